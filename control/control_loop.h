@@ -1,0 +1,54 @@
+// Everything the controller process does once per tick, without a bus: states in, one command out.
+//
+// The same object runs in the process, in `twinbus run`, in tests and in a log re-run, so it never asks for the time:
+// control follows the state's own time, time-outs follow the steady clock passed in.
+
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "robot/model.h"
+#include "robot/requests.h"
+#include "robot/robot_io.h"
+
+namespace twinbus {
+
+struct ControlConfig {
+  std::int64_t controller_id = 1;
+  Mode first_mode = Mode::kBalance;  // entered on the first state of a run, without a jump
+  bool guard_in_loop = true;
+};
+
+class ControlLoop {
+ public:
+  // Allocates everything.  Throws std::runtime_error if the robot cannot be controlled, saying why.  The model must
+  // outlive the loop.
+  ControlLoop(const Model& model, const ControlConfig& config);
+  ~ControlLoop();
+
+  // Inputs, admitted and finite (convert); each is remembered until the next step.
+  void on_state(const RobotState& state, std::int64_t now_ns) noexcept;
+  void on_mode_request(const ModeRequest& request) noexcept;
+  void on_walk_command(const WalkCommand& command, std::int64_t now_ns) noexcept;
+  void on_gamepad(const Gamepad& gamepad, std::int64_t now_ns) noexcept;
+  void on_arm_path(const ArmPathPiece& piece) noexcept;
+  void on_arm_goal(const ArmGoal& goal) noexcept;  // only to cancel the path being followed
+  void on_stop(const StopRequest& stop) noexcept;
+  void on_guard(const GuardReport& report, std::int64_t now_ns) noexcept;
+
+  // Computes the command that answers the newest state.  False when there is nothing to answer (no state yet, source
+  // not active, state already answered - a repeated tick gives the same command again and returns true).
+  bool step(std::int64_t now_ns, JointCommand& command) noexcept;
+
+  // What was decided in the last step, for CONTROLLER_STATUS.
+  const ControllerStatus& status() const noexcept;
+  // The in-loop guard's report of the last step, when guard_in_loop.
+  const GuardReport& guard_report() const noexcept;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace twinbus

@@ -1,0 +1,29 @@
+// What every main() needs: quit on a signal, real-time priority, random ids, the steady clock.
+
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace twinbus {
+
+// Installs handlers for SIGINT and SIGTERM; a second signal ends the process at once.
+void catch_quit_signals();
+bool quit_requested() noexcept;
+
+std::int64_t monotonic_ns() noexcept;
+std::int64_t wall_us() noexcept;
+
+// Sleeps until the steady clock shows due_ns (clock_nanosleep, absolute).
+void sleep_until_ns(std::int64_t due_ns) noexcept;
+
+// Random id, 1 <= id < 2^53.
+std::int64_t random_id();
+
+enum class RealTime : std::int8_t { kNone = 0, kFifo = 1, kFifoLocked = 2 };
+
+// FIFO priority and locked memory where the system allows them.  Call before the bus is opened: its receive thread
+// inherits the priority.  Never fails: the result says what was allowed and why says what was not, as one sentence.
+RealTime enter_real_time(int priority, std::string* why = nullptr);
+
+}  // namespace twinbus

@@ -1,0 +1,31 @@
+// The simulator as a robot: section 3.2 of the OpenHRP paper calls it the emulation adaptor.
+
+#pragma once
+
+#include <memory>
+
+#include "bridge/adaptor.h"
+#include "sim/scene.h"
+
+namespace twinbus {
+
+class SimAdaptor final : public RobotAdaptor {
+ public:
+  explicit SimAdaptor(const Scene& scene);
+  ~SimAdaptor() override;
+  Status open(const Model&, const AdaptorConfig&) override;  // settings: see sim/README section of scene.h
+  Status read(RobotState& state, double timeout_s) override; // advances by one period, then measures
+  Status write(const JointCommand& command) override;
+  void close() override;
+  Status fall_safe() override;
+  bool can_be_set() const override { return true; }
+  Status set_state(const ImposedState&) override;
+  const SimTruth* truth() const override;
+  bool is_hardware() const override { return false; }
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace twinbus
