@@ -20,6 +20,7 @@ enum class StopReason : std::int8_t {
   kController = 6,
   kCommandTimeout = 7,  // drawn by the gate itself
   kDevice = 8,          // the adaptor failed
+  kSwitch = 9,          // the active source asks the controller to come to rest before a switch; gates do not latch it
 };
 
 struct StopRequest {  // stop_t; kind kNone asks to clear

@@ -1,0 +1,63 @@
+// What the simulator's and the bridge's main() share: a bus, a Source around the adaptor, and the
+// pace.
+//
+// A main parses its own arguments, opens its adaptor and calls run_source_main(), which returns
+// when the process was asked to end.  Nothing in its loop allocates.
+
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "bridge/adaptor.h"
+#include "bridge/source.h"
+#include "robot/model.h"
+#include "robot/requests.h"
+
+namespace twinbus {
+
+// A request that belongs to the scene: published with the run_id of the active source, a little
+// before its tick.
+struct ScriptedMode {
+  double at = 0.0;
+  ModeRequest request;
+};  // [s] of active time; takes effect at tick at / period
+struct ScriptedGoal {
+  double at = 0.0;
+  ArmGoal goal;
+};
+
+struct SourceMainOptions {
+  std::string program = "source";  // in front of every line it prints
+  SourceKind kind = SourceKind::kSimulator;
+  ProcessKind process = ProcessKind::kSimulator;
+  std::string url;          // empty: $LCM_DEFAULT_URL, else the project's own
+  std::string prefix;       // before every channel
+  std::int64_t run_id = 0;  // 0: random
+  Pace pace = Pace::kRealTime;
+  double rate = 1.0;            // real time: this many times faster (simulators)
+  double duration = 0.0;        // [s] of active time, then it ends; 0: until a signal
+  bool guard_required = false;  // its silence masks the arms
+  std::uint64_t seed = 1;
+  int priority = 60;  // FIFO
+
+  std::string scene_text;                 // MODEL_TEXT kind 4
+  std::vector<ObstaclesPiece> obstacles;  // OBSTACLES, at 1 Hz
+  std::vector<ScriptedMode> modes;
+  std::vector<ScriptedGoal> goals;
+};
+
+// Takes argv[i] (and its value) if it is one of --url --prefix --run-id --id --lockstep --rate
+// --for --seed
+// --guard-required; moves i to the last argument used.  Throws std::invalid_argument with one
+// sentence if a value is missing or wrong.
+bool take_source_option(int argc, char** argv, int& i, SourceMainOptions& options);
+// The lines of --help for them.
+extern const char kSourceOptionsHelp[];
+
+// The adaptor is open; closed by the caller.  Returns the exit code: 0 asked to end, 1 the adaptor
+// failed for good. Throws std::runtime_error if the bus cannot be opened.
+int run_source_main(const SourceMainOptions& options, const Model& model, RobotAdaptor& adaptor);
+
+}  // namespace twinbus
