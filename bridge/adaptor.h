@@ -26,6 +26,11 @@ struct ImposedState {
   Eigen::Vector3d base_angular_velocity = Eigen::Vector3d::Zero();  // world [rad/s]
   PerJoint<double> q{};
   PerJoint<double> qd{};
+  // As in the state that is continued: contact and servo then go on from these forces instead of jumping.  Not known: a
+  // robot standing still is assumed.
+  bool forces_known = false;
+  std::array<std::array<float, 6>, 2> foot_wrench{};  // left, right: force [N], torque [N m], sensor frame
+  PerJoint<float> tau{};                              // [N m or N]
 };
 
 // Never throws.  Joint arrays are in bus order (Model::bus_joints).
