@@ -1,6 +1,9 @@
 // Self-collision and distance to obstacles on the link geometry, through FCL.
 //
-// FCL asserts on NaN: callers pass finite configurations (convert has checked them).
+// Only pairs that can say something reach FCL: bounding spheres first, then a separating direction
+// remembered from the last query (a lower bound, so what is remembered never changes an answer).
+// Queries on boxes, spheres and cylinders allocate nothing; meshes do.  FCL asserts on NaN: callers
+// pass finite configurations (convert has checked them).
 
 #pragma once
 
@@ -10,20 +13,23 @@
 
 #include "robot/kinematics.h"
 #include "robot/model.h"
+#include "robot/requests.h"
 
 namespace twinbus {
 
 struct CollisionPair {
   int link_a = 0;
-  int link_b = 0;   // or obstacle index + link_count
+  int link_b = 0;  // or obstacle index + link_count
 };
 
 struct PairDistance {
   int link_a = 0;
   int link_b = 0;
-  double distance = 0.0;  // [m]; 0 or below when touching
+  double distance = 0.0;                              // [m]; below zero: penetration depth
   Eigen::Vector3d point_a = Eigen::Vector3d::Zero();  // world
   Eigen::Vector3d point_b = Eigen::Vector3d::Zero();
+  Eigen::Vector3d normal =
+      Eigen::Vector3d::UnitZ();  // world, unit: moving b along it takes the pair apart
 };
 
 struct Obstacle {
@@ -34,17 +40,40 @@ struct Obstacle {
 
 class Collision {
  public:
-  // Loads geometry; drops adjacent pairs and the SRDF's disabled ones.  Throws if a mesh cannot be read.
+  static constexpr int kMaxObstacles = 64;
+
+  // Loads geometry; drops adjacent pairs and the SRDF's disabled ones.  Throws if a mesh cannot be
+  // read.
   explicit Collision(const Model& model);
   ~Collision();
 
   const std::vector<CollisionPair>& pairs() const noexcept;  // self pairs that are checked
-  void set_obstacles(const std::vector<Obstacle>& obstacles);  // world; may allocate
+  // World; the first kMaxObstacles that are shapes of positive size.  May allocate.
+  void set_obstacles(const std::vector<Obstacle>& obstacles);
+  // From now on only pairs whose distance some of these joints can change; an empty list means all
+  // pairs again.
+  void check_only_moved_by(const std::vector<int>& joints);
 
   // Is anything touching?  Stops at the first hit and says which.
   bool in_collision(const Kinematics& kinematics, CollisionPair* hit = nullptr) noexcept;
-  // Distances of the pairs nearer than `near` [m], nearest first, at most capacity; returns how many.
-  int near_pairs(const Kinematics& kinematics, double near, PairDistance* pairs, int capacity) noexcept;
+  // Is anything at `clearance` [m] or nearer?
+  bool nearer_than(const Kinematics& kinematics, double clearance,
+                   CollisionPair* hit = nullptr) noexcept;
+  // Distances of the pairs nearer than `near` [m], nearest first, at most capacity; returns how
+  // many.  travel, when given: per link [m], widens the search for a pair by the travel of both
+  // links (obstacles do not travel).
+  int near_pairs(const Kinematics& kinematics, double near, PairDistance* pairs, int capacity,
+                 const double* travel = nullptr) noexcept;
+  // Distance of one pair if it is nearer than `near` [m]; false when it is not.
+  bool pair_nearer_than(const Kinematics& kinematics, int link_a, int link_b, double near,
+                        PairDistance& result) noexcept;
+
+  // The pair by fcl::collide with its other solver (libccd), no filter: what tests compare with.
+  // Allocates.
+  bool touches_by_fcl(const Kinematics& kinematics, const CollisionPair& pair);
+
+  // Radius of the geometry of a link about the link's origin [m]; 0 without geometry.
+  double link_radius(int link) const noexcept;
 
  private:
   struct Impl;
