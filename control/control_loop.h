@@ -1,13 +1,16 @@
 // Everything the controller process does once per tick, without a bus: states in, one command out.
 //
-// The same object runs in the process, in `twinbus run`, in tests and in a log re-run, so it never asks for the time:
-// control follows the state's own time, time-outs follow the steady clock passed in.
+// The same object runs in the process, in `twinbus run`, in tests and in a log re-run, so it never
+// asks for the time: control follows the state's own time, time-outs follow the steady clock passed
+// in.
 
 #pragma once
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
+#include "robot/collision.h"
 #include "robot/model.h"
 #include "robot/requests.h"
 #include "robot/robot_io.h"
@@ -18,12 +21,13 @@ struct ControlConfig {
   std::int64_t controller_id = 1;
   Mode first_mode = Mode::kBalance;  // entered on the first state of a run, without a jump
   bool guard_in_loop = true;
+  bool balance_feedback = true;  // false: balance holds the bare plan, for comparison
 };
 
 class ControlLoop {
  public:
-  // Allocates everything.  Throws std::runtime_error if the robot cannot be controlled, saying why.  The model must
-  // outlive the loop.
+  // Allocates everything.  Throws std::runtime_error if the robot cannot be controlled, saying why.
+  // The model must outlive the loop.
   ControlLoop(const Model& model, const ControlConfig& config);
   ~ControlLoop();
 
@@ -36,13 +40,20 @@ class ControlLoop {
   void on_arm_goal(const ArmGoal& goal) noexcept;  // only to cancel the path being followed
   void on_stop(const StopRequest& stop) noexcept;
   void on_guard(const GuardReport& report, std::int64_t now_ns) noexcept;
+  // Obstacles in the ground frame at the start, for the in-loop guard; allocates, call before the
+  // loop runs.
+  void set_obstacles(const std::vector<Obstacle>& obstacles);
 
-  // Computes the command that answers the newest state.  False when there is nothing to answer (no state yet, source
-  // not active, state already answered - a repeated tick gives the same command again and returns true).
+  // Computes the command that answers the newest state.  False when there is nothing to answer (no
+  // state yet, source not active, state already answered - a repeated tick gives the same command
+  // again and returns true).
   bool step(std::int64_t now_ns, JointCommand& command) noexcept;
 
   // What was decided in the last step, for CONTROLLER_STATUS.
   const ControllerStatus& status() const noexcept;
+  // What people should be told once (walking comes later, the robot has fallen, ...), or null;
+  // cleared by the call.  A string that lives for ever.
+  const char* take_sentence() noexcept;
   // The in-loop guard's report of the last step, when guard_in_loop.
   const GuardReport& guard_report() const noexcept;
 

@@ -1,0 +1,44 @@
+#include "control/wrench_share.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace twinbus {
+
+Eigen::Vector2d SoleOnGround::turn(const Eigen::Vector2d& in_sole) const noexcept {
+  const double c = std::cos(yaw);
+  const double s = std::sin(yaw);
+  return {c * in_sole.x() - s * in_sole.y(), s * in_sole.x() + c * in_sole.y()};
+}
+
+Eigen::Vector2d SoleOnGround::unturn(const Eigen::Vector2d& in_ground) const noexcept {
+  const double c = std::cos(yaw);
+  const double s = std::sin(yaw);
+  return {c * in_ground.x() + s * in_ground.y(), -s * in_ground.x() + c * in_ground.y()};
+}
+
+ZmpShare share_zmp(const std::array<SoleOnGround, 2>& soles, const Eigen::Vector2d& zmp,
+                   double margin, double least_load) noexcept {
+  const Eigen::Vector2d left = soles[0].centre();
+  const Eigen::Vector2d right = soles[1].centre();
+  const Eigen::Vector2d line = left - right;
+  const double length2 = std::max(1e-6, line.squaredNorm());
+
+  ZmpShare share;
+  share.left = std::clamp((zmp - right).dot(line) / length2, least_load, 1.0 - least_load);
+  const Eigen::Vector2d rest = zmp - (right + share.left * line);
+  share.zmp.setZero();
+  for (std::size_t s = 0; s < 2; ++s) {
+    const SoleOnGround& sole = soles[s];
+    Eigen::Vector2d local = sole.unturn((s == 0 ? left : right) + rest - sole.position);
+    local.x() = std::clamp(local.x(), -sole.back + margin,
+                           std::max(-sole.back + margin, sole.front - margin));
+    local.y() = std::clamp(local.y(), -sole.right + margin,
+                           std::max(-sole.right + margin, sole.left - margin));
+    share.cop[s] = local;
+    share.zmp += (s == 0 ? share.left : 1.0 - share.left) * (sole.position + sole.turn(local));
+  }
+  return share;
+}
+
+}  // namespace twinbus
