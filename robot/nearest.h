@@ -1,0 +1,17 @@
+// The known name a user probably meant.
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace twinbus {
+
+// The candidate with the fewest edits to name, or empty if all are too far away to be a typing
+// mistake.
+std::string nearest_name(const std::string& name, const std::vector<std::string>& candidates);
+
+// "; did you mean X?", or "; known: a, b, c" when nothing is near (at most 12 are listed).
+std::string suggestion(const std::string& name, const std::vector<std::string>& candidates);
+
+}  // namespace twinbus

@@ -1,0 +1,98 @@
+#include "robot/process.h"
+
+#include <pthread.h>
+#include <sched.h>
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <ctime>
+#include <random>
+
+namespace twinbus {
+
+namespace {
+
+volatile std::sig_atomic_t quit_signals = 0;
+
+extern "C" void on_quit_signal(int number) {
+  if (quit_signals != 0) _exit(128 + number);
+  quit_signals = 1;
+}
+
+// Touches stack that the loop may use later, so that locking has something to lock.
+void touch_stack() {
+  volatile char block[256 * 1024];
+  for (std::size_t i = 0; i < sizeof(block); i += 1024) block[i] = 0;
+}
+
+}  // namespace
+
+void catch_quit_signals() {
+  struct sigaction action = {};
+  action.sa_handler = on_quit_signal;
+  sigemptyset(&action.sa_mask);
+  // No SA_RESTART: a blocking call returns so that the loop sees the request.
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+}
+
+bool quit_requested() noexcept { return quit_signals != 0; }
+
+std::int64_t monotonic_ns() noexcept {
+  timespec now;
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
+}
+
+std::int64_t wall_us() noexcept {
+  timespec now;
+  clock_gettime(CLOCK_REALTIME, &now);
+  return std::int64_t{now.tv_sec} * 1'000'000 + now.tv_nsec / 1000;
+}
+
+void sleep_until_ns(std::int64_t due_ns) noexcept {
+  if (due_ns <= 0) return;
+  timespec due;
+  due.tv_sec = static_cast<time_t>(due_ns / 1'000'000'000);
+  due.tv_nsec = static_cast<long>(due_ns % 1'000'000'000);
+  while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &due, nullptr) == EINTR &&
+         !quit_requested()) {
+  }
+}
+
+std::int64_t random_id() {
+  static std::mt19937_64 generator = [] {
+    std::random_device device;
+    std::seed_seq seed{device(), device(), device(), device(), static_cast<unsigned>(getpid())};
+    return std::mt19937_64(seed);
+  }();
+  return std::uniform_int_distribution<std::int64_t>(1, (std::int64_t{1} << 53) - 1)(generator);
+}
+
+RealTime enter_real_time(int priority, std::string* why) {
+  const auto tell = [&](const std::string& text) {
+    if (why != nullptr) *why = text;
+  };
+  tell("");
+  sched_param parameters = {};
+  parameters.sched_priority = priority;
+  const int error = pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters);
+  if (error != 0) {
+    tell(std::string("no FIFO priority (") + std::strerror(error) +
+         "): run with CAP_SYS_NICE, or allow it with ulimit -r");
+    return RealTime::kNone;
+  }
+  touch_stack();
+  if (mlockall(MCL_CURRENT | MCL_FUTURE) != 0) {
+    tell(std::string("memory not locked (") + std::strerror(errno) +
+         "): allow it with ulimit -l unlimited");
+    return RealTime::kFifo;
+  }
+  return RealTime::kFifoLocked;
+}
+
+}  // namespace twinbus
