@@ -23,10 +23,9 @@ namespace twinbus {
 
 struct GuardConfig {
   std::int64_t guard_id = 1;
-  double margin = 0.010;       // distance that is left when everything has come to rest [m]
-  double near = 0.050;         // pairs nearer than this are reported [m]
-  double deceleration = 20.0;  // what braking can be relied on: the gate's brake [rad/s^2 or m/s^2]
-  int delay_ticks = 2;         // from the state that shows a danger to the brake that answers it
+  double margin = 0.010;  // distance that is left when everything has come to rest [m]
+  double near = 0.050;    // pairs nearer than this are reported [m]
+  int delay_ticks = 2;    // from the state that shows a danger to the brake that answers it
 };
 
 class Guard {

@@ -352,6 +352,8 @@ Collision::~Collision() = default;
 
 const std::vector<CollisionPair>& Collision::pairs() const noexcept { return impl_->self_pairs; }
 
+int Collision::pair_count() const noexcept { return static_cast<int>(impl_->pairs.size()); }
+
 double Collision::link_radius(int link) const noexcept {
   return impl_->link_radius[static_cast<std::size_t>(link)];
 }

@@ -48,6 +48,7 @@ class Collision {
   ~Collision();
 
   const std::vector<CollisionPair>& pairs() const noexcept;  // self pairs that are checked
+  int pair_count() const noexcept;                           // self pairs and link-obstacle pairs
   // World; the first kMaxObstacles that are shapes of positive size.  May allocate.
   void set_obstacles(const std::vector<Obstacle>& obstacles);
   // From now on only pairs whose distance some of these joints can change; an empty list means all

@@ -1,0 +1,336 @@
+#include "control/guard.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+
+#include "control/set_point_track.h"
+#include "robot/collision_pairs.h"
+
+namespace twinbus {
+
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kStride = 0.02;  // most that any point moves between two looks ahead [m]
+constexpr int kMostLooks = 6;
+constexpr double kNearer = 1e-4;  // a pair inside the margin may still come this much nearer [m]
+constexpr double kShare = 0.02;   // of the approach: joints that do less of it are not masked
+constexpr int kKeepTicks = 5;     // a mask outlives its cause by this, against flicker
+constexpr double kNever = 1e3;    // time to contact of a pair that parts [s]
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+// How far a point of `link` can move per unit of each joint: a bound over all postures [m/rad or
+// m/m].
+std::vector<double> reaches(const Model& model, const Collision& collision, int link) {
+  std::vector<double> reach(model.joints.size(), 0.0);
+  double length = collision.link_radius(link);
+  if (!(length > 0.0)) return reach;
+  for (int child = link; child > 0; child = model.links[at(child)].parent) {
+    const Joint& joint = model.joints[at(child - 1)];
+    const bool slides = joint.kind == JointKind::kPrismatic;
+    reach[at(child - 1)] = slides ? 1.0 : length;
+    length += joint.placement.translation().norm();
+    if (slides) length += std::max(std::abs(joint.lower), std::abs(joint.upper));
+  }
+  return reach;
+}
+
+}  // namespace
+
+struct Guard::Impl {
+  const Model* model;
+  GuardConfig config;
+  Collision collision;
+  SetPointTrack track;
+  Kinematics now_kinematics, then_kinematics;
+  Configuration now, then;
+  std::vector<double> reach;   // [link_count x joint_count]
+  std::vector<double> travel;  // [link_count], the most a link moves before it is at rest [m]
+  std::vector<int> leg;        // [joint_count], 1 for leg joints
+  std::vector<std::uint8_t>
+      moves;  // [link_count x joint_count]: the joint is on the way from the base to the link
+  std::vector<double> rest_braked, rest_obeyed;  // [joint_count]
+  std::array<PairDistance, kMaxPairs> pairs{};
+  int pair_count = 0;
+  std::array<int, kMaxJoints> keep{};  // ticks left of a mask
+  std::int64_t run_id = 0;
+  GuardReport report;
+
+  Impl(const Model& robot, const GuardConfig& wanted);
+  bool moves_link(int joint, int link) const noexcept {
+    return link < model->link_count() && moves[at(link * model->joint_count() + joint)] != 0;
+  }
+  double travel_of(int link) const noexcept {
+    return link < model->link_count() ? travel[at(link)] : 0.0;
+  }
+
+  void predict(const RobotState& state, const JointCommand* command) noexcept;
+  void spread_to_mimics(std::vector<double>& q) const noexcept;
+  void bound_travel() noexcept;
+  void look_along(const std::vector<double>& rest, std::int64_t& mask, bool& leg_hit,
+                  bool& danger) noexcept;
+  bool comes_too_near(const PairDistance& before, const PairDistance& after) const noexcept;
+  double approach(const Kinematics& kinematics, const PairDistance& pair, int joint,
+                  double step) const noexcept;
+  void blame(const PairDistance& before, const PairDistance& after, const std::vector<double>& rest,
+             std::int64_t& mask, bool& leg_hit) noexcept;
+  bool blame_at(const Kinematics& kinematics, const PairDistance& pair,
+                const std::vector<double>& rest, std::int64_t& mask, bool& leg_hit) const noexcept;
+  void mask_joint(int joint, std::int64_t& mask) const noexcept;
+  void fill_rows() noexcept;
+};
+
+Guard::Impl::Impl(const Model& robot, const GuardConfig& wanted)
+    : model(&robot),
+      config(wanted),
+      collision(robot),
+      track(robot, (wanted.delay_ticks + 1) * robot.period()),
+      now_kinematics(robot),
+      then_kinematics(robot),
+      now(robot),
+      then(robot) {
+  const auto joints = robot.joints.size();
+  travel.assign(robot.links.size(), 0.0);
+  leg.assign(joints, 0);
+  for (const int joint : robot.leg_joints) leg[at(joint)] = 1;
+  rest_braked.assign(joints, 0.0);
+  rest_obeyed.assign(joints, 0.0);
+  for (int link = 0; link < robot.link_count(); ++link) {
+    const std::vector<double> row = reaches(robot, collision, link);
+    reach.insert(reach.end(), row.begin(), row.end());
+    for (int joint = 0; joint < robot.joint_count(); ++joint) {
+      moves.push_back(joint_moves_pair(robot, joint, link, -1) ? 1 : 0);
+    }
+  }
+}
+
+void Guard::Impl::spread_to_mimics(std::vector<double>& q) const noexcept {
+  for (int j = 0; j < model->joint_count(); ++j) {
+    const Joint& joint = model->joints[at(j)];
+    if (joint.mimic >= 0)
+      q[at(j)] = joint.mimic_multiplier * q[at(joint.mimic)] + joint.mimic_offset;
+  }
+}
+
+void Guard::Impl::predict(const RobotState& state, const JointCommand* command) noexcept {
+  if (command != nullptr) track.follow(state, *command, report.hold_mask);
+  const int count = std::min({model->bus_count(), kMaxJoints, static_cast<int>(state.joint_count)});
+  for (int j = 0; j < model->joint_count(); ++j) rest_braked[at(j)] = rest_obeyed[at(j)] = now.q[j];
+  for (int k = 0; k < count; ++k) {
+    const auto joint = at(model->bus_joints[at(k)]);
+    rest_braked[joint] =
+        track.rest_if_braked(at(k), state.q[at(k)], static_cast<double>(state.qd[at(k)]));
+    rest_obeyed[joint] = command != nullptr ? track.rest_if_obeyed(at(k)) : rest_braked[joint];
+  }
+  spread_to_mimics(rest_braked);
+  spread_to_mimics(rest_obeyed);
+}
+
+void Guard::Impl::bound_travel() noexcept {
+  for (int link = 0; link < model->link_count(); ++link) {
+    double sum = 0.0;
+    for (int child = link; child > 0; child = model->links[at(child)].parent) {
+      const auto j = at(child - 1);
+      const double step = std::max(std::abs(rest_braked[j] - now.q[child - 1]),
+                                   std::abs(rest_obeyed[j] - now.q[child - 1]));
+      sum += step * reach[at(link) * model->joints.size() + j];
+    }
+    travel[at(link)] = sum;
+  }
+}
+
+bool Guard::Impl::comes_too_near(const PairDistance& before,
+                                 const PairDistance& after) const noexcept {
+  return after.distance < config.margin && after.distance < before.distance - kNearer;
+}
+
+// Change of the distance of the pair when `joint` moves by `step`, to first order [m].
+double Guard::Impl::approach(const Kinematics& kinematics, const PairDistance& pair, int joint,
+                             double step) const noexcept {
+  const bool with_a = moves_link(joint, pair.link_a);
+  const bool with_b = moves_link(joint, pair.link_b);
+  if (with_a == with_b || step == 0.0) return 0.0;
+  const Vector3d& point = with_a ? pair.point_a : pair.point_b;
+  const Vector3d& axis = kinematics.axis_in_world(joint);
+  const Vector3d motion =
+      model->joints[at(joint)].kind == JointKind::kPrismatic
+          ? axis
+          : Vector3d(axis.cross(point - kinematics.link_in_world(joint + 1).translation()));
+  return (with_b ? step : -step) * pair.normal.dot(motion);
+}
+
+void Guard::Impl::mask_joint(int joint, std::int64_t& mask) const noexcept {
+  const int driver = model->joints[at(joint)].mimic >= 0 ? model->joints[at(joint)].mimic : joint;
+  for (int k = 0; k < std::min(model->bus_count(), kMaxJoints); ++k) {
+    if (model->bus_joints[at(k)] == driver) mask |= std::int64_t{1} << k;
+  }
+}
+
+// Masks the joints that bring the pair together as seen from this posture; false if none does.
+bool Guard::Impl::blame_at(const Kinematics& kinematics, const PairDistance& pair,
+                           const std::vector<double>& rest, std::int64_t& mask,
+                           bool& leg_hit) const noexcept {
+  double together = 0.0;
+  double by_legs = 0.0;
+  for (int j = 0; j < model->joint_count(); ++j) {
+    const double change = approach(kinematics, pair, j, rest[at(j)] - now.q[j]);
+    if (!(change < 0.0)) continue;
+    together -= change;
+    if (leg[at(j)] != 0) by_legs -= change;
+  }
+  if (!(together > kNearer)) return false;
+  for (int j = 0; j < model->joint_count(); ++j) {
+    if (leg[at(j)] != 0) continue;
+    if (approach(kinematics, pair, j, rest[at(j)] - now.q[j]) < -kShare * together)
+      mask_joint(j, mask);
+  }
+  leg_hit = leg_hit || by_legs > 0.5 * together;
+  return true;
+}
+
+void Guard::Impl::blame(const PairDistance& before, const PairDistance& after,
+                        const std::vector<double>& rest, std::int64_t& mask,
+                        bool& leg_hit) noexcept {
+  if (blame_at(now_kinematics, before, rest, mask, leg_hit)) return;
+  if (blame_at(then_kinematics, after, rest, mask, leg_hit)) return;
+  // A curved way in: whatever moves either of them.
+  for (int j = 0; j < model->joint_count(); ++j) {
+    if (moves_link(j, before.link_a) == moves_link(j, before.link_b) || rest[at(j)] == now.q[j])
+      continue;
+    if (leg[at(j)] != 0) {
+      leg_hit = true;
+    } else {
+      mask_joint(j, mask);
+    }
+  }
+}
+
+// Looks at postures on the way from here to rest, near enough to each other that nothing slips
+// between them.
+void Guard::Impl::look_along(const std::vector<double>& rest, std::int64_t& mask, bool& leg_hit,
+                             bool& danger) noexcept {
+  double farthest = 0.0;
+  for (int p = 0; p < pair_count; ++p) {
+    const PairDistance& pair = pairs[at(p)];
+    const double bound = travel_of(pair.link_a) + travel_of(pair.link_b);
+    if (pair.distance < config.margin + bound) farthest = std::max(farthest, bound);
+  }
+  if (!(farthest > kNearer)) return;
+  const int looks = std::clamp(static_cast<int>(std::ceil(farthest / kStride)), 1, kMostLooks);
+  std::array<bool, kMaxPairs> done{};
+  then.base = now.base;
+  for (int look = 1; look <= looks; ++look) {
+    const double share = static_cast<double>(look) / looks;
+    for (int j = 0; j < model->joint_count(); ++j)
+      then.q[j] = now.q[j] + share * (rest[at(j)] - now.q[j]);
+    then_kinematics.update(then);
+    for (int p = 0; p < pair_count; ++p) {
+      const PairDistance& before = pairs[at(p)];
+      const double bound = travel_of(before.link_a) + travel_of(before.link_b);
+      if (done[at(p)] || !(before.distance < config.margin + bound)) continue;
+      PairDistance after;
+      if (!collision.pair_nearer_than(then_kinematics, before.link_a, before.link_b, config.margin,
+                                      after))
+        continue;
+      if (!comes_too_near(before, after)) continue;
+      done[at(p)] = true;
+      danger = true;
+      blame(before, after, rest, mask, leg_hit);
+    }
+  }
+}
+
+void Guard::Impl::fill_rows() noexcept {
+  const Eigen::Isometry3d to_base = now.base.inverse();
+  int near = 0;
+  for (int p = 0; p < pair_count; ++p) near += pairs[at(p)].distance <= config.near ? 1 : 0;
+  near = std::min(near, kGuardPairs);
+  report.pairs_near = static_cast<std::int16_t>(near);
+  for (int p = 0; p < kGuardPairs; ++p) {
+    const auto i = at(p);
+    const PairDistance pair = p < near ? pairs[i] : PairDistance{};
+    const Vector3d a = p < near ? Vector3d(to_base * pair.point_a) : Vector3d::Zero();
+    const Vector3d b = p < near ? Vector3d(to_base * pair.point_b) : Vector3d::Zero();
+    double speed = 0.0;  // of approach [m/s]
+    for (int j = 0; p < near && j < model->joint_count(); ++j)
+      speed -= approach(now_kinematics, pair, j, now.qd[j]);
+    const double time =
+        speed > 1e-6 ? std::min(std::max(pair.distance, 0.0) / speed, kNever) : kNever;
+    report.link_a[i] = static_cast<std::int16_t>(pair.link_a);
+    report.link_b[i] = static_cast<std::int16_t>(pair.link_b);
+    report.distance[i] = static_cast<float>(pair.distance);
+    report.time_to_contact[i] = p < near ? static_cast<float>(time) : 0.0F;
+    for (std::size_t k = 0; k < 3; ++k) {
+      report.point_a[i][k] = static_cast<float>(a[static_cast<int>(k)]);
+      report.point_b[i][k] = static_cast<float>(b[static_cast<int>(k)]);
+    }
+  }
+}
+
+Guard::Guard(const Model& model, const GuardConfig& config)
+    : impl_(std::make_unique<Impl>(model, config)) {}
+Guard::~Guard() = default;
+
+const GuardReport& Guard::report() const noexcept { return impl_->report; }
+const PairDistance* Guard::pairs() const noexcept { return impl_->pairs.data(); }
+int Guard::pair_count() const noexcept { return impl_->pair_count; }
+void Guard::set_obstacles(const std::vector<Obstacle>& obstacles) {
+  impl_->collision.set_obstacles(obstacles);
+}
+
+void Guard::reset() noexcept {
+  impl_->track.reset();
+  impl_->keep.fill(0);
+  impl_->report = GuardReport{};
+}
+
+const GuardReport& Guard::check(const RobotState& state, const JointCommand* command,
+                                const Configuration& base) noexcept {
+  Impl& i = *impl_;
+  if (state.run_id != i.run_id) reset();  // another source: its set-points are not ours
+  i.run_id = state.run_id;
+
+  i.now.base = base.base;
+  set_joints(*i.model, state, i.now);
+  i.now_kinematics.update(i.now);
+  i.predict(state, command);
+  i.bound_travel();
+  i.pair_count = i.collision.near_pairs(i.now_kinematics, std::max(i.config.near, i.config.margin),
+                                        i.pairs.data(), kMaxPairs, i.travel.data());
+
+  std::int64_t mask = 0;
+  bool leg_hit = false;
+  bool danger = false;
+  i.look_along(i.rest_braked, mask, leg_hit, danger);
+  if (command != nullptr) i.look_along(i.rest_obeyed, mask, leg_hit, danger);
+  for (std::size_t k = 0; k < at(kMaxJoints); ++k) {
+    const bool caused = ((mask >> k) & 1) != 0;
+    i.keep[k] = caused ? kKeepTicks : std::max(0, i.keep[k] - 1);
+    if (i.keep[k] > 0) mask |= std::int64_t{1} << k;
+  }
+
+  GuardReport& report = i.report;
+  report.tick = state.tick;
+  report.run_id = state.run_id;
+  report.guard_id = i.config.guard_id;
+  report.hold_mask = mask;
+  report.compute_ns = 0;
+  report.stop_asked = leg_hit;
+  report.pairs_checked = static_cast<std::int16_t>(
+      std::min<std::size_t>(static_cast<std::size_t>(i.collision.pair_count()),
+                            std::numeric_limits<std::int16_t>::max()));
+  i.fill_rows();
+  const bool touching = i.pair_count > 0 && !(i.pairs[0].distance > 0.0);
+  report.verdict = touching                ? GuardVerdict::kInCollision
+                   : danger                ? GuardVerdict::kWillCollide
+                   : report.pairs_near > 0 ? GuardVerdict::kNear
+                                           : GuardVerdict::kClear;
+  return report;
+}
+
+}  // namespace twinbus
