@@ -86,7 +86,8 @@ class Bus {
   // wall_time_us).
   template <class Handler>
   void listen_raw(const char* pattern, Handler& handler) {
-    subscribe(pattern, kLongQueue, &handler, &on_raw<Handler>);
+    subscribe(pattern, kLongQueue, const_cast<std::remove_const_t<Handler>*>(&handler),
+              &on_raw<Handler>);
   }
 
   // Waits up to timeout_s (0: does not wait; finer than a millisecond) for anything to arrive, then

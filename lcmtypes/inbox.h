@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <type_traits>
 
 #include "lcmtypes/wire.h"
 
@@ -29,7 +30,7 @@ struct Latest {
   // this.
   template <class Object>
   void admit_by(Object& object) noexcept {
-    rule_object_ = &object;
+    rule_object_ = const_cast<std::remove_const_t<Object>*>(&object);
     rule_ = [](void* rule, const T& candidate, const T& current) noexcept -> bool {
       return (*static_cast<Object*>(rule))(candidate, current);
     };

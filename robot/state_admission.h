@@ -20,7 +20,7 @@ class StateAdmission {
   // [ns].
   static constexpr std::int64_t kSilence = 100'000'000;
   static constexpr std::int64_t kLongSilence = 1'000'000'000;
-  static constexpr std::int64_t kFarthestJump = 100'000;  // ticks ahead of the last one
+  static constexpr std::int64_t kFarthestJump = 1000;  // ticks ahead of the last one
 
   // True if the message is to be used.  A repeated tick is admitted too: in lock-step it asks for
   // the same answer.
