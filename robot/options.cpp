@@ -274,7 +274,11 @@ std::string Options::help() const {
   return text;
 }
 
-CommonOptions::CommonOptions() : url(default_url()) {
+namespace {
+const char* project_url() { return "udpm://239.255.76.67:17667?ttl=0&recv_buf_size=4194304"; }
+}  // namespace
+
+CommonOptions::CommonOptions() : url(project_url()) {
   if (const char* set = std::getenv("LCM_DEFAULT_URL"); set != nullptr && *set != '\0') url = set;
 }
 
@@ -288,7 +292,5 @@ void add_common(Options& options, CommonOptions& common) {
                   "fixed id of this process instead of a random one");
   options.alias("--run-id");
 }
-
-const char* default_url() { return "udpm://239.255.76.67:17667?ttl=0&recv_buf_size=4194304"; }
 
 }  // namespace twinbus

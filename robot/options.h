@@ -78,14 +78,11 @@ class Options {
 struct CommonOptions {
   std::string robot = "hrp1s";  // name or folder
   std::string prefix;           // before every channel
-  std::string url;              // $LCM_DEFAULT_URL, else default_url()
+  std::string url;              // $LCM_DEFAULT_URL, else the project's own port, this machine only
   std::int64_t id = 0;          // 0: draw a random one
   CommonOptions();
 };
 
 void add_common(Options& options, CommonOptions& common);
-
-// The project's own port, this machine only.
-const char* default_url();
 
 }  // namespace twinbus
