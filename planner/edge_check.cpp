@@ -1,0 +1,92 @@
+#include "planner/edge_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace twinbus {
+
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+// Largest distance from the axis of `joint` that a point of any link moved by it can have.
+double reach_of(const Model& model, const Collision& collision, int joint) {
+  if (model.joints[at(joint)].kind == JointKind::kPrismatic) return 1.0;
+  double reach = 0.0;
+  for (int link = 0; link < model.link_count(); ++link) {
+    double length = collision.link_radius(link);
+    if (!(length > 0.0)) continue;
+    for (int child = link; child > 0; child = model.links[at(child)].parent) {
+      if (child == joint + 1) reach = std::max(reach, length);
+      const Joint& passed = model.joints[at(child - 1)];
+      length += passed.placement.translation().norm();
+      if (passed.kind == JointKind::kPrismatic)
+        length += std::max(std::abs(passed.lower), std::abs(passed.upper));
+    }
+  }
+  return reach;
+}
+
+}  // namespace
+
+EdgeCheck::EdgeCheck(const Model& model, Collision& collision, const Configuration& posture,
+                     const std::vector<int>& joints, double clearance)
+    : model_(&model),
+      collision_(&collision),
+      posture_(posture),
+      kinematics_(model),
+      joints_(joints),
+      clearance_(clearance) {
+  if (joints.empty() || joints.size() > at(kArmJoints)) {
+    throw std::invalid_argument("EdgeCheck: 1 to " + std::to_string(kArmJoints) +
+                                " joints can be planned, got " + std::to_string(joints.size()));
+  }
+  collision.check_only_moved_by(joints);
+  reach_.resize(static_cast<int>(joints.size()));
+  for (int k = 0; k < reach_.size(); ++k) reach_[k] = reach_of(model, collision, joints[at(k)]);
+}
+
+const Kinematics& EdgeCheck::kinematics_at(const JointPoint& q) {
+  for (int k = 0; k < q.size(); ++k) posture_.q[joints_[at(k)]] = q[k];
+  kinematics_.update(posture_);
+  return kinematics_;
+}
+
+bool EdgeCheck::point_free(const JointPoint& q) {
+  ++checks_;
+  return !collision_->nearer_than(kinematics_at(q), clearance_);
+}
+
+bool EdgeCheck::who_is_near(const JointPoint& q, double clearance, CollisionPair& pair) {
+  return collision_->nearer_than(kinematics_at(q), clearance, &pair);
+}
+
+double EdgeCheck::nearest(const JointPoint& q, double far) {
+  PairDistance pair;
+  return collision_->near_pairs(kinematics_at(q), far, &pair, 1) > 0 ? pair.distance : far;
+}
+
+double EdgeCheck::motion_bound(const JointPoint& from, const JointPoint& to) const {
+  return (to - from).cwiseAbs().dot(reach_);
+}
+
+bool EdgeCheck::line_free(const JointPoint& from, const JointPoint& to) {
+  if (!point_free(from) || !point_free(to)) return false;
+  // Two samples are at most 2 clearances of motion apart, so each point is within one of a sample.
+  const int pieces =
+      std::max(1, static_cast<int>(std::ceil(motion_bound(from, to) / (2.0 * clearance_))));
+  // Coarse to fine: what is in the way is found early.  Visits every multiple of `stride` not
+  // visited before.
+  int stride = 1;
+  while (stride < pieces) stride *= 2;
+  for (; stride >= 1; stride /= 2) {
+    for (int i = stride; i < pieces; i += 2 * stride) {
+      const double share = static_cast<double>(i) / pieces;
+      if (!point_free(from + share * (to - from))) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace twinbus
