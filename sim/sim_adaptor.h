@@ -13,8 +13,10 @@ class SimAdaptor final : public RobotAdaptor {
  public:
   explicit SimAdaptor(const Scene& scene);
   ~SimAdaptor() override;
-  Status open(const Model&, const AdaptorConfig&) override;  // settings: see sim/README section of scene.h
-  Status read(RobotState& state, double timeout_s) override; // advances by one period, then measures
+  Status open(const Model&,
+              const AdaptorConfig&) override;  // settings: see sim/README section of scene.h
+  Status read(RobotState& state,
+              double timeout_s) override;  // advances by one period, then measures
   Status write(const JointCommand& command) override;
   void close() override;
   Status fall_safe() override;

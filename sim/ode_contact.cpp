@@ -1,0 +1,223 @@
+// What touches what in the simulated world, as soft contact rows of ODE.
+//
+// A row with soft ERP = h k / (h k + c) and CFM = 1 / (h k + c) is lambda = k (depth - h v+) - c v+
+// >= 0: a spring and damper by backward Euler.  The corners of a sole carry its declared stiffness;
+// everything else exists so that a fallen robot lies on the ground and an arm does not pass through
+// a table.  Contacts come in a fixed order.
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/ode_impl.h"
+
+namespace twinbus {
+
+namespace {
+
+constexpr double kLinkStiffness = 2e5;  // of a point of a shell [N/m]
+constexpr double kLinkDamping = 1e3;    // [N s/m]
+constexpr double kLinkFriction = 0.6;
+constexpr int kPointsPerPair = 4;
+constexpr double kSoleSkin =
+    0.02;  // points of a foot this near its sole are the corners' business [m]
+constexpr double kSlipSpeed = 1e-3;  // below it the friction axes follow the foot [m/s]
+
+void set_geom_offset(dGeomID geom, const Eigen::Isometry3d& pose, const Eigen::Vector3d& com) {
+  const Eigen::Vector3d p = pose.translation() - com;
+  dMatrix3 rotation;
+  for (int r = 0; r < 3; ++r) {
+    for (int c = 0; c < 3; ++c) rotation[r * 4 + c] = pose.linear()(r, c);
+    rotation[r * 4 + 3] = 0.0;
+  }
+  dGeomSetOffsetPosition(geom, p.x(), p.y(), p.z());
+  dGeomSetOffsetRotation(geom, rotation);
+}
+
+bool overlap(const dReal* a, const dReal* b) {
+  return a[0] <= b[1] && b[0] <= a[1] && a[2] <= b[3] && b[2] <= a[3] && a[4] <= b[5] &&
+         b[4] <= a[5];
+}
+
+}  // namespace
+
+Eigen::Vector3d sole_corner(const Sole& sole, int corner) noexcept {
+  return {corner < 2 ? sole.front : -sole.back, corner % 2 == 0 ? sole.left : -sole.right, 0.0};
+}
+
+void OdeWorld::Impl::add_geoms() {
+  plane = dCreatePlane(nullptr, 0.0, 0.0, 1.0, 0.0);
+  for (int link = 0; link < model.link_count(); ++link) {
+    if (body(link) == nullptr) continue;
+    for (const Shape& shape : model.links[static_cast<std::size_t>(link)].collision) {
+      dGeomID geom = nullptr;
+      switch (shape.kind) {
+        case ShapeKind::kBox:
+          geom = dCreateBox(nullptr, shape.size.x(), shape.size.y(), shape.size.z());
+          break;
+        case ShapeKind::kSphere:
+          geom = dCreateSphere(nullptr, shape.size.x());
+          break;
+        case ShapeKind::kCylinder:
+          geom = dCreateCylinder(nullptr, shape.size.x(), shape.size.y());
+          break;
+        case ShapeKind::kMesh:
+          break;  // the guard and the planner know meshes; here a robot falls on its primitives
+      }
+      if (geom == nullptr) continue;
+      dGeomSetBody(geom, body(link));
+      set_geom_offset(geom, shape.pose, com_in_link[static_cast<std::size_t>(link)]);
+      link_geoms.push_back({geom, link});
+    }
+  }
+  for (const Obstacle& obstacle : config.obstacles) {
+    dGeomID geom = nullptr;
+    switch (obstacle.shape) {
+      case ObstacleShape::kBox:
+        geom = dCreateBox(nullptr, obstacle.size.x(), obstacle.size.y(), obstacle.size.z());
+        break;
+      case ObstacleShape::kSphere:
+        geom = dCreateSphere(nullptr, obstacle.size.x());
+        break;
+      case ObstacleShape::kCylinder:
+        geom = dCreateCylinder(nullptr, obstacle.size.x(), obstacle.size.y());
+        break;
+      case ObstacleShape::kNone:
+        break;
+    }
+    if (geom == nullptr) continue;
+    const Eigen::Vector3d p = obstacle.pose.translation();
+    const Eigen::Quaterniond q(obstacle.pose.linear());
+    const dQuaternion attitude = {q.w(), q.x(), q.y(), q.z()};
+    dGeomSetPosition(geom, p.x(), p.y(), p.z());
+    dGeomSetQuaternion(geom, attitude);
+    obstacle_geoms.push_back(geom);
+  }
+}
+
+void OdeWorld::Impl::find_contacts() noexcept {
+  contacts.clear();
+  contact_rows.clear();
+  find_sole_contacts();
+  find_link_contacts();
+}
+
+void OdeWorld::Impl::find_sole_contacts() noexcept {
+  for (int side = 0; side < 2; ++side) {
+    const auto foot = static_cast<std::size_t>(side);
+    const Sole& sole = model.soles[foot];
+    if (sole.link < 0 || body(sole.link) == nullptr) continue;
+    const Eigen::Isometry3d& link = kinematics.link_in_world(sole.link);
+    const double k = sole.stiffness / kSoleCorners * config.stiffness_scale;
+    const double c = sole.damping / kSoleCorners * config.damping_scale;
+    const double mu = std::sqrt(sole.friction * config.ground_friction);
+    for (int corner = 0; corner < kSoleCorners; ++corner) {
+      const Eigen::Vector3d point = link * (sole.frame * sole_corner(sole, corner));
+      const double depth =
+          config.ground_height[foot] - offset[foot][static_cast<std::size_t>(corner)] - point.z();
+      if (!(depth > 0.0)) continue;
+      dContactGeom geom{};
+      for (int i = 0; i < 3; ++i) geom.pos[i] = point[i];
+      geom.normal[2] = 1.0;
+      geom.depth = depth;
+      add_contact(geom, sole.link, side, k, c, mu);
+    }
+  }
+}
+
+void OdeWorld::Impl::find_link_contacts() noexcept {
+  dContactGeom found[kPointsPerPair];
+  const double mu = std::sqrt(kLinkFriction * config.ground_friction);
+  for (const OdeGeom& own : link_geoms) {
+    dReal box[6];
+    dGeomGetAABB(own.geom, box);
+    if (box[4] <= 0.0) {
+      const int count = dCollide(own.geom, plane, kPointsPerPair, found, sizeof(dContactGeom));
+      for (int i = 0; i < count; ++i) {
+        const Eigen::Vector3d point(found[i].pos[0], found[i].pos[1], found[i].pos[2]);
+        bool is_sole = false;
+        for (const Sole& sole : model.soles) {
+          if (sole.link != own.link) continue;
+          const Eigen::Isometry3d frame = kinematics.link_in_world(sole.link) * sole.frame;
+          is_sole = is_sole || (frame.inverse() * point).z() < kSoleSkin;
+        }
+        if (!is_sole) add_contact(found[i], own.link, -1, kLinkStiffness, kLinkDamping, mu);
+      }
+    }
+    for (const dGeomID obstacle : obstacle_geoms) {
+      dReal other[6];
+      dGeomGetAABB(obstacle, other);
+      if (!overlap(box, other)) continue;
+      const int count = dCollide(own.geom, obstacle, kPointsPerPair, found, sizeof(dContactGeom));
+      for (int i = 0; i < count; ++i)
+        add_contact(found[i], own.link, -1, kLinkStiffness, kLinkDamping, mu);
+    }
+  }
+}
+
+void OdeWorld::Impl::add_contact(const dContactGeom& geom, int link, int sole, double k, double c,
+                                 double mu) noexcept {
+  if (contacts.size() >= static_cast<std::size_t>(kMaxContacts)) return;
+  const Eigen::Vector3d point(geom.pos[0], geom.pos[1], geom.pos[2]);
+  const Eigen::Vector3d normal(geom.normal[0], geom.normal[1], geom.normal[2]);
+
+  // First friction axis along the slip, so that the friction pyramid does not favour the world's
+  // axes.
+  dVector3 velocity;
+  dBodyGetPointVel(body(link), point.x(), point.y(), point.z(), velocity);
+  Eigen::Vector3d along(velocity[0], velocity[1], velocity[2]);
+  along -= normal.dot(along) * normal;
+  if (!(along.norm() > kSlipSpeed)) {
+    along = kinematics.link_in_world(link).linear().col(0);
+    along -= normal.dot(along) * normal;
+    if (!(along.norm() > 0.1)) {
+      along = kinematics.link_in_world(link).linear().col(1);
+      along -= normal.dot(along) * normal;
+    }
+  }
+  along.normalize();
+
+  dContact row{};
+  row.geom = geom;
+  row.geom.g1 = row.geom.g2 = nullptr;
+  row.surface.mode = dContactApprox1 | dContactSoftERP | dContactSoftCFM | dContactFDir1;
+  row.surface.mu = mu;
+  row.surface.soft_erp = h * k / (h * k + c);
+  row.surface.soft_cfm = 1.0 / (h * k + c);
+  for (int i = 0; i < 3; ++i) row.fdir1[i] = along[i];
+  contact_rows.push_back(row);
+  contacts.push_back({.link = link,
+                      .sole = sole,
+                      .point = point,
+                      .force = Eigen::Vector3d::Zero(),
+                      .depth = geom.depth});
+}
+
+void OdeWorld::Impl::create_contact_joints() noexcept {
+  for (std::size_t i = 0; i < contact_rows.size(); ++i) {
+    const dJointID joint = dJointCreateContact(world, contact_group, &contact_rows[i]);
+    dJointAttach(joint, body(contacts[i].link), nullptr);
+    dJointSetFeedback(joint, &feedback[i]);
+  }
+}
+
+void OdeWorld::Impl::read_contact_forces() noexcept {
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    contacts[i].force = Eigen::Vector3d(feedback[i].f1[0], feedback[i].f1[1], feedback[i].f1[2]);
+  }
+}
+
+void OdeWorld::Impl::estimate_contact_forces() noexcept {
+  find_contacts();
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    const dContact& row = contact_rows[i];
+    dVector3 velocity;
+    dBodyGetPointVel(body(contacts[i].link), row.geom.pos[0], row.geom.pos[1], row.geom.pos[2],
+                     velocity);
+    const Eigen::Vector3d normal(row.geom.normal[0], row.geom.normal[1], row.geom.normal[2]);
+    const double speed = normal.dot(Eigen::Vector3d(velocity[0], velocity[1], velocity[2]));
+    const double force = (row.surface.soft_erp / h * row.geom.depth - speed) / row.surface.soft_cfm;
+    contacts[i].force = std::max(0.0, force) * normal;
+  }
+}
+
+}  // namespace twinbus

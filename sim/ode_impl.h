@@ -1,0 +1,107 @@
+// Inside of OdeWorld, shared by sim/ode*.cpp and nobody else: the only header that includes ODE.
+
+#pragma once
+
+#include <ode/ode.h>
+
+#include "sim/ode_world.h"
+
+namespace twinbus {
+
+// One moving joint and the rows that act on it.
+//
+// All rows have the same axis.  Revolute: an angular motor with axis 0 = servo, 1 = rotor inertia
+// and damping, 2 = stop (its angle is ours, so that ranges beyond half a turn work); Coulomb
+// friction is the motor of the hinge itself. Prismatic: a linear motor with axis 0 = servo, 1 =
+// rotor, 2 = Coulomb friction; the stop is the slider's own.
+struct OdeJoint {
+  dJointID joint = nullptr;
+  dJointID motor = nullptr;
+  bool prismatic = false;
+  double middle = 0.0;  // q at ODE's zero
+  double limit = 0.0;   // effort
+  double rotor = 0.0;   // reflected inertia
+  double damping = 0.0;
+  double friction = 0.0;
+  ServoTarget target;
+  bool bounded = false;  // servo and rotor in separate rows, the servo's with its limit
+  double play = 0.0;     // servo side minus link side [rad], backlash
+  double tau = 0.0;
+};
+
+struct OdeGeom {
+  dGeomID geom = nullptr;
+  int link = -1;
+};
+
+struct SavedBody {
+  dVector3 position, linear, angular;
+  dQuaternion attitude;
+};
+
+inline constexpr int kMaxContacts = 96;
+
+struct OdeWorld::Impl {
+  Impl(const Model& model, const WorldConfig& config);
+  ~Impl();
+
+  // ode_world.cpp
+  void read_state() noexcept;
+  bool state_is_sane() const noexcept;
+  void save() noexcept;
+  void restore() noexcept;
+
+  // ode_servo.cpp
+  void add_joint(int joint, const Kinematics& kinematics);
+  void prepare_rows(OdeJoint& joint, double q, double qd) noexcept;
+  // Servo torques of the step just made; true if a joint without a bounded row went beyond its
+  // limit.
+  bool read_torques() noexcept;
+  double flank(
+      const OdeJoint& joint) const noexcept;  // where the play settles under the joint's torque
+  void update_play() noexcept;
+
+  // ode_contact.cpp
+  void add_geoms();
+  void find_contacts() noexcept;
+  void find_sole_contacts() noexcept;
+  void find_link_contacts() noexcept;
+  void add_contact(const dContactGeom& geom, int link, int sole, double k, double c,
+                   double mu) noexcept;
+  void create_contact_joints() noexcept;
+  void read_contact_forces() noexcept;
+  void estimate_contact_forces() noexcept;
+
+  dBodyID body(int link) const { return bodies[static_cast<std::size_t>(link)]; }
+
+  const Model& model;
+  WorldConfig config;
+  double h;
+  dWorldID world = nullptr;
+  dJointGroupID contact_group = nullptr;
+  std::vector<dBodyID> bodies;  // by link; null for a fixed base
+  std::vector<Eigen::Vector3d> com_in_link;
+  std::vector<double> link_mass;
+  double total_mass = 0.0;
+  std::vector<OdeJoint> joints;
+  std::vector<OdeGeom> link_geoms;
+  std::vector<dGeomID> obstacle_geoms;
+  dGeomID plane = nullptr;
+  std::array<std::array<double, kSoleCorners>, 2> offset{};
+
+  Configuration configuration;
+  Configuration start_of_step;
+  Kinematics kinematics;
+  std::vector<SavedBody> saved;
+  std::vector<ContactPoint> contacts;
+  std::vector<dContact> contact_rows;
+  std::vector<dJointFeedback> feedback;
+  struct Push {
+    int link;
+    Eigen::Vector3d point, force;
+  };
+  std::vector<Push> pushes;
+  bool frozen = false;
+};
+
+}  // namespace twinbus

@@ -1,0 +1,152 @@
+// Servo, rotor inertia, friction and stops of the joints as rows of ODE's solve; the algebra is in
+// ode_world.h.
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "sim/ode_impl.h"
+
+namespace twinbus {
+
+namespace {
+
+// Play is crossed as the torque changes sign; the sign is smoothed over this torque so that the
+// crossing takes time.
+constexpr double kPlayTorque = 2.0;  // [N m]
+constexpr double kPlayRate = 0.2;    // share per step
+
+struct Params {  // ODE numbers the parameters of axis 0, 1, 2 in groups of dParamGroup
+  static int of(int parameter, int axis) { return parameter + axis * dParamGroup; }
+};
+
+void set_motor(const OdeJoint& joint, int parameter, int axis, double value) {
+  if (joint.prismatic) {
+    dJointSetLMotorParam(joint.motor, Params::of(parameter, axis), value);
+  } else {
+    dJointSetAMotorParam(joint.motor, Params::of(parameter, axis), value);
+  }
+}
+
+// A row J qd+ + lambda / gain = force / gain, i.e. lambda = force - gain qd+; no row if gain is
+// zero.
+void set_row(const OdeJoint& joint, int axis, double gain, double force, double limit) {
+  if (!(gain > 0.0)) {
+    set_motor(joint, dParamFMax, axis, 0.0);
+    return;
+  }
+  set_motor(joint, dParamCFM, axis, 1.0 / gain);
+  set_motor(joint, dParamVel, axis, force / gain);
+  set_motor(joint, dParamFMax, axis, limit);
+}
+
+}  // namespace
+
+void OdeWorld::Impl::add_joint(int index, const Kinematics& at_middle) {
+  const auto at = static_cast<std::size_t>(index);
+  const Joint& from = model.joints[at];
+  OdeJoint& to = joints[at];
+  to.prismatic = from.kind == JointKind::kPrismatic;
+  to.limit = from.effort > 0.0 && std::isfinite(from.effort) ? from.effort : 0.0;
+  to.rotor = from.rotor_inertia;
+  to.damping = from.damping * config.friction_scale;
+  to.friction = from.friction * config.friction_scale + config.joint_friction;
+
+  const Eigen::Vector3d axis = at_middle.axis_in_world(index);
+  const dBodyID child = body(from.child);
+  const dBodyID parent = body(from.parent);
+  if (to.prismatic) {
+    to.joint = dJointCreateSlider(world, nullptr);
+    dJointAttach(to.joint, child, parent);
+    dJointSetSliderAxis(to.joint, axis.x(), axis.y(), axis.z());
+    dJointSetSliderParam(to.joint, dParamLoStop, from.lower - to.middle);
+    dJointSetSliderParam(to.joint, dParamHiStop, from.upper - to.middle);
+    to.motor = dJointCreateLMotor(world, nullptr);
+    dJointAttach(to.motor, child, parent);
+    dJointSetLMotorNumAxes(to.motor, 3);
+    for (int i = 0; i < 3; ++i) dJointSetLMotorAxis(to.motor, i, 1, axis.x(), axis.y(), axis.z());
+    set_motor(to, dParamVel, 2, 0.0);
+    set_motor(to, dParamFMax, 2, to.friction);
+  } else {
+    const Eigen::Vector3d anchor = at_middle.link_in_world(from.child).translation();
+    to.joint = dJointCreateHinge(world, nullptr);
+    dJointAttach(to.joint, child, parent);
+    dJointSetHingeAnchor(to.joint, anchor.x(), anchor.y(), anchor.z());
+    dJointSetHingeAxis(to.joint, axis.x(), axis.y(), axis.z());
+    dJointSetHingeParam(to.joint, dParamVel, 0.0);
+    dJointSetHingeParam(to.joint, dParamFMax, to.friction);
+    to.motor = dJointCreateAMotor(world, nullptr);
+    dJointAttach(to.motor, child, parent);
+    dJointSetAMotorMode(to.motor, dAMotorUser);
+    dJointSetAMotorNumAxes(to.motor, 3);
+    for (int i = 0; i < 3; ++i) dJointSetAMotorAxis(to.motor, i, 1, axis.x(), axis.y(), axis.z());
+    if (from.kind != JointKind::kContinuous) {
+      set_motor(to, dParamLoStop, 2, from.lower);
+      set_motor(to, dParamHiStop, 2, from.upper);
+    }
+  }
+}
+
+void OdeWorld::Impl::prepare_rows(OdeJoint& joint, double q, double qd) noexcept {
+  const ServoTarget& t = joint.target;
+  const double servo_gain = h * t.kp + t.kd;
+  const double passive_gain = joint.rotor / h + joint.damping;
+  const double passive_force = joint.rotor / h * qd;
+  double servo_force = t.kp * (t.q - q - joint.play) + t.kd * t.qd + t.tau;
+
+  if (!joint.prismatic) dJointSetAMotorAngle(joint.motor, 2, q);
+  if (!(servo_gain > 0.0)) {  // a torque that does not depend on the motion
+    servo_force = std::clamp(servo_force, -joint.limit, joint.limit);
+    if (passive_gain > 0.0) {
+      set_row(joint, 0, passive_gain, passive_force + servo_force, dInfinity);
+    } else {
+      set_row(joint, 0, 0.0, 0.0, 0.0);
+      if (joint.prismatic) {
+        dJointAddSliderForce(joint.joint, servo_force);
+      } else {
+        dJointAddHingeTorque(joint.joint, servo_force);
+      }
+    }
+    set_row(joint, 1, 0.0, 0.0, 0.0);
+  } else if (joint.bounded) {
+    set_row(joint, 0, servo_gain, servo_force, joint.limit);
+    set_row(joint, 1, passive_gain, passive_force, dInfinity);
+  } else {
+    set_row(joint, 0, servo_gain + passive_gain, servo_force + passive_force, dInfinity);
+    set_row(joint, 1, 0.0, 0.0, 0.0);
+  }
+}
+
+// The law itself at the end of the step: equal to the row's lambda, which solves it.
+bool OdeWorld::Impl::read_torques() noexcept {
+  bool beyond = false;
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    OdeJoint& joint = joints[i];
+    const ServoTarget& t = joint.target;
+    const auto index = static_cast<Eigen::Index>(i);
+    const double q = start_of_step.q[index];
+    const double qd = configuration.qd[index];  // at the end
+    const double asked = t.kp * (t.q - q - joint.play - h * qd) + t.kd * (t.qd - qd) + t.tau;
+    const bool too_much = !(std::abs(asked) <= joint.limit);
+    if (too_much && !joint.bounded && h * t.kp + t.kd > 0.0) {
+      joint.bounded = true;
+      beyond = true;
+    }
+    joint.tau = std::clamp(asked, -joint.limit, joint.limit);
+  }
+  return beyond;
+}
+
+double OdeWorld::Impl::flank(const OdeJoint& joint) const noexcept {
+  return 0.5 * config.backlash * std::clamp(joint.tau / kPlayTorque, -1.0, 1.0);
+}
+
+void OdeWorld::Impl::update_play() noexcept {
+  for (OdeJoint& joint : joints) {
+    // A bounded row costs time: a joint that is well inside its limit again gets the cheap one.
+    if (joint.bounded && std::abs(joint.tau) < 0.9 * joint.limit) joint.bounded = false;
+    joint.play += kPlayRate * (flank(joint) - joint.play);
+  }
+}
+
+}  // namespace twinbus

@@ -1,0 +1,228 @@
+#include "sim/scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <numbers>
+#include <sstream>
+#include <stdexcept>
+
+#include "robot/config_node.h"
+#include "robot/load.h"
+#include "sim/settings.h"
+
+namespace twinbus {
+
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kDay = 86400.0;
+constexpr std::size_t kMaxObstacles = 200;
+
+Eigen::Vector3d vector3(const std::vector<double>& v) { return {v[0], v[1], v[2]}; }
+
+Eigen::Vector3d bounded(const ConfigNode& node, const std::string& key, double bound,
+                        const Eigen::Vector3d* fallback) {
+  if (fallback != nullptr && !node.has(key)) return *fallback;
+  const Eigen::Vector3d v = vector3(node.numbers(key, 3));
+  if (!(v.cwiseAbs().maxCoeff() <= bound)) {
+    node.fail(key, "every number must be within +-" + std::to_string(static_cast<int>(bound)));
+  }
+  return v;
+}
+
+Eigen::Quaterniond rpy(const ConfigNode& node) {
+  const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
+  const Eigen::Vector3d angle = kDegree * bounded(node, "rpy_deg", 360.0, &zero);
+  return Eigen::AngleAxisd(angle.z(), Eigen::Vector3d::UnitZ()) *
+         Eigen::AngleAxisd(angle.y(), Eigen::Vector3d::UnitY()) *
+         Eigen::AngleAxisd(angle.x(), Eigen::Vector3d::UnitX());
+}
+
+Obstacle read_obstacle(const ConfigNode& node) {
+  Obstacle obstacle;
+  const int shape = node.choice("shape", {"box", "sphere", "cylinder"}, 0);
+  obstacle.shape = static_cast<ObstacleShape>(shape + 1);
+  const std::size_t numbers[] = {3, 1, 2};
+  const std::vector<double> size = node.numbers("size", numbers[shape]);
+  for (std::size_t i = 0; i < size.size(); ++i) {
+    if (!(size[i] >= 1e-3 && size[i] <= 100.0)) node.fail("size", "must be from 0.001 to 100 m");
+    obstacle.size[static_cast<Eigen::Index>(i)] = size[i];
+  }
+  obstacle.pose.translation() = bounded(node, "position", 1000.0, nullptr);
+  obstacle.pose.linear() = rpy(node).toRotationMatrix();
+  node.finish();
+  return obstacle;
+}
+
+Push read_push(const ConfigNode& node) {
+  const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
+  Push push;
+  push.link = node.text("link");
+  push.point = bounded(node, "point", 10.0, &zero);
+  push.impulse = bounded(node, "impulse", 1e4, nullptr);
+  push.at = node.number("at", 0.0, kDay);
+  push.duration = node.number("duration", 1e-3, 60.0, 0.1);
+  node.finish();
+  return push;
+}
+
+TimedMode read_mode(const ConfigNode& node) {
+  TimedMode timed;
+  timed.at = node.number("at", 0.0, kDay);
+  const int mode = node.choice("mode", {"idle", "hold", "pose", "balance", "walk", "stop"}, -1);
+  if (mode < 0) node.fail("mode", "is missing");
+  timed.request.mode = static_cast<Mode>(mode + 1);
+  timed.request.motion = static_cast<Motion>(node.choice("motion", {"none", "sway", "squat"}, 0));
+  timed.request.duration = static_cast<float>(node.number("duration", 0.0, 3600.0, 2.0));
+  timed.request.amplitude = static_cast<float>(node.number("amplitude", 0.0, 1.0, 0.0));
+  timed.request.frequency = static_cast<float>(node.number("frequency", 0.0, 10.0, 0.0));
+  timed.pose = node.text("pose", "");
+  if (timed.request.mode == Mode::kPose && timed.pose.empty())
+    node.fail("pose", "is missing: mode pose needs a named pose");
+  node.finish();
+  return timed;
+}
+
+TimedGoal read_goal(const ConfigNode& node) {
+  TimedGoal timed;
+  timed.at = node.number("at", 0.0, kDay);
+  timed.goal.side = static_cast<ArmSide>(node.choice("hand", {"left", "right"}, -1) + 1);
+  if (timed.goal.side == ArmSide::kNone) node.fail("hand", "is missing: left or right");
+  timed.goal.speed = static_cast<float>(node.number("speed", 0.01, 1.0, 1.0));
+  timed.pose = node.text("pose", "");
+  if (node.flag("cancel", false)) {
+    timed.goal.kind = ArmGoalKind::kCancel;
+  } else if (!timed.pose.empty()) {
+    timed.goal.kind = ArmGoalKind::kJoints;
+  } else {
+    const Eigen::Vector3d position = bounded(node, "position", 10.0, nullptr);
+    timed.goal.kind = node.has("rpy_deg") ? ArmGoalKind::kPose : ArmGoalKind::kPosition;
+    const Eigen::Quaterniond q = rpy(node);
+    for (int i = 0; i < 3; ++i) timed.goal.position[static_cast<std::size_t>(i)] = position[i];
+    timed.goal.orientation = {q.w(), q.x(), q.y(), q.z()};
+  }
+  node.finish();
+  return timed;
+}
+
+Criteria read_criteria(const ConfigNode& node) {
+  Criteria criteria;
+  criteria.max_tilt_deg = node.number("max_tilt_deg", 0.0, 180.0, kNan);
+  criteria.zmp_margin_min_mm = node.number("zmp_margin_min_mm", -1000.0, 1000.0, kNan);
+  criteria.slip_max_mm = node.number("slip_max_mm", 0.0, 1e4, kNan);
+  criteria.sole_tilt_max_deg = node.number("sole_tilt_max_deg", 0.0, 180.0, kNan);
+  criteria.no_fall = node.flag("no_fall", true);
+  criteria.no_self_collision = node.flag("no_self_collision", true);
+  node.finish();
+  return criteria;
+}
+
+std::string find_scene(const std::string& name_or_file) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  if (fs::is_regular_file(name_or_file, ignored)) return name_or_file;
+  const fs::path folder = fs::path(config_folder()) / "scenes";
+  if (name_or_file.find('/') == std::string::npos) {
+    const fs::path path = folder / (name_or_file + ".yaml");
+    if (fs::is_regular_file(path, ignored)) return path.string();
+  }
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+    if (entry.path().extension() == ".yaml") names.push_back(entry.path().stem().string());
+  }
+  std::sort(names.begin(), names.end());
+  std::string list;
+  for (const std::string& name : names) list += " " + name;
+  throw std::runtime_error("no scene '" + name_or_file + "': give a file or one of" + list);
+}
+
+std::vector<double> pose_on_bus(const Scene& scene, const Model& model, const std::string& pose) {
+  const int index = model.find_pose(pose);
+  if (index < 0) {
+    std::string list;
+    for (const NamedPose& known : model.poses) list += " " + known.name;
+    throw std::runtime_error("scene " + scene.name + ": the robot " + model.name +
+                             " has no pose '" + pose + "'; it has" + list);
+  }
+  std::vector<double> q;
+  for (int joint : model.bus_joints) {
+    q.push_back(model.poses[static_cast<std::size_t>(index)].q[static_cast<std::size_t>(joint)]);
+  }
+  return q;
+}
+
+}  // namespace
+
+Criteria::Criteria()
+    : max_tilt_deg(kNan), zmp_margin_min_mm(kNan), slip_max_mm(kNan), sole_tilt_max_deg(kNan) {}
+
+Scene load_scene(const std::string& name_or_file) {
+  const std::string file = find_scene(name_or_file);
+  std::ifstream stream(file);
+  std::stringstream text;
+  text << stream.rdbuf();
+  const ConfigNode top = ConfigNode::load(file);
+
+  Scene scene;
+  scene.name = std::filesystem::path(file).stem().string();
+  scene.text = text.str();
+  scene.about = top.text("about", "");
+  scene.robot = top.text("robot", scene.robot);
+  top.choice("engine", {"ode"}, 0);
+  scene.duration = top.number("duration", 0.01, kDay, scene.duration);
+  scene.step = top.number("step", 1e-5, 0.1, scene.step);
+  scene.start_pose = top.text("start_pose", scene.start_pose);
+  scene.fixed_base = top.choice("base", {"floating", "fixed"}, 0) == 1;
+  if (top.has("ground")) {
+    const ConfigNode ground = top.map("ground");
+    scene.ground_friction = ground.number("friction", 0.0, 10.0, scene.ground_friction);
+    ground.finish();
+  }
+  for (const ConfigNode& node : top.list("obstacles"))
+    scene.obstacles.push_back(read_obstacle(node));
+  if (scene.obstacles.size() > kMaxObstacles) top.fail("obstacles", "at most 200");
+  for (const ConfigNode& node : top.list("pushes")) scene.pushes.push_back(read_push(node));
+  for (const ConfigNode& node : top.list("modes")) scene.modes.push_back(read_mode(node));
+  for (const ConfigNode& node : top.list("goals")) scene.goals.push_back(read_goal(node));
+  if (top.has("criteria")) scene.criteria = read_criteria(top.map("criteria"));
+  if (top.has("settings")) {
+    const ConfigNode settings = top.map("settings");
+    for (const std::string& key : settings.keys()) {
+      SimSettings scratch;
+      const std::string value = settings.text(key);
+      const std::string complaint = apply_setting(key, value, 0.002, scratch);
+      if (!complaint.empty()) settings.fail(key, complaint);
+      scene.settings.emplace_back(key, value);
+    }
+    settings.finish();
+  }
+  top.finish();
+  return scene;
+}
+
+void resolve_poses(Scene& scene, const Model& model) {
+  for (TimedMode& timed : scene.modes) {
+    if (timed.pose.empty()) continue;
+    const std::vector<double> q = pose_on_bus(scene, model, timed.pose);
+    std::copy(q.begin(), q.end(), timed.request.q.begin());
+    timed.request.joint_mask = static_cast<std::int64_t>((std::uint64_t{1} << q.size()) - 1);
+  }
+  for (TimedGoal& timed : scene.goals) {
+    if (timed.pose.empty()) continue;
+    const std::vector<double> q = pose_on_bus(scene, model, timed.pose);
+    const Hand& hand = model.hands[timed.goal.side == ArmSide::kLeft ? 0 : 1];
+    std::copy(q.begin(), q.end(), timed.goal.q.begin());
+    for (std::size_t k = 0; k < model.bus_joints.size(); ++k) {
+      if (std::find(hand.joints.begin(), hand.joints.end(), model.bus_joints[k]) !=
+          hand.joints.end()) {
+        timed.goal.joint_mask |= std::int64_t{1} << k;
+      }
+    }
+  }
+}
+
+}  // namespace twinbus

@@ -1,0 +1,145 @@
+#include "sim/settings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <stdexcept>
+
+namespace twinbus {
+
+namespace {
+
+struct Entry {
+  const char* key;
+  double low, high;
+  const char* meaning;
+  void (*set)(SimSettings&, double value, double period);
+};
+
+int ticks(double ms, double period) { return static_cast<int>(std::lround(1e-3 * ms / period)); }
+
+constexpr double kDelayMs = 60.0;
+
+const Entry kEntries[] = {
+    {"model.mass_scale", 0.1, 10.0, "masses and inertias times this",
+     [](SimSettings& s, double v, double) { s.world.mass_scale = v; }},
+    {"model.friction", 0.0, 1e3, "Coulomb friction added to every joint [N m]",
+     [](SimSettings& s, double v, double) { s.world.joint_friction = v; }},
+    {"model.friction_scale", 0.0, 100.0, "friction and damping of the joints times this",
+     [](SimSettings& s, double v, double) { s.world.friction_scale = v; }},
+    {"model.backlash", 0.0, 0.1, "play of every joint [rad]",
+     [](SimSettings& s, double v, double) { s.world.backlash = v; }},
+    {"servo.delay_ms", 0.0, kDelayMs, "from command to servo, whole periods [ms]",
+     [](SimSettings& s, double v, double) { s.servo_delay_ms = v; }},
+    {"servo.kp_scale", 0.0, 100.0, "position gains times this",
+     [](SimSettings& s, double v, double) { s.world.servo_kp_scale = v; }},
+    {"servo.kd_scale", 0.0, 100.0, "velocity gains times this",
+     [](SimSettings& s, double v, double) { s.world.servo_kd_scale = v; }},
+    {"contact.stiffness_scale", 1e-3, 1e3, "stiffness of the soles times this",
+     [](SimSettings& s, double v, double) { s.world.stiffness_scale = v; }},
+    {"contact.damping_scale", 0.0, 1e3, "damping of the soles times this",
+     [](SimSettings& s, double v, double) { s.world.damping_scale = v; }},
+    {"contact.friction", 0.0, 10.0, "Coulomb coefficient of the ground",
+     [](SimSettings& s, double v, double) { s.world.ground_friction = v; }},
+    {"ground.left_height_error", -0.05, 0.05, "ground under the left sole is this much higher [m]",
+     [](SimSettings& s, double v, double) { s.world.ground_height[0] = v; }},
+    {"ground.right_height_error", -0.05, 0.05,
+     "ground under the right sole is this much higher [m]",
+     [](SimSettings& s, double v, double) { s.world.ground_height[1] = v; }},
+    {"sensor.noise.encoder", 0.0, 0.1, "standard deviation [rad]",
+     [](SimSettings& s, double v, double) { s.sensors.encoder_noise = v; }},
+    {"sensor.noise.velocity", 0.0, 10.0, "standard deviation [rad/s]",
+     [](SimSettings& s, double v, double) { s.sensors.velocity_noise = v; }},
+    {"sensor.noise.torque", 0.0, 1e3, "standard deviation [N m]",
+     [](SimSettings& s, double v, double) { s.sensors.torque_noise = v; }},
+    {"sensor.noise.attitude", 0.0, 0.1, "standard deviation [rad]",
+     [](SimSettings& s, double v, double) { s.sensors.attitude_noise = v; }},
+    {"sensor.noise.gyro", 0.0, 10.0, "standard deviation [rad/s]",
+     [](SimSettings& s, double v, double) { s.sensors.gyro_noise = v; }},
+    {"sensor.noise.accel", 0.0, 100.0, "standard deviation [m/s^2]",
+     [](SimSettings& s, double v, double) { s.sensors.accel_noise = v; }},
+    {"sensor.noise.force", 0.0, 1e3, "feet and hands, standard deviation [N]",
+     [](SimSettings& s, double v, double) { s.sensors.force_noise = v; }},
+    {"sensor.noise.moment", 0.0, 1e3, "feet and hands, standard deviation [N m]",
+     [](SimSettings& s, double v, double) { s.sensors.moment_noise = v; }},
+    {"sensor.quantum.encoder", 0.0, 0.1, "one count [rad]",
+     [](SimSettings& s, double v, double) { s.sensors.encoder_quantum = v; }},
+    {"sensor.bias.roll", -0.2, 0.2, "of the attitude [rad]",
+     [](SimSettings& s, double v, double) { s.sensors.roll_bias = v; }},
+    {"sensor.bias.pitch", -0.2, 0.2, "of the attitude [rad]",
+     [](SimSettings& s, double v, double) { s.sensors.pitch_bias = v; }},
+    {"sensor.bias.gyro", -1.0, 1.0, "on every axis [rad/s]",
+     [](SimSettings& s, double v, double) { s.sensors.gyro_bias = v; }},
+    {"sensor.bias.accel", -10.0, 10.0, "on every axis [m/s^2]",
+     [](SimSettings& s, double v, double) { s.sensors.accel_bias = v; }},
+    {"sensor.imu_yaw_drift", -1.0, 1.0, "of the attitude about the vertical [rad/s]",
+     [](SimSettings& s, double v, double) { s.sensors.yaw_drift = v; }},
+    {"sensor.delay_ms", 0.0, kDelayMs, "of all sensors, whole periods [ms]",
+     [](SimSettings& s, double v, double period) { s.sensors.delay_ticks = ticks(v, period); }},
+    {"sensor.seed", 0.0, 9e15, "of the noise",
+     [](SimSettings& s, double v, double) { s.sensors.seed = static_cast<std::uint64_t>(v); }},
+};
+
+std::size_t edit_distance(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t above = row[j];
+      row[j] = std::min({above + 1, row[j - 1] + 1, diagonal + (a[i - 1] == b[j - 1] ? 0U : 1U)});
+      diagonal = above;
+    }
+  }
+  return row[b.size()];
+}
+
+std::string number_text(double number) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%g", number);
+  return text;
+}
+
+}  // namespace
+
+std::string apply_setting(const std::string& key, const std::string& value, double period,
+                          SimSettings& settings) {
+  const Entry* nearest = kEntries;
+  for (const Entry& entry : kEntries) {
+    if (edit_distance(key, entry.key) < edit_distance(key, nearest->key)) nearest = &entry;
+    if (key != entry.key) continue;
+    char* end = nullptr;
+    const double number = std::strtod(value.c_str(), &end);
+    if (value.empty() || *end != '\0' || !(number >= entry.low && number <= entry.high)) {
+      return "setting " + key + "=" + value + ": must be a number from " + number_text(entry.low) +
+             " to " + number_text(entry.high) + " (" + entry.meaning + ")";
+    }
+    entry.set(settings, number, period);
+    return "";
+  }
+  return "unknown setting '" + key + "': the nearest is '" + nearest->key + "' (" +
+         nearest->meaning + ")";
+}
+
+void apply_settings(const std::vector<std::pair<std::string, std::string>>& list, double period,
+                    SimSettings& settings) {
+  for (const auto& [key, value] : list) {
+    const std::string complaint = apply_setting(key, value, period, settings);
+    if (!complaint.empty()) throw std::runtime_error(complaint);
+  }
+}
+
+std::string settings_help() {
+  std::string help;
+  for (const Entry& entry : kEntries) {
+    char line[200];
+    std::snprintf(line, sizeof line, "  %-27s %8g .. %-8g %s\n", entry.key, entry.low, entry.high,
+                  entry.meaning);
+    help += line;
+  }
+  return help;
+}
+
+}  // namespace twinbus

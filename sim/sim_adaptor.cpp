@@ -1,0 +1,376 @@
+#include "sim/sim_adaptor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+
+#include "sim/ode_world.h"
+#include "sim/sensors.h"
+#include "sim/settings.h"
+#include "sim/standing.h"
+#include "sim/truth.h"
+
+namespace twinbus {
+
+namespace {
+
+constexpr int kMaxDelay = 64;        // ticks of servo delay
+constexpr double kMimicKp = 2000.0;  // holds a joint that follows another
+constexpr double kOffsetDecay =
+    1.0;  // corner offsets after set_state vanish with this time constant [s]
+constexpr double kFallDamping = 0.03;  // fall_safe: kd per N m of effort limit [s/rad]
+
+bool is_finite(const JointCommand& command, int count) noexcept {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
+    if (!std::isfinite(command.q[i]) || !std::isfinite(command.qd[i]) ||
+        !std::isfinite(command.tau[i]) || !std::isfinite(command.kp[i]) ||
+        !std::isfinite(command.kd[i])) {
+      return false;
+    }
+    if (!(command.kp[i] >= 0.0F) || !(command.kd[i] >= 0.0F)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+struct SimAdaptor::Impl {
+  explicit Impl(const Scene& s) : scene(s) {}
+
+  Scene scene;
+  const Model* model = nullptr;
+  SimSettings settings;
+  std::optional<OdeWorld> world;
+  std::optional<Sensors> sensors;
+  Standing standing;
+  std::array<double, 2> corner_stiffness{};
+  double standing_height = 0.0;
+  int substeps = 1;
+  double step = 0.0;
+
+  std::vector<ServoTarget> hold;  // in force before the first command and after set_state
+  bool commanded = false;
+  std::array<JointCommand, kMaxDelay> line;  // commands on their way to the servo
+  std::array<bool, kMaxDelay> line_used{};
+  int delay = 0;
+  std::int64_t writes = 0;
+  JointCommand command;  // in force
+  bool fall = false;
+
+  bool first_read = true;
+  std::int64_t steps = 0;
+  double scene_time = -1.0;  // [s] since the first command; pushes go by it
+  struct ScenePush {
+    int link;
+    Push push;
+  };
+  std::vector<ScenePush> pushes;
+  SimTruth truth;
+  double foot_slip_path[2] = {0.0, 0.0};
+
+  void set_hold(const Configuration& at, const Eigen::VectorXd& tau);
+  void start();
+  void drive_servos() noexcept;
+  void apply_pushes() noexcept;
+  void relax_corner_offsets() noexcept;
+  Status advance() noexcept;
+};
+
+void SimAdaptor::Impl::set_hold(const Configuration& at, const Eigen::VectorXd& tau) {
+  for (int j = 0; j < model->joint_count(); ++j) {
+    const Joint& joint = model->joints[static_cast<std::size_t>(j)];
+    hold[static_cast<std::size_t>(j)] = {
+        .q = at.q[j], .qd = 0.0, .tau = tau[j], .kp = joint.kp, .kd = joint.kd};
+  }
+}
+
+void SimAdaptor::Impl::start() {
+  const int pose = model->find_pose(scene.start_pose);
+  Eigen::VectorXd q = Eigen::VectorXd::Zero(model->joint_count());
+  if (pose >= 0) {
+    const std::vector<double>& from = model->poses[static_cast<std::size_t>(pose)].q;
+    for (std::size_t j = 0; j < from.size() && j < model->joints.size(); ++j)
+      q[static_cast<Eigen::Index>(j)] = from[j];
+  }
+  corner_stiffness = {world->corner_stiffness(0), world->corner_stiffness(1)};
+  standing = stand(*model, q, settings.world.mass_scale, corner_stiffness,
+                   settings.world.ground_height, settings.world.fixed_base);
+  standing_height = standing.configuration.base.translation().z();
+  hold.resize(model->joints.size());
+  set_hold(standing.configuration, standing.tau);
+}
+
+Status SimAdaptor::Impl::advance() noexcept {
+  drive_servos();
+  for (int i = 0; i < substeps; ++i) {
+    apply_pushes();
+    const Status status = world->step();
+    if (status != Status::kOk) return status;
+    ++steps;
+    if (scene_time >= 0.0) scene_time += step;
+  }
+  relax_corner_offsets();
+  return Status::kOk;
+}
+
+void SimAdaptor::Impl::drive_servos() noexcept {
+  // The command of `delay` ticks ago, if there was one.
+  if (writes > delay) {
+    const auto slot = static_cast<std::size_t>((writes - 1 - delay) % kMaxDelay);
+    if (line_used[slot]) {
+      command = line[slot];
+      commanded = true;
+    }
+  }
+  for (int j = 0; j < model->joint_count(); ++j) {
+    (void)world->set_servo(j, hold[static_cast<std::size_t>(j)]);
+  }
+  if (commanded || fall) {
+    for (int k = 0; k < model->bus_count(); ++k) {
+      const auto i = static_cast<std::size_t>(k);
+      const int j = model->bus_joints[i];
+      ServoTarget target{.q = command.q[i],
+                         .qd = command.qd[i],
+                         .tau = command.tau[i],
+                         .kp = command.kp[i],
+                         .kd = command.kd[i]};
+      if (fall) {
+        target = {.q = 0.0,
+                  .qd = 0.0,
+                  .tau = 0.0,
+                  .kp = 0.0,
+                  .kd = kFallDamping * model->joints[static_cast<std::size_t>(j)].effort};
+      }
+      (void)world->set_servo(j, target);
+    }
+  }
+  const Configuration& now = world->configuration();
+  for (int j = 0; j < model->joint_count(); ++j) {
+    const Joint& joint = model->joints[static_cast<std::size_t>(j)];
+    if (joint.mimic < 0) continue;
+    (void)world->set_servo(j,
+                           {.q = joint.mimic_multiplier * now.q[joint.mimic] + joint.mimic_offset,
+                            .qd = joint.mimic_multiplier * now.qd[joint.mimic],
+                            .tau = 0.0,
+                            .kp = joint.kp > 0.0 ? joint.kp : kMimicKp,
+                            .kd = joint.kp > 0.0 ? joint.kd : 0.02 * kMimicKp});
+  }
+}
+
+void SimAdaptor::Impl::apply_pushes() noexcept {
+  truth.push_force = {};
+  truth.push_point = {};
+  for (const ScenePush& p : pushes) {
+    // Half a step of slack: the number of pushed steps must not depend on rounding.
+    if (!(scene_time > p.push.at - 0.5 * step &&
+          scene_time < p.push.at + p.push.duration - 0.5 * step))
+      continue;
+    const Eigen::Vector3d force = p.push.impulse / p.push.duration;
+    const Eigen::Vector3d point = world->link_in_world(p.link) * p.push.point;
+    (void)world->push(p.link, point, force);
+    for (int i = 0; i < 3; ++i) {
+      truth.push_force[static_cast<std::size_t>(i)] = static_cast<float>(force[i]);
+      truth.push_point[static_cast<std::size_t>(i)] = static_cast<float>(point[i]);
+    }
+  }
+}
+
+void SimAdaptor::Impl::relax_corner_offsets() noexcept {
+  const double keep = std::exp(-step * substeps / kOffsetDecay);
+  for (int side = 0; side < 2; ++side) {
+    for (int corner = 0; corner < kSoleCorners; ++corner) {
+      const double offset = world->corner_offset(side, corner);
+      if (offset != 0.0)
+        world->set_corner_offset(side, corner, std::abs(offset) > 1e-9 ? keep * offset : 0.0);
+    }
+  }
+}
+
+SimAdaptor::SimAdaptor(const Scene& scene) : impl_(std::make_unique<Impl>(scene)) {}
+SimAdaptor::~SimAdaptor() = default;
+
+Status SimAdaptor::open(const Model& model, const AdaptorConfig& config) {
+  Impl& s = *impl_;
+  try {
+    s.model = &model;
+    s.settings = SimSettings{};
+    s.settings.world.ground_friction = s.scene.ground_friction;
+    s.settings.world.obstacles = s.scene.obstacles;
+    s.settings.world.fixed_base = s.scene.fixed_base || !model.floating_base;
+    apply_settings(s.scene.settings, model.period(), s.settings);
+    apply_settings(config.settings, model.period(), s.settings);
+    s.substeps = s.scene.step > 0.0
+                     ? std::max(1, static_cast<int>(std::lround(model.period() / s.scene.step)))
+                     : 1;
+    s.step = model.period() / s.substeps;
+    s.settings.world.step = s.step;
+    s.delay =
+        std::clamp(static_cast<int>(std::lround(1e-3 * s.settings.servo_delay_ms / model.period())),
+                   0, kMaxDelay - 1);
+    if (s.scene.start_pose != "zero" && model.find_pose(s.scene.start_pose) < 0 &&
+        !s.scene.start_pose.empty()) {
+      throw std::runtime_error("scene " + s.scene.name + ": the robot " + model.name +
+                               " has no pose '" + s.scene.start_pose +
+                               "'; name one of its SRDF group_states as start_pose");
+    }
+    s.pushes.clear();
+    for (const Push& push : s.scene.pushes) {
+      const int link = model.find_link(push.link);
+      if (link < 0) {
+        throw std::runtime_error("scene " + s.scene.name + ": push: the robot " + model.name +
+                                 " has no moving link '" + push.link + "'");
+      }
+      s.pushes.push_back({link, push});
+    }
+    s.world.emplace(model, s.settings.world);
+    s.sensors.emplace(model, s.settings.sensors);
+    s.start();
+    s.commanded = s.fall = false;
+    s.first_read = true;
+    s.writes = s.steps = 0;
+    s.scene_time = -1.0;
+    s.line_used.fill(false);
+    s.truth = SimTruth{};
+    return s.world->set(s.standing.configuration, &s.standing.tau);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "simulator: %s\n", error.what());
+    s.world.reset();
+    return Status::kOutOfRange;
+  }
+}
+
+Status SimAdaptor::read(RobotState& state, double) {
+  Impl& s = *impl_;
+  if (!s.world) return Status::kNotOpen;
+  Status status = Status::kOk;
+  if (s.first_read) {
+    s.first_read = false;  // the start pose itself is the first measurement
+  } else {
+    status = s.advance();
+  }
+  s.sensors->measure(*s.world, s.step, state);
+  state.enabled =
+      s.model->bus_count() == 0
+          ? 0
+          : static_cast<std::int64_t>((~std::uint64_t{0}) >> (64 - s.model->bus_count()));
+  if (s.fall) state.enabled = 0;
+  state.source_time_ns = std::llround(1e9 * s.step * static_cast<double>(s.steps));
+  s.truth.sim_time = s.step * static_cast<double>(s.steps);
+  fill_truth(*s.model, *s.world, s.standing_height, s.truth);
+  return status;
+}
+
+Status SimAdaptor::write(const JointCommand& command) {
+  Impl& s = *impl_;
+  if (!s.world) return Status::kNotOpen;
+  if (command.joint_count != s.model->bus_count()) return Status::kWrongSize;
+  if (!is_finite(command, command.joint_count)) return Status::kNotFinite;
+  const auto slot = static_cast<std::size_t>(s.writes % kMaxDelay);
+  s.line[slot] = command;
+  s.line_used[slot] = true;
+  ++s.writes;
+  if (s.scene_time < 0.0) s.scene_time = 0.0;
+  return Status::kOk;
+}
+
+void SimAdaptor::close() {
+  impl_->world.reset();
+  impl_->sensors.reset();
+}
+
+Status SimAdaptor::fall_safe() {
+  if (!impl_->world) return Status::kNotOpen;
+  impl_->fall = true;  // all joints damp; the knees bend by themselves
+  return Status::kOk;
+}
+
+Status SimAdaptor::set_state(const ImposedState& imposed) {
+  Impl& s = *impl_;
+  if (!s.world) return Status::kNotOpen;
+  const Model& model = *s.model;
+  Configuration to = s.world->configuration();
+  Eigen::VectorXd tau = s.standing.tau;
+  to.base = imposed.base;
+  to.base_velocity = imposed.base_velocity;
+  to.base_angular_velocity = imposed.base_angular_velocity;
+  for (int k = 0; k < model.bus_count(); ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    to.q[model.bus_joints[i]] = imposed.q[i];
+    to.qd[model.bus_joints[i]] = imposed.qd[i];
+    if (imposed.forces_known) tau[model.bus_joints[i]] = static_cast<double>(imposed.tau[i]);
+  }
+  for (int j = 0; j < model.joint_count(); ++j) {
+    const Joint& joint = model.joints[static_cast<std::size_t>(j)];
+    if (joint.mimic < 0) continue;
+    to.q[j] = joint.mimic_multiplier * to.q[joint.mimic] + joint.mimic_offset;
+    to.qd[j] = joint.mimic_multiplier * to.qd[joint.mimic];
+  }
+  if (!to.base.matrix().allFinite() || !to.q.allFinite() || !tau.allFinite())
+    return Status::kNotFinite;
+
+  // Depth of the soles is tenths of a millimetre, less than any estimate knows: it follows from the
+  // forces.
+  std::array<std::array<double, 4>, 2> force = s.standing.corner_force;
+  if (imposed.forces_known) {
+    for (std::size_t side = 0; side < 2; ++side) {
+      force[side].fill(0.0);
+      const Sole& sole = model.soles[side];
+      if (sole.link < 0) continue;
+      Eigen::Matrix<double, 6, 1> wrench;
+      for (std::size_t i = 0; i < 6; ++i)
+        wrench[static_cast<Eigen::Index>(i)] = static_cast<double>(imposed.foot_wrench[side][i]);
+      if (!wrench.allFinite()) return Status::kNotFinite;
+      const Eigen::Isometry3d sensor = sole.frame.inverse() * sole.sensor;
+      const Eigen::Vector3d f = sensor.linear() * wrench.head<3>();
+      const Eigen::Vector3d t = sensor.linear() * wrench.tail<3>() + sensor.translation().cross(f);
+      if (f.z() > 0.0) force[side] = corner_forces(sole, f.z(), t.x(), t.y());
+    }
+  }
+  if (!s.settings.world.fixed_base) {
+    fit_base_to_corner_forces(model, force, s.corner_stiffness, s.settings.world.ground_height, to);
+  }
+  const Status status = s.world->set(to, &tau);
+  if (status != Status::kOk) return status;
+
+  // What the fit leaves (the ground of the other source is not ours) is put into the ground below
+  // each corner, and vanishes slowly.
+  if (!s.settings.world.fixed_base) {
+    for (int side = 0; side < 2; ++side) {
+      const auto at = static_cast<std::size_t>(side);
+      const Sole& sole = model.soles[at];
+      if (sole.link < 0) continue;
+      for (int corner = 0; corner < kSoleCorners; ++corner) {
+        const Eigen::Vector3d point =
+            s.world->link_in_world(sole.link) * (sole.frame * sole_corner(sole, corner));
+        const double wanted = force[at][static_cast<std::size_t>(corner)];
+        const double speed = s.world->point_velocity(sole.link, point).z();
+        const double depth =
+            (wanted + s.world->corner_damping(side) * speed) / s.corner_stiffness[at];
+        const double now = s.settings.world.ground_height[at] - point.z();
+        // A corner that is to carry nothing is only kept from pressing.
+        if (wanted > 0.0 || now > 0.0)
+          s.world->set_corner_offset(side, corner, now - (wanted > 0.0 ? depth : 0.0));
+      }
+    }
+  }
+  s.world->estimate_contact_forces();
+  s.set_hold(to, tau);
+  for (int k = 0; k < model.bus_count(); ++k) {
+    s.hold[static_cast<std::size_t>(model.bus_joints[static_cast<std::size_t>(k)])].qd =
+        to.qd[model.bus_joints[static_cast<std::size_t>(k)]];
+  }
+  s.commanded = s.fall = false;
+  s.writes = 0;
+  s.line_used.fill(false);
+  s.sensors->forget();
+  RobotState scratch;
+  s.sensors->measure(*s.world, 0.0,
+                     scratch);  // so that the next acceleration is that of the step to come
+  s.first_read = false;
+  return Status::kOk;
+}
+
+const SimTruth* SimAdaptor::truth() const { return impl_->world ? &impl_->truth : nullptr; }
+
+}  // namespace twinbus
