@@ -1,5 +1,5 @@
-// Inverse dynamics by the recursive Newton-Euler algorithm (Featherstone 2008, table 5.1), floating base, with external
-// wrenches and rotor inertia.
+// Inverse dynamics by the recursive Newton-Euler algorithm (Featherstone 2008, table 5.1), floating
+// base, with external wrenches and rotor inertia.
 
 #pragma once
 
@@ -24,18 +24,21 @@ class InverseDynamics {
  public:
   explicit InverseDynamics(const Model& model);
 
-  // kinematics: updated for the configuration.  Base and joint accelerations: qdd [joint_count], base_acceleration of
-  // link 0's origin and base_angular_acceleration, world.  tau: [joint_count], rotor inertia included, no friction.
-  // Returns the wrench that would have to act on the base besides the external ones (zero if they are consistent):
-  // force, then torque about link 0's origin, world.
-  Eigen::Matrix<double, 6, 1> solve(const Kinematics& kinematics, const Configuration& configuration,
-                                    const Eigen::VectorXd& qdd, const Eigen::Vector3d& base_acceleration,
+  // kinematics: updated for the configuration.  Base and joint accelerations: qdd [joint_count],
+  // base_acceleration of link 0's origin and base_angular_acceleration, world.  tau: [joint_count],
+  // rotor inertia included, no friction. Returns the wrench that would have to act on the base
+  // besides the external ones (zero if they are consistent): force, then torque about link 0's
+  // origin, world.
+  Eigen::Matrix<double, 6, 1> solve(const Kinematics& kinematics,
+                                    const Configuration& configuration, const Eigen::VectorXd& qdd,
+                                    const Eigen::Vector3d& base_acceleration,
                                     const Eigen::Vector3d& base_angular_acceleration,
-                                    const std::vector<ExternalWrench>& external, Eigen::VectorXd& tau) noexcept;
+                                    const std::vector<ExternalWrench>& external,
+                                    Eigen::VectorXd& tau) noexcept;
 
  private:
   const Model* model_;
-  std::vector<Eigen::Vector3d> acceleration_, angular_acceleration_, force_, torque_;
+  std::vector<Eigen::Vector3d> acceleration_, angular_acceleration_, force_, torque_;  // world
 };
 
 }  // namespace twinbus
