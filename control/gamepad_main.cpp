@@ -1,0 +1,300 @@
+// The gamepad process: a pad or a keyboard in, GAMEPAD, MODE_REQUEST and STOP out.  What the
+// controls mean is in control/teleop; this file joins it to SDL, the terminal and the bus.
+
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "control/raw_terminal.h"
+#include "control/sdl_pad.h"
+#include "control/teleop.h"
+#include "lcmtypes/bus.h"
+#include "lcmtypes/channels.h"
+#include "robot/process.h"
+#include "robot/state_admission.h"
+
+using namespace twinbus;
+
+namespace {
+
+constexpr std::int64_t kPeriod = 10'000'000;  // 100 Hz [ns]
+constexpr int kRepeats = 5;                   // of what must not be lost with one datagram
+constexpr int kLastZeros = 10;                // on leaving
+constexpr double kStateFresh = 0.5;           // [s]
+constexpr int kHeartbeatEvery = 10;           // cycles
+
+volatile std::sig_atomic_t g_hung_up = 0;  // the terminal is gone
+
+struct Options {
+  BusOptions bus;
+  bool keyboard = false;
+  bool from_script = false;
+  std::int64_t id = 0;
+};
+
+const char kHelp[] =
+    "twinbus gamepad: drives the robot with a gamepad or the keyboard\n"
+    "  --keyboard       keys of this terminal instead of a pad\n"
+    "  --virtual        a pad that exists in SDL only, driven by lines on standard input, for "
+    "tests:\n"
+    "                   plug | unplug | axis 0..5 -32768..32767 | press BIT | release BIT\n"
+    "  --id N           fixed sender id instead of a random one\n"
+    "  --help           this text and the cheat sheets\n";
+
+[[noreturn]] void print_help() {
+  std::printf("%s%s\n%s\n%s", kHelp, kBusOptionsHelp, cheat_sheet(false).c_str(),
+              cheat_sheet(true).c_str());
+  std::exit(0);
+}
+
+Options parse(int argc, char** argv) {
+  Options options;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (word == "--help" || word == "-h") print_help();
+    if (word == "--keyboard") {
+      options.keyboard = true;
+    } else if (word == "--virtual") {
+      options.from_script = true;
+    } else if (word == "--robot" && i + 1 < argc) {
+      ++i;  // every process takes it; a pad does not depend on the robot
+    } else if (word == "--id" && i + 1 < argc) {
+      options.id = std::strtoll(argv[++i], nullptr, 10);
+      if (!(options.id > 0)) throw std::invalid_argument("--id: a number above 0");
+    } else if (!take_bus_option(argc, argv, i, options.bus)) {
+      throw std::invalid_argument("unknown option " + word + "; see --help");
+    }
+  }
+  if (options.keyboard && options.from_script) {
+    throw std::invalid_argument("--keyboard and --virtual exclude each other");
+  }
+  return options;
+}
+
+// The lines of --virtual.  Keys arrive through RawTerminal, a line at a time.
+class PadScript {
+ public:
+  void read(RawTerminal& input, VirtualPad& pad) {
+    for (int key : input.read_keys()) {
+      if (key == 0) break;
+      if (key != '\n') {
+        if (line_.size() < 100) line_.push_back(static_cast<char>(key));
+        continue;
+      }
+      obey(pad);
+      line_.clear();
+    }
+  }
+
+ private:
+  void obey(VirtualPad& pad) const {
+    int a = 0, b = 0;
+    if (line_ == "plug") {
+      if (!pad.plug()) std::fprintf(stderr, "gamepad: SDL gives no virtual pad\n");
+    } else if (line_ == "unplug") {
+      pad.unplug();
+    } else if (std::sscanf(line_.c_str(), "axis %d %d", &a, &b) == 2 && a >= 0 && a < 6) {
+      pad.set_axis(a, static_cast<std::int16_t>(b));
+    } else if (std::sscanf(line_.c_str(), "press %d", &a) == 1) {
+      pad.set_button(a, true);
+    } else if (std::sscanf(line_.c_str(), "release %d", &a) == 1) {
+      pad.set_button(a, false);
+    } else {
+      std::fprintf(stderr, "gamepad: unknown line \"%s\"; see --help\n", line_.c_str());
+    }
+  }
+
+  std::string line_;
+};
+
+// What is sent besides GAMEPAD, again and again under the same sequence number until it cannot have
+// been missed.
+class Requests {
+ public:
+  explicit Requests(std::int64_t sender_id) {
+    stop_.sender_id = sender_id;
+    mode_.sender_id = sender_id;
+  }
+
+  void start(TeleopAction action, const RobotState& state) {
+    ModeRequest mode;
+    if (action == TeleopAction::kStop || action == TeleopAction::kClear) {
+      ++stop_.sequence;
+      stop_.kind = action == TeleopAction::kStop ? StopKind::kBalanced : StopKind::kNone;
+      stop_.reason = StopReason::kGamepad;
+      stop_.stop_nonce = action == TeleopAction::kClear ? state.stop_nonce : 0;
+      stop_left_ = kRepeats;
+    } else if (to_mode_request(action, mode)) {
+      mode.sender_id = mode_.sender_id;
+      mode.sequence = mode_.sequence + 1;
+      mode.run_id = state.run_id;
+      mode_ = mode;
+      mode_left_ = kRepeats;
+    }
+  }
+
+  void send(Bus& bus, std::int64_t utime) {
+    bool sent = true;
+    if (stop_left_ > 0) {
+      --stop_left_;
+      stop_.utime = utime;
+      sent = bus.send(channel::kStop, stop_);
+    }
+    if (mode_left_ > 0) {
+      --mode_left_;
+      mode_.utime = utime;
+      sent = bus.send(channel::kModeRequest, mode_) && sent;
+    }
+    static_cast<void>(sent);  // counted by the bus, shown in the heartbeat
+  }
+
+ private:
+  StopRequest stop_;
+  ModeRequest mode_;
+  int stop_left_ = 0, mode_left_ = 0;
+};
+
+// One line that is written over, on a terminal only.
+void show(const Teleop& teleop, const Gamepad& pad, const RobotState& state, bool fresh) {
+  const char* source = !fresh                                   ? "no source"
+                       : state.source == SourceKind::kSimulator ? "SIMULATOR"
+                       : state.source == SourceKind::kBridge    ? "ROBOT"
+                                                                : "REPLAY";
+  const char* grip = teleop.stop_latched() ? "STOP ASKED"
+                     : !pad.connected      ? "no pad   "
+                     : pad.deadman         ? "HOLDING  "
+                                           : "let go   ";
+  std::printf(
+      "\r%-9s term %-4d %s%s  lean forward %+.2f left %+.2f  height %+.2f  turn %+.2f \x1b[K",
+      source, fresh ? state.term : 0, grip,
+      fresh && state.stop_kind != StopKind::kNone ? "  (robot stopped)" : "", double{pad.left_y},
+      double{pad.left_x}, double{pad.right_y}, double{pad.right_x});
+  std::fflush(stdout);
+}
+
+Heartbeat heartbeat(const Bus& bus, std::int64_t id, std::int64_t cycles, bool ready) {
+  static const int pid = static_cast<int>(getpid());
+  Heartbeat beat;
+  beat.utime = wall_us();
+  beat.process_id = id;
+  beat.pid = pid;
+  beat.kind = ProcessKind::kGamepad;
+  beat.messages_received = bus.counters().received;
+  beat.messages_rejected = bus.counters().rejected;
+  beat.messages_lost = bus.counters().lost;
+  beat.send_failures = static_cast<std::int32_t>(bus.counters().send_failures);
+  beat.ticks = cycles;
+  beat.rate = 100.0f;
+  beat.state = ready ? 2 : 1;
+  return beat;
+}
+
+void run(const Options& options) {
+  const std::int64_t id = options.id > 0 ? options.id : random_id();
+  Bus bus(options.bus);
+  StateAdmission believed;
+  Latest<RobotState> newest;
+  const auto admit = [&believed](const RobotState& state, const RobotState&) noexcept {
+    return believed.admit(state, monotonic_ns());
+  };
+  newest.admit_by(admit);
+  bus.listen(channel::kState, newest);
+
+  std::unique_ptr<SdlPad> pad;
+  if (!options.keyboard) pad = std::make_unique<SdlPad>();
+  std::unique_ptr<RawTerminal> terminal;
+  if (options.keyboard || options.from_script) terminal = std::make_unique<RawTerminal>();
+  VirtualPad virtual_pad;
+  PadScript script;
+  Teleop teleop(id, options.keyboard);
+  Requests requests(id);
+  PadInput input;
+
+  std::printf("%s", cheat_sheet(options.keyboard).c_str());
+  std::printf("gamepad: ready%s\n", options.keyboard ? "" : "; pads may be plugged in at any time");
+  std::fflush(stdout);
+  const bool show_line = isatty(1) == 1;
+
+  bool leaving = false;
+  int zeros_left = kLastZeros;
+  std::int64_t due = monotonic_ns();
+  for (std::int64_t cycle = 0; zeros_left > 0; ++cycle) {
+    due += kPeriod;
+    for (double wait; (wait = 1e-9 * static_cast<double>(due - monotonic_ns())) > 0.0;) {
+      if (bus.receive(wait) < 0) sleep_until_ns(due);  // the network is gone: keep the pace
+    }
+    const std::int64_t now = monotonic_ns();
+    if (now - due > 10 * kPeriod) due = now;  // was suspended: no burst to catch up
+    const RobotState& state = newest.message;
+    const bool fresh = newest.age(now) < kStateFresh;
+    if (fresh) {
+      teleop.on_source(state.run_id, state.stop_kind != StopKind::kNone);
+    } else {
+      teleop.on_no_source();
+    }
+
+    if (quit_requested() || g_hung_up != 0) leaving = true;
+    if (!leaving && options.keyboard) {
+      for (int key : terminal->read_keys()) {
+        if (key == 0) break;
+        teleop.on_key(key, now);
+      }
+    }
+    if (!leaving && options.from_script) script.read(*terminal, virtual_pad);
+    if (terminal && terminal->at_end()) leaving = true;
+    if (pad && !leaving) {
+      pad->poll(input);
+      teleop.on_pad(input);
+    }
+    for (TeleopAction action; (action = teleop.take_action()) != TeleopAction::kNone;) {
+      if (action == TeleopAction::kQuit) leaving = true;
+      requests.start(action, state);
+    }
+    if (leaving) {
+      teleop.let_go();
+      --zeros_left;
+    }
+    const std::int64_t utime = wall_us();
+    const Gamepad message = teleop.message(utime, now);
+    bool sent = bus.send(channel::kGamepad, message);
+    requests.send(bus, utime);
+    if (cycle % kHeartbeatEvery == 0) {
+      sent = bus.send(channel::kHeartbeat, heartbeat(bus, id, cycle, message.connected)) && sent;
+      if (show_line) show(teleop, message, state, fresh);
+    }
+    static_cast<void>(sent);  // counted by the bus
+  }
+  if (show_line) std::printf("\n");
+  std::printf("gamepad: let go\n");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  try {
+    options = parse(argc, argv);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "gamepad: %s\n", error.what());
+    return 2;
+  }
+  try {
+    catch_quit_signals();
+    struct sigaction hang_up {};
+    hang_up.sa_handler = [](int) { g_hung_up = 1; };
+    sigaction(SIGHUP, &hang_up, nullptr);
+    std::signal(SIGPIPE, SIG_IGN);  // a closed terminal must not end us before the zeros are out
+    run(options);
+    return 0;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "gamepad: %s\n", error.what());
+    return 1;
+  }
+}
