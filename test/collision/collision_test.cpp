@@ -1,0 +1,214 @@
+#include "robot/collision.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "robot/collision_pairs.h"
+#include "test/collision/postures.h"
+#include "test/no_alloc.h"
+
+namespace twinbus {
+namespace {
+
+constexpr std::uint64_t kSeed = 20261121;
+constexpr double kBand = 1e-5;  // distances this near to zero may be called either way [m]
+
+std::vector<PairDistance> all_near(Collision& collision, const Kinematics& kinematics,
+                                   double near) {
+  std::vector<PairDistance> pairs(2000);
+  pairs.resize(
+      static_cast<std::size_t>(collision.near_pairs(kinematics, near, pairs.data(), 2000)));
+  return pairs;
+}
+
+TEST(Collision, NeighboursAreLeftOutAndTheRestIsChecked) {
+  const Model& model = hrp1s();
+  const Collision collision(model);
+  EXPECT_GT(collision.pairs().size(), 100U);
+  for (const CollisionPair& pair : collision.pairs()) {
+    EXPECT_FALSE(model.links[static_cast<std::size_t>(pair.link_a)].collision.empty());
+    EXPECT_FALSE(model.links[static_cast<std::size_t>(pair.link_b)].collision.empty());
+    EXPECT_NE(model.links[static_cast<std::size_t>(pair.link_b)].parent, pair.link_a);
+    EXPECT_NE(model.links[static_cast<std::size_t>(pair.link_a)].parent, pair.link_b);
+  }
+}
+
+TEST(Collision, NamedPosturesTouchNothing) {
+  const Model& model = hrp1s();
+  Collision collision(model);
+  Kinematics kinematics(model);
+  for (const NamedPose& pose : model.poses) {
+    kinematics.update(named_posture(model, pose.name));
+    CollisionPair hit;
+    EXPECT_FALSE(collision.in_collision(kinematics, &hit))
+        << pose.name << ": " << model.links[static_cast<std::size_t>(hit.link_a)].name << " and "
+        << model.links[static_cast<std::size_t>(hit.link_b)].name;
+  }
+}
+
+TEST(Collision, EveryVerdictIsThatOfBruteForceFcl) {
+  const Model& model = hrp1s();
+  Collision collision(model);
+  Kinematics kinematics(model);
+  std::mt19937_64 random(kSeed);
+  const Configuration home = named_posture(model, "half_sitting");
+  int touching = 0;
+  int wrong = 0;
+  for (int i = 0; i < 1500; ++i) {
+    kinematics.update(random_posture(model, home, i % 2 == 0 ? 1.0 : 0.4, random));
+    std::map<std::pair<int, int>, double> ours;
+    for (const PairDistance& pair : all_near(collision, kinematics, 0.02)) {
+      ours[{pair.link_a, pair.link_b}] = pair.distance;
+    }
+    bool any = false;
+    for (const CollisionPair& pair : collision.pairs()) {
+      const bool fcl = collision.touches_by_fcl(kinematics, pair);
+      const auto found = ours.find({pair.link_a, pair.link_b});
+      const double distance = found == ours.end() ? 1.0 : found->second;
+      if (fcl != (distance <= 0.0) && std::abs(distance) > kBand) {
+        ++wrong;
+        ADD_FAILURE() << "posture " << i << " links " << pair.link_a << " " << pair.link_b
+                      << " fcl " << fcl << " ours " << distance;
+      }
+      touching += fcl ? 1 : 0;
+      any = any || fcl;
+    }
+    EXPECT_EQ(any, collision.in_collision(kinematics)) << "posture " << i;
+    if (wrong > 5) break;
+  }
+  EXPECT_GT(touching, 500);
+}
+
+TEST(Collision, TheNormalTakesThePairApart) {
+  const Model& model = hrp1s();
+  Collision collision(model);
+  Kinematics kinematics(model);
+  std::mt19937_64 random(kSeed + 1);
+  int checked = 0;
+  int deep = 0;
+  for (int i = 0; i < 200; ++i) {
+    // An obstacle that can be pushed along the normal.
+    std::uniform_real_distribution<double> spread(-0.5, 0.5);
+    Obstacle obstacle;
+    obstacle.shape = static_cast<ObstacleShape>(1 + i % 3);
+    obstacle.size = Eigen::Vector3d(0.1, 0.2, 0.15);
+    obstacle.pose =
+        Eigen::Translation3d(spread(random), spread(random), 0.3 + spread(random)) *
+        Eigen::Quaterniond(1.0, spread(random), spread(random), spread(random)).normalized();
+    collision.set_obstacles({obstacle});
+    kinematics.update(random_posture(model, named_posture(model, "half_sitting"), 0.5, random));
+    for (const PairDistance& pair : all_near(collision, kinematics, 0.05)) {
+      if (pair.link_b != model.link_count()) continue;
+      EXPECT_NEAR(pair.normal.norm(), 1.0, 1e-9);
+      if (pair.distance > 0.0) {
+        EXPECT_NEAR((pair.point_b - pair.point_a).norm(), pair.distance, 1e-4);
+      }
+      for (const double step : {0.004, 0.008}) {
+        Obstacle moved = obstacle;
+        moved.pose = Eigen::Translation3d(step * pair.normal) * obstacle.pose;
+        collision.set_obstacles({moved});
+        PairDistance after;
+        ASSERT_TRUE(collision.pair_nearer_than(kinematics, pair.link_a, pair.link_b, 1.0, after));
+        // Several shapes of one link may change places, so at most `step`; never nearer.  The depth
+        // of round shapes is an estimate.
+        const double slack = pair.distance > 0.0 ? 1e-5 : 4e-3;
+        EXPECT_LE(after.distance, pair.distance + step + slack);
+        EXPECT_GT(after.distance,
+                  pair.distance + (pair.distance > 0.0 ? -slack : 0.5 * step - slack));
+      }
+      collision.set_obstacles({obstacle});
+      ++checked;
+      deep += pair.distance < -0.005 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(checked, 50);
+  EXPECT_GT(deep, 10);
+}
+
+TEST(Collision, AnswersDoNotDependOnThePast) {
+  const Model& model = hrp1s();
+  Collision fresh(model);
+  Collision used(model);
+  Kinematics kinematics(model);
+  std::mt19937_64 random(kSeed + 2);
+  const Configuration home = named_posture(model, "half_sitting");
+  for (int i = 0; i < 300; ++i) {
+    kinematics.update(random_posture(model, home, 0.7, random));
+    used.in_collision(kinematics);
+  }
+  kinematics.update(random_posture(model, home, 0.3, random));
+  const auto a = all_near(fresh, kinematics, 0.1);
+  const auto b = all_near(used, kinematics, 0.1);
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    EXPECT_EQ(a[i].distance, b[i].distance);
+    EXPECT_EQ(a[i].point_a, b[i].point_a);
+  }
+}
+
+TEST(Collision, QueriesOnPrimitivesAllocateNothing) {
+  const Model& model = hrp1s();
+  Collision collision(model);
+  Obstacle shelf;
+  shelf.shape = ObstacleShape::kBox;
+  shelf.size = Eigen::Vector3d(0.3, 0.8, 0.04);
+  shelf.pose.translation() = Eigen::Vector3d(0.4, 0.0, 0.2);
+  collision.set_obstacles({shelf});
+  Kinematics kinematics(model);
+  std::mt19937_64 random(kSeed + 3);
+  std::vector<PairDistance> pairs(64);
+  const Configuration home = named_posture(model, "half_sitting");
+  std::vector<Configuration> postures;
+  for (int i = 0; i < 300; ++i) postures.push_back(random_posture(model, home, 0.8, random));
+  NoAlloc no_alloc;
+  int hits = 0;
+  for (const Configuration& posture : postures) {
+    kinematics.update(posture);
+    hits += collision.in_collision(kinematics) ? 1 : 0;
+    hits += collision.near_pairs(kinematics, 0.05, pairs.data(), 64);
+  }
+  EXPECT_EQ(no_alloc.count(), 0);
+  EXPECT_GT(hits, 100);
+}
+
+TEST(Collision, ObstaclesThatAreNoShapeAreLeftOut) {
+  const Model& model = hrp1s();
+  Collision collision(model);
+  const int before = collision.pair_count();
+  Obstacle good;
+  good.shape = ObstacleShape::kSphere;
+  good.size = Eigen::Vector3d(0.1, 0.0, 0.0);
+  Obstacle flat = good;
+  flat.size.x() = 0.0;
+  Obstacle lost = good;
+  lost.pose.translation().x() = std::numeric_limits<double>::quiet_NaN();
+  Obstacle none;
+  collision.set_obstacles({flat, lost, none});
+  EXPECT_EQ(collision.pair_count(), before);
+  collision.set_obstacles(std::vector<Obstacle>(1000, good));
+  EXPECT_LE(collision.pair_count(), before + 64 * model.link_count());
+}
+
+TEST(Collision, OnlyPairsThatTheJointsMoveAreCheckedOnRequest) {
+  const Model& model = hrp1s();
+  Collision collision(model);
+  Kinematics kinematics(model);
+  // Legs crossed deeply, arms alone are asked about.
+  Configuration crossed = named_posture(model, "half_sitting");
+  crossed.q[model.find_joint("RLEG_HIP_R")] = 0.5;
+  crossed.q[model.find_joint("LLEG_HIP_R")] = -0.5;
+  kinematics.update(crossed);
+  EXPECT_TRUE(collision.in_collision(kinematics));
+  collision.check_only_moved_by(model.hands[0].joints);
+  EXPECT_FALSE(collision.in_collision(kinematics));
+  collision.check_only_moved_by({});
+  EXPECT_TRUE(collision.in_collision(kinematics));
+}
+
+}  // namespace
+}  // namespace twinbus
