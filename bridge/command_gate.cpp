@@ -167,6 +167,7 @@ GateVerdict CommandGate::judge(const JointCommand& command, std::int64_t tick) c
 
 GateVerdict CommandGate::accept(const JointCommand& command, std::int64_t tick, bool late,
                                 std::int64_t now_ns) noexcept {
+  watch(now_ns);  // a process that slept finds its backlog too late
   const GateVerdict verdict = judge(command, tick);
   if (verdict != GateVerdict::kAccepted) {
     if (verdict != GateVerdict::kClosed) ++counters_.rejected;

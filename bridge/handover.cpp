@@ -227,8 +227,13 @@ void Handover::request(const SourceRequest& request, const HandoverInput& input,
   if (request.action == SourceAction::kSwitch) {
     if (request.run_id != config.run_id && holds(config.off, Rule::kSwitchAddressed)) return;
     if (!first_time(request)) return;
+    // Operators repeat a request that may have been lost: one that is under way or done is no
+    // second one.
+    const std::int64_t under_way = pending_switch ? pending.target_run_id : successor;
+    if (request.target_run_id == under_way && under_way != 0) return;
+    if (!holds_state() && request.target_run_id == holder) return;
     if (!holds_state()) return refuse(Refusal::kNotAddressed, request.sequence);
-    if (successor != 0 || pending_switch) return refuse(Refusal::kBusy, request.sequence);
+    if (under_way != 0) return refuse(Refusal::kBusy, request.sequence);
     refuse(Refusal::kNone, request.sequence);
     pending = request;
     pending_switch = true;
@@ -236,7 +241,7 @@ void Handover::request(const SourceRequest& request, const HandoverInput& input,
     return;
   }
   if (request.action == SourceAction::kActivate) {
-    if (for_me && !first_time(request)) return;
+    if (for_me && (!first_time(request) || pending_activation)) return;
     if (request.run_id != 0 && request.run_id != config.run_id) {
       return refuse(Refusal::kNotAddressed, request.sequence);
     }

@@ -13,6 +13,7 @@
 #include "bridge/adaptor.h"
 #include "bridge/source.h"
 #include "robot/model.h"
+#include "robot/options.h"
 #include "robot/requests.h"
 
 namespace twinbus {
@@ -32,14 +33,12 @@ struct SourceMainOptions {
   std::string program = "source";  // in front of every line it prints
   SourceKind kind = SourceKind::kSimulator;
   ProcessKind process = ProcessKind::kSimulator;
-  std::string url;          // empty: $LCM_DEFAULT_URL, else the project's own
-  std::string prefix;       // before every channel
-  std::int64_t run_id = 0;  // 0: random
-  Pace pace = Pace::kRealTime;
+  CommonOptions common;  // url, prefix, id
+  bool lockstep = false;
+  bool guard_required = false;  // its silence masks the arms
   double rate = 1.0;            // real time: this many times faster (simulators)
   double duration = 0.0;        // [s] of active time, then it ends; 0: until a signal
-  bool guard_required = false;  // its silence masks the arms
-  std::uint64_t seed = 1;
+  std::int64_t seed = 1;
   int priority = 60;  // FIFO
 
   std::string scene_text;                 // MODEL_TEXT kind 4
@@ -48,13 +47,8 @@ struct SourceMainOptions {
   std::vector<ScriptedGoal> goals;
 };
 
-// Takes argv[i] (and its value) if it is one of --url --prefix --run-id --id --lockstep --rate
-// --for --seed
-// --guard-required; moves i to the last argument used.  Throws std::invalid_argument with one
-// sentence if a value is missing or wrong.
-bool take_source_option(int argc, char** argv, int& i, SourceMainOptions& options);
-// The lines of --help for them.
-extern const char kSourceOptionsHelp[];
+// --guard-required and --for; a simulator's also --lockstep, --rate and --seed.
+void add_source_options(Options& parser, SourceMainOptions& options, bool simulator);
 
 // The adaptor is open; closed by the caller.  Returns the exit code: 0 asked to end, 1 the adaptor
 // failed for good. Throws std::runtime_error if the bus cannot be opened.

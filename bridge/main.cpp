@@ -1,0 +1,65 @@
+// The bridge process: a robot, through its adaptor, as a source of STATE.
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <exception>
+
+#include "bridge/adaptor_host.h"
+#include "bridge/source_main.h"
+#include "bridge/threaded_adaptor.h"
+#include "robot/load.h"
+#include "robot/process.h"
+
+namespace twinbus {
+namespace {
+
+int run(int argc, char** argv) {
+  SourceMainOptions options;
+  options.program = "bridge";
+  options.kind = SourceKind::kBridge;
+  options.process = ProcessKind::kBridge;
+  std::string name = "emulated_robot";
+  AdaptorConfig config;
+  Options parser("twinbus_bridge", "Runs a robot, through its adaptor, as a source of STATE.");
+  add_common(parser, options.common);
+  parser.text("--adaptor", "PATH_OR_NAME", name,
+              "what moves the robot: a name under lib/adaptors, or the path of a shared object");
+  parser.settings("--set", config.settings, "key=value for the adaptor");
+  add_source_options(parser, options, false);
+  parser.parse(argc, argv);
+
+  const Model model = load_robot(options.common.robot);
+  LoadedAdaptor loaded(name);
+  enter_real_time(options.priority);  // the device's thread inherits it
+  ThreadedAdaptor adaptor(*loaded);
+  const Status opened = adaptor.open(model, config);
+  if (opened != Status::kOk) {
+    std::fprintf(
+        stderr,
+        "bridge: adaptor '%s' cannot be opened: %s; is the robot switched on and reachable?\n",
+        name.c_str(), to_text(opened));
+    return 1;
+  }
+  const int code = run_source_main(options, model, adaptor);
+  adaptor.close();
+  if (adaptor.hung()) {
+    std::fprintf(stderr, "bridge: the device hangs; leaving without it\n");
+    loaded.abandon();
+    std::fflush(nullptr);
+    ::_exit(1);
+  }
+  return code;
+}
+
+}  // namespace
+}  // namespace twinbus
+
+int main(int argc, char** argv) {
+  try {
+    return twinbus::run(argc, argv);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "bridge: %s\n", error.what());
+    return 1;
+  }
+}

@@ -1,0 +1,456 @@
+#include "bridge/source_main.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "bridge/model_text.h"
+#include "bridge/source_events.h"
+#include "lcmtypes/bus.h"
+#include "lcmtypes/channels.h"
+#include "robot/process.h"
+#include "robot/rate_stats.h"
+#include "test/no_alloc.h"
+
+namespace twinbus {
+
+namespace {
+
+constexpr double kCommandDeadline = 0.6;  // of the period, then the command is late
+constexpr std::int64_t kStatusEvery_ns = 100'000'000;
+constexpr std::int64_t kSecond_ns = 1'000'000'000;
+constexpr double kResendEvery = 0.020;     // lock-step [s]
+constexpr std::int64_t kScriptAhead = 25;  // a scripted request is sent this many ticks early ...
+constexpr std::int64_t kScriptEvery = 5;   // ... and again, in case one is lost
+constexpr int kLastTicks = 25;             // of a robot that is held before the process ends
+
+const char* own_channel(SourceKind kind) {
+  switch (kind) {
+    case SourceKind::kBridge:
+      return channel::kStateBridge;
+    case SourceKind::kReplay:
+      return channel::kStateReplay;
+    default:
+      return channel::kStateSim;
+  }
+}
+
+class Shell {
+ public:
+  Shell(const SourceMainOptions& options, const Model& model, RobotAdaptor& adaptor,
+        RealTime real_time)
+      : options_(options),
+        model_(model),
+        adaptor_(adaptor),
+        run_id_(options.common.id != 0 ? options.common.id : random_id()),
+        bus_({.url = options.common.url, .prefix = options.common.prefix, .allow = {}}),
+        source_(model, adaptor, config()),
+        texts_(model_text_pieces(model, options.scene_text, run_id_)),
+        modes_(options.modes),
+        goals_(options.goals) {
+    period_ns_ = std::llround(model.period_ns / options.rate);
+    beat_.process_id = run_id_;
+    beat_.pid = static_cast<std::int32_t>(::getpid());
+    beat_.kind = options.process;
+    beat_.realtime = static_cast<std::int8_t>(real_time);
+    told_ = source_.status();
+    told_.role = Role::kNone;
+    listen();
+  }
+
+  std::int64_t run_id() const { return run_id_; }
+
+  int run() {
+    std::int64_t due = monotonic_ns();
+    due += period_ns_ - due % period_ns_;
+    window_ns_ = due;
+    while (!finished()) {
+      NoAlloc no_alloc;
+      wait_until(due);
+      const std::int64_t late = monotonic_ns() - due;
+      wake_.add(late);
+      if (late > period_ns_ / 2 && source_.publishes_on_state() && !lockstep_now()) ++missed_;
+      tick(due);
+      due = next_due(due);
+      allocations_ += no_alloc.count();
+    }
+    leave(due);
+    return bus_gone_ ? 1 : 0;
+  }
+
+ private:
+  SourceConfig config() const {
+    SourceConfig c;
+    c.run_id = run_id_;
+    c.kind = options_.kind;
+    c.pace = options_.lockstep ? Pace::kLockStep : Pace::kRealTime;
+    c.guard_required = options_.guard_required;
+    c.seed = static_cast<std::uint64_t>(options_.seed) ^ static_cast<std::uint64_t>(monotonic_ns());
+    return c;
+  }
+
+  void listen() {
+    bus_.listen_each<RobotState>(channel::kState, on_state_);
+    for (const char* name : {channel::kStateSim, channel::kStateBridge, channel::kStateReplay}) {
+      bus_.listen_each<RobotState>(name, on_standby_);
+    }
+    bus_.listen_each<JointCommand>(channel::kCommand, on_command_);
+    bus_.listen_each<SourceRequest>(channel::kSourceRequest, on_request_);
+    bus_.listen_each<ControllerRequest>(channel::kControllerRequest, on_controller_);
+    bus_.listen_each<StopRequest>(channel::kStop, on_stop_);
+    bus_.listen_each<GuardReport>(channel::kGuard, on_guard_);
+    bus_.listen_each<ControllerStatus>(channel::kControllerStatus, on_controller_status_);
+  }
+
+  bool finished() const {
+    if (quit_requested() || bus_gone_) return true;
+    if (!(options_.duration > 0.0) || first_tick_ == 0) return false;
+    const double active =
+        model_.period() * static_cast<double>(source_.state().tick - first_tick_ + 1);
+    return active >= options_.duration - 1e-9;
+  }
+
+  // In lock-step the command is the clock, as long as somebody may command.
+  bool lockstep_now() const {
+    return options_.lockstep && source_.publishes_on_state() &&
+           source_.status().stop_kind <= StopKind::kBalanced;
+  }
+
+  void receive(double timeout_s) {
+    if (bus_.receive(timeout_s) < 0) bus_gone_ = true;
+  }
+
+  void wait_until(std::int64_t due) {
+    if (lockstep_now()) return receive(0.0);
+    for (std::int64_t left = due - monotonic_ns(); left > 0 && !quit_requested() && !bus_gone_;
+         left = due - monotonic_ns()) {
+      receive(1e-9 * static_cast<double>(left));
+    }
+    receive(0.0);
+  }
+
+  void tick(std::int64_t due) {
+    const std::int64_t begin = monotonic_ns();
+    source_.begin_tick(begin);
+    const RobotState& state = source_.state();
+    if (source_.publishes_on_state() && first_tick_ == 0) first_tick_ = state.tick;
+    publish_state();
+    if (const SimTruth* truth = adaptor_.truth();
+        truth != nullptr && source_.publishes_on_state()) {
+      truth_ = *truth;
+      truth_.tick = state.tick;
+      truth_.run_id = run_id_;
+      send(channel::kTruth, truth_);
+    }
+    const std::int64_t published = monotonic_ns();
+    if (lockstep_now()) {
+      wait_for_answer();
+    } else {
+      const std::int64_t deadline =
+          due + std::llround(kCommandDeadline * static_cast<double>(period_ns_));
+      for (std::int64_t left = deadline - monotonic_ns();
+           left > 0 && !source_.command_ready() && !bus_gone_; left = deadline - monotonic_ns()) {
+        receive(1e-9 * static_cast<double>(left));
+      }
+    }
+    const std::int64_t answered = monotonic_ns();
+    if (source_.publishes_on_state() && source_.command_ready()) age_.add(answered - published);
+    source_.end_tick(answered);
+    ++ticks_;
+    ++window_ticks_;
+    report(answered);
+    const std::int64_t end = monotonic_ns();
+    work_.add((published - begin) + (end - answered));
+  }
+
+  void publish_state() {
+    send(source_.publishes_on_state() ? channel::kState : own_channel(options_.kind),
+         source_.state());
+  }
+
+  // Lock-step: the state is sent again until it is answered.
+  void wait_for_answer() {
+    const std::int64_t asked = monotonic_ns();
+    bool said = false;
+    while (!source_.command_ready() && lockstep_now() && !quit_requested() && !bus_gone_) {
+      const std::int64_t sent = monotonic_ns();
+      for (double left = kResendEvery; left > 0.0 && !source_.command_ready() && !bus_gone_;
+           left = kResendEvery - 1e-9 * static_cast<double>(monotonic_ns() - sent)) {
+        receive(left);
+      }
+      if (source_.command_ready()) break;
+      report(monotonic_ns());
+      publish_state();
+      if (!said && monotonic_ns() - asked > kSecond_ns) {
+        said = true;
+        tell(1, "lock-step pauses: no controller has answered for 1 s");
+        std::fprintf(stderr, "%s: lock-step pauses: no controller has answered tick %lld for 1 s\n",
+                     options_.program.c_str(), static_cast<long long>(source_.state().tick));
+      }
+    }
+  }
+
+  // Ticks lie on absolute multiples of the period; a process that slept goes on and does not catch
+  // up in a burst.
+  std::int64_t next_due(std::int64_t due) {
+    std::int64_t next = due + period_ns_;
+    if (options_.rate == 1.0) next = source_.next_tick_due_ns(due);
+    const std::int64_t now = monotonic_ns();
+    if (next < now - period_ns_) {
+      if (source_.publishes_on_state() && !options_.lockstep) missed_ += (now - next) / period_ns_;
+      next += (now - next) / period_ns_ * period_ns_;
+    }
+    return next;
+  }
+
+  template <class T>
+  void send(const char* name, const T& value) {
+    if (!bus_.send(name, value)) ++send_failures_;
+  }
+
+  void tell(int severity, const char* text) {
+    Event event;
+    event.severity = static_cast<std::int8_t>(severity);
+    std::snprintf(event.text.data(), event.text.size(), "%s", text);
+    send_event(event);
+  }
+
+  void send_event(Event& event) {
+    event.utime = wall_us();
+    event.sender_id = run_id_;
+    event.run_id = run_id_;
+    event.tick = source_.state().tick;
+    event.sequence = ++event_sequence_;
+    event.kind = options_.process;
+    send(channel::kEvent, event);
+  }
+
+  void report(std::int64_t now) {
+    SourceStatus status = source_.status();
+    status.ticks_missed = missed_;
+    const bool changed = status.role != told_.role || status.stop_kind != told_.stop_kind ||
+                         status.refusal != told_.refusal || status.term != told_term_ ||
+                         status.refusal_sequence != told_.refusal_sequence ||
+                         status.stop_nonce != told_nonce_ ||
+                         status.controller_id != told_.controller_id;
+    Event event;
+    while (next_sentence(told_, status, event)) send_event(event);
+    if (changed || now - status_ns_ >= kStatusEvery_ns) {
+      told_term_ = status.term;
+      told_nonce_ = status.stop_nonce;
+      status_ns_ = now;
+      status.utime = wall_us();
+      send(channel::kSourceStatus, status);
+    }
+    StopRequest stop = source_.take_stop_to_publish(now);
+    if (stop.kind != StopKind::kNone) {
+      stop.utime = wall_us();
+      send(channel::kStop, stop);
+    }
+    if (now - beat_ns_ >= kStatusEvery_ns) send_heartbeat(now);
+    repeat_texts(now);
+    send_script();
+  }
+
+  void send_heartbeat(std::int64_t now) {
+    beat_ns_ = now;
+    const BusCounters& counters = bus_.counters();
+    const SourceStatus& status = source_.status();
+    beat_.utime = wall_us();
+    beat_.messages_received = counters.received;
+    beat_.messages_rejected = counters.rejected + status.commands_rejected + status.terms_ignored;
+    beat_.messages_lost = counters.lost;
+    beat_.ticks = ticks_;
+    beat_.ticks_missed = missed_;
+    beat_.allocations = allocations_counted() ? allocations_ : -1;
+    beat_.send_failures = static_cast<std::int32_t>(send_failures_);
+    beat_.age_us = static_cast<float>(1e-3 * age_.median_ns());
+    beat_.tick_median_us = static_cast<float>(1e-3 * work_.median_ns());
+    beat_.tick_p99_us = static_cast<float>(1e-3 * work_.p99_ns());
+    beat_.tick_max_us = static_cast<float>(1e-3 * static_cast<double>(work_.max_ns()));
+    beat_.wake_p99_us = static_cast<float>(1e-3 * wake_.p99_ns());
+    if (now - window_ns_ >= kSecond_ns / 2) {
+      const double seconds = 1e-9 * static_cast<double>(now - window_ns_);
+      beat_.rate = static_cast<float>(static_cast<double>(window_ticks_) / seconds);
+      window_ns_ = now;
+      window_ticks_ = 0;
+    }
+    beat_.state = source_.publishes_on_state() ? std::int8_t{2} : std::int8_t{1};
+    send(channel::kHeartbeat, beat_);
+  }
+
+  // Robot description and obstacles once a second, spread over it so that no tick sends many.
+  void repeat_texts(std::int64_t now) {
+    const std::size_t total = texts_.size() + options_.obstacles.size();
+    if (total == 0 || now < next_text_ns_) return;
+    next_text_ns_ = now + kSecond_ns / static_cast<std::int64_t>(total);
+    next_text_ = (next_text_ + 1) % total;
+    if (next_text_ < texts_.size()) {
+      texts_[next_text_].utime = wall_us();
+      send(channel::kModelText, texts_[next_text_]);
+    } else {
+      obstacles_ = options_.obstacles[next_text_ - texts_.size()];
+      obstacles_.utime = wall_us();
+      send(channel::kObstacles, obstacles_);
+    }
+  }
+
+  void send_script() {
+    if (first_tick_ == 0 || !source_.publishes_on_state()) return;
+    const std::int64_t tick = source_.state().tick;
+    std::int32_t sequence = 0;
+    for (ScriptedMode& scripted : modes_) {
+      ++sequence;
+      const std::int64_t at = first_tick_ - 1 + std::llround(scripted.at / model_.period());
+      if (tick < at - kScriptAhead || tick >= std::max(at, first_tick_ + kScriptAhead)) continue;
+      if (tick % kScriptEvery != 0) continue;
+      scripted.request.utime = wall_us();
+      scripted.request.sender_id = run_id_;
+      scripted.request.run_id = run_id_;
+      scripted.request.sequence = sequence;
+      scripted.request.at_tick = at;
+      send(channel::kModeRequest, scripted.request);
+    }
+    for (ScriptedGoal& scripted : goals_) {
+      ++sequence;
+      const std::int64_t at = first_tick_ - 1 + std::llround(scripted.at / model_.period());
+      if (tick < at || tick >= at + kScriptAhead || tick % kScriptEvery != 0) continue;
+      scripted.goal.utime = wall_us();
+      scripted.goal.sender_id = run_id_;
+      scripted.goal.run_id = run_id_;
+      scripted.goal.sequence = sequence;
+      send(channel::kArmGoal, scripted.goal);
+    }
+  }
+
+  // A robot is held for a moment, so that whoever watches sees the stop; then STATE is left.
+  void leave(std::int64_t due) {
+    if (bus_gone_) return;
+    if (source_.publishes_on_state() && adaptor_.is_hardware()) {
+      StopRequest stop;
+      stop.sender_id = run_id_;
+      stop.kind = StopKind::kHold;
+      stop.reason = StopReason::kLauncher;
+      source_.on_stop(stop, monotonic_ns());
+      for (int i = 0; i < kLastTicks; ++i) {
+        sleep_until_ns(due);
+        tick(due);
+        due += period_ns_;
+      }
+    }
+    RobotState last = source_.state();
+    last.role = Role::kParked;
+    last.grant_run_id = 0;
+    send(own_channel(options_.kind), last);
+    SourceStatus status = source_.status();
+    status.role = Role::kParked;
+    status.utime = wall_us();
+    send(channel::kSourceStatus, status);
+    tell(0, "source ended");
+  }
+
+  struct OnState {
+    Shell* s;
+    void operator()(const RobotState& m) const noexcept { s->source_.on_state(m, monotonic_ns()); }
+  };
+  struct OnStandby {
+    Shell* s;
+    void operator()(const RobotState& m) const noexcept {
+      s->source_.on_standby_state(m, monotonic_ns());
+    }
+  };
+  struct OnCommand {
+    Shell* s;
+    void operator()(const JointCommand& m) const noexcept {
+      s->source_.on_command(m, monotonic_ns());
+    }
+  };
+  struct OnRequest {
+    Shell* s;
+    void operator()(const SourceRequest& m) const noexcept {
+      s->source_.on_source_request(m, monotonic_ns());
+    }
+  };
+  struct OnController {
+    Shell* s;
+    void operator()(const ControllerRequest& m) const noexcept {
+      s->source_.on_controller_request(m, monotonic_ns());
+    }
+  };
+  struct OnStop {
+    Shell* s;
+    void operator()(const StopRequest& m) const noexcept { s->source_.on_stop(m, monotonic_ns()); }
+  };
+  struct OnGuard {
+    Shell* s;
+    void operator()(const GuardReport& m) const noexcept { s->source_.on_guard(m, monotonic_ns()); }
+  };
+  struct OnControllerStatus {
+    Shell* s;
+    void operator()(const ControllerStatus& m) const noexcept {
+      s->source_.on_controller_status(m, monotonic_ns());
+    }
+  };
+
+  const SourceMainOptions& options_;
+  const Model& model_;
+  RobotAdaptor& adaptor_;
+  std::int64_t run_id_;
+  Bus bus_;
+  Source source_;
+  std::vector<ModelTextPiece> texts_;
+  std::vector<ScriptedMode> modes_;
+  std::vector<ScriptedGoal> goals_;
+  ObstaclesPiece obstacles_;
+  SimTruth truth_;
+  SourceStatus told_;
+  Heartbeat beat_;
+  RateStats work_, age_, wake_;
+  std::int64_t period_ns_ = 0, first_tick_ = 0, ticks_ = 0, window_ticks_ = 0, missed_ = 0,
+               send_failures_ = 0, allocations_ = 0, status_ns_ = 0, beat_ns_ = 0, window_ns_ = 0,
+               next_text_ns_ = 0;
+  std::size_t next_text_ = 0;
+  std::int32_t event_sequence_ = 0, told_term_ = 0, told_nonce_ = 0;
+  bool bus_gone_ = false;
+
+  OnState on_state_{this};
+  OnStandby on_standby_{this};
+  OnCommand on_command_{this};
+  OnRequest on_request_{this};
+  OnController on_controller_{this};
+  OnStop on_stop_{this};
+  OnGuard on_guard_{this};
+  OnControllerStatus on_controller_status_{this};
+};
+
+}  // namespace
+
+void add_source_options(Options& parser, SourceMainOptions& options, bool simulator) {
+  parser.number("--for", "S", options.duration, 0.0, 1e7,
+                "ends after S seconds of being active; 0: never");
+  parser.flag("--guard-required", options.guard_required,
+              "brakes the arms while no guard is heard");
+  if (!simulator) return;
+  parser.flag("--lockstep", options.lockstep,
+              "waits for the answer to every STATE instead of the clock");
+  parser.number("--rate", "X", options.rate, 0.01, 100.0, "runs X times as fast as real time");
+  parser.integer("--seed", "N", options.seed, 0, INT64_MAX, "of everything random");
+}
+
+int run_source_main(const SourceMainOptions& options, const Model& model, RobotAdaptor& adaptor) {
+  catch_quit_signals();
+  std::string why;
+  const RealTime real_time = enter_real_time(options.priority, &why);
+  if (!why.empty()) std::fprintf(stderr, "%s: %s\n", options.program.c_str(), why.c_str());
+  Shell shell(options, model, adaptor, real_time);
+  std::printf("%s ready: %s, %d joints, run %lld, %s, %s\n", options.program.c_str(),
+              model.name.c_str(), model.bus_count(), static_cast<long long>(shell.run_id()),
+              options.lockstep ? "lock-step" : "real time",
+              real_time == RealTime::kNone ? "no real-time priority" : "FIFO priority");
+  std::fflush(stdout);
+  return shell.run();
+}
+
+}  // namespace twinbus
