@@ -105,9 +105,11 @@ Child::~Child() {
   if (!wait_for_end(spec_.grace)) kill_group();
 }
 
-bool Child::take_end() {
-  if (!running() || !wait_for_end(0.0)) return false;
-  return true;
+bool Child::take_end() { return running() && wait_for_end(0.0); }
+
+bool Child::wait_is_over() const {
+  pollfd event{pidfd_, POLLIN, 0};
+  return running() && poll(&event, 1, 0) == 1;
 }
 
 void Child::ask_to_stop() const {

@@ -36,6 +36,8 @@ class Child {
 
   // Notices an end without waiting.  True once, when the child has ended since the last call.
   bool take_end();
+  // It has ended and nobody has taken note yet.
+  bool wait_is_over() const;
   // How it ended, as words: "exit status 1", "signal 9 (Killed)".
   const std::string& how_it_ended() const { return how_; }
   bool ended_well() const { return well_; }

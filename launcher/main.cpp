@@ -1,0 +1,90 @@
+// The program `twinbus`: finds the command that was asked for and hands it the rest of the line.
+
+#include <cstdio>
+#include <exception>
+#include <string>
+#include <vector>
+
+#include "launcher/arguments.h"
+#include "launcher/check.h"
+#include "launcher/doctor.h"
+#include "launcher/operate.h"
+#include "launcher/status.h"
+#include "launcher/switch_source.h"
+#include "launcher/tools.h"
+#include "launcher/up.h"
+#include "robot/nearest.h"
+#if __has_include("launcher/reach.h")
+#include "launcher/reach.h"
+#endif
+#if __has_include("launcher/run.h")
+#include "launcher/run.h"
+#endif
+
+using namespace twinbus;
+
+namespace {
+
+struct Command {
+  const char* name;
+  const char* about;
+  int (*run)(const std::vector<std::string>& words);
+};
+
+constexpr Command kCommands[] = {
+    {"up", "start and supervise simulator, controller, guard, planner and viewer", &up_command},
+#if __has_include("launcher/run.h")
+    {"run", "run a scene in one process, without a bus, as fast as it goes", &run_command},
+#endif
+    {"status", "who is there, rates, roles, terms, timing", &status_command},
+    {"switch", "let simulator, hardware bridge or replay take over", &switch_command},
+    {"stop", "stop the robot: balanced, hold or off", &stop_command},
+    {"clear", "end a stop", &clear_command},
+    {"mode", "ask the controller for a mode", &mode_command},
+    {"pose", "go to a named pose", &pose_command},
+    {"sway", "sway from side to side", &sway_command},
+    {"squat", "move up and down", &squat_command},
+    {"walk", "walk at a velocity", &walk_command},
+#if __has_include("launcher/reach.h")
+    {"reach", "bring a hand to a point around obstacles", &reach_command},
+#endif
+    {"gamepad", "drive with a gamepad or the keyboard", &gamepad_command},
+    {"spy", "lcm-spy that knows the messages", &spy_command},
+    {"env", "shell variables for stock LCM tools: eval \"$(./twinbus env)\"", &env_command},
+    {"check", "load a robot's folder and print what it is", &check_command},
+    {"doctor", "is this machine ready", &doctor_command},
+    {"bench", "measure", &bench_command},
+};
+
+void print_help() {
+  std::printf("usage: ./twinbus COMMAND [ARGUMENT...]\n\n");
+  for (const Command& command : kCommands) std::printf("  %-9s %s\n", command.name, command.about);
+  std::printf("  %-9s %s\n", "test", "build and run the tests");
+  std::printf("\n./twinbus COMMAND --help says more.  Exit status: 0 done, 1 failed, 2 wrong arguments.\n");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::string name = argc > 1 ? argv[1] : "--help";
+  if (name == "--help" || name == "-h" || name == "help") {
+    print_help();
+    return 0;
+  }
+  std::vector<std::string> names = {"test"};
+  for (const Command& command : kCommands) {
+    names.push_back(command.name);
+    if (name != command.name) continue;
+    try {
+      return command.run({argv + 2, argv + argc});
+    } catch (const UsageError& error) {
+      std::fprintf(stderr, "%s\n", error.what());
+      return 2;
+    } catch (const std::exception& error) {
+      std::fprintf(stderr, "%s: %s\n", name.c_str(), error.what());
+      return 1;
+    }
+  }
+  std::fprintf(stderr, "twinbus: no command '%s'%s\n", name.c_str(), suggestion(name, names).c_str());
+  return 2;
+}

@@ -1,0 +1,15 @@
+// Commands that are programs or scripts of their own: spy, env, gamepad, bench.
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace twinbus {
+
+int spy_command(const std::vector<std::string>& words);
+int env_command(const std::vector<std::string>& words);
+int gamepad_command(const std::vector<std::string>& words);
+int bench_command(const std::vector<std::string>& words);
+
+}  // namespace twinbus

@@ -1,0 +1,376 @@
+#include "launcher/up.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <stdexcept>
+
+#include "launcher/bus_link.h"
+#include "launcher/live_table.h"
+#include "launcher/run_folder.h"
+#include "launcher/stack.h"
+#include "launcher/state_hash.h"
+#include "launcher/supervisor.h"
+#include "launcher/verdict.h"
+#include "robot/load.h"
+#include "robot/process.h"
+#include "sim/scene.h"
+
+namespace twinbus {
+
+namespace {
+
+constexpr double kListenFirst = 0.4;         // sources and processes speak at 10 Hz [s]
+constexpr double kActivationTimeout = 10.0;  // a source listens 1 s for other terms before it may become active [s]
+constexpr double kAskAgain = 0.25;           // [s]
+constexpr double kTableEvery = 0.25;         // on a terminal [s]
+constexpr double kLineEvery = 10.0;          // elsewhere [s]
+constexpr double kSettle = 0.5;              // from the first answered tick to the first counted one [s]
+
+double seconds(std::int64_t from_ns, std::int64_t to_ns) { return 1e-9 * static_cast<double>(to_ns - from_ns); }
+
+Syntax up_syntax() {
+  std::string stacks;
+  for (const std::string& name : stack_names()) stacks += (stacks.empty() ? "" : ", ") + name;
+  return {"up",
+          "[SCENE]",
+          "Starts the processes of a stack, activates its source, shows what runs and stops everything on Ctrl-C.\n"
+          "SCENE is a name in config/scenes or a file; default: stand.  With --for the run is judged: exit status 0 only\n"
+          "if STATE and COMMAND kept their rate, at most 0.1 % of the ticks were missed (1 % without FIFO) and nobody fell.",
+          {robot_option(),
+           {"--stack", "NAME", "of config/stacks (" + stacks + "), or a file; default sim"},
+           {"--engine", "E", "physics engine; default the scene's"},
+           {"--lockstep", "", "each tick waits for its command: slower or faster than real time, repeatable"},
+           {"--rate", "X", "times real time; default 1"},
+           {"--for", "S", "seconds; then stops, judges and exits"},
+           {"--seed", "N", "of noise and perturbations"},
+           {"--set", "KEY=VALUE", "setting of the simulator, as in model.mass_scale=1.03; may be repeated"},
+           {"--no-viewer", "", "without the page in the browser"},
+           {"--report", "F", "writes the figures as JSON"},
+           prefix_option(),
+           url_option(),
+           {"--allow", "IP", "another machine that may send to this bus; may be repeated"}},
+          0,
+          1};
+}
+
+class Up {
+ public:
+  explicit Up(const Arguments& arguments);
+  int run();
+
+ private:
+  Placeholders placeholders(const Arguments& arguments) const;
+  void refuse_if_someone_publishes();
+  void start_all();
+  void note_ready();
+  void activate();
+  void wait_for_first_commands();
+  bool work();  // until the end; false if something broke
+  bool judge_and_report(bool whole, double wall_s);
+  void show(std::int64_t now_ns);
+  void say(const std::string& line);
+  bool elapsed(std::int64_t now_ns) const;
+  CountersAtStart counters(std::int64_t now_ns);
+
+  RunRequest request_;
+  Scene scene_;
+  Stack stack_;
+  std::string report_;
+  std::string folder_;
+  bool terminal_ = isatty(STDOUT_FILENO) != 0;
+  StateHash hash_;
+  std::unique_ptr<BusLink> bus_;
+  std::unique_ptr<Supervisor> supervisor_;
+  std::string viewer_address_;
+  Redraw redraw_;
+  CountersAtStart at_start_;
+  std::int64_t start_ns_ = 0;        // of the measured part
+  std::int64_t start_time_ns_ = 0;   // STATE's own time then
+  std::int64_t shown_ns_ = 0;
+};
+
+Up::Up(const Arguments& arguments) {
+  scene_ = load_scene(arguments.word(0, "stand"));
+  request_.scene = scene_.name;
+  request_.robot = arguments.text("--robot", scene_.robot);
+  request_.engine = arguments.text("--engine", scene_.engine);
+  request_.lockstep = arguments.has("--lockstep");
+  request_.rate = arguments.number("--rate", 1.0, 0.01, 100.0);
+  request_.duration = arguments.number("--for", 0.0, 0.1, 1e6);
+  request_.seed = static_cast<std::uint64_t>(arguments.number("--seed", 1.0, 0.0, 1e9));
+  report_ = arguments.text("--report", "");
+  const Model model = load_robot(request_.robot);  // the same error for every process, said once
+  request_.period = model.period();
+  request_.step_s = scene_.step > 0.0 ? scene_.step : model.period();
+  stack_ = load_stack(arguments.text("--stack", "sim"));
+  if (arguments.has("--no-viewer")) {
+    std::erase_if(stack_.processes, [](const StackProcess& process) { return process.viewer; });
+  }
+
+  bus_ = std::make_unique<BusLink>(arguments.text("--url", ""), arguments.text("--prefix", ""), arguments.all("--allow"));
+  refuse_if_someone_publishes();
+  bus_->on_raw_state([this](std::span<const std::uint8_t> bytes) { hash_.add(bytes); });
+
+  folder_ = make_run_folder();
+  write_file(folder_ + "/stack.yaml", stack_.text);
+  write_file(folder_ + "/scene.yaml", scene_.text);
+  write_file(folder_ + "/commit", commit_of_program() + "\n");
+  supervisor_ = std::make_unique<Supervisor>(stack_, placeholders(arguments), folder_,
+                                             [this](const std::string& line) { say(line); });
+}
+
+Placeholders Up::placeholders(const Arguments& arguments) const {
+  Placeholders values;
+  auto& bus = values["bus"];
+  for (const char* option : {"--url", "--prefix", "--allow"}) {
+    for (const std::string& value : arguments.all(option)) bus.insert(bus.end(), {option, value});
+  }
+  values["robot"] = {"--robot", request_.robot};
+  values["scene"] = {arguments.word(0, "stand")};
+  auto& pace = values["pace"];
+  if (request_.lockstep) pace = {"--lockstep"};
+  if (arguments.has("--rate")) pace.insert(pace.end(), {"--rate", arguments.text("--rate", "1")});
+  // In lock-step the simulator itself ends after its last tick, so that two runs have the same ticks.
+  if (request_.lockstep && request_.duration > 0.0) pace.insert(pace.end(), {"--for", arguments.text("--for", "")});
+  values["engine"] = arguments.has("--engine") ? std::vector<std::string>{"--engine", request_.engine}
+                                               : std::vector<std::string>{};
+  auto& settings = values["settings"];
+  for (const std::string& setting : arguments.all("--set")) settings.insert(settings.end(), {"--set", setting});
+  if (arguments.has("--seed")) settings.insert(settings.end(), {"--seed", arguments.text("--seed", "1")});
+  values["run_folder"] = {folder_};
+  values["pid"] = {std::to_string(getpid())};
+  return values;
+}
+
+void Up::say(const std::string& line) {
+  redraw_.clear();
+  std::printf("up: %s\n", line.c_str());
+  std::fflush(stdout);
+}
+
+void Up::refuse_if_someone_publishes() {
+  bus_->listen(kListenFirst);
+  const std::int64_t now = monotonic_ns();
+  const Lookout& seen = bus_->seen();
+  std::string who;
+  if (const auto sources = seen.sources(now); !sources.empty()) who = describe(*sources.front());
+  for (const SeenProcess* process : seen.processes(now)) {
+    const ProcessKind kind = process->beat.kind;
+    const bool harmless = kind == ProcessKind::kViewer || kind == ProcessKind::kGamepad || kind == ProcessKind::kLog ||
+                          kind == ProcessKind::kUser || kind == ProcessKind::kLauncher;
+    if (!harmless) who = std::string(process_name(kind)) + " with process id " + std::to_string(process->beat.pid);
+  }
+  if (who.empty() && seen.state().received() > 0) who = "an unknown sender on STATE";
+  if (who.empty() && seen.command().received() > 0) who = "an unknown sender on COMMAND";
+  if (!who.empty()) {
+    throw std::runtime_error("someone already publishes on " + bus_->url() + ": " + who +
+                             "; end it first, or give this robot channels of its own with --prefix R2_");
+  }
+}
+
+// Messages say which processes are there: a heartbeat has the process id, a state the run id of a heartbeat.
+void Up::note_ready() {
+  const Lookout& seen = bus_->seen();
+  for (const Supervised& one : supervisor_->processes()) {
+    if (one.ready || one.child.empty() || one.process.ready_when != ReadyWhen::kMessage) continue;
+    const SeenProcess* process = seen.process_of_pid(one.child.front().pid());
+    if (process == nullptr) continue;
+    const std::string& channel = one.process.ready_channel;
+    const SeenSource* source = seen.source(process->beat.process_id);
+    const bool is_state = channel.starts_with("STATE") && source != nullptr && source->states.received() > 0;
+    const bool is_status = channel == "SOURCE_STATUS" && source != nullptr && source->heard_ns > 0;
+    const bool is_beat = channel == "HEARTBEAT" && process->beat.state != 0;
+    if (is_state || is_status || is_beat) supervisor_->heard_from_name(one.process.name);
+  }
+}
+
+void Up::start_all() {
+  const std::int64_t begin = monotonic_ns();
+  std::vector<std::string> told;
+  while (!quit_requested()) {
+    bus_->receive(0.02);
+    note_ready();
+    supervisor_->start_more(monotonic_ns());
+    for (const Supervised& one : supervisor_->processes()) {
+      if (!one.ready || std::find(told.begin(), told.end(), one.process.name) != told.end()) continue;
+      told.push_back(one.process.name);
+      char time[32];
+      std::snprintf(time, sizeof time, "%.2f s", seconds(begin, monotonic_ns()));
+      say(one.process.name + " ready after " + time);
+      for (const std::string& line : one.child.front().last_lines(20)) {
+        const std::size_t at = line.find("http://");
+        if (one.process.viewer && at != std::string::npos) viewer_address_ = line.substr(at, line.find(' ', at) - at);
+      }
+    }
+    if (supervisor_->all_ready()) return;
+  }
+}
+
+void Up::activate() {
+  if (stack_.activate.empty()) return;
+  std::int32_t pid = 0;
+  for (const Supervised& one : supervisor_->processes()) {
+    if (one.process.name == stack_.activate && !one.child.empty()) pid = one.child.front().pid();
+  }
+  const SeenProcess* process = bus_->seen().process_of_pid(pid);
+  if (process == nullptr) throw std::runtime_error("'" + stack_.activate + "' sends no heartbeat, so it cannot be activated");
+  SourceRequest request;
+  request.action = SourceAction::kActivate;
+  request.policy = SwitchPolicy::kNow;
+  request.run_id = request.target_run_id = process->beat.process_id;
+  const std::int64_t begin = monotonic_ns();
+  std::int64_t asked = 0;
+  while (!quit_requested()) {
+    const std::int64_t now = monotonic_ns();
+    if (asked == 0 || seconds(asked, now) > kAskAgain) {
+      asked = now;
+      request.sequence = 0;  // a new one: a refusal answers one sequence, and the reason may have gone since
+      bus_->send(request);
+    }
+    bus_->receive(0.02);
+    supervisor_->watch(monotonic_ns());
+    const SeenSource* source = bus_->seen().source(request.run_id);
+    if (source != nullptr && source->status.role == Role::kActive && source->on_state) {
+      say(describe(*source) + " holds STATE");
+      return;
+    }
+    if (supervisor_->broken()) throw std::runtime_error("a required process ended before the robot was running");
+    if (seconds(begin, now) > kActivationTimeout) {
+      const bool refused = source != nullptr && source->status.refusal != Refusal::kNone;
+      throw std::runtime_error("'" + stack_.activate + "' did not become active within 10 s" +
+                               (refused ? std::string(": ") + refusal_text(source->status.refusal) : ""));
+    }
+  }
+}
+
+CountersAtStart Up::counters(std::int64_t now_ns) {
+  CountersAtStart now;
+  if (const SeenSource* active = bus_->seen().active(now_ns)) now.source_missed = active->status.ticks_missed;
+  now.controller_missed = controller_missed_ticks(bus_->seen(), now_ns);
+  return now;
+}
+
+void Up::wait_for_first_commands() {
+  const std::int64_t begin = monotonic_ns();
+  while (!quit_requested() && bus_->seen().command().received() == 0) {
+    bus_->receive(0.02);
+    supervisor_->watch(monotonic_ns());
+    if (supervisor_->broken()) throw std::runtime_error("a required process ended before the robot was running");
+    if (seconds(begin, monotonic_ns()) > kActivationTimeout) {
+      throw std::runtime_error("no COMMAND within 10 s: the controller does not answer STATE (its output: " + folder_ +
+                               "/controller.log)");
+    }
+  }
+  // The first ticks of a source and a controller fill caches and page tables: they are run, but not counted.
+  if (!request_.lockstep) bus_->listen(kSettle);
+  start_ns_ = monotonic_ns();
+  start_time_ns_ = bus_->seen().newest_state().time_ns;
+  at_start_ = counters(start_ns_);
+  if (!request_.lockstep) bus_->seen().restart_counts();
+  say(std::string(runs_at_fifo(bus_->seen(), start_ns_) ? "source and controller run with FIFO priority"
+                                                        : "WITHOUT FIFO priority (./twinbus doctor --rt says why)") +
+      "; output of each process: " + folder_);
+  if (!viewer_address_.empty()) say("viewer: " + viewer_address_);
+}
+
+bool Up::elapsed(std::int64_t now_ns) const {
+  return request_.duration > 0.0 && !request_.lockstep && seconds(start_ns_, now_ns) >= request_.duration;
+}
+
+void Up::show(std::int64_t now_ns) {
+  for (const std::string& event : bus_->seen().take_events()) say(event);
+  if (shown_ns_ != 0 && seconds(shown_ns_, now_ns) < (terminal_ ? kTableEvery : kLineEvery)) return;
+  shown_ns_ = now_ns;
+  if (!terminal_) {
+    char time[32];
+    std::snprintf(time, sizeof time, "%6.1f s  ", seconds(start_ns_, now_ns));
+    say(time + summary_line(bus_->seen(), now_ns));
+    return;
+  }
+  std::vector<std::string> lines = table_lines(bus_->seen(), now_ns);
+  char title[200];
+  std::snprintf(title, sizeof title, "twinbus up %s: %s, %s, stack %s, %.1f s%s%s   (Ctrl-C stops everything)",
+                request_.scene.c_str(), request_.robot.c_str(), request_.engine.c_str(), stack_.name.c_str(),
+                seconds(start_ns_, now_ns), viewer_address_.empty() ? "" : ", ", viewer_address_.c_str());
+  lines.insert(lines.begin(), title);
+  redraw_.draw(lines);
+}
+
+bool Up::work() {
+  const bool ends_itself = request_.lockstep && request_.duration > 0.0;
+  while (!quit_requested()) {
+    bus_->receive(0.02);
+    const std::int64_t now = monotonic_ns();
+    if (ends_itself) {
+      for (const Supervised& one : supervisor_->processes()) {
+        const bool gone = one.process.name == stack_.activate && !one.child.empty() && one.child.front().wait_is_over();
+        if (gone) {
+          bus_->listen(0.1);  // what is still in the socket
+          return true;
+        }
+      }
+    }
+    supervisor_->watch(now);
+    note_ready();
+    if (supervisor_->broken()) return false;
+    if (elapsed(now)) return true;
+    show(now);
+  }
+  return true;
+}
+
+bool Up::judge_and_report(bool whole, double wall_s) {
+  const std::int64_t now = monotonic_ns();
+  RunVerdict verdict = judge(bus_->seen(), request_, at_start_, now);
+  if (request_.lockstep) {
+    // The source has ended by itself, so it is no longer active: only ticks and falls count.
+    std::erase_if(verdict.failures, [](const std::string& failure) { return failure.starts_with("no source"); });
+    const auto wanted = static_cast<std::int64_t>(request_.duration / request_.period + 0.5);
+    if (whole && verdict.ticks < wanted) {
+      verdict.failures.push_back(std::to_string(verdict.ticks) + " of " + std::to_string(wanted) + " ticks came");
+    }
+  }
+  if (!whole) verdict.failures.push_back("a required process ended");
+  verdict.passed = verdict.failures.empty();
+  redraw_.clear();
+  for (const std::string& line : verdict_lines(verdict, request_)) say(line);
+  const std::string hash = request_.lockstep ? hash_.text() : "";
+  if (!hash.empty()) say("state_hash " + hash);
+  const std::string json = report_json(verdict, request_, bus_->seen(), wall_s, hash);
+  write_file(folder_ + "/report.json", json);
+  if (!report_.empty()) write_file(report_, json);
+  return verdict.passed;
+}
+
+int Up::run() {
+  say("stack " + stack_.name + ", scene " + request_.scene + ", robot " + request_.robot + ", bus " + bus_->url());
+  start_all();
+  if (!quit_requested()) activate();
+  if (!quit_requested()) wait_for_first_commands();
+  bool good = true;
+  if (start_ns_ != 0) {
+    good = work();
+    const double wall_s = seconds(start_ns_, monotonic_ns());
+    const bool asked_to_judge = request_.duration > 0.0 && !quit_requested();
+    if (asked_to_judge || !good) good = judge_and_report(good, wall_s);
+  }
+  redraw_.leave();
+  say("stops " + std::to_string(supervisor_->processes().size()) + " processes");
+  const bool ended_well = supervisor_->stop_all();
+  say(ended_well ? "all processes ended" : "all processes ended, not all of them well");
+  return good ? 0 : 1;
+}
+
+}  // namespace
+
+int up_command(const std::vector<std::string>& words) {
+  const Arguments arguments(up_syntax(), words);
+  catch_quit_signals();
+  Up up(arguments);
+  return up.run();
+}
+
+}  // namespace twinbus
