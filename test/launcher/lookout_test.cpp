@@ -1,0 +1,78 @@
+#include "launcher/lookout.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace twinbus {
+namespace {
+
+SourceStatus status_of(std::int64_t run, Role role, int term) {
+  SourceStatus status;
+  status.run_id = run;
+  status.role = role;
+  status.term = term;
+  return status;
+}
+
+TEST(Lookout, TheActiveSourceIsTheHolderOfTheHighestTerm) {
+  Lookout seen;
+  EXPECT_EQ(seen.active(0), nullptr);
+  seen.on_source_status(status_of(1, Role::kStandbyTrack, 9), 1);
+  EXPECT_EQ(seen.active(1), nullptr);
+  seen.on_source_status(status_of(2, Role::kReleasing, 3), 1);
+  seen.on_source_status(status_of(3, Role::kActive, 4), 1);
+  ASSERT_NE(seen.active(1), nullptr);
+  EXPECT_EQ(seen.active(1)->status.run_id, 3);
+  EXPECT_EQ(seen.active(5'000'000'000), nullptr);  // silent for too long
+}
+
+TEST(Lookout, AFloodOfInventedSendersDoesNotGrowIt) {
+  Lookout seen;
+  for (int i = 1; i < 10000; ++i) seen.on_source_status(status_of(i, Role::kParked, 0), i);
+  EXPECT_LE(seen.sources(10000, 100.0).size(), 64U);
+}
+
+TEST(Lookout, EventsCannotSendControlCharactersToATerminal) {
+  Lookout seen;
+  Event event;
+  event.text[0] = 'a';
+  event.text[1] = '\x1b';
+  event.text[2] = 'b';
+  seen.on_event(event);
+  const std::vector<std::string> lines = seen.take_events();
+  ASSERT_EQ(lines.size(), 1U);
+  EXPECT_EQ(lines[0], "process: a?b");
+  EXPECT_TRUE(seen.take_events().empty());
+}
+
+TEST(Lookout, FiguresAreTheWorstOfTheRun) {
+  Lookout seen;
+  SimTruth truth;
+  truth.zmp_margin = 0.05F;
+  for (int i = 0; i < 100; ++i) {
+    truth.tick = i;
+    truth.sim_time = 0.002 * i;
+    truth.foot_slip = {0.01F, 0.0F};
+    if (i == 50) {
+      truth.zmp_margin = 0.02F;
+      truth.base_attitude = {std::cos(0.05), std::sin(0.05), 0.0, 0.0};  // 0.1 rad about x
+    } else if (i == 51) {
+      truth.base_attitude = {1, 0, 0, 0};
+    }
+    seen.on_truth(truth, i);
+  }
+  EXPECT_NEAR(seen.figures().max_tilt, 0.1, 1e-9);
+  EXPECT_NEAR(seen.figures().zmp_margin_min, 0.02, 1e-6);
+  EXPECT_NEAR(seen.figures().slip_max, 0.01 * 0.002 * 99, 1e-6);
+  EXPECT_FALSE(seen.figures().fell);
+}
+
+TEST(Lookout, WordsForNumbersOutsideTheListAreUnknown) {
+  EXPECT_STREQ(role_name(static_cast<Role>(99)), "unknown");
+  EXPECT_STREQ(source_name(static_cast<SourceKind>(-1)), "unknown");
+  EXPECT_STREQ(role_name(Role::kStandbyTrack), "track");
+}
+
+}  // namespace
+}  // namespace twinbus

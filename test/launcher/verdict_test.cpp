@@ -1,0 +1,90 @@
+#include "launcher/verdict.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+namespace twinbus {
+namespace {
+
+constexpr std::int64_t kPeriod = 2'000'000;
+constexpr int kTicks = 10000;
+
+struct Run {
+  Lookout seen;
+  RunRequest request;
+  std::int64_t end = kTicks * kPeriod;
+
+  // every: one COMMAND in so many ticks; missed: as the source counts.
+  Run(int every, std::int64_t missed, std::int8_t realtime) {
+    RobotState state;
+    state.run_id = 7;
+    JointCommand command;
+    for (int tick = 0; tick < kTicks; ++tick) {
+      state.tick = command.tick = tick;
+      seen.on_state(state, false, tick * kPeriod);
+      if (tick % every == 0) seen.on_command(command, tick * kPeriod);
+    }
+    SourceStatus status;
+    status.run_id = 7;
+    status.role = Role::kActive;
+    status.ticks_missed = 100 + missed;
+    seen.on_source_status(status, end);
+    Heartbeat beat;
+    beat.realtime = realtime;
+    beat.kind = ProcessKind::kSimulator;
+    beat.process_id = 7;
+    seen.on_heartbeat(beat, end);
+    beat.kind = ProcessKind::kController;
+    beat.process_id = 8;
+    seen.on_heartbeat(beat, end);
+  }
+
+  RunVerdict verdict() const { return judge(seen, request, {.source_missed = 100, .controller_missed = 0}, end); }
+};
+
+TEST(Verdict, ACleanRunPasses) { EXPECT_TRUE(Run(1, 0, 1).verdict().passed); }
+
+TEST(Verdict, MissedTicksAreJudgedByWhetherFifoWasThere) {
+  EXPECT_TRUE(Run(1, 10, 2).verdict().passed);    // 0.1 % with FIFO
+  EXPECT_FALSE(Run(1, 11, 2).verdict().passed);
+  EXPECT_TRUE(Run(1, 100, 0).verdict().passed);   // 1 % without
+  EXPECT_FALSE(Run(1, 101, 0).verdict().passed);
+  EXPECT_FALSE(Run(1, 11, 0).verdict().fifo);
+}
+
+TEST(Verdict, ASlowStreamFails) {
+  const RunVerdict verdict = Run(2, 0, 1).verdict();
+  EXPECT_FALSE(verdict.passed);
+  EXPECT_NEAR(verdict.command_rate, 250.0, 1.0);
+}
+
+TEST(Verdict, AFallFails) {
+  Run run(1, 0, 1);
+  SimTruth truth;
+  truth.run_id = 7;
+  truth.fell = true;
+  run.seen.on_truth(truth, run.end);
+  EXPECT_FALSE(run.verdict().passed);
+}
+
+TEST(Verdict, NothingHeardFails) {
+  const Lookout nothing;
+  EXPECT_FALSE(judge(nothing, {}, {}, 0).passed);
+}
+
+TEST(Verdict, TheReportHasThePromisedKeys) {
+  const Run run(1, 3, 1);
+  const auto report = nlohmann::json::parse(report_json(run.verdict(), run.request, run.seen, 20.0, "00ff"));
+  for (const char* key : {"scene", "robot", "engine", "contact", "step_s", "seed", "sim_time_s", "wall_s", "realtime_factor",
+                          "ticks", "missed_ticks", "fell", "max_tilt_deg", "base_final_xyyaw", "zmp_margin_min_mm",
+                          "slip_max_mm", "penetration_max_mm", "self_collision_ticks", "foot_force_rms_error_n", "state_hash",
+                          "passed"}) {
+    EXPECT_TRUE(report.contains(key)) << key;
+  }
+  EXPECT_EQ(report["missed_ticks"], 3);
+  EXPECT_EQ(report["passed"], true);
+}
+
+}  // namespace
+}  // namespace twinbus

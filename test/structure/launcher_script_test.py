@@ -1,0 +1,108 @@
+#!/usr/bin/env python3
+"""The script ./twinbus, in a copy of the tree's outside with invented packages, compilers and package managers."""
+
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+
+
+def executable(path, text):
+    path.write_text(text)
+    path.chmod(0o755)
+
+
+class Script(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.root = pathlib.Path(self.folder.name)
+        shutil.copy(ROOT / "twinbus", self.root / "twinbus")
+        (self.root / "config").mkdir()
+        self.bin = self.root / "fakes"
+        self.bin.mkdir()
+        self.calls = self.root / "calls"
+        # dpkg knows one package as installed; apt-get writes down what it is asked for.
+        executable(self.bin / "dpkg-query", "#!/bin/sh\nprintf 'installed there\\nnot-installed gone\\n'\n")
+        executable(self.bin / "apt-get", f"#!/bin/sh\necho apt-get \"$@\" >>{self.calls}\n")
+        executable(self.bin / "sudo", "#!/bin/sh\nexec \"$@\"\n")
+        # configures and builds a program that says what it was given
+        executable(self.bin / "cmake", f"""#!/bin/sh
+echo cmake "$@" >>{self.calls}
+mkdir -p build/release/bin; touch build/release/build.ninja
+printf '#!/bin/sh\\necho program "$@"\\n' >build/release/bin/twinbus; chmod +x build/release/bin/twinbus
+""")
+        self.packages("there  a reason\n")
+
+    def tearDown(self):
+        self.folder.cleanup()
+
+    def packages(self, text):
+        (self.root / "config" / "packages.txt").write_text("# comment\n" + text)
+
+    def run_script(self, *words):
+        environment = dict(os.environ, PATH=f"{self.bin}:{os.environ['PATH']}")
+        environment.pop("TWINBUS_NO_INSTALL", None)
+        return subprocess.run([self.root / "twinbus", *words], capture_output=True, text=True, env=environment,
+                              stdin=subprocess.DEVNULL, timeout=60)
+
+    def said(self):
+        return self.calls.read_text() if self.calls.exists() else ""
+
+    def test_builds_and_hands_over(self):
+        done = self.run_script("up", "stand", "--for", "3")
+        self.assertEqual((done.returncode, done.stdout), (0, "program up stand --for 3\n"), done.stderr)
+        self.assertNotIn("apt-get", self.said())
+
+    def test_installs_what_is_missing_and_says_so(self):
+        self.packages("there  a\ngone  b\nother  c\nspy: window  d\n")
+        done = self.run_script("up")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("gone other", done.stderr)
+        self.assertIn("gone other", self.said())
+        self.assertNotIn("window", self.said())
+
+    def test_installs_for_one_command_only(self):
+        self.packages("there  a\nspy: window  d\n")
+        self.run_script("spy")
+        self.assertIn("window", self.said())
+
+    def test_no_install_forbids_it_and_names_the_remedy(self):
+        self.packages("gone  b\n")
+        done = self.run_script("--no-install", "up")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("apt-get install gone", done.stderr)
+        self.assertEqual(self.said(), "")
+
+    def test_a_stop_never_waits_for_a_build(self):
+        self.run_script("up")
+        self.calls.unlink()
+        self.packages("gone  b\n")
+        for word in ("stop", "clear", "status"):
+            done = self.run_script(word)
+            self.assertEqual(done.stdout, f"program {word}\n")
+        self.assertEqual(self.said(), "")
+
+    def test_stdout_belongs_to_the_program(self):
+        self.packages("gone  b\n")
+        self.assertEqual(self.run_script("env").stdout, "program env\n")
+
+    def test_a_build_that_fails_is_one_line_and_exit_status_1(self):
+        executable(self.bin / "cmake", "#!/bin/sh\nmkdir -p build/release; touch build/release/build.ninja\n"
+                                       "case $1 in --build) echo error: no such thing; exit 1;; esac\n")
+        done = self.run_script("up")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("no such thing", done.stderr)
+        self.assertEqual(done.stdout, "")
+
+    def test_wrong_arguments_of_test_exit_with_2(self):
+        self.assertEqual(self.run_script("test", "--fulll").returncode, 2)
+        self.assertEqual(self.run_script("test", "--help").returncode, 0)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
