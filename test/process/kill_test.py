@@ -1,0 +1,151 @@
+#!/usr/bin/env python3
+"""kill -9 of every process at random instants (row i): PROTOCOL.md says what must happen, and it does.
+
+TWINBUS_FULL=1 repeats each 20 times, otherwise 2 times.  The seed is printed; KILL_SEED=N repeats a run.
+"""
+
+import os
+import random
+import signal
+import time
+
+import harness
+from harness import Bus, Checks, Stack
+
+REPEAT = 20 if harness.FULL else 2
+COMMAND_TIMEOUT = 0.040  # [s] config/robots/hrp1s/robot.yaml
+NAMES = ("controller", "active source", "standby", "guard", "planner", "viewer")
+
+
+def settle(rng):
+    time.sleep(0.6 + 0.4 * rng.random())
+
+
+def falls(bus, since):
+    return any(truth.fell for _, truth in bus.messages("TRUTH", since))
+
+
+def last_before(bus, channel, instant):
+    found = [(at, message) for at, message in bus.messages(channel, instant - 1_000_000_000, instant)]
+    return found[-1] if found else (None, None)
+
+
+def controller(bus, stack, checks, rng):
+    """The source holds the last command, then stops 40 to 46 ms after the last accepted one; nobody falls."""
+    before = time.monotonic_ns()
+    os.kill(stack.pid("twinbus_controller"), signal.SIGKILL)
+    at, state = bus.wait_for("STATE", lambda s: s.stop_kind >= 2, 2.0)
+    if not checks.that(state is not None, "controller killed: the source stops"):
+        return
+    last, _ = last_before(bus, "COMMAND", at)
+    checks.that(last is not None, "a command came before")
+    # STATE shows the stop at the next tick, so one period more is seen from outside.
+    checks.that(0.039 <= 1e-9 * (at - last) <= 0.049,
+                f"controller killed: STATE shows the stop {1e-6 * (at - last):.1f} ms after the last command (40-46 and one tick)")
+    time.sleep(0.5)
+    checks.that(not falls(bus, before), "controller killed: nobody falls")
+    # A controller that was started again moves nothing until somebody clears the stop.
+    _, state = bus.newest("STATE")
+    checks.that(state.stop_kind >= 2, "controller killed: the stop stays although a new controller is there")
+
+
+def active_source(bus, stack, checks, rng, standby_kind="STATE_BRIDGE"):
+    """The standby does not start moving; nobody takes over by himself; the controller falls silent."""
+    before = time.monotonic_ns()
+    os.kill(stack.pid("twinbus_simulator"), signal.SIGKILL)
+    time.sleep(0.3)
+    since = time.monotonic_ns()
+    time.sleep(0.4)
+    states = [s for _, s in bus.messages("STATE", since)]
+    checks.that(not states, f"active source killed: STATE falls silent, {len(states)} came")
+    commands = list(bus.messages("COMMAND", since))
+    checks.that(not commands, f"active source killed: COMMAND falls silent, {len(commands)} came")
+    taken = [s for _, s in bus.messages(standby_kind, since) if s.role == 2]
+    checks.that(not taken, "active source killed: the standby stays standby")
+    checks.that(before > 0, "")
+
+
+def standby(bus, stack, checks, rng):
+    """Nothing happens to the active one."""
+    before = time.monotonic_ns()
+    os.kill(stack.pid("twinbus_bridge"), signal.SIGKILL)
+    time.sleep(0.6)
+    unharmed(bus, checks, "standby killed", before)
+
+
+def guard(bus, stack, checks, rng):
+    """The arms are masked until a guard is back; the legs keep balance."""
+    before = time.monotonic_ns()
+    os.kill(stack.pid("twinbus_guard"), signal.SIGKILL)
+    time.sleep(0.8)
+    unharmed(bus, checks, "guard killed", before)
+    gap = [at for at, _ in bus.messages("GUARD", before - 100_000_000)]
+    silence = max((b - a for a, b in zip(gap, gap[1:])), default=0)
+    print(f"  guard silent for {1e-6 * silence:.0f} ms, then back")
+
+
+def planner(bus, stack, checks, rng):
+    before = time.monotonic_ns()
+    os.kill(stack.pid("twinbus_planner"), signal.SIGKILL)
+    time.sleep(0.6)
+    unharmed(bus, checks, "planner killed", before)
+
+
+def viewer(bus, stack, checks, rng):
+    before = time.monotonic_ns()
+    os.kill(stack.pid("twinbus_viewer"), signal.SIGKILL)
+    time.sleep(0.6)
+    unharmed(bus, checks, "viewer killed", before)
+
+
+def unharmed(bus, checks, what, since):
+    """STATE and COMMAND go on, nobody falls, nothing stops."""
+    now = time.monotonic_ns()
+    states = [s for _, s in bus.messages("STATE", since, now)]
+    ticks = {s.tick for s in states}
+    answered = {c.tick for _, c in bus.messages("COMMAND", since, now)}
+    missing = len(ticks) - len(ticks & answered)
+    checks.that(len(states) > 0.98 * (now - since) / 2e6, f"{what}: STATE goes on, {len(states)} states")
+    checks.that(missing <= 2 + 0.01 * len(ticks), f"{what}: {missing} of {len(ticks)} ticks without a command")
+    checks.that(not falls(bus, since), f"{what}: nobody falls")
+    checks.that(states and states[-1].stop_kind == 0 and states[-1].role == 2, f"{what}: the source stays active")
+
+
+def main():
+    harness.require("twinbus", "twinbus_simulator", "twinbus_controller", "twinbus_guard", "twinbus_planner",
+                    "twinbus_bridge", "emulated_robot")
+    seed = int(os.environ.get("KILL_SEED", random.randrange(1 << 30)))
+    print(f"KILL_SEED={seed}")
+    rng = random.Random(seed)
+    checks = Checks()
+    with_viewer = (harness.BIN / "twinbus_viewer").exists()
+    # Those that the stack survives share one stack; the others need a fresh one each time.
+    for name, case in (("guard", guard), ("planner", planner), ("viewer", viewer)):
+        if name == "viewer" and not with_viewer:
+            continue
+        done = 0
+        while done < REPEAT:
+            words = ["sway", "--stack", "both"] + ([] if name == "viewer" else ["--no-viewer"])
+            with Stack(*words) as stack:
+                bus = Bus()
+                for _ in range(min(4, REPEAT - done)):  # `up` starts a process again at most 5 times
+                    settle(rng)
+                    bus.forget()
+                    time.sleep(0.1)
+                    case(bus, stack, checks, rng)
+                    done += 1
+                bus.close()
+        print(f"{name}: {done} kills", flush=True)
+    for name, case in (("controller", controller), ("standby", standby), ("active source", active_source)):
+        for _ in range(REPEAT):
+            with Stack("sway", "--stack", "both", "--no-viewer") as stack:
+                bus = Bus()
+                settle(rng)
+                case(bus, stack, checks, rng)
+                bus.close()
+        print(f"{name}: {REPEAT} kills", flush=True)
+    checks.exit()
+
+
+if __name__ == "__main__":
+    main()

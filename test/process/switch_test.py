@@ -1,0 +1,131 @@
+#!/usr/bin/env python3
+"""The live switch between simulator and robot (rows d and f of the first stack).
+
+    switch_test.py [bench [--csv F]]     `bench` prints the figures of every switch, and a table
+
+TWINBUS_FULL=1: 100 switches per motion, otherwise 4.
+"""
+
+import random
+import sys
+import time
+
+import harness
+import switch_figures
+from harness import Bus, Checks, Stack, cli, percentile
+
+PER_MOTION = 100 if harness.FULL else 4
+BLEND = 0.3  # [s]
+# What is wrong with the second robot besides the model errors that it has anyway: IMU yaw drift and sole height.
+DISTURBED = ["--set", "sensor.imu_yaw_drift=0.003"]
+
+
+def active_run(bus):
+    _, state = bus.wait_for("STATE", timeout=2.0)
+    return state.run_id if state else 0
+
+
+def switch_once(bus, word, efforts, policy="now"):
+    """(exit status, what was printed, figures or None)"""
+    old = active_run(bus)
+    bus.forget()
+    time.sleep(0.25)
+    status, out, err = cli("switch", word, "--policy", policy, timeout=40)
+    if status != 0:
+        return status, out + err, None
+    at, state = next(((at, s) for at, s in bus.messages("STATE") if s.run_id != old), (None, None))
+    if state is None:
+        return status, "no STATE of a new source", None
+    time.sleep(0.55)
+    return status, out + err, switch_figures.figures(bus, state.run_id, at, efforts)
+
+
+def back_and_forth(checks, motion, count, all_figures, rng):
+    efforts = harness.effort_limits()
+    scene = motion if motion != "reach" else "reach"
+    with Stack(scene, "--stack", "both", "--no-viewer") as stack:
+        bus = Bus()
+        time.sleep(2.5)  # until the motion is under way
+        target = "bridge"
+        for number in range(count):
+            what = f"{motion} {number}: to {target}"
+            # Now and then within the blend of the last one, otherwise at a random phase of the motion.
+            time.sleep(0.02 if number % 5 == 4 else 0.3 + 0.7 * rng.random())
+            status, said, f = switch_once(bus, target, efforts)
+            if not checks.that(status == 0 and f is not None, f"{what}: {said.strip()}"):
+                continue
+            print(f"{what}: {f.row()}", flush=True)
+            switch_figures.judge(f, checks, what)
+            all_figures.append((f"{motion} to {target}", f))
+            target = "sim" if target == "bridge" else "bridge"
+        pids = [stack.pids(p) for p in ("twinbus_guard", "twinbus_planner", "twinbus_controller")]
+        checks.that(all(len(p) == 1 for p in pids), f"{motion}: guard, planner and controller still run")
+        checks.that(not any("started again" in line for line in stack.lines), f"{motion}: and none was started again")
+        bus.close()
+
+
+def refusals(checks):
+    """Refused with its own sentence, and nothing moves: unknown, stopped, already active."""
+    with Stack("stand", "--stack", "both", "--no-viewer"):
+        bus = Bus()
+        time.sleep(0.5)
+        run = active_run(bus)
+        status, out, err = cli("switch", "replay")
+        checks.that(status == 1 and "replay" in err, f"a source that is not there is refused: {out}{err}")
+        cli("stop", "hold")
+        bus.forget()
+        status, out, err = cli("switch", "bridge", "--policy", "now")
+        checks.that(status == 1 and "stop" in err.lower(), f"a stopped source does not hand over: {out}{err}")
+        checks.that(active_run(bus) == run, "and stays the active one")
+        moved = [s for _, s in bus.messages("STATE")]
+        steps = max((abs(a.q[k] - b.q[k]) for a, b in zip(moved, moved[1:]) for k in range(b.joint_count)), default=0.0)
+        checks.at_most(steps, 0.002, "and does not move [rad per tick]")
+        cli("clear")
+        bus.close()
+
+
+def table(all_figures, csv):
+    rows = []
+    for case in sorted({name for name, _ in all_figures}):
+        of_case = [f for name, f in all_figures if name == case]
+        for metric, unit, take in (("torque_step", "share of limit", lambda f: f.torque_step),
+                                   ("foot_force_step", "share of weight", lambda f: f.force_step),
+                                   ("gap", "ms", lambda f: f.gap_ms),
+                                   ("missed", "ticks", lambda f: f.ticks_without_command),
+                                   ("zmp_margin", "mm", lambda f: f.zmp_margin_mm)):
+            values = [take(f) for f in of_case]
+            worst = min(values) if metric == "zmp_margin" else max(values)
+            # Of a margin the low side is the bad one.
+            shares = (0.5, 0.01, 0.001) if metric == "zmp_margin" else (0.5, 0.99, 0.999)
+            rows.append(["switch", case, metric, unit] + [f"{percentile(values, s):.6g}" for s in shares] + [f"{worst:.6g}", "", "", ""])
+    print(f"\n{'case':<20} {'figure':<16} {'unit':<16} {'median':>10} {'p99':>10} {'worst':>10}")
+    for row in rows:
+        print(f"{row[1]:<20} {row[2]:<16} {row[3]:<16} {row[4]:>10} {row[5]:>10} {row[7]:>10}")
+    if csv:
+        with open(csv, "w", encoding="utf-8") as file:
+            file.write("bench,case,metric,unit,median,p99,p999,max,peer,peer_median,ratio\n")
+            for row in rows:
+                file.write(",".join(row) + "\n")
+
+
+def main():
+    harness.require("twinbus", "twinbus_simulator", "twinbus_controller", "twinbus_guard", "twinbus_planner",
+                    "twinbus_bridge", "emulated_robot")
+    seed = random.randrange(1 << 30)
+    print(f"seed {seed}")
+    rng = random.Random(seed)
+    checks = Checks()
+    all_figures = []
+    bench = "bench" in sys.argv[1:]
+    for motion in ("sway", "squat", "reach"):
+        back_and_forth(checks, motion, PER_MOTION, all_figures, rng)
+    if not bench:
+        refusals(checks)
+    csv = sys.argv[sys.argv.index("--csv") + 1] if "--csv" in sys.argv[:-1] else None
+    if all_figures:
+        table(all_figures, csv)
+    checks.exit()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,94 @@
+#!/usr/bin/env python3
+"""`up`: keeps its rate, says how it went, refuses a second one, leaves no process behind (row a of the first stack)."""
+
+import json
+import os
+import signal
+import subprocess
+import tempfile
+import time
+
+import harness
+from harness import Checks, Stack, alive, cli
+
+
+def runs_and_judges(checks):
+    seconds = 30 if harness.FULL else 5
+    report = os.path.join(tempfile.mkdtemp(), "report.json")
+    status, out, err = cli("up", "stand", "--for", seconds, "--no-viewer", "--report", report, timeout=seconds + 60)
+    print(out)
+    checks.that(status == 0, f"up stand --for {seconds} ends with 0, not {status}: {err}")
+    checks.that("FIFO" in out, "up says whether it has FIFO priority")
+    with open(report, encoding="utf-8") as file:
+        figures = json.load(file)
+    checks.at_most(abs(figures["state_hz"] - 500), 5, "STATE rate off 500 Hz by")
+    checks.at_most(abs(figures["command_hz"] - 500), 5, "COMMAND rate off 500 Hz by")
+    share = figures["missed_ticks"] / figures["ticks"]
+    checks.at_most(share, 0.001 if figures["fifo"] else 0.01, "share of missed ticks")
+    checks.that(figures["fell"] is False, "nobody fell")
+
+
+def refuses_a_second_one(checks, stack):
+    status, _, err = cli("up", "stand", "--no-viewer", "--for", "1")
+    checks.that(status == 1 and "already publishes" in err, f"a second up is refused with a reason: {status} {err}")
+    status, out, _ = cli("status")
+    checks.that(status == 0 and "active" in out, f"status shows the active source: {out}")
+    checks.that(stack.process.poll() is None, "the first one goes on")
+
+
+def stop_and_clear(checks):
+    status, out, err = cli("stop", "hold")
+    checks.that(status == 0 and "hold" in out, f"stop is confirmed: {out}{err}")
+    status, out, err = cli("clear")
+    checks.that(status == 0, f"clear is confirmed: {out}{err}")
+    status, out, err = cli("walk", "0.1", "0", "0", "--for", "0.5")
+    checks.that(status == 0 or "does not walk yet" in err, f"walk walks or says that it cannot: {out}{err}")
+
+
+def no_process_is_left(checks):
+    programs = ["twinbus_simulator", "twinbus_controller", "twinbus_guard", "twinbus_planner"]
+    for kill in (signal.SIGINT, signal.SIGTERM, signal.SIGKILL):
+        with Stack("stand", "--no-viewer") as stack:
+            pids = [pid for program in programs for pid in stack.pids(program)]
+            checks.that(len(pids) == 4, f"four processes run: {len(pids)}")
+            if kill == signal.SIGINT:
+                refuses_a_second_one(checks, stack)
+                stop_and_clear(checks)
+            stack.process.send_signal(kill)
+            try:
+                stack.process.wait(15)
+            except subprocess.TimeoutExpired:
+                checks.that(False, f"up ends on {kill.name}")
+            time.sleep(0.3)
+            left = [pid for pid in pids if alive(pid)]
+            checks.that(not left, f"after {kill.name} no process is left: {left}")
+
+
+def a_death_is_reported(checks):
+    with Stack("stand", "--no-viewer", "--for", "60") as stack:
+        os.kill(stack.pid("twinbus_planner"), signal.SIGKILL)
+        end = time.monotonic() + 5
+        while time.monotonic() < end and not any("planner is started again" in line for line in stack.lines):
+            time.sleep(0.05)
+        text = "".join(stack.lines)
+        checks.that("planner ended: signal 9" in text, "the planner's death is reported")
+        checks.that("planner is started again" in text, "and it is started again")
+        os.kill(stack.pid("twinbus_simulator"), signal.SIGKILL)
+        try:
+            status = stack.process.wait(20)
+        except subprocess.TimeoutExpired:
+            status = None
+        checks.that(status == 1, f"without its only source up ends with 1, not {status}")
+
+
+def main():
+    harness.require("twinbus", "twinbus_simulator", "twinbus_controller", "twinbus_guard", "twinbus_planner")
+    checks = Checks()
+    runs_and_judges(checks)
+    no_process_is_left(checks)
+    a_death_is_reported(checks)
+    checks.exit()
+
+
+if __name__ == "__main__":
+    main()
