@@ -1,0 +1,324 @@
+#include "viewer_log/frame.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "viewer_log/health.h"
+
+namespace twinbus {
+
+namespace {
+
+using Json = nlohmann::json;
+using Eigen::Vector3d;
+
+constexpr double kSenderFresh = 0.5;    // [s]
+constexpr double kMinShownForce = 1.0;  // [N]
+
+// Rounded to a number of decimals, so that 0.1f does not print as 0.10000000149011612.
+Json number(double value, int decimals = 4) {
+  if (!std::isfinite(value)) return nullptr;
+  const double scale = std::pow(10.0, decimals);
+  return std::round(value * scale) / scale;
+}
+
+Json point(const Vector3d& p) { return {number(p.x()), number(p.y()), number(p.z())}; }
+
+template <class T>
+Vector3d vector(const std::array<T, 3>& v) {
+  return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
+}
+
+Json pose(const Eigen::Isometry3d& isometry) {
+  const Eigen::Quaterniond attitude(isometry.linear());
+  Json list = point(isometry.translation());
+  for (double value : {attitude.w(), attitude.x(), attitude.y(), attitude.z()}) {
+    list.push_back(number(value, 5));
+  }
+  return list;
+}
+
+Json age_ms(double age) { return age > 1e6 ? Json(nullptr) : number(1e3 * age, 1); }
+
+// Corners of a sole on the ground, counter-clockwise from front left, in world.
+std::array<Vector3d, 4> corners(const Sole& sole, const Eigen::Isometry3d& in_world) {
+  return {in_world * Vector3d(sole.front, sole.left, 0),
+          in_world * Vector3d(-sole.back, sole.left, 0),
+          in_world * Vector3d(-sole.back, -sole.right, 0),
+          in_world * Vector3d(sole.front, -sole.right, 0)};
+}
+
+// Convex hull seen from above (Andrew's monotone chain), counter-clockwise.
+std::vector<Vector3d> hull(std::vector<Vector3d> points) {
+  std::sort(points.begin(), points.end(), [](const Vector3d& a, const Vector3d& b) {
+    return a.x() < b.x() || (!(b.x() < a.x()) && a.y() < b.y());
+  });
+  const auto turns_right = [](const Vector3d& o, const Vector3d& a, const Vector3d& b) {
+    return (a.x() - o.x()) * (b.y() - o.y()) - (a.y() - o.y()) * (b.x() - o.x()) <= 0.0;
+  };
+  std::vector<Vector3d> chain;
+  for (int pass = 0; pass < 2; ++pass) {
+    const std::size_t start = chain.size();
+    for (const Vector3d& p : points) {
+      while (chain.size() >= start + 2 && turns_right(chain[chain.size() - 2], chain.back(), p)) {
+        chain.pop_back();
+      }
+      chain.push_back(p);
+    }
+    chain.pop_back();  // the other pass begins with it
+    std::reverse(points.begin(), points.end());
+  }
+  return chain;
+}
+
+void add_feet(const StackView& view, Json& frame) {
+  const Estimator& estimator = view.estimator();
+  Json soles = Json::array(), loaded = Json::array(), force = Json::array();
+  std::vector<Vector3d> support;
+  for (int foot = 0; foot < 2; ++foot) {
+    const Sole& sole = view.model().soles[static_cast<std::size_t>(foot)];
+    if (sole.link < 0) continue;
+    Json outline = Json::array();
+    for (const Vector3d& corner : corners(sole, estimator.sole_in_world(foot))) {
+      outline.push_back(point(corner));
+      if (estimator.loaded(foot)) support.push_back(corner);
+    }
+    soles.push_back(outline);
+    loaded.push_back(estimator.loaded(foot));
+    force.push_back(number(estimator.sole_force(foot).z(), 1));
+  }
+  Json polygon = Json::array();
+  for (const Vector3d& corner : hull(support)) polygon.push_back(point(corner));
+  frame["soles"] = soles;
+  frame["loaded"] = loaded;
+  frame["foot_force"] = force;
+  frame["polygon"] = polygon;
+}
+
+// Contact forces are a simulator's secret; without them the measured foot forces are drawn at the
+// ZMP side of each sole.
+void add_forces(const StackView& view, std::int64_t now_ns, Json& frame) {
+  Json forces = Json::array();
+  const auto add = [&](const Vector3d& at, const Vector3d& force) {
+    if (!(force.norm() > kMinShownForce)) return;
+    Json row = point(at);
+    for (int i = 0; i < 3; ++i) row.push_back(number(force[i], 1));
+    forces.push_back(row);
+  };
+  const bool truth_applies = view.truth_applies(now_ns);
+  if (truth_applies) {
+    const SimTruth& truth = view.truth().value;
+    const Eigen::Isometry3d& world = view.world_from_sim();
+    const auto rows = static_cast<std::size_t>(std::clamp<int>(truth.contact_count, 0, 8));
+    for (std::size_t i = 0; i < rows; ++i) {
+      add(world * vector(truth.contact_point[i]), world.linear() * vector(truth.contact_force[i]));
+    }
+    if (vector(truth.push_force).norm() > kMinShownForce) {
+      Json push = point(world * vector(truth.push_point));
+      const Vector3d force = world.linear() * vector(truth.push_force);
+      for (int i = 0; i < 3; ++i) push.push_back(number(force[i], 1));
+      frame["push"] = push;
+    }
+  } else {
+    for (int foot = 0; foot < 2; ++foot) {
+      add(view.estimator().sole_in_world(foot).translation(), view.estimator().sole_force(foot));
+    }
+  }
+  frame["forces"] = forces;
+  frame["forces_from"] = truth_applies ? "simulated contacts" : "foot sensors";
+}
+
+void add_balance(const StackView& view, std::int64_t now_ns, Json& frame) {
+  const Eigen::Isometry3d& world = view.world_from_sim();
+  if (view.truth_applies(now_ns)) {
+    const SimTruth& truth = view.truth().value;
+    const Vector3d zmp(double{truth.zmp[0]}, double{truth.zmp[1]}, 0.0);
+    frame["zmp"] = point(world * zmp);
+    frame["com"] = point(world * vector(truth.com));
+    frame["margin_mm"] = number(1e3 * double{truth.zmp_margin}, 1);
+  } else {
+    const Estimator& estimator = view.estimator();
+    frame["zmp"] = point(estimator.zmp());
+    frame["com"] = point(estimator.kinematics().com());
+    frame["margin_mm"] = number(1e3 * estimator.support_margin(estimator.zmp()), 1);
+  }
+  if (view.controller().fresh(now_ns, kSenderFresh)) {
+    const ControllerStatus& status = view.controller().value;
+    const Eigen::Isometry3d& ground = view.estimator().ground_in_world();
+    const auto on_ground = [&](const std::array<float, 2>& p) {
+      return point(ground * Vector3d(double{p[0]}, double{p[1]}, 0.0));
+    };
+    frame["zmp_reference"] = on_ground(status.zmp_reference);
+    frame["dcm"] = on_ground(status.dcm);
+  }
+}
+
+void add_pairs(const StackView& view, std::int64_t now_ns, Json& frame) {
+  Json pairs = Json::array();
+  if (view.guard().fresh(now_ns, kSenderFresh)) {
+    const GuardReport& report = view.guard().value;
+    const Eigen::Isometry3d base = view.base(now_ns);
+    const auto rows = static_cast<std::size_t>(std::clamp<int>(report.pairs_near, 0, kGuardPairs));
+    const auto name = [&](int link) -> std::string {
+      return link >= 0 && link < view.model().link_count()
+                 ? view.model().links[static_cast<std::size_t>(link)].name
+                 : "?";
+    };
+    for (std::size_t i = 0; i < rows; ++i) {
+      pairs.push_back({{"a", name(report.link_a[i])},
+                       {"b", name(report.link_b[i])},
+                       {"mm", number(1e3 * double{report.distance[i]}, 1)},
+                       {"s", number(double{report.time_to_contact[i]}, 2)},
+                       {"from", point(base * vector(report.point_a[i]))},
+                       {"to", point(base * vector(report.point_b[i]))}});
+    }
+  }
+  frame["pairs"] = pairs;
+}
+
+Json sources(const StackView& view, std::int64_t now_ns) {
+  Json list = Json::array();
+  for (const Heard<SourceStatus>& heard : view.sources()) {
+    const SourceStatus& s = heard.value;
+    list.push_back({{"run", s.run_id},
+                    {"kind", label(s.source)},
+                    {"role", label(s.role)},
+                    {"term", s.term},
+                    {"age_ms", age_ms(heard.age(now_ns))},
+                    {"hardware", s.hardware},
+                    {"can_be_set", s.can_be_set},
+                    {"stop", label(s.stop_kind)},
+                    {"accepted", s.commands_accepted},
+                    {"rejected", s.commands_rejected},
+                    {"late", s.commands_late},
+                    {"clamped", s.clamped},
+                    {"missed", s.ticks_missed},
+                    {"refusal", s.refusal == Refusal::kNone ? "" : refusal_text(s.refusal)}});
+  }
+  return list;
+}
+
+Json processes(const StackView& view, std::int64_t now_ns) {
+  Json list = Json::array();
+  for (const Heard<Heartbeat>& heard : view.processes()) {
+    const Heartbeat& h = heard.value;
+    list.push_back({{"id", h.process_id},
+                    {"kind", label(h.kind)},
+                    {"pid", h.pid},
+                    {"age_ms", age_ms(heard.age(now_ns))},
+                    {"rate", number(double{h.rate}, 1)},
+                    {"median_us", number(double{h.tick_median_us}, 1)},
+                    {"p99_us", number(double{h.tick_p99_us}, 1)},
+                    {"input_age_us", number(double{h.age_us}, 0)},
+                    {"missed", h.ticks_missed},
+                    {"ticks", h.ticks},
+                    {"lost", h.messages_lost},
+                    {"rejected", h.messages_rejected},
+                    {"realtime", h.realtime},
+                    {"state", h.state}});
+  }
+  std::sort(list.begin(), list.end(), [](const Json& a, const Json& b) {
+    return a["kind"] == b["kind"] ? a["id"] < b["id"] : a["kind"] < b["kind"];
+  });
+  return list;
+}
+
+// Text from the bus may be any bytes; what is not UTF-8 becomes U+FFFD.
+std::string dump(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace
+
+std::string live_frame(const StackView& view, std::int64_t now_ns) {
+  const RobotState& state = view.shown(now_ns);
+  Json frame = {{"type", "live"},
+                {"source", label(state.source)},
+                {"role", label(state.role)},
+                {"term", state.term},
+                {"tick", state.tick},
+                {"time", number(1e-9 * static_cast<double>(state.time_ns), 3)},
+                {"run", state.run_id},
+                {"age_ms", age_ms(view.state().age(now_ns))},
+                {"stop", label(state.stop_kind)}};
+  Json q = Json::array();
+  for (int i = 0; i < view.model().bus_count(); ++i) {
+    q.push_back(number(state.q[static_cast<std::size_t>(i)], 5));
+  }
+  frame["q"] = q;
+  frame["base"] = pose(view.base(now_ns));
+  add_feet(view, frame);
+  add_forces(view, now_ns, frame);
+  add_balance(view, now_ns, frame);
+  add_pairs(view, now_ns, frame);
+  return dump(frame);
+}
+
+std::string status_frame(const StackView& view, std::int64_t now_ns) {
+  const Health health = assess(view, now_ns);
+  Json frame = {{"type", "status"},
+                {"health", {{"level", label(health.level)}, {"text", health.text}}},
+                {"state_hz", number(view.state_rate(), 1)},
+                {"command_hz", number(view.command_rate(), 1)},
+                {"guard_hz", number(view.guard_rate(), 1)},
+                {"realtime_factor", number(view.realtime_factor(), 3)},
+                {"sources", sources(view, now_ns)},
+                {"processes", processes(view, now_ns)}};
+  if (view.controller().fresh(now_ns, kSenderFresh)) {
+    const ControllerStatus& c = view.controller().value;
+    frame["controller"] = {{"mode", label(c.mode)},
+                           {"motion", label(c.motion)},
+                           {"stopping", label(c.stopping)},
+                           {"arm_state", c.arm_state},
+                           {"compute_us", number(1e-3 * c.compute_ns, 1)}};
+  }
+  if (view.guard().fresh(now_ns, kSenderFresh)) {
+    const GuardReport& g = view.guard().value;
+    frame["guard"] = {{"verdict", label(g.verdict)},
+                      {"pairs", g.pairs_checked},
+                      {"holding", g.hold_mask != 0},
+                      {"compute_us", number(1e-3 * g.compute_ns, 1)}};
+  }
+  Json events = Json::array();
+  for (const ShownEvent& event : view.events()) {
+    events.push_back({{"n", event.number},
+                      {"utime", event.utime},
+                      {"from", label(event.kind)},
+                      {"severity", event.severity},
+                      {"text", event.text}});
+  }
+  frame["events"] = events;
+  return dump(frame);
+}
+
+std::string scene_frame(const StackView& view) {
+  Json list = Json::array();
+  for (const ObstaclesPiece& piece : view.obstacles()) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(piece.count); ++i) {
+      const auto& w = piece.attitude[i];
+      Json at = point(vector(piece.position[i]));
+      for (float value : w) at.push_back(number(double{value}, 5));
+      list.push_back({{"shape", static_cast<int>(piece.shape[i])},
+                      {"size", point(vector(piece.size[i]))},
+                      {"pose", at}});
+    }
+  }
+  return dump({{"type", "scene"}, {"obstacles", list}});
+}
+
+std::string hello_frame(const Model& model, bool trusted) {
+  Json joints = Json::array();
+  for (int index : model.bus_joints) {
+    joints.push_back(model.joints[static_cast<std::size_t>(index)].name);
+  }
+  return dump({{"type", "hello"},
+               {"trusted", trusted},
+               {"robot", model.name},
+               {"joints", joints},
+               {"mass", number(model.total_mass(), 1)},
+               {"period_ms", number(1e3 * model.period(), 3)}});
+}
+
+}  // namespace twinbus

@@ -1,0 +1,26 @@
+// What the page is sent: three JSON texts made from a StackView.  The page draws; nothing is
+// computed there.
+//
+//   live    60 Hz   posture, base pose, forces, ZMP, centre of mass, support polygon, guard pairs
+//   status  5 Hz    health, sources, processes, rates, mode, events
+//   scene   on change  obstacles
+//
+// Numbers are rounded to what a screen can show; a number that is not finite becomes null.
+
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "viewer_log/stack_view.h"
+
+namespace twinbus {
+
+std::string live_frame(const StackView& view, std::int64_t now_ns);
+std::string status_frame(const StackView& view, std::int64_t now_ns);
+std::string scene_frame(const StackView& view);
+
+// The answer to a page that says hello: the robot's joints in bus order, and whether it may act.
+std::string hello_frame(const Model& model, bool trusted);
+
+}  // namespace twinbus

@@ -1,0 +1,388 @@
+// The viewer process: listens to the whole stack, shows it in a browser, passes on what the
+// operator asks for.
+//
+// It runs at the lowest priority and never slows anybody: it only reads the newest of what it
+// hears, 60 times a second.
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <mutex>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "lcmtypes/bus.h"
+#include "lcmtypes/channels.h"
+#include "robot/load.h"
+#include "robot/process.h"
+#include "robot/state_admission.h"
+#include "viewer_log/frame.h"
+#include "viewer_log/page_request.h"
+#include "viewer_log/stack_view.h"
+#include "viewer_log/web_server.h"
+
+using namespace twinbus;
+
+namespace {
+
+constexpr std::int64_t kFramePeriod = 16'666'667;  // 60 Hz [ns]
+constexpr int kStatusEvery = 12;                   // frames: 5 Hz
+constexpr int kHeartbeatEvery = 6;                 // frames: 10 Hz
+constexpr int kRepeats = 5;                        // of a request, one per frame, same sequence
+constexpr std::size_t kMostRequests = 32;          // waiting from pages
+
+enum Slot : int { kLive = 0, kStatus = 1, kScene = 2 };
+
+struct Options {
+  BusOptions bus;
+  std::string robot = "hrp1s";
+  std::string web;  // folder of the page
+  int port = 8040;
+  bool open = true;
+  std::int64_t id = 0;
+};
+
+const char kHelp[] =
+    "twinbus viewer: shows the running stack in a browser, with a stop button\n"
+    "  --robot NAME|DIR  robot to show (default hrp1s)\n"
+    "  --port N          first port to try on 127.0.0.1 (default 8040, then the next free; 0: "
+    "any)\n"
+    "  --no-open         do not open the browser\n"
+    "  --web DIR         folder of the page (default: the one it was built with)\n"
+    "  --id N            fixed sender id instead of a random one\n"
+    "  TWINBUS_VIEWER_TOKEN in the environment keeps the address the same over a restart\n";
+
+std::int64_t number(const char* option, const char* text, std::int64_t least, std::int64_t most) {
+  char* end = nullptr;
+  const std::int64_t value = std::strtoll(text, &end, 10);
+  if (*text == '\0' || *end != '\0' || value < least || value > most) {
+    throw std::invalid_argument(std::string(option) + ": a whole number from " +
+                                std::to_string(least) + " to " + std::to_string(most));
+  }
+  return value;
+}
+
+Options parse(int argc, char** argv) {
+  Options options;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    const auto value = [&]() -> const char* {
+      if (++i >= argc) throw std::invalid_argument(word + ": a value is missing");
+      return argv[i];
+    };
+    if (word == "--help" || word == "-h") {
+      std::printf("%s%s", kHelp, kBusOptionsHelp);
+      std::exit(0);
+    } else if (word == "--robot") {
+      options.robot = value();
+    } else if (word == "--port") {
+      options.port = static_cast<int>(number("--port", value(), 0, 65535));
+    } else if (word == "--web") {
+      options.web = value();
+    } else if (word == "--no-open") {
+      options.open = false;
+    } else if (word == "--id" || word == "--run-id") {
+      options.id = number("--id", value(), 1, (std::int64_t{1} << 53) - 1);
+    } else if (!take_bus_option(argc, argv, i, options.bus)) {
+      throw std::invalid_argument("unknown option " + word + "; see --help");
+    }
+  }
+  return options;
+}
+
+// Requests of pages, from the server's thread to the loop.  A stop has a place of its own, so it is
+// never crowded out.
+class PageInbox {
+ public:
+  std::string on_message(const Model& model, const std::string& text, bool trusted) {
+    PageRequest request;
+    std::string problem;
+    if (!read_page_request(text, trusted, request, problem)) return note_frame(problem);
+    if (request.what == PageRequest::What::kHello) return hello_frame(model, trusted);
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (request.what == PageRequest::What::kStop) {
+      if (request.stop > stop_) stop_ = request.stop;
+    } else if (requests_.size() < kMostRequests) {
+      requests_.push_back(request);
+    }
+    return {};
+  }
+
+  StopKind take(std::vector<PageRequest>& requests) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    requests.swap(requests_);
+    requests_.clear();
+    return std::exchange(stop_, StopKind::kNone);
+  }
+
+ private:
+  std::mutex mutex_;
+  std::vector<PageRequest> requests_;
+  StopKind stop_ = StopKind::kNone;
+};
+
+// A request with its addressing, sent several times under one sequence number.
+template <class T>
+struct Outgoing {
+  T message{};
+  int left = 0;
+  void start(const T& next) {
+    const std::int64_t sender = message.sender_id;
+    const std::int32_t sequence = message.sequence + 1;
+    message = next;
+    message.sender_id = sender;
+    message.sequence = sequence;
+    left = kRepeats;
+  }
+  void send(Bus& bus, const char* channel) {
+    if (left == 0) return;
+    --left;
+    message.utime = wall_us();
+    if (!bus.send(channel, message)) ++left;  // no room now: once more with the next frame
+  }
+};
+
+class Viewer {
+ public:
+  explicit Viewer(const Options& options)
+      : options_(options),
+        model_(load_robot(options.robot)),
+        id_(options.id > 0 ? options.id : random_id()),
+        view_(model_),
+        bus_(options.bus),
+        server_(web_config()) {
+    stop_.message.sender_id = id_;
+    switch_.message.sender_id = id_;
+    mode_.message.sender_id = id_;
+    state_.admit_by(admit_);
+    bus_.listen(channel::kState, state_);
+    bus_.listen(channel::kCommand, command_);
+    bus_.listen(channel::kTruth, truth_);
+    bus_.listen(channel::kGuard, guard_);
+    bus_.listen(channel::kControllerStatus, controller_);
+    bus_.listen(channel::kStateSim, standby_[0]);
+    bus_.listen(channel::kStateBridge, standby_[1]);
+    bus_.listen(channel::kStateReplay, standby_[2]);
+    bus_.listen_each<SourceStatus>(channel::kSourceStatus, on_source_status_);
+    bus_.listen_each<Heartbeat>(channel::kHeartbeat, on_heartbeat_);
+    bus_.listen_each<Event>(channel::kEvent, on_event_);
+    bus_.listen_each<ObstaclesPiece>(channel::kObstacles, on_obstacles_);
+  }
+
+  void run() {
+    announce();
+    std::int64_t due = monotonic_ns();
+    for (std::int64_t frame = 0; !quit_requested(); ++frame) {
+      due += kFramePeriod;
+      const std::int64_t now_early = monotonic_ns();
+      if (now_early > due + 10 * kFramePeriod) due = now_early;  // was suspended
+      sleep_until_ns(due);
+      if (bus_.receive(0.0) < 0 && frame % 60 == 0) {
+        std::fprintf(stderr, "viewer: the bus is gone\n");
+      }
+      const std::int64_t now = monotonic_ns();
+      collect(now);
+      obey_pages(now);
+      publish(frame, now);
+      if (frame % kHeartbeatEvery == 0) beat(frame);
+      busy_us_ = 1e-3 * static_cast<double>(monotonic_ns() - now);
+    }
+  }
+
+ private:
+  WebConfig web_config() {
+    WebConfig config;
+    config.port = options_.port;
+    if (const char* token = std::getenv("TWINBUS_VIEWER_TOKEN")) {
+      if (std::strlen(token) < 16) {
+        throw std::runtime_error("TWINBUS_VIEWER_TOKEN: at least 16 characters are needed");
+      }
+      config.token = token;
+    }
+    const std::string web = options_.web.empty() ? TWINBUS_WEB_FOLDER : options_.web;
+    if (find_file({{"/", web}}, "/index.html").empty()) {
+      throw std::runtime_error("viewer: no index.html in " + web +
+                               "; name the page's folder with --web");
+    }
+    config.roots = {{"/", web}, {"/robot/", model_.folder}};
+    config.documents = {{"/robot.urdf", "application/xml", model_.urdf_text}};
+    config.on_message = [this](const std::string& text, bool trusted) {
+      return inbox_.on_message(model_, text, trusted);
+    };
+    return config;
+  }
+
+  void announce() {
+    const std::string address = server_.address();
+    std::printf("viewer: ready at %s\n", address.c_str());
+    std::fflush(stdout);
+    const bool display =
+        std::getenv("DISPLAY") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr;
+    if (options_.open && display && isatty(1) == 1 && fork() == 0) {
+      setsid();
+      execlp("xdg-open", "xdg-open", address.c_str(), nullptr);
+      _exit(1);
+    }
+  }
+
+  void collect(std::int64_t now) {
+    RobotState state;
+    for (Latest<RobotState>& standby : standby_) {
+      if (standby.take(state)) view_.on_standby_state(state, now);
+    }
+    if (state_.take(state)) view_.on_state(state, now);
+    ControllerStatus controller;
+    if (controller_.take(controller)) view_.on_controller_status(controller, now);
+    // A standby simulator publishes TRUTH too: only the active one's is of interest.
+    const Latest<SimTruth>* truth = truth_.find(view_.state().value.run_id);
+    if (truth != nullptr && truth->received_ns > truth_ns_) {
+      truth_ns_ = truth->received_ns;
+      view_.on_truth(truth->message, now);
+    }
+    GuardReport guard;
+    if (guard_.take(guard)) view_.on_guard(guard, now);
+    command_.fresh = false;
+    view_.on_totals(state_.received, command_.received, guard_.received, now);
+  }
+
+  void obey_pages(std::int64_t now) {
+    const StopKind stop = inbox_.take(asked_);
+    const RobotState& state = view_.state().value;
+    for (const PageRequest& request : asked_) {
+      if (request.what == PageRequest::What::kClear) {
+        StopRequest clear;
+        clear.stop_nonce = state.stop_nonce;
+        clear.reason = StopReason::kViewer;
+        stop_.start(clear);
+      } else if (request.what == PageRequest::What::kMode) {
+        ModeRequest mode;
+        mode.run_id = state.run_id;
+        mode.mode = request.mode;
+        mode.motion = request.motion;
+        mode_.start(mode);
+      } else if (request.what == PageRequest::What::kSwitch) {
+        SourceRequest change;
+        const bool active = view_.state().fresh(now, 0.1);
+        change.action = active ? SourceAction::kSwitch : SourceAction::kActivate;
+        change.policy = SwitchPolicy::kWhenSafe;
+        change.target_run_id = request.run_id;
+        change.run_id = active ? state.run_id : request.run_id;
+        switch_.start(change);
+      }
+    }
+    asked_.clear();
+    // After the rest, so that a stop in the same batch as a clear wins.
+    if (stop != StopKind::kNone) {
+      StopRequest request;
+      request.kind = stop;
+      request.reason = StopReason::kViewer;
+      stop_.start(request);
+    }
+    stop_.send(bus_, channel::kStop);
+    switch_.send(bus_, channel::kSourceRequest);
+    mode_.send(bus_, channel::kModeRequest);
+  }
+
+  void publish(std::int64_t frame, std::int64_t now) {
+    server_.publish(kLive, live_frame(view_, now));
+    if (frame % kStatusEvery == 0) {
+      view_.forget_silent(now);
+      server_.publish(kStatus, status_frame(view_, now));
+    }
+    if (view_.obstacles_version() != shown_obstacles_) {
+      shown_obstacles_ = view_.obstacles_version();
+      server_.publish(kScene, scene_frame(view_));
+    }
+  }
+
+  void beat(std::int64_t frame) {
+    Heartbeat beat;
+    beat.utime = wall_us();
+    beat.process_id = id_;
+    beat.pid = static_cast<std::int32_t>(getpid());
+    beat.kind = ProcessKind::kViewer;
+    beat.state = view_.state().at_ns != 0 ? 2 : 1;
+    beat.messages_received = bus_.counters().received;
+    beat.messages_rejected = bus_.counters().rejected;
+    beat.messages_lost = bus_.counters().lost;
+    beat.send_failures = static_cast<std::int32_t>(bus_.counters().send_failures);
+    beat.ticks = frame;
+    beat.rate = 60.0f;
+    beat.tick_median_us = static_cast<float>(busy_us_);
+    if (!bus_.send(channel::kHeartbeat, beat)) return;  // the bus counts it
+  }
+
+  const Options options_;
+  const Model model_;
+  const std::int64_t id_;
+  StackView view_;
+  PageInbox inbox_;
+  StateAdmission believed_;
+  Latest<RobotState> state_;
+  std::array<Latest<RobotState>, 3> standby_;
+  Latest<JointCommand> command_;
+  Slots<SimTruth, 8> truth_;
+  std::int64_t truth_ns_ = 0;
+  Latest<GuardReport> guard_;
+  Latest<ControllerStatus> controller_;
+  Outgoing<StopRequest> stop_;
+  Outgoing<SourceRequest> switch_;
+  Outgoing<ModeRequest> mode_;
+  std::vector<PageRequest> asked_;
+  std::int64_t shown_obstacles_ = -1;
+  double busy_us_ = 0.0;
+
+  struct Admit {
+    StateAdmission& believed;
+    bool operator()(const RobotState& state, const RobotState&) noexcept {
+      return believed.admit(state, monotonic_ns());
+    }
+  } admit_{believed_};
+  struct OnSourceStatus {
+    StackView& view;
+    void operator()(const SourceStatus& status) { view.on_source_status(status, monotonic_ns()); }
+  } on_source_status_{view_};
+  struct OnHeartbeat {
+    StackView& view;
+    void operator()(const Heartbeat& heartbeat) { view.on_heartbeat(heartbeat, monotonic_ns()); }
+  } on_heartbeat_{view_};
+  struct OnEvent {
+    StackView& view;
+    void operator()(const Event& event) { view.on_event(event); }
+  } on_event_{view_};
+  struct OnObstacles {
+    StackView& view;
+    void operator()(const ObstaclesPiece& piece) { view.on_obstacles(piece); }
+  } on_obstacles_{view_};
+  Bus bus_;           // after what it fills
+  WebServer server_;  // last: its thread uses the members above
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  try {
+    options = parse(argc, argv);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "viewer: %s\n", error.what());
+    return 2;
+  }
+  try {
+    catch_quit_signals();
+    setpriority(PRIO_PROCESS, 0, 10);
+    Viewer viewer(options);
+    viewer.run();
+    return 0;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "viewer: %s\n", error.what());
+    return 1;
+  }
+}

@@ -1,0 +1,186 @@
+// Everything around the 3D view: badge, health, rates, sources, balance map, guard, processes, messages.
+
+const $ = (id) => document.getElementById(id);
+const kNames = { simulator: 'SIMULATOR', robot: 'ROBOT', replay: 'REPLAY', none: 'NO SOURCE' };
+
+function text(id, value) {
+  const node = $(id);
+  if (node.textContent !== value) node.textContent = value;
+}
+
+function element(tag, properties = {}, children = []) {
+  const node = Object.assign(document.createElement(tag), properties);
+  node.append(...children);
+  return node;
+}
+
+const hertz = (value) => (value > 0 ? `${value.toFixed(0)} Hz` : '–');
+const age = (ms) => (ms === null ? 'never' : ms < 1000 ? `${Math.round(ms)} ms` : `${(ms / 1000).toFixed(1)} s`);
+const clock = (utime) => new Date(utime / 1000).toTimeString().slice(0, 8);
+
+export class Panels {
+  // send(request): to the viewer.
+  constructor(send) {
+    this.send = send;
+    this.trusted = false;
+    this.active = 0;
+    this.lastEvent = -1;
+    this.weight = 1000; // [N]
+    for (const button of document.querySelectorAll('#modes button')) {
+      button.onclick = () => send({ do: 'mode', mode: button.dataset.mode });
+    }
+  }
+
+  hello(message) {
+    this.trusted = message.trusted;
+    this.weight = message.mass * 9.81;
+    document.title = `twinbus: ${message.robot}`;
+    $('watching').hidden = message.trusted;
+    for (const button of document.querySelectorAll('#modes button')) button.disabled = !message.trusted;
+    $('clear').disabled = !message.trusted;
+  }
+
+  live(live) {
+    const present = live.age_ms !== null && live.age_ms < 500;
+    const source = present ? live.source : 'none';
+    this.active = present ? live.run : 0;
+    const badge = `source-${source}`;
+    if (this.badge !== badge) {
+      document.body.classList.remove(this.badge);
+      document.body.classList.add(badge);
+      this.badge = badge;
+    }
+    text('badge-name', kNames[source] ?? source);
+    const now = performance.now();
+    if (now - (this.slow ?? 0) < 100) return; // figures that change faster cannot be read
+    this.slow = now;
+    text('badge-detail', present ? `term ${live.term} · ${live.role} · age ${age(live.age_ms)}`
+      : live.age_ms === null ? 'waiting for STATE' : `last state ${age(live.age_ms)} ago`);
+    text('rate-time', `${(live.time ?? 0).toFixed(1)} s`);
+    text('rate-tick', String(live.tick));
+    text('margin', live.margin_mm === null ? '–' : `ZMP ${live.margin_mm.toFixed(0)} mm inside`);
+    ['left', 'right'].forEach((foot, i) => {
+      const force = live.foot_force[i] ?? 0;
+      text(`force-${foot}`, `${force.toFixed(0)} N`);
+      $(`bar-${foot}`).style.width = `${Math.max(0, Math.min(100, 100 * force / this.weight))}%`;
+    });
+    this.map(live);
+    this.pairs(live.pairs);
+  }
+
+  // Seen from above, forward up: centred between the soles, 10 cm per 20 units.
+  map(live) {
+    const all = live.soles.flat();
+    if (all.length === 0) return;
+    const [sx, sy] = all.reduce(([x, y], p) => [x + p[0] / all.length, y + p[1] / all.length], [0, 0]);
+    const [w, x, y, z] = live.base.slice(3);
+    const yaw = Math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z));
+    const [c, s] = [Math.cos(yaw), Math.sin(yaw)];
+    const at = (p) => {
+      const [dx, dy] = [p[0] - sx, p[1] - sy];
+      return [-200 * (-s * dx + c * dy), -200 * (c * dx + s * dy)].map((v) => v.toFixed(1));
+    };
+    const outline = (points) => points.map((p) => at(p).join(',')).join(' ');
+    const known = (p) => p && p.every((v) => v !== null);
+    const dot = (p, radius, fill) => (known(p) ? `<circle cx="${at(p)[0]}" cy="${at(p)[1]}" r="${radius}" fill="${fill}"/>` : '');
+    $('map').innerHTML =
+      `<polygon points="${outline(live.polygon)}" fill="#3ecf8e2e" stroke="#3ecf8e" stroke-width=".8"/>` +
+      live.soles.map((sole, i) => `<polygon points="${outline(sole)}" fill="${live.loaded[i] ? '#58c4ff30' : 'none'}" stroke="#8fb3d9" stroke-width=".6"/>`).join('') +
+      (known(live.zmp_reference) ? `<circle cx="${at(live.zmp_reference)[0]}" cy="${at(live.zmp_reference)[1]}" r="3" fill="none" stroke="#ffffff99" stroke-width=".7"/>` : '') +
+      dot(live.com, 2.4, '#ffd23f') + dot(live.zmp, 2.4, '#ff5ac8');
+  }
+
+  pairs(pairs) {
+    const rows = pairs.slice(0, 4).map((pair) => element('div', {
+      className: `pair ${pair.mm < 5 ? 'touch' : pair.mm < 30 ? 'close' : ''}`,
+    }, [element('span', { textContent: `${pair.a} – ${pair.b}` }), element('b', { textContent: `${pair.mm.toFixed(0)} mm` })]));
+    $('pairs').replaceChildren(...rows);
+  }
+
+  status(status) {
+    $('health').className = status.health.level;
+    text('health-text', status.health.text);
+    document.body.classList.toggle('stopped', status.health.level === 'stopped');
+    document.body.classList.toggle('bad', status.health.level === 'bad');
+    $('clear').hidden = status.health.level !== 'stopped';
+    text('rate-state', hertz(status.state_hz));
+    text('rate-command', hertz(status.command_hz));
+    text('rate-guard', hertz(status.guard_hz));
+    text('rate-factor', status.realtime_factor > 0 ? `× ${status.realtime_factor.toFixed(2)}` : '–');
+    const mode = status.controller;
+    const name = !mode ? '–' : mode.motion !== 'none' ? mode.motion : mode.mode;
+    text('mode-now', !mode ? 'no controller' : mode.stopping !== 'none' ? `stopping (${mode.stopping})` : name);
+    for (const button of document.querySelectorAll('#modes button')) button.classList.toggle('on', button.dataset.mode === name);
+    text('guard-now', status.guard ? `${status.guard.verdict} · ${status.guard.pairs} pairs` : 'not heard');
+    this.sources(status.sources);
+    this.processes(status.processes);
+    this.events(status.events);
+  }
+
+  sources(list) {
+    if (list.length === 0) {
+      $('sources').replaceChildren(element('p', { className: 'hint', textContent: 'None heard. Start the stack with ./twinbus up.' }));
+      return;
+    }
+    // Buttons stay the same nodes while the list does, so that a click is never lost to a redraw.
+    const key = JSON.stringify([this.active, this.trusted, list.map((s) => [s.run, s.role, s.kind])]);
+    if (key !== this.sourcesKey) {
+      this.sourcesKey = key;
+      this.sourceNotes = new Map();
+      $('sources').replaceChildren(...list.map((source) => {
+        const active = source.run === this.active;
+        const end = active ? element('span', { className: 'active', textContent: 'active' })
+          : element('button', {
+            textContent: this.active ? 'Switch to it' : 'Activate', disabled: !this.trusted,
+            onclick: () => this.send({ do: 'switch', run: source.run }),
+          });
+        const note = element('small');
+        this.sourceNotes.set(source.run, note);
+        return element('div', { className: 'source' },
+          [element('i', { className: `c-${source.kind}` }), element('b', { textContent: kNames[source.kind] ?? source.kind }), end, note]);
+      }));
+    }
+    for (const source of list) {
+      const parts = [source.age_ms > 1000 ? `silent for ${age(source.age_ms)}` : source.role, `${source.missed} missed`, `${source.late} late`, `${source.rejected} rejected`];
+      if (source.refusal) parts.push(source.refusal);
+      this.sourceNotes.get(source.run).textContent = parts.join(' · ');
+    }
+  }
+
+  processes(list) {
+    const rows = list.map((p) => {
+      const silent = p.age_ms > 1000;
+      return element('tr', { className: silent ? 'silent' : p.state === 3 ? 'degraded' : p.state < 2 ? 'waiting' : '', title: `pid ${p.pid}, rejected ${p.rejected}, lost ${p.lost}` }, [
+        element('td', {}, [element('i')]),
+        element('td', { textContent: p.kind + (silent ? ' (silent)' : '') }),
+        element('td', { textContent: p.rate ? p.rate.toFixed(0) : '–' }),
+        element('td', { textContent: p.p99_us ? `${p.p99_us.toFixed(0)} µs` : '–' }),
+        element('td', { textContent: String(p.missed) }),
+      ]);
+    });
+    document.querySelector('#processes tbody').replaceChildren(...rows);
+  }
+
+  events(list) {
+    const last = list.at(-1)?.n ?? 0;
+    if (last === this.lastEvent) return;
+    this.lastEvent = last;
+    $('events').replaceChildren(...[...list].reverse().map((event) => element('li', { className: `s${event.severity}` },
+      [element('small', { textContent: `${clock(event.utime)} ${event.from}` }), event.text])));
+  }
+
+  connected(yes) {
+    document.body.classList.toggle('offline', !yes);
+    if (yes) return;
+    this.lastEvent = -1;
+    $('health').className = 'bad';
+    text('health-text', 'The viewer process does not answer: the picture is old. Trying again.');
+  }
+
+  toast(message) {
+    $('toast').textContent = message;
+    $('toast').hidden = false;
+    clearTimeout(this.toastTimer);
+    this.toastTimer = setTimeout(() => { $('toast').hidden = true; }, 5000);
+  }
+}

@@ -1,0 +1,65 @@
+// The robot from its URDF: primitives or meshes, posed by joint angles in bus order.
+
+import * as THREE from 'three';
+import URDFLoader from 'urdf-loader';
+
+// The URDF loader's materials are flat; these take light and shadow.
+function dress(object) {
+  object.traverse((part) => {
+    if (!part.isMesh) return;
+    part.castShadow = true;
+    part.receiveShadow = true;
+    const old = Array.isArray(part.material) ? part.material[0] : part.material;
+    if (!old?.isMeshPhongMaterial || old.map) return;
+    const dark = old.color.r + old.color.g + old.color.b < 0.6;
+    part.material = new THREE.MeshStandardMaterial({
+      color: old.color, transparent: old.transparent, opacity: old.opacity,
+      roughness: dark ? 0.5 : 0.38, metalness: dark ? 0.35 : 0.08,
+    });
+  });
+}
+
+export class Robot {
+  constructor(scene) {
+    this.scene = scene;
+    this.model = null;
+    this.joints = [];
+  }
+
+  // joints: names in bus order.
+  async load(joints) {
+    const answer = await fetch('robot.urdf', { cache: 'no-store' });
+    if (!answer.ok) throw new Error(`robot.urdf: ${answer.status}`);
+    const manager = new THREE.LoadingManager();
+    const loader = new URDFLoader(manager);
+    loader.packages = () => '/robot'; // package://NAME/path is the robot's own folder
+    loader.workingPath = '/robot/';
+    const model = loader.parse(await answer.text(), '/robot/');
+    manager.onLoad = () => dress(model); // meshes come later
+    dress(model);
+    if (this.model) this.scene.remove(this.model);
+    this.model = model;
+    this.joints = joints.map((name) => model.joints[name] ?? null);
+    for (const joint of this.joints) if (joint) joint.ignoreLimits = true; // show what is, not what should be
+    this.scene.add(model);
+  }
+
+  // base: x y z, quaternion w x y z.
+  pose(q, base) {
+    if (!this.model) return;
+    this.model.position.set(base[0], base[1], base[2]);
+    this.model.quaternion.set(base[4], base[5], base[6], base[3]);
+    q.forEach((angle, i) => this.joints[i]?.setJointValue(angle ?? 0));
+  }
+
+  // A robot that nobody drives is shown pale.
+  dim(pale) {
+    if (!this.model || this.pale === pale) return;
+    this.pale = pale;
+    this.model.traverse((part) => {
+      if (!part.isMesh) return;
+      part.material.transparent = pale;
+      part.material.opacity = pale ? 0.45 : 1;
+    });
+  }
+}

@@ -1,0 +1,210 @@
+// The world around the robot: light, ground, obstacles, camera, and what is drawn on top (forces, ZMP, polygon, pairs).
+
+import * as THREE from 'three';
+import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+
+const kMetresPerNewton = 1 / 1100;
+const kLongestArrow = 1.4; // [m]
+const kShownPair = 120;    // [mm]
+
+function arrow(color) {
+  const material = new THREE.MeshStandardMaterial({ color, emissive: color, emissiveIntensity: 0.45, roughness: 0.5 });
+  const shaft = new THREE.Mesh(new THREE.CylinderGeometry(0.008, 0.008, 1, 12).translate(0, 0.5, 0), material);
+  const head = new THREE.Mesh(new THREE.ConeGeometry(0.022, 0.055, 16).translate(0, 0.0275, 0), material);
+  const group = new THREE.Group();
+  group.add(shaft, head);
+  group.userData = { shaft, head };
+  group.visible = false;
+  return group;
+}
+
+const kUp = new THREE.Vector3(0, 1, 0);
+function point(group, at, force) {
+  const length = Math.min(force.length() * kMetresPerNewton, kLongestArrow);
+  group.visible = length > 0.005;
+  if (!group.visible) return;
+  group.position.copy(at);
+  group.quaternion.setFromUnitVectors(kUp, force.clone().normalize());
+  group.userData.shaft.scale.y = length;
+  group.userData.head.position.y = length;
+}
+
+function lineOf(count, color, options = {}) {
+  const geometry = new THREE.BufferGeometry();
+  geometry.setAttribute('position', new THREE.BufferAttribute(new Float32Array(3 * count), 3));
+  const Kind = options.segments ? THREE.LineSegments : THREE.LineLoop;
+  const line = new Kind(geometry, new THREE.LineBasicMaterial({ color, transparent: true, opacity: options.opacity ?? 1 }));
+  line.frustumCulled = false;
+  return line;
+}
+
+function setPoints(line, points, lift = 0) {
+  const target = line.geometry.attributes.position;
+  const count = Math.min(points.length, target.count);
+  for (let i = 0; i < count; ++i) target.setXYZ(i, points[i][0], points[i][1], points[i][2] + lift);
+  line.geometry.setDrawRange(0, count);
+  target.needsUpdate = true;
+}
+
+export class Stage {
+  constructor(canvas) {
+    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true });
+    this.renderer.shadowMap.enabled = true;
+    this.renderer.shadowMap.type = THREE.PCFShadowMap;
+    this.renderer.toneMapping = THREE.ACESFilmicToneMapping;
+    this.renderer.toneMappingExposure = 1.15;
+    this.scene = new THREE.Scene();
+    this.scene.background = new THREE.Color(0x141b26);
+    this.scene.fog = new THREE.Fog(0x141b26, 7, 19);
+    this.camera = new THREE.PerspectiveCamera(38, 1, 0.05, 60);
+    this.camera.up.set(0, 0, 1);
+    this.camera.position.set(2.9, 1.75, 1.45);
+    this.controls = new OrbitControls(this.camera, canvas);
+    this.controls.target.set(0, 0, 0.74);
+    this.controls.enableDamping = true;
+    this.controls.minDistance = 0.5;
+    this.controls.maxDistance = 14;
+    this.follow = true;
+    this.light();
+    this.ground();
+    this.overlays();
+    this.obstacles = new THREE.Group();
+    this.scene.add(this.obstacles);
+    addEventListener('resize', () => this.resize());
+    this.resize();
+  }
+
+  light() {
+    this.scene.add(new THREE.HemisphereLight(0xcfe3ff, 0x2b2f38, 1.5));
+    const rim = new THREE.DirectionalLight(0x7fb4ff, 1.0);
+    rim.position.set(-4, -3, 3);
+    this.scene.add(rim);
+    this.sun = new THREE.DirectionalLight(0xfff2df, 2.6);
+    this.sun.castShadow = true;
+    this.sun.shadow.mapSize.set(2048, 2048);
+    Object.assign(this.sun.shadow.camera, { left: -1.7, right: 1.7, top: 1.9, bottom: -1.7, near: 1, far: 12 });
+    this.sun.shadow.bias = -0.0004;
+    this.sun.shadow.radius = 4;
+    this.scene.add(this.sun, this.sun.target);
+  }
+
+  ground() {
+    const floor = new THREE.Mesh(new THREE.PlaneGeometry(60, 60),
+      new THREE.MeshStandardMaterial({ color: 0x1b2431, roughness: 0.95 }));
+    floor.receiveShadow = true;
+    floor.position.z = -0.002;
+    const fine = new THREE.GridHelper(40, 160, 0x2a3748, 0x253142);
+    const coarse = new THREE.GridHelper(40, 40, 0x4f6a8c, 0x3a4c63);
+    for (const grid of [fine, coarse]) grid.rotation.x = Math.PI / 2;
+    coarse.position.z = 0.0006;
+    const axes = lineOf(2, 0xe5484d, { segments: true });
+    setPoints(axes, [[0, 0, 0.002], [0.5, 0, 0.002]]);
+    const side = lineOf(2, 0x3ecf8e, { segments: true });
+    setPoints(side, [[0, 0, 0.002], [0, 0.5, 0.002]]);
+    this.scene.add(floor, fine, coarse, axes, side);
+  }
+
+  overlays() {
+    this.forces = new THREE.Group();
+    for (let i = 0; i < 8; ++i) this.forces.add(arrow(0x38bdf8));
+    this.push = arrow(0xff8a3d);
+    this.balance = new THREE.Group();
+    this.support = new THREE.Mesh(new THREE.BufferGeometry(),
+      new THREE.MeshBasicMaterial({ color: 0x3ecf8e, transparent: true, opacity: 0.22, side: THREE.DoubleSide, depthWrite: false }));
+    this.support.geometry.setAttribute('position', new THREE.BufferAttribute(new Float32Array(3 * 12), 3));
+    this.support.frustumCulled = false;
+    this.rim = lineOf(12, 0x3ecf8e);
+    this.zmp = new THREE.Group();
+    const disc = new THREE.Mesh(new THREE.CircleGeometry(0.014, 24), new THREE.MeshBasicMaterial({ color: 0xff5ac8, depthTest: false }));
+    const ring = new THREE.Mesh(new THREE.RingGeometry(0.024, 0.03, 32), new THREE.MeshBasicMaterial({ color: 0xff5ac8, depthTest: false }));
+    for (const part of [disc, ring]) part.renderOrder = 10;
+    this.zmp.add(disc, ring);
+    this.com = new THREE.Mesh(new THREE.SphereGeometry(0.03, 20, 14),
+      new THREE.MeshBasicMaterial({ color: 0xffd23f, depthTest: false, transparent: true, opacity: 0.85 }));
+    this.com.renderOrder = 11;
+    this.plumb = lineOf(2, 0xffd23f, { segments: true, opacity: 0.7 });
+    this.plumb.material.depthTest = false;
+    this.balance.add(this.support, this.rim, this.zmp, this.com, this.plumb);
+    this.pairs = lineOf(12, 0xffb020, { segments: true });
+    this.pairs.material.depthTest = false;
+    this.pairs.renderOrder = 12;
+    this.scene.add(this.forces, this.push, this.balance, this.pairs);
+  }
+
+  resize() {
+    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    this.renderer.setSize(innerWidth, innerHeight, false);
+    this.camera.aspect = innerWidth / innerHeight;
+    this.camera.updateProjectionMatrix();
+  }
+
+  show(live) {
+    this.forces.children.forEach((item, i) => {
+      const row = live.forces[i];
+      if (!row) item.visible = false;
+      else point(item, new THREE.Vector3(...row.slice(0, 3)), new THREE.Vector3(...row.slice(3)));
+    });
+    if (live.push) point(this.push, new THREE.Vector3(...live.push.slice(0, 3)), new THREE.Vector3(...live.push.slice(3)));
+    else this.push.visible = false;
+    this.showBalance(live);
+    const near = live.pairs.filter((pair) => pair.mm < kShownPair);
+    setPoints(this.pairs, near.flatMap((pair) => [pair.from, pair.to]));
+    this.pairs.material.color.set(near.some((pair) => pair.mm < 20) ? 0xff4d4d : 0xffb020);
+    if (this.follow) this.followTo(live.base);
+  }
+
+  showBalance(live) {
+    const corners = live.polygon;
+    const fan = [];
+    for (let i = 1; i + 1 < corners.length; ++i) fan.push(corners[0], corners[i], corners[i + 1]);
+    if (this.support.geometry.attributes.position.count < fan.length) {
+      this.support.geometry.setAttribute('position', new THREE.BufferAttribute(new Float32Array(3 * fan.length), 3));
+    }
+    setPoints(this.support, fan, 0.003);
+    setPoints(this.rim, corners, 0.004);
+    const color = live.margin_mm > 20 ? 0x3ecf8e : live.margin_mm > 5 ? 0xffb020 : 0xff4d4d;
+    this.support.material.color.set(color);
+    this.rim.material.color.set(color);
+    const known = (p) => p.every((v) => v !== null);
+    this.zmp.visible = corners.length > 2 && known(live.zmp);
+    if (this.zmp.visible) this.zmp.position.set(live.zmp[0], live.zmp[1], 0.006);
+    this.com.visible = this.plumb.visible = known(live.com);
+    if (this.com.visible) {
+      this.com.position.set(...live.com);
+      setPoints(this.plumb, [live.com, [live.com[0], live.com[1], 0.005]]);
+    }
+  }
+
+  // Camera and light go along; what the user turned stays turned.
+  followTo(base) {
+    const shift = new THREE.Vector3(base[0] - this.controls.target.x, base[1] - this.controls.target.y, 0);
+    if (shift.length() < 3) shift.multiplyScalar(0.08);
+    this.controls.target.add(shift);
+    this.camera.position.add(shift);
+  }
+
+  showObstacles(list) {
+    this.obstacles.clear();
+    const material = new THREE.MeshStandardMaterial({ color: 0xc98a3c, roughness: 0.7, transparent: true, opacity: 0.88 });
+    for (const item of list) {
+      const [a, b, c] = item.size;
+      const geometry = item.shape === 1 ? new THREE.BoxGeometry(a, b, c)
+        : item.shape === 2 ? new THREE.SphereGeometry(a, 32, 20)
+        : item.shape === 3 ? new THREE.CylinderGeometry(a, a, b, 32).rotateX(Math.PI / 2) : null;
+      if (!geometry) continue;
+      const mesh = new THREE.Mesh(geometry, material);
+      mesh.castShadow = mesh.receiveShadow = true;
+      mesh.position.set(...item.pose.slice(0, 3));
+      mesh.quaternion.set(item.pose[4], item.pose[5], item.pose[6], item.pose[3]);
+      this.obstacles.add(mesh);
+    }
+  }
+
+  draw() {
+    this.controls.update();
+    const at = this.controls.target;
+    this.sun.position.set(at.x + 2.2, at.y - 1.6, 4.6);
+    this.sun.target.position.set(at.x, at.y, 0.6);
+    this.renderer.render(this.scene, this.camera);
+  }
+}

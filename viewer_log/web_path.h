@@ -1,0 +1,43 @@
+// From the target of an HTTP request to a file that may be served, or to nothing.
+//
+// Only regular files below a named root leave the machine's disk: the path is decoded once, has no
+// "..", no hidden names and no control characters, its type is known, and symbolic links may not
+// lead out of the root.
+
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace twinbus {
+
+struct WebRoot {
+  std::string prefix;  // begins and ends with '/'
+  std::string folder;
+};
+
+// "/a%20b?x=1" -> "/a b".  False for anything that is not a plain absolute path.
+[[nodiscard]] bool decode_target(std::string_view target, std::string& path);
+
+// Value of one key of the query, not decoded (tokens are hexadecimal); empty when absent.
+std::string query_value(std::string_view target, std::string_view key);
+
+// The file behind a decoded path (the longest matching prefix wins, "/" of a root is its
+// index.html), as an absolute name, or empty when there is none that may be served.
+std::string find_file(const std::vector<WebRoot>& roots, const std::string& path);
+
+// MIME type by extension; nullptr for types that are not served.
+const char* content_type(std::string_view path) noexcept;
+
+// Host headers of this machine and port, and origins of pages that came from them.
+[[nodiscard]] bool host_allowed(std::string_view host, int port);
+[[nodiscard]] bool origin_allowed(std::string_view origin, int port);
+
+// Takes as long for a wrong token as for the right one; an empty expected token matches nothing.
+[[nodiscard]] bool same_token(std::string_view given, std::string_view expected) noexcept;
+
+// 128 random bits in hexadecimal.
+std::string random_token();
+
+}  // namespace twinbus
