@@ -1,0 +1,78 @@
+#!/usr/bin/env python3
+"""Every command in README.md is run: a reader can copy it and it does what the text says.
+
+The word behind ```sh says how: `test` alone, `test-both` while `up --stack both` runs, `test-client` while the client
+stack runs, `test-up-client` starts that one.  Blocks of plain ```sh are checked to be known: they start the stack for good
+or run these very tests.
+"""
+
+import os
+import re
+import signal
+import subprocess
+import sys
+import time
+
+import harness
+from harness import Checks, Stack
+
+# Not run here, and why.
+KNOWN = {
+    "./twinbus up": "never ends by itself; up_test.py runs it",
+    "./twinbus test": "runs this test",
+    "cmake --preset release && cmake --build --preset release && ctest --preset release": "what ./twinbus test does",
+}
+
+
+def blocks():
+    text = (harness.ROOT / "README.md").read_text(encoding="utf-8")
+    for kind, body in re.findall(r"^```sh ?([a-z-]*)\n(.*?)^```", text, re.MULTILINE | re.DOTALL):
+        yield kind, [line for line in body.splitlines() if line.strip()]
+
+
+def run(command, timeout=120):
+    # ./twinbus would build: hand over to the program that is under test.
+    replaced = command.replace("./twinbus", str(harness.BIN / "twinbus"))
+    done = subprocess.run(["bash", "-c", replaced], capture_output=True, text=True, timeout=timeout, cwd=harness.ROOT,
+                          stdin=subprocess.DEVNULL)
+    return done.returncode, (done.stdout + done.stderr).strip()
+
+
+def run_all(lines, checks):
+    for command in lines:
+        status, said = run(command)
+        checks.that(status == 0, f"README: `{command}` ends with {status}: {said[-500:]}")
+        print(f"ok `{command}`" if status == 0 else f"-- `{command}`", flush=True)
+
+
+def main():
+    harness.require("twinbus", "twinbus_simulator", "twinbus_controller", "twinbus_guard", "twinbus_planner",
+                    "twinbus_bridge", "emulated_robot")
+    checks = Checks()
+    by_kind = {}
+    for kind, lines in blocks():
+        by_kind.setdefault(kind, []).extend(lines)
+    for command in by_kind.pop("", []):
+        checks.that(command in KNOWN, f"README: nobody tests `{command}`")
+    run_all(by_kind.pop("test", []), checks)
+
+    with Stack("--stack", "both", "--no-viewer"):
+        time.sleep(1.0)
+        run_all(by_kind.pop("test-both", []), checks)
+
+    client = by_kind.pop("test-client", [])
+    for command in by_kind.pop("test-up-client", []):
+        words = command.split()
+        up = subprocess.Popen([harness.BIN / "twinbus", *words[1:]], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                              cwd=harness.ROOT, stdin=subprocess.DEVNULL, env=dict(os.environ))
+        time.sleep(2.5)
+        run_all(client, checks)
+        checks.that(up.poll() is None, f"README: `{command}` goes on")
+        up.send_signal(signal.SIGINT)
+        up.wait(20)
+    checks.that(not by_kind, f"README: unknown kinds of blocks {sorted(by_kind)}")
+    checks.exit()
+
+
+if __name__ == "__main__":
+    sys.exit(main())
