@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <optional>
 
+#include "robot/process.h"
 #include "sim/ode_world.h"
 #include "sim/sensors.h"
 #include "sim/settings.h"
@@ -67,9 +68,17 @@ struct SimAdaptor::Impl {
   };
   std::vector<ScenePush> pushes;
   SimTruth truth;
-  double foot_slip_path[2] = {0.0, 0.0};
+  Configuration imposed_to;  // scratch of set_state
+  Eigen::VectorXd imposed_tau;
+  std::optional<Kinematics> kinematics;
+  std::int64_t pace_since_ns = 0;  // of realtime_factor
+  std::int64_t pace_steps = 0;
 
-  void set_hold(const Configuration& at, const Eigen::VectorXd& tau);
+  void set_hold(const Configuration& at, const Eigen::VectorXd& tau) noexcept;
+  void continue_corner_forces(const std::array<std::array<double, 4>, 2>& force) noexcept;
+  bool imposed_corner_forces(const ImposedState& imposed,
+                             std::array<std::array<double, 4>, 2>& force) const noexcept;
+  void time_pace() noexcept;
   void start();
   void drive_servos() noexcept;
   void apply_pushes() noexcept;
@@ -77,11 +86,12 @@ struct SimAdaptor::Impl {
   Status advance() noexcept;
 };
 
-void SimAdaptor::Impl::set_hold(const Configuration& at, const Eigen::VectorXd& tau) {
+// The posture the servos are to keep; where there is play it is the servo's side that counts.
+void SimAdaptor::Impl::set_hold(const Configuration& at, const Eigen::VectorXd& torque) noexcept {
   for (int j = 0; j < model->joint_count(); ++j) {
     const Joint& joint = model->joints[static_cast<std::size_t>(j)];
     hold[static_cast<std::size_t>(j)] = {
-        .q = at.q[j], .qd = 0.0, .tau = tau[j], .kp = joint.kp, .kd = joint.kd};
+        .q = world->encoder(j), .qd = at.qd[j], .tau = torque[j], .kp = joint.kp, .kd = joint.kd};
   }
 }
 
@@ -98,7 +108,9 @@ void SimAdaptor::Impl::start() {
                    settings.world.ground_height, settings.world.fixed_base);
   standing_height = standing.configuration.base.translation().z();
   hold.resize(model->joints.size());
-  set_hold(standing.configuration, standing.tau);
+  imposed_to = standing.configuration;
+  imposed_tau = standing.tau;
+  kinematics.emplace(*model);
 }
 
 Status SimAdaptor::Impl::advance() noexcept {
@@ -187,6 +199,17 @@ void SimAdaptor::Impl::relax_corner_offsets() noexcept {
   }
 }
 
+// Simulated seconds per real second, for people; nothing else here looks at a clock.
+void SimAdaptor::Impl::time_pace() noexcept {
+  const std::int64_t now_ns = monotonic_ns();
+  if (now_ns - pace_since_ns < 500'000'000) return;
+  const double simulated = step * static_cast<double>(steps - pace_steps);
+  truth.realtime_factor =
+      static_cast<float>(1e9 * simulated / static_cast<double>(now_ns - pace_since_ns));
+  pace_since_ns = now_ns;
+  pace_steps = steps;
+}
+
 SimAdaptor::SimAdaptor(const Scene& scene) : impl_(std::make_unique<Impl>(scene)) {}
 SimAdaptor::~SimAdaptor() = default;
 
@@ -232,7 +255,9 @@ Status SimAdaptor::open(const Model& model, const AdaptorConfig& config) {
     s.scene_time = -1.0;
     s.line_used.fill(false);
     s.truth = SimTruth{};
-    return s.world->set(s.standing.configuration, &s.standing.tau);
+    const Status placed = s.world->set(s.standing.configuration, &s.standing.tau);
+    s.set_hold(s.standing.configuration, s.standing.tau);
+    return placed;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "simulator: %s\n", error.what());
     s.world.reset();
@@ -258,6 +283,7 @@ Status SimAdaptor::read(RobotState& state, double) {
   state.source_time_ns = std::llround(1e9 * s.step * static_cast<double>(s.steps));
   s.truth.sim_time = s.step * static_cast<double>(s.steps);
   fill_truth(*s.model, *s.world, s.standing_height, s.truth);
+  s.time_pace();
   return status;
 }
 
@@ -285,15 +311,62 @@ Status SimAdaptor::fall_safe() {
   return Status::kOk;
 }
 
+// Normal forces at the corners that continue those of the source.  False if a number is not finite.
+bool SimAdaptor::Impl::imposed_corner_forces(
+    const ImposedState& imposed, std::array<std::array<double, 4>, 2>& force) const noexcept {
+  force = standing.corner_force;
+  if (!imposed.forces_known) return true;
+  for (std::size_t side = 0; side < 2; ++side) {
+    force[side].fill(0.0);
+    const Sole& sole = model->soles[side];
+    if (sole.link < 0) continue;
+    Eigen::Matrix<double, 6, 1> wrench;
+    for (int i = 0; i < 6; ++i)
+      wrench[i] = static_cast<double>(imposed.foot_wrench[side][static_cast<std::size_t>(i)]);
+    if (!wrench.allFinite()) return false;
+    const Eigen::Isometry3d sensor = sole.frame.inverse() * sole.sensor;
+    const Eigen::Vector3d f = sensor.linear() * wrench.head<3>();
+    const Eigen::Vector3d t = sensor.linear() * wrench.tail<3>() + sensor.translation().cross(f);
+    if (f.z() > 0.0) force[side] = corner_forces(sole, f.z(), t.x(), t.y());
+  }
+  return true;
+}
+
+// What the fit of the base leaves (the ground of the other source is not ours) is put into the
+// ground below each corner, and vanishes slowly.
+void SimAdaptor::Impl::continue_corner_forces(
+    const std::array<std::array<double, 4>, 2>& force) noexcept {
+  for (int side = 0; side < 2; ++side) {
+    const auto at = static_cast<std::size_t>(side);
+    const Sole& sole = model->soles[at];
+    if (sole.link < 0) continue;
+    for (int corner = 0; corner < kSoleCorners; ++corner) {
+      const Eigen::Vector3d point =
+          world->link_in_world(sole.link) * (sole.frame * sole_corner(sole, corner));
+      const double wanted = force[at][static_cast<std::size_t>(corner)];
+      const double speed = world->point_velocity(sole.link, point).z();
+      const double depth = (wanted + world->corner_damping(side) * speed) / corner_stiffness[at];
+      const double now = settings.world.ground_height[at] - point.z();
+      // A corner that is to carry nothing is only kept from pressing.
+      if (wanted > 0.0 || now > 0.0)
+        world->set_corner_offset(side, corner, now - (wanted > 0.0 ? depth : 0.0));
+    }
+  }
+}
+
 Status SimAdaptor::set_state(const ImposedState& imposed) {
   Impl& s = *impl_;
   if (!s.world) return Status::kNotOpen;
   const Model& model = *s.model;
-  Configuration to = s.world->configuration();
-  Eigen::VectorXd tau = s.standing.tau;
-  to.base = imposed.base;
-  to.base_velocity = imposed.base_velocity;
-  to.base_angular_velocity = imposed.base_angular_velocity;
+  Configuration& to = s.imposed_to;
+  Eigen::VectorXd& tau = s.imposed_tau;
+  to = s.world->configuration();
+  tau = s.standing.tau;
+  if (!s.settings.world.fixed_base) {
+    to.base = imposed.base;
+    to.base_velocity = imposed.base_velocity;
+    to.base_angular_velocity = imposed.base_angular_velocity;
+  }
   for (int k = 0; k < model.bus_count(); ++k) {
     const auto i = static_cast<std::size_t>(k);
     to.q[model.bus_joints[i]] = imposed.q[i];
@@ -306,60 +379,22 @@ Status SimAdaptor::set_state(const ImposedState& imposed) {
     to.q[j] = joint.mimic_multiplier * to.q[joint.mimic] + joint.mimic_offset;
     to.qd[j] = joint.mimic_multiplier * to.qd[joint.mimic];
   }
-  if (!to.base.matrix().allFinite() || !to.q.allFinite() || !tau.allFinite())
+  std::array<std::array<double, 4>, 2> force;
+  if (!to.base.matrix().allFinite() || !to.q.allFinite() || !tau.allFinite() ||
+      !s.imposed_corner_forces(imposed, force)) {
     return Status::kNotFinite;
-
+  }
   // Depth of the soles is tenths of a millimetre, less than any estimate knows: it follows from the
   // forces.
-  std::array<std::array<double, 4>, 2> force = s.standing.corner_force;
-  if (imposed.forces_known) {
-    for (std::size_t side = 0; side < 2; ++side) {
-      force[side].fill(0.0);
-      const Sole& sole = model.soles[side];
-      if (sole.link < 0) continue;
-      Eigen::Matrix<double, 6, 1> wrench;
-      for (std::size_t i = 0; i < 6; ++i)
-        wrench[static_cast<Eigen::Index>(i)] = static_cast<double>(imposed.foot_wrench[side][i]);
-      if (!wrench.allFinite()) return Status::kNotFinite;
-      const Eigen::Isometry3d sensor = sole.frame.inverse() * sole.sensor;
-      const Eigen::Vector3d f = sensor.linear() * wrench.head<3>();
-      const Eigen::Vector3d t = sensor.linear() * wrench.tail<3>() + sensor.translation().cross(f);
-      if (f.z() > 0.0) force[side] = corner_forces(sole, f.z(), t.x(), t.y());
-    }
-  }
   if (!s.settings.world.fixed_base) {
-    fit_base_to_corner_forces(model, force, s.corner_stiffness, s.settings.world.ground_height, to);
+    fit_base_to_corner_forces(model, force, s.corner_stiffness, s.settings.world.ground_height,
+                              *s.kinematics, to);
   }
   const Status status = s.world->set(to, &tau);
   if (status != Status::kOk) return status;
-
-  // What the fit leaves (the ground of the other source is not ours) is put into the ground below
-  // each corner, and vanishes slowly.
-  if (!s.settings.world.fixed_base) {
-    for (int side = 0; side < 2; ++side) {
-      const auto at = static_cast<std::size_t>(side);
-      const Sole& sole = model.soles[at];
-      if (sole.link < 0) continue;
-      for (int corner = 0; corner < kSoleCorners; ++corner) {
-        const Eigen::Vector3d point =
-            s.world->link_in_world(sole.link) * (sole.frame * sole_corner(sole, corner));
-        const double wanted = force[at][static_cast<std::size_t>(corner)];
-        const double speed = s.world->point_velocity(sole.link, point).z();
-        const double depth =
-            (wanted + s.world->corner_damping(side) * speed) / s.corner_stiffness[at];
-        const double now = s.settings.world.ground_height[at] - point.z();
-        // A corner that is to carry nothing is only kept from pressing.
-        if (wanted > 0.0 || now > 0.0)
-          s.world->set_corner_offset(side, corner, now - (wanted > 0.0 ? depth : 0.0));
-      }
-    }
-  }
+  if (!s.settings.world.fixed_base) s.continue_corner_forces(force);
   s.world->estimate_contact_forces();
   s.set_hold(to, tau);
-  for (int k = 0; k < model.bus_count(); ++k) {
-    s.hold[static_cast<std::size_t>(model.bus_joints[static_cast<std::size_t>(k)])].qd =
-        to.qd[model.bus_joints[static_cast<std::size_t>(k)]];
-  }
   s.commanded = s.fall = false;
   s.writes = 0;
   s.line_used.fill(false);

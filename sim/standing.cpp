@@ -175,7 +175,7 @@ Standing stand(const Model& model, const Eigen::VectorXd& q, double mass_scale,
   return result;
 }
 
-std::array<double, 4> corner_forces(const Sole& sole, double fz, double mx, double my) {
+std::array<double, 4> corner_forces(const Sole& sole, double fz, double mx, double my) noexcept {
   // f_i = a + b y_i + c x_i with sums fz, sum f y = mx, -sum f x = my; corners that would pull are
   // left out.
   std::array<bool, 4> presses{true, true, true, true};
@@ -211,9 +211,8 @@ std::array<double, 4> corner_forces(const Sole& sole, double fz, double mx, doub
 void fit_base_to_corner_forces(const Model& model,
                                const std::array<std::array<double, 4>, 2>& force,
                                const std::array<double, 2>& stiffness,
-                               const std::array<double, 2>& ground_height,
-                               Configuration& configuration) {
-  Kinematics kinematics(model);
+                               const std::array<double, 2>& ground_height, Kinematics& kinematics,
+                               Configuration& configuration) noexcept {
   for (int pass = 0; pass < 3; ++pass) {
     kinematics.update(configuration);
     const Corners corners = corners_in_world(model, kinematics);

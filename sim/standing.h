@@ -26,17 +26,16 @@ Standing stand(const Model& model, const Eigen::VectorXd& q, double mass_scale,
                const std::array<double, 2>& stiffness, const std::array<double, 2>& ground_height,
                bool fixed_base);
 
-// Heights of the sole corners over the ground are z_i; returns how much base z, roll and pitch
-// (about the point below) must change so that the corner forces come nearest to those wanted.
-// force: wanted normal force per corner [N].
+// Moves the base up or down and tilts it so that the corner springs come nearest to the normal
+// forces wanted [N]; joints stay.  kinematics: scratch.
 void fit_base_to_corner_forces(const Model& model,
                                const std::array<std::array<double, 4>, 2>& force,
                                const std::array<double, 2>& stiffness,
-                               const std::array<double, 2>& ground_height,
-                               Configuration& configuration);
+                               const std::array<double, 2>& ground_height, Kinematics& kinematics,
+                               Configuration& configuration) noexcept;
 
 // Normal forces at the corners of a sole that have the resultant force fz [N] and torque mx, my [N
 // m] about the sole frame's origin: the distribution of a plane on springs.  A corner never pulls.
-std::array<double, 4> corner_forces(const Sole& sole, double fz, double mx, double my);
+std::array<double, 4> corner_forces(const Sole& sole, double fz, double mx, double my) noexcept;
 
 }  // namespace twinbus

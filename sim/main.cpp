@@ -1,0 +1,75 @@
+// The simulator process: a scene behind the adaptor interface, as a source of STATE.
+
+#include <cstdio>
+#include <exception>
+#include <stdexcept>
+
+#include "bridge/source_main.h"
+#include "robot/load.h"
+#include "robot/options.h"
+#include "robot/process.h"
+#include "sim/obstacle_pieces.h"
+#include "sim/scene.h"
+#include "sim/settings.h"
+#include "sim/sim_adaptor.h"
+
+namespace twinbus {
+namespace {
+
+int run(int argc, char** argv) {
+  SourceMainOptions options;
+  options.program = "simulator";
+  options.kind = SourceKind::kSimulator;
+  options.process = ProcessKind::kSimulator;
+  std::string scene_name = "stand";
+  AdaptorConfig config;
+  Options parser("twinbus_simulator",
+                 "Simulates a robot in a scene as a source of STATE.\n\nSettings of --set:\n" +
+                     settings_help());
+  add_common(parser, options.common);
+  std::string engine = "ode";
+  parser.choice("--engine", {"ode"}, engine, "physics engine");
+  parser.positional("SCENE", scene_name, false, "a name under config/scenes, or a YAML file");
+  parser.settings("--set", config.settings,
+                  "key=value, see above; wins over the scene's own settings");
+  add_source_options(parser, options, true);
+  parser.parse(argc, argv);
+
+  Scene scene = load_scene(scene_name);
+  if (!parser.given("--robot")) options.common.robot = scene.robot;
+  const Model model = load_robot(options.common.robot);
+  resolve_poses(scene, model);
+  SimSettings checked;  // a wrong setting is a wrong argument, said before anything opens
+  for (const auto& [key, value] : config.settings) {
+    const std::string complaint = apply_setting(key, value, model.period(), checked);
+    if (complaint.empty()) continue;
+    std::fprintf(stderr, "twinbus_simulator: %s\n", complaint.c_str());
+    return 2;
+  }
+  bool seeded = false;
+  for (const auto& [key, value] : config.settings) seeded = seeded || key == "sensor.seed";
+  if (!seeded) config.settings.emplace_back("sensor.seed", std::to_string(options.seed));
+
+  options.scene_text = scene.text;
+  options.obstacles = obstacle_pieces(scene.obstacles, random_id());
+  for (const TimedMode& mode : scene.modes) options.modes.push_back({mode.at, mode.request});
+  for (const TimedGoal& goal : scene.goals) options.goals.push_back({goal.at, goal.goal});
+
+  SimAdaptor adaptor(scene);
+  if (adaptor.open(model, config) != Status::kOk) return 1;  // it has said why
+  const int code = run_source_main(options, model, adaptor);
+  adaptor.close();
+  return code;
+}
+
+}  // namespace
+}  // namespace twinbus
+
+int main(int argc, char** argv) {
+  try {
+    return twinbus::run(argc, argv);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "simulator: %s\n", error.what());
+    return 1;
+  }
+}
