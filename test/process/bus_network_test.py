@@ -42,7 +42,7 @@ import socket, sys
 s = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
 s.setsockopt(socket.IPPROTO_IP, socket.IP_MULTICAST_TTL, 1)
 for line in sys.stdin:
-    where, data = line.split()
+    where, _, data = line.partition(' ')
     s.sendto(bytes.fromhex(data), (where, 17667))
 '''
 
@@ -103,12 +103,13 @@ class OneMachine(unittest.TestCase):
             garbage += 1
             if i % 100 == 0:
                 time.sleep(0.01)
+        sock.close()
         sent, heard = result(good), result(listener)
         print('seed', SEED, 'garbage', garbage, 'split', split, '\nheard', heard)
         self.assertEqual(heard['states'], sent['sent'])
         self.assertEqual(heard['stops'], 0)
         self.assertGreaterEqual(heard['rejected'], garbage)
-        self.assertGreaterEqual(heard['dropped'], split)
+        self.assertGreaterEqual(heard['dropped'], split // 2)  # unicast reaches one of the two listeners
 
 
 class ThreeMachinesOnOneCable(unittest.TestCase):

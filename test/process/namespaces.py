@@ -6,10 +6,11 @@
 
 Needs to run as root of some network namespace (tools/private_bus.sh gives one).
 """
-import os
+import itertools
 import subprocess
 
 URL = 'udpm://239.255.76.67:17667?ttl=1'
+NUMBERS = itertools.count()  # a namespace goes away some time after its last process, and its cables with it
 
 
 def run(*words):
@@ -21,8 +22,8 @@ class Machine:
 
     def __init__(self, bridge, number, address):
         self.address = address
-        self.keeper = subprocess.Popen(['unshare', '--net', 'sh', '-c', 'echo ready; exec sleep 3600'],
-                                       stdout=subprocess.PIPE, text=True)
+        self.keeper = subprocess.Popen(['unshare', '--net', 'sh', '-c', 'echo ready; exec sleep 120'],
+                                       stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
         self.keeper.stdout.readline()
         outside, inside = f'tbo{number}', f'tbi{number}'
         run('ip', 'link', 'add', outside, 'type', 'veth', 'peer', 'name', inside)
@@ -45,20 +46,20 @@ class Machine:
 
     def close(self):
         self.keeper.kill()
-        self.keeper.wait()
+        self.keeper.communicate()
 
 
 class Cable:
     def __enter__(self):
         self.machines = []
-        self.bridge = 'tbr%d' % (os.getpid() % 100000)
+        self.bridge = f'tbr{next(NUMBERS)}'
         # Snooping would keep multicast back until somebody asked a router that is not there.
         run('ip', 'link', 'add', self.bridge, 'type', 'bridge', 'mcast_snooping', '0')
         run('ip', 'link', 'set', self.bridge, 'up')
         return self
 
     def machine(self, address):
-        machine = Machine(self.bridge, len(self.machines), address)
+        machine = Machine(self.bridge, next(NUMBERS), address)
         self.machines.append(machine)
         return machine
 
