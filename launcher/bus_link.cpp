@@ -129,6 +129,11 @@ void BusLink::send(WalkCommand& command) {
   impl_->send(channel::kWalk, command);
 }
 
+void BusLink::send(ArmGoal& goal) {
+  stamp(goal);
+  impl_->send(channel::kArmGoal, goal);
+}
+
 void BusLink::send(Heartbeat& beat) {
   beat.utime = wall_us();
   beat.process_id = sender_id_;

@@ -43,6 +43,7 @@ class BusLink {
   void send(ModeRequest& request);
   void send(StopRequest& request);
   void send(WalkCommand& command);
+  void send(ArmGoal& goal);
   void send(Heartbeat& beat);
 
  private:

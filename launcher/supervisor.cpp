@@ -124,7 +124,7 @@ bool Supervisor::stop_all() {
   for (auto one = processes_.rbegin(); one != processes_.rend(); ++one) {
     if (one->child.empty()) continue;
     Child& child = one->child.front();
-    if (child.take_end()) {
+    if (child.take_end() && !child.ended_well()) {
       report_end(*one, child);
       well = false;
     }

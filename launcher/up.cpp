@@ -27,6 +27,8 @@ constexpr double kActivationTimeout = 10.0;  // a source listens 1 s for other t
 constexpr double kAskAgain = 0.25;           // [s]
 constexpr double kTableEvery = 0.25;         // on a terminal [s]
 constexpr double kLineEvery = 10.0;          // elsewhere [s]
+constexpr std::int64_t kScriptAhead = 100;  // a request is sent this early [ticks]
+constexpr int kScriptRepeats = 3;
 constexpr double kSettle = 0.5;              // from the first answered tick to the first counted one [s]
 
 double seconds(std::int64_t from_ns, std::int64_t to_ns) { return 1e-9 * static_cast<double>(to_ns - from_ns); }
@@ -69,10 +71,12 @@ class Up {
   void activate();
   void wait_for_first_commands();
   bool work();  // until the end; false if something broke
+  void send_script();
   bool judge_and_report(bool whole, double wall_s);
   void show(std::int64_t now_ns);
   void say(const std::string& line);
   bool elapsed(std::int64_t now_ns) const;
+  bool nobody_left() const;
   CountersAtStart counters(std::int64_t now_ns);
 
   RunRequest request_;
@@ -88,8 +92,10 @@ class Up {
   Redraw redraw_;
   CountersAtStart at_start_;
   std::int64_t start_ns_ = 0;        // of the measured part
-  std::int64_t start_time_ns_ = 0;   // STATE's own time then
   std::int64_t shown_ns_ = 0;
+  std::int64_t first_tick_ = 0;      // scene time 0
+  std::size_t modes_sent_ = 0;
+  std::size_t goals_sent_ = 0;
 };
 
 Up::Up(const Arguments& arguments) {
@@ -97,12 +103,16 @@ Up::Up(const Arguments& arguments) {
   request_.scene = scene_.name;
   request_.robot = arguments.text("--robot", scene_.robot);
   request_.engine = arguments.text("--engine", scene_.engine);
+  if (request_.engine != "ode") {
+    throw UsageError("up: there is no engine '" + request_.engine + "' yet; known: ode");
+  }
   request_.lockstep = arguments.has("--lockstep");
   request_.rate = arguments.number("--rate", 1.0, 0.01, 100.0);
   request_.duration = arguments.number("--for", 0.0, 0.1, 1e6);
   request_.seed = static_cast<std::uint64_t>(arguments.number("--seed", 1.0, 0.0, 1e9));
   report_ = arguments.text("--report", "");
   const Model model = load_robot(request_.robot);  // the same error for every process, said once
+  resolve_poses(scene_, model);
   request_.period = model.period();
   request_.step_s = scene_.step > 0.0 ? scene_.step : model.period();
   stack_ = load_stack(arguments.text("--stack", "sim"));
@@ -135,13 +145,11 @@ Placeholders Up::placeholders(const Arguments& arguments) const {
   if (arguments.has("--rate")) pace.insert(pace.end(), {"--rate", arguments.text("--rate", "1")});
   // In lock-step the simulator itself ends after its last tick, so that two runs have the same ticks.
   if (request_.lockstep && request_.duration > 0.0) pace.insert(pace.end(), {"--for", arguments.text("--for", "")});
-  values["engine"] = arguments.has("--engine") ? std::vector<std::string>{"--engine", request_.engine}
-                                               : std::vector<std::string>{};
+  values["engine"] = {};  // one engine so far: checked in the constructor
   auto& settings = values["settings"];
   for (const std::string& setting : arguments.all("--set")) settings.insert(settings.end(), {"--set", setting});
   if (arguments.has("--seed")) settings.insert(settings.end(), {"--seed", arguments.text("--seed", "1")});
-  values["run_folder"] = {folder_};
-  values["pid"] = {std::to_string(getpid())};
+  values["device"] = {"twinbus_" + arguments.text("--prefix", "") + std::to_string(getpid())};
   return values;
 }
 
@@ -267,7 +275,7 @@ void Up::wait_for_first_commands() {
   // The first ticks of a source and a controller fill caches and page tables: they are run, but not counted.
   if (!request_.lockstep) bus_->listen(kSettle);
   start_ns_ = monotonic_ns();
-  start_time_ns_ = bus_->seen().newest_state().time_ns;
+  first_tick_ = bus_->seen().newest_state().tick;
   at_start_ = counters(start_ns_);
   if (!request_.lockstep) bus_->seen().restart_counts();
   say(std::string(runs_at_fifo(bus_->seen(), start_ns_) ? "source and controller run with FIFO priority"
@@ -276,8 +284,41 @@ void Up::wait_for_first_commands() {
   if (!viewer_address_.empty()) say("viewer: " + viewer_address_);
 }
 
+// A simulator publishes the modes and goals of its scene itself; where a robot is the first source, this does.
+void Up::send_script() {
+  const StackProcess* first = stack_.find(stack_.activate);
+  if (first == nullptr || first->program == "twinbus_simulator") return;
+  const Lookout& seen = bus_->seen();
+  const RobotState& state = seen.newest_state();
+  const auto due = [&](double at, std::int64_t& at_tick) {
+    at_tick = first_tick_ + static_cast<std::int64_t>(at / request_.period + 0.5);
+    return state.tick + kScriptAhead >= at_tick;
+  };
+  std::int64_t at_tick = 0;
+  while (modes_sent_ < scene_.modes.size() && due(scene_.modes[modes_sent_].at, at_tick)) {
+    ModeRequest request = scene_.modes[modes_sent_++].request;
+    request.run_id = state.run_id;
+    request.at_tick = std::max(at_tick, state.tick + kScriptAhead / 2);
+    for (int i = 0; i < kScriptRepeats; ++i) bus_->send(request);  // the same sequence: counts once
+  }
+  while (goals_sent_ < scene_.goals.size() && due(scene_.goals[goals_sent_].at, at_tick)) {
+    ArmGoal goal = scene_.goals[goals_sent_++].goal;
+    goal.run_id = state.run_id;
+    goal.goal_id = random_id();
+    for (int i = 0; i < kScriptRepeats; ++i) bus_->send(goal);
+  }
+}
+
 bool Up::elapsed(std::int64_t now_ns) const {
   return request_.duration > 0.0 && !request_.lockstep && seconds(start_ns_, now_ns) >= request_.duration;
+}
+
+// Every source of the stack is gone: nothing can run any more.
+bool Up::nobody_left() const {
+  const auto& all = supervisor_->processes();
+  return std::all_of(all.begin(), all.end(), [](const Supervised& one) {
+    return one.died || !one.process.ready_channel.starts_with("STATE_");
+  });
 }
 
 void Up::show(std::int64_t now_ns) {
@@ -315,7 +356,8 @@ bool Up::work() {
     }
     supervisor_->watch(now);
     note_ready();
-    if (supervisor_->broken()) return false;
+    if (supervisor_->broken() || nobody_left()) return false;
+    send_script();
     if (elapsed(now)) return true;
     show(now);
   }
