@@ -195,8 +195,6 @@ IkResult InverseKinematics::descend(const Eigen::Isometry3d& target, const IkOpt
       }
     }
   }
-  if (!std::isfinite(error.squaredNorm()))
-    return result;  // a target that is no pose: q stays as it was
   return result;
 }
 

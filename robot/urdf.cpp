@@ -29,7 +29,8 @@ std::string resolve_mesh(const std::string& name, const AssetRoots& roots,
   std::string rest = name;
   const std::string scheme = "package://";
   if (name.compare(0, scheme.size(), scheme) == 0) {
-    const std::string path = name.substr(name.find_first_not_of('/', scheme.size()));
+    const std::size_t start = name.find_first_not_of('/', scheme.size());
+    const std::string path = start == std::string::npos ? "" : name.substr(start);
     const std::size_t slash = path.find('/');
     const std::string package = path.substr(0, slash);
     rest = slash == std::string::npos ? "" : path.substr(slash + 1);

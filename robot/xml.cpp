@@ -144,7 +144,7 @@ bool parse_numbers(const std::string& text, double* values, int count) {
   };
   for (int i = 0; i < count; ++i) {
     skip_blanks();
-    if (at < end && *at == '+') ++at;
+    if (at + 1 < end && *at == '+' && at[1] != '-') ++at;
     const auto [next, error] = std::from_chars(at, end, values[i]);
     if (error != std::errc() || !std::isfinite(values[i])) return false;
     if (next < end && std::strchr(" \t\r\n", *next) == nullptr) return false;

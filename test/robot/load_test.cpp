@@ -1,0 +1,188 @@
+#include "robot/load.h"
+
+#include "fixtures.h"
+
+namespace twinbus::test {
+namespace {
+
+const char* const kUrdf = R"(<robot name="r">
+<link name="a"><inertial><mass value="2"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link>
+<link name="plate"><inertial><origin xyz="0 0 1"/><mass value="2"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial>
+<collision><origin xyz="0 0 0.5"/><geometry><box size="1 1 1"/></geometry></collision></link>
+<link name="b"><inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link>
+<link name="c"><inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link>
+<joint name="jc" type="revolute"><parent link="b"/><child link="c"/><axis xyz="0 0 1"/><limit lower="-1" upper="1" effort="10" velocity="2"/></joint>
+<joint name="glue" type="fixed"><parent link="a"/><child link="plate"/><origin xyz="1 0 0"/></joint>
+<joint name="jb" type="revolute"><parent link="plate"/><child link="b"/><origin xyz="0 0 1"/><axis xyz="0 1 0"/><limit lower="-1" upper="1" effort="10" velocity="2"/></joint>
+</robot>)";
+
+struct Folder {
+  TemporaryFolder folder;
+  std::string urdf = kUrdf, srdf =
+                                "<robot name='r'><group_state name='up'><joint name='jb' "
+                                "value='0.5'/></group_state></robot>";
+  std::string yaml = "urdf: r.urdf\nsrdf: r.srdf\n";
+  Model load() const {
+    folder.write("r.urdf", urdf);
+    folder.write("r.srdf", srdf);
+    folder.write("robot.yaml", yaml);
+    return load_robot(folder.path());
+  }
+  std::string error() const {
+    return error_of([&] { load(); });
+  }
+};
+
+TEST(LoadRobot, FixedLinksBecomeOneBody) {
+  const Model model = Folder().load();
+  ASSERT_EQ(model.link_count(), 3);
+  EXPECT_EQ(model.links[0].mass, 4.0);
+  EXPECT_TRUE(model.links[0].com.isApprox(Eigen::Vector3d(0.5, 0, 0.5), 1e-12));
+  // Two bodies of 2 kg, 0.5 sqrt(2) from the common centre: Steiner about y is 4 kg * 0.5 m^2.
+  EXPECT_NEAR(model.links[0].inertia(1, 1), 2.0 + 4.0 * 0.5, 1e-12);
+  EXPECT_NEAR(model.links[0].inertia(0, 2), -4.0 * 0.25, 1e-12);
+  ASSERT_EQ(model.links[0].collision.size(), 1u);
+  EXPECT_TRUE(model.links[0].collision[0].pose.translation().isApprox(Eigen::Vector3d(1, 0, 0.5)));
+  EXPECT_TRUE(model.joints[0].placement.translation().isApprox(Eigen::Vector3d(1, 0, 1)));
+}
+
+// The model puts parents first; the bus keeps the order of the file.
+TEST(LoadRobot, BusOrderIsTheOrderOfTheFile) {
+  const Model model = Folder().load();
+  EXPECT_EQ(model.joints[0].name, "jb");
+  EXPECT_EQ(model.bus_joints, (std::vector<int>{1, 0}));
+  EXPECT_EQ(model.bus_index, (std::vector<int>{1, 0}));
+  EXPECT_EQ(model.poses[0].q, (std::vector<double>{0.5, 0.0}));
+}
+
+TEST(LoadRobot, HashFollowsTheNominalModelOnly) {
+  Folder folder;
+  const std::int64_t hash = folder.load().hash;
+  EXPECT_GT(hash, 0);
+  EXPECT_LT(hash, std::int64_t{1} << 53);
+  EXPECT_EQ(folder.load().hash, hash);
+  folder.yaml += "period: 0.004\nservos: [{joints: [jb], kp: 5}]\n";
+  EXPECT_EQ(folder.load().hash, hash);
+  folder.urdf.replace(folder.urdf.find("lower=\"-1\""), 10, "lower=\"-2\"");
+  EXPECT_NE(folder.load().hash, hash);
+}
+
+TEST(LoadRobot, FixedInRobotYamlLeavesTheBus) {
+  Folder folder;
+  folder.yaml += "fixed_joints: [jc]\n";
+  const Model model = folder.load();
+  EXPECT_EQ(model.joint_count(), 1);
+  EXPECT_EQ(model.links[1].mass, 2.0);
+}
+
+TEST(LoadRobot, MimicJointsAreNotOnTheBus) {
+  Folder folder;
+  folder.urdf.replace(folder.urdf.find("</joint>"), 8,
+                      "<mimic joint='jb' multiplier='2' offset='0.1'/></joint>");
+  const Model model = folder.load();
+  EXPECT_EQ(model.bus_joints, (std::vector<int>{0}));
+  EXPECT_EQ(model.bus_index, (std::vector<int>{0, -1}));
+  EXPECT_EQ(model.joints[1].mimic, 0);
+  EXPECT_NEAR(model.poses[0].q[1], 1.1, 1e-12);
+}
+
+TEST(LoadRobot, ErrorsNameFileAndRemedy) {
+  const auto error = [](const std::string& yaml) {
+    Folder folder;
+    folder.yaml = yaml;
+    return folder.error();
+  };
+  EXPECT_NE(error("urdf: r.urdf\nperiodd: 1\n")
+                .find("robot.yaml:2: key periodd is not known; did you mean period?"),
+            std::string::npos);
+  EXPECT_NE(error("urdf: x.urdf\n").find("x.urdf: no such file"), std::string::npos);
+  EXPECT_NE(error("urdf: ../r.urdf\n").find("must be a file of the robot's folder"),
+            std::string::npos);
+  EXPECT_NE(error("urdf: r.urdf\nimu: heat\n").find("no link heat"), std::string::npos);
+  EXPECT_NE(error("urdf: r.urdf\nfixed_joints: [jx]\n").find("no joint jx; did you mean"),
+            std::string::npos);
+  EXPECT_NE(error("urdf: r.urdf\nservos: [{joints: [jx], kp: 1}]\n").find("no moving joint jx"),
+            std::string::npos);
+  EXPECT_NE(error("urdf: r.urdf\nservos: [{joints: [jb], kp: -1}]\n").find("out of range"),
+            std::string::npos);
+  EXPECT_NE(error("srdf: r.srdf\n").find("urdf is missing"), std::string::npos);
+  EXPECT_NE(error_of([] { load_robot("nosuch"); }).find("known: "), std::string::npos);
+  EXPECT_NE(error_of([] { load_robot("hrp1"); }).find("did you mean hrp1s"), std::string::npos);
+  EXPECT_NE(error_of([] { load_robot(""); }), "");
+
+  Folder folder;
+  folder.srdf =
+      "<robot name='r'><group_state name='up'><joint name='jb' value='5'/></group_state></robot>";
+  EXPECT_NE(folder.error().find("outside its limits"), std::string::npos);
+  Folder two_roots;
+  std::string& urdf = two_roots.urdf;
+  urdf.replace(urdf.find("<link name=\"c\">"), 15, "<link name=\"c\"/><link name=\"d\">");
+  EXPECT_NE(two_roots.error().find("roots"), std::string::npos);
+}
+
+TEST(LoadRobot, MovingLinksNeedMass) {
+  Folder folder;
+  const std::size_t at = folder.urdf.find("<link name=\"c\">");
+  folder.urdf.replace(at, folder.urdf.find("</link>", at) + 7 - at, "<link name=\"c\"/>");
+  EXPECT_NE(folder.error().find("link c moves but has no mass"), std::string::npos);
+}
+
+TEST(Hrp1s, IsTheRobotOfThePaperClass) {
+  const Model& model = hrp1s();
+  EXPECT_EQ(model.joint_count(), 29);
+  EXPECT_EQ(model.bus_count(), 29);
+  EXPECT_NEAR(model.total_mass(), 130.8, 1e-9);
+  EXPECT_EQ(model.period_ns, 2'000'000);
+  const auto on_bus = [&](int k) {
+    return model.joints[static_cast<std::size_t>(model.bus_joints[static_cast<std::size_t>(k)])]
+        .name;
+  };
+  EXPECT_EQ(on_bus(0), "RLEG_HIP_R");
+  EXPECT_EQ(on_bus(6), "RARM_SHOULDER_P");
+  EXPECT_EQ(on_bus(13), "LLEG_HIP_R");
+  EXPECT_EQ(on_bus(19), "LARM_SHOULDER_P");
+  EXPECT_EQ(on_bus(28), "CHEST");
+  EXPECT_EQ(model.leg_joints.size(), 12u);
+  for (std::size_t i = 1; i < model.links.size(); ++i) {
+    EXPECT_LT(model.links[i].parent, static_cast<int>(i));
+    EXPECT_EQ(model.joints[i - 1].parent, model.links[i].parent);
+  }
+  for (const char* pose : {"zero", "initial", "half_sitting"})
+    EXPECT_GE(model.find_pose(pose), 0) << pose;
+}
+
+// In half sitting the soles are flat, level and under the hips, and the centre of mass is well
+// inside them.
+TEST(Hrp1s, HalfSittingStands) {
+  const Model& model = hrp1s();
+  Configuration c(model);
+  const auto& q = model.poses[static_cast<std::size_t>(model.find_pose("half_sitting"))].q;
+  c.q = Eigen::Map<const Eigen::VectorXd>(q.data(), static_cast<Eigen::Index>(q.size()));
+  Kinematics k(model);
+  k.update(c);
+  for (const Sole& sole : model.soles) {
+    const Eigen::Isometry3d frame = k.link_in_world(sole.link) * sole.frame;
+    EXPECT_LT(rotation_vector(frame.linear()).norm(), 2e-3);
+    const double x = k.com().x() - frame.translation().x();
+    EXPECT_GT(x, -sole.back + 0.06);
+    EXPECT_LT(x, sole.front - 0.06);
+  }
+  EXPECT_NEAR(k.com().y(), 0.0, 1e-9);
+}
+
+TEST(LoadRobot, EverySharedRobotMakesAModel) {
+  if (data_folder().empty()) GTEST_SKIP() << "no shared data; set TWINBUS_DATA";
+  for (const char* name : {"simple_humanoid", "bolt", "panda", "jvrc1"}) {
+    TemporaryFolder parent;
+    const auto folder = std::filesystem::path(parent.path()) / name;
+    std::filesystem::copy(data_folder() + "/robots/" + name, folder,
+                          std::filesystem::copy_options::recursive);
+    std::ofstream(folder / "robot.yaml") << "urdf: " << name << ".urdf\nbase: fixed\n";
+    Model model;
+    EXPECT_EQ(error_of([&] { model = load_robot(folder.string()); }), "") << name;
+    EXPECT_GT(model.bus_count(), 5) << name;
+  }
+}
+
+}  // namespace
+}  // namespace twinbus::test

@@ -1,0 +1,165 @@
+#include "robot/urdf.h"
+
+#include "fixtures.h"
+
+namespace twinbus::test {
+namespace {
+
+UrdfTree parse_file(const std::string& path) {
+  return parse_urdf(read_text_file(path), path,
+                    {.folder = std::filesystem::path(path).parent_path().string(), .packages = {}});
+}
+
+// What shared/data/bad_urdf/README.md asks each message to name.
+const std::pair<const char*, std::vector<const char*>> kBad[] = {
+    {"zero", {"empty file"}},
+    {"notxml", {"XML"}},
+    {"trunc", {"XML"}},
+    {"empty", {"no link"}},
+    {"version2", {"version 9.9"}},
+    {"duplink", {"link a", "twice"}},
+    {"dupjoint", {"joint j1", "twice"}},
+    {"tworoots", {"roots", "a and b"}},
+    {"cycle", {"cycle", "a, b"}},
+    {"self", {"joint j1", "link a"}},
+    {"cycle_with_root", {"a, b", "root r"}},
+    {"twoparents", {"link b", "j1 and j2"}},
+    {"noparent", {"joint j1", "link zzz"}},
+    {"nochild", {"joint q"}},
+    {"badtype", {"joint j1", "type wobbly"}},
+    {"nolimit", {"joint j1", "limit"}},
+    {"nanlimit", {"joint j1", "limit"}},
+    {"invlimit", {"joint j1", "lower", "effort", "velocity"}},
+    {"nanxyz", {"joint j1", "origin"}},
+    {"garbagexyz", {"joint j1", "origin"}},
+    {"nanaxis", {"joint j1", "axis"}},
+    {"zeroaxis", {"joint j1", "axis"}},
+    {"nonunitaxis", {"joint j1", "axis"}},
+    {"commadecimal", {"link a", "mass"}},
+    {"nanmass", {"link a", "mass"}},
+    {"infmass", {"link a", "mass"}},
+    {"negmass", {"link a", "mass", "inertia"}},
+    {"mimicself", {"joint j1", "mimic"}},
+    {"mimicnone", {"joint j1", "mimic"}},
+};
+
+TEST(Urdf, EveryMalformedFileIsRefusedByName) {
+  if (data_folder().empty()) GTEST_SKIP() << "no shared data; set TWINBUS_DATA";
+  const std::string folder = data_folder() + "/bad_urdf/";
+  std::size_t files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    files += entry.path().extension() == ".urdf" && entry.path().stem() != "ok" ? 1 : 0;
+  }
+  EXPECT_EQ(files, std::size(kBad));
+  for (const auto& [name, words] : kBad) {
+    const std::string error = error_of([&, stem = name] { parse_file(folder + stem + ".urdf"); });
+    EXPECT_NE(error, "") << name;
+    EXPECT_EQ(error.find('\n'), std::string::npos) << "one line: " << error;
+    for (const char* word : words)
+      EXPECT_NE(error.find(word), std::string::npos) << name << ": " << error;
+  }
+  const UrdfTree tree = parse_file(folder + "ok.urdf");
+  EXPECT_EQ(tree.links.size(), 2u);
+  EXPECT_EQ(tree.joints.size(), 1u);
+}
+
+TEST(Urdf, ForeignRobotsAreRead) {
+  if (data_folder().empty()) GTEST_SKIP() << "no shared data; set TWINBUS_DATA";
+  const std::string folder = data_folder() + "/robots/";
+  const std::pair<const char*, double> robots[] = {{"jvrc1/jvrc1", 62.400},
+                                                   {"panda/panda", 0},
+                                                   {"bolt/bolt", 0},
+                                                   {"simple_humanoid/simple_humanoid", 130.8}};
+  for (const auto& [name, mass] : robots) {
+    UrdfTree tree;
+    ASSERT_EQ(error_of([&, stem = name] { tree = parse_file(folder + stem + ".urdf"); }), "")
+        << name;
+    double sum = 0.0;
+    for (const UrdfLink& link : tree.links) {
+      sum += link.mass;
+      for (const Shape& shape : link.collision) {
+        if (shape.kind == ShapeKind::kMesh) {
+          EXPECT_TRUE(std::filesystem::exists(shape.mesh)) << shape.mesh;
+        }
+      }
+    }
+    if (mass > 0.0) {
+      EXPECT_NEAR(sum, mass, 1e-3) << name;
+    }
+  }
+}
+
+TEST(Urdf, DeepNestingIsRefusedBeforeParsing) {
+  std::string deep = "<robot name='r'>";
+  for (int i = 0; i < 200000; ++i) deep += "<a>";
+  const std::string error = error_of([&] { parse_urdf(deep, "deep.urdf", {}); });
+  EXPECT_NE(error.find("nested deeper than 64"), std::string::npos) << error;
+  // Neither comments nor quotes hide the depth.
+  std::string hidden = "<robot name='r'>";
+  for (int i = 0; i < 70; ++i) hidden += "<!-- <x> --><a b='>'>";
+  EXPECT_NE(error_of([&] { parse_urdf(hidden, "x", {}); }).find("nested"), std::string::npos);
+}
+
+TEST(Urdf, LongChainsAreRefused) {
+  std::string chain = "<robot name='r'><link name='l0'/>";
+  for (int i = 1; i <= 20000; ++i) {
+    const std::string n = std::to_string(i);
+    chain += "<link name='l" + n + "'/><joint name='j" + n + "' type='fixed'><parent link='l" +
+             std::to_string(i - 1) + "'/><child link='l" + n + "'/></joint>";
+  }
+  const std::string error = error_of([&] { parse_urdf(chain + "</robot>", "chain.urdf", {}); });
+  EXPECT_NE(error.find("20001 links"), std::string::npos) << error;
+}
+
+TEST(Urdf, ErrorsKnowTheLine) {
+  const std::string text =
+      "<robot name='r'>\n<link name='a'/>\n<link name='b'/>\n<joint name='j' type='revolute'>\n"
+      "<parent link='a'/><child link='c'/></joint></robot>";
+  EXPECT_EQ(error_of([&] { parse_urdf(text, "f.urdf", {}); }),
+            "f.urdf:5: joint j: child link c does not exist; did you mean a?");
+}
+
+TEST(Urdf, FilesOutsideTheRobotsFolderAreRefused) {
+  const auto error = [](const std::string& mesh) {
+    const std::string text =
+        "<robot name='r'><link name='a'><collision><geometry><mesh filename='" + mesh +
+        "'/></geometry></collision></link></robot>";
+    return error_of([&] { parse_urdf(text, "f.urdf", {.folder = "/tmp/robot", .packages = {}}); });
+  };
+  EXPECT_NE(error("../../etc/passwd").find("leaves"), std::string::npos);
+  EXPECT_NE(error("/etc/passwd").find("leaves"), std::string::npos);
+  EXPECT_NE(error("file:///etc/passwd").find("package://"), std::string::npos);
+  EXPECT_NE(error("package://other/x.stl").find("package other"), std::string::npos);
+  EXPECT_NE(error("package:///").find("not"), std::string::npos);
+  EXPECT_EQ(error("package://robot/meshes/x.stl"), "");
+  EXPECT_EQ(error("meshes/x.stl"), "");
+}
+
+TEST(Urdf, ImpossibleInertiaIsRefused) {
+  const auto error = [](const std::string& moments) {
+    return error_of([&] {
+      parse_urdf("<robot name='r'><link name='a'><inertial><mass value='1'/><inertia " + moments +
+                     "/></inertial></link></robot>",
+                 "f.urdf", {});
+    });
+  };
+  EXPECT_EQ(error("ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' izz='1'"), "");
+  EXPECT_NE(error("ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' izz='3'").find("sum of the others"),
+            std::string::npos);
+  EXPECT_NE(error("ixx='1' ixy='2' ixz='0' iyy='1' iyz='0' izz='1'").find("negative"),
+            std::string::npos);
+  EXPECT_NE(error("ixx='1' ixy='0' ixz='0' iyy='1' iyz='0'").find("no izz"), std::string::npos);
+}
+
+TEST(ParseNumbers, TakesNumbersAndNothingElse) {
+  double v[3];
+  EXPECT_TRUE(parse_numbers(" 1 -2.5e-3\t+3 ", v, 3));
+  EXPECT_EQ(v[1], -2.5e-3);
+  for (const char* bad : {"", "1", "1 2", "1 2 3 4", "1 2 nan", "1 2 inf", "1,0 2 3", "1 2 3x",
+                          "1 2 0x3", "1 2 1e999", "+-1 2 3"}) {
+    EXPECT_FALSE(parse_numbers(bad, v, 3)) << bad;
+  }
+}
+
+}  // namespace
+}  // namespace twinbus::test
