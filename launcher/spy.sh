@@ -1,0 +1,43 @@
+#!/bin/sh
+# lcm-spy on current Java with this project's message types.  The packaged /usr/bin/lcm-spy fails: -Xincgc is gone.
+set -eu
+case "${1:-}" in
+  -h | --help)
+    echo "usage: ./twinbus spy [--check] [--url URL] [arguments of lcm-spy]"
+    echo "Opens lcm-spy; double-click a channel for its fields, a field's line for a plot.  --check only says what is missing."
+    exit 0 ;;
+esac
+check=no
+if [ "${1:-}" = --check ]; then check=yes; shift; fi
+if [ "${1:-}" = --url ]; then
+  [ $# -ge 2 ] || { echo "twinbus spy: --url: needs a value" >&2; exit 2; }
+  LCM_DEFAULT_URL=$2; shift 2
+fi
+root=$(cd "$(dirname "$0")/.." && pwd)
+types=${TWINBUS_BUILD:-$root/build/release}/share/types.jar
+missing=
+find_jar() {
+  for folder in /usr/share/java /usr/local/share/java; do
+    [ -f "$folder/$1" ] && { echo "$folder/$1"; return 0; }
+  done
+  return 1
+}
+lcm=$(find_jar lcm.jar) || missing="$missing liblcm-java"
+chart=$(find_jar jchart2d.jar) || missing="$missing libjchart2d-java"
+command -v java >/dev/null 2>&1 || missing="$missing default-jre"
+if [ -n "$missing" ]; then
+  echo "twinbus spy: missing; run: apt-get install$missing" >&2
+  exit 1
+fi
+if [ ! -f "$types" ]; then
+  echo "twinbus spy: no $types, so nothing would be decoded; install default-jdk-headless and build again" >&2
+  exit 1
+fi
+[ "$check" = no ] || { echo "lcm-spy can run: $lcm $chart $types"; exit 0; }
+if [ -z "${DISPLAY:-}" ]; then
+  echo "twinbus spy: no display; log in on a desktop or with ssh -X, or start it under xvfb-run" >&2
+  exit 1
+fi
+export LCM_DEFAULT_URL="${LCM_DEFAULT_URL:-udpm://239.255.76.67:17667?ttl=0&recv_buf_size=4194304}"
+export CLASSPATH="$types"  # where lcm-spy looks for types
+exec java -Djava.net.preferIPv4Stack=true -Xmx128m -ea -cp "$lcm:$chart:$types" lcm.spy.Spy "$@"

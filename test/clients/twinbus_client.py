@@ -1,0 +1,111 @@
+"""The bus for a Python program, with nothing but the standard library.
+
+    bus = Bus()                                    # $LCM_DEFAULT_URL, or this project's own port
+    bus.listen('STATE')
+    for channel, body in bus.receive(0.1): ...
+    bus.send('COMMAND', message)
+
+Speaks LCM's multicast format for messages of one datagram, which all of ours are.  The message types come from the
+build (build/*/lib/python, or $TWINBUS_PYTHON), written by lcm-gen; they need no other module.
+"""
+import glob
+import os
+import random
+import re
+import select
+import socket
+import struct
+import sys
+
+JOINTS = 48  # arrays of a command always have this length
+
+
+def _find_types():
+    root = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+    folders = [os.environ.get('TWINBUS_PYTHON', ''), os.path.join(root, 'build/release/lib/python')]
+    for folder in folders + sorted(glob.glob(os.path.join(root, 'build/*/lib/python'))):
+        if os.path.isfile(os.path.join(folder, 'twinbus', 'robot_state_t.py')):
+            sys.path.insert(0, folder)
+            return
+    sys.exit('twinbus_client: no message types; build first (./twinbus up), or set TWINBUS_PYTHON to the folder '
+             'that holds twinbus/robot_state_t.py')
+
+
+_find_types()
+import twinbus  # noqa: E402
+
+
+class Bus:
+    def __init__(self, url=None, prefix=''):
+        url = url or os.environ.get('LCM_DEFAULT_URL') or 'udpm://239.255.76.67:17667?ttl=0'
+        parts = re.fullmatch(r'udpm://([0-9.]+):([0-9]+)(?:\?(.*))?', url)
+        if not parts:
+            raise ValueError(f'{url}: write udpm://239.255.76.67:PORT?ttl=0')
+        self.group, self.port = parts[1], int(parts[2])
+        options = dict(pair.split('=', 1) for pair in (parts[3] or '').split('&') if '=' in pair)
+        self.prefix, self.wanted, self.sequence = prefix, set(), 0
+        self.sender = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        self.sender.setsockopt(socket.IPPROTO_IP, socket.IP_MULTICAST_TTL, int(options.get('ttl', 0)))
+        self.receiver = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        self.receiver.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        self.receiver.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, int(options.get('recv_buf_size', 4194304)))
+        self.receiver.bind(('', self.port))
+        membership = struct.pack('4s4s', socket.inet_aton(self.group), socket.inet_aton('0.0.0.0'))
+        try:
+            self.receiver.setsockopt(socket.IPPROTO_IP, socket.IP_ADD_MEMBERSHIP, membership)
+        except OSError as error:
+            raise OSError(f'cannot join {self.group}: {error.strerror}; try `ip route add 224.0.0.0/4 dev lo` '
+                          'as root') from None
+        self.receiver.setblocking(False)
+
+    def listen(self, *channels):
+        self.wanted.update((self.prefix + channel).encode() for channel in channels)
+
+    def receive(self, timeout):
+        """Waits up to timeout seconds, then returns all (channel, body) that have come, oldest first."""
+        messages = []
+        select.select([self.receiver], [], [], timeout)
+        while True:
+            try:
+                data = self.receiver.recv(65536)
+            except BlockingIOError:
+                return messages
+            end = data.find(b'\0', 8, 8 + 64)
+            if data[:4] == b'LC02' and end > 0 and data[8:end] in self.wanted:
+                messages.append((data[8 + len(self.prefix):end].decode(), data[end + 1:]))
+
+    def send(self, channel, message):
+        self.sequence = (self.sequence + 1) & 0xFFFFFFFF
+        header = struct.pack('>4sI', b'LC02', self.sequence) + (self.prefix + channel).encode() + b'\0'
+        self.sender.sendto(header + message.encode(), (self.group, self.port))
+
+
+def new_id():
+    """For controller_id and its like: random, below 2^53."""
+    return random.SystemRandom().randrange(1, 1 << 53)
+
+
+def newest_state(messages):
+    """The last STATE among what was received, or None."""
+    for channel, body in reversed(messages):
+        if channel == 'STATE':
+            try:
+                return twinbus.robot_state_t.decode(body)
+            except (ValueError, struct.error):
+                continue
+    return None
+
+
+def padded(values):
+    return list(values) + [0.0] * (JOINTS - len(values))
+
+
+def command_for(state, controller_id, q, qd=(), tau=(), kp=(), kd=()):
+    """The command that answers this state: says which tick, run, term and robot it is for."""
+    command = twinbus.joint_command_t()
+    command.tick, command.run_id, command.term = state.tick, state.run_id, state.term
+    command.model_hash, command.joint_count = state.model_hash, state.joint_count
+    command.controller_id = controller_id
+    command.q, command.qd, command.tau = padded(q), padded(qd), padded(tau)
+    command.kp, command.kd = padded(kp), padded(kd)
+    return command
