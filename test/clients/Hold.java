@@ -8,6 +8,7 @@
 import java.security.SecureRandom;
 import lcm.lcm.LCM;
 import lcm.lcm.LCMDataInputStream;
+import lcm.lcm.LCMDataOutputStream;
 import lcm.lcm.LCMSubscriber;
 import twinbus.joint_command_t;
 import twinbus.robot_state_t;
@@ -28,6 +29,16 @@ public class Hold implements LCMSubscriber {
         command.kp[j] = Float.parseFloat(parts[1]);
         command.kd[j] = Float.parseFloat(parts[2]);
       }
+    }
+  }
+
+  // The first run of anything takes Java tens of milliseconds, longer than a robot waits for a command.
+  void warm_up(LCM lcm) throws java.io.IOException {
+    LCMDataOutputStream out = new LCMDataOutputStream();
+    new robot_state_t().encode(out);
+    for (int i = 0; i < 2000; ++i) {
+      new robot_state_t(new LCMDataInputStream(out.getBuffer(), 0, out.size()));
+      lcm.publish("HOLD_WARM_UP", command);
     }
   }
 
@@ -55,7 +66,9 @@ public class Hold implements LCMSubscriber {
 
   public static void main(String[] args) throws Exception {
     LCM lcm = LCM.getSingleton();  // $LCM_DEFAULT_URL
-    lcm.subscribe("STATE", new Hold(args.length > 0 ? args[0] : HRP1S));
+    Hold hold = new Hold(args.length > 0 ? args[0] : HRP1S);
+    hold.warm_up(lcm);
+    lcm.subscribe("STATE", hold);
     System.out.println("Hold: ready");
     Thread.sleep(Long.MAX_VALUE);
   }
