@@ -17,10 +17,13 @@ using Eigen::Vector3d;
 
 constexpr double kStride = 0.02;  // most that any point moves between two looks ahead [m]
 constexpr int kMostLooks = 6;
+constexpr int kMostRounds = 3;  // of masking more joints because those masked first are not enough
 constexpr double kNearer = 1e-4;  // a pair inside the margin may still come this much nearer [m]
 constexpr double kShare = 0.02;   // of the approach: joints that do less of it are not masked
 constexpr int kKeepTicks = 5;     // a mask outlives its cause by this, against flicker
-constexpr double kNever = 1e3;    // time to contact of a pair that parts [s]
+// Deeper than this a model says nothing about which way is out, and nothing is held [m].
+constexpr double kLost = 0.03;
+constexpr double kNever = 1e3;  // time to contact of a pair that parts [s]
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
@@ -54,7 +57,7 @@ struct Guard::Impl {
   std::vector<int> leg;        // [joint_count], 1 for leg joints
   std::vector<std::uint8_t>
       moves;  // [link_count x joint_count]: the joint is on the way from the base to the link
-  std::vector<double> rest_braked, rest_obeyed;  // [joint_count]
+  std::vector<double> rest_braked, rest_obeyed, rest_masked;  // [joint_count]
   std::array<PairDistance, kMaxPairs> pairs{};
   int pair_count = 0;
   std::array<int, kMaxJoints> keep{};  // ticks left of a mask
@@ -70,6 +73,7 @@ struct Guard::Impl {
   }
 
   void predict(const RobotState& state, const JointCommand* command) noexcept;
+  void predict_masked(std::int64_t mask) noexcept;
   void spread_to_mimics(std::vector<double>& q) const noexcept;
   void bound_travel() noexcept;
   void look_along(const std::vector<double>& rest, std::int64_t& mask, bool& leg_hit,
@@ -89,7 +93,7 @@ Guard::Impl::Impl(const Model& robot, const GuardConfig& wanted)
     : model(&robot),
       config(wanted),
       collision(robot),
-      track(robot, (wanted.delay_ticks + 1) * robot.period()),
+      track(robot, (wanted.delay_ticks + 1) * robot.period() + wanted.servo_lag),
       now_kinematics(robot),
       then_kinematics(robot),
       now(robot),
@@ -100,6 +104,7 @@ Guard::Impl::Impl(const Model& robot, const GuardConfig& wanted)
   for (const int joint : robot.leg_joints) leg[at(joint)] = 1;
   rest_braked.assign(joints, 0.0);
   rest_obeyed.assign(joints, 0.0);
+  rest_masked.assign(joints, 0.0);
   for (int link = 0; link < robot.link_count(); ++link) {
     const std::vector<double> row = reaches(robot, collision, link);
     reach.insert(reach.end(), row.begin(), row.end());
@@ -131,6 +136,16 @@ void Guard::Impl::predict(const RobotState& state, const JointCommand* command) 
   spread_to_mimics(rest_obeyed);
 }
 
+// The masked joints braked, the others obeyed: what will happen with this mask.
+void Guard::Impl::predict_masked(std::int64_t mask) noexcept {
+  rest_masked = rest_obeyed;
+  for (int k = 0; k < std::min(model->bus_count(), kMaxJoints); ++k) {
+    if (((mask >> k) & 1) != 0)
+      rest_masked[at(model->bus_joints[at(k)])] = track.rest_if_held(at(k));
+  }
+  spread_to_mimics(rest_masked);
+}
+
 void Guard::Impl::bound_travel() noexcept {
   for (int link = 0; link < model->link_count(); ++link) {
     double sum = 0.0;
@@ -146,7 +161,8 @@ void Guard::Impl::bound_travel() noexcept {
 
 bool Guard::Impl::comes_too_near(const PairDistance& before,
                                  const PairDistance& after) const noexcept {
-  return after.distance < config.margin && after.distance < before.distance - kNearer;
+  return after.distance < config.margin && after.distance < before.distance - kNearer &&
+         before.distance > -kLost;
 }
 
 // Change of the distance of the pair when `joint` moves by `step`, to first order [m].
@@ -308,6 +324,12 @@ const GuardReport& Guard::check(const RobotState& state, const JointCommand* com
   bool danger = false;
   i.look_along(i.rest_braked, mask, leg_hit, danger);
   if (command != nullptr) i.look_along(i.rest_obeyed, mask, leg_hit, danger);
+  for (int round = 0; command != nullptr && mask != 0 && round < kMostRounds; ++round) {
+    const std::int64_t before = mask;
+    i.predict_masked(mask);
+    i.look_along(i.rest_masked, mask, leg_hit, danger);
+    if (mask == before) break;
+  }
   for (std::size_t k = 0; k < at(kMaxJoints); ++k) {
     const bool caused = ((mask >> k) & 1) != 0;
     i.keep[k] = caused ? kKeepTicks : std::max(0, i.keep[k] - 1);

@@ -23,9 +23,10 @@ namespace twinbus {
 
 struct GuardConfig {
   std::int64_t guard_id = 1;
-  double margin = 0.010;  // distance that is left when everything has come to rest [m]
-  double near = 0.050;    // pairs nearer than this are reported [m]
-  int delay_ticks = 2;    // from the state that shows a danger to the brake that answers it
+  double margin = 0.010;     // distance that is left when everything has come to rest [m]
+  double near = 0.050;       // pairs nearer than this are reported [m]
+  int delay_ticks = 2;       // from the state that shows a danger to the brake that answers it
+  double servo_lag = 0.005;  // by which a joint runs on behind a set-point that is braked [s]
 };
 
 class Guard {

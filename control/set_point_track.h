@@ -30,6 +30,8 @@ class SetPointTrack {
   // Where the set-point of joint k on the bus comes to rest if its command is obeyed until a brake
   // comes [rad or m].
   double rest_if_obeyed(std::size_t k) const noexcept { return rest_[k]; }
+  // Where it comes to rest if it is held from now on.
+  double rest_if_held(std::size_t k) const noexcept { return q_[k] + look_ahead(k, v_[k]); }
   // Where a joint at position q with velocity qd comes to rest when a brake comes.
   double rest_if_braked(std::size_t k, double q, double qd) const noexcept {
     return q + look_ahead(k, qd);

@@ -1,0 +1,270 @@
+// The guard process: judges every STATE and the COMMAND that answers it, and says on GUARD which
+// joints to hold.
+//
+// A second opinion beside the guard inside the controller, with a smaller margin, so that it acts
+// when the controller is wrong and is silent otherwise.  The gate obeys its mask; what the legs
+// bring together asks for a balanced stop.
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <stdexcept>
+#include <string>
+
+#include "control/guard.h"
+#include "lcmtypes/bus.h"
+#include "lcmtypes/channels.h"
+#include "robot/estimator.h"
+#include "robot/load.h"
+#include "robot/obstacle_collector.h"
+#include "robot/options.h"
+#include "robot/process.h"
+#include "robot/rate_stats.h"
+#include "robot/state_admission.h"
+#include "test/no_alloc.h"
+
+namespace twinbus {
+namespace {
+
+constexpr int kPriority = 50;   // FIFO, below the controller's
+constexpr double kWait = 0.02;  // [s] for a message, then the heartbeat gets its turn
+constexpr std::int64_t kHeartbeatNs = 100'000'000;
+constexpr std::int64_t kWindowNs = 500'000'000;
+constexpr std::int64_t kStopEvery = 10;  // a stop is asked for again after as many ticks
+constexpr std::int64_t kOldCommand =
+    5;  // an answer to a state further back says nothing any more [ticks]
+constexpr std::int64_t kQuietNs = 1'000'000'000;
+
+struct Arguments {
+  CommonOptions common;
+  double margin_mm = 6.0;
+};
+
+Arguments parse(int argc, char** argv) {
+  Arguments a;
+  Options options("twinbus_guard",
+                  "Watches the robot for contact with itself and obstacles; says on GUARD which "
+                  "joints to hold.");
+  add_common(options, a.common);
+  options.number("--margin-mm", "MM", a.margin_mm, 0.0, 100.0,
+                 "distance that is left when everything has come to rest");
+  options.parse(argc, argv);
+  return a;
+}
+
+class GuardProcess {
+ public:
+  GuardProcess(const Arguments& a, const Model& model, RealTime real_time)
+      : model_(model),
+        id_(a.common.id != 0 ? a.common.id : random_id()),
+        bus_({.url = a.common.url, .prefix = a.common.prefix, .allow = {a.common.allow}}),
+        guard_(model, {.guard_id = id_, .margin = 1e-3 * a.margin_mm}),
+        estimator_(model) {
+    beat_.process_id = id_;
+    beat_.kind = ProcessKind::kGuard;
+    beat_.pid = static_cast<std::int32_t>(::getpid());
+    beat_.realtime = static_cast<std::int8_t>(real_time);
+    bus_.listen_each<RobotState>(channel::kState, on_state_);
+    bus_.listen_each<JointCommand>(channel::kCommand, on_command_);
+    bus_.listen_each<ObstaclesPiece>(channel::kObstacles, on_obstacles_);
+  }
+
+  void run() {
+    window_ns_ = monotonic_ns();
+    while (!quit_requested()) {
+      NoAlloc no_alloc;
+      if (bus_.receive(kWait) < 0) throw std::runtime_error("the bus is gone");
+      if (fresh_) judge();
+      if (monotonic_ns() - beat_ns_ >= kHeartbeatNs) send_heartbeat();
+      allocations_ += no_alloc.count();
+      if (new_obstacles_) {  // once per scene: not part of the loop
+        new_obstacles_ = false;
+        guard_.set_obstacles(obstacles_.obstacles());
+      }
+    }
+  }
+
+ private:
+  void hear_state(const RobotState& state) noexcept {
+    if (state.joint_count != model_.bus_count() || state.model_hash != model_.hash) {
+      ++rejected_;
+      return;
+    }
+    const std::int64_t now = monotonic_ns();
+    const std::int64_t last = admission_.run_id();
+    if (!admission_.admit(state, now)) return;
+    if (ticks_ > 0 && last == state.run_id && state.tick > state_.tick + 1)
+      missed_ += state.tick - state_.tick - 1;
+    state_ = state;
+    heard_ns_ = now;
+    fresh_ = true;
+  }
+
+  // The newest command that is for the source we watch.
+  void hear_command(const JointCommand& command) noexcept {
+    if (command.run_id != admission_.run_id() || command.term != admission_.term() ||
+        command.joint_count != model_.bus_count() || command.model_hash != model_.hash) {
+      return;
+    }
+    if (has_command_ && command.run_id == command_.run_id && command.tick < command_.tick) return;
+    command_ = command;
+    has_command_ = true;
+  }
+
+  void judge() noexcept {
+    fresh_ = false;
+    const std::int64_t begin = monotonic_ns();
+    estimator_.update(state_);
+    const bool answered = has_command_ && command_.run_id == state_.run_id &&
+                          command_.tick <= state_.tick &&
+                          state_.tick - command_.tick <= kOldCommand;
+    GuardReport report =
+        guard_.check(state_, answered ? &command_ : nullptr, estimator_.configuration());
+    const std::int64_t end = monotonic_ns();
+    report.compute_ns = static_cast<std::int32_t>(std::min<std::int64_t>(end - begin, INT32_MAX));
+    if (state_.stop_kind != StopKind::kNone)
+      report.stop_asked = false;  // it has been stopped already
+    if (!bus_.send(channel::kGuard, report)) ++send_failures_;
+    compute_.add(end - begin);
+    age_.add(end - heard_ns_);
+    ++ticks_;
+    ++window_ticks_;
+    if (report.stop_asked) ask_for_a_stop();
+    if (report.hold_mask != 0) tell(report);
+  }
+
+  void ask_for_a_stop() noexcept {
+    const std::int64_t since = state_.tick - stop_tick_;
+    if (stop_tick_ != 0 && since >= 0 && since < kStopEvery) return;
+    stop_tick_ = state_.tick;
+    StopRequest stop;
+    stop.utime = wall_us();
+    stop.sender_id = id_;
+    stop.sequence = ++stop_sequence_;
+    stop.kind = StopKind::kBalanced;
+    stop.reason = StopReason::kGuard;
+    if (!bus_.send(channel::kStop, stop)) ++send_failures_;
+  }
+
+  // Who comes too near whom, at most once a second.
+  void tell(const GuardReport& report) noexcept {
+    const std::int64_t now = monotonic_ns();
+    if (told_ns_ != 0 && now - told_ns_ < kQuietNs) return;
+    told_ns_ = now;
+    Event event;
+    event.utime = wall_us();
+    event.sender_id = id_;
+    event.run_id = state_.run_id;
+    event.tick = state_.tick;
+    event.sequence = ++event_sequence_;
+    event.severity = 1;
+    event.kind = ProcessKind::kGuard;
+    if (report.pairs_near > 0) {
+      std::snprintf(event.text.data(), event.text.size(),
+                    "guard holds joints: %s is %.0f mm from %s", name(report.link_a[0]),
+                    1e3 * static_cast<double>(report.distance[0]), name(report.link_b[0]));
+    } else {
+      std::snprintf(event.text.data(), event.text.size(),
+                    "guard holds joints: they would touch something");
+    }
+    if (!bus_.send(channel::kEvent, event)) ++send_failures_;
+  }
+
+  const char* name(int link) const noexcept {
+    return link < model_.link_count() ? model_.links[static_cast<std::size_t>(link)].name.c_str()
+                                      : "an obstacle";
+  }
+
+  void send_heartbeat() noexcept {
+    const std::int64_t now = monotonic_ns();
+    beat_ns_ = now;
+    const BusCounters& c = bus_.counters();
+    beat_.utime = wall_us();
+    beat_.messages_received = c.received;
+    beat_.messages_rejected = c.rejected + rejected_ + admission_.ignored();
+    beat_.messages_lost = missed_;
+    beat_.ticks = ticks_;
+    beat_.ticks_missed = missed_;
+    beat_.allocations = allocations_counted() ? allocations_ : -1;
+    beat_.send_failures =
+        static_cast<std::int32_t>(std::min<std::int64_t>(send_failures_, INT32_MAX));
+    beat_.age_us = static_cast<float>(1e-3 * age_.median_ns());
+    beat_.tick_median_us = static_cast<float>(1e-3 * compute_.median_ns());
+    beat_.tick_p99_us = static_cast<float>(1e-3 * compute_.p99_ns());
+    beat_.tick_max_us = static_cast<float>(1e-3 * static_cast<double>(compute_.max_ns()));
+    if (now - window_ns_ >= kWindowNs) {
+      const double seconds = 1e-9 * static_cast<double>(now - window_ns_);
+      beat_.rate = static_cast<float>(static_cast<double>(window_ticks_) / seconds);
+      window_ns_ = now;
+      window_ticks_ = 0;
+    }
+    const bool running = heard_ns_ != 0 && now - heard_ns_ < kWindowNs;
+    beat_.state = running ? std::int8_t{2} : std::int8_t{1};
+    if (!bus_.send(channel::kHeartbeat, beat_)) ++send_failures_;
+  }
+
+  struct OnState {
+    GuardProcess* p;
+    void operator()(const RobotState& m) const noexcept { p->hear_state(m); }
+  };
+  struct OnCommand {
+    GuardProcess* p;
+    void operator()(const JointCommand& m) const noexcept { p->hear_command(m); }
+  };
+  struct OnObstacles {
+    GuardProcess* p;
+    void operator()(const ObstaclesPiece& m) const noexcept {
+      p->new_obstacles_ = p->obstacles_.add(m) || p->new_obstacles_;
+    }
+  };
+
+  const Model& model_;
+  std::int64_t id_;
+  Bus bus_;
+  Guard guard_;
+  Estimator estimator_;
+  StateAdmission admission_;
+  ObstacleCollector obstacles_;
+  RobotState state_;
+  JointCommand command_;
+  bool fresh_ = false, has_command_ = false, new_obstacles_ = false;
+  RateStats compute_, age_;
+  Heartbeat beat_;
+  std::int64_t heard_ns_ = 0, beat_ns_ = 0, window_ns_ = 0, told_ns_ = 0, stop_tick_ = 0;
+  std::int64_t ticks_ = 0, window_ticks_ = 0, missed_ = 0, rejected_ = 0, allocations_ = 0,
+               send_failures_ = 0;
+  std::int32_t stop_sequence_ = 0, event_sequence_ = 0;
+
+  OnState on_state_{this};
+  OnCommand on_command_{this};
+  OnObstacles on_obstacles_{this};
+};
+
+int run(int argc, char** argv) {
+  const Arguments a = parse(argc, argv);
+  catch_quit_signals();
+  const Model model = load_robot(a.common.robot);
+  std::string why;
+  const RealTime real_time = enter_real_time(kPriority, &why);
+  if (!why.empty()) std::fprintf(stderr, "guard: %s\n", why.c_str());
+  GuardProcess guard(a, model, real_time);
+  std::printf("guard ready: %s, margin %.0f mm, %s\n", model.name.c_str(), a.margin_mm,
+              real_time == RealTime::kNone ? "no real-time priority" : "FIFO priority");
+  std::fflush(stdout);
+  guard.run();
+  return 0;
+}
+
+}  // namespace
+}  // namespace twinbus
+
+int main(int argc, char** argv) {
+  try {
+    return twinbus::run(argc, argv);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "guard: %s\n", error.what());
+    return 1;
+  }
+}

@@ -1,0 +1,305 @@
+#include "planner/arm_planner.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+
+#include "planner/edge_check.h"
+#include "planner/random.h"
+#include "planner/rrt_connect.h"
+#include "planner/shortcut.h"
+#include "robot/inverse_kinematics.h"
+
+namespace twinbus {
+
+namespace {
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+constexpr double kTouching = 0.001;    // a start nearer than this counts as touching [m]
+constexpr double kShare = 0.9;         // of the room at start and goal that the way must keep
+constexpr double kInside = 0.01;       // goal postures stay this far inside the joint limits [rad]
+constexpr double kWidestCorner = 0.4;  // [rad]
+constexpr int kMostKnots = 360;        // what 60 pieces of an arm path hold
+constexpr double kHandTolerance = 2e-4;  // of a goal posture [m]
+constexpr double kTurnTolerance = 2e-3;  // [rad]
+
+bool is_arm_joint(const Model& model, int joint) {
+  for (const Hand& hand : model.hands) {
+    if (std::find(hand.joints.begin(), hand.joints.end(), joint) != hand.joints.end()) return true;
+  }
+  return false;
+}
+
+JointPoint pick(const Eigen::VectorXd& q, const std::vector<int>& joints) {
+  JointPoint point(static_cast<int>(joints.size()));
+  for (int k = 0; k < point.size(); ++k) point[k] = q[joints[at(k)]];
+  return point;
+}
+
+}  // namespace
+
+struct ArmPlanner::Question {
+  const ArmGoal* goal = nullptr;
+  const Configuration* start_posture = nullptr;
+  const Hand* hand = nullptr;
+  int base_link = 0;         // that the arm hangs on
+  Eigen::Isometry3d target;  // of the hand frame, in base_link
+  JointPoint start, lower, upper;
+  JointPath goals;  // free postures that answer the goal
+};
+
+ArmPlanner::ArmPlanner(const Model& model, const ArmPlannerConfig& config)
+    : model_(&model), config_(config), collision_(model) {}
+
+// Fills the question; false, with the reason in plan, if it makes no sense for this robot.
+bool ArmPlanner::understand(const ArmGoal& goal, const Configuration& start,
+                            const Eigen::Isometry3d& ground, Question& question,
+                            ArmPlan& plan) const {
+  const auto refuse = [&](const char* complaint) {
+    plan.status = ArmPathStatus::kBadGoal;
+    plan.complaint = complaint;
+    return false;
+  };
+  if (!(goal.speed > 0.0F && goal.speed <= 1.0F))
+    return refuse("speed must be above 0 and at most 1");
+  question.goal = &goal;
+  question.start_posture = &start;
+  if (goal.kind == ArmGoalKind::kJoints) {
+    for (int k = 0; k < std::min(model_->bus_count(), kMaxJoints); ++k) {
+      if (((goal.joint_mask >> k) & 1) == 0) continue;
+      const int joint = model_->bus_joints[at(k)];
+      if (!is_arm_joint(*model_, joint))
+        return refuse("joint_mask names a joint that is not of an arm");
+      plan.joints.push_back(joint);
+    }
+    if (plan.joints.empty()) return refuse("joint_mask names no joint");
+    if (plan.joints.size() > at(kArmJoints)) return refuse("more than 12 joints at once");
+  } else if (goal.kind == ArmGoalKind::kPosition || goal.kind == ArmGoalKind::kPose) {
+    if (goal.side != ArmSide::kLeft && goal.side != ArmSide::kRight)
+      return refuse("side must be left or right");
+    question.hand = &model_->hands[goal.side == ArmSide::kLeft ? 0 : 1];
+    if (question.hand->link < 0 || question.hand->joints.empty())
+      return refuse("the robot has no such hand");
+    if (question.hand->joints.size() > at(kArmJoints))
+      return refuse("the arm has more than 12 joints");
+    plan.joints = question.hand->joints;
+    question.base_link = model_->joints[at(plan.joints.front())].parent;
+    Eigen::Isometry3d in_ground = Eigen::Isometry3d::Identity();
+    in_ground.translation() = Eigen::Vector3d(goal.position[0], goal.position[1], goal.position[2]);
+    if (goal.kind == ArmGoalKind::kPose) {
+      const auto& w = goal.orientation;
+      in_ground.linear() =
+          Eigen::Quaterniond(w[0], w[1], w[2], w[3]).normalized().toRotationMatrix();
+    }
+    if (!in_ground.matrix().allFinite()) return refuse("position and orientation must be finite");
+    Kinematics kinematics(*model_);
+    kinematics.update(start);
+    question.target = kinematics.link_in_world(question.base_link).inverse() * ground * in_ground;
+  } else {
+    return refuse("kind must be joints, position or pose");
+  }
+
+  question.start = pick(start.q, plan.joints);
+  question.lower = question.upper = question.start;
+  for (int k = 0; k < question.start.size(); ++k) {
+    const Joint& joint = model_->joints[at(plan.joints[at(k)])];
+    const bool endless = joint.kind == JointKind::kContinuous;
+    question.lower[k] = endless ? question.start[k] - M_PI : joint.lower;
+    question.upper[k] = endless ? question.start[k] + M_PI : joint.upper;
+  }
+  return true;
+}
+
+// Postures that answer the goal and keep the clearance, nearest to the start first.
+bool ArmPlanner::find_goals(EdgeCheck& space, Question& question, Random& random,
+                            ArmPlan& plan) const {
+  const ArmGoal& goal = *question.goal;
+  bool reached_any = false;
+  double best_miss = 1e9;
+  const auto consider = [&](const JointPoint& q) {
+    reached_any = true;
+    CollisionPair pair;
+    if (space.who_is_near(q, config_.least_clearance, pair)) {
+      plan.pair = pair;
+      return;
+    }
+    question.goals.push_back(q);
+  };
+
+  if (goal.kind == ArmGoalKind::kJoints) {
+    JointPoint q = question.start;
+    for (int k = 0; k < q.size(); ++k) {
+      const auto& bus = model_->bus_joints;
+      const auto index = std::find(bus.begin(), bus.end(), plan.joints[at(k)]) - bus.begin();
+      q[k] = goal.q[static_cast<std::size_t>(index)];
+      if (!(q[k] >= question.lower[k] && q[k] <= question.upper[k])) {
+        plan.status = ArmPathStatus::kBadGoal;
+        plan.complaint = "a joint goal is beyond the joint's limits";
+        return false;
+      }
+    }
+    consider(q);
+  } else {
+    InverseKinematics arm(*model_, question.base_link, question.hand->link, question.hand->frame);
+    IkOptions options;
+    options.position_tolerance = kHandTolerance;
+    options.rotation_tolerance = kTurnTolerance;
+    options.limit_margin = kInside;
+    if (goal.kind == ArmGoalKind::kPosition) options.rotation_weight = 0.0;
+    Eigen::VectorXd q = question.start_posture->q;
+    for (int i = 0; i <= config_.ik_restarts &&
+                    static_cast<int>(question.goals.size()) < config_.goal_postures;
+         ++i) {
+      if (i > 0) {
+        for (int k = 0; k < question.start.size(); ++k) {
+          q[plan.joints[at(k)]] = random.uniform(question.lower[k], question.upper[k]);
+        }
+      }
+      const IkResult result = arm.solve(question.target, options, q);
+      best_miss = std::min(best_miss, result.position_error);
+      if (result.reached) consider(pick(q, plan.joints));
+    }
+  }
+  if (question.goals.empty()) {
+    plan.status = reached_any ? ArmPathStatus::kGoalInCollision : ArmPathStatus::kUnreachable;
+    plan.miss = reached_any ? 0.0 : best_miss;
+    return false;
+  }
+  std::stable_sort(question.goals.begin(), question.goals.end(),
+                   [&](const JointPoint& a, const JointPoint& b) {
+                     return (a - question.start).squaredNorm() < (b - question.start).squaredNorm();
+                   });
+  return true;
+}
+
+TimedPath ArmPlanner::timed(EdgeCheck& space, const JointPath& corners,
+                            const TimingLimits& limits) const {
+  const double clearance = space.clearance();
+  ArmPlan probe;
+  probe.joints = space.joints();
+  // What is interpolated between knots may stray a little from the rounded path.
+  for (const double widest : {kWidestCorner, 0.1, 0.0}) {
+    const std::vector<RoundedPath> parts = RoundedPath::parts(space, corners, widest);
+    TimedPath path = time_path(parts, limits, config_.knot_spacing, kMostKnots);
+    space.set_clearance(0.7 * clearance);
+    bool free = true;
+    for (std::size_t i = 0; free && i + 1 < path.size(); ++i) {
+      JointPoint from = path[i].q;
+      JointPoint to, qd, qdd;
+      for (int part = 1; free && part <= 4; ++part) {
+        sample(path, path[i].time + 0.25 * part * (path[i + 1].time - path[i].time), to, qd, qdd);
+        free = space.line_free(from, to);
+        from = to;
+      }
+    }
+    space.set_clearance(clearance);
+    if (free) return path;
+  }
+  return {};
+}
+
+ArmPlan ArmPlanner::plan(const ArmGoal& goal, const Configuration& start,
+                         const Eigen::Isometry3d& ground_in_world, std::uint64_t seed,
+                         bool (*keep_on)(void*), void* user) {
+  ArmPlan plan;
+  Question question;
+  if (!understand(goal, start, ground_in_world, question, plan)) return plan;
+  Random random(seed);
+  EdgeCheck space(*model_, collision_, start, plan.joints, config_.clearance);
+
+  const double room_at_start = space.nearest(question.start, config_.clearance);
+  if (!(room_at_start > kTouching)) {
+    space.who_is_near(question.start, kTouching, plan.pair);
+    plan.status = ArmPathStatus::kStartInCollision;
+    return plan;
+  }
+  if (!find_goals(space, question, random, plan)) return plan;
+  double room = std::min(config_.clearance, room_at_start);
+  for (const JointPoint& q : question.goals)
+    room = std::min(room, space.nearest(q, config_.clearance));
+  space.set_clearance(kShare * room);
+
+  RrtLimits limits{question.lower, question.upper};
+  limits.max_rounds = config_.rrt_rounds;
+  RrtResult found =
+      rrt_connect(space, question.start, question.goals, limits, random, keep_on, user);
+  plan.rounds = found.rounds;
+  plan.checks = space.checks();
+  if (!found.found) {
+    const bool cancelled = keep_on != nullptr && !keep_on(user);
+    plan.status = cancelled ? ArmPathStatus::kCancelled : ArmPathStatus::kTimeLimit;
+    return plan;
+  }
+  shortcut(space, found.path, config_.shortcut_rounds, random);
+
+  TimingLimits timing;
+  timing.velocity = timing.acceleration = question.start;
+  for (int k = 0; k < question.start.size(); ++k) {
+    timing.velocity[k] =
+        static_cast<double>(goal.speed) * model_->joints[at(plan.joints[at(k)])].velocity;
+    timing.acceleration[k] = timing.velocity[k] / config_.full_speed_time;
+  }
+  plan.path = timed(space, found.path, timing);
+  plan.checks = space.checks();
+  plan.clearance = 0.7 * space.clearance();
+  // A goal that is where the arm is already: a motion all the same, of one instant.
+  if (plan.path.empty() && length_of(found.path) < 1e-6) {
+    const JointPoint rest = JointPoint::Zero(question.start.size());
+    plan.path = {{0.0, question.start, rest}, {0.1, found.path.back(), rest}};
+  }
+  plan.status = plan.path.empty() ? ArmPathStatus::kTimeLimit : ArmPathStatus::kOk;
+  return plan;
+}
+
+bool ArmPlanner::path_free(const ArmPlan& plan, const Configuration& start, double clearance) {
+  EdgeCheck space(*model_, collision_, start, plan.joints, clearance);
+  if (plan.path.empty()) return false;
+  JointPoint from = plan.path.front().q;
+  JointPoint to, qd, qdd;
+  const int steps = std::max(1, static_cast<int>(std::ceil(plan.duration() / 0.01)));
+  for (int i = 0; i <= steps; ++i) {
+    sample(plan.path, plan.duration() * i / steps, to, qd, qdd);
+    if (!space.line_free(from, to)) return false;
+    from = to;
+  }
+  return true;
+}
+
+std::string describe(const Model& model, const ArmPlan& plan) {
+  const auto name = [&](int index) {
+    return index < model.link_count() ? model.links[at(index)].name
+                                      : "obstacle " + std::to_string(index - model.link_count());
+  };
+  char text[192] = "";
+  switch (plan.status) {
+    case ArmPathStatus::kOk:
+      std::snprintf(text, sizeof text,
+                    "arm path of %.2f s, %zu knots, %.0f mm clear of everything%s", plan.duration(),
+                    plan.path.size(), 1e3 * plan.clearance,
+                    plan.rounds == 0 ? ", straight" : ", around an obstacle");
+      return text;
+    case ArmPathStatus::kUnreachable:
+      std::snprintf(text, sizeof text,
+                    "out of reach by %.3f m: move the goal nearer or give up its orientation",
+                    plan.miss);
+      return text;
+    case ArmPathStatus::kStartInCollision:
+      return name(plan.pair.link_a) + " touches " + name(plan.pair.link_b) +
+             " already: move the arm away with `pose` first";
+    case ArmPathStatus::kGoalInCollision:
+      return "at the goal " + name(plan.pair.link_a) + " would touch " + name(plan.pair.link_b) +
+             ": move the goal";
+    case ArmPathStatus::kTimeLimit:
+      return "no way found to the goal: try a goal on the near side of the obstacle, or two goals "
+             "one after the other";
+    case ArmPathStatus::kCancelled:
+      return "cancelled";
+    case ArmPathStatus::kBadGoal:
+      break;
+  }
+  return std::string("the goal makes no sense: ") + plan.complaint;
+}
+
+}  // namespace twinbus

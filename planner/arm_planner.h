@@ -1,0 +1,83 @@
+// From "the left hand there" to a timed motion of that arm that touches neither the robot nor an
+// obstacle.
+//
+// Legs, waist, the other arm and the base stay as in the start.  Nothing depends on the time or the
+// machine: the same question with the same seed gives the same motion, bit for bit.
+
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "planner/path_timing.h"
+#include "robot/collision.h"
+#include "robot/kinematics.h"
+#include "robot/model.h"
+#include "robot/requests.h"
+
+namespace twinbus {
+
+struct ArmPlannerConfig {
+  double clearance = 0.020;        // kept to everything where start and goal allow it [m]
+  double least_clearance = 0.012;  // a goal must keep this: the guard holds the arm at less [m]
+  double full_speed_time = 0.5;    // from rest to a joint's velocity limit at speed 1 [s]
+  int ik_restarts = 80;            // random postures to look for a goal posture from
+  int goal_postures = 6;           // enough of them
+  int rrt_rounds = 4000;
+  int shortcut_rounds = 120;
+  double knot_spacing = 0.04;  // [s]
+};
+
+struct ArmPlan {
+  ArmPathStatus status = ArmPathStatus::kBadGoal;
+  const char* complaint = "";  // kBadGoal: what is wrong with it
+  CollisionPair pair;          // kStartInCollision, kGoalInCollision
+  double miss = 0.0;           // kUnreachable: by how much [m]
+  std::vector<int> joints;     // model indices of the columns
+  TimedPath path;              // kOk
+  double clearance = 0.0;      // that every posture of the path keeps [m]
+  int rounds = 0;              // of the search; 0: the straight way was free
+  std::int64_t checks = 0;     // postures looked at
+  double duration() const { return path.empty() ? 0.0 : path.back().time; }
+};
+
+class ArmPlanner {
+ public:
+  // The model must outlive the planner.  Throws std::runtime_error if a mesh cannot be read.
+  explicit ArmPlanner(const Model& model, const ArmPlannerConfig& config = {});
+
+  // In the world of `start`'s base.
+  void set_obstacles(const std::vector<Obstacle>& obstacles) {
+    collision_.set_obstacles(obstacles);
+  }
+
+  // start: the posture and base pose now.  ground_in_world: the frame goals are given in.  keep_on,
+  // when given: asked now and then; false ends the plan with kCancelled.
+  ArmPlan plan(const ArmGoal& goal, const Configuration& start,
+               const Eigen::Isometry3d& ground_in_world, std::uint64_t seed,
+               bool (*keep_on)(void*) = nullptr, void* user = nullptr);
+
+  // Does the motion keep `clearance` [m], looked at so finely that nothing slips through?
+  bool path_free(const ArmPlan& plan, const Configuration& start, double clearance);
+
+  const Model& model() const { return *model_; }
+
+ private:
+  struct Question;
+  bool understand(const ArmGoal& goal, const Configuration& start, const Eigen::Isometry3d& ground,
+                  Question& question, ArmPlan& plan) const;
+  bool find_goals(class EdgeCheck& space, Question& question, class Random& random,
+                  ArmPlan& plan) const;
+  TimedPath timed(class EdgeCheck& space, const JointPath& corners,
+                  const TimingLimits& limits) const;
+
+  const Model* model_;
+  ArmPlannerConfig config_;
+  Collision collision_;
+};
+
+// One sentence for people: what was planned, or why not and what to do.
+std::string describe(const Model& model, const ArmPlan& plan);
+
+}  // namespace twinbus

@@ -1,0 +1,291 @@
+#include "control/guard.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "test/collision/guard_rig.h"
+#include "test/no_alloc.h"
+
+namespace twinbus {
+namespace {
+
+constexpr std::uint64_t kSeed = 7;
+
+std::size_t bus(const std::string& name) {
+  const Model& model = hrp1s();
+  const int joint = model.find_joint(name);
+  for (std::size_t k = 0; k < model.bus_joints.size(); ++k) {
+    if (model.bus_joints[k] == joint) return k;
+  }
+  throw std::runtime_error("no joint " + name);
+}
+
+std::int64_t arm_mask() {
+  const Model& model = hrp1s();
+  std::int64_t mask = 0;
+  for (const Hand& hand : model.hands) {
+    for (std::size_t k = 0; k < model.bus_joints.size(); ++k) {
+      for (const int joint : hand.joints)
+        mask |= model.bus_joints[k] == joint ? std::int64_t{1} << k : 0;
+    }
+  }
+  return mask;
+}
+
+struct Watch {  // what really happens, seen without the guard
+  explicit Watch(const Model& model) : collision(model), kinematics(model) {}
+  double nearest(const GuardRig& rig) {
+    kinematics.update(rig.configuration());
+    PairDistance pair;
+    return collision.near_pairs(kinematics, 0.2, &pair, 1) > 0 ? pair.distance : 0.2;
+  }
+  Collision collision;
+  Kinematics kinematics;
+};
+
+TEST(Guard, StandingStillIsClearOfMasks) {
+  const Model& model = hrp1s();
+  Guard guard(model, {});
+  for (const char* pose : {"half_sitting", "zero", "initial"}) {
+    GuardRig rig(model, named_posture(model, pose));
+    guard.reset();
+    for (int i = 0; i < 20; ++i) {
+      const GuardReport& report = rig.tick(guard);
+      EXPECT_EQ(report.hold_mask, 0) << pose;
+      EXPECT_FALSE(report.stop_asked);
+      EXPECT_LT(report.verdict, GuardVerdict::kWillCollide);
+    }
+  }
+}
+
+TEST(Guard, AnArmCommandedIntoTheBodyStopsBeforeIt) {
+  const Model& model = hrp1s();
+  Watch watch(model);
+  for (const double speed : {0.5, 2.0, 100.0}) {  // of the command [rad/s]; the last is a step
+    Guard guard(model, {});
+    GuardRig rig(model, named_posture(model, "half_sitting"));
+    const std::size_t roll = bus("LARM_SHOULDER_R");
+    const std::size_t yaw = bus("LARM_SHOULDER_Y");
+    const std::size_t elbow = bus("LARM_ELBOW");
+    double nearest = 1.0;
+    bool held = false;
+    for (int i = 0; i < 1500; ++i) {
+      const double step = speed * model.period();
+      rig.command.q[roll] = std::max(-0.26, rig.command.q[roll] - step);
+      rig.command.q[yaw] = std::max(-1.5, rig.command.q[yaw] - step);
+      rig.command.q[elbow] = std::max(-1.8, rig.command.q[elbow] - step);
+      held = rig.tick(guard).hold_mask != 0;
+      nearest = std::min(nearest, watch.nearest(rig));
+      ASSERT_GT(nearest, 0.0) << "tick " << i << " speed " << speed;
+    }
+    EXPECT_TRUE(held) << "the controller is still asking";
+    EXPECT_NE(guard.report().hold_mask & arm_mask(), 0);
+    EXPECT_GT(nearest, 0.004);
+    EXPECT_LT(nearest, speed < 10.0 ? 0.04 : 0.2)
+        << "stopped long before it had to, speed " << speed;
+    double fastest = 0.0;
+    for (std::size_t k = 0; k < 29; ++k)
+      fastest = std::max(fastest, std::abs(static_cast<double>(rig.state.qd[k])));
+    EXPECT_LT(fastest, 1e-3);
+  }
+}
+
+// A robot that is in contact, or inside its margin, may move every joint that takes it apart and
+// none that does not.
+TEST(Guard, MotionAwayIsNotBlockedAndMotionDeeperIs) {
+  const Model& model = hrp1s();
+  Watch watch(model);
+  std::mt19937_64 random(kSeed + 1);
+  constexpr double kRamp = 0.06;  // [rad]
+  int away = 0;
+  int deeper = 0;
+  for (int i = 0; i < 3000 && (away < 60 || deeper < 60); ++i) {
+    const Configuration start =
+        random_posture(model, named_posture(model, "half_sitting"), 0.6, random);
+    watch.kinematics.update(start);
+    PairDistance pairs[2];
+    const int near = watch.collision.near_pairs(watch.kinematics, 0.02, pairs, 2);
+    if (near != 1 || pairs[0].distance > 0.005 || pairs[0].distance < -0.015) continue;
+    const std::size_t k = bus(i % 2 == 0 ? "LARM_SHOULDER_R" : "RARM_SHOULDER_P");
+    const int joint = model.bus_joints[k];
+    const Joint& limits = model.joints[static_cast<std::size_t>(joint)];
+    for (const double way : {kRamp, -kRamp}) {
+      // What the motion would do without a guard.
+      bool parts = true;
+      bool joins = true;
+      double last = pairs[0].distance;
+      Configuration posture = start;
+      for (int step = 1; step <= 6; ++step) {
+        posture.q[joint] = start.q[joint] + way * step / 6.0;
+        watch.kinematics.update(posture);
+        PairDistance now;
+        const bool is_near = watch.collision.near_pairs(watch.kinematics, 0.5, &now, 1) > 0;
+        const double distance = is_near ? now.distance : 0.5;
+        parts = parts && distance > last + 2e-4;
+        joins = joins && distance < last - 5e-4;
+        last = distance;
+      }
+      const double end = start.q[joint] + way;
+      if (parts == joins || !(end < limits.upper && end > limits.lower)) continue;
+      Guard guard(model, {});
+      GuardRig rig(model, start);
+      for (int t = 0; t < 200; ++t) {
+        const double left = end - rig.command.q[k];
+        rig.command.q[k] += std::clamp(left, -0.0006, 0.0006);
+        rig.tick(guard);
+        ASSERT_EQ(rig.accepted, GateVerdict::kAccepted);
+      }
+      const double moved = (rig.state.q[k] - start.q[joint]) / way;
+      if (parts) {
+        EXPECT_GT(moved, 0.97) << "posture " << i;
+        ++away;
+      } else {
+        EXPECT_LT(moved, 0.25) << "posture " << i;
+        ++deeper;
+      }
+    }
+  }
+  EXPECT_GT(away, 8);
+  EXPECT_GT(deeper, 5);
+}
+
+TEST(Guard, AHeldArmComesBackAtOnceWhenAskedTo) {
+  const Model& model = hrp1s();
+  Guard guard(model, {});
+  GuardRig rig(model, named_posture(model, "half_sitting"));
+  const std::size_t roll = bus("LARM_SHOULDER_R");
+  const double home = rig.command.q[roll];
+  for (int i = 0; i < 1500; ++i) {
+    rig.command.q[roll] = std::max(-0.26, rig.command.q[roll] - 0.002);
+    rig.command.q[bus("LARM_SHOULDER_Y")] =
+        std::max(-1.5, rig.command.q[bus("LARM_SHOULDER_Y")] - 0.002);
+    rig.command.q[bus("LARM_ELBOW")] = std::max(-1.8, rig.command.q[bus("LARM_ELBOW")] - 0.002);
+    rig.tick(guard);
+  }
+  ASSERT_NE(guard.report().hold_mask, 0);
+  rig.command.q[roll] = home + 0.5;
+  for (int i = 0; i < 300; ++i) rig.tick(guard);
+  EXPECT_GT(rig.state.q[roll], home + 0.45);
+}
+
+TEST(Guard, AnObstacleStopsTheArm) {
+  const Model& model = hrp1s();
+  Guard guard(model, {});
+  Watch watch(model);
+  Obstacle shelf;
+  shelf.shape = ObstacleShape::kBox;
+  shelf.size = Eigen::Vector3d(0.3, 1.0, 0.04);
+  shelf.pose.translation() = Eigen::Vector3d(0.45, 0.0, 0.35);
+  guard.set_obstacles({shelf});
+  watch.collision.set_obstacles({shelf});
+  GuardRig rig(model, named_posture(model, "half_sitting"));
+  const std::size_t pitch = bus("LARM_SHOULDER_P");
+  double nearest = 1.0;
+  for (int i = 0; i < 1000; ++i) {
+    rig.command.q[pitch] -= 0.004;
+    rig.command.q[pitch] = std::max(-2.5, rig.command.q[pitch]);
+    rig.tick(guard);
+    nearest = std::min(nearest, watch.nearest(rig));
+  }
+  EXPECT_GT(nearest, 0.0);
+  EXPECT_NE(guard.report().hold_mask, 0);
+  EXPECT_LT(rig.state.q[pitch], 0.2);
+  EXPECT_GT(rig.state.q[pitch], -1.5);
+}
+
+TEST(Guard, LegsAreNeverMaskedButAskForAStop) {
+  const Model& model = hrp1s();
+  Guard guard(model, {});
+  GuardRig rig(model, named_posture(model, "half_sitting"));
+  bool asked = false;
+  std::int64_t legs = 0;
+  for (std::size_t k = 0; k < model.bus_joints.size(); ++k) {
+    for (const int leg : model.leg_joints)
+      legs |= model.bus_joints[k] == leg ? std::int64_t{1} << k : 0;
+  }
+  for (int i = 0; i < 600; ++i) {
+    rig.command.q[bus("LLEG_HIP_R")] -= 0.002;
+    rig.command.q[bus("RLEG_HIP_R")] += 0.002;
+    const GuardReport& report = rig.tick(guard);
+    EXPECT_EQ(report.hold_mask & legs, 0);
+    asked = asked || report.stop_asked;
+  }
+  EXPECT_TRUE(asked);
+}
+
+// The claim that matters: whatever smooth motion is asked for, nothing ever touches.
+TEST(Guard, RandomMotionsNeverTouch) {
+  const Model& model = hrp1s();
+  Watch watch(model);
+  std::mt19937_64 random(kSeed);
+  std::normal_distribution<double> unit;
+  int masked = 0;
+  int looks = 0;
+  for (int run = 0; run < 8; ++run) {
+    Guard guard(model, {});
+    const Configuration home = named_posture(model, "half_sitting");
+    GuardRig rig(model, home);
+    const std::int64_t arms = arm_mask();
+    // Jerk-limited wandering of every arm joint and the waist.
+    PerJoint<double> target{}, v{}, a{};
+    for (int i = 0; i < 1000; ++i) {
+      for (std::size_t k = 0; k < model.bus_joints.size(); ++k) {
+        const Joint& joint = model.joints[static_cast<std::size_t>(model.bus_joints[k])];
+        const bool waist =
+            joint.name == "WAIST_P" || joint.name == "WAIST_R" || joint.name == "CHEST";
+        if (((arms >> k) & 1) == 0 && !waist) continue;
+        if (i % 250 == 0)
+          target[k] =
+              joint.lower + (joint.upper - joint.lower) * 0.5 * (1.0 + std::tanh(unit(random)));
+        const double w = 6.0;  // third-order follower [rad/s]
+        const double jerk =
+            w * w * w * (target[k] - rig.command.q[k]) - 3.0 * w * w * v[k] - 3.0 * w * a[k];
+        a[k] += jerk * model.period();
+        v[k] = std::clamp(v[k] + a[k] * model.period(), -joint.velocity, joint.velocity);
+        rig.command.q[k] =
+            std::clamp(rig.command.q[k] + v[k] * model.period(), joint.lower, joint.upper);
+      }
+      masked += rig.tick(guard).hold_mask != 0 ? 1 : 0;
+      const double nearest = watch.nearest(rig);
+      ASSERT_GT(nearest, 0.0) << "run " << run << " tick " << i;
+      ++looks;
+    }
+  }
+  EXPECT_GT(masked, looks / 20) << "the motions were too tame to say anything";
+}
+
+TEST(Guard, AllocatesNothing) {
+  const Model& model = hrp1s();
+  Guard guard(model, {});
+  GuardRig rig(model, named_posture(model, "half_sitting"));
+  std::int64_t allocations = 0;
+  for (int i = 0; i < 1000; ++i) {
+    rig.command.q[bus("LARM_SHOULDER_R")] = 0.15 - 0.4 * std::sin(0.01 * i);
+    rig.command.q[bus("LARM_SHOULDER_Y")] = -1.2 * std::sin(0.007 * i);
+    rig.command.q[bus("RARM_ELBOW")] = -1.2 + std::sin(0.005 * i);
+    NoAlloc no_alloc;
+    rig.tick(guard);
+    allocations += no_alloc.count();
+  }
+  EXPECT_EQ(allocations, 0);
+}
+
+TEST(Guard, WorksWithoutACommand) {
+  const Model& model = hrp1s();
+  Guard guard(model, {});
+  GuardRig rig(model, named_posture(model, "half_sitting"));
+  EXPECT_EQ(guard.check(rig.state, nullptr, rig.base).hold_mask, 0);
+  // Moving fast towards the body is enough.
+  rig.state.q[bus("LARM_SHOULDER_Y")] = -1.0;
+  rig.state.q[bus("LARM_ELBOW")] = -1.6;
+  rig.state.qd[bus("LARM_SHOULDER_Y")] = -5.0F;
+  rig.state.qd[bus("LARM_SHOULDER_R")] = -5.0F;
+  rig.state.tick++;
+  EXPECT_NE(guard.check(rig.state, nullptr, rig.base).hold_mask, 0);
+}
+
+}  // namespace
+}  // namespace twinbus
