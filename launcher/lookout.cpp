@@ -44,6 +44,7 @@ void Lookout::on_state(const RobotState& state, bool own_channel, std::int64_t n
   if (auto* source = slot(sources_, state.run_id)) {
     source->states.add(state.tick, now_ns);
     source->on_state = !own_channel;
+    source->state = state;
   }
   if (own_channel) return;
   state_.add(state.tick, now_ns);

@@ -20,6 +20,7 @@ struct SeenSource {
   SourceStatus status{};
   std::int64_t heard_ns = 0;  // newest status
   Meter states;               // on whichever channel
+  RobotState state{};         // the newest one
   bool on_state = false;      // the newest one came on STATE
 };
 

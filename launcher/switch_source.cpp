@@ -1,5 +1,7 @@
 #include "launcher/switch_source.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <optional>
 #include <stdexcept>
@@ -14,6 +16,8 @@ namespace {
 
 constexpr double kAskAgain = 0.2;         // a lost request is sent again, with its own sequence [s]
 constexpr double kStandbyTimeout = 6.0;   // a shadow needs a fresh anchor [s]
+constexpr double kFollowTimeout = 4.0;    // for a shadow to get there [s]
+constexpr double kNearPosture = 0.045;    // the source itself refuses 0.05 [rad]
 constexpr double kSwitchTimeout = 15.0;   // with when-safe: a stop and 2 s of rest come first [s]
 constexpr double kAlignTimeout = 90.0;    // slow on purpose [s]
 
@@ -78,6 +82,12 @@ class Switch {
     if (!done) throw std::runtime_error("the target does not go into standby: " + reason(request, target_run_));
   }
 
+  // A shadow that has just begun to follow is still on its way to the posture of the active source.
+  void wait_for_posture() {
+    const std::int64_t begin = monotonic_ns();
+    while (!quit_requested() && since(begin) < kFollowTimeout && posture_gap() > kNearPosture) bus_.receive(0.02);
+  }
+
   // False with a sentence in why.
   bool hand_over(SwitchPolicy policy, bool align, std::string& why) {
     SourceRequest request;
@@ -99,6 +109,18 @@ class Switch {
   bool in_standby(bool track) const {
     const SeenSource* target = bus_.seen().source(target_run_);
     return target != nullptr && target->status.role == (track ? Role::kStandbyTrack : Role::kStandbyShadow);
+  }
+
+  // Largest difference of a joint between target and active source [rad].
+  double posture_gap() const {
+    const SeenSource* active = bus_.seen().source(active_run_);
+    const SeenSource* target = bus_.seen().source(target_run_);
+    if (active == nullptr || target == nullptr || target->states.received() == 0) return 1e9;
+    double gap = 0.0;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(active->state.joint_count); ++k) {
+      gap = std::max(gap, std::abs(active->state.q[k] - target->state.q[k]));
+    }
+    return gap;
   }
 
   bool refused(const SourceRequest& request, std::int64_t answering_run) const {
@@ -159,6 +181,7 @@ int switch_command(const std::vector<std::string>& words) {
   const bool already_standby = standby.empty() && (target.status.role == Role::kStandbyTrack ||
                                                    target.status.role == Role::kStandbyShadow);
   if (!already_standby) change.put_into_standby(track);
+  if (!arguments.has("--align")) change.wait_for_posture();
   const std::int64_t begin = monotonic_ns();
   std::string why;
   if (!change.hand_over(policy == "now" ? SwitchPolicy::kNow : SwitchPolicy::kWhenSafe, arguments.has("--align"), why)) {

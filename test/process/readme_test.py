@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Every command in README.md is run: a reader can copy it and it does what the text says.
 
-The word behind ```sh says how: `test` alone, `test-both` while `up --stack both` runs, `test-client` while the client
-stack runs, `test-up-client` starts that one.  Blocks of plain ```sh are checked to be known: they start the stack for good
+The word behind ```sh says how: `test` alone, `test-both` while `up --stack both` runs, `test-client` in the background
+while `test-up-client` runs.  Blocks of plain ```sh are checked to be known: they start the stack for good
 or run these very tests.
 """
 
@@ -60,16 +60,14 @@ def main():
         time.sleep(1.0)
         run_all(by_kind.pop("test-both", []), checks)
 
-    client = by_kind.pop("test-client", [])
-    for command in by_kind.pop("test-up-client", []):
-        words = command.split()
-        up = subprocess.Popen([harness.BIN / "twinbus", *words[1:]], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-                              cwd=harness.ROOT, stdin=subprocess.DEVNULL, env=dict(os.environ))
-        time.sleep(2.5)
-        run_all(client, checks)
-        checks.that(up.poll() is None, f"README: `{command}` goes on")
-        up.send_signal(signal.SIGINT)
-        up.wait(20)
+    # A controller of one's own goes on in the background while the stack runs.
+    client = " & ".join(by_kind.pop("test-client", []))
+    background = subprocess.Popen(["bash", "-c", f"exec {client}"], cwd=harness.ROOT, stdin=subprocess.DEVNULL,
+                                  env=dict(os.environ, PYTHONPATH=str(harness.BIN.parent / "lib/python")))
+    run_all(by_kind.pop("test-up-client", []), checks)
+    checks.that(background.poll() is None, f"README: `{client}` goes on")
+    background.send_signal(signal.SIGTERM)
+    background.wait(10)
     checks.that(not by_kind, f"README: unknown kinds of blocks {sorted(by_kind)}")
     checks.exit()
 

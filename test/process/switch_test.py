@@ -51,12 +51,16 @@ def back_and_forth(checks, motion, count, all_figures, rng):
             what = f"{motion} {number}: to {target}"
             # Now and then within the blend of the last one, otherwise at a random phase of the motion.
             time.sleep(0.02 if number % 5 == 4 else 0.3 + 0.7 * rng.random())
-            status, said, f = switch_once(bus, target, efforts)
+            # A robot is left only when it stands still; a simulator at any time.
+            policy = "now" if target == "bridge" else "when-safe"
+            status, said, f = switch_once(bus, target, efforts, policy)
             if not checks.that(status == 0 and f is not None, f"{what}: {said.strip()}"):
                 continue
             print(f"{what}: {f.row()}", flush=True)
             switch_figures.judge(f, checks, what)
             all_figures.append((f"{motion} to {target}", f))
+            if policy == "when-safe" and motion != "reach":
+                checks.that(cli(motion)[0] == 0, f"{what}: and the motion goes on")
             target = "sim" if target == "bridge" else "bridge"
         pids = [stack.pids(p) for p in ("twinbus_guard", "twinbus_planner", "twinbus_controller")]
         checks.that(all(len(p) == 1 for p in pids), f"{motion}: guard, planner and controller still run")
@@ -70,7 +74,7 @@ def refusals(checks):
         bus = Bus()
         time.sleep(0.5)
         run = active_run(bus)
-        status, out, err = cli("switch", "replay")
+        status, out, err = cli("switch", "replay")  # none is running
         checks.that(status == 1 and "replay" in err, f"a source that is not there is refused: {out}{err}")
         cli("stop", "hold")
         bus.forget()
