@@ -1,0 +1,161 @@
+// `twinbus bench kinematics`: what one call of the robot library costs, on hrp1s in random
+// postures.
+
+#include <cstdio>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "robot/dynamics.h"
+#include "robot/estimator.h"
+#include "robot/inverse_kinematics.h"
+#include "robot/kinematics.h"
+#include "robot/load.h"
+#include "robot/options.h"
+#include "robot/process.h"
+#include "robot/rate_stats.h"
+
+using namespace twinbus;
+
+namespace {
+
+constexpr int kBatch = 16;  // calls between two looks at the clock
+
+struct Row {
+  std::string name;
+  RateStats stats;
+};
+
+template <class Call>
+Row measure(const std::string& name, std::int64_t calls, int batch, Call call) {
+  Row row{name, {}};
+  for (int i = 0; i < 200; ++i) call(i);
+  for (std::int64_t i = 0; i < calls; i += batch) {
+    const std::int64_t start = monotonic_ns();
+    for (int k = 0; k < batch; ++k) call(static_cast<int>((i + k) % 64));
+    row.stats.add((monotonic_ns() - start) / batch);
+  }
+  return row;
+}
+
+std::vector<Configuration> postures(const Model& model) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  std::vector<Configuration> result;
+  for (int i = 0; i < 64; ++i) {
+    Configuration c(model);
+    for (int j = 0; j < model.joint_count(); ++j) {
+      const Joint& joint = model.joints[static_cast<std::size_t>(j)];
+      c.q[j] = joint.lower + unit(random) * (joint.upper - joint.lower);
+      c.qd[j] = unit(random) - 0.5;
+    }
+    result.push_back(c);
+  }
+  return result;
+}
+
+RobotState standing(const Model& model) {
+  RobotState state;
+  state.run_id = 1;
+  state.joint_count = static_cast<std::int16_t>(model.bus_count());
+  state.sensor_flags =
+      kEncodersValid | kImuValid | wrench_valid(kLeftFoot) | wrench_valid(kRightFoot);
+  const auto& pose = model.poses[static_cast<std::size_t>(model.find_pose("half_sitting"))].q;
+  for (std::size_t k = 0; k < model.bus_joints.size(); ++k) {
+    state.q[k] = pose[static_cast<std::size_t>(model.bus_joints[k])];
+  }
+  for (std::size_t foot = 0; foot < 2; ++foot) {
+    state.wrench_kind[foot] = WrenchKind::kMeasured;
+    state.wrench[foot][2] = static_cast<float>(0.5 * kGravity * model.total_mass());
+  }
+  return state;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+  Options options("kinematics_bench", "Costs of the robot library per call.");
+  std::string csv, robot = "hrp1s";
+  std::int64_t calls = 200000;
+  options.text("--robot", "NAME_OR_DIR", robot, "a robot with legs, arms and a pose half_sitting");
+  options.integer("--calls", "N", calls, 1000, 100'000'000, "per case");
+  options.text("--csv", "FILE", csv, "also as rows");
+  options.parse(argc, argv);
+
+  const Model model = load_robot(robot);
+  if (model.find_pose("half_sitting") < 0 || model.soles[0].link < 0 || model.hands[0].link < 0) {
+    std::fprintf(stderr, "kinematics_bench: %s has no pose half_sitting, soles or hands\n",
+                 robot.c_str());
+    return 1;
+  }
+  const std::vector<Configuration> c = postures(model);
+  Kinematics kinematics(model);
+  Eigen::MatrixXd jacobian(6, 6 + model.joint_count()), com_jacobian(3, 6 + model.joint_count());
+  InverseDynamics dynamics(model);
+  Eigen::VectorXd tau(model.joint_count());
+  const Eigen::VectorXd qdd = Eigen::VectorXd::Ones(model.joint_count());
+  const std::vector<ExternalWrench> external(2);
+  Estimator estimator(model);
+  const RobotState state = standing(model);
+  InverseKinematics leg(model, 0, model.soles[0].link, model.soles[0].frame);
+  InverseKinematics arm(
+      model, model.joints[static_cast<std::size_t>(model.hands[0].joints.front())].parent,
+      model.hands[0].link, model.hands[0].frame);
+  const auto& pose = model.poses[static_cast<std::size_t>(model.find_pose("half_sitting"))].q;
+  const Eigen::VectorXd rest =
+      Eigen::Map<const Eigen::VectorXd>(pose.data(), static_cast<Eigen::Index>(pose.size()));
+  Eigen::VectorXd q = rest;
+  const auto near = [&](const InverseKinematics& chain, int i, double size) {
+    Eigen::Isometry3d target = chain.pose(rest);
+    target.translation() +=
+        size * Eigen::Vector3d(((i * 7) % 64) / 64.0 - 0.5, ((i * 13) % 64) / 64.0 - 0.5,
+                               ((i * 29) % 64) / 64.0 - 0.2);
+    return target;
+  };
+
+  std::vector<Row> rows;
+  rows.push_back(measure("kinematics update", calls, kBatch,
+                         [&](int i) { kinematics.update(c[static_cast<std::size_t>(i % 64)]); }));
+  rows.push_back(measure("point jacobian", calls, kBatch, [&](int) {
+    kinematics.point_jacobian(model.hands[0].link, Eigen::Vector3d::Zero(), jacobian);
+  }));
+  rows.push_back(
+      measure("com jacobian", calls, kBatch, [&](int) { kinematics.com_jacobian(com_jacobian); }));
+  rows.push_back(measure("inverse dynamics", calls, kBatch, [&](int i) {
+    dynamics.solve(kinematics, c[static_cast<std::size_t>(i % 64)], qdd, Eigen::Vector3d::Zero(),
+                   Eigen::Vector3d::Zero(), external, tau);
+  }));
+  rows.push_back(measure("estimator update", calls, kBatch, [&](int) { estimator.update(state); }));
+  rows.push_back(measure("leg inverse kinematics, 1 cm", calls / 10, 4, [&](int i) {
+    q = rest;
+    leg.solve(near(leg, i, 0.01), {}, q);
+  }));
+  rows.push_back(measure("arm inverse kinematics, 20 cm", calls / 10, 4, [&](int i) {
+    q = rest;
+    arm.solve(near(arm, i, 0.2), {}, q);
+  }));
+  rows.push_back(measure("load of the robot", 100, 1, [&](int) { load_robot(robot); }));
+
+  std::printf("%-32s %10s %10s %10s %10s\n", "microseconds per call", "median", "p99", "p99.9",
+              "worst");
+  for (const Row& row : rows) {
+    std::printf("%-32s %10.3f %10.3f %10.3f %10.3f\n", row.name.c_str(),
+                1e-3 * row.stats.median_ns(), 1e-3 * row.stats.p99_ns(), 1e-3 * row.stats.p999_ns(),
+                1e-3 * static_cast<double>(row.stats.max_ns()));
+  }
+  if (csv.empty()) return 0;
+  std::FILE* file = std::fopen(csv.c_str(), "a");
+  if (file == nullptr) {
+    std::fprintf(stderr, "kinematics_bench: %s cannot be written\n", csv.c_str());
+    return 1;
+  }
+  for (const Row& row : rows) {
+    std::fprintf(file, "kinematics,\"%s\",cost,us,%.3f,%.3f,%.3f,%.3f,,,\n", row.name.c_str(),
+                 1e-3 * row.stats.median_ns(), 1e-3 * row.stats.p99_ns(),
+                 1e-3 * row.stats.p999_ns(), 1e-3 * static_cast<double>(row.stats.max_ns()));
+  }
+  return std::fclose(file) == 0 ? 0 : 1;
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "kinematics_bench: %s\n", error.what());
+  return 1;
+}
