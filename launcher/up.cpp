@@ -135,9 +135,12 @@ Up::Up(const Arguments& arguments) {
 Placeholders Up::placeholders(const Arguments& arguments) const {
   Placeholders values;
   auto& bus = values["bus"];
-  for (const char* option : {"--url", "--prefix", "--allow"}) {
+  for (const char* option : {"--url", "--prefix"}) {
     for (const std::string& value : arguments.all(option)) bus.insert(bus.end(), {option, value});
   }
+  std::string allowed;
+  for (const std::string& address : arguments.all("--allow")) allowed += (allowed.empty() ? "" : ",") + address;
+  if (!allowed.empty()) bus.insert(bus.end(), {"--allow", allowed});
   values["robot"] = {"--robot", request_.robot};
   values["scene"] = {arguments.word(0, "stand")};
   auto& pace = values["pace"];

@@ -60,6 +60,19 @@ void check_prefix(const std::string& prefix) {
   }
 }
 
+// Each entry: nothing, one address, or several by commas.
+std::vector<std::uint32_t> addresses_of(const std::vector<std::string>& allow) {
+  std::vector<std::uint32_t> addresses;
+  for (const std::string& list : allow) {
+    for (std::size_t begin = 0; !list.empty() && begin <= list.size();) {
+      const std::size_t end = std::min(list.find(',', begin), list.size());
+      addresses.push_back(parse_ipv4(list.substr(begin, end - begin)));
+      begin = end + 1;
+    }
+  }
+  return addresses;
+}
+
 void check_provider(const std::string& url) {
   for (const char* provider : {"udpm://", "memq://", "file://"}) {
     if (starts_with(url, provider)) return;
@@ -91,13 +104,8 @@ bool take_bus_option(int argc, char** argv, int& i, BusOptions& options) {
     check_prefix(value);
     options.prefix = value;
   } else {
-    for (std::size_t begin = 0; begin <= value.size();) {
-      const std::size_t end = std::min(value.find(',', begin), value.size());
-      const std::string address = value.substr(begin, end - begin);
-      (void)parse_ipv4(address);
-      options.allow.push_back(address);
-      begin = end + 1;
-    }
+    (void)addresses_of({value});
+    options.allow.push_back(value);
   }
   return true;
 }
@@ -107,7 +115,7 @@ Bus::Bus(const BusOptions& options) : options_(options) {
   check_provider(options.url);
   has_socket_ = starts_with(options.url, "udpm://");
   if (has_socket_) (void)port_of(options.url);
-  for (const std::string& address : options.allow) (void)parse_ipv4(address);
+  (void)addresses_of(options.allow);
   lcm_ = lcm_create(options.url.c_str());
   if (lcm_ == nullptr) {
     throw std::runtime_error(
@@ -135,8 +143,7 @@ void Bus::subscribe(const char* channel, int queue, void* target, Handle handle)
   lcm_subscription_set_queue_capacity(subscription, queue);
   if (!first) return;
 
-  std::vector<std::uint32_t> allowed;
-  for (const std::string& address : options_.allow) allowed.push_back(parse_ipv4(address));
+  const std::vector<std::uint32_t> allowed = addresses_of(options_.allow);
   for (const int fd : udp_sockets(port)) {
     if (before.count(fd) != 0) continue;
     if (!attach_filter(fd, allowed)) {

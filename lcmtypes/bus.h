@@ -34,7 +34,8 @@ std::string default_url();
 struct BusOptions {
   std::string url = default_url();  // udpm:// memq:// file://
   std::string prefix;               // before every channel: letters, digits and _, at most 20
-  std::vector<std::string> allow;   // IPv4 addresses of other machines that may send to us
+  std::vector<std::string>
+      allow;  // IPv4 addresses of other machines that may send to us, or several by commas
 };
 
 // Takes --url, --prefix or --allow at argv[i] and moves i past its value.  False if argv[i] is

@@ -288,6 +288,8 @@ void add_common(Options& options, CommonOptions& common) {
   options.text("--prefix", "P", common.prefix,
                "goes before every channel, for several robots on one bus");
   options.text("--url", "URL", common.url, "of the bus");
+  options.text("--allow", "A,B", common.allow,
+               "IPv4 addresses of other machines that may send to this process");
   options.integer("--id", "N", common.id, 0, (std::int64_t{1} << 53) - 1,
                   "fixed id of this process instead of a random one");
   options.alias("--run-id");

@@ -79,6 +79,7 @@ struct CommonOptions {
   std::string robot = "hrp1s";  // name or folder
   std::string prefix;           // before every channel
   std::string url;              // $LCM_DEFAULT_URL, else the project's own port, this machine only
+  std::string allow;            // IPv4 addresses of other machines that may send to us, by commas
   std::int64_t id = 0;          // 0: draw a random one
   CommonOptions();
 };

@@ -214,7 +214,7 @@ TEST(BusOptions, AllowTakesSeveralAddresses) {
   int i = 0;
   EXPECT_TRUE(take_bus_option(2, argv.data(), i, options));
   EXPECT_EQ(i, 1);
-  EXPECT_EQ(options.allow, (std::vector<std::string>{"10.0.0.1", "10.0.0.2"}));
+  EXPECT_EQ(options.allow, (std::vector<std::string>{"10.0.0.1,10.0.0.2"}));
 }
 
 }  // namespace
