@@ -111,6 +111,7 @@ class CommandGate {
   bool blending() const noexcept { return blend_.active != 0; }
 
  private:
+  friend struct ProtocolProbe;  // test/protocol looks inside to tell states apart
   GateVerdict judge(const JointCommand& command, std::int64_t tick) const noexcept;
   void entered_stop(StopKind before, std::int64_t now_ns) noexcept;
   void start_hold(bool stop_gains) noexcept;

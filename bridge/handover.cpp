@@ -311,7 +311,7 @@ Transition Handover::tick_holding(const HandoverInput& input, std::int64_t now_n
   if (stopped && rival_count >= kTicksToConvince && now_ns - rival_ns <= config.state_timeout_ns &&
       holds(config.off, Rule::kGiveWay)) {
     const bool lower = rival_term > term || (rival_term == term && rival > config.run_id);
-    if (!rival_stopped || lower) {
+    if (rival_stopped ? lower : !input.stop_was_asked) {
       holder_tick = rival_tick;
       role_after = Role::kParked;
       leave_to(rival, rival_term, now_ns);

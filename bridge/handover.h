@@ -16,10 +16,11 @@
 //  once: the stop is not lost
 //    by handing over.  A stop latches in every role; a source with a latched stop does not take
 //    over.
-//  * Two sources that both publish on STATE (activated in two halves of a split network): one that
-//  is stopped gives way
-//    when it hears the other for three ticks; one that obeys commands never does, so no old log can
-//    depose it.  Of two stopped ones the lower (term, run) gives way.
+//  * Two sources that both publish on STATE (activated in two halves of a split network): the one
+//  whose commands ran out
+//    gives way when it hears the other for three ticks.  One that obeys commands never does, so no
+//    old log can depose it; nor does one that somebody stopped, so no stop is lost, unless the
+//    other is stopped too and higher in (term, run).
 //  * A holder that has been silent for the listening time is forgotten.  A shadow follows a new
 //  holder only if its term was
 //    believed by grant, cancel or activation; otherwise it parks, so that an old log cannot move a
@@ -72,6 +73,7 @@ enum class Transition : std::int8_t {
 struct HandoverInput {
   const RobotState* measured = nullptr;  // published last
   StopKind stop_kind = StopKind::kNone;
+  bool stop_was_asked = false;  // by somebody, not drawn by the gate itself
   bool device_ok = true;
   bool stable = true;  // could be left as it stands
 };
@@ -164,6 +166,7 @@ struct Handover {
   std::int64_t counted_holder_tick = 0;  // holder_tick at the last begin_tick
 
  private:
+  friend struct ProtocolProbe;  // test/protocol looks inside to tell states apart
   struct Peer {
     std::int64_t heard_ns = 0;
     RobotState state{};

@@ -9,8 +9,8 @@ namespace {
 
 constexpr double kLead = 0.15;  // a standby ticks this much before STATE is due [periods]
 constexpr double kPhaseGain = 0.1;
-constexpr double kPhaseStep = 0.02;  // largest correction per tick [periods]
-constexpr int kReadFailures = 2;     // in a row that are ridden out
+constexpr double kPhaseStep = 0.02;                     // largest correction per tick [periods]
+constexpr std::int64_t kDeviceSilence_ns = 20'000'000;  // of read failures that is ridden out
 constexpr std::int64_t kAnchorEvery_ns = 2'000'000'000;
 constexpr double kAnchorBeyond = 0.1;  // [rad or m]
 constexpr std::int64_t kRestRepeat_ns = 100'000'000;
@@ -71,8 +71,10 @@ std::int64_t SourceCore::gate_clock(std::int64_t now_ns) const noexcept {
 }
 
 HandoverInput SourceCore::handover_input() const noexcept {
+  const StopLatch& latch = gate_.latch();
   return {.measured = &state_,
-          .stop_kind = gate_.latch().kind,
+          .stop_kind = latch.kind,
+          .stop_was_asked = latch.asked,
           .device_ok = device_ok_,
           .stable = stable_};
 }
@@ -283,11 +285,11 @@ void SourceCore::read_adaptor(std::int64_t now_ns) noexcept {
                                                                           : Status::kNotFinite);
   if (good) {
     state_ = measured;
-    read_failures_ = 0;
+    good_read_ns_ = now_ns;
     device_ok_ = true;
     return;
   }
-  if (++read_failures_ <= kReadFailures) return;
+  if (now_ns - good_read_ns_ < kDeviceSilence_ns) return;
   device_ok_ = false;
   gate_.stop(StopKind::kHold, StopReason::kDevice, gate_clock(now_ns));
 }

@@ -44,6 +44,7 @@ class SourceCore {
   GateVerdict last_verdict() const noexcept { return verdict_; }
 
  private:
+  friend struct ProtocolProbe;  // test/protocol looks inside to tell states apart
   std::int64_t gate_clock(std::int64_t now_ns) const noexcept;
   HandoverInput handover_input() const noexcept;
   void apply(Transition transition, std::int64_t now_ns) noexcept;
@@ -80,7 +81,7 @@ class SourceCore {
   std::int64_t rest_asked_ns_ = 0;
   std::int32_t rest_sequence_ = 0;
   std::int64_t last_controller_request_ = 0;
-  int read_failures_ = 0;  // in a row
+  std::int64_t good_read_ns_ = 0;
   bool device_ok_ = true;
   bool stable_ = true;
   bool holder_new_ = false;  // a STATE of the holder since the last tick

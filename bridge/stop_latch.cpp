@@ -25,6 +25,7 @@ bool StopLatch::stop(const StopRequest& request, RuleSet off) noexcept {
   }
   heard_[next_] = {request.sender_id, request.sequence};
   next_ = (next_ + 1) % static_cast<unsigned>(heard_.size());
+  asked = true;
   if (higher || !holds(off, Rule::kHigherKindWins)) {
     kind = request.kind;
     reason = request.reason;
@@ -51,6 +52,7 @@ bool StopLatch::clear(std::int32_t echoed, RuleSet off) noexcept {
   const bool shared = shared_nonce != 0 && echoed == shared_nonce;
   if (!mine && !shared && holds(off, Rule::kClearNeedsNonce)) return false;
   shared_nonce = 0;
+  asked = false;
   kind = StopKind::kNone;
   reason = StopReason::kNone;
   return true;

@@ -33,6 +33,7 @@ struct StopLatch {
 
   StopKind kind = StopKind::kNone;
   StopReason reason = StopReason::kNone;
+  bool asked = false;  // by somebody, not only drawn by the gate
   std::int32_t nonce = 0;
   std::int32_t shared_nonce = 0;  // 0: none
   std::int32_t shown_nonce = 0;   // by the active source, last

@@ -1,0 +1,53 @@
+// Tries every continuation of a small world to a given depth, without visiting the same state at
+// the same depth twice.
+//
+// In each period any one message may be lost, doubled or late, or one link may be cut, or nothing
+// gets through at all; the sources tick in either order; and one thing may happen (a request, a
+// stop, a clear, a crash, a forged message ...).  How many faults and happenings one path may have
+// is bounded; at its end every message gets through again and World judges.
+
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "test/protocol/world.h"
+
+namespace twinbus::protocol {
+
+enum class Start {
+  kCold,
+  kTrack,
+  kSwitch,
+  kSwitchBack,
+  kShadow,
+  kShadowSwitch,
+  kFarShadow,
+  kStopped,
+  kTwoActive
+};
+const char* start_name(Start start);
+// The setting a start needs, and the world brought there without faults.
+Setting setting_for(Start start, int sources, RuleSet off = 0);
+World world_at(Start start, const Setting& setting);
+
+struct Bounds {
+  int depth = 12;        // periods
+  int faults = 2;        // of the network, per path
+  int happenings = 1;    // per path
+  double seconds = 1e9;  // then it gives up, complete = false
+};
+
+struct Outcome {
+  bool complete = true;
+  std::int64_t states = 0;  // distinct
+  std::int64_t steps = 0;
+  std::int64_t ends = 0;  // judged
+  std::string violation;  // empty: none
+  std::vector<std::string> trace;
+};
+
+Outcome explore(Start start, int sources, const Bounds& bounds, RuleSet off = 0);
+
+}  // namespace twinbus::protocol

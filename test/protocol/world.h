@@ -1,0 +1,190 @@
+// A small world for the explorer: two or three real SourceCores, one controller, an operator, and a
+// network that may lose, double or delay.  Copyable, so that the explorer can try every
+// continuation of a state.
+//
+// One step is one period.  Ghost variables remember what was asked for and delivered; they judge,
+// nothing reads them to act.
+
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "bridge/source_core.h"
+#include "robot/state_admission.h"
+
+namespace twinbus::protocol {
+
+inline constexpr int kMaxSources = 3;
+inline constexpr std::int64_t kPeriod = 20'000'000;  // [ns]: the silence of 0.1 s is five periods
+
+// A robot with one joint that stands still wherever it is.
+class StillRobot final : public RobotAdaptor {
+ public:
+  StillRobot(bool simulator, double q) : simulator_(simulator), q_(q) {}
+  Status open(const Model&, const AdaptorConfig&) override { return Status::kOk; }
+  Status read(RobotState& state, double) override {
+    state.q[0] = q_;
+    state.sensor_flags = kEncodersValid;
+    return Status::kOk;
+  }
+  Status write(const JointCommand&) override { return Status::kOk; }
+  void close() override {}
+  bool can_be_set() const override { return simulator_; }
+  Status set_state(const ImposedState&) override {
+    return simulator_ ? Status::kOk : Status::kUnsupported;
+  }
+  bool is_hardware() const override { return !simulator_; }
+
+ private:
+  bool simulator_;
+  double q_;
+};
+
+// What does not change during an exploration.
+struct Setting {
+  Setting(int sources, bool target_is_hardware, double target_q, RuleSet rules_off);
+  int sources;
+  RuleSet off;
+  Model model;
+  GateLimits limits;
+  std::vector<StillRobot> robots;
+  HandoverConfig handover_config(int source, std::int64_t run_id) const;
+  SourceConfig source_config(int source, std::int64_t run_id) const;
+};
+
+enum class Fate : std::uint8_t { kDelivered, kLost, kLate, kDoubled };
+
+// One message of the period that does not simply arrive.
+struct Fault {
+  int from = -1;  // source, or sources for the controller; -1: none
+  int to = -1;    // -1: every link of the period
+  Fate fate = Fate::kDelivered;
+};
+
+enum class EventKind : std::uint8_t {
+  kNone,
+  kActivate,
+  kSwitch,
+  kSwitchElsewhere,
+  kTrack,
+  kShadow,
+  kPark,
+  kRepeatRequest,
+  kStopHold,
+  kStopOff,
+  kClear,
+  kOldClear,
+  kCrash,
+  kRestart,
+  kControllerDies,
+  kControllerReturns,
+  kForgedState,
+  kSecondController,
+  kFutureCommand,
+};
+
+struct Happening {
+  EventKind kind = EventKind::kNone;
+  int subject = 0;       // source
+  int receivers = 0xff;  // bit per source
+};
+
+class World {
+ public:
+  explicit World(const Setting& setting);
+
+  // One period.  order 1: the sources tick in reverse order, and what is late comes after them.
+  void step(int order, const Fault& fault, const Happening& happening);
+  void quiet(int periods) {
+    for (int i = 0; i < periods && violation_.empty(); ++i) step(0, {}, {});
+  }
+  // Messages get through again: where does it end?  Fills violation().
+  void judge_the_end();
+
+  // Empty while every property holds.
+  const std::string& violation() const { return violation_; }
+  std::uint64_t digest() const;
+  std::string describe() const;
+
+  int holders() const;
+  const SourceCore& source(int i) const { return nodes_[static_cast<std::size_t>(i)].core; }
+  bool alive(int i) const { return nodes_[static_cast<std::size_t>(i)].alive; }
+  bool controller_alive() const { return controller_alive_; }
+  int message_faults = 0;
+  int interventions = 0;  // happenings other than requests
+
+ private:
+  struct Node {
+    explicit Node(SourceCore c) : core(std::move(c)) {}
+    SourceCore core;
+    bool alive = true;
+    std::int64_t run_id = 0;
+    // ghosts
+    std::int64_t born_ns = 0;
+    std::int64_t heard_state_ns = -1;  // STATE of another run was delivered
+    std::int32_t highest_term = 0;     // delivered, or held
+    std::int64_t accepted = 0;
+    std::int64_t fed_ns = 0;  // last accepted command, or start of the term
+    std::int64_t last_accepted_tick = -1;
+    std::int32_t last_accepted_term = 0;
+    std::int64_t last_grant_ns = -1;
+    int activations_asked = 0;
+    StopKind must_stop = StopKind::kNone;
+    std::int64_t stopped_ns = 0;  // the last stop delivered
+    Role role_before = Role::kParked;
+    std::int32_t term_before = 0;
+    std::int64_t refusals_before = 0;
+    std::int64_t switch_addressed_elsewhere = 0;
+  };
+  struct Letter {  // a message that comes one period late
+    bool command = false;
+    bool on_state = false;
+    int to = 0;
+    RobotState state;
+    JointCommand body;
+  };
+
+  void add_node(int i);
+  void deliver_state(int to, const RobotState& state, bool on_state);
+  void deliver_command(int to, const JointCommand& command);
+  void controller_hears(const RobotState& state, const Fault& fault);
+  void apply(const Happening& happening);
+  void send_request(SourceRequest request, int receivers, bool again);
+  void send_stop(StopKind kind, int receivers);
+  void send_clear(std::int32_t nonce, std::int64_t born_ns, int receivers);
+  void after_tick(int i);
+  void check_period();
+  void fail(const std::string& what) {
+    if (violation_.empty()) violation_ = what;
+  }
+  Fate fate_of(const Fault& fault, int from, int to) const;
+  int index_of(std::int64_t run) const;
+
+  const Setting* setting_;
+  std::int64_t now_ns_ = kPeriod;
+  std::vector<Node> nodes_;
+  std::vector<Letter> late_;
+  StateAdmission admission_;
+  std::int64_t believed_tick_ = 0, believed_ns_ = 0, believed_grant_ = 0;
+  bool controller_alive_ = true;
+  std::int32_t sequence_ = 0;
+  std::int64_t next_run_ = 100;
+  SourceRequest last_request_{};
+  std::int32_t known_nonce_ = 0;  // what the operator's last clear echoed
+  std::int64_t known_nonce_ns_ = 0;
+  std::array<std::int64_t, 64> run_of_term_{};  // whose commands were obeyed in it
+  struct Grant {
+    std::int64_t run = 0, tick = 0;
+    std::int32_t term = 0;
+  };
+  std::array<Grant, 8> grants_{};
+  unsigned next_grant_ = 0;
+  bool stop_reached_holder_ = false;
+  bool ever_active_ = false, holder_crashed_ = false, gave_way_ = false, double_activation_ = false;
+  std::string violation_;
+};
+
+}  // namespace twinbus::protocol
