@@ -6,10 +6,8 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <exception>
 #include <memory>
-#include <stdexcept>
 #include <string>
 
 #include "control/raw_terminal.h"
@@ -17,6 +15,7 @@
 #include "control/teleop.h"
 #include "lcmtypes/bus.h"
 #include "lcmtypes/channels.h"
+#include "robot/options.h"
 #include "robot/process.h"
 #include "robot/state_admission.h"
 
@@ -32,50 +31,27 @@ constexpr int kHeartbeatEvery = 10;           // cycles
 
 volatile std::sig_atomic_t g_hung_up = 0;  // the terminal is gone
 
-struct Options {
-  BusOptions bus;
+struct Arguments {
+  CommonOptions common;
   bool keyboard = false;
   bool from_script = false;
-  std::int64_t id = 0;
 };
 
-const char kHelp[] =
-    "twinbus gamepad: drives the robot with a gamepad or the keyboard\n"
-    "  --keyboard       keys of this terminal instead of a pad\n"
-    "  --virtual        a pad that exists in SDL only, driven by lines on standard input, for "
-    "tests:\n"
-    "                   plug | unplug | axis 0..5 -32768..32767 | press BIT | release BIT\n"
-    "  --id N           fixed sender id instead of a random one\n"
-    "  --help           this text and the cheat sheets\n";
-
-[[noreturn]] void print_help() {
-  std::printf("%s%s\n%s\n%s", kHelp, kBusOptionsHelp, cheat_sheet(false).c_str(),
-              cheat_sheet(true).c_str());
-  std::exit(0);
-}
-
-Options parse(int argc, char** argv) {
-  Options options;
-  for (int i = 1; i < argc; ++i) {
-    const std::string word = argv[i];
-    if (word == "--help" || word == "-h") print_help();
-    if (word == "--keyboard") {
-      options.keyboard = true;
-    } else if (word == "--virtual") {
-      options.from_script = true;
-    } else if (word == "--robot" && i + 1 < argc) {
-      ++i;  // every process takes it; a pad does not depend on the robot
-    } else if (word == "--id" && i + 1 < argc) {
-      options.id = std::strtoll(argv[++i], nullptr, 10);
-      if (!(options.id > 0)) throw std::invalid_argument("--id: a number above 0");
-    } else if (!take_bus_option(argc, argv, i, options.bus)) {
-      throw std::invalid_argument("unknown option " + word + "; see --help");
-    }
+Arguments parse(int argc, char** argv) {
+  Arguments a;
+  Options options("twinbus_gamepad", "Drives the robot with a gamepad or the keyboard.\n\n" +
+                                         cheat_sheet(false) + "\n" + cheat_sheet(true));
+  add_common(options, a.common);
+  options.flag("--keyboard", a.keyboard, "keys of this terminal instead of a pad");
+  options.flag("--virtual", a.from_script,
+               "a pad that exists in SDL only, driven by lines on standard input: plug, unplug, "
+               "axis 0..5 -32768..32767, press BIT, release BIT");
+  options.parse(argc, argv);
+  if (a.keyboard && a.from_script) {
+    std::fprintf(stderr, "twinbus_gamepad: --keyboard and --virtual exclude each other\n");
+    std::exit(2);
   }
-  if (options.keyboard && options.from_script) {
-    throw std::invalid_argument("--keyboard and --virtual exclude each other");
-  }
-  return options;
+  return a;
 }
 
 // The lines of --virtual.  Keys arrive through RawTerminal, a line at a time.
@@ -97,7 +73,7 @@ class PadScript {
   void obey(VirtualPad& pad) const {
     int a = 0, b = 0;
     if (line_ == "plug") {
-      if (!pad.plug()) std::fprintf(stderr, "gamepad: SDL gives no virtual pad\n");
+      if (!pad.plug()) std::fprintf(stderr, "twinbus_gamepad: SDL gives no virtual pad\n");
     } else if (line_ == "unplug") {
       pad.unplug();
     } else if (std::sscanf(line_.c_str(), "axis %d %d", &a, &b) == 2 && a >= 0 && a < 6) {
@@ -107,7 +83,7 @@ class PadScript {
     } else if (std::sscanf(line_.c_str(), "release %d", &a) == 1) {
       pad.set_button(a, false);
     } else {
-      std::fprintf(stderr, "gamepad: unknown line \"%s\"; see --help\n", line_.c_str());
+      std::fprintf(stderr, "twinbus_gamepad: unknown line \"%s\"; see --help\n", line_.c_str());
     }
   }
 
@@ -196,9 +172,10 @@ Heartbeat heartbeat(const Bus& bus, std::int64_t id, std::int64_t cycles, bool r
   return beat;
 }
 
-void run(const Options& options) {
-  const std::int64_t id = options.id > 0 ? options.id : random_id();
-  Bus bus(options.bus);
+void run(const Arguments& options) {
+  const std::int64_t id = options.common.id > 0 ? options.common.id : random_id();
+  BusOptions bus_options{.url = options.common.url, .prefix = options.common.prefix, .allow = {options.common.allow}};
+  Bus bus(bus_options);
   StateAdmission believed;
   Latest<RobotState> newest;
   const auto admit = [&believed](const RobotState& state, const RobotState&) noexcept {
@@ -218,7 +195,8 @@ void run(const Options& options) {
   PadInput input;
 
   std::printf("%s", cheat_sheet(options.keyboard).c_str());
-  std::printf("gamepad: ready%s\n", options.keyboard ? "" : "; pads may be plugged in at any time");
+  std::printf("twinbus_gamepad: ready%s\n",
+              options.keyboard ? "" : "; pads may be plugged in at any time");
   std::fflush(stdout);
   const bool show_line = isatty(1) == 1;
 
@@ -272,29 +250,21 @@ void run(const Options& options) {
     static_cast<void>(sent);  // counted by the bus
   }
   if (show_line) std::printf("\n");
-  std::printf("gamepad: let go\n");
+  std::printf("twinbus_gamepad: let go\n");
 }
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  Options options;
-  try {
-    options = parse(argc, argv);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "gamepad: %s\n", error.what());
-    return 2;
-  }
-  try {
-    catch_quit_signals();
-    struct sigaction hang_up {};
-    hang_up.sa_handler = [](int) { g_hung_up = 1; };
-    sigaction(SIGHUP, &hang_up, nullptr);
-    std::signal(SIGPIPE, SIG_IGN);  // a closed terminal must not end us before the zeros are out
-    run(options);
-    return 0;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "gamepad: %s\n", error.what());
-    return 1;
-  }
+int main(int argc, char** argv) try {
+  const Arguments arguments = parse(argc, argv);
+  catch_quit_signals();
+  struct sigaction hang_up {};
+  hang_up.sa_handler = [](int) { g_hung_up = 1; };
+  sigaction(SIGHUP, &hang_up, nullptr);
+  std::signal(SIGPIPE, SIG_IGN);  // a closed terminal must not end us before the zeros are out
+  run(arguments);
+  return 0;
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "twinbus_gamepad: %s\n", error.what());
+  return 1;
 }

@@ -23,9 +23,11 @@ struct AxisRow {
 constexpr std::array<AxisRow, 4> kAxes{{
     {1, -1.0, &Gamepad::left_y, "left stick forward / back", "lean forward / back"},
     {0, -1.0, &Gamepad::left_x, "left stick left / right", "lean left / right"},
-    {3, -1.0, &Gamepad::right_y, "right stick up / down", "stand taller / lower"},
+    {3, -1.0, &Gamepad::right_y, "right stick down", "crouch"},
     {2, -1.0, &Gamepad::right_x, "right stick left / right", "turn (when walking)"},
 }};
+
+constexpr std::int32_t kDeadmanButton = kPadLeftShoulder;
 
 struct ButtonRow {
   std::int32_t buttons;  // all of them
@@ -37,7 +39,7 @@ struct ButtonRow {
 constexpr std::array<ButtonRow, 7> kButtons{{
     {kPadB, TeleopAction::kStop, false, "B", "STOP, at any time"},
     {kPadBack | kPadStart, TeleopAction::kClear, false, "back + start", "clear the stop"},
-    {kPadLeftShoulder, TeleopAction::kDeadman, false, "left bumper (LB), held",
+    {kDeadmanButton, TeleopAction::kDeadman, false, "left bumper (LB), held",
      "dead-man: everything below works only while it is held"},
     {kPadA, TeleopAction::kBalance, true, "A", "balance, standing still"},
     {kPadX, TeleopAction::kSway, true, "X", "sway from side to side"},
@@ -63,8 +65,8 @@ constexpr std::array<KeyRow, 16> kKeys{{
     {'s', kKeyDown, &Gamepad::left_y, -kStep, TeleopAction::kNone, "s, arrow down", "lean back"},
     {'a', kKeyLeft, &Gamepad::left_x, kStep, TeleopAction::kNone, "a, arrow left", "lean left"},
     {'d', kKeyRight, &Gamepad::left_x, -kStep, TeleopAction::kNone, "d, arrow right", "lean right"},
-    {'i', 0, &Gamepad::right_y, kStep, TeleopAction::kNone, "i", "stand taller"},
-    {'k', 0, &Gamepad::right_y, -kStep, TeleopAction::kNone, "k", "stand lower"},
+    {'i', 0, &Gamepad::right_y, kStep, TeleopAction::kNone, "i", "rise again"},
+    {'k', 0, &Gamepad::right_y, -kStep, TeleopAction::kNone, "k", "crouch, a step more"},
     {'j', 0, &Gamepad::right_x, kStep, TeleopAction::kNone, "j", "turn left (when walking)"},
     {'l', 0, &Gamepad::right_x, -kStep, TeleopAction::kNone, "l", "turn right (when walking)"},
     {'x', '0', nullptr, 0, TeleopAction::kCentre, "x, 0", "centre: all of the above back to zero"},
@@ -145,23 +147,21 @@ void Teleop::on_pad(const PadInput& input) noexcept {
   gamepad_.name = input.name;
   gamepad_.buttons = input.buttons;
 
-  bool deadman = false;
+  // The dead-man first: a button pressed in the moment of letting go does nothing.
+  const bool deadman = (input.buttons & kDeadmanButton) != 0;
+  if (!deadman) release();
   for (const ButtonRow& row : kButtons) {
     const bool pressed = (input.buttons & row.buttons) == row.buttons;
     const bool before = (last_buttons_ & row.buttons) == row.buttons;
-    if (row.action == TeleopAction::kDeadman) {
-      deadman = pressed;
-    } else if (pressed && !before && (armed_ || !row.needs_deadman)) {
-      act(row.action);
-    }
+    if (row.action == TeleopAction::kDeadman) continue;
+    if (pressed && !before && (armed_ || !row.needs_deadman)) act(row.action);
   }
   last_buttons_ = input.buttons;
-
   if (!deadman) {
-    release();
-    seen_released_ = true;
+    seen_released_ = true;  // whatever a stop or a clear has just forgotten
     return;
   }
+
   if (!armed_ && seen_released_ && !stop_latched_ && centred(input)) {
     armed_ = true;
     gamepad_.run_id = run_id_;
@@ -240,9 +240,13 @@ bool to_mode_request(TeleopAction action, ModeRequest& request) noexcept {
       return true;
     case TeleopAction::kSway:
       request.motion = Motion::kSway;
+      request.amplitude = 0.03f;  // as in the scenes sway and squat
+      request.frequency = 0.4f;
       return true;
     case TeleopAction::kSquat:
       request.motion = Motion::kSquat;
+      request.amplitude = 0.05f;
+      request.frequency = 0.3f;
       return true;
     case TeleopAction::kHold:
       request.mode = Mode::kHold;

@@ -52,6 +52,7 @@ std::array<Vector3d, 4> corners(const Sole& sole, const Eigen::Isometry3d& in_wo
 
 // Convex hull seen from above (Andrew's monotone chain), counter-clockwise.
 std::vector<Vector3d> hull(std::vector<Vector3d> points) {
+  if (points.size() < 3) return points;
   std::sort(points.begin(), points.end(), [](const Vector3d& a, const Vector3d& b) {
     return a.x() < b.x() || (!(b.x() < a.x()) && a.y() < b.y());
   });

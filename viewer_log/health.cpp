@@ -89,7 +89,9 @@ Health assess(const StackView& view, std::int64_t now_ns) {
     return {HealthLevel::kWarning,
             "Slower than real time: factor " + one_decimal(view.realtime_factor()) + "."};
   }
-  return {HealthLevel::kGood, "Running."};
+  const ControllerStatus& controller = view.controller().value;
+  const char* doing = controller.motion != Motion::kNone ? label(controller.motion) : label(mode);
+  return {HealthLevel::kGood, std::string("Running well: ") + doing + "."};
 }
 
 const char* label(HealthLevel level) noexcept {

@@ -21,6 +21,7 @@
 #include "lcmtypes/bus.h"
 #include "lcmtypes/channels.h"
 #include "robot/load.h"
+#include "robot/options.h"
 #include "robot/process.h"
 #include "robot/state_admission.h"
 #include "viewer_log/frame.h"
@@ -40,60 +41,30 @@ constexpr std::size_t kMostRequests = 32;          // waiting from pages
 
 enum Slot : int { kLive = 0, kStatus = 1, kScene = 2 };
 
-struct Options {
-  BusOptions bus;
-  std::string robot = "hrp1s";
-  std::string web;  // folder of the page
-  int port = 8040;
-  bool open = true;
-  std::int64_t id = 0;
+struct Arguments {
+  CommonOptions common;
+  std::string web = TWINBUS_WEB_FOLDER;  // folder of the page
+  std::int64_t port = 8040;
+  bool no_open = false;
 };
 
-const char kHelp[] =
-    "twinbus viewer: shows the running stack in a browser, with a stop button\n"
-    "  --robot NAME|DIR  robot to show (default hrp1s)\n"
-    "  --port N          first port to try on 127.0.0.1 (default 8040, then the next free; 0: "
-    "any)\n"
-    "  --no-open         do not open the browser\n"
-    "  --web DIR         folder of the page (default: the one it was built with)\n"
-    "  --id N            fixed sender id instead of a random one\n"
-    "  TWINBUS_VIEWER_TOKEN in the environment keeps the address the same over a restart\n";
-
-std::int64_t number(const char* option, const char* text, std::int64_t least, std::int64_t most) {
-  char* end = nullptr;
-  const std::int64_t value = std::strtoll(text, &end, 10);
-  if (*text == '\0' || *end != '\0' || value < least || value > most) {
-    throw std::invalid_argument(std::string(option) + ": a whole number from " +
-                                std::to_string(least) + " to " + std::to_string(most));
-  }
-  return value;
+Arguments parse(int argc, char** argv) {
+  Arguments a;
+  Options options(
+      "twinbus_viewer",
+      "Shows the running stack in a browser, with a stop button.\n"
+      "TWINBUS_VIEWER_TOKEN in the environment keeps the address the same over a restart.");
+  add_common(options, a.common);
+  options.integer("--port", "N", a.port, 0, 65535,
+                  "first port to try on 127.0.0.1, then the next free; 0: any");
+  options.flag("--no-open", a.no_open, "does not open the browser");
+  options.text("--web", "FOLDER", a.web, "folder of the page");
+  options.parse(argc, argv);
+  return a;
 }
 
-Options parse(int argc, char** argv) {
-  Options options;
-  for (int i = 1; i < argc; ++i) {
-    const std::string word = argv[i];
-    const auto value = [&]() -> const char* {
-      if (++i >= argc) throw std::invalid_argument(word + ": a value is missing");
-      return argv[i];
-    };
-    if (word == "--help" || word == "-h") {
-      std::printf("%s%s", kHelp, kBusOptionsHelp);
-      std::exit(0);
-    } else if (word == "--robot") {
-      options.robot = value();
-    } else if (word == "--port") {
-      options.port = static_cast<int>(number("--port", value(), 0, 65535));
-    } else if (word == "--web") {
-      options.web = value();
-    } else if (word == "--no-open") {
-      options.open = false;
-    } else if (word == "--id" || word == "--run-id") {
-      options.id = number("--id", value(), 1, (std::int64_t{1} << 53) - 1);
-    } else if (!take_bus_option(argc, argv, i, options.bus)) {
-      throw std::invalid_argument("unknown option " + word + "; see --help");
-    }
-  }
+BusOptions bus_options(const Arguments& a) {
+  BusOptions options{.url = a.common.url, .prefix = a.common.prefix, .allow = {a.common.allow}};
   return options;
 }
 
@@ -151,12 +122,12 @@ struct Outgoing {
 
 class Viewer {
  public:
-  explicit Viewer(const Options& options)
-      : options_(options),
-        model_(load_robot(options.robot)),
-        id_(options.id > 0 ? options.id : random_id()),
+  explicit Viewer(const Arguments& arguments)
+      : arguments_(arguments),
+        model_(load_robot(arguments.common.robot)),
+        id_(arguments.common.id > 0 ? arguments.common.id : random_id()),
         view_(model_),
-        bus_(options.bus),
+        bus_(bus_options(arguments)),
         server_(web_config()) {
     stop_.message.sender_id = id_;
     switch_.message.sender_id = id_;
@@ -185,7 +156,7 @@ class Viewer {
       if (now_early > due + 10 * kFramePeriod) due = now_early;  // was suspended
       sleep_until_ns(due);
       if (bus_.receive(0.0) < 0 && frame % 60 == 0) {
-        std::fprintf(stderr, "viewer: the bus is gone\n");
+        std::fprintf(stderr, "twinbus_viewer: the bus is gone\n");
       }
       const std::int64_t now = monotonic_ns();
       collect(now);
@@ -199,17 +170,16 @@ class Viewer {
  private:
   WebConfig web_config() {
     WebConfig config;
-    config.port = options_.port;
+    config.port = static_cast<int>(arguments_.port);
     if (const char* token = std::getenv("TWINBUS_VIEWER_TOKEN")) {
       if (std::strlen(token) < 16) {
         throw std::runtime_error("TWINBUS_VIEWER_TOKEN: at least 16 characters are needed");
       }
       config.token = token;
     }
-    const std::string web = options_.web.empty() ? TWINBUS_WEB_FOLDER : options_.web;
+    const std::string& web = arguments_.web;
     if (find_file({{"/", web}}, "/index.html").empty()) {
-      throw std::runtime_error("viewer: no index.html in " + web +
-                               "; name the page's folder with --web");
+      throw std::runtime_error("no index.html in " + web + "; name the page's folder with --web");
     }
     config.roots = {{"/", web}, {"/robot/", model_.folder}};
     config.documents = {{"/robot.urdf", "application/xml", model_.urdf_text}};
@@ -221,11 +191,11 @@ class Viewer {
 
   void announce() {
     const std::string address = server_.address();
-    std::printf("viewer: ready at %s\n", address.c_str());
+    std::printf("twinbus_viewer: ready at %s\n", address.c_str());
     std::fflush(stdout);
     const bool display =
         std::getenv("DISPLAY") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr;
-    if (options_.open && display && isatty(1) == 1 && fork() == 0) {
+    if (!arguments_.no_open && display && isatty(1) == 1 && fork() == 0) {
       setsid();
       execlp("xdg-open", "xdg-open", address.c_str(), nullptr);
       _exit(1);
@@ -266,6 +236,8 @@ class Viewer {
         mode.run_id = state.run_id;
         mode.mode = request.mode;
         mode.motion = request.motion;
+        mode.amplitude = request.amplitude;
+        mode.frequency = request.frequency;
         mode_.start(mode);
       } else if (request.what == PageRequest::What::kSwitch) {
         SourceRequest change;
@@ -319,7 +291,7 @@ class Viewer {
     if (!bus_.send(channel::kHeartbeat, beat)) return;  // the bus counts it
   }
 
-  const Options options_;
+  const Arguments arguments_;
   const Model model_;
   const std::int64_t id_;
   StackView view_;
@@ -367,22 +339,14 @@ class Viewer {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  Options options;
-  try {
-    options = parse(argc, argv);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "viewer: %s\n", error.what());
-    return 2;
-  }
-  try {
-    catch_quit_signals();
-    setpriority(PRIO_PROCESS, 0, 10);
-    Viewer viewer(options);
-    viewer.run();
-    return 0;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "viewer: %s\n", error.what());
-    return 1;
-  }
+int main(int argc, char** argv) try {
+  const Arguments arguments = parse(argc, argv);
+  catch_quit_signals();
+  setpriority(PRIO_PROCESS, 0, 10);
+  Viewer viewer(arguments);
+  viewer.run();
+  return 0;
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "twinbus_viewer: %s\n", error.what());
+  return 1;
 }

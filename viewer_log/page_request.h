@@ -21,6 +21,8 @@ struct PageRequest {
   std::int64_t run_id = 0;  // switch: the source that is to become active
   Mode mode = Mode::kNone;
   Motion motion = Motion::kNone;
+  float amplitude = 0;  // [m]
+  float frequency = 0;  // [Hz]
 };
 
 // False, with one sentence in problem, when the text is not one of the above or the page may not

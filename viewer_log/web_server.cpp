@@ -294,8 +294,8 @@ struct WebServer::Impl {
         return;
       }
     }
-    throw std::runtime_error("viewer: no free port from " + std::to_string(shared.config.port) +
-                             " on (" + error.message() + "); choose one with --port");
+    throw std::runtime_error("no free port from " + std::to_string(shared.config.port) + " on (" +
+                             error.message() + "); choose one with --port");
   }
 
   void accept() {

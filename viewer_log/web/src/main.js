@@ -7,21 +7,27 @@ import { Stage } from './stage.js';
 
 const $ = (id) => document.getElementById(id);
 const kBalanced = 1, kHold = 2;
+const kSilent = 1500; // a picture older than this is not to be believed [ms]
 const kAgain = 3000; // a second stop within this is meant as a harder one [ms]
 
 const stage = new Stage($('view'));
 const robot = new Robot(stage.scene);
 const panels = new Panels((request) => link.send(request));
 let newest = null;
+let newestAt = 0;
 let lastStop = -Infinity;
 
 const link = new Link({
-  connected: (yes) => panels.connected(yes),
+  connected: (yes) => { if (!yes) panels.connected(false); }, // the first picture says that it is there
   hello: (message) => {
     panels.hello(message);
     robot.load(message.joints).catch((error) => panels.toast(`The robot cannot be shown: ${error.message}`));
   },
-  live: (message) => { newest = message; },
+  live: (message) => {
+    newest = message;
+    newestAt = performance.now();
+    panels.connected(true);
+  },
   status: (message) => panels.status(message),
   scene: (message) => stage.showObstacles(message.obstacles),
   note: (message) => panels.toast(message.text),
@@ -67,8 +73,10 @@ addEventListener('keyup', (event) => { if (event.key === ' ') event.preventDefau
 
 stage.renderer.setAnimationLoop(() => {
   if (newest) {
+    // The viewer process may hang with its connection open.
+    if (performance.now() - newestAt > kSilent) panels.connected(false);
     robot.pose(newest.q, newest.base);
-    robot.dim(newest.age_ms === null || newest.age_ms > 500 || newest.role === 'parked');
+    robot.dim(!panels.online || newest.age_ms === null || newest.age_ms > 500 || newest.role === 'parked');
     stage.show(newest);
     panels.live(newest);
   }

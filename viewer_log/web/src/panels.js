@@ -26,6 +26,7 @@ export class Panels {
     this.active = 0;
     this.lastEvent = -1;
     this.weight = 1000; // [N]
+    this.robot = '';
     for (const button of document.querySelectorAll('#modes button')) {
       button.onclick = () => send({ do: 'mode', mode: button.dataset.mode });
     }
@@ -34,6 +35,7 @@ export class Panels {
   hello(message) {
     this.trusted = message.trusted;
     this.weight = message.mass * 9.81;
+    this.robot = message.robot;
     document.title = `twinbus: ${message.robot}`;
     $('watching').hidden = message.trusted;
     for (const button of document.querySelectorAll('#modes button')) button.disabled = !message.trusted;
@@ -54,7 +56,7 @@ export class Panels {
     const now = performance.now();
     if (now - (this.slow ?? 0) < 100) return; // figures that change faster cannot be read
     this.slow = now;
-    text('badge-detail', present ? `term ${live.term} · ${live.role} · age ${age(live.age_ms)}`
+    text('badge-detail', present ? `${this.robot} · term ${live.term} · ${live.role} · age ${age(live.age_ms)}`
       : live.age_ms === null ? 'waiting for STATE' : `last state ${age(live.age_ms)} ago`);
     text('rate-time', `${(live.time ?? 0).toFixed(1)} s`);
     text('rate-tick', String(live.tick));
@@ -68,7 +70,7 @@ export class Panels {
     this.pairs(live.pairs);
   }
 
-  // Seen from above, forward up: centred between the soles, 10 cm per 20 units.
+  // Seen from above, forward up, centred between the soles.
   map(live) {
     const all = live.soles.flat();
     if (all.length === 0) return;
@@ -76,10 +78,10 @@ export class Panels {
     const [w, x, y, z] = live.base.slice(3);
     const yaw = Math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z));
     const [c, s] = [Math.cos(yaw), Math.sin(yaw)];
-    const at = (p) => {
-      const [dx, dy] = [p[0] - sx, p[1] - sy];
-      return [-200 * (-s * dx + c * dy), -200 * (c * dx + s * dy)].map((v) => v.toFixed(1));
-    };
+    const turned = (p) => [-(-s * (p[0] - sx) + c * (p[1] - sy)), -(c * (p[0] - sx) + s * (p[1] - sy))];
+    const reach = (i) => Math.max(0.1, ...all.map((p) => Math.abs(turned(p)[i])));
+    const scale = Math.min(125 / reach(0), 52 / reach(1)); // units per metre
+    const at = (p) => turned(p).map((v) => (scale * v).toFixed(1));
     const outline = (points) => points.map((p) => at(p).join(',')).join(' ');
     const known = (p) => p && p.every((v) => v !== null);
     const dot = (p, radius, fill) => (known(p) ? `<circle cx="${at(p)[0]}" cy="${at(p)[1]}" r="${radius}" fill="${fill}"/>` : '');
@@ -98,6 +100,7 @@ export class Panels {
   }
 
   status(status) {
+    if (!this.online) return;
     $('health').className = status.health.level;
     text('health-text', status.health.text);
     document.body.classList.toggle('stopped', status.health.level === 'stopped');
@@ -170,6 +173,8 @@ export class Panels {
   }
 
   connected(yes) {
+    if (this.online === yes) return;
+    this.online = yes;
     document.body.classList.toggle('offline', !yes);
     if (yes) return;
     this.lastEvent = -1;

@@ -8,10 +8,12 @@ const kLongestArrow = 1.4; // [m]
 const kShownPair = 120;    // [mm]
 
 function arrow(color) {
-  const material = new THREE.MeshStandardMaterial({ color, emissive: color, emissiveIntensity: 0.45, roughness: 0.5 });
+  const material = new THREE.MeshStandardMaterial({ color, emissive: color, emissiveIntensity: 0.45, roughness: 0.5,
+    depthTest: false, transparent: true, opacity: 0.9 }); // seen through the legs
   const shaft = new THREE.Mesh(new THREE.CylinderGeometry(0.008, 0.008, 1, 12).translate(0, 0.5, 0), material);
   const head = new THREE.Mesh(new THREE.ConeGeometry(0.022, 0.055, 16).translate(0, 0.0275, 0), material);
   const group = new THREE.Group();
+  shaft.renderOrder = head.renderOrder = 9;
   group.add(shaft, head);
   group.userData = { shaft, head };
   group.visible = false;
@@ -83,25 +85,49 @@ export class Stage {
     this.sun.castShadow = true;
     this.sun.shadow.mapSize.set(2048, 2048);
     Object.assign(this.sun.shadow.camera, { left: -1.7, right: 1.7, top: 1.9, bottom: -1.7, near: 1, far: 12 });
-    this.sun.shadow.bias = -0.0004;
+    this.sun.shadow.bias = -0.0003;
+    this.sun.shadow.normalBias = 0.012;
     this.sun.shadow.radius = 4;
     this.scene.add(this.sun, this.sun.target);
   }
 
+  // A picture on the floor, not lines: long lines are dropped by some drivers, and a picture takes shadows.
   ground() {
-    const floor = new THREE.Mesh(new THREE.PlaneGeometry(60, 60),
-      new THREE.MeshStandardMaterial({ color: 0x1b2431, roughness: 0.95 }));
+    const size = 60; // [m], one tile per metre
+    const floor = new THREE.Mesh(new THREE.PlaneGeometry(size, size),
+      new THREE.MeshStandardMaterial({ map: this.tile(size), roughness: 0.95, depthWrite: false }));
     floor.receiveShadow = true;
-    floor.position.z = -0.002;
-    const fine = new THREE.GridHelper(40, 160, 0x2a3748, 0x253142);
-    const coarse = new THREE.GridHelper(40, 40, 0x4f6a8c, 0x3a4c63);
-    for (const grid of [fine, coarse]) grid.rotation.x = Math.PI / 2;
-    coarse.position.z = 0.0006;
+    floor.renderOrder = -1;
+    this.scene.add(floor);
     const axes = lineOf(2, 0xe5484d, { segments: true });
     setPoints(axes, [[0, 0, 0.002], [0.5, 0, 0.002]]);
     const side = lineOf(2, 0x3ecf8e, { segments: true });
     setPoints(side, [[0, 0, 0.002], [0, 0.5, 0.002]]);
-    this.scene.add(floor, fine, coarse, axes, side);
+    this.scene.add(axes, side);
+  }
+
+  // One metre of floor, with a line every 25 cm.
+  tile(count) {
+    const canvas = document.createElement('canvas');
+    const n = (canvas.width = canvas.height = 512);
+    const paint = canvas.getContext('2d');
+    paint.fillStyle = '#1c2634';
+    paint.fillRect(0, 0, n, n);
+    const lines = (step, width, color) => {
+      paint.fillStyle = color;
+      for (let at = 0; at <= n; at += step) {
+        paint.fillRect(at - width / 2, 0, width, n);
+        paint.fillRect(0, at - width / 2, n, width);
+      }
+    };
+    lines(n / 4, 3, '#2b394c');
+    lines(n, 8, '#4d6685');
+    const texture = new THREE.CanvasTexture(canvas);
+    texture.wrapS = texture.wrapT = THREE.RepeatWrapping;
+    texture.repeat.set(count, count);
+    texture.anisotropy = this.renderer.capabilities.getMaxAnisotropy();
+    texture.colorSpace = THREE.SRGBColorSpace;
+    return texture;
   }
 
   overlays() {

@@ -1,0 +1,90 @@
+"""A headless Chromium that a test looks at a page with: scripts, keys, screenshots, what the console said."""
+import base64
+import json
+import os
+import re
+import shutil
+import subprocess
+import tempfile
+import time
+
+from web_socket import WebSocket
+
+
+def find_browser():
+    return shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
+
+
+class Browser:
+    def __init__(self, address, size=(1600, 900)):
+        self.folder = tempfile.mkdtemp()
+        self.child = subprocess.Popen(
+            [find_browser(), "--headless", "--no-sandbox", "--no-proxy-server", "--enable-unsafe-swiftshader",
+             "--hide-scrollbars", "--remote-debugging-port=0", f"--user-data-dir={self.folder}",
+             f"--window-size={size[0]},{size[1]}", "about:blank"],
+            stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+        port = None
+        while port is None:
+            line = self.child.stderr.readline().decode(errors="replace")
+            if not line:
+                raise RuntimeError("the browser has ended")
+            found = re.search(r"ws://127\.0\.0\.1:(\d+)(/\S+)", line)
+            port = found and int(found[1])
+        self.drain = subprocess.Popen(["cat"], stdin=self.child.stderr, stdout=subprocess.DEVNULL)
+        self.session, self.console, self.number = None, [], 0
+        self.socket = WebSocket(port, found[2], timeout=30)
+        target = next(t for t in self.call("Target.getTargets")["targetInfos"] if t["type"] == "page")
+        self.session = self.call("Target.attachToTarget", targetId=target["targetId"], flatten=True)["sessionId"]
+        self.call("Runtime.enable")
+        self.call("Page.enable")
+        self.call("Emulation.setDeviceMetricsOverride", width=size[0], height=size[1], deviceScaleFactor=1, mobile=False)
+        self.call("Page.navigate", url=address)
+
+    def call(self, method, **parameters):
+        self.number += 1
+        request = {"id": self.number, "method": method, "params": parameters}
+        if self.session:
+            request["sessionId"] = self.session
+        self.socket.send(json.dumps(request))
+        while True:
+            message = json.loads(self.socket.receive())
+            if message.get("method") == "Runtime.consoleAPICalled" and message["params"]["type"] in ("error", "warning"):
+                self.console.append(" ".join(str(a.get("value", a.get("description"))) for a in message["params"]["args"]))
+            if message.get("method") == "Runtime.exceptionThrown":
+                self.console.append(message["params"]["exceptionDetails"]["exception"].get("description", "exception"))
+            if message.get("id") == self.number:
+                if "error" in message:
+                    raise RuntimeError(message["error"])
+                return message["result"]
+
+    def value(self, script):
+        return self.call("Runtime.evaluate", expression=script, returnByValue=True)["result"].get("value")
+
+    def wait_for(self, script, seconds=15.0):
+        end = time.monotonic() + seconds
+        while time.monotonic() < end:
+            if self.value(script):
+                return True
+            time.sleep(0.2)
+        return False
+
+    def key(self, key, code):
+        for kind in ("keyDown", "keyUp"):
+            self.call("Input.dispatchKeyEvent", type=kind, key=key, code=code, text=key if kind == "keyDown" else "")
+
+    def click(self, selector):
+        box = self.value(f"(r => [r.x + r.width / 2, r.y + r.height / 2])(document.querySelector('{selector}').getBoundingClientRect())")
+        for kind in ("mousePressed", "mouseReleased"):
+            self.call("Input.dispatchMouseEvent", type=kind, x=box[0], y=box[1], button="left", clickCount=1)
+
+    def screenshot(self, name):
+        data = self.call("Page.captureScreenshot", format="png")["data"]
+        with open(name, "wb") as file:
+            file.write(base64.b64decode(data))
+
+    def end(self):
+        self.socket.close()
+        self.child.terminate()
+        self.child.wait(10)
+        self.drain.wait(5)
+        shutil.rmtree(self.folder, ignore_errors=True)

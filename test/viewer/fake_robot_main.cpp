@@ -1,0 +1,310 @@
+// A stack that is not there: publishes what the viewer and the gamepad listen to, and prints the
+// requests it hears.
+//
+// For tests and for looking at the page without a simulator.  The robot sways by a formula; nothing
+// is simulated.
+//
+//   fake_robot [--robot NAME] [--source 1|2|3] [--url U] [--for SECONDS]
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+#include <string>
+#include <utility>
+
+#include "lcmtypes/bus.h"
+#include "lcmtypes/channels.h"
+#include "robot/load.h"
+#include "robot/process.h"
+
+using namespace twinbus;
+
+namespace {
+
+constexpr std::int64_t kRun = 1001, kOtherRun = 1002, kController = 2001;
+constexpr double kTurn = 6.283185307179586;
+
+template <std::size_t N>
+void set_text(std::array<char, N>& target, const std::string& text) {
+  std::snprintf(target.data(), N, "%s", text.c_str());
+}
+
+class FakeStack {
+ public:
+  FakeStack(const Model& model, SourceKind source, const BusOptions& bus)
+      : model_(model), bus_(bus) {
+    state_.run_id = kRun;
+    state_.model_hash = model.hash;
+    state_.period_ns = model.period_ns;
+    state_.term = 1;
+    state_.joint_count = static_cast<std::int16_t>(model.bus_count());
+    state_.source = source;
+    state_.role = Role::kActive;
+    state_.sensor_flags =
+        kEncodersValid | kImuValid | wrench_valid(kLeftFoot) | wrench_valid(kRightFoot);
+    state_.wrench_kind = {WrenchKind::kMeasured, WrenchKind::kMeasured, WrenchKind::kAbsent,
+                          WrenchKind::kAbsent};
+    state_.stop_nonce = 77;
+    pose_ = model.find_pose("half_sitting");
+    bus_.listen_each<StopRequest>(channel::kStop, on_stop_);
+    bus_.listen_each<ModeRequest>(channel::kModeRequest, on_mode_);
+    bus_.listen_each<SourceRequest>(channel::kSourceRequest, on_source_);
+    bus_.listen_each<Gamepad>(channel::kGamepad, on_gamepad_);
+  }
+
+  void tick() {
+    ++state_.tick;
+    state_.time_ns += state_.period_ns;
+    state_.source_time_ns = state_.time_ns;
+    posture(1e-9 * static_cast<double>(state_.time_ns));
+    bool sent = bus_.send(channel::kState, state_);
+    JointCommand command;
+    command.tick = state_.tick;
+    command.run_id = kRun;
+    command.controller_id = kController;
+    command.joint_count = state_.joint_count;
+    sent = bus_.send(channel::kCommand, command) && sent;
+    sent = bus_.send(channel::kControllerStatus, controller()) && sent;
+    sent = bus_.send(channel::kGuard, guard()) && sent;
+    if (state_.tick % 50 == 0) slow();
+    if (!sent && state_.tick == 1)
+      std::fprintf(stderr, "fake_robot: a message could not be sent\n");
+    bus_.receive(0.0);
+  }
+
+ private:
+  // Sways by ankles and hips: the feet stay flat, the weight moves over.
+  void posture(double time) {
+    const double lean =
+        state_.stop_kind == StopKind::kNone ? 0.045 * std::sin(kTurn * 0.25 * time) : 0.0;
+    for (int k = 0; k < model_.bus_count(); ++k) {
+      const int joint = model_.bus_joints[static_cast<std::size_t>(k)];
+      const std::string& name = model_.joints[static_cast<std::size_t>(joint)].name;
+      double q =
+          pose_ < 0
+              ? 0.0
+              : model_.poses[static_cast<std::size_t>(pose_)].q[static_cast<std::size_t>(joint)];
+      if (name.find("HIP_R") != std::string::npos) q += lean;
+      if (name.find("ANKLE_R") != std::string::npos) q -= lean;
+      if (name.find("SHOULDER_P") != std::string::npos) q += 4.0 * lean;
+      state_.q[static_cast<std::size_t>(k)] = q;
+    }
+    const double weight = 9.81 * model_.total_mass();
+    const double left = 0.5 + 3.0 * lean;
+    state_.wrench[kLeftFoot][2] = static_cast<float>(weight * left);
+    state_.wrench[kRightFoot][2] = static_cast<float>(weight * (1.0 - left));
+  }
+
+  ControllerStatus controller() const {
+    ControllerStatus status;
+    status.tick = state_.tick;
+    status.run_id = kRun;
+    status.controller_id = kController;
+    status.mode = mode_.mode;
+    status.motion = mode_.motion;
+    status.zmp_margin = 0.05f;
+    status.compute_ns = 41'000;
+    return status;
+  }
+
+  GuardReport guard() const {
+    GuardReport report;
+    report.tick = state_.tick;
+    report.run_id = kRun;
+    report.guard_id = 3001;
+    report.pairs_checked = 371;
+    report.pairs_near = 2;
+    report.verdict = GuardVerdict::kNear;
+    report.link_a = {1, 7, 0, 0, 0, 0};
+    report.link_b = {14, 0, 0, 0, 0, 0};
+    report.distance = {0.062f, 0.041f, 0, 0, 0, 0};
+    report.point_a[0] = {0.0f, -0.05f, -0.3f};
+    report.point_b[0] = {0.0f, 0.05f, -0.3f};
+    report.point_a[1] = {0.0f, -0.22f, 0.1f};
+    report.point_b[1] = {0.0f, -0.15f, 0.1f};
+    return report;
+  }
+
+  void slow() {
+    SourceStatus status;
+    status.utime = wall_us();
+    status.run_id = kRun;
+    status.model_hash = model_.hash;
+    status.tick = state_.tick;
+    status.term = state_.term;
+    status.period_ns = state_.period_ns;
+    status.source = state_.source;
+    status.role = state_.role;
+    status.stop_kind = state_.stop_kind;
+    status.stop_reason =
+        state_.stop_kind == StopKind::kNone ? StopReason::kNone : StopReason::kViewer;
+    status.pace = 1;
+    bool sent = bus_.send(channel::kSourceStatus, status);
+    status.run_id = kOtherRun;
+    status.source =
+        state_.source == SourceKind::kBridge ? SourceKind::kSimulator : SourceKind::kBridge;
+    status.role = Role::kParked;
+    status.stop_kind = StopKind::kNone;
+    sent = bus_.send(channel::kSourceStatus, status) && sent;
+    static constexpr ProcessKind kKinds[] = {ProcessKind::kSimulator, ProcessKind::kBridge,
+                                             ProcessKind::kController, ProcessKind::kGuard,
+                                             ProcessKind::kPlanner};
+    for (ProcessKind kind : kKinds) {
+      Heartbeat beat;
+      beat.utime = wall_us();
+      beat.process_id = 4000 + static_cast<int>(kind);
+      beat.pid = 100 + static_cast<int>(kind);
+      beat.kind = kind;
+      beat.state = kind == ProcessKind::kPlanner ? 1 : 2;
+      beat.rate = kind == ProcessKind::kPlanner ? 0.0f : 500.0f;
+      beat.ticks = state_.tick;
+      beat.tick_median_us = 35;
+      beat.tick_p99_us = 90;
+      sent = bus_.send(channel::kHeartbeat, beat) && sent;
+    }
+    ObstaclesPiece piece;
+    piece.scene_id = 5;
+    piece.pieces = 1;
+    piece.count = 1;
+    piece.shape[0] = ObstacleShape::kBox;
+    piece.size[0] = {0.2f, 0.5f, 0.8f};
+    piece.position[0] = {0.35f, -0.75f, 0.4f};
+    piece.attitude[0] = {1, 0, 0, 0};
+    for (std::size_t i = 1; i < piece.attitude.size(); ++i) piece.attitude[i] = {1, 0, 0, 0};
+    sent = bus_.send(channel::kObstacles, piece) && sent;
+    if (state_.tick == 50) say("The scene has started.", 0);
+    if (!sent && state_.tick == 50)
+      std::fprintf(stderr, "fake_robot: a slow message could not be sent\n");
+  }
+
+  void say(const std::string& text, int severity) {
+    Event event;
+    event.utime = wall_us();
+    event.sender_id = kRun;
+    event.run_id = kRun;
+    event.tick = state_.tick;
+    event.sequence = ++event_sequence_;
+    event.severity = static_cast<std::int8_t>(severity);
+    event.kind = ProcessKind::kSimulator;
+    set_text(event.text, text);
+    if (!bus_.send(channel::kEvent, event)) std::fprintf(stderr, "fake_robot: no event\n");
+  }
+
+  void print(const char* what, long value, std::int64_t run) {
+    std::printf("%s %ld run %ld\n", what, value, static_cast<long>(run));
+    std::fflush(stdout);
+  }
+
+  template <class T>
+  bool repeated(const T& request, std::int64_t& last) {
+    const std::int64_t key = request.sender_id * 1000 + request.sequence;
+    return std::exchange(last, key) == key;
+  }
+
+  struct OnStop {
+    FakeStack& me;
+    void operator()(const StopRequest& stop) {
+      if (me.repeated(stop, me.last_stop_)) return;
+      me.print(stop.kind == StopKind::kNone ? "clear" : "stop",
+               stop.kind == StopKind::kNone ? stop.stop_nonce : static_cast<long>(stop.kind), 0);
+      const bool clears = stop.kind == StopKind::kNone && stop.stop_nonce == me.state_.stop_nonce;
+      if (stop.kind != StopKind::kNone) {
+        me.state_.stop_kind = stop.kind;
+        me.state_.role = Role::kStopped;
+        me.say("Stopped by request.", 2);
+      } else if (clears) {
+        me.state_.stop_kind = StopKind::kNone;
+        me.state_.role = Role::kActive;
+        ++me.state_.stop_nonce;
+        me.say("The stop is cleared.", 0);
+      }
+    }
+  };
+  struct OnMode {
+    FakeStack& me;
+    void operator()(const ModeRequest& mode) {
+      if (me.repeated(mode, me.last_mode_)) return;
+      me.mode_ = mode;
+      me.print("mode", 10 * static_cast<long>(mode.mode) + static_cast<long>(mode.motion),
+               mode.run_id);
+    }
+  };
+  struct OnSource {
+    FakeStack& me;
+    void operator()(const SourceRequest& request) {
+      if (me.repeated(request, me.last_source_)) return;
+      me.print("source", static_cast<long>(request.action), request.target_run_id);
+    }
+  };
+  // A line whenever what the pad says changes, with how many messages came since.
+  struct OnGamepad {
+    FakeStack& me;
+    void operator()(const Gamepad& pad) {
+      char line[160];
+      std::snprintf(
+          line, sizeof line,
+          "pad connected %d deadman %d stop %d lx %.2f ly %.2f rx %.2f ry %.2f buttons %d run %ld",
+          pad.connected, pad.deadman, pad.stop, double{pad.left_x}, double{pad.left_y},
+          double{pad.right_x}, double{pad.right_y}, pad.buttons, static_cast<long>(pad.run_id));
+      ++me.pads_;
+      if (me.last_pad_ == line) return;
+      me.last_pad_ = line;
+      std::printf("%s after %d\n", line, std::exchange(me.pads_, 0));
+      std::fflush(stdout);
+    }
+  };
+
+  const Model& model_;
+  RobotState state_;
+  ModeRequest mode_{.mode = Mode::kBalance, .motion = Motion::kSway};
+  int pose_ = -1;
+  std::int32_t event_sequence_ = 0;
+  std::int64_t last_stop_ = 0, last_mode_ = 0, last_source_ = 0;
+  std::string last_pad_;
+  int pads_ = 0;
+  OnStop on_stop_{*this};
+  OnMode on_mode_{*this};
+  OnSource on_source_{*this};
+  OnGamepad on_gamepad_{*this};
+  Bus bus_;
+};
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+  BusOptions bus;
+  std::string robot = "hrp1s";
+  int source = 1;
+  double seconds = 1e9;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (word == "--robot" && i + 1 < argc) {
+      robot = argv[++i];
+    } else if (word == "--source" && i + 1 < argc) {
+      source = std::atoi(argv[++i]);
+    } else if (word == "--for" && i + 1 < argc) {
+      seconds = std::atof(argv[++i]);
+    } else if (!take_bus_option(argc, argv, i, bus)) {
+      std::fprintf(stderr, "fake_robot: unknown option %s\n", argv[i]);
+      return 2;
+    }
+  }
+  catch_quit_signals();
+  const Model model = load_robot(robot);
+  FakeStack stack(model, SourceKind(source), bus);
+  std::printf("fake_robot: ready\n");
+  std::fflush(stdout);
+  std::int64_t due = monotonic_ns();
+  const double end = 1e-9 * static_cast<double>(due) + seconds;
+  while (!quit_requested() && 1e-9 * static_cast<double>(monotonic_ns()) < end) {
+    due += model.period_ns;
+    sleep_until_ns(due);
+    stack.tick();
+  }
+  return 0;
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "fake_robot: %s\n", error.what());
+  return 1;
+}

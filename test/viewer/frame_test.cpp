@@ -1,0 +1,155 @@
+#include "viewer_log/frame.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "robot/load.h"
+
+namespace twinbus {
+namespace {
+
+using Json = nlohmann::json;
+constexpr std::int64_t kNow = 1'000'000'000;
+
+const Model& model() {
+  static const Model kModel = load_robot("hrp1s");
+  return kModel;
+}
+
+RobotState standing() {
+  RobotState state;
+  state.tick = 7;
+  state.run_id = 11;
+  state.term = 3;
+  state.model_hash = model().hash;
+  state.joint_count = static_cast<std::int16_t>(model().bus_count());
+  state.source = SourceKind::kBridge;
+  state.role = Role::kActive;
+  state.sensor_flags =
+      kEncodersValid | kImuValid | wrench_valid(kLeftFoot) | wrench_valid(kRightFoot);
+  state.wrench_kind = {WrenchKind::kMeasured, WrenchKind::kMeasured, WrenchKind::kAbsent,
+                       WrenchKind::kAbsent};
+  state.wrench[kLeftFoot][2] = 640;
+  state.wrench[kRightFoot][2] = 640;
+  return state;
+}
+
+TEST(LiveFrame, NamesTheSourceAndCarriesThePosture) {
+  StackView view(model());
+  RobotState state = standing();
+  state.q[2] = -0.5;
+  view.on_state(state, kNow);
+  const Json frame = Json::parse(live_frame(view, kNow));
+  EXPECT_EQ(frame["type"], "live");
+  EXPECT_EQ(frame["source"], "robot");
+  EXPECT_EQ(frame["term"], 3);
+  EXPECT_EQ(frame["q"].size(), static_cast<std::size_t>(model().bus_count()));
+  EXPECT_DOUBLE_EQ(frame["q"][2], -0.5);
+  EXPECT_EQ(frame["base"].size(), 7u);
+  EXPECT_LT(live_frame(view, kNow).size(), 8000u);
+}
+
+// Standing on both feet the support polygon encloses both soles, and is convex and
+// counter-clockwise.
+TEST(LiveFrame, SupportPolygonIsTheHullOfTheLoadedSoles) {
+  StackView view(model());
+  view.on_state(standing(), kNow);
+  const Json frame = Json::parse(live_frame(view, kNow));
+  ASSERT_EQ(frame["soles"].size(), 2u);
+  const Json& polygon = frame["polygon"];
+  ASSERT_GE(polygon.size(), 4u);
+  const auto cross = [](const Json& o, const Json& a, const Json& b) {
+    const auto n = [](const Json& p, int i) {
+      return p[static_cast<std::size_t>(i)].get<double>();
+    };
+    return (n(a, 0) - n(o, 0)) * (n(b, 1) - n(o, 1)) - (n(a, 1) - n(o, 1)) * (n(b, 0) - n(o, 0));
+  };
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Json& a = polygon[i];
+    const Json& b = polygon[(i + 1) % polygon.size()];
+    for (const Json& sole : frame["soles"]) {
+      for (const Json& corner : sole) EXPECT_GE(cross(a, b, corner), -1e-4);
+    }
+  }
+}
+
+TEST(LiveFrame, WithoutASimulatorFootSensorsAreDrawn) {
+  StackView view(model());
+  view.on_state(standing(), kNow);
+  const Json frame = Json::parse(live_frame(view, kNow));
+  EXPECT_EQ(frame["forces_from"], "foot sensors");
+  EXPECT_EQ(frame["forces"].size(), 2u);
+}
+
+TEST(LiveFrame, WithASimulatorItsContactsAreDrawn) {
+  StackView view(model());
+  view.on_state(standing(), kNow);
+  SimTruth truth;
+  truth.run_id = 11;
+  truth.contact_count = 99;  // more than there are rows
+  for (auto& force : truth.contact_force) force = {0, 0, 160};
+  truth.push_force = {45, 0, 0};
+  view.on_truth(truth, kNow);
+  const Json frame = Json::parse(live_frame(view, kNow));
+  EXPECT_EQ(frame["forces_from"], "simulated contacts");
+  EXPECT_EQ(frame["forces"].size(), 8u);
+  EXPECT_TRUE(frame.contains("push"));
+}
+
+TEST(LiveFrame, NothingHeardYetIsStillAFrame) {
+  StackView view(model());
+  const Json live = Json::parse(live_frame(view, kNow));
+  EXPECT_EQ(live["source"], "none");
+  EXPECT_TRUE(live["age_ms"].is_null());
+  EXPECT_EQ(Json::parse(status_frame(view, kNow))["health"]["level"], "waiting");
+}
+
+TEST(Frames, NumbersThatAreNotFiniteBecomeNull) {
+  StackView view(model());
+  RobotState state = standing();
+  state.q[0] = std::numeric_limits<double>::quiet_NaN();
+  state.q[1] = std::numeric_limits<double>::infinity();
+  view.on_state(state, kNow);
+  const Json frame = Json::parse(live_frame(view, kNow));
+  EXPECT_TRUE(frame["q"][0].is_null());
+  EXPECT_TRUE(frame["q"][1].is_null());
+}
+
+TEST(Frames, TextOfAnyBytesIsValidJson) {
+  StackView view(model());
+  Event event;
+  event.sender_id = 1;
+  event.sequence = 1;
+  event.text = {'<', 's', '>', '"', '\\', '\n', '\xff', '\xc3', '\x01'};
+  view.on_event(event);
+  const Json frame = Json::parse(status_frame(view, kNow));
+  ASSERT_EQ(frame["events"].size(), 1u);
+  EXPECT_EQ(frame["events"][0]["text"].get<std::string>().substr(0, 5), "<s>\"\\");
+}
+
+TEST(Frames, GuardPairsWithStrangeLinksAreNamedSo) {
+  StackView view(model());
+  view.on_state(standing(), kNow);
+  GuardReport report;
+  report.pairs_near = 2;
+  report.link_a = {0, 30000};
+  report.link_b = {-1, 1};
+  view.on_guard(report, kNow);
+  const Json frame = Json::parse(live_frame(view, kNow));
+  ASSERT_EQ(frame["pairs"].size(), 2u);
+  EXPECT_EQ(frame["pairs"][0]["b"], "?");
+  EXPECT_EQ(frame["pairs"][1]["a"], "?");
+}
+
+TEST(HelloFrame, ListsJointsInBusOrder) {
+  const Json frame = Json::parse(hello_frame(model(), true));
+  EXPECT_EQ(frame["joints"].size(), static_cast<std::size_t>(model().bus_count()));
+  EXPECT_EQ(frame["trusted"], true);
+  EXPECT_NEAR(frame["mass"].get<double>(), 130.8, 1.0);
+}
+
+}  // namespace
+}  // namespace twinbus

@@ -1,0 +1,75 @@
+#include "viewer_log/page_request.h"
+
+#include <gtest/gtest.h>
+
+namespace twinbus {
+namespace {
+
+bool read(const std::string& text, bool trusted, PageRequest& request) {
+  std::string problem;
+  const bool read = read_page_request(text, trusted, request, problem);
+  EXPECT_TRUE(read || !problem.empty()) << text;
+  return read;
+}
+
+TEST(PageRequest, AnyoneMayStop) {
+  PageRequest request;
+  for (bool trusted : {false, true}) {
+    ASSERT_TRUE(read(R"({"do":"stop","kind":2})", trusted, request));
+    EXPECT_EQ(request.what, PageRequest::What::kStop);
+    EXPECT_EQ(request.stop, StopKind::kHold);
+  }
+}
+
+TEST(PageRequest, AStopWithADamagedKindIsStillAStop) {
+  PageRequest request;
+  for (const char* text :
+       {R"({"do":"stop"})", R"({"do":"stop","kind":0})", R"({"do":"stop","kind":99})",
+        R"({"do":"stop","kind":"x"})", R"({"do":"stop","kind":-1e300})"}) {
+    ASSERT_TRUE(read(text, false, request)) << text;
+    EXPECT_EQ(request.stop, StopKind::kBalanced) << text;
+  }
+}
+
+TEST(PageRequest, ActingNeedsTheToken) {
+  PageRequest request;
+  for (const char* text :
+       {R"({"do":"clear"})", R"({"do":"switch","run":5})", R"({"do":"mode","mode":"sway"})"}) {
+    EXPECT_FALSE(read(text, false, request)) << text;
+    EXPECT_TRUE(read(text, true, request)) << text;
+  }
+}
+
+TEST(PageRequest, ReadsModesAndSources) {
+  PageRequest request;
+  ASSERT_TRUE(read(R"({"do":"mode","mode":"squat"})", true, request));
+  EXPECT_EQ(request.mode, Mode::kBalance);
+  EXPECT_EQ(request.motion, Motion::kSquat);
+  ASSERT_TRUE(read(R"({"do":"mode","mode":"hold"})", true, request));
+  EXPECT_EQ(request.mode, Mode::kHold);
+  EXPECT_EQ(request.motion, Motion::kNone);
+  ASSERT_TRUE(read(R"({"do":"switch","run":9007199254740991})", true, request));
+  EXPECT_EQ(request.run_id, 9007199254740991);
+}
+
+TEST(PageRequest, RefusesEverythingElse) {
+  PageRequest request;
+  for (const char* text :
+       {"", "x", "[]", "null", "{}", R"({"do":1})", R"({"do":"dance"})", R"({"do":"mode"})",
+        R"({"do":"mode","mode":"walk fast"})", R"({"do":"switch"})", R"({"do":"switch","run":0})",
+        R"({"do":"switch","run":-1})", R"({"do":"switch","run":1.5})",
+        R"({"do":"switch","run":9007199254740992})",
+        R"({"do":"switch","run":18446744073709551615})", R"({"do":"switch","run":"1"})",
+        "{\"do\":\"cle", "\xff\xfe"}) {
+    EXPECT_FALSE(read(text, true, request)) << text;
+  }
+  EXPECT_FALSE(read(std::string(4000, '['), true, request));
+}
+
+TEST(PageRequest, NotesAreJsonWhateverTheText) {
+  EXPECT_EQ(note_frame("a \"b\""), R"({"text":"a \"b\"","type":"note"})");
+  EXPECT_NE(note_frame("\xff"), "");
+}
+
+}  // namespace
+}  // namespace twinbus

@@ -1,0 +1,73 @@
+"""Processes whose lines a test waits for, and numbered checks."""
+import os
+import queue
+import subprocess
+import sys
+import threading
+import time
+
+
+class Process:
+    def __init__(self, *command, **options):
+        options.setdefault("stdin", subprocess.DEVNULL)
+        self.child = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, **options)
+        self.lines = queue.Queue()
+        self.seen = []
+        threading.Thread(target=self._read, daemon=True).start()
+
+    def _read(self):
+        for line in self.child.stdout:
+            self.lines.put(line.decode(errors="replace").rstrip())
+
+    def wait_for(self, text, seconds=5.0):
+        """The next line that contains text, or None."""
+        end = time.monotonic() + seconds
+        while True:
+            try:
+                line = self.lines.get(timeout=max(0.0, end - time.monotonic()))
+            except queue.Empty:
+                return None
+            self.seen.append(line)
+            if text in line:
+                return line
+
+    def drain(self):
+        lines = []
+        while not self.lines.empty():
+            lines.append(self.lines.get())
+        return lines
+
+    def end(self, seconds=3.0):
+        """Asks it to end; its exit code, or None if it had to be killed."""
+        if self.child.poll() is None:
+            self.child.terminate()
+        try:
+            return self.child.wait(seconds)
+        except subprocess.TimeoutExpired:
+            self.child.kill()
+            self.child.wait()
+            return None
+
+
+class Checks:
+    def __init__(self):
+        self.passed = self.failed = 0
+
+    def __call__(self, ok, what):
+        print(("ok      " if ok else "FAILED  ") + what, flush=True)
+        if ok:
+            self.passed += 1
+        else:
+            self.failed += 1
+
+    def finish(self):
+        print(f"{self.passed} passed, {self.failed} failed")
+        sys.exit(1 if self.failed else 0)
+
+
+def binary(folder, name):
+    path = os.path.join(folder, name)
+    if not os.path.exists(path):
+        print(f"{path} is not built: skipped")
+        sys.exit(77)
+    return path

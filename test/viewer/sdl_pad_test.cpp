@@ -1,0 +1,66 @@
+#include "control/sdl_pad.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+namespace twinbus {
+namespace {
+
+// SDL's own path of a real pad, driven by a pad that exists in SDL only.
+TEST(SdlPad, HotPlugAxesAndButtonsArriveAndUnpluggingIsSeen) {
+  SdlPad pad;
+  VirtualPad device;
+  PadInput input;
+  pad.poll(input);
+  EXPECT_FALSE(input.connected);
+
+  ASSERT_TRUE(device.plug());
+  pad.poll(input);
+  ASSERT_TRUE(input.connected);
+  EXPECT_GT(std::strlen(input.name.data()), 0u);
+
+  device.set_axis(1, -32000);
+  device.set_button(kPadLeftShoulder, true);
+  device.set_button(kPadB, true);
+  pad.poll(input);
+  EXPECT_EQ(input.axes[1], -32000);
+  EXPECT_EQ(input.buttons, kPadLeftShoulder | kPadB);
+
+  device.unplug();
+  pad.poll(input);
+  EXPECT_FALSE(input.connected);
+  EXPECT_EQ(input.buttons, 0);
+  EXPECT_EQ(input.axes[1], 0);
+
+  ASSERT_TRUE(device.plug());
+  pad.poll(input);
+  EXPECT_TRUE(input.connected);
+  EXPECT_EQ(input.buttons, 0);
+}
+
+TEST(SdlPad, UnpluggingWhileHeldLetsGo) {
+  SdlPad pad;
+  VirtualPad device;
+  Teleop teleop(1, false);
+  PadInput input;
+  const auto cycle = [&] {
+    pad.poll(input);
+    teleop.on_pad(input);
+    return teleop.message(0, 0);
+  };
+  ASSERT_TRUE(device.plug());
+  cycle();
+  device.set_button(kPadLeftShoulder, true);
+  EXPECT_TRUE(cycle().deadman);
+  device.set_axis(1, -32768);
+  EXPECT_FLOAT_EQ(cycle().left_y, 1.0f);
+  device.unplug();
+  const Gamepad gone = cycle();
+  EXPECT_FALSE(gone.deadman);
+  EXPECT_FALSE(gone.connected);
+  EXPECT_EQ(gone.left_y, 0.0f);
+}
+
+}  // namespace
+}  // namespace twinbus

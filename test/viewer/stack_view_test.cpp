@@ -1,0 +1,205 @@
+#include "viewer_log/stack_view.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+
+#include "robot/load.h"
+#include "viewer_log/health.h"
+
+namespace twinbus {
+namespace {
+
+constexpr std::int64_t kMs = 1'000'000;
+constexpr std::int64_t kStart = 1000 * kMs;  // the steady clock does not begin at 0
+
+const Model& model() {
+  static const Model kModel = load_robot("hrp1s");
+  return kModel;
+}
+
+RobotState standing(std::int64_t run = 11) {
+  RobotState state;
+  state.tick = 1;
+  state.run_id = run;
+  state.model_hash = model().hash;
+  state.joint_count = static_cast<std::int16_t>(model().bus_count());
+  state.source = SourceKind::kSimulator;
+  state.role = Role::kActive;
+  state.sensor_flags =
+      kEncodersValid | kImuValid | wrench_valid(kLeftFoot) | wrench_valid(kRightFoot);
+  state.wrench_kind = {WrenchKind::kMeasured, WrenchKind::kMeasured, WrenchKind::kAbsent,
+                       WrenchKind::kAbsent};
+  state.wrench[kLeftFoot][2] = 640;
+  state.wrench[kRightFoot][2] = 640;
+  return state;
+}
+
+Event event(std::int64_t sender, std::int32_t sequence, const char* text) {
+  Event e;
+  e.sender_id = sender;
+  e.sequence = sequence;
+  std::strncpy(e.text.data(), text, e.text.size() - 1);
+  return e;
+}
+
+TEST(RateMeter, CountsPerSecond) {
+  RateMeter meter;
+  for (int i = 0; i <= 600; ++i) meter.update(i, kStart + i * 2 * kMs);
+  EXPECT_NEAR(meter.rate(), 500.0, 1.0);
+  meter.update(600, kStart + 3000 * kMs);
+  EXPECT_LT(meter.rate(), 100.0);
+}
+
+TEST(StackView, TheSameEventSaidAgainIsShownOnce) {
+  StackView view(model());
+  for (int i = 0; i < 3; ++i) view.on_event(event(1, 1, "a"));
+  view.on_event(event(2, 1, "b"));
+  view.on_event(event(1, 2, "c"));
+  ASSERT_EQ(view.events().size(), 3u);
+  EXPECT_EQ(view.events()[1].text, "b");
+}
+
+TEST(StackView, AFloodOfSendersIsBounded) {
+  StackView view(model());
+  for (int i = 1; i <= 5000; ++i) {
+    view.on_event(event(i, 1, "x"));
+    Heartbeat beat;
+    beat.process_id = i;
+    view.on_heartbeat(beat, kStart);
+    SourceStatus status;
+    status.run_id = i;
+    view.on_source_status(status, kStart);
+  }
+  EXPECT_LE(view.events().size(), 100u);
+  EXPECT_LE(view.processes().size(), 100u);
+  EXPECT_LE(view.sources().size(), 100u);
+  view.forget_silent(kStart + 20'000 * kMs);
+  EXPECT_TRUE(view.processes().empty());
+  EXPECT_TRUE(view.sources().empty());
+}
+
+TEST(StackView, ATextWithoutItsEndIsCutNotOverrun) {
+  StackView view(model());
+  Event e = event(1, 1, "");
+  e.text.fill('a');
+  view.on_event(e);
+  EXPECT_EQ(view.events().back().text.size(), e.text.size());
+}
+
+TEST(StackView, BadObstaclePiecesAreIgnored) {
+  StackView view(model());
+  ObstaclesPiece piece;
+  for (auto [at, of, count] :
+       {std::array{0, 0, 0}, std::array{1, 1, 0}, std::array{-1, 1, 0}, std::array{0, 30000, 1},
+        std::array{0, 1, 13}, std::array{0, 1, -1}}) {
+    piece.piece = static_cast<std::int16_t>(at);
+    piece.pieces = static_cast<std::int16_t>(of);
+    piece.count = static_cast<std::int16_t>(count);
+    view.on_obstacles(piece);
+    EXPECT_TRUE(view.obstacles().empty());
+  }
+}
+
+TEST(StackView, RepeatedObstaclesAreNoChange) {
+  StackView view(model());
+  ObstaclesPiece piece;
+  piece.pieces = 1;
+  piece.count = 1;
+  piece.shape[0] = ObstacleShape::kBox;
+  view.on_obstacles(piece);
+  const std::int64_t version = view.obstacles_version();
+  view.on_obstacles(piece);
+  EXPECT_EQ(view.obstacles_version(), version);
+  piece.size[0] = {1, 1, 1};
+  view.on_obstacles(piece);
+  EXPECT_GT(view.obstacles_version(), version);
+}
+
+// The simulator's world may lie anywhere: the robot is drawn where the estimate has it, a fall is
+// drawn as one.
+TEST(StackView, TruthIsAnchoredWhereTheEstimateIs) {
+  StackView view(model());
+  view.on_state(standing(), kStart);
+  const Eigen::Isometry3d estimate = view.base(kStart);
+  SimTruth truth;
+  truth.run_id = 11;
+  truth.base_position = {5.0, -3.0, estimate.translation().z()};
+  truth.base_attitude = {std::cos(0.5), 0, 0, std::sin(0.5)};
+  view.on_truth(truth, kStart);
+  EXPECT_TRUE(view.truth_applies(kStart));
+  EXPECT_LT((view.base(kStart).translation() - estimate.translation()).norm(), 1e-9);
+
+  truth.base_position[2] = 0.2;  // it falls
+  view.on_truth(truth, kStart + kMs);
+  EXPECT_NEAR(view.base(kStart + kMs).translation().z(), 0.2, 1e-9);
+}
+
+TEST(StackView, TruthOfAnotherRunIsNotUsed) {
+  StackView view(model());
+  view.on_state(standing(11), kStart);
+  SimTruth truth;
+  truth.run_id = 99;
+  view.on_truth(truth, kStart);
+  EXPECT_FALSE(view.truth_applies(kStart));
+}
+
+TEST(StackView, WrongJointCountIsIgnored) {
+  StackView view(model());
+  RobotState state = standing();
+  state.joint_count = 3;
+  view.on_state(state, kStart);
+  EXPECT_EQ(view.state().at_ns, 0);
+}
+
+TEST(Health, SaysTheWorstThingFirst) {
+  StackView view(model());
+  std::int64_t now = kStart;
+  EXPECT_EQ(assess(view, now).level, HealthLevel::kWaiting);
+
+  SourceStatus source;
+  source.run_id = 11;
+  source.source = SourceKind::kSimulator;
+  source.pace = 1;
+  view.on_source_status(source, now);
+  EXPECT_EQ(assess(view, now).level, HealthLevel::kBad);  // heard, but none active
+  EXPECT_NE(assess(view, now).text.find("Activate"), std::string::npos);
+
+  view.on_state(standing(), now);
+  EXPECT_NE(assess(view, now).text.find("controller"), std::string::npos);
+  ControllerStatus controller;
+  controller.mode = Mode::kBalance;
+  controller.zmp_margin = 0.05f;
+  view.on_controller_status(controller, now);
+  EXPECT_EQ(assess(view, now).level, HealthLevel::kGood);
+
+  controller.zmp_margin = 0.004f;
+  view.on_controller_status(controller, now);
+  EXPECT_EQ(assess(view, now).level, HealthLevel::kWarning);
+
+  RobotState stopped = standing();
+  stopped.role = Role::kStopped;
+  stopped.stop_kind = StopKind::kHold;
+  view.on_state(stopped, now);
+  EXPECT_EQ(assess(view, now).level, HealthLevel::kStopped);
+
+  SimTruth truth;
+  truth.run_id = 11;
+  truth.fell = true;
+  view.on_truth(truth, now);
+  EXPECT_NE(assess(view, now).text.find("fallen"), std::string::npos);
+
+  EXPECT_EQ(assess(view, now + 400 * kMs).level, HealthLevel::kBad);  // the state is silent
+}
+
+TEST(Health, AnotherRobotIsNamed) {
+  StackView view(model());
+  RobotState state = standing();
+  state.model_hash += 1;
+  view.on_state(state, kStart);
+  EXPECT_NE(assess(view, kStart).text.find("--robot"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace twinbus

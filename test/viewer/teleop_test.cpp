@@ -1,0 +1,262 @@
+#include "control/teleop.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace twinbus {
+namespace {
+
+constexpr std::int64_t kRun = 42;
+constexpr std::int64_t kSecond = 1'000'000'000;
+
+PadInput held() {
+  PadInput input;
+  input.connected = true;
+  input.buttons = kPadLeftShoulder;
+  return input;
+}
+
+PadInput released() {
+  PadInput input;
+  input.connected = true;
+  return input;
+}
+
+bool all_zero(const Gamepad& pad) {
+  return pad.left_x == 0 && pad.left_y == 0 && pad.right_x == 0 && pad.right_y == 0 &&
+         pad.left_trigger == 0 && pad.right_trigger == 0 && !pad.deadman;
+}
+
+// A pad that has been taken hold of.
+Teleop armed() {
+  Teleop teleop(7, false);
+  teleop.on_source(kRun, false);
+  teleop.on_pad(released());
+  teleop.on_pad(held());
+  return teleop;
+}
+
+TEST(Teleop, SticksActOnlyWhileTheDeadmanIsHeld) {
+  Teleop teleop(7, false);
+  PadInput input = released();
+  input.axes[1] = -32768;
+  teleop.on_pad(input);
+  EXPECT_TRUE(all_zero(teleop.message(0, 0)));
+
+  Teleop held_one = armed();
+  input = held();
+  input.axes[1] = -32768;
+  held_one.on_pad(input);
+  const Gamepad pad = held_one.message(0, 0);
+  EXPECT_TRUE(pad.deadman);
+  EXPECT_FLOAT_EQ(pad.left_y, 1.0f);
+  input.buttons = 0;
+  held_one.on_pad(input);
+  EXPECT_TRUE(all_zero(held_one.message(0, 0)));
+}
+
+TEST(Teleop, ForwardLeftAndUpArePositive) {
+  Teleop teleop = armed();
+  PadInput input = held();
+  input.axes = {-32767, -32767, -32767, -32767, 32767, 32767};
+  teleop.on_pad(input);
+  const Gamepad pad = teleop.message(0, 0);
+  EXPECT_FLOAT_EQ(pad.left_x, 1.0f);
+  EXPECT_FLOAT_EQ(pad.left_y, 1.0f);
+  EXPECT_FLOAT_EQ(pad.right_x, 1.0f);
+  EXPECT_FLOAT_EQ(pad.right_y, 1.0f);
+  EXPECT_FLOAT_EQ(pad.left_trigger, 1.0f);
+  EXPECT_FLOAT_EQ(pad.right_trigger, 1.0f);
+}
+
+TEST(Teleop, DeadZoneIsTakenOffAndTheRestReachesOne) {
+  EXPECT_EQ(stick_value(0, -1.0), 0.0f);
+  EXPECT_EQ(stick_value(3900, -1.0), 0.0f);
+  EXPECT_FLOAT_EQ(stick_value(32767, 1.0), 1.0f);
+  EXPECT_FLOAT_EQ(stick_value(-32768, 1.0), -1.0f);
+  EXPECT_FLOAT_EQ(stick_value(-32768, -1.0), 1.0f);
+  // Continuous at the edge of the dead zone, monotonic behind it.
+  float last = 0.0f;
+  for (int raw = 0; raw <= 32767; ++raw) {
+    const float value = stick_value(static_cast<std::int16_t>(raw), 1.0);
+    EXPECT_GE(value, last);
+    EXPECT_LT(value - last, 1e-3f);
+    last = value;
+  }
+}
+
+TEST(Teleop, TakingHoldNeedsCentredSticksAndAFreshPress) {
+  Teleop teleop(7, false);
+  teleop.on_source(kRun, false);
+  teleop.on_pad(held());  // held since before the program started
+  EXPECT_FALSE(teleop.holding());
+  teleop.on_pad(released());
+  PadInput off_centre = held();
+  off_centre.axes[0] = 20000;
+  teleop.on_pad(off_centre);
+  EXPECT_FALSE(teleop.holding());
+  EXPECT_TRUE(all_zero(teleop.message(0, 0)));
+  teleop.on_pad(held());  // centred at last
+  EXPECT_TRUE(teleop.holding());
+}
+
+TEST(Teleop, UnpluggingSendsZerosAndNeedsTakingHoldAgain) {
+  Teleop teleop = armed();
+  PadInput input = held();
+  input.axes[0] = 30000;
+  teleop.on_pad(input);
+  teleop.on_pad(PadInput{});
+  const Gamepad gone = teleop.message(0, 0);
+  EXPECT_TRUE(all_zero(gone));
+  EXPECT_FALSE(gone.connected);
+  EXPECT_EQ(gone.buttons, 0);
+  teleop.on_pad(held());
+  EXPECT_FALSE(teleop.holding());
+}
+
+TEST(Teleop, StopWorksWithoutTheDeadmanAndLatches) {
+  Teleop teleop = armed();
+  PadInput input = held();
+  input.axes[1] = -20000;
+  input.buttons |= kPadB;
+  teleop.on_pad(input);
+  EXPECT_EQ(teleop.take_action(), TeleopAction::kStop);
+  EXPECT_EQ(teleop.take_action(), TeleopAction::kNone);
+  EXPECT_TRUE(teleop.message(0, 0).stop);
+  EXPECT_TRUE(all_zero(teleop.message(0, 0)));
+
+  teleop.on_pad(released());
+  teleop.on_pad(held());
+  EXPECT_FALSE(teleop.holding());
+  input = released();
+  input.buttons = kPadBack | kPadStart;
+  teleop.on_pad(input);
+  EXPECT_EQ(teleop.take_action(), TeleopAction::kClear);
+  EXPECT_FALSE(teleop.message(0, 0).stop);
+  teleop.on_pad(released());
+  teleop.on_pad(held());
+  EXPECT_TRUE(teleop.holding());
+}
+
+TEST(Teleop, AStopClearedBySomebodyElseUnlatches) {
+  Teleop teleop = armed();
+  PadInput input = released();
+  input.buttons = kPadB;
+  teleop.on_pad(input);
+  teleop.on_source(kRun, false);  // our stop has not reached the source yet
+  EXPECT_TRUE(teleop.stop_latched());
+  teleop.on_source(kRun, true);
+  teleop.on_no_source();
+  EXPECT_TRUE(teleop.stop_latched());
+  teleop.on_source(kRun, false);
+  EXPECT_FALSE(teleop.stop_latched());
+}
+
+TEST(Teleop, ModeButtonsNeedTheDeadman) {
+  Teleop teleop = armed();
+  PadInput input = released();
+  input.buttons = kPadX;
+  teleop.on_pad(input);
+  EXPECT_EQ(teleop.take_action(), TeleopAction::kNone);
+  teleop.on_pad(released());
+  teleop.on_pad(held());
+  input.buttons = kPadX | kPadLeftShoulder;
+  teleop.on_pad(input);
+  teleop.on_pad(input);  // still down: asked once
+  EXPECT_EQ(teleop.take_action(), TeleopAction::kSway);
+  EXPECT_EQ(teleop.take_action(), TeleopAction::kNone);
+}
+
+TEST(Teleop, RunIsTheOneSeenWhenTakingHold) {
+  Teleop teleop = armed();
+  teleop.on_source(kRun + 1, false);
+  teleop.on_pad(held());
+  EXPECT_EQ(teleop.message(0, 0).run_id, kRun);
+  teleop.on_pad(released());
+  EXPECT_EQ(teleop.message(0, 0).run_id, kRun + 1);
+}
+
+TEST(Teleop, SequenceCountsEveryMessage) {
+  Teleop teleop(7, false);
+  for (int i = 1; i <= 5; ++i) EXPECT_EQ(teleop.message(i, 0).sequence, i);
+  EXPECT_EQ(teleop.message(99, 0).utime, 99);
+  EXPECT_EQ(teleop.message(99, 0).sender_id, 7);
+}
+
+TEST(Keyboard, KeysMoveSetPointsAndComeBackToExactlyZero) {
+  Teleop teleop(7, true);
+  for (int i = 0; i < 3; ++i) teleop.on_key('w', 0);
+  EXPECT_FLOAT_EQ(teleop.message(0, 0).left_y, 0.3f);
+  EXPECT_TRUE(teleop.message(0, 0).deadman);
+  for (int i = 0; i < 3; ++i) teleop.on_key(kKeyDown, 0);
+  EXPECT_EQ(teleop.message(0, 0).left_y, 0.0f);
+  for (int i = 0; i < 30; ++i) teleop.on_key('a', 0);
+  EXPECT_EQ(teleop.message(0, 0).left_x, 1.0f);
+  teleop.on_key('x', 0);
+  EXPECT_EQ(teleop.message(0, 0).left_x, 0.0f);
+}
+
+TEST(Keyboard, SpaceStopsAndKeysDoNothingUntilCleared) {
+  Teleop teleop(7, true);
+  teleop.on_key('w', 0);
+  teleop.on_key(' ', 0);
+  EXPECT_EQ(teleop.take_action(), TeleopAction::kStop);
+  teleop.on_key('w', 0);
+  EXPECT_TRUE(all_zero(teleop.message(0, 0)));
+  EXPECT_TRUE(teleop.message(0, 0).stop);
+  teleop.on_key('c', 0);
+  EXPECT_EQ(teleop.take_action(), TeleopAction::kClear);
+  teleop.on_key('w', 0);
+  EXPECT_FLOAT_EQ(teleop.message(0, 0).left_y, 0.1f);
+}
+
+TEST(Keyboard, LeftAloneItLetsGo) {
+  Teleop teleop(7, true);
+  teleop.on_key('w', 1);
+  EXPECT_TRUE(teleop.message(0, 29 * kSecond).deadman);
+  EXPECT_TRUE(all_zero(teleop.message(0, 31 * kSecond)));
+  EXPECT_TRUE(all_zero(teleop.message(0, 2 * kSecond)));
+}
+
+TEST(Keyboard, LettingGoSendsZeros) {
+  Teleop teleop(7, true);
+  teleop.on_key('w', 1);
+  teleop.let_go();
+  EXPECT_TRUE(all_zero(teleop.message(0, 1)));
+  EXPECT_FALSE(teleop.message(0, 1).connected);
+}
+
+TEST(Keyboard, UnknownKeysDoNothing) {
+  Teleop teleop(7, true);
+  for (int key = -5; key < 600; ++key) {
+    if (key == ' ' || key == 'c' || key == 'q' || key == 3) continue;
+    teleop.on_key(key, 0);
+  }
+  EXPECT_FALSE(teleop.stop_latched());
+}
+
+TEST(Teleop, AStopIsNotLostAmongManyActions) {
+  Teleop teleop(7, true);
+  for (int i = 0; i < 100; ++i) teleop.on_key('2', 0);
+  teleop.on_key(' ', 0);
+  bool stopped = false;
+  for (TeleopAction a; (a = teleop.take_action()) != TeleopAction::kNone;) {
+    stopped = stopped || a == TeleopAction::kStop;
+  }
+  EXPECT_TRUE(stopped);
+}
+
+TEST(CheatSheet, NamesEveryControl) {
+  const std::string pad = cheat_sheet(false);
+  for (const char* word : {"STOP", "back + start", "left bumper", "lean forward", "crouch"}) {
+    EXPECT_NE(pad.find(word), std::string::npos) << word;
+  }
+  const std::string keys = cheat_sheet(true);
+  for (const char* word : {"space", "STOP", "clear", "lean left", "sway", "quit"}) {
+    EXPECT_NE(keys.find(word), std::string::npos) << word;
+  }
+}
+
+}  // namespace
+}  // namespace twinbus

@@ -1,0 +1,118 @@
+#include "viewer_log/web_path.h"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+namespace twinbus {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST(DecodeTarget, AcceptsPlainPathsAndDropsTheQuery) {
+  std::string path;
+  ASSERT_TRUE(decode_target("/", path));
+  EXPECT_EQ(path, "/");
+  ASSERT_TRUE(decode_target("/meshes/a%20b.stl?x=../..", path));
+  EXPECT_EQ(path, "/meshes/a b.stl");
+}
+
+TEST(DecodeTarget, RefusesEveryWayUp) {
+  std::string path;
+  for (const char* target :
+       {"", "x", "/../etc/passwd", "/..", "/a/../b", "/%2e%2e/etc/passwd", "/a/%2E%2E/b",
+        "/.git/config", "/a/.hidden", "/a%00.html", "/a%0a", "/a\\..\\b", "/%5c..%5c", "/%", "/%2",
+        "/%zz", "http://127.0.0.1/", "/./a", "//..//"}) {
+    EXPECT_FALSE(decode_target(target, path)) << target;
+  }
+  EXPECT_FALSE(decode_target("/" + std::string(2000, 'a'), path));
+}
+
+// "%252e" is decoded once, to "%2e", and is then just a strange name.
+TEST(DecodeTarget, DecodesOnce) {
+  std::string path;
+  ASSERT_TRUE(decode_target("/%252e%252e/x", path));
+  EXPECT_EQ(path, "/%2e%2e/x");
+}
+
+TEST(QueryValue, FindsWholeKeysOnly) {
+  EXPECT_EQ(query_value("/ws?token=abc", "token"), "abc");
+  EXPECT_EQ(query_value("/ws?a=1&token=abc&b=2", "token"), "abc");
+  EXPECT_EQ(query_value("/ws?xtoken=abc", "token"), "");
+  EXPECT_EQ(query_value("/ws", "token"), "");
+  EXPECT_EQ(query_value("/ws?", "token"), "");
+  EXPECT_EQ(query_value("/ws?token", "token"), "");
+}
+
+TEST(Host, OnlyThisMachineAndPort) {
+  EXPECT_TRUE(host_allowed("127.0.0.1:8040", 8040));
+  EXPECT_TRUE(host_allowed("localhost:8040", 8040));
+  for (const char* host : {"", "127.0.0.1", "127.0.0.1:8041", "evil.example:8040", "localhost",
+                           "127.0.0.1:8040.evil.example", "localhost:8040:8040"}) {
+    EXPECT_FALSE(host_allowed(host, 8040)) << host;
+  }
+  EXPECT_TRUE(origin_allowed("", 8040));
+  EXPECT_TRUE(origin_allowed("http://localhost:8040", 8040));
+  for (const char* origin : {"null", "http://evil.example", "https://127.0.0.1:8040",
+                             "http://127.0.0.1:8040.evil.example", "file://"}) {
+    EXPECT_FALSE(origin_allowed(origin, 8040)) << origin;
+  }
+}
+
+TEST(Token, IsRandomAndComparedWhole) {
+  std::set<std::string> tokens;
+  for (int i = 0; i < 20; ++i) tokens.insert(random_token());
+  EXPECT_EQ(tokens.size(), 20u);
+  const std::string token = random_token();
+  EXPECT_EQ(token.size(), 32u);
+  EXPECT_TRUE(same_token(token, token));
+  EXPECT_FALSE(same_token(token.substr(1), token));
+  EXPECT_FALSE(same_token("", token));
+  EXPECT_FALSE(same_token("", ""));
+}
+
+class FindFile : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string name = (fs::temp_directory_path() / "twinbus_web_XXXXXX").string();
+    ASSERT_NE(mkdtemp(name.data()), nullptr);
+    top_ = name;
+    fs::create_directories(top_ / "web/sub");
+    fs::create_directories(top_ / "robot");
+    for (const char* file : {"web/index.html", "web/sub/app.js", "robot/a.stl", "secret.html",
+                             "web/passwd", "web/robot.yaml"}) {
+      std::ofstream(top_ / file) << file;
+    }
+    fs::create_symlink(top_ / "secret.html", top_ / "web/link.html");
+    fs::create_directory_symlink(top_, top_ / "web/up");
+    mkfifo((top_ / "web/pipe.html").c_str(), 0600);
+    roots_ = {{"/", (top_ / "web").string()}, {"/robot/", (top_ / "robot").string()}};
+  }
+  void TearDown() override { fs::remove_all(top_); }
+  fs::path top_;
+  std::vector<WebRoot> roots_;
+};
+
+TEST_F(FindFile, FindsFilesOfEachRoot) {
+  EXPECT_EQ(find_file(roots_, "/"), fs::canonical(top_ / "web/index.html"));
+  EXPECT_EQ(find_file(roots_, "/sub/app.js"), fs::canonical(top_ / "web/sub/app.js"));
+  EXPECT_EQ(find_file(roots_, "/robot/a.stl"), fs::canonical(top_ / "robot/a.stl"));
+}
+
+TEST_F(FindFile, FindsNothingElse) {
+  for (const char* path :
+       {"/missing.html", "/link.html", "/up/secret.html", "/pipe.html", "/passwd", "/robot.yaml",
+        "/sub", "/sub/", "/robot/", "//secret.html", "/../secret.html", "/sub/../../secret.html"}) {
+    EXPECT_EQ(find_file(roots_, path), "") << path;
+  }
+  EXPECT_EQ(find_file({}, "/index.html"), "");
+  EXPECT_EQ(find_file({{"/", "/no/such/folder"}}, "/index.html"), "");
+}
+
+}  // namespace
+}  // namespace twinbus
