@@ -1,0 +1,290 @@
+#include "launcher/reach.h"
+
+#include <unistd.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <stdexcept>
+
+#include "launcher/arguments.h"
+#include "lcmtypes/bus.h"
+#include "lcmtypes/channels.h"
+#include "planner/arm_planner.h"
+#include "robot/estimator.h"
+#include "robot/load.h"
+#include "robot/process.h"
+#include "robot/state_admission.h"
+
+namespace twinbus {
+
+namespace {
+
+constexpr double kFirstState = 2.0;    // [s] until a robot must be heard
+constexpr double kAskAgain = 0.2;      // [s]
+constexpr double kPlanTimeout = 15.0;  // [s]
+constexpr double kStartTimeout = 2.0;  // from the last piece of the path to the first move [s]
+constexpr double kLate =
+    20.0;  // that a path may take longer than planned, when the guard slows it [s]
+constexpr double kSettle = 0.4;  // until the servos have come to rest [s]
+
+double since(std::int64_t start_ns) {
+  return 1e-9 * static_cast<double>(monotonic_ns() - start_ns);
+}
+
+// What one `reach` hears of the stack.
+class Watcher {
+ public:
+  Watcher(const Model& model, const BusOptions& options)
+      : model_(model), bus_(options), estimator_(model) {
+    bus_.listen_each<RobotState>(channel::kState, on_state_);
+    bus_.listen_each<ArmPathPiece>(channel::kArmPath, on_path_);
+    bus_.listen_each<ControllerStatus>(channel::kControllerStatus, on_status_);
+  }
+
+  void receive(double seconds) {
+    if (bus_.receive(seconds) < 0) throw std::runtime_error("the bus is gone");
+  }
+  Bus& bus() { return bus_; }
+
+  // Position and distance of the hand from where it should be, in the ground frame.
+  Eigen::Isometry3d hand_in_ground(ArmSide side) const {
+    const Hand& hand = model_.hands[side == ArmSide::kLeft ? 0 : 1];
+    return estimator_.ground_in_world().inverse() *
+           estimator_.kinematics().link_in_world(hand.link) * hand.frame;
+  }
+
+  std::int64_t run_id() const { return states_ > 0 ? admission_.run_id() : 0; }
+  bool other_robot() const { return other_robot_; }
+  StopKind stop_kind() const { return stop_kind_; }
+  std::int64_t states() const { return states_; }
+
+  std::int64_t goal_id = 0;  // whose path is waited for
+  bool answered = false;
+  ArmPathPiece first;      // a piece of the answer
+  std::uint64_t have = 0;  // bit per piece
+  double duration = 0.0;   // [s] as far as known
+  int knots = 0;
+  ControllerStatus status;
+  std::int64_t statuses = 0;
+
+ private:
+  void hear(const RobotState& state) {
+    if (state.model_hash != model_.hash || state.joint_count != model_.bus_count()) {
+      other_robot_ = true;
+      return;
+    }
+    if (!admission_.admit(state, monotonic_ns()) || (states_ > 0 && state.tick == tick_)) return;
+    tick_ = state.tick;
+    stop_kind_ = state.stop_kind;
+    ++states_;
+    estimator_.update(state);
+  }
+  void hear(const ArmPathPiece& piece) {
+    if (goal_id == 0 || piece.goal_id != goal_id || (answered && piece.path_id != first.path_id))
+      return;
+    answered = true;
+    first = piece;
+    if (piece.pieces <= 0 || piece.pieces > 64 || piece.piece < 0 || piece.piece >= piece.pieces)
+      return;
+    const std::uint64_t bit = std::uint64_t{1} << piece.piece;
+    if ((have & bit) != 0 || piece.knot_count < 1 || piece.knot_count > kKnotsPerPiece) return;
+    have |= bit;
+    knots += piece.knot_count;
+    duration = std::max(duration, piece.time[static_cast<std::size_t>(piece.knot_count) - 1]);
+  }
+  void hear(const ControllerStatus& heard) {
+    status = heard;
+    ++statuses;
+  }
+
+  struct On {
+    Watcher* w;
+    void operator()(const RobotState& m) const { w->hear(m); }
+    void operator()(const ArmPathPiece& m) const { w->hear(m); }
+    void operator()(const ControllerStatus& m) const { w->hear(m); }
+  };
+
+  const Model& model_;
+  Bus bus_;
+  Estimator estimator_;
+  StateAdmission admission_;
+  bool other_robot_ = false;
+  StopKind stop_kind_ = StopKind::kNone;
+  std::int64_t tick_ = 0, states_ = 0;
+  On on_state_{this}, on_path_{this}, on_status_{this};
+};
+
+ArmGoal goal_from(const Arguments& arguments, const Model& model) {
+  ArmGoal goal;
+  const std::string side = arguments.word(0);
+  if (side != "left" && side != "right")
+    throw UsageError("reach: which hand? say left or right, not " + side);
+  goal.side = side == "left" ? ArmSide::kLeft : ArmSide::kRight;
+  if (model.hands[side == "left" ? 0 : 1].link < 0) {
+    throw std::runtime_error("reach: " + model.name + " has no " + side +
+                             " hand (robot.yaml, hands)");
+  }
+  const std::size_t count = arguments.words().size();
+  if (count != 4 && count != 7) throw UsageError("reach: X Y Z, or X Y Z and R P Y");
+  static constexpr std::array<const char*, 3> kAxis{"X", "Y", "Z"};
+  for (std::size_t k = 0; k < 3; ++k)
+    goal.position[k] = arguments.word_number(k + 1, kAxis[k], -5.0, 5.0);
+  goal.kind = count == 7 ? ArmGoalKind::kPose : ArmGoalKind::kPosition;
+  if (count == 7) {
+    const Eigen::Quaterniond turn(
+        Eigen::AngleAxisd(arguments.word_number(6, "yaw", -7.0, 7.0), Eigen::Vector3d::UnitZ()) *
+        Eigen::AngleAxisd(arguments.word_number(5, "pitch", -7.0, 7.0), Eigen::Vector3d::UnitY()) *
+        Eigen::AngleAxisd(arguments.word_number(4, "roll", -7.0, 7.0), Eigen::Vector3d::UnitX()));
+    goal.orientation = {turn.w(), turn.x(), turn.y(), turn.z()};
+  }
+  goal.speed = static_cast<float>(arguments.number("--speed", 0.4, 0.01, 1.0));
+  goal.goal_id = random_id();
+  goal.sender_id = random_id();
+  return goal;
+}
+
+void ask(Watcher& watcher, ArmGoal& goal) {
+  watcher.goal_id = goal.goal_id;
+  goal.run_id = watcher.run_id();
+  const std::int64_t begin = monotonic_ns();
+  std::int64_t asked = 0;
+  while (!quit_requested() && !watcher.answered && since(begin) < kPlanTimeout) {
+    if (asked == 0 || since(asked) > kAskAgain) {
+      asked = monotonic_ns();
+      goal.utime = wall_us();
+      ++goal.sequence;
+      if (!watcher.bus().send(channel::kArmGoal, goal))
+        throw std::runtime_error("reach: the goal cannot be sent");
+    }
+    watcher.receive(0.02);
+  }
+  if (!watcher.answered) {
+    throw std::runtime_error(
+        "reach: no planner answers; ./twinbus status shows whether one is running");
+  }
+}
+
+void cancel(Watcher& watcher, ArmGoal goal) {
+  goal.kind = ArmGoalKind::kCancel;
+  goal.utime = wall_us();
+  ++goal.sequence;
+  if (!watcher.bus().send(channel::kArmGoal, goal))
+    std::fprintf(stderr, "reach: the cancel could not be sent\n");
+}
+
+// Until the controller says done; false with a sentence when it does not come to that.
+bool follow(Watcher& watcher, const ArmGoal& goal) {
+  const std::int64_t begin = monotonic_ns();
+  const bool terminal = ::isatty(STDOUT_FILENO) != 0;
+  bool moving = false;
+  const auto fail = [&](const char* sentence) {
+    std::fprintf(stderr, "%sreach: %s\n", terminal && moving ? "\n" : "", sentence);
+    return false;
+  };
+  std::int64_t shown = 0;
+  while (since(begin) < watcher.duration + kLate) {
+    if (quit_requested()) {
+      cancel(watcher, goal);
+      return fail("cancelled; the arm stops on its path");
+    }
+    watcher.receive(0.02);
+    if (watcher.stop_kind() != StopKind::kNone)
+      return fail("the robot was stopped; ./twinbus clear, then ask again");
+    const bool ours = watcher.status.arm_path_id == watcher.first.path_id;
+    if (moving && watcher.status.arm_state == 2) {
+      if (terminal) std::printf("\r  arrived after %.1f s      \n", since(begin));
+      return true;
+    }
+    if (ours && watcher.status.arm_state == 3)
+      return fail("the guard stopped the arm before something would touch");
+    if (moving && !ours && watcher.status.arm_state == 3)
+      return fail("the guard stopped the arm for good");
+    if (ours && watcher.status.arm_state == 1) moving = true;
+    if (!moving && since(begin) > kStartTimeout) {
+      return fail(
+          watcher.statuses == 0
+              ? "no controller is running"
+              : "the controller does not follow the path: is it in mode balance, hold or pose?");
+    }
+    if (terminal && moving && since(shown) > 0.2) {
+      shown = monotonic_ns();
+      std::printf("\r  %3.0f %%",
+                  std::min(100.0, 100.0 * since(begin) / std::max(0.1, watcher.duration)));
+      std::fflush(stdout);
+    }
+  }
+  return fail("the arm did not arrive in time");
+}
+
+}  // namespace
+
+int reach_command(const std::vector<std::string>& words) {
+  const Arguments arguments(
+      {"reach",
+       "left|right X Y Z [R P Y]",
+       "Plans a motion of one arm around obstacles and the robot's own body and follows it.  X Y Z "
+       "[m], "
+       "R P Y [rad] of the hand in the ground frame: midway between the feet, x forward, z up.",
+       {{"--speed", "SHARE", "of the joints' velocity limits, 0.01 to 1 (0.4)"},
+        robot_option(),
+        prefix_option(),
+        url_option()},
+       1,
+       7},
+      words);
+  catch_quit_signals();
+  const Model model = load_robot(arguments.text("--robot", "hrp1s"));
+  ArmGoal goal = goal_from(arguments, model);
+  BusOptions options;
+  options.url = arguments.text("--url", options.url);
+  options.prefix = arguments.text("--prefix", "");
+  Watcher watcher(model, options);
+
+  const std::int64_t begin = monotonic_ns();
+  while (!quit_requested() && watcher.states() < 5 && since(begin) < kFirstState)
+    watcher.receive(0.02);
+  if (watcher.states() == 0) {
+    throw std::runtime_error(
+        watcher.other_robot()
+            ? "reach: the robot on the bus is not " + model.name + "; give its folder with --robot"
+            : "reach: no robot is heard on " + options.url + "; start one with ./twinbus up");
+  }
+  ask(watcher, goal);
+
+  ArmPlan plan;  // as much of it as the message tells
+  plan.status = watcher.first.status;
+  if (plan.status != ArmPathStatus::kOk) {
+    plan.pair = {watcher.first.link_a, watcher.first.link_b};
+    plan.miss = static_cast<double>(watcher.first.miss);
+    plan.complaint = "the planner's event says why";
+    std::fprintf(stderr, "reach: %s\n", describe(model, plan).c_str());
+    return 1;
+  }
+  const std::uint64_t all = ~std::uint64_t{0} >> (64 - watcher.first.pieces);
+  for (const std::int64_t start = monotonic_ns(); watcher.have != all && since(start) < 1.0;)
+    watcher.receive(0.02);
+  std::printf("path of %.1f s in %d pieces\n", watcher.duration,
+              static_cast<int>(watcher.first.pieces));
+  std::fflush(stdout);
+  if (!follow(watcher, goal)) return 1;
+
+  for (const std::int64_t start = monotonic_ns(); !quit_requested() && since(start) < kSettle;)
+    watcher.receive(0.02);
+  const Eigen::Vector3d target(goal.position[0], goal.position[1], goal.position[2]);
+  const Eigen::Isometry3d hand = watcher.hand_in_ground(goal.side);
+  const Eigen::Vector3d at = hand.translation();
+  std::printf("%s hand at %.3f %.3f %.3f m, %.1f mm from the goal", arguments.word(0).c_str(),
+              at.x(), at.y(), at.z(), 1e3 * (at - target).norm());
+  if (goal.kind == ArmGoalKind::kPose) {
+    const auto& o = goal.orientation;
+    const double angle = Eigen::Quaterniond(hand.linear())
+                             .angularDistance(Eigen::Quaterniond(o[0], o[1], o[2], o[3]));
+    std::printf(", turned %.1f degrees from it", angle * 180.0 / M_PI);
+  }
+  std::printf("\n");
+  return 0;
+}
+
+}  // namespace twinbus

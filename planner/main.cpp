@@ -1,0 +1,264 @@
+// The planner process: ARM_GOAL in, a timed collision-free motion out on ARM_PATH.
+//
+// It listens to STATE all the time, to know where the robot is and so that no queue runs full;
+// planning is done by a worker.  Pieces of a path are sent a few times, because any datagram may be
+// lost.
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "lcmtypes/bus.h"
+#include "lcmtypes/channels.h"
+#include "planner/arm_path_pieces.h"
+#include "planner/plan_worker.h"
+#include "robot/estimator.h"
+#include "robot/load.h"
+#include "robot/obstacle_collector.h"
+#include "robot/options.h"
+#include "robot/process.h"
+#include "robot/rate_stats.h"
+#include "robot/state_admission.h"
+#include "test/no_alloc.h"
+
+namespace twinbus {
+namespace {
+
+constexpr double kWait = 0.01;  // [s] for a message
+constexpr std::int64_t kHeartbeatNs = 100'000'000;
+constexpr std::int64_t kWindowNs = 500'000'000;
+constexpr std::int64_t kFreshNs = 200'000'000;  // a plan needs a state not older than this
+constexpr std::int64_t kResendNs = 40'000'000;
+constexpr int kSends = 4;  // of every path
+constexpr double kServoError =
+    0.05;  // a set-point this near to its joint is where the path begins [rad]
+
+class PlannerProcess {
+ public:
+  PlannerProcess(const CommonOptions& common, const Model& model)
+      : model_(model),
+        id_(common.id != 0 ? common.id : random_id()),
+        bus_({.url = common.url, .prefix = common.prefix, .allow = {}}),
+        estimator_(model),
+        worker_(model) {
+    beat_.process_id = id_;
+    beat_.kind = ProcessKind::kPlanner;
+    beat_.pid = static_cast<std::int32_t>(::getpid());
+    bus_.listen_each<RobotState>(channel::kState, on_state_);
+    bus_.listen_each<JointCommand>(channel::kCommand, on_command_);
+    bus_.listen_each<ArmGoal>(channel::kArmGoal, on_goal_);
+    bus_.listen_each<ObstaclesPiece>(channel::kObstacles, on_obstacles_);
+  }
+
+  void run() {
+    window_ns_ = monotonic_ns();
+    while (!quit_requested()) {
+      NoAlloc no_alloc;
+      if (bus_.receive(kWait) < 0) throw std::runtime_error("the bus is gone");
+      if (fresh_) {
+        fresh_ = false;
+        const std::int64_t begin = monotonic_ns();
+        estimator_.update(state_);
+        compute_.add(monotonic_ns() - begin);
+        ++ticks_;
+        ++window_ticks_;
+      }
+      if (monotonic_ns() - beat_ns_ >= kHeartbeatNs) send_heartbeat();
+      allocations_ += no_alloc.count();
+      // A goal, an answer and a resend are events, not part of the loop.
+      if (new_goal_) start_plan();
+      if (auto answer = worker_.answer()) finish_plan(*answer);
+      if (sends_left_ > 0 && monotonic_ns() - sent_ns_ >= kResendNs) send_pieces();
+    }
+  }
+
+ private:
+  void hear_state(const RobotState& state) noexcept {
+    if (state.joint_count != model_.bus_count() || state.model_hash != model_.hash) {
+      ++rejected_;
+      return;
+    }
+    const std::int64_t now = monotonic_ns();
+    if (!admission_.admit(state, now)) return;
+    state_ = state;
+    heard_ns_ = now;
+    fresh_ = true;
+  }
+
+  void hear_command(const JointCommand& command) noexcept {
+    if (command.run_id == admission_.run_id() && command.term == admission_.term() &&
+        command.joint_count == model_.bus_count()) {
+      command_ = command;
+    }
+  }
+
+  void hear_goal(const ArmGoal& goal) noexcept {
+    if (goal.run_id != admission_.run_id() || heard_ns_ == 0) {
+      ++rejected_;  // of another run, or an old log
+      return;
+    }
+    if (goal.goal_id == goal_.goal_id && goal.kind == goal_.kind) return;  // said again
+    goal_ = goal;
+    new_goal_ = true;
+  }
+
+  void start_plan() {
+    new_goal_ = false;
+    sends_left_ = 0;
+    if (goal_.kind == ArmGoalKind::kCancel) {
+      worker_.cancel();
+      return;
+    }
+    if (monotonic_ns() - heard_ns_ > kFreshNs) {
+      tell("the goal came while no robot was heard: ask again", 1);
+      return;
+    }
+    PlanQuestion question;
+    question.goal = goal_;
+    question.start = estimator_.configuration();
+    // The motion goes on from the set-point, not from where the servo's error has left the joint.
+    for (std::size_t k = 0; command_.run_id == state_.run_id && k < model_.bus_joints.size(); ++k) {
+      if (std::abs(command_.q[k] - state_.q[k]) < kServoError)
+        question.start.q[model_.bus_joints[k]] = command_.q[k];
+    }
+    question.ground_in_world = estimator_.ground_in_world();
+    question.obstacles = obstacles_.obstacles();
+    question.seed = static_cast<std::uint64_t>(goal_.goal_id);
+    worker_.ask(std::move(question));
+  }
+
+  void finish_plan(const PlanAnswer& answer) {
+    if (answer.goal.goal_id != goal_.goal_id || answer.plan.status == ArmPathStatus::kCancelled)
+      return;
+    pieces_ = to_pieces(answer.plan, {id_, answer.goal.run_id, answer.goal.goal_id, random_id()});
+    sends_left_ = kSends;
+    send_pieces();
+    char sentence[200];
+    const char* side = answer.goal.side == ArmSide::kRight ? "right hand" : "left hand";
+    std::snprintf(sentence, sizeof sentence, "%s: %s (planned in %.0f ms)",
+                  answer.goal.kind == ArmGoalKind::kJoints ? "arm joints" : side,
+                  describe(model_, answer.plan).c_str(), 1e3 * answer.seconds);
+    tell(sentence, answer.plan.status == ArmPathStatus::kOk ? 0 : 1);
+  }
+
+  void send_pieces() {
+    sent_ns_ = monotonic_ns();
+    --sends_left_;
+    for (ArmPathPiece& piece : pieces_) {
+      piece.utime = wall_us();
+      if (!bus_.send(channel::kArmPath, piece)) ++send_failures_;
+    }
+  }
+
+  void tell(const char* sentence, int severity) {
+    Event event;
+    event.utime = wall_us();
+    event.sender_id = id_;
+    event.run_id = state_.run_id;
+    event.tick = state_.tick;
+    event.sequence = ++event_sequence_;
+    event.severity = static_cast<std::int8_t>(severity);
+    event.kind = ProcessKind::kPlanner;
+    std::snprintf(event.text.data(), event.text.size(), "%s", sentence);
+    if (!bus_.send(channel::kEvent, event)) ++send_failures_;
+  }
+
+  void send_heartbeat() noexcept {
+    const std::int64_t now = monotonic_ns();
+    beat_ns_ = now;
+    const BusCounters& c = bus_.counters();
+    beat_.utime = wall_us();
+    beat_.messages_received = c.received;
+    beat_.messages_rejected = c.rejected + rejected_ + admission_.ignored();
+    beat_.messages_lost = c.lost;
+    beat_.ticks = ticks_;
+    beat_.allocations = allocations_counted() ? allocations_ : -1;
+    beat_.send_failures =
+        static_cast<std::int32_t>(std::min<std::int64_t>(send_failures_, INT32_MAX));
+    beat_.tick_median_us = static_cast<float>(1e-3 * compute_.median_ns());
+    beat_.tick_p99_us = static_cast<float>(1e-3 * compute_.p99_ns());
+    beat_.tick_max_us = static_cast<float>(1e-3 * static_cast<double>(compute_.max_ns()));
+    if (now - window_ns_ >= kWindowNs) {
+      const double seconds = 1e-9 * static_cast<double>(now - window_ns_);
+      beat_.rate = static_cast<float>(static_cast<double>(window_ticks_) / seconds);
+      window_ns_ = now;
+      window_ticks_ = 0;
+    }
+    beat_.state = heard_ns_ != 0 && now - heard_ns_ < kWindowNs ? std::int8_t{2} : std::int8_t{1};
+    if (!bus_.send(channel::kHeartbeat, beat_)) ++send_failures_;
+  }
+
+  struct OnState {
+    PlannerProcess* p;
+    void operator()(const RobotState& m) const noexcept { p->hear_state(m); }
+  };
+  struct OnCommand {
+    PlannerProcess* p;
+    void operator()(const JointCommand& m) const noexcept { p->hear_command(m); }
+  };
+  struct OnGoal {
+    PlannerProcess* p;
+    void operator()(const ArmGoal& m) const noexcept { p->hear_goal(m); }
+  };
+  struct OnObstacles {
+    PlannerProcess* p;
+    void operator()(const ObstaclesPiece& m) const noexcept { p->obstacles_.add(m); }
+  };
+
+  const Model& model_;
+  std::int64_t id_;
+  Bus bus_;
+  Estimator estimator_;
+  StateAdmission admission_;
+  ObstacleCollector obstacles_;
+  RobotState state_;
+  JointCommand command_;
+  ArmGoal goal_;
+  bool fresh_ = false, new_goal_ = false;
+  std::vector<ArmPathPiece> pieces_;
+  int sends_left_ = 0;
+  RateStats compute_;
+  Heartbeat beat_;
+  std::int64_t heard_ns_ = 0, beat_ns_ = 0, window_ns_ = 0, sent_ns_ = 0;
+  std::int64_t ticks_ = 0, window_ticks_ = 0, rejected_ = 0, allocations_ = 0, send_failures_ = 0;
+  std::int32_t event_sequence_ = 0;
+
+  OnState on_state_{this};
+  OnCommand on_command_{this};
+  OnGoal on_goal_{this};
+  OnObstacles on_obstacles_{this};
+  PlanWorker worker_;  // last: its thread ends before anything else does
+};
+
+int run(int argc, char** argv) {
+  CommonOptions common;
+  Options options("twinbus_planner",
+                  "Answers ARM_GOAL with a collision-free arm motion on ARM_PATH.");
+  add_common(options, common);
+  options.parse(argc, argv);
+  catch_quit_signals();
+  const Model model = load_robot(common.robot);
+  PlannerProcess planner(common, model);
+  std::printf("planner ready: %s\n", model.name.c_str());
+  std::fflush(stdout);
+  planner.run();
+  return 0;
+}
+
+}  // namespace
+}  // namespace twinbus
+
+int main(int argc, char** argv) {
+  try {
+    return twinbus::run(argc, argv);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "planner: %s\n", error.what());
+    return 1;
+  }
+}
