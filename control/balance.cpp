@@ -43,20 +43,16 @@ FootStiffness sole_stiffness(const Model& model) {
   return stiffness;
 }
 
-// With the servos of the leg: the ankle for turning, the bent knee for height.
-FootStiffness series_stiffness(const Model& model) {
-  const FootStiffness sole = sole_stiffness(model);
+// With the servos of the bent leg.
+double series_stiffness(const Model& model, const BalanceGains& gains) {
+  constexpr double kKneeLever = 0.2;  // [m]
   const LegChain leg = leg_chain(model, 0);
-  double ankle = 1e12;
-  double knee = 1e12;
-  for (int k = 0; k < leg.count; ++k) {
-    const double kp = std::max(
-        1.0, model.joints[static_cast<std::size_t>(leg.joint[static_cast<std::size_t>(k)])].kp);
-    (k >= 4 ? ankle : knee) = std::min(k >= 4 ? ankle : knee, kp);
+  double softest = 1e12;
+  for (int k = 0; k + 2 < leg.count; ++k) {
+    const Joint& joint = model.joints[static_cast<std::size_t>(leg.joint[static_cast<std::size_t>(k)])];
+    softest = std::min(softest, std::max(1.0, gains.leg_kp * joint.kp));
   }
-  constexpr double kKneeLever = 0.2;  // [m], bent
-  return {.vertical = in_series(sole.vertical, knee / (kKneeLever * kKneeLever)),
-          .turning = {in_series(sole.turning.x(), ankle), in_series(sole.turning.y(), ankle)}};
+  return in_series(sole_stiffness(model).vertical, softest / (kKneeLever * kKneeLever));
 }
 
 }  // namespace
@@ -75,7 +71,7 @@ Balance::Balance(const Model& model, const BalanceGains& gains)
       gains_(gains),
       stabilizer_(gains.stabilizer),
       trunk_(gains.trunk),
-      foot_(gains.foot, sole_stiffness(model), series_stiffness(model)),
+      foot_(gains.foot, sole_stiffness(model), series_stiffness(model, gains)),
       ik_(model),
       dynamics_(model),
       mass_(model.total_mass()),
@@ -84,17 +80,34 @@ Balance::Balance(const Model& model, const BalanceGains& gains)
       qd_(q_),
       qdd_(q_),
       tau_(q_),
+      kp_(q_),
+      kd_(q_),
       wrench_(2),
       motion_state_(model),
       motion_kinematics_(model) {
   if (const char* why = why_not(model))
     throw std::runtime_error("robot " + model.name + " cannot balance: " + why);
+  for (int j = 0; j < model.joint_count(); ++j) {
+    kp_[j] = model.joints[static_cast<std::size_t>(j)].kp;
+    kd_[j] = model.joints[static_cast<std::size_t>(j)].kd;
+  }
+  for (int foot = 0; foot < 2; ++foot) {
+    const LegChain leg = leg_chain(model, foot);
+    for (int k = 0; k < leg.count; ++k) {
+      const int j = leg.joint[static_cast<std::size_t>(k)];
+      kp_[j] *= k >= 4 ? gains.ankle_kp : gains.leg_kp;
+      kd_[j] *= k >= 4 ? gains.ankle_kd : gains.leg_kd;
+    }
+  }
   for (std::size_t s = 0; s < 2; ++s) {
     const Sole& sole = model.soles[s];
     soles_[s].front = sole.front;
     soles_[s].back = sole.back;
     soles_[s].left = sole.left;
     soles_[s].right = sole.right;
+    const FootStiffness soft = sole_stiffness(model);
+    soles_[s].most_moment = gains.sole_tilt / (mass_ * kGravity) *
+                            Eigen::Vector2d(soft.turning.y(), soft.turning.x());
     wrench_[s].link = sole.link;
   }
 }
@@ -119,7 +132,10 @@ void Balance::measure(const Estimator& estimator, double dt, bool fresh) noexcep
   com_velocity_ += share * (velocity - com_velocity_);
   momentum_ += share * (momentum - momentum_);
   dcm_ = com_.head<2>() + com_velocity_.head<2>() / w + momentum_;
-  base_yaw_ = yaw_of(world_in_ground.linear() * estimator.configuration().base.linear());
+  const Eigen::Matrix3d base = world_in_ground.linear() * estimator.configuration().base.linear();
+  tilt_ = turn_vector(yaw_turn(-yaw_of(base)) * base).head<2>();
+  const Eigen::Vector3d turning = world_in_ground.linear() * estimator.configuration().base_angular_velocity;
+  tilt_rate_ += share * (turning.head<2>() - tilt_rate_);
 }
 
 void Balance::take_soles(const Estimator& estimator, double share) noexcept {
@@ -184,7 +200,18 @@ void Balance::load_soles(const Estimator& estimator, double dt) noexcept {
   const ZmpShare& share = stabilizer_.share();
   const double w = omega();
   const double weight = mass_ * std::max(0.0, kGravity + motion_.acceleration().z());
-  const Eigen::Vector2d horizontal = mass_ * w * w * (com_.head<2>() - stabilizer_.zmp_wanted());
+  // Change of angular momentum that turns the base to where it should be.
+  const double inertia = mass_ * gains_.turning_gyration * gains_.turning_gyration;
+  const Eigen::Vector2d tilt_error =
+      tilt_ - trunk_.angle() - first_.position() * first_base_turn_.head<2>();
+  const Eigen::Vector2d spin =
+      gains_.feedback
+          ? Eigen::Vector2d(inertia * (trunk_.acceleration() - gains_.upright * gains_.upright * tilt_error -
+                       2.0 * gains_.upright_damping * gains_.upright * (tilt_rate_ - trunk_.rate())))
+          : Eigen::Vector2d::Zero();
+  const double height = std::max(0.2, com_.z());
+  const Eigen::Vector2d horizontal = mass_ * w * w * (com_.head<2>() - share.zmp) +
+                                     Eigen::Vector2d(-spin.y(), spin.x()) / height;
   const Eigen::Matrix3d to_ground = estimator.ground_in_world().linear().transpose();
   std::array<FootLoad, 2> wanted;
   std::array<FootLoad, 2> measured;
@@ -206,6 +233,9 @@ void Balance::load_soles(const Estimator& estimator, double dt) noexcept {
   }
   const bool valid = gains_.feedback && (estimator.loaded(0) || estimator.loaded(1));
   foot_.update(wanted, measured, valid, dt);
+  for (std::size_t s = 0; s < 2; ++s) {
+    wrench_[s].torque.head<2>() += soles_[s].turn(foot_.moment(static_cast<int>(s)));
+  }
 }
 
 std::array<Eigen::Isometry3d, 2> Balance::sole_targets() const noexcept {

@@ -11,6 +11,7 @@
 #include <array>
 #include <vector>
 
+#include "control/balance_gains.h"
 #include "control/com_motion.h"
 #include "control/foot_compliance.h"
 #include "control/stabilizer.h"
@@ -21,22 +22,6 @@
 #include "robot/model.h"
 
 namespace twinbus {
-
-struct BalanceGains {
-  StabilizerGains stabilizer;
-  TrunkYieldGains trunk;
-  FootComplianceGains foot;
-  double momentum = 1.0;               // share of the angular momentum that counts in the DCM
-  double velocity_filter = 0.012;      // of the DCM's velocity [s]
-  double acceleration_filter = 0.010;  // of the joint accelerations fed forward [s]
-  double settle = 1.0;    // time in which tilts and heights found at the start are smoothed out [s]
-  double way_home = 1.5;  // time to the home position of the centre of mass [s]
-  double follow_feet =
-      1.0;  // rate at which the soles' reference follows where they really are [1/s]
-  double home_forward = 0.0;  // home, ahead of the middle of the soles [m]
-  int ik_rounds = 2;
-  bool feedback = true;  // false: the bare plan held by the servos, for comparison
-};
 
 class Balance {
  public:
@@ -65,6 +50,9 @@ class Balance {
   const Eigen::VectorXd& qd() const noexcept { return qd_; }
   const Eigen::VectorXd& tau() const noexcept { return tau_; }
   bool is_leg(int joint) const noexcept { return ik_.is_leg(joint); }
+  // Servo gains of a joint.
+  double kp(int joint) const noexcept { return kp_[joint]; }
+  double kd(int joint) const noexcept { return kd_[joint]; }
   bool finite() const noexcept { return finite_; }
   // Standing still on purpose: no motion asked, nothing moves.
   bool resting() const noexcept;
@@ -103,11 +91,11 @@ class Balance {
 
   Eigen::Vector3d com_ = Eigen::Vector3d::Zero(), com_velocity_ = Eigen::Vector3d::Zero();
   Eigen::Vector2d momentum_ = Eigen::Vector2d::Zero(), dcm_ = Eigen::Vector2d::Zero();
-  double base_yaw_ = 0.0;
+  Eigen::Vector2d tilt_ = Eigen::Vector2d::Zero(), tilt_rate_ = Eigen::Vector2d::Zero();  // roll, pitch of the base
   double mass_;
   bool fresh_ = true, finite_ = true;
   Configuration last_;  // of the inverse kinematics, a tick ago
-  Eigen::VectorXd q_, qd_, qdd_, tau_;
+  Eigen::VectorXd q_, qd_, qdd_, tau_, kp_, kd_;
   std::vector<ExternalWrench> wrench_;
   Configuration motion_state_;  // for the inverse dynamics
   Kinematics motion_kinematics_;

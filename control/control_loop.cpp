@@ -120,9 +120,7 @@ ControlLoop::Impl::Impl(const Model& m, const ControlConfig& c)
                              " actuated joints; the bus carries 1 to " +
                              std::to_string(kMaxJoints));
   }
-  BalanceGains gains;
-  gains.feedback = c.balance_feedback;
-  if (Balance::why_not(m) == nullptr) balance = std::make_unique<Balance>(m, gains);
+  if (Balance::why_not(m) == nullptr) balance = std::make_unique<Balance>(m, c.gains);
   if (c.guard_in_loop) guard = std::make_unique<Guard>(m, GuardConfig{.guard_id = c.controller_id});
 }
 
@@ -293,7 +291,7 @@ void ControlLoop::Impl::lean(std::int64_t now_ns) noexcept {
   }
   const auto axis = [](float a) { return std::clamp(static_cast<double>(a), -1.0, 1.0); };
   balance->lean({kLean * axis(gamepad.left_y), kLean * axis(gamepad.left_x),
-                 -kCrouch * std::max(0.0, axis(gamepad.right_trigger))});
+                 -kCrouch * std::max({0.0, axis(gamepad.right_trigger), -axis(gamepad.right_y)})});
   gamepad_leans = true;
 }
 
@@ -341,8 +339,8 @@ void ControlLoop::Impl::want(double dt) noexcept {
     want_point.q[i] = leg ? balance->q()[j] : posture.q(k);
     want_point.qd[i] = leg ? balance->qd()[j] : posture.qd(k);
     want_point.tau[i] = (*tau)[j];
-    want_point.kp[i] = joint(k).kp;
-    want_point.kd[i] = joint(k).kd;
+    want_point.kp[i] = leg ? balance->kp(j) : joint(k).kp;
+    want_point.kd[i] = leg ? balance->kd(j) : joint(k).kd;
   }
 }
 

@@ -10,6 +10,7 @@
 #include <memory>
 #include <vector>
 
+#include "control/balance_gains.h"
 #include "robot/collision.h"
 #include "robot/model.h"
 #include "robot/requests.h"
@@ -21,7 +22,7 @@ struct ControlConfig {
   std::int64_t controller_id = 1;
   Mode first_mode = Mode::kBalance;  // entered on the first state of a run, without a jump
   bool guard_in_loop = true;
-  bool balance_feedback = true;  // false: balance holds the bare plan, for comparison
+  BalanceGains gains;
 };
 
 class ControlLoop {

@@ -13,6 +13,9 @@ namespace twinbus {
 struct SoleOnGround {                                       // in the ground frame
   Eigen::Vector2d position = Eigen::Vector2d::Zero();       // of the sole frame [m]
   double yaw = 0.0;                                         // [rad]
+  // Farthest a centre of pressure may be from the middle, forward and sideways, times the load share
+  // [m]: a soft sole tilts under an off-centre load.
+  Eigen::Vector2d most_moment = Eigen::Vector2d::Constant(1e9);
   double front = 0.0, back = 0.0, left = 0.0, right = 0.0;  // edges from the sole frame [m]
 
   Eigen::Vector2d turn(const Eigen::Vector2d& in_sole) const noexcept;  // sole axes -> ground axes

@@ -1,0 +1,333 @@
+// The controller process: answers each STATE at once with a COMMAND.
+//
+// Everything that decides is ControlLoop; here are the bus, the heartbeat and the sentences for
+// people.  The loop allocates nothing; only obstacles, which change with the scene, are taken over
+// between ticks with an allocation that is not counted.
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstring>
+#include <exception>
+#include <string>
+#include <vector>
+
+#include "control/control_loop.h"
+#include "lcmtypes/bus.h"
+#include "lcmtypes/channels.h"
+#include "robot/load.h"
+#include "robot/options.h"
+#include "robot/process.h"
+#include "robot/rate_stats.h"
+#include "robot/state_admission.h"
+#include "test/no_alloc.h"
+
+namespace twinbus {
+namespace {
+
+constexpr int kPriority = 55;   // FIFO, below the source's
+constexpr double kWait = 0.02;  // [s] for a message, then the heartbeat gets its turn
+constexpr std::int64_t kHeartbeatNs = 100'000'000;
+constexpr std::int64_t kQuietNs = 1'000'000'000;  // between two events of the same sentence
+constexpr std::int64_t kStoppedEvery = 10;        // a stop is published that often [ticks]
+
+// Pieces of OBSTACLES until the scene is whole.
+class ObstacleCollector {
+ public:
+  // True when a scene other than the last became complete.
+  bool add(const ObstaclesPiece& piece) {
+    if (piece.scene_id == done_ || piece.pieces < 1 || piece.pieces > 64) return false;
+    if (piece.scene_id != scene_) {
+      scene_ = piece.scene_id;
+      have_ = 0;
+      obstacles.clear();
+    }
+    const std::uint64_t bit = std::uint64_t{1} << piece.piece;
+    if (piece.piece < 0 || piece.piece >= piece.pieces || (have_ & bit) != 0) return false;
+    have_ |= bit;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(piece.count); ++i) {
+      Obstacle o;
+      o.shape = piece.shape[i];
+      o.size = Eigen::Vector3f(piece.size[i].data()).cast<double>();
+      const auto& a = piece.attitude[i];
+      o.pose.linear() =
+          Eigen::Quaternionf(a[0], a[1], a[2], a[3]).normalized().toRotationMatrix().cast<double>();
+      o.pose.translation() = Eigen::Vector3f(piece.position[i].data()).cast<double>();
+      obstacles.push_back(o);
+    }
+    const std::uint64_t all =
+        piece.pieces == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << piece.pieces) - 1;
+    if (have_ != all) return false;
+    done_ = scene_;
+    return true;
+  }
+  std::vector<Obstacle> obstacles;
+
+ private:
+  std::int64_t scene_ = -1, done_ = -1;
+  std::uint64_t have_ = 0;
+};
+
+struct Arguments {
+  CommonOptions common;
+  std::string first_mode = "balance";
+  bool no_guard = false;
+};
+
+Arguments parse(int argc, char** argv) {
+  Arguments a;
+  Options options("twinbus_controller", "Answers every STATE of the active source with a COMMAND.");
+  add_common(options, a.common);
+  options.choice("--mode", {"idle", "hold", "balance"}, a.first_mode,
+                 "entered when a robot is first heard");
+  options.flag("--no-guard", a.no_guard, "leaves the guard inside the loop out");
+  options.parse(argc, argv);
+  return a;
+}
+
+class Controller {
+ public:
+  Controller(const Arguments& a, const Model& model, RealTime real_time)
+      : model_(model),
+        id_(a.common.id != 0 ? a.common.id : random_id()),
+        bus_({.url = a.common.url, .prefix = a.common.prefix, .allow = {a.common.allow}}),
+        loop_(model, config(a)) {
+    beat_.process_id = id_;
+    beat_.kind = ProcessKind::kController;
+    beat_.pid = static_cast<std::int32_t>(::getpid());
+    beat_.realtime = static_cast<std::int8_t>(real_time);
+    listen();
+  }
+
+  void run() {
+    start_ns_ = window_ns_ = monotonic_ns();
+    while (!quit_requested()) {
+      NoAlloc no_alloc;
+      if (bus_.receive(kWait) < 0) throw std::runtime_error("the bus is gone");
+      if (fresh_) answer();
+      if (monotonic_ns() - beat_ns_ >= kHeartbeatNs) send_heartbeat();
+      allocations_ += no_alloc.count();
+      if (new_obstacles_) {
+        new_obstacles_ = false;
+        loop_.set_obstacles(obstacles_.obstacles);
+      }
+    }
+  }
+
+ private:
+  ControlConfig config(const Arguments& a) const {
+    ControlConfig c;
+    c.controller_id = id_;
+    c.first_mode = a.first_mode == "idle"   ? Mode::kIdle
+                   : a.first_mode == "hold" ? Mode::kHold
+                                            : Mode::kBalance;
+    c.guard_in_loop = !a.no_guard;
+    return c;
+  }
+
+  void listen() {
+    bus_.listen_each<RobotState>(channel::kState, on_state_);
+    bus_.listen_each<ModeRequest>(channel::kModeRequest, on_mode_);
+    bus_.listen_each<WalkCommand>(channel::kWalk, on_walk_);
+    bus_.listen_each<Gamepad>(channel::kGamepad, on_gamepad_);
+    bus_.listen_each<ArmPathPiece>(channel::kArmPath, on_path_);
+    bus_.listen_each<ArmGoal>(channel::kArmGoal, on_goal_);
+    bus_.listen_each<StopRequest>(channel::kStop, on_stop_);
+    bus_.listen_each<GuardReport>(channel::kGuard, on_guard_);
+    bus_.listen_each<ObstaclesPiece>(channel::kObstacles, on_obstacles_);
+  }
+
+  void hear_state(const RobotState& state) {
+    if (state.joint_count != model_.bus_count() || state.model_hash != model_.hash) {
+      if (rejected_++ == 0) {
+        std::fprintf(stderr,
+                     "controller: STATE of another robot (model hash %lld, %d joints; %s has %lld, "
+                     "%d): start the "
+                     "source and the controller with the same --robot\n",
+                     static_cast<long long>(state.model_hash), static_cast<int>(state.joint_count),
+                     model_.name.c_str(), static_cast<long long>(model_.hash), model_.bus_count());
+      }
+      return;
+    }
+    const std::int64_t now = monotonic_ns();
+    const std::int64_t last = admission_.run_id();
+    if (!admission_.admit(state, now)) return;
+    if (ticks_ > 0 && last == state.run_id && state.tick > state_.tick + 1)
+      missed_ += state.tick - state_.tick - 1;
+    state_ = state;
+    heard_ns_ = now;
+    fresh_ = true;
+  }
+
+  void answer() {
+    fresh_ = false;
+    loop_.on_state(state_, heard_ns_);
+    const std::int64_t begin = monotonic_ns();
+    const bool has_answer = loop_.step(begin, command_);
+    const std::int64_t end = monotonic_ns();
+    if (has_answer) {
+      if (!bus_.send(channel::kCommand, command_)) ++send_failures_;
+      age_.add(monotonic_ns() - heard_ns_);
+      compute_.add(end - begin);
+      ++ticks_;
+      ++window_ticks_;
+      ControllerStatus status = loop_.status();
+      status.compute_ns = static_cast<std::int32_t>(std::min<std::int64_t>(end - begin, INT32_MAX));
+      if (!bus_.send(channel::kControllerStatus, status)) ++send_failures_;
+    }
+    if (const char* sentence = loop_.take_sentence()) tell(sentence);
+    if (loop_.guard_report().stop_asked && state_.stop_kind == StopKind::kNone) ask_for_a_stop();
+  }
+
+  void ask_for_a_stop() {
+    if (state_.tick < next_stop_tick_ && next_stop_tick_ - state_.tick <= kStoppedEvery) return;
+    next_stop_tick_ = state_.tick + kStoppedEvery;
+    StopRequest stop;
+    stop.utime = wall_us();
+    stop.sender_id = id_;
+    stop.sequence = ++sequence_;
+    stop.kind = StopKind::kBalanced;
+    stop.reason = StopReason::kGuard;
+    if (!bus_.send(channel::kStop, stop)) ++send_failures_;
+  }
+
+  void tell(const char* sentence) {
+    const std::int64_t now = monotonic_ns();
+    if (sentence == last_sentence_ && now - told_ns_ < kQuietNs) return;
+    last_sentence_ = sentence;
+    told_ns_ = now;
+    Event event;
+    event.utime = wall_us();
+    event.sender_id = id_;
+    event.run_id = state_.run_id;
+    event.tick = state_.tick;
+    event.sequence = ++event_sequence_;
+    event.severity = 1;
+    event.kind = ProcessKind::kController;
+    std::strncpy(event.text.data(), sentence, event.text.size() - 1);
+    if (!bus_.send(channel::kEvent, event)) ++send_failures_;
+  }
+
+  void send_heartbeat() {
+    const std::int64_t now = monotonic_ns();
+    beat_ns_ = now;
+    const BusCounters& c = bus_.counters();
+    beat_.utime = wall_us();
+    beat_.messages_received = c.received;
+    beat_.messages_rejected = c.rejected + rejected_ + admission_.ignored();
+    beat_.messages_lost = missed_;
+    beat_.ticks = ticks_;
+    beat_.ticks_missed = missed_;
+    beat_.allocations = allocations_counted() ? allocations_ : -1;
+    beat_.send_failures =
+        static_cast<std::int32_t>(std::min<std::int64_t>(c.send_failures, INT32_MAX));
+    beat_.age_us = static_cast<float>(1e-3 * age_.median_ns());
+    beat_.tick_median_us = static_cast<float>(1e-3 * compute_.median_ns());
+    beat_.tick_p99_us = static_cast<float>(1e-3 * compute_.p99_ns());
+    beat_.tick_max_us = static_cast<float>(1e-3 * static_cast<double>(compute_.max_ns()));
+    if (now - window_ns_ >= 500'000'000) {
+      beat_.rate = static_cast<float>(static_cast<double>(window_ticks_) /
+                                      (1e-9 * static_cast<double>(now - window_ns_)));
+      window_ns_ = now;
+      window_ticks_ = 0;
+    }
+    const bool running = heard_ns_ != 0 && now - heard_ns_ < 500'000'000;
+    beat_.state = running ? std::int8_t{2} : std::int8_t{1};
+    if (!bus_.send(channel::kHeartbeat, beat_)) ++send_failures_;
+  }
+
+  struct OnState {
+    Controller* c;
+    void operator()(const RobotState& m) { c->hear_state(m); }
+  };
+  struct OnMode {
+    Controller* c;
+    void operator()(const ModeRequest& m) { c->loop_.on_mode_request(m); }
+  };
+  struct OnWalk {
+    Controller* c;
+    void operator()(const WalkCommand& m) { c->loop_.on_walk_command(m, monotonic_ns()); }
+  };
+  struct OnGamepad {
+    Controller* c;
+    void operator()(const Gamepad& m) { c->loop_.on_gamepad(m, monotonic_ns()); }
+  };
+  struct OnPath {
+    Controller* c;
+    void operator()(const ArmPathPiece& m) { c->loop_.on_arm_path(m); }
+  };
+  struct OnGoal {
+    Controller* c;
+    void operator()(const ArmGoal& m) { c->loop_.on_arm_goal(m); }
+  };
+  struct OnStop {
+    Controller* c;
+    void operator()(const StopRequest& m) { c->loop_.on_stop(m); }
+  };
+  struct OnGuard {
+    Controller* c;
+    void operator()(const GuardReport& m) { c->loop_.on_guard(m, monotonic_ns()); }
+  };
+  struct OnObstacles {
+    Controller* c;
+    void operator()(const ObstaclesPiece& m) {
+      c->new_obstacles_ = c->obstacles_.add(m) || c->new_obstacles_;
+    }
+  };
+
+  const Model& model_;
+  std::int64_t id_;
+  Bus bus_;
+  ControlLoop loop_;
+  StateAdmission admission_;
+  ObstacleCollector obstacles_;
+  bool new_obstacles_ = false, fresh_ = false;
+  RobotState state_;
+  JointCommand command_;
+  RateStats compute_, age_;
+  Heartbeat beat_;
+  std::int64_t heard_ns_ = 0, beat_ns_ = 0, start_ns_ = 0, window_ns_ = 0, window_ticks_ = 0,
+               told_ns_ = 0;
+  std::int64_t ticks_ = 0, missed_ = 0, rejected_ = 0, allocations_ = 0, send_failures_ = 0,
+               next_stop_tick_ = 0;
+  std::int32_t sequence_ = 0, event_sequence_ = 0;
+  const char* last_sentence_ = nullptr;
+
+  OnState on_state_{this};
+  OnMode on_mode_{this};
+  OnWalk on_walk_{this};
+  OnGamepad on_gamepad_{this};
+  OnPath on_path_{this};
+  OnGoal on_goal_{this};
+  OnStop on_stop_{this};
+  OnGuard on_guard_{this};
+  OnObstacles on_obstacles_{this};
+};
+
+int run(int argc, char** argv) {
+  const Arguments a = parse(argc, argv);
+  catch_quit_signals();
+  const Model model = load_robot(a.common.robot);
+  std::string why;
+  const RealTime real_time = enter_real_time(kPriority, &why);
+  if (!why.empty()) std::fprintf(stderr, "controller: %s\n", why.c_str());
+  Controller controller(a, model, real_time);
+  std::printf("controller ready: %s, %d joints, %s\n", model.name.c_str(), model.bus_count(),
+              real_time == RealTime::kNone ? "no real-time priority" : "FIFO priority");
+  std::fflush(stdout);
+  controller.run();
+  return 0;
+}
+
+}  // namespace
+}  // namespace twinbus
+
+int main(int argc, char** argv) {
+  try {
+    return twinbus::run(argc, argv);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "controller: %s\n", error.what());
+    return 1;
+  }
+}
