@@ -10,17 +10,17 @@ namespace twinbus {
 
 // One moving joint and the rows that act on it.
 //
-// All rows have the same axis.  Revolute: an angular motor with axis 0 = servo, 1 = rotor inertia
-// and damping, 2 = stop (its angle is ours, so that ranges beyond half a turn work); Coulomb
-// friction is the motor of the hinge itself. Prismatic: a linear motor with axis 0 = servo, 1 =
-// rotor, 2 = Coulomb friction; the stop is the slider's own.
+// All rows have the same axis.  Revolute: an angular motor with axis 0 = servo, 1 = rotor inertia,
+// damping and friction, 2 = stop (its angle is ours, so that ranges beyond half a turn work).
+// Prismatic: a linear motor with axis 0 and 1 likewise; the stop is the slider's own.
 struct OdeJoint {
   dJointID joint = nullptr;
   dJointID motor = nullptr;
   bool prismatic = false;
-  double middle = 0.0;  // q at ODE's zero
-  double limit = 0.0;   // effort
-  double rotor = 0.0;   // reflected inertia
+  double middle = 0.0;                           // q at ODE's zero
+  double lower = -dInfinity, upper = dInfinity;  // stops
+  double limit = 0.0;                            // effort
+  double rotor = 0.0;                            // reflected inertia
   double damping = 0.0;
   double friction = 0.0;
   ServoTarget target;
@@ -53,6 +53,7 @@ struct OdeWorld::Impl {
 
   // ode_servo.cpp
   void add_joint(int joint, const Kinematics& kinematics);
+  void prepare_stop(const OdeJoint& joint, double q, double qd) noexcept;
   void prepare_rows(OdeJoint& joint, double q, double qd) noexcept;
   // Servo torques of the step just made; true if a joint without a bounded row went beyond its
   // limit.

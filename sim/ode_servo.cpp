@@ -13,8 +13,11 @@ namespace {
 
 // Play is crossed as the torque changes sign; the sign is smoothed over this torque so that the
 // crossing takes time.
-constexpr double kPlayTorque = 2.0;  // [N m]
-constexpr double kPlayRate = 0.2;    // share per step
+constexpr double kPlayTorque = 2.0;   // [N m]
+constexpr double kStickSpeed = 0.01;  // [rad/s or m/s]
+constexpr double kStopReach = 20.0;   // speed that a step may add [rad/s or m/s]
+constexpr double kStopErp = 0.2;
+constexpr double kPlayRate = 0.2;  // share per step
 
 struct Params {  // ODE numbers the parameters of axis 0, 1, 2 in groups of dParamGroup
   static int of(int parameter, int axis) { return parameter + axis * dParamGroup; }
@@ -59,42 +62,65 @@ void OdeWorld::Impl::add_joint(int index, const Kinematics& at_middle) {
     to.joint = dJointCreateSlider(world, nullptr);
     dJointAttach(to.joint, child, parent);
     dJointSetSliderAxis(to.joint, axis.x(), axis.y(), axis.z());
-    dJointSetSliderParam(to.joint, dParamLoStop, from.lower - to.middle);
-    dJointSetSliderParam(to.joint, dParamHiStop, from.upper - to.middle);
     to.motor = dJointCreateLMotor(world, nullptr);
     dJointAttach(to.motor, child, parent);
-    dJointSetLMotorNumAxes(to.motor, 3);
-    for (int i = 0; i < 3; ++i) dJointSetLMotorAxis(to.motor, i, 1, axis.x(), axis.y(), axis.z());
-    set_motor(to, dParamVel, 2, 0.0);
-    set_motor(to, dParamFMax, 2, to.friction);
+    dJointSetLMotorNumAxes(to.motor, 2);
+    for (int i = 0; i < 2; ++i) dJointSetLMotorAxis(to.motor, i, 1, axis.x(), axis.y(), axis.z());
   } else {
     const Eigen::Vector3d anchor = at_middle.link_in_world(from.child).translation();
     to.joint = dJointCreateHinge(world, nullptr);
     dJointAttach(to.joint, child, parent);
     dJointSetHingeAnchor(to.joint, anchor.x(), anchor.y(), anchor.z());
     dJointSetHingeAxis(to.joint, axis.x(), axis.y(), axis.z());
-    dJointSetHingeParam(to.joint, dParamVel, 0.0);
-    dJointSetHingeParam(to.joint, dParamFMax, to.friction);
     to.motor = dJointCreateAMotor(world, nullptr);
     dJointAttach(to.motor, child, parent);
     dJointSetAMotorMode(to.motor, dAMotorUser);
     dJointSetAMotorNumAxes(to.motor, 3);
     for (int i = 0; i < 3; ++i) dJointSetAMotorAxis(to.motor, i, 1, axis.x(), axis.y(), axis.z());
-    if (from.kind != JointKind::kContinuous) {
-      set_motor(to, dParamLoStop, 2, from.lower);
-      set_motor(to, dParamHiStop, 2, from.upper);
-    }
+  }
+  if (from.kind != JointKind::kContinuous) {
+    to.lower = from.lower;
+    to.upper = from.upper;
+  }
+}
+
+// The stop is a row of its own, J qd+ <= (upper - q) / h with a force that only pushes back, there
+// whenever the joint could reach the stop within the step: it is not passed, whatever pushes. ODE's
+// row has the target -stop_erp / h (angle - stop), so a distance still to go is a negative stop_erp
+// and a stop that is mirrored by q.
+void OdeWorld::Impl::prepare_stop(const OdeJoint& joint, double q, double qd) noexcept {
+  const double reach = h * (std::abs(qd) + kStopReach);
+  double low = -dInfinity, high = dInfinity, erp = kStopErp;
+  if (q - joint.lower < reach && q - joint.lower <= joint.upper - q) {
+    low = q < joint.lower ? joint.lower : 2.0 * q - joint.lower;
+    if (q >= joint.lower) erp = -1.0;
+  } else if (joint.upper - q < reach) {
+    high = q > joint.upper ? joint.upper : 2.0 * q - joint.upper;
+    if (q <= joint.upper) erp = -1.0;
+  }
+  if (joint.prismatic) {
+    dJointSetSliderParam(joint.joint, dParamLoStop, low - joint.middle);
+    dJointSetSliderParam(joint.joint, dParamHiStop, high - joint.middle);
+    dJointSetSliderParam(joint.joint, dParamStopERP, erp);
+  } else {
+    dJointSetAMotorAngle(joint.motor, 2, q);
+    set_motor(joint, dParamLoStop, 2, low);
+    set_motor(joint, dParamHiStop, 2, high);
+    set_motor(joint, dParamStopERP, 2, erp);
   }
 }
 
 void OdeWorld::Impl::prepare_rows(OdeJoint& joint, double q, double qd) noexcept {
   const ServoTarget& t = joint.target;
   const double servo_gain = h * t.kp + t.kd;
-  const double passive_gain = joint.rotor / h + joint.damping;
+  // Coulomb friction as damping of the magnitude it has at the present speed: below kStickSpeed it
+  // creeps.
+  const double friction_gain = joint.friction / std::max(std::abs(qd), kStickSpeed);
+  const double passive_gain = joint.rotor / h + joint.damping + friction_gain;
   const double passive_force = joint.rotor / h * qd;
   double servo_force = t.kp * (t.q - q - joint.play) + t.kd * t.qd + t.tau;
 
-  if (!joint.prismatic) dJointSetAMotorAngle(joint.motor, 2, q);
+  prepare_stop(joint, q, qd);
   if (!(servo_gain > 0.0)) {  // a torque that does not depend on the motion
     servo_force = std::clamp(servo_force, -joint.limit, joint.limit);
     if (passive_gain > 0.0) {

@@ -9,14 +9,14 @@ namespace twinbus {
 
 namespace {
 
-// Force and torque of the contacts of a link (or of one sole) in a sensor frame, on the robot.
-std::array<float, 6> contact_wrench(const OdeWorld& world, int link,
-                                    const Eigen::Isometry3d& sensor) noexcept {
-  const Eigen::Isometry3d frame = world.link_in_world(link) * sensor;
+// Force and torque of the contacts beyond a sensor, on the robot, in the sensor's frame.
+template <class Beyond>
+std::array<float, 6> contact_wrench(const OdeWorld& world, const Eigen::Isometry3d& frame,
+                                    const Beyond& is_beyond) noexcept {
   Eigen::Vector3d force = Eigen::Vector3d::Zero();
   Eigen::Vector3d torque = Eigen::Vector3d::Zero();
   for (const ContactPoint& contact : world.contacts()) {
-    if (contact.link != link) continue;
+    if (!is_beyond(contact)) continue;
     force += contact.force;
     torque += (contact.point - frame.translation()).cross(contact.force);
   }
@@ -123,8 +123,12 @@ void Sensors::measure_wrenches(const OdeWorld& world, RobotState& state) noexcep
     state.wrench[at] = {};
     state.wrench_kind[at] = link < 0 ? WrenchKind::kAbsent : WrenchKind::kMeasured;
     if (link < 0) continue;
-    state.wrench[at] = contact_wrench(
-        world, link, is_foot ? model_->soles[side].sensor : model_->hands[side].sensor);
+    const Eigen::Isometry3d frame =
+        world.link_in_world(link) *
+        (is_foot ? model_->soles[side].sensor : model_->hands[side].sensor);
+    state.wrench[at] = contact_wrench(world, frame, [&](const ContactPoint& contact) {
+      return is_foot ? of_foot(*model_, contact, side) : contact.link == link;
+    });
     for (std::size_t i = 0; i < 6; ++i) {
       const double noise = i < 3 ? options_.force_noise : options_.moment_noise;
       if (noise > 0.0) state.wrench[at][i] += static_cast<float>(noise * random_.normal());

@@ -74,7 +74,7 @@ void fill_truth(const Model& model, const OdeWorld& world, double standing_heigh
     pressure += contact.force.z();
     moment += contact.force.z() * contact.point.head<2>();
     for (std::size_t side = 0; side < 2; ++side) {
-      if (contact.link == model.soles[side].link) foot_force[side] += contact.force;
+      if (of_foot(model, contact, side)) foot_force[side] += contact.force;
     }
     if (truth.contact_count < 8) {
       const auto row = static_cast<std::size_t>(truth.contact_count++);

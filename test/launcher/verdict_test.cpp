@@ -10,13 +10,13 @@ namespace {
 constexpr std::int64_t kPeriod = 2'000'000;
 constexpr int kTicks = 10000;
 
-struct Run {
+struct FakeRun {
   Lookout seen;
   RunRequest request;
   std::int64_t end = kTicks * kPeriod;
 
   // every: one COMMAND in so many ticks; missed: as the source counts.
-  Run(int every, std::int64_t missed, std::int8_t realtime) {
+  FakeRun(int every, std::int64_t missed, std::int8_t realtime) {
     RobotState state;
     state.run_id = 7;
     JointCommand command;
@@ -43,24 +43,24 @@ struct Run {
   RunVerdict verdict() const { return judge(seen, request, {.source_missed = 100, .controller_missed = 0}, end); }
 };
 
-TEST(Verdict, ACleanRunPasses) { EXPECT_TRUE(Run(1, 0, 1).verdict().passed); }
+TEST(Verdict, ACleanRunPasses) { EXPECT_TRUE(FakeRun(1, 0, 1).verdict().passed); }
 
 TEST(Verdict, MissedTicksAreJudgedByWhetherFifoWasThere) {
-  EXPECT_TRUE(Run(1, 10, 2).verdict().passed);    // 0.1 % with FIFO
-  EXPECT_FALSE(Run(1, 11, 2).verdict().passed);
-  EXPECT_TRUE(Run(1, 100, 0).verdict().passed);   // 1 % without
-  EXPECT_FALSE(Run(1, 101, 0).verdict().passed);
-  EXPECT_FALSE(Run(1, 11, 0).verdict().fifo);
+  EXPECT_TRUE(FakeRun(1, 10, 2).verdict().passed);    // 0.1 % with FIFO
+  EXPECT_FALSE(FakeRun(1, 11, 2).verdict().passed);
+  EXPECT_TRUE(FakeRun(1, 100, 0).verdict().passed);   // 1 % without
+  EXPECT_FALSE(FakeRun(1, 101, 0).verdict().passed);
+  EXPECT_FALSE(FakeRun(1, 11, 0).verdict().fifo);
 }
 
 TEST(Verdict, ASlowStreamFails) {
-  const RunVerdict verdict = Run(2, 0, 1).verdict();
+  const RunVerdict verdict = FakeRun(2, 0, 1).verdict();
   EXPECT_FALSE(verdict.passed);
   EXPECT_NEAR(verdict.command_rate, 250.0, 1.0);
 }
 
 TEST(Verdict, AFallFails) {
-  Run run(1, 0, 1);
+  FakeRun run(1, 0, 1);
   SimTruth truth;
   truth.run_id = 7;
   truth.fell = true;
@@ -74,7 +74,7 @@ TEST(Verdict, NothingHeardFails) {
 }
 
 TEST(Verdict, TheReportHasThePromisedKeys) {
-  const Run run(1, 3, 1);
+  const FakeRun run(1, 3, 1);
   const auto report = nlohmann::json::parse(report_json(run.verdict(), run.request, run.seen, 20.0, "00ff"));
   for (const char* key : {"scene", "robot", "engine", "contact", "step_s", "seed", "sim_time_s", "wall_s", "realtime_factor",
                           "ticks", "missed_ticks", "fell", "max_tilt_deg", "base_final_xyyaw", "zmp_margin_min_mm",

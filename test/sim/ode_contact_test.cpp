@@ -1,0 +1,134 @@
+// Soles on the ground, friction, and a body that lies on it.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "robot/dynamics.h"
+#include "sim/ode_world.h"
+#include "test_models.h"
+
+namespace twinbus {
+namespace {
+
+double vertical_force(const OdeWorld& world) {
+  double sum = 0.0;
+  for (const ContactPoint& contact : world.contacts()) sum += contact.force.z();
+  return sum;
+}
+
+TEST(OdeContact, SolesSinkByWeightOverStiffness) {
+  const Model model = test::block();
+  OdeWorld world(model, {});
+  Configuration start(model);
+  ASSERT_EQ(world.set(start), Status::kOk);
+  ASSERT_EQ(world.set_servo(0, {.q = 0, .qd = 0, .tau = 0, .kp = 100, .kd = 10}), Status::kOk);
+  for (int i = 0; i < 2000; ++i) ASSERT_EQ(world.step(), Status::kOk);
+  const double weight = world.mass() * kGravity;
+  EXPECT_NEAR(world.configuration().base.translation().z(), -weight / 2e5, 1e-7);
+  EXPECT_NEAR(vertical_force(world), weight, 1e-3);
+  for (const ContactPoint& contact : world.contacts())
+    EXPECT_NEAR(contact.force.z(), weight / 8, 0.01 * weight);
+}
+
+TEST(OdeContact, NeverPulls) {
+  const Model model = test::block();
+  OdeWorld world(model, {});
+  Configuration start(model);
+  start.base.translation().z() = 0.2;
+  start.base_velocity.x() = 0.3;
+  ASSERT_EQ(world.set(start), Status::kOk);
+  bool flew = false, touched = false;
+  for (int i = 0; i < 500; ++i) {
+    ASSERT_EQ(world.step(), Status::kOk);
+    for (const ContactPoint& contact : world.contacts()) ASSERT_GE(contact.force.z(), 0.0);
+    flew = flew || world.contacts().empty();
+    touched = touched || vertical_force(world) > 1.0;
+  }
+  EXPECT_TRUE(flew);
+  EXPECT_TRUE(touched);
+}
+
+// A sliding block stops after v^2 / (2 mu g), in every direction alike.
+TEST(OdeContact, FrictionIsTheSameInEveryDirection) {
+  for (const double angle : {0.0, 0.4, 0.785, 1.2}) {
+    Model model = test::block();
+    for (Sole& sole : model.soles) sole.friction = 0.4;
+    for (Link& link : model.links) link.collision.clear();
+    WorldConfig config;
+    config.ground_friction = 0.4;
+    OdeWorld world(model, config);
+    Configuration start(model);
+    start.base.translation().z() = -world.mass() * kGravity / 2e5;
+    start.base_velocity = {1.0 * std::cos(angle), 1.0 * std::sin(angle), 0.0};
+    ASSERT_EQ(world.set(start), Status::kOk);
+    ASSERT_EQ(world.set_servo(0, {.q = 0, .qd = 0, .tau = 0, .kp = 1000, .kd = 10}), Status::kOk);
+    for (int i = 0; i < 1000; ++i) ASSERT_EQ(world.step(), Status::kOk);
+    const double expected = 1.0 / (2.0 * 0.4 * kGravity);
+    EXPECT_NEAR(world.configuration().base.translation().head<2>().norm(), expected,
+                0.03 * expected)
+        << angle;
+    EXPECT_LT(world.configuration().base_velocity.norm(), 1e-3);
+  }
+}
+
+TEST(OdeContact, AHigherGroundUnderOneSoleTiltsTheBody) {
+  const Model model = test::block();
+  WorldConfig config;
+  config.ground_height = {0.003, 0.0};
+  OdeWorld world(model, config);
+  ASSERT_EQ(world.set(Configuration(model)), Status::kOk);
+  ASSERT_EQ(world.set_servo(0, {.q = 0, .qd = 0, .tau = 0, .kp = 100, .kd = 10}), Status::kOk);
+  for (int i = 0; i < 2000; ++i) ASSERT_EQ(world.step(), Status::kOk);
+  const double roll = std::asin(world.configuration().base.linear()(2, 1));
+  EXPECT_NEAR(roll, 0.003 / 0.3, 0.002);
+}
+
+TEST(OdeContact, ABodyOnItsSideLiesOnTheGround) {
+  const Model model = test::block();
+  OdeWorld world(model, {});
+  Configuration start(model);
+  start.base.translation().z() = 0.3;
+  start.base.linear() = Eigen::AngleAxisd(1.45, Eigen::Vector3d::UnitX()).toRotationMatrix();
+  ASSERT_EQ(world.set(start), Status::kOk);
+  ASSERT_EQ(world.set_servo(0, {.q = 0, .qd = 0, .tau = 0, .kp = 100, .kd = 10}), Status::kOk);
+  for (int i = 0; i < 2000; ++i) ASSERT_EQ(world.step(), Status::kOk);
+  EXPECT_NEAR(world.configuration().base.translation().z(), 0.2, 0.01);
+  EXPECT_LT(world.configuration().base_velocity.norm(), 1e-2);
+  EXPECT_NEAR(vertical_force(world), world.mass() * kGravity, 1.0);
+}
+
+TEST(OdeContact, AnObstacleIsInTheWay) {
+  Model model = test::block();
+  WorldConfig config;
+  Obstacle wall;
+  wall.shape = ObstacleShape::kBox;
+  wall.size = {0.1, 2.0, 1.0};
+  wall.pose.translation() = Eigen::Vector3d(0.4, 0, 0.5);
+  config.obstacles = {wall};
+  config.ground_friction = 0.0;
+  OdeWorld world(model, config);
+  Configuration start(model);
+  start.base.translation().z() = -world.mass() * kGravity / 2e5;
+  start.base_velocity.x() = 1.0;
+  ASSERT_EQ(world.set(start), Status::kOk);
+  for (int i = 0; i < 500; ++i) ASSERT_EQ(world.step(), Status::kOk);
+  EXPECT_LT(world.configuration().base.translation().x(), 0.17);
+}
+
+TEST(OdeContact, ACornerOffsetLowersTheGroundThere) {
+  const Model model = test::block();
+  OdeWorld world(model, {});
+  ASSERT_EQ(world.set(Configuration(model)), Status::kOk);
+  for (int side = 0; side < 2; ++side) {
+    for (int corner = 0; corner < kSoleCorners; ++corner)
+      world.set_corner_offset(side, corner, 0.001);
+  }
+  ASSERT_EQ(world.set_servo(0, {.q = 0, .qd = 0, .tau = 0, .kp = 100, .kd = 10}), Status::kOk);
+  for (int i = 0; i < 2000; ++i) ASSERT_EQ(world.step(), Status::kOk);
+  EXPECT_NEAR(world.configuration().base.translation().z(), -0.001 - world.mass() * kGravity / 2e5,
+              1e-6);
+}
+
+}  // namespace
+}  // namespace twinbus

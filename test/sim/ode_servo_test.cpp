@@ -1,0 +1,195 @@
+// Servo, rotor, friction and stops of one joint against closed formulas.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "robot/dynamics.h"
+#include "sim/ode_world.h"
+#include "test_models.h"
+
+namespace twinbus {
+namespace {
+
+using test::kPendulumInertia;
+
+constexpr double kStep = 0.002;  // [s]
+
+WorldConfig fixed() {
+  WorldConfig config;
+  config.fixed_base = true;
+  config.step = kStep;
+  return config;
+}
+
+// One step of backward Euler of the pendulum's servo; gravity and gyroscopic terms at the start, as
+// everywhere in ODE.
+double implicit_speed(double q, double qd, const ServoTarget& t, double rotor) {
+  const double gravity = -2.0 * kGravity * 0.5 * std::sin(q);
+  const double inertia = kPendulumInertia + rotor;
+  const double servo = t.kp * (t.q - q) + t.kd * t.qd + t.tau;
+  return (inertia * qd + kStep * (gravity + servo)) / (inertia + kStep * (t.kd + kStep * t.kp));
+}
+
+class Servo : public ::testing::TestWithParam<double> {};  // rotor inertia
+
+TEST_P(Servo, IsExactlyBackwardEuler) {
+  Model model = test::pendulum(1e5);
+  model.joints[0].rotor_inertia = GetParam();
+  OdeWorld world(model, fixed());
+  Configuration start(model);
+  start.q[0] = 0.4;
+  start.qd[0] = -0.7;
+  ASSERT_EQ(world.set(start), Status::kOk);
+  const ServoTarget target{.q = 1.0, .qd = 0.5, .tau = 3.0, .kp = 4000.0, .kd = 50.0};
+  ASSERT_EQ(world.set_servo(0, target), Status::kOk);
+  double q = 0.4, qd = -0.7;
+  for (int i = 0; i < 200; ++i) {
+    const double next = implicit_speed(q, qd, target, GetParam());
+    ASSERT_EQ(world.step(), Status::kOk);
+    // The torque it reports is the law at the end of the step.
+    const double tau =
+        target.kp * (target.q - q - kStep * next) + target.kd * (target.qd - next) + target.tau;
+    ASSERT_NEAR(world.configuration().qd[0], next, 1e-4 * (1.0 + std::abs(next))) << i;
+    EXPECT_NEAR(world.tau(0), tau, 1e-3 * (1.0 + std::abs(tau))) << i;
+    q = world.configuration().q[0];
+    qd = world.configuration().qd[0];
+  }
+}
+INSTANTIATE_TEST_SUITE_P(RotorInertia, Servo, ::testing::Values(0.0, 0.5, 12.0));
+
+TEST(OdeServo, TorqueWithoutGainsAcceleratesByTauOverInertia) {
+  for (const double rotor : {0.0, 2.0}) {
+    Model model = test::pendulum();
+    model.joints[0].rotor_inertia = rotor;
+    OdeWorld world(model, fixed());
+    ASSERT_EQ(world.set(Configuration(model)), Status::kOk);
+    ASSERT_EQ(world.set_servo(0, {.q = 0, .qd = 0, .tau = 5.0, .kp = 0, .kd = 0}), Status::kOk);
+    ASSERT_EQ(world.step(), Status::kOk);
+    EXPECT_NEAR(world.configuration().qd[0], kStep * 5.0 / (kPendulumInertia + rotor), 1e-7);
+    EXPECT_DOUBLE_EQ(world.tau(0), 5.0);
+  }
+}
+
+TEST(OdeServo, NeverExceedsItsEffortAndStillPullsWithAllOfIt) {
+  for (const double rotor : {0.0, 1.0}) {
+    Model model = test::pendulum(8.0);  // gravity asks for up to 9.81 N m
+    model.joints[0].rotor_inertia = rotor;
+    OdeWorld world(model, fixed());
+    Configuration start(model);
+    start.q[0] = 1.5;
+    ASSERT_EQ(world.set(start), Status::kOk);
+    ASSERT_EQ(world.set_servo(0, {.q = 1.5, .qd = 0, .tau = 0, .kp = 5000.0, .kd = 10.0}),
+              Status::kOk);
+    double qd = 0.0, q = 1.5;
+    ASSERT_EQ(world.step(), Status::kOk);
+    for (int i = 0; i < 400; ++i) {
+      q = world.configuration().q[0];
+      qd = world.configuration().qd[0];
+      ASSERT_EQ(world.step(), Status::kOk);
+      ASSERT_LE(std::abs(world.tau(0)), 8.0);
+      if (world.tau(0) == 8.0) {  // saturated: the torque really acts
+        const double expected =
+            qd + kStep * (8.0 - 9.81 * std::sin(q)) / (kPendulumInertia + rotor);
+        ASSERT_NEAR(world.configuration().qd[0], expected, 1e-4);
+      }
+    }
+    EXPECT_LT(world.configuration().q[0], 1.2) << "overloaded, it must give way";
+  }
+}
+
+TEST(OdeServo, StopsStopThoughTheServoPushes) {
+  Model model = test::pendulum(300.0);
+  model.joints[0].lower = -0.5;
+  model.joints[0].upper = 0.8;
+  OdeWorld world(model, fixed());
+  for (const double asked : {2.0, -2.0}) {
+    ASSERT_EQ(world.set(Configuration(model)), Status::kOk);
+    ASSERT_EQ(world.set_servo(0, {.q = asked, .qd = 0, .tau = 0, .kp = 2000.0, .kd = 20.0}),
+              Status::kOk);
+    double highest = 0.0, lowest = 0.0;
+    for (int i = 0; i < 1000; ++i) {
+      ASSERT_EQ(world.step(), Status::kOk);
+      highest = std::max(highest, world.configuration().q[0]);
+      lowest = std::min(lowest, world.configuration().q[0]);
+      ASSERT_LE(std::abs(world.tau(0)), 300.0);
+    }
+    EXPECT_LT(highest, 0.8 + 1e-3);
+    EXPECT_GT(lowest, -0.5 - 1e-3);
+    EXPECT_NEAR(world.configuration().q[0], asked > 0 ? 0.8 : -0.5, 1e-3);
+    EXPECT_NEAR(world.configuration().qd[0], 0.0, 1e-3);
+  }
+}
+
+TEST(OdeServo, ARangeBeyondHalfATurnHasItsStopsWhereTheyBelong) {
+  Model model = test::pendulum();
+  model.joints[0].lower = -3.6;
+  model.joints[0].upper = 1.6;
+  OdeWorld world(model, fixed());
+  ASSERT_EQ(world.set(Configuration(model)), Status::kOk);
+  ASSERT_EQ(world.set_servo(0, {.q = -3.5, .qd = 0, .tau = 0, .kp = 2000.0, .kd = 100.0}),
+            Status::kOk);
+  for (int i = 0; i < 1500; ++i) ASSERT_EQ(world.step(), Status::kOk);
+  EXPECT_NEAR(world.configuration().q[0], -3.5, 0.01);
+}
+
+TEST(OdeServo, AContinuousJointCountsTurns) {
+  Model model = test::pendulum();
+  model.joints[0].kind = JointKind::kContinuous;
+  model.joints[0].lower = -std::numeric_limits<double>::infinity();
+  model.joints[0].upper = std::numeric_limits<double>::infinity();
+  OdeWorld world(model, fixed());
+  ASSERT_EQ(world.set(Configuration(model)), Status::kOk);
+  for (int i = 0; i < 3000; ++i) {
+    const double q = 4.0 * i * kStep;
+    ASSERT_EQ(world.set_servo(0, {.q = q, .qd = 4.0, .tau = 0, .kp = 4000.0, .kd = 100.0}),
+              Status::kOk);
+    ASSERT_EQ(world.step(), Status::kOk);
+  }
+  EXPECT_NEAR(world.configuration().q[0], 24.0, 0.1);
+}
+
+TEST(OdeServo, ASliderIsServoedAndStopped) {
+  OdeWorld world(test::slider(), fixed());
+  const Model model = test::slider();
+  OdeWorld own(model, fixed());
+  ASSERT_EQ(own.set(Configuration(model)), Status::kOk);
+  ASSERT_EQ(own.set_servo(0, {.q = 0.1, .qd = 0, .tau = 2.0 * kGravity, .kp = 2000.0, .kd = 200.0}),
+            Status::kOk);
+  for (int i = 0; i < 1000; ++i) ASSERT_EQ(own.step(), Status::kOk);
+  EXPECT_NEAR(own.configuration().q[0], 0.1, 1e-4);
+  EXPECT_NEAR(own.tau(0), 2.0 * kGravity, 0.01);
+  ASSERT_EQ(own.set_servo(0, {.q = 1.0, .qd = 0, .tau = 0.0, .kp = 2000.0, .kd = 200.0}),
+            Status::kOk);
+  for (int i = 0; i < 1000; ++i) ASSERT_EQ(own.step(), Status::kOk);
+  EXPECT_NEAR(own.configuration().q[0], 0.3, 1e-3);
+}
+
+TEST(OdeServo, FrictionBringsASwingToRest) {
+  Model model = test::pendulum();
+  model.joints[0].friction = 1.0;
+  OdeWorld world(model, fixed());
+  Configuration start(model);
+  start.qd[0] = 2.0;
+  ASSERT_EQ(world.set(start), Status::kOk);
+  for (int i = 0; i < 3000; ++i) ASSERT_EQ(world.step(), Status::kOk);
+  EXPECT_NEAR(world.configuration().qd[0], 0.0, 0.01);
+}
+
+TEST(OdeServo, PlayLetsTheServoSideLeadByHalfOfIt) {
+  const Model model = test::pendulum();
+  WorldConfig config = fixed();
+  config.backlash = 0.002;
+  OdeWorld world(model, config);
+  Configuration start(model);
+  start.q[0] = 0.8;
+  ASSERT_EQ(world.set(start), Status::kOk);
+  ASSERT_EQ(world.set_servo(0, {.q = 0.8, .qd = 0, .tau = 0, .kp = 10000.0, .kd = 200.0}),
+            Status::kOk);
+  for (int i = 0; i < 1000; ++i) ASSERT_EQ(world.step(), Status::kOk);
+  EXPECT_GT(world.tau(0), 2.0);
+  EXPECT_NEAR(world.encoder(0) - world.configuration().q[0], 0.001, 1e-5);
+}
+
+}  // namespace
+}  // namespace twinbus

@@ -1,0 +1,121 @@
+#include "sim/scene.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "robot/load.h"
+
+namespace twinbus {
+namespace {
+
+Scene from_text(const std::string& text) {
+  const auto path =
+      std::filesystem::temp_directory_path() /
+      ("twinbus_scene_" + std::to_string(::testing::UnitTest::GetInstance()->random_seed()) + "_" +
+       ::testing::UnitTest::GetInstance()->current_test_info()->name() + ".yaml");
+  std::ofstream(path) << text;
+  struct Remove {
+    std::filesystem::path path;
+    ~Remove() { std::filesystem::remove(path); }
+  } remove{path};
+  return load_scene(path.string());
+}
+
+std::string complaint(const std::string& text) {
+  try {
+    (void)from_text(text);
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Scene, EverySceneOfTheInstallationLoadsAndFitsItsRobot) {
+  int count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(config_folder() + "/scenes")) {
+    if (entry.path().extension() != ".yaml") continue;
+    SCOPED_TRACE(entry.path().string());
+    Scene scene = load_scene(entry.path().stem().string());
+    const Model model = load_robot(scene.robot);
+    EXPECT_NO_THROW(resolve_poses(scene, model));
+    EXPECT_GE(model.find_pose(scene.start_pose), 0);
+    EXPECT_FALSE(scene.about.empty());
+    for (const Push& push : scene.pushes) EXPECT_GE(model.find_link(push.link), 0) << push.link;
+    ++count;
+  }
+  EXPECT_GE(count, 9);
+}
+
+TEST(Scene, ReadsWhatItSays) {
+  const Scene scene = from_text(
+      "robot: hrp1s\nduration: 3\nstep: 0.001\nbase: fixed\nground: {friction: 0.5}\n"
+      "obstacles:\n  - {shape: cylinder, size: [0.1, 0.4], position: [1, 2, 3], rpy_deg: [0, 90, "
+      "0]}\n"
+      "pushes:\n  - {link: CHEST, impulse: [45, 0, 0], at: 2}\n"
+      "modes:\n  - {at: 1, mode: balance, motion: sway, amplitude: 0.03, frequency: 0.5}\n"
+      "goals:\n  - {at: 2, hand: right, position: [0.4, -0.2, 0.9]}\n"
+      "criteria: {max_tilt_deg: 5}\nsettings: {model.mass_scale: 1.03}\n");
+  EXPECT_TRUE(scene.fixed_base);
+  EXPECT_DOUBLE_EQ(scene.ground_friction, 0.5);
+  ASSERT_EQ(scene.obstacles.size(), 1U);
+  EXPECT_EQ(scene.obstacles[0].shape, ObstacleShape::kCylinder);
+  EXPECT_NEAR(scene.obstacles[0].pose.linear()(0, 2), 1.0, 1e-12);
+  EXPECT_DOUBLE_EQ(scene.pushes.at(0).duration, 0.1);
+  EXPECT_EQ(scene.modes.at(0).request.motion, Motion::kSway);
+  EXPECT_EQ(scene.goals.at(0).goal.kind, ArmGoalKind::kPosition);
+  EXPECT_EQ(scene.goals.at(0).goal.side, ArmSide::kRight);
+  EXPECT_DOUBLE_EQ(scene.criteria.max_tilt_deg, 5.0);
+  EXPECT_TRUE(std::isnan(scene.criteria.slip_max_mm));
+  ASSERT_EQ(scene.settings.size(), 1U);
+}
+
+TEST(Scene, AWrongKeyNamesFileLineAndTheNearest) {
+  const std::string text = complaint("duration: 3\nobstacels: []\n");
+  EXPECT_NE(text.find(".yaml:2"), std::string::npos) << text;
+  EXPECT_NE(text.find("obstacles"), std::string::npos) << text;
+  EXPECT_NE(complaint("settings: {model.mas_scale: 1}\n").find("model.mass_scale"),
+            std::string::npos);
+  EXPECT_NE(complaint("pushes:\n  - {link: A, impuls: [1, 0, 0], at: 1}\n"), "");
+}
+
+TEST(Scene, WrongValuesAreRefused) {
+  for (const char* text :
+       {"duration: -1\n", "duration: x\n", "base: flying\n", "engine: magic\n", "step: 0\n",
+        "obstacles:\n  - {shape: box, size: [1, 1], position: [0, 0, 0]}\n",
+        "obstacles:\n  - {shape: box, size: [1, 1, .nan], position: [0, 0, 0]}\n",
+        "pushes:\n  - {link: A, impulse: [1, 0, .inf], at: 1}\n", "modes:\n  - {at: 1}\n",
+        "modes:\n  - {at: 1, mode: dance}\n", "modes:\n  - {at: 1, mode: pose}\n",
+        "goals:\n  - {at: 1, position: [0, 0, 0]}\n", "settings: {model.mass_scale: heavy}\n",
+        "[1, 2\n", "3\n"}) {
+    EXPECT_NE(complaint(text), "") << text;
+  }
+}
+
+TEST(Scene, AnUnknownNameListsThoseThatThereAre) {
+  try {
+    (void)load_scene("stnad");
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("stand"), std::string::npos);
+  }
+}
+
+TEST(Scene, APoseIsTakenFromTheRobot) {
+  const Model model = load_robot("hrp1s");
+  Scene scene = from_text(
+      "modes:\n  - {at: 1, mode: pose, pose: half_sitting}\n"
+      "goals:\n  - {at: 1, hand: left, pose: half_sitting}\n");
+  resolve_poses(scene, model);
+  EXPECT_EQ(scene.modes[0].request.joint_mask, (std::int64_t{1} << 29) - 1);
+  EXPECT_GT(std::abs(scene.modes[0].request.q[3]), 0.5);  // a knee
+  EXPECT_EQ(__builtin_popcountll(static_cast<unsigned long long>(scene.goals[0].goal.joint_mask)),
+            7);
+  Scene wrong = from_text("modes:\n  - {at: 1, mode: pose, pose: handstand}\n");
+  EXPECT_THROW(resolve_poses(wrong, model), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace twinbus

@@ -1,0 +1,49 @@
+#include "sim/truth.h"
+
+#include <gtest/gtest.h>
+
+#include "robot/dynamics.h"
+#include "test_models.h"
+
+namespace twinbus {
+namespace {
+
+TEST(Truth, HullMarginIsTheDistanceToTheNearestEdge) {
+  const Eigen::Vector2d square[] = {{1, 1}, {-1, -1}, {1, -1}, {-1, 1}, {0, 0}, {1, 0}};
+  EXPECT_NEAR(hull_margin(square, 6, {0, 0}), 1.0, 1e-12);
+  EXPECT_NEAR(hull_margin(square, 6, {0.7, -0.2}), 0.3, 1e-12);
+  EXPECT_NEAR(hull_margin(square, 6, {1.5, 0}), -0.5, 1e-12);
+  EXPECT_EQ(hull_margin(square, 0, {0, 0}), 0.0);
+}
+
+TEST(Truth, SaysWhatCarriesTheBodyAndWhenItFell) {
+  const Model model = test::block();
+  OdeWorld world(model, {});
+  Configuration at(model);
+  at.base.translation().z() = -world.mass() * kGravity / 2e5;
+  ASSERT_EQ(world.set(at), Status::kOk);
+  ASSERT_EQ(world.step(), Status::kOk);
+  SimTruth truth;
+  fill_truth(model, world, 0.0, truth);
+  EXPECT_EQ(truth.contact_count, 8);
+  EXPECT_NEAR(truth.foot_force[0][2] + truth.foot_force[1][2], world.mass() * kGravity, 1.0);
+  EXPECT_NEAR(truth.zmp[0], 0.0, 1e-4);
+  EXPECT_NEAR(truth.zmp_margin, 0.1, 1e-3);
+  EXPECT_GT(truth.penetration, 0.0F);
+
+  at.base.translation().z() = 3.0;
+  at.base.linear() = Eigen::AngleAxisd(1.1, Eigen::Vector3d::UnitY()).toRotationMatrix();
+  ASSERT_EQ(world.set(at), Status::kOk);
+  fill_truth(model, world, 0.5, truth);
+  EXPECT_TRUE(truth.fell);
+  EXPECT_EQ(truth.contact_count, 0);
+  at.base.linear() = Eigen::AngleAxisd(1.0, Eigen::Vector3d::UnitY()).toRotationMatrix();
+  ASSERT_EQ(world.set(at), Status::kOk);
+  fill_truth(model, world, 0.5, truth);
+  EXPECT_FALSE(truth.fell);
+  fill_truth(model, world, 6.5, truth);
+  EXPECT_TRUE(truth.fell);
+}
+
+}  // namespace
+}  // namespace twinbus
