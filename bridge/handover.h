@@ -6,28 +6,23 @@
 // explorer in test/protocol:
 //
 //  * A grant counts for the target only while it is fresh: the target takes over if it has heard
-//  the holder, with the
-//    grant, within the three ticks before the grant tick.  Three ticks later the holder has
-//    cancelled.
+//    the holder, with the grant, within the three ticks before the grant tick.  Three ticks later
+//    the holder has cancelled.
 //  * Until the old holder shows the new term on its own channel (or has been silent for 0.1 s), the
-//  successor is
-//    unconfirmed, and only an unconfirmed successor stands down for a cancel.
+//    successor is unconfirmed, and only an unconfirmed successor stands down for a cancel.
 //  * A stop at the old holder before it has seen its successor cancels the switch, term + 2, at
-//  once: the stop is not lost
-//    by handing over.  A stop latches in every role; a source with a latched stop does not take
-//    over.
+//    once: the stop is not lost by handing over.  A stop latches in every role; a source with a
+//    latched stop does not take over.
 //  * Two sources that both publish on STATE (activated in two halves of a split network): the one
-//  whose commands ran out
-//    gives way when it hears the other for three ticks.  One that obeys commands never does, so no
-//    old log can depose it; nor does one that somebody stopped, so no stop is lost, unless the
-//    other is stopped too and higher in (term, run).
+//    whose commands ran out gives way when it hears the other for three ticks.  One that obeys
+//    commands never does, so no old log can depose it; nor does one that somebody stopped, so no
+//    stop is lost, unless the other is stopped too and higher in (term, run).
 //  * A holder that has been silent for the listening time is forgotten.  A shadow follows a new
-//  holder only if its term was
-//    believed by grant, cancel or activation; otherwise it parks, so that an old log cannot move a
-//    robot that shadows.
+//    holder only if its term was believed by grant, cancel or activation; otherwise it parks, so
+//    that an old log cannot move a robot that shadows.
 //  * A source grants at most once in 1.9 s, so two sources switch at most about once a second, and
-//  a switch may be undone
-//    at once.  A request is obeyed once: its sequence must be higher than the last of that sender.
+//    a switch may be undone at once.  A request is obeyed once: its sequence must be higher than
+//    the last of that sender.
 
 #pragma once
 

@@ -1,12 +1,13 @@
-// A source of STATE: read, publish, wait for the command, gate it, write it; once per tick, around
-// an adaptor.
+// A source of STATE around an adaptor: read, publish, wait for the command, gate it, write it; once
+// per tick.
 //
 // Pure: knows neither bus nor clock.  The process shells (bridge/main.cpp, sim/main.cpp), `twinbus
 // run` and the protocol explorer drive the same object.  One tick is
 //
-//     begin_tick(now)  ->  publish state()      the adaptor is read, the handover moves, the state
-//     is filled in on_command(...)                           as commands arrive end_tick(now) the
-//     gate's output is written; at command_due() at the latest
+//     begin_tick(now)   the adaptor is read, the handover moves, the state is filled in
+//       publish state()
+//     on_command(...)   as commands arrive
+//     end_tick(now)     the gate's output is written; at 0.6 of the period at the latest
 
 #pragma once
 
@@ -37,17 +38,17 @@ class Source {
   ~Source();
 
   // Heard on the bus, admitted and finite.  now_ns: steady clock.
-  void on_state(const RobotState& state,
-                std::int64_t now_ns) noexcept;  // on STATE, from another run
-  void on_standby_state(const RobotState& state,
-                        std::int64_t now_ns) noexcept;  // on STATE_SIM, _BRIDGE, _REPLAY
+  // On STATE, from another run.
+  void on_state(const RobotState& state, std::int64_t now_ns) noexcept;
+  // On STATE_SIM, STATE_BRIDGE or STATE_REPLAY.
+  void on_standby_state(const RobotState& state, std::int64_t now_ns) noexcept;
   void on_command(const JointCommand& command, std::int64_t now_ns) noexcept;
   void on_source_request(const SourceRequest& request, std::int64_t now_ns) noexcept;
   void on_controller_request(const ControllerRequest& request, std::int64_t now_ns) noexcept;
   void on_stop(const StopRequest& stop, std::int64_t now_ns) noexcept;
   void on_guard(const GuardReport& report, std::int64_t now_ns) noexcept;
-  void on_controller_status(const ControllerStatus& status,
-                            std::int64_t now_ns) noexcept;  // policy when_safe
+  // For policy when_safe.
+  void on_controller_status(const ControllerStatus& status, std::int64_t now_ns) noexcept;
 
   void begin_tick(std::int64_t now_ns) noexcept;
   void end_tick(std::int64_t now_ns) noexcept;
