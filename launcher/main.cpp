@@ -9,14 +9,12 @@
 #include "launcher/check.h"
 #include "launcher/doctor.h"
 #include "launcher/operate.h"
+#include "launcher/reach.h"
 #include "launcher/status.h"
 #include "launcher/switch_source.h"
 #include "launcher/tools.h"
 #include "launcher/up.h"
 #include "robot/nearest.h"
-#if __has_include("launcher/reach.h")
-#include "launcher/reach.h"
-#endif
 #if __has_include("launcher/run.h")
 #include "launcher/run.h"
 #endif
@@ -45,9 +43,7 @@ constexpr Command kCommands[] = {
     {"sway", "sway from side to side", &sway_command},
     {"squat", "move up and down", &squat_command},
     {"walk", "walk at a velocity", &walk_command},
-#if __has_include("launcher/reach.h")
     {"reach", "bring a hand to a point around obstacles", &reach_command},
-#endif
     {"gamepad", "drive with a gamepad or the keyboard", &gamepad_command},
     {"spy", "lcm-spy that knows the messages", &spy_command},
     {"env", "shell variables for stock LCM tools: eval \"$(./twinbus env)\"", &env_command},

@@ -44,7 +44,7 @@ class PlannerProcess {
   PlannerProcess(const CommonOptions& common, const Model& model)
       : model_(model),
         id_(common.id != 0 ? common.id : random_id()),
-        bus_({.url = common.url, .prefix = common.prefix, .allow = {}}),
+        bus_({.url = common.url, .prefix = common.prefix, .allow = {common.allow}}),
         estimator_(model),
         worker_(model) {
     beat_.process_id = id_;
