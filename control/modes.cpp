@@ -1,0 +1,250 @@
+#include "control/modes.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace twinbus {
+
+namespace {
+constexpr double kBrake = 0.3;         // [s] in which hold brings a moving joint to rest
+constexpr double kStopTime = 0.4;      // [s] in which a balanced stop ends a motion
+constexpr double kFallenTilt = 0.7;    // [rad]
+constexpr double kBalanceTilt = 0.35;  // [rad] from which balance still begins
+constexpr double kIdleDamping = 0.1;   // share of kd
+constexpr double kSettledZmp = 0.02;   // [m] inside the support polygon: a stop may end
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+double tilt(const Estimator& estimator) noexcept {
+  const double up = estimator.configuration().base.linear()(2, 2);
+  return std::acos(std::clamp(up, -1.0, 1.0));
+}
+}  // namespace
+
+Modes::Modes(const Model& model, const BalanceGains& gains)
+    : model_(model),
+      posture_(model),
+      arm_(model),
+      static_torque_(model),
+      q_given_(Eigen::VectorXd::Zero(model.joint_count())),
+      tau_(q_given_) {
+  if (Balance::why_not(model) != nullptr) return;
+  balance_ = std::make_unique<Balance>(model, gains);
+  for (int k = 0; k < model.bus_count(); ++k) {
+    if (balance_->is_leg(model.bus_joints[at(k)])) legs_ |= std::int64_t{1} << k;
+  }
+}
+
+bool Modes::may_balance(const Moment& now) const noexcept {
+  return balance_ != nullptr && tilt(now.estimator) < kBalanceTilt && now.estimator.loaded(0) &&
+         now.estimator.loaded(1);
+}
+
+void Modes::begin_balance(const Moment& now) noexcept {
+  balance_->start(now.estimator);
+  balancing_ = true;
+}
+
+void Modes::start(Mode first, const Moment& now) noexcept {
+  mode_ = Mode::kNone;
+  balancing_ = false;
+  enter(first, now);
+}
+
+void Modes::rebase(const Moment& now) noexcept {
+  if (balancing_) balance_->rebase(now.estimator);
+}
+
+// Hold keeps the set-points, brought to rest; at_measured starts from where the joints are instead.
+void Modes::enter_hold(const Moment& now, bool at_measured) noexcept {
+  balancing_ = false;
+  if (at_measured || now.last == nullptr) {
+    posture_.rest(now.state.q);
+  } else {
+    posture_.brake(now.last->q, now.last->qd, kBrake);
+  }
+}
+
+void Modes::enter_balance(const Moment& now) noexcept {
+  if (!may_balance(now)) {
+    sentence_ =
+        balance_ == nullptr
+            ? "this robot cannot balance: it needs a free base and two six-joint legs with soles"
+            : "balance needs an upright robot with both soles on the ground; holding instead";
+    enter_hold(now, false);
+    mode_ = Mode::kHold;
+    return;
+  }
+  if (!balancing_) {
+    if (mode_ == Mode::kIdle || mode_ == Mode::kNone || now.last == nullptr)
+      posture_.rest(now.state.q);
+    begin_balance(now);
+  }
+  mode_ = Mode::kBalance;
+}
+
+void Modes::enter(Mode next, const Moment& now) noexcept {
+  changed_ = true;
+  switch (next) {
+    case Mode::kIdle:
+      arm_.drop();
+      balancing_ = false;
+      mode_ = Mode::kIdle;
+      break;
+    case Mode::kBalance:
+      enter_balance(now);
+      break;
+    default:
+      enter_hold(now, mode_ == Mode::kIdle || mode_ == Mode::kNone);
+      mode_ = next;
+      break;
+  }
+}
+
+void Modes::enter_pose(const ModeRequest& request, const Moment& now) noexcept {
+  arm_.cancel();
+  // Without legs in it, the legs go on balancing.
+  if (!balancing_ || (request.joint_mask & legs_) != 0) enter(Mode::kHold, now);
+  mode_ = Mode::kPose;
+  posture_.move(request.q, request.joint_mask, static_cast<double>(request.duration));
+}
+
+void Modes::obey(const ModeRequest& request, const Moment& now) noexcept {
+  if (held_by_gate_) {
+    if (request.mode == Mode::kIdle) {
+      mode_before_stop_ = Mode::kIdle;
+    } else {
+      sentence_ = "the robot is stopped: clear the stop first; the mode stays as it is";
+    }
+    return;
+  }
+  switch (request.mode) {
+    case Mode::kIdle:
+    case Mode::kHold:
+      if (mode_ != request.mode) enter(request.mode, now);
+      break;
+    case Mode::kPose:
+      enter_pose(request, now);
+      break;
+    case Mode::kBalance:
+      if (mode_ != Mode::kBalance) enter(Mode::kBalance, now);
+      if (balancing_) {
+        balance_->request(request.motion, static_cast<double>(request.amplitude),
+                          static_cast<double>(request.frequency));
+      }
+      break;
+    case Mode::kWalk:
+      sentence_ = "walking comes with a later release; the mode stays as it is";
+      break;
+    case Mode::kStop:
+      arm_.cancel();
+      if (balancing_) {
+        balance_->stop_motion(kStopTime);
+      } else if (mode_ != Mode::kIdle) {
+        enter(Mode::kHold, now);
+      }
+      break;
+    case Mode::kNone:
+      break;
+  }
+}
+
+// The gate obeys nobody while it is stopped, but for a balanced stop: then it passes what carries
+// `stopping`.
+bool Modes::follow_stop(StopKind asked, const Moment& now) noexcept {
+  const RobotState& state = now.state;
+  const bool was_held = held_by_gate_;
+  held_by_gate_ = state.role == Role::kStopped && state.stop_kind >= StopKind::kHold;
+  const bool balanced = state.stop_kind == StopKind::kBalanced || asked == StopKind::kBalanced;
+  if (balanced && !stopping_) {
+    arm_.cancel();
+    if (balancing_) balance_->stop_motion(kStopTime);
+    if (!balancing_ && mode_ != Mode::kIdle) enter_hold(now, false);
+    stopping_ = true;
+  }
+  if (state.stop_kind != StopKind::kBalanced) {
+    stopping_ = false;
+  } else if (balancing_ && balance_->resting() &&
+             now.estimator.support_margin(now.estimator.zmp()) > kSettledZmp) {
+    stopping_ = false;
+  }
+  if (!held_by_gate_ && !was_held) return false;
+  if (held_by_gate_ && !was_held) {
+    mode_before_stop_ = mode_;
+    mode_ = Mode::kStop;
+    arm_.drop();
+  }
+  // Nobody listens: follow the robot, so that the first command after the clear is where it is.
+  posture_.rest(state.q);
+  changed_ = false;
+  balancing_ = may_balance(now);
+  if (balancing_) balance_->start(now.estimator);
+  if (!held_by_gate_) {
+    mode_ = mode_before_stop_ == Mode::kIdle ? Mode::kIdle
+            : balancing_                     ? Mode::kBalance
+                                             : Mode::kHold;
+    if (mode_ == Mode::kIdle) balancing_ = false;
+  }
+  return true;
+}
+
+void Modes::watch_for_a_fall(const Moment& now) noexcept {
+  if (!balancing_ || tilt(now.estimator) < kFallenTilt) return;
+  sentence_ = "the robot has fallen: the joints are damped; put it on its feet and ask for balance";
+  enter(Mode::kIdle, now);
+}
+
+void Modes::add_path(const ArmPathPiece& piece) noexcept {
+  if (held_by_gate_ || stopping_ || mode_ == Mode::kIdle || mode_ == Mode::kNone) return;
+  arm_.add(piece);
+}
+
+void Modes::damp(const RobotState& state, SetPoint& set_point) const noexcept {
+  for (int k = 0; k < model_.bus_count(); ++k) {
+    const auto i = at(k);
+    set_point.q[i] = state.q[i];
+    set_point.qd[i] = set_point.tau[i] = set_point.kp[i] = 0.0;
+    set_point.kd[i] = kIdleDamping * model_.joints[at(model_.bus_joints[i])].kd;
+  }
+}
+
+void Modes::want(const Moment& now, std::int64_t mask, double dt, SetPoint& set_point) noexcept {
+  posture_.advance(dt);
+  arm_.update(posture_, mask, dt);
+  if (arm_.refusal() != nullptr && arm_.refusal() != arm_refusal_) sentence_ = arm_.refusal();
+  arm_refusal_ = arm_.refusal();
+  if (mode_ == Mode::kIdle) return damp(now.state, set_point);
+
+  const int n = model_.bus_count();
+  q_given_ = now.estimator.configuration().q;
+  for (int k = 0; k < n; ++k) q_given_[model_.bus_joints[at(k)]] = posture_.q(k);
+  for (int j = 0; j < model_.joint_count(); ++j) {
+    const Joint& follower = model_.joints[at(j)];
+    if (follower.mimic >= 0)
+      q_given_[j] = follower.mimic_multiplier * q_given_[follower.mimic] + follower.mimic_offset;
+  }
+  if (balancing_) {
+    balance_->update(now.estimator, q_given_, dt);
+    if (!balance_->finite()) {
+      sentence_ = "the balance controller met a number that is not one; it starts again";
+      balance_->start(now.estimator);
+      balance_->update(now.estimator, q_given_, dt);
+    }
+  } else {
+    static_torque_.solve(now.estimator, q_given_, tau_);
+  }
+  const Eigen::VectorXd& tau = balancing_ ? balance_->tau() : tau_;
+  for (int k = 0; k < n; ++k) {
+    const auto i = at(k);
+    const int j = model_.bus_joints[i];
+    const Joint& joint = model_.joints[at(j)];
+    const bool leg = balancing_ && balance_->is_leg(j);
+    set_point.q[i] = leg ? balance_->q()[j] : posture_.q(k);
+    set_point.qd[i] = leg ? balance_->qd()[j] : posture_.qd(k);
+    set_point.tau[i] = tau[j];
+    set_point.kp[i] = leg ? balance_->kp(j) : joint.kp;
+    set_point.kd[i] = leg ? balance_->kd(j) : joint.kd;
+  }
+}
+
+}  // namespace twinbus

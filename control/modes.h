@@ -1,0 +1,91 @@
+// Which mode the robot is in, how it gets from one to another and through a stop, and what the mode
+// asks of every joint.
+//
+// A mode that cannot be entered falls back to hold and says why.  Whatever changes here, the set-points
+// may step: control_loop blends them over.
+
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <memory>
+#include <utility>
+
+#include "control/arm_follow.h"
+#include "control/balance.h"
+#include "control/posture.h"
+#include "control/set_point.h"
+#include "control/static_torque.h"
+#include "robot/estimator.h"
+#include "robot/model.h"
+#include "robot/requests.h"
+#include "robot/robot_io.h"
+
+namespace twinbus {
+
+// The tick that is being answered.
+struct Moment {
+  const RobotState& state;
+  const Estimator& estimator;  // has taken the state
+  const SetPoint* last;        // put out a tick ago; null: nothing yet that the robot obeys
+};
+
+class Modes {
+ public:
+  // Throws std::runtime_error when the robot's soles and legs contradict each other.
+  Modes(const Model& model, const BalanceGains& gains);
+
+  // Forgets everything and enters a mode.
+  void start(Mode first, const Moment& now) noexcept;
+  // The same robot speaks through another source.
+  void rebase(const Moment& now) noexcept;
+  // A robot that lies on the ground is let go.
+  void watch_for_a_fall(const Moment& now) noexcept;
+  // asked: the highest stop heard since the last tick.  True while the gate obeys nobody, and at the
+  // tick it obeys again: then what was put out before counts no more, the robot is followed.
+  bool follow_stop(StopKind asked, const Moment& now) noexcept;
+  void obey(const ModeRequest& request, const Moment& now) noexcept;
+  // Of the centre of mass, while balancing [m].
+  void lean(const Eigen::Vector3d& offset) noexcept {
+    if (balancing_) balance_->lean(offset);
+  }
+  // A path while there is nothing to move with is not taken.
+  void add_path(const ArmPathPiece& piece) noexcept;
+  void cancel_path() noexcept { arm_.cancel(); }
+
+  // What the mode asks of every joint.  mask: bit per joint that the guard held a tick ago.
+  void want(const Moment& now, std::int64_t mask, double dt, SetPoint& set_point) noexcept;
+  // Whether the set-points may have stepped since the last call.
+  bool take_change() noexcept { return std::exchange(changed_, false); }
+  // What people should be told once, or null; a string that lives for ever.
+  const char* take_sentence() noexcept { return std::exchange(sentence_, nullptr); }
+
+  Mode mode() const noexcept { return mode_; }
+  const ArmFollow& arm() const noexcept { return arm_; }
+  const Balance* balance() const noexcept { return balancing_ ? balance_.get() : nullptr; }
+  bool stopping() const noexcept { return stopping_; }  // commands carry the flag
+
+ private:
+  bool may_balance(const Moment& now) const noexcept;
+  void enter(Mode next, const Moment& now) noexcept;
+  void enter_balance(const Moment& now) noexcept;
+  void enter_hold(const Moment& now, bool at_measured) noexcept;
+  void enter_pose(const ModeRequest& request, const Moment& now) noexcept;
+  void begin_balance(const Moment& now) noexcept;
+  void damp(const RobotState& state, SetPoint& set_point) const noexcept;
+
+  const Model& model_;
+  std::unique_ptr<Balance> balance_;  // null when the robot cannot
+  Posture posture_;
+  ArmFollow arm_;
+  StaticTorque static_torque_;
+  Mode mode_ = Mode::kNone, mode_before_stop_ = Mode::kNone;
+  bool balancing_ = false, changed_ = false;
+  bool stopping_ = false, held_by_gate_ = false;
+  std::int64_t legs_ = 0;          // bit per bus joint that balance moves
+  Eigen::VectorXd q_given_, tau_;  // [joint_count]
+  const char* sentence_ = nullptr;
+  const char* arm_refusal_ = nullptr;  // as told
+};
+
+}  // namespace twinbus
