@@ -96,7 +96,7 @@ struct Motion {
   std::vector<double> offset, size, rate;
 };
 
-// Folder of malformed and foreign robots; empty if it is not there.
+// Folder of foreign robots; empty if it is not there.
 inline std::string data_folder() {
   const char* named = std::getenv("TWINBUS_DATA");
   const std::string folder = named != nullptr ? named : TWINBUS_DATA_FOLDER;

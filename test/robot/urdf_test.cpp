@@ -10,7 +10,7 @@ UrdfTree parse_file(const std::string& path) {
                     {.folder = std::filesystem::path(path).parent_path().string(), .packages = {}});
 }
 
-// What shared/data/bad_urdf/README.md asks each message to name.
+// What the message must name, of every file in test/robot/bad_urdf.
 const std::pair<const char*, std::vector<const char*>> kBad[] = {
     {"zero", {"empty file"}},
     {"notxml", {"XML"}},
@@ -44,8 +44,7 @@ const std::pair<const char*, std::vector<const char*>> kBad[] = {
 };
 
 TEST(Urdf, EveryMalformedFileIsRefusedByName) {
-  if (data_folder().empty()) GTEST_SKIP() << "no shared data; set TWINBUS_DATA";
-  const std::string folder = data_folder() + "/bad_urdf/";
+  const std::string folder = TWINBUS_BAD_URDF_FOLDER "/";
   std::size_t files = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     files += entry.path().extension() == ".urdf" && entry.path().stem() != "ok" ? 1 : 0;
