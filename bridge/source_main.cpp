@@ -21,10 +21,8 @@ namespace {
 constexpr double kCommandDeadline = 0.6;  // of the period, then the command is late
 constexpr std::int64_t kStatusEvery_ns = 100'000'000;
 constexpr std::int64_t kSecond_ns = 1'000'000'000;
-constexpr double kResendEvery = 0.020;     // lock-step [s]
-constexpr std::int64_t kScriptAhead = 25;  // a scripted request is sent this many ticks early ...
-constexpr std::int64_t kScriptEvery = 5;   // ... and again, in case one is lost
-constexpr int kLastTicks = 25;             // of a robot that is held before the process ends
+constexpr double kResendEvery = 0.020;  // lock-step [s]
+constexpr int kLastTicks = 25;         // of a robot that is held before the process ends
 
 const char* own_channel(SourceKind kind) {
   switch (kind) {
@@ -36,6 +34,9 @@ const char* own_channel(SourceKind kind) {
       return channel::kStateSim;
   }
 }
+
+const char* channel_of(const ModeRequest&) { return channel::kModeRequest; }
+const char* channel_of(const ArmGoal&) { return channel::kArmGoal; }
 
 class Shell {
  public:
@@ -50,8 +51,7 @@ class Shell {
               .allow = {options.common.allow}}),
         source_(model, adaptor, config()),
         texts_(model_text_pieces(model, options.scene_text, run_id_)),
-        modes_(options.modes),
-        goals_(options.goals) {
+        script_(options.modes, options.goals, model.period(), run_id_) {
     period_ns_ = std::llround(model.period_ns / options.rate);
     beat_.process_id = run_id_;
     beat_.pid = static_cast<std::int32_t>(::getpid());
@@ -301,30 +301,10 @@ class Shell {
 
   void send_script() {
     if (first_tick_ == 0 || !source_.publishes_on_state()) return;
-    const std::int64_t tick = source_.state().tick;
-    std::int32_t sequence = 0;
-    for (ScriptedMode& scripted : modes_) {
-      ++sequence;
-      const std::int64_t at = first_tick_ - 1 + std::llround(scripted.at / model_.period());
-      if (tick < at - kScriptAhead || tick >= std::max(at, first_tick_ + kScriptAhead)) continue;
-      if (tick % kScriptEvery != 0) continue;
-      scripted.request.utime = wall_us();
-      scripted.request.sender_id = run_id_;
-      scripted.request.run_id = run_id_;
-      scripted.request.sequence = sequence;
-      scripted.request.at_tick = at;
-      send(channel::kModeRequest, scripted.request);
-    }
-    for (ScriptedGoal& scripted : goals_) {
-      ++sequence;
-      const std::int64_t at = first_tick_ - 1 + std::llround(scripted.at / model_.period());
-      if (tick < at || tick >= at + kScriptAhead || tick % kScriptEvery != 0) continue;
-      scripted.goal.utime = wall_us();
-      scripted.goal.sender_id = run_id_;
-      scripted.goal.run_id = run_id_;
-      scripted.goal.sequence = sequence;
-      send(channel::kArmGoal, scripted.goal);
-    }
+    script_.after(source_.state().tick, first_tick_, [this](auto& request) {
+      request.utime = wall_us();
+      send(channel_of(request), request);
+    });
   }
 
   // A robot is held for a moment, so that whoever watches sees the stop; then STATE is left.
@@ -403,8 +383,7 @@ class Shell {
   Bus bus_;
   Source source_;
   std::vector<ModelTextPiece> texts_;
-  std::vector<ScriptedMode> modes_;
-  std::vector<ScriptedGoal> goals_;
+  SceneScript script_;
   ObstaclesPiece obstacles_;
   SimTruth truth_;
   SourceStatus told_;

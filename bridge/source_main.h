@@ -11,23 +11,13 @@
 #include <vector>
 
 #include "bridge/adaptor.h"
+#include "bridge/scene_script.h"
 #include "bridge/source.h"
 #include "robot/model.h"
 #include "robot/options.h"
 #include "robot/requests.h"
 
 namespace twinbus {
-
-// A request that belongs to the scene: published with the run_id of the active source, a little
-// before its tick.
-struct ScriptedMode {
-  double at = 0.0;
-  ModeRequest request;
-};  // [s] of active time; takes effect at tick at / period
-struct ScriptedGoal {
-  double at = 0.0;
-  ArmGoal goal;
-};
 
 struct SourceMainOptions {
   std::string program = "source";  // in front of every line it prints
@@ -43,6 +33,7 @@ struct SourceMainOptions {
 
   std::string scene_text;                 // MODEL_TEXT kind 4
   std::vector<ObstaclesPiece> obstacles;  // OBSTACLES, at 1 Hz
+  // Published with the run_id of this source while it is active.
   std::vector<ScriptedMode> modes;
   std::vector<ScriptedGoal> goals;
 };
