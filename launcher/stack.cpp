@@ -175,7 +175,7 @@ Stack load_stack(const std::string& name_or_file) {
     std::string all;
     for (const std::string& name : names) all += " " + name;
     throw std::runtime_error("no stack '" + name_or_file + "' (" + file.string() + ")" +
-                             suggestion(name_or_file, names) + "; stacks:" + all);
+                             suggestion(name_or_file, names));
   }
   if (size > kLargestFile) throw std::runtime_error(file.string() + ": larger than 1 MiB, this is no stack");
   std::ifstream stream(file);

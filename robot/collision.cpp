@@ -95,7 +95,7 @@ Body make_mesh(const Shape& shape) {
                         static_cast<int>(3 * mesh.triangles.size()));
   for (const auto& t : mesh.triangles) {
     const auto corner = [&](int k) -> Vector3d {
-      return mesh.points[static_cast<std::size_t>(t[k])] - middle;
+      return mesh.points[static_cast<std::size_t>(t[static_cast<std::size_t>(k)])] - middle;
     };
     body.mesh->addTriangle(corner(0), corner(1), corner(2));
   }
