@@ -27,7 +27,10 @@ constexpr double kPlanTimeout = 15.0;  // [s]
 constexpr double kStartTimeout = 2.0;  // from the last piece of the path to the first move [s]
 constexpr double kLate =
     20.0;  // that a path may take longer than planned, when the guard slows it [s]
-constexpr double kSettle = 0.4;  // until the servos have come to rest [s]
+constexpr double kSettle = 0.4;        // until the servos have come to rest [s]
+constexpr int kCorrections = 3;        // plans after the first
+constexpr double kNearEnough = 0.002;  // needs no correction [m]
+constexpr double kFar = 0.010;         // is not there [m]
 
 double since(std::int64_t start_ns) {
   return 1e-9 * static_cast<double>(monotonic_ns() - start_ns);
@@ -47,6 +50,14 @@ class Watcher {
     if (bus_.receive(seconds) < 0) throw std::runtime_error("the bus is gone");
   }
   Bus& bus() { return bus_; }
+  // From now on the path that answers this goal is waited for.
+  void expect(std::int64_t goal) {
+    goal_id = goal;
+    answered = false;
+    first = {};
+    have = 0;
+    duration = 0.0;
+  }
 
   // Position and distance of the hand from where it should be, in the ground frame.
   Eigen::Isometry3d hand_in_ground(ArmSide side) const {
@@ -65,7 +76,6 @@ class Watcher {
   ArmPathPiece first;      // a piece of the answer
   std::uint64_t have = 0;  // bit per piece
   double duration = 0.0;   // [s] as far as known
-  int knots = 0;
   ControllerStatus status;
   std::int64_t statuses = 0;
 
@@ -91,7 +101,6 @@ class Watcher {
     const std::uint64_t bit = std::uint64_t{1} << piece.piece;
     if ((have & bit) != 0 || piece.knot_count < 1 || piece.knot_count > kKnotsPerPiece) return;
     have |= bit;
-    knots += piece.knot_count;
     duration = std::max(duration, piece.time[static_cast<std::size_t>(piece.knot_count) - 1]);
   }
   void hear(const ControllerStatus& heard) {
@@ -140,13 +149,11 @@ ArmGoal goal_from(const Arguments& arguments, const Model& model) {
     goal.orientation = {turn.w(), turn.x(), turn.y(), turn.z()};
   }
   goal.speed = static_cast<float>(arguments.number("--speed", 0.4, 0.01, 1.0));
-  goal.goal_id = random_id();
   goal.sender_id = random_id();
   return goal;
 }
 
 void ask(Watcher& watcher, ArmGoal& goal) {
-  watcher.goal_id = goal.goal_id;
   goal.run_id = watcher.run_id();
   const std::int64_t begin = monotonic_ns();
   std::int64_t asked = 0;
@@ -218,6 +225,34 @@ bool follow(Watcher& watcher, const ArmGoal& goal) {
   return fail("the arm did not arrive in time");
 }
 
+// One plan and its motion.  False, with a sentence, when the arm does not come to the end of it.
+bool go(Watcher& watcher, const Model& model, ArmGoal& goal, bool say) {
+  goal.goal_id = random_id();
+  watcher.expect(goal.goal_id);
+  ask(watcher, goal);
+  ArmPlan plan;  // as much of it as the message tells
+  plan.status = watcher.first.status;
+  if (plan.status != ArmPathStatus::kOk) {
+    plan.pair = {watcher.first.link_a, watcher.first.link_b};
+    plan.miss = static_cast<double>(watcher.first.miss);
+    plan.complaint = "the planner's event says why";
+    std::fprintf(stderr, "reach: %s\n", describe(model, plan).c_str());
+    return false;
+  }
+  const std::uint64_t all = ~std::uint64_t{0} >> (64 - watcher.first.pieces);
+  for (const std::int64_t start = monotonic_ns(); watcher.have != all && since(start) < 1.0;)
+    watcher.receive(0.02);
+  if (say) {
+    std::printf("path of %.1f s in %d pieces\n", watcher.duration,
+                static_cast<int>(watcher.first.pieces));
+    std::fflush(stdout);
+  }
+  if (!follow(watcher, goal)) return false;
+  for (const std::int64_t start = monotonic_ns(); !quit_requested() && since(start) < kSettle;)
+    watcher.receive(0.02);
+  return true;
+}
+
 }  // namespace
 
 int reach_command(const std::vector<std::string>& words) {
@@ -251,32 +286,19 @@ int reach_command(const std::vector<std::string>& words) {
             ? "reach: the robot on the bus is not " + model.name + "; give its folder with --robot"
             : "reach: no robot is heard on " + options.url + "; start one with ./twinbus up");
   }
-  ask(watcher, goal);
 
-  ArmPlan plan;  // as much of it as the message tells
-  plan.status = watcher.first.status;
-  if (plan.status != ArmPathStatus::kOk) {
-    plan.pair = {watcher.first.link_a, watcher.first.link_b};
-    plan.miss = static_cast<double>(watcher.first.miss);
-    plan.complaint = "the planner's event says why";
-    std::fprintf(stderr, "reach: %s\n", describe(model, plan).c_str());
-    return 1;
-  }
-  const std::uint64_t all = ~std::uint64_t{0} >> (64 - watcher.first.pieces);
-  for (const std::int64_t start = monotonic_ns(); watcher.have != all && since(start) < 1.0;)
-    watcher.receive(0.02);
-  std::printf("path of %.1f s in %d pieces\n", watcher.duration,
-              static_cast<int>(watcher.first.pieces));
-  std::fflush(stdout);
-  if (!follow(watcher, goal)) return 1;
-
-  for (const std::int64_t start = monotonic_ns(); !quit_requested() && since(start) < kSettle;)
-    watcher.receive(0.02);
+  // A balancing body gives way to a moving arm: what is then left of the way is planned again.
   const Eigen::Vector3d target(goal.position[0], goal.position[1], goal.position[2]);
+  double miss = 0.0;
+  for (int attempt = 0; attempt <= kCorrections; ++attempt) {
+    if (!go(watcher, model, goal, attempt == 0)) return 1;
+    miss = (watcher.hand_in_ground(goal.side).translation() - target).norm();
+    if (quit_requested() || miss <= kNearEnough) break;
+  }
   const Eigen::Isometry3d hand = watcher.hand_in_ground(goal.side);
   const Eigen::Vector3d at = hand.translation();
   std::printf("%s hand at %.3f %.3f %.3f m, %.1f mm from the goal", arguments.word(0).c_str(),
-              at.x(), at.y(), at.z(), 1e3 * (at - target).norm());
+              at.x(), at.y(), at.z(), 1e3 * miss);
   if (goal.kind == ArmGoalKind::kPose) {
     const auto& o = goal.orientation;
     const double angle = Eigen::Quaterniond(hand.linear())
@@ -284,6 +306,12 @@ int reach_command(const std::vector<std::string>& words) {
     std::printf(", turned %.1f degrees from it", angle * 180.0 / M_PI);
   }
   std::printf("\n");
+  if (!(miss <= kFar)) {
+    std::fprintf(stderr,
+                 "reach: the hand came no nearer than %.0f mm; does the robot stand still?\n",
+                 1e3 * miss);
+    return 1;
+  }
   return 0;
 }
 

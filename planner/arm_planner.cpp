@@ -19,6 +19,7 @@ std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 constexpr double kTouching = 0.001;    // a start nearer than this counts as touching [m]
 constexpr double kShare = 0.9;         // of the room at start and goal that the way must keep
+constexpr double kUnit = 0.01;         // what the length of a quaternion may be off by
 constexpr double kInside = 0.01;       // goal postures stay this far inside the joint limits [rad]
 constexpr double kWidestCorner = 0.4;  // [rad]
 constexpr int kMostKnots = 360;        // what 60 pieces of an arm path hold
@@ -89,9 +90,10 @@ bool ArmPlanner::understand(const ArmGoal& goal, const Configuration& start,
     Eigen::Isometry3d in_ground = Eigen::Isometry3d::Identity();
     in_ground.translation() = Eigen::Vector3d(goal.position[0], goal.position[1], goal.position[2]);
     if (goal.kind == ArmGoalKind::kPose) {
-      const auto& w = goal.orientation;
-      in_ground.linear() =
-          Eigen::Quaterniond(w[0], w[1], w[2], w[3]).normalized().toRotationMatrix();
+      const Eigen::Quaterniond w(goal.orientation[0], goal.orientation[1], goal.orientation[2],
+                                 goal.orientation[3]);
+      if (!(std::abs(w.norm() - 1.0) < kUnit)) return refuse("orientation must have length 1");
+      in_ground.linear() = w.normalized().toRotationMatrix();
     }
     if (!in_ground.matrix().allFinite()) return refuse("position and orientation must be finite");
     Kinematics kinematics(*model_);

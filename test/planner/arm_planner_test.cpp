@@ -1,0 +1,275 @@
+#include "planner/arm_planner.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "planner/random.h"
+#include "test/planner/reach_rig.h"
+
+namespace twinbus {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+const Eigen::Isometry3d kGround = Eigen::Isometry3d::Identity();
+
+ArmPlan plan_with(const std::vector<Obstacle>& obstacles, const ArmGoal& goal,
+                  const Configuration& start, std::uint64_t seed) {
+  ArmPlanner planner(hrp1s());
+  planner.set_obstacles(obstacles);
+  return planner.plan(goal, start, kGround, seed);
+}
+
+void expect_within_limits(const ArmPlan& plan, double speed, double full_speed_time) {
+  JointPoint q, qd, qdd;
+  for (double t = 0.0; t <= plan.duration(); t += 0.001) {
+    sample(plan.path, t, q, qd, qdd);
+    for (int k = 0; k < q.size(); ++k) {
+      const Joint& joint =
+          hrp1s().joints[static_cast<std::size_t>(plan.joints[static_cast<std::size_t>(k)])];
+      ASSERT_LE(q[k], joint.upper + 1e-6);
+      ASSERT_GE(q[k], joint.lower - 1e-6);
+      ASSERT_LE(std::abs(qd[k]), speed * joint.velocity * (1.0 + 1e-6));
+      ASSERT_LE(std::abs(qdd[k]), speed * joint.velocity / full_speed_time * (1.0 + 1e-6));
+    }
+  }
+}
+
+TEST(ArmPlanner, TheHandArrivesWhereItWasSent) {
+  const Configuration start = standing();
+  for (const auto& [side, x, y, z] : {std::tuple{ArmSide::kLeft, 0.42, 0.26, 0.86},
+                                      std::tuple{ArmSide::kRight, 0.40, -0.30, 0.95},
+                                      std::tuple{ArmSide::kLeft, 0.30, 0.10, 1.05}}) {
+    const ArmPlan plan = plan_with({}, hand_to(side, x, y, z), start, 1);
+    ASSERT_EQ(plan.status, ArmPathStatus::kOk) << describe(hrp1s(), plan);
+    EXPECT_LT((hand_at(plan, start, side, plan.duration()) - Eigen::Vector3d(x, y, z)).norm(),
+              1e-3);
+    for (std::size_t k = 0; k < plan.joints.size(); ++k)
+      EXPECT_DOUBLE_EQ(plan.path.front().q[static_cast<int>(k)], start.q[plan.joints[k]]);
+    expect_within_limits(plan, 0.5, ArmPlannerConfig{}.full_speed_time);
+  }
+}
+
+// Posts put at random into the way: every path that is found is looked at by FCL's other solver.
+TEST(ArmPlanner, PathsAroundPostsTouchNothing) {
+  Random random(20261121);
+  int found = 0;
+  int around = 0;
+  for (int round = 0; round < 24; ++round) {
+    const ArmSide side = round % 2 == 0 ? ArmSide::kLeft : ArmSide::kRight;
+    const double way = side == ArmSide::kLeft ? 1.0 : -1.0;
+    const std::vector<Obstacle> obstacles = {
+        post(random.uniform(0.25, 0.35), way * random.uniform(0.22, 0.34)),
+        box(0.62, 0.0, 0.60, 0.40, 1.0, 0.04)};
+    Configuration start = standing();
+    const ArmPlan there =
+        plan_with(obstacles, hand_to(side, 0.33, way * random.uniform(0.40, 0.48), 0.90), start,
+                  100 + static_cast<std::uint64_t>(round));
+    if (there.status != ArmPathStatus::kOk) continue;
+    SecondOpinion opinion(obstacles);
+    EXPECT_EQ(opinion.touching(there, start, 0.01), 0) << "round " << round;
+    for (std::size_t k = 0; k < there.joints.size(); ++k)
+      start.q[there.joints[k]] = there.path.back().q[static_cast<int>(k)];
+    const ArmPlan back =
+        plan_with(obstacles, hand_to(side, 0.33, way * random.uniform(0.06, 0.14), 0.95), start,
+                  200 + static_cast<std::uint64_t>(round));
+    if (back.status != ArmPathStatus::kOk) continue;
+    ++found;
+    around += back.rounds > 0 ? 1 : 0;
+    EXPECT_EQ(opinion.touching(back, start, 0.005), 0) << "round " << round;
+    EXPECT_GE(opinion.nearest(back, start, 0.002, 0.05), back.clearance - 1e-6)
+        << "round " << round;
+    expect_within_limits(back, 0.5, ArmPlannerConfig{}.full_speed_time);
+    ArmPlanner planner(hrp1s());
+    planner.set_obstacles(obstacles);
+    EXPECT_TRUE(planner.path_free(back, start, 0.5 * back.clearance));
+  }
+  std::printf("%d of 24 problems solved, %d around something\n", found, around);
+  EXPECT_GE(found, 12);
+  EXPECT_GE(around, 6);
+}
+
+TEST(ArmPlanner, TheSameSeedGivesTheSameMotionBitForBit) {
+  const std::vector<Obstacle> obstacles = {post(0.30, 0.27)};
+  const Configuration start = standing();
+  const ArmGoal goal = hand_to(ArmSide::kLeft, 0.33, 0.10, 0.95);
+  ArmPlanner planner(hrp1s());
+  planner.set_obstacles(obstacles);
+  const ArmPlan first = planner.plan(goal, start, kGround, 9);
+  ASSERT_EQ(first.status, ArmPathStatus::kOk) << describe(hrp1s(), first);
+  planner.set_obstacles({});
+  (void)planner.plan(hand_to(ArmSide::kRight, 0.4, -0.3, 0.95), start, kGround,
+                     3);  // another question between
+  planner.set_obstacles(obstacles);
+  for (const ArmPlan& again :
+       {planner.plan(goal, start, kGround, 9), plan_with(obstacles, goal, start, 9)}) {
+    ASSERT_EQ(again.path.size(), first.path.size());
+    EXPECT_EQ(again.rounds, first.rounds);
+    for (std::size_t i = 0; i < first.path.size(); ++i) {
+      ASSERT_EQ(again.path[i].time, first.path[i].time);
+      ASSERT_EQ(again.path[i].q, first.path[i].q);
+      ASSERT_EQ(again.path[i].qd, first.path[i].qd);
+    }
+  }
+}
+
+TEST(ArmPlanner, EveryRefusalHasItsReason) {
+  const Configuration start = standing();
+  ArmPlan plan = plan_with({}, hand_to(ArmSide::kLeft, 0.9, 0.26, 0.86), start, 1);
+  EXPECT_EQ(plan.status, ArmPathStatus::kUnreachable);
+  EXPECT_GT(plan.miss, 0.05);
+  EXPECT_NE(describe(hrp1s(), plan).find("out of reach by 0."), std::string::npos);
+
+  plan = plan_with({}, hand_to(ArmSide::kLeft, 0.0, 0.0, 0.9), start, 1);
+  EXPECT_EQ(plan.status, ArmPathStatus::kGoalInCollision) << describe(hrp1s(), plan);
+  EXPECT_NE(describe(hrp1s(), plan).find("would touch"), std::string::npos);
+
+  plan = plan_with({box(0.42, 0.26, 0.86, 0.2, 0.2, 0.2)},
+                   hand_to(ArmSide::kLeft, 0.42, 0.26, 0.86), start, 1);
+  EXPECT_EQ(plan.status, ArmPathStatus::kGoalInCollision);
+  EXPECT_NE(describe(hrp1s(), plan).find("obstacle 0"), std::string::npos)
+      << describe(hrp1s(), plan);
+
+  // Around the left hand as it stands.
+  const ArmPlan probe = plan_with({}, hand_to(ArmSide::kLeft, 0.42, 0.26, 0.86), start, 1);
+  const Eigen::Vector3d hand = hand_at(probe, start, ArmSide::kLeft, 0.0);
+  plan = plan_with({box(hand.x(), hand.y(), hand.z(), 0.1, 0.1, 0.1)},
+                   hand_to(ArmSide::kLeft, 0.42, 0.26, 0.86), start, 1);
+  EXPECT_EQ(plan.status, ArmPathStatus::kStartInCollision);
+  EXPECT_NE(describe(hrp1s(), plan).find("already"), std::string::npos);
+}
+
+TEST(ArmPlanner, ABoxedInHandIsToldThatThereIsNoWay) {
+  const Configuration start = standing();
+  const ArmPlan probe = plan_with({}, hand_to(ArmSide::kLeft, 0.42, 0.26, 0.86), start, 1);
+  const Eigen::Vector3d hand = hand_at(probe, start, ArmSide::kLeft, 0.0);
+  // Walls on all sides but above, where the arm comes in.
+  const double r = 0.14;
+  const std::vector<Obstacle> cage = {box(hand.x() + r, hand.y(), hand.z(), 0.01, 2 * r, 0.5),
+                                      box(hand.x() - r, hand.y(), hand.z(), 0.01, 2 * r, 0.5),
+                                      box(hand.x(), hand.y() + r, hand.z(), 2 * r, 0.01, 0.5),
+                                      box(hand.x(), hand.y() - r, hand.z(), 2 * r, 0.01, 0.5)};
+  ArmPlannerConfig config;
+  config.rrt_rounds = 150;
+  ArmPlanner planner(hrp1s(), config);
+  planner.set_obstacles(cage);
+  const ArmPlan plan = planner.plan(hand_to(ArmSide::kLeft, 0.42, 0.26, 0.86), start, kGround, 1);
+  EXPECT_NE(plan.status, ArmPathStatus::kOk);
+  EXPECT_TRUE(plan.path.empty());
+  EXPECT_GT(describe(hrp1s(), plan).size(), 20U);
+}
+
+TEST(ArmPlanner, NonsenseIsRefusedWithOneSentence) {
+  const Configuration start = standing();
+  const auto complaint = [&](const ArmGoal& goal) {
+    const ArmPlan plan = plan_with({}, goal, start, 1);
+    EXPECT_EQ(plan.status, ArmPathStatus::kBadGoal);
+    EXPECT_TRUE(plan.path.empty());
+    const std::string text = describe(hrp1s(), plan);
+    EXPECT_EQ(text.find("the goal makes no sense: "), 0U) << text;
+    EXPECT_EQ(text.find('\n'), std::string::npos);
+    return text;
+  };
+  for (const double bad : {kNan, std::numeric_limits<double>::infinity()}) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      ArmGoal goal = hand_to(ArmSide::kLeft, 0.42, 0.26, 0.86);
+      goal.position[axis] = bad;
+      complaint(goal);
+    }
+    for (std::size_t part = 0; part < 4; ++part) {
+      ArmGoal goal = hand_to(ArmSide::kLeft, 0.42, 0.26, 0.86);
+      goal.kind = ArmGoalKind::kPose;
+      goal.orientation[part] = bad;
+      complaint(goal);
+    }
+    ArmGoal goal = hand_to(ArmSide::kLeft, 0.42, 0.26, 0.86);
+    goal.speed = static_cast<float>(bad);
+    complaint(goal);
+  }
+  ArmGoal goal = hand_to(ArmSide::kLeft, 0.42, 0.26, 0.86);
+  goal.kind = ArmGoalKind::kPose;
+  goal.orientation = {0.0, 0.0, 0.0, 0.0};
+  complaint(goal);
+  for (const float speed : {0.0F, -1.0F, 1.5F}) {
+    goal = hand_to(ArmSide::kLeft, 0.42, 0.26, 0.86);
+    goal.speed = speed;
+    complaint(goal);
+  }
+  goal = hand_to(ArmSide::kNone, 0.42, 0.26, 0.86);
+  complaint(goal);
+  goal = hand_to(ArmSide::kLeft, 0.42, 0.26, 0.86);
+  goal.kind = ArmGoalKind::kCancel;
+  complaint(goal);
+
+  goal = ArmGoal{};
+  goal.kind = ArmGoalKind::kJoints;
+  complaint(goal);  // no joint named
+  const int leg = hrp1s().find_joint("LLEG_KNEE");
+  goal.joint_mask = std::int64_t{1} << hrp1s().bus_index[static_cast<std::size_t>(leg)];
+  EXPECT_NE(complaint(goal).find("not of an arm"), std::string::npos);
+  const int elbow = hrp1s().find_joint("LARM_ELBOW");
+  const auto bus = static_cast<std::size_t>(hrp1s().bus_index[static_cast<std::size_t>(elbow)]);
+  goal.joint_mask = std::int64_t{1} << bus;
+  goal.q[bus] = 5.0;
+  EXPECT_NE(complaint(goal).find("limits"), std::string::npos);
+  goal.q[bus] = kNan;
+  complaint(goal);
+  goal.joint_mask = ~std::int64_t{0};
+  complaint(goal);
+}
+
+TEST(ArmPlanner, AbsurdObstaclesAreLeftOutOrRefusedNeverObeyed) {
+  const Configuration start = standing();
+  const ArmGoal goal = hand_to(ArmSide::kLeft, 0.42, 0.26, 0.86);
+  std::vector<Obstacle> none = {box(kNan, 0, 0, 1, 1, 1), box(0.3, 0.2, 0.8, kNan, 1, 1),
+                                box(0.3, 0.2, 0.8, -1, 1, 1), box(0.3, 0.2, 0.8, 0, 1, 1)};
+  none[0].pose.linear() *= kNan;
+  EXPECT_EQ(plan_with(none, goal, start, 1).status, ArmPathStatus::kOk);
+  const ArmPlan buried = plan_with({box(0, 0, 0, 1e3, 1e3, 1e3)}, goal, start, 1);
+  EXPECT_EQ(buried.status, ArmPathStatus::kStartInCollision);
+  const std::vector<Obstacle> many(500, box(5, 5, 5, 0.1, 0.1, 0.1));
+  EXPECT_EQ(plan_with(many, goal, start, 1).status, ArmPathStatus::kOk);
+}
+
+TEST(ArmPlanner, JointGoalsOfBothArmsAreReached) {
+  Configuration start = standing();
+  ArmGoal goal;
+  goal.kind = ArmGoalKind::kJoints;
+  goal.speed = 1.0F;
+  for (const char* name : {"LARM_SHOULDER_P", "RARM_SHOULDER_P", "LARM_ELBOW"}) {
+    const int joint = hrp1s().find_joint(name);
+    const int bus = hrp1s().bus_index[static_cast<std::size_t>(joint)];
+    goal.joint_mask |= std::int64_t{1} << bus;
+    goal.q[static_cast<std::size_t>(bus)] = -0.9;
+  }
+  const ArmPlan plan = plan_with({}, goal, start, 1);
+  ASSERT_EQ(plan.status, ArmPathStatus::kOk) << describe(hrp1s(), plan);
+  EXPECT_EQ(plan.joints.size(), 3U);
+  for (int k = 0; k < 3; ++k) EXPECT_NEAR(plan.path.back().q[k], -0.9, 1e-9);
+}
+
+TEST(ArmPlanner, BeingThereAlreadyIsAMotionOfAnInstant) {
+  const Configuration start = standing();
+  ArmGoal goal;
+  goal.kind = ArmGoalKind::kJoints;
+  const int joint = hrp1s().find_joint("LARM_ELBOW");
+  const auto bus = static_cast<std::size_t>(hrp1s().bus_index[static_cast<std::size_t>(joint)]);
+  goal.joint_mask = std::int64_t{1} << bus;
+  goal.q[bus] = start.q[joint];
+  const ArmPlan plan = plan_with({}, goal, start, 1);
+  ASSERT_EQ(plan.status, ArmPathStatus::kOk);
+  EXPECT_GT(plan.duration(), 0.0);
+  EXPECT_LT(plan.duration(), 0.5);
+}
+
+TEST(ArmPlanner, StopsWhenToldTo) {
+  ArmPlannerConfig config;
+  ArmPlanner planner(hrp1s(), config);
+  planner.set_obstacles({post(0.30, 0.27)});
+  const ArmPlan plan = planner.plan(hand_to(ArmSide::kLeft, 0.33, 0.10, 0.95), standing(), kGround,
+                                    9, [](void*) { return false; });
+  EXPECT_TRUE(plan.status == ArmPathStatus::kCancelled || plan.rounds == 0);
+}
+
+}  // namespace
+}  // namespace twinbus

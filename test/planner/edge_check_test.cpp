@@ -1,0 +1,110 @@
+#include "planner/edge_check.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "test/planner/reach_rig.h"
+
+namespace twinbus {
+namespace {
+
+const std::vector<int>& left_arm() { return hrp1s().hands[0].joints; }
+
+JointPoint at_posture(const Configuration& posture) {
+  JointPoint q(static_cast<int>(left_arm().size()));
+  for (int k = 0; k < q.size(); ++k) q[k] = posture.q[left_arm()[static_cast<std::size_t>(k)]];
+  return q;
+}
+
+JointPoint random_arm(std::mt19937_64& random) {
+  JointPoint q(static_cast<int>(left_arm().size()));
+  for (int k = 0; k < q.size(); ++k) {
+    const Joint& joint =
+        hrp1s().joints[static_cast<std::size_t>(left_arm()[static_cast<std::size_t>(k)])];
+    q[k] = std::uniform_real_distribution<double>(joint.lower, joint.upper)(random);
+  }
+  return q;
+}
+
+// The claim of the file: a line that is called free touches nowhere, also between the samples.
+TEST(EdgeCheck, AFreeLineIsFreeEverywhere) {
+  const Configuration start = standing();
+  Collision collision(hrp1s());
+  collision.set_obstacles({post(0.30, 0.30), box(0.4, 0.2, 0.7, 0.3, 0.6, 0.01)});
+  EdgeCheck space(hrp1s(), collision, start, left_arm(), 0.005);
+  std::mt19937_64 random(11);
+  int free = 0;
+  for (int i = 0; i < 400; ++i) {
+    const JointPoint a = random_arm(random);
+    const JointPoint b = a + 0.4 * (random_arm(random) - a);
+    if (!space.line_free(a, b)) continue;
+    ++free;
+    for (int s = 0; s <= 300; ++s) {
+      const JointPoint q = a + s / 300.0 * (b - a);
+      ASSERT_FALSE(collision.in_collision(space.kinematics_at(q))) << "line " << i << " at " << s;
+    }
+  }
+  EXPECT_GT(free, 20);
+}
+
+// A plate of half a millimetre cannot be tunnelled through, however long the line.
+TEST(EdgeCheck, AThinPlateIsNotTunnelledThrough) {
+  const Configuration start = standing();
+  Collision collision(hrp1s());
+  EdgeCheck open(hrp1s(), collision, start, left_arm(), 0.002);
+  const JointPoint home = at_posture(start);
+  JointPoint up = home;
+  up[0] -= 1.6;  // the arm swings forward and up
+  ASSERT_TRUE(open.line_free(home, up));
+  collision.set_obstacles({box(0.30, 0.25, 0.85, 0.5, 0.5, 0.0005)});
+  EdgeCheck space(hrp1s(), collision, start, left_arm(), 0.002);
+  EXPECT_TRUE(space.point_free(home));
+  EXPECT_TRUE(space.point_free(up));
+  EXPECT_FALSE(space.line_free(home, up));
+}
+
+TEST(EdgeCheck, NoPointMovesFartherThanTheBound) {
+  const Configuration start = standing();
+  Collision collision(hrp1s());
+  EdgeCheck space(hrp1s(), collision, start, left_arm(), 0.01);
+  std::mt19937_64 random(12);
+  const Hand& hand = hrp1s().hands[0];
+  for (int i = 0; i < 500; ++i) {
+    const JointPoint a = random_arm(random);
+    const JointPoint b = random_arm(random);
+    const Eigen::Vector3d before =
+        (space.kinematics_at(a).link_in_world(hand.link) * hand.frame).translation();
+    const Eigen::Vector3d after =
+        (space.kinematics_at(b).link_in_world(hand.link) * hand.frame).translation();
+    EXPECT_LE((after - before).norm(), space.motion_bound(a, b));
+  }
+}
+
+TEST(EdgeCheck, NamesWhoIsNear) {
+  const Configuration start = standing();
+  Collision collision(hrp1s());
+  EdgeCheck space(hrp1s(), collision, start, left_arm(), 0.01);
+  JointPoint q = at_posture(start);
+  q[1] = -0.26;
+  q[2] = -1.4;
+  q[3] = -1.9;  // the forearm goes into the trunk
+  CollisionPair pair;
+  ASSERT_TRUE(space.who_is_near(q, 0.01, pair));
+  EXPECT_EQ(
+      hrp1s().links[static_cast<std::size_t>(std::max(pair.link_a, pair.link_b))].name.substr(0, 4),
+      "LARM");
+  EXPECT_LT(space.nearest(q, 0.5), 0.01);
+  EXPECT_GT(space.nearest(at_posture(start), 0.5), 0.01);
+}
+
+TEST(EdgeCheck, RefusesNoJointsAndTooMany) {
+  Collision collision(hrp1s());
+  EXPECT_THROW(EdgeCheck(hrp1s(), collision, standing(), {}, 0.01), std::invalid_argument);
+  std::vector<int> many(13);
+  for (int i = 0; i < 13; ++i) many[static_cast<std::size_t>(i)] = i;
+  EXPECT_THROW(EdgeCheck(hrp1s(), collision, standing(), many, 0.01), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace twinbus
