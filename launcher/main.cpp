@@ -10,14 +10,12 @@
 #include "launcher/doctor.h"
 #include "launcher/operate.h"
 #include "launcher/reach.h"
+#include "launcher/run.h"
 #include "launcher/status.h"
 #include "launcher/switch_source.h"
 #include "launcher/tools.h"
 #include "launcher/up.h"
 #include "robot/nearest.h"
-#if __has_include("launcher/run.h")
-#include "launcher/run.h"
-#endif
 
 using namespace twinbus;
 
@@ -31,9 +29,7 @@ struct Command {
 
 constexpr Command kCommands[] = {
     {"up", "start and supervise simulator, controller, guard, planner and viewer", &up_command},
-#if __has_include("launcher/run.h")
     {"run", "run a scene in one process, without a bus, as fast as it goes", &run_command},
-#endif
     {"status", "who is there, rates, roles, terms, timing", &status_command},
     {"switch", "let simulator, hardware bridge or replay take over", &switch_command},
     {"stop", "stop the robot: balanced, hold or off", &stop_command},

@@ -1,0 +1,218 @@
+#include "launcher/one_process.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <stdexcept>
+#include <type_traits>
+
+#include "lcmtypes/wire.h"
+#include "planner/arm_path_pieces.h"
+#include "robot/status.h"
+#include "sim/obstacle_pieces.h"
+
+namespace twinbus {
+
+namespace {
+
+constexpr std::int64_t kRunId = 1;
+constexpr std::int64_t kOperatorId = 4;
+constexpr std::int64_t kPlannerId = 3;
+constexpr std::int64_t kStopEvery = 10;      // a stop the guard asks for is said that often [ticks]
+constexpr double kServoError = 0.1;          // [rad]: a set-point farther from its joint is none to start from
+constexpr int kActivationTicks = 100'000;
+
+// A message as its receiver gets it.  False: what could not be sent.
+template <class T>
+bool over_the_bus(const T& sent, T& received, StateHash* hash = nullptr) {
+  std::array<std::uint8_t, kLargestMessage> bytes;
+  const int size = encode(sent, bytes);
+  if (size <= 0) return false;
+  const std::span<const std::uint8_t> encoded(bytes.data(), static_cast<std::size_t>(size));
+  if (hash != nullptr) hash->add(encoded);
+  return decode(encoded, received) == Status::kOk;
+}
+
+// The adaptor must be open before a source is built around it.
+SimAdaptor& opened(SimAdaptor& sim, const Model& model, const OneProcessConfig& config) {
+  AdaptorConfig adaptor{config.settings};
+  const auto is_seed = [](const auto& setting) { return setting.first == "sensor.seed"; };
+  if (std::none_of(config.settings.begin(), config.settings.end(), is_seed)) {
+    adaptor.settings.emplace_back("sensor.seed", std::to_string(config.seed));
+  }
+  if (sim.open(model, adaptor) != Status::kOk) throw std::runtime_error("the simulator does not open");
+  return sim;
+}
+
+SourceConfig source_config(const OneProcessConfig& config) {
+  SourceConfig source;
+  source.run_id = kRunId;
+  source.pace = Pace::kFreeRun;
+  source.seed = config.seed;
+  return source;
+}
+
+std::vector<ScriptedMode> modes_of(const Scene& scene) {
+  std::vector<ScriptedMode> modes;
+  for (const TimedMode& mode : scene.modes) modes.push_back({mode.at, mode.request});
+  return modes;
+}
+
+std::vector<ScriptedGoal> goals_of(const Scene& scene) {
+  std::vector<ScriptedGoal> goals;
+  for (const TimedGoal& goal : scene.goals) goals.push_back({goal.at, goal.goal});
+  return goals;
+}
+
+}  // namespace
+
+OneProcess::OneProcess(const Model& model, const Scene& scene, const OneProcessConfig& config)
+    : model_(model),
+      sim_(scene),
+      source_(model, opened(sim_, model, config), source_config(config)),
+      loop_(model, config.control),
+      planner_view_(model),
+      script_(modes_of(scene), goals_of(scene), model.period(), kRunId) {
+  tell_obstacles(scene);
+  activate();
+}
+
+void OneProcess::tell_obstacles(const Scene& scene) {
+  for (const ObstaclesPiece& piece : obstacle_pieces(scene.obstacles, 1)) {
+    ObstaclesPiece received;
+    if (over_the_bus(piece, received)) (void)obstacles_.add(received);
+  }
+  loop_.set_obstacles(obstacles_.obstacles());
+}
+
+// A source listens for others before it may become active: time passes, but not for the robot.
+void OneProcess::activate() {
+  for (int i = 1; i < kActivationTicks; ++i) {
+    now_ns_ += model_.period_ns;
+    if (i % 100 == 0) {
+      SourceRequest request;
+      request.action = SourceAction::kActivate;
+      request.policy = SwitchPolicy::kNow;
+      request.sender_id = kOperatorId;
+      request.run_id = request.target_run_id = kRunId;
+      request.sequence = ++sequence_;
+      source_.on_source_request(request, now_ns_);
+    }
+    source_.begin_tick(now_ns_);
+    if (source_.publishes_on_state()) {
+      first_tick_ = source_.state().tick;
+      return;
+    }
+    source_.end_tick(now_ns_);
+  }
+  throw std::runtime_error(std::string("the simulator does not become active: ") +
+                           refusal_text(source_.status().refusal));
+}
+
+bool OneProcess::tick() {
+  if (!failure_.empty()) return false;
+  if (ticks_ > 0) {
+    now_ns_ += model_.period_ns;
+    source_.begin_tick(now_ns_);
+  }
+  if (!over_the_bus(source_.state(), heard_, &hash_)) {
+    failure_ = "tick " + std::to_string(source_.state().tick) + ": a state that cannot be sent";
+    return false;
+  }
+  ++ticks_;
+  control();
+  watch();  // before the simulator moves on
+  source_.end_tick(now_ns_);
+  say_script();
+  if (source_.status().adaptor_status != static_cast<std::int8_t>(Status::kOk)) {
+    failure_ = "tick " + std::to_string(heard_.tick) + ": the simulation gave up";
+  }
+  return failure_.empty();
+}
+
+void OneProcess::control() {
+  loop_.on_state(heard_, now_ns_);
+  planner_view_.update(heard_);
+  JointCommand answer;
+  if (loop_.step(now_ns_, answer) && over_the_bus(answer, command_)) source_.on_command(command_, now_ns_);
+  if (const char* sentence = loop_.take_sentence()) sentences_.push_back(std::string("controller: ") + sentence);
+  const bool repeated = heard_.tick - stop_asked_tick_ < kStopEvery;
+  if (loop_.guard_report().stop_asked && heard_.stop_kind == StopKind::kNone && !repeated) {
+    stop_asked_tick_ = heard_.tick;
+    StopRequest stop;
+    stop.sender_id = kOperatorId;
+    stop.kind = StopKind::kBalanced;
+    stop.reason = StopReason::kGuard;
+    say(stop);
+  }
+}
+
+void OneProcess::say(ModeRequest request) {
+  request.sender_id = kOperatorId;
+  request.run_id = kRunId;
+  request.sequence = ++sequence_;
+  ModeRequest received;
+  if (over_the_bus(request, received)) loop_.on_mode_request(received);
+}
+
+void OneProcess::say(StopRequest stop) {
+  stop.sender_id = stop.sender_id != 0 ? stop.sender_id : kOperatorId;
+  stop.sequence = ++sequence_;
+  StopRequest received;
+  if (!over_the_bus(stop, received)) return;
+  source_.on_stop(received, now_ns_);
+  loop_.on_stop(received);
+}
+
+void OneProcess::say_script() {
+  script_.after(heard_.tick, first_tick_, [this](auto& request) {
+    auto received = request;
+    if (!over_the_bus(request, received)) return;
+    if constexpr (std::is_same_v<decltype(received), ModeRequest>) {
+      loop_.on_mode_request(received);
+    } else {
+      loop_.on_arm_goal(received);
+      plan(received);
+    }
+  });
+}
+
+// The planner's process, but that the answer takes no simulated time.
+void OneProcess::plan(const ArmGoal& goal) {
+  if (goal.goal_id == planned_goal_) return;  // said again
+  planned_goal_ = goal.goal_id;
+  if (goal.kind == ArmGoalKind::kCancel) return;
+  if (planner_ == nullptr) {
+    planner_ = std::make_unique<ArmPlanner>(model_);
+    planner_->set_obstacles(obstacles_.obstacles());
+  }
+  Configuration start = planner_view_.configuration();
+  for (std::size_t k = 0; k < model_.bus_joints.size(); ++k) {
+    if (std::abs(command_.q[k] - heard_.q[k]) < kServoError) start.q[model_.bus_joints[k]] = command_.q[k];
+  }
+  const ArmPlan plan = planner_->plan(goal, start, planner_view_.ground_in_world(),
+                                      static_cast<std::uint64_t>(goal.goal_id));
+  sentences_.push_back("planner: " + describe(model_, plan));
+  for (const ArmPathPiece& piece : to_pieces(plan, {kPlannerId, goal.run_id, goal.goal_id, goal.goal_id})) {
+    ArmPathPiece received;
+    if (over_the_bus(piece, received)) loop_.on_arm_path(received);
+  }
+}
+
+void OneProcess::watch() {
+  SimTruth truth = *sim_.truth();
+  truth.tick = heard_.tick;
+  truth.run_id = kRunId;
+  seen_.on_state(heard_, false, now_ns_);
+  seen_.on_command(command_, now_ns_);
+  seen_.on_truth(truth, now_ns_);
+  seen_.on_guard(loop_.guard_report(), now_ns_);
+  for (std::size_t foot = 0; foot < 2; ++foot) {
+    if (model_.soles[foot].link < 0) continue;
+    const auto x = static_cast<double>(truth.foot_attitude[foot][1]);
+    const auto y = static_cast<double>(truth.foot_attitude[foot][2]);
+    sole_tilt_max_ = std::max(sole_tilt_max_, std::acos(std::clamp(1.0 - 2.0 * (x * x + y * y), -1.0, 1.0)));
+  }
+}
+
+}  // namespace twinbus

@@ -1,0 +1,89 @@
+// A whole stack in one process and without a bus: simulator behind its source and gate, control loop with
+// the guard in it, planner, script of the scene.
+//
+// Every message passes encode and decode and every event has its tick, so the states are bit for bit those
+// of lock-step over LCM.  Time is simulated time alone: a run is as fast as the machine, and repeatable.
+
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bridge/scene_script.h"
+#include "bridge/source.h"
+#include "control/control_loop.h"
+#include "launcher/lookout.h"
+#include "launcher/state_hash.h"
+#include "planner/arm_planner.h"
+#include "robot/estimator.h"
+#include "robot/model.h"
+#include "robot/obstacle_collector.h"
+#include "sim/scene.h"
+#include "sim/sim_adaptor.h"
+
+namespace twinbus {
+
+struct OneProcessConfig {
+  std::vector<std::pair<std::string, std::string>> settings;  // as --set; they win over the scene's
+  std::uint64_t seed = 1;
+  ControlConfig control;
+};
+
+class OneProcess {
+ public:
+  // Opens everything and activates the source.  The model must outlive this.  Throws std::runtime_error.
+  OneProcess(const Model& model, const Scene& scene, const OneProcessConfig& config);
+
+  // STATE, COMMAND, physics: one period.  False when the simulation gave up; failure() says why.
+  bool tick();
+  const std::string& failure() const { return failure_; }
+
+  // Said on the bus before the next tick.
+  void say(ModeRequest request);
+  void say(StopRequest stop);
+
+  std::int64_t ticks() const { return ticks_; }
+  const RobotState& state() const { return heard_; }  // as decoded
+  const SimTruth& truth() const { return *sim_.truth(); }
+  const ControlLoop& loop() const { return loop_; }
+  const Source& source() const { return source_; }
+  const Lookout& seen() const { return seen_; }
+  double sole_tilt_max() const { return sole_tilt_max_; }  // [rad]
+  std::string state_hash() const { return hash_.text(); }
+  // What controller and planner had to say since the last call.
+  std::vector<std::string> take_sentences() { return std::exchange(sentences_, {}); }
+
+ private:
+  void activate();
+  void tell_obstacles(const Scene& scene);
+  void control();
+  void plan(const ArmGoal& goal);
+  void say_script();
+  void watch();
+
+  const Model& model_;
+  SimAdaptor sim_;
+  Source source_;
+  ControlLoop loop_;
+  Estimator planner_view_;
+  ObstacleCollector obstacles_;
+  std::unique_ptr<ArmPlanner> planner_;  // with the first goal
+  SceneScript script_;
+  StateHash hash_;
+  Lookout seen_;
+
+  RobotState heard_;
+  JointCommand command_;
+  std::int64_t now_ns_ = 0;  // simulated
+  std::int64_t ticks_ = 0, first_tick_ = 0, stop_asked_tick_ = -1000, planned_goal_ = 0;
+  std::int32_t sequence_ = 0;
+  double sole_tilt_max_ = 0.0;
+  std::vector<std::string> sentences_;
+  std::string failure_;
+};
+
+}  // namespace twinbus
