@@ -40,8 +40,8 @@ class RobotAdaptor {
   // May allocate, may take time.
   virtual Status open(const Model&, const AdaptorConfig&) = 0;
   // Fills what the robot measures now: q, qd, tau, attitude, gyro, accel, wrench, wrench_kind, sensor_flags, enabled,
-  // source_time_ns.  A simulator advances by one period with the last written command, then measures.  May block
-  // for timeout_s.
+  // source_time_ns.  A simulator has advanced by one period with the last written command; it may compute that period
+  // already in write(), so that a read() that is due does not wait for it.  May block for timeout_s.
   virtual Status read(RobotState& state, double timeout_s) = 0;
   // The last gate has passed this command: it is finite and within limits.
   virtual Status write(const JointCommand& command) = 0;

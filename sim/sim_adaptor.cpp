@@ -60,6 +60,8 @@ struct SimAdaptor::Impl {
   bool fall = false;
 
   bool first_read = true;
+  bool ahead = false;  // write() has computed the period that the next read() measures
+  Status ahead_status = Status::kOk;
   std::int64_t steps = 0;
   double scene_time = -1.0;  // [s] since the first command; pushes go by it
   struct ScenePush {
@@ -251,6 +253,7 @@ Status SimAdaptor::open(const Model& model, const AdaptorConfig& config) {
     s.start();
     s.commanded = s.fall = false;
     s.first_read = true;
+    s.ahead = false;
     s.writes = s.steps = 0;
     s.scene_time = -1.0;
     s.line_used.fill(false);
@@ -272,7 +275,8 @@ Status SimAdaptor::read(RobotState& state, double) {
   if (s.first_read) {
     s.first_read = false;  // the start pose itself is the first measurement
   } else {
-    status = s.advance();
+    status = s.ahead ? s.ahead_status : s.advance();
+    s.ahead = false;
   }
   s.sensors->measure(*s.world, s.step, state);
   state.enabled =
@@ -297,6 +301,12 @@ Status SimAdaptor::write(const JointCommand& command) {
   s.line_used[slot] = true;
   ++s.writes;
   if (s.scene_time < 0.0) s.scene_time = 0.0;
+  // The command of this period is known: what follows is computed now and not when the next tick is
+  // due, so that a measurement is published the moment it is due.
+  if (!s.first_read && !s.ahead) {
+    s.ahead_status = s.advance();
+    s.ahead = true;
+  }
   return Status::kOk;
 }
 
@@ -402,7 +412,7 @@ Status SimAdaptor::set_state(const ImposedState& imposed) {
   RobotState scratch;
   s.sensors->measure(*s.world, 0.0,
                      scratch);  // so that the next acceleration is that of the step to come
-  s.first_read = false;
+  s.first_read = s.ahead = false;
   return Status::kOk;
 }
 
