@@ -220,9 +220,11 @@ void Handover::request(const SourceRequest& request, const HandoverInput& input,
   const bool for_me = request.target_run_id == config.run_id;
   if (request.action == SourceAction::kActivate && !for_me) {
     if (!first_time(request)) return;
-    asked_run = request.target_run_id;
-    asked_ns = now_ns;
-    if (holds(config.off, Rule::kActivateAsked)) return;
+    if (holds(config.off, Rule::kActivateAsked)) {
+      asked_run = request.target_run_id;
+      asked_ns = now_ns;
+      return;
+    }
   }
   if (request.action == SourceAction::kSwitch) {
     if (request.run_id != config.run_id && holds(config.off, Rule::kSwitchAddressed)) return;

@@ -1,6 +1,7 @@
-// Command line of the explorer: protocol_explorer [--sources N] [--depth D] [--faults F]
+// ./twinbus bench explorer: explorer_bench [--sources N] [--depth D] [--faults F]
 // [--happenings H] [--minutes M]
-// [--start NAME].  With --minutes it deepens until the time is over.
+// [--start NAME] [--without RULE].  With --minutes it deepens until the time is over.  --without
+// switches off a rule of bridge/rules.h, by its number, to see that it is missed.
 
 #include <chrono>
 #include <cstdio>
@@ -10,6 +11,7 @@
 
 #include "test/protocol/explorer.h"
 
+using namespace twinbus;
 using namespace twinbus::protocol;
 
 namespace {
@@ -17,7 +19,7 @@ namespace {
 bool report(Start start, int sources, const Bounds& bounds, const Outcome& outcome,
             double seconds) {
   std::printf(
-      "%-13s sources %d depth %2d faults %d happenings %d: %9lld states %10lld steps %8lld ends "
+      "%-14s sources %d depth %2d faults %d happenings %d: %9lld states %10lld steps %8lld ends "
       "%7.1f s  %s\n",
       start_name(start), sources, bounds.depth, bounds.faults, bounds.happenings,
       static_cast<long long>(outcome.states), static_cast<long long>(outcome.steps),
@@ -42,12 +44,13 @@ int main(int argc, char** argv) {
   double minutes = 0.0;
   Bounds bounds;
   std::string only;
+  RuleSet off = 0;
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
     if (word == "--help" || i + 1 >= argc) {
       std::puts(
-          "protocol_explorer [--sources 2|3] [--depth D] [--faults F] [--happenings H] [--minutes "
-          "M] [--start NAME]");
+          "explorer_bench [--sources 2|3] [--depth D] [--faults F] [--happenings H] [--minutes "
+          "M] [--start NAME] [--without RULE]");
       return word == "--help" ? 0 : 2;
     }
     const char* value = argv[++i];
@@ -63,8 +66,10 @@ int main(int argc, char** argv) {
       minutes = std::atof(value);
     else if (word == "--start")
       only = value;
+    else if (word == "--without")
+      off |= without(static_cast<Rule>(std::atoi(value)));
     else {
-      std::fprintf(stderr, "protocol_explorer: no option %s\n", word.c_str());
+      std::fprintf(stderr, "explorer_bench: no option %s\n", word.c_str());
       return 2;
     }
   }
@@ -74,18 +79,15 @@ int main(int argc, char** argv) {
         .count();
   };
   const double begin = now();
-  const Start starts[] = {Start::kCold,       Start::kTrack,   Start::kSwitch,
-                          Start::kSwitchBack, Start::kShadow,  Start::kShadowSwitch,
-                          Start::kFarShadow,  Start::kStopped, Start::kTwoActive};
   bool holds = true;
   for (;;) {
     bool complete = true;
-    for (const Start start : starts) {
+    for (const Start start : all_starts()) {
       if (!only.empty() && only != start_name(start)) continue;
       if (minutes > 0.0) bounds.seconds = 60.0 * minutes - (now() - begin);
       if (bounds.seconds <= 0.0) return holds ? 0 : 1;
       const double from = now();
-      const Outcome outcome = explore(start, sources, bounds);
+      const Outcome outcome = explore(start, sources, bounds, off);
       holds = report(start, sources, bounds, outcome, now() - from) && holds;
       complete = complete && outcome.complete;
     }

@@ -170,10 +170,16 @@ class Explorer {
 }  // namespace
 
 const char* start_name(Start start) {
-  static const char* const names[] = {"cold",        "track",   "switch",
-                                      "switch-back", "shadow",  "shadow-switch",
-                                      "far-shadow",  "stopped", "two-active"};
+  static const char* const names[] = {"fresh",       "cold",       "track",         "switch",
+                                      "switch-back", "shadow",     "shadow-switch", "far-shadow",
+                                      "stopped",     "two-active", "cancel",        "grant-lost"};
   return names[static_cast<int>(start)];
+}
+
+std::vector<Start> all_starts() {
+  std::vector<Start> all;
+  for (int i = 0; i < static_cast<int>(Start::kCount); ++i) all.push_back(static_cast<Start>(i));
+  return all;
 }
 
 Setting setting_for(Start start, int sources, RuleSet off) {
@@ -187,6 +193,7 @@ World world_at(Start start, const Setting& setting) {
   const auto happen = [&](EventKind kind, int subject, int receivers = 0xff) {
     world.step(0, {}, {kind, subject, receivers});
   };
+  if (start == Start::kFresh) return world;
   world.quiet(12);
   if (start == Start::kCold) return world;
   if (start == Start::kTwoActive) {  // in two halves of a split network
@@ -209,8 +216,20 @@ World world_at(Start start, const Setting& setting) {
     happen(EventKind::kStopHold, 0);
     world.quiet(2);
   }
-  if (start == Start::kSwitch || start == Start::kShadowSwitch || start == Start::kSwitchBack) {
+  if (start == Start::kSwitch || start == Start::kShadowSwitch || start == Start::kSwitchBack ||
+      start == Start::kCancel || start == Start::kGrantLost) {
     happen(EventKind::kSwitch, 1);
+  }
+  if (start == Start::kCancel) {
+    happen(EventKind::kCrash, 1);
+    world.quiet(4);
+    return world;
+  }
+  if (start == Start::kGrantLost) {
+    world.quiet(1);
+    happen(EventKind::kStopHold, 1, 2);
+    for (int i = 0; i < 7; ++i) world.step(0, {0, 1, Fate::kLost}, {});
+    return world;
   }
   if (start == Start::kSwitchBack) {
     world.quiet(10);

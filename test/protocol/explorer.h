@@ -17,17 +17,22 @@
 namespace twinbus::protocol {
 
 enum class Start {
-  kCold,
-  kTrack,
-  kSwitch,
-  kSwitchBack,
-  kShadow,
-  kShadowSwitch,
-  kFarShadow,
-  kStopped,
-  kTwoActive
+  kFresh,         // just started
+  kCold,          // nobody is active
+  kTrack,         // A is active, the others track it
+  kSwitch,        // and has just been asked to hand over to B
+  kSwitchBack,    // and back
+  kShadow,        // B is hardware and shadows A
+  kShadowSwitch,  // and A has just been asked to hand over to it
+  kFarShadow,     // B is hardware in another posture
+  kStopped,       // A was stopped, cleared and stopped again
+  kTwoActive,     // activated in two halves of a split network
+  kCancel,        // B died with a grant in its hand; A is about to cancel
+  kGrantLost,     // B was stopped and cut off with a grant in its hand, which has run out since
+  kCount
 };
 const char* start_name(Start start);
+std::vector<Start> all_starts();
 // The setting a start needs, and the world brought there without faults.
 Setting setting_for(Start start, int sources, RuleSet off = 0);
 World world_at(Start start, const Setting& setting);
