@@ -6,6 +6,8 @@ import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 const kMetresPerNewton = 1 / 1100;
 const kLongestArrow = 1.4; // [m]
 const kShownPair = 120;    // [mm]
+const kSlowFrame = 70;     // a machine without graphics hardware: fewer pixels, no shadows [ms]
+const kSlowFrames = 12;    // so many in a row
 
 function arrow(color) {
   const material = new THREE.MeshStandardMaterial({ color, emissive: color, emissiveIntensity: 0.45, roughness: 0.5,
@@ -60,13 +62,16 @@ export class Stage {
     this.scene.fog = new THREE.Fog(0x141b26, 7, 19);
     this.camera = new THREE.PerspectiveCamera(38, 1, 0.05, 60);
     this.camera.up.set(0, 0, 1);
-    this.camera.position.set(2.9, 1.75, 1.45);
+    this.camera.position.set(2.55, 1.55, 1.3);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.target.set(0, 0, 0.74);
     this.controls.enableDamping = true;
     this.controls.minDistance = 0.5;
     this.controls.maxDistance = 14;
     this.follow = true;
+    this.pixels = Math.min(devicePixelRatio, 2);
+    this.slowFrames = 0;
+    this.fine = new URLSearchParams(location.hash.slice(1)).has('fine');
     this.light();
     this.ground();
     this.overlays();
@@ -136,7 +141,7 @@ export class Stage {
     this.push = arrow(0xff8a3d);
     this.balance = new THREE.Group();
     this.support = new THREE.Mesh(new THREE.BufferGeometry(),
-      new THREE.MeshBasicMaterial({ color: 0x3ecf8e, transparent: true, opacity: 0.22, side: THREE.DoubleSide, depthWrite: false }));
+      new THREE.MeshBasicMaterial({ color: 0x3ecf8e, transparent: true, opacity: 0.34, side: THREE.DoubleSide, depthWrite: false }));
     this.support.geometry.setAttribute('position', new THREE.BufferAttribute(new Float32Array(3 * 12), 3));
     this.support.frustumCulled = false;
     this.rim = lineOf(12, 0x3ecf8e);
@@ -158,7 +163,7 @@ export class Stage {
   }
 
   resize() {
-    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    this.renderer.setPixelRatio(this.pixels);
     this.renderer.setSize(innerWidth, innerHeight, false);
     this.camera.aspect = innerWidth / innerHeight;
     this.camera.updateProjectionMatrix();
@@ -226,7 +231,25 @@ export class Stage {
     }
   }
 
+  // Draws less finely on a machine that cannot keep up; never goes back, so that it does not flicker.  #fine=1 in the
+  // address forbids it, for pictures.
+  spare() {
+    if (this.fine) return;
+    const now = performance.now();
+    this.slowFrames = now - (this.drawnAt ?? now) > kSlowFrame ? this.slowFrames + 1 : 0;
+    this.drawnAt = now;
+    if (this.slowFrames < kSlowFrames || document.hidden) return;
+    this.slowFrames = 0;
+    if (this.pixels > 0.6) {
+      this.pixels = Math.max(0.6, 0.7 * this.pixels);
+      this.resize();
+    } else {
+      this.sun.castShadow = false;
+    }
+  }
+
   draw() {
+    this.spare();
     this.controls.update();
     const at = this.controls.target;
     this.sun.position.set(at.x + 2.2, at.y - 1.6, 4.6);
