@@ -25,7 +25,12 @@ const XmlElement* XmlElement::child(const std::string& key) const {
 }
 
 void fail_at(const std::string& file, int line, const std::string& message) {
-  throw std::runtime_error(file + ":" + std::to_string(line) + ": " + message);
+  std::string text = file + ":" + std::to_string(line) + ": " + message;
+  // Parts of a hostile file are quoted in messages: they stay on one line and cannot drive a terminal.
+  for (char& c : text) {
+    if (static_cast<unsigned char>(c) < ' ' || c == 127) c = '?';
+  }
+  throw std::runtime_error(text);
 }
 
 namespace {

@@ -26,7 +26,7 @@ inline constexpr std::size_t kMaxTextFile = 4u << 20;  // [bytes]
 inline constexpr std::size_t kMaxBinaryFile = 64u << 20;
 inline constexpr int kMaxXmlDepth = 64;
 
-// Throws std::runtime_error: "file:line: message".
+// Throws std::runtime_error: "file:line: message", one line without control characters.
 [[noreturn]] void fail_at(const std::string& file, int line, const std::string& message);
 
 // The whole file.  Throws if it is missing, not a plain file, empty, larger than kMaxTextFile or

@@ -65,5 +65,13 @@ TEST(ConfigNode, RefusesWhatIsNoMap) {
             std::string::npos);
 }
 
+// Found by test/fuzz/robot_files_fuzz.
+TEST(ConfigNode, WhatIsQuotedFromAHostileFileStaysOnOneLine) {
+  const std::string error =
+      error_of([] { (void)ConfigNode::parse("a: \"\\\n\"\nb: \"\\\x1b[2J\"", "the_file"); });
+  EXPECT_NE(error, "");
+  for (const char c : error) EXPECT_GE(c, ' ') << error;
+}
+
 }  // namespace
 }  // namespace twinbus::test
