@@ -71,6 +71,13 @@ printf '#!/bin/sh\\necho program "$@"\\n' >build/release/bin/twinbus; chmod +x b
         self.run_script("spy")
         self.assertIn("window", self.said())
 
+    def test_goes_on_without_what_it_can_do_without(self):
+        self.packages("there  a\nany?: window  d\n")
+        executable(self.bin / "apt-get", "#!/bin/sh\nexit 1\n")
+        done = self.run_script("up")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("goes on without window", done.stderr)
+
     def test_no_install_forbids_it_and_names_the_remedy(self):
         self.packages("gone  b\n")
         done = self.run_script("--no-install", "up")
