@@ -1,0 +1,331 @@
+#include "bridge/command_gate.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "test/bridge/small_robot.h"
+#include "test/no_alloc.h"
+
+namespace twinbus {
+namespace {
+
+using namespace test;
+
+class Gate : public ::testing::Test {
+ protected:
+  Gate() : model(small_model()), limits(model), gate(limits, false, 1) {
+    RobotState rest;
+    gate.hold_measured(rest);
+    gate.open(kRun, kTerm, true, 0.0, now);
+  }
+
+  JointCommand command() const {
+    JointCommand c;
+    c.tick = tick;
+    c.run_id = kRun;
+    c.model_hash = model.hash;
+    c.controller_id = 7;
+    c.term = kTerm;
+    c.joint_count = 2;
+    c.kp.fill(1000.0F);
+    c.kd.fill(20.0F);
+    return c;
+  }
+  GateVerdict offer(const JointCommand& c) { return gate.accept(c, tick, false, now); }
+  const JointCommand& next() {
+    const JointCommand& written = gate.output(tick, false, now);
+    ++tick;
+    now += kPeriodNs;
+    return written;
+  }
+
+  static constexpr std::int64_t kRun = 42;
+  static constexpr std::int32_t kTerm = 3;
+  Model model;
+  GateLimits limits;
+  CommandGate gate;
+  std::int64_t tick = 100, now = 1000 * kMs;
+};
+
+TEST_F(Gate, PassesAGoodCommandUnchanged) {
+  JointCommand c = command();
+  c.q[0] = 0.005;
+  c.tau[0] = 3.0F;
+  ASSERT_EQ(offer(c), GateVerdict::kAccepted);
+  const JointCommand& written = next();
+  EXPECT_EQ(written.q[0], 0.005);
+  EXPECT_EQ(written.tau[0], 3.0F);
+  EXPECT_EQ(gate.counters().clamped, 0);
+}
+
+TEST_F(Gate, RefusesEveryWrongAddressWithItsOwnVerdict) {
+  const auto refuses = [&](GateVerdict verdict, const auto& change) {
+    JointCommand c = command();
+    change(c);
+    const std::int64_t before = gate.counters().rejected;
+    EXPECT_EQ(offer(c), verdict);
+    EXPECT_EQ(gate.counters().rejected, before + 1);
+    EXPECT_FALSE(gate.commanded());
+  };
+  refuses(GateVerdict::kOtherRun, [](JointCommand& c) { c.run_id = 43; });
+  refuses(GateVerdict::kOtherTerm, [](JointCommand& c) { c.term = 2; });
+  refuses(GateVerdict::kOtherTerm, [](JointCommand& c) { c.term = 4; });
+  refuses(GateVerdict::kTooOld, [](JointCommand& c) { c.tick = 100 - 21; });
+  refuses(GateVerdict::kTooOld, [](JointCommand& c) { c.tick = 101; });
+  refuses(GateVerdict::kWrongSize, [](JointCommand& c) { c.joint_count = 1; });
+  refuses(GateVerdict::kWrongSize, [](JointCommand& c) { c.joint_count = 3; });
+  refuses(GateVerdict::kWrongSize, [](JointCommand& c) { c.joint_count = -1; });
+  refuses(GateVerdict::kWrongModel, [](JointCommand& c) { c.model_hash += 1; });
+}
+
+TEST_F(Gate, RefusesTheWholeCommandForOneNumberThatIsNotFinite) {
+  for (const double bad :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
+        -std::numeric_limits<double>::infinity()}) {
+    for (int field = 0; field < 5; ++field) {
+      for (const std::size_t joint : {0U, 1U}) {
+        JointCommand c = command();
+        c.q[0] = 0.004;
+        const auto f = static_cast<float>(bad);
+        if (field == 0) c.q[joint] = bad;
+        if (field == 1) c.qd[joint] = f;
+        if (field == 2) c.tau[joint] = f;
+        if (field == 3) c.kp[joint] = f;
+        if (field == 4) c.kd[joint] = f;
+        EXPECT_EQ(offer(c), GateVerdict::kNotFinite) << field;
+      }
+    }
+  }
+  EXPECT_EQ(next().q[0], 0.0);
+}
+
+TEST_F(Gate, NumbersBeyondTheJointsOfTheRobotDoNotMatter) {
+  JointCommand c = command();
+  c.q[2] = std::nan("");
+  EXPECT_EQ(offer(c), GateVerdict::kAccepted);
+}
+
+TEST_F(Gate, ATickIsObeyedOnceAndNeverAfterANewerOne) {
+  EXPECT_EQ(offer(command()), GateVerdict::kAccepted);
+  EXPECT_EQ(offer(command()), GateVerdict::kOldTick);
+  next();
+  JointCommand old = command();
+  old.tick = 99;
+  EXPECT_EQ(offer(old), GateVerdict::kOldTick);
+  EXPECT_EQ(offer(command()), GateVerdict::kAccepted);
+}
+
+TEST_F(Gate, IsBoundToTheFirstControllerUntilItIsReboundByRequest) {
+  offer(command());
+  next();
+  JointCommand other = command();
+  other.controller_id = 8;
+  EXPECT_EQ(offer(other), GateVerdict::kOtherController);
+  gate.rebind(8);
+  EXPECT_EQ(offer(command()), GateVerdict::kAccepted);  // the old one until the new one speaks
+  next();
+  other = command();
+  other.controller_id = 8;
+  EXPECT_EQ(offer(other), GateVerdict::kAccepted);
+  EXPECT_TRUE(gate.blending());
+  next();
+  EXPECT_EQ(offer(command()), GateVerdict::kOtherController);
+}
+
+TEST_F(Gate, CutsPositionVelocityTorqueGainsAndSteps) {
+  for (int i = 0; i < 1000; ++i) {
+    JointCommand c = command();
+    c.q[0] = 1e300;
+    c.qd[0] = 1e30F;
+    c.tau[0] = -1e30F;
+    c.kp[0] = 1e30F;
+    c.kd[0] = -5.0F;
+    ASSERT_EQ(offer(c), GateVerdict::kAccepted);
+    const double before = gate.effective().q[0];
+    const float tau = gate.effective().tau[0];
+    const JointCommand& w = next();
+    ASSERT_LE(w.q[0], 2.0);
+    ASSERT_LE(w.q[0] - before, 1.05 * 4.0 * 0.002 + 1e-12);
+    ASSERT_LE(w.qd[0], 4.0F);
+    ASSERT_GE(w.tau[0], -100.0F);
+    ASSERT_LE(std::abs(w.tau[0] - tau), 10.0F + 1e-4F);
+    ASSERT_LE(w.kp[0], 10000.0F);
+    ASSERT_GE(w.kd[0], 0.0F);
+  }
+  EXPECT_DOUBLE_EQ(gate.effective().q[0], 2.0);
+  EXPECT_GT(gate.counters().clamped, 1000);
+}
+
+TEST_F(Gate, HoldsWhenNothingIsAcceptedForTheTimeoutAndNotBefore) {
+  offer(command());
+  const std::int64_t fed = now;
+  gate.watch(fed + 40 * kMs - 1);
+  EXPECT_FALSE(gate.latch().latched());
+  gate.watch(fed + 40 * kMs);
+  EXPECT_EQ(gate.latch().kind, StopKind::kHold);
+  EXPECT_EQ(gate.latch().reason, StopReason::kCommandTimeout);
+}
+
+TEST_F(Gate, ABacklogAfterASleepDoesNotFeedTheWatchdog) {
+  offer(command());
+  next();
+  now += 50 * kMs;
+  EXPECT_EQ(offer(command()), GateVerdict::kStopped);
+  EXPECT_EQ(gate.latch().kind, StopKind::kHold);
+}
+
+TEST_F(Gate, AHoldBringsTheSetPointToRestWithoutAJump) {
+  JointCommand c = command();
+  for (int i = 0; i < 50; ++i) {
+    c.tick = tick;
+    c.q[0] += 0.002;
+    c.qd[0] = 1.0F;
+    ASSERT_EQ(offer(c), GateVerdict::kAccepted);
+    next();
+  }
+  gate.stop(StopKind::kHold, StopReason::kOperator, now);
+  double q = gate.effective().q[0];
+  float qd = gate.effective().qd[0];
+  for (int i = 0; i < 200; ++i) {
+    const JointCommand& w = next();
+    ASSERT_LE(std::abs(w.q[0] - q), 0.0021);
+    ASSERT_LE(std::abs(w.qd[0] - qd), 0.09F);
+    q = w.q[0];
+    qd = w.qd[0];
+  }
+  EXPECT_EQ(qd, 0.0F);
+  EXPECT_FLOAT_EQ(gate.effective().kp[0], 800.0F);  // those of a stop
+  EXPECT_FLOAT_EQ(gate.effective().kd[0], 40.0F);
+}
+
+TEST_F(Gate, OffLetsGo) {
+  offer(command());
+  gate.stop(StopKind::kOff, StopReason::kOperator, now);
+  const JointCommand& w = next();
+  EXPECT_EQ(w.kp[0], 0.0F);
+  EXPECT_EQ(w.tau[0], 0.0F);
+  EXPECT_EQ(w.kd[0], 40.0F);  // damping, as this robot says
+}
+
+TEST_F(Gate, ABalancedStopPassesOnlyStoppingCommandsAndAtMostTwoSeconds) {
+  offer(command());
+  next();
+  gate.stop(StopKind::kBalanced, StopReason::kOperator, now);
+  EXPECT_EQ(offer(command()), GateVerdict::kStopped);
+  for (int i = 0; i < 1002; ++i) {
+    JointCommand c = command();
+    c.flags = kCommandStopping;
+    const GateVerdict verdict = offer(c);
+    if (i < 1000) {
+      ASSERT_EQ(verdict, GateVerdict::kAccepted) << i;
+    }
+    next();
+  }
+  EXPECT_EQ(gate.latch().kind, StopKind::kHold);
+}
+
+TEST_F(Gate, ABalancedStopHoldsAfterThreeTicksWithoutStopping) {
+  offer(command());
+  next();
+  gate.stop(StopKind::kBalanced, StopReason::kOperator, now);
+  next();
+  next();
+  EXPECT_EQ(gate.latch().kind, StopKind::kBalanced);
+  next();
+  EXPECT_EQ(gate.latch().kind, StopKind::kHold);
+}
+
+TEST_F(Gate, AfterAClearTheClientIsFadedIn) {
+  offer(command());
+  next();
+  gate.stop(StopKind::kHold, StopReason::kOperator, now);
+  next();
+  EXPECT_FALSE(gate.clear(gate.latch().nonce + 1, now));
+  ASSERT_TRUE(gate.clear(gate.latch().nonce, now));
+  JointCommand c = command();
+  c.q[0] = 0.5;
+  ASSERT_EQ(offer(c), GateVerdict::kAccepted);
+  EXPECT_LT(std::abs(next().q[0]), 1e-3);
+}
+
+TEST_F(Gate, TheGuardsMaskBrakesAJointAndLetsTheOthersGo) {
+  JointCommand c = command();
+  const auto run = [&](int ticks) {
+    for (int i = 0; i < ticks; ++i) {
+      c.tick = tick;
+      c.q[0] += 0.002;
+      c.q[1] += 0.002;
+      c.qd[0] = c.qd[1] = 1.0F;
+      EXPECT_EQ(offer(c), GateVerdict::kAccepted);
+      next();
+    }
+  };
+  run(20);
+  const double before = gate.effective().q[0];
+  for (int i = 0; i < 100; ++i) {
+    GuardReport report;
+    report.run_id = kRun;
+    report.tick = tick;
+    report.hold_mask = 1;
+    gate.guard(report, now);
+    run(1);
+  }
+  EXPECT_EQ(gate.effective().qd[0], 0.0F);
+  EXPECT_LT(gate.effective().q[0] - before, 0.02);
+  EXPECT_NEAR(gate.effective().q[1], c.q[1], 1e-9);
+  run(200);  // the guard is silent and not required: faded back
+  EXPECT_NEAR(gate.effective().q[0], c.q[0], 1e-6);
+}
+
+TEST(GuardedGate, BrakesTheArmsWhenARequiredGuardFallsSilentButNeverWalkingLegs) {
+  const Model model = small_model();
+  GateLimits limits(model);
+  limits.arms = 2;
+  limits.legs = 1;
+  CommandGate gate(limits, true, 1);
+  gate.open(42, 3, false, 0.0, 0);
+  gate.output(0, true, 30 * kMs);
+  EXPECT_EQ(gate.masked(), 0);
+  gate.hold_measured({});
+  JointCommand c;
+  c.run_id = 42;
+  c.term = 3;
+  c.model_hash = model.hash;
+  c.joint_count = 2;
+  ASSERT_EQ(gate.accept(c, 0, false, 30 * kMs), GateVerdict::kAccepted);
+  gate.output(0, true, 31 * kMs);
+  EXPECT_EQ(gate.masked(), 2);
+  GuardReport report;
+  report.run_id = 42;
+  report.tick = 1;
+  report.hold_mask = 3;
+  gate.guard(report, 32 * kMs);
+  gate.output(1, true, 32 * kMs);
+  EXPECT_EQ(gate.masked(), 2);
+  gate.output(2, false, 33 * kMs);
+  EXPECT_EQ(gate.masked(), 3);
+}
+
+TEST_F(Gate, NothingInTheLoopAllocates) {
+  NoAlloc no_alloc;
+  for (int i = 0; i < 100; ++i) {
+    (void)offer(command());
+    next();
+  }
+  gate.stop(StopKind::kHold, StopReason::kOperator, now);
+  next();
+  EXPECT_EQ(no_alloc.count(), 0);
+}
+
+TEST_F(Gate, AClosedGateObeysNobody) {
+  gate.close();
+  EXPECT_EQ(offer(command()), GateVerdict::kClosed);
+  now += 1000 * kMs;
+  gate.watch(now);
+  EXPECT_FALSE(gate.latch().latched());  // nobody is expected to speak
+}
+
+}  // namespace
+}  // namespace twinbus

@@ -1,0 +1,331 @@
+#include "bridge/handover.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <set>
+#include <string>
+
+#include "test/bridge/small_robot.h"
+
+namespace twinbus {
+namespace {
+
+using namespace test;
+
+constexpr std::int64_t kMe = 1, kTarget = 2, kOperator = 5;
+
+RobotState standing(std::int64_t run) {
+  RobotState s;
+  s.run_id = run;
+  s.model_hash = 4711;
+  s.period_ns = 2'000'000;
+  s.joint_count = 2;
+  s.source = SourceKind::kBridge;
+  s.role = Role::kStandbyShadow;
+  s.sensor_flags = kEncodersValid | kImuValid | wrench_valid(kLeftFoot) | wrench_valid(kRightFoot);
+  for (const std::size_t foot : {std::size_t{kLeftFoot}, std::size_t{kRightFoot}}) {
+    s.wrench_kind[foot] = WrenchKind::kMeasured;
+    s.wrench[foot][2] = 640.0F;
+  }
+  return s;
+}
+
+// One source, and everything it hears by hand.
+class OneSource : public ::testing::Test {
+ protected:
+  OneSource() : handover(config()) {
+    measured = standing(kMe);
+    input.measured = &measured;
+  }
+  static HandoverConfig config() {
+    HandoverConfig c;
+    c.run_id = kMe;
+    c.model_hash = 4711;
+    return c;
+  }
+  SourceRequest request(SourceAction action, std::int64_t target, std::int64_t run = kMe) {
+    SourceRequest r;
+    r.sender_id = kOperator;
+    r.sequence = ++sequence;
+    r.action = action;
+    r.target_run_id = target;
+    r.run_id = run;
+    r.policy = SwitchPolicy::kNow;
+    return r;
+  }
+  void ask(const SourceRequest& r) { handover.request(r, input, now); }
+  Transition step() {
+    now += kPeriodNs;
+    return handover.begin_tick(input, now);
+  }
+  void activate() {
+    for (int i = 0; i < 600; ++i) step();
+    ask(request(SourceAction::kActivate, kMe));
+    ASSERT_EQ(step(), Transition::kActivated);
+  }
+  void hear_target(const RobotState& s) { handover.heard_standby(s, now); }
+
+  Handover handover;
+  HandoverInput input;
+  RobotState measured;
+  std::int64_t now = 10'000 * kMs;
+  std::int32_t sequence = 0;
+};
+
+TEST_F(OneSource, IsActivatedByRequestOnlyAndAfterListening) {
+  for (int i = 0; i < 2000; ++i) ASSERT_EQ(step(), Transition::kNone);
+  EXPECT_EQ(handover.role, Role::kParked);
+  ask(request(SourceAction::kActivate, kMe));
+  EXPECT_EQ(step(), Transition::kActivated);
+  EXPECT_EQ(handover.term, 1);
+}
+
+TEST_F(OneSource, AStartIsNotActivatedBeforeASecondOfListening) {
+  step();
+  ask(request(SourceAction::kActivate, kMe));
+  const std::int64_t asked = now;
+  while (step() != Transition::kActivated) ASSERT_LT(now - asked, 1100 * kMs);
+  EXPECT_GE(now - asked, 990 * kMs);
+}
+
+TEST_F(OneSource, ActivatesAboveTheHighestTermHeard) {
+  RobotState other = standing(9);
+  other.role = Role::kActive;
+  other.term = 17;
+  other.tick = 1000;
+  for (int i = 0; i < 5; ++i) {
+    step();
+    handover.heard_state(other, now);
+  }
+  for (int i = 0; i < 600; ++i) step();
+  ask(request(SourceAction::kActivate, kMe));
+  ASSERT_EQ(step(), Transition::kActivated);
+  EXPECT_EQ(handover.term, 18);
+}
+
+TEST_F(OneSource, GrantsAtLeastFiveTicksAheadAndCancelsWhenNobodyAppears) {
+  activate();
+  hear_target(standing(kTarget));
+  ask(request(SourceAction::kSwitch, kTarget));
+  const std::int32_t term = handover.term;
+  ASSERT_EQ(step(), Transition::kGranted);
+  EXPECT_EQ(handover.role, Role::kReleasing);
+  EXPECT_GE(handover.grant_tick, handover.tick + 5);
+  while (handover.tick < handover.grant_tick - 1) {
+    ASSERT_EQ(step(), Transition::kNone);
+    EXPECT_TRUE(handover.obeys());
+  }
+  for (int i = 0; i < 3; ++i) {
+    ASSERT_EQ(step(), Transition::kNone);
+    EXPECT_FALSE(handover.obeys());
+  }
+  EXPECT_EQ(step(), Transition::kCancelled);
+  EXPECT_EQ(handover.term, term + 2);
+  EXPECT_EQ(handover.role, Role::kActive);
+  EXPECT_TRUE(handover.obeys());
+}
+
+TEST_F(OneSource, LeavesStateWhenTheSuccessorIsSeen) {
+  activate();
+  hear_target(standing(kTarget));
+  ask(request(SourceAction::kSwitch, kTarget));
+  ASSERT_EQ(step(), Transition::kGranted);
+  RobotState successor = standing(kTarget);
+  successor.role = Role::kActive;
+  successor.term = handover.term + 1;
+  successor.tick = handover.grant_tick;
+  while (handover.tick < handover.grant_tick) step();
+  handover.heard_state(successor, now);
+  EXPECT_EQ(step(), Transition::kReleased);
+  EXPECT_FALSE(handover.holds_state());
+  EXPECT_EQ(handover.holder, kTarget);
+}
+
+TEST_F(OneSource, OneForgedDatagramDeposesNobody) {
+  activate();
+  RobotState forged = standing(999);
+  forged.role = Role::kActive;
+  for (const std::int32_t term : {2, 3, 100, 1 << 29, 1 << 30, 0x7fffffff}) {
+    forged.term = term;
+    forged.tick = handover.tick + 1;
+    handover.heard_state(forged, now);
+    EXPECT_NE(step(), Transition::kGaveWay);
+    EXPECT_EQ(handover.role, Role::kActive);
+    EXPECT_EQ(handover.term, 1);
+  }
+  EXPECT_GE(handover.terms_ignored, 6);
+}
+
+TEST_F(OneSource, ASourceThatObeysIsNotDeposedByAnOldLogEither) {
+  activate();
+  RobotState old = standing(999);
+  old.role = Role::kActive;
+  old.term = 50;
+  for (int i = 0; i < 2000; ++i) {
+    old.tick = 10'000 + i;
+    handover.heard_state(old, now);
+    ASSERT_EQ(step(), Transition::kNone);
+  }
+  EXPECT_EQ(handover.role, Role::kActive);
+}
+
+TEST_F(OneSource, ARepeatedRequestIsObeyedOnce) {
+  activate();
+  hear_target(standing(kTarget));
+  const SourceRequest r = request(SourceAction::kSwitch, kTarget);
+  ask(r);
+  ASSERT_EQ(step(), Transition::kGranted);
+  while (step() != Transition::kCancelled) {
+  }
+  now += 5000 * kMs;
+  hear_target(standing(kTarget));
+  ask(r);
+  EXPECT_EQ(step(), Transition::kNone);
+}
+
+TEST_F(OneSource, AStopBeforeTheSuccessorIsSeenCancels) {
+  activate();
+  hear_target(standing(kTarget));
+  ask(request(SourceAction::kSwitch, kTarget));
+  ASSERT_EQ(step(), Transition::kGranted);
+  input.stop_kind = StopKind::kHold;
+  EXPECT_EQ(step(), Transition::kCancelled);
+  EXPECT_EQ(handover.role, Role::kStopped);
+}
+
+// Every refusal of a switch: its own reason, and nothing moves.
+struct RefusalCase {
+  const char* name;
+  Refusal expected;
+  std::function<void(RobotState& target, RobotState& mine, HandoverInput& input, Handover& me)>
+      arrange;
+};
+
+class Refused : public OneSource, public ::testing::WithParamInterface<RefusalCase> {};
+
+TEST_P(Refused, WithItsOwnReasonAndNothingMoves) {
+  activate();
+  RobotState target = standing(kTarget);
+  hear_target(target);
+  GetParam().arrange(target, measured, input, handover);
+  if (GetParam().expected == Refusal::kStale) now += 26 * kMs;
+  if (GetParam().expected != Refusal::kStale && GetParam().expected != Refusal::kUnknownTarget)
+    hear_target(target);
+  const std::int32_t term = handover.term;
+  const Role role = handover.role;
+  const std::int64_t wanted = GetParam().expected == Refusal::kUnknownTarget   ? std::int64_t{77}
+                              : GetParam().expected == Refusal::kAlreadyActive ? kMe
+                                                                               : kTarget;
+  const SourceRequest r = request(SourceAction::kSwitch, wanted);
+  ask(r);
+  for (int i = 0; i < 20; ++i) ASSERT_EQ(step(), Transition::kNone);
+  EXPECT_EQ(handover.refusal, GetParam().expected);
+  EXPECT_EQ(handover.refusal_sequence, r.sequence);
+  EXPECT_EQ(handover.term, term);
+  if (input.stop_kind == StopKind::kNone) {
+    EXPECT_EQ(handover.role, role);
+  }
+  EXPECT_EQ(handover.successor, 0);
+  EXPECT_FALSE(handover.pending_switch);
+}
+
+using S = RobotState;
+using I = HandoverInput;
+using H = Handover;
+const RefusalCase kRefusals[] = {
+    {"Posture", Refusal::kPosture, [](S& t, S&, I&, H&) { t.q[1] = 0.06; }},
+    {"PostureNotFinite", Refusal::kPosture, [](S& t, S&, I&, H&) { t.q[1] = std::nan(""); }},
+    {"Velocity", Refusal::kVelocity, [](S& t, S&, I&, H&) { t.qd[0] = 0.6F; }},
+    {"Attitude", Refusal::kAttitude,
+     [](S& t, S&, I&, H&) {
+       t.attitude = {0.9995F, 0.0316F, 0.0F, 0.0F};
+     }},
+    {"Gyro", Refusal::kGyro, [](S& t, S&, I&, H&) { t.gyro[0] = 0.4F; }},
+    {"Feet", Refusal::kFeet, [](S& t, S&, I&, H&) { t.wrench[kLeftFoot][2] = 0.0F; }},
+    {"Load", Refusal::kLoad, [](S& t, S&, I&, H&) { t.wrench[kLeftFoot][2] = 1000.0F; }},
+    {"Hash", Refusal::kModelHash, [](S& t, S&, I&, H&) { t.model_hash += 1; }},
+    {"Period", Refusal::kPeriod, [](S& t, S&, I&, H&) { t.period_ns = 5'000'000; }},
+    {"Freshness", Refusal::kStale, [](S&, S&, I&, H&) {}},
+    {"OwnDeviceSilent", Refusal::kStale, [](S&, S&, I& i, H&) { i.device_ok = false; }},
+    {"TargetStopped", Refusal::kStopped, [](S& t, S&, I&, H&) { t.stop_kind = StopKind::kHold; }},
+    {"SelfStopped", Refusal::kStopped, [](S&, S&, I& i, H&) { i.stop_kind = StopKind::kHold; }},
+    {"Unstable", Refusal::kUnstable, [](S&, S&, I& i, H&) { i.stable = false; }},
+    {"UnknownTarget", Refusal::kUnknownTarget, [](S&, S&, I&, H&) {}},
+    {"AlreadyActive", Refusal::kAlreadyActive, [](S&, S&, I&, H&) {}},
+    {"NotStandby", Refusal::kNotStandby, [](S& t, S&, I&, H&) { t.role = Role::kParked; }},
+    {"TargetsDevice", Refusal::kDevice,
+     [](S& t, S&, I&, H&) { t.sensor_flags &= ~kEncodersValid; }},
+    {"Pace", Refusal::kPace, [](S&, S&, I&, H& h) { h.config.real_time = false; }},
+};
+
+INSTANTIATE_TEST_SUITE_P(Switch, Refused, ::testing::ValuesIn(kRefusals),
+                         [](const auto& which) { return which.param.name; });
+
+TEST_F(OneSource, TwoSwitchesInASecondAreRefusedAsTooSoon) {
+  activate();
+  hear_target(standing(kTarget));
+  ask(request(SourceAction::kSwitch, kTarget));
+  ASSERT_EQ(step(), Transition::kGranted);
+  ask(request(SourceAction::kSwitch, 3));
+  EXPECT_EQ(handover.refusal, Refusal::kBusy);
+  while (step() != Transition::kCancelled) {
+  }
+  hear_target(standing(kTarget));
+  ask(request(SourceAction::kSwitch, kTarget));
+  EXPECT_EQ(step(), Transition::kNone);
+  EXPECT_EQ(handover.refusal, Refusal::kBusy);
+}
+
+TEST_F(OneSource, ASecondActivationIsRefusedWhileAnotherSourceIsHeard) {
+  step();
+  RobotState other = standing(9);
+  other.role = Role::kActive;
+  other.term = 1;
+  for (int i = 0; i < 600; ++i) {
+    other.tick = i + 1;
+    handover.heard_state(other, now);
+    step();
+  }
+  ask(request(SourceAction::kActivate, kMe));
+  EXPECT_EQ(handover.refusal, Refusal::kAnotherActive);
+  EXPECT_EQ(step(), Transition::kNone);
+}
+
+TEST_F(OneSource, TrackNeedsARobotThatCanBeSet) {
+  step();
+  ask(request(SourceAction::kStandbyTrack, kMe));
+  EXPECT_EQ(handover.refusal, Refusal::kCannotBeSet);
+  ask(request(SourceAction::kStandbyShadow, kMe));
+  EXPECT_EQ(handover.refusal, Refusal::kNone);
+  EXPECT_EQ(step(), Transition::kStandby);
+}
+
+TEST_F(OneSource, AnUnstableRobotIsLeftAsSoonAsItStandsWhenThePolicySaysSo) {
+  activate();
+  input.stable = false;
+  SourceRequest r = request(SourceAction::kSwitch, kTarget);
+  r.policy = SwitchPolicy::kWhenSafe;
+  hear_target(standing(kTarget));
+  ask(r);
+  for (int i = 0; i < 100; ++i) {
+    hear_target(standing(kTarget));
+    ASSERT_EQ(step(), Transition::kNone);
+    EXPECT_TRUE(handover.wants_rest);
+  }
+  input.stable = true;
+  EXPECT_EQ(step(), Transition::kGranted);
+}
+
+TEST(RefusalText, EveryRefusalHasASentenceOfItsOwn) {
+  std::set<std::string> texts;
+  for (int i = 1; i <= static_cast<int>(Refusal::kDevice); ++i) {
+    const std::string text = refusal_text(static_cast<Refusal>(i));
+    EXPECT_GT(text.size(), 15U) << i;
+    EXPECT_TRUE(texts.insert(text).second) << text;
+  }
+}
+
+}  // namespace
+}  // namespace twinbus

@@ -1,0 +1,58 @@
+#include "bridge/source_events.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace twinbus {
+namespace {
+
+std::string first_sentence(SourceStatus told, const SourceStatus& now, int* severity = nullptr) {
+  Event event;
+  if (!next_sentence(told, now, event)) return "";
+  if (severity != nullptr) *severity = event.severity;
+  return event.text.data();
+}
+
+TEST(SourceEvents, NothingIsSaidWhenNothingChanged) {
+  SourceStatus status;
+  status.role = Role::kActive;
+  EXPECT_EQ(first_sentence(status, status), "");
+}
+
+TEST(SourceEvents, EveryChangeIsSaidOnceAndThenThereIsSilence) {
+  SourceStatus told, now;
+  now.role = Role::kActive;
+  now.stop_kind = StopKind::kHold;
+  now.stop_reason = StopReason::kCommandTimeout;
+  now.refusal = Refusal::kPosture;
+  now.refusal_sequence = 3;
+  now.controller_id = 7;
+  now.clamped = 5;
+  now.terms_ignored = 1;
+  now.adaptor_status = 1;
+  Event event;
+  int said = 0;
+  while (next_sentence(told, now, event)) ASSERT_LT(++said, 20);
+  EXPECT_GE(said, 7);
+  EXPECT_FALSE(next_sentence(told, now, event));
+}
+
+TEST(SourceEvents, AStopIsAnAlarmAndNamesItsReason) {
+  SourceStatus told, now;
+  now.stop_kind = StopKind::kHold;
+  now.stop_reason = StopReason::kCommandTimeout;
+  int severity = 0;
+  EXPECT_NE(first_sentence(told, now, &severity).find("controller"), std::string::npos);
+  EXPECT_EQ(severity, 2);
+}
+
+TEST(SourceEvents, ARefusalSaysWhatTheRefusalTextSays) {
+  SourceStatus told, now;
+  now.refusal = Refusal::kPosture;
+  now.refusal_sequence = 1;
+  EXPECT_NE(first_sentence(told, now).find(refusal_text(Refusal::kPosture)), std::string::npos);
+}
+
+}  // namespace
+}  // namespace twinbus
