@@ -32,6 +32,9 @@ double number_of(const std::string& command, const std::string& name, const std:
 
 OptionSpec prefix_option() { return {"--prefix", "P", "put before every channel, as in R1_ (second robot)"}; }
 OptionSpec url_option() { return {"--url", "URL", "of the bus; default $LCM_DEFAULT_URL, else the port of twinbus"}; }
+OptionSpec allow_option() {
+  return {"--allow", "IP", "another machine that may send to this bus; may be repeated"};
+}
 OptionSpec robot_option() { return {"--robot", "NAME", "of config/robots, or a folder"}; }
 
 std::string help_text(const Syntax& syntax) {

@@ -34,6 +34,7 @@ struct Syntax {
 // Options that every command on the bus has.
 OptionSpec prefix_option();
 OptionSpec url_option();
+OptionSpec allow_option();
 OptionSpec robot_option();
 
 class Arguments {

@@ -22,7 +22,7 @@ double since(std::int64_t start_ns) { return 1e-9 * static_cast<double>(monotoni
 
 BusLink open_bus(const Arguments& arguments) {
   catch_quit_signals();
-  return BusLink(arguments.text("--url", ""), arguments.text("--prefix", ""));
+  return BusLink(arguments.text("--url", ""), arguments.text("--prefix", ""), arguments.all("--allow"));
 }
 
 std::int64_t active_run(BusLink& bus) {
@@ -71,7 +71,8 @@ int motion_command(const std::vector<std::string>& words, Motion motion, const c
   const Arguments arguments({name,
                              "",
                              about,
-                             {{"--amplitude", "M", "metres"}, {"--frequency", "HZ", "per second"}, prefix_option(), url_option()},
+                             {{"--amplitude", "M", "metres"}, {"--frequency", "HZ", "per second"}, prefix_option(), url_option(),
+                              allow_option()},
                              0,
                              0},
                             words);
@@ -90,7 +91,8 @@ int stop_command(const std::vector<std::string>& words) {
                              "[balanced|hold|off]",
                              "Stops the robot: balanced (default) lets the controller make its shortest safe stop, hold freezes the\n"
                              "posture, off lets go.  Works with the controller dead.  Stays until ./twinbus clear.",
-                             {prefix_option(), url_option()},
+                             {prefix_option(), url_option(),
+                              allow_option()},
                              0,
                              1},
                             words);
@@ -128,7 +130,8 @@ int clear_command(const std::vector<std::string>& words) {
                              "",
                              "Ends a stop: the source goes on from where it stands.  A controller that was started again since is\n"
                              "taken on.",
-                             {prefix_option(), url_option()},
+                             {prefix_option(), url_option(),
+                              allow_option()},
                              0,
                              0},
                             words);
@@ -175,7 +178,8 @@ int pose_command(const std::vector<std::string>& words) {
   const Arguments arguments({"pose",
                              "NAME",
                              "Moves to a named pose of the robot's SRDF (group_state), over both feet.",
-                             {robot_option(), {"--duration", "S", "seconds; default 2"}, prefix_option(), url_option()},
+                             {robot_option(), {"--duration", "S", "seconds; default 2"}, prefix_option(), url_option(),
+                              allow_option()},
                              1,
                              1},
                             words);
@@ -204,7 +208,8 @@ int mode_command(const std::vector<std::string>& words) {
   const Arguments arguments({"mode",
                              "idle|hold|balance|walk|stop",
                              "Asks the controller for a mode; it changes without a jump.",
-                             {prefix_option(), url_option()},
+                             {prefix_option(), url_option(),
+                              allow_option()},
                              1,
                              1},
                             words);
@@ -227,7 +232,8 @@ int walk_command(const std::vector<std::string>& words) {
   const Arguments arguments({"walk",
                              "VX VY WZ",
                              "Walks at VX m/s forward, VY m/s to the left, turning WZ rad/s to the left, for some seconds.",
-                             {{"--for", "S", "seconds; default 2"}, prefix_option(), url_option()},
+                             {{"--for", "S", "seconds; default 2"}, prefix_option(), url_option(),
+                              allow_option()},
                              3,
                              3},
                             words);

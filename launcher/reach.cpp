@@ -27,6 +27,7 @@ constexpr double kPlanTimeout = 15.0;  // [s]
 constexpr double kStartTimeout = 2.0;  // from the last piece of the path to the first move [s]
 constexpr double kLate =
     20.0;  // that a path may take longer than planned, when the guard slows it [s]
+constexpr double kHeld = 3.0;          // by the guard, without going on [s]
 constexpr double kSettle = 0.4;        // until the servos have come to rest [s]
 constexpr int kCorrections = 3;        // plans after the first
 constexpr double kNearEnough = 0.002;  // needs no correction [m]
@@ -190,7 +191,7 @@ bool follow(Watcher& watcher, const ArmGoal& goal) {
     std::fprintf(stderr, "%sreach: %s\n", terminal && moving ? "\n" : "", sentence);
     return false;
   };
-  std::int64_t shown = 0;
+  std::int64_t shown = 0, held = 0;
   while (since(begin) < watcher.duration + kLate) {
     if (quit_requested()) {
       cancel(watcher, goal);
@@ -204,10 +205,16 @@ bool follow(Watcher& watcher, const ArmGoal& goal) {
       if (terminal) std::printf("\r  arrived after %.1f s      \n", since(begin));
       return true;
     }
-    if (ours && watcher.status.arm_state == 3)
-      return fail("the guard stopped the arm before something would touch");
+    if (!ours || watcher.status.arm_state != 3) {
+      held = 0;  // or let go again: the arm goes on by itself
+    } else if (held == 0) {
+      held = monotonic_ns();
+    } else if (since(held) > kHeld) {
+      cancel(watcher, goal);
+      return fail("the guard holds the arm before something would touch; the arm stays there");
+    }
     if (moving && !ours && watcher.status.arm_state == 3)
-      return fail("the guard stopped the arm for good");
+      return fail("the guard stopped the arm again and again, and the path was given up");
     if (ours && watcher.status.arm_state == 1) moving = true;
     if (!moving && since(begin) > kStartTimeout) {
       return fail(
@@ -265,7 +272,8 @@ int reach_command(const std::vector<std::string>& words) {
        {{"--speed", "SHARE", "of the joints' velocity limits, 0.01 to 1 (0.4)"},
         robot_option(),
         prefix_option(),
-        url_option()},
+        url_option(),
+        allow_option()},
        1,
        7},
       words);
@@ -275,6 +283,7 @@ int reach_command(const std::vector<std::string>& words) {
   BusOptions options;
   options.url = arguments.text("--url", options.url);
   options.prefix = arguments.text("--prefix", "");
+  options.allow = arguments.all("--allow");
   Watcher watcher(model, options);
 
   const std::int64_t begin = monotonic_ns();

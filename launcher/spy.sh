@@ -1,18 +1,22 @@
 #!/bin/sh
 # lcm-spy on current Java with this project's message types.  The packaged /usr/bin/lcm-spy fails: -Xincgc is gone.
 set -eu
-case "${1:-}" in
-  -h | --help)
-    echo "usage: ./twinbus spy [--check] [--url URL] [arguments of lcm-spy]"
-    echo "Opens lcm-spy; double-click a channel for its fields, a field's line for a plot.  --check only says what is missing."
-    exit 0 ;;
-esac
 check=no
-if [ "${1:-}" = --check ]; then check=yes; shift; fi
-if [ "${1:-}" = --url ]; then
-  [ $# -ge 2 ] || { echo "twinbus spy: --url: needs a value" >&2; exit 2; }
-  LCM_DEFAULT_URL=$2; shift 2
-fi
+while [ $# -gt 0 ]; do
+  case $1 in
+    -h | --help)
+      echo "usage: ./twinbus spy [--check] [--url URL]"
+      echo "Opens lcm-spy; double-click a channel for its fields, a field's line for a plot.  --check only says what is missing."
+      exit 0 ;;
+    --check) check=yes ;;
+    --url)
+      [ $# -ge 2 ] || { echo "twinbus spy: --url needs a value" >&2; exit 2; }
+      LCM_DEFAULT_URL=$2
+      shift ;;
+    *) echo "twinbus spy: unknown argument $1; see ./twinbus spy --help" >&2; exit 2 ;;
+  esac
+  shift
+done
 root=$(cd "$(dirname "$0")/.." && pwd)
 types=${TWINBUS_BUILD:-$root/build/release}/share/types.jar
 missing=
@@ -40,4 +44,4 @@ if [ -z "${DISPLAY:-}" ]; then
 fi
 export LCM_DEFAULT_URL="${LCM_DEFAULT_URL:-udpm://239.255.76.67:17667?ttl=0&recv_buf_size=4194304}"
 export CLASSPATH="$types"  # where lcm-spy looks for types
-exec java -Djava.net.preferIPv4Stack=true -Xmx128m -ea -cp "$lcm:$chart:$types" lcm.spy.Spy "$@"
+exec java -Djava.net.preferIPv4Stack=true -Xmx128m -ea -cp "$lcm:$chart:$types" lcm.spy.Spy

@@ -24,7 +24,8 @@ Syntax status_syntax() {
           {{"--watch", "", "again and again, until Ctrl-C"},
            {"--json", "", "for programs"},
            prefix_option(),
-           url_option()},
+           url_option(),
+           allow_option()},
           0,
           0};
 }
@@ -62,6 +63,9 @@ nlohmann::ordered_json as_json(const Lookout& seen, std::int64_t now_ns) {
                                 {"tick_max_us", b.tick_max_us},
                                 {"wake_p99_us", b.wake_p99_us},
                                 {"ticks_missed", b.ticks_missed},
+                                {"ticks_stalled", b.ticks_stalled},
+                                {"age_us", b.age_us},
+                                {"age_p99_us", b.age_p99_us},
                                 {"allocations", b.allocations},
                                 {"realtime", realtime_name(b.realtime)}});
   }
@@ -74,11 +78,12 @@ nlohmann::ordered_json as_json(const Lookout& seen, std::int64_t now_ns) {
 int status_command(const std::vector<std::string>& words) {
   const Arguments arguments(status_syntax(), words);
   catch_quit_signals();
-  BusLink bus(arguments.text("--url", ""), arguments.text("--prefix", ""));
+  BusLink bus(arguments.text("--url", ""), arguments.text("--prefix", ""), arguments.all("--allow"));
   Redraw redraw;
+  CpuShare shares;
   bus.listen(kLookFor);
   while (arguments.has("--watch") && !quit_requested()) {
-    const std::vector<std::string> lines = table_lines(bus.seen(), monotonic_ns());
+    const std::vector<std::string> lines = table_lines(bus.seen(), shares, monotonic_ns());
     if (isatty(STDOUT_FILENO) != 0) {
       redraw.draw(lines);
     } else {
@@ -91,7 +96,7 @@ int status_command(const std::vector<std::string>& words) {
   if (arguments.has("--json")) {
     std::printf("%s\n", as_json(bus.seen(), now).dump(2).c_str());
   } else if (!arguments.has("--watch")) {
-    for (const std::string& line : table_lines(bus.seen(), now)) std::printf("%s\n", line.c_str());
+    for (const std::string& line : table_lines(bus.seen(), shares, now)) std::printf("%s\n", line.c_str());
   }
   if (!bus.seen().sources(now).empty()) return 0;
   if (!arguments.has("--watch")) {

@@ -31,7 +31,8 @@ Syntax switch_syntax() {
            {"--standby", "S", "of the target until then: shadow or track; default track where a state can be imposed"},
            {"--run", "ID", "of the target, where there are several of its kind (see ./twinbus status --json)"},
            prefix_option(),
-           url_option()},
+           url_option(),
+           allow_option()},
           1,
           1};
 }
@@ -170,7 +171,7 @@ int switch_command(const std::vector<std::string>& words) {
   const auto wanted_run = static_cast<std::int64_t>(arguments.number("--run", 0.0, 1.0, 9007199254740991.0));
   catch_quit_signals();
 
-  BusLink bus(arguments.text("--url", ""), arguments.text("--prefix", ""));
+  BusLink bus(arguments.text("--url", ""), arguments.text("--prefix", ""), arguments.all("--allow"));
   const SeenSource* active = wait_for_active(bus, 1.0);
   if (active == nullptr) throw std::runtime_error("no source is active on " + bus.url() + "; start one with ./twinbus up");
   const SeenSource from = *active;

@@ -22,7 +22,6 @@ CONSUMED = ("STATE", "COMMAND", "SOURCE_REQUEST", "CONTROLLER_REQUEST", "MODE_RE
             "GAMEPAD", "ARM_PATH", "OBSTACLES", "CONTROLLER_STATUS")
 TYPES = dict(harness.CHANNEL_TYPES, WALK="walk_command_t", GAMEPAD="gamepad_t", OBSTACLES="obstacles_t")
 PROGRAMS = ("twinbus_simulator", "twinbus_bridge", "twinbus_controller", "twinbus_guard", "twinbus_planner")
-WHOLE = {"int8_t": 1, "int16_t": 2, "int32_t": 4, "int64_t": 8}
 LARGEST_TILT = math.radians(3)
 
 
@@ -67,23 +66,23 @@ class Watched:
         checks.that(not dead, f"{what}: no process ended")
 
 
-def fields(kind):
-    """(name, type, sizes) of a message type."""
-    return zip(kind.__slots__, kind.__typenames__, kind.__dimensions__)
+def first_number(value):
+    while isinstance(value, (list, tuple)):
+        value = value[0]
+    return value
 
 
-def with_value(message, name, sizes, value):
-    """Encodes the message with one element of one field replaced; integers and numbers alike."""
+def replaced(value, number):
+    """The same shape with its first number replaced."""
+    if isinstance(value, (list, tuple)):
+        return [replaced(value[0], number), *value[1:]]
+    return number
+
+
+def with_value(message, name, number):
+    """Encodes the message with one number of one field replaced."""
     old = getattr(message, name)
-    if sizes is None:
-        new = value
-    elif len(sizes) == 1:
-        new = list(old)
-        new[0] = value
-    else:
-        new = [list(row) for row in old]
-        new[0][0] = value
-    setattr(message, name, new)
+    setattr(message, name, replaced(old, number))
     try:
         return message.encode()
     finally:
@@ -100,15 +99,15 @@ def bad_values(bus, watched, checks):
             if name in kind.__slots__ and getattr(message, name) == 0:
                 source = watched.status if name == "controller_id" else watched.state
                 setattr(message, name, getattr(source, name))
-        for name, type_name, sizes in fields(kind):
-            if type_name in ("double", "float"):
+        for name in kind.__slots__:
+            if isinstance(first_number(getattr(message, name)), float):
                 values = (math.nan, math.inf, -math.inf, 3e38, -3e38)
             elif name in ("kind", "action", "policy", "mode", "motion", "joint_count", "role", "source", "side", "count"):
                 values = (-1, 100)
             else:
                 continue
             for value in values:
-                bus.send_raw(channel, with_value(message, name, sizes, value))
+                bus.send_raw(channel, with_value(message, name, value))
                 sent[channel] = sent.get(channel, 0) + 1
         time.sleep(0.02)
     return sent
@@ -204,7 +203,7 @@ def record_a_run(folder, checks):
     """A log with states, commands and what an operator asked for."""
     log = os.path.join(folder, "old.log")
     with Stack("sway", "--stack", "both", "--no-viewer"):
-        logger = subprocess.Popen(["lcm-logger", "-q", "-f", "-l", URL, log], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        logger = subprocess.Popen(["lcm-logger", "-q", "-f", f"--lcm-url={URL}", log], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         time.sleep(0.7)
         for words in (("squat",), ("mode", "hold"), ("mode", "balance"), ("switch", "bridge", "--policy", "now")):
             cli(*words)
