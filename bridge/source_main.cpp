@@ -10,6 +10,7 @@
 #include "bridge/source_events.h"
 #include "lcmtypes/bus.h"
 #include "lcmtypes/channels.h"
+#include "robot/missed_ticks.h"
 #include "robot/process.h"
 #include "robot/rate_stats.h"
 #include "test/no_alloc.h"
@@ -22,7 +23,7 @@ constexpr double kCommandDeadline = 0.6;  // of the period, then the command is 
 constexpr std::int64_t kStatusEvery_ns = 100'000'000;
 constexpr std::int64_t kSecond_ns = 1'000'000'000;
 constexpr double kResendEvery = 0.020;  // lock-step [s]
-constexpr int kLastTicks = 25;         // of a robot that is held before the process ends
+constexpr int kLastTicks = 25;          // of a robot that is held before the process ends
 
 const char* own_channel(SourceKind kind) {
   switch (kind) {
@@ -59,6 +60,7 @@ class Shell {
     beat_.realtime = static_cast<std::int8_t>(real_time);
     told_ = source_.status();
     told_.role = Role::kNone;
+    if (!options.lockstep) missed_.watch(period_ns_);
     listen();
   }
 
@@ -71,9 +73,7 @@ class Shell {
     while (!finished()) {
       NoAlloc no_alloc;
       wait_until(due);
-      const std::int64_t late = monotonic_ns() - due;
-      wake_.add(late);
-      if (late > period_ns_ / 2 && source_.publishes_on_state() && !lockstep_now()) ++missed_;
+      wake_.add(monotonic_ns() - due);
       tick(due);
       due = next_due(due);
       allocations_ += no_alloc.count();
@@ -138,7 +138,11 @@ class Shell {
     source_.begin_tick(begin);
     const RobotState& state = source_.state();
     if (source_.publishes_on_state() && first_tick_ == 0) first_tick_ = state.tick;
+    const std::int64_t sent = monotonic_ns();
     publish_state();
+    if (source_.publishes_on_state() && !lockstep_now() && sent - due > period_ns_ / 2) {
+      missed_.add(1, sent - due - period_ns_ / 2, due - 2 * period_ns_, sent);
+    }
     if (const SimTruth* truth = adaptor_.truth();
         truth != nullptr && source_.publishes_on_state()) {
       truth_ = *truth;
@@ -158,13 +162,19 @@ class Shell {
       }
     }
     const std::int64_t answered = monotonic_ns();
-    if (source_.publishes_on_state() && source_.command_ready()) age_.add(answered - published);
+    // A tick without an answer counts with the whole time that was waited.
+    if (is_commanded()) age_.add(answered - sent);
     source_.end_tick(answered);
     ++ticks_;
     ++window_ticks_;
     report(answered);
     const std::int64_t end = monotonic_ns();
     work_.add((published - begin) + (end - answered));
+  }
+
+  bool is_commanded() const {
+    const SourceStatus& s = source_.status();
+    return s.role == Role::kActive && s.controller_id != 0 && s.stop_kind == StopKind::kNone;
   }
 
   void publish_state() {
@@ -201,7 +211,9 @@ class Shell {
     if (options_.rate == 1.0) next = source_.next_tick_due_ns(due);
     const std::int64_t now = monotonic_ns();
     if (next < now - period_ns_) {
-      if (source_.publishes_on_state() && !options_.lockstep) missed_ += (now - next) / period_ns_;
+      if (source_.publishes_on_state() && !options_.lockstep) {
+        missed_.add((now - next) / period_ns_, now - next - period_ns_, due - period_ns_, now);
+      }
       next += (now - next) / period_ns_ * period_ns_;
     }
     return next;
@@ -231,7 +243,7 @@ class Shell {
 
   void report(std::int64_t now) {
     SourceStatus status = source_.status();
-    status.ticks_missed = missed_;
+    status.ticks_missed = missed_.count();
     const bool changed = status.role != told_.role || status.stop_kind != told_.stop_kind ||
                          status.refusal != told_.refusal || status.term != told_term_ ||
                          status.refusal_sequence != told_.refusal_sequence ||
@@ -265,10 +277,11 @@ class Shell {
     beat_.messages_rejected = counters.rejected + status.commands_rejected + status.terms_ignored;
     beat_.messages_lost = counters.lost;
     beat_.ticks = ticks_;
-    beat_.ticks_missed = missed_;
+    missed_.tell(beat_);
     beat_.allocations = allocations_counted() ? allocations_ : -1;
     beat_.send_failures = static_cast<std::int32_t>(send_failures_);
     beat_.age_us = static_cast<float>(1e-3 * age_.median_ns());
+    beat_.age_p99_us = static_cast<float>(1e-3 * age_.p99_ns());
     beat_.tick_median_us = static_cast<float>(1e-3 * work_.median_ns());
     beat_.tick_p99_us = static_cast<float>(1e-3 * work_.p99_ns());
     beat_.tick_max_us = static_cast<float>(1e-3 * static_cast<double>(work_.max_ns()));
@@ -388,10 +401,10 @@ class Shell {
   SimTruth truth_;
   SourceStatus told_;
   Heartbeat beat_;
+  MissedTicks missed_;
   RateStats work_, age_, wake_;
-  std::int64_t period_ns_ = 0, first_tick_ = 0, ticks_ = 0, window_ticks_ = 0, missed_ = 0,
-               send_failures_ = 0, allocations_ = 0, status_ns_ = 0, beat_ns_ = 0, window_ns_ = 0,
-               next_text_ns_ = 0;
+  std::int64_t period_ns_ = 0, first_tick_ = 0, ticks_ = 0, window_ticks_ = 0, send_failures_ = 0,
+               allocations_ = 0, status_ns_ = 0, beat_ns_ = 0, window_ns_ = 0, next_text_ns_ = 0;
   std::size_t next_text_ = 0;
   std::int32_t event_sequence_ = 0, told_term_ = 0, told_nonce_ = 0;
   bool bus_gone_ = false;

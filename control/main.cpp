@@ -17,6 +17,7 @@
 #include "lcmtypes/bus.h"
 #include "lcmtypes/channels.h"
 #include "robot/load.h"
+#include "robot/missed_ticks.h"
 #include "robot/options.h"
 #include "robot/process.h"
 #include "robot/rate_stats.h"
@@ -97,6 +98,7 @@ class Controller {
     beat_.kind = ProcessKind::kController;
     beat_.pid = static_cast<std::int32_t>(::getpid());
     beat_.realtime = static_cast<std::int8_t>(real_time);
+    missed_.watch(model.period_ns);
     listen();
   }
 
@@ -153,8 +155,14 @@ class Controller {
     const std::int64_t now = monotonic_ns();
     const std::int64_t last = admission_.run_id();
     if (!admission_.admit(state, now)) return;
-    if (ticks_ > 0 && last == state.run_id && state.tick > state_.tick + 1)
-      missed_ += state.tick - state_.tick - 1;
+    if (ticks_ > 0 && last == state.run_id) {
+      // Ticks that never came, and one that came but was overtaken before it was answered.
+      const std::int64_t unanswered =
+          std::max<std::int64_t>(state.tick - state_.tick - 1, 0) + (fresh_ ? 1 : 0);
+      if (unanswered > 0) {
+        missed_.add(unanswered, model_.period_ns / 2, heard_ns_ - model_.period_ns, now);
+      }
+    }
     state_ = state;
     heard_ns_ = now;
     fresh_ = true;
@@ -216,13 +224,14 @@ class Controller {
     beat_.utime = wall_us();
     beat_.messages_received = c.received;
     beat_.messages_rejected = c.rejected + rejected_ + admission_.ignored();
-    beat_.messages_lost = missed_;
+    beat_.messages_lost = missed_.count();
     beat_.ticks = ticks_;
-    beat_.ticks_missed = missed_;
+    missed_.tell(beat_);
     beat_.allocations = allocations_counted() ? allocations_ : -1;
     beat_.send_failures =
         static_cast<std::int32_t>(std::min<std::int64_t>(c.send_failures, INT32_MAX));
     beat_.age_us = static_cast<float>(1e-3 * age_.median_ns());
+    beat_.age_p99_us = static_cast<float>(1e-3 * age_.p99_ns());
     beat_.tick_median_us = static_cast<float>(1e-3 * compute_.median_ns());
     beat_.tick_p99_us = static_cast<float>(1e-3 * compute_.p99_ns());
     beat_.tick_max_us = static_cast<float>(1e-3 * static_cast<double>(compute_.max_ns()));
@@ -286,11 +295,11 @@ class Controller {
   RobotState state_;
   JointCommand command_;
   RateStats compute_, age_;
+  MissedTicks missed_;
   Heartbeat beat_;
   std::int64_t heard_ns_ = 0, beat_ns_ = 0, start_ns_ = 0, window_ns_ = 0, window_ticks_ = 0,
                told_ns_ = 0;
-  std::int64_t ticks_ = 0, missed_ = 0, rejected_ = 0, allocations_ = 0, send_failures_ = 0,
-               next_stop_tick_ = 0;
+  std::int64_t ticks_ = 0, rejected_ = 0, allocations_ = 0, send_failures_ = 0, next_stop_tick_ = 0;
   std::int32_t sequence_ = 0, event_sequence_ = 0;
   const char* last_sentence_ = nullptr;
 

@@ -145,6 +145,11 @@ void check_real_time(Report& report, bool in_detail) {
              locked ? "memory can be locked" : std::string("memory cannot be locked (") + std::strerror(errno) + ")",
              "echo '@sudo - memlock unlimited' | sudo tee -a /etc/security/limits.d/twinbus.conf, and log in again");
   if (locked) munlockall();
+  const bool awake = access("/dev/cpu_dma_latency", W_OK) == 0;
+  report.add(awake ? Health::kGood : Health::kCould,
+             awake ? "CPUs are kept awake between ticks while a stack runs (TWINBUS_CPU_SLEEP=1 saves their power instead)"
+                   : "/dev/cpu_dma_latency cannot be written: CPUs may sleep between ticks and wake late",
+             "sudo chmod o+w /dev/cpu_dma_latency");
   const std::string runtime = first_line("/proc/sys/kernel/sched_rt_runtime_us");
   report.add(Health::kGood, "share of a CPU for real-time tasks: " + (runtime.empty() ? "unknown" : runtime) + " us per 1000000");
   report.add(fs::exists("/sys/kernel/realtime") ? Health::kGood : Health::kCould,

@@ -24,47 +24,67 @@ std::string age_text(double seconds) {
 }
 
 std::string stream_line(const char* name, const Meter& meter, std::int64_t now_ns) {
-  return line_of("  %-18s %8.1f Hz %10s %10lld lost", name, meter.rate(now_ns), age_text(meter.age(now_ns)).c_str(),
+  return line_of("  %-10s %7.1f %9s %7lld", name, meter.rate(now_ns), age_text(meter.age(now_ns)).c_str(),
                  static_cast<long long>(meter.lost()));
 }
 
 std::string source_line(const SeenSource& source, std::int64_t now_ns) {
   const SourceStatus& s = source.status;
-  std::string line = line_of("  %-10s %-9s %4d %8.1f Hz %7lld missed %6lld late %6lld rejected", source_name(s.source),
-                             role_name(s.role), s.term, source.states.rate(now_ns), static_cast<long long>(s.ticks_missed),
+  std::string line = line_of("  %-10s %7.1f %9s %5d %8lld %6lld %9lld", source_name(s.source), source.states.rate(now_ns),
+                             role_name(s.role), s.term, static_cast<long long>(s.ticks_missed),
                              static_cast<long long>(s.commands_late), static_cast<long long>(s.commands_rejected));
   if (s.stop_kind != StopKind::kNone) line += std::string("  STOP ") + stop_name(s.stop_kind);
   if (s.adaptor_status != 0) line += std::string("  ") + to_text(static_cast<Status>(s.adaptor_status));
   return line;
 }
 
-std::string process_line(const SeenProcess& process) {
+// Viewer, planner and gamepad have no ticks to be missed.
+bool has_ticks(ProcessKind kind) {
+  return kind == ProcessKind::kSimulator || kind == ProcessKind::kBridge || kind == ProcessKind::kController ||
+         kind == ProcessKind::kGuard;
+}
+
+std::string process_line(const SeenProcess& process, double cpu) {
   const Heartbeat& b = process.beat;
-  return line_of("  %-10s %7d %8.1f Hz %7.0f %7.0f %7.0f us %7lld missed %4lld alloc  %s", process_name(b.kind), b.pid,
-                 static_cast<double>(b.rate), static_cast<double>(b.tick_median_us), static_cast<double>(b.tick_p99_us),
-                 static_cast<double>(b.tick_max_us), static_cast<long long>(b.ticks_missed),
-                 static_cast<long long>(b.allocations), realtime_name(b.realtime));
+  std::string line = line_of("  %-10s %7.1f %9d %5.0f", process_name(b.kind), static_cast<double>(b.rate), b.pid, 1e2 * cpu);
+  if (!has_ticks(b.kind)) return line;
+  return line + line_of(" %8lld %6.0f %6.0f %6.0f %6lld  %s", static_cast<long long>(b.ticks_missed),
+                        static_cast<double>(b.tick_median_us), static_cast<double>(b.tick_p99_us),
+                        static_cast<double>(b.tick_max_us), static_cast<long long>(b.allocations),
+                        realtime_name(b.realtime));
+}
+
+const char* guard_word(const Lookout& seen, std::int64_t now_ns) {
+  if (seen.guard().age(now_ns) > 1.0) return "silent";
+  return seen.newest_guard().verdict >= GuardVerdict::kWillCollide ? "holds joints" : "clear";
 }
 
 }  // namespace
 
-std::vector<std::string> table_lines(const Lookout& seen, std::int64_t now_ns) {
+std::vector<std::string> table_lines(const Lookout& seen, CpuShare& shares, std::int64_t now_ns) {
   std::vector<std::string> lines;
-  lines.push_back("source     role      term     rate");
+  lines.push_back("source            Hz      role  term   missed   late  rejected");
   for (const SeenSource* source : seen.sources(now_ns)) lines.push_back(source_line(*source, now_ns));
-  lines.push_back("stream                 rate        age");
+  lines.push_back("stream            Hz       age    lost");
   lines.push_back(stream_line("STATE", seen.state(), now_ns));
   lines.push_back(stream_line("COMMAND", seen.command(), now_ns));
   if (seen.guard().received() > 0) lines.push_back(stream_line("GUARD", seen.guard(), now_ns));
-  lines.push_back("process        pid     rate    median     p99     max");
-  for (const SeenProcess* process : seen.processes(now_ns)) lines.push_back(process_line(*process));
+  lines.push_back("process           Hz       pid cpu %   missed    p50    p99 max us alloc");
+  for (const SeenProcess* process : seen.processes(now_ns)) {
+    lines.push_back(process_line(*process, shares.recent(process->beat.pid, now_ns)));
+  }
   if (seen.controller_statuses().age(now_ns) < 1.0) {
     const ControllerStatus& c = seen.controller();
-    lines.push_back(line_of("controller: mode %s, ZMP margin %.1f mm, guard %s", mode_name(c.mode),
-                            1e3 * static_cast<double>(c.zmp_margin),
-                            seen.guard().age(now_ns) > 1.0                                       ? "silent"
-                            : seen.newest_guard().verdict >= GuardVerdict::kWillCollide ? "holds joints"
-                                                                                                 : "clear"));
+    lines.push_back(line_of("robot: mode %s, ZMP margin %.1f mm, guard %s", mode_name(c.mode),
+                            1e3 * static_cast<double>(c.zmp_margin), guard_word(seen, now_ns)));
+  }
+  for (const SeenProcess* process : seen.processes(now_ns)) {
+    const Heartbeat& b = process->beat;
+    const SeenSource* active = seen.active(now_ns);
+    if (active == nullptr || active->status.run_id != b.process_id || !(b.age_us > 0.0F)) continue;
+    lines.push_back(line_of("STATE to COMMAND: median %.0f us, 99 %% within %.0f us; machine stood still for %lld of the missed",
+                            static_cast<double>(b.age_us), static_cast<double>(b.age_p99_us),
+                            static_cast<long long>(b.ticks_stalled)));
   }
   return lines;
 }

@@ -6,12 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "launcher/cpu_share.h"
 #include "launcher/lookout.h"
 
 namespace twinbus {
 
 // At most about 20 lines, each shorter than 100 characters.
-std::vector<std::string> table_lines(const Lookout& seen, std::int64_t now_ns);
+// shares: of the processes of this machine.
+std::vector<std::string> table_lines(const Lookout& seen, CpuShare& shares, std::int64_t now_ns);
 // All of it in one line, for a log.
 std::string summary_line(const Lookout& seen, std::int64_t now_ns);
 

@@ -11,13 +11,20 @@ namespace {
 
 constexpr double kMissedWithFifo = 0.001;     // share of ticks
 constexpr double kMissedWithoutFifo = 0.01;
+constexpr double kMachineTooBad = 0.01;       // share of ticks that a bare timer missed
 constexpr double kRateTolerance = 0.01;       // share of the rate asked for
 constexpr double kDegrees = 57.29577951308232;
 
 std::string text(const char* format, double a, double b = 0.0) {
-  char line[160];
+  char line[320];
   std::snprintf(line, sizeof line, format, a, b);
   return line;
+}
+
+bool is_source(ProcessKind kind) { return kind == ProcessKind::kSimulator || kind == ProcessKind::kBridge; }
+
+double share_of(std::int64_t part, std::int64_t ticks) {
+  return ticks > 0 ? static_cast<double>(part) / static_cast<double>(ticks) : 0.0;
 }
 
 // NaN and "never" become null: JSON has no words for them.
@@ -28,12 +35,20 @@ nlohmann::json number(double value) {
 
 }  // namespace
 
-std::int64_t controller_missed_ticks(const Lookout& seen, std::int64_t now_ns) {
-  std::int64_t missed = 0;
+MissedCounts missed_so_far(const Lookout& seen, std::int64_t now_ns) {
+  MissedCounts counts;
   for (const SeenProcess* process : seen.processes(now_ns, 2.0)) {
-    if (process->beat.kind == ProcessKind::kController) missed += process->beat.ticks_missed;
+    const Heartbeat& beat = process->beat;
+    if (beat.kind == ProcessKind::kController) {
+      counts.controller += beat.ticks_missed;
+      counts.controller_stalled += beat.ticks_stalled;
+    } else if (is_source(beat.kind)) {
+      counts.source += beat.ticks_missed;
+      counts.source_stalled += beat.ticks_stalled;
+      counts.timer = std::max(counts.timer, beat.timer_missed);
+    }
   }
-  return missed;
+  return counts;
 }
 
 bool runs_at_fifo(const Lookout& seen, std::int64_t now_ns) {
@@ -42,17 +57,16 @@ bool runs_at_fifo(const Lookout& seen, std::int64_t now_ns) {
   bool all = true;
   for (const SeenProcess* process : seen.processes(now_ns, 2.0)) {
     const ProcessKind kind = process->beat.kind;
-    const bool is_source = kind == ProcessKind::kSimulator || kind == ProcessKind::kBridge;
     const bool is_controller = kind == ProcessKind::kController;
-    if (!is_source && !is_controller) continue;
-    source = source || is_source;
+    if (!is_source(kind) && !is_controller) continue;
+    source = source || is_source(kind);
     controller = controller || is_controller;
     all = all && process->beat.realtime >= 1;
   }
   return source && controller && all;
 }
 
-RunVerdict judge(const Lookout& seen, const RunRequest& request, const CountersAtStart& start, std::int64_t now_ns) {
+RunVerdict judge(const Lookout& seen, const RunRequest& request, const MissedCounts& start, std::int64_t now_ns) {
   RunVerdict verdict;
   verdict.ticks = seen.state().received();
   verdict.state_rate = seen.state().mean_rate();
@@ -62,15 +76,27 @@ RunVerdict judge(const Lookout& seen, const RunRequest& request, const CountersA
   verdict.missed_allowed = verdict.fifo ? kMissedWithFifo : kMissedWithoutFifo;
   verdict.fell = seen.figures().fell;
   if (const SeenSource* active = seen.active(now_ns)) {
-    verdict.source_missed = active->status.ticks_missed - start.source_missed;
     if (active->status.role == Role::kStopped) {
       verdict.failures.push_back(std::string("the source is stopped (") + stop_name(active->status.stop_kind) + ")");
+    }
+    for (const SeenProcess* process : seen.processes(now_ns, 2.0)) {
+      if (process->beat.process_id != active->status.run_id) continue;
+      verdict.answer_median_us = static_cast<double>(process->beat.age_us);
+      verdict.answer_p99_us = static_cast<double>(process->beat.age_p99_us);
     }
   } else {
     verdict.failures.push_back("no source is active at the end");
   }
-  verdict.controller_missed = controller_missed_ticks(seen, now_ns) - start.controller_missed;
+  const MissedCounts end = missed_so_far(seen, now_ns);
+  verdict.source_missed = std::max<std::int64_t>(end.source - start.source, 0);
+  verdict.controller_missed = std::max<std::int64_t>(end.controller - start.controller, 0);
+  const std::int64_t source_stalled = std::max<std::int64_t>(end.source_stalled - start.source_stalled, 0);
+  const std::int64_t controller_stalled = std::max<std::int64_t>(end.controller_stalled - start.controller_stalled, 0);
+  const std::int64_t source_own = verdict.source_missed - source_stalled;
+  const std::int64_t controller_own = verdict.controller_missed - controller_stalled;
   verdict.missed = std::max(verdict.source_missed, verdict.controller_missed);
+  verdict.stalled = verdict.missed - std::max(source_own, controller_own);
+  if (end.timer >= 0) verdict.timer_missed = end.timer - std::max<std::int64_t>(start.timer, 0);
 
   if (!request.lockstep) {
     for (const auto& [name, rate] : {std::pair("STATE", verdict.state_rate), std::pair("COMMAND", verdict.command_rate)}) {
@@ -78,7 +104,7 @@ RunVerdict judge(const Lookout& seen, const RunRequest& request, const CountersA
         verdict.failures.push_back(std::string(name) + text(" came at %.1f Hz, %.1f Hz were asked", rate, verdict.rate_wanted));
       }
     }
-    const double share = verdict.ticks > 0 ? static_cast<double>(verdict.missed) / static_cast<double>(verdict.ticks) : 1.0;
+    const double share = verdict.ticks > 0 ? share_of(verdict.missed - verdict.stalled, verdict.ticks) : 1.0;
     if (!(share <= verdict.missed_allowed)) {
       verdict.failures.push_back(text("%.3f %% of ticks missed, %.1f %% allowed", 1e2 * share, 1e2 * verdict.missed_allowed));
     }
@@ -92,13 +118,35 @@ std::vector<std::string> verdict_lines(const RunVerdict& verdict, const RunReque
   std::vector<std::string> lines;
   lines.push_back(text("STATE %.1f Hz, COMMAND %.1f Hz", verdict.state_rate, verdict.command_rate) +
                   (request.lockstep ? " (lock-step)" : text(", asked %.1f Hz", verdict.rate_wanted)));
-  const double share = verdict.ticks > 0 ? 1e2 * static_cast<double>(verdict.missed) / static_cast<double>(verdict.ticks) : 0.0;
-  char line[200];
-  std::snprintf(line, sizeof line, "missed %lld of %lld ticks (%.3f %%, at most %.1f %% %s FIFO; source %lld, controller %lld)",
-                static_cast<long long>(verdict.missed), static_cast<long long>(verdict.ticks), share,
-                1e2 * verdict.missed_allowed, verdict.fifo ? "with" : "without",
-                static_cast<long long>(verdict.source_missed), static_cast<long long>(verdict.controller_missed));
-  lines.push_back(line);
+  char line[320];
+  std::snprintf(line, sizeof line, "missed %lld of %lld ticks (%.3f %%; source %lld, controller %lld)",
+                static_cast<long long>(verdict.missed), static_cast<long long>(verdict.ticks),
+                1e2 * share_of(verdict.missed, verdict.ticks), static_cast<long long>(verdict.source_missed),
+                static_cast<long long>(verdict.controller_missed));
+  std::string missed = line;
+  if (verdict.timer_missed >= 0) {
+    std::snprintf(line, sizeof line,
+                  ", of which %lld while the machine itself stood still (a bare timer of higher priority stood still too)",
+                  static_cast<long long>(verdict.stalled));
+    missed += line;
+  }
+  lines.push_back(missed);
+  if (!request.lockstep) {
+    std::snprintf(line, sizeof line, "our own: %lld ticks (%.3f %%, at most %.1f %% %s FIFO)",
+                  static_cast<long long>(verdict.missed - verdict.stalled),
+                  1e2 * share_of(verdict.missed - verdict.stalled, verdict.ticks), 1e2 * verdict.missed_allowed,
+                  verdict.fifo ? "with" : "WITHOUT");
+    lines.push_back(line);
+  }
+  if (verdict.timer_missed > 0 && share_of(verdict.timer_missed, verdict.ticks) > kMachineTooBad) {
+    lines.push_back(text("this machine is too restless for real time: a bare timer misses %.1f %% of the ticks by itself; "
+                         "end other programs, or use a machine that is not shared (./twinbus doctor --rt)",
+                         1e2 * share_of(verdict.timer_missed, verdict.ticks)));
+  }
+  if (verdict.answer_median_us > 0.0) {
+    lines.push_back(text("STATE sent to COMMAND obeyed: median %.0f us, 99 %% within %.0f us", verdict.answer_median_us,
+                         verdict.answer_p99_us));
+  }
   lines.push_back(verdict.fell ? "the robot fell" : "no fall");
   for (const std::string& failure : verdict.failures) lines.push_back("FAILED: " + failure);
   if (verdict.passed) lines.push_back("passed");
@@ -134,6 +182,10 @@ std::string report_json(const RunVerdict& verdict, const RunRequest& request, co
   report["fifo"] = verdict.fifo;
   report["state_hz"] = number(verdict.state_rate);
   report["command_hz"] = number(verdict.command_rate);
+  report["stalled_ticks"] = verdict.stalled;
+  report["bare_timer_missed_ticks"] = verdict.timer_missed;
+  report["answer_median_us"] = number(verdict.answer_median_us);
+  report["answer_p99_us"] = number(verdict.answer_p99_us);
   report["source_missed_ticks"] = verdict.source_missed;
   report["controller_missed_ticks"] = verdict.controller_missed;
   report["lockstep"] = request.lockstep;

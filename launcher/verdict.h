@@ -23,18 +23,26 @@ struct RunRequest {
   double duration = 0.0;    // asked for [s]; 0: until Ctrl-C
 };
 
-// Counters of processes when the measured part began; they go on counting from their own start.
-struct CountersAtStart {
-  std::int64_t source_missed = 0;
-  std::int64_t controller_missed = 0;
+// Ticks that sources and controllers have missed since they started, and how many of those would have been in time had
+// the machine not stood still.
+struct MissedCounts {
+  std::int64_t source = 0;
+  std::int64_t source_stalled = 0;
+  std::int64_t controller = 0;
+  std::int64_t controller_stalled = 0;
+  std::int64_t timer = -1;  // ticks that a bare timer of higher priority missed; -1: there was none
 };
 
 struct RunVerdict {
   std::int64_t ticks = 0;
   std::int64_t missed = 0;          // the worse of what source and controller counted
+  std::int64_t stalled = 0;         // of these, by the machine
   std::int64_t source_missed = 0;
   std::int64_t controller_missed = 0;
-  double missed_allowed = 0.0;      // share
+  std::int64_t timer_missed = -1;
+  double missed_allowed = 0.0;      // share, of what is not the machine's
+  double answer_median_us = 0.0;    // from STATE sent to COMMAND obeyed, as the source sees it; 0 unknown
+  double answer_p99_us = 0.0;
   double state_rate = 0.0;          // [Hz]
   double command_rate = 0.0;
   double rate_wanted = 0.0;
@@ -44,11 +52,11 @@ struct RunVerdict {
   std::vector<std::string> failures;  // one sentence each
 };
 
-std::int64_t controller_missed_ticks(const Lookout& seen, std::int64_t now_ns);
+MissedCounts missed_so_far(const Lookout& seen, std::int64_t now_ns);
 // Source and controller both run at FIFO priority.
 bool runs_at_fifo(const Lookout& seen, std::int64_t now_ns);
 
-RunVerdict judge(const Lookout& seen, const RunRequest& request, const CountersAtStart& start, std::int64_t now_ns);
+RunVerdict judge(const Lookout& seen, const RunRequest& request, const MissedCounts& start, std::int64_t now_ns);
 
 // Lines for people.
 std::vector<std::string> verdict_lines(const RunVerdict& verdict, const RunRequest& request);

@@ -291,11 +291,14 @@ void fields(C& c, M& m, S& s) noexcept {
   c.id(m.messages_lost, s.messages_lost);
   c.id(m.ticks, s.ticks);
   c.id(m.ticks_missed, s.ticks_missed);
+  c.id(m.ticks_stalled, s.ticks_stalled);
+  c.within(m.timer_missed, s.timer_missed, std::int64_t{-1}, kIds - 1);
   c.within(m.allocations, s.allocations, std::int64_t{-1}, kIds - 1);
   c.within(m.pid, s.pid, 0, 0x7fffffff);
   c.within(m.send_failures, s.send_failures, 0, 0x7fffffff);
   c(m.rate, s.rate);
   c(m.age_us, s.age_us);
+  c(m.age_p99_us, s.age_p99_us);
   c(m.tick_median_us, s.tick_median_us);
   c(m.tick_p99_us, s.tick_p99_us);
   c(m.tick_max_us, s.tick_max_us);

@@ -108,7 +108,7 @@ struct Wire<SimTruth> : WireBase<487, true> {
   static std::int64_t count(const SimTruth& x) noexcept { return x.tick; }
 };
 template <>
-struct Wire<Heartbeat> : WireBase<107, false> {
+struct Wire<Heartbeat> : WireBase<127, false> {
   static std::int64_t sender(const Heartbeat& x) noexcept { return x.process_id; }
 };
 template <>

@@ -1,5 +1,6 @@
 #include "robot/process.h"
 
+#include <fcntl.h>
 #include <pthread.h>
 #include <sched.h>
 #include <sys/mman.h>
@@ -8,6 +9,7 @@
 
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <ctime>
 #include <random>
@@ -27,6 +29,21 @@ extern "C" void on_quit_signal(int number) {
 void touch_stack() {
   volatile char block[256 * 1024];
   for (std::size_t i = 0; i < sizeof(block); i += 1024) block[i] = 0;
+}
+
+bool is_set_to(const char* variable, const char* value) {
+  const char* set = std::getenv(variable);
+  return set != nullptr && std::strcmp(set, value) == 0;
+}
+
+// A CPU that sleeps deeply between two ticks wakes late for the next.  The kernel keeps them awake
+// as long as this file is open, that is until the process ends.
+void keep_cpus_awake() {
+  if (is_set_to("TWINBUS_CPU_SLEEP", "1")) return;
+  const int file = open("/dev/cpu_dma_latency", O_WRONLY | O_CLOEXEC);
+  if (file < 0) return;  // the doctor says so
+  const std::int32_t allowed_us = 0;
+  if (write(file, &allowed_us, sizeof allowed_us) != sizeof allowed_us) close(file);
 }
 
 }  // namespace
@@ -78,6 +95,10 @@ RealTime enter_real_time(int priority, std::string* why) {
     if (why != nullptr) *why = text;
   };
   tell("");
+  if (is_set_to("TWINBUS_FIFO", "0")) {
+    tell("no FIFO priority, as asked by TWINBUS_FIFO=0");
+    return RealTime::kNone;
+  }
   sched_param parameters = {};
   parameters.sched_priority = priority;
   const int error = pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters);
@@ -87,6 +108,7 @@ RealTime enter_real_time(int priority, std::string* why) {
     return RealTime::kNone;
   }
   touch_stack();
+  keep_cpus_awake();
   if (mlockall(MCL_CURRENT | MCL_FUTURE) != 0) {
     tell(std::string("memory not locked (") + std::strerror(errno) +
          "): allow it with ulimit -l unlimited");

@@ -313,11 +313,14 @@ struct Heartbeat {
   std::int64_t messages_lost = 0;
   std::int64_t ticks = 0;
   std::int64_t ticks_missed = 0;
+  std::int64_t ticks_stalled = 0;
+  std::int64_t timer_missed = -1;
   std::int64_t allocations = -1;
   std::int32_t pid = 0;
   std::int32_t send_failures = 0;
   float rate = 0;
   float age_us = 0;
+  float age_p99_us = 0;
   float tick_median_us = 0;
   float tick_p99_us = 0;
   float tick_max_us = 0;

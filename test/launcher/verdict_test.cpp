@@ -15,8 +15,8 @@ struct FakeRun {
   RunRequest request;
   std::int64_t end = kTicks * kPeriod;
 
-  // every: one COMMAND in so many ticks; missed: as the source counts.
-  FakeRun(int every, std::int64_t missed, std::int8_t realtime) {
+  // every: one COMMAND in so many ticks; missed: as the source counts; stalled: of these, by the machine.
+  FakeRun(int every, std::int64_t missed, std::int8_t realtime, std::int64_t stalled = 0) {
     RobotState state;
     state.run_id = 7;
     JointCommand command;
@@ -34,13 +34,19 @@ struct FakeRun {
     beat.realtime = realtime;
     beat.kind = ProcessKind::kSimulator;
     beat.process_id = 7;
+    beat.ticks_missed = 100 + missed;
+    beat.ticks_stalled = 50 + stalled;
+    beat.timer_missed = 60 + stalled;
+    beat.age_us = 210.0F;
+    beat.age_p99_us = 640.0F;
     seen.on_heartbeat(beat, end);
+    beat.ticks_missed = beat.ticks_stalled = 0;
     beat.kind = ProcessKind::kController;
     beat.process_id = 8;
     seen.on_heartbeat(beat, end);
   }
 
-  RunVerdict verdict() const { return judge(seen, request, {.source_missed = 100, .controller_missed = 0}, end); }
+  RunVerdict verdict() const { return judge(seen, request, {.source = 100, .source_stalled = 50, .timer = 60}, end); }
 };
 
 TEST(Verdict, ACleanRunPasses) { EXPECT_TRUE(FakeRun(1, 0, 1).verdict().passed); }
@@ -51,6 +57,29 @@ TEST(Verdict, MissedTicksAreJudgedByWhetherFifoWasThere) {
   EXPECT_TRUE(FakeRun(1, 100, 0).verdict().passed);   // 1 % without
   EXPECT_FALSE(FakeRun(1, 101, 0).verdict().passed);
   EXPECT_FALSE(FakeRun(1, 11, 0).verdict().fifo);
+}
+
+TEST(Verdict, WhatTheMachineMissedIsToldAndNotJudged) {
+  const FakeRun run(1, 90, 1, 85);
+  const RunVerdict verdict = run.verdict();
+  EXPECT_TRUE(verdict.passed);
+  EXPECT_EQ(verdict.missed, 90);
+  EXPECT_EQ(verdict.stalled, 85);
+  EXPECT_EQ(verdict.timer_missed, 85);
+  EXPECT_FALSE(FakeRun(1, 96, 1, 85).verdict().passed);
+  std::string all;
+  for (const std::string& line : verdict_lines(verdict, run.request)) all += line + "\n";
+  EXPECT_NE(all.find("of which 85 while the machine itself stood still"), std::string::npos) << all;
+  EXPECT_NE(all.find("our own: 5 ticks (0.050 %, at most 0.1 % with FIFO)"), std::string::npos) << all;
+  EXPECT_NE(all.find("median 210 us, 99 % within 640 us"), std::string::npos) << all;
+  EXPECT_EQ(all.find("too restless"), std::string::npos) << all;
+}
+
+TEST(Verdict, AMachineThatIsTooRestlessIsNamed) {
+  const FakeRun run(1, 300, 1, 298);
+  std::string all;
+  for (const std::string& line : verdict_lines(run.verdict(), run.request)) all += line;
+  EXPECT_NE(all.find("a bare timer misses 3.0 % of the ticks"), std::string::npos) << all;
 }
 
 TEST(Verdict, ASlowStreamFails) {

@@ -257,6 +257,9 @@ inline Heartbeat sample<Heartbeat>() {
   x.pid = 4321;
   x.rate = 500.0f;
   x.age_us = 45.0f;
+  x.age_p99_us = 90.0f;
+  x.ticks_stalled = 2;
+  x.timer_missed = 3;
   x.tick_median_us = 20.0f;
   x.tick_p99_us = 60.0f;
   x.tick_max_us = 100.0f;

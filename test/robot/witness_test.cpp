@@ -1,0 +1,50 @@
+#include "robot/witness.h"
+
+#include <gtest/gtest.h>
+#include <sched.h>
+
+#include <array>
+
+#include "robot/missed_ticks.h"
+
+namespace twinbus {
+namespace {
+
+constexpr std::int64_t kPeriod = 2'000'000;
+
+TEST(CoveredTime, CountsWhatOverlapsOnce) {
+  std::array<Interval, 4> intervals{{{50, 60}, {10, 30}, {20, 40}, {0, 5}}};
+  EXPECT_EQ(covered_ns(intervals, 0, 100), 5 + 30 + 10);
+  EXPECT_EQ(covered_ns(intervals, 15, 55), 25 + 5);
+  EXPECT_EQ(covered_ns(intervals, 41, 49), 0);
+  EXPECT_EQ(covered_ns({}, 0, 100), 0);
+}
+
+// Tests run at ordinary priority, where a timer proves nothing: there is no witness, and every
+// missed tick is the loop's own.
+TEST(Witness, IsNotThereWithoutFifoPriority) {
+  ASSERT_NE(sched_getscheduler(0), SCHED_FIFO);
+  const Witness witness(kPeriod, 80);
+  EXPECT_FALSE(witness.running());
+  EXPECT_EQ(witness.missed(), 0);
+  EXPECT_EQ(witness.stood_still_ns(0, INT64_MAX), 0);
+}
+
+TEST(MissedTicks, AreTheLoopsOwnWhereThereIsNoWitness) {
+  MissedTicks missed;
+  Heartbeat beat;
+  missed.add(2, 500'000, 0, kPeriod);
+  missed.tell(beat);
+  EXPECT_EQ(beat.ticks_missed, 2);
+  EXPECT_EQ(beat.ticks_stalled, 0);
+  EXPECT_EQ(beat.timer_missed, -1);
+  missed.watch(kPeriod);
+  missed.add(1, 500'000, 0, kPeriod);
+  missed.tell(beat);
+  EXPECT_EQ(beat.ticks_missed, 3);
+  EXPECT_EQ(beat.ticks_stalled, 0);
+  EXPECT_EQ(beat.timer_missed, -1);
+}
+
+}  // namespace
+}  // namespace twinbus
