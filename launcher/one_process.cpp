@@ -18,8 +18,9 @@ namespace {
 constexpr std::int64_t kRunId = 1;
 constexpr std::int64_t kOperatorId = 4;
 constexpr std::int64_t kPlannerId = 3;
-constexpr std::int64_t kStopEvery = 10;      // a stop the guard asks for is said that often [ticks]
-constexpr double kServoError = 0.1;          // [rad]: a set-point farther from its joint is none to start from
+constexpr std::int64_t kStopEvery = 10;  // a stop the guard asks for is said that often [ticks]
+constexpr double kServoError =
+    0.1;  // [rad]: a set-point farther from its joint is none to start from
 constexpr int kActivationTicks = 100'000;
 
 // A message as its receiver gets it.  False: what could not be sent.
@@ -40,7 +41,8 @@ SimAdaptor& opened(SimAdaptor& sim, const Model& model, const OneProcessConfig& 
   if (std::none_of(config.settings.begin(), config.settings.end(), is_seed)) {
     adaptor.settings.emplace_back("sensor.seed", std::to_string(config.seed));
   }
-  if (sim.open(model, adaptor) != Status::kOk) throw std::runtime_error("the simulator does not open");
+  if (sim.open(model, adaptor) != Status::kOk)
+    throw std::runtime_error("the simulator does not open");
   return sim;
 }
 
@@ -134,8 +136,10 @@ void OneProcess::control() {
   loop_.on_state(heard_, now_ns_);
   planner_view_.update(heard_);
   JointCommand answer;
-  if (loop_.step(now_ns_, answer) && over_the_bus(answer, command_)) source_.on_command(command_, now_ns_);
-  if (const char* sentence = loop_.take_sentence()) sentences_.push_back(std::string("controller: ") + sentence);
+  if (loop_.step(now_ns_, answer) && over_the_bus(answer, command_))
+    source_.on_command(command_, now_ns_);
+  if (const char* sentence = loop_.take_sentence())
+    sentences_.push_back(std::string("controller: ") + sentence);
   const bool repeated = heard_.tick - stop_asked_tick_ < kStopEvery;
   if (loop_.guard_report().stop_asked && heard_.stop_kind == StopKind::kNone && !repeated) {
     stop_asked_tick_ = heard_.tick;
@@ -188,12 +192,14 @@ void OneProcess::plan(const ArmGoal& goal) {
   }
   Configuration start = planner_view_.configuration();
   for (std::size_t k = 0; k < model_.bus_joints.size(); ++k) {
-    if (std::abs(command_.q[k] - heard_.q[k]) < kServoError) start.q[model_.bus_joints[k]] = command_.q[k];
+    if (std::abs(command_.q[k] - heard_.q[k]) < kServoError)
+      start.q[model_.bus_joints[k]] = command_.q[k];
   }
   const ArmPlan plan = planner_->plan(goal, start, planner_view_.ground_in_world(),
                                       static_cast<std::uint64_t>(goal.goal_id));
   sentences_.push_back("planner: " + describe(model_, plan));
-  for (const ArmPathPiece& piece : to_pieces(plan, {kPlannerId, goal.run_id, goal.goal_id, goal.goal_id})) {
+  for (const ArmPathPiece& piece :
+       to_pieces(plan, {kPlannerId, goal.run_id, goal.goal_id, goal.goal_id})) {
     ArmPathPiece received;
     if (over_the_bus(piece, received)) loop_.on_arm_path(received);
   }
@@ -211,7 +217,8 @@ void OneProcess::watch() {
     if (model_.soles[foot].link < 0) continue;
     const auto x = static_cast<double>(truth.foot_attitude[foot][1]);
     const auto y = static_cast<double>(truth.foot_attitude[foot][2]);
-    sole_tilt_max_ = std::max(sole_tilt_max_, std::acos(std::clamp(1.0 - 2.0 * (x * x + y * y), -1.0, 1.0)));
+    sole_tilt_max_ =
+        std::max(sole_tilt_max_, std::acos(std::clamp(1.0 - 2.0 * (x * x + y * y), -1.0, 1.0)));
   }
 }
 

@@ -20,15 +20,18 @@ namespace twinbus {
 namespace {
 
 constexpr double kDegrees = 57.29577951308232;
-constexpr int kFinerSteps = 8;                      // of the reference, per step of the run
+constexpr int kFinerSteps = 8;                        // of the reference, per step of the run
 constexpr std::int64_t kProgressEvery = 500'000'000;  // [ns]
 
 Syntax syntax() {
   return {"run",
           "SCENE",
-          "Runs a scene in one process, without a bus, as fast as it goes, and judges it by the scene's own criteria.\n"
-          "SCENE is a name in config/scenes or a file.  Exit status 0 only if all of them hold.  The same line gives the\n"
-          "same state_hash, which is also that of ./twinbus up SCENE --lockstep.  Settings of --set:\n" +
+          "Runs a scene in one process, without a bus, as fast as it goes, and judges it by the "
+          "scene's own criteria.\n"
+          "SCENE is a name in config/scenes or a file.  Exit status 0 only if all of them hold.  "
+          "The same line gives the\n"
+          "same state_hash, which is also that of ./twinbus up SCENE --lockstep.  Settings of "
+          "--set:\n" +
               settings_help(),
           {robot_option(),
            {"--for", "S", "simulated seconds; default: the scene's duration"},
@@ -36,21 +39,25 @@ Syntax syntax() {
            {"--seed", "N", "of everything random; default 1"},
            {"--set", "KEY=VALUE", "a setting of the simulator; wins over the scene's own"},
            {"--reference", "",
-            "runs the scene again with eight physics steps in one: error of the foot forces against that"},
+            "runs the scene again with eight physics steps in one: error of the foot forces "
+            "against that"},
            {"--no-guard", "", "leaves the guard in the controller out"},
            {"--report", "F.json", "writes the figures"}},
           1,
           1};
 }
 
-std::vector<std::pair<std::string, std::string>> settings_of(const Arguments& arguments, double period) {
+std::vector<std::pair<std::string, std::string>> settings_of(const Arguments& arguments,
+                                                             double period) {
   std::vector<std::pair<std::string, std::string>> settings;
   for (const std::string& word : arguments.all("--set")) {
     const std::size_t equal = word.find('=');
-    if (equal == std::string::npos) throw UsageError("run: --set wants KEY=VALUE, not '" + word + "'");
+    if (equal == std::string::npos)
+      throw UsageError("run: --set wants KEY=VALUE, not '" + word + "'");
     settings.emplace_back(word.substr(0, equal), word.substr(equal + 1));
     SimSettings scratch;
-    const std::string complaint = apply_setting(settings.back().first, settings.back().second, period, scratch);
+    const std::string complaint =
+        apply_setting(settings.back().first, settings.back().second, period, scratch);
     if (!complaint.empty()) throw UsageError("run: " + complaint);
   }
   return settings;
@@ -62,7 +69,8 @@ void show_progress(const OneProcess& run, std::int64_t ticks, std::int64_t& show
   static const bool terminal = isatty(STDERR_FILENO) == 1;
   if (!terminal || monotonic_ns() - shown_ns < kProgressEvery) return;
   shown_ns = monotonic_ns();
-  std::fprintf(stderr, "\r%3.0f %%  ", 1e2 * static_cast<double>(run.ticks()) / static_cast<double>(ticks));
+  std::fprintf(stderr, "\r%3.0f %%  ",
+               1e2 * static_cast<double>(run.ticks()) / static_cast<double>(ticks));
 }
 
 FootForces go(OneProcess& run, std::int64_t ticks, bool talk) {
@@ -74,7 +82,8 @@ FootForces go(OneProcess& run, std::int64_t ticks, bool talk) {
     forces.push_back({truth.foot_force[0][2], truth.foot_force[1][2]});
     for (const std::string& sentence : run.take_sentences()) {
       if (talk) {
-        std::printf("%8.3f s  %s\n", 1e-9 * static_cast<double>(run.state().time_ns), sentence.c_str());
+        std::printf("%8.3f s  %s\n", 1e-9 * static_cast<double>(run.state().time_ns),
+                    sentence.c_str());
       }
     }
     show_progress(run, ticks, shown_ns);
@@ -113,34 +122,44 @@ RunVerdict judge_scene(const OneProcess& run, const Criteria& asked, std::int64_
   if (run.ticks() < ticks) failures.push_back("the run ended early");
   if (asked.no_fall && f.fell) failures.push_back("the robot fell");
   if (asked.no_self_collision && f.self_collision_ticks > 0) {
-    failures.push_back("the robot touched itself or an obstacle in " + std::to_string(f.self_collision_ticks) + " ticks");
+    failures.push_back("the robot touched itself or an obstacle in " +
+                       std::to_string(f.self_collision_ticks) + " ticks");
   }
   // NaN: not asked.
-  const double tilt = kDegrees * f.max_tilt, margin = 1e3 * f.zmp_margin_min, slip = 1e3 * f.slip_max;
+  const double tilt = kDegrees * f.max_tilt, margin = 1e3 * f.zmp_margin_min,
+               slip = 1e3 * f.slip_max;
   const double sole = kDegrees * run.sole_tilt_max();
   if (!std::isnan(asked.max_tilt_deg) && !(tilt <= asked.max_tilt_deg))
-    failures.push_back(sentence("the base tilted %.2f degrees, at most %.2f were asked", tilt, asked.max_tilt_deg));
+    failures.push_back(sentence("the base tilted %.2f degrees, at most %.2f were asked", tilt,
+                                asked.max_tilt_deg));
   if (!std::isnan(asked.zmp_margin_min_mm) && !(margin >= asked.zmp_margin_min_mm))
-    failures.push_back(
-        sentence("the ZMP came as near as %.1f mm to the edge, %.1f mm were asked", margin, asked.zmp_margin_min_mm));
+    failures.push_back(sentence("the ZMP came as near as %.1f mm to the edge, %.1f mm were asked",
+                                margin, asked.zmp_margin_min_mm));
   if (!std::isnan(asked.slip_max_mm) && !(slip <= asked.slip_max_mm))
-    failures.push_back(sentence("a sole slid %.2f mm, at most %.2f mm were asked", slip, asked.slip_max_mm));
+    failures.push_back(
+        sentence("a sole slid %.2f mm, at most %.2f mm were asked", slip, asked.slip_max_mm));
   if (!std::isnan(asked.sole_tilt_max_deg) && !(sole <= asked.sole_tilt_max_deg))
-    failures.push_back(sentence("a sole tilted %.2f degrees, at most %.2f were asked", sole, asked.sole_tilt_max_deg));
+    failures.push_back(sentence("a sole tilted %.2f degrees, at most %.2f were asked", sole,
+                                asked.sole_tilt_max_deg));
   if (run.state().role == Role::kStopped) {
-    failures.push_back(std::string("the source is stopped (") + stop_name(run.state().stop_kind) + ")");
+    failures.push_back(std::string("the source is stopped (") + stop_name(run.state().stop_kind) +
+                       ")");
   }
   verdict.passed = failures.empty();
   return verdict;
 }
 
-void print(const OneProcess& run, const RunVerdict& verdict, double sim_s, double wall_s, double force_error) {
+void print(const OneProcess& run, const RunVerdict& verdict, double sim_s, double wall_s,
+           double force_error) {
   const RunFigures& f = run.seen().figures();
   std::printf("%.3f s simulated in %.3f s: %.1f times real time\n", sim_s, wall_s, sim_s / wall_s);
-  std::printf("tilt %.2f degrees, ZMP margin %.1f mm, slip %.2f mm, penetration %.2f mm, sole tilt %.2f degrees\n",
-              kDegrees * f.max_tilt, 1e3 * f.zmp_margin_min, 1e3 * f.slip_max, 1e3 * f.penetration_max,
-              kDegrees * run.sole_tilt_max());
-  if (!std::isnan(force_error)) std::printf("foot forces: %.2f N from the reference (root mean square)\n", force_error);
+  std::printf(
+      "tilt %.2f degrees, ZMP margin %.1f mm, slip %.2f mm, penetration %.2f mm, sole tilt %.2f "
+      "degrees\n",
+      kDegrees * f.max_tilt, 1e3 * f.zmp_margin_min, 1e3 * f.slip_max, 1e3 * f.penetration_max,
+      kDegrees * run.sole_tilt_max());
+  if (!std::isnan(force_error))
+    std::printf("foot forces: %.2f N from the reference (root mean square)\n", force_error);
   std::printf("state_hash %s\n", run.state_hash().c_str());
   for (const std::string& failure : verdict.failures) std::printf("FAILED: %s\n", failure.c_str());
   if (verdict.passed) std::printf("passed\n");
@@ -164,7 +183,8 @@ int run_command(const std::vector<std::string>& words) {
   request.scene = scene.name;
   request.robot = arguments.text("--robot", scene.robot);
   request.engine = arguments.text("--engine", scene.engine);
-  if (request.engine != "ode") throw UsageError("run: there is no engine '" + request.engine + "' yet; known: ode");
+  if (request.engine != "ode")
+    throw UsageError("run: there is no engine '" + request.engine + "' yet; known: ode");
   request.lockstep = true;
   request.duration = arguments.number("--for", scene.duration, 0.002, 1e6);
   request.seed = static_cast<std::uint64_t>(arguments.number("--seed", 1.0, 0.0, 1e9));
@@ -193,8 +213,9 @@ int run_command(const std::vector<std::string>& words) {
   const RunVerdict verdict = judge_scene(run, scene.criteria, ticks);
   print(run, verdict, model.period() * static_cast<double>(run.ticks()), wall_s, force_error);
   if (const std::string file = arguments.text("--report", ""); !file.empty()) {
-    write_file(file, with_foot_forces(report_json(verdict, request, run.seen(), wall_s, run.state_hash()), force_error,
-                                      run.sole_tilt_max()));
+    write_file(file,
+               with_foot_forces(report_json(verdict, request, run.seen(), wall_s, run.state_hash()),
+                                force_error, run.sole_tilt_max()));
   }
   return verdict.passed ? 0 : 1;
 }

@@ -1,0 +1,355 @@
+#include "control/control_loop.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "test/control/hrp1s.h"
+#include "test/control/sim_rig.h"
+#include "test/no_alloc.h"
+
+namespace twinbus {
+namespace {
+
+Scene flat() {
+  Scene scene;
+  scene.name = "flat";
+  return scene;
+}
+
+struct Rig : SimRig {
+  explicit Rig(ControlConfig config = {}) : SimRig(test::hrp1s(), flat(), {}, config) {}
+};
+
+// The torque that the servo law gives at what was measured [N m].
+double law(const JointCommand& c, const RobotState& s, std::size_t k) {
+  return static_cast<double>(c.tau[k]) + static_cast<double>(c.kp[k]) * (c.q[k] - s.q[k]) +
+         static_cast<double>(c.kd[k]) * static_cast<double>(c.qd[k] - s.qd[k]);
+}
+
+struct Jump {
+  double position = 0.0;  // [rad] beyond the set-point's own velocity
+  double torque = 0.0;    // share of the effort limit
+};
+
+// The largest step from one tick to the next over some seconds.
+Jump largest_jump(Rig& rig, double seconds) {
+  const Model& model = test::hrp1s();
+  Jump worst;
+  const auto ticks = static_cast<int>(seconds / model.period());
+  for (int n = 0; n < ticks; ++n) {
+    const JointCommand before = rig.command();
+    const RobotState measured = rig.state();
+    if (!rig.tick()) {
+      ADD_FAILURE() << "the rig gave up at tick " << rig.ticks();
+      return worst;
+    }
+    const JointCommand& now = rig.command();
+    for (std::size_t k = 0; k < static_cast<std::size_t>(model.bus_count()); ++k) {
+      const double effort = model.joints[static_cast<std::size_t>(model.bus_joints[k])].effort;
+      const double moved = now.q[k] - before.q[k] -
+                           model.period() * 0.5 * static_cast<double>(now.qd[k] + before.qd[k]);
+      worst.position = std::max(worst.position, std::abs(moved));
+      worst.torque = std::max(
+          worst.torque, std::abs(law(now, rig.state(), k) - law(before, measured, k)) / effort);
+    }
+  }
+  return worst;
+}
+
+TEST(ControlLoop, AnswersNothingBeforeAStateAndNoSourceThatIsNotActive) {
+  ControlLoop loop(test::hrp1s(), {});
+  JointCommand command;
+  EXPECT_FALSE(loop.step(0, command));
+  Rig rig;
+  ASSERT_TRUE(rig.run(0.02));
+  for (const Role role : {Role::kParked, Role::kStandbyTrack, Role::kStandbyShadow}) {
+    RobotState state = rig.state();
+    state.role = role;
+    loop.on_state(state, 0);
+    EXPECT_FALSE(loop.step(0, command));
+  }
+}
+
+TEST(ControlLoop, ARepeatedTickGivesTheSameCommandAgain) {
+  Rig rig;
+  ASSERT_TRUE(rig.run(0.1));
+  JointCommand again;
+  rig.loop().on_state(rig.state(), 0);
+  ASSERT_TRUE(rig.loop().step(0, again));
+  EXPECT_EQ(again.tick, rig.command().tick);
+  EXPECT_EQ(again.q, rig.command().q);
+  EXPECT_EQ(again.tau, rig.command().tau);
+}
+
+TEST(ControlLoop, ACommandNamesTheSourceItIsFor) {
+  Rig rig;
+  ASSERT_TRUE(rig.run(0.01));
+  EXPECT_EQ(rig.command().run_id, rig.state().run_id);
+  EXPECT_EQ(rig.command().term, rig.state().term);
+  EXPECT_EQ(rig.command().model_hash, test::hrp1s().hash);
+  EXPECT_EQ(rig.command().tick, rig.state().tick);
+}
+
+TEST(ControlLoop, NoModeChangeJumps) {
+  Rig rig;
+  ASSERT_TRUE(rig.run(0.3));
+  const auto check =
+      [&](const char* what, double seconds) {
+        const Jump jump = largest_jump(rig, seconds);
+        EXPECT_LT(jump.position, 1e-3) << what;
+        EXPECT_LT(jump.torque, 0.08)
+            << what;  // the robot still swings when balance takes it over from hold
+        EXPECT_FALSE(rig.record().fell) << what;
+      };
+  check("stand", 0.1);
+  rig.ask(Mode::kBalance, Motion::kSway, 0.02, 0.5);
+  check("sway begins", 1.2);
+  rig.ask(Mode::kHold);
+  check("hold in mid-sway", 0.5);
+  rig.ask(Mode::kBalance);
+  check("balance again", 0.5);
+  rig.ask(Mode::kBalance, Motion::kSquat, 0.03, 0.5);
+  check("squat begins", 0.8);
+  rig.ask(Mode::kStop);
+  check("stop in mid-squat", 0.5);
+}
+
+TEST(ControlLoop, ABalancingRobotMovesItsArmsToAPoseAndGoesOnBalancing) {
+  const Model& model = test::hrp1s();
+  Rig rig;
+  ASSERT_TRUE(rig.run(0.1));
+  ModeRequest request;
+  request.sender_id = 99;
+  request.run_id = rig.state().run_id;
+  request.sequence = 1;
+  request.mode = Mode::kPose;
+  request.duration = 0.5F;
+  std::size_t moved = 0;
+  for (std::size_t k = 0; k < model.bus_joints.size(); ++k) {
+    if (model.bus_joints[k] == model.hands[0].joints.front()) moved = k;
+  }
+  request.joint_mask = std::int64_t{1} << moved;
+  request.q[moved] = rig.command().q[moved] - 0.2;
+  rig.loop().on_mode_request(request);
+  const Jump jump = largest_jump(rig, 0.8);
+  EXPECT_LT(jump.position, 1e-3);
+  EXPECT_NEAR(rig.command().q[moved], request.q[moved], 1e-6);
+  EXPECT_EQ(rig.loop().status().mode, Mode::kPose);
+  EXPECT_FALSE(rig.record().fell);
+  EXPECT_EQ(rig.loop().status().mode_sequence, 1);
+}
+
+TEST(ControlLoop, WalkingIsDeclinedWithASentenceAndTheModeStays) {
+  Rig rig;
+  ASSERT_TRUE(rig.run(0.02));
+  (void)rig.loop().take_sentence();
+  rig.ask(Mode::kWalk);
+  ASSERT_TRUE(rig.tick());
+  EXPECT_EQ(rig.loop().status().mode, Mode::kBalance);
+  const char* sentence = rig.loop().take_sentence();
+  ASSERT_NE(sentence, nullptr);
+  EXPECT_NE(std::string(sentence).find("walking"), std::string::npos);
+  EXPECT_EQ(rig.loop().take_sentence(), nullptr) << "said once";
+}
+
+TEST(ControlLoop, AStateThatNoRobotCanBeInIsRiddenOut) {
+  Rig rig;
+  ASSERT_TRUE(rig.run(0.2));
+  const JointCommand before = rig.command();
+  for (int bad = 0; bad < 3; ++bad) {
+    RobotState state = rig.state();
+    state.tick += bad + 1;
+    if (bad == 0) state.q[5] = std::numeric_limits<double>::quiet_NaN();
+    if (bad == 1) state.attitude = {0.0F, 0.0F, 0.0F, 0.0F};
+    if (bad == 2) state.wrench[0][2] = 1e9F;
+    rig.loop().on_state(state, state.time_ns);
+    JointCommand command;
+    ASSERT_TRUE(rig.loop().step(state.time_ns, command));
+    for (std::size_t k = 0; k < 29; ++k) {
+      ASSERT_EQ(command.q[k], before.q[k]);
+      ASSERT_EQ(command.qd[k], 0.0F);
+      ASSERT_TRUE(std::isfinite(command.tau[k]));
+    }
+    EXPECT_NE(rig.loop().take_sentence(), nullptr);
+  }
+  for (int i = 0; i < 4; ++i) ASSERT_TRUE(rig.tick());
+  const Jump jump = largest_jump(rig, 0.2);
+  EXPECT_LT(jump.torque, 0.05);
+  EXPECT_FALSE(rig.record().fell);
+}
+
+TEST(ControlLoop, AFirstStateThatNoRobotCanBeInIsNotAnswered) {
+  Rig rig;
+  ASSERT_TRUE(rig.tick());
+  RobotState state = rig.state();
+  state.q[5] = std::numeric_limits<double>::infinity();
+  ControlLoop loop(test::hrp1s(), {});
+  loop.on_state(state, 0);
+  JointCommand command;
+  EXPECT_FALSE(loop.step(0, command));
+}
+
+TEST(ControlLoop, AGuardHoldsArmsButNeverLegsAndOnlyWhileItSpeaks) {
+  const Model& model = test::hrp1s();
+  ControlConfig config;
+  config.guard_in_loop = false;
+  Rig rig(config);
+  ASSERT_TRUE(rig.run(0.05));
+  std::size_t arm = 0, leg = 0;
+  for (std::size_t k = 0; k < model.bus_joints.size(); ++k) {
+    if (model.bus_joints[k] == model.hands[0].joints.front()) arm = k;
+    if (model.bus_joints[k] == model.leg_joints.front()) leg = k;
+  }
+  ModeRequest request;
+  request.sender_id = 99;
+  request.run_id = rig.state().run_id;
+  request.sequence = 1;
+  request.mode = Mode::kPose;
+  request.duration = 1.0F;
+  request.joint_mask = std::int64_t{1} << arm;
+  request.q[arm] = rig.command().q[arm] - 0.4;
+  rig.loop().on_mode_request(request);
+  rig.ask(Mode::kNone);
+  ASSERT_TRUE(rig.run(0.3));
+  GuardReport report;
+  report.run_id = rig.state().run_id;
+  report.hold_mask = (std::int64_t{1} << arm) | (std::int64_t{1} << leg);
+  const auto hear = [&] {
+    report.tick = rig.state().tick;
+    rig.loop().on_guard(report, rig.state().time_ns);
+  };
+  for (int i = 0; i < 100; ++i) {
+    hear();
+    ASSERT_TRUE(rig.tick());
+  }
+  EXPECT_EQ(rig.command().qd[arm], 0.0F) << "held";
+  const double held = rig.command().q[arm];
+  EXPECT_GT(held, request.q[arm] + 0.05);
+  EXPECT_FALSE(rig.record().fell) << "a masked leg would fell the robot";
+  // The guard falls silent: after its time-out the arm goes on.
+  ASSERT_TRUE(rig.run(model.guard_timeout - 3.0 * model.period()));
+  EXPECT_EQ(rig.command().q[arm], held);
+  ASSERT_TRUE(rig.run(1.0));
+  EXPECT_NEAR(rig.command().q[arm], request.q[arm], 1e-6);
+}
+
+TEST(ControlLoop, AGamepadThatFallsSilentLeansNoMore) {
+  Rig rig;
+  ASSERT_TRUE(rig.run(0.05));
+  Gamepad pad;
+  pad.connected = pad.deadman = true;
+  pad.run_id = rig.state().run_id;
+  pad.left_x = 1.0F;
+  const double before = static_cast<double>(rig.loop().status().com_reference[1]);
+  for (int i = 0; i < 500; ++i) {
+    if (i % 5 == 0) rig.loop().on_gamepad(pad, rig.state().time_ns);
+    ASSERT_TRUE(rig.tick());
+  }
+  const double leaning = static_cast<double>(rig.loop().status().com_reference[1]);
+  EXPECT_GT(leaning, before + 0.015);
+  ASSERT_TRUE(rig.run(1.5));
+  EXPECT_LT(static_cast<double>(rig.loop().status().com_reference[1]),
+            before + 0.3 * (leaning - before));
+}
+
+TEST(ControlLoop, AGamepadWithoutItsDeadManOrForAnotherRunDoesNothing) {
+  for (const bool other_run : {false, true}) {
+    Rig rig;
+    ASSERT_TRUE(rig.run(0.05));
+    const double before = static_cast<double>(rig.loop().status().com_reference[1]);
+    Gamepad pad;
+    pad.connected = true;
+    pad.deadman = other_run;
+    pad.run_id = rig.state().run_id + (other_run ? 1 : 0);
+    pad.left_x = 1.0F;
+    for (int i = 0; i < 200; ++i) {
+      rig.loop().on_gamepad(pad, rig.state().time_ns);
+      ASSERT_TRUE(rig.tick());
+    }
+    EXPECT_NEAR(static_cast<double>(rig.loop().status().com_reference[1]), before, 1e-3);
+  }
+}
+
+TEST(ControlLoop, AnotherSourceOfTheSameRobotIsGoneOnWithWithoutAJump) {
+  Rig rig;
+  ASSERT_TRUE(rig.run(0.2));
+  rig.ask(Mode::kBalance, Motion::kSway, 0.02, 0.5);
+  ASSERT_TRUE(rig.run(0.6));
+  rig.state().run_id = 8;
+  rig.state().term = 2;
+  const Jump jump = largest_jump(rig, 0.4);
+  EXPECT_LT(jump.position, 1e-3);
+  EXPECT_LT(jump.torque, 0.05);
+  EXPECT_EQ(rig.loop().status().motion, Motion::kSway) << "the motion goes on";
+}
+
+TEST(ControlLoop, ASourceThatWasStartedAnewIsFollowedFromWhereItsRobotIs) {
+  const Model& model = test::hrp1s();
+  Rig before, after;
+  ASSERT_TRUE(before.run(0.2));
+  before.ask(Mode::kHold);
+  ASSERT_TRUE(before.run(0.2));
+  ASSERT_TRUE(after.tick());
+  RobotState anew = after.state();
+  anew.run_id = 12;
+  anew.tick = 1;
+  anew.q[8] += 0.3;
+  before.loop().on_state(anew, 0);
+  JointCommand command;
+  ASSERT_TRUE(before.loop().step(0, command));
+  EXPECT_NEAR(
+      command.q[8], anew.q[8],
+      model.joints[static_cast<std::size_t>(model.bus_joints[8])].velocity * model.period());
+  EXPECT_EQ(before.loop().status().mode, Mode::kBalance) << "the first mode of a run";
+}
+
+TEST(ControlLoop, ARobotThatHasFallenIsDamped) {
+  Rig rig;
+  ASSERT_TRUE(rig.run(0.05));
+  RobotState state = rig.state();
+  const double half = 0.5;  // a roll of 1 rad
+  state.attitude = {static_cast<float>(std::cos(half)), static_cast<float>(std::sin(half)), 0.0F,
+                    0.0F};
+  ++state.tick;
+  rig.loop().on_state(state, state.time_ns);
+  JointCommand command;
+  ASSERT_TRUE(rig.loop().step(state.time_ns, command));
+  EXPECT_EQ(rig.loop().status().mode, Mode::kIdle);
+  ASSERT_NE(rig.loop().take_sentence(), nullptr);
+}
+
+TEST(ControlLoop, NoTickAllocatesInAnyMode) {
+  if (!allocations_counted()) GTEST_SKIP() << "not counted in this build";
+  Rig rig;
+  ASSERT_TRUE(rig.run(0.05));
+  JointCommand command;
+  std::int64_t tick = rig.state().tick;
+  int sequence = 0;
+  for (const Mode mode : {Mode::kBalance, Mode::kHold, Mode::kIdle, Mode::kStop, Mode::kBalance}) {
+    for (const Motion motion : {Motion::kSway, Motion::kSquat}) {
+      NoAlloc no_alloc;
+      ModeRequest request;
+      request.run_id = rig.state().run_id;
+      request.sender_id = 5;
+      request.sequence = ++sequence;
+      request.mode = mode;
+      request.motion = motion;
+      rig.loop().on_mode_request(request);
+      for (int i = 0; i < 20; ++i) {
+        RobotState state = rig.state();
+        state.tick = ++tick;
+        state.time_ns = tick * test::hrp1s().period_ns;
+        rig.loop().on_state(state, state.time_ns);
+        ASSERT_TRUE(rig.loop().step(state.time_ns, command));
+      }
+      EXPECT_EQ(no_alloc.count(), 0) << static_cast<int>(mode);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace twinbus

@@ -1,0 +1,81 @@
+#include "control/mask_brake.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "robot/brake.h"
+#include "test/control/hrp1s.h"
+
+namespace twinbus {
+namespace {
+
+constexpr double kDt = 0.002;
+constexpr std::size_t kJoint = 6;  // of an arm
+
+double asked(int tick) { return 0.4 * kDt * tick; }
+
+struct Fixture {
+  MaskBrake brake{test::hrp1s()};
+  SetPoint point;
+  // The set-point that is asked runs on at 0.4 rad/s.
+  void tick(int n, bool masked) {
+    point = {};
+    point.q[kJoint] = asked(n);
+    point.qd[kJoint] = 0.4;
+    brake.apply(point, masked ? std::int64_t{1} << kJoint : 0, kDt);
+  }
+};
+
+TEST(MaskBrake, WithoutAMaskNothingChanges) {
+  Fixture f;
+  f.tick(10, false);
+  EXPECT_EQ(f.point.q[kJoint], asked(10));
+  EXPECT_EQ(f.point.qd[kJoint], 0.4);
+}
+
+TEST(MaskBrake, AMaskedJointComesToRestAsFastAsItBrakes) {
+  Fixture f;
+  for (int n = 0; n < 10; ++n) f.tick(n, false);
+  const double begin = f.point.q[kJoint];
+  for (int n = 10; n < 200; ++n) f.tick(n, true);
+  EXPECT_EQ(f.point.qd[kJoint], 0.0);
+  const Joint& joint =
+      test::hrp1s().joints[static_cast<std::size_t>(test::hrp1s().bus_joints[kJoint])];
+  EXPECT_LE(f.point.q[kJoint] - begin,
+            0.5 * 0.4 * 0.4 / brake_deceleration(joint) + 2.0 * 0.4 * kDt);
+}
+
+TEST(MaskBrake, OtherJointsGoOn) {
+  Fixture f;
+  f.point.q[0] = 0.3;
+  f.brake.apply(f.point, std::int64_t{1} << kJoint, kDt);
+  EXPECT_EQ(f.point.q[0], 0.3);
+}
+
+TEST(MaskBrake, LetGoItReturnsWithoutAStepAndEndsOnWhatIsAsked) {
+  Fixture f;
+  for (int n = 0; n < 10; ++n) f.tick(n, false);
+  for (int n = 10; n < 100; ++n) f.tick(n, true);
+  double last = f.point.q[kJoint], last_speed = f.point.qd[kJoint];
+  for (int n = 100; n < 400; ++n) {
+    f.tick(n, false);
+    ASSERT_LT(std::abs(f.point.q[kJoint] - last), 3.0 * kDt);
+    ASSERT_LT(std::abs(f.point.qd[kJoint] - last_speed), 0.1) << n;
+    last = f.point.q[kJoint];
+    last_speed = f.point.qd[kJoint];
+  }
+  EXPECT_NEAR(f.point.q[kJoint], asked(399), 1e-12);
+}
+
+TEST(MaskBrake, ResetForgetsTheMask) {
+  Fixture f;
+  for (int n = 0; n < 50; ++n) f.tick(n, true);
+  f.brake.reset();
+  f.tick(200, false);
+  EXPECT_EQ(f.point.q[kJoint], asked(200));
+}
+
+}  // namespace
+}  // namespace twinbus

@@ -1,0 +1,84 @@
+#include "control/posture.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "test/control/hrp1s.h"
+
+namespace twinbus {
+namespace {
+
+const Joint& joint(int k) {
+  const Model& model = test::hrp1s();
+  return model.joints[static_cast<std::size_t>(model.bus_joints[static_cast<std::size_t>(k)])];
+}
+
+TEST(Posture, RestsInsideTheLimitsWhateverItIsGiven) {
+  Posture posture(test::hrp1s());
+  PerJoint<double> q{};
+  q.fill(100.0);
+  posture.rest(q);
+  for (int k = 0; k < test::hrp1s().bus_count(); ++k)
+    EXPECT_DOUBLE_EQ(posture.q(k), joint(k).upper);
+}
+
+TEST(Posture, AMoveTakesItsDurationButIsNeverFasterThanTheJoints) {
+  const int k = test::hrp1s().bus_count() - 1;
+  for (const double duration : {3.0, 0.0, std::numeric_limits<double>::quiet_NaN()}) {
+    Posture posture(test::hrp1s());
+    posture.rest({});
+    PerJoint<double> q{};
+    q[static_cast<std::size_t>(k)] = 0.9 * joint(k).upper;
+    posture.move(q, std::int64_t{1} << k, duration);
+    double fastest = 0.0;
+    for (int i = 0; i < 5000 && posture.moving(); ++i) {
+      posture.advance(0.002);
+      fastest = std::max(fastest, std::abs(posture.qd(k)));
+    }
+    EXPECT_FALSE(posture.moving());
+    EXPECT_NEAR(posture.q(k), 0.9 * joint(k).upper, 1e-12);
+    EXPECT_LE(fastest, joint(k).velocity) << duration;
+    EXPECT_GT(fastest, 0.0);
+  }
+}
+
+TEST(Posture, JointsOutsideTheMaskStay) {
+  Posture posture(test::hrp1s());
+  posture.rest({});
+  const double before = posture.q(1);
+  PerJoint<double> q{};
+  q.fill(0.2);
+  posture.move(q, 1, 1.0);
+  for (int i = 0; i < 600; ++i) posture.advance(0.002);
+  EXPECT_EQ(posture.q(1), before);
+}
+
+TEST(Posture, ABrakeBeginsWithTheVelocityAndEndsAtRest) {
+  Posture posture(test::hrp1s());
+  PerJoint<double> q{}, qd{};
+  const int k = test::hrp1s().bus_count() - 1;
+  qd[static_cast<std::size_t>(k)] = 0.5;
+  posture.brake(q, qd, 0.3);
+  EXPECT_DOUBLE_EQ(posture.qd(k), 0.5);
+  for (int i = 0; i < 160; ++i) posture.advance(0.002);
+  EXPECT_EQ(posture.qd(k), 0.0);
+  EXPECT_NEAR(posture.q(k), 0.075, 1e-9);
+}
+
+TEST(Posture, AJointMovedByAPathKeepsThePathsVelocityForThatTick) {
+  Posture posture(test::hrp1s());
+  posture.rest({});
+  posture.advance(0.002);
+  const int k = test::hrp1s().bus_count() - 1;
+  posture.set(k, 0.1, 0.7);
+  EXPECT_DOUBLE_EQ(posture.q(k), 0.1);
+  EXPECT_DOUBLE_EQ(posture.qd(k), 0.7);
+  posture.advance(0.002);
+  EXPECT_EQ(posture.qd(k), 0.0);
+}
+
+}  // namespace
+}  // namespace twinbus

@@ -1,0 +1,112 @@
+// The three stops as the controller sees them: STATE shows that the gate has stopped, or STOP is heard.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "control/control_loop.h"
+#include "test/control/hrp1s.h"
+#include "test/control/sim_rig.h"
+
+namespace twinbus {
+namespace {
+
+Scene flat() {
+  Scene scene;
+  scene.name = "flat";
+  return scene;
+}
+
+struct Rig : SimRig {
+  Rig() : SimRig(test::hrp1s(), flat(), {}, {}) {}
+};
+
+TEST(Stop, ABalancedStopEndsTheMotionStandingAndThenDropsItsFlag) {
+  Rig rig;
+  ASSERT_TRUE(rig.run(0.2));
+  rig.ask(Mode::kBalance, Motion::kSway, 0.02, 0.5);
+  ASSERT_TRUE(rig.run(1.0));
+  StopRequest stop;
+  stop.kind = StopKind::kBalanced;
+  rig.loop().on_stop(stop);
+  rig.state().stop_kind = StopKind::kBalanced;
+  rig.state().role = Role::kStopped;
+  ASSERT_TRUE(rig.tick());
+  EXPECT_EQ(rig.command().flags & kCommandStopping, kCommandStopping);
+  int ticks = 1;
+  while ((rig.command().flags & kCommandStopping) != 0 && ticks < 1000) {
+    ASSERT_TRUE(rig.tick());
+    ++ticks;
+  }
+  EXPECT_LT(ticks, 1000) << "the gate waits two seconds at most";
+  EXPECT_FALSE(rig.record().fell);
+  EXPECT_EQ(rig.loop().status().motion, Motion::kNone);
+  EXPECT_LT(std::abs(rig.truth().com_velocity[1]), 0.02F);
+}
+
+TEST(Stop, WhileTheGateHoldsTheSetPointsFollowTheRobotAndNoModeIsTaken) {
+  for (const StopKind kind : {StopKind::kHold, StopKind::kOff}) {
+    Rig rig;
+    ASSERT_TRUE(rig.run(0.2));
+    rig.state().stop_kind = kind;
+    rig.state().role = Role::kStopped;
+    rig.ask(Mode::kHold);
+    ASSERT_TRUE(rig.tick());
+    EXPECT_EQ(rig.loop().status().mode, Mode::kStop);
+    ASSERT_NE(rig.loop().take_sentence(), nullptr);
+    // Whatever moves the robot meanwhile: the set-point of an arm joint is where the joint is.
+    RobotState moved = rig.state();
+    moved.q[8] -= 0.3;
+    ++moved.tick;
+    rig.loop().on_state(moved, moved.time_ns);
+    JointCommand command;
+    ASSERT_TRUE(rig.loop().step(moved.time_ns, command));
+    EXPECT_NEAR(command.q[8], moved.q[8], 1e-9);
+    // Cleared: the first command is there too.
+    moved.stop_kind = StopKind::kNone;
+    moved.role = Role::kActive;
+    ++moved.tick;
+    rig.loop().on_state(moved, moved.time_ns);
+    ASSERT_TRUE(rig.loop().step(moved.time_ns, command));
+    EXPECT_NEAR(command.q[8], moved.q[8], 1e-9);
+    EXPECT_EQ(rig.loop().status().mode, Mode::kBalance);
+  }
+}
+
+TEST(Stop, IdleAskedDuringAStopIsTheModeAfterTheClear) {
+  Rig rig;
+  ASSERT_TRUE(rig.run(0.1));
+  rig.state().stop_kind = StopKind::kHold;
+  rig.state().role = Role::kStopped;
+  ASSERT_TRUE(rig.tick());
+  rig.ask(Mode::kIdle);
+  ASSERT_TRUE(rig.run(0.02));
+  EXPECT_EQ(rig.loop().status().mode, Mode::kStop);
+  rig.state().stop_kind = StopKind::kNone;
+  rig.state().role = Role::kActive;
+  ASSERT_TRUE(rig.tick());
+  EXPECT_EQ(rig.loop().status().mode, Mode::kIdle);
+  EXPECT_EQ(rig.command().kp[3], 0.0F);
+}
+
+TEST(Stop, AnArmPathIsNotTakenDuringAStop) {
+  Rig rig;
+  ASSERT_TRUE(rig.run(0.1));
+  rig.state().stop_kind = StopKind::kHold;
+  rig.state().role = Role::kStopped;
+  ASSERT_TRUE(rig.tick());
+  ArmPathPiece piece;
+  piece.run_id = rig.state().run_id;
+  piece.path_id = 3;
+  piece.pieces = piece.joint_count = piece.knot_count = 1;
+  piece.joint[0] = static_cast<std::int16_t>(test::hrp1s().hands[0].joints.front());
+  rig.loop().on_arm_path(piece);
+  rig.state().stop_kind = StopKind::kNone;
+  rig.state().role = Role::kActive;
+  ASSERT_TRUE(rig.run(0.02));
+  EXPECT_EQ(rig.loop().status().arm_path_id, 0);
+}
+
+}  // namespace
+}  // namespace twinbus
