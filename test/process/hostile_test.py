@@ -33,6 +33,8 @@ class Watched:
         self.pids = {pid for program in PROGRAMS for pid in stack.pids(program)}
         _, self.state = bus.wait_for("STATE", lambda s: s.role == 2)
         _, self.status = bus.wait_for("CONTROLLER_STATUS")
+        if self.state is None or self.status is None:
+            raise RuntimeError("the stack does not run:\n" + "".join(stack.lines))
 
     def rejected(self):
         """Sum over all processes of the stack; a second is enough for every one to say it."""
