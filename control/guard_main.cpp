@@ -32,6 +32,7 @@ constexpr int kPriority = 50;   // FIFO, below the controller's
 constexpr double kWait = 0.02;  // [s] for a message, then the heartbeat gets its turn
 constexpr std::int64_t kHeartbeatNs = 100'000'000;
 constexpr std::int64_t kWindowNs = 500'000'000;
+constexpr std::int64_t kWarmUp = 100;  // ticks; LCM makes a list per channel with its first message
 constexpr std::int64_t kStopEvery = 10;  // a stop is asked for again after as many ticks
 constexpr std::int64_t kOldCommand =
     5;  // an answer to a state further back says nothing any more [ticks]
@@ -78,7 +79,7 @@ class GuardProcess {
       if (bus_.receive(kWait) < 0) throw std::runtime_error("the bus is gone");
       if (fresh_) judge();
       if (monotonic_ns() - beat_ns_ >= kHeartbeatNs) send_heartbeat();
-      allocations_ += no_alloc.count();
+      if (ticks_ > kWarmUp) allocations_ += no_alloc.count();
       if (new_obstacles_) {  // once per scene: not part of the loop
         new_obstacles_ = false;
         guard_.set_obstacles(obstacles_.obstacles());

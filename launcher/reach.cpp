@@ -215,7 +215,7 @@ bool follow(Watcher& watcher, const ArmGoal& goal) {
     }
     if (moving && !ours && watcher.status.arm_state == 3)
       return fail("the guard stopped the arm again and again, and the path was given up");
-    if (ours && watcher.status.arm_state == 1) moving = true;
+    if (ours && (watcher.status.arm_state == 1 || watcher.status.arm_state == 3)) moving = true;
     if (!moving && since(begin) > kStartTimeout) {
       return fail(
           watcher.statuses == 0

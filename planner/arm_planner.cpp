@@ -33,6 +33,15 @@ bool is_arm_joint(const Model& model, int joint) {
   return false;
 }
 
+// What is not a shape stays none.
+void pad(Obstacle& obstacle, double by) {
+  if (!(obstacle.size.head(obstacle.shape == ObstacleShape::kBox ? 3 : 1).minCoeff() > 0.0)) return;
+  if (obstacle.shape == ObstacleShape::kBox) obstacle.size.array() += 2.0 * by;
+  if (obstacle.shape == ObstacleShape::kSphere) obstacle.size.x() += by;
+  if (obstacle.shape == ObstacleShape::kCylinder)
+    obstacle.size.head<2>() += Eigen::Vector2d(by, 2.0 * by);
+}
+
 JointPoint pick(const Eigen::VectorXd& q, const std::vector<int>& joints) {
   JointPoint point(static_cast<int>(joints.size()));
   for (int k = 0; k < point.size(); ++k) point[k] = q[joints[at(k)]];
@@ -202,9 +211,36 @@ TimedPath ArmPlanner::timed(EdgeCheck& space, const JointPath& corners,
   return {};
 }
 
+void ArmPlanner::set_obstacles(const std::vector<Obstacle>& obstacles) {
+  obstacles_ = obstacles;
+  collision_.set_obstacles(obstacles_);
+}
+
 ArmPlan ArmPlanner::plan(const ArmGoal& goal, const Configuration& start,
                          const Eigen::Isometry3d& ground_in_world, std::uint64_t seed,
                          bool (*keep_on)(void*), void* user) {
+  ArmPlan plan;
+  std::int64_t checks = 0;
+  for (const double padding : {config_.padding, 0.5 * config_.padding, 0.0}) {
+    if (obstacles_.empty() && padding > 0.0) continue;
+    std::vector<Obstacle> padded = obstacles_;
+    for (Obstacle& obstacle : padded) pad(obstacle, padding);
+    collision_.set_obstacles(padded);
+    plan = attempt(goal, start, ground_in_world, seed, keep_on, user);
+    plan.padding = padding;
+    plan.checks = checks += plan.checks;
+    const bool in_the_way = plan.status == ArmPathStatus::kStartInCollision ||
+                            plan.status == ArmPathStatus::kGoalInCollision ||
+                            plan.status == ArmPathStatus::kTimeLimit;
+    if (!in_the_way) break;
+  }
+  collision_.set_obstacles(obstacles_);
+  return plan;
+}
+
+ArmPlan ArmPlanner::attempt(const ArmGoal& goal, const Configuration& start,
+                            const Eigen::Isometry3d& ground_in_world, std::uint64_t seed,
+                            bool (*keep_on)(void*), void* user) {
   ArmPlan plan;
   Question question;
   if (!understand(goal, start, ground_in_world, question, plan)) return plan;
@@ -277,10 +313,12 @@ std::string describe(const Model& model, const ArmPlan& plan) {
   char text[192] = "";
   switch (plan.status) {
     case ArmPathStatus::kOk:
-      std::snprintf(text, sizeof text,
-                    "arm path of %.2f s, %zu knots, %.0f mm clear of everything%s", plan.duration(),
-                    plan.path.size(), 1e3 * plan.clearance,
-                    plan.rounds == 0 ? ", straight" : ", around an obstacle");
+      std::snprintf(
+          text, sizeof text,
+          "arm path of %.2f s, %zu knots, %.0f mm clear of itself, %.0f mm of obstacles%s",
+          plan.duration(), plan.path.size(), 1e3 * plan.clearance,
+          1e3 * (plan.clearance + plan.padding),
+          plan.rounds == 0 ? ", straight" : ", around an obstacle");
       return text;
     case ArmPathStatus::kUnreachable:
       std::snprintf(text, sizeof text,

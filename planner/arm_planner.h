@@ -21,9 +21,12 @@ namespace twinbus {
 struct ArmPlannerConfig {
   double clearance = 0.020;        // kept to everything where start and goal allow it [m]
   double least_clearance = 0.012;  // a goal must keep this: the guard holds the arm at less [m]
-  double full_speed_time = 0.5;    // from rest to a joint's velocity limit at speed 1 [s]
-  int ik_restarts = 80;            // random postures to look for a goal posture from
-  int goal_postures = 6;           // enough of them
+  // Obstacles are taken for thicker by this where start and goal allow it: a balancing body moves
+  // while its arm does, and the guard holds the arm before it is too near [m].
+  double padding = 0.030;
+  double full_speed_time = 0.5;  // from rest to a joint's velocity limit at speed 1 [s]
+  int ik_restarts = 80;          // random postures to look for a goal posture from
+  int goal_postures = 6;         // enough of them
   int rrt_rounds = 4000;
   int shortcut_rounds = 120;
   double knot_spacing = 0.04;  // [s]
@@ -37,6 +40,7 @@ struct ArmPlan {
   std::vector<int> joints;     // model indices of the columns
   TimedPath path;              // kOk
   double clearance = 0.0;      // that every posture of the path keeps [m]
+  double padding = 0.0;        // that it keeps to obstacles besides [m]
   int rounds = 0;              // of the search; 0: the straight way was free
   std::int64_t checks = 0;     // postures looked at
   double duration() const { return path.empty() ? 0.0 : path.back().time; }
@@ -48,9 +52,7 @@ class ArmPlanner {
   explicit ArmPlanner(const Model& model, const ArmPlannerConfig& config = {});
 
   // In the world of `start`'s base.
-  void set_obstacles(const std::vector<Obstacle>& obstacles) {
-    collision_.set_obstacles(obstacles);
-  }
+  void set_obstacles(const std::vector<Obstacle>& obstacles);
 
   // start: the posture and base pose now.  ground_in_world: the frame goals are given in.  keep_on,
   // when given: asked now and then; false ends the plan with kCancelled.
@@ -65,6 +67,9 @@ class ArmPlanner {
 
  private:
   struct Question;
+  ArmPlan attempt(const ArmGoal& goal, const Configuration& start,
+                  const Eigen::Isometry3d& ground_in_world, std::uint64_t seed,
+                  bool (*keep_on)(void*), void* user);
   bool understand(const ArmGoal& goal, const Configuration& start, const Eigen::Isometry3d& ground,
                   Question& question, ArmPlan& plan) const;
   bool find_goals(class EdgeCheck& space, Question& question, class Random& random,
@@ -75,6 +80,7 @@ class ArmPlanner {
   const Model* model_;
   ArmPlannerConfig config_;
   Collision collision_;
+  std::vector<Obstacle> obstacles_;  // as they are; those of collision_ are padded during a plan
 };
 
 // One sentence for people: what was planned, or why not and what to do.

@@ -33,6 +33,7 @@ namespace {
 constexpr double kWait = 0.01;  // [s] for a message
 constexpr std::int64_t kHeartbeatNs = 100'000'000;
 constexpr std::int64_t kWindowNs = 500'000'000;
+constexpr std::int64_t kWarmUp = 100;  // ticks; LCM makes a list per channel with its first message
 constexpr std::int64_t kFreshNs = 200'000'000;  // a plan needs a state not older than this
 constexpr std::int64_t kResendNs = 40'000'000;
 constexpr int kSends = 4;  // of every path
@@ -70,7 +71,7 @@ class PlannerProcess {
         ++window_ticks_;
       }
       if (monotonic_ns() - beat_ns_ >= kHeartbeatNs) send_heartbeat();
-      allocations_ += no_alloc.count();
+      if (ticks_ > kWarmUp) allocations_ += no_alloc.count();
       // A goal, an answer and a resend are events, not part of the loop.
       if (new_goal_) start_plan();
       if (auto answer = worker_.answer()) finish_plan(*answer);

@@ -13,6 +13,7 @@ constexpr std::size_t kMaxSenders =
 constexpr std::size_t kMaxEvents = 60;
 constexpr int kMaxObstaclePieces = 64;
 constexpr double kSilent = 10.0;      // [s]
+constexpr double kRateWindow = 2.0;   // [s]; shorter, a page sees the jitter of the viewer
 constexpr double kTruthFresh = 0.25;  // [s]
 constexpr double kStateFresh = 0.25;  // [s]
 
@@ -57,7 +58,7 @@ void RateMeter::update(std::int64_t total, std::int64_t now_ns) {
     since_ns_ = now_ns;
   }
   const double elapsed = 1e-9 * static_cast<double>(now_ns - since_ns_);
-  if (!(elapsed >= 1.0)) return;
+  if (!(elapsed >= kRateWindow)) return;
   rate_ = static_cast<double>(total - total_) / elapsed;
   total_ = total;
   since_ns_ = now_ns;

@@ -28,7 +28,7 @@ struct Heard {
   bool fresh(std::int64_t now_ns, double limit) const { return age(now_ns) < limit; }
 };
 
-// Messages per second, from a total that only grows; renewed once a second.
+// Messages per second, from a total that only grows; renewed every two seconds.
 class RateMeter {
  public:
   void update(std::int64_t total, std::int64_t now_ns);

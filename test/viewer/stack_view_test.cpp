@@ -46,9 +46,9 @@ Event event(std::int64_t sender, std::int32_t sequence, const char* text) {
 
 TEST(RateMeter, CountsPerSecond) {
   RateMeter meter;
-  for (int i = 0; i <= 600; ++i) meter.update(i, kStart + i * 2 * kMs);
+  for (int i = 0; i <= 1200; ++i) meter.update(i, kStart + i * 2 * kMs);
   EXPECT_NEAR(meter.rate(), 500.0, 1.0);
-  meter.update(600, kStart + 3000 * kMs);
+  meter.update(1200, kStart + 6000 * kMs);
   EXPECT_LT(meter.rate(), 100.0);
 }
 
