@@ -89,6 +89,26 @@ TEST(ArmPlanner, PathsAroundPostsTouchNothing) {
   EXPECT_GE(around, 6);
 }
 
+// A balancing body moves by a centimetre or two while its arm does: where there is room, the way
+// stays farther from obstacles than the guard's margin and that.
+TEST(ArmPlanner, ObstaclesArePassedAtADistanceWhereThereIsRoom) {
+  Configuration start = standing();
+  const std::vector<Obstacle> obstacles = {post(0.30, 0.27)};
+  for (const double y : {0.44, 0.12}) {
+    const ArmPlan plan = plan_with(obstacles, hand_to(ArmSide::kLeft, 0.33, y, 0.92), start, 1);
+    ASSERT_EQ(plan.status, ArmPathStatus::kOk) << describe(hrp1s(), plan);
+    EXPECT_DOUBLE_EQ(plan.padding, ArmPlannerConfig{}.padding);
+    const double to_post = nearest_to_obstacles(obstacles, plan, start);
+    EXPECT_GE(to_post, plan.clearance + plan.padding - 1e-6);
+    for (std::size_t k = 0; k < plan.joints.size(); ++k)
+      start.q[plan.joints[k]] = plan.path.back().q[static_cast<int>(k)];
+  }
+  // A goal beside the post is not refused for that.
+  const ArmPlan near_plan =
+      plan_with(obstacles, hand_to(ArmSide::kLeft, 0.30, 0.36, 0.92), standing(), 1);
+  ASSERT_EQ(near_plan.status, ArmPathStatus::kOk) << describe(hrp1s(), near_plan);
+}
+
 TEST(ArmPlanner, TheSameSeedGivesTheSameMotionBitForBit) {
   const std::vector<Obstacle> obstacles = {post(0.30, 0.27)};
   const Configuration start = standing();

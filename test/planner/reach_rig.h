@@ -66,6 +66,31 @@ inline Eigen::Vector3d hand_at(const ArmPlan& plan, const Configuration& start, 
   return (kinematics.link_in_world(hand.link) * hand.frame).translation();
 }
 
+// Smallest distance of any link to any obstacle along the motion.
+inline double nearest_to_obstacles(const std::vector<Obstacle>& obstacles, const ArmPlan& plan,
+                                   const Configuration& start) {
+  Collision collision(hrp1s());
+  collision.set_obstacles(obstacles);
+  Kinematics kinematics(hrp1s());
+  double nearest = 1.0;
+  for (double t = 0.0; t <= plan.duration(); t += 0.002) {
+    Configuration posture = start;
+    JointPoint q, qd, qdd;
+    sample(plan.path, t, q, qd, qdd);
+    for (std::size_t k = 0; k < plan.joints.size(); ++k)
+      posture.q[plan.joints[k]] = q[static_cast<int>(k)];
+    kinematics.update(posture);
+    for (int link = 0; link < hrp1s().link_count(); ++link) {
+      for (int o = 0; o < static_cast<int>(obstacles.size()); ++o) {
+        PairDistance pair;
+        if (collision.pair_nearer_than(kinematics, link, hrp1s().link_count() + o, nearest, pair))
+          nearest = std::min(nearest, pair.distance);
+      }
+    }
+  }
+  return nearest;
+}
+
 class SecondOpinion {
  public:
   explicit SecondOpinion(const std::vector<Obstacle>& obstacles)

@@ -1,0 +1,294 @@
+// `twinbus bench guard`: what one tick of the guard costs on hrp1s, and one look at all pairs, beside
+// FCL's own ways to ask the same: its dynamic AABB tree manager, and every pair in turn.
+
+#include <fcl/broadphase/broadphase_dynamic_AABB_tree.h>
+#include <fcl/narrowphase/collision.h>
+#include <fcl/narrowphase/distance.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "control/guard.h"
+#include "robot/collision.h"
+#include "robot/load.h"
+#include "robot/options.h"
+#include "robot/process.h"
+#include "robot/rate_stats.h"
+#include "test/no_alloc.h"
+
+using namespace twinbus;
+
+namespace {
+
+constexpr double kNear = 0.05;  // [m]
+
+struct Row {
+  std::string name;
+  std::string metric = "cost";
+  RateStats stats;
+  const Row* peer = nullptr;
+};
+
+std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
+Configuration pose(const Model& model, const std::string& name) {
+  Configuration c(model);
+  const auto& q = model.poses[at(model.find_pose(name))].q;
+  for (int j = 0; j < model.joint_count(); ++j) c.q[j] = q[at(j)];
+  return c;
+}
+
+std::vector<Configuration> postures(const Model& model, bool random_ones) {
+  std::mt19937_64 random(1);
+  const Configuration home = pose(model, "half_sitting");
+  std::vector<Configuration> result;
+  for (int i = 0; i < 256; ++i) {
+    Configuration c = home;
+    for (int j = 0; j < model.joint_count(); ++j) {
+      const Joint& joint = model.joints[at(j)];
+      c.q[j] = random_ones
+                   ? std::uniform_real_distribution<double>(joint.lower, joint.upper)(random)
+                   : std::clamp(home.q[j] + std::normal_distribution<double>(0.0, 0.15)(random),
+                                joint.lower, joint.upper);
+    }
+    result.push_back(c);
+  }
+  return result;
+}
+
+// The same shapes as fcl::CollisionObjects, one per shape, with the pairs that we check.
+class FclPeer {
+ public:
+  FclPeer(const Model& model, const Collision& collision)
+      : model_(model), wanted_(at(model.link_count() * model.link_count()), 0) {
+    for (const CollisionPair& pair : collision.pairs()) {
+      wanted_[at(pair.link_a * model.link_count() + pair.link_b)] = 1;
+      wanted_[at(pair.link_b * model.link_count() + pair.link_a)] = 1;
+    }
+    for (int link = 0; link < model.link_count(); ++link) {
+      for (const Shape& shape : model.links[at(link)].collision) {
+        std::shared_ptr<fcl::CollisionGeometryd> geometry;
+        if (shape.kind == ShapeKind::kBox) {
+          geometry = std::make_shared<fcl::Boxd>(shape.size.x(), shape.size.y(), shape.size.z());
+        } else if (shape.kind == ShapeKind::kSphere) {
+          geometry = std::make_shared<fcl::Sphered>(shape.size.x());
+        } else if (shape.kind == ShapeKind::kCylinder) {
+          geometry = std::make_shared<fcl::Cylinderd>(shape.size.x(), shape.size.y());
+        } else {
+          throw std::runtime_error("guard_bench: meshes are not compared");
+        }
+        parts_.push_back({link, shape.pose, std::make_unique<fcl::CollisionObjectd>(geometry)});
+      }
+    }
+    for (Part& part : parts_) {
+      part.object->setUserData(&part.link);
+      manager_.registerObject(part.object.get());
+    }
+    manager_.setup();
+  }
+
+  void place(const Kinematics& kinematics) {
+    for (Part& part : parts_) {
+      part.object->setTransform(kinematics.link_in_world(part.link) * part.pose);
+      part.object->computeAABB();
+    }
+  }
+  int touching_by_manager() {
+    manager_.update();
+    Count count{this, 0};
+    manager_.collide(&count, &FclPeer::touch);
+    return count.pairs;
+  }
+  int touching_one_by_one() {
+    int pairs = 0;
+    each_pair([&](Part& a, Part& b) {
+      fcl::CollisionRequestd request;
+      fcl::CollisionResultd result;
+      pairs += fcl::collide(a.object.get(), b.object.get(), request, result) > 0 ? 1 : 0;
+    });
+    return pairs;
+  }
+  int near_one_by_one() {
+    int pairs = 0;
+    each_pair([&](Part& a, Part& b) {
+      fcl::DistanceRequestd request(true);
+      fcl::DistanceResultd result;
+      pairs += fcl::distance(a.object.get(), b.object.get(), request, result) <= kNear ? 1 : 0;
+    });
+    return pairs;
+  }
+
+ private:
+  struct Part {
+    int link;
+    Eigen::Isometry3d pose;
+    std::unique_ptr<fcl::CollisionObjectd> object;
+  };
+  struct Count {
+    FclPeer* peer;
+    int pairs;
+  };
+  bool wanted(int a, int b) const { return wanted_[at(a * model_.link_count() + b)] != 0; }
+  template <class Call>
+  void each_pair(Call call) {
+    for (std::size_t a = 0; a < parts_.size(); ++a) {
+      for (std::size_t b = a + 1; b < parts_.size(); ++b) {
+        if (wanted(parts_[a].link, parts_[b].link)) call(parts_[a], parts_[b]);
+      }
+    }
+  }
+  static bool touch(fcl::CollisionObjectd* a, fcl::CollisionObjectd* b, void* user) {
+    auto& count = *static_cast<Count*>(user);
+    if (!count.peer->wanted(*static_cast<int*>(a->getUserData()),
+                            *static_cast<int*>(b->getUserData())))
+      return false;
+    fcl::CollisionRequestd request;
+    fcl::CollisionResultd result;
+    count.pairs += fcl::collide(a, b, request, result) > 0 ? 1 : 0;
+    return false;
+  }
+
+  const Model& model_;
+  std::vector<char> wanted_;
+  std::vector<Part> parts_;
+  fcl::DynamicAABBTreeCollisionManagerd manager_;
+};
+
+template <class Call>
+Row measure(const std::string& name, const Model& model, const std::vector<Configuration>& set,
+            std::int64_t calls, Call call) {
+  Row row{name, "cost", {}, nullptr};
+  Kinematics kinematics(model);
+  for (std::int64_t i = -50; i < calls; ++i) {
+    const std::int64_t begin = monotonic_ns();
+    kinematics.update(set[static_cast<std::size_t>(i + 50) % set.size()]);
+    call(kinematics);
+    if (i >= 0) row.stats.add(monotonic_ns() - begin);
+  }
+  return row;
+}
+
+// The guard as a controller sees it: arms that swing in and out of the body at a servo's pace.
+Row measure_guard(const Model& model, std::int64_t calls, long& allocations) {
+  Row row{"guard tick, arms swinging into the body", "cost", {}, nullptr};
+  Guard guard(model, {});
+  Configuration base = pose(model, "half_sitting");
+  RobotState state;
+  JointCommand command;
+  state.run_id = command.run_id = 1;
+  state.joint_count = command.joint_count = static_cast<std::int16_t>(model.bus_count());
+  for (std::int64_t tick = 1; tick <= calls; ++tick) {
+    state.tick = command.tick = tick;
+    const double t = model.period() * static_cast<double>(tick);
+    for (int k = 0; k < model.bus_count(); ++k) {
+      const int joint = model.bus_joints[at(k)];
+      const bool arm = model.joints[at(joint)].name.find("ARM") != std::string::npos;
+      const double swing = arm ? 0.6 : 0.05;
+      const double rate = 1.0 + 0.13 * k;
+      state.q[at(k)] = std::clamp(base.q[joint] + swing * std::sin(rate * t),
+                                  model.joints[at(joint)].lower, model.joints[at(joint)].upper);
+      state.qd[at(k)] = static_cast<float>(swing * rate * std::cos(rate * t));
+      command.q[at(k)] = state.q[at(k)] + 0.004 * static_cast<double>(state.qd[at(k)]);
+      command.qd[at(k)] = state.qd[at(k)];
+    }
+    const NoAlloc no_alloc;
+    const std::int64_t begin = monotonic_ns();
+    guard.check(state, &command, base);
+    row.stats.add(monotonic_ns() - begin);
+    if (tick > 1) allocations += no_alloc.count();
+  }
+  return row;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+  Options options("guard_bench", "Costs of self-collision checking per tick, beside plain FCL.");
+  std::string csv, robot = "hrp1s";
+  std::int64_t calls = 20000;
+  options.text("--robot", "NAME_OR_DIR", robot, "a robot of boxes, spheres and cylinders");
+  options.integer("--calls", "N", calls, 100, 10'000'000, "per case");
+  options.text("--csv", "FILE", csv, "also as rows");
+  options.parse(argc, argv);
+
+  const Model model = load_robot(robot);
+  Collision collision(model);
+  FclPeer peer(model, collision);
+  std::vector<Row> rows;
+  rows.reserve(16);
+  long allocations = 0;
+  rows.push_back(measure_guard(model, calls, allocations));
+  for (const bool random_ones : {false, true}) {
+    const std::string where = random_ones ? ", random" : ", near half_sitting";
+    const std::vector<Configuration> set = postures(model, random_ones);
+    PairDistance near[64];
+    // The verdicts must be the same, or the costs say nothing.
+    Kinematics kinematics(model);
+    for (const Configuration& c : set) {
+      kinematics.update(c);
+      peer.place(kinematics);
+      if (collision.in_collision(kinematics) != (peer.touching_one_by_one() > 0))
+        std::fprintf(stderr, "guard_bench: a verdict differs from FCL's\n");
+    }
+    rows.push_back(measure("all pairs: touching?" + where, model, set, calls,
+                           [&](const Kinematics& k) { collision.in_collision(k); }));
+    Row& touching = rows.back();
+    rows.push_back(
+        measure("  FCL manager" + where, model, set, calls / 4, [&](const Kinematics& k) {
+          peer.place(k);
+          peer.touching_by_manager();
+        }));
+    touching.peer = &rows.back();
+    rows.push_back(
+        measure("  FCL pair by pair" + where, model, set, calls / 4, [&](const Kinematics& k) {
+          peer.place(k);
+          peer.touching_one_by_one();
+        }));
+    rows.push_back(measure("all pairs: distances under 50 mm" + where, model, set, calls,
+                           [&](const Kinematics& k) { collision.near_pairs(k, kNear, near, 64); }));
+    Row& distances = rows.back();
+    rows.push_back(measure("  FCL distance pair by pair" + where, model, set, calls / 20,
+                           [&](const Kinematics& k) {
+                             peer.place(k);
+                             peer.near_one_by_one();
+                           }));
+    distances.peer = &rows.back();
+  }
+
+  std::printf("%d pairs; %ld allocations in %lld guard ticks%s\n", collision.pair_count(),
+              allocations, static_cast<long long>(calls),
+              allocations_counted() ? "" : " (not counted in this build)");
+  std::printf("%-56s %9s %9s %9s %9s %8s\n", "microseconds, kinematics included", "median", "p99",
+              "p99.9", "worst", "peer/us");
+  for (const Row& row : rows) {
+    std::printf("%-56s %9.2f %9.2f %9.2f %9.2f", row.name.c_str(), 1e-3 * row.stats.median_ns(),
+                1e-3 * row.stats.p99_ns(), 1e-3 * row.stats.p999_ns(),
+                1e-3 * static_cast<double>(row.stats.max_ns()));
+    if (row.peer != nullptr)
+      std::printf(" %8.1f", row.peer->stats.median_ns() / row.stats.median_ns());
+    std::printf("\n");
+  }
+  if (csv.empty()) return 0;
+  std::FILE* file = std::fopen(csv.c_str(), "a");
+  if (file == nullptr) throw std::runtime_error(csv + " cannot be written");
+  for (const Row& row : rows) {
+    std::fprintf(file, "guard,\"%s\",cost,us,%.3f,%.3f,%.3f,%.3f,", row.name.c_str(),
+                 1e-3 * row.stats.median_ns(), 1e-3 * row.stats.p99_ns(),
+                 1e-3 * row.stats.p999_ns(), 1e-3 * static_cast<double>(row.stats.max_ns()));
+    if (row.peer != nullptr) {
+      std::fprintf(file, "%s,%.3f,%.3f\n", "FCL", 1e-3 * row.peer->stats.median_ns(),
+                   row.stats.median_ns() / row.peer->stats.median_ns());
+    } else {
+      std::fprintf(file, ",,\n");
+    }
+  }
+  return std::fclose(file) == 0 ? 0 : 1;
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "guard_bench: %s\n", error.what());
+  return 1;
+}

@@ -1,0 +1,169 @@
+#!/usr/bin/env python3
+"""The real robot driven by the keyboard, through a pseudo terminal: every key does what the cheat sheet says, and
+letting go, dying or falling silent brings the robot back to where it stood.
+"""
+
+import contextlib
+import os
+import pty
+import re
+import select
+import signal
+import struct
+import fcntl
+import subprocess
+import termios
+import time
+
+import harness
+from harness import BIN, Bus, Checks, Stack
+
+BALANCE, HOLD = 4, 2  # modes of controller_status_t
+SWAY, SQUAT = 1, 2    # motions
+
+
+class Keyboard:
+    """`twinbus gamepad --keyboard` in a terminal of its own."""
+
+    def __init__(self):
+        self.master, slave = pty.openpty()
+        fcntl.ioctl(slave, termios.TIOCSWINSZ, struct.pack("HHHH", 40, 120, 0, 0))
+        self.child = subprocess.Popen([BIN / "twinbus", "gamepad", "--keyboard"], stdin=slave, stdout=slave, stderr=slave,
+                                      start_new_session=True)
+        os.close(slave)
+        self.text = ""
+        end = time.monotonic() + 10
+        while "ready" not in self.text and time.monotonic() < end:
+            self.read(0.1)
+
+    def read(self, seconds):
+        end = time.monotonic() + seconds
+        while (left := end - time.monotonic()) > 0 and select.select([self.master], [], [], left)[0]:
+            try:
+                self.text += os.read(self.master, 65536).decode("utf-8", "replace")
+            except OSError:
+                return
+
+    def press(self, keys):
+        os.write(self.master, keys.encode())
+        self.read(0.05)
+
+    def close(self):
+        with contextlib.suppress(OSError):
+            os.close(self.master)
+
+
+def status(bus):
+    return bus.newest("CONTROLLER_STATUS")[1]
+
+
+def until(bus, accept, seconds=3.0):
+    """Waits for a CONTROLLER_STATUS."""
+    return bus.wait_for("CONTROLLER_STATUS", accept, seconds)[1] is not None
+
+
+def com(bus, seconds=0.4):
+    """Mean centre of mass over the last while, by TRUTH [m]."""
+    time.sleep(seconds)
+    rows = [t.com for _, t in bus.messages("TRUTH", time.monotonic_ns() - int(1e9 * seconds))]
+    return [sum(row[k] for row in rows) / len(rows) for k in range(3)]
+
+
+def modes(checks, bus, keys):
+    for key, name, accept in (("2", "sway", lambda s: s.motion == SWAY), ("3", "squat", lambda s: s.motion == SQUAT),
+                              ("4", "hold", lambda s: s.mode == HOLD),
+                              ("1", "balance", lambda s: s.mode == BALANCE and s.motion == 0)):
+        keys.press(key)
+        checks.that(until(bus, accept), f"key {key}: {name}")
+        time.sleep(0.7)
+
+
+def leaning(checks, bus, keys):
+    home = com(bus)
+    # Axis of the centre of mass, its sign, and how far at least it goes for ten steps.
+    for key, back, axis, sign, least in (("w", "x", 0, 1, 0.01), ("s", "0", 0, -1, 0.01), ("a", "x", 1, 1, 0.01),
+                                         ("d", "x", 1, -1, 0.01), ("k", "x", 2, -1, 0.01)):
+        keys.press(10 * key)
+        time.sleep(1.6)
+        moved = sign * (com(bus)[axis] - home[axis])
+        checks.at_least(moved, least, f"ten times {key}: the centre of mass moves [m]")
+        keys.press(back)
+        time.sleep(1.8)
+        off = max(abs(a - b) for a, b in zip(com(bus), home))
+        checks.at_most(off, 0.004, f"{back}: back where it was [m]")
+    keys.press("\x1b[A\x1b[A\x1b[A")
+    checks.that(bus.wait_for("GAMEPAD", lambda g: abs(g.left_y - 0.3) < 1e-3, 2)[1] is not None, "arrow keys do the same")
+    keys.press("sss")
+    checks.that(bus.wait_for("GAMEPAD", lambda g: g.left_y == 0.0, 2)[1] is not None, "as many steps back give exactly zero")
+
+
+def stopping(checks, bus, keys):
+    keys.press("www ")
+    _, state = bus.wait_for("STATE", lambda s: s.stop_kind == 1, 3)
+    checks.that(state is not None, "space: the robot stops in balance")
+    _, pad = bus.wait_for("GAMEPAD", lambda g: g.stop, 2)
+    checks.that(pad is not None and not pad.deadman and pad.left_y == 0.0, "and the set points are zero")
+    bus.wait_for("STATE", lambda s: s.stop_kind >= 2, 4)
+    keys.press("www")
+    time.sleep(0.3)
+    _, pad = bus.newest("GAMEPAD")
+    checks.that(pad.left_y == 0.0 and not pad.deadman, "keys do nothing while it is stopped")
+    keys.press("c")
+    _, state = bus.wait_for("STATE", lambda s: s.stop_kind == 0, 3)
+    checks.that(state is not None, "c: the stop is cleared")
+    keys.press("1")
+    checks.that(until(bus, lambda s: s.mode == BALANCE and s.stopping == 0), "1: balance again")
+    time.sleep(0.8)
+
+
+def letting_go(checks, bus, keys):
+    """The consumer's own time-out: a keyboard that is frozen in the middle of a lean is not obeyed any longer."""
+    home = com(bus)
+    keys.press(10 * "w")
+    time.sleep(1.6)
+    checks.at_least(com(bus)[0] - home[0], 0.01, "before: the robot leans [m]")
+    pads = [int(p) for p in subprocess.run(["pgrep", "-x", "twinbus_gamepad"], capture_output=True, text=True,
+                                           check=False).stdout.split()]
+    mine = [pid for pid in pads if os.stat(f"/proc/{pid}/ns/net").st_ino == os.stat("/proc/self/ns/net").st_ino]
+    if checks.that(len(mine) == 1, f"one keyboard runs: {mine}"):
+        os.kill(mine[0], signal.SIGSTOP)
+        time.sleep(2.2)
+        checks.at_most(abs(com(bus)[0] - home[0]), 0.004, "frozen keyboard: the robot comes back upright [m]")
+        os.kill(mine[0], signal.SIGCONT)
+        time.sleep(1.8)
+        keys.press("x")
+        time.sleep(1.5)
+    keys.press(10 * "w")
+    time.sleep(1.6)
+    keys.press("q")
+    _, pad = bus.wait_for("GAMEPAD", lambda g: not g.connected, 2)
+    checks.that(pad is not None and pad.left_y == 0.0 and not pad.deadman, "q: zeros, and gone")
+    checks.that(keys.child.wait(5) == 0, "q: exit 0")
+    time.sleep(2.0)
+    checks.at_most(abs(com(bus)[0] - home[0]), 0.004, "q: the robot comes back upright [m]")
+
+
+def main():
+    harness.require("twinbus", "twinbus_simulator", "twinbus_controller", "twinbus_guard", "twinbus_gamepad")
+    harness.CHANNEL_TYPES.setdefault("GAMEPAD", "gamepad_t")
+    checks = Checks()
+    with Stack("stand", "--no-viewer", "--for", 120):
+        bus = Bus()
+        time.sleep(2.0)
+        keys = Keyboard()
+        for row in ("STOP, at any time", "sway from side to side", "lean forward", "let go and quit"):
+            checks.that(row in keys.text, f"the cheat sheet says \"{row}\"")
+        modes(checks, bus, keys)
+        leaning(checks, bus, keys)
+        stopping(checks, bus, keys)
+        letting_go(checks, bus, keys)
+        checks.that(re.search(r"SIMULATOR\s+term 1", keys.text) is not None, "the line shows source and term")
+        truths = [t for _, t in bus.messages("TRUTH")]
+        checks.that(not any(t.fell for t in truths), "no fall")
+        keys.close()
+        bus.close()
+    checks.exit()
+
+
+if __name__ == "__main__":
+    main()
