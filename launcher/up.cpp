@@ -249,7 +249,8 @@ void Up::activate() {
     bus_->receive(0.02);
     supervisor_->watch(monotonic_ns());
     const SeenSource* source = bus_->seen().source(request.run_id);
-    if (source != nullptr && source->status.role == Role::kActive && source->on_state) {
+    // Its own word is enough: on a busy machine its states may lie in our socket for a while.
+    if (source != nullptr && source->status.role == Role::kActive) {
       say(describe(*source) + " holds STATE");
       return;
     }
@@ -351,7 +352,11 @@ bool Up::work() {
       for (const Supervised& one : supervisor_->processes()) {
         const bool gone = one.process.name == stack_.activate && !one.child.empty() && one.child.front().wait_is_over();
         if (gone) {
-          bus_->listen(0.1);  // what is still in the socket
+          // What is still in the socket: a launcher without priority may be seconds behind.
+          for (std::int64_t heard = -1; heard != bus_->seen().state().received();) {
+            heard = bus_->seen().state().received();
+            bus_->listen(0.1);
+          }
           return true;
         }
       }
