@@ -60,7 +60,10 @@ void Handover::heard_state(const RobotState& state, std::int64_t now_ns) noexcep
 }
 
 void Handover::note_rival(const RobotState& state, std::int64_t now_ns) noexcept {
-  if (state.run_id != rival || now_ns - rival_ns > config.state_timeout_ns) {
+  const bool fresh = rival != 0 && now_ns - rival_ns <= config.state_timeout_ns;
+  // Of several rivals one is watched at a time: if each took the other's place none would last.
+  if (fresh && state.run_id != rival && state.term <= rival_term) return;
+  if (!fresh || state.run_id != rival) {
     rival = state.run_id;
     rival_count = 1;
     rival_since_ns = now_ns;

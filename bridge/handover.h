@@ -16,7 +16,8 @@
 //  * Two sources that both publish on STATE (activated in two halves of a split network): the one
 //    whose commands ran out gives way when it hears the other for three ticks.  One that obeys
 //    commands never does, so no old log can depose it; nor does one that somebody stopped, so no
-//    stop is lost, unless the other is stopped too and higher in (term, run).
+//    stop is lost, unless the other is stopped too and higher in (term, run).  Of several rivals one is watched at a time, until
+//    it is silent or another has a higher term.
 //  * A holder that has been silent for the listening time is forgotten.  A shadow follows a new
 //    holder only if its term was believed by grant, cancel or activation; otherwise it parks, so
 //    that an old log cannot move a robot that shadows.

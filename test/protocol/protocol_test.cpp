@@ -37,6 +37,14 @@ INSTANTIATE_TEST_SUITE_P(Protocol, FromStart, ::testing::ValuesIn(all_starts()),
                            return name;
                          });
 
+// Three halves of a split network, each with a source that was activated: of several rivals each
+// must be heard.
+TEST(ThreeSources, AllButOneGiveWay) {
+  const Outcome outcome = explore(Start::kTwoActive, 3, {.depth = 3, .faults = 1, .happenings = 1});
+  EXPECT_TRUE(outcome.complete);
+  EXPECT_EQ(outcome.violation, "") << story(outcome);
+}
+
 // A rule that can be left out without anybody noticing is no rule, or the explorer is blind to it.
 // The table says where the bug shows soonest; the properties that find it are those of every start.
 struct Plant {
