@@ -228,6 +228,14 @@ class Checks:
             print("FAILED:", sentence, flush=True)
         return good
 
+    def tentative(self):
+        """Checks of one attempt, not counted nor printed until adopt()."""
+        return Attempt()
+
+    def adopt(self, attempt):
+        for good, sentence in attempt.claims:
+            self.that(good, sentence)
+
     def at_most(self, value, limit, what):
         return self.that(value <= limit, f"{what}: {value:.6g}, at most {limit:g} asked")
 
@@ -237,6 +245,17 @@ class Checks:
     def exit(self):
         print(f"{self.made - self.failed} of {self.made} checks hold")
         sys.exit(1 if self.failed else 0)
+
+
+class Attempt(Checks):
+    def __init__(self):
+        super().__init__()
+        self.claims = []
+
+    def that(self, good, sentence):
+        self.claims.append((good, sentence))
+        self.failed += not good
+        return good
 
 
 def newest_run_folder():

@@ -34,6 +34,7 @@ class SwitchFigures:
         self.zmp_margin_mm = math.inf
         self.tilt_deg = 0.0
         self.fell = False
+        self.from_ns = self.to_ns = 0  # what was looked at, steady clock
 
     def row(self):
         return (f"missed {self.ticks_without_command}, gap {self.gap_ticks} ticks {self.gap_ms:.1f} ms, "
@@ -68,6 +69,7 @@ def steps(states, efforts):
 def figures(bus, new_run, at_ns, efforts):
     """at_ns: steady clock of the first STATE of new_run."""
     f = SwitchFigures()
+    f.from_ns, f.to_ns = at_ns - BEFORE_NS, at_ns + AFTER_NS
     states = list(bus.messages("STATE", at_ns - BEFORE_NS, at_ns + AFTER_NS))
     commands = {message.tick for _, message in bus.messages("COMMAND", at_ns - BEFORE_NS, at_ns + AFTER_NS + 50_000_000)}
     ticks = [message.tick for _, message in states]

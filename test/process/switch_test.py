@@ -1,23 +1,29 @@
 #!/usr/bin/env python3
-"""The live switch between simulator and robot (rows d and f of the first stack).
+"""The live switch between simulator and robot, and between two simulators.
 
-    switch_test.py [bench [--csv F]]     `bench` prints the figures of every switch, and a table
+    switch_test.py [bench [--csv F]] [sway] [squat] [reach] [twosims]
 
-TWINBUS_FULL=1: 100 switches per motion, otherwise 4.
+`bench` prints the figures of every switch, and a table.  TWINBUS_FULL=1: 100 switches per motion, otherwise 4; SWITCHES=N
+says how many.  A switch that failed while the machine itself stood still (stalls.py) is counted, printed and repeated.
 """
 
+import os
+import pathlib
 import random
 import sys
+import tempfile
 import time
 
 import harness
 import switch_figures
 from harness import Bus, Checks, Stack, cli, percentile
+from stalls import Stalls
 
 PER_MOTION = 100 if harness.FULL else 4
 BLEND = 0.3  # [s]
 # What is wrong with the second robot besides the model errors that it has anyway: IMU yaw drift and sole height.
-DISTURBED = ["--set", "sensor.imu_yaw_drift=0.003"]
+DISTURBED = ["--set", "sensor.imu_yaw_drift=0.003", "--set", "ground.left_height_error=0.001"]
+MOTIONS = ("sway", "squat", "reach")
 
 
 def active_run(bus):
@@ -40,31 +46,69 @@ def switch_once(bus, word, efforts, policy="now"):
     return status, out + err, switch_figures.figures(bus, state.run_id, at, efforts)
 
 
-def back_and_forth(checks, motion, count, all_figures, rng):
+def disturbed_stack(name):
+    """The stack, with what is wrong with its robot besides the model errors that it has anyway."""
+    text = (harness.ROOT / "config/stacks" / f"{name}.yaml").read_text(encoding="utf-8")
+    plain = '"--socket", "{device}"]'
+    assert plain in text
+    words = ", ".join(f'"{word}"' for word in DISTURBED)
+    file = pathlib.Path(tempfile.mkdtemp()) / f"{name}_disturbed.yaml"
+    file.write_text(text.replace(plain, plain[:-1] + f", {words}]", 1), encoding="utf-8")
+    return str(file)
+
+
+def one_switch(bus, stalls, checks, what, target, efforts, policy):
+    """The figures of a switch that no stall of the machine hit, or None; (figures, it was hit)."""
+    status, said, f = switch_once(bus, target, efforts, policy)
+    if not checks.that(status == 0 and f is not None, f"{what}: {said.strip()}"):
+        return None, False
+    attempt = checks.tentative()
+    switch_figures.judge(f, attempt, what)
+    stall = stalls.longest_ms(f.from_ns, f.to_ns)
+    hit = attempt.failed > 0 and stall > 0.0
+    print(f"{what}: {f.row()}" + (f"; the machine stood still for {stall:.1f} ms" if stall > 0.0 else ""), flush=True)
+    if hit:
+        for good, sentence in attempt.claims:
+            if not good:
+                print(f"  not judged, machine stall: {sentence}", flush=True)
+    else:
+        checks.adopt(attempt)
+    return f, hit
+
+
+def back_and_forth(checks, motion, count, all_figures, rng, stalls, twosims=False):
+    """count switches, and one more for each that a stall of the machine hit."""
     efforts = harness.effort_limits()
-    scene = motion if motion != "reach" else "reach"
-    with Stack(scene, "--stack", "both", "--no-viewer") as stack:
+    name = "twosims" if twosims else disturbed_stack("both")
+    label = f"{motion}, two simulators" if twosims else motion
+    with Stack(motion, "--stack", name, "--no-viewer") as stack:
         bus = Bus()
         time.sleep(2.5)  # until the motion is under way
-        target = "bridge"
-        for number in range(count):
-            what = f"{motion} {number}: to {target}"
+        target = "sim" if twosims else "bridge"
+        number = stalled = refused = 0
+        while number < count and stalled <= count and refused < 3:
+            what = f"{label} {number}: to {target}"
             # Now and then within the blend of the last one, otherwise at a random phase of the motion.
             time.sleep(0.02 if number % 5 == 4 else 0.3 + 0.7 * rng.random())
             # A robot is left only when it stands still; a simulator at any time.
-            policy = "now" if target == "bridge" else "when-safe"
-            status, said, f = switch_once(bus, target, efforts, policy)
-            if not checks.that(status == 0 and f is not None, f"{what}: {said.strip()}"):
+            policy = "now" if target == "bridge" or twosims else "when-safe"
+            f, hit = one_switch(bus, stalls, checks, what, target, efforts, policy)
+            if f is None:
+                refused += 1
                 continue
-            print(f"{what}: {f.row()}", flush=True)
-            switch_figures.judge(f, checks, what)
-            all_figures.append((f"{motion} to {target}", f))
+            stalled += hit
+            number += not hit
+            if not hit:
+                all_figures.append((f"{label} to {target}", f))
             if policy == "when-safe" and motion != "reach":
                 checks.that(cli(motion)[0] == 0, f"{what}: and the motion goes on")
-            target = "sim" if target == "bridge" else "bridge"
-        pids = [stack.pids(p) for p in ("twinbus_guard", "twinbus_planner", "twinbus_controller")]
-        checks.that(all(len(p) == 1 for p in pids), f"{motion}: guard, planner and controller still run")
-        checks.that(not any("started again" in line for line in stack.lines), f"{motion}: and none was started again")
+            if not twosims:
+                target = "sim" if target == "bridge" else "bridge"
+        print(f"{label}: {number} switches judged, {stalled} hit by a stall of the machine and repeated", flush=True)
+        checks.at_least(number, count, f"{label}: switches judged")
+        programs = ["twinbus_guard", "twinbus_controller"] + ([] if twosims else ["twinbus_planner"])
+        checks.that(all(len(stack.pids(p)) == 1 for p in programs), f"{label}: guard, planner and controller still run")
+        checks.that(not any("started again" in line for line in stack.lines), f"{label}: and none was started again")
         bus.close()
 
 
@@ -121,10 +165,17 @@ def main():
     checks = Checks()
     all_figures = []
     bench = "bench" in sys.argv[1:]
-    for motion in ("sway", "squat", "reach"):
-        back_and_forth(checks, motion, PER_MOTION, all_figures, rng)
-    if not bench:
+    stalls = Stalls()
+    wanted = [word for word in sys.argv[1:] if word in MOTIONS + ("twosims",)]
+    count = int(os.environ.get("SWITCHES", PER_MOTION))
+    for motion in MOTIONS:
+        if not wanted or motion in wanted:
+            back_and_forth(checks, motion, count, all_figures, rng, stalls)
+    if not wanted or "twosims" in wanted:
+        back_and_forth(checks, "sway", count, all_figures, rng, stalls, twosims=True)
+    if not bench and not wanted:
         refusals(checks)
+    stalls.close()
     csv = sys.argv[sys.argv.index("--csv") + 1] if "--csv" in sys.argv[:-1] else None
     if all_figures:
         table(all_figures, csv)
