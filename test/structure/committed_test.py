@@ -18,12 +18,12 @@ GENERATED = re.compile(r"twinbus/\w+_t\.hpp$")
 
 
 def named_sources(folder, text):
-    """Files that a CMakeLists.txt of this folder names, as paths from the root."""
+    """Files that a CMakeLists.txt of this folder names, as (path from the root, name as written)."""
     for token in re.split(r'[\s()"]+', re.sub(r"#.*", "", text)):
         here = posixpath.join(folder, token.replace("${CMAKE_CURRENT_SOURCE_DIR}/", ""))
         path = re.sub(r"^.*\$\{(PROJECT|CMAKE)_SOURCE_DIR\}/", "", here)
         if NAME.fullmatch(path):
-            yield posixpath.normpath(path)
+            yield posixpath.normpath(path), posixpath.normpath(token)
 
 
 def missing(files, read):
@@ -32,8 +32,8 @@ def missing(files, read):
     for path in sorted(files):
         folder, name = posixpath.split(path)
         if name == "CMakeLists.txt":
-            for source in named_sources(folder, read(path)):
-                if source not in files:
+            for source, name_from_root in named_sources(folder, read(path)):
+                if source not in files and name_from_root not in files:
                     problems.append(f"{path}: names {source}, which is not committed")
         elif name.endswith((".h", ".cpp")):
             text = read(path)
@@ -72,8 +72,8 @@ def main():
     builds = [path for path in commit if path.endswith("CMakeLists.txt")]
     texts = {path: git("show", f"HEAD:{path}") for path in builds}
     for path in builds:
-        for source in named_sources(posixpath.dirname(path), texts[path]):
-            if source not in commit:
+        for source, name_from_root in named_sources(posixpath.dirname(path), texts[path]):
+            if source not in commit and name_from_root not in commit:
                 problems.append(f"HEAD: {path}: names {source}, which is not in the commit")
     for problem in problems:
         print(problem)
