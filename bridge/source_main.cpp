@@ -88,7 +88,9 @@ class Shell {
     c.run_id = run_id_;
     c.kind = options_.kind;
     c.pace = options_.lockstep ? Pace::kLockStep : Pace::kRealTime;
-    c.guard_required = options_.guard_required;
+    // Lock-step does not wait for the guard's process, so its silence must not decide anything there; the
+    // controller's own guard looks at every tick.
+    c.guard_required = options_.guard_required && !options_.lockstep;
     c.seed = static_cast<std::uint64_t>(options_.seed) ^ static_cast<std::uint64_t>(monotonic_ns());
     return c;
   }
