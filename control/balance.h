@@ -1,9 +1,10 @@
-// Standing on both feet: one tick from the estimate to leg set-points with feed-forward torque.
+// Standing on both feet: one tick from the estimate to torques that make the ground push as balance needs.
 //
-// Everything happens in the ground frame (midway between the soles, z up), so neither drift of
-// heading nor of world position matters.  plan (com_motion) -> DCM feedback (stabilizer) -> load of
-// each sole (wrench_share) -> where the soles are sent so that they carry it (foot_compliance) ->
-// whole-body inverse kinematics -> recursive Newton-Euler with the shared contact wrenches.
+// Everything happens in the ground frame (midway between the soles, z up), so neither drift of heading nor of world
+// position matters.  plan (com_motion) -> zero-moment point and lean (stabilizer, trunk_yield) -> wrench of each sole
+// (wrench_share, foot_compliance) -> accelerations while the soles stand (standing_motion) -> recursive Newton-Euler.
+// The set-points of the legs are where they are measured, one tick on: the torque is what is fed forward, and the servo
+// gains hold a robot that shadows this one, or one that lost its controller.
 
 #pragma once
 
@@ -15,8 +16,8 @@
 #include "control/com_motion.h"
 #include "control/foot_compliance.h"
 #include "control/stabilizer.h"
+#include "control/standing_motion.h"
 #include "control/trunk_yield.h"
-#include "control/whole_body_ik.h"
 #include "robot/dynamics.h"
 #include "robot/estimator.h"
 #include "robot/model.h"
@@ -42,14 +43,16 @@ class Balance {
   void stop_motion(double duration) noexcept { motion_.stop(duration); }
   void lean(const Eigen::Vector3d& offset) noexcept { motion_.lean(offset); }
 
-  // q_given, qd_given [joint_count]: of the joints that are not of a leg; the others are ignored.
-  void update(const Estimator& estimator, const Eigen::VectorXd& q_given, double dt) noexcept;
+  void update(const Estimator& estimator, double dt) noexcept;
 
-  // Set-points of all joints, [joint_count]; of those given, only tau is news.
+  // Set-points of the legs and torques of all joints, [joint_count].
   const Eigen::VectorXd& q() const noexcept { return q_; }
   const Eigen::VectorXd& qd() const noexcept { return qd_; }
   const Eigen::VectorXd& tau() const noexcept { return tau_; }
-  bool is_leg(int joint) const noexcept { return ik_.is_leg(joint); }
+  // Of a joint that is not of a leg: what balance adds to its set-point [rad], [rad/s].
+  double offset(int joint) const noexcept { return offset_[joint]; }
+  double offset_rate(int joint) const noexcept { return offset_rate_[joint]; }
+  bool is_leg(int joint) const noexcept { return leg_[static_cast<std::size_t>(joint)]; }
   // Servo gains of a joint.
   double kp(int joint) const noexcept { return kp_[joint]; }
   double kd(int joint) const noexcept { return kd_[joint]; }
@@ -60,7 +63,7 @@ class Balance {
   // For the status; ground frame.
   const Eigen::Vector3d& com() const noexcept { return com_; }
   const Eigen::Vector3d& com_velocity() const noexcept { return com_velocity_; }
-  Eigen::Vector3d com_reference() const noexcept;
+  Eigen::Vector3d com_reference() const noexcept { return motion_.position(); }
   const Eigen::Vector2d& dcm() const noexcept { return dcm_; }
   const Stabilizer& stabilizer() const noexcept { return stabilizer_; }
   Motion motion() const noexcept { return motion_.motion(); }
@@ -68,10 +71,13 @@ class Balance {
  private:
   void measure(const Estimator& estimator, double dt, bool fresh) noexcept;
   void take_soles(const Estimator& estimator, double share) noexcept;
-  void load_soles(const Estimator& estimator, double dt) noexcept;
-  std::array<Eigen::Isometry3d, 2> sole_targets() const noexcept;
-  void feed_forward(double dt) noexcept;
+  void push_soles(const Estimator& estimator, double dt) noexcept;
+  void feed_forward(const Estimator& estimator, double dt) noexcept;
   double omega() const noexcept;
+  void find_waist() noexcept;
+  Eigen::Vector3d momentum_rate(const Estimator& estimator,
+                                const Eigen::Vector3d& turning) noexcept;
+  void start_trunk(const Estimator& estimator) noexcept;
 
   const Model* model_;
   BalanceGains gains_;
@@ -79,26 +85,27 @@ class Balance {
   Stabilizer stabilizer_;
   TrunkYield trunk_;
   FootCompliance foot_;
-  WholeBodyIk ik_;
+  StandingMotion standing_;
   InverseDynamics dynamics_;
 
   std::array<SoleOnGround, 2> soles_;
-  std::array<double, 2> first_height_{};  // what start() found, fades out
-  std::array<Eigen::Vector3d, 2> first_turn_{};
-  Eigen::Vector3d first_base_turn_ = Eigen::Vector3d::Zero();
-  MinJerk first_;  // 1 -> 0
+  MinJerk first_;  // 1 -> 0: how much of what was found at the start is still held
+  Eigen::Vector3d first_turn_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d home_ = Eigen::Vector3d::Zero();
 
   Eigen::Vector3d com_ = Eigen::Vector3d::Zero(), com_velocity_ = Eigen::Vector3d::Zero();
   Eigen::Vector2d momentum_ = Eigen::Vector2d::Zero(), dcm_ = Eigen::Vector2d::Zero();
-  Eigen::Vector2d tilt_ = Eigen::Vector2d::Zero(), tilt_rate_ = Eigen::Vector2d::Zero();  // roll, pitch of the base
+  Eigen::Vector3d turn_ = Eigen::Vector3d::Zero(), turn_rate_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d acceleration_ = Eigen::Vector3d::Zero(),
+                  angular_acceleration_ = Eigen::Vector3d::Zero();
   double mass_;
   bool fresh_ = true, finite_ = true;
-  Configuration last_;  // of the inverse kinematics, a tick ago
-  Eigen::VectorXd q_, qd_, qdd_, tau_, kp_, kd_;
+  Eigen::VectorXd q_, qd_, qdd_, tau_, kp_, kd_, offset_, offset_rate_;
+  std::array<int, 2> waist_{-1, -1};  // joint that rolls, joint that pitches the trunk
+  std::array<double, 2> waist_sign_{1.0, 1.0};
+  std::vector<ExternalWrench> no_wrench_;
+  std::vector<bool> leg_;
   std::vector<ExternalWrench> wrench_;
-  Configuration motion_state_;  // for the inverse dynamics
-  Kinematics motion_kinematics_;
 };
 
 }  // namespace twinbus

@@ -224,11 +224,11 @@ void Modes::want(const Moment& now, std::int64_t mask, double dt, SetPoint& set_
       q_given_[j] = follower.mimic_multiplier * q_given_[follower.mimic] + follower.mimic_offset;
   }
   if (balancing_) {
-    balance_->update(now.estimator, q_given_, dt);
+    balance_->update(now.estimator, dt);
     if (!balance_->finite()) {
       sentence_ = "the balance controller met a number that is not one; it starts again";
       balance_->start(now.estimator);
-      balance_->update(now.estimator, q_given_, dt);
+      balance_->update(now.estimator, dt);
     }
   } else {
     static_torque_.solve(now.estimator, q_given_, tau_);
@@ -241,6 +241,10 @@ void Modes::want(const Moment& now, std::int64_t mask, double dt, SetPoint& set_
     const bool leg = balancing_ && balance_->is_leg(j);
     set_point.q[i] = leg ? balance_->q()[j] : posture_.q(k);
     set_point.qd[i] = leg ? balance_->qd()[j] : posture_.qd(k);
+    if (balancing_ && !leg) {
+      set_point.q[i] += balance_->offset(j);
+      set_point.qd[i] += balance_->offset_rate(j);
+    }
     set_point.tau[i] = tau[j];
     set_point.kp[i] = leg ? balance_->kp(j) : joint.kp;
     set_point.kd[i] = leg ? balance_->kd(j) : joint.kd;

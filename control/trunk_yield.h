@@ -1,11 +1,9 @@
-// The trunk gives way when the soles are exhausted: bending with a push buys deceleration that the
-// feet cannot give.
+// The trunk leans when the soles are exhausted: turning with a push buys time that the feet cannot give.
 //
-// An excess e of wanted ZMP is paid with a change of angular momentum, L_y' = m g e_x, L_x' = -m g
-// e_y, by turning the trunk, which springs back upright when the excess is gone:
+//     L' = I theta'',   theta'' = w^2 (theta* - theta) - 2 zeta w theta'     roll and pitch of the base, by the ground
+//     phi'' = w_b^2 (phi* - phi) - 2 w_b phi'                                the waist joints on top of it, by their servos
 //
-//     theta'' = L' / I  -  2 zeta w theta'  -  w^2 theta          theta: roll and pitch of the base
-//     reference
+// theta* and phi* follow the lean a that is wanted; in metres a = (I_theta theta + I_phi phi) / (m z), shared by phi = r theta.
 
 #pragma once
 
@@ -14,30 +12,45 @@
 namespace twinbus {
 
 struct TrunkYieldGains {
-  double gyration = 0.30;  // radius of gyration that is turned, of the whole mass [m]
-  double share = 0.6;      // of the excess that is paid this way
-  double frequency = 3.5;  // w [rad/s]
-  double damping = 0.9;    // zeta
-  double limit = 0.30;     // [rad]
-  double most = 25.0;      // largest angular acceleration [rad/s^2]
+  double frequency = 8.0;    // w [rad/s]
+  double damping = 0.9;      // zeta
+  double limit = 0.35;       // of theta* [rad]
+  double most = 30.0;        // largest angular acceleration [rad/s^2]
+  double filter = 0.015;     // of theta* [s]
+  double waist = 1.3;        // r
+  double waist_rate = 10.0;  // w_b [rad/s]
 };
 
 class TrunkYield {
  public:
   explicit TrunkYield(const TrunkYieldGains& gains) noexcept : gains_(gains) {}
 
-  void start() noexcept;
-  // excess in the ground frame [m].
-  void update(const Eigen::Vector2d& excess, double dt) noexcept;
+  // base, waist: inertia about the centre of mass that turning them moves, over the mass, roll and pitch [m^2].
+  // most_waist: farthest the waist may bend [rad].
+  void start(const Eigen::Vector2d& base, const Eigen::Vector2d& waist,
+             const Eigen::Vector2d& most_waist) noexcept;
+  // wanted: a [m], ground axes; angle, rate: of the base, roll and pitch [rad], [rad/s]; height: z [m].
+  void update(const Eigen::Vector2d& wanted, const Eigen::Vector2d& angle,
+              const Eigen::Vector2d& rate, double height, double dt) noexcept;
 
-  const Eigen::Vector2d& angle() const noexcept { return angle_; }  // roll, pitch [rad]
-  const Eigen::Vector2d& rate() const noexcept { return rate_; }
-  const Eigen::Vector2d& acceleration() const noexcept { return acceleration_; }
+  // a of the base at this angle and the waist as it is [m].
+  Eigen::Vector2d lean(const Eigen::Vector2d& angle, double height) const noexcept;
+  const Eigen::Vector2d& target() const noexcept { return target_; }              // theta*
+  const Eigen::Vector2d& acceleration() const noexcept { return acceleration_; }  // theta''
+  Eigen::Vector2d moment_per_mass() const noexcept {  // L' / m [m^2/s^2]
+    return base_.cwiseProduct(acceleration_);
+  }
+  const Eigen::Vector2d& waist() const noexcept { return waist_angle_; }  // phi: roll, pitch [rad]
+  const Eigen::Vector2d& waist_rate() const noexcept { return waist_rate_; }
+  const Eigen::Vector2d& waist_acceleration() const noexcept { return waist_acceleration_; }
 
  private:
   TrunkYieldGains gains_;
-  Eigen::Vector2d angle_ = Eigen::Vector2d::Zero(), rate_ = Eigen::Vector2d::Zero();
-  Eigen::Vector2d acceleration_ = Eigen::Vector2d::Zero();
+  Eigen::Vector2d base_ = Eigen::Vector2d::Ones(), waist_ = Eigen::Vector2d::Zero();
+  Eigen::Vector2d most_waist_ = Eigen::Vector2d::Zero();
+  Eigen::Vector2d target_ = Eigen::Vector2d::Zero(), acceleration_ = Eigen::Vector2d::Zero();
+  Eigen::Vector2d waist_angle_ = Eigen::Vector2d::Zero(), waist_rate_ = Eigen::Vector2d::Zero();
+  Eigen::Vector2d waist_acceleration_ = Eigen::Vector2d::Zero();
 };
 
 }  // namespace twinbus

@@ -31,30 +31,27 @@ double* find_gain(BalanceGains& g, const std::string& name) {
   const std::pair<const char*, double*> table[] = {
       {"dcm", &g.stabilizer.dcm},
       {"integral", &g.stabilizer.integral},
-      {"reference", &g.stabilizer.reference},
-      {"give_up", &g.stabilizer.give_up},
       {"margin", &g.stabilizer.margin},
+      {"cop_filter", &g.stabilizer.cop_filter},
       {"least_load", &g.stabilizer.least_load},
-      {"trunk_share", &g.trunk.share},
       {"trunk_frequency", &g.trunk.frequency},
       {"trunk_damping", &g.trunk.damping},
       {"trunk_limit", &g.trunk.limit},
       {"trunk_most", &g.trunk.most},
+      {"trunk_filter", &g.trunk.filter},
       {"ankle", &g.foot.ankle},
-      {"difference", &g.foot.difference},
       {"sole_tilt", &g.sole_tilt},
       {"lag", &g.foot.lag},
-      {"gyration", &g.trunk.gyration},
       {"filter", &g.foot.filter},
-      {"momentum", &g.momentum},
       {"velocity_filter", &g.velocity_filter},
-      {"acceleration_filter", &g.acceleration_filter},
       {"leg_kp", &g.leg_kp},
       {"leg_kd", &g.leg_kd},
-      {"ankle_kp", &g.ankle_kp},
-      {"ankle_kd", &g.ankle_kd},
-      {"upright", &g.upright},
-      {"upright_damping", &g.upright_damping},
+      {"lead", &g.lead},
+      {"waist", &g.trunk.waist},
+      {"waist_rate", &g.trunk.waist_rate},
+      {"height", &g.height},
+      {"height_damping", &g.height_damping},
+      {"yaw", &g.yaw},
       {"home_forward", &g.home_forward},
   };
   for (const auto& [key, value] : table) {
@@ -70,26 +67,26 @@ RigRecord push(const Case& c, double ix, double iy, bool feedback, bool trace) {
   ControlConfig config;
   config.guard_in_loop = c.guard;
   config.gains = c.gains;
-  config.gains.feedback = feedback;
-  if (!feedback) config.gains.leg_kp = config.gains.leg_kd = config.gains.ankle_kp = config.gains.ankle_kd = 1.0;
+  if (!feedback) config.first_mode = Mode::kHold;
   SimRig rig(c.model, scene, c.settings, config);
   const auto n = static_cast<int>((kAt + kAfter) / c.model.period());
   for (int i = 0; i < n && !rig.record().fell; ++i) {
     if (!rig.tick()) break;
     if (i == static_cast<int>(0.5 * kAt / c.model.period())) rig.forget();
-    if (trace && i % 10 == 0) {
+    if (trace && i % 5 == 0) {
       const ControllerStatus& s = rig.loop().status();
       const SimTruth& t = rig.truth();
       const double pitch = 2.0 * std::asin(std::clamp(t.base_attitude[2], -1.0, 1.0));
       const double roll = 2.0 * std::asin(std::clamp(t.base_attitude[1], -1.0, 1.0));
       std::printf(
           "%5.2f com %6.1f %6.1f %6.1f ref %6.1f %6.1f dcm %6.1f %6.1f zmp %6.1f %6.1f want %6.1f %6.1f margin %5.1f "
-          "roll %5.2f pitch %5.2f fL %5.0f fR %5.0f\n",
+          "roll %5.2f pitch %5.2f fL %5.0f fR %5.0f tilt %5.2f %5.2f\n",
           i * c.model.period(), 1e3 * double(s.com[0]), 1e3 * double(s.com[1]), 1e3 * double(s.com[2]),
           1e3 * double(s.com_reference[0]), 1e3 * double(s.com_reference[1]), 1e3 * double(s.dcm[0]),
           1e3 * double(s.dcm[1]), 1e3 * double(s.zmp[0]), 1e3 * double(s.zmp[1]), 1e3 * double(s.zmp_reference[0]),
           1e3 * double(s.zmp_reference[1]), 1e3 * double(t.zmp_margin), roll * 57.3, pitch * 57.3,
-          double(t.foot_force[0][2]), double(t.foot_force[1][2]));
+          double(t.foot_force[0][2]), double(t.foot_force[1][2]), 114.6 * double(t.foot_attitude[0][1]),
+          114.6 * double(t.foot_attitude[1][1]));
     }
   }
   return rig.record();

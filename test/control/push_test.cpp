@@ -1,0 +1,46 @@
+// A push at the chest while standing, in the simulator: nominal robot, and one that is heavier and noisy.
+
+#include <gtest/gtest.h>
+
+#include "robot/load.h"
+#include "test/control/sim_rig.h"
+
+namespace twinbus {
+namespace {
+
+const Settings kHeavyAndNoisy = {
+    {"model.mass_scale", "1.03"},       {"sensor.noise.encoder", "1e-5"},
+    {"sensor.noise.velocity", "0.002"}, {"sensor.noise.attitude", "1e-4"},
+    {"sensor.noise.gyro", "0.001"},     {"sensor.noise.force", "1"},
+    {"sensor.noise.moment", "0.05"}};
+
+RigRecord push(double ix, double iy, const Settings& settings) {
+  static const Model model = load_robot("hrp1s");
+  Scene scene;
+  scene.pushes.push_back(
+      {.link = "CHEST", .point = {0, 0, 0}, .impulse = {ix, iy, 0}, .at = 2.0, .duration = 0.1});
+  ControlConfig config;
+  config.guard_in_loop = false;
+  SimRig rig(model, scene, settings, config);
+  EXPECT_TRUE(rig.run(1.9));
+  rig.forget();
+  EXPECT_TRUE(rig.run(2.6));
+  return rig.record();
+}
+
+void stands(const RigRecord& record) {
+  EXPECT_FALSE(record.fell);
+  EXPECT_GE(record.zmp_margin_min, 0.005);
+  EXPECT_LE(record.sole_tilt_max, 0.5 / 57.29577951308232);
+  EXPECT_LE(record.effort_share_max, 1.0);
+}
+
+TEST(Push, FortyFiveForwardIsStoodOnFlatSoles) { stands(push(45.0, 0.0, {})); }
+TEST(Push, ThirtyBackIsStoodOnFlatSoles) { stands(push(-30.0, 0.0, {})); }
+TEST(Push, FortyFiveLeftIsStoodOnFlatSoles) { stands(push(0.0, 45.0, {})); }
+TEST(Push, FortyFiveRightIsStoodByAHeavierRobotWithNoise) {
+  stands(push(0.0, -45.0, kHeavyAndNoisy));
+}
+
+}  // namespace
+}  // namespace twinbus
