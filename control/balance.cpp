@@ -172,10 +172,9 @@ void Balance::start(const Estimator& estimator) noexcept {
   finite_ = true;
 }
 
-void Balance::rebase(const Estimator& estimator) noexcept {
-  measure(estimator, model_->period(), true);
-  stabilizer_.rebase();
-}
+// The filtered velocities go on: the new source moves as the last one did, and its first unfiltered
+// velocities are noise.
+void Balance::rebase() noexcept { stabilizer_.rebase(); }
 
 // Momentum rate about the centre of mass [N m] of an acceleration while the centre of mass rests and the soles stand:
 // qdd of the joints that are not of a leg as they are in qdd_, and a turning of the base.

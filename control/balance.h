@@ -35,7 +35,7 @@ class Balance {
   void start(const Estimator& estimator) noexcept;
   // The same robot through another source: references and motion go on, filters and errors are
   // re-based.
-  void rebase(const Estimator& estimator) noexcept;
+  void rebase() noexcept;
 
   void request(Motion motion, double amplitude, double frequency) noexcept {
     motion_.request(motion, amplitude, frequency);

@@ -100,7 +100,7 @@ void ControlLoop::Impl::first_state() noexcept {
 void ControlLoop::Impl::next_state(bool same_source) noexcept {
   estimator.update(state);
   if (same_source) return;
-  modes.rebase(now());
+  modes.rebase();
   if (guard != nullptr) guard->reset();
 }
 

@@ -51,8 +51,8 @@ void Modes::start(Mode first, const Moment& now) noexcept {
   enter(first, now);
 }
 
-void Modes::rebase(const Moment& now) noexcept {
-  if (balancing_) balance_->rebase(now.estimator);
+void Modes::rebase() noexcept {
+  if (balancing_) balance_->rebase();
 }
 
 // Hold keeps the set-points, brought to rest; at_measured starts from where the joints are instead.

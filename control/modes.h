@@ -38,7 +38,7 @@ class Modes {
   // Forgets everything and enters a mode.
   void start(Mode first, const Moment& now) noexcept;
   // The same robot speaks through another source.
-  void rebase(const Moment& now) noexcept;
+  void rebase() noexcept;
   // A robot that lies on the ground is let go.
   void watch_for_a_fall(const Moment& now) noexcept;
   // asked: the highest stop heard since the last tick.  True while the gate obeys nobody, and at the
