@@ -17,6 +17,7 @@ namespace {
 constexpr double kAskAgain = 0.2;         // a lost request is sent again, with its own sequence [s]
 constexpr double kStandbyTimeout = 6.0;   // a shadow needs a fresh anchor [s]
 constexpr double kFollowTimeout = 4.0;    // for a shadow to get there [s]
+constexpr double kFollowing = 1.0;        // it has faded in and swings with the active source by then [s]
 constexpr double kNearPosture = 0.045;    // the source itself refuses 0.05 [rad]
 constexpr double kSwitchTimeout = 15.0;   // with when-safe: a stop and 2 s of rest come first [s]
 constexpr double kAlignTimeout = 90.0;    // slow on purpose [s]
@@ -83,10 +84,19 @@ class Switch {
     if (!done) throw std::runtime_error("the target does not go into standby: " + reason(request, target_run_));
   }
 
-  // A shadow that has just begun to follow is still on its way to the posture of the active source.
-  void wait_for_posture() {
+  // A shadow that has just begun to follow is still on its way to the posture of the active source, and then still in
+  // other motion: it must have been near for a while.
+  void wait_for_posture(double lasting) {
     const std::int64_t begin = monotonic_ns();
-    while (!quit_requested() && since(begin) < kFollowTimeout && posture_gap() > kNearPosture) bus_.receive(0.02);
+    std::int64_t near_since = begin;
+    while (!quit_requested() && since(begin) < kFollowTimeout) {
+      if (posture_gap() > kNearPosture) {
+        near_since = monotonic_ns();
+      } else if (since(near_since) >= lasting) {
+        return;
+      }
+      bus_.receive(0.02);
+    }
   }
 
   // False with a sentence in why.
@@ -182,7 +192,7 @@ int switch_command(const std::vector<std::string>& words) {
   const bool already_standby = standby.empty() && (target.status.role == Role::kStandbyTrack ||
                                                    target.status.role == Role::kStandbyShadow);
   if (!already_standby) change.put_into_standby(track);
-  if (!arguments.has("--align")) change.wait_for_posture();
+  if (!arguments.has("--align")) change.wait_for_posture(already_standby || track ? 0.0 : kFollowing);
   const std::int64_t begin = monotonic_ns();
   std::string why;
   if (!change.hand_over(policy == "now" ? SwitchPolicy::kNow : SwitchPolicy::kWhenSafe, arguments.has("--align"), why)) {
