@@ -27,7 +27,8 @@
 namespace twinbus {
 namespace {
 
-constexpr int kPriority = 55;   // FIFO, below the source's
+// FIFO, above the sources': its tick is the shortest, and a standby's long one must not delay it.
+constexpr int kPriority = 75;
 constexpr double kWait = 0.02;  // [s] for a message, then the heartbeat gets its turn
 constexpr std::int64_t kHeartbeatNs = 100'000'000;
 constexpr std::int64_t kQuietNs = 1'000'000'000;  // between two events of the same sentence

@@ -57,10 +57,11 @@ def disturbed_stack(name):
     return str(file)
 
 
-def one_switch(bus, stalls, checks, what, target, efforts, policy):
+def one_switch(stack, bus, stalls, checks, what, target, efforts, policy):
     """The figures of a switch that no stall of the machine hit, or None; (figures, it was hit)."""
     status, said, f = switch_once(bus, target, efforts, policy)
-    if not checks.that(status == 0 and f is not None, f"{what}: {said.strip()}"):
+    stops = [line.strip() for line in stack.lines if " stop '" in line][-2:]
+    if not checks.that(status == 0 and f is not None, f"{what}: {said.strip()} {' '.join(stops)}"):
         return None, False
     attempt = checks.tentative()
     switch_figures.judge(f, attempt, what)
@@ -92,7 +93,7 @@ def back_and_forth(checks, motion, count, all_figures, rng, stalls, twosims=Fals
             time.sleep(0.02 if number % 5 == 4 else 0.3 + 0.7 * rng.random())
             # A robot is left only when it stands still; a simulator at any time.
             policy = "now" if target == "bridge" or twosims else "when-safe"
-            f, hit = one_switch(bus, stalls, checks, what, target, efforts, policy)
+            f, hit = one_switch(stack, bus, stalls, checks, what, target, efforts, policy)
             if f is None:
                 refused += 1
                 continue
