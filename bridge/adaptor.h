@@ -21,16 +21,17 @@ struct AdaptorConfig {
 
 // What a simulator can be set to: everything that moves.
 struct ImposedState {
-  Eigen::Isometry3d base = Eigen::Isometry3d::Identity();     // link 0 in world
-  Eigen::Vector3d base_velocity = Eigen::Vector3d::Zero();    // of the link 0 origin, world [m/s]
+  Eigen::Isometry3d base = Eigen::Isometry3d::Identity();   // link 0 in world
+  Eigen::Vector3d base_velocity = Eigen::Vector3d::Zero();  // of the link 0 origin, world [m/s]
   Eigen::Vector3d base_angular_velocity = Eigen::Vector3d::Zero();  // world [rad/s]
   PerJoint<double> q{};
   PerJoint<double> qd{};
   // As in the state that is continued: contact and servo then go on from these forces instead of jumping.  Not known: a
   // robot standing still is assumed.
   bool forces_known = false;
-  std::array<std::array<float, 6>, 2> foot_wrench{};  // left, right: force [N], torque [N m], sensor frame
-  PerJoint<float> tau{};                              // [N m or N]
+  std::array<std::array<float, 6>, 2>
+      foot_wrench{};      // left, right: force [N], torque [N m], sensor frame
+  PerJoint<float> tau{};  // [N m or N]
 };
 
 // Never throws.  Joint arrays are in bus order (Model::bus_joints).

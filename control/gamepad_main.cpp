@@ -174,7 +174,8 @@ Heartbeat heartbeat(const Bus& bus, std::int64_t id, std::int64_t cycles, bool r
 
 void run(const Arguments& options) {
   const std::int64_t id = options.common.id > 0 ? options.common.id : random_id();
-  BusOptions bus_options{.url = options.common.url, .prefix = options.common.prefix, .allow = {options.common.allow}};
+  BusOptions bus_options{
+      .url = options.common.url, .prefix = options.common.prefix, .allow = {options.common.allow}};
   Bus bus(bus_options);
   StateAdmission believed;
   Latest<RobotState> newest;

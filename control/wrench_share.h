@@ -10,9 +10,9 @@
 
 namespace twinbus {
 
-struct SoleOnGround {                                       // in the ground frame
-  Eigen::Vector2d position = Eigen::Vector2d::Zero();       // of the sole frame [m]
-  double yaw = 0.0;                                         // [rad]
+struct SoleOnGround {                                  // in the ground frame
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();  // of the sole frame [m]
+  double yaw = 0.0;                                    // [rad]
   // Farthest a centre of pressure may be from the middle, forward and sideways, times the load share
   // [m]: a soft sole tilts under an off-centre load.
   Eigen::Vector2d most_moment = Eigen::Vector2d::Constant(1e9);

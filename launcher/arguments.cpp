@@ -15,8 +15,8 @@ bool looks_like_option(const std::string& word) {
   return !(word[1] == '.' || (word[1] >= '0' && word[1] <= '9'));  // -0.3 is a number
 }
 
-double number_of(const std::string& command, const std::string& name, const std::string& text, double least,
-                 double most) {
+double number_of(const std::string& command, const std::string& name, const std::string& text,
+                 double least, double most) {
   char* end = nullptr;
   const double value = std::strtod(text.c_str(), &end);
   const bool whole = !text.empty() && *end == '\0' && std::isfinite(value);
@@ -30,8 +30,12 @@ double number_of(const std::string& command, const std::string& name, const std:
 
 }  // namespace
 
-OptionSpec prefix_option() { return {"--prefix", "P", "put before every channel, as in R1_ (second robot)"}; }
-OptionSpec url_option() { return {"--url", "URL", "of the bus; default $LCM_DEFAULT_URL, else the port of twinbus"}; }
+OptionSpec prefix_option() {
+  return {"--prefix", "P", "put before every channel, as in R1_ (second robot)"};
+}
+OptionSpec url_option() {
+  return {"--url", "URL", "of the bus; default $LCM_DEFAULT_URL, else the port of twinbus"};
+}
 OptionSpec allow_option() {
   return {"--allow", "IP", "another machine that may send to this bus; may be repeated"};
 }
@@ -50,7 +54,8 @@ std::string help_text(const Syntax& syntax) {
   return text + "Exit status: 0 done, 1 failed, 2 wrong arguments.\n";
 }
 
-Arguments::Arguments(const Syntax& syntax, const std::vector<std::string>& given) : command_(syntax.command) {
+Arguments::Arguments(const Syntax& syntax, const std::vector<std::string>& given)
+    : command_(syntax.command) {
   std::vector<std::string> names = {"--help"};
   for (const OptionSpec& option : syntax.options) names.push_back(option.name);
   bool only_words = false;
@@ -80,11 +85,14 @@ Arguments::Arguments(const Syntax& syntax, const std::vector<std::string>& given
       if (candidate.name == word) option = &candidate;
     }
     if (option == nullptr) {
-      throw UsageError(command_ + ": unknown option '" + word + "'" + suggestion(word, names) + " (see --help)");
+      throw UsageError(command_ + ": unknown option '" + word + "'" + suggestion(word, names) +
+                       " (see --help)");
     }
-    if (option->value.empty() && has_value) throw UsageError(command_ + ": " + word + " takes no value");
+    if (option->value.empty() && has_value)
+      throw UsageError(command_ + ": " + word + " takes no value");
     if (!option->value.empty() && !has_value) {
-      if (i + 1 >= given.size()) throw UsageError(command_ + ": " + word + " needs a value, " + option->about);
+      if (i + 1 >= given.size())
+        throw UsageError(command_ + ": " + word + " needs a value, " + option->about);
       value = given[++i];
     }
     values_[word].push_back(value);
@@ -93,7 +101,8 @@ Arguments::Arguments(const Syntax& syntax, const std::vector<std::string>& given
     throw UsageError(command_ + ": needs " + syntax.positional + " (see --help)");
   }
   if (words_.size() > syntax.most_words) {
-    throw UsageError(command_ + ": does not understand '" + words_[syntax.most_words] + "' (see --help)");
+    throw UsageError(command_ + ": does not understand '" + words_[syntax.most_words] +
+                     "' (see --help)");
   }
 }
 
@@ -109,7 +118,8 @@ std::vector<std::string> Arguments::all(const std::string& option) const {
   return found == values_.end() ? std::vector<std::string>() : found->second;
 }
 
-double Arguments::number(const std::string& option, double otherwise, double least, double most) const {
+double Arguments::number(const std::string& option, double otherwise, double least,
+                         double most) const {
   return has(option) ? number_of(command_, option, text(option, ""), least, most) : otherwise;
 }
 
@@ -117,7 +127,8 @@ std::string Arguments::word(std::size_t index, const std::string& otherwise) con
   return index < words_.size() ? words_[index] : otherwise;
 }
 
-double Arguments::word_number(std::size_t index, const std::string& name, double least, double most) const {
+double Arguments::word_number(std::size_t index, const std::string& name, double least,
+                              double most) const {
   return number_of(command_, name, word(index), least, most);
 }
 

@@ -11,7 +11,8 @@ namespace twinbus {
 
 namespace {
 
-BusOptions options_of(const std::string& url, const std::string& prefix, const std::vector<std::string>& allow) {
+BusOptions options_of(const std::string& url, const std::string& prefix,
+                      const std::vector<std::string>& allow) {
   BusOptions options;
   if (!url.empty()) options.url = url;
   options.prefix = prefix;
@@ -24,20 +25,27 @@ struct Ear {
   Lookout& seen;
   bool own_channel = false;
 
-  void operator()(const RobotState& state) const { seen.on_state(state, own_channel, monotonic_ns()); }
+  void operator()(const RobotState& state) const {
+    seen.on_state(state, own_channel, monotonic_ns());
+  }
   void operator()(const JointCommand& command) const { seen.on_command(command, monotonic_ns()); }
-  void operator()(const SourceStatus& status) const { seen.on_source_status(status, monotonic_ns()); }
+  void operator()(const SourceStatus& status) const {
+    seen.on_source_status(status, monotonic_ns());
+  }
   void operator()(const Heartbeat& beat) const { seen.on_heartbeat(beat, monotonic_ns()); }
   void operator()(const SimTruth& truth) const { seen.on_truth(truth, monotonic_ns()); }
   void operator()(const GuardReport& report) const { seen.on_guard(report, monotonic_ns()); }
-  void operator()(const ControllerStatus& status) const { seen.on_controller_status(status, monotonic_ns()); }
+  void operator()(const ControllerStatus& status) const {
+    seen.on_controller_status(status, monotonic_ns());
+  }
   void operator()(const Event& event) const { seen.on_event(event); }
 };
 
 }  // namespace
 
 struct BusLink::Impl {
-  Impl(const BusOptions& options, Lookout& seen) : ear{seen, false}, own_ear{seen, true}, bus(options) {
+  Impl(const BusOptions& options, Lookout& seen)
+      : ear{seen, false}, own_ear{seen, true}, bus(options) {
     bus.listen_each<RobotState>(channel::kState, ear);
     bus.listen_each<RobotState>(channel::kStateSim, own_ear);
     bus.listen_each<RobotState>(channel::kStateBridge, own_ear);
@@ -58,8 +66,9 @@ struct BusLink::Impl {
   template <class T>
   void send(const char* channel, const T& message) {
     if (!bus.send(channel, message)) {
-      throw std::runtime_error(std::string("cannot send on ") + channel +
-                               ": no route, or a number that is not fit to send; try ./twinbus doctor");
+      throw std::runtime_error(
+          std::string("cannot send on ") + channel +
+          ": no route, or a number that is not fit to send; try ./twinbus doctor");
     }
   }
 
@@ -69,7 +78,8 @@ struct BusLink::Impl {
   Bus bus;  // last: its subscriptions refer to the ears
 };
 
-BusLink::BusLink(const std::string& url, const std::string& prefix, const std::vector<std::string>& allow)
+BusLink::BusLink(const std::string& url, const std::string& prefix,
+                 const std::vector<std::string>& allow)
     : sender_id_(random_id()) {
   const BusOptions options = options_of(url, prefix, allow);
   url_ = options.url;
@@ -79,7 +89,8 @@ BusLink::BusLink(const std::string& url, const std::string& prefix, const std::v
 BusLink::~BusLink() = default;
 
 void BusLink::receive(double seconds) {
-  if (impl_->bus.receive(seconds) < 0) throw std::runtime_error("the bus is gone: the network was taken down");
+  if (impl_->bus.receive(seconds) < 0)
+    throw std::runtime_error("the bus is gone: the network was taken down");
 }
 
 void BusLink::listen(double seconds) {
@@ -153,8 +164,9 @@ const SeenSource* wait_for_active(BusLink& bus, double seconds) {
 }
 
 std::string describe(const SeenSource& source) {
-  return std::string(source_name(source.status.source)) + " run " + std::to_string(source.status.run_id) + " (term " +
-         std::to_string(source.status.term) + ", " + role_name(source.status.role) + ")";
+  return std::string(source_name(source.status.source)) + " run " +
+         std::to_string(source.status.run_id) + " (term " + std::to_string(source.status.term) +
+         ", " + role_name(source.status.role) + ")";
 }
 
 }  // namespace twinbus

@@ -19,7 +19,8 @@ class BusLink {
  public:
   // url empty: $LCM_DEFAULT_URL, else the project's own.  Throws std::runtime_error if the bus cannot be opened.
   // allow: IPv4 addresses of other machines whose messages are taken.
-  BusLink(const std::string& url, const std::string& prefix, const std::vector<std::string>& allow = {});
+  BusLink(const std::string& url, const std::string& prefix,
+          const std::vector<std::string>& allow = {});
   ~BusLink();
 
   // Waits up to so many seconds for anything, then takes in all that is there.

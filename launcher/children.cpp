@@ -23,7 +23,8 @@ namespace {
 constexpr long kTailBytes = 16384;
 
 // In the child, between fork and exec: only calls that are safe after fork.
-[[noreturn]] void become(const ChildSpec& spec, char* const* arguments, pid_t parent, int error_fd) {
+[[noreturn]] void become(const ChildSpec& spec, char* const* arguments, pid_t parent,
+                         int error_fd) {
   setpgid(0, 0);
   // SIGKILL: a child may ignore SIGTERM, outlive us and keep the terminal.  A bridge to real motors is spared: its
   // robot must come to rest by the command timeout, not by losing its last master.
@@ -65,7 +66,8 @@ Child::Child(const ChildSpec& spec) : spec_(spec) {
 
   // The pipe closes by itself when exec succeeds; otherwise it brings errno.
   int pipe_fds[2];
-  if (pipe2(pipe_fds, O_CLOEXEC) != 0) throw std::runtime_error(spec_.name + ": no more file descriptors");
+  if (pipe2(pipe_fds, O_CLOEXEC) != 0)
+    throw std::runtime_error(spec_.name + ": no more file descriptors");
   const pid_t parent = getpid();
   pid_ = fork();
   if (pid_ == 0) become(spec_, arguments.data(), parent, pipe_fds[1]);
@@ -81,7 +83,8 @@ Child::Child(const ChildSpec& spec) : spec_(spec) {
   close(pipe_fds[0]);
   if (failed) {
     waitpid(pid_, nullptr, 0);
-    throw std::runtime_error(spec_.name + ": cannot run " + spec_.command[0] + ": " + std::strerror(error));
+    throw std::runtime_error(spec_.name + ": cannot run " + spec_.command[0] + ": " +
+                             std::strerror(error));
   }
   pidfd_ = static_cast<int>(syscall(SYS_pidfd_open, pid_, 0));
   if (pidfd_ < 0) {
@@ -136,7 +139,8 @@ void Child::kill_group() {
 }
 
 void Child::reap() {
-  kill(-pid_, SIGKILL);  // whatever it left behind in its group; the zombie still keeps the number ours
+  kill(-pid_,
+       SIGKILL);  // whatever it left behind in its group; the zombie still keeps the number ours
   siginfo_t info{};
   waitid(P_PID, static_cast<id_t>(pid_), &info, WEXITED);
   well_ = info.si_code == CLD_EXITED && info.si_status == 0;
@@ -144,7 +148,9 @@ void Child::reap() {
   close(std::exchange(pidfd_, -1));
 }
 
-std::vector<std::string> Child::last_lines(int count) const { return tail_of(spec_.log_file, count); }
+std::vector<std::string> Child::last_lines(int count) const {
+  return tail_of(spec_.log_file, count);
+}
 
 std::vector<std::string> tail_of(const std::string& file, int count) {
   std::ifstream stream(file, std::ios::binary | std::ios::ate);

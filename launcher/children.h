@@ -15,8 +15,9 @@ struct ChildSpec {
   std::string name;
   std::vector<std::string> command;  // program (a path) and its arguments
   std::string log_file;              // stdout and stderr are appended here
-  bool dies_with_launcher = true;    // SIGKILL when the launcher ends; not for a bridge to real motors
-  double grace = 2.0;                // from SIGTERM to SIGKILL [s]
+  bool dies_with_launcher =
+      true;            // SIGKILL when the launcher ends; not for a bridge to real motors
+  double grace = 2.0;  // from SIGTERM to SIGKILL [s]
 };
 
 class Child {
@@ -31,7 +32,9 @@ class Child {
   const std::string& name() const { return spec_.name; }
   const ChildSpec& spec() const { return spec_; }
   pid_t pid() const { return pid_; }
-  int pidfd() const { return pidfd_; }  // readable once the child has ended; -1 after that was noticed
+  int pidfd() const {
+    return pidfd_;
+  }  // readable once the child has ended; -1 after that was noticed
   bool running() const { return pidfd_ >= 0; }
 
   // Notices an end without waiting.  True once, when the child has ended since the last call.

@@ -2,6 +2,7 @@
 
 #include <arpa/inet.h>
 #include <netinet/in.h>
+#include <sched.h>
 #include <sys/mman.h>
 #include <sys/socket.h>
 #include <unistd.h>
@@ -13,7 +14,6 @@
 #include <filesystem>
 #include <fstream>
 #include <regex>
-#include <sched.h>
 #include <sstream>
 
 #include "launcher/arguments.h"
@@ -35,9 +35,12 @@ enum class Health { kGood, kCould, kBad };  // kCould: works, but not as well as
 class Report {
  public:
   void add(Health health, const std::string& what, const std::string& remedy = "") {
-    const char* mark = health == Health::kGood ? "ok     " : health == Health::kCould ? "better " : "MISSING";
+    const char* mark = health == Health::kGood    ? "ok     "
+                       : health == Health::kCould ? "better "
+                                                  : "MISSING";
     std::printf("%s  %s\n", mark, what.c_str());
-    if (!remedy.empty() && health != Health::kGood) std::printf("         mend: %s\n", remedy.c_str());
+    if (!remedy.empty() && health != Health::kGood)
+      std::printf("         mend: %s\n", remedy.c_str());
     bad_ += health == Health::kBad;
   }
   int bad() const { return bad_; }
@@ -86,7 +89,8 @@ void check_network(Report& report, const std::string& url) {
   if (has_route(match[1].str().c_str(), why)) {
     report.add(Health::kGood, "route for multicast to " + match[1].str());
   } else {
-    report.add(Health::kBad, "no route for multicast to " + match[1].str() + " (" + why + "): LCM cannot start",
+    report.add(Health::kBad,
+               "no route for multicast to " + match[1].str() + " (" + why + "): LCM cannot start",
                "sudo ip link set lo up && sudo ip route add 224.0.0.0/4 dev lo");
   }
   const long buffer = std::atol(first_line("/proc/sys/net/core/rmem_max").c_str());
@@ -105,8 +109,9 @@ void check_bus(Report& report, const std::string& url) {
     if (sources.empty() && processes.empty()) {
       report.add(Health::kGood, "bus " + bus.url() + " opens, and nobody is on it");
     } else {
-      report.add(Health::kGood, "bus " + bus.url() + " is in use: " + std::to_string(processes.size()) + " processes" +
-                                    (sources.empty() ? "" : ", " + describe(*sources.front())));
+      report.add(Health::kGood,
+                 "bus " + bus.url() + " is in use: " + std::to_string(processes.size()) +
+                     " processes" + (sources.empty() ? "" : ", " + describe(*sources.front())));
     }
   } catch (const std::exception& error) {
     report.add(Health::kBad, std::string("the bus does not open: ") + error.what());
@@ -115,16 +120,21 @@ void check_bus(Report& report, const std::string& url) {
 
 void check_java(Report& report) {
   const std::string java = in_path("java");
-  report.add(java.empty() ? Health::kCould : Health::kGood, java.empty() ? "no java: ./twinbus spy needs it" : "java: " + java,
+  report.add(java.empty() ? Health::kCould : Health::kGood,
+             java.empty() ? "no java: ./twinbus spy needs it" : "java: " + java,
              "sudo apt-get install default-jre");
   bool jar = false;
-  for (const char* file : {"/usr/share/java/lcm.jar", "/usr/local/share/java/lcm.jar"}) jar = jar || fs::exists(file);
-  report.add(jar ? Health::kGood : Health::kCould, jar ? "lcm.jar for lcm-spy" : "no lcm.jar: ./twinbus spy needs it",
+  for (const char* file : {"/usr/share/java/lcm.jar", "/usr/local/share/java/lcm.jar"})
+    jar = jar || fs::exists(file);
+  report.add(jar ? Health::kGood : Health::kCould,
+             jar ? "lcm.jar for lcm-spy" : "no lcm.jar: ./twinbus spy needs it",
              "sudo apt-get install liblcm-java");
   const std::string types = fs::path(program_folder()).parent_path().string() + "/share/types.jar";
   report.add(fs::exists(types) ? Health::kGood : Health::kCould,
-             fs::exists(types) ? "types for lcm-spy: " + types : "no " + types + ": lcm-spy would not decode",
-             "sudo apt-get install default-jdk-headless liblcm-java && rm -r build/release && ./twinbus status");
+             fs::exists(types) ? "types for lcm-spy: " + types
+                               : "no " + types + ": lcm-spy would not decode",
+             "sudo apt-get install default-jdk-headless liblcm-java && rm -r build/release && "
+             "./twinbus status");
 }
 
 void check_real_time(Report& report, bool in_detail) {
@@ -137,27 +147,37 @@ void check_real_time(Report& report, bool in_detail) {
   const std::string why = fifo ? "" : std::strerror(errno);
   if (fifo) sched_setscheduler(0, policy, &before);
   report.add(fifo ? Health::kGood : Health::kCould,
-             fifo ? "FIFO priority is allowed" : "no FIFO priority (" + why + "): up to 1 % of the ticks may be missed",
-             "run as root, or: echo '@sudo - rtprio 90' | sudo tee /etc/security/limits.d/twinbus.conf, and log in again");
+             fifo ? "FIFO priority is allowed"
+                  : "no FIFO priority (" + why + "): up to 1 % of the ticks may be missed",
+             "run as root, or: echo '@sudo - rtprio 90' | sudo tee "
+             "/etc/security/limits.d/twinbus.conf, and log in again");
   if (!in_detail) return;
   const bool locked = mlockall(MCL_CURRENT) == 0;
   report.add(locked ? Health::kGood : Health::kCould,
-             locked ? "memory can be locked" : std::string("memory cannot be locked (") + std::strerror(errno) + ")",
-             "echo '@sudo - memlock unlimited' | sudo tee -a /etc/security/limits.d/twinbus.conf, and log in again");
+             locked ? "memory can be locked"
+                    : std::string("memory cannot be locked (") + std::strerror(errno) + ")",
+             "echo '@sudo - memlock unlimited' | sudo tee -a /etc/security/limits.d/twinbus.conf, "
+             "and log in again");
   if (locked) munlockall();
   const bool awake = access("/dev/cpu_dma_latency", W_OK) == 0;
-  report.add(awake ? Health::kGood : Health::kCould,
-             awake ? "CPUs are kept awake between ticks while a stack runs (TWINBUS_CPU_SLEEP=1 saves their power instead)"
-                   : "/dev/cpu_dma_latency cannot be written: CPUs may sleep between ticks and wake late",
-             "sudo chmod o+w /dev/cpu_dma_latency");
+  report.add(
+      awake ? Health::kGood : Health::kCould,
+      awake ? "CPUs are kept awake between ticks while a stack runs (TWINBUS_CPU_SLEEP=1 saves "
+              "their power instead)"
+            : "/dev/cpu_dma_latency cannot be written: CPUs may sleep between ticks and wake late",
+      "sudo chmod o+w /dev/cpu_dma_latency");
   const std::string runtime = first_line("/proc/sys/kernel/sched_rt_runtime_us");
-  report.add(Health::kGood, "share of a CPU for real-time tasks: " + (runtime.empty() ? "unknown" : runtime) + " us per 1000000");
+  report.add(Health::kGood, "share of a CPU for real-time tasks: " +
+                                (runtime.empty() ? "unknown" : runtime) + " us per 1000000");
   report.add(fs::exists("/sys/kernel/realtime") ? Health::kGood : Health::kCould,
-             fs::exists("/sys/kernel/realtime") ? "PREEMPT_RT kernel" : "no PREEMPT_RT kernel: enough for 500 Hz, not for 2 kHz",
+             fs::exists("/sys/kernel/realtime")
+                 ? "PREEMPT_RT kernel"
+                 : "no PREEMPT_RT kernel: enough for 500 Hz, not for 2 kHz",
              "sudo apt-get install linux-image-rt-amd64");
   const std::string governor = first_line("/sys/devices/system/cpu/cpu0/cpufreq/scaling_governor");
   if (!governor.empty()) {
-    report.add(governor == "performance" ? Health::kGood : Health::kCould, "CPU governor " + governor,
+    report.add(governor == "performance" ? Health::kGood : Health::kCould,
+               "CPU governor " + governor,
                "echo performance | sudo tee /sys/devices/system/cpu/cpu*/cpufreq/scaling_governor");
   }
   report.add(Health::kGood, std::to_string(sysconf(_SC_NPROCESSORS_ONLN)) + " CPUs");
@@ -183,11 +203,13 @@ void check_packages(Report& report) {
     words >> package;
     if (package.empty() || package[0] == '#' || package.ends_with(':')) continue;
     ++count;
-    if (std::find(installed.begin(), installed.end(), package) == installed.end()) missing += " " + package;
+    if (std::find(installed.begin(), installed.end(), package) == installed.end())
+      missing += " " + package;
   }
   report.add(missing.empty() ? Health::kGood : Health::kBad,
-             missing.empty() ? "all " + std::to_string(count) + " packages of config/packages.txt are installed"
-                             : "packages are missing:" + missing,
+             missing.empty()
+                 ? "all " + std::to_string(count) + " packages of config/packages.txt are installed"
+                 : "packages are missing:" + missing,
              "sudo apt-get install" + missing);
 }
 
@@ -204,14 +226,17 @@ void check_space(Report& report) {
 }  // namespace
 
 int doctor_command(const std::vector<std::string>& words) {
-  const Arguments arguments({"doctor",
-                             "",
-                             "Looks at this machine: packages, multicast, buffers, the bus, Java for lcm-spy, real-time rights; names\n"
-                             "what is missing and the command that mends it.  Exit status 1 if something needed is missing.",
-                             {{"--rt", "", "real-time rights, kernel and CPU in detail"}, url_option()},
-                             0,
-                             0},
-                            words);
+  const Arguments arguments(
+      {"doctor",
+       "",
+       "Looks at this machine: packages, multicast, buffers, the bus, Java for lcm-spy, real-time "
+       "rights; names\n"
+       "what is missing and the command that mends it.  Exit status 1 if something needed is "
+       "missing.",
+       {{"--rt", "", "real-time rights, kernel and CPU in detail"}, url_option()},
+       0,
+       0},
+      words);
   catch_quit_signals();
   const std::string url = arguments.text("--url", default_url());
   Report report;

@@ -24,31 +24,35 @@ std::string age_text(double seconds) {
 }
 
 std::string stream_line(const char* name, const Meter& meter, std::int64_t now_ns) {
-  return line_of("  %-10s %7.1f %9s %7lld", name, meter.rate(now_ns), age_text(meter.age(now_ns)).c_str(),
-                 static_cast<long long>(meter.lost()));
+  return line_of("  %-10s %7.1f %9s %7lld", name, meter.rate(now_ns),
+                 age_text(meter.age(now_ns)).c_str(), static_cast<long long>(meter.lost()));
 }
 
 std::string source_line(const SeenSource& source, std::int64_t now_ns) {
   const SourceStatus& s = source.status;
-  std::string line = line_of("  %-10s %7.1f %9s %5d %8lld %6lld %9lld", source_name(s.source), source.states.rate(now_ns),
-                             role_name(s.role), s.term, static_cast<long long>(s.ticks_missed),
-                             static_cast<long long>(s.commands_late), static_cast<long long>(s.commands_rejected));
+  std::string line = line_of(
+      "  %-10s %7.1f %9s %5d %8lld %6lld %9lld", source_name(s.source), source.states.rate(now_ns),
+      role_name(s.role), s.term, static_cast<long long>(s.ticks_missed),
+      static_cast<long long>(s.commands_late), static_cast<long long>(s.commands_rejected));
   if (s.stop_kind != StopKind::kNone) line += std::string("  STOP ") + stop_name(s.stop_kind);
-  if (s.adaptor_status != 0) line += std::string("  ") + to_text(static_cast<Status>(s.adaptor_status));
+  if (s.adaptor_status != 0)
+    line += std::string("  ") + to_text(static_cast<Status>(s.adaptor_status));
   return line;
 }
 
 // Viewer, planner and gamepad have no ticks to be missed.
 bool has_ticks(ProcessKind kind) {
-  return kind == ProcessKind::kSimulator || kind == ProcessKind::kBridge || kind == ProcessKind::kController ||
-         kind == ProcessKind::kGuard;
+  return kind == ProcessKind::kSimulator || kind == ProcessKind::kBridge ||
+         kind == ProcessKind::kController || kind == ProcessKind::kGuard;
 }
 
 std::string process_line(const SeenProcess& process, double cpu) {
   const Heartbeat& b = process.beat;
-  std::string line = line_of("  %-10s %7.1f %9d %5.0f", process_name(b.kind), static_cast<double>(b.rate), b.pid, 1e2 * cpu);
+  std::string line = line_of("  %-10s %7.1f %9d %5.0f", process_name(b.kind),
+                             static_cast<double>(b.rate), b.pid, 1e2 * cpu);
   if (!has_ticks(b.kind)) return line;
-  return line + line_of(" %8lld %6.0f %6.0f %6.0f %6lld  %s", static_cast<long long>(b.ticks_missed),
+  return line + line_of(" %8lld %6.0f %6.0f %6.0f %6lld  %s",
+                        static_cast<long long>(b.ticks_missed),
                         static_cast<double>(b.tick_median_us), static_cast<double>(b.tick_p99_us),
                         static_cast<double>(b.tick_max_us), static_cast<long long>(b.allocations),
                         realtime_name(b.realtime));
@@ -64,7 +68,8 @@ const char* guard_word(const Lookout& seen, std::int64_t now_ns) {
 std::vector<std::string> table_lines(const Lookout& seen, CpuShare& shares, std::int64_t now_ns) {
   std::vector<std::string> lines;
   lines.push_back("source            Hz      role  term   missed   late  rejected");
-  for (const SeenSource* source : seen.sources(now_ns)) lines.push_back(source_line(*source, now_ns));
+  for (const SeenSource* source : seen.sources(now_ns))
+    lines.push_back(source_line(*source, now_ns));
   lines.push_back("stream            Hz       age    lost");
   lines.push_back(stream_line("STATE", seen.state(), now_ns));
   lines.push_back(stream_line("COMMAND", seen.command(), now_ns));
@@ -82,19 +87,24 @@ std::vector<std::string> table_lines(const Lookout& seen, CpuShare& shares, std:
     const Heartbeat& b = process->beat;
     const SeenSource* active = seen.active(now_ns);
     if (active == nullptr || active->status.run_id != b.process_id || !(b.age_us > 0.0F)) continue;
-    lines.push_back(line_of("STATE to COMMAND: median %.0f us, 99 %% within %.0f us; machine stood still for %lld of the missed",
-                            static_cast<double>(b.age_us), static_cast<double>(b.age_p99_us),
-                            static_cast<long long>(b.ticks_stalled)));
+    lines.push_back(
+        line_of("STATE to COMMAND: median %.0f us, 99 %% within %.0f us; machine stood still for "
+                "%lld of the missed",
+                static_cast<double>(b.age_us), static_cast<double>(b.age_p99_us),
+                static_cast<long long>(b.ticks_stalled)));
   }
   return lines;
 }
 
 std::string summary_line(const Lookout& seen, std::int64_t now_ns) {
   const SeenSource* active = seen.active(now_ns);
-  return line_of("STATE %.1f Hz (%s, term %d, %s), COMMAND %.1f Hz, missed %lld, mode %s%s", seen.state().rate(now_ns),
+  return line_of("STATE %.1f Hz (%s, term %d, %s), COMMAND %.1f Hz, missed %lld, mode %s%s",
+                 seen.state().rate(now_ns),
                  active == nullptr ? "no source" : source_name(active->status.source),
-                 active == nullptr ? 0 : active->status.term, active == nullptr ? "-" : role_name(active->status.role),
-                 seen.command().rate(now_ns), active == nullptr ? 0LL : static_cast<long long>(active->status.ticks_missed),
+                 active == nullptr ? 0 : active->status.term,
+                 active == nullptr ? "-" : role_name(active->status.role),
+                 seen.command().rate(now_ns),
+                 active == nullptr ? 0LL : static_cast<long long>(active->status.ticks_missed),
                  mode_name(seen.controller().mode), seen.figures().fell ? ", FELL" : "");
 }
 

@@ -12,7 +12,9 @@ namespace {
 constexpr std::size_t kMostSenders = 64;  // a flood of invented ids must not grow the maps
 constexpr std::size_t kMostEvents = 200;
 
-double age(std::int64_t heard_ns, std::int64_t now_ns) { return 1e-9 * static_cast<double>(now_ns - heard_ns); }
+double age(std::int64_t heard_ns, std::int64_t now_ns) {
+  return 1e-9 * static_cast<double>(now_ns - heard_ns);
+}
 
 // Angle between the z axis of this attitude (w x y z) and the vertical.
 double tilt_of(const std::array<double, 4>& q) {
@@ -51,7 +53,9 @@ void Lookout::on_state(const RobotState& state, bool own_channel, std::int64_t n
   newest_state_ = state;
 }
 
-void Lookout::on_command(const JointCommand& command, std::int64_t now_ns) { command_.add(command.tick, now_ns); }
+void Lookout::on_command(const JointCommand& command, std::int64_t now_ns) {
+  command_.add(command.tick, now_ns);
+}
 
 void Lookout::on_source_status(const SourceStatus& status, std::int64_t now_ns) {
   if (auto* source = slot(sources_, status.run_id)) {
@@ -68,7 +72,8 @@ void Lookout::on_heartbeat(const Heartbeat& beat, std::int64_t now_ns) {
 }
 
 void Lookout::on_truth(const SimTruth& truth, std::int64_t now_ns) {
-  if (state_.received() > 0 && truth.run_id != newest_state_.run_id) return;  // of a standby simulator
+  if (state_.received() > 0 && truth.run_id != newest_state_.run_id)
+    return;  // of a standby simulator
   truth_.add(truth.tick, now_ns);
   RunFigures& f = figures_;
   ++f.truths;
@@ -166,20 +171,26 @@ const char* source_name(SourceKind source) {
 }
 
 const char* role_name(Role role) {
-  return word(static_cast<int>(role), {"none", "parked", "active", "releasing", "track", "shadow", "stopped"});
+  return word(static_cast<int>(role),
+              {"none", "parked", "active", "releasing", "track", "shadow", "stopped"});
 }
 
-const char* stop_name(StopKind kind) { return word(static_cast<int>(kind), {"none", "balanced", "hold", "off"}); }
+const char* stop_name(StopKind kind) {
+  return word(static_cast<int>(kind), {"none", "balanced", "hold", "off"});
+}
 
 const char* mode_name(Mode mode) {
   return word(static_cast<int>(mode), {"none", "idle", "hold", "pose", "balance", "walk", "stop"});
 }
 
 const char* process_name(ProcessKind kind) {
-  return word(static_cast<int>(kind), {"process", "simulator", "bridge", "replay", "controller", "guard", "planner",
-                                       "viewer", "gamepad", "log", "launcher", "user"});
+  return word(static_cast<int>(kind),
+              {"process", "simulator", "bridge", "replay", "controller", "guard", "planner",
+               "viewer", "gamepad", "log", "launcher", "user"});
 }
 
-const char* realtime_name(std::int8_t realtime) { return word(realtime, {"none", "FIFO", "FIFO+locked"}); }
+const char* realtime_name(std::int8_t realtime) {
+  return word(realtime, {"none", "FIFO", "FIFO+locked"});
+}
 
 }  // namespace twinbus

@@ -33,12 +33,12 @@ struct SeenProcess {
 struct RunFigures {
   std::int64_t truths = 0;
   bool fell = false;
-  double max_tilt = 0.0;           // of the base against its first attitude's vertical [rad]
-  double zmp_margin_min = 1e9;     // [m]
-  double slip_max = 0.0;           // distance a sole slid in all [m]
+  double max_tilt = 0.0;        // of the base against its first attitude's vertical [rad]
+  double zmp_margin_min = 1e9;  // [m]
+  double slip_max = 0.0;        // distance a sole slid in all [m]
   double slip[2] = {0.0, 0.0};
-  double penetration_max = 0.0;    // [m]
-  double sim_time = 0.0;           // [s]
+  double penetration_max = 0.0;  // [m]
+  double sim_time = 0.0;         // [s]
   double first_sim_time = -1.0;
   double base[3] = {0.0, 0.0, 0.0};  // x, y [m], yaw [rad]
   double realtime_factor = 0.0;

@@ -52,7 +52,8 @@ void print_help() {
   std::printf("usage: ./twinbus COMMAND [ARGUMENT...]\n\n");
   for (const Command& command : kCommands) std::printf("  %-9s %s\n", command.name, command.about);
   std::printf("  %-9s %s\n", "test", "build and run the tests");
-  std::printf("\n./twinbus COMMAND --help says more.  Exit status: 0 done, 1 failed, 2 wrong arguments.\n");
+  std::printf(
+      "\n./twinbus COMMAND --help says more.  Exit status: 0 done, 1 failed, 2 wrong arguments.\n");
 }
 
 }  // namespace
@@ -77,6 +78,7 @@ int main(int argc, char** argv) {
       return 1;
     }
   }
-  std::fprintf(stderr, "twinbus: no command '%s'%s\n", name.c_str(), suggestion(name, names).c_str());
+  std::fprintf(stderr, "twinbus: no command '%s'%s\n", name.c_str(),
+               suggestion(name, names).c_str());
   return 2;
 }

@@ -14,20 +14,25 @@ namespace twinbus {
 
 namespace {
 
-constexpr double kAskAgain = 0.1;      // [s]
+constexpr double kAskAgain = 0.1;       // [s]
 constexpr double kAnswerTimeout = 2.0;  // [s]
 constexpr int kStopRepeats = 5;         // sent at once, before anything is heard
 
-double since(std::int64_t start_ns) { return 1e-9 * static_cast<double>(monotonic_ns() - start_ns); }
+double since(std::int64_t start_ns) {
+  return 1e-9 * static_cast<double>(monotonic_ns() - start_ns);
+}
 
 BusLink open_bus(const Arguments& arguments) {
   catch_quit_signals();
-  return BusLink(arguments.text("--url", ""), arguments.text("--prefix", ""), arguments.all("--allow"));
+  return BusLink(arguments.text("--url", ""), arguments.text("--prefix", ""),
+                 arguments.all("--allow"));
 }
 
 std::int64_t active_run(BusLink& bus) {
   const SeenSource* active = wait_for_active(bus, 1.0);
-  if (active == nullptr) throw std::runtime_error("no source is active on " + bus.url() + "; start one with ./twinbus up");
+  if (active == nullptr)
+    throw std::runtime_error("no source is active on " + bus.url() +
+                             "; start one with ./twinbus up");
   return active->status.run_id;
 }
 
@@ -48,14 +53,16 @@ bool ask_controller(BusLink& bus, ModeRequest& request) {
 }
 
 int report_mode(BusLink& bus, const ModeRequest& request, const char* asked) {
-  if (bus.seen().controller_statuses().received() == 0) throw std::runtime_error("no controller is running");
+  if (bus.seen().controller_statuses().received() == 0)
+    throw std::runtime_error("no controller is running");
   const Mode mode = bus.seen().controller().mode;
   if (mode == request.mode && bus.seen().controller().motion == request.motion) {
     std::printf("%s: the controller is in mode %s\n", asked, mode_name(mode));
     return 0;
   }
-  std::fprintf(stderr, "%s: the controller stays in mode %s; it does not do %s%s\n", asked, mode_name(mode),
-               mode_name(request.mode), request.mode == Mode::kWalk ? " yet" : " now");
+  std::fprintf(stderr, "%s: the controller stays in mode %s; it does not do %s%s\n", asked,
+               mode_name(mode), mode_name(request.mode),
+               request.mode == Mode::kWalk ? " yet" : " now");
   return 1;
 }
 
@@ -66,12 +73,15 @@ int ask_and_report(const Arguments& arguments, ModeRequest& request, const char*
   return report_mode(bus, request, asked);
 }
 
-int motion_command(const std::vector<std::string>& words, Motion motion, const char* name, const char* about,
-                   double amplitude, double frequency) {
+int motion_command(const std::vector<std::string>& words, Motion motion, const char* name,
+                   const char* about, double amplitude, double frequency) {
   const Arguments arguments({name,
                              "",
                              about,
-                             {{"--amplitude", "M", "metres"}, {"--frequency", "HZ", "per second"}, prefix_option(), url_option(),
+                             {{"--amplitude", "M", "metres"},
+                              {"--frequency", "HZ", "per second"},
+                              prefix_option(),
+                              url_option(),
                               allow_option()},
                              0,
                              0},
@@ -87,19 +97,21 @@ int motion_command(const std::vector<std::string>& words, Motion motion, const c
 }  // namespace
 
 int stop_command(const std::vector<std::string>& words) {
-  const Arguments arguments({"stop",
-                             "[balanced|hold|off]",
-                             "Stops the robot: balanced (default) lets the controller make its shortest safe stop, hold freezes the\n"
-                             "posture, off lets go.  Works with the controller dead.  Stays until ./twinbus clear.",
-                             {prefix_option(), url_option(),
-                              allow_option()},
-                             0,
-                             1},
-                            words);
+  const Arguments arguments(
+      {"stop",
+       "[balanced|hold|off]",
+       "Stops the robot: balanced (default) lets the controller make its shortest safe stop, hold "
+       "freezes the\n"
+       "posture, off lets go.  Works with the controller dead.  Stays until ./twinbus clear.",
+       {prefix_option(), url_option(), allow_option()},
+       0,
+       1},
+      words);
   const std::string word = arguments.word(0, "balanced");
   const std::vector<std::string> kinds = {"balanced", "hold", "off"};
   const auto found = std::find(kinds.begin(), kinds.end(), word);
-  if (found == kinds.end()) throw UsageError("stop: no kind '" + word + "'" + suggestion(word, kinds));
+  if (found == kinds.end())
+    throw UsageError("stop: no kind '" + word + "'" + suggestion(word, kinds));
   BusLink bus = open_bus(arguments);
   StopRequest request;
   request.kind = static_cast<StopKind>(1 + (found - kinds.begin()));
@@ -110,28 +122,32 @@ int stop_command(const std::vector<std::string>& words) {
   while (!quit_requested() && since(begin) < kAnswerTimeout) {
     bus.listen(0.05);
     const std::vector<const SeenSource*> sources = bus.seen().sources(monotonic_ns());
-    const bool all = !sources.empty() && std::all_of(sources.begin(), sources.end(), [&](const SeenSource* source) {
-      return source->status.stop_kind >= request.kind || source->status.role == Role::kParked;
-    });
+    const bool all =
+        !sources.empty() &&
+        std::all_of(sources.begin(), sources.end(), [&](const SeenSource* source) {
+          return source->status.stop_kind >= request.kind || source->status.role == Role::kParked;
+        });
     const SeenSource* active = bus.seen().active(monotonic_ns());
     if (all && active != nullptr && since(begin) > 0.15) {
-      std::printf("stop: %s is stopped (%s); ./twinbus clear lets it go on\n", describe(*active).c_str(),
-                  stop_name(active->status.stop_kind));
+      std::printf("stop: %s is stopped (%s); ./twinbus clear lets it go on\n",
+                  describe(*active).c_str(), stop_name(active->status.stop_kind));
       return 0;
     }
     bus.send(request);
   }
-  if (bus.seen().active(monotonic_ns()) == nullptr) throw std::runtime_error("sent, but no active source is heard");
-  throw std::runtime_error("sent, but the source does not say that it stopped: use the robot's own emergency stop");
+  if (bus.seen().active(monotonic_ns()) == nullptr)
+    throw std::runtime_error("sent, but no active source is heard");
+  throw std::runtime_error(
+      "sent, but the source does not say that it stopped: use the robot's own emergency stop");
 }
 
 int clear_command(const std::vector<std::string>& words) {
   const Arguments arguments({"clear",
                              "",
-                             "Ends a stop: the source goes on from where it stands.  A controller that was started again since is\n"
+                             "Ends a stop: the source goes on from where it stands.  A controller "
+                             "that was started again since is\n"
                              "taken on.",
-                             {prefix_option(), url_option(),
-                              allow_option()},
+                             {prefix_option(), url_option(), allow_option()},
                              0,
                              0},
                             words);
@@ -171,24 +187,30 @@ int clear_command(const std::vector<std::string>& words) {
       return 0;
     }
   }
-  throw std::runtime_error("the source stays stopped: whatever stopped it still asks for it (./twinbus status)");
+  throw std::runtime_error(
+      "the source stays stopped: whatever stopped it still asks for it (./twinbus status)");
 }
 
 int pose_command(const std::vector<std::string>& words) {
-  const Arguments arguments({"pose",
-                             "NAME",
-                             "Moves to a named pose of the robot's SRDF (group_state), over both feet.",
-                             {robot_option(), {"--duration", "S", "seconds; default 2"}, prefix_option(), url_option(),
-                              allow_option()},
-                             1,
-                             1},
-                            words);
+  const Arguments arguments(
+      {"pose",
+       "NAME",
+       "Moves to a named pose of the robot's SRDF (group_state), over both feet.",
+       {robot_option(),
+        {"--duration", "S", "seconds; default 2"},
+        prefix_option(),
+        url_option(),
+        allow_option()},
+       1,
+       1},
+      words);
   const Model model = load_robot(arguments.text("--robot", "hrp1s"));
   const int pose = model.find_pose(arguments.word(0));
   if (pose < 0) {
     std::vector<std::string> names;
     for (const NamedPose& named : model.poses) names.push_back(named.name);
-    throw UsageError("pose: " + model.name + " has no pose '" + arguments.word(0) + "'" + suggestion(arguments.word(0), names));
+    throw UsageError("pose: " + model.name + " has no pose '" + arguments.word(0) + "'" +
+                     suggestion(arguments.word(0), names));
   }
   ModeRequest request;
   request.mode = Mode::kPose;
@@ -204,39 +226,44 @@ int pose_command(const std::vector<std::string>& words) {
 
 int mode_command(const std::vector<std::string>& words) {
   const std::vector<std::string> names = {"idle", "hold", "balance", "walk", "stop"};
-  const std::vector<Mode> modes = {Mode::kIdle, Mode::kHold, Mode::kBalance, Mode::kWalk, Mode::kStop};
+  const std::vector<Mode> modes = {Mode::kIdle, Mode::kHold, Mode::kBalance, Mode::kWalk,
+                                   Mode::kStop};
   const Arguments arguments({"mode",
                              "idle|hold|balance|walk|stop",
                              "Asks the controller for a mode; it changes without a jump.",
-                             {prefix_option(), url_option(),
-                              allow_option()},
+                             {prefix_option(), url_option(), allow_option()},
                              1,
                              1},
                             words);
   const auto found = std::find(names.begin(), names.end(), arguments.word(0));
-  if (found == names.end()) throw UsageError("mode: no mode '" + arguments.word(0) + "'" + suggestion(arguments.word(0), names));
+  if (found == names.end())
+    throw UsageError("mode: no mode '" + arguments.word(0) + "'" +
+                     suggestion(arguments.word(0), names));
   ModeRequest request;
   request.mode = modes[static_cast<std::size_t>(found - names.begin())];
   return ask_and_report(arguments, request, "mode");
 }
 
 int sway_command(const std::vector<std::string>& words) {
-  return motion_command(words, Motion::kSway, "sway", "Sways the body from side to side while balancing.", 0.03, 0.25);
+  return motion_command(words, Motion::kSway, "sway",
+                        "Sways the body from side to side while balancing.", 0.03, 0.25);
 }
 
 int squat_command(const std::vector<std::string>& words) {
-  return motion_command(words, Motion::kSquat, "squat", "Moves the body up and down while balancing.", 0.03, 0.25);
+  return motion_command(words, Motion::kSquat, "squat",
+                        "Moves the body up and down while balancing.", 0.03, 0.25);
 }
 
 int walk_command(const std::vector<std::string>& words) {
-  const Arguments arguments({"walk",
-                             "VX VY WZ",
-                             "Walks at VX m/s forward, VY m/s to the left, turning WZ rad/s to the left, for some seconds.",
-                             {{"--for", "S", "seconds; default 2"}, prefix_option(), url_option(),
-                              allow_option()},
-                             3,
-                             3},
-                            words);
+  const Arguments arguments(
+      {"walk",
+       "VX VY WZ",
+       "Walks at VX m/s forward, VY m/s to the left, turning WZ rad/s to the left, for some "
+       "seconds.",
+       {{"--for", "S", "seconds; default 2"}, prefix_option(), url_option(), allow_option()},
+       3,
+       3},
+      words);
   WalkCommand command;
   command.vx = static_cast<float>(arguments.word_number(0, "VX", -2.0, 2.0));
   command.vy = static_cast<float>(arguments.word_number(1, "VY", -1.0, 1.0));
@@ -248,7 +275,8 @@ int walk_command(const std::vector<std::string>& words) {
   request.mode = Mode::kWalk;
   ask_controller(bus, request);
   bus.listen(0.1);
-  if (bus.seen().controller_statuses().received() == 0) throw std::runtime_error("no controller is running");
+  if (bus.seen().controller_statuses().received() == 0)
+    throw std::runtime_error("no controller is running");
   if (bus.seen().controller().mode != Mode::kWalk) {
     std::fprintf(stderr, "walk: this controller does not walk yet; it stays in mode %s\n",
                  mode_name(bus.seen().controller().mode));

@@ -26,7 +26,8 @@ std::string install_folder() { return fs::path(config_folder()).parent_path().st
 
 std::string make_run_folder() {
   const char* wanted = std::getenv("TWINBUS_RUNS");
-  const fs::path runs = wanted != nullptr && *wanted != '\0' ? fs::path(wanted) : fs::path(install_folder()) / "runs";
+  const fs::path runs =
+      wanted != nullptr && *wanted != '\0' ? fs::path(wanted) : fs::path(install_folder()) / "runs";
   const std::time_t now = std::time(nullptr);
   std::tm parts{};
   localtime_r(&now, &parts);
@@ -35,11 +36,13 @@ std::string make_run_folder() {
   std::error_code error;
   fs::create_directories(runs, error);
   for (int attempt = 1; attempt < 100 && !error; ++attempt) {
-    const fs::path folder = runs / (attempt == 1 ? date.data() : std::string(date.data()) + "-" + std::to_string(attempt));
+    const fs::path folder =
+        runs /
+        (attempt == 1 ? date.data() : std::string(date.data()) + "-" + std::to_string(attempt));
     if (fs::create_directory(folder, error)) return folder.string();
   }
-  throw std::runtime_error("cannot make a folder for this run in " + runs.string() + ": " + error.message() +
-                           "; set TWINBUS_RUNS to a folder that can be written");
+  throw std::runtime_error("cannot make a folder for this run in " + runs.string() + ": " +
+                           error.message() + "; set TWINBUS_RUNS to a folder that can be written");
 }
 
 void write_file(const std::string& file, const std::string& text) {

@@ -9,8 +9,8 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "robot/nearest.h"
 #include "robot/load.h"
+#include "robot/nearest.h"
 
 namespace twinbus {
 
@@ -19,20 +19,23 @@ namespace {
 constexpr std::uintmax_t kLargestFile = 1 << 20;  // [bytes]
 
 const std::vector<std::string> kStackKeys = {"about", "activate", "processes"};
-const std::vector<std::string> kProcessKeys = {"program",  "arguments", "after",    "ready",  "ready_timeout",
-                                               "required", "restart",   "hardware", "viewer", "grace"};
+const std::vector<std::string> kProcessKeys = {"program",       "arguments", "after",   "ready",
+                                               "ready_timeout", "required",  "restart", "hardware",
+                                               "viewer",        "grace"};
 
-[[noreturn]] void complain(const std::string& file, const YAML::Mark& mark, const std::string& what) {
+[[noreturn]] void complain(const std::string& file, const YAML::Mark& mark,
+                           const std::string& what) {
   throw std::runtime_error(file + ":" + std::to_string(mark.line + 1) + ": " + what);
 }
 
-void check_keys(const std::string& file, const YAML::Node& map, const std::vector<std::string>& known,
-                const std::string& where) {
+void check_keys(const std::string& file, const YAML::Node& map,
+                const std::vector<std::string>& known, const std::string& where) {
   if (!map.IsMap()) complain(file, map.Mark(), where + " must be a map of keys");
   for (const auto& entry : map) {
     const std::string key = entry.first.Scalar();
     if (std::find(known.begin(), known.end(), key) == known.end()) {
-      complain(file, entry.first.Mark(), "unknown key '" + key + "' in " + where + suggestion(key, known));
+      complain(file, entry.first.Mark(),
+               "unknown key '" + key + "' in " + where + suggestion(key, known));
     }
   }
 }
@@ -48,22 +51,27 @@ T value_of(const std::string& file, const YAML::Node& map, const char* key, T ot
   }
 }
 
-double seconds_of(const std::string& file, const YAML::Node& map, const char* key, double otherwise) {
+double seconds_of(const std::string& file, const YAML::Node& map, const char* key,
+                  double otherwise) {
   const double value = value_of(file, map, key, otherwise);
   if (!(value > 0.0 && value <= 600.0)) {
-    complain(file, map[key].Mark(), std::string("'") + key + "' must be more than 0 and at most 600 seconds");
+    complain(file, map[key].Mark(),
+             std::string("'") + key + "' must be more than 0 and at most 600 seconds");
   }
   return value;
 }
 
-StackProcess read_process(const std::string& file, const std::string& name, const YAML::Node& node) {
+StackProcess read_process(const std::string& file, const std::string& name,
+                          const YAML::Node& node) {
   check_keys(file, node, kProcessKeys, "process '" + name + "'");
   StackProcess process;
   process.name = name;
   process.program = value_of<std::string>(file, node, "program", "");
-  if (process.program.empty()) complain(file, node.Mark(), "process '" + name + "' names no program");
+  if (process.program.empty())
+    complain(file, node.Mark(), "process '" + name + "' names no program");
   if (process.program.find('/') != std::string::npos) {
-    complain(file, node["program"].Mark(), "'program' is the name of a program of twinbus, not a path");
+    complain(file, node["program"].Mark(),
+             "'program' is the name of a program of twinbus, not a path");
   }
   process.arguments = value_of(file, node, "arguments", process.arguments);
   process.after = value_of(file, node, "after", process.after);
@@ -84,10 +92,11 @@ std::vector<StackProcess> sorted(const std::string& file, std::vector<StackProce
   std::vector<StackProcess> order;
   std::set<std::string> placed;
   while (!waiting.empty()) {
-    const auto next = std::find_if(waiting.begin(), waiting.end(), [&](const StackProcess& process) {
-      return std::all_of(process.after.begin(), process.after.end(),
-                         [&](const std::string& name) { return placed.contains(name); });
-    });
+    const auto next =
+        std::find_if(waiting.begin(), waiting.end(), [&](const StackProcess& process) {
+          return std::all_of(process.after.begin(), process.after.end(),
+                             [&](const std::string& name) { return placed.contains(name); });
+        });
     if (next == waiting.end()) {
       throw std::runtime_error(file + ": '" + waiting.front().name +
                                "' waits for a process that waits for it; remove one 'after'");
@@ -130,7 +139,8 @@ Stack parse_stack(const std::string& text, const std::string& file) {
     const bool simple = !name.empty() && std::all_of(name.begin(), name.end(), [](unsigned char c) {
       return std::isalnum(c) != 0 || c == '_' || c == '-';
     });
-    if (!simple) complain(file, entry.first.Mark(), "a process name has letters, digits, '-' and '_' only");
+    if (!simple)
+      complain(file, entry.first.Mark(), "a process name has letters, digits, '-' and '_' only");
     if (std::find(names.begin(), names.end(), name) != names.end()) {
       complain(file, entry.first.Mark(), "process '" + name + "' is there twice");
     }
@@ -148,7 +158,8 @@ Stack parse_stack(const std::string& text, const std::string& file) {
   }
   if (!stack.activate.empty() && stack.find(stack.activate) == nullptr) {
     complain(file, root["activate"].Mark(),
-             "'activate' names '" + stack.activate + "', which is not in this stack" + suggestion(stack.activate, names));
+             "'activate' names '" + stack.activate + "', which is not in this stack" +
+                 suggestion(stack.activate, names));
   }
   stack.processes = sorted(file, std::move(stack.processes));
   return stack;
@@ -157,7 +168,8 @@ Stack parse_stack(const std::string& text, const std::string& file) {
 std::vector<std::string> stack_names() {
   std::vector<std::string> names;
   std::error_code ignored;
-  for (const auto& entry : std::filesystem::directory_iterator(config_folder() + "/stacks", ignored)) {
+  for (const auto& entry :
+       std::filesystem::directory_iterator(config_folder() + "/stacks", ignored)) {
     if (entry.path().extension() == ".yaml") names.push_back(entry.path().stem().string());
   }
   std::sort(names.begin(), names.end());
@@ -166,8 +178,10 @@ std::vector<std::string> stack_names() {
 
 Stack load_stack(const std::string& name_or_file) {
   namespace fs = std::filesystem;
-  const bool is_file = name_or_file.find('/') != std::string::npos || name_or_file.ends_with(".yaml");
-  const fs::path file = is_file ? fs::path(name_or_file) : fs::path(config_folder()) / "stacks" / (name_or_file + ".yaml");
+  const bool is_file =
+      name_or_file.find('/') != std::string::npos || name_or_file.ends_with(".yaml");
+  const fs::path file = is_file ? fs::path(name_or_file)
+                                : fs::path(config_folder()) / "stacks" / (name_or_file + ".yaml");
   std::error_code error;
   const std::uintmax_t size = fs::file_size(file, error);
   if (error) {
@@ -177,7 +191,8 @@ Stack load_stack(const std::string& name_or_file) {
     throw std::runtime_error("no stack '" + name_or_file + "' (" + file.string() + ")" +
                              suggestion(name_or_file, names));
   }
-  if (size > kLargestFile) throw std::runtime_error(file.string() + ": larger than 1 MiB, this is no stack");
+  if (size > kLargestFile)
+    throw std::runtime_error(file.string() + ": larger than 1 MiB, this is no stack");
   std::ifstream stream(file);
   std::stringstream text;
   text << stream.rdbuf();

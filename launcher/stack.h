@@ -22,20 +22,20 @@ struct StackProcess {
   std::vector<std::string> arguments;  // with placeholders
   std::vector<std::string> after;      // names of processes that must be ready first
   ReadyWhen ready_when = ReadyWhen::kMessage;
-  std::string ready_channel;           // without prefix
-  double ready_timeout = 20.0;         // [s]
-  bool required = true;                // its death ends the run with exit status 1
-  bool restart = false;                // started again when it dies
-  bool hardware = false;               // moves real motors: outlives a launcher that is killed
-  bool viewer = false;                 // left out by --no-viewer
-  double grace = 2.0;                  // SIGTERM to SIGKILL [s]
+  std::string ready_channel;    // without prefix
+  double ready_timeout = 20.0;  // [s]
+  bool required = true;         // its death ends the run with exit status 1
+  bool restart = false;         // started again when it dies
+  bool hardware = false;        // moves real motors: outlives a launcher that is killed
+  bool viewer = false;          // left out by --no-viewer
+  double grace = 2.0;           // SIGTERM to SIGKILL [s]
 };
 
 struct Stack {
   std::string name;
-  std::string about;      // one sentence
-  std::string activate;   // the process whose source is asked to be active first
-  std::string text;       // as read
+  std::string about;                    // one sentence
+  std::string activate;                 // the process whose source is asked to be active first
+  std::string text;                     // as read
   std::vector<StackProcess> processes;  // sorted: each after those it waits for
 
   const StackProcess* find(const std::string& name) const;

@@ -19,7 +19,8 @@ constexpr double kLookFor = 1.2;  // two rate windows [s]
 Syntax status_syntax() {
   return {"status",
           "",
-          "Shows sources with role, term and rate, streams with rate and age, and the timing of each process's loop.\n"
+          "Shows sources with role, term and rate, streams with rate and age, and the timing of "
+          "each process's loop.\n"
           "Exit status 1 if no source is heard.",
           {{"--watch", "", "again and again, until Ctrl-C"},
            {"--json", "", "for programs"},
@@ -48,9 +49,12 @@ nlohmann::ordered_json as_json(const Lookout& seen, std::int64_t now_ns) {
                               {"controller_id", s.controller_id}});
   }
   const auto stream = [&](const Meter& meter) {
-    return nlohmann::ordered_json{{"rate", meter.rate(now_ns)}, {"age_s", meter.age(now_ns)}, {"lost", meter.lost()}};
+    return nlohmann::ordered_json{
+        {"rate", meter.rate(now_ns)}, {"age_s", meter.age(now_ns)}, {"lost", meter.lost()}};
   };
-  all["streams"] = {{"STATE", stream(seen.state())}, {"COMMAND", stream(seen.command())}, {"GUARD", stream(seen.guard())}};
+  all["streams"] = {{"STATE", stream(seen.state())},
+                    {"COMMAND", stream(seen.command())},
+                    {"GUARD", stream(seen.guard())}};
   all["processes"] = nlohmann::ordered_json::array();
   for (const SeenProcess* process : seen.processes(now_ns)) {
     const Heartbeat& b = process->beat;
@@ -69,7 +73,8 @@ nlohmann::ordered_json as_json(const Lookout& seen, std::int64_t now_ns) {
                                 {"allocations", b.allocations},
                                 {"realtime", realtime_name(b.realtime)}});
   }
-  all["mode"] = seen.controller_statuses().received() > 0 ? mode_name(seen.controller().mode) : "none";
+  all["mode"] =
+      seen.controller_statuses().received() > 0 ? mode_name(seen.controller().mode) : "none";
   return all;
 }
 
@@ -78,7 +83,8 @@ nlohmann::ordered_json as_json(const Lookout& seen, std::int64_t now_ns) {
 int status_command(const std::vector<std::string>& words) {
   const Arguments arguments(status_syntax(), words);
   catch_quit_signals();
-  BusLink bus(arguments.text("--url", ""), arguments.text("--prefix", ""), arguments.all("--allow"));
+  BusLink bus(arguments.text("--url", ""), arguments.text("--prefix", ""),
+              arguments.all("--allow"));
   Redraw redraw;
   CpuShare shares;
   bus.listen(kLookFor);
@@ -96,11 +102,13 @@ int status_command(const std::vector<std::string>& words) {
   if (arguments.has("--json")) {
     std::printf("%s\n", as_json(bus.seen(), now).dump(2).c_str());
   } else if (!arguments.has("--watch")) {
-    for (const std::string& line : table_lines(bus.seen(), shares, now)) std::printf("%s\n", line.c_str());
+    for (const std::string& line : table_lines(bus.seen(), shares, now))
+      std::printf("%s\n", line.c_str());
   }
   if (!bus.seen().sources(now).empty()) return 0;
   if (!arguments.has("--watch")) {
-    std::fprintf(stderr, "status: no source is heard on %s; start one with ./twinbus up\n", bus.url().c_str());
+    std::fprintf(stderr, "status: no source is heard on %s; start one with ./twinbus up\n",
+                 bus.url().c_str());
   }
   return 1;
 }

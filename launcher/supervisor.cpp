@@ -25,19 +25,22 @@ std::string last_lines_of(const Child& child) {
 
 }  // namespace
 
-Supervisor::Supervisor(const Stack& stack, const Placeholders& placeholders, const std::string& folder, Say say)
+Supervisor::Supervisor(const Stack& stack, const Placeholders& placeholders,
+                       const std::string& folder, Say say)
     : say_(std::move(say)) {
   for (const StackProcess& process : stack.processes) {
     Supervised one;
     one.process = process;
     one.spec.name = process.name;
     one.spec.command.push_back(program_folder() + "/" + process.program);
-    for (std::string& argument : fill_in(process, placeholders)) one.spec.command.push_back(std::move(argument));
+    for (std::string& argument : fill_in(process, placeholders))
+      one.spec.command.push_back(std::move(argument));
     one.spec.log_file = folder + "/" + process.name + ".log";
     one.spec.dies_with_launcher = !process.hardware;
     one.spec.grace = process.grace;
     if (!std::filesystem::exists(one.spec.command[0])) {
-      throw std::runtime_error("process '" + process.name + "': there is no program " + one.spec.command[0] +
+      throw std::runtime_error("process '" + process.name + "': there is no program " +
+                               one.spec.command[0] +
                                "; build it with: cmake --build --preset release");
     }
     processes_.push_back(std::move(one));
@@ -57,37 +60,43 @@ void Supervisor::start_more(std::int64_t now_ns) {
   for (Supervised& one : processes_) {
     if (one.ready || one.died) continue;
     if (one.child.empty()) {
-      const bool may_start = std::all_of(one.process.after.begin(), one.process.after.end(), [&](const std::string& name) {
-        return std::any_of(processes_.begin(), processes_.end(),
-                           [&](const Supervised& other) { return other.process.name == name && other.ready; });
-      });
+      const bool may_start = std::all_of(
+          one.process.after.begin(), one.process.after.end(), [&](const std::string& name) {
+            return std::any_of(processes_.begin(), processes_.end(), [&](const Supervised& other) {
+              return other.process.name == name && other.ready;
+            });
+          });
       if (may_start) start(one, now_ns);
       continue;
     }
     Child& child = one.child.front();
     if (child.take_end()) {
-      throw std::runtime_error("process '" + one.process.name + "' ended before it was ready: " + child.how_it_ended() +
-                               last_lines_of(child));
+      throw std::runtime_error("process '" + one.process.name + "' ended before it was ready: " +
+                               child.how_it_ended() + last_lines_of(child));
     }
-    if (one.process.ready_when == ReadyWhen::kLine && has_output(one.spec.log_file)) one.ready = true;
-    if (!one.ready && 1e-9 * static_cast<double>(now_ns - one.started_ns) > one.process.ready_timeout) {
+    if (one.process.ready_when == ReadyWhen::kLine && has_output(one.spec.log_file))
+      one.ready = true;
+    if (!one.ready &&
+        1e-9 * static_cast<double>(now_ns - one.started_ns) > one.process.ready_timeout) {
       const std::string waited_for = one.process.ready_when == ReadyWhen::kLine
                                          ? "a line of output"
                                          : "a message on " + one.process.ready_channel;
       throw std::runtime_error("process '" + one.process.name + "' is not ready after " +
-                               std::to_string(static_cast<int>(one.process.ready_timeout)) + " s (waited for " + waited_for +
-                               ")" + last_lines_of(child));
+                               std::to_string(static_cast<int>(one.process.ready_timeout)) +
+                               " s (waited for " + waited_for + ")" + last_lines_of(child));
     }
   }
 }
 
 bool Supervisor::all_ready() const {
-  return std::all_of(processes_.begin(), processes_.end(), [](const Supervised& one) { return one.ready || one.died; });
+  return std::all_of(processes_.begin(), processes_.end(),
+                     [](const Supervised& one) { return one.ready || one.died; });
 }
 
 void Supervisor::heard_from_pid(const std::string& channel, std::int64_t pid) {
   for (Supervised& one : processes_) {
-    const bool mine = !one.child.empty() && one.child.front().running() && one.child.front().pid() == pid;
+    const bool mine =
+        !one.child.empty() && one.child.front().running() && one.child.front().pid() == pid;
     if (mine && one.process.ready_channel == channel) one.ready = true;
   }
 }
@@ -108,8 +117,8 @@ void Supervisor::watch(std::int64_t now_ns) {
     report_end(one, one.child.front());
     if (one.process.restart && one.restarts < kMostRestarts) {
       ++one.restarts;
-      say_(one.process.name + " is started again (" + std::to_string(one.restarts) + " of at most " +
-           std::to_string(kMostRestarts) + " times)");
+      say_(one.process.name + " is started again (" + std::to_string(one.restarts) +
+           " of at most " + std::to_string(kMostRestarts) + " times)");
       start(one, now_ns);
       continue;
     }

@@ -18,9 +18,9 @@ namespace twinbus {
 struct Supervised {
   StackProcess process;
   ChildSpec spec;
-  std::vector<Child> child;       // none or one
+  std::vector<Child> child;  // none or one
   bool ready = false;
-  bool died = false;              // and was not started again
+  bool died = false;  // and was not started again
   int restarts = 0;
   std::int64_t started_ns = 0;
 };
@@ -30,7 +30,8 @@ class Supervisor {
   using Say = std::function<void(const std::string& line)>;
 
   // folder: where each process's output goes.  say gets one line per thing that happens.
-  Supervisor(const Stack& stack, const Placeholders& placeholders, const std::string& folder, Say say);
+  Supervisor(const Stack& stack, const Placeholders& placeholders, const std::string& folder,
+             Say say);
   ~Supervisor();
 
   // Starts what may be started now.  Throws std::runtime_error if a process takes longer than its ready_timeout, or ends

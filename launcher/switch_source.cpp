@@ -14,31 +14,37 @@ namespace twinbus {
 
 namespace {
 
-constexpr double kAskAgain = 0.2;         // a lost request is sent again, with its own sequence [s]
-constexpr double kStandbyTimeout = 6.0;   // a shadow needs a fresh anchor [s]
-constexpr double kFollowTimeout = 4.0;    // for a shadow to get there [s]
-constexpr double kFollowing = 1.0;        // it has faded in and swings with the active source by then [s]
-constexpr double kNearPosture = 0.045;    // the source itself refuses 0.05 [rad]
-constexpr double kSwitchTimeout = 15.0;   // with when-safe: a stop and 2 s of rest come first [s]
-constexpr double kAlignTimeout = 90.0;    // slow on purpose [s]
+constexpr double kAskAgain = 0.2;        // a lost request is sent again, with its own sequence [s]
+constexpr double kStandbyTimeout = 6.0;  // a shadow needs a fresh anchor [s]
+constexpr double kFollowTimeout = 4.0;   // for a shadow to get there [s]
+constexpr double kFollowing = 1.0;  // it has faded in and swings with the active source by then [s]
+constexpr double kNearPosture = 0.045;   // the source itself refuses 0.05 [rad]
+constexpr double kSwitchTimeout = 15.0;  // with when-safe: a stop and 2 s of rest come first [s]
+constexpr double kAlignTimeout = 90.0;   // slow on purpose [s]
 
 Syntax switch_syntax() {
-  return {"switch",
-          "sim|bridge|replay",
-          "Asks the active source to hand over to the simulator, the hardware bridge or the replay.  The target is put\n"
-          "into standby first.  Prints why when it is refused; nothing has moved then.",
-          {{"--policy", "P", "now, or when-safe (default): after the controller's shortest safe stop"},
-           {"--align", "", "moves the target robot to the posture slowly first"},
-           {"--standby", "S", "of the target until then: shadow or track; default track where a state can be imposed"},
-           {"--run", "ID", "of the target, where there are several of its kind (see ./twinbus status --json)"},
-           prefix_option(),
-           url_option(),
-           allow_option()},
-          1,
-          1};
+  return {
+      "switch",
+      "sim|bridge|replay",
+      "Asks the active source to hand over to the simulator, the hardware bridge or the replay.  "
+      "The target is put\n"
+      "into standby first.  Prints why when it is refused; nothing has moved then.",
+      {{"--policy", "P", "now, or when-safe (default): after the controller's shortest safe stop"},
+       {"--align", "", "moves the target robot to the posture slowly first"},
+       {"--standby", "S",
+        "of the target until then: shadow or track; default track where a state can be imposed"},
+       {"--run", "ID",
+        "of the target, where there are several of its kind (see ./twinbus status --json)"},
+       prefix_option(),
+       url_option(),
+       allow_option()},
+      1,
+      1};
 }
 
-double since(std::int64_t start_ns) { return 1e-9 * static_cast<double>(monotonic_ns() - start_ns); }
+double since(std::int64_t start_ns) {
+  return 1e-9 * static_cast<double>(monotonic_ns() - start_ns);
+}
 
 SourceKind kind_of(const std::string& word) {
   if (word == "sim" || word == "simulator") return SourceKind::kSimulator;
@@ -48,24 +54,27 @@ SourceKind kind_of(const std::string& word) {
 }
 
 // The source of that kind that is not active itself.  Throws std::runtime_error if there is none or more than one.
-SeenSource find_target(const Lookout& seen, SourceKind kind, std::int64_t wanted_run, std::int64_t active_run) {
+SeenSource find_target(const Lookout& seen, SourceKind kind, std::int64_t wanted_run,
+                       std::int64_t active_run) {
   std::optional<SeenSource> found;
   bool active_is_of_kind = false;
   for (const SeenSource* source : seen.sources(monotonic_ns())) {
-    if (wanted_run != 0 ? source->status.run_id != wanted_run : source->status.source != kind) continue;
+    if (wanted_run != 0 ? source->status.run_id != wanted_run : source->status.source != kind)
+      continue;
     if (source->status.run_id == active_run) {
       active_is_of_kind = true;
       continue;
     }
     if (found) {
-      throw std::runtime_error("two sources can be meant, " + describe(*found) + " and " + describe(*source) +
-                               "; choose with --run");
+      throw std::runtime_error("two sources can be meant, " + describe(*found) + " and " +
+                               describe(*source) + "; choose with --run");
     }
     found = *source;
   }
   if (!found) {
     throw std::runtime_error(std::string("no other ") + source_name(kind) + " is running" +
-                             (active_is_of_kind ? ": it is active already" : "; start one, as in ./twinbus up --stack both"));
+                             (active_is_of_kind ? ": it is active already"
+                                                : "; start one, as in ./twinbus up --stack both"));
   }
   return *found;
 }
@@ -80,8 +89,11 @@ class Switch {
     SourceRequest request;
     request.action = track ? SourceAction::kStandbyTrack : SourceAction::kStandbyShadow;
     request.run_id = request.target_run_id = target_run_;
-    const bool done = ask_until(request, target_run_, kStandbyTimeout, [&] { return in_standby(track); });
-    if (!done) throw std::runtime_error("the target does not go into standby: " + reason(request, target_run_));
+    const bool done =
+        ask_until(request, target_run_, kStandbyTimeout, [&] { return in_standby(track); });
+    if (!done)
+      throw std::runtime_error("the target does not go into standby: " +
+                               reason(request, target_run_));
   }
 
   // A shadow that has just begun to follow is still on its way to the posture of the active source, and then still in
@@ -119,7 +131,8 @@ class Switch {
  private:
   bool in_standby(bool track) const {
     const SeenSource* target = bus_.seen().source(target_run_);
-    return target != nullptr && target->status.role == (track ? Role::kStandbyTrack : Role::kStandbyShadow);
+    return target != nullptr &&
+           target->status.role == (track ? Role::kStandbyTrack : Role::kStandbyShadow);
   }
 
   // Largest difference of a joint between target and active source [rad].
@@ -141,7 +154,8 @@ class Switch {
   }
 
   template <class Done>
-  bool ask_until(SourceRequest& request, std::int64_t answering_run, double timeout, const Done& done) {
+  bool ask_until(SourceRequest& request, std::int64_t answering_run, double timeout,
+                 const Done& done) {
     const std::int64_t begin = monotonic_ns();
     std::int64_t asked = 0;
     while (!quit_requested() && since(begin) < timeout) {
@@ -157,7 +171,8 @@ class Switch {
   }
 
   std::string reason(const SourceRequest& request, std::int64_t answering_run) const {
-    if (refused(request, answering_run)) return refusal_text(bus_.seen().source(answering_run)->status.refusal);
+    if (refused(request, answering_run))
+      return refusal_text(bus_.seen().source(answering_run)->status.refusal);
     if (quit_requested()) return "interrupted";
     return "no answer in time";
   }
@@ -173,17 +188,22 @@ int switch_command(const std::vector<std::string>& words) {
   const Arguments arguments(switch_syntax(), words);
   const SourceKind kind = kind_of(arguments.word(0));
   const std::string policy = arguments.text("--policy", "when-safe");
-  if (policy != "now" && policy != "when-safe") throw UsageError("switch: --policy is now or when-safe, got '" + policy + "'");
+  if (policy != "now" && policy != "when-safe")
+    throw UsageError("switch: --policy is now or when-safe, got '" + policy + "'");
   const std::string standby = arguments.text("--standby", "");
   if (!standby.empty() && standby != "shadow" && standby != "track") {
     throw UsageError("switch: --standby is shadow or track, got '" + standby + "'");
   }
-  const auto wanted_run = static_cast<std::int64_t>(arguments.number("--run", 0.0, 1.0, 9007199254740991.0));
+  const auto wanted_run =
+      static_cast<std::int64_t>(arguments.number("--run", 0.0, 1.0, 9007199254740991.0));
   catch_quit_signals();
 
-  BusLink bus(arguments.text("--url", ""), arguments.text("--prefix", ""), arguments.all("--allow"));
+  BusLink bus(arguments.text("--url", ""), arguments.text("--prefix", ""),
+              arguments.all("--allow"));
   const SeenSource* active = wait_for_active(bus, 1.0);
-  if (active == nullptr) throw std::runtime_error("no source is active on " + bus.url() + "; start one with ./twinbus up");
+  if (active == nullptr)
+    throw std::runtime_error("no source is active on " + bus.url() +
+                             "; start one with ./twinbus up");
   const SeenSource from = *active;
   const SeenSource target = find_target(bus.seen(), kind, wanted_run, from.status.run_id);
   const bool track = standby.empty() ? target.status.can_be_set : standby == "track";
@@ -192,16 +212,19 @@ int switch_command(const std::vector<std::string>& words) {
   const bool already_standby = standby.empty() && (target.status.role == Role::kStandbyTrack ||
                                                    target.status.role == Role::kStandbyShadow);
   if (!already_standby) change.put_into_standby(track);
-  if (!arguments.has("--align")) change.wait_for_posture(already_standby || track ? 0.0 : kFollowing);
+  if (!arguments.has("--align"))
+    change.wait_for_posture(already_standby || track ? 0.0 : kFollowing);
   const std::int64_t begin = monotonic_ns();
   std::string why;
-  if (!change.hand_over(policy == "now" ? SwitchPolicy::kNow : SwitchPolicy::kWhenSafe, arguments.has("--align"), why)) {
+  if (!change.hand_over(policy == "now" ? SwitchPolicy::kNow : SwitchPolicy::kWhenSafe,
+                        arguments.has("--align"), why)) {
     std::fprintf(stderr, "switch: refused: %s\n", why.c_str());
     return 1;
   }
   const SeenSource* now_active = bus.seen().source(target.status.run_id);
-  std::printf("switch: %s took over from %s after %.0f ms, at tick %lld\n", describe(*now_active).c_str(),
-              describe(from).c_str(), 1e3 * since(begin), static_cast<long long>(bus.seen().newest_state().tick));
+  std::printf("switch: %s took over from %s after %.0f ms, at tick %lld\n",
+              describe(*now_active).c_str(), describe(from).c_str(), 1e3 * since(begin),
+              static_cast<long long>(bus.seen().newest_state().tick));
   return 0;
 }
 

@@ -49,7 +49,8 @@ std::map<std::string, std::string> benches() {
   }
   for (const auto& entry : fs::directory_iterator(install_folder() + "/test/bench", ignored)) {
     const std::string name = entry.path().stem().string();
-    if (entry.path().extension() == ".py" && name.starts_with("bench_")) found[name.substr(6)] = entry.path().string();
+    if (entry.path().extension() == ".py" && name.starts_with("bench_"))
+      found[name.substr(6)] = entry.path().string();
   }
   return found;
 }
@@ -60,7 +61,9 @@ int spy_command(const std::vector<std::string>& words) { become(script("spy.sh")
 
 int env_command(const std::vector<std::string>& words) { become(script("env.sh"), words); }
 
-int gamepad_command(const std::vector<std::string>& words) { become(program_folder() + "/twinbus_gamepad", words); }
+int gamepad_command(const std::vector<std::string>& words) {
+  become(program_folder() + "/twinbus_gamepad", words);
+}
 
 int bench_command(const std::vector<std::string>& words) {
   const std::map<std::string, std::string> known = benches();
@@ -75,14 +78,19 @@ int bench_command(const std::vector<std::string>& words) {
     return 0;
   }
   if (words[0] == "--help" || words[0] == "-h") {
-    std::printf("usage: ./twinbus bench [NAME] [OPTION...]\n"
-                "Measures and prints median, 99th and 99.9th percentile and worst; without NAME lists what there is.\n"
-                "  --csv F               also as rows bench,case,metric,unit,median,p99,p999,max,peer,peer_median,ratio\n"
-                "Other options are the bench's own: ./twinbus bench NAME --help.  There are:%s\n", all.c_str());
+    std::printf(
+        "usage: ./twinbus bench [NAME] [OPTION...]\n"
+        "Measures and prints median, 99th and 99.9th percentile and worst; without NAME lists what "
+        "there is.\n"
+        "  --csv F               also as rows "
+        "bench,case,metric,unit,median,p99,p999,max,peer,peer_median,ratio\n"
+        "Other options are the bench's own: ./twinbus bench NAME --help.  There are:%s\n",
+        all.c_str());
     return 0;
   }
   const auto found = known.find(words[0]);
-  if (found == known.end()) throw UsageError("bench: no bench '" + words[0] + "'" + suggestion(words[0], names));
+  if (found == known.end())
+    throw UsageError("bench: no bench '" + words[0] + "'" + suggestion(words[0], names));
   become(found->second, {words.begin() + 1, words.end()});
 }
 

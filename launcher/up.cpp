@@ -23,34 +23,43 @@ namespace twinbus {
 
 namespace {
 
-constexpr double kListenFirst = 0.4;         // sources and processes speak at 10 Hz [s]
-constexpr double kActivationTimeout = 10.0;  // a source listens 1 s for other terms before it may become active [s]
-constexpr double kAskAgain = 0.25;           // [s]
-constexpr double kTableEvery = 0.25;         // on a terminal [s]
-constexpr double kLineEvery = 10.0;          // elsewhere [s]
+constexpr double kListenFirst = 0.4;  // sources and processes speak at 10 Hz [s]
+constexpr double kActivationTimeout =
+    10.0;  // a source listens 1 s for other terms before it may become active [s]
+constexpr double kAskAgain = 0.25;          // [s]
+constexpr double kTableEvery = 0.25;        // on a terminal [s]
+constexpr double kLineEvery = 10.0;         // elsewhere [s]
 constexpr std::int64_t kScriptAhead = 100;  // a request is sent this early [ticks]
 constexpr int kScriptRepeats = 3;
-constexpr double kSettle = 0.5;              // from the first answered tick to the first counted one [s]
+constexpr double kSettle = 0.5;  // from the first answered tick to the first counted one [s]
 
-double seconds(std::int64_t from_ns, std::int64_t to_ns) { return 1e-9 * static_cast<double>(to_ns - from_ns); }
+double seconds(std::int64_t from_ns, std::int64_t to_ns) {
+  return 1e-9 * static_cast<double>(to_ns - from_ns);
+}
 
 Syntax up_syntax() {
   std::string stacks;
   for (const std::string& name : stack_names()) stacks += (stacks.empty() ? "" : ", ") + name;
   return {"up",
           "[SCENE]",
-          "Starts the processes of a stack, activates its source, shows what runs and stops everything on Ctrl-C.\n"
-          "SCENE is a name in config/scenes or a file; default: stand.  With --for the run is judged: exit status 0 only\n"
-          "if STATE and COMMAND kept their rate, at most 0.1 % of the ticks were missed (1 % without FIFO) and nobody fell.\n"
-          "A tick that was missed only because the machine itself stood still is told, but not held against the stack.",
+          "Starts the processes of a stack, activates its source, shows what runs and stops "
+          "everything on Ctrl-C.\n"
+          "SCENE is a name in config/scenes or a file; default: stand.  With --for the run is "
+          "judged: exit status 0 only\n"
+          "if STATE and COMMAND kept their rate, at most 0.1 % of the ticks were missed (1 % "
+          "without FIFO) and nobody fell.\n"
+          "A tick that was missed only because the machine itself stood still is told, but not "
+          "held against the stack.",
           {robot_option(),
            {"--stack", "NAME", "of config/stacks (" + stacks + "), or a file; default sim"},
            {"--engine", "E", "physics engine; default the scene's"},
-           {"--lockstep", "", "each tick waits for its command: slower or faster than real time, repeatable"},
+           {"--lockstep", "",
+            "each tick waits for its command: slower or faster than real time, repeatable"},
            {"--rate", "X", "times real time; default 1"},
            {"--for", "S", "seconds; then stops, judges and exits"},
            {"--seed", "N", "of noise and perturbations"},
-           {"--set", "KEY=VALUE", "setting of the simulator, as in model.mass_scale=1.03; may be repeated"},
+           {"--set", "KEY=VALUE",
+            "setting of the simulator, as in model.mass_scale=1.03; may be repeated"},
            {"--no-viewer", "", "without the page in the browser"},
            {"--no-fifo", "", "ordinary priority for every process"},
            {"--report", "F", "writes the figures as JSON"},
@@ -95,9 +104,9 @@ class Up {
   Redraw redraw_;
   CpuShare shares_;
   MissedCounts at_start_;
-  std::int64_t start_ns_ = 0;        // of the measured part
+  std::int64_t start_ns_ = 0;  // of the measured part
   std::int64_t shown_ns_ = 0;
-  std::int64_t first_tick_ = 0;      // scene time 0
+  std::int64_t first_tick_ = 0;  // scene time 0
   std::size_t modes_sent_ = 0;
   std::size_t goals_sent_ = 0;
 };
@@ -125,7 +134,8 @@ Up::Up(const Arguments& arguments) {
     std::erase_if(stack_.processes, [](const StackProcess& process) { return process.viewer; });
   }
 
-  bus_ = std::make_unique<BusLink>(arguments.text("--url", ""), arguments.text("--prefix", ""), arguments.all("--allow"));
+  bus_ = std::make_unique<BusLink>(arguments.text("--url", ""), arguments.text("--prefix", ""),
+                                   arguments.all("--allow"));
   refuse_if_someone_publishes();
   bus_->on_raw_state([this](std::span<const std::uint8_t> bytes) { hash_.add(bytes); });
 
@@ -144,7 +154,8 @@ Placeholders Up::placeholders(const Arguments& arguments) const {
     for (const std::string& value : arguments.all(option)) bus.insert(bus.end(), {option, value});
   }
   std::string allowed;
-  for (const std::string& address : arguments.all("--allow")) allowed += (allowed.empty() ? "" : ",") + address;
+  for (const std::string& address : arguments.all("--allow"))
+    allowed += (allowed.empty() ? "" : ",") + address;
   if (!allowed.empty()) bus.insert(bus.end(), {"--allow", allowed});
   values["robot"] = {"--robot", request_.robot};
   values["scene"] = {arguments.word(0, "stand")};
@@ -152,11 +163,14 @@ Placeholders Up::placeholders(const Arguments& arguments) const {
   if (request_.lockstep) pace = {"--lockstep"};
   if (arguments.has("--rate")) pace.insert(pace.end(), {"--rate", arguments.text("--rate", "1")});
   // In lock-step the simulator itself ends after its last tick, so that two runs have the same ticks.
-  if (request_.lockstep && request_.duration > 0.0) pace.insert(pace.end(), {"--for", arguments.text("--for", "")});
+  if (request_.lockstep && request_.duration > 0.0)
+    pace.insert(pace.end(), {"--for", arguments.text("--for", "")});
   values["engine"] = {};  // one engine so far: checked in the constructor
   auto& settings = values["settings"];
-  for (const std::string& setting : arguments.all("--set")) settings.insert(settings.end(), {"--set", setting});
-  if (arguments.has("--seed")) settings.insert(settings.end(), {"--seed", arguments.text("--seed", "1")});
+  for (const std::string& setting : arguments.all("--set"))
+    settings.insert(settings.end(), {"--set", setting});
+  if (arguments.has("--seed"))
+    settings.insert(settings.end(), {"--seed", arguments.text("--seed", "1")});
   values["device"] = {"twinbus_" + arguments.text("--prefix", "") + std::to_string(getpid())};
   return values;
 }
@@ -175,15 +189,19 @@ void Up::refuse_if_someone_publishes() {
   if (const auto sources = seen.sources(now); !sources.empty()) who = describe(*sources.front());
   for (const SeenProcess* process : seen.processes(now)) {
     const ProcessKind kind = process->beat.kind;
-    const bool harmless = kind == ProcessKind::kViewer || kind == ProcessKind::kGamepad || kind == ProcessKind::kLog ||
-                          kind == ProcessKind::kUser || kind == ProcessKind::kLauncher;
-    if (!harmless) who = std::string(process_name(kind)) + " with process id " + std::to_string(process->beat.pid);
+    const bool harmless = kind == ProcessKind::kViewer || kind == ProcessKind::kGamepad ||
+                          kind == ProcessKind::kLog || kind == ProcessKind::kUser ||
+                          kind == ProcessKind::kLauncher;
+    if (!harmless)
+      who =
+          std::string(process_name(kind)) + " with process id " + std::to_string(process->beat.pid);
   }
   if (who.empty() && seen.state().received() > 0) who = "an unknown sender on STATE";
   if (who.empty() && seen.command().received() > 0) who = "an unknown sender on COMMAND";
   if (!who.empty()) {
-    throw std::runtime_error("someone already publishes on " + bus_->url() + ": " + who +
-                             "; end it first, or give this robot channels of its own with --prefix R2_");
+    throw std::runtime_error(
+        "someone already publishes on " + bus_->url() + ": " + who +
+        "; end it first, or give this robot channels of its own with --prefix R2_");
   }
 }
 
@@ -196,7 +214,8 @@ void Up::note_ready() {
     if (process == nullptr) continue;
     const std::string& channel = one.process.ready_channel;
     const SeenSource* source = seen.source(process->beat.process_id);
-    const bool is_state = channel.starts_with("STATE") && source != nullptr && source->states.received() > 0;
+    const bool is_state =
+        channel.starts_with("STATE") && source != nullptr && source->states.received() > 0;
     const bool is_status = channel == "SOURCE_STATUS" && source != nullptr && source->heard_ns > 0;
     const bool is_beat = channel == "HEARTBEAT" && process->beat.state != 0;
     if (is_state || is_status || is_beat) supervisor_->heard_from_name(one.process.name);
@@ -211,14 +230,16 @@ void Up::start_all() {
     note_ready();
     supervisor_->start_more(monotonic_ns());
     for (const Supervised& one : supervisor_->processes()) {
-      if (!one.ready || std::find(told.begin(), told.end(), one.process.name) != told.end()) continue;
+      if (!one.ready || std::find(told.begin(), told.end(), one.process.name) != told.end())
+        continue;
       told.push_back(one.process.name);
       char time[32];
       std::snprintf(time, sizeof time, "%.2f s", seconds(begin, monotonic_ns()));
       say(one.process.name + " ready after " + time);
       for (const std::string& line : one.child.front().last_lines(20)) {
         const std::size_t at = line.find("http://");
-        if (one.process.viewer && at != std::string::npos) viewer_address_ = line.substr(at, line.find(' ', at) - at);
+        if (one.process.viewer && at != std::string::npos)
+          viewer_address_ = line.substr(at, line.find(' ', at) - at);
       }
     }
     if (supervisor_->all_ready()) return;
@@ -232,7 +253,9 @@ void Up::activate() {
     if (one.process.name == stack_.activate && !one.child.empty()) pid = one.child.front().pid();
   }
   const SeenProcess* process = bus_->seen().process_of_pid(pid);
-  if (process == nullptr) throw std::runtime_error("'" + stack_.activate + "' sends no heartbeat, so it cannot be activated");
+  if (process == nullptr)
+    throw std::runtime_error("'" + stack_.activate +
+                             "' sends no heartbeat, so it cannot be activated");
   SourceRequest request;
   request.action = SourceAction::kActivate;
   request.policy = SwitchPolicy::kNow;
@@ -243,7 +266,8 @@ void Up::activate() {
     const std::int64_t now = monotonic_ns();
     if (asked == 0 || seconds(asked, now) > kAskAgain) {
       asked = now;
-      request.sequence = 0;  // a new one: a refusal answers one sequence, and the reason may have gone since
+      request.sequence =
+          0;  // a new one: a refusal answers one sequence, and the reason may have gone since
       bus_->send(request);
     }
     bus_->receive(0.02);
@@ -254,11 +278,13 @@ void Up::activate() {
       say(describe(*source) + " holds STATE");
       return;
     }
-    if (supervisor_->broken()) throw std::runtime_error("a required process ended before the robot was running");
+    if (supervisor_->broken())
+      throw std::runtime_error("a required process ended before the robot was running");
     if (seconds(begin, now) > kActivationTimeout) {
       const bool refused = source != nullptr && source->status.refusal != Refusal::kNone;
-      throw std::runtime_error("'" + stack_.activate + "' did not become active within 10 s" +
-                               (refused ? std::string(": ") + refusal_text(source->status.refusal) : ""));
+      throw std::runtime_error(
+          "'" + stack_.activate + "' did not become active within 10 s" +
+          (refused ? std::string(": ") + refusal_text(source->status.refusal) : ""));
     }
   }
 }
@@ -268,10 +294,12 @@ void Up::wait_for_first_commands() {
   while (!quit_requested() && bus_->seen().command().received() == 0) {
     bus_->receive(0.02);
     supervisor_->watch(monotonic_ns());
-    if (supervisor_->broken()) throw std::runtime_error("a required process ended before the robot was running");
+    if (supervisor_->broken())
+      throw std::runtime_error("a required process ended before the robot was running");
     if (seconds(begin, monotonic_ns()) > kActivationTimeout) {
-      throw std::runtime_error("no COMMAND within 10 s: the controller does not answer STATE (its output: " + folder_ +
-                               "/controller.log)");
+      throw std::runtime_error(
+          "no COMMAND within 10 s: the controller does not answer STATE (its output: " + folder_ +
+          "/controller.log)");
     }
   }
   // The first ticks of a source and a controller fill caches and page tables: they are run, but not counted.
@@ -280,10 +308,12 @@ void Up::wait_for_first_commands() {
   first_tick_ = bus_->seen().newest_state().tick;
   at_start_ = missed_so_far(bus_->seen(), start_ns_);
   if (!request_.lockstep) bus_->seen().restart_counts();
-  say(std::string(runs_at_fifo(bus_->seen(), start_ns_) ? "source and controller run with FIFO priority"
-                                                        : "WITHOUT FIFO priority (./twinbus doctor --rt says why)") +
+  say(std::string(runs_at_fifo(bus_->seen(), start_ns_)
+                      ? "source and controller run with FIFO priority"
+                      : "WITHOUT FIFO priority (./twinbus doctor --rt says why)") +
       "; output of each process: " + folder_);
-  for (const SeenProcess* process : bus_->seen().processes(start_ns_)) shares_.of(process->beat.pid, start_ns_);
+  for (const SeenProcess* process : bus_->seen().processes(start_ns_))
+    shares_.of(process->beat.pid, start_ns_);
   if (!viewer_address_.empty()) say("viewer: " + viewer_address_);
 }
 
@@ -313,7 +343,8 @@ void Up::send_script() {
 }
 
 bool Up::elapsed(std::int64_t now_ns) const {
-  return request_.duration > 0.0 && !request_.lockstep && seconds(start_ns_, now_ns) >= request_.duration;
+  return request_.duration > 0.0 && !request_.lockstep &&
+         seconds(start_ns_, now_ns) >= request_.duration;
 }
 
 // Every source of the stack is gone: nothing can run any more.
@@ -336,9 +367,11 @@ void Up::show(std::int64_t now_ns) {
   }
   std::vector<std::string> lines = table_lines(bus_->seen(), shares_, now_ns);
   char title[200];
-  std::snprintf(title, sizeof title, "twinbus up %s: %s, %s, stack %s, %.1f s%s%s   (Ctrl-C stops everything)",
-                request_.scene.c_str(), request_.robot.c_str(), request_.engine.c_str(), stack_.name.c_str(),
-                seconds(start_ns_, now_ns), viewer_address_.empty() ? "" : ", ", viewer_address_.c_str());
+  std::snprintf(title, sizeof title,
+                "twinbus up %s: %s, %s, stack %s, %.1f s%s%s   (Ctrl-C stops everything)",
+                request_.scene.c_str(), request_.robot.c_str(), request_.engine.c_str(),
+                stack_.name.c_str(), seconds(start_ns_, now_ns),
+                viewer_address_.empty() ? "" : ", ", viewer_address_.c_str());
   lines.insert(lines.begin(), title);
   redraw_.draw(lines);
 }
@@ -350,7 +383,8 @@ bool Up::work() {
     const std::int64_t now = monotonic_ns();
     if (ends_itself) {
       for (const Supervised& one : supervisor_->processes()) {
-        const bool gone = one.process.name == stack_.activate && !one.child.empty() && one.child.front().wait_is_over();
+        const bool gone = one.process.name == stack_.activate && !one.child.empty() &&
+                          one.child.front().wait_is_over();
         if (gone) {
           // What is still in the socket: a launcher without priority may be seconds behind.
           for (std::int64_t heard = -1; heard != bus_->seen().state().received();) {
@@ -381,7 +415,8 @@ std::string Up::cpu_line(std::int64_t now_ns) {
     std::snprintf(part, sizeof part, " %s %.0f %%,", process_name(process->beat.kind), 1e2 * share);
     line += part;
   }
-  std::snprintf(part, sizeof part, " together %.2f of %ld CPUs", all, sysconf(_SC_NPROCESSORS_ONLN));
+  std::snprintf(part, sizeof part, " together %.2f of %ld CPUs", all,
+                sysconf(_SC_NPROCESSORS_ONLN));
   return line + part;
 }
 
@@ -390,10 +425,12 @@ bool Up::judge_and_report(bool whole, double wall_s) {
   RunVerdict verdict = judge(bus_->seen(), request_, at_start_, now);
   if (request_.lockstep) {
     // The source has ended by itself, so it is no longer active: only ticks and falls count.
-    std::erase_if(verdict.failures, [](const std::string& failure) { return failure.starts_with("no source"); });
+    std::erase_if(verdict.failures,
+                  [](const std::string& failure) { return failure.starts_with("no source"); });
     const auto wanted = static_cast<std::int64_t>(request_.duration / request_.period + 0.5);
     if (whole && verdict.ticks < wanted) {
-      verdict.failures.push_back(std::to_string(verdict.ticks) + " of " + std::to_string(wanted) + " ticks came");
+      verdict.failures.push_back(std::to_string(verdict.ticks) + " of " + std::to_string(wanted) +
+                                 " ticks came");
     }
   }
   if (!whole) verdict.failures.push_back("a required process ended");
@@ -410,7 +447,8 @@ bool Up::judge_and_report(bool whole, double wall_s) {
 }
 
 int Up::run() {
-  say("stack " + stack_.name + ", scene " + request_.scene + ", robot " + request_.robot + ", bus " + bus_->url());
+  say("stack " + stack_.name + ", scene " + request_.scene + ", robot " + request_.robot +
+      ", bus " + bus_->url());
   start_all();
   if (!quit_requested()) activate();
   if (!quit_requested()) wait_for_first_commands();

@@ -9,10 +9,10 @@ namespace twinbus {
 
 namespace {
 
-constexpr double kMissedWithFifo = 0.001;     // share of ticks
+constexpr double kMissedWithFifo = 0.001;  // share of ticks
 constexpr double kMissedWithoutFifo = 0.01;
-constexpr double kMachineTooBad = 0.01;       // share of ticks that a bare timer missed
-constexpr double kRateTolerance = 0.01;       // share of the rate asked for
+constexpr double kMachineTooBad = 0.01;  // share of ticks that a bare timer missed
+constexpr double kRateTolerance = 0.01;  // share of the rate asked for
 constexpr double kDegrees = 57.29577951308232;
 
 std::string text(const char* format, double a, double b = 0.0) {
@@ -21,7 +21,9 @@ std::string text(const char* format, double a, double b = 0.0) {
   return line;
 }
 
-bool is_source(ProcessKind kind) { return kind == ProcessKind::kSimulator || kind == ProcessKind::kBridge; }
+bool is_source(ProcessKind kind) {
+  return kind == ProcessKind::kSimulator || kind == ProcessKind::kBridge;
+}
 
 double share_of(std::int64_t part, std::int64_t ticks) {
   return ticks > 0 ? static_cast<double>(part) / static_cast<double>(ticks) : 0.0;
@@ -66,7 +68,8 @@ bool runs_at_fifo(const Lookout& seen, std::int64_t now_ns) {
   return source && controller && all;
 }
 
-RunVerdict judge(const Lookout& seen, const RunRequest& request, const MissedCounts& start, std::int64_t now_ns) {
+RunVerdict judge(const Lookout& seen, const RunRequest& request, const MissedCounts& start,
+                 std::int64_t now_ns) {
   RunVerdict verdict;
   verdict.ticks = seen.state().received();
   verdict.state_rate = seen.state().mean_rate();
@@ -77,7 +80,8 @@ RunVerdict judge(const Lookout& seen, const RunRequest& request, const MissedCou
   verdict.fell = seen.figures().fell;
   if (const SeenSource* active = seen.active(now_ns)) {
     if (active->status.role == Role::kStopped) {
-      verdict.failures.push_back(std::string("the source is stopped (") + stop_name(active->status.stop_kind) + ")");
+      verdict.failures.push_back(std::string("the source is stopped (") +
+                                 stop_name(active->status.stop_kind) + ")");
     }
     for (const SeenProcess* process : seen.processes(now_ns, 2.0)) {
       if (process->beat.process_id != active->status.run_id) continue;
@@ -90,8 +94,10 @@ RunVerdict judge(const Lookout& seen, const RunRequest& request, const MissedCou
   const MissedCounts end = missed_so_far(seen, now_ns);
   verdict.source_missed = std::max<std::int64_t>(end.source - start.source, 0);
   verdict.controller_missed = std::max<std::int64_t>(end.controller - start.controller, 0);
-  const std::int64_t source_stalled = std::max<std::int64_t>(end.source_stalled - start.source_stalled, 0);
-  const std::int64_t controller_stalled = std::max<std::int64_t>(end.controller_stalled - start.controller_stalled, 0);
+  const std::int64_t source_stalled =
+      std::max<std::int64_t>(end.source_stalled - start.source_stalled, 0);
+  const std::int64_t controller_stalled =
+      std::max<std::int64_t>(end.controller_stalled - start.controller_stalled, 0);
   const std::int64_t source_own = verdict.source_missed - source_stalled;
   const std::int64_t controller_own = verdict.controller_missed - controller_stalled;
   verdict.missed = std::max(verdict.source_missed, verdict.controller_missed);
@@ -99,14 +105,18 @@ RunVerdict judge(const Lookout& seen, const RunRequest& request, const MissedCou
   if (end.timer >= 0) verdict.timer_missed = end.timer - std::max<std::int64_t>(start.timer, 0);
 
   if (!request.lockstep) {
-    for (const auto& [name, rate] : {std::pair("STATE", verdict.state_rate), std::pair("COMMAND", verdict.command_rate)}) {
+    for (const auto& [name, rate] :
+         {std::pair("STATE", verdict.state_rate), std::pair("COMMAND", verdict.command_rate)}) {
       if (!(std::abs(rate - verdict.rate_wanted) <= kRateTolerance * verdict.rate_wanted)) {
-        verdict.failures.push_back(std::string(name) + text(" came at %.1f Hz, %.1f Hz were asked", rate, verdict.rate_wanted));
+        verdict.failures.push_back(std::string(name) + text(" came at %.1f Hz, %.1f Hz were asked",
+                                                            rate, verdict.rate_wanted));
       }
     }
-    const double share = verdict.ticks > 0 ? share_of(verdict.missed - verdict.stalled, verdict.ticks) : 1.0;
+    const double share =
+        verdict.ticks > 0 ? share_of(verdict.missed - verdict.stalled, verdict.ticks) : 1.0;
     if (!(share <= verdict.missed_allowed)) {
-      verdict.failures.push_back(text("%.3f %% of ticks missed, %.1f %% allowed", 1e2 * share, 1e2 * verdict.missed_allowed));
+      verdict.failures.push_back(text("%.3f %% of ticks missed, %.1f %% allowed", 1e2 * share,
+                                      1e2 * verdict.missed_allowed));
     }
   }
   if (verdict.fell) verdict.failures.push_back("the robot fell");
@@ -116,17 +126,20 @@ RunVerdict judge(const Lookout& seen, const RunRequest& request, const MissedCou
 
 std::vector<std::string> verdict_lines(const RunVerdict& verdict, const RunRequest& request) {
   std::vector<std::string> lines;
-  lines.push_back(text("STATE %.1f Hz, COMMAND %.1f Hz", verdict.state_rate, verdict.command_rate) +
-                  (request.lockstep ? " (lock-step)" : text(", asked %.1f Hz", verdict.rate_wanted)));
+  lines.push_back(
+      text("STATE %.1f Hz, COMMAND %.1f Hz", verdict.state_rate, verdict.command_rate) +
+      (request.lockstep ? " (lock-step)" : text(", asked %.1f Hz", verdict.rate_wanted)));
   char line[320];
-  std::snprintf(line, sizeof line, "missed %lld of %lld ticks (%.3f %%; source %lld, controller %lld)",
-                static_cast<long long>(verdict.missed), static_cast<long long>(verdict.ticks),
-                1e2 * share_of(verdict.missed, verdict.ticks), static_cast<long long>(verdict.source_missed),
-                static_cast<long long>(verdict.controller_missed));
+  std::snprintf(
+      line, sizeof line, "missed %lld of %lld ticks (%.3f %%; source %lld, controller %lld)",
+      static_cast<long long>(verdict.missed), static_cast<long long>(verdict.ticks),
+      1e2 * share_of(verdict.missed, verdict.ticks), static_cast<long long>(verdict.source_missed),
+      static_cast<long long>(verdict.controller_missed));
   std::string missed = line;
   if (verdict.timer_missed >= 0) {
     std::snprintf(line, sizeof line,
-                  ", of which %lld while the machine itself stood still (a bare timer of higher priority stood still too)",
+                  ", of which %lld while the machine itself stood still (a bare timer of higher "
+                  "priority stood still too)",
                   static_cast<long long>(verdict.stalled));
     missed += line;
   }
@@ -134,18 +147,20 @@ std::vector<std::string> verdict_lines(const RunVerdict& verdict, const RunReque
   if (!request.lockstep) {
     std::snprintf(line, sizeof line, "our own: %lld ticks (%.3f %%, at most %.1f %% %s FIFO)",
                   static_cast<long long>(verdict.missed - verdict.stalled),
-                  1e2 * share_of(verdict.missed - verdict.stalled, verdict.ticks), 1e2 * verdict.missed_allowed,
-                  verdict.fifo ? "with" : "WITHOUT");
+                  1e2 * share_of(verdict.missed - verdict.stalled, verdict.ticks),
+                  1e2 * verdict.missed_allowed, verdict.fifo ? "with" : "WITHOUT");
     lines.push_back(line);
   }
   if (verdict.timer_missed > 0 && share_of(verdict.timer_missed, verdict.ticks) > kMachineTooBad) {
-    lines.push_back(text("this machine is too restless for real time: a bare timer misses %.1f %% of the ticks by itself; "
-                         "end other programs, or use a machine that is not shared (./twinbus doctor --rt)",
-                         1e2 * share_of(verdict.timer_missed, verdict.ticks)));
+    lines.push_back(
+        text("this machine is too restless for real time: a bare timer misses %.1f %% of the ticks "
+             "by itself; "
+             "end other programs, or use a machine that is not shared (./twinbus doctor --rt)",
+             1e2 * share_of(verdict.timer_missed, verdict.ticks)));
   }
   if (verdict.answer_median_us > 0.0) {
-    lines.push_back(text("STATE sent to COMMAND obeyed: median %.0f us, 99 %% within %.0f us", verdict.answer_median_us,
-                         verdict.answer_p99_us));
+    lines.push_back(text("STATE sent to COMMAND obeyed: median %.0f us, 99 %% within %.0f us",
+                         verdict.answer_median_us, verdict.answer_p99_us));
   }
   lines.push_back(verdict.fell ? "the robot fell" : "no fall");
   for (const std::string& failure : verdict.failures) lines.push_back("FAILED: " + failure);
@@ -153,10 +168,11 @@ std::vector<std::string> verdict_lines(const RunVerdict& verdict, const RunReque
   return lines;
 }
 
-std::string report_json(const RunVerdict& verdict, const RunRequest& request, const Lookout& seen, double wall_s,
-                        const std::string& state_hash) {
+std::string report_json(const RunVerdict& verdict, const RunRequest& request, const Lookout& seen,
+                        double wall_s, const std::string& state_hash) {
   const RunFigures& f = seen.figures();
-  const double sim_time = f.truths > 0 ? f.sim_time - f.first_sim_time : static_cast<double>(verdict.ticks) * request.period;
+  const double sim_time = f.truths > 0 ? f.sim_time - f.first_sim_time
+                                       : static_cast<double>(verdict.ticks) * request.period;
   nlohmann::ordered_json report;
   report["scene"] = request.scene;
   report["robot"] = request.robot;
@@ -177,7 +193,8 @@ std::string report_json(const RunVerdict& verdict, const RunRequest& request, co
   report["penetration_max_mm"] = number(1e3 * f.penetration_max);
   report["self_collision_ticks"] = f.self_collision_ticks;
   report["foot_force_rms_error_n"] = nullptr;  // needs the reference, which only `run` has
-  report["state_hash"] = state_hash.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(state_hash);
+  report["state_hash"] =
+      state_hash.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(state_hash);
   report["passed"] = verdict.passed;
   report["fifo"] = verdict.fifo;
   report["state_hz"] = number(verdict.state_rate);

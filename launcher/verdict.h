@@ -16,11 +16,11 @@ struct RunRequest {
   std::string robot;
   std::string engine;
   std::uint64_t seed = 0;
-  double step_s = 0.0;      // physics step
-  double period = 0.002;    // [s]
-  double rate = 1.0;        // times real time
+  double step_s = 0.0;    // physics step
+  double period = 0.002;  // [s]
+  double rate = 1.0;      // times real time
   bool lockstep = false;
-  double duration = 0.0;    // asked for [s]; 0: until Ctrl-C
+  double duration = 0.0;  // asked for [s]; 0: until Ctrl-C
 };
 
 // Ticks that sources and controllers have missed since they started, and how many of those would have been in time had
@@ -35,18 +35,19 @@ struct MissedCounts {
 
 struct RunVerdict {
   std::int64_t ticks = 0;
-  std::int64_t missed = 0;          // the worse of what source and controller counted
-  std::int64_t stalled = 0;         // of these, by the machine
+  std::int64_t missed = 0;   // the worse of what source and controller counted
+  std::int64_t stalled = 0;  // of these, by the machine
   std::int64_t source_missed = 0;
   std::int64_t controller_missed = 0;
   std::int64_t timer_missed = -1;
-  double missed_allowed = 0.0;      // share, of what is not the machine's
-  double answer_median_us = 0.0;    // from STATE sent to COMMAND obeyed, as the source sees it; 0 unknown
+  double missed_allowed = 0.0;  // share, of what is not the machine's
+  double answer_median_us =
+      0.0;  // from STATE sent to COMMAND obeyed, as the source sees it; 0 unknown
   double answer_p99_us = 0.0;
-  double state_rate = 0.0;          // [Hz]
+  double state_rate = 0.0;  // [Hz]
   double command_rate = 0.0;
   double rate_wanted = 0.0;
-  bool fifo = false;                // source and controller both
+  bool fifo = false;  // source and controller both
   bool fell = false;
   bool passed = false;
   std::vector<std::string> failures;  // one sentence each
@@ -56,13 +57,14 @@ MissedCounts missed_so_far(const Lookout& seen, std::int64_t now_ns);
 // Source and controller both run at FIFO priority.
 bool runs_at_fifo(const Lookout& seen, std::int64_t now_ns);
 
-RunVerdict judge(const Lookout& seen, const RunRequest& request, const MissedCounts& start, std::int64_t now_ns);
+RunVerdict judge(const Lookout& seen, const RunRequest& request, const MissedCounts& start,
+                 std::int64_t now_ns);
 
 // Lines for people.
 std::vector<std::string> verdict_lines(const RunVerdict& verdict, const RunRequest& request);
 
 // JSON with the keys that `twinbus run --report` writes, as far as the bus shows them, and the rates.
-std::string report_json(const RunVerdict& verdict, const RunRequest& request, const Lookout& seen, double wall_s,
-                        const std::string& state_hash);
+std::string report_json(const RunVerdict& verdict, const RunRequest& request, const Lookout& seen,
+                        double wall_s, const std::string& state_hash);
 
 }  // namespace twinbus

@@ -20,7 +20,8 @@ enum class StopReason : std::int8_t {
   kController = 6,
   kCommandTimeout = 7,  // drawn by the gate itself
   kDevice = 8,          // the adaptor failed
-  kSwitch = 9,          // the active source asks the controller to come to rest before a switch; gates do not latch it
+  kSwitch =
+      9,  // the active source asks the controller to come to rest before a switch; gates do not latch it
 };
 
 struct StopRequest {  // stop_t; kind kNone asks to clear
@@ -57,20 +58,20 @@ struct SourceRequest {
 // Why a request was refused; each has its own sentence (refusal_text).
 enum class Refusal : std::int8_t {
   kNone = 0,
-  kNotAddressed = 1,    // run_id is not the active source
-  kUnknownTarget = 2,   // the target is not heard on its own channel
+  kNotAddressed = 1,   // run_id is not the active source
+  kUnknownTarget = 2,  // the target is not heard on its own channel
   kModelHash = 3,
   kPeriod = 4,
-  kStale = 5,           // either side is older than the state timeout
+  kStale = 5,  // either side is older than the state timeout
   kStopped = 6,
-  kPosture = 7,         // a joint differs by more than 0.05 rad
-  kVelocity = 8,        // a joint differs by more than 0.5 rad/s
-  kAttitude = 9,        // roll or pitch differs by more than 0.05 rad
-  kGyro = 10,           // angular velocity differs by more than 0.3 rad/s
-  kFeet = 11,           // not the same feet loaded
-  kLoad = 12,           // total foot force differs by more than 20 %
-  kUnstable = 13,       // a real robot would be left while not statically stable
-  kBusy = 14,           // a switch is already under way, or came too soon after the last
+  kPosture = 7,    // a joint differs by more than 0.05 rad
+  kVelocity = 8,   // a joint differs by more than 0.5 rad/s
+  kAttitude = 9,   // roll or pitch differs by more than 0.05 rad
+  kGyro = 10,      // angular velocity differs by more than 0.3 rad/s
+  kFeet = 11,      // not the same feet loaded
+  kLoad = 12,      // total foot force differs by more than 20 %
+  kUnstable = 13,  // a real robot would be left while not statically stable
+  kBusy = 14,      // a switch is already under way, or came too soon after the last
   kAlreadyActive = 15,
   kAnotherActive = 16,  // activation while a source is active
   kPace = 17,           // leaving lock-step towards hardware
@@ -118,7 +119,15 @@ struct ControllerRequest {
   std::int32_t sequence = 0;
 };
 
-enum class Mode : std::int8_t { kNone = 0, kIdle = 1, kHold = 2, kPose = 3, kBalance = 4, kWalk = 5, kStop = 6 };
+enum class Mode : std::int8_t {
+  kNone = 0,
+  kIdle = 1,
+  kHold = 2,
+  kPose = 3,
+  kBalance = 4,
+  kWalk = 5,
+  kStop = 6
+};
 enum class Motion : std::int8_t { kNone = 0, kSway = 1, kSquat = 2 };
 
 struct ModeRequest {

@@ -58,13 +58,14 @@ struct RobotState {
   Role role = Role::kNone;
   StopKind stop_kind = StopKind::kNone;
   std::array<WrenchKind, kLimbs> wrench_kind{};
-  PerJoint<double> q{};                         // [rad or m]
-  PerJoint<float> qd{};                         // [rad/s or m/s]
-  PerJoint<float> tau{};                        // [N m or N]
-  std::array<float, 4> attitude{1, 0, 0, 0};    // w x y z, IMU link in world, heading arbitrary
-  std::array<float, 3> gyro{};                  // in the IMU frame [rad/s]
-  std::array<float, 3> accel{};                 // specific force in the IMU frame [m/s^2]
-  std::array<std::array<float, 6>, kLimbs> wrench{};  // force [N], torque [N m] on the robot, sensor frame
+  PerJoint<double> q{};                       // [rad or m]
+  PerJoint<float> qd{};                       // [rad/s or m/s]
+  PerJoint<float> tau{};                      // [N m or N]
+  std::array<float, 4> attitude{1, 0, 0, 0};  // w x y z, IMU link in world, heading arbitrary
+  std::array<float, 3> gyro{};                // in the IMU frame [rad/s]
+  std::array<float, 3> accel{};               // specific force in the IMU frame [m/s^2]
+  std::array<std::array<float, 6>, kLimbs>
+      wrench{};  // force [N], torque [N m] on the robot, sensor frame
 };
 
 // Bits of JointCommand::flags.

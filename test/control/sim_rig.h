@@ -24,15 +24,17 @@ struct RigRecord {
   double zmp_margin_min = std::numeric_limits<double>::infinity();  // [m]
   double sole_tilt_max = 0.0;                                       // [rad]
   double base_tilt_max = 0.0;                                       // [rad]
-  double slip_max = 0.0;                                            // of a sole from where it stood first [m]
-  double effort_share_max = 0.0;                                    // measured torque over limit
+  double slip_max = 0.0;          // of a sole from where it stood first [m]
+  double effort_share_max = 0.0;  // measured torque over limit
 };
 
 class SimRig {
  public:
-  SimRig(const Model& model, const Scene& scene, const Settings& settings, const ControlConfig& config)
+  SimRig(const Model& model, const Scene& scene, const Settings& settings,
+         const ControlConfig& config)
       : model_(model), sim_(scene), loop_(model, config) {
-    if (sim_.open(model, {settings}) != Status::kOk) throw std::runtime_error("the simulator does not open");
+    if (sim_.open(model, {settings}) != Status::kOk)
+      throw std::runtime_error("the simulator does not open");
     state_.run_id = 7;
     state_.term = 1;
     state_.model_hash = model.hash;
@@ -60,7 +62,8 @@ class SimRig {
     }
     return true;
   }
-  void ask(Mode mode, Motion motion = Motion::kNone, double amplitude = 0.0, double frequency = 0.0) {
+  void ask(Mode mode, Motion motion = Motion::kNone, double amplitude = 0.0,
+           double frequency = 0.0) {
     ModeRequest request;
     request.run_id = state_.run_id;
     request.sender_id = 11;
@@ -91,13 +94,15 @@ class SimRig {
     const SimTruth& t = *sim_.truth();
     RigRecord& r = record_;
     r.fell = r.fell || t.fell;
-    if (t.contact_count > 0) r.zmp_margin_min = std::min(r.zmp_margin_min, static_cast<double>(t.zmp_margin));
+    if (t.contact_count > 0)
+      r.zmp_margin_min = std::min(r.zmp_margin_min, static_cast<double>(t.zmp_margin));
     const auto& b = t.base_attitude;
     r.base_tilt_max = std::max(r.base_tilt_max, tilt(b[0], b[1], b[2], b[3]));
     for (std::size_t s = 0; s < 2; ++s) {
       const auto& a = t.foot_attitude[s];
-      r.sole_tilt_max = std::max(r.sole_tilt_max, tilt(static_cast<double>(a[0]), static_cast<double>(a[1]),
-                                                       static_cast<double>(a[2]), static_cast<double>(a[3])));
+      r.sole_tilt_max =
+          std::max(r.sole_tilt_max, tilt(static_cast<double>(a[0]), static_cast<double>(a[1]),
+                                         static_cast<double>(a[2]), static_cast<double>(a[3])));
       const double x = static_cast<double>(t.foot_position[s][0]);
       const double y = static_cast<double>(t.foot_position[s][1]);
       if (ticks_ == 1) first_[s] = {x, y};
@@ -106,7 +111,8 @@ class SimRig {
     for (std::size_t k = 0; k < static_cast<std::size_t>(model_.bus_count()); ++k) {
       const double effort = model_.joints[static_cast<std::size_t>(model_.bus_joints[k])].effort;
       if (effort > 0.0) {
-        r.effort_share_max = std::max(r.effort_share_max, std::abs(static_cast<double>(state_.tau[k])) / effort);
+        r.effort_share_max =
+            std::max(r.effort_share_max, std::abs(static_cast<double>(state_.tau[k])) / effort);
       }
     }
   }

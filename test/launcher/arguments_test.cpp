@@ -6,7 +6,10 @@ namespace twinbus {
 namespace {
 
 Syntax syntax() {
-  return {"up", "[SCENE]", "about", {{"--for", "S", "seconds"}, {"--lockstep", "", "flag"}, {"--set", "K=V", "pairs"}}, 0, 2};
+  return {
+      "up",    "[SCENE]",
+      "about", {{"--for", "S", "seconds"}, {"--lockstep", "", "flag"}, {"--set", "K=V", "pairs"}},
+      0,       2};
 }
 
 TEST(Arguments, TakesOptionsInBothFormsAndWords) {

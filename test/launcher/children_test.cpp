@@ -53,7 +53,8 @@ TEST_F(Children, AProgramThatIsNotThereIsAnErrorThatNamesIt) {
 
 TEST_F(Children, OneThatIgnoresSigtermIsKilledWithItsWholeGroup) {
   {
-    Child child(shell("trap '' TERM; sh -c 'trap \"\" TERM; echo $$ >" + folder_ + "/grandchild; while :; do sleep 0.1; done' & "
+    Child child(shell("trap '' TERM; sh -c 'trap \"\" TERM; echo $$ >" + folder_ +
+                      "/grandchild; while :; do sleep 0.1; done' & "
                       "while :; do sleep 0.1; done"));
     for (int i = 0; i < 100 && !fs::exists(folder_ + "/grandchild"); ++i) usleep(20000);
     usleep(50000);
@@ -80,7 +81,8 @@ TEST_F(Children, TheyDieWithALauncherThatIsKilled) {
   const std::string mark = folder_ + "/pid";
   const pid_t launcher = fork();
   if (launcher == 0) {
-    Child child(shell("echo $$ >" + mark + ".tmp; mv " + mark + ".tmp " + mark + "; exec sleep 100"));
+    Child child(
+        shell("echo $$ >" + mark + ".tmp; mv " + mark + ".tmp " + mark + "; exec sleep 100"));
     for (;;) pause();
   }
   for (int i = 0; i < 200 && !fs::exists(mark); ++i) usleep(20000);

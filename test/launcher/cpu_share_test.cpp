@@ -7,7 +7,8 @@ namespace twinbus {
 namespace {
 
 TEST(CpuShare, FindsTheTimesBehindANameWithBracketsAndBlanks) {
-  const std::string stat = "42 (a (b) c) S 1 42 42 0 -1 4194304 100 0 0 0 250 50 0 0 20 0 3 0 100 1 1";
+  const std::string stat =
+      "42 (a (b) c) S 1 42 42 0 -1 4194304 100 0 0 0 250 50 0 0 20 0 3 0 100 1 1";
   EXPECT_DOUBLE_EQ(cpu_seconds_in(stat, 100.0), 3.0);
 }
 

@@ -39,19 +39,19 @@ TEST(Stack, MistakesNameFileLineAndNearestKey) {
 
 TEST(Stack, RefusesWhatCannotRun) {
   for (const char* bad : {
-           "",                                                       // nothing
-           "processes: {}",                                          // nobody
-           "processes: [a, b]",                                      // no map
-           "processes: {a: {arguments: []}}",                        // no program
-           "processes: {a: {program: ../../bin/sh}}",                // a path
-           "processes: {a: {program: x, after: [b]}}",               // waits for nobody
+           "",                                          // nothing
+           "processes: {}",                             // nobody
+           "processes: [a, b]",                         // no map
+           "processes: {a: {arguments: []}}",           // no program
+           "processes: {a: {program: ../../bin/sh}}",   // a path
+           "processes: {a: {program: x, after: [b]}}",  // waits for nobody
            "processes: {a: {program: x, after: [b]}, b: {program: x, after: [a]}}",  // a ring
-           "processes: {a: {program: x, grace: .nan}}",              // no time
-           "processes: {a: {program: x, ready_timeout: -1}}",        //
-           "processes: {a: {program: x, restart: maybe}}",           // no truth
-           "activate: b\nprocesses: {a: {program: x}}",              // nobody to activate
-           "processes: {'a/../b': {program: x}}",                    // would escape the run's folder
-           "processes: {a: {program: x",                             // no YAML
+           "processes: {a: {program: x, grace: .nan}}",                              // no time
+           "processes: {a: {program: x, ready_timeout: -1}}",                        //
+           "processes: {a: {program: x, restart: maybe}}",                           // no truth
+           "activate: b\nprocesses: {a: {program: x}}",  // nobody to activate
+           "processes: {'a/../b': {program: x}}",        // would escape the run's folder
+           "processes: {a: {program: x",                 // no YAML
        }) {
     EXPECT_FALSE(complaint(bad).empty()) << bad;
   }

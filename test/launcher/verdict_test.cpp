@@ -46,15 +46,17 @@ struct FakeRun {
     seen.on_heartbeat(beat, end);
   }
 
-  RunVerdict verdict() const { return judge(seen, request, {.source = 100, .source_stalled = 50, .timer = 60}, end); }
+  RunVerdict verdict() const {
+    return judge(seen, request, {.source = 100, .source_stalled = 50, .timer = 60}, end);
+  }
 };
 
 TEST(Verdict, ACleanRunPasses) { EXPECT_TRUE(FakeRun(1, 0, 1).verdict().passed); }
 
 TEST(Verdict, MissedTicksAreJudgedByWhetherFifoWasThere) {
-  EXPECT_TRUE(FakeRun(1, 10, 2).verdict().passed);    // 0.1 % with FIFO
+  EXPECT_TRUE(FakeRun(1, 10, 2).verdict().passed);  // 0.1 % with FIFO
   EXPECT_FALSE(FakeRun(1, 11, 2).verdict().passed);
-  EXPECT_TRUE(FakeRun(1, 100, 0).verdict().passed);   // 1 % without
+  EXPECT_TRUE(FakeRun(1, 100, 0).verdict().passed);  // 1 % without
   EXPECT_FALSE(FakeRun(1, 101, 0).verdict().passed);
   EXPECT_FALSE(FakeRun(1, 11, 0).verdict().fifo);
 }
@@ -70,7 +72,8 @@ TEST(Verdict, WhatTheMachineMissedIsToldAndNotJudged) {
   std::string all;
   for (const std::string& line : verdict_lines(verdict, run.request)) all += line + "\n";
   EXPECT_NE(all.find("of which 85 while the machine itself stood still"), std::string::npos) << all;
-  EXPECT_NE(all.find("our own: 5 ticks (0.050 %, at most 0.1 % with FIFO)"), std::string::npos) << all;
+  EXPECT_NE(all.find("our own: 5 ticks (0.050 %, at most 0.1 % with FIFO)"), std::string::npos)
+      << all;
   EXPECT_NE(all.find("median 210 us, 99 % within 640 us"), std::string::npos) << all;
   EXPECT_EQ(all.find("too restless"), std::string::npos) << all;
 }
@@ -104,10 +107,28 @@ TEST(Verdict, NothingHeardFails) {
 
 TEST(Verdict, TheReportHasThePromisedKeys) {
   const FakeRun run(1, 3, 1);
-  const auto report = nlohmann::json::parse(report_json(run.verdict(), run.request, run.seen, 20.0, "00ff"));
-  for (const char* key : {"scene", "robot", "engine", "contact", "step_s", "seed", "sim_time_s", "wall_s", "realtime_factor",
-                          "ticks", "missed_ticks", "fell", "max_tilt_deg", "base_final_xyyaw", "zmp_margin_min_mm",
-                          "slip_max_mm", "penetration_max_mm", "self_collision_ticks", "foot_force_rms_error_n", "state_hash",
+  const auto report =
+      nlohmann::json::parse(report_json(run.verdict(), run.request, run.seen, 20.0, "00ff"));
+  for (const char* key : {"scene",
+                          "robot",
+                          "engine",
+                          "contact",
+                          "step_s",
+                          "seed",
+                          "sim_time_s",
+                          "wall_s",
+                          "realtime_factor",
+                          "ticks",
+                          "missed_ticks",
+                          "fell",
+                          "max_tilt_deg",
+                          "base_final_xyyaw",
+                          "zmp_margin_min_mm",
+                          "slip_max_mm",
+                          "penetration_max_mm",
+                          "self_collision_ticks",
+                          "foot_force_rms_error_n",
+                          "state_hash",
                           "passed"}) {
     EXPECT_TRUE(report.contains(key)) << key;
   }
