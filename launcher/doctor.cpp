@@ -13,7 +13,6 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <regex>
 #include <sstream>
 
 #include "launcher/arguments.h"
@@ -80,17 +79,21 @@ bool has_route(const char* address, std::string& why) {
 }
 
 void check_network(Report& report, const std::string& url) {
-  std::smatch match;
-  if (!std::regex_search(url, match, std::regex(R"(^udpm://([0-9.]+):([0-9]+))"))) {
+  const std::string scheme = "udpm://";
+  const std::string group =
+      url.starts_with(scheme)
+          ? url.substr(scheme.size(), url.find(':', scheme.size()) - scheme.size())
+          : "";
+  if (group.empty()) {
     report.add(Health::kGood, "bus " + url + " is not multicast: no route is needed");
     return;
   }
   std::string why;
-  if (has_route(match[1].str().c_str(), why)) {
-    report.add(Health::kGood, "route for multicast to " + match[1].str());
+  if (has_route(group.c_str(), why)) {
+    report.add(Health::kGood, "route for multicast to " + group);
   } else {
     report.add(Health::kBad,
-               "no route for multicast to " + match[1].str() + " (" + why + "): LCM cannot start",
+               "no route for multicast to " + group + " (" + why + "): LCM cannot start",
                "sudo ip link set lo up && sudo ip route add 224.0.0.0/4 dev lo");
   }
   const long buffer = std::atol(first_line("/proc/sys/net/core/rmem_max").c_str());
