@@ -39,7 +39,8 @@ class ArmFollow {
   std::int64_t path_id() const noexcept { return following_ ? active_.path_id : 0; }
   bool moving() const noexcept { return following_ && rate_ > 0.0; }
   // Why the last complete path was not followed, or null.
-  bool following() const noexcept { return following_; }
+  // A whole path has come and begins at the next update.
+  bool begins() const noexcept { return waiting_ && !following_; }
   const char* refusal() const noexcept { return refusal_; }
 
  private:

@@ -210,8 +210,8 @@ void Modes::damp(const RobotState& state, SetPoint& set_point) const noexcept {
 
 void Modes::want(const Moment& now, std::int64_t mask, double dt, SetPoint& set_point) noexcept {
   posture_.advance(dt);
-  // Where a guard holds an arm that follows no path, it is wanted to be: the next path begins there.
-  for (int k = 0; now.last != nullptr && !arm_.following() && k < model_.bus_count(); ++k) {
+  // A path begins where a guard holds the arm, not where the arm was wanted before.
+  for (int k = 0; now.last != nullptr && arm_.begins() && k < model_.bus_count(); ++k) {
     if (((mask >> k) & 1) != 0) posture_.set(k, now.last->q[at(k)], 0.0);
   }
   arm_.update(posture_, mask, dt);
