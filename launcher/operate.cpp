@@ -56,7 +56,10 @@ int report_mode(BusLink& bus, const ModeRequest& request, const char* asked) {
   if (bus.seen().controller_statuses().received() == 0)
     throw std::runtime_error("no controller is running");
   const Mode mode = bus.seen().controller().mode;
-  if (mode == request.mode && bus.seen().controller().motion == request.motion) {
+  // A motion that was ended dies away for a while.
+  const bool as_asked =
+      request.motion == Motion::kNone || bus.seen().controller().motion == request.motion;
+  if (mode == request.mode && as_asked) {
     std::printf("%s: the controller is in mode %s\n", asked, mode_name(mode));
     return 0;
   }
