@@ -1,10 +1,8 @@
 #include "robot/dynamics.h"
 
-namespace twinbus {
+#include "robot/index.h"
 
-namespace {
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-}  // namespace
+namespace twinbus {
 
 InverseDynamics::InverseDynamics(const Model& model)
     : model_(&model),

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "robot/dynamics.h"
+#include "robot/index.h"
 #include "robot/pose_math.h"
 #include "robot/sole_contact.h"
 
@@ -22,7 +23,6 @@ constexpr double kFullShare = 0.15;
 // Without force sensors: soles this close to the lowest one stand on the ground [m].
 constexpr double kSameHeight = 0.005;
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 }  // namespace
 

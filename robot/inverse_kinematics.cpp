@@ -6,6 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "robot/index.h"
 #include "robot/pose_math.h"
 
 namespace twinbus {
@@ -17,7 +18,6 @@ constexpr double kLeastDamping = 1e-8;
 constexpr double kMostDamping = 1e4;
 constexpr double kNear = 0.05;  // the pull towards the rest posture fades below this error [m]
 
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 Eigen::Isometry3d moved(const Joint& joint, double q) noexcept {
   Eigen::Isometry3d pose = joint.placement;

@@ -1,12 +1,9 @@
 #include "robot/kinematics.h"
 
+#include "robot/index.h"
 #include "robot/pose_math.h"
 
 namespace twinbus {
-
-namespace {
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
-}  // namespace
 
 Configuration::Configuration(const Model& model)
     : q(Eigen::VectorXd::Zero(model.joint_count())),

@@ -1,72 +1,76 @@
 #include "robot/mesh_file.h"
 
-#include <assimp/config.h>
-#include <assimp/postprocess.h>
-#include <assimp/scene.h>
-
-#include <assimp/Importer.hpp>
-#include <cstddef>
-#include <cstdint>
-#include <filesystem>
+#include <algorithm>
+#include <cctype>
+#include <cmath>
 #include <stdexcept>
+
+#include "robot/xml.h"
 
 namespace twinbus {
 
 namespace {
 
-constexpr std::uintmax_t kMaxBytes = 64u << 20;
-constexpr std::size_t kMaxTriangles = 2'000'000;
+constexpr double kFarthest = 1e4;  // a corner further away [m] is a mistake of the unit
 
 [[noreturn]] void fail(const std::string& file, const std::string& what) {
   throw std::runtime_error("mesh " + file + ": " + what);
 }
 
-void append(const aiScene& scene, const aiNode& node, const aiMatrix4x4& parent,
-            const Eigen::Vector3d& scale, const std::string& file, TriangleMesh& out) {
-  const aiMatrix4x4 pose = parent * node.mTransformation;
-  for (unsigned m = 0; m < node.mNumMeshes; ++m) {
-    const aiMesh& mesh = *scene.mMeshes[node.mMeshes[m]];
-    const int first = static_cast<int>(out.points.size());
-    for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
-      const aiVector3D point = pose * mesh.mVertices[i];
-      const Eigen::Vector3d scaled(scale.x() * static_cast<double>(point.x),
-                                   scale.y() * static_cast<double>(point.y),
-                                   scale.z() * static_cast<double>(point.z));
-      if (!scaled.allFinite()) fail(file, "a corner is not a finite number; export the mesh again");
-      out.points.push_back(scaled);
-    }
-    for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
-      const aiFace& face = mesh.mFaces[i];
-      if (face.mNumIndices != 3) continue;  // points and lines
-      out.triangles.push_back({first + static_cast<int>(face.mIndices[0]),
-                               first + static_cast<int>(face.mIndices[1]),
-                               first + static_cast<int>(face.mIndices[2])});
-    }
-    if (out.triangles.size() > kMaxTriangles)
-      fail(file, "more than 2 million triangles; simplify it");
-  }
-  for (unsigned c = 0; c < node.mNumChildren; ++c)
-    append(scene, *node.mChildren[c], pose, scale, file, out);
-}
-
 }  // namespace
 
-TriangleMesh load_mesh(const std::string& file, const Eigen::Vector3d& scale) {
-  std::error_code error;
-  const std::uintmax_t bytes = std::filesystem::file_size(file, error);
-  if (error) fail(file, "cannot be read; check the file name in the URDF");
-  if (bytes > kMaxBytes) fail(file, "larger than 64 MB; simplify it");
+void add_polygon(const std::vector<int>& corners, const std::string& file, TriangleMesh& mesh) {
+  if (corners.size() < 3) return;  // points and lines
+  if (mesh.triangles.size() + corners.size() - 2 > kMaxMeshTriangles) {
+    fail(file, "more than 2 million triangles; simplify it");
+  }
+  for (const int corner : corners) {
+    if (corner < 0 || static_cast<std::size_t>(corner) >= mesh.points.size()) {
+      fail(file, "a face names a corner that does not exist; export it again");
+    }
+  }
+  for (std::size_t i = 2; i < corners.size(); ++i) {
+    mesh.triangles.push_back({corners[0], corners[i - 1], corners[i]});
+  }
+}
 
-  Assimp::Importer importer;
-  // URDF takes COLLADA numbers as they are written.
-  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
-  const aiScene* scene =
-      importer.ReadFile(file, aiProcess_Triangulate | aiProcess_JoinIdenticalVertices);
-  if (scene == nullptr || scene->mRootNode == nullptr) fail(file, importer.GetErrorString());
+TriangleMesh parse_mesh(const std::string& bytes, const std::string& file,
+                        const Eigen::Vector3d& scale) {
+  const std::size_t dot = file.rfind('.');
+  std::string kind = dot == std::string::npos ? "" : file.substr(dot + 1);
+  std::transform(kind.begin(), kind.end(), kind.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   TriangleMesh mesh;
-  append(*scene, *scene->mRootNode, aiMatrix4x4(), scale, file, mesh);
-  if (mesh.triangles.empty()) fail(file, "has no triangle");
+  if (kind == "stl") {
+    mesh = parse_stl(bytes, file);
+  } else if (kind == "obj") {
+    mesh = parse_obj(bytes, file);
+  } else if (kind == "dae") {
+    mesh = parse_dae(bytes, file);
+  } else {
+    fail(file, "is neither .stl, .obj nor .dae; export it as one of them");
+  }
+  if (mesh.triangles.empty()) fail(file, "has no triangle; export it again");
+  for (Eigen::Vector3d& point : mesh.points) {
+    point = point.cwiseProduct(scale);
+    for (int i = 0; i < 3; ++i) {
+      if (!(std::abs(point[i]) < kFarthest)) {
+        fail(file, "a corner is not finite or further away than 10 km; check unit and scale");
+      }
+    }
+  }
   return mesh;
+}
+
+TriangleMesh load_mesh(const std::string& file, const Eigen::Vector3d& scale) {
+  std::string bytes;
+  try {
+    bytes = read_file(file);
+  } catch (const std::runtime_error& error) {
+    throw std::runtime_error("mesh " + std::string(error.what()) +
+                             "; check the file name in the URDF, or simplify the mesh");
+  }
+  return parse_mesh(bytes, file, scale);
 }
 
 }  // namespace twinbus

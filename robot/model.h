@@ -62,6 +62,14 @@ struct Link {
   Eigen::Vector3d com = Eigen::Vector3d::Zero();      // in the link frame [m]
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  // about the com, link axes [kg m^2]
   std::vector<Shape> collision;
+  std::vector<Shape> visual;  // what a picture shows; nothing is computed with it
+};
+
+// A link of the URDF, moving or fixed, where it ended up.
+struct Frame {
+  std::string name;
+  int link = -1;
+  Eigen::Isometry3d in_link = Eigen::Isometry3d::Identity();
 };
 
 // A flat rectangular sole.  Its frame has z up and x forward and lies on the ground when the foot
@@ -99,6 +107,7 @@ struct Model {
   std::string folder;         // where its files are
   std::vector<Joint> joints;  // all moving joints, mimic ones included
   std::vector<Link> links;    // links.size() == joints.size() + 1
+  std::vector<Frame> frames;  // every link of the URDF, fixed ones included, in file order
   std::vector<int>
       bus_joints;  // actuated non-mimic joints: entry k is the joint with index k on the bus
   std::vector<int>
@@ -120,6 +129,8 @@ struct Model {
   double blend_s = 0.3;
   OffAction off_action = OffAction::kDamp;
   std::int64_t hash = 0;  // PROTOCOL.md section 7, below 2^53
+
+  std::vector<std::string> notes;  // what the files say that is not used, with file and line
 
   std::string urdf_text;  // as read, for MODEL_TEXT
   std::string srdf_text;

@@ -12,6 +12,11 @@ void catch_quit_signals();
 bool quit_requested() noexcept;
 
 std::int64_t monotonic_ns() noexcept;
+
+// [s] since an instant of monotonic_ns().
+inline double seconds_since(std::int64_t start_ns) noexcept {
+  return 1e-9 * static_cast<double>(monotonic_ns() - start_ns);
+}
 std::int64_t wall_us() noexcept;
 
 // Sleeps until the steady clock shows due_ns (clock_nanosleep, absolute).

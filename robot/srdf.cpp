@@ -36,6 +36,23 @@ void read_pose(const XmlElement& element, const std::string& file, Srdf& srdf) {
   }
 }
 
+void read_rotors(const XmlElement& element, const std::string& file, Srdf& srdf) {
+  for (const XmlElement& joint : element.children) {
+    if (joint.name != "joint") continue;
+    double inertia = 0.0;
+    double ratio = 1.0;
+    if (!parse_numbers(need(joint, "mass", file), &inertia, 1) || !(inertia >= 0.0) ||
+        !parse_numbers(need(joint, "gear_ratio", file), &ratio, 1)) {
+      fail_at(file, joint.line,
+              "rotor of joint " + need(joint, "name", file) +
+                  ": mass (its inertia) and gear_ratio must be numbers, the first not negative");
+    }
+    srdf.rotors.push_back({.joint = need(joint, "name", file),
+                           .line = joint.line,
+                           .reflected_inertia = ratio * ratio * inertia});
+  }
+}
+
 }  // namespace
 
 Srdf parse_srdf(const std::string& text, const std::string& file) {
@@ -46,6 +63,8 @@ Srdf parse_srdf(const std::string& text, const std::string& file) {
   for (const XmlElement& element : robot.children) {
     if (element.name == "group_state") {
       read_pose(element, file, srdf);
+    } else if (element.name == "rotor_params") {
+      read_rotors(element, file, srdf);
     } else if (element.name == "disable_collisions") {
       srdf.disabled.push_back({.link_a = need(element, "link1", file),
                                .link_b = need(element, "link2", file),

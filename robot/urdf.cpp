@@ -3,15 +3,15 @@
 #include <console_bridge/console.h>
 #include <urdf_parser/urdf_parser.h>
 
-#include <filesystem>
+#include <algorithm>
 #include <limits>
 #include <map>
+
+#include "robot/transmission.h"
 
 namespace twinbus {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 Eigen::Isometry3d to_isometry(const urdf::Pose& pose) {
   Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
@@ -21,47 +21,10 @@ Eigen::Isometry3d to_isometry(const urdf::Pose& pose) {
   return result;
 }
 
-// Files come from the robot's folder or from a named root, never from elsewhere.
-std::string resolve_mesh(const std::string& name, const AssetRoots& roots,
-                         const std::string& where) {
-  const fs::path own = fs::weakly_canonical(roots.folder);
-  fs::path root = own;
-  std::string rest = name;
-  const std::string scheme = "package://";
-  if (name.compare(0, scheme.size(), scheme) == 0) {
-    const std::size_t start = name.find_first_not_of('/', scheme.size());
-    const std::string path = start == std::string::npos ? "" : name.substr(start);
-    const std::size_t slash = path.find('/');
-    const std::string package = path.substr(0, slash);
-    rest = slash == std::string::npos ? "" : path.substr(slash + 1);
-    bool found = package == own.filename();
-    for (const auto& [known, folder] : roots.packages) {
-      if (known == package) {
-        root = fs::weakly_canonical(own / folder);
-        found = true;
-      }
-    }
-    if (!found) {
-      throw std::runtime_error(where + ": package " + package +
-                               " is not known; name its folder in robot.yaml, packages");
-    }
-  } else if (name.find("://") != std::string::npos) {
-    throw std::runtime_error(where + ": " + name +
-                             ": only package:// and paths relative to the robot's folder are read");
-  }
-  const fs::path full = fs::weakly_canonical(root / rest);
-  const fs::path inside = full.lexically_relative(root);
-  if (inside.empty() || *inside.begin() == "..") {
-    throw std::runtime_error(where + ": " + name + " leaves the robot's folder");
-  }
-  return full.string();
-}
-
-Shape to_shape(const urdf::Collision& collision, const AssetRoots& roots,
+Shape to_shape(const urdf::Pose& origin, const urdf::Geometry& geometry, const AssetRoots& roots,
                const std::string& where) {
   Shape shape;
-  shape.pose = to_isometry(collision.origin);
-  const urdf::Geometry& geometry = *collision.geometry;
+  shape.pose = to_isometry(origin);
   if (geometry.type == urdf::Geometry::BOX) {
     const auto& box = dynamic_cast<const urdf::Box&>(geometry);
     shape.kind = ShapeKind::kBox;
@@ -77,13 +40,13 @@ Shape to_shape(const urdf::Collision& collision, const AssetRoots& roots,
     const auto& mesh = dynamic_cast<const urdf::Mesh&>(geometry);
     shape.kind = ShapeKind::kMesh;
     shape.size << mesh.scale.x, mesh.scale.y, mesh.scale.z;
-    shape.mesh = resolve_mesh(mesh.filename, roots, where);
+    shape.mesh = resolve_asset(mesh.filename, roots, where);
   }
   return shape;
 }
 
-UrdfLink to_link(const urdf::Link& from, int line, const AssetRoots& roots,
-                 const std::string& file) {
+UrdfLink to_link(const urdf::Link& from, int line, const AssetRoots& roots, const std::string& file,
+                 std::vector<std::string>& notes) {
   UrdfLink link;
   link.name = from.name;
   link.line = line;
@@ -95,7 +58,14 @@ UrdfLink to_link(const urdf::Link& from, int line, const AssetRoots& roots,
   }
   const std::string where = file + ":" + std::to_string(line) + ": link " + link.name;
   for (const auto& collision : from.collision_array) {
-    link.collision.push_back(to_shape(*collision, roots, where));
+    link.collision.push_back(to_shape(collision->origin, *collision->geometry, roots, where));
+  }
+  for (const auto& visual : from.visual_array) {  // nothing depends on it: a lost one does no harm
+    try {
+      link.visual.push_back(to_shape(visual->origin, *visual->geometry, roots, where + ", visual"));
+    } catch (const std::runtime_error& error) {
+      notes.emplace_back(error.what());
+    }
   }
   return link;
 }
@@ -161,7 +131,7 @@ UrdfTree parse_urdf(const std::string& text, const std::string& file, const Asse
     const auto link = model->getLink(name);
     if (!link) fail_at(file, element.line, "link " + name + ": the URDF parser lost it");
     link_index[name] = static_cast<int>(tree.links.size());
-    tree.links.push_back(to_link(*link, element.line, roots, file));
+    tree.links.push_back(to_link(*link, element.line, roots, file, tree.notes));
   }
   for (const XmlElement& element : robot.children) {
     if (element.name != "joint") continue;
@@ -176,6 +146,18 @@ UrdfTree parse_urdf(const std::string& text, const std::string& file, const Asse
     tree.joints.push_back(std::move(converted));
   }
   tree.root = link_index.at(model->getRoot()->name);
+  for (const Transmission& transmission : read_transmissions(robot, file)) {
+    const auto joint =
+        std::find_if(tree.joints.begin(), tree.joints.end(),
+                     [&](const UrdfJoint& each) { return each.name == transmission.joint; });
+    if (joint == tree.joints.end() || joint->fixed) {
+      tree.notes.push_back(file + ":" + std::to_string(transmission.line) +
+                           ": transmission of joint " + transmission.joint +
+                           ", which does not move");
+      continue;
+    }
+    joint->rotor_inertia = transmission.reflected();
+  }
   return tree;
 }
 

@@ -7,9 +7,9 @@
 
 #include <Eigen/Geometry>
 #include <string>
-#include <utility>
 #include <vector>
 
+#include "robot/asset_path.h"
 #include "robot/model.h"
 #include "robot/xml.h"
 
@@ -22,7 +22,7 @@ struct UrdfLink {
   double mass = 0.0;                                           // [kg]; 0 without <inertial>
   Eigen::Isometry3d inertial = Eigen::Isometry3d::Identity();  // CoM frame, in the link frame
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  // about the CoM, in the CoM frame [kg m^2]
-  std::vector<Shape> collision;
+  std::vector<Shape> collision, visual;
 };
 
 struct UrdfJoint {
@@ -36,7 +36,8 @@ struct UrdfJoint {
   Eigen::Vector3d axis = Eigen::Vector3d::UnitX();
   double lower = 0.0, upper = 0.0, velocity = 0.0, effort = 0.0;
   double damping = 0.0, friction = 0.0;
-  std::string mimic;  // name of the joint it follows
+  double rotor_inertia = 0.0;  // of its transmission, at the joint [kg m^2]
+  std::string mimic;           // name of the joint it follows
   double mimic_multiplier = 1.0, mimic_offset = 0.0;
 };
 
@@ -45,13 +46,7 @@ struct UrdfTree {
   std::vector<UrdfLink> links;    // in document order
   std::vector<UrdfJoint> joints;  // in document order
   int root = 0;
-};
-
-// Where package://NAME/ may point to: the robot's own folder under its own name, and what
-// robot.yaml names.
-struct AssetRoots {
-  std::string folder;
-  std::vector<std::pair<std::string, std::string>> packages;  // name, folder
+  std::vector<std::string> notes;  // what could not be used and does no harm, with file and line
 };
 
 // file: for messages.  Throws std::runtime_error, one line naming file, line and element.

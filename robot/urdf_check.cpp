@@ -20,41 +20,61 @@ class Checker {
   explicit Checker(const std::string& file) : file_(file) {}
 
   void check(const XmlElement& robot) {
+    refuse_xacro(robot);
     if (robot.name != "robot")
-      fail_at(file_, robot.line, "the root element is <" + robot.name + ">, not <robot>");
+      fail_at(file_, robot.line,
+              "the root element is <" + robot.name + ">, not <robot>; this is not a URDF");
     const std::string* version = robot.attribute("version");
     if (version != nullptr && *version != "1.0" && *version != "1") {
-      fail_at(file_, robot.line, "URDF version " + *version + " is not known; only 1.0 is");
+      fail_at(file_, robot.line,
+              "URDF version " + *version + " is not known; write version=\"1.0\"");
     }
     std::vector<const XmlElement*> joints;
     for (const XmlElement& element : robot.children) {
       if (element.name == "link") {
         if (!links_.emplace(name_of(element), element.line).second) {
-          fail_at(file_, element.line, "link " + name_of(element) + " is there twice");
+          fail_at(file_, element.line, "link " + name_of(element) + " is there twice; rename one");
         }
         check_link(element);
       } else if (element.name == "joint") {
         if (!joints_.emplace(name_of(element), &element).second) {
-          fail_at(file_, element.line, "joint " + name_of(element) + " is there twice");
+          fail_at(file_, element.line, "joint " + name_of(element) + " is there twice; rename one");
         }
         joints.push_back(&element);
       }
     }
-    if (links_.empty()) fail_at(file_, robot.line, "the robot has no link");
+    if (links_.empty())
+      fail_at(file_, robot.line, "the robot has no link; add <link name=\"base\"/>");
     if (links_.size() > kMaxLinks || joints.size() > kMaxLinks) {
       fail_at(file_, robot.line,
               std::to_string(links_.size()) + " links and " + std::to_string(joints.size()) +
-                  " joints; at most " + std::to_string(kMaxLinks) + " are read");
+                  " joints; at most " + std::to_string(kMaxLinks) +
+                  " are read: simplify the robot");
     }
     for (const XmlElement* joint : joints) check_joint(*joint);
     check_tree(joints);
   }
 
  private:
+  // A macro file looks like a URDF and says nothing; its expansion is one.
+  void refuse_xacro(const XmlElement& element) const {
+    bool macro = element.name.rfind("xacro:", 0) == 0;
+    for (const auto& [key, value] : element.attributes) {
+      macro =
+          macro || value.find("${") != std::string::npos || value.find("$(") != std::string::npos;
+    }
+    if (macro) {
+      fail_at(file_, element.line,
+              "<" + element.name + "> is a xacro macro, not URDF; expand the file first: xacro " +
+                  file_ + " > robot.urdf (pip install xacro)");
+    }
+    for (const XmlElement& child : element.children) refuse_xacro(child);
+  }
+
   std::string name_of(const XmlElement& element) const {
     const std::string* name = element.attribute("name");
     if (name == nullptr || name->empty())
-      fail_at(file_, element.line, "<" + element.name + "> without a name");
+      fail_at(file_, element.line, "<" + element.name + "> without a name; add name=\"...\"");
     return *name;
   }
 
@@ -70,7 +90,9 @@ class Checker {
     if (text == nullptr) return false;
     if (parse_numbers(*text, values, count)) return true;
     add(faults, element.name + " " + key + "=\"" + text->substr(0, 60) + "\" is not " +
-                    (count == 1 ? "a finite number" : std::to_string(count) + " finite numbers"));
+                    (count == 1 ? "a finite number" : std::to_string(count) + " finite numbers") +
+                    (text->find(',') != std::string::npos ? "; write a decimal point, no comma"
+                                                          : "; write numbers like 0.5 or -1e-3"));
     return false;
   }
 
@@ -110,14 +132,14 @@ class Checker {
     const XmlElement* mass_element = inertial.child("mass");
     const XmlElement* inertia = inertial.child("inertia");
     if (mass_element == nullptr || mass_element->attribute("value") == nullptr) {
-      add(faults, "mass is missing in <inertial>");
+      add(faults, "mass is missing in <inertial>; add <mass value=\"...\"/>");
     } else if (read(*mass_element, "value", &mass, 1, faults) && !(mass >= 0.0 && mass <= 1e6)) {
       add(faults,
           "mass " + *mass_element->attribute("value") + " must be positive and at most 1e6 kg");
     }
     double m[6] = {};
     if (inertia == nullptr) {
-      add(faults, "inertia is missing in <inertial>");
+      add(faults, "inertia is missing in <inertial>; add <inertia ixx=... izz=...>");
     } else {
       const char* keys[6] = {"ixx", "ixy", "ixz", "iyy", "iyz", "izz"};
       bool complete = true;
@@ -143,11 +165,16 @@ class Checker {
         Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia).eigenvalues();
     const double tolerance = 1e-2 * std::abs(moments[2]);
     if (mass == 0.0 && inertia.isZero(0.0)) return;
-    if (!(moments[0] >= 0.0)) {
-      add(faults, "inertia is not that of a body: a principal moment is negative");
+    if (!(moments[0] >= -1e-6 * std::abs(moments[2]))) {
+      add(faults,
+          "inertia is not that of a body: a principal moment is negative; take it from CAD, about "
+          "the "
+          "centre of mass");
     } else if (!(moments[0] + moments[1] >= moments[2] - tolerance)) {
       add(faults,
-          "inertia is not that of a body: one principal moment exceeds the sum of the others");
+          "inertia is not that of a body: one principal moment exceeds the sum of the others; take "
+          "it "
+          "from CAD, about the centre of mass");
     }
   }
 
@@ -187,7 +214,8 @@ class Checker {
                              const std::string& owner) const {
     const XmlElement* element = joint.child(role);
     const std::string* name = element == nullptr ? nullptr : element->attribute("link");
-    if (name == nullptr) fail(joint, owner, std::string("<") + role + " link=...> is missing");
+    if (name == nullptr)
+      fail(joint, owner, std::string("<") + role + " link=...> is missing; name the link");
     if (links_.count(*name) == 0) {
       std::vector<std::string> known;
       for (const auto& entry : links_) known.push_back(entry.first);
@@ -201,7 +229,13 @@ class Checker {
     const std::string owner = "joint " + name_of(joint);
     static const std::vector<std::string> kTypes = {"fixed", "revolute", "continuous", "prismatic"};
     const std::string* type = joint.attribute("type");
-    if (type == nullptr) fail(joint, owner, "type is missing");
+    if (type == nullptr) fail(joint, owner, "type is missing; use revolute, prismatic or fixed");
+    if (*type == "floating" || *type == "planar") {
+      fail(
+          joint, owner,
+          "type " + *type +
+              " is not supported; remove the joint and its parent: robot.yaml says base: floating");
+    }
     bool known = false;
     for (const std::string& t : kTypes) known = known || t == *type;
     if (!known)
@@ -209,7 +243,8 @@ class Checker {
 
     const std::string parent = link_reference(joint, "parent", owner);
     const std::string child = link_reference(joint, "child", owner);
-    if (parent == child) fail(joint, owner, "link " + parent + " is its own parent");
+    if (parent == child)
+      fail(joint, owner, "link " + parent + " is its own parent; name another one");
     check_origin(joint, owner);
     if (*type == "fixed") return;
 
@@ -221,7 +256,8 @@ class Checker {
       } else if (read(*axis, "xyz", v, 3, faults)) {
         const double length = std::hypot(v[0], v[1], v[2]);
         if (!(std::abs(length - 1.0) <= 1e-3)) {
-          add(faults, "axis " + *axis->attribute("xyz") + " must have length 1");
+          add(faults,
+              "axis " + *axis->attribute("xyz") + " must have length 1; write for example 0 0 1");
         }
       }
     }
@@ -241,23 +277,24 @@ class Checker {
   void check_limit(const XmlElement& joint, const std::string& type, std::string& faults) const {
     const XmlElement* limit = joint.child("limit");
     if (limit == nullptr) {
-      if (type != "continuous") add(faults, "limit is missing (lower, upper, effort, velocity)");
+      if (type != "continuous")
+        add(faults, "limit is missing; add <limit lower= upper= effort= velocity=/>");
       return;
     }
     double lower = 0.0, upper = 0.0, effort = 0.0, velocity = 0.0;
     const bool bounds =
         (limit->attribute("lower") == nullptr || read(*limit, "lower", &lower, 1, faults)) &&
         (limit->attribute("upper") == nullptr || read(*limit, "upper", &upper, 1, faults));
-    if (bounds && !(lower <= upper)) add(faults, "limit lower is above upper");
+    if (bounds && !(lower <= upper)) add(faults, "limit lower is above upper; exchange them");
     if (limit->attribute("effort") == nullptr) {
       add(faults, "limit has no effort");
     } else if (read(*limit, "effort", &effort, 1, faults) && !(effort >= 0.0)) {
-      add(faults, "limit effort must not be negative");
+      add(faults, "limit effort must not be negative; give its size");
     }
     if (limit->attribute("velocity") == nullptr) {
       add(faults, "limit has no velocity");
     } else if (read(*limit, "velocity", &velocity, 1, faults) && !(velocity >= 0.0)) {
-      add(faults, "limit velocity must not be negative");
+      add(faults, "limit velocity must not be negative; give its size");
     }
   }
 
@@ -274,12 +311,14 @@ class Checker {
     std::string at = *followed;
     for (std::size_t steps = 0;; ++steps) {
       if (at == name_of(joint) || steps > joints_.size()) {
-        add(faults, "mimic: the joint follows itself");
+        add(faults, "mimic: the joint follows itself; name one that moves by itself");
         return;
       }
       const auto found = joints_.find(at);
       if (found == joints_.end()) {
-        add(faults, "mimic: there is no joint " + at);
+        std::vector<std::string> known;
+        for (const auto& entry : joints_) known.push_back(entry.first);
+        add(faults, "mimic: there is no joint " + at + suggestion(at, known));
         return;
       }
       const std::string* type = found->second->attribute("type");
@@ -303,7 +342,7 @@ class Checker {
       if (!first) {
         fail_at(file_, joint->line,
                 "link " + child + " has two parents: joints " + name_of(*other->second) + " and " +
-                    name_of(*joint));
+                    name_of(*joint) + "; a URDF is a tree: remove one");
       }
       children.emplace(*joint->child("parent")->attribute("link"), child);
     }
@@ -333,9 +372,12 @@ class Checker {
       if (line == 0) line = at;
     }
     if (roots.empty())
-      fail_at(file_, line, "no root: the joints form a cycle through links " + lost);
+      fail_at(
+          file_, line,
+          "no root: the joints form a cycle through links " + lost + "; remove one of its joints");
     fail_at(file_, line,
-            "links " + lost + " form a cycle and cannot be reached from the root " + roots[0]);
+            "links " + lost + " form a cycle and cannot be reached from the root " + roots[0] +
+                "; remove one of its joints and hang the rest on the root");
   }
 
   std::string file_;

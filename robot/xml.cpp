@@ -2,6 +2,7 @@
 
 #include <tinyxml.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstring>
@@ -61,16 +62,14 @@ std::string read_file(const std::string& path) { return read_up_to(path, kMaxBin
 
 std::string read_text_file(const std::string& path) {
   std::string text = read_up_to(path, kMaxTextFile);
-  if (text.empty()) throw std::runtime_error(path + ": empty file");
+  if (text.empty()) throw std::runtime_error(path + ": empty file; write the description into it");
   if (text.find('\0') != std::string::npos) {
     throw std::runtime_error(path + ": has a NUL byte, so it is not a text file");
   }
   return text;
 }
 
-namespace {
-
-// Deepest nesting of tags, without recursion.  Stops counting at the first thing that is not XML.
+// Stops counting at the first thing that is not XML.
 void refuse_deep_nesting(const std::string& text, const std::string& file) {
   int depth = 0;
   int line = 1;
@@ -105,17 +104,21 @@ void refuse_deep_nesting(const std::string& text, const std::string& file) {
       }
       if (text[end - 1] != '/') ++depth;
       if (depth > kMaxXmlDepth) {
-        fail_at(file, line, "tags nested deeper than " + std::to_string(kMaxXmlDepth));
+        fail_at(file, line,
+                "tags nested deeper than " + std::to_string(kMaxXmlDepth) + "; flatten them");
       }
       at = end;
     }
   }
 }
 
+namespace {
+
 XmlElement convert(const TiXmlElement& from) {
   XmlElement element;
   element.name = from.ValueStr();
   element.line = from.Row();
+  if (const char* text = from.GetText()) element.text = text;
   for (const TiXmlAttribute* a = from.FirstAttribute(); a != nullptr; a = a->Next()) {
     element.attributes.emplace_back(a->Name(), a->ValueStr());
   }
@@ -134,10 +137,15 @@ XmlElement parse_xml(const std::string& text, const std::string& file) {
   TiXmlDocument document;
   document.Parse(text.c_str(), nullptr, TIXML_ENCODING_UTF8);
   if (document.Error()) {
-    fail_at(file, document.ErrorRow(), std::string("not well-formed XML: ") + document.ErrorDesc());
+    std::string why = document.ErrorDesc();
+    if (!why.empty() && why.back() == '.') why.pop_back();
+    fail_at(file, std::max(document.ErrorRow(), 1),
+            "not well-formed XML: " + why + "; repair it in an editor");
   }
   const TiXmlElement* root = document.RootElement();
-  if (root == nullptr) throw std::runtime_error(file + ": not XML: there is no element");
+  if (root == nullptr)
+    throw std::runtime_error(file +
+                             ": not XML: there is no element; write <robot name=...> ... </robot>");
   return convert(*root);
 }
 

@@ -15,6 +15,7 @@ namespace twinbus {
 struct XmlElement {
   std::string name;
   int line = 0;
+  std::string text;  // directly inside, the first piece
   std::vector<std::pair<std::string, std::string>> attributes;
   std::vector<XmlElement> children;
 
@@ -34,6 +35,9 @@ inline constexpr int kMaxXmlDepth = 64;
 std::string read_text_file(const std::string& path);
 // Any file of at most kMaxBinaryFile bytes, as it is.
 std::string read_file(const std::string& path);
+
+// Throws if tags are nested deeper than kMaxXmlDepth.  Looks at every tag, without recursion.
+void refuse_deep_nesting(const std::string& text, const std::string& file);
 
 // The root element.  Throws, naming file and line.
 XmlElement parse_xml(const std::string& text, const std::string& file);

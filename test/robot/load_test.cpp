@@ -120,11 +120,19 @@ TEST(LoadRobot, ErrorsNameFileAndRemedy) {
   EXPECT_NE(two_roots.error().find("roots"), std::string::npos);
 }
 
-TEST(LoadRobot, MovingLinksNeedMass) {
+// A joint may move a link without mass, as long as something behind it has one.
+TEST(LoadRobot, MovingLinksNeedMassInThemOrBehindThem) {
+  Folder between;
+  const std::size_t b = between.urdf.find("<link name=\"b\">");
+  between.urdf.replace(b, between.urdf.find("</link>", b) + 7 - b, "<link name=\"b\"/>");
+  EXPECT_EQ(between.load().links[1].mass, 0.0);
   Folder folder;
   const std::size_t at = folder.urdf.find("<link name=\"c\">");
   folder.urdf.replace(at, folder.urdf.find("</link>", at) + 7 - at, "<link name=\"c\"/>");
-  EXPECT_NE(folder.error().find("link c moves but has no mass"), std::string::npos);
+  EXPECT_NE(folder.error().find("link c moves but has no mass; give it an <inertial>, or name "
+                                "joint jc under fixed_joints"),
+            std::string::npos)
+      << folder.error();
 }
 
 TEST(Hrp1s, IsTheRobotOfThePaperClass) {

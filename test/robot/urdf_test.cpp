@@ -1,5 +1,7 @@
 #include "robot/urdf.h"
 
+#include <regex>
+
 #include "fixtures.h"
 
 namespace twinbus::test {
@@ -10,7 +12,18 @@ UrdfTree parse_file(const std::string& path) {
                     {.folder = std::filesystem::path(path).parent_path().string(), .packages = {}});
 }
 
-// What the message must name, of every file in test/robot/bad_urdf.
+// The sum of all <mass value="...">, read without any of the code under test.
+double mass_in_text(const std::string& text) {
+  const std::regex mass("<mass\\s+value\\s*=\\s*[\"']([^\"']*)[\"']");
+  double sum = 0.0;
+  for (std::sregex_iterator at(text.begin(), text.end(), mass), end; at != end; ++at) {
+    sum += std::stod((*at)[1].str());
+  }
+  return sum;
+}
+
+// What the message must name, of every file in test/robot/bad_urdf and in the shared folder of the
+// same name.
 const std::pair<const char*, std::vector<const char*>> kBad[] = {
     {"zero", {"empty file"}},
     {"notxml", {"XML"}},
@@ -43,8 +56,7 @@ const std::pair<const char*, std::vector<const char*>> kBad[] = {
     {"mimicnone", {"joint j1", "mimic"}},
 };
 
-TEST(Urdf, EveryMalformedFileIsRefusedByName) {
-  const std::string folder = TWINBUS_BAD_URDF_FOLDER "/";
+void expect_refused_by_name(const std::string& folder) {
   std::size_t files = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     files += entry.path().extension() == ".urdf" && entry.path().stem() != "ok" ? 1 : 0;
@@ -56,35 +68,96 @@ TEST(Urdf, EveryMalformedFileIsRefusedByName) {
     EXPECT_EQ(error.find('\n'), std::string::npos) << "one line: " << error;
     for (const char* word : words)
       EXPECT_NE(error.find(word), std::string::npos) << name << ": " << error;
+    // Every message ends with what to do, after a semicolon.
+    EXPECT_NE(error.find("; "), std::string::npos) << "no remedy: " << error;
+    EXPECT_EQ(error.find(folder + name + ".urdf"), 0u) << "no file: " << error;
   }
   const UrdfTree tree = parse_file(folder + "ok.urdf");
   EXPECT_EQ(tree.links.size(), 2u);
   EXPECT_EQ(tree.joints.size(), 1u);
 }
 
+TEST(Urdf, EveryMalformedFileIsRefusedByName) {
+  expect_refused_by_name(TWINBUS_BAD_URDF_FOLDER "/");
+}
+
+TEST(Urdf, EverySharedMalformedFileIsRefusedByName) {
+  if (data_folder().empty()) GTEST_SKIP() << "no shared data; set TWINBUS_DATA";
+  expect_refused_by_name(data_folder() + "/bad_urdf/");
+}
+
+TEST(Urdf, LargeMalformedFilesAreRefused) {
+  if (data_folder().empty()) GTEST_SKIP() << "no shared data; set TWINBUS_DATA";
+  const TemporaryFolder folder;
+  const std::string make = "python3 " + data_folder() + "/bad_urdf/make_large.py " + folder.path();
+  if (std::system(make.c_str()) != 0) GTEST_SKIP() << "no python3 to make them";
+  const auto error = [&](const char* name) {
+    return error_of([&] { parse_file(folder.path() + "/" + name); });
+  };
+  EXPECT_NE(error("nested_tags.urdf").find("nested deeper than 64; flatten"), std::string::npos);
+  EXPECT_NE(error("deep_chain.urdf").find("20001 links"), std::string::npos);
+}
+
+TEST(Urdf, MacroFilesAreToldHowToExpandThem) {
+  const std::string error = error_of([] {
+    parse_urdf(R"(<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">
+<xacro:property name="pi" value="3"/><link name="a"/></robot>)",
+               "r.urdf", {});
+  });
+  EXPECT_NE(error.find("r.urdf:2: <xacro:property>"), std::string::npos) << error;
+  EXPECT_NE(error.find("xacro r.urdf > robot.urdf"), std::string::npos) << error;
+  EXPECT_NE(error_of([] {
+              parse_urdf("<robot name='r'><link name='${prefix}a'/></robot>", "r.urdf", {});
+            }).find("xacro"),
+            std::string::npos);
+  // What the expansion leaves behind is no macro.
+  EXPECT_EQ(error_of([] {
+              parse_urdf("<robot name='r' xmlns:xacro='x'><link name='a'/></robot>", "r.urdf", {});
+            }),
+            "");
+}
+
+TEST(Urdf, TransmissionsGiveTheRotorBehindItsGear) {
+  const std::string robot = R"(<robot name="r"><link name="a"/><link name="b"/>
+<joint name="j" type="revolute"><parent link="a"/><child link="b"/><limit lower="0" upper="1" effort="1" velocity="1"/></joint>
+<transmission name="t"><type>transmission_interface/SimpleTransmission</type><joint name="j"/>
+<actuator name="m"><mechanicalReduction>100</mechanicalReduction><drake:rotor_inertia value="2e-4"/></actuator></transmission>)";
+  const UrdfTree tree = parse_urdf(robot + "</robot>", "r.urdf", {});
+  EXPECT_NEAR(tree.joints[0].rotor_inertia, 2.0, 1e-12);
+  EXPECT_TRUE(tree.notes.empty());
+  const UrdfTree strange = parse_urdf(
+      robot + "<transmission name='u'><joint name='k'/></transmission></robot>", "r.urdf", {});
+  ASSERT_EQ(strange.notes.size(), 1u);
+  EXPECT_NE(strange.notes[0].find("joint k, which does not move"), std::string::npos);
+  const std::string error = error_of([&] {
+    parse_urdf(
+        robot +
+            "<transmission name='u'><joint name='j'/><actuator name='m'>"
+            "<mechanicalReduction>ten</mechanicalReduction></actuator></transmission></robot>",
+        "r.urdf", {});
+  });
+  EXPECT_NE(error.find("transmission u: mechanicalReduction \"ten\" must be"), std::string::npos)
+      << error;
+}
+
 TEST(Urdf, ForeignRobotsAreRead) {
   if (data_folder().empty()) GTEST_SKIP() << "no shared data; set TWINBUS_DATA";
   const std::string folder = data_folder() + "/robots/";
-  const std::pair<const char*, double> robots[] = {{"jvrc1/jvrc1", 62.400},
-                                                   {"panda/panda", 0},
-                                                   {"bolt/bolt", 0},
-                                                   {"simple_humanoid/simple_humanoid", 130.8}};
-  for (const auto& [name, mass] : robots) {
+  for (const char* name : {"jvrc1/jvrc1", "panda/panda", "panda/panda_spherized", "bolt/bolt",
+                           "simple_humanoid/simple_humanoid"}) {
     UrdfTree tree;
     ASSERT_EQ(error_of([&, stem = name] { tree = parse_file(folder + stem + ".urdf"); }), "")
         << name;
-    double sum = 0.0;
+    double mass = 0.0;
     for (const UrdfLink& link : tree.links) {
-      sum += link.mass;
+      mass += link.mass;
       for (const Shape& shape : link.collision) {
         if (shape.kind == ShapeKind::kMesh) {
           EXPECT_TRUE(std::filesystem::exists(shape.mesh)) << shape.mesh;
         }
       }
     }
-    if (mass > 0.0) {
-      EXPECT_NEAR(sum, mass, 1e-3) << name;
-    }
+    EXPECT_NEAR(mass, mass_in_text(read_text_file(folder + name + ".urdf")), 1e-9) << name;
   }
 }
 
@@ -127,11 +200,18 @@ TEST(Urdf, FilesOutsideTheRobotsFolderAreRefused) {
   };
   EXPECT_NE(error("../../etc/passwd").find("leaves"), std::string::npos);
   EXPECT_NE(error("/etc/passwd").find("leaves"), std::string::npos);
-  EXPECT_NE(error("file:///etc/passwd").find("package://"), std::string::npos);
+  EXPECT_NE(error("file:///etc/passwd").find("leaves"), std::string::npos);
+  EXPECT_NE(error("file:///tmp/robot/../x.stl").find("leaves"), std::string::npos);
+  EXPECT_NE(error("http://a/x.stl").find("only package://, file://"), std::string::npos);
   EXPECT_NE(error("package://other/x.stl").find("package other"), std::string::npos);
+  EXPECT_NE(error("package://robot/../../etc/passwd").find("leaves"), std::string::npos);
   EXPECT_NE(error("package:///").find("not"), std::string::npos);
   EXPECT_EQ(error("package://robot/meshes/x.stl"), "");
+  EXPECT_EQ(error("package://robot//meshes/x.stl"), "");
+  EXPECT_EQ(error("file:///tmp/robot/meshes/x.stl"), "");
+  EXPECT_EQ(error("/tmp/robot/meshes/x.stl"), "");
   EXPECT_EQ(error("meshes/x.stl"), "");
+  EXPECT_NE(error(std::string(5000, 'x')), "") << "longer than a file name can be";
 }
 
 TEST(Urdf, ImpossibleInertiaIsRefused) {
