@@ -1,12 +1,8 @@
 #include "bridge/blend.h"
 
+#include "robot/index.h"
+
 namespace twinbus {
-
-namespace {
-
-constexpr std::int64_t bit(int joint) { return std::int64_t{1} << joint; }
-
-}  // namespace
 
 void OffsetBlend::start(const JointCommand& own, const JointCommand& client, std::int64_t mask,
                         double dt, double duration) noexcept {

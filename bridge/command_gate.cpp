@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "robot/index.h"
+
 namespace twinbus {
 
 namespace {
@@ -13,8 +15,6 @@ constexpr double kGainRange = 10.0;  // largest gain, of the model's own
 constexpr std::int64_t kBalancedStopLasts_ns = 2'000'000'000;
 constexpr int kTicksWithoutStopping = 3;
 
-constexpr std::int64_t bit(int joint) { return std::int64_t{1} << joint; }
-constexpr std::size_t at(int joint) { return static_cast<std::size_t>(joint); }
 
 std::int64_t bits_of(const Model& model, const std::vector<int>& joints) {
   std::int64_t mask = 0;

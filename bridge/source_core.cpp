@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "robot/index.h"
+
 namespace twinbus {
 
 namespace {
@@ -20,7 +22,6 @@ constexpr std::int64_t kSupportLasts_ns = 50'000'000;  // stable for so long bef
 constexpr std::int64_t kControllerFresh_ns = 50'000'000;
 constexpr float kTorqueJump = 0.02F;  // of the limit; a larger one is faded out
 
-constexpr std::size_t at(int joint) { return static_cast<std::size_t>(joint); }
 
 // Infinity and NaN give NaN here, every other number zero.
 bool finite(const RobotState& state, int joints) noexcept {

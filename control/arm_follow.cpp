@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "robot/index.h"
+
 namespace twinbus {
 
 namespace {
@@ -14,7 +16,6 @@ constexpr double kClearFor = 0.5;     // [s] the guard must be content before th
 constexpr int kMostBlocks = 3;        // then the path is given up
 constexpr double kSlack = 1.05;       // on velocity limits, for rounding
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 }  // namespace
 
 ArmFollow::ArmFollow(const Model& model)

@@ -15,6 +15,7 @@
 #include "control/set_point_limits.h"
 #include "control/state_check.h"
 #include "robot/estimator.h"
+#include "robot/index.h"
 
 namespace twinbus {
 
@@ -28,7 +29,6 @@ constexpr double kSameMotion = 1.0;       // [s] in which another source may go 
 constexpr const char* kNoWalk = "walking comes with a later release; the mode stays as it is";
 constexpr const char* kInsane = "a state that no robot can be in was ignored";
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 }  // namespace
 
 struct ControlLoop::Impl {

@@ -8,6 +8,7 @@
 
 #include "control/set_point_track.h"
 #include "robot/collision_pairs.h"
+#include "robot/index.h"
 
 namespace twinbus {
 
@@ -25,7 +26,6 @@ constexpr int kKeepTicks = 5;     // a mask outlives its cause by this, against 
 constexpr double kLost = 0.03;
 constexpr double kNever = 1e3;  // time to contact of a pair that parts [s]
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 // How far a point of `link` can move per unit of each joint: a bound over all postures [m/rad or
 // m/m].

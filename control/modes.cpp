@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "robot/index.h"
+
 namespace twinbus {
 
 namespace {
@@ -13,7 +15,6 @@ constexpr double kBalanceTilt = 0.35;  // [rad] from which balance still begins
 constexpr double kIdleDamping = 0.1;   // share of kd
 constexpr double kSettledZmp = 0.02;   // [m] inside the support polygon: a stop may end
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 double tilt(const Estimator& estimator) noexcept {
   const double up = estimator.configuration().base.linear()(2, 2);

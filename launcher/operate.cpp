@@ -18,10 +18,6 @@ constexpr double kAskAgain = 0.1;       // [s]
 constexpr double kAnswerTimeout = 2.0;  // [s]
 constexpr int kStopRepeats = 5;         // sent at once, before anything is heard
 
-double since(std::int64_t start_ns) {
-  return 1e-9 * static_cast<double>(monotonic_ns() - start_ns);
-}
-
 BusLink open_bus(const Arguments& arguments) {
   catch_quit_signals();
   return BusLink(arguments.text("--url", ""), arguments.text("--prefix", ""),
@@ -41,8 +37,8 @@ bool ask_controller(BusLink& bus, ModeRequest& request) {
   request.run_id = active_run(bus);
   const std::int64_t begin = monotonic_ns();
   std::int64_t asked = 0;
-  while (!quit_requested() && since(begin) < kAnswerTimeout) {
-    if (asked == 0 || since(asked) > kAskAgain) {
+  while (!quit_requested() && seconds_since(begin) < kAnswerTimeout) {
+    if (asked == 0 || seconds_since(asked) > kAskAgain) {
       asked = monotonic_ns();
       bus.send(request);
     }
@@ -122,7 +118,7 @@ int stop_command(const std::vector<std::string>& words) {
   // Said before anything is heard: a stop waits for nothing.
   for (int i = 0; i < kStopRepeats; ++i) bus.send(request);
   const std::int64_t begin = monotonic_ns();
-  while (!quit_requested() && since(begin) < kAnswerTimeout) {
+  while (!quit_requested() && seconds_since(begin) < kAnswerTimeout) {
     bus.listen(0.05);
     const std::vector<const SeenSource*> sources = bus.seen().sources(monotonic_ns());
     const bool all =
@@ -131,7 +127,7 @@ int stop_command(const std::vector<std::string>& words) {
           return source->status.stop_kind >= request.kind || source->status.role == Role::kParked;
         });
     const SeenSource* active = bus.seen().active(monotonic_ns());
-    if (all && active != nullptr && since(begin) > 0.15) {
+    if (all && active != nullptr && seconds_since(begin) > 0.15) {
       std::printf("stop: %s is stopped (%s); ./twinbus clear lets it go on\n",
                   describe(*active).c_str(), stop_name(active->status.stop_kind));
       return 0;
@@ -180,7 +176,7 @@ int clear_command(const std::vector<std::string>& words) {
   request.kind = StopKind::kNone;
   request.reason = StopReason::kOperator;
   const std::int64_t begin = monotonic_ns();
-  while (!quit_requested() && since(begin) < kAnswerTimeout) {
+  while (!quit_requested() && seconds_since(begin) < kAnswerTimeout) {
     request.stop_nonce = bus.seen().source(run)->status.stop_nonce;
     bus.send(request);
     bus.listen(0.15);
@@ -287,7 +283,7 @@ int walk_command(const std::vector<std::string>& words) {
   }
   command.run_id = request.run_id;
   const std::int64_t begin = monotonic_ns();
-  while (!quit_requested() && since(begin) < duration) {
+  while (!quit_requested() && seconds_since(begin) < duration) {
     command.sequence = 0;  // each its own
     bus.send(command);
     bus.listen(0.05);

@@ -33,10 +33,6 @@ constexpr int kCorrections = 3;        // plans after the first
 constexpr double kNearEnough = 0.002;  // needs no correction [m]
 constexpr double kFar = 0.010;         // is not there [m]
 
-double since(std::int64_t start_ns) {
-  return 1e-9 * static_cast<double>(monotonic_ns() - start_ns);
-}
-
 // What one `reach` hears of the stack.
 class Watcher {
  public:
@@ -158,8 +154,8 @@ void ask(Watcher& watcher, ArmGoal& goal) {
   goal.run_id = watcher.run_id();
   const std::int64_t begin = monotonic_ns();
   std::int64_t asked = 0;
-  while (!quit_requested() && !watcher.answered && since(begin) < kPlanTimeout) {
-    if (asked == 0 || since(asked) > kAskAgain) {
+  while (!quit_requested() && !watcher.answered && seconds_since(begin) < kPlanTimeout) {
+    if (asked == 0 || seconds_since(asked) > kAskAgain) {
       asked = monotonic_ns();
       goal.utime = wall_us();
       ++goal.sequence;
@@ -192,7 +188,7 @@ bool follow(Watcher& watcher, const ArmGoal& goal) {
     return false;
   };
   std::int64_t shown = 0, held = 0;
-  while (since(begin) < watcher.duration + kLate) {
+  while (seconds_since(begin) < watcher.duration + kLate) {
     if (quit_requested()) {
       cancel(watcher, goal);
       return fail("cancelled; the arm stops on its path");
@@ -202,30 +198,30 @@ bool follow(Watcher& watcher, const ArmGoal& goal) {
       return fail("the robot was stopped; ./twinbus clear, then ask again");
     const bool ours = watcher.status.arm_path_id == watcher.first.path_id;
     if (moving && watcher.status.arm_state == 2) {
-      if (terminal) std::printf("\r  arrived after %.1f s      \n", since(begin));
+      if (terminal) std::printf("\r  arrived after %.1f s      \n", seconds_since(begin));
       return true;
     }
     if (!ours || watcher.status.arm_state != 3) {
       held = 0;  // or let go again: the arm goes on by itself
     } else if (held == 0) {
       held = monotonic_ns();
-    } else if (since(held) > kHeld) {
+    } else if (seconds_since(held) > kHeld) {
       cancel(watcher, goal);
       return fail("the guard holds the arm before something would touch; the arm stays there");
     }
     if (moving && !ours && watcher.status.arm_state == 3)
       return fail("the guard stopped the arm again and again, and the path was given up");
     if (ours && (watcher.status.arm_state == 1 || watcher.status.arm_state == 3)) moving = true;
-    if (!moving && since(begin) > kStartTimeout) {
+    if (!moving && seconds_since(begin) > kStartTimeout) {
       return fail(
           watcher.statuses == 0
               ? "no controller is running"
               : "the controller does not follow the path: is it in mode balance, hold or pose?");
     }
-    if (terminal && moving && since(shown) > 0.2) {
+    if (terminal && moving && seconds_since(shown) > 0.2) {
       shown = monotonic_ns();
       std::printf("\r  %3.0f %%",
-                  std::min(100.0, 100.0 * since(begin) / std::max(0.1, watcher.duration)));
+                  std::min(100.0, 100.0 * seconds_since(begin) / std::max(0.1, watcher.duration)));
       std::fflush(stdout);
     }
   }
@@ -247,7 +243,7 @@ bool go(Watcher& watcher, const Model& model, ArmGoal& goal, bool say) {
     return false;
   }
   const std::uint64_t all = ~std::uint64_t{0} >> (64 - watcher.first.pieces);
-  for (const std::int64_t start = monotonic_ns(); watcher.have != all && since(start) < 1.0;)
+  for (const std::int64_t start = monotonic_ns(); watcher.have != all && seconds_since(start) < 1.0;)
     watcher.receive(0.02);
   if (say) {
     std::printf("path of %.1f s in %d pieces\n", watcher.duration,
@@ -255,7 +251,7 @@ bool go(Watcher& watcher, const Model& model, ArmGoal& goal, bool say) {
     std::fflush(stdout);
   }
   if (!follow(watcher, goal)) return false;
-  for (const std::int64_t start = monotonic_ns(); !quit_requested() && since(start) < kSettle;)
+  for (const std::int64_t start = monotonic_ns(); !quit_requested() && seconds_since(start) < kSettle;)
     watcher.receive(0.02);
   return true;
 }
@@ -287,7 +283,7 @@ int reach_command(const std::vector<std::string>& words) {
   Watcher watcher(model, options);
 
   const std::int64_t begin = monotonic_ns();
-  while (!quit_requested() && watcher.states() < 5 && since(begin) < kFirstState)
+  while (!quit_requested() && watcher.states() < 5 && seconds_since(begin) < kFirstState)
     watcher.receive(0.02);
   if (watcher.states() == 0) {
     throw std::runtime_error(

@@ -14,7 +14,7 @@ namespace twinbus {
 
 namespace {
 
-constexpr double kAskAgain = 0.2;        // a lost request is sent again, with its own sequence [s]
+constexpr double kAskSwitchAgain = 0.2;  // a lost request is sent again, with its own sequence [s]
 constexpr double kStandbyTimeout = 6.0;  // a shadow needs a fresh anchor [s]
 constexpr double kFollowTimeout = 4.0;   // for a shadow to get there [s]
 constexpr double kFollowing = 1.0;  // it has faded in and swings with the active source by then [s]
@@ -40,10 +40,6 @@ Syntax switch_syntax() {
        allow_option()},
       1,
       1};
-}
-
-double since(std::int64_t start_ns) {
-  return 1e-9 * static_cast<double>(monotonic_ns() - start_ns);
 }
 
 SourceKind kind_of(const std::string& word) {
@@ -101,10 +97,10 @@ class Switch {
   void wait_for_posture(double lasting) {
     const std::int64_t begin = monotonic_ns();
     std::int64_t near_since = begin;
-    while (!quit_requested() && since(begin) < kFollowTimeout) {
+    while (!quit_requested() && seconds_since(begin) < kFollowTimeout) {
       if (posture_gap() > kNearPosture) {
         near_since = monotonic_ns();
-      } else if (since(near_since) >= lasting) {
+      } else if (seconds_since(near_since) >= lasting) {
         return;
       }
       bus_.receive(0.02);
@@ -158,8 +154,8 @@ class Switch {
                  const Done& done) {
     const std::int64_t begin = monotonic_ns();
     std::int64_t asked = 0;
-    while (!quit_requested() && since(begin) < timeout) {
-      if (asked == 0 || since(asked) > kAskAgain) {
+    while (!quit_requested() && seconds_since(begin) < timeout) {
+      if (asked == 0 || seconds_since(asked) > kAskSwitchAgain) {
         asked = monotonic_ns();
         bus_.send(request);
       }
@@ -223,7 +219,7 @@ int switch_command(const std::vector<std::string>& words) {
   }
   const SeenSource* now_active = bus.seen().source(target.status.run_id);
   std::printf("switch: %s took over from %s after %.0f ms, at tick %lld\n",
-              describe(*now_active).c_str(), describe(from).c_str(), 1e3 * since(begin),
+              describe(*now_active).c_str(), describe(from).c_str(), 1e3 * seconds_since(begin),
               static_cast<long long>(bus.seen().newest_state().tick));
   return 0;
 }

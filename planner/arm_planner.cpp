@@ -9,13 +9,12 @@
 #include "planner/random.h"
 #include "planner/rrt_connect.h"
 #include "planner/shortcut.h"
+#include "robot/index.h"
 #include "robot/inverse_kinematics.h"
 
 namespace twinbus {
 
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 constexpr double kTouching = 0.001;    // a start nearer than this counts as touching [m]
 constexpr double kShare = 0.9;         // of the room at start and goal that the way must keep

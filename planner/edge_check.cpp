@@ -4,11 +4,11 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "robot/index.h"
+
 namespace twinbus {
 
 namespace {
-
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 // Largest distance from the axis of `joint` that a point of any link moved by it can have.
 double reach_of(const Model& model, const Collision& collision, int joint) {

@@ -15,6 +15,7 @@
 
 #include "control/guard.h"
 #include "robot/collision.h"
+#include "robot/index.h"
 #include "robot/load.h"
 #include "robot/options.h"
 #include "robot/process.h"
@@ -34,7 +35,6 @@ struct Row {
   const Row* peer = nullptr;
 };
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 Configuration pose(const Model& model, const std::string& name) {
   Configuration c(model);
