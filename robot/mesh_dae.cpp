@@ -19,9 +19,9 @@ namespace {
 constexpr int kMaxDepth = 64;       // of nodes
 constexpr int kMaxParts = 1 << 14;  // geometries placed, each as often as it is placed
 
-class Reader {
+class DaeReader {
  public:
-  explicit Reader(const std::string& file) : file_(file) {}
+  explicit DaeReader(const std::string& file) : file_(file) {}
 
   TriangleMesh read(const XmlElement& root) {
     if (root.name != "COLLADA") fail(root, "the root element is not <COLLADA>");
@@ -227,7 +227,7 @@ class Reader {
 
 TriangleMesh parse_dae(const std::string& text, const std::string& file) {
   const XmlElement root = parse_xml(text, "mesh " + file);
-  return Reader(file).read(root);
+  return DaeReader(file).read(root);
 }
 
 }  // namespace twinbus

@@ -13,9 +13,9 @@ namespace {
 
 constexpr std::size_t kMaxCorners = 1000;  // of one face
 
-class Reader {
+class ObjReader {
  public:
-  explicit Reader(const std::string& file) : file_(file) {}
+  explicit ObjReader(const std::string& file) : file_(file) {}
 
   void line(std::string_view line) {
     ++number_;
@@ -80,7 +80,7 @@ class Reader {
 }  // namespace
 
 TriangleMesh parse_obj(std::string_view text, const std::string& file) {
-  Reader reader(file);
+  ObjReader reader(file);
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     reader.line(text.substr(0, end));

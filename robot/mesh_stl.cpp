@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t kHeader = 84;  // a comment of 80 bytes, then the number of triangles
 constexpr std::size_t kTriangle = 50;
 
-[[noreturn]] void fail(const std::string& file, const std::string& what) {
+[[noreturn]] void fail_stl(const std::string& file, const std::string& what) {
   throw std::runtime_error("mesh " + file + ": " + what);
 }
 
@@ -34,10 +34,10 @@ bool is_binary(std::string_view bytes) {
 
 TriangleMesh parse_binary(std::string_view bytes, const std::string& file) {
   const std::size_t count = count_of(bytes);
-  if (count > kMaxMeshTriangles) fail(file, "more than 2 million triangles; simplify it");
+  if (count > kMaxMeshTriangles) fail_stl(file, "more than 2 million triangles; simplify it");
   if (bytes.size() < kHeader + kTriangle * count) {
-    fail(file, "is cut off: " + std::to_string(count) + " triangles do not fit in " +
-                   std::to_string(bytes.size()) + " bytes; export it again");
+    fail_stl(file, "is cut off: " + std::to_string(count) + " triangles do not fit in " +
+                       std::to_string(bytes.size()) + " bytes; export it again");
   }
   TriangleMesh mesh;
   mesh.points.reserve(3 * count);
@@ -71,8 +71,8 @@ TriangleMesh parse_text(std::string_view text, const std::string& file) {
     if (line.substr(0, 6) == "vertex") {
       Eigen::Vector3d point;
       if (!parse_numbers(std::string(line.substr(6)), point.data(), 3)) {
-        fail(file + ":" + std::to_string(line_number),
-             "vertex needs three finite numbers; export it again");
+        fail_stl(file + ":" + std::to_string(line_number),
+                 "vertex needs three finite numbers; export it again");
       }
       facet.push_back(static_cast<int>(mesh.points.size()));
       mesh.points.push_back(point);
@@ -81,7 +81,7 @@ TriangleMesh parse_text(std::string_view text, const std::string& file) {
       facet.clear();
     }
     if (mesh.points.size() > 3 * kMaxMeshTriangles) {
-      fail(file, "more than 2 million triangles; simplify it");
+      fail_stl(file, "more than 2 million triangles; simplify it");
     }
   }
   return mesh;
@@ -92,7 +92,7 @@ TriangleMesh parse_text(std::string_view text, const std::string& file) {
 TriangleMesh parse_stl(std::string_view bytes, const std::string& file) {
   if (is_binary(bytes)) return parse_binary(bytes, file);
   if (bytes.substr(0, 5) != "solid") {
-    fail(file, "is not STL: too short for a binary file, and no text; export it again");
+    fail_stl(file, "is not STL: too short for a binary file, and no text; export it again");
   }
   return parse_text(bytes, file);
 }
