@@ -57,7 +57,9 @@ class StateAdmission {
     if (!heard_ || silence >= kLongSilence) return true;
     const bool in_order = state.tick >= tick_ && state.tick - tick_ <= kFarthestJump;
     if (state.run_id == run_id_ && state.term == term_) return in_order;
-    if (state.run_id == run_id_ && state.term == term_ + 2 && in_order) return true;  // cancel
+    if (state.run_id == run_id_ && state.term == term_ + 2 && grant_run_id_ != 0) {
+      return in_order;  // cancel
+    }
     if (state.run_id == former_run_id_ && state.term == former_term_ + 2 &&
         state.term == term_ + 1) {
       return state.tick - tick_ >= -kGrantTicks &&

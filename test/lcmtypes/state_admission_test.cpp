@@ -52,6 +52,11 @@ TEST_F(Listener, BelievesTheHolderThatTakesItsGrantBack) {
   EXPECT_EQ(admission.run_id(), 1);
 }
 
+TEST_F(Listener, DoesNotBelieveAGrantTakenBackThatWasNeverGiven) {
+  EXPECT_FALSE(hear(state_of(1, 7, 101)));
+  EXPECT_TRUE(hear(state_of(1, 5, 102)));
+}
+
 TEST_F(Listener, ReturnsToTheHolderThatTookItsGrantBackAfterTheSuccessorWasHeard) {
   EXPECT_TRUE(hear(state_of(1, 5, 101, 2, 106)));
   EXPECT_TRUE(hear(state_of(2, 6, 106)));

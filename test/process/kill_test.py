@@ -37,11 +37,14 @@ def controller(bus, stack, checks, rng):
     at, state = bus.wait_for("STATE", lambda s: s.stop_kind >= 2, 2.0)
     if not checks.that(state is not None, "controller killed: the source stops"):
         return
-    _, last = last_before(bus, "COMMAND", at)
-    checks.that(last is not None, "a command came before")
-    # In ticks of 2 ms, which no late reading blurs.  STATE shows the stop at the next tick.
-    after = 2 * (state.tick - last.tick)
-    checks.that(40 <= after <= 48, f"controller killed: STATE shows the stop {after} ms after the last command (40-46 and one tick)")
+    last_at, last = last_before(bus, "COMMAND", at)
+    if not checks.that(last is not None, "a command came before"):
+        return
+    # In ticks of 2 ms, which no late reading here blurs, or on the clock, which counts on while a source misses a tick.
+    # STATE shows the stop at the next tick.
+    ticks, clock = 2 * (state.tick - last.tick), 1e-6 * (at - last_at)
+    checks.that(40 <= ticks <= 48 or 40 <= clock <= 48, "controller killed: STATE shows the stop "
+                f"{ticks} ms of ticks, {clock:.1f} ms on the clock after the last command (40-46 and one tick)")
     time.sleep(0.5)
     checks.that(not falls(bus, before), "controller killed: nobody falls")
     # A controller that was started again moves nothing until somebody clears the stop.

@@ -152,6 +152,7 @@ def main():
         watcher, operator = Page(port), Page(port, token)
         operator.ask(do="hello")
         checks.that(operator.until(lambda live, status: live["age_ms"] is not None and live["age_ms"] < 100), "the stack is seen live")
+        checks.that(operator.until(lambda live, status: "hello" in operator.newest), "the viewer answers hello")
         checks.that(operator.newest.get("hello", {}).get("trusted") is True, "the operator's page is trusted")
         checks.that(operator.until(lambda live, status: abs(status["state_hz"] - 500) < 40 and abs(status["guard_hz"] - 500) < 40, 8),
                     f"rates are those of the stack: {operator.newest['status']['state_hz']:.0f} Hz")
