@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <cstdio>
-#include <exception>
 
 #include "bridge/adaptor_host.h"
 #include "bridge/source_main.h"
@@ -56,10 +55,5 @@ int run(int argc, char** argv) {
 }  // namespace twinbus
 
 int main(int argc, char** argv) {
-  try {
-    return twinbus::run(argc, argv);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "bridge: %s\n", error.what());
-    return 1;
-  }
+  return twinbus::run_process("bridge", twinbus::run, argc, argv);
 }

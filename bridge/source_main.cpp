@@ -1,7 +1,5 @@
 #include "bridge/source_main.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -12,6 +10,7 @@
 #include "lcmtypes/channels.h"
 #include "robot/missed_ticks.h"
 #include "robot/process.h"
+#include "robot/pulse.h"
 #include "robot/rate_stats.h"
 #include "test/no_alloc.h"
 
@@ -52,12 +51,9 @@ class Shell {
               .allow = {options.common.allow}}),
         source_(model, adaptor, config()),
         texts_(model_text_pieces(model, options.scene_text, run_id_)),
-        script_(options.modes, options.goals, model.period(), run_id_) {
+        script_(options.modes, options.goals, model.period(), run_id_),
+        pulse_(options.process, run_id_, real_time) {
     period_ns_ = std::llround(model.period_ns / options.rate);
-    beat_.process_id = run_id_;
-    beat_.pid = static_cast<std::int32_t>(::getpid());
-    beat_.kind = options.process;
-    beat_.realtime = static_cast<std::int8_t>(real_time);
     told_ = source_.status();
     told_.role = Role::kNone;
     if (!options.lockstep) missed_.watch(period_ns_);
@@ -69,7 +65,6 @@ class Shell {
   int run() {
     std::int64_t due = monotonic_ns();
     due += period_ns_ - due % period_ns_;
-    window_ns_ = due;
     while (!finished()) {
       NoAlloc no_alloc;
       wait_until(due);
@@ -165,13 +160,11 @@ class Shell {
     }
     const std::int64_t answered = monotonic_ns();
     // A tick without an answer counts with the whole time that was waited.
-    if (is_commanded()) age_.add(answered - sent);
+    if (is_commanded()) pulse_.answered(answered - sent);
     source_.end_tick(answered);
-    ++ticks_;
-    ++window_ticks_;
     report(answered);
     const std::int64_t end = monotonic_ns();
-    work_.add((published - begin) + (end - answered));
+    pulse_.tick(end, (published - begin) + (end - answered));
   }
 
   bool is_commanded() const {
@@ -265,37 +258,24 @@ class Shell {
       stop.utime = wall_us();
       send(channel::kStop, stop);
     }
-    if (now - beat_ns_ >= kStatusEvery_ns) send_heartbeat(now);
+    if (pulse_.due(now)) send_heartbeat(now);
     repeat_texts(now);
     send_script();
   }
 
   void send_heartbeat(std::int64_t now) {
-    beat_ns_ = now;
+    Heartbeat& beat = pulse_.beat(now);
     const BusCounters& counters = bus_.counters();
     const SourceStatus& status = source_.status();
-    beat_.utime = wall_us();
-    beat_.messages_received = counters.received;
-    beat_.messages_rejected = counters.rejected + status.commands_rejected + status.terms_ignored;
-    beat_.messages_lost = counters.lost;
-    beat_.ticks = ticks_;
-    missed_.tell(beat_);
-    beat_.allocations = allocations_counted() ? allocations_ : -1;
-    beat_.send_failures = static_cast<std::int32_t>(send_failures_);
-    beat_.age_us = static_cast<float>(1e-3 * age_.median_ns());
-    beat_.age_p99_us = static_cast<float>(1e-3 * age_.p99_ns());
-    beat_.tick_median_us = static_cast<float>(1e-3 * work_.median_ns());
-    beat_.tick_p99_us = static_cast<float>(1e-3 * work_.p99_ns());
-    beat_.tick_max_us = static_cast<float>(1e-3 * static_cast<double>(work_.max_ns()));
-    beat_.wake_p99_us = static_cast<float>(1e-3 * wake_.p99_ns());
-    if (now - window_ns_ >= kSecond_ns / 2) {
-      const double seconds = 1e-9 * static_cast<double>(now - window_ns_);
-      beat_.rate = static_cast<float>(static_cast<double>(window_ticks_) / seconds);
-      window_ns_ = now;
-      window_ticks_ = 0;
-    }
-    beat_.state = source_.publishes_on_state() ? std::int8_t{2} : std::int8_t{1};
-    send(channel::kHeartbeat, beat_);
+    beat.messages_received = counters.received;
+    beat.messages_rejected = counters.rejected + status.commands_rejected + status.terms_ignored;
+    beat.messages_lost = counters.lost;
+    missed_.tell(beat);
+    beat.allocations = allocations_counted() ? allocations_ : -1;
+    beat.send_failures = static_cast<std::int32_t>(send_failures_);
+    beat.wake_p99_us = static_cast<float>(1e-3 * wake_.p99_ns());
+    beat.state = source_.publishes_on_state() ? std::int8_t{2} : std::int8_t{1};
+    send(channel::kHeartbeat, beat);
   }
 
   // Robot description and obstacles once a second, spread over it so that no tick sends many.
@@ -402,11 +382,11 @@ class Shell {
   ObstaclesPiece obstacles_;
   SimTruth truth_;
   SourceStatus told_;
-  Heartbeat beat_;
   MissedTicks missed_;
-  RateStats work_, age_, wake_;
-  std::int64_t period_ns_ = 0, first_tick_ = 0, ticks_ = 0, window_ticks_ = 0, send_failures_ = 0,
-               allocations_ = 0, status_ns_ = 0, beat_ns_ = 0, window_ns_ = 0, next_text_ns_ = 0;
+  Pulse pulse_;
+  RateStats wake_;
+  std::int64_t period_ns_ = 0, first_tick_ = 0, send_failures_ = 0, allocations_ = 0,
+               status_ns_ = 0, next_text_ns_ = 0;
   std::size_t next_text_ = 0;
   std::int32_t event_sequence_ = 0, told_term_ = 0, told_nonce_ = 0;
   bool bus_gone_ = false;

@@ -5,11 +5,8 @@
 // when the controller is wrong and is silent otherwise.  The gate obeys its mask; what the legs
 // bring together asks for a balanced stop.
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdio>
-#include <exception>
 #include <stdexcept>
 #include <string>
 
@@ -21,17 +18,15 @@
 #include "robot/obstacle_collector.h"
 #include "robot/options.h"
 #include "robot/process.h"
-#include "robot/rate_stats.h"
+#include "robot/pulse.h"
 #include "robot/state_admission.h"
 #include "test/no_alloc.h"
 
 namespace twinbus {
 namespace {
 
-constexpr int kPriority = 50;   // FIFO, below the controller's
-constexpr double kWait = 0.02;  // [s] for a message, then the heartbeat gets its turn
-constexpr std::int64_t kHeartbeatNs = 100'000'000;
-constexpr std::int64_t kWindowNs = 500'000'000;
+constexpr int kPriority = 50;          // FIFO, below the controller's
+constexpr double kWait = 0.02;         // [s] for a message, then the heartbeat gets its turn
 constexpr std::int64_t kWarmUp = 100;  // ticks; LCM makes a list per channel with its first message
 constexpr std::int64_t kStopEvery = 10;  // a stop is asked for again after as many ticks
 constexpr std::int64_t kOldCommand =
@@ -62,24 +57,20 @@ class GuardProcess {
         id_(a.common.id != 0 ? a.common.id : random_id()),
         bus_({.url = a.common.url, .prefix = a.common.prefix, .allow = {a.common.allow}}),
         guard_(model, {.guard_id = id_, .margin = 1e-3 * a.margin_mm}),
-        estimator_(model) {
-    beat_.process_id = id_;
-    beat_.kind = ProcessKind::kGuard;
-    beat_.pid = static_cast<std::int32_t>(::getpid());
-    beat_.realtime = static_cast<std::int8_t>(real_time);
+        estimator_(model),
+        pulse_(ProcessKind::kGuard, id_, real_time) {
     bus_.listen_each<RobotState>(channel::kState, on_state_);
     bus_.listen_each<JointCommand>(channel::kCommand, on_command_);
     bus_.listen_each<ObstaclesPiece>(channel::kObstacles, on_obstacles_);
   }
 
   void run() {
-    window_ns_ = monotonic_ns();
     while (!quit_requested()) {
       NoAlloc no_alloc;
       if (bus_.receive(kWait) < 0) throw std::runtime_error("the bus is gone");
       if (fresh_) judge();
-      if (monotonic_ns() - beat_ns_ >= kHeartbeatNs) send_heartbeat();
-      if (ticks_ > kWarmUp) allocations_ += no_alloc.count();
+      if (pulse_.due(monotonic_ns())) send_heartbeat();
+      if (pulse_.ticks() > kWarmUp) allocations_ += no_alloc.count();
       if (new_obstacles_) {  // once per scene: not part of the loop
         new_obstacles_ = false;
         guard_.set_obstacles(obstacles_.obstacles());
@@ -96,7 +87,7 @@ class GuardProcess {
     const std::int64_t now = monotonic_ns();
     const std::int64_t last = admission_.run_id();
     if (!admission_.admit(state, now)) return;
-    if (ticks_ > 0 && last == state.run_id && state.tick > state_.tick + 1)
+    if (pulse_.ticks() > 0 && last == state.run_id && state.tick > state_.tick + 1)
       missed_ += state.tick - state_.tick - 1;
     state_ = state;
     heard_ns_ = now;
@@ -128,10 +119,8 @@ class GuardProcess {
     if (state_.stop_kind != StopKind::kNone)
       report.stop_asked = false;  // it has been stopped already
     if (!bus_.send(channel::kGuard, report)) ++send_failures_;
-    compute_.add(end - begin);
-    age_.add(end - heard_ns_);
-    ++ticks_;
-    ++window_ticks_;
+    pulse_.tick(end, end - begin);
+    pulse_.answered(end - heard_ns_);
     if (report.stop_asked) ask_for_a_stop();
     if (report.hold_mask != 0) tell(report);
   }
@@ -178,32 +167,17 @@ class GuardProcess {
                                       : "an obstacle";
   }
 
-  void send_heartbeat() noexcept {
-    const std::int64_t now = monotonic_ns();
-    beat_ns_ = now;
+  void send_heartbeat() {
+    Heartbeat& beat = pulse_.beat(monotonic_ns());
     const BusCounters& c = bus_.counters();
-    beat_.utime = wall_us();
-    beat_.messages_received = c.received;
-    beat_.messages_rejected = c.rejected + rejected_ + admission_.ignored();
-    beat_.messages_lost = missed_;
-    beat_.ticks = ticks_;
-    beat_.ticks_missed = missed_;
-    beat_.allocations = allocations_counted() ? allocations_ : -1;
-    beat_.send_failures =
+    beat.messages_received = c.received;
+    beat.messages_rejected = c.rejected + rejected_ + admission_.ignored();
+    beat.messages_lost = missed_;
+    beat.ticks_missed = missed_;
+    beat.allocations = allocations_counted() ? allocations_ : -1;
+    beat.send_failures =
         static_cast<std::int32_t>(std::min<std::int64_t>(send_failures_, INT32_MAX));
-    beat_.age_us = static_cast<float>(1e-3 * age_.median_ns());
-    beat_.tick_median_us = static_cast<float>(1e-3 * compute_.median_ns());
-    beat_.tick_p99_us = static_cast<float>(1e-3 * compute_.p99_ns());
-    beat_.tick_max_us = static_cast<float>(1e-3 * static_cast<double>(compute_.max_ns()));
-    if (now - window_ns_ >= kWindowNs) {
-      const double seconds = 1e-9 * static_cast<double>(now - window_ns_);
-      beat_.rate = static_cast<float>(static_cast<double>(window_ticks_) / seconds);
-      window_ns_ = now;
-      window_ticks_ = 0;
-    }
-    const bool running = heard_ns_ != 0 && now - heard_ns_ < kWindowNs;
-    beat_.state = running ? std::int8_t{2} : std::int8_t{1};
-    if (!bus_.send(channel::kHeartbeat, beat_)) ++send_failures_;
+    if (!bus_.send(channel::kHeartbeat, beat)) ++send_failures_;
   }
 
   struct OnState {
@@ -231,11 +205,9 @@ class GuardProcess {
   RobotState state_;
   JointCommand command_;
   bool fresh_ = false, has_command_ = false, new_obstacles_ = false;
-  RateStats compute_, age_;
-  Heartbeat beat_;
-  std::int64_t heard_ns_ = 0, beat_ns_ = 0, window_ns_ = 0, told_ns_ = 0, stop_tick_ = 0;
-  std::int64_t ticks_ = 0, window_ticks_ = 0, missed_ = 0, rejected_ = 0, allocations_ = 0,
-               send_failures_ = 0;
+  Pulse pulse_;
+  std::int64_t heard_ns_ = 0, told_ns_ = 0, stop_tick_ = 0;
+  std::int64_t missed_ = 0, rejected_ = 0, allocations_ = 0, send_failures_ = 0;
   std::int32_t stop_sequence_ = 0, event_sequence_ = 0;
 
   OnState on_state_{this};
@@ -261,11 +233,4 @@ int run(int argc, char** argv) {
 }  // namespace
 }  // namespace twinbus
 
-int main(int argc, char** argv) {
-  try {
-    return twinbus::run(argc, argv);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "guard: %s\n", error.what());
-    return 1;
-  }
-}
+int main(int argc, char** argv) { return twinbus::run_process("guard", twinbus::run, argc, argv); }

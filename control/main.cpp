@@ -4,12 +4,9 @@
 // people.  The loop allocates nothing; only obstacles, which change with the scene, are taken over
 // between ticks with an allocation that is not counted.
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdio>
 #include <cstring>
-#include <exception>
 #include <string>
 #include <vector>
 
@@ -18,9 +15,10 @@
 #include "lcmtypes/channels.h"
 #include "robot/load.h"
 #include "robot/missed_ticks.h"
+#include "robot/obstacle_collector.h"
 #include "robot/options.h"
 #include "robot/process.h"
-#include "robot/rate_stats.h"
+#include "robot/pulse.h"
 #include "robot/state_admission.h"
 #include "test/no_alloc.h"
 
@@ -30,46 +28,8 @@ namespace {
 // FIFO, above the sources': its tick is the shortest, and a standby's long one must not delay it.
 constexpr int kPriority = 75;
 constexpr double kWait = 0.02;  // [s] for a message, then the heartbeat gets its turn
-constexpr std::int64_t kHeartbeatNs = 100'000'000;
 constexpr std::int64_t kQuietNs = 1'000'000'000;  // between two events of the same sentence
 constexpr std::int64_t kStoppedEvery = 10;        // a stop is published that often [ticks]
-
-// Pieces of OBSTACLES until the scene is whole.
-class ObstacleCollector {
- public:
-  // True when a scene other than the last became complete.
-  bool add(const ObstaclesPiece& piece) {
-    if (piece.scene_id == done_ || piece.pieces < 1 || piece.pieces > 64) return false;
-    if (piece.scene_id != scene_) {
-      scene_ = piece.scene_id;
-      have_ = 0;
-      obstacles.clear();
-    }
-    const std::uint64_t bit = std::uint64_t{1} << piece.piece;
-    if (piece.piece < 0 || piece.piece >= piece.pieces || (have_ & bit) != 0) return false;
-    have_ |= bit;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(piece.count); ++i) {
-      Obstacle o;
-      o.shape = piece.shape[i];
-      o.size = Eigen::Vector3f(piece.size[i].data()).cast<double>();
-      const auto& a = piece.attitude[i];
-      o.pose.linear() =
-          Eigen::Quaternionf(a[0], a[1], a[2], a[3]).normalized().toRotationMatrix().cast<double>();
-      o.pose.translation() = Eigen::Vector3f(piece.position[i].data()).cast<double>();
-      obstacles.push_back(o);
-    }
-    const std::uint64_t all =
-        piece.pieces == 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << piece.pieces) - 1;
-    if (have_ != all) return false;
-    done_ = scene_;
-    return true;
-  }
-  std::vector<Obstacle> obstacles;
-
- private:
-  std::int64_t scene_ = -1, done_ = -1;
-  std::uint64_t have_ = 0;
-};
 
 struct Arguments {
   CommonOptions common;
@@ -94,26 +54,22 @@ class Controller {
       : model_(model),
         id_(a.common.id != 0 ? a.common.id : random_id()),
         bus_({.url = a.common.url, .prefix = a.common.prefix, .allow = {a.common.allow}}),
-        loop_(model, config(a)) {
-    beat_.process_id = id_;
-    beat_.kind = ProcessKind::kController;
-    beat_.pid = static_cast<std::int32_t>(::getpid());
-    beat_.realtime = static_cast<std::int8_t>(real_time);
+        loop_(model, config(a)),
+        pulse_(ProcessKind::kController, id_, real_time) {
     missed_.watch(model.period_ns);
     listen();
   }
 
   void run() {
-    start_ns_ = window_ns_ = monotonic_ns();
     while (!quit_requested()) {
       NoAlloc no_alloc;
       if (bus_.receive(kWait) < 0) throw std::runtime_error("the bus is gone");
       if (fresh_) answer();
-      if (monotonic_ns() - beat_ns_ >= kHeartbeatNs) send_heartbeat();
+      if (pulse_.due(monotonic_ns())) send_heartbeat();
       allocations_ += no_alloc.count();
       if (new_obstacles_) {
         new_obstacles_ = false;
-        loop_.set_obstacles(obstacles_.obstacles);
+        loop_.set_obstacles(obstacles_.obstacles());
       }
     }
   }
@@ -156,7 +112,7 @@ class Controller {
     const std::int64_t now = monotonic_ns();
     const std::int64_t last = admission_.run_id();
     if (!admission_.admit(state, now)) return;
-    if (ticks_ > 0 && last == state.run_id) {
+    if (pulse_.ticks() > 0 && last == state.run_id) {
       // Ticks that never came, and one that came but was overtaken before it was answered.
       const std::int64_t unanswered =
           std::max<std::int64_t>(state.tick - state_.tick - 1, 0) + (fresh_ ? 1 : 0);
@@ -177,10 +133,8 @@ class Controller {
     const std::int64_t end = monotonic_ns();
     if (has_answer) {
       if (!bus_.send(channel::kCommand, command_)) ++send_failures_;
-      age_.add(monotonic_ns() - heard_ns_);
-      compute_.add(end - begin);
-      ++ticks_;
-      ++window_ticks_;
+      pulse_.answered(monotonic_ns() - heard_ns_);
+      pulse_.tick(end, end - begin);
       ControllerStatus status = loop_.status();
       status.compute_ns = static_cast<std::int32_t>(std::min<std::int64_t>(end - begin, INT32_MAX));
       if (!bus_.send(channel::kControllerStatus, status)) ++send_failures_;
@@ -219,32 +173,16 @@ class Controller {
   }
 
   void send_heartbeat() {
-    const std::int64_t now = monotonic_ns();
-    beat_ns_ = now;
+    Heartbeat& beat = pulse_.beat(monotonic_ns());
     const BusCounters& c = bus_.counters();
-    beat_.utime = wall_us();
-    beat_.messages_received = c.received;
-    beat_.messages_rejected = c.rejected + rejected_ + admission_.ignored();
-    beat_.messages_lost = missed_.count();
-    beat_.ticks = ticks_;
-    missed_.tell(beat_);
-    beat_.allocations = allocations_counted() ? allocations_ : -1;
-    beat_.send_failures =
+    beat.messages_received = c.received;
+    beat.messages_rejected = c.rejected + rejected_ + admission_.ignored();
+    beat.messages_lost = missed_.count();
+    missed_.tell(beat);
+    beat.allocations = allocations_counted() ? allocations_ : -1;
+    beat.send_failures =
         static_cast<std::int32_t>(std::min<std::int64_t>(c.send_failures, INT32_MAX));
-    beat_.age_us = static_cast<float>(1e-3 * age_.median_ns());
-    beat_.age_p99_us = static_cast<float>(1e-3 * age_.p99_ns());
-    beat_.tick_median_us = static_cast<float>(1e-3 * compute_.median_ns());
-    beat_.tick_p99_us = static_cast<float>(1e-3 * compute_.p99_ns());
-    beat_.tick_max_us = static_cast<float>(1e-3 * static_cast<double>(compute_.max_ns()));
-    if (now - window_ns_ >= 500'000'000) {
-      beat_.rate = static_cast<float>(static_cast<double>(window_ticks_) /
-                                      (1e-9 * static_cast<double>(now - window_ns_)));
-      window_ns_ = now;
-      window_ticks_ = 0;
-    }
-    const bool running = heard_ns_ != 0 && now - heard_ns_ < 500'000'000;
-    beat_.state = running ? std::int8_t{2} : std::int8_t{1};
-    if (!bus_.send(channel::kHeartbeat, beat_)) ++send_failures_;
+    if (!bus_.send(channel::kHeartbeat, beat)) ++send_failures_;
   }
 
   struct OnState {
@@ -295,12 +233,10 @@ class Controller {
   bool new_obstacles_ = false, fresh_ = false;
   RobotState state_;
   JointCommand command_;
-  RateStats compute_, age_;
+  Pulse pulse_;
   MissedTicks missed_;
-  Heartbeat beat_;
-  std::int64_t heard_ns_ = 0, beat_ns_ = 0, start_ns_ = 0, window_ns_ = 0, window_ticks_ = 0,
-               told_ns_ = 0;
-  std::int64_t ticks_ = 0, rejected_ = 0, allocations_ = 0, send_failures_ = 0, next_stop_tick_ = 0;
+  std::int64_t heard_ns_ = 0, told_ns_ = 0;
+  std::int64_t rejected_ = 0, allocations_ = 0, send_failures_ = 0, next_stop_tick_ = 0;
   std::int32_t sequence_ = 0, event_sequence_ = 0;
   const char* last_sentence_ = nullptr;
 
@@ -334,10 +270,5 @@ int run(int argc, char** argv) {
 }  // namespace twinbus
 
 int main(int argc, char** argv) {
-  try {
-    return twinbus::run(argc, argv);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "controller: %s\n", error.what());
-    return 1;
-  }
+  return twinbus::run_process("controller", twinbus::run, argc, argv);
 }

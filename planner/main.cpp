@@ -4,12 +4,9 @@
 // planning is done by a worker.  Pieces of a path are sent a few times, because any datagram may be
 // lost.
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <exception>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -23,16 +20,14 @@
 #include "robot/obstacle_collector.h"
 #include "robot/options.h"
 #include "robot/process.h"
-#include "robot/rate_stats.h"
+#include "robot/pulse.h"
 #include "robot/state_admission.h"
 #include "test/no_alloc.h"
 
 namespace twinbus {
 namespace {
 
-constexpr double kWait = 0.01;  // [s] for a message
-constexpr std::int64_t kHeartbeatNs = 100'000'000;
-constexpr std::int64_t kWindowNs = 500'000'000;
+constexpr double kWait = 0.01;         // [s] for a message
 constexpr std::int64_t kWarmUp = 100;  // ticks; LCM makes a list per channel with its first message
 constexpr std::int64_t kFreshNs = 200'000'000;  // a plan needs a state not older than this
 constexpr std::int64_t kResendNs = 40'000'000;
@@ -47,10 +42,8 @@ class PlannerProcess {
         id_(common.id != 0 ? common.id : random_id()),
         bus_({.url = common.url, .prefix = common.prefix, .allow = {common.allow}}),
         estimator_(model),
+        pulse_(ProcessKind::kPlanner, id_),
         worker_(model) {
-    beat_.process_id = id_;
-    beat_.kind = ProcessKind::kPlanner;
-    beat_.pid = static_cast<std::int32_t>(::getpid());
     bus_.listen_each<RobotState>(channel::kState, on_state_);
     bus_.listen_each<JointCommand>(channel::kCommand, on_command_);
     bus_.listen_each<ArmGoal>(channel::kArmGoal, on_goal_);
@@ -58,7 +51,6 @@ class PlannerProcess {
   }
 
   void run() {
-    window_ns_ = monotonic_ns();
     while (!quit_requested()) {
       NoAlloc no_alloc;
       if (bus_.receive(kWait) < 0) throw std::runtime_error("the bus is gone");
@@ -66,12 +58,11 @@ class PlannerProcess {
         fresh_ = false;
         const std::int64_t begin = monotonic_ns();
         estimator_.update(state_);
-        compute_.add(monotonic_ns() - begin);
-        ++ticks_;
-        ++window_ticks_;
+        const std::int64_t end = monotonic_ns();
+        pulse_.tick(end, end - begin);
       }
-      if (monotonic_ns() - beat_ns_ >= kHeartbeatNs) send_heartbeat();
-      if (ticks_ > kWarmUp) allocations_ += no_alloc.count();
+      if (pulse_.due(monotonic_ns())) send_heartbeat();
+      if (pulse_.ticks() > kWarmUp) allocations_ += no_alloc.count();
       // A goal, an answer and a resend are events, not part of the loop.
       if (new_goal_) start_plan();
       if (auto answer = worker_.answer()) finish_plan(*answer);
@@ -170,29 +161,16 @@ class PlannerProcess {
     if (!bus_.send(channel::kEvent, event)) ++send_failures_;
   }
 
-  void send_heartbeat() noexcept {
-    const std::int64_t now = monotonic_ns();
-    beat_ns_ = now;
+  void send_heartbeat() {
+    Heartbeat& beat = pulse_.beat(monotonic_ns());
     const BusCounters& c = bus_.counters();
-    beat_.utime = wall_us();
-    beat_.messages_received = c.received;
-    beat_.messages_rejected = c.rejected + rejected_ + admission_.ignored();
-    beat_.messages_lost = c.lost;
-    beat_.ticks = ticks_;
-    beat_.allocations = allocations_counted() ? allocations_ : -1;
-    beat_.send_failures =
+    beat.messages_received = c.received;
+    beat.messages_rejected = c.rejected + rejected_ + admission_.ignored();
+    beat.messages_lost = c.lost;
+    beat.allocations = allocations_counted() ? allocations_ : -1;
+    beat.send_failures =
         static_cast<std::int32_t>(std::min<std::int64_t>(send_failures_, INT32_MAX));
-    beat_.tick_median_us = static_cast<float>(1e-3 * compute_.median_ns());
-    beat_.tick_p99_us = static_cast<float>(1e-3 * compute_.p99_ns());
-    beat_.tick_max_us = static_cast<float>(1e-3 * static_cast<double>(compute_.max_ns()));
-    if (now - window_ns_ >= kWindowNs) {
-      const double seconds = 1e-9 * static_cast<double>(now - window_ns_);
-      beat_.rate = static_cast<float>(static_cast<double>(window_ticks_) / seconds);
-      window_ns_ = now;
-      window_ticks_ = 0;
-    }
-    beat_.state = heard_ns_ != 0 && now - heard_ns_ < kWindowNs ? std::int8_t{2} : std::int8_t{1};
-    if (!bus_.send(channel::kHeartbeat, beat_)) ++send_failures_;
+    if (!bus_.send(channel::kHeartbeat, beat)) ++send_failures_;
   }
 
   struct OnState {
@@ -224,10 +202,9 @@ class PlannerProcess {
   bool fresh_ = false, new_goal_ = false;
   std::vector<ArmPathPiece> pieces_;
   int sends_left_ = 0;
-  RateStats compute_;
-  Heartbeat beat_;
-  std::int64_t heard_ns_ = 0, beat_ns_ = 0, window_ns_ = 0, sent_ns_ = 0;
-  std::int64_t ticks_ = 0, window_ticks_ = 0, rejected_ = 0, allocations_ = 0, send_failures_ = 0;
+  Pulse pulse_;
+  std::int64_t heard_ns_ = 0, sent_ns_ = 0;
+  std::int64_t rejected_ = 0, allocations_ = 0, send_failures_ = 0;
   std::int32_t event_sequence_ = 0;
 
   OnState on_state_{this};
@@ -256,10 +233,5 @@ int run(int argc, char** argv) {
 }  // namespace twinbus
 
 int main(int argc, char** argv) {
-  try {
-    return twinbus::run(argc, argv);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "planner: %s\n", error.what());
-    return 1;
-  }
+  return twinbus::run_process("planner", twinbus::run, argc, argv);
 }

@@ -9,9 +9,11 @@
 
 #include <cerrno>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
+#include <exception>
 #include <random>
 
 namespace twinbus {
@@ -78,6 +80,15 @@ void sleep_until_ns(std::int64_t due_ns) noexcept {
   due.tv_nsec = static_cast<long>(due_ns % 1'000'000'000);
   while (clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &due, nullptr) == EINTR &&
          !quit_requested()) {
+  }
+}
+
+int run_process(const char* name, int (*run)(int, char**), int argc, char** argv) noexcept {
+  try {
+    return run(argc, argv);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s: %s\n", name, error.what());
+    return 1;
   }
 }
 

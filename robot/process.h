@@ -22,6 +22,10 @@ std::int64_t wall_us() noexcept;
 // Sleeps until the steady clock shows due_ns (clock_nanosleep, absolute).
 void sleep_until_ns(std::int64_t due_ns) noexcept;
 
+// What main() returns: the result of run, or 1 after the error that ended it was printed behind the
+// program's name.
+int run_process(const char* name, int (*run)(int, char**), int argc, char** argv) noexcept;
+
 // Random id, 1 <= id < 2^53.
 std::int64_t random_id();
 
