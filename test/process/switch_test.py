@@ -20,7 +20,6 @@ from harness import Bus, Checks, Stack, cli, percentile
 from stalls import Stalls
 
 PER_MOTION = 100 if harness.FULL else 4
-BLEND = 0.3  # [s]
 # What is wrong with the second robot besides the model errors that it has anyway: IMU yaw drift and sole height.
 DISTURBED = ["--set", "sensor.imu_yaw_drift=0.003", "--set", "ground.left_height_error=0.001"]
 MOTIONS = ("sway", "squat", "reach")
@@ -57,12 +56,25 @@ def disturbed_stack(name):
     return str(file)
 
 
+# So long the machine may stand still before source, device or controller rightly stop the robot [ms].
+STOPS_RIGHTLY = 15.0
+
+
+class Interrupted(Exception):
+    """The machine stood still for so long that the robot was rightly stopped."""
+
+
 def one_switch(stack, bus, stalls, checks, what, target, efforts, policy):
-    """The figures of a switch that no stall of the machine hit, or None; (figures, it was hit)."""
+    """(figures of a switch or None, a stall of the machine spoilt it).  Interrupted: it stopped the robot."""
+    since = time.monotonic_ns() - 2_000_000_000
     status, said, f = switch_once(bus, target, efforts, policy)
     stops = [line.strip() for line in stack.lines if " stop '" in line][-2:]
-    if not checks.that(status == 0 and f is not None, f"{what}: {said.strip()} {' '.join(stops)}"):
+    if status != 0 or f is None:
+        if stops and stalls.longest_ms(since, time.monotonic_ns()) >= STOPS_RIGHTLY:
+            raise Interrupted(f"{what}: {' '.join(stops)}")
+        checks.that(False, f"{what}: {said.strip()} {' '.join(stops)}")
         return None, False
+    checks.that(True, what)
     attempt = checks.tentative()
     switch_figures.judge(f, attempt, what)
     stall = stalls.longest_ms(f.from_ns, f.to_ns)
@@ -77,40 +89,69 @@ def one_switch(stack, bus, stalls, checks, what, target, efforts, policy):
     return f, hit
 
 
-def back_and_forth(checks, motion, count, all_figures, rng, stalls, twosims=False):
-    """count switches, and one more for each that a stall of the machine hit."""
-    efforts = harness.effort_limits()
-    name = "twosims" if twosims else disturbed_stack("both")
-    label = f"{motion}, two simulators" if twosims else motion
-    with Stack(motion, "--stack", name, "--no-viewer") as stack:
-        bus = Bus()
+class Row:
+    """Switches of one motion: count of them, and one more for each that a stall of the machine spoilt."""
+
+    def __init__(self, checks, motion, count, all_figures, rng, stalls, twosims):
+        self.checks, self.motion, self.count, self.all_figures = checks, motion, count, all_figures
+        self.rng, self.stalls, self.twosims = rng, stalls, twosims
+        self.label = f"{motion}, two simulators" if twosims else motion
+        self.efforts = harness.effort_limits()
+        self.number = self.spoilt = self.refused = 0
+
+    def wants_more(self):
+        return self.number < self.count and self.spoilt <= self.count and self.refused < 3
+
+    def run(self):
+        while self.wants_more():
+            name = "twosims" if self.twosims else disturbed_stack("both")
+            with Stack(self.motion, "--stack", name, "--no-viewer") as stack:
+                bus = Bus()
+                try:
+                    self.back_and_forth(stack, bus)
+                except Interrupted as stopped:
+                    self.spoilt += 1
+                    print(f"  not judged, the machine stood still and the robot was stopped: {stopped}", flush=True)
+                bus.close()
+        print(f"{self.label}: {self.number} switches judged, {self.spoilt} hit by a stall of the machine and repeated",
+              flush=True)
+        self.checks.at_least(self.number, self.count, f"{self.label}: switches judged")
+
+    def back_and_forth(self, stack, bus):
         time.sleep(2.5)  # until the motion is under way
-        target = "sim" if twosims else "bridge"
-        number = stalled = refused = 0
-        while number < count and stalled <= count and refused < 3:
-            what = f"{label} {number}: to {target}"
+        target = "sim" if self.twosims else "bridge"
+        while self.wants_more():
+            what = f"{self.label} {self.number}: to {target}"
             # Now and then within the blend of the last one, otherwise at a random phase of the motion.
-            time.sleep(0.02 if number % 5 == 4 else 0.3 + 0.7 * rng.random())
+            time.sleep(0.02 if self.number % 5 == 4 else 0.3 + 0.7 * self.rng.random())
             # A robot is left only when it stands still; a simulator at any time.
-            policy = "now" if target == "bridge" or twosims else "when-safe"
-            f, hit = one_switch(stack, bus, stalls, checks, what, target, efforts, policy)
+            policy = "now" if target == "bridge" or self.twosims else "when-safe"
+            f, hit = one_switch(stack, bus, self.stalls, self.checks, what, target, self.efforts, policy)
             if f is None:
-                refused += 1
+                self.refused += 1
                 continue
-            stalled += hit
-            number += not hit
-            if not hit:
-                all_figures.append((f"{label} to {target}", f))
-            if policy == "when-safe" and motion != "reach":
-                checks.that(cli(motion)[0] == 0, f"{what}: and the motion goes on")
-            if not twosims:
+            if hit:
+                self.spoilt += 1
+            else:
+                self.number += 1
+                self.all_figures.append((f"{self.label} to {target}", f))
+            if policy == "when-safe" and self.motion != "reach":
+                self.go_on(what)
+            if not self.twosims:
                 target = "sim" if target == "bridge" else "bridge"
-        print(f"{label}: {number} switches judged, {stalled} hit by a stall of the machine and repeated", flush=True)
-        checks.at_least(number, count, f"{label}: switches judged")
-        programs = ["twinbus_guard", "twinbus_controller"] + ([] if twosims else ["twinbus_planner"])
-        checks.that(all(len(stack.pids(p)) == 1 for p in programs), f"{label}: guard, planner and controller still run")
-        checks.that(not any("started again" in line for line in stack.lines), f"{label}: and none was started again")
-        bus.close()
+        programs = ["twinbus_guard", "twinbus_controller"] + ([] if self.twosims else ["twinbus_planner"])
+        self.checks.that(all(len(stack.pids(p)) == 1 for p in programs),
+                         f"{self.label}: guard, planner and controller still run")
+        self.checks.that(not any("started again" in line for line in stack.lines),
+                         f"{self.label}: and none was started again")
+
+    def go_on(self, what):
+        """When-safe ended the motion; it begins again."""
+        since = time.monotonic_ns()
+        status, out, err = cli(self.motion)
+        if status != 0 and self.stalls.longest_ms(since, time.monotonic_ns()) >= STOPS_RIGHTLY:
+            raise Interrupted(f"{what}: {err.strip()}")
+        self.checks.that(status == 0, f"{what}: and the motion goes on: {out}{err}")
 
 
 def refusals(checks):
@@ -171,9 +212,9 @@ def main():
     count = int(os.environ.get("SWITCHES", PER_MOTION))
     for motion in MOTIONS:
         if not wanted or motion in wanted:
-            back_and_forth(checks, motion, count, all_figures, rng, stalls)
+            Row(checks, motion, count, all_figures, rng, stalls, twosims=False).run()
     if not wanted or "twosims" in wanted:
-        back_and_forth(checks, "sway", count, all_figures, rng, stalls, twosims=True)
+        Row(checks, "sway", count, all_figures, rng, stalls, twosims=True).run()
     if not bench and not wanted:
         refusals(checks)
     stalls.close()
