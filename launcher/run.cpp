@@ -14,6 +14,7 @@
 #include "robot/load.h"
 #include "robot/process.h"
 #include "sim/settings.h"
+#include "sim/world.h"
 
 namespace twinbus {
 
@@ -35,7 +36,7 @@ Syntax syntax() {
               settings_help(),
           {robot_option(),
            {"--for", "S", "simulated seconds; default: the scene's duration"},
-           {"--engine", "E", "physics engine: ode"},
+           {"--engine", "E", "articulated or ode; default the scene's"},
            {"--seed", "N", "of everything random; default 1"},
            {"--set", "KEY=VALUE", "a setting of the simulator; wins over the scene's own"},
            {"--reference", "",
@@ -183,8 +184,10 @@ int run_command(const std::vector<std::string>& words) {
   request.scene = scene.name;
   request.robot = arguments.text("--robot", scene.robot);
   request.engine = arguments.text("--engine", scene.engine);
-  if (request.engine != "ode")
-    throw UsageError("run: there is no engine '" + request.engine + "' yet; known: ode");
+  Engine engine;
+  if (!engine_of(request.engine, engine))
+    throw UsageError("run: there is no engine '" + request.engine + "'; use articulated or ode");
+  scene.engine = request.engine;
   request.lockstep = true;
   request.duration = arguments.number("--for", scene.duration, 0.002, 1e6);
   request.seed = static_cast<std::uint64_t>(arguments.number("--seed", 1.0, 0.0, 1e9));

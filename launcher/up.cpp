@@ -18,6 +18,7 @@
 #include "robot/load.h"
 #include "robot/process.h"
 #include "sim/scene.h"
+#include "sim/world.h"
 
 namespace twinbus {
 
@@ -52,7 +53,7 @@ Syntax up_syntax() {
           "held against the stack.",
           {robot_option(),
            {"--stack", "NAME", "of config/stacks (" + stacks + "), or a file; default sim"},
-           {"--engine", "E", "physics engine; default the scene's"},
+           {"--engine", "E", "articulated or ode; default the scene's"},
            {"--lockstep", "",
             "each tick waits for its command: slower or faster than real time, repeatable"},
            {"--rate", "X", "times real time; default 1"},
@@ -116,8 +117,9 @@ Up::Up(const Arguments& arguments) {
   request_.scene = scene_.name;
   request_.robot = arguments.text("--robot", scene_.robot);
   request_.engine = arguments.text("--engine", scene_.engine);
-  if (request_.engine != "ode") {
-    throw UsageError("up: there is no engine '" + request_.engine + "' yet; known: ode");
+  Engine engine;
+  if (!engine_of(request_.engine, engine)) {
+    throw UsageError("up: there is no engine '" + request_.engine + "'; use articulated or ode");
   }
   request_.lockstep = arguments.has("--lockstep");
   request_.rate = arguments.number("--rate", 1.0, 0.01, 100.0);
@@ -165,7 +167,7 @@ Placeholders Up::placeholders(const Arguments& arguments) const {
   // In lock-step the simulator itself ends after its last tick, so that two runs have the same ticks.
   if (request_.lockstep && request_.duration > 0.0)
     pace.insert(pace.end(), {"--for", arguments.text("--for", "")});
-  values["engine"] = {};  // one engine so far: checked in the constructor
+  values["engine"] = {"--engine", request_.engine};
   auto& settings = values["settings"];
   for (const std::string& setting : arguments.all("--set"))
     settings.insert(settings.end(), {"--set", setting});

@@ -27,8 +27,9 @@ int run(int argc, char** argv) {
                  "Simulates a robot in a scene as a source of STATE.\n\nSettings of --set:\n" +
                      settings_help());
   add_common(parser, options.common);
-  std::string engine = "ode";
-  parser.choice("--engine", {"ode"}, engine, "physics engine");
+  std::string engine;
+  parser.choice("--engine", {kEngineNames[0], kEngineNames[1]}, engine,
+                "physics engine; default the scene's");
   parser.positional("SCENE", scene_name, false, "a name under config/scenes, or a YAML file");
   parser.settings("--set", config.settings,
                   "key=value, see above; wins over the scene's own settings");
@@ -36,6 +37,7 @@ int run(int argc, char** argv) {
   parser.parse(argc, argv);
 
   Scene scene = load_scene(scene_name);
+  if (parser.given("--engine")) scene.engine = engine;
   if (!parser.given("--robot")) options.common.robot = scene.robot;
   const Model model = load_robot(options.common.robot);
   resolve_poses(scene, model);
@@ -66,10 +68,5 @@ int run(int argc, char** argv) {
 }  // namespace twinbus
 
 int main(int argc, char** argv) {
-  try {
-    return twinbus::run(argc, argv);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "simulator: %s\n", error.what());
-    return 1;
-  }
+  return twinbus::run_process("simulator", twinbus::run, argc, argv);
 }

@@ -14,12 +14,7 @@ namespace twinbus {
 
 namespace {
 
-constexpr double kLinkStiffness = 2e5;  // of a point of a shell [N/m]
-constexpr double kLinkDamping = 1e3;    // [N s/m]
-constexpr double kLinkFriction = 0.6;
 constexpr int kPointsPerPair = 4;
-constexpr double kSoleSkin =
-    0.02;  // points of a foot this near its sole are the corners' business [m]
 constexpr double kSlipSpeed = 1e-3;  // below it the friction axes follow the foot [m/s]
 
 void set_geom_offset(dGeomID geom, const Eigen::Isometry3d& pose, const Eigen::Vector3d& com) {
@@ -39,10 +34,6 @@ bool overlap(const dReal* a, const dReal* b) {
 }
 
 }  // namespace
-
-Eigen::Vector3d sole_corner(const Sole& sole, int corner) noexcept {
-  return {corner < 2 ? sole.front : -sole.back, corner % 2 == 0 ? sole.left : -sole.right, 0.0};
-}
 
 void OdeWorld::Impl::add_geoms() {
   plane = dCreatePlane(nullptr, 0.0, 0.0, 1.0, 0.0);

@@ -18,10 +18,6 @@ namespace twinbus {
 
 namespace {
 
-constexpr double kMaxSpeed = 1e3;     // [m/s] and [rad/s]; beyond it the simulation has diverged
-constexpr double kMaxDistance = 1e4;  // [m]
-constexpr double kMaxTarget = 1e9;    // of any number of a servo target
-
 // ODE exits or aborts when an error or debug handler returns, so those leave by an exception that
 // step() catches.
 struct EngineFailure {};
@@ -61,10 +57,22 @@ bool sane(const Eigen::Vector3d& v, double bound) {
   return v.cwiseAbs().maxCoeff() <= bound && v.allFinite();
 }
 
+// Before anything of ODE's is made: what a constructor that throws has made is never destroyed.
+void check_links(const Model& model, bool fixed_base) {
+  for (std::size_t i = fixed_base ? 1 : 0; i < model.links.size(); ++i) {
+    const Link& link = model.links[i];
+    if (link.mass > 0.0 && link.inertia.llt().info() == Eigen::Success) continue;
+    throw std::runtime_error(
+        "link '" + link.name +
+        "' cannot be simulated: its mass and inertia must be positive; give it an <inertial>");
+  }
+}
+
 }  // namespace
 
 OdeWorld::Impl::Impl(const Model& m, const WorldConfig& c)
     : model(m), config(c), h(c.step), configuration(m), start_of_step(m), kinematics(m) {
+  check_links(m, config.fixed_base);
   open_engine();
   world = dWorldCreate();
   dWorldSetGravity(world, 0.0, 0.0, -kGravity);
@@ -100,11 +108,6 @@ OdeWorld::Impl::Impl(const Model& m, const WorldConfig& c)
       continue;
     }
     const Eigen::Matrix3d inertia = link.inertia * config.mass_scale;
-    if (!(link.mass > 0.0) || !(inertia.llt().info() == Eigen::Success)) {
-      throw std::runtime_error(
-          "link '" + link.name +
-          "' cannot be simulated: its mass and inertia must be positive; give it an <inertial>");
-    }
     dMass mass;
     dMassSetZero(&mass);
     mass.mass = link_mass.back();
@@ -201,17 +204,8 @@ OdeWorld::~OdeWorld() = default;
 
 Status OdeWorld::set(const Configuration& to, const Eigen::VectorXd* tau) noexcept {
   Impl& w = *impl_;
-  const auto joints = static_cast<Eigen::Index>(w.joints.size());
-  if (to.q.size() != joints || to.qd.size() != joints) return Status::kWrongSize;
-  if (!to.q.allFinite() || !to.qd.allFinite() || !to.base.matrix().allFinite() ||
-      !to.base_velocity.allFinite() || !to.base_angular_velocity.allFinite()) {
-    return Status::kNotFinite;
-  }
-  if (!(to.qd.size() == 0 || to.qd.cwiseAbs().maxCoeff() <= kMaxSpeed) ||
-      !sane(to.base_velocity, kMaxSpeed) || !sane(to.base_angular_velocity, kMaxSpeed) ||
-      !sane(to.base.translation(), kMaxDistance)) {
-    return Status::kOutOfRange;
-  }
+  const Status status = check_configuration(w.joints.size(), to);
+  if (status != Status::kOk) return status;
   w.configuration = to;
   if (w.bodies[0] == nullptr) {
     w.configuration.base_velocity.setZero();
@@ -241,7 +235,7 @@ Status OdeWorld::set(const Configuration& to, const Eigen::VectorXd* tau) noexce
     OdeJoint& joint = w.joints[j];
     joint.bounded = false;
     const double known =
-        tau != nullptr && tau->size() == joints ? (*tau)[static_cast<Eigen::Index>(j)] : 0.0;
+        tau != nullptr && tau->size() == to.q.size() ? (*tau)[static_cast<Eigen::Index>(j)] : 0.0;
     joint.tau = std::isfinite(known) ? std::clamp(known, -joint.limit, joint.limit) : 0.0;
     joint.play = w.flank(joint);
   }
@@ -253,11 +247,8 @@ Status OdeWorld::set(const Configuration& to, const Eigen::VectorXd* tau) noexce
 Status OdeWorld::set_servo(int joint, const ServoTarget& t) noexcept {
   Impl& w = *impl_;
   if (joint < 0 || joint >= static_cast<int>(w.joints.size())) return Status::kWrongSize;
-  for (double number : {t.q, t.qd, t.tau, t.kp, t.kd}) {
-    if (!std::isfinite(number)) return Status::kNotFinite;
-    if (!(std::abs(number) <= kMaxTarget)) return Status::kOutOfRange;
-  }
-  if (!(t.kp >= 0.0) || !(t.kd >= 0.0)) return Status::kOutOfRange;
+  const Status status = check_target(t);
+  if (status != Status::kOk) return status;
   ServoTarget& own = w.joints[static_cast<std::size_t>(joint)].target;
   own = t;
   own.kp *= w.config.servo_kp_scale;
@@ -270,7 +261,8 @@ Status OdeWorld::push(int link, const Eigen::Vector3d& point,
   Impl& w = *impl_;
   if (link < 0 || link >= static_cast<int>(w.bodies.size())) return Status::kWrongSize;
   if (!point.allFinite() || !force.allFinite()) return Status::kNotFinite;
-  if (!sane(point, kMaxDistance) || !sane(force, 1e6) || w.pushes.size() == w.pushes.capacity()) {
+  if (!sane(point, kMaxDistance) || !sane(force, kMaxPush) ||
+      w.pushes.size() == w.pushes.capacity()) {
     return Status::kOutOfRange;
   }
   w.pushes.push_back({link, point, force});

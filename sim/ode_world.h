@@ -20,108 +20,41 @@
 
 #pragma once
 
-#include <array>
 #include <memory>
 #include <vector>
 
-#include "robot/collision.h"
-#include "robot/kinematics.h"
-#include "robot/model.h"
-#include "robot/status.h"
+#include "sim/world.h"
 
 namespace twinbus {
 
-struct WorldConfig {
-  double step = 0.002;  // [s]
-  bool fixed_base = false;
-  double mass_scale = 1.0;                        // of every link, inertia too
-  double friction_scale = 1.0;                    // of the joints' Coulomb friction and damping
-  double joint_friction = 0.0;                    // Coulomb, added to every joint [N m]
-  double backlash = 0.0;                          // full play between servo and link [rad]
-  double ground_friction = 0.8;                   // combined with the sole's as geometric mean
-  double stiffness_scale = 1.0;                   // of the soles' springs
-  double damping_scale = 1.0;                     // of the soles' dampers
-  std::array<double, 2> ground_height{0.0, 0.0};  // under left and right sole [m]
-  double servo_kp_scale = 1.0;
-  double servo_kd_scale = 1.0;
-  std::vector<Obstacle> obstacles;
-};
-
-// What the servo of one joint is asked for: torque = tau + kp (q - q_now) + kd (qd - qd_now),
-// within the effort limit.
-struct ServoTarget {
-  double q = 0.0;    // [rad or m]
-  double qd = 0.0;   // [rad/s or m/s]
-  double tau = 0.0;  // [N m or N]
-  double kp = 0.0;   // >= 0
-  double kd = 0.0;   // >= 0
-};
-
-struct ContactPoint {
-  int link = -1;
-  int sole = -1;                                    // 0 left, 1 right, -1 not a corner of a sole
-  Eigen::Vector3d point = Eigen::Vector3d::Zero();  // world [m]
-  Eigen::Vector3d force = Eigen::Vector3d::Zero();  // on the robot, world [N]
-  double depth = 0.0;                               // [m]
-};
-
-// Whether a contact is beyond the force sensor of that foot.
-inline bool of_foot(const Model& model, const ContactPoint& contact, std::size_t side) noexcept {
-  if (contact.sole >= 0) return contact.sole == static_cast<int>(side);
-  return contact.link == model.soles[side].link;
-}
-
-inline constexpr int kSoleCorners = 4;
-// Corner of a sole in its sole frame: front left, front right, back left, back right.
-Eigen::Vector3d sole_corner(const Sole& sole, int corner) noexcept;
-
-class OdeWorld {
+class OdeWorld final : public World {
  public:
-  // Throws std::runtime_error when the model cannot be simulated (a massless link, an indefinite
-  // inertia), naming it.
+  // Throws std::runtime_error as make_world() says.
   OdeWorld(const Model& model, const WorldConfig& config);
-  ~OdeWorld();
-  OdeWorld(const OdeWorld&) = delete;
-  OdeWorld& operator=(const OdeWorld&) = delete;
+  ~OdeWorld() override;
 
-  // Puts the robot there, at those speeds, thaws a frozen world and forgets contacts.  tau: of the
-  // servos until now, which says on which flank of their play they are; null: none.  kNotFinite
-  // changes nothing.
-  Status set(const Configuration& configuration, const Eigen::VectorXd* tau = nullptr) noexcept;
+  Status set(const Configuration& configuration,
+             const Eigen::VectorXd* tau = nullptr) noexcept override;
+  Status set_servo(int joint, const ServoTarget& target) noexcept override;
+  Status push(int link, const Eigen::Vector3d& point,
+              const Eigen::Vector3d& force) noexcept override;
+  void set_corner_offset(int sole, int corner, double offset) noexcept override;
+  double corner_offset(int sole, int corner) const noexcept override;
+  void estimate_contact_forces() noexcept override;
+  Status step() noexcept override;
 
-  // Remembered until changed.  kNotFinite and kOutOfRange (negative gain, absurd size) change
-  // nothing.
-  Status set_servo(int joint, const ServoTarget& target) noexcept;
-
-  // Force on a point of a link during the next step only; both in world.
-  Status push(int link, const Eigen::Vector3d& point, const Eigen::Vector3d& force) noexcept;
-
-  // Lowers the ground under one sole corner by offset [m], to continue the foot forces of another
-  // source.
-  void set_corner_offset(int sole, int corner, double offset) noexcept;
-  double corner_offset(int sole, int corner) const noexcept;
-
-  // Fills contacts() for the present state, before any step: normal forces of springs and dampers
-  // only.
-  void estimate_contact_forces() noexcept;
-
-  // One step of config.step.  kDiverged: the world is frozen as it last was.
-  Status step() noexcept;
-
-  // As of the last step.  q and qd are the link side; encoder() is the servo side, which differs by
-  // backlash.
-  const Configuration& configuration() const noexcept;
-  double encoder(int joint) const noexcept;
-  double tau(int joint) const noexcept;  // of the servo, without friction and rotor inertia
-  Eigen::Isometry3d link_in_world(int link) const noexcept;
-  Eigen::Vector3d point_velocity(int link, const Eigen::Vector3d& point) const noexcept;  // world
-  Eigen::Vector3d angular_velocity(int link) const noexcept;
-  double mass() const noexcept;
-  Eigen::Vector3d com() const noexcept;
-  Eigen::Vector3d com_velocity() const noexcept;
-  const std::vector<ContactPoint>& contacts() const noexcept;
-  double corner_stiffness(int sole) const noexcept;  // [N/m]
-  double corner_damping(int sole) const noexcept;    // [N s/m]
+  const Configuration& configuration() const noexcept override;
+  double encoder(int joint) const noexcept override;
+  double tau(int joint) const noexcept override;
+  Eigen::Isometry3d link_in_world(int link) const noexcept override;
+  Eigen::Vector3d point_velocity(int link, const Eigen::Vector3d& point) const noexcept override;
+  Eigen::Vector3d angular_velocity(int link) const noexcept override;
+  double mass() const noexcept override;
+  Eigen::Vector3d com() const noexcept override;
+  Eigen::Vector3d com_velocity() const noexcept override;
+  const std::vector<ContactPoint>& contacts() const noexcept override;
+  double corner_stiffness(int sole) const noexcept override;
+  double corner_damping(int sole) const noexcept override;
 
   // Complaints of ODE since the program started, of all worlds.
   static long engine_messages() noexcept;

@@ -172,7 +172,8 @@ Scene load_scene(const std::string& name_or_file) {
   scene.text = text.str();
   scene.about = top.text("about", "");
   scene.robot = top.text("robot", scene.robot);
-  top.choice("engine", {"ode"}, 0);
+  const int engine = top.choice("engine", {kEngineNames[0], kEngineNames[1]}, 0);
+  scene.engine = kEngineNames[engine];
   scene.duration = top.number("duration", 0.01, kDay, scene.duration);
   scene.step = top.number("step", 1e-5, 0.1, scene.step);
   scene.start_pose = top.text("start_pose", scene.start_pose);

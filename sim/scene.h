@@ -48,10 +48,10 @@ struct Criteria {
 struct Scene {
   std::string name;
   std::string robot = "hrp1s";
-  std::string engine = "ode";
-  double duration = 10.0;  // [s] of `twinbus run`
-  std::string about;       // one sentence
-  double step = 0.0;       // physics step [s], a whole part of the robot's period; 0: the period
+  std::string engine = "articulated";  // or ode
+  double duration = 10.0;              // [s] of `twinbus run`
+  std::string about;                   // one sentence
+  double step = 0.0;  // physics step [s], a whole part of the robot's period; 0: the period
   std::string start_pose = "half_sitting";
   bool fixed_base = false;
   double ground_friction = 0.8;
@@ -71,7 +71,7 @@ void resolve_poses(Scene& scene, const Model& model);
 // name_or_file: a YAML file, or a name under config/scenes.  Throws std::runtime_error naming file,
 // line and the nearest valid key.
 //
-// Keys: about, robot, engine, duration, step, start_pose, base (floating or fixed), ground:
+// Keys: about, robot, engine (articulated or ode), duration, step, start_pose, base (floating or fixed), ground:
 // {friction}, obstacles: [shape, size, position, rpy_deg], pushes: [link, point, impulse, at,
 // duration], modes: [at, mode, motion, pose, duration, amplitude, frequency], goals: [at, hand,
 // position, rpy_deg, pose, speed, cancel], criteria: {max_tilt_deg, zmp_margin_min_mm, slip_max_mm,

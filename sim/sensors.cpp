@@ -11,7 +11,7 @@ namespace {
 
 // Force and torque of the contacts beyond a sensor, on the robot, in the sensor's frame.
 template <class Beyond>
-std::array<float, 6> contact_wrench(const OdeWorld& world, const Eigen::Isometry3d& frame,
+std::array<float, 6> contact_wrench(const World& world, const Eigen::Isometry3d& frame,
                                     const Beyond& is_beyond) noexcept {
   Eigen::Vector3d force = Eigen::Vector3d::Zero();
   Eigen::Vector3d torque = Eigen::Vector3d::Zero();
@@ -43,7 +43,7 @@ void Sensors::forget() noexcept {
   history_filled_ = false;
 }
 
-void Sensors::measure(const OdeWorld& world, double dt, RobotState& state) noexcept {
+void Sensors::measure(const World& world, double dt, RobotState& state) noexcept {
   const int count = model_->bus_count();
   state.joint_count = static_cast<std::int16_t>(count);
   for (int k = 0; k < count; ++k) {
@@ -74,7 +74,7 @@ void Sensors::measure(const OdeWorld& world, double dt, RobotState& state) noexc
   }
 }
 
-void Sensors::measure_imu(const OdeWorld& world, double dt, RobotState& state) noexcept {
+void Sensors::measure_imu(const World& world, double dt, RobotState& state) noexcept {
   const Eigen::Isometry3d imu = world.link_in_world(model_->imu_link) * model_->imu;
   const Eigen::Vector3d velocity = world.point_velocity(model_->imu_link, imu.translation());
   Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();
@@ -114,7 +114,7 @@ void Sensors::measure_imu(const OdeWorld& world, double dt, RobotState& state) n
   }
 }
 
-void Sensors::measure_wrenches(const OdeWorld& world, RobotState& state) noexcept {
+void Sensors::measure_wrenches(const World& world, RobotState& state) noexcept {
   for (int limb = 0; limb < kLimbs; ++limb) {
     const auto at = static_cast<std::size_t>(limb);
     const bool is_foot = limb == kLeftFoot || limb == kRightFoot;

@@ -10,8 +10,8 @@
 
 #include "robot/model.h"
 #include "robot/robot_io.h"
-#include "sim/ode_world.h"
 #include "sim/random.h"
+#include "sim/world.h"
 
 namespace twinbus {
 
@@ -43,12 +43,12 @@ class Sensors {
 
   // Fills what a robot measures; called once per tick, dt after the last call [s].  forget() first
   // after a jump.
-  void measure(const OdeWorld& world, double dt, RobotState& state) noexcept;
+  void measure(const World& world, double dt, RobotState& state) noexcept;
   void forget() noexcept;
 
  private:
-  void measure_imu(const OdeWorld& world, double dt, RobotState& state) noexcept;
-  void measure_wrenches(const OdeWorld& world, RobotState& state) noexcept;
+  void measure_imu(const World& world, double dt, RobotState& state) noexcept;
+  void measure_wrenches(const World& world, RobotState& state) noexcept;
 
   const Model* model_;
   SensorOptions options_;

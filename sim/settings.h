@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "sim/ode_world.h"
 #include "sim/sensors.h"
+#include "sim/world.h"
 
 namespace twinbus {
 

@@ -6,11 +6,11 @@
 #include <optional>
 
 #include "robot/process.h"
-#include "sim/ode_world.h"
 #include "sim/sensors.h"
 #include "sim/settings.h"
 #include "sim/standing.h"
 #include "sim/truth.h"
+#include "sim/world.h"
 
 namespace twinbus {
 
@@ -42,7 +42,7 @@ struct SimAdaptor::Impl {
   Scene scene;
   const Model* model = nullptr;
   SimSettings settings;
-  std::optional<OdeWorld> world;
+  std::unique_ptr<World> world;
   std::optional<Sensors> sensors;
   Standing standing;
   std::array<double, 2> corner_stiffness{};
@@ -220,6 +220,10 @@ Status SimAdaptor::open(const Model& model, const AdaptorConfig& config) {
   try {
     s.model = &model;
     s.settings = SimSettings{};
+    if (!engine_of(s.scene.engine, s.settings.world.engine)) {
+      throw std::runtime_error("scene " + s.scene.name + ": there is no engine '" + s.scene.engine +
+                               "'; use articulated or ode");
+    }
     s.settings.world.ground_friction = s.scene.ground_friction;
     s.settings.world.obstacles = s.scene.obstacles;
     s.settings.world.fixed_base = s.scene.fixed_base || !model.floating_base;
@@ -248,7 +252,7 @@ Status SimAdaptor::open(const Model& model, const AdaptorConfig& config) {
       }
       s.pushes.push_back({link, push});
     }
-    s.world.emplace(model, s.settings.world);
+    s.world = make_world(model, s.settings.world);
     s.sensors.emplace(model, s.settings.sensors);
     s.start();
     s.commanded = s.fall = false;

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "robot/dynamics.h"
-#include "sim/ode_world.h"
+#include "sim/world.h"
 
 namespace twinbus {
 

@@ -53,7 +53,7 @@ double hull_margin(const Eigen::Vector2d* points, int count,
   return std::isfinite(margin) ? margin : 0.0;
 }
 
-void fill_truth(const Model& model, const OdeWorld& world, double standing_height,
+void fill_truth(const Model& model, const World& world, double standing_height,
                 SimTruth& truth) noexcept {
   const Configuration& now = world.configuration();
   copy(now.base.translation(), truth.base_position);

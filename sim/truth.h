@@ -4,13 +4,13 @@
 
 #include "robot/model.h"
 #include "robot/requests.h"
-#include "sim/ode_world.h"
+#include "sim/world.h"
 
 namespace twinbus {
 
 // standing_height: of the base when the run began [m]; half of it, or a tilt of 60 degrees, counts
 // as fallen.
-void fill_truth(const Model& model, const OdeWorld& world, double standing_height,
+void fill_truth(const Model& model, const World& world, double standing_height,
                 SimTruth& truth) noexcept;
 
 // Distance [m] of a ground point to the edge of the convex hull of points, positive inside.  count

@@ -4,17 +4,22 @@
 
 #include <cmath>
 
+#include "both_engines.h"
 #include "robot/dynamics.h"
 #include "test_models.h"
 
 namespace twinbus {
 namespace {
 
-TEST(Sensors, AtRestTheAccelerometerFeelsGravityUpwards) {
+class SensorsTest : public test::BothEngines {};
+TWINBUS_FOR_BOTH_ENGINES(SensorsTest);
+
+TEST_P(SensorsTest, AtRestTheAccelerometerFeelsGravityUpwards) {
   const Model model = test::pendulum();
   WorldConfig config;
   config.fixed_base = true;
-  OdeWorld world(model, config);
+  const auto world_owner = make(model, config);
+  World& world = *world_owner;
   ASSERT_EQ(world.set(Configuration(model)), Status::kOk);
   Sensors sensors(model, {});
   RobotState state;
@@ -28,9 +33,10 @@ TEST(Sensors, AtRestTheAccelerometerFeelsGravityUpwards) {
   EXPECT_EQ(state.joint_count, 1);
 }
 
-TEST(Sensors, FallingFreelyTheAccelerometerFeelsNothing) {
+TEST_P(SensorsTest, FallingFreelyTheAccelerometerFeelsNothing) {
   Model model = test::chain(2, true);
-  OdeWorld world(model, {});
+  const auto world_owner = make(model);
+  World& world = *world_owner;
   Configuration start(model);
   start.base.translation().z() = 20.0;
   ASSERT_EQ(world.set(start), Status::kOk);
@@ -43,10 +49,11 @@ TEST(Sensors, FallingFreelyTheAccelerometerFeelsNothing) {
   for (float a : state.accel) EXPECT_NEAR(a, 0.0, 1e-3);
 }
 
-TEST(Sensors, AttitudeAndGyroAreThoseOfTheImuFrame) {
+TEST_P(SensorsTest, AttitudeAndGyroAreThoseOfTheImuFrame) {
   Model model = test::chain(2, true);
   model.imu.linear() = Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitX()).toRotationMatrix();
-  OdeWorld world(model, {});
+  const auto world_owner = make(model);
+  World& world = *world_owner;
   Configuration at(model);
   at.base.translation().z() = 20.0;
   at.base.linear() = Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitZ()).toRotationMatrix();
@@ -63,9 +70,10 @@ TEST(Sensors, AttitudeAndGyroAreThoseOfTheImuFrame) {
   EXPECT_NEAR(state.gyro[2], std::cos(0.5), 1e-6);
 }
 
-TEST(Sensors, FootWrenchIsThatOfTheContactsInTheSensorFrame) {
+TEST_P(SensorsTest, FootWrenchIsThatOfTheContactsInTheSensorFrame) {
   Model model = test::block();
-  OdeWorld world(model, {});
+  const auto world_owner = make(model);
+  World& world = *world_owner;
   Configuration at(model);
   at.base.translation().z() = -world.mass() * kGravity / 2e5;
   ASSERT_EQ(world.set(at), Status::kOk);
@@ -81,11 +89,12 @@ TEST(Sensors, FootWrenchIsThatOfTheContactsInTheSensorFrame) {
   EXPECT_NE(state.sensor_flags & wrench_valid(kLeftFoot), 0);
 }
 
-TEST(Sensors, NoiseBiasAndCountsAreAsAsked) {
+TEST_P(SensorsTest, NoiseBiasAndCountsAreAsAsked) {
   const Model model = test::pendulum();
   WorldConfig config;
   config.fixed_base = true;
-  OdeWorld world(model, config);
+  const auto world_owner = make(model, config);
+  World& world = *world_owner;
   ASSERT_EQ(world.set(Configuration(model)), Status::kOk);
   SensorOptions options;
   options.encoder_noise = 1e-3;
@@ -127,11 +136,12 @@ TEST(Sensors, NoiseBiasAndCountsAreAsAsked) {
   EXPECT_DOUBLE_EQ(state.q[0], 0.12);
 }
 
-TEST(Sensors, SameSeedSameNoise) {
+TEST_P(SensorsTest, SameSeedSameNoise) {
   const Model model = test::pendulum();
   WorldConfig config;
   config.fixed_base = true;
-  OdeWorld world(model, config);
+  const auto world_owner = make(model, config);
+  World& world = *world_owner;
   ASSERT_EQ(world.set(Configuration(model)), Status::kOk);
   SensorOptions options;
   options.encoder_noise = 1e-3;
@@ -148,11 +158,12 @@ TEST(Sensors, SameSeedSameNoise) {
   }
 }
 
-TEST(Sensors, DelayHandsOutThePast) {
+TEST_P(SensorsTest, DelayHandsOutThePast) {
   const Model model = test::pendulum();
   WorldConfig config;
   config.fixed_base = true;
-  OdeWorld world(model, config);
+  const auto world_owner = make(model, config);
+  World& world = *world_owner;
   SensorOptions options;
   options.delay_ticks = 3;
   Sensors sensors(model, options);

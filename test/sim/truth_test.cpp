@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "both_engines.h"
 #include "robot/dynamics.h"
 #include "test_models.h"
 
@@ -16,9 +17,13 @@ TEST(Truth, HullMarginIsTheDistanceToTheNearestEdge) {
   EXPECT_EQ(hull_margin(square, 0, {0, 0}), 0.0);
 }
 
-TEST(Truth, SaysWhatCarriesTheBodyAndWhenItFell) {
+class TruthTest : public test::BothEngines {};
+TWINBUS_FOR_BOTH_ENGINES(TruthTest);
+
+TEST_P(TruthTest, SaysWhatCarriesTheBodyAndWhenItFell) {
   const Model model = test::block();
-  OdeWorld world(model, {});
+  const auto world_owner = make(model);
+  World& world = *world_owner;
   Configuration at(model);
   at.base.translation().z() = -world.mass() * kGravity / 2e5;
   ASSERT_EQ(world.set(at), Status::kOk);

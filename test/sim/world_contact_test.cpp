@@ -4,22 +4,27 @@
 
 #include <cmath>
 
+#include "both_engines.h"
 #include "robot/dynamics.h"
-#include "sim/ode_world.h"
+#include "sim/world.h"
 #include "test_models.h"
 
 namespace twinbus {
 namespace {
 
-double vertical_force(const OdeWorld& world) {
+double vertical_force(const World& world) {
   double sum = 0.0;
   for (const ContactPoint& contact : world.contacts()) sum += contact.force.z();
   return sum;
 }
 
-TEST(OdeContact, SolesSinkByWeightOverStiffness) {
+class ContactTest : public test::BothEngines {};
+TWINBUS_FOR_BOTH_ENGINES(ContactTest);
+
+TEST_P(ContactTest, SolesSinkByWeightOverStiffness) {
   const Model model = test::block();
-  OdeWorld world(model, {});
+  const auto world_owner = make(model);
+  World& world = *world_owner;
   Configuration start(model);
   ASSERT_EQ(world.set(start), Status::kOk);
   ASSERT_EQ(world.set_servo(0, {.q = 0, .qd = 0, .tau = 0, .kp = 100, .kd = 10}), Status::kOk);
@@ -31,9 +36,10 @@ TEST(OdeContact, SolesSinkByWeightOverStiffness) {
     EXPECT_NEAR(contact.force.z(), weight / 8, 0.01 * weight);
 }
 
-TEST(OdeContact, NeverPulls) {
+TEST_P(ContactTest, NeverPulls) {
   const Model model = test::block();
-  OdeWorld world(model, {});
+  const auto world_owner = make(model);
+  World& world = *world_owner;
   Configuration start(model);
   start.base.translation().z() = 0.2;
   start.base_velocity.x() = 0.3;
@@ -50,14 +56,15 @@ TEST(OdeContact, NeverPulls) {
 }
 
 // A sliding block stops after v^2 / (2 mu g), in every direction alike.
-TEST(OdeContact, FrictionIsTheSameInEveryDirection) {
+TEST_P(ContactTest, FrictionIsTheSameInEveryDirection) {
   for (const double angle : {0.0, 0.4, 0.785, 1.2}) {
     Model model = test::block();
     for (Sole& sole : model.soles) sole.friction = 0.4;
     for (Link& link : model.links) link.collision.clear();
     WorldConfig config;
     config.ground_friction = 0.4;
-    OdeWorld world(model, config);
+    const auto world_owner = make(model, config);
+    World& world = *world_owner;
     Configuration start(model);
     start.base.translation().z() = -world.mass() * kGravity / 2e5;
     start.base_velocity = {1.0 * std::cos(angle), 1.0 * std::sin(angle), 0.0};
@@ -72,11 +79,12 @@ TEST(OdeContact, FrictionIsTheSameInEveryDirection) {
   }
 }
 
-TEST(OdeContact, AHigherGroundUnderOneSoleTiltsTheBody) {
+TEST_P(ContactTest, AHigherGroundUnderOneSoleTiltsTheBody) {
   const Model model = test::block();
   WorldConfig config;
   config.ground_height = {0.003, 0.0};
-  OdeWorld world(model, config);
+  const auto world_owner = make(model, config);
+  World& world = *world_owner;
   ASSERT_EQ(world.set(Configuration(model)), Status::kOk);
   ASSERT_EQ(world.set_servo(0, {.q = 0, .qd = 0, .tau = 0, .kp = 100, .kd = 10}), Status::kOk);
   for (int i = 0; i < 2000; ++i) ASSERT_EQ(world.step(), Status::kOk);
@@ -84,9 +92,10 @@ TEST(OdeContact, AHigherGroundUnderOneSoleTiltsTheBody) {
   EXPECT_NEAR(roll, 0.003 / 0.3, 0.002);
 }
 
-TEST(OdeContact, ABodyOnItsSideLiesOnTheGround) {
+TEST_P(ContactTest, ABodyOnItsSideLiesOnTheGround) {
   const Model model = test::block();
-  OdeWorld world(model, {});
+  const auto world_owner = make(model);
+  World& world = *world_owner;
   Configuration start(model);
   start.base.translation().z() = 0.3;
   start.base.linear() = Eigen::AngleAxisd(1.45, Eigen::Vector3d::UnitX()).toRotationMatrix();
@@ -98,7 +107,7 @@ TEST(OdeContact, ABodyOnItsSideLiesOnTheGround) {
   EXPECT_NEAR(vertical_force(world), world.mass() * kGravity, 1.0);
 }
 
-TEST(OdeContact, AnObstacleIsInTheWay) {
+TEST_P(ContactTest, AnObstacleIsInTheWay) {
   Model model = test::block();
   WorldConfig config;
   Obstacle wall;
@@ -107,7 +116,8 @@ TEST(OdeContact, AnObstacleIsInTheWay) {
   wall.pose.translation() = Eigen::Vector3d(0.4, 0, 0.5);
   config.obstacles = {wall};
   config.ground_friction = 0.0;
-  OdeWorld world(model, config);
+  const auto world_owner = make(model, config);
+  World& world = *world_owner;
   Configuration start(model);
   start.base.translation().z() = -world.mass() * kGravity / 2e5;
   start.base_velocity.x() = 1.0;
@@ -116,9 +126,10 @@ TEST(OdeContact, AnObstacleIsInTheWay) {
   EXPECT_LT(world.configuration().base.translation().x(), 0.17);
 }
 
-TEST(OdeContact, ACornerOffsetLowersTheGroundThere) {
+TEST_P(ContactTest, ACornerOffsetLowersTheGroundThere) {
   const Model model = test::block();
-  OdeWorld world(model, {});
+  const auto world_owner = make(model);
+  World& world = *world_owner;
   ASSERT_EQ(world.set(Configuration(model)), Status::kOk);
   for (int side = 0; side < 2; ++side) {
     for (int corner = 0; corner < kSoleCorners; ++corner)

@@ -1,10 +1,11 @@
-#include "sim/ode_world.h"
+#include "sim/world.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
+#include "both_engines.h"
 #include "robot/dynamics.h"
 #include "robot/load.h"
 #include "test_models.h"
@@ -14,9 +15,13 @@ namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-TEST(OdeWorld, AFreeRobotFallsWithG) {
+class WorldTest : public test::BothEngines {};
+TWINBUS_FOR_BOTH_ENGINES(WorldTest);
+
+TEST_P(WorldTest, AFreeRobotFallsWithG) {
   const Model model = test::chain(6, true);
-  OdeWorld world(model, {});
+  const auto world_owner = make(model);
+  World& world = *world_owner;
   Configuration start(model);
   start.base.translation().z() = 50.0;
   start.qd << 0.5, -1.0, 0.3, 0.8, -0.2, 0.4;
@@ -32,9 +37,10 @@ TEST(OdeWorld, AFreeRobotFallsWithG) {
   EXPECT_NEAR(world.com_velocity().x(), velocity.x(), 1e-6);
 }
 
-TEST(OdeWorld, ServosCannotChangeMomentum) {
+TEST_P(WorldTest, ServosCannotChangeMomentum) {
   const Model model = test::chain(6, true);
-  OdeWorld world(model, {});
+  const auto world_owner = make(model);
+  World& world = *world_owner;
   Configuration start(model);
   start.base.translation().z() = 50.0;
   ASSERT_EQ(world.set(start), Status::kOk);
@@ -54,12 +60,13 @@ TEST(OdeWorld, ServosCannotChangeMomentum) {
 
 // Swinging on a fixed base: what the servos do in work is what kinetic and potential energy gain.
 // First order in time.
-TEST(OdeWorld, WorkOfTheServosIsTheGainInEnergy) {
+TEST_P(WorldTest, WorkOfTheServosIsTheGainInEnergy) {
   const Model model = test::chain(4, false);
   WorldConfig config;
   config.fixed_base = true;
   config.step = 1e-4;
-  OdeWorld world(model, config);
+  const auto world_owner = make(model, config);
+  World& world = *world_owner;
   ASSERT_EQ(world.set(Configuration(model)), Status::kOk);
   Kinematics kinematics(model);
   InverseDynamics dynamics(model);
@@ -102,9 +109,10 @@ TEST(OdeWorld, WorkOfTheServosIsTheGainInEnergy) {
   EXPECT_NEAR(energy() - start, work, 0.01 * std::abs(work) + 0.02);
 }
 
-TEST(OdeWorld, JointsStayTogether) {
+TEST_P(WorldTest, JointsStayTogether) {
   const Model model = load_robot("hrp1s");
-  OdeWorld world(model, {});
+  const auto world_owner = make(model);
+  World& world = *world_owner;
   Configuration start(model);
   start.base.translation().z() = 5.0;
   start.base_angular_velocity = {1.0, 2.0, -1.0};
@@ -120,11 +128,12 @@ TEST(OdeWorld, JointsStayTogether) {
   }
 }
 
-TEST(OdeWorld, RefusesWhatIsNotANumberAndGoesOn) {
+TEST_P(WorldTest, RefusesWhatIsNotANumberAndGoesOn) {
   const Model model = test::pendulum();
   WorldConfig config;
   config.fixed_base = true;
-  OdeWorld world(model, config);
+  const auto world_owner = make(model, config);
+  World& world = *world_owner;
   ASSERT_EQ(world.set(Configuration(model)), Status::kOk);
   for (int field = 0; field < 5; ++field) {
     for (const double bad : {kNan, std::numeric_limits<double>::infinity(), 1e300}) {
@@ -147,11 +156,12 @@ TEST(OdeWorld, RefusesWhatIsNotANumberAndGoesOn) {
   EXPECT_EQ(world.step(), Status::kOk);
 }
 
-TEST(OdeWorld, FreezesInsteadOfEndingTheProcess) {
+TEST_P(WorldTest, FreezesInsteadOfEndingTheProcess) {
   const Model model = test::pendulum(1e9);
   WorldConfig config;
   config.fixed_base = true;
-  OdeWorld world(model, config);
+  const auto world_owner = make(model, config);
+  World& world = *world_owner;
   ASSERT_EQ(world.set(Configuration(model)), Status::kOk);
   ASSERT_EQ(world.set_servo(0, {.q = 0, .qd = 0, .tau = 9e8, .kp = 0, .kd = 0}), Status::kOk);
   Status status = Status::kOk;
@@ -164,11 +174,11 @@ TEST(OdeWorld, FreezesInsteadOfEndingTheProcess) {
   EXPECT_EQ(world.step(), Status::kOk);
 }
 
-TEST(OdeWorld, RefusesALinkWithoutMassByName) {
+TEST_P(WorldTest, RefusesALinkWithoutMassByName) {
   Model model = test::pendulum();
   model.links[1].mass = 0.0;
   try {
-    const OdeWorld world(model, {});
+    (void)make(model);
     FAIL();
   } catch (const std::runtime_error& error) {
     EXPECT_NE(std::string(error.what()).find("'arm'"), std::string::npos);

@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <tuple>
 
+#include "both_engines.h"
 #include "robot/dynamics.h"
-#include "sim/ode_world.h"
+#include "sim/world.h"
 #include "test_models.h"
 
 namespace twinbus {
@@ -34,18 +37,27 @@ double implicit_speed(double q, double qd, const ServoTarget& t, double rotor) {
 // Angular momentum of the arm about the hinge, with the lever that the arm has at that attitude [N
 // m s].  A body of ODE moves on in a straight line during a step, so after a step its velocity is
 // not quite the one that its new lever and its turning rate would give.
-double momentum_about_hinge(const OdeWorld& world, const Eigen::Vector3d& lever) {
+double momentum_about_hinge(const World& world, const Eigen::Vector3d& lever) {
   const Eigen::Vector3d com = world.link_in_world(1) * Eigen::Vector3d(0, 0, -0.5);
   return 0.02 * world.angular_velocity(1).y() + 2.0 * lever.cross(world.point_velocity(1, com)).y();
 }
 
-class Servo : public ::testing::TestWithParam<double> {};  // rotor inertia
+class Servo : public ::testing::TestWithParam<std::tuple<Engine, double>> {  // rotor inertia
+ protected:
+  static double rotor() { return std::get<1>(GetParam()); }
+  static bool is_ode() { return std::get<0>(GetParam()) == Engine::kOde; }
+  static std::unique_ptr<World> make(const Model& model, WorldConfig config) {
+    config.engine = std::get<0>(GetParam());
+    return make_world(model, config);
+  }
+};
 
 // At the speeds of robots the joint alone tells the whole story.
 TEST_P(Servo, IsBackwardEulerOfThePendulum) {
   Model model = test::pendulum(1e5);
-  model.joints[0].rotor_inertia = GetParam();
-  OdeWorld world(model, fixed());
+  model.joints[0].rotor_inertia = rotor();
+  const auto world_owner = make(model, fixed());
+  World& world = *world_owner;
   Configuration start(model);
   start.q[0] = 0.95;
   start.qd[0] = -0.7;
@@ -54,7 +66,7 @@ TEST_P(Servo, IsBackwardEulerOfThePendulum) {
   ASSERT_EQ(world.set_servo(0, target), Status::kOk);
   double q = 0.95, qd = -0.7;
   for (int i = 0; i < 200; ++i) {
-    const double next = implicit_speed(q, qd, target, GetParam());
+    const double next = implicit_speed(q, qd, target, rotor());
     ASSERT_EQ(world.step(), Status::kOk);
     // The torque it reports is the law at the end of the step.
     const double tau =
@@ -70,8 +82,9 @@ TEST_P(Servo, IsBackwardEulerOfThePendulum) {
 // law at its end, and the rotor takes its share.
 TEST_P(Servo, IsExactlyBackwardEuler) {
   Model model = test::pendulum(1e5);
-  model.joints[0].rotor_inertia = GetParam();
-  OdeWorld world(model, fixed());
+  model.joints[0].rotor_inertia = rotor();
+  const auto world_owner = make(model, fixed());
+  World& world = *world_owner;
   Configuration start(model);
   start.q[0] = 0.4;
   start.qd[0] = -0.7;
@@ -82,10 +95,12 @@ TEST_P(Servo, IsExactlyBackwardEuler) {
   for (int i = 0; i < 200; ++i) {
     const double q = world.configuration().q[0], qd = world.configuration().qd[0];
     const Eigen::Vector3d lever = world.link_in_world(1).linear() * Eigen::Vector3d(0, 0, -0.5);
-    const double before = momentum_about_hinge(world, lever) + GetParam() * qd;
+    const double before = momentum_about_hinge(world, lever) + rotor() * qd;
     ASSERT_EQ(world.step(), Status::kOk);
     const double next = world.configuration().qd[0];
-    const double after = momentum_about_hinge(world, lever) + GetParam() * next;
+    const double after =
+        is_ode() ? momentum_about_hinge(world, lever) + rotor() * next
+                 : before + (kPendulumInertia + rotor()) * (next - qd);  // joints are its state
     const double law =
         target.kp * (target.q - q - kStep * next) + target.kd * (target.qd - next) + target.tau;
     const double gravity = -2.0 * kGravity * 0.5 * std::sin(q);
@@ -95,13 +110,19 @@ TEST_P(Servo, IsExactlyBackwardEuler) {
   }
   EXPECT_GT(fastest, 3.0);
 }
-INSTANTIATE_TEST_SUITE_P(RotorInertia, Servo, ::testing::Values(0.0, 0.5, 12.0));
+INSTANTIATE_TEST_SUITE_P(RotorInertia, Servo,
+                         ::testing::Combine(::testing::Values(Engine::kArticulated, Engine::kOde),
+                                            ::testing::Values(0.0, 0.5, 12.0)));
 
-TEST(OdeServo, TorqueWithoutGainsAcceleratesByTauOverInertia) {
+class ServoTest : public test::BothEngines {};
+TWINBUS_FOR_BOTH_ENGINES(ServoTest);
+
+TEST_P(ServoTest, TorqueWithoutGainsAcceleratesByTauOverInertia) {
   for (const double rotor : {0.0, 2.0}) {
     Model model = test::pendulum();
     model.joints[0].rotor_inertia = rotor;
-    OdeWorld world(model, fixed());
+    const auto world_owner = make(model, fixed());
+    World& world = *world_owner;
     ASSERT_EQ(world.set(Configuration(model)), Status::kOk);
     ASSERT_EQ(world.set_servo(0, {.q = 0, .qd = 0, .tau = 5.0, .kp = 0, .kd = 0}), Status::kOk);
     ASSERT_EQ(world.step(), Status::kOk);
@@ -110,11 +131,12 @@ TEST(OdeServo, TorqueWithoutGainsAcceleratesByTauOverInertia) {
   }
 }
 
-TEST(OdeServo, NeverExceedsItsEffortAndStillPullsWithAllOfIt) {
+TEST_P(ServoTest, NeverExceedsItsEffortAndStillPullsWithAllOfIt) {
   for (const double rotor : {0.0, 1.0}) {
     Model model = test::pendulum(8.0);  // gravity asks for up to 9.81 N m
     model.joints[0].rotor_inertia = rotor;
-    OdeWorld world(model, fixed());
+    const auto world_owner = make(model, fixed());
+    World& world = *world_owner;
     Configuration start(model);
     start.q[0] = 1.5;
     ASSERT_EQ(world.set(start), Status::kOk);
@@ -137,11 +159,12 @@ TEST(OdeServo, NeverExceedsItsEffortAndStillPullsWithAllOfIt) {
   }
 }
 
-TEST(OdeServo, StopsStopThoughTheServoPushes) {
+TEST_P(ServoTest, StopsStopThoughTheServoPushes) {
   Model model = test::pendulum(300.0);
   model.joints[0].lower = -0.5;
   model.joints[0].upper = 0.8;
-  OdeWorld world(model, fixed());
+  const auto world_owner = make(model, fixed());
+  World& world = *world_owner;
   for (const double asked : {2.0, -2.0}) {
     ASSERT_EQ(world.set(Configuration(model)), Status::kOk);
     ASSERT_EQ(world.set_servo(0, {.q = asked, .qd = 0, .tau = 0, .kp = 2000.0, .kd = 20.0}),
@@ -160,11 +183,12 @@ TEST(OdeServo, StopsStopThoughTheServoPushes) {
   }
 }
 
-TEST(OdeServo, ARangeBeyondHalfATurnHasItsStopsWhereTheyBelong) {
+TEST_P(ServoTest, ARangeBeyondHalfATurnHasItsStopsWhereTheyBelong) {
   Model model = test::pendulum();
   model.joints[0].lower = -3.6;
   model.joints[0].upper = 1.6;
-  OdeWorld world(model, fixed());
+  const auto world_owner = make(model, fixed());
+  World& world = *world_owner;
   ASSERT_EQ(world.set(Configuration(model)), Status::kOk);
   ASSERT_EQ(world.set_servo(0, {.q = -3.5, .qd = 0, .tau = 0, .kp = 2000.0, .kd = 100.0}),
             Status::kOk);
@@ -172,12 +196,13 @@ TEST(OdeServo, ARangeBeyondHalfATurnHasItsStopsWhereTheyBelong) {
   EXPECT_NEAR(world.configuration().q[0], -3.5, 0.01);
 }
 
-TEST(OdeServo, AContinuousJointCountsTurns) {
+TEST_P(ServoTest, AContinuousJointCountsTurns) {
   Model model = test::pendulum();
   model.joints[0].kind = JointKind::kContinuous;
   model.joints[0].lower = -std::numeric_limits<double>::infinity();
   model.joints[0].upper = std::numeric_limits<double>::infinity();
-  OdeWorld world(model, fixed());
+  const auto world_owner = make(model, fixed());
+  World& world = *world_owner;
   ASSERT_EQ(world.set(Configuration(model)), Status::kOk);
   for (int i = 0; i < 3000; ++i) {
     const double q = 4.0 * i * kStep;
@@ -188,10 +213,10 @@ TEST(OdeServo, AContinuousJointCountsTurns) {
   EXPECT_NEAR(world.configuration().q[0], 24.0, 0.1);
 }
 
-TEST(OdeServo, ASliderIsServoedAndStopped) {
-  OdeWorld world(test::slider(), fixed());
+TEST_P(ServoTest, ASliderIsServoedAndStopped) {
   const Model model = test::slider();
-  OdeWorld own(model, fixed());
+  const auto own_owner = make(model, fixed());
+  World& own = *own_owner;
   ASSERT_EQ(own.set(Configuration(model)), Status::kOk);
   ASSERT_EQ(own.set_servo(0, {.q = 0.1, .qd = 0, .tau = 2.0 * kGravity, .kp = 2000.0, .kd = 200.0}),
             Status::kOk);
@@ -204,10 +229,11 @@ TEST(OdeServo, ASliderIsServoedAndStopped) {
   EXPECT_NEAR(own.configuration().q[0], 0.3, 1e-3);
 }
 
-TEST(OdeServo, FrictionBringsASwingToRest) {
+TEST_P(ServoTest, FrictionBringsASwingToRest) {
   Model model = test::pendulum();
   model.joints[0].friction = 1.0;
-  OdeWorld world(model, fixed());
+  const auto world_owner = make(model, fixed());
+  World& world = *world_owner;
   Configuration start(model);
   start.qd[0] = 2.0;
   ASSERT_EQ(world.set(start), Status::kOk);
@@ -215,11 +241,12 @@ TEST(OdeServo, FrictionBringsASwingToRest) {
   EXPECT_NEAR(world.configuration().qd[0], 0.0, 0.01);
 }
 
-TEST(OdeServo, PlayLetsTheServoSideLeadByHalfOfIt) {
+TEST_P(ServoTest, PlayLetsTheServoSideLeadByHalfOfIt) {
   const Model model = test::pendulum();
   WorldConfig config = fixed();
   config.backlash = 0.002;
-  OdeWorld world(model, config);
+  const auto world_owner = make(model, config);
+  World& world = *world_owner;
   Configuration start(model);
   start.q[0] = 0.8;
   ASSERT_EQ(world.set(start), Status::kOk);

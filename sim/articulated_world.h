@@ -1,0 +1,83 @@
+// The simulated world of one robot in one implicit solve: the default engine.
+//
+// A step of backward Euler: sim/articulated_body moves the links in reduced coordinates (joints
+// cannot come apart), sim/joint_law acts in each joint, sim/ground_contacts and sim/contact_solve
+// at each touching point, all with the velocities of the end of the step.  So no stiffness of servo
+// or ground limits the step; it is first order in it.  Gyroscopic forces are those of its start.
+// In flight momentum is kept to rounding besides.
+//
+// A pass of the solve is exact for the pieces of the joint laws it assumes; a step whose result
+// lies on other pieces (a servo reaches its limit, a joint its stop) takes another pass.
+
+#pragma once
+
+#include <vector>
+
+#include "sim/articulated_body.h"
+#include "sim/contact_solve.h"
+#include "sim/ground_contacts.h"
+#include "sim/joint_law.h"
+#include "sim/world.h"
+
+namespace twinbus {
+
+class ArticulatedWorld final : public World {
+ public:
+  // Throws std::runtime_error as make_world() says.
+  ArticulatedWorld(const Model& model, const WorldConfig& config);
+
+  Status set(const Configuration& configuration,
+             const Eigen::VectorXd* tau = nullptr) noexcept override;
+  Status set_servo(int joint, const ServoTarget& target) noexcept override;
+  Status push(int link, const Eigen::Vector3d& point,
+              const Eigen::Vector3d& force) noexcept override;
+  void set_corner_offset(int sole, int corner, double offset) noexcept override;
+  double corner_offset(int sole, int corner) const noexcept override;
+  void estimate_contact_forces() noexcept override;
+  Status step() noexcept override;
+
+  const Configuration& configuration() const noexcept override { return configuration_; }
+  double encoder(int joint) const noexcept override;
+  double tau(int joint) const noexcept override;
+  Eigen::Isometry3d link_in_world(int link) const noexcept override;
+  Eigen::Vector3d point_velocity(int link, const Eigen::Vector3d& point) const noexcept override;
+  Eigen::Vector3d angular_velocity(int link) const noexcept override;
+  double mass() const noexcept override { return body_.mass(); }
+  Eigen::Vector3d com() const noexcept override;
+  Eigen::Vector3d com_velocity() const noexcept override;
+  const std::vector<ContactPoint>& contacts() const noexcept override { return reported_; }
+  double corner_stiffness(int sole) const noexcept override;
+  double corner_damping(int sole) const noexcept override;
+
+  const SolveCounters& counters() const noexcept { return solve_.counters(); }
+  long joint_passes() const noexcept { return joint_passes_; }  // beyond the first of each step
+  // Steps that ended with a joint on a wrong piece of its law.
+  long unsettled() const noexcept { return unsettled_; }
+
+ private:
+  struct Push {
+    int link;
+    Eigen::Vector3d point, force;
+  };
+
+  bool solve_step() noexcept;
+  bool in_flight() const noexcept;
+  double end_speed(std::size_t joint) const noexcept;
+  void report_contacts() noexcept;
+
+  WorldConfig config_;
+  ArticulatedBody body_;
+  GroundContacts ground_;
+  ContactSolve solve_;
+  std::vector<JointLaw> joints_;
+  std::vector<JointRow> rows_;
+  std::vector<Contact> contacts_;
+  std::vector<ContactPoint> reported_;
+  std::vector<Push> pushes_;
+  Configuration configuration_, next_;
+  long joint_passes_ = 0;
+  long unsettled_ = 0;
+  bool frozen_ = false;
+};
+
+}  // namespace twinbus

@@ -1,0 +1,44 @@
+// Force of one contact point as a function of its velocity at the END of the step: compliant
+// normal, isotropic Coulomb friction with a bristle.
+//
+//     vn = n.v     end depth  d+ = d - h vn
+//     normal       fn = d+ (k - c vn / ramp)   if d+ < ramp     never pulls
+//                  fn = k d+ - c vn            beyond it
+//     friction     f* = -kt s - (ct + h kt) vt                  s: stretch of the bristle
+//                  sticks with ft = f* if |f*| <= mu fn, else slips with ft = mu fn f*/|f*|
+//
+// The return to the cone is backward Euler of a spring and damper in series with a Coulomb slider
+// (radial return of plasticity; for friction: Lacoursiere and Wriggers 2006, chapter 5).  The
+// damping ramp lets a landing begin without a jump of force.
+
+#pragma once
+
+#include <Eigen/Core>
+
+namespace twinbus {
+
+struct ContactParams {
+  double stiffness = 0.0;          // k [N/m]
+  double damping = 0.0;            // c [N s/m]
+  double tangent_stiffness = 0.0;  // kt [N/m]
+  double tangent_damping = 0.0;    // ct [N s/m]
+  double friction = 0.0;           // mu
+};
+
+inline constexpr double kDampingRamp = 1e-4;  // depth at which damping is complete [m]
+
+enum class ContactMode { kOpen, kStick, kSlip };
+
+struct ContactForce {
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();    // on the robot [N]
+  Eigen::Matrix3d tangent = Eigen::Matrix3d::Zero();  // -d force / d v [N s/m], may be unsymmetric
+  ContactMode mode = ContactMode::kOpen;
+};
+
+// depth and stretch: at the start of the step; v: at its end; h: the step.  smooth > 0 rounds the
+// corners of the law off over so much force [N]; that is a help for solvers, not a law to apply.
+void contact_force(const ContactParams& params, double depth, const Eigen::Vector3d& normal,
+                   const Eigen::Vector3d& stretch, const Eigen::Vector3d& v, double h,
+                   bool with_tangent, double smooth, ContactForce& out) noexcept;
+
+}  // namespace twinbus

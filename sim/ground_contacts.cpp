@@ -1,0 +1,311 @@
+#include "sim/ground_contacts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace twinbus {
+
+namespace {
+
+// The model gives one spring for a sole; sideways rubber is taken as so much stiffer, damped half
+// critically for this mass at each point.  The other engine's soles do not yield sideways at all.
+constexpr double kTangentRatio = 40.0;
+constexpr double kTangentMass = 15.0;  // [kg]
+
+// A point may come so much nearer in a step beyond what its speed says.
+constexpr double kMostAcceleration = 40.0;  // [m/s^2]
+constexpr double kMargin = 1e-4;            // [m]
+
+constexpr int kSpineProbes = 5;
+constexpr int kRimProbes = 6;
+
+ContactParams params_of(double k, double c, double mu) {
+  ContactParams params;
+  params.stiffness = k;
+  params.damping = c;
+  params.tangent_stiffness = kTangentRatio * k;
+  params.tangent_damping = std::sqrt(params.tangent_stiffness * kTangentMass);
+  params.friction = mu;
+  return params;
+}
+
+double bounding_radius(const Obstacle& obstacle) {
+  switch (obstacle.shape) {
+    case ObstacleShape::kBox:
+      return 0.5 * obstacle.size.norm();
+    case ObstacleShape::kSphere:
+      return obstacle.size.x();
+    case ObstacleShape::kCylinder:
+      return std::hypot(obstacle.size.x(), 0.5 * obstacle.size.y());
+    case ObstacleShape::kNone:
+      break;
+  }
+  return 0.0;
+}
+
+}  // namespace
+
+GroundContacts::GroundContacts(const Model& model, const WorldConfig& config)
+    : fixed_base_(config.fixed_base), soles_(model.soles), ground_height_(config.ground_height) {
+  for (std::size_t side = 0; side < 2; ++side) {
+    const Sole& sole = soles_[side];
+    sole_params_[side] = params_of(sole.stiffness / kSoleCorners * config.stiffness_scale,
+                                   sole.damping / kSoleCorners * config.damping_scale,
+                                   std::sqrt(sole.friction * config.ground_friction));
+  }
+  shell_params_ =
+      params_of(kLinkStiffness, kLinkDamping, std::sqrt(kLinkFriction * config.ground_friction));
+  for (const Obstacle& obstacle : config.obstacles) {
+    if (obstacle.shape == ObstacleShape::kNone) continue;
+    obstacles_.push_back(obstacle);
+    obstacle_radius_.push_back(bounding_radius(obstacle));
+  }
+  for (std::size_t i = 0; i < model.links.size(); ++i) {
+    for (const Shape& shape : model.links[i].collision) {
+      add_probes(static_cast<int>(i), shape, model);
+    }
+  }
+  memory_.reserve(kMostContacts);
+}
+
+void GroundContacts::add_probes(int link, const Shape& shape, const Model& model) {
+  if (link == 0 && fixed_base_) return;
+  ShapeProbes added{link, shape.pose.translation(), 0.0, probes_.size(), 0};
+  const auto probe = [&](const Eigen::Vector3d& at, double radius) {
+    Probe p{shape.pose * at, radius, false};
+    for (const Sole& sole : model.soles) {
+      p.skin = p.skin || (sole.link == link && (sole.frame.inverse() * p.center).z() < kSoleSkin);
+    }
+    added.radius = std::max(added.radius, at.norm() + radius);
+    probes_.push_back(p);
+    ++added.count;
+  };
+  const Eigen::Vector3d& size = shape.size;
+  switch (shape.kind) {
+    case ShapeKind::kSphere:
+      probe(Eigen::Vector3d::Zero(), size.x());
+      break;
+    case ShapeKind::kBox:
+      for (int i = 0; i < 27; ++i) {
+        if (i == 13) continue;  // the middle of the box
+        probe({0.5 * (i % 3 - 1) * size.x(), 0.5 * (i / 3 % 3 - 1) * size.y(),
+               0.5 * (i / 9 - 1) * size.z()},
+              0.0);
+      }
+      break;
+    case ShapeKind::kCylinder: {
+      const double radius = size.x(), half = 0.5 * size.y();
+      if (half >= radius) {  // spheres along the spine
+        for (int i = 0; i < kSpineProbes; ++i) {
+          probe({0.0, 0.0, (half - radius) * (2.0 * i / (kSpineProbes - 1) - 1.0)}, radius);
+        }
+      } else {  // a disk: points of both rims
+        for (int i = 0; i < 2 * kRimProbes; ++i) {
+          const double angle = 2.0 * std::numbers::pi * (i / 2) / kRimProbes;
+          probe({radius * std::cos(angle), radius * std::sin(angle), i % 2 == 0 ? half : -half},
+                0.0);
+        }
+      }
+      break;
+    }
+    case ShapeKind::kMesh:
+      break;
+  }
+  if (added.count > 0) shapes_.push_back(added);
+}
+
+// Surface 0 is the ground, others are obstacles.  Signed, negative inside.
+GroundContacts::Distance GroundContacts::distance(std::size_t surface,
+                                                  const Eigen::Vector3d& point) const noexcept {
+  if (surface == 0) return {point.z(), Eigen::Vector3d::UnitZ()};
+  const Obstacle& obstacle = obstacles_[surface - 1];
+  const Eigen::Matrix3d turn = obstacle.pose.linear();
+  const Eigen::Vector3d p = turn.transpose() * (point - obstacle.pose.translation());
+  Eigen::Vector3d n = Eigen::Vector3d::UnitZ();
+  if (obstacle.shape == ObstacleShape::kSphere) {
+    const double norm = p.norm();
+    if (norm > 0.0) n = p / norm;
+    return {norm - obstacle.size.x(), turn * n};
+  }
+  // Box: q is how far the point is beyond each pair of faces; cylinder: beyond the mantle and the
+  // caps.
+  Eigen::Vector3d q, out;
+  if (obstacle.shape == ObstacleShape::kBox) {
+    q = p.cwiseAbs() - 0.5 * obstacle.size;
+    for (int i = 0; i < 3; ++i) out[i] = p[i] < 0.0 ? -1.0 : 1.0;
+  } else {
+    const double radius = std::hypot(p.x(), p.y());
+    const Eigen::Vector2d radial =
+        radius > 0.0 ? Eigen::Vector2d(p.head<2>() / radius) : Eigen::Vector2d(1.0, 0.0);
+    const double beyond = radius - obstacle.size.x();
+    const double cap = std::abs(p.z()) - 0.5 * obstacle.size.y();
+    const double up = p.z() < 0.0 ? -1.0 : 1.0;
+    if (beyond > 0.0 && cap > 0.0) {
+      const double value = std::hypot(beyond, cap);
+      n << beyond / value * radial, up * cap / value;
+      return {value, turn * n};
+    }
+    if (beyond > cap) {
+      n << radial, 0.0;
+      return {beyond, turn * n};
+    }
+    n = {0.0, 0.0, up};
+    return {cap, turn * n};
+  }
+  const Eigen::Vector3d positive = q.cwiseMax(0.0);
+  const double outside = positive.norm();
+  if (outside > 0.0) {
+    n = positive.cwiseProduct(out) / outside;
+    return {outside, turn * n};
+  }
+  Eigen::Index nearest = 0;
+  const double value = q.maxCoeff(&nearest);
+  n = Eigen::Vector3d::Unit(nearest) * out[nearest];
+  return {value, turn * n};
+}
+
+void GroundContacts::find(const ArticulatedBody& body, double h,
+                          std::vector<Contact>& contacts) const noexcept {
+  contacts.clear();
+  find_corners(body, h, contacts);
+  find_probes(body, h, contacts);
+}
+
+void GroundContacts::find_corners(const ArticulatedBody& body, double h,
+                                  std::vector<Contact>& contacts) const noexcept {
+  std::size_t cursor = 0;
+  const int surfaces = static_cast<int>(obstacles_.size()) + 1;
+  for (int side = 0; side < 2; ++side) {
+    const auto foot = static_cast<std::size_t>(side);
+    const Sole& sole = soles_[foot];
+    if (sole.link < 0 || (sole.link == 0 && fixed_base_)) continue;
+    const LinkWork& link = body.link(sole.link);
+    Contact found;
+    found.link = sole.link;
+    found.sole = side;
+    found.material = true;
+    found.params = sole_params_[foot];
+    for (int corner = 0; corner < kSoleCorners; ++corner) {
+      const Eigen::Vector3d local = sole.frame * sole_corner(sole, corner);
+      found.r = link.origin + link.rotation * local;
+      found.point = body.origin() + found.r;
+      const double offset = offset_[foot][static_cast<std::size_t>(corner)];
+      int deepest = 0;
+      found.depth = ground_height_[foot] - offset - found.point.z();
+      found.normal = Eigen::Vector3d::UnitZ();
+      for (std::size_t i = 0; i < obstacles_.size(); ++i) {
+        const Eigen::Vector3d away = obstacles_[i].pose.translation() - found.point;
+        if (!(away.norm() < obstacle_radius_[i] + 1.0)) continue;
+        const Distance d = distance(i + 1, found.point);
+        if (!(-d.value - offset > found.depth)) continue;
+        deepest = static_cast<int>(i) + 1;
+        found.depth = -d.value - offset;
+        found.normal = d.normal;
+      }
+      found.key = (side * kSoleCorners + corner) * surfaces + deepest;
+      add(body, found, h, cursor, contacts);
+    }
+  }
+}
+
+void GroundContacts::find_probes(const ArticulatedBody& body, double h,
+                                 std::vector<Contact>& contacts) const noexcept {
+  std::size_t cursor = 0;
+  const std::size_t surfaces = obstacles_.size() + 1;
+  Contact found;
+  found.sole = -1;
+  found.params = shell_params_;
+  for (const ShapeProbes& shape : shapes_) {
+    const LinkWork& link = body.link(shape.link);
+    const Eigen::Vector3d middle = link.origin + link.rotation * shape.center;
+    const Eigen::Vector3d spin = angular(link.velocity);
+    // Nothing of the shape moves faster than this.
+    const double speed = at_point(link.velocity, middle).norm() + spin.norm() * shape.radius;
+    const double reach = h > 0.0 ? h * (2.0 * speed + kMostAcceleration * h) + kMargin : 0.0;
+    for (std::size_t surface = 0; surface < surfaces; ++surface) {
+      const Eigen::Vector3d at = body.origin() + middle;
+      if (surface == 0) {
+        if (!(at.z() < shape.radius + reach)) continue;
+      } else {
+        const Obstacle& obstacle = obstacles_[surface - 1];
+        const double apart = (obstacle.pose.translation() - at).norm();
+        if (!(apart < shape.radius + obstacle_radius_[surface - 1] + reach)) continue;
+        if (!(distance(surface, at).value < shape.radius + reach)) continue;
+      }
+      for (std::size_t i = shape.first; i < shape.first + shape.count; ++i) {
+        const Probe& probe = probes_[i];
+        if (surface == 0 && probe.skin) continue;
+        const Eigen::Vector3d center = link.origin + link.rotation * probe.center;
+        const Distance d = distance(surface, body.origin() + center);
+        found.link = shape.link;
+        found.key = static_cast<int>((i + 2 * kSoleCorners) * surfaces + surface);
+        found.material = !(probe.radius > 0.0);
+        found.depth = probe.radius - d.value;
+        found.normal = d.normal;
+        found.r = center - probe.radius * d.normal;
+        found.point = body.origin() + found.r;
+        add(body, found, h, cursor, contacts);
+      }
+    }
+  }
+}
+
+void GroundContacts::add(const ArticulatedBody& body, const Contact& found, double h,
+                         std::size_t& cursor, std::vector<Contact>& contacts) const noexcept {
+  const Eigen::Vector3d v0 = at_point(body.link(found.link).velocity, found.r);
+  const double reach = h > 0.0 ? h * (2.0 * v0.norm() + kMostAcceleration * h) + kMargin : 0.0;
+  if (!(found.depth > -reach) || contacts.size() >= kMostContacts) return;
+  contacts.push_back(found);
+  Contact& c = contacts.back();
+  c.v0 = v0;
+  // Contacts are found in the same order at each step: the one sought is seldom far.
+  std::size_t seen = 0;
+  while (seen < memory_.size() && memory_[cursor % memory_.size()].key != c.key) {
+    ++cursor;
+    ++seen;
+  }
+  if (seen < memory_.size()) {
+    const Memory& memory = memory_[cursor++ % memory_.size()];
+    c.stretch = c.material ? Eigen::Vector3d(c.point - memory.bristle) : memory.bristle;
+    c.stretch -= c.normal * c.normal.dot(c.stretch);
+    return;
+  }
+  // A new contact: the bristle is planted where the point will come down.
+  c.stretch.setZero();
+  const double vn = c.normal.dot(v0);
+  if (c.depth < 0.0 && vn < 0.0) {
+    c.stretch = -std::min(h, c.depth / vn) * (v0 - vn * c.normal);
+  }
+}
+
+void GroundContacts::remember(const std::vector<Contact>& contacts, double h) noexcept {
+  memory_.clear();
+  for (const Contact& c : contacts) {
+    if (c.now.mode == ContactMode::kOpen) continue;
+    const double fn = c.normal.dot(c.now.force);
+    const Eigen::Vector3d moved = h * (c.v - c.normal * c.normal.dot(c.v));
+    Eigen::Vector3d stretch = c.stretch + moved;
+    if (c.now.mode == ContactMode::kSlip) {
+      // The bristle ends the step with the stretch that carries the friction.
+      const Eigen::Vector3d ft = c.now.force - fn * c.normal;
+      const double beta = c.params.tangent_damping + h * c.params.tangent_stiffness;
+      stretch = c.stretch - h / beta * (ft + c.params.tangent_stiffness * c.stretch);
+    }
+    // A sticking anchor stays where it is to the last bit: no creep.
+    const Eigen::Vector3d anchor = c.now.mode == ContactMode::kStick
+                                       ? Eigen::Vector3d(c.point - c.stretch)
+                                       : Eigen::Vector3d(c.point + moved - stretch);
+    memory_.push_back({c.key, c.material ? anchor : stretch});
+  }
+}
+
+void GroundContacts::set_corner_offset(int sole, int corner, double offset) noexcept {
+  offset_[static_cast<std::size_t>(sole)][static_cast<std::size_t>(corner)] = offset;
+}
+
+double GroundContacts::corner_offset(int sole, int corner) const noexcept {
+  return offset_[static_cast<std::size_t>(sole)][static_cast<std::size_t>(corner)];
+}
+
+}  // namespace twinbus

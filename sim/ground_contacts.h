@@ -1,0 +1,85 @@
+// Which points of the robot may touch the ground or an obstacle within the next step.
+//
+// The corners of a sole carry the sole's declared spring and damper, against the ground and against
+// obstacles.  Every other shape is a handful of probes, small spheres or bare points: corners,
+// edges and faces of a box, the spine of a cylinder.  They exist so that a fallen robot lies on the
+// ground and a hand does not pass through a table; an edge of an obstacle that enters a shape
+// between its probes is not seen.  Meshes are left out, as in the other engine.
+//
+// The bristles of friction are remembered here from step to step: the anchor of a point that is
+// fixed in its link, the stretch of one that rolls along it.
+
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "sim/contact_solve.h"
+#include "sim/world.h"
+
+namespace twinbus {
+
+inline constexpr int kMostContacts = 128;
+
+class GroundContacts {
+ public:
+  GroundContacts(const Model& model, const WorldConfig& config);
+
+  // Contacts of the body as placed: those that touch, and those that could within the next h [s].
+  // h zero: only those that touch.  Always in the same order.  contacts must have kMostContacts
+  // reserved; more are left out.
+  void find(const ArticulatedBody& body, double h, std::vector<Contact>& contacts) const noexcept;
+  // After the solve of a step h: what the bristles are like at its end.
+  void remember(const std::vector<Contact>& contacts, double h) noexcept;
+  void forget() noexcept { memory_.clear(); }
+
+  void set_corner_offset(int sole, int corner, double offset) noexcept;
+  double corner_offset(int sole, int corner) const noexcept;
+  const ContactParams& sole_params(int sole) const noexcept {
+    return sole_params_[static_cast<std::size_t>(sole)];
+  }
+
+ private:
+  struct Probe {
+    Eigen::Vector3d center;  // link frame
+    double radius;
+    bool skin;  // so near the sole that the ground is its corners' business
+  };
+  struct ShapeProbes {
+    int link;
+    Eigen::Vector3d center;  // of the bounding sphere, link frame
+    double radius;
+    std::size_t first, count;
+  };
+  struct Distance {
+    double value;
+    Eigen::Vector3d normal;
+  };
+  struct Memory {
+    int key;
+    Eigen::Vector3d bristle;  // anchor, or stretch of a point that rolls
+  };
+
+  void add_probes(int link, const Shape& shape, const Model& model);
+  Distance distance(std::size_t surface, const Eigen::Vector3d& point) const noexcept;
+  void find_corners(const ArticulatedBody& body, double h,
+                    std::vector<Contact>& contacts) const noexcept;
+  void find_probes(const ArticulatedBody& body, double h,
+                   std::vector<Contact>& contacts) const noexcept;
+  void add(const ArticulatedBody& body, const Contact& found, double h, std::size_t& cursor,
+           std::vector<Contact>& contacts) const noexcept;
+
+  bool fixed_base_;
+  std::array<Sole, 2> soles_;
+  std::array<ContactParams, 2> sole_params_;
+  ContactParams shell_params_;
+  std::array<double, 2> ground_height_;
+  std::array<std::array<double, kSoleCorners>, 2> offset_{};
+  std::vector<Obstacle> obstacles_;
+  std::vector<double> obstacle_radius_;
+  std::vector<Probe> probes_;
+  std::vector<ShapeProbes> shapes_;
+  std::vector<Memory> memory_;  // in the order of find()
+};
+
+}  // namespace twinbus

@@ -1,0 +1,64 @@
+// What acts in one joint besides the inertia of its links: the servo within its effort limit,
+// damping, Coulomb friction and the mechanical stops, all at the end of the step.
+//
+// Each is piecewise linear in the joint's speed qd+ at the end of the step h:
+//
+//     servo     kp (q_ref - q - play - h qd+) + kd (qd_ref - qd+) + tau_ff, within +-effort
+//     friction  -damping qd+ - friction sat(qd+ / kStickSpeed)
+//     stop      -kStopGain (qd+ - bound) where qd+ passes the bound at which q+ meets the stop
+//
+// The solver works with the line of one piece (JointRow) and then asks whether it holds() at the
+// speed found.  So a second pass is needed only in steps in which a joint changes piece.
+
+#pragma once
+
+#include "robot/model.h"
+#include "sim/articulated_body.h"
+#include "sim/world.h"
+
+namespace twinbus {
+
+inline constexpr double kStickSpeed = 0.01;  // below it Coulomb friction creeps [rad/s or m/s]
+
+class JointLaw {
+ public:
+  JointLaw(const Joint& joint, const WorldConfig& config);
+
+  void set_target(const ServoTarget& target) noexcept { target_ = target; }
+  // After a jump: torque of the servo until now, which says on which flank of its play it is.
+  void set_tau(double tau) noexcept;
+
+  // A step begins; the pieces are those of the present speed.
+  void begin(double q, double qd, double h) noexcept;
+  JointRow row() const noexcept;
+  // Whether the assumed pieces are those of that end speed; approach() assumes them, or the one
+  // in between where they are opposite: the middle of the law is steep, a leap over it returns.
+  bool holds(double qd_end) const noexcept { return pieces_at(qd_end) == pieces_; }
+  void approach(double qd_end) noexcept;
+  // The step is done: torque of the servo, play.
+  void finish(double qd_end) noexcept;
+
+  double tau() const noexcept { return tau_; }    // of the servo, within the limit [N m]
+  double play() const noexcept { return play_; }  // servo side minus link side [rad]
+
+ private:
+  struct Pieces {
+    int servo = 0;     // -1, 1: at the limit
+    int friction = 0;  // -1, 1: sliding that way
+    int stop = 0;      // -1, 1: at the lower or upper stop
+    bool operator==(const Pieces&) const = default;
+  };
+
+  Pieces pieces_at(double qd_end) const noexcept;
+  double flank() const noexcept;  // where the play settles under the joint's torque
+
+  double lower_, upper_, limit_, damping_, friction_, backlash_;
+  ServoTarget target_;
+  double play_ = 0.0, tau_ = 0.0;
+  // Of this step.
+  JointRow servo_;                           // not limited
+  double low_bound_ = 0.0, high_bound_ = 0;  // of qd+ by the stops
+  Pieces pieces_;
+};
+
+}  // namespace twinbus

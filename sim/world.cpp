@@ -1,0 +1,59 @@
+#include "sim/world.h"
+
+#include <cmath>
+
+#include "sim/articulated_world.h"
+#include "sim/ode_world.h"
+
+namespace twinbus {
+
+namespace {
+
+constexpr double kMaxTarget = 1e9;  // of any number of a servo target
+
+bool within(const Eigen::Vector3d& v, double bound) { return v.cwiseAbs().maxCoeff() <= bound; }
+
+}  // namespace
+
+bool engine_of(const std::string& name, Engine& engine) {
+  for (const Engine known : {Engine::kArticulated, Engine::kOde}) {
+    if (name != kEngineNames[static_cast<std::size_t>(known)]) continue;
+    engine = known;
+    return true;
+  }
+  return false;
+}
+
+Status check_target(const ServoTarget& t) noexcept {
+  for (const double number : {t.q, t.qd, t.tau, t.kp, t.kd}) {
+    if (!std::isfinite(number)) return Status::kNotFinite;
+    if (!(std::abs(number) <= kMaxTarget)) return Status::kOutOfRange;
+  }
+  return t.kp >= 0.0 && t.kd >= 0.0 ? Status::kOk : Status::kOutOfRange;
+}
+
+Status check_configuration(std::size_t count, const Configuration& to) noexcept {
+  const auto joints = static_cast<Eigen::Index>(count);
+  if (to.q.size() != joints || to.qd.size() != joints) return Status::kWrongSize;
+  if (!to.q.allFinite() || !to.qd.allFinite() || !to.base.matrix().allFinite() ||
+      !to.base_velocity.allFinite() || !to.base_angular_velocity.allFinite()) {
+    return Status::kNotFinite;
+  }
+  if (!(joints == 0 || to.qd.cwiseAbs().maxCoeff() <= kMaxSpeed) ||
+      !within(to.base_velocity, kMaxSpeed) || !within(to.base_angular_velocity, kMaxSpeed) ||
+      !within(to.base.translation(), kMaxDistance)) {
+    return Status::kOutOfRange;
+  }
+  return Status::kOk;
+}
+
+Eigen::Vector3d sole_corner(const Sole& sole, int corner) noexcept {
+  return {corner < 2 ? sole.front : -sole.back, corner % 2 == 0 ? sole.left : -sole.right, 0.0};
+}
+
+std::unique_ptr<World> make_world(const Model& model, const WorldConfig& config) {
+  if (config.engine == Engine::kOde) return std::make_unique<OdeWorld>(model, config);
+  return std::make_unique<ArticulatedWorld>(model, config);
+}
+
+}  // namespace twinbus

@@ -1,0 +1,147 @@
+// The simulated world of one robot, whichever engine integrates it.
+//
+// Servo, joint friction, stops and contacts are part of the engine's implicit solve, never forces
+// applied from outside: set_servo() says what law holds, step() solves it at the end of the step.
+// No engine is handed a number that is not finite, and none ends the process: what goes wrong
+// freezes the world and is returned as Status::kDiverged.
+
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "robot/collision.h"
+#include "robot/kinematics.h"
+#include "robot/model.h"
+#include "robot/status.h"
+
+namespace twinbus {
+
+enum class Engine {
+  kArticulated,  // sim/articulated_world.h
+  kOde,          // sim/ode_world.h
+};
+inline constexpr const char* kEngineNames[] = {"articulated", "ode"};
+
+// False: there is no such engine.
+bool engine_of(const std::string& name, Engine& engine);
+
+struct WorldConfig {
+  Engine engine = Engine::kArticulated;
+  double step = 0.002;  // [s]
+  bool fixed_base = false;
+  double mass_scale = 1.0;                        // of every link, inertia too
+  double friction_scale = 1.0;                    // of the joints' Coulomb friction and damping
+  double joint_friction = 0.0;                    // Coulomb, added to every joint [N m]
+  double backlash = 0.0;                          // full play between servo and link [rad]
+  double ground_friction = 0.8;                   // combined with the sole's as geometric mean
+  double stiffness_scale = 1.0;                   // of the soles' springs
+  double damping_scale = 1.0;                     // of the soles' dampers
+  std::array<double, 2> ground_height{0.0, 0.0};  // under left and right sole [m]
+  double servo_kp_scale = 1.0;
+  double servo_kd_scale = 1.0;
+  std::vector<Obstacle> obstacles;
+};
+
+// What the servo of one joint is asked for: torque = tau + kp (q - q_now) + kd (qd - qd_now),
+// within the effort limit.
+struct ServoTarget {
+  double q = 0.0;    // [rad or m]
+  double qd = 0.0;   // [rad/s or m/s]
+  double tau = 0.0;  // [N m or N]
+  double kp = 0.0;   // >= 0
+  double kd = 0.0;   // >= 0
+};
+
+// kNotFinite or kOutOfRange (negative gain, absurd size) for a target that no servo may have.
+Status check_target(const ServoTarget& target) noexcept;
+
+struct ContactPoint {
+  int link = -1;
+  int sole = -1;                                    // 0 left, 1 right, -1 not a corner of a sole
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();  // world [m]
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();  // on the robot, world [N]
+  double depth = 0.0;                               // [m]
+};
+
+// Whether a contact is beyond the force sensor of that foot.
+inline bool of_foot(const Model& model, const ContactPoint& contact, std::size_t side) noexcept {
+  if (contact.sole >= 0) return contact.sole == static_cast<int>(side);
+  return contact.link == model.soles[side].link;
+}
+
+inline constexpr int kSoleCorners = 4;
+// Corner of a sole in its sole frame: front left, front right, back left, back right.
+Eigen::Vector3d sole_corner(const Sole& sole, int corner) noexcept;
+
+// Bounds of what an engine takes and of what it calls a sane result.
+inline constexpr double kMaxSpeed = 1e3;     // [m/s] and [rad/s]; beyond it the run has diverged
+inline constexpr double kMaxDistance = 1e4;  // [m]
+inline constexpr double kMaxPush = 1e6;      // [N]
+
+// Whether a world may be set to this: kWrongSize, kNotFinite, kOutOfRange.
+Status check_configuration(std::size_t joints, const Configuration& configuration) noexcept;
+
+// Shells of links other than soles: what a fallen robot lies on.
+inline constexpr double kLinkStiffness = 2e5;  // of a point [N/m]
+inline constexpr double kLinkDamping = 1e3;    // [N s/m]
+inline constexpr double kLinkFriction = 0.6;
+// Points of a foot this near its sole are the corners' business [m].
+inline constexpr double kSoleSkin = 0.02;
+
+class World {
+ public:
+  World() = default;
+  virtual ~World() = default;
+  World(const World&) = delete;
+  World& operator=(const World&) = delete;
+
+  // Puts the robot there, at those speeds, thaws a frozen world and forgets contacts.  tau: of the
+  // servos until now, which says on which flank of their play they are; null: none.  An error
+  // changes nothing.
+  virtual Status set(const Configuration& configuration,
+                     const Eigen::VectorXd* tau = nullptr) noexcept = 0;
+
+  // Remembered until changed.  An error changes nothing.
+  virtual Status set_servo(int joint, const ServoTarget& target) noexcept = 0;
+
+  // Force on a point of a link during the next step only; both in world.
+  virtual Status push(int link, const Eigen::Vector3d& point,
+                      const Eigen::Vector3d& force) noexcept = 0;
+
+  // Lowers the ground under one sole corner by offset [m], to continue the foot forces of another
+  // source.
+  virtual void set_corner_offset(int sole, int corner, double offset) noexcept = 0;
+  virtual double corner_offset(int sole, int corner) const noexcept = 0;
+
+  // Fills contacts() for the present state, before any step: normal forces of springs and dampers
+  // only.
+  virtual void estimate_contact_forces() noexcept = 0;
+
+  // One step of config.step.  kDiverged: the world is frozen as it last was.
+  virtual Status step() noexcept = 0;
+
+  // As of the last step.  q and qd are the link side; encoder() is the servo side, which differs by
+  // backlash.
+  virtual const Configuration& configuration() const noexcept = 0;
+  virtual double encoder(int joint) const noexcept = 0;
+  virtual double tau(int joint) const noexcept = 0;  // of the servo, no friction or rotor inertia
+  virtual Eigen::Isometry3d link_in_world(int link) const noexcept = 0;
+  virtual Eigen::Vector3d point_velocity(int link,
+                                         const Eigen::Vector3d& point) const noexcept = 0;  // world
+  virtual Eigen::Vector3d angular_velocity(int link) const noexcept = 0;
+  virtual double mass() const noexcept = 0;
+  virtual Eigen::Vector3d com() const noexcept = 0;
+  virtual Eigen::Vector3d com_velocity() const noexcept = 0;
+  virtual const std::vector<ContactPoint>& contacts() const noexcept = 0;
+  virtual double corner_stiffness(int sole) const noexcept = 0;  // [N/m]
+  virtual double corner_damping(int sole) const noexcept = 0;    // [N s/m]
+};
+
+// The world of config.engine.  The model must outlive it.  Throws std::runtime_error when the model
+// cannot be simulated (a massless link, an indefinite inertia), naming it.
+std::unique_ptr<World> make_world(const Model& model, const WorldConfig& config);
+
+}  // namespace twinbus

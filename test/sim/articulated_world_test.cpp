@@ -1,0 +1,297 @@
+// What the articulated engine promises beyond what every engine does (world_*_test.cpp).
+
+#include "sim/articulated_world.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "robot/dynamics.h"
+#include "robot/load.h"
+#include "sim/ode_world.h"
+#include "sim/random.h"
+#include "sim/standing.h"
+#include "test/no_alloc.h"
+#include "test_models.h"
+
+namespace twinbus {
+namespace {
+
+// hrp1s in half_sitting, its servos holding the pose.
+class Humanoid : public ::testing::Test {
+ protected:
+  Humanoid() : model(load_robot("hrp1s")), q(Eigen::VectorXd::Zero(model.joint_count())) {
+    const auto pose = static_cast<std::size_t>(model.find_pose("half_sitting"));
+    for (std::size_t j = 0; j < model.joints.size(); ++j) {
+      q[static_cast<Eigen::Index>(j)] = model.poses[pose].q[j];
+    }
+  }
+  Standing standing(const World& world) const {
+    return stand(model, q, 1.0, {world.corner_stiffness(0), world.corner_stiffness(1)}, {0.0, 0.0},
+                 false);
+  }
+  void hold(World& world, const Eigen::VectorXd& tau, double gain = 1.0) const {
+    for (int j = 0; j < model.joint_count(); ++j) {
+      const Joint& joint = model.joints[static_cast<std::size_t>(j)];
+      ASSERT_EQ(
+          world.set_servo(
+              j,
+              {.q = q[j], .qd = 0.0, .tau = tau[j], .kp = gain * joint.kp, .kd = gain * joint.kd}),
+          Status::kOk);
+    }
+  }
+  // In the air, turning.
+  Configuration thrown() const {
+    Configuration at(model);
+    at.q = q;
+    at.qd.setZero();
+    at.base.translation().z() = 1.5;
+    at.base.linear() =
+        Eigen::AngleAxisd(0.7, Eigen::Vector3d(1.0, 0.5, 0.0).normalized()).toRotationMatrix();
+    at.base_velocity = {0.5, 0.2, 0.0};
+    at.base_angular_velocity = {1.0, 2.0, 0.5};
+    return at;
+  }
+
+  const Model model;
+  Eigen::VectorXd q;
+};
+
+TEST_F(Humanoid, StandsOnTheSameForcesInBothEngines) {
+  std::vector<std::vector<ContactPoint>> contacts;
+  for (const Engine engine : {Engine::kArticulated, Engine::kOde}) {
+    WorldConfig config;
+    config.engine = engine;
+    const auto world = make_world(model, config);
+    const Standing start = standing(*world);
+    ASSERT_EQ(world->set(start.configuration, &start.tau), Status::kOk);
+    hold(*world, Eigen::VectorXd::Zero(model.joint_count()));  // it settles into its servos
+    for (int i = 0; i < 500; ++i) ASSERT_EQ(world->step(), Status::kOk);
+    contacts.push_back(world->contacts());
+  }
+  ASSERT_EQ(contacts[0].size(), 8U);
+  ASSERT_EQ(contacts[1].size(), 8U);
+  const double weight = model.total_mass() * kGravity;
+  for (std::size_t i = 0; i < 8; ++i) {
+    EXPECT_NEAR(contacts[0][i].force.z(), contacts[1][i].force.z(), 0.01 * weight / 8) << i;
+  }
+}
+
+TEST_F(Humanoid, OneStepStandingIsOnePassAndAllocatesNothing) {
+  ArticulatedWorld world(model, {});
+  const Standing start = standing(world);
+  ASSERT_EQ(world.set(start.configuration, &start.tau), Status::kOk);
+  hold(world, start.tau);
+  ASSERT_EQ(world.step(), Status::kOk);
+  const NoAlloc guard;
+  for (int i = 0; i < 500; ++i) (void)world.step();
+  EXPECT_EQ(guard.count(), 0);
+  EXPECT_EQ(world.counters().one_pass, world.counters().steps);
+  EXPECT_EQ(world.joint_passes(), 0);
+}
+
+TEST_F(Humanoid, ThrownItEndsOnTheGround) {
+  ArticulatedWorld world(model, {});
+  ASSERT_EQ(world.set(thrown()), Status::kOk);
+  hold(world, Eigen::VectorXd::Zero(model.joint_count()), 0.1);
+  double deepest = 0.0, force = 0.0;
+  const NoAlloc guard;
+  for (int i = 0; i < 4000; ++i) {
+    ASSERT_EQ(world.step(), Status::kOk);
+    force = 0.0;
+    for (const ContactPoint& contact : world.contacts()) {
+      deepest = std::max(deepest, contact.depth);
+      force += contact.force.z();
+      const double side = contact.force.head<2>().norm();
+      ASSERT_LE(side, 0.8 * contact.force.z() * (1.0 + 1e-10));
+    }
+  }
+  EXPECT_EQ(guard.count(), 0);
+  EXPECT_LT(deepest, 0.05);
+  EXPECT_LT(world.com_velocity().norm(), 0.1);
+  EXPECT_NEAR(force, world.mass() * kGravity, 0.2 * world.mass() * kGravity);
+  EXPECT_LT(world.com().z(), 0.5);
+  EXPECT_EQ(world.counters().unconverged, 0);
+  EXPECT_EQ(world.unsettled(), 0);
+}
+
+TEST_F(Humanoid, StopsHoldToABillionthWhateverIsAsked) {
+  ArticulatedWorld world(model, {});
+  ASSERT_EQ(world.set(thrown()), Status::kOk);
+  Random random(9);
+  double worst = 0.0;
+  for (int i = 0; i < 500; ++i) {
+    for (int j = 0; j < model.joint_count(); ++j) {
+      const Joint& joint = model.joints[static_cast<std::size_t>(j)];
+      if (i % 10 == 0) {
+        ASSERT_EQ(world.set_servo(j, {.q = world.configuration().q[j] + 2.0 * random.normal(),
+                                      .qd = 0.0,
+                                      .tau = 0.0,
+                                      .kp = joint.kp,
+                                      .kd = joint.kd}),
+                  Status::kOk);
+      }
+    }
+    ASSERT_EQ(world.step(), Status::kOk);
+    for (int j = 0; j < model.joint_count(); ++j) {
+      const Joint& joint = model.joints[static_cast<std::size_t>(j)];
+      const double at = world.configuration().q[j];
+      worst = std::max({worst, at - joint.upper, joint.lower - at});
+      ASSERT_LE(std::abs(world.tau(j)), joint.effort);
+    }
+  }
+  EXPECT_LT(worst, 1e-9);
+  EXPECT_EQ(world.unsettled(), 0);
+}
+
+// Bit by bit: repeated, and continued from a configuration that was read out of it in flight.
+TEST_F(Humanoid, SameStartSameBits) {
+  ArticulatedWorld one(model, {}), two(model, {});
+  for (ArticulatedWorld* world : {&one, &two}) {
+    ASSERT_EQ(world->set(thrown()), Status::kOk);
+    hold(*world, Eigen::VectorXd::Zero(model.joint_count()));
+  }
+  const auto same = [&] {
+    const Configuration &a = one.configuration(), &b = two.configuration();
+    return a.q == b.q && a.qd == b.qd && a.base.matrix() == b.base.matrix() &&
+           a.base_velocity == b.base_velocity && a.base_angular_velocity == b.base_angular_velocity;
+  };
+  for (int i = 0; i < 1000; ++i) {
+    ASSERT_EQ(one.step(), Status::kOk);
+    ASSERT_EQ(two.step(), Status::kOk);
+    if (i == 100) {
+      const Configuration saved = two.configuration();
+      ASSERT_EQ(two.set(saved), Status::kOk);
+    }
+    ASSERT_TRUE(same()) << i;
+  }
+}
+
+// A block pushed for a while on its two soles: error against a fine run of the same engine, and the
+// fine runs of both.
+Eigen::Vector3d pushed_block(Engine engine, double step) {
+  const Model model = test::block();
+  WorldConfig config;
+  config.engine = engine;
+  config.step = step;
+  const auto world = make_world(model, config);
+  Configuration start(model);
+  start.base.translation().z() = -world->mass() * kGravity / 2e5;
+  EXPECT_EQ(world->set(start), Status::kOk);
+  EXPECT_EQ(world->set_servo(0, {.q = 0, .qd = 0, .tau = 0, .kp = 1000, .kd = 20}), Status::kOk);
+  const int steps = static_cast<int>(std::lround(0.1 / step));
+  for (int i = 0; i < steps; ++i) {
+    const Eigen::Vector3d point = world->link_in_world(0) * Eigen::Vector3d(0.0, 0.0, 0.2);
+    if (i < steps / 2) {
+      EXPECT_EQ(world->push(0, point, {30.0, 60.0, 0.0}), Status::kOk);
+    }
+    EXPECT_EQ(world->step(), Status::kOk);
+  }
+  return world->link_in_world(0) * Eigen::Vector3d(0.0, 0.0, 0.2);
+}
+
+TEST(ArticulatedWorld, APushConvergesToWhatTheOtherEngineFinds) {
+  const Eigen::Vector3d fine = pushed_block(Engine::kArticulated, 1e-5);
+  const double error_2 = (pushed_block(Engine::kArticulated, 2e-3) - fine).norm();
+  const double error_05 = (pushed_block(Engine::kArticulated, 5e-4) - fine).norm();
+  const double error_01 = (pushed_block(Engine::kArticulated, 1e-4) - fine).norm();
+  EXPECT_LT(error_05, 0.5 * error_2);
+  EXPECT_LT(error_01, 0.4 * error_05);
+  EXPECT_LT((pushed_block(Engine::kOde, 1e-4) - fine).norm(), 1e-4);
+}
+
+double energy(const Model& model, const World& world, Kinematics& kinematics) {
+  kinematics.update(world.configuration());
+  double e = 0.0;
+  for (int i = 0; i < model.link_count(); ++i) {
+    const Link& link = model.links[static_cast<std::size_t>(i)];
+    const Eigen::Vector3d at = kinematics.link_in_world(i) * link.com;
+    const Eigen::Matrix3d& r = kinematics.link_in_world(i).linear();
+    const Eigen::Vector3d w = r.transpose() * kinematics.angular_velocity(i);
+    e += link.mass * (0.5 * kinematics.point_velocity(i, at).squaredNorm() + kGravity * at.z());
+    e += 0.5 * w.dot(link.inertia * w);
+  }
+  return e;
+}
+
+TEST(ArticulatedWorld, InFlightMomentumIsKeptAndEnergyAtTheOrderOfTheStep) {
+  const Model model = test::chain(6, true);
+  Kinematics kinematics(model);
+  double drift[3] = {};
+  for (int k = 0; k < 3; ++k) {
+    WorldConfig config;
+    config.step = 0.001 / (1 << k);
+    ArticulatedWorld world(model, config);
+    Configuration start(model);
+    start.base.translation().z() = 50.0;
+    start.base_angular_velocity = {1.0, -0.5, 0.7};
+    start.qd << 0.5, -1.0, 0.3, 0.8, -0.2, 0.4;
+    ASSERT_EQ(world.set(start), Status::kOk);
+    const double before = energy(model, world, kinematics);
+    const Eigen::Vector3d spin = kinematics.angular_momentum();
+    const Eigen::Vector3d velocity = kinematics.com_velocity();
+    for (int i = 0; i < 500 * (1 << k); ++i) ASSERT_EQ(world.step(), Status::kOk);
+    drift[k] = std::abs(energy(model, world, kinematics) - before -
+                        0.5 * config.step * world.mass() * kGravity * kGravity * 0.5);
+    EXPECT_LT((kinematics.angular_momentum() - spin).norm(), 1e-10);
+    EXPECT_NEAR((kinematics.com_velocity() - velocity).head<2>().norm(), 0.0, 1e-11);
+  }
+  EXPECT_NEAR(drift[0] / drift[1], 2.0, 0.4);
+  EXPECT_NEAR(drift[1] / drift[2], 2.0, 0.4);
+}
+
+// A sliding block stops after v^2 / (2 mu g) less half a step's way, exactly alike in all
+// directions.
+TEST(ArticulatedWorld, FrictionHasNoFavouriteDirection) {
+  Model model = test::block();
+  for (Sole& sole : model.soles) sole.friction = 0.4;
+  model.links[0].collision.clear();
+  WorldConfig config;
+  config.ground_friction = 0.4;
+  double first = 0.0;
+  for (const double angle : {0.0, 0.785, 2.0}) {
+    ArticulatedWorld world(model, config);
+    Configuration start(model);
+    const Eigen::Matrix3d turn =
+        Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+    start.base.linear() = turn;
+    start.base.translation().z() = -world.mass() * kGravity / 2e5;
+    start.base_velocity = turn * Eigen::Vector3d(1.0, 0.0, 0.0);
+    ASSERT_EQ(world.set(start), Status::kOk);
+    ASSERT_EQ(world.set_servo(0, {.q = 0, .qd = 0, .tau = 0, .kp = 1000, .kd = 10}), Status::kOk);
+    for (int i = 0; i < 1000; ++i) ASSERT_EQ(world.step(), Status::kOk);
+    const double way = world.configuration().base.translation().head<2>().norm();
+    const double expected = 1.0 / (2.0 * 0.4 * kGravity) - 0.5 * config.step;
+    EXPECT_NEAR(way, expected, 0.005 * expected);
+    if (angle == 0.0) first = way;
+    EXPECT_NEAR(way, first, 1e-6);
+    EXPECT_EQ(world.counters().unconverged, 0);
+    const double speed = world.configuration().base_velocity.norm();
+    EXPECT_LT(speed, 1e-9) << "it creeps";
+  }
+}
+
+// A hand pressed on a table stops at its surface; a sole on a box stands on it as on the ground.
+TEST(ArticulatedWorld, ObstaclesCarry) {
+  const Model model = test::block();
+  WorldConfig config;
+  Obstacle box;
+  box.shape = ObstacleShape::kBox;
+  box.size = {1.0, 1.0, 0.3};
+  box.pose.translation() = Eigen::Vector3d(0.0, 0.0, 0.15);
+  config.obstacles = {box};
+  ArticulatedWorld world(model, config);
+  Configuration start(model);
+  start.base.translation().z() = 0.32;
+  ASSERT_EQ(world.set(start), Status::kOk);
+  ASSERT_EQ(world.set_servo(0, {.q = 0, .qd = 0, .tau = 0, .kp = 100, .kd = 10}), Status::kOk);
+  for (int i = 0; i < 2000; ++i) ASSERT_EQ(world.step(), Status::kOk);
+  EXPECT_NEAR(world.configuration().base.translation().z(), 0.3, 1e-3);
+  EXPECT_LT(world.configuration().base_velocity.norm(), 1e-6);
+}
+
+}  // namespace
+}  // namespace twinbus

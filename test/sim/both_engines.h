@@ -1,0 +1,31 @@
+// Tests that hold for every engine: a fixture that makes worlds of the engine it is given.
+
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+
+#include "sim/world.h"
+
+namespace twinbus::test {
+
+inline std::string engine_name(Engine engine) {
+  return kEngineNames[static_cast<std::size_t>(engine)];
+}
+
+class BothEngines : public ::testing::TestWithParam<Engine> {
+ protected:
+  static std::unique_ptr<World> make(const Model& model, WorldConfig config = {}) {
+    config.engine = GetParam();
+    return make_world(model, config);
+  }
+  static bool is_ode() { return GetParam() == Engine::kOde; }
+};
+
+#define TWINBUS_FOR_BOTH_ENGINES(suite)                                                           \
+  INSTANTIATE_TEST_SUITE_P(Engines, suite, ::testing::Values(Engine::kArticulated, Engine::kOde), \
+                           [](const auto& each) { return test::engine_name(each.param); })
+
+}  // namespace twinbus::test

@@ -1,0 +1,98 @@
+#include "sim/contact_law.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "sim/random.h"
+
+namespace twinbus {
+namespace {
+
+constexpr double kStep = 0.002;  // [s]
+
+ContactParams params() {
+  ContactParams p;
+  p.stiffness = 2e5;
+  p.damping = 500.0;
+  p.tangent_stiffness = 8e6;
+  p.tangent_damping = 1e4;
+  p.friction = 0.8;
+  return p;
+}
+
+struct Case {
+  double depth;
+  Eigen::Vector3d normal, stretch, v;
+};
+
+Case random_case(Random& random) {
+  const auto vector = [&](double size) {
+    return Eigen::Vector3d(size * random.normal(), size * random.normal(), size * random.normal());
+  };
+  Case c;
+  c.depth = 1e-3 * random.normal();
+  c.normal = vector(1.0).normalized();
+  c.stretch = vector(1e-5);
+  c.stretch -= c.normal * c.normal.dot(c.stretch);
+  c.v = vector(0.05);
+  return c;
+}
+
+TEST(ContactLaw, NeverPullsAndNeverLeavesTheCone) {
+  Random random(3);
+  ContactForce force;
+  int sticks = 0, slips = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const Case c = random_case(random);
+    contact_force(params(), c.depth, c.normal, c.stretch, c.v, kStep, false, 0.0, force);
+    const double fn = c.normal.dot(force.force);
+    const double ft = (force.force - fn * c.normal).norm();
+    ASSERT_GE(fn, 0.0);
+    ASSERT_LE(ft, params().friction * fn * (1.0 + 1e-12) + 1e-12);
+    sticks += force.mode == ContactMode::kStick;
+    slips += force.mode == ContactMode::kSlip;
+  }
+  EXPECT_GT(sticks, 50);
+  EXPECT_GT(slips, 1000);
+}
+
+TEST(ContactLaw, TheTangentIsItsDerivative) {
+  Random random(5);
+  ContactForce force, plus, minus;
+  const double step = 1e-8;
+  for (const double smooth : {0.0, 5.0}) {
+    int compared = 0;
+    for (int i = 0; i < 3000; ++i) {
+      const Case c = random_case(random);
+      contact_force(params(), c.depth, c.normal, c.stretch, c.v, kStep, true, smooth, force);
+      for (int k = 0; k < 3; ++k) {
+        const Eigen::Vector3d d = step * Eigen::Vector3d::Unit(k);
+        contact_force(params(), c.depth, c.normal, c.stretch, c.v + d, kStep, false, smooth, plus);
+        contact_force(params(), c.depth, c.normal, c.stretch, c.v - d, kStep, false, smooth, minus);
+        if (plus.mode != minus.mode) continue;  // a kink
+        const double end = c.depth - kStep * c.normal.dot(c.v);
+        if (std::abs(end - kDampingRamp) < 1e-9 || std::abs(end) < 1e-9) continue;
+        const Eigen::Vector3d slope = -(plus.force - minus.force) / (2.0 * step);
+        ASSERT_LT((slope - force.tangent.col(k)).norm(),
+                  1e-4 * (force.tangent.norm() + slope.norm()) + 1e-2)
+            << i << ' ' << smooth;
+        ++compared;
+      }
+    }
+    EXPECT_GT(compared, 5000);
+  }
+}
+
+TEST(ContactLaw, AtRestItIsASpring) {
+  ContactForce force;
+  contact_force(params(), 1e-3, Eigen::Vector3d::UnitZ(), Eigen::Vector3d::Zero(),
+                Eigen::Vector3d::Zero(), kStep, false, 0.0, force);
+  EXPECT_DOUBLE_EQ(force.force.z(), 200.0);
+  contact_force(params(), -1e-9, Eigen::Vector3d::UnitZ(), Eigen::Vector3d::Zero(),
+                Eigen::Vector3d::Zero(), kStep, false, 0.0, force);
+  EXPECT_EQ(force.mode, ContactMode::kOpen);
+}
+
+}  // namespace
+}  // namespace twinbus
