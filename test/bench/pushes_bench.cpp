@@ -1,6 +1,6 @@
 // The largest push a standing robot survives, per direction, with and without the balance controller.
 //
-//     push_table [--robot R] [--set key=value ...] [--csv F] [--one IX IY] [--trace] [--only DEGREES]
+//     pushes_bench [--robot R] [--set key=value ...] [--csv F] [--one IX IY] [--trace] [--only DEGREES]
 
 #include <cstdio>
 #include <cstdlib>
@@ -147,7 +147,7 @@ int run(int argc, char** argv) {
       feedback = false;
     } else {
       std::printf(
-          "push_table [--robot R] [--set key=value] [--csv F] [--guard] [--one IX IY [--without] "
+          "pushes_bench [--robot R] [--set key=value] [--csv F] [--guard] [--one IX IY [--without] "
           "[--trace]]\n");
       return a == "--help" ? 0 : 2;
     }
@@ -193,7 +193,7 @@ int main(int argc, char** argv) {
   try {
     return twinbus::run(argc, argv);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "push_table: %s\n", error.what());
+    std::fprintf(stderr, "pushes_bench: %s\n", error.what());
     return 1;
   }
 }
