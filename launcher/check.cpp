@@ -1,54 +1,280 @@
 #include "launcher/check.h"
 
 #include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <stdexcept>
 
 #include "launcher/arguments.h"
+#include "robot/kinematics.h"
+#include "robot/link_points.h"
 #include "robot/load.h"
+#include "robot/proposal.h"
+#include "robot/suspicions.h"
 
 namespace twinbus {
 
-int check_command(const std::vector<std::string>& words) {
-  const Arguments arguments({"check",
-                             "ROBOT",
-                             "Loads a robot (a name in config/robots, or a folder) with every "
-                             "check of its files, and prints mass,\n"
-                             "joints, soles, hands and poses.  Exit status 1 with one line naming "
-                             "file and remedy if it is refused.",
-                             {},
-                             1,
-                             1},
-                            words);
-  const Model model = load_robot(arguments.word(0));
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+std::size_t at(int index) { return static_cast<std::size_t>(index); }
+
+const char* kind_name(JointKind kind) {
+  return kind == JointKind::kPrismatic    ? "prismatic"
+         : kind == JointKind::kContinuous ? "continuous"
+                                          : "revolute";
+}
+
+// What is to be checked: a folder with robot.yaml, or a URDF that has none.
+struct Subject {
+  Model model;
+  std::string urdf;  // file, when there is no robot.yaml
+  std::vector<std::pair<std::string, std::string>> packages;
+};
+
+std::string only_urdf(const std::string& folder) {
+  std::vector<std::string> found;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (entry.path().extension() == ".urdf") found.push_back(entry.path().string());
+  }
+  if (found.size() == 1) return found.front();
+  throw std::runtime_error(folder + ": has neither robot.yaml nor one .urdf, but " +
+                           std::to_string(found.size()) + "; name the file");
+}
+
+Subject load_subject(const std::string& name) {
+  Subject subject;
+  std::error_code error;
+  if (fs::is_regular_file(name, error)) {
+    subject.urdf = name;
+  } else {
+    const std::string folder = robot_folder(name);
+    if (fs::exists(folder + "/robot.yaml", error)) {
+      subject.model = load_robot(name);
+      return subject;
+    }
+    subject.urdf = only_urdf(folder);
+  }
+  subject.packages = find_packages(subject.urdf);
+  subject.model = load_urdf(subject.urdf, subject.packages);
+  return subject;
+}
+
+struct Extent {
+  Eigen::Vector3d size = Eigen::Vector3d::Zero();
+  Eigen::Vector3d com = Eigen::Vector3d::Zero();  // from the middle of the box, at its bottom
+  int shapes = 0, meshes = 0, links = 0;
+};
+
+Extent measure(const Model& model) {
+  Configuration c(model);
+  c.q = neutral_posture(model);
+  Kinematics k(model);
+  k.update(c);
+  Extent extent;
+  Eigen::Vector3d low = Eigen::Vector3d::Constant(1e300);
+  Eigen::Vector3d high = -low;
+  for (int i = 0; i < model.link_count(); ++i) {
+    const Link& link = model.links[at(i)];
+    for (const Eigen::Vector3d& point : link_points(link)) {
+      const Eigen::Vector3d p = k.link_in_world(i) * point;
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+    }
+    extent.links += link.collision.empty() ? 0 : 1;
+    extent.shapes += static_cast<int>(link.collision.size());
+    for (const Shape& shape : link.collision)
+      extent.meshes += shape.kind == ShapeKind::kMesh ? 1 : 0;
+  }
+  if (!(low.x() <= high.x())) return extent;
+  extent.size = high - low;
+  extent.com = k.com() - Eigen::Vector3d(0.5 * (low + high).x(), 0.5 * (low + high).y(), low.z());
+  return extent;
+}
+
+std::vector<std::string> sensors(const Model& model) {
+  std::vector<std::string> found;
+  if (!model.yaml_text.empty()) found.push_back("IMU on " + model.links[at(model.imu_link)].name);
+  for (const int side : {0, 1}) {
+    const std::string name = side == 0 ? "left" : "right";
+    const Sole& sole = model.soles[at(side)];
+    const Hand& hand = model.hands[at(side)];
+    if (sole.link >= 0)
+      found.push_back("force, " + name + " foot, on " + model.links[at(sole.link)].name);
+    if (hand.link >= 0)
+      found.push_back("force, " + name + " hand, on " + model.links[at(hand.link)].name);
+  }
+  for (const Frame& frame : model.frames) {
+    std::string lower = frame.name;
+    for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    if (lower.find("camera") != std::string::npos) {
+      found.push_back("camera frame " + frame.name + ", on " + model.links[at(frame.link)].name);
+    }
+  }
+  return found;
+}
+
+json number(double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
+
+json to_json(const std::vector<Suspicion>& all) {
+  json list = json::array();
+  for (const Suspicion& s : all)
+    list.push_back({{"about", s.about}, {"what", s.what}, {"remedy", s.remedy}});
+  return list;
+}
+
+json report(const Model& model, const Extent& extent) {
+  json out = {
+      {"name", model.name},
+      {"mass_kg", model.total_mass()},
+      {"joints", json::array()},
+      {"links", model.link_count()},
+      {"bus_joints", model.bus_count()},
+      {"floating_base", model.floating_base},
+      {"size_m", {extent.size.x(), extent.size.y(), extent.size.z()}},
+      {"com_above_ground_m", extent.com.z()},
+      {"geometry", {{"links", extent.links}, {"shapes", extent.shapes}, {"meshes", extent.meshes}}},
+      {"sensors", sensors(model)},
+      {"period_s", model.period()},
+      {"model_hash", model.hash}};
+  for (const Joint& joint : model.joints) {
+    const auto j = static_cast<std::size_t>(&joint - model.joints.data());
+    out["joints"].push_back(
+        {{"name", joint.name},
+         {"kind", kind_name(joint.kind)},
+         {"bus", model.bus_index[j]},
+         {"lower", number(joint.lower)},
+         {"upper", number(joint.upper)},
+         {"velocity", number(joint.velocity)},
+         {"effort", number(joint.effort)},
+         {"rotor_inertia", joint.rotor_inertia},
+         {"kp", joint.kp},
+         {"kd", joint.kd},
+         {"mimics", joint.mimic < 0 ? json(nullptr) : json(model.joints[at(joint.mimic)].name)}});
+  }
+  for (const NamedPose& pose : model.poses) out["poses"].push_back(pose.name);
+  return out;
+}
+
+void print(const Model& model, const Extent& extent) {
   std::printf("%s: %d joints (%d on the bus), %d links, %.1f kg, period %.1f ms, model hash %lld\n",
               model.name.c_str(), model.joint_count(), model.bus_count(), model.link_count(),
               model.total_mass(), 1e3 * model.period(), static_cast<long long>(model.hash));
-  std::printf("%4s  %-28s %8s %8s %8s %8s %8s %7s\n", "bus", "joint", "lower", "upper", "rad/s",
-              "N m", "kp", "kd");
-  for (int k = 0; k < model.bus_count(); ++k) {
-    const Joint& joint =
-        model.joints[static_cast<std::size_t>(model.bus_joints[static_cast<std::size_t>(k)])];
-    std::printf("%4d  %-28s %8.3f %8.3f %8.2f %8.1f %8.0f %7.0f\n", k, joint.name.c_str(),
-                joint.lower, joint.upper, joint.velocity, joint.effort, joint.kp, joint.kd);
+  std::printf(
+      "size %.2f x %.2f x %.2f m in the zero posture, centre of mass %.2f m above its lowest "
+      "point\n",
+      extent.size.x(), extent.size.y(), extent.size.z(), extent.com.z());
+  std::printf("%d links can be touched: %d shapes, %d of them meshes\n", extent.links,
+              extent.shapes, extent.meshes);
+  std::printf("%4s  %-28s %-10s %8s %8s %8s %8s %8s %7s\n", "bus", "joint", "kind", "lower",
+              "upper", "velocity", "effort", "kp", "kd");
+  for (const Joint& joint : model.joints) {
+    const int bus = model.bus_index[static_cast<std::size_t>(&joint - model.joints.data())];
+    std::printf("%4s  %-28s %-10s %8.3f %8.3f %8.2f %8.1f %8.0f %7.0f\n",
+                bus < 0 ? "-" : std::to_string(bus).c_str(), joint.name.c_str(),
+                kind_name(joint.kind), joint.lower, joint.upper, joint.velocity, joint.effort,
+                joint.kp, joint.kd);
   }
   for (const int side : {0, 1}) {
     const char* name = side == 0 ? "left" : "right";
-    const Sole& sole = model.soles[static_cast<std::size_t>(side)];
+    const Sole& sole = model.soles[at(side)];
     if (sole.link >= 0) {
       std::printf("%s sole on %s: %.0f x %.0f mm, %.3g N/m, %.3g N s/m, friction %.2f\n", name,
-                  model.links[static_cast<std::size_t>(sole.link)].name.c_str(),
-                  1e3 * (sole.front + sole.back), 1e3 * (sole.left + sole.right), sole.stiffness,
-                  sole.damping, sole.friction);
+                  model.links[at(sole.link)].name.c_str(), 1e3 * (sole.front + sole.back),
+                  1e3 * (sole.left + sole.right), sole.stiffness, sole.damping, sole.friction);
     }
-    const Hand& hand = model.hands[static_cast<std::size_t>(side)];
+    const Hand& hand = model.hands[at(side)];
     if (hand.link >= 0) {
       std::printf("%s hand on %s: arm of %zu joints\n", name,
-                  model.links[static_cast<std::size_t>(hand.link)].name.c_str(),
-                  hand.joints.size());
+                  model.links[at(hand.link)].name.c_str(), hand.joints.size());
     }
   }
+  for (const std::string& sensor : sensors(model)) std::printf("sensor: %s\n", sensor.c_str());
   std::printf("poses:");
   for (const NamedPose& pose : model.poses) std::printf(" %s", pose.name.c_str());
   std::printf("\n%zu pairs of links are declared never to touch\n", model.disabled_pairs.size());
+}
+
+void print(const char* title, const std::vector<Suspicion>& all) {
+  std::printf("\n%s: %s\n", title, all.empty() ? "nothing" : "");
+  for (const Suspicion& s : all)
+    std::printf("  %s: %s; %s\n", s.about.c_str(), s.what.c_str(), s.remedy.c_str());
+}
+
+void write_file(const fs::path& path, const std::string& text) {
+  if (fs::exists(path)) throw std::runtime_error(path.string() + ": exists; name a new folder");
+  std::ofstream stream(path, std::ios::binary);
+  stream << text;
+  stream.close();
+  if (!stream) throw std::runtime_error(path.string() + ": cannot be written");
+}
+
+}  // namespace
+
+int check_command(const std::vector<std::string>& words) {
+  const Arguments arguments(
+      {"check",
+       "ROBOT",
+       "Loads a robot (a name in config/robots, a folder, or a URDF file) with every check of its "
+       "files.\n"
+       "Prints mass, size, joints, sensors, what is suspicious and what robot.yaml lacks; for a "
+       "URDF without\n"
+       "robot.yaml also proposes one.  Exit status 1 with one line naming file and remedy if it is "
+       "refused.",
+       {{"--json", "", "everything as one JSON object"},
+        {"--propose", "FOLDER",
+         "writes the proposed robot.yaml and SRDF with a copy of the URDF into FOLDER"}},
+       1,
+       1},
+      words);
+  const Subject subject = load_subject(arguments.word(0));
+  const Model& model = subject.model;
+  const Extent extent = measure(model);
+  const std::vector<Suspicion> suspicions = find_suspicions(model);
+  const std::vector<Suspicion> missing = find_missing(model);
+  const std::string folder = arguments.text("--propose", "");
+  std::optional<Proposal> proposal;
+  if (!subject.urdf.empty() || !folder.empty()) {
+    std::string name = "robot.urdf";
+    if (!subject.urdf.empty()) name = fs::path(subject.urdf).filename().string();
+    proposal = propose(model, name, subject.packages);
+    if (!folder.empty()) {
+      fs::create_directories(folder);
+      write_file(fs::path(folder) / "robot.yaml", proposal->yaml);
+      write_file(fs::path(folder) / fs::path(name).replace_extension(".srdf"), proposal->srdf);
+      write_file(fs::path(folder) / name, model.urdf_text);
+    }
+  }
+  if (arguments.has("--json")) {
+    json out = report(model, extent);
+    out["suspicious"] = to_json(suspicions);
+    out["missing"] = to_json(missing);
+    if (proposal) {
+      out["proposed"] = {
+          {"robot_yaml", proposal->yaml}, {"srdf", proposal->srdf}, {"doubts", proposal->doubts}};
+    }
+    std::printf("%s\n", out.dump(2, ' ', false, json::error_handler_t::replace).c_str());
+    return 0;
+  }
+  print(model, extent);
+  print("suspicious", suspicions);
+  print("missing", missing);
+  if (!proposal) return 0;
+  std::printf("\nlook at these before you use the proposal:%s\n",
+              proposal->doubts.empty() ? " nothing found" : "");
+  for (const std::string& doubt : proposal->doubts) std::printf("  %s\n", doubt.c_str());
+  if (folder.empty()) {
+    std::printf(
+        "\nproposed robot.yaml (--propose FOLDER writes it, with an SRDF and the URDF):\n\n%s",
+        proposal->yaml.c_str());
+  } else {
+    std::printf("\nwritten: %s.  Next: ./twinbus run stand --robot %s\n", folder.c_str(),
+                folder.c_str());
+  }
   return 0;
 }
 

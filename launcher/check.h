@@ -1,4 +1,5 @@
-// `twinbus check ROBOT`: loads a robot's folder with all its checks and prints what came out.
+// `twinbus check ROBOT`: a robot's folder, or a URDF alone, with every check; what is suspicious in
+// it, what it lacks, and a proposed robot.yaml.
 
 #pragma once
 

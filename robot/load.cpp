@@ -75,8 +75,9 @@ void apply_yaml(const RobotYaml& yaml, const ModelBuilder& builder, const std::s
       }
       model.soles[side] = entry.sole;
       model.soles[side].link = frame.link;
-      model.soles[side].frame = frame.in_link;
-      model.soles[side].sensor = sensor.in_link;
+      model.soles[side].frame = frame.in_link * entry.offset;
+      model.soles[side].sensor =
+          entry.sensor == entry.frame ? model.soles[side].frame : sensor.in_link;
     }
     if (const HandEntry& entry = yaml.hands[side]; entry.present) {
       const std::string where = file + ": hands: " + name;
@@ -87,8 +88,9 @@ void apply_yaml(const RobotYaml& yaml, const ModelBuilder& builder, const std::s
                                  " are on different links");
       }
       model.hands[side].link = frame.link;
-      model.hands[side].frame = frame.in_link;
-      model.hands[side].sensor = sensor.in_link;
+      model.hands[side].frame = frame.in_link * entry.offset;
+      model.hands[side].sensor =
+          entry.sensor == entry.frame ? model.hands[side].frame : sensor.in_link;
       for (const std::string& joint : entry.joints) {
         model.hands[side].joints.push_back(need_joint(model, joint, where));
       }

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "robot/pose_math.h"
+
 namespace twinbus {
 
 namespace {
@@ -10,11 +12,27 @@ namespace {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 const char* const kSides[2] = {"left", "right"};
 
+// `at` and `rpy`: a place in the link that `frame` names.
+Eigen::Isometry3d read_offset(const ConfigNode& node) {
+  const std::vector<double> at = node.numbers("at", 3, {0.0, 0.0, 0.0});
+  const std::vector<double> rpy = node.numbers("rpy", 3, {0.0, 0.0, 0.0});
+  for (const double value : at) {
+    if (!(std::abs(value) <= 10.0)) node.fail("at", "must be within 10 m");
+  }
+  Eigen::Isometry3d offset = Eigen::Isometry3d::Identity();
+  offset.translation() << at[0], at[1], at[2];
+  if (rpy != std::vector<double>{0.0, 0.0, 0.0}) {
+    offset.linear() = rotation_from_rpy(rpy[0], rpy[1], rpy[2]);
+  }
+  return offset;
+}
+
 SoleEntry read_sole(const ConfigNode& node) {
   SoleEntry entry;
   entry.present = true;
   entry.frame = node.text("frame");
   entry.sensor = node.text("sensor", entry.frame);
+  entry.offset = read_offset(node);
   entry.sole.front = node.number("front", 1e-3, 1.0);
   entry.sole.back = node.number("back", 1e-3, 1.0);
   entry.sole.left = node.number("left", 1e-3, 1.0);
@@ -31,6 +49,7 @@ HandEntry read_hand(const ConfigNode& node) {
   entry.present = true;
   entry.frame = node.text("frame");
   entry.sensor = node.text("sensor", entry.frame);
+  entry.offset = read_offset(node);
   entry.joints = node.texts("joints");
   node.finish();
   return entry;

@@ -22,12 +22,14 @@ struct ServoEntry {
 struct SoleEntry {
   bool present = false;
   std::string frame, sensor;
+  Eigen::Isometry3d offset = Eigen::Isometry3d::Identity();  // of the sole's frame in that link
   Sole sole;  // sizes and spring only
 };
 
 struct HandEntry {
   bool present = false;
   std::string frame, sensor;
+  Eigen::Isometry3d offset = Eigen::Isometry3d::Identity();
   std::vector<std::string> joints;
 };
 
