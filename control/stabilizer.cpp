@@ -10,6 +10,7 @@ void Stabilizer::start() noexcept {
   error_.setZero();
   wanted_.setZero();
   lean_.setZero();
+  share_ = ZmpShare();
   rebase_ = false;
   fresh_ = true;
 }

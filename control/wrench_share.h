@@ -26,9 +26,10 @@ struct SoleOnGround {                                  // in the ground frame
 };
 
 struct ZmpShare {
-  double left = 0.5;                     // load share of the left foot, 0..1
-  std::array<Eigen::Vector2d, 2> cop{};  // in the axes of each sole, from its frame [m]
-  Eigen::Vector2d zmp{};                 // what this gives, in the ground frame [m]
+  double left = 0.5;  // load share of the left foot, 0..1
+  // In the axes of each sole, from its frame [m].
+  std::array<Eigen::Vector2d, 2> cop{Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};
+  Eigen::Vector2d zmp = Eigen::Vector2d::Zero();  // what this gives, in the ground frame [m]
 };
 
 // soles: left, right.  margin: kept from the edges [m].  least_load: smallest share of either foot.
