@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <new>
 
 #include "control/lipm.h"
 
@@ -99,6 +102,21 @@ TEST(Stabilizer, AtAChangeOfSourceAStepOfTheMeasurementIsLetInSlowly) {
   unwarned.update({}, step, kNone, stance(), 3.6, kDt);
   EXPECT_LT((stabilizer.zmp_wanted() - before).norm(),
             0.05 * (unwarned.zmp_wanted() - before).norm());
+}
+
+// A robot that is started twice must do the same twice, whatever was in its memory before.
+TEST(Stabilizer, BeginsAlikeInWhateverMemory) {
+  alignas(Stabilizer) std::array<std::byte, sizeof(Stabilizer)> memory;
+  memory.fill(std::byte{0xff});  // as numbers: NaN
+  auto* used = new (memory.data()) Stabilizer({});
+  Stabilizer fresh{{}};
+  for (Stabilizer* one : {used, &fresh}) {
+    one->start();
+    one->update({}, {0.02, 0.01}, kNone, stance(), 3.6, kDt);
+  }
+  EXPECT_EQ(used->share().zmp, fresh.share().zmp);
+  EXPECT_EQ(used->share().cop[0], fresh.share().cop[0]);
+  used->~Stabilizer();
 }
 
 }  // namespace
