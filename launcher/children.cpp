@@ -26,6 +26,8 @@ constexpr long kTailBytes = 16384;
 [[noreturn]] void become(const ChildSpec& spec, char* const* arguments, pid_t parent,
                          int error_fd) {
   setpgid(0, 0);
+  const sched_param ordinary{};  // each program asks for the priority that it needs
+  sched_setscheduler(0, SCHED_OTHER, &ordinary);
   // SIGKILL: a child may ignore SIGTERM, outlive us and keep the terminal.  A bridge to real motors is spared: its
   // robot must come to rest by the command timeout, not by losing its last master.
   if (spec.dies_with_launcher) {

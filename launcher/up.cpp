@@ -136,6 +136,7 @@ Up::Up(const Arguments& arguments) {
     std::erase_if(stack_.processes, [](const StackProcess& process) { return process.viewer; });
   }
 
+  go_ahead_of_ordinary_programs();
   bus_ = std::make_unique<BusLink>(arguments.text("--url", ""), arguments.text("--prefix", ""),
                                    arguments.all("--allow"));
   refuse_if_someone_publishes();

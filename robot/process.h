@@ -36,4 +36,8 @@ enum class RealTime : std::int8_t { kNone = 0, kFifo = 1, kFifoLocked = 2 };
 // Call before the bus is opened: its receive thread inherits the priority.  Never fails: the result says what was allowed and why says what was not, as one sentence.
 RealTime enter_real_time(int priority, std::string* why = nullptr);
 
+// For who only watches the loops but must not lose a message of theirs: behind all of them, ahead of
+// programs without real-time priority.  Where that is not allowed, nothing happens.
+void go_ahead_of_ordinary_programs() noexcept;
+
 }  // namespace twinbus
