@@ -96,7 +96,10 @@ time.sleep(1.5)
 watcher.send('{"do":"hello"}')
 hello = watcher.wait_for("hello")
 check(hello["trusted"] is False and len(hello["joints"]) == 29, "it is told that it only watches")
-report = watcher.wait_for("status")
+for _ in range(10):  # of messages one is shown after the other
+    report = watcher.wait_for("status")
+    if any("started" in e["text"] for e in report["events"]):
+        break
 check(len(report["processes"]) >= 5 and len(report["sources"]) == 2, "it sees processes and sources")
 check(any("started" in e["text"] for e in report["events"]), "it sees messages of the stack")
 newcomer = Page()
