@@ -31,7 +31,7 @@ std::vector<std::pair<std::string, std::string>> EmulatedRobot::differences() {
           {"contact.stiffness_scale", "0.8"}, {"contact.damping_scale", "1.2"},
           {"contact.friction", "0.7"},        {"sensor.noise.encoder", "1e-5"},
           {"sensor.quantum.encoder", "1e-5"}, {"sensor.noise.velocity", "0.002"},
-          {"sensor.noise.torque", "0.3"},     {"sensor.noise.attitude", "1e-4"},
+          {"sensor.noise.torque", "0.1"},     {"sensor.noise.attitude", "1e-4"},
           {"sensor.noise.gyro", "0.001"},     {"sensor.noise.accel", "0.02"},
           {"sensor.noise.force", "1.0"},      {"sensor.noise.moment", "0.05"}};
 }
