@@ -21,6 +21,9 @@
 
 namespace twinbus {
 
+// An index of ours as one of the library.
+constexpr std::size_t at(int i) { return static_cast<std::size_t>(i); }
+
 // Torque of everything that acts in one joint, as a line in its speed at the end of the step.
 struct JointRow {
   double force = 0.0;  // [N m]

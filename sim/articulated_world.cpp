@@ -15,8 +15,6 @@ constexpr int kPatience = 3;
 constexpr int kMostPasses = 60;
 constexpr double kNotARotation = 1e-12;  // beyond it the base's attitude is normalised
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 }  // namespace
 
 ArticulatedWorld::ArticulatedWorld(const Model& model, const WorldConfig& config)

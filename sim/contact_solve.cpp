@@ -15,8 +15,6 @@ constexpr double kSettled = 1e-10;  // of 10 N + all forces
 constexpr double kForceFloor = 10.0;
 constexpr int kMostNewton = 20;
 
-std::size_t at(int i) { return static_cast<std::size_t>(i); }
-
 // Solves a x = b in place by elimination with partial pivots; a is row-major n x n.
 void eliminate(double* a, double* b, int n) noexcept {
   for (int c = 0; c < n; ++c) {

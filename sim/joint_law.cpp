@@ -8,20 +8,15 @@ namespace twinbus {
 
 namespace {
 
-// Play is crossed as the torque changes sign; the sign is smoothed over this torque so that the
-// crossing takes time.
-constexpr double kPlayTorque = 2.0;  // [N m]
-constexpr double kPlayRate = 0.2;    // share per step
-
 // So stiff that a stop is passed by less than 1e-9 rad at any torque a robot has.
 constexpr double kStopGain = 1e11;  // [N m s/rad]
 // A joint set beyond its stop comes back by this share of the excess per step, not faster than so.
-constexpr double kStopErp = 0.2;
+constexpr double kStopShare = 0.2;
 constexpr double kStopReturn = 2.0;   // [rad/s or m/s]
 constexpr double kStopGuess = 1e-12;  // a joint so near its stop is expected to lean on it [rad]
 
 double stop_bound(double room, double h) {
-  return room >= 0.0 ? room / h : std::max(kStopErp * room / h, -kStopReturn);
+  return room >= 0.0 ? room / h : std::max(kStopShare * room / h, -kStopReturn);
 }
 
 }  // namespace

@@ -18,8 +18,6 @@
 
 namespace twinbus {
 
-inline constexpr double kStickSpeed = 0.01;  // below it Coulomb friction creeps [rad/s or m/s]
-
 class JointLaw {
  public:
   JointLaw(const Joint& joint, const WorldConfig& config);

@@ -11,13 +11,8 @@ namespace twinbus {
 
 namespace {
 
-// Play is crossed as the torque changes sign; the sign is smoothed over this torque so that the
-// crossing takes time.
-constexpr double kPlayTorque = 2.0;   // [N m]
-constexpr double kStickSpeed = 0.01;  // [rad/s or m/s]
-constexpr double kStopReach = 20.0;   // speed that a step may add [rad/s or m/s]
+constexpr double kStopReach = 20.0;  // speed that a step may add [rad/s or m/s]
 constexpr double kStopErp = 0.2;
-constexpr double kPlayRate = 0.2;  // share per step
 
 struct Params {  // ODE numbers the parameters of axis 0, 1, 2 in groups of dParamGroup
   static int of(int parameter, int axis) { return parameter + axis * dParamGroup; }

@@ -84,6 +84,13 @@ inline constexpr double kMaxPush = 1e6;      // [N]
 // Whether a world may be set to this: kWrongSize, kNotFinite, kOutOfRange.
 Status check_configuration(std::size_t joints, const Configuration& configuration) noexcept;
 
+// Joints: below this speed Coulomb friction creeps [rad/s or m/s].
+inline constexpr double kStickSpeed = 0.01;
+// Play is crossed as the torque changes sign; the sign is smoothed over this torque so that the
+// crossing takes time, and the play follows by this share per step.
+inline constexpr double kPlayTorque = 2.0;  // [N m]
+inline constexpr double kPlayRate = 0.2;
+
 // Shells of links other than soles: what a fallen robot lies on.
 inline constexpr double kLinkStiffness = 2e5;  // of a point [N/m]
 inline constexpr double kLinkDamping = 1e3;    // [N s/m]

@@ -9,7 +9,7 @@
 namespace twinbus {
 namespace {
 
-constexpr double kStep = 0.002;  // [s]
+constexpr double kLawStep = 0.002;  // [s]
 
 ContactParams params() {
   ContactParams p;
@@ -45,7 +45,7 @@ TEST(ContactLaw, NeverPullsAndNeverLeavesTheCone) {
   int sticks = 0, slips = 0;
   for (int i = 0; i < 20000; ++i) {
     const Case c = random_case(random);
-    contact_force(params(), c.depth, c.normal, c.stretch, c.v, kStep, false, 0.0, force);
+    contact_force(params(), c.depth, c.normal, c.stretch, c.v, kLawStep, false, 0.0, force);
     const double fn = c.normal.dot(force.force);
     const double ft = (force.force - fn * c.normal).norm();
     ASSERT_GE(fn, 0.0);
@@ -65,13 +65,15 @@ TEST(ContactLaw, TheTangentIsItsDerivative) {
     int compared = 0;
     for (int i = 0; i < 3000; ++i) {
       const Case c = random_case(random);
-      contact_force(params(), c.depth, c.normal, c.stretch, c.v, kStep, true, smooth, force);
+      contact_force(params(), c.depth, c.normal, c.stretch, c.v, kLawStep, true, smooth, force);
       for (int k = 0; k < 3; ++k) {
         const Eigen::Vector3d d = step * Eigen::Vector3d::Unit(k);
-        contact_force(params(), c.depth, c.normal, c.stretch, c.v + d, kStep, false, smooth, plus);
-        contact_force(params(), c.depth, c.normal, c.stretch, c.v - d, kStep, false, smooth, minus);
+        contact_force(params(), c.depth, c.normal, c.stretch, c.v + d, kLawStep, false, smooth,
+                      plus);
+        contact_force(params(), c.depth, c.normal, c.stretch, c.v - d, kLawStep, false, smooth,
+                      minus);
         if (plus.mode != minus.mode) continue;  // a kink
-        const double end = c.depth - kStep * c.normal.dot(c.v);
+        const double end = c.depth - kLawStep * c.normal.dot(c.v);
         if (std::abs(end - kDampingRamp) < 1e-9 || std::abs(end) < 1e-9) continue;
         const Eigen::Vector3d slope = -(plus.force - minus.force) / (2.0 * step);
         ASSERT_LT((slope - force.tangent.col(k)).norm(),
@@ -87,10 +89,10 @@ TEST(ContactLaw, TheTangentIsItsDerivative) {
 TEST(ContactLaw, AtRestItIsASpring) {
   ContactForce force;
   contact_force(params(), 1e-3, Eigen::Vector3d::UnitZ(), Eigen::Vector3d::Zero(),
-                Eigen::Vector3d::Zero(), kStep, false, 0.0, force);
+                Eigen::Vector3d::Zero(), kLawStep, false, 0.0, force);
   EXPECT_DOUBLE_EQ(force.force.z(), 200.0);
   contact_force(params(), -1e-9, Eigen::Vector3d::UnitZ(), Eigen::Vector3d::Zero(),
-                Eigen::Vector3d::Zero(), kStep, false, 0.0, force);
+                Eigen::Vector3d::Zero(), kLawStep, false, 0.0, force);
   EXPECT_EQ(force.mode, ContactMode::kOpen);
 }
 

@@ -13,7 +13,7 @@
 namespace twinbus {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 
 class WorldTest : public test::BothEngines {};
 TWINBUS_FOR_BOTH_ENGINES(WorldTest);
@@ -136,7 +136,7 @@ TEST_P(WorldTest, RefusesWhatIsNotANumberAndGoesOn) {
   World& world = *world_owner;
   ASSERT_EQ(world.set(Configuration(model)), Status::kOk);
   for (int field = 0; field < 5; ++field) {
-    for (const double bad : {kNan, std::numeric_limits<double>::infinity(), 1e300}) {
+    for (const double bad : {kNotANumber, std::numeric_limits<double>::infinity(), 1e300}) {
       double n[5] = {0, 0, 0, 10, 1};
       n[field] = bad;
       EXPECT_NE(world.set_servo(0, {.q = n[0], .qd = n[1], .tau = n[2], .kp = n[3], .kd = n[4]}),
@@ -147,12 +147,12 @@ TEST_P(WorldTest, RefusesWhatIsNotANumberAndGoesOn) {
             Status::kOutOfRange);
   EXPECT_EQ(world.set_servo(7, {}), Status::kWrongSize);
   Configuration bad(model);
-  bad.q[0] = kNan;
+  bad.q[0] = kNotANumber;
   EXPECT_EQ(world.set(bad), Status::kNotFinite);
   bad = Configuration(model);
-  bad.base_velocity.x() = kNan;
+  bad.base_velocity.x() = kNotANumber;
   EXPECT_EQ(world.set(bad), Status::kNotFinite);
-  EXPECT_EQ(world.push(1, Eigen::Vector3d::Zero(), {kNan, 0, 0}), Status::kNotFinite);
+  EXPECT_EQ(world.push(1, Eigen::Vector3d::Zero(), {kNotANumber, 0, 0}), Status::kNotFinite);
   EXPECT_EQ(world.step(), Status::kOk);
 }
 
