@@ -1,6 +1,7 @@
 #include "robot/load.h"
 
 #include "fixtures.h"
+#include "robot/anatomy.h"
 
 namespace twinbus::test {
 namespace {
@@ -157,6 +158,23 @@ TEST(Hrp1s, IsTheRobotOfThePaperClass) {
   }
   for (const char* pose : {"zero", "initial", "half_sitting"})
     EXPECT_GE(model.find_pose(pose), 0) << pose;
+}
+
+TEST(OurRobots, AreAsLargeAsTheyAreSaidToBe) {
+  const struct {
+    const char* name;
+    int joints;
+    double mass;
+  } robots[] = {{"hrp1s", 29, 130.8}, {"hrp2p", 30, 58.0}, {"biped12", 12, 58.0}};
+  for (const auto& robot : robots) {
+    const Model model = load_robot(robot.name);
+    EXPECT_EQ(model.bus_count(), robot.joints) << robot.name;
+    EXPECT_NEAR(model.total_mass(), robot.mass, 1e-9) << robot.name;
+    EXPECT_EQ(model.leg_joints.size(), 12u) << robot.name;
+    for (const char* pose : {"zero", "initial", "half_sitting"})
+      EXPECT_GE(model.find_pose(pose), 0) << robot.name;
+  }
+  EXPECT_NEAR(find_anatomy(load_robot("hrp2p")).height, 1.54, 0.005);
 }
 
 // In half sitting the soles are flat, level and under the hips, and the centre of mass is well
