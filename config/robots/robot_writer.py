@@ -6,6 +6,8 @@ exists.  Joints stand in the file in the order of the bus.
 import math
 from xml.sax.saxutils import quoteattr
 
+import shells
+
 COLORS = {"shell": "0.90 0.91 0.93 1", "joint": "0.22 0.24 0.28 1", "accent": "0.10 0.36 0.66 1",
           "sole": "0.10 0.10 0.11 1", "visor": "0.05 0.07 0.10 1", "hand": "0.45 0.48 0.52 1"}
 ROTATION = {"x": "0 1.5707963267948966 0", "y": "1.5707963267948966 0 0", "z": "0 0 0"}
@@ -38,10 +40,14 @@ def numbers(values):
 
 
 class Robot:
-    """Links, joints and massless frames; groups and poses for the SRDF."""
+    """Links, joints and massless frames; groups and poses for the SRDF.
 
-    def __init__(self, name):
-        self.name = name
+    with_shells: a viewer sees surfaces of triangles, one file per link and colour, instead of the primitives.
+    """
+
+    def __init__(self, name, with_shells=False):
+        self.name, self.with_shells = name, with_shells
+        self.meshes = {}  # file name -> triangles
         self.links, self.joints, self.frames = [], [], []
         self.groups, self.ends, self.poses = [], [], []
 
@@ -80,10 +86,19 @@ class Robot:
             rotation = ROTATION[size[2]]
         origin = f'<origin xyz="{numbers(at)}" rpy="{rotation}"/>'
         out = []
-        if "v" in use:
+        if "v" in use and not self.with_shells:
             out.append(f'    <visual>{origin}<geometry>{geometry}</geometry><material name="{color}"/></visual>')
         if "c" in use:
             out.append(f'    <collision>{origin}<geometry>{geometry}</geometry></collision>')
+        return out
+
+    def shell_xml(self, link, shapes):
+        out = []
+        for color in sorted({shape[3] for shape in shapes if "v" in shape[4]}):
+            file = f"meshes/{link.lower()}_{color}.stl"
+            self.meshes[file] = [t for shape in shapes if "v" in shape[4] and shape[3] == color
+                                 for t in shells.of_shape(shape)]
+            out.append(f'    <visual><geometry><mesh filename="{file}"/></geometry><material name="{color}"/></visual>')
         return out
 
     def head(self):
@@ -101,6 +116,8 @@ class Robot:
                        f'<inertia ixx="{ixx:.6g}" ixy="0" ixz="0" iyy="{iyy:.6g}" iyz="0" izz="{izz:.6g}"/></inertial>')
             for shape in shapes:
                 out.extend(self.shape_xml(shape))
+            if self.with_shells:
+                out.extend(self.shell_xml(name, shapes))
             out.append("  </link>")
         for name, _, _ in self.frames:
             out.append(f"  <link name={quoteattr(name)}/>")
@@ -134,4 +151,11 @@ class Robot:
     def write(self, folder):
         (folder / f"{self.name}.urdf").write_text(self.urdf())
         (folder / f"{self.name}.srdf").write_text(self.srdf())
+        if self.meshes:
+            (folder / "meshes").mkdir(exist_ok=True)
+            for old in (folder / "meshes").glob("*.stl"):
+                old.unlink()
+            for file, triangles in self.meshes.items():
+                shells.write_stl(folder / file, triangles)
+            print(f"{len(self.meshes)} meshes, {sum(len(t) for t in self.meshes.values())} triangles")
         print(f"{self.name}: {len(self.joints)} joints, {len(self.links)} moving links, {self.mass():.1f} kg")

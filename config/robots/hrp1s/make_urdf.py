@@ -10,7 +10,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 from robot_writer import Robot, ball, box, deg, mirrored, rod  # noqa: E402
 
 MASS = 130.8  # [kg], checked below
-robot = Robot("hrp1s")
+robot = Robot("hrp1s", with_shells=True)
 
 
 def leg(prefix, side):
