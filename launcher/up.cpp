@@ -131,12 +131,14 @@ Up::Up(const Arguments& arguments) {
   request_.period = model.period();
   request_.step_s = scene_.step > 0.0 ? scene_.step : model.period();
   if (arguments.has("--no-fifo")) setenv("TWINBUS_FIFO", "0", 1);  // every process inherits it
+  go_ahead_of_ordinary_programs();
+  // Lock-step goes as fast as it can: with real-time priority it would leave those who watch no time.
+  if (request_.lockstep) setenv("TWINBUS_FIFO", "0", 1);
   stack_ = load_stack(arguments.text("--stack", "sim"));
   if (arguments.has("--no-viewer")) {
     std::erase_if(stack_.processes, [](const StackProcess& process) { return process.viewer; });
   }
 
-  go_ahead_of_ordinary_programs();
   bus_ = std::make_unique<BusLink>(arguments.text("--url", ""), arguments.text("--prefix", ""),
                                    arguments.all("--allow"));
   refuse_if_someone_publishes();
@@ -311,7 +313,8 @@ void Up::wait_for_first_commands() {
   first_tick_ = bus_->seen().newest_state().tick;
   at_start_ = missed_so_far(bus_->seen(), start_ns_);
   if (!request_.lockstep) bus_->seen().restart_counts();
-  say(std::string(runs_at_fifo(bus_->seen(), start_ns_)
+  say(std::string(request_.lockstep ? "in lock-step, without FIFO priority"
+                  : runs_at_fifo(bus_->seen(), start_ns_)
                       ? "source and controller run with FIFO priority"
                       : "WITHOUT FIFO priority (./twinbus doctor --rt says why)") +
       "; output of each process: " + folder_);
