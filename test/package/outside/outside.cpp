@@ -1,0 +1,25 @@
+// What somebody else's program does with the installed libraries: one thing of each.
+
+#include <cstdio>
+#include <exception>
+
+#include "lcmtypes/channels.h"
+#include "planner/arm_planner.h"
+#include "robot/kinematics.h"
+#include "robot/load.h"
+#include "sim/scene.h"
+#include "twinbus/robot_state_t.hpp"
+
+int main() try {
+  const twinbus::Model model = twinbus::load_robot("hrp1s");
+  twinbus::Kinematics kinematics(model);
+  const twinbus::Scene scene = twinbus::load_scene("stand");
+  const twinbus::ArmPlanner planner(model);
+  const twinbus::robot_state_t message{};
+  std::printf("%.1f kg, scene of %.0f s, %s has %d bytes\n", kinematics.mass(), scene.duration, twinbus::channel::kState,
+              message.getEncodedSize());
+  return 0;
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "outside: %s\n", error.what());
+  return 1;
+}
