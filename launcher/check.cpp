@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "launcher/arguments.h"
+#include "robot/index.h"
 #include "robot/kinematics.h"
 #include "robot/link_points.h"
 #include "robot/load.h"
@@ -20,8 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 const char* kind_name(JointKind kind) {
   return kind == JointKind::kPrismatic    ? "prismatic"

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <cmath>
 
+#include "robot/index.h"
 #include "robot/kinematics.h"
 #include "robot/link_points.h"
 
@@ -15,8 +16,6 @@ constexpr double kSide = 0.01;   // nearer to the middle plane is in the middle 
 constexpr double kSole = 0.008;  // what is so near to the lowest point belongs to the sole [m]
 constexpr double kFlat = 0.015;  // links that reach so near to the lowest point may be the foot [m]
 constexpr int kLimbJoints = 3;   // in a row, at least
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 bool mentions(const std::string& name, const std::vector<const char*>& words) {
   std::string lower = name;

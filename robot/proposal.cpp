@@ -8,6 +8,7 @@
 
 #include "robot/collision.h"
 #include "robot/dynamics.h"
+#include "robot/index.h"
 #include "robot/kinematics.h"
 #include "robot/pose_math.h"
 #include "robot/xml.h"
@@ -24,8 +25,6 @@ constexpr double kLegStiffness = 15.6;    // [1/rad], times weight times height 
 constexpr double kSoleStiffness = 1.0e6;  // [N/m]
 constexpr double kSoleDamping = 2.0e3;    // [N s/m]
 constexpr double kArmStiffness = 150.0;   // [1/rad], times the moment of what hangs on the joint
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 // Two digits are all a guess deserves; plain decimals, which YAML reads as numbers.
 std::string rough(double value) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "robot/anatomy.h"
+#include "robot/index.h"
 #include "robot/inverse_kinematics.h"
 #include "robot/kinematics.h"
 
@@ -12,8 +13,6 @@ namespace twinbus {
 namespace {
 
 constexpr double kBend = 0.06;  // of the length of the leg that the hips go down
-
-std::size_t at(int index) { return static_cast<std::size_t>(index); }
 
 // Knees forward: the joints of a leg that turn about y are bent like hip, knee and ankle.
 void bend(const Model& model, const Kinematics& k, int foot, Eigen::VectorXd& q) {

@@ -15,14 +15,12 @@
 
 #include <vector>
 
+#include "robot/index.h"
 #include "robot/kinematics.h"
 #include "robot/model.h"
 #include "sim/spatial.h"
 
 namespace twinbus {
-
-// An index of ours as one of the library.
-constexpr std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
 // Torque of everything that acts in one joint, as a line in its speed at the end of the step.
 struct JointRow {
