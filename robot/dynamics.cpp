@@ -78,4 +78,12 @@ Eigen::Matrix<double, 6, 1> InverseDynamics::solve(
   return base;
 }
 
+Eigen::Vector3d InverseDynamics::point_acceleration(const Kinematics& kinematics, int link,
+                                                    const Eigen::Vector3d& point) const noexcept {
+  const Eigen::Vector3d arm = point - kinematics.link_in_world(link).translation();
+  const Eigen::Vector3d& omega = kinematics.angular_velocity(link);
+  return acceleration_[at(link)] - kGravity * Eigen::Vector3d::UnitZ() +
+         angular_acceleration_[at(link)].cross(arm) + omega.cross(omega.cross(arm));
+}
+
 }  // namespace twinbus

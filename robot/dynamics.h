@@ -36,6 +36,14 @@ class InverseDynamics {
                                     const std::vector<ExternalWrench>& external,
                                     Eigen::VectorXd& tau) noexcept;
 
+  // Of the last solve, without gravity: acceleration [m/s^2] of the material point of a link that is
+  // at `point` (world).  With zero accelerations given to solve, what velocities alone cause: J' v.
+  Eigen::Vector3d point_acceleration(const Kinematics& kinematics, int link,
+                                     const Eigen::Vector3d& point) const noexcept;
+  const Eigen::Vector3d& angular_acceleration(int link) const noexcept {
+    return angular_acceleration_[static_cast<std::size_t>(link)];
+  }
+
  private:
   const Model* model_;
   std::vector<Eigen::Vector3d> acceleration_, angular_acceleration_, force_, torque_;  // world

@@ -8,9 +8,11 @@
 
 #include "robot/dynamics.h"
 #include "robot/estimator.h"
+#include "robot/forward_dynamics.h"
 #include "robot/inverse_kinematics.h"
 #include "robot/kinematics.h"
 #include "robot/load.h"
+#include "robot/mass_matrix.h"
 #include "robot/options.h"
 #include "robot/process.h"
 #include "robot/rate_stats.h"
@@ -54,6 +56,70 @@ std::vector<Configuration> postures(const Model& model) {
   return result;
 }
 
+// Everything that a peer computes too, as lines `name value value ...`, columns first: peers/pinocchio_peer.py compares.
+void dump(const Model& model, const std::string& file_name) {
+  std::FILE* file = std::fopen(file_name.c_str(), "w");
+  if (file == nullptr) throw std::runtime_error(file_name + ": cannot be written");
+  const auto line = [&](const char* name, const Eigen::MatrixXd& values) {
+    std::fprintf(file, "%s", name);
+    for (Eigen::Index i = 0; i < values.size(); ++i) std::fprintf(file, " %.17g", values.data()[i]);
+    std::fprintf(file, "\n");
+  };
+  const Eigen::Index n = model.joint_count();
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  const auto vector = [&](Eigen::Index size) {
+    Eigen::VectorXd v(size);
+    for (Eigen::Index i = 0; i < size; ++i) v[i] = unit(random);
+    return v;
+  };
+  std::fprintf(file, "joints");
+  for (const Joint& joint : model.joints) std::fprintf(file, " %s", joint.name.c_str());
+  std::fprintf(file, "\n");
+  Kinematics k(model);
+  MassMatrix mass(model);
+  InverseDynamics inverse(model);
+  ForwardDynamics forward(model);
+  const int hand = model.hands[0].link;
+  for (Configuration c : postures(model)) {
+    c.base.linear() = Eigen::Quaterniond(vector(4).normalized().eval().data()).toRotationMatrix();
+    c.base.translation() = vector(3);
+    c.base_velocity = vector(3);
+    c.base_angular_velocity = vector(3);
+    k.update(c);
+    mass.update(k);
+    const Eigen::VectorXd acceleration = vector(6 + n);
+    Eigen::VectorXd tau(n), qdd(n), wrench(6), base(6);
+    wrench = inverse.solve(k, c, acceleration.tail(n), acceleration.head<3>(),
+                           acceleration.segment<3>(3), {}, tau);
+    Eigen::MatrixXd jacobian(6, 6 + n), com(3, 6 + n);
+    k.point_jacobian(hand, k.link_in_world(hand).translation(), jacobian);
+    k.com_jacobian(com);
+    const Eigen::Vector4d turn = Eigen::Quaterniond(c.base.linear()).coeffs();  // x y z w
+    line("position", c.base.translation());
+    line("turn", turn);
+    line("q", c.q);
+    Eigen::VectorXd v(6 + n);
+    v << c.base_velocity, c.base_angular_velocity, c.qd;
+    line("v", v);
+    line("a", acceleration);
+    line("com", k.com());
+    line("hand", k.link_in_world(hand).translation());
+    line("hand_jacobian", jacobian);
+    line("com_jacobian", com);
+    line("mass_matrix", mass.matrix());
+    Eigen::VectorXd forces(6 + n);
+    forces << wrench, tau;
+    line("inverse_dynamics", forces);
+    forward.solve(k, c, tau, {}, qdd);
+    base << forward.base_acceleration(), forward.base_angular_acceleration();
+    forces << base, qdd;
+    line("forward_dynamics", forces);
+    line("end", Eigen::VectorXd());
+  }
+  if (std::fclose(file) != 0) throw std::runtime_error(file_name + ": cannot be written");
+}
+
 RobotState standing(const Model& model) {
   RobotState state;
   state.run_id = 1;
@@ -75,11 +141,12 @@ RobotState standing(const Model& model) {
 
 int main(int argc, char** argv) try {
   Options options("kinematics_bench", "Costs of the robot library per call.");
-  std::string csv, robot = "hrp1s";
+  std::string csv, dump_file, robot = "hrp1s";
   std::int64_t calls = 200000;
   options.text("--robot", "NAME_OR_DIR", robot, "a robot with legs, arms and a pose half_sitting");
   options.integer("--calls", "N", calls, 1000, 100'000'000, "per case");
   options.text("--csv", "FILE", csv, "also as rows");
+  options.text("--dump", "FILE", dump_file, "no costs: results for a peer to compare");
   options.parse(argc, argv);
 
   const Model model = load_robot(robot);
@@ -87,6 +154,10 @@ int main(int argc, char** argv) try {
     std::fprintf(stderr, "kinematics_bench: %s has no pose half_sitting, soles or hands\n",
                  robot.c_str());
     return 1;
+  }
+  if (!dump_file.empty()) {
+    dump(model, dump_file);
+    return 0;
   }
   const std::vector<Configuration> c = postures(model);
   Kinematics kinematics(model);
@@ -124,6 +195,35 @@ int main(int argc, char** argv) try {
   rows.push_back(measure("inverse dynamics", calls, kBatch, [&](int i) {
     dynamics.solve(kinematics, c[static_cast<std::size_t>(i % 64)], qdd, Eigen::Vector3d::Zero(),
                    Eigen::Vector3d::Zero(), external, tau);
+  }));
+  // As a controller needs them, kinematics included; compared with a peer's.
+  const auto at_posture = [&](int i) -> const Configuration& {
+    return c[static_cast<std::size_t>(i % 64)];
+  };
+  MassMatrix mass(model);
+  ForwardDynamics forward(model);
+  Eigen::VectorXd result(model.joint_count());
+  rows.push_back(measure("all: kinematics and jacobians", calls, kBatch, [&](int i) {
+    kinematics.update(at_posture(i));
+    for (std::size_t side = 0; side < 2; ++side) {
+      const int foot = model.soles[side].link, hand = model.hands[side].link;
+      kinematics.point_jacobian(foot, kinematics.link_in_world(foot).translation(), jacobian);
+      kinematics.point_jacobian(hand, kinematics.link_in_world(hand).translation(), jacobian);
+    }
+    kinematics.com_jacobian(com_jacobian);
+  }));
+  rows.push_back(measure("all: inverse dynamics", calls, kBatch, [&](int i) {
+    kinematics.update(at_posture(i));
+    dynamics.solve(kinematics, at_posture(i), qdd, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(),
+                   external, tau);
+  }));
+  rows.push_back(measure("all: mass matrix", calls, kBatch, [&](int i) {
+    kinematics.update(at_posture(i));
+    mass.update(kinematics);
+  }));
+  rows.push_back(measure("all: forward dynamics", calls, kBatch, [&](int i) {
+    kinematics.update(at_posture(i));
+    forward.solve(kinematics, at_posture(i), tau, external, result);
   }));
   rows.push_back(measure("estimator update", calls, kBatch, [&](int) { estimator.update(state); }));
   rows.push_back(measure("leg inverse kinematics, 1 cm", calls / 10, 4, [&](int i) {

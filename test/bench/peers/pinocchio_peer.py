@@ -1,0 +1,139 @@
+#!/usr/bin/env python3
+"""Our kinematics and dynamics beside Pinocchio's (pip install pin): the same numbers, and the cost of each.
+
+    pinocchio_peer.py KINEMATICS_BENCH URDF [CSV]
+
+Agreement is relative, over 64 random postures and motions; more than 1e-10 is a failure.  Costs are medians of the same
+minute; what Python adds to each of Pinocchio's calls is measured with an empty one and taken off.  Without Pinocchio it
+says so and exits 0.
+"""
+
+import pathlib
+import subprocess
+import sys
+import tempfile
+import time
+
+try:
+    import numpy
+    import pinocchio
+except ImportError:
+    print("pinocchio: not installed, nothing compared (pip install pin)")
+    sys.exit(0)
+
+LIMIT = 1e-10
+
+
+def blocks(text):
+    block = {}
+    for line in text.splitlines():
+        name, *values = line.split()
+        if name == "end":
+            yield block
+            block = {"joints": block["joints"]}
+        else:
+            block[name] = values if name == "joints" else numpy.array([float(v) for v in values])
+
+
+def to_peer(model, block):
+    """q, v, a as Pinocchio has them, and T with v = T v_ours: base motions in the base's frame."""
+    n = len(block["joints"])
+    base = pinocchio.XYZQUATToSE3(numpy.concatenate([block["position"], block["turn"]]))
+    q = numpy.concatenate([block["position"], block["turn"], numpy.zeros(n)])
+    t = numpy.zeros((6 + n, 6 + n))
+    t[:3, :3] = t[3:6, 3:6] = base.rotation.T
+    for k, name in enumerate(block["joints"]):
+        joint = model.joints[model.getJointId(name)]
+        q[joint.idx_q] = block["q"][k]
+        t[joint.idx_v, 6 + k] = 1.0
+    spin = numpy.zeros(6 + n)  # Pinocchio's base acceleration is spatial
+    spin[:3] = numpy.cross(block["v"][3:6], block["v"][:3])
+    return q, t @ block["v"], t @ (block["a"] - spin), t, spin
+
+
+def agreement(model, data, block):
+    n = len(block["joints"])
+    q, v, a, t, spin = to_peer(model, block)
+
+    def off(name, theirs):
+        ours = block[name].reshape(numpy.asarray(theirs).T.shape).T
+        return name, float(numpy.linalg.norm(ours - theirs) / (1.0 + numpy.linalg.norm(theirs)))
+    pinocchio.computeJointJacobians(model, data, q)
+    pinocchio.updateFramePlacements(model, data)
+    com = pinocchio.jacobianCenterOfMass(model, data, q)
+    yield off("com", pinocchio.centerOfMass(model, data, q))
+    yield off("com_jacobian", com @ t)
+    best = min((float(numpy.linalg.norm(data.oMi[i].translation - block["hand"])), i) for i in range(1, model.njoints))
+    yield "hand", best[0]
+    same = [i for i in range(1, model.njoints) if numpy.linalg.norm(data.oMi[i].translation - block["hand"]) < 1e-9]
+    jacobians = [pinocchio.getJointJacobian(model, data, i, pinocchio.LOCAL_WORLD_ALIGNED) @ t for i in same]
+    yield "hand_jacobian", min(off("hand_jacobian", j)[1] for j in jacobians)
+    mass = pinocchio.crba(model, data, q)
+    mass = numpy.triu(mass) + numpy.triu(mass, 1).T
+    yield off("mass_matrix", t.T @ mass @ t)
+    yield off("inverse_dynamics", t.T @ pinocchio.rnea(model, data, q, v, a))
+    tau = numpy.zeros(6 + n)
+    tau[6:] = block["inverse_dynamics"][6:]
+    yield off("forward_dynamics", t.T @ pinocchio.aba(model, data, q, v, t @ tau) + spin)
+
+
+def median_us(call, calls=500, rounds=40):
+    times = []
+    for _ in range(rounds):
+        begin = time.perf_counter()
+        for i in range(calls):
+            call(i % 64)
+        times.append((time.perf_counter() - begin) / calls * 1e6)
+    return float(numpy.median(times))
+
+
+def peer_costs(model, data, all_blocks):
+    states = [to_peer(model, block) for block in all_blocks]
+    empty = median_us(lambda i: model.getFrameId("") if False else states[i][0])
+    last = model.njoints - 1
+    ends = [last, last // 2, last // 3, last // 4]
+
+    def kinematics(i):
+        pinocchio.computeJointJacobians(model, data, states[i][0])
+        for end in ends:
+            pinocchio.getJointJacobian(model, data, end, pinocchio.LOCAL_WORLD_ALIGNED)
+        pinocchio.jacobianCenterOfMass(model, data, states[i][0])
+    jacobian = median_us(lambda i: pinocchio.getJointJacobian(model, data, last, pinocchio.LOCAL_WORLD_ALIGNED))
+    return {"all: kinematics and jacobians": median_us(kinematics) - 4 * jacobian - 2 * empty,  # the four copies are Python's
+            "all: inverse dynamics": median_us(lambda i: pinocchio.rnea(model, data, *states[i][:3])) - empty,
+            "all: mass matrix": median_us(lambda i: pinocchio.crba(model, data, states[i][0])) - empty,
+            "all: forward dynamics": median_us(lambda i: pinocchio.aba(model, data, *states[i][:3])) - empty}
+
+
+def main():
+    if len(sys.argv) < 3:
+        sys.exit(__doc__)
+    bench, urdf = sys.argv[1:3]
+    model = pinocchio.buildModelFromUrdf(urdf, pinocchio.JointModelFreeFlyer())
+    data = model.createData()
+    robot = str(pathlib.Path(urdf).resolve().parent)
+    with tempfile.TemporaryDirectory() as folder:
+        dump, csv = pathlib.Path(folder) / "dump", pathlib.Path(folder) / "csv"
+        subprocess.run([bench, "--robot", robot, "--dump", dump], check=True)
+        all_blocks = list(blocks(dump.read_text()))
+        subprocess.run([bench, "--robot", robot, "--calls", "40000", "--csv", csv], check=True, stdout=subprocess.DEVNULL)
+        ours = {line.split('"')[1]: float(line.split(",us,")[1].split(",")[0]) for line in csv.read_text().splitlines()}
+    worst = {}
+    for block in all_blocks:
+        for name, off in agreement(model, data, block):
+            worst[name] = max(worst.get(name, 0.0), off)
+    print("relative difference, worst of", len(all_blocks))
+    for name, off in worst.items():
+        print(f"  {name:20s} {off:.1e}{'' if off <= LIMIT else '  TOO LARGE'}")
+    print(f"{'microseconds, median':32s} {'ours':>8s} {'peer':>8s} {'ratio':>6s}")
+    rows = []
+    for name, theirs in peer_costs(model, data, all_blocks).items():
+        print(f"{name:32s} {ours[name]:8.3f} {theirs:8.3f} {ours[name] / theirs:6.2f}")
+        rows.append(f'kinematics,"{name}",cost,us,{ours[name]:.3f},,,,pinocchio,{theirs:.3f},{ours[name] / theirs:.3f}\n')
+    if len(sys.argv) > 3:
+        with open(sys.argv[3], "a") as file:
+            file.writelines(rows)
+    return 0 if all(off <= LIMIT for off in worst.values()) else 1
+
+
+sys.exit(main())
