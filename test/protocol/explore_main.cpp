@@ -16,6 +16,8 @@ using namespace twinbus::protocol;
 
 namespace {
 
+constexpr int kFirstDepth = 3;
+
 bool report(Start start, int sources, const Bounds& bounds, const Outcome& outcome,
             double seconds) {
   std::printf(
@@ -43,6 +45,7 @@ int main(int argc, char** argv) {
   int sources = 2;
   double minutes = 0.0;
   Bounds bounds;
+  int depth = 0;  // not said
   std::string only;
   RuleSet off = 0;
   for (int i = 1; i < argc; ++i) {
@@ -57,7 +60,7 @@ int main(int argc, char** argv) {
     if (word == "--sources")
       sources = std::atoi(value);
     else if (word == "--depth")
-      bounds.depth = std::atoi(value);
+      depth = std::atoi(value);
     else if (word == "--faults")
       bounds.faults = std::atoi(value);
     else if (word == "--happenings")
@@ -79,6 +82,11 @@ int main(int argc, char** argv) {
         .count();
   };
   const double begin = now();
+  if (depth > 0) {
+    bounds.depth = depth;
+  } else if (minutes > 0.0) {
+    bounds.depth = kFirstDepth;  // all starts first, then deeper
+  }
   bool holds = true;
   for (;;) {
     bool complete = true;
