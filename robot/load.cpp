@@ -152,8 +152,9 @@ std::string robot_folder(const std::string& name_or_folder) {
     return (robots / name_or_folder).string();
   if (fs::is_directory(name_or_folder, error)) return name_or_folder;
   std::vector<std::string> known;
-  for (const auto& entry : fs::directory_iterator(robots, error))
-    known.push_back(entry.path().filename().string());
+  for (const auto& entry : fs::directory_iterator(robots, error)) {
+    if (entry.is_directory(error)) known.push_back(entry.path().filename().string());
+  }
   throw std::runtime_error("no robot " + name_or_folder + ": neither a folder nor a name under " +
                            robots.string() + suggestion(name_or_folder, known));
 }
