@@ -18,7 +18,7 @@ Model random_tree(unsigned seed) {
   const int joints = 1 + static_cast<int>(random() % 40);
   for (int i = 0; i <= joints; ++i) {
     Link link;
-    link.name = "l" + std::to_string(i);
+    link.name = std::to_string(i) + "l";  // g++ 12 warns of "l" + ... (GCC bug 105329)
     link.parent = i == 0 ? -1 : static_cast<int>(random() % static_cast<unsigned>(i));
     link.mass = 0.1 + 5.0 * std::abs(unit(random));
     link.com = 0.2 * vector();
@@ -33,7 +33,7 @@ Model random_tree(unsigned seed) {
     model.links.push_back(link);
     if (i == 0) continue;
     Joint joint;
-    joint.name = "j" + std::to_string(i);
+    joint.name = std::to_string(i) + "j";
     const unsigned kind = static_cast<unsigned>(random() % 4);
     joint.kind = kind == 0   ? JointKind::kPrismatic
                  : kind == 1 ? JointKind::kContinuous
