@@ -139,10 +139,5 @@ int run(int argc, char** argv) {
 }  // namespace twinbus
 
 int main(int argc, char** argv) {
-  try {
-    return twinbus::run(argc, argv);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "emulated_robot: %s\n", error.what());
-    return 1;
-  }
+  return twinbus::run_process("emulated_robot", twinbus::run, argc, argv);
 }
