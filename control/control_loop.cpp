@@ -26,8 +26,11 @@ constexpr double kCrouch = 0.10;          // [m] at full trigger
 constexpr double kGamepadTimeout = 0.25;  // [s]
 constexpr std::int64_t kMostTicks = 5;    // that a step of time may be worth
 constexpr double kSameMotion = 1.0;       // [s] in which another source may go on with the motion
-constexpr const char* kNoWalk = "walking comes with a later release; the mode stays as it is";
+constexpr double kMostWalkTimeout = 2.0;  // [s]
+constexpr double kPadShare = 0.8;         // of the fastest walk, at full stick
 constexpr const char* kInsane = "a state that no robot can be in was ignored";
+
+double axis(float a) noexcept { return std::clamp(static_cast<double>(a), -1.0, 1.0); }
 
 }  // namespace
 
@@ -38,7 +41,9 @@ struct ControlLoop::Impl {
   void first_state() noexcept;
   void next_state(bool same_source) noexcept;
   void compute(std::int64_t now_ns, double dt) noexcept;
+  bool pad_speaks(std::int64_t now_ns) const noexcept;
   Eigen::Vector3d lean(std::int64_t now_ns) const noexcept;
+  Eigen::Vector3d walk_velocity(std::int64_t now_ns) const noexcept;
   void guard_and_mask(std::int64_t now_ns, double dt) noexcept;
   void write(JointCommand& out) const noexcept;
   bool goes_on() const noexcept;
@@ -64,6 +69,8 @@ struct ControlLoop::Impl {
   StopKind stop_heard = StopKind::kNone;
   Gamepad gamepad;
   std::int64_t gamepad_ns = 0;
+  WalkCommand walk;
+  std::int64_t walk_ns = 0;
   GuardReport guard_heard;
   std::int64_t guard_heard_ns = 0;
   std::int64_t mask = 0;  // bit per joint held this tick
@@ -72,7 +79,12 @@ struct ControlLoop::Impl {
 };
 
 ControlLoop::Impl::Impl(const Model& m, const ControlConfig& c)
-    : model(m), config(c), estimator(m), modes(m, c.gains), blend(m.bus_count()), brake(m) {
+    : model(m),
+      config(c),
+      estimator(m),
+      modes(m, c.gains, WalkGains{}),
+      blend(m.bus_count()),
+      brake(m) {
   if (m.bus_count() < 1 || m.bus_count() > kMaxJoints) {
     throw std::runtime_error("robot " + m.name + " has " + std::to_string(m.bus_count()) +
                              " actuated joints; the bus carries 1 to " +
@@ -111,15 +123,30 @@ bool ControlLoop::Impl::goes_on() const noexcept {
          static_cast<double>(ticks) * model.period() <= kSameMotion;
 }
 
+bool ControlLoop::Impl::pad_speaks(std::int64_t now_ns) const noexcept {
+  return gamepad_ns != 0 && static_cast<double>(now_ns - gamepad_ns) < kGamepadTimeout * 1e9 &&
+         gamepad.connected && gamepad.deadman && gamepad.run_id == state.run_id;
+}
+
 // The stick leans the body, the trigger lowers it, as long as the pad is held.
 Eigen::Vector3d ControlLoop::Impl::lean(std::int64_t now_ns) const noexcept {
-  const bool fresh = gamepad_ns != 0 &&
-                     static_cast<double>(now_ns - gamepad_ns) < kGamepadTimeout * 1e9 &&
-                     gamepad.connected && gamepad.deadman && gamepad.run_id == state.run_id;
-  if (!fresh) return Eigen::Vector3d::Zero();
-  const auto axis = [](float a) { return std::clamp(static_cast<double>(a), -1.0, 1.0); };
+  if (!pad_speaks(now_ns)) return Eigen::Vector3d::Zero();
   const double crouch = std::max({0.0, axis(gamepad.right_trigger), -axis(gamepad.right_y)});
   return {kLean * axis(gamepad.left_y), kLean * axis(gamepad.left_x), -kCrouch * crouch};
+}
+
+// A WALK command counts for its time-out; else the pad's sticks ask for shares of what the robot can.
+Eigen::Vector3d ControlLoop::Impl::walk_velocity(std::int64_t now_ns) const noexcept {
+  const double timeout = std::clamp(static_cast<double>(walk.timeout), 0.0, kMostWalkTimeout);
+  if (walk_ns != 0 && walk.run_id == state.run_id &&
+      static_cast<double>(now_ns - walk_ns) < timeout * 1e9) {
+    return Eigen::Vector3d(static_cast<double>(walk.vx), static_cast<double>(walk.vy),
+                           static_cast<double>(walk.wz));
+  }
+  const Walk* walking = modes.walk();
+  if (walking == nullptr || !pad_speaks(now_ns)) return Eigen::Vector3d::Zero();
+  const Eigen::Vector3d share(axis(gamepad.left_y), axis(gamepad.left_x), axis(gamepad.right_x));
+  return kPadShare * share.cwiseProduct(walking->gait().most_velocity);
 }
 
 void ControlLoop::Impl::guard_and_mask(std::int64_t now_ns, double dt) noexcept {
@@ -167,6 +194,7 @@ void ControlLoop::Impl::compute(std::int64_t now_ns, double dt) noexcept {
     modes.obey(*request, now());
   }
   modes.lean(lean(now_ns));
+  modes.walk(walk_velocity(now_ns));
   modes.want(now(), mask, dt, want);
   if (modes.take_change() && have_output) blend.start(last, want, kModeBlend);
   blend.apply(want, dt);
@@ -225,10 +253,11 @@ void ControlLoop::on_mode_request(const ModeRequest& request) noexcept {
   if (impl_->have_state) (void)impl_->requests.add(request, impl_->state.run_id);
 }
 
-void ControlLoop::on_walk_command(const WalkCommand& command, std::int64_t /*now_ns*/) noexcept {
+void ControlLoop::on_walk_command(const WalkCommand& command, std::int64_t now_ns) noexcept {
   if (!impl_->have_state || command.run_id != impl_->state.run_id) return;
   impl_->status.walk_sequence = command.sequence;
-  impl_->sentence = kNoWalk;
+  impl_->walk = command;
+  impl_->walk_ns = now_ns;
 }
 
 void ControlLoop::on_gamepad(const Gamepad& gamepad, std::int64_t now_ns) noexcept {

@@ -52,7 +52,7 @@ class ControlLoop {
 
   // What was decided in the last step, for CONTROLLER_STATUS.
   const ControllerStatus& status() const noexcept;
-  // What people should be told once (walking comes later, the robot has fallen, ...), or null;
+  // What people should be told once (the robot cannot walk, it has fallen, ...), or null;
   // cleared by the call.  A string that lives for ever.
   const char* take_sentence() noexcept;
   // The in-loop guard's report of the last step, when guard_in_loop.

@@ -34,6 +34,15 @@ void report_tick(const Modes& modes, const Moment& now, ControllerStatus& s) noe
     s.com_reference = to_floats<3>(balance->com_reference());
     s.dcm = to_floats<2>(balance->dcm());
     s.zmp_reference = to_floats<2>(balance->stabilizer().zmp_wanted());
+  } else if (const Walk* walk = modes.walk()) {
+    const auto flat = [&](const Eigen::Vector2d& p) {
+      return to_floats<2>((world_in_ground * Eigen::Vector3d(p.x(), p.y(), 0.0)).head<2>());
+    };
+    s.com = to_floats<3>(world_in_ground * walk->com());
+    s.com_velocity = to_floats<3>(world_in_ground.linear() * walk->com_velocity());
+    s.com_reference = to_floats<3>(world_in_ground * walk->com_reference());
+    s.dcm = flat(walk->dcm());
+    s.zmp_reference = flat(walk->stabilizer().zmp_wanted());
   } else {
     s.com = to_floats<3>(world_in_ground * estimator.kinematics().com());
     s.com_velocity = to_floats<3>(world_in_ground.linear() * estimator.kinematics().com_velocity());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "robot/index.h"
 
@@ -15,24 +16,29 @@ constexpr double kBalanceTilt = 0.35;  // [rad] from which balance still begins
 constexpr double kIdleDamping = 0.1;   // share of kd
 constexpr double kSettledZmp = 0.02;   // [m] inside the support polygon: a stop may end
 
-
 double tilt(const Estimator& estimator) noexcept {
   const double up = estimator.configuration().base.linear()(2, 2);
   return std::acos(std::clamp(up, -1.0, 1.0));
 }
 }  // namespace
 
-Modes::Modes(const Model& model, const BalanceGains& gains)
+Modes::Modes(const Model& model, const BalanceGains& gains, const WalkGains& walk)
     : model_(model),
       posture_(model),
       arm_(model),
       static_torque_(model),
       q_given_(Eigen::VectorXd::Zero(model.joint_count())),
       tau_(q_given_) {
+  no_walk_ = "this robot cannot walk: it needs a free base and two six-joint legs with soles";
   if (Balance::why_not(model) != nullptr) return;
   balance_ = std::make_unique<Balance>(model, gains);
   for (int k = 0; k < model.bus_count(); ++k) {
     if (balance_->is_leg(model.bus_joints[at(k)])) legs_ |= std::int64_t{1} << k;
+  }
+  try {
+    walk_ = std::make_unique<Walk>(model, walk);
+  } catch (const std::runtime_error& error) {
+    no_walk_ = std::string(error.what()) + "; the mode stays as it is";
   }
 }
 
@@ -44,21 +50,48 @@ bool Modes::may_balance(const Moment& now) const noexcept {
 void Modes::begin_balance(const Moment& now) noexcept {
   balance_->start(now.estimator);
   balancing_ = true;
+  walking_ = leaving_ = false;
+}
+
+void Modes::enter_walk(const Moment& now) noexcept {
+  if (walk_ == nullptr) {
+    sentence_ = no_walk_.c_str();
+    return;
+  }
+  if (!may_balance(now)) {
+    sentence_ =
+        "walking begins on an upright robot with both soles on the ground; the mode stays as it is";
+    return;
+  }
+  changed_ = true;
+  if (mode_ == Mode::kIdle || mode_ == Mode::kNone || now.last == nullptr)
+    posture_.rest(now.state.q);
+  walk_->start(now.estimator);
+  walking_ = true;
+  balancing_ = leaving_ = false;
+  mode_ = Mode::kWalk;
+}
+
+void Modes::leave_walk(const ModeRequest& next) noexcept {
+  walk_->halt();
+  next_ = next;
+  leaving_ = true;
 }
 
 void Modes::start(Mode first, const Moment& now) noexcept {
   mode_ = Mode::kNone;
-  balancing_ = false;
+  balancing_ = walking_ = leaving_ = false;
   enter(first, now);
 }
 
 void Modes::rebase() noexcept {
   if (balancing_) balance_->rebase();
+  if (walking_) walk_->rebase();
 }
 
 // Hold keeps the set-points, brought to rest; at_measured starts from where the joints are instead.
 void Modes::enter_hold(const Moment& now, bool at_measured) noexcept {
-  balancing_ = false;
+  balancing_ = walking_ = leaving_ = false;
   if (at_measured || now.last == nullptr) {
     posture_.rest(now.state.q);
   } else {
@@ -89,7 +122,7 @@ void Modes::enter(Mode next, const Moment& now) noexcept {
   switch (next) {
     case Mode::kIdle:
       arm_.drop();
-      balancing_ = false;
+      balancing_ = walking_ = leaving_ = false;
       mode_ = Mode::kIdle;
       break;
     case Mode::kBalance:
@@ -119,6 +152,12 @@ void Modes::obey(const ModeRequest& request, const Moment& now) noexcept {
     }
     return;
   }
+  const bool stand_first = request.mode == Mode::kHold || request.mode == Mode::kPose ||
+                           request.mode == Mode::kBalance || request.mode == Mode::kStop;
+  if (walking_ && stand_first) {
+    if (request.mode == Mode::kStop) arm_.cancel();
+    return leave_walk(request);
+  }
   switch (request.mode) {
     case Mode::kIdle:
     case Mode::kHold:
@@ -135,7 +174,11 @@ void Modes::obey(const ModeRequest& request, const Moment& now) noexcept {
       }
       break;
     case Mode::kWalk:
-      sentence_ = "walking comes with a later release; the mode stays as it is";
+      if (!walking_) {
+        enter_walk(now);
+      } else if (!stopping_) {
+        leaving_ = false;
+      }
       break;
     case Mode::kStop:
       arm_.cancel();
@@ -159,8 +202,13 @@ bool Modes::follow_stop(StopKind asked, const Moment& now) noexcept {
   const bool balanced = state.stop_kind == StopKind::kBalanced || asked == StopKind::kBalanced;
   if (balanced && !stopping_) {
     arm_.cancel();
-    if (balancing_) balance_->stop_motion(kStopTime);
-    if (!balancing_ && mode_ != Mode::kIdle) enter_hold(now, false);
+    if (walking_) {
+      leave_walk({});
+    } else if (balancing_) {
+      balance_->stop_motion(kStopTime);
+    } else if (mode_ != Mode::kIdle) {
+      enter_hold(now, false);
+    }
     stopping_ = true;
   }
   if (state.stop_kind != StopKind::kBalanced) {
@@ -178,6 +226,7 @@ bool Modes::follow_stop(StopKind asked, const Moment& now) noexcept {
   // Nobody listens: follow the robot, so that the first command after the clear is where it is.
   posture_.rest(state.q);
   changed_ = false;
+  walking_ = leaving_ = false;
   balancing_ = may_balance(now);
   if (balancing_) balance_->start(now.estimator);
   if (!held_by_gate_) {
@@ -190,7 +239,7 @@ bool Modes::follow_stop(StopKind asked, const Moment& now) noexcept {
 }
 
 void Modes::watch_for_a_fall(const Moment& now) noexcept {
-  if (!balancing_ || tilt(now.estimator) < kFallenTilt) return;
+  if (!(balancing_ || walking_) || tilt(now.estimator) < kFallenTilt) return;
   sentence_ = "the robot has fallen: the joints are damped; put it on its feet and ask for balance";
   enter(Mode::kIdle, now);
 }
@@ -219,6 +268,11 @@ void Modes::want(const Moment& now, std::int64_t mask, double dt, SetPoint& set_
   if (arm_.refusal() != nullptr && arm_.refusal() != arm_refusal_) sentence_ = arm_.refusal();
   arm_refusal_ = arm_.refusal();
   if (mode_ == Mode::kIdle) return damp(now.state, set_point);
+  if (leaving_ && walk_->resting()) {
+    const ModeRequest next = next_;
+    enter(Mode::kBalance, now);
+    obey(next, now);
+  }
 
   const int n = model_.bus_count();
   q_given_ = now.estimator.configuration().q;
@@ -228,17 +282,8 @@ void Modes::want(const Moment& now, std::int64_t mask, double dt, SetPoint& set_
     if (follower.mimic >= 0)
       q_given_[j] = follower.mimic_multiplier * q_given_[follower.mimic] + follower.mimic_offset;
   }
-  if (balancing_) {
-    balance_->update(now.estimator, dt);
-    if (!balance_->finite()) {
-      sentence_ = "the balance controller met a number that is not one; it starts again";
-      balance_->start(now.estimator);
-      balance_->update(now.estimator, dt);
-    }
-  } else {
-    static_torque_.solve(now.estimator, q_given_, tau_);
-  }
-  const Eigen::VectorXd& tau = balancing_ ? balance_->tau() : tau_;
+  move_legs(now, dt);
+  const Eigen::VectorXd& tau = walking_ ? walk_->tau() : balancing_ ? balance_->tau() : tau_;
   for (int k = 0; k < n; ++k) {
     const auto i = at(k);
     const int j = model_.bus_joints[i];
@@ -253,6 +298,28 @@ void Modes::want(const Moment& now, std::int64_t mask, double dt, SetPoint& set_
     set_point.tau[i] = tau[j];
     set_point.kp[i] = leg ? balance_->kp(j) : joint.kp;
     set_point.kd[i] = leg ? balance_->kd(j) : joint.kd;
+    if (walking_ && walk_->is_leg(j)) {
+      set_point.q[i] = walk_->q()[j];
+      set_point.qd[i] = walk_->qd()[j];
+    }
+  }
+}
+
+void Modes::move_legs(const Moment& now, double dt) noexcept {
+  if (walking_) {
+    walk_->update(now.estimator, q_given_, dt);
+    if (walk_->finite()) return;
+    sentence_ = "the walking controller met a number that is not one; the robot stands";
+    enter(Mode::kBalance, now);
+  }
+  if (balancing_) {
+    balance_->update(now.estimator, dt);
+    if (balance_->finite()) return;
+    sentence_ = "the balance controller met a number that is not one; it starts again";
+    balance_->start(now.estimator);
+    balance_->update(now.estimator, dt);
+  } else {
+    static_torque_.solve(now.estimator, q_given_, tau_);
   }
 }
 

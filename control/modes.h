@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <utility>
 
 #include "control/arm_follow.h"
@@ -16,6 +17,7 @@
 #include "control/posture.h"
 #include "control/set_point.h"
 #include "control/static_torque.h"
+#include "control/walk.h"
 #include "robot/estimator.h"
 #include "robot/model.h"
 #include "robot/requests.h"
@@ -33,7 +35,7 @@ struct Moment {
 class Modes {
  public:
   // Throws std::runtime_error when the robot's soles and legs contradict each other.
-  Modes(const Model& model, const BalanceGains& gains);
+  Modes(const Model& model, const BalanceGains& gains, const WalkGains& walk);
 
   // Forgets everything and enters a mode.
   void start(Mode first, const Moment& now) noexcept;
@@ -49,6 +51,10 @@ class Modes {
   void lean(const Eigen::Vector3d& offset) noexcept {
     if (balancing_) balance_->lean(offset);
   }
+  // Velocity to walk at, while in mode walk: vx, vy, wz [m/s, m/s, rad/s].
+  void walk(const Eigen::Vector3d& velocity) noexcept {
+    if (walking_ && !leaving_ && !stopping_) walk_->want(velocity);
+  }
   // A path while there is nothing to move with is not taken.
   void add_path(const ArmPathPiece& piece) noexcept;
   void cancel_path() noexcept { arm_.cancel(); }
@@ -63,6 +69,7 @@ class Modes {
   Mode mode() const noexcept { return mode_; }
   const ArmFollow& arm() const noexcept { return arm_; }
   const Balance* balance() const noexcept { return balancing_ ? balance_.get() : nullptr; }
+  const Walk* walk() const noexcept { return walking_ ? walk_.get() : nullptr; }
   bool stopping() const noexcept { return stopping_; }  // commands carry the flag
 
  private:
@@ -71,16 +78,23 @@ class Modes {
   void enter_balance(const Moment& now) noexcept;
   void enter_hold(const Moment& now, bool at_measured) noexcept;
   void enter_pose(const ModeRequest& request, const Moment& now) noexcept;
+  void enter_walk(const Moment& now) noexcept;
+  // Walks no more: once the robot stands, `next` is obeyed.
+  void leave_walk(const ModeRequest& next) noexcept;
   void begin_balance(const Moment& now) noexcept;
+  void move_legs(const Moment& now, double dt) noexcept;
   void damp(const RobotState& state, SetPoint& set_point) const noexcept;
 
   const Model& model_;
   std::unique_ptr<Balance> balance_;  // null when the robot cannot
+  std::unique_ptr<Walk> walk_;        // null when the robot cannot
+  std::string no_walk_;               // why not
+  ModeRequest next_;                  // while leaving
   Posture posture_;
   ArmFollow arm_;
   StaticTorque static_torque_;
   Mode mode_ = Mode::kNone, mode_before_stop_ = Mode::kNone;
-  bool balancing_ = false, changed_ = false;
+  bool balancing_ = false, walking_ = false, leaving_ = false, changed_ = false;
   bool stopping_ = false, held_by_gate_ = false;
   std::int64_t legs_ = 0;          // bit per bus joint that balance moves
   Eigen::VectorXd q_given_, tau_;  // [joint_count]

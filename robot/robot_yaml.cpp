@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "robot/pose_math.h"
+#include "robot/walking.h"
 
 namespace twinbus {
 
@@ -116,6 +117,7 @@ RobotYaml parse_robot_yaml(const std::string& text, const std::string& file) {
     }
     hands.finish();
   }
+  if (top.has("walking")) (void)read_walking(top.map("walking"));  // control reads it again
   yaml.leg_joints = top.texts("leg_joints");
   for (const ConfigNode& node : top.list("servos")) yaml.servos.push_back(read_servo(node));
   top.finish();

@@ -141,13 +141,21 @@ TEST(ControlLoop, ABalancingRobotMovesItsArmsToAPoseAndGoesOnBalancing) {
   EXPECT_EQ(rig.loop().status().mode_sequence, 1);
 }
 
-TEST(ControlLoop, WalkingIsDeclinedWithASentenceAndTheModeStays) {
+TEST(ControlLoop, WalkingIsDeclinedWithASentenceWhileTheRobotDoesNotStand) {
   Rig rig;
-  ASSERT_TRUE(rig.run(0.02));
+  ASSERT_TRUE(rig.run(0.05));
+  rig.ask(Mode::kHold);
+  ASSERT_TRUE(rig.run(0.05));
   (void)rig.loop().take_sentence();
   rig.ask(Mode::kWalk);
-  ASSERT_TRUE(rig.tick());
-  EXPECT_EQ(rig.loop().status().mode, Mode::kBalance);
+  RobotState state = rig.state();
+  state.wrench[0].fill(0.0F);
+  state.wrench[1].fill(0.0F);
+  ++state.tick;
+  rig.loop().on_state(state, state.time_ns);
+  JointCommand command;
+  ASSERT_TRUE(rig.loop().step(state.time_ns, command));
+  EXPECT_EQ(rig.loop().status().mode, Mode::kHold);
   const char* sentence = rig.loop().take_sentence();
   ASSERT_NE(sentence, nullptr);
   EXPECT_NE(std::string(sentence).find("walking"), std::string::npos);
@@ -327,7 +335,7 @@ TEST(ControlLoop, NoTickAllocatesInAnyMode) {
   JointCommand command;
   std::int64_t tick = rig.state().tick;
   int sequence = 0;
-  for (const Mode mode : {Mode::kBalance, Mode::kHold, Mode::kIdle, Mode::kStop, Mode::kBalance}) {
+  for (const Mode mode : {Mode::kBalance, Mode::kHold, Mode::kIdle, Mode::kStop, Mode::kBalance, Mode::kWalk}) {
     for (const Motion motion : {Motion::kSway, Motion::kSquat}) {
       NoAlloc no_alloc;
       ModeRequest request;

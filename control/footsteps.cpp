@@ -1,0 +1,114 @@
+#include "control/footsteps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "control/leg_chain.h"
+#include "control/leg_reach.h"
+#include "robot/index.h"
+#include "robot/kinematics.h"
+#include "robot/pose_math.h"
+
+namespace twinbus {
+
+namespace {
+// Shares of what the legs reach at walking height, so that a recovery step is still possible.
+constexpr double kReachForward = 0.8, kReachBack = 0.62, kReachSideways = 0.53;
+constexpr double kStride = 0.95;    // of the longest foothold that a command may ask for
+constexpr double kBetween = 0.015;  // between two soles side by side [m]
+constexpr double kTurn = 0.6;       // share of a hip's range that a command may use
+
+// Height of the centre of mass above the hips, in the pose that robots are said to walk in.
+double com_above_hips(const Model& model, int hip_link) {
+  Configuration configuration(model);
+  const int pose = model.find_pose("half_sitting");
+  for (int j = 0; pose >= 0 && j < model.joint_count(); ++j)
+    configuration.q[j] = model.poses[at(pose)].q[at(j)];
+  Kinematics kinematics(model);
+  kinematics.update(configuration);
+  return kinematics.com().z() - kinematics.link_in_world(hip_link).translation().z();
+}
+}  // namespace
+
+Eigen::Vector2d Foothold::turn(const Eigen::Vector2d& v) const noexcept {
+  const double c = std::cos(yaw), s = std::sin(yaw);
+  return {c * v.x() - s * v.y(), s * v.x() + c * v.y()};
+}
+
+Eigen::Vector2d Foothold::unturn(const Eigen::Vector2d& v) const noexcept {
+  const double c = std::cos(yaw), s = std::sin(yaw);
+  return {c * v.x() + s * v.y(), -s * v.x() + c * v.y()};
+}
+
+Eigen::Vector3d Gait::possible(const Eigen::Vector3d& velocity) const noexcept {
+  if (!velocity.allFinite()) return Eigen::Vector3d::Zero();
+  Eigen::Vector3d most = most_velocity;
+  if (velocity.x() < 0.0) most.x() *= max_back / max_forward;
+  const double share = velocity.cwiseQuotient(most).norm();
+  return share > 1.0 ? Eigen::Vector3d(velocity / share) : velocity;
+}
+
+Gait gait_of(const Model& model, const Walking& w, double margin) {
+  Gait g;
+  g.single_support = w.single_support;
+  g.double_support = w.double_support;
+  g.lift = w.lift;
+  const auto fail = [&](const std::string& why) {
+    throw std::runtime_error("robot " + model.name + " cannot walk as its robot.yaml asks: " + why);
+  };
+  const Sole& left = model.soles[0];
+  const Sole& right = model.soles[1];
+  const double inner = std::max(left.right, right.left), outer = std::max(left.left, right.right);
+  const LegChain leg = leg_chain(model, 0);
+  if (leg.count != 6) fail("a sole does not hang on the base by six joints");
+  const LegReach reach = leg_reach(model, 0);
+  const double ankle = reach.ankle_height;
+  const double above = com_above_hips(model, leg.joint[0] + 1);
+  // Standing, the leg is bent so far that the stride asked for is left.
+  g.com_height = w.com_height > 0.0 ? w.com_height : above + ankle + 0.88 * reach.longest;
+  const double hip = g.com_height - above - ankle;
+  if (!(hip > 0.3 * reach.longest && hip < 0.99 * reach.longest)) {
+    fail("walking.com_height puts the hips " + std::to_string(hip) +
+         " m above the ankles; the legs reach " + std::to_string(reach.longest) + " m");
+  }
+  const double stride = 2.0 * std::sqrt(reach.longest * reach.longest - hip * hip);
+  g.min_width = inner + inner + kBetween;
+  g.width = w.width > 0.0 ? w.width : std::max(reach.hip_width, g.min_width + 0.03);
+  if (!(g.width >= g.min_width)) fail("walking.width lets the soles touch each other");
+  g.max_forward = kReachForward * stride;
+  g.max_back = kReachBack * stride;
+  g.max_width = g.width + kReachSideways * stride;
+  const double length = left.front + left.back;
+  g.zmp_forward = std::clamp(w.zmp_forward, -left.back + 0.25 * length, left.front - 0.25 * length);
+  g.zmp_inward = w.zmp_inward;
+  g.sole_low = {-left.back + margin, -std::min(inner, outer) + margin};
+  g.sole_high = {left.front - margin, std::min(inner, outer) - margin};
+  const double period = g.period();
+  g.most_velocity = {kStride * g.max_forward / period,
+                     kStride * 0.5 * (g.max_width - g.width) / period,
+                     kTurn * reach.turn / (1.5 * period) * 2.0};
+  g.acceleration = g.most_velocity / std::max(0.2, 2.0 * period);
+  return g;
+}
+
+Foothold next_foothold(const Gait& gait, const Foothold& from, int foot,
+                       const Eigen::Vector3d& velocity, double period) noexcept {
+  const double out = side_of(1 - foot);  // to the side of the foot that moves
+  const double turning = velocity.z() * period;
+  const double turn = turning * (turning * out > 0.0 ? 1.5 : 0.5);
+  const double side = velocity.y() * out > 0.0 ? 2.0 * velocity.y() * period : 0.0;
+  const double half = 0.5 * gait.width;
+  Foothold next;
+  next.yaw = wrap_angle(from.yaw + turn);
+  next.position = from.position + from.turn({velocity.x() * period, out * half + side});
+  next.position += next.turn({0.0, out * half});
+  return next;
+}
+
+Eigen::Vector2d zmp_on(const Gait& gait, const Foothold& at, int foot) noexcept {
+  return at.position + at.turn({gait.zmp_forward, -side_of(foot) * gait.zmp_inward});
+}
+
+}  // namespace twinbus

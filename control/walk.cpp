@@ -1,0 +1,164 @@
+#include "control/walk.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "robot/index.h"
+#include "robot/pose_math.h"
+
+namespace twinbus {
+
+namespace {
+constexpr int kFirstRounds = 10;
+constexpr double kRestSpeed = 0.02;  // of the centre of mass [m/s]
+}  // namespace
+
+Walk::Walk(const Model& model, const WalkGains& gains)
+    : model_(&model),
+      gains_(gains),
+      pattern_(gait_of(model, walking_of(model), gains.stabilizer.margin), gains.swing),
+      stabilizer_(gains.stabilizer),
+      feet_(model, gains.feet),
+      ik_(model),
+      dynamics_(model),
+      mass_(model.total_mass()),
+      q_(Eigen::VectorXd::Zero(model.joint_count())),
+      qd_(q_),
+      qdd_(q_),
+      tau_(q_),
+      wrench_(2) {
+  for (std::size_t f = 0; f < 2; ++f) wrench_[f].link = model.soles[f].link;
+}
+
+double Walk::omega() const noexcept {
+  return std::sqrt(std::max(2.0, kGravity + height_.acceleration()) /
+                   std::max(0.2, height_.position()));
+}
+
+Eigen::Vector3d Walk::com_reference() const noexcept {
+  return {stabilizer_.com().x(), stabilizer_.com().y(), height_.position()};
+}
+
+bool Walk::resting() const noexcept {
+  return !pattern_.walking() && com_velocity_.head<2>().norm() < kRestSpeed &&
+         (stabilizer_.com() - pattern_.middle()).norm() < kRestSpeed;
+}
+
+// Upright with the heading of the feet, but for what is left of the attitude at the start.
+Eigen::Matrix3d Walk::attitude() const noexcept {
+  return rotation_z(heading_) * rotation_of(first_.position() * first_turn_);
+}
+
+void Walk::measure(const Estimator& estimator, double dt, bool fresh) noexcept {
+  const Kinematics& k = estimator.kinematics();
+  const double share = fresh ? 1.0 : dt / (dt + gains_.velocity_filter);
+  const Eigen::Vector3d spin = k.angular_momentum();
+  const double height = std::max(0.2, height_.position());
+  com_ = k.com();
+  com_velocity_ += share * (k.com_velocity() - com_velocity_);
+  momentum_ += share * (Eigen::Vector2d(spin.y(), -spin.x()) / (mass_ * height) - momentum_);
+  dcm_ = com_.head<2>() + (com_velocity_.head<2>() + momentum_) / omega();
+  for (int f = 0; f < 2; ++f) {
+    const Eigen::Isometry3d& sole = estimator.sole_in_world(f);
+    Foothold& foot = measured_feet_[at(f)];
+    foot.position = sole.translation().head<2>();
+    foot.yaw = yaw_of(sole.linear());
+    measured_[at(f)].force = estimator.sole_force(f).z();
+    measured_[at(f)].moment =
+        pattern_.foot(f).unturn(Eigen::Vector2d(estimator.sole_torque(f).head<2>()));
+  }
+}
+
+void Walk::start(const Estimator& estimator) noexcept {
+  height_.rest(std::max(0.2, estimator.kinematics().com().z()));
+  measure(estimator, model_->period(), true);
+  pattern_.start(measured_feet_);
+  measure(estimator, model_->period(), true);
+  heading_ = pattern_.heading();
+  const Eigen::Matrix3d base = estimator.configuration().base.linear();
+  first_turn_ = rotation_vector(rotation_z(-heading_) * base);
+  first_.rest(1.0);
+  first_.aim(0.0, gains_.settle);
+  height_.aim(gait().com_height, gains_.settle);
+  stabilizer_.start(com_.head<2>(), dcm_);
+  feet_.start(pattern_, {estimator.sole_in_world(0), estimator.sole_in_world(1)}, measured_);
+  ik_.start(estimator.configuration());
+  ik_.solve(com_, attitude(), feet_.target(), estimator.configuration().q, kFirstRounds);
+  q_ = ik_.configuration().q;
+  qd_.setZero();
+  qdd_.setZero();
+  fresh_ = true;
+  finite_ = true;
+}
+
+// The wrench of each sole, world, about its frame; and the same in sole axes for the feet.
+void Walk::share_load(const Estimator& estimator) noexcept {
+  const ZmpShare& share = stabilizer_.share();
+  const double weight = mass_ * (kGravity + height_.acceleration());
+  const double w = omega();
+  const Eigen::Vector2d horizontal = mass_ * w * w * (com_.head<2>() - share.zmp);
+  for (std::size_t f = 0; f < 2; ++f) {
+    const double part = f == 0 ? share.left : 1.0 - share.left;
+    const Foothold& foot = pattern_.foot(static_cast<int>(f));
+    const Eigen::Vector2d arm = foot.turn(share.cop[f]);
+    Eigen::Vector2d push = part * horizontal;
+    const double most = 0.8 * std::max(0.1, model_->soles[f].friction) * part * weight;
+    if (push.norm() > most) push *= most / push.norm();
+    wrench_[f].force << push, part * weight;
+    wrench_[f].torque = Eigen::Vector3d(arm.x(), arm.y(), 0.0).cross(wrench_[f].force);
+    wanted_[f].force = part * weight;
+    wanted_[f].moment = foot.unturn(Eigen::Vector2d(wrench_[f].torque.head<2>()));
+  }
+  (void)estimator;
+}
+
+void Walk::feed_forward(double dt) noexcept {
+  const Eigen::VectorXd& q = ik_.configuration().q;
+  const double share = dt / (dt + gains_.acceleration_filter);
+  for (Eigen::Index j = 0; j < q.size(); ++j) {
+    const double rate = fresh_ ? 0.0 : (q[j] - q_[j]) / dt;
+    qdd_[j] += share * ((rate - qd_[j]) / dt - qdd_[j]);
+    qd_[j] = rate;
+  }
+  q_ = q;
+  Configuration& c = ik_.configuration();
+  c.qd = qd_;
+  c.base_velocity << stabilizer_.velocity(), height_.velocity();
+  c.base_angular_velocity.setZero();
+  Kinematics& k = ik_.kinematics();
+  k.update(c);
+  const double w = omega();
+  Eigen::Vector3d acceleration(0.0, 0.0, height_.acceleration());
+  acceleration.head<2>() = w * w * (stabilizer_.com() - stabilizer_.zmp());
+  for (std::size_t f = 0; f < 2; ++f) {
+    const Sole& sole = model_->soles[f];
+    wrench_[f].point = (k.link_in_world(sole.link) * sole.frame).translation();
+  }
+  (void)dynamics_.solve(k, c, qdd_, acceleration, Eigen::Vector3d::Zero(), wrench_, tau_);
+}
+
+void Walk::update(const Estimator& estimator, const Eigen::VectorXd& q_given, double dt) noexcept {
+  height_.advance(dt);
+  first_.advance(dt);
+  measure(estimator, dt, fresh_);
+  pattern_.advance({estimator.loaded(0), estimator.loaded(1)}, measured_feet_, dt);
+  const double w = omega();
+  pattern_.plan(dcm_, w);
+  stabilizer_.update(pattern_, com_.head<2>(), dcm_, w, dt);
+  if (stabilizer_.excess().norm() > gains_.step_when) pattern_.capture(dcm_);
+  heading_ += wrap_angle(pattern_.heading() - heading_) * std::min(1.0, dt / gains_.turn);
+
+  share_load(estimator);
+  const double left = stabilizer_.share().left;
+  BaseError base;
+  base.asked = ik_.configuration().base;
+  base.asked.linear() = attitude();
+  base.measured = estimator.configuration().base;
+  feet_.update(pattern_, wanted_, measured_, {left, 1.0 - left}, base, dt);
+  ik_.solve(com_reference(), attitude(), feet_.target(), q_given, gains_.rounds);
+  feed_forward(dt);
+  fresh_ = false;
+  finite_ = q_.allFinite() && qd_.allFinite() && tau_.allFinite();
+}
+
+}  // namespace twinbus

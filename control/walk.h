@@ -1,0 +1,89 @@
+// Walking: one tick from the estimate to the set-points of the legs and torques of all joints.
+//
+// All in the estimator's world.  measure -> pattern (footholds, reference) -> stabilizer (ZMP, who carries it) -> feet
+// (poses asked of the soles) -> whole-body inverse kinematics -> recursive Newton-Euler with the shared wrenches.
+// Unlike standing balance the legs are position-controlled: a foot in the air must go where it was sent.
+
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <vector>
+
+#include "control/footsteps.h"
+#include "control/min_jerk.h"
+#include "control/walk_feet.h"
+#include "control/walk_gains.h"
+#include "control/walk_pattern.h"
+#include "control/walk_stabilizer.h"
+#include "control/whole_body_ik.h"
+#include "robot/dynamics.h"
+#include "robot/estimator.h"
+#include "robot/model.h"
+
+namespace twinbus {
+
+class Walk {
+ public:
+  // Throws std::runtime_error with one sentence when the robot cannot walk.
+  Walk(const Model& model, const WalkGains& gains);
+
+  // Begins where the robot is, standing on both feet.
+  void start(const Estimator& estimator) noexcept;
+  // The same robot through another source.
+  void rebase() noexcept { stabilizer_.rebase(); }
+
+  // vx, vy, wz [m/s, m/s, rad/s]; cut to what the robot can.
+  void want(const Eigen::Vector3d& velocity) noexcept { pattern_.want(velocity); }
+  // The shortest stop: no ramp, feet side by side.
+  void halt() noexcept { pattern_.halt(); }
+
+  // q_given [joint_count]: of the joints that are not of a leg.
+  void update(const Estimator& estimator, const Eigen::VectorXd& q_given, double dt) noexcept;
+
+  const Eigen::VectorXd& q() const noexcept { return q_; }
+  const Eigen::VectorXd& qd() const noexcept { return qd_; }
+  const Eigen::VectorXd& tau() const noexcept { return tau_; }
+  bool is_leg(int joint) const noexcept { return ik_.is_leg(joint); }
+  bool finite() const noexcept { return finite_; }
+  // Stands on both feet, and nothing moves.
+  bool resting() const noexcept;
+
+  const WalkPattern& pattern() const noexcept { return pattern_; }
+  const WalkStabilizer& stabilizer() const noexcept { return stabilizer_; }
+  const Gait& gait() const noexcept { return pattern_.gait(); }
+  // World, for the status.
+  const Eigen::Vector3d& com() const noexcept { return com_; }
+  const Eigen::Vector3d& com_velocity() const noexcept { return com_velocity_; }
+  const Eigen::Vector2d& dcm() const noexcept { return dcm_; }
+  Eigen::Vector3d com_reference() const noexcept;
+
+ private:
+  void measure(const Estimator& estimator, double dt, bool fresh) noexcept;
+  void share_load(const Estimator& estimator) noexcept;
+  void feed_forward(double dt) noexcept;
+  double omega() const noexcept;
+  Eigen::Matrix3d attitude() const noexcept;
+
+  const Model* model_;
+  WalkGains gains_;
+  WalkPattern pattern_;
+  WalkStabilizer stabilizer_;
+  WalkFeet feet_;
+  WholeBodyIk ik_;
+  InverseDynamics dynamics_;
+  double mass_;
+
+  Eigen::Vector3d com_ = Eigen::Vector3d::Zero(), com_velocity_ = Eigen::Vector3d::Zero();
+  Eigen::Vector2d momentum_ = Eigen::Vector2d::Zero(), dcm_ = Eigen::Vector2d::Zero();
+  std::array<Foothold, 2> measured_feet_;
+  std::array<FootLoad, 2> wanted_, measured_;
+  MinJerk height_, first_;  // of the centre of mass; 1 -> 0: share of the first tilt still held
+  Eigen::Vector3d first_turn_ = Eigen::Vector3d::Zero();
+  double heading_ = 0.0;
+  bool fresh_ = true, finite_ = true;
+  Eigen::VectorXd q_, qd_, qdd_, tau_;
+  std::vector<ExternalWrench> wrench_;
+};
+
+}  // namespace twinbus

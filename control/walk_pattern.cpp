@@ -1,0 +1,205 @@
+#include "control/walk_pattern.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "control/dcm_plan.h"
+#include "control/step_adjust.h"
+#include "robot/pose_math.h"
+
+namespace twinbus {
+
+namespace {
+constexpr int kAhead = 3;            // steps planned beyond the next
+constexpr double kTooLate = 0.08;    // before touchdown, from when on a step is left alone [s]
+constexpr double kShortest = 0.10;   // any step may still last [s]
+constexpr double kMoved = 0.03;      // a step moved farther is a recovery [m]
+constexpr double kEarlyShare = 0.6;  // of the swing, from when on touching counts as landing
+constexpr double kLeast = 0.01;      // a piece of the plan [s]
+
+double way(double from, double to, double most) noexcept {
+  return from + std::clamp(to - from, -most, most);
+}
+}  // namespace
+
+WalkPattern::WalkPattern(const Gait& gait, const SwingGains& swing) noexcept
+    : gait_(gait), swing_(swing), period_(gait.period()) {}
+
+Eigen::Vector2d WalkPattern::middle() const noexcept {
+  return 0.5 * (zmp_on(gait_, feet_[0], 0) + zmp_on(gait_, feet_[1], 1));
+}
+
+double WalkPattern::heading() const noexcept {
+  const double from = single() ? foot(support_).yaw : feet_[0].yaw;
+  const double to = single() ? swing_.place().yaw : feet_[1].yaw;
+  return from + 0.5 * wrap_angle(to - from);
+}
+
+void WalkPattern::start(const std::array<Foothold, 2>& feet) noexcept {
+  feet_ = feet;
+  wanted_.setZero();
+  velocity_.setZero();
+  listed_ = list_count_ = 0;
+  walking_ = single_ = false;
+  steps_ = square_ = 0;
+  time_ = single_time_ = 0.0;
+  double_ = kLeast;
+  period_ = gait_.period();
+  since_landing_ = adjusted_ = 0.0;
+  zmp_from_ = zmp_ = dcm_ = middle();
+}
+
+void WalkPattern::halt() noexcept {
+  wanted_.setZero();
+  velocity_.setZero();
+  listed_ = list_count_ = 0;
+}
+
+void WalkPattern::follow(const Foothold* list, int count, int first_support) noexcept {
+  list_count_ = std::clamp(count, 0, kMostFootholds);
+  for (int i = 0; i < list_count_; ++i) list_[static_cast<std::size_t>(i)] = list[i];
+  listed_ = 0;
+  list_support_ = first_support;
+}
+
+// The foothold after `foot` stands on `from`, so many steps from the one under way.
+Foothold WalkPattern::after(const Foothold& from, int foot, int steps_ahead) const noexcept {
+  const int i = listed_ + steps_ahead;
+  const bool fits = ((i % 2 == 0) ? list_support_ : 1 - list_support_) == foot;
+  if (i < list_count_ && fits) return list_[static_cast<std::size_t>(i)];
+  return next_foothold(gait_, from, foot, velocity_, period_);
+}
+
+void WalkPattern::begin_step(int support, double double_time) noexcept {
+  walking_ = true;
+  single_ = false;
+  zmp_from_ = zmp_;
+  support_ = support;
+  time_ = 0.0;
+  double_ = double_time;
+  single_time_ = gait_.single_support;
+  adjusted_ = 0.0;
+  target_ = after(foot(support_), support_, 0);
+}
+
+void WalkPattern::capture(const Eigen::Vector2d& measured_dcm) noexcept {
+  if (walking_) return;
+  const double side = feet_[0].unturn(measured_dcm - middle()).y();
+  begin_step(side > 0.0 ? 1 : 0, gait_.hurry);
+  square_ = 0;
+}
+
+void WalkPattern::land(const Foothold& where) noexcept {
+  const int landed = 1 - support_;
+  feet_[static_cast<std::size_t>(landed)] = where;
+  ++steps_;
+  if (listed_ < list_count_) ++listed_;
+  if (steps_ > 1 && adjusted_ < kMoved) {
+    const double lasted = std::clamp(since_landing_, gait_.period(), 1.15 * gait_.period());
+    period_ += 0.3 * (lasted - period_);
+  }
+  since_landing_ = 0.0;
+  square_ = wants_to_walk() || velocity_.norm() > 1e-6 ? 0 : square_ + 1;
+  if (square_ >= 2) {
+    walking_ = single_ = false;
+    zmp_from_ = zmp_;
+    time_ = 0.0;
+    double_ = gait_.last_double;
+    return;
+  }
+  // What a step came early or late is given to the double support, so that the rhythm stays.
+  const double rhythm =
+      std::max(0.6 * gait_.double_support, gait_.double_support + double_ + single_time_ - time_);
+  begin_step(landed, adjusted_ > kMoved ? gait_.hurry : rhythm);
+}
+
+void WalkPattern::advance(const std::array<bool, 2>& touching,
+                          const std::array<Foothold, 2>& measured, double dt) noexcept {
+  time_ += dt;
+  since_landing_ += dt;
+  for (Eigen::Index k = 0; k < 3; ++k)
+    velocity_[k] = way(velocity_[k], wanted_[k], gait_.acceleration[k] * dt);
+  if (!walking_) {
+    if (!wants_to_walk() || time_ < double_) return;
+    int support = wanted_.y() > 0.0 || (wanted_.y() == 0.0 && wanted_.z() >= 0.0) ? 1 : 0;
+    if (list_count_ > 0) support = list_support_;
+    begin_step(support, gait_.first_double);
+    square_ = 0;
+    return;
+  }
+  const int moves = 1 - support_;
+  if (!single_ && time_ >= double_) {
+    single_ = true;
+    swing_.start(foot(moves), 0.0);
+  }
+  if (!single_) {
+    target_ = after(foot(support_), support_, 0);
+    return;
+  }
+  swing_.advance(target_, double_ + single_time_ - time_, gait_.lift, dt);
+  const auto m = static_cast<std::size_t>(moves);
+  const bool landed = touching[m] && swing_.progress() > kEarlyShare;
+  if (landed || swing_.lost()) land(measured[m]);
+}
+
+void WalkPattern::plan(const Eigen::Vector2d& measured_dcm, double omega) noexcept {
+  const double left_now = double_ + single_time_ - time_;
+  if (single() && left_now >= kTooLate) {
+    target_ = after(foot(support_), support_, 0);
+    plan_pieces(omega);
+    {
+      const StepNow now{.support = foot(support_),
+                        .foot = support_,
+                        .planned = target_,
+                        .dcm = measured_dcm,
+                        .offset = dcm_landing_ - target_.position,
+                        .left_planned = double_ + gait_.single_support - time_,
+                        .left_now = left_now,
+                        .shortest = std::max(kShortest, double_ + gait_.shortest_single - time_)};
+      const StepAdjusted step = adjust_step(gait_, now, omega);
+      target_ = step.foothold;
+      adjusted_ = step.moved;
+      single_time_ = time_ + step.left - double_;
+    }
+  }
+  plan_pieces(omega);
+}
+
+void WalkPattern::plan_pieces(double omega) noexcept {
+  std::array<ZmpPiece, 2 + 2 * kAhead + 1> piece;
+  std::size_t n = 0, landing = 0;
+  const double in_double = double_ - time_;
+  const Eigen::Vector2d here = walking_ ? zmp_on(gait_, foot(support_), support_) : middle();
+  zmp_ = here;
+  if (in_double > 0.0) {
+    zmp_ += (zmp_from_ - here) * std::min(1.0, in_double / double_);
+    piece[n++] = {zmp_, here, in_double};
+  }
+  Eigen::Vector2d xi = here;
+  if (walking_) {
+    piece[n++] = {here, here, std::max(kLeast, double_ + single_time_ - std::max(time_, double_))};
+    landing = n;
+    Foothold f = target_;
+    int side = 1 - support_;
+    Eigen::Vector2d from = here;
+    for (int k = 1; k <= kAhead; ++k) {
+      const Eigen::Vector2d on = zmp_on(gait_, f, side);
+      piece[n++] = {from, on, gait_.double_support};
+      piece[n++] = {on, on, gait_.single_support};
+      const Foothold next = after(f, side, k);
+      from = on;
+      xi = 0.5 * (on + zmp_on(gait_, next, 1 - side));
+      f = next;
+      side = 1 - side;
+    }
+    piece[n++] = {from, xi, gait_.double_support};
+  }
+  dcm_landing_ = xi;
+  for (std::size_t k = n; k-- > 0;) {
+    if (walking_ && k + 1 == landing) dcm_landing_ = xi;
+    xi = dcm_before(piece[k], xi, omega);
+  }
+  dcm_ = xi;
+}
+
+}  // namespace twinbus

@@ -1,0 +1,81 @@
+// Walking without forces: which foot stands, where the other one goes, and the reference of DCM and ZMP that belongs to it.
+//
+// Everything is planned anew every tick, so velocity, footholds and the end of walking may change at any time; what the
+// reference must not do is jump, and that is the business of its reader (walk_stabilizer).
+
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+
+#include "control/footsteps.h"
+#include "control/swing_foot.h"
+
+namespace twinbus {
+
+class WalkPattern {
+ public:
+  static constexpr int kMostFootholds = 32;  // of a list
+
+  explicit WalkPattern(const Gait& gait, const SwingGains& swing = {}) noexcept;
+
+  // Stands on both feet; left, right.
+  void start(const std::array<Foothold, 2>& feet) noexcept;
+  // Wanted from now on: vx, vy, wz in the heading of the feet; zero: comes to stand with the feet side by side.
+  void want(const Eigen::Vector3d& velocity) noexcept { wanted_ = gait_.possible(velocity); }
+  // Ends walking as soon as can be: no ramp.
+  void halt() noexcept;
+  // Walks these instead, in this order, beginning with the foot that is not `first_support`; then stands.  World.
+  void follow(const Foothold* list, int count, int first_support) noexcept;
+
+  // One tick: the phase goes on.  touching: whether a foot carries load; measured: where the soles are.
+  void advance(const std::array<bool, 2>& touching, const std::array<Foothold, 2>& measured,
+               double dt) noexcept;
+  // Moves the next step so that this DCM can be caught, and plans.
+  void plan(const Eigen::Vector2d& measured_dcm, double omega) noexcept;
+  // Standing, and pushed: a step at once, with the foot on the side of the DCM.
+  void capture(const Eigen::Vector2d& measured_dcm) noexcept;
+
+  bool walking() const noexcept { return walking_; }
+  bool single() const noexcept { return walking_ && single_; }  // on one foot
+  int support() const noexcept { return support_; }
+  bool swings(int foot) const noexcept { return single() && foot != support_; }
+  const Foothold& foot(int foot) const noexcept { return feet_[static_cast<std::size_t>(foot)]; }
+  const SwingFoot& swing() const noexcept { return swing_; }
+  const Foothold& target() const noexcept { return target_; }
+  const Eigen::Vector2d& dcm() const noexcept { return dcm_; }
+  const Eigen::Vector2d& zmp() const noexcept { return zmp_; }
+  const Eigen::Vector3d& velocity() const noexcept { return velocity_; }
+  double heading() const noexcept;  // between the feet [rad]
+  Eigen::Vector2d middle() const noexcept;
+  int steps() const noexcept { return steps_; }  // landed
+  double adjusted() const noexcept { return adjusted_; }
+  const Gait& gait() const noexcept { return gait_; }
+
+ private:
+  void plan_pieces(double omega) noexcept;
+  void begin_step(int support, double double_time) noexcept;
+  void land(const Foothold& where) noexcept;
+  Foothold after(const Foothold& from, int foot, int steps_ahead) const noexcept;
+  bool wants_to_walk() const noexcept {
+    return wanted_.squaredNorm() > 1e-10 || listed_ < list_count_;
+  }
+
+  Gait gait_;
+  SwingFoot swing_;
+  std::array<Foothold, 2> feet_;
+  std::array<Foothold, kMostFootholds> list_;
+  int listed_ = 0, list_count_ = 0, list_support_ = 0;
+  Eigen::Vector3d wanted_ = Eigen::Vector3d::Zero(), velocity_ = Eigen::Vector3d::Zero();
+  bool walking_ = false, single_ = false;
+  int support_ = 0, steps_ = 0, square_ = 0;
+  double time_ = 0.0, double_ = 0.0, single_time_ = 0.0;  // in the step; its two parts [s]
+  double since_landing_ = 0.0, period_;                   // measured, of a step [s]
+  Foothold target_;
+  double adjusted_ = 0.0;
+  Eigen::Vector2d zmp_from_ = Eigen::Vector2d::Zero();  // where this double support began
+  Eigen::Vector2d dcm_ = Eigen::Vector2d::Zero(), zmp_ = Eigen::Vector2d::Zero();
+  Eigen::Vector2d dcm_landing_ = Eigen::Vector2d::Zero();  // planned at the next touchdown
+};
+
+}  // namespace twinbus

@@ -1,0 +1,108 @@
+#include "control/footsteps.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "control/leg_reach.h"
+#include "test/control/hrp1s.h"
+
+namespace twinbus {
+namespace {
+
+Gait gait() { return gait_of(test::hrp1s(), walking_of(test::hrp1s()), 0.01); }
+
+// Where the middle between the feet has gone in so many steps: x, y, heading.
+Eigen::Vector3d walked(const Gait& g, const Eigen::Vector3d& velocity, int steps) {
+  Foothold at[2];
+  at[0].position << 0.0, 0.5 * g.width;
+  at[1].position << 0.0, -0.5 * g.width;
+  for (int n = 0; n < steps; ++n) {
+    const int stands = n % 2;
+    at[1 - stands] = next_foothold(g, at[stands], stands, velocity, g.period());
+  }
+  const Eigen::Vector2d middle = 0.5 * (at[0].position + at[1].position);
+  return {middle.x(), middle.y(), 0.5 * (at[0].yaw + at[1].yaw)};
+}
+
+TEST(Footsteps, WithoutVelocityTheFeetStayWhereTheyAre) {
+  EXPECT_LT(walked(gait(), Eigen::Vector3d::Zero(), 10).norm(), 1e-12);
+}
+
+TEST(Footsteps, TheMiddleBetweenTheFeetMovesAtTheVelocity) {
+  const Gait g = gait();
+  const auto gone = [&](const Eigen::Vector3d& v) {
+    return Eigen::Vector3d((walked(g, v, 24) - walked(g, v, 4)) / (20.0 * g.period()));
+  };
+  EXPECT_NEAR(gone({0.4, 0.0, 0.0}).x(), 0.4, 1e-9);
+  EXPECT_NEAR(gone({-0.3, 0.0, 0.0}).x(), -0.3, 1e-9);
+  EXPECT_NEAR(gone({0.0, 0.1, 0.0}).y(), 0.1, 1e-9);
+  EXPECT_NEAR(gone({0.0, -0.1, 0.0}).y(), -0.1, 1e-9);
+  EXPECT_NEAR(gone({0.0, 0.0, 0.2}).z(), 0.2, 1e-9);
+}
+
+TEST(Footsteps, SolesNeverComeNearerThanTheyMay) {
+  const Gait g = gait();
+  for (const double vy : {-0.2, 0.0, 0.2}) {
+    for (const double wz : {-0.5, 0.0, 0.5}) {
+      Foothold at[2];
+      at[0].position << 0.0, 0.5 * g.width;
+      at[1].position << 0.0, -0.5 * g.width;
+      for (int n = 0; n < 12; ++n) {
+        const int stands = n % 2;
+        at[1 - stands] = next_foothold(g, at[stands], stands, {0.1, vy, wz}, g.period());
+        const Eigen::Vector2d between =
+            at[stands].unturn(at[1 - stands].position - at[stands].position);
+        EXPECT_GT(side_of(1 - stands) * between.y(), g.min_width - 0.01);
+      }
+    }
+  }
+}
+
+TEST(Footsteps, WhatIsAskedIsCutToWhatTheLegsReach) {
+  const Gait g = gait();
+  const Eigen::Vector3d fast = g.possible({5.0, 0.0, 0.0});
+  EXPECT_NEAR(fast.x(), g.most_velocity.x(), 1e-12);
+  EXPECT_LT(fast.x() * g.period(), g.max_forward);
+  const Eigen::Vector3d slow(0.1, 0.02, 0.05);
+  EXPECT_EQ(g.possible(slow), slow);
+  EXPECT_LE(g.possible({-5.0, 0.0, 0.0}).norm(), g.max_back / g.period());
+  EXPECT_EQ(g.possible({std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0}),
+            Eigen::Vector3d::Zero());
+}
+
+TEST(Footsteps, ALowerRobotMakesLongerSteps) {
+  Walking low = walking_of(test::hrp1s()), high = low;
+  low.com_height = 0.64;
+  high.com_height = 0.72;
+  EXPECT_GT(gait_of(test::hrp1s(), low, 0.01).max_forward,
+            gait_of(test::hrp1s(), high, 0.01).max_forward);
+}
+
+TEST(Footsteps, AGaitThatTheLegsCannotDoIsRefusedWithItsReason) {
+  Walking w = walking_of(test::hrp1s());
+  w.com_height = 1.5;
+  EXPECT_THROW((void)gait_of(test::hrp1s(), w, 0.01), std::runtime_error);
+  w = walking_of(test::hrp1s());
+  w.width = 0.05;
+  EXPECT_THROW((void)gait_of(test::hrp1s(), w, 0.01), std::runtime_error);
+}
+
+TEST(LegReach, FindsTheKneeAndTheLengthOfTheStraightLeg) {
+  const Model& model = test::hrp1s();
+  for (int foot = 0; foot < 2; ++foot) {
+    const LegReach reach = leg_reach(model, foot);
+    EXPECT_NE(model.joints[static_cast<std::size_t>(reach.knee)].name.find("KNEE"),
+              std::string::npos);
+    EXPECT_NEAR(reach.longest, 0.3535 + 0.30, 1e-4);
+    EXPECT_NEAR(reach.straight, 0.0, 0.01);
+    EXPECT_EQ(reach.bends, 1.0);
+    EXPECT_NEAR(reach.hip_width, 0.18, 1e-9);
+    EXPECT_NEAR(reach.ankle_height, 0.07, 1e-3);
+  }
+}
+
+}  // namespace
+}  // namespace twinbus

@@ -1,0 +1,201 @@
+#include "control/walk_pattern.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "control/dcm_plan.h"
+#include "control/lipm.h"
+#include "control/step_adjust.h"
+#include "test/control/hrp1s.h"
+
+namespace twinbus {
+namespace {
+
+constexpr double kDt = 0.002, kOmega = 3.74;
+
+Gait gait() { return gait_of(test::hrp1s(), walking_of(test::hrp1s()), 0.01); }
+
+// A robot that does what the pattern says: a pendulum on the reference ZMP, and soles that land where they were sent.
+struct Puppet {
+  Puppet() : pattern(gait()) {
+    std::array<Foothold, 2> feet;
+    for (int f = 0; f < 2; ++f)
+      feet[static_cast<std::size_t>(f)].position << 0.0, side_of(f) * 0.5 * pattern.gait().width;
+    pattern.start(feet);
+    dcm = com = pattern.middle();
+  }
+  void tick() {
+    std::array<bool, 2> touching{true, true};
+    std::array<Foothold, 2> measured{pattern.foot(0), pattern.foot(1)};
+    if (pattern.single()) {
+      const auto moves = static_cast<std::size_t>(1 - pattern.support());
+      measured[moves] = pattern.swing().place();
+      touching[moves] = pattern.swing().height() <= ground;
+    }
+    pattern.advance(touching, measured, kDt);
+    pattern.plan(dcm, kOmega);
+    jump = std::max(jump, (pattern.dcm() - dcm).norm());
+    const Eigen::Vector2d zmp = pattern.zmp() + (1.0 + 4.0 / kOmega) * (dcm - pattern.dcm());
+    dcm += kDt * kOmega * (dcm - zmp);
+    com += kDt * kOmega * (dcm - com);
+    most_height = std::max(most_height, pattern.single() ? pattern.swing().height() : 0.0);
+  }
+  void run(double seconds) {
+    for (int i = 0; i < static_cast<int>(std::lround(seconds / kDt)); ++i) tick();
+  }
+  WalkPattern pattern;
+  Eigen::Vector2d dcm, com;
+  double ground = 0.0, jump = 0.0, most_height = 0.0;
+};
+
+TEST(DcmPlan, APieceRunsForwardsAsItWasComputedBackwards) {
+  const ZmpPiece piece{{0.0, 0.1}, {0.2, -0.1}, 0.3};
+  const Eigen::Vector2d end(0.35, 0.02);
+  Eigen::Vector2d xi = dcm_before(piece, end, kOmega);
+  const int n = 100000;
+  for (int i = 0; i < n; ++i) {
+    const Eigen::Vector2d p = piece.from + (piece.to - piece.from) * ((i + 0.5) / n);
+    xi += piece.duration / n * kOmega * (xi - p);
+  }
+  EXPECT_LT((xi - end).norm(), 2e-5);
+}
+
+TEST(WalkPattern, StandsUntilAVelocityIsWantedAndAgainAfterwards) {
+  Puppet puppet;
+  puppet.run(1.0);
+  EXPECT_FALSE(puppet.pattern.walking());
+  puppet.pattern.want({0.3, 0.0, 0.0});
+  puppet.run(5.0);
+  EXPECT_TRUE(puppet.pattern.walking());
+  puppet.pattern.want(Eigen::Vector3d::Zero());
+  puppet.run(4.0);
+  EXPECT_FALSE(puppet.pattern.walking());
+  EXPECT_LT((puppet.com - puppet.pattern.middle()).norm(), 0.01);
+  const Eigen::Vector2d between = puppet.pattern.foot(0).unturn(puppet.pattern.foot(0).position -
+                                                                puppet.pattern.foot(1).position);
+  EXPECT_NEAR(between.x(), 0.0, 0.01) << "feet side by side";
+}
+
+TEST(WalkPattern, WalksAtTheVelocityWanted) {
+  for (const Eigen::Vector3d& v :
+       {Eigen::Vector3d(0.5, 0.0, 0.0), Eigen::Vector3d(-0.2, 0.0, 0.0),
+        Eigen::Vector3d(0.0, 0.1, 0.0), Eigen::Vector3d(0.0, 0.0, 0.3)}) {
+    Puppet puppet;
+    puppet.pattern.want(v);
+    puppet.run(5.0);
+    const Eigen::Vector2d from = puppet.pattern.middle();
+    const double heading = puppet.pattern.heading();
+    puppet.run(12.0 * puppet.pattern.gait().period());
+    const double time = 12.0 * puppet.pattern.gait().period();
+    const Eigen::Vector2d gone = puppet.pattern.middle() - from;
+    if (v.z() == 0.0) {
+      EXPECT_LT((gone / time - v.head<2>()).norm(), 0.1 * v.norm()) << v.transpose();
+    }
+    EXPECT_NEAR(std::remainder(puppet.pattern.heading() - heading, 6.283185307) / time, v.z(),
+                0.1 * std::abs(v.z()) + 1e-6);
+  }
+}
+
+TEST(WalkPattern, AnUndisturbedPendulumStaysOnItsPlanHoweverTheCommandChanges) {
+  Puppet puppet;
+  for (const Eigen::Vector3d& v :
+       {Eigen::Vector3d(0.4, 0.0, 0.0), Eigen::Vector3d(0.0, 0.1, 0.2),
+        Eigen::Vector3d(-0.2, 0.0, 0.0), Eigen::Vector3d(0.3, -0.05, -0.3)}) {
+    puppet.pattern.want(v);
+    puppet.run(2.3);
+  }
+  EXPECT_LT(puppet.jump, 0.05);
+  EXPECT_LT((puppet.com - puppet.pattern.middle()).norm(), 0.3);
+}
+
+TEST(WalkPattern, TheFootLiftsAsFarAsItShouldAndLandsSlowly) {
+  Puppet puppet;
+  puppet.pattern.want({0.3, 0.0, 0.0});
+  double last = 0.0, landing_speed = 0.0;
+  bool was_single = false;
+  for (int i = 0; i < 3000; ++i) {
+    puppet.tick();
+    const bool single = puppet.pattern.single();
+    const double height = puppet.pattern.swing().height();
+    if (single && was_single && puppet.pattern.swing().progress() > 0.97)
+      landing_speed = std::max(landing_speed, (last - height) / kDt);
+    last = height;
+    was_single = single;
+  }
+  EXPECT_NEAR(puppet.most_height, puppet.pattern.gait().lift, 0.005);
+  EXPECT_LT(landing_speed, 0.11);
+}
+
+TEST(WalkPattern, AFootThatFindsNoGroundFeelsForIt) {
+  Puppet puppet;
+  puppet.ground = -0.03;
+  puppet.pattern.want({0.2, 0.0, 0.0});
+  puppet.run(6.0);
+  EXPECT_GT(puppet.pattern.steps(), 4);
+}
+
+TEST(WalkPattern, AHaltTakesAtMostTwoMoreSteps) {
+  for (int phase = 0; phase < 12; ++phase) {
+    Puppet puppet;
+    puppet.pattern.want({0.5, 0.0, 0.0});
+    puppet.run(5.0 + 0.1 * phase);
+    const int steps = puppet.pattern.steps();
+    puppet.pattern.halt();
+    puppet.run(3.0);
+    EXPECT_FALSE(puppet.pattern.walking());
+    EXPECT_LE(puppet.pattern.steps() - steps, 2) << phase;
+  }
+}
+
+TEST(WalkPattern, AListOfFootholdsIsSteppedOnOneByOne) {
+  Puppet puppet;
+  const double half = 0.5 * puppet.pattern.gait().width;
+  Foothold list[3];
+  list[0].position << 0.2, half;  // left first: the right foot stands
+  list[1].position << 0.35, -half;
+  list[2].position << 0.35, half;
+  puppet.pattern.follow(list, 3, 1);
+  puppet.run(6.0);
+  EXPECT_FALSE(puppet.pattern.walking());
+  EXPECT_LT((puppet.pattern.foot(1).position - list[1].position).norm(), 0.01);
+  EXPECT_LT((puppet.pattern.foot(0).position - list[2].position).norm(), 0.01);
+}
+
+TEST(StepAdjust, AnUndisturbedStepIsLeftAlone) {
+  const Gait g = gait();
+  StepNow now;
+  now.foot = 1;
+  now.planned.position << 0.3, g.width;
+  now.offset << 0.1, -0.1;
+  now.left_planned = now.left_now = 0.3;
+  const double grown = std::exp(kOmega * 0.3);
+  const Eigen::Vector2d end = now.planned.position + now.offset;
+  now.dcm =
+      (end - Eigen::Vector2d(g.zmp_forward, 0.0)) / grown + Eigen::Vector2d(g.zmp_forward, 0.0);
+  const StepAdjusted step = adjust_step(g, now, kOmega);
+  EXPECT_LT(step.moved, 1e-9);
+  EXPECT_NEAR(step.left, 0.3, 1e-9);
+}
+
+TEST(StepAdjust, APushMovesTheFootholdThatWayAndTheDcmCanBeCaught) {
+  const Gait g = gait();
+  StepNow now;
+  now.foot = 1;
+  now.planned.position << 0.0, g.width;
+  now.offset << 0.0, -0.5 * g.width;
+  now.left_planned = now.left_now = 0.3;
+  now.dcm << 0.2, 0.03;
+  const StepAdjusted step = adjust_step(g, now, kOmega);
+  EXPECT_GT(step.foothold.position.x(), 0.05);
+  EXPECT_LE(step.foothold.position.x(), g.max_forward + 1e-12);
+  EXPECT_LE(step.left, 0.3 + 1e-12);
+  // With the ZMP at the front of the sole until then, the DCM is where the next step needs it.
+  const double grown = std::exp(kOmega * step.left);
+  const double reached = g.sole_high.x() + (now.dcm.x() - g.sole_high.x()) * grown;
+  EXPECT_LT(reached - step.foothold.position.x(), 0.03);
+}
+
+}  // namespace
+}  // namespace twinbus
