@@ -25,7 +25,7 @@ bool mentions(const std::string& name, const std::vector<const char*>& words) {
                      [&](const char* word) { return lower.find(word) != std::string::npos; });
 }
 
-struct Limb {
+struct Branch {
   int root = -1;          // the first link that moves
   double lowest = 1e300;  // [m]
   double mass = 0.0;
@@ -111,25 +111,25 @@ class Finder {
       result_.doubts.emplace_back("no link has geometry: sizes are those of joints");
   }
 
-  void collect(int link, Limb& limb) const {
+  void collect(int link, Branch& limb) const {
     limb.lowest = std::min(limb.lowest, lowest(link));
     limb.mass += model_.links[at(link)].mass;
     for (const int child : children_[at(link)]) collect(child, limb);
   }
 
   void find_limbs() {
-    std::array<std::vector<Limb>, 2> found;
+    std::array<std::vector<Branch>, 2> found;
     for (int i = 1; i < model_.link_count(); ++i) {
       const int side = sides_[at(i)];
       const int above = sides_[at(model_.links[at(i)].parent)];
       if ((side != 1 && side != 2) || above == side || depth_[at(i)] < kLimbJoints) continue;
-      Limb limb{.root = i};
+      Branch limb{.root = i};
       collect(i, limb);
       found[side == 1 ? 0 : 1].push_back(limb);
     }
     // A pair is equally heavy and deep.
-    for (const Limb& left : found[0]) {
-      for (const Limb& right : found[1]) {
+    for (const Branch& left : found[0]) {
+      for (const Branch& right : found[1]) {
         const bool alike = std::abs(left.mass - right.mass) <= 0.1 * (left.mass + right.mass) &&
                            std::abs(left.lowest - right.lowest) < 0.05 &&
                            depth_[at(left.root)] == depth_[at(right.root)] &&
@@ -175,7 +175,7 @@ class Finder {
     return "";
   }
 
-  void find_sole(std::size_t side, const Limb& limb) {
+  void find_sole(std::size_t side, const Branch& limb) {
     const char* name = side == 0 ? "left" : "right";
     const std::vector<int> links = chain(limb.root, false);
     int foot = links.back();
@@ -298,7 +298,7 @@ class Finder {
   std::vector<std::vector<int>> children_;
   std::vector<std::vector<Eigen::Vector3d>> points_;  // world
   std::vector<int> sides_, depth_;
-  std::vector<std::array<Limb, 2>> pairs_;
+  std::vector<std::array<Branch, 2>> pairs_;
   double low_ = 0.0;  // of the whole robot [m]
   Anatomy result_;
 };
