@@ -6,12 +6,11 @@
 #include <string>
 
 #include "control/leg_chain.h"
+#include "robot/pose_math.h"
 
 namespace twinbus {
 
 namespace {
-
-double yaw_of(const Eigen::Matrix3d& r) noexcept { return std::atan2(r(1, 0), r(0, 0)); }
 
 Eigen::Vector3d turn_vector(const Eigen::Matrix3d& r) noexcept {
   const Eigen::AngleAxisd a(r);
