@@ -105,9 +105,11 @@ RunVerdict judge(const Lookout& seen, const RunRequest& request, const MissedCou
   if (end.timer >= 0) verdict.timer_missed = end.timer - std::max<std::int64_t>(start.timer, 0);
 
   if (!request.lockstep) {
+    // What never came because the machine stood still is no loss of ours either.
+    const double tolerance = kRateTolerance + share_of(verdict.stalled, verdict.ticks);
     for (const auto& [name, rate] :
          {std::pair("STATE", verdict.state_rate), std::pair("COMMAND", verdict.command_rate)}) {
-      if (!(std::abs(rate - verdict.rate_wanted) <= kRateTolerance * verdict.rate_wanted)) {
+      if (!(std::abs(rate - verdict.rate_wanted) <= tolerance * verdict.rate_wanted)) {
         verdict.failures.push_back(std::string(name) + text(" came at %.1f Hz, %.1f Hz were asked",
                                                             rate, verdict.rate_wanted));
       }

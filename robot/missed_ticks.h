@@ -13,8 +13,9 @@ namespace twinbus {
 
 class MissedTicks {
  public:
-  // Starts the witness beside a loop that follows the clock.
-  void watch(std::int64_t period_ns) { witness_.emplace(period_ns, kWitnessPriority); }
+  // Starts the witness beside a loop that follows the clock, at a FIFO priority above everything of
+  // the stack.
+  void watch(std::int64_t period_ns, int priority = 80) { witness_.emplace(period_ns, priority); }
 
   // Ticks were missed between two instants of the steady clock, by being late_ns too late: is it the
   // machine that stood still for so long?
@@ -35,8 +36,6 @@ class MissedTicks {
   }
 
  private:
-  static constexpr int kWitnessPriority = 80;  // FIFO, above everything of the stack
-
   std::optional<Witness> witness_;
   std::int64_t missed_ = 0;
   std::int64_t stalled_ = 0;

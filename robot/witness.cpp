@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <latch>
 #include <thread>
 #include <vector>
 
@@ -63,12 +64,12 @@ struct Witness::Shared {
     }
   }
 
-  void run(Watch& watch, int cpu) noexcept {
+  void run(Watch& watch, int cpu, std::latch& started) noexcept {
     pin_to(cpu);
-    if (!set_fifo(priority)) {
-      refused.fetch_add(1);
-      return;
-    }
+    const bool allowed = set_fifo(priority);
+    if (!allowed) refused.fetch_add(1);
+    started.count_down();
+    if (!allowed) return;
     const std::int64_t interval = std::max<std::int64_t>(period_ns / kWakesPerTick, 1);
     std::int64_t due = (monotonic_ns() / period_ns + 2) * period_ns;
     std::size_t next = 0;
@@ -94,19 +95,21 @@ struct Witness::Shared {
 Witness::Witness(std::int64_t period_ns, int priority) : shared_(std::make_unique<Shared>()) {
   shared_->period_ns = std::max<std::int64_t>(period_ns, 1);
   shared_->priority = priority;
-  sched_param before = {};
-  int policy = SCHED_OTHER;
-  if (pthread_getschedparam(pthread_self(), &policy, &before) != 0 || policy != SCHED_FIFO) return;
   cpu_set_t allowed;
   CPU_ZERO(&allowed);
   if (sched_getaffinity(0, sizeof allowed, &allowed) != 0) return;
+  std::vector<int> cpus;
+  for (int cpu = 0; cpu < CPU_SETSIZE && cpus.size() < kMostCpus; ++cpu) {
+    if (CPU_ISSET(static_cast<std::size_t>(cpu), &allowed)) cpus.push_back(cpu);
+  }
   Shared& s = *shared_;
-  for (int cpu = 0; cpu < CPU_SETSIZE && s.watches.size() < kMostCpus; ++cpu) {
-    if (!CPU_ISSET(static_cast<std::size_t>(cpu), &allowed)) continue;
+  std::latch started(static_cast<std::ptrdiff_t>(cpus.size()));
+  for (const int cpu : cpus) {
     s.watches.push_back(std::make_unique<Watch>());
     Watch& watch = *s.watches.back();
-    watch.thread = std::thread([&s, &watch, cpu] { s.run(watch, cpu); });
+    watch.thread = std::thread([&s, &watch, &started, cpu] { s.run(watch, cpu, started); });
   }
+  started.wait();
 }
 
 Witness::~Witness() {

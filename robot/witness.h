@@ -2,8 +2,9 @@
 // nothing, so where it is late the machine stood still, whatever the loop does.
 //
 // One thread per CPU, because a virtual machine may stand still on one of them only; each wakes
-// four times per tick, because a CPU may stand still in the middle of one.  Without FIFO priority
-// there is no witness: an ordinary timer proves nothing.
+// four times per tick, because a CPU may stand still in the middle of one.  It takes FIFO priority for
+// itself even where the loop has none, so that a loop run without FIFO is judged by the same measure.
+// Where the system allows no FIFO priority there is no witness: an ordinary timer proves nothing.
 
 #pragma once
 
@@ -24,7 +25,7 @@ std::int64_t covered_ns(std::span<Interval> intervals, std::int64_t from_ns,
 class Witness {
  public:
   // Ticks lie on multiples of period_ns of the steady clock.  Starts its threads at this FIFO
-  // priority, if the caller has FIFO priority too.
+  // priority, where the system allows that.
   Witness(std::int64_t period_ns, int priority);
   ~Witness();
   Witness(const Witness&) = delete;

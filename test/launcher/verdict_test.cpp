@@ -91,6 +91,11 @@ TEST(Verdict, ASlowStreamFails) {
   EXPECT_NEAR(verdict.command_rate, 250.0, 1.0);
 }
 
+TEST(Verdict, CommandsThatTheMachineSwallowedAreNoSlowStream) {
+  EXPECT_TRUE(FakeRun(2, 5000, 1, 5000).verdict().passed);
+  EXPECT_FALSE(FakeRun(2, 4000, 1, 4000).verdict().passed);
+}
+
 TEST(Verdict, AFallFails) {
   FakeRun run(1, 0, 1);
   SimTruth truth;
