@@ -7,7 +7,6 @@
 
 #include <cstdio>
 #include <cstdlib>
-#include <exception>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -322,10 +321,5 @@ int run(int argc, char** argv) {
 }  // namespace twinbus
 
 int main(int argc, char** argv) {
-  try {
-    return twinbus::run(argc, argv);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "control_bench: %s\n", error.what());
-    return 1;
-  }
+  return twinbus::run_process("control_bench", twinbus::run, argc, argv);
 }

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "robot/load.h"
+#include "robot/process.h"
 #include "test/control/sim_rig.h"
 
 namespace twinbus {
@@ -190,10 +191,5 @@ int run(int argc, char** argv) {
 }  // namespace twinbus
 
 int main(int argc, char** argv) {
-  try {
-    return twinbus::run(argc, argv);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "pushes_bench: %s\n", error.what());
-    return 1;
-  }
+  return twinbus::run_process("pushes_bench", twinbus::run, argc, argv);
 }
