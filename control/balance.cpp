@@ -49,6 +49,7 @@ Balance::Balance(const Model& model, const BalanceGains& gains)
       gains_(gains),
       stabilizer_(gains.stabilizer),
       trunk_(gains.trunk),
+      arms_(model, gains.arms),
       foot_(gains.foot),
       standing_(model),
       dynamics_(model),
@@ -166,6 +167,7 @@ void Balance::start(const Estimator& estimator) noexcept {
   motion_.start(home_, com_, com_velocity_, gains_.way_home);
   stabilizer_.start();
   start_trunk(estimator);
+  arms_.start();
   foot_.start();
   fresh_ = true;
   finite_ = true;
@@ -286,6 +288,13 @@ void Balance::feed_forward(const Estimator& estimator, double dt) noexcept {
     offset_rate_[waist_[axis]] = waist_sign_[axis] * trunk_.waist_rate()[i];
     qdd_[waist_[axis]] = waist_sign_[axis] * trunk_.waist_acceleration()[i];
   }
+  for (int arm = 0; arm < 2; ++arm) {
+    const int joint = arms_.joint(arm);
+    if (joint < 0) continue;
+    offset_[joint] = arms_.angle(arm);
+    offset_rate_[joint] = arms_.rate(arm);
+    qdd_[joint] = arms_.acceleration(arm);
+  }
   Eigen::Vector3d base_acceleration = Eigen::Vector3d::Zero();
   Eigen::Vector3d turning = Eigen::Vector3d::Zero();
   if (standing_.update(estimator.kinematics())) {
@@ -312,6 +321,7 @@ void Balance::update(const Estimator& estimator, double dt) noexcept {
                      .acceleration = motion_.acceleration().head<2>()};
   stabilizer_.update(plan, dcm_ + lean, lean, soles_, omega(), dt);
   trunk_.update(stabilizer_.lean_wanted(), tilt, turn_rate_.head<2>(), height, dt);
+  arms_.update(-trunk_.target().x() - trunk_.waist().x(), dt);  // to the left
   push_soles(estimator, dt);
   feed_forward(estimator, dt);
   fresh_ = false;

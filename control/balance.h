@@ -12,6 +12,7 @@
 #include <array>
 #include <vector>
 
+#include "control/arm_clearance.h"
 #include "control/balance_gains.h"
 #include "control/com_motion.h"
 #include "control/foot_compliance.h"
@@ -84,6 +85,7 @@ class Balance {
   ComMotion motion_;
   Stabilizer stabilizer_;
   TrunkYield trunk_;
+  ArmClearance arms_;
   FootCompliance foot_;
   StandingMotion standing_;
   InverseDynamics dynamics_;

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include "control/arm_clearance.h"
 #include "control/foot_compliance.h"
 #include "control/stabilizer.h"
 #include "control/trunk_yield.h"
@@ -11,9 +12,10 @@ namespace twinbus {
 struct BalanceGains {
   StabilizerGains stabilizer;
   TrunkYieldGains trunk;
+  ArmClearanceGains arms;
   FootComplianceGains foot;
-  // Largest a soft sole may be tilted by an off-centre load [rad]: 0.41 degrees, so that 0.5 are kept.
-  double sole_tilt = 0.0072;
+  // Largest a soft sole may be tilted by an off-centre load [rad]: 0.44 degrees, so that 0.5 are kept.
+  double sole_tilt = 0.0076;
   double velocity_filter = 0.006;  // of the velocity and momentum in the DCM [s]
   double settle = 1.0;    // time in which what is not upright at the start is put right [s]
   double way_home = 1.5;  // time to the home position of the centre of mass [s]

@@ -13,8 +13,8 @@ namespace twinbus {
 
 struct TrunkYieldGains {
   double frequency = 8.0;    // w [rad/s]
-  double damping = 0.9;      // zeta
-  double limit = 0.35;       // of theta* [rad]
+  double damping = 1.0;      // zeta
+  double limit = 0.29;       // of theta* [rad]
   double most = 30.0;        // largest angular acceleration [rad/s^2]
   double filter = 0.015;     // of theta* [s]
   double waist = 1.3;        // r
