@@ -140,13 +140,7 @@ class Shell {
     if (source_.publishes_on_state() && !lockstep_now() && sent - due > period_ns_ / 2) {
       missed_.add(1, sent - due - period_ns_ / 2, due - 2 * period_ns_, sent);
     }
-    if (const SimTruth* truth = adaptor_.truth();
-        truth != nullptr && source_.publishes_on_state()) {
-      truth_ = *truth;
-      truth_.tick = state.tick;
-      truth_.run_id = run_id_;
-      send(channel::kTruth, truth_);
-    }
+    const bool has_truth = keep_truth();
     const std::int64_t published = monotonic_ns();
     if (lockstep_now()) {
       wait_for_answer();
@@ -162,9 +156,21 @@ class Shell {
     // A tick without an answer counts with the whole time that was waited.
     if (is_commanded()) pulse_.answered(answered - sent);
     source_.end_tick(answered);
+    if (has_truth) send(channel::kTruth, truth_);
     report(answered);
     const std::int64_t end = monotonic_ns();
     pulse_.tick(end, (published - begin) + (end - answered));
+  }
+
+  // The truth of the tick that was just published.  It is sent after the answer, which it would
+  // delay.
+  bool keep_truth() {
+    const SimTruth* truth = adaptor_.truth();
+    if (truth == nullptr || !source_.publishes_on_state()) return false;
+    truth_ = *truth;
+    truth_.tick = source_.state().tick;
+    truth_.run_id = run_id_;
+    return true;
   }
 
   bool is_commanded() const {

@@ -2,6 +2,7 @@
 
 #include <lcm/lcm.h>
 #include <poll.h>
+#include <regex.h>
 #include <time.h>
 
 #include <algorithm>
@@ -10,18 +11,16 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <set>
 #include <stdexcept>
 
 #include "lcmtypes/socket_filter.h"
+#include "lcmtypes/udpm_receiver.h"
 
 namespace twinbus {
 
 namespace {
 
 constexpr char kOwnUrl[] = "udpm://239.255.76.67:17667?ttl=0&recv_buf_size=4194304";
-constexpr int kReceiveBuffer = 4194304;  // [bytes]
-constexpr int kLcmPort = 7667;           // of an URL without a port
 constexpr std::size_t kLongestPrefix = 20;
 constexpr std::size_t kLongestChannel = LCM_MAX_CHANNEL_NAME_LENGTH;
 
@@ -33,28 +32,15 @@ std::int64_t steady_ns() noexcept {
 
 bool starts_with(const std::string& text, const char* start) { return text.rfind(start, 0) == 0; }
 
-// The port of udpm://ADDRESS:PORT?options.
-int port_of(const std::string& url) {
-  const std::size_t begin = std::strlen("udpm://");
-  const std::string network = url.substr(begin, url.find('?', begin) - begin);
-  const std::size_t colon = network.find(':');
-  if (colon == std::string::npos) return kLcmPort;
-  const std::string digits = network.substr(colon + 1);
-  const bool number =
-      !digits.empty() && digits.size() <= 5 &&
-      std::all_of(digits.begin(), digits.end(), [](char c) { return c >= '0' && c <= '9'; });
-  const int port = number ? std::atoi(digits.c_str()) : 0;
-  if (!(port > 0 && port < 65536)) {
-    throw std::invalid_argument("--url " + url + ": the port must be 1 .. 65535");
-  }
-  return port;
+// Only letters, digits and _: as a pattern it matches nothing but itself.
+bool is_plain(const std::string& name) {
+  return std::all_of(name.begin(), name.end(), [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+  });
 }
 
 void check_prefix(const std::string& prefix) {
-  const bool plain = std::all_of(prefix.begin(), prefix.end(), [](char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-  });
-  if (!plain || prefix.size() > kLongestPrefix) {
+  if (!is_plain(prefix) || prefix.size() > kLongestPrefix) {
     throw std::invalid_argument("--prefix " + prefix +
                                 ": only letters, digits and _, at most 20, as in R1_");
   }
@@ -72,6 +58,27 @@ std::vector<std::uint32_t> addresses_of(const std::vector<std::string>& allow) {
   }
   return addresses;
 }
+
+// As liblcm understands a channel: an extended regular expression that matches the whole name.
+class Pattern {
+ public:
+  explicit Pattern(const std::string& expression) {
+    const std::string whole = "^(" + expression + ")$";
+    if (regcomp(&compiled_, whole.c_str(), REG_EXTENDED | REG_NOSUB) != 0) {
+      throw std::runtime_error("bus: no regular expression: " + expression);
+    }
+  }
+  ~Pattern() { regfree(&compiled_); }
+  Pattern(const Pattern&) = delete;
+  Pattern& operator=(const Pattern&) = delete;
+
+  bool matches(const char* name) const noexcept {
+    return regexec(&compiled_, name, 0, nullptr, 0) == 0;
+  }
+
+ private:
+  regex_t compiled_;
+};
 
 void check_provider(const std::string& url) {
   for (const char* provider : {"udpm://", "memq://", "file://"}) {
@@ -110,18 +117,36 @@ bool take_bus_option(int argc, char** argv, int& i, BusOptions& options) {
   return true;
 }
 
+struct Bus::Subscription {
+  Bus* bus;
+  void* target;
+  Handle handle;
+  std::string name;                  // with the prefix
+  std::unique_ptr<Pattern> pattern;  // none: the name itself
+
+  bool takes(const char* channel) const noexcept {
+    return pattern ? pattern->matches(channel) : name == channel;
+  }
+};
+
 Bus::Bus(const BusOptions& options) : options_(options) {
   check_prefix(options.prefix);
   check_provider(options.url);
-  has_socket_ = starts_with(options.url, "udpm://");
-  if (has_socket_) (void)port_of(options.url);
-  (void)addresses_of(options.allow);
+  const bool on_network = starts_with(options.url, "udpm://");
+  const std::vector<std::uint32_t> allowed = addresses_of(options.allow);
+  const MulticastGroup group = on_network ? multicast_group(options.url) : MulticastGroup{};
   lcm_ = lcm_create(options.url.c_str());
   if (lcm_ == nullptr) {
     throw std::runtime_error(
         "bus: cannot open " + options.url +
-        (has_socket_ ? ": no multicast route? try `ip route add 224.0.0.0/4 dev lo` as root"
-                     : ": is the file there and readable?"));
+        (on_network ? ": no multicast route? try `ip route add 224.0.0.0/4 dev lo` as root"
+                    : ": is the file there and readable?"));
+  }
+  try {
+    if (on_network) receiver_ = std::make_unique<UdpmReceiver>(group, allowed);
+  } catch (...) {
+    lcm_destroy(lcm_);
+    throw;
   }
 }
 
@@ -130,34 +155,21 @@ Bus::~Bus() { lcm_destroy(lcm_); }
 void Bus::subscribe(const char* channel, int queue, void* target, Handle handle) {
   const std::string name = options_.prefix + channel;
   if (name.size() > kLongestChannel) throw std::runtime_error("bus: channel too long: " + name);
-  subscriptions_.push_back(std::make_unique<Subscription>(Subscription{this, target, handle}));
-
-  // LCM opens its receiving socket on the first subscription: the one that was not there before is
-  // ours.
-  const bool first = has_socket_ && socket_ < 0;
-  const int port = first ? port_of(options_.url) : 0;
-  const std::set<int> before = first ? udp_sockets(port) : std::set<int>{};
-  lcm_subscription_t* subscription =
-      lcm_subscribe(lcm_, name.c_str(), &on_message, subscriptions_.back().get());
-  if (subscription == nullptr) throw std::runtime_error("bus: cannot subscribe to " + name);
-  lcm_subscription_set_queue_capacity(subscription, queue);
-  if (!first) return;
-
-  const std::vector<std::uint32_t> allowed = addresses_of(options_.allow);
-  for (const int fd : udp_sockets(port)) {
-    if (before.count(fd) != 0) continue;
-    if (!attach_filter(fd, allowed)) {
-      throw std::runtime_error("bus: the kernel refuses the socket filter (at most 64 --allow)");
+  auto subscription =
+      std::make_unique<Subscription>(Subscription{this, target, handle, name, nullptr});
+  if (receiver_) {
+    if (is_plain(name)) {
+      receiver_->hear(name);
+    } else {
+      subscription->pattern = std::make_unique<Pattern>(name);
+      receiver_->hear_all();
     }
-    (void)enlarge_receive_buffer(fd, kReceiveBuffer);
-    socket_ = fd;
+  } else {
+    lcm_subscription_t* of_lcm = lcm_subscribe(lcm_, name.c_str(), &on_message, subscription.get());
+    if (of_lcm == nullptr) throw std::runtime_error("bus: cannot subscribe to " + name);
+    lcm_subscription_set_queue_capacity(of_lcm, queue);
   }
-  if (socket_ < 0) {
-    throw std::runtime_error(
-        "bus: LCM's receiving socket was not found, so it cannot be filtered; is the multicast "
-        "route "
-        "there? try `ip route add 224.0.0.0/4 dev lo` as root");
-  }
+  subscriptions_.push_back(std::move(subscription));
 }
 
 void Bus::on_message(const lcm_recv_buf_t* buffer, const char* channel, void* user) noexcept {
@@ -174,17 +186,38 @@ void Bus::on_message(const lcm_recv_buf_t* buffer, const char* channel, void* us
 }
 
 int Bus::receive(double timeout_s) noexcept {
-  pollfd ready{.fd = lcm_get_fileno(lcm_), .events = POLLIN, .revents = 0};
+  pollfd ready{.fd = fileno(), .events = POLLIN, .revents = 0};
   const double wait = timeout_s > 0.0 ? std::min(timeout_s, 1e6) : 0.0;
   const double whole_seconds = std::floor(wait);
   const timespec timeout{.tv_sec = static_cast<time_t>(whole_seconds),
                          .tv_nsec = static_cast<long>(1e9 * (wait - whole_seconds))};
   if (ppoll(&ready, 1, &timeout, nullptr) <= 0) return 0;
+  if (receiver_) return take_datagrams();
   int handled = 0;
   do {
     if (lcm_handle(lcm_) < 0) return handled > 0 ? handled : -1;
     ++handled;
   } while (handled < kMostPerCall && poll(&ready, 1, 0) > 0);
+  return handled;
+}
+
+int Bus::take_datagrams() noexcept {
+  const std::int64_t malformed = receiver_->malformed();
+  UdpmReceiver::Datagram datagram;
+  int handled = 0;
+  for (; handled < kMostPerCall && receiver_->next(datagram); ++handled) {
+    const std::size_t prefix = std::min(options_.prefix.size(), std::strlen(datagram.channel));
+    const Incoming in{.channel = datagram.channel + prefix,
+                      .bytes = datagram.bytes,
+                      .wall_time_us = datagram.wall_time_us,
+                      .now_ns = steady_ns(),
+                      .whole = true};
+    for (const auto& subscription : subscriptions_) {
+      if (!subscription->takes(datagram.channel)) continue;
+      subscription->handle(subscription->target, in, counters_);
+    }
+  }
+  counters_.rejected += receiver_->malformed() - malformed;
   return handled;
 }
 
@@ -201,10 +234,10 @@ bool Bus::send_raw(const char* channel, std::span<const std::uint8_t> bytes) noe
   return false;
 }
 
-int Bus::fileno() const noexcept { return lcm_get_fileno(lcm_); }
+int Bus::fileno() const noexcept { return receiver_ ? receiver_->fileno() : lcm_get_fileno(lcm_); }
 
 std::int64_t Bus::dropped_datagrams() const noexcept {
-  return socket_ < 0 ? 0 : twinbus::dropped_datagrams(socket_);
+  return receiver_ ? twinbus::dropped_datagrams(receiver_->fileno()) : 0;
 }
 
 }  // namespace twinbus

@@ -28,6 +28,8 @@ struct _lcm_recv_buf_t;
 
 namespace twinbus {
 
+class UdpmReceiver;
+
 // $LCM_DEFAULT_URL, or this project's own port.
 std::string default_url();
 
@@ -108,13 +110,14 @@ class Bus {
   // Readable when receive(0) has something to do: for poll() together with other descriptors.
   int fileno() const noexcept;
   const BusCounters& counters() const noexcept { return counters_; }
-  // Datagrams dropped by the kernel: foreign, split, or no room.  0 where there is no socket.
+  // Datagrams dropped by the kernel: foreign, split, of a channel nobody here listens to, or no room.
+  // 0 where there is no socket.
   std::int64_t dropped_datagrams() const noexcept;
 
   static constexpr int kMostPerCall = 2048;  // bounds the work of one call under a flood
 
  private:
-  static constexpr int kQueue = 64;  // LCM drops the newest when full, so it is always emptied
+  static constexpr int kQueue = 64;        // memq and logs: LCM drops the newest when full
   static constexpr int kLongQueue = 1024;  // channels on which no message replaces another
 
   struct Incoming {
@@ -125,14 +128,11 @@ class Bus {
     bool whole;           // false: LCM gave an impossible size
   };
   using Handle = void (*)(void* target, const Incoming&, BusCounters&) noexcept;
-  struct Subscription {
-    Bus* bus;
-    void* target;
-    Handle handle;
-  };
+  struct Subscription;
 
   void subscribe(const char* channel, int queue, void* target, Handle handle);
   static void on_message(const _lcm_recv_buf_t* buffer, const char* channel, void* user) noexcept;
+  int take_datagrams() noexcept;
 
   template <class T>
   static bool decode_or_count(const Incoming& in, T& value, BusCounters& counters) noexcept {
@@ -188,8 +188,7 @@ class Bus {
 
   BusOptions options_;
   _lcm_t* lcm_ = nullptr;
-  int socket_ = -1;  // LCM's receiving socket, once there is one
-  bool has_socket_ = false;
+  std::unique_ptr<UdpmReceiver> receiver_;  // of udpm; the other providers are received by liblcm
   BusCounters counters_;
   std::vector<std::unique_ptr<Subscription>> subscriptions_;
 };

@@ -1,7 +1,6 @@
 #include "lcmtypes/socket_filter.h"
 
 #include <arpa/inet.h>
-#include <dirent.h>
 #include <linux/filter.h>
 #include <linux/if_packet.h>
 #include <linux/sock_diag.h>
@@ -10,8 +9,6 @@
 #include <sys/socket.h>
 
 #include <array>
-#include <cstdlib>
-#include <memory>
 #include <stdexcept>
 
 namespace twinbus {
@@ -22,11 +19,13 @@ constexpr std::uint32_t kUnsplit = 0x4c433032;  // "LC02"; split messages start 
 constexpr std::uint32_t kSource = static_cast<std::uint32_t>(SKF_NET_OFF) + 12;  // IPv4 source
 constexpr std::uint32_t kPacketType = static_cast<std::uint32_t>(SKF_AD_OFF + SKF_AD_PKTTYPE);
 constexpr std::uint32_t kInterface = static_cast<std::uint32_t>(SKF_AD_OFF + SKF_AD_IFINDEX);
-constexpr std::uint32_t kMagic = 8;  // first word after the UDP header
+constexpr std::uint32_t kMagic = 8;           // first word after the UDP header
+constexpr std::uint32_t kChannel = 16;        // after magic and sequence; the name ends with a zero
+constexpr std::uint32_t kWhole = 0xffffffff;  // of a datagram
 constexpr std::size_t kMostAllowed = 64;
 
-sock_filter load(std::uint32_t where) {
-  return {static_cast<std::uint16_t>(BPF_LD | BPF_W | BPF_ABS), 0, 0, where};
+sock_filter load(std::uint32_t where, std::uint16_t size = BPF_W) {
+  return {static_cast<std::uint16_t>(BPF_LD | size | BPF_ABS), 0, 0, where};
 }
 sock_filter jump_if(std::uint32_t value, std::size_t when_equal, std::size_t otherwise) {
   return {static_cast<std::uint16_t>(BPF_JMP | BPF_JEQ | BPF_K),
@@ -36,25 +35,52 @@ sock_filter answer(std::uint32_t bytes) {
   return {static_cast<std::uint16_t>(BPF_RET | BPF_K), 0, 0, bytes};
 }
 
+// Goes on behind itself if the datagram is unsplit and its sender may be heard, refuses otherwise.
+//
 // The kernel marks multicast that it loops back to its own machine PACKET_LOOPBACK; no datagram
 // from a wire can carry that mark, so own datagrams are known without knowing own addresses.
-std::vector<sock_filter> program(const std::vector<std::uint32_t>& allowed) {
+void check_sender(const std::vector<std::uint32_t>& allowed, std::vector<sock_filter>& code) {
   const std::size_t n = allowed.size();
-  std::vector<sock_filter> code;
   code.push_back(load(kMagic));
-  code.push_back(jump_if(kUnsplit, 0, n + 6));  // -> refuse
-  code.push_back(load(kPacketType));
-  code.push_back(jump_if(PACKET_LOOPBACK, n + 3, 0));  // -> accept
-  code.push_back(load(kInterface));
-  code.push_back(jump_if(if_nametoindex("lo"), n + 1, 0));  // -> accept
-  code.push_back(load(kSource));
-  for (std::size_t i = 0; i < n; ++i) {
-    code.push_back(jump_if(allowed[i], n - 1 - i, i + 1 == n ? 1 : 0));
-  }
-  if (n == 0) code.back() = answer(0);
-  code.push_back(answer(0xffffffff));
+  code.push_back(jump_if(kUnsplit, 1, 0));
   code.push_back(answer(0));
-  return code;
+  code.push_back(load(kPacketType));
+  code.push_back(jump_if(PACKET_LOOPBACK, n + 4, 0));  // -> behind
+  code.push_back(load(kInterface));
+  code.push_back(jump_if(if_nametoindex("lo"), n + 2, 0));  // -> behind
+  code.push_back(load(kSource));
+  for (std::size_t i = 0; i < n; ++i) code.push_back(jump_if(allowed[i], n - i, 0));  // -> behind
+  code.push_back(answer(0));
+}
+
+// Accepts the channel of this name, and goes on behind itself with any other.
+void accept_channel(const std::string& name, std::vector<sock_filter>& code) {
+  const std::size_t size = name.size() + 1;  // with its zero
+  struct Piece {
+    std::size_t at;
+    std::uint16_t load;
+    std::size_t bytes;
+  };
+  std::vector<Piece> pieces;
+  std::size_t at = 0;
+  for (; at + 4 <= size; at += 4) pieces.push_back({at, BPF_W, 4});
+  if (at + 2 <= size) pieces.push_back({at, BPF_H, 2}), at += 2;
+  if (at < size) pieces.push_back({at, BPF_B, 1});
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    std::uint32_t value = 0;
+    for (std::size_t k = 0; k < pieces[i].bytes; ++k) {
+      const auto byte = static_cast<unsigned char>(name.c_str()[pieces[i].at + k]);
+      value = value << 8 | byte;
+    }
+    code.push_back(load(kChannel + static_cast<std::uint32_t>(pieces[i].at), pieces[i].load));
+    code.push_back(jump_if(value, 0, 2 * (pieces.size() - 1 - i) + 1));  // -> behind
+  }
+  code.push_back(answer(kWhole));
+}
+
+bool attach(int socket, std::vector<sock_filter>& code) {
+  const sock_fprog fprog{static_cast<unsigned short>(code.size()), code.data()};
+  return setsockopt(socket, SOL_SOCKET, SO_ATTACH_FILTER, &fprog, sizeof fprog) == 0;
 }
 
 }  // namespace
@@ -68,28 +94,22 @@ std::uint32_t parse_ipv4(const std::string& text) {
   return ntohl(address.s_addr);
 }
 
-std::set<int> udp_sockets(int port) {
-  std::set<int> found;
-  const std::unique_ptr<DIR, int (*)(DIR*)> folder(opendir("/proc/self/fd"), &closedir);
-  if (!folder) return found;
-  while (const dirent* entry = readdir(folder.get())) {
-    const int fd = std::atoi(entry->d_name);
-    sockaddr_in self{};
-    socklen_t size = sizeof self;
-    int type = 0;
-    socklen_t type_size = sizeof type;
-    if (getsockopt(fd, SOL_SOCKET, SO_TYPE, &type, &type_size) != 0 || type != SOCK_DGRAM) continue;
-    if (getsockname(fd, reinterpret_cast<sockaddr*>(&self), &size) != 0) continue;
-    if (self.sin_family == AF_INET && ntohs(self.sin_port) == port) found.insert(fd);
-  }
-  return found;
-}
-
 bool attach_filter(int socket, const std::vector<std::uint32_t>& allowed) {
   if (allowed.size() > kMostAllowed) return false;
-  std::vector<sock_filter> code = program(allowed);
-  const sock_fprog fprog{static_cast<unsigned short>(code.size()), code.data()};
-  return setsockopt(socket, SOL_SOCKET, SO_ATTACH_FILTER, &fprog, sizeof fprog) == 0;
+  std::vector<sock_filter> code;
+  check_sender(allowed, code);
+  code.push_back(answer(kWhole));
+  return attach(socket, code);
+}
+
+bool attach_filter(int socket, const std::vector<std::uint32_t>& allowed,
+                   const std::vector<std::string>& channels) {
+  if (allowed.size() > kMostAllowed) return false;
+  std::vector<sock_filter> code;
+  check_sender(allowed, code);
+  for (const std::string& name : channels) accept_channel(name, code);
+  code.push_back(answer(0));
+  return code.size() <= BPF_MAXINSNS ? attach(socket, code) : attach_filter(socket, allowed);
 }
 
 std::int64_t dropped_datagrams(int socket) {

@@ -1,14 +1,15 @@
-// Closes LCM's receiving socket to split datagrams and to foreign senders, in the kernel and
-// without root.
+// Closes a receiving socket to split datagrams, to foreign senders and to channels nobody here
+// listens to, in the kernel and without root.
 //
-// liblcm binds every address and trusts what arrives; ttl=0 limits only what we send.  One pair of
-// forged fragments ends the process inside liblcm, before any handler could refuse it
-// (facts/reliability.md section 3).
+// On a multicast bus every datagram of every channel wakes every process; the channel filter lets
+// each sleep through what is not for it.
+//
+// ttl=0 limits only what we send, and our own messages are never split: who puts split ones together
+// can be made to run out of memory, or out of bounds, by two forged datagrams.
 
 #pragma once
 
 #include <cstdint>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -18,13 +19,13 @@ namespace twinbus {
 // text.
 std::uint32_t parse_ipv4(const std::string& text);
 
-// The open UDP sockets of this process bound to port.
-std::set<int> udp_sockets(int port);
-
 // Lets in unsplit LCM datagrams ("LC02") that this machine sent itself (looped back multicast or
-// the loopback interface, whatever address they carry) or that come from one of allowed. Everything
-// else is dropped and counted by the kernel.  Returns false if the kernel refuses.
+// the loopback interface, whatever address they carry) or that come from one of allowed, and of
+// these all, or only the channels named.  Everything else is dropped and counted by the kernel.
+// Takes the place of an earlier filter.  Returns false if the kernel refuses.
 bool attach_filter(int socket, const std::vector<std::uint32_t>& allowed);
+bool attach_filter(int socket, const std::vector<std::uint32_t>& allowed,
+                   const std::vector<std::string>& channels);
 
 // Datagrams the kernel dropped for this socket: by the filter, or because its buffer was full.  -1
 // if unknown.

@@ -33,7 +33,8 @@ enum class RealTime : std::int8_t { kNone = 0, kFifo = 1, kFifoLocked = 2 };
 
 // FIFO priority, locked memory and CPUs that stay awake, where the system allows them; TWINBUS_FIFO=0 in the environment
 // asks for none of it, TWINBUS_CPU_SLEEP=1 lets the CPUs sleep between ticks, which saves power and costs punctuality.
-// Call before the bus is opened: its receive thread inherits the priority.  Never fails: the result says what was allowed and why says what was not, as one sentence.
+// Threads started later inherit it.  Never fails: the result says what was allowed and why says what
+// was not, as one sentence.
 RealTime enter_real_time(int priority, std::string* why = nullptr);
 
 // For who only watches the loops but must not lose a message of theirs: behind all of them, ahead of

@@ -71,7 +71,9 @@ struct Witness::Shared {
     started.count_down();
     if (!allowed) return;
     const std::int64_t interval = std::max<std::int64_t>(period_ns / kWakesPerTick, 1);
-    std::int64_t due = (monotonic_ns() / period_ns + 2) * period_ns;
+    // Between the instants at which the loop has work: a tick begins at a multiple of the period.
+    const std::int64_t phase = interval * 4 / 5;
+    std::int64_t due = (monotonic_ns() / period_ns + 2) * period_ns + phase;
     std::size_t next = 0;
     while (!quit.load(std::memory_order_relaxed)) {
       watch.due_ns.store(due);

@@ -85,6 +85,22 @@ class OneMachine(unittest.TestCase):
         self.assertEqual(sent['allocations'], 0)      # sending, and hearing what it sends itself
         self.assertLessEqual(heard['allocations'], 4)  # LCM remembers a channel when it first hears it
 
+    def test_channels_that_nobody_listens_to_never_reach_the_process(self):
+        listener = start('--for', '2.5')
+        sender = start('--send', '200', '--rate', '200', '--for', '1.5')
+        sock = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        sock.setsockopt(socket.IPPROTO_IP, socket.IP_MULTICAST_TTL, 0)
+        others = (b'STAT', b'STATES', b'STATE_', b'STATE_BRIDGE', b'STOPS', b'S', b'', b'WALK', b'R1_STATE')
+        for _ in range(100):
+            for channel in others:
+                sock.sendto(unsplit(channel, b'A' * 1001), GROUP)
+        sock.close()
+        sent, heard = result(sender), result(listener)
+        print('heard', heard)
+        self.assertEqual(heard['states'], sent['sent'])
+        self.assertEqual(heard['rejected'], 0)
+        self.assertEqual(heard['dropped'], 100 * len(others))
+
     def test_malformed_datagrams_are_dropped_and_counted_and_nothing_else_is_lost(self):
         listener = start('--for', '4')
         good = start('--send', '1000', '--for', '3')
