@@ -21,6 +21,7 @@ class HangingRobot : public PointRobot {
   HangingRobot() : PointRobot(false) {}
   Status read(RobotState& state, double) override {
     std::unique_lock<std::mutex> lock(mutex_);
+    hanging = hangs_;
     free_.wait(lock, [&] { return !hangs_; });
     state.q[0] = 0.001 * static_cast<double>(++reads_);
     return Status::kOk;
@@ -40,7 +41,7 @@ class HangingRobot : public PointRobot {
   }
   std::atomic<std::int64_t> last_tick{-1};
   std::atomic<Status> write_result{Status::kOk};
-  std::atomic<bool> fell{false};
+  std::atomic<bool> fell{false}, hanging{false};
 
  private:
   std::mutex mutex_;
@@ -109,6 +110,7 @@ TEST(ThreadedAdaptor, CloseLeavesADeviceThatHangsForGood) {
   robot->hang(true);
   RobotState state;
   EXPECT_EQ(adaptor.read(state, 0.001), Status::kTimeout);
+  while (!robot->hanging) std::this_thread::yield();  // a busy machine lets its thread begin late
   adaptor.close();
   EXPECT_TRUE(adaptor.hung());
   robot->hang(false);
