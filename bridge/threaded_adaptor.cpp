@@ -71,11 +71,12 @@ struct ThreadedAdaptor::Shared {
     Measured measured;
     while (!s.quit.load()) {
       s.work.wait();
-      if (s.quit.load()) break;
+      // Before the end too: who asks a device to fall safely and closes it means both.
       if (s.fall_wanted.exchange(false)) {
         s.fall_status.store(s.inner->fall_safe());
         s.fallen.post();
       }
+      if (s.quit.load()) break;
       if (s.command.take(command)) s.write_status.store(s.inner->write(command));
       const std::int64_t wanted = s.reads_wanted.load();
       if (wanted == answered_reads) continue;
