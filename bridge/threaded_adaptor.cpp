@@ -69,7 +69,7 @@ struct ThreadedAdaptor::Shared {
     std::int64_t answered_reads = 0;
     JointCommand command;
     Measured measured;
-    while (!s.quit.load()) {
+    for (;;) {
       s.work.wait();
       // Before the end too: who asks a device to fall safely and closes it means both.
       if (s.fall_wanted.exchange(false)) {
