@@ -2,97 +2,13 @@
 
 #include <algorithm>
 
-namespace twinbus {
-
-// Everything that decides what a source does next; set-points and counters are left out.
-struct ProtocolProbe {
-  struct Hash {
-    std::uint64_t value = 0xcbf29ce484222325ULL;
-    template <class T>
-    void add(T x) {
-      value ^= static_cast<std::uint64_t>(x) + 0x9e3779b97f4a7c15ULL + (value << 6) + (value >> 2);
-      value *= 0xff51afd7ed558ccdULL;
-      value ^= value >> 32;
-    }
-  };
-  static void hash(Hash& h, const Handover& x) {
-    for (const std::int64_t v : {x.tick,
-                                 x.time_ns,
-                                 x.holder,
-                                 x.holder_ns,
-                                 x.holder_tick,
-                                 x.granted_run,
-                                 x.granted_tick,
-                                 x.other_ns,
-                                 x.successor,
-                                 x.grant_tick,
-                                 x.predecessor,
-                                 x.predecessor_ns,
-                                 x.cancel_tick,
-                                 x.cancelled_run,
-                                 x.last_grant_ns,
-                                 x.pending_since_ns,
-                                 x.rival,
-                                 x.rival_tick,
-                                 x.rival_ns,
-                                 x.rival_since_ns,
-                                 x.asked_run,
-                                 x.asked_ns,
-                                 x.counted_holder_tick,
-                                 x.pending.target_run_id}) {
-      h.add(v);
-    }
-    for (const std::int32_t v :
-         {x.term, x.highest_term, x.cancels_heard, x.rival_term, x.rival_count})
-      h.add(v);
-    for (const bool v :
-         {x.believed_by_rule, x.new_holder, x.other_heard, x.successor_seen, x.has_granted,
-          x.pending_switch, x.wants_rest, x.pending_activation, x.rival_stopped}) {
-      h.add(v);
-    }
-    h.add(x.role);
-    h.add(x.role_after);
-    h.add(x.asked_role_);
-    for (const auto& peer : x.peers_) {
-      h.add(peer.heard_ns);
-      h.add(peer.state.run_id);
-      h.add(peer.state.role);
-      h.add(peer.state.stop_kind);
-    }
-    for (const auto& sender : x.senders_) h.add(sender.sequence);
-  }
-  static void hash(Hash& h, const CommandGate& x) {
-    for (const std::int64_t v : {x.run_id_, x.controller_, x.next_controller_, x.last_tick_,
-                                 x.last_accepted_ns_, x.stop_since_ns_}) {
-      h.add(v);
-    }
-    h.add(x.term_);
-    h.add(x.open_);
-    h.add(x.watched_);
-    h.add(x.ticks_without_stopping_);
-    h.add(x.latch_.kind);
-    h.add(x.latch_.reason);
-    h.add(x.latch_.nonce);
-    h.add(x.latch_.shared_nonce);
-    h.add(x.latch_.spent_nonce);
-  }
-  static void hash(Hash& h, const SourceCore& x) {
-    hash(h, x.handover_);
-    hash(h, x.gate_);
-    h.add(x.holder_new_);
-    h.add(x.written_);
-  }
-};
-
-namespace protocol {
+namespace twinbus::protocol {
 
 namespace {
 
 constexpr std::int64_t kController = 7;
 constexpr std::int64_t kOtherController = 8;
-constexpr std::int64_t kStranger = 999;  // the run of a forged STATE
 constexpr std::int64_t kOperator = 5;
-constexpr std::int64_t kTimeoutPeriods = 4;
 
 Model small_model() {
   Model model;
@@ -430,101 +346,6 @@ void World::apply(const Happening& happening) {
   }
 }
 
-void World::after_tick(int i) {
-  Node& node = nodes_[static_cast<std::size_t>(i)];
-  const Handover& h = node.core.handover();
-  const Transition transition = node.core.last_transition();
-  if (node.role_before == h.role && h.refusals != node.refusals_before &&
-      h.term != node.term_before && transition == Transition::kNone) {
-    fail("a refused request changes the term");
-  }
-  switch (transition) {
-    case Transition::kActivated:
-      ever_active_ = true;
-      node.fed_ns = now_ns_;
-      if (--node.activations_asked < 0) fail("an activation nobody asked for");
-      if (now_ns_ - node.born_ns < 9 * kPeriod)
-        fail("an activation before the listening time is over");
-      if (node.heard_state_ns >= 0 && now_ns_ - node.heard_state_ns < 4 * kPeriod) {
-        fail("an activation while another source is heard");
-      }
-      if (h.term <= node.highest_term) fail("an activation in a term that has been heard before");
-      if (node.must_stop != StopKind::kNone) fail("a stopped source becomes active");
-      break;
-    case Transition::kTookOver: {
-      ever_active_ = true;
-      node.fed_ns = now_ns_;
-      const Grant* grant = nullptr;
-      for (const Grant& g : grants_) {
-        if (g.run == node.run_id && g.term == h.term - 1) grant = &g;
-      }
-      if (grant == nullptr) {
-        fail("a source takes over that was not granted the term");
-      } else if (h.tick < grant->tick) {
-        fail("a source takes over before the grant tick");
-      } else if (h.tick >= grant->tick + 3) {
-        fail("a source takes over after the grant has run out");
-      }
-      if (node.must_stop != StopKind::kNone) fail("a stopped source takes over");
-      break;
-    }
-    case Transition::kGranted: {
-      grants_[next_grant_] = {h.successor, h.grant_tick, h.term};
-      next_grant_ = (next_grant_ + 1) % static_cast<unsigned>(grants_.size());
-      if (node.last_grant_ns >= 0 && now_ns_ - node.last_grant_ns < 12 * kPeriod)
-        fail("switches too fast");
-      node.last_grant_ns = now_ns_;
-      const int target = index_of(h.successor);
-      if (target >= 0) {
-        const StillRobot& robot = setting_->robots[static_cast<std::size_t>(target)];
-        const double gap = source(target).state().q[0] - node.core.state().q[0];
-        if (robot.is_hardware() && !(gap * gap <= 0.05 * 0.05))
-          fail("a grant in spite of another posture");
-      }
-      if (node.must_stop != StopKind::kNone) fail("a stopped source grants");
-      if (h.pending.run_id != node.run_id)
-        fail("a switch that named another active source is obeyed");
-      break;
-    }
-    case Transition::kCancelled:
-      node.fed_ns = now_ns_;
-      if (h.term != node.term_before + 2) fail("a cancel that nobody can tell from the old term");
-      break;
-    case Transition::kReleased:
-      if (node.must_stop != StopKind::kNone) fail("a stopped source hands over");
-      break;
-    case Transition::kGaveWay:
-      gave_way_ = true;
-      if (node.core.gate().latch().kind == StopKind::kNone) fail("a source that obeys gives way");
-      break;
-    default:
-      break;
-  }
-  node.highest_term = std::max(node.highest_term, h.term);
-  node.role_before = h.role;
-  node.term_before = h.term;
-  node.refusals_before = h.refusals;
-}
-
-void World::check_period() {
-  for (int i = 0; i < setting_->sources; ++i) {
-    if (!alive(i)) continue;
-    const Node& node = nodes_[static_cast<std::size_t>(i)];
-    const Handover& h = node.core.handover();
-    const StopLatch& latch = node.core.gate().latch();
-    if (latch.kind < node.must_stop) fail("a stop is lost or lowered");
-    if (h.holds_state() && h.obeys() && !latch.latched() &&
-        now_ns_ - node.fed_ns > (kTimeoutPeriods + 1) * kPeriod) {
-      fail("a source without commands does not stop");
-    }
-    const bool heard = node.heard_state_ns >= 0 && now_ns_ - h.holder_ns < 4 * kPeriod;
-    if (!h.holds_state() && h.holder == kStranger && heard && holders() > 0 && ever_active_ &&
-        now_ns_ > 0 && h.believed_by_rule) {
-      fail("a forged term is believed");
-    }
-  }
-}
-
 void World::step(int order, const Fault& fault, const Happening& happening) {
   if (fault.fate != Fate::kDelivered) ++message_faults;
   now_ns_ += kPeriod;
@@ -572,80 +393,6 @@ void World::step(int order, const Fault& fault, const Happening& happening) {
   check_period();
 }
 
-void World::judge_the_end() {
-  const bool controller_was_dead = !controller_alive_;
-  quiet(60);
-  if (!violation_.empty()) return;
-  int n = holders();
-  for (const Node& node : nodes_) {
-    // Somebody stopped it: it stays, stopped, until he clears it.
-    n -= n > 1 && node.alive && node.core.handover().holds_state() &&
-         node.must_stop != StopKind::kNone;
-  }
-  if (n > 1) return fail("with messages getting through, two sources stay on STATE");
-  if (n == 0) {
-    if (ever_active_ && !holder_crashed_ && !gave_way_) {
-      fail("no source is left on STATE and nobody crashed or gave way");
-    }
-    return;
-  }
-  for (int i = 0; i < setting_->sources; ++i) {
-    if (!alive(i) || !source(i).handover().holds_state()) continue;
-    const Node& node = nodes_[static_cast<std::size_t>(i)];
-    const Role role = node.core.handover().role;
-    const StopLatch& latch = node.core.gate().latch();
-    if (role == Role::kReleasing) fail("a switch never ends");
-    if (stop_reached_holder_ && !latch.latched() && holders() == 1)
-      fail("a stop is lost by handing over");
-    const bool fed = now_ns_ - node.fed_ns <= 2 * kPeriod;
-    if (!latch.latched() && !fed && !controller_was_dead)
-      fail("the active source is not commanded");
-    if (interventions == 0 && message_faults <= 1 && latch.latched()) {
-      fail("a single lost, doubled or late message ends in a stop");
-    }
-  }
-  if (interventions > 0 || message_faults > 1) return;
-  for (int i = 0; i < setting_->sources; ++i) {
-    if (alive(i) && source(i).gate().latch().latched())
-      fail("a single faulty message leaves a source stopped");
-  }
-}
-
-std::uint64_t World::digest() const {
-  ProtocolProbe::Hash h;
-  for (const Node& node : nodes_) {
-    h.add(node.alive);
-    h.add(node.run_id);
-    if (!node.alive) continue;
-    ProtocolProbe::hash(h, node.core);
-    h.add(node.must_stop);
-    h.add(node.activations_asked);
-    h.add(node.fed_ns);
-    h.add(node.last_accepted_tick);
-    h.add(node.heard_state_ns);
-    h.add(node.stopped_ns);
-  }
-  for (const Letter& letter : late_) {
-    h.add(letter.command);
-    h.add(letter.to);
-    h.add(letter.command ? letter.body.tick : letter.state.tick);
-    h.add(letter.command ? letter.body.run_id : letter.state.run_id);
-    h.add(letter.state.role);
-  }
-  for (const std::int64_t v :
-       {admission_.run_id(), static_cast<std::int64_t>(admission_.term()), believed_tick_,
-        believed_ns_, believed_grant_, last_request_.target_run_id}) {
-    h.add(v);
-  }
-  h.add(known_nonce_);
-  h.add(controller_alive_);
-  h.add(stop_reached_holder_);
-  h.add(std::min(message_faults, 2));
-  h.add(interventions > 0);
-  h.add(ever_active_ + 2 * holder_crashed_ + 4 * gave_way_ + 8 * double_activation_);
-  return h.value;
-}
-
 std::string World::describe() const {
   static const char* const roles[] = {"-",     "parked", "active", "releasing",
                                       "track", "shadow", "stopped"};
@@ -663,5 +410,4 @@ std::string World::describe() const {
   return text;
 }
 
-}  // namespace protocol
-}  // namespace twinbus
+}  // namespace twinbus::protocol

@@ -19,6 +19,8 @@ namespace twinbus::protocol {
 
 inline constexpr int kMaxSources = 3;
 inline constexpr std::int64_t kPeriod = 20'000'000;  // [ns]: the silence of 0.1 s is five periods
+inline constexpr std::int64_t kTimeoutPeriods = 4;   // a command is silent after so many
+inline constexpr std::int64_t kStranger = 999;       // the run of a forged STATE
 
 // A robot with one joint that stands still wherever it is.
 class StillRobot final : public RobotAdaptor {
