@@ -14,8 +14,8 @@ import tempfile
 import time
 
 import harness
-from harness import BIN, ROOT, Bus, Checks, Stack, cli
-from postures import Postures, text_of
+from harness import BIN, ROOT, Bus, Checks, Stack, cli, text_of
+from postures import Postures
 
 LEFT_ARM = range(19, 26)  # bus joints of hrp1s
 ARM_BITS = sum(1 << joint for joint in (*range(6, 13), *LEFT_ARM))

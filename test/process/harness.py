@@ -129,6 +129,33 @@ class Bus:
         del self.records[:]
 
 
+def text_of(event):
+    """What an EVENT says."""
+    text = event.text if isinstance(event.text, bytes) else bytes(c & 0xFF for c in event.text)
+    return text.split(b"\0")[0].decode("ascii", "replace")
+
+
+def story_of_a_stop(bus, look_back_s=10.0):
+    """Lines that tell how the newest stop came: the last STATEs and COMMANDs before it, and the longest silences."""
+    now = time.monotonic_ns()
+    states = list(bus.messages("STATE", now - int(1e9 * look_back_s)))
+    first = next((k for k, (_, s) in enumerate(states) if s.stop_kind >= 2), None)
+    if first is None:
+        return ["  no STATE of a stopped source was heard"]
+    at, state = states[first]
+    lines = [f"  stopped: kind {state.stop_kind}, tick {state.tick}, run {state.run_id}, "
+             f"term {state.term}; milliseconds before it:"]
+    for channel in ("STATE", "COMMAND", "GUARD"):
+        heard = list(bus.messages(channel, at - 400_000_000, at))
+        gaps = sorted(((b[0] - a[0]) * 1e-6 for a, b in zip(heard, heard[1:])), reverse=True)[:3]
+        lines.append(f"  {channel}: {len(heard)} in 400 ms, longest silences {', '.join(f'{g:.1f}' for g in gaps)} ms")
+        lines += [f"    {(at - t) * 1e-6:7.1f}  tick {m.tick} run {m.run_id} "
+                  f"{'term %d' % m.term if hasattr(m, 'term') else ''}" for t, m in heard[-6:]]
+    lines += [f"    {(at - t) * 1e-6:7.1f}  {text_of(e)}"
+              for t, e in bus.messages("EVENT", at - 2_000_000_000, at + 200_000_000)]
+    return lines
+
+
 def cli(*words, timeout=60.0):
     """Runs `twinbus WORDS` and gives (exit status, stdout, stderr)."""
     done = subprocess.run([BIN / "twinbus", *map(str, words)], capture_output=True, text=True, timeout=timeout,

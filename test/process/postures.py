@@ -60,9 +60,3 @@ def in_ground(truth, point):
     d = [point[k] - 0.5 * (a[k] + b[k]) for k in range(3)]
     c, s = math.cos(heading), math.sin(heading)
     return [c * d[0] + s * d[1], -s * d[0] + c * d[1], d[2]]
-
-
-def text_of(event):
-    """What an EVENT says."""
-    text = event.text if isinstance(event.text, bytes) else bytes(c & 0xFF for c in event.text)
-    return text.split(b"\0")[0].decode("ascii", "replace")

@@ -12,8 +12,8 @@ import threading
 import time
 
 import harness
-from harness import ROOT, Bus, Checks, Stack, cli
-from postures import Postures, in_ground, text_of
+from harness import ROOT, Bus, Checks, Stack, cli, text_of
+from postures import Postures, in_ground
 
 MARGIN = 0.010     # of the guard in the loop [m]
 TOLERANCE = 0.005  # of the hand [m]
@@ -34,6 +34,8 @@ def goals_are_reached(checks, scene, bus):
         before = time.monotonic_ns()
         status, out, err = cli("reach", side, *goal)
         if not checks.that(status == 0, f"{what}: {out}{err}"):
+            if "stopped" in err:
+                print("\n".join(harness.story_of_a_stop(bus)), flush=True)
             continue
         said = float(re.search(r"([0-9.]+) mm from the goal", out)[1])
         postures = Postures(bus, before, scene=scene)

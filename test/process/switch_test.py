@@ -77,6 +77,7 @@ def one_switch(stack, bus, stalls, checks, what, target, efforts, policy):
         if stops and stalls.longest_ms(since, time.monotonic_ns()) >= STOPS_RIGHTLY:
             raise Interrupted(f"{what}: {' '.join(stops)}")
         checks.that(False, f"{what}: {said.strip()} {' '.join(stops)}")
+        print("\n".join(harness.story_of_a_stop(bus)), flush=True)
         return None, False
     checks.that(True, what)
     attempt = checks.tentative()
@@ -140,7 +141,7 @@ class Row:
                 self.number += 1
                 self.all_figures.append((f"{self.label} to {target}", f))
             if policy == "when-safe" and self.motion != "reach":
-                self.go_on(what)
+                self.go_on(what, bus)
             if not self.twosims:
                 target = "sim" if target == "bridge" else "bridge"
         programs = ["twinbus_guard", "twinbus_controller"] + ([] if self.twosims else ["twinbus_planner"])
@@ -149,13 +150,14 @@ class Row:
         self.checks.that(not any("started again" in line for line in stack.lines),
                          f"{self.label}: and none was started again")
 
-    def go_on(self, what):
+    def go_on(self, what, bus):
         """When-safe ended the motion; it begins again."""
         since = time.monotonic_ns()
         status, out, err = cli(self.motion)
         if status != 0 and self.stalls.longest_ms(since, time.monotonic_ns()) >= STOPS_RIGHTLY:
             raise Interrupted(f"{what}: {err.strip()}")
-        self.checks.that(status == 0, f"{what}: and the motion goes on: {out}{err}")
+        if not self.checks.that(status == 0, f"{what}: and the motion goes on: {out}{err}"):
+            print("\n".join(harness.story_of_a_stop(bus)), flush=True)
 
 
 def refusals(checks):
