@@ -20,6 +20,7 @@ OWN_CHANNELS = ("STATE_SIM", "STATE_BRIDGE", "STATE_REPLAY")
 class SwitchFigures:
     def __init__(self):
         self.ticks_without_command = 0
+        self.unanswered = []        # of each of them, one line
         self.gap_ticks = 0          # tick numbers that no source published
         self.gap_ms = 0.0           # longest time between two states around the switch
         self.double_ticks = 0       # tick numbers that two sources published on STATE
@@ -66,6 +67,14 @@ def steps(states, efforts):
     return torque, joint, force
 
 
+def line_of(states, i, at_ns):
+    """When a STATE came, and how long before and after it the next ones."""
+    near = states[max(0, i - 2):i + 4]
+    gaps = ", ".join(f"{(b[0] - a[0]) * 1e-6:.2f}" for a, b in zip(near, near[1:]))
+    at, state = states[i]
+    return f"tick {state.tick} of run {state.run_id}, {(at - at_ns) * 1e-6:.1f} ms after the switch, STATEs around it {gaps} ms apart"
+
+
 def figures(bus, new_run, at_ns, efforts):
     """at_ns: steady clock of the first STATE of new_run."""
     f = SwitchFigures()
@@ -75,7 +84,9 @@ def figures(bus, new_run, at_ns, efforts):
     ticks = [message.tick for _, message in states]
     first = next(i for i, (_, message) in enumerate(states) if message.run_id == new_run)
     # The newest ticks may still be on their way.
-    f.ticks_without_command = sum(1 for tick in ticks[:-3] if tick not in commands)
+    unanswered = [i for i, tick in enumerate(ticks[:-3]) if tick not in commands]
+    f.ticks_without_command = len(unanswered)
+    f.unanswered = [line_of(states, i, at_ns) for i in unanswered]
     f.gap_ticks = max(0, states[first][1].tick - states[first - 1][1].tick - 1) if first else 0
     near = states[max(0, first - 10):first + 10]
     f.gap_ms = max(((b[0] - a[0]) * 1e-6 for a, b in zip(near, near[1:])), default=0.0)
@@ -103,7 +114,8 @@ def figures(bus, new_run, at_ns, efforts):
 
 
 def judge(f, checks, what):
-    checks.that(f.ticks_without_command == 0, f"{what}: {f.ticks_without_command} ticks without a command")
+    checks.that(f.ticks_without_command == 0, f"{what}: {f.ticks_without_command} ticks without a command "
+                f"{'; '.join(f.unanswered)}")
     checks.at_most(f.gap_ticks, 1, f"{what}: ticks nobody published")
     checks.that(f.double_ticks == 0 and f.two_obeying == 0,
                 f"{what}: two sources at once ({f.double_ticks} late states, {f.two_obeying} active states of the old one)")
