@@ -21,12 +21,23 @@ struct ScriptedGoal {
   ArmGoal goal;
 };
 
+// Said again and again while it lasts, as a user's program or a pad does: silence ends it.
+struct ScriptedWalk {
+  double at = 0.0, duration = 0.0;  // [s] of active time
+  WalkCommand request;
+};
+struct ScriptedPad {
+  double at = 0.0, duration = 0.0;  // [s] of active time
+  Gamepad request;
+};
+
 class SceneScript {
  public:
   // period [s]; run_id: of the source the requests are for.
   SceneScript(const std::vector<ScriptedMode>& modes, const std::vector<ScriptedGoal>& goals,
-              double period, std::int64_t run_id)
-      : modes_(modes), goals_(goals), period_(period) {
+              double period, std::int64_t run_id, const std::vector<ScriptedWalk>& walks = {},
+              const std::vector<ScriptedPad>& pads = {})
+      : modes_(modes), goals_(goals), walks_(walks), pads_(pads), period_(period) {
     // Whoever listens takes a lower sequence for an old message.
     std::stable_sort(modes_.begin(), modes_.end(),
                      [](const ScriptedMode& a, const ScriptedMode& b) { return a.at < b.at; });
@@ -39,6 +50,10 @@ class SceneScript {
       scripted.goal.sender_id = scripted.goal.run_id = run_id;
       scripted.goal.goal_id = scripted.goal.sequence = ++sequence;
     }
+    for (ScriptedWalk& scripted : walks_)
+      scripted.request.sender_id = scripted.request.run_id = run_id;
+    for (ScriptedPad& scripted : pads_)
+      scripted.request.sender_id = scripted.request.run_id = run_id;
   }
 
   // After the state of `tick` was answered: calls say() with each request that is due.  first_tick:
@@ -56,14 +71,31 @@ class SceneScript {
       const std::int64_t at = first_tick - 1 + std::llround(scripted.at / period_);
       if (tick >= at && tick < at + kAhead) say(scripted.goal);
     }
+    if (tick % kRepeat != 0) return;
+    say_on(walks_, tick, first_tick, say);
+    say_on(pads_, tick, first_tick, say);
   }
 
  private:
+  template <class Scripted, class Say>
+  void say_on(std::vector<Scripted>& list, std::int64_t tick, std::int64_t first_tick, Say&& say) {
+    const double time = static_cast<double>(tick - first_tick) * period_;
+    for (Scripted& scripted : list) {
+      if (!(time >= scripted.at && time < scripted.at + scripted.duration)) continue;
+      scripted.request.sequence = ++sequence_;
+      say(scripted.request);
+    }
+  }
+
   static constexpr std::int64_t kAhead = 25;  // [ticks]
   static constexpr std::int64_t kEvery = 5;
+  static constexpr std::int64_t kRepeat = 10;  // of velocities and pads [ticks]
 
   std::vector<ScriptedMode> modes_;
   std::vector<ScriptedGoal> goals_;
+  std::vector<ScriptedWalk> walks_;
+  std::vector<ScriptedPad> pads_;
+  std::int32_t sequence_ = 0;
   double period_;
 };
 

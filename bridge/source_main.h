@@ -36,6 +36,8 @@ struct SourceMainOptions {
   // Published with the run_id of this source while it is active.
   std::vector<ScriptedMode> modes;
   std::vector<ScriptedGoal> goals;
+  std::vector<ScriptedWalk> walks;
+  std::vector<ScriptedPad> pads;
 };
 
 // --guard-required and --for; a simulator's also --lockstep, --rate and --seed.

@@ -257,7 +257,7 @@ void Balance::push_soles(const Estimator& estimator, double dt) noexcept {
     if (push.norm() > most) push *= most / push.norm();
     wrench_[s].force << push, part * weight;
     wrench_[s].torque = Eigen::Vector3d(arm.x(), arm.y(), 0.0).cross(wrench_[s].force);
-    wanted[s].force = part * weight;
+    wanted[s].force = foot_forces_[s] = part * weight;
     wanted[s].moment = soles_[s].unturn(wrench_[s].torque.head<2>());
     measured[s].force = estimator.sole_force(foot).z();
     measured[s].moment = soles_[s].unturn((to_ground * estimator.sole_torque(foot)).head<2>());

@@ -67,6 +67,8 @@ class Balance {
   Eigen::Vector3d com_reference() const noexcept { return motion_.position(); }
   const Eigen::Vector2d& dcm() const noexcept { return dcm_; }
   const Stabilizer& stabilizer() const noexcept { return stabilizer_; }
+  // Normal force asked of each sole [N].
+  std::array<double, 2> foot_forces() const noexcept { return foot_forces_; }
   Motion motion() const noexcept { return motion_.motion(); }
 
  private:
@@ -101,6 +103,7 @@ class Balance {
   Eigen::Vector3d acceleration_ = Eigen::Vector3d::Zero(),
                   angular_acceleration_ = Eigen::Vector3d::Zero();
   double mass_;
+  std::array<double, 2> foot_forces_{};
   bool fresh_ = true, finite_ = true;
   Eigen::VectorXd q_, qd_, qdd_, tau_, kp_, kd_, offset_, offset_rate_;
   std::array<int, 2> waist_{-1, -1};  // joint that rolls, joint that pitches the trunk

@@ -296,6 +296,10 @@ bool ControlLoop::step(std::int64_t now_ns, JointCommand& command) noexcept {
 
 const ControllerStatus& ControlLoop::status() const noexcept { return impl_->status; }
 
+std::array<double, 2> ControlLoop::foot_forces() const noexcept {
+  return impl_->modes.foot_forces();
+}
+
 const char* ControlLoop::take_sentence() noexcept {
   const char* own = std::exchange(impl_->sentence, nullptr);
   return own != nullptr ? own : impl_->modes.take_sentence();

@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -52,6 +53,8 @@ class ControlLoop {
 
   // What was decided in the last step, for CONTROLLER_STATUS.
   const ControllerStatus& status() const noexcept;
+  // Normal force that each foot was asked to carry in the last step, left and right [N]; 0 where nobody asks.
+  std::array<double, 2> foot_forces() const noexcept;
   // What people should be told once (the robot cannot walk, it has fallen, ...), or null;
   // cleared by the call.  A string that lives for ever.
   const char* take_sentence() noexcept;

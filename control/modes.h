@@ -7,6 +7,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -70,6 +71,11 @@ class Modes {
   const ArmFollow& arm() const noexcept { return arm_; }
   const Balance* balance() const noexcept { return balancing_ ? balance_.get() : nullptr; }
   const Walk* walk() const noexcept { return walking_ ? walk_.get() : nullptr; }
+  // Normal force asked of each foot, left and right [N].
+  std::array<double, 2> foot_forces() const noexcept {
+    if (walking_) return walk_->foot_forces();
+    return balancing_ ? balance_->foot_forces() : std::array<double, 2>{};
+  }
   bool stopping() const noexcept { return stopping_; }  // commands carry the flag
 
  private:

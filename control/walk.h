@@ -35,7 +35,7 @@ class Walk {
 
   // vx, vy, wz [m/s, m/s, rad/s]; cut to what the robot can.
   void want(const Eigen::Vector3d& velocity) noexcept { pattern_.want(velocity); }
-  // The shortest stop: no ramp, feet side by side.
+  // The shortest stop that catches the robot.
   void halt() noexcept { pattern_.halt(); }
 
   // q_given [joint_count]: of the joints that are not of a leg.
@@ -57,6 +57,10 @@ class Walk {
   const Eigen::Vector3d& com_velocity() const noexcept { return com_velocity_; }
   const Eigen::Vector2d& dcm() const noexcept { return dcm_; }
   Eigen::Vector3d com_reference() const noexcept;
+  // Normal force asked of each foot [N].
+  std::array<double, 2> foot_forces() const noexcept {
+    return {wanted_[0].force, wanted_[1].force};
+  }
 
  private:
   void measure(const Estimator& estimator, double dt, bool fresh) noexcept;

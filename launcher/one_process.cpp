@@ -60,6 +60,18 @@ std::vector<ScriptedMode> modes_of(const Scene& scene) {
   return modes;
 }
 
+std::vector<ScriptedWalk> walks_of(const Scene& scene) {
+  std::vector<ScriptedWalk> walks;
+  for (const TimedWalk& walk : scene.walks) walks.push_back({walk.at, walk.duration, walk.command});
+  return walks;
+}
+
+std::vector<ScriptedPad> pads_of(const Scene& scene) {
+  std::vector<ScriptedPad> pads;
+  for (const TimedPad& pad : scene.pads) pads.push_back({pad.at, pad.duration, pad.pad});
+  return pads;
+}
+
 std::vector<ScriptedGoal> goals_of(const Scene& scene) {
   std::vector<ScriptedGoal> goals;
   for (const TimedGoal& goal : scene.goals) goals.push_back({goal.at, goal.goal});
@@ -74,7 +86,9 @@ OneProcess::OneProcess(const Model& model, const Scene& scene, const OneProcessC
       source_(model, opened(sim_, model, config), source_config(config)),
       loop_(model, config.control),
       planner_view_(model),
-      script_(modes_of(scene), goals_of(scene), model.period(), kRunId) {
+      script_(modes_of(scene), goals_of(scene), model.period(), kRunId, walks_of(scene),
+              pads_of(scene)),
+      walked_(model, scene) {
   tell_obstacles(scene);
   activate();
 }
@@ -174,6 +188,10 @@ void OneProcess::say_script() {
     if (!over_the_bus(request, received)) return;
     if constexpr (std::is_same_v<decltype(received), ModeRequest>) {
       loop_.on_mode_request(received);
+    } else if constexpr (std::is_same_v<decltype(received), WalkCommand>) {
+      loop_.on_walk_command(received, now_ns_);
+    } else if constexpr (std::is_same_v<decltype(received), Gamepad>) {
+      loop_.on_gamepad(received, now_ns_);
     } else {
       loop_.on_arm_goal(received);
       plan(received);
@@ -213,6 +231,8 @@ void OneProcess::watch() {
   seen_.on_command(command_, now_ns_);
   seen_.on_truth(truth, now_ns_);
   seen_.on_guard(loop_.guard_report(), now_ns_);
+  walked_.add(truth, loop_.status().mode, loop_.foot_forces(),
+              static_cast<double>(heard_.tick - first_tick_) * model_.period());
   for (std::size_t foot = 0; foot < 2; ++foot) {
     if (model_.soles[foot].link < 0) continue;
     const auto x = static_cast<double>(truth.foot_attitude[foot][1]);

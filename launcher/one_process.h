@@ -18,6 +18,7 @@
 #include "control/control_loop.h"
 #include "launcher/lookout.h"
 #include "launcher/state_hash.h"
+#include "launcher/walk_figures.h"
 #include "planner/arm_planner.h"
 #include "robot/estimator.h"
 #include "robot/model.h"
@@ -52,6 +53,7 @@ class OneProcess {
   const ControlLoop& loop() const { return loop_; }
   const Source& source() const { return source_; }
   const Lookout& seen() const { return seen_; }
+  const WalkFigures& walked() const { return walked_; }
   double sole_tilt_max() const { return sole_tilt_max_; }  // [rad]
   std::string state_hash() const { return hash_.text(); }
   // What controller and planner had to say since the last call.
@@ -75,6 +77,7 @@ class OneProcess {
   SceneScript script_;
   StateHash hash_;
   Lookout seen_;
+  WalkFigures walked_;
 
   RobotState heard_;
   JointCommand command_;

@@ -8,11 +8,13 @@
 #include <stdexcept>
 
 #include "launcher/arguments.h"
+#include "launcher/judge_scene.h"
 #include "launcher/one_process.h"
 #include "launcher/run_folder.h"
 #include "launcher/verdict.h"
 #include "robot/load.h"
 #include "robot/process.h"
+#include "sim/scene_seed.h"
 #include "sim/settings.h"
 #include "sim/world.h"
 
@@ -104,61 +106,10 @@ double rms_difference(const FootForces& a, const FootForces& b) {
   return n > 0 ? std::sqrt(sum / static_cast<double>(2 * n)) : std::nan("");
 }
 
-std::string sentence(const char* format, double reached, double asked) {
-  char text[160];
-  std::snprintf(text, sizeof text, format, reached, asked);
-  return text;
-}
-
-RunVerdict judge_scene(const OneProcess& run, const Criteria& asked, std::int64_t ticks) {
-  const RunFigures& f = run.seen().figures();
-  RunVerdict verdict;
-  verdict.ticks = run.ticks();
-  verdict.source_missed = run.source().status().ticks_missed;
-  verdict.controller_missed = run.seen().command().lost();
-  verdict.missed = std::max(verdict.source_missed, verdict.controller_missed);
-  verdict.fell = f.fell;
-  std::vector<std::string>& failures = verdict.failures;
-  if (!run.failure().empty()) failures.push_back(run.failure());
-  if (run.ticks() < ticks) failures.push_back("the run ended early");
-  if (asked.no_fall && f.fell) failures.push_back("the robot fell");
-  if (asked.no_self_collision && f.self_collision_ticks > 0) {
-    failures.push_back("the robot touched itself or an obstacle in " +
-                       std::to_string(f.self_collision_ticks) + " ticks");
-  }
-  // NaN: not asked.
-  const double tilt = kDegrees * f.max_tilt, margin = 1e3 * f.zmp_margin_min,
-               slip = 1e3 * f.slip_max;
-  const double sole = kDegrees * run.sole_tilt_max();
-  if (!std::isnan(asked.max_tilt_deg) && !(tilt <= asked.max_tilt_deg))
-    failures.push_back(sentence("the base tilted %.2f degrees, at most %.2f were asked", tilt,
-                                asked.max_tilt_deg));
-  if (!std::isnan(asked.zmp_margin_min_mm) && !(margin >= asked.zmp_margin_min_mm))
-    failures.push_back(sentence("the ZMP came as near as %.1f mm to the edge, %.1f mm were asked",
-                                margin, asked.zmp_margin_min_mm));
-  if (!std::isnan(asked.slip_max_mm) && !(slip <= asked.slip_max_mm))
-    failures.push_back(
-        sentence("a sole slid %.2f mm, at most %.2f mm were asked", slip, asked.slip_max_mm));
-  if (!std::isnan(asked.sole_tilt_max_deg) && !(sole <= asked.sole_tilt_max_deg))
-    failures.push_back(sentence("a sole tilted %.2f degrees, at most %.2f were asked", sole,
-                                asked.sole_tilt_max_deg));
-  if (run.state().role == Role::kStopped) {
-    failures.push_back(std::string("the source is stopped (") + stop_name(run.state().stop_kind) +
-                       ")");
-  }
-  verdict.passed = failures.empty();
-  return verdict;
-}
-
 void print(const OneProcess& run, const RunVerdict& verdict, double sim_s, double wall_s,
            double force_error) {
-  const RunFigures& f = run.seen().figures();
   std::printf("%.3f s simulated in %.3f s: %.1f times real time\n", sim_s, wall_s, sim_s / wall_s);
-  std::printf(
-      "tilt %.2f degrees, ZMP margin %.1f mm, slip %.2f mm, penetration %.2f mm, sole tilt %.2f "
-      "degrees\n",
-      kDegrees * f.max_tilt, 1e3 * f.zmp_margin_min, 1e3 * f.slip_max, 1e3 * f.penetration_max,
-      kDegrees * run.sole_tilt_max());
+  std::printf("%s", scene_figures(run).c_str());
   if (!std::isnan(force_error))
     std::printf("foot forces: %.2f N from the reference (root mean square)\n", force_error);
   std::printf("state_hash %s\n", run.state_hash().c_str());
@@ -167,10 +118,20 @@ void print(const OneProcess& run, const RunVerdict& verdict, double sim_s, doubl
 }
 
 // The figures that only `run` has, in the report that `up` writes too.
-std::string with_foot_forces(const std::string& report, double force_error, double sole_tilt) {
+std::string with_own_figures(const std::string& report, double force_error, const OneProcess& run) {
+  const WalkFigures& walked = run.walked();
+  const auto number = [](double value) {
+    return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
+  };
   auto json = nlohmann::ordered_json::parse(report);
   if (!std::isnan(force_error)) json["foot_force_rms_error_n"] = force_error;
-  json["sole_tilt_max_deg"] = kDegrees * sole_tilt;
+  json["sole_tilt_max_deg"] = kDegrees * run.sole_tilt_max();
+  json["steps"] = walked.steps();
+  json["zmp_margin_p5_mm"] = number(1e3 * walked.margin_percentile(0.05));
+  json["step_slip_max_mm"] = number(1e3 * walked.step_slip_max());
+  json["force_rms_percent"] = number(1e2 * walked.force_error());
+  json["velocity_error_percent"] = number(1e2 * walked.velocity_error());
+  json["travel_m"] = number(walked.travel());
   return json.dump(2) + "\n";
 }
 
@@ -193,6 +154,7 @@ int run_command(const std::vector<std::string>& words) {
   request.seed = static_cast<std::uint64_t>(arguments.number("--seed", 1.0, 0.0, 1e9));
   const Model model = load_robot(request.robot);
   resolve_poses(scene, model);
+  apply_seed(scene, model, request.seed);
   request.period = model.period();
   request.step_s = scene.step > 0.0 ? scene.step : model.period();
 
@@ -217,8 +179,8 @@ int run_command(const std::vector<std::string>& words) {
   print(run, verdict, model.period() * static_cast<double>(run.ticks()), wall_s, force_error);
   if (const std::string file = arguments.text("--report", ""); !file.empty()) {
     write_file(file,
-               with_foot_forces(report_json(verdict, request, run.seen(), wall_s, run.state_hash()),
-                                force_error, run.sole_tilt_max()));
+               with_own_figures(report_json(verdict, request, run.seen(), wall_s, run.state_hash()),
+                                force_error, run));
   }
   return verdict.passed ? 0 : 1;
 }

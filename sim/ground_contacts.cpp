@@ -61,6 +61,11 @@ GroundContacts::GroundContacts(const Model& model, const WorldConfig& config)
     obstacles_.push_back(obstacle);
     obstacle_radius_.push_back(bounding_radius(obstacle));
   }
+  solid_ = obstacles_.size();
+  for (const Obstacle& tile : config.tiles) {
+    obstacles_.push_back(tile);
+    obstacle_radius_.push_back(bounding_radius(tile));
+  }
   for (std::size_t i = 0; i < model.links.size(); ++i) {
     for (const Shape& shape : model.links[i].collision) {
       add_probes(static_cast<int>(i), shape, model);
@@ -223,7 +228,7 @@ void GroundContacts::find_probes(const ArticulatedBody& body, double h,
     // Nothing of the shape moves faster than this.
     const double speed = at_point(link.velocity, middle).norm() + spin.norm() * shape.radius;
     const double reach = h > 0.0 ? h * (2.0 * speed + kMostAcceleration * h) + kMargin : 0.0;
-    for (std::size_t surface = 0; surface < surfaces; ++surface) {
+    for (std::size_t surface = 0; surface <= solid_; ++surface) {
       const Eigen::Vector3d at = body.origin() + middle;
       if (surface == 0) {
         if (!(at.z() < shape.radius + reach)) continue;

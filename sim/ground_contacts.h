@@ -75,7 +75,8 @@ class GroundContacts {
   ContactParams shell_params_;
   std::array<double, 2> ground_height_;
   std::array<std::array<double, kSoleCorners>, 2> offset_{};
-  std::vector<Obstacle> obstacles_;
+  std::vector<Obstacle> obstacles_;  // the solid ones, then the tiles of uneven ground
+  std::size_t solid_ = 0;            // so many
   std::vector<double> obstacle_radius_;
   std::vector<Probe> probes_;
   std::vector<ShapeProbes> shapes_;

@@ -9,6 +9,7 @@
 #include "robot/process.h"
 #include "sim/obstacle_pieces.h"
 #include "sim/scene.h"
+#include "sim/scene_seed.h"
 #include "sim/settings.h"
 #include "sim/sim_adaptor.h"
 
@@ -40,6 +41,7 @@ int run(int argc, char** argv) {
   if (!parser.given("--robot")) options.common.robot = scene.robot;
   const Model model = load_robot(options.common.robot);
   resolve_poses(scene, model);
+  apply_seed(scene, model, options.seed);
   SimSettings checked;  // a wrong setting is a wrong argument, said before anything opens
   for (const auto& [key, value] : config.settings) {
     const std::string complaint = apply_setting(key, value, model.period(), checked);
@@ -55,6 +57,9 @@ int run(int argc, char** argv) {
   options.obstacles = obstacle_pieces(scene.obstacles, random_id());
   for (const TimedMode& mode : scene.modes) options.modes.push_back({mode.at, mode.request});
   for (const TimedGoal& goal : scene.goals) options.goals.push_back({goal.at, goal.goal});
+  for (const TimedWalk& walk : scene.walks)
+    options.walks.push_back({walk.at, walk.duration, walk.command});
+  for (const TimedPad& pad : scene.pads) options.pads.push_back({pad.at, pad.duration, pad.pad});
 
   SimAdaptor adaptor(scene);
   if (adaptor.open(model, config) != Status::kOk) return 1;  // it has said why

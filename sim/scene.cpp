@@ -109,12 +109,84 @@ TimedGoal read_goal(const ConfigNode& node) {
   return timed;
 }
 
+TimedWalk read_walk(const ConfigNode& node) {
+  TimedWalk timed;
+  timed.at = node.number("at", 0.0, kDay);
+  timed.duration = node.number("for", 0.0, kDay);
+  timed.command.vx = static_cast<float>(node.number("vx", -2.0, 2.0, 0.0));
+  timed.command.vy = static_cast<float>(node.number("vy", -1.0, 1.0, 0.0));
+  timed.command.wz = static_cast<float>(node.number("wz", -2.0, 2.0, 0.0));
+  timed.command.timeout = 0.1F;
+  node.finish();
+  return timed;
+}
+
+TimedPad read_pad(const ConfigNode& node) {
+  TimedPad timed;
+  timed.at = node.number("at", 0.0, kDay);
+  timed.duration = node.number("for", 0.0, kDay);
+  timed.pad.connected = timed.pad.deadman = true;
+  timed.pad.left_x = static_cast<float>(node.number("left_x", -1.0, 1.0, 0.0));
+  timed.pad.left_y = static_cast<float>(node.number("left_y", -1.0, 1.0, 0.0));
+  timed.pad.right_x = static_cast<float>(node.number("right_x", -1.0, 1.0, 0.0));
+  node.finish();
+  return timed;
+}
+
+Terrain read_terrain(const ConfigNode& node) {
+  Terrain terrain;
+  terrain.tile = node.number("tile", 0.05, 10.0, terrain.tile);
+  terrain.height = node.number("height", 0.0, 0.2, terrain.height);
+  terrain.slope = kDegree * node.number("slope_deg", 0.0, 20.0, 0.0);
+  terrain.from = node.number("from", -100.0, 100.0, terrain.from);
+  terrain.length = node.number("length", 0.0, 100.0);
+  terrain.width = node.number("width", 0.1, 100.0, terrain.width);
+  const double tiles =
+      std::ceil(terrain.length / terrain.tile) * std::ceil(terrain.width / terrain.tile);
+  if (!(tiles <= static_cast<double>(kMaxObstacles)))
+    node.fail("length", "makes more than 200 tiles with this width and tile");
+  node.finish();
+  return terrain;
+}
+
+PushRound read_push_round(const ConfigNode& node) {
+  PushRound round;
+  round.link = node.text("link", "");
+  round.at = node.number("at", 0.0, kDay, round.at);
+  round.every = node.number("every", 0.1, kDay, round.every);
+  round.count = static_cast<int>(node.integer("count", 0, 10000));
+  round.phase = node.number("phase", 0.0, 60.0, round.phase);
+  round.forward = node.number("forward", 0.0, 10.0, 0.0);
+  round.back = node.number("back", 0.0, 10.0, round.forward);
+  round.sideways = node.number("sideways", 0.0, 10.0, 0.0);
+  round.duration = node.number("duration", 1e-3, 60.0, round.duration);
+  node.finish();
+  return round;
+}
+
+BodyChange read_body(const ConfigNode& node) {
+  const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
+  BodyChange change;
+  change.link = node.text("link");
+  change.mass = node.number("mass", 0.0, 1000.0, 0.0);
+  change.at = bounded(node, "at", 10.0, &zero);
+  change.shift = bounded(node, "shift", 1.0, &zero);
+  node.finish();
+  return change;
+}
+
 Criteria read_criteria(const ConfigNode& node) {
   Criteria criteria;
   criteria.max_tilt_deg = node.number("max_tilt_deg", 0.0, 180.0, kNan);
   criteria.zmp_margin_min_mm = node.number("zmp_margin_min_mm", -1000.0, 1000.0, kNan);
   criteria.slip_max_mm = node.number("slip_max_mm", 0.0, 1e4, kNan);
   criteria.sole_tilt_max_deg = node.number("sole_tilt_max_deg", 0.0, 180.0, kNan);
+  criteria.zmp_margin_p5_mm = node.number("zmp_margin_p5_mm", -1000.0, 1000.0, kNan);
+  criteria.step_slip_max_mm = node.number("step_slip_max_mm", 0.0, 1e4, kNan);
+  criteria.force_rms_percent = node.number("force_rms_percent", 0.0, 1e4, kNan);
+  criteria.velocity_error_percent = node.number("velocity_error_percent", 0.0, 1e4, kNan);
+  criteria.travel_min_m = node.number("travel_min_m", 0.0, 1e4, kNan);
+  criteria.drift_max_m = node.number("drift_max_m", 0.0, 1e4, kNan);
   criteria.no_fall = node.flag("no_fall", true);
   criteria.no_self_collision = node.flag("no_self_collision", true);
   node.finish();
@@ -158,7 +230,16 @@ std::vector<double> pose_on_bus(const Scene& scene, const Model& model, const st
 }  // namespace
 
 Criteria::Criteria()
-    : max_tilt_deg(kNan), zmp_margin_min_mm(kNan), slip_max_mm(kNan), sole_tilt_max_deg(kNan) {}
+    : max_tilt_deg(kNan),
+      zmp_margin_min_mm(kNan),
+      slip_max_mm(kNan),
+      sole_tilt_max_deg(kNan),
+      zmp_margin_p5_mm(kNan),
+      step_slip_max_mm(kNan),
+      force_rms_percent(kNan),
+      velocity_error_percent(kNan),
+      travel_min_m(kNan),
+      drift_max_m(kNan) {}
 
 Scene load_scene(const std::string& name_or_file) {
   const std::string file = find_scene(name_or_file);
@@ -189,6 +270,11 @@ Scene load_scene(const std::string& name_or_file) {
   for (const ConfigNode& node : top.list("pushes")) scene.pushes.push_back(read_push(node));
   for (const ConfigNode& node : top.list("modes")) scene.modes.push_back(read_mode(node));
   for (const ConfigNode& node : top.list("goals")) scene.goals.push_back(read_goal(node));
+  for (const ConfigNode& node : top.list("walks")) scene.walks.push_back(read_walk(node));
+  for (const ConfigNode& node : top.list("pads")) scene.pads.push_back(read_pad(node));
+  for (const ConfigNode& node : top.list("bodies")) scene.bodies.push_back(read_body(node));
+  if (top.has("terrain")) scene.terrain = read_terrain(top.map("terrain"));
+  if (top.has("push_round")) scene.push_round = read_push_round(top.map("push_round"));
   if (top.has("criteria")) scene.criteria = read_criteria(top.map("criteria"));
   if (top.has("settings")) {
     const ConfigNode settings = top.map("settings");

@@ -34,12 +34,55 @@ struct TimedGoal {
   std::string pose;
 };
 
+// Said again and again from `at` on: a velocity to walk at, or a gamepad that is held.
+struct TimedWalk {
+  double at = 0.0, duration = 1.0;  // [s]
+  WalkCommand command;
+};
+struct TimedPad {
+  double at = 0.0, duration = 1.0;  // [s]
+  Gamepad pad;
+};
+
+// Uneven ground: square tiles of random height and slope from x = from on; see scene_seed.
+struct Terrain {
+  double tile = 0.3;                // edge [m]
+  double height = 0.0;              // of a tile, 0 to this [m]
+  double slope = 0.0;               // about x and y, +- this [rad]
+  double from = 0.4, length = 0.0;  // along x [m]; 0: no tiles
+  double width = 1.8;               // along y, about the x axis [m]
+};
+
+// Pushes one after the other, each in the next of eight directions and at a phase of its own; see scene_seed.
+struct PushRound {
+  std::string link;                                  // empty: the base
+  double at = 4.0, every = 5.0;                      // [s]
+  int count = 0;                                     // 0: none
+  double phase = 0.6;                                // a push comes up to so much later [s]
+  double forward = 0.0, back = 0.0, sideways = 0.0;  // change of velocity of the whole robot [m/s]
+  double duration = 0.1;                             // [s]
+};
+
+// The simulated robot is not the one that the controller knows: a mass on a link, a shifted centre of mass.
+struct BodyChange {
+  std::string link;
+  double mass = 0.0;                                // added [kg]
+  Eigen::Vector3d at = Eigen::Vector3d::Zero();     // where, in the link frame [m]
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero();  // of the link's own centre of mass [m]
+};
+
 // Pass criteria; NaN means not asked.
 struct Criteria {
   double max_tilt_deg;
   double zmp_margin_min_mm;
   double slip_max_mm;
   double sole_tilt_max_deg;
+  double zmp_margin_p5_mm;        // 5th percentile
+  double step_slip_max_mm;        // of a sole while it stands, in any step
+  double force_rms_percent;       // normal force of a foot against what was wanted, of the weight
+  double velocity_error_percent;  // of what was commanded, over each walk
+  double travel_min_m;            // of the base from where it was at the start, at the end
+  double drift_max_m;             // the same, at most
   bool no_fall = true;
   bool no_self_collision = true;
   Criteria();
@@ -59,6 +102,12 @@ struct Scene {
   std::vector<Push> pushes;
   std::vector<TimedMode> modes;
   std::vector<TimedGoal> goals;
+  std::vector<TimedWalk> walks;
+  std::vector<TimedPad> pads;
+  Terrain terrain;
+  std::vector<Obstacle> tiles;  // of the terrain: ground to the soles, unknown to planner and guard
+  PushRound push_round;
+  std::vector<BodyChange> bodies;
   Criteria criteria;
   std::string text;                                           // as read
   std::vector<std::pair<std::string, std::string>> settings;  // model.mass_scale=1.03 and the like
@@ -74,8 +123,11 @@ void resolve_poses(Scene& scene, const Model& model);
 // Keys: about, robot, engine (articulated or ode), duration, step, start_pose, base (floating or fixed), ground:
 // {friction}, obstacles: [shape, size, position, rpy_deg], pushes: [link, point, impulse, at,
 // duration], modes: [at, mode, motion, pose, duration, amplitude, frequency], goals: [at, hand,
-// position, rpy_deg, pose, speed, cancel], criteria: {max_tilt_deg, zmp_margin_min_mm, slip_max_mm,
-// sole_tilt_max_deg, no_fall, no_self_collision}, settings: {model.mass_scale: 1.03, ...} as in
+// position, rpy_deg, pose, speed, cancel], walks: [at, for, vx, vy, wz], pads: [at, for, left_x, left_y, right_x],
+// terrain: {tile, height, slope_deg, from, length, width}, push_round: {link, at, every, count, phase, forward, back,
+// sideways, duration}, bodies: [link, mass, at, shift], criteria: {max_tilt_deg, zmp_margin_min_mm, slip_max_mm,
+// sole_tilt_max_deg, zmp_margin_p5_mm, step_slip_max_mm, force_rms_percent, velocity_error_percent, travel_min_m,
+// drift_max_m, no_fall, no_self_collision}, settings: {model.mass_scale: 1.03, ...} as in
 // sim/settings.h.  Scene time starts with the first command.
 Scene load_scene(const std::string& name_or_file);
 

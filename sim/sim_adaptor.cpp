@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "robot/process.h"
+#include "sim/scene_seed.h"
 #include "sim/sensors.h"
 #include "sim/settings.h"
 #include "sim/standing.h"
@@ -41,6 +42,7 @@ struct SimAdaptor::Impl {
 
   Scene scene;
   const Model* model = nullptr;
+  std::optional<Model> changed;  // the robot that is simulated, where the scene changes its bodies
   SimSettings settings;
   std::unique_ptr<World> world;
   std::optional<Sensors> sensors;
@@ -215,9 +217,12 @@ void SimAdaptor::Impl::time_pace() noexcept {
 SimAdaptor::SimAdaptor(const Scene& scene) : impl_(std::make_unique<Impl>(scene)) {}
 SimAdaptor::~SimAdaptor() = default;
 
-Status SimAdaptor::open(const Model& model, const AdaptorConfig& config) {
+Status SimAdaptor::open(const Model& nominal, const AdaptorConfig& config) {
   Impl& s = *impl_;
   try {
+    s.changed.reset();
+    if (!s.scene.bodies.empty()) s.changed = changed_model(nominal, s.scene);
+    const Model& model = s.changed ? *s.changed : nominal;
     s.model = &model;
     s.settings = SimSettings{};
     if (!engine_of(s.scene.engine, s.settings.world.engine)) {
@@ -226,6 +231,11 @@ Status SimAdaptor::open(const Model& model, const AdaptorConfig& config) {
     }
     s.settings.world.ground_friction = s.scene.ground_friction;
     s.settings.world.obstacles = s.scene.obstacles;
+    s.settings.world.tiles = s.scene.tiles;
+    if (!s.scene.tiles.empty() && s.settings.world.engine == Engine::kOde) {
+      throw std::runtime_error("scene " + s.scene.name +
+                               ": engine ode knows no uneven ground; use engine articulated");
+    }
     s.settings.world.fixed_base = s.scene.fixed_base || !model.floating_base;
     apply_settings(s.scene.settings, model.period(), s.settings);
     apply_settings(config.settings, model.period(), s.settings);

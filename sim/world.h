@@ -43,6 +43,7 @@ struct WorldConfig {
   double servo_kp_scale = 1.0;
   double servo_kd_scale = 1.0;
   std::vector<Obstacle> obstacles;
+  std::vector<Obstacle> tiles;  // ground that is not flat: to the soles' corners what the ground is
 };
 
 // What the servo of one joint is asked for: torque = tau + kp (q - q_now) + kd (qd - qd_now),

@@ -1,0 +1,97 @@
+#include "launcher/judge_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+namespace twinbus {
+
+namespace {
+
+constexpr double kDegrees = 57.29577951308232;
+
+std::string sentence(const char* format, double reached, double asked) {
+  char text[200];
+  std::snprintf(text, sizeof text, format, reached, asked);
+  return text;
+}
+
+}  // namespace
+
+RunVerdict judge_scene(const OneProcess& run, const Criteria& asked, std::int64_t ticks) {
+  const RunFigures& f = run.seen().figures();
+  const WalkFigures& w = run.walked();
+  RunVerdict verdict;
+  verdict.ticks = run.ticks();
+  verdict.source_missed = run.source().status().ticks_missed;
+  verdict.controller_missed = run.seen().command().lost();
+  verdict.missed = std::max(verdict.source_missed, verdict.controller_missed);
+  verdict.fell = f.fell;
+  std::vector<std::string>& failures = verdict.failures;
+  if (!run.failure().empty()) failures.push_back(run.failure());
+  if (run.ticks() < ticks) failures.push_back("the run ended early");
+  if (asked.no_fall && f.fell) failures.push_back("the robot fell");
+  if (asked.no_self_collision && f.self_collision_ticks > 0) {
+    failures.push_back("the robot touched itself or an obstacle in " +
+                       std::to_string(f.self_collision_ticks) + " ticks");
+  }
+  // NaN: not asked; a figure that is none fails.
+  const auto at_most = [&](double reached, double most, const char* format) {
+    if (!std::isnan(most) && !(reached <= most))
+      failures.push_back(sentence(format, reached, most));
+  };
+  const auto at_least = [&](double reached, double least, const char* format) {
+    if (!std::isnan(least) && !(reached >= least))
+      failures.push_back(sentence(format, reached, least));
+  };
+  at_most(kDegrees * f.max_tilt, asked.max_tilt_deg,
+          "the base tilted %.2f degrees, at most %.2f were asked");
+  at_least(1e3 * f.zmp_margin_min, asked.zmp_margin_min_mm,
+           "the ZMP came as near as %.1f mm to the edge, %.1f mm were asked");
+  at_least(1e3 * w.margin_percentile(0.05), asked.zmp_margin_p5_mm,
+           "in 5 %% of the ticks the ZMP was nearer than %.0f mm to the edge, %.1f mm were asked");
+  at_most(1e3 * f.slip_max, asked.slip_max_mm, "a sole slid %.2f mm, at most %.2f mm were asked");
+  at_most(1e3 * w.step_slip_max(), asked.step_slip_max_mm,
+          "a sole slid %.2f mm in a step, at most %.2f mm were asked");
+  at_most(kDegrees * run.sole_tilt_max(), asked.sole_tilt_max_deg,
+          "a sole tilted %.2f degrees, at most %.2f were asked");
+  at_most(1e2 * w.force_error(), asked.force_rms_percent,
+          "the feet's normal forces were %.1f %% of the weight from the wanted ones (root mean "
+          "square), at most %.1f %% were asked");
+  at_most(1e2 * w.velocity_error(), asked.velocity_error_percent,
+          "the velocity was %.1f %% from the commanded one, at most %.1f %% were asked");
+  at_least(w.travel(), asked.travel_min_m,
+           "the robot ended %.2f m from its start, at least %.2f m were asked");
+  at_most(w.travel(), asked.drift_max_m,
+          "the robot ended %.2f m from its start, at most %.2f m were asked");
+  if (run.state().role == Role::kStopped) {
+    failures.push_back(std::string("the source is stopped (") + stop_name(run.state().stop_kind) +
+                       ")");
+  }
+  verdict.passed = failures.empty();
+  return verdict;
+}
+
+std::string scene_figures(const OneProcess& run) {
+  const RunFigures& f = run.seen().figures();
+  const WalkFigures& w = run.walked();
+  char text[400];
+  std::snprintf(text, sizeof text,
+                "tilt %.2f degrees, ZMP margin %.1f mm, slip %.2f mm, penetration %.2f mm, sole "
+                "tilt %.2f degrees\n",
+                kDegrees * f.max_tilt, 1e3 * f.zmp_margin_min, 1e3 * f.slip_max,
+                1e3 * f.penetration_max, kDegrees * run.sole_tilt_max());
+  std::string lines = text;
+  if (w.steps() == 0) return lines;
+  std::snprintf(text, sizeof text,
+                "%lld steps: 5 %% of the ZMP margins below %.0f mm, slip in a step %.2f mm, normal "
+                "force error %.1f %% of the weight, velocity error %.1f %%, ended %.2f m from its "
+                "start\n",
+                static_cast<long long>(w.steps()), 1e3 * w.margin_percentile(0.05),
+                1e3 * w.step_slip_max(), 1e2 * w.force_error(), 1e2 * w.velocity_error(),
+                w.travel());
+  return lines + text;
+}
+
+}  // namespace twinbus

@@ -1,0 +1,19 @@
+// Judges a run in one process by its scene's own criteria.
+
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "launcher/one_process.h"
+#include "launcher/verdict.h"
+#include "sim/scene.h"
+
+namespace twinbus {
+
+RunVerdict judge_scene(const OneProcess& run, const Criteria& asked, std::int64_t ticks);
+
+// Lines for people: how it stood and, if it did, how it walked.
+std::string scene_figures(const OneProcess& run);
+
+}  // namespace twinbus

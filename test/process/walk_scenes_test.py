@@ -1,0 +1,51 @@
+#!/usr/bin/env python3
+"""The walking scenes pass by their own criteria: every scene in free run; those that the seed changes, twice (--full: 20 times)."""
+
+import json
+import os
+import tempfile
+
+import harness
+from harness import Checks, cli
+
+SAME_FOR_EVERY_SEED = ["walk_forward", "walk_backward", "walk_sideways", "walk_turn", "walk_diagonal", "walk_slippery",
+                       "walk_carry", "walk_pad"]
+SEEDED = ["walk_noisy", "push_stand", "push_walk"]
+SEEDS = range(1, 21) if harness.FULL else range(1, 3)
+FIGURES = ["max_tilt_deg", "zmp_margin_min_mm", "zmp_margin_p5_mm", "step_slip_max_mm", "force_rms_percent",
+           "velocity_error_percent"]
+
+
+def run(checks, scene, seed, robot=None, engine=None):
+    report = os.path.join(tempfile.mkdtemp(), "report.json")
+    words = ["run", scene, "--seed", seed, "--report", report]
+    words += ["--robot", robot] if robot else []
+    words += ["--engine", engine] if engine else []
+    status, out, err = cli(*words, timeout=600)
+    try:
+        with open(report, encoding="utf-8") as file:
+            figures = json.load(file)
+        line = "  ".join(f"{name} {figures[name]:.1f}" for name in FIGURES if figures.get(name) is not None)
+    except (OSError, ValueError) as error:
+        line = f"no report: {error}"
+    print(f"{scene} seed {seed} {robot or ''} {engine or ''}: exit {status}  {line}", flush=True)
+    failed = [text for text in out.splitlines() if text.startswith("FAILED")]
+    checks.that(status == 0, f"run {scene} --seed {seed} {robot or ''} {engine or ''} passes: {failed} {err[-300:]}")
+
+
+def main():
+    harness.require("twinbus")
+    checks = Checks()
+    for scene in SAME_FOR_EVERY_SEED + (["walk_start_stop"] if harness.FULL else []):
+        run(checks, scene, 1)
+    for scene in SEEDED:
+        for seed in SEEDS if scene != "push_walk" or harness.FULL else [1]:
+            run(checks, scene, seed)
+    if harness.FULL:
+        for scene in ["walk_forward", "push_walk"]:
+            run(checks, scene, 1, engine="ode")
+    checks.exit()
+
+
+if __name__ == "__main__":
+    main()
