@@ -8,6 +8,7 @@
 
 #include "control/blend.h"
 #include "control/control_report.h"
+#include "control/driver_token.h"
 #include "control/guard.h"
 #include "control/mask_brake.h"
 #include "control/mode_queue.h"
@@ -68,6 +69,7 @@ struct ControlLoop::Impl {
 
   StopKind stop_heard = StopKind::kNone;
   Gamepad gamepad;
+  DriverToken token;
   std::int64_t gamepad_ns = 0;
   WalkCommand walk;
   std::int64_t walk_ns = 0;
@@ -261,6 +263,7 @@ void ControlLoop::on_walk_command(const WalkCommand& command, std::int64_t now_n
 }
 
 void ControlLoop::on_gamepad(const Gamepad& gamepad, std::int64_t now_ns) noexcept {
+  if (!impl_->token.admits(gamepad, now_ns)) return;
   impl_->gamepad = gamepad;
   impl_->gamepad_ns = now_ns;
 }

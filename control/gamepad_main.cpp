@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <filesystem>
+#include <fstream>
 #include <memory>
 #include <string>
 
@@ -15,6 +17,7 @@
 #include "control/teleop.h"
 #include "lcmtypes/bus.h"
 #include "lcmtypes/channels.h"
+#include "robot/load.h"
 #include "robot/options.h"
 #include "robot/process.h"
 #include "robot/state_admission.h"
@@ -23,6 +26,8 @@ using namespace twinbus;
 
 namespace {
 
+constexpr double kPatience = 10.0;            // with a control that a pad does not have [s]
+constexpr double kRumble = 0.5;               // when the robot has been stopped [s]
 constexpr std::int64_t kPeriod = 10'000'000;  // 100 Hz [ns]
 constexpr int kRepeats = 5;                   // of what must not be lost with one datagram
 constexpr int kLastZeros = 10;                // on leaving
@@ -35,6 +40,7 @@ struct Arguments {
   CommonOptions common;
   bool keyboard = false;
   bool from_script = false;
+  bool map = false;
 };
 
 Arguments parse(int argc, char** argv) {
@@ -43,6 +49,8 @@ Arguments parse(int argc, char** argv) {
                                          cheat_sheet(false) + "\n" + cheat_sheet(true));
   add_common(options, a.common);
   options.flag("--keyboard", a.keyboard, "keys of this terminal instead of a pad");
+  options.flag("--map", a.map,
+               "teaches a pad that is not known: asks for one control after another");
   options.flag("--virtual", a.from_script,
                "a pad that exists in SDL only, driven by lines on standard input: plug, unplug, "
                "axis 0..5 -32768..32767, press BIT, release BIT");
@@ -172,6 +180,43 @@ Heartbeat heartbeat(const Bus& bus, std::int64_t id, std::int64_t cycles, bool r
   return beat;
 }
 
+std::string mappings_file() { return config_folder() + "/gamepads/own.txt"; }
+
+// Asks for one control after another and keeps what it learned.
+int map_a_pad() {
+  SdlPad sdl;
+  RawSdlPad pad;
+  std::printf("plug in the pad ...\n");
+  while (!quit_requested() && !pad.open()) sleep_until_ns(monotonic_ns() + kPeriod);
+  if (quit_requested()) return 1;
+  std::printf("%s: hands off, then follow; what it does not have is left out after ten seconds\n",
+              pad.name().c_str());
+  sleep_until_ns(monotonic_ns() + 50 * kPeriod);
+  PadMapper mapper;
+  mapper.rest(pad.poll());
+  std::string asked;
+  std::int64_t asked_ns = 0;
+  while (!quit_requested() && !mapper.question().empty()) {
+    if (mapper.question() != asked) {
+      asked = mapper.question();
+      asked_ns = monotonic_ns();
+      std::printf("  %s\n", asked.c_str());
+      std::fflush(stdout);
+    }
+    (void)mapper.look(pad.poll());
+    if (seconds_since(asked_ns) > kPatience) mapper.skip();
+    sleep_until_ns(monotonic_ns() + kPeriod);
+  }
+  if (quit_requested()) return 1;
+  std::filesystem::create_directories(config_folder() + "/gamepads");
+  std::ofstream file(mappings_file(), std::ios::app);
+  file << mapper.line(pad.guid(), pad.name()) << '\n';
+  file.close();
+  if (!file) throw std::runtime_error("cannot write " + mappings_file());
+  std::printf("kept in %s; ./twinbus gamepad knows this pad now\n", mappings_file().c_str());
+  return 0;
+}
+
 void run(const Arguments& options) {
   const std::int64_t id = options.common.id > 0 ? options.common.id : random_id();
   BusOptions bus_options{
@@ -186,7 +231,10 @@ void run(const Arguments& options) {
   bus.listen(channel::kState, newest);
 
   std::unique_ptr<SdlPad> pad;
-  if (!options.keyboard) pad = std::make_unique<SdlPad>();
+  if (!options.keyboard) {
+    pad = std::make_unique<SdlPad>();
+    pad->take_mappings(mappings_file());
+  }
   std::unique_ptr<RawTerminal> terminal;
   if (options.keyboard || options.from_script) terminal = std::make_unique<RawTerminal>();
   VirtualPad virtual_pad;
@@ -201,7 +249,7 @@ void run(const Arguments& options) {
   std::fflush(stdout);
   const bool show_line = isatty(1) == 1;
 
-  bool leaving = false;
+  bool leaving = false, was_stopped = false;
   int zeros_left = kLastZeros;
   std::int64_t due = monotonic_ns();
   for (std::int64_t cycle = 0; zeros_left > 0; ++cycle) {
@@ -219,6 +267,9 @@ void run(const Arguments& options) {
       teleop.on_no_source();
     }
 
+    const bool stopped = fresh && state.stop_kind != StopKind::kNone;
+    if (pad && stopped && !was_stopped) pad->rumble(kRumble);
+    was_stopped = stopped;
     if (quit_requested() || g_hung_up != 0) leaving = true;
     if (!leaving && options.keyboard) {
       for (int key : terminal->read_keys()) {
@@ -263,6 +314,7 @@ int main(int argc, char** argv) try {
   hang_up.sa_handler = [](int) { g_hung_up = 1; };
   sigaction(SIGHUP, &hang_up, nullptr);
   std::signal(SIGPIPE, SIG_IGN);  // a closed terminal must not end us before the zeros are out
+  if (arguments.map) return map_a_pad();
   run(arguments);
   return 0;
 } catch (const std::exception& error) {

@@ -6,14 +6,16 @@
 // bring together asks for a balanced stop.
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
+#include <span>
 #include <stdexcept>
 #include <string>
 
-#include "control/guard.h"
+#include "control/guard_watch.h"
 #include "lcmtypes/bus.h"
 #include "lcmtypes/channels.h"
-#include "robot/estimator.h"
+#include "robot/journal.h"
 #include "robot/load.h"
 #include "robot/obstacle_collector.h"
 #include "robot/options.h"
@@ -29,8 +31,6 @@ constexpr int kPriority = 50;          // FIFO, below the controller's
 constexpr double kWait = 0.02;         // [s] for a message, then the heartbeat gets its turn
 constexpr std::int64_t kWarmUp = 100;  // ticks; LCM makes a list per channel with its first message
 constexpr std::int64_t kStopEvery = 10;  // a stop is asked for again after as many ticks
-constexpr std::int64_t kOldCommand =
-    5;  // an answer to a state further back says nothing any more [ticks]
 constexpr std::int64_t kQuietNs = 1'000'000'000;
 
 struct Arguments {
@@ -56,9 +56,9 @@ class GuardProcess {
       : model_(model),
         id_(a.common.id != 0 ? a.common.id : random_id()),
         bus_({.url = a.common.url, .prefix = a.common.prefix, .allow = {a.common.allow}}),
-        guard_(model, {.guard_id = id_, .margin = 1e-3 * a.margin_mm}),
-        estimator_(model),
-        pulse_(ProcessKind::kGuard, id_, real_time) {
+        watch_(model, {.guard_id = id_, .margin = 1e-3 * a.margin_mm}),
+        pulse_(ProcessKind::kGuard, id_, real_time),
+        journal_(ProcessKind::kGuard, id_, {1e-3 * a.margin_mm}, SendPage{this}) {
     bus_.listen_each<RobotState>(channel::kState, on_state_);
     bus_.listen_each<JointCommand>(channel::kCommand, on_command_);
     bus_.listen_each<ObstaclesPiece>(channel::kObstacles, on_obstacles_);
@@ -73,13 +73,16 @@ class GuardProcess {
       if (pulse_.ticks() > kWarmUp) allocations_ += no_alloc.count();
       if (new_obstacles_) {  // once per scene: not part of the loop
         new_obstacles_ = false;
-        guard_.set_obstacles(obstacles_.obstacles());
+        journal_.consumed(JournalInput::kTakeObstacles, {}, monotonic_ns());
+        watch_.set_obstacles(obstacles_.obstacles());
       }
     }
   }
 
  private:
-  void hear_state(const RobotState& state) noexcept {
+  using Bytes = std::span<const std::uint8_t>;
+
+  void hear_state(const RobotState& state, Bytes bytes) noexcept {
     if (state.joint_count != model_.bus_count() || state.model_hash != model_.hash) {
       ++rejected_;
       return;
@@ -90,39 +93,40 @@ class GuardProcess {
     if (pulse_.ticks() > 0 && last == state.run_id && state.tick > state_.tick + 1)
       missed_ += state.tick - state_.tick - 1;
     state_ = state;
+    state_hash_ = content_hash(bytes);
     heard_ns_ = now;
     fresh_ = true;
   }
 
   // The newest command that is for the source we watch.
-  void hear_command(const JointCommand& command) noexcept {
+  void hear_command(const JointCommand& command, Bytes bytes) noexcept {
     if (command.run_id != admission_.run_id() || command.term != admission_.term() ||
         command.joint_count != model_.bus_count() || command.model_hash != model_.hash) {
       return;
     }
-    if (has_command_ && command.run_id == command_.run_id && command.tick < command_.tick) return;
-    command_ = command;
-    has_command_ = true;
+    journal_.consumed(JournalInput::kCommand, bytes, monotonic_ns());
+    watch_.on_command(command);
   }
 
   void judge() noexcept {
     fresh_ = false;
     const std::int64_t begin = monotonic_ns();
-    estimator_.update(state_);
-    const bool answered = has_command_ && command_.run_id == state_.run_id &&
-                          command_.tick <= state_.tick &&
-                          state_.tick - command_.tick <= kOldCommand;
-    GuardReport report =
-        guard_.check(state_, answered ? &command_ : nullptr, estimator_.configuration());
+    GuardReport report = watch_.judge(state_);
     const std::int64_t end = monotonic_ns();
+    const std::int64_t answer_hash = hash_of(report);
     report.compute_ns = static_cast<std::int32_t>(std::min<std::int64_t>(end - begin, INT32_MAX));
-    if (state_.stop_kind != StopKind::kNone)
-      report.stop_asked = false;  // it has been stopped already
     if (!bus_.send(channel::kGuard, report)) ++send_failures_;
+    journal_.stepped(state_, state_hash_, begin, answer_hash, 0);
     pulse_.tick(end, end - begin);
     pulse_.answered(end - heard_ns_);
     if (report.stop_asked) ask_for_a_stop();
     if (report.hold_mask != 0) tell(report);
+  }
+
+  static std::int64_t hash_of(const GuardReport& report) noexcept {
+    std::array<std::uint8_t, kLargestMessage> bytes;
+    const auto size = static_cast<std::size_t>(encode(report, bytes));
+    return content_hash(Bytes(bytes).first(size));
   }
 
   void ask_for_a_stop() noexcept {
@@ -180,17 +184,26 @@ class GuardProcess {
     if (!bus_.send(channel::kHeartbeat, beat)) ++send_failures_;
   }
 
+  struct SendPage {
+    GuardProcess* p;
+    void operator()(const JournalPage& page) const noexcept {
+      if (!p->bus_.send(channel::kJournal, page)) ++p->send_failures_;
+    }
+  };
   struct OnState {
     GuardProcess* p;
-    void operator()(const RobotState& m) const noexcept { p->hear_state(m); }
+    void operator()(const RobotState& m, Bytes bytes) const noexcept { p->hear_state(m, bytes); }
   };
   struct OnCommand {
     GuardProcess* p;
-    void operator()(const JointCommand& m) const noexcept { p->hear_command(m); }
+    void operator()(const JointCommand& m, Bytes bytes) const noexcept {
+      p->hear_command(m, bytes);
+    }
   };
   struct OnObstacles {
     GuardProcess* p;
-    void operator()(const ObstaclesPiece& m) const noexcept {
+    void operator()(const ObstaclesPiece& m, Bytes bytes) const noexcept {
+      p->journal_.consumed(JournalInput::kObstacles, bytes, monotonic_ns());
       p->new_obstacles_ = p->obstacles_.add(m) || p->new_obstacles_;
     }
   };
@@ -198,15 +211,14 @@ class GuardProcess {
   const Model& model_;
   std::int64_t id_;
   Bus bus_;
-  Guard guard_;
-  Estimator estimator_;
+  GuardWatch watch_;
   StateAdmission admission_;
   ObstacleCollector obstacles_;
   RobotState state_;
-  JointCommand command_;
-  bool fresh_ = false, has_command_ = false, new_obstacles_ = false;
+  bool fresh_ = false, new_obstacles_ = false;
   Pulse pulse_;
-  std::int64_t heard_ns_ = 0, told_ns_ = 0, stop_tick_ = 0;
+  JournalWriter<SendPage> journal_;
+  std::int64_t heard_ns_ = 0, told_ns_ = 0, stop_tick_ = 0, state_hash_ = 0;
   std::int64_t missed_ = 0, rejected_ = 0, allocations_ = 0, send_failures_ = 0;
   std::int32_t stop_sequence_ = 0, event_sequence_ = 0;
 

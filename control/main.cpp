@@ -5,14 +5,17 @@
 // between ticks with an allocation that is not counted.
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <cstring>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "control/control_loop.h"
 #include "lcmtypes/bus.h"
 #include "lcmtypes/channels.h"
+#include "robot/journal.h"
 #include "robot/load.h"
 #include "robot/missed_ticks.h"
 #include "robot/obstacle_collector.h"
@@ -56,7 +59,10 @@ class Controller {
         id_(a.common.id != 0 ? a.common.id : random_id()),
         bus_({.url = a.common.url, .prefix = a.common.prefix, .allow = {a.common.allow}}),
         loop_(model, config(a)),
-        pulse_(ProcessKind::kController, id_, real_time) {
+        pulse_(ProcessKind::kController, id_, real_time),
+        journal_(ProcessKind::kController, id_,
+                 {static_cast<double>(config(a).first_mode), a.no_guard ? 0.0 : 1.0},
+                 SendPage{this}) {
     missed_.watch(model.period_ns);
     listen();
   }
@@ -71,6 +77,7 @@ class Controller {
       allocations_ += no_alloc.count();
       if (new_obstacles_) {
         new_obstacles_ = false;
+        journal_.consumed(JournalInput::kTakeObstacles, {}, monotonic_ns());
         loop_.set_obstacles(obstacles_.obstacles());
       }
     }
@@ -99,7 +106,7 @@ class Controller {
     bus_.listen_each<ObstaclesPiece>(channel::kObstacles, on_obstacles_);
   }
 
-  void hear_state(const RobotState& state) {
+  void hear_state(const RobotState& state, std::span<const std::uint8_t> bytes) {
     if (state.joint_count != model_.bus_count() || state.model_hash != model_.hash) {
       if (rejected_++ == 0) {
         std::fprintf(stderr,
@@ -128,6 +135,7 @@ class Controller {
       }
     }
     state_ = state;
+    state_hash_ = content_hash(bytes);
     heard_ns_ = now;
     fresh_ = true;
   }
@@ -138,16 +146,35 @@ class Controller {
     const std::int64_t begin = monotonic_ns();
     const bool has_answer = loop_.step(begin, command_);
     const std::int64_t end = monotonic_ns();
+    std::int64_t answer_hash = 0, report_hash = 0;
     if (has_answer) {
-      if (!bus_.send(channel::kCommand, command_)) ++send_failures_;
+      answer_hash = send_answer();
       pulse_.answered(monotonic_ns() - heard_ns_);
       pulse_.tick(end, end - begin);
       ControllerStatus status = loop_.status();
+      report_hash = hash_of(status);
       status.compute_ns = static_cast<std::int32_t>(std::min<std::int64_t>(end - begin, INT32_MAX));
       if (!bus_.send(channel::kControllerStatus, status)) ++send_failures_;
     }
+    journal_.stepped(state_, state_hash_, begin, answer_hash, report_hash);
     if (const char* sentence = loop_.take_sentence()) tell(sentence);
     if (loop_.guard_report().stop_asked && state_.stop_kind == StopKind::kNone) ask_for_a_stop();
+  }
+
+  // The COMMAND; gives the hash of its bytes.
+  std::int64_t send_answer() {
+    std::array<std::uint8_t, kLargestMessage> bytes;
+    const auto size = static_cast<std::size_t>(encode(command_, bytes));
+    const auto message = std::span<const std::uint8_t>(bytes).first(size);
+    if (!bus_.send_raw(channel::kCommand, message)) ++send_failures_;
+    return content_hash(message);
+  }
+
+  static std::int64_t hash_of(ControllerStatus status) {
+    status.compute_ns = 0;  // the one number that a re-run does not have again
+    std::array<std::uint8_t, kLargestMessage> bytes;
+    const auto size = static_cast<std::size_t>(encode(status, bytes));
+    return content_hash(std::span<const std::uint8_t>(bytes).first(size));
   }
 
   void ask_for_a_stop() {
@@ -192,41 +219,73 @@ class Controller {
     if (!bus_.send(channel::kHeartbeat, beat)) ++send_failures_;
   }
 
+  using Bytes = std::span<const std::uint8_t>;
+  struct SendPage {
+    Controller* c;
+    void operator()(const JournalPage& page) const noexcept {
+      if (!c->bus_.send(channel::kJournal, page)) ++c->send_failures_;
+    }
+  };
   struct OnState {
     Controller* c;
-    void operator()(const RobotState& m) { c->hear_state(m); }
+    void operator()(const RobotState& m, Bytes bytes) { c->hear_state(m, bytes); }
   };
   struct OnMode {
     Controller* c;
-    void operator()(const ModeRequest& m) { c->loop_.on_mode_request(m); }
+    void operator()(const ModeRequest& m, Bytes bytes) {
+      c->journal_.consumed(JournalInput::kMode, bytes, monotonic_ns());
+      c->loop_.on_mode_request(m);
+    }
   };
   struct OnWalk {
     Controller* c;
-    void operator()(const WalkCommand& m) { c->loop_.on_walk_command(m, monotonic_ns()); }
+    void operator()(const WalkCommand& m, Bytes bytes) {
+      const std::int64_t now = monotonic_ns();
+      c->journal_.consumed(JournalInput::kWalk, bytes, now);
+      c->loop_.on_walk_command(m, now);
+    }
   };
   struct OnGamepad {
     Controller* c;
-    void operator()(const Gamepad& m) { c->loop_.on_gamepad(m, monotonic_ns()); }
+    void operator()(const Gamepad& m, Bytes bytes) {
+      const std::int64_t now = monotonic_ns();
+      c->journal_.consumed(JournalInput::kGamepad, bytes, now);
+      c->loop_.on_gamepad(m, now);
+    }
   };
   struct OnPath {
     Controller* c;
-    void operator()(const ArmPathPiece& m) { c->loop_.on_arm_path(m); }
+    void operator()(const ArmPathPiece& m, Bytes bytes) {
+      c->journal_.consumed(JournalInput::kPath, bytes, monotonic_ns());
+      c->loop_.on_arm_path(m);
+    }
   };
   struct OnGoal {
     Controller* c;
-    void operator()(const ArmGoal& m) { c->loop_.on_arm_goal(m); }
+    void operator()(const ArmGoal& m, Bytes bytes) {
+      c->journal_.consumed(JournalInput::kGoal, bytes, monotonic_ns());
+      c->loop_.on_arm_goal(m);
+    }
   };
   struct OnStop {
     Controller* c;
-    void operator()(const StopRequest& m) { c->loop_.on_stop(m); }
+    void operator()(const StopRequest& m, Bytes bytes) {
+      c->journal_.consumed(JournalInput::kStop, bytes, monotonic_ns());
+      c->loop_.on_stop(m);
+    }
   };
   struct OnGuard {
     Controller* c;
-    void operator()(const GuardReport& m) { c->loop_.on_guard(m, monotonic_ns()); }
+    void operator()(const GuardReport& m, Bytes bytes) {
+      const std::int64_t now = monotonic_ns();
+      c->journal_.consumed(JournalInput::kGuard, bytes, now);
+      c->loop_.on_guard(m, now);
+    }
   };
   struct OnObstacles {
     Controller* c;
-    void operator()(const ObstaclesPiece& m) {
+    void operator()(const ObstaclesPiece& m, Bytes bytes) {
+      c->journal_.consumed(JournalInput::kObstacles, bytes, monotonic_ns());
       c->new_obstacles_ = c->obstacles_.add(m) || c->new_obstacles_;
     }
   };
@@ -243,7 +302,8 @@ class Controller {
   JointCommand command_;
   Pulse pulse_;
   MissedTicks missed_;
-  std::int64_t heard_ns_ = 0, told_ns_ = 0;
+  JournalWriter<SendPage> journal_;
+  std::int64_t heard_ns_ = 0, told_ns_ = 0, state_hash_ = 0;
   std::int64_t rejected_ = 0, allocations_ = 0, send_failures_ = 0, next_stop_tick_ = 0;
   std::int32_t sequence_ = 0, event_sequence_ = 0;
   const char* last_sentence_ = nullptr;

@@ -67,6 +67,59 @@ void SdlPad::poll(PadInput& input) {
   }
 }
 
+void SdlPad::rumble(double seconds) {
+  constexpr Uint16 kStrong = 0xc000;
+  if (impl_->pad != nullptr)
+    (void)SDL_GameControllerRumble(impl_->pad, kStrong, kStrong,
+                                   static_cast<Uint32>(1e3 * seconds));
+}
+
+void SdlPad::take_mappings(const std::string& file) {
+  (void)SDL_GameControllerAddMappingsFromFile(file.c_str());
+}
+
+bool RawSdlPad::open() {
+  SDL_JoystickUpdate();
+  if (joystick_ == nullptr && SDL_NumJoysticks() > 0) joystick_ = SDL_JoystickOpen(0);
+  auto* joystick = static_cast<SDL_Joystick*>(joystick_);
+  if (joystick == nullptr) return false;
+  const auto count = [](int n) { return static_cast<std::size_t>(n > 0 ? n : 0); };
+  axes_.resize(count(SDL_JoystickNumAxes(joystick)));
+  buttons_.resize(count(SDL_JoystickNumButtons(joystick)));
+  hats_.resize(count(SDL_JoystickNumHats(joystick)));
+  return true;
+}
+
+RawSdlPad::~RawSdlPad() {
+  auto* joystick = static_cast<SDL_Joystick*>(joystick_);
+  if (joystick != nullptr && SDL_WasInit(SDL_INIT_JOYSTICK) != 0) SDL_JoystickClose(joystick);
+}
+
+const RawPad& RawSdlPad::poll() {
+  auto* joystick = static_cast<SDL_Joystick*>(joystick_);
+  SDL_JoystickUpdate();
+  for (std::size_t i = 0; i < axes_.size(); ++i)
+    axes_[i] = SDL_JoystickGetAxis(joystick, static_cast<int>(i));
+  for (std::size_t i = 0; i < buttons_.size(); ++i)
+    buttons_[i] = SDL_JoystickGetButton(joystick, static_cast<int>(i));
+  for (std::size_t i = 0; i < hats_.size(); ++i)
+    hats_[i] = SDL_JoystickGetHat(joystick, static_cast<int>(i));
+  raw_ = {axes_, buttons_, hats_};
+  return raw_;
+}
+
+std::string RawSdlPad::guid() const {
+  char text[33];
+  SDL_JoystickGetGUIDString(SDL_JoystickGetGUID(static_cast<SDL_Joystick*>(joystick_)), text,
+                            sizeof text);
+  return text;
+}
+
+std::string RawSdlPad::name() const {
+  const char* name = SDL_JoystickName(static_cast<SDL_Joystick*>(joystick_));
+  return name == nullptr ? "pad" : name;
+}
+
 VirtualPad::~VirtualPad() { unplug(); }
 
 bool VirtualPad::plug() {

@@ -5,7 +5,10 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
+#include <vector>
 
+#include "control/pad_mapping.h"
 #include "control/teleop.h"
 
 namespace twinbus {
@@ -18,13 +21,34 @@ class SdlPad {
   SdlPad(const SdlPad&) = delete;
   SdlPad& operator=(const SdlPad&) = delete;
 
+  // Mappings learned with --map; a file that is not there is none.
+  void take_mappings(const std::string& file);
   // What the pad shows now; not connected while there is none.  Never throws, does I/O but does not
   // wait.
   void poll(PadInput& input);
+  // Shakes the pad, if it can.
+  void rumble(double seconds);
 
  private:
   struct Impl;
   std::unique_ptr<Impl> impl_;
+};
+
+// The first joystick that is plugged in, as its driver shows it: for a pad without a mapping.
+class RawSdlPad {
+ public:
+  // Needs a living SdlPad.  False while there is none.
+  bool open();
+  ~RawSdlPad();
+  const RawPad& poll();
+  std::string guid() const;
+  std::string name() const;
+
+ private:
+  void* joystick_ = nullptr;
+  std::vector<std::int16_t> axes_;
+  std::vector<std::uint8_t> buttons_, hats_;
+  RawPad raw_;
 };
 
 // A pad that exists in SDL only, for tests and for `--virtual`: what it shows comes back through

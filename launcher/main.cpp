@@ -8,8 +8,10 @@
 #include "launcher/arguments.h"
 #include "launcher/check.h"
 #include "launcher/doctor.h"
+#include "launcher/log_command.h"
 #include "launcher/operate.h"
 #include "launcher/reach.h"
+#include "launcher/restart.h"
 #include "launcher/run.h"
 #include "launcher/status.h"
 #include "launcher/switch_source.h"
@@ -30,6 +32,7 @@ struct Command {
 constexpr Command kCommands[] = {
     {"up", "start and supervise simulator, controller, guard, planner and viewer", &up_command},
     {"run", "run a scene in one process, without a bus, as fast as it goes", &run_command},
+    {"restart", "start one process of the stack anew", &restart_command},
     {"status", "who is there, rates, roles, terms, timing", &status_command},
     {"switch", "let simulator, hardware bridge or replay take over", &switch_command},
     {"stop", "stop the robot: balanced, hold or off", &stop_command},
@@ -41,6 +44,9 @@ constexpr Command kCommands[] = {
     {"walk", "walk at a velocity", &walk_command},
     {"reach", "bring a hand to a point around obstacles", &reach_command},
     {"gamepad", "drive with a gamepad or the keyboard", &gamepad_command},
+    {"replay", "play a log as a source of STATE", &replay_command},
+    {"record", "record the bus into a log", &record_command},
+    {"log", "look into logs, cut, convert, compare, re-run them", &log_command},
     {"spy", "lcm-spy that knows the messages", &spy_command},
     {"env", "shell variables for stock LCM tools: eval \"$(./twinbus env)\"", &env_command},
     {"check", "load a robot's folder and print what it is", &check_command},

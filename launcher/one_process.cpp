@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include "lcmtypes/channels.h"
 #include "lcmtypes/wire.h"
 #include "planner/arm_path_pieces.h"
 #include "robot/status.h"
@@ -23,16 +24,44 @@ constexpr double kServoError =
     0.1;  // [rad]: a set-point farther from its joint is none to start from
 constexpr int kActivationTicks = 100'000;
 
-// A message as its receiver gets it.  False: what could not be sent.
+const char* channel_of(const ModeRequest&) { return channel::kModeRequest; }
+const char* channel_of(const WalkCommand&) { return channel::kWalk; }
+const char* channel_of(const Gamepad&) { return channel::kGamepad; }
+const char* channel_of(const ArmGoal&) { return channel::kArmGoal; }
+
+// What the controller's journal says of a message that is for it.
 template <class T>
-bool over_the_bus(const T& sent, T& received, StateHash* hash = nullptr) {
-  std::array<std::uint8_t, kLargestMessage> bytes;
-  const int size = encode(sent, bytes);
-  if (size <= 0) return false;
-  const std::span<const std::uint8_t> encoded(bytes.data(), static_cast<std::size_t>(size));
-  if (hash != nullptr) hash->add(encoded);
-  return decode(encoded, received) == Status::kOk;
-}
+struct JournalKind {
+  static constexpr JournalInput value = JournalInput::kNone;
+};
+template <>
+struct JournalKind<ModeRequest> {
+  static constexpr JournalInput value = JournalInput::kMode;
+};
+template <>
+struct JournalKind<WalkCommand> {
+  static constexpr JournalInput value = JournalInput::kWalk;
+};
+template <>
+struct JournalKind<Gamepad> {
+  static constexpr JournalInput value = JournalInput::kGamepad;
+};
+template <>
+struct JournalKind<StopRequest> {
+  static constexpr JournalInput value = JournalInput::kStop;
+};
+template <>
+struct JournalKind<ArmGoal> {
+  static constexpr JournalInput value = JournalInput::kGoal;
+};
+template <>
+struct JournalKind<ArmPathPiece> {
+  static constexpr JournalInput value = JournalInput::kPath;
+};
+template <>
+struct JournalKind<ObstaclesPiece> {
+  static constexpr JournalInput value = JournalInput::kObstacles;
+};
 
 // The adaptor must be open before a source is built around it.
 SimAdaptor& opened(SimAdaptor& sim, const Model& model, const OneProcessConfig& config) {
@@ -78,7 +107,34 @@ std::vector<ScriptedGoal> goals_of(const Scene& scene) {
   return goals;
 }
 
+std::int64_t now_or_one(std::int64_t now_ns) { return now_ns > 0 ? now_ns : 1; }
+
 }  // namespace
+
+// A message as its receiver gets it.  False: what could not be sent.
+template <class T>
+bool OneProcess::over_the_bus(const char* channel, const T& sent, T& received, StateHash* hash,
+                              std::int64_t* content) {
+  std::array<std::uint8_t, kLargestMessage> bytes;
+  const int size = encode(sent, bytes);
+  if (size <= 0) return false;
+  const std::span<const std::uint8_t> encoded(bytes.data(), static_cast<std::size_t>(size));
+  if (hash != nullptr) hash->add(encoded);
+  if (listener_) {
+    listener_(channel, encoded, now_ns_);
+    if (content != nullptr) *content = content_hash(encoded);
+    if constexpr (JournalKind<T>::value != JournalInput::kNone)
+      journal_.consumed(JournalKind<T>::value, encoded, now_or_one(now_ns_));
+  }
+  return decode(encoded, received) == Status::kOk;
+}
+
+void OneProcess::SendPage::operator()(const JournalPage& page) const noexcept {
+  if (!o->listener_) return;
+  std::array<std::uint8_t, kLargestMessage> bytes;
+  const auto size = static_cast<std::size_t>(encode(page, bytes));
+  o->listener_(channel::kJournal, std::span<const std::uint8_t>(bytes).first(size), o->now_ns_);
+}
 
 OneProcess::OneProcess(const Model& model, const Scene& scene, const OneProcessConfig& config)
     : model_(model),
@@ -88,7 +144,12 @@ OneProcess::OneProcess(const Model& model, const Scene& scene, const OneProcessC
       planner_view_(model),
       script_(modes_of(scene), goals_of(scene), model.period(), kRunId, walks_of(scene),
               pads_of(scene)),
-      walked_(model, scene) {
+      walked_(model, scene),
+      listener_(config.listener),
+      journal_(ProcessKind::kController, config.control.controller_id,
+               {static_cast<double>(config.control.first_mode),
+                config.control.guard_in_loop ? 1.0 : 0.0},
+               SendPage{this}) {
   tell_obstacles(scene);
   activate();
 }
@@ -96,8 +157,9 @@ OneProcess::OneProcess(const Model& model, const Scene& scene, const OneProcessC
 void OneProcess::tell_obstacles(const Scene& scene) {
   for (const ObstaclesPiece& piece : obstacle_pieces(scene.obstacles, 1)) {
     ObstaclesPiece received;
-    if (over_the_bus(piece, received)) (void)obstacles_.add(received);
+    if (over_the_bus(channel::kObstacles, piece, received)) (void)obstacles_.add(received);
   }
+  journal_.consumed(JournalInput::kTakeObstacles, {}, now_or_one(now_ns_));
   loop_.set_obstacles(obstacles_.obstacles());
 }
 
@@ -131,7 +193,7 @@ bool OneProcess::tick() {
     now_ns_ += model_.period_ns;
     source_.begin_tick(now_ns_);
   }
-  if (!over_the_bus(source_.state(), heard_, &hash_)) {
+  if (!over_the_bus(channel::kState, source_.state(), heard_, &hash_, &state_content_)) {
     failure_ = "tick " + std::to_string(source_.state().tick) + ": a state that cannot be sent";
     return false;
   }
@@ -150,8 +212,16 @@ void OneProcess::control() {
   loop_.on_state(heard_, now_ns_);
   planner_view_.update(heard_);
   JointCommand answer;
-  if (loop_.step(now_ns_, answer) && over_the_bus(answer, command_))
+  std::int64_t answer_content = 0, report_content = 0;
+  if (loop_.step(now_ns_, answer) &&
+      over_the_bus(channel::kCommand, answer, command_, nullptr, &answer_content)) {
     source_.on_command(command_, now_ns_);
+    if (ControllerStatus status; listener_) {
+      (void)over_the_bus(channel::kControllerStatus, loop_.status(), status, nullptr,
+                         &report_content);
+    }
+  }
+  if (listener_) journal_.stepped(heard_, state_content_, now_ns_, answer_content, report_content);
   if (const char* sentence = loop_.take_sentence())
     sentences_.push_back(std::string("controller: ") + sentence);
   const bool repeated = heard_.tick - stop_asked_tick_ < kStopEvery;
@@ -170,14 +240,14 @@ void OneProcess::say(ModeRequest request) {
   request.run_id = kRunId;
   request.sequence = ++sequence_;
   ModeRequest received;
-  if (over_the_bus(request, received)) loop_.on_mode_request(received);
+  if (over_the_bus(channel::kModeRequest, request, received)) loop_.on_mode_request(received);
 }
 
 void OneProcess::say(StopRequest stop) {
   stop.sender_id = stop.sender_id != 0 ? stop.sender_id : kOperatorId;
   stop.sequence = ++sequence_;
   StopRequest received;
-  if (!over_the_bus(stop, received)) return;
+  if (!over_the_bus(channel::kStop, stop, received)) return;
   source_.on_stop(received, now_ns_);
   loop_.on_stop(received);
 }
@@ -185,7 +255,7 @@ void OneProcess::say(StopRequest stop) {
 void OneProcess::say_script() {
   script_.after(heard_.tick, first_tick_, [this](auto& request) {
     auto received = request;
-    if (!over_the_bus(request, received)) return;
+    if (!over_the_bus(channel_of(request), request, received)) return;
     if constexpr (std::is_same_v<decltype(received), ModeRequest>) {
       loop_.on_mode_request(received);
     } else if constexpr (std::is_same_v<decltype(received), WalkCommand>) {
@@ -219,7 +289,7 @@ void OneProcess::plan(const ArmGoal& goal) {
   for (const ArmPathPiece& piece :
        to_pieces(plan, {kPlannerId, goal.run_id, goal.goal_id, goal.goal_id})) {
     ArmPathPiece received;
-    if (over_the_bus(piece, received)) loop_.on_arm_path(received);
+    if (over_the_bus(channel::kArmPath, piece, received)) loop_.on_arm_path(received);
   }
 }
 
@@ -229,6 +299,7 @@ void OneProcess::watch() {
   truth.run_id = kRunId;
   seen_.on_state(heard_, false, now_ns_);
   seen_.on_command(command_, now_ns_);
+  if (SimTruth received; listener_) (void)over_the_bus(channel::kTruth, truth, received);
   seen_.on_truth(truth, now_ns_);
   seen_.on_guard(loop_.guard_report(), now_ns_);
   walked_.add(truth, loop_.status().mode, loop_.foot_forces(),

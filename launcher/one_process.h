@@ -8,7 +8,9 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,6 +23,7 @@
 #include "launcher/walk_figures.h"
 #include "planner/arm_planner.h"
 #include "robot/estimator.h"
+#include "robot/journal.h"
 #include "robot/model.h"
 #include "robot/obstacle_collector.h"
 #include "sim/scene.h"
@@ -28,10 +31,15 @@
 
 namespace twinbus {
 
+// Hears every message as a recorder on a bus would: channel, encoded bytes, simulated time [ns].
+using BusListener = std::function<void(const char* channel, std::span<const std::uint8_t> bytes,
+                                       std::int64_t now_ns)>;
+
 struct OneProcessConfig {
   std::vector<std::pair<std::string, std::string>> settings;  // as --set; they win over the scene's
   std::uint64_t seed = 1;
   ControlConfig control;
+  BusListener listener;  // may be empty
 };
 
 class OneProcess {
@@ -60,6 +68,13 @@ class OneProcess {
   std::vector<std::string> take_sentences() { return std::exchange(sentences_, {}); }
 
  private:
+  template <class T>
+  bool over_the_bus(const char* channel, const T& sent, T& received, StateHash* hash = nullptr,
+                    std::int64_t* content = nullptr);
+  struct SendPage {
+    OneProcess* o;
+    void operator()(const JournalPage& page) const noexcept;
+  };
   void activate();
   void tell_obstacles(const Scene& scene);
   void control();
@@ -78,12 +93,15 @@ class OneProcess {
   StateHash hash_;
   Lookout seen_;
   WalkFigures walked_;
+  BusListener listener_;
+  JournalWriter<SendPage> journal_;
 
   RobotState heard_;
   JointCommand command_;
   std::int64_t now_ns_ = 0;  // simulated
   std::int64_t ticks_ = 0, first_tick_ = 0, stop_asked_tick_ = -1000, planned_goal_ = 0;
   std::int32_t sequence_ = 0;
+  std::int64_t state_content_ = 0;
   double sole_tilt_max_ = 0.0;
   std::vector<std::string> sentences_;
   std::string failure_;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -17,6 +18,7 @@
 #include "sim/scene_seed.h"
 #include "sim/settings.h"
 #include "sim/world.h"
+#include "viewer_log/log_writer.h"
 
 namespace twinbus {
 
@@ -45,6 +47,7 @@ Syntax syntax() {
             "runs the scene again with eight physics steps in one: error of the foot forces "
             "against that"},
            {"--no-guard", "", "leaves the guard in the controller out"},
+           {"--log", "F.log", "records every message, for ./twinbus log; times are simulated"},
            {"--report", "F.json", "writes the figures"}},
           1,
           1};
@@ -164,10 +167,18 @@ int run_command(const std::vector<std::string>& words) {
   config.control.guard_in_loop = !arguments.has("--no-guard");
   const std::int64_t ticks = std::llround(request.duration / model.period());
 
+  std::unique_ptr<LogWriter> log;
+  if (const std::string file = arguments.text("--log", ""); !file.empty()) {
+    log = std::make_unique<LogWriter>(file);
+    config.listener = [&log](const char* name, std::span<const std::uint8_t> bytes,
+                             std::int64_t now_ns) { log->add(now_ns / 1000, name, bytes); };
+  }
   OneProcess run(model, scene, config);
+  config.listener = nullptr;  // not of the reference
   const std::int64_t begin = monotonic_ns();
   const FootForces forces = go(run, ticks, true);
   const double wall_s = std::max(1e-9, 1e-9 * static_cast<double>(monotonic_ns() - begin));
+  if (log != nullptr) log->close();
   double force_error = std::nan("");
   if (arguments.has("--reference")) {
     Scene finer = scene;

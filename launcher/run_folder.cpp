@@ -24,10 +24,13 @@ std::string program_folder() {
 
 std::string install_folder() { return fs::path(config_folder()).parent_path().string(); }
 
-std::string make_run_folder() {
+std::string runs_folder() {
   const char* wanted = std::getenv("TWINBUS_RUNS");
-  const fs::path runs =
-      wanted != nullptr && *wanted != '\0' ? fs::path(wanted) : fs::path(install_folder()) / "runs";
+  return wanted != nullptr && *wanted != '\0' ? wanted : install_folder() + "/runs";
+}
+
+std::string make_run_folder() {
+  const fs::path runs = runs_folder();
   const std::time_t now = std::time(nullptr);
   std::tm parts{};
   localtime_r(&now, &parts);

@@ -12,6 +12,9 @@ namespace twinbus {
 // Throws std::runtime_error naming the folder if it cannot be made.
 std::string make_run_folder();
 
+// Where run folders are made.
+std::string runs_folder();
+
 // Throws std::runtime_error naming the file.
 void write_file(const std::string& file, const std::string& text);
 

@@ -2,13 +2,19 @@
 # lcm-spy on current Java with this project's message types.  The packaged /usr/bin/lcm-spy fails: -Xincgc is gone.
 set -eu
 check=no
+robot=hrp1s
 while [ $# -gt 0 ]; do
   case $1 in
     -h | --help)
-      echo "usage: ./twinbus spy [--check] [--url URL]"
+      echo "usage: ./twinbus spy [--check] [--url URL] [--robot NAME]"
+      echo "STATE_NAMED has the joints of the robot (default hrp1s) by their names, 50 times a second."
       echo "Opens lcm-spy; double-click a channel for its fields, a field's line for a plot.  --check only says what is missing."
       exit 0 ;;
     --check) check=yes ;;
+    --robot)
+      [ $# -ge 2 ] || { echo "twinbus spy: --robot needs a name" >&2; exit 2; }
+      robot=$2
+      shift ;;
     --url)
       [ $# -ge 2 ] || { echo "twinbus spy: --url needs a value" >&2; exit 2; }
       LCM_DEFAULT_URL=$2
@@ -43,5 +49,12 @@ if [ -z "${DISPLAY:-}" ]; then
   exit 1
 fi
 export LCM_DEFAULT_URL="${LCM_DEFAULT_URL:-udpm://239.255.76.67:17667?ttl=0&recv_buf_size=4194304}"
+build=${TWINBUS_BUILD:-$root/build/release}
+named=$build/share/named/$(basename "$robot")
+if python3 "$root/launcher/named_state.py" --make "$named" --robot "$robot" --twinbus "$build/bin/twinbus"; then
+  python3 "$root/launcher/named_state.py" --run "$named" --url "$LCM_DEFAULT_URL" >/dev/null &
+  trap 'kill $! 2>/dev/null' EXIT INT TERM
+  types=$types:$named/named.jar
+fi
 export CLASSPATH="$types"  # where lcm-spy looks for types
-exec java -Djava.net.preferIPv4Stack=true -Xmx128m -ea -cp "$lcm:$chart:$types" lcm.spy.Spy
+java -Djava.net.preferIPv4Stack=true -Xmx128m -ea -cp "$lcm:$chart:$types" lcm.spy.Spy

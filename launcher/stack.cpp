@@ -18,10 +18,10 @@ namespace {
 
 constexpr std::uintmax_t kLargestFile = 1 << 20;  // [bytes]
 
-const std::vector<std::string> kStackKeys = {"about", "activate", "processes"};
+const std::vector<std::string> kStackKeys = {"about", "activate", "shadow", "processes"};
 const std::vector<std::string> kProcessKeys = {"program",       "arguments", "after",   "ready",
                                                "ready_timeout", "required",  "restart", "hardware",
-                                               "viewer",        "grace"};
+                                               "viewer",        "recorder",  "grace"};
 
 [[noreturn]] void complain(const std::string& file, const YAML::Mark& mark,
                            const std::string& what) {
@@ -83,6 +83,7 @@ StackProcess read_process(const std::string& file, const std::string& name,
   process.restart = value_of(file, node, "restart", process.restart);
   process.hardware = value_of(file, node, "hardware", process.hardware);
   process.viewer = value_of(file, node, "viewer", process.viewer);
+  process.recorder = value_of(file, node, "recorder", process.recorder);
   process.grace = seconds_of(file, node, "grace", process.grace);
   return process;
 }
@@ -117,6 +118,14 @@ const StackProcess* Stack::find(const std::string& wanted) const {
   return nullptr;
 }
 
+void Stack::leave_out(bool (*unwanted)(const StackProcess&)) {
+  for (const StackProcess& gone : processes) {
+    if (!unwanted(gone)) continue;
+    for (StackProcess& process : processes) std::erase(process.after, gone.name);
+  }
+  std::erase_if(processes, unwanted);
+}
+
 Stack parse_stack(const std::string& text, const std::string& file) {
   YAML::Node root;
   try {
@@ -129,6 +138,7 @@ Stack parse_stack(const std::string& text, const std::string& file) {
   stack.text = text;
   stack.about = value_of<std::string>(file, root, "about", "");
   stack.activate = value_of<std::string>(file, root, "activate", "");
+  stack.shadow = value_of<std::string>(file, root, "shadow", "");
   const YAML::Node processes = root["processes"];
   if (!processes || !processes.IsMap() || processes.size() == 0) {
     complain(file, root.Mark(), "a stack needs 'processes', a map of at least one process");
@@ -160,6 +170,11 @@ Stack parse_stack(const std::string& text, const std::string& file) {
     complain(file, root["activate"].Mark(),
              "'activate' names '" + stack.activate + "', which is not in this stack" +
                  suggestion(stack.activate, names));
+  }
+  if (!stack.shadow.empty() && stack.find(stack.shadow) == nullptr) {
+    complain(file, root["shadow"].Mark(),
+             "'shadow' names '" + stack.shadow + "', which is not in this stack" +
+                 suggestion(stack.shadow, names));
   }
   stack.processes = sorted(file, std::move(stack.processes));
   return stack;

@@ -28,17 +28,21 @@ struct StackProcess {
   bool restart = false;         // started again when it dies
   bool hardware = false;        // moves real motors: outlives a launcher that is killed
   bool viewer = false;          // left out by --no-viewer
+  bool recorder = false;        // left out by --no-record
   double grace = 2.0;           // SIGTERM to SIGKILL [s]
 };
 
 struct Stack {
   std::string name;
-  std::string about;                    // one sentence
-  std::string activate;                 // the process whose source is asked to be active first
-  std::string text;                     // as read
+  std::string about;     // one sentence
+  std::string activate;  // the process whose source is asked to be active first
+  std::string shadow;    // one that then follows it with the same commands; may be empty
+  std::string text;      // as read
   std::vector<StackProcess> processes;  // sorted: each after those it waits for
 
   const StackProcess* find(const std::string& name) const;
+  // Those of which unwanted says true, also from the lists of what others wait for.
+  void leave_out(bool (*unwanted)(const StackProcess&));
 };
 
 // name_or_file: a YAML file, or a name under config/stacks.  Throws std::runtime_error naming file, line and the nearest

@@ -111,9 +111,39 @@ void Supervisor::report_end(const Supervised& one, const Child& child) const {
   say_(one.process.name + " ended: " + child.how_it_ended() + last_lines_of(child));
 }
 
+std::string Supervisor::restart(const std::string& name, std::int64_t now_ns) {
+  std::string known;
+  for (Supervised& one : processes_) {
+    known += " " + one.process.name;
+    if (one.process.name != name) continue;
+    say_(name + " is started anew by hand");
+    if (one.child.empty()) {
+      start(one, now_ns);
+      one.died = false;
+      if (one.process.required) broken_ = false;
+      return "";
+    }
+    one.asked_anew = true;
+    one.asked_ns = now_ns;
+    one.child.front().ask_to_stop();
+    return "";
+  }
+  return "this stack has no process '" + name + "'; it has" + known;
+}
+
 void Supervisor::watch(std::int64_t now_ns) {
   for (Supervised& one : processes_) {
-    if (one.child.empty() || !one.child.front().take_end()) continue;
+    if (one.child.empty()) continue;
+    const double asked_for = 1e-9 * static_cast<double>(now_ns - one.asked_ns);
+    if (one.asked_anew && asked_for > one.process.grace && one.child.front().running())
+      one.child.front().kill_group();
+    if (!one.child.front().take_end() && !(one.asked_anew && !one.child.front().running()))
+      continue;
+    if (one.asked_anew) {
+      one.asked_anew = false;
+      start(one, now_ns);
+      continue;
+    }
     report_end(one, one.child.front());
     if (one.process.restart && one.restarts < kMostRestarts) {
       ++one.restarts;

@@ -22,6 +22,8 @@ struct Supervised {
   bool ready = false;
   bool died = false;  // and was not started again
   int restarts = 0;
+  bool asked_anew = false;  // by hand: started again when it has ended
+  std::int64_t asked_ns = 0;
   std::int64_t started_ns = 0;
 };
 
@@ -45,6 +47,8 @@ class Supervisor {
 
   // Reports each death once, restarts what may be.
   void watch(std::int64_t now_ns);
+  // Ends a process and starts it again, or starts one that had died.  A sentence when it cannot be.
+  std::string restart(const std::string& name, std::int64_t now_ns);
   // A required process is gone for good.
   bool broken() const { return broken_; }
 

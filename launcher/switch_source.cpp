@@ -14,6 +14,7 @@ namespace twinbus {
 
 namespace {
 
+constexpr double kActivation = 5.0;      // a source listens for others first [s]
 constexpr double kAskSwitchAgain = 0.2;  // a lost request is sent again, with its own sequence [s]
 constexpr double kStandbyTimeout = 6.0;  // a shadow needs a fresh anchor [s]
 constexpr double kFollowTimeout = 4.0;   // for a shadow to get there [s]
@@ -178,6 +179,34 @@ class Switch {
   std::int64_t target_run_;
 };
 
+// Where nobody is active, as after a restart by hand, there is nobody to switch from.
+int activate(BusLink& bus, SourceKind kind, std::int64_t wanted_run) {
+  if (bus.seen().sources(monotonic_ns()).empty())
+    throw std::runtime_error("no source is there on " + bus.url() +
+                             "; start one with ./twinbus up");
+  const SeenSource target = find_target(bus.seen(), kind, wanted_run, 0);
+  SourceRequest request;
+  request.action = SourceAction::kActivate;
+  request.policy = SwitchPolicy::kNow;
+  request.run_id = request.target_run_id = target.status.run_id;
+  const std::int64_t begin = monotonic_ns();
+  while (!quit_requested() && seconds_since(begin) < kActivation) {
+    request.sequence =
+        0;  // a new one: a refusal answers one sequence, and its reason may have gone since
+    bus.send(request);
+    bus.listen(kAskSwitchAgain);
+    const SeenSource* source = bus.seen().source(target.status.run_id);
+    if (source == nullptr || source->status.role != Role::kActive) continue;
+    std::printf("switch: nobody was active; %s is now\n", describe(*source).c_str());
+    return 0;
+  }
+  const SeenSource* source = bus.seen().source(target.status.run_id);
+  const Refusal why = source != nullptr ? source->status.refusal : Refusal::kNone;
+  std::fprintf(stderr, "switch: refused: %s\n",
+               why != Refusal::kNone ? refusal_text(why) : "no answer in time");
+  return 1;
+}
+
 }  // namespace
 
 int switch_command(const std::vector<std::string>& words) {
@@ -197,9 +226,7 @@ int switch_command(const std::vector<std::string>& words) {
   BusLink bus(arguments.text("--url", ""), arguments.text("--prefix", ""),
               arguments.all("--allow"));
   const SeenSource* active = wait_for_active(bus, 1.0);
-  if (active == nullptr)
-    throw std::runtime_error("no source is active on " + bus.url() +
-                             "; start one with ./twinbus up");
+  if (active == nullptr) return activate(bus, kind, wanted_run);
   const SeenSource from = *active;
   const SeenSource target = find_target(bus.seen(), kind, wanted_run, from.status.run_id);
   const bool track = standby.empty() ? target.status.can_be_set : standby == "track";

@@ -65,6 +65,16 @@ int gamepad_command(const std::vector<std::string>& words) {
   become(program_folder() + "/twinbus_gamepad", words);
 }
 
+int replay_command(const std::vector<std::string>& words) {
+  become(program_folder() + "/twinbus_replay", words);
+}
+
+int record_command(const std::vector<std::string>& words) {
+  std::vector<std::string> given = words;
+  std::replace(given.begin(), given.end(), std::string("-o"), std::string("--output"));
+  become(program_folder() + "/twinbus_recorder", given);
+}
+
 int bench_command(const std::vector<std::string>& words) {
   const std::map<std::string, std::string> known = benches();
   std::vector<std::string> names;

@@ -1,4 +1,4 @@
-// Commands that are programs or scripts of their own: spy, env, gamepad, bench.
+// Commands that are programs or scripts of their own: spy, env, record, gamepad, bench.
 
 #pragma once
 
@@ -9,6 +9,8 @@ namespace twinbus {
 
 int spy_command(const std::vector<std::string>& words);
 int env_command(const std::vector<std::string>& words);
+int replay_command(const std::vector<std::string>& words);
+int record_command(const std::vector<std::string>& words);
 int gamepad_command(const std::vector<std::string>& words);
 int bench_command(const std::vector<std::string>& words);
 

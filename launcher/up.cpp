@@ -10,10 +10,13 @@
 
 #include "launcher/bus_link.h"
 #include "launcher/live_table.h"
+#include "launcher/restart.h"
 #include "launcher/run_folder.h"
+#include "launcher/shadow.h"
 #include "launcher/stack.h"
 #include "launcher/state_hash.h"
 #include "launcher/supervisor.h"
+#include "launcher/up_syntax.h"
 #include "launcher/verdict.h"
 #include "robot/load.h"
 #include "robot/process.h"
@@ -36,39 +39,6 @@ constexpr double kSettle = 0.5;  // from the first answered tick to the first co
 
 double seconds(std::int64_t from_ns, std::int64_t to_ns) {
   return 1e-9 * static_cast<double>(to_ns - from_ns);
-}
-
-Syntax up_syntax() {
-  std::string stacks;
-  for (const std::string& name : stack_names()) stacks += (stacks.empty() ? "" : ", ") + name;
-  return {"up",
-          "[SCENE]",
-          "Starts the processes of a stack, activates its source, shows what runs and stops "
-          "everything on Ctrl-C.\n"
-          "SCENE is a name in config/scenes or a file; default: stand.  With --for the run is "
-          "judged: exit status 0 only\n"
-          "if STATE and COMMAND kept their rate, at most 0.1 % of the ticks were missed (1 % "
-          "without FIFO) and nobody fell.\n"
-          "A tick that was missed only because the machine itself stood still is told, but not "
-          "held against the stack.",
-          {robot_option(),
-           {"--stack", "NAME", "of config/stacks (" + stacks + "), or a file; default sim"},
-           {"--engine", "E", "articulated or ode; default the scene's"},
-           {"--lockstep", "",
-            "each tick waits for its command: slower or faster than real time, repeatable"},
-           {"--rate", "X", "times real time; default 1"},
-           {"--for", "S", "seconds; then stops, judges and exits"},
-           {"--seed", "N", "of noise and perturbations"},
-           {"--set", "KEY=VALUE",
-            "setting of the simulator, as in model.mass_scale=1.03; may be repeated"},
-           {"--no-viewer", "", "without the page in the browser"},
-           {"--no-fifo", "", "ordinary priority for every process"},
-           {"--report", "F", "writes the figures as JSON"},
-           prefix_option(),
-           url_option(),
-           allow_option()},
-          0,
-          1};
 }
 
 class Up {
@@ -101,6 +71,7 @@ class Up {
   StateHash hash_;
   std::unique_ptr<BusLink> bus_;
   std::unique_ptr<Supervisor> supervisor_;
+  std::unique_ptr<RestartRequests> restarts_;
   std::string viewer_address_;
   Redraw redraw_;
   CpuShare shares_;
@@ -136,7 +107,11 @@ Up::Up(const Arguments& arguments) {
   if (request_.lockstep) setenv("TWINBUS_FIFO", "0", 1);
   stack_ = load_stack(arguments.text("--stack", "sim"));
   if (arguments.has("--no-viewer")) {
-    std::erase_if(stack_.processes, [](const StackProcess& process) { return process.viewer; });
+    stack_.leave_out([](const StackProcess& process) { return process.viewer; });
+  }
+  const char* record = std::getenv("TWINBUS_RECORD");
+  if (arguments.has("--no-record") || (record != nullptr && std::string(record) == "0")) {
+    stack_.leave_out([](const StackProcess& process) { return process.recorder; });
   }
 
   bus_ = std::make_unique<BusLink>(arguments.text("--url", ""), arguments.text("--prefix", ""),
@@ -150,6 +125,7 @@ Up::Up(const Arguments& arguments) {
   write_file(folder_ + "/commit", commit_of_program() + "\n");
   supervisor_ = std::make_unique<Supervisor>(stack_, placeholders(arguments), folder_,
                                              [this](const std::string& line) { say(line); });
+  restarts_ = std::make_unique<RestartRequests>(folder_);
 }
 
 Placeholders Up::placeholders(const Arguments& arguments) const {
@@ -176,6 +152,8 @@ Placeholders Up::placeholders(const Arguments& arguments) const {
     settings.insert(settings.end(), {"--set", setting});
   if (arguments.has("--seed"))
     settings.insert(settings.end(), {"--seed", arguments.text("--seed", "1")});
+  values["folder"] = {folder_};
+  values["log"] = {arguments.text("--log", "")};
   values["device"] = {"twinbus_" + arguments.text("--prefix", "") + std::to_string(getpid())};
   return values;
 }
@@ -307,6 +285,8 @@ void Up::wait_for_first_commands() {
           "/controller.log)");
     }
   }
+  if (!stack_.shadow.empty() && put_in_shadow(*bus_, *supervisor_, stack_.shadow))
+    say("'" + stack_.shadow + "' shadows it: GAP is the difference");
   // The first ticks of a source and a controller fill caches and page tables: they are run, but not counted.
   if (!request_.lockstep) bus_->listen(kSettle);
   start_ns_ = monotonic_ns();
@@ -402,6 +382,7 @@ bool Up::work() {
       }
     }
     supervisor_->watch(now);
+    restarts_->look(*supervisor_, now);
     note_ready();
     if (supervisor_->broken() || nobody_left()) return false;
     send_script();

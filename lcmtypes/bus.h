@@ -77,19 +77,20 @@ class Bus {
   void listen(const char* channel, Slots<T, N>& slots) {
     subscribe(channel, kLongQueue, &slots, &on_slots<T, N>);
   }
-  // Every message, in order: handler(const T&), called inside receive().
+  // Every message, in order: handler(const T&) or handler(const T&, std::span<const std::uint8_t> bytes),
+  // called inside receive().
   template <class T, class Handler>
   void listen_each(const char* channel, Handler& handler) {
-    static_assert(std::is_invocable_v<Handler&, const T&>);
+    static_assert(std::is_invocable_v<Handler&, const T&> || kWantsBytes<T, Handler>);
     subscribe(channel, kLongQueue, const_cast<std::remove_const_t<Handler>*>(&handler),
               &on_each<T, Handler>);
   }
   // For tools: everything on channels that match a regular expression, with the prefix taken off
   // and unchecked: handler(const char* channel, std::span<const std::uint8_t> bytes, std::int64_t
-  // wall_time_us).
+  // wall_time_us).  queue: messages that may wait for receive().
   template <class Handler>
-  void listen_raw(const char* pattern, Handler& handler) {
-    subscribe(pattern, kLongQueue, const_cast<std::remove_const_t<Handler>*>(&handler),
+  void listen_raw(const char* pattern, Handler& handler, int queue = kLongQueue) {
+    subscribe(pattern, queue, const_cast<std::remove_const_t<Handler>*>(&handler),
               &on_raw<Handler>);
   }
 
@@ -117,7 +118,10 @@ class Bus {
   static constexpr int kMostPerCall = 2048;  // bounds the work of one call under a flood
 
  private:
-  static constexpr int kQueue = 64;        // memq and logs: LCM drops the newest when full
+  static constexpr int kQueue = 64;  // memq and logs: LCM drops the newest when full
+  template <class T, class Handler>
+  static constexpr bool kWantsBytes =
+      std::is_invocable_v<Handler&, const T&, std::span<const std::uint8_t>>;
   static constexpr int kLongQueue = 1024;  // channels on which no message replaces another
 
   struct Incoming {
@@ -174,7 +178,11 @@ class Bus {
     T value;
     if (!decode_or_count(in, value, counters)) return;
     ++counters.received;
-    (*static_cast<Handler*>(target))(value);
+    if constexpr (kWantsBytes<T, Handler>) {
+      (*static_cast<Handler*>(target))(value, in.bytes);
+    } else {
+      (*static_cast<Handler*>(target))(value);
+    }
   }
   template <class Handler>
   static void on_raw(void* target, const Incoming& in, BusCounters& counters) noexcept {

@@ -26,5 +26,8 @@ inline constexpr char kObstacles[] = "OBSTACLES";
 inline constexpr char kHeartbeat[] = "HEARTBEAT";
 inline constexpr char kModelText[] = "MODEL_TEXT";
 inline constexpr char kEvent[] = "EVENT";
+inline constexpr char kJournal[] = "JOURNAL";
+// Only in logs: what a recorder writes about itself (model_text_t).
+inline constexpr char kLogText[] = "LOG_TEXT";
 
 }  // namespace twinbus::channel

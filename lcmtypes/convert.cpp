@@ -362,6 +362,26 @@ void fields(C& c, M& m, S& s) noexcept {
   c.text(m.text, s.text);
 }
 
+template <class C, class M, Is<JournalPage> S>
+void fields(C& c, M& m, S& s) noexcept {
+  c.id(m.process_id, s.process_id);
+  c.id(m.page, s.page);
+  c.id(m.step, s.step);
+  c.id(m.run_id, s.run_id);
+  c.id(m.tick, s.tick);
+  c.instant(m.now_ns, s.now_ns);
+  c(m.state_hash, s.state_hash);
+  c(m.answer_hash, s.answer_hash);
+  c(m.report_hash, s.report_hash);
+  c(m.input_hash, s.input_hash);
+  for (std::size_t i = 0; i < kJournalInputs; ++i) c.instant(m.input_ns[i], s.input_ns[i]);
+  c(m.setting, s.setting);
+  c.count(m.inputs, s.inputs, static_cast<int>(kJournalInputs));
+  c(m.kind, s.kind);
+  c(m.whole, s.whole);
+  c(m.input, s.input);
+}
+
 }  // namespace
 
 template <class T>
@@ -400,6 +420,7 @@ TWINBUS_CONVERT(Gap)
 TWINBUS_CONVERT(ObstaclesPiece)
 TWINBUS_CONVERT(ModelTextPiece)
 TWINBUS_CONVERT(Event)
+TWINBUS_CONVERT(JournalPage)
 #undef TWINBUS_CONVERT
 
 }  // namespace twinbus

@@ -7,6 +7,7 @@
 
 #pragma once
 
+#include "robot/journal.h"
 #include "robot/requests.h"
 #include "robot/robot_io.h"
 #include "robot/status.h"
@@ -20,6 +21,7 @@
 #include "twinbus/guard_report_t.hpp"
 #include "twinbus/heartbeat_t.hpp"
 #include "twinbus/joint_command_t.hpp"
+#include "twinbus/journal_t.hpp"
 #include "twinbus/mode_request_t.hpp"
 #include "twinbus/model_text_t.hpp"
 #include "twinbus/obstacles_t.hpp"
@@ -109,6 +111,10 @@ struct MessageOf<ModelTextPiece> {
 template <>
 struct MessageOf<Event> {
   using type = event_t;
+};
+template <>
+struct MessageOf<JournalPage> {
+  using type = journal_t;
 };
 
 template <class T>

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "robot/journal.h"
 #include "robot/requests.h"
 #include "robot/robot_io.h"
 #include "robot/status.h"
@@ -39,6 +40,7 @@ constexpr int last_of(ArmGoalKind) { return static_cast<int>(ArmGoalKind::kPose)
 constexpr int last_of(ArmPathStatus) { return static_cast<int>(ArmPathStatus::kBadGoal); }
 constexpr int last_of(GuardVerdict) { return static_cast<int>(GuardVerdict::kInCollision); }
 constexpr int last_of(ProcessKind) { return static_cast<int>(ProcessKind::kUser); }
+constexpr int last_of(JournalInput) { return static_cast<int>(JournalInput::kCommand); }
 constexpr int last_of(ObstacleShape) { return static_cast<int>(ObstacleShape::kCylinder); }
 
 // Copies fields one way and judges what it copied.  The first objection stays.

@@ -71,6 +71,8 @@ std::span<const ChannelInfo> channel_table() {
       row<Heartbeat>(channel::kHeartbeat),
       row<ModelTextPiece>(channel::kModelText),
       row<Event>(channel::kEvent),
+      row<JournalPage>(channel::kJournal),
+      row<ModelTextPiece>(channel::kLogText),
   };
   return table;
 }
@@ -104,6 +106,7 @@ TWINBUS_WIRE(Gap)
 TWINBUS_WIRE(ObstaclesPiece)
 TWINBUS_WIRE(ModelTextPiece)
 TWINBUS_WIRE(Event)
+TWINBUS_WIRE(JournalPage)
 #undef TWINBUS_WIRE
 
 }  // namespace twinbus

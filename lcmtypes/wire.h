@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <span>
 
+#include "robot/journal.h"
 #include "robot/requests.h"
 #include "robot/robot_io.h"
 #include "robot/status.h"
@@ -127,6 +128,12 @@ template <>
 struct Wire<Event> : WireBase<248, true> {
   static std::int64_t sender(const Event& x) noexcept { return x.sender_id; }
   static std::int64_t count(const Event& x) noexcept { return x.sequence; }
+};
+
+template <>
+struct Wire<JournalPage> : WireBase<524, true> {
+  static std::int64_t sender(const JournalPage& x) noexcept { return x.process_id; }
+  static std::int64_t count(const JournalPage& x) noexcept { return x.page; }
 };
 
 // Every channel with its type, for tools that take whatever comes (status, viewer, logs).

@@ -20,7 +20,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::uint8_t chosen = data[0];
   std::uint8_t number = 0;
   for_every_type([&]<class T>() {
-    if (number++ != chosen % 19) return;
+    if (number++ != chosen % 20) return;
     std::vector<std::uint8_t> bytes(data + 1, data + size);
     if (chosen & 0x80) bytes.resize(Wire<T>::kBytes);
     if (bytes.size() == static_cast<std::size_t>(Wire<T>::kBytes)) {

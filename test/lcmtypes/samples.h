@@ -314,6 +314,22 @@ inline Event sample<Event>() {
   return x;
 }
 
+template <>
+inline JournalPage sample<JournalPage>() {
+  JournalPage x{.process_id = 5, .page = 3, .step = 2, .run_id = 77, .tick = 1000, .now_ns = 99};
+  x.state_hash = -5;
+  x.answer_hash = 6;
+  x.report_hash = 7;
+  x.input_hash.fill(-8);
+  x.input_ns.fill(9);
+  x.setting = {4.0, 1.0, 0.5, 0.25};
+  x.inputs = 24;
+  x.kind = ProcessKind::kController;
+  x.whole = true;
+  x.input.fill(JournalInput::kGuard);
+  return x;
+}
+
 // Calls f.template operator()<T>() for every struct that goes over the bus.
 template <class F>
 void for_every_type(F&& f) {
@@ -336,6 +352,7 @@ void for_every_type(F&& f) {
   f.template operator()<ObstaclesPiece>();
   f.template operator()<ModelTextPiece>();
   f.template operator()<Event>();
+  f.template operator()<JournalPage>();
 }
 
 }  // namespace twinbus

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Every command in README.md is run: a reader can copy it and it does what the text says.
 
-The word behind ```sh says how: `test` alone, `test-both` while `up --stack both` runs, `test-client` in the background
+The word behind ```sh says how: `test` alone, `test-both` while `up --stack both` runs, `test-record` on its log, `test-client` in the background
 while `test-up-client` runs.  Blocks of plain ```sh are checked to be known: they start the stack for good
 or run these very tests.
 """
@@ -11,6 +11,7 @@ import re
 import signal
 import subprocess
 import sys
+import tempfile
 import time
 
 import harness
@@ -30,17 +31,17 @@ def blocks():
         yield kind, [line for line in body.splitlines() if line.strip()]
 
 
-def run(command, timeout=120):
+def run(command, timeout=120, folder=harness.ROOT, environment=None):
     # ./twinbus would build: hand over to the program that is under test.
     replaced = command.replace("./twinbus", str(harness.BIN / "twinbus"))
-    done = subprocess.run(["bash", "-c", replaced], capture_output=True, text=True, timeout=timeout, cwd=harness.ROOT,
-                          stdin=subprocess.DEVNULL)
+    done = subprocess.run(["bash", "-c", replaced], capture_output=True, text=True, timeout=timeout, cwd=folder,
+                          stdin=subprocess.DEVNULL, env=dict(os.environ, **(environment or {})))
     return done.returncode, (done.stdout + done.stderr).strip()
 
 
-def run_all(lines, checks):
+def run_all(lines, checks, **how):
     for command in lines:
-        status, said = run(command)
+        status, said = run(command, **how)
         checks.that(status == 0, f"README: `{command}` ends with {status}: {said[-500:]}")
         print(f"ok `{command}`" if status == 0 else f"-- `{command}`", flush=True)
 
@@ -56,9 +57,15 @@ def main():
         checks.that(command in KNOWN, f"README: nobody tests `{command}`")
     run_all(by_kind.pop("test", []), checks)
 
+    os.environ["TWINBUS_RECORD"] = "1"
     with Stack("--stack", "both", "--no-viewer"):
         time.sleep(1.0)
         run_all(by_kind.pop("test-both", []), checks)
+
+    # The log of that run, in a folder of its own.
+    log = harness.newest_run_folder() / "run.log"
+    with tempfile.TemporaryDirectory() as folder:
+        run_all(by_kind.pop("test-record", []), checks, folder=folder, environment={"LOG": str(log)})
 
     # A controller of one's own goes on in the background while the stack runs.
     client = " & ".join(by_kind.pop("test-client", []))

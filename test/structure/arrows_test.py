@@ -21,7 +21,7 @@ ARROWS = {
     "planner": {"robot"},
     "viewer_log": {"robot"},
     "lcmtypes": {"robot"},  # the structs that messages carry
-    "launcher": {"robot", "bridge", "sim", "control", "planner", "lcmtypes"},
+    "launcher": {"robot", "bridge", "sim", "control", "planner", "lcmtypes", "viewer_log"},
 }
 
 # The bus is used by mains only: *main.cpp, *_main.h, *_main.cpp, and the launcher.

@@ -1,0 +1,115 @@
+#!/usr/bin/env python3
+"""./twinbus bench log [--hours H] [--log FILE] [--csv F]: how fast the log tools are on a long log: info, seek, csv, filter, and the memory that reading takes.
+
+FILE (default: a stack that is recorded for ten seconds) is repeated until it lasts so long.  Times are of one run each, with
+the log in the disk cache where it fits.
+"""
+
+import argparse
+import os
+import pathlib
+import resource
+import struct
+import subprocess
+import sys
+import tempfile
+import time
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+if "TWINBUS_BIN" not in os.environ and not {"-h", "--help"} & set(sys.argv):
+    # `twinbus bench` became this script; the programs are those of the newest build, the bus is one of its own.
+    builds = sorted(ROOT.glob("build/*/bin/twinbus"), key=lambda path: path.stat().st_mtime)
+    if not builds:
+        sys.exit("bench log: nothing is built; run ./twinbus up once")
+    os.environ["TWINBUS_BIN"] = str(builds[-1].parent)
+    os.execv(ROOT / "test/tools/private_bus.sh", ["private_bus.sh", sys.executable, __file__, *sys.argv[1:]])
+sys.path.insert(0, str(ROOT / "test/process"))
+import harness  # noqa: E402
+from harness import BIN, Stack  # noqa: E402
+
+HEAD = struct.Struct(">IqqII")
+
+
+def timed(*words, out=None):
+    begin = time.monotonic()
+    done = subprocess.run([BIN / "twinbus", *map(str, words)], stdout=out or subprocess.PIPE, stderr=subprocess.PIPE)
+    if done.returncode != 0:
+        raise SystemExit(f"{words}: {done.stderr.decode()}")
+    return time.monotonic() - begin
+
+
+def make_long(short, long, hours):
+    """The whole log again and again, times and numbers going on; our own indexes are left out and made again by filter."""
+    data = short.read_bytes()
+    events, at = [], 0
+    while at + HEAD.size <= len(data):
+        _, _, utime, name, size = HEAD.unpack_from(data, at)
+        total = HEAD.size + name + size
+        if data[at + 28:at + 28 + name] != b"LOG_INDEX":
+            events.append((utime, name, size, data[at + 28:at + total]))
+        at += total
+    first, last = events[0][0], events[-1][0]
+    span = last - first + 2000
+    with open(long, "wb") as file:
+        number = 0
+        for turn in range(int(hours * 3.6e9 / span) + 1):
+            parts = []
+            for utime, name, size, body in events:
+                parts += [HEAD.pack(0xEDA1DA01, number, utime + turn * span, name, size), body]
+                number += 1
+            file.write(b"".join(parts))
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--hours", type=float, default=1.0)
+    parser.add_argument("--log", type=pathlib.Path)
+    parser.add_argument("--csv", type=pathlib.Path)
+    arguments = parser.parse_args()
+    rows = []
+
+    def tell(case, value, unit, asked):
+        print(f"{case:34} {value:12.3f} {unit:6} asked {asked}", flush=True)
+        rows.append(f"log,{case},{unit},{value:.4f}")
+
+    with tempfile.TemporaryDirectory(dir=os.environ.get("TMPDIR")) as name:
+        folder = pathlib.Path(name)
+        short = arguments.log
+        if short is None:
+            os.environ["TWINBUS_RECORD"] = "1"
+            with Stack("sway", "--no-viewer"):
+                time.sleep(10.0)
+            short = harness.newest_run_folder() / "run.log"
+        raw, log = folder / "raw.log", folder / "hour.log"
+        make_long(short, raw, arguments.hours)
+        took = timed("log", "filter", raw, log)
+        megabytes = raw.stat().st_size * 1e-6
+        raw.unlink()
+        print(f"a log of {arguments.hours:g} h, {megabytes:.0f} MB, copied with checksums in {took:.1f} s")
+        tell("filter everything", megabytes / took, "MB/s", ">= 200 or the disk")
+        tell("info", timed("log", "info", log), "s", "<= 1")
+        seconds = 3600.0 * arguments.hours
+        seeks = []
+        for share in (0.01, 0.3, 0.5, 0.77, 0.99):
+            start = share * seconds
+            seeks.append(timed("log", "events", log, "--from", start, "--to", start + 0.01))
+        tell("seek and read 10 ms, worst of 5", 1e3 * max(seeks), "ms", "<= 100")
+        took = timed("log", "filter", log, folder / "part.log", "--channels", "STATE|COMMAND")
+        tell("filter two channels", megabytes / took, "MB/s", ">= 200 or the disk")
+        (folder / "part.log").unlink()
+        minutes = min(5.0, 60.0 * arguments.hours)
+        took = timed("log", "csv", log, "STATE", folder / "state.csv", "--to", 60.0 * minutes)
+        read = megabytes * minutes / (60.0 * arguments.hours)
+        tell("csv of STATE, all fields", read / took, "MB/s", ">= 200 or the disk")
+        tell("csv written", (folder / "state.csv").stat().st_size * 1e-6 / took, "MB/s", "")
+        (folder / "state.csv").unlink()
+        took = timed("log", "info", log, "--check")
+        tell("info --check", megabytes / took, "MB/s", "")
+        usage = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss
+        tell("most memory of all of them", usage / 1024.0, "MiB", "<= 64")
+    if arguments.csv:
+        arguments.csv.write_text("bench,case,unit,value\n" + "\n".join(rows) + "\n")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,258 @@
+// The recorder process: everything on the bus into a log that explains itself, and the GAP between two sources.
+//
+// It never waits for a disk (recorder.h) and ends before a controller does when memory runs out.
+
+#include <algorithm>
+#include <cstdio>
+#include <ctime>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "lcmtypes/bus.h"
+#include "lcmtypes/channels.h"
+#include "robot/options.h"
+#include "robot/process.h"
+#include "robot/pulse.h"
+#include "viewer_log/gap_meter.h"
+#include "viewer_log/message_schema.h"
+#include "viewer_log/recorder.h"
+
+namespace twinbus {
+namespace {
+
+constexpr double kWait = 0.02;                   // [s]
+constexpr std::int64_t kGapEvery = 100'000'000;  // [ns]
+constexpr int kQueue = 1 << 16;                  // messages
+constexpr std::int64_t kMostDelay = 5'000'000;   // a message may have waited for us [us]
+// Kinds of LOG_TEXT beyond those of MODEL_TEXT.
+constexpr std::int8_t kStackText = 5, kAboutText = 6, kSchemaText = 7;
+
+struct Arguments {
+  CommonOptions common;
+  std::string file, output, channels = ".*", split, folder;
+  double quota_gb = 0.0;
+};
+
+Arguments parse(int argc, char** argv) {
+  Arguments a;
+  Options options("twinbus_recorder",
+                  "Records the bus into a log that lcm-logplayer and ./twinbus log read.");
+  options.positional("FILE", a.file, false, "the log; default twinbus-DATE-TIME.log");
+  options.text("--output", "FILE", a.output, "the same; -o of ./twinbus record");
+  options.text("--channels", "RE", a.channels, "only channels that match this regular expression");
+  options.text("--split", "N[MB|min]", a.split, "a new file after so many megabytes or minutes");
+  options.number("--quota", "GB", a.quota_gb, 0.0, 1e6,
+                 "of all files: removes the oldest; 0: none");
+  options.text("--run-folder", "DIR", a.folder, "whose stack.yaml and commit go into the log");
+  add_common(options, a.common);
+  options.parse(argc, argv);
+  return a;
+}
+
+// Throws std::runtime_error for what is neither megabytes nor minutes.
+void read_split(const std::string& text, RecorderConfig& config) {
+  if (text.empty()) return;
+  std::size_t used = 0;
+  double number = 0.0;
+  try {
+    number = std::stod(text, &used);
+  } catch (const std::exception&) {
+    used = 0;
+  }
+  const std::string unit = text.substr(used);
+  if (used == 0 || !(number > 0.0) || !(number < 1e9) ||
+      (unit != "" && unit != "MB" && unit != "min")) {
+    throw std::runtime_error("--split " + text + ": say how much, as in 500MB or 10min");
+  }
+  if (unit == "min") {
+    config.split_seconds = 60.0 * number;
+  } else {
+    config.split_bytes = static_cast<std::int64_t>(1e6 * number);
+  }
+}
+
+std::string text_of_file(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+std::string default_file() {
+  const std::time_t now = std::time(nullptr);
+  std::tm parts{};
+  localtime_r(&now, &parts);
+  char name[64];
+  std::strftime(name, sizeof name, "twinbus-%Y-%m-%d-%H%M%S.log", &parts);
+  return name;
+}
+
+RecorderConfig config_of(const Arguments& a) {
+  RecorderConfig config;
+  config.file = !a.output.empty() ? a.output : !a.file.empty() ? a.file : default_file();
+  read_split(a.split, config);
+  config.quota_bytes = static_cast<std::int64_t>(1e9 * a.quota_gb);
+  return config;
+}
+
+void add_pieces(std::string_view text, std::int8_t kind,
+                std::vector<std::vector<std::uint8_t>>& messages) {
+  const std::size_t pieces = (text.size() + kModelTextBytes - 1) / kModelTextBytes;
+  for (std::size_t i = 0; i < pieces; ++i) {
+    ModelTextPiece piece;
+    piece.utime = wall_us();
+    piece.size = static_cast<std::int32_t>(text.size());
+    piece.piece = static_cast<std::int16_t>(i);
+    piece.pieces = static_cast<std::int16_t>(pieces);
+    piece.kind = kind;
+    const std::string_view part = text.substr(i * kModelTextBytes, kModelTextBytes);
+    piece.count = static_cast<std::int16_t>(part.size());
+    std::copy(part.begin(), part.end(), piece.text.begin());
+    std::vector<std::uint8_t> bytes(kLargestMessage);
+    bytes.resize(static_cast<std::size_t>(encode(piece, bytes)));
+    messages.push_back(std::move(bytes));
+  }
+}
+
+// When memory runs out, this process ends before those that move a robot.
+void die_before_others() { std::ofstream("/proc/self/oom_score_adj") << 500; }
+
+class RecorderProcess {
+ public:
+  RecorderProcess(const Arguments& a, const RecorderConfig& config)
+      : prefix_(a.common.prefix),
+        id_(a.common.id != 0 ? a.common.id : random_id()),
+        all_channels_(a.channels == ".*"),
+        recorder_(config),
+        bus_({.url = a.common.url, .prefix = a.common.prefix, .allow = {a.common.allow}}),
+        pulse_(ProcessKind::kLog, id_) {
+    std::vector<std::vector<std::uint8_t>> messages;
+    std::string commit = text_of_file(a.folder + "/commit");
+    if (commit.empty()) commit = "unknown\n";
+    const std::string about = "recorder: 1\nrobot: " + a.common.robot +
+                              "\nprefix: " + a.common.prefix + "\nchannels: " + a.channels +
+                              "\ncommit: " + commit;
+    add_pieces(about, kAboutText, messages);
+    if (!a.folder.empty()) add_pieces(text_of_file(a.folder + "/stack.yaml"), kStackText, messages);
+    add_pieces(schema_texts(), kSchemaText, messages);
+    recorder_.describe(prefix_ + channel::kLogText, std::move(messages));
+    bus_.listen_raw(("(" + a.channels + ")").c_str(), on_message_, kQueue);
+    bus_.listen_each<RobotState>(channel::kState, on_state_);
+    for (const char* name : {channel::kStateSim, channel::kStateBridge, channel::kStateReplay}) {
+      bus_.listen_each<RobotState>(name, on_other_);
+    }
+  }
+
+  void run() {
+    while (!quit_requested()) {
+      if (bus_.receive(kWait) < 0) throw std::runtime_error("the bus is gone");
+      const std::int64_t now = monotonic_ns();
+      if (now - gap_ns_ >= kGapEvery && meter_.take(gap_)) {
+        gap_ns_ = now;
+        gap_.utime = wall_us();
+        if (!bus_.send(channel::kGap, gap_)) ++send_failures_;
+      }
+      if (pulse_.due(now)) send_heartbeat(now);
+    }
+    const RecorderFigures f = recorder_.figures();
+    std::printf("recorder: %lld events, %.1f MB in %d files, %lld dropped\n",
+                static_cast<long long>(f.written), 1e-6 * static_cast<double>(f.bytes), f.parts,
+                static_cast<long long>(lost()));
+  }
+
+ private:
+  // What a disk or a full socket cost; with a choice of channels the kernel also counts those not chosen.
+  std::int64_t lost() const {
+    return recorder_.figures().dropped + (all_channels_ ? bus_.dropped_datagrams() : 0);
+  }
+
+  // Times in a log go forward even when the clock on the wall is set.
+  std::int64_t log_time(std::int64_t received_us) {
+    const std::int64_t waited = std::clamp<std::int64_t>(wall_us() - received_us, 0, kMostDelay);
+    const std::int64_t time = start_us_ + (monotonic_ns() - start_ns_) / 1000 - waited;
+    newest_us_ = std::max(newest_us_, time);
+    return newest_us_;
+  }
+
+  void hear(const char* channel, std::span<const std::uint8_t> bytes, std::int64_t wall_time_us) {
+    name_.assign(prefix_);
+    name_ += channel;
+    recorder_.add(log_time(wall_time_us), name_, bytes);
+    pulse_.tick(monotonic_ns(), 0);
+  }
+
+  void send_heartbeat(std::int64_t now) {
+    Heartbeat& beat = pulse_.beat(now);
+    beat.messages_received = bus_.counters().received;
+    beat.messages_rejected = bus_.counters().rejected;
+    beat.messages_lost = lost();
+    beat.send_failures = send_failures_;
+    if (!bus_.send(channel::kHeartbeat, beat)) ++send_failures_;
+    const std::string news = recorder_.take_news();
+    if (!news.empty()) tell(news);
+  }
+
+  void tell(const std::string& sentence) {
+    std::fprintf(stderr, "recorder: %s\n", sentence.c_str());
+    Event event;
+    event.utime = wall_us();
+    event.sender_id = id_;
+    event.sequence = ++event_sequence_;
+    event.severity = 2;
+    event.kind = ProcessKind::kLog;
+    std::snprintf(event.text.data(), event.text.size(), "%s", sentence.c_str());
+    if (!bus_.send(channel::kEvent, event)) ++send_failures_;
+  }
+
+  struct OnMessage {
+    RecorderProcess* p;
+    void operator()(const char* channel, std::span<const std::uint8_t> bytes,
+                    std::int64_t at) const {
+      p->hear(channel, bytes, at);
+    }
+  };
+  struct OnState {
+    RecorderProcess* p;
+    void operator()(const RobotState& m) const noexcept { p->meter_.on_active(m); }
+  };
+  struct OnOther {
+    RecorderProcess* p;
+    void operator()(const RobotState& m) const noexcept { p->meter_.on_other(m); }
+  };
+
+  std::string prefix_, name_;
+  std::int64_t id_;
+  bool all_channels_;
+  Recorder recorder_;
+  Bus bus_;
+  Pulse pulse_;
+  GapMeter meter_;
+  Gap gap_;
+  const std::int64_t start_us_ = wall_us(), start_ns_ = monotonic_ns();
+  std::int64_t newest_us_ = 0, gap_ns_ = 0;
+  std::int32_t send_failures_ = 0, event_sequence_ = 0;
+  OnMessage on_message_{this};
+  OnState on_state_{this};
+  OnOther on_other_{this};
+};
+
+int run(int argc, char** argv) {
+  const Arguments a = parse(argc, argv);
+  catch_quit_signals();
+  die_before_others();
+  go_ahead_of_ordinary_programs();
+  const RecorderConfig config = config_of(a);
+  RecorderProcess process(a, config);
+  std::printf("recorder ready: %s\n", config.file.c_str());
+  std::fflush(stdout);
+  process.run();
+  return 0;
+}
+
+}  // namespace
+}  // namespace twinbus
+
+int main(int argc, char** argv) {
+  return twinbus::run_process("recorder", twinbus::run, argc, argv);
+}
