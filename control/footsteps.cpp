@@ -17,7 +17,7 @@ namespace {
 // Shares of what the legs reach at walking height, so that a recovery step is still possible.
 constexpr double kReachForward = 0.8, kReachBack = 0.62, kReachSideways = 0.53;
 constexpr double kStride = 0.95;    // of the longest foothold that a command may ask for
-constexpr double kBetween = 0.015;  // between two soles side by side [m]
+constexpr double kBetween = 0.035;  // between two soles side by side [m]
 constexpr double kTurn = 0.6;       // share of a hip's range that a command may use
 
 // Height of the centre of mass above the hips, in the pose that robots are said to walk in.

@@ -11,6 +11,7 @@ namespace twinbus {
 namespace {
 constexpr int kFirstRounds = 10;
 constexpr double kRestSpeed = 0.02;  // of the centre of mass [m/s]
+constexpr double kRestPlace = 0.02;  // of it and the ZMP, from the middle of the feet [m]
 }  // namespace
 
 Walk::Walk(const Model& model, const WalkGains& gains)
@@ -41,7 +42,8 @@ Eigen::Vector3d Walk::com_reference() const noexcept {
 
 bool Walk::resting() const noexcept {
   return !pattern_.walking() && com_velocity_.head<2>().norm() < kRestSpeed &&
-         (stabilizer_.com() - pattern_.middle()).norm() < kRestSpeed;
+         (pattern_.rest() - pattern_.middle()).norm() < kRestPlace &&
+         (stabilizer_.com() - pattern_.middle()).norm() < kRestPlace;
 }
 
 // Upright with the heading of the feet, but for what is left of the attitude at the start.

@@ -16,6 +16,14 @@ constexpr double kShortest = 0.10;   // any step may still last [s]
 constexpr double kMoved = 0.03;      // a step moved farther is a recovery [m]
 constexpr double kEarlyShare = 0.6;  // of the swing, from when on touching counts as landing
 constexpr double kLeast = 0.01;      // a piece of the plan [s]
+constexpr double kQuiet = 0.03;      // kept from the edges by where the ZMP comes to rest [m]
+constexpr double kUncaught =
+    0.02;                         // farther from there a robot is not caught by standing still [m]
+constexpr double kHome = 0.15;    // from there to the middle of the feet [m/s]
+constexpr double kBrake = 0.06;   // least time in which the ZMP goes there [s]
+constexpr double kHalfWay = 0.5;  // of a swing, from when on the next step brakes
+constexpr double kBrakeTime = 0.10;  // from the fastest walk to none [s]
+constexpr double kStride = 0.6;      // share of the longest step over which a robot stands still
 
 double way(double from, double to, double most) noexcept {
   return from + std::clamp(to - from, -most, most);
@@ -46,13 +54,21 @@ void WalkPattern::start(const std::array<Foothold, 2>& feet) noexcept {
   double_ = kLeast;
   period_ = gait_.period();
   since_landing_ = adjusted_ = 0.0;
-  zmp_from_ = zmp_ = dcm_ = middle();
+  halting_ = false;
+  rest_ = zmp_from_ = zmp_ = dcm_ = middle();
+}
+
+void WalkPattern::want(const Eigen::Vector3d& velocity) noexcept {
+  wanted_ = gait_.possible(velocity);
+  if (wants_to_walk()) halting_ = false;
 }
 
 void WalkPattern::halt() noexcept {
   wanted_.setZero();
-  velocity_.setZero();
   listed_ = list_count_ = 0;
+  if (halting_ || !walking_) return;
+  halting_ = true;
+  braking_ = !single_ || swing_.progress() < kHalfWay;
 }
 
 void WalkPattern::follow(const Foothold* list, int count, int first_support) noexcept {
@@ -90,6 +106,7 @@ void WalkPattern::capture(const Eigen::Vector2d& measured_dcm) noexcept {
 }
 
 void WalkPattern::land(const Foothold& where) noexcept {
+  braking_ = true;
   const int landed = 1 - support_;
   feet_[static_cast<std::size_t>(landed)] = where;
   ++steps_;
@@ -100,26 +117,69 @@ void WalkPattern::land(const Foothold& where) noexcept {
   }
   since_landing_ = 0.0;
   square_ = wants_to_walk() || velocity_.norm() > 1e-6 ? 0 : square_ + 1;
-  if (square_ >= 2) {
-    walking_ = single_ = false;
-    zmp_from_ = zmp_;
-    time_ = 0.0;
-    double_ = gait_.last_double;
-    return;
-  }
+  if (square_ >= 2) return stand(middle(), gait_.last_double);
   // What a step came early or late is given to the double support, so that the rhythm stays.
   const double rhythm =
       std::max(0.6 * gait_.double_support, gait_.double_support + double_ + single_time_ - time_);
   begin_step(landed, adjusted_ > kMoved ? gait_.hurry : rhythm);
 }
 
+void WalkPattern::stand(const Eigen::Vector2d& rest, double time) noexcept {
+  walking_ = single_ = halting_ = false;
+  velocity_.setZero();
+  rest_ = rest;
+  zmp_from_ = zmp_;
+  time_ = 0.0;
+  double_ = time;
+}
+
+// The nearest point that both soles together can carry, well inside.
+Eigen::Vector2d WalkPattern::on_both_soles(const Eigen::Vector2d& point) const noexcept {
+  const std::array<Eigen::Vector2d, 2> on{zmp_on(gait_, feet_[0], 0), zmp_on(gait_, feet_[1], 1)};
+  const Eigen::Vector2d line = on[0] - on[1];
+  const double left =
+      std::clamp((point - on[1]).dot(line) / std::max(1e-6, line.squaredNorm()), 0.0, 1.0);
+  const Eigen::Vector2d rest = point - (on[1] + left * line);
+  const Eigen::Vector2d quiet(kQuiet, kQuiet);
+  Eigen::Vector2d carried = Eigen::Vector2d::Zero();
+  for (std::size_t f = 0; f < 2; ++f) {
+    const Foothold& foot = feet_[f];
+    const Eigen::Vector2d in_sole = foot.unturn(on[f] + rest - foot.position)
+                                        .cwiseMax(gait_.sole_low + quiet)
+                                        .cwiseMin(gait_.sole_high - quiet);
+    carried += (f == 0 ? left : 1.0 - left) * (foot.position + foot.turn(in_sole));
+  }
+  return carried;
+}
+
+// While the ZMP p goes to a point r in T and stays, the DCM comes to rest there if it is at
+//     xi = p + (r - p) (1 - e^(-omega T)) / (omega T)   now.
+bool WalkPattern::try_to_stand(const Eigen::Vector2d& measured_dcm, double omega) noexcept {
+  const double time = std::max(kBrake, double_ - time_);
+  const double x = omega * time;
+  const Eigen::Vector2d wanted = zmp_ + (measured_dcm - zmp_) * (x / (1.0 - std::exp(-x)));
+  const Eigen::Vector2d rest = on_both_soles(wanted);
+  if (!((wanted - rest).norm() < kUncaught)) return false;
+  for (int f = 0; f < 2; ++f) {
+    if (!((rest - zmp_on(gait_, foot(f), f)).norm() < kStride * gait_.max_forward)) return false;
+  }
+  stand(rest, time);
+  return true;
+}
+
 void WalkPattern::advance(const std::array<bool, 2>& touching,
                           const std::array<Foothold, 2>& measured, double dt) noexcept {
   time_ += dt;
   since_landing_ += dt;
-  for (Eigen::Index k = 0; k < 3; ++k)
-    velocity_[k] = way(velocity_[k], wanted_[k], gait_.acceleration[k] * dt);
+  if (!halting_ || braking_) {
+    const Eigen::Vector3d rate =
+        halting_ ? Eigen::Vector3d(gait_.most_velocity / kBrakeTime) : gait_.acceleration;
+    for (Eigen::Index k = 0; k < 3; ++k) velocity_[k] = way(velocity_[k], wanted_[k], rate[k] * dt);
+  }
   if (!walking_) {
+    const Eigen::Vector2d to_middle = middle() - rest_;
+    if (time_ > double_)
+      rest_ += to_middle * std::min(1.0, kHome * dt / std::max(1e-9, to_middle.norm()));
     if (!wants_to_walk() || time_ < double_) return;
     int support = wanted_.y() > 0.0 || (wanted_.y() == 0.0 && wanted_.z() >= 0.0) ? 1 : 0;
     if (list_count_ > 0) support = list_support_;
@@ -143,6 +203,7 @@ void WalkPattern::advance(const std::array<bool, 2>& touching,
 }
 
 void WalkPattern::plan(const Eigen::Vector2d& measured_dcm, double omega) noexcept {
+  if (halting_ && !single_) (void)try_to_stand(measured_dcm, omega);
   const double left_now = double_ + single_time_ - time_;
   if (single() && left_now >= kTooLate) {
     target_ = after(foot(support_), support_, 0);
@@ -169,7 +230,7 @@ void WalkPattern::plan_pieces(double omega) noexcept {
   std::array<ZmpPiece, 2 + 2 * kAhead + 1> piece;
   std::size_t n = 0, landing = 0;
   const double in_double = double_ - time_;
-  const Eigen::Vector2d here = walking_ ? zmp_on(gait_, foot(support_), support_) : middle();
+  const Eigen::Vector2d here = walking_ ? zmp_on(gait_, foot(support_), support_) : rest_;
   zmp_ = here;
   if (in_double > 0.0) {
     zmp_ += (zmp_from_ - here) * std::min(1.0, in_double / double_);

@@ -22,8 +22,9 @@ class WalkPattern {
   // Stands on both feet; left, right.
   void start(const std::array<Foothold, 2>& feet) noexcept;
   // Wanted from now on: vx, vy, wz in the heading of the feet; zero: comes to stand with the feet side by side.
-  void want(const Eigen::Vector3d& velocity) noexcept { wanted_ = gait_.possible(velocity); }
-  // Ends walking as soon as can be: no ramp.
+  void want(const Eigen::Vector3d& velocity) noexcept;
+  // Ends walking as soon as can be: the step under way brakes, or if it is half over the next one does, and where both
+  // soles then stand the robot comes to rest if that catches it.
   void halt() noexcept;
   // Walks these instead, in this order, beginning with the foot that is not `first_support`; then stands.  World.
   void follow(const Foothold* list, int count, int first_support) noexcept;
@@ -48,12 +49,17 @@ class WalkPattern {
   const Eigen::Vector3d& velocity() const noexcept { return velocity_; }
   double heading() const noexcept;  // between the feet [rad]
   Eigen::Vector2d middle() const noexcept;
+  // Where the ZMP rests while the robot stands; soon the middle.
+  const Eigen::Vector2d& rest() const noexcept { return rest_; }
   int steps() const noexcept { return steps_; }  // landed
   double adjusted() const noexcept { return adjusted_; }
   const Gait& gait() const noexcept { return gait_; }
 
  private:
   void plan_pieces(double omega) noexcept;
+  bool try_to_stand(const Eigen::Vector2d& measured_dcm, double omega) noexcept;
+  void stand(const Eigen::Vector2d& rest, double time) noexcept;
+  Eigen::Vector2d on_both_soles(const Eigen::Vector2d& point) const noexcept;
   void begin_step(int support, double double_time) noexcept;
   void land(const Foothold& where) noexcept;
   Foothold after(const Foothold& from, int foot, int steps_ahead) const noexcept;
@@ -67,12 +73,13 @@ class WalkPattern {
   std::array<Foothold, kMostFootholds> list_;
   int listed_ = 0, list_count_ = 0, list_support_ = 0;
   Eigen::Vector3d wanted_ = Eigen::Vector3d::Zero(), velocity_ = Eigen::Vector3d::Zero();
-  bool walking_ = false, single_ = false;
+  bool walking_ = false, single_ = false, halting_ = false, braking_ = false;
   int support_ = 0, steps_ = 0, square_ = 0;
   double time_ = 0.0, double_ = 0.0, single_time_ = 0.0;  // in the step; its two parts [s]
   double since_landing_ = 0.0, period_;                   // measured, of a step [s]
   Foothold target_;
   double adjusted_ = 0.0;
+  Eigen::Vector2d rest_ = Eigen::Vector2d::Zero();
   Eigen::Vector2d zmp_from_ = Eigen::Vector2d::Zero();  // where this double support began
   Eigen::Vector2d dcm_ = Eigen::Vector2d::Zero(), zmp_ = Eigen::Vector2d::Zero();
   Eigen::Vector2d dcm_landing_ = Eigen::Vector2d::Zero();  // planned at the next touchdown

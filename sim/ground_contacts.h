@@ -62,6 +62,7 @@ class GroundContacts {
 
   void add_probes(int link, const Shape& shape, const Model& model);
   Distance distance(std::size_t surface, const Eigen::Vector3d& point) const noexcept;
+  Distance under(std::size_t tile, const Eigen::Vector3d& point) const noexcept;
   void find_corners(const ArticulatedBody& body, double h,
                     std::vector<Contact>& contacts) const noexcept;
   void find_probes(const ArticulatedBody& body, double h,

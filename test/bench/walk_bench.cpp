@@ -1,0 +1,252 @@
+// How walking holds: stops in every phase, pushes by direction and phase, a robot that is not the nominal one, time of a tick.
+//
+//     walk_bench [stop|push|robust|time]... [--robot R] [--phases N] [--speed V] [--guard] [--engine E]
+//
+// Without words: all of it.  Exit status 1 when a robot fell, a stop took more than 1.5 steps or
+// the guard (--guard) asked for a stop.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "control/walk.h"
+#include "robot/load.h"
+#include "robot/process.h"
+#include "test/control/sim_rig.h"
+
+namespace twinbus {
+namespace {
+
+constexpr float kOffGround = 0.003F;  // of a sole that stands no more [m]
+
+struct Bench {
+  Model model;
+  std::string engine = "articulated";
+  int phases = 100;
+  bool guard = false;
+  double speed = 0.5;
+};
+
+// A rig that walks; the time is that since walking was asked for.
+struct Walker : SimRig {
+  Walker(const Bench& bench, const Scene& scene, const Settings& settings)
+      : SimRig(bench.model, scene, settings, config(bench)) {
+    (void)run(0.5);
+    ask(Mode::kWalk);
+  }
+  static ControlConfig config(const Bench& bench) {
+    ControlConfig control;
+    control.guard_in_loop = bench.guard;
+    return control;
+  }
+  bool walk(const Model& model, double vx, double vy, double seconds) {
+    WalkCommand command;
+    command.run_id = state().run_id;
+    command.vx = static_cast<float>(vx);
+    command.vy = static_cast<float>(vy);
+    command.timeout = 0.1F;
+    const auto count = static_cast<int>(std::lround(seconds / model.period()));
+    for (int i = 0; i < count; ++i) {
+      if (i % 10 == 0) {
+        command.sequence = ++said;
+        loop().on_walk_command(command, state().time_ns);
+      }
+      if (!tick() || record().fell || loop().guard_report().stop_asked) return false;
+      watch_feet();
+    }
+    return true;
+  }
+  void watch_feet() {
+    for (const auto& foot : truth().foot_position) {
+      if (foot[2] > kOffGround) last_in_air = static_cast<double>(ticks());
+    }
+  }
+  std::int32_t said = 0;
+  double last_in_air = 0.0;  // of a foot [tick]
+};
+
+Scene scene_of(const Bench& bench) {
+  Scene scene;
+  scene.engine = bench.engine;
+  return scene;
+}
+
+// A balanced stop in each phase of the gait: how long until both soles stand for good.
+int stops(const Bench& bench) {
+  const Gait gait = gait_of(bench.model, walking_of(bench.model), 0.01);
+  double worst = 0.0, sum = 0.0, effort = 0.0, least_margin = 1.0;
+  int fell = 0, late = 0;
+  for (int phase = 0; phase < bench.phases; ++phase) {
+    Walker robot(bench, scene_of(bench), {});
+    const double time = 4.0 + 2.0 * gait.period() * phase / bench.phases;
+    bool good = robot.walk(bench.model, bench.speed, 0.0, time);
+    const auto asked = static_cast<double>(robot.ticks());
+    robot.last_in_air = asked;
+    robot.forget();
+    robot.state().stop_kind = StopKind::kBalanced;
+    good = good && robot.walk(bench.model, bench.speed, 0.0, 5.0);
+    const double steps = (robot.last_in_air - asked) * bench.model.period() / gait.period();
+    fell += good ? 0 : 1;
+    late += steps > 1.5 ? 1 : 0;
+    worst = std::max(worst, steps);
+    sum += steps;
+    effort = std::max(effort, robot.record().effort_share_max);
+    least_margin = std::min(least_margin, robot.record().zmp_margin_min);
+  }
+  std::printf(
+      "stop at %.2f m/s in %d phases: %d falls, %d took more than 1.5 steps, mean %.2f, "
+      "most %.2f steps; effort %.0f %% of the limits, ZMP margin %.1f mm\n",
+      bench.speed, bench.phases, fell, late, sum / bench.phases, worst, 1e2 * effort,
+      1e3 * least_margin);
+  return fell + late;
+}
+
+bool survives(const Bench& bench, double dvx, double dvy, double phase, bool standing,
+              const Settings& settings) {
+  const Gait gait = gait_of(bench.model, walking_of(bench.model), 0.01);
+  Scene scene = scene_of(bench);
+  Push push;
+  push.link = bench.model.links.front().name;
+  push.impulse = bench.model.total_mass() * Eigen::Vector3d(dvx, dvy, 0.0);
+  push.at = 4.0 + 2.0 * gait.period() * phase;
+  scene.pushes.push_back(push);
+  Walker robot(bench, scene, settings);
+  return robot.walk(bench.model, standing ? 0.0 : 1e-4, 0.0, push.at + 4.0);
+}
+
+int pushes(const Bench& bench, const Settings& settings, const char* name, int count) {
+  struct Direction {
+    const char* name;
+    double x, y, walking, standing;
+  };
+  int fell = 0;
+  std::printf("%-22s", name);
+  for (const Direction& d :
+       {Direction{"forward", 1, 0, 0.6, 0.8}, Direction{"left", 0, 1, 0.4, 0.6},
+        Direction{"back", -1, 0, 0.6, 0.7}, Direction{"right", 0, -1, 0.4, 0.6}}) {
+    int held = 0;
+    std::string map;
+    for (int p = 0; p < count; ++p) {
+      const bool good = survives(bench, d.x * d.walking, d.y * d.walking,
+                                 static_cast<double>(p) / count, false, settings);
+      held += good ? 1 : 0;
+      map += good ? '.' : 'x';
+    }
+    const bool stood = survives(bench, d.x * d.standing, d.y * d.standing, 0.0, true, settings);
+    std::printf("  %s %.2f: %d of %d %s standing %.2f: %s", d.name, d.walking, held, count,
+                map.c_str(), d.standing, stood ? "holds" : "FALLS");
+    fell += count - held + (stood ? 0 : 1);
+  }
+  std::printf("\n");
+  return fell;
+}
+
+int robust(const Bench& bench) {
+  const std::vector<std::pair<const char*, Settings>> table = {
+      {"nominal", {}},
+      {"mass x1.1", {{"model.mass_scale", "1.1"}}},
+      {"mass x0.9", {{"model.mass_scale", "0.9"}}},
+      {"sole stiffness x1.1", {{"contact.stiffness_scale", "1.1"}}},
+      {"sole stiffness x0.9", {{"contact.stiffness_scale", "0.9"}}},
+      {"delay 4 ticks", {{"servo.delay_ms", "8"}}},
+  };
+  int fell = 0;
+  for (const auto& [name, settings] : table) {
+    Walker robot(bench, scene_of(bench), settings);
+    const bool good = robot.walk(bench.model, bench.speed, 0.0, 12.0);
+    fell += good ? 0 : 1;
+    std::printf("%-22s walks %.2f m/s: %s, tilt %.2f degrees, ZMP margin %.1f mm\n", name,
+                bench.speed, good ? "holds" : "FALLS", 57.29578 * robot.record().base_tilt_max,
+                1e3 * robot.record().zmp_margin_min);
+    fell += pushes(bench, settings, name, 3);
+  }
+  return fell;
+}
+
+// One tick of the control loop, everything but the guard, while the simulated robot walks.
+void time_ticks(const Bench& bench) {
+  Walker robot(bench, scene_of(bench), {});
+  if (!robot.walk(bench.model, bench.speed, 0.0, 3.0)) return;
+  std::vector<double> whole, alone;
+  WalkPattern pattern(gait_of(bench.model, walking_of(bench.model), 0.01));
+  pattern.start({pattern.foot(0), pattern.foot(1)});
+  pattern.want({bench.speed, 0.0, 0.0});
+  RobotState& state = robot.state();
+  JointCommand answer;
+  WalkCommand command;
+  command.run_id = state.run_id;
+  command.vx = static_cast<float>(bench.speed);
+  command.timeout = 0.1F;
+  for (std::int64_t i = robot.ticks(); i < robot.ticks() + 4000; ++i) {
+    if (robot.sim().read(state, 0.0) != Status::kOk) return;
+    state.tick = i;
+    state.time_ns = i * bench.model.period_ns;
+    if (i % 10 == 0) robot.loop().on_walk_command(command, state.time_ns);
+    const std::int64_t start = monotonic_ns();
+    robot.loop().on_state(state, state.time_ns);
+    (void)robot.loop().step(state.time_ns, answer);
+    whole.push_back(1e-3 * static_cast<double>(monotonic_ns() - start));
+    if (robot.sim().write(answer) != Status::kOk) return;
+    const std::int64_t begin = monotonic_ns();
+    pattern.advance({true, true}, {pattern.foot(0), pattern.foot(1)}, bench.model.period());
+    pattern.plan(pattern.dcm(), 3.7);
+    alone.push_back(1e-3 * static_cast<double>(monotonic_ns() - begin));
+  }
+  const auto line = [](const char* name, std::vector<double>& us) {
+    std::sort(us.begin(), us.end());
+    std::printf("%s: median %.1f us, 99 %% %.1f us, worst %.1f us\n", name, us[us.size() / 2],
+                us[us.size() * 99 / 100], us.back());
+  };
+  line("control tick while walking, without guard", whole);
+  line("pattern generator alone", alone);
+}
+
+int run(int argc, char** argv) {
+  Bench bench;
+  std::string robot = "hrp1s";
+  std::vector<std::string> words;
+  bool phases_given = false;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    const bool has_value = i + 1 < argc;
+    if (word == "--robot" && has_value) {
+      robot = argv[++i];
+    } else if (word == "--engine" && has_value) {
+      bench.engine = argv[++i];
+    } else if (word == "--phases" && has_value) {
+      bench.phases = std::max(1, std::atoi(argv[++i]));
+      phases_given = true;
+    } else if (word == "--guard") {
+      bench.guard = true;
+    } else if (word == "--speed" && has_value) {
+      bench.speed = std::atof(argv[++i]);
+    } else if (word == "stop" || word == "push" || word == "robust" || word == "time") {
+      words.push_back(word);
+    } else {
+      std::fprintf(stderr,
+                   "walk_bench [stop|push|robust|time]... [--robot R] [--phases N] "
+                   "[--speed V] [--guard] [--engine E]\n");
+      return word == "--help" ? 0 : 2;
+    }
+  }
+  bench.model = load_robot(robot);
+  const auto asked = [&](const char* name) {
+    return words.empty() || std::find(words.begin(), words.end(), name) != words.end();
+  };
+  int bad = 0;
+  if (asked("stop")) bad += stops(bench);
+  if (asked("push")) bad += pushes(bench, {}, "nominal", phases_given ? bench.phases : 12);
+  if (asked("robust")) bad += robust(bench);
+  if (asked("time")) time_ticks(bench);
+  return bad > 0 ? 1 : 0;
+}
+
+}  // namespace
+}  // namespace twinbus
+
+int main(int argc, char** argv) {
+  return twinbus::run_process("walk_bench", twinbus::run, argc, argv);
+}
