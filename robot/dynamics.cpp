@@ -1,15 +1,70 @@
 #include "robot/dynamics.h"
 
 #include "robot/index.h"
+#include "robot/spatial_force.h"
 
 namespace twinbus {
 
-InverseDynamics::InverseDynamics(const Model& model)
-    : model_(&model),
-      acceleration_(model.links.size(), Eigen::Vector3d::Zero()),
-      angular_acceleration_(model.links.size(), Eigen::Vector3d::Zero()),
-      force_(model.links.size(), Eigen::Vector3d::Zero()),
-      torque_(model.links.size(), Eigen::Vector3d::Zero()) {}
+InverseDynamics::InverseDynamics(const Model& model) : parts_(model.links.size()) {
+  for (std::size_t i = 1; i < parts_.size(); ++i) {
+    const Joint& joint = model.joints[i - 1];
+    parts_[i].parent = joint.parent;
+    parts_[i].rotor = joint.rotor_inertia;
+    parts_[i].slides = joint.kind == JointKind::kPrismatic;
+  }
+}
+
+TWINBUS_INLINE static Vec4 origin_of(const LinkState& link) noexcept {
+  return load4(link.pose.matrix().data() + 12);
+}
+
+TWINBUS_AVX2_CLONES
+void InverseDynamics::outward(const Kinematics& kinematics, const double* qd,
+                              const double* qdd) noexcept {
+  for (std::size_t i = 1; i < parts_.size(); ++i) {
+    Part& part = parts_[i];
+    const Part& above = parts_[at(part.parent)];
+    const LinkState& link = kinematics.state(static_cast<int>(i));
+    const LinkState& parent = kinematics.state(part.parent);
+    const Vec4 omega = load(parent.omega), spin = load(above.spin), axis = load(link.axis);
+    const Vec4 arm = origin_of(link) - origin_of(parent);
+    const Vec4 turn = cross4(omega, axis * qd[i - 1]);
+    const Vec4 along = axis * qdd[i - 1];
+    const Vec4 acceleration =
+        load(above.acceleration) + cross4(spin, arm) + cross4(omega, cross4(omega, arm));
+    store(part.acceleration, part.slides ? acceleration + turn * 2.0 + along : acceleration);
+    store(part.spin, part.slides ? spin : spin + turn + along);
+  }
+  // F = m a of the centre of mass, N = I alpha + omega x I omega.
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    Part& part = parts_[i];
+    const LinkState& link = kinematics.state(static_cast<int>(i));
+    const Columns inertia = turned_inertia(kinematics, static_cast<int>(i));
+    const Vec4 omega = load(link.omega), spin = load(part.spin);
+    const Vec4 c = load(link.com) - origin_of(link);
+    const Vec4 force =
+        (load(part.acceleration) + cross4(spin, c) + cross4(omega, cross4(omega, c))) *
+        kinematics.mass_of(static_cast<int>(i)).mass;
+    store(part.force, force);
+    store(part.torque,
+          inertia.times(spin) + cross4(omega, inertia.times(omega)) + cross4(c, force));
+  }
+}
+
+TWINBUS_AVX2_CLONES
+void InverseDynamics::inward(const Kinematics& kinematics, const double* qdd,
+                             double* tau) noexcept {
+  for (std::size_t i = parts_.size() - 1; i > 0; --i) {
+    const Part& part = parts_[i];
+    Part& parent = parts_[at(part.parent)];
+    const LinkState& link = kinematics.state(static_cast<int>(i));
+    const Vec4 force = load(part.force), torque = load(part.torque);
+    tau[i - 1] = dot3(load(link.axis), part.slides ? force : torque) + part.rotor * qdd[i - 1];
+    const Vec4 arm = origin_of(link) - origin_of(kinematics.state(part.parent));
+    store(parent.force, load(parent.force) + force);
+    store(parent.torque, load(parent.torque) + torque + cross4(arm, force));
+  }
+}
 
 // Everything in world axes; moments of a link about its origin.  Gravity enters as an acceleration
 // of the base upwards.
@@ -17,64 +72,19 @@ Eigen::Matrix<double, 6, 1> InverseDynamics::solve(
     const Kinematics& kinematics, const Configuration& configuration, const Eigen::VectorXd& qdd,
     const Eigen::Vector3d& base_acceleration, const Eigen::Vector3d& base_angular_acceleration,
     const std::vector<ExternalWrench>& external, Eigen::VectorXd& tau) noexcept {
-  acceleration_[0] = base_acceleration + kGravity * Eigen::Vector3d::UnitZ();
-  angular_acceleration_[0] = base_angular_acceleration;
-  for (int j = 0; j < model_->joint_count(); ++j) {
-    const Joint& joint = model_->joints[at(j)];
-    const auto parent = at(joint.parent);
-    const auto child = at(j + 1);
-    const Eigen::Vector3d& axis = kinematics.axis_in_world(j);
-    const Eigen::Vector3d& omega = kinematics.angular_velocity(joint.parent);
-    const Eigen::Vector3d arm = kinematics.link_in_world(j + 1).translation() -
-                                kinematics.link_in_world(joint.parent).translation();
-    const Eigen::Vector3d turn = configuration.qd[j] * omega.cross(axis);
-    acceleration_[child] = acceleration_[parent] + angular_acceleration_[parent].cross(arm) +
-                           omega.cross(omega.cross(arm));
-    angular_acceleration_[child] = angular_acceleration_[parent];
-    if (joint.kind == JointKind::kPrismatic) {
-      acceleration_[child] += 2.0 * turn + qdd[j] * axis;
-    } else {
-      angular_acceleration_[child] += turn + qdd[j] * axis;
-    }
-  }
-
-  for (int i = 0; i < model_->link_count(); ++i) {
-    const Link& link = model_->links[at(i)];
-    const Eigen::Matrix3d& r = kinematics.link_in_world(i).linear();
-    const Eigen::Vector3d& omega = kinematics.angular_velocity(i);
-    const Eigen::Vector3d& alpha = angular_acceleration_[at(i)];
-    const Eigen::Vector3d c = kinematics.com_of_link(i) - kinematics.link_in_world(i).translation();
-    // In link axes: N = I alpha + omega x I omega.
-    const Eigen::Vector3d omega_link = r.transpose() * omega;
-    const Eigen::Vector3d alpha_link = r.transpose() * alpha;
-    Eigen::Vector3d moment = link.inertia * alpha_link;
-    moment += omega_link.cross(link.inertia * omega_link);
-    force_[at(i)] =
-        link.mass * (acceleration_[at(i)] + alpha.cross(c) + omega.cross(omega.cross(c)));
-    torque_[at(i)] = c.cross(force_[at(i)]);
-    torque_[at(i)].noalias() += r * moment;
-  }
+  parts_[0].acceleration.value = base_acceleration + kGravity * Eigen::Vector3d::UnitZ();
+  parts_[0].spin.value = base_angular_acceleration;
+  outward(kinematics, configuration.qd.data(), qdd.data());
   for (const ExternalWrench& wrench : external) {
-    if (wrench.link < 0 || wrench.link >= model_->link_count()) continue;
+    if (wrench.link < 0 || wrench.link >= static_cast<int>(parts_.size())) continue;
+    Part& part = parts_[at(wrench.link)];
     const Eigen::Vector3d arm = wrench.point - kinematics.link_in_world(wrench.link).translation();
-    force_[at(wrench.link)] -= wrench.force;
-    torque_[at(wrench.link)] -= wrench.torque + arm.cross(wrench.force);
+    part.force.value -= wrench.force;
+    part.torque.value -= wrench.torque + arm.cross(wrench.force);
   }
-
-  for (int j = model_->joint_count() - 1; j >= 0; --j) {
-    const Joint& joint = model_->joints[at(j)];
-    const auto parent = at(joint.parent);
-    const auto child = at(j + 1);
-    const Eigen::Vector3d& axis = kinematics.axis_in_world(j);
-    tau[j] = axis.dot(joint.kind == JointKind::kPrismatic ? force_[child] : torque_[child]) +
-             joint.rotor_inertia * qdd[j];
-    const Eigen::Vector3d arm = kinematics.link_in_world(j + 1).translation() -
-                                kinematics.link_in_world(joint.parent).translation();
-    force_[parent] += force_[child];
-    torque_[parent] += torque_[child] + arm.cross(force_[child]);
-  }
+  inward(kinematics, qdd.data(), tau.data());
   Eigen::Matrix<double, 6, 1> base;
-  base << force_[0], torque_[0];
+  base << parts_[0].force.value, parts_[0].torque.value;
   return base;
 }
 
@@ -82,8 +92,9 @@ Eigen::Vector3d InverseDynamics::point_acceleration(const Kinematics& kinematics
                                                     const Eigen::Vector3d& point) const noexcept {
   const Eigen::Vector3d arm = point - kinematics.link_in_world(link).translation();
   const Eigen::Vector3d& omega = kinematics.angular_velocity(link);
-  return acceleration_[at(link)] - kGravity * Eigen::Vector3d::UnitZ() +
-         angular_acceleration_[at(link)].cross(arm) + omega.cross(omega.cross(arm));
+  const Part& part = parts_[at(link)];
+  return part.acceleration.value - kGravity * Eigen::Vector3d::UnitZ() +
+         part.spin.value.cross(arm) + omega.cross(omega.cross(arm));
 }
 
 }  // namespace twinbus

@@ -41,12 +41,22 @@ class InverseDynamics {
   Eigen::Vector3d point_acceleration(const Kinematics& kinematics, int link,
                                      const Eigen::Vector3d& point) const noexcept;
   const Eigen::Vector3d& angular_acceleration(int link) const noexcept {
-    return angular_acceleration_[static_cast<std::size_t>(link)];
+    return parts_[static_cast<std::size_t>(link)].spin.value;
   }
 
  private:
-  const Model* model_;
-  std::vector<Eigen::Vector3d> acceleration_, angular_acceleration_, force_, torque_;  // world
+  struct alignas(64) Part {           // a link and the joint that moves it, world axes
+    PaddedVector acceleration, spin;  // of the origin, gravity as one upwards; of the link
+    PaddedVector force, torque;       // torque about the link's origin
+    double rotor = 0.0;
+    int parent = -1;
+    bool slides = false;
+  };
+
+  void outward(const Kinematics& kinematics, const double* qd, const double* qdd) noexcept;
+  void inward(const Kinematics& kinematics, const double* qdd, double* tau) noexcept;
+
+  std::vector<Part> parts_;
 };
 
 }  // namespace twinbus

@@ -2,6 +2,10 @@
 // how a push at a contact moves the robot.
 //
 //     H v' = (0, tau) + J' f - bias        without forming H
+//
+// Accelerations are split: what velocities and gravity cause with the joints at constant speed is
+// known beforehand, so its force on each link is one rigid body's, and the recursion carries only
+// the rest.
 
 #pragma once
 
@@ -42,19 +46,38 @@ class ForwardDynamics {
   // mobility [3 count x 3 count], sized by the caller; count at most kMaxContacts.
   void contact_mobility(const ContactPoint* contacts, int count,
                         Eigen::MatrixXd& mobility) noexcept;
+  // The inverse of J H^-1 J' + damping: the mass that the contacts feel together [kg].  Points
+  // that cannot move apart (two on one link) make it singular; damping [1/kg] > 0 keeps it finite.
+  // inertia [3 count x 3 count], sized by the caller.  False: not positive, and inertia is garbage.
+  [[nodiscard]] bool contact_inertia(const ContactPoint* contacts, int count, double damping,
+                                     Eigen::MatrixXd& inertia) noexcept;
 
  private:
-  struct Part {             // a link and the joint that moves it
-    SpatialMatrix inertia;  // articulated
-    Spatial bias, velocity, motion, drift, u_column, acceleration;
-    double d_inverse = 0.0, u = 0.0;
+  struct alignas(64) Part {  // a link and the joint that moves it
+    // Articulated inertia of what hangs on the link, in columns: forces that accelerations cause.
+    PaddedVector aa[3], la[3], al[3], ll[3];  // moment by angular, force by angular, ...
+    StoredSpatial bias;                       // force at no further acceleration
+    StoredSpatial motion, column;             // of the joint, and inertia times it
+    StoredSpatial acceleration;               // beyond that of constant joint speeds
+    PaddedVector drift,
+        spin;  // acceleration of the origin and of the link at constant joint speeds
+    double d_inverse = 0.0, u = 0.0, rotor = 0.0;
     int parent = -1;
+    bool slides = false;
   };
+
+  void outward_drift(const Kinematics& kinematics, const double* qd) noexcept;
+  void inward(const double* tau) noexcept;
+  void outward(double* qdd) noexcept;
+  void base_solve(const StoredSpatial& bias) noexcept;
 
   const Model* model_;
   std::vector<Part> parts_;
-  Eigen::LLT<SpatialMatrix> base_;
+  Eigen::LLT<Eigen::Matrix<double, 6, 6>> base_;
   Eigen::Vector3d origin_, base_acceleration_, base_spin_;
+  Eigen::LLT<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor,
+                           3 * kMaxContacts, 3 * kMaxContacts>>
+      contact_factor_;
 };
 
 }  // namespace twinbus

@@ -16,8 +16,24 @@ namespace {
 constexpr double kFirstDamping = 1e-3;
 constexpr double kLeastDamping = 1e-8;
 constexpr double kMostDamping = 1e4;
-constexpr double kNear = 0.05;  // the pull towards the rest posture fades below this error [m]
+constexpr double kNear = 0.05;    // the pull towards the rest posture fades below this error [m]
+constexpr int kMostSlow = 4;      // steps that hardly help, before another posture is tried
+constexpr int kSamples = 150;     // of joints that the closed form leaves over
+constexpr int kTriesInVain = 4;   // for the nearest posture, once it is known that none reaches
+constexpr double kWithin = 1e-7;  // beyond limits, and still one step away from them [rad]
 
+std::vector<int> path_between(const Model& model, int base_link, int link) {
+  std::vector<int> path;
+  for (int i = link; i != base_link; i = model.links[at(i)].parent) {
+    if (i <= 0) {
+      throw std::runtime_error("inverse kinematics: link " + model.links.at(at(link)).name +
+                               " does not hang on link " + model.links.at(at(base_link)).name);
+    }
+    path.push_back(i - 1);
+  }
+  std::reverse(path.begin(), path.end());
+  return path;
+}
 
 Eigen::Isometry3d moved(const Joint& joint, double q) noexcept {
   Eigen::Isometry3d pose = joint.placement;
@@ -34,18 +50,12 @@ Eigen::Isometry3d moved(const Joint& joint, double q) noexcept {
 InverseKinematics::InverseKinematics(const Model& model, int base_link, int link,
                                      const Eigen::Isometry3d& frame)
     : model_(&model),
+      path_(path_between(model, base_link, link)),
       frame_(frame),
+      closed_(model, path_, frame),
       trial_(model.joint_count()),
       now_(model.joint_count()),
       best_(model.joint_count()) {
-  for (int i = link; i != base_link; i = model.links[at(i)].parent) {
-    if (i <= 0) {
-      throw std::runtime_error("inverse kinematics: link " + model.links.at(at(link)).name +
-                               " does not hang on link " + model.links.at(at(base_link)).name);
-    }
-    path_.push_back(i - 1);
-  }
-  std::reverse(path_.begin(), path_.end());
   for (const int joint : path_) {
     if (model.joints[at(joint)].mimic < 0) joints_.push_back(joint);
   }
@@ -55,6 +65,14 @@ InverseKinematics::InverseKinematics(const Model& model, int base_link, int link
                              model.links[at(link)].name);
   }
   held_.assign(joints_.size(), 0);
+  // Steps of powers of 1 / g, g^(n+1) = g + 1, fill the box of all postures most evenly.
+  double g = 1.5;
+  for (int round = 0; round < 50; ++round) {
+    g = std::pow(1.0 + g, 1.0 / (1.0 + static_cast<double>(joints_.size())));
+  }
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    seed_step_[i] = std::pow(1.0 / g, static_cast<double>(i + 1));
+  }
   jacobian_.setZero(6, static_cast<Eigen::Index>(joints_.size()));
 }
 
@@ -134,7 +152,7 @@ InverseKinematics::Step InverseKinematics::step(const Eigen::Matrix<double, 6, 1
 
 // From now_ downhill; the result is in now_.
 IkResult InverseKinematics::descend(const Eigen::Isometry3d& target, const IkOptions& options,
-                                    const Eigen::VectorXd& rest) noexcept {
+                                    const Eigen::VectorXd& rest, bool may_give_up) noexcept {
   const auto n = static_cast<Eigen::Index>(joints_.size());
   trial_ = now_;
   const auto error_of = [&](const Eigen::Isometry3d& pose) {
@@ -146,6 +164,7 @@ IkResult InverseKinematics::descend(const Eigen::Isometry3d& target, const IkOpt
   Eigen::Isometry3d pose = pose_and_axes(now_);
   Eigen::Matrix<double, 6, 1> error = error_of(pose);
   double damping = kFirstDamping;
+  int slow = 0;  // steps in a row that hardly helped: a local minimum, often at limits
   IkResult result;
   const auto good = [&] {
     result.position_error = error.head<3>().norm();
@@ -157,6 +176,7 @@ IkResult InverseKinematics::descend(const Eigen::Isometry3d& target, const IkOpt
   };
 
   while (!good() && result.iterations < options.iterations && damping < kMostDamping) {
+    if (may_give_up && slow >= kMostSlow) break;
     Step rest_pull = Step::Zero(n);
     for (Eigen::Index i = 0; i < n; ++i) {
       const auto k = static_cast<std::size_t>(i);
@@ -184,8 +204,10 @@ IkResult InverseKinematics::descend(const Eigen::Isometry3d& target, const IkOpt
       }
       const Eigen::Isometry3d next = pose_and_axes(trial_);
       const Eigen::Matrix<double, 6, 1> next_error = error_of(next);
-      better = next_error.squaredNorm() < error.squaredNorm();
+      const double ratio = next_error.squaredNorm() / error.squaredNorm();
+      better = ratio < 1.0;
       if (better) {
+        slow = ratio > 0.7 ? slow + 1 : 0;
         now_ = trial_;
         pose = next;
         error = next_error;
@@ -198,25 +220,61 @@ IkResult InverseKinematics::descend(const Eigen::Isometry3d& target, const IkOpt
   return result;
 }
 
+bool InverseKinematics::closed_form(const Eigen::Isometry3d& target, const IkOptions& options,
+                                    bool& sure) noexcept {
+  if (!closed_.usable() || !(options.rotation_weight > 0.0) || options.rest_weight > 0.0) {
+    return false;
+  }
+  ClosedForm::Angles start{}, from{}, lows{}, highs{};
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    if (held_[i] != 0) return false;
+    lows[i] = low(i, options);
+    highs[i] = high(i, options);
+    start[i] = std::clamp(now_[joints_[i]], lows[i], highs[i]);
+  }
+  ClosedForm::Candidate best;
+  const std::vector<int>& locked = closed_.locked();
+  const int samples = locked.empty() ? 1 : kSamples;
+  for (int k = 0; k < samples && !(best.beyond <= kWithin); ++k) {
+    from = start;
+    for (std::size_t i = 0; k > 0 && i < locked.size(); ++i) {
+      const auto joint = static_cast<std::size_t>(locked[i]);
+      const double least = std::max(lows[joint], start[joint] - 3.2);
+      const double most = std::min(highs[joint], start[joint] + 3.2);
+      const double step = locked.size() == 1 ? 0.6180339887498949 : seed_step_[i];
+      from[joint] = least + std::fmod(0.5 + k * step, 1.0) * (most - least);
+    }
+    closed_.solve(target, from, lows, highs, best);
+  }
+  if (!std::isfinite(best.beyond)) return false;
+  sure = locked.empty() && best.beyond > kWithin;
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    now_[joints_[i]] = std::clamp(best.q[i], lows[i], highs[i]);
+  }
+  return true;
+}
+
 IkResult InverseKinematics::solve(const Eigen::Isometry3d& target, const IkOptions& options,
                                   Eigen::VectorXd& q) noexcept {
   IkResult result;
   if (!target.matrix().allFinite() || !q.allFinite()) return result;
   double least = std::numeric_limits<double>::infinity();
-  for (int attempt = 0; attempt <= options.restarts && !result.reached; ++attempt) {
-    now_ = q;
+  bool sure = false;  // that nothing reaches it
+  now_ = q;
+  const bool closed = options.restarts > 0 && closed_form(target, options, sure);
+  const int first = closed ? -1 : 0;
+  const int last = sure ? std::min(options.restarts, kTriesInVain) : options.restarts;
+  for (int attempt = first; attempt <= last && !result.reached; ++attempt) {
+    if (attempt >= 0) now_ = q;
     for (std::size_t i = 0; i < joints_.size(); ++i) {
       double& value = now_[joints_[i]];
       if (attempt > 0 && held_[i] == 0 && std::isfinite(high(i, options) - low(i, options))) {
-        // Golden-ratio steps of a different length per joint fill the box of all postures evenly.
-        const double place = std::fmod(
-            0.5 + attempt * (0.6180339887498949 + 0.0901699437494742 * static_cast<double>(i)),
-            1.0);
+        const double place = std::fmod(0.5 + attempt * seed_step_[i], 1.0);
         value = low(i, options) + place * (high(i, options) - low(i, options));
       }
       if (held_[i] == 0) value = std::clamp(value, low(i, options), high(i, options));
     }
-    IkResult next = descend(target, options, q);
+    IkResult next = descend(target, options, q, attempt < last);
     next.iterations += result.iterations;
     const double error = next.position_error + options.rotation_weight * next.rotation_error;
     if (error < least) {

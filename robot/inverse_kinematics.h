@@ -1,5 +1,5 @@
 // Joint angles that put a frame of a link where it is wanted: damped least squares with joint
-// limits, for one chain.
+// limits, for one chain, from seeds in closed form where the chain allows it.
 //
 // Solves    minimise |W (target - pose(q))|^2 + damping^2 |dq|^2    step by step, holding joints at
 // their limits as long as they push outwards.  The chain runs from a base link to a link behind it;
@@ -12,6 +12,7 @@
 #include <array>
 #include <vector>
 
+#include "robot/closed_form.h"
 #include "robot/model.h"
 
 namespace twinbus {
@@ -23,7 +24,9 @@ struct IkOptions {
   double rotation_weight = 0.3;      // [m/rad]; 0: only the position counts
   double rest_weight =
       0.0;  // pull of a redundant chain towards the starting posture, 0..1, fading out on arrival
-  int restarts = 0;  // further tries from other postures of the chain when the target is missed
+  // Further tries from other postures when the target is missed.  With restarts, and neither
+  // rest_weight nor a held joint, the first try is the closed form nearest to the start.
+  int restarts = 0;
   double limit_margin = 0.0;  // stays this far inside the limits [rad or m]
 };
 
@@ -63,7 +66,9 @@ class InverseKinematics {
       Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kMaxChain, kMaxChain>;
 
   IkResult descend(const Eigen::Isometry3d& target, const IkOptions& options,
-                   const Eigen::VectorXd& rest) noexcept;
+                   const Eigen::VectorXd& rest, bool may_give_up) noexcept;
+  // From now_, a try like any other; the result is in now_.  sure: the target is out of reach.
+  bool closed_form(const Eigen::Isometry3d& target, const IkOptions& options, bool& sure) noexcept;
   Eigen::Isometry3d pose_and_axes(const Eigen::VectorXd& q) noexcept;
   Step step(const Eigen::Matrix<double, 6, 1>& error, const Step& rest, double pull, double damping,
             const IkOptions& options, const Eigen::VectorXd& q) noexcept;
@@ -77,6 +82,8 @@ class InverseKinematics {
   Eigen::Isometry3d frame_;
   std::array<Eigen::Vector3d, kMaxChain> axis_, origin_;  // of joints_, base link's frame
   Jacobian jacobian_;
+  ClosedForm closed_;
+  std::array<double, kMaxChain> seed_step_{};  // of restarts, of the width between the limits
   Eigen::VectorXd trial_, now_, best_;
 };
 

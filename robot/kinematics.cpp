@@ -25,117 +25,228 @@ void set_joints(const Model& model, const RobotState& state,
 
 Kinematics::Kinematics(const Model& model)
     : model_(&model),
-      pose_(model.links.size(), Eigen::Isometry3d::Identity()),
-      omega_(model.links.size(), Eigen::Vector3d::Zero()),
-      velocity_(model.links.size(), Eigen::Vector3d::Zero()),
-      axis_(model.joints.size(), Eigen::Vector3d::Zero()),
-      com_of_link_(model.links.size(), Eigen::Vector3d::Zero()),
+      links_(model.links.size()),
+      masses_(model.links.size()),
+      hinges_(model.joints.size()),
+      angle_((model.joints.size() + 3) / 4 * 4, 0.0),
+      sine_(angle_.size(), 0.0),
+      cosine_(angle_.size(), 0.0),
       subtree_mass_(model.links.size(), 0.0),
-      subtree_moment_(model.links.size(), Eigen::Vector3d::Zero()),
+      subtree_moment_(model.links.size()),
       mass_(model.total_mass()) {
-  for (std::size_t i = 0; i < model.links.size(); ++i) subtree_mass_[i] = model.links[i].mass;
+  for (std::size_t i = 0; i < model.links.size(); ++i) {
+    const Link& link = model.links[i];
+    subtree_mass_[i] = masses_[i].mass = link.mass;
+    masses_[i].com.value = link.com;
+    for (int c = 0; c < 3; ++c) masses_[i].inertia[c].value = link.inertia.col(c);
+  }
   for (std::size_t i = model.links.size() - 1; i > 0; --i) {
     subtree_mass_[at(model.links[i].parent)] += subtree_mass_[i];
+  }
+  for (std::size_t j = 0; j < model.joints.size(); ++j) {
+    const Joint& joint = model.joints[j];
+    Hinge& hinge = hinges_[j];
+    hinge.parent = joint.parent;
+    hinge.offset.value = joint.placement.translation();
+    hinge.axis.value = joint.axis;
+    hinge.turned = joint.placement.linear() != Eigen::Matrix3d::Identity();
+    for (int c = 0; c < 3; ++c) hinge.placement[c].value = joint.placement.linear().col(c);
+    hinge.turn = joint.kind == JointKind::kPrismatic ? Turn::kSlides : Turn::kAny;
+    for (int c = 0; c < 3 && hinge.turn == Turn::kAny; ++c) {
+      if (std::abs(joint.axis[c]) != 1.0) continue;
+      hinge.turn = c == 0 ? Turn::kX : c == 1 ? Turn::kY : Turn::kZ;
+      hinge.sign = joint.axis[c];
+    }
   }
   update(Configuration(model));
 }
 
-void Kinematics::update(const Configuration& configuration) noexcept {
-  pose_[0] = configuration.base;
-  omega_[0] = configuration.base_angular_velocity;
-  velocity_[0] = configuration.base_velocity;
-  for (std::size_t j = 0; j < model_->joints.size(); ++j) {
-    const Joint& joint = model_->joints[j];
-    const auto parent = at(joint.parent);
-    const std::size_t child = j + 1;
-    const double q = configuration.q[static_cast<Eigen::Index>(j)];
-    const double qd = configuration.qd[static_cast<Eigen::Index>(j)];
-
-    const Eigen::Matrix3d& r_parent = pose_[parent].linear();
-    Eigen::Matrix3d rotation;
-    rotation.noalias() = r_parent * joint.placement.linear();
-    axis_[j].noalias() = rotation * joint.axis;
-    Eigen::Vector3d arm;  // from the parent's origin to the child's, world
-    arm.noalias() = r_parent * joint.placement.translation();
-    omega_[child] = omega_[parent];
-    if (joint.kind == JointKind::kPrismatic) {
-      arm += q * axis_[j];
-      pose_[child].linear() = rotation;
-      velocity_[child] = velocity_[parent] + omega_[parent].cross(arm) + qd * axis_[j];
-    } else {
-      pose_[child].linear().noalias() = rotation * rotation_about(joint.axis, q);
-      velocity_[child] = velocity_[parent] + omega_[parent].cross(arm);
-      omega_[child] += qd * axis_[j];
-    }
-    pose_[child].translation() = pose_[parent].translation() + arm;
+TWINBUS_AVX2_CLONES
+void Kinematics::sines(const Configuration& configuration) noexcept {
+  const std::size_t n = model_->joints.size();
+  bool large = false;
+  for (std::size_t j = 0; j < n; ++j) {
+    angle_[j] = configuration.q[static_cast<Eigen::Index>(j)];
+    large = large || !(std::abs(angle_[j]) <= kMostAngle);
   }
-  update_com();
+  for (std::size_t k = 0; k < angle_.size(); k += 4) {
+    Vec4 s, c;
+    sine_cosine(load4(&angle_[k]), s, c);
+    store4(&sine_[k], s);
+    store4(&cosine_[k], c);
+  }
+  if (!large) return;
+  for (std::size_t j = 0; j < n; ++j) {
+    sine_[j] = std::sin(angle_[j]);
+    cosine_[j] = std::cos(angle_[j]);
+  }
 }
 
-// Subtrees first, because every Jacobian column of the centre of mass is about one; then the
-// momentum.
-void Kinematics::update_com() noexcept {
-  const std::vector<Link>& links = model_->links;
-  for (std::size_t i = 0; i < links.size(); ++i) {
-    com_of_link_[i] = pose_[i].translation();
-    com_of_link_[i].noalias() += pose_[i].linear() * links[i].com;
-    subtree_moment_[i] = links[i].mass * com_of_link_[i];
-  }
-  for (std::size_t i = links.size() - 1; i > 0; --i) {
-    subtree_moment_[at(links[i].parent)] += subtree_moment_[i];
-  }
-  const double inverse_mass = mass_ > 0.0 ? 1.0 / mass_ : 0.0;
-  com_ = inverse_mass * subtree_moment_[0];
+// A coordinate axis turns two columns into each other: b' = c b + s e, e' = c e - s b.
+TWINBUS_INLINE static void mix(Vec4& b, Vec4& e, double s, double c) noexcept {
+  const Vec4 turned = b * c + e * s;
+  e = e * c - b * s;
+  b = turned;
+}
 
-  Eigen::Vector3d momentum = Eigen::Vector3d::Zero();
-  Eigen::Vector3d angular = Eigen::Vector3d::Zero();  // about com_
-  for (std::size_t i = 0; i < links.size(); ++i) {
-    const Eigen::Vector3d offset = com_of_link_[i] - pose_[i].translation();
-    const Eigen::Vector3d p = links[i].mass * (velocity_[i] + omega_[i].cross(offset));
-    const Eigen::Matrix3d& r = pose_[i].linear();
-    momentum += p;
-    angular += (com_of_link_[i] - com_).cross(p);
-    angular.noalias() += r * (links[i].inertia * (r.transpose() * omega_[i]));
+TWINBUS_AVX2_CLONES
+void Kinematics::move_links(const double* q, const double* qd) noexcept {
+  for (std::size_t j = 0; j < hinges_.size(); ++j) {
+    const Hinge& hinge = hinges_[j];
+    const LinkState& parent = links_[at(hinge.parent)];
+    LinkState& child = links_[j + 1];
+    const double* from = parent.pose.matrix().data();
+    Columns r = columns(from, 4);
+    Vec4 arm = r.times(hinge.offset.value.data());
+    if (hinge.turned) {
+      r = {r.times(hinge.placement[0].value.data()), r.times(hinge.placement[1].value.data()),
+           r.times(hinge.placement[2].value.data())};
+    }
+    const double s = sine_[j], c = cosine_[j];
+    Vec4 axis{};
+    switch (hinge.turn) {
+      case Turn::kX:
+        axis = r.x * hinge.sign;
+        mix(r.y, r.z, hinge.sign * s, c);
+        break;
+      case Turn::kY:
+        axis = r.y * hinge.sign;
+        mix(r.z, r.x, hinge.sign * s, c);
+        break;
+      case Turn::kZ:
+        axis = r.z * hinge.sign;
+        mix(r.x, r.y, hinge.sign * s, c);
+        break;
+      case Turn::kAny: {
+        // Rodrigues: column k becomes c r_k + s (axis x r_k) + (1 - c) a_k axis.
+        axis = r.times(hinge.axis.value.data());
+        const double* a = hinge.axis.value.data();
+        const Vec4 t = axis * (1.0 - c), u = axis * s;
+        r = {r.x * c + cross4(u, r.x) + t * a[0], r.y * c + cross4(u, r.y) + t * a[1],
+             r.z * c + cross4(u, r.z) + t * a[2]};
+        break;
+      }
+      case Turn::kSlides:
+        axis = r.times(hinge.axis.value.data());
+        arm += axis * q[j];
+        break;
+    }
+    const Vec4 omega = load(parent.omega);
+    const Vec4 velocity = load(parent.velocity) + cross4(omega, arm);
+    const Vec4 speed = axis * qd[j];
+    const bool slides = hinge.turn == Turn::kSlides;
+    store(child.axis, axis);
+    store(child.omega, slides ? omega : omega + speed);
+    store(child.velocity, slides ? velocity + speed : velocity);
+    double* to = child.pose.matrix().data();
+    store4(to, r.x);
+    store4(to + 4, r.y);
+    store4(to + 8, r.z);
+    store4(to + 12, load4(from + 12) + arm);
   }
-  com_velocity_ = inverse_mass * momentum;
-  angular_momentum_ = angular;
+  for (std::size_t i = 0; i < links_.size(); ++i) {
+    LinkState& link = links_[i];
+    const double* pose = link.pose.matrix().data();
+    const LinkMass& of = masses_[i];
+    const Vec4 com = load4(pose + 12) + columns(pose, 4).times(of.com.value.data());
+    store(link.com, com);
+    store(subtree_moment_[i], com * of.mass);
+  }
+  for (std::size_t i = links_.size() - 1; i > 0; --i) {
+    PaddedVector& parent = subtree_moment_[at(hinges_[i - 1].parent)];
+    store(parent, load(parent) + load(subtree_moment_[i]));
+  }
+}
+
+void Kinematics::update(const Configuration& configuration) noexcept {
+  LinkState& base = links_[0];
+  base.pose = configuration.base;
+  base.omega.value = configuration.base_angular_velocity;
+  base.velocity.value = configuration.base_velocity;
+  sines(configuration);
+  move_links(configuration.q.data(), configuration.qd.data());
+  com_ = (mass_ > 0.0 ? 1.0 / mass_ : 0.0) * subtree_moment_[0].value;
+}
+
+Eigen::Vector3d Kinematics::com_velocity() const noexcept {
+  Eigen::Vector3d momentum = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < links_.size(); ++i) {
+    const LinkState& link = links_[i];
+    momentum +=
+        masses_[i].mass *
+        (link.velocity.value + link.omega.value.cross(link.com.value - link.pose.translation()));
+  }
+  return (mass_ > 0.0 ? 1.0 / mass_ : 0.0) * momentum;
+}
+
+Eigen::Vector3d Kinematics::angular_momentum() const noexcept {
+  Eigen::Vector3d angular = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < links_.size(); ++i) {
+    const LinkState& link = links_[i];
+    const Eigen::Vector3d& omega = link.omega.value;
+    const Eigen::Matrix3d& r = link.pose.linear();
+    const Eigen::Vector3d p =
+        masses_[i].mass *
+        (link.velocity.value + omega.cross(link.com.value - link.pose.translation()));
+    angular += (link.com.value - com_).cross(p);
+    angular.noalias() += r * (model_->links[i].inertia * (r.transpose() * omega));
+  }
+  return angular;
 }
 
 Eigen::Vector3d Kinematics::point_velocity(int link, const Eigen::Vector3d& point) const noexcept {
-  return velocity_[at(link)] + omega_[at(link)].cross(point - pose_[at(link)].translation());
+  const LinkState& of = state(link);
+  return of.velocity.value + of.omega.value.cross(point - of.pose.translation());
 }
 
+TWINBUS_AVX2_CLONES
 void Kinematics::point_jacobian(int link, const Eigen::Vector3d& point,
                                 Eigen::MatrixXd& jacobian) const noexcept {
-  jacobian.setZero();
-  jacobian.block<3, 3>(0, 0).setIdentity();
-  jacobian.block<3, 3>(0, 3) = -skew(point - pose_[0].translation());
-  jacobian.block<3, 3>(3, 3).setIdentity();
-  for (int i = link; i > 0; i = model_->links[at(i)].parent) {
-    const auto j = at(i - 1);
-    const Eigen::Index column = 6 + i - 1;
-    if (model_->joints[j].kind == JointKind::kPrismatic) {
-      jacobian.block<3, 1>(0, column) = axis_[j];
+  std::memset(jacobian.data(), 0, static_cast<std::size_t>(jacobian.size()) * sizeof(double));
+  double* out = jacobian.data();
+  const Vec4 to = vec4(point);
+  const Eigen::Vector3d arm = point - links_[0].pose.translation();
+  out[0] = out[7] = out[14] = out[21] = out[28] = out[35] = 1.0;
+  out[19] = -arm.z();
+  out[20] = arm.y();
+  out[24] = arm.z();
+  out[26] = -arm.x();
+  out[30] = -arm.y();
+  out[31] = arm.x();
+  for (int i = link; i > 0; i = hinges_[at(i) - 1].parent) {
+    const LinkState& of = state(i);
+    const Vec4 axis = load(of.axis);
+    double column[8];
+    if (hinges_[at(i) - 1].turn == Turn::kSlides) {
+      store4(column, axis);
+      store4(column + 3, Vec4{});
     } else {
-      jacobian.block<3, 1>(0, column) = axis_[j].cross(point - pose_[at(i)].translation());
-      jacobian.block<3, 1>(3, column) = axis_[j];
+      store4(column, cross4(axis, to - load4(of.pose.matrix().data() + 12)));
+      store4(column + 3, axis);
     }
+    std::memcpy(out + 6 * (5 + i), column, 6 * sizeof(double));
   }
 }
 
+TWINBUS_AVX2_CLONES
 void Kinematics::com_jacobian(Eigen::MatrixXd& jacobian) const noexcept {
   const double inverse_mass = mass_ > 0.0 ? 1.0 / mass_ : 0.0;
   jacobian.block<3, 3>(0, 0).setIdentity();
-  jacobian.block<3, 3>(0, 3) = -skew(com_ - pose_[0].translation());
-  for (std::size_t j = 0; j < model_->joints.size(); ++j) {
-    const std::size_t child = j + 1;
-    const double share = inverse_mass * subtree_mass_[child];
-    const auto column = static_cast<Eigen::Index>(6 + j);
-    if (model_->joints[j].kind == JointKind::kPrismatic) {
-      jacobian.block<3, 1>(0, column) = share * axis_[j];
+  jacobian.block<3, 3>(0, 3) = -skew(com_ - links_[0].pose.translation());
+  double* out = jacobian.data() + 18;
+  for (std::size_t j = 0; j < hinges_.size(); ++j, out += 3) {
+    const LinkState& of = links_[j + 1];
+    const double share = inverse_mass * subtree_mass_[j + 1];
+    const Vec4 axis = load(of.axis);
+    Vec4 column = axis * share;
+    if (hinges_[j].turn != Turn::kSlides) {
+      column = cross4(axis, load(subtree_moment_[j + 1]) * inverse_mass -
+                                load4(of.pose.matrix().data() + 12) * share);
+    }
+    if (j + 1 < hinges_.size()) {
+      store4(out, column);  // lane 3 is written over by the next column
     } else {
-      jacobian.block<3, 1>(0, column) = axis_[j].cross(inverse_mass * subtree_moment_[child] -
-                                                       share * pose_[child].translation());
+      std::memcpy(out, &column, 3 * sizeof(double));
     }
   }
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "robot/model.h"
+#include "robot/vec4.h"
 
 namespace twinbus {
 
@@ -27,36 +28,45 @@ struct Configuration {
 // alone.
 void set_joints(const Model& model, const RobotState& state, Configuration& configuration) noexcept;
 
+// A link as it is now, in world axes, so that kernels read it four numbers at a time.
+struct alignas(64) LinkState {
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  PaddedVector omega, velocity;  // of the link; of its origin
+  PaddedVector axis;             // of the joint that moves it
+  PaddedVector com;
+};
+
+// Of a link, in its own axes.
+struct alignas(64) LinkMass {
+  PaddedVector com;
+  PaddedVector inertia[3];  // about the com: columns
+  double mass = 0.0;
+};
+
 class Kinematics {
  public:
   explicit Kinematics(const Model& model);
 
   void update(const Configuration& configuration) noexcept;
 
-  const Eigen::Isometry3d& link_in_world(int link) const noexcept {
-    return pose_[static_cast<std::size_t>(link)];
-  }
+  const Eigen::Isometry3d& link_in_world(int link) const noexcept { return state(link).pose; }
   const Eigen::Vector3d& angular_velocity(int link) const noexcept {
-    return omega_[static_cast<std::size_t>(link)];
+    return state(link).omega.value;
   }
   const Eigen::Vector3d& origin_velocity(int link) const noexcept {
-    return velocity_[static_cast<std::size_t>(link)];
+    return state(link).velocity.value;
   }
   const Eigen::Vector3d& axis_in_world(int joint) const noexcept {
-    return axis_[static_cast<std::size_t>(joint)];
+    return state(joint + 1).axis.value;
   }
   // Velocity of the material point of a link that is at `point` (world) [m/s].
   Eigen::Vector3d point_velocity(int link, const Eigen::Vector3d& point) const noexcept;
 
   // Centre of mass of one link, world [m].
-  const Eigen::Vector3d& com_of_link(int link) const noexcept {
-    return com_of_link_[static_cast<std::size_t>(link)];
-  }
-  const Eigen::Vector3d& com() const noexcept { return com_; }                    // world [m]
-  const Eigen::Vector3d& com_velocity() const noexcept { return com_velocity_; }  // world [m/s]
-  const Eigen::Vector3d& angular_momentum() const noexcept {
-    return angular_momentum_;
-  }  // about the com, world
+  const Eigen::Vector3d& com_of_link(int link) const noexcept { return state(link).com.value; }
+  const Eigen::Vector3d& com() const noexcept { return com_; }  // world [m]
+  Eigen::Vector3d com_velocity() const noexcept;                // world [m/s]; visits every link
+  Eigen::Vector3d angular_momentum() const noexcept;  // about the com, world; visits every link
   double mass() const noexcept { return mass_; }
 
   // jacobian [6 x (6 + joint_count)], rows: linear then angular velocity of `point` fixed to
@@ -66,16 +76,36 @@ class Kinematics {
   // [3 x (6 + joint_count)]
   void com_jacobian(Eigen::MatrixXd& jacobian) const noexcept;
 
+  const Model& model() const noexcept { return *model_; }
+  const LinkState& state(int link) const noexcept { return links_[static_cast<std::size_t>(link)]; }
+  const LinkMass& mass_of(int link) const noexcept {
+    return masses_[static_cast<std::size_t>(link)];
+  }
+
  private:
-  void update_com() noexcept;
+  // How a joint turns its link: about a coordinate axis two columns mix, and most joints are so.
+  enum class Turn { kX, kY, kZ, kAny, kSlides };
+  struct alignas(64) Hinge {
+    PaddedVector offset;        // of the joint, in the parent's axes
+    PaddedVector placement[3];  // columns
+    PaddedVector axis;          // in the joint's axes
+    int parent = 0;
+    Turn turn = Turn::kAny;
+    bool turned = false;  // the placement turns
+    double sign = 1.0;    // of the coordinate axis
+  };
+
+  void sines(const Configuration& configuration) noexcept;
+  void move_links(const double* q, const double* qd) noexcept;
 
   const Model* model_;
-  std::vector<Eigen::Isometry3d> pose_;
-  std::vector<Eigen::Vector3d> omega_, velocity_, axis_;
-  std::vector<Eigen::Vector3d> com_of_link_;     // world
-  std::vector<double> subtree_mass_;             // of a link and everything behind it
-  std::vector<Eigen::Vector3d> subtree_moment_;  // mass times centre of mass of it, world
-  Eigen::Vector3d com_, com_velocity_, angular_momentum_;
+  std::vector<LinkState> links_;
+  std::vector<LinkMass> masses_;
+  std::vector<Hinge> hinges_;                  // of link i + 1
+  std::vector<double> angle_, sine_, cosine_;  // of joints, filled up to a multiple of four
+  std::vector<double> subtree_mass_;           // of a link and everything behind it
+  std::vector<PaddedVector> subtree_moment_;   // mass times centre of mass of it, world
+  Eigen::Vector3d com_;
   double mass_ = 0.0;
 };
 

@@ -31,11 +31,18 @@ class MassMatrix {
   void centroidal_map(Eigen::MatrixXd& map) const noexcept;
 
  private:
-  const Model* model_;
+  struct alignas(64) Composite {  // a link and everything behind it
+    PaddedVector inertia[3];      // about O, columns
+    PaddedVector moment;
+    StoredSpatial motion;  // of the joint that moves it
+    StoredSpatial force;   // momentum of the composite at unit speed of that joint
+    double mass = 0.0, rotor = 0.0;
+    int parent = -1;
+    bool slides = false;
+  };
+
   Eigen::MatrixXd h_;
-  std::vector<RigidInertia> composite_;
-  std::vector<Spatial> motion_, force_;  // per joint; force: momentum of what hangs on it
-  Eigen::Vector3d com_;                  // from link 0's origin
+  std::vector<Composite> parts_;
 };
 
 }  // namespace twinbus

@@ -1,90 +1,95 @@
-// Spatial vectors in world axes about one common point, the origin of link 0: angular part first.
+// Spatial vectors and inertias in world axes about one common point O, the origin of link 0.
 //
 // About a common point inertias of links add up without being moved (Featherstone 2008, section
 // 2.13), which is what makes the algorithms that include this file short.
 
 #pragma once
 
-#include <Eigen/Geometry>
-
 #include "robot/kinematics.h"
+#include "robot/vec4.h"
 
 namespace twinbus {
 
-using Spatial = Eigen::Matrix<double, 6, 1>;
-using SpatialMatrix = Eigen::Matrix<double, 6, 6>;
+// A motion (angular velocity, velocity of the point at O) or a force (moment about O, force).
+struct Spatial {
+  Vec4 angular, linear;
+};
+
+struct alignas(32) StoredSpatial {
+  PaddedVector angular, linear;
+};
+
+TWINBUS_INLINE Spatial load(const StoredSpatial& from) noexcept {
+  return {load(from.angular), load(from.linear)};
+}
+TWINBUS_INLINE void store(StoredSpatial& to, const Spatial& v) noexcept {
+  store(to.angular, v.angular);
+  store(to.linear, v.linear);
+}
+TWINBUS_INLINE double dot(const Spatial& a, const Spatial& b) noexcept {
+  const Vec4 m = a.angular * b.angular + a.linear * b.linear;
+  return m[0] + m[1] + m[2];
+}
+TWINBUS_INLINE Spatial operator+(const Spatial& a, const Spatial& b) noexcept {
+  return {a.angular + b.angular, a.linear + b.linear};
+}
+TWINBUS_INLINE Spatial operator*(const Spatial& a, double s) noexcept {
+  return {a.angular * s, a.linear * s};
+}
+
+// Origin of a link from O.
+TWINBUS_INLINE Vec4 from_base(const Kinematics& k, int link) noexcept {
+  return load4(k.state(link).pose.matrix().data() + 12) -
+         load4(k.state(0).pose.matrix().data() + 12);
+}
+
+// Motion of link i > 0 at unit speed of the joint that moves it.
+TWINBUS_INLINE Spatial joint_motion(const Kinematics& k, int link, bool slides) noexcept {
+  const Vec4 axis = load(k.state(link).axis);
+  if (slides) return {Vec4{}, axis};
+  return {axis, cross4(from_base(k, link), axis)};
+}
+
+// Inertia of a link about its own centre of mass, world axes: R I R'.
+TWINBUS_INLINE Columns turned_inertia(const Kinematics& k, int link) noexcept {
+  const double* r = k.state(link).pose.matrix().data();
+  const LinkMass& of = k.mass_of(link);
+  const Columns turn = columns(r, 4);
+  const Columns half = {turn.times(of.inertia[0].value.data()),
+                        turn.times(of.inertia[1].value.data()),
+                        turn.times(of.inertia[2].value.data())};
+  return {half.times(r[0], r[4], r[8]), half.times(r[1], r[5], r[9]),
+          half.times(r[2], r[6], r[10])};
+}
 
 // Of a link and what moves with it rigidly.
 struct RigidInertia {
-  double mass = 0.0;                                  // [kg]
-  Eigen::Vector3d moment = Eigen::Vector3d::Zero();   // mass times centre of mass [kg m]
-  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  // about the common point [kg m^2]
+  Columns inertia;  // about O [kg m^2]
+  Vec4 moment;      // mass times centre of mass from O [kg m]
+  double mass;      // [kg]
 
-  void add(const RigidInertia& other) noexcept {
-    mass += other.mass;
-    moment += other.moment;
-    inertia += other.inertia;
-  }
-  // Momentum of the motion (omega, v).
-  Spatial times(const Spatial& motion) const noexcept {
-    const Eigen::Vector3d omega = motion.head<3>();
-    const Eigen::Vector3d v = motion.tail<3>();
-    Spatial momentum;
-    momentum.head<3>().noalias() = inertia * omega;
-    momentum.head<3>() += moment.cross(v);
-    momentum.tail<3>() = mass * v + omega.cross(moment);
-    return momentum;
+  // Momentum of a motion.
+  TWINBUS_INLINE Spatial times(const Spatial& motion) const noexcept {
+    return {inertia.times(motion.angular) + cross4(moment, motion.linear),
+            motion.linear * mass + cross4(motion.angular, moment)};
   }
 };
 
-inline RigidInertia rigid_inertia(const Model& model, const Kinematics& k, int link) noexcept {
-  const Link& of = model.links[static_cast<std::size_t>(link)];
-  const Eigen::Vector3d c = k.com_of_link(link) - k.link_in_world(0).translation();
-  const Eigen::Matrix3d& r = k.link_in_world(link).linear();
-  RigidInertia result;
-  result.mass = of.mass;
-  result.moment = of.mass * c;
-  Eigen::Matrix3d turned;
-  turned.noalias() = r * of.inertia;
-  result.inertia.noalias() = turned * r.transpose();
-  result.inertia.noalias() -= result.moment * c.transpose();
-  const double square = result.moment.dot(c);
-  result.inertia.diagonal().array() += square;
-  return result;
+// turned: about the centre of mass; com: from O.
+TWINBUS_INLINE RigidInertia moved_inertia(const Columns& turned, const Vec4& com,
+                                          double mass) noexcept {
+  const Vec4 moment = com * mass;
+  const double square = dot3(moment, com);
+  return {{turned.x - moment * com[0] + Vec4{square, 0.0, 0.0, 0.0},
+           turned.y - moment * com[1] + Vec4{0.0, square, 0.0, 0.0},
+           turned.z - moment * com[2] + Vec4{0.0, 0.0, square, 0.0}},
+          moment,
+          mass};
 }
 
-// Motion of joint j at unit speed.
-inline Spatial joint_motion(const Model& model, const Kinematics& k, int joint) noexcept {
-  const Eigen::Vector3d& axis = k.axis_in_world(joint);
-  Spatial motion;
-  if (model.joints[static_cast<std::size_t>(joint)].kind == JointKind::kPrismatic) {
-    motion << Eigen::Vector3d::Zero(), axis;
-  } else {
-    const Eigen::Vector3d arm =
-        k.link_in_world(joint + 1).translation() - k.link_in_world(0).translation();
-    motion << axis, arm.cross(axis);
-  }
-  return motion;
-}
-
-// v x m: change of the motion m that moves with v.
-inline Spatial cross_motion(const Spatial& v, const Spatial& m) noexcept {
-  const Eigen::Vector3d w = v.head<3>();
-  const Eigen::Vector3d mw = m.head<3>();
-  Spatial result;
-  result << w.cross(mw),
-      w.cross(Eigen::Vector3d(m.tail<3>())) + Eigen::Vector3d(v.tail<3>()).cross(mw);
-  return result;
-}
-
-// v x* f: change of the force or momentum f that moves with v.
-inline Spatial cross_force(const Spatial& v, const Spatial& f) noexcept {
-  const Eigen::Vector3d w = v.head<3>();
-  const Eigen::Vector3d ff = f.tail<3>();
-  Spatial result;
-  result << w.cross(Eigen::Vector3d(f.head<3>())) + Eigen::Vector3d(v.tail<3>()).cross(ff),
-      w.cross(ff);
-  return result;
+TWINBUS_INLINE RigidInertia rigid_inertia(const Kinematics& k, int link) noexcept {
+  const Vec4 com = load(k.state(link).com) - load4(k.state(0).pose.matrix().data() + 12);
+  return moved_inertia(turned_inertia(k, link), com, k.mass_of(link).mass);
 }
 
 }  // namespace twinbus

@@ -1,7 +1,9 @@
 // `twinbus bench kinematics`: what one call of the robot library costs, on hrp1s in random
 // postures.
 
+#include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <random>
 #include <string>
 #include <vector>
@@ -48,7 +50,8 @@ std::vector<Configuration> postures(const Model& model) {
     Configuration c(model);
     for (int j = 0; j < model.joint_count(); ++j) {
       const Joint& joint = model.joints[static_cast<std::size_t>(j)];
-      c.q[j] = joint.lower + unit(random) * (joint.upper - joint.lower);
+      const double low = std::max(joint.lower, -3.0), high = std::min(joint.upper, 3.0);
+      c.q[j] = low + unit(random) * (high - low);
       c.qd[j] = unit(random) - 0.5;
     }
     result.push_back(c);
@@ -80,7 +83,8 @@ void dump(const Model& model, const std::string& file_name) {
   MassMatrix mass(model);
   InverseDynamics inverse(model);
   ForwardDynamics forward(model);
-  const int hand = model.hands[0].link;
+  const int hand = model.hands[0].link > 0 ? model.hands[0].link : model.link_count() - 1;
+  std::fprintf(file, "link %s\n", model.links[static_cast<std::size_t>(hand)].name.c_str());
   for (Configuration c : postures(model)) {
     c.base.linear() = Eigen::Quaterniond(vector(4).normalized().eval().data()).toRotationMatrix();
     c.base.translation() = vector(3);
@@ -111,6 +115,11 @@ void dump(const Model& model, const std::string& file_name) {
     Eigen::VectorXd forces(6 + n);
     forces << wrench, tau;
     line("inverse_dynamics", forces);
+    Eigen::VectorXd still(n);
+    wrench = inverse.solve(k, c, Eigen::VectorXd::Zero(n), Eigen::Vector3d::Zero(),
+                           Eigen::Vector3d::Zero(), {}, still);
+    forces << wrench, still;
+    line("bias", forces);
     forward.solve(k, c, tau, {}, qdd);
     base << forward.base_acceleration(), forward.base_angular_acceleration();
     forces << base, qdd;
@@ -143,21 +152,23 @@ int main(int argc, char** argv) try {
   Options options("kinematics_bench", "Costs of the robot library per call.");
   std::string csv, dump_file, robot = "hrp1s";
   std::int64_t calls = 200000;
-  options.text("--robot", "NAME_OR_DIR", robot, "a robot with legs, arms and a pose half_sitting");
+  options.text("--robot", "NAME_OR_DIR", robot,
+               "a robot with legs, arms and a pose half_sitting; to dump, any or a .urdf");
   options.integer("--calls", "N", calls, 1000, 100'000'000, "per case");
   options.text("--csv", "FILE", csv, "also as rows");
   options.text("--dump", "FILE", dump_file, "no costs: results for a peer to compare");
   options.parse(argc, argv);
 
-  const Model model = load_robot(robot);
+  const bool urdf = std::filesystem::path(robot).extension() == ".urdf";
+  const Model model = urdf ? load_urdf(robot, {}) : load_robot(robot);
+  if (!dump_file.empty()) {
+    dump(model, dump_file);
+    return 0;
+  }
   if (model.find_pose("half_sitting") < 0 || model.soles[0].link < 0 || model.hands[0].link < 0) {
     std::fprintf(stderr, "kinematics_bench: %s has no pose half_sitting, soles or hands\n",
                  robot.c_str());
     return 1;
-  }
-  if (!dump_file.empty()) {
-    dump(model, dump_file);
-    return 0;
   }
   const std::vector<Configuration> c = postures(model);
   Kinematics kinematics(model);

@@ -152,6 +152,12 @@ void expect_identities(const Model& model, unsigned seed, double most) {
   const Eigen::MatrixXd block = h.bottomRightCorner(6 + n - first, 6 + n - first);
   const Eigen::MatrixXd j = jacobian.rightCols(6 + n - first);
   EXPECT_LT(difference(mobility, j * block.llt().solve(j.transpose())), 10.0 * most) << about;
+  // And contact inertia its inverse.
+  constexpr double kDamping = 1e-3;
+  Eigen::MatrixXd inertia(6, 6);
+  ASSERT_TRUE(forward.contact_inertia(contacts, 2, kDamping, inertia)) << about;
+  const Eigen::MatrixXd damped = mobility + kDamping * Eigen::MatrixXd::Identity(6, 6);
+  EXPECT_LT(difference(inertia * damped, Eigen::MatrixXd::Identity(6, 6)), 1e-8) << about;
 }
 
 TEST(Dynamics, IdentitiesHoldOnOurRobotsAndForeignOnes) {
@@ -254,6 +260,8 @@ TEST(Dynamics, NothingAllocates) {
   mass.centroidal_map(map);
   forward.solve(k, s.c, tau, external, qdd);
   forward.contact_mobility(contacts, 2, mobility);
+  const bool sound = forward.contact_inertia(contacts, 2, 1e-6, mobility);
+  EXPECT_TRUE(sound);
   EXPECT_EQ(no_alloc.count(), 0);
 }
 

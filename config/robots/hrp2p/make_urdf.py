@@ -9,34 +9,10 @@ import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent))
 from robot_writer import Robot, ball, box, deg, mirrored, rod  # noqa: E402
+from short_leg import LEG, leg  # noqa: E402
 
-LEG = ["HIP_Y", "HIP_R", "HIP_P", "KNEE", "ANKLE_P", "ANKLE_R"]
 ARM = ["SHOULDER_P", "SHOULDER_R", "SHOULDER_Y", "ELBOW", "WRIST_Y", "WRIST_P", "HAND"]
 robot = Robot("hrp2p")
-
-
-def leg(prefix, side):
-    def n(part):
-        return f"{prefix}LEG_{part}"
-    robot.link(n("HIP_Y"), 0.8, (0, 0, 0), (0.09, 0.08, 0.08), [rod(0.042, 0.07, "z", (0, 0, 0.02), "joint", "v")])
-    robot.link(n("HIP_R"), 1.2, (0, 0, 0), (0.10, 0.09, 0.09), [rod(0.042, 0.100, "x", (0, 0, 0), "joint")])
-    robot.link(n("HIP_P"), 3.6, (0, 0.01 * side, -0.13), (0.11, 0.11, 0.24),
-               [rod(0.054, 0.185, "z", (0, 0, -0.155)), ball(0.052, (0, 0, 0), "accent", "v")])
-    robot.link(n("KNEE"), 2.6, (0, 0, -0.12), (0.09, 0.09, 0.24),
-               [rod(0.048, 0.10, "y", (0, 0, 0), "accent"), rod(0.042, 0.19, "z", (0, 0, -0.145))])
-    robot.link(n("ANKLE_P"), 0.5, (0, 0, 0), (0.07, 0.07, 0.07), [ball(0.036, (0, 0, 0), "joint", "v")])
-    robot.link(n("ANKLE_R"), 1.3, (0.02, 0, -0.075), (0.24, 0.138, 0.03),
-               [box(0.24, 0.138, 0.02, (0.02, 0, -0.095), "sole"), box(0.13, 0.09, 0.035, (0.01, 0, -0.068), "shell", "v")])
-    chain = [("HIP_Y", "WAIST", (0, 0.08 * side, 0), "z", mirrored(side, -0.52, 0.78), 120, 6),
-             ("HIP_R", n("HIP_Y"), (0, 0, 0), "x", mirrored(side, -0.35, 0.61), 150, 6),
-             ("HIP_P", n("HIP_R"), (0, 0, 0), "y", (-2.18, 0.73), 200, 8),
-             ("KNEE", n("HIP_P"), (0, 0, -0.30), "y", (-0.03, 2.62), 200, 9),
-             ("ANKLE_P", n("KNEE"), (0, 0, -0.30), "y", (-1.31, 0.73), 200, 8),
-             ("ANKLE_R", n("ANKLE_P"), (0, 0, 0), "x", (-0.61, 0.61), 120, 8)]
-    for part, parent, at, axis, (lower, upper), effort, velocity in chain:
-        robot.joint(n(part), parent, n(part), at, axis, lower, upper, effort, velocity)
-    robot.frame(f"{prefix}FOOT_SOLE", n("ANKLE_R"), (0, 0, -0.105))
-    robot.frame(f"{prefix}FOOT_SENSOR", n("ANKLE_R"), (0, 0, -0.105))
 
 
 def arm(prefix, side):
@@ -66,9 +42,9 @@ def arm(prefix, side):
 
 def body():
     robot.link("WAIST", 7.6, (0, 0, 0.06), (0.16, 0.22, 0.14), [box(0.15, 0.20, 0.10, (0, 0, 0.11))])
-    leg("R", -1)
+    leg(robot, "R", -1, width=0.08, thigh=(3.6, 0.01), shank=2.6, foot=1.3)
     arm("R", -1)
-    leg("L", 1)
+    leg(robot, "L", 1, width=0.08, thigh=(3.6, 0.01), shank=2.6, foot=1.3)
     arm("L", 1)
     robot.link("CHEST_Y", 1.0, (0, 0, 0), (0.10, 0.10, 0.08), [rod(0.05, 0.05, "z", (0, 0, 0), "joint")])
     robot.link("CHEST", 17.5, (0.01, 0, 0.17), (0.20, 0.28, 0.34),

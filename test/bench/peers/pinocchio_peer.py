@@ -1,13 +1,15 @@
 #!/usr/bin/env python3
 """Our kinematics and dynamics beside Pinocchio's (pip install pin): the same numbers, and the cost of each.
 
-    pinocchio_peer.py KINEMATICS_BENCH URDF [CSV]
+    pinocchio_peer.py KINEMATICS_BENCH URDF [CSV] [--cost PROGRAM]
 
 Agreement is relative, over 64 random postures and motions; more than 1e-10 is a failure.  Costs are medians of the same
-minute; what Python adds to each of Pinocchio's calls is measured with an empty one and taken off.  Without Pinocchio it
-says so and exits 0.
+minute, ours and the peer's in turn, five times.  PROGRAM is pinocchio_cost.cpp, compiled as that file says: Pinocchio's
+own C++ without Python between.  Without it Pinocchio is called from Python, and an empty call is taken off, which leaves
+the conversion of arrays in its cost.  Without Pinocchio it says so and exits 0.
 """
 
+import argparse
 import pathlib
 import subprocess
 import sys
@@ -30,9 +32,9 @@ def blocks(text):
         name, *values = line.split()
         if name == "end":
             yield block
-            block = {"joints": block["joints"]}
+            block = {k: block[k] for k in ("joints", "link")}
         else:
-            block[name] = values if name == "joints" else numpy.array([float(v) for v in values])
+            block[name] = values if name in ("joints", "link") else numpy.array([float(v) for v in values])
 
 
 def to_peer(model, block):
@@ -105,19 +107,48 @@ def peer_costs(model, data, all_blocks):
             "all: forward dynamics": median_us(lambda i: pinocchio.aba(model, data, *states[i][:3])) - empty}
 
 
+def write_numbers(model, all_blocks, file):
+    """What pinocchio_cost reads."""
+    def line(*values):
+        return " ".join(v if isinstance(v, str) else " ".join(repr(float(x)) for x in numpy.asarray(v).ravel()) for v in values)
+    lines = [str(model.njoints - 1)]
+    for j in range(1, model.njoints):
+        inertia, at = model.inertias[j], model.jointPlacements[j]
+        lines.append(line(str(model.parents[j]), model.joints[j].shortname(), at.rotation, at.translation, inertia.mass,
+                          inertia.lever, inertia.inertia))
+    lines += [line(*to_peer(model, block)[:3]) for block in all_blocks]
+    file.write_text("\n".join(lines) + "\n")
+
+
 def main():
-    if len(sys.argv) < 3:
-        sys.exit(__doc__)
-    bench, urdf = sys.argv[1:3]
-    model = pinocchio.buildModelFromUrdf(urdf, pinocchio.JointModelFreeFlyer())
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("bench")
+    parser.add_argument("urdf")
+    parser.add_argument("csv", nargs="?")
+    parser.add_argument("--cost")
+    options = parser.parse_args()
+    model = pinocchio.buildModelFromUrdf(options.urdf, pinocchio.JointModelFreeFlyer())
     data = model.createData()
-    robot = str(pathlib.Path(urdf).resolve().parent)
+    robot = str(pathlib.Path(options.urdf).resolve().parent)
+
+    def costs(command, separator):
+        text = subprocess.run(command, check=True, capture_output=True, text=True).stdout
+        return {name.strip(): float(value) for name, value in (row.split(separator)[:2] for row in text.splitlines())}
+
+    def our_costs(csv):
+        csv.unlink(missing_ok=True)
+        subprocess.run([options.bench, "--robot", robot, "--calls", "20000", "--csv", csv], check=True,
+                       stdout=subprocess.DEVNULL)
+        return {line.split('"')[1]: float(line.split(",us,")[1].split(",")[0]) for line in csv.read_text().splitlines()}
+    ours, theirs = [], []
     with tempfile.TemporaryDirectory() as folder:
-        dump, csv = pathlib.Path(folder) / "dump", pathlib.Path(folder) / "csv"
-        subprocess.run([bench, "--robot", robot, "--dump", dump], check=True)
+        dump, csv, numbers = (pathlib.Path(folder) / name for name in ("dump", "csv", "numbers"))
+        subprocess.run([options.bench, "--robot", robot, "--dump", dump], check=True)
         all_blocks = list(blocks(dump.read_text()))
-        subprocess.run([bench, "--robot", robot, "--calls", "40000", "--csv", csv], check=True, stdout=subprocess.DEVNULL)
-        ours = {line.split('"')[1]: float(line.split(",us,")[1].split(",")[0]) for line in csv.read_text().splitlines()}
+        write_numbers(model, all_blocks, numbers)
+        for _ in range(5):
+            ours.append(our_costs(csv))
+            theirs.append(costs([options.cost, numbers], ",") if options.cost else peer_costs(model, data, all_blocks))
     worst = {}
     for block in all_blocks:
         for name, off in agreement(model, data, block):
@@ -125,13 +156,16 @@ def main():
     print("relative difference, worst of", len(all_blocks))
     for name, off in worst.items():
         print(f"  {name:20s} {off:.1e}{'' if off <= LIMIT else '  TOO LARGE'}")
-    print(f"{'microseconds, median':32s} {'ours':>8s} {'peer':>8s} {'ratio':>6s}")
+    print(f"{'microseconds, median of 5 medians':34s} {'ours':>8s} {'peer':>8s} {'ratio':>6s}   pinocchio {pinocchio.__version__} from "
+          + ("C++" if options.cost else "Python"))
     rows = []
-    for name, theirs in peer_costs(model, data, all_blocks).items():
-        print(f"{name:32s} {ours[name]:8.3f} {theirs:8.3f} {ours[name] / theirs:6.2f}")
-        rows.append(f'kinematics,"{name}",cost,us,{ours[name]:.3f},,,,pinocchio,{theirs:.3f},{ours[name] / theirs:.3f}\n')
-    if len(sys.argv) > 3:
-        with open(sys.argv[3], "a") as file:
+    for name in theirs[0]:
+        us, them = (float(numpy.median([run[name] for run in runs])) for runs in (ours, theirs))
+        ratio = float(numpy.median([a[name] / b[name] for a, b in zip(ours, theirs)]))
+        print(f"{name:34s} {us:8.3f} {them:8.3f} {ratio:6.2f}")
+        rows.append(f'kinematics,"{name}",cost,us,{us:.3f},,,,pinocchio,{them:.3f},{ratio:.3f}\n')
+    if options.csv:
+        with open(options.csv, "a") as file:
             file.writelines(rows)
     return 0 if all(off <= LIMIT for off in worst.values()) else 1
 
