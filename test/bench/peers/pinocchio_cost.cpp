@@ -1,10 +1,10 @@
 // What Pinocchio costs per call, without Python between; pinocchio_peer.py --cost runs it.
 //
-// Reads the model as numbers, so that no parser has to be linked: per joint parent, kind, placement
-// (12), mass, centre of mass (3), inertia (9); then 64 lines q v a.  Not part of the build: with P
+// Reads the model as numbers, so that no parser has to be linked: per joint parent, kind, axis (3),
+// placement (12), mass, centre of mass (3), inertia (9); then 64 lines q v a.  Not part of the build: with P
 // the prefix of the wheel (site-packages/cmeel.prefix), and some minutes and 3 GB,
 //
-//     g++ -std=c++20 -O3 -DNDEBUG -DBOOST_MPL_LIMIT_LIST_SIZE=30 -DBOOST_MPL_CFG_NO_PREPROCESSED_HEADERS
+//     g++ -std=c++20 -O2 -DNDEBUG -DBOOST_MPL_LIMIT_LIST_SIZE=30 -DBOOST_MPL_CFG_NO_PREPROCESSED_HEADERS
 //       -DPINOCCHIO_ENABLE_TEMPLATE_INSTANTIATION -isystem $P/include -isystem /usr/include/eigen3
 //       pinocchio_cost.cpp -o pinocchio_cost -L$P/lib -lpinocchio_default -Wl,-rpath,$P/lib
 //
@@ -64,10 +64,10 @@ int main(int argc, char** argv) {
   for (int j = 0; j < joints; ++j) {
     std::string kind;
     pin::JointIndex parent = 0;
-    Eigen::Vector3d com;
+    Eigen::Vector3d axis, com;
     double mass = 0.0;
     Eigen::Matrix3d inertia;
-    in >> parent >> kind;
+    in >> parent >> kind >> axis[0] >> axis[1] >> axis[2];
     const pin::SE3 at = placement(in);
     in >> mass >> com[0] >> com[1] >> com[2];
     for (int r = 0; r < 3; ++r) {
@@ -82,6 +82,8 @@ int main(int argc, char** argv) {
       joint = pin::JointModelRY();
     else if (kind == "JointModelRZ")
       joint = pin::JointModelRZ();
+    else if (kind == "JointModelRevoluteUnaligned")
+      joint = pin::JointModelRevoluteUnaligned(axis);
     else
       return 1;
     const pin::JointIndex id =
@@ -116,8 +118,13 @@ int main(int argc, char** argv) {
           [&](int i) { pin::rnea(model, data, q[at(i)], v[at(i)], a[at(i)]); });
   measure("all: mass matrix",
           [&](int i) { pin::crba(model, data, q[at(i)], pin::Convention::WORLD); });
+  measure("all: mass matrix, local",
+          [&](int i) { pin::crba(model, data, q[at(i)], pin::Convention::LOCAL); });
   measure("all: forward dynamics", [&](int i) {
     pin::aba(model, data, q[at(i)], v[at(i)], a[at(i)], pin::Convention::WORLD);
+  });
+  measure("all: forward dynamics, local", [&](int i) {
+    pin::aba(model, data, q[at(i)], v[at(i)], a[at(i)], pin::Convention::LOCAL);
   });
   return 0;
 }
