@@ -160,13 +160,13 @@ void ClosedForm::solve(const Eigen::Isometry3d& target, const Angles& start, con
   const double bend = std::acos(std::clamp(cosine, -1.0, 1.0));
   const double lack = std::max(0.0, std::abs(cosine) - 1.0);
   // Angles are exact to rounding where the arm is bent, to its root where it is straight.
-  constexpr double kRounding = 1e-9;
+  constexpr double kAngleRounding = 1e-9;
   Branch elbow;
   for (int e = 0; e < 2; ++e) {
     elbow.q = start;
-    elbow.beyond = lack < kRounding ? 0.0 : lack;
+    elbow.beyond = lack < kAngleRounding ? 0.0 : lack;
     const double q3 = angle_at(s + 3, -(middle + (e == 0 ? bend : -bend)), start, low, high, elbow);
-    if (!(elbow.beyond <= best.beyond + kRounding)) continue;
+    if (!(elbow.beyond <= best.beyond + kAngleRounding)) continue;
     const Eigen::Matrix3d back3 = rotation_about(w, -q3);
     // Wrist: e^(-x6 q6) e^(-x5 q5) (shoulder seen past the elbow) = seen.
     const Vector past = a[3].point + back3 * upper - wrist_;
@@ -174,10 +174,10 @@ void ClosedForm::solve(const Eigen::Isometry3d& target, const Angles& start, con
     const double short4 = two_turns(a[5].direction, a[4].direction, past, seen, q5, q4);
     for (int v = 0; v < 2; ++v) {
       Branch wrist = elbow;
-      wrist.beyond += short4 < kRounding ? 0.0 : short4;
+      wrist.beyond += short4 < kAngleRounding ? 0.0 : short4;
       angle_at(s + 4, -q4[v], start, low, high, wrist);
       angle_at(s + 5, -q5[v], start, low, high, wrist);
-      if (!(wrist.beyond <= best.beyond + kRounding)) continue;
+      if (!(wrist.beyond <= best.beyond + kAngleRounding)) continue;
       // Shoulder: what turning is left.
       const Eigen::Matrix3d rest = turned * (rotation_about(a[5].direction, q5[v]) *
                                              (rotation_about(a[4].direction, q4[v]) * back3));
@@ -186,17 +186,17 @@ void ClosedForm::solve(const Eigen::Isometry3d& target, const Angles& start, con
           two_turns(a[0].direction, a[1].direction, a[2].direction, rest * a[2].direction, q0, q1);
       for (int h = 0; h < 2; ++h) {
         Branch all = wrist;
-        all.beyond += short0 < kRounding ? 0.0 : short0;
+        all.beyond += short0 < kAngleRounding ? 0.0 : short0;
         angle_at(s, q0[h], start, low, high, all);
         angle_at(s + 1, q1[h], start, low, high, all);
-        if (!(all.beyond <= best.beyond + kRounding)) continue;
+        if (!(all.beyond <= best.beyond + kAngleRounding)) continue;
         const Vector probe = rotation_about(a[1].direction, -q1[h]) *
                              (rotation_about(a[0].direction, -q0[h]) * (rest * a[1].direction));
         angle_at(s + 2, turn_between(a[2].direction, a[1].direction, probe), start, low, high, all);
         double distance = 0.0;
         for (std::size_t i = 0; i < axes_.size(); ++i) distance += std::abs(all.q[i] - start[i]);
-        const bool same = all.beyond <= best.beyond + kRounding;
-        if (all.beyond < best.beyond - kRounding || (same && distance < best.distance)) {
+        const bool same = all.beyond <= best.beyond + kAngleRounding;
+        if (all.beyond < best.beyond - kAngleRounding || (same && distance < best.distance)) {
           best = {all.q, all.beyond, distance};
         }
       }

@@ -14,9 +14,9 @@ namespace {
 
 constexpr double kDependent = 1e-6;  // a row that higher ones leave less than this of is dropped
 constexpr double kLeastStep = 1e-6;
-constexpr double kSame = 0.1;    // of the tolerance: errors that differ by less are the same
-constexpr int kMends = 2;        // steps after each step, for what it did to higher levels
-constexpr int kMostRounds = 12;  // of joints found to go beyond limits
+constexpr double kSameError = 0.1;  // of the tolerance: errors that differ by less are the same
+constexpr int kMends = 2;           // steps after each step, for what it did to higher levels
+constexpr int kMostRounds = 12;     // of joints found to go beyond limits
 
 int row_count(const IkTask& task, int joints) noexcept {
   switch (task.kind) {
@@ -33,8 +33,8 @@ int row_count(const IkTask& task, int joints) noexcept {
 int compare(const PrioritizedIkResult& a, const PrioritizedIkResult& b, double tolerance) noexcept {
   for (std::size_t k = 0; k < a.error.size(); ++k) {
     if (a.error[k] <= tolerance && b.error[k] <= tolerance) continue;
-    if (a.error[k] < b.error[k] - kSame * tolerance) return -1;
-    if (!(a.error[k] <= b.error[k] + kSame * tolerance)) return 1;
+    if (a.error[k] < b.error[k] - kSameError * tolerance) return -1;
+    if (!(a.error[k] <= b.error[k] + kSameError * tolerance)) return 1;
   }
   return 0;
 }

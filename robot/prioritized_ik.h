@@ -7,8 +7,8 @@
 //
 // B_k is an orthonormal basis of the rows of J_k that higher levels leave, so a lower level never
 // moves a higher one to first order, however badly it is missed; further steps of the higher levels
-// alone mend the second.  A step counts if the highest level that it changes got better.  Joints at limits that would go on outwards are
-// held, and all levels share what remains.
+// alone mend the second.  A step counts if the highest level that it changes got better.  Joints at
+// limits that would go on outwards are held, and all levels share what remains.
 
 #pragma once
 
