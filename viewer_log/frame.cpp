@@ -3,42 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
+#include "viewer_log/frame_number.h"
 #include "viewer_log/health.h"
 
 namespace twinbus {
 
 namespace {
 
-using Json = nlohmann::json;
-using Eigen::Vector3d;
-
 constexpr double kSenderFresh = 0.5;    // [s]
 constexpr double kMinShownForce = 1.0;  // [N]
-
-// Rounded to a number of decimals, so that 0.1f does not print as 0.10000000149011612.
-Json number(double value, int decimals = 4) {
-  if (!std::isfinite(value)) return nullptr;
-  const double scale = std::pow(10.0, decimals);
-  return std::round(value * scale) / scale;
-}
-
-Json point(const Vector3d& p) { return {number(p.x()), number(p.y()), number(p.z())}; }
-
-template <class T>
-Vector3d vector(const std::array<T, 3>& v) {
-  return {static_cast<double>(v[0]), static_cast<double>(v[1]), static_cast<double>(v[2])};
-}
-
-Json pose(const Eigen::Isometry3d& isometry) {
-  const Eigen::Quaterniond attitude(isometry.linear());
-  Json list = point(isometry.translation());
-  for (double value : {attitude.w(), attitude.x(), attitude.y(), attitude.z()}) {
-    list.push_back(number(value, 5));
-  }
-  return list;
-}
 
 Json age_ms(double age) { return age > 1e6 ? Json(nullptr) : number(1e3 * age, 1); }
 
@@ -226,9 +200,27 @@ Json processes(const StackView& view, std::int64_t now_ns) {
   return list;
 }
 
-// Text from the bus may be any bytes; what is not UTF-8 becomes U+FFFD.
-std::string dump(const Json& json) {
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+// Postures to be drawn as ghosts, and where the hands are.
+void add_ghosts(const StackView& view, std::int64_t now_ns, Json& frame) {
+  const int count = view.model().bus_count();
+  if (view.command_applies(now_ns)) frame["command"] = numbers(view.command().value.q, count, 4);
+  if (view.standby_applies(now_ns)) {
+    const RobotState& standby = view.standby().value;
+    frame["standby"] = {{"source", label(standby.source)},
+                        {"role", label(standby.role)},
+                        {"q", numbers(standby.q, count, 4)}};
+  }
+  const Eigen::Isometry3d drawn = view.drawn_from_estimated(now_ns);
+  Json hands = Json::array();
+  for (const Hand& hand : view.model().hands) {
+    if (hand.link < 0) {
+      hands.push_back(nullptr);
+    } else {
+      hands.push_back(point(drawn * view.estimator().kinematics().link_in_world(hand.link) *
+                            hand.frame.translation()));
+    }
+  }
+  frame["hands"] = hands;
 }
 
 }  // namespace
@@ -244,16 +236,13 @@ std::string live_frame(const StackView& view, std::int64_t now_ns) {
                 {"run", state.run_id},
                 {"age_ms", age_ms(view.state().age(now_ns))},
                 {"stop", label(state.stop_kind)}};
-  Json q = Json::array();
-  for (int i = 0; i < view.model().bus_count(); ++i) {
-    q.push_back(number(state.q[static_cast<std::size_t>(i)], 5));
-  }
-  frame["q"] = q;
+  frame["q"] = numbers(state.q, view.model().bus_count(), 5);
   frame["base"] = pose(view.base(now_ns));
   add_feet(view, frame);
   add_forces(view, now_ns, frame);
   add_balance(view, now_ns, frame);
   add_pairs(view, now_ns, frame);
+  add_ghosts(view, now_ns, frame);
   return dump(frame);
 }
 
@@ -309,15 +298,43 @@ std::string scene_frame(const StackView& view) {
   return dump({{"type", "scene"}, {"obstacles", list}});
 }
 
+std::string path_frame(const StackView& view) {
+  const ArmPathView& path = view.arm_path();
+  Json joints = Json::array(), knots = Json::array();
+  for (int index : path.joints()) {
+    const bool known = index >= 0 && index < static_cast<int>(view.model().joints.size());
+    joints.push_back(known ? view.model().joints[static_cast<std::size_t>(index)].name : "");
+  }
+  for (const ArmPathView::Knot& knot : path.knots()) {
+    knots.push_back(numbers(knot.q, static_cast<int>(path.joints().size())));
+  }
+  return dump({{"type", "path"},
+               {"id", path.id()},
+               {"status", path.status_text()},
+               {"seconds", number(path.duration(), 2)},
+               {"joints", joints},
+               {"knots", knots}});
+}
+
 std::string hello_frame(const Model& model, bool trusted) {
   Json joints = Json::array();
   for (int index : model.bus_joints) {
     joints.push_back(model.joints[static_cast<std::size_t>(index)].name);
   }
+  Json hands = Json::array();
+  for (const Hand& hand : model.hands) {
+    if (hand.link < 0) {
+      hands.push_back(nullptr);
+    } else {
+      hands.push_back({{"link", model.links[static_cast<std::size_t>(hand.link)].name},
+                       {"at", point(hand.frame.translation())}});
+    }
+  }
   return dump({{"type", "hello"},
                {"trusted", trusted},
                {"robot", model.name},
                {"joints", joints},
+               {"hands", hands},
                {"mass", number(model.total_mass(), 1)},
                {"period_ms", number(1e3 * model.period(), 3)}});
 }

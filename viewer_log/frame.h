@@ -1,9 +1,11 @@
-// What the page is sent: three JSON texts made from a StackView.  The page draws; nothing is
-// computed there.
+// What the page is sent to draw: JSON texts made from a StackView.  What can be plotted is in
+// signals.h.
 //
-//   live    60 Hz   posture, base pose, forces, ZMP, centre of mass, support polygon, guard pairs
+//   live    60 Hz   posture, base pose, forces, ZMP, centre of mass, support polygon, guard pairs,
+//                   postures of the ghosts
 //   status  5 Hz    health, sources, processes, rates, mode, events
 //   scene   on change  obstacles
+//   path    on change  the planned motion of an arm, as joint angles
 //
 // Numbers are rounded to what a screen can show; a number that is not finite becomes null.
 
@@ -19,6 +21,7 @@ namespace twinbus {
 std::string live_frame(const StackView& view, std::int64_t now_ns);
 std::string status_frame(const StackView& view, std::int64_t now_ns);
 std::string scene_frame(const StackView& view);
+std::string path_frame(const StackView& view);
 
 // The answer to a page that says hello: the robot's joints in bus order, and whether it may act.
 std::string hello_frame(const Model& model, bool trusted);

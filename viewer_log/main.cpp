@@ -26,7 +26,9 @@
 #include "robot/state_admission.h"
 #include "viewer_log/frame.h"
 #include "viewer_log/page_request.h"
+#include "viewer_log/signals.h"
 #include "viewer_log/stack_view.h"
+#include "viewer_log/switch_plan.h"
 #include "viewer_log/web_server.h"
 
 using namespace twinbus;
@@ -38,8 +40,10 @@ constexpr int kStatusEvery = 12;                   // frames: 5 Hz
 constexpr int kHeartbeatEvery = 6;                 // frames: 10 Hz
 constexpr int kRepeats = 5;                        // of a request, one per frame, same sequence
 constexpr std::size_t kMostRequests = 32;          // waiting from pages
+constexpr float kWalkTimeout = 0.3F;               // a page that falls silent stops the walk [s]
+constexpr float kReachSpeed = 0.4F;                // share of the joint velocity limits
 
-enum Slot : int { kLive = 0, kStatus = 1, kScene = 2 };
+enum Slot : int { kLive = 0, kStatus = 1, kScene = 2, kSignals = 3, kPath = 4 };
 
 struct Arguments {
   CommonOptions common;
@@ -132,6 +136,8 @@ class Viewer {
     stop_.message.sender_id = id_;
     switch_.message.sender_id = id_;
     mode_.message.sender_id = id_;
+    walk_.message.sender_id = id_;
+    goal_.message.sender_id = id_;
     state_.admit_by(admit_);
     bus_.listen(channel::kState, state_);
     bus_.listen(channel::kCommand, command_);
@@ -145,6 +151,7 @@ class Viewer {
     bus_.listen_each<Heartbeat>(channel::kHeartbeat, on_heartbeat_);
     bus_.listen_each<Event>(channel::kEvent, on_event_);
     bus_.listen_each<ObstaclesPiece>(channel::kObstacles, on_obstacles_);
+    bus_.listen_each<ArmPathPiece>(channel::kArmPath, on_arm_path_);
   }
 
   void run() {
@@ -218,7 +225,8 @@ class Viewer {
     }
     GuardReport guard;
     if (guard_.take(guard)) view_.on_guard(guard, now);
-    command_.fresh = false;
+    JointCommand command;
+    if (command_.take(command)) view_.on_command(command, now);
     view_.on_totals(state_.received, command_.received, guard_.received, now);
   }
 
@@ -226,44 +234,88 @@ class Viewer {
     const StopKind stop = inbox_.take(asked_);
     const RobotState& state = view_.state().value;
     for (const PageRequest& request : asked_) {
-      if (request.what == PageRequest::What::kClear) {
-        StopRequest clear;
-        clear.stop_nonce = state.stop_nonce;
-        clear.reason = StopReason::kViewer;
-        stop_.start(clear);
-      } else if (request.what == PageRequest::What::kMode) {
-        ModeRequest mode;
-        mode.run_id = state.run_id;
-        mode.mode = request.mode;
-        mode.motion = request.motion;
-        mode.amplitude = request.amplitude;
-        mode.frequency = request.frequency;
-        mode_.start(mode);
-      } else if (request.what == PageRequest::What::kSwitch) {
-        SourceRequest change;
-        const bool active = view_.state().fresh(now, 0.1);
-        change.action = active ? SourceAction::kSwitch : SourceAction::kActivate;
-        change.policy = SwitchPolicy::kWhenSafe;
-        change.target_run_id = request.run_id;
-        change.run_id = active ? state.run_id : request.run_id;
-        switch_.start(change);
+      switch (request.what) {
+        case PageRequest::What::kClear: {
+          StopRequest clear;
+          clear.stop_nonce = state.stop_nonce;
+          clear.reason = StopReason::kViewer;
+          stop_.start(clear);
+          break;
+        }
+        case PageRequest::What::kMode: {
+          ModeRequest mode;
+          mode.run_id = state.run_id;
+          mode.mode = request.mode;
+          mode.motion = request.motion;
+          mode.amplitude = request.amplitude;
+          mode.frequency = request.frequency;
+          mode_.start(mode);
+          break;
+        }
+        case PageRequest::What::kSwitch:
+          switch_plan_.start(request.run_id, now);
+          break;
+        case PageRequest::What::kWalk: {
+          WalkCommand walk;
+          walk.run_id = state.run_id;
+          walk.vx = request.vx;
+          walk.vy = request.vy;
+          walk.wz = request.wz;
+          walk.timeout = kWalkTimeout;
+          walk_.start(walk);
+          break;
+        }
+        case PageRequest::What::kReach:
+        case PageRequest::What::kCancel:
+          ask_arm(request, now);
+          break;
+        default:
+          break;
       }
     }
     asked_.clear();
     // After the rest, so that a stop in the same batch as a clear wins.
     if (stop != StopKind::kNone) {
+      walk_.left = 0;
       StopRequest request;
       request.kind = stop;
       request.reason = StopReason::kViewer;
       stop_.start(request);
     }
+    SourceRequest change;
+    if (switch_plan_.next(view_, now, change)) switch_.start(change);
     stop_.send(bus_, channel::kStop);
     switch_.send(bus_, channel::kSourceRequest);
     mode_.send(bus_, channel::kModeRequest);
+    walk_.send(bus_, channel::kWalk);
+    goal_.send(bus_, channel::kArmGoal);
+  }
+
+  // The page points into the world it draws; goals are in the robot's ground frame.
+  void ask_arm(const PageRequest& request, std::int64_t now) {
+    ArmGoal goal = goal_.message;
+    goal.run_id = view_.state().value.run_id;
+    goal.kind = ArmGoalKind::kCancel;
+    if (request.what == PageRequest::What::kReach) {
+      const Eigen::Isometry3d ground =
+          view_.drawn_from_estimated(now) * view_.estimator().ground_in_world();
+      const Eigen::Vector3d at = ground.inverse() * Eigen::Vector3d(request.at.data());
+      goal.kind = ArmGoalKind::kPosition;
+      goal.side = request.side;
+      goal.goal_id = random_id();
+      goal.position = {at.x(), at.y(), at.z()};
+      goal.speed = kReachSpeed;
+    }
+    goal_.start(goal);
   }
 
   void publish(std::int64_t frame, std::int64_t now) {
     server_.publish(kLive, live_frame(view_, now));
+    if (server_.stats().clients > 0) server_.publish(kSignals, signals_frame(view_, now));
+    if (view_.arm_path().version() != shown_path_) {
+      shown_path_ = view_.arm_path().version();
+      server_.publish(kPath, path_frame(view_));
+    }
     if (frame % kStatusEvery == 0) {
       view_.forget_silent(now);
       server_.publish(kStatus, status_frame(view_, now));
@@ -307,8 +359,12 @@ class Viewer {
   Outgoing<StopRequest> stop_;
   Outgoing<SourceRequest> switch_;
   Outgoing<ModeRequest> mode_;
+  Outgoing<WalkCommand> walk_;
+  Outgoing<ArmGoal> goal_;
+  SwitchPlan switch_plan_;
   std::vector<PageRequest> asked_;
   std::int64_t shown_obstacles_ = -1;
+  std::int64_t shown_path_ = 0;
   double busy_us_ = 0.0;
 
   struct Admit {
@@ -333,6 +389,10 @@ class Viewer {
     StackView& view;
     void operator()(const ObstaclesPiece& piece) { view.on_obstacles(piece); }
   } on_obstacles_{view_};
+  struct OnArmPath {
+    StackView& view;
+    void operator()(const ArmPathPiece& piece) { view.on_arm_path(piece); }
+  } on_arm_path_{view_};
   Bus bus_;           // after what it fills
   WebServer server_;  // last: its thread uses the members above
 };

@@ -1,5 +1,6 @@
 #include "viewer_log/page_request.h"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace twinbus {
@@ -9,6 +10,8 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr std::int64_t kLargestId = (std::int64_t{1} << 53) - 1;
+constexpr double kFarthest =
+    1000.0;  // a robot that has walked for long may be far from where it began [m]
 
 std::string text_member(const Json& json, const char* key) {
   const auto found = json.find(key);
@@ -25,6 +28,38 @@ std::int64_t integer_member(const Json& json, const char* key, std::int64_t larg
   return value >= 0 && value <= largest ? value : -1;
 }
 
+// False unless it is a finite number of at most this size.
+bool read_number(const Json& json, double largest, double& value) {
+  if (!json.is_number()) return false;
+  value = json.get<double>();
+  return std::abs(value) <= largest;
+}
+
+bool read_walk(const Json& json, PageRequest& request) {
+  double vx = 0, vy = 0, wz = 0;
+  if (!read_number(json.value("vx", Json()), 2.0, vx) ||
+      !read_number(json.value("vy", Json()), 1.0, vy) ||
+      !read_number(json.value("wz", Json()), 2.0, wz)) {
+    return false;
+  }
+  request.vx = static_cast<float>(vx);
+  request.vy = static_cast<float>(vy);
+  request.wz = static_cast<float>(wz);
+  return true;
+}
+
+bool read_reach(const Json& json, PageRequest& request) {
+  const std::string side = text_member(json, "side");
+  if (side != "left" && side != "right") return false;
+  request.side = side == "left" ? ArmSide::kLeft : ArmSide::kRight;
+  const auto at = json.find("at");
+  if (at == json.end() || !at->is_array() || at->size() != 3) return false;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!read_number((*at)[i], kFarthest, request.at[i])) return false;
+  }
+  return true;
+}
+
 bool read_mode(const std::string& name, PageRequest& request) {
   struct Row {
     const char* name;
@@ -36,6 +71,7 @@ bool read_mode(const std::string& name, PageRequest& request) {
                                   {"sway", Mode::kBalance, Motion::kSway, 0.03f, 0.4f},
                                   {"squat", Mode::kBalance, Motion::kSquat, 0.05f, 0.3f},
                                   {"hold", Mode::kHold, Motion::kNone, 0, 0},
+                                  {"walk", Mode::kWalk, Motion::kNone, 0, 0},
                                   {"idle", Mode::kIdle, Motion::kNone, 0, 0}};
   for (const Row& row : kRows) {
     if (name == row.name) {
@@ -87,10 +123,24 @@ bool read_page_request(const std::string& text, bool trusted, PageRequest& reque
   }
   if (what == "mode") {
     request.what = PageRequest::What::kMode;
-    problem = "mode: one of balance, sway, squat, hold, idle";
+    problem = "mode: one of balance, walk, sway, squat, hold, idle";
     return read_mode(text_member(json, "mode"), request);
   }
-  problem = "not understood: do must be stop, clear, switch or mode";
+  if (what == "walk") {
+    request.what = PageRequest::What::kWalk;
+    problem = "walk: vx, vy and wz must be numbers of at most 2 m/s, 1 m/s and 2 rad/s";
+    return read_walk(json, request);
+  }
+  if (what == "reach") {
+    request.what = PageRequest::What::kReach;
+    problem = "reach: side must be left or right, at three numbers in metres";
+    return read_reach(json, request);
+  }
+  if (what == "cancel") {
+    request.what = PageRequest::What::kCancel;
+    return true;
+  }
+  problem = "not understood: do must be stop, clear, switch, mode, walk, reach or cancel";
   return false;
 }
 

@@ -1,12 +1,14 @@
 // What a page may ask for, read from the JSON text it sent.
 //
 //   {"do":"stop","kind":1..3}   needs no token: anyone may stop
-//   {"do":"clear"}  {"do":"switch","run":R}  {"do":"mode","mode":"balance|sway|squat|hold|idle"}
+//   {"do":"clear"}  {"do":"switch","run":R}  {"do":"mode","mode":"balance|walk|sway|squat|hold|idle"}
+//   {"do":"walk","vx":V,"vy":V,"wz":W}  {"do":"reach","side":"left|right","at":[x,y,z]}  {"do":"cancel"}
 //   need it
 //   {"do":"hello"}
 
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 
@@ -15,14 +17,17 @@
 namespace twinbus {
 
 struct PageRequest {
-  enum class What { kNone, kHello, kStop, kClear, kSwitch, kMode };
+  enum class What { kNone, kHello, kStop, kClear, kSwitch, kMode, kWalk, kReach, kCancel };
   What what = What::kNone;
   StopKind stop = StopKind::kNone;
   std::int64_t run_id = 0;  // switch: the source that is to become active
   Mode mode = Mode::kNone;
   Motion motion = Motion::kNone;
-  float amplitude = 0;  // [m]
-  float frequency = 0;  // [Hz]
+  float amplitude = 0;           // [m]
+  float frequency = 0;           // [Hz]
+  float vx = 0, vy = 0, wz = 0;  // walk [m/s, m/s, rad/s]
+  ArmSide side = ArmSide::kNone;
+  std::array<double, 3> at{};  // reach: where the hand shall be, in the world that is drawn [m]
 };
 
 // False, with one sentence in problem, when the text is not one of the above or the page may not

@@ -86,6 +86,10 @@ void StackView::on_standby_state(const RobotState& state, std::int64_t now_ns) {
   if (!state_.fresh(now_ns, kStateFresh)) estimator_.update(state);
 }
 
+void StackView::on_command(const JointCommand& command, std::int64_t now_ns) {
+  if (command.joint_count == model_->bus_count()) command_ = {command, now_ns};
+}
+
 void StackView::on_controller_status(const ControllerStatus& status, std::int64_t now_ns) {
   controller_ = {status, now_ns};
 }
@@ -171,6 +175,14 @@ bool StackView::truth_applies(std::int64_t now_ns) const {
   return truth_.fresh(now_ns, kTruthFresh) && truth_.value.run_id == state_.value.run_id;
 }
 
+bool StackView::command_applies(std::int64_t now_ns) const {
+  return command_.fresh(now_ns, kStateFresh) && command_.value.run_id == shown(now_ns).run_id;
+}
+
+bool StackView::standby_applies(std::int64_t now_ns) const {
+  return standby_.fresh(now_ns, kStateFresh) && standby_.value.run_id != shown(now_ns).run_id;
+}
+
 const RobotState& StackView::shown(std::int64_t now_ns) const {
   if (!state_.fresh(now_ns, kStateFresh) && standby_.at_ns > state_.at_ns) return standby_.value;
   return state_.value;
@@ -181,6 +193,10 @@ Eigen::Isometry3d StackView::base(std::int64_t now_ns) const {
     return world_from_sim_ * truth_base(truth_.value);
   }
   return estimator_.configuration().base;
+}
+
+Eigen::Isometry3d StackView::drawn_from_estimated(std::int64_t now_ns) const {
+  return base(now_ns) * estimator_.configuration().base.inverse();
 }
 
 const SourceStatus* StackView::source_of(SourceKind kind, std::int64_t now_ns) const {

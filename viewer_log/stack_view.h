@@ -17,6 +17,7 @@
 #include "robot/estimator.h"
 #include "robot/model.h"
 #include "robot/requests.h"
+#include "viewer_log/arm_path_view.h"
 
 namespace twinbus {
 
@@ -54,6 +55,7 @@ class StackView {
   void on_state(const RobotState& state, std::int64_t now_ns);  // on STATE
   void on_standby_state(const RobotState& state,
                         std::int64_t now_ns);  // on STATE_SIM, _BRIDGE, _REPLAY
+  void on_command(const JointCommand& command, std::int64_t now_ns);
   void on_controller_status(const ControllerStatus& status, std::int64_t now_ns);
   void on_truth(const SimTruth& truth, std::int64_t now_ns);
   void on_guard(const GuardReport& report, std::int64_t now_ns);
@@ -61,12 +63,19 @@ class StackView {
   void on_heartbeat(const Heartbeat& heartbeat, std::int64_t now_ns);
   void on_event(const Event& event);
   void on_obstacles(const ObstaclesPiece& piece);
+  void on_arm_path(const ArmPathPiece& piece) { arm_path_.on_piece(piece); }
   // Messages admitted so far on STATE, COMMAND and GUARD.
   void on_totals(std::int64_t states, std::int64_t commands, std::int64_t guards,
                  std::int64_t now_ns);
 
   const Model& model() const { return *model_; }
   const Heard<RobotState>& state() const { return state_; }
+  const Heard<RobotState>& standby() const { return standby_; }
+  const Heard<JointCommand>& command() const { return command_; }
+  const ArmPathView& arm_path() const { return arm_path_; }
+  // COMMAND is for the run that is shown, and fresh; a standby source is heard beside STATE.
+  bool command_applies(std::int64_t now_ns) const;
+  bool standby_applies(std::int64_t now_ns) const;
   const Heard<ControllerStatus>& controller() const { return controller_; }
   const Heard<GuardReport>& guard() const { return guard_; }
   const Heard<SimTruth>& truth() const { return truth_; }
@@ -78,6 +87,8 @@ class StackView {
   // Base link in the drawn world: from TRUTH where it applies, so that a fall looks like one, else
   // estimated.
   Eigen::Isometry3d base(std::int64_t now_ns) const;
+  // From the estimator's world to the one that is drawn: not the identity where TRUTH is drawn.
+  Eigen::Isometry3d drawn_from_estimated(std::int64_t now_ns) const;
   const Eigen::Isometry3d& world_from_sim() const { return world_from_sim_; }
 
   const std::vector<Heard<SourceStatus>>& sources() const { return sources_; }
@@ -102,7 +113,9 @@ class StackView {
   const Model* model_;
   Estimator estimator_;
   Heard<RobotState> state_, standby_;
+  Heard<JointCommand> command_;
   Heard<ControllerStatus> controller_;
+  ArmPathView arm_path_;
   Heard<SimTruth> truth_;
   Heard<GuardReport> guard_;
   std::vector<Heard<SourceStatus>> sources_;

@@ -29,6 +29,8 @@ using asio::ip::tcp;
 using Error = beast::error_code;
 using Text = std::shared_ptr<const std::string>;
 
+constexpr std::string_view kAcknowledge = "ack";
+constexpr int kMostUnread = 8;
 constexpr auto kHttpTimeout = std::chrono::seconds(15);
 constexpr std::size_t kMaxHeader = 8192;              // [bytes]
 constexpr std::uint64_t kMaxFile = 64 * 1024 * 1024;  // [bytes]
@@ -102,12 +104,14 @@ class Client : public std::enable_shared_from_this<Client> {
       answers_.pop_front();
       return answer;
     }
+    if (acknowledges_ && unread_ >= kMostUnread) return nullptr;
     for (std::size_t i = 0; i < kWebSlots; ++i) {
       const std::size_t slot = (last_slot_ + 1 + i) % kWebSlots;
       const Slot& newest = shared_.newest[slot];
       if (!newest.text || newest.number == sent_[slot]) continue;
       sent_[slot] = newest.number;
       last_slot_ = slot;
+      ++unread_;
       ++shared_.frames_sent;
       return newest.text;
     }
@@ -119,7 +123,11 @@ class Client : public std::enable_shared_from_this<Client> {
       if (error) return self->leave();
       const std::string text = beast::buffers_to_string(self->incoming_.data());
       self->incoming_.consume(self->incoming_.size());
-      if (self->socket_.got_text() && self->shared_.config.on_message) {
+      if (text == kAcknowledge) {
+        self->acknowledges_ = true;
+        if (self->unread_ > 0) --self->unread_;
+        self->write();
+      } else if (self->socket_.got_text() && self->shared_.config.on_message) {
         std::string answer = self->shared_.config.on_message(text, self->trusted_);
         if (!answer.empty() && self->answers_.size() < kMaxAnswers) {
           self->answers_.push_back(std::make_shared<const std::string>(std::move(answer)));
@@ -144,6 +152,8 @@ class Client : public std::enable_shared_from_this<Client> {
   std::deque<Text> answers_;
   std::array<std::uint64_t, kWebSlots> sent_{};
   std::size_t last_slot_ = kWebSlots - 1;
+  bool acknowledges_ = false;
+  int unread_ = 0;  // frames sent and not acknowledged
 };
 
 // One connection until it is closed or becomes a Client.

@@ -3,7 +3,9 @@
 // Knows nothing of robots or the bus.  It listens on 127.0.0.1 only and refuses foreign Host and
 // Origin headers, so no page from elsewhere can reach it through the user's browser.  Frames live
 // in slots; each client gets the newest frame of every slot when it is ready for one, so that a
-// stalled client misses frames and never delays anybody.
+// stalled client misses frames and never delays anybody.  A page answers each frame with the text
+// `ack` and is never more than a few frames ahead of what it has read, so what a slow one draws is
+// not old; one that never answers is held back by TCP alone.
 
 #pragma once
 
@@ -17,7 +19,7 @@
 
 namespace twinbus {
 
-inline constexpr int kWebSlots = 4;
+inline constexpr int kWebSlots = 5;
 
 struct WebDocument {  // served from memory
   std::string path;   // "/robot.urdf"

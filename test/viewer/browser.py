@@ -77,6 +77,19 @@ class Browser:
         for kind in ("mousePressed", "mouseReleased"):
             self.call("Input.dispatchMouseEvent", type=kind, x=box[0], y=box[1], button="left", clickCount=1)
 
+    def drag(self, selector, dx, dy):
+        """Presses in the middle and pulls, without letting go: release() does."""
+        box = self.value(f"(r => [r.x + r.width / 2, r.y + r.height / 2])(document.querySelector('{selector}').getBoundingClientRect())")
+        self.held = (box[0] + dx, box[1] + dy)
+        self.call("Input.dispatchMouseEvent", type="mousePressed", x=box[0], y=box[1], button="left", clickCount=1)
+        self.call("Input.dispatchMouseEvent", type="mouseMoved", x=self.held[0], y=self.held[1], button="left", buttons=1)
+
+    def release(self):
+        self.call("Input.dispatchMouseEvent", type="mouseReleased", x=self.held[0], y=self.held[1], button="left", clickCount=1)
+
+    def type(self, text):
+        self.call("Input.insertText", text=text)
+
     def screenshot(self, name):
         data = self.call("Page.captureScreenshot", format="png")["data"]
         with open(name, "wb") as file:

@@ -52,6 +52,8 @@ class FakeStack {
     bus_.listen_each<ModeRequest>(channel::kModeRequest, on_mode_);
     bus_.listen_each<SourceRequest>(channel::kSourceRequest, on_source_);
     bus_.listen_each<Gamepad>(channel::kGamepad, on_gamepad_);
+    bus_.listen_each<WalkCommand>(channel::kWalk, on_walk_);
+    bus_.listen_each<ArmGoal>(channel::kArmGoal, on_goal_);
   }
 
   void tick() {
@@ -65,7 +67,19 @@ class FakeStack {
     command.run_id = kRun;
     command.controller_id = kController;
     command.joint_count = state_.joint_count;
+    command.q = state_.q;
+    command.q[0] += 0.02;  // a tracking error that can be seen
     sent = bus_.send(channel::kCommand, command) && sent;
+    RobotState standby = state_;
+    standby.run_id = kOtherRun;
+    standby.source =
+        state_.source == SourceKind::kBridge ? SourceKind::kSimulator : SourceKind::kBridge;
+    standby.role = Role::kStandbyShadow;
+    standby.q[1] += 0.03;
+    sent = bus_.send(
+               standby.source == SourceKind::kBridge ? channel::kStateBridge : channel::kStateSim,
+               standby) &&
+           sent;
     sent = bus_.send(channel::kControllerStatus, controller()) && sent;
     sent = bus_.send(channel::kGuard, guard()) && sent;
     if (state_.tick % 50 == 0) slow();
@@ -145,7 +159,7 @@ class FakeStack {
     status.run_id = kOtherRun;
     status.source =
         state_.source == SourceKind::kBridge ? SourceKind::kSimulator : SourceKind::kBridge;
-    status.role = Role::kParked;
+    status.role = other_role_;
     status.stop_kind = StopKind::kNone;
     sent = bus_.send(channel::kSourceStatus, status) && sent;
     static constexpr ProcessKind kKinds[] = {ProcessKind::kSimulator, ProcessKind::kBridge,
@@ -236,8 +250,54 @@ class FakeStack {
     void operator()(const SourceRequest& request) {
       if (me.repeated(request, me.last_source_)) return;
       me.print("source", static_cast<long>(request.action), request.target_run_id);
+      if (request.action == SourceAction::kStandbyShadow) me.other_role_ = Role::kStandbyShadow;
     }
   };
+  // A line whenever the velocity changes.
+  struct OnWalk {
+    FakeStack& me;
+    void operator()(const WalkCommand& walk) {
+      char line[96];
+      std::snprintf(line, sizeof line, "walk %.2f %.2f %.2f run %ld", double{walk.vx},
+                    double{walk.vy}, double{walk.wz}, static_cast<long>(walk.run_id));
+      if (me.last_walk_ == line) return;
+      me.last_walk_ = line;
+      std::printf("%s\n", line);
+      std::fflush(stdout);
+    }
+  };
+  struct OnGoal {
+    FakeStack& me;
+    void operator()(const ArmGoal& goal) {
+      if (me.repeated(goal, me.last_goal_)) return;
+      std::printf("goal %d side %d at %.3f %.3f %.3f run %ld\n", static_cast<int>(goal.kind),
+                  static_cast<int>(goal.side), goal.position[0], goal.position[1], goal.position[2],
+                  static_cast<long>(goal.run_id));
+      std::fflush(stdout);
+      me.send_path(goal);
+    }
+  };
+
+  // The arm's first joints swing a little, so that there is a path to be drawn.
+  void send_path(const ArmGoal& goal) {
+    const Hand& hand = model_.hands[goal.side == ArmSide::kRight ? 1 : 0];
+    if (hand.joints.empty()) return;
+    ArmPathPiece piece;
+    piece.run_id = kRun;
+    piece.goal_id = goal.goal_id;
+    piece.path_id = ++paths_;
+    piece.pieces = 1;
+    piece.joint_count = static_cast<std::int16_t>(hand.joints.size());
+    piece.knot_count = kKnotsPerPiece;
+    for (std::size_t i = 0; i < hand.joints.size(); ++i) {
+      piece.joint[i] = static_cast<std::int16_t>(hand.joints[i]);
+    }
+    for (std::size_t row = 0; row < kKnotsPerPiece; ++row) {
+      piece.time[row] = 0.4 * static_cast<double>(row);
+      piece.q[row][0] = -0.25 * static_cast<double>(row);
+    }
+    if (!bus_.send(channel::kArmPath, piece)) std::fprintf(stderr, "fake_robot: no path\n");
+  }
   // A line whenever what the pad says changes, with how many messages came since.
   struct OnGamepad {
     FakeStack& me;
@@ -261,13 +321,17 @@ class FakeStack {
   ModeRequest mode_{.mode = Mode::kBalance, .motion = Motion::kSway};
   int pose_ = -1;
   std::int32_t event_sequence_ = 0;
-  std::int64_t last_stop_ = 0, last_mode_ = 0, last_source_ = 0;
+  std::int64_t last_stop_ = 0, last_mode_ = 0, last_source_ = 0, last_goal_ = 0, paths_ = 0;
+  Role other_role_ = Role::kParked;
+  std::string last_walk_;
   std::string last_pad_;
   int pads_ = 0;
   OnStop on_stop_{*this};
   OnMode on_mode_{*this};
   OnSource on_source_{*this};
   OnGamepad on_gamepad_{*this};
+  OnWalk on_walk_{*this};
+  OnGoal on_goal_{*this};
   Bus bus_;
 };
 

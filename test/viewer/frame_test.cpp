@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "robot/load.h"
+#include "viewer_log/signals.h"
 
 namespace twinbus {
 namespace {
@@ -149,6 +150,35 @@ TEST(HelloFrame, ListsJointsInBusOrder) {
   EXPECT_EQ(frame["joints"].size(), static_cast<std::size_t>(model().bus_count()));
   EXPECT_EQ(frame["trusted"], true);
   EXPECT_NEAR(frame["mass"].get<double>(), 130.8, 1.0);
+}
+
+TEST(LiveFrame, GhostsAreOfThisRunAndOfAnother) {
+  StackView view(model());
+  view.on_state(standing(), kNow);
+  JointCommand command;
+  command.joint_count = standing().joint_count;
+  command.run_id = 99;
+  view.on_command(command, kNow);
+  EXPECT_FALSE(Json::parse(live_frame(view, kNow)).contains("command"));
+  command.run_id = 11;
+  command.q[3] = 0.25;
+  view.on_command(command, kNow);
+  RobotState standby = standing();
+  standby.run_id = 12;
+  standby.q[0] = 0.5;
+  view.on_standby_state(standby, kNow);
+  const Json frame = Json::parse(live_frame(view, kNow));
+  EXPECT_DOUBLE_EQ(frame["command"][3], 0.25);
+  EXPECT_DOUBLE_EQ(frame["standby"]["q"][0], 0.5);
+  ASSERT_EQ(frame["hands"].size(), 2u);
+  EXPECT_GT(frame["hands"][0][1], frame["hands"][1][1]);  // the left one is to the left
+  EXPECT_LT(frame.dump().size(), 8000u);
+
+  const Json signals = Json::parse(signals_frame(view, kNow));
+  EXPECT_DOUBLE_EQ(signals["TRACKING"]["q"][3], 0.25);
+  EXPECT_DOUBLE_EQ(signals["DIFFERENCE"]["q"][0], 0.5);
+  EXPECT_DOUBLE_EQ(signals["STATE"]["wrench"]["left_foot"][2], 640);
+  EXPECT_FALSE(signals["STATE"]["wrench"].contains("left_hand"));
 }
 
 }  // namespace

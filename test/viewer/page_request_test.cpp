@@ -34,7 +34,9 @@ TEST(PageRequest, AStopWithADamagedKindIsStillAStop) {
 TEST(PageRequest, ActingNeedsTheToken) {
   PageRequest request;
   for (const char* text :
-       {R"({"do":"clear"})", R"({"do":"switch","run":5})", R"({"do":"mode","mode":"sway"})"}) {
+       {R"({"do":"clear"})", R"({"do":"switch","run":5})", R"({"do":"mode","mode":"sway"})",
+        R"({"do":"walk","vx":0.1,"vy":0,"wz":0})", R"({"do":"cancel"})",
+        R"({"do":"reach","side":"left","at":[0.3,0.2,1]})"}) {
     EXPECT_FALSE(read(text, false, request)) << text;
     EXPECT_TRUE(read(text, true, request)) << text;
   }
@@ -52,15 +54,48 @@ TEST(PageRequest, ReadsModesAndSources) {
   EXPECT_EQ(request.run_id, 9007199254740991);
 }
 
+TEST(PageRequest, ReadsVelocitiesAndHandGoals) {
+  PageRequest request;
+  ASSERT_TRUE(read(R"({"do":"walk","vx":-0.25,"vy":0.5,"wz":1})", true, request));
+  EXPECT_EQ(request.what, PageRequest::What::kWalk);
+  EXPECT_FLOAT_EQ(request.vx, -0.25f);
+  EXPECT_FLOAT_EQ(request.vy, 0.5f);
+  EXPECT_FLOAT_EQ(request.wz, 1.0f);
+  ASSERT_TRUE(read(R"({"do":"reach","side":"right","at":[0.3,-0.2,1]})", true, request));
+  EXPECT_EQ(request.what, PageRequest::What::kReach);
+  EXPECT_EQ(request.side, ArmSide::kRight);
+  EXPECT_DOUBLE_EQ(request.at[1], -0.2);
+}
+
 TEST(PageRequest, RefusesEverythingElse) {
   PageRequest request;
-  for (const char* text :
-       {"", "x", "[]", "null", "{}", R"({"do":1})", R"({"do":"dance"})", R"({"do":"mode"})",
-        R"({"do":"mode","mode":"walk fast"})", R"({"do":"switch"})", R"({"do":"switch","run":0})",
-        R"({"do":"switch","run":-1})", R"({"do":"switch","run":1.5})",
-        R"({"do":"switch","run":9007199254740992})",
-        R"({"do":"switch","run":18446744073709551615})", R"({"do":"switch","run":"1"})",
-        "{\"do\":\"cle", "\xff\xfe"}) {
+  for (const char* text : {"",
+                           "x",
+                           "[]",
+                           "null",
+                           "{}",
+                           R"({"do":1})",
+                           R"({"do":"dance"})",
+                           R"({"do":"mode"})",
+                           R"({"do":"mode","mode":"walk fast"})",
+                           R"({"do":"switch"})",
+                           R"({"do":"switch","run":0})",
+                           R"({"do":"switch","run":-1})",
+                           R"({"do":"switch","run":1.5})",
+                           R"({"do":"switch","run":9007199254740992})",
+                           R"({"do":"switch","run":18446744073709551615})",
+                           R"({"do":"switch","run":"1"})",
+                           R"({"do":"walk"})",
+                           R"({"do":"walk","vx":3,"vy":0,"wz":0})",
+                           R"({"do":"walk","vx":1e400,"vy":0,"wz":0})",
+                           R"({"do":"walk","vx":"1","vy":0,"wz":0})",
+                           R"({"do":"reach","side":"middle","at":[0,0,0]})",
+                           R"({"do":"reach","side":"left"})",
+                           R"({"do":"reach","side":"left","at":[0,0]})",
+                           R"({"do":"reach","side":"left","at":[0,0,1e9]})",
+                           R"({"do":"reach","side":"left","at":[0,0,null]})",
+                           "{\"do\":\"cle",
+                           "\xff\xfe"}) {
     EXPECT_FALSE(read(text, true, request)) << text;
   }
   EXPECT_FALSE(read(std::string(4000, '['), true, request));

@@ -108,7 +108,8 @@ newcomer.close()
 
 # --- who may act ---
 check(Page(origin="http://evil.example").status == 403, "a page from elsewhere gets no WebSocket")
-for request in ('{"do":"clear"}', '{"do":"mode","mode":"sway"}', '{"do":"switch","run":1002}'):
+for request in ('{"do":"clear"}', '{"do":"mode","mode":"sway"}', '{"do":"switch","run":1002}',
+                '{"do":"walk","vx":0.1,"vy":0,"wz":0}', '{"do":"reach","side":"left","at":[0,0,1]}'):
     watcher.send(request)
     note = watcher.wait_for("note")
     check(note is not None and "watching only" in note["text"], f"{request} without the token is refused")
@@ -116,7 +117,7 @@ guesser = Page(token="0" * 32)
 guesser.send('{"do":"clear"}')
 check(guesser.wait_for("note") is not None, "a wrong token is no token")
 guesser.close()
-check(not any(w in " ".join(fake.drain()) for w in ("clear", "mode", "source")), "nothing of that reached the bus")
+check(not any(w in " ".join(fake.drain()) for w in ("clear", "mode", "source", "walk", "goal")), "nothing of that reached the bus")
 watcher.send('{"do":"stop","kind":1}')
 check(fake.wait_for("stop 1", 2) is not None, "STOP without a token is obeyed")
 deadline = time.monotonic() + 2
@@ -131,7 +132,16 @@ check(fake.wait_for("clear 77", 2) is not None, "clear with the token echoes the
 operator.send('{"do":"mode","mode":"squat"}')
 check(fake.wait_for("mode 42 run 1001", 2) is not None, "a mode is addressed to the active run")
 operator.send('{"do":"switch","run":1002}')
-check(fake.wait_for("source 2 run 1002", 2) is not None, "a switch names its target")
+check(fake.wait_for("source 4 run 1002", 2) is not None, "a switch asks for a shadow first")
+check(fake.wait_for("source 2 run 1002", 4) is not None, "and then to take over")
+operator.send('{"do":"walk","vx":0.2,"vy":0,"wz":-0.1}')
+check(fake.wait_for("walk 0.20 0.00 -0.10 run 1001", 2) is not None, "a velocity is addressed to the active run")
+operator.send('{"do":"reach","side":"left","at":[0.4,0.2,1.0]}')
+check(fake.wait_for("goal 2 side 1 at ", 2) is not None, "a hand's goal reaches the planner")
+path = operator.wait_for("path")
+check(path is not None and len(path["knots"]) == 6, "and the path is shown")
+signals = operator.wait_for("signals")
+check(signals is not None and len(signals["STATE"]["tau"]) == 29, "what can be plotted is sent")
 operator.send("{garbage")
 check(operator.wait_for("note") is not None, "garbage gets an answer, not an effect")
 operator.send(b"\x00" * 10, opcode=2)

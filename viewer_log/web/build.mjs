@@ -11,9 +11,11 @@ const largest = 1024 * 1024;
 
 function licences() {
   const three = readFileSync(join(here, 'node_modules/three/LICENSE'), 'utf8');
+  const uplot = readFileSync(join(here, 'node_modules/uplot/LICENSE'), 'utf8');
   const apache = readFileSync(join(here, 'licenses/Apache-2.0.txt'), 'utf8');
-  return `app.js contains these libraries.\n\n` +
+  return `app.js and app.css contain these libraries.\n\n` +
     `==== three (MIT) ====\n\n${three}\n` +
+    `==== uPlot (MIT) ====\n\n${uplot}\n` +
     `==== urdf-loader (Apache License 2.0; copyright California Institute of Technology) ====\n\n${apache}`;
 }
 

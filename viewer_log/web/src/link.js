@@ -1,5 +1,6 @@
 // The WebSocket to the viewer: JSON in, requests out, tried again for ever when it breaks.
 
+const kAnswers = new Set(['hello', 'note']); // everything else is a frame
 const kRetry = 700; // [ms]
 
 function tokenOfPage() {
@@ -14,10 +15,10 @@ function tokenOfPage() {
 
 export class Link {
   // on: an object with a function per message type (live, status, scene, hello, note) and `connected(bool)`.
+  // Call connect() once the page is ready to draw: until then frames would pile up.
   constructor(on) {
     this.on = on;
     this.socket = null;
-    this.connect();
   }
 
   connect() {
@@ -31,6 +32,7 @@ export class Link {
     };
     socket.onmessage = (event) => {
       const message = JSON.parse(event.data);
+      if (!kAnswers.has(message.type)) socket.send('ack'); // the server then sends no more than can be drawn
       this.on[message.type]?.(message);
     };
     socket.onclose = () => {

@@ -1,9 +1,19 @@
-// Joins link, robot, stage and panels, and the keys and buttons.
+// Joins link, robot, stage, panels, plots and what the operator can do.
 
+import { ArmPath } from './arm_path.js';
+import { BrowserPad } from './gamepad.js';
+import { Ghost } from './ghost.js';
+import { HandTarget } from './hand_target.js';
+import { History } from './history.js';
+import { Joystick } from './joystick.js';
+import { Keys } from './keys.js';
 import { Link } from './link.js';
 import { Panels } from './panels.js';
+import { Plots } from './plots.js';
+import { Recorder } from './record.js';
 import { Robot } from './robot.js';
 import { Stage } from './stage.js';
+import { Theme } from './theme.js';
 
 const $ = (id) => document.getElementById(id);
 const kBalanced = 1, kHold = 2;
@@ -12,28 +22,55 @@ const kAgain = 3000; // a second stop within this is meant as a harder one [ms]
 
 const stage = new Stage($('view'));
 const robot = new Robot(stage.scene);
+const commanded = new Ghost(stage.scene, 0xffd23f);
+const standby = new Ghost(stage.scene, 0xff5d5d);
+const armPath = new ArmPath(stage.scene);
 const panels = new Panels((request) => link.send(request));
+const history = new History();
+const plots = new Plots($('plot-box'), history, lookBack);
+const recorder = new Recorder($('view'));
+let hello = { joints: [], hands: [] };
 let newest = null;
 let newestAt = 0;
 let lastStop = -Infinity;
+let past = null; // { time, live } while looking back
+let plan = null; // the newest path message
 
 const link = new Link({
   connected: (yes) => { if (!yes) panels.connected(false); }, // the first picture says that it is there
   hello: (message) => {
+    hello = message;
+    history.joints = message.joints;
     panels.hello(message);
-    robot.load(message.joints).catch((error) => panels.toast(`The robot cannot be shown: ${error.message}`));
+    joystick.enabled = message.trusted;
+    robot.load(message.joints, (model) => {
+      commanded.adopt(model, message.joints);
+      standby.adopt(model, message.joints);
+    }).catch((error) => panels.toast(`The robot cannot be shown: ${error.message}`));
   },
   live: (message) => {
     newest = message;
     newestAt = performance.now();
     panels.connected(true);
   },
+  signals: (message) => {
+    const { type, time, ...groups } = message;
+    const live = newest ?? {};
+    groups.SHOWN = { base: live.base?.slice(0, 3), com: live.com, zmp: live.zmp, zmp_reference: live.zmp_reference, dcm: live.dcm,
+      margin_mm: live.margin_mm, foot_force: { left: live.foot_force?.[0], right: live.foot_force?.[1] } };
+    history.add(time, groups, newest);
+  },
   status: (message) => panels.status(message),
   scene: (message) => stage.showObstacles(message.obstacles),
+  path: (message) => {
+    plan = message;
+    if (message.status !== 'ok') panels.toast(`No arm path: ${message.status}.`);
+  },
   note: (message) => panels.toast(message.text),
 });
 
 function stop() {
+  joystick.release();
   const now = performance.now();
   const kind = now - lastStop < kAgain ? kHold : kBalanced;
   lastStop = now;
@@ -41,6 +78,30 @@ function stop() {
   else panels.toast(kind === kHold ? 'Stop (hold) sent.' : 'Stop sent. Once more: hold at once.');
 }
 
+// --- driving ---
+const joystick = new Joystick($('joystick'), $('speed'), (velocity) => link.send({ do: 'walk', ...velocity }), () => {
+  if (panels.mode !== 'walk') link.send({ do: 'mode', mode: 'walk' });
+});
+const pad = new BrowserPad(joystick, stop, $('pad'));
+const target = new HandTarget(stage, $('view'), (side, at) => {
+  link.send({ do: 'reach', side, at });
+  panels.toast(`The ${side} hand is asked to go there.`);
+});
+const reachButtons = [...document.querySelectorAll('#reach button')];
+for (const button of reachButtons) {
+  button.onclick = () => {
+    const shown = target.offer(button.dataset.side, newest?.hands);
+    for (const other of reachButtons) other.classList.toggle('on', shown && other === button);
+    $('reach-note').hidden = !shown;
+    $('reach-note').textContent = 'Drag the handle in the picture; the hand goes where you let go.';
+    button.blur();
+  };
+}
+$('stop').onpointerdown = stop; // on pressing, not on letting go
+$('stop').onkeydown = (event) => { if (event.key === 'Enter' && !event.repeat) stop(); };
+$('clear').onclick = () => link.send({ do: 'clear' });
+
+// --- looking ---
 function toggle(id, change) {
   const button = $(id);
   button.onclick = () => {
@@ -50,35 +111,85 @@ function toggle(id, change) {
   return () => button.onclick();
 }
 
-$('stop').onpointerdown = stop; // on pressing, not on letting go
-$('clear').onclick = () => link.send({ do: 'clear' });
-const toggleFollow = toggle('follow', (on) => { stage.follow = on; });
-const togglePanels = toggle('show-panels', (on) => document.body.classList.toggle('no-panels', !on));
-toggle('show-forces', (on) => { stage.forces.visible = on; });
-toggle('show-balance', (on) => { stage.balance.visible = on; });
+// The 3D view shows another time; badge, health and STOP stay with the present.
+function lookBack(time) {
+  past = time === null ? null : history.pictureAt(time);
+  document.body.classList.toggle('past', past !== null);
+  $('past').hidden = past === null;
+  if (past) $('past-text').textContent = `Looking back: robot time ${past.time.toFixed(2)} s. The robot goes on.`;
+}
 
-addEventListener('keydown', (event) => {
-  if (event.key === ' ') {
-    event.preventDefault(); // also keeps a focused button from being pressed
-    if (!event.repeat) stop();
-  } else if (event.key === 'Enter' && document.activeElement === $('stop') && !event.repeat) {
-    stop();
-  } else if (event.key === 'f') {
-    toggleFollow();
-  } else if (event.key === 'h') {
-    togglePanels();
-  }
+const theme = new Theme((light) => {
+  stage.theme(light);
+  plots.rebuild();
+  $('light').textContent = light ? 'dark' : 'light';
 });
-addEventListener('keyup', (event) => { if (event.key === ' ') event.preventDefault(); });
+$('light').onclick = () => { theme.toggle(); $('light').blur(); };
+$('present').onclick = () => plots.hold(null);
+const chips = {
+  follow: toggle('follow', (on) => { stage.follow = on; }),
+  forces: toggle('show-forces', (on) => { stage.forces.visible = on; }),
+  balance: toggle('show-balance', (on) => { stage.balance.visible = on; }),
+  command: toggle('show-command', (on) => { commanded.wanted = on; }),
+  standby: toggle('show-standby', (on) => {
+    standby.wanted = on;
+    if (on && !newest?.standby) panels.toast('No standby source is heard: ./twinbus up --stack both has one.');
+  }),
+  plots: toggle('show-plots', (on) => {
+    plots.toggle(on);
+    if (!on) plots.hold(null);
+  }),
+  panels: toggle('show-panels', (on) => document.body.classList.toggle('no-panels', !on)),
+  record: toggle('record', (on) => {
+    $('record').classList.toggle('recording', on);
+    if (!on) recorder.stop();
+    else if (!recorder.start()) panels.toast('This browser cannot record.');
+  }),
+};
+$('arrow-scale').querySelector('input').oninput = (event) => { stage.arrowScale = 2 ** Number(event.target.value); };
 
-stage.renderer.setAnimationLoop(() => {
+const keys = new Keys([
+  ['f', 'F', 'camera follows the robot', chips.follow],
+  ['c', 'C', 'contact forces', chips.forces],
+  ['b', 'B', 'soles, support, ZMP, CoM, DCM', chips.balance],
+  ['g', 'G', 'ghost of the commanded posture', chips.command],
+  ['j', 'J', 'ghost of the standby source', chips.standby],
+  ['p', 'P', 'plots', chips.plots],
+  ['l', 'L', 'look back, and to now again', () => {
+    if (plots.held !== null) plots.hold(null);
+    else { plots.hold(history.last); lookBack(history.last); }
+  }],
+  ['h', 'H', 'panels at the sides', chips.panels],
+  ['t', 'T', 'dark or light', () => theme.toggle()],
+  ['v', 'V', 'record a video of the view', chips.record],
+], stop, $('keys'));
+$('help').onclick = () => { keys.sheet.hidden = !keys.sheet.hidden; $('help').blur(); };
+
+function draw() {
   if (newest) {
     // The viewer process may hang with its connection open.
     if (performance.now() - newestAt > kSilent) panels.connected(false);
-    robot.pose(newest.q, newest.base);
-    robot.dim(!panels.online || newest.age_ms === null || newest.age_ms > 500 || newest.role === 'parked');
-    stage.show(newest);
+    const shown = past?.live ?? newest;
+    robot.pose(shown.q, shown.base);
+    robot.dim(!panels.online || shown.age_ms === null || shown.age_ms > 500 || shown.role === 'parked');
+    const limits = robot.warn(shown.q, shown.pairs);
+    if (plan && commanded.model) {
+      armPath.show(plan, commanded.model, hello.hands, newest, hello.joints);
+      plan = null;
+    }
+    commanded.pose(shown.command, shown.base);
+    standby.pose(shown.standby?.q, shown.base);
+    stage.show(shown);
     panels.live(newest);
+    panels.limits(limits);
   }
+  armPath.tick();
+  pad.tick();
+  plots.tick();
   stage.draw();
-});
+}
+stage.renderer.setAnimationLoop(draw);
+requestAnimationFrame(() => setTimeout(() => link.connect())); // after the first picture, which is slow to come
+
+// For tests of the page.
+globalThis.twinbus = { history, plots, stage, robot, commanded, standby, armPath, joystick, target };

@@ -38,7 +38,8 @@ export class Panels {
     this.robot = message.robot;
     document.title = `twinbus: ${message.robot}`;
     $('watching').hidden = message.trusted;
-    for (const button of document.querySelectorAll('#modes button')) button.disabled = !message.trusted;
+    for (const button of document.querySelectorAll('#modes button, #reach button')) button.disabled = !message.trusted;
+    document.body.classList.toggle('watching', !message.trusted);
     $('clear').disabled = !message.trusted;
   }
 
@@ -89,6 +90,7 @@ export class Panels {
       `<polygon points="${outline(live.polygon)}" fill="#3ecf8e2e" stroke="#3ecf8e" stroke-width=".8"/>` +
       live.soles.map((sole, i) => `<polygon points="${outline(sole)}" fill="${live.loaded[i] ? '#58c4ff30' : 'none'}" stroke="#8fb3d9" stroke-width=".6"/>`).join('') +
       (known(live.zmp_reference) ? `<circle cx="${at(live.zmp_reference)[0]}" cy="${at(live.zmp_reference)[1]}" r="3" fill="none" stroke="#ffffff99" stroke-width=".7"/>` : '') +
+      dot(live.dcm, 1.7, '#7cf5d0') +
       dot(live.com, 2.4, '#ffd23f') + dot(live.zmp, 2.4, '#ff5ac8');
   }
 
@@ -97,6 +99,12 @@ export class Panels {
       className: `pair ${pair.mm < 5 ? 'touch' : pair.mm < 30 ? 'close' : ''}`,
     }, [element('span', { textContent: `${pair.a} – ${pair.b}` }), element('b', { textContent: `${pair.mm.toFixed(0)} mm` })]));
     $('pairs').replaceChildren(...rows);
+  }
+
+  limits(near) {
+    const all = near.slice(0, 4).map(({ name, left }) => `${name} ${(left * 180 / Math.PI).toFixed(1)}°`).join(', ');
+    text('limits', all);
+    $('limits-row').hidden = near.length === 0;
   }
 
   status(status) {
@@ -111,6 +119,7 @@ export class Panels {
     text('rate-guard', hertz(status.guard_hz));
     text('rate-factor', status.realtime_factor > 0 ? `× ${status.realtime_factor.toFixed(2)}` : '–');
     const mode = status.controller;
+    this.mode = mode?.mode ?? null;
     const name = !mode ? '–' : mode.motion !== 'none' ? mode.motion : mode.mode;
     text('mode-now', !mode ? 'no controller' : mode.stopping !== 'none' ? `stopping (${mode.stopping})` : name);
     for (const button of document.querySelectorAll('#modes button')) button.classList.toggle('on', button.dataset.mode === name);

@@ -2,6 +2,7 @@
 
 import * as THREE from 'three';
 import URDFLoader from 'urdf-loader';
+import { Tint, nearLimits } from './tint.js';
 
 // The URDF loader's materials are flat; these take light and shadow.
 function dress(object) {
@@ -26,22 +27,36 @@ export class Robot {
     this.joints = [];
   }
 
-  // joints: names in bus order.
-  async load(joints) {
+  // joints: names in bus order; ready(model): called when all meshes are there.
+  async load(joints, ready) {
     const answer = await fetch('robot.urdf', { cache: 'no-store' });
     if (!answer.ok) throw new Error(`robot.urdf: ${answer.status}`);
     const manager = new THREE.LoadingManager();
     const loader = new URDFLoader(manager);
     loader.packages = () => '/robot'; // package://NAME/path is the robot's own folder
     loader.workingPath = '/robot/';
+    manager.itemStart('urdf'); // so that the end is told though there be no mesh
     const model = loader.parse(await answer.text(), '/robot/');
-    manager.onLoad = () => dress(model); // meshes come later
+    manager.onLoad = () => { // meshes come later
+      dress(model);
+      ready(model);
+    };
     dress(model);
     if (this.model) this.scene.remove(this.model);
     this.model = model;
     this.joints = joints.map((name) => model.joints[name] ?? null);
     for (const joint of this.joints) if (joint) joint.ignoreLimits = true; // show what is, not what should be
+    this.tint = new Tint();
     this.scene.add(model);
+    manager.itemEnd('urdf');
+  }
+
+  // Colours for what is about to touch or at its limit; returns the joints near a limit.
+  warn(q, pairs) {
+    if (!this.model) return [];
+    const limits = nearLimits(this.joints, q);
+    this.tint.show(this.model, pairs, limits);
+    return limits;
   }
 
   // base: x y z, quaternion w x y z.

@@ -2,12 +2,16 @@
 
 import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { Markers } from './markers.js';
 
-const kMetresPerNewton = 1 / 1100;
+const kMetresPerNewton = 1 / 1100; // at scale 1
 const kLongestArrow = 1.4; // [m]
 const kShownPair = 120;    // [mm]
 const kSlowFrame = 70;     // a machine without graphics hardware: fewer pixels, no shadows [ms]
 const kSlowFrames = 12;    // so many in a row
+
+const kDark = { sky: 0x141b26, floor: '#1c2634', thin: '#2b394c', thick: '#4d6685', ambient: 1.5 };
+const kLight = { sky: 0xdfe7f0, floor: '#cfd8e3', thin: '#bcc8d6', thick: '#93a5ba', ambient: 2.2 };
 
 function arrow(color) {
   const material = new THREE.MeshStandardMaterial({ color, emissive: color, emissiveIntensity: 0.45, roughness: 0.5,
@@ -23,9 +27,9 @@ function arrow(color) {
 }
 
 const kUp = new THREE.Vector3(0, 1, 0);
-function point(group, at, force) {
-  const length = Math.min(force.length() * kMetresPerNewton, kLongestArrow);
-  group.visible = length > 0.005;
+function point(group, at, force, scale, least) {
+  const length = Math.min(force.length() * kMetresPerNewton * scale, kLongestArrow);
+  group.visible = length > 0.005 && force.length() >= least;
   if (!group.visible) return;
   group.position.copy(at);
   group.quaternion.setFromUnitVectors(kUp, force.clone().normalize());
@@ -69,6 +73,8 @@ export class Stage {
     this.controls.minDistance = 0.5;
     this.controls.maxDistance = 14;
     this.follow = true;
+    this.arrowScale = 1;
+    this.leastForce = 5; // [N], smaller ones are not drawn
     this.pixels = Math.min(devicePixelRatio, 2);
     this.slowFrames = 0;
     this.fine = new URLSearchParams(location.hash.slice(1)).has('fine');
@@ -82,7 +88,8 @@ export class Stage {
   }
 
   light() {
-    this.scene.add(new THREE.HemisphereLight(0xcfe3ff, 0x2b2f38, 1.5));
+    this.sky = new THREE.HemisphereLight(0xcfe3ff, 0x2b2f38, 1.5);
+    this.scene.add(this.sky);
     const rim = new THREE.DirectionalLight(0x7fb4ff, 1.0);
     rim.position.set(-4, -3, 3);
     this.scene.add(rim);
@@ -99,8 +106,8 @@ export class Stage {
   // A picture on the floor, not lines: long lines are dropped by some drivers, and a picture takes shadows.
   ground() {
     const size = 60; // [m], one tile per metre
-    const floor = new THREE.Mesh(new THREE.PlaneGeometry(size, size),
-      new THREE.MeshStandardMaterial({ map: this.tile(size), roughness: 0.95, depthWrite: false }));
+    const floor = this.floor = new THREE.Mesh(new THREE.PlaneGeometry(size, size),
+      new THREE.MeshStandardMaterial({ map: this.tile(size, kDark), roughness: 0.95, depthWrite: false }));
     floor.receiveShadow = true;
     floor.renderOrder = -1;
     this.scene.add(floor);
@@ -111,12 +118,22 @@ export class Stage {
     this.scene.add(axes, side);
   }
 
+  theme(light) {
+    const look = light ? kLight : kDark;
+    this.scene.background.set(look.sky);
+    this.scene.fog.color.set(look.sky);
+    this.sky.intensity = look.ambient;
+    this.floor.material.map.dispose();
+    this.floor.material.map = this.tile(60, look);
+    this.floor.material.needsUpdate = true;
+  }
+
   // One metre of floor, with a line every 25 cm.
-  tile(count) {
+  tile(count, look) {
     const canvas = document.createElement('canvas');
     const n = (canvas.width = canvas.height = 512);
     const paint = canvas.getContext('2d');
-    paint.fillStyle = '#1c2634';
+    paint.fillStyle = look.floor;
     paint.fillRect(0, 0, n, n);
     const lines = (step, width, color) => {
       paint.fillStyle = color;
@@ -125,8 +142,8 @@ export class Stage {
         paint.fillRect(0, at - width / 2, n, width);
       }
     };
-    lines(n / 4, 3, '#2b394c');
-    lines(n, 8, '#4d6685');
+    lines(n / 4, 3, look.thin);
+    lines(n, 8, look.thick);
     const texture = new THREE.CanvasTexture(canvas);
     texture.wrapS = texture.wrapT = THREE.RepeatWrapping;
     texture.repeat.set(count, count);
@@ -156,6 +173,7 @@ export class Stage {
     this.plumb = lineOf(2, 0xffd23f, { segments: true, opacity: 0.7 });
     this.plumb.material.depthTest = false;
     this.balance.add(this.support, this.rim, this.zmp, this.com, this.plumb);
+    this.markers = new Markers(this.balance);
     this.pairs = lineOf(12, 0xffb020, { segments: true });
     this.pairs.material.depthTest = false;
     this.pairs.renderOrder = 12;
@@ -173,11 +191,12 @@ export class Stage {
     this.forces.children.forEach((item, i) => {
       const row = live.forces[i];
       if (!row) item.visible = false;
-      else point(item, new THREE.Vector3(...row.slice(0, 3)), new THREE.Vector3(...row.slice(3)));
+      else point(item, new THREE.Vector3(...row.slice(0, 3)), new THREE.Vector3(...row.slice(3)), this.arrowScale, this.leastForce);
     });
-    if (live.push) point(this.push, new THREE.Vector3(...live.push.slice(0, 3)), new THREE.Vector3(...live.push.slice(3)));
+    if (live.push) point(this.push, new THREE.Vector3(...live.push.slice(0, 3)), new THREE.Vector3(...live.push.slice(3)), this.arrowScale, this.leastForce);
     else this.push.visible = false;
     this.showBalance(live);
+    this.markers.show(live);
     const near = live.pairs.filter((pair) => pair.mm < kShownPair);
     setPoints(this.pairs, near.flatMap((pair) => [pair.from, pair.to]));
     this.pairs.material.color.set(near.some((pair) => pair.mm < 20) ? 0xff4d4d : 0xffb020);

@@ -1,0 +1,73 @@
+#include "viewer_log/switch_plan.h"
+
+#include <gtest/gtest.h>
+
+#include "robot/load.h"
+
+namespace twinbus {
+namespace {
+
+constexpr std::int64_t kMs = 1'000'000;
+
+const Model& model() {
+  static const Model kModel = load_robot("hrp1s");
+  return kModel;
+}
+
+RobotState state_of(std::int64_t run, Role role) {
+  RobotState state;
+  state.run_id = run;
+  state.role = role;
+  state.joint_count = static_cast<std::int16_t>(model().bus_count());
+  return state;
+}
+
+SourceStatus status_of_target(Role role) {
+  SourceStatus status;
+  status.run_id = 12;
+  status.role = role;
+  return status;
+}
+
+TEST(SwitchPlan, AShadowFollowsForASecondBeforeItTakesOver) {
+  StackView view(model());
+  SwitchPlan plan;
+  std::int64_t now = 1000 * kMs;
+  SourceRequest request;
+  view.on_state(state_of(11, Role::kActive), now);
+  view.on_source_status(status_of_target(Role::kParked), now);
+  EXPECT_FALSE(plan.next(view, now, request));
+  plan.start(12, now);
+  ASSERT_TRUE(plan.next(view, now, request));
+  EXPECT_EQ(request.action, SourceAction::kStandbyShadow);
+  EXPECT_EQ(request.run_id, 12);
+  EXPECT_FALSE(plan.next(view, now + kMs, request));
+
+  view.on_source_status(status_of_target(Role::kStandbyShadow), now);
+  const std::int64_t begin = now;
+  while (!plan.next(view, now, request) && now < begin + 3000 * kMs) {
+    now += 20 * kMs;
+    view.on_state(state_of(11, Role::kActive), now);
+    view.on_standby_state(state_of(12, Role::kStandbyShadow), now);
+  }
+  EXPECT_EQ(request.action, SourceAction::kSwitch);
+  EXPECT_EQ(request.run_id, 11);
+  EXPECT_EQ(request.target_run_id, 12);
+  EXPECT_GE(now - begin, 1000 * kMs);
+  EXPECT_LT(now - begin, 1200 * kMs);
+  EXPECT_FALSE(plan.next(view, now, request));
+}
+
+TEST(SwitchPlan, WithNobodyActiveItActivates) {
+  StackView view(model());
+  SwitchPlan plan;
+  SourceRequest request;
+  plan.start(12, 1000 * kMs);
+  ASSERT_TRUE(plan.next(view, 1000 * kMs, request));
+  EXPECT_EQ(request.action, SourceAction::kActivate);
+  EXPECT_EQ(request.target_run_id, 12);
+  EXPECT_FALSE(plan.next(view, 1001 * kMs, request));
+}
+
+}  // namespace
+}  // namespace twinbus

@@ -1,0 +1,19 @@
+// What the page can plot: the numbers of the newest messages, by channel and field.
+//
+//   {"type":"signals","time":s,"STATE":{"q":[...],...},"COMMAND":{...},"TRACKING":{"q":[...]},...}
+//
+// Arrays are in bus order.  TRACKING is COMMAND less STATE, DIFFERENCE is the standby source less
+// STATE; the newest of each is taken, so they may be a tick apart.
+
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "viewer_log/stack_view.h"
+
+namespace twinbus {
+
+std::string signals_frame(const StackView& view, std::int64_t now_ns);
+
+}  // namespace twinbus

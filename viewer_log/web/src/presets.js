@@ -1,0 +1,23 @@
+// Sets of plots that are asked for again and again: a title and the names of the fields, from what is there.
+
+const leg = (side) => new RegExp(`^(${side}|${side === 'R' ? 'right' : 'left'}).*(hip|knee|ankle|leg)`, 'i');
+
+// The names with the largest numbers in the last ten seconds.
+function largest(history, prefix, count) {
+  const rows = history.rows(10);
+  const size = (name) => Math.max(0, ...history.pick(name, rows).map((v) => Math.abs(v ?? 0)));
+  return history.names().filter((name) => name.startsWith(prefix)).map((name) => [size(name), name])
+    .sort((a, b) => b[0] - a[0]).slice(0, count).map(([, name]) => name);
+}
+
+export const kPresets = {
+  'Legs': (history) => [['right leg [rad]', 'R', 'STATE.q.'], ['left leg [rad]', 'L', 'STATE.q.'], ['knees and ankles [N m]', '', 'STATE.tau.']]
+    .map(([title, side, prefix]) => [title, history.joints.filter((name) => (side ? leg(side).test(name) : /knee|ankle_p/i.test(name))).map((name) => prefix + name)]),
+  'Feet forces': () => [['vertical force [N]', ['SHOWN.foot_force.left', 'SHOWN.foot_force.right']],
+    ['left sole [N, N m]', ['fx', 'fy', 'tx', 'ty'].map((axis) => `STATE.wrench.left_foot.${axis}`)],
+    ['right sole [N, N m]', ['fx', 'fy', 'tx', 'ty'].map((axis) => `STATE.wrench.right_foot.${axis}`)]],
+  'ZMP': () => ['x', 'y'].map((axis) => [`${axis} [m]`, ['zmp_reference', 'zmp', 'dcm', 'com'].map((field) => `SHOWN.${field}.${axis}`)])
+    .concat([['ZMP inside [mm]', ['SHOWN.margin_mm']]]),
+  'Tracking error': (history) => [['commanded less measured [rad], the largest six', largest(history, 'TRACKING.q.', 6)]],
+  'Source difference': (history) => [['standby less active [rad], the largest six', largest(history, 'DIFFERENCE.q.', 6)]],
+};
