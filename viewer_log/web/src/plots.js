@@ -99,7 +99,10 @@ export class Plots {
     this.found.replaceChildren(...names.slice(0, kMostFound).map((name) => {
       const item = make('li', { textContent: name, draggable: true });
       item.ondragstart = (event) => event.dataTransfer.setData('text/plain', name);
-      item.onclick = () => this.put(name);
+      item.onclick = () => {
+        this.put(name);
+        this.search.blur();
+      };
       return item;
     }));
     if (names.length > kMostFound) this.found.append(make('li', { className: 'more', textContent: `and ${names.length - kMostFound} more` }));
