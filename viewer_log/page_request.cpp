@@ -10,7 +10,7 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr std::int64_t kLargestId = (std::int64_t{1} << 53) - 1;
-constexpr double kFarthest =
+constexpr double kFarthestHand =
     1000.0;  // a robot that has walked for long may be far from where it began [m]
 
 std::string text_member(const Json& json, const char* key) {
@@ -55,7 +55,7 @@ bool read_reach(const Json& json, PageRequest& request) {
   const auto at = json.find("at");
   if (at == json.end() || !at->is_array() || at->size() != 3) return false;
   for (std::size_t i = 0; i < 3; ++i) {
-    if (!read_number((*at)[i], kFarthest, request.at[i])) return false;
+    if (!read_number((*at)[i], kFarthestHand, request.at[i])) return false;
   }
   return true;
 }
