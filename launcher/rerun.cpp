@@ -11,6 +11,7 @@
 #include "lcmtypes/channels.h"
 #include "lcmtypes/wire.h"
 #include "robot/index.h"
+#include "viewer_log/log_event.h"
 
 namespace twinbus {
 
@@ -19,9 +20,9 @@ namespace {
 constexpr std::int64_t kWait =
     500'000;  // messages may be recorded behind the page that names them [us]
 constexpr std::size_t kMostFindings = 30;
-constexpr int kFewBytes = 6;          // a message that differs in no more is the same one, damaged
-constexpr int kMostMends = 100;       // of messages that the log does not have
-constexpr int kMostCandidates = 300;  // messages that are tried for a flipped bit
+constexpr int kFewBytes = 6;           // a message that differs in no more is the same one, damaged
+constexpr int kMostMends = 40;         // of messages that the log does not have
+constexpr int kMostCandidates = 1000;  // messages that are tried for a flipped bit
 
 // Channels of inputs, by JournalInput.
 constexpr std::array<const char*, 11> kChannels = {"",
@@ -124,30 +125,34 @@ std::vector<std::uint8_t> Rerun::input(Process& process, const std::string& name
   ++process.figures.inputs;
   if (const StoredMessage* message = store_.find(hash)) return message->bytes;
   std::vector<std::uint8_t> mended;
-  int tried = 0;
-  if (++mends_ <= kMostMends)
-    store_.look(name, [&](const StoredMessage& candidate) {
-      std::size_t byte = 0;
-      mended = with_one_bit_mended(candidate.bytes, hash, byte);
-      if (!mended.empty()) {
-        ++process.figures.damaged;
-        say(process, page,
-            name + " it heard has one flipped bit in the log, byte " + std::to_string(byte) + ", " +
-                first_difference(name, candidate.bytes, mended, "then"));
-      }
-      return !mended.empty() || ++tried == kMostCandidates;
-    });
-  if (!mended.empty()) return mended;
-  ++process.figures.missing;
-  // Of a state the tick is known, so what the log has can be named and used.
+  const auto mend = [&](const StoredMessage& candidate) {
+    std::size_t byte = 0;
+    mended = with_one_bit_mended(candidate.bytes, hash, byte);
+    if (mended.empty()) return false;
+    ++process.figures.damaged;
+    say(process, page,
+        name + " it heard has one flipped bit in the log, byte " + std::to_string(byte) + ", " +
+            first_difference(name, candidate.bytes, mended, "then"));
+    return true;
+  };
+  // Of a state the tick is known, so what the log has can be named, and used.
   const StoredMessage* same_tick = nullptr;
   if (name == channel::kState) {
     same_tick = store_.look(name, [&](const StoredMessage& candidate) {
-      RobotState state;
-      return decode(candidate.bytes, state) == Status::kOk && state.tick == page.tick &&
-             state.run_id == page.run_id;
+      constexpr std::size_t kTick = 8, kRun = 32;  // where they lie in a STATE [bytes]
+      return candidate.bytes.size() > kRun + 8 &&
+             read_i64(candidate.bytes.data() + kTick) == page.tick &&
+             read_i64(candidate.bytes.data() + kRun) == page.run_id;
     });
   }
+  int tried = 0;
+  if (++mends_ <= kMostMends && (same_tick == nullptr || !mend(*same_tick))) {
+    store_.look(name, [&](const StoredMessage& candidate) {
+      return mend(candidate) || ++tried == kMostCandidates;
+    });
+  }
+  if (!mended.empty()) return mended;
+  ++process.figures.missing;
   say(process, page,
       same_tick != nullptr ? name + " in the log is not the one it heard"
                            : name + " it heard is not in the log");
