@@ -40,6 +40,7 @@ const link = new Link({
   connected: (yes) => { if (!yes) panels.connected(false); }, // the first picture says that it is there
   hello: (message) => {
     hello = message;
+    if (String(history.joints) !== String(message.joints)) history.clear();
     history.joints = message.joints;
     panels.hello(message);
     joystick.enabled = message.trusted;
@@ -54,6 +55,7 @@ const link = new Link({
     panels.connected(true);
   },
   signals: (message) => {
+    if (hello.joints.length === 0) return; // the numbers have no names yet
     const { type, time, ...groups } = message;
     const live = newest ?? {};
     groups.SHOWN = { base: live.base?.slice(0, 3), com: live.com, zmp: live.zmp, zmp_reference: live.zmp_reference, dcm: live.dcm,
