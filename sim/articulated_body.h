@@ -29,18 +29,18 @@ struct JointRow {
 };
 
 struct alignas(64) LinkWork {
-  Vec8 rigid[6];      // inertia as placed, contacts folded in
-  Vec8 rigid_bias;    // gyroscopic forces, minus gravity, pushes and contacts
-  Vec8 inertia[6];    // articulated
-  Vec8 bias;          // articulated
-  Vec8 axis;          // S
-  Vec8 coriolis;      // c = V_parent x S qd
-  Vec8 inertia_axis;  // U = inertia S
-  Vec8 velocity;      // V
-  Vec8 acceleration;  // a
-  double inverse_d;   // 1 / D
-  double u;           // torque - S' bias
+  Screw rigid[6];      // inertia as placed, contacts folded in
+  Screw rigid_bias;    // gyroscopic forces, minus gravity, pushes and contacts
+  Screw axis;          // S
+  Screw coriolis;      // c = V_parent x S qd
+  Screw inertia_axis;  // U = articulated inertia times S
+  Screw velocity;      // V
+  Screw acceleration;  // a
+  double inverse_d;    // 1 / D
+  double u;            // torque - S' bias
   double qdd;
+  Vec4 axes[3];  // rotation and com once more, as vectors
+  Vec4 center;
   Eigen::Matrix3d rotation;  // link axes in world
   Eigen::Vector3d origin;    // about O, world axes [m]
   Eigen::Vector3d com;       // about O, world axes [m]
@@ -54,8 +54,44 @@ struct Momentum {
 };
 
 struct alignas(64) ResponseRow {
-  Vec8 row;
+  Screw row;
   int joint;  // moves this link; 0 .. -5 for the root's six; falls along the rows
+};
+
+struct BodyData {
+  // What never changes of a link and of the joint that moves it.
+  struct Fixed {
+    int parent = -1;
+    bool prismatic = false;
+    bool leaf = true;
+    bool first = false;  // of its siblings to be folded into the parent
+    Vec4 offset;         // of the joint, in the parent's axes
+    Vec4 axis;           // in the link's axes
+    // Link axes in parent axes: still + cos(q) swing + sin(q) turn.
+    Vec4 still[3], swing[3], turn[3];
+    double mass = 0.0;
+    double rotor = 0.0;
+    Vec4 com;
+    Vec4 inertia[3];  // about com, link axes
+  };
+  // What the children of a link add to it.
+  struct alignas(64) Folded {
+    Screw inertia[6];
+    Screw bias;
+  };
+
+  bool floating = true;
+  double mass = 0.0;
+  std::vector<Fixed> fixed;
+  std::vector<LinkWork> links;
+  std::vector<Folded> folded;
+  std::vector<double> qd;
+  Screw root_bias = {};
+  Screw momentum = {};  // of all links, about O
+  Vec4 moment = {};     // sum of mass times centre, about O
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  double root[6][6] = {};  // Cholesky factor of the root's articulated inertia
+  double root_inverse[6] = {};
 };
 
 class ArticulatedBody {
@@ -65,6 +101,10 @@ class ArticulatedBody {
 
   // Poses, velocities, rigid inertias and biases, gravity included.
   void place(const Configuration& configuration) noexcept;
+  // The same for a base without contacts, whose velocity and position are first changed so that
+  // the robot has that momentum and centre of mass: backward Euler in joint coordinates is off by
+  // the square of the step.
+  void place(const Momentum& wanted, Configuration& configuration) noexcept;
 
   // A force [N] on a point of a link, r about O.
   void add_force(int link, const Eigen::Vector3d& r, const Eigen::Vector3d& force) noexcept;
@@ -76,7 +116,7 @@ class ArticulatedBody {
   void outward() noexcept;
 
   // A further wrench on a link after inward(), about O; outward() then gives its effect.
-  void add_wrench(int link, const Vec8& wrench) noexcept;
+  void add_wrench(int link, const Screw& wrench) noexcept;
 
   // Rows Y of a link, so that a wrench e on it moves link b by Y_b' Y e.  Returns how many, at most
   // most_rows().
@@ -88,46 +128,17 @@ class ArticulatedBody {
 
   // As placed, before anything is folded in.
   Momentum momentum() const noexcept;
-  // Moves a base without contacts so that the robot as placed has that momentum and centre of mass,
-  // and places it.  Backward Euler in joint coordinates is off by the square of the step.
-  void keep_momentum(const Momentum& wanted, Configuration& configuration) noexcept;
 
-  int link_count() const noexcept { return static_cast<int>(links_.size()); }
-  bool floating() const noexcept { return floating_; }
-  const LinkWork& link(int i) const noexcept { return links_[static_cast<std::size_t>(i)]; }
-  const Eigen::Vector3d& origin() const noexcept { return origin_; }  // O in world
-  double mass() const noexcept { return mass_; }
-  double link_mass(int i) const noexcept { return fixed_[static_cast<std::size_t>(i)].mass; }
+  int link_count() const noexcept { return static_cast<int>(d_.links.size()); }
+  bool floating() const noexcept { return d_.floating; }
+  const LinkWork& link(int i) const noexcept { return d_.links[static_cast<std::size_t>(i)]; }
+  const Eigen::Vector3d& origin() const noexcept { return d_.origin; }  // O in world
+  double mass() const noexcept { return d_.mass; }
+  double link_mass(int i) const noexcept { return d_.fixed[static_cast<std::size_t>(i)].mass; }
 
  private:
-  // What never changes of a link and of the joint that moves it.
-  struct Fixed {
-    int parent = -1;
-    bool prismatic = false;
-    Eigen::Vector3d offset;  // of the joint, in the parent's axes
-    Eigen::Vector3d axis;    // in the link's axes
-    // Link axes in parent axes: still + cos(q) swing + sin(q) turn.
-    Eigen::Matrix3d still, swing, turn;
-    double mass = 0.0;
-    Eigen::Vector3d com;
-    Eigen::Matrix3d inertia;  // about com, link axes
-    double rotor = 0.0;
-  };
-
-  void place_link(std::size_t i, double q, double qd) noexcept;
-  void place_inertia(std::size_t i) noexcept;
-  bool factor_root() noexcept;
-  void solve_root(double (&x)[6]) const noexcept;
-
-  bool floating_ = true;
   int deepest_ = 0;
-  double mass_ = 0.0;
-  std::vector<Fixed> fixed_;
-  std::vector<LinkWork> links_;
-  Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
-  std::vector<double> qd_;
-  double root_[6][6] = {};  // Cholesky factor of the root's articulated inertia
-  double root_inverse_[6] = {};
+  BodyData d_;
 };
 
 }  // namespace twinbus

@@ -13,6 +13,12 @@ constexpr std::size_t kMostPushes = 16;
 // Passes in which all joints change piece at once without fewer being wrong; then one at a time.
 constexpr int kPatience = 3;
 constexpr int kMostPasses = 60;
+constexpr std::uint64_t kNoContact = 0xcbf29ce484222325ULL;
+
+// One step of the Fowler-Noll-Vo hash.
+std::uint64_t mix(std::uint64_t pattern, int value) {
+  return (pattern ^ static_cast<std::uint64_t>(value)) * 0x100000001b3ULL;
+}
 constexpr double kNotARotation = 1e-12;  // beyond it the base's attitude is normalised
 
 }  // namespace
@@ -22,8 +28,11 @@ ArticulatedWorld::ArticulatedWorld(const Model& model, const WorldConfig& config
       body_(model, config.fixed_base, config.mass_scale),
       ground_(model, config),
       solve_(body_, kMostContacts),
+      flight_(model.joint_count(), config.fixed_base),
       rows_(model.joints.size()),
       configuration_(model),
+      start_(model),
+      coarse_(model),
       next_(model) {
   for (const Joint& joint : model.joints) joints_.emplace_back(joint, config);
   contacts_.reserve(kMostContacts);
@@ -60,6 +69,7 @@ Status ArticulatedWorld::set(const Configuration& to, const Eigen::VectorXd* tau
     joints_[j].set_tau(known ? (*tau)[static_cast<Eigen::Index>(j)] : 0.0);
   }
   pushes_.clear();
+  flight_.interrupt();
   frozen_ = false;
   return Status::kOk;
 }
@@ -72,6 +82,7 @@ Status ArticulatedWorld::set_servo(int joint, const ServoTarget& target) noexcep
   scaled.kp *= config_.servo_kp_scale;
   scaled.kd *= config_.servo_kd_scale;
   joints_[at(joint)].set_target(scaled);
+  flight_.interrupt();
   return Status::kOk;
 }
 
@@ -97,40 +108,147 @@ double ArticulatedWorld::corner_offset(int sole, int corner) const noexcept {
 
 Status ArticulatedWorld::step() noexcept {
   if (frozen_) return Status::kDiverged;
-  const double h = config_.step;
-  next_ = configuration_;
-  Momentum momentum = body_.momentum();
-  const bool solved = solve_step();
-  if (solved) body_.advance(h, next_);
-  if (!solved || check_configuration(joints_.size(), next_) != Status::kOk) {
+  if (fly()) return Status::kOk;
+  start_ = configuration_;
+  if (!(config_.order == 2 ? advance_twice() : advance(config_.step))) {
+    configuration_ = start_;
     body_.place(configuration_);
     frozen_ = true;
     return Status::kDiverged;
   }
-  configuration_ = next_;
-  for (std::size_t j = 0; j < joints_.size(); ++j) {
-    joints_[j].finish(configuration_.qd[static_cast<Eigen::Index>(j)]);
-  }
-  ground_.remember(contacts_, h);
   report_contacts();
-  body_.place(configuration_);
-  if (!config_.fixed_base && in_flight()) {
-    momentum.linear.z() -= h * body_.mass() * kGravity;
-    for (const Push& push : pushes_) {
-      momentum.linear += h * push.force;
-      momentum.angular += h * (push.point - momentum.com).cross(push.force);
-    }
-    momentum.com += h / body_.mass() * momentum.linear;
-    body_.keep_momentum(momentum, configuration_);
-  }
   pushes_.clear();
   return Status::kOk;
 }
 
-// False: an inertia was not positive.
-bool ArticulatedWorld::solve_step() noexcept {
+bool ArticulatedWorld::fly() noexcept {
+  if (config_.flight == Flight::kImplicit) return false;
+  if (!pushes_.empty()) {
+    flight_.interrupt();
+    return false;
+  }
+  ground_.find(body_, config_.step, contacts_);
+  if (!contacts_.empty()) {
+    flight_.interrupt();
+    return false;
+  }
+  next_ = configuration_;
+  if (!flight_.step(config_.flight, body_, joints_, config_.step, next_)) return false;
+  if (check_configuration(joints_.size(), next_) != Status::kOk) {
+    flight_.interrupt();
+    body_.place(configuration_);
+    return false;
+  }
+  configuration_ = next_;
+  for (std::size_t j = 0; j < joints_.size(); ++j) {
+    const auto index = static_cast<Eigen::Index>(j);
+    joints_[j].settle(configuration_.q[index], configuration_.qd[index]);
+  }
+  ground_.forget();
+  reported_.clear();
+  ++flown_;
+  return true;
+}
+
+// One solve; false: no sane result.
+bool ArticulatedWorld::advance(double h) noexcept {
+  next_ = configuration_;
+  if (!solve_step(h)) return false;
+  body_.advance(h, next_);
+  if (check_configuration(joints_.size(), next_) != Status::kOk) return false;
+  for (std::size_t j = 0; j < joints_.size(); ++j) {
+    joints_[j].finish(next_.qd[static_cast<Eigen::Index>(j)], h / config_.step);
+  }
+  configuration_ = next_;
+  ground_.remember(contacts_, h);
+  place_after(before_, h, 0.0);
+  return true;
+}
+
+bool ArticulatedWorld::advance_twice() noexcept {
   const double h = config_.step;
+  ground_.save();
+  for (JointLaw& joint : joints_) joint.save();
+  bool smooth = advance(h);
+  const Momentum momentum = before_;  // if nothing touched
+  const bool airborne = airborne_;
+  coarse_ = configuration_;
+  const std::uint64_t expected = pattern();
+  configuration_ = start_;
+  body_.place(configuration_);
+  ground_.restore();
+  for (JointLaw& joint : joints_) joint.restore();
+  for (int half = 0; half < 2; ++half) {
+    if (!advance(0.5 * h)) return false;
+    smooth = smooth && pattern() == expected;
+  }
+  if (!smooth) {
+    ++events_;
+    return true;
+  }
+  next_ = configuration_;
+  extrapolate(coarse_);
+  if (check_configuration(joints_.size(), configuration_) != Status::kOk) {
+    configuration_ = next_;
+    ++events_;
+    return true;
+  }
+  airborne_ = airborne_ && airborne;
+  place_after(momentum, h, 0.5);
+  return true;
+}
+
+void ArticulatedWorld::extrapolate(const Configuration& coarse) noexcept {
+  Configuration& y = configuration_;
+  y.q += y.q - coarse.q;
+  y.qd += y.qd - coarse.qd;
+  y.base.translation() += y.base.translation() - coarse.base.translation();
+  y.base_velocity += y.base_velocity - coarse.base_velocity;
+  y.base_angular_velocity += y.base_angular_velocity - coarse.base_angular_velocity;
+  const Eigen::Matrix3d beyond = y.base.linear() * coarse.base.linear().transpose();
+  const Eigen::Quaterniond attitude(Eigen::Matrix3d(beyond * y.base.linear()));
+  y.base.linear() = attitude.normalized().toRotationMatrix();
+}
+
+// momentum: of the start; kept in flight.  before: share of the old velocity in the way of the
+// centre of mass.
+void ArticulatedWorld::place_after(Momentum momentum, double h, double before) noexcept {
+  if (!airborne_ || pattern_of_contacts() != kNoContact) {
+    body_.place(configuration_);
+    return;
+  }
+  const Eigen::Vector3d old = momentum.linear;
+  momentum.linear.z() -= h * body_.mass() * kGravity;
+  for (const Push& push : pushes_) {
+    momentum.linear += h * push.force;
+    momentum.angular += h * (push.point - momentum.com).cross(push.force);
+  }
+  momentum.com += h / body_.mass() * (before * old + (1.0 - before) * momentum.linear);
+  body_.place(momentum, configuration_);
+}
+
+// What touches and how.
+std::uint64_t ArticulatedWorld::pattern_of_contacts() const noexcept {
+  std::uint64_t pattern = kNoContact;
+  for (const Contact& c : contacts_) {
+    if (c.now.mode == ContactMode::kOpen) continue;
+    pattern = mix(pattern, 2 * c.key + (c.now.mode == ContactMode::kSlip ? 1 : 0));
+  }
+  return pattern;
+}
+
+std::uint64_t ArticulatedWorld::pattern() const noexcept {
+  std::uint64_t pattern = pattern_of_contacts();
+  for (const JointLaw& joint : joints_) pattern = mix(pattern, joint.pattern());
+  return pattern;
+}
+
+// False: an inertia was not positive.
+bool ArticulatedWorld::solve_step(double h) noexcept {
   ground_.find(body_, h, contacts_);
+  airborne_ = !config_.fixed_base && std::none_of(contacts_.begin(), contacts_.end(),
+                                                  [](const Contact& c) { return c.depth > 0.0; });
+  if (airborne_) before_ = body_.momentum();
   for (const Push& push : pushes_) {
     body_.add_force(push.link, push.point - body_.origin(), push.force);
   }
@@ -151,7 +269,7 @@ bool ArticulatedWorld::solve_step() noexcept {
     int wrong = 0;
     std::size_t last = 0;
     for (std::size_t j = 0; j < joints_.size(); ++j) {
-      if (joints_[j].holds(end_speed(j))) continue;
+      if (joints_[j].holds(end_speed(j, h))) continue;
       ++wrong;
       last = j;
     }
@@ -167,18 +285,15 @@ bool ArticulatedWorld::solve_step() noexcept {
     } else if (patience > 0) {
       --patience;
     }
-    for (std::size_t j = patience > 0 ? 0 : last; j <= last; ++j) joints_[j].approach(end_speed(j));
+    for (std::size_t j = patience > 0 ? 0 : last; j <= last; ++j) {
+      joints_[j].approach(end_speed(j, h));
+    }
   }
 }
 
-bool ArticulatedWorld::in_flight() const noexcept {
-  return std::all_of(contacts_.begin(), contacts_.end(),
-                     [](const Contact& c) { return c.now.mode == ContactMode::kOpen; });
-}
-
-double ArticulatedWorld::end_speed(std::size_t joint) const noexcept {
+double ArticulatedWorld::end_speed(std::size_t joint, double h) const noexcept {
   return configuration_.qd[static_cast<Eigen::Index>(joint)] +
-         config_.step * body_.link(static_cast<int>(joint) + 1).qdd;
+         h * body_.link(static_cast<int>(joint) + 1).qdd;
 }
 
 void ArticulatedWorld::report_contacts() noexcept {

@@ -9,12 +9,21 @@
 // A pass of the solve is exact for the pieces of the joint laws it assumes; a step whose result
 // lies on other pieces (a servo reaches its limit, a joint its stop) takes another pass.
 
+// Order 2 (config.order) is one such step and two half ones from the same start, y = 2 fine - coarse
+// (Richardson); where the two disagree on what touches, slips or is limited, an event lies within
+// the step and the fine pair is kept.
+//
+// With config.flight an explicit method of high order (sim/flight.h) takes the steps in which
+// nothing can touch and no servo is too stiff for it.
+
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "sim/articulated_body.h"
 #include "sim/contact_solve.h"
+#include "sim/flight.h"
 #include "sim/ground_contacts.h"
 #include "sim/joint_law.h"
 #include "sim/world.h"
@@ -53,6 +62,10 @@ class ArticulatedWorld final : public World {
   long joint_passes() const noexcept { return joint_passes_; }  // beyond the first of each step
   // Steps that ended with a joint on a wrong piece of its law.
   long unsettled() const noexcept { return unsettled_; }
+  // Steps of order 2 in which the fine pair was kept.
+  long events() const noexcept { return events_; }
+  // Steps that an explicit method took.
+  long flown() const noexcept { return flown_; }
 
  private:
   struct Push {
@@ -60,23 +73,34 @@ class ArticulatedWorld final : public World {
     Eigen::Vector3d point, force;
   };
 
-  bool solve_step() noexcept;
-  bool in_flight() const noexcept;
-  double end_speed(std::size_t joint) const noexcept;
+  bool fly() noexcept;
+  bool advance(double h) noexcept;
+  bool advance_twice() noexcept;
+  void extrapolate(const Configuration& coarse) noexcept;
+  bool solve_step(double h) noexcept;
+  void place_after(Momentum momentum, double h, double before) noexcept;
+  std::uint64_t pattern_of_contacts() const noexcept;
+  std::uint64_t pattern() const noexcept;
+  double end_speed(std::size_t joint, double h) const noexcept;
   void report_contacts() noexcept;
 
   WorldConfig config_;
   ArticulatedBody body_;
   GroundContacts ground_;
   ContactSolve solve_;
+  FlightMotion flight_;
   std::vector<JointLaw> joints_;
   std::vector<JointRow> rows_;
   std::vector<Contact> contacts_;
   std::vector<ContactPoint> reported_;
   std::vector<Push> pushes_;
-  Configuration configuration_, next_;
+  Configuration configuration_, start_, coarse_, next_;
   long joint_passes_ = 0;
   long unsettled_ = 0;
+  long events_ = 0;
+  long flown_ = 0;
+  bool airborne_ = false;  // nothing touched when the last solve began
+  Momentum before_;        // then
   bool frozen_ = false;
 };
 

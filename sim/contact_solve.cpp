@@ -117,7 +117,8 @@ void ContactSolve::solve(ArticulatedBody& body, Contacts& contacts, double h) no
   // z - rho are the values of the law, in the cone even if z is not the solution.
   for (int s = 0; s < slots_; ++s) {
     const Vector6 w = z_.segment<6>(6 * s) - rho_.segment<6>(6 * s);
-    body.add_wrench(link_of_slot_[at(s)], Vec8{w[0], w[1], w[2], w[3], w[4], w[5], 0.0, 0.0});
+    body.add_wrench(link_of_slot_[at(s)],
+                    Screw{Vec4{w[0], w[1], w[2], 0.0}, Vec4{w[3], w[4], w[5], 0.0}});
   }
   body.outward();
 }
@@ -130,7 +131,7 @@ void ContactSolve::find_slots(const ArticulatedBody& body, const Contacts& conta
     if (slot >= 0) continue;
     slot = slots_;
     link_of_slot_[at(slots_)] = c.link;
-    const Vec8& a = body.link(c.link).acceleration;
+    const Screw& a = body.link(c.link).acceleration;
     for (int r = 0; r < 6; ++r) a1_[6 * slots_ + r] = a[r];
     ++slots_;
   }
@@ -145,11 +146,15 @@ void ContactSolve::build_response(const ArticulatedBody& body) noexcept {
   for (int s = 0; s < slots_; ++s) {
     for (int t = s; t < slots_; ++t) {
       // Both lists end with what the links have in common, in falling order.
-      Vec8 columns[6] = {};
+      Screw columns[6] = {};
       const ResponseRow *a = &rows_[at(s * most)], *b = &rows_[at(t * most)];
       for (int p = 0, q = 0; p < row_count_[at(s)] && q < row_count_[at(t)];) {
         if (a[p].joint == b[q].joint) {
-          for (int k = 0; k < 6; ++k) columns[k] += a[p].row * b[q].row[k];
+          for (int k = 0; k < 6; ++k) {
+            const double factor = b[q].row[k];
+            columns[k].w += a[p].row.w * factor;
+            columns[k].v += a[p].row.v * factor;
+          }
           ++p, ++q;
         } else if (a[p].joint > b[q].joint) {
           ++p;

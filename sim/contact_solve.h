@@ -28,16 +28,16 @@ struct Contact {
   int key = -1;           // says which contact of the next step is the same one
   bool material = false;  // the point is fixed in the link: its anchor is remembered
   ContactParams params;
-  Eigen::Vector3d point;    // world [m]
-  Eigen::Vector3d r;        // about the body's common point, world axes [m]
-  Eigen::Vector3d normal;   // out of the fixed thing, world, unit
-  double depth = 0.0;       // [m]; below zero: not yet touching
-  Eigen::Vector3d stretch;  // of the bristle, world [m]
-  Eigen::Vector3d v0;       // velocity at the start [m/s]
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();  // world [m]
+  Eigen::Vector3d r = Eigen::Vector3d::Zero();      // about the body's common point, world axes [m]
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();   // out of the fixed thing, world, unit
+  double depth = 0.0;                                 // [m]; below zero: not yet touching
+  Eigen::Vector3d stretch = Eigen::Vector3d::Zero();  // of the bristle, world [m]
+  Eigen::Vector3d v0 = Eigen::Vector3d::Zero();       // velocity at the start [m/s]
   // Of the solve.
-  Eigen::Vector3d f0;  // force and tangent folded in by stage 1
-  Eigen::Matrix3d g0;
-  Eigen::Vector3d v;  // velocity at the end [m/s]
+  Eigen::Vector3d f0 = Eigen::Vector3d::Zero();  // force and tangent folded in by stage 1
+  Eigen::Matrix3d g0 = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d v = Eigen::Vector3d::Zero();  // velocity at the end [m/s]
   ContactForce now;
 };
 

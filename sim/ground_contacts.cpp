@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "robot/index.h"
+
 namespace twinbus {
 
 namespace {
@@ -16,6 +18,8 @@ constexpr double kTangentMass = 15.0;  // [kg]
 // A point may come so much nearer in a step beyond what its speed says.
 constexpr double kMostAcceleration = 40.0;  // [m/s^2]
 constexpr double kMargin = 1e-4;            // [m]
+
+constexpr double kHigh = 1.0;  // [m], more than the ground is ever uneven
 
 constexpr int kSpineProbes = 5;
 constexpr int kRimProbes = 6;
@@ -71,7 +75,27 @@ GroundContacts::GroundContacts(const Model& model, const WorldConfig& config)
       add_probes(static_cast<int>(i), shape, model);
     }
   }
+  // The longest way from link 0's origin to anything that can touch.
+  std::vector<double> far(model.links.size(), 0.0);
+  for (std::size_t i = 1; i < far.size(); ++i) {
+    const Joint& joint = model.joints[i - 1];
+    far[i] = far[at(joint.parent)] + joint.placement.translation().norm();
+    if (joint.kind == JointKind::kPrismatic) {
+      far[i] += std::max(std::abs(joint.lower), std::abs(joint.upper));
+    }
+  }
+  for (const ShapeProbes& shape : shapes_) {
+    reach_ = std::max(reach_, far[at(shape.link)] + shape.center.norm() + shape.radius);
+  }
+  for (const Sole& sole : soles_) {
+    if (sole.link < 0) continue;
+    for (int corner = 0; corner < kSoleCorners; ++corner) {
+      const Eigen::Vector3d local = sole.frame * sole_corner(sole, corner);
+      reach_ = std::max(reach_, far[at(sole.link)] + local.norm());
+    }
+  }
   memory_.reserve(kMostContacts);
+  saved_.reserve(kMostContacts);
 }
 
 void GroundContacts::add_probes(int link, const Shape& shape, const Model& model) {
@@ -182,6 +206,8 @@ GroundContacts::Distance GroundContacts::under(std::size_t tile,
 void GroundContacts::find(const ArticulatedBody& body, double h,
                           std::vector<Contact>& contacts) const noexcept {
   contacts.clear();
+  // High above everything.
+  if (obstacles_.empty() && body.origin().z() > reach_ + kHigh + 2.0 * h * kMaxSpeed) return;
   find_corners(body, h, contacts);
   find_probes(body, h, contacts);
 }
@@ -234,8 +260,9 @@ void GroundContacts::find_probes(const ArticulatedBody& body, double h,
     const LinkWork& link = body.link(shape.link);
     const Eigen::Vector3d middle = link.origin + link.rotation * shape.center;
     const Eigen::Vector3d spin = angular(link.velocity);
-    // Nothing of the shape moves faster than this.
-    const double speed = at_point(link.velocity, middle).norm() + spin.norm() * shape.radius;
+    // Nothing of the shape moves faster than this (sums are bounds of norms, and cheaper).
+    const double speed =
+        at_point(link.velocity, middle).cwiseAbs().sum() + spin.cwiseAbs().sum() * shape.radius;
     const double reach = h > 0.0 ? h * (2.0 * speed + kMostAcceleration * h) + kMargin : 0.0;
     for (std::size_t surface = 0; surface <= solid_; ++surface) {
       const Eigen::Vector3d at = body.origin() + middle;

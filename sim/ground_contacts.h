@@ -32,6 +32,9 @@ class GroundContacts {
   // After the solve of a step h: what the bristles are like at its end.
   void remember(const std::vector<Contact>& contacts, double h) noexcept;
   void forget() noexcept { memory_.clear(); }
+  // The bristles as they are, for a step that is taken again.
+  void save() noexcept { saved_ = memory_; }
+  void restore() noexcept { memory_ = saved_; }
 
   void set_corner_offset(int sole, int corner, double offset) noexcept;
   double corner_offset(int sole, int corner) const noexcept;
@@ -82,6 +85,8 @@ class GroundContacts {
   std::vector<Probe> probes_;
   std::vector<ShapeProbes> shapes_;
   std::vector<Memory> memory_;  // in the order of find()
+  std::vector<Memory> saved_;
+  double reach_ = 0.0;  // no shape is further from link 0's origin [m]
 };
 
 }  // namespace twinbus

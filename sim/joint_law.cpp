@@ -15,8 +15,8 @@ constexpr double kStopShare = 0.2;
 constexpr double kStopReturn = 2.0;   // [rad/s or m/s]
 constexpr double kStopGuess = 1e-12;  // a joint so near its stop is expected to lean on it [rad]
 
-double stop_bound(double room, double h) {
-  return room >= 0.0 ? room / h : std::max(kStopShare * room / h, -kStopReturn);
+double stop_bound(double room, double rate) {
+  return room >= 0.0 ? room * rate : std::max(kStopShare * room * rate, -kStopReturn);
 }
 
 }  // namespace
@@ -42,8 +42,9 @@ void JointLaw::begin(double q, double qd, double h) noexcept {
   const ServoTarget& t = target_;
   servo_.force = t.kp * (t.q - q - play_) + t.kd * t.qd + t.tau;
   servo_.gain = h * t.kp + t.kd;
-  high_bound_ = stop_bound(upper_ - q, h);
-  low_bound_ = -stop_bound(q - lower_, h);
+  const double rate = 1.0 / h;
+  high_bound_ = stop_bound(upper_ - q, rate);
+  low_bound_ = -stop_bound(q - lower_, rate);
   pieces_ = pieces_at(qd);
   if (upper_ - q <= kStopGuess && qd >= 0.0) pieces_.stop = 1;
   if (q - lower_ <= kStopGuess && qd <= 0.0) pieces_.stop = -1;
@@ -82,10 +83,16 @@ void JointLaw::approach(double qd_end) noexcept {
   pieces_ = next;
 }
 
-void JointLaw::finish(double qd) noexcept {
+void JointLaw::finish(double qd, double share) noexcept {
   tau_ = pieces_.servo != 0 ? pieces_.servo * limit_
                             : std::clamp(servo_.force - servo_.gain * qd, -limit_, limit_);
-  play_ += kPlayRate * (flank() - play_);
+  if (backlash_ > 0.0) play_ += share * kPlayRate * (flank() - play_);
+}
+
+double JointLaw::torque_at(double q, double qd) const noexcept {
+  const ServoTarget& t = target_;
+  const double asked = t.kp * (t.q - q) + t.kd * (t.qd - qd) + t.tau;
+  return std::clamp(asked, -limit_, limit_) - damping_ * qd;
 }
 
 double JointLaw::flank() const noexcept {

@@ -33,8 +33,27 @@ class JointLaw {
   // in between where they are opposite: the middle of the law is steep, a leap over it returns.
   bool holds(double qd_end) const noexcept { return pieces_at(qd_end) == pieces_; }
   void approach(double qd_end) noexcept;
-  // The step is done: torque of the servo, play.
-  void finish(double qd_end) noexcept;
+  // A number that tells the assumed pieces apart.
+  int pattern() const noexcept { return 9 * pieces_.servo + 3 * pieces_.friction + pieces_.stop; }
+  // The step is done: torque of the servo, play.  share: how much of a whole step it was.
+  void finish(double qd_end, double share) noexcept;
+  // Torque and play as they are, for a step that is taken again.
+  void save() noexcept {
+    saved_play_ = play_;
+    saved_tau_ = tau_;
+  }
+  void restore() noexcept {
+    play_ = saved_play_;
+    tau_ = saved_tau_;
+  }
+
+  // For motion that is not solved implicitly: nothing in the joint depends on the step.
+  bool smooth() const noexcept { return !(friction_ > 0.0) && !(backlash_ > 0.0); }
+  double torque_at(double q, double qd) const noexcept;  // servo and damping
+  double stiffness() const noexcept { return target_.kp; }
+  double damping() const noexcept { return target_.kd + damping_; }
+  bool within_stops(double q) const noexcept { return q > lower_ && q < upper_; }
+  void settle(double q, double qd) noexcept { tau_ = torque_at(q, qd) + damping_ * qd; }
 
   double tau() const noexcept { return tau_; }    // of the servo, within the limit [N m]
   double play() const noexcept { return play_; }  // servo side minus link side [rad]
@@ -53,6 +72,7 @@ class JointLaw {
   double lower_, upper_, limit_, damping_, friction_, backlash_;
   ServoTarget target_;
   double play_ = 0.0, tau_ = 0.0;
+  double saved_play_ = 0.0, saved_tau_ = 0.0;
   // Of this step.
   JointRow servo_;                           // not limited
   double low_bound_ = 0.0, high_bound_ = 0;  // of qd+ by the stops

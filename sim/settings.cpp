@@ -22,6 +22,14 @@ int ticks(double ms, double period) { return static_cast<int>(std::lround(1e-3 *
 constexpr double kDelayMs = 60.0;
 
 const Entry kEntries[] = {
+    {"solver.order", 1.0, 2.0, "of accuracy; 2 (engine articulated) takes three solves a step",
+     [](SimSettings& s, double v, double) { s.world.order = v < 1.5 ? 1 : 2; }},
+    {"solver.flight", 0.0, 3.0,
+     "what touches nothing moves by 1: Adams-Bashforth 4, 2: Runge-Kutta 4, 3: Fehlberg 8; 0: like "
+     "all else",
+     [](SimSettings& s, double v, double) {
+       s.world.flight = static_cast<Flight>(std::lround(v));
+     }},
     {"model.mass_scale", 0.1, 10.0, "masses and inertias times this",
      [](SimSettings& s, double v, double) { s.world.mass_scale = v; }},
     {"model.friction", 0.0, 1e3, "Coulomb friction added to every joint [N m]",

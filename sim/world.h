@@ -28,9 +28,19 @@ inline constexpr const char* kEngineNames[] = {"articulated", "ode"};
 // False: there is no such engine.
 bool engine_of(const std::string& name, Engine& engine);
 
+// How engine articulated moves what touches nothing, has no servo too stiff for it and no friction.
+enum class Flight {
+  kImplicit,  // like everything else
+  kAb4,       // Adams-Bashforth: one evaluation a step, order 4
+  kRk4,       // four evaluations, order 4
+  kRkf78,     // thirteen evaluations, order 8
+};
+
 struct WorldConfig {
   Engine engine = Engine::kArticulated;
   double step = 0.002;  // [s]
+  int order = 1;        // of accuracy in the step; 2: engine articulated only, three solves
+  Flight flight = Flight::kImplicit;
   bool fixed_base = false;
   double mass_scale = 1.0;                        // of every link, inertia too
   double friction_scale = 1.0;                    // of the joints' Coulomb friction and damping

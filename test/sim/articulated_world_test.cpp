@@ -118,6 +118,52 @@ TEST_F(Humanoid, ThrownItEndsOnTheGround) {
   EXPECT_EQ(world.unsettled(), 0);
 }
 
+// No stiffness of servo or ground limits the step; all 128 combinations: ./twinbus bench physics map.
+TEST_F(Humanoid, StandsAtEveryStepGainAndGround) {
+  for (const int order : {1, 2}) {
+    for (const double gain : {0.3, 10.0}) {
+      for (const double ground : {0.1, 100.0}) {  // times 1e6 N/m under a sole
+        for (const double step : {1e-3, 5e-3, 2e-2}) {
+          WorldConfig config;
+          config.order = order;
+          config.step = step;
+          config.stiffness_scale = ground;
+          config.damping_scale = std::sqrt(ground);
+          ArticulatedWorld world(model, config);
+          Standing start = standing(world);
+          start.configuration.base_velocity = {0.02, 0.02, 0.0};
+          ASSERT_EQ(world.set(start.configuration, &start.tau), Status::kOk);
+          hold(world, start.tau, gain);
+          const int steps = static_cast<int>(0.6 / step);
+          double late = 0.0;
+          for (int i = 0; i < steps; ++i) {
+            ASSERT_EQ(world.step(), Status::kOk);
+            if (i > 2 * steps / 3) late = std::max(late, world.com_velocity().norm());
+          }
+          EXPECT_LT(late, 0.05) << order << ' ' << gain << ' ' << ground << ' ' << step;
+        }
+      }
+    }
+  }
+}
+
+TEST_F(Humanoid, EveryInstructionSetGivesTheSameToRounding) {
+  std::vector<Configuration> ends;
+  for (const Simd level : {Simd::kBaseline, Simd::kAvx2, Simd::kAvx512}) {
+    lower_simd(level);
+    ArticulatedWorld world(model, {});
+    EXPECT_EQ(world.set(thrown()), Status::kOk);
+    hold(world, Eigen::VectorXd::Zero(model.joint_count()));
+    for (int i = 0; i < 10; ++i) EXPECT_EQ(world.step(), Status::kOk);
+    ends.push_back(world.configuration());
+  }
+  lower_simd(Simd::kAvx512);
+  for (const Configuration& end : ends) {
+    EXPECT_LT((end.q - ends[0].q).norm(), 1e-12);
+    EXPECT_LT((end.base.translation() - ends[0].base.translation()).norm(), 1e-12);
+  }
+}
+
 TEST_F(Humanoid, StopsHoldToABillionthWhateverIsAsked) {
   ArticulatedWorld world(model, {});
   ASSERT_EQ(world.set(thrown()), Status::kOk);
@@ -172,11 +218,12 @@ TEST_F(Humanoid, SameStartSameBits) {
 
 // A block pushed for a while on its two soles: error against a fine run of the same engine, and the
 // fine runs of both.
-Eigen::Vector3d pushed_block(Engine engine, double step) {
+Eigen::Vector3d pushed_block(Engine engine, double step, int order = 1) {
   const Model model = test::block();
   WorldConfig config;
   config.engine = engine;
   config.step = step;
+  config.order = order;
   const auto world = make_world(model, config);
   Configuration start(model);
   start.base.translation().z() = -world->mass() * kGravity / 2e5;
@@ -203,6 +250,13 @@ TEST(ArticulatedWorld, APushConvergesToWhatTheOtherEngineFinds) {
   EXPECT_LT((pushed_block(Engine::kOde, 1e-4) - fine).norm(), 1e-4);
 }
 
+TEST(ArticulatedWorld, OrderTwoIsBetterThanATenthOfTheStep) {
+  const Eigen::Vector3d fine = pushed_block(Engine::kArticulated, 2e-5, 2);
+  const double first = (pushed_block(Engine::kArticulated, 2e-4) - fine).norm();
+  const double second = (pushed_block(Engine::kArticulated, 2e-3, 2) - fine).norm();
+  EXPECT_LT(second, first);
+}
+
 double energy(const Model& model, const World& world, Kinematics& kinematics) {
   kinematics.update(world.configuration());
   double e = 0.0;
@@ -220,27 +274,33 @@ double energy(const Model& model, const World& world, Kinematics& kinematics) {
 TEST(ArticulatedWorld, InFlightMomentumIsKeptAndEnergyAtTheOrderOfTheStep) {
   const Model model = test::chain(6, true);
   Kinematics kinematics(model);
-  double drift[3] = {};
-  for (int k = 0; k < 3; ++k) {
-    WorldConfig config;
-    config.step = 0.001 / (1 << k);
-    ArticulatedWorld world(model, config);
-    Configuration start(model);
-    start.base.translation().z() = 50.0;
-    start.base_angular_velocity = {1.0, -0.5, 0.7};
-    start.qd << 0.5, -1.0, 0.3, 0.8, -0.2, 0.4;
-    ASSERT_EQ(world.set(start), Status::kOk);
-    const double before = energy(model, world, kinematics);
-    const Eigen::Vector3d spin = kinematics.angular_momentum();
-    const Eigen::Vector3d velocity = kinematics.com_velocity();
-    for (int i = 0; i < 500 * (1 << k); ++i) ASSERT_EQ(world.step(), Status::kOk);
-    drift[k] = std::abs(energy(model, world, kinematics) - before -
-                        0.5 * config.step * world.mass() * kGravity * kGravity * 0.5);
-    EXPECT_LT((kinematics.angular_momentum() - spin).norm(), 1e-10);
-    EXPECT_NEAR((kinematics.com_velocity() - velocity).head<2>().norm(), 0.0, 1e-11);
+  for (const int order : {1, 2}) {
+    double drift[3] = {};
+    for (int k = 0; k < 3; ++k) {
+      WorldConfig config;
+      config.order = order;
+      config.step = 0.001 / (1 << k);
+      ArticulatedWorld world(model, config);
+      Configuration start(model);
+      start.base.translation().z() = 50.0;
+      start.base_angular_velocity = {1.0, -0.5, 0.7};
+      start.qd << 0.5, -1.0, 0.3, 0.8, -0.2, 0.4;
+      ASSERT_EQ(world.set(start), Status::kOk);
+      const double before = energy(model, world, kinematics);
+      const Eigen::Vector3d spin = kinematics.angular_momentum();
+      const Eigen::Vector3d velocity = kinematics.com_velocity();
+      const int steps = 500 * (1 << k);
+      for (int i = 0; i < steps; ++i) ASSERT_EQ(world.step(), Status::kOk);
+      // The centre of mass itself falls half a step's speed too far at order 1.
+      const double fall = order == 1 ? 0.5 * config.step * kGravity * kGravity * 0.5 : 0.0;
+      drift[k] = std::abs(energy(model, world, kinematics) - before + world.mass() * fall);
+      EXPECT_LT((kinematics.angular_momentum() - spin).norm(), 1e-10);
+      EXPECT_NEAR((kinematics.com_velocity() - velocity).head<2>().norm(), 0.0, 1e-11);
+    }
+    const double ratio = order == 1 ? 2.0 : 4.0;
+    EXPECT_NEAR(drift[0] / drift[1], ratio, 0.2 * ratio);
+    EXPECT_NEAR(drift[1] / drift[2], ratio, 0.2 * ratio);
   }
-  EXPECT_NEAR(drift[0] / drift[1], 2.0, 0.4);
-  EXPECT_NEAR(drift[1] / drift[2], 2.0, 0.4);
 }
 
 // A sliding block stops after v^2 / (2 mu g) less half a step's way, exactly alike in all

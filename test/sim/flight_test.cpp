@@ -1,0 +1,87 @@
+// Motion that touches nothing: order of the explicit methods, and when they hand over.
+
+#include "sim/flight.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "robot/dynamics.h"
+#include "sim/articulated_world.h"
+#include "test/no_alloc.h"
+#include "test_models.h"
+
+namespace twinbus {
+namespace {
+
+// Where the last link of a tumbling chain is after half a second.
+Eigen::Vector3d tumbled(Flight flight, double step) {
+  const Model model = test::chain(4, true);
+  WorldConfig config;
+  config.flight = flight;
+  config.step = step;
+  ArticulatedWorld world(model, config);
+  Configuration start(model);
+  start.base.translation().z() = 50.0;
+  start.base_angular_velocity = {2.0, -1.0, 1.5};
+  start.q << 0.3, -0.4, 0.2, 0.1;
+  start.qd << 0.5, -1.0, 0.3, 0.8;
+  EXPECT_EQ(world.set(start), Status::kOk);
+  const auto steps = static_cast<int>(std::lround(0.5 / step));
+  const NoAlloc guard;
+  for (int i = 0; i < steps; ++i) EXPECT_EQ(world.step(), Status::kOk);
+  EXPECT_EQ(guard.count(), 0);
+  EXPECT_EQ(world.flown(), flight == Flight::kImplicit ? 0 : steps);
+  return world.link_in_world(4).translation();
+}
+
+TEST(Flight, MethodsHaveTheirOrderOnATurningBase) {
+  const Eigen::Vector3d exact = tumbled(Flight::kRkf78, 1e-3);
+  EXPECT_LT((tumbled(Flight::kRkf78, 1e-2) - exact).norm(), 1e-11);
+  const auto ratio = [&](Flight flight) {
+    return (tumbled(flight, 5e-3) - exact).norm() / (tumbled(flight, 2.5e-3) - exact).norm();
+  };
+  EXPECT_NEAR(ratio(Flight::kRk4), 16.0, 2.0);
+  EXPECT_NEAR(ratio(Flight::kAb4), 16.0, 5.0);
+  EXPECT_LT((tumbled(Flight::kRk4, 2.5e-3) - exact).norm(), 1e-7);
+}
+
+TEST(Flight, WhatComesDownIsCaughtByTheImplicitSolve) {
+  const Model model = test::block();
+  for (const Flight flight : {Flight::kAb4, Flight::kRk4, Flight::kRkf78}) {
+    WorldConfig config;
+    config.flight = flight;
+    ArticulatedWorld world(model, config);
+    Configuration start(model);
+    start.base.translation().z() = 0.3;
+    ASSERT_EQ(world.set(start), Status::kOk);
+    for (int i = 0; i < 1000; ++i) ASSERT_EQ(world.step(), Status::kOk);
+    EXPECT_GT(world.flown(), 50);
+    EXPECT_LT(world.flown(), 300);
+    EXPECT_NEAR(world.configuration().base.translation().z(), -world.mass() * kGravity / 2e5, 1e-4);
+  }
+}
+
+// A servo that an explicit step of this size would not survive, a joint with friction.
+TEST(Flight, WhatIsStiffOrRoughIsLeftToTheImplicitSolve) {
+  Model model = test::chain(3, true);
+  WorldConfig config;
+  config.flight = Flight::kRk4;
+  Configuration start(model);
+  start.base.translation().z() = 50.0;
+  ArticulatedWorld stiff(model, config);
+  ASSERT_EQ(stiff.set(start), Status::kOk);
+  ASSERT_EQ(stiff.set_servo(1, {.q = 0.5, .qd = 0.0, .tau = 0.0, .kp = 1e6, .kd = 1e3}),
+            Status::kOk);
+  for (int i = 0; i < 100; ++i) ASSERT_EQ(stiff.step(), Status::kOk);
+  EXPECT_EQ(stiff.flown(), 0);
+  EXPECT_NEAR(stiff.configuration().q[1], 0.5, 0.5);
+  model.joints[0].friction = 0.1;
+  ArticulatedWorld rough(model, config);
+  ASSERT_EQ(rough.set(start), Status::kOk);
+  ASSERT_EQ(rough.step(), Status::kOk);
+  EXPECT_EQ(rough.flown(), 0);
+}
+
+}  // namespace
+}  // namespace twinbus
