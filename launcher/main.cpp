@@ -52,6 +52,7 @@ constexpr Command kCommands[] = {
     {"check", "load a robot's folder and print what it is", &check_command},
     {"doctor", "is this machine ready", &doctor_command},
     {"bench", "measure", &bench_command},
+    {"chart", "draw what was measured: SVG, PNG, CSV", &chart_command},
 };
 
 void print_help() {

@@ -104,4 +104,29 @@ int bench_command(const std::vector<std::string>& words) {
   become(found->second, {words.begin() + 1, words.end()});
 }
 
+int chart_command(const std::vector<std::string>& words) {
+  std::vector<std::string> names;
+  std::string all;
+  std::error_code ignored;
+  const std::string folder = install_folder() + "/test/bench/";
+  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+    const std::string name = entry.path().stem().string();
+    if (entry.path().extension() != ".py" || !name.starts_with("chart_")) continue;
+    names.push_back(name.substr(6));
+    all += " " + names.back();
+  }
+  if (words.empty() || words[0] == "--help" || words[0] == "-h") {
+    std::printf(
+        "usage: ./twinbus chart NAME [--out DIR] [OPTION...]\n"
+        "Measures and draws.  Other options are the chart's own: ./twinbus chart NAME --help.  "
+        "There "
+        "are:%s\n",
+        all.c_str());
+    return 0;
+  }
+  if (std::find(names.begin(), names.end(), words[0]) == names.end())
+    throw UsageError("chart: no chart '" + words[0] + "'" + suggestion(words[0], names));
+  become(folder + "chart_" + words[0] + ".py", {words.begin() + 1, words.end()});
+}
+
 }  // namespace twinbus

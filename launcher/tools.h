@@ -13,5 +13,6 @@ int replay_command(const std::vector<std::string>& words);
 int record_command(const std::vector<std::string>& words);
 int gamepad_command(const std::vector<std::string>& words);
 int bench_command(const std::vector<std::string>& words);
+int chart_command(const std::vector<std::string>& words);
 
 }  // namespace twinbus

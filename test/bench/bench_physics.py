@@ -1,0 +1,206 @@
+#!/usr/bin/env python3
+"""./twinbus bench physics [CASE...] [--csv F] [--rounds N]: our engines beside their peers, row by row asked and reached.
+
+Cases: free flight arm stand push map convergence brick effort determinism (default: all).  Costs are CPU time of one
+thread; ours and the peers take turns, and a ratio is the median over rounds (default 5).  An engine's error is measured
+against a converged run: one reference where there is no contact, each engine's own finest run where contact laws differ.
+"asked" is for machines with AVX2; peers that are not installed are said and left out.  Exit status 1 if a row falls short.
+"""
+
+import sys
+
+from physics_lab import Lab, call, cost_at, error, median_of, ratio, slope
+
+short_of = []
+rows = []
+
+
+def row(case, quantity, asked, reached, good, unit="x", peer="", ours=None, theirs=None):
+    mark = "" if good else "   SHORT"
+    print(f"{case:12s} {quantity:58s} {asked:>14s} {reached:>16s}{mark}", flush=True)
+    rows.append((case, quantity, unit, ours if ours is not None else reached, peer, theirs if theirs is not None else "",
+                 reached if unit == "x" else ""))
+    if not good:
+        short_of.append(quantity)
+
+
+def at_least(case, quantity, asked, value, **more):
+    row(case, quantity, f">= {asked:g}", f"{value:.3g}", value >= asked, **more)
+
+
+def at_most(case, quantity, asked, value, **more):
+    row(case, quantity, f"<= {asked:g}", f"{value:.3g}", value <= asked, **more)
+
+
+def free(lab, rounds):
+    h = 1e-4
+    contenders = [(lab.articulated, None)]
+    if lab.packaged():
+        contenders.append((lab.mujoco(lab.packaged(), "euler"), 2.8))
+    if lab.current():
+        contenders.append((lab.mujoco(lab.current(), "euler"), 2.4))
+    if lab.pinocchio:
+        contenders.append((lab.pinocchio, 2.9))
+    contenders.append((lab.ode, 38))
+    medians, all_rows = median_of(rounds, *[lambda c=c: c.step_us("flight", h, 0.15) for c, _ in contenders])
+    print(f"{'free':12s} us a step: " + ", ".join(f"{c.label} {m:.2f}" for (c, _), m in zip(contenders, medians)))
+    for k, (peer, asked) in enumerate(contenders):
+        if asked:
+            at_least("free", f"free step, 29 joints, times faster than {peer.label}", asked, ratio(all_rows, 0, k),
+                     peer=peer.label, ours=medians[0], theirs=medians[k])
+
+
+def curve(engine, scene, steps, reference, repeats=2):
+    """[(step, error, cost)] from coarse to fine; the error of a step is the largest of it and all finer ones, so that a lucky
+    coarse step does not count."""
+    points, worst = [], 0.0
+    for h in reversed(steps):
+        run = engine.run(scene, h, repeats)
+        if run:
+            worst = max(worst, error(run, reference))
+            points.insert(0, (h, worst, run["cost"]))
+    return points
+
+
+def smooth(lab, scene, targets):
+    reference = lab.flight[2].run(scene, 2.5e-4, 1)
+    check = error(lab.flight[2].run(scene, 5e-4, 1), reference)
+    print(f"{scene:12s} reference: RKF78 at 0.25 ms, moves by {check:.1e} m from 0.5 ms")
+    ours = []
+    for engine in lab.flight:
+        points = curve(engine, scene, (2e-2, 1e-2, 5e-3, 2e-3, 1e-3, 5e-4), reference)
+        ours += [(e, c) for _, e, c in points]
+        print(f"{scene:12s} {engine.label}: " + ", ".join(f"{1e3 * h:g} ms {e:.1e} m {c:.2f} ms/s" for h, e, c in points))
+    for version in lab.mujocos:
+        peer = lab.mujoco(version, "rk4")
+        points = curve(peer, scene, (1e-2, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4), reference, 1)
+        print(f"{scene:12s} {peer.label}: " + ", ".join(f"{1e3 * h:g} ms {e:.1e} m {c:.2f} ms/s" for h, e, c in points))
+        for wanted, asked in targets:
+            mine, _ = cost_at(ours, wanted)
+            theirs, beyond = cost_at([(e, c) for _, e, c in points], wanted)
+            note = ", its curve extended" if beyond else ""
+            at_least(scene, f"{scene} at {wanted:g} m, times cheaper than {peer.label}{note}", asked, theirs / mine,
+                     peer=peer.label, ours=mine, theirs=theirs)
+
+
+def stand(lab, rounds):
+    h = 1e-3
+    contenders = [lab.articulated]
+    if lab.current():
+        contenders.append(lab.mujoco(lab.current(), "implicitfast"))
+    medians, all_rows = median_of(rounds, *[lambda c=c: c.step_us("stand", h, 0.2) for c in contenders])
+    print(f"{'stand':12s} us a step: " + ", ".join(f"{c.label} {m:.2f}" for c, m in zip(contenders, medians)))
+    if len(contenders) > 1:
+        at_least("stand", f"standing step with collision, times faster than {contenders[1].label}", 6,
+                 ratio(all_rows, 0, 1), peer=contenders[1].label, ours=medians[0], theirs=medians[1])
+    at_least("stand", "real-time factor, standing, 1 ms, with collision", 180, 1e3 / medians[0])
+
+
+def push(lab, _rounds):
+    finest = lab.articulated2.run("push", 5e-5, 1)
+    coarse = (2e-2, 1e-2, 5e-3, 2e-3, 1e-3, 5e-4)
+    ours = []
+    for engine in (lab.articulated, lab.articulated2):
+        points = curve(engine, "push", coarse, finest)
+        ours += [(e, c) for _, e, c in points]
+        print(f"{'push':12s} {engine.label}: " + ", ".join(f"{1e3 * h:g} ms {1e3 * e:.3f} mm {c:.2f} ms/s" for h, e, c in points))
+        if engine is lab.articulated2:
+            at_most("push", "push at 2 ms, order 2, error [mm]", 0.02, 1e3 * next(e for h, e, _ in points if h == 2e-3), unit="mm")
+    peers = [(lab.ode, (2e-2, 1e-2, 5e-3, 2e-3, 1e-3), 2e-4, {1e-3: 110})]
+    if lab.packaged():
+        peers.append((lab.mujoco(lab.packaged(), "implicit"), (2e-3, 1e-3, 5e-4, 2e-4, 1e-4), 2e-5, {1e-3: 100}))
+    if lab.current():
+        peers.append((lab.mujoco(lab.current(), "implicitfast"), (2e-3, 1e-3, 5e-4, 2e-4, 1e-4), 2e-5, {1e-3: 28, 1e-4: 42}))
+    for peer, steps, limit, asked in peers:
+        own = peer.run("push", limit, 1)
+        if peer is lab.ode:  # too slow for finer steps: extrapolated from two
+            own["at"] = [2 * a - b for a, b in zip(peer.run("push", 0.5 * limit, 1)["at"], own["at"])]
+        points = curve(peer, "push", steps, own, 1)
+        print(f"{'push':12s} {peer.label}: " + ", ".join(f"{1e3 * h:g} ms {1e3 * e:.3f} mm {c:.2f} ms/s" for h, e, c in points))
+        if peer is lab.ode:
+            at_most("push", "limits of both engines apart [mm]", 0.05, 1e3 * error(own, finest), unit="mm")
+        for wanted, least in asked.items():
+            mine, _ = cost_at(ours, wanted)
+            theirs, beyond = cost_at([(e, c) for _, e, c in points], wanted)
+            note = ", its curve extended" if beyond else ""
+            at_least("push", f"push at {1e3 * wanted:g} mm, times cheaper than {peer.label}{note}", least, theirs / mine,
+                     peer=peer.label, ours=mine, theirs=theirs)
+
+
+def stability(lab, _rounds):
+    for engine in (lab.articulated, lab.articulated2):
+        lines = call(lab.program, "map", engine.method, 1e-4, timeout=900) or []
+        stable = sum(line.endswith(" stable") for line in lines)
+        row("map", f"stable stands of 128 (gain x ground x step), {engine.label}", "128", str(stable), stable == 128, unit="")
+        for line in lines:
+            if not line.endswith(" stable"):
+                print("            ", line)
+
+
+def convergence(lab, _rounds):
+    finest = lab.articulated2.run("push", 2.5e-5, 1)
+    steps = (2e-3, 1e-3, 5e-4, 2e-4, 1e-4, 5e-5)
+    runs = [(h, lab.articulated.run("push", h, 1)) for h in steps]
+    at_least("convergence", "order of order 1, push, 2 to 0.05 ms", 0.95, slope([(h, error(r, finest)) for h, r in runs]), unit="")
+    row("convergence", "unconverged steps in these", "0", str(sum(r["counters"][2] for _, r in runs)),
+        not any(r["counters"][2] for _, r in runs), unit="")
+    exact = lab.flight[2].run("flight", 5e-4, 1)
+    points = [(h, error(lab.articulated2.run("flight", h, 1), exact)) for h in (1e-2, 5e-3, 2e-3, 1e-3, 5e-4)]
+    at_least("convergence", "order of order 2, flight, 10 to 0.5 ms", 1.9, slope(points), unit="")
+
+
+def brick(lab, _rounds):
+    for k, most in ((1e5, 0.7), (1e6, 0.4), (1e7, 0.3), (1e8, 0.3)):
+        ways = [call(lab.program, "brick", "articulated2", 1e-2, k, degrees)[0].split() for degrees in (0, 45)]
+        at_most("brick", f"brick stop at 10 ms, order 2, k {k:g} N/m, off by [%]", most, 100 * abs(float(ways[0][-1])), unit="%")
+        at_most("brick", f"the same, 0 against 45 degrees, k {k:g}", 1e-6, abs(float(ways[0][6]) - float(ways[1][6])), unit="m")
+
+
+def effort(lab, _rounds):
+    for h in (1e-4, 1e-3, 1e-2):
+        words = call(lab.program, "effort", "articulated", h)[0].split()
+        at_most("effort", f"effort limits exceeded at {1e3 * h:g} ms, relative", 1e-9, float(words[4]), unit="")
+        at_most("effort", f"stops passed at {1e3 * h:g} ms [rad]", 1e-9, float(words[6]), unit="rad")
+
+
+def determinism(lab, _rounds):
+    for method in ("articulated", "articulated2"):
+        hashes = {call(lab.program, "hash", "throw", method, 2e-3)[0].split()[-1] for _ in range(10)}
+        row("determinism", f"different hashes of 10 throws, {method}", "1", str(len(hashes)), len(hashes) == 1, unit="")
+
+
+CASES = {"free": free, "flight": lambda lab, _: smooth(lab, "flight", ((1e-8, 42),)),
+         "arm": lambda lab, _: smooth(lab, "arm", ((1e-3, 3.5), (1e-8, 14))), "stand": stand, "push": push, "map": stability,
+         "convergence": convergence, "brick": brick, "effort": effort, "determinism": determinism}
+
+
+def main(words):
+    if "--help" in words or "-h" in words:
+        print(__doc__.strip())
+        return 0
+    csv, rounds, names = None, 5, []
+    while words:
+        word = words.pop(0)
+        if word == "--csv" and words:
+            csv = words.pop(0)
+        elif word == "--rounds" and words and words[0].isdigit() and int(words[0]) > 0:
+            rounds = int(words.pop(0))
+        elif word in CASES:
+            names.append(word)
+        else:
+            print(f"bench physics: no case or option '{word}'; there are {' '.join(CASES)} --csv --rounds", file=sys.stderr)
+            return 2
+    lab = Lab("bench physics")
+    print(f"{'case':12s} {'quantity':58s} {'asked':>14s} {'reached':>16s}")
+    for name in names or CASES:
+        CASES[name](lab, rounds)
+    if csv:
+        with open(csv, "a") as file:
+            for case, quantity, unit, ours, peer, theirs, times in rows:
+                file.write(f'physics,{case},"{quantity}",{unit},{ours},,,,{peer},{theirs},{times}\n')
+    print(f"{len(rows)} rows, {len(short_of)} short")
+    return 1 if short_of else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

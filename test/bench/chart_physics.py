@@ -1,0 +1,155 @@
+#!/usr/bin/env python3
+"""./twinbus chart physics [CHART...] [--out DIR] [--redraw]: work against precision of every engine, and where each fails.
+
+Charts: flight arm stand push slide (error against CPU time of one thread per simulated second, one curve for each engine
+and method, the points are step sizes), map (which stands are stable), size (cost against the number of joints).  Each is
+written as SVG, PNG and CSV to DIR (default test/charts/physics); --redraw draws from the CSV that is there.  An engine's
+error is measured against a common reference where nothing touches, else against its own finest run: contact laws differ.
+"""
+
+import csv
+import math
+import pathlib
+import sys
+
+import plot
+from physics_lab import ROOT, Lab, call, error
+
+STEPS = (2e-2, 1e-2, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4)
+GAINS, GROUNDS = (0.3, 1.0, 3.0, 10.0), (1e5, 1e6, 1e7, 1e8)
+ABOUT = {
+    "flight": ("Free flight: a humanoid of 29 joints thrown, 0.5 s", "largest error of a link's centre of mass; reference RKF78, 0.25 ms"),
+    "arm": ("Arm of 7 joints swinging freely, 0.5 s", "largest error of a link's centre of mass; reference RKF78, 0.25 ms"),
+    "stand": ("Standing on its servos, shoved at 0.07 m/s, 0.5 s", "error against each engine's own finest run; with collision detection"),
+    "push": ("Push: dropped 10 mm at 0.2 m/s forward, lands and rocks, 0.6 s", "error against each engine's own finest run; with collision detection"),
+    "slide": ("Slide: a brick of 1 m/s brought to rest by friction, 0.4 s", "error against each engine's own finest run"),
+}
+
+
+def contenders(lab, chart):
+    """(engine, steps, step of its own reference or None for the common one)"""
+    smooth = chart in ("flight", "arm")
+    both = [lab.articulated, lab.articulated2] + (lab.flight if smooth else [])
+    for engine in both:
+        yield engine, STEPS[:6] if smooth else STEPS[:7], None
+    yield lab.ode, STEPS[:4] if not smooth else STEPS[:5], None if smooth else {"slide": 1e-4}.get(chart, 5e-4)
+    for version in lab.mujocos:
+        methods = ("euler", "rk4") if smooth else ("implicitfast" if not version.startswith("2.") else "implicit", "euler")
+        for method in methods:
+            yield lab.mujoco(version, method), STEPS[1:7] if smooth else STEPS[1:8], None if smooth else 5e-5
+
+
+def measure(lab, chart):
+    smooth = chart in ("flight", "arm")
+    reference = lab.flight[2].run(chart, 2.5e-4, 1) if smooth else lab.articulated2.run(chart, 5e-5, 1)
+    for engine, steps, own in contenders(lab, chart):
+        limit = reference if own is None else engine.run(chart, own, 1)
+        for h in steps:
+            run = engine.run(chart, h, 2) if limit else None
+            if run is None:
+                yield {"engine": engine.label, "step_s": h, "cpu_ms_per_s": "", "error_m": "failed"}
+            else:
+                yield {"engine": engine.label, "step_s": h, "cpu_ms_per_s": f"{run['cost']:.5g}", "error_m": f"{error(run, limit):.4g}"}
+        print(f"{chart}: {engine.label}", flush=True)
+
+
+def measure_map(lab):
+    def lines(engine, label, smallest):
+        for line in call(lab.program, "map", engine.method, smallest, timeout=1800) or []:
+            _, _, gain, ground, h, word = line.split()
+            yield {"engine": label, "gain": gain, "ground_n_per_m": ground, "step_s": h, "result": word}
+        print(f"map: {label}", flush=True)
+    for engine in (lab.articulated, lab.articulated2):
+        yield from lines(engine, engine.label, 1e-4)
+    yield from lines(lab.ode, lab.ode.label, 2e-3)
+    for version in lab.mujocos:  # its ground has no stiffness: its own default
+        peer = lab.mujoco(version, "implicit" if version.startswith("2.") else "implicitfast")
+        for gain in GAINS:
+            for h in STEPS:
+                yield {"engine": peer.label, "gain": f"{gain:g}", "ground_n_per_m": "own", "step_s": f"{h:g}", "result": peer.stands(gain, h)}
+        print(f"map: {peer.label}", flush=True)
+
+
+def draw_curves(chart, rows, folder):
+    names = list(dict.fromkeys(row["engine"] for row in rows))
+    curves = [(name, [(float(r["cpu_ms_per_s"]), float(r["error_m"])) for r in rows if r["engine"] == name and r["error_m"] != "failed"],
+               not name.startswith("articulated")) for name in names]
+    title, subtitle = ABOUT[chart]
+    marks = ((1e-3, "1 mm"), (1e-4, "0.1 mm"))
+    return plot.write(folder / f"{chart}.svg", plot.loglog(title, subtitle + "; lower left is better", "CPU time, ms per simulated second",
+                                                           "error [m]", curves, marks))
+
+
+def draw_map(rows, folder):
+    colors = {"stable": "#2a9d5c", "shakes": "#f2b134", "sank": "#c07a3e", "fell": "#d1495b", "diverged": "#4a1622"}
+    legend = [("stable", "stable"), ("shakes", "shakes"), ("sank", "sinks over 5 mm"), ("fell", "falls"), ("diverged", "diverges")]
+    panels = {}
+    for row in rows:
+        ground = row["ground_n_per_m"]
+        ground = ground if ground == "own" else f"1e{math.log10(float(ground)):.0f}"
+        cell = f"{ground} x{float(row['gain']):g}", f"{1e3 * float(row['step_s']):g}"
+        panels.setdefault(row["engine"], {})[cell] = row["result"]
+    keys = [f"1e{math.log10(ground):.0f} x{gain:g}" for ground in GROUNDS for gain in GAINS] + [f"own x{gain:g}" for gain in GAINS]
+    svg = plot.table_map("Which stands of a humanoid are stable: stiffness of the ground, gain of the servos, step", "", list(panels.items()), keys, [f"{1e3 * h:g}" for h in STEPS],
+                         "ground [N/m a corner] x gain of the servos", "step [ms]", colors, legend)
+    return plot.write(folder / "map.svg", svg)
+
+
+def draw_size(rows, folder):
+    names = list(dict.fromkeys(row["engine"] for row in rows))
+    curves = [(name, [(float(r["joints"]), float(r["us_per_step"])) for r in rows if r["engine"] == name], not name.startswith("articulated"))
+              for name in names]
+    return plot.write(folder / "size.svg", plot.loglog("Cost of a free step against size", "chains on a floating base", "joints",
+                                                       "us a step", curves))
+
+
+def measure_size(lab):
+    peers = [lab.articulated, lab.articulated2] + [lab.mujoco(v, "euler") for v in lab.mujocos] + [lab.ode]
+    for engine in peers:
+        for n in (7, 14, 30, 60, 100, 200):
+            if engine is lab.ode and n > 60:
+                continue
+            cost = engine.step_us(f"chain{n}", 1e-4, 0.2)
+            if cost is not None:
+                yield {"engine": engine.label, "joints": n, "us_per_step": f"{cost:.4g}"}
+        print(f"size: {engine.label}", flush=True)
+
+
+def main(words):
+    if "--help" in words or "-h" in words:
+        print(__doc__.strip())
+        return 0
+    folder, names, redraw = ROOT / "test/charts/physics", [], False
+    while words:
+        word = words.pop(0)
+        if word == "--out" and words:
+            folder = pathlib.Path(words.pop(0))
+        elif word == "--redraw":
+            redraw = True
+        elif word in (*ABOUT, "map", "size"):
+            names.append(word)
+        else:
+            print(f"chart physics: no chart or option '{word}'; there are {' '.join((*ABOUT, 'map', 'size'))} --out --redraw", file=sys.stderr)
+            return 2
+    folder.mkdir(parents=True, exist_ok=True)
+    lab = None if redraw else Lab("chart physics")
+    for name in names or (*ABOUT, "map", "size"):
+        file = folder / f"{name}.csv"
+        if not redraw:
+            rows = list({"map": measure_map, "size": measure_size}.get(name, lambda lab, n=name: measure(lab, n))(lab))
+            with open(file, "w", newline="") as out:
+                writer = csv.DictWriter(out, rows[0].keys())
+                writer.writeheader()
+                writer.writerows(rows)
+        if not file.exists():
+            print(f"chart physics: {file} is not there; run without --redraw", file=sys.stderr)
+            return 1
+        with open(file, newline="") as source:
+            rows = list(csv.DictReader(source))
+        missing = {"map": draw_map, "size": draw_size}.get(name, lambda r, f, n=name: draw_curves(n, r, f))(rows, folder)
+        print(f"{folder / name}.svg" + (f" ({missing})" if missing else ", .png, .csv"))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,270 @@
+// One engine on one scene: cost and result, as lines that test/bench/bench_physics.py reads.
+//
+//     physics_cases mjcf  SCENE                        the scene for MuJoCo
+//     physics_cases step  SCENE METHOD H [SECONDS]     us a step, median of batches
+//     physics_cases run   SCENE METHOD H [REPEATS]     CPU ms per simulated s, where all links end
+//     physics_cases brick METHOD H STIFFNESS DEGREES   stopping distance
+//     physics_cases map   METHOD SMALLEST_H            which stands are stable
+//     physics_cases effort METHOD H                    worst excess over limits and stops, thrown
+//     physics_cases hash  SCENE METHOD H               of the whole trajectory
+//
+// METHOD: articulated, articulated2 (order 2), ode, or articulated-ab4, -rk4, -rkf78 in flight.
+
+#include <time.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "robot/dynamics.h"
+#include "robot/process.h"
+#include "sim/articulated_world.h"
+#include "test/bench/physics_scenes.h"
+
+namespace twinbus {
+namespace {
+
+double cpu_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+WorldConfig config_of(const PhysicsScene& scene, const std::string& method, double h) {
+  WorldConfig config;
+  config.step = h;
+  config.fixed_base = scene.fixed_base;
+  if (method == "ode") {
+    config.engine = Engine::kOde;
+  } else if (method == "articulated2") {
+    config.order = 2;
+  } else if (method == "articulated-ab4") {
+    config.flight = Flight::kAb4;
+  } else if (method == "articulated-rk4") {
+    config.flight = Flight::kRk4;
+  } else if (method == "articulated-rkf78") {
+    config.flight = Flight::kRkf78;
+  } else if (method != "articulated") {
+    throw std::runtime_error("no method '" + method + "'");
+  }
+  return config;
+}
+
+void begin(World& world, const PhysicsScene& scene) {
+  if (world.set(scene.start, &scene.tau) != Status::kOk) throw std::runtime_error("bad start");
+  for (std::size_t j = 0; j < scene.servos.size(); ++j) {
+    (void)world.set_servo(static_cast<int>(j), scene.servos[j]);
+  }
+}
+
+long steps_of(double duration, double h) { return std::lround(duration / h); }
+
+void time_steps(const std::string& name, const std::string& method, double h, double seconds) {
+  const PhysicsScene scene = physics_scene(name);
+  const auto world = make_world(scene.model, config_of(scene, method, h));
+  begin(*world, scene);
+  const double begun = cpu_seconds();
+  std::vector<double> batches;
+  const long most = steps_of(scene.duration, h);
+  long done = 0;
+  while (cpu_seconds() - begun < seconds) {
+    constexpr int kBatch = 32;
+    const double t = cpu_seconds();
+    for (int i = 0; i < kBatch; ++i) {
+      if (world->step() != Status::kOk) throw std::runtime_error("diverged");
+    }
+    batches.push_back(1e6 * (cpu_seconds() - t) / kBatch);
+    done += kBatch;
+    if (done + kBatch > most) {
+      begin(*world, scene);
+      done = 0;
+    }
+  }
+  std::printf("step %s %s %g us %.4f\n", name.c_str(), method.c_str(), h, median(batches));
+}
+
+void run(const std::string& name, const std::string& method, double h, int repeats) {
+  const PhysicsScene scene = physics_scene(name);
+  const auto world = make_world(scene.model, config_of(scene, method, h));
+  const long steps = steps_of(scene.duration, h);
+  std::vector<double> costs;
+  double total = 0.0;
+  for (int r = 0; r < repeats || (total < 0.02 && r < 50 * repeats); ++r) {
+    begin(*world, scene);
+    const double t = cpu_seconds();
+    for (long i = 0; i < steps; ++i) {
+      if (world->step() != Status::kOk) {
+        std::printf("run %s %s %g failed %g\n", name.c_str(), method.c_str(), h,
+                    static_cast<double>(i) * h);
+        return;
+      }
+    }
+    costs.push_back(1e3 * (cpu_seconds() - t) / scene.duration);
+    total += cpu_seconds() - t;
+  }
+  std::printf("run %s %s %g ms_per_s %.6f at", name.c_str(), method.c_str(), h, median(costs));
+  for (int i = 0; i < scene.model.link_count(); ++i) {
+    const Eigen::Vector3d com =
+        world->link_in_world(i) * scene.model.links[static_cast<std::size_t>(i)].com;
+    std::printf(" %.17g %.17g %.17g", com.x(), com.y(), com.z());
+  }
+  if (const auto* ours = dynamic_cast<const ArticulatedWorld*>(world.get())) {
+    const SolveCounters& c = ours->counters();
+    std::printf(" counters %ld %ld %ld %ld %ld", c.steps, c.newton, c.unconverged,
+                ours->joint_passes(), ours->unsettled());
+  }
+  std::printf("\n");
+}
+
+void brick(const std::string& method, double h, double stiffness, double degrees) {
+  PhysicsScene scene = physics_scene("slide");
+  WorldConfig config = config_of(scene, method, h);
+  config.ground_friction = 0.8;
+  for (Sole& sole : scene.model.soles) {  // four corners a sole
+    sole.stiffness = kSoleCorners * stiffness;
+    sole.damping = kSoleCorners * std::sqrt(stiffness * scene.model.total_mass() / 8.0);
+  }
+  const double weight = scene.model.total_mass() * kGravity;
+  scene.start.base.translation().z() = -weight / (8.0 * stiffness);
+  const Eigen::AngleAxisd turn(degrees * M_PI / 180.0, Eigen::Vector3d::UnitZ());
+  scene.start.base_velocity = turn * Eigen::Vector3d(1.0, 0.0, 0.0);
+  const auto world = make_world(scene.model, config);
+  begin(*world, scene);
+  for (long i = 0; i < steps_of(0.4, h); ++i) {
+    if (world->step() != Status::kOk) throw std::runtime_error("diverged");
+  }
+  const double way = world->configuration().base.translation().head<2>().norm();
+  const double exact = 1.0 / (2.0 * 0.8 * kGravity);
+  std::printf("brick %s %g %g %g way %.9g off %.9g\n", method.c_str(), h, stiffness, degrees, way,
+              way / exact - 1.0);
+}
+
+// Whether a stand that begins with a shove of 20 mm/s is quiet and upright in its last part.
+const char* stands(const PhysicsScene& scene, const WorldConfig& config) {
+  const auto world = make_world(scene.model, config);
+  PhysicsScene shoved = scene;
+  shoved.start.base_velocity = {0.02, 0.02, 0.0};
+  begin(*world, shoved);
+  const double height = scene.start.base.translation().z();
+  const long steps = steps_of(1.2, config.step);
+  for (long i = 0; i < steps; ++i) {
+    if (world->step() != Status::kOk) return "diverged";
+    if (i < 2 * steps / 3) continue;
+    const Configuration& c = world->configuration();
+    if (!(c.base.linear()(2, 2) > 0.98) || !(std::abs(c.base.translation().z() - height) < 0.03)) {
+      return "fell";
+    }
+    for (const ContactPoint& contact : world->contacts()) {
+      if (!(contact.depth < 5e-3)) return "sank";
+    }
+    for (int k = 0; k < scene.model.link_count(); ++k) {
+      if (!(world->point_velocity(k, world->link_in_world(k).translation()).norm() < 0.5)) {
+        return "shakes";
+      }
+    }
+  }
+  return "stable";
+}
+
+void map(const std::string& method, double smallest) {
+  for (const double gain : {0.3, 1.0, 3.0, 10.0}) {
+    PhysicsScene scene = physics_scene("stand", gain);
+    for (const double stiffness : {1e5, 1e6, 1e7, 1e8}) {  // of a corner
+      for (Sole& sole : scene.model.soles) {
+        sole.stiffness = kSoleCorners * stiffness;
+        sole.damping = kSoleCorners * std::sqrt(stiffness * 15.0);
+      }
+      for (const double h : {2e-2, 1e-2, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4}) {
+        if (h < 0.999 * smallest) continue;
+        std::printf("map %s %g %g %g %s\n", method.c_str(), gain, stiffness, h,
+                    stands(scene, config_of(scene, method, h)));
+        std::fflush(stdout);
+      }
+    }
+  }
+}
+
+void effort(const std::string& method, double h) {
+  PhysicsScene scene = physics_scene("throw", 100.0);
+  const auto world = make_world(scene.model, config_of(scene, method, h));
+  for (std::size_t j = 0; j < scene.servos.size(); ++j) scene.servos[j].q += 2.0;
+  begin(*world, scene);
+  double over = 0.0, beyond = 0.0;
+  for (long i = 0; i < steps_of(scene.duration, h); ++i) {
+    if (world->step() != Status::kOk) throw std::runtime_error("diverged");
+    for (int j = 0; j < scene.model.joint_count(); ++j) {
+      const Joint& joint = scene.model.joints[static_cast<std::size_t>(j)];
+      const double q = world->configuration().q[j];
+      over = std::max(over, std::abs(world->tau(j)) / joint.effort - 1.0);
+      beyond = std::max({beyond, q - joint.upper, joint.lower - q});
+    }
+  }
+  std::printf("effort %s %g over %.3g beyond %.3g\n", method.c_str(), h, over, beyond);
+}
+
+void hash(const std::string& name, const std::string& method, double h) {
+  const PhysicsScene scene = physics_scene(name);
+  const auto world = make_world(scene.model, config_of(scene, method, h));
+  begin(*world, scene);
+  std::uint64_t sum = 0xcbf29ce484222325ULL;
+  const auto mix = [&](double value) {
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, &value, sizeof bits);
+    sum = (sum ^ bits) * 0x100000001b3ULL;
+  };
+  for (long i = 0; i < steps_of(scene.duration, h); ++i) {
+    if (world->step() != Status::kOk) throw std::runtime_error("diverged");
+    const Configuration& c = world->configuration();
+    for (int j = 0; j < scene.model.joint_count(); ++j) mix(c.q[j]);
+    for (int k = 0; k < 3; ++k) mix(c.base.translation()[k]);
+  }
+  std::printf("hash %s %s %g %016llx\n", name.c_str(), method.c_str(), h,
+              static_cast<unsigned long long>(sum));
+}
+
+int cases(int argc, char** argv) {
+  const auto word = [&](int i) -> std::string {
+    if (i >= argc) throw std::runtime_error("too few words; see the head of physics_cases.cpp");
+    return argv[i];
+  };
+  const auto number = [&](int i, double otherwise) {
+    return i < argc ? std::atof(argv[i]) : otherwise;
+  };
+  const std::string what = word(1);
+  if (what == "mjcf") {
+    std::fputs(mjcf(physics_scene(word(2), number(3, 1.0))).c_str(), stdout);
+  } else if (what == "step") {
+    time_steps(word(2), word(3), number(4, 1e-3), number(5, 0.3));
+  } else if (what == "run") {
+    run(word(2), word(3), number(4, 1e-3), static_cast<int>(number(5, 3)));
+  } else if (what == "brick") {
+    brick(word(2), number(3, 1e-3), number(4, 1e6), number(5, 0.0));
+  } else if (what == "map") {
+    map(word(2), number(3, 1e-4));
+  } else if (what == "effort") {
+    effort(word(2), number(3, 1e-3));
+  } else if (what == "hash") {
+    hash(word(2), word(3), number(4, 1e-3));
+  } else {
+    throw std::runtime_error("no case '" + what + "'");
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace twinbus
+
+int main(int argc, char** argv) {
+  return twinbus::run_process("physics_cases", &twinbus::cases, argc, argv);
+}

@@ -1,0 +1,231 @@
+"""Engines and peers on the same scenes: what bench_physics.py and chart_physics.py share.
+
+Ours are methods of build/.../bin/physics_cases.  Peers are built here from test/bench/peers against whatever is installed:
+MuJoCo of the distribution (libmujoco-dev), MuJoCo of the running Python (pip install mujoco-core), Pinocchio (pip install
+pin).  What is missing is said once and left out.
+"""
+
+import importlib.util
+import math
+import os
+import pathlib
+import statistics
+import subprocess
+import sys
+import time
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+PEERS = ROOT / "test/bench/peers"
+DURATION = {"flight": 0.5, "arm": 0.5, "stand": 0.5, "push": 0.6, "slide": 0.4, "throw": 2.0}
+
+
+def program_folder(who):
+    if "TWINBUS_BIN" in os.environ:
+        return pathlib.Path(os.environ["TWINBUS_BIN"])
+    builds = sorted(ROOT.glob("build/*/bin/physics_cases"), key=lambda path: path.stat().st_mtime)
+    if not builds:
+        sys.exit(f"{who}: physics_cases is not built; run ./twinbus bench once")
+    return builds[-1].parent
+
+
+def call(*words, timeout=300):
+    """The lines that a program prints, or None if it fails."""
+    try:
+        # In its own folder: MuJoCo leaves its log where it stands.
+        done = subprocess.run([str(word) for word in words], capture_output=True, text=True, timeout=timeout,
+                              cwd=pathlib.Path(words[0]).parent)
+    except subprocess.TimeoutExpired:
+        return None
+    return done.stdout.splitlines() if done.returncode == 0 else None
+
+
+class Ours:
+    def __init__(self, program, method, label):
+        self.program, self.method, self.label = program, method, label
+
+    def step_us(self, scene, h, seconds):
+        return float(call(self.program, "step", scene, self.method, h, seconds)[0].split()[-1])
+
+    def run(self, scene, h, repeats=3):
+        return parse_run(call(self.program, "run", scene, self.method, h, repeats))
+
+
+class Mujoco:
+    def __init__(self, program, models, method, label):
+        self.program, self.models, self.method, self.label = program, models, method, label
+
+    def model(self, scene, gain=1.0):
+        return self.models(scene, gain)
+
+    def step_us(self, scene, h, seconds):
+        lines = call(self.program, "step", self.model(scene), self.method, h, seconds)
+        return float(lines[0].split()[-1]) if lines else None  # it reads no trees deeper than 100
+
+    def run(self, scene, h, repeats=3):
+        return parse_run(call(self.program, "run", self.model(scene), self.method, h, DURATION[scene], repeats))
+
+    def stands(self, gain, h):
+        lines = call(self.program, "map", self.model("stand", gain), self.method, h, 1.2)
+        return lines[0] if lines else "diverged"
+
+
+class Pinocchio:
+    """Its algorithm and its integration step from Python; what an empty call costs is taken off."""
+
+    def __init__(self, pinocchio, numpy, urdf):
+        self.label = f"Pinocchio {pinocchio.__version__} ABA"
+        self.lib, self.numpy = pinocchio, numpy
+        self.model = pinocchio.buildModelFromUrdf(str(urdf), pinocchio.JointModelFreeFlyer())
+        self.data = self.model.createData()
+
+    def step_us(self, _scene, h, seconds):
+        lib, model, data = self.lib, self.model, self.data
+        q, v, tau = lib.neutral(model), self.numpy.full(model.nv, 0.3), self.numpy.zeros(model.nv)
+
+        def batch(call):
+            begin = time.thread_time()
+            for _ in range(32):
+                call()
+            return 1e6 * (time.thread_time() - begin) / 32
+        costs, empty, begun = [], [], time.thread_time()
+        while time.thread_time() - begun < seconds:
+            costs.append(batch(lambda: lib.aba(model, data, q, v, tau)))
+            empty.append(batch(lambda: model.nq))
+        return statistics.median(costs) - statistics.median(empty)
+
+
+def parse_run(lines):
+    """CPU ms per simulated second and the final centres of mass, or None."""
+    if not lines:
+        return None
+    words = lines[-1].split()
+    if "ms_per_s" not in words:
+        return None
+    at = words.index("at")
+    end = words.index("counters") if "counters" in words else len(words)
+    values = [float(word) for word in words[at + 1:end]]
+    if not all(math.isfinite(value) for value in values):
+        return None
+    counters = [int(word) for word in words[end + 1:]]
+    return {"cost": float(words[words.index("ms_per_s") + 1]), "at": values, "counters": counters}
+
+
+def error(run, reference):
+    """Largest distance of a link's centre of mass from where it should be [m]."""
+    a, b = run["at"], reference["at"]
+    return max(math.dist(a[i:i + 3], b[i:i + 3]) for i in range(0, len(a), 3))
+
+
+def median_of(rounds, *contenders):
+    """contenders: functions that measure once; measured in turn, so that a busy machine disturbs all alike."""
+    rows = [[contender() for contender in contenders] for _ in range(rounds)]
+    return [statistics.median(row[k] for row in rows) for k in range(len(contenders))], rows
+
+
+def ratio(rows, ours, peer):
+    return statistics.median(row[peer] / row[ours] for row in rows)
+
+
+def cost_at(curve, wanted):
+    """CPU ms/s at which an engine reaches an error: on the lower envelope of its curve [(error, cost)], log-log between
+    points; beyond its smallest error by the slope of its last points.  None: never, and True if extrapolated."""
+    points = sorted(((e, c) for e, c in curve if e > 0.0), reverse=True)
+    hull = []
+    for e, c in points:  # errors fall: keep those not beaten by a cheaper, better one
+        while hull and hull[-1][1] >= c:
+            hull.pop()
+        hull.append((e, c))
+    if not hull:
+        return None, False
+    if hull[0][0] <= wanted:
+        return hull[0][1], False
+    for (e0, c0), (e1, c1) in zip(hull, hull[1:]):
+        if e1 <= wanted:
+            t = math.log(e0 / wanted) / math.log(e0 / e1)
+            return c0 * (c1 / c0) ** t, False
+    if len(hull) < 2:
+        return None, False
+    (e0, c0), (e1, c1) = hull[-2:]
+    slope = math.log(c1 / c0) / math.log(e0 / e1)
+    return c1 * (e1 / wanted) ** slope, True
+
+
+def slope(curve):
+    """Least-squares order of error over step, curve: [(h, error)]."""
+    points = [(math.log(h), math.log(e)) for h, e in curve if e > 0.0]
+    n = len(points)
+    mx, my = sum(x for x, _ in points) / n, sum(y for _, y in points) / n
+    return sum((x - mx) * (y - my) for x, y in points) / sum((x - mx) ** 2 for x, _ in points)
+
+
+def build(source, program, *words):
+    if program.exists() and program.stat().st_mtime > source.stat().st_mtime:
+        return True
+    program.parent.mkdir(parents=True, exist_ok=True)
+    compiler = os.environ.get("CXX", "g++")
+    done = subprocess.run([compiler, "-std=c++17", "-O3", "-DNDEBUG", "-w", str(source), "-o", str(program), *map(str, words)],
+                          capture_output=True, text=True)
+    if done.returncode != 0:
+        print(f"{program.name}: does not build, left out: {done.stderr.strip().splitlines()[0] if done.stderr else ''}")
+    return done.returncode == 0
+
+
+class Lab:
+    def __init__(self, who):
+        self.bin = program_folder(who)
+        self.program = self.bin / "physics_cases"
+        self.work = self.bin.parent / "peers"
+        self.work.mkdir(parents=True, exist_ok=True)
+        self.articulated = Ours(self.program, "articulated", "articulated, order 1")
+        self.articulated2 = Ours(self.program, "articulated2", "articulated, order 2")
+        self.ode = Ours(self.program, "ode", "ODE direct")
+        self.flight = [Ours(self.program, f"articulated-{m}", f"articulated, {m.upper()}") for m in ("ab4", "rk4", "rkf78")]
+        self.mujocos = {}  # version -> program
+        self._written = {}
+        self._find_mujoco()
+        self.pinocchio = self._find_pinocchio()
+
+    def models(self, scene, gain=1.0):
+        if (scene, gain) not in self._written:
+            path = self.work / f"{scene}_{gain:g}.xml"
+            path.write_text("\n".join(call(self.program, "mjcf", scene, gain)) + "\n")
+            self._written[scene, gain] = path
+        return self._written[scene, gain]
+
+    def mujoco(self, version, method):
+        return Mujoco(self.mujocos[version], self.models, method, f"MuJoCo {version} {method}")
+
+    def packaged(self):
+        return next((v for v in self.mujocos if v.startswith("2.")), None)
+
+    def current(self):
+        return next((v for v in self.mujocos if not v.startswith("2.")), None)
+
+    def _find_mujoco(self):
+        source = PEERS / "mujoco_peer.cpp"
+        if pathlib.Path("/usr/include/mujoco/mujoco.h").exists():
+            program = self.work / "mujoco_packaged"
+            if build(source, program, "-lmujoco"):
+                self.mujocos[call(program, "version")[0]] = program
+        else:
+            print("MuJoCo of the distribution: not installed, left out (apt install libmujoco-dev)")
+        spec = importlib.util.find_spec("mujoco")
+        folder = pathlib.Path(spec.origin or list(spec.submodule_search_locations)[0]) if spec else None
+        if folder and folder.is_file():
+            folder = folder.parent
+        libraries = sorted(folder.glob("libmujoco.so*")) if folder else []
+        if libraries:
+            program = self.work / "mujoco_current"
+            if build(source, program, f"-I{folder}/include", libraries[-1], f"-Wl,-rpath,{folder}"):
+                self.mujocos[call(program, "version")[0]] = program
+        else:
+            print("current MuJoCo: not installed, left out (pip install mujoco-core)")
+
+    def _find_pinocchio(self):
+        try:
+            import numpy
+            import pinocchio
+        except ImportError:
+            print("Pinocchio: not installed, left out (pip install pin)")
+            return None
+        return Pinocchio(pinocchio, numpy, ROOT / "config/robots/hrp1s/hrp1s.urdf")

@@ -1,0 +1,37 @@
+// The scenes that physics engines are measured on: a model, a start, servos, a duration.
+//
+// Every engine runs the same robot; mjcf() writes it for MuJoCo with the same numbers.
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "robot/kinematics.h"
+#include "robot/model.h"
+#include "sim/world.h"
+
+namespace twinbus {
+
+struct PhysicsScene {
+  std::string name;
+  Model model;
+  bool fixed_base = false;
+  bool ground = true;     // false: nothing to touch
+  double duration = 1.0;  // [s]
+  Configuration start;
+  std::vector<ServoTarget> servos;  // one for each joint
+  Eigen::VectorXd tau;              // of the servos at the start
+};
+
+// flight: hrp1s thrown, without servos and stops; arm: its right arm of 7 joints on a wall, swinging;
+// stand: on its servos in half_sitting, shoved; push: dropped 10 mm at 0.2 m/s forward; slide: a brick of
+// 1 m/s on the ground; throw: dropped turned and turning, all shells can touch; chainN: N
+// joints on a floating base, in the air.
+// gain: of all servos.  Throws std::runtime_error for another name.
+PhysicsScene physics_scene(const std::string& name, double gain = 1.0);
+
+// The scene for MuJoCo, its start as keyframe 0.  Bodies are named link0, link1, ...
+std::string mjcf(const PhysicsScene& scene);
+
+}  // namespace twinbus

@@ -1,0 +1,127 @@
+"""Charts without a library: log-log curves and maps as SVG, and PNG by rsvg-convert or chromium where one is installed."""
+
+import html
+import math
+import pathlib
+import shutil
+import subprocess
+
+COLORS = ("#1f6fb4", "#d1495b", "#2a9d5c", "#8a4fbf", "#e08a1e", "#0f8b8d", "#7a5c3e", "#666666", "#c2410c", "#3f3cbb")
+FONT = "font-family='DejaVu Sans, Helvetica, Arial, sans-serif'"
+WIDTH, HEIGHT = 900, 560
+LEFT, RIGHT, TOP, BOTTOM = 82, 250, 62, 62
+
+
+def _text(x, y, words, size=13, anchor="start", color="#222", weight="normal", turn=None):
+    rotate = f" transform='rotate({turn} {x:.1f} {y:.1f})'" if turn else ""
+    return (f"<text x='{x:.1f}' y='{y:.1f}' font-size='{size}' text-anchor='{anchor}' fill='{color}' font-weight='{weight}' "
+            f"{FONT}{rotate}>{html.escape(words)}</text>")
+
+
+def _power(value):
+    exponent = round(math.log10(value))
+    return f"{value:g}" if -3 <= exponent <= 4 else f"1e{exponent}"
+
+
+def _frame(title, subtitle, width=WIDTH, height=HEIGHT):
+    return [f"<svg xmlns='http://www.w3.org/2000/svg' width='{width}' height='{height}' viewBox='0 0 {width} {height}'>",
+            f"<rect width='{width}' height='{height}' fill='white'/>", _text(LEFT, 26, title, 17, weight="bold"),
+            _text(LEFT, 46, subtitle, 12, color="#555")]
+
+
+def loglog(title, subtitle, x_name, y_name, curves, marks=()):
+    """curves: [(label, [(x, y)], dashed)]; marks: [(y, words)], horizontal lines.  Points that are not positive are left out."""
+    curves = [(label, [(x, y) for x, y in points if x > 0.0 and y > 0.0], dashed) for label, points, dashed in curves]
+    curves = [curve for curve in curves if curve[1]]
+    every = [point for _, points, _ in curves for point in points]
+    x0, x1 = (f(math.log10(x) for x, _ in every) for f in (min, max))
+    y0, y1 = (f(math.log10(y) for _, y in every) for f in (min, max))
+    x0, x1, y0, y1 = math.floor(x0 * 2) / 2, math.ceil(x1 * 2) / 2, math.floor(y0), math.ceil(y1)
+    x1, y1 = max(x1, x0 + 1), max(y1, y0 + 1)
+
+    def px(x):
+        return LEFT + (math.log10(x) - x0) / (x1 - x0) * (WIDTH - LEFT - RIGHT)
+
+    def py(y):
+        return HEIGHT - BOTTOM - (math.log10(y) - y0) / (y1 - y0) * (HEIGHT - TOP - BOTTOM)
+    out = _frame(title, subtitle)
+    bottom, right = HEIGHT - BOTTOM, WIDTH - RIGHT
+    for e in range(math.ceil(x0), math.floor(x1) + 1):
+        x = px(10.0 ** e)
+        out.append(f"<line x1='{x:.1f}' y1='{TOP}' x2='{x:.1f}' y2='{bottom}' stroke='#ddd'/>")
+        out.append(_text(x, bottom + 18, _power(10.0 ** e), 12, "middle"))
+    step = 1 if y1 - y0 <= 10 else 2
+    for e in range(y0, y1 + 1, step):
+        y = py(10.0 ** e)
+        out.append(f"<line x1='{LEFT}' y1='{y:.1f}' x2='{right}' y2='{y:.1f}' stroke='#ddd'/>")
+        out.append(_text(LEFT - 8, y + 4, _power(10.0 ** e), 12, "end"))
+    for value, words in marks:
+        if y0 <= math.log10(value) <= y1:
+            out.append(f"<line x1='{LEFT}' y1='{py(value):.1f}' x2='{right}' y2='{py(value):.1f}' stroke='#999' "
+                       "stroke-dasharray='2 4'/>")
+            out.append(_text(right - 4, py(value) - 4, words, 11, "end", "#777"))
+    out.append(f"<rect x='{LEFT}' y='{TOP}' width='{right - LEFT}' height='{bottom - TOP}' fill='none' stroke='#444'/>")
+    out.append(_text((LEFT + right) / 2, HEIGHT - 20, x_name, 13, "middle"))
+    out.append(_text(24, (TOP + bottom) / 2, y_name, 13, "middle", turn=-90))
+    for k, (label, points, dashed) in enumerate(curves):
+        color, dash = COLORS[k % len(COLORS)], " stroke-dasharray='6 4'" if dashed else ""
+        way = " ".join(f"{px(x):.1f},{py(y):.1f}" for x, y in points)
+        out.append(f"<polyline points='{way}' fill='none' stroke='{color}' stroke-width='2.2'{dash}/>")
+        out += [f"<circle cx='{px(x):.1f}' cy='{py(y):.1f}' r='3.4' fill='{color}'/>" for x, y in points]
+        y = TOP + 12 + 21 * k
+        out.append(f"<line x1='{right + 14}' y1='{y}' x2='{right + 40}' y2='{y}' stroke='{color}' stroke-width='2.2'{dash}/>")
+        out.append(_text(right + 46, y + 4, label, 12))
+    out.append("</svg>")
+    return "\n".join(out)
+
+
+def table_map(title, subtitle, panels, rows, columns, row_name, column_name, colors, legend):
+    """panels: [(name, {(row, column): word})]; one coloured cell for each word, drawn side by side."""
+    cell_w, cell_h, gap, per_line = 34, 24, 30, 3
+    most = max(len([r for r in rows if any((r, c) in cells for c in columns)]) for _, cells in panels)
+    panel_w, panel_h = 90 + cell_w * len(columns), 60 + cell_h * most
+    lines = math.ceil(len(panels) / per_line)
+    width = max(LEFT + per_line * (panel_w + gap), 700)
+    height = TOP + 30 + lines * (panel_h + gap)
+    out = _frame(title, subtitle, width, height)
+    x = LEFT
+    for word, meaning in legend:
+        out.append(f"<rect x='{x}' y='56' width='14' height='14' fill='{colors[word]}' stroke='#444' stroke-width='.5'/>")
+        out.append(_text(x + 19, 68, meaning, 12))
+        x += 32 + 7 * len(meaning)
+    for k, (name, cells) in enumerate(panels):
+        left, top = 20 + (k % per_line) * (panel_w + gap) + 82, TOP + 44 + (k // per_line) * (panel_h + gap)
+        own = [r for r in rows if any((r, c) in cells for c in columns)]
+        out.append(_text(left, top - 8, name, 13, weight="bold"))
+        for i, r in enumerate(own):
+            out.append(_text(left - 6, top + cell_h * i + 16, str(r), 11, "end"))
+            for j, c in enumerate(columns):
+                color = colors.get(cells.get((r, c)), "#f2f2f2")
+                out.append(f"<rect x='{left + cell_w * j}' y='{top + cell_h * i}' width='{cell_w}' height='{cell_h}' "
+                           f"fill='{color}' stroke='white'/>")
+        bottom = top + cell_h * len(own)
+        for j, c in enumerate(columns):
+            out.append(_text(left + cell_w * (j + 0.5), bottom + 14, str(c), 11, "middle"))
+        out.append(_text(left + cell_w * len(columns) / 2, bottom + 30, column_name, 11, "middle", "#555"))
+        out.append(_text(left - 72, top + cell_h * len(own) / 2, row_name if len(own) > 6 else "", 11, "middle", "#555", turn=-90))
+    out.append("</svg>")
+    return "\n".join(out)
+
+
+def write(path, svg):
+    """SVG, and PNG beside it; returns a sentence if there is nothing that makes PNGs."""
+    path = pathlib.Path(path)
+    path.write_text(svg + "\n")
+    png = path.with_suffix(".png")
+    head = svg[:200]
+    width, height = (int(head.split(f"{name}='")[1].split("'")[0]) for name in ("width", "height"))
+    if shutil.which("rsvg-convert"):
+        subprocess.run(["rsvg-convert", "-o", png, path], check=True)
+        return None
+    browser = shutil.which("chromium") or shutil.which("google-chrome")
+    if not browser:
+        return "no PNG: install librsvg2-bin (rsvg-convert) or chromium"
+    done = subprocess.run([browser, "--headless", "--no-sandbox", "--disable-gpu", "--hide-scrollbars",
+                           f"--window-size={width},{height}", f"--screenshot={png}", path.resolve().as_uri()],
+                          capture_output=True, timeout=120)
+    return None if done.returncode == 0 and png.exists() else "no PNG: chromium failed; install librsvg2-bin (rsvg-convert)"
