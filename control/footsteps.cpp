@@ -16,9 +16,9 @@ namespace twinbus {
 namespace {
 // Shares of what the legs reach at walking height, so that a recovery step is still possible.
 constexpr double kReachForward = 0.8, kReachBack = 0.62, kReachSideways = 0.53;
-constexpr double kStride = 0.95;    // of the longest foothold that a command may ask for
-constexpr double kBetween = 0.035;  // between two soles side by side [m]
-constexpr double kTurn = 0.6;       // share of a hip's range that a command may use
+constexpr double kCommandStride = 0.95;  // of the longest foothold that a command may ask for
+constexpr double kBetween = 0.035;       // between two soles side by side [m]
+constexpr double kTurn = 0.6;            // share of a hip's range that a command may use
 
 // Height of the centre of mass above the hips, in the pose that robots are said to walk in.
 double com_above_hips(const Model& model, int hip_link) {
@@ -86,8 +86,8 @@ Gait gait_of(const Model& model, const Walking& w, double margin) {
   g.sole_low = {-left.back + margin, -std::min(inner, outer) + margin};
   g.sole_high = {left.front - margin, std::min(inner, outer) - margin};
   const double period = g.period();
-  g.most_velocity = {kStride * g.max_forward / period,
-                     kStride * 0.5 * (g.max_width - g.width) / period,
+  g.most_velocity = {kCommandStride * g.max_forward / period,
+                     kCommandStride * 0.5 * (g.max_width - g.width) / period,
                      kTurn * reach.turn / (1.5 * period) * 2.0};
   g.acceleration = g.most_velocity / std::max(0.2, 2.0 * period);
   return g;

@@ -10,20 +10,21 @@
 namespace twinbus {
 
 namespace {
-constexpr int kAhead = 3;            // steps planned beyond the next
-constexpr double kTooLate = 0.08;    // before touchdown, from when on a step is left alone [s]
-constexpr double kShortest = 0.10;   // any step may still last [s]
-constexpr double kMoved = 0.03;      // a step moved farther is a recovery [m]
-constexpr double kEarlyShare = 0.6;  // of the swing, from when on touching counts as landing
-constexpr double kLeast = 0.01;      // a piece of the plan [s]
-constexpr double kQuiet = 0.03;      // kept from the edges by where the ZMP comes to rest [m]
+constexpr int kAhead = 3;             // steps planned beyond the next
+constexpr double kTooLate = 0.08;     // before touchdown, from when on a step is left alone [s]
+constexpr double kShortest = 0.10;    // any step may still last [s]
+constexpr double kMoved = 0.03;       // a step moved farther is a recovery [m]
+constexpr double kEarlyShare = 0.6;   // of the swing, from when on touching counts as landing
+constexpr double kLeast = 0.01;       // a piece of the plan [s]
+constexpr double kRestMargin = 0.03;  // kept from the edges by where the ZMP comes to rest [m]
 constexpr double kUncaught =
-    0.02;                         // farther from there a robot is not caught by standing still [m]
-constexpr double kHome = 0.15;    // from there to the middle of the feet [m/s]
-constexpr double kBrake = 0.06;   // least time in which the ZMP goes there [s]
-constexpr double kHalfWay = 0.5;  // of a swing, from when on the next step brakes
-constexpr double kBrakeTime = 0.10;  // from the fastest walk to none [s]
-constexpr double kStride = 0.6;      // share of the longest step over which a robot stands still
+    0.02;  // farther from there a robot is not caught by standing still [m]
+constexpr double kRestRate = 0.15;  // from there to the middle of the feet [m/s]
+constexpr double kRestTime = 0.06;  // least time in which the ZMP goes there [s]
+constexpr double kHalfWay = 0.5;    // of a swing, from when on the next step brakes
+constexpr double kHaltTime = 0.10;  // from the fastest walk to none [s]
+constexpr double kStandingStride =
+    0.6;  // share of the longest step over which a robot stands still
 
 double way(double from, double to, double most) noexcept {
   return from + std::clamp(to - from, -most, most);
@@ -140,7 +141,7 @@ Eigen::Vector2d WalkPattern::on_both_soles(const Eigen::Vector2d& point) const n
   const double left =
       std::clamp((point - on[1]).dot(line) / std::max(1e-6, line.squaredNorm()), 0.0, 1.0);
   const Eigen::Vector2d rest = point - (on[1] + left * line);
-  const Eigen::Vector2d quiet(kQuiet, kQuiet);
+  const Eigen::Vector2d quiet(kRestMargin, kRestMargin);
   Eigen::Vector2d carried = Eigen::Vector2d::Zero();
   for (std::size_t f = 0; f < 2; ++f) {
     const Foothold& foot = feet_[f];
@@ -155,13 +156,14 @@ Eigen::Vector2d WalkPattern::on_both_soles(const Eigen::Vector2d& point) const n
 // While the ZMP p goes to a point r in T and stays, the DCM comes to rest there if it is at
 //     xi = p + (r - p) (1 - e^(-omega T)) / (omega T)   now.
 bool WalkPattern::try_to_stand(const Eigen::Vector2d& measured_dcm, double omega) noexcept {
-  const double time = std::max(kBrake, double_ - time_);
+  const double time = std::max(kRestTime, double_ - time_);
   const double x = omega * time;
   const Eigen::Vector2d wanted = zmp_ + (measured_dcm - zmp_) * (x / (1.0 - std::exp(-x)));
   const Eigen::Vector2d rest = on_both_soles(wanted);
   if (!((wanted - rest).norm() < kUncaught)) return false;
   for (int f = 0; f < 2; ++f) {
-    if (!((rest - zmp_on(gait_, foot(f), f)).norm() < kStride * gait_.max_forward)) return false;
+    if (!((rest - zmp_on(gait_, foot(f), f)).norm() < kStandingStride * gait_.max_forward))
+      return false;
   }
   stand(rest, time);
   return true;
@@ -173,13 +175,13 @@ void WalkPattern::advance(const std::array<bool, 2>& touching,
   since_landing_ += dt;
   if (!halting_ || braking_) {
     const Eigen::Vector3d rate =
-        halting_ ? Eigen::Vector3d(gait_.most_velocity / kBrakeTime) : gait_.acceleration;
+        halting_ ? Eigen::Vector3d(gait_.most_velocity / kHaltTime) : gait_.acceleration;
     for (Eigen::Index k = 0; k < 3; ++k) velocity_[k] = way(velocity_[k], wanted_[k], rate[k] * dt);
   }
   if (!walking_) {
     const Eigen::Vector2d to_middle = middle() - rest_;
     if (time_ > double_)
-      rest_ += to_middle * std::min(1.0, kHome * dt / std::max(1e-9, to_middle.norm()));
+      rest_ += to_middle * std::min(1.0, kRestRate * dt / std::max(1e-9, to_middle.norm()));
     if (!wants_to_walk() || time_ < double_) return;
     int support = wanted_.y() > 0.0 || (wanted_.y() == 0.0 && wanted_.z() >= 0.0) ? 1 : 0;
     if (list_count_ > 0) support = list_support_;
