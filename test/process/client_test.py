@@ -57,7 +57,8 @@ def holds_through_switches(kind, checks):
                 states = [s for _, s in bus.messages('STATE')]
                 commands = sum(1 for _ in bus.messages('COMMAND'))
                 runs.update(s.run_id for s in states)
-                checks.that(bool(states) and states[-1].stop_kind == 0, f'{kind}: not stopped after switch {number}')
+                if not checks.that(bool(states) and states[-1].stop_kind == 0, f'{kind}: not stopped after switch {number}'):
+                    print('\n'.join(harness.story_of_a_stop(bus)), flush=True)
                 worst = max([worst] + [tilt(s) for s in states])
                 checks.at_least(commands / max(1, len(states)), 0.5, f'{kind}: commands per state')
                 bus.forget()
