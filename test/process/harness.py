@@ -135,8 +135,9 @@ def text_of(event):
     return text.split(b"\0")[0].decode("ascii", "replace")
 
 
-def story_of_a_stop(bus, look_back_s=10.0):
-    """Lines that tell how the newest stop came: the last STATEs and COMMANDs before it, and the longest silences."""
+def story_of_a_stop(bus, look_back_s=10.0, stalls=None):
+    """Lines that tell how the newest stop came: the last STATEs and COMMANDs before it, the longest silences, and
+    where they were watched (stalls.py) the stalls of the machine."""
     now = time.monotonic_ns()
     states = list(bus.messages("STATE", now - int(1e9 * look_back_s)))
     first = next((k for k, (_, s) in enumerate(states) if s.stop_kind >= 2), None)
@@ -151,6 +152,9 @@ def story_of_a_stop(bus, look_back_s=10.0):
         lines.append(f"  {channel}: {len(heard)} in 400 ms, longest silences {', '.join(f'{g:.1f}' for g in gaps)} ms")
         lines += [f"    {(at - t) * 1e-6:7.1f}  tick {m.tick} run {m.run_id} "
                   f"{'term %d' % m.term if hasattr(m, 'term') else ''}" for t, m in heard[-6:]]
+    if stalls is not None:
+        lines += [f"    {(at - a) * 1e-6:7.1f}  the machine stood still for {(b - a) * 1e-6:.1f} ms"
+                  for a, b in stalls.between(at - 400_000_000, at)]
     lines += [f"    {(at - t) * 1e-6:7.1f}  {text_of(e)}"
               for t, e in bus.messages("EVENT", at - 2_000_000_000, at + 200_000_000)]
     return lines

@@ -77,7 +77,7 @@ def one_switch(stack, bus, stalls, checks, what, target, efforts, policy):
         if stops and stalls.longest_ms(since, time.monotonic_ns()) >= STOPS_RIGHTLY:
             raise Interrupted(f"{what}: {' '.join(stops)}")
         checks.that(False, f"{what}: {said.strip()} {' '.join(stops)}")
-        print("\n".join(harness.story_of_a_stop(bus)), flush=True)
+        print("\n".join(harness.story_of_a_stop(bus, stalls=stalls)), flush=True)
         return None, False
     checks.that(True, what)
     attempt = checks.tentative()
@@ -151,13 +151,13 @@ class Row:
                          f"{self.label}: and none was started again")
 
     def go_on(self, what, bus):
-        """When-safe ended the motion; it begins again."""
-        since = time.monotonic_ns()
+        """When-safe ended the motion; it begins again.  What stops the robot may come before it is asked to."""
+        since = time.monotonic_ns() - 2_000_000_000
         status, out, err = cli(self.motion)
         if status != 0 and self.stalls.longest_ms(since, time.monotonic_ns()) >= STOPS_RIGHTLY:
             raise Interrupted(f"{what}: {err.strip()}")
         if not self.checks.that(status == 0, f"{what}: and the motion goes on: {out}{err}"):
-            print("\n".join(harness.story_of_a_stop(bus)), flush=True)
+            print("\n".join(harness.story_of_a_stop(bus, stalls=self.stalls)), flush=True)
 
 
 def refusals(checks):
