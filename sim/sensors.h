@@ -1,7 +1,7 @@
 // What the simulated robot's sensors read: encoders, torques, IMU, force sensors at feet and hands.
 //
-// Ideal by default: noise, bias, quantisation, delay and drift are off unless a setting asks for
-// them (sim/settings.h). Foot and hand wrenches are those of the contacts beyond the sensor.
+// Ideal by default: noise, bias, counts, saturation, rate, delay and drift are off unless a setting
+// asks for them (sim/settings.h). Foot and hand wrenches are those of the contacts beyond the sensor.
 
 #pragma once
 
@@ -15,23 +15,33 @@
 
 namespace twinbus {
 
-// Noise is the standard deviation of white Gaussian noise, per tick.
+// How one kind of sensor differs from an ideal one, in its own unit; 0: not at all.
+struct Imperfection {
+  double noise = 0.0;    // standard deviation of white Gaussian noise, per sample
+  double bias = 0.0;     // on every axis and joint
+  double quantum = 0.0;  // one count
+  double limit = 0.0;    // it reads no further than this, either way
+
+  // What is read for `value`, in the order of a real sensor: bias, noise, saturation, counts.
+  double read(double value, Random& random) const noexcept;
+};
+
 struct SensorOptions {
-  double encoder_noise = 0.0;    // [rad or m]
-  double encoder_quantum = 0.0;  // one count [rad or m]
-  double velocity_noise = 0.0;   // [rad/s]
-  double torque_noise = 0.0;     // [N m]
-  double attitude_noise = 0.0;   // [rad]
-  double gyro_noise = 0.0;       // [rad/s]
-  double accel_noise = 0.0;      // [m/s^2]
-  double force_noise = 0.0;      // [N]
-  double moment_noise = 0.0;     // [N m]
-  double roll_bias = 0.0;        // of the attitude [rad]
+  Imperfection encoder;   // [rad or m]
+  Imperfection velocity;  // of the joints [rad/s]
+  Imperfection torque;    // of the joints [N m]
+  // Roll and pitch of the attitude [rad]; noise turns about any axis, bias is given below.
+  Imperfection inclination;
+  Imperfection gyro;       // [rad/s]
+  Imperfection accel;      // [m/s^2]
+  Imperfection force;      // of feet and hands [N]
+  Imperfection moment;     // of feet and hands [N m]
+  double roll_bias = 0.0;  // of the attitude [rad]
   double pitch_bias = 0.0;
-  double gyro_bias = 0.0;   // on every axis [rad/s]
-  double accel_bias = 0.0;  // on every axis [m/s^2]
-  double yaw_drift = 0.0;   // of the attitude about the vertical [rad/s]
-  int delay_ticks = 0;      // of everything, 0 .. kMaxSensorDelay
+  double yaw_drift = 0.0;  // of the attitude about the vertical [rad/s]
+  // Samples a second; the last one is held in between. 0: one with every tick [Hz].
+  double encoder_rate = 0.0, imu_rate = 0.0, force_rate = 0.0;
+  int delay_ticks = 0;  // of everything, 0 .. kMaxSensorDelay
   std::uint64_t seed = 1;
 };
 
@@ -47,13 +57,22 @@ class Sensors {
   void forget() noexcept;
 
  private:
-  void measure_imu(const World& world, double dt, RobotState& state) noexcept;
-  void measure_wrenches(const World& world, RobotState& state) noexcept;
+  // Tells when the next sample of a slow sensor is due.
+  struct SampleClock {
+    double left = -1.0;  // until then [s]; below zero before the first one
+    bool due(double dt, double rate) noexcept;
+  };
+
+  void measure_joints(const World& world) noexcept;
+  void measure_imu(const World& world, double dt) noexcept;
+  void measure_wrenches(const World& world) noexcept;
 
   const Model* model_;
   SensorOptions options_;
   Random random_;
-  double yaw_ = 0.0;  // drifted so far [rad]
+  SampleClock encoders_, imu_, forces_;
+  RobotState sample_;  // the newest of every sensor
+  double yaw_ = 0.0;   // drifted so far [rad]
   bool has_velocity_ = false;
   Eigen::Vector3d velocity_;         // of the IMU at the last call, world [m/s]
   std::vector<RobotState> history_;  // ring of delay_ticks + 1

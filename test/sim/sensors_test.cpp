@@ -97,10 +97,10 @@ TEST_P(SensorsTest, NoiseBiasAndCountsAreAsAsked) {
   World& world = *world_owner;
   ASSERT_EQ(world.set(Configuration(model)), Status::kOk);
   SensorOptions options;
-  options.encoder_noise = 1e-3;
-  options.gyro_noise = 0.02;
-  options.gyro_bias = 0.1;
-  options.accel_noise = 0.5;
+  options.encoder.noise = 1e-3;
+  options.gyro.noise = 0.02;
+  options.gyro.bias = 0.1;
+  options.accel.noise = 0.5;
   options.yaw_drift = 0.003;
   Sensors sensors(model, options);
   RobotState state;
@@ -127,13 +127,71 @@ TEST_P(SensorsTest, NoiseBiasAndCountsAreAsAsked) {
   EXPECT_NEAR(2.0F * std::atan2(state.attitude[3], state.attitude[0]), 0.12F, 1e-4F);
 
   SensorOptions counts;
-  counts.encoder_quantum = 0.01;
+  counts.encoder.quantum = 0.01;
   Sensors coarse(model, counts);
   Configuration at(model);
   at.q[0] = 0.123;
   ASSERT_EQ(world.set(at), Status::kOk);
   coarse.measure(world, 0.002, state);
   EXPECT_DOUBLE_EQ(state.q[0], 0.12);
+}
+
+TEST(ImperfectionTest, ReadsWithBiasSaturationAndCounts) {
+  Random random(1);
+  const Imperfection sensor{.bias = 0.3, .quantum = 0.5, .limit = 2.2};
+  EXPECT_DOUBLE_EQ(sensor.read(0.0, random), 0.5);
+  EXPECT_DOUBLE_EQ(sensor.read(-0.6, random), -0.5);
+  EXPECT_DOUBLE_EQ(sensor.read(9.0, random), 2.0);  // the last whole count below the limit
+  EXPECT_DOUBLE_EQ(sensor.read(-9.0, random), -2.0);
+  EXPECT_DOUBLE_EQ(Imperfection{}.read(0.1234, random), 0.1234);
+}
+
+TEST_P(SensorsTest, ASlowSensorHoldsItsLastSample) {
+  Model model = test::pendulum();
+  model.imu_link = 1;  // on what swings
+  WorldConfig config;
+  config.fixed_base = true;
+  const auto world_owner = make(model, config);
+  World& world = *world_owner;
+  SensorOptions options;
+  options.encoder_rate = 100.0;  // every fifth tick
+  Sensors sensors(model, options);
+  RobotState state;
+  for (int i = 0; i < 20; ++i) {
+    Configuration at(model);
+    at.q[0] = 0.01 * i;
+    at.qd[0] = 0.1 * i;
+    ASSERT_EQ(world.set(at), Status::kOk);
+    sensors.measure(world, 0.002, state);
+    EXPECT_NEAR(state.q[0], 0.01 * (i - i % 5), 1e-12) << i;
+    EXPECT_NEAR(state.gyro[1], 0.1 * i, 1e-6) << "the IMU has a rate of its own";
+  }
+}
+
+TEST_P(SensorsTest, AnInclinationSensorReadsNoFurtherThanItsRange) {
+  const Model model = test::chain(2, true);
+  const auto world_owner = make(model);
+  World& world = *world_owner;
+  Configuration at(model);
+  at.base.translation().z() = 20.0;
+  at.base.linear() = (Eigen::AngleAxisd(1.0, Eigen::Vector3d::UnitZ()) *
+                      Eigen::AngleAxisd(-0.5, Eigen::Vector3d::UnitY()) *
+                      Eigen::AngleAxisd(0.111, Eigen::Vector3d::UnitX()))
+                         .toRotationMatrix();
+  ASSERT_EQ(world.set(at), Status::kOk);
+  SensorOptions options;
+  options.inclination.limit = 0.35;
+  options.inclination.quantum = 0.01;
+  Sensors sensors(model, options);
+  RobotState state;
+  sensors.measure(world, 0.0, state);
+  const Eigen::Matrix3d read =
+      Eigen::Quaternionf(state.attitude[0], state.attitude[1], state.attitude[2], state.attitude[3])
+          .toRotationMatrix()
+          .cast<double>();
+  EXPECT_NEAR(std::asin(-read(2, 0)), -0.35, 1e-6);
+  EXPECT_NEAR(std::atan2(read(2, 1), read(2, 2)), 0.11, 1e-6);
+  EXPECT_NEAR(std::atan2(read(1, 0), read(0, 0)), 1.0, 1e-6) << "the heading is left alone";
 }
 
 TEST_P(SensorsTest, SameSeedSameNoise) {
@@ -144,7 +202,7 @@ TEST_P(SensorsTest, SameSeedSameNoise) {
   World& world = *world_owner;
   ASSERT_EQ(world.set(Configuration(model)), Status::kOk);
   SensorOptions options;
-  options.encoder_noise = 1e-3;
+  options.encoder.noise = 1e-3;
   Sensors one(model, options), two(model, options);
   options.seed = 2;
   Sensors other(model, options);
