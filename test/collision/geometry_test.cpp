@@ -1,0 +1,124 @@
+#include "robot/geometry.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "robot/convex_hull.h"
+#include "robot/index.h"
+#include "robot/load.h"
+#include "robot/shape_mesh.h"
+#include "robot/sphere_cover.h"
+
+namespace twinbus {
+namespace {
+
+using Eigen::Vector3d;
+
+Shape shape(ShapeKind kind, double x, double y, double z) {
+  Shape s;
+  s.kind = kind;
+  s.size = Vector3d(x, y, z);
+  s.pose =
+      Eigen::Translation3d(0.1, -0.2, 0.3) * Eigen::Quaterniond(0.5, 0.1, -0.7, 0.2).normalized();
+  return s;
+}
+
+double volume(const TriangleMesh& mesh) {
+  double sum = 0.0;
+  for (const auto& t : mesh.triangles)
+    sum += mesh.points[at(t[0])].cross(mesh.points[at(t[1])]).dot(mesh.points[at(t[2])]) / 6.0;
+  return sum;
+}
+
+TEST(ShapeMesh, IsClosedAndNeverSmallerThanTheShape) {
+  double outside = 0.0;
+  EXPECT_NEAR(volume(shape_mesh(shape(ShapeKind::kBox, 1.0, 2.0, 3.0), outside)), 6.0, 1e-12);
+  EXPECT_EQ(outside, 0.0);
+  const double cylinder = volume(shape_mesh(shape(ShapeKind::kCylinder, 0.1, 0.4, 0.0), outside));
+  EXPECT_GT(cylinder, 0.1 * 0.1 * 0.4 * M_PI);
+  EXPECT_LT(cylinder, 0.1 * 0.1 * 0.4 * M_PI * 1.004);
+  EXPECT_NEAR(outside, 0.1 * 0.0049, 1e-5);
+  const double sphere = volume(shape_mesh(shape(ShapeKind::kSphere, 0.1, 0.0, 0.0), outside));
+  EXPECT_GT(sphere, 4.0 / 3.0 * M_PI * 1e-3);
+  EXPECT_LT(sphere, 4.0 / 3.0 * M_PI * 1e-3 * 1.05);
+}
+
+TEST(ConvexHull, HoldsEveryPointAndKeepsOnlyCorners) {
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> normal;
+  std::vector<Vector3d> points;
+  for (int i = 0; i < 2000; ++i)
+    points.emplace_back(normal(random), normal(random), normal(random));
+  const TriangleMesh hull = convex_hull(points);
+  ASSERT_FALSE(hull.triangles.empty());
+  EXPECT_EQ(hull.triangles.size(), 2 * hull.points.size() - 4);
+  for (const auto& t : hull.triangles) {
+    const Vector3d& a = hull.points[at(t[0])];
+    const Vector3d n = (hull.points[at(t[1])] - a).cross(hull.points[at(t[2])] - a).normalized();
+    for (const Vector3d& p : points) ASSERT_LE(n.dot(p - a), 1e-7);
+  }
+  double outside = 0.0;
+  TriangleMesh box = shape_mesh(shape(ShapeKind::kBox, 0.1, 0.2, 0.3), outside);
+  for (int i = 0; i < 300; ++i) {  // points on faces and inside
+    const auto& t = box.triangles[at(i % 12)];
+    box.points.push_back(
+        (box.points[at(t[0])] + box.points[at(t[1])] + 0.5 * box.points[at(t[2])]) / 2.5);
+  }
+  const TriangleMesh corners = convex_hull(box.points);
+  EXPECT_NEAR(volume(corners), 0.006, 1e-9);
+  EXPECT_LE(corners.points.size(), 12U);
+}
+
+TEST(ConvexHull, OfFlatOrFewPointsIsThePoints) {
+  const std::vector<Vector3d> flat{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0.5, 0.5, 0}};
+  EXPECT_EQ(convex_hull(flat).points.size(), flat.size());
+  EXPECT_TRUE(convex_hull(flat).triangles.empty());
+  EXPECT_TRUE(convex_hull({}).points.empty());
+}
+
+TEST(SphereCover, AHoleIsFound) {
+  double outside = 0.0;
+  const TriangleMesh box = shape_mesh(shape(ShapeKind::kBox, 0.1, 0.2, 0.3), outside);
+  std::vector<Ball> balls = cover_with_balls(box, convex_hull(box.points), 0.01, 24);
+  EXPECT_TRUE(covers(balls, box));
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    std::vector<Ball> fewer = balls;
+    fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
+    std::vector<Ball> smaller = balls;
+    smaller[i].radius *= 0.5;
+    EXPECT_FALSE(covers(fewer, box)) << i;
+    EXPECT_FALSE(covers(smaller, box)) << i;
+  }
+}
+
+TEST(Geometry, EveryBoundOfARobotHoldsEveryTriangle) {
+  const Model model = load_robot("hrp1s");
+  const RobotGeometry robot = build_geometry(model);
+  ASSERT_GT(robot.links.size(), 15U);
+  for (const LinkGeometry& g : robot.links) {
+    EXPECT_NO_THROW(verify(g));
+    EXPECT_EQ(robot.of_link[at(g.link)], &g - robot.links.data());
+    EXPECT_FALSE(g.balls.empty());
+    EXPECT_FALSE(g.parts.empty());
+    EXPECT_LT(excess_over_hull(g.balls, g.hull), 0.035) << model.links[at(g.link)].name;
+  }
+}
+
+TEST(Geometry, AWrongBoundIsNamed) {
+  const LinkGeometry good = link_geometry({shape(ShapeKind::kCylinder, 0.05, 0.3, 0.0)});
+  LinkGeometry bad = good;
+  bad.capsule.radius *= 0.99;
+  EXPECT_THROW(verify(bad), std::runtime_error);
+  bad = good;
+  bad.balls.pop_back();
+  EXPECT_THROW(verify(bad), std::runtime_error);
+  bad = good;
+  bad.clusters.pop_back();
+  EXPECT_THROW(verify(bad), std::runtime_error);
+}
+
+TEST(Geometry, NothingHasNoTriangles) { EXPECT_TRUE(link_geometry({}).mesh.triangles.empty()); }
+
+}  // namespace
+}  // namespace twinbus
