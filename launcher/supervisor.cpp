@@ -107,6 +107,12 @@ void Supervisor::heard_from_name(const std::string& name) {
   }
 }
 
+bool Supervisor::every_source_ended() const {
+  return std::all_of(processes_.begin(), processes_.end(), [](const Supervised& one) {
+    return one.died || !one.process.ready_channel.starts_with("STATE_");
+  });
+}
+
 void Supervisor::report_end(const Supervised& one, const Child& child) const {
   say_(one.process.name + " ended: " + child.how_it_ended() + last_lines_of(child));
 }

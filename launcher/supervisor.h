@@ -51,6 +51,8 @@ class Supervisor {
   std::string restart(const std::string& name, std::int64_t now_ns);
   // A required process is gone for good.
   bool broken() const { return broken_; }
+  // Nothing publishes STATE, nor stands by to.
+  bool every_source_ended() const;
 
   // In reverse order: SIGTERM, waits, SIGKILL.  True if every process ended by itself with exit status 0.
   bool stop_all();

@@ -35,6 +35,7 @@ constexpr double kTableEvery = 0.25;        // on a terminal [s]
 constexpr double kLineEvery = 10.0;         // elsewhere [s]
 constexpr std::int64_t kScriptAhead = 100;  // a request is sent this early [ticks]
 constexpr int kScriptRepeats = 3;
+constexpr double kWithoutSource = 10.0;  // a stack stays for who restarts one by hand [s]
 constexpr double kSettle = 0.5;  // from the first answered tick to the first counted one [s]
 
 double seconds(std::int64_t from_ns, std::int64_t to_ns) {
@@ -60,7 +61,7 @@ class Up {
   std::string cpu_line(std::int64_t now_ns);
   void say(const std::string& line);
   bool elapsed(std::int64_t now_ns) const;
-  bool nobody_left() const;
+  bool is_over(std::int64_t now_ns);
 
   RunRequest request_;
   Scene scene_;
@@ -78,7 +79,8 @@ class Up {
   MissedCounts at_start_;
   std::int64_t start_ns_ = 0;  // of the measured part
   std::int64_t shown_ns_ = 0;
-  std::int64_t first_tick_ = 0;  // scene time 0
+  std::int64_t sourceless_ns_ = 0;  // since when no source runs
+  std::int64_t first_tick_ = 0;     // scene time 0
   std::size_t modes_sent_ = 0;
   std::size_t goals_sent_ = 0;
 };
@@ -333,12 +335,18 @@ bool Up::elapsed(std::int64_t now_ns) const {
          seconds(start_ns_, now_ns) >= request_.duration;
 }
 
-// Every source of the stack is gone: nothing can run any more.
-bool Up::nobody_left() const {
-  const auto& all = supervisor_->processes();
-  return std::all_of(all.begin(), all.end(), [](const Supervised& one) {
-    return one.died || !one.process.ready_channel.starts_with("STATE_");
-  });
+// A required process is gone for good, or every source is and nobody starts one anew.
+bool Up::is_over(std::int64_t now_ns) {
+  if (supervisor_->broken()) return true;
+  if (!supervisor_->every_source_ended()) {
+    sourceless_ns_ = 0;
+    return false;
+  }
+  if (sourceless_ns_ == 0) {
+    sourceless_ns_ = now_ns;
+    say("no source is left: ./twinbus restart NAME starts one anew; else all ends in 10 s");
+  }
+  return seconds(sourceless_ns_, now_ns) > kWithoutSource;
 }
 
 void Up::show(std::int64_t now_ns) {
@@ -384,7 +392,7 @@ bool Up::work() {
     supervisor_->watch(now);
     restarts_->look(*supervisor_, now);
     note_ready();
-    if (supervisor_->broken() || nobody_left()) return false;
+    if (is_over(now)) return false;
     send_script();
     if (elapsed(now)) return true;
     show(now);
