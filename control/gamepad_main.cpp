@@ -41,6 +41,7 @@ struct Arguments {
   bool keyboard = false;
   bool from_script = false;
   bool map = false;
+  std::string mappings = config_folder() + "/gamepads/own.txt";
 };
 
 Arguments parse(int argc, char** argv) {
@@ -51,6 +52,8 @@ Arguments parse(int argc, char** argv) {
   options.flag("--keyboard", a.keyboard, "keys of this terminal instead of a pad");
   options.flag("--map", a.map,
                "teaches a pad that is not known: asks for one control after another");
+  options.text("--mappings", "FILE", a.mappings,
+               "where --map keeps what it learns, and whence it is known");
   options.flag("--virtual", a.from_script,
                "a pad that exists in SDL only, driven by lines on standard input: plug, unplug, "
                "axis 0..5 -32768..32767, press BIT, release BIT");
@@ -180,14 +183,21 @@ Heartbeat heartbeat(const Bus& bus, std::int64_t id, std::int64_t cycles, bool r
   return beat;
 }
 
-std::string mappings_file() { return config_folder() + "/gamepads/own.txt"; }
-
 // Asks for one control after another and keeps what it learned.
-int map_a_pad() {
+int map_a_pad(const Arguments& arguments) {
   SdlPad sdl;
   RawSdlPad pad;
+  VirtualPad virtual_pad;
+  PadScript script;
+  std::unique_ptr<RawTerminal> terminal;
+  if (arguments.from_script) terminal = std::make_unique<RawTerminal>();
+  const auto pass_time = [&] {
+    if (terminal) script.read(*terminal, virtual_pad);
+    sleep_until_ns(monotonic_ns() + kPeriod);
+  };
   std::printf("plug in the pad ...\n");
-  while (!quit_requested() && !pad.open()) sleep_until_ns(monotonic_ns() + kPeriod);
+  std::fflush(stdout);
+  while (!quit_requested() && !pad.open()) pass_time();
   if (quit_requested()) return 1;
   std::printf("%s: hands off, then follow; what it does not have is left out after ten seconds\n",
               pad.name().c_str());
@@ -205,19 +215,21 @@ int map_a_pad() {
     }
     (void)mapper.look(pad.poll());
     if (seconds_since(asked_ns) > kPatience) mapper.skip();
-    sleep_until_ns(monotonic_ns() + kPeriod);
+    pass_time();
   }
   if (quit_requested()) return 1;
-  std::filesystem::create_directories(config_folder() + "/gamepads");
-  std::ofstream file(mappings_file(), std::ios::app);
+  const std::filesystem::path folder = std::filesystem::path(arguments.mappings).parent_path();
+  if (!folder.empty()) std::filesystem::create_directories(folder);
+  std::ofstream file(arguments.mappings, std::ios::app);
   file << mapper.line(pad.guid(), pad.name()) << '\n';
   file.close();
-  if (!file) throw std::runtime_error("cannot write " + mappings_file());
-  std::printf("kept in %s; ./twinbus gamepad knows this pad now\n", mappings_file().c_str());
+  if (!file) throw std::runtime_error("cannot write " + arguments.mappings);
+  std::printf("kept in %s; ./twinbus gamepad knows this pad now\n", arguments.mappings.c_str());
   return 0;
 }
 
 void run(const Arguments& options) {
+  go_ahead_of_ordinary_programs();  // letting go must not wait for somebody's compiler
   const std::int64_t id = options.common.id > 0 ? options.common.id : random_id();
   BusOptions bus_options{
       .url = options.common.url, .prefix = options.common.prefix, .allow = {options.common.allow}};
@@ -233,7 +245,7 @@ void run(const Arguments& options) {
   std::unique_ptr<SdlPad> pad;
   if (!options.keyboard) {
     pad = std::make_unique<SdlPad>();
-    pad->take_mappings(mappings_file());
+    pad->take_mappings(options.mappings);
   }
   std::unique_ptr<RawTerminal> terminal;
   if (options.keyboard || options.from_script) terminal = std::make_unique<RawTerminal>();
@@ -250,7 +262,7 @@ void run(const Arguments& options) {
   const bool show_line = isatty(1) == 1;
 
   bool leaving = false, was_stopped = false;
-  int zeros_left = kLastZeros;
+  int zeros_left = kLastZeros, rumbles = 0;
   std::int64_t due = monotonic_ns();
   for (std::int64_t cycle = 0; zeros_left > 0; ++cycle) {
     due += kPeriod;
@@ -278,6 +290,11 @@ void run(const Arguments& options) {
       }
     }
     if (!leaving && options.from_script) script.read(*terminal, virtual_pad);
+    if (const int shaken = virtual_pad.rumbles(); shaken > rumbles) {
+      rumbles = shaken;
+      std::printf("rumble\n");
+      std::fflush(stdout);
+    }
     if (terminal && terminal->at_end()) leaving = true;
     if (pad && !leaving) {
       pad->poll(input);
@@ -314,7 +331,7 @@ int main(int argc, char** argv) try {
   hang_up.sa_handler = [](int) { g_hung_up = 1; };
   sigaction(SIGHUP, &hang_up, nullptr);
   std::signal(SIGPIPE, SIG_IGN);  // a closed terminal must not end us before the zeros are out
-  if (arguments.map) return map_a_pad();
+  if (arguments.map) return map_a_pad(arguments);
   run(arguments);
   return 0;
 } catch (const std::exception& error) {

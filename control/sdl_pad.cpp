@@ -42,11 +42,12 @@ void SdlPad::poll(PadInput& input) {
   while (SDL_PollEvent(&event) != 0) {
     // Only to empty the queue and to learn of unplugging: the state is asked for below.
   }
+  input = {};
   if (impl_->pad != nullptr && SDL_GameControllerGetAttached(impl_->pad) == SDL_FALSE) {
     impl_->drop();
+    return;
   }
   impl_->take_any();
-  input = {};
   SDL_GameController* pad = impl_->pad;
   if (pad == nullptr) return;
   input.connected = true;
@@ -133,6 +134,11 @@ bool VirtualPad::plug() {
   description.vendor_id = 0x045e;  // as an Xbox 360 pad, for which SDL has a mapping
   description.product_id = 0x028e;
   description.name = "virtual pad";
+  description.userdata = &rumbles_;
+  description.Rumble = [](void* count, Uint16 low, Uint16 high) {
+    if (low != 0 || high != 0) ++*static_cast<int*>(count);
+    return 0;
+  };
   device_ = SDL_JoystickAttachVirtualEx(&description);
   if (device_ < 0) return false;
   joystick_ = SDL_JoystickOpen(device_);

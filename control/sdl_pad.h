@@ -23,8 +23,8 @@ class SdlPad {
 
   // Mappings learned with --map; a file that is not there is none.
   void take_mappings(const std::string& file);
-  // What the pad shows now; not connected while there is none.  Never throws, does I/O but does not
-  // wait.
+  // What the pad shows now; not connected while there is none, nor at once after one has vanished: the next one is
+  // another, that nobody has taken hold of.  Never throws, does I/O but does not wait.
   void poll(PadInput& input);
   // Shakes the pad, if it can.
   void rumble(double seconds);
@@ -61,9 +61,10 @@ class VirtualPad {
   void unplug();
   void set_axis(int axis, std::int16_t value);
   void set_button(std::int32_t button, bool pressed);  // one PadButton
+  int rumbles() const { return rumbles_; }             // how often it has been shaken
 
  private:
-  int device_ = -1;
+  int device_ = -1, rumbles_ = 0;
   void* joystick_ = nullptr;
 };
 

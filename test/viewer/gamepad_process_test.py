@@ -8,6 +8,7 @@ import pty
 import signal
 import subprocess
 import sys
+import tempfile
 import time
 
 from process_tools import Checks, Process, binary
@@ -75,6 +76,7 @@ pad.say(f"press {LB}", f"press {X}", f"release {X}")
 check(fake.wait_for("mode 41 run 1001", 2) is not None, "with it, the mode is asked for")
 pad.say(f"press {B}", f"release {B}")
 check(fake.wait_for("stop 1", 2) is not None, "B stops")
+check(pad.wait_for("rumble", 2) is not None, "and the pad shakes when the robot has stopped")
 pad.say("axis 1 -32768")
 time.sleep(0.2)
 lines = [line for line in fake.drain() if line.startswith("pad")]
@@ -94,6 +96,42 @@ fake.wait_for("ly 1.00", 2)
 code = pad.end()
 line = fake.wait_for("connected 0", 2)
 check(code == 0 and line is not None and ZERO in line, "SIGTERM: zeros, then exit 0")
+
+# --- a pad that is learned: its buttons stand in another order ---
+kept = os.path.join(tempfile.mkdtemp(), "own.txt")
+teacher = Process(gamepad, "--map", "--virtual", "--mappings", kept, stdin=subprocess.PIPE)
+
+
+def answer(word, line, back):
+    check(teacher.wait_for(word, 15) is not None, f"it asks: {word}")
+    for text in (line, back):
+        teacher.child.stdin.write((text + "\n").encode())
+        teacher.child.stdin.flush()
+        time.sleep(0.1)
+
+
+teacher.wait_for("plug in", 5)
+teacher.child.stdin.write(b"plug\n")
+teacher.child.stdin.flush()
+for word, bit in (("(A,", 8), ("(B,", 4), ("(X,", 2), ("(Y,", 1), ("dead-man", 1024), ("right shoulder", 512), ("back", 32),
+                  ("press start", 64), ("press up", 2048), ("press down", 4096)):
+    answer(word, f"press {bit}", f"release {bit}")
+for word, axis, value, rest in (("left stick to the right", 2, 30000, 0), ("left stick towards", 3, -30000, 0),
+                                ("right stick to the right", 0, 30000, 0), ("right stick towards", 1, 30000, 0),
+                                ("left trigger", 4, 30000, -32768), ("right trigger", 5, 30000, -32768)):
+    answer(word, f"axis {axis} {value}", f"axis {axis} {rest}")
+check(teacher.wait_for("kept in", 5) is not None and teacher.child.wait(5) == 0, "it keeps what it learned")
+pad = Pad("--virtual", "--mappings", kept)
+pad.say("plug", "press 1024")
+check(fake.wait_for("deadman 1", 2) is not None, "the learned dead-man button arms")
+pad.say("axis 3 32767")
+check(fake.wait_for("ly 1.00", 2) is not None, "the learned stick leans forward, turned round as it was taught")
+pad.say("axis 3 0", "press 4", "release 4")
+check(fake.wait_for("stop 1", 2) is not None, "the learned B stops")
+pad.say("release 1024", "press 32", "press 64")
+check(fake.wait_for("clear", 2) is not None, "the learned back and start clear")
+pad.child.stdin.close()
+check(pad.child.wait(3) == 0, "it ends")
 
 
 # --- keyboard ---
@@ -119,7 +157,7 @@ check(fake.wait_for("mode 41", 2) is not None, "2 sways")
 os.write(master, b"w ")
 check(fake.wait_for("stop 1", 2) is not None, "space stops")
 os.write(master, b"c")
-check(fake.wait_for("clear 78", 2) is not None, "c clears")
+check(fake.wait_for("clear 79", 2) is not None, "c clears")
 os.write(master, b"www")
 fake.wait_for("ly 0.30", 2)
 os.close(master)

@@ -62,5 +62,38 @@ TEST(SdlPad, UnpluggingWhileHeldLetsGo) {
   EXPECT_EQ(gone.left_y, 0.0f);
 }
 
+// Whoever holds the button of a second pad has not taken hold of the robot.
+TEST(SdlPad, AnotherPadDoesNotGoOnWhereOneVanished) {
+  SdlPad pad;
+  VirtualPad first, second;
+  Teleop teleop(1, false);
+  PadInput input;
+  const auto cycle = [&] {
+    pad.poll(input);
+    teleop.on_pad(input);
+    return teleop.message(0, 0);
+  };
+  ASSERT_TRUE(first.plug());
+  cycle();
+  ASSERT_TRUE(second.plug());
+  first.set_button(kPadLeftShoulder, true);
+  second.set_button(kPadLeftShoulder, true);
+  EXPECT_TRUE(cycle().deadman);
+  first.unplug();
+  EXPECT_FALSE(cycle().connected);
+  EXPECT_FALSE(cycle().deadman);
+  EXPECT_TRUE(input.connected);
+}
+
+TEST(SdlPad, ItIsShaken) {
+  SdlPad pad;
+  VirtualPad device;
+  PadInput input;
+  ASSERT_TRUE(device.plug());
+  pad.poll(input);
+  pad.rumble(0.1);
+  EXPECT_EQ(device.rumbles(), 1);
+}
+
 }  // namespace
 }  // namespace twinbus
