@@ -1,0 +1,351 @@
+#include "robot/self_collision.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <stdexcept>
+
+#include "robot/collision_pairs.h"
+#include "robot/index.h"
+#include "robot/pose_math.h"
+#include "robot/self_collision_data.h"
+#include "robot/vec4.h"
+
+namespace twinbus {
+
+// clang-format off
+#define TWINBUS_WIDE 0
+namespace baseline_lanes {
+#include "robot/self_collision_kernel.h"
+}  // namespace baseline_lanes
+#undef TWINBUS_WIDE
+#if defined(__x86_64__) && !defined(__clang__)
+#define TWINBUS_WIDE 1
+#pragma GCC push_options
+#pragma GCC target("avx2")
+namespace avx2_lanes {
+#include "robot/self_collision_kernel.h"
+}  // namespace avx2_lanes
+#pragma GCC target("avx512f,avx512vl,avx512dq")
+namespace avx512_lanes {
+#include "robot/self_collision_kernel.h"
+}  // namespace avx512_lanes
+#pragma GCC pop_options
+#undef TWINBUS_WIDE
+#define TWINBUS_LANES(call)                                        \
+  (i.set == InstructionSet::kAvx512 ? avx512_lanes::call           \
+   : i.set == InstructionSet::kAvx2 ? avx2_lanes::call : baseline_lanes::call)
+#else
+#define TWINBUS_LANES(call) (baseline_lanes::call)
+#endif
+// clang-format on
+
+namespace {
+
+constexpr int kLanes = 8;
+
+std::size_t padded(std::size_t n) { return (n + kLanes - 1) / kLanes * kLanes; }
+
+void set4(const Eigen::Vector3d& v, double last, float (&to)[4]) {
+  for (int k = 0; k < 3; ++k) to[k] = static_cast<float>(v[k]);
+  to[3] = static_cast<float>(last);
+}
+
+struct Aligned {  // numbers that lanes read
+  std::vector<float> store;
+  float* data = nullptr;
+  void resize(std::size_t n, float value = 0.0F) {
+    store.assign(n + 16, value);
+    void* raw = store.data();
+    std::size_t room = store.size() * sizeof(float);
+    data = static_cast<float*>(std::align(64, n * sizeof(float), raw, room));
+  }
+};
+
+}  // namespace
+
+InstructionSet best_instruction_set() noexcept {
+#if defined(__x86_64__) && !defined(__clang__)
+  static const InstructionSet best =
+      __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
+              __builtin_cpu_supports("avx512dq")
+          ? InstructionSet::kAvx512
+          : (__builtin_cpu_supports("avx2") ? InstructionSet::kAvx2 : InstructionSet::kBaseline);
+  return best;
+#else
+  return InstructionSet::kBaseline;
+#endif
+}
+
+struct SelfCollision::Impl {
+  struct Body {
+    std::vector<TriangleCluster> clusters;
+    Aligned center[3], radius;
+    std::vector<std::array<float, 4>> middle, half, witness;
+  };
+
+  std::vector<CollisionPair> pairs;
+  std::vector<CollisionJoint> joints;
+  std::vector<CollisionBody> bodies;
+  std::vector<Body> stores;
+  std::vector<unsigned char> wanted;
+  std::vector<int> pair_of, body_of;
+  std::vector<CollisionPose> poses;
+  std::vector<double> angle, sine, cosine;
+  Aligned placed;
+  std::vector<CollisionCandidate> near;
+  std::vector<int> hits;
+  Aligned bound, kept;
+  Work counters;
+  long work[4] = {};
+  CollisionTables tables;
+  InstructionSet set = best_instruction_set();
+
+  Impl(const Model& model, const RobotGeometry& geometry,
+       const std::vector<CollisionPair>& wanted_pairs)
+      : pairs(wanted_pairs) {
+    add_joints(model);
+    add_bodies(geometry);
+    add_pairs(geometry);
+    connect();
+  }
+
+  void add_joints(const Model& model);
+  void add_bodies(const RobotGeometry& geometry);
+  void add_pairs(const RobotGeometry& geometry);
+  void connect();
+  void want(const CollisionPair& pair, bool on) noexcept;
+};
+
+void SelfCollision::Impl::add_joints(const Model& model) {
+  for (const Joint& joint : model.joints) {
+    CollisionJoint j{};
+    j.parent = joint.parent;
+    j.turns = joint.kind != JointKind::kPrismatic;
+    const Eigen::Matrix3d x = joint.placement.linear();
+    const Eigen::Matrix3d along = joint.axis * joint.axis.transpose();
+    Eigen::Matrix3d still = x, with_cosine = Eigen::Matrix3d::Zero(), with_sine = with_cosine;
+    if (j.turns) {  // R(q) = x (a a^T + cos q (1 - a a^T) + sin q [a])
+      still = x * along;
+      with_cosine = x * (Eigen::Matrix3d::Identity() - along);
+      with_sine = x * skew(joint.axis);
+    }
+    for (int k = 0; k < 3; ++k) {
+      set4(still.col(k), 0.0, j.still[k]);
+      set4(with_cosine.col(k), 0.0, j.with_cosine[k]);
+      set4(with_sine.col(k), 0.0, j.with_sine[k]);
+    }
+    set4(joint.placement.translation(), 0.0, j.offset);
+    set4(x * joint.axis, 0.0, j.slide);
+    joints.push_back(j);
+  }
+  poses.resize(model.links.size());
+  for (int k = 0; k < 3; ++k) set4(Eigen::Vector3d::Unit(k), 0.0, poses[0].column[k]);
+  set4(Eigen::Vector3d::Zero(), 0.0, poses[0].origin);
+  const std::size_t angles = (joints.size() + 3) / 4 * 4;
+  angle.assign(angles, 0.0);
+  sine.assign(angles, 0.0);
+  cosine.assign(angles, 1.0);
+}
+
+void SelfCollision::Impl::add_bodies(const RobotGeometry& geometry) {
+  body_of = geometry.of_link;
+  stores.resize(geometry.links.size());
+  std::size_t most = 0;
+  for (std::size_t i = 0; i < geometry.links.size(); ++i) {
+    const LinkGeometry& g = geometry.links[i];
+    Body& store = stores[i];
+    store.clusters = g.clusters;
+    const std::size_t count = padded(g.clusters.size());
+    most = std::max(most, count);
+    for (Aligned& c : store.center) c.resize(count, 1e9F);
+    store.radius.resize(count);
+    for (std::size_t c = 0; c < g.clusters.size(); ++c) {
+      const TriangleCluster& cluster = g.clusters[c];
+      std::array<float, 4> middle{}, half{};
+      for (std::size_t d = 0; d < 3; ++d) {
+        store.center[d].data[c] = cluster.center[d];
+        middle[d] = 0.5F * (cluster.low[d] + cluster.high[d]);
+        half[d] = 0.5F * (cluster.high[d] - cluster.low[d]) + 1e-6F;
+      }
+      store.radius.data[c] = cluster.radius;
+      store.middle.push_back(middle);
+      store.half.push_back(half);
+    }
+    for (const Eigen::Vector3d& p : g.witnesses) {
+      store.witness.push_back(
+          {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z()), 0.0F});
+    }
+    CollisionBody body{};
+    set4(g.sphere.center, g.sphere.radius, body.sphere);
+    set4(g.capsule.a, g.capsule.radius, body.from);
+    set4(g.capsule.b, g.capsule.radius, body.to);
+    set4(g.low, 0.0, body.low);
+    set4(g.high, 0.0, body.high);
+    body.link = g.link;
+    body.clusters = static_cast<int>(g.clusters.size());
+    bodies.push_back(body);
+  }
+  tables.most_clusters = static_cast<int>(most);
+}
+
+void SelfCollision::Impl::want(const CollisionPair& pair, bool on) noexcept {
+  int a = body_of[at(pair.link_a)], b = body_of[at(pair.link_b)];
+  if (a > b) std::swap(a, b);
+  unsigned char& byte = wanted[at(a * tables.blocks + b / kLanes)];
+  const auto mask = static_cast<unsigned char>(1U << (b % kLanes));
+  byte = static_cast<unsigned char>(on ? byte | mask : byte & ~mask);
+}
+
+void SelfCollision::Impl::add_pairs(const RobotGeometry& geometry) {
+  const int n = static_cast<int>(bodies.size());
+  tables.bodies = n;
+  tables.blocks = static_cast<int>(padded(bodies.size())) / kLanes;
+  wanted.assign(at(n * tables.blocks), 0);
+  pair_of.assign(at(n * n), -1);
+  for (std::size_t p = 0; p < pairs.size(); ++p) {
+    const int links = static_cast<int>(geometry.of_link.size());
+    const CollisionPair& pair = pairs[p];
+    if (pair.link_a < 0 || pair.link_b < 0 || pair.link_a >= links || pair.link_b >= links ||
+        pair.link_a == pair.link_b || body_of[at(pair.link_a)] < 0 || body_of[at(pair.link_b)] < 0)
+      throw std::invalid_argument("SelfCollision: a pair names a link without geometry");
+    const int a = body_of[at(pair.link_a)], b = body_of[at(pair.link_b)];
+    pair_of[at(a * n + b)] = pair_of[at(b * n + a)] = static_cast<int>(p);
+    want(pair, true);
+  }
+}
+
+void SelfCollision::Impl::connect() {
+  const std::size_t count = padded(bodies.size());
+  placed.resize(11 * count);
+  for (int k = 0; k < 4; ++k) tables.sphere[k] = placed.data + at(k) * count;
+  for (int k = 0; k < 3; ++k) {
+    tables.from[k] = placed.data + at(4 + k) * count;
+    tables.to[k] = placed.data + at(7 + k) * count;
+  }
+  tables.capsule_radius = placed.data + 10 * count;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    CollisionBody& body = bodies[i];
+    Body& store = stores[i];
+    for (int d = 0; d < 3; ++d) body.center[d] = store.center[d].data;
+    body.radius = store.radius.data;
+    body.cluster = store.clusters.data();
+    body.middle = reinterpret_cast<const float(*)[4]>(store.middle.data());
+    body.half = reinterpret_cast<const float(*)[4]>(store.half.data());
+    body.witness = reinterpret_cast<const float(*)[4]>(store.witness.data());
+    body.witnesses = static_cast<int>(store.witness.size());
+    tables.sphere[3][i] = body.sphere[3];
+    tables.capsule_radius[i] = body.from[3];
+  }
+  near.resize(pairs.size() + kLanes);
+  hits.assign(pairs.size() + 1, 0);
+  bound.resize(padded(pairs.size()) + kLanes);
+  kept.resize(2 * 8 * at(tables.most_clusters) + kLanes);
+  tables.joint = joints.data();
+  tables.joints = static_cast<int>(joints.size());
+  tables.body = bodies.data();
+  tables.wanted = wanted.data();
+  tables.pair_of = pair_of.data();
+  tables.q = angle.data();
+  tables.sine = sine.data();
+  tables.cosine = cosine.data();
+  tables.pose = poses.data();
+  tables.near = near.data();
+  tables.hit = hits.data();
+  tables.bound = bound.data;
+  tables.kept = kept.data;
+  tables.work = work;
+}
+
+SelfCollision::SelfCollision(const Model& model, const RobotGeometry& geometry)
+    : SelfCollision(model, geometry, pairs_to_check(model)) {}
+SelfCollision::SelfCollision(const Model& model, const RobotGeometry& geometry,
+                             const std::vector<CollisionPair>& pairs)
+    : impl_(std::make_unique<Impl>(model, geometry, pairs)) {
+  place(Eigen::VectorXd::Zero(model.joint_count()));
+}
+SelfCollision::~SelfCollision() = default;
+
+const std::vector<CollisionPair>& SelfCollision::pairs() const noexcept { return impl_->pairs; }
+
+TWINBUS_AVX2_CLONES
+static void sines(const double* angle, std::size_t count, double* sine, double* cosine) noexcept {
+  for (std::size_t k = 0; k < count; k += 4) {
+    Vec4 s, c;
+    sine_cosine(load4(angle + k), s, c);
+    store4(sine + k, s);
+    store4(cosine + k, c);
+  }
+}
+
+void SelfCollision::place(const Eigen::VectorXd& q) noexcept {
+  Impl& i = *impl_;
+  bool large = false;
+  for (std::size_t j = 0; j < i.joints.size(); ++j) {
+    i.angle[j] = q[static_cast<Eigen::Index>(j)];
+    large = large || !(std::abs(i.angle[j]) <= kMostAngle);
+  }
+  sines(i.angle.data(), i.angle.size(), i.sine.data(), i.cosine.data());
+  for (std::size_t j = 0; large && j < i.joints.size(); ++j) {
+    i.sine[j] = std::sin(i.angle[j]);
+    i.cosine[j] = std::cos(i.angle[j]);
+  }
+  TWINBUS_LANES(kinematics(i.tables));
+}
+
+int SelfCollision::touching() noexcept {
+  Impl& i = *impl_;
+  return TWINBUS_LANES(collide(i.tables, false));
+}
+
+const int* SelfCollision::hit() const noexcept { return impl_->hits.data(); }
+
+bool SelfCollision::any_touching() noexcept {
+  Impl& i = *impl_;
+  return TWINBUS_LANES(collide(i.tables, true)) > 0;
+}
+
+bool SelfCollision::touches(int pair) noexcept {
+  Impl& i = *impl_;
+  const CollisionPair& links = i.pairs[at(pair)];
+  return TWINBUS_LANES(
+      bodies_touch(i.tables, i.body_of[at(links.link_a)], i.body_of[at(links.link_b)], true));
+}
+
+bool SelfCollision::surfaces_cross(int pair) noexcept {
+  Impl& i = *impl_;
+  const CollisionPair& links = i.pairs[at(pair)];
+  return TWINBUS_LANES(
+      bodies_touch(i.tables, i.body_of[at(links.link_a)], i.body_of[at(links.link_b)], false));
+}
+
+double SelfCollision::lower_bound(int pair) noexcept {
+  Impl& i = *impl_;
+  const CollisionPair& links = i.pairs[at(pair)];
+  i.near[0] = {i.body_of[at(links.link_a)], i.body_of[at(links.link_b)]};
+  TWINBUS_LANES(capsule_bounds(i.tables, 1));
+  return static_cast<double>(i.tables.bound[0]);
+}
+
+void SelfCollision::lower_bounds(float* bounds) noexcept {
+  Impl& i = *impl_;
+  const int n = static_cast<int>(i.pairs.size());
+  for (int p = 0; p < n; ++p)
+    i.near[at(p)] = {i.body_of[at(i.pairs[at(p)].link_a)], i.body_of[at(i.pairs[at(p)].link_b)]};
+  TWINBUS_LANES(capsule_bounds(i.tables, n));
+  std::copy_n(i.tables.bound, n, bounds);
+}
+
+void SelfCollision::enable(int pair, bool on) noexcept { impl_->want(impl_->pairs[at(pair)], on); }
+
+void SelfCollision::use(InstructionSet set) noexcept {
+  impl_->set = std::min(set, best_instruction_set());
+}
+
+const SelfCollision::Work& SelfCollision::work() const noexcept {
+  Impl& i = *impl_;
+  i.counters = {i.work[0], i.work[1], i.work[2], i.work[3]};
+  return i.counters;
+}
+
+}  // namespace twinbus

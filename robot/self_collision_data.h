@@ -1,0 +1,61 @@
+// What the kernels of SelfCollision read and write: plain numbers, so that no inline function of a
+// library is compiled for an instruction set that the machine may lack.
+
+#pragma once
+
+#include "robot/geometry.h"
+
+namespace twinbus {
+
+struct alignas(16) CollisionJoint {                       // moves link index + 1
+  float still[3][4], with_cosine[3][4], with_sine[3][4];  // columns of the rotation
+  float offset[4];                                        // in the parent's axes
+  float slide[4];                                         // per unit of a prismatic joint
+  int parent = 0;
+  bool turns = true;
+};
+
+struct alignas(16) CollisionPose {  // in link 0
+  float column[3][4];
+  float origin[4];
+};
+
+struct alignas(16) CollisionBody {  // a link that bears geometry
+  float sphere[4], from[4], to[4];  // sphere centre, capsule ends; the last number is the radius
+  float low[4], high[4];
+  int link = 0;
+  int clusters = 0;
+  const float* center[3] = {};  // of the clusters' spheres, padded to a multiple of 8
+  const float* radius = nullptr;
+  const float (*middle)[4] = nullptr;  // of the clusters' boxes
+  const float (*half)[4] = nullptr;
+  const TriangleCluster* cluster = nullptr;
+  const float (*witness)[4] = nullptr;
+  int witnesses = 0;
+};
+
+struct CollisionCandidate {
+  int a = 0, b = 0;  // bodies
+};
+
+struct CollisionTables {
+  const CollisionJoint* joint = nullptr;
+  const CollisionBody* body = nullptr;
+  const unsigned char* wanted = nullptr;  // [bodies x blocks], a bit per body b > a
+  const int* pair_of = nullptr;           // [bodies x bodies], -1
+  int joints = 0, bodies = 0, blocks = 0;
+  // Of the posture.
+  const double* q = nullptr;
+  const double* sine = nullptr;
+  const double* cosine = nullptr;
+  CollisionPose* pose = nullptr;                                                 // [links]
+  float *sphere[4] = {}, *from[3] = {}, *to[3] = {}, *capsule_radius = nullptr;  // padded to 8
+  CollisionCandidate* near = nullptr;                                            // [pairs + 8]
+  int* hit = nullptr;                                                            // [pairs]
+  float* bound = nullptr;  // [pairs + 8], of the candidates
+  float* kept = nullptr;   // [2 x 8 x most clusters]
+  long* work = nullptr;    // spheres, capsules, clusters, rows
+  int most_clusters = 0;   // padded to 8
+};
+
+}  // namespace twinbus
