@@ -102,6 +102,7 @@ Foothold next_foothold(const Gait& gait, const Foothold& from, int foot,
   const double half = 0.5 * gait.width;
   Foothold next;
   next.yaw = wrap_angle(from.yaw + turn);
+  next.height = from.height;
   next.position = from.position + from.turn({velocity.x() * period, out * half + side});
   next.position += next.turn({0.0, out * half});
   return next;

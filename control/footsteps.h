@@ -19,6 +19,7 @@ namespace twinbus {
 struct Foothold {
   Eigen::Vector2d position = Eigen::Vector2d::Zero();  // of the sole frame, world [m]
   double yaw = 0.0;                                    // [rad]
+  double height = 0.0;                                 // of the ground there [m]
 
   Eigen::Vector2d turn(const Eigen::Vector2d& in_sole) const noexcept;  // sole axes -> world axes
   Eigen::Vector2d unturn(const Eigen::Vector2d& in_world) const noexcept;

@@ -10,17 +10,18 @@ namespace {
 constexpr double kAtRest = 0.03;  // from when on before the end nothing moves sideways [s]
 }
 
-void SwingFoot::start(const Foothold& from, double height) noexcept {
+void SwingFoot::start(const Foothold& from) noexcept {
   place_ = from;
   velocity_.setZero();
   acceleration_.setZero();
-  from_height_ = height_ = height;
+  from_height_ = aim_ = from.height;
   progress_ = 0.0;
 }
 
 void SwingFoot::advance(const Foothold& target, double left, double lift, double dt) noexcept {
+  aim_ = target.height;
   if (progress_ >= 1.0 || !(left > dt)) {
-    if (progress_ >= 1.0) height_ -= gains_.search * dt;
+    if (progress_ >= 1.0) place_.height -= gains_.search * dt;
     progress_ = 1.0;
     velocity_.setZero();
     acceleration_.setZero();
@@ -42,7 +43,8 @@ void SwingFoot::advance(const Foothold& target, double left, double lift, double
   }
   const double s = progress_, arc = s * (1.0 - s);
   const double blend = s * s * s * (10.0 - 15.0 * s + 6.0 * s * s);
-  height_ = from_height_ + (-gains_.below - from_height_) * blend + lift * 16.0 * arc * arc;
+  place_.height =
+      from_height_ + (aim_ - gains_.below - from_height_) * blend + lift * 16.0 * arc * arc;
 }
 
 }  // namespace twinbus

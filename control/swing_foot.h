@@ -20,20 +20,22 @@ class SwingFoot {
  public:
   explicit SwingFoot(const SwingGains& gains = {}) noexcept : gains_(gains) {}
 
-  void start(const Foothold& from, double height) noexcept;
+  void start(const Foothold& from) noexcept;
   // left: until touchdown [s]; lift: of the arc [m].
   void advance(const Foothold& target, double left, double lift, double dt) noexcept;
 
   const Foothold& place() const noexcept { return place_; }
-  double height() const noexcept { return height_; }      // of the sole above the ground [m]
-  double progress() const noexcept { return progress_; }  // 0..1; 1: it is time for the ground
-  bool lost() const noexcept { return height_ < -gains_.deepest; }
+  double height() const noexcept { return place_.height; }  // of the sole [m]
+  double progress() const noexcept { return progress_; }    // 0..1; 1: it is time for the ground
+  bool lost() const noexcept { return place_.height < aim_ - gains_.deepest; }
 
  private:
   SwingGains gains_;
   Foothold place_;
   Eigen::Vector2d velocity_ = Eigen::Vector2d::Zero(), acceleration_ = Eigen::Vector2d::Zero();
-  double from_height_ = 0.0, height_ = 0.0, progress_ = 0.0;
+  double from_height_ = 0.0,
+         aim_ = 0.0;  // where it left the ground, and where the ground should be [m]
+  double progress_ = 0.0;
 };
 
 }  // namespace twinbus

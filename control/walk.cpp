@@ -10,6 +10,7 @@ namespace twinbus {
 
 namespace {
 constexpr int kFirstRounds = 10;
+constexpr double kLeastLoad = 0.05;  // of the weight, on feet that tell where the ground is
 constexpr double kRestSpeed = 0.02;  // of the centre of mass [m/s]
 constexpr double kRestPlace = 0.02;  // of it and the ZMP, from the middle of the feet [m]
 }  // namespace
@@ -23,6 +24,7 @@ Walk::Walk(const Model& model, const WalkGains& gains)
       ik_(model),
       dynamics_(model),
       mass_(model.total_mass()),
+      ground_(gains.ground),
       q_(Eigen::VectorXd::Zero(model.joint_count())),
       qd_(q_),
       qdd_(q_),
@@ -32,16 +34,16 @@ Walk::Walk(const Model& model, const WalkGains& gains)
 }
 
 double Walk::omega() const noexcept {
-  return std::sqrt(std::max(2.0, kGravity + height_.acceleration()) /
+  return std::sqrt(std::max(2.0, kGravity + vertical_acceleration()) /
                    std::max(0.2, height_.position()));
 }
 
 Eigen::Vector3d Walk::com_reference() const noexcept {
-  return {stabilizer_.com().x(), stabilizer_.com().y(), height_.position()};
+  return {stabilizer_.com().x(), stabilizer_.com().y(), height_.position() + ground_.height()};
 }
 
 bool Walk::resting() const noexcept {
-  return !pattern_.walking() && com_velocity_.head<2>().norm() < kRestSpeed &&
+  return pattern_.settled() && com_velocity_.head<2>().norm() < kRestSpeed &&
          (pattern_.rest() - pattern_.middle()).norm() < kRestPlace &&
          (stabilizer_.com() - pattern_.middle()).norm() < kRestPlace;
 }
@@ -60,21 +62,34 @@ void Walk::measure(const Estimator& estimator, double dt, bool fresh) noexcept {
   com_velocity_ += share * (k.com_velocity() - com_velocity_);
   momentum_ += share * (Eigen::Vector2d(spin.y(), -spin.x()) / (mass_ * height) - momentum_);
   dcm_ = com_.head<2>() + (com_velocity_.head<2>() + momentum_) / omega();
+  double carried = 0.0, lower = 0.0;  // by feet that stand; load times what they are too low
   for (int f = 0; f < 2; ++f) {
     const Eigen::Isometry3d& sole = estimator.sole_in_world(f);
     Foothold& foot = measured_feet_[at(f)];
     foot.position = sole.translation().head<2>();
     foot.yaw = yaw_of(sole.linear());
+    const double force = std::max(0.0, estimator.sole_force(f).z());
+    foot.height = sole.translation().z() + force / std::max(1e3, model_->soles[at(f)].stiffness);
+    if (!fresh && !pattern_.swings(f)) {
+      carried += force;
+      lower += force * (pattern_.foot(f).height - foot.height);
+    }
     measured_[at(f)].force = estimator.sole_force(f).z();
     measured_[at(f)].moment =
         pattern_.foot(f).unturn(Eigen::Vector2d(estimator.sole_torque(f).head<2>()));
   }
+  // The estimator has the loaded soles on one plane; here they stand as high as they landed.
+  if (carried > kLeastLoad * mass_ * kGravity) shift_ = lower / carried;
+  for (Foothold& foot : measured_feet_) foot.height += shift_;
 }
 
 void Walk::start(const Estimator& estimator) noexcept {
+  shift_ = 0.0;
   height_.rest(std::max(0.2, estimator.kinematics().com().z()));
   measure(estimator, model_->period(), true);
   pattern_.start(measured_feet_);
+  ground_.rest(pattern_.ground());
+  height_.rest(height_.position() - ground_.height());
   measure(estimator, model_->period(), true);
   heading_ = pattern_.heading();
   const Eigen::Matrix3d base = estimator.configuration().base.linear();
@@ -96,7 +111,7 @@ void Walk::start(const Estimator& estimator) noexcept {
 // The wrench of each sole, world, about its frame; and the same in sole axes for the feet.
 void Walk::share_load(const Estimator& estimator) noexcept {
   const ZmpShare& share = stabilizer_.share();
-  const double weight = mass_ * (kGravity + height_.acceleration());
+  const double weight = mass_ * (kGravity + vertical_acceleration());
   const double w = omega();
   const Eigen::Vector2d horizontal = mass_ * w * w * (com_.head<2>() - share.zmp);
   for (std::size_t f = 0; f < 2; ++f) {
@@ -125,12 +140,12 @@ void Walk::feed_forward(double dt) noexcept {
   q_ = q;
   Configuration& c = ik_.configuration();
   c.qd = qd_;
-  c.base_velocity << stabilizer_.velocity(), height_.velocity();
+  c.base_velocity << stabilizer_.velocity(), height_.velocity() + ground_.velocity();
   c.base_angular_velocity.setZero();
   Kinematics& k = ik_.kinematics();
   k.update(c);
   const double w = omega();
-  Eigen::Vector3d acceleration(0.0, 0.0, height_.acceleration());
+  Eigen::Vector3d acceleration(0.0, 0.0, vertical_acceleration());
   acceleration.head<2>() = w * w * (stabilizer_.com() - stabilizer_.zmp());
   for (std::size_t f = 0; f < 2; ++f) {
     const Sole& sole = model_->soles[f];
@@ -144,6 +159,7 @@ void Walk::update(const Estimator& estimator, const Eigen::VectorXd& q_given, do
   first_.advance(dt);
   measure(estimator, dt, fresh_);
   pattern_.advance({estimator.loaded(0), estimator.loaded(1)}, measured_feet_, dt);
+  ground_.advance(pattern_.ground(), dt);
   const double w = omega();
   pattern_.plan(dcm_, w);
   stabilizer_.update(pattern_, com_.head<2>(), dcm_, w, dt);
@@ -156,6 +172,7 @@ void Walk::update(const Estimator& estimator, const Eigen::VectorXd& q_given, do
   base.asked = ik_.configuration().base;
   base.asked.linear() = attitude();
   base.measured = estimator.configuration().base;
+  base.measured.translation().z() += shift_;
   feet_.update(pattern_, wanted_, measured_, {left, 1.0 - left}, base, dt);
   ik_.solve(com_reference(), attitude(), feet_.target(), q_given, gains_.rounds);
   feed_forward(dt);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "control/footsteps.h"
+#include "control/ground_follow.h"
 #include "control/min_jerk.h"
 #include "control/walk_feet.h"
 #include "control/walk_gains.h"
@@ -37,6 +38,8 @@ class Walk {
   void want(const Eigen::Vector3d& velocity) noexcept { pattern_.want(velocity); }
   // The shortest stop that catches the robot.
   void halt() noexcept { pattern_.halt(); }
+  // Before it rests, the feet come side by side.
+  void square() noexcept { pattern_.square(); }
 
   // q_given [joint_count]: of the joints that are not of a leg.
   void update(const Estimator& estimator, const Eigen::VectorXd& q_given, double dt) noexcept;
@@ -67,6 +70,9 @@ class Walk {
   void share_load(const Estimator& estimator) noexcept;
   void feed_forward(double dt) noexcept;
   double omega() const noexcept;
+  double vertical_acceleration() const noexcept {
+    return height_.acceleration() + ground_.acceleration();
+  }
   Eigen::Matrix3d attitude() const noexcept;
 
   const Model* model_;
@@ -83,6 +89,8 @@ class Walk {
   std::array<Foothold, 2> measured_feet_;
   std::array<FootLoad, 2> wanted_, measured_;
   MinJerk height_, first_;  // of the centre of mass; 1 -> 0: share of the first tilt still held
+  GroundFollow ground_;
+  double shift_ = 0.0;  // of heights, from the estimator's to those of the footholds [m]
   Eigen::Vector3d first_turn_ = Eigen::Vector3d::Zero();
   double heading_ = 0.0;
   bool fresh_ = true, finite_ = true;

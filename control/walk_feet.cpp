@@ -13,8 +13,8 @@ constexpr double kLoaded = 0.05;  // of the weight: admittance works
 constexpr double kWanted = 0.02;  // share of a foot below which it has nothing to admit
 constexpr double kQuick = 4.0;    // a foot in the air is corrected fully after a quarter of its way
 
-Eigen::Vector3d in_plan(const Foothold& at, double height) noexcept {
-  return {at.position.x(), at.position.y(), height};
+Eigen::Vector3d in_plan(const Foothold& at) noexcept {
+  return {at.position.x(), at.position.y(), at.height};
 }
 }  // namespace
 
@@ -54,7 +54,7 @@ void WalkFeet::start(const WalkPattern& pattern, const std::array<Eigen::Isometr
     const Eigen::Matrix3d bend = rotation_of({foot.bend.x(), foot.bend.y(), 0.0});
     foot.last = soles[f].translation() + Eigen::Vector3d(0.0, 0.0, foot.sink);
     foot.last_turn = soles[f].linear() * bend.transpose();
-    foot.offset = foot.last - in_plan(at, 0.0);
+    foot.offset = foot.last - in_plan(at);
     foot.offset_turn = rotation_vector(foot.last_turn * rotation_z(at.yaw).transpose());
     compose(f);
   }
@@ -86,13 +86,14 @@ void WalkFeet::update(const WalkPattern& pattern, const std::array<FootLoad, 2>&
     const bool swings = pattern.swings(static_cast<int>(f));
     give_way(foot, wanted[f], dt / (dt + g.filter));
     const bool loaded = measured[f].force > kLoaded * weight_ && share[f] > kWanted;
-    Eigen::Vector2d rate = -foot.admitted / g.ankle_leak;
+    const Eigen::Vector2d leak = dt / g.ankle_leak * foot.admitted;
+    Eigen::Vector2d turned = -leak;
     if (loaded)
-      rate += g.ankle * (measured[f].moment - wanted[f].moment).cwiseQuotient(foot.turning);
-    foot.admitted = (foot.admitted + dt * rate).cwiseMax(-g.most_turn).cwiseMin(g.most_turn);
+      turned += dt * g.ankle * (measured[f].moment - wanted[f].moment).cwiseQuotient(foot.turning);
+    foot.admitted = (foot.admitted + turned).cwiseMax(-g.most_turn).cwiseMin(g.most_turn);
 
     const Foothold& at = swings ? pattern.swing().place() : pattern.foot(static_cast<int>(f));
-    const Eigen::Vector3d place = in_plan(at, swings ? pattern.swing().height() : 0.0);
+    const Eigen::Vector3d place = in_plan(at);
     const Eigen::Matrix3d heading = rotation_z(at.yaw);
     if (foot.was_swinging && !swings) {  // landed: the command stays where it is
       foot.offset = foot.last - place;
@@ -110,7 +111,12 @@ void WalkFeet::update(const WalkPattern& pattern, const std::array<FootLoad, 2>&
       foot.offset_turn += blend * (g.upright * turn - foot.offset_turn);
     } else {
       foot.offset *= std::max(0.0, 1.0 - dt / g.landing);
-      foot.offset_turn *= std::max(0.0, 1.0 - dt / g.landing);
+      const double forget = std::max(0.0, 1.0 - dt / g.flat);
+      foot.offset_turn.x() *= forget;
+      foot.offset_turn.y() *= forget;
+      foot.offset_turn.z() *= std::max(0.0, 1.0 - dt / g.landing);
+      const Eigen::Vector2d slope = at.turn(leak);
+      foot.offset_turn.head<2>() += slope;
     }
     foot.last = place + foot.offset;
     foot.last_turn = rotation_of(foot.offset_turn) * heading;

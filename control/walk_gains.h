@@ -19,10 +19,11 @@ struct WalkStabilizerGains {
 
 struct WalkFeetGains {
   double filter = 0.015;    // of what a sole gives way under its load [s]
-  double ankle = 30.0;      // admittance to the moment that is missed [1/s]
-  double ankle_leak = 0.5;  // [s]
+  double ankle = 50.0;      // admittance to the moment that is missed [1/s]
+  double ankle_leak = 0.5;  // in which it becomes the slope that the ground is taken to have [s]
+  double flat = 20.0;       // in which a standing sole forgets that slope [s]
   double most_turn = 0.2;   // of the admittance [rad]
-  double force = 60.0;      // admittance to the difference of the feet's forces [1/s]
+  double force = 90.0;      // admittance to the difference of the feet's forces [1/s]
   double force_leak = 0.3;  // [s]
   double most_lift = 0.04;  // [m]
   double upright = 0.8;     // share of the base's error that is taken out of the foot in the air
@@ -36,6 +37,8 @@ struct WalkGains {
   SwingGains swing;
   double velocity_filter = 0.010;      // of velocity and momentum in the DCM [s]
   double acceleration_filter = 0.010;  // of the joints' accelerations in the torques [s]
+  double ground =
+      5.0;  // rate at which the centre of mass follows the height of the footholds [1/s]
   double settle = 1.0;  // time in which height and attitude found at the start are put right [s]
   double turn = 0.05;   // lag of the base's heading behind the feet [s]
   double step_when = 0.03;  // ZMP wanted beyond the soles that starts a step from standing [m]

@@ -26,6 +26,10 @@ constexpr double kHaltTime = 0.10;  // from the fastest walk to none [s]
 constexpr double kStandingStride =
     0.6;  // share of the longest step over which a robot stands still
 
+constexpr double kBeside = 0.015, kParallel = 0.03;  // so nearly feet stand side by side [m], [rad]
+constexpr double kForget = 0.8;     // share of an unevenness that the next landing leaves
+constexpr double kMostMore = 0.03;  // a foot is lifted more on uneven ground [m]
+
 double way(double from, double to, double most) noexcept {
   return from + std::clamp(to - from, -most, most);
 }
@@ -44,6 +48,12 @@ double WalkPattern::heading() const noexcept {
   return from + 0.5 * wrap_angle(to - from);
 }
 
+bool WalkPattern::side_by_side() const noexcept {
+  const Eigen::Vector2d apart = feet_[0].unturn(feet_[0].position - feet_[1].position);
+  return std::abs(apart.x()) < kBeside && std::abs(apart.y() - gait_.width) < kBeside &&
+         std::abs(wrap_angle(feet_[0].yaw - feet_[1].yaw)) < kParallel;
+}
+
 void WalkPattern::start(const std::array<Foothold, 2>& feet) noexcept {
   feet_ = feet;
   wanted_.setZero();
@@ -54,18 +64,22 @@ void WalkPattern::start(const std::array<Foothold, 2>& feet) noexcept {
   time_ = single_time_ = 0.0;
   double_ = kLeast;
   period_ = gait_.period();
-  since_landing_ = adjusted_ = 0.0;
+  since_landing_ = adjusted_ = uneven_ = 0.0;
+  squares_ = 0;
   halting_ = false;
   rest_ = zmp_from_ = zmp_ = dcm_ = middle();
 }
 
 void WalkPattern::want(const Eigen::Vector3d& velocity) noexcept {
   wanted_ = gait_.possible(velocity);
-  if (wants_to_walk()) halting_ = false;
+  if (!wants_to_walk()) return;
+  halting_ = false;
+  squares_ = 0;
 }
 
 void WalkPattern::halt() noexcept {
   wanted_.setZero();
+  squares_ = 0;
   listed_ = list_count_ = 0;
   if (halting_ || !walking_) return;
   halting_ = true;
@@ -83,7 +97,11 @@ void WalkPattern::follow(const Foothold* list, int count, int first_support) noe
 Foothold WalkPattern::after(const Foothold& from, int foot, int steps_ahead) const noexcept {
   const int i = listed_ + steps_ahead;
   const bool fits = ((i % 2 == 0) ? list_support_ : 1 - list_support_) == foot;
-  if (i < list_count_ && fits) return list_[static_cast<std::size_t>(i)];
+  if (i < list_count_ && fits) {
+    Foothold listed = list_[static_cast<std::size_t>(i)];
+    listed.height = from.height;  // a list knows nothing of the ground
+    return listed;
+  }
   return next_foothold(gait_, from, foot, velocity_, period_);
 }
 
@@ -109,6 +127,7 @@ void WalkPattern::capture(const Eigen::Vector2d& measured_dcm) noexcept {
 void WalkPattern::land(const Foothold& where) noexcept {
   braking_ = true;
   const int landed = 1 - support_;
+  uneven_ = std::max(kForget * uneven_, std::abs(where.height - foot(support_).height));
   feet_[static_cast<std::size_t>(landed)] = where;
   ++steps_;
   if (listed_ < list_count_) ++listed_;
@@ -182,7 +201,9 @@ void WalkPattern::advance(const std::array<bool, 2>& touching,
     const Eigen::Vector2d to_middle = middle() - rest_;
     if (time_ > double_)
       rest_ += to_middle * std::min(1.0, kRestRate * dt / std::max(1e-9, to_middle.norm()));
-    if (!wants_to_walk() || time_ < double_) return;
+    if (side_by_side()) squares_ = 0;
+    if (!(wants_to_walk() || squares_ > 0) || time_ < double_) return;
+    squares_ = std::max(0, squares_ - 1);
     int support = wanted_.y() > 0.0 || (wanted_.y() == 0.0 && wanted_.z() >= 0.0) ? 1 : 0;
     if (list_count_ > 0) support = list_support_;
     begin_step(support, gait_.first_double);
@@ -192,13 +213,14 @@ void WalkPattern::advance(const std::array<bool, 2>& touching,
   const int moves = 1 - support_;
   if (!single_ && time_ >= double_) {
     single_ = true;
-    swing_.start(foot(moves), 0.0);
+    swing_.start(foot(moves));
   }
   if (!single_) {
     target_ = after(foot(support_), support_, 0);
     return;
   }
-  swing_.advance(target_, double_ + single_time_ - time_, gait_.lift, dt);
+  swing_.advance(target_, double_ + single_time_ - time_, gait_.lift + std::min(uneven_, kMostMore),
+                 dt);
   const auto m = static_cast<std::size_t>(moves);
   const bool landed = touching[m] && swing_.progress() > kEarlyShare;
   if (landed || swing_.lost()) land(measured[m]);

@@ -136,6 +136,16 @@ TEST(WalkPattern, AFootThatFindsNoGroundFeelsForIt) {
   EXPECT_GT(puppet.pattern.steps(), 4);
 }
 
+TEST(WalkPattern, AFootholdIsAsHighAsTheGroundThatWasMetThere) {
+  Puppet puppet;
+  puppet.pattern.want({0.2, 0.0, 0.0});
+  puppet.run(3.0);
+  puppet.ground = 0.02;
+  puppet.run(3.0);
+  for (int f = 0; f < 2; ++f) EXPECT_NEAR(puppet.pattern.foot(f).height, 0.02, 0.003) << f;
+  EXPECT_NEAR(puppet.pattern.ground(), 0.02, 0.003);
+}
+
 TEST(WalkPattern, AHaltTakesAtMostTwoMoreSteps) {
   for (int phase = 0; phase < 12; ++phase) {
     Puppet puppet;
