@@ -215,7 +215,8 @@ Refusal Handover::switch_refusal(const HandoverInput& input, std::int64_t now_ns
     const Refusal difference = compare_measured(*input.measured, target);
     if (difference != Refusal::kNone) return difference;
   }
-  return config.hardware && !input.stable ? Refusal::kUnstable : Refusal::kNone;
+  const bool in_step = input.walking && pending.policy == SwitchPolicy::kWhenSafe;
+  return config.hardware && (!input.stable || in_step) ? Refusal::kUnstable : Refusal::kNone;
 }
 
 void Handover::request(const SourceRequest& request, const HandoverInput& input,
@@ -357,9 +358,10 @@ Transition Handover::tick_grant(const HandoverInput& input, std::int64_t now_ns)
     has_granted = true;
     return Transition::kGranted;
   }
-  const bool rest_helps = why == Refusal::kUnstable && pending.policy != SwitchPolicy::kNow;
-  const bool aligning = pending.align && (why == Refusal::kNotStandby ||
-                                          (why >= Refusal::kPosture && why <= Refusal::kLoad));
+  const bool differs = why >= Refusal::kPosture && why <= Refusal::kLoad;
+  const bool rest_helps = pending.policy != SwitchPolicy::kNow &&
+                          (why == Refusal::kUnstable || (differs && (input.walking || wants_rest)));
+  const bool aligning = pending.align && (why == Refusal::kNotStandby || differs);
   if ((rest_helps || aligning) && now_ns - pending_since_ns < config.when_safe_ns) {
     wants_rest = rest_helps;
     return Transition::kNone;

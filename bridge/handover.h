@@ -71,7 +71,8 @@ struct HandoverInput {
   StopKind stop_kind = StopKind::kNone;
   bool stop_was_asked = false;  // by somebody, not drawn by the gate itself
   bool device_ok = true;
-  bool stable = true;  // could be left as it stands
+  bool stable = true;    // could be left as it stands
+  bool walking = false;  // the controller walks: a moment later it may stand
 };
 
 struct Handover {

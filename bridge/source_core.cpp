@@ -22,7 +22,6 @@ constexpr std::int64_t kSupportLasts_ns = 50'000'000;  // stable for so long bef
 constexpr std::int64_t kControllerFresh_ns = 50'000'000;
 constexpr float kTorqueJump = 0.02F;  // of the limit; a larger one is faded out
 
-
 // Infinity and NaN give NaN here, every other number zero.
 bool finite(const RobotState& state, int joints) noexcept {
   double zero = 0.0;
@@ -71,13 +70,18 @@ std::int64_t SourceCore::gate_clock(std::int64_t now_ns) const noexcept {
   return config_.pace == Pace::kRealTime ? now_ns : handover_.time_ns;
 }
 
-HandoverInput SourceCore::handover_input() const noexcept {
+HandoverInput SourceCore::handover_input(std::int64_t now_ns) const noexcept {
   const StopLatch& latch = gate_.latch();
   return {.measured = &state_,
           .stop_kind = latch.kind,
           .stop_was_asked = latch.asked,
           .device_ok = device_ok_,
-          .stable = stable_};
+          .stable = stable_,
+          .walking = walking(now_ns)};
+}
+
+bool SourceCore::walking(std::int64_t now_ns) const noexcept {
+  return controller_.mode == Mode::kWalk && now_ns - controller_ns_ <= 4 * kControllerFresh_ns;
 }
 
 void SourceCore::on_state(const RobotState& state, std::int64_t now_ns) noexcept {
@@ -114,7 +118,7 @@ void SourceCore::on_command(const JointCommand& command, std::int64_t now_ns) no
 }
 
 void SourceCore::on_source_request(const SourceRequest& request, std::int64_t now_ns) noexcept {
-  handover_.request(request, handover_input(), now_ns);
+  handover_.request(request, handover_input(now_ns), now_ns);
 }
 
 void SourceCore::on_controller_request(const ControllerRequest& request, std::int64_t) noexcept {
@@ -320,7 +324,7 @@ void SourceCore::watch_support(std::int64_t now_ns) noexcept {
 void SourceCore::begin_tick(std::int64_t now_ns) noexcept {
   if (!written_ && handover_.holds_state()) ++status_.ticks_missed;
   gate_.watch(gate_clock(now_ns));
-  transition_ = handover_.begin_tick(handover_input(), now_ns);
+  transition_ = handover_.begin_tick(handover_input(now_ns), now_ns);
   apply(transition_, now_ns);
   if (handover_.holds_state() && !handover_.obeys() && gate_.is_open()) gate_.close();
   read_adaptor(now_ns);
@@ -334,11 +338,10 @@ void SourceCore::end_tick(std::int64_t now_ns) noexcept {
   if (written_) return;
   written_ = true;
   if (frozen(now_ns) || handover_.role == Role::kStandbyTrack || limp_) return;
-  const bool fresh = now_ns - controller_ns_ <= 4 * kControllerFresh_ns;
-  const bool walking = controller_.mode == Mode::kWalk && fresh;
+  const bool walks = walking(now_ns);
   const StopKind before = gate_.latch().kind;
-  const JointCommand& command = gate_.output(state_.tick, walking, gate_clock(now_ns));
-  if (before == StopKind::kNone && gate_.latch().reason == StopReason::kCommandTimeout && walking) {
+  const JointCommand& command = gate_.output(state_.tick, walks, gate_clock(now_ns));
+  if (before == StopKind::kNone && gate_.latch().reason == StopReason::kCommandTimeout && walks) {
     limp_ = adaptor_->fall_safe() == Status::kOk;  // nobody is left to place the next foot
     if (limp_) return;
   }

@@ -46,7 +46,8 @@ class SourceCore {
  private:
   friend struct ProtocolProbe;  // test/protocol looks inside to tell states apart
   std::int64_t gate_clock(std::int64_t now_ns) const noexcept;
-  HandoverInput handover_input() const noexcept;
+  HandoverInput handover_input(std::int64_t now_ns) const noexcept;
+  bool walking(std::int64_t now_ns) const noexcept;  // the controller says so
   void apply(Transition transition, std::int64_t now_ns) noexcept;
   void follow_role(std::int64_t now_ns) noexcept;
   void impose_holder() noexcept;

@@ -68,6 +68,7 @@ struct ControlLoop::Impl {
   JointCommand command;
 
   StopKind stop_heard = StopKind::kNone;
+  bool switch_heard = false;  // a stop that comes before a switch
   Gamepad gamepad;
   DriverToken token;
   std::int64_t gamepad_ns = 0;
@@ -140,8 +141,9 @@ Eigen::Vector3d ControlLoop::Impl::lean(std::int64_t now_ns) const noexcept {
 // A WALK command counts for its time-out; else the pad's sticks ask for shares of what the robot can.
 Eigen::Vector3d ControlLoop::Impl::walk_velocity(std::int64_t now_ns) const noexcept {
   const double timeout = std::clamp(static_cast<double>(walk.timeout), 0.0, kMostWalkTimeout);
-  if (walk_ns != 0 && walk.run_id == state.run_id &&
-      static_cast<double>(now_ns - walk_ns) < timeout * 1e9) {
+  // One for the last source still counts for its time: a switch does not end a walk.
+  const bool meant = walk.run_id == state.run_id || walk.run_id == previous_run;
+  if (walk_ns != 0 && meant && static_cast<double>(now_ns - walk_ns) < timeout * 1e9) {
     return Eigen::Vector3d(static_cast<double>(walk.vx), static_cast<double>(walk.vy),
                            static_cast<double>(walk.wz));
   }
@@ -186,7 +188,8 @@ void ControlLoop::Impl::write(JointCommand& out) const noexcept {
 
 void ControlLoop::Impl::compute(std::int64_t now_ns, double dt) noexcept {
   modes.watch_for_a_fall(now());
-  if (modes.follow_stop(std::exchange(stop_heard, StopKind::kNone), now())) {
+  const bool for_switch = std::exchange(switch_heard, false);
+  if (modes.follow_stop(std::exchange(stop_heard, StopKind::kNone), for_switch, now())) {
     blend.cancel();
     brake.reset();
     have_output = false;
@@ -282,6 +285,7 @@ void ControlLoop::on_arm_goal(const ArmGoal& goal) noexcept {
 
 void ControlLoop::on_stop(const StopRequest& stop) noexcept {
   impl_->stop_heard = std::max(impl_->stop_heard, stop.kind);
+  impl_->switch_heard = stop.reason == StopReason::kSwitch;
 }
 
 void ControlLoop::on_guard(const GuardReport& report, std::int64_t now_ns) noexcept {

@@ -72,8 +72,10 @@ void Modes::enter_walk(const Moment& now) noexcept {
   mode_ = Mode::kWalk;
 }
 
-void Modes::leave_walk(const ModeRequest& next) noexcept {
-  walk_->halt();
+void Modes::leave_walk(const ModeRequest& next, bool at_once, bool tidy) noexcept {
+  if (at_once && !(leaving_ && tidy)) walk_->halt();
+  walk_->want(Eigen::Vector3d::Zero());
+  if (tidy && !leaving_) walk_->square();
   next_ = next;
   leaving_ = true;
 }
@@ -155,8 +157,9 @@ void Modes::obey(const ModeRequest& request, const Moment& now) noexcept {
   const bool stand_first = request.mode == Mode::kHold || request.mode == Mode::kPose ||
                            request.mode == Mode::kBalance || request.mode == Mode::kStop;
   if (walking_ && stand_first) {
-    if (request.mode == Mode::kStop) arm_.cancel();
-    return leave_walk(request);
+    const bool stop = request.mode == Mode::kStop;
+    if (stop) arm_.cancel();
+    return leave_walk(request, stop, !stop);
   }
   switch (request.mode) {
     case Mode::kIdle:
@@ -195,7 +198,7 @@ void Modes::obey(const ModeRequest& request, const Moment& now) noexcept {
 
 // The gate obeys nobody while it is stopped, but for a balanced stop: then it passes what carries
 // `stopping`.
-bool Modes::follow_stop(StopKind asked, const Moment& now) noexcept {
+bool Modes::follow_stop(StopKind asked, bool for_switch, const Moment& now) noexcept {
   const RobotState& state = now.state;
   const bool was_held = held_by_gate_;
   held_by_gate_ = state.role == Role::kStopped && state.stop_kind >= StopKind::kHold;
@@ -203,7 +206,7 @@ bool Modes::follow_stop(StopKind asked, const Moment& now) noexcept {
   if (balanced && !stopping_) {
     arm_.cancel();
     if (walking_) {
-      leave_walk({});
+      leave_walk({}, true, for_switch);
     } else if (balancing_) {
       balance_->stop_motion(kStopTime);
     } else if (mode_ != Mode::kIdle) {

@@ -46,7 +46,8 @@ class Modes {
   void watch_for_a_fall(const Moment& now) noexcept;
   // asked: the highest stop heard since the last tick.  True while the gate obeys nobody, and at the
   // tick it obeys again: then what was put out before counts no more, the robot is followed.
-  bool follow_stop(StopKind asked, const Moment& now) noexcept;
+  // for_switch: another source is to take over once the robot stands as robots are left, feet side by side.
+  bool follow_stop(StopKind asked, bool for_switch, const Moment& now) noexcept;
   void obey(const ModeRequest& request, const Moment& now) noexcept;
   // Of the centre of mass, while balancing [m].
   void lean(const Eigen::Vector3d& offset) noexcept {
@@ -85,8 +86,8 @@ class Modes {
   void enter_hold(const Moment& now, bool at_measured) noexcept;
   void enter_pose(const ModeRequest& request, const Moment& now) noexcept;
   void enter_walk(const Moment& now) noexcept;
-  // Walks no more: once the robot stands, `next` is obeyed.
-  void leave_walk(const ModeRequest& next) noexcept;
+  // Walks no more: once the robot stands, `next` is obeyed.  at_once: the shortest stop; tidy: the feet side by side.
+  void leave_walk(const ModeRequest& next, bool at_once, bool tidy) noexcept;
   void begin_balance(const Moment& now) noexcept;
   void move_legs(const Moment& now, double dt) noexcept;
   void damp(const RobotState& state, SetPoint& set_point) const noexcept;

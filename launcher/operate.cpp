@@ -285,6 +285,7 @@ int walk_command(const std::vector<std::string>& words) {
   const std::int64_t begin = monotonic_ns();
   while (!quit_requested() && seconds_since(begin) < duration) {
     command.sequence = 0;  // each its own
+    command.run_id = bus.seen().newest_state().run_id;  // whichever source it is by now
     bus.send(command);
     bus.listen(0.05);
   }

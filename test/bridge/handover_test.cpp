@@ -318,6 +318,26 @@ TEST_F(OneSource, AnUnstableRobotIsLeftAsSoonAsItStandsWhenThePolicySaysSo) {
   EXPECT_EQ(step(), Transition::kGranted);
 }
 
+TEST_F(OneSource, AWalkingSimulatorComesToRestBeforeARobotThatStandsTakesOver) {
+  activate();
+  RobotState in_step = standing(kMe);
+  in_step.q[0] += 0.3;
+  input.measured = &in_step;
+  input.walking = true;
+  SourceRequest r = request(SourceAction::kSwitch, kTarget);
+  r.policy = SwitchPolicy::kWhenSafe;
+  hear_target(standing(kTarget));
+  ask(r);
+  for (int i = 0; i < 100; ++i) {
+    hear_target(standing(kTarget));
+    input.walking = i < 50;  // it stands, but not yet as the robot does
+    ASSERT_EQ(step(), Transition::kNone);
+    EXPECT_TRUE(handover.wants_rest);
+  }
+  in_step = standing(kMe);
+  EXPECT_EQ(step(), Transition::kGranted);
+}
+
 TEST(RefusalText, EveryRefusalHasASentenceOfItsOwn) {
   std::set<std::string> texts;
   for (int i = 1; i <= static_cast<int>(Refusal::kDevice); ++i) {

@@ -1,0 +1,185 @@
+#!/usr/bin/env python3
+"""The source is switched while the robot walks: simulator to simulator in mid-step, and by way of the shortest stop to a robot.
+
+    walk_switch_test.py [engines] [robot]
+
+`engines`: two simulators with different engines, masses and contacts, switched every 3 s of a walk.  `robot`: simulator and
+stand-in robot, policy when-safe.  SWITCHES=N says how many (TWINBUS_FULL=1: 20 and 100, otherwise 4 and 2).  What the
+machine itself spoilt by standing still (stalls.py) is counted, printed and repeated.
+"""
+
+import os
+import pathlib
+import random
+import subprocess
+import sys
+import tempfile
+import time
+
+import harness
+import switch_figures
+from harness import BIN, Bus, Checks, Stack, cli
+from stalls import Stalls
+from switch_figures import WEIGHT, foot_force
+from switch_test import active_run, switch_once
+
+SPEED = "0.3"  # [m/s]
+STEP = 0.6     # [s], of hrp1s
+EVERY = 3.0    # [s], between two switches
+NORMAL = 8.0   # [s] of walking that is the measure of commanded accelerations
+IN_AIR = 0.005  # share of the weight below which a foot is in the air
+LEGS = range(12)
+STOP = 6       # MODE_REQUEST.mode
+
+
+def count(fast, full):
+    return int(os.environ.get("SWITCHES", full if harness.FULL else fast))
+
+
+def two_engines():
+    """The stack of two simulators, the second with the other engine as well."""
+    text = (harness.ROOT / "config/stacks/twosims.yaml").read_text(encoding="utf-8")
+    head, second = text.split("  second:\n")
+    assert '"{engine}"' in second
+    file = pathlib.Path(tempfile.mkdtemp()) / "twoengines.yaml"
+    file.write_text(head + "  second:\n" + second.replace('"{engine}"', '"--engine", "ode"', 1), encoding="utf-8")
+    return str(file)
+
+
+def walk(seconds):
+    return subprocess.Popen([BIN / "twinbus", "walk", SPEED, "0", "0", "--for", str(seconds)],
+                            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+
+
+def fastest_change(bus, since_ns, until_ns=1 << 62):
+    """Largest change of a leg joint's commanded velocity from one tick to the next [rad/s^2]."""
+    most, last = 0.0, None
+    for _, command in bus.messages("COMMAND", since_ns, until_ns):
+        if last is not None and command.tick == last.tick + 1:
+            most = max(most, max(abs(command.qd[k] - last.qd[k]) for k in LEGS) / 0.002)
+        last = command
+    return most
+
+
+def engines(checks, stalls, rng):
+    wanted, done, spoilt = count(4, 20), 0, 0
+    worst = 0.0
+    with Stack("stand", "--stack", two_engines(), "--no-viewer") as stack:
+        bus = Bus()
+        time.sleep(1.0)
+        walker = walk(60 + 5 * wanted)
+        time.sleep(4.0)
+        bus.forget()
+        time.sleep(NORMAL)
+        normal = fastest_change(bus, 0)
+        print(f"normal walking changes commanded velocities by up to {normal:.0f} rad/s^2", flush=True)
+        efforts = harness.effort_limits()
+        while done < wanted and spoilt <= wanted:
+            what = f"walking, switch {done}"
+            time.sleep(EVERY - 1.0 + 0.6 * rng.random())
+            status, said, f = switch_once(bus, "sim", efforts)
+            if not checks.that(status == 0 and f is not None, f"{what}: {said.strip()}"):
+                print("\n".join(harness.story_of_a_stop(bus)), flush=True)
+                break
+            change = fastest_change(bus, f.from_ns + switch_figures.BEFORE_NS - 20_000_000)
+            attempt = checks.tentative()
+            attempt.that(f.ticks_without_command == 0, f"{what}: {f.ticks_without_command} ticks without a command")
+            attempt.at_most(f.gap_ticks, 1, f"{what}: ticks nobody published")
+            attempt.that(f.double_ticks == 0 and f.two_obeying == 0, f"{what}: two sources at once")
+            attempt.at_most(change, 1.5 * normal, f"{what}: commanded acceleration [rad/s^2]")
+            attempt.that(not f.fell, f"{what}: nobody falls")
+            print(f"{what}: {f.row()}, commanded acceleration {change:.0f} rad/s^2", flush=True)
+            stall = stalls.longest_ms(f.from_ns, f.to_ns)
+            if attempt.failed and stall > 0.0:
+                spoilt += 1
+                print(f"  not judged, the machine stood still for {stall:.1f} ms", flush=True)
+                if f.fell:
+                    break
+                continue
+            checks.adopt(attempt)
+            done += 1
+            worst = max(worst, change)
+        checks.at_least(done, wanted, "switches while walking that were judged")
+        print(f"{done} switches while walking, {spoilt} spoilt by the machine; commanded acceleration at most "
+              f"{worst / max(normal, 1e-9):.2f} of normal walking", flush=True)
+        walker.terminate()
+        walker.wait()
+        bus.close()
+
+
+def steps_after_stop(bus, since_ns, until_ns):
+    """Steps from the stop that was asked for until both feet carried the robot for good."""
+    asked = next((at for at, m in bus.messages("MODE_REQUEST", since_ns, until_ns) if m.mode == STOP), None)
+    if asked is None:
+        return None
+    last = asked
+    for at, state in bus.messages("STATE", asked, until_ns):
+        if min(foot_force(state, 0), foot_force(state, 1)) < IN_AIR * WEIGHT:
+            last = at
+    return (last - asked) * 1e-9 / STEP
+
+
+def robot(checks, stalls, rng):
+    wanted, done, spoilt, most = count(2, 100), 0, 0, 0.0
+    target = "bridge"
+    with Stack("stand", "--stack", "both", "--no-viewer") as stack:
+        bus = Bus()
+        time.sleep(1.0)
+        efforts = harness.effort_limits()
+        while done < wanted and spoilt <= wanted:
+            what = f"stop, switch {done} to {target}"
+            walker = walk(30)
+            time.sleep(2.6 + 1.2 * rng.random())
+            since = time.monotonic_ns()
+            status, said, f = switch_once(bus, target, efforts, "when-safe")
+            walker.terminate()
+            walker.wait()
+            stall = stalls.longest_ms(since - 2_000_000_000, time.monotonic_ns())
+            if status != 0 or f is None:
+                if stall > 0.0:
+                    spoilt += 1
+                    print(f"  not judged, the machine stood still for {stall:.1f} ms: {said.strip()}", flush=True)
+                    if any(" stop '" in line for line in stack.lines):
+                        break
+                    continue
+                checks.that(False, f"{what}: {said.strip()}")
+                print("\n".join(harness.story_of_a_stop(bus)), flush=True)
+                break
+            taken = steps_after_stop(bus, since, f.from_ns + switch_figures.BEFORE_NS)
+            attempt = checks.tentative()
+            switch_figures.judge(f, attempt, what)
+            attempt.that(taken is not None, f"{what}: the controller was asked to stop first")
+            attempt.at_most(taken if taken is not None else 99.0, 1.5, f"{what}: steps until it stands")
+            print(f"{what}: {taken if taken is not None else -1:.2f} steps, {f.row()}", flush=True)
+            if attempt.failed and stall > 0.0:
+                spoilt += 1
+                print(f"  not judged, the machine stood still for {stall:.1f} ms", flush=True)
+            else:
+                checks.adopt(attempt)
+                done += 1
+                most = max(most, taken or 0.0)
+            target = "sim" if target == "bridge" else "bridge"
+        checks.at_least(done, wanted, "stops, switches and walks on that were judged")
+        print(f"{done} switches after a stop, {spoilt} spoilt by the machine; at most {most:.2f} steps", flush=True)
+        bus.close()
+
+
+def main():
+    harness.require("twinbus", "twinbus_simulator", "twinbus_controller", "twinbus_guard", "twinbus_bridge",
+                    "emulated_robot")
+    words = sys.argv[1:]
+    seed = random.randrange(1 << 30)
+    print(f"seed {seed}", flush=True)
+    rng = random.Random(seed)
+    checks = Checks()
+    stalls = Stalls()
+    if not words or "engines" in words:
+        engines(checks, stalls, rng)
+    if not words or "robot" in words:
+        robot(checks, stalls, rng)
+    stalls.close()
+    checks.exit()
+
+
+if __name__ == "__main__":
+    main()
