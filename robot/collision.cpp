@@ -13,7 +13,9 @@
 #include <variant>
 
 #include "robot/collision_pairs.h"
+#include "robot/convex_hull.h"
 #include "robot/convex_shape.h"
+#include "robot/gjk.h"
 #include "robot/mesh_file.h"
 
 namespace twinbus {
@@ -29,9 +31,12 @@ using Primitive = std::variant<std::monostate, fcl::Boxd, fcl::Sphered, fcl::Cyl
 constexpr double kRounding = 1e-9;  // [m]; what a bound may be wrong by
 // GJK has converged when its distance agrees with the lower bound of its own direction to this [m].
 constexpr double kConverged = 1e-6;
+// The distance of hulls stands for that of meshes above this [m].
+constexpr double kHullsApart = 0.02;
 
 struct Body {  // one shape, of a link or an obstacle
   ConvexShape convex;
+  GjkShape core;  // the same, or the hull of a mesh
   Isometry3d local =
       Isometry3d::Identity();  // of the convex shape, in the link frame (obstacle: world)
   Isometry3d world = Isometry3d::Identity();
@@ -75,6 +80,8 @@ Body make_primitive(ShapeKind kind, const Vector3d& size, const Isometry3d& pose
     case ShapeKind::kMesh:
       break;
   }
+  body.core.kind = kind;
+  body.core.half = body.convex.half;
   return body;
 }
 
@@ -101,6 +108,9 @@ Body make_mesh(const Shape& shape) {
   }
   body.mesh->endModel();
   body.mesh->computeLocalAABB();
+  std::vector<Vector3d> points = mesh.points;
+  for (Vector3d& point : points) point -= middle;
+  body.core = gjk_hull(convex_hull(points).points);
   return body;
 }
 
@@ -149,9 +159,10 @@ struct Collision::Impl {
   int link_owners = 0;
   int last_hit = 0;
   std::int64_t query = 0;
+  CollisionBackend backend;
   fcl::detail::GJKSolver_indep<double> gjk;
 
-  explicit Impl(const Model& robot);
+  Impl(const Model& robot, CollisionBackend wanted);
   void build_pairs();
   OwnerPair make_pair(int a, int b);
   int index_of(const Owner& owner) const {  // link, or obstacle + link_count
@@ -169,11 +180,15 @@ struct Collision::Impl {
                      PairDistance& result) noexcept;
   bool convex_distance(const Body& a, const Body& b, double& distance, Vector3d& on_a,
                        Vector3d& on_b) noexcept;
+  bool own_distance(const Body& a, const Body& b, double near, PairDistance& result) noexcept;
   void mesh_distance(Body& a, Body& b, double near, PairDistance& result);
 };
 
-Collision::Impl::Impl(const Model& robot)
-    : self_pairs(pairs_to_check(robot)), model(&robot), link_count(robot.link_count()) {
+Collision::Impl::Impl(const Model& robot, CollisionBackend wanted)
+    : self_pairs(pairs_to_check(robot)),
+      model(&robot),
+      link_count(robot.link_count()),
+      backend(wanted) {
   gjk.gjk_tolerance = 1e-9;
   gjk.enable_cached_guess = true;
   owner_of.assign(static_cast<std::size_t>(link_count + kMaxObstacles), -1);
@@ -264,6 +279,19 @@ bool Collision::Impl::convex_distance(const Body& a, const Body& b, double& dist
       a.primitive, b.primitive);
 }
 
+// Distance, points and normal of the cores, the distance zero when they overlap; false when they
+// are farther apart than near.
+bool Collision::Impl::own_distance(const Body& a, const Body& b, double near,
+                                   PairDistance& result) noexcept {
+  const GjkResult found = gjk_distance(a.core, a.world, b.core, b.world, near + kRounding);
+  if (found.below > near + kRounding) return false;
+  result.distance = found.distance;
+  result.point_a = found.point_a;
+  result.point_b = found.point_b;
+  result.normal = found.normal;
+  return true;
+}
+
 void Collision::Impl::mesh_distance(Body& a, Body& b, double near, PairDistance& result) {
   fcl::CollisionRequestd touch_request;
   touch_request.gjk_solver_type = fcl::GST_INDEP;
@@ -296,10 +324,18 @@ bool Collision::Impl::bodies_nearer(Body& a, Body& b, Vector3d& remembered, doub
 
   PairDistance found;
   found.distance = near + 1.0;
-  if (a.mesh || b.mesh) {
+  const bool mesh = a.mesh || b.mesh;
+  bool done = false;
+  if (backend == CollisionBackend::kOwn) {
+    if (!own_distance(a, b, near, found)) return false;
+    if (found.distance > kConverged) remembered = a.world.linear().transpose() * found.normal;
+    done = !mesh || found.distance > kHullsApart;
+    if (!done) found.distance = near + 1.0;
+  }
+  if (!done && mesh) {
     mesh_distance(a, b, near, found);
     if (!(found.distance <= near)) return false;
-  } else if (convex_distance(a, b, found.distance, found.point_a, found.point_b)) {
+  } else if (!done && convex_distance(a, b, found.distance, found.point_a, found.point_b)) {
     const Vector3d gap = found.point_b - found.point_a;
     if (found.distance > kConverged) {
       found.normal = gap / gap.norm();
@@ -309,7 +345,7 @@ bool Collision::Impl::bodies_nearer(Body& a, Body& b, Vector3d& remembered, doub
       remembered = a.world.linear().transpose() * found.normal;
       if (found.distance - below > kConverged) found.distance = std::max(below, 0.0);
     }
-  } else {
+  } else if (!done) {
     found.distance = 0.0;
   }
   if (!(found.distance > kConverged)) {  // touching: the shortest way out
@@ -318,7 +354,7 @@ bool Collision::Impl::bodies_nearer(Body& a, Body& b, Vector3d& remembered, doub
     found.distance = std::min(found.distance, out);
     found.point_a = a.world * a.convex.support(a.world.linear().transpose() * found.normal);
     found.point_b = b.world * b.convex.support(-(b.world.linear().transpose() * found.normal));
-  } else if (a.mesh || b.mesh) {
+  } else if (mesh && !done) {
     found.normal = (found.point_b - found.point_a).normalized();
   }
   if (!(found.distance <= near) || found.distance >= result.distance) return false;
@@ -347,7 +383,8 @@ bool Collision::Impl::nearer(const Kinematics& kinematics, const OwnerPair& pair
   return found;
 }
 
-Collision::Collision(const Model& model) : impl_(std::make_unique<Impl>(model)) {}
+Collision::Collision(const Model& model, CollisionBackend backend)
+    : impl_(std::make_unique<Impl>(model, backend)) {}
 Collision::~Collision() = default;
 
 const std::vector<CollisionPair>& Collision::pairs() const noexcept { return impl_->self_pairs; }

@@ -1,9 +1,11 @@
-// Self-collision and distance to obstacles on the link geometry, through FCL.
+// Self-collision and distance to obstacles on the link geometry.
 //
-// Only pairs that can say something reach FCL: bounding spheres first, then a separating direction
-// remembered from the last query (a lower bound, so what is remembered never changes an answer).
-// Queries on boxes, spheres and cylinders allocate nothing; meshes do.  FCL asserts on NaN: callers
-// pass finite configurations (convert has checked them).
+// Bounding spheres first, then a separating direction remembered from the last query (a lower
+// bound, so what is remembered never changes an answer), then the distance of convex shapes
+// (gjk.h), which is the hull's for a mesh.  Only meshes whose hulls are nearer than 20 mm reach
+// FCL, which is asked for their exact distance; it can be asked for everything instead, as an
+// oracle.  Queries on boxes, spheres and cylinders allocate nothing; meshes do.  FCL asserts on
+// NaN: callers pass finite configurations (convert has checked them).
 
 #pragma once
 
@@ -38,13 +40,15 @@ struct Obstacle {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
 };
 
+enum class CollisionBackend { kOwn, kFcl };
+
 class Collision {
  public:
   static constexpr int kMaxObstacles = 64;
 
   // Loads geometry; drops adjacent pairs and the SRDF's disabled ones.  Throws if a mesh cannot be
   // read.
-  explicit Collision(const Model& model);
+  explicit Collision(const Model& model, CollisionBackend backend = CollisionBackend::kOwn);
   ~Collision();
 
   const std::vector<CollisionPair>& pairs() const noexcept;  // self pairs that are checked
