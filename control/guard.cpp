@@ -26,7 +26,6 @@ constexpr int kKeepTicks = 5;     // a mask outlives its cause by this, against 
 constexpr double kLost = 0.03;
 constexpr double kNever = 1e3;  // time to contact of a pair that parts [s]
 
-
 // How far a point of `link` can move per unit of each joint: a bound over all postures [m/rad or
 // m/m].
 std::vector<double> reaches(const Model& model, const Collision& collision, int link) {
@@ -92,7 +91,7 @@ struct Guard::Impl {
 Guard::Impl::Impl(const Model& robot, const GuardConfig& wanted)
     : model(&robot),
       config(wanted),
-      collision(robot),
+      collision(robot, wanted.backend),
       track(robot, (wanted.delay_ticks + 1) * robot.period() + wanted.servo_lag),
       now_kinematics(robot),
       then_kinematics(robot),
@@ -248,7 +247,8 @@ void Guard::Impl::look_along(const std::vector<double>& rest, std::int64_t& mask
     for (int p = 0; p < pair_count; ++p) {
       const PairDistance& before = pairs[at(p)];
       const double bound = travel_of(before.link_a) + travel_of(before.link_b);
-      if (done[at(p)] || !(before.distance < config.margin + bound)) continue;
+      // So far on the way it has come nearer by no more than this share of the travel.
+      if (done[at(p)] || !(before.distance < config.margin + share * bound)) continue;
       PairDistance after;
       if (!collision.pair_nearer_than(then_kinematics, before.link_a, before.link_b, config.margin,
                                       after))

@@ -283,8 +283,9 @@ bool Collision::Impl::convex_distance(const Body& a, const Body& b, double& dist
 // are farther apart than near.
 bool Collision::Impl::own_distance(const Body& a, const Body& b, double near,
                                    PairDistance& result) noexcept {
-  const GjkResult found = gjk_distance(a.core, a.world, b.core, b.world, near + kRounding);
-  if (found.below > near + kRounding) return false;
+  const double far = std::max(near, 0.0) + kRounding;
+  const GjkResult found = gjk_distance(a.core, a.world, b.core, b.world, far);
+  if (found.distance > 0.0 && found.below > near + kRounding) return false;
   result.distance = found.distance;
   result.point_a = found.point_a;
   result.point_b = found.point_b;
@@ -318,7 +319,7 @@ bool Collision::Impl::bodies_nearer(Body& a, Body& b, Vector3d& remembered, doub
   const PlacedShape shape_b{&b.convex, &b.world};
   const Vector3d between = b.world.translation() - a.world.translation();
   const double reach = a.convex.radius() + b.convex.radius() + near;
-  if (between.squaredNorm() > reach * reach) return false;
+  if (!(reach > 0.0) || between.squaredNorm() > reach * reach) return false;
   if (separation(shape_a, shape_b, a.world.linear() * remembered) > near + kRounding) return false;
   if (separation(shape_a, shape_b, between.normalized()) > near + kRounding) return false;
 
@@ -377,7 +378,9 @@ bool Collision::Impl::nearer(const Kinematics& kinematics, const OwnerPair& pair
     placed(kinematics, a, body_a);
     for (Body& body_b : b.bodies) {
       placed(kinematics, b, body_b);
-      found = bodies_nearer(body_a, body_b, memory[memory_index++], near, result) || found;
+      // Only what is nearer than the nearest so far matters.
+      const double reach = std::min(near, result.distance);
+      found = bodies_nearer(body_a, body_b, memory[memory_index++], reach, result) || found;
     }
   }
   return found;
@@ -491,7 +494,8 @@ bool Collision::pair_nearer_than(const Kinematics& kinematics, int link_a, int l
     for (Body& body_b : i.owner(b).bodies) {
       i.placed(kinematics, i.owner(b), body_b);
       Vector3d nothing = Vector3d::Zero();
-      found = i.bodies_nearer(body_a, body_b, nothing, near, result) || found;
+      const double reach = std::min(near, result.distance);
+      found = i.bodies_nearer(body_a, body_b, nothing, reach, result) || found;
     }
   }
   return found;

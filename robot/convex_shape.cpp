@@ -53,7 +53,7 @@ double ConvexShape::extent(const Vector3d& n) const noexcept {
     case ShapeKind::kSphere:
       return half.x();
     case ShapeKind::kCylinder:
-      return half.x() * std::hypot(n.x(), n.y()) + half.y() * std::abs(n.z());
+      return half.x() * std::sqrt(n.x() * n.x() + n.y() * n.y()) + half.y() * std::abs(n.z());
     case ShapeKind::kBox:
     case ShapeKind::kMesh:
       break;
@@ -66,7 +66,7 @@ Vector3d ConvexShape::support(const Vector3d& n) const noexcept {
     case ShapeKind::kSphere:
       return half.x() * n;
     case ShapeKind::kCylinder: {
-      const double across = std::hypot(n.x(), n.y());
+      const double across = std::sqrt(n.x() * n.x() + n.y() * n.y());
       const double scale = across > kSquare ? half.x() / across : 0.0;
       return {scale * n.x(), scale * n.y(), signed_half(n.z(), half.y())};
     }
