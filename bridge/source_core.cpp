@@ -345,7 +345,12 @@ void SourceCore::end_tick(std::int64_t now_ns) noexcept {
     limp_ = adaptor_->fall_safe() == Status::kOk;  // nobody is left to place the next foot
     if (limp_) return;
   }
-  const Status status = adaptor_->write(command);
+  Status status = adaptor_->write(command);
+  if (!handover_.obeys()) {
+    sensors_.reset();
+  } else if (sensors_.look(state_, command, now_ns) && status == Status::kOk) {
+    status = Status::kDeviceError;
+  }
   if (status != Status::kOk) {
     status_.adaptor_status = static_cast<std::int8_t>(status);
     device_ok_ = false;

@@ -10,6 +10,7 @@
 
 #include "bridge/adaptor.h"
 #include "bridge/command_gate.h"
+#include "bridge/frozen_sensors.h"
 #include "bridge/handover.h"
 #include "bridge/source.h"
 #include "robot/estimator.h"
@@ -84,6 +85,7 @@ class SourceCore {
   std::int64_t last_controller_request_ = 0;
   std::int64_t good_read_ns_ = 0;
   bool device_ok_ = true;
+  FrozenSensors sensors_;
   bool stable_ = true;
   bool holder_new_ = false;  // a STATE of the holder since the last tick
   bool imposed_ = false;     // the adaptor has the holder's state

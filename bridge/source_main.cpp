@@ -283,7 +283,7 @@ class Shell {
     beat.send_failures = static_cast<std::int32_t>(send_failures_);
     beat.wake_p99_us = static_cast<float>(1e-3 * wake_.p99_ns());
     beat.state = source_.publishes_on_state() ? std::int8_t{2} : std::int8_t{1};
-    send(channel::kHeartbeat, beat);
+    if (!bus_.send_heartbeat(beat)) ++send_failures_;
   }
 
   // Robot description and obstacles once a second, spread over it so that no tick sends many.

@@ -313,7 +313,7 @@ void run(const Arguments& options) {
     bool sent = bus.send(channel::kGamepad, message);
     requests.send(bus, utime);
     if (cycle % kHeartbeatEvery == 0) {
-      sent = bus.send(channel::kHeartbeat, heartbeat(bus, id, cycle, message.connected)) && sent;
+      sent = bus.send_heartbeat(heartbeat(bus, id, cycle, message.connected)) && sent;
       if (show_line) show(teleop, message, state, fresh);
     }
     static_cast<void>(sent);  // counted by the bus

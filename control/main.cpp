@@ -216,7 +216,7 @@ class Controller {
     beat.allocations = allocations_counted() ? allocations_ : -1;
     beat.send_failures =
         static_cast<std::int32_t>(std::min<std::int64_t>(c.send_failures, INT32_MAX));
-    if (!bus_.send(channel::kHeartbeat, beat)) ++send_failures_;
+    if (!bus_.send_heartbeat(beat)) ++send_failures_;
   }
 
   using Bytes = std::span<const std::uint8_t>;

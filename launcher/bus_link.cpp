@@ -1,6 +1,7 @@
 #include "launcher/bus_link.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <stdexcept>
 
 #include "lcmtypes/bus.h"
@@ -32,7 +33,7 @@ struct Ear {
   void operator()(const SourceStatus& status) const {
     seen.on_source_status(status, monotonic_ns());
   }
-  void operator()(const Heartbeat& beat) const { seen.on_heartbeat(beat, monotonic_ns()); }
+  void operator()(const FullHeartbeat& beat) const { seen.on_heartbeat(beat, monotonic_ns()); }
   void operator()(const SimTruth& truth) const { seen.on_truth(truth, monotonic_ns()); }
   void operator()(const GuardReport& report) const { seen.on_guard(report, monotonic_ns()); }
   void operator()(const ControllerStatus& status) const {
@@ -52,7 +53,7 @@ struct BusLink::Impl {
     bus.listen_each<RobotState>(channel::kStateReplay, own_ear);
     bus.listen_each<JointCommand>(channel::kCommand, ear);
     bus.listen_each<SourceStatus>(channel::kSourceStatus, ear);
-    bus.listen_each<Heartbeat>(channel::kHeartbeat, ear);
+    bus.listen_each<FullHeartbeat>(channel::kHeartbeat, ear);
     bus.listen_each<SimTruth>(channel::kTruth, ear);
     bus.listen_each<GuardReport>(channel::kGuard, ear);
     bus.listen_each<ControllerStatus>(channel::kControllerStatus, ear);
@@ -150,6 +151,17 @@ void BusLink::send(Heartbeat& beat) {
   beat.process_id = sender_id_;
   beat.kind = ProcessKind::kLauncher;
   impl_->send(channel::kHeartbeat, beat);
+}
+
+void BusLink::alarm(const std::string& sentence) {
+  Event event;
+  event.run_id = seen_.newest_state().run_id;
+  event.tick = seen_.newest_state().tick;
+  event.severity = 2;
+  event.kind = ProcessKind::kLauncher;
+  std::snprintf(event.text.data(), event.text.size(), "%s", sentence.c_str());
+  stamp(event);
+  impl_->send(channel::kEvent, event);
 }
 
 const SeenSource* wait_for_active(BusLink& bus, double seconds) {

@@ -46,6 +46,8 @@ class BusLink {
   void send(WalkCommand& command);
   void send(ArmGoal& goal);
   void send(Heartbeat& beat);
+  // An alarm in plain text, on EVENT.
+  void alarm(const std::string& sentence);
 
  private:
   struct Impl;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "launcher/meter.h"
+#include "robot/full_heartbeat.h"
 #include "robot/requests.h"
 #include "robot/robot_io.h"
 
@@ -25,7 +26,7 @@ struct SeenSource {
 };
 
 struct SeenProcess {
-  Heartbeat beat{};
+  FullHeartbeat beat{};
   std::int64_t heard_ns = 0;
 };
 
@@ -51,7 +52,7 @@ class Lookout {
   void on_state(const RobotState& state, bool own_channel, std::int64_t now_ns);
   void on_command(const JointCommand& command, std::int64_t now_ns);
   void on_source_status(const SourceStatus& status, std::int64_t now_ns);
-  void on_heartbeat(const Heartbeat& beat, std::int64_t now_ns);
+  void on_heartbeat(const FullHeartbeat& beat, std::int64_t now_ns);
   void on_truth(const SimTruth& truth, std::int64_t now_ns);
   void on_guard(const GuardReport& report, std::int64_t now_ns);
   void on_controller_status(const ControllerStatus& status, std::int64_t now_ns);

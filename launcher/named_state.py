@@ -75,16 +75,16 @@ def run(folder, url, prefix):
     import math
     robot, *names = (folder / "robot.txt").read_text().split("\n")[:-1]
     sys.path.insert(0, str(ROOT / "test/clients"))
-    import twinbus_client
+    import twinbus
     module = {}
     exec((folder / "python/twinbus" / f"{type_name(robot)}.py").read_text(), module)
     kind = module[type_name(robot)]
-    bus = twinbus_client.Bus(url, prefix)
+    bus = twinbus.Bus(url, prefix)
     bus.listen("STATE")
     due = time.monotonic()
     print("named_state: ready", flush=True)
     while True:
-        state = twinbus_client.newest_state(bus.receive(1.0))
+        state = twinbus.newest_state(bus.receive(1.0))
         if state is not None and state.joint_count == len(names):
             message = kind()
             for field in ("tick", "time_ns", "run_id", "term", "source", "role", "stop_kind"):

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "launcher/arguments.h"
+#include "launcher/bus_health.h"
 #include "launcher/bus_link.h"
 #include "launcher/live_table.h"
 #include "robot/process.h"
@@ -19,8 +20,9 @@ constexpr double kLookFor = 1.2;  // two rate windows [s]
 Syntax status_syntax() {
   return {"status",
           "",
-          "Shows sources with role, term and rate, streams with rate and age, and the timing of "
-          "each process's loop.\n"
+          "Shows sources with role, term and rate, streams with rate and age, the timing of each "
+          "process's loop,\nand how every channel that it hears does: age, jitter, gaps, "
+          "repetitions, refusals.\n"
           "Exit status 1 if no source is heard.",
           {{"--watch", "", "again and again, until Ctrl-C"},
            {"--json", "", "for programs"},
@@ -29,6 +31,17 @@ Syntax status_syntax() {
            allow_option()},
           0,
           0};
+}
+
+nlohmann::ordered_json channels_json(const FullHeartbeat& b) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::object();
+  for (std::size_t i = 0; i < static_cast<std::size_t>(b.channels); ++i) {
+    all[heard_channel(b, i)] = {
+        {"received", b.channel_received[i]},   {"age_ms", b.channel_age_ms[i]},
+        {"jitter_us", b.channel_jitter_us[i]}, {"lost", b.channel_lost[i]},
+        {"repeated", b.channel_repeated[i]},   {"rejected", b.channel_rejected[i]}};
+  }
+  return all;
 }
 
 nlohmann::ordered_json as_json(const Lookout& seen, std::int64_t now_ns) {
@@ -57,7 +70,7 @@ nlohmann::ordered_json as_json(const Lookout& seen, std::int64_t now_ns) {
                     {"GUARD", stream(seen.guard())}};
   all["processes"] = nlohmann::ordered_json::array();
   for (const SeenProcess* process : seen.processes(now_ns)) {
-    const Heartbeat& b = process->beat;
+    const FullHeartbeat& b = process->beat;
     all["processes"].push_back({{"process", process_name(b.kind)},
                                 {"pid", b.pid},
                                 {"id", b.process_id},
@@ -71,7 +84,8 @@ nlohmann::ordered_json as_json(const Lookout& seen, std::int64_t now_ns) {
                                 {"age_us", b.age_us},
                                 {"age_p99_us", b.age_p99_us},
                                 {"allocations", b.allocations},
-                                {"realtime", realtime_name(b.realtime)}});
+                                {"realtime", realtime_name(b.realtime)},
+                                {"hears", channels_json(b)}});
   }
   all["mode"] =
       seen.controller_statuses().received() > 0 ? mode_name(seen.controller().mode) : "none";
@@ -103,6 +117,8 @@ int status_command(const std::vector<std::string>& words) {
     std::printf("%s\n", as_json(bus.seen(), now).dump(2).c_str());
   } else if (!arguments.has("--watch")) {
     for (const std::string& line : table_lines(bus.seen(), shares, now))
+      std::printf("%s\n", line.c_str());
+    for (const std::string& line : channel_lines(bus.seen().processes(now)))
       std::printf("%s\n", line.c_str());
   }
   if (!bus.seen().sources(now).empty()) return 0;

@@ -8,6 +8,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "launcher/bus_health.h"
 #include "launcher/bus_link.h"
 #include "launcher/live_table.h"
 #include "launcher/restart.h"
@@ -18,6 +19,7 @@
 #include "launcher/supervisor.h"
 #include "launcher/up_syntax.h"
 #include "launcher/verdict.h"
+#include "launcher/who_is_there.h"
 #include "robot/load.h"
 #include "robot/process.h"
 #include "sim/scene.h"
@@ -76,6 +78,7 @@ class Up {
   std::string viewer_address_;
   Redraw redraw_;
   CpuShare shares_;
+  BusHealth health_;
   MissedCounts at_start_;
   std::int64_t start_ns_ = 0;  // of the measured part
   std::int64_t shown_ns_ = 0;
@@ -168,21 +171,7 @@ void Up::say(const std::string& line) {
 
 void Up::refuse_if_someone_publishes() {
   bus_->listen(kListenFirst);
-  const std::int64_t now = monotonic_ns();
-  const Lookout& seen = bus_->seen();
-  std::string who;
-  if (const auto sources = seen.sources(now); !sources.empty()) who = describe(*sources.front());
-  for (const SeenProcess* process : seen.processes(now)) {
-    const ProcessKind kind = process->beat.kind;
-    const bool harmless = kind == ProcessKind::kViewer || kind == ProcessKind::kGamepad ||
-                          kind == ProcessKind::kLog || kind == ProcessKind::kUser ||
-                          kind == ProcessKind::kLauncher;
-    if (!harmless)
-      who =
-          std::string(process_name(kind)) + " with process id " + std::to_string(process->beat.pid);
-  }
-  if (who.empty() && seen.state().received() > 0) who = "an unknown sender on STATE";
-  if (who.empty() && seen.command().received() > 0) who = "an unknown sender on COMMAND";
+  const std::string who = who_is_in_the_way(bus_->seen(), stack_, monotonic_ns());
   if (!who.empty()) {
     throw std::runtime_error(
         "someone already publishes on " + bus_->url() + ": " + who +
@@ -351,6 +340,8 @@ bool Up::is_over(std::int64_t now_ns) {
 
 void Up::show(std::int64_t now_ns) {
   for (const std::string& event : bus_->seen().take_events()) say(event);
+  for (const std::string& alarm : health_.look(bus_->seen().processes(now_ns), now_ns))
+    bus_->alarm(alarm);  // it comes back as an event and is said then
   if (shown_ns_ != 0 && seconds(shown_ns_, now_ns) < (terminal_ ? kTableEvery : kLineEvery)) return;
   shown_ns_ = now_ns;
   if (!terminal_) {

@@ -13,6 +13,7 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "lcmtypes/channels.h"
 #include "lcmtypes/socket_filter.h"
 #include "lcmtypes/udpm_receiver.h"
 
@@ -123,6 +124,8 @@ struct Bus::Subscription {
   Handle handle;
   std::string name;                  // with the prefix
   std::unique_ptr<Pattern> pattern;  // none: the name itself
+  std::int8_t row = 0;               // in the table of channels, from 1; 0: a pattern
+  ChannelHealth health{};
 
   bool takes(const char* channel) const noexcept {
     return pattern ? pattern->matches(channel) : name == channel;
@@ -157,6 +160,11 @@ void Bus::subscribe(const char* channel, int queue, void* target, Handle handle)
   if (name.size() > kLongestChannel) throw std::runtime_error("bus: channel too long: " + name);
   auto subscription =
       std::make_unique<Subscription>(Subscription{this, target, handle, name, nullptr});
+  const std::span<const ChannelInfo> table = channel_table();
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    if (std::strcmp(table[i].channel, channel) == 0)
+      subscription->row = static_cast<std::int8_t>(i + 1);
+  }
   if (receiver_) {
     if (is_plain(name)) {
       receiver_->hear(name);
@@ -173,7 +181,7 @@ void Bus::subscribe(const char* channel, int queue, void* target, Handle handle)
 }
 
 void Bus::on_message(const lcm_recv_buf_t* buffer, const char* channel, void* user) noexcept {
-  const Subscription& subscription = *static_cast<const Subscription*>(user);
+  Subscription& subscription = *static_cast<Subscription*>(user);
   Bus& bus = *subscription.bus;
   const bool whole = buffer->data_size <= LCM_MAX_MESSAGE_SIZE;  // a wrapped size is larger
   const Incoming in{
@@ -182,7 +190,46 @@ void Bus::on_message(const lcm_recv_buf_t* buffer, const char* channel, void* us
       .wall_time_us = buffer->recv_utime,
       .now_ns = steady_ns(),
       .whole = whole};
-  subscription.handle(subscription.target, in, bus.counters_);
+  bus.give(subscription, in);
+}
+
+void Bus::give(Subscription& subscription, const Incoming& in) noexcept {
+  ChannelHealth& health = subscription.health;
+  const BusCounters before = health.counters;
+  subscription.handle(subscription.target, in, health);
+  counters_.received += health.counters.received - before.received;
+  counters_.rejected += health.counters.rejected - before.rejected;
+  counters_.lost += health.counters.lost - before.lost;
+  counters_.repeated += health.counters.repeated - before.repeated;
+  if (health.counters.received > before.received) health.arrived(in.now_ns);
+}
+
+bool Bus::send_heartbeat(const Heartbeat& beat) noexcept {
+  return send(channel::kHeartbeat, with_channels(beat));
+}
+
+FullHeartbeat Bus::with_channels(const Heartbeat& of) const noexcept {
+  FullHeartbeat beat;
+  static_cast<Heartbeat&>(beat) = of;
+  const std::int64_t now = steady_ns();
+  const auto number = [](std::int64_t x) {
+    return static_cast<std::int32_t>(std::min<std::int64_t>(x, INT32_MAX));
+  };
+  std::size_t rows = 0;
+  for (const auto& one : subscriptions_) {
+    if (one->row == 0 || rows == kHeardChannels) continue;
+    const ChannelHealth& health = one->health;
+    beat.channel[rows] = one->row;
+    beat.channel_received[rows] = number(health.counters.received);
+    beat.channel_lost[rows] = number(health.counters.lost);
+    beat.channel_repeated[rows] = number(health.counters.repeated);
+    beat.channel_rejected[rows] = number(health.counters.rejected);
+    beat.channel_age_ms[rows] = static_cast<float>(1e-6 * static_cast<double>(health.age_ns(now)));
+    beat.channel_jitter_us[rows] = static_cast<float>(1e-3 * health.jitter_ns());
+    ++rows;
+  }
+  beat.channels = static_cast<std::int8_t>(rows);
+  return beat;
 }
 
 int Bus::receive(double timeout_s) noexcept {
@@ -214,7 +261,7 @@ int Bus::take_datagrams() noexcept {
                       .whole = true};
     for (const auto& subscription : subscriptions_) {
       if (!subscription->takes(datagram.channel)) continue;
-      subscription->handle(subscription->target, in, counters_);
+      give(*subscription, in);
     }
   }
   counters_.rejected += receiver_->malformed() - malformed;

@@ -20,6 +20,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "lcmtypes/channel_health.h"
 #include "lcmtypes/inbox.h"
 #include "lcmtypes/wire.h"
 
@@ -45,15 +46,6 @@ struct BusOptions {
 bool take_bus_option(int argc, char** argv, int& i, BusOptions& options);
 // Lines for --help.
 extern const char kBusOptionsHelp[];
-
-struct BusCounters {
-  std::int64_t received = 0;  // admitted messages
-  std::int64_t rejected = 0;  // wrong size, type or numbers, or not admitted
-  std::int64_t lost = 0;      // gaps in ticks and sequences
-  std::int64_t repeated = 0;  // the same tick or sequence again
-  std::int64_t sent = 0;
-  std::int64_t send_failures = 0;  // no route, no room, or a number that is not fit to send
-};
 
 class Bus {
  public:
@@ -111,6 +103,9 @@ class Bus {
   // Readable when receive(0) has something to do: for poll() together with other descriptors.
   int fileno() const noexcept;
   const BusCounters& counters() const noexcept { return counters_; }
+  // The heartbeat with how each channel does that is listened to by its name.
+  FullHeartbeat with_channels(const Heartbeat& beat) const noexcept;
+  [[nodiscard]] bool send_heartbeat(const Heartbeat& beat) noexcept;
   // Datagrams dropped by the kernel: foreign, split, of a channel nobody here listens to, or no room.
   // 0 where there is no socket.
   std::int64_t dropped_datagrams() const noexcept;
@@ -131,10 +126,11 @@ class Bus {
     std::int64_t now_ns;  // steady clock
     bool whole;           // false: LCM gave an impossible size
   };
-  using Handle = void (*)(void* target, const Incoming&, BusCounters&) noexcept;
+  using Handle = void (*)(void* target, const Incoming&, ChannelHealth&) noexcept;
   struct Subscription;
 
   void subscribe(const char* channel, int queue, void* target, Handle handle);
+  void give(Subscription& subscription, const Incoming& in) noexcept;
   static void on_message(const _lcm_recv_buf_t* buffer, const char* channel, void* user) noexcept;
   int take_datagrams() noexcept;
 
@@ -152,7 +148,8 @@ class Bus {
   }
 
   template <class T>
-  static void on_latest(void* target, const Incoming& in, BusCounters& counters) noexcept {
+  static void on_latest(void* target, const Incoming& in, ChannelHealth& health) noexcept {
+    BusCounters& counters = health.counters;
     auto& latest = *static_cast<Latest<T>*>(target);
     T value;
     if (!decode_or_count(in, value, counters)) {
@@ -164,7 +161,8 @@ class Bus {
     tally(verdict, latest.lost - lost, counters);
   }
   template <class T, int N>
-  static void on_slots(void* target, const Incoming& in, BusCounters& counters) noexcept {
+  static void on_slots(void* target, const Incoming& in, ChannelHealth& health) noexcept {
+    BusCounters& counters = health.counters;
     auto& slots = *static_cast<Slots<T, N>*>(target);
     T value;
     if (!decode_or_count(in, value, counters)) {
@@ -174,10 +172,12 @@ class Bus {
     tally(slots.offer(value, in.now_ns), 0, counters);
   }
   template <class T, class Handler>
-  static void on_each(void* target, const Incoming& in, BusCounters& counters) noexcept {
+  static void on_each(void* target, const Incoming& in, ChannelHealth& health) noexcept {
+    BusCounters& counters = health.counters;
     T value;
     if (!decode_or_count(in, value, counters)) return;
     ++counters.received;
+    if constexpr (Wire<T>::kCounted) health.follow(Wire<T>::sender(value), Wire<T>::count(value));
     if constexpr (kWantsBytes<T, Handler>) {
       (*static_cast<Handler*>(target))(value, in.bytes);
     } else {
@@ -185,7 +185,8 @@ class Bus {
     }
   }
   template <class Handler>
-  static void on_raw(void* target, const Incoming& in, BusCounters& counters) noexcept {
+  static void on_raw(void* target, const Incoming& in, ChannelHealth& health) noexcept {
+    BusCounters& counters = health.counters;
     if (!in.whole) {
       ++counters.rejected;
       return;

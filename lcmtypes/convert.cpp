@@ -306,6 +306,28 @@ void fields(C& c, M& m, S& s) noexcept {
   c(m.kind, s.kind);
   c.within(m.realtime, s.realtime, 0, 2);
   c.within(m.state, s.state, 0, 3);
+  c.leave_out(m.channels);
+  c.leave_out(m.channel);
+  c.leave_out(m.channel_received);
+  c.leave_out(m.channel_lost);
+  c.leave_out(m.channel_repeated);
+  c.leave_out(m.channel_rejected);
+  c.leave_out(m.channel_age_ms);
+  c.leave_out(m.channel_jitter_us);
+}
+
+template <class C, class M, Is<FullHeartbeat> S>
+void fields(C& c, M& m, S& s) noexcept {
+  using Base = std::conditional_t<std::is_const_v<S>, const Heartbeat, Heartbeat>;
+  fields(c, m, static_cast<Base&>(s));
+  c.count(m.channels, s.channels, static_cast<int>(kHeardChannels));
+  c(m.channel, s.channel);
+  c(m.channel_received, s.channel_received);
+  c(m.channel_lost, s.channel_lost);
+  c(m.channel_repeated, s.channel_repeated);
+  c(m.channel_rejected, s.channel_rejected);
+  c(m.channel_age_ms, s.channel_age_ms);
+  c(m.channel_jitter_us, s.channel_jitter_us);
 }
 
 template <class C, class M, Is<Gap> S>
@@ -416,6 +438,7 @@ TWINBUS_CONVERT(GuardReport)
 TWINBUS_CONVERT(ControllerStatus)
 TWINBUS_CONVERT(SimTruth)
 TWINBUS_CONVERT(Heartbeat)
+TWINBUS_CONVERT(FullHeartbeat)
 TWINBUS_CONVERT(Gap)
 TWINBUS_CONVERT(ObstaclesPiece)
 TWINBUS_CONVERT(ModelTextPiece)

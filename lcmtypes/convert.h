@@ -7,6 +7,7 @@
 
 #pragma once
 
+#include "robot/full_heartbeat.h"
 #include "robot/journal.h"
 #include "robot/requests.h"
 #include "robot/robot_io.h"
@@ -91,6 +92,10 @@ struct MessageOf<ControllerStatus> {
 template <>
 struct MessageOf<SimTruth> {
   using type = sim_truth_t;
+};
+template <>
+struct MessageOf<FullHeartbeat> {
+  using type = heartbeat_t;
 };
 template <>
 struct MessageOf<Heartbeat> {

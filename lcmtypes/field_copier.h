@@ -87,6 +87,16 @@ class Copier {
   void counter(M& m, S& s) noexcept {
     within(m, s, std::int32_t{0}, kCounts);
   }
+  // What a struct does not have: zero in its message, and judged like the rest.
+  template <class M>
+  void leave_out(M& m) noexcept {
+    if constexpr (std::is_array_v<M>) {
+      for (auto& x : m) leave_out(x);
+    } else {
+      std::remove_const_t<M> nothing = 0;
+      (*this)(m, nothing);
+    }
+  }
   // How many entries of an array are in use.
   template <class M, class S>
   void count(M& m, S& s, int most) noexcept {

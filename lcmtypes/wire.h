@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <span>
 
+#include "robot/full_heartbeat.h"
 #include "robot/journal.h"
 #include "robot/requests.h"
 #include "robot/robot_io.h"
@@ -109,9 +110,11 @@ struct Wire<SimTruth> : WireBase<487, true> {
   static std::int64_t count(const SimTruth& x) noexcept { return x.tick; }
 };
 template <>
-struct Wire<Heartbeat> : WireBase<127, false> {
+struct Wire<Heartbeat> : WireBase<428, false> {
   static std::int64_t sender(const Heartbeat& x) noexcept { return x.process_id; }
 };
+template <>
+struct Wire<FullHeartbeat> : Wire<Heartbeat> {};
 template <>
 struct Wire<Gap> : WireBase<458, false> {
   static std::int64_t sender(const Gap& x) noexcept { return x.other_run_id; }

@@ -170,7 +170,7 @@ class PlannerProcess {
     beat.allocations = allocations_counted() ? allocations_ : -1;
     beat.send_failures =
         static_cast<std::int32_t>(std::min<std::int64_t>(send_failures_, INT32_MAX));
-    if (!bus_.send(channel::kHeartbeat, beat)) ++send_failures_;
+    if (!bus_.send_heartbeat(beat)) ++send_failures_;
   }
 
   struct OnState {

@@ -21,6 +21,7 @@
 #include "lcmtypes/bus.h"
 #include "lcmtypes/channels.h"
 #include "robot/load.h"
+#include "robot/memory_order.h"
 #include "robot/options.h"
 #include "robot/process.h"
 #include "robot/state_admission.h"
@@ -340,7 +341,7 @@ class Viewer {
     beat.ticks = frame;
     beat.rate = 60.0f;
     beat.tick_median_us = static_cast<float>(busy_us_);
-    if (!bus_.send(channel::kHeartbeat, beat)) return;  // the bus counts it
+    if (!bus_.send_heartbeat(beat)) return;  // the bus counts it
   }
 
   const Arguments arguments_;
@@ -402,6 +403,7 @@ class Viewer {
 int main(int argc, char** argv) try {
   const Arguments arguments = parse(argc, argv);
   catch_quit_signals();
+  end_first_without_memory();
   setpriority(PRIO_PROCESS, 0, 10);
   Viewer viewer(arguments);
   viewer.run();

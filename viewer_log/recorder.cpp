@@ -3,6 +3,7 @@
 #include <sys/statvfs.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstring>
@@ -119,8 +120,11 @@ bool Recorder::room() const {
   struct statvfs disk {};
   const std::string folder = std::filesystem::path(config_.file).parent_path().string();
   if (statvfs(folder.empty() ? "." : folder.c_str(), &disk) != 0) return true;
-  return static_cast<std::int64_t>(disk.f_bavail) * static_cast<std::int64_t>(disk.f_frsize) >
-         config_.keep_free;
+  const auto block = static_cast<std::int64_t>(disk.f_frsize);
+  // Of a small disk a tenth, or nothing could ever be written there.
+  const std::int64_t keep =
+      std::min(config_.keep_free, static_cast<std::int64_t>(disk.f_blocks) * block / 10);
+  return static_cast<std::int64_t>(disk.f_bavail) * block > keep;
 }
 
 void Recorder::write_out(std::vector<std::uint8_t>& events) {

@@ -25,7 +25,7 @@ struct RecorderConfig {
   std::int64_t split_bytes = 0;  // a new part after so much; 0: never
   double split_seconds = 0.0;    // a new part after so long; 0: never
   std::int64_t quota_bytes = 0;  // of all parts: then the oldest is removed; 0: no quota
-  std::int64_t keep_free = 64 << 20;  // left on the disk for others [bytes]
+  std::int64_t keep_free = 64 << 20;  // left on the disk for others [bytes], at most a tenth of it
 };
 
 struct RecorderFigures {

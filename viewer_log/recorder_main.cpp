@@ -13,6 +13,7 @@
 
 #include "lcmtypes/bus.h"
 #include "lcmtypes/channels.h"
+#include "robot/memory_order.h"
 #include "robot/options.h"
 #include "robot/process.h"
 #include "robot/pulse.h"
@@ -115,9 +116,6 @@ void add_pieces(std::string_view text, std::int8_t kind,
   }
 }
 
-// When memory runs out, this process ends before those that move a robot.
-void die_before_others() { std::ofstream("/proc/self/oom_score_adj") << 500; }
-
 class RecorderProcess {
  public:
   RecorderProcess(const Arguments& a, const RecorderConfig& config)
@@ -188,7 +186,7 @@ class RecorderProcess {
     beat.messages_rejected = bus_.counters().rejected;
     beat.messages_lost = lost();
     beat.send_failures = send_failures_;
-    if (!bus_.send(channel::kHeartbeat, beat)) ++send_failures_;
+    if (!bus_.send_heartbeat(beat)) ++send_failures_;
     const std::string news = recorder_.take_news();
     if (!news.empty()) tell(news);
   }
@@ -240,7 +238,7 @@ class RecorderProcess {
 int run(int argc, char** argv) {
   const Arguments a = parse(argc, argv);
   catch_quit_signals();
-  die_before_others();
+  end_first_without_memory();
   go_ahead_of_ordinary_programs();
   const RecorderConfig config = config_of(a);
   RecorderProcess process(a, config);

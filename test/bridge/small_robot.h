@@ -41,7 +41,7 @@ class PointRobot : public RobotAdaptor {
   Status read(RobotState& state, double) override {
     if (read_status != Status::kOk) return read_status;
     state.q[0] = q;
-    state.sensor_flags = kEncodersValid;
+    state.sensor_flags = kEncodersValid | (has_imu ? kImuValid : 0);
     return Status::kOk;
   }
   Status write(const JointCommand& command) override {
@@ -59,6 +59,7 @@ class PointRobot : public RobotAdaptor {
   bool is_hardware() const override { return !simulator_; }
 
   double q = 0.0;
+  bool has_imu = false;
   Status read_status = Status::kOk, write_status = Status::kOk;
   JointCommand written;
   int writes = 0;

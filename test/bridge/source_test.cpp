@@ -34,6 +34,7 @@ class Loop : public ::testing::Test {
     c.model_hash = model.hash;
     c.controller_id = 7;
     c.joint_count = 2;
+    c.q[0] = asked_q;
     c.kp.fill(1000.0F);
     source.on_command(c, now + after);
     fed = now + after;
@@ -60,6 +61,7 @@ class Loop : public ::testing::Test {
   PointRobot robot;
   Source source;
   std::int64_t now = 10'000 * kMs, fed = 0;
+  double asked_q = 0.0;
 };
 
 TEST_F(Loop, StopsBetween40And46MillisecondsAfterTheLastAcceptedCommand) {
@@ -171,6 +173,27 @@ TEST_F(Loop, ADeviceThatRefusesACommandStops) {
   end();
   begin();
   end();
+  EXPECT_EQ(source.state().role, Role::kStopped);
+  EXPECT_EQ(source.status().stop_reason, StopReason::kDevice);
+}
+
+// A driver that repeats its last reading; what a robot at rest shows is no fault as long as nobody moves it.
+TEST_F(Loop, FrozenSensorsUnderAMovingCommandStop) {
+  robot.has_imu = true;
+  activate();
+  const auto step = [&] {
+    begin();
+    answer(0);
+    end();
+  };
+  for (int i = 0; i < 500; ++i) step();
+  EXPECT_EQ(source.status().stop_kind, StopKind::kNone);
+  int ticks = 0;
+  for (; ticks < 500 && source.state().role == Role::kActive; ++ticks) {
+    asked_q = 0.001 * ticks;
+    step();
+  }
+  EXPECT_LE(ticks, 100);
   EXPECT_EQ(source.state().role, Role::kStopped);
   EXPECT_EQ(source.status().stop_reason, StopReason::kDevice);
 }

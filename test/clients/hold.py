@@ -7,14 +7,14 @@ one takes the place of the other.
 import argparse
 import time
 
-import twinbus_client
+import twinbus
 
 # Gains of hrp1s: first joint, last joint, kp [N m/rad], kd [N m s/rad].  For another robot: --gains.
 HRP1S = '0-5:15000:300,6-12:3000:60,13-18:15000:300,19-25:3000:60,26-28:15000:300'
 
 
 def parse_gains(text):
-    kp, kd = [0.0] * twinbus_client.JOINTS, [0.0] * twinbus_client.JOINTS
+    kp, kd = [0.0] * twinbus.JOINTS, [0.0] * twinbus.JOINTS
     for entry in text.split(','):
         joints, stiffness, damping = entry.split(':')
         first, _, last = joints.partition('-')
@@ -33,21 +33,21 @@ def main():
     arguments = parser.parse_args()
     kp, kd = arguments.gains
 
-    bus = twinbus_client.Bus(arguments.url, arguments.prefix)
+    bus = twinbus.Bus(arguments.url, arguments.prefix)
     bus.listen('STATE')
-    me = twinbus_client.new_id()
+    me = twinbus.new_id()
     posture = torque = None
     answered = 0
     end = time.monotonic() + arguments.duration
     print('hold.py: ready', flush=True)
     while time.monotonic() < end:
-        state = twinbus_client.newest_state(bus.receive(0.1))
+        state = twinbus.newest_state(bus.receive(0.1))
         if state is None:
             continue
         if posture is None:
             posture, torque = state.q, state.tau
             print(f'hold.py: holding {state.joint_count} joints', flush=True)
-        bus.send('COMMAND', twinbus_client.command_for(state, me, posture, tau=torque, kp=kp, kd=kd))
+        bus.send('COMMAND', twinbus.command_for(state, me, posture, tau=torque, kp=kp, kd=kd))
         answered += 1
     print(f'hold.py: {answered} states answered')
 

@@ -11,7 +11,7 @@ import sys
 import tempfile
 import time
 
-import twinbus_client
+import twinbus
 
 PERIOD = 0.02  # [s]
 
@@ -33,12 +33,12 @@ def main():
     parser.add_argument('--prefix', default='', help='before every channel name')
     arguments = parser.parse_args()
     power_t = own_type()
-    bus = twinbus_client.Bus(arguments.url, arguments.prefix)
+    bus = twinbus.Bus(arguments.url, arguments.prefix)
     bus.listen('STATE')
     print('log_power.py: ready', flush=True)
     end = time.monotonic() + arguments.duration
     while time.monotonic() < end:
-        state = twinbus_client.newest_state(bus.receive(0.1))
+        state = twinbus.newest_state(bus.receive(0.1))
         if state is None:
             continue
         powers = [state.tau[k] * state.qd[k] for k in range(state.joint_count)]

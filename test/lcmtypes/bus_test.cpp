@@ -54,6 +54,33 @@ TEST(Bus, EveryStopOfABatchIsHandledInOrder) {
   EXPECT_EQ(kinds, (std::vector{StopKind::kHold, StopKind::kNone, StopKind::kOff}));
 }
 
+// Whether a handler judges for itself or a Latest does, the heartbeat tells the same.
+TEST(Bus, TheHeartbeatTellsHowEachChannelDoes) {
+  Bus bus(memory());
+  Latest<RobotState> latest;
+  bus.listen(channel::kState, latest);
+  const auto handler = [](const RobotState&) {};
+  bus.listen_each<RobotState>(channel::kStateSim, handler);
+  const std::array<std::uint8_t, 5> rubbish{};
+  for (const char* name : {channel::kState, channel::kStateSim}) {
+    for (std::int64_t tick : {1, 2, 2, 6}) ASSERT_TRUE(bus.send(name, state_at(tick)));
+    ASSERT_TRUE(bus.send_raw(name, rubbish));
+  }
+  bus.receive(0);
+  const FullHeartbeat beat = bus.with_channels(Heartbeat{});
+  ASSERT_EQ(beat.channels, 2);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_STREQ(channel_table()[static_cast<std::size_t>(beat.channel[i] - 1)].channel,
+                 i == 0 ? "STATE" : "STATE_SIM");
+    EXPECT_EQ(beat.channel_lost[i], 3);
+    EXPECT_EQ(beat.channel_repeated[i], 1);
+    EXPECT_EQ(beat.channel_rejected[i], 1);
+    EXPECT_GE(beat.channel_age_ms[i], 0.0F);
+  }
+  EXPECT_EQ(bus.counters().lost, 6);
+  EXPECT_EQ(bus.counters().rejected, 2);
+}
+
 TEST(Bus, ChannelsWithSeveralSendersKeepOneSlotEach) {
   Bus bus(memory());
   Slots<Heartbeat> slots;

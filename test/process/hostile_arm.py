@@ -14,7 +14,7 @@ if "TWINBUS_BIN" in os.environ:
     os.environ.setdefault("TWINBUS_PYTHON", str(pathlib.Path(os.environ["TWINBUS_BIN"]).parent / "lib/python"))
 sys.path.insert(0, str(ROOT / "test/clients"))
 import hold  # noqa: E402
-import twinbus_client  # noqa: E402
+import twinbus  # noqa: E402
 
 ROLL, YAW, ELBOW = 20, 21, 22  # of the left arm, bus order
 INTO = {ROLL: -0.26, YAW: -1.5, ELBOW: -1.8}
@@ -24,20 +24,20 @@ SPEED = 0.8  # [rad/s]
 def main():
     what = sys.argv[1]
     kp, kd = hold.parse_gains(hold.HRP1S)
-    bus = twinbus_client.Bus()
+    bus = twinbus.Bus()
     bus.listen("STATE")
-    me = twinbus_client.new_id()
+    me = twinbus.new_id()
     posture = torque = first = None
     print("hostile_arm.py: ready", flush=True)
     while True:
-        state = twinbus_client.newest_state(bus.receive(0.1))
+        state = twinbus.newest_state(bus.receive(0.1))
         if state is None:
             continue
         if posture is None:
             home, torque, first = list(state.q), state.tau, state.tick
             posture = list(home)
         t = (state.tick - first) * 1e-9 * state.period_ns - 1.0
-        qd = [0.0] * twinbus_client.JOINTS
+        qd = [0.0] * twinbus.JOINTS
         if t > 0 and what == "into":
             for joint, end in INTO.items():
                 way = min(SPEED * t, abs(end - home[joint]))
@@ -46,7 +46,7 @@ def main():
         elif t > 0:
             posture[ELBOW] = home[ELBOW] - 0.3 * (1 - math.cos(3 * t))
             qd[ELBOW] = -0.9 * math.sin(3 * t)
-        bus.send("COMMAND", twinbus_client.command_for(state, me, posture, qd=qd, tau=torque, kp=kp, kd=kd))
+        bus.send("COMMAND", twinbus.command_for(state, me, posture, qd=qd, tau=torque, kp=kp, kd=kd))
 
 
 if __name__ == "__main__":

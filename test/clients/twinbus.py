@@ -1,14 +1,18 @@
-"""The bus for a Python program, with nothing but the standard library.
+"""Everything that a Python program needs on the bus, with nothing but the standard library: the bus, the message types, and
+a command that is padded and follows the source whatever term it is in.
 
-    bus = Bus()                                    # $LCM_DEFAULT_URL, or this project's own port
+    import twinbus
+    bus = twinbus.Bus()                            # $LCM_DEFAULT_URL, or this project's own port
     bus.listen('STATE')
-    for channel, body in bus.receive(0.1): ...
-    bus.send('COMMAND', message)
+    state = twinbus.newest_state(bus.receive(0.1))
+    bus.send('COMMAND', twinbus.command_for(state, me, state.q, kp=[1000.0] * state.joint_count))
 
 Speaks LCM's multicast format for messages of one datagram, which all of ours are.  The message types come from the
-build (build/*/lib/python, or $TWINBUS_PYTHON), written by lcm-gen; they need no other module.
+build (build/*/lib/python, or $TWINBUS_PYTHON), written by lcm-gen, and are those of the package `twinbus` in it:
+twinbus.robot_state_t and so on.
 """
 import glob
+import importlib
 import os
 import random
 import re
@@ -18,21 +22,26 @@ import struct
 import sys
 
 JOINTS = 48  # arrays of a command always have this length
+__path__ = []  # of the types: this module is their package too
 
 
-def _find_types():
+def _load_types():
     root = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
     folders = [os.environ.get('TWINBUS_PYTHON', ''), os.path.join(root, 'build/release/lib/python')]
     for folder in folders + sorted(glob.glob(os.path.join(root, 'build/*/lib/python'))):
-        if os.path.isfile(os.path.join(folder, 'twinbus', 'robot_state_t.py')):
-            sys.path.insert(0, folder)
-            return
-    sys.exit('twinbus_client: no message types; build first (./twinbus up), or set TWINBUS_PYTHON to the folder '
+        package = os.path.join(folder, 'twinbus')
+        if not os.path.isfile(os.path.join(package, 'robot_state_t.py')):
+            continue
+        __path__.append(package)
+        for file in sorted(glob.glob(os.path.join(package, '*_t.py'))):
+            name = os.path.basename(file)[:-3]
+            globals()[name] = getattr(importlib.import_module(f'{__name__}.{name}'), name)
+        return
+    sys.exit('twinbus.py: no message types; build first (./twinbus up), or set TWINBUS_PYTHON to the folder '
              'that holds twinbus/robot_state_t.py')
 
 
-_find_types()
-import twinbus  # noqa: E402
+_load_types()
 
 
 class Bus:
@@ -90,7 +99,7 @@ def newest_state(messages):
     for channel, body in reversed(messages):
         if channel == 'STATE':
             try:
-                return twinbus.robot_state_t.decode(body)
+                return robot_state_t.decode(body)  # noqa: F821  (loaded above)
             except (ValueError, struct.error):
                 continue
     return None
@@ -102,7 +111,7 @@ def padded(values):
 
 def command_for(state, controller_id, q, qd=(), tau=(), kp=(), kd=()):
     """The command that answers this state: says which tick, run, term and robot it is for."""
-    command = twinbus.joint_command_t()
+    command = joint_command_t()  # noqa: F821  (loaded above)
     command.tick, command.run_id, command.term = state.tick, state.run_id, state.term
     command.model_hash, command.joint_count = state.model_hash, state.joint_count
     command.controller_id = controller_id

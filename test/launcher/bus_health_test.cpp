@@ -1,0 +1,94 @@
+#include "launcher/bus_health.h"
+
+#include <gtest/gtest.h>
+
+namespace twinbus {
+namespace {
+
+constexpr std::int64_t kStep = 100'000'000;  // [ns]
+
+// A controller that hears STATE, the first channel of the table.
+class Heard {
+ public:
+  Heard() {
+    process_.beat.process_id = 7;
+    process_.beat.pid = 70;
+    process_.beat.kind = ProcessKind::kController;
+    process_.beat.channels = 1;
+    process_.beat.channel[0] = 1;
+  }
+  // So many more messages in a second, of which so many are missing or refused, and the age of the newest at its end.
+  std::vector<std::string> second(int received, int lost, int rejected, float age_ms) {
+    std::vector<std::string> all;
+    for (int i = 0; i < 10; ++i) {
+      now_ += kStep;
+      process_.beat.channel_received[0] += received / 10;
+      process_.beat.channel_lost[0] += lost / 10;
+      process_.beat.channel_rejected[0] += rejected / 10;
+      process_.beat.channel_age_ms[0] = age_ms;
+      for (std::string& alarm : health_.look({&process_}, now_)) all.push_back(std::move(alarm));
+    }
+    return all;
+  }
+  const SeenProcess& process() const { return process_; }
+
+ private:
+  SeenProcess process_;
+  BusHealth health_;
+  std::int64_t now_ = 1'000'000'000;
+};
+
+TEST(BusHealth, AHealthyChannelRaisesNoAlarm) {
+  Heard heard;
+  for (int i = 0; i < 20; ++i) EXPECT_TRUE(heard.second(500, 0, 0, 1.0F).empty());
+}
+
+TEST(BusHealth, MissingAndRefusedMessagesAreSaidOnceInAWhile) {
+  Heard heard;
+  heard.second(500, 0, 0, 1.0F);
+  heard.second(500, 0, 0, 1.0F);
+  int alarms = 0;
+  for (int i = 0; i < 8; ++i) {
+    for (const std::string& alarm : heard.second(400, 100, 0, 1.0F)) {
+      EXPECT_NE(alarm.find("controller (pid 70): "), std::string::npos) << alarm;
+      EXPECT_NE(alarm.find("on STATE are missing"), std::string::npos) << alarm;
+      ++alarms;
+    }
+  }
+  EXPECT_EQ(alarms, 1);
+}
+
+TEST(BusHealth, ABusyChannelThatFallsSilentIsSaid) {
+  Heard heard;
+  heard.second(500, 0, 0, 1.0F);
+  heard.second(500, 0, 0, 1.0F);
+  const std::vector<std::string> alarms = heard.second(0, 0, 0, 900.0F);
+  ASSERT_EQ(alarms.size(), 1u);
+  EXPECT_NE(alarms[0].find("hears nothing on STATE any more"), std::string::npos);
+  EXPECT_TRUE(heard.second(0, 0, 0, 1900.0F).empty());
+}
+
+TEST(BusHealth, AQuietChannelMayBeSilent) {
+  Heard heard;
+  for (int i = 0; i < 5; ++i) EXPECT_TRUE(heard.second(10, 0, 0, 900.0F).empty());
+}
+
+TEST(BusHealth, ARowThatIsNotKnownIsAQuestionMark) {
+  FullHeartbeat beat;
+  beat.channel[0] = 127;
+  beat.channel[1] = -3;
+  EXPECT_STREQ(heard_channel(beat, 0), "?");
+  EXPECT_STREQ(heard_channel(beat, 1), "?");
+}
+
+TEST(BusHealth, TheTableNamesProcessAndChannel) {
+  Heard heard;
+  heard.second(500, 20, 0, 1.0F);
+  const std::vector<std::string> lines = channel_lines({&heard.process()});
+  ASSERT_EQ(lines.size(), 2u);
+  EXPECT_NE(lines[1].find("controller"), std::string::npos);
+  EXPECT_NE(lines[1].find("STATE"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace twinbus
