@@ -10,7 +10,7 @@ namespace twinbus {
 inline void end_first_without_memory() noexcept {
   const int file = ::open("/proc/self/oom_score_adj", O_WRONLY | O_CLOEXEC);
   if (file < 0) return;
-  [[maybe_unused]] const ssize_t written = ::write(file, "500", 3);
+  [[maybe_unused]] const ssize_t written = ::write(file, "1000", 4);
   ::close(file);
 }
 

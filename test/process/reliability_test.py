@@ -174,11 +174,12 @@ def velocity_limit():
 
 def p7(checks):
     """A process that was stopped for a while: no backlog is replayed, a stop stays."""
-    for program in ("twinbus_controller", "twinbus_simulator", "twinbus_guard", "twinbus_planner"):
+    programs = ("twinbus_controller", "twinbus_simulator", "twinbus_guard", "twinbus_planner")
+    for program in programs if FULL else programs[:2]:
         with Stack("sway", "--no-viewer", "--no-record") as stack:
             bus = Bus()
             time.sleep(1.0)
-            for ms in (10, 50, 200, 1000):
+            for ms in (10, 50, 200, 1000) if FULL else (10, 200):
                 sway(bus)
                 before = bus.newest("SOURCE_STATUS")[1]
                 pid = stack.pid(program)
@@ -412,9 +413,10 @@ def t3(checks):
                 pid = stack.pid("twinbus_controller")
                 (folder / "cpu.cfs_period_us").write_text("100000")
                 (folder / "cpu.cfs_quota_us").write_text(str(int(100000 * share)))
-                (folder / "cgroup.procs").write_text(str(pid))
+                # The thread of the loop; others, that only watch, may have a priority that such a group refuses.
+                (folder / "tasks").write_text(str(pid))
                 time.sleep(3.0)
-                pathlib.Path("/sys/fs/cgroup/cpu/cgroup.procs").write_text(str(pid))
+                pathlib.Path("/sys/fs/cgroup/cpu/tasks").write_text(str(pid))
                 ticks = [c.tick for _, c in bus.messages("COMMAND")]
                 what = f"T3 {share:.0%} of a processor"
                 checks.that(ticks == sorted(set(ticks)), f"{what}: at most one command a tick, in order")
@@ -429,7 +431,6 @@ def t3(checks):
 
 HOG = """
 import os, sys, time
-open('/proc/self/oom_score_adj', 'w').write('-999')
 open(sys.argv[1] + '/cgroup.procs', 'w').write(str(os.getpid()))
 kept = []
 while True:
