@@ -379,8 +379,17 @@ def d8(checks):
         checks.that(len(times) > 1000 and times == sorted(times), f"D8: times in a log do not go back ({len(times)} states)")
 
 
+def own_group(kind):
+    """The control group that this test is in."""
+    for line in pathlib.Path("/proc/self/cgroup").read_text().splitlines():
+        _, kinds, path = line.split(":", 2)
+        if kind in kinds.split(","):
+            return pathlib.Path("/sys/fs/cgroup") / kind / path.lstrip("/")
+    return pathlib.Path("/sys/fs/cgroup") / kind
+
+
 @contextlib.contextmanager
-def cgroup(kind, checks):
+def cgroup(kind):
     """A control group of one's own; None where that is not allowed."""
     folder = pathlib.Path("/sys/fs/cgroup") / kind / f"twinbus_test_{os.getpid()}"
     try:
@@ -402,7 +411,7 @@ def cgroup(kind, checks):
 
 def t3(checks):
     """Half and a fifth of a processor for the controller, without FIFO: it slows down, then the source stops; no burst."""
-    with cgroup("cpu", checks) as folder:
+    with cgroup("cpu") as folder:
         if folder is None:
             return
         with Stack("sway", "--no-viewer", "--no-record", "--no-fifo") as stack:
@@ -416,7 +425,7 @@ def t3(checks):
                 # The thread of the loop; others, that only watch, may have a priority that such a group refuses.
                 (folder / "tasks").write_text(str(pid))
                 time.sleep(3.0)
-                pathlib.Path("/sys/fs/cgroup/cpu/tasks").write_text(str(pid))
+                (own_group("cpu") / "tasks").write_text(str(pid))
                 ticks = [c.tick for _, c in bus.messages("COMMAND")]
                 what = f"T3 {share:.0%} of a processor"
                 checks.that(ticks == sorted(set(ticks)), f"{what}: at most one command a tick, in order")
@@ -445,18 +454,19 @@ def t5(checks):
         file = pathlib.Path(name) / "no_restart.yaml"
         file.write_text((harness.ROOT / "config/stacks/both.yaml").read_text().replace("    restart: true\n", ""))
         for number in range(10 if FULL else 1):
-            with cgroup("memory", checks) as folder:
+            with cgroup("memory") as folder:
                 if folder is None:
                     return
                 with open(folder / "memory.limit_in_bytes", "w") as limit:
                     limit.write(str(600 << 20))
                 os.environ["TWINBUS_RECORD"] = "1"
+                before = own_group("memory")
                 (folder / "cgroup.procs").write_text(str(os.getpid()))  # children inherit it
                 stack = Stack("stand", "--stack", file)
                 try:
                     stack.__enter__()
                 finally:
-                    pathlib.Path("/sys/fs/cgroup/memory/cgroup.procs").write_text(str(os.getpid()))
+                    (before / "cgroup.procs").write_text(str(os.getpid()))
                 try:
                     watchers = {p: stack.pid(p) for p in ("twinbus_viewer", "twinbus_recorder")}
                     others = {p: stack.pid(p) for p in ("twinbus_bridge", "twinbus_controller", "twinbus_simulator", "twinbus_guard")}
