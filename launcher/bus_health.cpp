@@ -1,6 +1,7 @@
 #include "launcher/bus_health.h"
 
 #include <cstdio>
+#include <cstring>
 
 #include "lcmtypes/wire.h"
 
@@ -14,6 +15,12 @@ constexpr std::int64_t kQuiet =
 constexpr std::int32_t kMany = 25;  // lost or refused in that time
 constexpr std::int32_t kBusy = 50;  // received in that time: it goes on, or something is wrong
 constexpr float kSilence_ms = 250.0F;
+
+// The loop's own: a source that becomes active leaves its standby channel, and an operator may go home.
+bool never_ends(const char* channel) {
+  return std::strcmp(channel, "STATE") == 0 || std::strcmp(channel, "COMMAND") == 0 ||
+         std::strcmp(channel, "GUARD") == 0;
+}
 
 std::string sentence(const FullHeartbeat& beat, std::size_t row, std::int32_t count,
                      const char* what) {
@@ -40,7 +47,8 @@ std::vector<std::string> BusHealth::look(const std::vector<const SeenProcess*>& 
       Row& row = rows_[{beat.process_id, beat.channel[i]}];
       const bool may_tell = row.told_ns == 0 || now_ns - row.told_ns > kQuiet;
       const std::size_t before = alarms.size();
-      const bool silent = row.busy && beat.channel_age_ms[i] > kSilence_ms;
+      const bool silent =
+          row.busy && beat.channel_age_ms[i] > kSilence_ms && never_ends(heard_channel(beat, i));
       if (silent && !row.silent && may_tell) {
         char text[160];
         std::snprintf(text, sizeof text, "%s (pid %d) hears nothing on %s any more",

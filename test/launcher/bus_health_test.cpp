@@ -10,12 +10,12 @@ constexpr std::int64_t kStep = 100'000'000;  // [ns]
 // A controller that hears STATE, the first channel of the table.
 class Heard {
  public:
-  Heard() {
+  explicit Heard(int channel = 1) {
     process_.beat.process_id = 7;
     process_.beat.pid = 70;
     process_.beat.kind = ProcessKind::kController;
     process_.beat.channels = 1;
-    process_.beat.channel[0] = 1;
+    process_.beat.channel[0] = static_cast<std::int8_t>(channel);
   }
   // So many more messages in a second, of which so many are missing or refused, and the age of the newest at its end.
   std::vector<std::string> second(int received, int lost, int rejected, float age_ms) {
@@ -66,6 +66,14 @@ TEST(BusHealth, ABusyChannelThatFallsSilentIsSaid) {
   ASSERT_EQ(alarms.size(), 1u);
   EXPECT_NE(alarms[0].find("hears nothing on STATE any more"), std::string::npos);
   EXPECT_TRUE(heard.second(0, 0, 0, 1900.0F).empty());
+}
+
+// A source that takes over leaves STATE_SIM, the second row of the table, for STATE.
+TEST(BusHealth, AStandbyThatBecomesActiveIsNoAlarm) {
+  Heard heard(2);
+  heard.second(500, 0, 0, 1.0F);
+  heard.second(500, 0, 0, 1.0F);
+  EXPECT_TRUE(heard.second(0, 0, 0, 900.0F).empty());
 }
 
 TEST(BusHealth, AQuietChannelMayBeSilent) {
