@@ -15,13 +15,16 @@ void SwingFoot::start(const Foothold& from) noexcept {
   velocity_.setZero();
   acceleration_.setZero();
   from_height_ = aim_ = from.height;
-  progress_ = 0.0;
+  progress_ = search_ = 0.0;
 }
 
 void SwingFoot::advance(const Foothold& target, double left, double lift, double dt) noexcept {
   aim_ = target.height;
   if (progress_ >= 1.0 || !(left > dt)) {
-    if (progress_ >= 1.0) place_.height -= gains_.search * dt;
+    if (progress_ >= 1.0) {
+      search_ = std::min(gains_.search, search_ + gains_.rush * dt);
+      place_.height -= search_ * dt;
+    }
     progress_ = 1.0;
     velocity_.setZero();
     acceleration_.setZero();

@@ -13,6 +13,7 @@ struct SwingGains {
   double early = 0.04;    // the target is reached so long before touchdown [s]
   double below = 0.001;   // the ground is aimed at so far below where it is [m]
   double search = 0.5;    // downwards, of a foot that found no ground in time [m/s]
+  double rush = 20.0;     // with which it gets so fast [m/s^2]
   double deepest = 0.05;  // so far below [m]
 };
 
@@ -33,9 +34,8 @@ class SwingFoot {
   SwingGains gains_;
   Foothold place_;
   Eigen::Vector2d velocity_ = Eigen::Vector2d::Zero(), acceleration_ = Eigen::Vector2d::Zero();
-  double from_height_ = 0.0,
-         aim_ = 0.0;  // where it left the ground, and where the ground should be [m]
-  double progress_ = 0.0;
+  double from_height_ = 0.0, aim_ = 0.0;  // of the ground it left, and where it should be [m]
+  double progress_ = 0.0, search_ = 0.0;  // search_: downwards [m/s]
 };
 
 }  // namespace twinbus

@@ -48,9 +48,13 @@ double WalkPattern::heading() const noexcept {
   return from + 0.5 * wrap_angle(to - from);
 }
 
+Eigen::Vector2d WalkPattern::apart() const noexcept {
+  return feet_[0].unturn(feet_[0].position - feet_[1].position);
+}
+
 bool WalkPattern::side_by_side() const noexcept {
-  const Eigen::Vector2d apart = feet_[0].unturn(feet_[0].position - feet_[1].position);
-  return std::abs(apart.x()) < kBeside && std::abs(apart.y() - gait_.width) < kBeside &&
+  const Eigen::Vector2d way = apart();
+  return std::abs(way.x()) < kBeside && std::abs(way.y() - gait_.width) < kBeside &&
          std::abs(wrap_angle(feet_[0].yaw - feet_[1].yaw)) < kParallel;
 }
 
@@ -65,7 +69,7 @@ void WalkPattern::start(const std::array<Foothold, 2>& feet) noexcept {
   double_ = kLeast;
   period_ = gait_.period();
   since_landing_ = adjusted_ = uneven_ = 0.0;
-  squares_ = 0;
+  squares_ = false;
   halting_ = false;
   rest_ = zmp_from_ = zmp_ = dcm_ = middle();
 }
@@ -74,12 +78,12 @@ void WalkPattern::want(const Eigen::Vector3d& velocity) noexcept {
   wanted_ = gait_.possible(velocity);
   if (!wants_to_walk()) return;
   halting_ = false;
-  squares_ = 0;
+  squares_ = false;
 }
 
 void WalkPattern::halt() noexcept {
   wanted_.setZero();
-  squares_ = 0;
+  squares_ = false;
   listed_ = list_count_ = 0;
   if (halting_ || !walking_) return;
   halting_ = true;
@@ -102,7 +106,10 @@ Foothold WalkPattern::after(const Foothold& from, int foot, int steps_ahead) con
     listed.height = from.height;  // a list knows nothing of the ground
     return listed;
   }
-  return next_foothold(gait_, from, foot, velocity_, period_);
+  Eigen::Vector3d velocity = velocity_;
+  // Feet that stand too near each other come apart before they turn.
+  if (steps_ahead == 0 && apart().y() < gait_.min_width) velocity.z() = 0.0;
+  return next_foothold(gait_, from, foot, velocity, period_);
 }
 
 void WalkPattern::begin_step(int support, double double_time) noexcept {
@@ -201,9 +208,9 @@ void WalkPattern::advance(const std::array<bool, 2>& touching,
     const Eigen::Vector2d to_middle = middle() - rest_;
     if (time_ > double_)
       rest_ += to_middle * std::min(1.0, kRestRate * dt / std::max(1e-9, to_middle.norm()));
-    if (side_by_side()) squares_ = 0;
-    if (!(wants_to_walk() || squares_ > 0) || time_ < double_) return;
-    squares_ = std::max(0, squares_ - 1);
+    if (side_by_side()) squares_ = false;
+    if (!(wants_to_walk() || squares_) || time_ < double_) return;
+    squares_ = false;
     int support = wanted_.y() > 0.0 || (wanted_.y() == 0.0 && wanted_.z() >= 0.0) ? 1 : 0;
     if (list_count_ > 0) support = list_support_;
     begin_step(support, gait_.first_double);

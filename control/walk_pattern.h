@@ -16,7 +16,6 @@ namespace twinbus {
 class WalkPattern {
  public:
   static constexpr int kMostFootholds = 32;  // of a list
-  static constexpr int kMostSquares = 3;
 
   explicit WalkPattern(const Gait& gait, const SwingGains& swing = {}) noexcept;
 
@@ -28,7 +27,7 @@ class WalkPattern {
   // soles then stand the robot comes to rest if that catches it.
   void halt() noexcept;
   // Once it stands, and before it is settled, the feet come side by side.
-  void square() noexcept { squares_ = kMostSquares; }
+  void square() noexcept { squares_ = true; }
   // Walks these instead, in this order, beginning with the foot that is not `first_support`; then stands.  World.
   void follow(const Foothold* list, int count, int first_support) noexcept;
 
@@ -41,7 +40,7 @@ class WalkPattern {
   void capture(const Eigen::Vector2d& measured_dcm) noexcept;
 
   bool walking() const noexcept { return walking_; }
-  bool settled() const noexcept { return !walking_ && squares_ == 0; }
+  bool settled() const noexcept { return !walking_ && !squares_; }
   bool single() const noexcept { return walking_ && single_; }  // on one foot
   int support() const noexcept { return support_; }
   bool swings(int foot) const noexcept { return single() && foot != support_; }
@@ -70,6 +69,7 @@ class WalkPattern {
   Eigen::Vector2d on_both_soles(const Eigen::Vector2d& point) const noexcept;
   void begin_step(int support, double double_time) noexcept;
   void land(const Foothold& where) noexcept;
+  Eigen::Vector2d apart() const noexcept;  // the left foot from the right one, in its axes [m]
   bool side_by_side() const noexcept;
   Foothold after(const Foothold& from, int foot, int steps_ahead) const noexcept;
   bool wants_to_walk() const noexcept {
@@ -84,8 +84,8 @@ class WalkPattern {
   Eigen::Vector3d wanted_ = Eigen::Vector3d::Zero(), velocity_ = Eigen::Vector3d::Zero();
   bool walking_ = false, single_ = false, halting_ = false, braking_ = false;
   int support_ = 0, steps_ = 0, square_ = 0;
-  int squares_ = 0;      // how often the feet may still be put side by side
-  double uneven_ = 0.0;  // the steps up and down that the last landings met [m]
+  bool squares_ = false;  // the feet are still to be put side by side
+  double uneven_ = 0.0;   // the steps up and down that the last landings met [m]
   double time_ = 0.0, double_ = 0.0, single_time_ = 0.0;  // in the step; its two parts [s]
   double since_landing_ = 0.0, period_;                   // measured, of a step [s]
   Foothold target_;

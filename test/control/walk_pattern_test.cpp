@@ -146,6 +146,21 @@ TEST(WalkPattern, AFootholdIsAsHighAsTheGroundThatWasMetThere) {
   EXPECT_NEAR(puppet.pattern.ground(), 0.02, 0.003);
 }
 
+TEST(WalkPattern, FeetThatStandNearEachOtherComeApartBeforeTheyTurn) {
+  Puppet puppet;
+  std::array<Foothold, 2> feet;
+  for (int f = 0; f < 2; ++f)
+    feet[static_cast<std::size_t>(f)].position << 0.0,
+        side_of(f) * 0.45 * puppet.pattern.gait().min_width;
+  puppet.pattern.start(feet);
+  puppet.dcm = puppet.com = puppet.pattern.middle();
+  puppet.pattern.want({0.0, 0.0, 0.5});
+  while (puppet.pattern.steps() == 0) puppet.tick();
+  EXPECT_NEAR(puppet.pattern.heading(), 0.0, 1e-6);
+  puppet.run(1.5);
+  EXPECT_GT(puppet.pattern.heading(), 0.1);
+}
+
 TEST(WalkPattern, AHaltTakesAtMostTwoMoreSteps) {
   for (int phase = 0; phase < 12; ++phase) {
     Puppet puppet;

@@ -41,7 +41,11 @@ def main():
     for scene in SEEDED:
         for seed in SEEDS:
             run(checks, scene, seed)
+    run(checks, "walk_turn", 1, robot="hrp2p")
     if harness.FULL:
+        for robot in ["hrp2p", "biped12"]:
+            for scene in ["walk_forward", "walk_sideways", "walk_turn", "walk_rough"]:
+                run(checks, scene, 1, robot=robot)
         for scene in ["walk_forward", "push_walk"]:
             run(checks, scene, 1, engine="ode")
     checks.exit()
