@@ -5,10 +5,10 @@
 #include <cstddef>
 #include <cstdio>
 
+#include "planner/arm_lines.h"
 #include "planner/edge_check.h"
 #include "planner/random.h"
-#include "planner/rrt_connect.h"
-#include "planner/shortcut.h"
+#include "planner/shorten.h"
 #include "robot/index.h"
 #include "robot/inverse_kinematics.h"
 
@@ -60,7 +60,7 @@ struct ArmPlanner::Question {
 };
 
 ArmPlanner::ArmPlanner(const Model& model, const ArmPlannerConfig& config)
-    : model_(&model), config_(config), collision_(model) {}
+    : model_(&model), config_(config), collision_(model), balls_(balls_along_links(model)) {}
 
 // Fills the question; false, with the reason in plan, if it makes no sense for this robot.
 bool ArmPlanner::understand(const ArmGoal& goal, const Configuration& start,
@@ -222,9 +222,9 @@ ArmPlan ArmPlanner::plan(const ArmGoal& goal, const Configuration& start,
   std::int64_t checks = 0;
   for (const double padding : {config_.padding, 0.5 * config_.padding, 0.0}) {
     if (obstacles_.empty() && padding > 0.0) continue;
-    std::vector<Obstacle> padded = obstacles_;
-    for (Obstacle& obstacle : padded) pad(obstacle, padding);
-    collision_.set_obstacles(padded);
+    padded_ = obstacles_;
+    for (Obstacle& obstacle : padded_) pad(obstacle, padding);
+    collision_.set_obstacles(padded_);
     plan = attempt(goal, start, ground_in_world, seed, keep_on, user);
     plan.padding = padding;
     plan.checks = checks += plan.checks;
@@ -258,18 +258,30 @@ ArmPlan ArmPlanner::attempt(const ArmGoal& goal, const Configuration& start,
     room = std::min(room, space.nearest(q, config_.clearance));
   space.set_clearance(kShare * room);
 
-  RrtLimits limits{question.lower, question.upper};
-  limits.max_rounds = config_.rrt_rounds;
-  RrtResult found =
-      rrt_connect(space, question.start, question.goals, limits, random, keep_on, user);
-  plan.rounds = found.rounds;
+  ArmLines lines(*model_, space, collision_, balls_, padded_);
+  SearchLimits limits = lines.limits();
+  limits.most_rounds = config_.rrt_rounds;
+  limits.seed = seed;
+  JointSearch search(limits);
+  SearchPath goals;
+  for (const JointPoint& q : question.goals) goals.push_back(to_search(q));
+  const int joints = static_cast<int>(question.start.size());
+  SearchPath found = search.find(lines, to_search(question.start), goals, keep_on, user);
+  plan.rounds = search.rounds();
   plan.checks = space.checks();
-  if (!found.found) {
+  if (found.empty()) {
     const bool cancelled = keep_on != nullptr && !keep_on(user);
     plan.status = cancelled ? ArmPathStatus::kCancelled : ArmPathStatus::kTimeLimit;
     return plan;
   }
-  shortcut(space, found.path, config_.shortcut_rounds, random);
+  shorten(lines, found, joints);
+  // The ends are what was asked for, to the last bit.
+  const std::size_t goal_index =
+      at(static_cast<int>(std::find(goals.begin(), goals.end(), found.back()) - goals.begin()));
+  JointPath corners;
+  for (const SearchPoint& q : found) corners.push_back(from_search(q, joints));
+  corners.front() = question.start;
+  corners.back() = question.goals[goal_index];
 
   TimingLimits timing;
   timing.velocity = timing.acceleration = question.start;
@@ -278,13 +290,13 @@ ArmPlan ArmPlanner::attempt(const ArmGoal& goal, const Configuration& start,
         static_cast<double>(goal.speed) * model_->joints[at(plan.joints[at(k)])].velocity;
     timing.acceleration[k] = timing.velocity[k] / config_.full_speed_time;
   }
-  plan.path = timed(space, found.path, timing);
+  plan.path = timed(space, corners, timing);
   plan.checks = space.checks();
   plan.clearance = 0.7 * space.clearance();
   // A goal that is where the arm is already: a motion all the same, of one instant.
-  if (plan.path.empty() && length_of(found.path) < 1e-6) {
+  if (plan.path.empty() && length_of(found, joints) < 1e-6F) {
     const JointPoint rest = JointPoint::Zero(question.start.size());
-    plan.path = {{0.0, question.start, rest}, {0.1, found.path.back(), rest}};
+    plan.path = {{0.0, question.start, rest}, {0.1, corners.back(), rest}};
   }
   plan.status = plan.path.empty() ? ArmPathStatus::kTimeLimit : ArmPathStatus::kOk;
   return plan;

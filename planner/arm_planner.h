@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "planner/block_robot.h"
 #include "planner/path_timing.h"
 #include "robot/collision.h"
 #include "robot/kinematics.h"
@@ -27,8 +28,7 @@ struct ArmPlannerConfig {
   double full_speed_time = 0.5;  // from rest to a joint's velocity limit at speed 1 [s]
   int ik_restarts = 80;          // random postures to look for a goal posture from
   int goal_postures = 6;         // enough of them
-  int rrt_rounds = 4000;
-  int shortcut_rounds = 120;
+  int rrt_rounds = 8000;
   double knot_spacing = 0.04;  // [s]
 };
 
@@ -42,7 +42,7 @@ struct ArmPlan {
   double clearance = 0.0;      // that every posture of the path keeps [m]
   double padding = 0.0;        // that it keeps to obstacles besides [m]
   int rounds = 0;              // of the search; 0: the straight way was free
-  std::int64_t checks = 0;     // postures looked at
+  std::int64_t checks = 0;     // postures whose exact distances were asked for
   double duration() const { return path.empty() ? 0.0 : path.back().time; }
 };
 
@@ -80,7 +80,9 @@ class ArmPlanner {
   const Model* model_;
   ArmPlannerConfig config_;
   Collision collision_;
-  std::vector<Obstacle> obstacles_;  // as they are; those of collision_ are padded during a plan
+  std::vector<BallGroup> balls_;     // of all links
+  std::vector<Obstacle> obstacles_;  // as they are
+  std::vector<Obstacle> padded_;     // as a plan takes them
 };
 
 // One sentence for people: what was planned, or why not and what to do.

@@ -1,0 +1,112 @@
+// Planes between groups and obstacles: what settles the matter where balls touch.  Included once per
+// instruction set, inside a namespace, by block_check.cpp: no #pragma once.
+
+// Are some corners of group g and the shape on two sides of a plane?  far: by more than a margin of
+// `fixed` and, along the plane's normal, of `moves`; apart: at all.  Stops when the lanes that are
+// asked are far.  Looks for the plane as Chung and Wang (1996): its normal is mirrored at the line
+// between the two points that are nearest to it; once it separates it turns towards that line.
+inline void separate_piece(const BlockRobot& robot, const BlockWork& w, int g,
+                           const BlockPiece& piece, const Lanes* middle, const BlockShape& shape,
+                           const Lanes& fixed, const Lanes* moves, const Flags& asked, Flags& far,
+                           Flags& separate) {
+  const BlockGroup& group = robot.groups[static_cast<std::size_t>(g)];
+  far = separate = Flags{};
+  const Lanes* r = w.rotation[group.body];
+  const Lanes* origin = w.origin[group.body];
+  const std::array<float, 3>* corners = robot.corners.data() + piece.first;
+  const int faces = shape.kind == BlockShape::Kind::kBox        ? 3
+                    : shape.kind == BlockShape::Kind::kCylinder ? 1
+                                                                : 0;
+  Lanes n[3], best[3] = {};
+  Lanes best_gap = all(-1e30F);
+  first_normal(shape, middle, n);
+  for (int turn = 0; turn < kMostTurns + faces; ++turn) {
+    if (turn > 0 && turn <= faces) {  // the faces that look at the group
+      const float* axis = shape.axis[3 - turn];
+      const Lanes side = (middle[0] - all(shape.center[0])) * all(axis[0]) +
+                         (middle[1] - all(shape.center[1])) * all(axis[1]) +
+                         (middle[2] - all(shape.center[2])) * all(axis[2]);
+      for (int i = 0; i < 3; ++i) n[i] = side > all(0.0F) ? all(axis[i]) : all(-axis[i]);
+    }
+    // Of the group, the corner that is lowest along n; of the shape, the highest point.
+    Lanes d[3];
+    for (int i = 0; i < 3; ++i)
+      d[i] = group.body == 0 ? n[i] : r[i] * n[0] + r[3 + i] * n[1] + r[6 + i] * n[2];
+    Lanes low = all(1e30F);
+    Lanes at[3] = {low, low, low};
+    for (int k = 0; k < piece.count; ++k) {
+      const Lanes x = all(corners[k][0]), y = all(corners[k][1]), z = all(corners[k][2]);
+      const Lanes height = d[0] * x + d[1] * y + d[2] * z;
+      const Flags lower = height < low;
+      low = lower ? height : low;
+      at[0] = lower ? x : at[0];
+      at[1] = lower ? y : at[1];
+      at[2] = lower ? z : at[2];
+    }
+    Lanes e[3], b[3];
+    highest_point(shape, n, b);
+    for (int i = 0; i < 3; ++i) {
+      e[i] = (group.body == 0
+                  ? at[i]
+                  : r[3 * i] * at[0] + r[3 * i + 1] * at[1] + r[3 * i + 2] * at[2] + origin[i]) -
+             b[i];
+    }
+    const Lanes gap = e[0] * n[0] + e[1] * n[1] + e[2] * n[2];
+    Lanes margin = fixed;
+    if (moves != nullptr) margin += size_of(n[0] * moves[0] + n[1] * moves[1] + n[2] * moves[2]);
+    far |= gap > margin;
+    separate |= gap > all(kRounding + robot.grow);
+    if (!any(asked & ~far)) return;
+    const Lanes length = root(most(e[0] * e[0] + e[1] * e[1] + e[2] * e[2], all(1e-12F)));
+    Lanes m[3];
+    for (int i = 0; i < 3; ++i) {
+      const Lanes u = e[i] / length;
+      m[i] = gap > all(0.0F) ? n[i] + u : n[i] - all(2.0F) * gap / length * u;
+    }
+    const Lanes size = root(most(m[0] * m[0] + m[1] * m[1] + m[2] * m[2], all(1e-12F)));
+    const Flags better = gap > best_gap;
+    best_gap = better ? gap : best_gap;
+    for (int i = 0; i < 3; ++i) {
+      best[i] = better ? m[i] / size : best[i];
+      n[i] = turn == faces ? best[i] : m[i] / size;
+    }
+  }
+}
+
+// The same of the whole group: its hull, or, where that touches, each of its pieces.
+inline void separate(const BlockRobot& robot, const BlockWork& w, int g, const BlockShape& shape,
+                     const Lanes& fixed, const Lanes* moves, const Flags& asked, Flags& far,
+                     Flags& separate) {
+  const BlockGroup& group = robot.groups[static_cast<std::size_t>(g)];
+  far = separate = Flags{};
+  if (group.piece_count == 0) return;
+  const BlockPiece* pieces = robot.pieces.data() + group.first_piece;
+  separate_piece(robot, w, g, pieces[0], w.around[g], shape, fixed, moves, asked, far, separate);
+  const Flags rest = asked & ~separate;
+  if (!w.by_pieces || group.piece_count == 1 || !any(rest)) return;
+  Lanes margin = fixed;
+  if (moves != nullptr)
+    margin += root(moves[0] * moves[0] + moves[1] * moves[1] + moves[2] * moves[2]);
+  Flags all_far = ~Flags{}, all_separate = ~Flags{};
+  for (int i = 1; i < group.piece_count; ++i) {
+    Lanes middle[3];
+    place(w, group.body, pieces[i].around, middle);
+    const Flags near = meets(shape, middle, all(pieces[i].around.radius) + margin) & rest;
+    if (!any(near)) continue;
+    Flags piece_far, piece_separate;
+    separate_piece(robot, w, g, pieces[i], middle, shape, fixed, moves, near, piece_far,
+                   piece_separate);
+    all_far &= piece_far | ~near;
+    all_separate &= piece_separate | ~near;
+  }
+  far |= rest & all_far;
+  separate |= rest & all_separate;
+}
+
+// Is the convex body of group g clear of the shape in all lanes where balls touch?
+TWINBUS_INLINE bool settled(const BlockRobot& robot, const BlockWork& w, int g,
+                            const BlockShape& shape, Flags touched) {
+  Flags far, apart_at_all;
+  separate(robot, w, g, shape, all(kRounding + robot.grow), nullptr, touched, far, apart_at_all);
+  return !any(touched & ~far);
+}

@@ -1,0 +1,22 @@
+// A path that is free everywhere, not only at the postures that were looked at.
+
+#pragma once
+
+#include "planner/block_line_test.h"
+#include "planner/shorten.h"
+
+namespace twinbus {
+
+struct CertainPath {
+  SearchPath path;       // empty: none was found
+  int rounds = 0;        // of the search
+  bool certain = false;  // every line is proved free
+};
+
+// start and goals must be free by the pieces at least.  First a path as a search with postures finds it; what cannot be proved of it is done again with
+// proved lines only.  density: postures per radian.  keep_on: as of JointSearch.
+CertainPath find_certain(JointSearch& search, BlockCheck& check, float density,
+                         const SearchPoint& start, const SearchPath& goals,
+                         bool (*keep_on)(void*) = nullptr, void* user = nullptr);
+
+}  // namespace twinbus

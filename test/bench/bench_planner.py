@@ -1,0 +1,194 @@
+#!/usr/bin/env python3
+"""./twinbus bench planner [--csv F] [--rounds N] [--vamp DIR] [--ompl]: our planner on the Panda problems, beside VAMP.
+
+"ours" asks what VAMP asks: its balls, its obstacles, 32 postures per radian.  "proved" plans for the exact meshes and proves
+every line of the path; FCL looks at the final paths of both and of VAMP at 1,000 postures per radian.
+
+DIR (or $TWINBUS_VAMP) holds checkouts of KavrakiLab/vamp, KavrakiLab/nigh, orlp/pdqsort and lemire/SIMDxorshift under the
+names vamp, nigh, pdqsort, SIMDxorshift; the peer is built from them with VAMP's own flags.  Problems are those of
+$TWINBUS_DATA (default ../shared/data).  Ours and the peer take turns; a figure of a problem is its median over the rounds
+(default 5), a figure of the bench the median over the problems.  --ompl adds OMPL's RRT-Connect with
+FCL on every tenth problem (minutes; libompl-dev).  Exit status 1 if a row falls short.
+"""
+
+import os
+import pathlib
+import shutil
+import statistics
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+PEERS = ROOT / "test/bench/peers"
+VALID = 559  # problems with a free start and goal by VAMP's balls
+ALL = 560  # by the meshes
+FLAGS = ("-std=c++17 -O3 -march=native -mavx2 -fno-math-errno -fno-signed-zeros -fno-trapping-math -fno-rounding-math "
+         "-ffp-contract=fast -fassociative-math -Wno-ignored-attributes").split()
+rows, short_of = [], []
+
+
+def program_folder():
+    if "TWINBUS_BIN" in os.environ:
+        return pathlib.Path(os.environ["TWINBUS_BIN"])
+    builds = sorted(ROOT.glob("build/*/bin/planner_cases"), key=lambda path: path.stat().st_mtime)
+    if not builds:
+        sys.exit("bench planner: planner_cases is not built; run ./twinbus bench once")
+    return builds[-1].parent
+
+
+def build_vamp(folder, out):
+    """The peer program, or None with a line that says why."""
+    if not folder:
+        print("VAMP is absent: --vamp DIR or $TWINBUS_VAMP names its checkouts (see --help)")
+        return None
+    sources = [PEERS / "vamp_peer.cpp", folder / "SIMDxorshift/src/simdxorshift128plus.c"]
+    program = out / "vamp_peer"
+    if program.exists() and program.stat().st_mtime > sources[0].stat().st_mtime:
+        return program
+    clang = next((c for c in ("clang++", "clang++-14") if shutil.which(c)), None)
+    flags = FLAGS + (["-fno-honor-infinities", "-fno-honor-nans", "-fapprox-func"] if clang else [])
+    includes = ["-I" + str(folder / p) for p in ("vamp/src/impl", "nigh/src", "pdqsort", "SIMDxorshift/include")]
+    done = subprocess.run([clang or "g++", *flags, *includes, "-I/usr/include/eigen3", str(sources[0]), "-x", "c++",
+                           "-fpermissive" if not clang else "-Wno-everything", str(sources[1]), "-o", str(program)],
+                          capture_output=True, text=True)
+    if done.returncode != 0:
+        print("VAMP is absent: it does not build: " + (done.stderr.splitlines() or ["?"])[0])
+        return None
+    return program
+
+
+def run(program, *words, given=None):
+    done = subprocess.run([str(w) for w in (program, *words)], capture_output=True, text=True, check=True, input=given)
+    return done.stdout
+
+
+def table(text):
+    """{(set, number): (plan us, shorten us, cost)} of the solved ones, and how many were asked."""
+    found, asked = {}, 0
+    for line in text.splitlines():
+        words = line.split()
+        asked += 1
+        if float(words[4]) > 0:
+            found[words[0], int(words[1])] = tuple(float(w) for w in words[2:5])
+    return found, asked
+
+
+def medians(rounds):
+    """Of each problem over the rounds."""
+    return {key: tuple(statistics.median(r[key][k] for r in rounds) for k in range(3)) for key in rounds[0]}
+
+
+def column(table, k):
+    return [v[0] + v[1] if k == "total" else v[k] for v in table.values()]
+
+
+def at_most(quantity, asked, value, mine, peer="", theirs=""):
+    good = value <= asked
+    print(f"{quantity:46s} <= {asked:<8g} {value:8.3f}{'' if good else '   SHORT'}")
+    rows.append((quantity, mine, peer, theirs, value))
+    if not good:
+        short_of.append(quantity)
+
+
+def main():
+    words, csv, rounds, ompl = sys.argv[1:], None, 5, False
+    vamp = os.environ.get("TWINBUS_VAMP")
+    data = pathlib.Path(os.environ.get("TWINBUS_DATA", ROOT.parent / "shared/data"))
+    while words:
+        word = words.pop(0)
+        if word in ("--help", "-h"):
+            print(__doc__)
+            return 0
+        if word == "--ompl":
+            ompl = True
+        elif word in ("--csv", "--rounds", "--vamp") and words:
+            value = words.pop(0)
+            csv = value if word == "--csv" else csv
+            rounds = int(value) if word == "--rounds" else rounds
+            vamp = value if word == "--vamp" else vamp
+        else:
+            print(f"bench planner: no option '{word}'; there are --csv --ompl --rounds --vamp", file=sys.stderr)
+            return 2
+    problems = data / "problems/panda/panda_problems.txt"
+    if not problems.exists():
+        print(f"bench planner: {problems} is not there; $TWINBUS_DATA names the folder of data", file=sys.stderr)
+        return 1
+    folder = program_folder()
+    peer = build_vamp(pathlib.Path(vamp) if vamp else None, folder)
+    ours, theirs, proved, touching = [], [], [], 0
+    for n in range(rounds):
+        ours.append(table(run(folder / "planner_cases", "as_vamp", data / "robots", problems, 3))[0])
+        text = run(folder / "planner_cases", "certain", data / "robots", problems, 3)
+        proved.append(table(text)[0])
+        if n == 0:  # every round gives the same paths
+            oracle = run(folder / "planner_oracle", data / "robots", problems, given=text).split()
+            touching, text_of_proved = int(oracle[-1]), text
+        if peer:
+            text = run(peer, problems, 3)
+            theirs.append(table(text)[0])
+            if n == 0:
+                peer_touching = int(run(folder / "planner_oracle", data / "robots", problems, given=text).split()[-1])
+    mine = medians(ours)
+    certain = medians(proved)
+    tables = [("ours", mine), ("proved", certain)] + ([("VAMP", medians(theirs))] if peer else [])
+    print(f"{'':8s} {'solved':>7s} {'plan us':>16s} {'simplify us':>16s} {'total us':>16s} {'cost rad':>14s}   median / mean")
+    for name, table in tables:
+        cells = []
+        for k, digits in ((0, 1), (1, 1), ("total", 1), (2, 3)):
+            values = column(table, k)
+            cells.append(f"{statistics.median(values):.{digits}f} / {statistics.mean(values):.{digits}f}")
+        print(f"{name:8s} {len(table):7d} {cells[0]:>16s} {cells[1]:>16s} {cells[2]:>16s} {cells[3]:>14s}")
+    at_most("P1 problems not solved", 0, VALID - len(mine), len(mine))
+    if peer:
+        other = tables[2][1]
+        for quantity, asked, k, how in (("P1 median plan / VAMP's", 0.6, 0, statistics.median),
+                                        ("P1 median plan + simplify / VAMP's", 0.5, "total", statistics.median),
+                                        ("P1 median cost / VAMP's", 1.0, 2, statistics.median),
+                                        ("P1 mean cost / VAMP's", 1.0, 2, statistics.mean)):
+            a, b = how(column(mine, k)), how(column(other, k))
+            at_most(quantity, asked, a / b, a, "VAMP", b)
+    at_most("P2 problems not solved, exact meshes, proved", 0, ALL - len(certain), len(certain))
+    at_most("P2 final paths that hit the meshes (FCL, 1000/rad)", 0, touching, touching, "VAMP" if peer else "",
+            peer_touching if peer else "")
+    if peer:
+        print(f"{'':8s} VAMP's final paths that hit the meshes: {peer_touching} of {len(theirs[0])}")
+        a, b = statistics.median(column(certain, "total")), statistics.median(column(other, "total"))
+        at_most("P2 median total / VAMP's unproved total", 1.2, a / b, a, "VAMP", b)
+    if ompl:
+        built = subprocess.run(["cmake", "--build", str(folder.parent), "--target", "ompl_peer"], capture_output=True)
+        if built.returncode == 0:
+            found, asked = table(run(folder / "ompl_peer", data / "robots", problems, 2))
+            both = [key for key in found if key in certain]
+            print(f"OMPL     RRT-Connect and FCL on the meshes: {len(found)} of {asked} solved in 2 s")
+            for quantity, k in (("plan", 0), ("total", "total")):
+                a = statistics.median(column({key: certain[key] for key in both}, "total"))
+                b = statistics.median(column({key: found[key] for key in both}, k))
+                rows.append((f"P3 OMPL's {quantity} / ours, proved", a, "OMPL+FCL", b, b / a))
+                print(f"P3 OMPL's median {quantity} / our proved total {'':6s} >= 500 {b / a:10.0f}{'' if b >= 500 * a else '   SHORT'}")
+                if b < 500 * a:
+                    short_of.append("P3 " + quantity)
+        else:
+            print("OMPL is absent: apt install libompl-dev, and build again")
+    for line in run(folder / "planner_humanoid", data / "robots", 400, 3).splitlines():
+        words = line.split()
+        case = dict(zip(words[1::2], words[2::2]))
+        print(line)
+        at_most(f"P5 {words[0]} not solved", 0, int(case["asked"]) - int(case["solved"]), case["solved"])
+        at_most(f"P5 {words[0]} median ms", 1, 1e-3 * float(case["median_us"]), case["median_us"])
+        at_most(f"P5 {words[0]} 99th percentile ms", 20, 1e-3 * float(case["p99_us"]), case["p99_us"])
+        at_most(f"P5 {words[0]} paths that differ", 0, 1 - int(case["same"]), case["hash"])
+    line = run(folder / "planner_timing", data / "robots", given=text_of_proved)
+    case = dict(zip(line.split()[0::2], line.split()[1::2]))
+    print(line.strip())
+    at_most("P6 timing, median us", 200, float(case["median_us"]), case["median_us"])
+    at_most("P6 paths over a limit at 1 kHz", 0, int(case["over_limits"]), case["over_limits"])
+    at_most("P6 duration / without smoothing, median", 1.05, float(case["longer_median"]), case["longer_median"])
+    if csv:
+        with open(csv, "a") as file:
+            for quantity, value, name, theirs_value, ratio in rows:
+                file.write(f"planner,panda,{quantity},,{value},,,,{name},{theirs_value},{ratio}\n")
+    return 1 if short_of else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

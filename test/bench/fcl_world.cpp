@@ -1,0 +1,95 @@
+#include "test/bench/fcl_world.h"
+
+#include <fcl/geometry/bvh/BVH_model.h>
+#include <fcl/geometry/shape/box.h>
+#include <fcl/geometry/shape/cylinder.h>
+#include <fcl/geometry/shape/sphere.h>
+#include <fcl/narrowphase/collision.h>
+#include <fcl/narrowphase/collision_object.h>
+
+#include "robot/geometry.h"
+#include "robot/kinematics.h"
+
+namespace twinbus {
+
+namespace {
+using Object = fcl::CollisionObjectd;
+using Mesh = fcl::BVHModel<fcl::OBBRSSd>;
+
+bool touch(const Object& a, const Object& b) {
+  if (!a.getAABB().overlap(b.getAABB())) return false;
+  fcl::CollisionResultd result;
+  return fcl::collide(&a, &b, fcl::CollisionRequestd(), result) > 0;
+}
+}  // namespace
+
+struct FclWorld::Impl {
+  const Model* model = nullptr;
+  RobotParts parts;
+  Configuration posture;
+  Kinematics kinematics;
+  std::vector<Object> links, obstacles;
+
+  Impl(const Model& m, const RobotParts& p) : model(&m), parts(p), posture(m), kinematics(m) {}
+};
+
+FclWorld::FclWorld(const Model& model, const RobotParts& parts)
+    : impl_(std::make_unique<Impl>(model, parts)) {
+  for (const std::vector<Shape>& shapes : parts.shapes) {
+    const TriangleMesh mesh = link_geometry(shapes, {.balls = false}).mesh;
+    std::vector<fcl::Triangle> triangles;
+    for (const auto& t : mesh.triangles)
+      triangles.emplace_back(static_cast<std::size_t>(t[0]), static_cast<std::size_t>(t[1]),
+                             static_cast<std::size_t>(t[2]));
+    auto model_of = std::make_shared<Mesh>();
+    model_of->beginModel();
+    model_of->addSubModel(mesh.points, triangles);
+    model_of->endModel();
+    impl_->links.emplace_back(model_of);
+  }
+}
+
+FclWorld::~FclWorld() = default;
+
+void FclWorld::set_obstacles(const std::vector<Obstacle>& obstacles) {
+  impl_->obstacles.clear();
+  for (const Obstacle& o : obstacles) {
+    std::shared_ptr<fcl::CollisionGeometryd> shape;
+    if (o.shape == ObstacleShape::kBox)
+      shape = std::make_shared<fcl::Boxd>(o.size.x(), o.size.y(), o.size.z());
+    else if (o.shape == ObstacleShape::kSphere)
+      shape = std::make_shared<fcl::Sphered>(o.size.x());
+    else
+      shape = std::make_shared<fcl::Cylinderd>(o.size.x(), o.size.y());
+    impl_->obstacles.emplace_back(shape, o.pose);
+    impl_->obstacles.back().computeAABB();
+  }
+}
+
+bool FclWorld::free(const float* q, std::string* touching) {
+  Impl& in = *impl_;
+  for (int j = 0; j < in.posture.q.size(); ++j) in.posture.q[j] = static_cast<double>(q[j]);
+  in.kinematics.update(in.posture);
+  for (std::size_t i = 0; i < in.links.size(); ++i) {
+    in.links[i].setTransform(in.kinematics.link_in_world(in.parts.groups[i].link));
+    in.links[i].computeAABB();
+  }
+  for (std::size_t i = in.links.size(); i-- > 0;) {
+    if (in.parts.groups[i].link == 0) continue;  // what stands still is no matter of the path
+    for (std::size_t k = 0; k < in.obstacles.size(); ++k) {
+      if (!touch(in.links[i], in.obstacles[k])) continue;
+      if (touching != nullptr) *touching = in.parts.names[i] + " and obstacle " + std::to_string(k);
+      return false;
+    }
+  }
+  for (const auto& [a, b] : in.parts.pairs) {
+    const auto i = static_cast<std::size_t>(a), k = static_cast<std::size_t>(b);
+    if (in.parts.groups[i].link == in.parts.groups[k].link) continue;
+    if (!touch(in.links[i], in.links[k])) continue;
+    if (touching != nullptr) *touching = in.parts.names[i] + " and " + in.parts.names[k];
+    return false;
+  }
+  return true;
+}
+
+}  // namespace twinbus

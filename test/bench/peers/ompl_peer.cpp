@@ -1,0 +1,78 @@
+// OMPL's RRT-Connect with FCL on the exact meshes, on every tenth problem of `bench planner`.
+//
+//   ompl_peer ROBOTS PROBLEMS SECONDS    prints: set number plan_us simplify_us cost points
+//
+// Range 1 rad, 32 states per radian, its own simplifier; SECONDS: limit of a plan.
+
+#include <ompl/base/spaces/RealVectorStateSpace.h>
+#include <ompl/geometric/PathGeometric.h>
+#include <ompl/geometric/SimpleSetup.h>
+#include <ompl/geometric/planners/rrt/RRTConnect.h>
+#include <ompl/util/Console.h>
+
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+
+#include "robot/load.h"
+#include "test/bench/fcl_world.h"
+
+namespace ob = ompl::base;
+namespace og = ompl::geometric;
+using twinbus::PlanningProblem;
+
+int main(int argc, char** argv) {
+  if (argc != 4) return 2;
+  ompl::msg::noOutputHandler();
+  const std::string folder = std::string(argv[1]) + "/panda", urdf = folder + "/panda.urdf";
+  const twinbus::Model model = twinbus::load_urdf(urdf, {{"panda", folder}}, false);
+  twinbus::FclWorld world(model, twinbus::robot_parts(model, urdf, folder + "/panda.srdf", folder));
+  const auto now = [] {
+    return std::chrono::duration<double, std::micro>(
+               std::chrono::steady_clock::now().time_since_epoch())
+        .count();
+  };
+  int index = 0;
+  for (const PlanningProblem& p : twinbus::read_problems(argv[2])) {
+    if (index++ % 10 != 0) continue;
+    world.set_obstacles(p.obstacles);
+    auto space = std::make_shared<ob::RealVectorStateSpace>(7);
+    ob::RealVectorBounds bounds(7);
+    for (unsigned j = 0; j < 7; ++j) {
+      bounds.setLow(j, model.joints[j].lower);
+      bounds.setHigh(j, model.joints[j].upper);
+    }
+    space->setBounds(bounds);
+    og::SimpleSetup setup(space);
+    setup.setStateValidityChecker([&](const ob::State* s) {
+      twinbus::SearchPoint q{};
+      for (unsigned j = 0; j < 7; ++j)
+        q[j] = static_cast<float>(s->as<ob::RealVectorStateSpace::StateType>()->values[j]);
+      return world.free(q.data());
+    });
+    setup.getSpaceInformation()->setStateValidityCheckingResolution(1.0 / 32.0 /
+                                                                    space->getMaximumExtent());
+    ob::ScopedState<> start(space), goal(space);
+    for (unsigned j = 0; j < 7; ++j) {
+      start[j] = static_cast<double>(p.start[j]);
+      goal[j] = static_cast<double>(p.goal[j]);
+    }
+    setup.setStartAndGoalStates(start, goal);
+    auto planner = std::make_shared<og::RRTConnect>(setup.getSpaceInformation());
+    planner->setRange(1.0);
+    setup.setPlanner(planner);
+    setup.setup();
+    const double t0 = now();
+    const bool solved = setup.solve(std::atof(argv[3])) == ob::PlannerStatus::EXACT_SOLUTION;
+    const double t1 = now();
+    if (!solved) {
+      std::printf("%s %d 0 0 0 0\n", p.set.c_str(), p.number);
+      continue;
+    }
+    setup.simplifySolution();
+    std::printf("%s %d %.1f %.1f %.6f %zu\n", p.set.c_str(), p.number, t1 - t0, now() - t1,
+                setup.getSolutionPath().length(), setup.getSolutionPath().getStateCount());
+    std::fflush(stdout);
+  }
+}

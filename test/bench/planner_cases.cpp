@@ -1,0 +1,109 @@
+// Our planner on the Panda problems, one line per problem, in the form of peers/vamp_peer.cpp.
+//
+//   planner_cases as_vamp|certain ROBOTS PROBLEMS ROUNDS
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <string>
+
+#include "planner/certain_path.h"
+#include "robot/load.h"
+#include "test/bench/planner_problems.h"
+
+namespace twinbus {
+namespace {
+
+double now_us() {
+  return std::chrono::duration<double, std::micro>(
+             std::chrono::steady_clock::now().time_since_epoch())
+      .count();
+}
+
+double middle(std::vector<double>& v) {
+  std::sort(v.begin(), v.end());
+  return v[v.size() / 2];
+}
+
+struct Answer {
+  double plan_us = 0.0, shorten_us = 0.0;
+  SearchPath path;
+};
+
+// VAMP's question: its balls, its obstacles, 32 postures per radian.
+Answer as_vamp(JointSearch& search, BlockCheck& check, const PlanningProblem& p) {
+  BlockLineTest test(check, 32.0F);
+  Answer answer;
+  const double t0 = now_us();
+  answer.path = search.find(test, p.start, {p.goal});
+  const double t1 = now_us();
+  if (answer.path.size() > 2) shorten(test, answer.path, check.robot().joints);
+  answer.plan_us = t1 - t0;
+  answer.shorten_us = now_us() - t1;
+  return answer;
+}
+
+// Ours: the meshes, the obstacles as they are, every line proved.
+Answer certain(JointSearch& search, BlockCheck& check, const PlanningProblem& p) {
+  const double t0 = now_us();
+  CertainPath found = find_certain(search, check, 32.0F, p.start, {p.goal});
+  if (!found.certain) found.path.clear();
+  return {.plan_us = now_us() - t0, .shorten_us = 0.0, .path = found.path};
+}
+
+int run(const std::string& mode, const std::string& robots, const std::string& file, int rounds) {
+  const bool proves = mode == "certain";
+  const std::string folder = robots + "/panda";
+  const std::string urdf = folder + (proves ? "/panda.urdf" : "/panda_spherized.urdf");
+  const Model model = load_urdf(urdf, {{"panda", folder}}, false);
+  RobotParts parts = robot_parts(model, urdf, folder + "/panda.srdf", folder);
+  if (proves) cover_parts(parts, {});
+  std::vector<int> planned;
+  for (int j = 0; j < model.joint_count(); ++j) planned.push_back(j);
+  BlockRobot robot = compile_robot(model, Configuration(model), planned, parts.groups, parts.pairs,
+                                   proves ? 1e-5 : 0.0);
+  sort_pairs(robot);
+  const std::vector<PlanningProblem> problems = read_problems(file);
+  JointSearch search({.lower = robot.lower, .upper = robot.upper});
+  for (const PlanningProblem& p : problems) {
+    const BlockScene scene = proves ? BlockScene(p.obstacles) : p.as_vamp;
+    BlockCheck check(robot, scene);
+    check.settle_by_pieces(proves);
+    const bool possible =
+        check.world_free() && check.point_free(p.start.data()) && check.point_free(p.goal.data());
+    if (!possible && !proves) continue;
+    std::vector<double> plan_us, shorten_us;
+    Answer answer;
+    for (int round = 0; possible && round < rounds; ++round) {
+      answer = proves ? certain(search, check, p) : as_vamp(search, check, p);
+      if (answer.path.empty()) break;
+      plan_us.push_back(answer.plan_us);
+      shorten_us.push_back(answer.shorten_us);
+    }
+    if (plan_us.empty()) {
+      std::printf("%s %d 0 0 0 0\n", p.set.c_str(), p.number);
+      continue;
+    }
+    std::printf("%s %d %.3f %.3f %.6f %zu", p.set.c_str(), p.number, middle(plan_us),
+                middle(shorten_us), static_cast<double>(length_of(answer.path, robot.joints)),
+                answer.path.size());
+    for (const SearchPoint& q : answer.path) {
+      for (std::size_t j = 0; j < 7; ++j) std::printf(" %.7g", static_cast<double>(q[j]));
+    }
+    std::printf("\n");
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace twinbus
+
+int main(int argc, char** argv) try {
+  if (argc != 5) return 2;
+  return twinbus::run(argv[1], argv[2], argv[3], std::atoi(argv[4]));
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "planner_cases: %s\n", error.what());
+  return 1;
+}

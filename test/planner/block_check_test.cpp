@@ -1,0 +1,240 @@
+#include "planner/block_check.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "planner/nearest_point.h"
+#include "planner/random.h"
+#include "robot/index.h"
+
+namespace twinbus {
+namespace {
+
+// A chain of `count` hinges about z, x, z, ... 0.3 m apart with two balls each, on a base ball.
+struct Chain {
+  Model model;
+  std::vector<BallGroup> groups;
+  std::vector<std::pair<int, int>> pairs;
+  std::vector<int> planned;
+
+  explicit Chain(int count) {
+    model.links.resize(at(count + 1));
+    groups.push_back({.link = 0, .balls = {{Eigen::Vector3d::Zero(), 0.1}}, .pieces = {}});
+    for (int i = 0; i < count; ++i) {
+      Joint joint;
+      joint.parent = i;
+      joint.child = i + 1;
+      joint.placement.translation() = Eigen::Vector3d(0.0, 0.02, 0.3);
+      joint.placement.linear() = Eigen::AngleAxisd(0.2 * i, Eigen::Vector3d::UnitY()).matrix();
+      joint.axis = i % 2 == 0 ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d::UnitX();
+      joint.lower = -2.5;
+      joint.upper = 2.5;
+      model.joints.push_back(joint);
+      model.links[at(i + 1)].parent = i;
+      groups.push_back({.link = i + 1,
+                        .balls = {{{0.0, 0.0, 0.1}, 0.06}, {{0.03, 0.0, 0.2}, 0.05}},
+                        .pieces = {}});
+      planned.push_back(i);
+      for (int other = 0; other < i; ++other) pairs.emplace_back(other, i + 1);
+    }
+  }
+  BlockRobot compiled() const {
+    return compile_robot(model, Configuration(model), planned, groups, pairs, 0.0);
+  }
+};
+
+std::vector<Obstacle> obstacles() {
+  std::vector<Obstacle> all(3);
+  all[0] = {ObstacleShape::kBox, {0.3, 0.4, 0.2}, Eigen::Isometry3d::Identity()};
+  all[0].pose.translation() = Eigen::Vector3d(0.5, 0.2, 0.7);
+  all[0].pose.linear() = Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitY()).matrix();
+  all[1] = {ObstacleShape::kCylinder, {0.1, 0.6, 0.0}, Eigen::Isometry3d::Identity()};
+  all[1].pose.translation() = Eigen::Vector3d(-0.4, 0.3, 0.8);
+  all[2] = {ObstacleShape::kSphere, {0.15, 0.0, 0.0}, Eigen::Isometry3d::Identity()};
+  all[2].pose.translation() = Eigen::Vector3d(0.0, -0.6, 0.9);
+  return all;
+}
+
+double outside(const Obstacle& o, const Eigen::Vector3d& point) {
+  const Eigen::Vector3d p = o.pose.inverse() * point;
+  if (o.shape == ObstacleShape::kSphere) return p.norm() - o.size.x();
+  if (o.shape == ObstacleShape::kBox) return (p.cwiseAbs() - 0.5 * o.size).cwiseMax(0.0).norm();
+  return Eigen::Vector2d(std::max(0.0, p.head<2>().norm() - o.size.x()),
+                         std::max(0.0, std::abs(p.z()) - 0.5 * o.size.y()))
+      .norm();
+}
+
+// The clearance by the robot's own kinematics, in double precision [m].
+double clearance(const Chain& chain, const std::vector<float>& q) {
+  Configuration posture(chain.model);
+  for (int j = 0; j < posture.q.size(); ++j) posture.q[j] = static_cast<double>(q[at(j)]);
+  Kinematics kinematics(chain.model);
+  kinematics.update(posture);
+  double least = 1e9;
+  const auto center = [&](const BallGroup& g, const Ball& b) {
+    return Eigen::Vector3d(kinematics.link_in_world(g.link) * b.center);
+  };
+  for (std::size_t g = 1; g < chain.groups.size(); ++g) {
+    for (const Ball& ball : chain.groups[g].balls) {
+      for (const Obstacle& o : obstacles())
+        least = std::min(least, outside(o, center(chain.groups[g], ball)) - ball.radius);
+    }
+  }
+  for (const auto& [a, b] : chain.pairs) {
+    for (const Ball& x : chain.groups[at(a)].balls) {
+      for (const Ball& y : chain.groups[at(b)].balls) {
+        const double d = (center(chain.groups[at(a)], x) - center(chain.groups[at(b)], y)).norm();
+        least = std::min(least, d - x.radius - y.radius);
+      }
+    }
+  }
+  return least;
+}
+
+std::vector<float> random_point(Random& random, int joints) {
+  std::vector<float> q;
+  for (int j = 0; j < joints; ++j) q.push_back(static_cast<float>(random.uniform(-2.5, 2.5)));
+  q.resize(at(kMostPlanned));
+  return q;
+}
+
+TEST(BlockCheck, APostureIsFreeWhenTheBallsAreClearInDoublePrecision) {
+  const Chain chain(6);
+  const BlockRobot robot = chain.compiled();
+  const BlockScene scene(obstacles());
+  BlockCheck check(robot, scene);
+  Random random(1);
+  int free = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const std::vector<float> q = random_point(random, 6);
+    const double least = clearance(chain, q);
+    if (std::abs(least) < 1e-5) continue;
+    const bool said = check.point_free(q.data());
+    EXPECT_EQ(said, least > 0.0) << least;
+    free += said ? 1 : 0;
+  }
+  EXPECT_GT(free, 200);
+  EXPECT_LT(free, 2800);
+}
+
+TEST(BlockCheck, WhatIsLeftOutAlongALineIsFarAway) {
+  const Chain chain(6);
+  const BlockRobot robot = chain.compiled();
+  const BlockScene scene(obstacles());
+  BlockCheck check(robot, scene);
+  Random random(2);
+  int free = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const std::vector<float> from = random_point(random, 6);
+    const std::vector<float> to = random_point(random, 6);
+    std::vector<float> step(at(kMostPlanned));
+    for (std::size_t j = 0; j < 6; ++j) step[j] = 0.3F * (to[j] - from[j]);
+    constexpr int kBlocks = 5;
+    const bool said = check.line_free(from.data(), step.data(), kBlocks);
+    bool all = true;  // each posture of the rake by itself
+    for (int n = 1; all && n <= 8 * kBlocks; ++n) {
+      std::vector<float> q(at(kMostPlanned));
+      for (std::size_t j = 0; j < 6; ++j)
+        q[j] = from[j] + static_cast<float>(n) / (8.0F * kBlocks) * step[j];
+      if (std::abs(clearance(chain, q)) < 1e-5) {
+        all = said;
+        break;
+      }
+      all = check.point_free(q.data());
+    }
+    EXPECT_EQ(said, all);
+    free += said ? 1 : 0;
+  }
+  EXPECT_GT(free, 50);
+}
+
+TEST(BlockCheck, AProvedLineIsFreeAtEveryFinePosture) {
+  const Chain chain(6);
+  const BlockRobot robot = chain.compiled();
+  const BlockScene scene(obstacles());
+  BlockCheck check(robot, scene);
+  Random random(5);
+  int proved = 0, free = 0;
+  for (int i = 0; i < 300; ++i) {
+    const std::vector<float> from = random_point(random, 6);
+    std::vector<float> step = random_point(random, 6);
+    for (float& s : step) s *= 0.2F;
+    const bool said = check.line_certain(from.data(), step.data());
+    bool all = true;
+    for (int n = 0; all && n <= 400; ++n) {
+      std::vector<float> q(at(kMostPlanned));
+      for (std::size_t j = 0; j < 6; ++j) q[j] = from[j] + static_cast<float>(n) / 400.0F * step[j];
+      all = check.point_free(q.data());
+    }
+    EXPECT_TRUE(all || !said) << i;
+    proved += said ? 1 : 0;
+    free += all ? 1 : 0;
+  }
+  EXPECT_GT(proved, 20);
+  EXPECT_GE(proved, free - 3);  // what only just passes is not proved
+}
+
+// A box as eight corners between two balls that hold it: the corners have the last word.
+TEST(BlockCheck, CornersSettleWhatBallsLeaveOpen) {
+  Chain chain(1);
+  BallGroup& box = chain.groups[1];
+  box.balls = {{{0.0, 0.0, 0.5}, 0.4}};
+  std::vector<Eigen::Vector3d> corners;
+  for (const double x : {-0.1, 0.1}) {
+    for (const double y : {-0.1, 0.1}) {
+      for (const double z : {0.4, 0.6}) corners.emplace_back(x, y, z);
+    }
+  }
+  box.pieces = {corners};
+  const BlockRobot robot = chain.compiled();
+  for (const double gap : {0.002, -0.002}) {
+    std::vector<Obstacle> wall(1);  // beside the face at x = 0.1
+    wall[0] = {ObstacleShape::kBox, {0.2, 3.0, 3.0}, Eigen::Isometry3d::Identity()};
+    wall[0].pose.translation() = Eigen::Vector3d(0.2 + gap, 0.0, 0.0);
+    const BlockScene scene(wall);
+    BlockCheck check(robot, scene);
+    const std::vector<float> q(at(kMostPlanned));
+    EXPECT_EQ(check.point_free(q.data()), gap > 0.0);
+  }
+}
+
+TEST(BlockCheck, EveryInstructionSetSaysTheSame) {
+  const Chain chain(7);
+  const BlockRobot robot = chain.compiled();
+  const BlockScene scene(obstacles());
+  BlockCheck fast(robot, scene), slow(robot, scene, true);
+  Random random(3);
+  for (int i = 0; i < 2000; ++i) {
+    const std::vector<float> from = random_point(random, 7);
+    std::vector<float> step = random_point(random, 7);
+    for (float& s : step) s *= 0.2F;
+    EXPECT_EQ(fast.line_free(from.data(), step.data(), 4),
+              slow.line_free(from.data(), step.data(), 4));
+  }
+  EXPECT_EQ(fast.blocks(), slow.blocks());
+}
+
+TEST(BlockCheck, TheNearestPointIsTheFirstOfTheNearest) {
+  Random random(4);
+  std::vector<float> columns(3 * 32, 1e6F);
+  for (int count = 1; count <= 32; ++count) {
+    for (int j = 0; j < 3; ++j)
+      columns[at(32 * j + count - 1)] = static_cast<float>(random.uniform());
+    const float q[3] = {0.5F, 0.5F, 0.5F};
+    int best = 0;
+    const auto square = [&](int i) {
+      float sum = 0.0F;
+      for (int j = 0; j < 3; ++j)
+        sum += (columns[at(32 * j + i)] - q[j]) * (columns[at(32 * j + i)] - q[j]);
+      return sum;
+    };
+    for (int i = 1; i < count; ++i) best = square(i) < square(best) ? i : best;
+    float found = 0.0F;
+    EXPECT_EQ(nearest_point(columns.data(), 32, count, 3, q, found), best);
+  }
+}
+
+}  // namespace
+}  // namespace twinbus
