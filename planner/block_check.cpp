@@ -46,7 +46,7 @@ namespace {
 const bool kOnlyBaseline = !__builtin_cpu_supports("avx2");
 }  // namespace
 #else
-#define TWINBUS_BLOCK(slow, call) (block_baseline::call)
+#define TWINBUS_BLOCK(slow, call) (static_cast<void>(slow), block_baseline::call)
 namespace {
 const bool kOnlyBaseline = true;
 }  // namespace

@@ -32,9 +32,9 @@ void bounds(const BlockShape& s, int i, float& low, float& high) {
     case BlockShape::Kind::kSphere:
       break;
   }
-  constexpr float kRounding = 1e-5F;  // [m]
-  low = std::min(s.center[i], end) - reach - kRounding;
-  high = std::max(s.center[i], end) + reach + kRounding;
+  constexpr float kWiden = 1e-5F;  // [m]
+  low = std::min(s.center[i], end) - reach - kWiden;
+  high = std::max(s.center[i], end) + reach + kWiden;
 }
 
 }  // namespace
