@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "launcher/arguments.h"
+#include "launcher/check_pairs.h"
 #include "robot/index.h"
 #include "robot/kinematics.h"
 #include "robot/link_points.h"
@@ -225,6 +226,10 @@ int check_command(const std::vector<std::string>& words) {
        "robot.yaml also proposes one.  Exit status 1 with one line naming file and remedy if it is "
        "refused.",
        {{"--json", "", "everything as one JSON object"},
+        {"--pairs", "",
+         "instead: which pairs of links can touch, with proof, and which of those that the SRDF "
+         "leaves out do"},
+        {"--write", "FILE", "with --pairs: writes the SRDF with all proved pairs and reasons"},
         {"--propose", "FOLDER",
          "writes the proposed robot.yaml and SRDF with a copy of the URDF into FOLDER"}},
        1,
@@ -232,6 +237,7 @@ int check_command(const std::vector<std::string>& words) {
       words);
   const Subject subject = load_subject(arguments.word(0));
   const Model& model = subject.model;
+  if (arguments.has("--pairs")) return check_pairs(model, arguments.text("--write", ""));
   const Extent extent = measure(model);
   const std::vector<Suspicion> suspicions = find_suspicions(model);
   const std::vector<Suspicion> missing = find_missing(model);
