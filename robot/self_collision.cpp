@@ -80,7 +80,7 @@ InstructionSet best_instruction_set() noexcept {
 struct SelfCollision::Impl {
   struct Body {
     std::vector<TriangleCluster> clusters;
-    Aligned center[3], radius;
+    Aligned center[3], radius, block_center[3], block_radius;
     std::vector<std::array<float, 4>> middle, half, witness;
   };
 
@@ -111,6 +111,7 @@ struct SelfCollision::Impl {
   }
 
   void add_joints(const Model& model);
+  static void group(Body& store, const std::vector<TriangleCluster>& clusters);
   void add_bodies(const RobotGeometry& geometry);
   void add_pairs(const RobotGeometry& geometry);
   void connect();
@@ -148,6 +149,37 @@ void SelfCollision::Impl::add_joints(const Model& model) {
   cosine.assign(angles, 1.0);
 }
 
+// Clusters come in the order of their tree, so eight in a row lie together.
+void SelfCollision::Impl::group(Body& store, const std::vector<TriangleCluster>& clusters) {
+  const std::size_t blocks = padded(clusters.size()) / kLanes;
+  for (Aligned& c : store.block_center) c.resize(padded(blocks), 1e9F);
+  store.block_radius.resize(padded(blocks));
+  for (std::size_t b = 0; b < blocks; ++b) {
+    const std::size_t end = std::min(clusters.size(), kLanes * (b + 1));
+    const auto center = [&](std::size_t i) {
+      return Eigen::Vector3d(static_cast<double>(clusters[i].center[0]),
+                             static_cast<double>(clusters[i].center[1]),
+                             static_cast<double>(clusters[i].center[2]));
+    };
+    Eigen::Vector3d low = center(kLanes * b), high = low;
+    for (std::size_t i = kLanes * b; i < end; ++i) {
+      const Eigen::Vector3d reach =
+          Eigen::Vector3d::Constant(static_cast<double>(clusters[i].radius));
+      low = low.cwiseMin(center(i) - reach);
+      high = high.cwiseMax(center(i) + reach);
+    }
+    const Eigen::Vector3d middle = 0.5 * (low + high);
+    double radius = 0.0;
+    for (std::size_t i = kLanes * b; i < end; ++i) {
+      radius =
+          std::max(radius, (center(i) - middle).norm() + static_cast<double>(clusters[i].radius));
+    }
+    for (std::size_t d = 0; d < 3; ++d)
+      store.block_center[d].data[b] = static_cast<float>(middle[static_cast<int>(d)]);
+    store.block_radius.data[b] = static_cast<float>(radius + 2e-6);
+  }
+}
+
 void SelfCollision::Impl::add_bodies(const RobotGeometry& geometry) {
   body_of = geometry.of_link;
   stores.resize(geometry.links.size());
@@ -172,6 +204,7 @@ void SelfCollision::Impl::add_bodies(const RobotGeometry& geometry) {
       store.middle.push_back(middle);
       store.half.push_back(half);
     }
+    group(store, g.clusters);
     for (const Eigen::Vector3d& p : g.witnesses) {
       store.witness.push_back(
           {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z()), 0.0F});
@@ -229,6 +262,8 @@ void SelfCollision::Impl::connect() {
     Body& store = stores[i];
     for (int d = 0; d < 3; ++d) body.center[d] = store.center[d].data;
     body.radius = store.radius.data;
+    for (int d = 0; d < 3; ++d) body.block_center[d] = store.block_center[d].data;
+    body.block_radius = store.block_radius.data;
     body.cluster = store.clusters.data();
     body.middle = reinterpret_cast<const float(*)[4]>(store.middle.data());
     body.half = reinterpret_cast<const float(*)[4]>(store.half.data());

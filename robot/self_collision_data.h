@@ -27,6 +27,8 @@ struct alignas(16) CollisionBody {  // a link that bears geometry
   int clusters = 0;
   const float* center[3] = {};  // of the clusters' spheres, padded to a multiple of 8
   const float* radius = nullptr;
+  const float* block_center[3] = {};  // of balls around eight clusters in a row, padded likewise
+  const float* block_radius = nullptr;
   const float (*middle)[4] = nullptr;  // of the clusters' boxes
   const float (*half)[4] = nullptr;
   const TriangleCluster* cluster = nullptr;

@@ -247,24 +247,37 @@ TWINBUS_INLINE unsigned near_planes(const TriangleCluster& c, const float* cente
 // axes, radius.  to_other: from body to the other link.
 static int keep(const CollisionBody& body, const CollisionPose& to_other,
                 const CollisionBody& other, float* kept, int stride) noexcept {
-  int n = 0;
-  for (int first = 0; first < body.clusters; first += 8) {
-    const F8 x = load8(body.center[0] + first), y = load8(body.center[1] + first),
-             z = load8(body.center[2] + first), r = load8(body.radius + first);
-    F8 c[3];
+  // Which of eight balls in body's axes meet the other's box; c: their centres in the other's axes.
+  const auto meet = [&](const float* const* center, const float* radius, int first, F8(&c)[3])
+      __attribute__((always_inline)) {
+    const F8 x = load8(center[0] + first), y = load8(center[1] + first),
+             z = load8(center[2] + first), r = load8(radius + first);
     I8 apart{};
     for (int d = 0; d < 3; ++d) {
       c[d] = x * to_other.column[0][d] + y * to_other.column[1][d] + z * to_other.column[2][d] +
              to_other.origin[d];
       apart |= (c[d] + r < all(other.low[d])) | (all(other.high[d]) < c[d] - r);
     }
-    for (unsigned m = ~bits(apart) & 0xFFU; m != 0; m &= m - 1) {
-      const int lane = lowest(m);
-      if (first + lane >= body.clusters) break;
-      for (int d = 0; d < 3; ++d) kept[d * stride + n] = c[d][lane];
-      kept[3 * stride + n] = r[lane];
-      for (int d = 0; d < 3; ++d) kept[(4 + d) * stride + n] = body.center[d][first + lane];
-      kept[7 * stride + n++] = static_cast<float>(first + lane);
+    return ~bits(apart) & 0xFFU;
+  };
+  int n = 0;
+  const int blocks = (body.clusters + 7) / 8;
+  for (int group = 0; group < blocks; group += 8) {
+    F8 c[3];
+    unsigned open = 0xFFU;
+    if (blocks > 2) open = meet(body.block_center, body.block_radius, group, c);
+    for (; open != 0; open &= open - 1) {
+      const int block = group + lowest(open);
+      if (block >= blocks) break;
+      const int first = 8 * block;
+      for (unsigned m = meet(body.center, body.radius, first, c); m != 0; m &= m - 1) {
+        const int lane = lowest(m);
+        if (first + lane >= body.clusters) break;
+        for (int d = 0; d < 3; ++d) kept[d * stride + n] = c[d][lane];
+        kept[3 * stride + n] = body.radius[first + lane];
+        for (int d = 0; d < 3; ++d) kept[(4 + d) * stride + n] = body.center[d][first + lane];
+        kept[7 * stride + n++] = static_cast<float>(first + lane);
+      }
     }
   }
   for (int pad = n; pad % 8 != 0; ++pad) {
