@@ -140,6 +140,7 @@ class RecorderProcess {
     for (const char* name : {channel::kStateSim, channel::kStateBridge, channel::kStateReplay}) {
       bus_.listen_each<RobotState>(name, on_other_);
     }
+    dropped_before_ = bus_.dropped_datagrams();  // what came before it listened is not lost
   }
 
   void run() {
@@ -162,7 +163,8 @@ class RecorderProcess {
  private:
   // What a disk or a full socket cost; with a choice of channels the kernel also counts those not chosen.
   std::int64_t lost() const {
-    return recorder_.figures().dropped + (all_channels_ ? bus_.dropped_datagrams() : 0);
+    return recorder_.figures().dropped +
+           (all_channels_ ? bus_.dropped_datagrams() - dropped_before_ : 0);
   }
 
   // Times in a log go forward even when the clock on the wall is set.
@@ -228,7 +230,7 @@ class RecorderProcess {
   GapMeter meter_;
   Gap gap_;
   const std::int64_t start_us_ = wall_us(), start_ns_ = monotonic_ns();
-  std::int64_t newest_us_ = 0, gap_ns_ = 0;
+  std::int64_t newest_us_ = 0, gap_ns_ = 0, dropped_before_ = 0;
   std::int32_t send_failures_ = 0, event_sequence_ = 0;
   OnMessage on_message_{this};
   OnState on_state_{this};
