@@ -132,12 +132,12 @@ def main():
     certain = medians(proved)
     tables = [("ours", mine), ("proved", certain)] + ([("VAMP", medians(theirs))] if peer else [])
     print(f"{'':8s} {'solved':>7s} {'plan us':>16s} {'simplify us':>16s} {'total us':>16s} {'cost rad':>14s}   median / mean")
-    for name, table in tables:
+    for name, figures in tables:
         cells = []
         for k, digits in ((0, 1), (1, 1), ("total", 1), (2, 3)):
-            values = column(table, k)
+            values = column(figures, k)
             cells.append(f"{statistics.median(values):.{digits}f} / {statistics.mean(values):.{digits}f}")
-        print(f"{name:8s} {len(table):7d} {cells[0]:>16s} {cells[1]:>16s} {cells[2]:>16s} {cells[3]:>14s}")
+        print(f"{name:8s} {len(figures):7d} {cells[0]:>16s} {cells[1]:>16s} {cells[2]:>16s} {cells[3]:>14s}")
     at_most("P1 problems not solved", 0, VALID - len(mine), len(mine))
     if peer:
         other = tables[2][1]
@@ -182,7 +182,7 @@ def main():
     print(line.strip())
     at_most("P6 timing, median us", 200, float(case["median_us"]), case["median_us"])
     at_most("P6 paths over a limit at 1 kHz", 0, int(case["over_limits"]), case["over_limits"])
-    at_most("P6 duration / without smoothing, median", 1.05, float(case["longer_median"]), case["longer_median"])
+    print("P6 duration against the unlimited-jerk optimum is not measured: an unsmoothed path of ours is no optimum")
     if csv:
         with open(csv, "a") as file:
             for quantity, value, name, theirs_value, ratio in rows:
