@@ -125,3 +125,46 @@ def write(path, svg):
                            f"--window-size={width},{height}", f"--screenshot={png}", path.resolve().as_uri()],
                           capture_output=True, timeout=120)
     return None if done.returncode == 0 and png.exists() else "no PNG: chromium failed; install librsvg2-bin (rsvg-convert)"
+
+
+def lines(title, subtitle, x_name, y_name, curves, outlines=(), alike=False):
+    """Linear axes.  curves: [(label, [(x, y)])]; outlines: closed polygons [[(x, y)]]; alike: one scale for both axes."""
+    every = [point for _, points in curves for point in points] + [point for outline in outlines for point in outline]
+    x0, x1 = (f(x for x, _ in every) for f in (min, max))
+    y0, y1 = (f(y for _, y in every) for f in (min, max))
+    margin = 0.05 * (y1 - y0) or 1.0
+    y0, y1 = y0 - margin, y1 + margin
+    wide, high = WIDTH - LEFT - RIGHT, HEIGHT - TOP - BOTTOM
+    if alike:  # the same metres a pixel
+        scale = max((x1 - x0) / wide, (y1 - y0) / high)
+        middle = 0.5 * (y0 + y1)
+        y0, y1, x1 = middle - 0.5 * scale * high, middle + 0.5 * scale * high, x0 + scale * wide
+    bottom, right = HEIGHT - BOTTOM, WIDTH - RIGHT
+
+    def at(point):
+        return LEFT + (point[0] - x0) / (x1 - x0) * wide, bottom - (point[1] - y0) / (y1 - y0) * high
+
+    def ticks(low, high):
+        step = 10.0 ** math.floor(math.log10((high - low) / 4.0))
+        step *= next(k for k in (1, 2, 5, 10) if (high - low) / (k * step) <= 8)
+        return [step * k for k in range(math.ceil(low / step), math.floor(high / step) + 1)]
+    out = _frame(title, subtitle)
+    for value in ticks(x0, x1):
+        x, _ = at((value, y0))
+        out.append(f"<line x1='{x:.1f}' y1='{TOP}' x2='{x:.1f}' y2='{bottom}' stroke='#ddd'/>" + _text(x, bottom + 18, f"{value:.3g}", 12, "middle"))
+    for value in ticks(y0, y1):
+        _, y = at((x0, value))
+        out.append(f"<line x1='{LEFT}' y1='{y:.1f}' x2='{right}' y2='{y:.1f}' stroke='#ddd'/>" + _text(LEFT - 8, y + 4, f"{value:.3g}", 12, "end"))
+    for outline in outlines:
+        corners = " ".join("{:.1f},{:.1f}".format(*at(point)) for point in outline)
+        out.append(f"<polygon points='{corners}' fill='#eef2f6' stroke='#888'/>")
+    out.append(f"<rect x='{LEFT}' y='{TOP}' width='{right - LEFT}' height='{bottom - TOP}' fill='none' stroke='#444'/>")
+    out.append(_text((LEFT + right) / 2, HEIGHT - 20, x_name, 13, "middle"))
+    out.append(_text(24, (TOP + bottom) / 2, y_name, 13, "middle", turn=-90))
+    for k, (label, points) in enumerate(curves):
+        color, y = COLORS[k % len(COLORS)], TOP + 12 + 21 * k
+        way = " ".join("{:.1f},{:.1f}".format(*at(point)) for point in points)
+        out.append(f"<polyline points='{way}' fill='none' stroke='{color}' stroke-width='1.6'/>")
+        out.append(f"<line x1='{right + 14}' y1='{y}' x2='{right + 40}' y2='{y}' stroke='{color}' stroke-width='2.2'/>" + _text(right + 46, y + 4, label, 12))
+    out.append("</svg>")
+    return "\n".join(out)

@@ -1,0 +1,168 @@
+#!/usr/bin/env python3
+"""./twinbus chart walk [CHART...] [--out DIR] [--redraw]: how the robot walks.
+
+Charts: soles (ZMP, centre of mass and DCM among the soles, seen from above), force (normal force of the left foot on the
+robot's soft soles, and on ground and soles ten times as stiff: what lies above 50 Hz), speed (ZMP margin and force error
+against the velocity asked).  Each is written as SVG, PNG and CSV to DIR (default test/charts/walk); --redraw draws from the
+CSV that is there.
+"""
+
+import csv
+import json
+import math
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+import plot
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+CHARTS = ("soles", "force", "speed")
+SOLE = ((0.18, 0.07), (0.18, -0.07), (-0.07, -0.07), (-0.07, 0.07))  # hrp1s, in the sole frame [m]
+WEIGHT = 130.8 * 9.81  # [N]
+FROM, TO = 6.0, 9.0    # what is drawn of walk_forward [s]
+FAST = 50.0            # [Hz]
+SPEEDS = (0.1, 0.2, 0.3, 0.4, 0.5, 0.55, 0.6, 0.65, 0.7)
+
+
+def twinbus():
+    if "TWINBUS_BIN" in os.environ:
+        return pathlib.Path(os.environ["TWINBUS_BIN"]) / "twinbus"
+    builds = sorted(ROOT.glob("build/*/bin/twinbus"), key=lambda path: path.stat().st_mtime)
+    if not builds:
+        sys.exit("chart walk: nothing is built; run ./twinbus up once")
+    return builds[-1]
+
+
+def table_of(*settings):
+    """Rows of TRUTH and CONTROLLER_STATUS of walk_forward, by tick."""
+    folder = pathlib.Path(tempfile.mkdtemp())
+    words = [word for setting in settings for word in ("--set", setting)]
+    subprocess.run([twinbus(), "run", "walk_forward", "--for", str(TO + 0.5), "--log", folder / "walk.log", *words],
+                   capture_output=True, check=False)
+    tables = []
+    for channel in ("TRUTH", "CONTROLLER_STATUS"):
+        file = folder / f"{channel}.csv"
+        subprocess.run([twinbus(), "log", "csv", folder / "walk.log", channel, file], capture_output=True, check=True)
+        with open(file, newline="") as source:
+            tables.append({int(row["tick"]): row for row in csv.DictReader(source)})
+    truth, status = tables
+    ticks = [tick for tick in sorted(truth.keys() & status.keys()) if FROM <= 0.002 * tick < TO]
+    return [(tick, truth[tick], status[tick]) for tick in ticks]
+
+
+def measure_soles():
+    for tick, truth, status in table_of()[::5]:
+        row = {"time": f"{0.002 * tick:.3f}", "zmp_x": truth["zmp[0]"], "zmp_y": truth["zmp[1]"], "com_x": truth["com[0]"],
+               "com_y": truth["com[1]"]}
+        # The controller's DCM is in its ground frame: here by its distance from its own centre of mass.
+        row["dcm_x"] = float(truth["com[0]"]) + float(status["dcm[0]"]) - float(status["com[0]"])
+        row["dcm_y"] = float(truth["com[1]"]) + float(status["dcm[1]"]) - float(status["com[1]"])
+        for foot in (0, 1):
+            row |= {f"x{foot}": truth[f"foot_position[{foot}][0]"], f"y{foot}": truth[f"foot_position[{foot}][1]"],
+                    f"force{foot}": truth[f"foot_force[{foot}][2]"]}
+        yield row
+
+
+def draw_soles(rows, folder):
+    outlines = []
+    for foot in (0, 1):
+        stood = False
+        for row in rows:
+            loaded = float(row[f"force{foot}"]) > 0.5 * WEIGHT
+            if loaded and not stood:
+                x, y = float(row[f"x{foot}"]), float(row[f"y{foot}"])
+                outlines.append([(x + dx, y + dy) for dx, dy in SOLE])
+            stood = loaded
+    curves = [(name, [(float(row[f"{key}_x"]), float(row[f"{key}_y"])) for row in rows])
+              for name, key in (("ZMP", "zmp"), ("centre of mass", "com"), ("DCM", "dcm"))]
+    return plot.write(folder / "soles.svg", plot.lines("Walking forward at 0.55 m/s, from above", "hrp1s, engine articulated; soles that stand",
+                                                       "forward [m]", "left [m]", curves, outlines, alike=True))
+
+
+def measure_force():
+    soft, stiff = table_of(), table_of("contact.stiffness_scale=10")
+    for (tick, a, _), (_, b, _) in zip(soft, stiff):
+        yield {"time": f"{0.002 * tick:.3f}", "soft": a["foot_force[0][2]"], "stiff": b["foot_force[0][2]"]}
+
+
+def above(values, hertz, period):
+    """Root mean square of what is faster than that, of one-pole high passes, share of the weight."""
+    share = 1.0 / (1.0 + 2.0 * math.pi * hertz * period)
+    slow, square = values[0], 0.0
+    for value in values:
+        slow += (1.0 - share) * (value - slow)
+        square += (value - slow) ** 2
+    return math.sqrt(square / len(values)) / WEIGHT
+
+
+def draw_force(rows, folder):
+    curves, words = [], []
+    for key, name in (("soft", "the robot's soles"), ("stiff", "ten times as stiff")):
+        values = [float(row[key]) for row in rows]
+        curves.append((name, [(float(row["time"]), value) for row, value in zip(rows, values)]))
+        words.append(f"{name}: {100.0 * above(values, FAST, 0.002):.2f} % of the weight above {FAST:.0f} Hz")
+    print("; ".join(words), flush=True)
+    return plot.write(folder / "force.svg", plot.lines("Normal force of the left foot, 0.55 m/s", "; ".join(words), "time [s]", "force [N]", curves))
+
+
+def measure_speed():
+    scene = (ROOT / "config/scenes/walk_forward.yaml").read_text(encoding="utf-8")
+    folder = pathlib.Path(tempfile.mkdtemp())
+    for speed in SPEEDS:
+        file, report = folder / "walk.yaml", folder / "report.json"
+        file.write_text(scene.replace("vx: 0.55", f"vx: {speed}"), encoding="utf-8")
+        subprocess.run([twinbus(), "run", file, "--report", report], capture_output=True, check=False)
+        figures = json.loads(report.read_text())
+        yield {"speed": speed, "margin_mm": figures["zmp_margin_min_mm"], "force_percent": figures["force_rms_percent"],
+               "velocity_error_percent": figures["velocity_error_percent"]}
+        print(f"speed: {speed} m/s", flush=True)
+
+
+def draw_speed(rows, folder):
+    names = (("ZMP margin, least [mm]", "margin_mm"), ("normal force error [% of weight]", "force_percent"),
+             ("velocity error [%]", "velocity_error_percent"))
+    curves = [(name, [(float(row["speed"]), float(row[key])) for row in rows]) for name, key in names]
+    return plot.write(folder / "speed.svg", plot.lines("Walking forward, by the velocity asked", "hrp1s, engine articulated, 11 s each",
+                                                       "velocity asked [m/s]", "mm or %", curves))
+
+
+def main(words):
+    if "--help" in words or "-h" in words:
+        print(__doc__.strip())
+        return 0
+    folder, names, redraw = ROOT / "test/charts/walk", [], False
+    while words:
+        word = words.pop(0)
+        if word == "--out" and words:
+            folder = pathlib.Path(words.pop(0))
+        elif word == "--redraw":
+            redraw = True
+        elif word in CHARTS:
+            names.append(word)
+        else:
+            print(f"chart walk: no chart or option '{word}'; there are {' '.join(CHARTS)} --out --redraw", file=sys.stderr)
+            return 2
+    folder.mkdir(parents=True, exist_ok=True)
+    for name in names or CHARTS:
+        file = folder / f"{name}.csv"
+        if not redraw:
+            rows = list(globals()[f"measure_{name}"]())
+            with open(file, "w", newline="") as out:
+                writer = csv.DictWriter(out, rows[0].keys())
+                writer.writeheader()
+                writer.writerows(rows)
+        if not file.exists():
+            print(f"chart walk: {file} is not there; run without --redraw", file=sys.stderr)
+            return 1
+        with open(file, newline="") as source:
+            rows = list(csv.DictReader(source))
+        missing = globals()[f"draw_{name}"](rows, folder)
+        print(f"{folder / name}.svg" + (f" ({missing})" if missing else ", .png, .csv"))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
