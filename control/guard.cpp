@@ -91,7 +91,7 @@ struct Guard::Impl {
 Guard::Impl::Impl(const Model& robot, const GuardConfig& wanted)
     : model(&robot),
       config(wanted),
-      collision(robot, wanted.backend),
+      collision(robot),
       track(robot, (wanted.delay_ticks + 1) * robot.period() + wanted.servo_lag),
       now_kinematics(robot),
       then_kinematics(robot),

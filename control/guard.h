@@ -27,7 +27,6 @@ struct GuardConfig {
   double near = 0.050;       // pairs nearer than this are reported [m]
   int delay_ticks = 2;       // from the state that shows a danger to the brake that answers it
   double servo_lag = 0.005;  // by which a joint runs on behind a set-point that is braked [s]
-  CollisionBackend backend = CollisionBackend::kOwn;
 };
 
 class Guard {

@@ -3,7 +3,6 @@
 #include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/math/bv/OBBRSS.h>
 #include <fcl/narrowphase/collision.h>
-#include <fcl/narrowphase/detail/gjk_solver_indep.h>
 #include <fcl/narrowphase/distance.h>
 
 #include <algorithm>
@@ -159,10 +158,8 @@ struct Collision::Impl {
   int link_owners = 0;
   int last_hit = 0;
   std::int64_t query = 0;
-  CollisionBackend backend;
-  fcl::detail::GJKSolver_indep<double> gjk;
 
-  Impl(const Model& robot, CollisionBackend wanted);
+  explicit Impl(const Model& robot);
   void build_pairs();
   OwnerPair make_pair(int a, int b);
   int index_of(const Owner& owner) const {  // link, or obstacle + link_count
@@ -178,19 +175,12 @@ struct Collision::Impl {
               PairDistance& result) noexcept;
   bool bodies_nearer(Body& a, Body& b, Vector3d& remembered, double near,
                      PairDistance& result) noexcept;
-  bool convex_distance(const Body& a, const Body& b, double& distance, Vector3d& on_a,
-                       Vector3d& on_b) noexcept;
   bool own_distance(const Body& a, const Body& b, double near, PairDistance& result) noexcept;
   void mesh_distance(Body& a, Body& b, double near, PairDistance& result);
 };
 
-Collision::Impl::Impl(const Model& robot, CollisionBackend wanted)
-    : self_pairs(pairs_to_check(robot)),
-      model(&robot),
-      link_count(robot.link_count()),
-      backend(wanted) {
-  gjk.gjk_tolerance = 1e-9;
-  gjk.enable_cached_guess = true;
+Collision::Impl::Impl(const Model& robot)
+    : self_pairs(pairs_to_check(robot)), model(&robot), link_count(robot.link_count()) {
   owner_of.assign(static_cast<std::size_t>(link_count + kMaxObstacles), -1);
   link_radius.assign(static_cast<std::size_t>(link_count), 0.0);
   for (int link = 0; link < link_count; ++link) {
@@ -260,25 +250,6 @@ bool Collision::Impl::spheres_nearer_than(const OwnerPair& pair, double near) no
   return (a.center_in_world - b.center_in_world).squaredNorm() <= reach * reach;
 }
 
-// GJK without EPA: distance and closest points of shapes that do not touch; false when they do.
-bool Collision::Impl::convex_distance(const Body& a, const Body& b, double& distance,
-                                      Vector3d& on_a, Vector3d& on_b) noexcept {
-  gjk.cached_guess = a.world.linear().transpose() * (a.world.translation() - b.world.translation());
-  if (!(gjk.cached_guess.squaredNorm() > kRounding)) gjk.cached_guess = Vector3d::UnitX();
-  return std::visit(
-      [&](const auto& first, const auto& second) {
-        using First = std::decay_t<decltype(first)>;
-        using Second = std::decay_t<decltype(second)>;
-        if constexpr (std::is_same_v<First, std::monostate> ||
-                      std::is_same_v<Second, std::monostate>) {
-          return false;
-        } else {
-          return gjk.shapeDistance(first, a.world, second, b.world, &distance, &on_a, &on_b);
-        }
-      },
-      a.primitive, b.primitive);
-}
-
 // Distance, points and normal of the cores, the distance zero when they overlap; false when they
 // are farther apart than near.
 bool Collision::Impl::own_distance(const Body& a, const Body& b, double near,
@@ -326,28 +297,13 @@ bool Collision::Impl::bodies_nearer(Body& a, Body& b, Vector3d& remembered, doub
   PairDistance found;
   found.distance = near + 1.0;
   const bool mesh = a.mesh || b.mesh;
-  bool done = false;
-  if (backend == CollisionBackend::kOwn) {
-    if (!own_distance(a, b, near, found)) return false;
-    if (found.distance > kConverged) remembered = a.world.linear().transpose() * found.normal;
-    done = !mesh || found.distance > kHullsApart;
-    if (!done) found.distance = near + 1.0;
-  }
-  if (!done && mesh) {
+  if (!own_distance(a, b, near, found)) return false;
+  if (found.distance > kConverged) remembered = a.world.linear().transpose() * found.normal;
+  const bool exact = mesh && !(found.distance > kHullsApart);
+  if (exact) {
+    found.distance = near + 1.0;
     mesh_distance(a, b, near, found);
     if (!(found.distance <= near)) return false;
-  } else if (!done && convex_distance(a, b, found.distance, found.point_a, found.point_b)) {
-    const Vector3d gap = found.point_b - found.point_a;
-    if (found.distance > kConverged) {
-      found.normal = gap / gap.norm();
-      // What GJK found is from above; the separation along its direction is from below, and is what
-      // counts.
-      const double below = separation(shape_a, shape_b, found.normal);
-      remembered = a.world.linear().transpose() * found.normal;
-      if (found.distance - below > kConverged) found.distance = std::max(below, 0.0);
-    }
-  } else if (!done) {
-    found.distance = 0.0;
   }
   if (!(found.distance > kConverged)) {  // touching: the shortest way out
     found.normal = way_out(shape_a, shape_b);
@@ -355,7 +311,7 @@ bool Collision::Impl::bodies_nearer(Body& a, Body& b, Vector3d& remembered, doub
     found.distance = std::min(found.distance, out);
     found.point_a = a.world * a.convex.support(a.world.linear().transpose() * found.normal);
     found.point_b = b.world * b.convex.support(-(b.world.linear().transpose() * found.normal));
-  } else if (mesh && !done) {
+  } else if (exact) {
     found.normal = (found.point_b - found.point_a).normalized();
   }
   if (!(found.distance <= near) || found.distance >= result.distance) return false;
@@ -386,8 +342,7 @@ bool Collision::Impl::nearer(const Kinematics& kinematics, const OwnerPair& pair
   return found;
 }
 
-Collision::Collision(const Model& model, CollisionBackend backend)
-    : impl_(std::make_unique<Impl>(model, backend)) {}
+Collision::Collision(const Model& model) : impl_(std::make_unique<Impl>(model)) {}
 Collision::~Collision() = default;
 
 const std::vector<CollisionPair>& Collision::pairs() const noexcept { return impl_->self_pairs; }

@@ -3,8 +3,7 @@
 // Bounding spheres first, then a separating direction remembered from the last query (a lower
 // bound, so what is remembered never changes an answer), then the distance of convex shapes
 // (gjk.h), which is the hull's for a mesh.  Only meshes whose hulls are nearer than 20 mm reach
-// FCL, which is asked for their exact distance; it can be asked for everything instead, as an
-// oracle.  Queries on boxes, spheres and cylinders allocate nothing; meshes do.  FCL asserts on
+// FCL, which is asked for their exact distance.  Queries on boxes, spheres and cylinders allocate nothing; meshes do.  FCL asserts on
 // NaN: callers pass finite configurations (convert has checked them).
 
 #pragma once
@@ -40,15 +39,13 @@ struct Obstacle {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
 };
 
-enum class CollisionBackend { kOwn, kFcl };
-
 class Collision {
  public:
   static constexpr int kMaxObstacles = 64;
 
   // Loads geometry; drops adjacent pairs and the SRDF's disabled ones.  Throws if a mesh cannot be
   // read.
-  explicit Collision(const Model& model, CollisionBackend backend = CollisionBackend::kOwn);
+  explicit Collision(const Model& model);
   ~Collision();
 
   const std::vector<CollisionPair>& pairs() const noexcept;  // self pairs that are checked

@@ -16,7 +16,10 @@ namespace twinbus {
 // clang-format off
 #define TWINBUS_WIDE 0
 namespace baseline_lanes {
-#include "robot/self_collision_kernel.h"
+#include "robot/self_collision_lanes.h"
+#include "robot/self_collision_far.h"
+#include "robot/self_collision_triangles.h"
+#include "robot/self_collision_near.h"
 }  // namespace baseline_lanes
 #undef TWINBUS_WIDE
 #if defined(__x86_64__) && !defined(__clang__)
@@ -24,11 +27,17 @@ namespace baseline_lanes {
 #pragma GCC push_options
 #pragma GCC target("avx2")
 namespace avx2_lanes {
-#include "robot/self_collision_kernel.h"
+#include "robot/self_collision_lanes.h"
+#include "robot/self_collision_far.h"
+#include "robot/self_collision_triangles.h"
+#include "robot/self_collision_near.h"
 }  // namespace avx2_lanes
 #pragma GCC target("avx512f,avx512vl,avx512dq")
 namespace avx512_lanes {
-#include "robot/self_collision_kernel.h"
+#include "robot/self_collision_lanes.h"
+#include "robot/self_collision_far.h"
+#include "robot/self_collision_triangles.h"
+#include "robot/self_collision_near.h"
 }  // namespace avx512_lanes
 #pragma GCC pop_options
 #undef TWINBUS_WIDE

@@ -1,0 +1,182 @@
+// Do two links touch?  Part of the kernels of SelfCollision, included after self_collision_lanes.h.
+
+// Clusters of `body` whose sphere meets the box of the other link: index, centre in the other's
+// axes, radius.  to_other: from body to the other link.
+static int keep(const CollisionBody& body, const CollisionPose& to_other,
+                const CollisionBody& other, float* kept, int stride) noexcept {
+  // Which of eight balls in body's axes meet the other's box; c: their centres in the other's axes.
+  const auto meet = [&](const float* const* center, const float* radius, int first, F8(&c)[3])
+      __attribute__((always_inline)) {
+    const F8 x = load8(center[0] + first), y = load8(center[1] + first),
+             z = load8(center[2] + first), r = load8(radius + first);
+    I8 apart{};
+    for (int d = 0; d < 3; ++d) {
+      c[d] = x * to_other.column[0][d] + y * to_other.column[1][d] + z * to_other.column[2][d] +
+             to_other.origin[d];
+      apart |= (c[d] + r < all(other.low[d])) | (all(other.high[d]) < c[d] - r);
+    }
+    return ~bits(apart) & 0xFFU;
+  };
+  int n = 0;
+  const int blocks = (body.clusters + 7) / 8;
+  for (int group = 0; group < blocks; group += 8) {
+    F8 c[3];
+    unsigned open = 0xFFU;
+    if (blocks > 2) open = meet(body.block_center, body.block_radius, group, c);
+    for (; open != 0; open &= open - 1) {
+      const int block = group + lowest(open);
+      if (block >= blocks) break;
+      const int first = 8 * block;
+      for (unsigned m = meet(body.center, body.radius, first, c); m != 0; m &= m - 1) {
+        const int lane = lowest(m);
+        if (first + lane >= body.clusters) break;
+        for (int d = 0; d < 3; ++d) kept[d * stride + n] = c[d][lane];
+        kept[3 * stride + n] = body.radius[first + lane];
+        for (int d = 0; d < 3; ++d) kept[(4 + d) * stride + n] = body.center[d][first + lane];
+        kept[7 * stride + n++] = static_cast<float>(first + lane);
+      }
+    }
+  }
+  for (int pad = n; pad % 8 != 0; ++pad) {
+    for (int d = 0; d < 7; ++d) kept[d * stride + pad] = d == 3 ? 0.0F : 1e9F;
+  }
+  return n;
+}
+
+// How many triangles of the body a ray from the point crosses, odd or even.
+static bool odd_crossings(const CollisionBody& body, const float* point,
+                          const float* ray) noexcept {
+  unsigned odd = 0;
+  for (int c = 0; c < body.clusters; ++c) {
+    const TriangleCluster& cluster = body.cluster[c];
+    for (int first = 0; first < cluster.count; first += 8) {
+      F8 p[3][3];
+      for (int k = 0; k < 3; ++k) {
+        for (int d = 0; d < 3; ++d) p[k][d] = load8(cluster.corner[k][d] + first) - all(point[d]);
+      }
+      // The volumes of ray and edges say on which side of each edge the ray passes.
+      const auto volume = [&](int i, int j) __attribute__((always_inline)) {
+        const F8 x = p[i][1] * p[j][2] - p[i][2] * p[j][1];
+        const F8 y = p[i][2] * p[j][0] - p[i][0] * p[j][2];
+        const F8 z = p[i][0] * p[j][1] - p[i][1] * p[j][0];
+        return x * ray[0] + y * ray[1] + z * ray[2];
+      };
+      const F8 a = volume(0, 1), b = volume(1, 2), c2 = volume(2, 0);
+      const F8 zero = all(0.0F);
+      const I8 in =
+          ((a >= zero) & (b >= zero) & (c2 >= zero)) | ((a < zero) & (b < zero) & (c2 < zero));
+      const F8 normal[3] = {load8(cluster.normal[0] + first), load8(cluster.normal[1] + first),
+                            load8(cluster.normal[2] + first)};
+      const F8 slope = normal[0] * ray[0] + normal[1] * ray[1] + normal[2] * ray[2];
+      const F8 height = normal[0] * p[0][0] + normal[1] * p[0][1] + normal[2] * p[0][2];
+      const I8 ahead = ((slope > zero) & (height > zero)) | ((slope < zero) & (height < zero));
+      const int real = cluster.count - first;
+      const unsigned lanes = real >= 8 ? 0xFFU : (1U << real) - 1U;
+      odd ^= static_cast<unsigned>(__builtin_parity(bits(in & ahead) & lanes));
+    }
+  }
+  return odd != 0;
+}
+
+// Is a point of every shape of the inner link inside the outer one?  Three rays must agree, so that
+// an open mesh or a ray along an edge does not decide.
+static bool some_inside(const CollisionBody& inner, const CollisionBody& outer,
+                        const CollisionPose& to_outer) noexcept {
+  constexpr float kRays[3][3] = {
+      {0.287F, 0.611F, 0.738F}, {-0.824F, 0.313F, -0.472F}, {0.391F, -0.902F, 0.183F}};
+  for (int w = 0; w < inner.witnesses; ++w) {
+    const F4 point = moved(to_outer, inner.witness[w]);
+    bool in = true;
+    for (int d = 0; d < 3; ++d) in = in && point[d] >= outer.low[d] && point[d] <= outer.high[d];
+    if (!in) continue;
+    const float p[3] = {point[0], point[1], point[2]};
+    if (odd_crossings(outer, p, kRays[0]) && odd_crossings(outer, p, kRays[1]) &&
+        odd_crossings(outer, p, kRays[2]))
+      return true;
+  }
+  return false;
+}
+
+// inside: also when one is inside the other.
+static bool bodies_touch(const CollisionTables& t, int first, int second, bool inside) noexcept {
+  const bool swap = t.body[first].clusters > t.body[second].clusters;
+  const CollisionBody& a = t.body[swap ? second : first];
+  const CollisionBody& b = t.body[swap ? first : second];
+  const CollisionPose& pose_a = t.pose[a.link];
+  const CollisionPose& pose_b = t.pose[b.link];
+  CollisionPose a_to_b{}, b_to_a{};
+  F4 between = load4f(pose_a.origin) - load4f(pose_b.origin);
+  for (int i = 0; i < 3; ++i) {
+    const F4 row_b = load4f(pose_b.column[i]);
+    for (int k = 0; k < 3; ++k) {
+      const F4 m = row_b * load4f(pose_a.column[k]);
+      a_to_b.column[k][i] = b_to_a.column[i][k] = m[0] + m[1] + m[2];
+    }
+    const F4 m = row_b * between;
+    a_to_b.origin[i] = m[0] + m[1] + m[2];
+  }
+  for (int i = 0; i < 3; ++i) {
+    b_to_a.origin[i] =
+        -(a_to_b.column[i][0] * a_to_b.origin[0] + a_to_b.column[i][1] * a_to_b.origin[1] +
+          a_to_b.column[i][2] * a_to_b.origin[2]);
+  }
+  const int stride = t.most_clusters;
+  float* of_a = t.kept;
+  float* of_b = t.kept + 8 * stride;
+  const int count_a = keep(a, a_to_b, b, of_a, stride);
+  const int count_b = count_a == 0 ? 0 : keep(b, b_to_a, a, of_b, stride);
+  MovedCluster moved_a;
+  for (int i = 0; i < count_a && count_b != 0; ++i) {
+    const float in_b[3] = {of_a[i], of_a[stride + i], of_a[2 * stride + i]};
+    const float r = of_a[3 * stride + i];
+    const int ca = static_cast<int>(of_a[7 * stride + i]);
+    F4 middle{}, half{};
+    bool placed = false, ready = false;
+    for (int j = 0; j < count_b; j += 8) {
+      const F8 dx = load8(of_b + 4 * stride + j) - all(in_b[0]);
+      const F8 dy = load8(of_b + 5 * stride + j) - all(in_b[1]);
+      const F8 dz = load8(of_b + 6 * stride + j) - all(in_b[2]);
+      const F8 reach = load8(of_b + 3 * stride + j) + all(r);
+      for (unsigned m = bits(dx * dx + dy * dy + dz * dz <= reach * reach); m != 0; m &= m - 1) {
+        const int k = j + lowest(m);
+        const int cb = static_cast<int>(of_b[7 * stride + k]);
+        if (!placed) {
+          placed = true;
+          const float* h = a.half[ca];
+          middle = moved(a_to_b, a.middle[ca]);
+          F4 x = load4f(a_to_b.column[0]) * h[0], y = load4f(a_to_b.column[1]) * h[1],
+             z = load4f(a_to_b.column[2]) * h[2];
+          half = (x > -x ? x : -x) + (y > -y ? y : -y) + (z > -z ? z : -z);
+        }
+        const F4 gap = middle - load4f(b.middle[cb]);
+        const F4 room = half + load4f(b.half[cb]);
+        const F4 far = gap > -gap ? gap : -gap;
+        if (any3(far > room)) continue;
+        ++t.work[2];
+        const float in_a[3] = {of_b[k], of_b[stride + k], of_b[2 * stride + k]};
+        if (clusters_cross(a.cluster[ca], b.cluster[cb], a_to_b, in_b, in_a, moved_a, ready,
+                           t.work))
+          return true;
+      }
+    }
+  }
+  if (!inside) return false;
+  const bool a_smaller = a.sphere[3] <= b.sphere[3];
+  return a_smaller ? some_inside(a, b, a_to_b) : some_inside(b, a, b_to_a);
+}
+
+static int collide(const CollisionTables& t, bool first_only) noexcept {
+  const int n = spheres(t);
+  t.work[0] += n;
+  capsule_bounds(t, n);
+  int hits = 0;
+  for (int i = 0; i < n; ++i) {
+    if (t.bound[i] > 0.0F) continue;
+    ++t.work[1];
+    const CollisionCandidate pair = t.near[i];
+    if (!bodies_touch(t, pair.a, pair.b, true)) continue;
+    t.hit[hits++] = t.pair_of[pair.a * t.bodies + pair.b];
+    if (first_only) break;
+  }
+  return hits;
+}
