@@ -1,4 +1,5 @@
 """A headless Chromium that a test looks at a page with: scripts, keys, screenshots, what the console said."""
+import atexit
 import base64
 import json
 import os
@@ -23,6 +24,7 @@ class Browser:
              "--hide-scrollbars", "--remote-debugging-port=0", f"--user-data-dir={self.folder}",
              f"--window-size={size[0]},{size[1]}", "about:blank"],
             stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+        atexit.register(self._kill)  # a test that breaks off leaves nothing running
         port = None
         while port is None:
             line = self.child.stderr.readline().decode(errors="replace")
@@ -70,7 +72,7 @@ class Browser:
 
     def key(self, key, code):
         for kind in ("keyDown", "keyUp"):
-            self.call("Input.dispatchKeyEvent", type=kind, key=key, code=code, text=key if kind == "keyDown" else "")
+            self.call("Input.dispatchKeyEvent", type=kind, key=key, code=code, text=key if kind == "keyDown" and len(key) == 1 else "")
 
     def click(self, selector):
         box = self.value(f"(r => [r.x + r.width / 2, r.y + r.height / 2])(document.querySelector('{selector}').getBoundingClientRect())")
@@ -94,6 +96,10 @@ class Browser:
         data = self.call("Page.captureScreenshot", format="png")["data"]
         with open(name, "wb") as file:
             file.write(base64.b64decode(data))
+
+    def _kill(self):
+        if self.child.poll() is None:
+            self.child.terminate()
 
     def end(self):
         self.socket.close()

@@ -29,7 +29,7 @@ def picture(name):
 
 
 text = "document.getElementById('%s').textContent"
-check(page.wait_for(text % "badge-name" + " === 'SIMULATOR'"), "the badge says SIMULATOR")
+check(page.wait_for(text % "badge-name" + " === 'SIMULATOR'", 40), "the badge says SIMULATOR")
 check("term 1" in page.value(text % "badge-detail"), "with term and age: " + page.value(text % "badge-detail"))
 check(page.wait_for(text % "health-text" + " === 'Running well: sway.'"), "it says that all is well")
 check(page.wait_for("/^\\d\\d+ Hz$/.test(" + text % "rate-state" + ")"), "and the rate of STATE")

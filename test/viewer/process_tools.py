@@ -1,4 +1,5 @@
 """Processes whose lines a test waits for, and numbered checks."""
+import atexit
 import os
 import queue
 import subprocess
@@ -14,6 +15,7 @@ class Process:
         self.lines = queue.Queue()
         self.seen = []
         threading.Thread(target=self._read, daemon=True).start()
+        atexit.register(self.end)  # a test that breaks off leaves nothing running
 
     def _read(self):
         for line in self.child.stdout:
