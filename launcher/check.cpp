@@ -1,5 +1,6 @@
 #include "launcher/check.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -9,12 +10,16 @@
 
 #include "launcher/arguments.h"
 #include "launcher/check_pairs.h"
+#include "launcher/trial.h"
+#include "robot/base_turn.h"
+#include "robot/coarse_mesh.h"
 #include "robot/index.h"
 #include "robot/kinematics.h"
 #include "robot/link_points.h"
 #include "robot/load.h"
 #include "robot/proposal.h"
 #include "robot/suspicions.h"
+#include "robot/xml.h"
 
 namespace twinbus {
 
@@ -33,7 +38,9 @@ const char* kind_name(JointKind kind) {
 struct Subject {
   Model model;
   std::string urdf;  // file, when there is no robot.yaml
-  std::vector<std::pair<std::string, std::string>> packages;
+  std::string text;  // of the URDF as it is proposed
+  ProposalSource source;
+  Model repaired;  // what the proposal is made of
 };
 
 std::string only_urdf(const std::string& folder) {
@@ -59,15 +66,45 @@ Subject load_subject(const std::string& name) {
     }
     subject.urdf = only_urdf(folder);
   }
-  subject.packages = find_packages(subject.urdf);
-  subject.model = load_urdf(subject.urdf, subject.packages);
+  ProposalSource& source = subject.source;
+  source.packages = find_packages(subject.urdf);
+  subject.text = with_packages(read_text_file(subject.urdf), subject.urdf, source.packages);
+  subject.repaired =
+      load_repaired_urdf(subject.text, subject.urdf, source.packages, source.repairs);
+  const Eigen::Matrix3d turn = find_base_turn(subject.repaired);
+  if (!turn.isIdentity(1e-9)) {
+    subject.text = with_upright_base(subject.text, subject.repaired.links.front().name, turn);
+    subject.repaired =
+        load_repaired_urdf(subject.text, subject.urdf, source.packages, source.repairs);
+    source.notes.push_back(
+        "the base of the file does not have z up and x forward: the copy of the URDF has a link "
+        "upright_base above it that has");
+  }
+  source.urdf_name = fs::path(subject.urdf).filename().string();
+  source.srdf_file = find_srdf(subject.urdf);
+  if (!source.srdf_file.empty()) source.srdf_text = read_text_file(source.srdf_file);
+  // The robot as its file says it, if that is a robot without repairs.
+  try {
+    subject.model = load_urdf(subject.urdf, source.packages);
+  } catch (const std::runtime_error&) {
+    subject.model = subject.repaired;
+  }
   return subject;
+}
+
+// The robot that the proposal makes, as `run` will load it.
+Model load_proposed(const Proposal& proposal, const Subject& subject) {
+  return load_robot_texts({.folder = fs::path(subject.urdf).parent_path().string(),
+                           .yaml = proposal.yaml,
+                           .urdf = subject.text,
+                           .srdf = proposal.srdf});
 }
 
 struct Extent {
   Eigen::Vector3d size = Eigen::Vector3d::Zero();
   Eigen::Vector3d com = Eigen::Vector3d::Zero();  // from the middle of the box, at its bottom
   int shapes = 0, meshes = 0, links = 0;
+  int coarse = 0;  // meshes that the guard sees as their hulls
 };
 
 Extent measure(const Model& model) {
@@ -87,8 +124,12 @@ Extent measure(const Model& model) {
     }
     extent.links += link.collision.empty() ? 0 : 1;
     extent.shapes += static_cast<int>(link.collision.size());
-    for (const Shape& shape : link.collision)
-      extent.meshes += shape.kind == ShapeKind::kMesh ? 1 : 0;
+    for (const Shape& shape : link.collision) {
+      if (shape.kind != ShapeKind::kMesh) continue;
+      ++extent.meshes;
+      extent.coarse +=
+          load_mesh(shape.mesh, shape.size).triangles.size() > at(kFineTriangles) ? 1 : 0;
+    }
   }
   if (!(low.x() <= high.x())) return extent;
   extent.size = high - low;
@@ -128,19 +169,22 @@ json to_json(const std::vector<Suspicion>& all) {
 }
 
 json report(const Model& model, const Extent& extent) {
-  json out = {
-      {"name", model.name},
-      {"mass_kg", model.total_mass()},
-      {"joints", json::array()},
-      {"links", model.link_count()},
-      {"bus_joints", model.bus_count()},
-      {"floating_base", model.floating_base},
-      {"size_m", {extent.size.x(), extent.size.y(), extent.size.z()}},
-      {"com_above_ground_m", extent.com.z()},
-      {"geometry", {{"links", extent.links}, {"shapes", extent.shapes}, {"meshes", extent.meshes}}},
-      {"sensors", sensors(model)},
-      {"period_s", model.period()},
-      {"model_hash", model.hash}};
+  json out = {{"name", model.name},
+              {"mass_kg", model.total_mass()},
+              {"joints", json::array()},
+              {"links", model.link_count()},
+              {"bus_joints", model.bus_count()},
+              {"floating_base", model.floating_base},
+              {"size_m", {extent.size.x(), extent.size.y(), extent.size.z()}},
+              {"com_above_ground_m", extent.com.z()},
+              {"geometry",
+               {{"links", extent.links},
+                {"shapes", extent.shapes},
+                {"meshes", extent.meshes},
+                {"meshes_as_hulls", extent.coarse}}},
+              {"sensors", sensors(model)},
+              {"period_s", model.period()},
+              {"model_hash", model.hash}};
   for (const Joint& joint : model.joints) {
     const auto j = static_cast<std::size_t>(&joint - model.joints.data());
     out["joints"].push_back(
@@ -170,6 +214,12 @@ void print(const Model& model, const Extent& extent) {
       extent.size.x(), extent.size.y(), extent.size.z(), extent.com.z());
   std::printf("%d links can be touched: %d shapes, %d of them meshes\n", extent.links,
               extent.shapes, extent.meshes);
+  if (extent.coarse > 0) {
+    std::printf(
+        "to the guard %d meshes of more than %d triangles are their convex hulls: it keeps out of "
+        "their hollows too\n",
+        extent.coarse, kFineTriangles);
+  }
   std::printf("%4s  %-28s %-10s %8s %8s %8s %8s %8s %7s\n", "bus", "joint", "kind", "lower",
               "upper", "velocity", "effort", "kp", "kd");
   for (const Joint& joint : model.joints) {
@@ -199,6 +249,45 @@ void print(const Model& model, const Extent& extent) {
   std::printf("\n%zu pairs of links are declared never to touch\n", model.disabled_pairs.size());
 }
 
+json to_json(const Trial& trial) {
+  return {{"refusal", trial.refusal},
+          {"cannot_balance", trial.cannot_balance},
+          {"stood", trial.stood},
+          {"simulated_s", trial.simulated_s},
+          {"realtime_factor", trial.wall_s > 0.0 ? trial.simulated_s / trial.wall_s : 0.0},
+          {"figures", trial.figures},
+          {"failures", trial.failures},
+          {"weak", trial.weak}};
+}
+
+void print(const Trial& trial) {
+  std::printf("\n");
+  if (!trial.refusal.empty()) return;  // said as the error
+  if (!trial.cannot_balance.empty()) {
+    std::printf(
+        "does not stand: %s.  Balance wants a free base and two legs of six joints, each with a "
+        "sole: "
+        "scenes in which a robot stands are not for this one\n",
+        trial.cannot_balance.c_str());
+    return;
+  }
+  if (trial.stood) {
+    std::printf("stands: %.1f s in the simulator, %.1f times real time: %s\n", trial.simulated_s,
+                trial.simulated_s / std::max(trial.wall_s, 1e-9), trial.figures.c_str());
+    return;
+  }
+  std::printf("DOES NOT STAND (%.1f s in the simulator): %s\n", trial.simulated_s,
+              trial.figures.c_str());
+  for (const std::string& failure : trial.failures) std::printf("  %s\n", failure.c_str());
+  for (const std::string& weak : trial.weak) {
+    std::printf("  %s: correct the limit in the URDF, or half_sitting in the SRDF\n", weak.c_str());
+  }
+  std::printf(
+      "  see `If it falls` in config/robots/README.md; what is named above as suspicious or to be "
+      "looked "
+      "at comes first\n");
+}
+
 void print(const char* title, const std::vector<Suspicion>& all) {
   std::printf("\n%s: %s\n", title, all.empty() ? "nothing" : "");
   for (const Suspicion& s : all)
@@ -223,8 +312,12 @@ int check_command(const std::vector<std::string>& words) {
        "files.\n"
        "Prints mass, size, joints, sensors, what is suspicious and what robot.yaml lacks; for a "
        "URDF without\n"
-       "robot.yaml also proposes one.  Exit status 1 with one line naming file and remedy if it is "
-       "refused.",
+       "robot.yaml also proposes one.  Then the robot, or what is proposed, stands for two seconds "
+       "in the "
+       "simulator.\n"
+       "Exit status 1 if it is refused, with one line naming file and remedy, or does not stand "
+       "though it "
+       "has the legs.",
        {{"--json", "", "everything as one JSON object"},
         {"--pairs", "",
          "instead: which pairs of links can touch, with proof, and which of those that the SRDF "
@@ -240,47 +333,65 @@ int check_command(const std::vector<std::string>& words) {
   if (arguments.has("--pairs")) return check_pairs(model, arguments.text("--write", ""));
   const Extent extent = measure(model);
   const std::vector<Suspicion> suspicions = find_suspicions(model);
-  const std::vector<Suspicion> missing = find_missing(model);
+  std::vector<Suspicion> missing = find_missing(model);
   const std::string folder = arguments.text("--propose", "");
+  if (subject.urdf.empty() && !folder.empty())
+    throw UsageError("check: --propose wants a URDF file; " + arguments.word(0) +
+                     " has a robot.yaml already");
   std::optional<Proposal> proposal;
-  if (!subject.urdf.empty() || !folder.empty()) {
-    std::string name = "robot.urdf";
-    if (!subject.urdf.empty()) name = fs::path(subject.urdf).filename().string();
-    proposal = propose(model, name, subject.packages);
-    if (!folder.empty()) {
-      fs::create_directories(folder);
-      write_file(fs::path(folder) / "robot.yaml", proposal->yaml);
-      write_file(fs::path(folder) / fs::path(name).replace_extension(".srdf"), proposal->srdf);
-      write_file(fs::path(folder) / name, model.urdf_text);
-    }
+  if (!subject.urdf.empty()) proposal = propose(subject.repaired, subject.source);
+  if (proposal && !folder.empty()) {
+    const fs::path name(subject.source.urdf_name);
+    fs::create_directories(folder);
+    write_file(fs::path(folder) / "robot.yaml", proposal->yaml);
+    write_file(fs::path(folder) / fs::path(name).replace_extension(".srdf"), proposal->srdf);
+    write_file(fs::path(folder) / name, subject.text);
   }
+  const Model proposed = proposal ? (folder.empty() ? load_proposed(*proposal, subject)
+                                                    : load_robot(fs::absolute(folder).string()))
+                                  : Model();
+  const Trial trial = try_to_stand(proposal ? proposed : model);
+  if (proposal) {  // beside robot.yaml itself, what the proposal leaves open
+    missing = {{"robot.yaml", "is not there",
+                folder.empty() ? "take the proposal below" : "one is proposed"}};
+    for (const Suspicion& s : find_missing(proposed)) missing.push_back(s);
+  }
+  const bool good = trial.refusal.empty() && (trial.stood || !trial.cannot_balance.empty());
   if (arguments.has("--json")) {
     json out = report(model, extent);
     out["suspicious"] = to_json(suspicions);
     out["missing"] = to_json(missing);
+    out["trial"] = to_json(trial);
     if (proposal) {
-      out["proposed"] = {
-          {"robot_yaml", proposal->yaml}, {"srdf", proposal->srdf}, {"doubts", proposal->doubts}};
+      out["proposed"] = {{"robot_yaml", proposal->yaml},
+                         {"srdf", proposal->srdf},
+                         {"urdf", subject.text},
+                         {"doubts", proposal->doubts}};
     }
     std::printf("%s\n", out.dump(2, ' ', false, json::error_handler_t::replace).c_str());
-    return 0;
+    return good ? 0 : 1;
   }
   print(model, extent);
   print("suspicious", suspicions);
   print("missing", missing);
-  if (!proposal) return 0;
-  std::printf("\nlook at these before you use the proposal:%s\n",
-              proposal->doubts.empty() ? " nothing found" : "");
-  for (const std::string& doubt : proposal->doubts) std::printf("  %s\n", doubt.c_str());
-  if (folder.empty()) {
-    std::printf(
-        "\nproposed robot.yaml (--propose FOLDER writes it, with an SRDF and the URDF):\n\n%s",
-        proposal->yaml.c_str());
-  } else {
-    std::printf("\nwritten: %s.  Next: ./twinbus run stand --robot %s\n", folder.c_str(),
-                folder.c_str());
+  if (proposal) {
+    std::printf("\nlook at these before you use the proposal:%s\n",
+                proposal->doubts.empty() ? " nothing found" : "");
+    for (const std::string& doubt : proposal->doubts) std::printf("  %s\n", doubt.c_str());
+    if (folder.empty()) {
+      std::printf(
+          "\nproposed robot.yaml (--propose FOLDER writes it, with an SRDF and the URDF):\n\n%s",
+          proposal->yaml.c_str());
+    } else {
+      std::printf("\nwritten: %s\n", folder.c_str());
+    }
   }
-  return 0;
+  print(trial);
+  if (proposal && !folder.empty() && trial.stood)
+    std::printf("next: ./twinbus run stand --robot %s\n", folder.c_str());
+  if (!trial.refusal.empty())
+    throw std::runtime_error(arguments.word(0) + " cannot be simulated: " + trial.refusal);
+  return good ? 0 : 1;
 }
 
 }  // namespace twinbus

@@ -19,6 +19,15 @@ std::string sentence(const char* format, double reached, double asked) {
 
 }  // namespace
 
+Criteria for_robot(Criteria criteria, const Model& model) {
+  for (const Sole& sole : model.soles) {
+    if (sole.link < 0 || std::isnan(criteria.zmp_margin_min_mm)) continue;
+    const double most = 1e3 * 0.5 * 0.5 * (sole.front + sole.back);
+    criteria.zmp_margin_min_mm = std::min(criteria.zmp_margin_min_mm, most);
+  }
+  return criteria;
+}
+
 RunVerdict judge_scene(const OneProcess& run, const Criteria& asked, std::int64_t ticks) {
   const RunFigures& f = run.seen().figures();
   const WalkFigures& w = run.walked();

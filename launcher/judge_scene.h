@@ -11,6 +11,10 @@
 
 namespace twinbus {
 
+// Criteria as they are asked of this robot: of the ZMP's margin no more than half of what its soles
+// can give.
+Criteria for_robot(Criteria criteria, const Model& model);
+
 RunVerdict judge_scene(const OneProcess& run, const Criteria& asked, std::int64_t ticks);
 
 // Lines for people: how it stood and, if it did, how it walked.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <cstdio>
 
 #include "robot/index.h"
 #include "robot/kinematics.h"
@@ -15,7 +16,11 @@ namespace {
 constexpr double kSide = 0.01;   // nearer to the middle plane is in the middle [m]
 constexpr double kSole = 0.008;  // what is so near to the lowest point belongs to the sole [m]
 constexpr double kFlat = 0.015;  // links that reach so near to the lowest point may be the foot [m]
+constexpr double kTurned = 1.5;  // no foot is wider than long by this
 constexpr int kLimbJoints = 3;   // in a row, at least
+constexpr int kLegJoints = 6;    // the foot hangs on the sixth; what follows are toes
+// Of a foot without geometry, of the way from hip to ankle.
+constexpr double kFootLength = 0.32, kFootWidth = 0.16, kAnkleHeight = 0.12;
 
 bool mentions(const std::string& name, const std::vector<const char*>& words) {
   std::string lower = name;
@@ -33,9 +38,11 @@ struct Branch {
 
 class Finder {
  public:
-  explicit Finder(const Model& model) : model_(model), kinematics_(model) {
+  Finder(const Model& model, const std::array<SrdfFoot, 2>& feet, const Eigen::Matrix3d& turn)
+      : model_(model), feet_(feet), kinematics_(model) {
     Configuration c(model);
     c.q = neutral_posture(model);
+    c.base.linear() = turn;
     kinematics_.update(c);
     children_.resize(model.links.size());
     for (int i = 1; i < model.link_count(); ++i)
@@ -99,6 +106,7 @@ class Finder {
   void measure() {
     double low = 1e300;
     double high = -1e300;
+    for (int i = 0; i < model_.link_count(); ++i) low_ = std::min(low_, lowest(i));
     for (const auto& points : points_) {
       for (const Eigen::Vector3d& point : points) {
         low = std::min(low, point.z());
@@ -106,7 +114,6 @@ class Finder {
       }
     }
     result_.height = high > low ? high - low : 0.0;
-    low_ = low;
     if (!(high > low))
       result_.doubts.emplace_back("no link has geometry: sizes are those of joints");
   }
@@ -142,9 +149,26 @@ class Finder {
     }
   }
 
+  // Hanging arms reach lowest when there are no legs.
+  bool is_named_like_an_arm(int root) const {
+    bool arm = false;
+    for (int link = root; link < model_.link_count(); ++link) {
+      int up = link;
+      while (up > root) up = model_.links[at(up)].parent;
+      if (up != root) continue;
+      for (const std::string& name :
+           {model_.links[at(link)].name, model_.joints[at(link - 1)].name}) {
+        if (mentions(name, {"leg", "hip", "knee", "ankle", "foot", "thigh", "toe"})) return false;
+        arm = arm || mentions(name, {"shoulder", "elbow", "wrist", "hand", "grip", "finger"});
+      }
+    }
+    return arm;
+  }
+
   int lowest_pair() const {
     int best = -1;
     for (std::size_t i = 0; i < pairs_.size(); ++i) {
+      if (is_named_like_an_arm(pairs_[i][0].root)) continue;
       if (best < 0 || pairs_[i][0].lowest < pairs_[at(best)][0].lowest) best = static_cast<int>(i);
     }
     // Legs reach the ground; a robot on a column has none.
@@ -185,9 +209,21 @@ class Finder {
         break;
       }
     }
+    // The foot itself may have no geometry: then it is what hangs on the ankle.
+    const std::size_t sixth = std::min(links.size(), at(kLegJoints)) - 1;
+    if (points_[at(links[sixth])].empty()) foot = links[sixth];
     Sole& sole = result_.soles[side];
     sole.link = foot;
     const Eigen::Isometry3d& pose = kinematics_.link_in_world(foot);
+    result_.sole_sensor[side] = sensor_on(foot);
+    for (const int link : links) {
+      result_.leg_joints.push_back(link - 1);
+      if (link == foot) break;
+    }
+    if (points_[at(foot)].empty()) {
+      guess_sole(side, limb.root);
+      return;
+    }
     const double ground = lowest(foot);
     Eigen::Vector3d low(1e300, 1e300, 0.0);
     Eigen::Vector3d high = -low;
@@ -208,18 +244,50 @@ class Finder {
     sole.back = std::max(frame.translation().x() - low.x(), 0.005);
     sole.left = std::max(high.y() - frame.translation().y(), 0.005);
     sole.right = std::max(frame.translation().y() - low.y(), 0.005);
+    if (sole.left + sole.right > kTurned * (sole.front + sole.back)) {
+      result_.doubts.push_back("foot " + model_.links[at(foot)].name +
+                               " is wider than long, so its mesh lies crosswise (the up axis of a "
+                               "DAE is not used): the sole is taken with the long side forward");
+      const Sole crosswise = sole;
+      sole.front = std::max(crosswise.left, crosswise.right);
+      sole.back = std::min(crosswise.left, crosswise.right);
+      sole.left = sole.right = 0.5 * (crosswise.front + crosswise.back);
+    }
     if (sole.front + sole.back < 0.04 || sole.left + sole.right < 0.02) {
       result_.doubts.push_back(std::string("the ") + name + " sole on " +
                                model_.links[at(foot)].name +
                                " is hardly a surface: measure it, or the feet are points or not "
                                "flat in the zero posture");
     }
-    result_.sole_sensor[side] = sensor_on(foot);
-    for (const int link : links) {
-      result_.leg_joints.push_back(link - 1);
-      if (link == foot) break;
-    }
     result_.hip_height = kinematics_.link_in_world(limb.root).translation().z() - ground;
+  }
+
+  // Of a foot that cannot be seen: as the SRDF says, or in proportion to the leg as people have it.
+  void guess_sole(std::size_t side, int root) {
+    Sole& sole = result_.soles[side];
+    const Eigen::Isometry3d& pose = kinematics_.link_in_world(sole.link);
+    const double leg = (kinematics_.link_in_world(root).translation() - pose.translation()).norm();
+    SrdfFoot foot = feet_[side];
+    if (!foot.present) {
+      foot = {false, kFootLength * leg, kFootWidth * leg, -0.1 * kFootLength * leg,
+              0.0,   kAnkleHeight * leg};
+    }
+    Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();
+    frame.translation() = pose.translation() - Eigen::Vector3d(0.0, 0.0, foot.ankle_height);
+    sole.frame = pose.inverse() * frame;
+    sole.front = 0.5 * foot.length - foot.ankle_forward;
+    sole.back = 0.5 * foot.length + foot.ankle_forward;
+    sole.left = 0.5 * foot.width - foot.ankle_left;
+    sole.right = 0.5 * foot.width + foot.ankle_left;
+    result_.hip_height =
+        kinematics_.link_in_world(root).translation().z() - frame.translation().z();
+    char text[200];
+    std::snprintf(text, sizeof(text),
+                  " has no geometry: its sole is %s, %.0f x %.0f mm, %.0f mm below the ankle; "
+                  "measure at, front, back, left, right under soles in robot.yaml",
+                  foot.present ? "as the SRDF's <specificities> say" : "guessed from the leg",
+                  1e3 * foot.length, 1e3 * foot.width, 1e3 * foot.ankle_height);
+    result_.doubts.push_back("foot " + model_.links[at(sole.link)].name + text);
   }
 
   void find_arms(int legs) {
@@ -294,12 +362,13 @@ class Finder {
   }
 
   const Model& model_;
+  const std::array<SrdfFoot, 2>& feet_;
   Kinematics kinematics_;
   std::vector<std::vector<int>> children_;
   std::vector<std::vector<Eigen::Vector3d>> points_;  // world
   std::vector<int> sides_, depth_;
   std::vector<std::array<Branch, 2>> pairs_;
-  double low_ = 0.0;  // of the whole robot [m]
+  double low_ = 1e300;  // of the whole robot [m]
   Anatomy result_;
 };
 
@@ -318,6 +387,9 @@ Eigen::VectorXd neutral_posture(const Model& model) {
   return q;
 }
 
-Anatomy find_anatomy(const Model& model) { return Finder(model).find(); }
+Anatomy find_anatomy(const Model& model, const std::array<SrdfFoot, 2>& feet,
+                     const Eigen::Matrix3d& turn) {
+  return Finder(model, feet, turn).find();
+}
 
 }  // namespace twinbus

@@ -2,7 +2,8 @@
 //
 // Looked at in the posture nearest to zero, with the base upright: z up, x forward, left at
 // positive y.  A limb is the largest part of the tree that lies on one side and has three joints in
-// a row; the pair of limbs that reaches lowest are the legs, of the others the heavier are the arms.
+// a row; the pair of limbs that reaches lowest are the legs unless they are named like arms, of the
+// others the heavier are the arms.
 
 #pragma once
 
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "robot/model.h"
+#include "robot/srdf.h"
 
 namespace twinbus {
 
@@ -26,8 +28,11 @@ struct Anatomy {
   std::vector<std::string> doubts;  // what was guessed or not found, for people
 };
 
-// Nothing throws: what is not found is said in doubts.
-Anatomy find_anatomy(const Model& model);
+// Nothing throws: what is not found is said in doubts.  feet: sizes for feet without geometry, as an
+// SRDF may give them; without these they are guessed from the length of the legs.
+// turn: of the base, from the frame of its file to one that is upright and looks along x.
+Anatomy find_anatomy(const Model& model, const std::array<SrdfFoot, 2>& feet = {},
+                     const Eigen::Matrix3d& turn = Eigen::Matrix3d::Identity());
 
 // The posture nearest to zero within the limits [joint_count].
 Eigen::VectorXd neutral_posture(const Model& model);

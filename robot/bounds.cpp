@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 namespace twinbus {
@@ -11,7 +12,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr int kClimb = 500;  // steps from each principal axis
 
 Vector3d mean_of(const std::vector<Vector3d>& points) {
@@ -21,7 +21,7 @@ Vector3d mean_of(const std::vector<Vector3d>& points) {
 }
 
 double volume(const Capsule& c) {
-  return kPi * c.radius * c.radius * ((c.b - c.a).norm() + 4.0 / 3.0 * c.radius);
+  return std::numbers::pi * c.radius * c.radius * ((c.b - c.a).norm() + 4.0 / 3.0 * c.radius);
 }
 
 // The shortest capsule about the line through c along d (unit) that holds all points.

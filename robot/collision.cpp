@@ -1,6 +1,7 @@
 #include "robot/collision.h"
 
 #include <fcl/geometry/bvh/BVH_model.h>
+#include <fcl/geometry/shape/convex.h>
 #include <fcl/math/bv/OBBRSS.h>
 #include <fcl/narrowphase/collision.h>
 #include <fcl/narrowphase/distance.h>
@@ -8,9 +9,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <variant>
 
+#include "robot/coarse_mesh.h"
 #include "robot/collision_pairs.h"
 #include "robot/convex_hull.h"
 #include "robot/convex_shape.h"
@@ -41,7 +44,8 @@ struct Body {  // one shape, of a link or an obstacle
   Isometry3d world = Isometry3d::Identity();
   std::int64_t stamp = -1;  // query that world belongs to
   Primitive primitive;
-  std::shared_ptr<MeshModel> mesh;  // in the frame of the convex shape
+  std::shared_ptr<MeshModel> mesh;     // in the frame of the convex shape
+  std::shared_ptr<fcl::Convexd> hull;  // instead of a mesh of many triangles
 };
 
 struct Owner {    // a link or an obstacle: its shapes and the sphere around them
@@ -84,8 +88,19 @@ Body make_primitive(ShapeKind kind, const Vector3d& size, const Isometry3d& pose
   return body;
 }
 
-Body make_mesh(const Shape& shape) {
-  const TriangleMesh mesh = load_mesh(shape.mesh, shape.size);
+std::shared_ptr<fcl::Convexd> make_convex(const TriangleMesh& hull) {
+  auto corners = std::make_shared<std::vector<Vector3d>>(hull.points);
+  auto faces = std::make_shared<std::vector<int>>();
+  for (const auto& t : hull.triangles) faces->insert(faces->end(), {3, t[0], t[1], t[2]});
+  return std::make_shared<fcl::Convexd>(corners, static_cast<int>(hull.triangles.size()), faces);
+}
+
+// Meshes of many triangles become their hulls, but for FCL's own verdict.
+Body make_mesh(const Shape& shape, CollisionBackend backend) {
+  TriangleMesh mesh = load_mesh(shape.mesh, shape.size);
+  std::optional<TriangleMesh> hull;
+  if (backend == CollisionBackend::kOwn) hull = coarse_hull(mesh);
+  if (hull) mesh = *hull;
   Vector3d low = mesh.points.front();
   Vector3d high = low;
   for (const Vector3d& point : mesh.points) {
@@ -96,6 +111,12 @@ Body make_mesh(const Shape& shape) {
   Body body;
   body.convex = {ShapeKind::kMesh, 0.5 * (high - low)};
   body.local = shape.pose * Eigen::Translation3d(middle);
+  if (hull) {
+    for (Vector3d& point : mesh.points) point -= middle;
+    body.hull = make_convex(mesh);
+    body.core = gjk_hull(mesh.points);
+    return body;
+  }
   body.mesh = std::make_shared<MeshModel>();
   body.mesh->beginModel(static_cast<int>(mesh.triangles.size()),
                         static_cast<int>(3 * mesh.triangles.size()));
@@ -113,8 +134,8 @@ Body make_mesh(const Shape& shape) {
   return body;
 }
 
-Body make_body(const Shape& shape) {
-  return shape.kind == ShapeKind::kMesh ? make_mesh(shape)
+Body make_body(const Shape& shape, CollisionBackend backend) {
+  return shape.kind == ShapeKind::kMesh ? make_mesh(shape, backend)
                                         : make_primitive(shape.kind, shape.size, shape.pose);
 }
 
@@ -135,10 +156,11 @@ void enclose(Owner& owner) {
   }
 }
 
-fcl::CollisionGeometryd& geometry(Body& body) {
+const fcl::CollisionGeometryd& geometry(const Body& body) {
   if (body.mesh) return *body.mesh;
-  if (auto* box = std::get_if<fcl::Boxd>(&body.primitive)) return *box;
-  if (auto* sphere = std::get_if<fcl::Sphered>(&body.primitive)) return *sphere;
+  if (body.hull) return *body.hull;
+  if (const auto* box = std::get_if<fcl::Boxd>(&body.primitive)) return *box;
+  if (const auto* sphere = std::get_if<fcl::Sphered>(&body.primitive)) return *sphere;
   return std::get<fcl::Cylinderd>(body.primitive);
 }
 
@@ -189,7 +211,7 @@ Collision::Impl::Impl(const Model& robot)
     Owner owner;
     owner.link = link;
     for (const Shape& shape : robot.links[index].collision)
-      owner.bodies.push_back(make_body(shape));
+      owner.bodies.push_back(make_body(shape, wanted));
     enclose(owner);
     owner_of[index] = static_cast<int>(owners.size());
     link_radius[index] = owner.center.norm() + owner.radius;

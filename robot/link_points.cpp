@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 #include "robot/mesh_file.h"
@@ -10,14 +11,13 @@ namespace twinbus {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr int kRim = 16;          // points of a circle
 constexpr int kDirections = 400;  // the hull is looked at from
 
 // Evenly spread over the sphere.
 Eigen::Vector3d direction(int i, int count) {
   const double z = 1.0 - (2.0 * i + 1.0) / count;
-  const double turn = kPi * (1.0 + std::sqrt(5.0)) * i;
+  const double turn = std::numbers::pi * (1.0 + std::sqrt(5.0)) * i;
   const double r = std::sqrt(1.0 - z * z);
   return {r * std::cos(turn), r * std::sin(turn), z};
 }
@@ -45,7 +45,7 @@ void add_points(const Shape& shape, std::vector<Eigen::Vector3d>& points) {
       break;
     case ShapeKind::kCylinder:
       for (int i = 0; i < kRim; ++i) {
-        const double turn = 2.0 * kPi * i / kRim;
+        const double turn = 2.0 * std::numbers::pi * i / kRim;
         for (const double z : {-0.5 * s.y(), 0.5 * s.y()}) {
           points.push_back(shape.pose *
                            Eigen::Vector3d(s.x() * std::cos(turn), s.x() * std::sin(turn), z));

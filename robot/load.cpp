@@ -3,12 +3,14 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <map>
 #include <stdexcept>
 
 #include "robot/model_builder.h"
 #include "robot/model_hash.h"
 #include "robot/nearest.h"
 #include "robot/robot_yaml.h"
+#include "robot/shape_inertia.h"
 #include "robot/srdf.h"
 #include "robot/urdf.h"
 #include "robot/xml.h"
@@ -28,17 +30,27 @@ int need_joint(const Model& model, const std::string& name, const std::string& w
 }
 
 void apply_servos(const RobotYaml& yaml, Model& model) {
-  const auto take = [](double value, double& into) {
-    if (std::isfinite(value)) into = value;
+  std::map<const double*, std::string> said;  // which entry gave a number
+  std::string where;
+  const auto take = [&](double value, double& into) {
+    if (!std::isfinite(value)) return;
+    const auto [known, fresh] = said.emplace(&into, where);
+    if (!fresh) {
+      throw std::runtime_error(where +
+                               ": a number of this servo is given a second time, first at " +
+                               known->second + "; leave one of them out");
+    }
+    into = value;
   };
   for (const ServoEntry& entry : yaml.servos) {
     for (const std::string& name : entry.joints) {
       const int index = need_joint(model, name, entry.node.where("joints"));
       Joint& joint = model.joints[static_cast<std::size_t>(index)];
+      where = entry.node.where("joints") + ": " + name;
       take(entry.kp, joint.kp);
       take(entry.kd, joint.kd);
-      joint.stop_kp = joint.kp;
-      joint.stop_kd = joint.kd;
+      if (std::isfinite(entry.kp)) joint.stop_kp = joint.kp;
+      if (std::isfinite(entry.kd)) joint.stop_kd = joint.kd;
       take(entry.stop_kp, joint.stop_kp);
       take(entry.stop_kd, joint.stop_kd);
       take(entry.rate, joint.rate);
@@ -179,13 +191,22 @@ Model load_robot(const std::string& name_or_folder) {
     }
     return (folder / name).string();
   };
-
-  Model model;
   const std::string yaml_file = (folder / "robot.yaml").string();
-  model.yaml_text = read_text_file(yaml_file);
+  RobotTexts texts{.folder = folder.string(), .yaml = read_text_file(yaml_file), .urdf{}, .srdf{}};
+  const RobotYaml yaml = parse_robot_yaml(texts.yaml, yaml_file);
+  texts.urdf = read_text_file(in_folder(yaml.urdf, yaml_file + ": urdf"));
+  if (!yaml.srdf.empty()) texts.srdf = read_text_file(in_folder(yaml.srdf, yaml_file + ": srdf"));
+  return load_robot_texts(texts);
+}
+
+Model load_robot_texts(const RobotTexts& texts) {
+  const fs::path folder = texts.folder;
+  const std::string yaml_file = (folder / "robot.yaml").string();
+  Model model;
+  model.yaml_text = texts.yaml;
   const RobotYaml yaml = parse_robot_yaml(model.yaml_text, yaml_file);
-  const std::string urdf_file = in_folder(yaml.urdf, yaml_file + ": urdf");
-  model.urdf_text = read_text_file(urdf_file);
+  const std::string urdf_file = (folder / yaml.urdf).string();
+  model.urdf_text = texts.urdf;
   model.floating_base = yaml.floating_base;
 
   ModelBuilder builder(parse_urdf(model.urdf_text, urdf_file,
@@ -194,9 +215,13 @@ Model load_robot(const std::string& name_or_folder) {
   builder.fix_joints(yaml.fixed_joints, yaml_file);
   builder.build(model);
   model.folder = folder.string();
+  for (const std::string& name : yaml.inertia_from_shape) {
+    const std::string where = yaml_file + ": inertia_from_shape";
+    take_inertia_from_shape(model.links[static_cast<std::size_t>(builder.frame(name, where).link)]);
+  }
   if (!yaml.srdf.empty()) {
-    const std::string srdf_file = in_folder(yaml.srdf, yaml_file + ": srdf");
-    model.srdf_text = read_text_file(srdf_file);
+    const std::string srdf_file = (folder / yaml.srdf).string();
+    model.srdf_text = texts.srdf;
     apply_srdf(parse_srdf(model.srdf_text, srdf_file), builder, srdf_file, model);
   }
   apply_yaml(yaml, builder, yaml_file, model);  // wins over the SRDF
@@ -215,6 +240,25 @@ Model load_urdf(const std::string& urdf_file,
       parse_urdf(model.urdf_text, urdf_file, {.folder = model.folder, .packages = packages}),
       urdf_file)
       .build(model);
+  model.hash = model_hash(model);
+  return model;
+}
+
+Model load_repaired_urdf(const std::string& text, const std::string& file,
+                         const std::vector<std::pair<std::string, std::string>>& packages,
+                         UrdfRepairs& repairs) {
+  Model model;
+  model.folder = fs::absolute(file).parent_path().string();
+  model.urdf_text = text;
+  ModelBuilder builder(parse_urdf(text, file, {.folder = model.folder, .packages = packages}),
+                       file);
+  repairs.fixed_joints = builder.fix_weightless();
+  builder.build(model, false);
+  for (Link& link : model.links) {
+    if (!lacks_inertia(link)) continue;
+    repairs.inertia_from_shape.push_back(link.name);
+    take_inertia_from_shape(link);
+  }
   model.hash = model_hash(model);
   return model;
 }

@@ -64,7 +64,26 @@ void ModelBuilder::fix_joints(const std::vector<std::string>& names, const std::
   }
 }
 
-void ModelBuilder::build(Model& model) {
+std::vector<std::string> ModelBuilder::fix_weightless() {
+  std::vector<double> behind(tree_.links.size(), 0.0);
+  for (std::size_t i = 0; i < tree_.links.size(); ++i) {
+    // Towards the root; the number of links is limited by the check.
+    for (int link = static_cast<int>(i); link >= 0;) {
+      behind[static_cast<std::size_t>(link)] += tree_.links[i].mass;
+      const int up = tree_.links[static_cast<std::size_t>(link)].parent_joint;
+      link = up < 0 ? -1 : tree_.joints[static_cast<std::size_t>(up)].parent;
+    }
+  }
+  std::vector<std::string> fixed;
+  for (UrdfJoint& joint : tree_.joints) {
+    if (joint.fixed || behind[static_cast<std::size_t>(joint.child)] > 0.0) continue;
+    joint.fixed = true;
+    fixed.push_back(joint.name);
+  }
+  return fixed;
+}
+
+void ModelBuilder::build(Model& model, bool for_bus) {
   frames_.resize(tree_.links.size());
   model_index_.assign(tree_.joints.size(), -1);
   model.name = tree_.name;
@@ -81,7 +100,7 @@ void ModelBuilder::build(Model& model) {
   }
   for (std::size_t i = 0; i < tree_.joints.size(); ++i) resolve_mimic(model, i);
   finish_masses(model);
-  if (model.bus_joints.size() > static_cast<std::size_t>(kMaxJoints)) {
+  if (for_bus && model.bus_joints.size() > static_cast<std::size_t>(kMaxJoints)) {
     throw std::runtime_error(file_ + ": " + std::to_string(model.bus_joints.size()) +
                              " actuated joints; the bus carries " + std::to_string(kMaxJoints) +
                              ": name some under fixed_joints in robot.yaml");

@@ -19,9 +19,13 @@ class ModelBuilder {
   // Joints that robot.yaml fixes at 0.  Throws std::runtime_error if there is no such joint.
   void fix_joints(const std::vector<std::string>& names, const std::string& yaml_file);
 
+  // Fixes the joints behind which nothing has mass; returns their names.
+  std::vector<std::string> fix_weightless();
+
   // Fills joints, links, frames, bus order and mimic joints.  Throws std::runtime_error, with the
-  // remedy, when a joint moves nothing that has mass, or there are too many joints for the bus.
-  void build(Model& model);
+  // remedy, when a joint moves nothing that has mass, or there are too many joints for the bus
+  // (unless for_bus is false).
+  void build(Model& model, bool for_bus = true);
 
   // After build: a link of the URDF in the link it was merged into.  Throws, with the nearest name.
   Frame frame(const std::string& name, const std::string& where) const;

@@ -10,8 +10,8 @@
 #include "robot/dynamics.h"
 #include "robot/index.h"
 #include "robot/kinematics.h"
+#include "robot/known_srdf.h"
 #include "robot/pose_math.h"
-#include "robot/xml.h"
 
 namespace twinbus {
 
@@ -24,7 +24,10 @@ constexpr double kWeight = 130.8;         // [kg]
 constexpr double kLegStiffness = 15.6;    // [1/rad], times weight times height of the hips
 constexpr double kSoleStiffness = 1.0e6;  // [N/m]
 constexpr double kSoleDamping = 2.0e3;    // [N s/m]
-constexpr double kArmStiffness = 150.0;   // [1/rad], times the moment of what hangs on the joint
+constexpr double kLeastStiffness = 1.0;   // [N m/rad]
+// Turning stiffness of one sole against the weight times the height of the hips.
+constexpr double kTipping = 6.0;
+constexpr double kArmStiffness = 150.0;  // [1/rad], times the moment of what hangs on the joint
 
 // Two digits are all a guess deserves; plain decimals, which YAML reads as numbers.
 std::string rough(double value) {
@@ -41,16 +44,43 @@ std::string fixed(double value) {
   return text;
 }
 
+std::string exact(double value) {
+  char text[64];
+  std::snprintf(text, sizeof(text), "%.17g", value);
+  return text;
+}
+
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    out += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '"' ? "&quot;" : std::string(1, c);
+  }
+  return out;
+}
+
+std::string list(const std::vector<std::string>& names) {
+  std::string out = "[";
+  for (std::size_t i = 0; i < names.size(); ++i) out += (i == 0 ? "" : ", ") + names[i];
+  return out + "]";
+}
+
 std::string list(const Eigen::Vector3d& v) {
   return std::string("[") + fixed(v.x()) + ", " + fixed(v.y()) + ", " + fixed(v.z()) + "]";
 }
 
 class Writer {
  public:
-  Writer(const Model& model, const Anatomy& anatomy) : model_(model), anatomy_(anatomy) {
+  Writer(const Model& model, const Anatomy& anatomy, const KnownSrdf& known)
+      : model_(model), anatomy_(anatomy), known_(known) {
     model_.soles = anatomy.soles;
+    for (const auto& [a, b] : known.disabled) {
+      const int link_a = link_of(a);
+      const int link_b = link_of(b);
+      if (link_a != link_b)
+        model_.disabled_pairs.push_back({std::min(link_a, link_b), std::max(link_a, link_b)});
+    }
     posture_ = neutral_posture(model_);
-    stands_ = find_standing_posture(model_, posture_);
+    choose_posture();
     for (int j = 0; j < model_.joint_count(); ++j) {
       for (const Hand& hand : anatomy.hands) {
         if (hand.link > 0 && j + 1 != hand.link && above(hand.link, j + 1)) fingers_.push_back(j);
@@ -58,71 +88,137 @@ class Writer {
     }
   }
 
-  std::string yaml(const std::string& urdf_name, const std::string& srdf_name,
-                   const std::vector<std::pair<std::string, std::string>>& packages) {
+  std::string yaml(const ProposalSource& source, const std::string& srdf_name) {
     std::string out =
         "# Proposed by `twinbus check`: a beginning.  Measure soles and gains before a real robot "
         "moves.\n";
-    out += "urdf: " + urdf_name + "\nsrdf: " + srdf_name +
-           "\nbase: " + (model_.soles[0].link >= 0 ? "floating" : "fixed") + "\n";
-    if (!packages.empty()) {
+    out += "urdf: " + source.urdf_name + "\nsrdf: " + srdf_name +
+           "\nbase: " + (floating() ? "floating" : "fixed") + "\n";
+    if (!source.packages.empty()) {
       out += "packages:\n";
-      for (const auto& [name, folder] : packages) out += "  " + name + ": \"" + folder + "\"\n";
+      for (const auto& [name, folder] : source.packages)
+        out += "  " + name + ": \"" + folder + "\"\n";
     }
-    if (!fingers_.empty()) {
-      out += "# Fingers; take those out that a controller moves.\nfixed_joints: [";
-      for (std::size_t i = 0; i < fingers_.size(); ++i) {
-        out += (i == 0 ? "" : ", ") + model_.joints[at(fingers_[i])].name;
-      }
-      out += "]\n";
+    std::vector<std::string> fixed = source.repairs.fixed_joints;
+    for (const int j : fingers_) fixed.push_back(model_.joints[at(j)].name);
+    if (!fixed.empty()) {
+      out += "# Fingers, and what has no mass; take those out that a controller moves.\n";
+      out += "fixed_joints: " + list(fixed) + "\n";
+    }
+    std::vector<std::string> filled;
+    for (const std::string& name : source.repairs.inertia_from_shape) {
+      const int link = model_.find_link(name);
+      if (link > 0 || (link == 0 && floating())) filled.push_back(name);
+    }
+    if (!filled.empty()) {
+      out += "# The URDF gives these no inertia: that of a box around the geometry is taken.\n";
+      out += "inertia_from_shape: " + list(filled) + "\n";
     }
     out += "period: 0.002  # [s]\noff: damp\n\nimu: " + anatomy_.imu_frame + "\n";
     soles(out);
     hands(out);
-    if (!anatomy_.leg_joints.empty()) {
-      out += "\nleg_joints: [";
-      for (std::size_t i = 0; i < anatomy_.leg_joints.size(); ++i) {
-        out += (i == 0 ? "" : ", ") + model_.joints[at(anatomy_.leg_joints[i])].name;
-      }
-      out += "]\n";
-    }
-    out += "\n# From weight and lever arms [N m/rad, N m s/rad].\nservos:\n";
+    if (!anatomy_.leg_joints.empty())
+      out += "\nleg_joints: " + list(names_of(anatomy_.leg_joints)) + "\n";
+    std::string servos;
     for (const int j : model_.bus_joints) {
-      if (!is_finger(j)) servo(j, out);
+      if (!is_finger(j)) servo(j, servos);
     }
-    return out;
+    if (servos.empty()) return out;
+    return out + "\n# From weight and lever arms [N m/rad, N m s/rad].\nservos:\n" + servos;
   }
 
   std::string srdf() {
     std::string out =
         "<?xml version=\"1.0\"?>\n<!-- Proposed by `twinbus check`. -->\n<robot name=\"" +
-        model_.name + "\">\n";
-    const Eigen::VectorXd zero = neutral_posture(model_);
-    for (const auto& [name, q] : {std::pair<const char*, const Eigen::VectorXd&>("zero", zero),
-                                  {"half_sitting", posture_}}) {
-      out += "  <group_state name=\"" + std::string(name) + "\" group=\"all\">\n";
-      for (const int j : model_.bus_joints) {
-        const Joint& joint = model_.joints[at(j)];
-        if (is_finger(j)) continue;
-        // Rounding must not leave the limits.
-        const double value = std::clamp(std::round(q[j] * 1e6) / 1e6, joint.lower, joint.upper);
-        char text[64];
-        std::snprintf(text, sizeof(text), "%.17g", value == 0.0 ? 0.0 : value);
-        out += "    <joint name=\"" + joint.name + "\" value=\"" + text + "\"/>\n";
-      }
-      out += "  </group_state>\n";
+        escaped(model_.name) + "\">\n";
+    write_pose("zero", neutral_posture(model_), out);
+    write_pose("half_sitting", posture_, out);
+    for (const NamedPose& pose : known_.poses) {
+      if (pose.name == "zero" || pose.name == "half_sitting") continue;
+      write_pose(pose.name, to_vector(pose), out);
+    }
+    if (!known_.rotors.empty()) out += "  <rotor_params>\n";
+    for (const SrdfRotor& rotor : known_.rotors) {
+      out += "    <joint name=\"" + escaped(rotor.joint) + "\" mass=\"" +
+             exact(rotor.reflected_inertia) + "\" gear_ratio=\"1\"/>\n";
+    }
+    if (!known_.rotors.empty()) out += "  </rotor_params>\n";
+    for (const auto& [a, b] : known_.disabled) {
+      out += "  <disable_collisions link1=\"" + escaped(a) + "\" link2=\"" + escaped(b) +
+             "\" reason=\"said by the SRDF that was there\"/>\n";
     }
     for (const CollisionPair& pair : touching()) {
-      out += "  <disable_collisions link1=\"" + model_.links[at(pair.link_a)].name + "\" link2=\"" +
-             model_.links[at(pair.link_b)].name + "\" reason=\"touch in a proposed posture\"/>\n";
+      out += "  <disable_collisions link1=\"" + escaped(model_.links[at(pair.link_a)].name) +
+             "\" link2=\"" + escaped(model_.links[at(pair.link_b)].name) +
+             "\" reason=\"touch in a proposed posture\"/>\n";
     }
     return out + "</robot>\n";
   }
 
-  bool stands() const { return stands_; }
-  std::size_t disabled() const { return disabled_; }
+  // What people must know of the choices.
+  void tell(std::vector<std::string>& doubts) const {
+    doubts.insert(doubts.end(), doubts_.begin(), doubts_.end());
+    if (disabled_ > 0) {
+      doubts.push_back(std::to_string(disabled_) +
+                       " pairs of links touch in the proposed postures and are exempt from the "
+                       "collision check: look at them in the SRDF");
+    }
+  }
 
  private:
+  bool floating() const { return model_.soles[0].link >= 0; }
+
+  int link_of(const std::string& frame_name) const {
+    for (const Frame& frame : model_.frames) {
+      if (frame.name == frame_name) return frame.link;
+    }
+    return -1;
+  }
+
+  std::vector<std::string> names_of(const std::vector<int>& joints) const {
+    std::vector<std::string> names;
+    for (const int j : joints) names.push_back(model_.joints[at(j)].name);
+    return names;
+  }
+
+  static Eigen::VectorXd to_vector(const NamedPose& pose) {
+    return Eigen::Map<const Eigen::VectorXd>(pose.q.data(),
+                                             static_cast<Eigen::Index>(pose.q.size()));
+  }
+
+  // half_sitting of the SRDF that was there, if the robot stands in it; else one that is computed.
+  void choose_posture() {
+    if (!floating()) return;
+    for (const NamedPose& pose : known_.poses) {
+      if (pose.name != "half_sitting") continue;
+      const std::string why = why_it_falls(model_, to_vector(pose));
+      if (why.empty()) {
+        posture_ = to_vector(pose);
+        return;
+      }
+      doubts_.push_back("half_sitting of the SRDF that was there is not used: " + why);
+    }
+    if (find_standing_posture(model_, posture_)) return;
+    const std::string why = why_it_falls(model_, posture_);
+    doubts_.push_back(
+        "no posture with bent knees and flat soles was found: half_sitting is the zero posture" +
+        (why.empty() ? std::string() : ", in which " + why) +
+        "; look at the limits of the leg joints, or write half_sitting into the SRDF by hand");
+  }
+
+  void write_pose(const std::string& name, const Eigen::VectorXd& q, std::string& out) const {
+    out += "  <group_state name=\"" + escaped(name) + "\" group=\"all\">\n";
+    for (const int j : model_.bus_joints) {
+      const Joint& joint = model_.joints[at(j)];
+      if (is_finger(j)) continue;
+      // Rounding must not leave the limits.
+      const double value = std::clamp(std::round(q[j] * 1e6) / 1e6, joint.lower, joint.upper);
+      out += "    <joint name=\"" + escaped(joint.name) + "\" value=\"" +
+             exact(value == 0.0 ? 0.0 : value) + "\"/>\n";
+    }
+    out += "  </group_state>\n";
+  }
+
   void soles(std::string& out) const {
     if (model_.soles[0].link < 0) return;
     const double share = model_.total_mass() / kWeight;
@@ -132,15 +228,21 @@ class Writer {
     for (std::size_t side = 0; side < 2; ++side) {
       const Sole& sole = model_.soles[side];
       const std::string& sensor = anatomy_.sole_sensor[side];
+      // Short soles must be stiffer, or the robot tips over on their springs.
+      const double half = 0.5 * (sole.front + sole.back);
+      const double stiffness =
+          std::max(kSoleStiffness * share, kTipping * model_.total_mass() * kGravity *
+                                               std::max(anatomy_.hip_height, 0.1) /
+                                               std::max(half * half, 1e-4));
       out += std::string(side == 0 ? "  left:" : "  right:") +
              "\n    {frame: " + model_.links[at(sole.link)].name +
              ", at: " + list(sole.frame.translation()) +
              ", rpy: " + list(rpy_from_rotation(sole.frame.linear())) +
              (sensor.empty() ? "" : ", sensor: " + sensor) + ",\n     front: " + fixed(sole.front) +
              ", back: " + fixed(sole.back) + ", left: " + fixed(sole.left) +
-             ", right: " + fixed(sole.right) +
-             ",\n     stiffness: " + rough(kSoleStiffness * share) +
-             ", damping: " + rough(kSoleDamping * share) + ", friction: 0.8}\n";
+             ", right: " + fixed(sole.right) + ",\n     stiffness: " + rough(stiffness) +
+             ", damping: " + rough(kSoleDamping / kSoleStiffness * stiffness) +
+             ", friction: 0.8}\n";
     }
   }
 
@@ -155,11 +257,7 @@ class Writer {
              "\n    at: " + list(hand.frame.translation()) + "\n";
       if (!anatomy_.hand_sensor[side].empty())
         out += "    sensor: " + anatomy_.hand_sensor[side] + "\n";
-      out += "    joints: [";
-      for (std::size_t i = 0; i < hand.joints.size(); ++i) {
-        out += (i == 0 ? "" : ", ") + model_.joints[at(hand.joints[i])].name;
-      }
-      out += "]\n";
+      out += "    joints: " + list(names_of(hand.joints)) + "\n";
     }
   }
 
@@ -195,7 +293,7 @@ class Writer {
     }
     const bool leg = std::find(anatomy_.leg_joints.begin(), anatomy_.leg_joints.end(), j) !=
                      anatomy_.leg_joints.end();
-    double kp = kArmStiffness * moment;
+    double kp = std::max(kArmStiffness * moment, kLeastStiffness);
     double kd = 1.4 * std::sqrt(kp * inertia);
     if (leg || hands == 2) {
       kp = kLegStiffness * model_.total_mass() * kGravity * std::max(anatomy_.hip_height, 0.1);
@@ -225,59 +323,28 @@ class Writer {
 
   Model model_;
   const Anatomy& anatomy_;
+  const KnownSrdf& known_;
+  std::vector<std::string> doubts_;
   Eigen::VectorXd posture_;
   std::vector<int> fingers_;  // joints behind the hands
-  bool stands_ = false;
   std::size_t disabled_ = 0;
 };
 
 }  // namespace
 
-Proposal propose(const Model& model, const std::string& urdf_name,
-                 const std::vector<std::pair<std::string, std::string>>& packages) {
-  const Anatomy anatomy = find_anatomy(model);
-  Writer writer(model, anatomy);
+Proposal propose(const Model& model, const ProposalSource& source) {
+  const KnownSrdf known = fit_srdf(model, source.srdf_text, source.srdf_file);
+  const Anatomy anatomy = find_anatomy(model, known.feet);
+  Writer writer(model, anatomy, known);
   Proposal proposal;
-  proposal.doubts = anatomy.doubts;
-  const std::string stem = fs::path(urdf_name).stem().string();
-  proposal.yaml = writer.yaml(urdf_name, stem + ".srdf", packages);
+  proposal.doubts = source.notes;
+  proposal.doubts.insert(proposal.doubts.end(), anatomy.doubts.begin(), anatomy.doubts.end());
+  proposal.doubts.insert(proposal.doubts.end(), known.doubts.begin(), known.doubts.end());
+  const std::string stem = fs::path(source.urdf_name).stem().string();
+  proposal.yaml = writer.yaml(source, stem + ".srdf");
   proposal.srdf = writer.srdf();
-  if (!writer.stands()) {
-    proposal.doubts.emplace_back(
-        "no posture was found in which it stands: half_sitting is the zero posture");
-  }
-  if (writer.disabled() > 0) {
-    proposal.doubts.push_back(std::to_string(writer.disabled()) +
-                              " pairs of links touch in the proposed postures and are exempt from "
-                              "the collision check: look at them");
-  }
+  writer.tell(proposal.doubts);
   return proposal;
-}
-
-std::vector<std::pair<std::string, std::string>> find_packages(const std::string& urdf_file) {
-  const std::string text = read_text_file(urdf_file);
-  const std::string scheme = "package://";
-  std::set<std::string> names;
-  for (std::size_t i = text.find(scheme); i != std::string::npos; i = text.find(scheme, i + 1)) {
-    const std::size_t start = std::min(text.find_first_not_of('/', i + scheme.size()), text.size());
-    const std::size_t end = text.find_first_of("/\"'<> \n", start);
-    if (end != std::string::npos && end > start && end - start < 200)
-      names.insert(text.substr(start, end - start));
-    if (names.size() > 100) break;
-  }
-  std::vector<std::pair<std::string, std::string>> packages;
-  std::error_code error;
-  const fs::path folder = fs::weakly_canonical(fs::absolute(urdf_file), error).parent_path();
-  for (const std::string& name : names) {
-    if (name == ".." || name == ".") continue;
-    for (fs::path up = folder; up.has_relative_path(); up = up.parent_path()) {
-      if (up.filename() == name || fs::is_directory(up / name, error)) {
-        packages.emplace_back(name, (up.filename() == name ? up : up / name).string());
-        break;
-      }
-    }
-  }
-  return packages;
 }
 
 }  // namespace twinbus

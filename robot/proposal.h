@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "robot/anatomy.h"
+#include "robot/load.h"
 #include "robot/model.h"
 
 namespace twinbus {
@@ -16,9 +17,27 @@ struct Proposal {
   std::vector<std::string> doubts;  // what people must look at
 };
 
-// model: as load_urdf made it.  urdf_name: file name beside robot.yaml.  packages: name and folder.
-Proposal propose(const Model& model, const std::string& urdf_name,
-                 const std::vector<std::pair<std::string, std::string>>& packages);
+// What is known of the robot besides its model.
+struct ProposalSource {
+  std::string urdf_name;                                      // file name beside robot.yaml
+  std::vector<std::pair<std::string, std::string>> packages;  // name and folder
+  UrdfRepairs repairs;                                        // made when it was loaded
+  std::string srdf_text, srdf_file;  // an SRDF that is there already; both may be empty
+  std::vector<std::string> notes;    // what else was done to the URDF
+};
+
+// model: as load_repaired_urdf made it.  Of an SRDF that is there, poses, disabled pairs and rotors
+// are kept, as far as they fit the URDF.
+Proposal propose(const Model& model, const ProposalSource& source);
+
+// The SRDF that belongs to a URDF: of its name beside it or in ../srdf, or the only one there;
+// empty when there is none.
+std::string find_srdf(const std::string& urdf_file);
+
+// Mesh names relative to the URDF's folder as package://FOLDER/..., so that a copy elsewhere finds
+// them; adds that package if there was one.
+std::string with_packages(const std::string& urdf_text, const std::string& urdf_file,
+                          std::vector<std::pair<std::string, std::string>>& packages);
 
 // Folders of the package:// names that a URDF mentions, looked for above the file: the nearest
 // folder of that name, or one that has it.

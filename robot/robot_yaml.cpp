@@ -85,6 +85,7 @@ RobotYaml parse_robot_yaml(const std::string& text, const std::string& file) {
       yaml.packages.emplace_back(name, packages.text(name));
   }
   yaml.fixed_joints = top.texts("fixed_joints");
+  yaml.inertia_from_shape = top.texts("inertia_from_shape");
   yaml.floating_base = top.choice("base", {"floating", "fixed"}, 0) == 0;
   yaml.imu_frame = top.text("imu", "");
 

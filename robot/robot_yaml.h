@@ -37,6 +37,7 @@ struct RobotYaml {
   std::string urdf, srdf;  // file names in the robot's folder; srdf may be empty
   std::vector<std::pair<std::string, std::string>> packages;
   std::vector<std::string> fixed_joints;
+  std::vector<std::string> inertia_from_shape;  // links; see shape_inertia.h
   bool floating_base = true;
   std::string imu_frame;
   std::array<SoleEntry, 2> soles;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <numbers>
 
 namespace twinbus {
 
@@ -12,7 +13,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr int kSides = 32;      // of a cylinder
 constexpr int kHalvings = 2;    // of the edges of an icosahedron: 320 triangles
 constexpr double kWeld = 1e-6;  // [m]
@@ -31,12 +31,12 @@ TriangleMesh box(const Vector3d& size) {
 
 // A prism whose sides touch the cylinder.
 TriangleMesh cylinder(double radius, double length, double& outside) {
-  const double corner = radius / std::cos(kPi / kSides);
+  const double corner = radius / std::cos(std::numbers::pi / kSides);
   outside = std::max(outside, corner - radius);
   TriangleMesh mesh;
   for (const double z : {-0.5 * length, 0.5 * length}) {
     for (int i = 0; i < kSides; ++i) {
-      const double turn = 2.0 * kPi * i / kSides;
+      const double turn = 2.0 * std::numbers::pi * i / kSides;
       mesh.points.emplace_back(corner * std::cos(turn), corner * std::sin(turn), z);
     }
   }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <numbers>
 #include <set>
 #include <stdexcept>
 #include <tuple>
@@ -16,7 +17,8 @@ namespace twinbus {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
+constexpr double kAlike = 0.01;           // limits of left and right [rad or m]
+constexpr std::size_t kSaidOneByOne = 3;  // links or joints of which the same is said
 
 std::string number(double value) {
   char text[32];
@@ -35,9 +37,11 @@ class Looker {
       look_at_geometry(link);
     }
     for (const Joint& joint : model_.joints) look_at_limits(joint);
+    look_at_partners();
     if (model_.floating_base && !(model_.total_mass() >= 0.5 && model_.total_mass() <= 500.0)) {
       add("robot", "weighs " + number(model_.total_mass()) + " kg", "are the masses in kg?");
     }
+    put_together();
     return std::move(found_);
   }
 
@@ -138,7 +142,7 @@ class Looker {
     const double range = joint.upper - joint.lower;
     if (range == 0.0)
       add(about, "cannot move: lower is upper", "make it fixed, or give it a range");
-    if (joint.kind == JointKind::kRevolute && range > 4.0 * kPi) {
+    if (joint.kind == JointKind::kRevolute && range > 4.0 * std::numbers::pi) {
       add(about, "turns by " + number(range) + " rad: a limit of no use",
           "are the limits in rad? or make it continuous");
     }
@@ -154,6 +158,72 @@ class Looker {
       add(about, "has an effort limit of " + number(joint.effort) + (turns ? " N m" : " N"),
           "give the motor's");
     }
+  }
+
+  // Left and right are built alike: equal limits, or mirrored ones.
+  void look_at_partners() {
+    for (const Joint& joint : model_.joints) {
+      const int other = partner(joint.name);
+      if (other < 0 || model_.joints[static_cast<std::size_t>(other)].kind != joint.kind ||
+          joint.kind == JointKind::kContinuous)
+        continue;
+      const Joint& right = model_.joints[static_cast<std::size_t>(other)];
+      const std::string about = "joint " + joint.name;
+      const auto alike = [&](double a, double b) { return std::abs(a - b) <= kAlike; };
+      const bool equal = alike(joint.lower, right.lower) && alike(joint.upper, right.upper);
+      const bool mirrored = alike(joint.lower, -right.upper) && alike(joint.upper, -right.lower);
+      if (!equal && !mirrored) {
+        add(about,
+            "has limits " + number(joint.lower) + " to " + number(joint.upper) + "; " + right.name +
+                " on the other side " + number(right.lower) + " to " + number(right.upper),
+            "is one of them wrong? they are neither equal nor mirrored");
+      }
+      if (std::max(joint.effort, right.effort) > 1.5 * std::min(joint.effort, right.effort)) {
+        add(about,
+            "has an effort limit of " + number(joint.effort) + "; " + right.name +
+                " on the other side " + number(right.effort),
+            "is one of them wrong?");
+      }
+    }
+  }
+
+  // The joint of the other side that a left joint's name names; -1: none.
+  int partner(const std::string& name) const {
+    static const std::pair<const char*, const char*> kSides[] = {
+        {"left", "right"}, {"Left", "Right"}, {"LEFT", "RIGHT"}};
+    for (const auto& [left, right] : kSides) {
+      const std::size_t i = name.find(left);
+      if (i == std::string::npos) continue;
+      std::string other = name;
+      other.replace(i, std::string(left).size(), right);
+      return model_.find_joint(other);
+    }
+    // A single letter: l_knee, arm_l, LKnee, LLEG_KNEE.
+    for (std::size_t i = 0; i < name.size(); ++i) {
+      if ((name[i] != 'l' && name[i] != 'L') || (i > 0 && name[i - 1] != '_')) continue;
+      std::string other = name;
+      other[i] = name[i] == 'l' ? 'r' : 'R';
+      if (const int found = model_.find_joint(other); found >= 0) return found;
+    }
+    return -1;
+  }
+
+  // What is said of many alike is said once.
+  void put_together() {
+    std::map<std::pair<std::string, std::string>, std::vector<std::size_t>> alike;
+    for (std::size_t i = 0; i < found_.size(); ++i)
+      alike[{found_[i].what, found_[i].remedy}].push_back(i);
+    std::vector<Suspicion> kept;
+    for (std::size_t i = 0; i < found_.size(); ++i) {
+      const auto& same = alike[{found_[i].what, found_[i].remedy}];
+      if (same.size() <= kSaidOneByOne) {
+        kept.push_back(found_[i]);
+      } else if (same.front() == i) {
+        kept.push_back(found_[i]);
+        kept.back().about += std::string(" and ") + std::to_string(same.size() - 1) + " others";
+      }
+    }
+    found_ = std::move(kept);
   }
 
   const Model& model_;

@@ -168,6 +168,7 @@ Standing stand(const Model& model, const Eigen::VectorXd& q, double mass_scale,
     }
   }
   result.tau = static_torques(model, kinematics, mass_scale, corners, result.corner_force);
+  result.needed = result.tau;
   for (Eigen::Index j = 0; j < result.tau.size(); ++j) {
     const double limit = model.joints[static_cast<std::size_t>(j)].effort;
     if (std::isfinite(limit)) result.tau[j] = std::clamp(result.tau[j], -limit, limit);

@@ -14,7 +14,8 @@ namespace twinbus {
 
 struct Standing {
   Configuration configuration;  // at rest
-  Eigen::VectorXd tau;          // [joint_count] that keeps it at rest [N m or N]
+  Eigen::VectorXd tau;          // [joint_count] that keeps it at rest, within the limits [N m or N]
+  Eigen::VectorXd needed;       // the same, whatever the limits
   std::array<std::array<double, 4>, 2> corner_force{};  // normal, left and right sole [N]
   bool balanced = false;  // false: the centre of mass is outside the soles; the robot will tip
 };

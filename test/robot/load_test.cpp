@@ -210,5 +210,25 @@ TEST(LoadRobot, EverySharedRobotMakesAModel) {
   }
 }
 
+TEST(Load, AServoNumberGivenTwiceIsRefused) {
+  const std::string last = "    kd: 6\n";
+  ASSERT_NE(hrp1s().yaml_text.find(last), std::string::npos);
+  const auto load = [&](const std::string& more) {
+    std::string yaml = hrp1s().yaml_text;
+    yaml.insert(yaml.find(last) + last.size(), more);
+    return error_of([&] {
+      load_robot_texts({.folder = hrp1s().folder,
+                        .yaml = yaml,
+                        .urdf = hrp1s().urdf_text,
+                        .srdf = hrp1s().srdf_text});
+    });
+  };
+  EXPECT_EQ(load(""), "");
+  EXPECT_EQ(load("  - {joints: [CHEST], damping: 0.1}\n"), "");
+  const std::string twice = load("  - {joints: [CHEST], kp: 5}\n");
+  EXPECT_NE(twice.find("CHEST"), std::string::npos) << twice;
+  EXPECT_NE(twice.find("a second time"), std::string::npos) << twice;
+}
+
 }  // namespace
 }  // namespace twinbus::test

@@ -3,6 +3,9 @@
 #include <functional>
 
 #include "fixtures.h"
+#include "robot/base_turn.h"
+#include "robot/known_srdf.h"
+#include "robot/shape_inertia.h"
 #include "robot/suspicions.h"
 
 namespace twinbus::test {
@@ -33,9 +36,11 @@ TEST(Proposal, IsAFolderThatLoadsAndStands) {
   if (!data_folder().empty())
     robots.emplace_back("jvrc1", data_folder() + "/robots/jvrc1/jvrc1.urdf");
   for (const auto& [name, urdf] : robots) {
-    const auto packages = find_packages(urdf);
-    const Model bare = load_urdf(urdf, packages);
-    const Proposal proposal = propose(bare, name + ".urdf", packages);
+    ProposalSource source;
+    source.urdf_name = name + ".urdf";
+    source.packages = find_packages(urdf);
+    const Model bare = load_urdf(urdf, source.packages);
+    const Proposal proposal = propose(bare, source);
     TemporaryFolder folder;
     folder.write("robot.yaml", proposal.yaml);
     folder.write(name + ".srdf", proposal.srdf);
@@ -61,6 +66,172 @@ TEST(Proposal, IsAFolderThatLoadsAndStands) {
     EXPECT_NEAR(k.com().x(), middle, 2e-3) << name << ": the centre of mass is above them";
     EXPECT_TRUE(find_missing(model).empty()) << name << ": " << find_missing(model).front().what;
   }
+}
+
+// Nothing to see or touch on feet, as on simple_humanoid: the ankle still says where they are.
+TEST(Anatomy, FeetWithoutGeometryHangOnTheAnkles) {
+  Model model = bare_hrp1s();
+  for (const Sole& sole : hrp1s().soles) {
+    model.links[static_cast<std::size_t>(sole.link)].collision.clear();
+    model.links[static_cast<std::size_t>(sole.link)].visual.clear();
+  }
+  const Anatomy guessed = find_anatomy(model);
+  std::array<SrdfFoot, 2> feet;
+  feet.fill({true, 0.25, 0.14, 0.02, 0.0, 0.105});
+  const Anatomy told = find_anatomy(model, feet);
+  for (std::size_t side = 0; side < 2; ++side) {
+    for (const Anatomy* found : {&guessed, &told}) {
+      EXPECT_EQ(found->soles[side].link, hrp1s().soles[side].link);
+      EXPECT_EQ(found->leg_joints.size(), 12u);
+      EXPECT_NE(found->doubts.front().find("has no geometry"), std::string::npos);
+    }
+    const Sole& sole = told.soles[side];
+    EXPECT_NEAR(sole.front + sole.back, 0.25, 1e-12);
+    EXPECT_NEAR(sole.back - sole.front, 0.04, 1e-12);
+    EXPECT_NEAR(sole.left, 0.07, 1e-12);
+    EXPECT_NEAR(sole.frame.translation().z(), -0.105, 1e-9);
+  }
+  Eigen::VectorXd q;
+  model.soles = guessed.soles;
+  EXPECT_TRUE(find_standing_posture(model, q));
+  EXPECT_EQ(why_it_falls(model, q), "");
+}
+
+// A trunk with arms only: what hangs lowest is not a leg when it is called a wrist.
+TEST(Anatomy, HangingArmsAreNoLegs) {
+  Model model = bare_hrp1s();
+  for (Link& link : model.links) {
+    if (link.name.find("LEG") == std::string::npos) continue;
+    link.mass = 0.01;
+    link.collision.clear();
+    link.visual.clear();
+  }
+  for (Joint& joint : model.joints) {
+    if (joint.name.find("LEG") != std::string::npos)
+      joint.placement.translation() = Eigen::Vector3d(0.0, 0.0, 0.05);
+  }
+  for (const Sole& sole : find_anatomy(model).soles) EXPECT_LT(sole.link, 0);
+}
+
+TEST(BaseTurn, ABaseThatLiesOrLooksBackIsSetUpright) {
+  const Model straight = bare_hrp1s();
+  EXPECT_TRUE(find_base_turn(straight).isIdentity(1e-12));
+  EXPECT_EQ(side_of_name("l_ankle"), 1);
+  EXPECT_EQ(side_of_name("RLEG_LINK5"), -1);
+  EXPECT_EQ(side_of_name("LLEG_ANKLE_R"), 1);
+  EXPECT_EQ(side_of_name("left_ankle_roll_link"), 1);
+  EXPECT_EQ(side_of_name("pelvis"), 0);
+  const double pi = 3.14159265358979323846;
+  for (const Eigen::Matrix3d& turn :
+       {rotation_z(pi), Eigen::Matrix3d(rotation_about(Eigen::Vector3d::UnitX(), -0.5 * pi))}) {
+    const std::string text =
+        with_upright_base(straight.urdf_text, straight.links.front().name, turn);
+    UrdfRepairs repairs;
+    const std::string file = straight.folder + "/hrp1s.urdf";
+    const Model turned = load_repaired_urdf(text, file, {}, repairs);
+    const Eigen::Matrix3d back = find_base_turn(turned);
+    EXPECT_TRUE((back * turn).isIdentity(1e-9)) << back;
+    // Once more on top, and it is as it was.
+    const Model again = load_repaired_urdf(
+        with_upright_base(straight.urdf_text, straight.links.front().name, back * turn), file, {},
+        repairs);
+    EXPECT_TRUE(find_base_turn(again).isIdentity(1e-9));
+    EXPECT_TRUE(repairs.fixed_joints.empty());
+  }
+}
+
+TEST(Proposal, KeepsWhatFitsOfAnSrdfThatIsThere) {
+  const Model bare = bare_hrp1s();
+  ProposalSource source;
+  source.urdf_name = "hrp1s.urdf";
+  source.srdf_file = "there.srdf";
+  source.srdf_text = hrp1s().srdf_text;
+  source.srdf_text.insert(source.srdf_text.rfind("</robot>"),
+                          "<disable_collisions link1='CHEST' link2='RLEG_KNEE'/>");
+  EXPECT_TRUE(propose(bare, source).doubts.empty());
+  EXPECT_NE(propose(bare, source).srdf.find("said by the SRDF that was there"), std::string::npos);
+  const auto doubts = [&](const std::string& states) {
+    source.srdf_text = "<robot name='r'>" + states + "</robot>";
+    std::string all;
+    for (const std::string& doubt : propose(bare, source).doubts) all += doubt + "\n";
+    return all;
+  };
+  const std::string begin = "<group_state name='half_sitting' group='all'>";
+  EXPECT_NE(
+      doubts(begin + "<joint name='RLEG_KNEE' value='9'/></group_state>").find("its limits are"),
+      std::string::npos);
+  EXPECT_NE(doubts(begin + "<joint name='RLEG_KNEE' value='0.6'/></group_state>")
+                .find("half_sitting of the SRDF that was there is not used"),
+            std::string::npos);
+  EXPECT_NE(
+      doubts(begin + "<joint name='Thumb' value='1'/><joint name='Toe' value='1'/></group_state>")
+          .find("names 2 joints that do not move here, the first Thumb"),
+      std::string::npos);
+  EXPECT_NE(doubts("<group_state").find("is not used"), std::string::npos);
+}
+
+TEST(Proposal, WhatHasNoMassIsFixedOrFilled) {
+  const std::string link =
+      "<inertial><mass value='2'/><inertia ixx='0.1' iyy='0.1' izz='0.1' "
+      "ixy='0' ixz='0' iyz='0'/></inertial>";
+  const std::string bare =
+      "<inertial><mass value='3'/><inertia ixx='0' iyy='0' izz='0' ixy='0' "
+      "ixz='0' iyz='0'/></inertial><collision><geometry><box size='0.6 0.2 "
+      "0.1'/></geometry></collision>";
+  const auto joint = [](const std::string& name, const std::string& from, const std::string& to) {
+    return "<joint name='" + name + "' type='revolute'><parent link='" + from + "'/><child link='" +
+           to +
+           "'/><axis xyz='1 0 0'/><limit lower='-1' upper='1' effort='1' velocity='1'/></joint>";
+  };
+  const std::string text = "<robot name='r'><link name='a'>" + link + "</link><link name='b'>" +
+                           bare + "</link><link name='v'/><link name='c'>" + link +
+                           "</link><link name='tip'/>" + joint("ab", "a", "b") +
+                           joint("bv", "b", "v") + joint("vc", "v", "c") + joint("ct", "c", "tip") +
+                           "</robot>";
+  UrdfRepairs repairs;
+  const Model model = load_repaired_urdf(text, "/tmp/r.urdf", {}, repairs);
+  EXPECT_EQ(repairs.fixed_joints, std::vector<std::string>{"ct"});
+  EXPECT_EQ(repairs.inertia_from_shape, (std::vector<std::string>{"b", "v"}));
+  const Link& box = model.links[static_cast<std::size_t>(model.find_link("b"))];
+  EXPECT_EQ(box.mass, 3.0);
+  EXPECT_NEAR(box.inertia(0, 0), 3.0 / 12.0 * (0.04 + 0.01), 1e-12);
+  EXPECT_NEAR(box.inertia(2, 2), 3.0 / 12.0 * (0.36 + 0.04), 1e-12);
+  for (const Link& l : model.links) EXPECT_FALSE(lacks_inertia(l)) << l.name;
+
+  TemporaryFolder folder;  // and the yaml says the same
+  folder.write("r.urdf", text);
+  folder.write("robot.yaml", "urdf: r.urdf\nfixed_joints: [ct]\ninertia_from_shape: [b, v]\n");
+  const Model loaded = load_robot(folder.path());
+  for (std::size_t i = 0; i < loaded.links.size(); ++i)
+    EXPECT_TRUE(loaded.links[i].inertia.isApprox(model.links[i].inertia));
+}
+
+TEST(Proposal, ACopyOfTheUrdfFindsItsMeshes) {
+  const TemporaryFolder folder;
+  std::vector<std::pair<std::string, std::string>> packages;
+  const std::string text =
+      "<mesh filename=\"meshes/a.stl\"/><mesh filename='package://p/b.stl'/><texture "
+      "filename='c.png'/><mesh scale='1 1 1' filename='../d.stl'/>";
+  const std::string out = with_packages(text, folder.path() + "/r.urdf", packages);
+  ASSERT_EQ(packages.size(), 1u);
+  const std::string own = "package://" + packages[0].first + "/";
+  EXPECT_EQ(std::filesystem::weakly_canonical(folder.path()), packages[0].second);
+  EXPECT_NE(out.find("\"" + own + "meshes/a.stl\""), std::string::npos) << out;
+  EXPECT_NE(out.find("'" + own + "../d.stl'"), std::string::npos) << out;
+  EXPECT_NE(out.find("'package://p/b.stl'"), std::string::npos) << out;
+  EXPECT_NE(out.find("'c.png'"), std::string::npos) << out;
+}
+
+TEST(Proposal, AnSrdfNearbyIsFound) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder.path() + "/urdf");
+  std::filesystem::create_directories(folder.path() + "/srdf");
+  const std::string urdf = folder.write("urdf/r.urdf", "<robot/>");
+  EXPECT_EQ(find_srdf(urdf), "");
+  const std::string other = folder.write("srdf/other.srdf", "<robot/>");
+  EXPECT_TRUE(std::filesystem::equivalent(find_srdf(urdf), other));
+  const std::string own = folder.write("srdf/r.srdf", "<robot/>");
+  EXPECT_TRUE(std::filesystem::equivalent(find_srdf(urdf), own));
 }
 
 // Its covered joints are for the eye only, which is said.
@@ -97,6 +268,28 @@ TEST(Suspicions, EachPlantedMistakeIsNamed) {
   EXPECT_TRUE(says([&](Model& m) { m.joints[0].lower = m.joints[0].upper; }, joint, "cannot move"));
   EXPECT_TRUE(says([&](Model& m) { m.joints[0].velocity = 0.0; }, joint, "velocity limit of 0"));
   EXPECT_TRUE(says([&](Model& m) { m.joints[0].effort = 1e6; }, joint, "effort limit of 1e+06"));
+}
+
+TEST(Suspicions, LeftAndRightThatDifferAreNamed) {
+  Model model = hrp1s();
+  model.joints[static_cast<std::size_t>(model.find_joint("LLEG_KNEE"))].upper -= 0.3;
+  model.joints[static_cast<std::size_t>(model.find_joint("RLEG_ANKLE_P"))].effort *= 0.1;
+  std::string all;
+  for (const Suspicion& s : find_suspicions(model)) all += s.about + " " + s.what + "\n";
+  EXPECT_NE(all.find("joint LLEG_KNEE has limits"), std::string::npos) << all;
+  EXPECT_NE(all.find("joint LLEG_ANKLE_P has an effort limit"), std::string::npos) << all;
+}
+
+TEST(Suspicions, ManyAlikeAreSaidOnce) {
+  Model model = hrp1s();
+  for (Link& link : model.links) link.inertia.setIdentity();
+  int said = 0;
+  for (const Suspicion& s : find_suspicions(model)) {
+    if (s.what.find("1 1 1") == std::string::npos) continue;
+    ++said;
+    EXPECT_NE(s.about.find(" and 29 others"), std::string::npos) << s.about;
+  }
+  EXPECT_EQ(said, 1);
 }
 
 TEST(Suspicions, HolesOfAMeshAreCounted) {

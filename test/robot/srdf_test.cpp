@@ -32,5 +32,37 @@ TEST(Srdf, ErrorsNameTheLine) {
   EXPECT_NE(error("").find("empty"), std::string::npos);
 }
 
+// The free base is a joint of seven numbers to others; where the robot is, the scene says.
+TEST(Srdf, AFreeBaseInAPoseIsLeftOut) {
+  const Srdf srdf = parse_srdf(
+      "<robot name='r'><group_state name='home' group='a'>"
+      "<joint name='root_joint' value='0 0 0.6 0 0 0 1'/><joint name='j' value='1'/>"
+      "</group_state></robot>",
+      "r.srdf");
+  ASSERT_EQ(srdf.poses.size(), 1u);
+  ASSERT_EQ(srdf.poses[0].joints.size(), 1u);
+  EXPECT_EQ(srdf.poses[0].joints[0].first, "j");
+}
+
+TEST(Srdf, SizesOfFeetAreReadIfTheyCanBe) {
+  const auto feet = [](const std::string& size) {
+    return parse_srdf("<robot name='r'><specificities><feet><left><size " + size +
+                          "/><anklePosition x='-0.05' y='0' z='0.1'/></left></feet>"
+                          "</specificities></robot>",
+                      "r.srdf")
+        .feet;
+  };
+  const auto good = feet("height='0.14' width='0.25' depth='0.1'");
+  EXPECT_TRUE(good[0].present);
+  EXPECT_FALSE(good[1].present);
+  EXPECT_EQ(good[0].length, 0.25);
+  EXPECT_EQ(good[0].width, 0.14);
+  EXPECT_EQ(good[0].ankle_forward, -0.05);
+  for (const char* bad : {"height='-1' width='0.25'", "height='nan' width='0.2'",
+                          "height='3' width='2'", "width='0.25'"}) {
+    EXPECT_FALSE(feet(bad)[0].present) << bad;
+  }
+}
+
 }  // namespace
 }  // namespace twinbus::test

@@ -85,9 +85,12 @@ def main():
     for file in files:
         run = subprocess.run([sys.argv[1], "check", str(file), "--json"], capture_output=True, text=True, timeout=120)
         name = file.relative_to(folder)
-        if run.returncode == 0:
+        if run.stdout and not run.stderr:  # a robot, whether or not it stands
             loaded += 1
-            ours, theirs = json.loads(run.stdout)["mass_kg"], mass_of(file)
+            report = json.loads(run.stdout)
+            ours, theirs = report["mass_kg"], mass_of(file)
+            if run.returncode != 0:
+                print(f"does not stand: {name}: {'; '.join(report['trial']['weak'] + report['trial']['failures'][:1])}")
             off = abs(ours - theirs) / max(1.0, theirs)
             worst = max(worst, off)
             if not off <= LIMIT:
@@ -103,4 +106,5 @@ def main():
     return 1 if wrong or not files else 0
 
 
-sys.exit(main())
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,59 @@
+#!/usr/bin/env python3
+"""The page `bring your own humanoid` on robots that no one has described: URDFs only, nothing edited.
+
+hrp1s and hrp2p without their robot.yaml, and JVRC-1 where the test data is, must stand; a fixed robot is told that it does
+not; what the simulator refuses, check refuses.
+"""
+
+import os
+import pathlib
+import tempfile
+
+import harness
+from harness import Checks, cli
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+DATA = pathlib.Path(os.environ.get("TWINBUS_DATA", ROOT.parent / "shared/data")) / "robots"
+
+
+def stands(checks, urdf, scratch):
+    folder = os.path.join(scratch, urdf.stem)
+    status, out, err = cli("check", str(urdf), "--propose", folder, timeout=120)
+    checks.that(status == 0 and "\nstands: " in out, f"check of {urdf.name} says that it stands: {out[-600:]}{err}")
+    status, out, err = cli("run", "stand", "--robot", folder, "--for", "1", timeout=120)
+    checks.that(status == 0 and "passed" in out, f"{urdf.name} stands: {out}{err}")
+    status, out, err = cli("check", folder, timeout=120)
+    checks.that(status == 0 and "missing: nothing" in out, f"nothing is missing in the folder of {urdf.name}: {out[-600:]}{err}")
+
+
+def refusals(checks, scratch):
+    link = "<link name='{0}'><inertial><mass value='{1}'/><inertia ixx='{2}' iyy='{2}' izz='{2}' ixy='0' ixz='0' iyz='0'/></inertial></link>"
+    joint = ("<joint name='j' type='revolute'><parent link='a'/><child link='b'/><axis xyz='0 1 0'/>"
+             "<limit lower='-1' upper='1' effort='10' velocity='5'/></joint>")
+    folder = pathlib.Path(scratch) / "weightless"
+    folder.mkdir()
+    (folder / "r.urdf").write_text("<robot name='r'>" + link.format("a", 5, 0.1) + link.format("b", 1, 0) + joint + "</robot>")
+    (folder / "r.srdf").write_text("<robot name='r'><group_state name='half_sitting' group='all'><joint name='j' value='0'/></group_state></robot>")
+    (folder / "robot.yaml").write_text("urdf: r.urdf\nsrdf: r.srdf\nbase: fixed\n")
+    for command in (["check", str(folder)], ["run", "stand", "--robot", str(folder)]):
+        status, _, err = cli(*command)
+        checks.that(status == 1 and "link 'b' cannot be simulated" in err, f"{command[0]} refuses a link without inertia: {status} {err}")
+    status, out, err = cli("check", str(folder / "r.urdf"))
+    checks.that(status == 0 and "inertia_from_shape: [b]" in out and "does not stand: " in out,
+                f"of the URDF a remedy is proposed, and an arm is told that it does not stand: {out[-600:]}{err}")
+
+
+def main():
+    harness.require("twinbus")
+    checks = Checks()
+    with tempfile.TemporaryDirectory() as scratch:
+        for name in ("hrp1s", "hrp2p"):
+            stands(checks, ROOT / f"config/robots/{name}/{name}.urdf", scratch)
+        if (DATA / "jvrc1/jvrc1.urdf").is_file():
+            stands(checks, DATA / "jvrc1/jvrc1.urdf", scratch)
+        refusals(checks, scratch)
+    checks.exit()
+
+
+if __name__ == "__main__":
+    main()
