@@ -33,6 +33,8 @@ constexpr Tool kTools[] = {
     {"filter", "only some channels", &log_filter},
     {"rename", "channels under other names", &log_rename},
     {"csv", "a channel as a table", &log_csv},
+    {"mcap", "for Foxglove and PlotJuggler: MCAP with JSON messages", &log_mcap},
+    {"plot", "any fields over time, as SVG or PNG", &log_plot},
     {"events", "what was said, asked, stopped and switched, in order", &log_events},
     {"compare",
      "two logs, or two sources in one: residuals per joint and foot force, table and plot",

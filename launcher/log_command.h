@@ -15,6 +15,8 @@ int log_cut(const std::vector<std::string>& words);
 int log_filter(const std::vector<std::string>& words);
 int log_rename(const std::vector<std::string>& words);
 int log_csv(const std::vector<std::string>& words);
+int log_mcap(const std::vector<std::string>& words);
+int log_plot(const std::vector<std::string>& words);
 int log_events(const std::vector<std::string>& words);
 int log_compare(const std::vector<std::string>& words);
 int log_rerun(const std::vector<std::string>& words);

@@ -10,7 +10,8 @@ namespace {
 
 constexpr double kWidth = 900.0, kHeight = 200.0, kLeft = 70.0, kTop = 40.0, kGap = 46.0;
 constexpr std::size_t kMostPoints = 1500;
-constexpr std::array<const char*, 4> kColours = {"#1f5fa8", "#d1602a", "#3a8f4d", "#8a5aa8"};
+constexpr std::array<const char*, 8> kColours = {"#1f5fa8", "#d1602a", "#3a8f4d", "#8a5aa8",
+                                                 "#b8860b", "#0f8b8d", "#c2185b", "#555555"};
 
 std::string number(double x) {
   char text[32];

@@ -45,6 +45,7 @@ constexpr Command kCommands[] = {
     {"reach", "bring a hand to a point around obstacles", &reach_command},
     {"gamepad", "drive with a gamepad or the keyboard", &gamepad_command},
     {"replay", "play a log as a source of STATE", &replay_command},
+    {"view", "look at a log in the browser, two on one timeline", &view_command},
     {"record", "record the bus into a log", &record_command},
     {"log", "look into logs, cut, convert, compare, re-run them", &log_command},
     {"spy", "lcm-spy that knows the messages", &spy_command},

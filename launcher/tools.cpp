@@ -69,6 +69,13 @@ int replay_command(const std::vector<std::string>& words) {
   become(program_folder() + "/twinbus_replay", words);
 }
 
+int view_command(const std::vector<std::string>& words) {
+  std::vector<std::string> given = words;
+  given.push_back("--runs");
+  given.push_back(runs_folder());
+  become(program_folder() + "/twinbus_log_viewer", given);
+}
+
 int record_command(const std::vector<std::string>& words) {
   std::vector<std::string> given = words;
   std::replace(given.begin(), given.end(), std::string("-o"), std::string("--output"));

@@ -10,6 +10,7 @@ namespace twinbus {
 int spy_command(const std::vector<std::string>& words);
 int env_command(const std::vector<std::string>& words);
 int replay_command(const std::vector<std::string>& words);
+int view_command(const std::vector<std::string>& words);
 int record_command(const std::vector<std::string>& words);
 int gamepad_command(const std::vector<std::string>& words);
 int bench_command(const std::vector<std::string>& words);

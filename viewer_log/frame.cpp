@@ -223,9 +223,38 @@ void add_ghosts(const StackView& view, std::int64_t now_ns, Json& frame) {
   frame["hands"] = hands;
 }
 
+// A row that begins with a point, and goes on with a vector where it has six numbers: seen from another world.
+void move_row(const Eigen::Isometry3d& place, Json& row) {
+  if (!row.is_array() || row.size() < 3 || !row[0].is_number() || !row[1].is_number()) return;
+  const auto at = [&](std::size_t i) { return row[i].is_number() ? row[i].get<double>() : 0.0; };
+  const Vector3d moved = place * Vector3d(at(0), at(1), at(2));
+  row[0] = number(moved.x());
+  row[1] = number(moved.y());
+  if (row.size() != 6) return;
+  const Vector3d turned = place.linear() * Vector3d(at(3), at(4), at(5));
+  for (int i = 0; i < 3; ++i) row[static_cast<std::size_t>(3 + i)] = number(turned[i], 1);
+}
+
+// Everything of a live frame that has a place; the ground stays where it is.
+void move_all(const Eigen::Isometry3d& place, Json& frame) {
+  for (const char* key : {"zmp", "com", "zmp_reference", "dcm", "push"}) {
+    if (frame.contains(key)) move_row(place, frame[key]);
+  }
+  for (const char* key : {"polygon", "forces", "hands"}) {
+    for (Json& row : frame[key]) move_row(place, row);
+  }
+  for (Json& sole : frame["soles"]) {
+    for (Json& corner : sole) move_row(place, corner);
+  }
+  for (Json& pair : frame["pairs"]) {
+    move_row(place, pair["from"]);
+    move_row(place, pair["to"]);
+  }
+}
+
 }  // namespace
 
-std::string live_frame(const StackView& view, std::int64_t now_ns) {
+std::string live_frame(const StackView& view, std::int64_t now_ns, const Recorded* recorded) {
   const RobotState& state = view.shown(now_ns);
   Json frame = {{"type", "live"},
                 {"source", label(state.source)},
@@ -243,6 +272,18 @@ std::string live_frame(const StackView& view, std::int64_t now_ns) {
   add_balance(view, now_ns, frame);
   add_pairs(view, now_ns, frame);
   add_ghosts(view, now_ns, frame);
+  if (recorded != nullptr) {
+    frame["log_s"] = number(recorded->seconds, 4);
+    move_all(recorded->place, frame);
+    frame["base"] = pose(recorded->place * view.base(now_ns));
+    if (recorded->other != nullptr) {
+      const RobotState& other = recorded->other->shown(recorded->other_now_ns);
+      frame["other"] = {
+          {"q", numbers(other.q, view.model().bus_count(), 5)},
+          {"base", pose(recorded->other_place * recorded->other->base(recorded->other_now_ns))},
+          {"tick", other.tick}};
+    }
+  }
   return dump(frame);
 }
 

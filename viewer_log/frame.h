@@ -11,6 +11,7 @@
 
 #pragma once
 
+#include <Eigen/Geometry>
 #include <cstdint>
 #include <string>
 
@@ -18,7 +19,18 @@
 
 namespace twinbus {
 
-std::string live_frame(const StackView& view, std::int64_t now_ns);
+// What a frame of a recording has besides: where in the log it is, and another log to be shown as a ghost.
+struct Recorded {
+  double seconds = 0.0;              // from the first event of the log
+  const StackView* other = nullptr;  // may be none
+  std::int64_t other_now_ns = 0;
+  // From the world of each view to the one that is drawn.
+  Eigen::Isometry3d place = Eigen::Isometry3d::Identity();
+  Eigen::Isometry3d other_place = Eigen::Isometry3d::Identity();
+};
+
+std::string live_frame(const StackView& view, std::int64_t now_ns,
+                       const Recorded* recorded = nullptr);
 std::string status_frame(const StackView& view, std::int64_t now_ns);
 std::string scene_frame(const StackView& view);
 std::string path_frame(const StackView& view);

@@ -13,9 +13,9 @@ constexpr double kFarthest = 1e9;        // [s]
 
 LogPlayer::LogPlayer(const std::string& file) : reader_(file) {
   LogEvent event;
-  reader_.go_to(reader_.size() - kTail);
-  while (reader_.next(event)) last_us_ = std::max(last_us_, event.utime);
-  reader_.go_to(0);
+  LogReader tail(file);  // begins anywhere: what it takes for damage is none
+  tail.go_to(tail.size() - kTail);
+  while (tail.next(event)) last_us_ = std::max(last_us_, event.utime);
   if (!reader_.next(next_))
     throw std::runtime_error("log " + file + ": no event in it; is it an LCM log?");
   has_next_ = true;

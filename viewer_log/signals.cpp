@@ -34,9 +34,36 @@ Json less(const PerJoint<double>& a, const PerJoint<double>& b, int count) {
   return numbers(difference, count, 6);
 }
 
+// Force and torque on the limbs that both measure, b less a.
+Json wrench_residual(const RobotState& a, const RobotState& b) {
+  Json json = Json::object();
+  for (std::size_t limb = 0; limb < kLimbs; ++limb) {
+    if (a.wrench_kind[limb] == WrenchKind::kAbsent || b.wrench_kind[limb] == WrenchKind::kAbsent)
+      continue;
+    std::array<double, 6> difference{};
+    for (std::size_t i = 0; i < 6; ++i) {
+      difference[i] =
+          static_cast<double>(b.wrench[limb][i]) - static_cast<double>(a.wrench[limb][i]);
+    }
+    json[kLimbName[limb]] = all(difference, 2);
+  }
+  return json;
+}
+
+void add_other(const RobotState& state, const Recorded& recorded, int count, Json& frame) {
+  frame["log_s"] = number(recorded.seconds, 4);
+  if (recorded.other == nullptr) return;
+  const RobotState& other = recorded.other->shown(recorded.other_now_ns);
+  frame["OTHER"] = {{"q", numbers(other.q, count, 5)},
+                    {"tau", numbers(other.tau, count, 2)},
+                    {"wrench", wrenches(other)}};
+  frame["RESIDUAL"] = {{"q", less(other.q, state.q, count)},
+                       {"wrench", wrench_residual(state, other)}};
+}
+
 }  // namespace
 
-std::string signals_frame(const StackView& view, std::int64_t now_ns) {
+std::string signals_frame(const StackView& view, std::int64_t now_ns, const Recorded* recorded) {
   const RobotState& state = view.shown(now_ns);
   const int count = view.model().bus_count();
   Json frame = {{"type", "signals"},
@@ -49,6 +76,7 @@ std::string signals_frame(const StackView& view, std::int64_t now_ns) {
                   {"gyro", all(state.gyro)},
                   {"accel", all(state.accel, 3)},
                   {"wrench", wrenches(state)}}}};
+  if (recorded != nullptr) add_other(state, *recorded, count, frame);
   if (view.command_applies(now_ns)) {
     const JointCommand& command = view.command().value;
     frame["COMMAND"] = {{"q", numbers(command.q, count, 5)},

@@ -10,10 +10,13 @@
 #include <cstdint>
 #include <string>
 
+#include "viewer_log/frame.h"
 #include "viewer_log/stack_view.h"
 
 namespace twinbus {
 
-std::string signals_frame(const StackView& view, std::int64_t now_ns);
+// Of a recording also OTHER, the other log, and RESIDUAL, the other less this one.
+std::string signals_frame(const StackView& view, std::int64_t now_ns,
+                          const Recorded* recorded = nullptr);
 
 }  // namespace twinbus

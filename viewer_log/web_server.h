@@ -19,7 +19,7 @@
 
 namespace twinbus {
 
-inline constexpr int kWebSlots = 5;
+inline constexpr int kWebSlots = 9;
 
 struct WebDocument {  // served from memory
   std::string path;   // "/robot.urdf"

@@ -4,7 +4,7 @@ export class Keys {
   // rows: [key as the browser names it, how it is written, what it does, function]; stop: on space.
   constructor(rows, stop, sheet) {
     this.sheet = sheet;
-    sheet.querySelector('dl').replaceChildren(...[[' ', 'space', 'stop; twice: hold at once'], ...rows, ['?', '?', 'this table']].flatMap(([, written, does]) => {
+    sheet.querySelector('dl').replaceChildren(...[[' ', 'space', 'stop; twice: hold at once'], ...rows, ['?', '?', 'this table']].filter(([, written]) => written).flatMap(([, written, does]) => {
       const term = document.createElement('dt'), text = document.createElement('dd');
       term.append(Object.assign(document.createElement('kbd'), { textContent: written }));
       text.textContent = does;
@@ -20,10 +20,10 @@ export class Keys {
         return;
       }
       if (typing()) { if (event.key === 'Escape') document.activeElement.blur(); return; }
-      if (event.repeat) return;
+      if (event.repeat && !event.key.startsWith('Arrow')) return;
       if (event.key === '?') sheet.hidden = !sheet.hidden;
       else if (event.key === 'Escape' && !sheet.hidden) sheet.hidden = true;
-      else rows.find(([key]) => key === event.key || key === event.key.toLowerCase())?.[3]();
+      else rows.find(([key]) => key === event.key || key === event.key.toLowerCase())?.[3](event);
     });
     addEventListener('keyup', (event) => { if (event.key === ' ') event.preventDefault(); });
   }

@@ -19,6 +19,7 @@ export class Link {
   constructor(on) {
     this.on = on;
     this.socket = null;
+    this.received = 0; // messages
   }
 
   connect() {
@@ -32,6 +33,7 @@ export class Link {
     };
     socket.onmessage = (event) => {
       const message = JSON.parse(event.data);
+      ++this.received;
       if (!kAnswers.has(message.type)) socket.send('ack'); // the server then sends no more than can be drawn
       this.on[message.type]?.(message);
     };

@@ -1,6 +1,7 @@
 // Joins link, robot, stage, panels, plots and what the operator can do.
 
 import { ArmPath } from './arm_path.js';
+import { bookmark, fragment, restoreLog, restoreView } from './bookmark.js';
 import { BrowserPad } from './gamepad.js';
 import { Ghost } from './ghost.js';
 import { HandTarget } from './hand_target.js';
@@ -14,27 +15,48 @@ import { Recorder } from './record.js';
 import { Robot } from './robot.js';
 import { Stage } from './stage.js';
 import { Theme } from './theme.js';
+import { Timeline } from './timeline.js';
 
 const $ = (id) => document.getElementById(id);
 const kBalanced = 1, kHold = 2;
 const kSilent = 1500; // a picture older than this is not to be believed [ms]
+const kBusy = 300; // a page that draws less often is slow itself [ms]
 const kAgain = 3000; // a second stop within this is meant as a harder one [ms]
 
 const stage = new Stage($('view'));
 const robot = new Robot(stage.scene);
 const commanded = new Ghost(stage.scene, 0xffd23f);
 const standby = new Ghost(stage.scene, 0xff5d5d);
+const other = new Ghost(stage.scene, 0xff9d1f); // of a second log
+other.wanted = true;
 const armPath = new ArmPath(stage.scene);
 const panels = new Panels((request) => link.send(request));
 const history = new History();
 const plots = new Plots($('plot-box'), history, lookBack);
 const recorder = new Recorder($('view'));
+const timeline = new Timeline((request) => link.send(request), {
+  jumped: () => {
+    history.clear();
+    panels.forget();
+  },
+  fill: () => { if (plots.open) link.send({ do: 'fill', seconds: Number(plots.seconds.value) }); },
+  toast: (text) => panels.toast(text),
+});
+plots.seek = (time) => {
+  if (!timeline.active) return false;
+  link.send({ do: 'pause' });
+  timeline.seek(time);
+  return true;
+};
 let hello = { joints: [], hands: [] };
 let newest = null;
 let newestAt = 0;
+let drawnAt = -Infinity;
 let lastStop = -Infinity;
 let past = null; // { time, live } while looking back
 let plan = null; // the newest path message
+const figures = { drawn: 0, first: null }; // pictures; when the first one with a robot was there [ms since the page began]
+let placed = false; // log and time of the address were asked for
 
 const link = new Link({
   connected: (yes) => { if (!yes) panels.connected(false); }, // the first picture says that it is there
@@ -43,10 +65,11 @@ const link = new Link({
     if (String(history.joints) !== String(message.joints)) history.clear();
     history.joints = message.joints;
     panels.hello(message);
-    joystick.enabled = message.trusted;
+    joystick.enabled = message.trusted && !timeline.active;
     robot.load(message.joints, (model) => {
       commanded.adopt(model, message.joints);
       standby.adopt(model, message.joints);
+      other.adopt(model, message.joints);
     }).catch((error) => panels.toast(`The robot cannot be shown: ${error.message}`));
   },
   live: (message) => {
@@ -56,11 +79,29 @@ const link = new Link({
   },
   signals: (message) => {
     if (hello.joints.length === 0) return; // the numbers have no names yet
-    const { type, time, ...groups } = message;
-    const live = newest ?? {};
-    groups.SHOWN = { base: live.base?.slice(0, 3), com: live.com, zmp: live.zmp, zmp_reference: live.zmp_reference, dcm: live.dcm,
-      margin_mm: live.margin_mm, foot_force: { left: live.foot_force?.[0], right: live.foot_force?.[1] } };
-    history.add(time, groups, newest);
+    addRow(message, newest);
+  },
+  replay: (message) => {
+    const first = !timeline.active;
+    timeline.replay(message);
+    panels.replaying(message);
+    newestAt = performance.now();
+    panels.connected(true);
+    if (first) joystick.enabled = false;
+  },
+  marks: (message) => timeline.showMarks(message),
+  shelf: (message) => {
+    timeline.shelf(message);
+    if (!placed && timeline.active) {
+      placed = true;
+      for (const request of restoreLog(timeline)) link.send(request);
+    }
+  },
+  past: (message) => {
+    if (message.jumps !== timeline.state?.jumps) return; // it is somewhere else by now
+    history.clear();
+    for (const [signals, live] of message.rows) addRow(signals, live);
+    plots.rebuild();
   },
   status: (message) => panels.status(message),
   scene: (message) => stage.showObstacles(message.obstacles),
@@ -71,7 +112,18 @@ const link = new Link({
   note: (message) => panels.toast(message.text),
 });
 
+// What a message of signals has, for plots; a recording is on the time of its log.
+function addRow(signals, picture) {
+  const { type, time, log_s: logTime, ...groups } = signals;
+  const live = picture ?? {};
+  groups.SHOWN = { base: live.base?.slice(0, 3), com: live.com, zmp: live.zmp, zmp_reference: live.zmp_reference, dcm: live.dcm,
+    margin_mm: live.margin_mm, foot_force: { left: live.foot_force?.[0], right: live.foot_force?.[1] } };
+  history.add(logTime ?? time, groups, picture);
+}
+
 function stop() {
+  if (timeline.active) { timeline.toggle(); return; } // nothing moves: the same key plays and pauses
+
   joystick.release();
   const now = performance.now();
   const kind = now - lastStop < kAgain ? kHold : kBalanced;
@@ -140,7 +192,9 @@ const chips = {
   plots: toggle('show-plots', (on) => {
     plots.toggle(on);
     if (!on) plots.hold(null);
+    else timeline.fill();
   }),
+  other: toggle('show-other', (on) => { other.wanted = on; }),
   panels: toggle('show-panels', (on) => document.body.classList.toggle('no-panels', !on)),
   record: toggle('record', (on) => {
     $('record').classList.toggle('recording', on);
@@ -149,6 +203,24 @@ const chips = {
   }),
 };
 $('arrow-scale').querySelector('input').oninput = (event) => { stage.arrowScale = 2 ** Number(event.target.value); };
+
+function inRecording(act) {
+  if (timeline.active) act();
+  else panels.toast('For recordings: ./twinbus view shows one.');
+}
+function nudge(by, event) {
+  if (!timeline.active) return;
+  if (event.shiftKey) timeline.seek(timeline.state.position + by);
+  else timeline.step(by);
+}
+async function shareLink() {
+  const address = bookmark(stage, plots, timeline);
+  window.history.replaceState(null, '', address);
+  let copied = true;
+  try { await navigator.clipboard.writeText(address); } catch { copied = false; } // not allowed: it is in the address bar
+  panels.toast(copied ? 'The address of this view is copied.' : 'The address of this view is in the address bar.');
+}
+$('link').onclick = () => { shareLink(); $('link').blur(); };
 
 const keys = new Keys([
   ['f', 'F', 'camera follows the robot', chips.follow],
@@ -163,14 +235,25 @@ const keys = new Keys([
   }],
   ['h', 'H', 'panels at the sides', chips.panels],
   ['t', 'T', 'dark or light', () => theme.toggle()],
+  ['n', 'N', 'ghost of the second log', chips.other],
+  ['y', 'Y', 'the address of this view', shareLink],
+  ['ArrowLeft', '← →', 'recording: the state before, the next (with shift a second)', (event) => nudge(-1, event)],
+  ['ArrowRight', '', '', (event) => nudge(1, event)],
+  ['[', '[ ]', 'recording: the event before, the next', () => inRecording(() => timeline.jump(-1))],
+  [']', '', '', () => inRecording(() => timeline.jump(1))],
+  ['i', 'I O', 'recording: the loop begins here, ends here', () => inRecording(() => timeline.mark('in'))],
+  ['o', '', '', () => inRecording(() => timeline.mark('out'))],
+  ['k', 'K', 'recording: loop', () => inRecording(() => timeline.loop())],
   ['v', 'V', 'record a video of the view', chips.record],
 ], stop, $('keys'));
 $('help').onclick = () => { keys.sheet.hidden = !keys.sheet.hidden; $('help').blur(); };
 
 function draw() {
   if (newest) {
-    // The viewer process may hang with its connection open.
-    if (performance.now() - newestAt > kSilent) panels.connected(false);
+    // The viewer process may hang with its connection open; a page that was busy itself has not read what came.
+    const now = performance.now();
+    if (now - newestAt > kSilent && now - drawnAt < kBusy) panels.connected(false);
+    drawnAt = now;
     const shown = past?.live ?? newest;
     robot.pose(shown.q, shown.base);
     robot.dim(!panels.online || shown.age_ms === null || shown.age_ms > 500 || shown.role === 'parked');
@@ -181,6 +264,7 @@ function draw() {
     }
     commanded.pose(shown.command, shown.base);
     standby.pose(shown.standby?.q, shown.base);
+    other.pose(shown.other?.q, shown.other?.base);
     stage.show(shown);
     panels.live(newest);
     panels.limits(limits);
@@ -188,10 +272,15 @@ function draw() {
   armPath.tick();
   pad.tick();
   plots.tick();
+  timeline.tick();
   stage.draw();
+  ++figures.drawn;
+  if (newest && robot.model && figures.first === null) figures.first = performance.now();
 }
+if (restoreView(stage, plots)) chips.plots();
+if (fragment().get('follow') === '0') chips.follow();
 stage.renderer.setAnimationLoop(draw);
 requestAnimationFrame(() => setTimeout(() => link.connect())); // after the first picture, which is slow to come
 
 // For tests of the page.
-globalThis.twinbus = { history, plots, stage, robot, commanded, standby, armPath, joystick, target };
+globalThis.twinbus = { figures, link, history, plots, stage, robot, commanded, standby, armPath, joystick, target, timeline, other };

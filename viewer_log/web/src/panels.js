@@ -33,7 +33,7 @@ export class Panels {
   }
 
   hello(message) {
-    this.trusted = message.trusted;
+    this.trusted = message.trusted && !this.recording;
     this.weight = message.mass * 9.81;
     this.robot = message.robot;
     document.title = `twinbus: ${message.robot}`;
@@ -43,9 +43,19 @@ export class Panels {
     $('clear').disabled = !message.trusted;
   }
 
+  // The newest replay message: from now on nothing can be asked of a robot.
+  replaying(message) {
+    this.recording = message;
+    text('drive-name', 'Mode');
+    this.trusted = false;
+  }
+
+  // What was shown is of another moment.
+  forget() { this.lastEvent = -1; }
+
   live(live) {
     const present = live.age_ms !== null && live.age_ms < 500;
-    const source = present ? live.source : 'none';
+    const source = !present ? 'none' : this.recording ? 'replay' : live.source;
     this.active = present ? live.run : 0;
     const badge = `source-${source}`;
     if (this.badge !== badge) {
@@ -57,7 +67,7 @@ export class Panels {
     const now = performance.now();
     if (now - (this.slow ?? 0) < 100) return; // figures that change faster cannot be read
     this.slow = now;
-    text('badge-detail', present ? `${this.robot} · term ${live.term} · ${live.role} · age ${age(live.age_ms)}`
+    text('badge-detail', present && this.recording ? `${this.robot} · recorded from ${live.source}, ${live.role} · term ${live.term}` : present ? `${this.robot} · term ${live.term} · ${live.role} · age ${age(live.age_ms)}`
       : live.age_ms === null ? 'waiting for STATE' : `last state ${age(live.age_ms)} ago`);
     text('rate-time', `${(live.time ?? 0).toFixed(1)} s`);
     text('rate-tick', String(live.tick));
@@ -131,7 +141,7 @@ export class Panels {
 
   sources(list) {
     if (list.length === 0) {
-      $('sources').replaceChildren(element('p', { className: 'hint', textContent: 'None heard. Start the stack with ./twinbus up.' }));
+      $('sources').replaceChildren(element('p', { className: 'hint', textContent: this.recording ? 'None is told of here.' : 'None heard. Start the stack with ./twinbus up.' }));
       return;
     }
     // Buttons stay the same nodes while the list does, so that a click is never lost to a redraw.

@@ -116,7 +116,7 @@ export class Plots {
     const style = getComputedStyle(document.body);
     const [dim, line] = [style.getPropertyValue('--dim').trim(), style.getPropertyValue('--grid').trim()];
     const axis = { stroke: dim, grid: { stroke: line, width: 1 }, ticks: { show: false }, font: '11px "DejaVu Sans", sans-serif' };
-    const shortened = plot.names.map((name) => name.replace(/^(SHOWN|STATE|TRACKING|DIFFERENCE)\.(q\.|tau\.)?/, ''));
+    const shortened = plot.names.map((name) => name.replace(/^(SHOWN|STATE|TRACKING|DIFFERENCE|RESIDUAL)\.(q\.|tau\.)?/, ''));
     plot.legend.replaceChildren(...shortened.map((name, i) => make('span', { title: plot.names[i] }, [make('i', { style: `background:${kColors[i]}` }), name])));
     return new uPlot({
       width: Math.max(120, plot.area.clientWidth), height: Math.max(60, plot.area.clientHeight),
@@ -130,6 +130,7 @@ export class Plots {
         ready: [(chart) => {
           chart.over.addEventListener('click', () => {
             const time = chart.posToVal(chart.cursor.left, 'x');
+            if (this.seek?.(time)) return; // a recording goes there itself
             this.hold(this.held === null ? this.history.last : null);
             if (this.held !== null) this.lookBack(time);
           });

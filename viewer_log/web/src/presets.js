@@ -19,5 +19,13 @@ export const kPresets = {
   'ZMP': () => ['x', 'y'].map((axis) => [`${axis} [m]`, ['zmp_reference', 'zmp', 'dcm', 'com'].map((field) => `SHOWN.${field}.${axis}`)])
     .concat([['ZMP inside [mm]', ['SHOWN.margin_mm']]]),
   'Tracking error': (history) => [['commanded less measured [rad], the largest six', largest(history, 'TRACKING.q.', 6)]],
+  // The paper's Figs. 12 and 13: a foot's force in both, the joint that differs most in both, and what is left.
+  'Two logs': (history) => {
+    const worst = largest(history, 'RESIDUAL.q.', 6);
+    const joint = worst[0]?.slice('RESIDUAL.q.'.length);
+    return [['left foot, vertical force [N]', ['STATE.wrench.left_foot.fz', 'OTHER.wrench.left_foot.fz']],
+      [`${joint ?? 'joint'} [rad]`, joint ? [`STATE.q.${joint}`, `OTHER.q.${joint}`] : []],
+      ['second less first [rad]', worst]];
+  },
   'Source difference': (history) => [['standby less active [rad], the largest six', largest(history, 'DIFFERENCE.q.', 6)]],
 };

@@ -1,0 +1,68 @@
+#include "viewer_log/message_json.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "viewer_log/log_event.h"
+
+namespace twinbus {
+namespace {
+
+std::vector<std::uint8_t> zeros(const MessageSchema& schema) {
+  return std::vector<std::uint8_t>(schema.bytes);
+}
+
+const MessageField& field_of(const MessageSchema& schema, const char* name) {
+  return schema.fields.at(static_cast<std::size_t>(schema.find(name)));
+}
+
+TEST(MessageJson, KeepsNumbersToTheLastBitAndEndsWithTheLastJoint) {
+  const MessageSchema& schema = *find_schema("robot_state_t");
+  std::vector<std::uint8_t> message = zeros(schema);
+  message[field_of(schema, "joint_count").offset + 1] = 2;
+  const double angle = 0.1 + 1e-16, large = -1.7976931348623157e308;
+  write_i64(message.data() + field_of(schema, "q[0]").offset, std::bit_cast<std::int64_t>(angle));
+  write_i64(message.data() + field_of(schema, "q[1]").offset, std::bit_cast<std::int64_t>(large));
+  write_u32(message.data() + field_of(schema, "wrench[1][2]").offset,
+            std::bit_cast<std::uint32_t>(0.1F));
+  write_u32(message.data() + field_of(schema, "gyro[1]").offset,
+            std::bit_cast<std::uint32_t>(std::numeric_limits<float>::quiet_NaN()));
+  std::string text;
+  MessageJson(schema).append(text, message);
+  const auto json = nlohmann::json::parse(text);
+  EXPECT_EQ(json["q"], nlohmann::json({angle, large}));
+  EXPECT_EQ(json["tau"].size(), 2U);
+  EXPECT_EQ(json["wrench_1"].size(), 6U);
+  EXPECT_EQ(static_cast<float>(json["wrench_1"][2].get<double>()), 0.1F);
+  EXPECT_TRUE(json["gyro"][1].is_null()) << "JSON has no word for what is not finite";
+}
+
+TEST(MessageJson, TextIsTextAndNoSchemaHasArraysOfArrays) {
+  const MessageSchema& schema = *find_schema("event_t");
+  std::vector<std::uint8_t> message = zeros(schema);
+  const std::string said = "it \"fell\" \x01\xff";
+  std::copy(said.begin(), said.end(),
+            message.begin() + static_cast<std::ptrdiff_t>(field_of(schema, "text[0]").offset));
+  std::string text;
+  MessageJson(schema).append(text, message);
+  EXPECT_EQ(nlohmann::json::parse(text)["text"].get<std::string>().substr(0, 9), "it \"fell\"");
+  for (const MessageSchema& type : parse_schemas(schema_texts())) {
+    const auto properties = nlohmann::json::parse(MessageJson(type).json_schema())["properties"];
+    std::string one;
+    MessageJson(type).append(one, zeros(type));
+    const auto json = nlohmann::json::parse(one);
+    EXPECT_EQ(json.size(), properties.size()) << type.type;
+    for (const auto& [key, about] : properties.items()) {
+      EXPECT_EQ(json[key].is_array(), about["type"] == "array") << type.type << "." << key;
+      if (about["type"] == "array") EXPECT_NE(about["items"]["type"], "array");
+    }
+  }
+}
+
+}  // namespace
+}  // namespace twinbus
