@@ -95,11 +95,10 @@ std::shared_ptr<fcl::Convexd> make_convex(const TriangleMesh& hull) {
   return std::make_shared<fcl::Convexd>(corners, static_cast<int>(hull.triangles.size()), faces);
 }
 
-// Meshes of many triangles become their hulls, but for FCL's own verdict.
-Body make_mesh(const Shape& shape, CollisionBackend backend) {
+// Meshes of many triangles become their hulls.
+Body make_mesh(const Shape& shape) {
   TriangleMesh mesh = load_mesh(shape.mesh, shape.size);
-  std::optional<TriangleMesh> hull;
-  if (backend == CollisionBackend::kOwn) hull = coarse_hull(mesh);
+  const std::optional<TriangleMesh> hull = coarse_hull(mesh);
   if (hull) mesh = *hull;
   Vector3d low = mesh.points.front();
   Vector3d high = low;
@@ -111,8 +110,8 @@ Body make_mesh(const Shape& shape, CollisionBackend backend) {
   Body body;
   body.convex = {ShapeKind::kMesh, 0.5 * (high - low)};
   body.local = shape.pose * Eigen::Translation3d(middle);
+  for (Vector3d& point : mesh.points) point -= middle;
   if (hull) {
-    for (Vector3d& point : mesh.points) point -= middle;
     body.hull = make_convex(mesh);
     body.core = gjk_hull(mesh.points);
     return body;
@@ -120,22 +119,17 @@ Body make_mesh(const Shape& shape, CollisionBackend backend) {
   body.mesh = std::make_shared<MeshModel>();
   body.mesh->beginModel(static_cast<int>(mesh.triangles.size()),
                         static_cast<int>(3 * mesh.triangles.size()));
-  for (const auto& t : mesh.triangles) {
-    const auto corner = [&](int k) -> Vector3d {
-      return mesh.points[static_cast<std::size_t>(t[static_cast<std::size_t>(k)])] - middle;
-    };
-    body.mesh->addTriangle(corner(0), corner(1), corner(2));
-  }
+  const auto corner = [&](int k) { return mesh.points[static_cast<std::size_t>(k)]; };
+  for (const auto& t : mesh.triangles)
+    body.mesh->addTriangle(corner(t[0]), corner(t[1]), corner(t[2]));
   body.mesh->endModel();
   body.mesh->computeLocalAABB();
-  std::vector<Vector3d> points = mesh.points;
-  for (Vector3d& point : points) point -= middle;
-  body.core = gjk_hull(convex_hull(points).points);
+  body.core = gjk_hull(convex_hull(mesh.points).points);
   return body;
 }
 
-Body make_body(const Shape& shape, CollisionBackend backend) {
-  return shape.kind == ShapeKind::kMesh ? make_mesh(shape, backend)
+Body make_body(const Shape& shape) {
+  return shape.kind == ShapeKind::kMesh ? make_mesh(shape)
                                         : make_primitive(shape.kind, shape.size, shape.pose);
 }
 
@@ -211,7 +205,7 @@ Collision::Impl::Impl(const Model& robot)
     Owner owner;
     owner.link = link;
     for (const Shape& shape : robot.links[index].collision)
-      owner.bodies.push_back(make_body(shape, wanted));
+      owner.bodies.push_back(make_body(shape));
     enclose(owner);
     owner_of[index] = static_cast<int>(owners.size());
     link_radius[index] = owner.center.norm() + owner.radius;

@@ -9,6 +9,7 @@ namespace twinbus {
 namespace {
 constexpr std::int64_t kTail = 1 << 20;  // whose events tell when the log ends [bytes]
 constexpr double kFarthest = 1e9;        // [s]
+constexpr double kRounding_us = 1e-3;    // what a sum of seconds is short of a whole microsecond
 }  // namespace
 
 LogPlayer::LogPlayer(const std::string& file) : reader_(file) {
@@ -39,7 +40,7 @@ void LogPlayer::seek(double seconds) {
 void LogPlayer::advance(double dt, const std::function<void(const LogEvent&)>& visit) {
   if (paused_ || at_end_ || !(dt > 0.0)) return;
   rest_us_ += 1e6 * dt * speed_;
-  const double whole = std::floor(rest_us_);
+  const double whole = std::floor(rest_us_ + kRounding_us);
   rest_us_ -= whole;
   position_us_ += static_cast<std::int64_t>(whole);
   while (has_next_ && next_.utime <= position_us_) {

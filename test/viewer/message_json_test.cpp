@@ -59,7 +59,9 @@ TEST(MessageJson, TextIsTextAndNoSchemaHasArraysOfArrays) {
     EXPECT_EQ(json.size(), properties.size()) << type.type;
     for (const auto& [key, about] : properties.items()) {
       EXPECT_EQ(json[key].is_array(), about["type"] == "array") << type.type << "." << key;
-      if (about["type"] == "array") EXPECT_NE(about["items"]["type"], "array");
+      if (about["type"] == "array") {
+        EXPECT_NE(about["items"]["type"], "array");
+      }
     }
   }
 }
