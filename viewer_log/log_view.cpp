@@ -132,7 +132,8 @@ void LogView::seek(double seconds) {
   counting_ = true;
   play(states_begin - begin);
   counting_ = false;
-  play(std::max(target - states_begin, 1e-6));
+  play(target - states_begin +
+       0.5e-6);  // rounded to the nearest microsecond; also what is at that very moment
 }
 
 void LogView::step(int by) {
