@@ -192,8 +192,8 @@ class Finder {
 
   std::string sensor_on(int link) const {
     for (const Frame& frame : model_.frames) {
-      if (frame.link == link &&
-          mentions(frame.name, {"force", "ft_", "_ft", "fsensor", "f_sensor", "sixaxis"}))
+      if (frame.link == link &&  // "ft" begins a word: the end of "left" is none
+          mentions("_" + frame.name, {"force", "_ft", "fsensor", "f_sensor", "sixaxis"}))
         return frame.name;
     }
     return "";
