@@ -135,7 +135,9 @@ XmlElement parse_xml(const std::string& text, const std::string& file) {
   if (text.empty()) throw std::runtime_error(file + ": empty file");
   refuse_deep_nesting(text, file);
   TiXmlDocument document;
-  document.Parse(text.c_str(), nullptr, TIXML_ENCODING_UTF8);
+  // TinyXML steps over the end by up to three bytes where a letter of several is cut short.
+  const std::string padded = text + std::string(8, '\0');
+  document.Parse(padded.c_str(), nullptr, TIXML_ENCODING_UTF8);
   if (document.Error()) {
     std::string why = document.ErrorDesc();
     if (!why.empty() && why.back() == '.') why.pop_back();
