@@ -109,9 +109,10 @@ class Bus:
                     return at, message
         return None, None
 
-    def wait_for(self, channel, accept=lambda message: True, timeout=5.0):
-        """The first message from now on that accept() likes; None when it does not come in time."""
-        start, end = len(self.records), time.monotonic() + timeout
+    def wait_for(self, channel, accept=lambda message: True, timeout=5.0, start=None):
+        """The first message that accept() likes, from now on or from record `start` on; None when it does not come in
+        time."""
+        start, end = len(self.records) if start is None else start, time.monotonic() + timeout
         kind = type_of(channel)
         while time.monotonic() < end:
             stop = len(self.records)
