@@ -11,6 +11,8 @@ constexpr double kMostFrequency = 1.5;     // [Hz]
 constexpr double kMostAcceleration = 1.5;  // [m/s^2]: a ZMP 100 mm away, a seventh of gravity
 constexpr double kRamp = 1.5;              // [s] to the amplitude asked
 constexpr double kLeanRate = 5.0;          // [rad/s] of the critically damped follower
+// A stick that is thrown over asks for this at most: no foot may become so light that it slips.
+constexpr double kLeanSpeed = 0.15;  // [m/s]
 constexpr double kTwoPi = 6.283185307179586;
 }  // namespace
 
@@ -26,6 +28,7 @@ void ComMotion::start(const Eigen::Vector3d& home, const Eigen::Vector3d& positi
   lean_.setZero();
   lean_rate_.setZero();
   lean_target_.setZero();
+  lean_wanted_.setZero();
   evaluate();
 }
 
@@ -87,8 +90,12 @@ void ComMotion::advance(double dt) noexcept {
       amplitude_.aim(next_amplitude_, kRamp);
     }
   }
+  const Eigen::Vector3d way = lean_target_ - lean_wanted_;
+  const double farthest = dt * kLeanSpeed;
+  const double distance = way.norm();
+  lean_wanted_ = distance > farthest ? lean_wanted_ + farthest / distance * way : lean_target_;
   lean_acceleration_ =
-      kLeanRate * kLeanRate * (lean_target_ - lean_) - 2.0 * kLeanRate * lean_rate_;
+      kLeanRate * kLeanRate * (lean_wanted_ - lean_) - 2.0 * kLeanRate * lean_rate_;
   lean_rate_ += dt * lean_acceleration_;
   lean_ += dt * lean_rate_;
   evaluate();

@@ -26,7 +26,7 @@ class ComMotion {
   void request(Motion motion, double amplitude, double frequency) noexcept;
   // Ends the motion as fast as is smooth.
   void stop(double duration) noexcept;
-  // Lean away from home [m], followed with a smooth lag.
+  // Lean away from home [m], followed with a bounded speed and a smooth lag.
   void lean(const Eigen::Vector3d& offset) noexcept { lean_target_ = offset; }
 
   void advance(double dt) noexcept;
@@ -49,8 +49,8 @@ class ComMotion {
   MinJerk amplitude_, frequency_;
   MinJerk way_x_, way_y_, way_z_;
   Eigen::Vector3d lean_ = Eigen::Vector3d::Zero(), lean_rate_ = Eigen::Vector3d::Zero();
-  Eigen::Vector3d lean_target_ = Eigen::Vector3d::Zero(),
-                  lean_acceleration_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d lean_target_ = Eigen::Vector3d::Zero(), lean_wanted_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d lean_acceleration_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d position_ = Eigen::Vector3d::Zero(), velocity_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d acceleration_ = Eigen::Vector3d::Zero();
 };

@@ -98,7 +98,16 @@ TEST(ComMotion, WhatIsAskedTooMuchIsCutAndNonsenseIsIgnored) {
 TEST(ComMotion, ALeanComesAndGoesSmoothly) {
   ComMotion motion = at_home();
   motion.lean({0.04, 0.0, -0.05});
-  for (int i = 0; i < 1500; ++i) motion.advance(kDt);
+  double most = 0.0, jump = 0.0, last = 0.0;
+  for (int i = 0; i < 1500; ++i) {
+    motion.advance(kDt);
+    const double now = motion.acceleration().norm();
+    most = std::max(most, now);
+    jump = std::max(jump, std::abs(now - last));
+    last = now;
+  }
+  EXPECT_LT(most, 0.35) << "[m/s^2]";
+  EXPECT_LT(jump, 0.02) << "from one tick to the next [m/s^2]";
   EXPECT_NEAR((motion.position() - kHome - Eigen::Vector3d(0.04, 0.0, -0.05)).norm(), 0.0, 1e-4);
   motion.lean(Eigen::Vector3d::Zero());
   for (int i = 0; i < 1500; ++i) motion.advance(kDt);

@@ -262,6 +262,27 @@ TEST(ControlLoop, AGamepadThatFallsSilentLeansNoMore) {
             before + 0.3 * (leaning - before));
 }
 
+TEST(ControlLoop, ThrowingTheStickOverAndOverDoesNotMakeTheFeetCreep) {
+  Rig rig;
+  ASSERT_TRUE(rig.run(2.5));
+  const auto apart = [&] {
+    const auto& foot = rig.truth().foot_position;
+    return Eigen::Vector2d(static_cast<double>(foot[0][0]) - static_cast<double>(foot[1][0]),
+                           static_cast<double>(foot[0][1]) - static_cast<double>(foot[1][1]));
+  };
+  const Eigen::Vector2d before = apart();
+  Gamepad pad;
+  pad.connected = pad.deadman = true;
+  pad.run_id = rig.state().run_id;
+  for (int i = 0; i < 10 * 500; ++i) {  // a second to the left, a second without anybody
+    pad.left_x = pad.left_y = (i / 500) % 2 == 0 ? 1.0F : 0.0F;
+    if (i % 5 == 0) rig.loop().on_gamepad(pad, rig.state().time_ns);
+    ASSERT_TRUE(rig.tick());
+  }
+  EXPECT_LT((apart() - before).norm(), 2e-5) << "of the soles, after five leans [m]";
+  EXPECT_FALSE(rig.record().fell);
+}
+
 TEST(ControlLoop, AGamepadWithoutItsDeadManOrForAnotherRunDoesNothing) {
   for (const bool other_run : {false, true}) {
     Rig rig;
@@ -335,7 +356,8 @@ TEST(ControlLoop, NoTickAllocatesInAnyMode) {
   JointCommand command;
   std::int64_t tick = rig.state().tick;
   int sequence = 0;
-  for (const Mode mode : {Mode::kBalance, Mode::kHold, Mode::kIdle, Mode::kStop, Mode::kBalance, Mode::kWalk}) {
+  for (const Mode mode :
+       {Mode::kBalance, Mode::kHold, Mode::kIdle, Mode::kStop, Mode::kBalance, Mode::kWalk}) {
     for (const Motion motion : {Motion::kSway, Motion::kSquat}) {
       NoAlloc no_alloc;
       ModeRequest request;
