@@ -204,6 +204,25 @@ json report(const Model& model, const Extent& extent) {
   return out;
 }
 
+// Where it stands, what it reaches with and what it feels.
+void print_limbs(const Model& model) {
+  for (const int side : {0, 1}) {
+    const char* name = side == 0 ? "left" : "right";
+    const Sole& sole = model.soles[at(side)];
+    if (sole.link >= 0) {
+      std::printf("%s sole on %s: %.0f x %.0f mm, %.3g N/m, %.3g N s/m, friction %.2f\n", name,
+                  model.links[at(sole.link)].name.c_str(), 1e3 * (sole.front + sole.back),
+                  1e3 * (sole.left + sole.right), sole.stiffness, sole.damping, sole.friction);
+    }
+    const Hand& hand = model.hands[at(side)];
+    if (hand.link >= 0) {
+      std::printf("%s hand on %s: arm of %zu joints\n", name,
+                  model.links[at(hand.link)].name.c_str(), hand.joints.size());
+    }
+  }
+  for (const std::string& sensor : sensors(model)) std::printf("sensor: %s\n", sensor.c_str());
+}
+
 void print(const Model& model, const Extent& extent) {
   std::printf("%s: %d joints (%d on the bus), %d links, %.1f kg, period %.1f ms, model hash %lld\n",
               model.name.c_str(), model.joint_count(), model.bus_count(), model.link_count(),
@@ -229,21 +248,7 @@ void print(const Model& model, const Extent& extent) {
                 kind_name(joint.kind), joint.lower, joint.upper, joint.velocity, joint.effort,
                 joint.kp, joint.kd);
   }
-  for (const int side : {0, 1}) {
-    const char* name = side == 0 ? "left" : "right";
-    const Sole& sole = model.soles[at(side)];
-    if (sole.link >= 0) {
-      std::printf("%s sole on %s: %.0f x %.0f mm, %.3g N/m, %.3g N s/m, friction %.2f\n", name,
-                  model.links[at(sole.link)].name.c_str(), 1e3 * (sole.front + sole.back),
-                  1e3 * (sole.left + sole.right), sole.stiffness, sole.damping, sole.friction);
-    }
-    const Hand& hand = model.hands[at(side)];
-    if (hand.link >= 0) {
-      std::printf("%s hand on %s: arm of %zu joints\n", name,
-                  model.links[at(hand.link)].name.c_str(), hand.joints.size());
-    }
-  }
-  for (const std::string& sensor : sensors(model)) std::printf("sensor: %s\n", sensor.c_str());
+  print_limbs(model);
   std::printf("poses:");
   for (const NamedPose& pose : model.poses) std::printf(" %s", pose.name.c_str());
   std::printf("\n%zu pairs of links are declared never to touch\n", model.disabled_pairs.size());
@@ -378,6 +383,8 @@ int check_command(const std::vector<std::string>& words) {
     std::printf("\nlook at these before you use the proposal:%s\n",
                 proposal->doubts.empty() ? " nothing found" : "");
     for (const std::string& doubt : proposal->doubts) std::printf("  %s\n", doubt.c_str());
+    std::printf("\nfound:\n");
+    print_limbs(proposed);
     if (folder.empty()) {
       std::printf(
           "\nproposed robot.yaml (--propose FOLDER writes it, with an SRDF and the URDF):\n\n%s",

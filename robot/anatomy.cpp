@@ -357,8 +357,8 @@ class Finder {
       return;
     }
     result_.imu_frame = model_.links.front().name;
-    result_.doubts.push_back("no link is called IMU: the base link " + result_.imu_frame +
-                             " is taken; add a link where the sensor is");
+    result_.doubts.push_back("no link of the trunk is called IMU: the base link " +
+                             result_.imu_frame + " is taken; add a link where the sensor is");
   }
 
   const Model& model_;
