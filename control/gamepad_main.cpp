@@ -1,5 +1,5 @@
-// The gamepad process: a pad or a keyboard in, GAMEPAD, MODE_REQUEST and STOP out.  What the
-// controls mean is in control/teleop; this file joins it to SDL, the terminal and the bus.
+// The gamepad process: a pad or a keyboard in, GAMEPAD, MODE_REQUEST, ARM_GOAL and STOP out.  What
+// the controls mean is in control/teleop; this file joins it to SDL, the terminal and the bus.
 
 #include <unistd.h>
 
@@ -12,11 +12,13 @@
 #include <memory>
 #include <string>
 
+#include "control/hand_target.h"
 #include "control/raw_terminal.h"
 #include "control/sdl_pad.h"
 #include "control/teleop.h"
 #include "lcmtypes/bus.h"
 #include "lcmtypes/channels.h"
+#include "robot/estimator.h"
 #include "robot/load.h"
 #include "robot/options.h"
 #include "robot/process.h"
@@ -148,8 +150,95 @@ class Requests {
   int stop_left_ = 0, mode_left_ = 0;
 };
 
+// The hand that is moved: where it is, whether another operator drives, and its goals on the bus.
+class Arm {
+ public:
+  Arm(const Model& model, std::int64_t id) : model_(model), estimator_(model), id_(id) {}
+
+  void listen(Bus& bus) {
+    bus.listen_each<ArmPathPiece>(channel::kArmPath, on_path_);
+    bus.listen_each<ControllerStatus>(channel::kControllerStatus, on_status_);
+    bus.listen_each<Gamepad>(channel::kGamepad, on_gamepad_);
+  }
+  // Once per cycle, with the newest state.
+  void update(const RobotState& state, bool fresh, Teleop& teleop) {
+    known_ = fresh && state.model_hash == model_.hash && state.joint_count == model_.bus_count();
+    const std::array<double, 3> by = teleop.take_hand_move();
+    target_.choose(teleop.hand());
+    const bool holds = teleop.holding() && known_ && state.stop_kind == StopKind::kNone;
+    if (!holds) {
+      if (held_) target_.stop();
+      held_ = drives_ = false;
+      return;
+    }
+    estimator_.update(state);
+    if (!held_) drives_ = other_ns_ == 0 || seconds_since(other_ns_) > kOtherHolds;
+    held_ = true;
+    const Hand& hand = model_.hands[teleop.hand() == ArmSide::kLeft ? 0 : 1];
+    if (!drives_ || hand.link < 0) return;
+    const Eigen::Isometry3d at = estimator_.ground_in_world().inverse() *
+                                 estimator_.kinematics().link_in_world(hand.link) * hand.frame;
+    target_.move(Eigen::Vector3d(by.data()), at.translation());
+  }
+  void stop() { target_.stop(); }
+  void send(Bus& bus, const RobotState& state, std::int64_t utime, std::int64_t now) {
+    ArmGoal goal;
+    if (!target_.next(now, state.run_id, random_id(), goal)) return;
+    goal.sender_id = id_;
+    goal.utime = utime;
+    static_cast<void>(bus.send(channel::kArmGoal, goal));  // counted by the bus
+  }
+  std::string words() const {
+    char text[100];
+    const char* side = target_.side() == ArmSide::kLeft ? "left" : "right";
+    const Eigen::Vector3d& at = target_.wanted();
+    switch (target_.phase()) {
+      case HandTarget::Phase::kAsked:
+      case HandTarget::Phase::kGoing:
+        std::snprintf(text, sizeof text, "%s hand to %.2f %.2f %.2f", side, at.x(), at.y(), at.z());
+        return text;
+      case HandTarget::Phase::kRefused:
+        return std::string(side) + (target_.refusal() == ArmPathStatus::kTimeLimit
+                                        ? " hand: no planner answers"
+                                        : " hand: no way there");
+      case HandTarget::Phase::kIdle:
+        break;
+    }
+    return known_ ? std::string(side) + " hand" : "hands of another robot";
+  }
+
+ private:
+  static constexpr double kOtherHolds = 0.2;  // [s] since the other was heard holding on
+
+  struct OnPath {
+    Arm* a;
+    void operator()(const ArmPathPiece& m) const { a->target_.on_path(m); }
+  };
+  struct OnStatus {
+    Arm* a;
+    void operator()(const ControllerStatus& m) const { a->target_.on_status(m); }
+  };
+  struct OnGamepad {
+    Arm* a;
+    void operator()(const Gamepad& m) const {
+      if (m.sender_id != a->id_ && m.deadman) a->other_ns_ = monotonic_ns();
+    }
+  };
+
+  const Model& model_;
+  Estimator estimator_;
+  std::int64_t id_;
+  HandTarget target_;
+  bool known_ = false, held_ = false, drives_ = false;
+  std::int64_t other_ns_ = 0;
+  OnPath on_path_{this};
+  OnStatus on_status_{this};
+  OnGamepad on_gamepad_{this};
+};
+
 // One line that is written over, on a terminal only.
-void show(const Teleop& teleop, const Gamepad& pad, const RobotState& state, bool fresh) {
+void show(const Teleop& teleop, const Gamepad& pad, const RobotState& state, bool fresh,
+          const std::string& hand) {
   const char* source = !fresh                                   ? "no source"
                        : state.source == SourceKind::kSimulator ? "SIMULATOR"
                        : state.source == SourceKind::kBridge    ? "ROBOT"
@@ -159,10 +248,10 @@ void show(const Teleop& teleop, const Gamepad& pad, const RobotState& state, boo
                      : pad.deadman         ? "HOLDING  "
                                            : "let go   ";
   std::printf(
-      "\r%-9s term %-4d %s%s  lean forward %+.2f left %+.2f  height %+.2f  turn %+.2f \x1b[K",
+      "\r%-9s term %-4d %s%s  lean forward %+.2f left %+.2f  height %+.2f  turn %+.2f  %s \x1b[K",
       source, fresh ? state.term : 0, grip,
       fresh && state.stop_kind != StopKind::kNone ? "  (robot stopped)" : "", double{pad.left_y},
-      double{pad.left_x}, double{pad.right_y}, double{pad.right_x});
+      double{pad.left_x}, double{pad.right_y}, double{pad.right_x}, hand.c_str());
   std::fflush(stdout);
 }
 
@@ -233,7 +322,10 @@ void run(const Arguments& options) {
   const std::int64_t id = options.common.id > 0 ? options.common.id : random_id();
   BusOptions bus_options{
       .url = options.common.url, .prefix = options.common.prefix, .allow = {options.common.allow}};
+  const Model model = load_robot(options.common.robot);
   Bus bus(bus_options);
+  Arm arm(model, id);
+  arm.listen(bus);
   StateAdmission believed;
   Latest<RobotState> newest;
   const auto admit = [&believed](const RobotState& state, const RobotState&) noexcept {
@@ -302,6 +394,7 @@ void run(const Arguments& options) {
     }
     for (TeleopAction action; (action = teleop.take_action()) != TeleopAction::kNone;) {
       if (action == TeleopAction::kQuit) leaving = true;
+      if (action == TeleopAction::kCentre) arm.stop();
       requests.start(action, state);
     }
     if (leaving) {
@@ -312,9 +405,11 @@ void run(const Arguments& options) {
     const Gamepad message = teleop.message(utime, now);
     bool sent = bus.send(channel::kGamepad, message);
     requests.send(bus, utime);
+    arm.update(state, fresh, teleop);
+    arm.send(bus, state, utime, monotonic_ns());
     if (cycle % kHeartbeatEvery == 0) {
       sent = bus.send_heartbeat(heartbeat(bus, id, cycle, message.connected)) && sent;
-      if (show_line) show(teleop, message, state, fresh);
+      if (show_line) show(teleop, message, state, fresh, arm.words());
     }
     static_cast<void>(sent);  // counted by the bus
   }

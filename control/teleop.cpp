@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <utility>
 
 namespace twinbus {
 
@@ -27,6 +28,18 @@ constexpr std::array<AxisRow, 4> kAxes{{
     {2, -1.0, &Gamepad::right_x, "right stick left / right", "turn (when walking)"},
 }};
 
+// While this one is held too, the sticks move a hand and leave the body alone.
+constexpr std::int32_t kHandButton = kPadRightShoulder;
+constexpr double kHandSpeed = 0.10;    // [m/s] at full stick
+constexpr double kHandKeyStep = 0.02;  // [m]
+constexpr double kPadCycle = 0.01;     // from one on_pad to the next [s]
+struct HandAxisRow {
+  std::size_t axis;  // of the pad
+  double sign;
+  std::size_t direction;  // forward, left, up
+};
+constexpr std::array<HandAxisRow, 3> kHandAxes{{{1, -1.0, 0}, {0, -1.0, 1}, {3, -1.0, 2}}};
+
 constexpr std::int32_t kDeadmanButton = kPadLeftShoulder;
 
 struct ButtonRow {
@@ -36,7 +49,7 @@ struct ButtonRow {
   const char* control;
   const char* effect;
 };
-constexpr std::array<ButtonRow, 7> kButtons{{
+constexpr std::array<ButtonRow, 9> kButtons{{
     {kPadB, TeleopAction::kStop, false, "B", "STOP, at any time"},
     {kPadBack | kPadStart, TeleopAction::kClear, false, "back + start", "clear the stop"},
     {kDeadmanButton, TeleopAction::kDeadman, false, "left bumper (LB), held",
@@ -45,6 +58,8 @@ constexpr std::array<ButtonRow, 7> kButtons{{
     {kPadX, TeleopAction::kSway, true, "X", "sway from side to side"},
     {kPadY, TeleopAction::kSquat, true, "Y", "squat up and down"},
     {kPadDown, TeleopAction::kHold, true, "cross down", "hold the posture"},
+    {kPadLeft, TeleopAction::kLeftHand, true, "cross left", "the left hand is the one to move"},
+    {kPadRight, TeleopAction::kRightHand, true, "cross right", "the right hand is the one to move"},
 }};
 
 struct KeyRow {
@@ -57,7 +72,7 @@ struct KeyRow {
   const char* effect;
 };
 constexpr float kStep = 0.1f;
-constexpr std::array<KeyRow, 16> kKeys{{
+constexpr std::array<KeyRow, 17> kKeys{{
     {' ', 0, nullptr, 0, TeleopAction::kStop, "space", "STOP, at any time"},
     {'c', 0, nullptr, 0, TeleopAction::kClear, "c", "clear the stop"},
     {'w', kKeyUp, &Gamepad::left_y, kStep, TeleopAction::kNone, "w, arrow up",
@@ -74,8 +89,18 @@ constexpr std::array<KeyRow, 16> kKeys{{
     {'2', 0, nullptr, 0, TeleopAction::kSway, "2", "sway from side to side"},
     {'3', 0, nullptr, 0, TeleopAction::kSquat, "3", "squat up and down"},
     {'4', 0, nullptr, 0, TeleopAction::kHold, "4", "hold the posture"},
+    {'h', 0, nullptr, 0, TeleopAction::kOtherHand, "h", "the other hand is the one to move"},
     {'q', 3, nullptr, 0, TeleopAction::kQuit, "q, Ctrl-C", "let go and quit"},
 }};
+
+// Capitals move the chosen hand by a step; the planner finds a way around everything.
+struct HandKeyRow {
+  int key;
+  std::size_t direction;  // forward, left, up
+  double sign;
+};
+constexpr std::array<HandKeyRow, 6> kHandKeys{
+    {{'W', 0, 1.0}, {'S', 0, -1.0}, {'A', 1, 1.0}, {'D', 1, -1.0}, {'I', 2, 1.0}, {'K', 2, -1.0}}};
 
 constexpr int kMinRaw = -32767;  // SDL's range is one longer on the negative side
 constexpr double kFullRaw = 32767.0;
@@ -125,6 +150,7 @@ void Teleop::release() noexcept {
   armed_ = false;
   seen_released_ = false;
   gamepad_.deadman = false;
+  hand_move_ = {};
   zero_axes(gamepad_);
 }
 
@@ -169,6 +195,13 @@ void Teleop::on_pad(const PadInput& input) noexcept {
   gamepad_.deadman = armed_;
   zero_axes(gamepad_);
   if (!armed_) return;
+  if ((input.buttons & kHandButton) != 0) {
+    for (const HandAxisRow& row : kHandAxes) {
+      hand_move_[row.direction] +=
+          kPadCycle * kHandSpeed * static_cast<double>(stick_value(input.axes[row.axis], row.sign));
+    }
+    return;
+  }
   for (const AxisRow& row : kAxes) {
     gamepad_.*row.field = stick_value(input.axes[row.axis], row.sign);
   }
@@ -178,19 +211,37 @@ void Teleop::on_pad(const PadInput& input) noexcept {
 
 void Teleop::on_key(int key, std::int64_t now_ns) noexcept {
   if (key <= 0) return;
+  const auto hand_row =
+      std::find_if(kHandKeys.begin(), kHandKeys.end(),
+                   [&](const HandKeyRow& candidate) { return candidate.key == key; });
+  if (hand_row != kHandKeys.end()) {
+    last_key_ns_ = now_ns;
+    if (take_hold()) hand_move_[hand_row->direction] += hand_row->sign * kHandKeyStep;
+    return;
+  }
   const auto row = std::find_if(kKeys.begin(), kKeys.end(), [&](const KeyRow& candidate) {
     return candidate.key == key || candidate.other_key == key;
   });
   if (row == kKeys.end()) return;
   last_key_ns_ = now_ns;
   if (row->action != TeleopAction::kNone) return act(row->action);
-  if (stop_latched_) return;
-  if (!armed_) gamepad_.run_id = run_id_;
-  armed_ = true;
-  gamepad_.deadman = true;
+  if (!take_hold()) return;
   // Whole steps, so that as many steps back give exactly zero.
   float& value = gamepad_.*row->field;
   value = std::clamp(std::round((value + row->step) / kStep) * kStep, -1.0f, 1.0f);
+}
+
+// Of a keyboard, which has no button to hold: any key that moves something does.
+bool Teleop::take_hold() noexcept {
+  if (stop_latched_) return false;
+  if (!armed_) gamepad_.run_id = run_id_;
+  armed_ = true;
+  gamepad_.deadman = true;
+  return true;
+}
+
+std::array<double, 3> Teleop::take_hand_move() noexcept {
+  return std::exchange(hand_move_, std::array<double, 3>{});
 }
 
 void Teleop::act(TeleopAction action) noexcept {
@@ -203,7 +254,14 @@ void Teleop::act(TeleopAction action) noexcept {
     stop_latched_ = false;
     release();
   }
-  if (action == TeleopAction::kCentre) return zero_axes(gamepad_);
+  if (action == TeleopAction::kCentre) {
+    zero_axes(gamepad_);
+    hand_move_ = {};
+  }
+  if (action == TeleopAction::kOtherHand)
+    hand_ = hand_ == ArmSide::kLeft ? ArmSide::kRight : ArmSide::kLeft;
+  if (action == TeleopAction::kLeftHand) hand_ = ArmSide::kLeft;
+  if (action == TeleopAction::kRightHand) hand_ = ArmSide::kRight;
   if (action == TeleopAction::kQuit) let_go();
   // A stop is never lost to a full list: it takes the last place.
   if (action_count_ == static_cast<int>(actions_.size())) {
@@ -261,6 +319,9 @@ std::string cheat_sheet(bool keyboard) {
   if (keyboard) {
     text += "keyboard: each key moves a set point by a tenth; nothing has to be held down\n";
     for (const KeyRow& row : kKeys) append_row(text, row.control, row.effect);
+    append_row(text, "W S A D, with shift",
+               "hand 20 mm forward, back, left, right, around everything");
+    append_row(text, "I K, with shift", "hand 20 mm up, down; x stops it");
     char line[120];
     std::snprintf(line, sizeof line, "  %-28s %s\n", "no key for 30 s",
                   "counts as letting go, as does closing the terminal");
@@ -269,6 +330,9 @@ std::string cheat_sheet(bool keyboard) {
   text += "gamepad (names as on an Xbox pad)\n";
   for (const ButtonRow& row : kButtons) append_row(text, row.control, row.effect);
   for (const AxisRow& row : kAxes) append_row(text, row.control, row.effect);
+  append_row(text, "right bumper (RB), held too",
+             "sticks move the hand: left stick along the ground,");
+  append_row(text, "", "right stick up / down; the planner finds the way");
   text += "  take hold with centred sticks; letting go of LB or unplugging sends zeros\n";
   return text;
 }

@@ -26,6 +26,8 @@ enum PadButton : std::int32_t {
   kPadLeftShoulder = 1 << 9,
   kPadRightShoulder = 1 << 10,
   kPadDown = 1 << 12,
+  kPadLeft = 1 << 13,
+  kPadRight = 1 << 14,
 };
 
 // A pad as the driver sees it: left x, left y, right x, right y, left and right trigger; right and
@@ -50,6 +52,9 @@ enum class TeleopAction {
   kSquat,
   kHold,
   kCentre,  // keyboard: all set points to zero
+  kOtherHand,
+  kLeftHand,
+  kRightHand,
   kQuit,
 };
 
@@ -68,6 +73,9 @@ class Teleop {
 
   // The next message to send; counts the sequence up.
   Gamepad message(std::int64_t utime, std::int64_t now_ns) noexcept;
+  // How far the chosen hand is to move, forward, left and up [m], since the last call.
+  std::array<double, 3> take_hand_move() noexcept;
+  ArmSide hand() const noexcept { return hand_; }
   // The next thing asked for besides the axes; kNone when there is nothing more.
   TeleopAction take_action() noexcept;
 
@@ -77,6 +85,7 @@ class Teleop {
  private:
   void act(TeleopAction action) noexcept;
   void release() noexcept;
+  bool take_hold() noexcept;
 
   Gamepad gamepad_;
   bool keyboard_;
@@ -87,6 +96,8 @@ class Teleop {
   std::int32_t last_buttons_ = 0;
   std::int64_t last_key_ns_ = 0;
   std::int64_t run_id_ = 0;
+  ArmSide hand_ = ArmSide::kLeft;
+  std::array<double, 3> hand_move_{};  // [m]
   std::array<TeleopAction, 16> actions_{};
   int action_count_ = 0;
 };

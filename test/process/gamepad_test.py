@@ -120,6 +120,41 @@ def stopping(checks, bus, keys):
     time.sleep(0.8)
 
 
+def hands(checks, bus, keys):
+    """Capitals move a hand along ways of the planner; x stops it; the body stands where it stood."""
+    def reach(keys_, side):
+        start = len(bus.records)
+        keys.press(keys_)
+        _, goal = bus.wait_for("ARM_GOAL", lambda g: g.kind == 2 and g.side == side, 3, start)
+        if not checks.that(goal is not None, f"{keys_}: a goal goes out"):
+            return None
+        _, path = bus.wait_for("ARM_PATH", lambda p: p.goal_id == goal.goal_id, 5, start)
+        checks.that(path is not None and path.status == 0, f"{keys_}: the planner finds a way")
+        _, moving = bus.wait_for("CONTROLLER_STATUS", lambda s: s.arm_path_id != 0, 3, start)
+        checks.that(moving is not None, f"{keys_}: the arm follows it")
+        return goal
+
+    home = com(bus)
+    first = reach("W", 1)
+    _, done = bus.wait_for("CONTROLLER_STATUS", lambda s: s.arm_path_id == 0, 5)
+    checks.that(done is not None, "W: the hand arrives")
+    second = reach("WWI", 1)
+    if first and second:
+        checks.that(0.01 < second.position[0] - first.position[0] < 0.05, f"W, then W again: further forward by a step or two: "
+                    f"{first.position} {second.position}")
+    bus.wait_for("CONTROLLER_STATUS", lambda s: s.arm_path_id == 0, 5)
+    keys.press("h")
+    reach("IIIIII", 2)
+    start = len(bus.records)
+    keys.press("x")
+    _, cancelled = bus.wait_for("ARM_GOAL", lambda g: g.kind == 0, 2, start)
+    checks.that(cancelled is not None, "x: the way is cancelled")
+    _, rests = bus.wait_for("CONTROLLER_STATUS", lambda s: s.arm_path_id == 0, 1.5, start)
+    checks.that(rests is not None, "x: the arm stops at once")
+    time.sleep(1.5)
+    checks.at_most(max(abs(a - b) for a, b in zip(com(bus), home)), 0.015, "the body stands where it stood [m]")
+
+
 def letting_go(checks, bus, keys):
     """The consumer's own time-out: a keyboard that is frozen in the middle of a lean is not obeyed any longer."""
     home = com(bus)
@@ -150,7 +185,7 @@ def cheat_sheet(checks, bus, keys):
     keys.press_for("1", bus, "CONTROLLER_STATUS", lambda s: s.mode == BALANCE)
     keys.read(1.0)
     checks.that(re.search(r"SIMULATOR\s+term 1", keys.text) is not None, "the line shows source and term")
-    for row in ("STOP, at any time", "sway from side to side", "lean forward", "let go and quit"):
+    for row in ("STOP, at any time", "sway from side to side", "lean forward", "hand 20 mm up", "let go and quit"):
         checks.that(row in keys.text, f"the cheat sheet says \"{row}\"")
 
 
@@ -172,7 +207,7 @@ def main():
     harness.require("twinbus", "twinbus_simulator", "twinbus_controller", "twinbus_guard", "twinbus_gamepad")
     harness.CHANNEL_TYPES.setdefault("GAMEPAD", "gamepad_t")
     checks, stalls = Checks(), Stalls()
-    for part in (cheat_sheet, modes, leaning, stopping, letting_go):
+    for part in (cheat_sheet, modes, leaning, hands, stopping, letting_go):
         for tries in range(1, TRIES + 1):
             since, attempt = time.monotonic_ns(), checks.tentative()
             one_try(attempt, part)

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <limits>
 
 namespace twinbus {
@@ -256,6 +257,40 @@ TEST(CheatSheet, NamesEveryControl) {
   for (const char* word : {"space", "STOP", "clear", "lean left", "sway", "quit"}) {
     EXPECT_NE(keys.find(word), std::string::npos) << word;
   }
+}
+
+TEST(Teleop, CapitalsMoveAHandByTwentyMillimetresAndLeaveTheBodyAlone) {
+  Teleop teleop(7, true);
+  teleop.on_source(kRun, false);
+  for (const char key : {'W', 'W', 'D', 'I'}) teleop.on_key(key, kSecond);
+  const std::array<double, 3> move = teleop.take_hand_move();
+  EXPECT_NEAR(move[0], 0.04, 1e-12);
+  EXPECT_NEAR(move[1], -0.02, 1e-12);
+  EXPECT_NEAR(move[2], 0.02, 1e-12);
+  EXPECT_EQ(teleop.take_hand_move()[0], 0.0) << "once";
+  const Gamepad pad = teleop.message(0, kSecond);
+  EXPECT_TRUE(pad.deadman);
+  EXPECT_EQ(pad.left_y, 0.0f);
+  EXPECT_EQ(teleop.hand(), ArmSide::kLeft);
+  teleop.on_key('h', kSecond);
+  EXPECT_EQ(teleop.hand(), ArmSide::kRight);
+  teleop.on_key(' ', kSecond);
+  teleop.on_key('W', kSecond);
+  EXPECT_EQ(teleop.take_hand_move()[0], 0.0) << "while a stop is asked for";
+}
+
+TEST(Teleop, WithTheRightBumperTheSticksMoveAHandAndLeaveTheBodyAlone) {
+  Teleop teleop = armed();
+  PadInput input = held();
+  input.buttons |= kPadRightShoulder | kPadRight;
+  input.axes[1] = -32767;
+  for (int cycle = 0; cycle < 100; ++cycle) teleop.on_pad(input);
+  EXPECT_NEAR(teleop.take_hand_move()[0], 0.10, 1e-6) << "after a second at full stick";
+  EXPECT_EQ(teleop.message(0, 0).left_y, 0.0f);
+  EXPECT_EQ(teleop.hand(), ArmSide::kRight);
+  teleop.on_pad(input);
+  teleop.on_pad(released());
+  EXPECT_EQ(teleop.take_hand_move()[0], 0.0) << "who has let go moves nothing";
 }
 
 }  // namespace

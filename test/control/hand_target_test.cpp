@@ -1,0 +1,126 @@
+#include "control/hand_target.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace twinbus {
+namespace {
+
+using Phase = HandTarget::Phase;
+constexpr std::int64_t kMs = 1'000'000;
+const Eigen::Vector3d kHand(0.3, 0.25, 0.8);
+
+ArmPathPiece answer(const ArmGoal& goal, ArmPathStatus status, std::int64_t path) {
+  ArmPathPiece piece;
+  piece.goal_id = goal.goal_id;
+  piece.path_id = path;
+  piece.status = status;
+  return piece;
+}
+
+ControllerStatus follows(std::int64_t path) {
+  ControllerStatus status;
+  status.arm_path_id = path;
+  return status;
+}
+
+TEST(HandTarget, StepsAreAskedForWhereTheHandIs) {
+  HandTarget target;
+  ArmGoal goal;
+  EXPECT_FALSE(target.next(kMs, 5, 100, goal));
+  target.choose(ArmSide::kRight);
+  target.move({0.02, 0.0, 0.0}, kHand);
+  target.move({0.0, 0.0, 0.02}, kHand);
+  ASSERT_TRUE(target.next(2 * kMs, 5, 100, goal));
+  EXPECT_EQ(goal.run_id, 5);
+  EXPECT_EQ(goal.goal_id, 100);
+  EXPECT_EQ(goal.side, ArmSide::kRight);
+  EXPECT_EQ(goal.kind, ArmGoalKind::kPosition);
+  EXPECT_NEAR(goal.position[0], 0.32, 1e-12);
+  EXPECT_NEAR(goal.position[1], 0.25, 1e-12);
+  EXPECT_NEAR(goal.position[2], 0.82, 1e-12);
+  EXPECT_FALSE(target.next(3 * kMs, 5, 101, goal));
+  ASSERT_TRUE(target.next(70 * kMs, 5, 101, goal)) << "said again while nobody answers";
+  EXPECT_EQ(goal.goal_id, 100);
+}
+
+TEST(HandTarget, TheNextWayIsAskedForWhenTheLastIsGone) {
+  HandTarget target;
+  ArmGoal goal;
+  target.move({0.02, 0.0, 0.0}, kHand);
+  ASSERT_TRUE(target.next(kMs, 5, 100, goal));
+  target.on_path(answer(goal, ArmPathStatus::kOk, 9));
+  EXPECT_EQ(target.phase(), Phase::kGoing);
+  target.move({0.02, 0.0, 0.0}, kHand);
+  target.on_status(follows(0));  // not yet begun
+  EXPECT_FALSE(target.next(2 * kMs, 5, 101, goal));
+  target.on_status(follows(9));
+  EXPECT_FALSE(target.next(200 * kMs, 5, 101, goal));
+  target.on_status(follows(0));
+  ASSERT_TRUE(target.next(400 * kMs, 5, 101, goal));
+  EXPECT_EQ(goal.goal_id, 101);
+  EXPECT_NEAR(goal.position[0], 0.34, 1e-12);
+}
+
+TEST(HandTarget, WhereThereIsNoWayTheWishFallsBack) {
+  HandTarget target;
+  ArmGoal goal;
+  target.move({0.02, 0.0, 0.0}, kHand);
+  ASSERT_TRUE(target.next(kMs, 5, 100, goal));
+  target.on_path(answer(goal, ArmPathStatus::kUnreachable, 0));
+  EXPECT_EQ(target.phase(), Phase::kRefused);
+  EXPECT_FALSE(target.next(2 * kMs, 5, 101, goal));
+  target.move({0.0, 0.0, 0.02}, kHand);
+  ASSERT_TRUE(target.next(3 * kMs, 5, 101, goal));
+  EXPECT_NEAR(goal.position[0], 0.30, 1e-12);
+  EXPECT_NEAR(goal.position[2], 0.82, 1e-12);
+}
+
+TEST(HandTarget, LettingGoCancelsAndForgets) {
+  HandTarget target;
+  ArmGoal goal;
+  target.stop();
+  EXPECT_FALSE(target.next(kMs, 5, 100, goal)) << "nothing to cancel";
+  target.move({0.02, 0.0, 0.0}, kHand);
+  ASSERT_TRUE(target.next(2 * kMs, 5, 100, goal));
+  target.on_path(answer(goal, ArmPathStatus::kOk, 9));
+  target.stop();
+  for (int k = 0; k < 5; ++k) {
+    ASSERT_TRUE(target.next((3 + k) * kMs, 5, 101, goal));
+    EXPECT_EQ(goal.kind, ArmGoalKind::kCancel);
+  }
+  EXPECT_FALSE(target.next(9 * kMs, 5, 101, goal));
+  target.move({0.02, 0.0, 0.0}, Eigen::Vector3d(0.1, 0.2, 0.9));
+  ASSERT_TRUE(target.next(10 * kMs, 5, 102, goal));
+  EXPECT_NEAR(goal.position[0], 0.12, 1e-12) << "from where the hand is now";
+}
+
+TEST(HandTarget, ThoseWhoDoNotAnswerAreNotWaitedForForever) {
+  HandTarget target;
+  ArmGoal goal;
+  target.move({0.02, 0.0, 0.0}, kHand);
+  for (std::int64_t ms = 1; ms < 3500; ++ms) (void)target.next(ms * kMs, 5, 100, goal);
+  EXPECT_EQ(target.phase(), Phase::kRefused);
+  target.move({0.02, 0.0, 0.0}, kHand);
+  ASSERT_TRUE(target.next(3500 * kMs, 5, 101, goal));
+  target.on_path(answer(goal, ArmPathStatus::kOk, 9));  // and no controller follows
+  bool cancelled = false;
+  for (std::int64_t ms = 3501; ms < 7000; ++ms)
+    cancelled =
+        (target.next(ms * kMs, 5, 102, goal) && goal.kind == ArmGoalKind::kCancel) || cancelled;
+  EXPECT_TRUE(cancelled);
+  EXPECT_EQ(target.phase(), Phase::kIdle);
+}
+
+TEST(HandTarget, AWishStaysNearTheHandAndNonsenseIsIgnored) {
+  HandTarget target;
+  for (int k = 0; k < 100; ++k) target.move({0.02, 0.0, 0.0}, kHand);
+  EXPECT_LT((target.wanted() - kHand).norm(), 0.151);
+  const Eigen::Vector3d before = target.wanted();
+  target.move(Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN()), kHand);
+  EXPECT_EQ(target.wanted(), before);
+}
+
+}  // namespace
+}  // namespace twinbus
