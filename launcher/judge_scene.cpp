@@ -74,6 +74,23 @@ RunVerdict judge_scene(const OneProcess& run, const Criteria& asked, std::int64_
            "the robot ended %.2f m from its start, at least %.2f m were asked");
   at_most(w.travel(), asked.drift_max_m,
           "the robot ended %.2f m from its start, at most %.2f m were asked");
+  for (const LooseEnd& end : asked.loose) {
+    const int body = run.find_loose(end.name);
+    if (body < 0) continue;
+    const LooseState now = run.world().loose(body);
+    const double off = (now.pose.translation() - end.position).norm();
+    const double speed = now.velocity.norm();
+    const std::string who = "loose body '" + end.name + "' ";
+    if (!(off <= end.within)) {
+      failures.push_back(who + sentence("ended %.4f m from where it was asked to be, at most %.4f "
+                                        "m were asked",
+                                        off, end.within));
+    }
+    if (!(speed <= end.speed)) {
+      failures.push_back(
+          who + sentence("ended at %.4f m/s, at most %.4f m/s were asked", speed, end.speed));
+    }
+  }
   if (run.state().role == Role::kStopped) {
     failures.push_back(std::string("the source is stopped (") + stop_name(run.state().stop_kind) +
                        ")");
@@ -92,6 +109,13 @@ std::string scene_figures(const OneProcess& run) {
                 kDegrees * f.max_tilt, 1e3 * f.zmp_margin_min, 1e3 * f.slip_max,
                 1e3 * f.penetration_max, kDegrees * run.sole_tilt_max());
   std::string lines = text;
+  for (int i = 0; i < run.world().loose_count(); ++i) {
+    const LooseState now = run.world().loose(i);
+    const Eigen::Vector3d& p = now.pose.translation();
+    std::snprintf(text, sizeof text, "loose body %s ended at %.4f %.4f %.4f m, %.1f mm/s\n",
+                  run.loose_name(i).c_str(), p.x(), p.y(), p.z(), 1e3 * now.velocity.norm());
+    lines += text;
+  }
   if (w.steps() == 0) return lines;
   std::snprintf(text, sizeof text,
                 "%lld steps: 5 %% of the ZMP margins below %.0f mm, slip in a step %.2f mm, normal "

@@ -150,8 +150,14 @@ OneProcess::OneProcess(const Model& model, const Scene& scene, const OneProcessC
                {static_cast<double>(config.control.first_mode),
                 config.control.guard_in_loop ? 1.0 : 0.0},
                SendPage{this}) {
+  for (const LooseBody& body : scene.loose) loose_names_.push_back(body.name);
   tell_obstacles(scene);
   activate();
+}
+
+int OneProcess::find_loose(const std::string& name) const {
+  const auto found = std::find(loose_names_.begin(), loose_names_.end(), name);
+  return found == loose_names_.end() ? -1 : static_cast<int>(found - loose_names_.begin());
 }
 
 void OneProcess::tell_obstacles(const Scene& scene) {

@@ -58,6 +58,11 @@ class OneProcess {
   std::int64_t ticks() const { return ticks_; }
   const RobotState& state() const { return heard_; }  // as decoded
   const SimTruth& truth() const { return *sim_.truth(); }
+  const World& world() const { return *sim_.world(); }
+  const std::string& loose_name(int body) const {
+    return loose_names_[static_cast<std::size_t>(body)];
+  }
+  int find_loose(const std::string& name) const;  // -1: there is none
   const ControlLoop& loop() const { return loop_; }
   const Source& source() const { return source_; }
   const Lookout& seen() const { return seen_; }
@@ -84,6 +89,7 @@ class OneProcess {
 
   const Model& model_;
   SimAdaptor sim_;
+  std::vector<std::string> loose_names_;
   Source source_;
   ControlLoop loop_;
   Estimator planner_view_;

@@ -19,6 +19,9 @@ constexpr std::uint64_t kNoContact = 0xcbf29ce484222325ULL;
 std::uint64_t mix(std::uint64_t pattern, int value) {
   return (pattern ^ static_cast<std::uint64_t>(value)) * 0x100000001b3ULL;
 }
+// Whether it acts on the robot; whether the other side is fixed.
+bool of_robot(const Contact& c) { return c.system == 0 || c.other_system == 0; }
+bool holds_robot(const Contact& c) { return c.system == 0 && c.other_system < 0; }
 constexpr double kNotARotation = 1e-12;  // beyond it the base's attitude is normalised
 
 }  // namespace
@@ -27,7 +30,8 @@ ArticulatedWorld::ArticulatedWorld(const Model& model, const WorldConfig& config
     : config_(config),
       body_(model, config.fixed_base, config.mass_scale),
       ground_(model, config),
-      solve_(body_, kMostContacts),
+      loose_(model, config, body_),
+      solve_(loose_.systems(), loose_.most_contacts()),
       flight_(model.joint_count(), config.fixed_base),
       rows_(model.joints.size()),
       configuration_(model),
@@ -35,8 +39,8 @@ ArticulatedWorld::ArticulatedWorld(const Model& model, const WorldConfig& config
       coarse_(model),
       next_(model) {
   for (const Joint& joint : model.joints) joints_.emplace_back(joint, config);
-  contacts_.reserve(kMostContacts);
-  reported_.reserve(kMostContacts);
+  contacts_.reserve(at(loose_.most_contacts()));
+  reported_.reserve(at(loose_.most_contacts()));
   pushes_.reserve(kMostPushes);
   configuration_.q.setZero();
   configuration_.qd.setZero();
@@ -86,6 +90,15 @@ Status ArticulatedWorld::set_servo(int joint, const ServoTarget& target) noexcep
   return Status::kOk;
 }
 
+Status ArticulatedWorld::set_loose(int body, const LooseState& state) noexcept {
+  if (body < 0 || body >= loose_.count()) return Status::kWrongSize;
+  const Status status = check_loose(state);
+  if (status != Status::kOk) return status;
+  loose_.set(body, state);
+  frozen_ = false;
+  return Status::kOk;
+}
+
 Status ArticulatedWorld::push(int link, const Eigen::Vector3d& point,
                               const Eigen::Vector3d& force) noexcept {
   if (link < 0 || link >= body_.link_count()) return Status::kWrongSize;
@@ -110,9 +123,11 @@ Status ArticulatedWorld::step() noexcept {
   if (frozen_) return Status::kDiverged;
   if (fly()) return Status::kOk;
   start_ = configuration_;
+  loose_.save();
   if (!(config_.order == 2 ? advance_twice() : advance(config_.step))) {
     configuration_ = start_;
     body_.place(configuration_);
+    loose_.restore();
     frozen_ = true;
     return Status::kDiverged;
   }
@@ -127,7 +142,7 @@ bool ArticulatedWorld::fly() noexcept {
     flight_.interrupt();
     return false;
   }
-  ground_.find(body_, config_.step, contacts_);
+  find_contacts(config_.step);
   if (!contacts_.empty()) {
     flight_.interrupt();
     return false;
@@ -145,6 +160,7 @@ bool ArticulatedWorld::fly() noexcept {
     joints_[j].settle(configuration_.q[index], configuration_.qd[index]);
   }
   ground_.forget();
+  (void)loose_.advance(contacts_, config_.step);  // nothing touches: they fall
   reported_.clear();
   ++flown_;
   return true;
@@ -156,6 +172,7 @@ bool ArticulatedWorld::advance(double h) noexcept {
   if (!solve_step(h)) return false;
   body_.advance(h, next_);
   if (check_configuration(joints_.size(), next_) != Status::kOk) return false;
+  if (!loose_.advance(contacts_, h)) return false;
   for (std::size_t j = 0; j < joints_.size(); ++j) {
     joints_[j].finish(next_.qd[static_cast<Eigen::Index>(j)], h / config_.step);
   }
@@ -173,10 +190,12 @@ bool ArticulatedWorld::advance_twice() noexcept {
   const Momentum momentum = before_;  // if nothing touched
   const bool airborne = airborne_;
   coarse_ = configuration_;
+  loose_.keep_coarse();
   const std::uint64_t expected = pattern();
   configuration_ = start_;
   body_.place(configuration_);
   ground_.restore();
+  loose_.restore();
   for (JointLaw& joint : joints_) joint.restore();
   for (int half = 0; half < 2; ++half) {
     if (!advance(0.5 * h)) return false;
@@ -187,33 +206,22 @@ bool ArticulatedWorld::advance_twice() noexcept {
     return true;
   }
   next_ = configuration_;
-  extrapolate(coarse_);
+  extrapolate(coarse_, configuration_);
+  loose_.extrapolate();
   if (check_configuration(joints_.size(), configuration_) != Status::kOk) {
     configuration_ = next_;
     ++events_;
     return true;
   }
-  airborne_ = airborne_ && airborne;
+  airborne_ = airborne_ && airborne && !touched(false);
   place_after(momentum, h, 0.5);
   return true;
-}
-
-void ArticulatedWorld::extrapolate(const Configuration& coarse) noexcept {
-  Configuration& y = configuration_;
-  y.q += y.q - coarse.q;
-  y.qd += y.qd - coarse.qd;
-  y.base.translation() += y.base.translation() - coarse.base.translation();
-  y.base_velocity += y.base_velocity - coarse.base_velocity;
-  y.base_angular_velocity += y.base_angular_velocity - coarse.base_angular_velocity;
-  const Eigen::Matrix3d beyond = y.base.linear() * coarse.base.linear().transpose();
-  const Eigen::Quaterniond attitude(Eigen::Matrix3d(beyond * y.base.linear()));
-  y.base.linear() = attitude.normalized().toRotationMatrix();
 }
 
 // momentum: of the start; kept in flight.  before: share of the old velocity in the way of the
 // centre of mass.
 void ArticulatedWorld::place_after(Momentum momentum, double h, double before) noexcept {
-  if (!airborne_ || pattern_of_contacts() != kNoContact) {
+  if (!airborne_ || touched(true)) {
     body_.place(configuration_);
     return;
   }
@@ -223,8 +231,26 @@ void ArticulatedWorld::place_after(Momentum momentum, double h, double before) n
     momentum.linear += h * push.force;
     momentum.angular += h * (push.point - momentum.com).cross(push.force);
   }
+  for (const Contact& c : contacts_) {
+    if (c.now.mode == ContactMode::kOpen || !of_robot(c)) continue;
+    const Eigen::Vector3d force = c.system == 0 ? c.now.force : Eigen::Vector3d(-c.now.force);
+    momentum.linear += h * force;
+    momentum.angular += h * (c.point - momentum.com).cross(force);
+  }
   momentum.com += h / body_.mass() * (before * old + (1.0 - before) * momentum.linear);
   body_.place(momentum, configuration_);
+}
+
+// By something fixed; else by anything.
+bool ArticulatedWorld::touched(bool fixed) const noexcept {
+  return std::any_of(contacts_.begin(), contacts_.end(), [fixed](const Contact& c) {
+    return c.now.mode != ContactMode::kOpen && (fixed ? holds_robot(c) : of_robot(c));
+  });
+}
+
+void ArticulatedWorld::find_contacts(double h) noexcept {
+  ground_.find(body_, h, contacts_);
+  if (!loose_.empty()) loose_.find(h, contacts_);
 }
 
 // What touches and how.
@@ -245,14 +271,15 @@ std::uint64_t ArticulatedWorld::pattern() const noexcept {
 
 // False: an inertia was not positive.
 bool ArticulatedWorld::solve_step(double h) noexcept {
-  ground_.find(body_, h, contacts_);
-  airborne_ = !config_.fixed_base && std::none_of(contacts_.begin(), contacts_.end(),
-                                                  [](const Contact& c) { return c.depth > 0.0; });
+  find_contacts(h);
+  airborne_ = !config_.fixed_base &&
+              std::none_of(contacts_.begin(), contacts_.end(),
+                           [](const Contact& c) { return c.depth > 0.0 && holds_robot(c); });
   if (airborne_) before_ = body_.momentum();
   for (const Push& push : pushes_) {
     body_.add_force(push.link, push.point - body_.origin(), push.force);
   }
-  solve_.fold(body_, contacts_, h);
+  solve_.fold(contacts_, h);
   for (std::size_t j = 0; j < joints_.size(); ++j) {
     const auto index = static_cast<Eigen::Index>(j);
     joints_[j].begin(configuration_.q[index], configuration_.qd[index], h);
@@ -263,9 +290,10 @@ bool ArticulatedWorld::solve_step(double h) noexcept {
   int patience = kPatience;
   for (int pass = 0;; ++pass) {
     for (std::size_t j = 0; j < joints_.size(); ++j) rows_[j] = joints_[j].row();
-    if (!body_.inward(rows_, h)) return false;
+    if (!body_.inward(rows_, h) || !loose_.inward(h)) return false;
     body_.outward();
-    solve_.solve(body_, contacts_, h);
+    loose_.outward();
+    solve_.solve(contacts_, h);
     int wrong = 0;
     std::size_t last = 0;
     for (std::size_t j = 0; j < joints_.size(); ++j) {
@@ -299,17 +327,18 @@ double ArticulatedWorld::end_speed(std::size_t joint, double h) const noexcept {
 void ArticulatedWorld::report_contacts() noexcept {
   reported_.clear();
   for (const Contact& c : contacts_) {
-    if (c.now.mode == ContactMode::kOpen && !(c.depth > 0.0)) continue;
-    reported_.push_back({.link = c.link,
+    if (!of_robot(c) || (c.now.mode == ContactMode::kOpen && !(c.depth > 0.0))) continue;
+    const bool first = c.system == 0;
+    reported_.push_back({.link = first ? c.link : c.other,
                          .sole = c.sole,
                          .point = c.point,
-                         .force = c.now.force,
+                         .force = first ? c.now.force : Eigen::Vector3d(-c.now.force),
                          .depth = std::max(0.0, c.depth)});
   }
 }
 
 void ArticulatedWorld::estimate_contact_forces() noexcept {
-  ground_.find(body_, 0.0, contacts_);
+  find_contacts(0.0);
   for (Contact& c : contacts_) {
     const double fn = c.params.stiffness * c.depth -
                       (c.params.damping + config_.step * c.params.stiffness) * c.normal.dot(c.v0);

@@ -1,4 +1,4 @@
-// The simulated world of one robot in one implicit solve: the default engine.
+// The simulated world of one robot and loose bodies in one implicit solve: the default engine.
 //
 // A step of backward Euler: sim/articulated_body moves the links in reduced coordinates (joints
 // cannot come apart), sim/joint_law acts in each joint, sim/ground_contacts and sim/contact_solve
@@ -26,6 +26,7 @@
 #include "sim/flight.h"
 #include "sim/ground_contacts.h"
 #include "sim/joint_law.h"
+#include "sim/loose_bodies.h"
 #include "sim/world.h"
 
 namespace twinbus {
@@ -55,10 +56,14 @@ class ArticulatedWorld final : public World {
   Eigen::Vector3d com() const noexcept override;
   Eigen::Vector3d com_velocity() const noexcept override;
   const std::vector<ContactPoint>& contacts() const noexcept override { return reported_; }
+  int loose_count() const noexcept override { return loose_.count(); }
+  LooseState loose(int body) const noexcept override { return loose_.state(body); }
+  Status set_loose(int body, const LooseState& state) noexcept override;
   double corner_stiffness(int sole) const noexcept override;
   double corner_damping(int sole) const noexcept override;
 
   const SolveCounters& counters() const noexcept { return solve_.counters(); }
+  const std::vector<Contact>& solved() const noexcept { return contacts_; }  // of the last step
   long joint_passes() const noexcept { return joint_passes_; }  // beyond the first of each step
   // Steps that ended with a joint on a wrong piece of its law.
   long unsettled() const noexcept { return unsettled_; }
@@ -76,9 +81,10 @@ class ArticulatedWorld final : public World {
   bool fly() noexcept;
   bool advance(double h) noexcept;
   bool advance_twice() noexcept;
-  void extrapolate(const Configuration& coarse) noexcept;
   bool solve_step(double h) noexcept;
   void place_after(Momentum momentum, double h, double before) noexcept;
+  bool touched(bool fixed) const noexcept;
+  void find_contacts(double h) noexcept;
   std::uint64_t pattern_of_contacts() const noexcept;
   std::uint64_t pattern() const noexcept;
   double end_speed(std::size_t joint, double h) const noexcept;
@@ -87,6 +93,7 @@ class ArticulatedWorld final : public World {
   WorldConfig config_;
   ArticulatedBody body_;
   GroundContacts ground_;
+  LooseBodies loose_;
   ContactSolve solve_;
   FlightMotion flight_;
   std::vector<JointLaw> joints_;
@@ -99,7 +106,7 @@ class ArticulatedWorld final : public World {
   long unsettled_ = 0;
   long events_ = 0;
   long flown_ = 0;
-  bool airborne_ = false;  // nothing touched when the last solve began
+  bool airborne_ = false;  // nothing fixed touched the robot when the last solve began
   Momentum before_;        // then
   bool frozen_ = false;
 };

@@ -5,26 +5,23 @@
 #include <numbers>
 
 #include "robot/index.h"
+#include "sim/bristle.h"
 
 namespace twinbus {
 
 namespace {
 
-// The model gives one spring for a sole; sideways rubber is taken as so much stiffer, damped half
-// critically for this mass at each point.  The other engine's soles do not yield sideways at all.
 constexpr double kTangentRatio = 40.0;
 constexpr double kTangentMass = 15.0;  // [kg]
-
-// A point may come so much nearer in a step beyond what its speed says.
-constexpr double kMostAcceleration = 40.0;  // [m/s^2]
-constexpr double kMargin = 1e-4;            // [m]
 
 constexpr double kHigh = 1.0;  // [m], more than the ground is ever uneven
 
 constexpr int kSpineProbes = 5;
 constexpr int kRimProbes = 6;
 
-ContactParams params_of(double k, double c, double mu) {
+}  // namespace
+
+ContactParams rubber(double k, double c, double mu) {
   ContactParams params;
   params.stiffness = k;
   params.damping = c;
@@ -34,41 +31,32 @@ ContactParams params_of(double k, double c, double mu) {
   return params;
 }
 
-double bounding_radius(const Obstacle& obstacle) {
-  switch (obstacle.shape) {
-    case ObstacleShape::kBox:
-      return 0.5 * obstacle.size.norm();
-    case ObstacleShape::kSphere:
-      return obstacle.size.x();
-    case ObstacleShape::kCylinder:
-      return std::hypot(obstacle.size.x(), 0.5 * obstacle.size.y());
-    case ObstacleShape::kNone:
-      break;
-  }
-  return 0.0;
+Solid solid_of(const Obstacle& obstacle) noexcept {
+  const SolidShape shape = obstacle.shape == ObstacleShape::kBox      ? SolidShape::kBox
+                           : obstacle.shape == ObstacleShape::kSphere ? SolidShape::kSphere
+                                                                      : SolidShape::kCylinder;
+  return {shape, obstacle.size};
 }
-
-}  // namespace
 
 GroundContacts::GroundContacts(const Model& model, const WorldConfig& config)
     : fixed_base_(config.fixed_base), soles_(model.soles), ground_height_(config.ground_height) {
   for (std::size_t side = 0; side < 2; ++side) {
     const Sole& sole = soles_[side];
-    sole_params_[side] = params_of(sole.stiffness / kSoleCorners * config.stiffness_scale,
-                                   sole.damping / kSoleCorners * config.damping_scale,
-                                   std::sqrt(sole.friction * config.ground_friction));
+    sole_params_[side] = rubber(sole.stiffness / kSoleCorners * config.stiffness_scale,
+                                sole.damping / kSoleCorners * config.damping_scale,
+                                std::sqrt(sole.friction * config.ground_friction));
   }
   shell_params_ =
-      params_of(kLinkStiffness, kLinkDamping, std::sqrt(kLinkFriction * config.ground_friction));
+      rubber(kLinkStiffness, kLinkDamping, std::sqrt(kLinkFriction * config.ground_friction));
   for (const Obstacle& obstacle : config.obstacles) {
     if (obstacle.shape == ObstacleShape::kNone) continue;
     obstacles_.push_back(obstacle);
-    obstacle_radius_.push_back(bounding_radius(obstacle));
+    obstacle_radius_.push_back(bounding_radius(solid_of(obstacle)));
   }
   solid_ = obstacles_.size();
   for (const Obstacle& tile : config.tiles) {
     obstacles_.push_back(tile);
-    obstacle_radius_.push_back(bounding_radius(tile));
+    obstacle_radius_.push_back(bounding_radius(solid_of(tile)));
   }
   for (std::size_t i = 0; i < model.links.size(); ++i) {
     for (const Shape& shape : model.links[i].collision) {
@@ -102,7 +90,7 @@ void GroundContacts::add_probes(int link, const Shape& shape, const Model& model
   if (link == 0 && fixed_base_) return;
   ShapeProbes added{link, shape.pose.translation(), 0.0, probes_.size(), 0};
   const auto probe = [&](const Eigen::Vector3d& at, double radius) {
-    Probe p{shape.pose * at, radius, false};
+    LinkProbe p{shape.pose * at, radius, false};
     for (const Sole& sole : model.soles) {
       p.skin = p.skin || (sole.link == link && (sole.frame.inverse() * p.center).z() < kSoleSkin);
     }
@@ -145,58 +133,18 @@ void GroundContacts::add_probes(int link, const Shape& shape, const Model& model
 }
 
 // Surface 0 is the ground, others are obstacles.  Signed, negative inside.
-GroundContacts::Distance GroundContacts::distance(std::size_t surface,
-                                                  const Eigen::Vector3d& point) const noexcept {
+Distance GroundContacts::distance(std::size_t surface,
+                                  const Eigen::Vector3d& point) const noexcept {
   if (surface == 0) return {point.z(), Eigen::Vector3d::UnitZ()};
   const Obstacle& obstacle = obstacles_[surface - 1];
   const Eigen::Matrix3d turn = obstacle.pose.linear();
-  const Eigen::Vector3d p = turn.transpose() * (point - obstacle.pose.translation());
-  Eigen::Vector3d n = Eigen::Vector3d::UnitZ();
-  if (obstacle.shape == ObstacleShape::kSphere) {
-    const double norm = p.norm();
-    if (norm > 0.0) n = p / norm;
-    return {norm - obstacle.size.x(), turn * n};
-  }
-  // Box: q is how far the point is beyond each pair of faces; cylinder: beyond the mantle and the
-  // caps.
-  Eigen::Vector3d q, out;
-  if (obstacle.shape == ObstacleShape::kBox) {
-    q = p.cwiseAbs() - 0.5 * obstacle.size;
-    for (int i = 0; i < 3; ++i) out[i] = p[i] < 0.0 ? -1.0 : 1.0;
-  } else {
-    const double radius = std::hypot(p.x(), p.y());
-    const Eigen::Vector2d radial =
-        radius > 0.0 ? Eigen::Vector2d(p.head<2>() / radius) : Eigen::Vector2d(1.0, 0.0);
-    const double beyond = radius - obstacle.size.x();
-    const double cap = std::abs(p.z()) - 0.5 * obstacle.size.y();
-    const double up = p.z() < 0.0 ? -1.0 : 1.0;
-    if (beyond > 0.0 && cap > 0.0) {
-      const double value = std::hypot(beyond, cap);
-      n << beyond / value * radial, up * cap / value;
-      return {value, turn * n};
-    }
-    if (beyond > cap) {
-      n << radial, 0.0;
-      return {beyond, turn * n};
-    }
-    n = {0.0, 0.0, up};
-    return {cap, turn * n};
-  }
-  const Eigen::Vector3d positive = q.cwiseMax(0.0);
-  const double outside = positive.norm();
-  if (outside > 0.0) {
-    n = positive.cwiseProduct(out) / outside;
-    return {outside, turn * n};
-  }
-  Eigen::Index nearest = 0;
-  const double value = q.maxCoeff(&nearest);
-  n = Eigen::Vector3d::Unit(nearest) * out[nearest];
-  return {value, turn * n};
+  const Distance d =
+      distance_to(solid_of(obstacle), turn.transpose() * (point - obstacle.pose.translation()));
+  return {d.value, turn * d.normal};
 }
 
 // A tile is ground: all that is below its top is in it, and pushed out upwards.
-GroundContacts::Distance GroundContacts::under(std::size_t tile,
-                                               const Eigen::Vector3d& point) const noexcept {
+Distance GroundContacts::under(std::size_t tile, const Eigen::Vector3d& point) const noexcept {
   const Obstacle& box = obstacles_[tile];
   const Eigen::Vector3d p = box.pose.linear().transpose() * (point - box.pose.translation());
   const bool over = std::abs(p.x()) <= 0.5 * box.size.x() && std::abs(p.y()) <= 0.5 * box.size.y();
@@ -263,7 +211,7 @@ void GroundContacts::find_probes(const ArticulatedBody& body, double h,
     // Nothing of the shape moves faster than this (sums are bounds of norms, and cheaper).
     const double speed =
         at_point(link.velocity, middle).cwiseAbs().sum() + spin.cwiseAbs().sum() * shape.radius;
-    const double reach = h > 0.0 ? h * (2.0 * speed + kMostAcceleration * h) + kMargin : 0.0;
+    const double reach = reach_of(speed, h);
     for (std::size_t surface = 0; surface <= solid_; ++surface) {
       const Eigen::Vector3d at = body.origin() + middle;
       if (surface == 0) {
@@ -275,10 +223,11 @@ void GroundContacts::find_probes(const ArticulatedBody& body, double h,
         if (!(distance(surface, at).value < shape.radius + reach)) continue;
       }
       for (std::size_t i = shape.first; i < shape.first + shape.count; ++i) {
-        const Probe& probe = probes_[i];
+        const LinkProbe& probe = probes_[i];
         if (surface == 0 && probe.skin) continue;
         const Eigen::Vector3d center = link.origin + link.rotation * probe.center;
         const Distance d = distance(surface, body.origin() + center);
+        if (!(probe.radius - d.value > -reach)) continue;
         found.link = shape.link;
         found.key = static_cast<int>((i + 2 * kSoleCorners) * surfaces + surface);
         found.material = !(probe.radius > 0.0);
@@ -295,8 +244,7 @@ void GroundContacts::find_probes(const ArticulatedBody& body, double h,
 void GroundContacts::add(const ArticulatedBody& body, const Contact& found, double h,
                          std::size_t& cursor, std::vector<Contact>& contacts) const noexcept {
   const Eigen::Vector3d v0 = at_point(body.link(found.link).velocity, found.r);
-  const double reach = h > 0.0 ? h * (2.0 * v0.norm() + kMostAcceleration * h) + kMargin : 0.0;
-  if (!(found.depth > -reach) || contacts.size() >= kMostContacts) return;
+  if (!(found.depth > -reach_of(v0.norm(), h)) || contacts.size() >= kMostContacts) return;
   contacts.push_back(found);
   Contact& c = contacts.back();
   c.v0 = v0;
@@ -312,32 +260,15 @@ void GroundContacts::add(const ArticulatedBody& body, const Contact& found, doub
     c.stretch -= c.normal * c.normal.dot(c.stretch);
     return;
   }
-  // A new contact: the bristle is planted where the point will come down.
-  c.stretch.setZero();
-  const double vn = c.normal.dot(v0);
-  if (c.depth < 0.0 && vn < 0.0) {
-    c.stretch = -std::min(h, c.depth / vn) * (v0 - vn * c.normal);
-  }
+  c.stretch = planted(c, h);
 }
 
 void GroundContacts::remember(const std::vector<Contact>& contacts, double h) noexcept {
   memory_.clear();
   for (const Contact& c : contacts) {
-    if (c.now.mode == ContactMode::kOpen) continue;
-    const double fn = c.normal.dot(c.now.force);
-    const Eigen::Vector3d moved = h * (c.v - c.normal * c.normal.dot(c.v));
-    Eigen::Vector3d stretch = c.stretch + moved;
-    if (c.now.mode == ContactMode::kSlip) {
-      // The bristle ends the step with the stretch that carries the friction.
-      const Eigen::Vector3d ft = c.now.force - fn * c.normal;
-      const double beta = c.params.tangent_damping + h * c.params.tangent_stiffness;
-      stretch = c.stretch - h / beta * (ft + c.params.tangent_stiffness * c.stretch);
-    }
-    // A sticking anchor stays where it is to the last bit: no creep.
-    const Eigen::Vector3d anchor = c.now.mode == ContactMode::kStick
-                                       ? Eigen::Vector3d(c.point - c.stretch)
-                                       : Eigen::Vector3d(c.point + moved - stretch);
-    memory_.push_back({c.key, c.material ? anchor : stretch});
+    if (c.now.mode == ContactMode::kOpen || c.system != 0 || c.other_system >= 0) continue;
+    const Bristle bristle = bristle_after(c, h);
+    memory_.push_back({c.key, c.material ? bristle.anchor : bristle.stretch});
   }
 }
 

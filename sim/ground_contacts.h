@@ -15,11 +15,20 @@
 #include <vector>
 
 #include "sim/contact_solve.h"
+#include "sim/solid.h"
 #include "sim/world.h"
 
 namespace twinbus {
 
 inline constexpr int kMostContacts = 128;
+
+// Sideways rubber is taken as so much stiffer than the one spring that a model gives for a sole,
+// damped half critically for this mass at each point.  The other engine's soles do not yield
+// sideways at all.
+ContactParams rubber(double stiffness, double damping, double friction);
+
+// Must have a shape.
+Solid solid_of(const Obstacle& obstacle) noexcept;
 
 class GroundContacts {
  public:
@@ -43,7 +52,7 @@ class GroundContacts {
   }
 
  private:
-  struct Probe {
+  struct LinkProbe {
     Eigen::Vector3d center;  // link frame
     double radius;
     bool skin;  // so near the sole that the ground is its corners' business
@@ -53,10 +62,6 @@ class GroundContacts {
     Eigen::Vector3d center;  // of the bounding sphere, link frame
     double radius;
     std::size_t first, count;
-  };
-  struct Distance {
-    double value;
-    Eigen::Vector3d normal;
   };
   struct Memory {
     int key;
@@ -82,7 +87,7 @@ class GroundContacts {
   std::vector<Obstacle> obstacles_;  // the solid ones, then the tiles of uneven ground
   std::size_t solid_ = 0;            // so many
   std::vector<double> obstacle_radius_;
-  std::vector<Probe> probes_;
+  std::vector<LinkProbe> probes_;
   std::vector<ShapeProbes> shapes_;
   std::vector<Memory> memory_;  // in the order of find()
   std::vector<Memory> saved_;

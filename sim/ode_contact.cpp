@@ -90,6 +90,7 @@ void OdeWorld::Impl::find_contacts() noexcept {
   contact_rows.clear();
   find_sole_contacts();
   find_link_contacts();
+  find_loose_contacts();  // last: contacts and contact_rows go together as far as the rows go
 }
 
 void OdeWorld::Impl::find_sole_contacts() noexcept {
@@ -149,24 +150,27 @@ void OdeWorld::Impl::add_contact(const dContactGeom& geom, int link, int sole, d
                                  double mu) noexcept {
   if (contacts.size() >= static_cast<std::size_t>(kMaxContacts)) return;
   const Eigen::Vector3d point(geom.pos[0], geom.pos[1], geom.pos[2]);
-  const Eigen::Vector3d normal(geom.normal[0], geom.normal[1], geom.normal[2]);
-
-  // First friction axis along the slip, so that the friction pyramid does not favour the world's
-  // axes.
   dVector3 velocity;
   dBodyGetPointVel(body(link), point.x(), point.y(), point.z(), velocity);
-  Eigen::Vector3d along(velocity[0], velocity[1], velocity[2]);
-  along -= normal.dot(along) * normal;
-  if (!(along.norm() > kSlipSpeed)) {
-    along = kinematics.link_in_world(link).linear().col(0);
-    along -= normal.dot(along) * normal;
-    if (!(along.norm() > 0.1)) {
-      along = kinematics.link_in_world(link).linear().col(1);
-      along -= normal.dot(along) * normal;
-    }
+  contact_rows.push_back(soft_row(geom, {velocity[0], velocity[1], velocity[2]},
+                                  kinematics.link_in_world(link).linear(), k, c, mu));
+  contacts.push_back({.link = link,
+                      .sole = sole,
+                      .point = point,
+                      .force = Eigen::Vector3d::Zero(),
+                      .depth = geom.depth});
+}
+
+// So that the friction pyramid does not favour the world's axes.
+dContact OdeWorld::Impl::soft_row(const dContactGeom& geom, const Eigen::Vector3d& velocity,
+                                  const Eigen::Matrix3d& turn, double k, double c,
+                                  double mu) const noexcept {
+  const Eigen::Vector3d normal(geom.normal[0], geom.normal[1], geom.normal[2]);
+  Eigen::Vector3d along = velocity - normal.dot(velocity) * normal;
+  for (int axis = 0; axis < 2 && !(along.norm() > (axis == 0 ? kSlipSpeed : 0.1)); ++axis) {
+    along = turn.col(axis) - normal.dot(turn.col(axis)) * normal;
   }
   along.normalize();
-
   dContact row{};
   row.geom = geom;
   row.geom.g1 = row.geom.g2 = nullptr;
@@ -175,12 +179,7 @@ void OdeWorld::Impl::add_contact(const dContactGeom& geom, int link, int sole, d
   row.surface.soft_erp = h * k / (h * k + c);
   row.surface.soft_cfm = 1.0 / (h * k + c);
   for (int i = 0; i < 3; ++i) row.fdir1[i] = along[i];
-  contact_rows.push_back(row);
-  contacts.push_back({.link = link,
-                      .sole = sole,
-                      .point = point,
-                      .force = Eigen::Vector3d::Zero(),
-                      .depth = geom.depth});
+  return row;
 }
 
 void OdeWorld::Impl::create_contact_joints() noexcept {
@@ -189,17 +188,19 @@ void OdeWorld::Impl::create_contact_joints() noexcept {
     dJointAttach(joint, body(contacts[i].link), nullptr);
     dJointSetFeedback(joint, &feedback[i]);
   }
+  create_loose_joints();
 }
 
 void OdeWorld::Impl::read_contact_forces() noexcept {
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
+  for (std::size_t i = 0; i < contact_rows.size(); ++i) {
     contacts[i].force = Eigen::Vector3d(feedback[i].f1[0], feedback[i].f1[1], feedback[i].f1[2]);
   }
+  read_loose_forces();
 }
 
 void OdeWorld::Impl::estimate_contact_forces() noexcept {
   find_contacts();
-  for (std::size_t i = 0; i < contacts.size(); ++i) {
+  for (std::size_t i = 0; i < contact_rows.size(); ++i) {
     const dContact& row = contact_rows[i];
     dVector3 velocity;
     dBodyGetPointVel(body(contacts[i].link), row.geom.pos[0], row.geom.pos[1], row.geom.pos[2],

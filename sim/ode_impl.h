@@ -62,6 +62,20 @@ struct OdeWorld::Impl {
       const OdeJoint& joint) const noexcept;  // where the play settles under the joint's torque
   void update_play() noexcept;
 
+  // ode_loose.cpp
+  struct LooseSide {  // what a loose body meets
+    dBodyID body;     // null: fixed
+    int link;         // of the robot, -1
+    double stiffness, damping, friction;
+  };
+  void add_loose();
+  void set_loose(std::size_t index, const LooseState& state) noexcept;
+  LooseState loose_state(std::size_t index) const noexcept;
+  void find_loose_contacts() noexcept;
+  void meet_loose(std::size_t index, dGeomID geom, const LooseSide& side) noexcept;
+  void create_loose_joints() noexcept;
+  void read_loose_forces() noexcept;
+
   // ode_contact.cpp
   void add_geoms();
   void find_contacts() noexcept;
@@ -69,6 +83,9 @@ struct OdeWorld::Impl {
   void find_link_contacts() noexcept;
   void add_contact(const dContactGeom& geom, int link, int sole, double k, double c,
                    double mu) noexcept;
+  // A spring and damper; the first friction axis along the slip, or along an axis of turn.
+  dContact soft_row(const dContactGeom& geom, const Eigen::Vector3d& velocity,
+                    const Eigen::Matrix3d& turn, double k, double c, double mu) const noexcept;
   void create_contact_joints() noexcept;
   void read_contact_forces() noexcept;
   void estimate_contact_forces() noexcept;
@@ -87,12 +104,25 @@ struct OdeWorld::Impl {
   std::vector<OdeJoint> joints;
   std::vector<OdeGeom> link_geoms;
   std::vector<dGeomID> obstacle_geoms;
+  struct Loose {
+    dBodyID body;
+    dGeomID geom;
+  };
+  struct LooseRow {
+    dContact contact;
+    dBodyID own, other;
+    int reported;  // index in contacts, -1
+  };
+  std::vector<Loose> loose;
+  std::vector<LooseRow> loose_rows;
+  std::vector<dJointFeedback> loose_feedback;
   dGeomID plane = nullptr;
   std::array<std::array<double, kSoleCorners>, 2> offset{};
 
   Configuration configuration;
   Configuration start_of_step;
   Kinematics kinematics;
+  std::vector<dBodyID> moving;  // all that move, the robot's and the loose
   std::vector<SavedBody> saved;
   std::vector<ContactPoint> contacts;
   std::vector<dContact> contact_rows;

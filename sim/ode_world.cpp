@@ -124,39 +124,43 @@ OdeWorld::Impl::Impl(const Model& m, const WorldConfig& c)
     dBodySetPosition(body, com.x(), com.y(), com.z());
     dBodySetQuaternion(body, attitude);
   }
-  saved.resize(bodies.size());
   for (int j = 0; j < m.joint_count(); ++j) add_joint(j, kinematics);
   add_geoms();
+  add_loose();
+  for (const dBodyID each : bodies) {
+    if (each != nullptr) moving.push_back(each);
+  }
+  for (const Loose& each : loose) moving.push_back(each.body);
+  saved.resize(moving.size());
 }
 
 OdeWorld::Impl::~Impl() {
   for (const OdeGeom& geom : link_geoms) dGeomDestroy(geom.geom);
   for (const dGeomID geom : obstacle_geoms) dGeomDestroy(geom);
+  for (const Loose& each : loose) dGeomDestroy(each.geom);
   if (plane != nullptr) dGeomDestroy(plane);
   dJointGroupDestroy(contact_group);
   dWorldDestroy(world);
 }
 
 void OdeWorld::Impl::save() noexcept {
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    if (bodies[i] == nullptr) continue;
-    dCopyVector3(saved[i].position, dBodyGetPosition(bodies[i]));
-    dCopyVector4(saved[i].attitude, dBodyGetQuaternion(bodies[i]));
-    dCopyVector3(saved[i].linear, dBodyGetLinearVel(bodies[i]));
-    dCopyVector3(saved[i].angular, dBodyGetAngularVel(bodies[i]));
+  for (std::size_t i = 0; i < moving.size(); ++i) {
+    dCopyVector3(saved[i].position, dBodyGetPosition(moving[i]));
+    dCopyVector4(saved[i].attitude, dBodyGetQuaternion(moving[i]));
+    dCopyVector3(saved[i].linear, dBodyGetLinearVel(moving[i]));
+    dCopyVector3(saved[i].angular, dBodyGetAngularVel(moving[i]));
   }
 }
 
 void OdeWorld::Impl::restore() noexcept {
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    if (bodies[i] == nullptr) continue;
+  for (std::size_t i = 0; i < moving.size(); ++i) {
     const SavedBody& s = saved[i];
-    dBodySetPosition(bodies[i], s.position[0], s.position[1], s.position[2]);
-    dBodySetQuaternion(bodies[i], s.attitude);
-    dBodySetLinearVel(bodies[i], s.linear[0], s.linear[1], s.linear[2]);
-    dBodySetAngularVel(bodies[i], s.angular[0], s.angular[1], s.angular[2]);
-    dBodySetForce(bodies[i], 0.0, 0.0, 0.0);
-    dBodySetTorque(bodies[i], 0.0, 0.0, 0.0);
+    dBodySetPosition(moving[i], s.position[0], s.position[1], s.position[2]);
+    dBodySetQuaternion(moving[i], s.attitude);
+    dBodySetLinearVel(moving[i], s.linear[0], s.linear[1], s.linear[2]);
+    dBodySetAngularVel(moving[i], s.angular[0], s.angular[1], s.angular[2]);
+    dBodySetForce(moving[i], 0.0, 0.0, 0.0);
+    dBodySetTorque(moving[i], 0.0, 0.0, 0.0);
   }
 }
 
@@ -185,8 +189,7 @@ void OdeWorld::Impl::read_state() noexcept {
 }
 
 bool OdeWorld::Impl::state_is_sane() const noexcept {
-  for (const dBodyID body : bodies) {
-    if (body == nullptr) continue;
+  for (const dBodyID body : moving) {
     if (!sane(vector(dBodyGetPosition(body)), kMaxDistance) ||
         !sane(vector(dBodyGetLinearVel(body)), kMaxSpeed) ||
         !sane(vector(dBodyGetAngularVel(body)), kMaxSpeed)) {

@@ -53,6 +53,9 @@ class OdeWorld final : public World {
   Eigen::Vector3d com() const noexcept override;
   Eigen::Vector3d com_velocity() const noexcept override;
   const std::vector<ContactPoint>& contacts() const noexcept override;
+  int loose_count() const noexcept override;
+  LooseState loose(int body) const noexcept override;
+  Status set_loose(int body, const LooseState& state) noexcept override;
   double corner_stiffness(int sole) const noexcept override;
   double corner_damping(int sole) const noexcept override;
 

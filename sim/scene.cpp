@@ -21,6 +21,7 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kDay = 86400.0;
 constexpr std::size_t kMaxObstacles = 200;
+constexpr std::size_t kMaxLoose = 100;
 
 Eigen::Vector3d vector3(const std::vector<double>& v) { return {v[0], v[1], v[2]}; }
 
@@ -56,6 +57,45 @@ Obstacle read_obstacle(const ConfigNode& node) {
   obstacle.pose.linear() = rpy(node).toRotationMatrix();
   node.finish();
   return obstacle;
+}
+
+LooseBody read_loose(const ConfigNode& node) {
+  const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
+  LooseBody body;
+  body.name = node.text("name");
+  const int shape = node.choice("shape", {"box", "sphere", "cylinder", "capsule"}, 0);
+  body.solid.shape = static_cast<SolidShape>(shape);
+  const std::size_t numbers[] = {3, 1, 2, 2};
+  const std::vector<double> size = node.numbers("size", numbers[shape]);
+  for (std::size_t i = 0; i < size.size(); ++i) {
+    if (!(size[i] >= 1e-3 && size[i] <= 100.0)) node.fail("size", "must be from 0.001 to 100 m");
+    body.solid.size[static_cast<Eigen::Index>(i)] = size[i];
+  }
+  body.mass = node.number("mass", 1e-3, 1e5);
+  body.start.pose.translation() = bounded(node, "position", 1000.0, nullptr);
+  body.start.pose.linear() = rpy(node).toRotationMatrix();
+  body.start.velocity = bounded(node, "velocity", 100.0, &zero);
+  body.start.angular_velocity = bounded(node, "angular_velocity", 100.0, &zero);
+  body.friction = node.number("friction", 0.0, 10.0, body.friction);
+  body.stiffness = node.number("stiffness", 1e2, 1e9, body.stiffness);
+  // Half critical for a body on four points.
+  body.damping = node.number("damping", 0.0, 1e7, std::sqrt(0.25 * body.stiffness * body.mass));
+  node.finish();
+  return body;
+}
+
+LooseEnd read_loose_end(const ConfigNode& node, const std::vector<LooseBody>& bodies) {
+  LooseEnd end;
+  end.name = node.text("name");
+  const auto is_it = [&](const LooseBody& body) { return body.name == end.name; };
+  if (std::none_of(bodies.begin(), bodies.end(), is_it)) {
+    node.fail("name", "there is no loose body '" + end.name + "' in this scene");
+  }
+  end.position = bounded(node, "position", 1000.0, nullptr);
+  end.within = node.number("within_m", 0.0, 100.0, end.within);
+  end.speed = node.number("speed_m_s", 0.0, 100.0, end.speed);
+  node.finish();
+  return end;
 }
 
 Push read_push(const ConfigNode& node) {
@@ -175,7 +215,7 @@ BodyChange read_body(const ConfigNode& node) {
   return change;
 }
 
-Criteria read_criteria(const ConfigNode& node) {
+Criteria read_criteria(const ConfigNode& node, const std::vector<LooseBody>& loose) {
   Criteria criteria;
   criteria.max_tilt_deg = node.number("max_tilt_deg", 0.0, 180.0, kNan);
   criteria.zmp_margin_min_mm = node.number("zmp_margin_min_mm", -1000.0, 1000.0, kNan);
@@ -189,6 +229,9 @@ Criteria read_criteria(const ConfigNode& node) {
   criteria.drift_max_m = node.number("drift_max_m", 0.0, 1e4, kNan);
   criteria.no_fall = node.flag("no_fall", true);
   criteria.no_self_collision = node.flag("no_self_collision", true);
+  for (const ConfigNode& end : node.list("loose")) {
+    criteria.loose.push_back(read_loose_end(end, loose));
+  }
   node.finish();
   return criteria;
 }
@@ -273,9 +316,17 @@ Scene load_scene(const std::string& name_or_file) {
   for (const ConfigNode& node : top.list("walks")) scene.walks.push_back(read_walk(node));
   for (const ConfigNode& node : top.list("pads")) scene.pads.push_back(read_pad(node));
   for (const ConfigNode& node : top.list("bodies")) scene.bodies.push_back(read_body(node));
+  for (const ConfigNode& node : top.list("loose")) {
+    scene.loose.push_back(read_loose(node));
+    for (std::size_t i = 0; i + 1 < scene.loose.size(); ++i) {
+      if (scene.loose[i].name != scene.loose.back().name) continue;
+      node.fail("name", "two loose bodies are called '" + scene.loose[i].name + "'");
+    }
+  }
+  if (scene.loose.size() > kMaxLoose) top.fail("loose", "at most 100");
   if (top.has("terrain")) scene.terrain = read_terrain(top.map("terrain"));
   if (top.has("push_round")) scene.push_round = read_push_round(top.map("push_round"));
-  if (top.has("criteria")) scene.criteria = read_criteria(top.map("criteria"));
+  if (top.has("criteria")) scene.criteria = read_criteria(top.map("criteria"), scene.loose);
   if (top.has("settings")) {
     const ConfigNode settings = top.map("settings");
     for (const std::string& key : settings.keys()) {

@@ -11,6 +11,7 @@
 #include "robot/collision.h"
 #include "robot/model.h"
 #include "robot/requests.h"
+#include "sim/world.h"
 
 namespace twinbus {
 
@@ -71,6 +72,14 @@ struct BodyChange {
   Eigen::Vector3d shift = Eigen::Vector3d::Zero();  // of the link's own centre of mass [m]
 };
 
+// Where a loose body is to be at the end of a run, at rest.
+struct LooseEnd {
+  std::string name;
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  // of its middle, world [m]
+  double within = 0.01;                                // [m]
+  double speed = 0.02;                                 // at most [m/s]
+};
+
 // Pass criteria; NaN means not asked.
 struct Criteria {
   double max_tilt_deg;
@@ -85,6 +94,7 @@ struct Criteria {
   double drift_max_m;             // the same, at most
   bool no_fall = true;
   bool no_self_collision = true;
+  std::vector<LooseEnd> loose;
   Criteria();
 };
 
@@ -108,6 +118,7 @@ struct Scene {
   std::vector<Obstacle> tiles;  // of the terrain: ground to the soles, unknown to planner and guard
   PushRound push_round;
   std::vector<BodyChange> bodies;
+  std::vector<LooseBody> loose;  // bodies that nothing holds; planner and guard do not know them
   Criteria criteria;
   std::string text;                                           // as read
   std::vector<std::pair<std::string, std::string>> settings;  // model.mass_scale=1.03 and the like
@@ -125,9 +136,10 @@ void resolve_poses(Scene& scene, const Model& model);
 // duration], modes: [at, mode, motion, pose, duration, amplitude, frequency], goals: [at, hand,
 // position, rpy_deg, pose, speed, cancel], walks: [at, for, vx, vy, wz], pads: [at, for, left_x, left_y, right_x],
 // terrain: {tile, height, slope_deg, from, length, width}, push_round: {link, at, every, count, phase, forward, back,
-// sideways, duration}, bodies: [link, mass, at, shift], criteria: {max_tilt_deg, zmp_margin_min_mm, slip_max_mm,
+// sideways, duration}, bodies: [link, mass, at, shift], loose: [name, shape (box, sphere, cylinder, capsule), size,
+// mass, position, rpy_deg, velocity, angular_velocity, friction, stiffness, damping], criteria: {max_tilt_deg, zmp_margin_min_mm, slip_max_mm,
 // sole_tilt_max_deg, zmp_margin_p5_mm, step_slip_max_mm, force_rms_percent, velocity_error_percent, travel_min_m,
-// drift_max_m, no_fall, no_self_collision}, settings: {model.mass_scale: 1.03, ...} as in
+// drift_max_m, no_fall, no_self_collision, loose: [name, position, within_m, speed_m_s]}, settings: {model.mass_scale: 1.03, ...} as in
 // sim/settings.h.  Scene time starts with the first command.
 Scene load_scene(const std::string& name_or_file);
 

@@ -232,6 +232,7 @@ Status SimAdaptor::open(const Model& nominal, const AdaptorConfig& config) {
     s.settings.world.ground_friction = s.scene.ground_friction;
     s.settings.world.obstacles = s.scene.obstacles;
     s.settings.world.tiles = s.scene.tiles;
+    s.settings.world.loose = s.scene.loose;
     if (!s.scene.tiles.empty() && s.settings.world.engine == Engine::kOde) {
       throw std::runtime_error("scene " + s.scene.name +
                                ": engine ode knows no uneven ground; use engine articulated");
@@ -429,6 +430,8 @@ Status SimAdaptor::set_state(const ImposedState& imposed) {
   s.first_read = s.ahead = false;
   return Status::kOk;
 }
+
+const World* SimAdaptor::world() const { return impl_->world.get(); }
 
 const SimTruth* SimAdaptor::truth() const { return impl_->world ? &impl_->truth : nullptr; }
 

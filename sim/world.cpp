@@ -47,6 +47,16 @@ Status check_configuration(std::size_t count, const Configuration& to) noexcept 
   return Status::kOk;
 }
 
+Status check_loose(const LooseState& to) noexcept {
+  if (!to.pose.matrix().allFinite() || !to.velocity.allFinite() || !to.angular_velocity.allFinite())
+    return Status::kNotFinite;
+  if (!within(to.velocity, kMaxSpeed) || !within(to.angular_velocity, kMaxSpeed) ||
+      !within(to.pose.translation(), kMaxDistance)) {
+    return Status::kOutOfRange;
+  }
+  return Status::kOk;
+}
+
 Eigen::Vector3d sole_corner(const Sole& sole, int corner) noexcept {
   return {corner < 2 ? sole.front : -sole.back, corner % 2 == 0 ? sole.left : -sole.right, 0.0};
 }

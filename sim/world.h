@@ -16,6 +16,7 @@
 #include "robot/kinematics.h"
 #include "robot/model.h"
 #include "robot/status.h"
+#include "sim/solid.h"
 
 namespace twinbus {
 
@@ -36,6 +37,24 @@ enum class Flight {
   kRkf78,     // thirteen evaluations, order 8
 };
 
+// Of a loose body: its middle and its axes.
+struct LooseState {
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();      // in world
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();          // world [m/s]
+  Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  // world [rad/s]
+};
+
+// A homogeneous body that nothing holds.
+struct LooseBody {
+  std::string name;
+  Solid solid;
+  double mass = 1.0;  // [kg]
+  LooseState start;
+  double friction = 0.6;
+  double stiffness = 1e5;  // of a point that touches [N/m]
+  double damping = 150.0;  // [N s/m]
+};
+
 struct WorldConfig {
   Engine engine = Engine::kArticulated;
   double step = 0.002;  // [s]
@@ -54,6 +73,7 @@ struct WorldConfig {
   double servo_kd_scale = 1.0;
   std::vector<Obstacle> obstacles;
   std::vector<Obstacle> tiles;  // ground that is not flat: to the soles' corners what the ground is
+  std::vector<LooseBody> loose;
 };
 
 // What the servo of one joint is asked for: torque = tau + kp (q - q_now) + kd (qd - qd_now),
@@ -94,6 +114,11 @@ inline constexpr double kMaxPush = 1e6;      // [N]
 
 // Whether a world may be set to this: kWrongSize, kNotFinite, kOutOfRange.
 Status check_configuration(std::size_t joints, const Configuration& configuration) noexcept;
+
+// Whether a loose body may be set to this: kNotFinite, kOutOfRange.
+Status check_loose(const LooseState& state) noexcept;
+// Contacts of a loose body that an engine has room for.
+inline constexpr int kMostLooseContacts = 40;
 
 // Joints: below this speed Coulomb friction creeps [rad/s or m/s].
 inline constexpr double kStickSpeed = 0.01;
@@ -154,6 +179,11 @@ class World {
   virtual Eigen::Vector3d com() const noexcept = 0;
   virtual Eigen::Vector3d com_velocity() const noexcept = 0;
   virtual const std::vector<ContactPoint>& contacts() const noexcept = 0;
+  // Loose bodies, as of the last step.  set() leaves them where they are.
+  virtual int loose_count() const noexcept = 0;
+  virtual LooseState loose(int body) const noexcept = 0;
+  // kWrongSize, kNotFinite, kOutOfRange: changes nothing.
+  virtual Status set_loose(int body, const LooseState& state) noexcept = 0;
   virtual double corner_stiffness(int sole) const noexcept = 0;  // [N/m]
   virtual double corner_damping(int sole) const noexcept = 0;    // [N s/m]
 };

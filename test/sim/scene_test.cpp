@@ -72,6 +72,28 @@ TEST(Scene, ReadsWhatItSays) {
   ASSERT_EQ(scene.settings.size(), 1U);
 }
 
+TEST(Scene, ReadsLooseBodies) {
+  const Scene scene = from_text(
+      "loose:\n  - {name: tin, shape: cylinder, size: [0.05, 0.12], mass: 0.5, position: [1, 0, "
+      "2], "
+      "velocity: [0, 1, 0]}\n"
+      "criteria: {loose: [{name: tin, position: [1, 0, 0.06]}]}\n");
+  ASSERT_EQ(scene.loose.size(), 1U);
+  EXPECT_EQ(scene.loose[0].solid.shape, SolidShape::kCylinder);
+  EXPECT_DOUBLE_EQ(scene.loose[0].start.velocity.y(), 1.0);
+  EXPECT_NEAR(scene.loose[0].damping, std::sqrt(0.25 * 1e5 * 0.5), 1e-9);
+  EXPECT_EQ(scene.criteria.loose.at(0).name, "tin");
+  const std::string box = "{name: a, size: [1, 1, 1], mass: 1, position: [0, 0, 0]";
+  EXPECT_NE(complaint("loose:\n  - " + box + ", mas: 2}\n").find("mas"), std::string::npos);
+  EXPECT_NE(complaint("loose:\n  - " + box + "}\n  - " + box + "}\n").find("'a'"),
+            std::string::npos);
+  EXPECT_NE(complaint("loose:\n  - {name: a, size: [1, 1, 1], mass: 0, position: [0, 0, 0]}\n")
+                .find("mass"),
+            std::string::npos);
+  EXPECT_NE(complaint("criteria: {loose: [{name: b, position: [0, 0, 0]}]}\n").find("'b'"),
+            std::string::npos);
+}
+
 TEST(Scene, AWrongKeyNamesFileLineAndTheNearest) {
   const std::string text = complaint("duration: 3\nobstacels: []\n");
   EXPECT_NE(text.find(".yaml:2"), std::string::npos) << text;

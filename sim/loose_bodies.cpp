@@ -1,0 +1,177 @@
+#include "sim/loose_bodies.h"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "robot/dynamics.h"
+#include "robot/index.h"
+#include "sim/free_turn.h"
+#include "sim/ground_contacts.h"
+
+namespace twinbus {
+
+namespace {
+
+Model model_of(const LooseBody& body) {
+  if (!(body.mass > 0.0 && bounding_radius(body.solid) > 0.0)) {
+    throw std::runtime_error("loose body '" + body.name + "': mass and size must be positive");
+  }
+  Model model;
+  model.name = body.name;
+  Link link;
+  link.name = body.name;
+  link.mass = body.mass;
+  link.inertia = inertia_of(body.solid, body.mass);
+  model.links = {link};
+  return model;
+}
+
+}  // namespace
+
+void extrapolate(const Configuration& coarse, Configuration& y) noexcept {
+  y.q += y.q - coarse.q;
+  y.qd += y.qd - coarse.qd;
+  y.base.translation() += y.base.translation() - coarse.base.translation();
+  y.base_velocity += y.base_velocity - coarse.base_velocity;
+  y.base_angular_velocity += y.base_angular_velocity - coarse.base_angular_velocity;
+  const Eigen::Matrix3d beyond = y.base.linear() * coarse.base.linear().transpose();
+  const Eigen::Quaterniond attitude(Eigen::Matrix3d(beyond * y.base.linear()));
+  y.base.linear() = attitude.normalized().toRotationMatrix();
+}
+
+LooseBodies::LooseBodies(const Model& model, const WorldConfig& config, ArticulatedBody& robot)
+    : systems_{&robot}, contacts_(model, config) {
+  articulated_.reserve(config.loose.size());
+  for (const LooseBody& body : config.loose) {
+    const Model own = model_of(body);
+    articulated_.emplace_back(own, false, 1.0);
+    systems_.push_back(&articulated_.back());
+    Body& added = bodies_.emplace_back();
+    added.now = added.start = added.coarse = Configuration(own);
+    added.inertia = own.links[0].inertia.diagonal();
+    set(count() - 1, body.start);
+  }
+}
+
+int LooseBodies::most_contacts() const noexcept {
+  return kMostContacts + kMostLooseContacts * count();
+}
+
+LooseState LooseBodies::state(int body) const noexcept {
+  const Configuration& now = bodies_[at(body)].now;
+  return {now.base, now.base_velocity, now.base_angular_velocity};
+}
+
+void LooseBodies::set(int body, const LooseState& state) noexcept {
+  Configuration& now = bodies_[at(body)].now;
+  now.base = state.pose;
+  now.base.linear() = Eigen::Quaterniond(state.pose.linear()).normalized().toRotationMatrix();
+  now.base_velocity = state.velocity;
+  now.base_angular_velocity = state.angular_velocity;
+  place(at(body));
+  contacts_.forget();
+}
+
+// The acceleration of the solve is to be that of the centre itself, without w x v.
+void LooseBodies::place(std::size_t body) noexcept {
+  const Configuration& now = bodies_[body].now;
+  ArticulatedBody& work = articulated_[body];
+  work.place(now);
+  work.add_force(0, Eigen::Vector3d::Zero(),
+                 work.mass() * now.base_angular_velocity.cross(now.base_velocity));
+}
+
+bool LooseBodies::inward(double h) noexcept {
+  bool sound = true;
+  for (ArticulatedBody& body : articulated_) sound = body.inward(no_rows_, h) && sound;
+  return sound;
+}
+
+void LooseBodies::outward() noexcept {
+  for (ArticulatedBody& body : articulated_) body.outward();
+}
+
+bool LooseBodies::advance(const std::vector<Contact>& contacts, double h) noexcept {
+  if (bodies_.empty()) return true;
+  contacts_.remember(systems_, contacts, h);
+  for (Body& body : bodies_) body.touched = false;
+  for (const Contact& c : contacts) {
+    if (c.now.mode == ContactMode::kOpen) continue;
+    if (c.system > 0) bodies_[at(c.system - 1)].touched = true;
+    if (c.other_system > 0) bodies_[at(c.other_system - 1)].touched = true;
+  }
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (bodies_[i].touched) {
+      bodies_[i].ever = true;
+      land(i, h);
+    } else {
+      fly(i, h);
+    }
+    if (check_configuration(0, bodies_[i].now) != Status::kOk) return false;
+    place(i);
+  }
+  return true;
+}
+
+void LooseBodies::land(std::size_t index, double h) noexcept {
+  Configuration& now = bodies_[index].now;
+  const Eigen::Vector3d& inertia = bodies_[index].inertia;
+  const Screw& a = articulated_[index].link(0).acceleration;
+  const Eigen::Matrix3d r = now.base.linear();
+  const Eigen::Vector3d w = now.base_angular_velocity;
+  const auto momentum = [&](const Eigen::Vector3d& spin) {
+    return Eigen::Vector3d(r * inertia.cwiseProduct(r.transpose() * spin));
+  };
+  const Eigen::Vector3d end = w + h * angular(a);
+  const Eigen::Vector3d angular_momentum = momentum(end) + h * w.cross(momentum(w));
+  now.base_velocity += h * linear(a);
+  now.base.translation() += h * now.base_velocity;
+  const double angle = h * end.norm();
+  if (angle > 0.0) {
+    const Eigen::Quaterniond turn(Eigen::AngleAxisd(angle, end.normalized()));
+    now.base.linear() = (turn * Eigen::Quaterniond(r)).normalized().toRotationMatrix();
+  }
+  const Eigen::Matrix3d after = now.base.linear();
+  now.base_angular_velocity = after * (after.transpose() * angular_momentum).cwiseQuotient(inertia);
+}
+
+void LooseBodies::fly(std::size_t index, double h) noexcept {
+  Configuration& now = bodies_[index].now;
+  const Eigen::Vector3d gravity(0.0, 0.0, -kGravity);
+  now.base.translation() += h * (now.base_velocity + 0.5 * h * gravity);
+  now.base_velocity += h * gravity;
+  Eigen::Matrix3d rotation = now.base.linear();
+  turn_freely(bodies_[index].inertia, h, rotation, now.base_angular_velocity);
+  now.base.linear() = rotation;
+}
+
+void LooseBodies::save() noexcept {
+  contacts_.save();
+  for (Body& body : bodies_) {
+    body.start = body.now;
+    body.ever = false;
+  }
+}
+
+void LooseBodies::restore() noexcept {
+  contacts_.restore();
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    bodies_[i].now = bodies_[i].start;
+    place(i);
+  }
+}
+
+void LooseBodies::keep_coarse() noexcept {
+  for (Body& body : bodies_) body.coarse = body.now;
+}
+
+// What has touched nothing is better as it is.
+void LooseBodies::extrapolate() noexcept {
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (!bodies_[i].ever) continue;
+    twinbus::extrapolate(bodies_[i].coarse, bodies_[i].now);
+    place(i);
+  }
+}
+
+}  // namespace twinbus

@@ -1,0 +1,71 @@
+// The loose bodies of a world: bodies of a single link beside the robot's in its one solve.
+//
+// A step of a body that touches something is backward Euler in the acceleration of the solve, with
+// linear and angular momentum kept exactly: what it gains is the impulse.  A body that touches
+// nothing falls exactly and turns by sim/free_turn.h.
+
+#pragma once
+
+#include <vector>
+
+#include "robot/kinematics.h"
+#include "sim/articulated_body.h"
+#include "sim/contact_solve.h"
+#include "sim/loose_contacts.h"
+#include "sim/world.h"
+
+namespace twinbus {
+
+// y += y - coarse, the attitude too.
+void extrapolate(const Configuration& coarse, Configuration& y) noexcept;
+
+class LooseBodies {
+ public:
+  // robot must outlive this.  Throws std::runtime_error for a mass or size that cannot be.
+  LooseBodies(const Model& model, const WorldConfig& config, ArticulatedBody& robot);
+
+  bool empty() const noexcept { return bodies_.empty(); }
+  int count() const noexcept { return static_cast<int>(bodies_.size()); }
+  // The robot first.
+  const std::vector<ArticulatedBody*>& systems() const noexcept { return systems_; }
+  int most_contacts() const noexcept;
+
+  LooseState state(int body) const noexcept;
+  void set(int body, const LooseState& state) noexcept;
+
+  // Appends their contacts.
+  void find(double h, std::vector<Contact>& contacts) noexcept {
+    contacts_.find(systems_, h, contacts);
+  }
+  // All bodies, after the robot's; false: an inertia was not positive.
+  bool inward(double h) noexcept;
+  void outward() noexcept;
+  // After the solve, before the robot is placed anew.  False: no sane result.
+  bool advance(const std::vector<Contact>& contacts, double h) noexcept;
+
+  // For order 2: the state as it is; back to it; what a coarse step came to; away from that.
+  void save() noexcept;
+  void restore() noexcept;
+  void keep_coarse() noexcept;
+  void extrapolate() noexcept;
+
+ private:
+  struct Body {
+    Configuration now, start, coarse;
+    Eigen::Vector3d inertia;  // principal, the body's axes [kg m^2]
+    bool touched = false;     // in the last step
+    bool ever = false;        // since save()
+  };
+
+  void place(std::size_t body) noexcept;
+  void land(std::size_t body, double h) noexcept;
+  void fly(std::size_t body, double h) noexcept;
+
+  std::vector<ArticulatedBody> articulated_;
+  std::vector<Body> bodies_;
+  std::vector<ArticulatedBody*> systems_;
+  std::vector<JointRow> no_rows_;
+  LooseContacts contacts_;
+};
+
+}  // namespace twinbus

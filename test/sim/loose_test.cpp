@@ -1,0 +1,325 @@
+// Loose bodies: in the one solve of the articulated engine, and what every engine does with them.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "both_engines.h"
+#include "robot/dynamics.h"
+#include "robot/load.h"
+#include "sim/articulated_world.h"
+#include "sim/free_turn.h"
+#include "sim/random.h"
+#include "sim/standing.h"
+#include "test/no_alloc.h"
+#include "test_models.h"
+
+namespace twinbus {
+namespace {
+
+LooseBody box(const std::string& name, double mass, const Eigen::Vector3d& size,
+              const Eigen::Vector3d& position, double stiffness = 1e6) {
+  LooseBody body;
+  body.name = name;
+  body.solid = {SolidShape::kBox, size};
+  body.mass = mass;
+  body.start.pose.translation() = position;
+  body.stiffness = stiffness;
+  body.damping = std::sqrt(15.0 * stiffness);
+  return body;
+}
+
+// A robot out of the way: a pendulum on the wall, hanging still.
+Model bystander() {
+  Model model = test::pendulum();
+  model.joints[0].placement.translation() = Eigen::Vector3d(50, 50, 5);
+  return model;
+}
+
+class LooseTest : public test::BothEngines {};
+TWINBUS_FOR_BOTH_ENGINES(LooseTest);
+
+TEST_P(LooseTest, EveryShapeComesToRestOnTheGround) {
+  const Model model = bystander();
+  WorldConfig config;
+  const SolidShape shapes[] = {SolidShape::kBox, SolidShape::kSphere, SolidShape::kCylinder,
+                               SolidShape::kCapsule};
+  const Eigen::Vector3d sizes[] = {{0.2, 0.3, 0.1}, {0.1, 0, 0}, {0.1, 0.1, 0}, {0.05, 0.2, 0}};
+  const double rest[] = {0.05, 0.1, 0.05, 0.05};  // height of the middle
+  for (int i = 0; i < 4; ++i) {
+    LooseBody body = box("b" + std::to_string(i), 2.0, sizes[i], {1.0 * i, 0.0, rest[i] + 0.02});
+    body.solid.shape = shapes[i];
+    if (i == 3)
+      body.start.pose.linear() =
+          Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitX()).toRotationMatrix();
+    config.loose.push_back(body);
+  }
+  const auto world = make(model, config);
+  ASSERT_EQ(world->set(Configuration(model)), Status::kOk);
+  ASSERT_EQ(world->loose_count(), 4);
+  for (int i = 0; i < 1000; ++i) ASSERT_EQ(world->step(), Status::kOk);
+  for (int i = 0; i < 4; ++i) {
+    const LooseState now = world->loose(i);
+    EXPECT_NEAR(now.pose.translation().z(), rest[i], 1e-4) << i;
+    EXPECT_LT(now.velocity.norm(), 1e-3) << i;
+    EXPECT_NEAR(now.pose.translation().x(), 1.0 * i, 1e-3) << i;
+  }
+  EXPECT_TRUE(world->contacts().empty());  // the robot is not touched
+}
+
+TEST_P(LooseTest, BoxesStandOnOneAnother) {
+  const Model model = bystander();
+  WorldConfig config;
+  config.step = 1e-3;
+  for (int i = 0; i < 3; ++i) {
+    config.loose.push_back(
+        box("b" + std::to_string(i), 1.0, {0.2, 0.2, 0.2}, {0.01 * i, 0.0, 0.1 + 0.2 * i}));
+  }
+  const auto world = make(model, config);
+  ASSERT_EQ(world->set(Configuration(model)), Status::kOk);
+  for (int i = 0; i < 500; ++i) ASSERT_EQ(world->step(), Status::kOk);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_NEAR(world->loose(i).pose.translation().z(), 0.1 + 0.2 * i, 2e-4) << i;
+    EXPECT_LT(world->loose(i).velocity.norm(), 1e-3) << i;
+  }
+}
+
+TEST_P(LooseTest, ABoxIsPutWhereItIsTold) {
+  const Model model = bystander();
+  WorldConfig config;
+  config.loose = {box("b", 1.0, {0.2, 0.2, 0.2}, {0, 0, 0.1})};
+  const auto world = make(model, config);
+  LooseState to;
+  to.pose.translation() = Eigen::Vector3d(0, 0, 3);
+  to.velocity = {1, 0, 0};
+  ASSERT_EQ(world->set_loose(0, to), Status::kOk);
+  EXPECT_NE(world->set_loose(1, to), Status::kOk);
+  to.velocity.x() = NAN;
+  EXPECT_EQ(world->set_loose(0, to), Status::kNotFinite);
+  for (int i = 0; i < 100; ++i) ASSERT_EQ(world->step(), Status::kOk);
+  EXPECT_NEAR(world->loose(0).pose.translation().x(), 0.2, 1e-9);
+  EXPECT_NEAR(world->loose(0).pose.translation().z(), 3.0 - 0.5 * kGravity * 0.04, 5e-3);
+}
+
+// A loose box slides to where v^2 / (2 mu g) says.
+TEST_P(LooseTest, ABoxSlidesToAHalt) {
+  const Model model = bystander();
+  WorldConfig config;
+  config.step = 1e-3;
+  LooseBody body = box("b", 5.0, {0.4, 0.4, 0.1}, {0, 0, 0.05 - 5.0 * kGravity / 4e6});
+  body.start.velocity = {1, 0, 0};
+  body.friction = config.ground_friction = 0.5;
+  config.loose = {body};
+  const auto world = make(model, config);
+  for (int i = 0; i < 500; ++i) ASSERT_EQ(world->step(), Status::kOk);
+  const double expected = 1.0 / (2.0 * 0.5 * kGravity);
+  EXPECT_NEAR(world->loose(0).pose.translation().x(), expected, 0.01 * expected);
+  EXPECT_LT(world->loose(0).velocity.norm(), 1e-6);
+}
+
+// The robot and its servos, standing, with contacts of stiffness k at every corner.
+class LooseAndRobot {
+ public:
+  LooseAndRobot(const std::string& scene, double mass, double k, double h)
+      : model_(load_robot("hrp1s")) {
+    for (Sole& sole : model_.soles) {
+      sole.stiffness = kSoleCorners * k;
+      sole.damping = kSoleCorners * std::sqrt(15.0 * k);
+    }
+    Eigen::VectorXd q = Eigen::VectorXd::Zero(model_.joint_count());
+    const auto pose = static_cast<std::size_t>(model_.find_pose("half_sitting"));
+    for (std::size_t j = 0; j < model_.joints.size(); ++j) {
+      q[static_cast<Eigen::Index>(j)] = model_.poses[pose].q[j];
+    }
+    const Standing start = stand(model_, q, 1.0, {k, k}, {0.0, 0.0}, false);
+    Configuration at = start.configuration;
+    WorldConfig config;
+    config.step = h;
+    if (scene == "plate") {
+      at.base.translation().z() += 0.041;
+      config.loose = {box("plate", mass, {0.8, 0.8, 0.04}, {0.0, 0.0, 0.02}, k)};
+    } else {
+      Kinematics kinematics(model_);
+      kinematics.update(at);
+      // On the toes, where a box of 50 mm has room under the shin.
+      const Sole& sole = model_.soles[0];
+      const Eigen::Vector3d place = sole.frame * Eigen::Vector3d(0.12, 0.0, 0.02 + 0.026);
+      config.loose = {
+          box("box", mass, {0.05, 0.05, 0.05}, kinematics.link_in_world(sole.link) * place, k)};
+    }
+    world_ = std::make_unique<ArticulatedWorld>(model_, config);
+    EXPECT_EQ(world_->set(at, &start.tau), Status::kOk);
+    for (int j = 0; j < model_.joint_count(); ++j) {
+      const Joint& joint = model_.joints[static_cast<std::size_t>(j)];
+      EXPECT_EQ(world_->set_servo(
+                    j, {.q = q[j], .qd = 0, .tau = start.tau[j], .kp = joint.kp, .kd = joint.kd}),
+                Status::kOk);
+    }
+  }
+  ArticulatedWorld& world() { return *world_; }
+
+ private:
+  Model model_;
+  std::unique_ptr<ArticulatedWorld> world_;
+};
+
+// Order: box or plate, mass, stiffness, step, seconds.
+void expect_quiet(const std::string& scene, double mass, double k, double h, double seconds) {
+  SCOPED_TRACE(scene + " " + std::to_string(mass) + " kg, k " + std::to_string(k) + ", h " +
+               std::to_string(h));
+  LooseAndRobot both(scene, mass, k, h);
+  ArticulatedWorld& world = both.world();
+  const double height = world.loose(0).pose.translation().z();
+  const auto steps = std::lround(seconds / h);
+  for (long i = 0; i < steps; ++i) ASSERT_EQ(world.step(), Status::kOk) << i;
+  EXPECT_NEAR(world.loose(0).pose.translation().z(), height, 3e-3);
+  EXPECT_LT(world.loose(0).velocity.norm(), 5e-3);
+  EXPECT_LT(world.com_velocity().norm(), 0.05);
+  EXPECT_GT(world.configuration().base.linear()(2, 2), 0.99);
+  EXPECT_EQ(world.counters().unconverged, 0);
+}
+
+TEST(LooseAndRobot, ABoxOnAFootAndAPlateUnderfootAreQuietAtEveryStep) {
+  for (const double k : {1e6, 1e8}) {
+    for (const double h : {1e-2, 1e-3}) {
+      expect_quiet("box", 0.1, k, h, 0.5);
+      expect_quiet("plate", 0.1, k, h, 0.5);
+      expect_quiet("plate", 20.0, k, h, 0.5);
+    }
+    expect_quiet("box", 0.1, k, 1e-4, 0.1);
+    expect_quiet("plate", 0.1, k, 1e-4, 0.1);
+  }
+}
+
+TEST(LooseAndRobot, ABoxOnAFootAllocatesNothing) {
+  LooseAndRobot both("box", 0.1, 1e6, 1e-3);
+  for (int i = 0; i < 50; ++i) ASSERT_EQ(both.world().step(), Status::kOk);
+  const NoAlloc guard;
+  for (int i = 0; i < 200; ++i) (void)both.world().step();
+  EXPECT_EQ(guard.count(), 0);
+}
+
+struct Kept {
+  double linear, angular;  // change of momentum, relative
+  double met;              // by so much did the box change its speed [m/s]
+};
+
+// A chain of links in the air and a box that hits it: momentum before and after, without what
+// gravity gave.
+Kept collide(double h) {
+  Model model = test::chain(3, true);
+  for (Link& link : model.links) {
+    Shape shape;
+    shape.size = {0.25, 0.1, 0.1};
+    shape.pose.translation() = link.com;
+    link.collision = {shape};
+  }
+  WorldConfig config;
+  config.step = h;
+  LooseBody body = box("b", 5.0, {0.5, 0.5, 0.1}, {0.35, 0.02, 49.8}, 1e5);
+  body.start.velocity = {0.1, 0.0, 1.0};
+  config.loose = {body};
+  ArticulatedWorld world(model, config);
+  Configuration start(model);
+  start.base.translation() = Eigen::Vector3d(0, 0, 50);
+  EXPECT_EQ(world.set(start), Status::kOk);
+  const Eigen::Matrix3d inertia = inertia_of(body.solid, body.mass);
+  const auto momenta = [&](Eigen::Vector3d& p, Eigen::Vector3d& l) {
+    const LooseState b = world.loose(0);
+    const double mass = world.mass() + body.mass;
+    const Eigen::Vector3d com =
+        (world.mass() * world.com() + body.mass * b.pose.translation()) / mass;
+    p = world.mass() * world.com_velocity() + body.mass * b.velocity;
+    const Eigen::Matrix3d r = b.pose.linear();
+    l = r * inertia * r.transpose() * b.angular_velocity +
+        body.mass * (b.pose.translation() - com).cross(b.velocity);
+    for (int i = 0; i < model.link_count(); ++i) {
+      const Link& link = model.links[static_cast<std::size_t>(i)];
+      const Eigen::Isometry3d pose = world.link_in_world(i);
+      const Eigen::Vector3d at = pose * link.com;
+      l += pose.linear() * link.inertia * pose.linear().transpose() * world.angular_velocity(i) +
+           link.mass * (at - com).cross(world.point_velocity(i, at));
+    }
+  };
+  Eigen::Vector3d p0, l0, p1, l1;
+  momenta(p0, l0);
+  const auto steps = std::lround(0.3 / h);
+  for (long i = 0; i < steps; ++i) EXPECT_EQ(world.step(), Status::kOk);
+  momenta(p1, l1);
+  p1.z() += (world.mass() + body.mass) * kGravity * 0.3;
+  const double fallen = body.start.velocity.z() - 0.3 * kGravity;
+  return {(p1 - p0).norm() / p0.norm(), (l1 - l0).norm() / l0.norm(),
+          std::abs(world.loose(0).velocity.z() - fallen)};
+}
+
+TEST(LooseAndRobot, ACollisionKeepsMomentumToTheOrderOfTheStep) {
+  const Kept coarse = collide(1e-3), fine = collide(1e-4);
+  EXPECT_GT(coarse.met, 0.1);
+  EXPECT_LT(coarse.linear, 1e-4);
+  EXPECT_LT(coarse.angular, 2e-3);
+  EXPECT_TRUE(fine.linear < 1e-9 || std::log10(coarse.linear / fine.linear) > 0.9)
+      << coarse.linear << " " << fine.linear;
+  EXPECT_GT(std::log10(coarse.angular / fine.angular), 0.9);
+}
+
+// Thrown boxes of 0.03 to 30 kg: every step settles inside the cone.
+TEST(LooseStress, ATumblingBoxAlwaysSettlesInsideTheCone) {
+  const Model model = bystander();
+  Random random(3);
+  const auto u = [&] { return 2.0 * random.uniform() - 1.0; };
+  for (const double k : {1e5, 1e6, 1e7}) {
+    for (const double h : {1e-2, 1e-3}) {
+      for (int thrown = 0; thrown < 6; ++thrown) {
+        WorldConfig config;
+        config.step = h;
+        LooseBody body = box("b", std::pow(10.0, 1.5 * u()), {0.2, 0.3, 0.1}, {0, 0, 0.2}, k);
+        body.friction = config.ground_friction = 0.3 + 0.5 * std::abs(u());
+        body.start.pose.linear() =
+            Eigen::Quaterniond(u(), u(), u(), u()).normalized().toRotationMatrix();
+        body.start.velocity = {2.0 * u(), 2.0 * u(), -1.0};
+        body.start.angular_velocity = 10.0 * Eigen::Vector3d(u(), u(), u());
+        config.loose = {body};
+        ArticulatedWorld world(model, config);
+        const auto steps = std::lround(1.0 / h);
+        for (long i = 0; i < steps; ++i) {
+          ASSERT_EQ(world.step(), Status::kOk);
+          for (const Contact& c : world.solved()) {
+            const double fn = c.normal.dot(c.now.force);
+            ASSERT_LE((c.now.force - fn * c.normal).norm(), c.params.friction * fn * (1.0 + 1e-10));
+          }
+        }
+        EXPECT_EQ(world.counters().unconverged, 0) << k << " " << h << " " << thrown;
+        EXPECT_LT(world.loose(0).velocity.norm(), 3.0);
+      }
+    }
+  }
+}
+
+// A body spun about its middle axis turns over again and again (Dzhanibekov), 11 times in 60 s.
+TEST(FreeTurn, ABodyTurnsOverElevenTimesAndKeepsEnergyAndMomentum) {
+  const Eigen::Vector3d inertia(0.01, 0.02, 0.028);
+  for (const double h : {1e-2, 1e-3}) {
+    Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+    Eigen::Vector3d spin(0.01, 5.0, 0.0);
+    const auto momentum = [&] {
+      return Eigen::Vector3d(rotation * inertia.cwiseProduct(rotation.transpose() * spin));
+    };
+    const Eigen::Vector3d l0 = momentum();
+    const double e0 = 0.5 * spin.dot(l0);
+    int flips = 0;
+    bool up = true;
+    for (long i = 0; i < std::lround(60.0 / h); ++i) {
+      turn_freely(inertia, h, rotation, spin);
+      const bool now = rotation.col(1).dot(spin) > 0.0;
+      flips += now != up ? 1 : 0;
+      up = now;
+    }
+    EXPECT_EQ(flips, 11) << h;
+    EXPECT_LT((momentum() - l0).norm() / l0.norm(), 1e-9) << h;
+    EXPECT_LT(std::abs(0.5 * spin.dot(momentum()) / e0 - 1.0), 1e-9) << h;
+  }
+}
+
+}  // namespace
+}  // namespace twinbus
