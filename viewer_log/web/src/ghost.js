@@ -1,13 +1,14 @@
 // A pale second robot in another posture: what is commanded, or what a standby source measures.
 
-import * as THREE from 'three';
+import { drawAsOne } from './one_mesh.js';
+import { plain, surface } from './surface.js';
 
 export class Ghost {
   constructor(scene, color) {
     this.scene = scene;
     this.model = null;
     this.wanted = false;
-    this.material = new THREE.MeshStandardMaterial({ color, emissive: color, emissiveIntensity: 0.25,
+    this.material = surface({ color, emissive: color, emissiveIntensity: 0.25,
       transparent: true, opacity: 0.34, depthWrite: false, roughness: 0.6 });
   }
 
@@ -23,6 +24,7 @@ export class Ghost {
     });
     this.joints = joints.map((name) => this.model.joints[name] ?? null);
     for (const joint of this.joints) if (joint) joint.ignoreLimits = true;
+    if (plain) drawAsOne(this.model, { depthWrite: false });
     this.scene.add(this.model);
   }
 

@@ -2,6 +2,7 @@
 
 import * as THREE from 'three';
 import { TransformControls } from 'three/addons/controls/TransformControls.js';
+import { surface } from './surface.js';
 
 export class HandTarget {
   // reach(side, [x, y, z]): when the handle is let go.
@@ -9,7 +10,7 @@ export class HandTarget {
     this.stage = stage;
     this.side = null;
     this.ball = new THREE.Mesh(new THREE.SphereGeometry(0.03, 24, 16),
-      new THREE.MeshStandardMaterial({ color: 0x7cf5d0, emissive: 0x1f9e78, transparent: true, opacity: 0.85, depthTest: false }));
+      surface({ color: 0x7cf5d0, emissive: 0x1f9e78, transparent: true, opacity: 0.85, depthTest: false }));
     this.ball.renderOrder = 13;
     this.ball.visible = false;
     this.handles = new TransformControls(stage.camera, canvas);

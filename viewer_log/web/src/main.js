@@ -14,15 +14,18 @@ import { Plots } from './plots.js';
 import { Recorder } from './record.js';
 import { Robot } from './robot.js';
 import { Stage } from './stage.js';
+import { plain } from './surface.js';
 import { Theme } from './theme.js';
 import { Timeline } from './timeline.js';
 
 const $ = (id) => document.getElementById(id);
 const kBalanced = 1, kHold = 2;
 const kSilent = 1500; // a picture older than this is not to be believed [ms]
+const kTell = 80; // nobody reads numbers that change faster [ms]
 const kBusy = 300; // a page that draws less often is slow itself [ms]
 const kAgain = 3000; // a second stop within this is meant as a harder one [ms]
 
+document.body.classList.toggle('plain', plain);
 const stage = new Stage($('view'));
 const robot = new Robot(stage.scene);
 const commanded = new Ghost(stage.scene, 0xffd23f);
@@ -52,6 +55,7 @@ let hello = { joints: [], hands: [] };
 let newest = null;
 let newestAt = 0;
 let drawnAt = -Infinity;
+let toldAt = -Infinity;
 let lastStop = -Infinity;
 let past = null; // { time, live } while looking back
 let plan = null; // the newest path message
@@ -266,8 +270,11 @@ function draw() {
     standby.pose(shown.standby?.q, shown.base);
     other.pose(shown.other?.q, shown.other?.base);
     stage.show(shown);
-    panels.live(newest);
-    panels.limits(limits);
+    if (now - toldAt >= kTell) {
+      toldAt = now;
+      panels.live(newest);
+      panels.limits(limits);
+    }
   }
   armPath.tick();
   pad.tick();

@@ -2,6 +2,8 @@
 
 import * as THREE from 'three';
 import URDFLoader from 'urdf-loader';
+import { drawAsOne } from './one_mesh.js';
+import { plain, surface } from './surface.js';
 import { Tint, nearLimits } from './tint.js';
 
 // The URDF loader's materials are flat; these take light and shadow.
@@ -13,7 +15,7 @@ function dress(object) {
     const old = Array.isArray(part.material) ? part.material[0] : part.material;
     if (!old?.isMeshPhongMaterial || old.map) return;
     const dark = old.color.r + old.color.g + old.color.b < 0.6;
-    part.material = new THREE.MeshStandardMaterial({
+    part.material = surface({
       color: old.color, transparent: old.transparent, opacity: old.opacity,
       roughness: dark ? 0.5 : 0.38, metalness: dark ? 0.35 : 0.08,
     });
@@ -40,6 +42,7 @@ export class Robot {
     manager.onLoad = () => { // meshes come later
       dress(model);
       ready(model);
+      if (plain) drawAsOne(model); // after ready: ghosts are copies of what it was
     };
     dress(model);
     if (this.model) this.scene.remove(this.model);

@@ -2,40 +2,18 @@
 
 import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
+import { Arrows } from './arrows.js';
+import { PaintedFloor, PlainFloor } from './floor.js';
 import { Markers } from './markers.js';
+import { plain, surface } from './surface.js';
 
-const kMetresPerNewton = 1 / 1100; // at scale 1
-const kLongestArrow = 1.4; // [m]
 const kShownPair = 120;    // [mm]
 const kSlowFrame = 70;     // a machine without graphics hardware: fewer pixels, no shadows [ms]
 const kSlowFrames = 12;    // so many in a row
+const kPlainPixels = 0.75; // of each direction, where the processor draws
 
 const kDark = { sky: 0x141b26, floor: '#1c2634', thin: '#2b394c', thick: '#4d6685', ambient: 1.5 };
 const kLight = { sky: 0xdfe7f0, floor: '#cfd8e3', thin: '#bcc8d6', thick: '#93a5ba', ambient: 2.2 };
-
-function arrow(color) {
-  const material = new THREE.MeshStandardMaterial({ color, emissive: color, emissiveIntensity: 0.45, roughness: 0.5,
-    depthTest: false, transparent: true, opacity: 0.9 }); // seen through the legs
-  const shaft = new THREE.Mesh(new THREE.CylinderGeometry(0.008, 0.008, 1, 12).translate(0, 0.5, 0), material);
-  const head = new THREE.Mesh(new THREE.ConeGeometry(0.022, 0.055, 16).translate(0, 0.0275, 0), material);
-  const group = new THREE.Group();
-  shaft.renderOrder = head.renderOrder = 9;
-  group.add(shaft, head);
-  group.userData = { shaft, head };
-  group.visible = false;
-  return group;
-}
-
-const kUp = new THREE.Vector3(0, 1, 0);
-function point(group, at, force, scale, least) {
-  const length = Math.min(force.length() * kMetresPerNewton * scale, kLongestArrow);
-  group.visible = length > 0.005 && force.length() >= least;
-  if (!group.visible) return;
-  group.position.copy(at);
-  group.quaternion.setFromUnitVectors(kUp, force.clone().normalize());
-  group.userData.shaft.scale.y = length;
-  group.userData.head.position.y = length;
-}
 
 function lineOf(count, color, options = {}) {
   const geometry = new THREE.BufferGeometry();
@@ -56,14 +34,14 @@ function setPoints(line, points, lift = 0) {
 
 export class Stage {
   constructor(canvas) {
-    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true });
-    this.renderer.shadowMap.enabled = true;
+    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: !plain });
+    this.renderer.shadowMap.enabled = !plain;
     this.renderer.shadowMap.type = THREE.PCFShadowMap;
-    this.renderer.toneMapping = THREE.ACESFilmicToneMapping;
+    this.renderer.toneMapping = plain ? THREE.NoToneMapping : THREE.ACESFilmicToneMapping;
     this.renderer.toneMappingExposure = 1.15;
     this.scene = new THREE.Scene();
     this.scene.background = new THREE.Color(0x141b26);
-    this.scene.fog = new THREE.Fog(0x141b26, 7, 19);
+    if (!plain) this.scene.fog = new THREE.Fog(0x141b26, 7, 19);
     this.camera = new THREE.PerspectiveCamera(38, 1, 0.05, 60);
     this.camera.up.set(0, 0, 1);
     this.camera.position.set(2.55, 1.55, 1.3);
@@ -75,7 +53,7 @@ export class Stage {
     this.follow = true;
     this.arrowScale = 1;
     this.leastForce = 5; // [N], smaller ones are not drawn
-    this.pixels = Math.min(devicePixelRatio, 2);
+    this.pixels = plain ? kPlainPixels : Math.min(devicePixelRatio, 2);
     this.slowFrames = 0;
     this.fine = new URLSearchParams(location.hash.slice(1)).has('fine');
     this.light();
@@ -103,14 +81,9 @@ export class Stage {
     this.scene.add(this.sun, this.sun.target);
   }
 
-  // A picture on the floor, not lines: long lines are dropped by some drivers, and a picture takes shadows.
   ground() {
-    const size = 60; // [m], one tile per metre
-    const floor = this.floor = new THREE.Mesh(new THREE.PlaneGeometry(size, size),
-      new THREE.MeshStandardMaterial({ map: this.tile(size, kDark), roughness: 0.95, depthWrite: false }));
-    floor.receiveShadow = true;
-    floor.renderOrder = -1;
-    this.scene.add(floor);
+    this.floor = plain ? new PlainFloor(kDark) : new PaintedFloor(kDark, this.renderer.capabilities.getMaxAnisotropy());
+    this.scene.add(this.floor);
     const axes = lineOf(2, 0xe5484d, { segments: true });
     setPoints(axes, [[0, 0, 0.002], [0.5, 0, 0.002]]);
     const side = lineOf(2, 0x3ecf8e, { segments: true });
@@ -121,41 +94,14 @@ export class Stage {
   theme(light) {
     const look = light ? kLight : kDark;
     this.scene.background.set(look.sky);
-    this.scene.fog.color.set(look.sky);
+    this.scene.fog?.color.set(look.sky);
     this.sky.intensity = look.ambient;
-    this.floor.material.map.dispose();
-    this.floor.material.map = this.tile(60, look);
-    this.floor.material.needsUpdate = true;
-  }
-
-  // One metre of floor, with a line every 25 cm.
-  tile(count, look) {
-    const canvas = document.createElement('canvas');
-    const n = (canvas.width = canvas.height = 512);
-    const paint = canvas.getContext('2d');
-    paint.fillStyle = look.floor;
-    paint.fillRect(0, 0, n, n);
-    const lines = (step, width, color) => {
-      paint.fillStyle = color;
-      for (let at = 0; at <= n; at += step) {
-        paint.fillRect(at - width / 2, 0, width, n);
-        paint.fillRect(0, at - width / 2, n, width);
-      }
-    };
-    lines(n / 4, 3, look.thin);
-    lines(n, 8, look.thick);
-    const texture = new THREE.CanvasTexture(canvas);
-    texture.wrapS = texture.wrapT = THREE.RepeatWrapping;
-    texture.repeat.set(count, count);
-    texture.anisotropy = this.renderer.capabilities.getMaxAnisotropy();
-    texture.colorSpace = THREE.SRGBColorSpace;
-    return texture;
+    this.floor.paint(look);
   }
 
   overlays() {
-    this.forces = new THREE.Group();
-    for (let i = 0; i < 8; ++i) this.forces.add(arrow(0x38bdf8));
-    this.push = arrow(0xff8a3d);
+    this.forces = new Arrows(8, 0x38bdf8);
+    this.push = new Arrows(1, 0xff8a3d);
     this.balance = new THREE.Group();
     this.support = new THREE.Mesh(new THREE.BufferGeometry(),
       new THREE.MeshBasicMaterial({ color: 0x3ecf8e, transparent: true, opacity: 0.34, side: THREE.DoubleSide, depthWrite: false }));
@@ -188,13 +134,8 @@ export class Stage {
   }
 
   show(live) {
-    this.forces.children.forEach((item, i) => {
-      const row = live.forces[i];
-      if (!row) item.visible = false;
-      else point(item, new THREE.Vector3(...row.slice(0, 3)), new THREE.Vector3(...row.slice(3)), this.arrowScale, this.leastForce);
-    });
-    if (live.push) point(this.push, new THREE.Vector3(...live.push.slice(0, 3)), new THREE.Vector3(...live.push.slice(3)), this.arrowScale, this.leastForce);
-    else this.push.visible = false;
+    this.forces.show(live.forces, this.arrowScale, this.leastForce);
+    this.push.show(live.push ? [live.push] : [], this.arrowScale, this.leastForce);
     this.showBalance(live);
     this.markers.show(live);
     const near = live.pairs.filter((pair) => pair.mm < kShownPair);
@@ -235,7 +176,7 @@ export class Stage {
 
   showObstacles(list) {
     this.obstacles.clear();
-    const material = new THREE.MeshStandardMaterial({ color: 0xc98a3c, roughness: 0.7, transparent: true, opacity: 0.88 });
+    const material = surface({ color: 0xc98a3c, roughness: 0.7, transparent: true, opacity: 0.88 });
     for (const item of list) {
       const [a, b, c] = item.size;
       const geometry = item.shape === 1 ? new THREE.BoxGeometry(a, b, c)
