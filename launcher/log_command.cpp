@@ -161,7 +161,8 @@ int log_events(const std::vector<std::string>& words) {
   std::map<std::pair<std::int64_t, std::int32_t>, bool>
       told;  // sender and sequence of what is sent several times
   const auto line = [&](const LogEvent& event, std::int64_t tick, const std::string& text) {
-    std::printf("%10.3f s  tick %-8lld %s\n", 1e-6 * static_cast<double>(event.utime - start),
+    std::printf("%10.3f s  tick %-8lld %s\n",
+                1e-6 * (static_cast<double>(event.utime) - static_cast<double>(start)),
                 static_cast<long long>(tick), text.c_str());
   };
   const auto first_time_told = [&](const auto& m) {

@@ -101,7 +101,8 @@ class Gaps {
 };
 
 void print(const Summary& summary, const Gaps* gaps, std::int64_t size, const std::string& file) {
-  const double seconds = 1e-6 * static_cast<double>(summary.last_utime - summary.first_utime);
+  const double seconds =
+      1e-6 * (static_cast<double>(summary.last_utime) - static_cast<double>(summary.first_utime));
   std::int64_t events = 0;
   for (const auto& [name, c] : summary.channels) events += c.events;
   std::printf("%s: %.1f MB, %.3f s, %lld events on %zu channels\n", file.c_str(),

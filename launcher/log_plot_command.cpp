@@ -208,7 +208,8 @@ int log_plot(const std::vector<std::string>& words) {
   const std::int64_t start = first_time(log, file);
   scan_log(file, arguments.number("--from", 0.0, 0.0, 1e9),
            arguments.number("--to", kWholeLog, 0.0, 1e13), [&](const LogEvent& event) {
-             reader.take(event, 1e-6 * static_cast<double>(event.utime - start));
+             reader.take(event,
+                         1e-6 * (static_cast<double>(event.utime) - static_cast<double>(start)));
              return true;
            });
   std::size_t points = 0;

@@ -113,9 +113,10 @@ void LogCheck::add(const LogEvent& event) {
 void LogCheck::compare(const LogIndex& index) {
   std::vector<bool> found(index.sums.size());
   for (const Waiting& event : waiting_) {
-    const std::int64_t at = event.number - index.first_number;
-    const auto i = static_cast<std::size_t>(at);
-    const bool known = at >= 0 && i < index.sums.size();
+    // Numbers of a damaged log may be anything: no signed difference.
+    const std::uint64_t i =
+        static_cast<std::uint64_t>(event.number) - static_cast<std::uint64_t>(index.first_number);
+    const bool known = event.number >= index.first_number && i < index.sums.size();
     if (known && index.sums[i] == event.sum) {
       ++checked_;
       found[i] = true;

@@ -58,7 +58,7 @@ void LogView::find_first_state() {
   if (!reader.next(event)) return;
   first_utime_ = event.utime;
   do {
-    first_state_ = 1e-6 * static_cast<double>(event.utime - first_utime_);
+    first_state_ = 1e-6 * (static_cast<double>(event.utime) - static_cast<double>(first_utime_));
     take(event);
     if (view_->state().at_ns != 0) return;
   } while (first_state_ < kSearchFirst && reader.next(event));
