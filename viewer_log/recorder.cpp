@@ -147,6 +147,21 @@ void Recorder::write_out(std::vector<std::uint8_t>& events) {
   figures_.bytes += writer_->size() - size;
 }
 
+void Recorder::split_if_full() {
+  const bool large = config_.split_bytes > 0 && writer_->size() >= config_.split_bytes;
+  const bool long_ago =
+      config_.split_seconds > 0.0 && part_utime_ != 0 &&
+      1e-6 * static_cast<double>(newest_utime_ - part_utime_) >= config_.split_seconds;
+  if ((!large && !long_ago) || failing_ || cannot_split_) return;
+  try {
+    next_part();
+    part_utime_ = 0;
+  } catch (const std::exception& error) {
+    cannot_split_ = true;
+    say(std::string(error.what()) + "; the file before goes on");
+  }
+}
+
 void Recorder::work() {
   std::vector<std::uint8_t> events, text;
   std::vector<std::vector<std::uint8_t>> description;
@@ -163,6 +178,7 @@ void Recorder::work() {
     }
     if (events.empty()) continue;
     newest_utime_ = utime_of(events);
+    split_if_full();  // with something to put into the new part: none stays empty
     if (part_utime_ == 0) part_utime_ = newest_utime_;
     if (newest_utime_ - described_utime_ >= kDescribeEvery && !description.empty()) {
       described_utime_ = newest_utime_;
@@ -172,19 +188,6 @@ void Recorder::work() {
     }
     write_out(events);
     events.clear();
-    const bool large = config_.split_bytes > 0 && writer_->size() >= config_.split_bytes;
-    const bool long_ago =
-        config_.split_seconds > 0.0 &&
-        1e-6 * static_cast<double>(newest_utime_ - part_utime_) >= config_.split_seconds;
-    if ((large || long_ago) && !failing_ && !cannot_split_) {
-      try {
-        next_part();
-        part_utime_ = 0;
-      } catch (const std::exception& error) {
-        cannot_split_ = true;
-        say(std::string(error.what()) + "; the file before goes on");
-      }
-    }
     apply_quota();
   }
   (void)writer_->write_index();

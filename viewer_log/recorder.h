@@ -58,6 +58,7 @@ class Recorder {
   void write_out(std::vector<std::uint8_t>& events);
   bool room() const;
   void next_part();
+  void split_if_full();
   void apply_quota();
   void say(const std::string& sentence);
   std::string part_name(int part) const;

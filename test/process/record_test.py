@@ -3,7 +3,7 @@
 
 The log of a stack that stands, sways, stops and goes on is whole and without a gap; `log rerun` gives every command, guard
 report and estimate again; one flipped bit of an input is found and named; a recorder that is killed leaves a log that
-stock tools read; the log takes the place of the robot, pauses and seeks.
+stock tools read; the log takes the place of the robot, pauses, seeks and loops.
 """
 
 import os
@@ -125,6 +125,42 @@ def killed(checks, folder):
         checks.that(done.returncode == 0, f"lcm-logplayer plays it: {done.stderr[-200:]}")
 
 
+def in_parts(checks, folder):
+    """Only some channels, in files of a megabyte, not more of them than the quota allows: the oldest go."""
+    parts = folder / "parts"
+    parts.mkdir()
+    with Stack("stand", "--no-viewer", "--no-record"):
+        done = subprocess.Popen([BIN / "twinbus_recorder", parts / "run.log", "--channels", "STATE|TRUTH", "--split", "1MB",
+                                 "--quota", "0.0035"], stdout=subprocess.PIPE, text=True)
+        time.sleep(7.0)
+        done.terminate()
+        said = done.communicate(timeout=10)[0]
+    files = sorted(parts.iterdir(), key=lambda file: file.stat().st_mtime)
+    checks.that(2 <= len(files) <= 4, f"{len(files)} parts are left: {said[-300:]}")
+    checks.at_most(sum(file.stat().st_size for file in files), 4.8e6, "bytes of all parts")
+    spans = []
+    for file in files:
+        status, table, problem = cli("log", "info", file, "--check")
+        checks.that(status == 0 and "COMMAND " not in table and "STATE " in table, f"{file.name}: {problem}{table[-300:]}")
+        ticks = [int(row.split(",")[1]) for row in cli("log", "csv", file, "STATE", "--fields", "tick")[1].splitlines()[1:]]
+        spans.append((ticks[0], ticks[-1]))
+    gaps = [after[0] - before[1] for before, after in zip(spans, spans[1:])]
+    checks.that(all(gap == 1 for gap in gaps), f"from one part to the next no tick is missing: {gaps}")
+
+
+def of_two_sources(checks, folder):
+    """The shadow twin: how robot and simulator differ is on GAP, in the log, and drawn afterwards."""
+    with Stack("sway", "--stack", "twin", "--no-viewer"):
+        bus = Bus()
+        _, gap = bus.wait_for("GAP", lambda g: g.joint_count > 20, 8.0)
+        checks.that(gap is not None, "GAP says how they differ")
+        time.sleep(2.0)
+        bus.close()
+    log, plot = harness.newest_run_folder() / "run.log", folder / "gap.svg"
+    status, said, problem = cli("log", "compare", log, "--channels", "STATE,STATE_BRIDGE", "--plot", plot)
+    checks.that(status == 0 and "LLEG_KNEE" in said and plot.stat().st_size > 1000, f"compare of two sources: {problem}{said[-300:]}")
+
+
 def last_whole(log):
     data = log.read_bytes()
     at = 0
@@ -173,6 +209,13 @@ def controlled(checks, log):
         ask("speed 2")
         said = ask("play")
         checks.that("speed 2" in said and "paused" not in said, said)
+        ask("speed 1")
+        length = float(re.search(r" of ([\d.]+)", said).group(1))
+        ask("loop on")
+        ask(f"seek {length - 0.3:.3f}")
+        time.sleep(0.8)
+        said = ask("where")
+        checks.at_most(float(re.search(r"replay: ([\d.]+)", said).group(1)), 2.0, "it begins again behind its end")
         replay.stdin.write("quit\n")
         replay.stdin.flush()
         checks.that(replay.wait(5) == 0, "it ends")
@@ -248,6 +291,8 @@ def main():
         computed_again(checks, log, folder)
         tools(checks, log, folder)
         killed(checks, folder)
+        in_parts(checks, folder)
+        of_two_sources(checks, folder)
         replayed(checks, log)
         controlled(checks, log)
         an_old_log_moves_nothing(checks, log, folder)
