@@ -18,6 +18,8 @@ function drawsInSoftware() {
 export const plain = !new URLSearchParams(location.hash.slice(1)).has('fine') && drawsInSoftware();
 
 // options as of MeshStandardMaterial; what a plain material has not is left out.
-export function surface({ roughness, metalness, ...options }) {
-  return plain ? new THREE.MeshLambertMaterial(options) : new THREE.MeshStandardMaterial({ roughness, metalness, ...options });
+export function surface(options) {
+  if (!plain) return new THREE.MeshStandardMaterial(options);
+  const { roughness, metalness, ...simple } = options;
+  return new THREE.MeshLambertMaterial(simple);
 }
