@@ -115,8 +115,8 @@ void CommandGate::open(std::int64_t run_id, std::int32_t term, bool watched, dou
   blend_again(blend_s);
 }
 
-void CommandGate::close() noexcept {
-  if (open_ && !latch_.latched()) start_hold(false);
+void CommandGate::close(bool stop_gains) noexcept {
+  if (open_ && !latch_.latched()) start_hold(stop_gains);
   open_ = false;
   have_client_ = false;
 }

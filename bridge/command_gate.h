@@ -75,8 +75,8 @@ class CommandGate {
   // now_ns, stops.
   void open(std::int64_t run_id, std::int32_t term, bool watched, double blend_s,
             std::int64_t now_ns) noexcept;
-  // Obeys nobody: brings the set-point to rest and holds it.
-  void close() noexcept;
+  // Obeys nobody: brings the set-point to rest and holds it, with its gains or those of a stop.
+  void close(bool stop_gains = false) noexcept;
   // The next command is faded in again.
   void blend_again(double blend_s) noexcept;
   // Another controller may take the place of the bound one; it does with its first good command,

@@ -215,8 +215,13 @@ Refusal Handover::switch_refusal(const HandoverInput& input, std::int64_t now_ns
     const Refusal difference = compare_measured(*input.measured, target);
     if (difference != Refusal::kNone) return difference;
   }
-  const bool in_step = input.walking && pending.policy == SwitchPolicy::kWhenSafe;
-  return config.hardware && (!input.stable || in_step) ? Refusal::kUnstable : Refusal::kNone;
+  // Nobody takes over in mid-step from hardware, nor hardware from anybody.
+  const bool to_hardware = !can_be_set(target);
+  const bool in_step =
+      input.walking &&
+      (to_hardware || (config.hardware && pending.policy == SwitchPolicy::kWhenSafe));
+  const bool unsettled = !input.stable && (config.hardware || (to_hardware && wants_rest));
+  return in_step || unsettled ? Refusal::kUnstable : Refusal::kNone;
 }
 
 void Handover::request(const SourceRequest& request, const HandoverInput& input,
@@ -411,9 +416,14 @@ Transition Handover::tick_waiting(const HandoverInput& input, std::int64_t now_n
     const bool fresh = holder_tick >= granted_tick - kTicksToAppear ||
                        !holds(config.off, Rule::kGrantFresh) ||
                        !holds(config.off, Rule::kGrantTick);
+    // A standby that woke late counts one tick ahead until STATE comes again; taking over then would
+    // leave the holder's last tick to nobody.
+    const bool heard_last = holder_tick >= granted_tick - 1 ||
+                            tick >= granted_tick + kTicksToAppear - 1 ||
+                            !holds(config.off, Rule::kGrantTick);
     const bool free =
         input.stop_kind == StopKind::kNone || !holds(config.off, Rule::kStoppedStaysOut);
-    if (role != Role::kParked && time && fresh && free && input.device_ok) {
+    if (role != Role::kParked && time && fresh && heard_last && free && input.device_ok) {
       const std::int64_t from = holder;
       role_after = role;
       start_term(term + 1, now_ns);

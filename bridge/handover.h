@@ -7,7 +7,8 @@
 //
 //  * A grant counts for the target only while it is fresh: the target takes over if it has heard
 //    the holder, with the grant, within the three ticks before the grant tick.  Three ticks later
-//    the holder has cancelled.
+//    the holder has cancelled.  Until two ticks after the grant tick it waits for the holder's last
+//    tick, so that a standby that counts ahead or a holder that is late loses none.
 //  * Until the old holder shows the new term on its own channel (or has been silent for 0.1 s), the
 //    successor is unconfirmed, and only an unconfirmed successor stands down for a cancel.
 //  * A stop at the old holder before it has seen its successor cancels the switch, term + 2, at

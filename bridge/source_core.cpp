@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bridge/switch_check.h"
 #include "robot/index.h"
 
 namespace twinbus {
@@ -20,7 +21,9 @@ constexpr double kZmpInside = 0.020;                   // [m]
 constexpr double kComSlow = 0.02;                      // [m/s]
 constexpr std::int64_t kSupportLasts_ns = 50'000'000;  // stable for so long before it counts
 constexpr std::int64_t kControllerFresh_ns = 50'000'000;
-constexpr float kTorqueJump = 0.02F;  // of the limit; a larger one is faded out
+constexpr std::int64_t kFollowAfter_ns = 500'000'000;  // a holder has walked
+constexpr float kFootInAir = 30.0F;                    // [N]
+constexpr float kTorqueJump = 0.02F;                   // of the limit; a larger one is faded out
 
 // Infinity and NaN give NaN here, every other number zero.
 bool finite(const RobotState& state, int joints) noexcept {
@@ -39,6 +42,15 @@ bool finite(const RobotState& state, int joints) noexcept {
   return zero == 0.0;
 }
 
+// Upward force of a foot that says so.
+bool stands_on_one_foot(const RobotState& state) noexcept {
+  for (const Limb foot : {kLeftFoot, kRightFoot}) {
+    if (state.wrench_kind[at(foot)] == WrenchKind::kAbsent) return false;
+  }
+  return std::abs(state.wrench[kLeftFoot][2]) < kFootInAir ||
+         std::abs(state.wrench[kRightFoot][2]) < kFootInAir;
+}
+
 }  // namespace
 
 SourceCore::SourceCore(const Model& model, const GateLimits& limits, RobotAdaptor& adaptor,
@@ -52,7 +64,7 @@ SourceCore::SourceCore(const Model& model, const GateLimits& limits, RobotAdapto
             handover.off) {
   if (model.floating_base && model.soles[0].link >= 0 && model.soles[1].link >= 0) {
     if (handover.can_be_set) holder_estimate_.emplace(model);
-    if (handover.hardware) own_estimate_.emplace(model);
+    own_estimate_.emplace(model);
   }
   state_.joint_count = static_cast<std::int16_t>(limits.joint_count);
   // A simulator that is not active stands still in time, so that its first active tick is the same
@@ -81,7 +93,17 @@ HandoverInput SourceCore::handover_input(std::int64_t now_ns) const noexcept {
 }
 
 bool SourceCore::walking(std::int64_t now_ns) const noexcept {
-  return controller_.mode == Mode::kWalk && now_ns - controller_ns_ <= 4 * kControllerFresh_ns;
+  return controller_.mode == Mode::kWalk && controller_.run_id == config_.run_id &&
+         now_ns - controller_ns_ <= 4 * kControllerFresh_ns;
+}
+
+// Its controller says so, or a foot of it is in the air while this robot's both stand.
+bool SourceCore::holder_walks(std::int64_t now_ns) const noexcept {
+  if (controller_.run_id == handover_.holder && controller_.mode == Mode::kWalk &&
+      now_ns - controller_ns_ <= 4 * kControllerFresh_ns)
+    return true;
+  return handover_.holder_fresh(now_ns) && stands_on_one_foot(holder_state_) &&
+         !stands_on_one_foot(state_);
 }
 
 void SourceCore::on_state(const RobotState& state, std::int64_t now_ns) noexcept {
@@ -147,7 +169,10 @@ void SourceCore::on_guard(const GuardReport& report, std::int64_t now_ns) noexce
 
 void SourceCore::on_controller_status(const ControllerStatus& status,
                                       std::int64_t now_ns) noexcept {
-  if (status.run_id != config_.run_id || status.controller_id != gate_.controller_id()) return;
+  const bool mine =
+      status.run_id == config_.run_id && status.controller_id == gate_.controller_id();
+  const bool of_holder = !handover_.holds_state() && status.run_id == handover_.holder;
+  if (!mine && !of_holder) return;
   controller_ = status;
   controller_ns_ = now_ns;
 }
@@ -202,7 +227,7 @@ void SourceCore::adopt_imposed() noexcept {
 
 // What the gate obeys in the role the source has now.
 void SourceCore::follow_role(std::int64_t now_ns) noexcept {
-  if (handover_.role == Role::kStandbyShadow && handover_.holder != 0) {
+  if (handover_.role == Role::kStandbyShadow && handover_.holder != 0 && !aside_) {
     gate_.open(handover_.holder, handover_.term, false, limits_->blend_s, gate_clock(now_ns));
   } else {
     gate_.close();
@@ -251,6 +276,24 @@ bool SourceCore::frozen(std::int64_t now_ns) const noexcept {
   return handover_.role == Role::kStandbyTrack && !handover_.holder_fresh(now_ns);
 }
 
+// Steps are feedback on feet that are another's: a robot that copied them would fall.  It holds its posture, and
+// follows again when the holder stands as it stands itself.
+void SourceCore::stand_aside(std::int64_t now_ns) noexcept {
+  if (handover_.role != Role::kStandbyShadow || handover_.config.can_be_set) {
+    aside_ = false;
+    return;
+  }
+  if (holder_walks(now_ns)) {
+    walked_ns_ = now_ns;
+    if (!aside_) gate_.close(true);
+    aside_ = true;
+  } else if (aside_ && now_ns - walked_ns_ >= kFollowAfter_ns && handover_.holder_fresh(now_ns) &&
+             compare_measured(holder_state_, state_) == Refusal::kNone) {
+    aside_ = false;
+    follow_role(now_ns);
+  }
+}
+
 // A shadow that can be set is set to what it shadows from time to time; one that cannot fades from
 // where it is.
 void SourceCore::anchor(std::int64_t now_ns) noexcept {
@@ -266,7 +309,7 @@ void SourceCore::anchor(std::int64_t now_ns) noexcept {
     anchored_ns_ = now_ns;
   } else if (!far) {
     anchored_ns_ = now_ns;
-  } else if (now_ns - anchored_ns_ >= kAnchorEvery_ns) {
+  } else if (now_ns - anchored_ns_ >= kAnchorEvery_ns && !aside_) {
     gate_.blend_again(limits_->blend_s);
     anchored_ns_ = now_ns;
   }
@@ -299,9 +342,15 @@ void SourceCore::read_adaptor(std::int64_t now_ns) noexcept {
   gate_.stop(StopKind::kHold, StopReason::kDevice, gate_clock(now_ns));
 }
 
-// Hardware may be left when it stands on both feet, ZMP well inside, CoM at rest.
+// Hardware may be left, and hardware may take over from a walk that has ended, when the active source stands on both
+// feet, ZMP well inside, CoM at rest.
 void SourceCore::watch_support(std::int64_t now_ns) noexcept {
   if (!own_estimate_.has_value() || !handover_.holds_state()) return;
+  if (!handover_.config.hardware && !handover_.pending_switch) {
+    support_since_ns_ = -1;
+    stable_ = false;
+    return;
+  }
   own_estimate_->update(state_);
   const Estimator& own = *own_estimate_;
   double margin = own.support_margin(own.zmp());
@@ -326,6 +375,7 @@ void SourceCore::begin_tick(std::int64_t now_ns) noexcept {
   gate_.watch(gate_clock(now_ns));
   transition_ = handover_.begin_tick(handover_input(now_ns), now_ns);
   apply(transition_, now_ns);
+  stand_aside(now_ns);
   if (handover_.holds_state() && !handover_.obeys() && gate_.is_open()) gate_.close();
   read_adaptor(now_ns);
   watch_support(now_ns);

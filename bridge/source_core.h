@@ -56,6 +56,8 @@ class SourceCore {
   void read_adaptor(std::int64_t now_ns) noexcept;
   bool frozen(std::int64_t now_ns) const noexcept;
   void anchor(std::int64_t now_ns) noexcept;
+  bool holder_walks(std::int64_t now_ns) const noexcept;
+  void stand_aside(std::int64_t now_ns) noexcept;
   void fill_state() noexcept;
   void fill_status() noexcept;
   void watch_support(std::int64_t now_ns) noexcept;
@@ -79,6 +81,7 @@ class SourceCore {
   std::int64_t controller_ns_ = 0;
   std::int64_t holder_arrival_ns_ = 0;
   std::int64_t anchored_ns_ = 0;
+  std::int64_t walked_ns_ = 0;          // the holder, last
   std::int64_t support_since_ns_ = -1;  // statically stable since; -1 not
   std::int64_t rest_asked_ns_ = 0;
   std::int32_t rest_sequence_ = 0;
@@ -89,6 +92,7 @@ class SourceCore {
   bool stable_ = true;
   bool holder_new_ = false;  // a STATE of the holder since the last tick
   bool imposed_ = false;     // the adaptor has the holder's state
+  bool aside_ = false;       // a shadow that holds its posture while its holder walks
   bool have_holder_command_ = false;
   bool written_ = true;  // this tick's set-point has been written
   bool limp_ = false;    // fall_safe() has taken over

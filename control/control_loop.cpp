@@ -41,7 +41,7 @@ struct ControlLoop::Impl {
   bool step(std::int64_t now_ns, JointCommand& out) noexcept;
   void first_state() noexcept;
   void next_state(bool same_source) noexcept;
-  void compute(std::int64_t now_ns, double dt) noexcept;
+  void compute(std::int64_t now_ns, double dt, bool same_source) noexcept;
   bool pad_speaks(std::int64_t now_ns) const noexcept;
   Eigen::Vector3d lean(std::int64_t now_ns) const noexcept;
   Eigen::Vector3d walk_velocity(std::int64_t now_ns) const noexcept;
@@ -186,7 +186,7 @@ void ControlLoop::Impl::write(JointCommand& out) const noexcept {
   }
 }
 
-void ControlLoop::Impl::compute(std::int64_t now_ns, double dt) noexcept {
+void ControlLoop::Impl::compute(std::int64_t now_ns, double dt, bool same_source) noexcept {
   modes.watch_for_a_fall(now());
   const bool for_switch = std::exchange(switch_heard, false);
   if (modes.follow_stop(std::exchange(stop_heard, StopKind::kNone), for_switch, now())) {
@@ -204,7 +204,8 @@ void ControlLoop::Impl::compute(std::int64_t now_ns, double dt) noexcept {
   if (modes.take_change() && have_output) blend.start(last, want, kModeBlend);
   blend.apply(want, dt);
   guard_and_mask(now_ns, dt);
-  limit_set_points(model, state, now().last, dt, want);
+  // Set-points that follow what is measured begin anew where another robot is; its gate fades them in.
+  limit_set_points(model, state, same_source ? now().last : nullptr, dt, want);
   last = want;
   have_output = true;
 }
@@ -233,7 +234,7 @@ bool ControlLoop::Impl::step(std::int64_t now_ns, JointCommand& out) noexcept {
   answered_term = state.term;
   answered_tick = state.tick;
   if (sane) {
-    compute(now_ns, dt);
+    compute(now_ns, dt, same_source);
   } else {
     sentence = kInsane;
     last.qd.fill(0.0);

@@ -100,6 +100,7 @@ class Switch {
     std::int64_t near_since = begin;
     while (!quit_requested() && seconds_since(begin) < kFollowTimeout) {
       if (posture_gap() > kNearPosture) {
+        if (bus_.seen().controller().mode == Mode::kWalk) return;  // it stands aside until then
         near_since = monotonic_ns();
       } else if (seconds_since(near_since) >= lasting) {
         return;

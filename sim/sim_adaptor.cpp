@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <optional>
 
+#include "robot/dynamics.h"
 #include "robot/process.h"
 #include "sim/scene_seed.h"
 #include "sim/sensors.h"
@@ -21,6 +22,7 @@ constexpr int kMaxDelay = 64;        // ticks of servo delay
 constexpr double kMimicKp = 2000.0;  // holds a joint that follows another
 constexpr double kOffsetDecay =
     1.0;  // corner offsets after set_state vanish with this time constant [s]
+constexpr double kTouches = 0.02;      // share of the weight from which a measured foot stands
 constexpr double kFallDamping = 0.03;  // fall_safe: kd per N m of effort limit [s/rad]
 
 bool is_finite(const JointCommand& command, int count) noexcept {
@@ -49,6 +51,7 @@ struct SimAdaptor::Impl {
   Standing standing;
   std::array<double, 2> corner_stiffness{};
   double standing_height = 0.0;
+  double standing_mass = 0.0;  // of the nominal robot [kg]
   int substeps = 1;
   double step = 0.0;
 
@@ -115,6 +118,7 @@ void SimAdaptor::Impl::start() {
   imposed_to = standing.configuration;
   imposed_tau = standing.tau;
   kinematics.emplace(*model);
+  standing_mass = model->total_mass();
 }
 
 Status SimAdaptor::Impl::advance() noexcept {
@@ -352,7 +356,9 @@ bool SimAdaptor::Impl::imposed_corner_forces(
     const Eigen::Isometry3d sensor = sole.frame.inverse() * sole.sensor;
     const Eigen::Vector3d f = sensor.linear() * wrench.head<3>();
     const Eigen::Vector3d t = sensor.linear() * wrench.tail<3>() + sensor.translation().cross(f);
-    if (f.z() > 0.0) force[side] = corner_forces(sole, f.z(), t.x(), t.y());
+    // Less is the noise of a foot in the air, which would pull the body down to the ground.
+    if (f.z() > kTouches * kGravity * settings.world.mass_scale * standing_mass)
+      force[side] = corner_forces(sole, f.z(), t.x(), t.y());
   }
   return true;
 }

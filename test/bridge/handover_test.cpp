@@ -338,6 +338,53 @@ TEST_F(OneSource, AWalkingSimulatorComesToRestBeforeARobotThatStandsTakesOver) {
   EXPECT_EQ(step(), Transition::kGranted);
 }
 
+// A standby wakes late, hears two ticks at once, and counts one ahead at its next tick.
+TEST_F(OneSource, AStandbyThatCountsAheadWaitsForTheHoldersLastTick) {
+  for (int i = 0; i < 600; ++i) step();
+  RobotState holder = standing(kTarget);
+  holder.role = Role::kActive;
+  holder.term = 3;
+  ask(request(SourceAction::kStandbyShadow, kMe));
+  for (holder.tick = 100; holder.tick < 104; ++holder.tick) {
+    handover.heard_state(holder, now);
+    step();
+  }
+  holder.role = Role::kReleasing;
+  holder.grant_run_id = kMe;
+  holder.grant_tick = 106;
+  handover.heard_state(holder, now);  // 104
+  EXPECT_EQ(step(), Transition::kNone);
+  EXPECT_EQ(step(), Transition::kNone) << "it counts 106 and has not heard 105";
+  holder.tick = 105;
+  handover.heard_state(holder, now);
+  EXPECT_EQ(step(), Transition::kTookOver);
+  EXPECT_EQ(handover.tick, 106);
+}
+
+TEST_F(OneSource, AGrantOfAHolderThatIsGoneIsStillTaken) {
+  for (int i = 0; i < 600; ++i) step();
+  RobotState holder = standing(kTarget);
+  holder.role = Role::kReleasing;
+  holder.term = 3;
+  holder.tick = 104;
+  holder.grant_run_id = kMe;
+  holder.grant_tick = 106;
+  ask(request(SourceAction::kStandbyShadow, kMe));
+  handover.heard_state(holder, now);
+  int ticks = 0;
+  while (step() != Transition::kTookOver) ASSERT_LT(++ticks, 6);
+  EXPECT_EQ(handover.tick, 108);
+}
+
+TEST_F(OneSource, NoHardwareTakesOverInMidStep) {
+  activate();
+  input.walking = true;
+  hear_target(standing(kTarget));
+  ask(request(SourceAction::kSwitch, kTarget));
+  EXPECT_EQ(step(), Transition::kNone);
+  EXPECT_EQ(handover.refusal, Refusal::kUnstable);
+}
+
 TEST(RefusalText, EveryRefusalHasASentenceOfItsOwn) {
   std::set<std::string> texts;
   for (int i = 1; i <= static_cast<int>(Refusal::kDevice); ++i) {

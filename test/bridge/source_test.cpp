@@ -315,6 +315,33 @@ TEST_F(Pair, TheSetPointOfTheRobotThatTakesOverDoesNotJump) {
   EXPECT_NEAR(q, 0.03, 1e-9);
 }
 
+TEST_F(Pair, ARobotHoldsItsPostureWhileTheOneItShadowsWalks) {
+  const auto say = [&](Mode mode) {
+    ControllerStatus status;
+    status.run_id = 1;
+    status.controller_id = 7;
+    status.mode = mode;
+    a.on_controller_status(status, now);
+    b.on_controller_status(status, now);
+  };
+  for (int i = 0; i < 400; ++i) tick(0.03);
+  ASSERT_NEAR(hardware.written.q[0], 0.03, 1e-6);
+  for (int i = 0; i < 500; ++i) {
+    say(Mode::kWalk);
+    tick(0.03 + 0.2 * std::sin(0.05 * i));
+    hardware.q = hardware.written.q[0];
+    EXPECT_NEAR(hardware.written.q[0], 0.03, 0.01) << i;
+  }
+  EXPECT_EQ(b.state().role, Role::kStandbyShadow);
+  for (int i = 0; i < 600; ++i) {
+    say(Mode::kBalance);
+    sim.q = 0.05;
+    tick(0.05);
+    hardware.q = hardware.written.q[0];
+  }
+  EXPECT_NEAR(hardware.written.q[0], 0.05, 1e-6) << "it follows again";
+}
+
 TEST_F(Pair, ARefusedSwitchMovesNothing) {
   hardware.q = 0.2;
   tick();

@@ -314,6 +314,20 @@ TEST(ControlLoop, AnotherSourceOfTheSameRobotIsGoneOnWithWithoutAJump) {
   EXPECT_EQ(rig.loop().status().motion, Motion::kSway) << "the motion goes on";
 }
 
+TEST(ControlLoop, TheLegsOfAnotherRobotAreTakenWhereTheyAre) {
+  Rig rig;
+  ASSERT_TRUE(rig.run(0.3));
+  RobotState other = rig.state();
+  other.run_id = 8;
+  other.term = 2;
+  ++other.tick;
+  other.q[13] += 0.04;  // the left hip
+  rig.loop().on_state(other, 0);
+  JointCommand command;
+  ASSERT_TRUE(rig.loop().step(0, command));
+  EXPECT_NEAR(command.q[13], other.q[13], 2e-3);
+}
+
 TEST(ControlLoop, ASourceThatWasStartedAnewIsFollowedFromWhereItsRobotIs) {
   const Model& model = test::hrp1s();
   Rig before, after;

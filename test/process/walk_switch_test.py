@@ -4,7 +4,8 @@
     walk_switch_test.py [engines] [robot]
 
 `engines`: two simulators with different engines, masses and contacts, switched every 3 s of a walk.  `robot`: a
-walking stand-in robot is left for the simulator with policy when-safe, and taken again while both stand.  SWITCHES=N says how many (TWINBUS_FULL=1: 20 and 100, otherwise 4 and 2).  What the
+walking simulator is left for a stand-in robot with policy when-safe, which walks on until it is left for the simulator.
+SWITCHES=N says how many, each way (TWINBUS_FULL=1: 20 and 50, otherwise 4 and 1).  What the
 machine itself spoilt by standing still (stalls.py) is counted, printed and repeated.
 """
 
@@ -29,7 +30,8 @@ EVERY = 3.0    # [s], between two switches
 NORMAL = 8.0   # [s] of walking that is the measure of commanded accelerations
 IN_AIR = 0.005  # share of the weight below which a foot is in the air
 LEGS = [*range(6), *range(13, 19)]  # on the bus of hrp1s
-STOP = 6       # MODE_REQUEST.mode
+FOR_SWITCH = 9  # STOP.reason
+STANDS_NS = 250_000_000  # on both feet: no double support lasts so long
 
 
 def count(fast, full):
@@ -112,36 +114,41 @@ def engines(checks, stalls, rng):
 
 
 def steps_after_stop(bus, since_ns, until_ns):
-    """Steps from the stop that was asked for until both feet carried the robot for good."""
-    asked = next((at for at, m in bus.messages("MODE_REQUEST", since_ns, until_ns) if m.mode == STOP), None)
+    """(steps from the stop that was asked for until both feet carried the robot for longer than any double support, and
+    until they did for good: the feet come side by side before the switch)"""
+    asked = next((at for at, m in bus.messages("STOP", since_ns, until_ns) if m.reason == FOR_SWITCH), None)
     if asked is None:
-        return None
-    last = asked
+        return None, None
+    last, stood = asked, None
     for at, state in bus.messages("STATE", asked, until_ns):
+        if at - last > STANDS_NS and stood is None:
+            stood = last
         if min(foot_force(state, 0), foot_force(state, 1)) < IN_AIR * WEIGHT:
             last = at
-    return (last - asked) * 1e-9 / STEP
+    return ((last if stood is None else stood) - asked) * 1e-9 / STEP, (last - asked) * 1e-9 / STEP
 
 
 def robot(checks, stalls, rng):
-    wanted, done, spoilt, most = count(2, 100), 0, 0, 0.0
+    """The walking source is stopped and left, the other one walks on, and so back and forth."""
+    wanted, spoilt, most = 2 * count(1, 50), 0, 0.0
+    done = 0
     with Stack("stand", "--stack", "both", "--no-viewer") as stack:
         bus = Bus()
         time.sleep(1.0)
         efforts = harness.effort_limits()
         while done < wanted and spoilt <= wanted:
-            status, out, err = cli("switch", "bridge", "--policy", "now", timeout=40)
-            if not checks.that(status == 0, f"standing, to the robot: {out}{err}"):
-                break
-            time.sleep(1.0)
-            what = f"stop, switch {done} to the simulator"
+            target = "bridge" if done % 2 == 0 else "sim"
+            what = f"stop and switch {done} to the {'robot' if target == 'bridge' else 'simulator'}"
+            bus.forget()
             walker = walk(30)
             time.sleep(2.6 + 1.2 * rng.random())
             since = time.monotonic_ns()
-            status, said, f = switch_once(bus, "sim", efforts, "when-safe")
+            walked = any(min(foot_force(s, 0), foot_force(s, 1)) < IN_AIR * WEIGHT
+                         for _, s in bus.messages("STATE", since - 1_200_000_000, since))
+            status, said, f = switch_once(bus, target, efforts, "when-safe")
             walker.terminate()
             walker.wait()
-            stall = stalls.longest_ms(since - 2_000_000_000, time.monotonic_ns())
+            stall = stalls.longest_ms(since - 3_000_000_000, time.monotonic_ns())
             if status != 0 or f is None:
                 if stall > 0.0:
                     spoilt += 1
@@ -152,21 +159,24 @@ def robot(checks, stalls, rng):
                 checks.that(False, f"{what}: {said.strip()}")
                 print("".join(stack.lines[-8:]) + "\n".join(harness.story_of_a_stop(bus)), flush=True)
                 break
-            taken = steps_after_stop(bus, since, f.from_ns + switch_figures.BEFORE_NS)
+            taken, settled = steps_after_stop(bus, since, f.from_ns + switch_figures.BEFORE_NS)
             attempt = checks.tentative()
+            attempt.that(walked, f"{what}: the robot walks before")
             switch_figures.judge(f, attempt, what)
             attempt.that(taken is not None, f"{what}: the controller was asked to stop first")
             attempt.at_most(taken if taken is not None else 99.0, 1.5, f"{what}: steps until it stands")
-            print(f"{what}: {taken if taken is not None else -1:.2f} steps, {f.row()}", flush=True)
+            print(f"{what}: {taken if taken is not None else -1:.2f} steps until it stands, "
+                  f"{settled if settled is not None else -1:.2f} until its feet are side by side, {f.row()}", flush=True)
+            done += 1
             if attempt.failed and stall > 0.0:
                 spoilt += 1
+                wanted += 1
                 print(f"  not judged, the machine stood still for {stall:.1f} ms", flush=True)
             else:
                 checks.adopt(attempt)
-                done += 1
                 most = max(most, taken or 0.0)
-        checks.at_least(done, wanted, "stops, switches and walks on that were judged")
-        print(f"{done} switches after a stop, {spoilt} spoilt by the machine; at most {most:.2f} steps", flush=True)
+        checks.at_least(done, wanted, "stops, switches and walks on")
+        print(f"{done - spoilt} switches after a stop judged, {spoilt} spoilt by the machine; at most {most:.2f} steps", flush=True)
         bus.close()
 
 

@@ -1,0 +1,227 @@
+// A walking robot is brought to rest, another source takes its place, and it walks on: simulator to robot and back.
+//
+//     walk_switch_bench [--count N] [--speed V] [--robot R] [--seed N] [--guard] [--trace]
+//
+// N times each way with policy when-safe, asked at a random phase of the step.  Exit status 1 when a body fell, a switch
+// was refused, a stop took more than 1.5 steps or a STATE had no answer.
+
+#include <cstdio>
+#include <cstdlib>
+#include <random>
+#include <string>
+
+#include "control/walk.h"
+#include "robot/load.h"
+#include "robot/process.h"
+#include "test/bench/two_sources.h"
+
+namespace twinbus {
+namespace {
+
+constexpr float kOffGround = 0.003F;  // of a sole that stands no more [m]
+constexpr double kStands = 0.25;      // [s] on both soles: no double support lasts so long
+constexpr std::int64_t kGiveUp_ns = 9'000'000'000;
+
+struct Bench {
+  Model model;
+  int count = 50;
+  double speed = 0.3;  // [m/s]
+  unsigned seed = 1;
+  bool guard = false, trace = false;
+};
+
+double tilt_of(const RobotState& s) {
+  const double x = static_cast<double>(s.attitude[1]), y = static_cast<double>(s.attitude[2]);
+  return 57.29578 * std::acos(std::clamp(1.0 - 2.0 * (x * x + y * y), -1.0, 1.0));
+}
+
+struct Tally {
+  int switched = 0, late = 0, walked_on = 0;
+  double worst_steps = 0.0, sum_steps = 0.0, worst_wait = 0.0, worst_gap = 0.0;
+};
+
+class Round {
+ public:
+  Round(const Bench& bench, std::mt19937& random)
+      : bench_(bench), random_(random), gait_(gait_of(bench.model, walking_of(bench.model), 0.01)) {
+    ControlConfig control;
+    control.guard_in_loop = bench.guard;
+    Scene scene;
+    rig_ = std::make_unique<TwoSources>(bench.model, scene, control, AdaptorConfig{});
+    run(1.5, false);
+  }
+
+  bool fallen() const { return fell_; }
+  std::int64_t unanswered() const { return rig_->unanswered(); }
+  double tilt() const { return tilt_; }
+  double standby_tilt() const { return standby_tilt_; }
+
+  // False: the walk, the stop or the switch failed.
+  bool walk_and_switch(Tally& tally) {
+    const int from = rig_->active();
+    rig_->ask(Mode::kWalk);
+    std::uniform_real_distribution<double> phase(0.0, 2.0 * gait_.period());
+    const double begin = rig_->truth(from).base_position[0];
+    const double begin_y = rig_->truth(from).base_position[1];
+    run(2.5 + phase(random_), true);
+    const double way = std::hypot(rig_->truth(from).base_position[0] - begin,
+                                  rig_->truth(from).base_position[1] - begin_y);
+    const bool walked = way > 0.4 * 2.5 * bench_.speed;
+    if (fell_ || !walked) return say(from, "does not walk");
+    ++tally.walked_on;
+    const std::int64_t asked = rig_->now_ns();
+    last_in_air_ = stood_ = asked;
+    stands_since_ = 0;
+    rig_->request(SourceAction::kSwitch, TwoSources::run_of(1 - from), SwitchPolicy::kWhenSafe);
+    while (rig_->active() == from && rig_->now_ns() - asked < kGiveUp_ns && !fell_) {
+      step(true);
+      if (rig_->source(from).status().refusal != Refusal::kNone)
+        return say(from, refusal_text(rig_->source(from).status().refusal));
+    }
+    if (fell_ || rig_->active() != 1 - from) return say(from, "no switch");
+    const double steps = 1e-9 * static_cast<double>(stood_ - asked) / gait_.period();
+    const double all = 1e-9 * static_cast<double>(last_in_air_ - asked) / gait_.period();
+    const double wait = 1e-9 * static_cast<double>(rig_->now_ns() - asked);
+    if (bench_.trace) {
+      std::printf(
+          "%s: %.2f steps until it stands, %.2f until its feet are side by side, %.2f s to the "
+          "switch, "
+          "joints %.3f rad apart\n",
+          from == 0 ? "simulator to robot" : "robot to simulator", steps, all, wait, gap_);
+    }
+    ++tally.switched;
+    tally.late += steps > 1.5 ? 1 : 0;
+    tally.sum_steps += steps;
+    tally.worst_steps = std::max(tally.worst_steps, steps);
+    tally.worst_wait = std::max(tally.worst_wait, wait);
+    tally.worst_gap = std::max(tally.worst_gap, gap_);
+    run(1.0, false);
+    return !fell_;
+  }
+
+ private:
+  bool say(int from, const char* what) {
+    std::printf("%s: %s%s (tilts %.1f and %.1f degrees, joints %.3f rad apart)\n",
+                from == 0 ? "simulator to robot" : "robot to simulator", what,
+                fell_ ? ", fell" : "", tilt_of(rig_->source(0).state()),
+                tilt_of(rig_->source(1).state()), gap_);
+    return false;
+  }
+  void run(double seconds, bool walking) {
+    const auto n = static_cast<int>(std::lround(seconds / bench_.model.period()));
+    for (int i = 0; i < n && !fell_; ++i) step(walking);
+  }
+  void step(bool walking) {
+    if (walking && ++said_ % 10 == 0) rig_->want(bench_.speed, 0.0, 0.0);
+    rig_->tick();
+    const int active = rig_->active();
+    if (active < 0) return;
+    bool in_air = false;
+    for (const auto& foot : rig_->truth(active).foot_position) in_air |= foot[2] > kOffGround;
+    if (in_air) {
+      if (stands_since_ == 0) stood_ = rig_->now_ns();
+      last_in_air_ = rig_->now_ns();
+    } else if (1e-9 * static_cast<double>(rig_->now_ns() - last_in_air_) > kStands) {
+      stands_since_ = 1;
+    }
+    gap_ = 0.0;
+    const RobotState &a = rig_->source(0).state(), &b = rig_->source(1).state();
+    for (std::size_t k = 0; k < static_cast<std::size_t>(a.joint_count); ++k)
+      gap_ = std::max(gap_, std::abs(a.q[k] - b.q[k]));
+    for (int s = 0; s < 2; ++s) {
+      const double tilt = tilt_of(rig_->source(s).state());
+      double& most = s == active ? tilt_ : standby_tilt_;
+      most = std::max(most, tilt);
+      fell_ = fell_ || tilt > 20.0 || rig_->source(s).state().stop_kind > StopKind::kNone;
+    }
+  }
+
+  const Bench& bench_;
+  std::mt19937& random_;
+  Gait gait_;
+  std::unique_ptr<TwoSources> rig_;
+  bool fell_ = false;
+  int said_ = 0, stands_since_ = 0;
+  std::int64_t last_in_air_ = 0, stood_ = 0;
+  double gap_ = 0.0, tilt_ = 0.0, standby_tilt_ = 0.0;  // [rad], [degrees], [degrees]
+};
+
+int run(int argc, char** argv) {
+  Bench bench;
+  std::string robot = "hrp1s";
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    const bool has_value = i + 1 < argc;
+    if (word == "--robot" && has_value) {
+      robot = argv[++i];
+    } else if (word == "--count" && has_value) {
+      bench.count = std::max(1, std::atoi(argv[++i]));
+    } else if (word == "--speed" && has_value) {
+      bench.speed = std::atof(argv[++i]);
+    } else if (word == "--seed" && has_value) {
+      bench.seed = static_cast<unsigned>(std::atoi(argv[++i]));
+    } else if (word == "--guard") {
+      bench.guard = true;
+    } else if (word == "--trace") {
+      bench.trace = true;
+    } else {
+      std::fprintf(
+          stderr,
+          "walk_switch_bench [--count N] [--speed V] [--robot R] [--seed N] [--guard] [--trace]\n");
+      return word == "--help" ? 0 : 2;
+    }
+  }
+  bench.model = load_robot(robot);
+  std::mt19937 random(bench.seed);
+  std::array<Tally, 2> tally;
+  int failed = 0, falls = 0;
+  std::int64_t unanswered = 0;
+  double tilt = 0.0, standby_tilt = 0.0;
+  std::unique_ptr<Round> round;
+  for (int i = 0; i < 2 * bench.count; ++i) {
+    if (round == nullptr) {
+      round = std::make_unique<Round>(bench, random);
+      if (i % 2 == 1) {  // so that both ways are tried as often
+        Tally ignored;
+        (void)round->walk_and_switch(ignored);
+      }
+    }
+    if (round->walk_and_switch(tally[static_cast<std::size_t>(i % 2)])) {
+      continue;
+    }
+    ++failed;
+    falls += round->fallen() ? 1 : 0;
+    unanswered += round->unanswered();
+    tilt = std::max(tilt, round->tilt());
+    standby_tilt = std::max(standby_tilt, round->standby_tilt());
+    round.reset();
+  }
+  if (round != nullptr) {
+    unanswered += round->unanswered();
+    tilt = std::max(tilt, round->tilt());
+    standby_tilt = std::max(standby_tilt, round->standby_tilt());
+  }
+  int late = 0;
+  for (std::size_t way = 0; way < 2; ++way) {
+    const Tally& t = tally[way];
+    late += t.late;
+    std::printf(
+        "%s at %.2f m/s: %d of %d walked, stopped and switched; steps until it stands %.2f on "
+        "average, %.2f at "
+        "most (%d over 1.5), %.2f s to the switch at most, joints then up to %.3f rad apart\n",
+        way == 0 ? "walking simulator to robot" : "walking robot to simulator", bench.speed,
+        t.switched, bench.count, t.switched > 0 ? t.sum_steps / t.switched : 0.0, t.worst_steps,
+        t.late, t.worst_wait, t.worst_gap);
+  }
+  std::printf(
+      "%d falls, tilt %.1f degrees at most, of the standby %.1f; %lld states without an answer\n",
+      falls, tilt, standby_tilt, static_cast<long long>(unanswered));
+  return failed + late > 0 || unanswered > 0 ? 1 : 0;
+}
+
+}  // namespace
+}  // namespace twinbus
+
+int main(int argc, char** argv) {
+  return twinbus::run_process("walk_switch_bench", twinbus::run, argc, argv);
+}
