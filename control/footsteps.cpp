@@ -7,6 +7,7 @@
 
 #include "control/leg_chain.h"
 #include "control/leg_reach.h"
+#include "robot/dynamics.h"
 #include "robot/index.h"
 #include "robot/kinematics.h"
 #include "robot/pose_math.h"
@@ -18,7 +19,9 @@ namespace {
 constexpr double kReachForward = 0.8, kReachBack = 0.62, kReachSideways = 0.53;
 constexpr double kCommandStride = 0.95;  // of the longest foothold that a command may ask for
 constexpr double kBetween = 0.035;       // between two soles side by side [m]
-constexpr double kTurn = 0.6;            // share of a hip's range that a command may use
+constexpr double kBent = 0.88, kLeastBent = 0.93;  // hip to ankle, share of the straight leg
+constexpr double kKneeShare = 0.85;  // of its torque that carrying the robot at rest may take
+constexpr double kTurn = 0.6;        // share of a hip's range that a command may use
 
 // Height of the centre of mass above the hips, in the pose that robots are said to walk in.
 double com_above_hips(const Model& model, int hip_link) {
@@ -29,6 +32,14 @@ double com_above_hips(const Model& model, int hip_link) {
   Kinematics kinematics(model);
   kinematics.update(configuration);
   return kinematics.com().z() - kinematics.link_in_world(hip_link).translation().z();
+}
+// From hip to ankle: bent so far that the stride is left, but no farther than one knee carries the robot, which the leg
+// above it leads past the weight by half its length times the sine of half its bend.
+double standing_length(const Model& model, const LegReach& reach) {
+  const double lever =
+      kKneeShare * model.joints[at(reach.knee)].effort / (model.total_mass() * kGravity);
+  const double bend = std::min(1.0, lever / (0.5 * reach.longest));  // sine of half of it
+  return reach.longest * std::clamp(std::sqrt(1.0 - bend * bend), kBent, kLeastBent);
 }
 }  // namespace
 
@@ -66,8 +77,7 @@ Gait gait_of(const Model& model, const Walking& w, double margin) {
   const LegReach reach = leg_reach(model, 0);
   const double ankle = reach.ankle_height;
   const double above = com_above_hips(model, leg.joint[0] + 1);
-  // Standing, the leg is bent so far that the stride asked for is left.
-  g.com_height = w.com_height > 0.0 ? w.com_height : above + ankle + 0.88 * reach.longest;
+  g.com_height = w.com_height > 0.0 ? w.com_height : above + ankle + standing_length(model, reach);
   const double hip = g.com_height - above - ankle;
   if (!(hip > 0.3 * reach.longest && hip < 0.99 * reach.longest)) {
     fail("walking.com_height puts the hips " + std::to_string(hip) +

@@ -1,9 +1,9 @@
 // How walking holds: stops in every phase, pushes by direction and phase, a robot that is not the nominal one, time of a tick.
 //
-//     walk_bench [stop|push|robust|time]... [--robot R] [--phases N] [--speed V] [--guard] [--engine E]
+//     walk_bench [stop|push|robust|time]... [--robot R] [--phases N] [--speed V] [--push V] [--guard] [--engine E]
 //
-// Without words: all of it.  Exit status 1 when a robot fell, a stop took more than 1.5 steps or
-// the guard (--guard) asked for a stop.
+// --push: the same change of velocity [m/s] in every direction.  Without words: all of it.  Exit status 1 when a robot
+// fell, a stop took more than 1.5 steps or the guard (--guard) asked for a stop.
 
 #include <algorithm>
 #include <cmath>
@@ -28,6 +28,7 @@ struct Bench {
   int phases = 100;
   bool guard = false;
   double speed = 0.5;
+  double push = 0.0;  // instead of those of each direction [m/s]
 };
 
 // A rig that walks; the time is that since walking was asked for.
@@ -127,17 +128,19 @@ int pushes(const Bench& bench, const Settings& settings, const char* name, int c
   for (const Direction& d :
        {Direction{"forward", 1, 0, 0.6, 0.8}, Direction{"left", 0, 1, 0.4, 0.6},
         Direction{"back", -1, 0, 0.6, 0.7}, Direction{"right", 0, -1, 0.4, 0.6}}) {
+    const double walking = bench.push > 0.0 ? bench.push : d.walking;
+    const double standing = bench.push > 0.0 ? bench.push : d.standing;
     int held = 0;
     std::string map;
     for (int p = 0; p < count; ++p) {
-      const bool good = survives(bench, d.x * d.walking, d.y * d.walking,
+      const bool good = survives(bench, d.x * walking, d.y * walking,
                                  static_cast<double>(p) / count, false, settings);
       held += good ? 1 : 0;
       map += good ? '.' : 'x';
     }
-    const bool stood = survives(bench, d.x * d.standing, d.y * d.standing, 0.0, true, settings);
-    std::printf("  %s %.2f: %d of %d %s standing %.2f: %s", d.name, d.walking, held, count,
-                map.c_str(), d.standing, stood ? "holds" : "FALLS");
+    const bool stood = survives(bench, d.x * standing, d.y * standing, 0.0, true, settings);
+    std::printf("  %s %.2f: %d of %d %s standing %.2f: %s", d.name, walking, held, count,
+                map.c_str(), standing, stood ? "holds" : "FALLS");
     fell += count - held + (stood ? 0 : 1);
   }
   std::printf("\n");
@@ -221,6 +224,8 @@ int run(int argc, char** argv) {
       phases_given = true;
     } else if (word == "--guard") {
       bench.guard = true;
+    } else if (word == "--push" && has_value) {
+      bench.push = std::atof(argv[++i]);
     } else if (word == "--speed" && has_value) {
       bench.speed = std::atof(argv[++i]);
     } else if (word == "stop" || word == "push" || word == "robust" || word == "time") {
@@ -228,7 +233,7 @@ int run(int argc, char** argv) {
     } else {
       std::fprintf(stderr,
                    "walk_bench [stop|push|robust|time]... [--robot R] [--phases N] "
-                   "[--speed V] [--guard] [--engine E]\n");
+                   "[--speed V] [--push V] [--guard] [--engine E]\n");
       return word == "--help" ? 0 : 2;
     }
   }

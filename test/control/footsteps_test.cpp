@@ -81,6 +81,16 @@ TEST(Footsteps, ALowerRobotMakesLongerSteps) {
             gait_of(test::hrp1s(), high, 0.01).max_forward);
 }
 
+TEST(Footsteps, ARobotOfWeakKneesWalksOnStraighterLegs) {
+  Model weak = test::hrp1s();
+  Walking unsaid = walking_of(weak);
+  unsaid.com_height = 0.0;
+  const double bent = gait_of(weak, unsaid, 0.01).com_height;
+  for (int foot = 0; foot < 2; ++foot)
+    weak.joints[static_cast<std::size_t>(leg_reach(weak, foot).knee)].effort = 170.0;
+  EXPECT_GT(gait_of(weak, unsaid, 0.01).com_height, bent + 0.02);
+}
+
 TEST(Footsteps, AGaitThatTheLegsCannotDoIsRefusedWithItsReason) {
   Walking w = walking_of(test::hrp1s());
   w.com_height = 1.5;

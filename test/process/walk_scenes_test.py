@@ -12,7 +12,7 @@ import harness
 from harness import Checks, cli
 
 SAME_FOR_EVERY_SEED = ["walk_forward", "walk_backward", "walk_sideways", "walk_turn", "walk_diagonal", "walk_slippery",
-                       "walk_carry", "walk_pad"]
+                       "walk_carry", "walk_pad", "walk_fast"]
 LOOSE = ["box_on_foot", "box_push", "boxes_tumble", "plate_underfoot"]
 SEEDED = ["walk_rough", "walk_noisy", "push_stand", "push_walk"]
 SEEDS = range(1, 21) if harness.FULL else range(1, 3)
