@@ -19,6 +19,7 @@ namespace baseline_lanes {
 #include "robot/self_collision_lanes.h"
 #include "robot/self_collision_far.h"
 #include "robot/self_collision_triangles.h"
+#include "robot/self_collision_hulls.h"
 #include "robot/self_collision_near.h"
 }  // namespace baseline_lanes
 #undef TWINBUS_WIDE
@@ -30,6 +31,7 @@ namespace avx2_lanes {
 #include "robot/self_collision_lanes.h"
 #include "robot/self_collision_far.h"
 #include "robot/self_collision_triangles.h"
+#include "robot/self_collision_hulls.h"
 #include "robot/self_collision_near.h"
 }  // namespace avx2_lanes
 #pragma GCC target("avx512f,avx512vl,avx512dq")
@@ -37,6 +39,7 @@ namespace avx512_lanes {
 #include "robot/self_collision_lanes.h"
 #include "robot/self_collision_far.h"
 #include "robot/self_collision_triangles.h"
+#include "robot/self_collision_hulls.h"
 #include "robot/self_collision_near.h"
 }  // namespace avx512_lanes
 #pragma GCC pop_options
@@ -89,7 +92,7 @@ InstructionSet best_instruction_set() noexcept {
 struct SelfCollision::Impl {
   struct Body {
     std::vector<TriangleCluster> clusters;
-    Aligned center[3], radius, block_center[3], block_radius;
+    Aligned center[3], radius, block_center[3], block_radius, hull[3];
     std::vector<std::array<float, 4>> middle, half, witness;
   };
 
@@ -104,6 +107,7 @@ struct SelfCollision::Impl {
   Aligned placed;
   std::vector<CollisionCandidate> near;
   std::vector<int> hits;
+  std::vector<CollisionMemory> memory;
   Aligned bound, kept;
   Work counters;
   long work[4] = {};
@@ -214,6 +218,12 @@ void SelfCollision::Impl::add_bodies(const RobotGeometry& geometry) {
       store.half.push_back(half);
     }
     group(store, g.clusters);
+    const std::vector<Eigen::Vector3d>& corners = g.hull.points;
+    for (int d = 0; d < 3; ++d) {
+      store.hull[d].resize(padded(corners.size()));
+      for (std::size_t c = 0; c < padded(corners.size()); ++c)
+        store.hull[d].data[c] = static_cast<float>(corners[std::min(c, corners.size() - 1)][d]);
+    }
     for (const Eigen::Vector3d& p : g.witnesses) {
       store.witness.push_back(
           {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z()), 0.0F});
@@ -226,6 +236,7 @@ void SelfCollision::Impl::add_bodies(const RobotGeometry& geometry) {
     set4(g.high, 0.0, body.high);
     body.link = g.link;
     body.clusters = static_cast<int>(g.clusters.size());
+    body.hull_corners = static_cast<int>(padded(corners.size()));
     bodies.push_back(body);
   }
   tables.most_clusters = static_cast<int>(most);
@@ -273,6 +284,7 @@ void SelfCollision::Impl::connect() {
     body.radius = store.radius.data;
     for (int d = 0; d < 3; ++d) body.block_center[d] = store.block_center[d].data;
     body.block_radius = store.block_radius.data;
+    for (int d = 0; d < 3; ++d) body.hull[d] = store.hull[d].data;
     body.cluster = store.clusters.data();
     body.middle = reinterpret_cast<const float(*)[4]>(store.middle.data());
     body.half = reinterpret_cast<const float(*)[4]>(store.half.data());
@@ -283,6 +295,7 @@ void SelfCollision::Impl::connect() {
   }
   near.resize(pairs.size() + kLanes);
   hits.assign(pairs.size() + 1, 0);
+  memory.assign(pairs.size(), {});
   bound.resize(padded(pairs.size()) + kLanes);
   kept.resize(2 * 8 * at(tables.most_clusters) + kLanes);
   tables.joint = joints.data();
@@ -298,6 +311,7 @@ void SelfCollision::Impl::connect() {
   tables.hit = hits.data();
   tables.bound = bound.data;
   tables.kept = kept.data;
+  tables.memory = memory.data();
   tables.work = work;
 }
 

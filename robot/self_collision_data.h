@@ -34,6 +34,16 @@ struct alignas(16) CollisionBody {  // a link that bears geometry
   const TriangleCluster* cluster = nullptr;
   const float (*witness)[4] = nullptr;
   int witnesses = 0;
+  const float* hull[3] =
+      {};                // corners of the convex hull, the last one repeated up to a multiple of 8
+  int hull_corners = 0;  // with the repeated ones
+};
+
+// What the last look at a pair found; it says where to look first, never what is there.
+struct alignas(16) CollisionMemory {
+  float apart[4] =
+      {};  // a direction that parted the hulls, in the axes of the second body; or zero
+  int cluster[2] = {-1, -1};  // that crossed
 };
 
 struct CollisionCandidate {
@@ -54,10 +64,11 @@ struct CollisionTables {
   float *sphere[4] = {}, *from[3] = {}, *to[3] = {}, *capsule_radius = nullptr;  // padded to 8
   CollisionCandidate* near = nullptr;                                            // [pairs + 8]
   int* hit = nullptr;                                                            // [pairs]
-  float* bound = nullptr;  // [pairs + 8], of the candidates
-  float* kept = nullptr;   // [2 x 8 x most clusters]
-  long* work = nullptr;    // spheres, capsules, clusters, rows
-  int most_clusters = 0;   // padded to 8
+  float* bound = nullptr;             // [pairs + 8], of the candidates
+  float* kept = nullptr;              // [2 x 8 x most clusters]
+  CollisionMemory* memory = nullptr;  // [pairs]
+  long* work = nullptr;               // spheres, capsules, clusters, rows
+  int most_clusters = 0;              // padded to 8
 };
 
 }  // namespace twinbus

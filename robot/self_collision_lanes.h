@@ -8,6 +8,7 @@ typedef int I8 __attribute__((vector_size(32), aligned(32)));
 
 constexpr float kAxisSlack = 1e-7F;     // per length of a separating axis [m]
 constexpr float kCapsuleSlack = 1e-5F;  // what single precision may lose [m]
+constexpr float kHullSlack = 3e-6F;     // the same, between two links [m]
 
 TWINBUS_INLINE F8 load8(const float* from) noexcept {
   F8 v;

@@ -47,7 +47,20 @@ static int keep(const CollisionBody& body, const CollisionPose& to_other,
 static bool odd_crossings(const CollisionBody& body, const float* point,
                           const float* ray) noexcept {
   unsigned odd = 0;
+  unsigned met = 0;  // of eight clusters, those whose ball the line meets
   for (int c = 0; c < body.clusters; ++c) {
+    if (c % 8 == 0) {
+      F8 away[3], along = all(0.0F), away2 = all(0.0F);
+      for (int d = 0; d < 3; ++d) {
+        away[d] = load8(body.center[d] + c) - all(point[d]);
+        along += away[d] * ray[d];
+        away2 += away[d] * away[d];
+      }
+      const F8 reach = load8(body.radius + c) + all(1e-4F);  // wide: the next line loses digits
+      const F8 line2 = all(ray[0] * ray[0] + ray[1] * ray[1] + ray[2] * ray[2]);
+      met = bits(away2 * line2 - along * along <= reach * reach * line2);
+    }
+    if ((met >> (c % 8) & 1U) == 0) continue;
     const TriangleCluster& cluster = body.cluster[c];
     for (int first = 0; first < cluster.count; first += 8) {
       F8 p[3][3];
@@ -97,6 +110,17 @@ static bool some_inside(const CollisionBody& inner, const CollisionBody& outer,
   return false;
 }
 
+// Along which of b's axes do the boxes around two clusters lie apart?
+TWINBUS_INLINE I4 boxes_apart(const CollisionBody& a, int ca, const CollisionPose& a_to_b,
+                              const CollisionBody& b, int cb) noexcept {
+  const float* h = a.half[ca];
+  const F4 x = load4f(a_to_b.column[0]) * h[0], y = load4f(a_to_b.column[1]) * h[1],
+           z = load4f(a_to_b.column[2]) * h[2];
+  const F4 half = (x > -x ? x : -x) + (y > -y ? y : -y) + (z > -z ? z : -z);
+  const F4 gap = moved(a_to_b, a.middle[ca]) - load4f(b.middle[cb]);
+  return (gap > -gap ? gap : -gap) > half + load4f(b.half[cb]);
+}
+
 // inside: also when one is inside the other.
 static bool bodies_touch(const CollisionTables& t, int first, int second, bool inside) noexcept {
   const bool swap = t.body[first].clusters > t.body[second].clusters;
@@ -120,18 +144,48 @@ static bool bodies_touch(const CollisionTables& t, int first, int second, bool i
         -(a_to_b.column[i][0] * a_to_b.origin[0] + a_to_b.column[i][1] * a_to_b.origin[1] +
           a_to_b.column[i][2] * a_to_b.origin[2]);
   }
+  CollisionMemory& memory = t.memory[t.pair_of[first * t.bodies + second]];
+  MovedCluster moved_a;
+  if (memory.cluster[0] >= 0) {  // what crossed when last looked at is likely to cross
+    const TriangleCluster& ca = a.cluster[memory.cluster[0]];
+    const TriangleCluster& cb = b.cluster[memory.cluster[1]];
+    const F4 in_b = moved(a_to_b, ca.center), in_a = moved(b_to_a, cb.center);
+    const float center_a[3] = {in_b[0], in_b[1], in_b[2]};
+    const float center_b[3] = {in_a[0], in_a[1], in_a[2]};
+    const F4 gap = in_b - load4f(cb.center);
+    const float reach = ca.radius + cb.radius;
+    bool ready = false;
+    if (gap[0] * gap[0] + gap[1] * gap[1] + gap[2] * gap[2] <= reach * reach) {
+      ++t.work[2];
+      if (clusters_cross(ca, cb, a_to_b, center_a, center_b, moved_a, ready, t.work)) return true;
+    }
+  }
+  float n[4] = {memory.apart[0], memory.apart[1], memory.apart[2], 0.0F};
+  bool apart = memory.cluster[0] < 0 && (n[0] != 0.0F || n[1] != 0.0F || n[2] != 0.0F) &&
+               hulls_apart(a, b, a_to_b, n, 1);
+  if (!apart) {
+    const F4 from = moved(a_to_b, a.sphere);
+    const F4 way = load4f(b.sphere) - from;
+    const float scale =
+        1.0F / __builtin_sqrtf(way[0] * way[0] + way[1] * way[1] + way[2] * way[2] + 1e-12F);
+    for (int k = 0; k < 3; ++k) n[k] = way[k] * scale;
+    apart = hulls_apart(a, b, a_to_b, n, kMostProbes);
+  }
+  if (apart) {
+    for (int k = 0; k < 3; ++k) memory.apart[k] = n[k];
+    memory.cluster[0] = -1;
+    return false;
+  }
   const int stride = t.most_clusters;
   float* of_a = t.kept;
   float* of_b = t.kept + 8 * stride;
   const int count_a = keep(a, a_to_b, b, of_a, stride);
   const int count_b = count_a == 0 ? 0 : keep(b, b_to_a, a, of_b, stride);
-  MovedCluster moved_a;
   for (int i = 0; i < count_a && count_b != 0; ++i) {
     const float in_b[3] = {of_a[i], of_a[stride + i], of_a[2 * stride + i]};
     const float r = of_a[3 * stride + i];
     const int ca = static_cast<int>(of_a[7 * stride + i]);
-    F4 middle{}, half{};
-    bool placed = false, ready = false;
+    bool ready = false;
     for (int j = 0; j < count_b; j += 8) {
       const F8 dx = load8(of_b + 4 * stride + j) - all(in_b[0]);
       const F8 dy = load8(of_b + 5 * stride + j) - all(in_b[1]);
@@ -140,26 +194,20 @@ static bool bodies_touch(const CollisionTables& t, int first, int second, bool i
       for (unsigned m = bits(dx * dx + dy * dy + dz * dz <= reach * reach); m != 0; m &= m - 1) {
         const int k = j + lowest(m);
         const int cb = static_cast<int>(of_b[7 * stride + k]);
-        if (!placed) {
-          placed = true;
-          const float* h = a.half[ca];
-          middle = moved(a_to_b, a.middle[ca]);
-          F4 x = load4f(a_to_b.column[0]) * h[0], y = load4f(a_to_b.column[1]) * h[1],
-             z = load4f(a_to_b.column[2]) * h[2];
-          half = (x > -x ? x : -x) + (y > -y ? y : -y) + (z > -z ? z : -z);
-        }
-        const F4 gap = middle - load4f(b.middle[cb]);
-        const F4 room = half + load4f(b.half[cb]);
-        const F4 far = gap > -gap ? gap : -gap;
-        if (any3(far > room)) continue;
+        if (any3(boxes_apart(a, ca, a_to_b, b, cb)) || any3(boxes_apart(b, cb, b_to_a, a, ca)))
+          continue;
         ++t.work[2];
         const float in_a[3] = {of_b[k], of_b[stride + k], of_b[2 * stride + k]};
         if (clusters_cross(a.cluster[ca], b.cluster[cb], a_to_b, in_b, in_a, moved_a, ready,
-                           t.work))
+                           t.work)) {
+          memory.cluster[0] = ca;
+          memory.cluster[1] = cb;
           return true;
+        }
       }
     }
   }
+  memory.cluster[0] = -1;
   if (!inside) return false;
   const bool a_smaller = a.sphere[3] <= b.sphere[3];
   return a_smaller ? some_inside(a, b, a_to_b) : some_inside(b, a, b_to_a);

@@ -98,7 +98,7 @@ static void move_cluster(const TriangleCluster& c, const CollisionPose& to,
 
 // Do triangles of the two clusters cross?  a_in_b, b_in_a: centres of their spheres in the other's
 // axes.  moved: of a, filled when it is needed first.
-static bool clusters_cross(const TriangleCluster& a, const TriangleCluster& b,
+[[maybe_unused]] static bool clusters_cross(const TriangleCluster& a, const TriangleCluster& b,
                            const CollisionPose& a_to_b, const float* a_in_b, const float* b_in_a,
                            MovedCluster& moved_a, bool& ready, long* work) noexcept {
   const unsigned of_b = near_planes(b, a_in_b, a.radius, 0) | near_planes(b, a_in_b, a.radius, 8);

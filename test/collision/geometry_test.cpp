@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <random>
 
 #include "robot/convex_hull.h"
@@ -119,6 +120,36 @@ TEST(Geometry, AWrongBoundIsNamed) {
 }
 
 TEST(Geometry, NothingHasNoTriangles) { EXPECT_TRUE(link_geometry({}).mesh.triangles.empty()); }
+
+// A plate of many thousand corners, turned and stored as single precision: faces that are nearly flat
+// in every direction leave a tolerance undecided.
+TEST(ConvexHull, OfNearlyFlatMeshesIsClosed) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  for (const double bump : {0.0, 1e-10, 1e-9, 1e-8, 3e-8, 1e-7, 1e-6, 1e-5}) {
+    const Eigen::Quaterniond turn =
+        Eigen::Quaterniond(unit(random), unit(random), unit(random), unit(random)).normalized();
+    std::vector<Eigen::Vector3d> points;
+    for (int i = 0; i < 4000; ++i) {
+      const Eigen::Vector3d p(0.1 * std::round(8.0 * unit(random)), 0.1 * unit(random),
+                              (i % 2 == 0 ? 0.01 : -0.01) + bump * unit(random));
+      points.push_back((turn * p).cast<float>().cast<double>());
+    }
+    const TriangleMesh hull = convex_hull(points);
+    ASSERT_FALSE(hull.triangles.empty()) << bump;
+    std::map<std::pair<int, int>, int> edges;
+    for (const auto& t : hull.triangles) {
+      for (std::size_t k = 0; k < 3; ++k) ++edges[{t[k], t[(k + 1) % 3]}];
+      const Eigen::Vector3d& a = hull.points[at(t[0])];
+      const Eigen::Vector3d n = (hull.points[at(t[1])] - a).cross(hull.points[at(t[2])] - a);
+      for (const Eigen::Vector3d& p : points) EXPECT_LE(n.dot(p - a), 1e-6 * n.norm() + 1e-12);
+    }
+    for (const auto& [edge, count] : edges) {
+      EXPECT_EQ(count, 1);
+      EXPECT_EQ(edges.count({edge.second, edge.first}), 1U);
+    }
+  }
+}
 
 }  // namespace
 }  // namespace twinbus
