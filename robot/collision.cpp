@@ -1,24 +1,16 @@
 #include "robot/collision.h"
 
-#include <fcl/geometry/bvh/BVH_model.h>
-#include <fcl/geometry/shape/convex.h>
-#include <fcl/math/bv/OBBRSS.h>
-#include <fcl/narrowphase/collision.h>
-#include <fcl/narrowphase/distance.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <optional>
-#include <stdexcept>
-#include <variant>
+#include <utility>
 
-#include "robot/coarse_mesh.h"
+#include "robot/collision_body.h"
+#include "robot/collision_fcl.h"
 #include "robot/collision_pairs.h"
-#include "robot/convex_hull.h"
 #include "robot/convex_shape.h"
 #include "robot/gjk.h"
-#include "robot/mesh_file.h"
+#include "robot/mesh_distance.h"
 
 namespace twinbus {
 
@@ -27,8 +19,8 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
-using MeshModel = fcl::BVHModel<fcl::OBBRSSd>;
-using Primitive = std::variant<std::monostate, fcl::Boxd, fcl::Sphered, fcl::Cylinderd>;
+using Body = CollisionShape;
+using Owner = CollisionOwner;
 
 constexpr double kRounding = 1e-9;  // [m]; what a bound may be wrong by
 // GJK has converged when its distance agrees with the lower bound of its own direction to this [m].
@@ -36,127 +28,18 @@ constexpr double kConverged = 1e-6;
 // The distance of hulls stands for that of meshes above this [m].
 constexpr double kHullsApart = 0.02;
 
-struct Body {  // one shape, of a link or an obstacle
-  ConvexShape convex;
-  GjkShape core;  // the same, or the hull of a mesh
-  Isometry3d local =
-      Isometry3d::Identity();  // of the convex shape, in the link frame (obstacle: world)
-  Isometry3d world = Isometry3d::Identity();
-  std::int64_t stamp = -1;  // query that world belongs to
-  Primitive primitive;
-  std::shared_ptr<MeshModel> mesh;     // in the frame of the convex shape
-  std::shared_ptr<fcl::Convexd> hull;  // instead of a mesh of many triangles
-};
-
-struct Owner {    // a link or an obstacle: its shapes and the sphere around them
-  int link = -1;  // -1: obstacle
-  std::vector<Body> bodies;
-  Vector3d center = Vector3d::Zero();  // in the link frame (obstacle: world)
-  double radius = 0.0;
-  Vector3d center_in_world = Vector3d::Zero();
+// Of two shapes at the last look.
+struct ShapeMemory {
+  Vector3d apart = Vector3d::Zero();  // a separating direction, in the frame of the first
+  MeshMemory nearest;
 };
 
 struct OwnerPair {
   int a = 0;
   int b = 0;
-  int first_memory = 0;  // of bodies(a) x bodies(b) remembered directions
+  int first_memory = 0;  // of shapes(a) x shapes(b)
   bool checked = true;
 };
-
-Body make_primitive(ShapeKind kind, const Vector3d& size, const Isometry3d& pose) {
-  Body body;
-  body.convex.kind = kind;
-  body.local = pose;
-  switch (kind) {
-    case ShapeKind::kBox:
-      body.convex.half = 0.5 * size;
-      body.primitive = fcl::Boxd(size.x(), size.y(), size.z());
-      break;
-    case ShapeKind::kSphere:
-      body.convex.half = Vector3d(size.x(), 0.0, 0.0);
-      body.primitive = fcl::Sphered(size.x());
-      break;
-    case ShapeKind::kCylinder:
-      body.convex.half = Vector3d(size.x(), 0.5 * size.y(), 0.0);
-      body.primitive = fcl::Cylinderd(size.x(), size.y());
-      break;
-    case ShapeKind::kMesh:
-      break;
-  }
-  body.core.kind = kind;
-  body.core.half = body.convex.half;
-  return body;
-}
-
-std::shared_ptr<fcl::Convexd> make_convex(const TriangleMesh& hull) {
-  auto corners = std::make_shared<std::vector<Vector3d>>(hull.points);
-  auto faces = std::make_shared<std::vector<int>>();
-  for (const auto& t : hull.triangles) faces->insert(faces->end(), {3, t[0], t[1], t[2]});
-  return std::make_shared<fcl::Convexd>(corners, static_cast<int>(hull.triangles.size()), faces);
-}
-
-// Meshes of many triangles become their hulls.
-Body make_mesh(const Shape& shape) {
-  TriangleMesh mesh = load_mesh(shape.mesh, shape.size);
-  const std::optional<TriangleMesh> hull = coarse_hull(mesh);
-  if (hull) mesh = *hull;
-  Vector3d low = mesh.points.front();
-  Vector3d high = low;
-  for (const Vector3d& point : mesh.points) {
-    low = low.cwiseMin(point);
-    high = high.cwiseMax(point);
-  }
-  const Vector3d middle = 0.5 * (low + high);
-  Body body;
-  body.convex = {ShapeKind::kMesh, 0.5 * (high - low)};
-  body.local = shape.pose * Eigen::Translation3d(middle);
-  for (Vector3d& point : mesh.points) point -= middle;
-  if (hull) {
-    body.hull = make_convex(mesh);
-    body.core = gjk_hull(mesh.points);
-    return body;
-  }
-  body.mesh = std::make_shared<MeshModel>();
-  body.mesh->beginModel(static_cast<int>(mesh.triangles.size()),
-                        static_cast<int>(3 * mesh.triangles.size()));
-  const auto corner = [&](int k) { return mesh.points[static_cast<std::size_t>(k)]; };
-  for (const auto& t : mesh.triangles)
-    body.mesh->addTriangle(corner(t[0]), corner(t[1]), corner(t[2]));
-  body.mesh->endModel();
-  body.mesh->computeLocalAABB();
-  body.core = gjk_hull(convex_hull(mesh.points).points);
-  return body;
-}
-
-Body make_body(const Shape& shape) {
-  return shape.kind == ShapeKind::kMesh ? make_mesh(shape)
-                                        : make_primitive(shape.kind, shape.size, shape.pose);
-}
-
-void enclose(Owner& owner) {
-  Vector3d low = Vector3d::Constant(1e300);
-  Vector3d high = -low;
-  for (const Body& body : owner.bodies) {
-    for (int k = 0; k < 3; ++k) {
-      const double reach = body.convex.extent(body.local.linear().row(k).transpose());
-      low[k] = std::min(low[k], body.local.translation()[k] - reach);
-      high[k] = std::max(high[k], body.local.translation()[k] + reach);
-    }
-  }
-  owner.center = 0.5 * (low + high);
-  for (const Body& body : owner.bodies) {
-    owner.radius = std::max(
-        owner.radius, (body.local.translation() - owner.center).norm() + body.convex.radius());
-  }
-}
-
-const fcl::CollisionGeometryd& geometry(const Body& body) {
-  if (body.mesh) return *body.mesh;
-  if (body.hull) return *body.hull;
-  if (const auto* box = std::get_if<fcl::Boxd>(&body.primitive)) return *box;
-  if (const auto* sphere = std::get_if<fcl::Sphered>(&body.primitive)) return *sphere;
-  return std::get<fcl::Cylinderd>(body.primitive);
-}
 
 }  // namespace
 
@@ -166,8 +49,10 @@ struct Collision::Impl {
   std::vector<int> owner_of;  // [link_count + kMaxObstacles] -> owner, -1
   std::vector<double> link_radius;
   std::vector<OwnerPair> pairs;  // self pairs, then link x obstacle
-  std::vector<Vector3d> memory;  // separating directions, in the frame of the first body
-  std::vector<int> candidates;   // scratch of one query
+  std::vector<ShapeMemory> memory;
+  std::vector<int> memory_of;  // [owners x owners]: first_memory, -1 when they are no pair
+  MeshDistance meshes;
+  std::vector<int> candidates;  // scratch of one query
   std::vector<int> only_joints;
   const Model* model = nullptr;
   int link_count = 0;
@@ -189,10 +74,11 @@ struct Collision::Impl {
   bool spheres_nearer_than(const OwnerPair& pair, double near) noexcept;
   bool nearer(const Kinematics& kinematics, const OwnerPair& pair, double near,
               PairDistance& result) noexcept;
-  bool bodies_nearer(Body& a, Body& b, Vector3d& remembered, double near,
+  bool shapes_nearer(Body& a, Body& b, ShapeMemory& remembered, double near,
                      PairDistance& result) noexcept;
   bool own_distance(const Body& a, const Body& b, double near, PairDistance& result) noexcept;
-  void mesh_distance(Body& a, Body& b, double near, PairDistance& result);
+  bool mesh_distance(const Body& a, const Body& b, double near, double at_least, MeshMemory& memory,
+                     PairDistance& result) noexcept;
 };
 
 Collision::Impl::Impl(const Model& robot)
@@ -204,8 +90,10 @@ Collision::Impl::Impl(const Model& robot)
     if (robot.links[index].collision.empty()) continue;
     Owner owner;
     owner.link = link;
-    for (const Shape& shape : robot.links[index].collision)
-      owner.bodies.push_back(make_body(shape));
+    for (const Shape& shape : robot.links[index].collision) {
+      owner.shapes.push_back(collision_shape(shape));
+      if (owner.shapes.back().mesh) meshes.reserve(*owner.shapes.back().mesh);
+    }
     enclose(owner);
     owner_of[index] = static_cast<int>(owners.size());
     link_radius[index] = owner.center.norm() + owner.radius;
@@ -216,15 +104,18 @@ Collision::Impl::Impl(const Model& robot)
 }
 
 OwnerPair Collision::Impl::make_pair(int a, int b) {
-  const auto bodies = owner(a).bodies.size() * owner(b).bodies.size();
+  const auto bodies = owner(a).shapes.size() * owner(b).shapes.size();
   const OwnerPair pair{a, b, static_cast<int>(memory.size()), true};
-  memory.resize(memory.size() + bodies, Vector3d::Zero());
+  memory_of[static_cast<std::size_t>(a) * owners.size() + static_cast<std::size_t>(b)] =
+      pair.first_memory;
+  memory.resize(memory.size() + bodies);
   return pair;
 }
 
 void Collision::Impl::build_pairs() {
   pairs.clear();
   memory.clear();
+  memory_of.assign(owners.size() * owners.size(), -1);
   last_hit = 0;
   for (const CollisionPair& pair : self_pairs) {
     pairs.push_back(make_pair(owner_of[static_cast<std::size_t>(pair.link_a)],
@@ -280,47 +171,47 @@ bool Collision::Impl::own_distance(const Body& a, const Body& b, double near,
   return true;
 }
 
-void Collision::Impl::mesh_distance(Body& a, Body& b, double near, PairDistance& result) {
-  fcl::CollisionRequestd touch_request;
-  touch_request.gjk_solver_type = fcl::GST_INDEP;
-  fcl::CollisionResultd touch;
-  if (fcl::collide(&geometry(a), a.world, &geometry(b), b.world, touch_request, touch) > 0) {
-    result.distance = 0.0;
-    return;
+// Distance and points where at least one is a mesh; false when they are farther apart than near.
+bool Collision::Impl::mesh_distance(const Body& a, const Body& b, double near, double at_least,
+                                    MeshMemory& nearest, PairDistance& result) noexcept {
+  MeshGap gap;
+  const double below = near + kRounding;
+  if (a.mesh && b.mesh) {
+    if (!meshes.between(*a.mesh, a.world, *b.mesh, b.world, below, at_least, nearest, gap))
+      return false;
+  } else if (a.mesh) {
+    if (!meshes.between(*a.mesh, a.world, b.core, b.world, below, nearest, gap)) return false;
+  } else {
+    if (!meshes.between(*b.mesh, b.world, a.core, a.world, below, nearest, gap)) return false;
+    std::swap(gap.point_a, gap.point_b);
   }
-  fcl::DistanceRequestd request(true);
-  request.gjk_solver_type = fcl::GST_INDEP;
-  fcl::DistanceResultd found;
-  found.min_distance = near + kRounding;
-  fcl::distance(&geometry(a), a.world, &geometry(b), b.world, request, found);
-  if (!(found.min_distance <= near)) return;
-  result.distance = found.min_distance;
-  result.point_a = found.nearest_points[0];
-  result.point_b = found.nearest_points[1];
+  result.distance = gap.distance;
+  result.point_a = gap.point_a;
+  result.point_b = gap.point_b;
+  return true;
 }
 
 // result.distance, when lower than before, is the signed distance; true when it was improved.
-bool Collision::Impl::bodies_nearer(Body& a, Body& b, Vector3d& remembered, double near,
+bool Collision::Impl::shapes_nearer(Body& a, Body& b, ShapeMemory& remembered, double near,
                                     PairDistance& result) noexcept {
   const PlacedShape shape_a{&a.convex, &a.world};
   const PlacedShape shape_b{&b.convex, &b.world};
   const Vector3d between = b.world.translation() - a.world.translation();
   const double reach = a.convex.radius() + b.convex.radius() + near;
   if (!(reach > 0.0) || between.squaredNorm() > reach * reach) return false;
-  if (separation(shape_a, shape_b, a.world.linear() * remembered) > near + kRounding) return false;
+  if (separation(shape_a, shape_b, a.world.linear() * remembered.apart) > near + kRounding)
+    return false;
   if (separation(shape_a, shape_b, between.normalized()) > near + kRounding) return false;
 
   PairDistance found;
   found.distance = near + 1.0;
   const bool mesh = a.mesh || b.mesh;
   if (!own_distance(a, b, near, found)) return false;
-  if (found.distance > kConverged) remembered = a.world.linear().transpose() * found.normal;
+  if (found.distance > kConverged) remembered.apart = a.world.linear().transpose() * found.normal;
   const bool exact = mesh && !(found.distance > kHullsApart);
-  if (exact) {
-    found.distance = near + 1.0;
-    mesh_distance(a, b, near, found);
-    if (!(found.distance <= near)) return false;
-  }
+  if (exact && !mesh_distance(a, b, near, std::max(found.distance - kConverged, 0.0),
+                              remembered.nearest, found))
+    return false;
   if (!(found.distance > kConverged)) {  // touching: the shortest way out
     found.normal = way_out(shape_a, shape_b);
     const double out = separation(shape_a, shape_b, found.normal);
@@ -346,13 +237,13 @@ bool Collision::Impl::nearer(const Kinematics& kinematics, const OwnerPair& pair
   result.distance = near + 1.0;
   auto memory_index = static_cast<std::size_t>(pair.first_memory);
   bool found = false;
-  for (Body& body_a : a.bodies) {
+  for (Body& body_a : a.shapes) {
     placed(kinematics, a, body_a);
-    for (Body& body_b : b.bodies) {
+    for (Body& body_b : b.shapes) {
       placed(kinematics, b, body_b);
       // Only what is nearer than the nearest so far matters.
       const double reach = std::min(near, result.distance);
-      found = bodies_nearer(body_a, body_b, memory[memory_index++], reach, result) || found;
+      found = shapes_nearer(body_a, body_b, memory[memory_index++], reach, result) || found;
     }
   }
   return found;
@@ -387,7 +278,11 @@ void Collision::set_obstacles(const std::vector<Obstacle>& obstacles) {
                            : obstacle.shape == ObstacleShape::kSphere ? ShapeKind::kSphere
                                                                       : ShapeKind::kCylinder;
     Owner owner;
-    owner.bodies.push_back(make_primitive(kind, obstacle.size, obstacle.pose));
+    Shape shape;
+    shape.kind = kind;
+    shape.size = obstacle.size;
+    shape.pose = obstacle.pose;
+    owner.shapes.push_back(collision_shape(shape));
     enclose(owner);
     i.owner_of[static_cast<std::size_t>(i.link_count + kept++)] = static_cast<int>(i.owners.size());
     i.owners.push_back(std::move(owner));
@@ -460,13 +355,16 @@ bool Collision::pair_nearer_than(const Kinematics& kinematics, int link_a, int l
   result.link_b = link_b;
   result.distance = near + 1.0;
   bool found = false;
-  for (Body& body_a : i.owner(a).bodies) {
+  int index =
+      i.memory_of[static_cast<std::size_t>(a) * i.owners.size() + static_cast<std::size_t>(b)];
+  for (Body& body_a : i.owner(a).shapes) {
     i.placed(kinematics, i.owner(a), body_a);
-    for (Body& body_b : i.owner(b).bodies) {
+    for (Body& body_b : i.owner(b).shapes) {
       i.placed(kinematics, i.owner(b), body_b);
-      Vector3d nothing = Vector3d::Zero();
+      ShapeMemory nothing;
+      ShapeMemory& known = index < 0 ? nothing : i.memory[static_cast<std::size_t>(index++)];
       const double reach = std::min(near, result.distance);
-      found = i.bodies_nearer(body_a, body_b, nothing, reach, result) || found;
+      found = i.shapes_nearer(body_a, body_b, known, reach, result) || found;
     }
   }
   return found;
@@ -477,15 +375,11 @@ bool Collision::touches_by_fcl(const Kinematics& kinematics, const CollisionPair
   ++i.query;
   Owner& a = i.owner(i.owner_of[static_cast<std::size_t>(pair.link_a)]);
   Owner& b = i.owner(i.owner_of[static_cast<std::size_t>(pair.link_b)]);
-  for (Body& body_a : a.bodies) {
-    for (Body& body_b : b.bodies) {
-      fcl::CollisionRequestd request;
-      request.gjk_solver_type = fcl::GST_LIBCCD;
-      fcl::CollisionResultd result;  // collide() appends: a fresh one each time
-      if (fcl::collide(&geometry(body_a), i.placed(kinematics, a, body_a), &geometry(body_b),
-                       i.placed(kinematics, b, body_b), request, result) > 0) {
+  for (Body& body_a : a.shapes) {
+    for (Body& body_b : b.shapes) {
+      if (fcl_touches(*body_a.fcl, i.placed(kinematics, a, body_a), *body_b.fcl,
+                      i.placed(kinematics, b, body_b)))
         return true;
-      }
     }
   }
   return false;

@@ -11,6 +11,7 @@
 #include "robot/index.h"
 #include "robot/shape_mesh.h"
 #include "robot/sphere_cover.h"
+#include "robot/triangle_clusters.h"
 
 namespace twinbus {
 
@@ -92,6 +93,14 @@ void split(const TriangleMesh& mesh, int* first, int count, std::vector<Triangle
 
 }  // namespace
 
+std::vector<TriangleCluster> triangle_clusters(const TriangleMesh& mesh) {
+  std::vector<int> order(mesh.triangles.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::vector<TriangleCluster> clusters;
+  split(mesh, order.data(), static_cast<int>(order.size()), clusters);
+  return clusters;
+}
+
 LinkGeometry link_geometry(const std::vector<Shape>& shapes, const GeometryOptions& options) {
   LinkGeometry g;
   g.low = g.high = Vector3d::Zero();
@@ -128,9 +137,7 @@ LinkGeometry link_geometry(const std::vector<Shape>& shapes, const GeometryOptio
         std::clamp((p - g.capsule.a).dot(along) / std::max(along.squaredNorm(), 1e-30), 0.0, 1.0);
     return (p - g.capsule.a - t * along).norm();
   });
-  std::vector<int> order(g.mesh.triangles.size());
-  std::iota(order.begin(), order.end(), 0);
-  split(g.mesh, order.data(), static_cast<int>(order.size()), g.clusters);
+  g.clusters = triangle_clusters(g.mesh);
   if (options.balls)
     g.balls = cover_with_balls(g.mesh, g.hull, options.ball_excess, options.most_balls);
   verify(g);

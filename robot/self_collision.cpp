@@ -20,6 +20,7 @@ namespace baseline_lanes {
 #include "robot/self_collision_far.h"
 #include "robot/self_collision_triangles.h"
 #include "robot/self_collision_hulls.h"
+#include "robot/self_collision_inside.h"
 #include "robot/self_collision_near.h"
 }  // namespace baseline_lanes
 #undef TWINBUS_WIDE
@@ -32,6 +33,7 @@ namespace avx2_lanes {
 #include "robot/self_collision_far.h"
 #include "robot/self_collision_triangles.h"
 #include "robot/self_collision_hulls.h"
+#include "robot/self_collision_inside.h"
 #include "robot/self_collision_near.h"
 }  // namespace avx2_lanes
 #pragma GCC target("avx512f,avx512vl,avx512dq")
@@ -40,6 +42,7 @@ namespace avx512_lanes {
 #include "robot/self_collision_far.h"
 #include "robot/self_collision_triangles.h"
 #include "robot/self_collision_hulls.h"
+#include "robot/self_collision_inside.h"
 #include "robot/self_collision_near.h"
 }  // namespace avx512_lanes
 #pragma GCC pop_options

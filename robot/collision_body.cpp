@@ -1,0 +1,89 @@
+#include "robot/collision_body.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "robot/coarse_mesh.h"
+#include "robot/collision_fcl.h"
+#include "robot/convex_hull.h"
+#include "robot/mesh_file.h"
+
+namespace twinbus {
+
+namespace {
+
+using Eigen::Vector3d;
+
+CollisionShape primitive(const Shape& shape) {
+  CollisionShape result;
+  result.convex.kind = shape.kind;
+  result.local = shape.pose;
+  const Vector3d& size = shape.size;
+  switch (shape.kind) {
+    case ShapeKind::kBox:
+      result.convex.half = 0.5 * size;
+      break;
+    case ShapeKind::kSphere:
+      result.convex.half = Vector3d(size.x(), 0.0, 0.0);
+      break;
+    case ShapeKind::kCylinder:
+      result.convex.half = Vector3d(size.x(), 0.5 * size.y(), 0.0);
+      break;
+    case ShapeKind::kMesh:
+      break;
+  }
+  result.core.kind = shape.kind;
+  result.core.half = result.convex.half;
+  result.fcl = fcl_primitive(shape.kind, size);
+  return result;
+}
+
+CollisionShape of_mesh(const Shape& shape) {
+  TriangleMesh mesh = load_mesh(shape.mesh, shape.size);
+  const std::optional<TriangleMesh> hull = coarse_hull(mesh);
+  if (hull) mesh = *hull;
+  Vector3d low = mesh.points.front();
+  Vector3d high = low;
+  for (const Vector3d& point : mesh.points) {
+    low = low.cwiseMin(point);
+    high = high.cwiseMax(point);
+  }
+  const Vector3d middle = 0.5 * (low + high);
+  CollisionShape result;
+  result.convex = {ShapeKind::kMesh, 0.5 * (high - low)};
+  result.local = shape.pose * Eigen::Translation3d(middle);
+  for (Vector3d& point : mesh.points) point -= middle;
+  result.fcl = hull ? fcl_hull(mesh) : fcl_mesh(mesh);
+  if (hull) {
+    result.core = gjk_hull(mesh.points);
+  } else {
+    result.core = gjk_hull(convex_hull(mesh.points).points);
+    result.mesh = std::make_shared<ClusteredMesh>(mesh);
+  }
+  return result;
+}
+
+}  // namespace
+
+CollisionShape collision_shape(const Shape& shape) {
+  return shape.kind == ShapeKind::kMesh ? of_mesh(shape) : primitive(shape);
+}
+
+void enclose(CollisionOwner& owner) {
+  Vector3d low = Vector3d::Constant(1e300);
+  Vector3d high = -low;
+  for (const CollisionShape& shape : owner.shapes) {
+    for (int k = 0; k < 3; ++k) {
+      const double reach = shape.convex.extent(shape.local.linear().row(k).transpose());
+      low[k] = std::min(low[k], shape.local.translation()[k] - reach);
+      high[k] = std::max(high[k], shape.local.translation()[k] + reach);
+    }
+  }
+  owner.center = 0.5 * (low + high);
+  for (const CollisionShape& shape : owner.shapes) {
+    owner.radius = std::max(
+        owner.radius, (shape.local.translation() - owner.center).norm() + shape.convex.radius());
+  }
+}
+
+}  // namespace twinbus
