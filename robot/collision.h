@@ -2,8 +2,8 @@
 //
 // Bounding spheres first, then a separating direction remembered from the last query (a lower
 // bound, so what is remembered never changes an answer), then the distance of convex shapes
-// (gjk.h), which is the hull's for a mesh.  Only meshes whose hulls are nearer than 20 mm reach
-// FCL, which is asked for their exact distance.  Queries on boxes, spheres and cylinders allocate nothing; meshes do.  FCL asserts on
+// (gjk.h), which is the hull's for a mesh.  Meshes whose hulls are nearer than 20 mm are measured
+// triangle by triangle (mesh_distance.h).  No query allocates, except touches_by_fcl.  FCL asserts on
 // NaN: callers pass finite configurations (convert has checked them).
 
 #pragma once
