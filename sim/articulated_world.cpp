@@ -36,7 +36,7 @@ ArticulatedWorld::ArticulatedWorld(const Model& model, const WorldConfig& config
       rows_(model.joints.size()),
       configuration_(model),
       start_(model),
-      coarse_(model),
+      coarse_{Configuration(model), Configuration(model)},
       next_(model) {
   for (const Joint& joint : model.joints) joints_.emplace_back(joint, config);
   contacts_.reserve(at(loose_.most_contacts()));
@@ -74,6 +74,7 @@ Status ArticulatedWorld::set(const Configuration& to, const Eigen::VectorXd* tau
   }
   pushes_.clear();
   flight_.interrupt();
+  part_ = kEventParts;
   frozen_ = false;
   return Status::kOk;
 }
@@ -124,7 +125,7 @@ Status ArticulatedWorld::step() noexcept {
   if (fly()) return Status::kOk;
   start_ = configuration_;
   loose_.save();
-  if (!(config_.order == 2 ? advance_twice() : advance(config_.step))) {
+  if (!(config_.order > 1 ? advance_in_parts() : advance(config_.step))) {
     configuration_ = start_;
     body_.place(configuration_);
     loose_.restore();
@@ -179,42 +180,6 @@ bool ArticulatedWorld::advance(double h) noexcept {
   configuration_ = next_;
   ground_.remember(contacts_, h);
   place_after(before_, h, 0.0);
-  return true;
-}
-
-bool ArticulatedWorld::advance_twice() noexcept {
-  const double h = config_.step;
-  ground_.save();
-  for (JointLaw& joint : joints_) joint.save();
-  bool smooth = advance(h);
-  const Momentum momentum = before_;  // if nothing touched
-  const bool airborne = airborne_;
-  coarse_ = configuration_;
-  loose_.keep_coarse();
-  const std::uint64_t expected = pattern();
-  configuration_ = start_;
-  body_.place(configuration_);
-  ground_.restore();
-  loose_.restore();
-  for (JointLaw& joint : joints_) joint.restore();
-  for (int half = 0; half < 2; ++half) {
-    if (!advance(0.5 * h)) return false;
-    smooth = smooth && pattern() == expected;
-  }
-  if (!smooth) {
-    ++events_;
-    return true;
-  }
-  next_ = configuration_;
-  extrapolate(coarse_, configuration_);
-  loose_.extrapolate();
-  if (check_configuration(joints_.size(), configuration_) != Status::kOk) {
-    configuration_ = next_;
-    ++events_;
-    return true;
-  }
-  airborne_ = airborne_ && airborne && !touched(false);
-  place_after(momentum, h, 0.5);
   return true;
 }
 

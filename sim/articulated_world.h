@@ -9,15 +9,17 @@
 // A pass of the solve is exact for the pieces of the joint laws it assumes; a step whose result
 // lies on other pieces (a servo reaches its limit, a joint its stop) takes another pass.
 
-// Order 2 (config.order) is one such step and two half ones from the same start, y = 2 fine - coarse
-// (Richardson); where the two disagree on what touches, slips or is limited, an event lies within
-// the step and the fine pair is kept.
+// Order 2 or 3 (config.order): such a step, two half ones and three thirds from the same start are
+// extrapolated (sim/extrapolate.h).  Where they disagree on what touches, slips or is limited, or
+// something comes to touch or to part, an event lies within: the step is taken in parts, down to a
+// sixteenth, of which the one with the event is left at order 1.
 //
 // With config.flight an explicit method of high order (sim/flight.h) takes the steps in which
 // nothing can touch and no servo is too stiff for it.
 
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -67,7 +69,7 @@ class ArticulatedWorld final : public World {
   long joint_passes() const noexcept { return joint_passes_; }  // beyond the first of each step
   // Steps that ended with a joint on a wrong piece of its law.
   long unsettled() const noexcept { return unsettled_; }
-  // Steps of order 2 in which the fine pair was kept.
+  // Parts of steps of order 2 or 3 that were left at order 1.
   long events() const noexcept { return events_; }
   // Steps that an explicit method took.
   long flown() const noexcept { return flown_; }
@@ -80,7 +82,12 @@ class ArticulatedWorld final : public World {
 
   bool fly() noexcept;
   bool advance(double h) noexcept;
-  bool advance_twice() noexcept;
+  static constexpr int kEventParts = 16;  // of a step, at most
+  enum class Outcome { kTaken, kEvent, kFailed };
+  bool advance_in_parts() noexcept;
+  Outcome extrapolated(double h, bool may_reject) noexcept;
+  bool crosses() const noexcept;
+  void go_back() noexcept;
   bool solve_step(double h) noexcept;
   void place_after(Momentum momentum, double h, double before) noexcept;
   bool touched(bool fixed) const noexcept;
@@ -101,7 +108,10 @@ class ArticulatedWorld final : public World {
   std::vector<Contact> contacts_;
   std::vector<ContactPoint> reported_;
   std::vector<Push> pushes_;
-  Configuration configuration_, start_, coarse_, next_;
+  Configuration configuration_, start_;
+  std::array<Configuration, 2> coarse_;
+  Configuration next_;
+  int part_ = kEventParts;  // of kEventParts: what is taken of a step at once
   long joint_passes_ = 0;
   long unsettled_ = 0;
   long events_ = 0;

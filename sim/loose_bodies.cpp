@@ -5,6 +5,7 @@
 
 #include "robot/dynamics.h"
 #include "robot/index.h"
+#include "sim/extrapolate.h"
 #include "sim/free_turn.h"
 #include "sim/ground_contacts.h"
 
@@ -28,17 +29,6 @@ Model model_of(const LooseBody& body) {
 
 }  // namespace
 
-void extrapolate(const Configuration& coarse, Configuration& y) noexcept {
-  y.q += y.q - coarse.q;
-  y.qd += y.qd - coarse.qd;
-  y.base.translation() += y.base.translation() - coarse.base.translation();
-  y.base_velocity += y.base_velocity - coarse.base_velocity;
-  y.base_angular_velocity += y.base_angular_velocity - coarse.base_angular_velocity;
-  const Eigen::Matrix3d beyond = y.base.linear() * coarse.base.linear().transpose();
-  const Eigen::Quaterniond attitude(Eigen::Matrix3d(beyond * y.base.linear()));
-  y.base.linear() = attitude.normalized().toRotationMatrix();
-}
-
 LooseBodies::LooseBodies(const Model& model, const WorldConfig& config, ArticulatedBody& robot)
     : systems_{&robot}, contacts_(model, config) {
   articulated_.reserve(config.loose.size());
@@ -47,7 +37,8 @@ LooseBodies::LooseBodies(const Model& model, const WorldConfig& config, Articula
     articulated_.emplace_back(own, false, 1.0);
     systems_.push_back(&articulated_.back());
     Body& added = bodies_.emplace_back();
-    added.now = added.start = added.coarse = Configuration(own);
+    added.now = added.start = Configuration(own);
+    added.coarse = {added.now, added.now};
     added.inertia = own.links[0].inertia.diagonal();
     set(count() - 1, body.start);
   }
@@ -161,15 +152,15 @@ void LooseBodies::restore() noexcept {
   }
 }
 
-void LooseBodies::keep_coarse() noexcept {
-  for (Body& body : bodies_) body.coarse = body.now;
+void LooseBodies::keep_coarse(int which) noexcept {
+  for (Body& body : bodies_) body.coarse[at(which)] = body.now;
 }
 
 // What has touched nothing is better as it is.
-void LooseBodies::extrapolate() noexcept {
+void LooseBodies::extrapolate(int order) noexcept {
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     if (!bodies_[i].ever) continue;
-    twinbus::extrapolate(bodies_[i].coarse, bodies_[i].now);
+    twinbus::extrapolate(order, bodies_[i].coarse, bodies_[i].now);
     place(i);
   }
 }

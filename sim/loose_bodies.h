@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "robot/kinematics.h"
@@ -15,9 +16,6 @@
 #include "sim/world.h"
 
 namespace twinbus {
-
-// y += y - coarse, the attitude too.
-void extrapolate(const Configuration& coarse, Configuration& y) noexcept;
 
 class LooseBodies {
  public:
@@ -43,15 +41,16 @@ class LooseBodies {
   // After the solve, before the robot is placed anew.  False: no sane result.
   bool advance(const std::vector<Contact>& contacts, double h) noexcept;
 
-  // For order 2: the state as it is; back to it; what a coarse step came to; away from that.
+  // For higher orders: the state as it is; back to it; what coarser steps came to; their limit.
   void save() noexcept;
   void restore() noexcept;
-  void keep_coarse() noexcept;
-  void extrapolate() noexcept;
+  void keep_coarse(int which) noexcept;
+  void extrapolate(int order) noexcept;
 
  private:
   struct Body {
-    Configuration now, start, coarse;
+    Configuration now, start;
+    std::array<Configuration, 2> coarse;
     Eigen::Vector3d inertia;  // principal, the body's axes [kg m^2]
     bool touched = false;     // in the last step
     bool ever = false;        // since save()

@@ -27,8 +27,9 @@ void sensor(SimSettings& s, double value, double) {
 constexpr double kDelayMs = 60.0;
 
 const Entry kEntries[] = {
-    {"solver.order", 1.0, 2.0, "of accuracy; 2 (engine articulated) takes three solves a step",
-     [](SimSettings& s, double v, double) { s.world.order = v < 1.5 ? 1 : 2; }},
+    {"solver.order", 1.0, 3.0,
+     "of accuracy; 2 and 3 (engine articulated) take 3 and 6 solves a step",
+     [](SimSettings& s, double v, double) { s.world.order = static_cast<int>(std::lround(v)); }},
     {"solver.flight", 0.0, 3.0,
      "what touches nothing moves by 1: Adams-Bashforth 4, 2: Runge-Kutta 4, 3: Fehlberg 8; 0: like "
      "all else",

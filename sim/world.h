@@ -58,7 +58,7 @@ struct LooseBody {
 struct WorldConfig {
   Engine engine = Engine::kArticulated;
   double step = 0.002;  // [s]
-  int order = 1;        // of accuracy in the step; 2: engine articulated only, three solves
+  int order = 1;        // of accuracy in the step; 2, 3: engine articulated only, 3, 6 solves
   Flight flight = Flight::kImplicit;
   bool fixed_base = false;
   double mass_scale = 1.0;                        // of every link, inertia too

@@ -97,15 +97,15 @@ def stand(lab, rounds):
 
 
 def push(lab, _rounds):
-    finest = lab.articulated2.run("push", 5e-5, 1)
+    finest = lab.articulated3.run("push", 1e-4, 1)
     coarse = (2e-2, 1e-2, 5e-3, 2e-3, 1e-3, 5e-4)
     ours = []
-    for engine in (lab.articulated, lab.articulated2):
+    for engine in (lab.articulated, lab.articulated2, lab.articulated3):
         points = curve(engine, "push", coarse, finest)
         ours += [(e, c) for _, e, c in points]
         print(f"{'push':12s} {engine.label}: " + ", ".join(f"{1e3 * h:g} ms {1e3 * e:.3f} mm {c:.2f} ms/s" for h, e, c in points))
-        if engine is lab.articulated2:
-            at_most("push", "push at 2 ms, order 2, error [mm]", 0.02, 1e3 * next(e for h, e, _ in points if h == 2e-3), unit="mm")
+        if engine is not lab.articulated:
+            at_most("push", f"push at 2 ms, {engine.label}, error [mm]", 0.02, 1e3 * next(e for h, e, _ in points if h == 2e-3), unit="mm")
     peers = [(lab.ode, (2e-2, 1e-2, 5e-3, 2e-3, 1e-3), 2e-4, {1e-3: 110})]
     if lab.packaged():
         peers.append((lab.mujoco(lab.packaged(), "implicit"), (2e-3, 1e-3, 5e-4, 2e-4, 1e-4), 2e-5, {1e-3: 100}))
@@ -138,7 +138,7 @@ def stability(lab, _rounds):
 
 
 def convergence(lab, _rounds):
-    finest = lab.articulated2.run("push", 2.5e-5, 1)
+    finest = lab.articulated3.run("push", 1e-4, 1)
     steps = (2e-3, 1e-3, 5e-4, 2e-4, 1e-4, 5e-5)
     runs = [(h, lab.articulated.run("push", h, 1)) for h in steps]
     at_least("convergence", "order of order 1, push, 2 to 0.05 ms", 0.95, slope([(h, error(r, finest)) for h, r in runs]), unit="")

@@ -29,7 +29,7 @@ ABOUT = {
 def contenders(lab, chart):
     """(engine, steps, step of its own reference or None for the common one)"""
     smooth = chart in ("flight", "arm")
-    both = [lab.articulated, lab.articulated2] + (lab.flight if smooth else [])
+    both = [lab.articulated, lab.articulated2, lab.articulated3] + (lab.flight if smooth else [])
     for engine in both:
         yield engine, STEPS[:6] if smooth else STEPS[:7], None
     yield lab.ode, STEPS[:4] if not smooth else STEPS[:5], None if smooth else {"slide": 1e-4}.get(chart, 5e-4)

@@ -8,7 +8,7 @@
 //     physics_cases effort METHOD H                    worst excess over limits and stops, thrown
 //     physics_cases hash  SCENE METHOD H               of the whole trajectory
 //
-// METHOD: articulated, articulated2 (order 2), ode, or articulated-ab4, -rk4, -rkf78 in flight.
+// METHOD: articulated, articulated2 and articulated3 (orders 2, 3), ode, or articulated-ab4, -rk4, -rkf78 in flight.
 
 #include <time.h>
 
@@ -49,6 +49,8 @@ WorldConfig config_of(const PhysicsScene& scene, const std::string& method, doub
     config.engine = Engine::kOde;
   } else if (method == "articulated2") {
     config.order = 2;
+  } else if (method == "articulated3") {
+    config.order = 3;
   } else if (method == "articulated-ab4") {
     config.flight = Flight::kAb4;
   } else if (method == "articulated-rk4") {
@@ -138,6 +140,8 @@ void brick(const std::string& method, double h, double stiffness, double degrees
   const double weight = scene.model.total_mass() * kGravity;
   scene.start.base.translation().z() = -weight / (8.0 * stiffness);
   const Eigen::AngleAxisd turn(degrees * M_PI / 180.0, Eigen::Vector3d::UnitZ());
+  // The brick is turned with its way: it pitches on its springs, and along a diagonal less so.
+  scene.start.base.linear() = turn.toRotationMatrix();
   scene.start.base_velocity = turn * Eigen::Vector3d(1.0, 0.0, 0.0);
   const auto world = make_world(scene.model, config);
   begin(*world, scene);

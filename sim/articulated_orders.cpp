@@ -1,0 +1,97 @@
+// Orders 2 and 3 of ArticulatedWorld: steps of order 1 extrapolated, in parts where an event lies.
+
+#include <algorithm>
+
+#include "sim/articulated_world.h"
+#include "sim/extrapolate.h"
+
+namespace twinbus {
+
+// Where an event lies within a step, the step is taken in ever smaller parts, which grow again from
+// step to step: what follows on a landing is over sooner than a step is.
+bool ArticulatedWorld::advance_in_parts() noexcept {
+  part_ = std::min(2 * part_, kEventParts);
+  for (int done = 0; done < kEventParts;) {
+    const double h = config_.step * part_ / kEventParts;
+    switch (extrapolated(h, part_ > 1)) {
+      case Outcome::kFailed:
+        return false;
+      case Outcome::kEvent:
+        part_ /= 2;
+        break;
+      case Outcome::kTaken:
+        done += part_;
+        break;
+    }
+  }
+  return true;
+}
+
+// One step, two halves, at order 3 three thirds of it from the same start.  may_reject: an event
+// leaves everything as it was.
+ArticulatedWorld::Outcome ArticulatedWorld::extrapolated(double h, bool may_reject) noexcept {
+  start_ = configuration_;
+  loose_.save();
+  ground_.save();
+  for (JointLaw& joint : joints_) joint.save();
+  Momentum momentum;  // if nothing touches
+  bool smooth = true, airborne = true;
+  std::uint64_t expected = 0;
+  for (int parts = 1; parts <= config_.order; ++parts) {
+    if (parts > 1) go_back();
+    for (int i = 0; i < parts; ++i) {
+      if (!advance(h / parts)) {
+        if (parts == config_.order) return Outcome::kFailed;
+        smooth = false;
+      }
+      if (parts == 1) {
+        expected = pattern();
+        momentum = before_;
+      }
+      airborne = airborne && airborne_ && !touched(false);
+      smooth = smooth && pattern() == expected && !crosses();
+      if (smooth) continue;
+      if (may_reject) {
+        go_back();
+        return Outcome::kEvent;
+      }
+      if (parts < config_.order) break;
+    }
+    if (parts < config_.order) {
+      coarse_[at(parts - 1)] = configuration_;
+      loose_.keep_coarse(parts - 1);
+    }
+  }
+  if (smooth) {
+    next_ = configuration_;
+    extrapolate(config_.order, coarse_, configuration_);
+    smooth = check_configuration(joints_.size(), configuration_) == Status::kOk;
+    if (!smooth) configuration_ = next_;
+  }
+  if (!smooth) {
+    ++events_;
+    return Outcome::kTaken;
+  }
+  loose_.extrapolate(config_.order);
+  airborne_ = airborne;
+  place_after(momentum, h, 0.5);
+  return Outcome::kTaken;
+}
+
+// Something came to touch or to part within the last solve.
+bool ArticulatedWorld::crosses() const noexcept {
+  return std::any_of(contacts_.begin(), contacts_.end(), [](const Contact& c) {
+    return (c.depth > 0.0) != (c.now.mode != ContactMode::kOpen);
+  });
+}
+
+// To where extrapolated() began.
+void ArticulatedWorld::go_back() noexcept {
+  configuration_ = start_;
+  body_.place(configuration_);
+  ground_.restore();
+  loose_.restore();
+  for (JointLaw& joint : joints_) joint.restore();
+}
+
+}  // namespace twinbus
