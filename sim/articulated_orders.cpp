@@ -7,6 +7,12 @@
 
 namespace twinbus {
 
+namespace {
+
+constexpr double kStopSlack = 1e-9;  // [rad or m]
+
+}  // namespace
+
 // Where an event lies within a step, the step is taken in ever smaller parts, which grow again from
 // step to step: what follows on a landing is over sooner than a step is.
 bool ArticulatedWorld::advance_in_parts() noexcept {
@@ -65,7 +71,7 @@ ArticulatedWorld::Outcome ArticulatedWorld::extrapolated(double h, bool may_reje
   if (smooth) {
     next_ = configuration_;
     extrapolate(config_.order, coarse_, configuration_);
-    smooth = check_configuration(joints_.size(), configuration_) == Status::kOk;
+    smooth = check_configuration(joints_.size(), configuration_) == Status::kOk && within_stops();
     if (!smooth) configuration_ = next_;
   }
   if (!smooth) {
@@ -83,6 +89,16 @@ bool ArticulatedWorld::crosses() const noexcept {
   return std::any_of(contacts_.begin(), contacts_.end(), [](const Contact& c) {
     return (c.depth > 0.0) != (c.now.mode != ContactMode::kOpen);
   });
+}
+
+// What is extrapolated may leap over a stop that no step of order 1 passes.
+bool ArticulatedWorld::within_stops() const noexcept {
+  for (std::size_t j = 0; j < joints_.size(); ++j) {
+    const auto index = static_cast<Eigen::Index>(j);
+    const double fine = std::max(kStopSlack, joints_[j].beyond_stops(next_.q[index]));
+    if (!(joints_[j].beyond_stops(configuration_.q[index]) <= fine)) return false;
+  }
+  return true;
 }
 
 // To where extrapolated() began.

@@ -250,7 +250,7 @@ bool ArticulatedWorld::solve_step(double h) noexcept {
     joints_[j].begin(configuration_.q[index], configuration_.qd[index], h);
   }
   // Block pivoting (Judice and Pires 1994): all joints that are wrong change piece at once while
-  // that makes fewer of them; else the last one alone does, which cannot cycle.
+  // that makes fewer of them; else one piece of the last one alone does, which cannot cycle.
   int fewest = static_cast<int>(joints_.size()) + 1;
   int patience = kPatience;
   for (int pass = 0;; ++pass) {
@@ -278,9 +278,11 @@ bool ArticulatedWorld::solve_step(double h) noexcept {
     } else if (patience > 0) {
       --patience;
     }
-    for (std::size_t j = patience > 0 ? 0 : last; j <= last; ++j) {
-      joints_[j].approach(end_speed(j, h));
+    if (patience == 0) {
+      joints_[last].approach_by_one(end_speed(last, h));
+      continue;
     }
+    for (std::size_t j = 0; j <= last; ++j) joints_[j].approach(end_speed(j, h));
   }
 }
 

@@ -87,6 +87,7 @@ class ArticulatedWorld final : public World {
   bool advance_in_parts() noexcept;
   Outcome extrapolated(double h, bool may_reject) noexcept;
   bool crosses() const noexcept;
+  bool within_stops() const noexcept;
   void go_back() noexcept;
   bool solve_step(double h) noexcept;
   void place_after(Momentum momentum, double h, double before) noexcept;

@@ -83,6 +83,16 @@ void JointLaw::approach(double qd_end) noexcept {
   pieces_ = next;
 }
 
+void JointLaw::approach_by_one(double qd_end) noexcept {
+  const Pieces before = pieces_;
+  approach(qd_end);
+  if (pieces_.stop != before.stop) {
+    pieces_ = {before.servo, before.friction, pieces_.stop};
+  } else if (pieces_.friction != before.friction) {
+    pieces_.servo = before.servo;
+  }
+}
+
 void JointLaw::finish(double qd, double share) noexcept {
   tau_ = pieces_.servo != 0 ? pieces_.servo * limit_
                             : std::clamp(servo_.force - servo_.gain * qd, -limit_, limit_);

@@ -12,6 +12,8 @@
 
 #pragma once
 
+#include <algorithm>
+
 #include "robot/model.h"
 #include "sim/articulated_body.h"
 #include "sim/world.h"
@@ -33,6 +35,8 @@ class JointLaw {
   // in between where they are opposite: the middle of the law is steep, a leap over it returns.
   bool holds(double qd_end) const noexcept { return pieces_at(qd_end) == pieces_; }
   void approach(double qd_end) noexcept;
+  // The same for one piece of them only.
+  void approach_by_one(double qd_end) noexcept;
   // A number that tells the assumed pieces apart.
   int pattern() const noexcept { return 9 * pieces_.servo + 3 * pieces_.friction + pieces_.stop; }
   // The step is done: torque of the servo, play.  share: how much of a whole step it was.
@@ -53,6 +57,7 @@ class JointLaw {
   double stiffness() const noexcept { return target_.kp; }
   double damping() const noexcept { return target_.kd + damping_; }
   bool within_stops(double q) const noexcept { return q > lower_ && q < upper_; }
+  double beyond_stops(double q) const noexcept { return std::max(q - upper_, lower_ - q); }
   void settle(double q, double qd) noexcept { tau_ = torque_at(q, qd) + damping_ * qd; }
 
   double tau() const noexcept { return tau_; }    // of the servo, within the limit [N m]

@@ -240,6 +240,46 @@ Eigen::Vector3d pushed_block(Engine engine, double step, int order = 1) {
   return world->link_in_world(0) * Eigen::Vector3d(0.0, 0.0, 0.2);
 }
 
+// Strong servos that are sent far beyond the stops: none is passed and every step settles.
+TEST(ArticulatedWorld, StopsHoldAgainstServosOfAnyStrengthAtAnyStep) {
+  const Model model = load_robot("hrp1s");
+  const auto pose = static_cast<std::size_t>(model.find_pose("half_sitting"));
+  for (const int order : {1, 2, 3}) {
+    for (const double step : {2e-2, 1e-2, 1e-3}) {
+      WorldConfig config;
+      config.step = step;
+      config.order = order;
+      ArticulatedWorld world(model, config);
+      Configuration start(model);
+      start.base.translation().z() = 10.0;
+      start.base_angular_velocity = {1.0, 2.0, 0.5};
+      for (int j = 0; j < model.joint_count(); ++j) {
+        start.q[j] = model.poses[pose].q[static_cast<std::size_t>(j)];
+      }
+      ASSERT_EQ(world.set(start), Status::kOk);
+      for (int j = 0; j < model.joint_count(); ++j) {
+        const Joint& joint = model.joints[static_cast<std::size_t>(j)];
+        ASSERT_EQ(world.set_servo(j, {.q = start.q[j] + 2.0,
+                                      .qd = 0,
+                                      .tau = 0,
+                                      .kp = 10.0 * joint.kp,
+                                      .kd = 10.0 * joint.kd}),
+                  Status::kOk);
+      }
+      for (int i = 0; i < 60; ++i) {
+        ASSERT_EQ(world.step(), Status::kOk);
+        for (int j = 0; j < model.joint_count(); ++j) {
+          const Joint& joint = model.joints[static_cast<std::size_t>(j)];
+          const double q = world.configuration().q[j];
+          ASSERT_LE(std::max(q - joint.upper, joint.lower - q), 1e-9) << joint.name << ' ' << step;
+          ASSERT_LE(std::abs(world.tau(j)), joint.effort);
+        }
+      }
+      EXPECT_EQ(world.unsettled(), 0) << order << ' ' << step;
+    }
+  }
+}
+
 // A block that lands on its soles while it moves along.
 Eigen::Vector3d dropped_block(double step, int order) {
   const Model model = test::block();
