@@ -19,6 +19,8 @@ namespace {
 constexpr double kReachForward = 0.8, kReachBack = 0.62, kReachSideways = 0.53;
 constexpr double kCommandStride = 0.95;  // of the longest foothold that a command may ask for
 constexpr double kBetween = 0.035;       // between two soles side by side [m]
+constexpr double kSidewaysEase =
+    0.5;  // soles are narrow: a change to the side takes twice the time
 constexpr double kBent = 0.88, kLeastBent = 0.93;  // hip to ankle, share of the straight leg
 constexpr double kKneeShare = 0.85;  // of its torque that carrying the robot at rest may take
 constexpr double kTurn = 0.6;        // share of a hip's range that a command may use
@@ -100,6 +102,7 @@ Gait gait_of(const Model& model, const Walking& w, double margin) {
                      kCommandStride * 0.5 * (g.max_width - g.width) / period,
                      kTurn * reach.turn / (1.5 * period) * 2.0};
   g.acceleration = g.most_velocity / std::max(0.2, 2.0 * period);
+  g.acceleration.y() *= kSidewaysEase;
   return g;
 }
 

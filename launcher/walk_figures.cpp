@@ -14,8 +14,8 @@ constexpr double kLoaded = 0.05, kLifted = 0.02;  // of the weight: a sole stand
 constexpr double kLeadIn = 3.0, kLeadOut = 0.1;   // of a walk, not counted [s]
 constexpr int kLowest = -500, kHighest = 500;     // margins kept apart [mm]
 
-constexpr double kLeastTime = 1.0;                // of what is left of a walk, to be judged [s]
-constexpr double kOnTheSpot = 0.01;               // [m/s], [rad/s]
+constexpr double kLeastTime = 1.0;   // of what is left of a walk, to be judged [s]
+constexpr double kOnTheSpot = 0.01;  // [m/s], [rad/s]
 
 bool walks_on_the_spot(const std::array<double, 3>& asked) {
   return std::hypot(asked[0], asked[1], asked[2]) < kOnTheSpot;
@@ -46,6 +46,7 @@ void WalkFigures::add(const SimTruth& truth, Mode mode, const std::array<double,
   const double yaw = yaw_of(truth.base_attitude);
   if (last_time_ < 0.0) first_ = {x, y};
   const bool walking = mode == Mode::kWalk;
+  bool left_landed = false;
   for (std::size_t foot = 0; foot < 2; ++foot) {
     const auto force = static_cast<double>(truth.foot_force[foot][2]);
     const auto at_x = static_cast<double>(truth.foot_position[foot][0]);
@@ -55,6 +56,7 @@ void WalkFigures::add(const SimTruth& truth, Mode mode, const std::array<double,
     if (force > kLoaded * weight_ && !stance.loaded) {
       stance = {true, at_x, at_y};
       if (walking) ++steps_;
+      left_landed = left_landed || foot == 0;
     }
     if (stance.loaded)
       slip_max_ = std::max(slip_max_, std::hypot(at_x - stance.x, at_y - stance.y));
@@ -75,6 +77,15 @@ void WalkFigures::add(const SimTruth& truth, Mode mode, const std::array<double,
       stretch.moved[1] += std::cos(heading) * dy - std::sin(heading) * dx;
       stretch.moved[2] += turned;
       stretch.time += time - last_time_;
+      if (!left_landed) continue;
+      if (stretch.begun) {
+        stretch.whole = stretch.moved;
+        stretch.whole_time = stretch.time;
+      } else {
+        stretch.begun = true;
+        stretch.moved = {};
+        stretch.time = 0.0;
+      }
     }
   }
   last_ = {x, y, yaw};
@@ -99,9 +110,12 @@ double WalkFigures::velocity_error() const {
   double worst = std::numeric_limits<double>::quiet_NaN();
   for (const Stretch& stretch : stretches_) {
     if (!(stretch.time > kLeastTime) || walks_on_the_spot(stretch.asked)) continue;
-    const double x = stretch.moved[0] / stretch.time - stretch.asked[0];
-    const double y = stretch.moved[1] / stretch.time - stretch.asked[1];
-    const double z = stretch.moved[2] / stretch.time - stretch.asked[2];
+    const bool whole = stretch.whole_time > 0.0;
+    const auto& moved = whole ? stretch.whole : stretch.moved;
+    const double seconds = whole ? stretch.whole_time : stretch.time;
+    const double x = moved[0] / seconds - stretch.asked[0];
+    const double y = moved[1] / seconds - stretch.asked[1];
+    const double z = moved[2] / seconds - stretch.asked[2];
     const double speed = std::hypot(stretch.asked[0], stretch.asked[1]);
     double error = 0.0;
     if (speed > 0.0) error = std::hypot(x, y) / speed;

@@ -34,6 +34,10 @@ class WalkFigures {
     std::array<double, 3> asked{};
     std::array<double, 3> moved{};  // along, to the left [m], turned [rad]
     double time = 0.0;
+    // From one landing of the left foot to another: how the body sways in a step is no error of its velocity.
+    std::array<double, 3> whole{};
+    double whole_time = 0.0;
+    bool begun = false;
   };
   struct Stance {
     bool loaded = false;
