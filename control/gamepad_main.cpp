@@ -162,6 +162,7 @@ class Arm {
   }
   // Once per cycle, with the newest state.
   void update(const RobotState& state, bool fresh, Teleop& teleop) {
+    heard_ = fresh;
     known_ = fresh && state.model_hash == model_.hash && state.joint_count == model_.bus_count();
     const std::array<double, 3> by = teleop.take_hand_move();
     target_.choose(teleop.hand());
@@ -204,7 +205,8 @@ class Arm {
       case HandTarget::Phase::kIdle:
         break;
     }
-    return known_ ? std::string(side) + " hand" : "hands of another robot";
+    if (!heard_) return "";
+    return known_ ? std::string(side) + " hand" : "hands of another robot: --robot says which";
   }
 
  private:
@@ -229,7 +231,7 @@ class Arm {
   Estimator estimator_;
   std::int64_t id_;
   HandTarget target_;
-  bool known_ = false, held_ = false, drives_ = false;
+  bool heard_ = false, known_ = false, held_ = false, drives_ = false;
   std::int64_t other_ns_ = 0;
   OnPath on_path_{this};
   OnStatus on_status_{this};
