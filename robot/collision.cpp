@@ -76,7 +76,8 @@ struct Collision::Impl {
               PairDistance& result) noexcept;
   bool shapes_nearer(Body& a, Body& b, ShapeMemory& remembered, double near,
                      PairDistance& result) noexcept;
-  bool own_distance(const Body& a, const Body& b, double near, PairDistance& result) noexcept;
+  bool own_distance(const Body& a, const Body& b, const Vector3d& towards_b, double near,
+                    PairDistance& result) noexcept;
   bool mesh_distance(const Body& a, const Body& b, double near, double at_least, MeshMemory& memory,
                      PairDistance& result) noexcept;
 };
@@ -159,10 +160,10 @@ bool Collision::Impl::spheres_nearer_than(const OwnerPair& pair, double near) no
 
 // Distance, points and normal of the cores, the distance zero when they overlap; false when they
 // are farther apart than near.
-bool Collision::Impl::own_distance(const Body& a, const Body& b, double near,
-                                   PairDistance& result) noexcept {
+bool Collision::Impl::own_distance(const Body& a, const Body& b, const Vector3d& towards_b,
+                                   double near, PairDistance& result) noexcept {
   const double far = std::max(near, 0.0) + kRounding;
-  const GjkResult found = gjk_distance(a.core, a.world, b.core, b.world, far);
+  const GjkResult found = gjk_distance(a.core, a.world, b.core, b.world, far, towards_b);
   if (found.distance > 0.0 && found.below > near + kRounding) return false;
   result.distance = found.distance;
   result.point_a = found.point_a;
@@ -197,7 +198,7 @@ bool Collision::Impl::shapes_nearer(Body& a, Body& b, ShapeMemory& remembered, d
   const PlacedShape shape_a{&a.convex, &a.world};
   const PlacedShape shape_b{&b.convex, &b.world};
   const Vector3d between = b.world.translation() - a.world.translation();
-  const double reach = a.convex.radius() + b.convex.radius() + near;
+  const double reach = a.radius + b.radius + near;
   if (!(reach > 0.0) || between.squaredNorm() > reach * reach) return false;
   if (separation(shape_a, shape_b, a.world.linear() * remembered.apart) > near + kRounding)
     return false;
@@ -206,7 +207,7 @@ bool Collision::Impl::shapes_nearer(Body& a, Body& b, ShapeMemory& remembered, d
   PairDistance found;
   found.distance = near + 1.0;
   const bool mesh = a.mesh || b.mesh;
-  if (!own_distance(a, b, near, found)) return false;
+  if (!own_distance(a, b, remembered.apart, near, found)) return false;
   if (found.distance > kConverged) remembered.apart = a.world.linear().transpose() * found.normal;
   const bool exact = mesh && !(found.distance > kHullsApart);
   if (exact && !mesh_distance(a, b, near, std::max(found.distance - kConverged, 0.0),

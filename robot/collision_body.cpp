@@ -66,7 +66,9 @@ CollisionShape of_mesh(const Shape& shape) {
 }  // namespace
 
 CollisionShape collision_shape(const Shape& shape) {
-  return shape.kind == ShapeKind::kMesh ? of_mesh(shape) : primitive(shape);
+  CollisionShape result = shape.kind == ShapeKind::kMesh ? of_mesh(shape) : primitive(shape);
+  result.radius = result.convex.radius();
+  return result;
 }
 
 void enclose(CollisionOwner& owner) {

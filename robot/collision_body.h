@@ -18,7 +18,8 @@ struct FclShape;  // collision_fcl.h
 
 struct CollisionShape {  // one shape, of a link or an obstacle
   ConvexShape convex;
-  GjkShape core;  // the same, or the hull of a mesh
+  double radius = 0.0;  // of the sphere around it [m]
+  GjkShape core;        // the same, or the hull of a mesh
   Eigen::Isometry3d local =
       Eigen::Isometry3d::Identity();  // of the convex shape, in the link frame (obstacle: world)
   Eigen::Isometry3d world = Eigen::Isometry3d::Identity();

@@ -1,7 +1,6 @@
 #include "robot/convex_shape.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace twinbus {
@@ -21,29 +20,39 @@ struct Best {
   double value = -1e300;
 };
 
-void try_direction(const PlacedShape& a, const PlacedShape& b, const Vector3d& direction,
-                   Best& best) {
-  const double length = direction.norm();
-  if (!(length > 1e-9)) return;
-  const Vector3d n = direction / length;
-  for (const double sign : {1.0, -1.0}) {
-    const double value = separation(a, b, sign * n);
-    if (value > best.value) best = {sign * n, value};
-  }
-}
+// Both shapes in the axes of the first.
+struct Together {
+  const ConvexShape& a;
+  const ConvexShape& b;
+  Eigen::Matrix3d turn;  // from b's axes
+  Vector3d between;
 
-// Directions in which the surface of a shape faces, as far as they are few; and towards `other`.
-void try_faces(const PlacedShape& self, const PlacedShape& a, const PlacedShape& b,
-               const Vector3d& between, Best& best) {
-  if (self.shape->kind == ShapeKind::kSphere) return;
-  const Eigen::Matrix3d axes = self.pose->linear();
-  if (self.shape->kind == ShapeKind::kCylinder) {
-    const Vector3d axis = axes.col(2);
-    try_direction(a, b, axis, best);
-    try_direction(a, b, between - axis.dot(between) * axis, best);
-    return;
+  double separation(const Vector3d& n) const {
+    return n.dot(between) - a.extent(n) - b.extent(turn.transpose() * n);
   }
-  for (int k = 0; k < 3; ++k) try_direction(a, b, axes.col(k), best);
+  // The shapes are symmetric: of a direction and its opposite the one towards b is better.
+  void consider(const Vector3d& direction, Best& best) const {
+    const double length = direction.norm();
+    if (!(length > 1e-9)) return;
+    const Vector3d n = (direction.dot(between) < 0.0 ? -1.0 : 1.0) / length * direction;
+    const double value = separation(n);
+    if (value > best.value) best = {n, value};
+  }
+  // Directions in which the surface of a shape faces, as far as they are few; and towards the other.
+  void consider_faces(const ConvexShape& shape, const Eigen::Matrix3d& axes, Best& best) const {
+    if (shape.kind == ShapeKind::kSphere) return;
+    if (shape.kind == ShapeKind::kCylinder) {
+      const Vector3d axis = axes.col(2);
+      consider(axis, best);
+      consider(between - axis.dot(between) * axis, best);
+      return;
+    }
+    for (int k = 0; k < 3; ++k) consider(axes.col(k), best);
+  }
+};
+
+bool flat(const ConvexShape& shape) {
+  return shape.kind == ShapeKind::kBox || shape.kind == ShapeKind::kMesh;
 }
 
 }  // namespace
@@ -97,36 +106,33 @@ double separation(const PlacedShape& a, const PlacedShape& b, const Vector3d& n)
                          n);  // the shapes are symmetric: h(-n) = h(n)
 }
 
-Vector3d way_out(const PlacedShape& a, const PlacedShape& b) noexcept {
-  const Vector3d between = b.pose->translation() - a.pose->translation();
+Vector3d way_out(const PlacedShape& first, const PlacedShape& second) noexcept {
+  const Eigen::Matrix3d to_a = first.pose->linear().transpose();
+  const Together t{*first.shape, *second.shape, to_a * second.pose->linear(),
+                   to_a * (second.pose->translation() - first.pose->translation())};
   Best best;
-  try_direction(a, b, Vector3d::UnitZ(), best);
-  try_direction(a, b, between, best);
-  try_faces(a, a, b, between, best);
-  try_faces(b, a, b, between, best);
+  t.consider(Vector3d::UnitZ(), best);
+  t.consider(t.between, best);
+  t.consider_faces(t.a, Eigen::Matrix3d::Identity(), best);
+  t.consider_faces(t.b, t.turn, best);
   for (int i = 0; i < 3; ++i) {
-    for (int k = 0; k < 3; ++k) {
-      const Vector3d edge = a.pose->linear().col(i);
-      try_direction(a, b, edge.cross(b.pose->linear().col(k)), best);
-    }
+    for (int k = 0; k < 3; ++k) t.consider(Vector3d::Unit(i).cross(t.turn.col(k)), best);
   }
-  // The gradient of separation(n) is the vector between the support points.
-  double step = 1.0;  // [1/m], shrinks when it overshoots
-  for (int i = 0; i < 16; ++i) {
+  // Of boxes these are all there are.  Else: the gradient of separation(n) is the vector between the
+  // support points.
+  double step = flat(t.a) && flat(t.b) ? 0.0 : 1.0;  // [1/m], shrinks when it overshoots
+  for (int i = 0; i < 16 && step > 1e-3; ++i) {
     const Vector3d& n = best.n;
-    const Vector3d gap = between -
-                         a.pose->linear() * a.shape->support(a.pose->linear().transpose() * n) +
-                         b.pose->linear() * b.shape->support(b.pose->linear().transpose() * n);
-    const Vector3d uphill = gap - n.dot(gap) * n;
-    const Vector3d next = (n + step * uphill).normalized();
-    const double value = separation(a, b, next);
+    const Vector3d gap = t.between - t.a.support(n) + t.turn * t.b.support(t.turn.transpose() * n);
+    const Vector3d next = (n + step * (gap - n.dot(gap) * n)).normalized();
+    const double value = t.separation(next);
     if (value > best.value) {
       best = {next, value};
     } else {
       step *= 0.4;
     }
   }
-  return best.n;
+  return first.pose->linear() * best.n;
 }
 
 }  // namespace twinbus

@@ -146,7 +146,8 @@ GjkShape gjk_hull(const std::vector<Vector3d>& points) {
 }
 
 GjkResult gjk_distance(const GjkShape& a, const Eigen::Isometry3d& pose_a, const GjkShape& b,
-                       const Eigen::Isometry3d& pose_b, double far) noexcept {
+                       const Eigen::Isometry3d& pose_b, double far,
+                       const Vector3d& towards_b) noexcept {
   // In the axes of a.
   const Matrix3d turn = pose_a.linear().transpose() * pose_b.linear();
   const Vector3d shift =
@@ -158,7 +159,7 @@ GjkResult gjk_distance(const GjkShape& a, const Eigen::Isometry3d& pose_a, const
     c.on_b = turn * support(b, -(turn.transpose() * d)) + shift;
     c.v = c.on_a - c.on_b;
   };
-  look(shift, corner[0]);
+  look(towards_b.squaredNorm() > 0.0 ? towards_b : shift, corner[0]);
   Nearest nearest = of_corner(corner, 0);
   int count = 1;
   GjkResult result;

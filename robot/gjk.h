@@ -5,7 +5,7 @@
 //
 //     v . w / |v|  <=  distance  <=  |v|,     w the support point of the difference along -v
 //
-// No memory: the same poses give the same bits.
+// No memory: the same poses, and the same first look, give the same bits.
 
 #pragma once
 
@@ -35,7 +35,10 @@ struct GjkResult {
 };
 
 // Stops early when the distance is larger than `far` [m]: below says so, the rest is unfinished.
+// towards_b: where to look first, in a's axes, such as the normal of the last time; zero: nothing is
+// known.
 GjkResult gjk_distance(const GjkShape& a, const Eigen::Isometry3d& pose_a, const GjkShape& b,
-                       const Eigen::Isometry3d& pose_b, double far) noexcept;
+                       const Eigen::Isometry3d& pose_b, double far,
+                       const Eigen::Vector3d& towards_b = Eigen::Vector3d::Zero()) noexcept;
 
 }  // namespace twinbus
