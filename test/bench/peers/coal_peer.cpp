@@ -1,7 +1,8 @@
 // Coal on the same triangles and postures as our exact check, taking turns in one run.
 //
 // A program of its own: Coal brings its own octomap, which does not go into one process with FCL's.
-// Built where `pip install coal` has put it; then `./twinbus bench coal` runs it.
+// Where `pip install coal` has put it: `cmake --build --preset release --target coal_bench`, then
+// `./twinbus bench coal`.
 
 #include <coal/BVH/BVH_model.h>
 #include <coal/collision.h>
