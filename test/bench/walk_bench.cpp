@@ -23,7 +23,7 @@ namespace {
 constexpr float kOffGround = 0.003F;  // of a sole that stands no more [m]
 
 struct Bench {
-  Model model;
+  Model model, simulated;
   std::string engine = "articulated";
   int phases = 100;
   bool guard = false;
@@ -34,7 +34,7 @@ struct Bench {
 // A rig that walks; the time is that since walking was asked for.
 struct Walker : SimRig {
   Walker(const Bench& bench, const Scene& scene, const Settings& settings)
-      : SimRig(bench.model, scene, settings, config(bench)) {
+      : SimRig(bench.model, bench.simulated, scene, settings, config(bench)) {
     (void)run(0.5);
     ask(Mode::kWalk);
   }
@@ -147,17 +147,47 @@ int pushes(const Bench& bench, const Settings& settings, const char* name, int c
   return fell;
 }
 
-int robust(const Bench& bench) {
-  const std::vector<std::pair<const char*, Settings>> table = {
+// The heaviest link's centre of mass is not where the controller believes [m].
+void shift_trunk(Bench& bench, double x, double y) {
+  bench.simulated = bench.model;
+  auto& links = bench.simulated.links;
+  const auto trunk = std::max_element(links.begin(), links.end(),
+                                      [](const Link& a, const Link& b) { return a.mass < b.mass; });
+  trunk->com += Eigen::Vector3d(x, y, 0.0);
+}
+
+int robust(const Bench& given) {
+  struct Row {
+    const char* name;
+    Settings settings;
+    double trunk_x = 0.0, trunk_y = 0.0;  // [m]
+  };
+  const std::vector<Row> table = {
       {"nominal", {}},
       {"mass x1.1", {{"model.mass_scale", "1.1"}}},
       {"mass x0.9", {{"model.mass_scale", "0.9"}}},
       {"sole stiffness x1.1", {{"contact.stiffness_scale", "1.1"}}},
       {"sole stiffness x0.9", {{"contact.stiffness_scale", "0.9"}}},
       {"delay 4 ticks", {{"servo.delay_ms", "8"}}},
+      {"trunk 20 mm forward", {}, 0.02, 0.0},
+      {"trunk 20 mm back", {}, -0.02, 0.0},
+      {"trunk 20 mm left", {}, 0.0, 0.02},
+      {"noise x3 and bias",
+       {{"sensor.noise.encoder", "3e-5"},
+        {"sensor.noise.velocity", "0.03"},
+        {"sensor.noise.attitude", "0.006"},
+        {"sensor.noise.gyro", "0.03"},
+        {"sensor.noise.force", "15"},
+        {"sensor.noise.moment", "1.5"},
+        {"sensor.bias.roll", "0.003"},
+        {"sensor.bias.pitch", "0.003"},
+        {"sensor.bias.gyro", "0.005"},
+        {"sensor.bias.force", "5"}}},
   };
   int fell = 0;
-  for (const auto& [name, settings] : table) {
+  for (const auto& [name, settings, trunk_x, trunk_y] : table) {
+    Bench bench = given;
+    shift_trunk(bench, trunk_x, trunk_y);
     Walker robot(bench, scene_of(bench), settings);
     const bool good = robot.walk(bench.model, bench.speed, 0.0, 12.0);
     fell += good ? 0 : 1;
@@ -237,7 +267,7 @@ int run(int argc, char** argv) {
       return word == "--help" ? 0 : 2;
     }
   }
-  bench.model = load_robot(robot);
+  bench.model = bench.simulated = load_robot(robot);
   const auto asked = [&](const char* name) {
     return words.empty() || std::find(words.begin(), words.end(), name) != words.end();
   };

@@ -32,8 +32,12 @@ class SimRig {
  public:
   SimRig(const Model& model, const Scene& scene, const Settings& settings,
          const ControlConfig& config)
+      : SimRig(model, model, scene, settings, config) {}
+  // simulated: the robot as it is, model: as its controller knows it.
+  SimRig(const Model& model, const Model& simulated, const Scene& scene, const Settings& settings,
+         const ControlConfig& config)
       : model_(model), sim_(scene), loop_(model, config) {
-    if (sim_.open(model, {settings}) != Status::kOk)
+    if (sim_.open(simulated, {settings}) != Status::kOk)
       throw std::runtime_error("the simulator does not open");
     state_.run_id = 7;
     state_.term = 1;
