@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
@@ -69,6 +70,16 @@ void RestartRequests::look(Supervisor& supervisor, std::int64_t now_ns) {
   ::unlink(file.c_str());
   const std::string refusal = supervisor.restart(name, now_ns);
   put(folder_ + "/restarted", refusal.empty() ? "ok\n" : refusal + "\n");
+}
+
+void keep_viewer_addresses() {
+  for (const char* name : {"TWINBUS_VIEWER_TOKEN", "TWINBUS_VIEWER_WATCH_TOKEN"}) {
+    char token[40];
+    std::snprintf(token, sizeof token, "%016llx%016llx",
+                  static_cast<unsigned long long>(random_id()),
+                  static_cast<unsigned long long>(random_id()));
+    setenv(name, token, 0);
+  }
 }
 
 int restart_command(const std::vector<std::string>& words) {

@@ -28,6 +28,9 @@ class RestartRequests {
   std::int64_t looked_ns_ = 0;
 };
 
+// A viewer that is started again has the addresses it had.
+void keep_viewer_addresses();
+
 int restart_command(const std::vector<std::string>& words);
 
 }  // namespace twinbus

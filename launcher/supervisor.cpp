@@ -137,6 +137,22 @@ std::string Supervisor::restart(const std::string& name, std::int64_t now_ns) {
   return "this stack has no process '" + name + "'; it has" + known;
 }
 
+void Supervisor::fit(const Placeholders& placeholders) {
+  for (Supervised& one : processes_) {
+    one.spec.command.resize(1);
+    for (std::string& argument : fill_in(one.process, placeholders))
+      one.spec.command.push_back(std::move(argument));
+  }
+}
+
+std::int32_t Supervisor::pid_of(const std::string& name) const {
+  for (const Supervised& one : processes_) {
+    if (one.process.name == name && !one.child.empty() && one.child.front().running())
+      return one.child.front().pid();
+  }
+  return 0;
+}
+
 void Supervisor::watch(std::int64_t now_ns) {
   for (Supervised& one : processes_) {
     if (one.child.empty()) continue;

@@ -49,6 +49,10 @@ class Supervisor {
   void watch(std::int64_t now_ns);
   // Ends a process and starts it again, or starts one that had died.  A sentence when it cannot be.
   std::string restart(const std::string& name, std::int64_t now_ns);
+  // What processes are given when they are started from now on.  Throws as fill_in.
+  void fit(const Placeholders& placeholders);
+  // Of the one that runs; 0 if none does.
+  std::int32_t pid_of(const std::string& name) const;
   // A required process is gone for good.
   bool broken() const { return broken_; }
   // Nothing publishes STATE, nor stands by to.

@@ -13,6 +13,7 @@
 #include "launcher/live_table.h"
 #include "launcher/restart.h"
 #include "launcher/run_folder.h"
+#include "launcher/setup_wish.h"
 #include "launcher/shadow.h"
 #include "launcher/stack.h"
 #include "launcher/state_hash.h"
@@ -58,6 +59,7 @@ class Up {
   void wait_for_first_commands();
   bool work();  // until the end; false if something broke
   void send_script();
+  void set_up(const std::string& wish);
   bool judge_and_report(bool whole, double wall_s);
   void show(std::int64_t now_ns);
   std::string cpu_line(std::int64_t now_ns);
@@ -75,7 +77,9 @@ class Up {
   std::unique_ptr<BusLink> bus_;
   std::unique_ptr<Supervisor> supervisor_;
   std::unique_ptr<RestartRequests> restarts_;
-  std::string viewer_address_;
+  std::unique_ptr<SetupWishes> wishes_;
+  Placeholders values_;
+  std::string viewer_address_, watch_address_;
   Redraw redraw_;
   CpuShare shares_;
   BusHealth health_;
@@ -124,13 +128,16 @@ Up::Up(const Arguments& arguments) {
   refuse_if_someone_publishes();
   bus_->on_raw_state([this](std::span<const std::uint8_t> bytes) { hash_.add(bytes); });
 
+  keep_viewer_addresses();
   folder_ = make_run_folder();
   write_file(folder_ + "/stack.yaml", stack_.text);
   write_file(folder_ + "/scene.yaml", scene_.text);
   write_file(folder_ + "/commit", commit_of_program() + "\n");
-  supervisor_ = std::make_unique<Supervisor>(stack_, placeholders(arguments), folder_,
+  values_ = placeholders(arguments);
+  supervisor_ = std::make_unique<Supervisor>(stack_, values_, folder_,
                                              [this](const std::string& line) { say(line); });
   restarts_ = std::make_unique<RestartRequests>(folder_);
+  wishes_ = std::make_unique<SetupWishes>(folder_ + "/setup");
 }
 
 Placeholders Up::placeholders(const Arguments& arguments) const {
@@ -158,6 +165,9 @@ Placeholders Up::placeholders(const Arguments& arguments) const {
   if (arguments.has("--seed"))
     settings.insert(settings.end(), {"--seed", arguments.text("--seed", "1")});
   values["folder"] = {folder_};
+  values["listen"] = arguments.has("--listen")
+                         ? std::vector<std::string>{"--listen", arguments.text("--listen", "")}
+                         : std::vector<std::string>{};
   values["log"] = {arguments.text("--log", "")};
   values["device"] = {"twinbus_" + arguments.text("--prefix", "") + std::to_string(getpid())};
   return values;
@@ -212,8 +222,10 @@ void Up::start_all() {
       say(one.process.name + " ready after " + time);
       for (const std::string& line : one.child.front().last_lines(20)) {
         const std::size_t at = line.find("http://");
-        if (one.process.viewer && at != std::string::npos)
-          viewer_address_ = line.substr(at, line.find(' ', at) - at);
+        if (one.process.viewer && at != std::string::npos) {
+          const bool ours = line.find("ready at") != std::string::npos;
+          (ours ? viewer_address_ : watch_address_) = line.substr(at, line.find(' ', at) - at);
+        }
       }
     }
     if (supervisor_->all_ready()) return;
@@ -222,11 +234,7 @@ void Up::start_all() {
 
 void Up::activate() {
   if (stack_.activate.empty()) return;
-  std::int32_t pid = 0;
-  for (const Supervised& one : supervisor_->processes()) {
-    if (one.process.name == stack_.activate && !one.child.empty()) pid = one.child.front().pid();
-  }
-  const SeenProcess* process = bus_->seen().process_of_pid(pid);
+  const SeenProcess* process = bus_->seen().process_of_pid(supervisor_->pid_of(stack_.activate));
   if (process == nullptr)
     throw std::runtime_error("'" + stack_.activate +
                              "' sends no heartbeat, so it cannot be activated");
@@ -291,6 +299,7 @@ void Up::wait_for_first_commands() {
       "; output of each process: " + folder_);
   for (const SeenProcess* process : bus_->seen().processes(start_ns_))
     shares_.of(process->beat.pid, start_ns_);
+  if (!watch_address_.empty()) say("to watch and stop from a phone: " + watch_address_);
   if (!viewer_address_.empty()) say("viewer: " + viewer_address_);
 }
 
@@ -317,6 +326,25 @@ void Up::send_script() {
     goal.goal_id = random_id();
     for (int i = 0; i < kScriptRepeats; ++i) bus_->send(goal);
   }
+}
+
+// As if it had been started so: the run begins anew, its log goes on.
+void Up::set_up(const std::string& wish) {
+  std::string problem;
+  try {
+    const Setup setup = wishes_->prepare(wish, request_.robot, stack_, bus_->seen());
+    scene_ = load_scene(setup.scene);
+    resolve_poses(scene_, load_robot(setup.robot));
+    fill_in(setup, values_);
+    supervisor_->fit(values_);
+    start_anew(stack_, *supervisor_, *bus_);
+    activate();
+    modes_sent_ = goals_sent_ = 0;
+    wait_for_first_commands();
+  } catch (const std::exception& error) {
+    problem = error.what();
+  }
+  bus_->alarm(wishes_->answer(wish, problem));  // it comes back as an event and is said then
 }
 
 bool Up::elapsed(std::int64_t now_ns) const {
@@ -382,6 +410,7 @@ bool Up::work() {
     }
     supervisor_->watch(now);
     restarts_->look(*supervisor_, now);
+    if (const std::string wish = wishes_->take(now); !wish.empty()) set_up(wish);
     note_ready();
     if (is_over(now)) return false;
     send_script();

@@ -27,6 +27,7 @@
 #include "robot/state_admission.h"
 #include "viewer_log/frame.h"
 #include "viewer_log/page_request.h"
+#include "viewer_log/setup_desk.h"
 #include "viewer_log/signals.h"
 #include "viewer_log/stack_view.h"
 #include "viewer_log/switch_plan.h"
@@ -36,19 +37,21 @@ using namespace twinbus;
 
 namespace {
 
-constexpr std::int64_t kFramePeriod = 16'666'667;  // 60 Hz [ns]
-constexpr int kStatusEvery = 12;                   // frames: 5 Hz
-constexpr int kHeartbeatEvery = 6;                 // frames: 10 Hz
-constexpr int kRepeats = 5;                        // of a request, one per frame, same sequence
-constexpr std::size_t kMostRequests = 32;          // waiting from pages
-constexpr float kWalkTimeout = 0.3F;               // a page that falls silent stops the walk [s]
-constexpr float kReachSpeed = 0.4F;                // share of the joint velocity limits
+constexpr std::int64_t kFramePeriod = 16'666'667;   // 60 Hz [ns]
+constexpr int kStatusEvery = 12;                    // frames: 5 Hz
+constexpr int kHeartbeatEvery = 6;                  // frames: 10 Hz
+constexpr int kRepeats = 5;                         // of a request, one per frame, same sequence
+constexpr std::size_t kMostRequests = 32;           // waiting from pages
+constexpr std::size_t kLargestMessage = 64 * 1024;  // from a page: a setup with many pairs [bytes]
+constexpr float kWalkTimeout = 0.3F;                // a page that falls silent stops the walk [s]
+constexpr float kReachSpeed = 0.4F;                 // share of the joint velocity limits
 
 enum Slot : int { kLive = 0, kStatus = 1, kScene = 2, kSignals = 3, kPath = 4 };
 
 struct Arguments {
   CommonOptions common;
   std::string web = TWINBUS_WEB_FOLDER;  // folder of the page
+  std::string listen, run_folder;
   std::int64_t port = 8040;
   bool no_open = false;
 };
@@ -58,10 +61,16 @@ Arguments parse(int argc, char** argv) {
   Options options(
       "twinbus_viewer",
       "Shows the running stack in a browser, with a stop button.\n"
-      "TWINBUS_VIEWER_TOKEN in the environment keeps the address the same over a restart.");
+      "TWINBUS_VIEWER_TOKEN and TWINBUS_VIEWER_WATCH_TOKEN in the environment keep the addresses "
+      "the same over a restart.");
   add_common(options, a.common);
   options.integer("--port", "N", a.port, 0, 65535,
                   "first port to try on 127.0.0.1, then the next free; 0: any");
+  options.text("--listen", "ADDR", a.listen,
+               "an address of this machine on which others may watch and stop, with the token that "
+               "is printed; 0.0.0.0: all.  Not encrypted: for a network you trust");
+  options.text("--run-folder", "FOLDER", a.run_folder,
+               "of the ./twinbus up whose stack the page may set up anew");
   options.flag("--no-open", a.no_open, "does not open the browser");
   options.text("--web", "FOLDER", a.web, "folder of the page");
   options.parse(argc, argv);
@@ -77,11 +86,16 @@ BusOptions bus_options(const Arguments& a) {
 // never crowded out.
 class PageInbox {
  public:
-  std::string on_message(const Model& model, const std::string& text, bool trusted) {
+  std::string on_message(const Model& model, const std::string& run_folder, const std::string& text,
+                         bool trusted) {
     PageRequest request;
     std::string problem;
     if (!read_page_request(text, trusted, request, problem)) return note_frame(problem);
     if (request.what == PageRequest::What::kHello) return hello_frame(model, trusted);
+    if (request.what == PageRequest::What::kSetup) {
+      const std::string refusal = lay_wish(run_folder, request.setup);
+      return note_frame(refusal.empty() ? "Starting anew …" : refusal);
+    }
     const std::lock_guard<std::mutex> lock(mutex_);
     if (request.what == PageRequest::What::kStop) {
       if (request.stop > stop_) stop_ = request.stop;
@@ -176,29 +190,42 @@ class Viewer {
   }
 
  private:
+  // Empty when it is not given: a random one is drawn.
+  static std::string token_of(const char* name) {
+    const char* token = std::getenv(name);
+    if (token != nullptr && std::strlen(token) < 16)
+      throw std::runtime_error(std::string(name) + ": at least 16 characters are needed");
+    return token != nullptr ? token : "";
+  }
+
   WebConfig web_config() {
     WebConfig config;
     config.port = static_cast<int>(arguments_.port);
-    if (const char* token = std::getenv("TWINBUS_VIEWER_TOKEN")) {
-      if (std::strlen(token) < 16) {
-        throw std::runtime_error("TWINBUS_VIEWER_TOKEN: at least 16 characters are needed");
-      }
-      config.token = token;
-    }
+    config.listen = arguments_.listen;
+    config.token = token_of("TWINBUS_VIEWER_TOKEN");
+    config.watch_token = token_of("TWINBUS_VIEWER_WATCH_TOKEN");
     const std::string& web = arguments_.web;
     if (find_file({{"/", web}}, "/index.html").empty()) {
       throw std::runtime_error("no index.html in " + web + "; name the page's folder with --web");
     }
     config.roots = {{"/", web}, {"/robot/", model_.folder}};
     config.documents = {{"/robot.urdf", "application/xml", model_.urdf_text}};
+    config.documents.push_back(
+        {"/setup.json", "application/json", setup_choices(model_, config_folder() + "/scenes")});
+    if (!arguments_.run_folder.empty())
+      config.roots.push_back({"/setup/", arguments_.run_folder + "/setup"});
+    config.max_message = kLargestMessage;
     config.on_message = [this](const std::string& text, bool trusted) {
-      return inbox_.on_message(model_, text, trusted);
+      return inbox_.on_message(model_, arguments_.run_folder, text, trusted);
     };
     return config;
   }
 
   void announce() {
     const std::string address = server_.address();
+    const std::string others = server_.watch_address();
+    if (!others.empty())
+      std::printf("twinbus_viewer: watch and stop from elsewhere: %s\n", others.c_str());
     std::printf("twinbus_viewer: ready at %s\n", address.c_str());
     std::fflush(stdout);
     const bool display =

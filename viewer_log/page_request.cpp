@@ -140,7 +140,16 @@ bool read_page_request(const std::string& text, bool trusted, PageRequest& reque
     request.what = PageRequest::What::kCancel;
     return true;
   }
-  problem = "not understood: do must be stop, clear, switch, mode, walk, reach or cancel";
+  if (what == "setup") {
+    request.what = PageRequest::What::kSetup;
+    const auto setup = json.find("setup");
+    problem = "setup: a JSON object with the name of a scene";
+    if (setup == json.end() || !setup->is_object() || text_member(*setup, "scene").empty())
+      return false;
+    request.setup = setup->dump(-1, ' ', true, Json::error_handler_t::replace);
+    return true;
+  }
+  problem = "not understood: do must be stop, clear, switch, mode, walk, reach, cancel or setup";
   return false;
 }
 

@@ -3,6 +3,7 @@
 //   {"do":"stop","kind":1..3}   needs no token: anyone may stop
 //   {"do":"clear"}  {"do":"switch","run":R}  {"do":"mode","mode":"balance|walk|sway|squat|hold|idle"}
 //   {"do":"walk","vx":V,"vy":V,"wz":W}  {"do":"reach","side":"left|right","at":[x,y,z]}  {"do":"cancel"}
+//   {"do":"setup","setup":{...}}  see launcher/setup.h, which judges it
 //   need it
 //   {"do":"hello"}
 
@@ -17,7 +18,7 @@
 namespace twinbus {
 
 struct PageRequest {
-  enum class What { kNone, kHello, kStop, kClear, kSwitch, kMode, kWalk, kReach, kCancel };
+  enum class What { kNone, kHello, kStop, kClear, kSwitch, kMode, kWalk, kReach, kCancel, kSetup };
   What what = What::kNone;
   StopKind stop = StopKind::kNone;
   std::int64_t run_id = 0;  // switch: the source that is to become active
@@ -27,6 +28,7 @@ struct PageRequest {
   float frequency = 0;           // [Hz]
   float vx = 0, vy = 0, wz = 0;  // walk [m/s, m/s, rad/s]
   ArmSide side = ArmSide::kNone;
+  std::string setup;           // JSON
   std::array<double, 3> at{};  // reach: where the hand shall be, in the world that is drawn [m]
 };
 

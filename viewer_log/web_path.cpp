@@ -120,21 +120,21 @@ const char* content_type(std::string_view path) noexcept {
   return nullptr;
 }
 
-bool host_allowed(std::string_view host, int port) {
+bool host_allowed(std::string_view host, int port, std::string_view own) {
   const std::size_t colon = host.rfind(':');
   if (colon == std::string_view::npos || host.substr(colon + 1) != std::to_string(port)) {
     return false;
   }
   const std::string_view name = host.substr(0, colon);
-  return name == "127.0.0.1" || name == "localhost";
+  return name == own || (own == "127.0.0.1" && name == "localhost");
 }
 
 // No origin at all: not a browser, so no foreign page can be behind it.
-bool origin_allowed(std::string_view origin, int port) {
+bool origin_allowed(std::string_view origin, int port, std::string_view own) {
   constexpr std::string_view kScheme = "http://";
   if (origin.empty()) return true;
   return origin.substr(0, kScheme.size()) == kScheme &&
-         host_allowed(origin.substr(kScheme.size()), port);
+         host_allowed(origin.substr(kScheme.size()), port, own);
 }
 
 bool same_token(std::string_view given, std::string_view expected) noexcept {

@@ -30,9 +30,13 @@ std::string find_file(const std::vector<WebRoot>& roots, const std::string& path
 // MIME type by extension; nullptr for types that are not served.
 const char* content_type(std::string_view path) noexcept;
 
-// Host headers of this machine and port, and origins of pages that came from them.
-[[nodiscard]] bool host_allowed(std::string_view host, int port);
-[[nodiscard]] bool origin_allowed(std::string_view origin, int port);
+// Host headers of this machine and port, and origins of pages that came from them.  own: the
+// address that the connection came to, as it is written in an address ("192.168.1.5", "[fe80::1]");
+// names are believed on loopback only, where nobody else can point one at us.
+[[nodiscard]] bool host_allowed(std::string_view host, int port,
+                                std::string_view own = "127.0.0.1");
+[[nodiscard]] bool origin_allowed(std::string_view origin, int port,
+                                  std::string_view own = "127.0.0.1");
 
 // Takes as long for a wrong token as for the right one; an empty expected token matches nothing.
 [[nodiscard]] bool same_token(std::string_view given, std::string_view expected) noexcept;

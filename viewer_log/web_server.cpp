@@ -1,9 +1,13 @@
 #include "viewer_log/web_server.h"
 
+#include <ifaddrs.h>
+#include <netinet/in.h>
+
 #include <array>
 #include <atomic>
 #include <chrono>
 #include <cstdint>
+#include <cstring>
 #include <deque>
 #include <mutex>
 #include <set>
@@ -159,8 +163,9 @@ class Client : public std::enable_shared_from_this<Client> {
 // One connection until it is closed or becomes a Client.
 class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
  public:
-  HttpConnection(Shared& shared, tcp::socket&& socket)
-      : shared_(shared), stream_(std::move(socket)) {
+  // own: the address it came to; far: it comes from another machine.
+  HttpConnection(Shared& shared, tcp::socket&& socket, std::string own, bool far)
+      : shared_(shared), stream_(std::move(socket)), own_(std::move(own)), far_(far) {
     ++shared_.connections;
   }
   ~HttpConnection() { --shared_.connections; }
@@ -187,8 +192,8 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
 
   void answer() {
     const Request& request = parser_->get();
-    if (!host_allowed(view(request[http::field::host]), shared_.port) ||
-        !origin_allowed(view(request[http::field::origin]), shared_.port)) {
+    if (!host_allowed(view(request[http::field::host]), shared_.port, own_) ||
+        !origin_allowed(view(request[http::field::origin]), shared_.port, own_)) {
       return refuse(http::status::forbidden, "foreign host or origin\n");
     }
     if (request.method() != http::verb::get && request.method() != http::verb::head) {
@@ -198,7 +203,13 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
     if (!decode_target(view(request.target()), path)) {
       return refuse(http::status::bad_request, "bad path\n");
     }
-    if (websocket::is_upgrade(request)) return upgrade(path);
+    const std::string token = query_value(view(request.target()), "token");
+    const bool trusted = same_token(token, shared_.config.token);
+    const bool known = !far_ || trusted || same_token(token, shared_.config.watch_token);
+    if (websocket::is_upgrade(request)) return upgrade(path, known, trusted);
+    if (!known && !is_page(path)) {
+      return refuse(http::status::forbidden, "from another machine only with the token\n");
+    }
     for (const WebDocument& document : shared_.config.documents) {
       if (document.path == path) {
         return send_text(http::status::ok, document.type, document.body);
@@ -207,13 +218,26 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
     send_file(find_file(shared_.config.roots, path));
   }
 
-  void upgrade(const std::string& path) {
+  // The page itself is the same for everybody; what is of this robot lies in documents and in the
+  // other roots.
+  bool is_page(const std::string& path) const {
+    for (const WebDocument& document : shared_.config.documents) {
+      if (document.path == path) return false;
+    }
+    for (const WebRoot& root : shared_.config.roots) {
+      if (root.prefix != "/" && path.compare(0, root.prefix.size(), root.prefix) == 0) return false;
+    }
+    return true;
+  }
+
+  void upgrade(const std::string& path, bool known, bool trusted) {
     if (path != "/ws") return refuse(http::status::not_found, "not found\n");
-    if (shared_.clients.size() >= shared_.config.max_clients) {
+    if (!known)
+      return refuse(http::status::forbidden, "from another machine only with the token\n");
+    // Half of the places are for this machine.
+    if (shared_.clients.size() >= shared_.config.max_clients / (far_ ? 2 : 1)) {
       return refuse(http::status::service_unavailable, "too many viewers\n");
     }
-    const bool trusted =
-        same_token(query_value(view(parser_->get().target()), "token"), shared_.config.token);
     stream_.expires_never();  // the WebSocket has time-outs of its own
     std::make_shared<Client>(shared_, std::move(stream_), trusted)->start(parser_->release());
   }
@@ -250,9 +274,9 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
     response.set("X-Frame-Options", "DENY");
     response.set("Referrer-Policy", "no-referrer");
     response.set("Content-Security-Policy",
-                 "default-src 'self'; connect-src 'self' blob: ws://127.0.0.1:" +
+                 "default-src 'self'; connect-src 'self' blob: ws://" + own_ + ":" +
                      std::to_string(shared_.port) +
-                     " ws://localhost:" + std::to_string(shared_.port) +
+                     (far_ ? "" : " ws://localhost:" + std::to_string(shared_.port)) +
                      "; img-src 'self' blob: data:; style-src 'self' 'unsafe-inline'; "
                      "frame-ancestors 'none'");
     response.keep_alive(!last && parser_->get().keep_alive());
@@ -274,53 +298,108 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
   beast::tcp_stream stream_;
   beast::flat_buffer buffer_{16 * 1024};
   boost::optional<http::request_parser<http::empty_body>> parser_;
+  const std::string own_;
+  const bool far_;
 };
+
+// As it is written in an address.
+std::string written(const asio::ip::address& address) {
+  const std::string plain = address.to_string();
+  return address.is_v6() ? "[" + plain + "]" : plain;
+}
+
+// An address of this machine that others may reach; 127.0.0.1 if there is none.
+std::string address_for_others(bool v6) {
+  ifaddrs* list = nullptr;
+  if (getifaddrs(&list) != 0) return "127.0.0.1";
+  std::string found = v6 ? "[::1]" : "127.0.0.1";
+  for (const ifaddrs* one = list; one != nullptr; one = one->ifa_next) {
+    if (one->ifa_addr == nullptr || one->ifa_addr->sa_family != (v6 ? AF_INET6 : AF_INET)) continue;
+    tcp::endpoint endpoint;
+    std::memcpy(endpoint.data(), one->ifa_addr, v6 ? sizeof(sockaddr_in6) : sizeof(sockaddr_in));
+    const asio::ip::address address = endpoint.address();
+    if (address.is_loopback() || (v6 && address.to_v6().is_link_local())) continue;
+    found = written(address);
+    break;
+  }
+  freeifaddrs(list);
+  return found;
+}
 
 }  // namespace
 
 struct WebServer::Impl {
   Shared shared;  // outlives the connections that io's queue still holds
   asio::io_context io{1};
-  tcp::acceptor acceptor{io};
-  std::mutex mutex;  // guards published
+  // On 127.0.0.1, and where others come; one for both when that is 0.0.0.0.
+  std::array<tcp::acceptor, 2> acceptors{tcp::acceptor{io}, tcp::acceptor{io}};
+  asio::ip::address others;  // unspecified unless it listens for them
+  std::mutex mutex;          // guards published
   Slots published;
   std::atomic<bool> notified{false};
   std::thread thread;
 
+  static bool open_at(tcp::acceptor& acceptor, const tcp::endpoint& endpoint, Error& error) {
+    acceptor.close(error);
+    acceptor.open(endpoint.protocol(), error);
+    if (!error) acceptor.set_option(tcp::acceptor::reuse_address(true), error);
+    if (!error && endpoint.protocol() == tcp::v6())
+      acceptor.set_option(asio::ip::v6_only(true), error);
+    if (!error) acceptor.bind(endpoint, error);
+    if (!error) acceptor.listen(asio::socket_base::max_listen_connections, error);
+    return !error;
+  }
+
   void open() {
+    const std::string& listen = shared.config.listen;
     Error error;
+    asio::ip::address first = asio::ip::address_v4::loopback();
+    if (!listen.empty()) {
+      others = asio::ip::make_address(listen, error);
+      if (error)
+        throw std::runtime_error("--listen " + listen +
+                                 " is no address of this machine; 0.0.0.0 is all");
+      if (others == asio::ip::address_v4::any()) first = others;
+    }
+    const bool both = !listen.empty() && others != first && !others.is_loopback();
     for (int i = 0; i < shared.config.ports_to_try; ++i) {
-      const int port = shared.config.port == 0 ? 0 : shared.config.port + i;
-      if (port < 0 || port > 65535) break;
-      const tcp::endpoint endpoint(asio::ip::address_v4::loopback(),
-                                   static_cast<std::uint16_t>(port));
-      acceptor.close(error);
-      acceptor.open(endpoint.protocol(), error);
-      if (!error) acceptor.set_option(tcp::acceptor::reuse_address(true), error);
-      if (!error) acceptor.bind(endpoint, error);
-      if (!error) acceptor.listen(asio::socket_base::max_listen_connections, error);
-      if (!error) {
-        shared.port = acceptor.local_endpoint().port();
-        return;
+      const int wanted = shared.config.port == 0 ? 0 : shared.config.port + i;
+      if (wanted < 0 || wanted > 65535) break;
+      if (!open_at(acceptors[0], {first, static_cast<std::uint16_t>(wanted)}, error)) continue;
+      const std::uint16_t port = acceptors[0].local_endpoint().port();
+      if (both && !open_at(acceptors[1], {others, port}, error)) {
+        if (error == asio::error::address_in_use) continue;
+        throw std::runtime_error("--listen " + listen + ": " + error.message() +
+                                 "; name an address of this machine, 0.0.0.0 is all");
       }
+      shared.port = port;
+      return;
     }
     throw std::runtime_error("no free port from " + std::to_string(shared.config.port) + " on (" +
                              error.message() + "); choose one with --port");
   }
 
-  void accept() {
-    acceptor.async_accept([this](Error error, tcp::socket socket) {
+  void accept(tcp::acceptor& acceptor) {
+    acceptor.async_accept([this, &acceptor](Error error, tcp::socket socket) {
       if (error == asio::error::operation_aborted) return;
-      if (!error) {
-        if (shared.connections + shared.clients.size() >= shared.config.max_connections) {
-          ++shared.refused;  // the socket closes as it leaves
-        } else {
-          socket.set_option(tcp::no_delay(true), error);
-          std::make_shared<HttpConnection>(shared, std::move(socket))->read();
-        }
-      }
-      accept();
+      if (!error) take_in(std::move(socket));
+      accept(acceptor);
     });
+  }
+
+  void take_in(tcp::socket&& socket) {
+    Error error;
+    const tcp::endpoint to = socket.local_endpoint(error);
+    const tcp::endpoint from = error ? tcp::endpoint() : socket.remote_endpoint(error);
+    const bool far = !from.address().is_loopback();
+    // Half of the places are for this machine.
+    const std::size_t most = shared.config.max_connections / (far ? 2 : 1);
+    if (error || shared.connections + shared.clients.size() >= most) {
+      ++shared.refused;  // the socket closes as it leaves
+      return;
+    }
+    socket.set_option(tcp::no_delay(true), error);
+    std::make_shared<HttpConnection>(shared, std::move(socket), written(to.address()), far)->read();
   }
 
   void take_published() {
@@ -347,16 +426,19 @@ struct WebServer::Impl {
 
 WebServer::WebServer(WebConfig config) : impl_(std::make_unique<Impl>()) {
   if (config.token.empty()) config.token = random_token();
+  if (config.watch_token.empty()) config.watch_token = random_token();
   impl_->shared.config = std::move(config);
   impl_->open();
-  impl_->accept();
+  for (tcp::acceptor& acceptor : impl_->acceptors) {
+    if (acceptor.is_open()) impl_->accept(acceptor);
+  }
   impl_->thread = std::thread([impl = impl_.get()] { impl->run(); });
 }
 
 WebServer::~WebServer() {
   asio::post(impl_->io, [impl = impl_.get()] {
     Error error;
-    impl->acceptor.close(error);
+    for (tcp::acceptor& acceptor : impl->acceptors) acceptor.close(error);
     const auto clients = impl->shared.clients;
     for (const auto& client : clients) client->close();
     impl->shared.clients.clear();
@@ -370,6 +452,15 @@ const std::string& WebServer::token() const { return impl_->shared.config.token;
 
 std::string WebServer::address() const {
   return "http://127.0.0.1:" + std::to_string(port()) + "/#token=" + token();
+}
+
+std::string WebServer::watch_address() const {
+  const asio::ip::address& others = impl_->others;
+  if (impl_->shared.config.listen.empty()) return {};
+  const std::string host =
+      others.is_unspecified() ? address_for_others(others.is_v6()) : written(others);
+  return "http://" + host + ":" + std::to_string(port()) +
+         "/#token=" + impl_->shared.config.watch_token;
 }
 
 void WebServer::publish(int slot, std::string payload) {

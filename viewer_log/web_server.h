@@ -1,7 +1,9 @@
 // Serves the viewer's page and streams frames to it, from one thread of its own.
 //
-// Knows nothing of robots or the bus.  It listens on 127.0.0.1 only and refuses foreign Host and
-// Origin headers, so no page from elsewhere can reach it through the user's browser.  Frames live
+// Knows nothing of robots or the bus.  It listens on 127.0.0.1 only, unless it is told another
+// address, and refuses foreign Host and Origin headers, so no page from elsewhere can reach it
+// through the user's browser.  Who comes from another machine gets the page, and nothing else
+// without a token: the watch token shows everything and may stop, the token acts.  Frames live
 // in slots; each client gets the newest frame of every slot when it is ready for one, so that a
 // stalled client misses frames and never delays anybody.  A page answers each frame with the text
 // `ack` and is never more than a few frames ahead of what it has read, so what a slow one draws is
@@ -28,9 +30,11 @@ struct WebDocument {  // served from memory
 };
 
 struct WebConfig {
-  int port = 8040;        // the first one tried; 0: any free one
-  int ports_to_try = 20;  // when it is taken, the next ones
-  std::string token;      // empty: a random one is drawn
+  int port = 8040;          // the first one tried; 0: any free one
+  int ports_to_try = 20;    // when it is taken, the next ones
+  std::string token;        // empty: a random one is drawn
+  std::string listen;       // an address of this machine beside 127.0.0.1; 0.0.0.0: all
+  std::string watch_token;  // for who comes there; empty: a random one is drawn
   std::vector<WebRoot> roots;
   std::vector<WebDocument> documents;
   std::size_t max_clients = 16;      // WebSockets
@@ -60,6 +64,8 @@ class WebServer {
   const std::string& token() const;
   std::string address()
       const;  // with the token in the fragment, which browsers never send to servers
+  // For another machine: watching and stopping.  Empty unless it listens there.
+  std::string watch_address() const;
 
   // Replaces the frame of a slot, 0 <= slot < kWebSlots.  From any thread, never waits for a
   // client.

@@ -17,7 +17,7 @@ def find_browser():
 
 
 class Browser:
-    def __init__(self, address, size=(1600, 900)):
+    def __init__(self, address, size=(1600, 900), phone=False):
         self.folder = tempfile.mkdtemp()
         self.child = subprocess.Popen(
             [find_browser(), "--headless", "--no-sandbox", "--no-proxy-server", "--enable-unsafe-swiftshader",
@@ -39,7 +39,9 @@ class Browser:
         self.session = self.call("Target.attachToTarget", targetId=target["targetId"], flatten=True)["sessionId"]
         self.call("Runtime.enable")
         self.call("Page.enable")
-        self.call("Emulation.setDeviceMetricsOverride", width=size[0], height=size[1], deviceScaleFactor=1, mobile=False)
+        self.call("Emulation.setDeviceMetricsOverride", width=size[0], height=size[1], deviceScaleFactor=1, mobile=phone)
+        if phone:
+            self.call("Emulation.setTouchEmulationEnabled", enabled=True)
         self.call("Page.navigate", url=address)
 
     def call(self, method, **parameters):
@@ -78,6 +80,11 @@ class Browser:
         box = self.value(f"(r => [r.x + r.width / 2, r.y + r.height / 2])(document.querySelector('{selector}').getBoundingClientRect())")
         for kind in ("mousePressed", "mouseReleased"):
             self.call("Input.dispatchMouseEvent", type=kind, x=box[0], y=box[1], button="left", clickCount=1)
+
+    def tap(self, selector):
+        box = self.value(f"(r => [r.x + r.width / 2, r.y + r.height / 2])(document.querySelector('{selector}').getBoundingClientRect())")
+        self.call("Input.dispatchTouchEvent", type="touchStart", touchPoints=[{"x": box[0], "y": box[1]}])
+        self.call("Input.dispatchTouchEvent", type="touchEnd", touchPoints=[])
 
     def drag(self, selector, dx, dy):
         """Presses in the middle and pulls, without letting go: release() does."""

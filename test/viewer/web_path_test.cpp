@@ -64,6 +64,17 @@ TEST(Host, OnlyThisMachineAndPort) {
   }
 }
 
+// Names are not believed there: anybody's name server may point one at us.
+TEST(Host, OfAnotherAddressIsThatAddress) {
+  EXPECT_TRUE(host_allowed("10.0.0.5:8040", 8040, "10.0.0.5"));
+  EXPECT_TRUE(host_allowed("[fd00::5]:8040", 8040, "[fd00::5]"));
+  EXPECT_TRUE(origin_allowed("http://10.0.0.5:8040", 8040, "10.0.0.5"));
+  for (const char* host :
+       {"localhost:8040", "127.0.0.1:8040", "10.0.0.6:8040", "evil.example:8040"}) {
+    EXPECT_FALSE(host_allowed(host, 8040, "10.0.0.5")) << host;
+  }
+}
+
 TEST(Token, IsRandomAndComparedWhole) {
   std::set<std::string> tokens;
   for (int i = 0; i < 20; ++i) tokens.insert(random_token());

@@ -6,15 +6,15 @@ import struct
 
 
 class WebSocket:
-    def __init__(self, port, path, origin=None, small_buffer=False, timeout=5):
+    def __init__(self, port, path, origin=None, small_buffer=False, timeout=5, host="127.0.0.1"):
         self.socket = socket.socket()
         if small_buffer:
             self.socket.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 4096)
         self.socket.settimeout(timeout)
-        self.socket.connect(("127.0.0.1", port))
+        self.socket.connect((host, port))
         origin_line = f"Origin: {origin}\r\n" if origin else ""
         key = base64.b64encode(os.urandom(16)).decode()
-        self.socket.sendall((f"GET {path} HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\n{origin_line}Upgrade: websocket\r\n"
+        self.socket.sendall((f"GET {path} HTTP/1.1\r\nHost: {host}:{port}\r\n{origin_line}Upgrade: websocket\r\n"
                              f"Connection: Upgrade\r\nSec-WebSocket-Version: 13\r\nSec-WebSocket-Key: {key}\r\n\r\n").encode())
         self.data = b""
         while b"\r\n\r\n" not in self.data:

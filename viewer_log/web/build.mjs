@@ -32,7 +32,7 @@ async function makeInto(folder) {
     legalComments: 'none',
     logLevel: 'warning',
   });
-  for (const name of ['index.html', 'style.css']) {
+  for (const name of ['index.html', 'style.css', 'setup.css', 'phone.css']) {
     writeFileSync(join(folder, name), readFileSync(join(here, 'src', name)));
   }
   writeFileSync(join(folder, 'LICENSES.txt'), licences());

@@ -3,7 +3,9 @@
 const kAnswers = new Set(['hello', 'note']); // everything else is a frame
 const kRetry = 700; // [ms]
 
-function tokenOfPage() {
+const kHere = new Set(['127.0.0.1', 'localhost']);
+
+export function tokenOfPage() {
   const given = new URLSearchParams(location.hash.slice(1)).get('token');
   try {
     if (given) sessionStorage.setItem('token', given);
@@ -11,6 +13,13 @@ function tokenOfPage() {
   } catch {
     return given ?? ''; // storage switched off
   }
+}
+
+// What is of this robot is given to another machine only with the token.
+export function withToken(url) {
+  const token = tokenOfPage();
+  if (!token || url.startsWith('blob:') || url.startsWith('data:')) return url;
+  return `${url}${url.includes('?') ? '&' : '?'}token=${encodeURIComponent(token)}`;
 }
 
 export class Link {
@@ -27,6 +36,7 @@ export class Link {
     const query = token ? `?token=${encodeURIComponent(token)}` : '';
     const socket = new WebSocket(`ws://${location.host}/ws${query}`);
     this.socket = socket;
+    if (!token && !kHere.has(location.hostname)) this.on.note?.({ text: 'This address is opened with its token: the whole of what ./twinbus up printed.' });
     socket.onopen = () => {
       this.on.connected(true);
       this.send({ do: 'hello' });

@@ -10,9 +10,11 @@ import { Joystick } from './joystick.js';
 import { Keys } from './keys.js';
 import { Link } from './link.js';
 import { Panels } from './panels.js';
+import { beginOnPhone } from './phone.js';
 import { Plots } from './plots.js';
 import { Recorder } from './record.js';
 import { Robot } from './robot.js';
+import { Setup } from './setup.js';
 import { Stage } from './stage.js';
 import { plain } from './surface.js';
 import { Theme } from './theme.js';
@@ -30,7 +32,7 @@ const stage = new Stage($('view'));
 const robot = new Robot(stage.scene);
 const commanded = new Ghost(stage.scene, 0xffd23f);
 const standby = new Ghost(stage.scene, 0xff5d5d);
-const other = new Ghost(stage.scene, 0xff9d1f); // of a second log
+const other = new Ghost(stage.scene, 0xff9d1f); // of a second log, or of the posture that is being set up
 other.wanted = true;
 const armPath = new ArmPath(stage.scene);
 const panels = new Panels((request) => link.send(request));
@@ -136,6 +138,12 @@ function stop() {
   else panels.toast(kind === kHold ? 'Stop (hold) sent.' : 'Stop sent. Once more: hold at once.');
 }
 
+const setup = new Setup($('setup'), {
+  near: () => newest?.pairs ?? [],
+  send: (request) => link.send(request),
+  toast: (text) => panels.toast(text),
+});
+
 // --- driving ---
 const joystick = new Joystick($('joystick'), $('speed'), (velocity) => link.send({ do: 'walk', ...velocity }), () => {
   if (panels.mode !== 'walk') link.send({ do: 'mode', mode: 'walk' });
@@ -200,6 +208,7 @@ const chips = {
   }),
   other: toggle('show-other', (on) => { other.wanted = on; }),
   panels: toggle('show-panels', (on) => document.body.classList.toggle('no-panels', !on)),
+  setup: toggle('show-setup', (on) => setup.toggle(on)),
   record: toggle('record', (on) => {
     $('record').classList.toggle('recording', on);
     if (!on) recorder.stop();
@@ -248,6 +257,7 @@ const keys = new Keys([
   ['i', 'I O', 'recording: the loop begins here, ends here', () => inRecording(() => timeline.mark('in'))],
   ['o', '', '', () => inRecording(() => timeline.mark('out'))],
   ['k', 'K', 'recording: loop', () => inRecording(() => timeline.loop())],
+  ['s', 'S', 'set up: scene, posture, pushes, checked pairs', chips.setup],
   ['v', 'V', 'record a video of the view', chips.record],
 ], stop, $('keys'));
 $('help').onclick = () => { keys.sheet.hidden = !keys.sheet.hidden; $('help').blur(); };
@@ -268,7 +278,7 @@ function draw() {
     }
     commanded.pose(shown.command, shown.base);
     standby.pose(shown.standby?.q, shown.base);
-    other.pose(shown.other?.q, shown.other?.base);
+    other.pose(shown.other?.q ?? setup.posture(hello.joints), shown.other?.base ?? shown.base);
     stage.show(shown);
     if (now - toldAt >= kTell) {
       toldAt = now;
@@ -284,10 +294,11 @@ function draw() {
   ++figures.drawn;
   if (newest && robot.model && figures.first === null) figures.first = performance.now();
 }
+beginOnPhone(chips.panels);
 if (restoreView(stage, plots)) chips.plots();
 if (fragment().get('follow') === '0') chips.follow();
 stage.renderer.setAnimationLoop(draw);
 requestAnimationFrame(() => setTimeout(() => link.connect())); // after the first picture, which is slow to come
 
 // For tests of the page.
-globalThis.twinbus = { figures, link, history, plots, stage, robot, commanded, standby, armPath, joystick, target, timeline, other };
+globalThis.twinbus = { figures, link, history, plots, stage, robot, commanded, standby, armPath, joystick, target, timeline, other, setup };

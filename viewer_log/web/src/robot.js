@@ -2,6 +2,7 @@
 
 import * as THREE from 'three';
 import URDFLoader from 'urdf-loader';
+import { withToken } from './link.js';
 import { drawAsOne } from './one_mesh.js';
 import { plain, surface } from './surface.js';
 import { Tint, nearLimits } from './tint.js';
@@ -31,9 +32,10 @@ export class Robot {
 
   // joints: names in bus order; ready(model): called when all meshes are there.
   async load(joints, ready) {
-    const answer = await fetch('robot.urdf', { cache: 'no-store' });
+    const answer = await fetch(withToken('robot.urdf'), { cache: 'no-store' });
     if (!answer.ok) throw new Error(`robot.urdf: ${answer.status}`);
     const manager = new THREE.LoadingManager();
+    manager.setURLModifier(withToken);
     const loader = new URDFLoader(manager);
     loader.packages = () => '/robot'; // package://NAME/path is the robot's own folder
     loader.workingPath = '/robot/';
