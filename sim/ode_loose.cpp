@@ -10,7 +10,7 @@ namespace twinbus {
 
 namespace {
 
-constexpr int kPointsPerPair = 8;
+constexpr int kPointsPerLoosePair = 8;
 
 dGeomID geom_of(const Solid& solid) {
   const Eigen::Vector3d& s = solid.size;
@@ -27,14 +27,14 @@ dGeomID geom_of(const Solid& solid) {
   return dCreateSphere(nullptr, s.x());
 }
 
-double series(double a, double b) { return a + b > 0.0 ? a * b / (a + b) : 0.0; }
+double springs_in_series(double a, double b) { return a + b > 0.0 ? a * b / (a + b) : 0.0; }
 
-bool overlap(const dReal* a, const dReal* b) {
+bool bounds_meet(const dReal* a, const dReal* b) {
   return a[0] <= b[1] && b[0] <= a[1] && a[2] <= b[3] && b[2] <= a[3] && a[4] <= b[5] &&
          b[4] <= a[5];
 }
 
-Eigen::Vector3d vector(const dReal* v) { return {v[0], v[1], v[2]}; }
+Eigen::Vector3d eigen_of(const dReal* v) { return {v[0], v[1], v[2]}; }
 
 }  // namespace
 
@@ -75,9 +75,9 @@ LooseState OdeWorld::Impl::loose_state(std::size_t index) const noexcept {
   const dReal* q = dBodyGetQuaternion(id);
   LooseState state;
   state.pose.linear() = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix();
-  state.pose.translation() = vector(dBodyGetPosition(id));
-  state.velocity = vector(dBodyGetLinearVel(id));
-  state.angular_velocity = vector(dBodyGetAngularVel(id));
+  state.pose.translation() = eigen_of(dBodyGetPosition(id));
+  state.velocity = eigen_of(dBodyGetLinearVel(id));
+  state.angular_velocity = eigen_of(dBodyGetAngularVel(id));
   return state;
 }
 
@@ -89,7 +89,7 @@ void OdeWorld::Impl::find_loose_contacts() noexcept {
       dReal a[6], b[6];
       dGeomGetAABB(loose[i].geom, a);
       dGeomGetAABB(geom, b);
-      if (overlap(a, b)) meet_loose(i, geom, side);
+      if (bounds_meet(a, b)) meet_loose(i, geom, side);
     };
     const double mu = config.ground_friction;
     const LooseSide fixed{nullptr, -1, own.stiffness, own.damping, std::sqrt(own.friction * mu)};
@@ -97,24 +97,26 @@ void OdeWorld::Impl::find_loose_contacts() noexcept {
     for (const dGeomID obstacle : obstacle_geoms) meet(obstacle, fixed);
     for (std::size_t j = i + 1; j < loose.size(); ++j) {
       const LooseBody& other = config.loose[j];
-      meet(loose[j].geom,
-           {loose[j].body, -1, series(own.stiffness, other.stiffness),
-            series(own.damping, other.damping), std::sqrt(own.friction * other.friction)});
+      meet(loose[j].geom, {loose[j].body, -1, springs_in_series(own.stiffness, other.stiffness),
+                           springs_in_series(own.damping, other.damping),
+                           std::sqrt(own.friction * other.friction)});
     }
     for (const OdeGeom& geom : link_geoms) {
-      meet(geom.geom, {body(geom.link), geom.link, series(own.stiffness, kLinkStiffness),
-                       series(own.damping, kLinkDamping), std::sqrt(own.friction * kLinkFriction)});
+      meet(geom.geom,
+           {body(geom.link), geom.link, springs_in_series(own.stiffness, kLinkStiffness),
+            springs_in_series(own.damping, kLinkDamping), std::sqrt(own.friction * kLinkFriction)});
     }
   }
 }
 
 void OdeWorld::Impl::meet_loose(std::size_t index, dGeomID geom, const LooseSide& side) noexcept {
-  dContactGeom found[kPointsPerPair];
+  dContactGeom found[kPointsPerLoosePair];
   const LooseBody& own = config.loose[index];
-  const int count = dCollide(loose[index].geom, geom, kPointsPerPair, found, sizeof(dContactGeom));
+  const int count =
+      dCollide(loose[index].geom, geom, kPointsPerLoosePair, found, sizeof(dContactGeom));
   for (int i = 0; i < count; ++i) {
     if (loose_rows.size() >= loose_feedback.size()) return;
-    const Eigen::Vector3d point = vector(found[i].pos);
+    const Eigen::Vector3d point = eigen_of(found[i].pos);
     double k = side.stiffness, c = side.damping, mu = side.friction;
     int sole_side = -1;
     for (int s = 0; s < 2; ++s) {
@@ -123,8 +125,8 @@ void OdeWorld::Impl::meet_loose(std::size_t index, dGeomID geom, const LooseSide
       const Eigen::Isometry3d frame = kinematics.link_in_world(sole.link) * sole.frame;
       if (!((frame.inverse() * point).z() < kSoleSkin)) continue;
       sole_side = s;
-      k = series(own.stiffness, sole.stiffness / kSoleCorners * config.stiffness_scale);
-      c = series(own.damping, sole.damping / kSoleCorners * config.damping_scale);
+      k = springs_in_series(own.stiffness, sole.stiffness / kSoleCorners * config.stiffness_scale);
+      c = springs_in_series(own.damping, sole.damping / kSoleCorners * config.damping_scale);
       mu = std::sqrt(own.friction * sole.friction);
     }
     dVector3 v, other{0.0, 0.0, 0.0, 0.0};
@@ -133,8 +135,8 @@ void OdeWorld::Impl::meet_loose(std::size_t index, dGeomID geom, const LooseSide
       dBodyGetPointVel(side.body, point.x(), point.y(), point.z(), other);
     }
     LooseRow row;
-    row.contact =
-        soft_row(found[i], vector(v) - vector(other), loose_state(index).pose.linear(), k, c, mu);
+    row.contact = soft_row(found[i], eigen_of(v) - eigen_of(other),
+                           loose_state(index).pose.linear(), k, c, mu);
     row.own = loose[index].body;
     row.other = side.body;
     row.reported = -1;
@@ -161,7 +163,8 @@ void OdeWorld::Impl::create_loose_joints() noexcept {
 void OdeWorld::Impl::read_loose_forces() noexcept {
   for (std::size_t i = 0; i < loose_rows.size(); ++i) {
     if (loose_rows[i].reported < 0) continue;
-    contacts[static_cast<std::size_t>(loose_rows[i].reported)].force = vector(loose_feedback[i].f2);
+    contacts[static_cast<std::size_t>(loose_rows[i].reported)].force =
+        eigen_of(loose_feedback[i].f2);
   }
 }
 

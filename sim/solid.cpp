@@ -8,8 +8,8 @@ namespace twinbus {
 
 namespace {
 
-constexpr int kRimProbes = 6;
-constexpr int kSpineProbes = 3;
+constexpr int kRimPoints = 6;
+constexpr int kSpinePoints = 3;
 
 Distance from_center(const Eigen::Vector3d& p, double radius) noexcept {
   const double norm = p.norm();
@@ -111,8 +111,8 @@ std::vector<Probe> probes_of(const Solid& solid) {
   const Eigen::Vector3d& size = solid.size;
   const double half = 0.5 * size.y();
   const auto spine = [&](double reach) {
-    for (int i = 0; i < kSpineProbes; ++i) {
-      probes.push_back({{0.0, 0.0, reach * (2.0 * i / (kSpineProbes - 1) - 1.0)}, size.x()});
+    for (int i = 0; i < kSpinePoints; ++i) {
+      probes.push_back({{0.0, 0.0, reach * (2.0 * i / (kSpinePoints - 1) - 1.0)}, size.x()});
     }
   };
   switch (solid.shape) {
@@ -129,8 +129,8 @@ std::vector<Probe> probes_of(const Solid& solid) {
       spine(half);
       break;
     case SolidShape::kCylinder:
-      for (int i = 0; i < 2 * kRimProbes; ++i) {
-        const double angle = 2.0 * std::numbers::pi * (i / 2) / kRimProbes;
+      for (int i = 0; i < 2 * kRimPoints; ++i) {
+        const double angle = 2.0 * std::numbers::pi * (i / 2) / kRimPoints;
         probes.push_back(
             {{size.x() * std::cos(angle), size.x() * std::sin(angle), i % 2 == 0 ? half : -half},
              0.0});
