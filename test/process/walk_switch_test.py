@@ -136,6 +136,11 @@ def robot(checks, stalls, rng):
         bus = Bus()
         time.sleep(1.0)
         efforts = harness.effort_limits()
+        for first in ("bridge", "sim"):  # from then on the robot follows the simulator while both stand
+            status, out, err = cli("switch", first, "--policy", "now", timeout=40)
+            if not checks.that(status == 0, f"standing, to {first}: {out}{err}"):
+                return
+            time.sleep(2.5)
         while done < wanted and spoilt <= wanted:
             target = "bridge" if done % 2 == 0 else "sim"
             what = f"stop and switch {done} to the {'robot' if target == 'bridge' else 'simulator'}"
