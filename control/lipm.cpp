@@ -4,11 +4,9 @@
 #include <stdexcept>
 #include <string>
 
-namespace twinbus {
+#include "robot/dynamics.h"
 
-namespace {
-constexpr double kGravity = 9.81;  // [m/s^2], the same everywhere; scenes may override it
-}
+namespace twinbus {
 
 Lipm::Lipm(double height) : omega_(std::sqrt(kGravity / height)) {
   if (!(std::isfinite(height) && height > 0.0)) {
