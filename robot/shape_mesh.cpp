@@ -13,9 +13,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr int kSides = 32;      // of a cylinder
-constexpr int kHalvings = 2;    // of the edges of an icosahedron: 320 triangles
-constexpr double kWeld = 1e-6;  // [m]
+constexpr int kCylinderSides = 32;  // of a cylinder
+constexpr int kHalvings = 2;        // of the edges of an icosahedron: 320 triangles
+constexpr double kWeld = 1e-6;      // [m]
 
 TriangleMesh box(const Vector3d& size) {
   TriangleMesh mesh;
@@ -31,22 +31,22 @@ TriangleMesh box(const Vector3d& size) {
 
 // A prism whose sides touch the cylinder.
 TriangleMesh cylinder(double radius, double length, double& outside) {
-  const double corner = radius / std::cos(std::numbers::pi / kSides);
+  const double corner = radius / std::cos(std::numbers::pi / kCylinderSides);
   outside = std::max(outside, corner - radius);
   TriangleMesh mesh;
   for (const double z : {-0.5 * length, 0.5 * length}) {
-    for (int i = 0; i < kSides; ++i) {
-      const double turn = 2.0 * std::numbers::pi * i / kSides;
+    for (int i = 0; i < kCylinderSides; ++i) {
+      const double turn = 2.0 * std::numbers::pi * i / kCylinderSides;
       mesh.points.emplace_back(corner * std::cos(turn), corner * std::sin(turn), z);
     }
   }
-  for (int i = 0; i < kSides; ++i) {
-    const int next = (i + 1) % kSides;
-    mesh.triangles.push_back({i, next, kSides + i});
-    mesh.triangles.push_back({next, kSides + next, kSides + i});
+  for (int i = 0; i < kCylinderSides; ++i) {
+    const int next = (i + 1) % kCylinderSides;
+    mesh.triangles.push_back({i, next, kCylinderSides + i});
+    mesh.triangles.push_back({next, kCylinderSides + next, kCylinderSides + i});
     if (i < 2) continue;
     mesh.triangles.push_back({0, i, i - 1});
-    mesh.triangles.push_back({kSides, kSides + i - 1, kSides + i});
+    mesh.triangles.push_back({kCylinderSides, kCylinderSides + i - 1, kCylinderSides + i});
   }
   return mesh;
 }

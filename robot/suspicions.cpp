@@ -189,9 +189,9 @@ class Looker {
 
   // The joint of the other side that a left joint's name names; -1: none.
   int partner(const std::string& name) const {
-    static const std::pair<const char*, const char*> kSides[] = {
+    static const std::pair<const char*, const char*> kNamesOfSides[] = {
         {"left", "right"}, {"Left", "Right"}, {"LEFT", "RIGHT"}};
-    for (const auto& [left, right] : kSides) {
+    for (const auto& [left, right] : kNamesOfSides) {
       const std::size_t i = name.find(left);
       if (i == std::string::npos) continue;
       std::string other = name;
