@@ -37,14 +37,15 @@ using namespace twinbus;
 
 namespace {
 
-constexpr std::int64_t kFramePeriod = 16'666'667;   // 60 Hz [ns]
-constexpr int kStatusEvery = 12;                    // frames: 5 Hz
-constexpr int kHeartbeatEvery = 6;                  // frames: 10 Hz
-constexpr int kRepeats = 5;                         // of a request, one per frame, same sequence
-constexpr std::size_t kMostRequests = 32;           // waiting from pages
-constexpr std::size_t kLargestMessage = 64 * 1024;  // from a page: a setup with many pairs [bytes]
-constexpr float kWalkTimeout = 0.3F;                // a page that falls silent stops the walk [s]
-constexpr float kReachSpeed = 0.4F;                 // share of the joint velocity limits
+constexpr std::int64_t kFramePeriod = 16'666'667;  // 60 Hz [ns]
+constexpr int kStatusEvery = 12;                   // frames: 5 Hz
+constexpr int kHeartbeatEvery = 6;                 // frames: 10 Hz
+constexpr int kRepeats = 5;                        // of a request, one per frame, same sequence
+constexpr std::size_t kMostRequests = 32;          // waiting from pages
+constexpr std::size_t kLargestMessage =
+    32 * 1024;                        // from who may act: a setup with many pairs [bytes]
+constexpr float kWalkTimeout = 0.3F;  // a page that falls silent stops the walk [s]
+constexpr float kReachSpeed = 0.4F;   // share of the joint velocity limits
 
 enum Slot : int { kLive = 0, kStatus = 1, kScene = 2, kSignals = 3, kPath = 4 };
 
@@ -214,7 +215,7 @@ class Viewer {
         {"/setup.json", "application/json", setup_choices(model_, config_folder() + "/scenes")});
     if (!arguments_.run_folder.empty())
       config.roots.push_back({"/setup/", arguments_.run_folder + "/setup"});
-    config.max_message = kLargestMessage;
+    config.max_trusted_message = kLargestMessage;
     config.on_message = [this](const std::string& text, bool trusted) {
       return inbox_.on_message(model_, arguments_.run_folder, text, trusted);
     };

@@ -73,7 +73,8 @@ class Client : public std::enable_shared_from_this<Client> {
     timeout.keep_alive_pings = true;
     socket_.set_option(timeout);
     socket_.text(true);
-    socket_.read_message_max(shared_.config.max_message);
+    socket_.read_message_max(trusted_ ? shared_.config.max_trusted_message
+                                      : shared_.config.max_message);
     // The request must outlive the asynchronous accept.
     auto kept = std::make_shared<http::request<http::empty_body>>(std::move(request));
     socket_.async_accept(*kept, [self = shared_from_this(), kept](Error error) {

@@ -37,10 +37,11 @@ struct WebConfig {
   std::string watch_token;  // for who comes there; empty: a random one is drawn
   std::vector<WebRoot> roots;
   std::vector<WebDocument> documents;
-  std::size_t max_clients = 16;      // WebSockets
-  std::size_t max_connections = 64;  // of any kind
-  std::size_t max_message = 4096;    // from a page [bytes]
-  double idle_timeout = 20.0;        // a client that neither reads nor answers is dropped [s]
+  std::size_t max_clients = 16;            // WebSockets
+  std::size_t max_connections = 64;        // of any kind
+  std::size_t max_message = 4096;          // from a page that watches [bytes]
+  std::size_t max_trusted_message = 4096;  // from one that may act [bytes]
+  double idle_timeout = 20.0;              // a client that neither reads nor answers is dropped [s]
   // Called on the server's thread with each text message of a page; trusted: the page brought the
   // token.  The answer, if not empty, goes back to that page only.  Must return quickly.
   std::function<std::string(const std::string& text, bool trusted)> on_message;

@@ -152,7 +152,7 @@ def picture(name):
 
 
 check(browser.wait_for(text % "badge-name" + " === 'REPLAY'", 30), "the badge says REPLAY")
-check("recorded from simulator" in browser.value(text % "badge-detail"), browser.value(text % "badge-detail"))
+check(browser.wait_for(text % "badge-detail" + ".includes('recorded from simulator')", 5), browser.value(text % "badge-detail"))
 check(browser.value("getComputedStyle(document.getElementById('stop').parentElement).display") == "none", "there is no STOP, for nothing moves")
 check(browser.wait_for("document.querySelectorAll('#tl-marks i').length >= 3"), "events are on the line of time")
 browser.value("twinbus.timeline.seek(1)")
