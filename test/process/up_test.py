@@ -3,6 +3,7 @@
 
 import json
 import os
+import re
 import signal
 import subprocess
 import tempfile
@@ -90,10 +91,26 @@ def a_death_is_reported(checks):
         checks.that(status == 1, f"without its only source up ends with 1, not {status}")
 
 
+def robot_alone(checks):
+    """The stack without a simulator: the stand-in robot behind the bridge stands, moves, stops and is told to go on."""
+    with Stack("stand", "--stack", "bridge", "--no-viewer") as stack:
+        status, out, err = cli("status")
+        checks.that(status == 0 and re.search(r"bridge.*active", out) is not None and "simulator" not in out,
+                    f"status shows the robot as the only source: {out}{err}")
+        for words in (("sway",), ("stop", "hold"), ("clear",)):
+            status, out, err = cli(*words)
+            checks.that(status == 0, f"{' '.join(words)} with a robot alone: {out}{err}")
+        status, out, err = cli("switch", "sim")
+        checks.that(status == 1 and err.count("\n") == 1, f"switch sim says in a line that there is none: {status} {out}{err}")
+        stack.process.send_signal(signal.SIGINT)
+        checks.that(stack.process.wait(10) == 0, "^C ends it well")
+
+
 def main():
-    harness.require("twinbus", "twinbus_simulator", "twinbus_controller", "twinbus_guard", "twinbus_planner")
+    harness.require("twinbus", "twinbus_simulator", "twinbus_bridge", "twinbus_controller", "twinbus_guard", "twinbus_planner", "emulated_robot")
     checks = Checks()
     runs_and_judges(checks)
+    robot_alone(checks)
     no_process_is_left(checks)
     a_death_is_reported(checks)
     checks.exit()

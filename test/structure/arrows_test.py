@@ -48,7 +48,7 @@ LISTS = {"robot/requests.h"}  # one struct per message: long because the bus has
 # test/no_alloc.h is the one header of test/ that products include: a heartbeat counts allocations.
 SHARED_TEST_HEADERS = {"test/no_alloc.h"}
 
-MACHINE = re.compile(r"/(home|work|Users|tmp/[a-z]+_clone)/[A-Za-z0-9_.-]+|/root/")
+MACHINE = re.compile(r"/(home|work|Users|root|tmp/[a-z]+_clone)/[A-Za-z0-9_.-]+")
 INCLUDE = re.compile(r'^\s*#\s*include\s+([<"])([^>"]+)[>"]', re.MULTILINE)
 CODE = {".h", ".cpp", ".c", ".cc", ".hpp"}
 TEXT = CODE | {".py", ".sh", ".yaml", ".yml", ".txt", ".md", ".cmake", ".json", ".lcm", ".java", ".urdf", ".srdf", ".nft", ""}
