@@ -62,6 +62,10 @@ LooseContacts::LooseContacts(const Model& model, const WorldConfig& config)
   };
   for (const Obstacle& obstacle : config.obstacles) add_fixed(obstacle, false);
   for (const Obstacle& tile : config.tiles) add_fixed(tile, true);
+  if (loose_ > 0) {
+    for (std::size_t i = 0; i < pieces_.size(); ++i)
+      spans_.push_back({0.0, 0.0, static_cast<int>(i)});
+  }
   const std::size_t most = loose_ > 0 ? kMostContacts + loose_ * kMostLooseContacts : 0;
   memory_.reserve(most);
   saved_.reserve(most);
@@ -142,12 +146,37 @@ void LooseContacts::find(const std::vector<ArticulatedBody*>& systems, double h,
   for (std::size_t i = 0; i < loose_; ++i) {
     const Piece& own = pieces_[i];
     if (own.center.z() < own.radius + reach_of(own.speed, h)) meet_ground(own, search);
-    for (std::size_t j = i + 1; j < pieces_.size(); ++j) {
-      const Piece& other = pieces_[j];
-      if (!near(own, other, h)) continue;
-      if (other.solid_too) meet(own, j, false, search);
-      if (!other.probes.empty()) meet(other, i, other.system < 0, search);
+  }
+  sort_spans(h);
+  for (std::size_t a = 0; a < spans_.size(); ++a) {
+    for (std::size_t b = a + 1; b < spans_.size() && spans_[b].from <= spans_[a].to; ++b) {
+      const std::size_t i = at(std::min(spans_[a].piece, spans_[b].piece));
+      const std::size_t j = at(std::max(spans_[a].piece, spans_[b].piece));
+      if (i >= loose_ || !near(pieces_[i], pieces_[j], h)) continue;
+      if (pieces_[j].solid_too) meet(pieces_[i], j, false, search);
+      if (!pieces_[j].probes.empty()) meet(pieces_[j], i, pieces_[j].system < 0, search);
     }
+  }
+}
+
+// By insertion: little changes from step to step.  What begins at the same place is in the order of
+// the pieces, so that the order depends on nothing but where they are.
+void LooseContacts::sort_spans(double h) noexcept {
+  for (Span& span : spans_) {
+    const Piece& piece = pieces_[at(span.piece)];
+    const double half = piece.radius + reach_of(piece.speed, h);
+    span.from = piece.center.x() - half;
+    span.to = piece.center.x() + half;
+  }
+  for (std::size_t k = 1; k < spans_.size(); ++k) {
+    const Span span = spans_[k];
+    std::size_t to = k;
+    for (; to > 0; --to) {
+      const Span& before = spans_[to - 1];
+      if (before.from < span.from || (before.from == span.from && before.piece < span.piece)) break;
+      spans_[to] = before;
+    }
+    spans_[to] = span;
   }
 }
 

@@ -58,6 +58,11 @@ class LooseContacts {
     Eigen::Vector3d bristle;  // in B's axes: anchor, or stretch of a point that rolls
     Eigen::Vector3d force;    // world
   };
+  // Along x, with what it may move in a step.
+  struct Span {
+    double from, to;
+    int piece;
+  };
   struct Search {
     const std::vector<ArticulatedBody*>& systems;
     double h;
@@ -67,6 +72,7 @@ class LooseContacts {
 
   void add_robot(const Model& model, const WorldConfig& config);
   void add(Piece piece);
+  void sort_spans(double h) noexcept;
   void place(Piece& piece, const std::vector<ArticulatedBody*>& systems) noexcept;
   bool near(const Piece& a, const Piece& b, double h) const noexcept;
   void meet_ground(const Piece& piece, Search& search) noexcept;
@@ -78,6 +84,7 @@ class LooseContacts {
   void consider(Contact& found, Search& search) noexcept;
 
   std::vector<Piece> pieces_;  // the loose bodies, the robot's, the fixed ones
+  std::vector<Span> spans_;    // of all pieces, by where they begin
   std::size_t loose_ = 0, moving_ = 0;
   ContactParams ground_;
   int next_key_ = 0;
