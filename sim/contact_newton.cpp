@@ -15,54 +15,20 @@ namespace {
 constexpr double kSettled = 1e-10;  // of 10 N + all forces
 constexpr double kForceFloor = 10.0;
 
-// Solves a x = b in place by elimination with partial pivots; a is row-major n x n.  ends: room for
-// where each row ends in zeros, which piles have many of.
-void eliminate(double* a, double* b, int* ends, int n) noexcept {
-  for (int r = 0; r < n; ++r) {
-    int end = n;
-    while (end > 0 && a[r * n + end - 1] == 0.0) --end;
-    ends[r] = end;
-  }
-  for (int c = 0; c < n; ++c) {
-    int pivot = c;
-    for (int r = c + 1; r < n; ++r) {
-      if (std::abs(a[r * n + c]) > std::abs(a[pivot * n + c])) pivot = r;
-    }
-    if (pivot != c) {
-      const int end = std::max(ends[c], ends[pivot]);
-      for (int k = c; k < end; ++k) std::swap(a[c * n + k], a[pivot * n + k]);
-      std::swap(b[c], b[pivot]);
-      std::swap(ends[c], ends[pivot]);
-    }
-    const double inverse = 1.0 / a[c * n + c];
-    for (int r = c + 1; r < n; ++r) {
-      const double factor = a[r * n + c] * inverse;
-      if (factor == 0.0) continue;
-      for (int k = c + 1; k < ends[c]; ++k) a[r * n + k] -= factor * a[c * n + k];
-      ends[r] = std::max(ends[r], ends[c]);
-      b[r] -= factor * b[c];
-    }
-  }
-  for (int r = n - 1; r >= 0; --r) {
-    for (int k = r + 1; k < ends[r]; ++k) b[r] -= a[r * n + k] * b[k];
-    b[r] /= a[r * n + r];
-  }
-}
-
 Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& r) {
   Eigen::Matrix3d hat;
   hat << 0.0, -r[2], r[1], r[2], 0.0, -r[0], -r[1], r[0], 0.0;
   return hat;
 }
 
-// to += J(r)' g J(q), J(r) = [-r^ 1].
-void add_sandwich(const Eigen::Vector3d& r, const Eigen::Vector3d& q, const Eigen::Matrix3d& g,
+// to += J(r)' g J(r), J(r) = [-r^ 1].
+void add_sandwich(const Eigen::Vector3d& r, const Eigen::Matrix3d& g,
                   Eigen::Matrix<double, 6, 6>& to) {
-  const Eigen::Matrix3d hat_g = cross_matrix(r) * g;
-  const Eigen::Matrix3d hat_q = cross_matrix(q);
-  to.topLeftCorner<3, 3>() -= hat_g * hat_q;
+  const Eigen::Matrix3d hat = cross_matrix(r);
+  const Eigen::Matrix3d hat_g = hat * g;
+  to.topLeftCorner<3, 3>() -= hat_g * hat;
   to.topRightCorner<3, 3>() += hat_g;
-  to.bottomLeftCorner<3, 3>() -= g * hat_q;
+  to.bottomLeftCorner<3, 3>() -= g * hat;
   to.bottomRightCorner<3, 3>() += g;
 }
 
@@ -77,16 +43,17 @@ Eigen::Vector3d at_point(const double* a, const Eigen::Vector3d& r) {
 void ContactSolve::build_response() noexcept {
   const int count = static_cast<int>(slots_.size());
   for (int s = 0; s < count; ++s) {
-    Slot& slot = slots_[at(s)];
-    slot.rows = systems_[at(slot.system)]->response(slot.link, &rows_[at(s * most_rows_)]);
-  }
-  for (int s = 0; s < count; ++s) {
-    for (int t = s; t < count; ++t) {
-      if (slots_[at(s)].system != slots_[at(t)].system) continue;
+    const Slot& one = slots_[at(s)];
+    const int rows = systems_[at(one.system)]->response(one.link, rows_.data());
+    for (int t = s;;) {
+      const Slot& two = slots_[at(t)];
+      const bool same = t == s;
+      const int others =
+          same ? rows : systems_[at(two.system)]->response(two.link, other_rows_.data());
       // Both lists end with what the links have in common, in falling order.
       Screw columns[6] = {};
-      const ResponseRow *a = &rows_[at(s * most_rows_)], *b = &rows_[at(t * most_rows_)];
-      for (int p = 0, q = 0; p < slots_[at(s)].rows && q < slots_[at(t)].rows;) {
+      const ResponseRow *a = rows_.data(), *b = same ? a : other_rows_.data();
+      for (int p = 0, q = 0; p < rows && q < others;) {
         if (a[p].joint == b[q].joint) {
           for (int k = 0; k < 6; ++k) {
             const double factor = b[q].row[k];
@@ -100,11 +67,16 @@ void ContactSolve::build_response() noexcept {
           ++q;
         }
       }
+      Matrix6& forth = blocks_[at(one.blocks + two.place)];
+      Matrix6& back = blocks_[at(two.blocks + one.place)];
       for (int k = 0; k < 6; ++k) {
-        for (int r = 0; r < 6; ++r) {
-          b_(6 * s + r, 6 * t + k) = b_(6 * t + k, 6 * s + r) = columns[k][r];
-        }
+        for (int r = 0; r < 6; ++r) forth(r, k) = back(k, r) = columns[k][r];
       }
+      // The block of two slots is that of the later one with the earlier.
+      do {
+        t = slots_[at(t)].peer;
+      } while (t > s);
+      if (t == s) break;
     }
   }
 }
@@ -117,7 +89,7 @@ void ContactSolve::respond(const Eigen::VectorXd& wrench,
     Vector6 sum = Vector6::Zero();
     int t = s;
     do {
-      sum.noalias() += b_.block<6, 6>(6 * s, 6 * t) * wrench.segment<6>(6 * t);
+      sum.noalias() += block(s, t) * wrench.segment<6>(6 * t);
       t = slots_[at(t)].peer;
     } while (t != s);
     acceleration.segment<6>(6 * s) = sum;
@@ -137,16 +109,6 @@ double ContactSolve::evaluate(Contacts& contacts, double h, const Eigen::VectorX
   a_.head(n_) += a1_.head(n_);
   rho_.head(n_) = z.head(n_);
   scale_ = kForceFloor;
-  if (with_tangent) {
-    for (std::size_t s = 0; s < slots_.size(); ++s) {
-      slots_[s].curved = false;
-      h_[s].setZero();
-    }
-    for (Coupling& coupling : couplings_) {
-      coupling.ab.setZero();
-      coupling.ba.setZero();
-    }
-  }
   for (int i = 0; i < member_count_; ++i) {
     Contact& c = contacts[at(members_[i])];
     c.v = c.v0 + velocity_of(c, a_, h);
@@ -159,70 +121,117 @@ double ContactSolve::evaluate(Contacts& contacts, double h, const Eigen::VectorX
       rho_.segment<3>(6 * c.other_slot) += c.other_r.cross(extra);
       rho_.segment<3>(6 * c.other_slot + 3) += extra;
     }
-    if (!with_tangent) continue;
-    const Eigen::Matrix3d g = h * (c.now.tangent - c.g0);
-    if (g.cwiseAbs().maxCoeff() > 0.0) add_tangent(c, g);
   }
   respond(rho_, b_rho_);
   return rho_.head(n_).dot(b_rho_.head(n_));
 }
 
-void ContactSolve::add_tangent(const Contact& c, const Eigen::Matrix3d& g) noexcept {
-  slots_[at(c.slot)].curved = true;
-  add_sandwich(c.r, c.r, g, h_[at(c.slot)]);
-  if (c.other_system < 0) return;
-  slots_[at(c.other_slot)].curved = true;
-  add_sandwich(c.other_r, c.other_r, g, h_[at(c.other_slot)]);
-  Coupling& coupling = couplings_[at(c.coupling)];
-  add_sandwich(c.r, c.other_r, -g, coupling.ab);
-  add_sandwich(c.other_r, c.r, -g, coupling.ba);
+// H, of the tangents that evaluate() left in the contacts.
+void ContactSolve::add_tangents(const Contacts& contacts, double h) noexcept {
+  for (std::size_t s = 0; s < slots_.size(); ++s) {
+    slots_[s].curved = false;
+    h_[s].setZero();
+  }
+  for (Coupling& coupling : couplings_) {
+    coupling.curved = false;
+    coupling.aa.setZero();
+  }
+  for (int i = 0; i < member_count_; ++i) {
+    const Contact& c = contacts[at(members_[i])];
+    const Eigen::Matrix3d g = h * (c.now.tangent - c.g0);
+    if (!(g.cwiseAbs().maxCoeff() > 0.0)) continue;
+    if (c.other_system < 0) {
+      slots_[at(c.slot)].curved = true;
+      add_sandwich(c.r, g, h_[at(c.slot)]);
+    } else {
+      couplings_[at(c.coupling)].curved = true;
+      add_sandwich(c.r, g, couplings_[at(c.coupling)].aa);
+    }
+  }
+  // J(r_B) = J(r_A) X,  X = [1 0; -d^ 1],  d from B's common point to A's.
+  for (Coupling& c : couplings_) {
+    if (!c.curved) continue;
+    slots_[at(c.a)].curved = slots_[at(c.b)].curved = true;
+    const Eigen::Matrix3d hat = cross_matrix(c.apart);
+    Matrix6 right = c.aa;  // aa X
+    right.leftCols<3>() -= c.aa.rightCols<3>() * hat;
+    h_[at(c.a)] += c.aa;
+    c.ab = -right;
+    c.ba = -c.aa;  // -X' aa
+    c.ba.topRows<3>() -= hat * c.aa.bottomRows<3>();
+    h_[at(c.b)] += right;  // X' aa X
+    h_[at(c.b)].topRows<3>() += hat * right.bottomRows<3>();
+  }
 }
 
 // Row s of H B, of which h is the block in column t, into the matrix of direction().
-void ContactSolve::add_row(int s, int t, const Matrix6& h, int m) noexcept {
-  const int i = 6 * slots_[at(s)].row;
+void ContactSolve::add_row(int s, int t, const Matrix6& h) noexcept {
+  const int i = slots_[at(s)].row;
   int u = t;
   do {
-    const Matrix6 block = h * b_.block<6, 6>(6 * t, 6 * u);
-    const int j = 6 * slots_[at(u)].row;
+    const Matrix6 product = h * block(t, u);
+    const int j = slots_[at(u)].row;
     if (j >= 0) {
       for (int r = 0; r < 6; ++r) {
-        for (int k = 0; k < 6; ++k) matrix_[at((i + r) * m + j + k)] += block(r, k);
+        for (int k = 0; k < 6; ++k) band_.add(i + r, j + k, product(r, k));
       }
     } else {
-      const Vector6 known = block * dz_.segment<6>(6 * u);
+      const Vector6 known = product * dz_.segment<6>(6 * u);
       for (int r = 0; r < 6; ++r) right_[at(i + r)] -= known[r];
     }
     u = slots_[at(u)].peer;
   } while (u != t);
 }
 
-// Links whose tangent is that of stage 1 have dz = -rho; only the others are coupled.
-void ContactSolve::direction() noexcept {
-  dz_.head(n_) = -rho_.head(n_);
-  int m = 0;
-  for (std::size_t s = 0; s < slots_.size(); ++s) {
-    slots_[s].row = slots_[s].curved ? m / 6 : -1;
-    if (!slots_[s].curved) continue;
-    for (int r = 0; r < 6; ++r) right_[at(m + r)] = dz_[static_cast<Eigen::Index>(6 * s) + r];
-    m += 6;
-  }
-  std::fill(matrix_.begin(), matrix_.begin() + m * m, 0.0);
-  for (int i = 0; i < m; ++i) matrix_[at(i * m + i)] = 1.0;
+// How far from the diagonal add_row() comes.
+int ContactSolve::reach_of_matrix() const noexcept {
+  int most = 0;
+  const auto touch = [&](int s, int t) {
+    int u = t;
+    do {
+      if (slots_[at(u)].row >= 0) {
+        most = std::max(most, std::abs(slots_[at(s)].row - slots_[at(u)].row));
+      }
+      u = slots_[at(u)].peer;
+    } while (u != t);
+  };
   for (int s = 0; s < static_cast<int>(slots_.size()); ++s) {
-    if (slots_[at(s)].curved) add_row(s, s, h_[at(s)], m);
+    if (slots_[at(s)].curved && slots_[at(s)].peer != s) touch(s, s);
   }
   for (const Coupling& c : couplings_) {
-    if (!slots_[at(c.a)].curved || !slots_[at(c.b)].curved) continue;
-    add_row(c.a, c.b, c.ab, m);
-    add_row(c.b, c.a, c.ba, m);
+    if (!c.curved) continue;
+    touch(c.a, c.b);
+    touch(c.b, c.a);
   }
-  eliminate(matrix_.data(), right_.data(), ends_.data(), m);
-  for (std::size_t s = 0; s < slots_.size(); ++s) {
-    if (!slots_[s].curved) continue;
-    for (int r = 0; r < 6; ++r) {
-      dz_[static_cast<Eigen::Index>(6 * s) + r] = right_[at(6 * slots_[s].row + r)];
-    }
+  return most + 5;
+}
+
+// Links whose tangent is that of stage 1 have dz = -rho; only the others are coupled.
+void ContactSolve::direction(const Contacts& contacts, double h) noexcept {
+  add_tangents(contacts, h);
+  dz_.head(n_) = -rho_.head(n_);
+  int m = 0;
+  for (const int s : sequence_) {
+    slots_[at(s)].row = slots_[at(s)].curved ? m : -1;
+    if (!slots_[at(s)].curved) continue;
+    for (int r = 0; r < 6; ++r) right_[at(m + r)] = dz_[6 * s + r];
+    m += 6;
+  }
+  if (m == 0) return;
+  band_.reset(m, reach_of_matrix());
+  for (int i = 0; i < m; ++i) band_.add(i, i, 1.0);
+  for (const int s : sequence_) {
+    if (slots_[at(s)].curved) add_row(s, s, h_[at(s)]);
+  }
+  for (const Coupling& c : couplings_) {
+    if (!c.curved) continue;
+    add_row(c.a, c.b, c.ab);
+    add_row(c.b, c.a, c.ba);
+  }
+  band_.solve(right_.data());
+  for (const int s : sequence_) {
+    if (!slots_[at(s)].curved) continue;
+    for (int r = 0; r < 6; ++r) dz_[6 * s + r] = right_[at(slots_[at(s)].row + r)];
   }
 }
 
@@ -236,8 +245,14 @@ bool ContactSolve::newton(Contacts& contacts, double h, int limit, double loose,
   for (int i = 0; i < limit; ++i) {
     if (rho_.head(n_).norm() <= tolerance * scale_) return true;
     ++counters_.newton;
-    direction();
-    double t = line_search(contacts, h, merit);
+    direction(contacts, h);
+    const double whole = merit_at(contacts, h, 1.0, true);
+    if (whole < 0.25 * merit) {
+      z_.head(n_) = trial_.head(n_);
+      merit = whole;
+      continue;
+    }
+    double t = line_search(contacts, h, merit, whole);
     if (!(t > 0.0)) {
       if (best > merit) {
         best = merit;
@@ -260,13 +275,13 @@ bool ContactSolve::newton(Contacts& contacts, double h, int limit, double loose,
   return false;
 }
 
-// The share of dz to go, 0 if none lowers the merit.
-double ContactSolve::line_search(Contacts& contacts, double h, double merit) noexcept {
+// The share of dz to go, 0 if none lowers the merit; whole: the merit of all of it.
+double ContactSolve::line_search(Contacts& contacts, double h, double merit,
+                                 double whole) noexcept {
   double best_t = 1.0;
-  double best = merit_at(contacts, h, 1.0);
-  if (best < 0.25 * merit) return best_t;
+  double best = whole;
   const auto consider = [&](double t) {
-    const double m = merit_at(contacts, h, t);
+    const double m = merit_at(contacts, h, t, false);
     if (m < best || !std::isfinite(best)) {
       best = m;
       best_t = t;
@@ -278,9 +293,9 @@ double ContactSolve::line_search(Contacts& contacts, double h, double merit) noe
   return best < merit ? best_t : 0.0;
 }
 
-double ContactSolve::merit_at(Contacts& contacts, double h, double t) noexcept {
+double ContactSolve::merit_at(Contacts& contacts, double h, double t, bool with_tangent) noexcept {
   trial_.head(n_) = z_.head(n_) + t * dz_.head(n_);
-  return evaluate(contacts, h, trial_, false);
+  return evaluate(contacts, h, trial_, with_tangent);
 }
 
 // Where on the ray a contact opens or closes, or passes nearest to not slipping.

@@ -11,15 +11,18 @@ namespace {
 constexpr int kMostNewton = 20;
 constexpr double kStageOne = 1e-9;  // of 1 N + all forces: stage 1 agrees with the law
 constexpr double kAlmost = 1e-7;    // of 10 N + all forces: what is left for rounding
+// Bodies across a pile of which all couplings find room in the matrix, three times.
+constexpr std::size_t kMostReach = 192;
 
 }  // namespace
 
 ContactSolve::ContactSolve(std::vector<ArticulatedBody*> systems, int most_contacts)
-    : systems_(std::move(systems)) {
-  int links = 0;
+    : systems_(std::move(systems)), band_(0, 0) {
+  int links = 0, blocks = 0;
   for (const ArticulatedBody* body : systems_) {
     first_link_.push_back(links);
     links += body->link_count();
+    blocks += body->link_count() * body->link_count();
     most_rows_ = std::max(most_rows_, body->most_rows());
   }
   parent_.resize(systems_.size());
@@ -32,14 +35,18 @@ ContactSolve::ContactSolve(std::vector<ArticulatedBody*> systems, int most_conta
   slots_.reserve(slots);
   couplings_.reserve(at(most_contacts));
   h_.resize(slots);
-  rows_.resize(slots * at(most_rows_));
-  b_.resize(size, size);
+  rows_.resize(at(most_rows_));
+  other_rows_.resize(at(most_rows_));
+  blocks_.resize(at(blocks));
+  neighbours_.resize(2 * at(most_contacts));
+  first_.resize(slots + 1);
+  sequence_.reserve(slots);
+  seen_.resize(slots);
   for (Eigen::VectorXd* v : {&a1_, &a_, &da_, &z_, &best_z_, &rho_, &dz_, &trial_, &b_rho_}) {
     v->setZero(size);
   }
-  matrix_.resize(36 * slots * slots);
+  band_ = BandSolve(6 * slots, 36 * slots * std::min(slots, kMostReach));
   right_.resize(6 * slots);
-  ends_.resize(6 * slots);
   kinks_.reserve(2 * at(most_contacts));
 }
 
@@ -118,6 +125,8 @@ bool ContactSolve::stage_one_holds(Contacts& contacts, double h) const noexcept 
   double total = 1.0, mismatch = 0.0;
   for (int i = 0; i < member_count_; ++i) {
     Contact& c = contacts[at(members_[i])];
+    // Nothing of it is folded in: what pressed a step ago presses still.
+    if (c.other_system >= 0 && !c.guess.isZero(0.0)) return false;
     c.v = c.v0 + h * at_point(systems_[at(c.system)]->link(c.link).acceleration, c.r);
     if (c.other_system >= 0) {
       const ArticulatedBody& other = *systems_[at(c.other_system)];
@@ -181,8 +190,9 @@ int ContactSolve::slot_of(int system, int link) noexcept {
   int& slot = slot_of_link_[at(first_link_[at(system)] + link)];
   if (slot >= 0) return slot;
   slot = static_cast<int>(slots_.size());
-  Slot added{system, link, slot, false, -1, 0};
-  for (int s = 0; s < slot; ++s) {
+  Slot added{system, link, slot, false, -1, 0, 0, -1};
+  const bool alone = systems_[at(system)]->link_count() == 1;
+  for (int s = 0; s < slot && !alone; ++s) {
     if (slots_[at(s)].system != system) continue;
     added.peer = slots_[at(s)].peer;
     slots_[at(s)].peer = slot;
@@ -198,7 +208,11 @@ int ContactSolve::coupling_of(int a, int b) noexcept {
   for (std::size_t i = couplings_.size(); i-- > 0;) {
     if (couplings_[i].a == a && couplings_[i].b == b) return static_cast<int>(i);
   }
-  couplings_.push_back({a, b, Matrix6::Zero(), Matrix6::Zero()});
+  Coupling& added = couplings_.emplace_back();
+  added.a = a;
+  added.b = b;
+  added.apart =
+      systems_[at(slots_[at(a)].system)]->origin() - systems_[at(slots_[at(b)].system)]->origin();
   return static_cast<int>(couplings_.size()) - 1;
 }
 
@@ -213,6 +227,59 @@ void ContactSolve::find_slots(Contacts& contacts) noexcept {
     c.coupling = coupling_of(c.slot, c.other_slot);
   }
   n_ = 6 * static_cast<int>(slots_.size());
+  int blocks = 0;
+  for (int s = 0; s < static_cast<int>(slots_.size()); ++s) {
+    if (slots_[at(s)].blocks >= 0) continue;
+    int count = 0;
+    int t = s;
+    do {
+      slots_[at(t)].place = count++;
+      t = slots_[at(t)].peer;
+    } while (t != s);
+    do {
+      slots_[at(t)].blocks = blocks;
+      blocks += count;
+      t = slots_[at(t)].peer;
+    } while (t != s);
+  }
+  find_sequence();
+}
+
+// The slots from one end of the pile to the other, so that those that touch have numbers that are
+// near (Cuthill and McKee 1969, from the end that a first walk finds).
+void ContactSolve::find_sequence() noexcept {
+  const auto count = slots_.size();
+  std::fill_n(first_.begin(), count + 1, 0);
+  for (const Coupling& c : couplings_) {
+    ++first_[at(c.a)];
+    ++first_[at(c.b)];
+  }
+  std::partial_sum(first_.begin(), first_.begin() + static_cast<std::ptrdiff_t>(count),
+                   first_.begin());
+  first_[count] = static_cast<int>(2 * couplings_.size());
+  for (const Coupling& c : couplings_) {
+    neighbours_[at(--first_[at(c.a)])] = c.b;
+    neighbours_[at(--first_[at(c.b)])] = c.a;
+  }
+  if (count > 0) (void)walk(walk(0));
+}
+
+// Fills sequence_ with all that hangs together with a slot, the nearest first.  Returns the last.
+int ContactSolve::walk(int from) noexcept {
+  sequence_.clear();
+  std::fill_n(seen_.begin(), slots_.size(), '\0');
+  const auto visit = [this](int slot) {
+    if (seen_[at(slot)]) return;
+    seen_[at(slot)] = 1;
+    sequence_.push_back(slot);
+  };
+  visit(from);
+  for (std::size_t i = 0; i < sequence_.size(); ++i) {
+    const int s = sequence_[i];
+    for (int t = slots_[at(s)].peer; t != s; t = slots_[at(t)].peer) visit(t);
+    for (int k = first_[at(s)]; k < first_[at(s) + 1]; ++k) visit(neighbours_[at(k)]);
+  }
+  return sequence_.back();
 }
 
 void ContactSolve::guess(const Contacts& contacts) noexcept {

@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "sim/articulated_body.h"
+#include "sim/band_solve.h"
 #include "sim/contact_law.h"
 
 namespace twinbus {
@@ -80,10 +81,14 @@ class ContactSolve {
     bool curved;  // a row of H is not zero
     int row;      // of such, in the matrix of direction(); -1
     int rows;     // of the response
+    int place;    // in its ring
+    int blocks;   // of its row in blocks_
   };
   struct Coupling {  // H between two slots that touch
     int a, b;
-    Matrix6 ab, ba;
+    bool curved;
+    Eigen::Vector3d apart;  // from B's common point to A's
+    Matrix6 aa, ab, ba;
   };
 
   void make_islands(const Contacts& contacts) noexcept;
@@ -91,21 +96,27 @@ class ContactSolve {
   void solve_island(Contacts& contacts, double h) noexcept;
   bool stage_one_holds(Contacts& contacts, double h) const noexcept;
   void find_slots(Contacts& contacts) noexcept;
+  void find_sequence() noexcept;
+  int walk(int from) noexcept;
   int slot_of(int system, int link) noexcept;
   int coupling_of(int a, int b) noexcept;
   void build_response() noexcept;
   void guess(const Contacts& contacts) noexcept;
   void apply() noexcept;
   void respond(const Eigen::VectorXd& wrench, Eigen::VectorXd& acceleration) const noexcept;
-  // rho at z; with_tangent also H.  Returns the merit rho' B rho.
+  const Matrix6& block(int s, int t) const noexcept {
+    return blocks_[at(slots_[at(s)].blocks + slots_[at(t)].place)];
+  }
+  // rho at z; with_tangent also the tangents of the law.  Returns the merit rho' B rho.
   double evaluate(Contacts& contacts, double h, const Eigen::VectorXd& z,
                   bool with_tangent) noexcept;
-  void add_tangent(const Contact& contact, const Eigen::Matrix3d& g) noexcept;
-  void add_row(int s, int t, const Matrix6& h, int m) noexcept;
-  void direction() noexcept;
+  void add_tangents(const Contacts& contacts, double h) noexcept;
+  void add_row(int s, int t, const Matrix6& h) noexcept;
+  int reach_of_matrix() const noexcept;
+  void direction(const Contacts& contacts, double h) noexcept;
   bool newton(Contacts& contacts, double h, int limit, double loose, double& merit) noexcept;
-  double line_search(Contacts& contacts, double h, double merit) noexcept;
-  double merit_at(Contacts& contacts, double h, double t) noexcept;
+  double line_search(Contacts& contacts, double h, double merit, double whole) noexcept;
+  double merit_at(Contacts& contacts, double h, double t, bool with_tangent) noexcept;
   void find_kinks(const Contacts& contacts, double h) noexcept;
   Eigen::Vector3d velocity_of(const Contact& contact, const Eigen::VectorXd& acceleration,
                               double h) const noexcept;
@@ -123,13 +134,16 @@ class ContactSolve {
   std::vector<int> slot_of_link_;  // -1: not touched
   std::vector<Slot> slots_;
   std::vector<Coupling> couplings_;
-  std::vector<Matrix6> h_;         // by slot
-  std::vector<ResponseRow> rows_;  // by slot, most_rows_ each
+  std::vector<Matrix6> h_;                      // by slot
+  std::vector<ResponseRow> rows_, other_rows_;  // of two slots
   int most_rows_ = 6;
-  Eigen::MatrixXd b_;
+  std::vector<Matrix6> blocks_;          // B: of two slots of one body
+  std::vector<int> neighbours_, first_;  // of each slot: those it touches
+  std::vector<int> sequence_;            // slots along the pile
+  std::vector<char> seen_;
   Eigen::VectorXd a1_, a_, da_, z_, best_z_, rho_, dz_, trial_, b_rho_;
-  std::vector<double> matrix_, right_;  // of direction()
-  std::vector<int> ends_;
+  BandSolve band_;
+  std::vector<double> right_;  // of direction()
   std::vector<double> kinks_;
   double smooth_ = 0.0;
   double scale_ = 1.0;  // sum of forces [N]

@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 """./twinbus bench physics [CASE...] [--csv F] [--rounds N]: our engines beside their peers, row by row asked and reached.
 
-Cases: free flight arm stand push map convergence brick effort determinism (default: all).  Costs are CPU time of one
+Cases: free flight arm stand push map convergence brick piles effort determinism (default: all).  Costs are CPU time of one
 thread; ours and the peers take turns, and a ratio is the median over rounds (default 5).  An engine's error is measured
 against a converged run: one reference where there is no contact, each engine's own finest run where contact laws differ.
 "asked" is for machines with AVX2; peers that are not installed are said and left out.  Exit status 1 if a row falls short.
 """
 
+import math
 import sys
 
 from physics_lab import Lab, call, cost_at, error, median_of, ratio, slope
@@ -156,6 +157,25 @@ def brick(lab, _rounds):
         at_most("brick", f"the same, 0 against 45 degrees, k {k:g}", 1e-6, abs(float(ways[0][6]) - float(ways[1][6])), unit="m")
 
 
+def piles(lab, rounds):
+    def cost(engine, shape, count):
+        lines = call(lab.program, "boxes", shape, engine.method, 1e-3, count, 0.3)
+        return float(lines[0].split()[6]) if lines else math.nan
+
+    # Asked on AVX2: 1.4 times what AVX-512 is asked for.
+    limits = {("apart", 1000): 2100, ("stack", 20): 280, ("stack", 100): 1400}
+    for shape, counts in (("apart", (1, 10, 100, 1000)), ("stack", (2, 5, 10, 20, 50, 100))):
+        for count in counts:
+            (ours, theirs), every = median_of(1 if count > 20 else rounds, lambda: cost(lab.articulated, shape, count),
+                                              lambda: cost(lab.ode, shape, count))
+            name = f"{count} boxes {'apart' if shape == 'apart' else 'in a stack'}"
+            if (shape, count) in limits:
+                at_most("piles", f"{name}, 1 ms, us a step", limits[shape, count], ours, unit="us")
+            print(f"{'piles':12s} {name}, us a step: {lab.articulated.label} {ours:.1f}, {lab.ode.label} {theirs:.1f}")
+            at_least("piles", f"{name}, times faster than {lab.ode.label}", 1, ratio(every, 0, 1),
+                     peer=lab.ode.label, ours=ours, theirs=theirs)
+
+
 def effort(lab, _rounds):
     for h in (1e-4, 1e-3, 1e-2):
         words = call(lab.program, "effort", "articulated", h)[0].split()
@@ -171,7 +191,7 @@ def determinism(lab, _rounds):
 
 CASES = {"free": free, "flight": lambda lab, _: smooth(lab, "flight", ((1e-8, 42),)),
          "arm": lambda lab, _: smooth(lab, "arm", ((1e-3, 3.5), (1e-8, 14))), "stand": stand, "push": push, "map": stability,
-         "convergence": convergence, "brick": brick, "effort": effort, "determinism": determinism}
+         "convergence": convergence, "brick": brick, "piles": piles, "effort": effort, "determinism": determinism}
 
 
 def main(words):

@@ -7,6 +7,7 @@
 //     physics_cases map   METHOD SMALLEST_H            which stands are stable
 //     physics_cases effort METHOD H                    worst excess over limits and stops, thrown
 //     physics_cases hash  SCENE METHOD H               of the whole trajectory
+//     physics_cases boxes SHAPE METHOD H COUNT [SECONDS]  us a step of boxes lying apart or in a stack
 //
 // METHOD: articulated, articulated2 and articulated3 (orders 2, 3), ode, or articulated-ab4, -rk4, -rkf78 in flight.
 
@@ -237,6 +238,54 @@ void hash(const std::string& name, const std::string& method, double h) {
               static_cast<unsigned long long>(sum));
 }
 
+// Boxes of 1 kg on the ground, apart or one on another, and nothing else that moves.
+void time_boxes(const std::string& shape, const std::string& method, double h, int count,
+                double seconds) {
+  if (shape != "apart" && shape != "stack")
+    throw std::runtime_error("boxes lie apart or in a stack");
+  if (count < 1 || count > 10000) throw std::runtime_error("boxes: 1 to 10000 of them");
+  PhysicsScene scene = physics_scene("chain1");
+  scene.fixed_base = true;
+  scene.start = Configuration(scene.model);
+  scene.start.q.setZero();
+  scene.start.qd.setZero();
+  WorldConfig config = config_of(scene, method, h);
+  const double edge = 0.2;  // [m]
+  const int row = static_cast<int>(std::ceil(std::sqrt(count)));
+  for (int i = 0; i < count; ++i) {
+    LooseBody box;
+    box.name = std::string("box") + std::to_string(i);
+    box.solid.size.setConstant(edge);
+    box.stiffness = 1e6;
+    box.damping = 1e3;
+    box.friction = 0.8;
+    config.ground_friction = 0.8;
+    Eigen::Vector3d at(0.5 * (i % row), 0.5 * (i / row), 0.5 * edge);
+    if (shape == "stack") at = {0.0, 0.0, (i + 0.5) * edge};
+    box.start.pose.translation() = at;
+    config.loose.push_back(box);
+  }
+  const auto world = make_world(scene.model, config);
+  begin(*world, scene);
+  std::vector<double> costs;
+  const double begun = cpu_seconds();
+  for (long i = 0; i < 100 || cpu_seconds() - begun < seconds; ++i) {
+    const double t = cpu_seconds();
+    if (world->step() != Status::kOk) throw std::runtime_error("diverged");
+    if (i >= 50 || t - begun > 2.0) costs.push_back(1e6 * (cpu_seconds() - t));
+    if (i >= 5 && t - begun > 20.0) break;  // an engine that takes for ever
+  }
+  const LooseState top = world->loose(count - 1);
+  const double off = (top.pose.translation() - config.loose.back().start.pose.translation()).norm();
+  std::printf("boxes %s %s %g %d us %.4f off %.6f", shape.c_str(), method.c_str(), h, count,
+              median(costs), off);
+  if (const auto* ours = dynamic_cast<const ArticulatedWorld*>(world.get())) {
+    const SolveCounters& c = ours->counters();
+    std::printf(" counters %ld %ld %ld %ld", c.steps, c.one_pass, c.newton, c.unconverged);
+  }
+  std::printf("\n");
+}
+
 int cases(int argc, char** argv) {
   const auto word = [&](int i) -> std::string {
     if (i >= argc) throw std::runtime_error("too few words; see the head of physics_cases.cpp");
@@ -260,6 +309,8 @@ int cases(int argc, char** argv) {
     effort(word(2), number(3, 1e-3));
   } else if (what == "hash") {
     hash(word(2), word(3), number(4, 1e-3));
+  } else if (what == "boxes") {
+    time_boxes(word(2), word(3), number(4, 1e-3), static_cast<int>(number(5, 20)), number(6, 0.5));
   } else {
     throw std::runtime_error("no case '" + what + "'");
   }

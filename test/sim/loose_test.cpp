@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
 #include "both_engines.h"
 #include "robot/dynamics.h"
@@ -264,6 +266,33 @@ TEST(LooseAndRobot, ACollisionKeepsMomentumToTheOrderOfTheStep) {
 }
 
 // Thrown boxes of 0.03 to 30 kg: every step settles inside the cone.
+// The boxes numbered at random, and a box beside the stack among them.
+TEST(LooseStack, ItStandsTheSameInWhateverOrderItsBoxesAreNamed) {
+  const Model model = bystander();
+  constexpr int kBoxes = 12;
+  std::array<std::vector<double>, 2> heights;
+  for (const std::size_t shuffled : {0u, 1u}) {
+    WorldConfig config;
+    config.step = 1e-3;
+    for (int i = 0; i < kBoxes; ++i) {
+      const int level = shuffled ? i * 7 % kBoxes : i;
+      config.loose.push_back(
+          box("b", 1.0 + 0.1 * level, {0.2, 0.2, 0.2}, {0.01 * (level % 3), 0, 0.1 + 0.2 * level}));
+    }
+    config.loose.insert(config.loose.begin() + 5, box("lone", 1.0, {0.2, 0.2, 0.2}, {1, 0, 0.1}));
+    ArticulatedWorld world(model, config);
+    for (int i = 0; i < 200; ++i) ASSERT_EQ(world.step(), Status::kOk);
+    EXPECT_EQ(world.counters().unconverged, 0);
+    for (int i = 0; i < world.loose_count(); ++i) {
+      heights[shuffled].push_back(world.loose(i).pose.translation().z());
+    }
+    std::sort(heights[shuffled].begin(), heights[shuffled].end());
+  }
+  for (std::size_t i = 0; i < heights[0].size(); ++i) {
+    EXPECT_NEAR(heights[0][i], heights[1][i], 1e-8);
+  }
+}
+
 TEST(LooseStress, ATumblingBoxAlwaysSettlesInsideTheCone) {
   const Model model = bystander();
   Random random(3);
