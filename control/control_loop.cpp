@@ -27,6 +27,7 @@ constexpr double kCrouch = 0.10;          // [m] at full trigger
 constexpr double kGamepadTimeout = 0.25;  // [s]
 constexpr std::int64_t kMostTicks = 5;    // that a step of time may be worth
 constexpr double kSameMotion = 1.0;       // [s] in which another source may go on with the motion
+constexpr std::int64_t kHandOver = 16;    // ticks that both sources of a switch may publish
 constexpr double kMostWalkTimeout = 2.0;  // [s]
 constexpr double kPadShare = 0.8;         // of the fastest walk, at full stick
 constexpr const char* kInsane = "a state that no robot can be in was ignored";
@@ -48,6 +49,7 @@ struct ControlLoop::Impl {
   void guard_and_mask(std::int64_t now_ns, double dt) noexcept;
   void write(JointCommand& out) const noexcept;
   bool goes_on() const noexcept;
+  bool computed_already() const noexcept;
   Moment now() const noexcept { return {state, estimator, have_output ? &last : nullptr}; }
 
   const Model& model;
@@ -124,6 +126,13 @@ bool ControlLoop::Impl::goes_on() const noexcept {
   const std::int64_t ticks = state.tick - answered_tick;
   return answered_tick >= 0 && ticks >= 0 &&
          static_cast<double>(ticks) * model.period() <= kSameMotion;
+}
+
+// The old source goes on until it sees its successor, so both publish the ticks between.  Each is computed once:
+// computed again, the motion would run ahead of the robot; taken for a source started anew, it would end.
+bool ControlLoop::Impl::computed_already() const noexcept {
+  const std::int64_t behind = answered_tick - state.tick;
+  return answered_tick >= 0 && behind >= 0 && behind < kHandOver && state.tick > kHandOver;
 }
 
 bool ControlLoop::Impl::pad_speaks(std::int64_t now_ns) const noexcept {
@@ -216,6 +225,11 @@ bool ControlLoop::Impl::step(std::int64_t now_ns, JointCommand& out) noexcept {
     return false;
   const bool same_source = state.run_id == answered_run && state.term == answered_term;
   if (same_source && state.tick == answered_tick) {
+    out = command;
+    return true;
+  }
+  if (!same_source && computed_already()) {
+    write(command);
     out = command;
     return true;
   }

@@ -66,13 +66,15 @@ class StateAdmission {
              state.tick - tick_ <= kFarthestJump;  // cancel, after its successor
     }
     if (grant_run_id_ != 0 && state.run_id == grant_run_id_ && state.term == term_ + 1) {
-      return state.tick >= grant_tick_ && in_order;
+      // The holder goes on until it sees its successor, so a slow one may be a few ticks behind it.
+      return state.tick >= grant_tick_ && state.tick - tick_ >= -kGrantTicks &&
+             state.tick - tick_ <= kFarthestJump;
     }
     return silence >= kSilence && state.term > term_;
   }
 
   static constexpr std::int64_t kGrantTicks =
-      16;  // a cancel may be a few ticks behind the successor it takes back
+      16;  // a successor may be so many ticks behind the holder, and a cancel behind the successor
 
   bool heard_ = false;
   std::int64_t heard_ns_ = 0;

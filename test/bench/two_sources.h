@@ -1,7 +1,9 @@
-// Two sources and one controller tick by tick in one process: a simulator, and a stand-in robot that cannot be set.
+// Two sources and one controller tick by tick in one process: a simulator, and a stand-in robot that cannot be set or
+// another simulator.
 //
 // Everything of the product but the bus and the clock: Source, gate, handover, admission, control loop.  The clock is
-// counted, so a run is the same on any machine.  The standby's tick comes a little before STATE, as in real time.
+// counted, so a run is the same on any machine.  The standby's tick comes a little before STATE, as in real time; a
+// source can be made to wake late.
 
 #pragma once
 
@@ -11,6 +13,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "bridge/source.h"
 #include "control/control_loop.h"
@@ -42,30 +45,56 @@ class TwoSources {
  public:
   static constexpr std::int64_t kSimulator = 1, kRobot = 2, kOperator = 11;
 
+  // A robot shadows the simulator while it is not active; a second simulator tracks it.
   TwoSources(const Model& model, const Scene& scene, const ControlConfig& control,
-             const AdaptorConfig& robot_settings)
-      : model_(model), simulated_(scene), stand_in_(scene), loop_(model, control) {
-    if (simulated_.open(model, {}) != Status::kOk ||
-        stand_in_.open(model, robot_settings) != Status::kOk)
+             std::unique_ptr<RobotAdaptor> second, const AdaptorConfig& settings)
+      : model_(model), loop_(model, control) {
+    body_ = {std::make_unique<SimAdaptor>(scene), std::move(second)};
+    if (body_[0]->open(model, {}) != Status::kOk || body_[1]->open(model, settings) != Status::kOk)
       throw std::runtime_error("a body does not open");
-    source_[0] = std::make_unique<Source>(
-        model, simulated_, SourceConfig{.run_id = kSimulator, .kind = SourceKind::kSimulator});
-    source_[1] = std::make_unique<Source>(
-        model, stand_in_, SourceConfig{.run_id = kRobot, .kind = SourceKind::kBridge});
+    for (std::size_t s : {0U, 1U}) {
+      const auto kind = body_[s]->is_hardware() ? SourceKind::kBridge : SourceKind::kSimulator;
+      source_[s] = std::make_unique<Source>(
+          model, *body_[s], SourceConfig{.run_id = run_of(static_cast<int>(s)), .kind = kind});
+    }
     while (now_ < 1'100'000'000) tick();
     request(SourceAction::kActivate, kSimulator, SwitchPolicy::kNow);
     for (int i = 0; i < 5; ++i) tick();
-    request(SourceAction::kStandbyShadow, kRobot, SwitchPolicy::kNow);
+    request(body_[1]->is_hardware() ? SourceAction::kStandbyShadow : SourceAction::kStandbyTrack,
+            kRobot, SwitchPolicy::kNow);
   }
 
   void tick() {
     now_ += model_.period_ns;
     const std::size_t first = source_[0]->publishes_on_state() ? 1 : 0;  // the standby
-    begin(first, now_ - 300'000);
-    begin(1 - first, now_);
-    for (std::size_t s : {first, 1 - first}) source_[s]->end_tick(now_ + 400'000);
+    std::array<bool, 2> busy{};
+    for (const std::size_t s : {first, 1 - first}) {
+      Delay& delay = delay_[s];
+      busy[s] = delay.asleep > 0 || delay.working > 0;
+      if (delay.asleep > 0) {
+        --delay.asleep;
+      } else if (delay.working == 0) {
+        source_[s]->begin_tick(s == first ? now_ - 300'000 : now_);
+        delay.working = std::exchange(delay.slow, 0);
+        busy[s] = delay.working > 0;
+        if (!busy[s]) deliver(s, now_);
+      }
+    }
+    for (const std::size_t s : {first, 1 - first}) {
+      if (delay_[s].working > 0 && --delay_[s].working == 0) {
+        deliver(s, now_ + 300'000);
+        busy[s] = false;
+      }
+    }
+    for (const std::size_t s : {first, 1 - first}) {
+      if (!busy[s]) source_[s]->end_tick(now_ + 400'000);
+    }
     say_stops();
   }
+  // The source does not wake for so many ticks from now on.
+  void sleep(int index, int ticks) { delay_[static_cast<std::size_t>(index)].asleep = ticks; }
+  // Its next tick takes so long that so many STATEs of the other one come before its own.
+  void slow(int index, int ticks) { delay_[static_cast<std::size_t>(index)].slow = ticks; }
 
   // Index of the source on STATE: 0 simulator, 1 robot; -1 none.
   int active() const {
@@ -104,17 +133,20 @@ class TwoSources {
   static std::int64_t run_of(int index) { return index == 1 ? kRobot : kSimulator; }
   const Source& source(int index) const { return *source_[static_cast<std::size_t>(index)]; }
   const SimTruth& truth(int index) const {
-    return index == 0 ? *simulated_.truth() : *stand_in_.truth();
+    return *body_[static_cast<std::size_t>(index)]->truth();
   }
   const ControlLoop& loop() const { return loop_; }
   std::int64_t now_ns() const { return now_; }
-  std::int64_t unanswered() const { return unanswered_; }  // STATEs without a COMMAND
+  std::int64_t unanswered() const { return unanswered_; }   // STATEs without a COMMAND
+  const JointCommand& command() const { return command_; }  // the last
 
  private:
-  void begin(std::size_t s, std::int64_t now) {
+  struct Delay {
+    int asleep = 0, slow = 0, working = 0;
+  };
+  void deliver(std::size_t s, std::int64_t now) {
     Source& own = *source_[s];
     Source& other = *source_[1 - s];
-    own.begin_tick(now);
     const RobotState& state = own.state();
     if (!own.publishes_on_state()) {
       other.on_standby_state(state, now);
@@ -126,14 +158,13 @@ class TwoSources {
       return;
     }
     loop_.on_state(state, now);
-    JointCommand command;
-    if (!loop_.step(now, command)) {
+    if (!loop_.step(now, command_)) {
       ++unanswered_;
       return;
     }
     const std::int64_t answered = now + 200'000;
     for (auto& source : source_) {
-      source->on_command(command, answered);
+      source->on_command(command_, answered);
       source->on_controller_status(loop_.status(), answered);
     }
   }
@@ -147,11 +178,12 @@ class TwoSources {
   }
 
   const Model& model_;
-  SimAdaptor simulated_;
-  StandInBody stand_in_;
+  std::array<std::unique_ptr<RobotAdaptor>, 2> body_;
   ControlLoop loop_;
   StateAdmission admission_;
   std::array<std::unique_ptr<Source>, 2> source_;
+  std::array<Delay, 2> delay_{};
+  JointCommand command_;
   std::int64_t now_ = 0, unanswered_ = 0;
   std::int32_t sequence_ = 0;
 };

@@ -1,9 +1,10 @@
 // A walking robot is brought to rest, another source takes its place, and it walks on: simulator to robot and back.
 //
-//     walk_switch_bench [--count N] [--speed V] [--robot R] [--seed N] [--guard] [--trace]
+//     walk_switch_bench [--engines] [--count N] [--speed V] [--robot R] [--seed N] [--guard] [--trace]
 //
 // N times each way with policy when-safe, asked at a random phase of the step.  Exit status 1 when a body fell, a switch
-// was refused, a stop took more than 1.5 steps or a STATE had no answer.
+// was refused, a stop took more than 1.5 steps or a STATE had no answer.  --engines: instead, from one simulator to
+// another engine in mid-step and back (walk_switch_engines.h).
 
 #include <cstdio>
 #include <cstdlib>
@@ -13,7 +14,9 @@
 #include "control/walk.h"
 #include "robot/load.h"
 #include "robot/process.h"
+#include "test/bench/tilt.h"
 #include "test/bench/two_sources.h"
+#include "test/bench/walk_switch_engines.h"
 
 namespace twinbus {
 namespace {
@@ -27,13 +30,8 @@ struct Bench {
   int count = 50;
   double speed = 0.3;  // [m/s]
   unsigned seed = 1;
-  bool guard = false, trace = false;
+  bool guard = false, trace = false, engines = false;
 };
-
-double tilt_of(const RobotState& s) {
-  const double x = static_cast<double>(s.attitude[1]), y = static_cast<double>(s.attitude[2]);
-  return 57.29578 * std::acos(std::clamp(1.0 - 2.0 * (x * x + y * y), -1.0, 1.0));
-}
 
 struct Tally {
   int switched = 0, late = 0, walked_on = 0;
@@ -47,7 +45,8 @@ class Round {
     ControlConfig control;
     control.guard_in_loop = bench.guard;
     Scene scene;
-    rig_ = std::make_unique<TwoSources>(bench.model, scene, control, AdaptorConfig{});
+    rig_ = std::make_unique<TwoSources>(bench.model, scene, control,
+                                        std::make_unique<StandInBody>(scene), AdaptorConfig{});
     run(1.5, false);
   }
 
@@ -160,6 +159,8 @@ int run(int argc, char** argv) {
       bench.speed = std::atof(argv[++i]);
     } else if (word == "--seed" && has_value) {
       bench.seed = static_cast<unsigned>(std::atoi(argv[++i]));
+    } else if (word == "--engines") {
+      bench.engines = true;
     } else if (word == "--guard") {
       bench.guard = true;
     } else if (word == "--trace") {
@@ -167,11 +168,13 @@ int run(int argc, char** argv) {
     } else {
       std::fprintf(
           stderr,
-          "walk_switch_bench [--count N] [--speed V] [--robot R] [--seed N] [--guard] [--trace]\n");
+          "walk_switch_bench [--engines] [--count N] [--speed V] [--robot R] [--seed N] [--guard] "
+          "[--trace]\n");
       return word == "--help" ? 0 : 2;
     }
   }
   bench.model = load_robot(robot);
+  if (bench.engines) return switch_engines(bench.model, {bench.count, bench.speed, bench.trace});
   std::mt19937 random(bench.seed);
   std::array<Tally, 2> tally;
   int failed = 0, falls = 0;

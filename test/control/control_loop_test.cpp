@@ -314,6 +314,33 @@ TEST(ControlLoop, AnotherSourceOfTheSameRobotIsGoneOnWithWithoutAJump) {
   EXPECT_EQ(rig.loop().status().motion, Motion::kSway) << "the motion goes on";
 }
 
+TEST(ControlLoop, ATickThatBothSourcesOfASwitchPublishIsComputedOnce) {
+  Rig rig;
+  ASSERT_TRUE(rig.run(0.2));
+  rig.ask(Mode::kBalance, Motion::kSway, 0.02, 0.5);
+  ASSERT_TRUE(rig.run(0.6));
+  const JointCommand before = rig.command();
+  RobotState late = rig.state();
+  late.run_id = 8;
+  ++late.term;
+  for (const std::int64_t behind : {0, 2, 1, 0}) {
+    late.tick = rig.state().tick - behind;
+    rig.loop().on_state(late, 0);
+    JointCommand command;
+    ASSERT_TRUE(rig.loop().step(0, command));
+    EXPECT_EQ(command.run_id, 8);
+    EXPECT_EQ(command.term, late.term);
+    EXPECT_EQ(command.tick, late.tick);
+    EXPECT_EQ(command.q, before.q) << behind << " ticks behind";
+    EXPECT_EQ(command.tau, before.tau);
+  }
+  rig.state().run_id = 8;
+  ++rig.state().term;
+  const Jump jump = largest_jump(rig, 0.4);
+  EXPECT_LT(jump.position, 1e-3);
+  EXPECT_EQ(rig.loop().status().motion, Motion::kSway) << "the motion goes on";
+}
+
 TEST(ControlLoop, TheLegsOfAnotherRobotAreTakenWhereTheyAre) {
   Rig rig;
   ASSERT_TRUE(rig.run(0.3));

@@ -45,6 +45,15 @@ TEST_F(Listener, GoesToTheGrantedSuccessorAtTheStatedTick) {
   EXPECT_FALSE(hear(state_of(1, 5, 107)));  // the old holder is over
 }
 
+TEST_F(Listener, GoesToAGrantedSuccessorThatIsSlowerThanTheHolder) {
+  EXPECT_TRUE(hear(state_of(1, 5, 101, 2, 106)));
+  EXPECT_TRUE(hear(state_of(1, 5, 108, 2, 106)));
+  EXPECT_FALSE(hear(state_of(2, 6, 105)));
+  EXPECT_TRUE(hear(state_of(2, 6, 106)));
+  EXPECT_FALSE(hear(state_of(1, 5, 109, 2, 106)));
+  EXPECT_TRUE(hear(state_of(2, 6, 107)));
+}
+
 TEST_F(Listener, BelievesTheHolderThatTakesItsGrantBack) {
   EXPECT_TRUE(hear(state_of(1, 5, 101, 2, 106)));
   EXPECT_TRUE(hear(state_of(1, 7, 110)));
