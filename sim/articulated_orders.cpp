@@ -46,10 +46,9 @@ ArticulatedWorld::Outcome ArticulatedWorld::extrapolated(double h, bool may_reje
   for (int parts = 1; parts <= config_.order; ++parts) {
     if (parts > 1) go_back();
     for (int i = 0; i < parts; ++i) {
-      if (!advance(h / parts)) {
-        if (parts == config_.order) return Outcome::kFailed;
-        smooth = false;
-      }
+      const Outcome outcome = advance(h / parts, may_reject);
+      if (outcome == Outcome::kFailed && parts == config_.order) return Outcome::kFailed;
+      smooth = smooth && outcome == Outcome::kTaken;
       if (parts == 1) {
         expected = pattern();
         momentum = before_;

@@ -13,6 +13,7 @@ constexpr std::size_t kMostPushes = 16;
 // Passes in which all joints change piece at once without fewer being wrong; then one at a time.
 constexpr int kPatience = 3;
 constexpr int kMostPasses = 60;
+constexpr int kSettleParts = 256;  // of a step, at most
 constexpr std::uint64_t kNoContact = 0xcbf29ce484222325ULL;
 
 // One step of the Fowler-Noll-Vo hash.
@@ -125,7 +126,7 @@ Status ArticulatedWorld::step() noexcept {
   if (fly()) return Status::kOk;
   start_ = configuration_;
   loose_.save();
-  if (!(config_.order > 1 ? advance_in_parts() : advance(config_.step))) {
+  if (!(config_.order > 1 ? advance_in_parts() : advance_settled())) {
     configuration_ = start_;
     body_.place(configuration_);
     loose_.restore();
@@ -167,20 +168,48 @@ bool ArticulatedWorld::fly() noexcept {
   return true;
 }
 
-// One solve; false: no sane result.
-bool ArticulatedWorld::advance(double h) noexcept {
+// Where the contacts do not settle, in ever smaller parts, which grow again behind it.
+bool ArticulatedWorld::advance_settled() noexcept {
+  int part = kSettleParts;
+  for (int done = 0; done < kSettleParts;) {
+    switch (advance(config_.step * part / kSettleParts, part > 1)) {
+      case Outcome::kFailed:
+        return false;
+      case Outcome::kEvent:
+        part /= 2;
+        break;
+      case Outcome::kTaken:
+        done += part;
+        if (done % (2 * part) == 0) part *= 2;
+        break;
+    }
+  }
+  return true;
+}
+
+// One solve.  kFailed: no sane result.  kEvent, if it may be rejected: its contacts did not settle,
+// and nothing has changed.
+ArticulatedWorld::Outcome ArticulatedWorld::advance(double h, bool may_reject) noexcept {
   next_ = configuration_;
-  if (!solve_step(h)) return false;
+  if (!solve_step(h)) return Outcome::kFailed;
+  if (!converged_) {
+    if (may_reject) {
+      body_.place(configuration_);
+      loose_.place_all();
+      return Outcome::kEvent;
+    }
+    ++unconverged_;
+  }
   body_.advance(h, next_);
-  if (check_configuration(joints_.size(), next_) != Status::kOk) return false;
-  if (!loose_.advance(contacts_, h)) return false;
+  if (check_configuration(joints_.size(), next_) != Status::kOk) return Outcome::kFailed;
+  if (!loose_.advance(contacts_, h)) return Outcome::kFailed;
   for (std::size_t j = 0; j < joints_.size(); ++j) {
     joints_[j].finish(next_.qd[static_cast<Eigen::Index>(j)], h / config_.step);
   }
   configuration_ = next_;
   ground_.remember(contacts_, h);
   place_after(before_, h, 0.0);
-  return true;
+  return Outcome::kTaken;
 }
 
 // momentum: of the start; kept in flight.  before: share of the old velocity in the way of the
@@ -258,7 +287,9 @@ bool ArticulatedWorld::solve_step(double h) noexcept {
     if (!body_.inward(rows_, h) || !loose_.inward(h)) return false;
     body_.outward();
     loose_.outward();
+    const long before = solve_.counters().unconverged;
     solve_.solve(contacts_, h);
+    converged_ = solve_.counters().unconverged == before;
     int wrong = 0;
     std::size_t last = 0;
     for (std::size_t j = 0; j < joints_.size(); ++j) {

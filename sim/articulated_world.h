@@ -7,7 +7,8 @@
 // In flight momentum is kept to rounding besides.
 //
 // A pass of the solve is exact for the pieces of the joint laws it assumes; a step whose result
-// lies on other pieces (a servo reaches its limit, a joint its stop) takes another pass.
+// lies on other pieces (a servo reaches its limit, a joint its stop) takes another pass.  A step
+// whose contacts do not settle is taken in parts, ever smaller ones.
 
 // Order 2 or 3 (config.order): such a step, two half ones and three thirds from the same start are
 // extrapolated (sim/extrapolate.h).  Where they disagree on what touches, slips or is limited, or
@@ -69,6 +70,8 @@ class ArticulatedWorld final : public World {
   long joint_passes() const noexcept { return joint_passes_; }  // beyond the first of each step
   // Steps that ended with a joint on a wrong piece of its law.
   long unsettled() const noexcept { return unsettled_; }
+  // Solves of contacts that did not settle even in the smallest part of a step.
+  long unconverged() const noexcept { return unconverged_; }
   // Parts of steps of order 2 or 3 that were left at order 1.
   long events() const noexcept { return events_; }
   // Steps that an explicit method took.
@@ -81,9 +84,10 @@ class ArticulatedWorld final : public World {
   };
 
   bool fly() noexcept;
-  bool advance(double h) noexcept;
   static constexpr int kEventParts = 16;  // of a step, at most
   enum class Outcome { kTaken, kEvent, kFailed };
+  Outcome advance(double h, bool may_reject) noexcept;
+  bool advance_settled() noexcept;
   bool advance_in_parts() noexcept;
   Outcome extrapolated(double h, bool may_reject) noexcept;
   bool crosses() const noexcept;
@@ -115,8 +119,10 @@ class ArticulatedWorld final : public World {
   int part_ = kEventParts;  // of kEventParts: what is taken of a step at once
   long joint_passes_ = 0;
   long unsettled_ = 0;
+  long unconverged_ = 0;
   long events_ = 0;
   long flown_ = 0;
+  bool converged_ = true;  // the last solve
   bool airborne_ = false;  // nothing fixed touched the robot when the last solve began
   Momentum before_;        // then
   bool frozen_ = false;

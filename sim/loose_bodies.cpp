@@ -72,6 +72,10 @@ void LooseBodies::place(std::size_t body) noexcept {
                  work.mass() * now.base_angular_velocity.cross(now.base_velocity));
 }
 
+void LooseBodies::place_all() noexcept {
+  for (std::size_t i = 0; i < bodies_.size(); ++i) place(i);
+}
+
 bool LooseBodies::inward(double h) noexcept {
   bool sound = true;
   for (ArticulatedBody& body : articulated_) sound = body.inward(no_rows_, h) && sound;

@@ -41,6 +41,9 @@ class LooseBodies {
   // After the solve, before the robot is placed anew.  False: no sane result.
   bool advance(const std::vector<Contact>& contacts, double h) noexcept;
 
+  // As they are, without what was folded in for a solve.
+  void place_all() noexcept;
+
   // For higher orders: the state as it is; back to it; what coarser steps came to; their limit.
   void save() noexcept;
   void restore() noexcept;

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """./twinbus bench physics [CASE...] [--csv F] [--rounds N]: our engines beside their peers, row by row asked and reached.
 
-Cases: free flight arm stand push map convergence brick piles effort determinism (default: all).  Costs are CPU time of one
+Cases: free flight arm stand push map convergence brick tumble piles effort determinism (default: all).  Costs are CPU time of one
 thread; ours and the peers take turns, and a ratio is the median over rounds (default 5).  An engine's error is measured
 against a converged run: one reference where there is no contact, each engine's own finest run where contact laws differ.
 "asked" is for machines with AVX2; peers that are not installed are said and left out.  Exit status 1 if a row falls short.
@@ -157,6 +157,21 @@ def brick(lab, _rounds):
         at_most("brick", f"the same, 0 against 45 degrees, k {k:g}", 1e-6, abs(float(ways[0][6]) - float(ways[1][6])), unit="m")
 
 
+def tumble(lab, _rounds):
+    def thrown(stiffness, steps, friction):
+        runs = [call(lab.program, "tumble", "articulated", h, k, friction)[0].split() for k in stiffness for h in steps]
+        total = {name: sum(int(words[words.index(name) + 1]) for words in runs) for name in ("touching", "unconverged", "retried")}
+        print(f"{'tumble':12s} friction to {friction}: {total['touching']} steps touch, {total['retried']} solves taken again in parts")
+        return total, max(float(words[words.index("excess") + 1]) for words in runs)
+
+    total, excess = thrown((1e5, 1e6, 1e7), (1e-2, 5e-3, 1e-3), 0.8)
+    row("tumble", "unconverged steps, friction 0.3 to 0.8, k to 1e7, to 10 ms", "0", str(total["unconverged"]), total["unconverged"] == 0, unit="")
+    at_most("tumble", "forces beyond the friction cone, relative", 1e-10, excess, unit="")
+    total, excess = thrown((1e5, 1e6, 1e7, 1e8), (2e-2, 1e-2, 5e-3, 1e-3), 1.5)
+    at_most("tumble", "unconverged steps, friction 0.3 to 1.5, k to 1e8 [%]", 0.01, 100 * total["unconverged"] / total["touching"], unit="%")
+    at_most("tumble", "forces beyond the friction cone there, relative", 1e-10, excess, unit="")
+
+
 def piles(lab, rounds):
     def cost(engine, shape, count):
         lines = call(lab.program, "boxes", shape, engine.method, 1e-3, count, 0.3)
@@ -191,7 +206,8 @@ def determinism(lab, _rounds):
 
 CASES = {"free": free, "flight": lambda lab, _: smooth(lab, "flight", ((1e-8, 42),)),
          "arm": lambda lab, _: smooth(lab, "arm", ((1e-3, 3.5), (1e-8, 14))), "stand": stand, "push": push, "map": stability,
-         "convergence": convergence, "brick": brick, "piles": piles, "effort": effort, "determinism": determinism}
+         "convergence": convergence, "brick": brick, "tumble": tumble,
+         "piles": piles, "effort": effort, "determinism": determinism}
 
 
 def main(words):

@@ -7,6 +7,7 @@
 //     physics_cases map   METHOD SMALLEST_H            which stands are stable
 //     physics_cases effort METHOD H                    worst excess over limits and stops, thrown
 //     physics_cases hash  SCENE METHOD H               of the whole trajectory
+//     physics_cases tumble METHOD H STIFFNESS FRICTION [THROWS]  boxes thrown, friction 0.3 to that
 //     physics_cases boxes SHAPE METHOD H COUNT [SECONDS]  us a step of boxes lying apart or in a stack
 //
 // METHOD: articulated, articulated2 and articulated3 (orders 2, 3), ode, or articulated-ab4, -rk4, -rkf78 in flight.
@@ -25,6 +26,7 @@
 #include "robot/dynamics.h"
 #include "robot/process.h"
 #include "sim/articulated_world.h"
+#include "sim/random.h"
 #include "test/bench/physics_scenes.h"
 
 namespace twinbus {
@@ -124,7 +126,7 @@ void run(const std::string& name, const std::string& method, double h, int repea
   }
   if (const auto* ours = dynamic_cast<const ArticulatedWorld*>(world.get())) {
     const SolveCounters& c = ours->counters();
-    std::printf(" counters %ld %ld %ld %ld %ld", c.steps, c.newton, c.unconverged,
+    std::printf(" counters %ld %ld %ld %ld %ld", c.steps, c.newton, ours->unconverged(),
                 ours->joint_passes(), ours->unsettled());
   }
   std::printf("\n");
@@ -238,6 +240,61 @@ void hash(const std::string& name, const std::string& method, double h) {
               static_cast<unsigned long long>(sum));
 }
 
+// Boxes of 0.03 to 30 kg thrown with spin, one at a time, for a second each.
+void tumble(const std::string& method, double h, double stiffness, double friction, int throws) {
+  PhysicsScene scene = physics_scene("chain1");
+  scene.fixed_base = true;
+  Random random(3);
+  const auto u = [&random] { return 2.0 * random.uniform() - 1.0; };
+  long touching = 0, retried = 0, unconverged = 0, newton = 0;
+  double excess = 0.0, gain = 0.0;
+  for (int thrown = 0; thrown < throws; ++thrown) {
+    WorldConfig config = config_of(scene, method, h);
+    LooseBody box;
+    box.mass = std::pow(10.0, 1.5 * u());
+    box.solid.size = {0.2, 0.3, 0.1};
+    box.stiffness = stiffness;
+    box.damping = std::sqrt(15.0 * stiffness);
+    box.friction = config.ground_friction = 0.3 + (friction - 0.3) * std::abs(u());
+    const double x = u(), y = u(), z = u(), w = u();
+    box.start.pose.linear() = Eigen::Quaterniond(w, x, y, z).normalized().toRotationMatrix();
+    box.start.pose.translation().z() = 0.2;
+    const double vx = 2.0 * u(), vy = 2.0 * u();
+    box.start.velocity = {vx, vy, -1.0};
+    const double wx = u(), wy = u(), wz = u();
+    box.start.angular_velocity = 10.0 * Eigen::Vector3d(wx, wy, wz);
+    const Eigen::Vector3d inertia = inertia_of(box.solid, box.mass).diagonal();
+    const auto energy = [&](const LooseState& s) {
+      const Eigen::Vector3d spin = s.pose.linear().transpose() * s.angular_velocity;
+      return 0.5 * box.mass * s.velocity.squaredNorm() +
+             0.5 * spin.dot(inertia.cwiseProduct(spin)) +
+             box.mass * kGravity * s.pose.translation().z();
+    };
+    config.loose = {box};
+    ArticulatedWorld world(scene.model, config);
+    const double start = energy(box.start);
+    for (long i = 0; i < steps_of(1.0, h); ++i) {
+      if (world.step() != Status::kOk) throw std::runtime_error("diverged");
+      bool touches = false;
+      for (const Contact& c : world.solved()) {
+        touches = touches || c.now.mode != ContactMode::kOpen;
+        const double fn = c.normal.dot(c.now.force);
+        const double ft = (c.now.force - fn * c.normal).norm();
+        if (fn > 0.0) excess = std::max(excess, (ft - c.params.friction * fn) / fn);
+      }
+      touching += touches ? 1 : 0;
+    }
+    gain = std::max(gain, energy(world.loose(0)) / start - 1.0);
+    unconverged += world.unconverged();
+    retried += world.counters().unconverged - world.unconverged();
+    newton += world.counters().newton;
+  }
+  std::printf(
+      "tumble %s %g %g %g touching %ld unconverged %ld retried %ld newton %ld excess %.3g gain "
+      "%.3g\n",
+      method.c_str(), h, stiffness, friction, touching, unconverged, retried, newton, excess, gain);
+}
+
 // Boxes of 1 kg on the ground, apart or one on another, and nothing else that moves.
 void time_boxes(const std::string& shape, const std::string& method, double h, int count,
                 double seconds) {
@@ -281,7 +338,7 @@ void time_boxes(const std::string& shape, const std::string& method, double h, i
               median(costs), off);
   if (const auto* ours = dynamic_cast<const ArticulatedWorld*>(world.get())) {
     const SolveCounters& c = ours->counters();
-    std::printf(" counters %ld %ld %ld %ld", c.steps, c.one_pass, c.newton, c.unconverged);
+    std::printf(" counters %ld %ld %ld %ld", c.steps, c.one_pass, c.newton, ours->unconverged());
   }
   std::printf("\n");
 }
@@ -309,6 +366,9 @@ int cases(int argc, char** argv) {
     effort(word(2), number(3, 1e-3));
   } else if (what == "hash") {
     hash(word(2), word(3), number(4, 1e-3));
+  } else if (what == "tumble") {
+    tumble(word(2), number(3, 1e-3), number(4, 1e6), number(5, 0.8),
+           static_cast<int>(number(6, 40)));
   } else if (what == "boxes") {
     time_boxes(word(2), word(3), number(4, 1e-3), static_cast<int>(number(5, 20)), number(6, 0.5));
   } else {

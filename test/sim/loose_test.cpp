@@ -265,7 +265,6 @@ TEST(LooseAndRobot, ACollisionKeepsMomentumToTheOrderOfTheStep) {
   EXPECT_GT(std::log10(coarse.angular / fine.angular), 0.9);
 }
 
-// Thrown boxes of 0.03 to 30 kg: every step settles inside the cone.
 // The boxes numbered at random, and a box beside the stack among them.
 TEST(LooseStack, ItStandsTheSameInWhateverOrderItsBoxesAreNamed) {
   const Model model = bystander();
@@ -293,17 +292,20 @@ TEST(LooseStack, ItStandsTheSameInWhateverOrderItsBoxesAreNamed) {
   }
 }
 
+// Thrown boxes of 0.03 to 30 kg: every step settles inside the cone.
 TEST(LooseStress, ATumblingBoxAlwaysSettlesInsideTheCone) {
   const Model model = bystander();
   Random random(3);
   const auto u = [&] { return 2.0 * random.uniform() - 1.0; };
-  for (const double k : {1e5, 1e6, 1e7}) {
+  // Friction above 4/3 has struck corners that several forces would fit.
+  for (const double k : {1e5, 1e6, 1e7, 1e8}) {
+    const double most = k > 5e7 ? 1.5 : 0.8;
     for (const double h : {1e-2, 1e-3}) {
       for (int thrown = 0; thrown < 6; ++thrown) {
         WorldConfig config;
         config.step = h;
         LooseBody body = box("b", std::pow(10.0, 1.5 * u()), {0.2, 0.3, 0.1}, {0, 0, 0.2}, k);
-        body.friction = config.ground_friction = 0.3 + 0.5 * std::abs(u());
+        body.friction = config.ground_friction = 0.3 + (most - 0.3) * std::abs(u());
         body.start.pose.linear() =
             Eigen::Quaterniond(u(), u(), u(), u()).normalized().toRotationMatrix();
         body.start.velocity = {2.0 * u(), 2.0 * u(), -1.0};
@@ -318,7 +320,7 @@ TEST(LooseStress, ATumblingBoxAlwaysSettlesInsideTheCone) {
             ASSERT_LE((c.now.force - fn * c.normal).norm(), c.params.friction * fn * (1.0 + 1e-10));
           }
         }
-        EXPECT_EQ(world.counters().unconverged, 0) << k << " " << h << " " << thrown;
+        EXPECT_EQ(world.unconverged(), 0) << k << " " << h << " " << thrown;
         EXPECT_LT(world.loose(0).velocity.norm(), 3.0);
       }
     }
