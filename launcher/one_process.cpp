@@ -258,6 +258,16 @@ void OneProcess::say(StopRequest stop) {
   loop_.on_stop(received);
 }
 
+void OneProcess::say(ArmGoal goal) {
+  goal.sender_id = kOperatorId;
+  goal.run_id = kRunId;
+  goal.sequence = ++sequence_;
+  ArmGoal received;
+  if (!over_the_bus(channel::kArmGoal, goal, received)) return;
+  loop_.on_arm_goal(received);
+  plan(received);
+}
+
 void OneProcess::say_script() {
   script_.after(heard_.tick, first_tick_, [this](auto& request) {
     auto received = request;
@@ -289,11 +299,12 @@ void OneProcess::plan(const ArmGoal& goal) {
     if (std::abs(command_.q[k] - heard_.q[k]) < kServoError)
       start.q[model_.bus_joints[k]] = command_.q[k];
   }
+  planner_->set_balancing(loop_.status().mode == Mode::kBalance);
   const ArmPlan plan = planner_->plan(goal, start, planner_view_.ground_in_world(),
                                       static_cast<std::uint64_t>(goal.goal_id));
   sentences_.push_back("planner: " + describe(model_, plan));
-  for (const ArmPathPiece& piece :
-       to_pieces(plan, {kPlannerId, goal.run_id, goal.goal_id, goal.goal_id})) {
+  arm_answer_ = to_pieces(plan, {kPlannerId, goal.run_id, goal.goal_id, goal.goal_id});
+  for (const ArmPathPiece& piece : arm_answer_) {
     ArmPathPiece received;
     if (over_the_bus(channel::kArmPath, piece, received)) loop_.on_arm_path(received);
   }

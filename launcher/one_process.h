@@ -54,6 +54,10 @@ class OneProcess {
   // Said on the bus before the next tick.
   void say(ModeRequest request);
   void say(StopRequest stop);
+  // The planner answers at once: see arm_answer().
+  void say(ArmGoal goal);
+  // What went out on ARM_PATH for the last goal.
+  const std::vector<ArmPathPiece>& arm_answer() const { return arm_answer_; }
 
   std::int64_t ticks() const { return ticks_; }
   const RobotState& state() const { return heard_; }  // as decoded
@@ -110,6 +114,7 @@ class OneProcess {
   std::int64_t state_content_ = 0;
   double sole_tilt_max_ = 0.0;
   std::vector<std::string> sentences_;
+  std::vector<ArmPathPiece> arm_answer_;
   std::string failure_;
 };
 

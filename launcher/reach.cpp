@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "launcher/arguments.h"
+#include "launcher/reach_progress.h"
 #include "lcmtypes/bus.h"
 #include "lcmtypes/channels.h"
 #include "planner/arm_planner.h"
@@ -24,14 +25,6 @@ namespace {
 constexpr double kFirstState = 2.0;    // [s] until a robot must be heard
 constexpr double kAskAgain = 0.2;      // [s]
 constexpr double kPlanTimeout = 15.0;  // [s]
-constexpr double kStartTimeout = 2.0;  // from the last piece of the path to the first move [s]
-constexpr double kLate =
-    20.0;  // that a path may take longer than planned, when the guard slows it [s]
-constexpr double kHeld = 3.0;          // by the guard, without going on [s]
-constexpr double kSettle = 0.4;        // until the servos have come to rest [s]
-constexpr int kCorrections = 3;        // plans after the first
-constexpr double kNearEnough = 0.002;  // needs no correction [m]
-constexpr double kFar = 0.010;         // is not there [m]
 
 // What one `reach` hears of the stack.
 class Watcher {
@@ -129,8 +122,7 @@ ArmGoal goal_from(const Arguments& arguments, const Model& model) {
     throw UsageError("reach: which hand? say left or right, not " + side);
   goal.side = side == "left" ? ArmSide::kLeft : ArmSide::kRight;
   if (model.hands[side == "left" ? 0 : 1].link < 0) {
-    throw std::runtime_error("reach: " + model.name + " has no " + side +
-                             " hand (robot.yaml, hands)");
+    throw std::runtime_error(model.name + " has no " + side + " hand (robot.yaml, hands)");
   }
   const std::size_t count = arguments.words().size();
   if (count != 4 && count != 7) throw UsageError("reach: X Y Z, or X Y Z and R P Y");
@@ -160,13 +152,12 @@ void ask(Watcher& watcher, ArmGoal& goal) {
       goal.utime = wall_us();
       ++goal.sequence;
       if (!watcher.bus().send(channel::kArmGoal, goal))
-        throw std::runtime_error("reach: the goal cannot be sent");
+        throw std::runtime_error("the goal cannot be sent");
     }
     watcher.receive(0.02);
   }
   if (!watcher.answered) {
-    throw std::runtime_error(
-        "reach: no planner answers; ./twinbus status shows whether one is running");
+    throw std::runtime_error("no planner answers; ./twinbus status shows whether one is running");
   }
 }
 
@@ -182,50 +173,29 @@ void cancel(Watcher& watcher, ArmGoal goal) {
 bool follow(Watcher& watcher, const ArmGoal& goal) {
   const std::int64_t begin = monotonic_ns();
   const bool terminal = ::isatty(STDOUT_FILENO) != 0;
-  bool moving = false;
+  ReachProgress progress(watcher.first.path_id, watcher.duration);
   const auto fail = [&](const char* sentence) {
-    std::fprintf(stderr, "%sreach: %s\n", terminal && moving ? "\n" : "", sentence);
+    std::fprintf(stderr, "%sreach: %s\n", terminal && progress.moving() ? "\n" : "", sentence);
     return false;
   };
-  std::int64_t shown = 0, held = 0;
-  while (seconds_since(begin) < watcher.duration + kLate) {
+  std::int64_t shown = 0;
+  do {
     if (quit_requested()) {
       cancel(watcher, goal);
       return fail("cancelled; the arm stops on its path");
     }
     watcher.receive(0.02);
-    if (watcher.stop_kind() != StopKind::kNone)
-      return fail("the robot was stopped; ./twinbus clear, then ask again");
-    const bool ours = watcher.status.arm_path_id == watcher.first.path_id;
-    if (moving && watcher.status.arm_state == 2) {
-      if (terminal) std::printf("\r  arrived after %.1f s      \n", seconds_since(begin));
-      return true;
-    }
-    if (!ours || watcher.status.arm_state != 3) {
-      held = 0;  // or let go again: the arm goes on by itself
-    } else if (held == 0) {
-      held = monotonic_ns();
-    } else if (seconds_since(held) > kHeld) {
-      cancel(watcher, goal);
-      return fail("the guard holds the arm before something would touch; the arm stays there");
-    }
-    if (moving && !ours && watcher.status.arm_state == 3)
-      return fail("the guard stopped the arm again and again, and the path was given up");
-    if (ours && (watcher.status.arm_state == 1 || watcher.status.arm_state == 3)) moving = true;
-    if (!moving && seconds_since(begin) > kStartTimeout) {
-      return fail(
-          watcher.statuses == 0
-              ? "no controller is running"
-              : "the controller does not follow the path: is it in mode balance, hold or pose?");
-    }
-    if (terminal && moving && seconds_since(shown) > 0.2) {
+    if (terminal && progress.moving() && seconds_since(shown) > 0.2) {
       shown = monotonic_ns();
-      std::printf("\r  %3.0f %%",
-                  std::min(100.0, 100.0 * seconds_since(begin) / std::max(0.1, watcher.duration)));
+      std::printf("\r  %3.0f %%", 100.0 * progress.share(seconds_since(begin)));
       std::fflush(stdout);
     }
-  }
-  return fail("the arm did not arrive in time");
+  } while (progress.goes_on(seconds_since(begin), watcher.stop_kind(),
+                            watcher.statuses > 0 ? &watcher.status : nullptr));
+  if (progress.must_cancel()) cancel(watcher, goal);
+  if (!progress.arrived()) return fail(progress.failure());
+  if (terminal) std::printf("\r  arrived after %.1f s      \n", seconds_since(begin));
+  return true;
 }
 
 // One plan and its motion.  False, with a sentence, when the arm does not come to the end of it.
@@ -243,7 +213,8 @@ bool go(Watcher& watcher, const Model& model, ArmGoal& goal, bool say) {
     return false;
   }
   const std::uint64_t all = ~std::uint64_t{0} >> (64 - watcher.first.pieces);
-  for (const std::int64_t start = monotonic_ns(); watcher.have != all && seconds_since(start) < 1.0;)
+  for (const std::int64_t start = monotonic_ns();
+       watcher.have != all && seconds_since(start) < 1.0;)
     watcher.receive(0.02);
   if (say) {
     std::printf("path of %.1f s in %d pieces\n", watcher.duration,
@@ -251,7 +222,8 @@ bool go(Watcher& watcher, const Model& model, ArmGoal& goal, bool say) {
     std::fflush(stdout);
   }
   if (!follow(watcher, goal)) return false;
-  for (const std::int64_t start = monotonic_ns(); !quit_requested() && seconds_since(start) < kSettle;)
+  for (const std::int64_t start = monotonic_ns();
+       !quit_requested() && seconds_since(start) < kReachSettle;)
     watcher.receive(0.02);
   return true;
 }
@@ -288,17 +260,16 @@ int reach_command(const std::vector<std::string>& words) {
   if (watcher.states() == 0) {
     throw std::runtime_error(
         watcher.other_robot()
-            ? "reach: the robot on the bus is not " + model.name + "; give its folder with --robot"
-            : "reach: no robot is heard on " + options.url + "; start one with ./twinbus up");
+            ? "the robot on the bus is not " + model.name + "; give its folder with --robot"
+            : "no robot is heard on " + options.url + "; start one with ./twinbus up");
   }
 
-  // A balancing body gives way to a moving arm: what is then left of the way is planned again.
   const Eigen::Vector3d target(goal.position[0], goal.position[1], goal.position[2]);
   double miss = 0.0;
-  for (int attempt = 0; attempt <= kCorrections; ++attempt) {
+  for (int attempt = 0; attempt <= kReachCorrections; ++attempt) {
     if (!go(watcher, model, goal, attempt == 0)) return 1;
     miss = (watcher.hand_in_ground(goal.side).translation() - target).norm();
-    if (quit_requested() || miss <= kNearEnough) break;
+    if (quit_requested() || miss <= kReachNearEnough) break;
   }
   const Eigen::Isometry3d hand = watcher.hand_in_ground(goal.side);
   const Eigen::Vector3d at = hand.translation();
@@ -311,7 +282,7 @@ int reach_command(const std::vector<std::string>& words) {
     std::printf(", turned %.1f degrees from it", angle * 180.0 / M_PI);
   }
   std::printf("\n");
-  if (!(miss <= kFar)) {
+  if (!(miss <= kReachFar)) {
     std::fprintf(stderr,
                  "reach: the hand came no nearer than %.0f mm; does the robot stand still?\n",
                  1e3 * miss);

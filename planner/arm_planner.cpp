@@ -24,6 +24,16 @@ constexpr double kWidestCorner = 0.4;  // [rad]
 constexpr int kMostKnots = 360;        // what 60 pieces of an arm path hold
 constexpr double kHandTolerance = 2e-4;  // of a goal posture [m]
 constexpr double kTurnTolerance = 2e-3;  // [rad]
+constexpr double kStubborn = 0.05;       // a miss that more tries may mend [m]
+constexpr double kNearby = 0.15;         // share of the way to a random posture
+constexpr int kPatience = 8;             // times as many
+constexpr int kIkTries = 4;              // of one start, the closed form among them
+constexpr int kLeans = 8;                // steps until goal posture and lean agree
+constexpr double kLeanTolerance = 5e-5;  // [m]
+// A goal that is out of reach by no more than the servos' own error is answered by the nearest posture.
+constexpr double kBarelyOut = 0.003;    // [m]
+constexpr double kBarelyTurned = 0.02;  // [rad]
+constexpr double kTurnWeight = 0.1;     // of what a missed pose is off by [m/rad]
 
 bool is_arm_joint(const Model& model, int joint) {
   for (const Hand& hand : model.hands) {
@@ -53,10 +63,12 @@ struct ArmPlanner::Question {
   const ArmGoal* goal = nullptr;
   const Configuration* start_posture = nullptr;
   const Hand* hand = nullptr;
-  int base_link = 0;         // that the arm hangs on
-  Eigen::Isometry3d target;  // of the hand frame, in base_link
+  int base_link = 0;                                            // that the arm hangs on
+  Eigen::Isometry3d target;                                     // of the hand frame, in base_link
+  Eigen::Matrix3d base_in_world = Eigen::Matrix3d::Identity();  // how base_link is turned
   JointPoint start, lower, upper;
-  JointPath goals;  // free postures that answer the goal
+  JointPath goals;   // free postures that answer the goal
+  JointPath nearly;  // and some that barely miss it
 };
 
 ArmPlanner::ArmPlanner(const Model& model, const ArmPlannerConfig& config)
@@ -106,7 +118,9 @@ bool ArmPlanner::understand(const ArmGoal& goal, const Configuration& start,
     if (!in_ground.matrix().allFinite()) return refuse("position and orientation must be finite");
     Kinematics kinematics(*model_);
     kinematics.update(start);
-    question.target = kinematics.link_in_world(question.base_link).inverse() * ground * in_ground;
+    const Eigen::Isometry3d& base = kinematics.link_in_world(question.base_link);
+    question.target = base.inverse() * ground * in_ground;
+    question.base_in_world = base.linear();
   } else {
     return refuse("kind must be joints, position or pose");
   }
@@ -122,20 +136,45 @@ bool ArmPlanner::understand(const ArmGoal& goal, const Configuration& start,
   return true;
 }
 
+// Where the base is when the arm is at q: legs carry it so that the centre of mass rests.
+Eigen::Isometry3d ArmPlanner::leaned(const Question& question, const Eigen::VectorXd& q) const {
+  Configuration there = *question.start_posture;
+  if (!balancing_) return there.base;
+  Kinematics kinematics(*model_);
+  kinematics.update(there);
+  const Eigen::Vector3d com = kinematics.com();
+  there.q = q;
+  kinematics.update(there);
+  there.base.pretranslate(com - kinematics.com());
+  return there.base;
+}
+
 // Postures that answer the goal and keep the clearance, nearest to the start first.
 bool ArmPlanner::find_goals(EdgeCheck& space, Question& question, Random& random,
                             ArmPlan& plan) const {
   const ArmGoal& goal = *question.goal;
   bool reached_any = false;
-  double best_miss = 1e9;
-  const auto consider = [&](const JointPoint& q) {
+  double best_miss = 1e9, miss_there = 0.0;
+  double widest = -1e9;  // of the postures that are too near to something [m]
+  JointPoint widest_q;
+  const Eigen::Isometry3d base = question.start_posture->base;
+  const auto consider = [&](const JointPoint& q, const Eigen::Isometry3d& base_there,
+                            JointPath& goals) {
     reached_any = true;
     CollisionPair pair;
-    if (space.who_is_near(q, config_.least_clearance, pair)) {
-      plan.pair = pair;
-      return;
+    bool near = space.who_is_near(q, config_.least_clearance, pair);
+    if (!near && balancing_) {
+      space.set_base(base_there);
+      near = space.who_is_near(q, config_.least_clearance, pair);
+      space.set_base(base);
     }
-    question.goals.push_back(q);
+    if (!near) {
+      goals.push_back(q);
+    } else if (const double room = space.nearest(q, config_.clearance); room > widest) {
+      widest = room;
+      widest_q = q;
+      plan.pair = pair;
+    }
   };
 
   if (goal.kind == ArmGoalKind::kJoints) {
@@ -150,31 +189,62 @@ bool ArmPlanner::find_goals(EdgeCheck& space, Question& question, Random& random
         return false;
       }
     }
-    consider(q);
+    Eigen::VectorXd there = question.start_posture->q;
+    for (int k = 0; k < q.size(); ++k) there[plan.joints[at(k)]] = q[k];
+    consider(q, leaned(question, there), question.goals);
   } else {
     InverseKinematics arm(*model_, question.base_link, question.hand->link, question.hand->frame);
     IkOptions options;
     options.position_tolerance = kHandTolerance;
     options.rotation_tolerance = kTurnTolerance;
     options.limit_margin = kInside;
+    options.restarts = kIkTries;
     if (goal.kind == ArmGoalKind::kPosition) options.rotation_weight = 0.0;
     Eigen::VectorXd q = question.start_posture->q;
-    for (int i = 0; i <= config_.ik_restarts &&
-                    static_cast<int>(question.goals.size()) < config_.goal_postures;
-         ++i) {
+    const auto enough = [&](int tries) {
+      if (static_cast<int>(question.goals.size()) >= config_.goal_postures) return true;
+      const bool stubborn = question.goals.empty() && (reached_any || best_miss < kStubborn);
+      return tries > (stubborn ? kPatience : 1) * config_.ik_restarts;
+    };
+    for (int i = 0; !enough(i); ++i) {
       if (i > 0) {
+        // Then also around the one that is least in the way.
+        const bool climb = i > config_.ik_restarts && i % 2 == 0 && widest > -1e9;
         for (int k = 0; k < question.start.size(); ++k) {
-          q[plan.joints[at(k)]] = random.uniform(question.lower[k], question.upper[k]);
+          const double dice = random.uniform(question.lower[k], question.upper[k]);
+          const double there = climb ? widest_q[k] + kNearby * (dice - widest_q[k]) : dice;
+          q[plan.joints[at(k)]] = there;
         }
       }
-      const IkResult result = arm.solve(question.target, options, q);
-      best_miss = std::min(best_miss, result.position_error);
-      if (result.reached) consider(pick(q, plan.joints));
+      IkResult result = arm.solve(question.target, options, q);
+      Eigen::Isometry3d there = base;
+      for (int lean = 0; balancing_ && lean < kLeans && result.position_error < kStubborn; ++lean) {
+        const Eigen::Isometry3d next = leaned(question, q);
+        const double change = (next.translation() - there.translation()).norm();
+        there = next;
+        if (change < kLeanTolerance) break;
+        Eigen::Isometry3d target = question.target;  // the link the arm hangs on moves as the base
+        target.pretranslate(question.base_in_world.transpose() *
+                            (base.translation() - there.translation()));
+        result = arm.solve(target, options, q);
+      }
+      const double miss = result.position_error + kTurnWeight * result.rotation_error *
+                                                      (options.rotation_weight > 0.0 ? 1.0 : 0.0);
+      if (miss < best_miss) {
+        best_miss = miss;
+        miss_there = result.position_error;
+      }
+      const bool barely =
+          result.position_error < kBarelyOut &&
+          (goal.kind == ArmGoalKind::kPosition || result.rotation_error < kBarelyTurned);
+      if (result.reached || barely)
+        consider(pick(q, plan.joints), there, result.reached ? question.goals : question.nearly);
     }
+    if (question.goals.empty()) question.goals = std::move(question.nearly);
   }
   if (question.goals.empty()) {
     plan.status = reached_any ? ArmPathStatus::kGoalInCollision : ArmPathStatus::kUnreachable;
-    plan.miss = reached_any ? 0.0 : best_miss;
+    plan.miss = reached_any ? 0.0 : miss_there;
     return false;
   }
   std::stable_sort(question.goals.begin(), question.goals.end(),

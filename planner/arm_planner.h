@@ -53,6 +53,9 @@ class ArmPlanner {
 
   // In the world of `start`'s base.
   void set_obstacles(const std::vector<Obstacle>& obstacles);
+  // Does the body give way to the arm, so that the centre of mass stays where it is?  Goals then
+  // mean the hand when the body has done so.
+  void set_balancing(bool yes) { balancing_ = yes; }
 
   // start: the posture and base pose now.  ground_in_world: the frame goals are given in.  keep_on,
   // when given: asked now and then; false ends the plan with kCancelled.
@@ -72,6 +75,7 @@ class ArmPlanner {
                   bool (*keep_on)(void*), void* user);
   bool understand(const ArmGoal& goal, const Configuration& start, const Eigen::Isometry3d& ground,
                   Question& question, ArmPlan& plan) const;
+  Eigen::Isometry3d leaned(const Question& question, const Eigen::VectorXd& q) const;
   bool find_goals(class EdgeCheck& space, Question& question, class Random& random,
                   ArmPlan& plan) const;
   TimedPath timed(class EdgeCheck& space, const JointPath& corners,
@@ -79,6 +83,7 @@ class ArmPlanner {
 
   const Model* model_;
   ArmPlannerConfig config_;
+  bool balancing_ = false;
   Collision collision_;
   std::vector<BallGroup> balls_;     // of all links
   std::vector<Obstacle> obstacles_;  // as they are

@@ -40,6 +40,7 @@ class EdgeCheck : public FreeSpace {
   double motion_bound(const JointPoint& from, const JointPoint& to) const;
 
   void set_clearance(double clearance) { clearance_ = clearance; }
+  void set_base(const Eigen::Isometry3d& base) { posture_.base = base; }  // in the world
   double clearance() const { return clearance_; }
   std::int64_t checks() const { return checks_; }  // postures looked at so far
   const Kinematics& kinematics_at(const JointPoint& q);

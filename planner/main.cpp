@@ -46,6 +46,7 @@ class PlannerProcess {
         worker_(model) {
     bus_.listen_each<RobotState>(channel::kState, on_state_);
     bus_.listen_each<JointCommand>(channel::kCommand, on_command_);
+    bus_.listen_each<ControllerStatus>(channel::kControllerStatus, on_controller_);
     bus_.listen_each<ArmGoal>(channel::kArmGoal, on_goal_);
     bus_.listen_each<ObstaclesPiece>(channel::kObstacles, on_obstacles_);
   }
@@ -122,6 +123,7 @@ class PlannerProcess {
     question.ground_in_world = estimator_.ground_in_world();
     question.obstacles = obstacles_.obstacles();
     question.seed = static_cast<std::uint64_t>(goal_.goal_id);
+    question.balancing = mode_ == Mode::kBalance;
     worker_.ask(std::move(question));
   }
 
@@ -181,6 +183,10 @@ class PlannerProcess {
     PlannerProcess* p;
     void operator()(const JointCommand& m) const noexcept { p->hear_command(m); }
   };
+  struct OnController {
+    PlannerProcess* p;
+    void operator()(const ControllerStatus& m) const noexcept { p->mode_ = m.mode; }
+  };
   struct OnGoal {
     PlannerProcess* p;
     void operator()(const ArmGoal& m) const noexcept { p->hear_goal(m); }
@@ -198,6 +204,7 @@ class PlannerProcess {
   ObstacleCollector obstacles_;
   RobotState state_;
   JointCommand command_;
+  Mode mode_ = Mode::kNone;  // of the controller
   ArmGoal goal_;
   bool fresh_ = false, new_goal_ = false;
   std::vector<ArmPathPiece> pieces_;
@@ -209,6 +216,7 @@ class PlannerProcess {
 
   OnState on_state_{this};
   OnCommand on_command_{this};
+  OnController on_controller_{this};
   OnGoal on_goal_{this};
   OnObstacles on_obstacles_{this};
   PlanWorker worker_;  // last: its thread ends before anything else does

@@ -54,6 +54,7 @@ void PlanWorker::work() {
     lock.unlock();
     const std::int64_t begin = monotonic_ns();
     planner_.set_obstacles(question->obstacles);
+    planner_.set_balancing(question->balancing);
     PlanAnswer answer;
     answer.goal = question->goal;
     answer.plan = planner_.plan(question->goal, question->start, question->ground_in_world,

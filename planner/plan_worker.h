@@ -23,6 +23,7 @@ struct PlanQuestion {
   Eigen::Isometry3d ground_in_world = Eigen::Isometry3d::Identity();
   std::vector<Obstacle> obstacles;  // in the world of start's base
   std::uint64_t seed = 0;
+  bool balancing = false;  // as of ArmPlanner
 };
 
 struct PlanAnswer {

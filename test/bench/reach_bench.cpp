@@ -1,0 +1,386 @@
+// `twinbus bench reach`: hrp1s balances among random obstacles and is asked for random places of its hands.
+//
+//     reach_bench [--count N] [--seed N] [--speed S] [--trace]
+//
+// Each goal is the hand of a random arm posture, the body leaning as balance asks, that keeps the planner's
+// least clearance and 3 mm: so there is a posture that answers it.  Half are places, half whole poses.  Ten goals per
+// world, one after the other from where the last one left the arms, by the steps of `twinbus reach`; everything
+// in one process in simulated time.  The only true refusal is that there is no way, when a planner without
+// margins and with ten times the patience finds none either.
+// Contacts are looked for at every tick by the exact meshes, with the base where the simulator has it.
+// Exit status 1 when a goal was neither reached nor truly refused, anything touched, or the robot fell.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "launcher/one_process.h"
+#include "launcher/reach_progress.h"
+#include "planner/random.h"
+#include "robot/geometry.h"
+#include "robot/index.h"
+#include "robot/options.h"
+#include "robot/self_collision.h"
+#include "test/collision/postures.h"
+
+namespace twinbus {
+namespace {
+
+constexpr int kGoalsPerWorld = 10;
+constexpr double kFromStart = 0.05;  // obstacles to the standing robot [m]
+constexpr double kInside = 0.02;     // goal postures inside the joint limits [rad]
+constexpr double kAngle = 0.035;     // a pose is reached within [rad]
+constexpr double kSpare = 0.003;     // kept beyond the planner's least clearance [m]
+constexpr double kLook = 0.02;       // pairs nearer than this are measured [m]
+constexpr int kTries = 2000;
+
+struct Tally {
+  int reached = 0, true_refusals = 0, untrue = 0, held = 0, falls = 0, contacts = 0;
+  double worst_miss = 0.0, worst_angle = 0.0, nearest = 1.0, margin = 1.0;
+  std::map<std::string, int> reasons;
+};
+
+Obstacle shape(ObstacleShape kind, const Eigen::Vector3d& size, const Eigen::Vector3d& at) {
+  Obstacle o;
+  o.shape = kind;
+  o.size = size;
+  o.pose.translation() = at;
+  return o;
+}
+
+// A table, posts, boards of a shelf and balls, as the dice have it.
+Obstacle draw_obstacle(Random& random) {
+  const double y = random.uniform(-0.7, 0.7);
+  switch (random.next() % 4) {
+    case 0:
+      return shape(ObstacleShape::kBox, {random.uniform(0.2, 0.5), random.uniform(0.3, 1.2), 0.04},
+                   {random.uniform(0.45, 0.7), y, random.uniform(0.5, 0.85)});
+    case 1:
+      return shape(ObstacleShape::kCylinder, {random.uniform(0.02, 0.05), 1.3, 0.0},
+                   {random.uniform(0.25, 0.55), y, 0.65});
+    case 2:
+      return shape(ObstacleShape::kBox, {0.3, random.uniform(0.2, 0.6), 0.03},
+                   {random.uniform(0.4, 0.6), y, random.uniform(0.9, 1.4)});
+    default:
+      return shape(ObstacleShape::kSphere, {random.uniform(0.04, 0.1), 0.0, 0.0},
+                   {random.uniform(0.1, 0.6), y, random.uniform(0.7, 1.4)});
+  }
+}
+
+// Of all pairs, or of those with an obstacle alone.
+double nearest_of(Collision& collision, const Kinematics& kinematics, double far,
+                  int first_obstacle = 0) {
+  std::array<PairDistance, 64> pairs;
+  const int count = collision.near_pairs(kinematics, far, pairs.data(), 64);
+  for (int i = 0; i < count; ++i) {
+    if (pairs[at(i)].link_b >= first_obstacle) return pairs[at(i)].distance;
+  }
+  return far;
+}
+
+Eigen::Isometry3d ground_of(const Model& model, const Kinematics& kinematics) {
+  Eigen::Isometry3d ground = Eigen::Isometry3d::Identity();
+  Eigen::Vector3d ahead = Eigen::Vector3d::Zero();
+  for (const Sole& sole : model.soles) {
+    const Eigen::Isometry3d in_world = kinematics.link_in_world(sole.link) * sole.frame;
+    ground.translation() += 0.5 * in_world.translation();
+    ahead += in_world.linear().col(0);
+  }
+  ground.linear() =
+      Eigen::AngleAxisd(std::atan2(ahead.y(), ahead.x()), Eigen::Vector3d::UnitZ()).matrix();
+  return ground;
+}
+
+class World {
+ public:
+  World(const Model& model, Random& random, std::uint64_t seed, double speed, bool trace)
+      : model_(model),
+        random_(random),
+        speed_(speed),
+        trace_(trace),
+        exact_(model, build_geometry(model, {.balls = false})),
+        collision_(model),
+        kinematics_(model),
+        posture_(model) {
+    Scene scene;
+    scene.obstacles = obstacles();
+    obstacles_ = scene.obstacles;
+    OneProcessConfig config;
+    config.seed = seed;
+    run_ = std::make_unique<OneProcess>(model, scene, config);
+    wait(1.0);
+  }
+
+  bool fallen() const { return run_->seen().figures().fell; }
+
+  void reach(int number, Tally& tally) {
+    const std::optional<ArmGoal> drawn = draw_goal(number);
+    if (!drawn) throw std::runtime_error("no reachable goal was found in a world");
+    ArmGoal goal = *drawn;
+    touched_ = false;
+    nearest_ = 1.0;
+    const char* failure = nullptr;
+    std::string refusal;
+    double miss = 0.0, angle = 0.0;
+    int plans = 0;
+    bool moved = false;
+    for (; plans <= kReachCorrections && failure == nullptr && refusal.empty(); ++plans) {
+      goal.goal_id = number * 16 + plans + 1;
+      const ArmPlan plan = ask(goal);
+      if (plan.status != ArmPathStatus::kOk) {
+        refusal = describe(model_, plan);
+        const bool no_way = plan.status == ArmPathStatus::kTimeLimit;
+        if (!moved && !(no_way && truly_refused(goal))) refusal += " (UNTRUE)";
+        break;
+      }
+      moved = true;
+      failure = follow(plan.duration());
+      wait(kReachSettle);
+      error_of(goal, miss, angle);
+      if (miss <= kReachNearEnough) break;
+    }
+    tally.contacts += touched_ ? 1 : 0;
+    tally.falls += fallen() ? 1 : 0;
+    tally.nearest = std::min(tally.nearest, nearest_);
+    const bool pose = goal.kind == ArmGoalKind::kPose;
+    const bool there = miss <= kReachFar && (!pose || angle <= kAngle);
+    std::string outcome;
+    if (failure == nullptr && moved && there) {
+      ++tally.reached;
+      outcome = "reached";
+      tally.worst_miss = std::max(tally.worst_miss, miss);
+      if (pose) tally.worst_angle = std::max(tally.worst_angle, angle);
+    } else if (failure != nullptr) {
+      ++tally.held;
+      outcome = failure;
+    } else if (!refusal.empty() && refusal.find("UNTRUE") == std::string::npos && !moved) {
+      ++tally.true_refusals;
+      outcome = refusal;
+    } else {
+      ++tally.untrue;
+      outcome = refusal.empty() ? "came no nearer" : refusal;
+    }
+    if (outcome != "reached") ++tally.reasons[outcome];
+    if (trace_ || outcome != "reached" || touched_ || fallen()) {
+      std::printf(
+          "%3d %s %s at %.3f %.3f %.3f: %s; %d plans, %.1f mm and %.3f rad off, nearest "
+          "%.1f mm%s%s\n",
+          number, goal.side == ArmSide::kLeft ? "left" : "right", pose ? "pose" : "place",
+          goal.position[0], goal.position[1], goal.position[2], outcome.c_str(), plans + 1,
+          1e3 * miss, pose ? angle : 0.0, 1e3 * nearest_, touched_ ? " TOUCHED" : "",
+          fallen() ? " FELL" : "");
+      std::fflush(stdout);
+    }
+  }
+
+  double margin() const { return run_->seen().figures().zmp_margin_min; }
+
+ private:
+  std::vector<Obstacle> obstacles() {
+    Configuration standing = named_posture(model_, "half_sitting");
+    kinematics_.update(standing);
+    standing.base = ground_of(model_, kinematics_).inverse() * standing.base;
+    kinematics_.update(standing);
+    std::vector<Obstacle> all;
+    const std::size_t wanted = 2 + random_.next() % 4;
+    while (all.size() < wanted) {
+      all.push_back(draw_obstacle(random_));
+      collision_.set_obstacles(all);
+      if (nearest_of(collision_, kinematics_, kFromStart, model_.link_count()) < kFromStart)
+        all.pop_back();
+    }
+    collision_.set_obstacles(all);
+    return all;
+  }
+
+  // The robot as it is, by what only the simulator knows.
+  void look() {
+    const SimTruth& truth = run_->truth();
+    const auto& p = truth.base_position;
+    const auto& a = truth.base_attitude;
+    posture_.base = Eigen::Translation3d(p[0], p[1], p[2]) *
+                    Eigen::Quaterniond(a[0], a[1], a[2], a[3]).normalized();
+    for (std::size_t k = 0; k < model_.bus_joints.size(); ++k)
+      posture_.q[model_.bus_joints[k]] = run_->state().q[k];
+    kinematics_.update(posture_);
+  }
+
+  bool tick() {
+    if (!run_->tick()) throw std::runtime_error(run_->failure());
+    look();
+    const double now = nearest_of(collision_, kinematics_, kLook);
+    nearest_ = std::min(nearest_, now);
+    exact_.place(posture_.q);
+    touched_ = touched_ || !(now > 0.0) || exact_.any_touching();
+    return !fallen();
+  }
+
+  void wait(double seconds) {
+    for (double t = 0.0; t < seconds; t += model_.period()) {
+      if (!tick()) return;
+    }
+  }
+
+  std::optional<ArmGoal> draw_goal(int number) {
+    look();
+    const Eigen::Isometry3d to_ground = ground_of(model_, kinematics_).inverse();
+    const Configuration now = posture_;
+    ArmGoal goal;
+    goal.side = random_.next() % 2 == 0 ? ArmSide::kLeft : ArmSide::kRight;
+    goal.kind = number % 2 == 0 ? ArmGoalKind::kPosition : ArmGoalKind::kPose;
+    goal.speed = static_cast<float>(speed_);
+    const Hand& hand = model_.hands[goal.side == ArmSide::kLeft ? 0 : 1];
+    Kinematics kinematics(model_);
+    collision_.check_only_moved_by(hand.joints);
+    std::optional<ArmGoal> drawn;
+    for (int i = 0; i < kTries && !drawn; ++i) {
+      Configuration there = now;
+      for (const int j : hand.joints) {
+        const Joint& joint = model_.joints[at(j)];
+        there.q[j] = random_.uniform(joint.lower + kInside, joint.upper - kInside);
+      }
+      kinematics.update(there);
+      there.base.pretranslate(kinematics_.com() - kinematics.com());  // balance keeps it
+      kinematics.update(there);
+      if (nearest_of(collision_, kinematics, 0.05) < ArmPlannerConfig{}.least_clearance + kSpare)
+        continue;
+      const Eigen::Isometry3d place = to_ground * kinematics.link_in_world(hand.link) * hand.frame;
+      const Eigen::Quaterniond turn(place.linear());
+      for (std::size_t k = 0; k < 3; ++k)
+        goal.position[k] = place.translation()[static_cast<int>(k)];
+      if (goal.kind == ArmGoalKind::kPose)
+        goal.orientation = {turn.w(), turn.x(), turn.y(), turn.z()};
+      drawn = goal;
+    }
+    collision_.check_only_moved_by({});
+    return drawn;
+  }
+
+  // As much of the answer as the message tells.
+  ArmPlan ask(const ArmGoal& goal) {
+    run_->say(goal);
+    run_->take_sentences();
+    const std::vector<ArmPathPiece>& pieces = run_->arm_answer();
+    ArmPlan plan;
+    plan.status = pieces.front().status;
+    plan.pair = {pieces.front().link_a, pieces.front().link_b};
+    plan.miss = static_cast<double>(pieces.front().miss);
+    path_id_ = pieces.front().path_id;
+    const ArmPathPiece& last = pieces.back();
+    if (last.knot_count > 0) plan.path.push_back({last.time[at(last.knot_count - 1)], {}, {}});
+    return plan;
+  }
+
+  const char* follow(double duration) {
+    ReachProgress progress(path_id_, duration);
+    const std::int64_t begin = run_->ticks();
+    double now = 0.0;
+    do {
+      if (!tick()) return "the robot fell";
+      now = static_cast<double>(run_->ticks() - begin) * model_.period();
+    } while (progress.goes_on(now, run_->state().stop_kind, &run_->loop().status()));
+    if (progress.must_cancel()) {
+      ArmGoal cancel;
+      cancel.kind = ArmGoalKind::kCancel;
+      cancel.goal_id = path_id_;
+      run_->say(cancel);
+    }
+    return progress.failure();
+  }
+
+  void error_of(const ArmGoal& goal, double& miss, double& angle) {
+    look();
+    const Hand& hand = model_.hands[goal.side == ArmSide::kLeft ? 0 : 1];
+    const Eigen::Isometry3d is = ground_of(model_, kinematics_).inverse() *
+                                 kinematics_.link_in_world(hand.link) * hand.frame;
+    miss =
+        (is.translation() - Eigen::Vector3d(goal.position[0], goal.position[1], goal.position[2]))
+            .norm();
+    const auto& o = goal.orientation;
+    angle =
+        Eigen::Quaterniond(is.linear()).angularDistance(Eigen::Quaterniond(o[0], o[1], o[2], o[3]));
+  }
+
+  bool truly_refused(ArmGoal goal) {
+    look();
+    const Configuration now = posture_;
+    ArmPlannerConfig patient;
+    patient.clearance = 0.002;
+    patient.padding = 0.0;
+    patient.ik_restarts *= 10;
+    patient.goal_postures *= 5;
+    patient.rrt_rounds *= 10;
+    ArmPlanner planner(model_, patient);
+    planner.set_obstacles(obstacles_);
+    planner.set_balancing(true);
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+      if (planner.plan(goal, now, ground_of(model_, kinematics_), seed).status ==
+          ArmPathStatus::kOk)
+        return false;
+    }
+    return true;
+  }
+
+  const Model& model_;
+  Random& random_;
+  double speed_;
+  bool trace_;
+  SelfCollision exact_;
+  Collision collision_;
+  Kinematics kinematics_;
+  Configuration posture_;
+  std::vector<Obstacle> obstacles_;
+  std::unique_ptr<OneProcess> run_;
+  std::int64_t path_id_ = 0;
+  bool touched_ = false;
+  double nearest_ = 1.0;
+};
+
+int run(int argc, char** argv) {
+  Options options("reach_bench", "Random reachable goals for the hands of the balancing robot.");
+  std::int64_t count = 200, seed = 1;
+  double speed = 0.4;
+  bool trace = false;
+  options.integer("--count", "N", count, 1, 100'000, "goals");
+  options.integer("--seed", "N", seed, 0, 1'000'000'000, "of worlds and goals");
+  options.number("--speed", "SHARE", speed, 0.05, 1.0, "of the joints' velocity limits");
+  options.flag("--trace", trace, "a line for every goal");
+  options.parse(argc, argv);
+  const Model& model = hrp1s();
+  Random random(static_cast<std::uint64_t>(seed));
+  Tally tally;
+  int asked = 0;
+  while (asked < count) {
+    World world(model, random, random.next() >> 16, speed, trace);
+    for (int i = 0; i < kGoalsPerWorld && asked < count && !world.fallen(); ++i)
+      world.reach(asked++, tally);
+    tally.margin = std::min(tally.margin, world.margin());
+  }
+  std::printf(
+      "%d goals: %d reached (%.1f mm, %.3f rad off at most), %d refused truly, %d untruly or "
+      "missed, "
+      "%d given up on the way; %d with a contact, %d falls; nearest %.1f mm, ZMP margin %.0f mm\n",
+      asked, tally.reached, 1e3 * tally.worst_miss, tally.worst_angle, tally.true_refusals,
+      tally.untrue, tally.held, tally.contacts, tally.falls, 1e3 * tally.nearest,
+      1e3 * tally.margin);
+  for (const auto& [reason, times] : tally.reasons) std::printf("%5d: %s\n", times, reason.c_str());
+  return tally.reached + tally.true_refusals == asked && tally.contacts == 0 && tally.falls == 0
+             ? 0
+             : 1;
+}
+
+}  // namespace
+}  // namespace twinbus
+
+int main(int argc, char** argv) try {
+  return twinbus::run(argc, argv);
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "reach_bench: %s\n", error.what());
+  return 1;
+}
