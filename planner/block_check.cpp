@@ -66,7 +66,10 @@ bool BlockCheck::line_free(const float* from, const float* step, int blocks) noe
   return looked > 0;
 }
 
-void BlockCheck::settle_by_pieces(bool yes) noexcept { work_->by_pieces = yes; }
+void BlockCheck::settle_by_pieces(bool yes) noexcept {
+  work_->by_pieces = yes;
+  work_->turns = yes ? BlockWork::kPatientTurns : BlockWork::kTurns;
+}
 
 bool BlockCheck::point_free(const float* q) noexcept {
   static constexpr float kNowhere[kMostPlanned] = {};

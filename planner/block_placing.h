@@ -1,7 +1,6 @@
 // Where bodies, groups and balls are.  Included once per instruction set, inside a namespace,
 // by block_check.cpp: no #pragma once.
 
-constexpr int kMostTurns = 12;      // of a plane that is looked for
 constexpr float kRounding = 2e-5F;  // what single precision may lose of a distance [m]
 
 TWINBUS_INLINE Lanes row_times(const Lanes* r, float x, float y, float z, Lanes sum) {

@@ -12,6 +12,7 @@ namespace twinbus {
 namespace {
 
 constexpr double kRounding = 1e-6;  // [m]
+constexpr double kHollow = 0.002;   // that a piece may fill [m]
 constexpr double kWhole = 1e-6;     // a column this near to an axis is that
 
 // The link as a part of a body.
@@ -90,6 +91,50 @@ double farthest_from(const std::vector<BlockBody>& bodies, const std::vector<dou
   return length;
 }
 
+using CornersOfOne = std::array<Eigen::Vector3d, 3>;
+
+// How far corners stick out above the planes of the triangles [m]: what the hull of a patch that is hollow adds to it.
+double hollowness(const std::vector<CornersOfOne>& triangles) {
+  double highest = 0.0;
+  for (const CornersOfOne& t : triangles) {
+    const Eigen::Vector3d normal = (t[1] - t[0]).cross(t[2] - t[0]).normalized();
+    for (const CornersOfOne& other : triangles) {
+      for (const Eigen::Vector3d& corner : other)
+        highest = std::max(highest, normal.dot(corner - t[0]));
+    }
+  }
+  return highest;
+}
+
+// The corners of the triangles as one piece, or halves of them where that would fill a hollow.
+void add_pieces(std::vector<CornersOfOne> triangles,
+                std::vector<std::vector<Eigen::Vector3d>>& pieces) {
+  if (triangles.size() > 1 && hollowness(triangles) > kHollow) {
+    Eigen::AlignedBox3d around;
+    const auto middle = [](const CornersOfOne& t) {
+      return Eigen::Vector3d((t[0] + t[1] + t[2]) / 3.0);
+    };
+    for (const CornersOfOne& t : triangles) around.extend(middle(t));
+    int axis = 0;
+    around.sizes().maxCoeff(&axis);
+    const auto half = triangles.begin() + static_cast<std::ptrdiff_t>(triangles.size() / 2);
+    std::nth_element(triangles.begin(), half, triangles.end(),
+                     [&](const CornersOfOne& a, const CornersOfOne& b) {
+                       return middle(a)[axis] < middle(b)[axis];
+                     });
+    add_pieces({triangles.begin(), half}, pieces);
+    add_pieces({half, triangles.end()}, pieces);
+    return;
+  }
+  std::vector<Eigen::Vector3d> corners;
+  for (const CornersOfOne& t : triangles) {
+    for (const Eigen::Vector3d& c : t) {
+      if (std::find(corners.begin(), corners.end(), c) == corners.end()) corners.push_back(c);
+    }
+  }
+  pieces.push_back(std::move(corners));
+}
+
 }  // namespace
 
 BallGroup group_from(const LinkGeometry& geometry) {
@@ -97,20 +142,17 @@ BallGroup group_from(const LinkGeometry& geometry) {
   group.link = geometry.link;
   group.balls = geometry.balls;
   group.pieces.push_back(geometry.hull.points);
-  // Pieces are clusters of triangles: together they are the mesh, nearly.
+  // Pieces are clusters of triangles, or parts of them: together they are the mesh, nearly.
   for (const TriangleCluster& cluster : geometry.clusters) {
-    std::vector<Eigen::Vector3d> corners;
+    std::vector<CornersOfOne> triangles;
     for (int i = 0; i < cluster.count; ++i) {
-      for (const auto& corner : cluster.corner) {
-        const Eigen::Vector3d c(static_cast<double>(corner[0][i]),
-                                static_cast<double>(corner[1][i]),
-                                static_cast<double>(corner[2][i]));
-        const bool known = std::any_of(corners.begin(), corners.end(),
-                                       [&](const Eigen::Vector3d& k) { return k == c; });
-        if (!known) corners.push_back(c);
+      CornersOfOne& t = triangles.emplace_back();
+      for (std::size_t c = 0; c < 3; ++c) {
+        for (int axis = 0; axis < 3; ++axis)
+          t[c][axis] = static_cast<double>(cluster.corner[c][axis][i]);
       }
     }
-    group.pieces.push_back(std::move(corners));
+    add_pieces(std::move(triangles), group.pieces);
   }
   return group;
 }

@@ -20,7 +20,7 @@ inline void separate_piece(const BlockRobot& robot, const BlockWork& w, int g,
   Lanes n[3], best[3] = {};
   Lanes best_gap = all(-1e30F);
   first_normal(shape, middle, n);
-  for (int turn = 0; turn < kMostTurns + faces; ++turn) {
+  for (int turn = 0; turn < w.turns + faces; ++turn) {
     if (turn > 0 && turn <= faces) {  // the faces that look at the group
       const float* axis = shape.axis[3 - turn];
       const Lanes side = (middle[0] - all(shape.center[0])) * all(axis[0]) +
