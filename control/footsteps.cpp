@@ -25,15 +25,22 @@ constexpr double kBent = 0.88, kLeastBent = 0.93;  // hip to ankle, share of the
 constexpr double kKneeShare = 0.85;  // of its torque that carrying the robot at rest may take
 constexpr double kTurn = 0.6;        // share of a hip's range that a command may use
 
-// Height of the centre of mass above the hips, in the pose that robots are said to walk in.
-double com_above_hips(const Model& model, int hip_link) {
+// In the pose that robots are said to stand and walk in.
+struct Stance {
+  double com_above_hips, width;  // [m]
+};
+Stance stance_of(const Model& model, int hip_link) {
   Configuration configuration(model);
   const int pose = model.find_pose("half_sitting");
   for (int j = 0; pose >= 0 && j < model.joint_count(); ++j)
     configuration.q[j] = model.poses[at(pose)].q[at(j)];
   Kinematics kinematics(model);
   kinematics.update(configuration);
-  return kinematics.com().z() - kinematics.link_in_world(hip_link).translation().z();
+  const auto sole = [&](std::size_t f) -> Eigen::Vector3d {
+    return kinematics.link_in_world(model.soles[f].link) * model.soles[f].frame.translation();
+  };
+  return {kinematics.com().z() - kinematics.link_in_world(hip_link).translation().z(),
+          (sole(0) - sole(1)).y()};
 }
 // From hip to ankle: bent so far that the stride is left, but no farther than one knee carries the robot, which the leg
 // above it leads past the weight by half its length times the sine of half its bend.
@@ -78,7 +85,8 @@ Gait gait_of(const Model& model, const Walking& w, double margin) {
   if (leg.count != 6) fail("a sole does not hang on the base by six joints");
   const LegReach reach = leg_reach(model, 0);
   const double ankle = reach.ankle_height;
-  const double above = com_above_hips(model, leg.joint[0] + 1);
+  const Stance stance = stance_of(model, leg.joint[0] + 1);
+  const double above = stance.com_above_hips;
   g.com_height = w.com_height > 0.0 ? w.com_height : above + ankle + standing_length(model, reach);
   const double hip = g.com_height - above - ankle;
   if (!(hip > 0.3 * reach.longest && hip < 0.99 * reach.longest)) {
@@ -92,6 +100,7 @@ Gait gait_of(const Model& model, const Walking& w, double margin) {
   g.max_forward = kReachForward * stride;
   g.max_back = kReachBack * stride;
   g.max_width = g.width + kReachSideways * stride;
+  g.standing_width = std::clamp(stance.width, g.min_width, g.max_width);
   const double length = left.front + left.back;
   g.zmp_forward = std::clamp(w.zmp_forward, -left.back + 0.25 * length, left.front - 0.25 * length);
   g.zmp_inward = w.zmp_inward;
@@ -106,13 +115,13 @@ Gait gait_of(const Model& model, const Walking& w, double margin) {
   return g;
 }
 
-Foothold next_foothold(const Gait& gait, const Foothold& from, int foot,
-                       const Eigen::Vector3d& velocity, double period) noexcept {
+Foothold next_foothold(const Foothold& from, int foot, const Eigen::Vector3d& velocity,
+                       double period, double width) noexcept {
   const double out = side_of(1 - foot);  // to the side of the foot that moves
   const double turning = velocity.z() * period;
   const double turn = turning * (turning * out > 0.0 ? 1.5 : 0.5);
   const double side = velocity.y() * out > 0.0 ? 2.0 * velocity.y() * period : 0.0;
-  const double half = 0.5 * gait.width;
+  const double half = 0.5 * width;
   Foothold next;
   next.yaw = wrap_angle(from.yaw + turn);
   next.height = from.height;

@@ -30,10 +30,11 @@ struct Gait {
   double single_support = 0.5, double_support = 0.1;  // [s]
   double first_double = 0.7, last_double = 0.5;  // before the first step and after the last [s]
   double shortest_single = 0.22;                 // of a step taken to catch the robot [s]
-  double hurry = 0.03;      // double support after a step that was moved far [s]
-  double width = 0.2;       // between the sole frames [m]
-  double lift = 0.05;       // of the swing foot [m]
-  double com_height = 0.7;  // above the ground [m]
+  double hurry = 0.03;          // double support after a step that was moved far [s]
+  double width = 0.2;           // between the sole frames [m]
+  double standing_width = 0.2;  // in the pose that robots stand in [m]
+  double lift = 0.05;           // of the swing foot [m]
+  double com_height = 0.7;      // above the ground [m]
   double zmp_forward = 0.03, zmp_inward = 0.005;  // of the reference ZMP under a sole [m]
   double max_forward = 0.45, max_back = 0.35;     // of a foothold before the other foot [m]
   double min_width = 0.155, max_width = 0.5;      // [m]
@@ -54,9 +55,9 @@ Gait gait_of(const Model& model, const Walking& walking, double margin);
 // +1: foot 0, the left one; -1: the right one.
 inline double side_of(int foot) noexcept { return foot == 0 ? 1.0 : -1.0; }
 
-// Where the other foot goes while `foot` stands on `from`; period: of a step [s].
-Foothold next_foothold(const Gait& gait, const Foothold& from, int foot,
-                       const Eigen::Vector3d& velocity, double period) noexcept;
+// Where the other foot goes while `foot` stands on `from`; period: of a step [s], width: between the feet [m].
+Foothold next_foothold(const Foothold& from, int foot, const Eigen::Vector3d& velocity,
+                       double period, double width) noexcept;
 
 // Where the reference ZMP is while `foot` alone carries the robot, world.
 Eigen::Vector2d zmp_on(const Gait& gait, const Foothold& at, int foot) noexcept;

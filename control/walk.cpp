@@ -12,7 +12,7 @@ namespace {
 constexpr int kFirstRounds = 10;
 constexpr double kLeastLoad = 0.05;  // of the weight, on feet that tell where the ground is
 constexpr double kRestSpeed = 0.02;  // of the centre of mass [m/s]
-constexpr double kRestPlace = 0.02;  // of it and the ZMP, from the middle of the feet [m]
+constexpr double kRestPlace = 0.006;  // of it and the ZMP, from the middle of the feet [m]
 }  // namespace
 
 Walk::Walk(const Model& model, const WalkGains& gains)

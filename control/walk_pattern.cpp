@@ -54,7 +54,8 @@ Eigen::Vector2d WalkPattern::apart() const noexcept {
 
 bool WalkPattern::side_by_side() const noexcept {
   const Eigen::Vector2d way = apart();
-  return std::abs(way.x()) < kBeside && std::abs(way.y() - gait_.width) < kBeside &&
+  const double width = tidy_ ? gait_.standing_width : gait_.width;
+  return std::abs(way.x()) < kBeside && std::abs(way.y() - width) < kBeside &&
          std::abs(wrap_angle(feet_[0].yaw - feet_[1].yaw)) < kParallel;
 }
 
@@ -69,7 +70,7 @@ void WalkPattern::start(const std::array<Foothold, 2>& feet) noexcept {
   double_ = kLeast;
   period_ = gait_.period();
   since_landing_ = adjusted_ = uneven_ = 0.0;
-  squares_ = false;
+  squares_ = tidy_ = false;
   halting_ = false;
   rest_ = zmp_from_ = zmp_ = dcm_ = middle();
 }
@@ -78,12 +79,12 @@ void WalkPattern::want(const Eigen::Vector3d& velocity) noexcept {
   wanted_ = gait_.possible(velocity);
   if (!wants_to_walk()) return;
   halting_ = false;
-  squares_ = false;
+  squares_ = tidy_ = false;
 }
 
 void WalkPattern::halt() noexcept {
   wanted_.setZero();
-  squares_ = false;
+  squares_ = tidy_ = false;
   listed_ = list_count_ = 0;
   if (halting_ || !walking_) return;
   halting_ = true;
@@ -109,7 +110,8 @@ Foothold WalkPattern::after(const Foothold& from, int foot, int steps_ahead) con
   Eigen::Vector3d velocity = velocity_;
   // Feet that stand too near each other come apart before they turn.
   if (steps_ahead == 0 && apart().y() < gait_.min_width) velocity.z() = 0.0;
-  return next_foothold(gait_, from, foot, velocity, period_);
+  const bool last = tidy_ && velocity.squaredNorm() < 1e-12;
+  return next_foothold(from, foot, velocity, period_, last ? gait_.standing_width : gait_.width);
 }
 
 void WalkPattern::begin_step(int support, double double_time) noexcept {
@@ -127,6 +129,7 @@ void WalkPattern::begin_step(int support, double double_time) noexcept {
 void WalkPattern::capture(const Eigen::Vector2d& measured_dcm) noexcept {
   if (walking_) return;
   const double side = feet_[0].unturn(measured_dcm - middle()).y();
+  tidy_ = false;
   begin_step(side > 0.0 ? 1 : 0, gait_.hurry);
   square_ = 0;
 }

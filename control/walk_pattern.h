@@ -26,8 +26,8 @@ class WalkPattern {
   // Ends walking as soon as can be: the step under way brakes, or if it is half over the next one does, and where both
   // soles then stand the robot comes to rest if that catches it.
   void halt() noexcept;
-  // Once it stands, and before it is settled, the feet come side by side.
-  void square() noexcept { squares_ = true; }
+  // Once it stands, and before it is settled, the feet come side by side, as far apart as the robot stands.
+  void square() noexcept { squares_ = tidy_ = true; }
   // Walks these instead, in this order, beginning with the foot that is not `first_support`; then stands.  World.
   void follow(const Foothold* list, int count, int first_support) noexcept;
 
@@ -85,6 +85,7 @@ class WalkPattern {
   bool walking_ = false, single_ = false, halting_ = false, braking_ = false;
   int support_ = 0, steps_ = 0, square_ = 0;
   bool squares_ = false;  // the feet are still to be put side by side
+  bool tidy_ = false;     // and as far apart as the robot stands
   double uneven_ = 0.0;   // the steps up and down that the last landings met [m]
   double time_ = 0.0, double_ = 0.0, single_time_ = 0.0;  // in the step; its two parts [s]
   double since_landing_ = 0.0, period_;                   // measured, of a step [s]

@@ -85,8 +85,8 @@ class Round {
       std::printf(
           "%s: %.2f steps until it stands, %.2f until its feet are side by side, %.2f s to the "
           "switch, "
-          "joints %.3f rad apart\n",
-          from == 0 ? "simulator to robot" : "robot to simulator", steps, all, wait, gap_);
+          "joint %d %.3f rad apart\n",
+          from == 0 ? "simulator to robot" : "robot to simulator", steps, all, wait, widest_, gap_);
     }
     ++tally.switched;
     tally.late += steps > 1.5 ? 1 : 0;
@@ -125,8 +125,10 @@ class Round {
     }
     gap_ = 0.0;
     const RobotState &a = rig_->source(0).state(), &b = rig_->source(1).state();
-    for (std::size_t k = 0; k < static_cast<std::size_t>(a.joint_count); ++k)
+    for (std::size_t k = 0; k < static_cast<std::size_t>(a.joint_count); ++k) {
+      if (std::abs(a.q[k] - b.q[k]) > gap_) widest_ = static_cast<int>(k);
       gap_ = std::max(gap_, std::abs(a.q[k] - b.q[k]));
+    }
     for (int s = 0; s < 2; ++s) {
       const double tilt = tilt_of(rig_->source(s).state());
       double& most = s == active ? tilt_ : standby_tilt_;
@@ -140,7 +142,7 @@ class Round {
   Gait gait_;
   std::unique_ptr<TwoSources> rig_;
   bool fell_ = false;
-  int said_ = 0, stands_since_ = 0;
+  int said_ = 0, stands_since_ = 0, widest_ = 0;
   std::int64_t last_in_air_ = 0, stood_ = 0;
   double gap_ = 0.0, tilt_ = 0.0, standby_tilt_ = 0.0;  // [rad], [degrees], [degrees]
 };

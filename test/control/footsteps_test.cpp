@@ -21,7 +21,7 @@ Eigen::Vector3d walked(const Gait& g, const Eigen::Vector3d& velocity, int steps
   at[1].position << 0.0, -0.5 * g.width;
   for (int n = 0; n < steps; ++n) {
     const int stands = n % 2;
-    at[1 - stands] = next_foothold(g, at[stands], stands, velocity, g.period());
+    at[1 - stands] = next_foothold(at[stands], stands, velocity, g.period(), g.width);
   }
   const Eigen::Vector2d middle = 0.5 * (at[0].position + at[1].position);
   return {middle.x(), middle.y(), 0.5 * (at[0].yaw + at[1].yaw)};
@@ -52,7 +52,7 @@ TEST(Footsteps, SolesNeverComeNearerThanTheyMay) {
       at[1].position << 0.0, -0.5 * g.width;
       for (int n = 0; n < 12; ++n) {
         const int stands = n % 2;
-        at[1 - stands] = next_foothold(g, at[stands], stands, {0.1, vy, wz}, g.period());
+        at[1 - stands] = next_foothold(at[stands], stands, {0.1, vy, wz}, g.period(), g.width);
         const Eigen::Vector2d between =
             at[stands].unturn(at[1 - stands].position - at[stands].position);
         EXPECT_GT(side_of(1 - stands) * between.y(), g.min_width - 0.01);
