@@ -15,6 +15,8 @@ constexpr double kFallenTilt = 0.7;    // [rad]
 constexpr double kBalanceTilt = 0.35;  // [rad] from which balance still begins
 constexpr double kIdleDamping = 0.1;   // share of kd
 constexpr double kSettledZmp = 0.02;   // [m] inside the support polygon: a stop may end
+constexpr const char* kHasFallen =
+    "the robot has fallen: the joints are damped; put it on its feet and ask for balance";
 
 double tilt(const Estimator& estimator) noexcept {
   const double up = estimator.configuration().base.linear()(2, 2);
@@ -26,6 +28,7 @@ Modes::Modes(const Model& model, const BalanceGains& gains, const WalkGains& wal
     : model_(model),
       posture_(model),
       arm_(model),
+      brace_(model),
       static_torque_(model),
       q_given_(Eigen::VectorXd::Zero(model.joint_count())),
       tau_(q_given_) {
@@ -82,6 +85,7 @@ void Modes::leave_walk(const ModeRequest& next, bool at_once, bool tidy) noexcep
 
 void Modes::start(Mode first, const Moment& now) noexcept {
   mode_ = Mode::kNone;
+  bracing_ = false;
   balancing_ = walking_ = leaving_ = false;
   enter(first, now);
 }
@@ -146,6 +150,13 @@ void Modes::enter_pose(const ModeRequest& request, const Moment& now) noexcept {
 }
 
 void Modes::obey(const ModeRequest& request, const Moment& now) noexcept {
+  if (bracing_) {
+    if (request.mode != Mode::kIdle) {
+      sentence_ = "the robot falls: it obeys again once it lies; the mode stays as it is";
+      return;
+    }
+    bracing_ = false;
+  }
   if (held_by_gate_) {
     if (request.mode == Mode::kIdle) {
       mode_before_stop_ = Mode::kIdle;
@@ -209,7 +220,7 @@ bool Modes::follow_stop(StopKind asked, bool for_switch, const Moment& now) noex
       leave_walk({}, true, for_switch);
     } else if (balancing_) {
       balance_->stop_motion(kStopTime);
-    } else if (mode_ != Mode::kIdle) {
+    } else if (mode_ != Mode::kIdle && !bracing_) {
       enter_hold(now, false);
     }
     stopping_ = true;
@@ -226,6 +237,7 @@ bool Modes::follow_stop(StopKind asked, bool for_switch, const Moment& now) noex
     mode_ = Mode::kStop;
     arm_.drop();
   }
+  bracing_ = false;
   // Nobody listens: follow the robot, so that the first command after the clear is where it is.
   posture_.rest(state.q);
   changed_ = false;
@@ -242,13 +254,36 @@ bool Modes::follow_stop(StopKind asked, bool for_switch, const Moment& now) noex
 }
 
 void Modes::watch_for_a_fall(const Moment& now) noexcept {
-  if (!(balancing_ || walking_) || tilt(now.estimator) < kFallenTilt) return;
-  sentence_ = "the robot has fallen: the joints are damped; put it on its feet and ask for balance";
-  enter(Mode::kIdle, now);
+  if (bracing_) {
+    if (brace_.over()) end_brace(now);
+    return;
+  }
+  if (!(balancing_ || walking_)) return;
+  if (tilt(now.estimator) >= kFallenTilt) {
+    sentence_ = kHasFallen;
+    enter(Mode::kIdle, now);
+  } else if (Brace::is_lost(now.estimator)) {
+    sentence_ = "the robot falls: it bends its knees, brings its arms before it and gives way";
+    arm_.drop();
+    balancing_ = walking_ = leaving_ = false;
+    bracing_ = true;
+    changed_ = false;  // a fall leaves no time to blend
+    mode_ = Mode::kStop;
+    brace_.start(now.last, now.state, posture_);
+  }
+}
+
+// It lies, or the push was less bad than it seemed.
+void Modes::end_brace(const Moment& now) noexcept {
+  bracing_ = false;
+  const bool stands = may_balance(now);
+  sentence_ = stands ? "the robot did not fall: it balances again" : kHasFallen;
+  enter(stands ? Mode::kBalance : Mode::kIdle, now);
 }
 
 void Modes::add_path(const ArmPathPiece& piece) noexcept {
-  if (held_by_gate_ || stopping_ || mode_ == Mode::kIdle || mode_ == Mode::kNone) return;
+  if (held_by_gate_ || stopping_ || bracing_ || mode_ == Mode::kIdle || mode_ == Mode::kNone)
+    return;
   arm_.add(piece);
 }
 
@@ -271,6 +306,7 @@ void Modes::want(const Moment& now, std::int64_t mask, double dt, SetPoint& set_
   if (arm_.refusal() != nullptr && arm_.refusal() != arm_refusal_) sentence_ = arm_.refusal();
   arm_refusal_ = arm_.refusal();
   if (mode_ == Mode::kIdle) return damp(now.state, set_point);
+  if (bracing_) return brace_.update(now.estimator, posture_, dt, set_point);
   if (leaving_ && walk_->resting()) {
     const ModeRequest next = next_;
     enter(Mode::kBalance, now);

@@ -15,6 +15,7 @@
 
 #include "control/arm_follow.h"
 #include "control/balance.h"
+#include "control/brace.h"
 #include "control/posture.h"
 #include "control/set_point.h"
 #include "control/static_torque.h"
@@ -42,7 +43,7 @@ class Modes {
   void start(Mode first, const Moment& now) noexcept;
   // The same robot speaks through another source.
   void rebase() noexcept;
-  // A robot that lies on the ground is let go.
+  // A robot that cannot be caught any more braces itself; one that lies on the ground is let go.
   void watch_for_a_fall(const Moment& now) noexcept;
   // asked: the highest stop heard since the last tick.  True while the gate obeys nobody, and at the
   // tick it obeys again: then what was put out before counts no more, the robot is followed.
@@ -89,6 +90,7 @@ class Modes {
   // Walks no more: once the robot stands, `next` is obeyed.  at_once: the shortest stop; tidy: the feet side by side.
   void leave_walk(const ModeRequest& next, bool at_once, bool tidy) noexcept;
   void begin_balance(const Moment& now) noexcept;
+  void end_brace(const Moment& now) noexcept;
   void move_legs(const Moment& now, double dt) noexcept;
   void damp(const RobotState& state, SetPoint& set_point) const noexcept;
 
@@ -99,10 +101,11 @@ class Modes {
   ModeRequest next_;                  // while leaving
   Posture posture_;
   ArmFollow arm_;
+  Brace brace_;
   StaticTorque static_torque_;
   Mode mode_ = Mode::kNone, mode_before_stop_ = Mode::kNone;
   bool balancing_ = false, walking_ = false, leaving_ = false, changed_ = false;
-  bool stopping_ = false, held_by_gate_ = false;
+  bool stopping_ = false, held_by_gate_ = false, bracing_ = false;
   std::int64_t legs_ = 0;          // bit per bus joint that balance moves
   Eigen::VectorXd q_given_, tau_;  // [joint_count]
   const char* sentence_ = nullptr;

@@ -390,6 +390,40 @@ TEST(ControlLoop, ARobotThatHasFallenIsDamped) {
   ASSERT_NE(rig.loop().take_sentence(), nullptr);
 }
 
+// A push that no step catches: said early, knees bent and gains down before the robot lies.
+TEST(ControlLoop, AFallIsSeenEarlyAndTheRobotBracesItself) {
+  const Model& model = test::hrp1s();
+  for (const Eigen::Vector3d& impulse :
+       {Eigen::Vector3d(0.0, 130.0, 0.0), Eigen::Vector3d(150.0, 0.0, 0.0),
+        Eigen::Vector3d(-130.0, 0.0, 0.0)}) {
+    Scene scene = flat();
+    scene.pushes.push_back({.link = "CHEST", .impulse = impulse, .at = 0.5, .duration = 0.1});
+    SimRig rig(model, scene, {}, {});
+    double said = -1.0, tilted = -1.0, softest = 1.0, knee = 0.0;
+    for (int i = 0;
+         i < 2000 && !(said > 0.0 && 0.002 * static_cast<double>(rig.ticks()) > said + 0.7); ++i) {
+      ASSERT_TRUE(rig.tick());
+      const double now = 0.002 * static_cast<double>(rig.ticks());
+      const char* sentence = rig.loop().take_sentence();
+      if (sentence != nullptr && std::string(sentence).find("falls") != std::string::npos)
+        said = now;
+      if (said > 0.0) {
+        softest = std::min(softest, static_cast<double>(rig.command().kp[3]) / model.joints[3].kp);
+        knee = std::max(knee, rig.command().q[3]);
+      }
+      if (tilted < 0.0 && rig.record().base_tilt_max > 1.0) tilted = now;
+    }
+    ASSERT_GT(said, 0.0) << impulse.transpose();
+    ASSERT_GT(tilted, 0.0) << impulse.transpose();
+    EXPECT_GT(tilted - said, 0.15) << impulse.transpose();
+    EXPECT_LT(softest, 0.2);
+    EXPECT_GT(knee, 1.6);
+    EXPECT_EQ(rig.loop().status().mode, Mode::kStop);
+    ASSERT_TRUE(rig.run(4.0));
+    EXPECT_EQ(rig.loop().status().mode, Mode::kIdle) << "it lies and is let go";
+  }
+}
+
 TEST(ControlLoop, NoTickAllocatesInAnyMode) {
   if (!allocations_counted()) GTEST_SKIP() << "not counted in this build";
   Rig rig;
