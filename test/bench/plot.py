@@ -75,6 +75,42 @@ def loglog(title, subtitle, x_name, y_name, curves, marks=()):
     return "\n".join(out)
 
 
+def scatter(title, subtitle, x_name, y_name, clouds, size=3.0):
+    """clouds: [(label, [(x, y)])]; x in powers of ten, y from zero."""
+    clouds = [(label, [(x, y) for x, y in points if x > 0.0]) for label, points in clouds]
+    every = [point for _, points in clouds for point in points]
+    x0, x1 = math.floor(min(math.log10(x) for x, _ in every)), math.ceil(max(math.log10(x) for x, _ in every))
+    top = max(1e-9, max(y for _, y in every))
+    step = min((m * 10.0 ** e for e in range(-6, 7) for m in (1, 2, 5)), key=lambda s: abs(top / s - 6))
+    y1 = math.ceil(top / step) * step
+    bottom, right = HEIGHT - BOTTOM, WIDTH - RIGHT
+
+    def px(x):
+        return LEFT + (math.log10(x) - x0) / (x1 - x0) * (right - LEFT)
+
+    def py(y):
+        return bottom - y / y1 * (bottom - TOP)
+    out = _frame(title, subtitle)
+    for e in range(x0, x1 + 1):
+        x = px(10.0 ** e)
+        out.append(f"<line x1='{x:.1f}' y1='{TOP}' x2='{x:.1f}' y2='{bottom}' stroke='#ddd'/>")
+        out.append(_text(x, bottom + 18, _power(10.0 ** e), 12, "middle"))
+    for i in range(round(y1 / step) + 1):
+        y = py(i * step)
+        out.append(f"<line x1='{LEFT}' y1='{y:.1f}' x2='{right}' y2='{y:.1f}' stroke='#ddd'/>")
+        out.append(_text(LEFT - 8, y + 4, f"{i * step:g}", 12, "end"))
+    out.append(f"<rect x='{LEFT}' y='{TOP}' width='{right - LEFT}' height='{bottom - TOP}' fill='none' stroke='#444'/>")
+    out.append(_text((LEFT + right) / 2, HEIGHT - 20, x_name, 13, "middle"))
+    out.append(_text(24, (TOP + bottom) / 2, y_name, 13, "middle", turn=-90))
+    for k, (label, points) in enumerate(clouds):
+        color, y = COLORS[k % len(COLORS)], TOP + 12 + 21 * k
+        out += [f"<circle cx='{px(x):.1f}' cy='{py(v):.1f}' r='{size}' fill='{color}' fill-opacity='0.6'/>" for x, v in points]
+        out.append(f"<circle cx='{right + 24}' cy='{y}' r='5' fill='{color}'/>")
+        out.append(_text(right + 36, y + 4, label, 12))
+    out.append("</svg>")
+    return "\n".join(out)
+
+
 def table_map(title, subtitle, panels, rows, columns, row_name, column_name, colors, legend):
     """panels: [(name, {(row, column): word})]; one coloured cell for each word, drawn side by side."""
     cell_w, cell_h, gap, per_line = 34, 24, 30, 3
