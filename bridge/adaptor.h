@@ -54,6 +54,8 @@ class RobotAdaptor {
   virtual Status set_state(const ImposedState&) { return Status::kUnsupported; }
   // Simulators: what only they know, valid after read().  Null for hardware.
   virtual const SimTruth* truth() const { return nullptr; }
+  // Simulators: bodies that nothing holds, where they are now, world.  How many pieces there are; fills one of them.
+  virtual int loose(int /*piece*/, ObstaclesPiece&) const { return 0; }
   virtual bool is_hardware() const { return true; }
 };
 

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "bridge/model_text.h"
+#include "bridge/scene_teller.h"
 #include "bridge/source_events.h"
 #include "lcmtypes/bus.h"
 #include "lcmtypes/channels.h"
@@ -52,7 +53,8 @@ class Shell {
               .prefix = options.common.prefix,
               .allow = {options.common.allow}}),
         source_(model, adaptor, config()),
-        texts_(model_text_pieces(model, options.scene_text, run_id_)),
+        scene_(model_text_pieces(model, options.scene_text, run_id_), options.obstacles,
+               options.terrain, run_id_),
         script_(options.modes, options.goals, model.period(), run_id_, options.walks, options.pads),
         pulse_(options.process, run_id_, real_time) {
     period_ns_ = std::llround(model.period_ns / options.rate);
@@ -158,7 +160,10 @@ class Shell {
     // A tick without an answer counts with the whole time that was waited.
     if (is_commanded()) pulse_.answered(answered - sent);
     source_.end_tick(answered);
-    if (has_truth) send(channel::kTruth, truth_);
+    if (has_truth) {
+      send(channel::kTruth, truth_);
+      scene_.tell_loose(answered, adaptor_, tell_scene_);
+    }
     report(answered);
     const std::int64_t end = monotonic_ns();
     pulse_.tick(end, (published - begin) + (end - answered));
@@ -267,7 +272,7 @@ class Shell {
       send(channel::kStop, stop);
     }
     if (pulse_.due(now)) send_heartbeat(now);
-    repeat_texts(now);
+    scene_.repeat(now, tell_scene_);
     send_script();
   }
 
@@ -284,22 +289,6 @@ class Shell {
     beat.wake_p99_us = static_cast<float>(1e-3 * wake_.p99_ns());
     beat.state = source_.publishes_on_state() ? std::int8_t{2} : std::int8_t{1};
     if (!bus_.send_heartbeat(beat)) ++send_failures_;
-  }
-
-  // Robot description and obstacles once a second, spread over it so that no tick sends many.
-  void repeat_texts(std::int64_t now) {
-    const std::size_t total = texts_.size() + options_.obstacles.size();
-    if (total == 0 || now < next_text_ns_) return;
-    next_text_ns_ = now + kSecond_ns / static_cast<std::int64_t>(total);
-    next_text_ = (next_text_ + 1) % total;
-    if (next_text_ < texts_.size()) {
-      texts_[next_text_].utime = wall_us();
-      send(channel::kModelText, texts_[next_text_]);
-    } else {
-      obstacles_ = options_.obstacles[next_text_ - texts_.size()];
-      obstacles_.utime = wall_us();
-      send(channel::kObstacles, obstacles_);
-    }
   }
 
   void send_script() {
@@ -336,6 +325,18 @@ class Shell {
     tell(0, "source ended");
   }
 
+  struct TellScene {
+    Shell* s;
+    void text(ModelTextPiece& piece) const noexcept { stamped(channel::kModelText, piece); }
+    void obstacles(ObstaclesPiece& piece) const noexcept { stamped(channel::kObstacles, piece); }
+    void terrain(ObstaclesPiece& piece) const noexcept { stamped(channel::kTerrain, piece); }
+    void loose(ObstaclesPiece& piece) const noexcept { stamped(channel::kLoose, piece); }
+    template <class T>
+    void stamped(const char* name, T& piece) const noexcept {
+      piece.utime = wall_us();
+      s->send(name, piece);
+    }
+  };
   struct OnState {
     Shell* s;
     void operator()(const RobotState& m) const noexcept { s->source_.on_state(m, monotonic_ns()); }
@@ -385,20 +386,19 @@ class Shell {
   std::int64_t run_id_;
   Bus bus_;
   Source source_;
-  std::vector<ModelTextPiece> texts_;
+  SceneTeller scene_;
   SceneScript script_;
-  ObstaclesPiece obstacles_;
   SimTruth truth_;
   SourceStatus told_;
   MissedTicks missed_;
   Pulse pulse_;
   RateStats wake_;
   std::int64_t period_ns_ = 0, first_tick_ = 0, send_failures_ = 0, allocations_ = 0,
-               status_ns_ = 0, next_text_ns_ = 0;
-  std::size_t next_text_ = 0;
+               status_ns_ = 0;
   std::int32_t event_sequence_ = 0, told_term_ = 0, told_nonce_ = 0;
   bool bus_gone_ = false;
 
+  TellScene tell_scene_{this};
   OnState on_state_{this};
   OnStandby on_standby_{this};
   OnCommand on_command_{this};

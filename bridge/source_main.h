@@ -33,6 +33,7 @@ struct SourceMainOptions {
 
   std::string scene_text;                 // MODEL_TEXT kind 4
   std::vector<ObstaclesPiece> obstacles;  // OBSTACLES, at 1 Hz
+  std::vector<ObstaclesPiece> terrain;    // TERRAIN, at 1 Hz; may be empty
   // Published with the run_id of this source while it is active.
   std::vector<ScriptedMode> modes;
   std::vector<ScriptedGoal> goals;

@@ -9,6 +9,7 @@
 #include "control/blend.h"
 #include "control/control_report.h"
 #include "control/driver_token.h"
+#include "control/footstep_shapes.h"
 #include "control/guard.h"
 #include "control/mask_brake.h"
 #include "control/mode_queue.h"
@@ -317,6 +318,10 @@ bool ControlLoop::step(std::int64_t now_ns, JointCommand& command) noexcept {
 }
 
 const ControllerStatus& ControlLoop::status() const noexcept { return impl_->status; }
+
+void ControlLoop::footsteps(ObstaclesPiece& out) const noexcept {
+  footstep_shapes(impl_->model, impl_->estimator, impl_->modes.walk(), out);
+}
 
 std::array<double, 2> ControlLoop::foot_forces() const noexcept {
   return impl_->modes.foot_forces();

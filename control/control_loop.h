@@ -55,6 +55,8 @@ class ControlLoop {
   const ControllerStatus& status() const noexcept;
   // Normal force that each foot was asked to carry in the last step, left and right [N]; 0 where nobody asks.
   std::array<double, 2> foot_forces() const noexcept;
+  // The footsteps to come, for FOOTSTEPS; run_id and time are the caller's.
+  void footsteps(ObstaclesPiece& out) const noexcept;
   // What people should be told once (the robot cannot walk, it has fallen, ...), or null;
   // cleared by the call.  A string that lives for ever.
   const char* take_sentence() noexcept;

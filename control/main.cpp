@@ -33,6 +33,7 @@ constexpr int kPriority = 75;
 constexpr double kWait = 0.02;  // [s] for a message, then the heartbeat gets its turn
 constexpr std::int64_t kQuietNs = 1'000'000'000;  // between two events of the same sentence
 constexpr std::int64_t kStoppedEvery = 10;        // a stop is published that often [ticks]
+constexpr std::int64_t kFootstepsEvery = 25;      // [ticks]
 constexpr int kMostCaughtUp = 8;                  // states answered late in a row
 
 struct Arguments {
@@ -155,6 +156,8 @@ class Controller {
       report_hash = hash_of(status);
       status.compute_ns = static_cast<std::int32_t>(std::min<std::int64_t>(end - begin, INT32_MAX));
       if (!bus_.send(channel::kControllerStatus, status)) ++send_failures_;
+      if (state_.tick - footsteps_tick_ >= kFootstepsEvery || state_.tick < footsteps_tick_)
+        send_footsteps();
     }
     journal_.stepped(state_, state_hash_, begin, answer_hash, report_hash);
     if (const char* sentence = loop_.take_sentence()) tell(sentence);
@@ -168,6 +171,17 @@ class Controller {
     const auto message = std::span<const std::uint8_t>(bytes).first(size);
     if (!bus_.send_raw(channel::kCommand, message)) ++send_failures_;
     return content_hash(message);
+  }
+
+  // For whoever draws, while there are any and once when there are none any more.
+  void send_footsteps() {
+    footsteps_tick_ = state_.tick;
+    const bool walked = footsteps_.count > 0;
+    loop_.footsteps(footsteps_);
+    if (footsteps_.count == 0 && !walked) return;
+    footsteps_.utime = wall_us();
+    footsteps_.scene_id = state_.run_id;
+    if (!bus_.send(channel::kFootsteps, footsteps_)) ++send_failures_;
   }
 
   static std::int64_t hash_of(ControllerStatus status) {
@@ -300,6 +314,8 @@ class Controller {
   int caught_up_ = 0;  // states answered late since the last wait
   RobotState state_;
   JointCommand command_;
+  ObstaclesPiece footsteps_;
+  std::int64_t footsteps_tick_ = 0;
   Pulse pulse_;
   MissedTicks missed_;
   JournalWriter<SendPage> journal_;

@@ -260,6 +260,30 @@ void WalkPattern::plan(const Eigen::Vector2d& measured_dcm, double omega) noexce
   plan_pieces(omega);
 }
 
+int WalkPattern::ahead(Foothold* list, int most) const noexcept {
+  if (!walking_) return 0;
+  Foothold at = target_;
+  int side = 1 - support_;
+  for (int k = 0; k < most; ++k, side = 1 - side) {
+    if (k > 0) at = after(at, 1 - side, k);
+    list[k] = at;
+  }
+  return most;
+}
+
+int WalkPattern::swing_way(Foothold* list, int most) const noexcept {
+  constexpr int kParts = 6;  // of the time between two places
+  double left = double_ + single_time_ - time_;
+  if (!single() || !(left > 0.0)) return 0;
+  SwingFoot foot = swing_;
+  const double dt = left / (kParts * most);
+  for (int k = 0; k < kParts * most; ++k, left -= dt) {
+    foot.advance(target_, left, gait_.lift + std::min(uneven_, kMostMore), dt);
+    if (k % kParts == kParts - 1) list[k / kParts] = foot.place();
+  }
+  return most;
+}
+
 void WalkPattern::plan_pieces(double omega) noexcept {
   std::array<ZmpPiece, 2 + 2 * kAhead + 1> piece;
   std::size_t n = 0, landing = 0;

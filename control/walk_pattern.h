@@ -59,6 +59,10 @@ class WalkPattern {
   // Where the ZMP rests while the robot stands; soon the middle.
   const Eigen::Vector2d& rest() const noexcept { return rest_; }
   int steps() const noexcept { return steps_; }  // landed
+  // For whoever draws.  The footholds to come as they are planned now, beginning with the foot that does not carry; and
+  // where the foot in the air will be until it lands, `most` places evenly in time.  How many were filled.
+  int ahead(Foothold* list, int most) const noexcept;
+  int swing_way(Foothold* list, int most) const noexcept;
   double adjusted() const noexcept { return adjusted_; }
   const Gait& gait() const noexcept { return gait_; }
 

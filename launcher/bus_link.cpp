@@ -153,11 +153,13 @@ void BusLink::send(Heartbeat& beat) {
   impl_->send(channel::kHeartbeat, beat);
 }
 
-void BusLink::alarm(const std::string& sentence) {
+void BusLink::alarm(const std::string& sentence) { tell(sentence, 2); }
+
+void BusLink::tell(const std::string& sentence, int severity) {
   Event event;
   event.run_id = seen_.newest_state().run_id;
   event.tick = seen_.newest_state().tick;
-  event.severity = 2;
+  event.severity = static_cast<std::int8_t>(severity);
   event.kind = ProcessKind::kLauncher;
   std::snprintf(event.text.data(), event.text.size(), "%s", sentence.c_str());
   stamp(event);

@@ -46,7 +46,8 @@ class BusLink {
   void send(WalkCommand& command);
   void send(ArmGoal& goal);
   void send(Heartbeat& beat);
-  // An alarm in plain text, on EVENT.
+  // Plain text on EVENT; severity as in event_t, that of an alarm is 2.
+  void tell(const std::string& sentence, int severity);
   void alarm(const std::string& sentence);
 
  private:

@@ -150,8 +150,10 @@ OneProcess::OneProcess(const Model& model, const Scene& scene, const OneProcessC
                {static_cast<double>(config.control.first_mode),
                 config.control.guard_in_loop ? 1.0 : 0.0},
                SendPage{this}) {
+  shown_obstacles_ = obstacle_pieces(scene.obstacles, 1);
+  if (!scene.tiles.empty()) shown_terrain_ = obstacle_pieces(scene.tiles, kRunId);
   for (const LooseBody& body : scene.loose) loose_names_.push_back(body.name);
-  tell_obstacles(scene);
+  tell_obstacles();
   activate();
 }
 
@@ -160,13 +162,46 @@ int OneProcess::find_loose(const std::string& name) const {
   return found == loose_names_.end() ? -1 : static_cast<int>(found - loose_names_.begin());
 }
 
-void OneProcess::tell_obstacles(const Scene& scene) {
-  for (const ObstaclesPiece& piece : obstacle_pieces(scene.obstacles, 1)) {
+void OneProcess::tell_obstacles() {
+  for (const ObstaclesPiece& piece : shown_obstacles_) {
     ObstaclesPiece received;
     if (over_the_bus(channel::kObstacles, piece, received)) (void)obstacles_.add(received);
   }
   journal_.consumed(JournalInput::kTakeObstacles, {}, now_or_one(now_ns_));
   loop_.set_obstacles(obstacles_.obstacles());
+}
+
+// Into the log, for whoever looks at it; nobody here obeys it.
+template <class T>
+void OneProcess::show(const char* channel, T message) {
+  message.utime = now_ns_ / 1000;
+  std::array<std::uint8_t, kLargestMessage> bytes;
+  const int size = encode(message, bytes);
+  if (size <= 0) return;
+  listener_(channel, std::span<const std::uint8_t>(bytes).first(static_cast<std::size_t>(size)),
+            now_ns_);
+}
+
+// As often as a stack on a bus does.
+void OneProcess::show_scene() {
+  const auto every = [&](double seconds) {
+    return ticks_ % std::max<std::int64_t>(1, std::llround(seconds / model_.period())) == 0;
+  };
+  if (every(1.0)) {
+    for (const ObstaclesPiece& piece : shown_obstacles_) show(channel::kObstacles, piece);
+    for (const ObstaclesPiece& piece : shown_terrain_) show(channel::kTerrain, piece);
+  }
+  ObstaclesPiece piece;
+  for (int i = 0; every(0.02) && i < sim_.loose(i, piece); ++i) {
+    piece.scene_id = kRunId;
+    show(channel::kLoose, piece);
+  }
+  if (!every(0.05)) return;
+  loop_.footsteps(piece);
+  if (piece.count == 0 && !walked_on_) return;
+  walked_on_ = piece.count > 0;
+  piece.scene_id = kRunId;
+  show(channel::kFootsteps, piece);
 }
 
 // A source listens for others before it may become active: time passes, but not for the robot.
@@ -317,6 +352,7 @@ void OneProcess::watch() {
   seen_.on_state(heard_, false, now_ns_);
   seen_.on_command(command_, now_ns_);
   if (SimTruth received; listener_) (void)over_the_bus(channel::kTruth, truth, received);
+  if (listener_) show_scene();
   seen_.on_truth(truth, now_ns_);
   seen_.on_guard(loop_.guard_report(), now_ns_);
   walked_.add(truth, loop_.status().mode, loop_.foot_forces(),

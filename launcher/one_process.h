@@ -85,7 +85,10 @@ class OneProcess {
     void operator()(const JournalPage& page) const noexcept;
   };
   void activate();
-  void tell_obstacles(const Scene& scene);
+  void tell_obstacles();
+  template <class T>
+  void show(const char* channel, T message);
+  void show_scene();
   void control();
   void plan(const ArmGoal& goal);
   void say_script();
@@ -104,6 +107,7 @@ class OneProcess {
   Lookout seen_;
   WalkFigures walked_;
   BusListener listener_;
+  std::vector<ObstaclesPiece> shown_obstacles_, shown_terrain_;
   JournalWriter<SendPage> journal_;
 
   RobotState heard_;
@@ -113,6 +117,7 @@ class OneProcess {
   std::int32_t sequence_ = 0;
   std::int64_t state_content_ = 0;
   double sole_tilt_max_ = 0.0;
+  bool walked_on_ = false;
   std::vector<std::string> sentences_;
   std::vector<ArmPathPiece> arm_answer_;
   std::string failure_;

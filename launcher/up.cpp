@@ -344,7 +344,8 @@ void Up::set_up(const std::string& wish) {
   } catch (const std::exception& error) {
     problem = error.what();
   }
-  bus_->alarm(wishes_->answer(wish, problem));  // it comes back as an event and is said then
+  // It comes back as an event and is said then.
+  bus_->tell(wishes_->answer(wish, problem), problem.empty() ? 0 : 2);
 }
 
 bool Up::elapsed(std::int64_t now_ns) const {

@@ -27,6 +27,11 @@ inline constexpr char kHeartbeat[] = "HEARTBEAT";
 inline constexpr char kModelText[] = "MODEL_TEXT";
 inline constexpr char kEvent[] = "EVENT";
 inline constexpr char kJournal[] = "JOURNAL";
+// Only for whoever draws: what of the scene is ground or moves, where the feet go, what a camera sees.
+inline constexpr char kTerrain[] = "TERRAIN";
+inline constexpr char kLoose[] = "LOOSE";
+inline constexpr char kFootsteps[] = "FOOTSTEPS";
+inline constexpr char kCamera[] = "CAMERA";
 // Only in logs: what a recorder writes about itself (model_text_t).
 inline constexpr char kLogText[] = "LOG_TEXT";
 

@@ -73,6 +73,10 @@ std::span<const ChannelInfo> channel_table() {
       row<Event>(channel::kEvent),
       row<JournalPage>(channel::kJournal),
       row<ModelTextPiece>(channel::kLogText),
+      row<ObstaclesPiece>(channel::kTerrain),
+      row<ObstaclesPiece>(channel::kLoose),
+      row<ObstaclesPiece>(channel::kFootsteps),
+      row<ModelTextPiece>(channel::kCamera),
   };
   return table;
 }

@@ -55,6 +55,7 @@ int run(int argc, char** argv) {
 
   options.scene_text = scene.text;
   options.obstacles = obstacle_pieces(scene.obstacles, random_id());
+  if (!scene.tiles.empty()) options.terrain = obstacle_pieces(scene.tiles, 0);
   for (const TimedMode& mode : scene.modes) options.modes.push_back({mode.at, mode.request});
   for (const TimedGoal& goal : scene.goals) options.goals.push_back({goal.at, goal.goal});
   for (const TimedWalk& walk : scene.walks)

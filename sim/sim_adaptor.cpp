@@ -7,6 +7,7 @@
 
 #include "robot/dynamics.h"
 #include "robot/process.h"
+#include "sim/loose_pieces.h"
 #include "sim/scene_seed.h"
 #include "sim/sensors.h"
 #include "sim/settings.h"
@@ -40,9 +41,10 @@ bool is_finite(const JointCommand& command, int count) noexcept {
 }  // namespace
 
 struct SimAdaptor::Impl {
-  explicit Impl(const Scene& s) : scene(s) {}
+  explicit Impl(const Scene& s) : scene(s), loose(s.loose) {}
 
   Scene scene;
+  LoosePieces loose;
   const Model* model = nullptr;
   std::optional<Model> changed;  // the robot that is simulated, where the scene changes its bodies
   SimSettings settings;
@@ -438,6 +440,10 @@ Status SimAdaptor::set_state(const ImposedState& imposed) {
 }
 
 const World* SimAdaptor::world() const { return impl_->world.get(); }
+
+int SimAdaptor::loose(int piece, ObstaclesPiece& out) const {
+  return impl_->world ? impl_->loose.fill(*impl_->world, piece, out) : 0;
+}
 
 const SimTruth* SimAdaptor::truth() const { return impl_->world ? &impl_->truth : nullptr; }
 

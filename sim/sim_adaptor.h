@@ -23,6 +23,7 @@ class SimAdaptor final : public RobotAdaptor {
   bool can_be_set() const override { return true; }
   Status set_state(const ImposedState&) override;
   const SimTruth* truth() const override;
+  int loose(int piece, ObstaclesPiece&) const override;
   const World* world() const;  // null: not open
   bool is_hardware() const override { return false; }
 

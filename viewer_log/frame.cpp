@@ -6,6 +6,7 @@
 
 #include "viewer_log/frame_number.h"
 #include "viewer_log/health.h"
+#include "viewer_log/scene_frame.h"
 
 namespace twinbus {
 
@@ -272,6 +273,8 @@ std::string live_frame(const StackView& view, std::int64_t now_ns, const Recorde
   add_balance(view, now_ns, frame);
   add_pairs(view, now_ns, frame);
   add_ghosts(view, now_ns, frame);
+  add_moving(view, now_ns, recorded != nullptr ? recorded->place : Eigen::Isometry3d::Identity(),
+             frame);
   if (recorded != nullptr) {
     frame["log_s"] = number(recorded->seconds, 4);
     move_all(recorded->place, frame);
@@ -322,21 +325,6 @@ std::string status_frame(const StackView& view, std::int64_t now_ns) {
   }
   frame["events"] = events;
   return dump(frame);
-}
-
-std::string scene_frame(const StackView& view) {
-  Json list = Json::array();
-  for (const ObstaclesPiece& piece : view.obstacles()) {
-    for (std::size_t i = 0; i < static_cast<std::size_t>(piece.count); ++i) {
-      const auto& w = piece.attitude[i];
-      Json at = point(vector(piece.position[i]));
-      for (float value : w) at.push_back(number(double{value}, 5));
-      list.push_back({{"shape", static_cast<int>(piece.shape[i])},
-                      {"size", point(vector(piece.size[i]))},
-                      {"pose", at}});
-    }
-  }
-  return dump({{"type", "scene"}, {"obstacles", list}});
 }
 
 std::string path_frame(const StackView& view) {

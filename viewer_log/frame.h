@@ -4,7 +4,7 @@
 //   live    60 Hz   posture, base pose, forces, ZMP, centre of mass, support polygon, guard pairs,
 //                   postures of the ghosts
 //   status  5 Hz    health, sources, processes, rates, mode, events
-//   scene   on change  obstacles
+//   scene   on change  obstacles, terrain, loose bodies: scene_frame.h
 //   path    on change  the planned motion of an arm, as joint angles
 //
 // Numbers are rounded to what a screen can show; a number that is not finite becomes null.
@@ -32,7 +32,6 @@ struct Recorded {
 std::string live_frame(const StackView& view, std::int64_t now_ns,
                        const Recorded* recorded = nullptr);
 std::string status_frame(const StackView& view, std::int64_t now_ns);
-std::string scene_frame(const StackView& view);
 std::string path_frame(const StackView& view);
 
 // The answer to a page that says hello: the robot's joints in bus order, and whether it may act.

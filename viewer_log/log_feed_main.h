@@ -56,6 +56,14 @@ class MessageFeed : public LogFeed {
       pass<Event>(event, [&](const Event& m) { view.on_event(m); });
     } else if (name == channel::kObstacles) {
       pass<ObstaclesPiece>(event, [&](const ObstaclesPiece& m) { view.on_obstacles(m); });
+    } else if (name == channel::kTerrain) {
+      pass<ObstaclesPiece>(event, [&](const ObstaclesPiece& m) { view.on_terrain(m); });
+    } else if (name == channel::kLoose) {
+      pass<ObstaclesPiece>(event, [&](const ObstaclesPiece& m) { view.on_loose(m, now); });
+    } else if (name == channel::kFootsteps) {
+      pass<ObstaclesPiece>(event, [&](const ObstaclesPiece& m) { view.on_footsteps(m, now); });
+    } else if (name == channel::kCamera) {
+      pass<ModelTextPiece>(event, [&](const ModelTextPiece& m) { view.on_camera(m, now); });
     } else if (name == channel::kArmPath) {
       pass<ArmPathPiece>(event, [&](const ArmPathPiece& m) { view.on_arm_path(m); });
     }

@@ -28,6 +28,7 @@
 #include "viewer_log/page_request.h"
 #include "viewer_log/replay_frame.h"
 #include "viewer_log/replay_request.h"
+#include "viewer_log/scene_frame.h"
 #include "viewer_log/signals.h"
 #include "viewer_log/web_server.h"
 
@@ -55,7 +56,8 @@ enum Slot : int {
   kReplay = 5,
   kMarks = 6,
   kPast = 7,
-  kShelf = 8
+  kShelf = 8,
+  kCamera = 9
 };
 
 struct Arguments {
@@ -343,11 +345,14 @@ class LogViewer {
       const Recorded with = recorded(*log_, state_.beside_shown ? other_.get() : nullptr);
       server_->publish(kLive, live_frame(view, now, &with));
       server_->publish(kSignals, signals_frame(view, now, &with));
-      const auto scene = std::pair(opened_ * 1000000 + log_->jumps(), view.obstacles_version());
-      if (scene != shown_scene_ && view.obstacles_version() > 0) {
+      const auto scene = std::pair(opened_ * 1000000 + log_->jumps(), view.scene_version());
+      if (scene != shown_scene_) {
         shown_scene_ = scene;
-        server_->publish(kScene, scene_frame(view));
+        server_->publish(kScene, scene_frame(view, log_->place()));
       }
+      if (view.camera().version() != shown_camera_ && view.camera().version() > 0)
+        server_->publish(kCamera, view.camera().frame());
+      shown_camera_ = view.camera().version();
       if (view.arm_path().version() != shown_path_ && view.arm_path().version() > 0)
         server_->publish(kPath, path_frame(view));
       shown_path_ = view.arm_path().version();
@@ -417,7 +422,7 @@ class LogViewer {
   std::unique_ptr<MarkScan> scan_;
   std::optional<Filling> filling_;
   std::vector<LogMark> marks_;
-  std::int64_t left_out_ = 0, opened_ = 0, shown_path_ = 0;
+  std::int64_t left_out_ = 0, opened_ = 0, shown_path_ = 0, shown_camera_ = 0;
   std::pair<std::int64_t, std::int64_t> shown_scene_{-1, -1};
   bool changed_ = true, status_due_ = true;
   std::mutex mutex_;  // guards inbox_

@@ -12,10 +12,9 @@
 #include <cstdlib>
 #include <cstring>
 #include <exception>
-#include <mutex>
+#include <filesystem>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "lcmtypes/bus.h"
@@ -26,7 +25,10 @@
 #include "robot/process.h"
 #include "robot/state_admission.h"
 #include "viewer_log/frame.h"
-#include "viewer_log/page_request.h"
+#include "viewer_log/log_button.h"
+#include "viewer_log/outgoing_main.h"
+#include "viewer_log/page_inbox.h"
+#include "viewer_log/scene_frame.h"
 #include "viewer_log/setup_desk.h"
 #include "viewer_log/signals.h"
 #include "viewer_log/stack_view.h"
@@ -40,14 +42,20 @@ namespace {
 constexpr std::int64_t kFramePeriod = 16'666'667;  // 60 Hz [ns]
 constexpr int kStatusEvery = 12;                   // frames: 5 Hz
 constexpr int kHeartbeatEvery = 6;                 // frames: 10 Hz
-constexpr int kRepeats = 5;                        // of a request, one per frame, same sequence
-constexpr std::size_t kMostRequests = 32;          // waiting from pages
 constexpr std::size_t kLargestMessage =
     32 * 1024;                        // from who may act: a setup with many pairs [bytes]
 constexpr float kWalkTimeout = 0.3F;  // a page that falls silent stops the walk [s]
 constexpr float kReachSpeed = 0.4F;   // share of the joint velocity limits
 
-enum Slot : int { kLive = 0, kStatus = 1, kScene = 2, kSignals = 3, kPath = 4 };
+enum Slot : int {
+  kLive = 0,
+  kStatus = 1,
+  kScene = 2,
+  kSignals = 3,
+  kPath = 4,
+  kCamera = 5,
+  kRecording = 6
+};
 
 struct Arguments {
   CommonOptions common;
@@ -83,62 +91,23 @@ BusOptions bus_options(const Arguments& a) {
   return options;
 }
 
-// Requests of pages, from the server's thread to the loop.  A stop has a place of its own, so it is
-// never crowded out.
-class PageInbox {
- public:
-  std::string on_message(const Model& model, const std::string& run_folder, const std::string& text,
-                         bool trusted) {
-    PageRequest request;
-    std::string problem;
-    if (!read_page_request(text, trusted, request, problem)) return note_frame(problem);
-    if (request.what == PageRequest::What::kHello) return hello_frame(model, trusted);
-    if (request.what == PageRequest::What::kSetup) {
-      const std::string refusal = lay_wish(run_folder, request.setup);
-      return note_frame(refusal.empty() ? "Starting anew …" : refusal);
-    }
-    const std::lock_guard<std::mutex> lock(mutex_);
-    if (request.what == PageRequest::What::kStop) {
-      if (request.stop > stop_) stop_ = request.stop;
-    } else if (requests_.size() < kMostRequests) {
-      requests_.push_back(request);
-    }
-    return {};
-  }
+// Beside the run that `up` records; where it is started, without one.
+std::string logs_folder(const Arguments& a) {
+  if (a.run_folder.empty()) return "runs";
+  return std::filesystem::absolute(a.run_folder).lexically_normal().parent_path().string();
+}
 
-  StopKind take(std::vector<PageRequest>& requests) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    requests.swap(requests_);
-    requests_.clear();
-    return std::exchange(stop_, StopKind::kNone);
-  }
-
- private:
-  std::mutex mutex_;
-  std::vector<PageRequest> requests_;
-  StopKind stop_ = StopKind::kNone;
-};
-
-// A request with its addressing, sent several times under one sequence number.
-template <class T>
-struct Outgoing {
-  T message{};
-  int left = 0;
-  void start(const T& next) {
-    const std::int64_t sender = message.sender_id;
-    const std::int32_t sequence = message.sequence + 1;
-    message = next;
-    message.sender_id = sender;
-    message.sequence = sequence;
-    left = kRepeats;
-  }
-  void send(Bus& bus, const char* channel) {
-    if (left == 0) return;
-    --left;
-    message.utime = wall_us();
-    if (!bus.send(channel, message)) ++left;  // no room now: once more with the next frame
-  }
-};
+std::vector<std::string> recorder_words(const Arguments& a) {
+  std::vector<std::string> words;
+  const auto add = [&](const char* option, const std::string& value) {
+    if (!value.empty()) words.insert(words.end(), {option, value});
+  };
+  add("--url", a.common.url);
+  add("--prefix", a.common.prefix);
+  add("--allow", a.common.allow);
+  add("--run-folder", a.run_folder);
+  return words;
+}
 
 class Viewer {
  public:
@@ -147,6 +116,7 @@ class Viewer {
         model_(load_robot(arguments.common.robot)),
         id_(arguments.common.id > 0 ? arguments.common.id : random_id()),
         view_(model_),
+        log_button_(logs_folder(arguments), recorder_words(arguments)),
         bus_(bus_options(arguments)),
         server_(web_config()) {
     stop_.message.sender_id = id_;
@@ -167,7 +137,11 @@ class Viewer {
     bus_.listen_each<Heartbeat>(channel::kHeartbeat, on_heartbeat_);
     bus_.listen_each<Event>(channel::kEvent, on_event_);
     bus_.listen_each<ObstaclesPiece>(channel::kObstacles, on_obstacles_);
+    bus_.listen_each<ObstaclesPiece>(channel::kTerrain, on_terrain_);
+    bus_.listen_each<ObstaclesPiece>(channel::kLoose, on_loose_);
+    bus_.listen_each<ObstaclesPiece>(channel::kFootsteps, on_footsteps_);
     bus_.listen_each<ArmPathPiece>(channel::kArmPath, on_arm_path_);
+    bus_.listen_each<ModelTextPiece>(channel::kCamera, on_camera_);
   }
 
   void run() {
@@ -294,6 +268,9 @@ class Viewer {
           walk_.start(walk);
           break;
         }
+        case PageRequest::What::kRecord:
+          log_button_.turn(request.on);
+          break;
         case PageRequest::What::kReach:
         case PageRequest::What::kCancel:
           ask_arm(request, now);
@@ -345,12 +322,21 @@ class Viewer {
       shown_path_ = view_.arm_path().version();
       server_.publish(kPath, path_frame(view_));
     }
+    if (view_.camera().version() != shown_camera_) {
+      shown_camera_ = view_.camera().version();
+      server_.publish(kCamera, view_.camera().frame());
+    }
+    if (log_button_.version() != shown_recording_) {
+      shown_recording_ = log_button_.version();
+      server_.publish(kRecording, log_button_.frame());
+    }
     if (frame % kStatusEvery == 0) {
+      log_button_.look();
       view_.forget_silent(now);
       server_.publish(kStatus, status_frame(view_, now));
     }
-    if (view_.obstacles_version() != shown_obstacles_) {
-      shown_obstacles_ = view_.obstacles_version();
+    if (view_.scene_version() != shown_scene_) {
+      shown_scene_ = view_.scene_version();
       server_.publish(kScene, scene_frame(view_));
     }
   }
@@ -391,9 +377,11 @@ class Viewer {
   Outgoing<WalkCommand> walk_;
   Outgoing<ArmGoal> goal_;
   SwitchPlan switch_plan_;
+  LogButton log_button_;
+  std::int64_t shown_recording_ = -1;
   std::vector<PageRequest> asked_;
-  std::int64_t shown_obstacles_ = -1;
-  std::int64_t shown_path_ = 0;
+  std::int64_t shown_scene_ = -1;
+  std::int64_t shown_path_ = 0, shown_camera_ = 0;
   double busy_us_ = 0.0;
 
   struct Admit {
@@ -402,26 +390,15 @@ class Viewer {
       return believed.admit(state, monotonic_ns());
     }
   } admit_{believed_};
-  struct OnSourceStatus {
-    StackView& view;
-    void operator()(const SourceStatus& status) { view.on_source_status(status, monotonic_ns()); }
-  } on_source_status_{view_};
-  struct OnHeartbeat {
-    StackView& view;
-    void operator()(const Heartbeat& heartbeat) { view.on_heartbeat(heartbeat, monotonic_ns()); }
-  } on_heartbeat_{view_};
-  struct OnEvent {
-    StackView& view;
-    void operator()(const Event& event) { view.on_event(event); }
-  } on_event_{view_};
-  struct OnObstacles {
-    StackView& view;
-    void operator()(const ObstaclesPiece& piece) { view.on_obstacles(piece); }
-  } on_obstacles_{view_};
-  struct OnArmPath {
-    StackView& view;
-    void operator()(const ArmPathPiece& piece) { view.on_arm_path(piece); }
-  } on_arm_path_{view_};
+  ToView<SourceStatus, &StackView::on_source_status> on_source_status_{view_};
+  ToView<Heartbeat, &StackView::on_heartbeat> on_heartbeat_{view_};
+  ToView<Event, &StackView::on_event> on_event_{view_};
+  ToView<ObstaclesPiece, &StackView::on_obstacles> on_obstacles_{view_};
+  ToView<ObstaclesPiece, &StackView::on_terrain> on_terrain_{view_};
+  ToView<ObstaclesPiece, &StackView::on_loose> on_loose_{view_};
+  ToView<ObstaclesPiece, &StackView::on_footsteps> on_footsteps_{view_};
+  ToView<ArmPathPiece, &StackView::on_arm_path> on_arm_path_{view_};
+  ToView<ModelTextPiece, &StackView::on_camera> on_camera_{view_};
   Bus bus_;           // after what it fills
   WebServer server_;  // last: its thread uses the members above
 };

@@ -149,7 +149,16 @@ bool read_page_request(const std::string& text, bool trusted, PageRequest& reque
     request.setup = setup->dump(-1, ' ', true, Json::error_handler_t::replace);
     return true;
   }
-  problem = "not understood: do must be stop, clear, switch, mode, walk, reach, cancel or setup";
+  if (what == "record") {
+    const auto on = json.find("on");
+    problem = "record: on must be true or false";
+    if (on == json.end() || !on->is_boolean()) return false;
+    request.what = PageRequest::What::kRecord;
+    request.on = on->get<bool>();
+    return true;
+  }
+  problem =
+      "not understood: do must be stop, clear, switch, mode, walk, reach, cancel, setup or record";
   return false;
 }
 

@@ -18,7 +18,19 @@
 namespace twinbus {
 
 struct PageRequest {
-  enum class What { kNone, kHello, kStop, kClear, kSwitch, kMode, kWalk, kReach, kCancel, kSetup };
+  enum class What {
+    kNone,
+    kHello,
+    kStop,
+    kClear,
+    kSwitch,
+    kMode,
+    kWalk,
+    kReach,
+    kCancel,
+    kSetup,
+    kRecord
+  };
   What what = What::kNone;
   StopKind stop = StopKind::kNone;
   std::int64_t run_id = 0;  // switch: the source that is to become active
@@ -29,6 +41,7 @@ struct PageRequest {
   float vx = 0, vy = 0, wz = 0;  // walk [m/s, m/s, rad/s]
   ArmSide side = ArmSide::kNone;
   std::string setup;           // JSON
+  bool on = false;             // record
   std::array<double, 3> at{};  // reach: where the hand shall be, in the world that is drawn [m]
 };
 

@@ -11,7 +11,6 @@ namespace {
 constexpr std::size_t kMaxSenders =
     64;  // of heartbeats, source status and events: more are strangers
 constexpr std::size_t kMaxEvents = 60;
-constexpr int kMaxObstaclePieces = 64;
 constexpr double kSilent = 10.0;      // [s]
 constexpr double kRateWindow = 2.0;   // [s]; shorter, a page sees the jitter of the viewer
 constexpr double kTruthFresh = 0.25;  // [s]
@@ -68,6 +67,7 @@ StackView::StackView(const Model& model) : model_(&model), estimator_(model) {}
 
 void StackView::on_state(const RobotState& state, std::int64_t now_ns) {
   if (state.joint_count != model_->bus_count()) return;
+  if (state.run_id != state_.value.run_id) ++anchors_;
   state_ = {state, now_ns};
   estimator_.update(state);
   const double elapsed = 1e-9 * static_cast<double>(now_ns - factor_since_ns_);
@@ -113,6 +113,7 @@ void StackView::anchor_truth() {
   shift.z() = 0.0;
   world_from_sim_.translation() = shift;
   anchored_run_ = truth_.value.run_id;
+  ++anchors_;
 }
 
 void StackView::on_guard(const GuardReport& report, std::int64_t now_ns) {
@@ -145,23 +146,28 @@ void StackView::on_event(const Event& event) {
   if (events_.size() > kMaxEvents) events_.pop_front();
 }
 
-void StackView::on_obstacles(const ObstaclesPiece& piece) {
-  if (piece.pieces < 1 || piece.pieces > kMaxObstaclePieces || piece.piece < 0 ||
-      piece.piece >= piece.pieces || piece.count < 0 || piece.count > kObstaclesPerPiece) {
-    return;
-  }
-  if (obstacles_.size() != static_cast<std::size_t>(piece.pieces) ||
-      obstacles_.front().scene_id != piece.scene_id) {
-    obstacles_.assign(static_cast<std::size_t>(piece.pieces), ObstaclesPiece{});
-    for (ObstaclesPiece& empty : obstacles_) empty.scene_id = piece.scene_id;
-    ++obstacles_version_;
-  }
-  ObstaclesPiece& slot = obstacles_[static_cast<std::size_t>(piece.piece)];
-  const bool same = slot.count == piece.count && slot.shape == piece.shape &&
-                    slot.size == piece.size && slot.position == piece.position &&
-                    slot.attitude == piece.attitude;
-  if (!same) ++obstacles_version_;
-  slot = piece;
+void StackView::on_terrain(const ObstaclesPiece& piece) {
+  if (piece.scene_id == state_.value.run_id) terrain_.add(piece);
+}
+
+void StackView::on_loose(const ObstaclesPiece& piece, std::int64_t now_ns) {
+  if (piece.scene_id != state_.value.run_id) return;
+  loose_.add(piece);
+  loose_ns_ = now_ns;
+}
+
+void StackView::on_footsteps(const ObstaclesPiece& piece, std::int64_t now_ns) {
+  if (piece.scene_id == state_.value.run_id) footsteps_ = {piece, now_ns};
+}
+
+bool StackView::loose_applies(std::int64_t now_ns) const {
+  return loose_ns_ != 0 && 1e-9 * static_cast<double>(now_ns - loose_ns_) < kTruthFresh &&
+         loose_.scene_id() == state_.value.run_id;
+}
+
+bool StackView::footsteps_apply(std::int64_t now_ns) const {
+  return footsteps_.fresh(now_ns, kTruthFresh) && footsteps_.value.count > 0 &&
+         footsteps_.value.scene_id == state_.value.run_id;
 }
 
 void StackView::on_totals(std::int64_t states, std::int64_t commands, std::int64_t guards,

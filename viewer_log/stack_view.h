@@ -18,6 +18,8 @@
 #include "robot/model.h"
 #include "robot/requests.h"
 #include "viewer_log/arm_path_view.h"
+#include "viewer_log/camera_view.h"
+#include "viewer_log/shape_set.h"
 
 namespace twinbus {
 
@@ -62,8 +64,15 @@ class StackView {
   void on_source_status(const SourceStatus& status, std::int64_t now_ns);
   void on_heartbeat(const Heartbeat& heartbeat, std::int64_t now_ns);
   void on_event(const Event& event);
-  void on_obstacles(const ObstaclesPiece& piece);
+  void on_obstacles(const ObstaclesPiece& piece) { obstacles_.add(piece); }
+  // Of the active run only, as TRUTH.
+  void on_terrain(const ObstaclesPiece& piece);
+  void on_loose(const ObstaclesPiece& piece, std::int64_t now_ns);
+  void on_footsteps(const ObstaclesPiece& piece, std::int64_t now_ns);
   void on_arm_path(const ArmPathPiece& piece) { arm_path_.on_piece(piece); }
+  void on_camera(const ModelTextPiece& piece, std::int64_t now_ns) {
+    camera_.on_piece(piece, now_ns);
+  }
   // Messages admitted so far on STATE, COMMAND and GUARD.
   void on_totals(std::int64_t states, std::int64_t commands, std::int64_t guards,
                  std::int64_t now_ns);
@@ -73,6 +82,7 @@ class StackView {
   const Heard<RobotState>& standby() const { return standby_; }
   const Heard<JointCommand>& command() const { return command_; }
   const ArmPathView& arm_path() const { return arm_path_; }
+  const CameraView& camera() const { return camera_; }
   // COMMAND is for the run that is shown, and fresh; a standby source is heard beside STATE.
   bool command_applies(std::int64_t now_ns) const;
   bool standby_applies(std::int64_t now_ns) const;
@@ -94,8 +104,17 @@ class StackView {
   const std::vector<Heard<SourceStatus>>& sources() const { return sources_; }
   const std::vector<Heard<Heartbeat>>& processes() const { return processes_; }
   const std::deque<ShownEvent>& events() const { return events_; }
-  const std::vector<ObstaclesPiece>& obstacles() const { return obstacles_; }
-  std::int64_t obstacles_version() const { return obstacles_version_; }
+  const std::vector<ObstaclesPiece>& obstacles() const { return obstacles_.pieces(); }
+  const std::vector<ObstaclesPiece>& terrain() const { return terrain_.pieces(); }
+  const std::vector<ObstaclesPiece>& loose() const { return loose_.pieces(); }
+  // Loose bodies are those of the active run, and fresh.
+  bool loose_applies(std::int64_t now_ns) const;
+  const Heard<ObstaclesPiece>& footsteps() const { return footsteps_; }
+  bool footsteps_apply(std::int64_t now_ns) const;
+  // Changes with what stands around: obstacles, terrain and where it is drawn, which loose bodies there are.
+  std::int64_t scene_version() const {
+    return obstacles_.version() + terrain_.version() + loose_.version() + anchors_;
+  }
   double state_rate() const { return state_rate_.rate(); }
   double command_rate() const { return command_rate_.rate(); }
   double guard_rate() const { return guard_rate_.rate(); }
@@ -116,6 +135,7 @@ class StackView {
   Heard<JointCommand> command_;
   Heard<ControllerStatus> controller_;
   ArmPathView arm_path_;
+  CameraView camera_;
   Heard<SimTruth> truth_;
   Heard<GuardReport> guard_;
   std::vector<Heard<SourceStatus>> sources_;
@@ -123,8 +143,10 @@ class StackView {
   std::deque<ShownEvent> events_;
   std::vector<std::pair<std::int64_t, std::int32_t>> event_sequences_;  // newest per sender
   std::int64_t events_seen_ = 0;
-  std::vector<ObstaclesPiece> obstacles_;
-  std::int64_t obstacles_version_ = 0;
+  ShapeSet obstacles_{ShapeSet::Matters::kAll}, terrain_{ShapeSet::Matters::kAll};
+  ShapeSet loose_{ShapeSet::Matters::kShapes};
+  std::int64_t loose_ns_ = 0, anchors_ = 0;
+  Heard<ObstaclesPiece> footsteps_;
   RateMeter state_rate_, command_rate_, guard_rate_;
   std::int64_t factor_time_ns_ = 0, factor_since_ns_ = 0;
   double realtime_factor_ = 0.0;

@@ -21,7 +21,7 @@
 
 namespace twinbus {
 
-inline constexpr int kWebSlots = 9;
+inline constexpr int kWebSlots = 10;
 
 struct WebDocument {  // served from memory
   std::string path;   // "/robot.urdf"

@@ -99,10 +99,13 @@ class Browser:
     def type(self, text):
         self.call("Input.insertText", text=text)
 
-    def screenshot(self, name):
-        data = self.call("Page.captureScreenshot", format="png")["data"]
-        with open(name, "wb") as file:
-            file.write(base64.b64decode(data))
+    def screenshot(self, name=None):
+        """The bytes of a PNG, also written to the file of that name."""
+        data = base64.b64decode(self.call("Page.captureScreenshot", format="png")["data"])
+        if name:
+            with open(name, "wb") as file:
+                file.write(data)
+        return data
 
     def _kill(self):
         if self.child.poll() is None:

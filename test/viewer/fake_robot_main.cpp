@@ -31,6 +31,14 @@ void set_text(std::array<char, N>& target, const std::string& text) {
   std::snprintf(target.data(), N, "%s", text.c_str());
 }
 
+// A PNG of 8 x 6 pixels.
+constexpr std::array<std::uint8_t, 82> kPicture{
+    137, 80,  78, 71,  13,  10,  26, 10,  0,   0,  0,   13,  73,  72,  68,  82,  0,
+    0,   0,   8,  0,   0,   0,   6,  8,   0,   0,  0,   0,   219, 110, 128, 39,  0,
+    0,   0,   25, 73,  68,  65,  84, 120, 218, 99, 208, 208, 248, 255, 31,  132, 25,
+    224, 12,  8,  165, 161, 129, 96, 96,  168, 1,  0,   228, 84,  27,  169, 243, 44,
+    179, 135, 0,  0,   0,   0,   73, 69,  78,  68, 174, 66,  96,  130};
+
 class FakeStack {
  public:
   FakeStack(const Model& model, SourceKind source, const BusOptions& bus)
@@ -83,6 +91,7 @@ class FakeStack {
     sent = bus_.send(channel::kControllerStatus, controller()) && sent;
     sent = bus_.send(channel::kGuard, guard()) && sent;
     if (state_.tick % 50 == 0) slow();
+    if (state_.tick % 10 == 0) moving(1e-9 * static_cast<double>(state_.time_ns));
     if (!sent && state_.tick == 1)
       std::fprintf(stderr, "fake_robot: a message could not be sent\n");
     bus_.receive(0.0);
@@ -188,9 +197,53 @@ class FakeStack {
     piece.attitude[0] = {1, 0, 0, 0};
     for (std::size_t i = 1; i < piece.attitude.size(); ++i) piece.attitude[i] = {1, 0, 0, 0};
     sent = bus_.send(channel::kObstacles, piece) && sent;
+    piece.scene_id = kRun;
+    piece.count = 2;
+    piece.size[0] = piece.size[1] = {0.3f, 0.3f, 0.04f};
+    piece.shape[1] = ObstacleShape::kBox;
+    piece.position[0] = {0.6f, 0.3f, 0.0f};
+    piece.position[1] = {0.9f, 0.3f, 0.0f};
+    sent = bus_.send(channel::kTerrain, piece) && sent;
+    ModelTextPiece picture;
+    picture.utime = wall_us();
+    picture.run_id = kRun;
+    picture.kind = 8;
+    picture.size = picture.count = static_cast<std::int16_t>(kPicture.size());
+    picture.pieces = 1;
+    std::copy(kPicture.begin(), kPicture.end(), picture.text.begin());
+    sent = bus_.send(channel::kCamera, picture) && sent;
     if (state_.tick == 50) say("The scene has started.", 0);
     if (!sent && state_.tick == 50)
       std::fprintf(stderr, "fake_robot: a slow message could not be sent\n");
+  }
+
+  // A ball that circles, a box, and steps to come while it is asked to walk.
+  void moving(double time) {
+    ObstaclesPiece piece;
+    piece.utime = wall_us();
+    piece.scene_id = kRun;
+    piece.pieces = 1;
+    piece.count = 2;
+    for (auto& attitude : piece.attitude) attitude = {1, 0, 0, 0};
+    piece.shape[0] = ObstacleShape::kSphere;
+    piece.size[0] = {0.12f, 0, 0};
+    piece.position[0] = {static_cast<float>(0.8 + 0.3 * std::cos(time)),
+                         static_cast<float>(0.3 * std::sin(time)), 0.12f};
+    piece.shape[1] = ObstacleShape::kCylinder;
+    piece.size[1] = {0.08f, 0.3f, 0};
+    piece.position[1] = {-0.4f, 0.6f, 0.15f};
+    bool sent = bus_.send(channel::kLoose, piece);
+    if (mode_.mode == Mode::kWalk) {
+      piece.shape[0] = ObstacleShape::kBox;
+      piece.size[0] = {0.24f, 0.14f, 0.004f};
+      piece.position[0] = {0.3f, 0.1f, 0.0f};
+      piece.shape[1] = ObstacleShape::kSphere;
+      piece.size[1] = {0.008f, 0, 0};
+      piece.position[1] = {0.2f, 0.1f, 0.05f};
+      sent = bus_.send(channel::kFootsteps, piece) && sent;
+    }
+    if (!sent && state_.tick == 50)
+      std::fprintf(stderr, "fake_robot: nothing that moves was sent\n");
   }
 
   void say(const std::string& text, int severity) {

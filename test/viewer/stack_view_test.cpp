@@ -109,12 +109,12 @@ TEST(StackView, RepeatedObstaclesAreNoChange) {
   piece.count = 1;
   piece.shape[0] = ObstacleShape::kBox;
   view.on_obstacles(piece);
-  const std::int64_t version = view.obstacles_version();
+  const std::int64_t version = view.scene_version();
   view.on_obstacles(piece);
-  EXPECT_EQ(view.obstacles_version(), version);
+  EXPECT_EQ(view.scene_version(), version);
   piece.size[0] = {1, 1, 1};
   view.on_obstacles(piece);
-  EXPECT_GT(view.obstacles_version(), version);
+  EXPECT_GT(view.scene_version(), version);
 }
 
 // The simulator's world may lie anywhere: the robot is drawn where the estimate has it, a fall is

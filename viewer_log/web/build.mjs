@@ -32,9 +32,8 @@ async function makeInto(folder) {
     legalComments: 'none',
     logLevel: 'warning',
   });
-  for (const name of ['index.html', 'style.css', 'setup.css', 'phone.css']) {
-    writeFileSync(join(folder, name), readFileSync(join(here, 'src', name)));
-  }
+  const page = readFileSync(join(here, 'src/index.html'), 'utf8');
+  writeFileSync(join(folder, 'index.html'), page.split('\n').map((line) => line.trim()).filter(Boolean).join('\n') + '\n');
   writeFileSync(join(folder, 'LICENSES.txt'), licences());
 }
 

@@ -3,6 +3,7 @@
 import { ArmPath } from './arm_path.js';
 import { bookmark, fragment, restoreLog, restoreView } from './bookmark.js';
 import { BrowserPad } from './gamepad.js';
+import { Eye } from './eye.js';
 import { Ghost } from './ghost.js';
 import { HandTarget } from './hand_target.js';
 import { History } from './history.js';
@@ -19,6 +20,9 @@ import { Stage } from './stage.js';
 import { plain } from './surface.js';
 import { Theme } from './theme.js';
 import { Timeline } from './timeline.js';
+import './style.css';
+import './setup.css';
+import './phone.css';
 
 const $ = (id) => document.getElementById(id);
 const kBalanced = 1, kHold = 2;
@@ -39,6 +43,7 @@ const panels = new Panels((request) => link.send(request));
 const history = new History();
 const plots = new Plots($('plot-box'), history, lookBack);
 const recorder = new Recorder($('view'));
+const eye = new Eye($('eye'));
 const timeline = new Timeline((request) => link.send(request), {
   jumped: () => {
     history.clear();
@@ -110,7 +115,9 @@ const link = new Link({
     plots.rebuild();
   },
   status: (message) => panels.status(message),
-  scene: (message) => stage.showObstacles(message.obstacles),
+  scene: (message) => stage.shapes.show(message),
+  camera: (message) => eye.picture(message),
+  recording: (message) => recordingLog(message),
   path: (message) => {
     plan = message;
     if (message.status !== 'ok') panels.toast(`No arm path: ${message.status}.`);
@@ -204,18 +211,36 @@ const chips = {
   plots: toggle('show-plots', (on) => {
     plots.toggle(on);
     if (!on) plots.hold(null);
-    else timeline.fill();
+    else if (timeline.active) timeline.fill();
   }),
   other: toggle('show-other', (on) => { other.wanted = on; }),
   panels: toggle('show-panels', (on) => document.body.classList.toggle('no-panels', !on)),
   setup: toggle('show-setup', (on) => setup.toggle(on)),
+  eye: toggle('show-eye', (on) => eye.toggle(on)),
   record: toggle('record', (on) => {
     $('record').classList.toggle('recording', on);
     if (!on) recorder.stop();
     else if (!recorder.start()) panels.toast('This browser cannot record.');
   }),
 };
-$('arrow-scale').querySelector('input').oninput = (event) => { stage.arrowScale = 2 ** Number(event.target.value); };
+const [arrowScale, arrowLeast] = $('arrow-scale').querySelectorAll('input');
+arrowScale.oninput = () => { stage.arrowScale = 2 ** Number(arrowScale.value); };
+arrowLeast.oninput = () => {
+  stage.leastForce = Number(arrowLeast.value);
+  arrowLeast.title = `forces under ${arrowLeast.value} N are not drawn`;
+};
+
+// A log of its own, beside the one that `up` records anyway.
+$('record-log').onclick = () => {
+  if (!link.send({ do: 'record', on: !$('record-log').classList.contains('recording') })) panels.toast('The viewer does not answer.');
+  $('record-log').blur();
+};
+let recordings = 0; // messages
+function recordingLog({ on, text }) {
+  $('record-log').classList.toggle('recording', on);
+  $('record-log').textContent = on ? 'stop the log' : 'record a log';
+  if (recordings++ > 0 && text) panels.toast(text);
+}
 
 function inRecording(act) {
   if (timeline.active) act();
@@ -258,6 +283,8 @@ const keys = new Keys([
   ['o', '', '', () => inRecording(() => timeline.mark('out'))],
   ['k', 'K', 'recording: loop', () => inRecording(() => timeline.loop())],
   ['s', 'S', 'set up: scene, posture, pushes, checked pairs', chips.setup],
+  ['e', 'E', 'what the robot\'s camera sees', chips.eye],
+  ['r', 'R', 'record a log, and end it', () => { if (!timeline.active) $('record-log').onclick(); }],
   ['v', 'V', 'record a video of the view', chips.record],
 ], stop, $('keys'));
 $('help').onclick = () => { keys.sheet.hidden = !keys.sheet.hidden; $('help').blur(); };
@@ -290,6 +317,7 @@ function draw() {
   pad.tick();
   plots.tick();
   timeline.tick();
+  eye.tick(stage, robot.model, [...stage.onTop, armPath.group]);
   stage.draw();
   ++figures.drawn;
   if (newest && robot.model && figures.first === null) figures.first = performance.now();
@@ -301,4 +329,4 @@ stage.renderer.setAnimationLoop(draw);
 requestAnimationFrame(() => setTimeout(() => link.connect())); // after the first picture, which is slow to come
 
 // For tests of the page.
-globalThis.twinbus = { figures, link, history, plots, stage, robot, commanded, standby, armPath, joystick, target, timeline, other, setup };
+globalThis.twinbus = { figures, link, history, plots, stage, robot, commanded, standby, armPath, joystick, target, timeline, other, setup, eye, chips, panels, pad };

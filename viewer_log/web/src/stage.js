@@ -1,11 +1,13 @@
-// The world around the robot: light, ground, obstacles, camera, and what is drawn on top (forces, ZMP, polygon, pairs).
+// The world around the robot: light, ground, camera, and what is drawn on top (forces, ZMP, polygon, pairs).
 
 import * as THREE from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 import { Arrows } from './arrows.js';
 import { PaintedFloor, PlainFloor } from './floor.js';
 import { Markers } from './markers.js';
-import { plain, surface } from './surface.js';
+import { makeRenderer } from './renderer.js';
+import { Shapes } from './shapes.js';
+import { plain } from './surface.js';
 
 const kShownPair = 120;    // [mm]
 const kSlowFrame = 70;     // a machine without graphics hardware: fewer pixels, no shadows [ms]
@@ -34,7 +36,7 @@ function setPoints(line, points, lift = 0) {
 
 export class Stage {
   constructor(canvas) {
-    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: !plain });
+    this.renderer = makeRenderer(canvas);
     this.renderer.shadowMap.enabled = !plain;
     this.renderer.shadowMap.type = THREE.PCFShadowMap;
     this.renderer.toneMapping = plain ? THREE.NoToneMapping : THREE.ACESFilmicToneMapping;
@@ -59,8 +61,7 @@ export class Stage {
     this.light();
     this.ground();
     this.overlays();
-    this.obstacles = new THREE.Group();
-    this.scene.add(this.obstacles);
+    this.shapes = new Shapes(this.scene);
     addEventListener('resize', () => this.resize());
     this.resize();
   }
@@ -138,6 +139,7 @@ export class Stage {
     this.push.show(live.push ? [live.push] : [], this.arrowScale, this.leastForce);
     this.showBalance(live);
     this.markers.show(live);
+    this.shapes.move(live);
     const near = live.pairs.filter((pair) => pair.mm < kShownPair);
     setPoints(this.pairs, near.flatMap((pair) => [pair.from, pair.to]));
     this.pairs.material.color.set(near.some((pair) => pair.mm < 20) ? 0xff4d4d : 0xffb020);
@@ -166,29 +168,15 @@ export class Stage {
     }
   }
 
+  // What is drawn on top of the world.
+  get onTop() { return [this.forces, this.push, this.balance, this.pairs, this.shapes.steps]; }
+
   // Camera and light go along; what the user turned stays turned.
   followTo(base) {
     const shift = new THREE.Vector3(base[0] - this.controls.target.x, base[1] - this.controls.target.y, 0);
     if (shift.length() < 3) shift.multiplyScalar(0.08);
     this.controls.target.add(shift);
     this.camera.position.add(shift);
-  }
-
-  showObstacles(list) {
-    this.obstacles.clear();
-    const material = surface({ color: 0xc98a3c, roughness: 0.7, transparent: true, opacity: 0.88 });
-    for (const item of list) {
-      const [a, b, c] = item.size;
-      const geometry = item.shape === 1 ? new THREE.BoxGeometry(a, b, c)
-        : item.shape === 2 ? new THREE.SphereGeometry(a, 32, 20)
-        : item.shape === 3 ? new THREE.CylinderGeometry(a, a, b, 32).rotateX(Math.PI / 2) : null;
-      if (!geometry) continue;
-      const mesh = new THREE.Mesh(geometry, material);
-      mesh.castShadow = mesh.receiveShadow = true;
-      mesh.position.set(...item.pose.slice(0, 3));
-      mesh.quaternion.set(item.pose[4], item.pose[5], item.pose[6], item.pose[3]);
-      this.obstacles.add(mesh);
-    }
   }
 
   // Draws less finely on a machine that cannot keep up; never goes back, so that it does not flicker.  #fine=1 in the

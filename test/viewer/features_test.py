@@ -1,0 +1,139 @@
+#!/usr/bin/env python3
+"""What is in the picture and what the page does besides driving, each in a browser: terrain, loose bodies, footsteps, camera, arrows, colours,
+drag and drop to plots, exports, video, a log, a link, a pad; and that the whole still looks as it did.
+
+    features_test.py BIN_FOLDER        in a private network namespace
+"""
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+
+from browser import Browser, find_browser
+from pictures import compare
+from process_tools import Checks, Process, binary
+
+if not find_browser():
+    print("no chromium: skipped")
+    sys.exit(77)
+check = Checks()
+bin_folder = os.path.abspath(sys.argv[1])
+os.environ.setdefault("TWINBUS_PICTURES", os.path.join(bin_folder, "..", "pictures"))
+folder = tempfile.mkdtemp()
+os.chdir(folder)
+os.makedirs("runs/now/setup")
+fake = Process(binary(bin_folder, "fake_robot"))
+fake.wait_for("ready")
+viewer = Process(binary(bin_folder, "twinbus_viewer"), "--port", "0", "--no-open", "--run-folder", folder + "/runs/now")
+address = re.search(r"http://\S+", viewer.wait_for("ready at ", 20))[0]
+page = Browser(address, (1280, 720))
+text = "document.getElementById('%s').textContent"
+check(page.wait_for("globalThis.twinbus?.figures.first && document.getElementById('health').className === 'good'", 60), "the page draws the robot")
+page.value("globalThis.saved = []; HTMLAnchorElement.prototype.click = function () { saved.push(this.download); }")
+
+# --- in the picture ---
+shapes = "twinbus.stage.shapes"
+check(page.wait_for(f"{shapes}.obstacles.children.length === 1"), "the obstacle is drawn")
+check(page.wait_for(f"{shapes}.terrain.children.length === 2 && {shapes}.terrain.children[1].position.x > 0.5"), "two tiles of terrain")
+check(page.wait_for(f"{shapes}.loose.children.length === 2"), "a ball and a cylinder that nothing holds")
+before = page.value(f"{shapes}.loose.children[0].position.y")
+check(page.wait_for(f"Math.abs({shapes}.loose.children[0].position.y - {before}) > 0.02"), "the ball moves")
+time.sleep(1.0)
+compare(page.screenshot(), "live", check)
+page.key("t", "KeyT")
+time.sleep(0.8)
+compare(page.screenshot(), "light", check)
+page.key("t", "KeyT")
+page.click("#modes [data-mode=walk]")
+check(page.wait_for(f"{shapes}.steps.children.filter((part) => part.visible).length === 2"), "while it walks, the step to come and the way of the foot")
+page.click("#modes [data-mode=sway]")
+check(page.wait_for(f"{shapes}.steps.children.every((part) => !part.visible)"), "and then no more")
+page.key("e", "KeyE")
+check(page.wait_for("!document.getElementById('eye').hidden && document.querySelector('#eye img').naturalWidth === 8"), "E shows the camera's picture")
+check(page.value("document.querySelector('#eye figcaption').textContent") == "camera", "and says so")
+page.value("twinbus.eye.cameAt = -1e9; twinbus.eye.picture = () => {}")
+check(page.wait_for("document.querySelector('#eye figcaption').textContent.includes('CAMERA')"), "without one the scene is drawn from there: " + str(page.value("document.querySelector('#eye figcaption').textContent")))
+check(page.wait_for("(c => new Set(c.getContext('2d').getImageData(0, 0, 320, 240).data).size)(document.querySelector('#eye canvas')) > 20"), "with something in it")
+page.key("e", "KeyE")
+check(page.value("(twinbus.robot.warn(twinbus.robot.joints.map((joint) => joint.limit.upper), [{ a: 'RLEG_HIP_R', b: 'WAIST', mm: 8 }]), new Set(twinbus.robot.tint.shown.values()).size)") == 2, "links that nearly touch, and joints at their limits, are coloured")
+arrows = "twinbus.stage.forces.shafts.count"
+check(page.wait_for(f"{arrows} >= 2"), "forces are arrows")
+page.value("(s => { s.value = 200; s.oninput(); twinbus.stage.leastForce = 1e5; })(document.querySelectorAll('#arrow-scale input')[1])")
+check(page.wait_for(f"{arrows} === 0"), "and none under the threshold")
+page.value("(s => { s.value = 5; s.oninput(); })(document.querySelectorAll('#arrow-scale input')[1])")
+page.value("(s => { s.value = 2; s.oninput(); })(document.querySelectorAll('#arrow-scale input')[0])")
+check(page.value("twinbus.stage.arrowScale") == 4, "a scale makes them longer")
+for key, what, state in (("f", "follow", "!twinbus.stage.follow"), ("c", "forces", "!twinbus.stage.forces.visible"), ("b", "balance", "!twinbus.stage.balance.visible")):
+    page.key(key, "Key" + key.upper())
+    check(page.value(state), f"{key.upper()} switches off: {what}")
+    page.key(key, "Key" + key.upper())
+
+# --- plots ---
+page.key("p", "KeyP")
+page.wait_for("twinbus.history.count > 60 && twinbus.plots.plots.length === 3", 40)
+names = page.value("[...document.querySelectorAll('#plot-box .presets button')].map((b) => b.textContent)")
+for i, name in enumerate(names):
+    if name == "Two logs":
+        continue
+    page.value(f"document.querySelectorAll('#plot-box .presets button')[{i}].click()")
+    check(page.wait_for("twinbus.plots.plots.length > 0 && twinbus.plots.plots.every((p) => p.chart && p.chart.data.length > 1 && p.chart.data.slice(1).some((c) => c.some((v) => v !== null)))", 20),
+          f"preset {name} has curves")
+page.value("twinbus.plots.clear(); twinbus.plots.put('STATE.q.' + twinbus.history.joints[3])")
+page.value("""(at => { const data = new DataTransfer(); data.setData('text/plain', 'STATE.tau.' + twinbus.history.joints[3]);
+  at.dispatchEvent(new DragEvent('drop', { dataTransfer: data, bubbles: true })); })(document.querySelector('.plot .area'))""")
+check(page.wait_for("twinbus.plots.plots.length === 1 && twinbus.plots.plots[0].names.length === 2"), "a number dragged onto a plot is in it")
+page.value("twinbus.plots.put('SHOWN.com.z')")
+page.wait_for("twinbus.plots.plots.length === 2 && twinbus.plots.plots.every((p) => p.chart)")
+page.click("#plot-box .png")
+check(page.wait_for("saved.includes('twinbus_plots.png')"), "PNG is saved")
+page.click("#plot-box .csv")
+check(page.wait_for("saved.includes('twinbus_plots.csv')"), "and CSV")
+page.click(".plot .area")
+check(page.wait_for("document.body.classList.contains('past')"), "a click holds the plots")
+page.value("twinbus.plots.plots[0].chart.setCursor({ left: 40, top: 10 }, true, true)")
+check(page.value("twinbus.plots.plots[1].chart.cursor.idx === twinbus.plots.plots[0].chart.cursor.idx"), "one cursor for all")
+page.click("#present")
+
+# --- a link, a video, a log, a pad ---
+page.value("twinbus.stage.camera.position.set(1, 2, 1.5)")
+page.key("f", "KeyF")
+page.key("y", "KeyY")
+check(page.wait_for("location.hash.includes('cam=1%2C2%2C1.5') && location.hash.includes('plots=')"), "Y makes an address of camera and plots")
+page.key("f", "KeyF")
+page.key("p", "KeyP")
+page.key("v", "KeyV")
+check(page.wait_for("document.getElementById('record').classList.contains('recording')"), "V records a video")
+time.sleep(2.0)
+page.key("v", "KeyV")
+check(page.wait_for("saved.includes('twinbus.webm')", 20), "and saves it as webm")
+page.key("r", "KeyR")
+check(page.wait_for("document.getElementById('record-log').classList.contains('recording')", 20), "R records a log: " + str(page.value(text % "toast")))
+time.sleep(2.5)
+page.key("r", "KeyR")
+check(page.wait_for("!document.getElementById('record-log').classList.contains('recording')", 20), "and ends it: " + str(page.value(text % "toast")))
+logs = list(pathlib.Path(folder, "runs").glob("*_page/run.log"))
+info = subprocess.run([binary(bin_folder, "twinbus"), "log", "info", logs[0]], capture_output=True, text=True) if logs else None
+check(info is not None and info.returncode == 0 and re.search(r"\bLOOSE\b", info.stdout) and re.search(r"\bSTATE\b", info.stdout), "it is a log with everything in it")
+fake.drain()
+page.value("""globalThis.pad = { connected: true, mapping: 'standard', axes: [0, -1, 0, 0], buttons: Array.from({ length: 17 }, () => ({ pressed: false, value: 0 })) };
+  navigator.getGamepads = () => [pad]""")
+check(page.wait_for("!document.getElementById('pad').hidden"), "a pad is seen")
+page.value("pad.buttons[4].pressed = true")
+check(fake.wait_for("walk 0.", 5) is not None, "with the left bumper held its stick walks")
+page.value("pad.buttons[4].pressed = false")
+check(fake.wait_for("walk 0.00 ", 5) is not None, "let go it stands")
+page.value("pad.buttons[1].pressed = true")
+check(fake.wait_for("stop 1", 5) is not None, "B stops")
+errors = [line for line in page.console if "GPU stall" not in line]
+check(not errors, f"no errors in the console {errors[:3]}")
+page.end()
+check(viewer.end(10) == 0, "the viewer ends cleanly")
+fake.end()
+os.chdir("/")
+shutil.rmtree(folder, ignore_errors=True)
+check.finish()

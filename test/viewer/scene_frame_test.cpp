@@ -1,0 +1,123 @@
+#include "viewer_log/scene_frame.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "robot/load.h"
+
+namespace twinbus {
+namespace {
+
+constexpr std::int64_t kNow = 5'000'000'000, kRun = 77;
+
+const Model& robot() {
+  static const Model loaded = load_robot("hrp1s");
+  return loaded;
+}
+
+StackView running() {
+  StackView view(robot());
+  RobotState state;
+  state.run_id = kRun;
+  state.joint_count = static_cast<std::int16_t>(robot().bus_count());
+  state.attitude = {1, 0, 0, 0};
+  view.on_state(state, kNow);
+  return view;
+}
+
+ObstaclesPiece ball(std::int64_t run, float x) {
+  ObstaclesPiece piece;
+  piece.scene_id = run;
+  piece.pieces = 1;
+  piece.count = 1;
+  piece.shape[0] = ObstacleShape::kSphere;
+  piece.size[0] = {0.1F, 0, 0};
+  piece.position[0] = {x, 0, 0.1F};
+  for (auto& attitude : piece.attitude) attitude = {1, 0, 0, 0};
+  return piece;
+}
+
+Json scene(const StackView& view) { return Json::parse(scene_frame(view)); }
+
+TEST(SceneFrame, WhatIsOfAnotherRunIsNotDrawn) {
+  StackView view = running();
+  view.on_terrain(ball(kRun + 1, 1));
+  view.on_loose(ball(kRun + 1, 1), kNow);
+  view.on_footsteps(ball(kRun + 1, 1), kNow);
+  EXPECT_TRUE(scene(view)["terrain"].empty());
+  EXPECT_TRUE(scene(view)["loose"].empty());
+  EXPECT_FALSE(view.footsteps_apply(kNow));
+}
+
+TEST(SceneFrame, ABodyThatMovesIsNoNewScene) {
+  StackView view = running();
+  view.on_loose(ball(kRun, 1), kNow);
+  const std::int64_t version = view.scene_version();
+  view.on_loose(ball(kRun, 2), kNow);
+  EXPECT_EQ(view.scene_version(), version);
+  Json live;
+  add_moving(view, kNow, Eigen::Isometry3d::Identity(), live);
+  EXPECT_EQ(live["loose"][0][0], 2.0);
+  view.on_terrain(ball(kRun, 1));
+  EXPECT_GT(view.scene_version(), version);
+  EXPECT_EQ(scene(view)["terrain"].size(), 1U);
+}
+
+TEST(SceneFrame, FootstepsThatNobodyRenewsAreGone) {
+  StackView view = running();
+  view.on_footsteps(ball(kRun, 1), kNow);
+  Json live;
+  add_moving(view, kNow, Eigen::Isometry3d::Identity(), live);
+  EXPECT_EQ(live["footsteps"].size(), 1U);
+  Json later;
+  add_moving(view, kNow + 1'000'000'000, Eigen::Isometry3d::Identity(), later);
+  EXPECT_FALSE(later.contains("footsteps"));
+}
+
+ModelTextPiece part(const std::string& picture, std::int16_t piece, std::int64_t taken = 1) {
+  ModelTextPiece p;
+  p.utime = taken;
+  p.run_id = kRun;
+  p.kind = kCameraPicture;
+  p.size = static_cast<std::int32_t>(picture.size());
+  p.pieces = static_cast<std::int16_t>((picture.size() + kModelTextBytes - 1) / kModelTextBytes);
+  p.piece = piece;
+  const std::string text =
+      picture.substr(static_cast<std::size_t>(piece) * kModelTextBytes, kModelTextBytes);
+  p.count = static_cast<std::int16_t>(text.size());
+  std::memcpy(p.text.data(), text.data(), text.size());
+  return p;
+}
+
+TEST(CameraView, APictureIsWholeOrNotShown) {
+  const std::string picture = "\xff\xd8\xff" + std::string(3000, 'x');
+  CameraView camera;
+  camera.on_piece(part(picture, 2), kNow);
+  camera.on_piece(part(picture, 0), kNow);
+  camera.on_piece(part(picture, 0), kNow);  // said again
+  EXPECT_EQ(camera.version(), 0);
+  camera.on_piece(part(picture, 1, 2), kNow);  // of the next picture
+  camera.on_piece(part(picture, 1), kNow);     // overtaken
+  EXPECT_EQ(camera.version(), 0);
+  for (std::int16_t i = 0; i < 3; ++i) camera.on_piece(part(picture, i, 3), kNow);
+  EXPECT_EQ(camera.version(), 1);
+  EXPECT_EQ(camera.picture(), picture);
+  const Json frame = Json::parse(camera.frame());
+  EXPECT_EQ(frame["image"].get<std::string>().substr(0, 31), "data:image/jpeg;base64,/9j/eHh4");
+}
+
+TEST(CameraView, NothingButPicturesOfItsSize) {
+  CameraView camera;
+  camera.on_piece(part("GIF89a, no picture of ours", 0), kNow);
+  ModelTextPiece wrong = part("\x89PNG\r\n", 0);
+  for (const auto& [pieces, size] : {std::pair{30000, 6}, {1, 1 << 24}, {0, 6}, {1, -1}}) {
+    wrong.pieces = static_cast<std::int16_t>(pieces);
+    wrong.size = size;
+    camera.on_piece(wrong, kNow);
+  }
+  EXPECT_EQ(camera.version(), 0);
+}
+
+}  // namespace
+}  // namespace twinbus
