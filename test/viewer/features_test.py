@@ -39,7 +39,7 @@ page.value("globalThis.saved = []; HTMLAnchorElement.prototype.click = function 
 # --- in the picture ---
 shapes = "twinbus.stage.shapes"
 check(page.wait_for(f"{shapes}.obstacles.children.length === 1"), "the obstacle is drawn")
-check(page.wait_for(f"{shapes}.terrain.children.length === 2 && {shapes}.terrain.children[1].position.x > 0.5"), "two tiles of terrain")
+check(page.wait_for(f"{shapes}.terrain.children[0]?.count === 2 && {shapes}.terrain.children[0].instanceMatrix.array[12] > 0.5"), "two tiles of terrain")
 check(page.wait_for(f"{shapes}.loose.children.length === 2"), "a ball and a cylinder that nothing holds")
 before = page.value(f"{shapes}.loose.children[0].position.y")
 check(page.wait_for(f"Math.abs({shapes}.loose.children[0].position.y - {before}) > 0.02"), "the ball moves")

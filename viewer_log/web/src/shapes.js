@@ -4,7 +4,8 @@ import * as THREE from 'three';
 import { plain, surface } from './surface.js';
 
 const kRound = plain ? 16 : 32; // corners of what is round
-const kLeft = 0x58c4ff, kWay = 0xffffff;
+const kSole = 0x58c4ff, kWay = 0xffffff;
+const kTiles = [0x6f8195, 0x62748a, 0x7b8ca0];
 
 function geometryOf({ shape, size: [a, b, c] }) {
   if (shape === 1) return new THREE.BoxGeometry(a, b, c);
@@ -38,10 +39,10 @@ export class Shapes {
     this.steps = new THREE.Group();
     scene.add(this.obstacles, this.terrain, this.loose, this.steps);
     this.wood = surface({ color: 0xc98a3c, roughness: 0.7, transparent: true, opacity: 0.88 });
-    this.tiles = [0x6f8195, 0x62748a, 0x7b8ca0].map((color) => surface({ color, roughness: 0.95 }));
+    this.ground = surface({ color: 0xffffff, roughness: 0.95 });
     this.bodies = [0xd9a441, 0x5fa777, 0xb9695d, 0x8d7fc2].map((color) => surface({ color, roughness: 0.6 }));
-    this.sole = new THREE.MeshBasicMaterial({ color: kLeft, transparent: true, opacity: 0.5, depthWrite: false });
-    this.next = new THREE.MeshBasicMaterial({ color: kLeft, transparent: true, opacity: 0.85, depthWrite: false });
+    this.sole = new THREE.MeshBasicMaterial({ color: kSole, transparent: true, opacity: 0.5, depthWrite: false });
+    this.next = new THREE.MeshBasicMaterial({ color: kSole, transparent: true, opacity: 0.85, depthWrite: false });
     this.dot = new THREE.MeshBasicMaterial({ color: kWay, transparent: true, opacity: 0.9, depthTest: false });
     this.box = new THREE.BoxGeometry(1, 1, 1);
     this.ball = new THREE.SphereGeometry(1, 8, 6);
@@ -50,8 +51,27 @@ export class Shapes {
   // A scene message.
   show({ obstacles, terrain = [], loose = [] }) {
     fill(this.obstacles, obstacles, () => this.wood);
-    fill(this.terrain, terrain, (i) => this.tiles[i % this.tiles.length]);
+    this.lay(terrain);
     fill(this.loose, loose, (i) => this.bodies[i % this.bodies.length]);
+  }
+
+  // Tiles are many, and boxes: drawn in one go.
+  lay(tiles) {
+    for (const old of this.terrain.children) old.dispose();
+    this.terrain.clear();
+    if (tiles.length === 0) return;
+    const all = new THREE.InstancedMesh(this.box, this.ground, tiles.length);
+    const at = new THREE.Object3D(), color = new THREE.Color();
+    tiles.forEach(({ size, pose }, i) => {
+      place(at, pose);
+      at.scale.set(...size);
+      at.updateMatrix();
+      all.setMatrixAt(i, at.matrix);
+      all.setColorAt(i, color.set(kTiles[i % kTiles.length]));
+    });
+    all.receiveShadow = true;
+    all.frustumCulled = false;
+    this.terrain.add(all);
   }
 
   // A live message: loose bodies and footsteps; without any the steps are gone and the bodies lie where they lay.
