@@ -23,7 +23,6 @@ if not find_browser():
     sys.exit(77)
 check = Checks()
 bin_folder = os.path.abspath(sys.argv[1])
-os.environ.setdefault("TWINBUS_PICTURES", os.path.join(bin_folder, "..", "pictures"))
 folder = tempfile.mkdtemp()
 os.chdir(folder)
 os.makedirs("runs/now/setup")

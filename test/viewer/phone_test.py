@@ -11,6 +11,7 @@ import sys
 import time
 
 from browser import Browser, find_browser
+from pictures import compare
 from process_tools import Checks, Process, binary
 from web_socket import WebSocket
 
@@ -123,6 +124,8 @@ check(page.value("document.body.classList.contains('no-panels')"), "the panels a
 time.sleep(1.0)
 if len(sys.argv) > 2:
     page.screenshot(sys.argv[2])
+else:
+    compare(page.screenshot(), "phone", check)
 page.tap("#show-panels")
 check(page.wait_for("!document.body.classList.contains('no-panels')"), "and come with a tap")
 check(page.value("getComputedStyle(document.getElementById('joystick').parentElement).display === 'none'"), "without what a watcher may not do")

@@ -7,8 +7,10 @@ small pictures anew, after somebody has looked at the large ones.
 import os
 import pathlib
 import struct
+import sys
 import zlib
 
+START = os.getcwd()
 REFERENCES = pathlib.Path(__file__).resolve().parent / "pictures"
 ACROSS = 80          # blocks
 FAR = 36             # of 255, between two blocks that differ
@@ -118,13 +120,15 @@ def blocks(data):
 
 def compare(data, name, check):
     """check(ok, text) of a screenshot; it is kept beside the build that was tested."""
-    kept = pathlib.Path(os.environ.get("TWINBUS_PICTURES", "pictures"))
+    kept = pathlib.Path(os.environ.get("TWINBUS_PICTURES") or pathlib.Path(START, sys.argv[1], "..", "pictures").resolve())
     kept.mkdir(parents=True, exist_ok=True)
     (kept / f"{name}.png").write_bytes(data)
     seen, reference = blocks(data), REFERENCES / f"{name}.png"
     if os.environ.get("TWINBUS_RENEW_PICTURES"):
         REFERENCES.mkdir(exist_ok=True)
         reference.write_bytes(write_png(len(seen[0]) // 3, seen))
+    if not reference.is_file():
+        return check(False, f"there is no {reference} yet: TWINBUS_RENEW_PICTURES=1 writes it")
     _, _, wanted = read_png(reference.read_bytes())
     if [len(row) for row in wanted] != [len(row) for row in seen]:
         return check(False, f"the picture '{name}' has the size of {reference}")

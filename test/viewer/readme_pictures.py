@@ -32,15 +32,16 @@ def stack(scene):
     up = Process(binary(bin_folder, "twinbus"), "up", scene, "--for", "300", "--no-record")
     address = re.search(r"http://\S+token=\w+", up.wait_for("http://", 90))[0]
     page = Browser(address + "&fine=1", size)
-    page.wait_for("twinbus.robot.model && twinbus.history.count > 200", 90)
+    page.wait_for("twinbus.robot.model && twinbus.history.count > 30", 90)
     return up, page
 
 
 if "live" in wanted:
     up, page = stack("walk_rough")
     page.value("twinbus.stage.camera.position.set(3.0, -1.9, 1.5)")
-    page.wait_for("twinbus.stage.shapes.steps.children.some((part) => part.visible)", 60)
-    page.wait_for("twinbus.robot.model.position.x > 0.9", 60)
+    # Its own walk may be over before a picture of this quality is drawn.
+    page.value("twinbus.link.send({ do: 'mode', mode: 'walk' }); setInterval(() => twinbus.link.send({ do: 'walk', vx: 0.15, vy: 0, wz: 0 }), 100)")
+    page.wait_for("twinbus.robot.model.position.x > 0.9 && twinbus.stage.shapes.steps.children.filter((part) => part.visible).length > 8", 60)
     keep(page, "screenshot.png")
     page.end()
     up.end(10)

@@ -136,6 +136,7 @@ page.close()
 
 # --- in a browser ---
 from browser import Browser, find_browser  # noqa: E402
+from pictures import compare  # noqa: E402
 if not find_browser():
     print("no chromium: the page itself is not looked at")
     viewer.end()
@@ -177,6 +178,12 @@ check(browser.wait_for("!twinbus.timeline.state.playing"), "and pauses")
 box = browser.value("(r => [r.x, r.width])(document.getElementById('tl-line').getBoundingClientRect())")
 browser.click("#tl-line")
 check(browser.wait_for(f"Math.abs({at} / twinbus.timeline.state.duration - 0.5) < 0.02"), "the line of time is clicked on")
+if not pictures:
+    browser.wait_for("document.getElementById('toast').hidden", 8)
+    browser.value("twinbus.timeline.seek(4)")
+    browser.wait_for(f"Math.abs({at} - 4) < 0.01")
+    time.sleep(1.5)
+    compare(browser.screenshot(), "replay", check)
 if "--all" in sys.argv:
     browser.value("(s => { s.value = '2026-01-01-000002'; s.onchange(); })(document.getElementById('tl-beside'))")
     check(browser.wait_for("twinbus.other.model?.visible"), "the second log is a ghost")

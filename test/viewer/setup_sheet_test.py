@@ -12,6 +12,7 @@ import tempfile
 import time
 
 from browser import Browser, find_browser
+from pictures import compare
 from process_tools import Checks, Process, binary
 
 if not find_browser():
@@ -51,6 +52,8 @@ check(browser.wait_for("twinbus.other.model?.visible", 20), "a ghost shows the p
 time.sleep(0.5)
 if len(sys.argv) > 2:
     browser.screenshot(sys.argv[2])
+else:
+    compare(browser.screenshot(), "setup", check)
 press("#start-anew")
 check(browser.wait_for("document.getElementById('toast').textContent.startsWith('Starting anew')", 10), "Start anew is answered")
 asked = json.load(open(folder + "/wish.json"))

@@ -115,7 +115,10 @@ const link = new Link({
     plots.rebuild();
   },
   status: (message) => panels.status(message),
-  scene: (message) => stage.shapes.show(message),
+  scene: (message) => {
+    stage.shapes.show(message);
+    stage.takeIn(message);
+  },
   camera: (message) => eye.picture(message),
   recording: (message) => recordingLog(message),
   path: (message) => {

@@ -52,6 +52,8 @@ export class Stage {
     this.controls.enableDamping = true;
     this.controls.minDistance = 0.5;
     this.controls.maxDistance = 14;
+    this.tookIn = false;
+    this.controls.addEventListener('start', () => { this.tookIn = true; });
     this.follow = true;
     this.arrowScale = 1;
     this.leastForce = 5; // [N], smaller ones are not drawn
@@ -170,6 +172,14 @@ export class Stage {
 
   // What is drawn on top of the world.
   get onTop() { return [this.forces, this.push, this.balance, this.pairs, this.shapes.steps]; }
+
+  // Steps back once, so that what lies around the robot is in the picture; not where somebody chose the place.
+  takeIn(scene) {
+    const near = ({ pose }) => Math.hypot(pose[0] - this.controls.target.x, pose[1] - this.controls.target.y) < 4;
+    if (this.tookIn || !scene.loose?.some(near)) return;
+    this.tookIn = true;
+    this.camera.position.sub(this.controls.target).multiplyScalar(1.7).add(this.controls.target);
+  }
 
   // Camera and light go along; what the user turned stays turned.
   followTo(base) {
