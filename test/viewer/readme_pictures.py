@@ -19,7 +19,7 @@ from process_tools import Process, binary
 bin_folder = sys.argv[1]
 wanted = sys.argv[2:] or ["live", "plots", "replay"]
 folder = pathlib.Path(__file__).resolve().parents[2] / "viewer_log"
-size = (1280, 720)
+size = (1440, 810)
 
 
 def keep(page, name):
@@ -38,15 +38,16 @@ def stack(scene):
 
 if "live" in wanted:
     up, page = stack("walk_rough")
-    page.value("twinbus.stage.camera.position.set(3.0, -1.9, 1.5)")
+    page.value("twinbus.stage.camera.position.copy(twinbus.stage.controls.target).add({ x: 3.1, y: -1.7, z: 0.9 })")
     # Its own walk may be over before a picture of this quality is drawn.
-    page.value("twinbus.link.send({ do: 'mode', mode: 'walk' }); setInterval(() => twinbus.link.send({ do: 'walk', vx: 0.15, vy: 0, wz: 0 }), 100)")
+    walk = subprocess.Popen([binary(bin_folder, "twinbus"), "walk", "0.1", "0", "0", "--for", "25"], stdout=subprocess.DEVNULL)
     page.wait_for("twinbus.robot.model.position.x > 0.9 && twinbus.stage.shapes.steps.children.filter((part) => part.visible).length > 8", 60)
     keep(page, "screenshot.png")
+    walk.terminate()
     page.end()
     up.end(10)
 if "plots" in wanted:
-    up, page = stack("reach")
+    up, page = stack("stand")
     page.key("p", "KeyP")
     page.wait_for("document.querySelectorAll('.plot canvas').length === 3", 60)
     page.value("twinbus.plots.clear(); "

@@ -241,7 +241,7 @@ $('record-log').onclick = () => {
 let recordings = 0; // messages
 function recordingLog({ on, text }) {
   $('record-log').classList.toggle('recording', on);
-  $('record-log').textContent = on ? 'stop the log' : 'record a log';
+  $('record-log').textContent = on ? 'end the log' : 'log';
   if (recordings++ > 0 && text) panels.toast(text);
 }
 

@@ -41,8 +41,8 @@ export class Shapes {
     this.wood = surface({ color: 0xc98a3c, roughness: 0.7, transparent: true, opacity: 0.88 });
     this.ground = surface({ color: 0xffffff, roughness: 0.95 });
     this.bodies = [0xd9a441, 0x5fa777, 0xb9695d, 0x8d7fc2].map((color) => surface({ color, roughness: 0.6 }));
-    this.sole = new THREE.MeshBasicMaterial({ color: kSole, transparent: true, opacity: 0.5, depthWrite: false });
-    this.next = new THREE.MeshBasicMaterial({ color: kSole, transparent: true, opacity: 0.85, depthWrite: false });
+    this.sole = new THREE.MeshBasicMaterial({ color: kSole, transparent: true, opacity: 0.35, depthTest: false });
+    this.next = new THREE.MeshBasicMaterial({ color: kSole, transparent: true, opacity: 0.7, depthTest: false });
     this.dot = new THREE.MeshBasicMaterial({ color: kWay, transparent: true, opacity: 0.9, depthTest: false });
     this.box = new THREE.BoxGeometry(1, 1, 1);
     this.ball = new THREE.SphereGeometry(1, 8, 6);

@@ -12,6 +12,7 @@ import { plain } from './surface.js';
 const kShownPair = 120;    // [mm]
 const kSlowFrame = 70;     // a machine without graphics hardware: fewer pixels, no shadows [ms]
 const kSlowFrames = 12;    // so many in a row
+const kFollow = 200;       // the camera lags behind the robot [ms]
 const kPlainPixels = 0.75; // of each direction, where the processor draws
 
 const kDark = { sky: 0x141b26, floor: '#1c2634', thin: '#2b394c', thick: '#4d6685', ambient: 1.5 };
@@ -184,7 +185,9 @@ export class Stage {
   // Camera and light go along; what the user turned stays turned.
   followTo(base) {
     const shift = new THREE.Vector3(base[0] - this.controls.target.x, base[1] - this.controls.target.y, 0);
-    if (shift.length() < 3) shift.multiplyScalar(0.08);
+    const now = performance.now(), passed = now - (this.followedAt ?? now);
+    this.followedAt = now;
+    if (shift.length() < 3) shift.multiplyScalar(1 - Math.exp(-passed / kFollow)); // the same on slow machines
     this.controls.target.add(shift);
     this.camera.position.add(shift);
   }
