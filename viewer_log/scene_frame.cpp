@@ -57,7 +57,10 @@ void add_moving(const StackView& view, std::int64_t now_ns, const Eigen::Isometr
     frame["loose"] = poses;
   }
   if (!view.footsteps_apply(now_ns)) return;
-  frame["footsteps"] = shapes({view.footsteps().value}, place * view.drawn_from_estimated(now_ns));
+  // They belong to the feet as the controller estimates them.
+  const Eigen::Isometry3d ground =
+      place * view.drawn_from_estimated(now_ns) * view.estimator().ground_in_world();
+  frame["footsteps"] = shapes({view.footsteps().value}, ground);
 }
 
 }  // namespace twinbus

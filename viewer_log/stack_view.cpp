@@ -157,20 +157,7 @@ void StackView::on_loose(const ObstaclesPiece& piece, std::int64_t now_ns) {
 }
 
 void StackView::on_footsteps(const ObstaclesPiece& piece, std::int64_t now_ns) {
-  if (piece.scene_id != state_.value.run_id) return;
-  footsteps_ = {piece, now_ns};
-  // The ground frame goes along with the feet, the footholds do not: they are kept in the estimator's world.
-  const Eigen::Isometry3d& ground = estimator_.ground_in_world();
-  const Eigen::Quaternionf turn(ground.linear().cast<float>());
-  for (std::size_t row = 0; row < static_cast<std::size_t>(piece.count); ++row) {
-    auto& at = footsteps_.value.position[row];
-    auto& w = footsteps_.value.attitude[row];
-    const Eigen::Vector3f moved =
-        (ground * Eigen::Vector3f(at.data()).cast<double>()).cast<float>();
-    const Eigen::Quaternionf turned = turn * Eigen::Quaternionf(w[0], w[1], w[2], w[3]);
-    at = {moved.x(), moved.y(), moved.z()};
-    w = {turned.w(), turned.x(), turned.y(), turned.z()};
-  }
+  if (piece.scene_id == state_.value.run_id) footsteps_ = {piece, now_ns};
 }
 
 bool StackView::loose_applies(std::int64_t now_ns) const {

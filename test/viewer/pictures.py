@@ -14,8 +14,8 @@ START = os.getcwd()
 REFERENCES = pathlib.Path(__file__).resolve().parent / "pictures"
 ACROSS = 80          # blocks
 FAR = 36             # of 255, between two blocks that differ
-MOST_DIFFERENT = 0.04  # share of the blocks
-MOST_MEAN = 7.0      # of 255, over all
+MOST_DIFFERENT = 0.08  # share of the blocks
+MOST_MEAN = 9.0      # of 255, over all
 
 
 def read_png(data):
