@@ -17,14 +17,20 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kStride = 0.02;  // most that any point moves between two looks ahead [m]
-constexpr int kMostLooks = 6;
+constexpr int kMostLooks = 3;
 constexpr int kMostRounds = 3;  // of masking more joints because those masked first are not enough
-constexpr double kNearer = 1e-4;  // a pair inside the margin may still come this much nearer [m]
-constexpr double kShare = 0.02;   // of the approach: joints that do less of it are not masked
-constexpr int kKeepTicks = 5;     // a mask outlives its cause by this, against flicker
+// A pair at the margin may still come this much nearer before it rests, against flicker; inside of
+// it the less the nearer it is, so that it never arrives [m].
+constexpr double kNearer = 1e-4;
+// A joint that runs on farther than its set-point says, by this much, is looked at as it is measured
+// [rad or m].
+constexpr double kRunsOn = 0.01;
+constexpr double kShare = 0.02;  // of the approach: joints that do less of it are not masked
+constexpr int kKeepTicks = 5;    // a mask outlives its cause by this, against flicker
 // Deeper than this a model says nothing about which way is out, and nothing is held [m].
 constexpr double kLost = 0.03;
-constexpr double kNever = 1e3;  // time to contact of a pair that parts [s]
+constexpr double kAnywhere = 100.0;  // [m]
+constexpr double kNever = 1e3;       // time to contact of a pair that parts [s]
 
 // How far a point of `link` can move per unit of each joint: a bound over all postures [m/rad or
 // m/m].
@@ -51,14 +57,17 @@ struct Guard::Impl {
   SetPointTrack track;
   Kinematics now_kinematics, then_kinematics;
   Configuration now, then;
-  std::vector<double> reach;   // [link_count x joint_count]
-  std::vector<double> travel;  // [link_count], the most a link moves before it is at rest [m]
-  std::vector<int> leg;        // [joint_count], 1 for leg joints
+  std::vector<double> reach;  // [link_count x joint_count]
+  std::vector<int> leg;       // [joint_count], 1 for leg joints
   std::vector<std::uint8_t>
       moves;  // [link_count x joint_count]: the joint is on the way from the base to the link
-  std::vector<double> rest_braked, rest_obeyed, rest_masked;  // [joint_count]
-  std::array<PairDistance, kMaxPairs> pairs{};
+  using Courses = std::vector<Course>;  // [joint_count]
+  Courses braked, obeyed, masked;
+  std::array<PairDistance, kMaxPairs> pairs{}, ahead{};
   int pair_count = 0;
+  std::array<CollisionPair, kMaxPairs> done{};  // of one look along
+  int done_count = 0;
+  std::int64_t all_but_legs = 0;
   std::array<int, kMaxJoints> keep{};  // ticks left of a mask
   std::int64_t run_id = 0;
   GuardReport report;
@@ -67,23 +76,22 @@ struct Guard::Impl {
   bool moves_link(int joint, int link) const noexcept {
     return link < model->link_count() && moves[at(link * model->joint_count() + joint)] != 0;
   }
-  double travel_of(int link) const noexcept {
-    return link < model->link_count() ? travel[at(link)] : 0.0;
-  }
 
   void predict(const RobotState& state, const JointCommand* command) noexcept;
   void predict_masked(std::int64_t mask) noexcept;
-  void spread_to_mimics(std::vector<double>& q) const noexcept;
-  void bound_travel() noexcept;
-  void look_along(const std::vector<double>& rest, std::int64_t& mask, bool& leg_hit,
-                  bool& danger) noexcept;
+  void spread_to_mimics(Courses& courses) const noexcept;
+  bool runs_on() noexcept;
+  double bound_travel(const Courses& courses) const noexcept;
+  bool is_done(const PairDistance& pair) const noexcept;
+  bool pair_now(const PairDistance& pair, PairDistance& found) noexcept;
+  void look_along(const Courses& courses, std::int64_t& mask, bool& leg_hit, bool& danger) noexcept;
   bool comes_too_near(const PairDistance& before, const PairDistance& after) const noexcept;
   double approach(const Kinematics& kinematics, const PairDistance& pair, int joint,
                   double step) const noexcept;
-  void blame(const PairDistance& before, const PairDistance& after, const std::vector<double>& rest,
+  void blame(const PairDistance& before, const PairDistance& after, const Courses& courses,
              std::int64_t& mask, bool& leg_hit) noexcept;
-  bool blame_at(const Kinematics& kinematics, const PairDistance& pair,
-                const std::vector<double>& rest, std::int64_t& mask, bool& leg_hit) const noexcept;
+  bool blame_at(const Kinematics& kinematics, const PairDistance& pair, const Courses& courses,
+                std::int64_t& mask, bool& leg_hit) const noexcept;
   void mask_joint(int joint, std::int64_t& mask) const noexcept;
   void fill_rows() noexcept;
 };
@@ -92,18 +100,19 @@ Guard::Impl::Impl(const Model& robot, const GuardConfig& wanted)
     : model(&robot),
       config(wanted),
       collision(robot),
-      track(robot, (wanted.delay_ticks + 1) * robot.period() + wanted.servo_lag),
+      track(robot, wanted.delay_ticks, wanted.servo_lag),
       now_kinematics(robot),
       then_kinematics(robot),
       now(robot),
       then(robot) {
   const auto joints = robot.joints.size();
-  travel.assign(robot.links.size(), 0.0);
   leg.assign(joints, 0);
   for (const int joint : robot.leg_joints) leg[at(joint)] = 1;
-  rest_braked.assign(joints, 0.0);
-  rest_obeyed.assign(joints, 0.0);
-  rest_masked.assign(joints, 0.0);
+  for (int k = 0; k < std::min(robot.bus_count(), kMaxJoints); ++k) {
+    if (leg[at(robot.bus_joints[at(k)])] == 0) all_but_legs |= bit(k);
+  }
+  braked.assign(joints, {});
+  obeyed = masked = braked;
   for (int link = 0; link < robot.link_count(); ++link) {
     const std::vector<double> row = reaches(robot, collision, link);
     reach.insert(reach.end(), row.begin(), row.end());
@@ -113,55 +122,88 @@ Guard::Impl::Impl(const Model& robot, const GuardConfig& wanted)
   }
 }
 
-void Guard::Impl::spread_to_mimics(std::vector<double>& q) const noexcept {
+void Guard::Impl::spread_to_mimics(Courses& courses) const noexcept {
   for (int j = 0; j < model->joint_count(); ++j) {
     const Joint& joint = model->joints[at(j)];
-    if (joint.mimic >= 0)
-      q[at(j)] = joint.mimic_multiplier * q[at(joint.mimic)] + joint.mimic_offset;
+    if (joint.mimic < 0 || joint.mimic_multiplier == 0.0) continue;
+    const Course& of = courses[at(joint.mimic)];
+    const double m = joint.mimic_multiplier;
+    courses[at(j)] = {m * of.first, m * of.speed, std::abs(m) * of.brake};
   }
 }
 
 void Guard::Impl::predict(const RobotState& state, const JointCommand* command) noexcept {
   if (command != nullptr) track.follow(state, *command, report.hold_mask);
   const int count = std::min({model->bus_count(), kMaxJoints, static_cast<int>(state.joint_count)});
-  for (int j = 0; j < model->joint_count(); ++j) rest_braked[at(j)] = rest_obeyed[at(j)] = now.q[j];
   for (int k = 0; k < count; ++k) {
     const auto joint = at(model->bus_joints[at(k)]);
-    rest_braked[joint] =
-        track.rest_if_braked(at(k), state.q[at(k)], static_cast<double>(state.qd[at(k)]));
-    rest_obeyed[joint] = command != nullptr ? track.rest_if_obeyed(at(k)) : rest_braked[joint];
+    braked[joint] = track.if_braked(at(k), static_cast<double>(state.qd[at(k)]));
+    obeyed[joint] = command != nullptr ? track.if_obeyed(at(k)) : braked[joint];
   }
-  spread_to_mimics(rest_braked);
-  spread_to_mimics(rest_obeyed);
+  spread_to_mimics(braked);
+  spread_to_mimics(obeyed);
 }
 
 // The masked joints braked, the others obeyed: what will happen with this mask.
 void Guard::Impl::predict_masked(std::int64_t mask) noexcept {
-  rest_masked = rest_obeyed;
+  masked = obeyed;
   for (int k = 0; k < std::min(model->bus_count(), kMaxJoints); ++k) {
-    if (((mask >> k) & 1) != 0)
-      rest_masked[at(model->bus_joints[at(k)])] = track.rest_if_held(at(k));
+    if ((mask & bit(k)) != 0) masked[at(model->bus_joints[at(k)])] = track.if_held(at(k));
   }
-  spread_to_mimics(rest_masked);
+  spread_to_mimics(masked);
 }
 
-void Guard::Impl::bound_travel() noexcept {
+// A joint that runs on farther than its set-point says is obeyed as it is measured.  Does one run
+// on the other way?
+bool Guard::Impl::runs_on() noexcept {
+  bool other_way = false;
+  for (std::size_t j = 0; j < braked.size(); ++j) {
+    const double way = braked[j].rest(), told = obeyed[j].rest();
+    if (way * told > 0.0) {
+      if (std::abs(way) > std::abs(told)) obeyed[j] = braked[j];
+    } else {
+      other_way = other_way || std::abs(way) > kRunsOn;
+    }
+  }
+  return other_way;
+}
+
+// The most that two links come nearer on these courses [m].
+double Guard::Impl::bound_travel(const Courses& courses) const noexcept {
+  double most = 0.0, second = 0.0;
   for (int link = 0; link < model->link_count(); ++link) {
     double sum = 0.0;
     for (int child = link; child > 0; child = model->links[at(child)].parent) {
       const auto j = at(child - 1);
-      const double step = std::max(std::abs(rest_braked[j] - now.q[child - 1]),
-                                   std::abs(rest_obeyed[j] - now.q[child - 1]));
-      sum += step * reach[at(link) * model->joints.size() + j];
+      sum += std::abs(courses[j].rest()) * reach[at(link) * model->joints.size() + j];
     }
-    travel[at(link)] = sum;
+    second = std::max(second, std::min(sum, most));
+    most = std::max(most, sum);
   }
+  return most + second;
+}
+
+bool Guard::Impl::is_done(const PairDistance& pair) const noexcept {
+  for (int d = 0; d < done_count; ++d) {
+    if (done[at(d)].link_a == pair.link_a && done[at(d)].link_b == pair.link_b) return true;
+  }
+  return done_count == kMaxPairs;
+}
+
+// The same pair as it is now.
+bool Guard::Impl::pair_now(const PairDistance& pair, PairDistance& found) noexcept {
+  for (int p = 0; p < pair_count; ++p) {
+    found = pairs[at(p)];
+    if (found.link_a == pair.link_a && found.link_b == pair.link_b) return true;
+  }
+  return collision.pair_nearer_than(now_kinematics, pair.link_a, pair.link_b, kAnywhere, found);
 }
 
 bool Guard::Impl::comes_too_near(const PairDistance& before,
                                  const PairDistance& after) const noexcept {
-  return after.distance < config.margin && after.distance < before.distance - kNearer &&
-         before.distance > -kLost;
+  const double inside = std::clamp(before.distance / config.margin, 0.0, 1.0);
+  return after.distance < config.margin &&
+         after.distance < before.distance - kNearer * inside * inside && before.distance > -kLost;
 }
 
 // Change of the distance of the pair when `joint` moves by `step`, to first order [m].
@@ -188,12 +230,12 @@ void Guard::Impl::mask_joint(int joint, std::int64_t& mask) const noexcept {
 
 // Masks the joints that bring the pair together as seen from this posture; false if none does.
 bool Guard::Impl::blame_at(const Kinematics& kinematics, const PairDistance& pair,
-                           const std::vector<double>& rest, std::int64_t& mask,
+                           const Courses& courses, std::int64_t& mask,
                            bool& leg_hit) const noexcept {
   double together = 0.0;
   double by_legs = 0.0;
   for (int j = 0; j < model->joint_count(); ++j) {
-    const double change = approach(kinematics, pair, j, rest[at(j)] - now.q[j]);
+    const double change = approach(kinematics, pair, j, courses[at(j)].rest());
     if (!(change < 0.0)) continue;
     together -= change;
     if (leg[at(j)] != 0) by_legs -= change;
@@ -201,7 +243,7 @@ bool Guard::Impl::blame_at(const Kinematics& kinematics, const PairDistance& pai
   if (!(together > kNearer)) return false;
   for (int j = 0; j < model->joint_count(); ++j) {
     if (leg[at(j)] != 0) continue;
-    if (approach(kinematics, pair, j, rest[at(j)] - now.q[j]) < -kShare * together)
+    if (approach(kinematics, pair, j, courses[at(j)].rest()) < -kShare * together)
       mask_joint(j, mask);
   }
   leg_hit = leg_hit || by_legs > 0.5 * together;
@@ -209,13 +251,13 @@ bool Guard::Impl::blame_at(const Kinematics& kinematics, const PairDistance& pai
 }
 
 void Guard::Impl::blame(const PairDistance& before, const PairDistance& after,
-                        const std::vector<double>& rest, std::int64_t& mask,
-                        bool& leg_hit) noexcept {
-  if (blame_at(now_kinematics, before, rest, mask, leg_hit)) return;
-  if (blame_at(then_kinematics, after, rest, mask, leg_hit)) return;
+                        const Courses& courses, std::int64_t& mask, bool& leg_hit) noexcept {
+  if (blame_at(now_kinematics, before, courses, mask, leg_hit)) return;
+  if (blame_at(then_kinematics, after, courses, mask, leg_hit)) return;
   // A curved way in: whatever moves either of them.
   for (int j = 0; j < model->joint_count(); ++j) {
-    if (moves_link(j, before.link_a) == moves_link(j, before.link_b) || rest[at(j)] == now.q[j])
+    if (moves_link(j, before.link_a) == moves_link(j, before.link_b) ||
+        courses[at(j)].rest() == 0.0)
       continue;
     if (leg[at(j)] != 0) {
       leg_hit = true;
@@ -227,36 +269,31 @@ void Guard::Impl::blame(const PairDistance& before, const PairDistance& after,
 
 // Looks at postures on the way from here to rest, near enough to each other that nothing slips
 // between them.
-void Guard::Impl::look_along(const std::vector<double>& rest, std::int64_t& mask, bool& leg_hit,
+void Guard::Impl::look_along(const Courses& courses, std::int64_t& mask, bool& leg_hit,
                              bool& danger) noexcept {
-  double farthest = 0.0;
-  for (int p = 0; p < pair_count; ++p) {
-    const PairDistance& pair = pairs[at(p)];
-    const double bound = travel_of(pair.link_a) + travel_of(pair.link_b);
-    if (pair.distance < config.margin + bound) farthest = std::max(farthest, bound);
-  }
+  const double farthest = bound_travel(courses);
   if (!(farthest > kNearer)) return;
   const int looks = std::clamp(static_cast<int>(std::ceil(farthest / kStride)), 1, kMostLooks);
-  std::array<bool, kMaxPairs> done{};
+  double longest = 0.0;  // brake [s]
+  for (const Course& c : courses) longest = std::max(longest, std::abs(c.speed) / c.brake);
+  done_count = 0;
   then.base = now.base;
   for (int look = 1; look <= looks; ++look) {
-    const double share = static_cast<double>(look) / looks;
+    // The first when the brake comes, the others evenly along what is braked evenly.
+    const double share = looks == 1 ? 1.0 : static_cast<double>(look - 1) / (looks - 1);
+    const double braked_for = longest * (1.0 - std::sqrt(1.0 - share));
     for (int j = 0; j < model->joint_count(); ++j)
-      then.q[j] = now.q[j] + share * (rest[at(j)] - now.q[j]);
+      then.q[j] = now.q[j] + courses[at(j)].at(1.0, braked_for);
     then_kinematics.update(then);
-    for (int p = 0; p < pair_count; ++p) {
-      const PairDistance& before = pairs[at(p)];
-      const double bound = travel_of(before.link_a) + travel_of(before.link_b);
-      // So far on the way it has come nearer by no more than this share of the travel.
-      if (done[at(p)] || !(before.distance < config.margin + share * bound)) continue;
-      PairDistance after;
-      if (!collision.pair_nearer_than(then_kinematics, before.link_a, before.link_b, config.margin,
-                                      after))
-        continue;
-      if (!comes_too_near(before, after)) continue;
-      done[at(p)] = true;
+    const int count = collision.near_pairs(then_kinematics, config.margin, ahead.data(), kMaxPairs);
+    for (int p = 0; p < count; ++p) {
+      const PairDistance& pair = ahead[at(p)];
+      if (is_done(pair)) continue;
+      PairDistance before;
+      if (!pair_now(pair, before) || !comes_too_near(before, pair)) continue;
+      done[at(done_count++)] = {pair.link_a, pair.link_b};
       danger = true;
-      blame(before, after, rest, mask, leg_hit);
+      blame(before, pair, courses, mask, leg_hit);
     }
   }
 }
@@ -315,20 +352,23 @@ const GuardReport& Guard::check(const RobotState& state, const JointCommand* com
   set_joints(*i.model, state, i.now);
   i.now_kinematics.update(i.now);
   i.predict(state, command);
-  i.bound_travel();
   i.pair_count = i.collision.near_pairs(i.now_kinematics, std::max(i.config.near, i.config.margin),
-                                        i.pairs.data(), kMaxPairs, i.travel.data());
+                                        i.pairs.data(), kMaxPairs);
 
   std::int64_t mask = 0;
   bool leg_hit = false;
   bool danger = false;
-  i.look_along(i.rest_braked, mask, leg_hit, danger);
-  if (command != nullptr) i.look_along(i.rest_obeyed, mask, leg_hit, danger);
-  for (int round = 0; command != nullptr && mask != 0 && round < kMostRounds; ++round) {
+  const bool other_way = i.runs_on();
+  i.look_along(i.obeyed, mask, leg_hit, danger);
+  if (other_way) i.look_along(i.braked, mask, leg_hit, danger);
+  for (int round = 0; command != nullptr && mask != 0; ++round) {
     const std::int64_t before = mask;
     i.predict_masked(mask);
-    i.look_along(i.rest_masked, mask, leg_hit, danger);
+    i.look_along(i.masked, mask, leg_hit, danger);
     if (mask == before) break;
+    if (round + 1 < kMostRounds) continue;
+    mask |= i.all_but_legs;  // a brake of all was safe when it was looked at last
+    break;
   }
   for (std::size_t k = 0; k < at(kMaxJoints); ++k) {
     const bool caused = ((mask >> k) & 1) != 0;

@@ -1,15 +1,18 @@
-// What every joint's set-point is and where it would come to rest, as the guard sees it.
+// What every joint's set-point is and how it would come to rest, as the guard sees it.
 //
-// A set-point follows its command, at most at the joint's rate.  While a mask holds it, it is
-// braked to rest; when it is let go far from its command it may run after it at full rate.  What a
-// set-point with speed v still moves when a brake reaches it after the delay is
+// A set-point follows its command, at most at the joint's rate.  While a mask holds it, it is braked
+// to rest; let go, it fades back to the command as the gate lets it (bridge/blend).  A mask is
+// in force some ticks after the look that asked for it.  From a look to rest a joint goes on as it
+// does until a brake reaches it, then it loses speed evenly:
 //
-//     look_ahead(v) = v delay + v |v| / (2 deceleration)
-//
-// and running after a command never leads past where the command itself would stop.
+//     course(t) = first t / delay                                   t <= delay
+//                 first + v s - sign(v) brake s^2 / 2               s = min(t - delay, |v| / brake)
 
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -18,39 +21,75 @@
 
 namespace twinbus {
 
+// Of one joint, from where it is measured.
+struct Course {
+  double first = 0.0;  // moved when the brake comes [rad or m]
+  double speed = 0.0;  // then [rad/s or m/s]
+  double brake = 1.0;  // deceleration [rad/s^2 or m/s^2]
+
+  // share: of the delay that has passed; braked: since the brake came [s].
+  double at(double share, double braked) const noexcept {
+    const double s = std::min(braked, std::abs(speed) / brake);
+    return first * share + speed * s - std::copysign(0.5 * brake * s * s, speed);
+  }
+  double rest() const noexcept { return first + 0.5 * speed * std::abs(speed) / brake; }
+};
+
 class SetPointTrack {
  public:
-  // delay: from a look to the brake that answers it [s].
-  SetPointTrack(const Model& model, double delay);
+  static constexpr int kMostDelay = 7;  // [ticks]
 
-  void reset() noexcept { started_ = false; }
-  // One tick: the set-points move on towards command.  mask: bit per joint that is held.
+  // delay_ticks: from a look to the brake that answers it; lag: by which a joint runs on behind its
+  // set-point [s].
+  SetPointTrack(const Model& model, int delay_ticks, double lag);
+
+  void reset() noexcept;
+  // One tick: the set-points move on towards command.  mask: bit per joint that the last look held.
   void follow(const RobotState& state, const JointCommand& command, std::int64_t mask) noexcept;
 
-  // Where the set-point of joint k on the bus comes to rest if its command is obeyed until a brake
-  // comes [rad or m].
-  double rest_if_obeyed(std::size_t k) const noexcept { return rest_[k]; }
-  // Where it comes to rest if it is held from now on.
-  double rest_if_held(std::size_t k) const noexcept { return q_[k] + look_ahead(k, v_[k]); }
-  // Where a joint at position q with velocity qd comes to rest when a brake comes.
-  double rest_if_braked(std::size_t k, double q, double qd) const noexcept {
-    return q + look_ahead(k, qd);
+  // From a look until a brake of the next look comes, and the joint with it [s].
+  double delay() const noexcept { return delay_; }
+  // Joint k of the bus obeys its command until a brake comes.  Those that are held now are let go
+  // together and may run after their commands at full rate, but not past where these would stop.
+  const Course& if_obeyed(std::size_t k) const noexcept { return obeyed_[k]; }
+  // It is held from this look on.
+  const Course& if_held(std::size_t k) const noexcept { return held_[k]; }
+  // It goes on as it is measured, whatever its set-point is.
+  Course if_braked(std::size_t k, double speed) const noexcept {
+    return {speed * delay_, speed, brake_[k]};
   }
 
  private:
-  double look_ahead(std::size_t k, double speed) const noexcept;
+  struct SetPoint {
+    double q = 0.0, v = 0.0;            // as written [rad or m], [rad/s or m/s]
+    double asked = 0.0, asked_v = 0.0;  // last command and how fast it moves
+    double asked_qd = 0.0;              // what it says about that itself: a brake begins there
+    double fade_q = 0.0, fade_v = 0.0;  // what the fade began with
+    double fade = -1.0;                 // since the fade began [s]; none below zero
+    bool held = false;
+  };
   void start(const RobotState& state, const JointCommand& command) noexcept;
-  void move(std::size_t k, double measured, double asked, bool held) noexcept;
+  void move(std::size_t k, double measured, double asked, double asked_qd, bool held) noexcept;
+  void look(std::size_t k, double measured, double acceleration) noexcept;
+  void go_together(const RobotState& state) noexcept;
+  double farthest(std::size_t k) const noexcept;  // that a set-point looks ahead [rad or m]
+  Course run_after(std::size_t k, double way) const noexcept;
+  // Of what fades, after t more seconds: what is left of the difference, and its rate.
+  void faded(const SetPoint& p, double t, double& q, double& v) const noexcept;
 
-  double delay_;   // [s]
   double period_;  // [s]
+  double lag_;     // [s]
+  double delay_;   // [s]
+  double fade_s_;  // [s]
   std::size_t count_;
+  int delay_ticks_;
   bool started_ = false;
-  PerJoint<double> limit_{};    // fastest set-point [rad/s or m/s]
-  PerJoint<double> brake_{};    // deceleration [rad/s^2 or m/s^2]
-  PerJoint<double> q_{}, v_{};  // set-point
-  PerJoint<double> rest_{};
-  PerJoint<double> asked_{};  // last command
+  std::array<std::int64_t, kMostDelay> masks_{};  // on their way, the newest first
+  PerJoint<double> limit_{};                      // fastest set-point [rad/s or m/s]
+  PerJoint<double> brake_{};
+  PerJoint<double> way_{};  // left to where the command stops [rad or m]
+  PerJoint<SetPoint> point_{};
+  PerJoint<Course> obeyed_{}, held_{};
 };
 
 }  // namespace twinbus

@@ -11,6 +11,7 @@
 #include "robot/convex_shape.h"
 #include "robot/gjk.h"
 #include "robot/mesh_distance.h"
+#include "robot/near_shapes.h"
 
 namespace twinbus {
 
@@ -34,11 +35,15 @@ struct ShapeMemory {
   MeshMemory nearest;
 };
 
+struct FlatShape {  // all shapes in a row
+  int owner = 0;
+  int shape = 0;  // of the owner
+};
+
 struct OwnerPair {
   int a = 0;
   int b = 0;
   int first_memory = 0;  // of shapes(a) x shapes(b)
-  bool checked = true;
 };
 
 }  // namespace
@@ -52,7 +57,9 @@ struct Collision::Impl {
   std::vector<ShapeMemory> memory;
   std::vector<int> memory_of;  // [owners x owners]: first_memory, -1 when they are no pair
   MeshDistance meshes;
-  std::vector<int> candidates;  // scratch of one query
+  NearShapes near_shapes;
+  std::vector<FlatShape> shapes;
+  std::vector<int> pair_of;  // [shapes x shapes], a < b
   std::vector<int> only_joints;
   const Model* model = nullptr;
   int link_count = 0;
@@ -62,6 +69,7 @@ struct Collision::Impl {
 
   explicit Impl(const Model& robot);
   void build_pairs();
+  void build_shapes();
   OwnerPair make_pair(int a, int b);
   int index_of(const Owner& owner) const {  // link, or obstacle + link_count
     return owner.link >= 0 ? owner.link
@@ -71,9 +79,8 @@ struct Collision::Impl {
 
   void place(const Kinematics& kinematics) noexcept;
   const Isometry3d& placed(const Kinematics& kinematics, const Owner& owner, Body& body) noexcept;
-  bool spheres_nearer_than(const OwnerPair& pair, double near) noexcept;
-  bool nearer(const Kinematics& kinematics, const OwnerPair& pair, double near,
-              PairDistance& result) noexcept;
+  const OwnerPair& pair_of_shapes(const NearShapes::Candidate& c, int& index) const noexcept;
+  bool nearer(const NearShapes::Candidate& candidate, double near, PairDistance& result) noexcept;
   bool shapes_nearer(Body& a, Body& b, ShapeMemory& remembered, double near,
                      PairDistance& result) noexcept;
   bool own_distance(const Body& a, const Body& b, const Vector3d& towards_b, double near,
@@ -106,7 +113,7 @@ Collision::Impl::Impl(const Model& robot)
 
 OwnerPair Collision::Impl::make_pair(int a, int b) {
   const auto bodies = owner(a).shapes.size() * owner(b).shapes.size();
-  const OwnerPair pair{a, b, static_cast<int>(memory.size()), true};
+  const OwnerPair pair{a, b, static_cast<int>(memory.size())};
   memory_of[static_cast<std::size_t>(a) * owners.size() + static_cast<std::size_t>(b)] =
       pair.first_memory;
   memory.resize(memory.size() + bodies);
@@ -125,20 +132,46 @@ void Collision::Impl::build_pairs() {
   for (int b = link_owners; b < static_cast<int>(owners.size()); ++b) {
     for (int a = 0; a < link_owners; ++a) pairs.push_back(make_pair(a, b));
   }
-  for (OwnerPair& pair : pairs) {
-    if (only_joints.empty()) break;
-    pair.checked = std::any_of(only_joints.begin(), only_joints.end(), [&](int joint) {
-      return joint_moves_pair(*model, joint, owner(pair.a).link, owner(pair.b).link);
-    });
+  build_shapes();
+}
+
+void Collision::Impl::build_shapes() {
+  shapes.clear();
+  std::vector<Capsule> capsules;
+  std::vector<int> first;  // shape of every owner
+  for (int o = 0; o < static_cast<int>(owners.size()); ++o) {
+    first.push_back(static_cast<int>(shapes.size()));
+    for (int s = 0; s < static_cast<int>(owner(o).shapes.size()); ++s) {
+      shapes.push_back({o, s});
+      capsules.push_back(owner(o).shapes[static_cast<std::size_t>(s)].capsule);
+    }
   }
-  candidates.assign(pairs.size(), 0);
+  near_shapes.set(capsules);
+  pair_of.assign(shapes.size() * shapes.size(), -1);
+  for (std::size_t p = 0; p < pairs.size(); ++p) {
+    const OwnerPair& pair = pairs[p];
+    if (!only_joints.empty() &&
+        std::none_of(only_joints.begin(), only_joints.end(), [&](int joint) {
+          return joint_moves_pair(*model, joint, owner(pair.a).link, owner(pair.b).link);
+        }))
+      continue;
+    for (std::size_t i = 0; i < owner(pair.a).shapes.size(); ++i) {
+      for (std::size_t k = 0; k < owner(pair.b).shapes.size(); ++k) {
+        const auto a = static_cast<std::size_t>(first[static_cast<std::size_t>(pair.a)]) + i;
+        const auto b = static_cast<std::size_t>(first[static_cast<std::size_t>(pair.b)]) + k;
+        pair_of[std::min(a, b) * shapes.size() + std::max(a, b)] = static_cast<int>(p);
+        near_shapes.want(static_cast<int>(a), static_cast<int>(b), true);
+      }
+    }
+  }
 }
 
 void Collision::Impl::place(const Kinematics& kinematics) noexcept {
   ++query;
-  for (int i = 0; i < static_cast<int>(owners.size()); ++i) {
-    Owner& o = owner(i);
-    o.center_in_world = o.link >= 0 ? kinematics.link_in_world(o.link) * o.center : o.center;
+  const Vector3d& origin = kinematics.link_in_world(0).translation();
+  int shape = 0;
+  for (Owner& o : owners) {
+    for (Body& body : o.shapes) near_shapes.place(shape++, placed(kinematics, o, body), origin);
   }
 }
 
@@ -149,13 +182,6 @@ const Isometry3d& Collision::Impl::placed(const Kinematics& kinematics, const Ow
     body.world = owner.link >= 0 ? kinematics.link_in_world(owner.link) * body.local : body.local;
   }
   return body.world;
-}
-
-bool Collision::Impl::spheres_nearer_than(const OwnerPair& pair, double near) noexcept {
-  const Owner& a = owner(pair.a);
-  const Owner& b = owner(pair.b);
-  const double reach = a.radius + b.radius + near;
-  return (a.center_in_world - b.center_in_world).squaredNorm() <= reach * reach;
 }
 
 // Distance, points and normal of the cores, the distance zero when they overlap; false when they
@@ -229,25 +255,30 @@ bool Collision::Impl::shapes_nearer(Body& a, Body& b, ShapeMemory& remembered, d
   return true;
 }
 
-bool Collision::Impl::nearer(const Kinematics& kinematics, const OwnerPair& pair, double near,
+const OwnerPair& Collision::Impl::pair_of_shapes(const NearShapes::Candidate& c,
+                                                 int& index) const noexcept {
+  index = pair_of[static_cast<std::size_t>(c.a) * shapes.size() + static_cast<std::size_t>(c.b)];
+  return pairs[static_cast<std::size_t>(index)];
+}
+
+// Of two placed shapes; as shapes_nearer.
+bool Collision::Impl::nearer(const NearShapes::Candidate& candidate, double near,
                              PairDistance& result) noexcept {
+  int index = 0;
+  const OwnerPair& pair = pair_of_shapes(candidate, index);
+  const FlatShape& one = shapes[static_cast<std::size_t>(candidate.a)];
+  const FlatShape& other = shapes[static_cast<std::size_t>(candidate.b)];
+  const FlatShape& of_a = one.owner == pair.a ? one : other;
+  const FlatShape& of_b = one.owner == pair.a ? other : one;
   Owner& a = owner(pair.a);
   Owner& b = owner(pair.b);
   result.link_a = index_of(a);
   result.link_b = index_of(b);
-  result.distance = near + 1.0;
-  auto memory_index = static_cast<std::size_t>(pair.first_memory);
-  bool found = false;
-  for (Body& body_a : a.shapes) {
-    placed(kinematics, a, body_a);
-    for (Body& body_b : b.shapes) {
-      placed(kinematics, b, body_b);
-      // Only what is nearer than the nearest so far matters.
-      const double reach = std::min(near, result.distance);
-      found = shapes_nearer(body_a, body_b, memory[memory_index++], reach, result) || found;
-    }
-  }
-  return found;
+  const std::size_t shape_b = static_cast<std::size_t>(of_b.shape);
+  const std::size_t shape_a = static_cast<std::size_t>(of_a.shape);
+  const std::size_t known =
+      static_cast<std::size_t>(pair.first_memory) + shape_a * b.shapes.size() + shape_b;
+  return shapes_nearer(a.shapes[shape_a], b.shapes[shape_b], memory[known], near, result);
 }
 
 Collision::Collision(const Model& model) : impl_(std::make_unique<Impl>(model)) {}
@@ -293,7 +324,7 @@ void Collision::set_obstacles(const std::vector<Obstacle>& obstacles) {
 
 void Collision::check_only_moved_by(const std::vector<int>& joints) {
   impl_->only_joints = joints;
-  impl_->build_pairs();
+  impl_->build_shapes();
 }
 
 bool Collision::in_collision(const Kinematics& kinematics, CollisionPair* hit) noexcept {
@@ -304,39 +335,49 @@ bool Collision::nearer_than(const Kinematics& kinematics, double clearance,
                             CollisionPair* hit) noexcept {
   Impl& i = *impl_;
   i.place(kinematics);
+  const auto candidates = i.near_shapes.nearer_than(clearance);
   PairDistance found;
-  const int count = static_cast<int>(i.pairs.size());
   // What was hit last is likely hit again; asked who was hit, the answer must not depend on the
   // past.
-  for (int k = hit == nullptr ? -1 : 0; k < count; ++k) {
-    const int index = k < 0 ? i.last_hit : k;
-    if (index >= count) continue;
-    const OwnerPair& pair = i.pairs[static_cast<std::size_t>(index)];
-    if (!pair.checked || !i.spheres_nearer_than(pair, clearance)) continue;
-    if (!i.nearer(kinematics, pair, clearance, found)) continue;
-    i.last_hit = index;
-    if (hit != nullptr) *hit = {found.link_a, found.link_b};
-    return true;
+  for (const bool last : {true, false}) {
+    if (last && hit != nullptr) continue;
+    for (const NearShapes::Candidate& candidate : candidates) {
+      int index = 0;
+      i.pair_of_shapes(candidate, index);
+      if (last && index != i.last_hit) continue;
+      found.distance = clearance + 1.0;
+      if (!i.nearer(candidate, clearance, found)) continue;
+      i.last_hit = index;
+      if (hit != nullptr) *hit = {found.link_a, found.link_b};
+      return true;
+    }
   }
   return false;
 }
 
 int Collision::near_pairs(const Kinematics& kinematics, double near, PairDistance* pairs,
-                          int capacity, const double* travel) noexcept {
+                          int capacity) noexcept {
   Impl& i = *impl_;
   i.place(kinematics);
-  const auto travel_of = [&](int index) {
-    const int link = i.owner(index).link;
-    return travel != nullptr && link >= 0 ? travel[link] : 0.0;
-  };
+  const auto candidates = i.near_shapes.nearer_than(near);
   int kept = 0;
-  for (const OwnerPair& pair : i.pairs) {
-    if (!pair.checked) continue;
-    const double reach = near + travel_of(pair.a) + travel_of(pair.b);
+  for (const NearShapes::Candidate& candidate : candidates) {
+    int index = 0;
+    const OwnerPair& links = i.pair_of_shapes(candidate, index);
+    const int link_a = i.index_of(i.owner(links.a)), link_b = i.index_of(i.owner(links.b));
+    // Of two links only what is nearer than the nearest so far matters.
+    int place = 0;
+    while (place < kept && (pairs[place].link_a != link_a || pairs[place].link_b != link_b))
+      ++place;
+    const double reach = place < kept ? std::min(near, pairs[place].distance) : near;
     PairDistance found;
-    if (!i.spheres_nearer_than(pair, reach) || !i.nearer(kinematics, pair, reach, found)) continue;
-    if (kept == capacity && !(kept > 0 && found.distance < pairs[kept - 1].distance)) continue;
-    int place = kept < capacity ? kept++ : capacity - 1;
+    found.distance = near + 1.0;
+    if (static_cast<double>(candidate.bound) > reach || !i.nearer(candidate, reach, found))
+      continue;
+    if (place == kept) {
+      if (kept == capacity && !(kept > 0 && found.distance < pairs[kept - 1].distance)) continue;
+      place = kept < capacity ? kept++ : capacity - 1;
+    }
     for (; place > 0 && found.distance < pairs[place - 1].distance; --place)
       pairs[place] = pairs[place - 1];
     pairs[place] = found;

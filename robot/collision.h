@@ -1,6 +1,6 @@
 // Self-collision and distance to obstacles on the link geometry.
 //
-// Bounding spheres first, then a separating direction remembered from the last query (a lower
+// Capsules around all shapes first (near_shapes.h), then a separating direction remembered from the last query (a lower
 // bound, so what is remembered never changes an answer), then the distance of convex shapes
 // (gjk.h), which is the hull's for a mesh.  Meshes whose hulls are nearer than 20 mm are measured
 // triangle by triangle (mesh_distance.h).  No query allocates, except touches_by_fcl.  FCL asserts on
@@ -62,10 +62,9 @@ class Collision {
   bool nearer_than(const Kinematics& kinematics, double clearance,
                    CollisionPair* hit = nullptr) noexcept;
   // Distances of the pairs nearer than `near` [m], nearest first, at most capacity; returns how
-  // many.  travel, when given: per link [m], widens the search for a pair by the travel of both
-  // links (obstacles do not travel).
-  int near_pairs(const Kinematics& kinematics, double near, PairDistance* pairs, int capacity,
-                 const double* travel = nullptr) noexcept;
+  // many.
+  int near_pairs(const Kinematics& kinematics, double near, PairDistance* pairs,
+                 int capacity) noexcept;
   // Distance of one pair if it is nearer than `near` [m]; false when it is not.
   bool pair_nearer_than(const Kinematics& kinematics, int link_a, int link_b, double near,
                         PairDistance& result) noexcept;

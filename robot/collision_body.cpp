@@ -1,8 +1,10 @@
 #include "robot/collision_body.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
+#include "robot/bounds.h"
 #include "robot/coarse_mesh.h"
 #include "robot/collision_fcl.h"
 #include "robot/convex_hull.h"
@@ -13,6 +15,23 @@ namespace twinbus {
 namespace {
 
 using Eigen::Vector3d;
+
+// Along the longest edge of a box, or the axis; round ends beyond what is flat.
+Capsule around(const ConvexShape& shape) {
+  Capsule capsule;
+  int axis = 2;
+  double half = 0.0;
+  if (shape.kind == ShapeKind::kBox) {
+    half = shape.half.maxCoeff(&axis);
+    capsule.radius = std::sqrt(std::max(0.0, shape.half.squaredNorm() - half * half));
+  } else {
+    if (shape.kind == ShapeKind::kCylinder) half = shape.half.y();
+    capsule.radius = shape.half.x();
+  }
+  capsule.b = half * Vector3d::Unit(axis);
+  capsule.a = -capsule.b;
+  return capsule;
+}
 
 CollisionShape primitive(const Shape& shape) {
   CollisionShape result;
@@ -34,6 +53,7 @@ CollisionShape primitive(const Shape& shape) {
   }
   result.core.kind = shape.kind;
   result.core.half = result.convex.half;
+  result.capsule = around(result.convex);
   result.fcl = fcl_primitive(shape.kind, size);
   return result;
 }
@@ -54,10 +74,10 @@ CollisionShape of_mesh(const Shape& shape) {
   result.local = shape.pose * Eigen::Translation3d(middle);
   for (Vector3d& point : mesh.points) point -= middle;
   result.fcl = hull ? fcl_hull(mesh) : fcl_mesh(mesh);
-  if (hull) {
-    result.core = gjk_hull(mesh.points);
-  } else {
-    result.core = gjk_hull(convex_hull(mesh.points).points);
+  const std::vector<Vector3d> corners = hull ? mesh.points : convex_hull(mesh.points).points;
+  result.core = gjk_hull(corners);
+  result.capsule = capsule_around(corners);
+  if (!hull) {
     result.mesh = std::make_shared<ClusteredMesh>(mesh);
   }
   return result;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "robot/convex_shape.h"
+#include "robot/geometry.h"
 #include "robot/gjk.h"
 #include "robot/mesh_distance.h"
 #include "robot/model.h"
@@ -19,6 +20,7 @@ struct FclShape;  // collision_fcl.h
 struct CollisionShape {  // one shape, of a link or an obstacle
   ConvexShape convex;
   double radius = 0.0;  // of the sphere around it [m]
+  Capsule capsule;      // around it, in its frame
   GjkShape core;        // the same, or the hull of a mesh
   Eigen::Isometry3d local =
       Eigen::Isometry3d::Identity();  // of the convex shape, in the link frame (obstacle: world)

@@ -17,6 +17,7 @@ namespace twinbus {
 #define TWINBUS_WIDE 0
 namespace baseline_lanes {
 #include "robot/self_collision_lanes.h"
+#include "robot/capsule_lanes.h"
 #include "robot/self_collision_far.h"
 #include "robot/self_collision_triangles.h"
 #include "robot/self_collision_hulls.h"
@@ -30,6 +31,7 @@ namespace baseline_lanes {
 #pragma GCC target("avx2")
 namespace avx2_lanes {
 #include "robot/self_collision_lanes.h"
+#include "robot/capsule_lanes.h"
 #include "robot/self_collision_far.h"
 #include "robot/self_collision_triangles.h"
 #include "robot/self_collision_hulls.h"
@@ -39,6 +41,7 @@ namespace avx2_lanes {
 #pragma GCC target("avx512f,avx512vl,avx512dq")
 namespace avx512_lanes {
 #include "robot/self_collision_lanes.h"
+#include "robot/capsule_lanes.h"
 #include "robot/self_collision_far.h"
 #include "robot/self_collision_triangles.h"
 #include "robot/self_collision_hulls.h"

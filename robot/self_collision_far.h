@@ -1,4 +1,4 @@
-// Kinematics, spheres and capsules: the pairs of links that can touch.  Part of the kernels of SelfCollision, included after self_collision_lanes.h.
+// Kinematics, spheres and capsules: the pairs of links that can touch.  Part of the kernels of SelfCollision, included after capsule_lanes.h.
 
 static void kinematics(const CollisionTables& t) noexcept {
   for (int j = 0; j < t.joints; ++j) {
@@ -58,9 +58,7 @@ static int spheres(const CollisionTables& t) noexcept {
   return n;
 }
 
-// Lower bounds of the distances of the capsules of n candidates.  Points are found that are nearly
-// the nearest; the bound is the gap of the two segments along the direction between these points,
-// which no error of theirs can make too large.
+// Lower bounds of the distances of the capsules of n candidates.
 static void capsule_bounds(const CollisionTables& t, int n) noexcept {
   for (int first = 0; first < n; first += 8) {
     alignas(32) float in[14][8];
@@ -82,24 +80,7 @@ static void capsule_bounds(const CollisionTables& t, int n) noexcept {
       v[k] = load8(in[9 + k]) - q[k];
       w[k] = q[k] - p[k];
     }
-    const auto dot = [](const F8(&x)[3], const F8(&y)[3]) __attribute__((always_inline)) {
-      return x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
-    };
-    const F8 tiny = all(1e-12F);
-    const F8 uu = dot(u, u) + tiny, vv = dot(v, v) + tiny, uv = dot(u, v), uw = dot(u, w),
-             vw = dot(v, w);
-    const F8 det = most(uu * vv - uv * uv, all(1e-12F) * uu * vv + tiny);
-    // Points p + s u and q + r v: nearest on the lines, then each clamped for the other.
-    F8 s = unit_clamp((uw * vv - vw * uv) / det);
-    F8 r = unit_clamp((s * uv - vw) / vv);
-    s = unit_clamp((r * uv + uw) / uu);
-    r = unit_clamp((s * uv - vw) / vv);
-    F8 d[3];
-    for (int k = 0; k < 3; ++k) d[k] = w[k] + r * v[k] - s * u[k];
-    const F8 safe = most(root(dot(d, d)), all(1e-9F));
-    // Along d: the farthest end of the first, the nearest end of the second.
-    const F8 zero = all(0.0F);
-    const F8 gap = (dot(d, w) + least(dot(d, v), zero) - most(dot(d, u), zero)) / safe;
+    const F8 gap = segments_gap(u, v, w);
     const F8 bound = gap - load8(in[12]) - all(kCapsuleSlack);
     __builtin_memcpy(t.bound + first, &bound, sizeof bound);
   }

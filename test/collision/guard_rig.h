@@ -11,6 +11,7 @@
 
 #include "bridge/command_gate.h"
 #include "control/guard.h"
+#include "robot/process.h"
 #include "test/collision/postures.h"
 
 namespace twinbus {
@@ -49,11 +50,14 @@ class GuardRig {
       last_[k] = command.q[k];
       // A step has no velocity to speak of.
       const bool step =
-          std::abs(speed) > model_.joints[static_cast<std::size_t>(model_.bus_joints[k])].velocity;
+          std::abs(speed) >
+          1.001 * model_.joints[static_cast<std::size_t>(model_.bus_joints[k])].velocity;
       command.qd[k] = step ? 0.0F : static_cast<float>(speed);
     }
     command.tick = state.tick;
+    const std::int64_t begin = monotonic_ns();
     const GuardReport& report = guard.check(state, &command, base);
+    check_ns = monotonic_ns() - begin;
     reports_[static_cast<std::size_t>(state.tick) % reports_.size()] = report;
     const GuardReport& late = reports_[static_cast<std::size_t>(state.tick + 1) % reports_.size()];
     if (late.tick > 0) gate_.guard(late, now_ns);
@@ -78,10 +82,13 @@ class GuardRig {
     return now;
   }
 
+  const JointCommand& effective() const { return gate_.effective(); }
+
   RobotState state;
   JointCommand command;
   Configuration base;
   GateVerdict accepted = GateVerdict::kClosed;
+  std::int64_t check_ns = 0;  // what the last look of the guard took
 
  private:
   const Model& model_;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "robot/brake.h"
@@ -11,11 +12,11 @@ namespace twinbus {
 namespace {
 
 constexpr std::size_t kJoint = 6;
-constexpr double kDelay = 0.004;
+constexpr double kDelay = 0.004;  // of one tick until the brake of the next look
 
 struct Fixture {
   const Model& model = test::hrp1s();
-  SetPointTrack track{model, kDelay};
+  SetPointTrack track{model, 1, 0.0};
   RobotState state;
   JointCommand command;
   double brake() const {
@@ -25,15 +26,19 @@ struct Fixture {
   void tick(double q, bool held = false) {
     command.q[kJoint] = q;
     track.follow(state, command, held ? std::int64_t{1} << kJoint : 0);
+    measured = state.q[kJoint];
     state.q[kJoint] = q;
   }
+  double obeyed() const { return measured + track.if_obeyed(kJoint).rest(); }
+  double held() const { return measured + track.if_held(kJoint).rest(); }
+  double measured = 0.0;
 };
 
 TEST(SetPointTrack, AJointAtRestComesToRestWhereItIs) {
   Fixture f;
   for (int i = 0; i < 3; ++i) f.tick(0.02);
-  EXPECT_NEAR(f.track.rest_if_obeyed(kJoint), 0.02, 1e-9);
-  EXPECT_NEAR(f.track.rest_if_held(kJoint), 0.02, 1e-9);
+  EXPECT_NEAR(f.obeyed(), 0.02, 1e-9);
+  EXPECT_NEAR(f.held(), 0.02, 1e-9);
 }
 
 // look_ahead(v) = v delay + v |v| / (2 deceleration)
@@ -43,8 +48,8 @@ TEST(SetPointTrack, AMovingJointComesToRestAfterDelayAndBrake) {
     double q = 0.0;
     for (int i = 0; i < 50; ++i) f.tick(q += speed * f.model.period());
     const double ahead = speed * kDelay + 0.5 * speed * std::abs(speed) / f.brake();
-    EXPECT_NEAR(f.track.rest_if_obeyed(kJoint), q + ahead, 1e-9);
-    EXPECT_NEAR(f.track.rest_if_braked(kJoint, q, speed), q + ahead, 1e-12);
+    EXPECT_NEAR(f.obeyed(), q + ahead, 1e-9);
+    EXPECT_NEAR(f.track.if_braked(kJoint, speed).rest(), ahead, 1e-12);
   }
 }
 
@@ -52,14 +57,14 @@ TEST(SetPointTrack, AHeldSetPointStopsAndStays) {
   Fixture f;
   double q = 0.0;
   for (int i = 0; i < 50; ++i) f.tick(q += 0.001);
-  const double rest = f.track.rest_if_held(kJoint);
+  const double rest = f.held();
+  f.measured = f.state.q[kJoint];
   for (int i = 0; i < 200; ++i) {
     f.command.q[kJoint] = q += 0.001;
     f.track.follow(f.state, f.command, std::int64_t{1} << kJoint);
   }
-  EXPECT_LT(f.track.rest_if_held(kJoint), rest);
-  EXPECT_GT(f.track.rest_if_obeyed(kJoint), f.track.rest_if_held(kJoint))
-      << "let go it would run after its command";
+  EXPECT_LT(f.held(), rest);
+  EXPECT_GT(f.obeyed(), f.held()) << "let go it would run after its command";
 }
 
 TEST(SetPointTrack, RunningAfterACommandNeverLeadsPastIt) {
@@ -70,17 +75,47 @@ TEST(SetPointTrack, RunningAfterACommandNeverLeadsPastIt) {
   for (int i = 0; i < 20; ++i) {
     f.track.follow(f.state, f.command, 0);
     if (i > 0) {
-      EXPECT_LE(f.track.rest_if_obeyed(kJoint), 0.01 + 1e-12);
+      EXPECT_LE(f.obeyed(), 0.01 + 1e-12);
     }
   }
-  EXPECT_NEAR(f.track.rest_if_obeyed(kJoint), 0.01, 1e-9);
+  EXPECT_NEAR(f.obeyed(), 0.01, 1e-9);
 }
 
 TEST(SetPointTrack, AFirstCommandFarFromItsJointIsNotTakenForItsSetPoint) {
   Fixture f;
   f.command.q[kJoint] = -1.5;
   f.track.follow(f.state, f.command, std::int64_t{1} << kJoint);
-  EXPECT_GT(f.track.rest_if_held(kJoint), -0.11);
+  EXPECT_GT(f.held(), -0.11);
+}
+
+// Let go, a set-point fades back to its command over blend_s: it is known where it is on the way.
+TEST(SetPointTrack, WhatIsLetGoFadesBackAsTheGateLetsIt) {
+  Fixture f;
+  const double far = 0.2, period = f.model.period();
+  f.tick(0.0);
+  for (int i = 0; i < 200; ++i) {
+    f.command.q[kJoint] = std::min(far, f.command.q[kJoint] + 0.002);
+    f.track.follow(f.state, f.command, std::int64_t{1} << kJoint);
+  }
+  const int ticks = static_cast<int>(std::lround(f.model.blend_s / period));
+  double last = f.track.if_held(kJoint).rest();
+  for (int i = 0; i <= ticks; ++i) {
+    f.track.follow(f.state, f.command, 0);
+    const Course now = f.track.if_obeyed(kJoint);
+    EXPECT_GE(now.rest(), last - 1e-3) << i;
+    EXPECT_LE(now.rest(), far + 1e-2) << i;
+    last = now.rest();
+  }
+  EXPECT_NEAR(last, far, 1e-6);
+}
+
+// The course passes through where the brake comes and ends at rest, however long one waits.
+TEST(SetPointTrack, ACourseEndsAtRest) {
+  const Course course{0.02, -3.0, 40.0};
+  EXPECT_DOUBLE_EQ(course.at(1.0, 0.0), 0.02);
+  EXPECT_DOUBLE_EQ(course.at(0.5, 0.0), 0.01);
+  EXPECT_NEAR(course.at(1.0, 1.0), course.rest(), 1e-12);
+  EXPECT_LT(course.at(1.0, 0.05), course.at(1.0, 0.02));
 }
 
 }  // namespace

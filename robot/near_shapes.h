@@ -1,0 +1,43 @@
+// Which shapes can be near each other: lower bounds of the distances of many pairs, from a capsule
+// around each shape, eight pairs at a time.
+//
+// Single precision about an origin near the robot; what it may lose is taken off every bound.
+
+#pragma once
+
+#include <Eigen/Geometry>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "robot/geometry.h"
+
+namespace twinbus {
+
+class NearShapes {
+ public:
+  struct Candidate {
+    int a = 0, b = 0;    // shapes, a < b
+    float bound = 0.0F;  // of their distance [m]; below zero when the capsules overlap
+  };
+
+  NearShapes();
+  ~NearShapes();
+
+  // Capsules in the frames of their shapes.  Nothing is wanted afterwards.  Allocates, like want.
+  void set(const std::vector<Capsule>& capsules);
+  void want(int a, int b, bool on);
+
+  // Where a shape is; origin: the same for all shapes of a posture.
+  void place(int shape, const Eigen::Isometry3d& pose, const Eigen::Vector3d& origin) noexcept;
+
+  // The wanted pairs whose bound is at most `reach` [m], by a and then by b; valid until the next
+  // call.
+  std::span<const Candidate> nearer_than(double reach) noexcept;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace twinbus

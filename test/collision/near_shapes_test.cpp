@@ -1,0 +1,123 @@
+#include "robot/near_shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "robot/index.h"
+#include "test/no_alloc.h"
+
+namespace twinbus {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr int kShapes = 37;
+
+// Of two capsules, by halving steps along both segments.
+double distance(const Capsule& a, const Capsule& b) {
+  double best = 1e9;
+  double s = 0.5, r = 0.5;
+  for (double step = 0.5; step > 1e-7; step *= 0.7) {
+    for (int i = -4; i <= 4; ++i) {
+      for (int k = -4; k <= 4; ++k) {
+        const double x = std::clamp(s + i * step, 0.0, 1.0);
+        const double y = std::clamp(r + k * step, 0.0, 1.0);
+        const double d = (a.a + x * (a.b - a.a) - b.a - y * (b.b - b.a)).norm();
+        if (!(d < best)) continue;
+        best = d;
+        s = x;
+        r = y;
+      }
+    }
+  }
+  return best - a.radius - b.radius;
+}
+
+struct Field {
+  explicit Field(std::uint64_t seed, const Vector3d& about) : random(seed) {
+    std::vector<Capsule> local;
+    for (int i = 0; i < kShapes; ++i) {
+      Capsule c;
+      c.a = 0.2 * point();
+      c.b = i % 5 == 0 ? c.a : Vector3d(0.2 * point());  // some are balls
+      c.radius = 0.02 + 0.05 * std::abs(point().x());
+      local.push_back(c);
+    }
+    shapes.set(local);
+    for (int i = 0; i < kShapes; ++i) {
+      const Eigen::Isometry3d pose = Eigen::Translation3d(about + point()) *
+                                     Eigen::AngleAxisd(3.0 * point().x(), point().normalized());
+      shapes.place(i, pose, about);
+      Capsule c = local[at(i)];
+      c.a = pose * c.a;
+      c.b = pose * c.b;
+      placed.push_back(c);
+    }
+  }
+  Vector3d point() { return {unit(random), unit(random), unit(random)}; }
+
+  std::mt19937_64 random;
+  std::uniform_real_distribution<double> unit{-1.0, 1.0};
+  NearShapes shapes;
+  std::vector<Capsule> placed;
+};
+
+TEST(NearShapes, NoBoundIsLargerThanTheDistanceAndFewAreMuchSmaller) {
+  for (const Vector3d& about : {Vector3d(0, 0, 0), Vector3d(300, -200, 10)}) {
+    Field field(3, about);
+    for (int a = 0; a < kShapes; ++a) {
+      for (int b = a + 1; b < kShapes; ++b) field.shapes.want(a, b, true);
+    }
+    const auto found = field.shapes.nearer_than(100.0);
+    ASSERT_EQ(found.size(), at(kShapes * (kShapes - 1) / 2));
+    for (const NearShapes::Candidate& c : found) {
+      const double true_distance = distance(field.placed[at(c.a)], field.placed[at(c.b)]);
+      EXPECT_LE(static_cast<double>(c.bound), true_distance) << c.a << " " << c.b;
+      EXPECT_GT(static_cast<double>(c.bound), true_distance - 0.02) << c.a << " " << c.b;
+    }
+  }
+}
+
+TEST(NearShapes, ExactlyTheWantedPairsWithinReachAreFoundInOrder) {
+  Field field(5, Vector3d::Zero());
+  for (int a = 0; a < kShapes; ++a) {
+    for (int b = a + 1; b < kShapes; ++b) field.shapes.want(b, a, (a + b) % 3 != 0);
+  }
+  field.shapes.want(0, 1, false);
+  for (const double reach : {-0.01, 0.0, 0.1, 0.5}) {
+    const auto found = field.shapes.nearer_than(reach);
+    std::size_t next = 0;
+    for (int a = 0; a < kShapes; ++a) {
+      for (int b = a + 1; b < kShapes; ++b) {
+        const bool here = next < found.size() && found[next].a == a && found[next].b == b;
+        const bool wanted = (a + b) % 3 != 0 && !(a == 0 && b == 1);
+        if (wanted && distance(field.placed[at(a)], field.placed[at(b)]) <= reach) {
+          EXPECT_TRUE(here) << a << " " << b << " within " << reach;
+        }
+        if (!here) continue;
+        EXPECT_TRUE(wanted);
+        EXPECT_LE(static_cast<double>(found[next].bound), reach);
+        ++next;
+      }
+    }
+    EXPECT_EQ(next, found.size());
+  }
+}
+
+TEST(NearShapes, AllocatesNothing) {
+  Field field(7, Vector3d::Zero());
+  for (int a = 0; a < kShapes; ++a) {
+    for (int b = a + 1; b < kShapes; ++b) field.shapes.want(a, b, true);
+  }
+  const NoAlloc no_alloc;
+  field.shapes.place(3, Eigen::Isometry3d::Identity(), Vector3d::Zero());
+  EXPECT_GT(field.shapes.nearer_than(1.0).size(), 0U);
+  EXPECT_EQ(no_alloc.count(), 0);
+}
+
+}  // namespace
+}  // namespace twinbus
