@@ -17,8 +17,9 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kStride = 0.02;  // most that any point moves between two looks ahead [m]
-constexpr int kMostLooks = 3;
-constexpr int kMostRounds = 3;  // of masking more joints because those masked first are not enough
+// As it moves on with every tick, the end of the way passes every posture of it: a few looks suffice.
+constexpr int kLooksObeyed = 3, kLooksMasked = 2, kLooksBraked = 1;
+constexpr int kMostRounds = 4;  // of masking more joints because those masked first are not enough
 // A pair at the margin may still come this much nearer before it rests, against flicker; inside of
 // it the less the nearer it is, so that it never arrives [m].
 constexpr double kNearer = 1e-4;
@@ -65,8 +66,6 @@ struct Guard::Impl {
   Courses braked, obeyed, masked;
   std::array<PairDistance, kMaxPairs> pairs{}, ahead{};
   int pair_count = 0;
-  std::array<CollisionPair, kMaxPairs> done{};  // of one look along
-  int done_count = 0;
   std::int64_t all_but_legs = 0;
   std::array<int, kMaxJoints> keep{};  // ticks left of a mask
   std::int64_t run_id = 0;
@@ -82,9 +81,10 @@ struct Guard::Impl {
   void spread_to_mimics(Courses& courses) const noexcept;
   bool runs_on() noexcept;
   double bound_travel(const Courses& courses) const noexcept;
-  bool is_done(const PairDistance& pair) const noexcept;
+  void measure_then(PairDistance& pair) noexcept;
   bool pair_now(const PairDistance& pair, PairDistance& found) noexcept;
-  void look_along(const Courses& courses, std::int64_t& mask, bool& leg_hit, bool& danger) noexcept;
+  void look_along(const Courses& courses, int most_looks, std::int64_t& mask, bool& leg_hit,
+                  bool& danger) noexcept;
   bool comes_too_near(const PairDistance& before, const PairDistance& after) const noexcept;
   double approach(const Kinematics& kinematics, const PairDistance& pair, int joint,
                   double step) const noexcept;
@@ -183,13 +183,6 @@ double Guard::Impl::bound_travel(const Courses& courses) const noexcept {
   return most + second;
 }
 
-bool Guard::Impl::is_done(const PairDistance& pair) const noexcept {
-  for (int d = 0; d < done_count; ++d) {
-    if (done[at(d)].link_a == pair.link_a && done[at(d)].link_b == pair.link_b) return true;
-  }
-  return done_count == kMaxPairs;
-}
-
 // The same pair as it is now.
 bool Guard::Impl::pair_now(const PairDistance& pair, PairDistance& found) noexcept {
   for (int p = 0; p < pair_count; ++p) {
@@ -253,7 +246,9 @@ bool Guard::Impl::blame_at(const Kinematics& kinematics, const PairDistance& pai
 void Guard::Impl::blame(const PairDistance& before, const PairDistance& after,
                         const Courses& courses, std::int64_t& mask, bool& leg_hit) noexcept {
   if (blame_at(now_kinematics, before, courses, mask, leg_hit)) return;
-  if (blame_at(then_kinematics, after, courses, mask, leg_hit)) return;
+  PairDistance then_pair = after;
+  if (!(after.distance > 0.0)) measure_then(then_pair);
+  if (blame_at(then_kinematics, then_pair, courses, mask, leg_hit)) return;
   // A curved way in: whatever moves either of them.
   for (int j = 0; j < model->joint_count(); ++j) {
     if (moves_link(j, before.link_a) == moves_link(j, before.link_b) ||
@@ -267,16 +262,23 @@ void Guard::Impl::blame(const PairDistance& before, const PairDistance& after,
   }
 }
 
+// Depth, points and normal at the posture looked at, which a look leaves out.
+void Guard::Impl::measure_then(PairDistance& pair) noexcept {
+  PairDistance measured;
+  if (collision.pair_nearer_than(then_kinematics, pair.link_a, pair.link_b, config.margin,
+                                 measured))
+    pair = measured;
+}
+
 // Looks at postures on the way from here to rest, near enough to each other that nothing slips
 // between them.
-void Guard::Impl::look_along(const Courses& courses, std::int64_t& mask, bool& leg_hit,
-                             bool& danger) noexcept {
+void Guard::Impl::look_along(const Courses& courses, int most_looks, std::int64_t& mask,
+                             bool& leg_hit, bool& danger) noexcept {
   const double farthest = bound_travel(courses);
   if (!(farthest > kNearer)) return;
-  const int looks = std::clamp(static_cast<int>(std::ceil(farthest / kStride)), 1, kMostLooks);
+  const int looks = std::clamp(static_cast<int>(std::ceil(farthest / kStride)), 1, most_looks);
   double longest = 0.0;  // brake [s]
   for (const Course& c : courses) longest = std::max(longest, std::abs(c.speed) / c.brake);
-  done_count = 0;
   then.base = now.base;
   for (int look = 1; look <= looks; ++look) {
     // The first when the brake comes, the others evenly along what is braked evenly.
@@ -285,16 +287,21 @@ void Guard::Impl::look_along(const Courses& courses, std::int64_t& mask, bool& l
     for (int j = 0; j < model->joint_count(); ++j)
       then.q[j] = now.q[j] + courses[at(j)].at(1.0, braked_for);
     then_kinematics.update(then);
-    const int count = collision.near_pairs(then_kinematics, config.margin, ahead.data(), kMaxPairs);
+    const int count =
+        collision.near_pairs(then_kinematics, config.margin, ahead.data(), kMaxPairs, false);
+    bool found = false;
     for (int p = 0; p < count; ++p) {
-      const PairDistance& pair = ahead[at(p)];
-      if (is_done(pair)) continue;
+      PairDistance& pair = ahead[at(p)];
       PairDistance before;
-      if (!pair_now(pair, before) || !comes_too_near(before, pair)) continue;
-      done[at(done_count++)] = {pair.link_a, pair.link_b};
-      danger = true;
+      if (!pair_now(pair, before)) continue;
+      if (!(before.distance > 0.0) && !(pair.distance > 0.0)) measure_then(pair);
+      if (!comes_too_near(before, pair)) continue;
+      found = true;
       blame(before, pair, courses, mask, leg_hit);
     }
+    if (!found) continue;
+    danger = true;
+    return;  // what else is on the way shows when this has been held
   }
 }
 
@@ -359,12 +366,12 @@ const GuardReport& Guard::check(const RobotState& state, const JointCommand* com
   bool leg_hit = false;
   bool danger = false;
   const bool other_way = i.runs_on();
-  i.look_along(i.obeyed, mask, leg_hit, danger);
-  if (other_way) i.look_along(i.braked, mask, leg_hit, danger);
+  i.look_along(i.obeyed, kLooksObeyed, mask, leg_hit, danger);
+  if (other_way) i.look_along(i.braked, kLooksBraked, mask, leg_hit, danger);
   for (int round = 0; command != nullptr && mask != 0; ++round) {
     const std::int64_t before = mask;
     i.predict_masked(mask);
-    i.look_along(i.masked, mask, leg_hit, danger);
+    i.look_along(i.masked, kLooksMasked, mask, leg_hit, danger);
     if (mask == before) break;
     if (round + 1 < kMostRounds) continue;
     mask |= i.all_but_legs;  // a brake of all was safe when it was looked at last

@@ -65,6 +65,7 @@ struct Collision::Impl {
   int link_count = 0;
   int link_owners = 0;
   int last_hit = 0;
+  bool depths = true;  // of what touches, in this query
   std::int64_t query = 0;
 
   explicit Impl(const Model& robot);
@@ -239,13 +240,14 @@ bool Collision::Impl::shapes_nearer(Body& a, Body& b, ShapeMemory& remembered, d
   if (exact && !mesh_distance(a, b, near, std::max(found.distance - kConverged, 0.0),
                               remembered.nearest, found))
     return false;
-  if (!(found.distance > kConverged)) {  // touching: the shortest way out
+  if (!(found.distance > kConverged) && (depths || found.distance > 0.0)) {
+    // Touching: the shortest way out.
     found.normal = way_out(shape_a, shape_b);
     const double out = separation(shape_a, shape_b, found.normal);
     found.distance = std::min(found.distance, out);
     found.point_a = a.world * a.convex.support(a.world.linear().transpose() * found.normal);
     found.point_b = b.world * b.convex.support(-(b.world.linear().transpose() * found.normal));
-  } else if (exact) {
+  } else if (exact && found.distance > 0.0) {
     found.normal = (found.point_b - found.point_a).normalized();
   }
   if (!(found.distance <= near) || found.distance >= result.distance) return false;
@@ -335,6 +337,7 @@ bool Collision::nearer_than(const Kinematics& kinematics, double clearance,
                             CollisionPair* hit) noexcept {
   Impl& i = *impl_;
   i.place(kinematics);
+  i.depths = clearance < 0.0;
   const auto candidates = i.near_shapes.nearer_than(clearance);
   PairDistance found;
   // What was hit last is likely hit again; asked who was hit, the answer must not depend on the
@@ -356,8 +359,9 @@ bool Collision::nearer_than(const Kinematics& kinematics, double clearance,
 }
 
 int Collision::near_pairs(const Kinematics& kinematics, double near, PairDistance* pairs,
-                          int capacity) noexcept {
+                          int capacity, bool depths) noexcept {
   Impl& i = *impl_;
+  i.depths = depths;
   i.place(kinematics);
   const auto candidates = i.near_shapes.nearer_than(near);
   int kept = 0;
@@ -392,6 +396,7 @@ bool Collision::pair_nearer_than(const Kinematics& kinematics, int link_a, int l
   const int b = i.owner_of[static_cast<std::size_t>(link_b)];
   if (a < 0 || b < 0) return false;
   ++i.query;
+  i.depths = true;
   result = PairDistance{};
   result.link_a = link_a;
   result.link_b = link_b;

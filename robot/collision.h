@@ -62,9 +62,10 @@ class Collision {
   bool nearer_than(const Kinematics& kinematics, double clearance,
                    CollisionPair* hit = nullptr) noexcept;
   // Distances of the pairs nearer than `near` [m], nearest first, at most capacity; returns how
-  // many.
-  int near_pairs(const Kinematics& kinematics, double near, PairDistance* pairs,
-                 int capacity) noexcept;
+  // many.  Without depths, pairs that touch have distance zero and neither points nor normal: finding
+  // the way out costs more than all the rest.
+  int near_pairs(const Kinematics& kinematics, double near, PairDistance* pairs, int capacity,
+                 bool depths = true) noexcept;
   // Distance of one pair if it is nearer than `near` [m]; false when it is not.
   bool pair_nearer_than(const Kinematics& kinematics, int link_a, int link_b, double near,
                         PairDistance& result) noexcept;
