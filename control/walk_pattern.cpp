@@ -110,8 +110,13 @@ Foothold WalkPattern::after(const Foothold& from, int foot, int steps_ahead) con
   Eigen::Vector3d velocity = velocity_;
   // Feet that stand too near each other come apart before they turn.
   if (steps_ahead == 0 && apart().y() < gait_.min_width) velocity.z() = 0.0;
-  const bool last = tidy_ && velocity.squaredNorm() < 1e-12;
-  return next_foothold(from, foot, velocity, period_, last ? gait_.standing_width : gait_.width);
+  // The last two steps share what the stance is narrower or wider.
+  double width = gait_.width;
+  if (tidy_ && velocity.squaredNorm() < 1e-12) {
+    const bool second = square_ + steps_ahead >= 1;
+    width += (second ? 1.0 : 0.5) * (gait_.standing_width - width);
+  }
+  return next_foothold(from, foot, velocity, period_, width);
 }
 
 void WalkPattern::begin_step(int support, double double_time) noexcept {

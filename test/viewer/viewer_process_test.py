@@ -70,7 +70,7 @@ class Page(WebSocket):
 status, head, body = ask("/")
 check(status == 200 and b"<canvas" in body, "the page is served")
 check("content-security-policy" in head and "x-frame-options: deny" in head, "it may not be framed, nor load from elsewhere")
-check(ask("/app.js")[0] == 200 and ask("/style.css")[0] == 200 and ask("/LICENSES.txt")[0] == 200, "and its parts")
+check(ask("/app.js")[0] == 200 and ask("/app.css")[0] == 200 and ask("/LICENSES.txt")[0] == 200, "and its parts")
 status, _, body = ask("/robot.urdf")
 check(status == 200 and b"<robot" in body and b"<visual" in body, "the robot's URDF with what is to be seen")
 check(ask("/", method="HEAD")[2] == b"", "HEAD has no body")
