@@ -119,11 +119,16 @@ std::string scene_figures(const OneProcess& run) {
   if (w.steps() == 0) return lines;
   std::snprintf(text, sizeof text,
                 "%lld steps: 5 %% of the ZMP margins below %.0f mm, slip in a step %.2f mm, normal "
-                "force error %.1f %% of the weight, velocity error %.1f %%, ended %.2f m from its "
-                "start\n",
+                "force error %.1f %% of the weight, ",
                 static_cast<long long>(w.steps()), 1e3 * w.margin_percentile(0.05),
-                1e3 * w.step_slip_max(), 1e2 * w.force_error(), 1e2 * w.velocity_error(),
-                w.travel());
+                1e3 * w.step_slip_max(), 1e2 * w.force_error());
+  lines += text;
+  if (std::isfinite(w.velocity_error()))
+    std::snprintf(text, sizeof text, "velocity error %.1f %%, ", 1e2 * w.velocity_error());
+  else
+    std::snprintf(text, sizeof text, "no stretch of steady walking, ");
+  lines += text;
+  std::snprintf(text, sizeof text, "ended %.2f m from its start\n", w.travel());
   return lines + text;
 }
 
