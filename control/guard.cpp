@@ -18,7 +18,7 @@ using Eigen::Vector3d;
 
 constexpr double kStride = 0.02;  // most that any point moves between two looks ahead [m]
 // As it moves on with every tick, the end of the way passes every posture of it: a few looks suffice.
-constexpr int kLooksObeyed = 3, kLooksMasked = 2, kLooksBraked = 1;
+constexpr int kLooksObeyed = 3, kLooksMasked = 3, kLooksBraked = 2;
 constexpr int kMostRounds = 4;  // of masking more joints because those masked first are not enough
 // A pair at the margin may still come this much nearer before it rests, against flicker; inside of
 // it the less the nearer it is, so that it never arrives [m].
@@ -66,6 +66,7 @@ struct Guard::Impl {
   Courses braked, obeyed, masked;
   std::array<PairDistance, kMaxPairs> pairs{}, ahead{};
   int pair_count = 0;
+  double least_share = kShare;
   std::int64_t all_but_legs = 0;
   std::array<int, kMaxJoints> keep{};  // ticks left of a mask
   std::int64_t run_id = 0;
@@ -236,7 +237,7 @@ bool Guard::Impl::blame_at(const Kinematics& kinematics, const PairDistance& pai
   if (!(together > kNearer)) return false;
   for (int j = 0; j < model->joint_count(); ++j) {
     if (leg[at(j)] != 0) continue;
-    if (approach(kinematics, pair, j, courses[at(j)].rest()) < -kShare * together)
+    if (approach(kinematics, pair, j, courses[at(j)].rest()) < -least_share * together)
       mask_joint(j, mask);
   }
   leg_hit = leg_hit || by_legs > 0.5 * together;
@@ -365,12 +366,14 @@ const GuardReport& Guard::check(const RobotState& state, const JointCommand* com
   std::int64_t mask = 0;
   bool leg_hit = false;
   bool danger = false;
+  i.least_share = kShare;
   const bool other_way = i.runs_on();
   i.look_along(i.obeyed, kLooksObeyed, mask, leg_hit, danger);
   if (other_way) i.look_along(i.braked, kLooksBraked, mask, leg_hit, danger);
   for (int round = 0; command != nullptr && mask != 0; ++round) {
     const std::int64_t before = mask;
     i.predict_masked(mask);
+    i.least_share = 0.0;
     i.look_along(i.masked, kLooksMasked, mask, leg_hit, danger);
     if (mask == before) break;
     if (round + 1 < kMostRounds) continue;
