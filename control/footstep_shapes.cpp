@@ -3,6 +3,8 @@
 #include <array>
 #include <cmath>
 
+#include "robot/obstacle_row.h"
+
 namespace twinbus {
 
 namespace {
@@ -14,17 +16,11 @@ static_assert(kHolds + kPlaces <= kObstaclesPerPiece);
 
 void add(const Eigen::Isometry3d& ground, const Foothold& at, const Eigen::Vector3d& middle,
          ObstaclesPiece& out) noexcept {
-  const auto row = static_cast<std::size_t>(out.count++);
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   pose.translation() = Eigen::Vector3d(at.position.x(), at.position.y(), at.height);
   pose.linear() = Eigen::AngleAxisd(at.yaw, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-  pose = ground.inverse() * pose;
-  const Eigen::Vector3d where = pose * middle;
-  const Eigen::Quaterniond q(pose.linear());
-  for (int k = 0; k < 3; ++k)
-    out.position[row][static_cast<std::size_t>(k)] = static_cast<float>(where[k]);
-  out.attitude[row] = {static_cast<float>(q.w()), static_cast<float>(q.x()),
-                       static_cast<float>(q.y()), static_cast<float>(q.z())};
+  pose = ground.inverse() * pose * Eigen::Translation3d(middle);
+  place_row(pose, static_cast<std::size_t>(out.count++), out);
 }
 
 }  // namespace

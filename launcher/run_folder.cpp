@@ -2,15 +2,14 @@
 
 #include <unistd.h>
 
-#include <array>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
 
 #include "robot/load.h"
+#include "robot/time_name.h"
 
 namespace twinbus {
 
@@ -31,17 +30,11 @@ std::string runs_folder() {
 
 std::string make_run_folder() {
   const fs::path runs = runs_folder();
-  const std::time_t now = std::time(nullptr);
-  std::tm parts{};
-  localtime_r(&now, &parts);
-  std::array<char, 32> date{};
-  std::strftime(date.data(), date.size(), "%Y-%m-%d-%H%M%S", &parts);
+  const std::string date = time_name();
   std::error_code error;
   fs::create_directories(runs, error);
   for (int attempt = 1; attempt < 100 && !error; ++attempt) {
-    const fs::path folder =
-        runs /
-        (attempt == 1 ? date.data() : std::string(date.data()) + "-" + std::to_string(attempt));
+    const fs::path folder = runs / (attempt == 1 ? date : date + "-" + std::to_string(attempt));
     if (fs::create_directory(folder, error)) return folder.string();
   }
   throw std::runtime_error("cannot make a folder for this run in " + runs.string() + ": " +

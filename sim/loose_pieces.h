@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "robot/obstacle_row.h"
 #include "sim/obstacle_pieces.h"
 #include "sim/world.h"
 
@@ -43,13 +44,7 @@ class LoosePieces {
     out = pieces_[static_cast<std::size_t>(piece)];
     for (std::size_t row = 0; row < static_cast<std::size_t>(out.count); ++row) {
       const Row& of = rows_[static_cast<std::size_t>(piece * kObstaclesPerPiece) + row];
-      const Eigen::Isometry3d pose = world.loose(of.body).pose;
-      const Eigen::Vector3d at = pose * Eigen::Vector3d(0.0, 0.0, of.up);
-      const Eigen::Quaterniond q(pose.linear());
-      for (int k = 0; k < 3; ++k)
-        out.position[row][static_cast<std::size_t>(k)] = static_cast<float>(at[k]);
-      out.attitude[row] = {static_cast<float>(q.w()), static_cast<float>(q.x()),
-                           static_cast<float>(q.y()), static_cast<float>(q.z())};
+      place_row(world.loose(of.body).pose * Eigen::Translation3d(0.0, 0.0, of.up), row, out);
     }
     return count;
   }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "robot/collision.h"
+#include "robot/obstacle_row.h"
 #include "robot/requests.h"
 
 namespace twinbus {
@@ -25,15 +26,10 @@ inline std::vector<ObstaclesPiece> obstacle_pieces(const std::vector<Obstacle>& 
     ObstaclesPiece& piece = pieces[i / kRows];
     const std::size_t row = i % kRows;
     const Obstacle& obstacle = obstacles[i];
-    const Eigen::Quaterniond q(obstacle.pose.linear());
     piece.shape[row] = obstacle.shape;
-    for (int k = 0; k < 3; ++k) {
+    for (int k = 0; k < 3; ++k)
       piece.size[row][static_cast<std::size_t>(k)] = static_cast<float>(obstacle.size[k]);
-      piece.position[row][static_cast<std::size_t>(k)] =
-          static_cast<float>(obstacle.pose.translation()[k]);
-    }
-    piece.attitude[row] = {static_cast<float>(q.w()), static_cast<float>(q.x()),
-                           static_cast<float>(q.y()), static_cast<float>(q.z())};
+    place_row(obstacle.pose, row, piece);
     piece.count = static_cast<std::int16_t>(row + 1);
   }
   return pieces;

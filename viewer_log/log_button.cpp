@@ -5,10 +5,10 @@
 #include <unistd.h>
 
 #include <csignal>
-#include <ctime>
 #include <filesystem>
 #include <utility>
 
+#include "robot/time_name.h"
 #include "viewer_log/frame_number.h"
 
 namespace twinbus {
@@ -16,15 +16,6 @@ namespace twinbus {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string named_by_time() {
-  const std::time_t now = std::time(nullptr);
-  std::tm parts{};
-  localtime_r(&now, &parts);
-  char name[64];
-  std::strftime(name, sizeof name, "%Y-%m-%d-%H%M%S_page", &parts);
-  return name;
-}
 
 // The programs of a build lie beside each other.
 std::string recorder_program() {
@@ -37,21 +28,23 @@ std::string recorder_program() {
 LogButton::LogButton(std::string folder, std::vector<std::string> words)
     : folder_(std::move(folder)), words_(std::move(words)) {}
 
-LogButton::~LogButton() { end(); }
+LogButton::~LogButton() {
+  ask_to_end();
+  if (on()) waitpid(child_, nullptr, 0);
+}
 
 void LogButton::turn(bool on) {
   look();
   if (on && !this->on()) {
     text_ = start();
-  } else if (!on && this->on()) {
-    end();
-    text_ = "Recorded: ./twinbus view " + file_;
+    ++version_;
+  } else if (!on) {
+    ask_to_end();
   }
-  ++version_;
 }
 
 std::string LogButton::start() {
-  const fs::path folder = fs::path(folder_) / named_by_time();
+  const fs::path folder = fs::path(folder_) / (time_name() + "_page");
   std::error_code error;
   fs::create_directories(folder, error);
   const std::string program = recorder_program();
@@ -82,15 +75,16 @@ std::string LogButton::start() {
 void LogButton::look() {
   if (child_ <= 0 || waitpid(child_, nullptr, WNOHANG) != child_) return;
   child_ = 0;
-  text_ = "The recorder has ended by itself: " + file_;
+  text_ = (asked_ ? "Recorded: ./twinbus view " : "The recorder has ended by itself: ") + file_;
+  asked_ = false;
   ++version_;
 }
 
-void LogButton::end() {
-  if (child_ <= 0) return;
+// It still writes its index: look() sees when it is gone.  Nobody waits, for a stop comes the same way.
+void LogButton::ask_to_end() {
+  if (!on() || asked_) return;
   kill(child_, SIGINT);
-  waitpid(child_, nullptr, 0);  // it writes its index and is gone within a moment
-  child_ = 0;
+  asked_ = true;
 }
 
 std::string LogButton::frame() const {

@@ -20,7 +20,7 @@ class LogButton {
   LogButton& operator=(const LogButton&) = delete;
 
   void turn(bool on);
-  // Call now and then: notices a recorder that ended by itself.
+  // Call now and then: notices that a recorder has ended.
   void look();
 
   bool on() const { return child_ > 0; }
@@ -30,13 +30,14 @@ class LogButton {
 
  private:
   std::string start();
-  void end();
+  void ask_to_end();
 
   std::string folder_;
   std::vector<std::string> words_;
   std::string file_, text_;
   std::int64_t version_ = 0;
   pid_t child_ = 0;
+  bool asked_ = false;  // to end
 };
 
 }  // namespace twinbus

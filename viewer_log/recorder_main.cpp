@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <ctime>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
@@ -17,6 +16,7 @@
 #include "robot/options.h"
 #include "robot/process.h"
 #include "robot/pulse.h"
+#include "robot/time_name.h"
 #include "viewer_log/gap_meter.h"
 #include "viewer_log/message_schema.h"
 #include "viewer_log/recorder.h"
@@ -80,14 +80,7 @@ std::string text_of_file(const std::string& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-std::string default_file() {
-  const std::time_t now = std::time(nullptr);
-  std::tm parts{};
-  localtime_r(&now, &parts);
-  char name[64];
-  std::strftime(name, sizeof name, "twinbus-%Y-%m-%d-%H%M%S.log", &parts);
-  return name;
-}
+std::string default_file() { return std::string("twinbus-") += time_name() += ".log"; }
 
 RecorderConfig config_of(const Arguments& a) {
   RecorderConfig config;
