@@ -99,8 +99,8 @@ check(page.value("twinbus.plots.plots[1].chart.cursor.idx === twinbus.plots.plot
 page.click("#present")
 
 # --- a link, a video, a log, a pad ---
-page.value("twinbus.stage.camera.position.set(1, 2, 1.5)")
 page.key("f", "KeyF")
+page.value("twinbus.stage.camera.position.set(1, 2, 1.5)")
 page.key("y", "KeyY")
 check(page.wait_for("location.hash.includes('cam=1%2C2%2C1.5') && location.hash.includes('plots=')"), "Y makes an address of camera and plots")
 page.key("f", "KeyF")
