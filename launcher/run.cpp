@@ -124,6 +124,18 @@ void print(const OneProcess& run, const RunVerdict& verdict, const std::string& 
   if (verdict.passed) std::printf("passed\n");
 }
 
+// What the settings make of the scene's contact.
+std::string contact_asked(const Scene& scene,
+                          const std::vector<std::pair<std::string, std::string>>& settings) {
+  std::string contact = scene.contact;
+  for (const auto* list : {&scene.settings, &settings}) {
+    for (const auto& [key, value] : *list) {
+      if (key == "contact") contact = value;
+    }
+  }
+  return contact;
+}
+
 // The figures that only `run` has, in the report that `up` writes too.
 std::string with_own_figures(const std::string& report, double force_error, const OneProcess& run) {
   const WalkFigures& walked = run.walked();
@@ -168,6 +180,7 @@ int run_command(const std::vector<std::string>& words) {
 
   OneProcessConfig config;
   config.settings = settings_of(arguments, model.period());
+  request.contact = contact_asked(scene, config.settings);
   config.seed = request.seed;
   config.control.guard_in_loop = !arguments.has("--no-guard");
   const std::int64_t ticks = std::llround(request.duration / model.period());

@@ -108,6 +108,7 @@ Up::Up(const Arguments& arguments) {
   report_ = arguments.text("--report", "");
   const Model model = load_robot(request_.robot);  // the same error for every process, said once
   resolve_poses(scene_, model);
+  request_.contact = scene_.contact;
   request_.period = model.period();
   request_.step_s = scene_.step > 0.0 ? scene_.step : model.period();
   if (arguments.has("--no-fifo")) setenv("TWINBUS_FIFO", "0", 1);  // every process inherits it

@@ -179,7 +179,7 @@ std::string report_json(const RunVerdict& verdict, const RunRequest& request, co
   report["scene"] = request.scene;
   report["robot"] = request.robot;
   report["engine"] = request.engine;
-  report["contact"] = "spring_damper";
+  report["contact"] = request.contact;
   report["step_s"] = request.step_s;
   report["seed"] = request.seed;
   report["sim_time_s"] = sim_time;

@@ -15,6 +15,7 @@ struct RunRequest {
   std::string scene;
   std::string robot;
   std::string engine;
+  std::string contact = "spring_damper";
   std::uint64_t seed = 0;
   double step_s = 0.0;    // physics step
   double period = 0.002;  // [s]

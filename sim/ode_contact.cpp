@@ -3,7 +3,7 @@
 // A row with soft ERP = h k / (h k + c) and CFM = 1 / (h k + c) is lambda = k (depth - h v+) - c v+
 // >= 0: a spring and damper by backward Euler.  The corners of a sole carry its declared stiffness;
 // everything else exists so that a fallen robot lies on the ground and an arm does not pass through
-// a table.  Contacts come in a fixed order.
+// a table.  Contacts come in a fixed order.  With contact rigid a row has neither: ODE's LCP.
 
 #include <algorithm>
 #include <cmath>
@@ -174,7 +174,9 @@ dContact OdeWorld::Impl::soft_row(const dContactGeom& geom, const Eigen::Vector3
   dContact row{};
   row.geom = geom;
   row.geom.g1 = row.geom.g2 = nullptr;
-  row.surface.mode = dContactApprox1 | dContactSoftERP | dContactSoftCFM | dContactFDir1;
+  row.surface.mode = dContactApprox1 | dContactFDir1;
+  if (config.contact == ContactModel::kSpringDamper)
+    row.surface.mode |= dContactSoftERP | dContactSoftCFM;
   row.surface.mu = mu;
   row.surface.soft_erp = h * k / (h * k + c);
   row.surface.soft_cfm = 1.0 / (h * k + c);

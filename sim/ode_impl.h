@@ -40,6 +40,12 @@ struct SavedBody {
 };
 
 inline constexpr int kMaxContacts = 96;
+// Rigid contacts: what is no deeper stays, so that a resting point goes on touching [m].
+inline constexpr double kRigidLayer = 1e-4;
+// What is deeper comes out no faster than this [m/s].
+inline constexpr double kRigidReturn = 0.01;
+// For whoever asks how far a corner sinks in under its load [N/m].
+inline constexpr double kRigidStiffness = 1e8;
 
 struct OdeWorld::Impl {
   Impl(const Model& model, const WorldConfig& config);

@@ -78,8 +78,9 @@ OdeWorld::Impl::Impl(const Model& m, const WorldConfig& c)
   dWorldSetGravity(world, 0.0, 0.0, -kGravity);
   dWorldSetERP(world, 0.2);
   dWorldSetCFM(world, 1e-9);
-  dWorldSetContactSurfaceLayer(world, 0.0);
-  dWorldSetContactMaxCorrectingVel(world, dInfinity);
+  const bool rigid = config.contact == ContactModel::kRigid;
+  dWorldSetContactSurfaceLayer(world, rigid ? kRigidLayer : 0.0);
+  dWorldSetContactMaxCorrectingVel(world, rigid ? kRigidReturn : dInfinity);
   dWorldSetAutoDisableFlag(world, 0);
   contact_group = dJointGroupCreate(0);
   contacts.reserve(kMaxContacts);
@@ -387,12 +388,14 @@ const std::vector<ContactPoint>& OdeWorld::contacts() const noexcept { return im
 
 double OdeWorld::corner_stiffness(int sole) const noexcept {
   const Impl& w = *impl_;
+  if (w.config.contact == ContactModel::kRigid) return kRigidStiffness;
   return w.model.soles[static_cast<std::size_t>(sole)].stiffness / kSoleCorners *
          w.config.stiffness_scale;
 }
 
 double OdeWorld::corner_damping(int sole) const noexcept {
   const Impl& w = *impl_;
+  if (w.config.contact == ContactModel::kRigid) return 0.0;
   return w.model.soles[static_cast<std::size_t>(sole)].damping / kSoleCorners *
          w.config.damping_scale;
 }

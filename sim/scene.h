@@ -101,9 +101,10 @@ struct Criteria {
 struct Scene {
   std::string name;
   std::string robot = "hrp1s";
-  std::string engine = "articulated";  // or ode
-  double duration = 10.0;              // [s] of `twinbus run`
-  std::string about;                   // one sentence
+  std::string engine = "articulated";     // or ode
+  std::string contact = "spring_damper";  // or rigid, engine ode only
+  double duration = 10.0;                 // [s] of `twinbus run`
+  std::string about;                      // one sentence
   double step = 0.0;  // physics step [s], a whole part of the robot's period; 0: the period
   std::string start_pose = "half_sitting";
   bool fixed_base = false;
@@ -131,7 +132,7 @@ void resolve_poses(Scene& scene, const Model& model);
 // name_or_file: a YAML file, or a name under config/scenes.  Throws std::runtime_error naming file,
 // line and the nearest valid key.
 //
-// Keys: about, robot, engine (articulated or ode), duration, step, start_pose, base (floating or fixed), ground:
+// Keys: about, robot, engine (articulated or ode), contact (spring_damper or rigid), duration, step, start_pose, base (floating or fixed), ground:
 // {friction}, obstacles: [shape, size, position, rpy_deg], pushes: [link, point, impulse, at,
 // duration], modes: [at, mode, motion, pose, duration, amplitude, frequency], goals: [at, hand,
 // position, rpy_deg, pose, speed, cancel], walks: [at, for, vx, vy, wz], pads: [at, for, left_x, left_y, right_x],

@@ -173,6 +173,10 @@ std::string apply_setting(const std::string& key, const std::string& value, doub
     if (engine_of(value, settings.world.engine)) return "";
     return "setting engine=" + value + ": must be articulated or ode";
   }
+  if (key == "contact") {
+    if (contact_of(value, settings.world.contact)) return "";
+    return "setting contact=" + value + ": must be spring_damper or rigid";
+  }
   const Entry* nearest = kEntries;
   for (const Entry& entry : kEntries) {
     if (edit_distance(key, entry.key) < edit_distance(key, nearest->key)) nearest = &entry;
@@ -203,7 +207,10 @@ std::string settings_help() {
       "  engine                      articulated | ode    physics engine: articulated (default) "
       "takes microseconds a step,\n"
       "                              ode about a millisecond: for machines with a fast core for "
-      "each simulated robot\n";
+      "each simulated robot\n"
+      "  contact                     spring_damper | rigid    what touches: springs and dampers "
+      "(default), or the LCP of\n"
+      "                              engine ode, for comparison\n";
   for (const Entry& entry : kEntries) {
     char line[200];
     std::snprintf(line, sizeof line, "  %-27s %8g .. %-8g %s\n", entry.key, entry.low, entry.high,

@@ -235,6 +235,7 @@ Status SimAdaptor::open(const Model& nominal, const AdaptorConfig& config) {
       throw std::runtime_error("scene " + s.scene.name + ": there is no engine '" + s.scene.engine +
                                "'; use articulated or ode");
     }
+    (void)contact_of(s.scene.contact, s.settings.world.contact);
     s.settings.world.ground_friction = s.scene.ground_friction;
     s.settings.world.obstacles = s.scene.obstacles;
     s.settings.world.tiles = s.scene.tiles;

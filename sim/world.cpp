@@ -1,6 +1,7 @@
 #include "sim/world.h"
 
 #include <cmath>
+#include <stdexcept>
 
 #include "sim/articulated_world.h"
 #include "sim/ode_world.h"
@@ -19,6 +20,15 @@ bool engine_of(const std::string& name, Engine& engine) {
   for (const Engine known : {Engine::kArticulated, Engine::kOde}) {
     if (name != kEngineNames[static_cast<std::size_t>(known)]) continue;
     engine = known;
+    return true;
+  }
+  return false;
+}
+
+bool contact_of(const std::string& name, ContactModel& contact) {
+  for (const ContactModel known : {ContactModel::kSpringDamper, ContactModel::kRigid}) {
+    if (name != kContactNames[static_cast<std::size_t>(known)]) continue;
+    contact = known;
     return true;
   }
   return false;
@@ -63,6 +73,9 @@ Eigen::Vector3d sole_corner(const Sole& sole, int corner) noexcept {
 
 std::unique_ptr<World> make_world(const Model& model, const WorldConfig& config) {
   if (config.engine == Engine::kOde) return std::make_unique<OdeWorld>(model, config);
+  if (config.contact == ContactModel::kRigid) {
+    throw std::runtime_error("contact rigid is of engine ode only; give engine ode too");
+  }
   return std::make_unique<ArticulatedWorld>(model, config);
 }
 

@@ -29,6 +29,16 @@ inline constexpr const char* kEngineNames[] = {"articulated", "ode"};
 // False: there is no such engine.
 bool engine_of(const std::string& name, Engine& engine);
 
+// How what touches pushes back.
+enum class ContactModel {
+  kSpringDamper,  // a spring and damper at each point
+  kRigid,         // no way in: the LCP of engine ode, which alone has it, for comparison
+};
+inline constexpr const char* kContactNames[] = {"spring_damper", "rigid"};
+
+// False: there is no such contact.
+bool contact_of(const std::string& name, ContactModel& contact);
+
 // How engine articulated moves what touches nothing, has no servo too stiff for it and no friction.
 enum class Flight {
   kImplicit,  // like everything else
@@ -57,6 +67,7 @@ struct LooseBody {
 
 struct WorldConfig {
   Engine engine = Engine::kArticulated;
+  ContactModel contact = ContactModel::kSpringDamper;
   double step = 0.002;  // [s]
   int order = 1;        // of accuracy in the step; 2, 3: engine articulated only, 3, 6 solves
   Flight flight = Flight::kImplicit;
@@ -189,7 +200,8 @@ class World {
 };
 
 // The world of config.engine.  The model must outlive it.  Throws std::runtime_error when the model
-// cannot be simulated (a massless link, an indefinite inertia), naming it.
+// cannot be simulated (a massless link, an indefinite inertia), naming it, or when the engine does
+// not know the contact asked for.
 std::unique_ptr<World> make_world(const Model& model, const WorldConfig& config);
 
 }  // namespace twinbus

@@ -42,6 +42,7 @@ def main():
     checks = Checks()
     for scene in SAME_FOR_EVERY_SEED + LOOSE + (["walk_start_stop"] if harness.FULL else []):
         run(checks, scene, 1)
+    run(checks, "sway_rigid", 1)
     for scene in SEEDED:
         for seed in SEEDS:
             run(checks, scene, seed)

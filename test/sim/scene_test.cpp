@@ -105,8 +105,8 @@ TEST(Scene, AWrongKeyNamesFileLineAndTheNearest) {
 
 TEST(Scene, WrongValuesAreRefused) {
   for (const char* text :
-       {"duration: -1\n", "duration: x\n", "base: flying\n", "engine: magic\n", "step: 0\n",
-        "obstacles:\n  - {shape: box, size: [1, 1], position: [0, 0, 0]}\n",
+       {"duration: -1\n", "duration: x\n", "base: flying\n", "engine: magic\n", "contact: soft\n",
+        "step: 0\n", "obstacles:\n  - {shape: box, size: [1, 1], position: [0, 0, 0]}\n",
         "obstacles:\n  - {shape: box, size: [1, 1, .nan], position: [0, 0, 0]}\n",
         "pushes:\n  - {link: A, impulse: [1, 0, .inf], at: 1}\n", "modes:\n  - {at: 1}\n",
         "modes:\n  - {at: 1, mode: dance}\n", "modes:\n  - {at: 1, mode: pose}\n",

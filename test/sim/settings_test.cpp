@@ -28,6 +28,13 @@ TEST(Settings, AnUnknownKeyNamesTheNearest) {
   EXPECT_THROW(apply_settings({{"sensor.noise.encodr", "0"}}, 0.002, s), std::runtime_error);
 }
 
+TEST(Settings, ContactIsOneOfTwo) {
+  SimSettings s;
+  EXPECT_TRUE(apply_setting("contact", "rigid", 0.002, s).empty());
+  EXPECT_EQ(s.world.contact, ContactModel::kRigid);
+  EXPECT_NE(apply_setting("contact", "magic", 0.002, s).find("rigid"), std::string::npos);
+}
+
 TEST(Settings, AValueOutOfRangeOrNoNumberIsRefused) {
   for (const char* value : {"", "x", "1x", "nan", "inf", "-1", "1e9"}) {
     SimSettings s;

@@ -141,5 +141,43 @@ TEST_P(ContactTest, ACornerOffsetLowersTheGroundThere) {
               1e-6);
 }
 
+TEST(RigidContact, IsOfEngineOdeOnly) {
+  const Model model = test::block();
+  WorldConfig config;
+  config.contact = ContactModel::kRigid;
+  EXPECT_THROW(make_world(model, config), std::runtime_error);
+}
+
+// Nothing sinks in: the block rests at the top of the layer that keeps contacts, however soft its
+// soles, and carries its weight without trembling.
+TEST(RigidContact, ABlockRestsOnItsSurfaceAndLandsAtOnce) {
+  Model model = test::block();
+  for (Sole& sole : model.soles) sole.stiffness = 1e4;
+  WorldConfig config;
+  config.engine = Engine::kOde;
+  config.contact = ContactModel::kRigid;
+  config.step = 1e-3;
+  const auto world = make_world(model, config);
+  Configuration start(model);
+  start.base.translation().z() = 0.01;
+  ASSERT_EQ(world->set(start), Status::kOk);
+  ASSERT_EQ(world->set_servo(0, {.q = 0, .qd = 0, .tau = 0, .kp = 1000, .kd = 10}), Status::kOk);
+  double highest = 0.0;
+  const auto weight_on_soles = [&] {
+    double sum = 0.0;
+    for (const ContactPoint& c : world->contacts()) sum += c.force.z();
+    return sum;
+  };
+  for (int i = 0; i < 1000; ++i) {
+    ASSERT_EQ(world->step(), Status::kOk);
+    highest = std::max(highest, weight_on_soles());
+  }
+  EXPECT_NEAR(world->configuration().base.translation().z(), 0.0, 1.5e-4);
+  EXPECT_LT(world->configuration().base_velocity.norm(), 1e-6);
+  EXPECT_NEAR(weight_on_soles(), world->mass() * kGravity, 1e-3 * world->mass() * kGravity);
+  // All of its momentum within a step: 0.44 m/s, 20.5 kg in 1 ms.
+  EXPECT_GT(highest, 20.0 * world->mass() * kGravity);
+}
+
 }  // namespace
 }  // namespace twinbus
