@@ -65,7 +65,7 @@ TriangleCluster make_cluster(const TriangleMesh& mesh, const int* triangles, int
   return c;
 }
 
-// Halves at the median of the longest axis until 16 are left, so that most clusters are full.
+// Halves near the median of the longest axis until 16 are left, by whole clusters, so that all but one are full.
 void split(const TriangleMesh& mesh, int* first, int count, std::vector<TriangleCluster>& out) {
   constexpr int kLanes = TriangleCluster::kLanes;
   if (count <= kLanes) {
@@ -79,7 +79,7 @@ void split(const TriangleMesh& mesh, int* first, int count, std::vector<Triangle
   }
   int axis = 0;
   (high - low).maxCoeff(&axis);
-  const int half = count / 2;
+  const int half = std::max(1, (count + kLanes) / (2 * kLanes)) * kLanes;
   std::nth_element(first, first + half, first + count,
                    [&](int a, int b) { return middle(mesh, a)[axis] < middle(mesh, b)[axis]; });
   split(mesh, first, half, out);

@@ -1,5 +1,13 @@
 // The kernels of MeshDistance, included after self_collision_triangles.h and mesh_distance_triangles.h.
 
+// Triangles of the cluster whose plane meets the ball.
+TWINBUS_INLINE unsigned near_planes(const TriangleCluster& c, const float* center, float radius,
+                                    int first) noexcept {
+  const F8 side = load8(c.normal[0] + first) * center[0] + load8(c.normal[1] + first) * center[1] +
+                  load8(c.normal[2] + first) * center[2] - load8(c.offset + first);
+  return bits(size(side) <= all(radius)) << first;
+}
+
 // Measures two clusters; what is nearer than t.below replaces it.
 static void measure(const MeshTables& t, MeshNearest& nearest, int ca, int cb, const float* a_in_b,
                     const float* b_in_a, MovedCluster& moved_a, int& ready) noexcept {

@@ -22,6 +22,7 @@ namespace baseline_lanes {
 #include "robot/self_collision_triangles.h"
 #include "robot/self_collision_hulls.h"
 #include "robot/self_collision_inside.h"
+#include "robot/self_collision_boxes.h"
 #include "robot/self_collision_near.h"
 }  // namespace baseline_lanes
 #undef TWINBUS_WIDE
@@ -36,6 +37,7 @@ namespace avx2_lanes {
 #include "robot/self_collision_triangles.h"
 #include "robot/self_collision_hulls.h"
 #include "robot/self_collision_inside.h"
+#include "robot/self_collision_boxes.h"
 #include "robot/self_collision_near.h"
 }  // namespace avx2_lanes
 #pragma GCC target("avx512f,avx512vl,avx512dq")
@@ -46,6 +48,7 @@ namespace avx512_lanes {
 #include "robot/self_collision_triangles.h"
 #include "robot/self_collision_hulls.h"
 #include "robot/self_collision_inside.h"
+#include "robot/self_collision_boxes.h"
 #include "robot/self_collision_near.h"
 }  // namespace avx512_lanes
 #pragma GCC pop_options
@@ -80,6 +83,20 @@ struct Aligned {  // numbers that lanes read
   }
 };
 
+CollisionTriangleBoxes boxes_of(const TriangleCluster& cluster) {
+  constexpr float kGrow = 1e-6F;  // [m]
+  CollisionTriangleBoxes boxes;
+  for (std::size_t d = 0; d < 3; ++d) {
+    for (std::size_t lane = 0; lane < TriangleCluster::kLanes; ++lane) {
+      const auto [low, high] = std::minmax(
+          {cluster.corner[0][d][lane], cluster.corner[1][d][lane], cluster.corner[2][d][lane]});
+      boxes.low[d][lane] = low - kGrow;
+      boxes.high[d][lane] = high + kGrow;
+    }
+  }
+  return boxes;
+}
+
 }  // namespace
 
 InstructionSet best_instruction_set() noexcept {
@@ -99,6 +116,8 @@ struct SelfCollision::Impl {
   struct Body {
     std::vector<TriangleCluster> clusters;
     Aligned center[3], radius, block_center[3], block_radius, hull[3];
+    Aligned box_middle[3], box_half[3], box_low[3], box_high[3];
+    std::vector<CollisionTriangleBoxes> triangle_boxes;
     std::vector<std::array<float, 4>> middle, half, witness;
   };
 
@@ -115,6 +134,7 @@ struct SelfCollision::Impl {
   std::vector<int> hits;
   std::vector<CollisionMemory> memory;
   Aligned bound, kept;
+  std::vector<unsigned char> open;
   Work counters;
   long work[4] = {};
   CollisionTables tables;
@@ -123,13 +143,13 @@ struct SelfCollision::Impl {
   Impl(const Model& model, const RobotGeometry& geometry,
        const std::vector<CollisionPair>& wanted_pairs)
       : pairs(wanted_pairs) {
-    add_joints(model);
+    add_joints(model, geometry);
     add_bodies(geometry);
     add_pairs(geometry);
     connect();
   }
 
-  void add_joints(const Model& model);
+  void add_joints(const Model& model, const RobotGeometry& geometry);
   static void group(Body& store, const std::vector<TriangleCluster>& clusters);
   void add_bodies(const RobotGeometry& geometry);
   void add_pairs(const RobotGeometry& geometry);
@@ -137,10 +157,18 @@ struct SelfCollision::Impl {
   void want(const CollisionPair& pair, bool on) noexcept;
 };
 
-void SelfCollision::Impl::add_joints(const Model& model) {
-  for (const Joint& joint : model.joints) {
+void SelfCollision::Impl::add_joints(const Model& model, const RobotGeometry& geometry) {
+  std::vector<char> bears(model.links.size(), 0);  // geometry, itself or farther out
+  for (const LinkGeometry& g : geometry.links) {
+    for (int link = g.link; link > 0; link = model.links[at(link)].parent) bears[at(link)] = 1;
+  }
+  for (std::size_t index = 0; index < model.joints.size(); ++index) {
+    if (bears[index + 1] == 0) continue;
+    const Joint& joint = model.joints[index];
     CollisionJoint j{};
     j.parent = joint.parent;
+    j.child = static_cast<int>(index) + 1;
+    j.index = static_cast<int>(index);
     j.turns = joint.kind != JointKind::kPrismatic;
     const Eigen::Matrix3d x = joint.placement.linear();
     const Eigen::Matrix3d along = joint.axis * joint.axis.transpose();
@@ -210,6 +238,10 @@ void SelfCollision::Impl::add_bodies(const RobotGeometry& geometry) {
     const std::size_t count = padded(g.clusters.size());
     most = std::max(most, count);
     for (Aligned& c : store.center) c.resize(count, 1e9F);
+    for (auto* row : {&store.box_middle, &store.box_low, &store.box_high}) {
+      for (Aligned& c : *row) c.resize(count, 1e9F);
+    }
+    for (Aligned& c : store.box_half) c.resize(count);
     store.radius.resize(count);
     for (std::size_t c = 0; c < g.clusters.size(); ++c) {
       const TriangleCluster& cluster = g.clusters[c];
@@ -218,11 +250,16 @@ void SelfCollision::Impl::add_bodies(const RobotGeometry& geometry) {
         store.center[d].data[c] = cluster.center[d];
         middle[d] = 0.5F * (cluster.low[d] + cluster.high[d]);
         half[d] = 0.5F * (cluster.high[d] - cluster.low[d]) + 1e-6F;
+        store.box_middle[d].data[c] = middle[d];
+        store.box_half[d].data[c] = half[d];
+        store.box_low[d].data[c] = middle[d] - half[d];
+        store.box_high[d].data[c] = middle[d] + half[d];
       }
       store.radius.data[c] = cluster.radius;
       store.middle.push_back(middle);
       store.half.push_back(half);
     }
+    for (const TriangleCluster& c : g.clusters) store.triangle_boxes.push_back(boxes_of(c));
     group(store, g.clusters);
     const std::vector<Eigen::Vector3d>& corners = g.hull.points;
     for (int d = 0; d < 3; ++d) {
@@ -290,7 +327,14 @@ void SelfCollision::Impl::connect() {
     body.radius = store.radius.data;
     for (int d = 0; d < 3; ++d) body.block_center[d] = store.block_center[d].data;
     body.block_radius = store.block_radius.data;
-    for (int d = 0; d < 3; ++d) body.hull[d] = store.hull[d].data;
+    for (int d = 0; d < 3; ++d) {
+      body.hull[d] = store.hull[d].data;
+      body.box_middle[d] = store.box_middle[d].data;
+      body.box_half[d] = store.box_half[d].data;
+      body.box_low[d] = store.box_low[d].data;
+      body.box_high[d] = store.box_high[d].data;
+    }
+    body.triangle_boxes = store.triangle_boxes.data();
     body.cluster = store.clusters.data();
     body.middle = reinterpret_cast<const float(*)[4]>(store.middle.data());
     body.half = reinterpret_cast<const float(*)[4]>(store.half.data());
@@ -303,7 +347,8 @@ void SelfCollision::Impl::connect() {
   hits.assign(pairs.size() + 1, 0);
   memory.assign(pairs.size(), {});
   bound.resize(padded(pairs.size()) + kLanes);
-  kept.resize(2 * 8 * at(tables.most_clusters) + kLanes);
+  kept.resize(14 * at(tables.most_clusters) + kLanes);
+  open.assign(at(tables.most_clusters) / kLanes + 1, 0);
   tables.joint = joints.data();
   tables.joints = static_cast<int>(joints.size());
   tables.body = bodies.data();
@@ -317,6 +362,7 @@ void SelfCollision::Impl::connect() {
   tables.hit = hits.data();
   tables.bound = bound.data;
   tables.kept = kept.data;
+  tables.open = open.data();
   tables.memory = memory.data();
   tables.work = work;
 }
@@ -344,9 +390,10 @@ static void sines(const double* angle, std::size_t count, double* sine, double* 
 
 void SelfCollision::place(const Eigen::VectorXd& q) noexcept {
   Impl& i = *impl_;
+  const double* from = q.data();
   bool large = false;
   for (std::size_t j = 0; j < i.joints.size(); ++j) {
-    i.angle[j] = q[static_cast<Eigen::Index>(j)];
+    i.angle[j] = from[i.joints[j].index];
     large = large || !(std::abs(i.angle[j]) <= kMostAngle);
   }
   sines(i.angle.data(), i.angle.size(), i.sine.data(), i.cosine.data());

@@ -7,17 +7,23 @@
 
 namespace twinbus {
 
-struct alignas(16) CollisionJoint {                       // moves link index + 1
+struct alignas(16) CollisionJoint {                       // one that moves geometry
   float still[3][4], with_cosine[3][4], with_sine[3][4];  // columns of the rotation
   float offset[4];                                        // in the parent's axes
   float slide[4];                                         // per unit of a prismatic joint
-  int parent = 0;
+  int parent = 0, child = 0;                              // links
+  int index = 0;                                          // of the joint in the model
   bool turns = true;
 };
 
 struct alignas(16) CollisionPose {  // in link 0
   float column[3][4];
   float origin[4];
+};
+
+// Boxes along the link's axes around the triangles of a cluster, enlarged by more than single precision can lose.
+struct alignas(64) CollisionTriangleBoxes {
+  float low[3][TriangleCluster::kLanes], high[3][TriangleCluster::kLanes];
 };
 
 struct alignas(16) CollisionBody {  // a link that bears geometry
@@ -31,7 +37,10 @@ struct alignas(16) CollisionBody {  // a link that bears geometry
   const float* block_radius = nullptr;
   const float (*middle)[4] = nullptr;  // of the clusters' boxes
   const float (*half)[4] = nullptr;
+  const float *box_middle[3] = {}, *box_half[3] = {};  // the same, padded like the centres
+  const float *box_low[3] = {}, *box_high[3] = {};
   const TriangleCluster* cluster = nullptr;
+  const CollisionTriangleBoxes* triangle_boxes = nullptr;  // of every cluster
   const float (*witness)[4] = nullptr;
   int witnesses = 0;
   const float* hull[3] =
@@ -44,6 +53,7 @@ struct alignas(16) CollisionMemory {
   float apart[4] =
       {};  // a direction that parted the hulls, in the axes of the second body; or zero
   int cluster[2] = {-1, -1};  // that crossed
+  int stuck = 0;              // looks in a row at which no plane was found between the hulls
 };
 
 struct CollisionCandidate {
@@ -65,7 +75,8 @@ struct CollisionTables {
   CollisionCandidate* near = nullptr;                                            // [pairs + 8]
   int* hit = nullptr;                                                            // [pairs]
   float* bound = nullptr;             // [pairs + 8], of the candidates
-  float* kept = nullptr;              // [2 x 8 x most clusters]
+  float* kept = nullptr;              // [14 x most clusters]
+  unsigned char* open = nullptr;      // [most clusters / 8]
   CollisionMemory* memory = nullptr;  // [pairs]
   long* work = nullptr;               // spheres, capsules, clusters, rows
   int most_clusters = 0;              // padded to 8

@@ -4,7 +4,7 @@ static void kinematics(const CollisionTables& t) noexcept {
   for (int j = 0; j < t.joints; ++j) {
     const CollisionJoint& joint = t.joint[j];
     const CollisionPose& parent = t.pose[joint.parent];
-    CollisionPose& child = t.pose[j + 1];
+    CollisionPose& child = t.pose[joint.child];
     F4 offset = load4f(joint.offset);
     F4 local[3] = {load4f(joint.still[0]), load4f(joint.still[1]), load4f(joint.still[2])};
     if (joint.turns) {

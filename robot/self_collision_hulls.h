@@ -16,10 +16,8 @@ TWINBUS_INLINE int farthest_corner(const CollisionBody& body, float x, float y, 
     best = better ? value : best;
     where = better ? now : where;
   }
-  // The largest in three halvings, then the first lane that has it.
-  F8 top = most(best, __builtin_shufflevector(best, best, 4, 5, 6, 7, 0, 1, 2, 3));
-  top = most(top, __builtin_shufflevector(top, top, 2, 3, 0, 1, 6, 7, 4, 5));
-  top = most(top, __builtin_shufflevector(top, top, 1, 0, 3, 2, 5, 4, 7, 6));
+  // Then the first lane that has the largest.
+  const F8 top = largest8(best);
   far = top[0];
   const unsigned at_top = bits(best >= top);
   return at_top == 0 ? 0 : where[lowest(at_top)];

@@ -8,6 +8,7 @@ typedef int I8 __attribute__((vector_size(32), aligned(32)));
 
 constexpr float kAxisSlack = 1e-7F;     // per length of a separating axis [m]
 constexpr float kCapsuleSlack = 1e-5F;  // what single precision may lose [m]
+constexpr float kPlaneSlack = 1e-6F;    // of a corner beside a plane [m]
 constexpr float kHullSlack = 3e-6F;     // the same, between two links [m]
 
 TWINBUS_INLINE F8 load8(const float* from) noexcept {
@@ -21,9 +22,34 @@ TWINBUS_INLINE F4 load4f(const float* from) noexcept {
   return v;
 }
 TWINBUS_INLINE F8 all(float x) noexcept { return F8{x, x, x, x, x, x, x, x}; }
-TWINBUS_INLINE F8 least(F8 a, F8 b) noexcept { return a < b ? a : b; }
-TWINBUS_INLINE F8 most(F8 a, F8 b) noexcept { return a > b ? a : b; }
-TWINBUS_INLINE F8 size(F8 a) noexcept { return most(a, -a); }
+// The instructions say exactly a < b ? a : b, which compilers do not recognise.
+TWINBUS_INLINE F8 least(F8 a, F8 b) noexcept {
+#if TWINBUS_WIDE
+  return __builtin_ia32_minps256(a, b);
+#else
+  return a < b ? a : b;
+#endif
+}
+TWINBUS_INLINE F8 most(F8 a, F8 b) noexcept {
+#if TWINBUS_WIDE
+  return __builtin_ia32_maxps256(a, b);
+#else
+  return a > b ? a : b;
+#endif
+}
+// In three halvings.
+TWINBUS_INLINE F8 largest8(F8 a) noexcept {
+  a = most(a, __builtin_shufflevector(a, a, 4, 5, 6, 7, 0, 1, 2, 3));
+  a = most(a, __builtin_shufflevector(a, a, 2, 3, 0, 1, 6, 7, 4, 5));
+  return most(a, __builtin_shufflevector(a, a, 1, 0, 3, 2, 5, 4, 7, 6));
+}
+TWINBUS_INLINE float largest(F8 a) noexcept { return largest8(a)[0]; }
+TWINBUS_INLINE F8 size(F8 a) noexcept {
+  return reinterpret_cast<F8>(reinterpret_cast<I8>(a) & 0x7FFFFFFF);
+}
+TWINBUS_INLINE F4 size4(F4 a) noexcept {
+  return reinterpret_cast<F4>(reinterpret_cast<I4>(a) & 0x7FFFFFFF);
+}
 TWINBUS_INLINE F8 unit_clamp(F8 a) noexcept { return least(most(a, all(0.0F)), all(1.0F)); }
 TWINBUS_INLINE unsigned bits(I8 mask) noexcept {
 #if TWINBUS_WIDE

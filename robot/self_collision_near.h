@@ -1,57 +1,68 @@
 // Do two links touch?  Part of the kernels of SelfCollision, included after self_collision_lanes.h.
 
-// Clusters of `body` whose sphere meets the box of the other link: index, centre in the other's
-// axes, radius.  to_other: from body to the other link.
-static int keep(const CollisionBody& body, const CollisionPose& to_other,
-                const CollisionBody& other, float* kept, int stride) noexcept {
-  // Which of eight balls in body's axes meet the other's box; c: their centres in the other's axes.
-  const auto meet = [&](const float* const* center, const float* radius, int first, F8(&c)[3])
-      __attribute__((always_inline)) {
-    const F8 x = load8(center[0] + first), y = load8(center[1] + first),
-             z = load8(center[2] + first), r = load8(radius + first);
-    I8 apart{};
+constexpr int kStuck = 3;  // looks without a plane after which only every eighth look tries one
+
+// The box of cluster cb of b in a's axes; does it lie apart from that of cluster ca of a?
+TWINBUS_INLINE bool box_apart(const CollisionBody& a, int ca, const CollisionPose& b_to_a,
+                              const CollisionBody& b, int cb, F4& middle, F4& half) noexcept {
+  const float* h = b.half[cb];
+  const F4 x = load4f(b_to_a.column[0]) * h[0], y = load4f(b_to_a.column[1]) * h[1],
+           z = load4f(b_to_a.column[2]) * h[2];
+  half = size4(x) + size4(y) + size4(z);
+  middle = moved(b_to_a, b.middle[cb]);
+  const F4 gap = middle - load4f(a.middle[ca]);
+  return any3(size4(gap) > half + load4f(a.half[ca]));
+}
+
+// Do triangles of a's clusters cross triangles of b's?  Which: into memory.
+static bool surfaces_cross(const CollisionTables& t, const CollisionBody& a, const CollisionBody& b,
+                           const CollisionPose& a_to_b, const CollisionPose& b_to_a,
+                           CollisionMemory& memory) noexcept {
+  auto* kept = reinterpret_cast<MovedBox*>(t.kept);
+  float low[3], high[3];
+  const int count = keep_boxes(a, a_to_b, b, kept, low, high);
+  if (count == 0) return false;
+  F8 low8[3], high8[3];
+  for (int d = 0; d < 3; ++d) {
+    low8[d] = all(low[d]);
+    high8[d] = all(high[d]);
+  }
+  float* placed = t.kept + 8 * t.most_clusters;
+  int blocks = 0;
+  for (int block = 0; 8 * block < b.clusters; ++block) {
+    if (meet_box(b, 8 * block, low8, high8) == 0) continue;
+    t.open[blocks] = static_cast<unsigned char>(block);
+    place_boxes(b, 8 * block, b_to_a, placed + 48 * blocks++);
+  }
+  MovedCluster moved_a;
+  for (int i = 0; i < count; ++i) {
+    const MovedBox& box = kept[i];
+    const int ca = box.cluster;
     for (int d = 0; d < 3; ++d) {
-      c[d] = x * to_other.column[0][d] + y * to_other.column[1][d] + z * to_other.column[2][d] +
-             to_other.origin[d];
-      apart |= (c[d] + r < all(other.low[d])) | (all(other.high[d]) < c[d] - r);
+      low8[d] = all(box.middle[d] - box.half[d]);
+      high8[d] = all(box.middle[d] + box.half[d]);
     }
-    return ~bits(apart) & 0xFFU;
-  };
-  int n = 0;
-  const int blocks = (body.clusters + 7) / 8;
-  for (int group = 0; group < blocks; group += 8) {
-    F8 c[3];
-    unsigned open = 0xFFU;
-    if (blocks > 2) open = meet(body.block_center, body.block_radius, group, c);
-    for (; open != 0; open &= open - 1) {
-      const int block = group + lowest(open);
-      if (block >= blocks) break;
-      const int first = 8 * block;
-      for (unsigned m = meet(body.center, body.radius, first, c); m != 0; m &= m - 1) {
-        const int lane = lowest(m);
-        if (first + lane >= body.clusters) break;
-        for (int d = 0; d < 3; ++d) kept[d * stride + n] = c[d][lane];
-        kept[3 * stride + n] = body.radius[first + lane];
-        for (int d = 0; d < 3; ++d) kept[(4 + d) * stride + n] = body.center[d][first + lane];
-        kept[7 * stride + n++] = static_cast<float>(first + lane);
+    bool ready = false;
+    for (int k = 0; k < blocks; ++k) {
+      const int first = 8 * t.open[k];
+      unsigned m = meet_box(b, first, low8, high8);
+      if (m == 0) continue;
+      const float* boxes = placed + 48 * k;
+      for (m &= meet_placed(a, ca, boxes); m != 0; m &= m - 1) {
+        const int lane = lowest(m), cb = first + lane;
+        const float middle[3] = {boxes[lane], boxes[8 + lane], boxes[16 + lane]};
+        const float half[3] = {boxes[24 + lane], boxes[32 + lane], boxes[40 + lane]};
+        ++t.work[2];
+        if (clusters_cross(a, ca, b, cb, a_to_b, box.middle, box.half, middle, half, moved_a, ready,
+                           t.work)) {
+          memory.cluster[0] = ca;
+          memory.cluster[1] = cb;
+          return true;
+        }
       }
     }
   }
-  for (int pad = n; pad % 8 != 0; ++pad) {
-    for (int d = 0; d < 7; ++d) kept[d * stride + pad] = d == 3 ? 0.0F : 1e9F;
-  }
-  return n;
-}
-
-// Along which of b's axes do the boxes around two clusters lie apart?
-TWINBUS_INLINE I4 boxes_apart(const CollisionBody& a, int ca, const CollisionPose& a_to_b,
-                              const CollisionBody& b, int cb) noexcept {
-  const float* h = a.half[ca];
-  const F4 x = load4f(a_to_b.column[0]) * h[0], y = load4f(a_to_b.column[1]) * h[1],
-           z = load4f(a_to_b.column[2]) * h[2];
-  const F4 half = (x > -x ? x : -x) + (y > -y ? y : -y) + (z > -z ? z : -z);
-  const F4 gap = moved(a_to_b, a.middle[ca]) - load4f(b.middle[cb]);
-  return (gap > -gap ? gap : -gap) > half + load4f(b.half[cb]);
+  return false;
 }
 
 // inside: also when one is inside the other.
@@ -78,25 +89,26 @@ static bool bodies_touch(const CollisionTables& t, int first, int second, bool i
           a_to_b.column[i][2] * a_to_b.origin[2]);
   }
   CollisionMemory& memory = t.memory[t.pair_of[first * t.bodies + second]];
-  MovedCluster moved_a;
   if (memory.cluster[0] >= 0) {  // what crossed when last looked at is likely to cross
-    const TriangleCluster& ca = a.cluster[memory.cluster[0]];
-    const TriangleCluster& cb = b.cluster[memory.cluster[1]];
-    const F4 in_b = moved(a_to_b, ca.center), in_a = moved(b_to_a, cb.center);
-    const float center_a[3] = {in_b[0], in_b[1], in_b[2]};
-    const float center_b[3] = {in_a[0], in_a[1], in_a[2]};
-    const F4 gap = in_b - load4f(cb.center);
-    const float reach = ca.radius + cb.radius;
-    bool ready = false;
-    if (gap[0] * gap[0] + gap[1] * gap[1] + gap[2] * gap[2] <= reach * reach) {
+    const int ca = memory.cluster[0], cb = memory.cluster[1];
+    F4 in_a, half_in_a, in_b, half_in_b;
+    if (!box_apart(a, ca, b_to_a, b, cb, in_a, half_in_a) &&
+        !box_apart(b, cb, a_to_b, a, ca, in_b, half_in_b)) {
       ++t.work[2];
-      if (clusters_cross(ca, cb, a_to_b, center_a, center_b, moved_a, ready, t.work)) return true;
+      MovedCluster moved_a;
+      bool ready = false;
+      float box[4][4];
+      const F4 boxes[4] = {in_b, half_in_b, in_a, half_in_a};
+      __builtin_memcpy(box, boxes, sizeof box);
+      if (clusters_cross(a, ca, b, cb, a_to_b, box[0], box[1], box[2], box[3], moved_a, ready,
+                         t.work))
+        return true;
     }
   }
   float n[4] = {memory.apart[0], memory.apart[1], memory.apart[2], 0.0F};
   bool apart = memory.cluster[0] < 0 && (n[0] != 0.0F || n[1] != 0.0F || n[2] != 0.0F) &&
                hulls_apart(a, b, a_to_b, n, 1);
-  if (!apart) {
+  if (!apart && (memory.stuck < kStuck || memory.stuck % 8 == 0)) {
     const F4 from = moved(a_to_b, a.sphere);
     const F4 way = load4f(b.sphere) - from;
     const float scale =
@@ -104,42 +116,13 @@ static bool bodies_touch(const CollisionTables& t, int first, int second, bool i
     for (int k = 0; k < 3; ++k) n[k] = way[k] * scale;
     apart = hulls_apart(a, b, a_to_b, n, kMostProbes);
   }
+  memory.stuck = apart ? 0 : memory.stuck + 1;
   if (apart) {
     for (int k = 0; k < 3; ++k) memory.apart[k] = n[k];
     memory.cluster[0] = -1;
     return false;
   }
-  const int stride = t.most_clusters;
-  float* of_a = t.kept;
-  float* of_b = t.kept + 8 * stride;
-  const int count_a = keep(a, a_to_b, b, of_a, stride);
-  const int count_b = count_a == 0 ? 0 : keep(b, b_to_a, a, of_b, stride);
-  for (int i = 0; i < count_a && count_b != 0; ++i) {
-    const float in_b[3] = {of_a[i], of_a[stride + i], of_a[2 * stride + i]};
-    const float r = of_a[3 * stride + i];
-    const int ca = static_cast<int>(of_a[7 * stride + i]);
-    bool ready = false;
-    for (int j = 0; j < count_b; j += 8) {
-      const F8 dx = load8(of_b + 4 * stride + j) - all(in_b[0]);
-      const F8 dy = load8(of_b + 5 * stride + j) - all(in_b[1]);
-      const F8 dz = load8(of_b + 6 * stride + j) - all(in_b[2]);
-      const F8 reach = load8(of_b + 3 * stride + j) + all(r);
-      for (unsigned m = bits(dx * dx + dy * dy + dz * dz <= reach * reach); m != 0; m &= m - 1) {
-        const int k = j + lowest(m);
-        const int cb = static_cast<int>(of_b[7 * stride + k]);
-        if (any3(boxes_apart(a, ca, a_to_b, b, cb)) || any3(boxes_apart(b, cb, b_to_a, a, ca)))
-          continue;
-        ++t.work[2];
-        const float in_a[3] = {of_b[k], of_b[stride + k], of_b[2 * stride + k]};
-        if (clusters_cross(a.cluster[ca], b.cluster[cb], a_to_b, in_b, in_a, moved_a, ready,
-                           t.work)) {
-          memory.cluster[0] = ca;
-          memory.cluster[1] = cb;
-          return true;
-        }
-      }
-    }
-  }
+  if (surfaces_cross(t, a, b, a_to_b, b_to_a, memory)) return true;
   memory.cluster[0] = -1;
   if (!inside) return false;
   const bool a_smaller = a.sphere[3] <= b.sphere[3];

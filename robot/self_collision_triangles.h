@@ -11,15 +11,6 @@ static bool row(const F4 (&v)[3], const TriangleCluster& other, int first,
   const F4 e[3] = {v[1] - v[0], v[2] - v[1], v[0] - v[2]};
   const F4 second = e[0], third = -e[2];  // corners; the first is zero
   unsigned alive = lanes;
-  for (int d = 0; d < 3; ++d) {
-    const float a1 = second[d], a2 = third[d];
-    const float low = (a1 < a2 ? a1 : a2) < 0.0F ? (a1 < a2 ? a1 : a2) : 0.0F;
-    const float high = (a1 > a2 ? a1 : a2) > 0.0F ? (a1 > a2 ? a1 : a2) : 0.0F;
-    const F8 low_b = least(u[0][d], least(u[1][d], u[2][d]));
-    const F8 high_b = most(u[0][d], most(u[1][d], u[2][d]));
-    alive &= ~bits((all(high + kAxisSlack) < low_b) | (high_b < all(low - kAxisSlack)));
-  }
-  if (alive == 0) return false;
   const auto separate = [&](const F8& x, const F8& y, const F8& z) __attribute__((always_inline)) {
     const F8 slack = all(kAxisSlack) * most(size(x), most(size(y), size(z)));
     const F8 a1 = all(second[0]) * x + all(second[1]) * y + all(second[2]) * z;
@@ -42,7 +33,6 @@ static bool row(const F4 (&v)[3], const TriangleCluster& other, int first,
   }
   const F8 n[3] = {f[0][1] * f[1][2] - f[0][2] * f[1][1], f[0][2] * f[1][0] - f[0][0] * f[1][2],
                    f[0][0] * f[1][1] - f[0][1] * f[1][0]};
-  separate(n[0], n[1], n[2]);
   for (int p = 0; p < 3; ++p) {
     const F8 ex = all(e[p][0]), ey = all(e[p][1]), ez = all(e[p][2]);
     for (int k = 0; k < 3; ++k) {
@@ -50,6 +40,16 @@ static bool row(const F4 (&v)[3], const TriangleCluster& other, int first,
       separate(ey * f[k][2] - ez * f[k][1], ez * f[k][0] - ex * f[k][2],
                ex * f[k][1] - ey * f[k][0]);
     }
+  }
+  // What boxes and planes have said already, now without their slack.
+  separate(n[0], n[1], n[2]);
+  for (int d = 0; d < 3; ++d) {
+    const float a1 = second[d], a2 = third[d];
+    const float low = (a1 < a2 ? a1 : a2) < 0.0F ? (a1 < a2 ? a1 : a2) : 0.0F;
+    const float high = (a1 > a2 ? a1 : a2) > 0.0F ? (a1 > a2 ? a1 : a2) : 0.0F;
+    const F8 low_b = least(u[0][d], least(u[1][d], u[2][d]));
+    const F8 high_b = most(u[0][d], most(u[1][d], u[2][d]));
+    alive &= ~bits((all(high + kAxisSlack) < low_b) | (high_b < all(low - kAxisSlack)));
   }
   // Triangles in one plane: normals of their edges in it.
   for (int p = 0; p < 3 && alive != 0; ++p) {
@@ -61,12 +61,45 @@ static bool row(const F4 (&v)[3], const TriangleCluster& other, int first,
   return alive != 0;
 }
 
-// Triangles of the cluster whose plane meets the ball.
-TWINBUS_INLINE unsigned near_planes(const TriangleCluster& c, const float* center, float radius,
-                                    int first) noexcept {
-  const F8 side = load8(c.normal[0] + first) * center[0] + load8(c.normal[1] + first) * center[1] +
-                  load8(c.normal[2] + first) * center[2] - load8(c.offset + first);
-  return bits(size(side) <= all(radius)) << first;
+// Triangles of the cluster that the box may meet: their boxes do, and their planes.
+TWINBUS_INLINE unsigned near_box(const CollisionBody& body, int cluster, const float* middle,
+                                 const float* half, int first) noexcept {
+  const TriangleCluster& c = body.cluster[cluster];
+  const CollisionTriangleBoxes& box = body.triangle_boxes[cluster];
+  I8 apart{};
+  F8 side = -load8(c.offset + first), reach = all(0.0F);
+  for (int d = 0; d < 3; ++d) {
+    const F8 normal = load8(c.normal[d] + first);
+    side += normal * middle[d];
+    reach += size(normal) * half[d];
+    apart |= (load8(box.high[d] + first) < all(middle[d] - half[d])) |
+             (all(middle[d] + half[d]) < load8(box.low[d] + first));
+  }
+  return ~bits(apart | (size(side) > reach)) & 0xFFU;
+}
+TWINBUS_INLINE unsigned near_box(const CollisionBody& body, int cluster, const float* middle,
+                                 const float* half) noexcept {
+  const int count = body.cluster[cluster].count;
+  unsigned near = near_box(body, cluster, middle, half, 0);
+  if (count > 8) near |= near_box(body, cluster, middle, half, 8) << 8;
+  return near & ((1U << count) - 1U);
+}
+
+// Of eight triangles: those that this one (corners v, box low to high) may cross by their boxes and planes.
+TWINBUS_INLINE unsigned near_triangle(const F4 (&v)[3], const float (&low)[3],
+                                      const float (&high)[3], const TriangleCluster& c,
+                                      const CollisionTriangleBoxes& box, int first) noexcept {
+  I8 apart{};
+  for (int d = 0; d < 3; ++d)
+    apart |=
+        (load8(box.high[d] + first) < all(low[d])) | (all(high[d]) < load8(box.low[d] + first));
+  const F8 nx = load8(c.normal[0] + first), ny = load8(c.normal[1] + first),
+           nz = load8(c.normal[2] + first), offset = load8(c.offset + first);
+  F8 side[3];
+  for (int k = 0; k < 3; ++k) side[k] = nx * v[k][0] + ny * v[k][1] + nz * v[k][2] - offset;
+  const F8 nearest = least(side[0], least(side[1], side[2]));
+  const F8 farthest = most(side[0], most(side[1], side[2]));
+  return ~bits(apart | (nearest > all(kPlaneSlack)) | (farthest < all(-kPlaneSlack))) & 0xFFU;
 }
 
 // A cluster's triangles in the axes of another link, and the box around each.
@@ -96,16 +129,21 @@ static void move_cluster(const TriangleCluster& c, const CollisionPose& to,
   }
 }
 
-// Do triangles of the two clusters cross?  a_in_b, b_in_a: centres of their spheres in the other's
-// axes.  moved: of a, filled when it is needed first.
-[[maybe_unused]] static bool clusters_cross(const TriangleCluster& a, const TriangleCluster& b,
-                           const CollisionPose& a_to_b, const float* a_in_b, const float* b_in_a,
-                           MovedCluster& moved_a, bool& ready, long* work) noexcept {
-  const unsigned of_b = near_planes(b, a_in_b, a.radius, 0) | near_planes(b, a_in_b, a.radius, 8);
-  if (of_b == 0) return false;
-  unsigned of_a = near_planes(a, b_in_a, b.radius, 0) | near_planes(a, b_in_a, b.radius, 8);
-  of_a &= (1U << a.count) - 1U;
+// Do triangles of the two clusters cross?  a_in_b, b_in_a: middle and half edges of their boxes in the
+// other's axes.  moved: of a, filled when it is needed first.
+[[maybe_unused]] static bool clusters_cross(const CollisionBody& body_a, int ca,
+                                            const CollisionBody& body_b, int cb,
+                                            const CollisionPose& a_to_b, const float* a_in_b,
+                                            const float* a_half, const float* b_in_a,
+                                            const float* b_half, MovedCluster& moved_a, bool& ready,
+                                            long* work) noexcept {
+  unsigned of_a = near_box(body_a, ca, b_in_a, b_half);
   if (of_a == 0) return false;
+  const unsigned of_b = near_box(body_b, cb, a_in_b, a_half);
+  if (of_b == 0) return false;
+  const TriangleCluster& a = body_a.cluster[ca];
+  const TriangleCluster& b = body_b.cluster[cb];
+  const CollisionTriangleBoxes& boxes_b = body_b.triangle_boxes[cb];
   if (!ready) move_cluster(a, a_to_b, moved_a);
   ready = true;
   for (int first = 0; first < a.count; first += 8) {
@@ -122,8 +160,14 @@ static void move_cluster(const TriangleCluster& c, const CollisionPose& to,
     F4 v[3];
     for (int k = 0; k < 3; ++k)
       v[k] = F4{moved_a.corner[k][0][i], moved_a.corner[k][1][i], moved_a.corner[k][2][i], 0.0F};
-    if ((of_b & 0xFFU) != 0 && row(v, b, 0, of_b & 0xFFU)) return true;
-    if ((of_b >> 8) != 0 && row(v, b, 8, of_b >> 8)) return true;
+    const float low[3] = {moved_a.low[0][i], moved_a.low[1][i], moved_a.low[2][i]};
+    const float high[3] = {moved_a.high[0][i], moved_a.high[1][i], moved_a.high[2][i]};
+    for (unsigned first = 0; first < 16; first += 8) {
+      unsigned lanes = of_b >> first & 0xFFU;
+      if (lanes == 0) continue;
+      lanes &= near_triangle(v, low, high, b, boxes_b, static_cast<int>(first));
+      if (lanes != 0 && row(v, b, static_cast<int>(first), lanes)) return true;
+    }
   }
   return false;
 }
