@@ -1,8 +1,11 @@
 #include <chrono>
 #include <cstdio>
+#include <deque>
+#include <future>
 #include <map>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "launcher/arguments.h"
 #include "launcher/log_command.h"
@@ -22,6 +25,59 @@ struct Topic {
   std::optional<MessageJson> json;
   std::uint16_t id = 0;
   std::uint32_t sequence = 0;
+};
+
+// A part of the log that becomes a chunk.
+struct Part {
+  struct Message {
+    const Topic* topic;
+    std::uint32_t sequence;
+    std::int64_t time_ns;
+    std::size_t offset;  // in bytes
+  };
+  std::vector<std::uint8_t> bytes;
+  std::vector<Message> messages;
+};
+
+constexpr std::size_t kPart =
+    384 << 10;  // of the log; twice as much in JSON, which a cache holds [bytes]
+constexpr std::size_t kAtOnce = 4;  // parts that wait or are made into chunks
+
+McapChunk chunk_of(McapChunk chunk, const Part& part) {
+  std::map<std::uint16_t, JsonRoom> rooms;
+  for (const Part::Message& message : part.messages) {
+    const Topic& topic = *message.topic;
+    const std::span data(part.bytes.data() + message.offset, topic.schema->bytes);
+    chunk.add(topic.id, message.sequence, message.time_ns,
+              topic.json->json_of(data, rooms[topic.id]));
+  }
+  chunk.close();
+  return chunk;
+}
+
+// Chunks are made side by side and written in order.
+class Works {
+ public:
+  explicit Works(McapWriter& writer) : writer_(&writer) {}
+
+  void add(Part part) {
+    if (waiting_.size() >= kAtOnce) put_oldest();
+    waiting_.push_back(std::async(std::launch::async, chunk_of,
+                                  writer_->begin_chunk(3 * part.bytes.size()), std::move(part)));
+  }
+  void finish() {
+    while (!waiting_.empty()) put_oldest();
+  }
+
+ private:
+  void put_oldest() {
+    const McapChunk chunk = waiting_.front().get();
+    waiting_.pop_front();
+    writer_->put(chunk);
+  }
+
+  McapWriter* writer_;
+  std::deque<std::future<McapChunk>> waiting_;
 };
 
 std::string between_commas(const std::string& text) {
@@ -53,9 +109,10 @@ int log_mcap(const std::vector<std::string>& words) {
     throw UsageError("log mcap: " + out + " is the log itself; write into another file");
   const std::string only = between_commas(arguments.text("--channels", ""));
   McapWriter writer(out);
+  Works works(writer);
+  Part part;
   std::map<std::string, Topic, std::less<>> topics;
   std::int64_t unknown = 0, bytes = 0;
-  std::string json;
   const auto started = std::chrono::steady_clock::now();
   scan_log(
       in, arguments.number("--from", 0.0, 0.0, 1e9), arguments.number("--to", kWholeLog, 0.0, 1e13),
@@ -80,11 +137,16 @@ int log_mcap(const std::vector<std::string>& words) {
           ++unknown;
           return true;
         }
-        json.clear();
-        topic.json->append(json, event.data);
-        writer.add(topic.id, topic.sequence++, 1000 * event.utime, json);
+        part.messages.push_back({&topic, topic.sequence++, 1000 * event.utime, part.bytes.size()});
+        part.bytes.insert(part.bytes.end(), event.data.begin(), event.data.end());
+        if (part.bytes.size() >= kPart) {
+          works.add(std::exchange(part, {}));
+          part.bytes.reserve(kPart + kPart / 8);
+        }
         return true;
       });
+  works.add(std::move(part));
+  works.finish();
   writer.close();
   const double took =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();

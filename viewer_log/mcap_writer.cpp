@@ -15,7 +15,6 @@ namespace twinbus {
 namespace {
 
 constexpr std::string_view kMagic("\x89MCAP0\r\n", 8);
-constexpr std::size_t kChunk = 4 << 20;  // [bytes]
 
 enum Opcode : char {
   kHeader = 0x01,
@@ -70,15 +69,15 @@ McapWriter::McapWriter(const std::string& file) : file_(file) {
   std::string header;
   put_text(header, "");
   put_text(header, "twinbus");
-  put(kMagic);
-  put(record(kHeader, header));
+  write(kMagic);
+  write(record(kHeader, header));
 }
 
 McapWriter::~McapWriter() {
   if (fd_ >= 0) ::close(fd_);
 }
 
-void McapWriter::put(std::string_view bytes) {
+void McapWriter::write(std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t written = ::write(fd_, bytes.data(), bytes.size());
     if (written < 0 && errno == EINTR) continue;
@@ -91,7 +90,6 @@ void McapWriter::put(std::string_view bytes) {
 
 std::uint16_t McapWriter::add_channel(const std::string& topic, const std::string& schema_name,
                                       const std::string& schema) {
-  std::string records;
   const auto [found, is_new] =
       schemas_.try_emplace(schema_name, static_cast<std::uint16_t>(schemas_.size() + 1));
   if (is_new) {
@@ -100,7 +98,7 @@ std::uint16_t McapWriter::add_channel(const std::string& topic, const std::strin
     put_text(content, schema_name);
     put_text(content, "jsonschema");
     put_text(content, schema);
-    records += record(kSchema, content);
+    declared_ += record(kSchema, content);
   }
   const auto id = static_cast<std::uint16_t>(counts_.size());
   std::string content;
@@ -109,81 +107,83 @@ std::uint16_t McapWriter::add_channel(const std::string& topic, const std::strin
   put_text(content, topic);
   put_text(content, "json");
   put_number(content, std::uint32_t{0});  // no metadata
-  records += record(kChannel, content);
+  declared_ += record(kChannel, content);
   counts_[id] = 0;
-  chunk_ += records;
-  declared_ += records;
   return id;
 }
 
-void McapWriter::add(std::uint16_t channel, std::uint32_t sequence, std::int64_t time_ns,
-                     std::string_view json) {
+void McapChunk::add(std::uint16_t channel, std::uint32_t sequence, std::int64_t time_ns,
+                    std::string_view json) {
   const auto time = static_cast<std::uint64_t>(std::max<std::int64_t>(time_ns, 0));
-  std::string& index = chunk_index_[channel];
-  if (index.capacity() == 0) index.reserve(kChunk / 64);
+  std::string& index = indexes_[channel];
   put_number(index, time);
-  put_number(index, static_cast<std::uint64_t>(chunk_.size()));
-  if (std::all_of(chunk_index_.begin(), chunk_index_.end(), [&](const auto& one) {
-        return one.second.empty() || (one.first == channel && one.second.size() == 16);
-      })) {
-    chunk_first_ = chunk_last_ = time;
-  }
-  chunk_first_ = std::min(chunk_first_, time);
-  chunk_last_ = std::max(chunk_last_, time);
+  put_number(index, static_cast<std::uint64_t>(records_.size()));
   first_ns_ = messages_ == 0 ? time : std::min(first_ns_, time);
   last_ns_ = std::max(last_ns_, time);
-  put_head(chunk_, kMessage, 22 + json.size());
-  put_number(chunk_, channel);
-  put_number(chunk_, sequence);
-  put_number(chunk_, time);
-  put_number(chunk_, time);
-  chunk_.append(json);
   ++messages_;
-  ++counts_[channel];
-  if (chunk_.size() >= kChunk) end_chunk();
+  put_head(records_, kMessage, 22 + json.size());
+  put_number(records_, channel);
+  put_number(records_, sequence);
+  put_number(records_, time);
+  put_number(records_, time);
+  records_.append(json);
 }
 
-void McapWriter::end_chunk() {
-  if (chunk_.empty()) return;
+void McapChunk::close() {
+  crc_ = static_cast<std::uint32_t>(crc32(0, reinterpret_cast<const Bytef*>(records_.data()),
+                                          static_cast<uInt>(records_.size())));
+}
+
+McapChunk McapWriter::begin_chunk(std::size_t expected) {
+  McapChunk chunk;
+  chunk.records_.reserve(expected);
+  chunk.records_ = std::string_view(declared_).substr(in_chunks_);
+  in_chunks_ = declared_.size();
+  return chunk;
+}
+
+void McapWriter::put(const McapChunk& chunk) {
+  if (chunk.records_.empty()) return;
   ChunkPlace place;
-  place.first_ns = chunk_first_;
-  place.last_ns = chunk_last_;
+  place.first_ns = chunk.first_ns_;
+  place.last_ns = chunk.last_ns_;
   place.offset = static_cast<std::uint64_t>(size_);
-  place.bytes = chunk_.size();
+  place.bytes = chunk.records_.size();
   std::string out;
-  put_head(out, kChunkRecord, 8 + 8 + 8 + 4 + 4 + 8 + chunk_.size());
-  put_number(out, chunk_first_);
-  put_number(out, chunk_last_);
+  put_head(out, kChunkRecord, 8 + 8 + 8 + 4 + 4 + 8 + place.bytes);
+  put_number(out, place.first_ns);
+  put_number(out, place.last_ns);
   put_number(out, place.bytes);
-  put_number(out, static_cast<std::uint32_t>(crc32(0, reinterpret_cast<const Bytef*>(chunk_.data()),
-                                                   static_cast<uInt>(chunk_.size()))));
+  put_number(out, chunk.crc_);
   put_text(out, "");  // not compressed
   put_number(out, place.bytes);
-  put(out);
-  put(chunk_);
+  write(out);
+  write(chunk.records_);
   place.length = static_cast<std::uint64_t>(size_) - place.offset;
   out.clear();
-  for (auto& [channel, index] : chunk_index_) {
-    if (index.empty()) continue;
+  for (const auto& [channel, index] : chunk.indexes_) {
     place.indexes[channel] = static_cast<std::uint64_t>(size_) + out.size();
     put_head(out, kMessageIndex, 2 + 4 + index.size());
     put_number(out, channel);
     put_text(out, index);
-    index.clear();
+    counts_[channel] += index.size() / 16;
   }
   place.index_length = out.size();
-  put(out);
+  write(out);
+  if (chunk.messages_ > 0) {
+    first_ns_ = messages_ == 0 ? place.first_ns : std::min(first_ns_, place.first_ns);
+    last_ns_ = std::max(last_ns_, place.last_ns);
+  }
+  messages_ += chunk.messages_;
   chunks_.push_back(std::move(place));
-  chunk_.clear();
 }
 
 void McapWriter::close() {
-  end_chunk();
   std::string end;
   put_number(end, std::uint32_t{0});  // no CRC of the whole
-  put(record(kDataEnd, end));
+  write(record(kDataEnd, end));
   const auto summary = static_cast<std::uint64_t>(size_);
-  put(declared_);
+  write(declared_);
   std::string content;
   put_number(content, static_cast<std::uint64_t>(messages_));
   put_number(content, static_cast<std::uint16_t>(schemas_.size()));
@@ -194,7 +194,7 @@ void McapWriter::close() {
   put_number(content, first_ns_);
   put_number(content, last_ns_);
   content += offsets(counts_);
-  put(record(kStatistics, content));
+  write(record(kStatistics, content));
   for (const ChunkPlace& place : chunks_) {
     content.clear();
     put_number(content, place.first_ns);
@@ -206,14 +206,14 @@ void McapWriter::close() {
     put_text(content, "");
     put_number(content, place.bytes);
     put_number(content, place.bytes);
-    put(record(kChunkIndex, content));
+    write(record(kChunkIndex, content));
   }
   content.clear();
   put_number(content, summary);
   put_number(content, std::uint64_t{0});  // no table of the summary
   put_number(content, std::uint32_t{0});
-  put(record(kFooter, content));
-  put(kMagic);
+  write(record(kFooter, content));
+  write(kMagic);
   if (::close(std::exchange(fd_, -1)) != 0)
     throw std::runtime_error("mcap " + file_ + ": cannot be written: " + std::strerror(errno));
 }

@@ -1,6 +1,7 @@
 // Writes MCAP files (mcap.dev): self-describing logs that Foxglove and PlotJuggler open, in chunks with an index at the end.
 //
 // Knows the container only; message_json.h says what a message is in JSON.  Uncompressed, each chunk with its CRC.
+// Chunks stand by themselves, so that several threads can fill one each; they are written in the order of the log.
 
 #pragma once
 
@@ -11,6 +12,23 @@
 #include <vector>
 
 namespace twinbus {
+
+// Some messages that follow one another.
+class McapChunk {
+ public:
+  void add(std::uint16_t channel, std::uint32_t sequence, std::int64_t time_ns,
+           std::string_view json);
+  // No more messages; sums it up.
+  void close();
+
+ private:
+  friend class McapWriter;
+  std::string records_;                           // begins with the channels that are new in it
+  std::map<std::uint16_t, std::string> indexes_;  // times and offsets per channel, encoded
+  std::uint64_t first_ns_ = 0, last_ns_ = 0;
+  std::int64_t messages_ = 0;
+  std::uint32_t crc_ = 0;
+};
 
 class McapWriter {
  public:
@@ -23,10 +41,12 @@ class McapWriter {
   // A topic and the JSON schema of its messages; gives its id.  The same schema name is written once.
   std::uint16_t add_channel(const std::string& topic, const std::string& schema_name,
                             const std::string& schema);
-  // Throws std::runtime_error when the disk does not take it.
-  void add(std::uint16_t channel, std::uint32_t sequence, std::int64_t time_ns,
-           std::string_view json);
-  // Writes what is buffered, and the index.  Throws std::runtime_error.
+  // For messages of the channels there are now, of so many bytes of JSON or more; has to be put before a chunk that is
+  // begun later.
+  McapChunk begin_chunk(std::size_t expected);
+  // A closed chunk.  Throws std::runtime_error when the disk does not take it.
+  void put(const McapChunk& chunk);
+  // Writes the index.  Throws std::runtime_error.
   void close();
 
   std::int64_t messages() const { return messages_; }
@@ -37,16 +57,14 @@ class McapWriter {
     std::uint64_t first_ns = 0, last_ns = 0, offset = 0, length = 0, bytes = 0, index_length = 0;
     std::map<std::uint16_t, std::uint64_t> indexes;  // where the index of each channel lies
   };
-  void end_chunk();
-  void put(std::string_view bytes);
+  void write(std::string_view bytes);
 
   std::string file_;
   int fd_ = -1;
   std::int64_t size_ = 0, messages_ = 0;
-  std::string chunk_,
-      declared_;  // records of the open chunk; schemas and channels, for the summary
-  std::uint64_t chunk_first_ = 0, chunk_last_ = 0, first_ns_ = 0, last_ns_ = 0;
-  std::map<std::uint16_t, std::string> chunk_index_;  // times and offsets, encoded
+  std::string declared_;       // schemas and channels, for the summary
+  std::size_t in_chunks_ = 0;  // of them [bytes]
+  std::uint64_t first_ns_ = 0, last_ns_ = 0;
   std::vector<ChunkPlace> chunks_;
   std::map<std::string, std::uint16_t> schemas_;
   std::map<std::uint16_t, std::uint64_t> counts_;

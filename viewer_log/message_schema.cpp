@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "viewer_log/log_event.h"
+#include "viewer_log/shortest_number.h"
 
 namespace twinbus {
 
@@ -120,8 +121,8 @@ class Parser {
   std::size_t at_ = 0;
 };
 
-std::int64_t integer(const MessageField& field, const std::uint8_t* p) {
-  switch (field.type) {
+std::int64_t integer(FieldType type, const std::uint8_t* p) {
+  switch (type) {
     case FieldType::kI8:
       return static_cast<std::int8_t>(*p);
     case FieldType::kI16:
@@ -164,22 +165,20 @@ double field_number(const MessageField& field, std::span<const std::uint8_t> mes
   if (field.type == FieldType::kFloat)
     return static_cast<double>(std::bit_cast<float>(read_u32(p)));
   if (field.type == FieldType::kDouble) return std::bit_cast<double>(read_i64(p));
-  return static_cast<double>(integer(field, p));
+  return static_cast<double>(integer(field.type, p));
+}
+
+char* write_field(char* out, FieldType type, const std::uint8_t* p) noexcept {
+  if (type == FieldType::kFloat) return write_shortest(out, std::bit_cast<float>(read_u32(p)));
+  if (type == FieldType::kDouble) return write_shortest(out, std::bit_cast<double>(read_i64(p)));
+  return std::to_chars(out, out + kLongestNumber, integer(type, p)).ptr;
 }
 
 void append_field(std::string& text, const MessageField& field,
                   std::span<const std::uint8_t> message) {
   const std::uint8_t* p = message.data() + field.offset;
-  char digits[32];
-  std::to_chars_result end{};
-  if (field.type == FieldType::kFloat) {
-    end = std::to_chars(digits, digits + sizeof digits, std::bit_cast<float>(read_u32(p)));
-  } else if (field.type == FieldType::kDouble) {
-    end = std::to_chars(digits, digits + sizeof digits, std::bit_cast<double>(read_i64(p)));
-  } else {
-    end = std::to_chars(digits, digits + sizeof digits, integer(field, p));
-  }
-  text.append(digits, end.ptr);
+  char digits[kLongestNumber];
+  text.append(digits, write_field(digits, field.type, p));
 }
 
 }  // namespace twinbus
