@@ -109,9 +109,9 @@ int log_mcap(const std::vector<std::string>& words) {
     throw UsageError("log mcap: " + out + " is the log itself; write into another file");
   const std::string only = between_commas(arguments.text("--channels", ""));
   McapWriter writer(out);
+  std::map<std::string, Topic, std::less<>> topics;  // longer there than the works
   Works works(writer);
   Part part;
-  std::map<std::string, Topic, std::less<>> topics;
   std::int64_t unknown = 0, bytes = 0;
   const auto started = std::chrono::steady_clock::now();
   scan_log(
