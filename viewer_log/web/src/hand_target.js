@@ -8,7 +8,14 @@ export class HandTarget {
   // reach(side, [x, y, z]): when the handle is let go.
   constructor(stage, canvas, reach) {
     this.stage = stage;
+    this.canvas = canvas;
+    this.reach = reach;
     this.side = null;
+  }
+
+  // When it is first wanted: the handles are the dearest part of the whole page.
+  make() {
+    const { stage, canvas, reach } = this;
     this.ball = new THREE.Mesh(new THREE.SphereGeometry(0.03, 24, 16),
       surface({ color: 0x7cf5d0, emissive: 0x1f9e78, transparent: true, opacity: 0.85, depthTest: false }));
     this.ball.renderOrder = 13;
@@ -29,6 +36,7 @@ export class HandTarget {
   // Shows the handle at a hand, or hides it when it was that hand's already.  True when it is shown.
   offer(side, hands) {
     const at = hands?.[side === 'left' ? 0 : 1];
+    if (!this.ball) this.make();
     this.side = this.side === side || !at ? null : side;
     if (this.side) this.ball.position.set(...at);
     this.ball.visible = this.helper.visible = this.handles.enabled = this.side !== null;

@@ -5,14 +5,18 @@ const kRetry = 700; // [ms]
 
 const kHere = new Set(['127.0.0.1', 'localhost']);
 
+let known = null; // the token, and the address that it was read from
 export function tokenOfPage() {
-  const given = new URLSearchParams(location.hash.slice(1)).get('token');
+  if (known?.address === location.hash) return known.token;
+  let token = new URLSearchParams(location.hash.slice(1)).get('token');
   try {
-    if (given) sessionStorage.setItem('token', given);
-    return given ?? sessionStorage.getItem('token') ?? '';
+    if (token) sessionStorage.setItem('token', token);
+    else token = sessionStorage.getItem('token');
   } catch {
-    return given ?? ''; // storage switched off
+    // storage switched off
   }
+  known = { address: location.hash, token: token ?? '' };
+  return known.token;
 }
 
 // What is of this robot is given to another machine only with the token.

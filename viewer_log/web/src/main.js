@@ -29,6 +29,7 @@ const kBalanced = 1, kHold = 2;
 const kSilent = 1500; // a picture older than this is not to be believed [ms]
 const kTell = 80; // nobody reads numbers that change faster [ms]
 const kBusy = 300; // a page that draws less often is slow itself [ms]
+const kPatience = 1500; // a page without a robot is drawn then [ms]
 const kAgain = 3000; // a second stop within this is meant as a harder one [ms]
 
 document.body.classList.toggle('plain', plain);
@@ -66,7 +67,8 @@ let toldAt = -Infinity;
 let lastStop = -Infinity;
 let past = null; // { time, live } while looking back
 let plan = null; // the newest path message
-const figures = { drawn: 0, first: null }; // pictures; when the first one with a robot was there [ms since the page began]
+const figures = { drawn: 0, first: null }; // pictures; when the first one with the whole robot was on the screen [ms since the page began]
+let wholeDrawn = false; // the last picture was one
 let placed = false; // log and time of the address were asked for
 
 const link = new Link({
@@ -78,10 +80,9 @@ const link = new Link({
     panels.hello(message);
     joystick.enabled = message.trusted && !timeline.active;
     robot.load(message.joints, (model) => {
-      commanded.adopt(model, message.joints);
-      standby.adopt(model, message.joints);
-      other.adopt(model, message.joints);
-    }).catch((error) => panels.toast(`The robot cannot be shown: ${error.message}`));
+      const pattern = model.clone();
+      for (const ghost of [commanded, standby, other]) ghost.adopt(pattern, message.joints);
+    }).then(beginDrawing).catch((error) => panels.toast(`The robot cannot be shown: ${error.message}`));
   },
   live: (message) => {
     newest = message;
@@ -293,6 +294,7 @@ const keys = new Keys([
 $('help').onclick = () => { keys.sheet.hidden = !keys.sheet.hidden; $('help').blur(); };
 
 function draw() {
+  if (wholeDrawn) figures.first ??= performance.now(); // a picture begins when the last one is on the screen
   if (newest) {
     // The viewer process may hang with its connection open; a page that was busy itself has not read what came.
     const now = performance.now();
@@ -302,7 +304,7 @@ function draw() {
     robot.pose(shown.q, shown.base);
     robot.dim(!panels.online || shown.age_ms === null || shown.age_ms > 500 || shown.role === 'parked');
     const limits = robot.warn(shown.q, shown.pairs);
-    if (plan && commanded.model) {
+    if (plan && robot.whole) {
       armPath.show(plan, commanded.model, hello.hands, newest, hello.joints);
       plan = null;
     }
@@ -321,15 +323,20 @@ function draw() {
   plots.tick();
   timeline.tick();
   eye.tick(stage, robot.model, [...stage.onTop, armPath.group]);
-  stage.draw();
+  if (figures.drawn === 0) stage.drawFirst(robot.model);
+  else stage.draw();
   ++figures.drawn;
-  if (newest && robot.model && figures.first === null) figures.first = performance.now();
+  wholeDrawn = newest !== null && robot.whole;
 }
 beginOnPhone(chips.panels);
 if (restoreView(stage, plots)) chips.plots();
 if (fragment().get('follow') === '0') chips.follow();
-stage.renderer.setAnimationLoop(draw);
-requestAnimationFrame(() => setTimeout(() => link.connect())); // after the first picture, which is slow to come
+// The first picture is slow to come: it waits for the robot, but not for ever.
+function beginDrawing() {
+  if (figures.drawn === 0) stage.renderer.setAnimationLoop(draw);
+}
+setTimeout(beginDrawing, kPatience);
+link.connect();
 
 // For tests of the page.
 globalThis.twinbus = { figures, link, history, plots, stage, robot, commanded, standby, armPath, joystick, target, timeline, other, setup, eye, chips, panels, pad };

@@ -43,45 +43,61 @@ function carrier(part) {
 class Corners {
   constructor() {
     this.position = [];
-    this.normals = []; // sums
+    this.normal = []; // sums
     this.part = [];
     this.index = [];
   }
 
   add(geometry, part) {
-    const at = new THREE.Vector3(), normal = new THREE.Vector3();
     const known = new Map(); // place -> corners there
-    const { position: positions, normal: normals } = geometry.attributes;
+    const { position: { array: p }, normal: { array: n } } = geometry.attributes;
+    const fine = (v) => Math.round(1e5 * v) + 65536;
     const corner = (k) => {
-      at.fromBufferAttribute(positions, k);
-      normal.fromBufferAttribute(normals, k);
-      const key = `${Math.round(1e5 * at.x)} ${Math.round(1e5 * at.y)} ${Math.round(1e5 * at.z)}`;
-      const here = known.get(key) ?? known.set(key, []).get(key);
-      let found = here.find((i) => this.normals[i].clone().normalize().dot(normal) > kAlike);
+      const i = 3 * k;
+      const key = (fine(p[i]) * 131072 + fine(p[i + 1])) * 131072 + fine(p[i + 2]); // of places near one another none has it twice
+      let here = known.get(key);
+      if (!here) known.set(key, here = []);
+      let found = here.find((at) => this.alike(3 * at, p, n, i));
       if (found === undefined) {
         found = this.part.length;
         here.push(found);
-        this.position.push(at.x, at.y, at.z);
-        this.normals.push(new THREE.Vector3());
+        this.position.push(p[i], p[i + 1], p[i + 2]);
+        this.normal.push(0, 0, 0);
         this.part.push(part + 0.5);
       }
-      this.normals[found].add(normal);
+      for (let axis = 0; axis < 3; ++axis) this.normal[3 * found + axis] += n[i + axis];
       return found;
     };
-    for (let k = 0; k < (geometry.index?.count ?? positions.count); ++k) this.index.push(corner(geometry.index ? geometry.index.getX(k) : k));
+    const count = geometry.index?.count ?? p.length / 3;
+    for (let k = 0; k < count; ++k) this.index.push(corner(geometry.index ? geometry.index.getX(k) : k));
+  }
+
+  // Whether the corner of ours at `at` is in the place of theirs at i and looks the same way.
+  alike(at, p, n, i) {
+    const { position: q, normal: m } = this;
+    if (Math.abs(q[at] - p[i]) + Math.abs(q[at + 1] - p[i + 1]) + Math.abs(q[at + 2] - p[i + 2]) > 1e-3) return false;
+    return m[at] * n[i] + m[at + 1] * n[i + 1] + m[at + 2] * n[i + 2] > kAlike * Math.hypot(m[at], m[at + 1], m[at + 2]);
   }
 
   geometry() {
+    for (let i = 0; i < this.normal.length; i += 3) {
+      const length = Math.hypot(this.normal[i], this.normal[i + 1], this.normal[i + 2]) || 1;
+      for (let axis = 0; axis < 3; ++axis) this.normal[i + axis] /= length;
+    }
     const all = new THREE.BufferGeometry();
     all.setAttribute('position', new THREE.Float32BufferAttribute(this.position, 3));
-    all.setAttribute('normal', new THREE.Float32BufferAttribute(this.normals.flatMap((n) => n.normalize().toArray()), 3));
+    all.setAttribute('normal', new THREE.Float32BufferAttribute(this.normal, 3));
     all.setAttribute('part', new THREE.Float32BufferAttribute(this.part, 1));
     all.setIndex(this.index);
     return all;
   }
 }
 
+// The same for a robot and its ghosts, which share their shapes.
+let last = { of: '', geometry: null };
 function joined(parts, carriers) {
+  const of = parts.map((mesh) => mesh.geometry.uuid).join();
+  if (last.of === of) return last.geometry;
   const corners = new Corners();
   parts.forEach((mesh, i) => {
     const geometry = coarse(mesh.geometry).clone();
@@ -89,7 +105,8 @@ function joined(parts, carriers) {
     geometry.applyMatrix4(carriers[i].matrixWorld.clone().invert().multiply(mesh.matrixWorld));
     corners.add(geometry, i);
   });
-  return corners.geometry();
+  last = { of, geometry: corners.geometry() };
+  return last.geometry;
 }
 
 // Takes over the drawing of every mesh below model: their places, colours and opacity are followed.  Does nothing where

@@ -20,7 +20,9 @@ class Nothing {
 
 export function makeRenderer(canvas) {
   try {
-    return new THREE.WebGLRenderer({ canvas, antialias: !plain });
+    const renderer = new THREE.WebGLRenderer({ canvas, antialias: !plain });
+    renderer.debug.checkShaderErrors = false; // asking waits for every shader
+    return renderer;
   } catch {
     document.body.classList.add('no-3d');
     return new Nothing(canvas);

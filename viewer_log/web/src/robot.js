@@ -23,37 +23,50 @@ function dress(object) {
   });
 }
 
+// The robot as it is described; meshes: a promise that is kept when all of them are there.
+async function build() {
+  const answer = await fetch(withToken('robot.urdf'), { cache: 'no-store' });
+  if (!answer.ok) throw new Error(`robot.urdf: ${answer.status}`);
+  const text = await answer.text();
+  const manager = new THREE.LoadingManager();
+  manager.setURLModifier(withToken);
+  const loader = new URDFLoader(manager);
+  loader.packages = () => '/robot'; // package://NAME/path is the robot's own folder
+  loader.workingPath = '/robot/';
+  const meshes = new Promise((resolve) => { manager.onLoad = resolve; });
+  manager.itemStart('urdf'); // so that the end is told though there be no mesh
+  const model = loader.parse(text, '/robot/');
+  manager.itemEnd('urdf');
+  return { model, meshes };
+}
+
 export class Robot {
   constructor(scene) {
     this.scene = scene;
     this.model = null;
     this.joints = [];
+    this.whole = false; // with all meshes
+    // At once: how the messages order the joints is not needed for it.
+    this.begun = build().catch(() => null);
   }
 
   // joints: names in bus order; ready(model): called when all meshes are there.
   async load(joints, ready) {
-    const answer = await fetch(withToken('robot.urdf'), { cache: 'no-store' });
-    if (!answer.ok) throw new Error(`robot.urdf: ${answer.status}`);
-    const manager = new THREE.LoadingManager();
-    manager.setURLModifier(withToken);
-    const loader = new URDFLoader(manager);
-    loader.packages = () => '/robot'; // package://NAME/path is the robot's own folder
-    loader.workingPath = '/robot/';
-    manager.itemStart('urdf'); // so that the end is told though there be no mesh
-    const model = loader.parse(await answer.text(), '/robot/');
-    manager.onLoad = () => { // meshes come later
-      dress(model);
-      ready(model);
-      if (plain) drawAsOne(model); // after ready: ghosts are copies of what it was
-    };
-    dress(model);
+    const { begun } = this;
+    this.begun = null;
+    const { model, meshes } = await begun ?? await build();
     if (this.model) this.scene.remove(this.model);
+    this.whole = false;
     this.model = model;
     this.joints = joints.map((name) => model.joints[name] ?? null);
     for (const joint of this.joints) if (joint) joint.ignoreLimits = true; // show what is, not what should be
     this.tint = new Tint();
     this.scene.add(model);
-    manager.itemEnd('urdf');
+    await meshes;
+    dress(model);
+    ready(model);
+    if (plain) drawAsOne(model); // after ready: ghosts are copies of what it was
+    this.whole = this.model === model;
   }
 
   // Colours for what is about to touch or at its limit; returns the joints near a limit.

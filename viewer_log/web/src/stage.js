@@ -209,6 +209,15 @@ export class Stage {
     }
   }
 
+  // The first picture is of the floor and the robot alone: what else there is takes a while to be made ready to draw, and
+  // is while the robot is looked at already.
+  drawFirst(model) {
+    const later = this.scene.children.filter((part) => part.visible && !part.isLight && part !== this.floor && part !== model);
+    for (const part of later) part.visible = false;
+    this.draw();
+    for (const part of later) part.visible = true;
+  }
+
   draw() {
     this.spare();
     this.controls.update();
