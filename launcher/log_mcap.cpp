@@ -41,7 +41,7 @@ struct Part {
 
 constexpr std::size_t kPart =
     384 << 10;  // of the log; twice as much in JSON, which a cache holds [bytes]
-constexpr std::size_t kAtOnce = 4;  // parts that wait or are made into chunks
+constexpr std::size_t kAtOnce = 8;  // parts that wait or are made into chunks
 
 McapChunk chunk_of(McapChunk chunk, const Part& part) {
   std::map<std::uint16_t, JsonRoom> rooms;

@@ -122,7 +122,7 @@ std::string_view MessageJson::json_of(std::span<const std::uint8_t> message, Jso
   };
   if (joint_count_ >= 0) {
     joints = joints_of(message);
-    if (!room.last_.empty() && joints_of(room.last_) != joints) room.last_.clear();
+    if (!room.last_.empty() && joints_of(room.last_) != joints) room.last_ = {};
   }
   if (room.json_.empty()) {
     room.json_.resize(longest_);
@@ -152,7 +152,7 @@ std::string_view MessageJson::json_of(std::span<const std::uint8_t> message, Jso
     room.ends_[i] = static_cast<std::size_t>(out - room.json_.data());
   }
   *out++ = '}';
-  room.last_.assign(message.begin(), message.end());
+  room.last_ = message;
   return {room.json_.data(), static_cast<std::size_t>(out - room.json_.data())};
 }
 

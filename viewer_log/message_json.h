@@ -15,14 +15,14 @@
 
 namespace twinbus {
 
-// Where the JSON of messages of one type is written.  Remembers the last message: what did not change is not written
-// as decimals again.
+// Where the JSON of messages of one type is written.  Remembers the last message, which has to stay where it was: what
+// did not change is not written as decimals again.
 class JsonRoom {
  private:
   friend class MessageJson;
   std::vector<char> json_, last_json_;
-  std::vector<std::size_t> ends_;   // of the members in json_
-  std::vector<std::uint8_t> last_;  // message; empty at first
+  std::vector<std::size_t> ends_;       // of the members in json_
+  std::span<const std::uint8_t> last_;  // message; empty at first
 };
 
 class MessageJson {

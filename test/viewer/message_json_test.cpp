@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <bit>
+#include <deque>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <random>
@@ -73,8 +74,9 @@ TEST(MessageJson, RemembersTheLastMessageWithoutATrace) {
     const MessageSchema& schema = *find_schema(type);
     const MessageJson writer(schema);
     JsonRoom one;
-    std::vector<std::uint8_t> message = zeros(schema);
+    std::deque<std::vector<std::uint8_t>> messages = {zeros(schema)};  // each stays in its place
     for (int turn = 0; turn < 300; ++turn) {
+      std::vector<std::uint8_t>& message = messages.emplace_back(messages.back());
       for (int k = 0; k < 5; ++k) {
         const auto at = 8 + random() % (schema.bytes - 8);
         message[at] = static_cast<std::uint8_t>(random() % 3 == 0 ? 0 : random());
