@@ -1,4 +1,5 @@
-// The exact meshes of a robot among obstacles, by FCL alone: the oracle of `bench planner`.
+// The exact meshes of a robot, or its balls, among obstacles, by FCL alone: the oracle of
+// `bench planner`.
 
 #pragma once
 
@@ -12,7 +13,7 @@ namespace twinbus {
 
 class FclWorld {
  public:
-  // Parts with meshes; model must outlive this.
+  // The balls of a group that has some, else its meshes; model must outlive this.
   FclWorld(const Model& model, const RobotParts& parts);
   ~FclWorld();
   void set_obstacles(const std::vector<Obstacle>& obstacles);

@@ -1,6 +1,8 @@
-// OMPL's RRT-Connect with FCL on the exact meshes, on every tenth problem of `bench planner`.
+// OMPL's RRT-Connect with FCL, on the exact meshes or on VAMP's balls, on every tenth problem of
+// `bench planner`.
 //
-//   ompl_peer ROBOTS PROBLEMS SECONDS    prints: set number plan_us simplify_us cost points
+//   ompl_peer meshes|balls ROBOTS PROBLEMS SECONDS
+// prints: set number plan_us simplify_us cost points
 //
 // Range 1 rad, 32 states per radian, its own simplifier; SECONDS: limit of a plan.
 
@@ -23,9 +25,11 @@ namespace og = ompl::geometric;
 using twinbus::PlanningProblem;
 
 int main(int argc, char** argv) {
-  if (argc != 4) return 2;
+  if (argc != 5) return 2;
   ompl::msg::noOutputHandler();
-  const std::string folder = std::string(argv[1]) + "/panda", urdf = folder + "/panda.urdf";
+  const std::string folder = std::string(argv[2]) + "/panda";
+  const std::string urdf =
+      folder + (std::string(argv[1]) == "balls" ? "/panda_spherized.urdf" : "/panda.urdf");
   const twinbus::Model model = twinbus::load_urdf(urdf, {{"panda", folder}}, false);
   twinbus::FclWorld world(model, twinbus::robot_parts(model, urdf, folder + "/panda.srdf", folder));
   const auto now = [] {
@@ -34,7 +38,7 @@ int main(int argc, char** argv) {
         .count();
   };
   int index = 0;
-  for (const PlanningProblem& p : twinbus::read_problems(argv[2])) {
+  for (const PlanningProblem& p : twinbus::read_problems(argv[3])) {
     if (index++ % 10 != 0) continue;
     world.set_obstacles(p.obstacles);
     auto space = std::make_shared<ob::RealVectorStateSpace>(7);
@@ -64,7 +68,7 @@ int main(int argc, char** argv) {
     setup.setPlanner(planner);
     setup.setup();
     const double t0 = now();
-    const bool solved = setup.solve(std::atof(argv[3])) == ob::PlannerStatus::EXACT_SOLUTION;
+    const bool solved = setup.solve(std::atof(argv[4])) == ob::PlannerStatus::EXACT_SOLUTION;
     const double t1 = now();
     if (!solved) {
       std::printf("%s %d 0 0 0 0\n", p.set.c_str(), p.number);
