@@ -7,6 +7,7 @@
 
 #include "planner/arm_lines.h"
 #include "planner/edge_check.h"
+#include "planner/motion_effort.h"
 #include "planner/random.h"
 #include "planner/shorten.h"
 #include "robot/index.h"
@@ -16,8 +17,10 @@ namespace twinbus {
 
 namespace {
 
-constexpr double kTouching = 0.001;    // a start nearer than this counts as touching [m]
-constexpr double kShare = 0.9;         // of the room at start and goal that the way must keep
+constexpr double kTouching = 0.001;  // a start nearer than this counts as touching [m]
+constexpr double kShare = 0.9;       // of the room at start and goal that the way must keep
+constexpr double kProved =
+    0.7;  // share of the clearance of the search that the motion is proved to keep
 constexpr double kUnit = 0.01;         // what the length of a quaternion may be off by
 constexpr double kInside = 0.01;       // goal postures stay this far inside the joint limits [rad]
 constexpr double kWidestCorner = 0.4;  // [rad]
@@ -30,7 +33,8 @@ constexpr int kPatience = 8;             // times as many
 constexpr int kIkTries = 4;              // of one start, the closed form among them
 constexpr int kLeans = 8;                // steps until goal posture and lean agree
 constexpr double kLeanTolerance = 5e-5;  // [m]
-// A goal that is out of reach by no more than the servos' own error is answered by the nearest posture.
+// A goal that is out of reach by no more than the servos' own error is answered by the nearest
+// posture.
 constexpr double kBarelyOut = 0.003;    // [m]
 constexpr double kBarelyTurned = 0.02;  // [rad]
 constexpr double kTurnWeight = 0.1;     // of what a missed pose is off by [m/rad]
@@ -257,27 +261,30 @@ bool ArmPlanner::find_goals(EdgeCheck& space, Question& question, Random& random
 TimedPath ArmPlanner::timed(EdgeCheck& space, const JointPath& corners,
                             const TimingLimits& limits) const {
   const double clearance = space.clearance();
-  ArmPlan probe;
-  probe.joints = space.joints();
   // What is interpolated between knots may stray a little from the rounded path.
   for (const double widest : {kWidestCorner, 0.1, 0.0}) {
     const std::vector<RoundedPath> parts = RoundedPath::parts(space, corners, widest);
     TimedPath path = time_path(parts, limits, config_.knot_spacing, kMostKnots);
-    space.set_clearance(0.7 * clearance);
+    space.set_clearance(kProved * clearance);
     bool free = true;
-    for (std::size_t i = 0; free && i + 1 < path.size(); ++i) {
-      JointPoint from = path[i].q;
-      JointPoint to, qd, qdd;
-      for (int part = 1; free && part <= 4; ++part) {
-        sample(path, path[i].time + 0.25 * part * (path[i + 1].time - path[i].time), to, qd, qdd);
-        free = space.line_free(from, to);
-        from = to;
-      }
-    }
+    for (std::size_t i = 0; free && i + 1 < path.size(); ++i)
+      free = space.curve_free(bezier_between(path[i], path[i + 1]));
     space.set_clearance(clearance);
     if (free) return path;
   }
   return {};
+}
+
+// As slow as the joints' efforts ask; no path if one cannot hold the arm on the way.
+void ArmPlanner::within_efforts(const Configuration& start, ArmPlan& plan) const {
+  MotionEffort effort(*model_, start, plan.joints);
+  const double slower = effort.slower(plan.path);
+  if (slower > 1.0) slow_down(plan.path, slower);
+  if (slower > 0.0) return;
+  plan.path.clear();
+  plan.status = ArmPathStatus::kBadGoal;
+  plan.complaint = "on the way joint " + model_->joints[at(effort.weak_joint())].name +
+                   " would need more than its effort limit to hold the arm";
 }
 
 void ArmPlanner::set_obstacles(const std::vector<Obstacle>& obstacles) {
@@ -354,36 +361,32 @@ ArmPlan ArmPlanner::attempt(const ArmGoal& goal, const Configuration& start,
   corners.back() = question.goals[goal_index];
 
   TimingLimits timing;
-  timing.velocity = timing.acceleration = question.start;
+  timing.velocity = timing.acceleration = timing.jerk = question.start;
   for (int k = 0; k < question.start.size(); ++k) {
     timing.velocity[k] =
         static_cast<double>(goal.speed) * model_->joints[at(plan.joints[at(k)])].velocity;
     timing.acceleration[k] = timing.velocity[k] / config_.full_speed_time;
+    timing.jerk[k] = timing.acceleration[k] / config_.full_push_time;
   }
   plan.path = timed(space, corners, timing);
   plan.checks = space.checks();
-  plan.clearance = 0.7 * space.clearance();
+  plan.clearance = kProved * space.clearance();
   // A goal that is where the arm is already: a motion all the same, of one instant.
   if (plan.path.empty() && length_of(found, joints) < 1e-6F) {
     const JointPoint rest = JointPoint::Zero(question.start.size());
     plan.path = {{0.0, question.start, rest}, {0.1, corners.back(), rest}};
   }
   plan.status = plan.path.empty() ? ArmPathStatus::kTimeLimit : ArmPathStatus::kOk;
+  if (!plan.path.empty()) within_efforts(start, plan);
   return plan;
 }
 
 bool ArmPlanner::path_free(const ArmPlan& plan, const Configuration& start, double clearance) {
   EdgeCheck space(*model_, collision_, start, plan.joints, clearance);
-  if (plan.path.empty()) return false;
-  JointPoint from = plan.path.front().q;
-  JointPoint to, qd, qdd;
-  const int steps = std::max(1, static_cast<int>(std::ceil(plan.duration() / 0.01)));
-  for (int i = 0; i <= steps; ++i) {
-    sample(plan.path, plan.duration() * i / steps, to, qd, qdd);
-    if (!space.line_free(from, to)) return false;
-    from = to;
+  for (std::size_t i = 0; i + 1 < plan.path.size(); ++i) {
+    if (!space.curve_free(bezier_between(plan.path[i], plan.path[i + 1]))) return false;
   }
-  return true;
+  return !plan.path.empty();
 }
 
 std::string describe(const Model& model, const ArmPlan& plan) {
@@ -420,7 +423,7 @@ std::string describe(const Model& model, const ArmPlan& plan) {
     case ArmPathStatus::kBadGoal:
       break;
   }
-  return std::string("the goal makes no sense: ") + plan.complaint;
+  return "the goal makes no sense: " + plan.complaint;
 }
 
 }  // namespace twinbus

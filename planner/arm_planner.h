@@ -26,23 +26,24 @@ struct ArmPlannerConfig {
   // while its arm does, and the guard holds the arm before it is too near [m].
   double padding = 0.030;
   double full_speed_time = 0.5;  // from rest to a joint's velocity limit at speed 1 [s]
+  double full_push_time = 0.1;   // from rest to the acceleration that takes [s]
   int ik_restarts = 80;          // random postures to look for a goal posture from
   int goal_postures = 6;         // enough of them
   int rrt_rounds = 8000;
-  double knot_spacing = 0.04;  // [s]
+  double knot_spacing = 0.025;  // [s]
 };
 
 struct ArmPlan {
   ArmPathStatus status = ArmPathStatus::kBadGoal;
-  const char* complaint = "";  // kBadGoal: what is wrong with it
-  CollisionPair pair;          // kStartInCollision, kGoalInCollision
-  double miss = 0.0;           // kUnreachable: by how much [m]
-  std::vector<int> joints;     // model indices of the columns
-  TimedPath path;              // kOk
-  double clearance = 0.0;      // that every posture of the path keeps [m]
-  double padding = 0.0;        // that it keeps to obstacles besides [m]
-  int rounds = 0;              // of the search; 0: the straight way was free
-  std::int64_t checks = 0;     // postures whose exact distances were asked for
+  std::string complaint;    // kBadGoal: what is wrong with it
+  CollisionPair pair;       // kStartInCollision, kGoalInCollision
+  double miss = 0.0;        // kUnreachable: by how much [m]
+  std::vector<int> joints;  // model indices of the columns
+  TimedPath path;           // kOk
+  double clearance = 0.0;   // proved: every posture of the path, between knots too, keeps it [m]
+  double padding = 0.0;     // that it keeps to obstacles besides [m]
+  int rounds = 0;           // of the search; 0: the straight way was free
+  std::int64_t checks = 0;  // postures whose exact distances were asked for
   double duration() const { return path.empty() ? 0.0 : path.back().time; }
 };
 
@@ -63,7 +64,7 @@ class ArmPlanner {
                const Eigen::Isometry3d& ground_in_world, std::uint64_t seed,
                bool (*keep_on)(void*) = nullptr, void* user = nullptr);
 
-  // Does the motion keep `clearance` [m], looked at so finely that nothing slips through?
+  // Is it proved of every instant of the motion that it keeps `clearance` [m]?
   bool path_free(const ArmPlan& plan, const Configuration& start, double clearance);
 
   const Model& model() const { return *model_; }
@@ -80,6 +81,7 @@ class ArmPlanner {
                   ArmPlan& plan) const;
   TimedPath timed(class EdgeCheck& space, const JointPath& corners,
                   const TimingLimits& limits) const;
+  void within_efforts(const Configuration& start, ArmPlan& plan) const;
 
   const Model* model_;
   ArmPlannerConfig config_;

@@ -11,6 +11,7 @@
 
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -31,6 +32,11 @@ class EdgeCheck : public FreeSpace {
 
   bool point_free(const JointPoint& q) override;
   bool line_free(const JointPoint& from, const JointPoint& to) override;
+
+  // Every point of a cubic, given by its Bezier points: it stays in their hull, so from its middle
+  // no point of the robot moves farther than the bound above of the farthest of them. Halved until
+  // that proves that the clearance is kept; no is also said when that takes too long.
+  bool curve_free(const std::array<JointPoint, 4>& curve, int halvings = 12);
 
   // Which pair is in the way at q; false when none is.
   bool who_is_near(const JointPoint& q, double clearance, CollisionPair& pair);

@@ -20,6 +20,7 @@ class RoundedPath {
   static std::vector<RoundedPath> parts(FreeSpace& space, const JointPath& corners, double widest);
 
   double length() const { return starts_.back(); }
+  const std::vector<double>& seams() const { return starts_; }  // s between pieces, both ends too
   // Position, and its first and second derivative by s, at 0 <= s <= length().
   void at(double s, JointPoint& q, JointPoint& dq, JointPoint& ddq) const;
 

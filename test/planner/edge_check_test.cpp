@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <random>
 
 #include "test/planner/reach_rig.h"
@@ -46,6 +47,34 @@ TEST(EdgeCheck, AFreeLineIsFreeEverywhere) {
     }
   }
   EXPECT_GT(free, 20);
+}
+
+// And so does a cubic, which keeps the clearance at every instant.
+TEST(EdgeCheck, AFreeCurveKeepsItsClearanceEverywhere) {
+  const Configuration start = standing();
+  Collision collision(hrp1s());
+  collision.set_obstacles({post(0.30, 0.30), box(0.4, 0.2, 0.7, 0.3, 0.6, 0.01)});
+  EdgeCheck space(hrp1s(), collision, start, left_arm(), 0.005);
+  std::mt19937_64 random(12);
+  int free = 0, blocked = 0;
+  for (int i = 0; i < 200; ++i) {
+    const JointPoint a = random_arm(random);
+    std::array<JointPoint, 4> curve{a, a, a, a};
+    for (std::size_t k = 1; k < 4; ++k) curve[k] = a + 0.4 * (random_arm(random) - a);
+    const bool proved = space.curve_free(curve);
+    bool is_free = true;
+    for (int s = 0; s <= 200; ++s) {
+      const double t = s / 200.0, u = 1.0 - t;
+      const JointPoint q = u * u * u * curve[0] + 3.0 * u * u * t * curve[1] +
+                           3.0 * u * t * t * curve[2] + t * t * t * curve[3];
+      is_free = is_free && !collision.nearer_than(space.kinematics_at(q), 0.005);
+    }
+    EXPECT_TRUE(is_free || !proved) << "curve " << i;
+    free += proved ? 1 : 0;
+    blocked += is_free && !proved ? 1 : 0;  // what only just keeps it cannot be proved
+  }
+  EXPECT_GT(free, 20);
+  EXPECT_LT(blocked, 3);
 }
 
 // A plate of half a millimetre cannot be tunnelled through, however long the line.
