@@ -3,7 +3,9 @@
 
 Charts: soles (ZMP, centre of mass and DCM among the soles, seen from above), force (normal force of the left foot on the
 robot's soft soles, and on ground and soles ten times as stiff: what lies above 50 Hz), speed (ZMP margin and force error
-against the velocity asked).  Each is written as SVG, PNG and CSV to DIR (default test/charts/walk); --redraw draws from the
+against the velocity asked), cost (what foot forces are off a run with an eighth of the step, against CPU time of the whole
+stack), map (largest push survived on the spot, by direction and phase, beside the bound of the linear inverted pendulum).
+Each is written as SVG, PNG and CSV to DIR (default test/charts/walk); --redraw draws from the
 CSV that is there.
 """
 
@@ -12,6 +14,7 @@ import json
 import math
 import os
 import pathlib
+import resource
 import subprocess
 import sys
 import tempfile
@@ -19,11 +22,12 @@ import tempfile
 import plot
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-CHARTS = ("soles", "force", "speed")
+CHARTS = ("soles", "force", "speed", "cost", "map")
 SOLE = ((0.18, 0.07), (0.18, -0.07), (-0.07, -0.07), (-0.07, 0.07))  # hrp1s, in the sole frame [m]
 WEIGHT = 130.8 * 9.81  # [N]
 FROM, TO = 6.0, 9.0    # what is drawn of walk_forward [s]
 FAST = 50.0            # [Hz]
+STEPS = (0.002, 0.001, 0.0005)  # of the physics [s]
 SPEEDS = (0.1, 0.2, 0.3, 0.4, 0.5, 0.55, 0.6, 0.65, 0.7)
 
 
@@ -127,6 +131,57 @@ def draw_speed(rows, folder):
     curves = [(name, [(float(row["speed"]), float(row[key])) for row in rows]) for name, key in names]
     return plot.write(folder / "speed.svg", plot.lines("Walking forward, by the velocity asked", "hrp1s, engine articulated, 11 s each",
                                                        "velocity asked [m/s]", "mm or %", curves))
+
+
+def measure_cost():
+    scene = (ROOT / "config/scenes/walk_forward.yaml").read_text(encoding="utf-8")
+    folder = pathlib.Path(tempfile.mkdtemp())
+    for order in (1, 2, 3):
+        for step in STEPS:
+            file, report = folder / "walk.yaml", folder / "report.json"
+            file.write_text(f"step: {step}\n{scene}", encoding="utf-8")
+            words = [twinbus(), "run", file, "--set", f"solver.order={order}", "--no-guard", "--for", "8"]
+            before = resource.getrusage(resource.RUSAGE_CHILDREN)
+            subprocess.run(words, capture_output=True, check=False)
+            after = resource.getrusage(resource.RUSAGE_CHILDREN)
+            subprocess.run([*words, "--reference", "--report", report], capture_output=True, check=False)
+            figures = json.loads(report.read_text())
+            yield {"order": order, "step_ms": 1e3 * step, "error_n": figures["foot_force_rms_error_n"],
+                   "cpu_s_per_s": (after.ru_utime - before.ru_utime) / figures["sim_time_s"]}
+            print(f"cost: order {order}, step {step} s", flush=True)
+
+
+def draw_cost(rows, folder):
+    curves = [(f"order {order}", [(float(row["cpu_s_per_s"]), float(row["error_n"])) for row in rows if row["order"] == str(order)],
+               False) for order in (1, 2, 3)]
+    return plot.write(folder / "cost.svg", plot.loglog(
+        "Walking at 0.55 m/s: error against CPU time of the whole stack", "hrp1s, engine articulated; steps of 2, 1 and 0.5 ms from the left",
+        "CPU time, start included [s per simulated second]", "foot force against an eighth of the step, rms [N]", curves))
+
+
+def measure_map():
+    done = subprocess.run([twinbus().parent / "walk_map_bench"], capture_output=True, text=True, check=True)
+    yield from csv.DictReader(done.stdout.splitlines())
+
+
+def draw_map(rows, folder):
+    """Seen from above, the robot faces right: weakest and strongest phase, and the bound of the weakest."""
+    directions = sorted({float(row["direction_deg"]) for row in rows})
+
+    def around(pick, key):
+        found = []
+        for direction in directions + directions[:1]:
+            size = pick(float(row[key]) for row in rows if float(row["direction_deg"]) == direction)
+            angle = math.radians(direction)
+            found.append((size * math.cos(angle), size * math.sin(angle)))
+        return found
+    shares = [min(1.0, float(row["survived"]) / float(row["bound"])) for row in rows if float(row["bound"]) > 0.0]
+    words = f"of the bound {100.0 * sum(shares) / len(shares):.0f} % is reached on average, {100.0 * min(shares):.0f} % at least"
+    print(words, flush=True)
+    curves = [("weakest phase", around(min, "survived")), ("strongest phase", around(max, "survived")),
+              ("bound, weakest phase", around(min, "bound"))]
+    return plot.write(folder / "map.svg", plot.lines("Pushes survived while walking on the spot, 0.1 s long", f"hrp1s, facing right; {words}",
+                                                     "change of velocity forward [m/s]", "left [m/s]", curves, alike=True))
 
 
 def main(words):
