@@ -18,6 +18,7 @@
 #include "control/state_check.h"
 #include "robot/estimator.h"
 #include "robot/index.h"
+#include "robot/walking.h"
 
 namespace twinbus {
 
@@ -103,6 +104,7 @@ ControlLoop::Impl::Impl(const Model& m, const ControlConfig& c)
     }
   }
   status.controller_id = c.controller_id;
+  estimator.estimate_attitude(walking_of(m).own_attitude);
 }
 
 void ControlLoop::Impl::first_state() noexcept {

@@ -18,7 +18,7 @@ void add(const Eigen::Isometry3d& ground, const Foothold& at, const Eigen::Vecto
          ObstaclesPiece& out) noexcept {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   pose.translation() = Eigen::Vector3d(at.position.x(), at.position.y(), at.height);
-  pose.linear() = Eigen::AngleAxisd(at.yaw, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  pose.linear() = at.rotation();
   pose = ground.inverse() * pose * Eigen::Translation3d(middle);
   place_row(pose, static_cast<std::size_t>(out.count++), out);
 }

@@ -52,14 +52,17 @@ double standing_length(const Model& model, const LegReach& reach) {
 }
 }  // namespace
 
-Eigen::Vector2d Foothold::turn(const Eigen::Vector2d& v) const noexcept {
-  const double c = std::cos(yaw), s = std::sin(yaw);
-  return {c * v.x() - s * v.y(), s * v.x() + c * v.y()};
+void Foothold::set_yaw(double yaw) noexcept {
+  if (yaw == yaw_) return;
+  yaw_ = yaw;
+  cosine_ = std::cos(yaw);
+  sine_ = std::sin(yaw);
 }
 
-Eigen::Vector2d Foothold::unturn(const Eigen::Vector2d& v) const noexcept {
-  const double c = std::cos(yaw), s = std::sin(yaw);
-  return {c * v.x() + s * v.y(), -s * v.x() + c * v.y()};
+Eigen::Matrix3d Foothold::rotation() const noexcept {
+  Eigen::Matrix3d m;
+  m << cosine_, -sine_, 0.0, sine_, cosine_, 0.0, 0.0, 0.0, 1.0;
+  return m;
 }
 
 Eigen::Vector3d Gait::possible(const Eigen::Vector3d& velocity) const noexcept {
@@ -122,9 +125,8 @@ Foothold next_foothold(const Foothold& from, int foot, const Eigen::Vector3d& ve
   const double turn = turning * (turning * out > 0.0 ? 1.5 : 0.5);
   const double side = velocity.y() * out > 0.0 ? 2.0 * velocity.y() * period : 0.0;
   const double half = 0.5 * width;
-  Foothold next;
-  next.yaw = wrap_angle(from.yaw + turn);
-  next.height = from.height;
+  Foothold next = from;
+  next.set_yaw(wrap_angle(from.yaw() + turn));
   next.position = from.position + from.turn({velocity.x() * period, out * half + side});
   next.position += next.turn({0.0, out * half});
   return next;

@@ -18,11 +18,21 @@ namespace twinbus {
 
 struct Foothold {
   Eigen::Vector2d position = Eigen::Vector2d::Zero();  // of the sole frame, world [m]
-  double yaw = 0.0;                                    // [rad]
   double height = 0.0;                                 // of the ground there [m]
 
-  Eigen::Vector2d turn(const Eigen::Vector2d& in_sole) const noexcept;  // sole axes -> world axes
-  Eigen::Vector2d unturn(const Eigen::Vector2d& in_world) const noexcept;
+  double yaw() const noexcept { return yaw_; }  // [rad]
+  void set_yaw(double yaw) noexcept;
+  Eigen::Matrix3d rotation() const noexcept;
+  // Sole axes -> world axes, and back.
+  Eigen::Vector2d turn(const Eigen::Vector2d& v) const noexcept {
+    return {cosine_ * v.x() - sine_ * v.y(), sine_ * v.x() + cosine_ * v.y()};
+  }
+  Eigen::Vector2d unturn(const Eigen::Vector2d& v) const noexcept {
+    return {cosine_ * v.x() + sine_ * v.y(), -sine_ * v.x() + cosine_ * v.y()};
+  }
+
+ private:
+  double yaw_ = 0.0, cosine_ = 1.0, sine_ = 0.0;  // turned often, set once a tick
 };
 
 // How this robot walks: robot.yaml's `walking`, and what follows from its legs and soles.

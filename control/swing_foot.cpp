@@ -39,7 +39,8 @@ void SwingFoot::advance(const Foothold& target, double left, double lift, double
     acceleration_ += jerk * dt;
     velocity_ += acceleration_ * dt;
     place_.position += velocity_ * dt;
-    place_.yaw += wrap_angle(target.yaw - place_.yaw) * std::min(1.0, 3.0 * dt / (t + dt));
+    const double turn = wrap_angle(target.yaw() - place_.yaw());
+    place_.set_yaw(place_.yaw() + turn * std::min(1.0, 3.0 * dt / (t + dt)));
   } else {
     velocity_.setZero();
     acceleration_.setZero();

@@ -10,8 +10,8 @@ namespace twinbus {
 
 namespace {
 constexpr int kFirstRounds = 10;
-constexpr double kLeastLoad = 0.05;  // of the weight, on feet that tell where the ground is
-constexpr double kRestSpeed = 0.02;  // of the centre of mass [m/s]
+constexpr double kLeastLoad = 0.05;   // of the weight, on feet that tell where the ground is
+constexpr double kRestSpeed = 0.02;   // of the centre of mass [m/s]
 constexpr double kRestPlace = 0.006;  // of it and the ZMP, from the middle of the feet [m]
 }  // namespace
 
@@ -67,7 +67,7 @@ void Walk::measure(const Estimator& estimator, double dt, bool fresh) noexcept {
     const Eigen::Isometry3d& sole = estimator.sole_in_world(f);
     Foothold& foot = measured_feet_[at(f)];
     foot.position = sole.translation().head<2>();
-    foot.yaw = yaw_of(sole.linear());
+    foot.set_yaw(yaw_of(sole.linear()));
     const double force = std::max(0.0, estimator.sole_force(f).z());
     foot.height = sole.translation().z() + force / std::max(1e3, model_->soles[at(f)].stiffness);
     if (!fresh && !pattern_.swings(f)) {
@@ -142,8 +142,8 @@ void Walk::feed_forward(double dt) noexcept {
   c.qd = qd_;
   c.base_velocity << stabilizer_.velocity(), height_.velocity() + ground_.velocity();
   c.base_angular_velocity.setZero();
-  Kinematics& k = ik_.kinematics();
-  k.update(c);
+  ik_.update();
+  const Kinematics& k = ik_.kinematics();
   const double w = omega();
   Eigen::Vector3d acceleration(0.0, 0.0, vertical_acceleration());
   acceleration.head<2>() = w * w * (stabilizer_.com() - stabilizer_.zmp());

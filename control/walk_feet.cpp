@@ -55,7 +55,7 @@ void WalkFeet::start(const WalkPattern& pattern, const std::array<Eigen::Isometr
     foot.last = soles[f].translation() + Eigen::Vector3d(0.0, 0.0, foot.sink);
     foot.last_turn = soles[f].linear() * bend.transpose();
     foot.offset = foot.last - in_plan(at);
-    foot.offset_turn = rotation_vector(foot.last_turn * rotation_z(at.yaw).transpose());
+    foot.offset_turn = rotation_vector(foot.last_turn * at.rotation().transpose());
     compose(f);
   }
 }
@@ -94,7 +94,7 @@ void WalkFeet::update(const WalkPattern& pattern, const std::array<FootLoad, 2>&
 
     const Foothold& at = swings ? pattern.swing().place() : pattern.foot(static_cast<int>(f));
     const Eigen::Vector3d place = in_plan(at);
-    const Eigen::Matrix3d heading = rotation_z(at.yaw);
+    const Eigen::Matrix3d heading = at.rotation();
     if (foot.was_swinging && !swings) {  // landed: the command stays where it is
       foot.offset = foot.last - place;
       foot.offset_turn = rotation_vector(foot.last_turn * heading.transpose());

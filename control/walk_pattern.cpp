@@ -43,8 +43,8 @@ Eigen::Vector2d WalkPattern::middle() const noexcept {
 }
 
 double WalkPattern::heading() const noexcept {
-  const double from = single() ? foot(support_).yaw : feet_[0].yaw;
-  const double to = single() ? swing_.place().yaw : feet_[1].yaw;
+  const double from = single() ? foot(support_).yaw() : feet_[0].yaw();
+  const double to = single() ? swing_.place().yaw() : feet_[1].yaw();
   return from + 0.5 * wrap_angle(to - from);
 }
 
@@ -56,7 +56,7 @@ bool WalkPattern::side_by_side() const noexcept {
   const Eigen::Vector2d way = apart();
   const double width = tidy_ ? gait_.standing_width : gait_.width;
   return std::abs(way.x()) < kBeside && std::abs(way.y() - width) < kBeside &&
-         std::abs(wrap_angle(feet_[0].yaw - feet_[1].yaw)) < kParallel;
+         std::abs(wrap_angle(feet_[0].yaw() - feet_[1].yaw())) < kParallel;
 }
 
 void WalkPattern::start(const std::array<Foothold, 2>& feet) noexcept {

@@ -17,6 +17,11 @@ constexpr double kOvershoot =
 constexpr double kNearlyStraight = 0.35, kLeastBend = 0.12;  // of a knee [rad]
 constexpr double kDamping = 0.03;
 constexpr double kLargestStep = 0.2;  // of a joint in a round [rad]
+
+// Axis times the sine of the angle of a rotation: all that Newton's method needs.
+Eigen::Vector3d sine_vector(const Eigen::Matrix3d& r) noexcept {
+  return 0.5 * Eigen::Vector3d(r(2, 1) - r(1, 2), r(0, 2) - r(2, 0), r(1, 0) - r(0, 1));
+}
 }  // namespace
 
 WholeBodyIk::WholeBodyIk(const Model& model)
@@ -40,6 +45,12 @@ void WholeBodyIk::start(const Configuration& now) noexcept {
   configuration_.qd.setZero();
   configuration_.base_velocity.setZero();
   configuration_.base_angular_velocity.setZero();
+  current_ = false;
+}
+
+void WholeBodyIk::update() noexcept {
+  kinematics_.update(configuration_);
+  current_ = true;
 }
 
 void WholeBodyIk::step_leg(std::size_t foot, const Eigen::Isometry3d& sole,
@@ -58,7 +69,7 @@ void WholeBodyIk::step_leg(std::size_t foot, const Eigen::Isometry3d& sole,
   }
   Vector6 e;
   e << sole.translation() - now.translation() - shift,
-      rotation_vector(sole.linear() * now.linear().transpose());
+      sine_vector(sole.linear() * now.linear().transpose());
   error_ = std::max(error_, e.norm());
   const LegReach& reach = reach_[foot];
   const double bend = reach.bends * (configuration_.q[reach.knee] - reach.straight);
@@ -88,18 +99,21 @@ void WholeBodyIk::step_leg(std::size_t foot, const Eigen::Isometry3d& sole,
 void WholeBodyIk::solve(const Eigen::Vector3d& com, const Eigen::Matrix3d& base,
                         const std::array<Eigen::Isometry3d, 2>& soles, const Eigen::VectorXd& q,
                         int rounds) noexcept {
+  if (!current_) update();
   for (int j = 0; j < model_->joint_count(); ++j) {
     if (!leg_mask_[at(j)]) configuration_.q[j] = q[j];
   }
   configuration_.base.linear() = base;
-  kinematics_.update(configuration_);
   for (int round = 0; round < rounds; ++round) {
-    const Eigen::Vector3d shift = kOvershoot * (com - kinematics_.com());
+    if (round > 0) update();
+    // Where the kinematics have their base: what is asked is brought there, so that they need no update before.
+    const Eigen::Isometry3d into = kinematics_.link_in_world(0) * configuration_.base.inverse();
+    const Eigen::Vector3d shift = kOvershoot * (into * com - kinematics_.com());
     error_ = shift.norm();
-    configuration_.base.translation() += shift;
-    for (std::size_t foot = 0; foot < 2; ++foot) step_leg(foot, soles[foot], shift);
-    kinematics_.update(configuration_);
+    for (std::size_t foot = 0; foot < 2; ++foot) step_leg(foot, into * soles[foot], shift);
+    configuration_.base.translation() += into.linear().transpose() * shift;
   }
+  current_ = false;
 }
 
 }  // namespace twinbus

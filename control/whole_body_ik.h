@@ -23,15 +23,17 @@ class WholeBodyIk {
 
   // Begins at a posture.
   void start(const Configuration& now) noexcept;
-  // q [joint_count]: of the joints that are not of a leg.  Velocities of the result are not touched.
+  // q [joint_count]: of the joints that are not of a leg; what they move the centre of mass by is seen with the next
+  // update().  Velocities of the result are not touched.
   void solve(const Eigen::Vector3d& com, const Eigen::Matrix3d& base,
              const std::array<Eigen::Isometry3d, 2>& soles, const Eigen::VectorXd& q,
              int rounds) noexcept;
 
   Configuration& configuration() noexcept { return configuration_; }
   const Configuration& configuration() const noexcept { return configuration_; }
-  // Updated for it but for the velocities.
-  Kinematics& kinematics() noexcept { return kinematics_; }
+  // After its velocities have been set: kinematics of it.
+  void update() noexcept;
+  const Kinematics& kinematics() const noexcept { return kinematics_; }
   bool is_leg(int joint) const noexcept { return leg_mask_[static_cast<std::size_t>(joint)]; }
   double error() const noexcept { return error_; }  // of the last round's start [m, rad]
 
@@ -45,6 +47,7 @@ class WholeBodyIk {
   std::vector<bool> leg_mask_;
   Configuration configuration_;
   Kinematics kinematics_;
+  bool current_ = false;  // the kinematics are those of the configuration
   double error_ = 0.0;
 };
 

@@ -23,7 +23,6 @@ constexpr double kFullShare = 0.15;
 // Without force sensors: soles this close to the lowest one stand on the ground [m].
 constexpr double kSameHeight = 0.005;
 
-
 }  // namespace
 
 Estimator::Estimator(const Model& model)
@@ -36,6 +35,8 @@ Estimator::Estimator(const Model& model)
 
 void Estimator::reset() noexcept {
   started_ = false;
+  attitude_.reset();
+  imu_velocity_.setZero();
   loaded_ = {};
   anchored_ = {};
   yaw_offset_ = 0.0;
@@ -57,11 +58,21 @@ void Estimator::update(const RobotState& state) noexcept {
   const bool switched = started_ && state.run_id != run_id_;
   run_id_ = state.run_id;
   started_ = true;
+  look_at_imu(state);
   look(state);
   measure_load(state);
   place_base(start, switched);
   move_base();
   finish();
+}
+
+void Estimator::look_at_imu(const RobotState& state) noexcept {
+  const double period = model_->period();
+  const double dt = 1e-9 * static_cast<double>(state.time_ns - time_ns_);
+  time_ns_ = state.time_ns;
+  if (!own_attitude_ || (state.sensor_flags & kImuValid) == 0) return;
+  attitude_.update(vector_from_array(state.gyro), vector_from_array(state.accel), imu_velocity_,
+                   loaded_[0] || loaded_[1], dt > 0.0 && dt < 10.0 * period ? dt : period);
 }
 
 // Everything relative to the base's origin, in a frame with z up and the heading the IMU believes
@@ -79,10 +90,12 @@ void Estimator::look(const RobotState& state) noexcept {
   if ((state.sensor_flags & kImuValid) != 0) {
     const Eigen::Matrix3d imu_in_base =
         kinematics_.link_in_world(model_->imu_link).linear() * model_->imu.linear();
-    upright_base_.noalias() =
-        quaternion_from_array(state.attitude).toRotationMatrix() * imu_in_base.transpose();
-    omega = imu_in_base * vector_from_array(state.gyro) -
-            kinematics_.angular_velocity(model_->imu_link);
+    const Eigen::Matrix3d imu = own_attitude_
+                                    ? attitude_.rotation()
+                                    : quaternion_from_array(state.attitude).toRotationMatrix();
+    const Eigen::Vector3d rate = own_attitude_ ? attitude_.rate() : vector_from_array(state.gyro);
+    upright_base_.noalias() = imu * imu_in_base.transpose();
+    omega = imu_in_base * rate - kinematics_.angular_velocity(model_->imu_link);
   }
   configuration_.base_angular_velocity = upright_base_ * omega;
 
@@ -264,6 +277,11 @@ void Estimator::finish() noexcept {
     }
   }
   support_.finish();
+  if (own_attitude_) {
+    const Eigen::Vector3d imu =
+        kinematics_.link_in_world(model_->imu_link) * model_->imu.translation();
+    imu_velocity_ = heading.transpose() * kinematics_.point_velocity(model_->imu_link, imu);
+  }
   if (force_z > 0.0) {
     zmp_ << -moment.y() / force_z, moment.x() / force_z, 0.0;
   } else {

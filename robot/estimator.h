@@ -1,15 +1,15 @@
 // Where the base is, from what a robot can measure: IMU, encoders and foot forces.
 //
 // Used by the controller and by a simulator that tracks another source, so that both mean the same.
-// World: z up, origin and heading where the first state was; goes on across a switch.  Roll and
-// pitch come from the IMU; heading and position come from the loaded soles, which stand still on
-// the plane z = 0, so a drifting IMU heading turns nothing. Slip-aware estimation comes with
-// walking.
+// World: z up, origin and heading where the first state was; goes on across a switch.  Roll and pitch come from the IMU,
+// or where robot.yaml says `walking: {attitude: estimated}` from its gyro and accelerometer; heading and position come from
+// the loaded soles, which stand still on the plane z = 0, so a drifting IMU heading turns nothing.
 
 #pragma once
 
 #include <Eigen/Geometry>
 
+#include "robot/attitude_filter.h"
 #include "robot/kinematics.h"
 #include "robot/model.h"
 #include "robot/robot_io.h"
@@ -20,6 +20,9 @@ namespace twinbus {
 class Estimator {
  public:
   explicit Estimator(const Model& model);
+
+  // Attitude from gyro and accelerometer (attitude_filter.h) instead of the IMU's own.
+  void estimate_attitude(bool own) noexcept { own_attitude_ = own; }
 
   // Starts again: the base stands with its loaded soles on the ground plane z = 0, midway at x = y
   // = 0, heading 0.
@@ -72,6 +75,7 @@ class Estimator {
     double weight = 0.0;  // share in the average
   };
 
+  void look_at_imu(const RobotState& state) noexcept;
   void look(const RobotState& state) noexcept;
   void measure_load(const RobotState& state) noexcept;
   void place_base(bool start, bool switched) noexcept;
@@ -90,6 +94,10 @@ class Estimator {
   std::array<bool, 2> anchored_{};
   double yaw_offset_ = 0.0;  // heading in world minus heading of the IMU
   std::int64_t run_id_ = 0;
+  bool own_attitude_ = false;
+  AttitudeFilter attitude_;
+  Eigen::Vector3d imu_velocity_ = Eigen::Vector3d::Zero();  // frame of the filter [m/s]
+  std::int64_t time_ns_ = 0;
   bool started_ = false;
 
   std::array<Eigen::Isometry3d, 2> sole_;

@@ -1,5 +1,7 @@
 #include "robot/kinematics.h"
 
+#include <algorithm>
+
 #include "robot/index.h"
 #include "robot/pose_math.h"
 
@@ -30,7 +32,7 @@ Kinematics::Kinematics(const Model& model)
       hinges_(model.joints.size()),
       angle_((model.joints.size() + 3) / 4 * 4, 0.0),
       sine_(angle_.size(), 0.0),
-      cosine_(angle_.size(), 0.0),
+      cosine_(angle_.size(), 1.0),
       subtree_mass_(model.links.size(), 0.0),
       subtree_moment_(model.links.size()),
       mass_(model.total_mass()) {
@@ -61,24 +63,31 @@ Kinematics::Kinematics(const Model& model)
   update(Configuration(model));
 }
 
+// Angles that are what they were keep their sines.
 TWINBUS_AVX2_CLONES
 void Kinematics::sines(const Configuration& configuration) noexcept {
   const std::size_t n = model_->joints.size();
-  bool large = false;
-  for (std::size_t j = 0; j < n; ++j) {
-    angle_[j] = configuration.q[static_cast<Eigen::Index>(j)];
-    large = large || !(std::abs(angle_[j]) <= kMostAngle);
-  }
-  for (std::size_t k = 0; k < angle_.size(); k += 4) {
+  const double* q = configuration.q.data();
+  for (std::size_t k = 0; k < n; k += 4) {
+    const std::size_t end = std::min(n, k + 4);
+    bool same = true, large = false;
+    for (std::size_t j = k; j < end; ++j) {
+      same = same && q[j] == angle_[j];
+      large = large || !(std::abs(q[j]) <= kMostAngle);
+      angle_[j] = q[j];
+    }
+    if (same) continue;
+    if (large) {
+      for (std::size_t j = k; j < end; ++j) {
+        sine_[j] = std::sin(q[j]);
+        cosine_[j] = std::cos(q[j]);
+      }
+      continue;
+    }
     Vec4 s, c;
     sine_cosine(load4(&angle_[k]), s, c);
     store4(&sine_[k], s);
     store4(&cosine_[k], c);
-  }
-  if (!large) return;
-  for (std::size_t j = 0; j < n; ++j) {
-    sine_[j] = std::sin(angle_[j]);
-    cosine_[j] = std::cos(angle_[j]);
   }
 }
 
@@ -168,30 +177,33 @@ void Kinematics::update(const Configuration& configuration) noexcept {
   com_ = (mass_ > 0.0 ? 1.0 / mass_ : 0.0) * subtree_moment_[0].value;
 }
 
-Eigen::Vector3d Kinematics::com_velocity() const noexcept {
-  Eigen::Vector3d momentum = Eigen::Vector3d::Zero();
-  for (std::size_t i = 0; i < links_.size(); ++i) {
-    const LinkState& link = links_[i];
-    momentum +=
-        masses_[i].mass *
-        (link.velocity.value + link.omega.value.cross(link.com.value - link.pose.translation()));
-  }
-  return (mass_ > 0.0 ? 1.0 / mass_ : 0.0) * momentum;
+// Momentum of a link alone.
+TWINBUS_INLINE static Vec4 push_of(const LinkState& link, const LinkMass& of) noexcept {
+  const Vec4 arm = load(link.com) - load4(link.pose.matrix().data() + 12);
+  return (load(link.velocity) + cross4(load(link.omega), arm)) * of.mass;
 }
 
+TWINBUS_AVX2_CLONES
+Eigen::Vector3d Kinematics::com_velocity() const noexcept {
+  Vec4 momentum{};
+  for (std::size_t i = 0; i < links_.size(); ++i) momentum += push_of(links_[i], masses_[i]);
+  return (mass_ > 0.0 ? 1.0 / mass_ : 0.0) * vector3(momentum);
+}
+
+TWINBUS_AVX2_CLONES
 Eigen::Vector3d Kinematics::angular_momentum() const noexcept {
-  Eigen::Vector3d angular = Eigen::Vector3d::Zero();
+  Vec4 angular{};
+  const Vec4 centre = vec4(com_);
   for (std::size_t i = 0; i < links_.size(); ++i) {
     const LinkState& link = links_[i];
-    const Eigen::Vector3d& omega = link.omega.value;
-    const Eigen::Matrix3d& r = link.pose.linear();
-    const Eigen::Vector3d p =
-        masses_[i].mass *
-        (link.velocity.value + omega.cross(link.com.value - link.pose.translation()));
-    angular += (link.com.value - com_).cross(p);
-    angular.noalias() += r * (model_->links[i].inertia * (r.transpose() * omega));
+    const LinkMass& of = masses_[i];
+    const Columns turn = columns(link.pose.matrix().data(), 4);
+    const Vec4 omega = load(link.omega);
+    const Columns inertia{load(of.inertia[0]), load(of.inertia[1]), load(of.inertia[2])};
+    const Vec4 own = inertia.times(dot3(turn.x, omega), dot3(turn.y, omega), dot3(turn.z, omega));
+    angular += cross4(load(link.com) - centre, push_of(link, of)) + turn.times(own);
   }
-  return angular;
+  return vector3(angular);
 }
 
 Eigen::Vector3d Kinematics::point_velocity(int link, const Eigen::Vector3d& point) const noexcept {

@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
 """./twinbus chart walk [CHART...] [--out DIR] [--redraw]: how the robot walks.
 
-Charts: soles (ZMP, centre of mass and DCM among the soles, seen from above), force (normal force of the left foot on the
-robot's soft soles, and on ground and soles ten times as stiff: what lies above 50 Hz), speed (ZMP margin and force error
-against the velocity asked), cost (what foot forces are off a run with an eighth of the step, against CPU time of the whole
-stack), map (largest push survived on the spot, by direction and phase, beside the bound of the linear inverted pendulum).
+Charts: soles (ZMP, centre of mass and DCM among the soles, seen from above), force (normal force of the left foot against
+what it was asked to carry), rigid (the same force on the robot's soft soles and as good as rigid, on Open Dynamics Engine: what
+lies above 50 Hz), guard (time of the collision check while walking), twin (hrp2p in the simulator and as the stand-in robot),
+speed (ZMP margin and force error against the velocity asked), cost (what foot forces are off a run with an eighth of the step,
+against CPU time of the whole stack), map (largest push survived on the spot, by direction and phase, beside the bound of the
+linear inverted pendulum).
 Each is written as SVG, PNG and CSV to DIR (default test/charts/walk); --redraw draws from the
 CSV that is there.
 """
@@ -22,11 +24,12 @@ import tempfile
 import plot
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-CHARTS = ("soles", "force", "speed", "cost", "map")
+CHARTS = ("soles", "force", "rigid", "guard", "twin", "speed", "cost", "map")
 SOLE = ((0.18, 0.07), (0.18, -0.07), (-0.07, -0.07), (-0.07, 0.07))  # hrp1s, in the sole frame [m]
 WEIGHT = 130.8 * 9.81  # [N]
 FROM, TO = 6.0, 9.0    # what is drawn of walk_forward [s]
 FAST = 50.0            # [Hz]
+STIFF = 30             # as good as rigid
 STEPS = (0.002, 0.001, 0.0005)  # of the physics [s]
 SPEEDS = (0.1, 0.2, 0.3, 0.4, 0.5, 0.55, 0.6, 0.65, 0.7)
 
@@ -86,10 +89,32 @@ def draw_soles(rows, folder):
                                                        "forward [m]", "left [m]", curves, outlines, alike=True))
 
 
+def trace(*words):
+    """Rows of walk_trace_bench: a walk tick by tick."""
+    done = subprocess.run([twinbus().parent / "walk_trace_bench", *words], capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        sys.exit(f"chart walk: {done.stderr.strip()}")
+    return list(csv.DictReader(done.stdout.splitlines()))
+
+
 def measure_force():
-    soft, stiff = table_of(), table_of("contact.stiffness_scale=10")
-    for (tick, a, _), (_, b, _) in zip(soft, stiff):
-        yield {"time": f"{0.002 * tick:.3f}", "soft": a["foot_force[0][2]"], "stiff": b["foot_force[0][2]"]}
+    for row in trace():
+        yield {"time": row["time"], "measured": row["left"], "asked": row["left_asked"]}
+
+
+def draw_force(rows, folder):
+    missed = [float(row["measured"]) - float(row["asked"]) for row in rows]
+    words = f"rms of the difference {100.0 * math.sqrt(sum(m * m for m in missed) / len(missed)) / WEIGHT:.1f} % of the weight"
+    print(words, flush=True)
+    curves = [(name, [(float(row["time"]), float(row[key])) for row in rows]) for name, key in (("measured", "measured"), ("asked", "asked"))]
+    return plot.write(folder / "force.svg", plot.lines("Normal force of the left foot, walking at 0.55 m/s", f"hrp1s, engine articulated; {words}",
+                                                       "time [s]", "force [N]", curves))
+
+
+def measure_rigid():
+    soft, stiff = trace("--for", "1.5", "--engine", "ode"), trace("--for", "1.5", "--engine", "ode", "--set", f"contact.stiffness_scale={STIFF}")
+    for a, b in zip(soft, stiff):
+        yield {"time": a["time"], "soft": a["left"], "stiff": b["left"]}
 
 
 def above(values, hertz, period):
@@ -102,14 +127,52 @@ def above(values, hertz, period):
     return math.sqrt(square / len(values)) / WEIGHT
 
 
-def draw_force(rows, folder):
+def draw_rigid(rows, folder):
     curves, words = [], []
-    for key, name in (("soft", "the robot's soles"), ("stiff", "ten times as stiff")):
+    for key, name in (("stiff", f"{STIFF} times as stiff"), ("soft", "the robot's soles")):
         values = [float(row[key]) for row in rows]
         curves.append((name, [(float(row["time"]), value) for row, value in zip(rows, values)]))
-        words.append(f"{name}: {100.0 * above(values, FAST, 0.002):.2f} % of the weight above {FAST:.0f} Hz")
+        words.append(f"{name}: {100.0 * above(values, FAST, 0.002):.2f} %")
     print("; ".join(words), flush=True)
-    return plot.write(folder / "force.svg", plot.lines("Normal force of the left foot, 0.55 m/s", "; ".join(words), "time [s]", "force [N]", curves))
+    return plot.write(folder / "rigid.svg", plot.lines("Normal force of the left foot, walking at 0.55 m/s, engine ode",
+                                                       f"above {FAST:.0f} Hz, of the weight: {'; '.join(words)}", "time [s]", "force [N]", curves))
+
+
+def measure_guard():
+    for row in trace("--guard"):
+        yield {"time": row["time"], "guard_us": row["guard_us"]}
+
+
+def draw_guard(rows, folder):
+    values = sorted(float(row["guard_us"]) for row in rows)
+    words = f"median {values[len(values) // 2]:.0f} us, 99 % {values[len(values) * 99 // 100]:.0f} us"
+    print(words, flush=True)
+    return plot.write(folder / "guard.svg", plot.lines("Collision check of all pairs on their meshes while walking at 0.55 m/s",
+                                                       f"hrp1s, every tick; {words}", "time [s]", "time of a check [us]",
+                                                       [("guard", [(float(row["time"]), float(row["guard_us"])) for row in rows])]))
+
+
+def measure_twin():
+    words = ("--robot", "hrp2p", "--speed", "0.6")
+    for a, b in zip(trace(*words), trace(*words, "--emulated")):
+        yield {"time": a["time"]} | {f"{key}_{name}": row[key] for name, row in (("simulator", a), ("emulated", b))
+                                     for key in ("x", "y", "roll", "pitch", "left")}
+
+
+def draw_twin(rows, folder):
+    def curve(key, name):
+        return [(float(row["time"]), float(row[f"{key}_{name}"])) for row in rows]
+    off = math.sqrt(sum((float(row["left_simulator"]) - float(row["left_emulated"])) ** 2 for row in rows) / len(rows))
+    sway = math.sqrt(sum((float(row["y_simulator"]) - float(row["y_emulated"])) ** 2 for row in rows) / len(rows))
+    words = f"difference rms: force {off:.0f} N, sway {1e3 * sway:.1f} mm"
+    print(words, flush=True)
+    missing = plot.write(folder / "twin.svg", plot.lines(
+        "hrp2p walks at 0.6 m/s: simulator and stand-in robot", f"normal force of the left foot; {words}", "time [s]", "force [N]",
+        [("simulator", curve("left", "simulator")), ("stand-in robot", curve("left", "emulated"))]))
+    plot.write(folder / "twin_path.svg", plot.lines(
+        "hrp2p walks at 0.6 m/s: simulator and stand-in robot", "sway of the base", "time [s]", "to the left [m]",
+        [("simulator", curve("y", "simulator")), ("stand-in robot", curve("y", "emulated"))]))
+    return missing
 
 
 def measure_speed():

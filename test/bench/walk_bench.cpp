@@ -1,6 +1,7 @@
-// How walking holds: stops in every phase, pushes by direction and phase, a robot that is not the nominal one, time of a tick.
+// How walking holds: stops in every phase, pushes by direction and phase, a robot that is not the nominal one, what every
+// robot must do, time of a tick.
 //
-//     walk_bench [stop|push|robust|time]... [--robot R] [--phases N] [--speed V] [--push V] [--guard] [--engine E]
+//     walk_bench [stop|push|robust|everyday|time]... [--robot R] [--phases N] [--speed V] [--push V] [--guard] [--engine E]
 //
 // --push: the same change of velocity [m/s] in every direction.  Without words: all of it.  Exit status 1 when a robot
 // fell, a stop took more than 1.5 steps or the guard (--guard) asked for a stop.
@@ -9,12 +10,14 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <numeric>
 #include <string>
 #include <vector>
 
 #include "control/walk.h"
 #include "robot/load.h"
 #include "robot/process.h"
+#include "sim/scene_seed.h"
 #include "test/control/sim_rig.h"
 
 namespace twinbus {
@@ -48,6 +51,7 @@ struct Walker : SimRig {
     command.run_id = state().run_id;
     command.vx = static_cast<float>(vx);
     command.vy = static_cast<float>(vy);
+    command.wz = static_cast<float>(turn);
     command.timeout = 0.1F;
     const auto count = static_cast<int>(std::lround(seconds / model.period()));
     for (int i = 0; i < count; ++i) {
@@ -65,6 +69,7 @@ struct Walker : SimRig {
       if (foot[2] > kOffGround) last_in_air = static_cast<double>(ticks());
     }
   }
+  double turn = 0.0;  // asked [rad/s]
   std::int32_t said = 0;
   double last_in_air = 0.0;  // of a foot [tick]
 };
@@ -147,6 +152,53 @@ int pushes(const Bench& bench, const Settings& settings, const char* name, int c
   return fell;
 }
 
+// What any robot that walks must do: forward, sideways, turn, tiles of 20 mm, pushes of 0.25 m/s in every phase.
+int everyday(const Bench& given) {
+  constexpr double kShare = 0.7;  // of the fastest walk
+  constexpr double kPushed = 0.25;
+  Bench bench = given;
+  bench.guard = true;
+  const Eigen::Vector3d most =
+      kShare * gait_of(bench.model, walking_of(bench.model), 0.01).most_velocity;
+  struct Row {
+    const char* name;
+    Eigen::Vector3d velocity;
+    double tiles;  // [m]
+  };
+  int fell = 0;
+  for (const Row& row :
+       {Row{"forward", {most.x(), 0.0, 0.0}, 0.0}, Row{"sideways", {0.0, most.y(), 0.0}, 0.0},
+        Row{"turn", {0.0, 0.0, most.z()}, 0.0},
+        Row{"tiles of 20 mm", {0.5 * most.x(), 0.0, 0.0}, 0.02}}) {
+    for (std::uint64_t seed = 1; seed <= (row.tiles > 0.0 ? 3U : 1U); ++seed) {
+      Scene scene = scene_of(bench);
+      scene.terrain.height = row.tiles;
+      scene.terrain.length = row.tiles > 0.0 ? 6.0 : 0.0;
+      scene.terrain.width = 2.4;
+      apply_seed(scene, bench.model, seed);
+      Walker robot(bench, scene, {});
+      robot.turn = row.velocity.z();
+      const bool good = robot.walk(bench.model, row.velocity.x(), row.velocity.y(), 12.0);
+      fell += good ? 0 : 1;
+      std::printf("%s, guard on, %s: %s, tilt %.2f degrees, ZMP margin %.1f mm\n",
+                  bench.model.name.c_str(), row.name,
+                  good                                     ? "holds"
+                  : robot.loop().guard_report().stop_asked ? "the guard STOPS it"
+                                                           : "FALLS",
+                  57.29578 * robot.record().base_tilt_max, 1e3 * robot.record().zmp_margin_min);
+    }
+  }
+  int held = 0, count = 0;
+  for (const auto& [x, y] :
+       {std::pair{1.0, 0.0}, std::pair{0.0, 1.0}, std::pair{-1.0, 0.0}, std::pair{0.0, -1.0}}) {
+    for (int phase = 0; phase < 6; ++phase, ++count)
+      held += survives(bench, kPushed * x, kPushed * y, phase / 6.0, false, {}) ? 1 : 0;
+  }
+  std::printf("%s, guard on, pushes of %.2f m/s: %d of %d held\n", bench.model.name.c_str(),
+              kPushed, held, count);
+  return fell + count - held;
+}
+
 // The heaviest link's centre of mass is not where the controller believes [m].
 void shift_trunk(Bench& bench, double x, double y) {
   bench.simulated = bench.model;
@@ -156,12 +208,30 @@ void shift_trunk(Bench& bench, double x, double y) {
   trunk->com += Eigen::Vector3d(x, y, 0.0);
 }
 
+// As if its robot.yaml said so.
+void estimate_attitude(Model& model) {
+  const std::string words = "attitude: estimated";
+  const std::size_t walking = model.yaml_text.find("walking:");
+  if (walking == std::string::npos) {
+    model.yaml_text += "\nwalking: {" + words + "}\n";
+  } else {
+    model.yaml_text.insert(model.yaml_text.find('{', walking) + 1, words + ", ");
+  }
+}
+
 int robust(const Bench& given) {
   struct Row {
     const char* name;
     Settings settings;
     double trunk_x = 0.0, trunk_y = 0.0;  // [m]
+    bool own_attitude = false;            // from gyro and accelerometer
   };
+  const Settings noisy{{"sensor.noise.encoder", "3e-5"},   {"sensor.noise.velocity", "0.03"},
+                       {"sensor.noise.attitude", "0.006"}, {"sensor.noise.gyro", "0.03"},
+                       {"sensor.noise.accel", "0.15"},     {"sensor.noise.force", "15"},
+                       {"sensor.noise.moment", "1.5"},     {"sensor.bias.roll", "0.003"},
+                       {"sensor.bias.pitch", "0.003"},     {"sensor.bias.gyro", "0.005"},
+                       {"sensor.bias.accel", "0.03"},      {"sensor.bias.force", "5"}};
   const std::vector<Row> table = {
       {"nominal", {}},
       {"mass x1.1", {{"model.mass_scale", "1.1"}}},
@@ -172,21 +242,14 @@ int robust(const Bench& given) {
       {"trunk 20 mm forward", {}, 0.02, 0.0},
       {"trunk 20 mm back", {}, -0.02, 0.0},
       {"trunk 20 mm left", {}, 0.0, 0.02},
-      {"noise x3 and bias",
-       {{"sensor.noise.encoder", "3e-5"},
-        {"sensor.noise.velocity", "0.03"},
-        {"sensor.noise.attitude", "0.006"},
-        {"sensor.noise.gyro", "0.03"},
-        {"sensor.noise.force", "15"},
-        {"sensor.noise.moment", "1.5"},
-        {"sensor.bias.roll", "0.003"},
-        {"sensor.bias.pitch", "0.003"},
-        {"sensor.bias.gyro", "0.005"},
-        {"sensor.bias.force", "5"}}},
+      {"noise x3 and bias", noisy},
+      {"attitude estimated", {}, 0.0, 0.0, true},
+      {"the same, noisy", noisy, 0.0, 0.0, true},
   };
   int fell = 0;
-  for (const auto& [name, settings, trunk_x, trunk_y] : table) {
+  for (const auto& [name, settings, trunk_x, trunk_y, own_attitude] : table) {
     Bench bench = given;
+    if (own_attitude) estimate_attitude(bench.model);
     shift_trunk(bench, trunk_x, trunk_y);
     Walker robot(bench, scene_of(bench), settings);
     const bool good = robot.walk(bench.model, bench.speed, 0.0, 12.0);
@@ -199,11 +262,15 @@ int robust(const Bench& given) {
   return fell;
 }
 
-// One tick of the control loop, everything but the guard, while the simulated robot walks.
-void time_ticks(const Bench& bench) {
-  Walker robot(bench, scene_of(bench), {});
+// One tick of the control loop while the simulated robot walks at a physics step of 1 ms, and what the engine takes.
+void time_ticks(const Bench& given, bool guard) {
+  Bench bench = given;
+  bench.guard = guard;
+  Scene scene = scene_of(bench);
+  scene.step = 0.001;
+  Walker robot(bench, scene, {});
   if (!robot.walk(bench.model, bench.speed, 0.0, 3.0)) return;
-  std::vector<double> whole, alone;
+  std::vector<double> control, engine, alone;
   WalkPattern pattern(gait_of(bench.model, walking_of(bench.model), 0.01));
   pattern.start({pattern.foot(0), pattern.foot(1)});
   pattern.want({bench.speed, 0.0, 0.0});
@@ -213,28 +280,44 @@ void time_ticks(const Bench& bench) {
   command.run_id = state.run_id;
   command.vx = static_cast<float>(bench.speed);
   command.timeout = 0.1F;
+  const auto us_since = [](std::int64_t then) {
+    return 1e-3 * static_cast<double>(monotonic_ns() - then);
+  };
   for (std::int64_t i = robot.ticks(); i < robot.ticks() + 4000; ++i) {
+    const std::int64_t before = monotonic_ns();
     if (robot.sim().read(state, 0.0) != Status::kOk) return;
+    engine.push_back(us_since(before));
     state.tick = i;
     state.time_ns = i * bench.model.period_ns;
     if (i % 10 == 0) robot.loop().on_walk_command(command, state.time_ns);
     const std::int64_t start = monotonic_ns();
     robot.loop().on_state(state, state.time_ns);
     (void)robot.loop().step(state.time_ns, answer);
-    whole.push_back(1e-3 * static_cast<double>(monotonic_ns() - start));
+    control.push_back(us_since(start));
+    const std::int64_t after = monotonic_ns();
     if (robot.sim().write(answer) != Status::kOk) return;
+    engine.back() += us_since(after);
+    if (guard) continue;
     const std::int64_t begin = monotonic_ns();
     pattern.advance({true, true}, {pattern.foot(0), pattern.foot(1)}, bench.model.period());
     pattern.plan(pattern.dcm(), 3.7);
-    alone.push_back(1e-3 * static_cast<double>(monotonic_ns() - begin));
+    alone.push_back(us_since(begin));
   }
-  const auto line = [](const char* name, std::vector<double>& us) {
+  const auto line = [](const char* name, std::vector<double> us) {
     std::sort(us.begin(), us.end());
     std::printf("%s: median %.1f us, 99 %% %.1f us, worst %.1f us\n", name, us[us.size() / 2],
                 us[us.size() * 99 / 100], us.back());
   };
-  line("control tick while walking, without guard", whole);
+  line(guard ? "control tick while walking, with guard"
+             : "control tick while walking, without guard",
+       control);
+  if (guard) return;
   line("pattern generator alone", alone);
+  line("engine and sensors, two steps of 1 ms", engine);
+  const double both = std::accumulate(control.begin(), control.end(), 0.0) +
+                      std::accumulate(engine.begin(), engine.end(), 0.0);
+  std::printf("whole loop without guard, physics at 1 ms: %.0f times real time\n",
+              1e6 * bench.model.period() * static_cast<double>(control.size()) / both);
 }
 
 int run(int argc, char** argv) {
@@ -258,11 +341,12 @@ int run(int argc, char** argv) {
       bench.push = std::atof(argv[++i]);
     } else if (word == "--speed" && has_value) {
       bench.speed = std::atof(argv[++i]);
-    } else if (word == "stop" || word == "push" || word == "robust" || word == "time") {
+    } else if (word == "stop" || word == "push" || word == "robust" || word == "time" ||
+               word == "everyday") {
       words.push_back(word);
     } else {
       std::fprintf(stderr,
-                   "walk_bench [stop|push|robust|time]... [--robot R] [--phases N] "
+                   "walk_bench [stop|push|robust|everyday|time]... [--robot R] [--phases N] "
                    "[--speed V] [--push V] [--guard] [--engine E]\n");
       return word == "--help" ? 0 : 2;
     }
@@ -275,7 +359,10 @@ int run(int argc, char** argv) {
   if (asked("stop")) bad += stops(bench);
   if (asked("push")) bad += pushes(bench, {}, "nominal", phases_given ? bench.phases : 12);
   if (asked("robust")) bad += robust(bench);
-  if (asked("time")) time_ticks(bench);
+  if (asked("everyday")) bad += everyday(bench);
+  for (const bool guard : {false, true}) {
+    if (asked("time")) time_ticks(bench, guard);
+  }
   return bad > 0 ? 1 : 0;
 }
 

@@ -24,7 +24,7 @@ Eigen::Vector3d walked(const Gait& g, const Eigen::Vector3d& velocity, int steps
     at[1 - stands] = next_foothold(at[stands], stands, velocity, g.period(), g.width);
   }
   const Eigen::Vector2d middle = 0.5 * (at[0].position + at[1].position);
-  return {middle.x(), middle.y(), 0.5 * (at[0].yaw + at[1].yaw)};
+  return {middle.x(), middle.y(), 0.5 * (at[0].yaw() + at[1].yaw())};
 }
 
 TEST(Footsteps, WithoutVelocityTheFeetStayWhereTheyAre) {

@@ -1,0 +1,111 @@
+// What a walk looks like tick by tick: foot forces measured and asked, where the base is, what the guard took.
+//
+//     walk_trace_bench [--robot R] [--speed V] [--engine E] [--set KEY=VALUE]... [--emulated] [--guard] [--for S]
+//
+// Prints CSV: time [s], force and asked of the left and right foot [N], base x, y [m], roll, pitch [rad], guard [us].
+// --emulated: the body of the stand-in robot (other engine, other masses, friction, backlash, noise, delay).
+
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+#include "control/guard.h"
+#include "robot/estimator.h"
+#include "robot/load.h"
+#include "robot/pose_math.h"
+#include "robot/process.h"
+#include "sim/emulated_robot.h"
+#include "test/control/sim_rig.h"
+
+namespace twinbus {
+namespace {
+
+constexpr double kStands = 0.5,
+                 kStarts = 3.0;  // before walking is asked for, before it is drawn [s]
+
+int run(int argc, char** argv) {
+  std::string robot = "hrp1s";
+  double speed = 0.55, seconds = 3.0;
+  Scene scene;
+  Settings settings;
+  ControlConfig control;
+  control.guard_in_loop = false;
+  bool guarded = false;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    const bool has_value = i + 1 < argc;
+    if (word == "--robot" && has_value) {
+      robot = argv[++i];
+    } else if (word == "--speed" && has_value) {
+      speed = std::atof(argv[++i]);
+    } else if (word == "--for" && has_value) {
+      seconds = std::atof(argv[++i]);
+    } else if (word == "--engine" && has_value) {
+      scene.engine = argv[++i];
+    } else if (word == "--set" && has_value) {
+      const std::string setting = argv[++i];
+      const std::size_t equals = setting.find('=');
+      if (equals == std::string::npos) return 2;
+      settings.emplace_back(setting.substr(0, equals), setting.substr(equals + 1));
+    } else if (word == "--emulated") {
+      scene.engine = "ode";
+      for (const auto& setting : EmulatedRobot::differences()) settings.push_back(setting);
+    } else if (word == "--guard") {
+      guarded = true;
+    } else {
+      std::fprintf(stderr,
+                   "walk_trace_bench [--robot R] [--speed V] [--engine E] [--set KEY=VALUE]... "
+                   "[--emulated] [--guard] [--for S]\n");
+      return word == "--help" ? 0 : 2;
+    }
+  }
+  const Model model = load_robot(robot);
+  SimRig rig(model, scene, settings, control);
+  if (!rig.run(kStands)) return 1;
+  rig.ask(Mode::kWalk);
+  WalkCommand walk;
+  walk.run_id = rig.state().run_id;
+  walk.vx = static_cast<float>(speed);
+  walk.timeout = 0.1F;
+  Guard guard(model, GuardConfig{});
+  Estimator estimator(model);
+  std::printf("time,left,left_asked,right,right_asked,x,y,roll,pitch,guard_us\n");
+  const auto first = static_cast<std::int64_t>((kStands + kStarts) / model.period());
+  const auto last = first + static_cast<std::int64_t>(seconds / model.period());
+  while (rig.ticks() < last) {
+    if (rig.ticks() % 10 == 0) {
+      ++walk.sequence;
+      rig.loop().on_walk_command(walk, rig.state().time_ns);
+    }
+    if (!rig.tick() || rig.record().fell) {
+      std::fprintf(stderr, "walk_trace_bench: the walk ended\n");
+      return 1;
+    }
+    double guard_us = 0.0;
+    if (guarded) {
+      estimator.update(rig.state());
+      const std::int64_t start = monotonic_ns();
+      (void)guard.check(rig.state(), &rig.command(), estimator.configuration());
+      guard_us = 1e-3 * static_cast<double>(monotonic_ns() - start);
+    }
+    if (rig.ticks() < first) continue;
+    const SimTruth& t = rig.truth();
+    const std::array<double, 2> asked = rig.loop().foot_forces();
+    const Eigen::Vector3d rpy =
+        rpy_from_rotation(quaternion_from_array(t.base_attitude).toRotationMatrix());
+    std::printf("%.3f,%.1f,%.1f,%.1f,%.1f,%.4f,%.4f,%.5f,%.5f,%.2f\n",
+                model.period() * static_cast<double>(rig.ticks() - first),
+                static_cast<double>(t.foot_force[0][2]), asked[0],
+                static_cast<double>(t.foot_force[1][2]), asked[1],
+                static_cast<double>(t.base_position[0]), static_cast<double>(t.base_position[1]),
+                rpy.x(), rpy.y(), guard_us);
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace twinbus
+
+int main(int argc, char** argv) {
+  return twinbus::run_process("walk_trace_bench", twinbus::run, argc, argv);
+}
