@@ -82,8 +82,8 @@ struct Collision::Impl {
   const Isometry3d& placed(const Kinematics& kinematics, const Owner& owner, Body& body) noexcept;
   const OwnerPair& pair_of_shapes(const NearShapes::Candidate& c, int& index) const noexcept;
   bool nearer(const NearShapes::Candidate& candidate, double near, PairDistance& result) noexcept;
-  bool shapes_nearer(Body& a, Body& b, ShapeMemory& remembered, double near,
-                     PairDistance& result) noexcept;
+  bool shapes_nearer(Body& a, Body& b, ShapeMemory& remembered, const Vector3d& towards,
+                     double near, PairDistance& result) noexcept;
   bool own_distance(const Body& a, const Body& b, const Vector3d& towards_b, double near,
                     PairDistance& result) noexcept;
   bool mesh_distance(const Body& a, const Body& b, double near, double at_least, MeshMemory& memory,
@@ -220,21 +220,28 @@ bool Collision::Impl::mesh_distance(const Body& a, const Body& b, double near, d
 }
 
 // result.distance, when lower than before, is the signed distance; true when it was improved.
-bool Collision::Impl::shapes_nearer(Body& a, Body& b, ShapeMemory& remembered, double near,
+// towards: where b may be seen from a.
+bool Collision::Impl::shapes_nearer(Body& a, Body& b, ShapeMemory& remembered,
+                                    const Vector3d& towards, double near,
                                     PairDistance& result) noexcept {
   const PlacedShape shape_a{&a.convex, &a.world};
   const PlacedShape shape_b{&b.convex, &b.world};
   const Vector3d between = b.world.translation() - a.world.translation();
   const double reach = a.radius + b.radius + near;
   if (!(reach > 0.0) || between.squaredNorm() > reach * reach) return false;
-  if (separation(shape_a, shape_b, a.world.linear() * remembered.apart) > near + kRounding)
-    return false;
-  if (separation(shape_a, shape_b, between.normalized()) > near + kRounding) return false;
+  const Vector3d before = a.world.linear() * remembered.apart;
+  const double as_before = separation(shape_a, shape_b, before);
+  if (as_before > near + kRounding) return false;
+  const Vector3d seen = towards.squaredNorm() > 1e-8 ? towards.normalized() : between.normalized();
+  const double as_seen = separation(shape_a, shape_b, seen);
+  if (as_seen > near + kRounding) return false;
+  const Vector3d first = a.world.linear().transpose() *
+                         (as_before > as_seen && !remembered.apart.isZero(0.0) ? before : seen);
 
   PairDistance found;
   found.distance = near + 1.0;
   const bool mesh = a.mesh || b.mesh;
-  if (!own_distance(a, b, remembered.apart, near, found)) return false;
+  if (!own_distance(a, b, first, near, found)) return false;
   if (found.distance > kConverged) remembered.apart = a.world.linear().transpose() * found.normal;
   const bool exact = mesh && !(found.distance > kHullsApart);
   if (exact && !mesh_distance(a, b, near, std::max(found.distance - kConverged, 0.0),
@@ -280,7 +287,11 @@ bool Collision::Impl::nearer(const NearShapes::Candidate& candidate, double near
   const std::size_t shape_a = static_cast<std::size_t>(of_a.shape);
   const std::size_t known =
       static_cast<std::size_t>(pair.first_memory) + shape_a * b.shapes.size() + shape_b;
-  return shapes_nearer(a.shapes[shape_a], b.shapes[shape_b], memory[known], near, result);
+  Vector3d towards(static_cast<double>(candidate.towards[0]),
+                   static_cast<double>(candidate.towards[1]),
+                   static_cast<double>(candidate.towards[2]));
+  if (one.owner != pair.a) towards = -towards;
+  return shapes_nearer(a.shapes[shape_a], b.shapes[shape_b], memory[known], towards, near, result);
 }
 
 Collision::Collision(const Model& model) : impl_(std::make_unique<Impl>(model)) {}
@@ -411,7 +422,7 @@ bool Collision::pair_nearer_than(const Kinematics& kinematics, int link_a, int l
       ShapeMemory nothing;
       ShapeMemory& known = index < 0 ? nothing : i.memory[static_cast<std::size_t>(index++)];
       const double reach = std::min(near, result.distance);
-      found = i.shapes_nearer(body_a, body_b, known, reach, result) || found;
+      found = i.shapes_nearer(body_a, body_b, known, Vector3d::Zero(), reach, result) || found;
     }
   }
   return found;

@@ -1,8 +1,9 @@
 #include "robot/gjk.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <cstdint>
+#include <utility>
 
 #include "robot/vec4.h"
 
@@ -13,29 +14,31 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double kConverged = 1e-9;  // upper and lower bound agree to this [m]
+constexpr double kConverged = 5e-8;  // upper and lower bound agree to this [m]
 constexpr double kTouching = 1e-12;  // [m]
 constexpr int kMostSteps = 64;
 
 struct Corner {  // of the difference of the shapes
-  Vector3d v, on_a, on_b;
+  Vec4 v, on_a, on_b;
 };
 
 // The corners that hold the point nearest to zero, and its weights.
 struct Nearest {
-  Vector3d point = Vector3d::Zero();
+  Vec4 point{};
   int count = 0;
-  std::array<int, 3> corner{};
-  std::array<double, 3> weight{};
+  int corner[3] = {};
+  double weight[3] = {};
   bool inside = false;  // zero is inside the tetrahedron
 };
 
-Nearest of_corner(const Corner* c, int i) { return {c[i].v, 1, {i, 0, 0}, {1.0, 0.0, 0.0}, false}; }
+TWINBUS_INLINE Nearest of_corner(const Corner* c, int i) noexcept {
+  return {c[i].v, 1, {i, 0, 0}, {1.0, 0.0, 0.0}, false};
+}
 
-Nearest of_edge(const Corner* c, int i, int j) {
-  const Vector3d edge = c[j].v - c[i].v;
-  const double length2 = edge.squaredNorm();
-  const double t = -c[i].v.dot(edge);
+TWINBUS_INLINE Nearest of_edge(const Corner* c, int i, int j) noexcept {
+  const Vec4 edge = c[j].v - c[i].v;
+  const double length2 = dot3(edge, edge);
+  const double t = -dot3(c[i].v, edge);
   if (!(t > 0.0)) return of_corner(c, i);
   if (!(t < length2)) return of_corner(c, j);
   const double s = t / length2;
@@ -43,41 +46,47 @@ Nearest of_edge(const Corner* c, int i, int j) {
 }
 
 // Which of the regions around the triangle zero is in (Ericson, Real-Time Collision Detection, 5.1.5).
-Nearest of_triangle(const Corner* c, int i, int j, int k) {
-  const Vector3d ab = c[j].v - c[i].v, ac = c[k].v - c[i].v;
-  const double d1 = -ab.dot(c[i].v), d2 = -ac.dot(c[i].v);
+TWINBUS_INLINE Nearest of_triangle(const Corner* c, int i, int j, int k) noexcept {
+  const Vec4 p = c[i].v, q = c[j].v, r = c[k].v;
+  const Vec4 ab = q - p, ac = r - p;
+  // The three corners by coordinate: six products of them with the edges at once.
+  const Vec4 x = {p[0], q[0], r[0], 0.0}, y = {p[1], q[1], r[1], 0.0}, z = {p[2], q[2], r[2], 0.0};
+  const Vec4 along_ab = -(x * ab[0] + y * ab[1] + z * ab[2]);
+  const Vec4 along_ac = -(x * ac[0] + y * ac[1] + z * ac[2]);
+  const double d1 = along_ab[0], d2 = along_ac[0];
   if (d1 <= 0.0 && d2 <= 0.0) return of_corner(c, i);
-  const double d3 = -ab.dot(c[j].v), d4 = -ac.dot(c[j].v);
+  const double d3 = along_ab[1], d4 = along_ac[1];
   if (d3 >= 0.0 && d4 <= d3) return of_corner(c, j);
   const double vc = d1 * d4 - d3 * d2;
   if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) return of_edge(c, i, j);
-  const double d5 = -ab.dot(c[k].v), d6 = -ac.dot(c[k].v);
+  const double d5 = along_ab[2], d6 = along_ac[2];
   if (d6 >= 0.0 && d5 <= d6) return of_corner(c, k);
   const double vb = d5 * d2 - d1 * d6;
   if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) return of_edge(c, i, k);
   const double va = d3 * d6 - d5 * d4;
   if (va <= 0.0 && d4 - d3 >= 0.0 && d5 - d6 >= 0.0) return of_edge(c, j, k);
-  const double sum = va + vb + vc;
-  const double s = vb / sum, t = vc / sum;
+  const double scale = 1.0 / (va + vb + vc);
+  const double s = vb * scale, t = vc * scale;
   // Along the normal, which rounding harms less than the sum of the corners.
-  const Vector3d normal = ab.cross(ac);
-  const Vector3d point = normal * (normal.dot(c[i].v) / normal.squaredNorm());
+  const Vec4 normal = cross4(ab, ac);
+  const Vec4 point = normal * (dot3(normal, p) / dot3(normal, normal));
   return {point, 3, {i, j, k}, {1.0 - s - t, s, t}, false};
 }
 
-Nearest of_tetrahedron(const Corner* c) {
+TWINBUS_INLINE Nearest of_tetrahedron(const Corner* c) noexcept {
   constexpr int kFaces[4][4] = {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2}, {1, 3, 2, 0}};
   Nearest best;
   double least = 1e300;
   bool inside = true;
   for (const auto& f : kFaces) {
-    const Vector3d normal = (c[f[1]].v - c[f[0]].v).cross(c[f[2]].v - c[f[0]].v);
-    const double zero = -normal.dot(c[f[0]].v);
-    const double other = normal.dot(c[f[3]].v - c[f[0]].v);
+    const Vec4 p = c[f[0]].v;
+    const Vec4 normal = cross4(c[f[1]].v - p, c[f[2]].v - p);
+    const double zero = -dot3(normal, p);
+    const double other = dot3(normal, c[f[3]].v - p);
     if (zero * other > 0.0) continue;  // zero is on the side of the fourth corner
     inside = false;
     const Nearest face = of_triangle(c, f[0], f[1], f[2]);
-    const double d = face.point.squaredNorm();
+    const double d = dot3(face.point, face.point);
     if (d < least) {
       least = d;
       best = face;
@@ -108,25 +117,28 @@ std::size_t farthest(const double* x, std::size_t n, double dx, double dy, doubl
   return static_cast<std::size_t>(where[lane]);
 }
 
+// a with the signs of b.
+TWINBUS_INLINE Vec4 with_signs(Vec4 a, Vec4 b) noexcept {
+  Int4 x, y;
+  std::memcpy(&x, &a, sizeof x);
+  std::memcpy(&y, &b, sizeof y);
+  x = (x & INT64_MAX) | (y & INT64_MIN);
+  std::memcpy(&a, &x, sizeof a);
+  return a;
+}
+
 // Without the radius of a sphere.
-Vector3d support(const GjkShape& s, const Vector3d& d) noexcept {
-  switch (s.kind) {
-    case ShapeKind::kSphere:
-      return Vector3d::Zero();
-    case ShapeKind::kBox:
-      return {std::copysign(s.half.x(), d.x()), std::copysign(s.half.y(), d.y()),
-              std::copysign(s.half.z(), d.z())};
-    case ShapeKind::kCylinder: {
-      const double across = std::sqrt(d.x() * d.x() + d.y() * d.y());
-      const double scale = across > 1e-12 ? s.half.x() / across : 0.0;
-      return {scale * d.x(), scale * d.y(), std::copysign(s.half.y(), d.z())};
-    }
-    case ShapeKind::kMesh:
-      break;
+TWINBUS_INLINE Vec4 support(const GjkShape& s, const Vec4& half, const Vec4& d) noexcept {
+  if (s.kind == ShapeKind::kBox) return with_signs(half, d);
+  if (s.kind == ShapeKind::kCylinder) {
+    const double across = std::sqrt(d[0] * d[0] + d[1] * d[1]);
+    const double scale = across > 1e-12 ? half[0] / across : 0.0;
+    return Vec4{scale * d[0], scale * d[1], std::copysign(half[1], d[2]), 0.0};
   }
+  if (s.kind == ShapeKind::kSphere) return Vec4{};
   const std::size_t n = s.points.size() / 3;
-  const std::size_t i = farthest(s.points.data(), n, d.x(), d.y(), d.z());
-  return {s.points[i], s.points[n + i], s.points[2 * n + i]};
+  const std::size_t i = farthest(s.points.data(), n, d[0], d[1], d[2]);
+  return Vec4{s.points[i], s.points[n + i], s.points[2 * n + i], 0.0};
 }
 
 double skin(const GjkShape& s) noexcept { return s.kind == ShapeKind::kSphere ? s.half.x() : 0.0; }
@@ -145,39 +157,77 @@ GjkShape gjk_hull(const std::vector<Vector3d>& points) {
   return shape;
 }
 
-GjkResult gjk_distance(const GjkShape& a, const Eigen::Isometry3d& pose_a, const GjkShape& b,
-                       const Eigen::Isometry3d& pose_b, double far,
-                       const Vector3d& towards_b) noexcept {
-  // In the axes of a.
-  const Matrix3d turn = pose_a.linear().transpose() * pose_b.linear();
-  const Vector3d shift =
-      pose_a.linear().transpose() * (pose_b.translation() - pose_a.translation());
-  const double skins = skin(a) + skin(b);
-  Corner corner[4];
-  const auto look = [&](const Vector3d& d, Corner& c) {  // along d, of a minus b
-    c.on_a = support(a, d);
-    c.on_b = turn * support(b, -(turn.transpose() * d)) + shift;
+// The point of the shape nearest to p, in its axes; not of a mesh.
+static Vector3d nearest_to(const GjkShape& s, const Vector3d& p) noexcept {
+  if (s.kind == ShapeKind::kBox) return p.cwiseMin(s.half).cwiseMax(-s.half);
+  if (s.kind == ShapeKind::kSphere) return Vector3d::Zero();
+  const double across = std::sqrt(p.x() * p.x() + p.y() * p.y());
+  const double scale = across > s.half.x() ? s.half.x() / across : 1.0;
+  return {scale * p.x(), scale * p.y(), std::clamp(p.z(), -s.half.y(), s.half.y())};
+}
+
+// A ball is as far away as its centre, less its radius; no search is needed.
+static GjkResult to_ball(const GjkShape& a, const Eigen::Isometry3d& pose_a, const GjkShape& ball,
+                         const Vector3d& center) noexcept {
+  const Vector3d in_a = pose_a.linear().transpose() * (center - pose_a.translation());
+  const Vector3d on_a = nearest_to(a, in_a);
+  const double length = (in_a - on_a).norm(), radius = skin(ball), skins = skin(a) + radius;
+  if (!(length > skins + kTouching)) return {};
+  GjkResult result;
+  const Vector3d normal = (in_a - on_a) / length;
+  result.distance = result.below = length - skins;
+  result.point_a = pose_a * Vector3d(on_a + skin(a) * normal);
+  result.normal = pose_a.linear() * normal;
+  result.point_b = center - radius * result.normal;
+  return result;
+}
+
+// What the search leaves: the corners that hold the nearest point.
+struct Search {
+  Corner corner[4], kept[3];
+  Nearest nearest;
+  double length = 0.0, below = 0.0;
+  bool far = false;
+};
+
+TWINBUS_AVX2_CLONES
+static void search(const GjkShape& a, const GjkShape& b, const double (&to_a)[4][4], double far,
+                   const double (&first)[4], Search& found) noexcept {
+  const Vec4 half_a = vec4(a.half), half_b = vec4(b.half);
+  const Vec4 column[3] = {load4(to_a[0]), load4(to_a[1]), load4(to_a[2])};
+  const Vec4 shift = load4(to_a[3]);
+  const Vec4 row[3] = {{to_a[0][0], to_a[1][0], to_a[2][0], 0.0},
+                       {to_a[0][1], to_a[1][1], to_a[2][1], 0.0},
+                       {to_a[0][2], to_a[1][2], to_a[2][2], 0.0}};
+  // Along -p, of a minus b.
+  const auto look = [&](const Vec4& p, Corner& c) __attribute__((always_inline)) {
+    c.on_a = support(a, half_a, -p);
+    const Vec4 on_b = support(b, half_b, row[0] * p[0] + row[1] * p[1] + row[2] * p[2]);
+    c.on_b = column[0] * on_b[0] + column[1] * on_b[1] + column[2] * on_b[2] + shift;
     c.v = c.on_a - c.on_b;
   };
-  look(towards_b.squaredNorm() > 0.0 ? towards_b : shift, corner[0]);
-  Nearest nearest = of_corner(corner, 0);
+  Corner(&corner)[4] = found.corner;
+  Nearest& nearest = found.nearest;
+  look(-load4(first), corner[0]);
+  nearest = of_corner(corner, 0);
   int count = 1;
-  GjkResult result;
-  double length = nearest.point.norm();
-  result.below = -1e300;
+  double length = std::sqrt(dot3(nearest.point, nearest.point));
+  found.below = -1e300;
   for (int step = 0; step < kMostSteps && length > kTouching; ++step) {
     Corner next;
-    look(-nearest.point, next);
-    const double below = nearest.point.dot(next.v) / length;
-    if (below > result.below) result.below = below;
-    if (below - skins > far) {
-      result.below -= skins;
-      result.distance = std::max(result.below, 0.0);
-      return result;
+    look(nearest.point, next);
+    const double below = dot3(nearest.point, next.v) / length;
+    if (below > found.below) found.below = below;
+    if (below > far) {
+      found.far = true;
+      return;
     }
     if (length - below <= kConverged) break;
     bool known = false;
-    for (int i = 0; i < count; ++i) known = known || corner[i].v == next.v;
+    for (int i = 0; i < count; ++i) {
+      const Vec4 same = corner[i].v - next.v;
+      known = known || dot3(same, same) == 0.0;
+    }
     if (known) break;
     corner[count++] = next;
     const Nearest better = count == 2   ? of_edge(corner, 0, 1)
@@ -187,31 +237,64 @@ GjkResult gjk_distance(const GjkShape& a, const Eigen::Isometry3d& pose_a, const
       length = 0.0;
       break;
     }
-    const double now = better.point.norm();
+    const double now = std::sqrt(dot3(better.point, better.point));
     if (!(now < length)) break;  // rounding: what was found is as good as it gets
     nearest = better;
     length = now;
-    Corner kept[3];
-    for (int i = 0; i < nearest.count; ++i) {
-      kept[i] = corner[nearest.corner[static_cast<std::size_t>(i)]];
-      nearest.corner[static_cast<std::size_t>(i)] = i;
-    }
     count = nearest.count;
-    for (int i = 0; i < count; ++i) corner[i] = kept[i];
+    for (int i = 0; i < count; ++i) found.kept[i] = corner[nearest.corner[i]];
+    for (int i = 0; i < count; ++i) {
+      corner[i] = found.kept[i];
+      nearest.corner[i] = i;
+    }
   }
+  found.length = length;
+}
+
+GjkResult gjk_distance(const GjkShape& a, const Eigen::Isometry3d& pose_a, const GjkShape& b,
+                       const Eigen::Isometry3d& pose_b, double far,
+                       const Vector3d& towards_b) noexcept {
+  if (b.kind == ShapeKind::kSphere && a.kind != ShapeKind::kMesh)
+    return to_ball(a, pose_a, b, pose_b.translation());
+  if (a.kind == ShapeKind::kSphere && b.kind != ShapeKind::kMesh) {
+    GjkResult result = to_ball(b, pose_b, a, pose_a.translation());
+    std::swap(result.point_a, result.point_b);
+    result.normal = -result.normal;
+    return result;
+  }
+  // In the axes of a.
+  double to_a[4][4] = {}, first[4] = {};
+  const Matrix3d turn = pose_a.linear().transpose() * pose_b.linear();
+  const Vector3d shift =
+      pose_a.linear().transpose() * (pose_b.translation() - pose_a.translation());
+  const Vector3d towards = towards_b.squaredNorm() > 0.0 ? towards_b : shift;
+  for (int d = 0; d < 3; ++d) {
+    for (int k = 0; k < 3; ++k) to_a[k][d] = turn(d, k);
+    to_a[3][d] = shift[d];
+    first[d] = towards[d];
+  }
+  const double skins = skin(a) + skin(b);
+  Search found;
+  search(a, b, to_a, far + skins, first, found);
+  GjkResult result;
+  if (found.far) {
+    result.below = found.below - skins;
+    result.distance = std::max(result.below, 0.0);
+    return result;
+  }
+  const double length = found.length;
   if (!(length > kTouching)) return {};  // cores overlap
-  result.below = std::max(result.below, 0.0) - skins;
+  result.below = std::max(found.below, 0.0) - skins;
   if (!(length > skins)) return {};
-  Vector3d on_a = Vector3d::Zero(), on_b = Vector3d::Zero();
-  for (int i = 0; i < nearest.count; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    on_a += nearest.weight[k] * corner[nearest.corner[k]].on_a;
-    on_b += nearest.weight[k] * corner[nearest.corner[k]].on_b;
+  Vec4 on_a{}, on_b{};
+  for (int i = 0; i < found.nearest.count; ++i) {
+    on_a += found.nearest.weight[i] * found.corner[i].on_a;
+    on_b += found.nearest.weight[i] * found.corner[i].on_b;
   }
-  const Vector3d normal = -nearest.point / length;
+  const Vector3d normal = vector3(-found.nearest.point / length);
   result.distance = length - skins;
-  result.point_a = pose_a * Vector3d(on_a + skin(a) * normal);
-  result.point_b = pose_a * Vector3d(on_b - skin(b) * normal);
+  result.point_a = pose_a * Vector3d(vector3(on_a) + skin(a) * normal);
+  result.point_b = pose_a * Vector3d(vector3(on_b) - skin(b) * normal);
   result.normal = pose_a.linear() * normal;
   return result;
 }

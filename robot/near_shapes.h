@@ -17,8 +17,9 @@ namespace twinbus {
 class NearShapes {
  public:
   struct Candidate {
-    int a = 0, b = 0;    // shapes, a < b
-    float bound = 0.0F;  // of their distance [m]; below zero when the capsules overlap
+    int a = 0, b = 0;       // shapes, a < b
+    float bound = 0.0F;     // of their distance [m]; below zero when the capsules overlap
+    float towards[3] = {};  // from near the nearest point of a's axis to that of b's [m]
   };
 
   NearShapes();

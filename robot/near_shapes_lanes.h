@@ -31,13 +31,16 @@ static int near_shapes(const ShapeTables& t, float reach) noexcept {
         v[d] = load8(t.along[d] + first);
         w[d] = load8(t.from[d] + first) - p[d];
       }
-      const F8 gap = segments_gap(u, v, w);
+      F8 towards[3];
+      const F8 gap = segments_gap(u, v, w, towards);
       const F8 bound = gap - kFarSlack * size(gap) - load8(t.radius + first) - radius;
       for (open &= bits(bound <= all(reach)); open != 0; open &= open - 1) {
         const int lane = lowest(open);
-        t.found[n].a = a;
-        t.found[n].b = first + lane;
-        t.found[n++].bound = bound[lane];
+        auto& found = t.found[n++];
+        found.a = a;
+        found.b = first + lane;
+        found.bound = bound[lane];
+        for (int d = 0; d < 3; ++d) found.towards[d] = towards[d][lane];
       }
     }
   }

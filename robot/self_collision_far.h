@@ -80,7 +80,8 @@ static void capsule_bounds(const CollisionTables& t, int n) noexcept {
       v[k] = load8(in[9 + k]) - q[k];
       w[k] = q[k] - p[k];
     }
-    const F8 gap = segments_gap(u, v, w);
+    F8 between[3];
+    const F8 gap = segments_gap(u, v, w, between);
     const F8 bound = gap - load8(in[12]) - all(kCapsuleSlack);
     __builtin_memcpy(t.bound + first, &bound, sizeof bound);
   }

@@ -15,7 +15,8 @@ namespace {
 Model jvrc29() {
   const char* data = std::getenv("TWINBUS_DATA");
   const std::string folder =
-      std::string(data != nullptr ? data : "../shared/data") + "/robots/jvrc1";
+      std::filesystem::absolute(data != nullptr ? data : "../shared/data").string() +
+      "/robots/jvrc1";
   if (!std::filesystem::exists(folder)) {
     std::printf("no JVRC-1 (set TWINBUS_DATA): hrp1s instead\n");
     return load_robot("hrp1s");
