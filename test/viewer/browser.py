@@ -64,13 +64,20 @@ class Browser:
     def value(self, script):
         return self.call("Runtime.evaluate", expression=script, returnByValue=True)["result"].get("value")
 
-    def wait_for(self, script, seconds=15.0):
+    def wait_for(self, script, seconds=40.0):
+        """Until the script gives something true: as long as a busy machine may need for what an idle one does at once."""
         end = time.monotonic() + seconds
         while time.monotonic() < end:
             if self.value(script):
                 return True
             time.sleep(0.2)
         return False
+
+    def settle(self, seconds=0.0):
+        """That long, and until what was said before is in the picture, however slowly the machine draws."""
+        time.sleep(seconds)
+        drawn = self.value("twinbus.figures.drawn")
+        self.wait_for(f"twinbus.figures.drawn > {drawn + 2}")
 
     def key(self, key, code):
         for kind in ("keyDown", "keyUp"):

@@ -43,7 +43,7 @@ def reachable(port):
 
 # --- without --listen nobody else is heard ---
 viewer = Process(binary(bin_folder, "twinbus_viewer"), "--port", "0", "--no-open")
-port = int(re.search(r":(\d+)/#token", viewer.wait_for("ready at ", 20))[1])
+port = int(re.search(r":(\d+)/#token", viewer.wait_for("ready at "))[1])
 check(not reachable(port), "without --listen there is nothing at another address")
 viewer.end()
 for wrong in ("here", "10.99.99.99", "0.0.0.0.0"):
@@ -53,9 +53,9 @@ for wrong in ("here", "10.99.99.99", "0.0.0.0.0"):
 
 for listen in ("0.0.0.0", FAR):
     viewer = Process(binary(bin_folder, "twinbus_viewer"), "--port", "0", "--no-open", "--listen", listen)
-    watch_line = viewer.wait_for("watch and stop", 20) or ""
+    watch_line = viewer.wait_for("watch and stop") or ""
     watch_host, watch_port, watch = re.search(r"http://([\d.]+):(\d+)/#token=(\w+)", watch_line).groups()
-    port, token = re.search(r"http://127.0.0.1:(\d+)/#token=(\w+)", viewer.wait_for("ready at ", 20)).groups()
+    port, token = re.search(r"http://127.0.0.1:(\d+)/#token=(\w+)", viewer.wait_for("ready at ")).groups()
     port = int(port)
     check(watch_host == FAR and int(watch_port) == port and watch != token, f"--listen {listen} tells an address to watch at: {watch_line[-70:-34]}")
     check(status(port, "/") == 200 and status(port, "/app.js") == 200, "the page itself is for everybody")
@@ -84,7 +84,7 @@ for listen in ("0.0.0.0", FAR):
     said = fake.drain()
     check(not any(line.startswith(ACTS) for line in said), f"nothing that he asks acts {said[:2]}")
     watcher.send(json.dumps({"do": "stop", "kind": 2}))
-    check(fake.wait_for("stop 2", 3) is not None, "but his stop")
+    check(fake.wait_for("stop 2") is not None, "but his stop")
     actor = WebSocket(port, f"/ws?token={token}", f"http://{FAR}:{port}", host=FAR)
     actor.send(json.dumps({"do": "hello"}))
     while json.loads(actor.receive())["type"] != "live":  # by now the viewer knows what there is to clear
@@ -121,7 +121,7 @@ check(page.value(inside % (300, 70, "stop")), "STOP is there, wide and whole")
 check(page.value(inside % (300, 20, "badge")) and page.value(inside % (300, 20, "health")), "which source, and is it healthy")
 check(page.value("document.documentElement.scrollWidth <= innerWidth"), "nothing sticks out")
 check(page.value("document.body.classList.contains('no-panels')"), "the panels are put away")
-time.sleep(1.0)
+page.settle(1.0)
 if len(sys.argv) > 2:
     page.screenshot(sys.argv[2])
 else:
@@ -134,7 +134,7 @@ if len(sys.argv) > 2:
 page.tap("#show-panels")
 fake.drain()
 page.tap("#stop")
-check(fake.wait_for("stop 1", 3) is not None, "STOP stops at the touch")
+check(fake.wait_for("stop 1") is not None, "STOP stops at the touch")
 check(page.wait_for("document.body.classList.contains('stopped')"), "and it is seen")
 if len(sys.argv) > 2:
     page.screenshot(sys.argv[2].replace(".png", "_stopped.png"))

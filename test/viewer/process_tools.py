@@ -21,8 +21,8 @@ class Process:
         for line in self.child.stdout:
             self.lines.put(line.decode(errors="replace").rstrip())
 
-    def wait_for(self, text, seconds=5.0):
-        """The next line that contains text, or None."""
+    def wait_for(self, text, seconds=30.0):
+        """The next line that contains text, or None: as long as a busy machine may need for what an idle one does at once."""
         end = time.monotonic() + seconds
         while True:
             try:
@@ -39,7 +39,7 @@ class Process:
             lines.append(self.lines.get())
         return lines
 
-    def end(self, seconds=3.0):
+    def end(self, seconds=15.0):
         """Asks it to end; its exit code, or None if it had to be killed."""
         if self.child.poll() is None:
             self.child.terminate()

@@ -28,10 +28,14 @@ def keep(page, name):
     print(f"{folder / name}: {len(data) // 1000} kB; console: {page.console}")
 
 
-def stack(scene):
+# The robot above the panel with the plots.
+above = "; twinbus.stage.camera.position.set(4.1, 2.2, 1.5); twinbus.stage.controls.target.set(0, 0, 0.2)"
+
+
+def stack(scene, quality="&fine=1"):
     up = Process(binary(bin_folder, "twinbus"), "up", scene, "--for", "300", "--no-record")
     address = re.search(r"http://\S+token=\w+", up.wait_for("http://", 90))[0]
-    page = Browser(address + "&fine=1", size)
+    page = Browser(address + quality, size)
     page.wait_for("twinbus.robot.model && twinbus.history.count > 30", 90)
     return up, page
 
@@ -47,7 +51,8 @@ if "live" in wanted:
     page.end()
     up.end(10)
 if "plots" in wanted:
-    up, page = stack("stand")
+    up, page = stack("stand", "")  # fewer pictures would mean fewer points in the curves
+    page.value("twinbus.stage.fine = true; twinbus.stage.pixels = 1; twinbus.stage.resize()" + above)
     page.key("p", "KeyP")
     page.wait_for("document.querySelectorAll('.plot canvas').length === 3", 60)
     page.value("twinbus.plots.clear(); "
@@ -63,14 +68,14 @@ if "plots" in wanted:
     up.end(10)
 if "replay" in wanted:
     with tempfile.TemporaryDirectory() as logs:
-        for name, words in (("run.log", []), ("heavier.log", ["--set", "model.mass_scale=1.05"])):
+        for name, words in (("nominal.log", []), ("heavier.log", ["--set", "model.mass_scale=1.05"])):
             subprocess.run([binary(bin_folder, "twinbus"), "run", "push_forward", "--for", "8", "--log", f"{logs}/{name}", *words], stdout=subprocess.DEVNULL, check=False)
-        viewer = Process(binary(bin_folder, "twinbus_log_viewer"), f"{logs}/run.log", f"{logs}/heavier.log", "--port", "0", "--no-open")
+        viewer = Process(binary(bin_folder, "twinbus_log_viewer"), f"{logs}/nominal.log", f"{logs}/heavier.log", "--port", "0", "--no-open")
         page = Browser(re.search(r"http://\S+", viewer.wait_for("ready at ", 30))[0] + "&fine=1", size)
         page.wait_for("globalThis.twinbus?.figures.first", 60)
-        page.value("twinbus.plots.seconds.value = 5; twinbus.timeline.seek(4.3)")
+        page.value("twinbus.plots.seconds.value = 5; twinbus.timeline.seek(2.9)" + above)
         page.key("p", "KeyP")
-        page.wait_for("twinbus.history.count > 50 && Math.abs(twinbus.timeline.state.position - 4.3) < 0.01", 60)
+        page.wait_for("twinbus.history.count > 50 && Math.abs(twinbus.timeline.state.position - 2.9) < 0.01", 60)
         page.value("twinbus.plots.preset('Two logs')")
         page.wait_for("twinbus.plots.plots.length === 3 && twinbus.plots.plots.every((plot) => plot.chart)", 60)
         page.wait_for("document.getElementById('health').className === 'good'", 30)

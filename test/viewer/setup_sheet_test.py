@@ -9,7 +9,6 @@ import re
 import shutil
 import sys
 import tempfile
-import time
 
 from browser import Browser, find_browser
 from pictures import compare
@@ -29,7 +28,7 @@ with open(folder + "/now.json", "w") as file:
 fake = Process(binary(bin_folder, "fake_robot"))
 fake.wait_for("ready")
 viewer = Process(binary(bin_folder, "twinbus_viewer"), "--port", "0", "--no-open", "--run-folder", run)
-browser = Browser(re.search(r"http://\S+", viewer.wait_for("ready at ", 20))[0], (1200, 900))
+browser = Browser(re.search(r"http://\S+", viewer.wait_for("ready at ", 40))[0], (1200, 900))
 check(browser.wait_for("globalThis.twinbus?.figures.first", 60), "the page draws the robot")
 browser.key("s", "KeyS")
 check(browser.wait_for("document.querySelectorAll('#setup .joint').length > 20", 60), "S opens the sheet")
@@ -41,21 +40,21 @@ def press(selector):
     browser.click(selector)
 
 press("#setup .pair-out .close")
-check(browser.wait_for("document.querySelectorAll('#setup .pair-out').length === 0", 10), "it is taken back with a click")
+check(browser.wait_for("document.querySelectorAll('#setup .pair-out').length === 0", 40), "it is taken back with a click")
 press("#leave-out")
-check(browser.wait_for("document.querySelectorAll('#setup .pair-out').length === 1", 10), "and another one left out")
+check(browser.wait_for("document.querySelectorAll('#setup .pair-out').length === 1", 40), "and another one left out")
 press("#add-push")
-check(browser.wait_for("document.querySelectorAll('#setup .push').length === 2", 10), "a push is added")
+check(browser.wait_for("document.querySelectorAll('#setup .push').length === 2", 40), "a push is added")
 browser.value("twinbus.setup.scene.value = 'stand'; twinbus.setup.engine.value = ''; twinbus.setup.show()")
 browser.value("(s => { s.value = -0.4; s.oninput(); })(document.querySelector('#setup .joint input[title=RARM_ELBOW]'))")
-check(browser.wait_for("twinbus.other.model?.visible", 20), "a ghost shows the posture")
-time.sleep(0.5)
+check(browser.wait_for("twinbus.other.model?.visible", 40), "a ghost shows the posture")
+browser.settle(0.5)
 if len(sys.argv) > 2:
     browser.screenshot(sys.argv[2])
 else:
     compare(browser.screenshot(), "setup", check)
 press("#start-anew")
-check(browser.wait_for("document.getElementById('toast').textContent.startsWith('Starting anew')", 10), "Start anew is answered")
+check(browser.wait_for("document.getElementById('toast').textContent.startsWith('Starting anew')", 40), "Start anew is answered")
 asked = json.load(open(folder + "/wish.json"))
 check(asked["scene"] == "stand" and abs(asked["joints"]["RARM_ELBOW"] + 0.4) < 1e-3 and len(asked["pushes"]) == 2 and len(asked["unchecked"]) == 1, f"and is asked: {str(asked)[:80]}")
 errors = [text for text in browser.console if "GPU stall" not in text]

@@ -1,18 +1,22 @@
 // The robot from its URDF: primitives or meshes, posed by joint angles in bus order.
 
 import * as THREE from 'three';
+import { toCreasedNormals } from 'three/addons/utils/BufferGeometryUtils.js';
 import URDFLoader from 'urdf-loader';
 import { withToken } from './link.js';
 import { drawAsOne } from './one_mesh.js';
 import { plain, surface } from './surface.js';
 import { Tint, nearLimits } from './tint.js';
 
-// The URDF loader's materials are flat; these take light and shadow.
+const kCrease = 0.8; // faces that meet at less are one round surface [rad]
+
+// The URDF loader's materials are flat; these take light and shadow.  An STL file's faces are flat, too.
 function dress(object) {
   object.traverse((part) => {
     if (!part.isMesh) return;
     part.castShadow = true;
     part.receiveShadow = true;
+    if (!plain && part.geometry.type === 'BufferGeometry' && !part.geometry.index) part.geometry = toCreasedNormals(part.geometry, kCrease);
     const old = Array.isArray(part.material) ? part.material[0] : part.material;
     if (!old?.isMeshPhongMaterial || old.map) return;
     const dark = old.color.r + old.color.g + old.color.b < 0.6;

@@ -1,6 +1,7 @@
 // A recording on a line of time: play, scrub, step, speed, loop between two marks, jump to what happened, another log beside it.
 
 const $ = (id) => document.getElementById(id);
+const kSimulated = 1e15; // clocks show less only where time began with the run [us]
 const kSeekEvery = 60;   // between places asked for while the line is dragged [ms]
 const kFillAfter = 250;  // a place where it stays so long gets its plots filled [ms]
 const kKinds = { switch: 'switches', stop: 'stops', fall: 'falls', guard: 'guard', missed: 'missed ticks', message: 'messages' };
@@ -151,7 +152,8 @@ export class Timeline {
     set('tl-play', s.playing ? '❚❚' : '▶');
     set('tl-time', seconds(s.position));
     set('tl-all', `of ${seconds(s.duration)} s`);
-    set('tl-clock', new Date((s.began_us + 1e6 * s.position) / 1000).toLocaleTimeString());
+    const clock = s.began_us > kSimulated ? new Date((s.began_us + 1e6 * s.position) / 1000).toLocaleTimeString() : ''; // a run without a bus begins at 0
+    set('tl-clock', clock);
     const damage = s.damage.places > 0 ? `${s.damage.places} damaged places, ${s.damage.bytes} bytes` : '';
     set('tl-note', [s.scanned < 1 ? `looking for events: ${Math.floor(100 * s.scanned)} %` : '', damage,
       s.beside && !s.beside.shown ? 'the second log has nothing here' : '', this.leftOut ? `${this.leftOut} more events` : ''].filter(Boolean).join(' · '));
