@@ -69,7 +69,7 @@ class Page(WebSocket):
     def ask(self, **request):
         self.send(json.dumps(request))
 
-    def wait_for(self, kind, condition=None, seconds=15.0):
+    def wait_for(self, kind, condition=None, seconds=60.0):
         """The next message of that kind; with a condition also the newest that came already: a recording at rest says things once."""
         if condition and kind in self.newest and condition(self.newest[kind]):
             return self.newest[kind]
@@ -110,7 +110,7 @@ check(max(seen) <= 2.5 and sum(b < a - 0.1 for a, b in zip(seen, seen[1:])) >= 1
 page.ask(do="loop", on=False)
 page.ask(do="mark", **{"in": None, "out": None})
 page.ask(do="seek", s=5.0)
-ended = page.wait_for("replay", lambda m: not m["playing"] and m["position"] > 5.5, 8)
+ended = page.wait_for("replay", lambda m: not m["playing"] and m["position"] > 5.5)
 check(ended is not None, "at the end it stops")
 page.ask(do="beside", log="2026-01-01-000002", shift=0)
 page.ask(do="seek", s=4.0)
@@ -179,7 +179,7 @@ box = browser.value("(r => [r.x, r.width])(document.getElementById('tl-line').ge
 browser.click("#tl-line")
 check(browser.wait_for(f"Math.abs({at} / twinbus.timeline.state.duration - 0.5) < 0.02"), "the line of time is clicked on")
 if not pictures:
-    browser.wait_for("document.getElementById('toast').hidden", 8)
+    browser.wait_for("document.getElementById('toast').hidden")
     browser.value("twinbus.timeline.seek(4)")
     browser.wait_for(f"Math.abs({at} - 4) < 0.01")
     browser.settle(1.5)
