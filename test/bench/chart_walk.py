@@ -238,9 +238,9 @@ def draw_map(rows, folder):
             found.append((size * math.cos(angle), size * math.sin(angle)))
         return found
     shares = [min(1.0, float(row["survived"]) / float(row["bound"])) for row in rows if float(row["bound"]) > 0.0]
-    words = f"of the bound {100.0 * sum(shares) / len(shares):.0f} % is reached on average, {100.0 * min(shares):.0f} % at least"
+    words = f"of the bound, which knows no arms and trunk, {100.0 * sum(shares) / len(shares):.0f} % is reached on average, {100.0 * min(shares):.0f} % at least"
     print(words, flush=True)
-    curves = [("weakest phase", around(min, "survived")), ("strongest phase", around(max, "survived")),
+    curves = [("weakest phase: falls beyond", around(min, "survived")), ("strongest phase: falls beyond", around(max, "survived")),
               ("bound, weakest phase", around(min, "bound"))]
     return plot.write(folder / "map.svg", plot.lines("Pushes survived while walking on the spot, 0.1 s long", f"hrp1s, facing right; {words}",
                                                      "change of velocity forward [m/s]", "left [m/s]", curves, alike=True))

@@ -2,15 +2,16 @@
 //
 //     walk_map_bench [--robot R] [--directions N] [--phases N] [--halvings N]
 //
-// Prints CSV.  survived: largest change of velocity over 0.1 s found by halving.  bound: of the linear inverted pendulum
-// with the ZMP at the edge of the sole, steps as short and as far as this robot takes them, for ever.  With E = e^(omega T)
-// of the shortest step T, longest step L, edge e and b the DCM measured from the foot, one axis is viable if, a time t
-// before the foot can land,
+// Prints CSV.  survived: largest change of velocity over a push of D = 0.1 s found by halving.  bound: of the linear
+// inverted pendulum (no angular momentum) with the ZMP at the edge of the sole from the first instant of the push on, steps
+// as short and as far as this robot takes them, for ever.  With E = e^(omega T) of the shortest step T, longest step L, edge
+// e and b the DCM measured from the foot, one axis is viable if, a time t before the foot can land,
 //
 //     b - e  <=  L E / (E - 1) e^(-omega t)                                           forward and back
 //     b - e  <=  (W E - w) E / (E^2 - 1) e^(-omega t)   or   (W - w E) E / (E^2 - 1) e^(-omega t)
 //
-// sideways, where one foot steps out to W and the other no nearer than w, and the first of the two lands next.
+// sideways, where one foot steps out to W and the other no nearer than w, and the first of the two lands next.  A push that
+// takes D moves b by (dv / omega) (1 - e^(-omega D)) / (omega D) as if at once.
 
 #include <algorithm>
 #include <cmath>
@@ -29,6 +30,7 @@ namespace {
 
 constexpr double kPushed = 3.0;   // [s] from the start, and up to two steps later
 constexpr double kWatched = 3.5;  // [s] after the push
+constexpr double kPush = 0.1;     // how long it lasts [s]
 constexpr double kHardest = 1.6;  // [m/s]
 constexpr float kInAir = 0.02F;   // of the weight
 constexpr double kPi = 3.14159265358979323846;
@@ -107,16 +109,18 @@ Bounds bounds_at(const Model& model, const Gait& gait, double time) {
   };
   const double remains = std::max(0.0, gait.shortest_single - spot.in_step());
   const double late = std::exp(-omega * remains);
-  const double e = std::exp(omega * (gait.shortest_single + gait.hurry));
+  const double e = std::exp(omega * gait.shortest_single);
   const double straight = e / (e - 1.0) * late;
   const double wide = gait.max_width, narrow = gait.min_width;
   const double outer = (wide * e - narrow) * e / (e * e - 1.0) * late;
   const double inner = std::max(0.0, (wide - narrow * e) * e / (e * e - 1.0) * late);
   const bool left_swings = foot == 1;
-  return {.forward = omega * (sole.front + gait.max_forward * straight - dcm(0)),
-          .back = omega * (sole.back + gait.max_back * straight + dcm(0)),
-          .left = omega * (sole.left + (left_swings ? outer : inner) - dcm(1)),
-          .right = omega * (sole.right + (left_swings ? inner : outer) + dcm(1))};
+  const double spread = omega * kPush / (1.0 - std::exp(-omega * kPush));
+  const double gain = omega * spread;
+  return {.forward = gain * (sole.front + gait.max_forward * straight - dcm(0)),
+          .back = gain * (sole.back + gait.max_back * straight + dcm(0)),
+          .left = gain * (sole.left + (left_swings ? outer : inner) - dcm(1)),
+          .right = gain * (sole.right + (left_swings ? inner : outer) + dcm(1))};
 }
 
 bool survives(const Model& model, double time, double dvx, double dvy) {
@@ -125,6 +129,7 @@ bool survives(const Model& model, double time, double dvx, double dvy) {
   push.link = model.links.front().name;
   push.impulse = model.total_mass() * Eigen::Vector3d(dvx, dvy, 0.0);
   push.at = time;
+  push.duration = kPush;
   scene.pushes.push_back(push);
   return Spot(model, scene).until(time + kWatched);
 }

@@ -1,15 +1,17 @@
 #!/usr/bin/env python3
 """The walking scenes pass by their own criteria: every scene in free run; those that the seed changes, twice (--full: 20 times).
 
-So do those with loose bodies.
+So do those with loose bodies.  --full: other robots too, among them JVRC-1 as `twinbus check --propose` describes it.
 """
 
 import json
 import os
+import pathlib
+import subprocess
 import tempfile
 
 import harness
-from harness import Checks, cli
+from harness import BIN, Checks, cli
 
 SAME_FOR_EVERY_SEED = ["walk_forward", "walk_backward", "walk_sideways", "walk_turn", "walk_diagonal", "walk_slippery",
                        "walk_carry", "walk_pad", "walk_fast"]
@@ -37,6 +39,26 @@ def run(checks, scene, seed, robot=None, engine=None):
     checks.that(status == 0, f"run {scene} --seed {seed} {robot or ''} {engine or ''} passes: {failed} {err[-300:]}")
 
 
+def everyday(checks, robot):
+    """Forward, sideways, turn, 20 mm tiles and pushes of 0.25 m/s, with the guard on."""
+    if not (BIN / "walk_bench").exists():
+        return
+    done = subprocess.run([BIN / "walk_bench", "everyday", "--robot", robot], capture_output=True, text=True, check=False)
+    print(done.stdout, end="")
+    checks.that(done.returncode == 0, f"{robot} walks every day: {done.stdout[-300:]}{done.stderr[-300:]}")
+
+
+def jvrc1(checks):
+    data = pathlib.Path(os.environ.get("TWINBUS_DATA", harness.ROOT.parent / "shared/data")) / "robots/jvrc1/jvrc1.urdf"
+    if not data.is_file():
+        return
+    with tempfile.TemporaryDirectory() as scratch:
+        folder = os.path.join(scratch, "jvrc1")
+        status, out, err = cli("check", str(data), "--propose", folder, timeout=120)
+        checks.that(status == 0, f"JVRC-1 is described: {out[-300:]}{err}")
+        everyday(checks, folder)
+
+
 def main():
     harness.require("twinbus")
     checks = Checks()
@@ -48,7 +70,9 @@ def main():
             run(checks, scene, seed)
     run(checks, "walk_turn", 1, robot="hrp2p")
     if harness.FULL:
+        jvrc1(checks)
         for robot in ["hrp2p", "biped12"]:
+            everyday(checks, robot)
             for scene in ["walk_forward", "walk_sideways", "walk_turn", "walk_rough"]:
                 run(checks, scene, 1, robot=robot)
         for scene in ["walk_forward", "push_walk"] + LOOSE:
