@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "robot/loops.h"
 #include "robot/pose_math.h"
 #include "robot/walking.h"
 
@@ -118,7 +119,8 @@ RobotYaml parse_robot_yaml(const std::string& text, const std::string& file) {
     }
     hands.finish();
   }
-  if (top.has("walking")) (void)read_walking(top.map("walking"));  // control reads it again
+  if (top.has("walking")) (void)read_walking(top.map("walking"));          // control reads it again
+  for (const ConfigNode& node : top.list("loops")) (void)read_loop(node);  // the simulator does too
   yaml.leg_joints = top.texts("leg_joints");
   for (const ConfigNode& node : top.list("servos")) yaml.servos.push_back(read_servo(node));
   top.finish();

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "robot/dynamics.h"
+#include "robot/index.h"
 
 namespace twinbus {
 
@@ -52,6 +53,7 @@ ArticulatedBody::ArticulatedBody(const Model& model, bool fixed_base, double mas
   d_.folded.resize(model.links.size());
   d_.qd.resize(model.joints.size());
   std::vector<int> depth(model.links.size(), 0);
+  branch_.assign(model.links.size(), 0);
   for (std::size_t i = 0; i < d_.fixed.size(); ++i) {
     const Link& link = model.links[i];
     BodyData::Fixed& to = d_.fixed[i];
@@ -71,6 +73,8 @@ ArticulatedBody::ArticulatedBody(const Model& model, bool fixed_base, double mas
     to.parent = joint.parent;
     depth[i] = depth[static_cast<std::size_t>(joint.parent)] + 1;
     deepest_ = std::max(deepest_, depth[i]);
+    if (!d_.floating)
+      branch_[i] = joint.parent == 0 ? static_cast<int>(i) : branch_[at(joint.parent)];
     to.prismatic = joint.kind == JointKind::kPrismatic;
     to.offset = baseline::vec4(joint.placement.translation());
     to.axis = baseline::vec4(joint.axis);

@@ -129,6 +129,9 @@ class ArticulatedBody {
   // As placed, before anything is folded in.
   Momentum momentum() const noexcept;
 
+  // Links of different branches do not feel one another: the base between them is fixed.
+  int branch(int link) const noexcept { return branch_[static_cast<std::size_t>(link)]; }
+
   int link_count() const noexcept { return static_cast<int>(d_.links.size()); }
   bool floating() const noexcept { return d_.floating; }
   const LinkWork& link(int i) const noexcept { return d_.links[static_cast<std::size_t>(i)]; }
@@ -138,6 +141,7 @@ class ArticulatedBody {
 
  private:
   int deepest_ = 0;
+  std::vector<int> branch_;  // by link
   BodyData d_;
 };
 

@@ -20,9 +20,12 @@ constexpr std::uint64_t kNoContact = 0xcbf29ce484222325ULL;
 std::uint64_t mix(std::uint64_t pattern, int value) {
   return (pattern ^ static_cast<std::uint64_t>(value)) * 0x100000001b3ULL;
 }
-// Whether it acts on the robot; whether the other side is fixed.
-bool of_robot(const Contact& c) { return c.system == 0 || c.other_system == 0; }
+// Whether it acts on the robot as a whole; whether the other side is fixed.
+bool of_robot(const Contact& c) { return (c.system == 0) != (c.other_system == 0); }
 bool holds_robot(const Contact& c) { return c.system == 0 && c.other_system < 0; }
+ContactPoint felt(int link, const Eigen::Vector3d& point, const Eigen::Vector3d& force) {
+  return {.link = link, .sole = -1, .point = point, .force = force, .depth = 0.0, .tie = true};
+}
 constexpr double kNotARotation = 1e-12;  // beyond it the base's attitude is normalised
 
 }  // namespace
@@ -32,7 +35,8 @@ ArticulatedWorld::ArticulatedWorld(const Model& model, const WorldConfig& config
       body_(model, config.fixed_base, config.mass_scale),
       ground_(model, config),
       loose_(model, config, body_),
-      solve_(loose_.systems(), loose_.most_contacts()),
+      ties_(model, config),
+      solve_(loose_.systems(), loose_.most_contacts() + ties_.count()),
       flight_(model.joint_count(), config.fixed_base),
       rows_(model.joints.size()),
       configuration_(model),
@@ -40,8 +44,8 @@ ArticulatedWorld::ArticulatedWorld(const Model& model, const WorldConfig& config
       coarse_{Configuration(model), Configuration(model)},
       next_(model) {
   for (const Joint& joint : model.joints) joints_.emplace_back(joint, config);
-  contacts_.reserve(at(loose_.most_contacts()));
-  reported_.reserve(at(loose_.most_contacts()));
+  contacts_.reserve(at(loose_.most_contacts() + ties_.count()));
+  reported_.reserve(at(loose_.most_contacts() + 2 * ties_.count()));
   pushes_.reserve(kMostPushes);
   configuration_.q.setZero();
   configuration_.qd.setZero();
@@ -99,6 +103,11 @@ Status ArticulatedWorld::set_loose(int body, const LooseState& state) noexcept {
   loose_.set(body, state);
   frozen_ = false;
   return Status::kOk;
+}
+
+Status ArticulatedWorld::hold(int tie, bool holds) noexcept {
+  flight_.interrupt();
+  return ties_.hold(tie, holds, loose_.systems());
 }
 
 Status ArticulatedWorld::push(int link, const Eigen::Vector3d& point,
@@ -208,6 +217,7 @@ ArticulatedWorld::Outcome ArticulatedWorld::advance(double h, bool may_reject) n
   }
   configuration_ = next_;
   ground_.remember(contacts_, h);
+  ties_.remember(contacts_);
   place_after(before_, h, 0.0);
   return Outcome::kTaken;
 }
@@ -244,6 +254,7 @@ bool ArticulatedWorld::touched(bool fixed) const noexcept {
 
 void ArticulatedWorld::find_contacts(double h) noexcept {
   ground_.find(body_, h, contacts_);
+  ties_.find(loose_.systems(), h, contacts_);
   if (!loose_.empty()) loose_.find(h, contacts_);
 }
 
@@ -325,6 +336,11 @@ double ArticulatedWorld::end_speed(std::size_t joint, double h) const noexcept {
 void ArticulatedWorld::report_contacts() noexcept {
   reported_.clear();
   for (const Contact& c : contacts_) {
+    if (c.tie != TieKind::kNone) {
+      if (c.system == 0) reported_.push_back(felt(c.link, c.point, c.now.force));
+      if (c.other_system == 0) reported_.push_back(felt(c.other, c.point, -c.now.force));
+      continue;
+    }
     if (!of_robot(c) || (c.now.mode == ContactMode::kOpen && !(c.depth > 0.0))) continue;
     const bool first = c.system == 0;
     reported_.push_back({.link = first ? c.link : c.other,
@@ -338,6 +354,11 @@ void ArticulatedWorld::report_contacts() noexcept {
 void ArticulatedWorld::estimate_contact_forces() noexcept {
   find_contacts(0.0);
   for (Contact& c : contacts_) {
+    c.v = c.v0;
+    if (c.tie != TieKind::kNone) {
+      find_force(c, 0.0, false, 0.0);
+      continue;
+    }
     const double fn = c.params.stiffness * c.depth -
                       (c.params.damping + config_.step * c.params.stiffness) * c.normal.dot(c.v0);
     c.now.force = std::max(0.0, fn) * c.normal;

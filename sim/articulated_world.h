@@ -30,6 +30,7 @@
 #include "sim/ground_contacts.h"
 #include "sim/joint_law.h"
 #include "sim/loose_bodies.h"
+#include "sim/ties.h"
 #include "sim/world.h"
 
 namespace twinbus {
@@ -62,6 +63,7 @@ class ArticulatedWorld final : public World {
   int loose_count() const noexcept override { return loose_.count(); }
   LooseState loose(int body) const noexcept override { return loose_.state(body); }
   Status set_loose(int body, const LooseState& state) noexcept override;
+  Status hold(int tie, bool holds) noexcept override;
   double corner_stiffness(int sole) const noexcept override;
   double corner_damping(int sole) const noexcept override;
 
@@ -106,6 +108,7 @@ class ArticulatedWorld final : public World {
   ArticulatedBody body_;
   GroundContacts ground_;
   LooseBodies loose_;
+  Ties ties_;
   ContactSolve solve_;
   FlightMotion flight_;
   std::vector<JointLaw> joints_;

@@ -94,4 +94,15 @@ void contact_force(const ContactParams& p, double depth, const Eigen::Vector3d& 
   out.tangent.diagonal().array() += alpha;
 }
 
+void tie_force(const ContactParams& p, const Eigen::Vector3d* along, const Eigen::Vector3d& stretch,
+               const Eigen::Vector3d& v, double h, bool with_tangent, ContactForce& out) noexcept {
+  const double beta = p.damping + h * p.stiffness;
+  out.mode = ContactMode::kStick;
+  out.force = -p.stiffness * stretch - beta * v;
+  if (along != nullptr) out.force = *along * along->dot(out.force);
+  if (!with_tangent) return;
+  out.tangent = along != nullptr ? Eigen::Matrix3d(beta * *along * along->transpose())
+                                 : Eigen::Matrix3d(beta * Eigen::Matrix3d::Identity());
+}
+
 }  // namespace twinbus

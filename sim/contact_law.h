@@ -41,4 +41,9 @@ void contact_force(const ContactParams& params, double depth, const Eigen::Vecto
                    const Eigen::Vector3d& stretch, const Eigen::Vector3d& v, double h,
                    bool with_tangent, double smooth, ContactForce& out) noexcept;
 
+// Of a tie: -k stretch - (c + h k) v; of it only what acts along, if that is not null.
+void tie_force(const ContactParams& params, const Eigen::Vector3d* along,
+               const Eigen::Vector3d& stretch, const Eigen::Vector3d& v, double h,
+               bool with_tangent, ContactForce& out) noexcept;
+
 }  // namespace twinbus

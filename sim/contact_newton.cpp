@@ -112,7 +112,7 @@ double ContactSolve::evaluate(Contacts& contacts, double h, const Eigen::VectorX
   for (int i = 0; i < member_count_; ++i) {
     Contact& c = contacts[at(members_[i])];
     c.v = c.v0 + velocity_of(c, a_, h);
-    contact_force(c.params, c.depth, c.normal, c.stretch, c.v, h, with_tangent, smooth_, c.now);
+    find_force(c, h, with_tangent, smooth_);
     const Eigen::Vector3d extra = c.now.force - (c.f0 - c.g0 * (c.v - c.v0));
     scale_ += c.now.force.norm();
     rho_.segment<3>(6 * c.slot) -= c.r.cross(extra);
@@ -252,6 +252,12 @@ bool ContactSolve::newton(Contacts& contacts, double h, int limit, double loose,
       merit = whole;
       continue;
     }
+    // Stiff ties on long levers: rounding is all that is left.
+    if (tied_ && rho_.head(n_).norm() <= kAlmost * scale_) {
+      z_.head(n_) = trial_.head(n_);
+      merit = whole;
+      return true;
+    }
     double t = line_search(contacts, h, merit, whole);
     if (!(t > 0.0)) {
       if (best > merit) {
@@ -309,6 +315,7 @@ void ContactSolve::find_kinks(const Contacts& contacts, double h) noexcept {
   };
   for (int i = 0; i < member_count_; ++i) {
     const Contact& c = contacts[at(members_[i])];
+    if (c.tie != TieKind::kNone) continue;
     const Eigen::Vector3d v = c.v0 + velocity_of(c, a_, h);
     const Eigen::Vector3d dv = velocity_of(c, da_, h);
     const double beta = c.params.tangent_damping + h * c.params.tangent_stiffness;

@@ -10,11 +10,19 @@ namespace {
 
 constexpr int kMostNewton = 20;
 constexpr double kStageOne = 1e-9;  // of 1 N + all forces: stage 1 agrees with the law
-constexpr double kAlmost = 1e-7;    // of 10 N + all forces: what is left for rounding
 // Bodies across a pile of which all couplings find room in the matrix, three times.
 constexpr std::size_t kMostReach = 192;
 
 }  // namespace
+
+void find_force(Contact& c, double h, bool with_tangent, double smooth) noexcept {
+  if (c.tie != TieKind::kNone) {
+    tie_force(c.params, c.tie == TieKind::kLength ? &c.normal : nullptr, c.stretch, c.v, h,
+              with_tangent, c.now);
+  } else {
+    contact_force(c.params, c.depth, c.normal, c.stretch, c.v, h, with_tangent, smooth, c.now);
+  }
+}
 
 ContactSolve::ContactSolve(std::vector<ArticulatedBody*> systems, int most_contacts)
     : systems_(std::move(systems)), band_(0, 0) {
@@ -27,6 +35,7 @@ ContactSolve::ContactSolve(std::vector<ArticulatedBody*> systems, int most_conta
   }
   parent_.resize(systems_.size());
   island_of_.resize(systems_.size());
+  moved_.resize(systems_.size());
   starts_.reserve(systems_.size() + 2);
   order_.resize(at(most_contacts));
   slot_of_link_.assign(at(links), -1);
@@ -45,7 +54,7 @@ ContactSolve::ContactSolve(std::vector<ArticulatedBody*> systems, int most_conta
   for (Eigen::VectorXd* v : {&a1_, &a_, &da_, &z_, &best_z_, &rho_, &dz_, &trial_, &b_rho_}) {
     v->setZero(size);
   }
-  band_ = BandSolve(6 * slots, 36 * slots * std::min(slots, kMostReach));
+  band_ = BandSolve(6 * slots, 36 * slots * std::min(3 * slots, kMostReach));
   right_.resize(6 * slots);
   kinks_.reserve(2 * at(most_contacts));
 }
@@ -58,7 +67,8 @@ void ContactSolve::fold(Contacts& contacts, double h) noexcept {
       c.g0.setZero();
       continue;
     }
-    contact_force(c.params, c.depth, c.normal, c.stretch, c.v0, h, true, 0.0, c.now);
+    c.v = c.v0;
+    find_force(c, h, true, 0.0);
     c.f0 = c.now.force;
     c.g0 = c.now.tangent;
     if (c.now.mode == ContactMode::kOpen) continue;
@@ -132,7 +142,7 @@ bool ContactSolve::stage_one_holds(Contacts& contacts, double h) const noexcept 
       const ArticulatedBody& other = *systems_[at(c.other_system)];
       c.v -= h * at_point(other.link(c.other).acceleration, c.other_r);
     }
-    contact_force(c.params, c.depth, c.normal, c.stretch, c.v, h, false, 0.0, c.now);
+    find_force(c, h, false, 0.0);
     total += c.now.force.norm();
     mismatch = std::max(mismatch, (c.now.force - (c.f0 - c.g0 * (c.v - c.v0))).norm());
   }
@@ -179,10 +189,11 @@ void ContactSolve::apply() noexcept {
         slot.link, Screw{Vec4{w[0], w[1], w[2], 0.0}, Vec4{w[3], w[4], w[5], 0.0}});
     slot_of_link_[at(first_link_[at(slot.system)] + slot.link)] = -1;
   }
-  for (int s = 0; s < static_cast<int>(slots_.size()); ++s) {
-    int first = s;
-    for (int t = slots_[at(s)].peer; t != s; t = slots_[at(t)].peer) first = std::min(first, t);
-    if (first == s) systems_[at(slots_[at(s)].system)]->outward();
+  for (const Slot& slot : slots_) {
+    long& moved = moved_[at(slot.system)];
+    if (moved == counters_.steps) continue;
+    moved = counters_.steps;
+    systems_[at(slot.system)]->outward();
   }
 }
 
@@ -191,9 +202,11 @@ int ContactSolve::slot_of(int system, int link) noexcept {
   if (slot >= 0) return slot;
   slot = static_cast<int>(slots_.size());
   Slot added{system, link, slot, false, -1, 0, 0, -1};
-  const bool alone = systems_[at(system)]->link_count() == 1;
+  const ArticulatedBody& body = *systems_[at(system)];
+  const bool alone = body.link_count() == 1;
   for (int s = 0; s < slot && !alone; ++s) {
-    if (slots_[at(s)].system != system) continue;
+    const Slot& other = slots_[at(s)];
+    if (other.system != system || body.branch(other.link) != body.branch(link)) continue;
     added.peer = slots_[at(s)].peer;
     slots_[at(s)].peer = slot;
     break;
@@ -219,9 +232,11 @@ int ContactSolve::coupling_of(int a, int b) noexcept {
 void ContactSolve::find_slots(Contacts& contacts) noexcept {
   slots_.clear();
   couplings_.clear();
+  tied_ = false;
   for (int i = 0; i < member_count_; ++i) {
     Contact& c = contacts[at(members_[i])];
     c.slot = slot_of(c.system, c.link);
+    tied_ = tied_ || c.tie != TieKind::kNone;
     if (c.other_system < 0) continue;
     c.other_slot = slot_of(c.other_system, c.other);
     c.coupling = coupling_of(c.slot, c.other_slot);
@@ -264,7 +279,8 @@ void ContactSolve::find_sequence() noexcept {
   if (count > 0) (void)walk(walk(0));
 }
 
-// Fills sequence_ with all that hangs together with a slot, the nearest first.  Returns the last.
+// Fills sequence_ with all slots, those that hang together with one first, the nearest of them
+// first.  Returns the last.
 int ContactSolve::walk(int from) noexcept {
   sequence_.clear();
   std::fill_n(seen_.begin(), slots_.size(), '\0');
@@ -274,7 +290,12 @@ int ContactSolve::walk(int from) noexcept {
     sequence_.push_back(slot);
   };
   visit(from);
-  for (std::size_t i = 0; i < sequence_.size(); ++i) {
+  int next = 0;  // what hangs together with nothing seen so far
+  for (std::size_t i = 0; sequence_.size() < slots_.size() || i < sequence_.size(); ++i) {
+    if (i == sequence_.size()) {
+      while (seen_[at(next)]) ++next;
+      visit(next);
+    }
     const int s = sequence_[i];
     for (int t = slots_[at(s)].peer; t != s; t = slots_[at(t)].peer) visit(t);
     for (int k = first_[at(s)]; k < first_[at(s) + 1]; ++k) visit(neighbours_[at(k)]);

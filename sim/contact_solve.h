@@ -25,6 +25,8 @@
 
 namespace twinbus {
 
+enum class TieKind { kNone, kPoint, kLength };  // kLength: only along the normal
+
 // One point of a link, A, against something fixed or a link B.
 struct Contact {
   int system = 0;         // body of A; 0 is the robot
@@ -32,8 +34,9 @@ struct Contact {
   int other_system = -1;  // body of B; -1: fixed
   int other = -1;         // link of it
   int sole = -1;
-  int key = -1;           // says which contact of the next step is the same one
-  bool material = false;  // the point is fixed in the link: its anchor is remembered
+  int key = -1;                  // says which contact of the next step is the same one
+  TieKind tie = TieKind::kNone;  // sim/ties.h
+  bool material = false;         // the point is fixed in the link: its anchor is remembered
   ContactParams params;
   Eigen::Vector3d point = Eigen::Vector3d::Zero();    // world [m]
   Eigen::Vector3d r = Eigen::Vector3d::Zero();        // about A's common point, world axes [m]
@@ -51,6 +54,9 @@ struct Contact {
   ContactForce now;                             // on A
 };
 
+// Its law at c.v into c.now.
+void find_force(Contact& c, double h, bool with_tangent, double smooth) noexcept;
+
 struct SolveCounters {
   long steps = 0;        // islands solved
   long one_pass = 0;     // of them, done by stage 1
@@ -61,6 +67,8 @@ struct SolveCounters {
 
 class ContactSolve {
  public:
+  static constexpr double kAlmost = 1e-7;  // of 10 N + all forces: what is left for rounding
+
   // The bodies must outlive this.
   ContactSolve(std::vector<ArticulatedBody*> systems, int most_contacts);
 
@@ -77,7 +85,7 @@ class ContactSolve {
   using Contacts = std::vector<Contact>;
   struct Slot {  // a touched link
     int system, link;
-    int peer;     // next slot of the same body, in a ring
+    int peer;     // next slot of the same branch of its body, in a ring
     bool curved;  // a row of H is not zero
     int row;      // of such, in the matrix of direction(); -1
     int rows;     // of the response
@@ -125,11 +133,13 @@ class ContactSolve {
   std::vector<int> first_link_;  // of each body, in slot_of_link_
   std::vector<int> parent_;      // of the union of bodies that touch
   std::vector<int> island_of_;   // by body
+  std::vector<long> moved_;      // by body: the last island in which it was
   std::vector<int> starts_;      // of the islands in members_
   std::vector<int> order_;       // contacts, by island
   const int* members_ = nullptr;
   int member_count_ = 0;
 
+  bool tied_ = false;              // there is a tie among the contacts
   int n_ = 0;                      // 6 per slot
   std::vector<int> slot_of_link_;  // -1: not touched
   std::vector<Slot> slots_;

@@ -266,7 +266,10 @@ void GroundContacts::add(const ArticulatedBody& body, const Contact& found, doub
 void GroundContacts::remember(const std::vector<Contact>& contacts, double h) noexcept {
   memory_.clear();
   for (const Contact& c : contacts) {
-    if (c.now.mode == ContactMode::kOpen || c.system != 0 || c.other_system >= 0) continue;
+    if (c.now.mode == ContactMode::kOpen || c.system != 0 || c.other_system >= 0 ||
+        c.tie != TieKind::kNone) {
+      continue;
+    }
     const Bristle bristle = bristle_after(c, h);
     memory_.push_back({c.key, c.material ? bristle.anchor : bristle.stretch});
   }

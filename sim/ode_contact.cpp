@@ -198,6 +198,7 @@ void OdeWorld::Impl::read_contact_forces() noexcept {
     contacts[i].force = Eigen::Vector3d(feedback[i].f1[0], feedback[i].f1[1], feedback[i].f1[2]);
   }
   read_loose_forces();
+  read_tie_forces();
 }
 
 void OdeWorld::Impl::estimate_contact_forces() noexcept {

@@ -82,6 +82,13 @@ struct OdeWorld::Impl {
   void create_loose_joints() noexcept;
   void read_loose_forces() noexcept;
 
+  // ode_ties.cpp
+  void add_ties();
+  Eigen::Vector3d place_of(const TieEnd& end) const noexcept;  // world
+  void join(std::size_t tie) noexcept;                         // where its points are
+  Status hold(int tie, bool holds) noexcept;
+  void read_tie_forces() noexcept;
+
   // ode_contact.cpp
   void add_geoms();
   void find_contacts() noexcept;
@@ -122,6 +129,12 @@ struct OdeWorld::Impl {
   std::vector<Loose> loose;
   std::vector<LooseRow> loose_rows;
   std::vector<dJointFeedback> loose_feedback;
+  struct TieJoint {
+    Tie tie;
+    dJointID joint;
+  };
+  std::vector<TieJoint> ties;
+  std::vector<dJointFeedback> tie_feedback;
   dGeomID plane = nullptr;
   std::array<std::array<double, kSoleCorners>, 2> offset{};
 

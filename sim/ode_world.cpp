@@ -128,6 +128,7 @@ OdeWorld::Impl::Impl(const Model& m, const WorldConfig& c)
   for (int j = 0; j < m.joint_count(); ++j) add_joint(j, kinematics);
   add_geoms();
   add_loose();
+  add_ties();
   for (const dBodyID each : bodies) {
     if (each != nullptr) moving.push_back(each);
   }

@@ -98,6 +98,21 @@ LooseEnd read_loose_end(const ConfigNode& node, const std::vector<LooseBody>& bo
   return end;
 }
 
+Grasp read_grasp(const ConfigNode& node) {
+  const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
+  Grasp grasp;
+  grasp.link = node.text("link");
+  grasp.point = bounded(node, "point", 10.0, &zero);
+  grasp.to = node.text("to");
+  grasp.at = node.number("at", 0.0, kDay);
+  grasp.until = node.number("until", grasp.at, 1e9, grasp.until);
+  grasp.reach = node.number("reach", 1e-3, 1.0, grasp.reach);
+  grasp.stiffness = node.number("stiffness", 1e2, 1e10, grasp.stiffness);
+  grasp.damping = node.number("damping", 0.0, 1e8, 1e-3 * grasp.stiffness);
+  node.finish();
+  return grasp;
+}
+
 Push read_push(const ConfigNode& node) {
   const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
   Push push;
@@ -325,6 +340,11 @@ Scene load_scene(const std::string& name_or_file) {
     }
   }
   if (scene.loose.size() > kMaxLoose) top.fail("loose", "at most 100");
+  for (const ConfigNode& node : top.list("loops")) scene.loops.push_back(read_loop(node));
+  for (const ConfigNode& node : top.list("grasps")) scene.grasps.push_back(read_grasp(node));
+  if (scene.loops.size() + scene.grasps.size() > kMaxLoose) {
+    top.fail("loops", "at most 100 loops and grasps");
+  }
   if (top.has("terrain")) scene.terrain = read_terrain(top.map("terrain"));
   if (top.has("push_round")) scene.push_round = read_push_round(top.map("push_round"));
   if (top.has("criteria")) scene.criteria = read_criteria(top.map("criteria"), scene.loose);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "robot/collision.h"
+#include "robot/loops.h"
 #include "robot/model.h"
 #include "robot/requests.h"
 #include "sim/world.h"
@@ -80,6 +81,17 @@ struct LooseEnd {
   double speed = 0.02;                                 // at most [m/s]
 };
 
+// A hand, or any link, grips something as it then lies in it, and lets it go.
+struct Grasp {
+  std::string link;
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();  // in its frame [m]
+  std::string to;                                   // a loose body, a link or world
+  double at = 0.0, until = 1e9;                     // [s] of scene time
+  double reach = 0.03;       // of the three points that hold, from that one [m]
+  double stiffness = 1e6;    // of all three [N/m]
+  double damping = 1e3;      // [N s/m]
+};
+
 // Pass criteria; NaN means not asked.
 struct Criteria {
   double max_tilt_deg;
@@ -120,6 +132,8 @@ struct Scene {
   PushRound push_round;
   std::vector<BodyChange> bodies;
   std::vector<LooseBody> loose;  // bodies that nothing holds; planner and guard do not know them
+  std::vector<Loop> loops;       // beside those of the robot
+  std::vector<Grasp> grasps;
   Criteria criteria;
   std::string text;                                           // as read
   std::vector<std::pair<std::string, std::string>> settings;  // model.mass_scale=1.03 and the like
@@ -138,7 +152,8 @@ void resolve_poses(Scene& scene, const Model& model);
 // position, rpy_deg, pose, speed, cancel], walks: [at, for, vx, vy, wz], pads: [at, for, left_x, left_y, right_x],
 // terrain: {tile, height, slope_deg, from, length, width}, push_round: {link, at, every, count, phase, forward, back,
 // sideways, duration}, bodies: [link, mass, at, shift], loose: [name, shape (box, sphere, cylinder, capsule), size,
-// mass, position, rpy_deg, velocity, angular_velocity, friction, stiffness, damping], criteria: {max_tilt_deg, zmp_margin_min_mm, slip_max_mm,
+// mass, position, rpy_deg, velocity, angular_velocity, friction, stiffness, damping], loops: as in robot/loops.h, grasps:
+// [link, point, to, at, until, reach, stiffness, damping], criteria: {max_tilt_deg, zmp_margin_min_mm, slip_max_mm,
 // sole_tilt_max_deg, zmp_margin_p5_mm, step_slip_max_mm, force_rms_percent, velocity_error_percent, travel_min_m,
 // drift_max_m, no_fall, no_self_collision, loose: [name, position, within_m, speed_m_s]}, settings: {model.mass_scale: 1.03, ...} as in
 // sim/settings.h.  Scene time starts with the first command.

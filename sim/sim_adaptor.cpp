@@ -9,6 +9,7 @@
 #include "robot/process.h"
 #include "sim/loose_pieces.h"
 #include "sim/scene_seed.h"
+#include "sim/scene_ties.h"
 #include "sim/sensors.h"
 #include "sim/settings.h"
 #include "sim/standing.h"
@@ -45,6 +46,7 @@ struct SimAdaptor::Impl {
 
   Scene scene;
   LoosePieces loose;
+  SceneTies ties;
   const Model* model = nullptr;
   std::optional<Model> changed;  // the robot that is simulated, where the scene changes its bodies
   SimSettings settings;
@@ -127,6 +129,8 @@ Status SimAdaptor::Impl::advance() noexcept {
   drive_servos();
   for (int i = 0; i < substeps; ++i) {
     apply_pushes();
+    // Half a step of slack, as for a push.
+    if (scene_time >= 0.0) ties.update(scene_time + 0.5 * step, *world);
     const Status status = world->step();
     if (status != Status::kOk) return status;
     ++steps;
@@ -270,6 +274,8 @@ Status SimAdaptor::open(const Model& nominal, const AdaptorConfig& config) {
       }
       s.pushes.push_back({link, push});
     }
+    s.ties = SceneTies(model, s.scene);
+    s.settings.world.ties = s.ties.ties();
     s.world = make_world(model, s.settings.world);
     s.sensors.emplace(model, s.settings.sensors);
     s.start();

@@ -70,6 +70,7 @@ void fill_truth(const Model& model, const World& world, double standing_height,
   truth.contact_point = {};
   truth.contact_force = {};
   for (const ContactPoint& contact : world.contacts()) {
+    if (contact.tie) continue;
     penetration = std::max(penetration, contact.depth);
     pressure += contact.force.z();
     moment += contact.force.z() * contact.point.head<2>();

@@ -17,6 +17,7 @@
 #include "robot/model.h"
 #include "robot/status.h"
 #include "sim/solid.h"
+#include "sim/tie.h"
 
 namespace twinbus {
 
@@ -85,6 +86,7 @@ struct WorldConfig {
   std::vector<Obstacle> obstacles;
   std::vector<Obstacle> tiles;  // ground that is not flat: to the soles' corners what the ground is
   std::vector<LooseBody> loose;
+  std::vector<Tie> ties;
 };
 
 // What the servo of one joint is asked for: torque = tau + kp (q - q_now) + kd (qd - qd_now),
@@ -106,6 +108,7 @@ struct ContactPoint {
   Eigen::Vector3d point = Eigen::Vector3d::Zero();  // world [m]
   Eigen::Vector3d force = Eigen::Vector3d::Zero();  // on the robot, world [N]
   double depth = 0.0;                               // [m]
+  bool tie = false;                                 // holds something: felt, but no touch
 };
 
 // Whether a contact is beyond the force sensor of that foot.
@@ -195,6 +198,8 @@ class World {
   virtual LooseState loose(int body) const noexcept = 0;
   // kWrongSize, kNotFinite, kOutOfRange: changes nothing.
   virtual Status set_loose(int body, const LooseState& state) noexcept = 0;
+  // Of config.ties: from now on its ends are to stay together as they are, or are let go.
+  virtual Status hold(int tie, bool holds) noexcept = 0;
   virtual double corner_stiffness(int sole) const noexcept = 0;  // [N/m]
   virtual double corner_damping(int sole) const noexcept = 0;    // [N s/m]
 };

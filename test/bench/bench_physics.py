@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """./twinbus bench physics [CASE...] [--csv F] [--rounds N]: our engines beside their peers, row by row asked and reached.
 
-Cases: free flight arm stand push map convergence brick tumble piles effort determinism (default: all).  Costs are CPU time of one
+Cases: free flight arm stand push map convergence brick tumble piles loops effort determinism (default: all).  Costs are CPU time of one
 thread; ours and the peers take turns, and a ratio is the median over rounds (default 5).  An engine's error is measured
 against a converged run: one reference where there is no contact, each engine's own finest run where contact laws differ.
 "asked" is for machines with AVX2; peers that are not installed are said and left out.  Exit status 1 if a row falls short.
@@ -194,6 +194,50 @@ def piles(lab, rounds):
                      peer=lab.ode.label, ours=ours, theirs=theirs)
 
 
+# Of the seven bodies at 0.03 s (Hairer and Wanner 1996, VII.7; test set for initial value problem solvers): beta, Theta,
+# gamma, delta, Phi, epsilon, Omega.
+ANDREWS = (15.81077119629904, -15.75637105984298, 0.04082224013073101, 0.5244099658805304, -0.5347301163226948,
+           1.048080741042263, 0.5347301163226948)
+
+
+def loops(lab, _rounds):
+    def mechanism(name, method, h, *more):
+        lines = call(lab.program.parent / "physics_loops", name, method, h, *more)
+        words = lines[0].split() if lines else []
+        if "drift" not in words:
+            return {"drift": math.inf, "gap": math.inf, "speed": math.inf, "cost": math.inf, "unconverged": math.inf,
+                    "at": [math.inf] * 3, "q": [math.inf] * 7}
+        found = {name: float(words[words.index(name) + 1]) for name in ("drift", "gap", "speed", "cost", "unconverged")}
+        found["at"] = [float(w) for w in words[words.index("at") + 1:words.index("q")]]
+        found["q"] = [float(w) for w in words[words.index("q") + 1:words.index("speed")]]
+        return found
+
+    def apart(a, b):
+        return max(abs(x - y) for x, y in zip(a, b))
+
+    unconverged = 0
+    for name in ("four_bar", "n_four_bar40", "bricard"):
+        run = mechanism(name, 3, 1e-3, 10)
+        unconverged += run["unconverged"]
+        print(f"{'loops':12s} {name}, 10 s, order 3, 1 ms: ends apart {run['gap']:.1e} m, {run['cost']:.0f} ms/s")
+        at_most("loops", f"{name}, energy drift in 10 s, order 3, 1 ms [J]", 0.1, run["drift"], unit="J")
+    for name in ("four_bar", "bricard"):
+        fine = mechanism(name, 3, 2.5e-4, 1)["at"]
+        at_most("loops", f"{name}, point after 1 s at 1 ms against 0.25 ms [mm]", 1, 1e3 * apart(mechanism(name, 3, 1e-3, 1)["at"], fine), unit="mm")
+        # Of order 1 and slow: its limit is that of three steps.
+        runs = zip(*(mechanism(name, "ode", h, 1)["at"] for h in (2e-4, 1e-4, 5e-5)))
+        limit = [(a - 6 * b + 8 * c) / 3 for a, b, c in runs]
+        at_most("loops", f"{name}, the same, limit of ODE against ours [mm]", 1, 1e3 * apart(limit, fine), unit="mm")
+    seven = mechanism("andrews", 3, 2e-5)
+    unconverged += seven["unconverged"]
+    at_most("loops", "Andrews, angles at the end against the reference [rad]", 1e-3, apart(seven["q"], ANDREWS), unit="rad")
+    tied = [(h, k, mechanism("tied", order, h, 1, k)) for h in (1e-4, 1e-3, 1e-2) for k in (1e6, 1e8) for order in (1, 2)]
+    stable = sum(run["speed"] < 0.2 and run["gap"] < 1e-3 for _, _, run in tied)
+    unconverged += sum(run["unconverged"] for _, _, run in tied)
+    row("loops", "tied hands stable, 0.1 to 10 ms, k 1e6 and 1e8, order 1 and 2", str(len(tied)), str(stable), stable == len(tied), unit="")
+    row("loops", "unconverged steps in these", "0", f"{unconverged:g}", unconverged == 0, unit="")
+
+
 def effort(lab, _rounds):
     for h in (1e-4, 1e-3, 1e-2):
         words = call(lab.program, "effort", "articulated", h)[0].split()
@@ -210,7 +254,7 @@ def determinism(lab, _rounds):
 CASES = {"free": free, "flight": lambda lab, _: smooth(lab, "flight", ((1e-8, 42),)),
          "arm": lambda lab, _: smooth(lab, "arm", ((1e-3, 3.5), (1e-8, 14))), "stand": stand, "push": push, "map": stability,
          "convergence": convergence, "brick": brick, "tumble": tumble,
-         "piles": piles, "effort": effort, "determinism": determinism}
+         "piles": piles, "loops": loops, "effort": effort, "determinism": determinism}
 
 
 def main(words):

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The walking scenes pass by their own criteria: every scene in free run; those that the seed changes, twice (--full: 20 times).
 
-So do those with loose bodies.  --full: other robots too, among them JVRC-1 as `twinbus check --propose` describes it.
+So do those with loose bodies and grips.  --full: other robots too, among them JVRC-1 as `twinbus check --propose` describes it.
 """
 
 import json
@@ -15,7 +15,7 @@ from harness import BIN, Checks, cli
 
 SAME_FOR_EVERY_SEED = ["walk_forward", "walk_backward", "walk_sideways", "walk_turn", "walk_diagonal", "walk_slippery",
                        "walk_carry", "walk_pad", "walk_fast"]
-LOOSE = ["box_on_foot", "box_push", "boxes_tumble", "plate_underfoot"]
+LOOSE = ["box_on_foot", "box_push", "boxes_tumble", "plate_underfoot", "carry_box", "tied_hands"]
 SEEDED = ["walk_rough", "walk_noisy", "push_stand", "push_walk"]
 SEEDS = range(1, 21) if harness.FULL else range(1, 3)
 FIGURES = ["max_tilt_deg", "zmp_margin_min_mm", "zmp_margin_p5_mm", "step_slip_max_mm", "force_rms_percent",

@@ -103,6 +103,20 @@ TEST(Scene, AWrongKeyNamesFileLineAndTheNearest) {
   EXPECT_NE(complaint("pushes:\n  - {link: A, impuls: [1, 0, 0], at: 1}\n"), "");
 }
 
+TEST(Scene, LoopsAndGraspsAreRead) {
+  const Scene scene = from_text(
+      "loops:\n  - {link: LHAND, point: [0, 0, 0.1], to: RHAND, stiffness: 1.0e+6}\n"
+      "grasps:\n  - {link: LHAND, to: box, at: 1, until: 3}\n");
+  ASSERT_EQ(scene.loops.size(), 1U);
+  EXPECT_EQ(scene.loops[0].to, "RHAND");
+  EXPECT_DOUBLE_EQ(scene.loops[0].damping, 1e3);
+  EXPECT_LT(scene.loops[0].length, 0.0);
+  ASSERT_EQ(scene.grasps.size(), 1U);
+  EXPECT_DOUBLE_EQ(scene.grasps[0].until, 3.0);
+  EXPECT_NE(complaint("grasps:\n  - {link: LHAND, to: box, at: 3, until: 1}\n"), "");
+  EXPECT_NE(complaint("loops:\n  - {link: LHAND, stiffness: 0}\n"), "");
+}
+
 TEST(Scene, WrongValuesAreRefused) {
   for (const char* text :
        {"duration: -1\n", "duration: x\n", "base: flying\n", "engine: magic\n", "contact: soft\n",

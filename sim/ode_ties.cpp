@@ -1,0 +1,131 @@
+// Ties as joints of ODE: a ball joint for points held together, a double ball for a distance, soft
+// as the tie says.  A row with ERP = h k / (h k + c) and CFM = 1 / (h k + c) is a spring and damper
+// by backward Euler.
+
+#include "sim/ode_impl.h"
+#include "sim/ties.h"
+
+namespace twinbus {
+
+namespace {
+
+Eigen::Vector3d eigen_at(const dReal* v) { return {v[0], v[1], v[2]}; }
+
+}  // namespace
+
+void OdeWorld::Impl::add_ties() {
+  for (const Tie& tie : checked_ties(model, config)) {
+    const auto body_of = [this](const TieEnd& end) {
+      return end.loose >= 0  ? loose[static_cast<std::size_t>(end.loose)].body
+             : end.link >= 0 ? body(end.link)
+                             : nullptr;
+    };
+    const double gain = h * tie.stiffness + tie.damping;
+    const bool point = tie.length < 0.0;
+    const dJointID joint =
+        point ? dJointCreateBall(world, nullptr) : dJointCreateDBall(world, nullptr);
+    dJointAttach(joint, body_of(tie.a), body_of(tie.b));
+    if (point) {
+      dJointSetBallParam(joint, dParamERP, h * tie.stiffness / gain);
+      dJointSetBallParam(joint, dParamCFM, 1.0 / gain);
+    } else {
+      dJointSetDBallParam(joint, dParamERP, h * tie.stiffness / gain);
+      dJointSetDBallParam(joint, dParamCFM, 1.0 / gain);
+    }
+    ties.push_back({tie, joint});
+    join(ties.size() - 1);
+    if (!tie.holds) dJointDisable(joint);
+  }
+  tie_feedback.resize(ties.size());
+  for (std::size_t i = 0; i < ties.size(); ++i) {
+    dJointSetFeedback(ties[i].joint, &tie_feedback[i]);
+  }
+}
+
+// By where the bodies are: the kinematics may be of another time.
+Eigen::Vector3d OdeWorld::Impl::place_of(const TieEnd& end) const noexcept {
+  Eigen::Vector3d inside = end.point;
+  dBodyID id = nullptr;
+  if (end.loose >= 0) {
+    id = loose[static_cast<std::size_t>(end.loose)].body;
+  } else if (end.link >= 0) {
+    id = body(end.link);
+    if (id == nullptr) return configuration.base * end.point;
+    inside -= com_in_link[static_cast<std::size_t>(end.link)];
+  }
+  if (id == nullptr) return end.point;
+  dVector3 point;
+  dBodyGetRelPointPos(id, inside.x(), inside.y(), inside.z(), point);
+  return eigen_at(point);
+}
+
+void OdeWorld::Impl::join(std::size_t index) noexcept {
+  const TieJoint& own = ties[index];
+  const Eigen::Vector3d a = place_of(own.tie.a), b = place_of(own.tie.b);
+  if (own.tie.length < 0.0) {
+    dJointSetBallAnchor(own.joint, a.x(), a.y(), a.z());
+    // The second anchor is taken as it is: in the body's own axes.
+    dVector3 inside = {b.x(), b.y(), b.z(), 0.0};
+    if (const dBodyID id = dJointGetBody(own.joint, 1); id != nullptr) {
+      dBodyGetPosRelPoint(id, b.x(), b.y(), b.z(), inside);
+    }
+    dJointSetBallAnchor2(own.joint, inside[0], inside[1], inside[2]);
+  } else {
+    dJointSetDBallAnchor1(own.joint, a.x(), a.y(), a.z());
+    dJointSetDBallAnchor2(own.joint, b.x(), b.y(), b.z());
+    dJointSetDBallDistance(own.joint, own.tie.length);
+  }
+}
+
+Status OdeWorld::Impl::hold(int tie, bool holds) noexcept {
+  if (tie < 0 || tie >= static_cast<int>(ties.size())) return Status::kWrongSize;
+  TieJoint& own = ties[static_cast<std::size_t>(tie)];
+  own.tie.holds = holds;
+  if (!holds) {
+    dJointDisable(own.joint);
+    return Status::kOk;
+  }
+  const Eigen::Vector3d a = place_of(own.tie.a);
+  const TieEnd& to = own.tie.b;
+  dBodyID id = nullptr;
+  Eigen::Vector3d& point = own.tie.b.point;
+  if (to.loose >= 0) {
+    id = loose[static_cast<std::size_t>(to.loose)].body;
+  } else if (to.link >= 0) {
+    id = body(to.link);
+  }
+  if (id == nullptr) {
+    point = to.link >= 0 ? Eigen::Vector3d(configuration.base.inverse() * a) : a;
+  } else {
+    dVector3 inside;
+    dBodyGetPosRelPoint(id, a.x(), a.y(), a.z(), inside);
+    point = eigen_at(inside);
+    if (to.link >= 0) point += com_in_link[static_cast<std::size_t>(to.link)];
+  }
+  join(static_cast<std::size_t>(tie));
+  dJointEnable(own.joint);
+  return Status::kOk;
+}
+
+void OdeWorld::Impl::read_tie_forces() noexcept {
+  for (std::size_t i = 0; i < ties.size(); ++i) {
+    const Tie& tie = ties[i].tie;
+    if (!tie.holds) continue;
+    const Eigen::Vector3d point = place_of(tie.a);
+    const auto feel = [&](const TieEnd& end, const dReal* force) {
+      if (end.link < 0 || contacts.size() >= static_cast<std::size_t>(kMaxContacts)) return;
+      contacts.push_back({.link = end.link,
+                          .sole = -1,
+                          .point = point,
+                          .force = eigen_at(force),
+                          .depth = 0.0,
+                          .tie = true});
+    };
+    feel(tie.a, tie_feedback[i].f1);
+    feel(tie.b, tie_feedback[i].f2);
+  }
+}
+
+Status OdeWorld::hold(int tie, bool holds) noexcept { return impl_->hold(tie, holds); }
+
+}  // namespace twinbus
