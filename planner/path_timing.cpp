@@ -11,12 +11,13 @@ namespace {
 constexpr double kStride = 0.02;  // of the passes over s [rad]
 constexpr double kForever = 1e9;  // no limit
 constexpr double kTiny = 1e-9;
-constexpr int kNewton = 24;       // steps; a few do
-constexpr int kLongest = 24;      // averages, in spaces of control points
-constexpr double kEnough = 1.02;  // times the limit of jerk: the rest is stretched
-constexpr int kPasses = 16;       // of softening
-constexpr int kReach = 16;        // to either side of too much jerk, and of the ends, in points
-constexpr double kShare = 0.3;    // of the way to the mean of the neighbours, at most
+constexpr int kNewton = 24;        // steps; a few do
+constexpr double kSlowest = 0.01;  // of the largest x that coasting may lower it to
+constexpr int kLongest = 24;       // averages, in spaces of control points
+constexpr double kEnough = 1.02;   // times the limit of jerk: the rest is stretched
+constexpr int kPasses = 16;        // of softening
+constexpr int kReach = 16;         // to either side of too much jerk, and of the ends, in points
+constexpr double kShare = 0.3;     // of the way to the mean of the neighbours, at most
 
 // What holds between two nodes of s, from the derivatives in their middle: joint k allows every u
 // within most[k] of -drift[k] x, x being the one at the stride's start.
@@ -131,6 +132,7 @@ Profile fastest(const RoundedPath& part, const TimingLimits& limits, double long
     x[i + 1] = std::max(0.0, x[i] + 2.0 * u * ds);
     profile.s[i + 1] = profile.s[i] + ds;
   }
+  x.back() = 0.0;  // and not the rounding of it
   set_times(profile);
   return profile;
 }
@@ -147,7 +149,7 @@ void coast(Profile& profile, double least) {
     double level = x[i];
     while (s[right] - s[left] < least * std::sqrt(level)) {
       const double next = std::max(x[left - 1], x[right + 1]);
-      if (next <= 0.0 || next > level) break;
+      if (!(next > kSlowest * x[i]) || next > level) break;
       level = next;
       if (x[left - 1] == next)
         --left;

@@ -73,6 +73,15 @@ TEST(PathTiming, NoSampleIsBeyondALimitAndSomeSampleIsAtOne) {
   }
 }
 
+// However short: a tenth of a second to full push and back is most of it.
+TEST(PathTiming, AShortMotionTakesAShortTime) {
+  for (double distance = 1e-4; distance < 0.3; distance *= 1.1) {
+    const TimedPath path =
+        timed({point2(0.3, 0.1), point2(0.3 + distance, 0.1)}, limits2(2.0, 2.0, 4.0, 4.0));
+    EXPECT_LT(path.back().time, 2.0 * std::sqrt(distance / 4.0) + 0.4) << distance;
+  }
+}
+
 // One joint over a distance: no motion can be faster than bang-bang, and a tenth of a second to
 // full push, as often as the push changes, is what the limit of jerk costs.
 TEST(PathTiming, IsNearlyAsFastAsTheLimitsAllow) {
