@@ -8,6 +8,7 @@
 #include "robot/collision_body.h"
 #include "robot/collision_fcl.h"
 #include "robot/collision_pairs.h"
+#include "robot/config_node.h"
 #include "robot/convex_shape.h"
 #include "robot/gjk.h"
 #include "robot/mesh_distance.h"
@@ -46,6 +47,13 @@ struct OwnerPair {
   int first_memory = 0;  // of shapes(a) x shapes(b)
 };
 
+// robot.yaml, collision: own or fcl.
+bool by_fcl(const Model& model) {
+  if (model.yaml_text.empty()) return false;
+  return ConfigNode::parse(model.yaml_text, "robot.yaml of " + model.name)
+             .choice("collision", {"own", "fcl"}, 0) == 1;
+}
+
 }  // namespace
 
 struct Collision::Impl {
@@ -65,6 +73,7 @@ struct Collision::Impl {
   int link_count = 0;
   int link_owners = 0;
   int last_hit = 0;
+  bool asks_fcl = false;
   bool depths = true;  // of what touches, in this query
   std::int64_t query = 0;
 
@@ -109,6 +118,7 @@ Collision::Impl::Impl(const Model& robot)
     owners.push_back(std::move(owner));
   }
   link_owners = static_cast<int>(owners.size());
+  asks_fcl = by_fcl(robot);
   build_pairs();
 }
 
@@ -240,8 +250,18 @@ bool Collision::Impl::shapes_nearer(Body& a, Body& b, ShapeMemory& remembered,
 
   PairDistance found;
   found.distance = near + 1.0;
-  const bool mesh = a.mesh || b.mesh;
-  if (!own_distance(a, b, first, near, found)) return false;
+  FclGap gap;
+  const bool answered = asks_fcl && fcl_gap(*a.fcl, a.world, *b.fcl, b.world, gap);
+  const bool mesh = !answered && (a.mesh || b.mesh);
+  if (answered) {
+    if (gap.distance > near) return false;
+    found.distance = gap.distance;
+    found.point_a = gap.point_a;
+    found.point_b = gap.point_b;
+    if (gap.distance > 0.0) found.normal = (gap.point_b - gap.point_a).normalized();
+  } else if (!own_distance(a, b, first, near, found)) {
+    return false;
+  }
   if (found.distance > kConverged) remembered.apart = a.world.linear().transpose() * found.normal;
   const bool exact = mesh && !(found.distance > kHullsApart);
   if (exact && !mesh_distance(a, b, near, std::max(found.distance - kConverged, 0.0),

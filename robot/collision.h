@@ -3,7 +3,9 @@
 // Capsules around all shapes first (near_shapes.h), then a separating direction remembered from the last query (a lower
 // bound, so what is remembered never changes an answer), then the distance of convex shapes
 // (gjk.h), which is the hull's for a mesh.  Meshes whose hulls are nearer than 20 mm are measured
-// triangle by triangle (mesh_distance.h).  No query allocates, except touches_by_fcl.  FCL asserts on
+// triangle by triangle (mesh_distance.h).  A robot.yaml with collision: fcl has its distances from
+// FCL instead, behind the same bounds; that is slow, and it allocates.  Otherwise no query
+// allocates, except touches_by_fcl.  FCL asserts on
 // NaN: callers pass finite configurations (convert has checked them).
 
 #pragma once

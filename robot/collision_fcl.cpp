@@ -4,6 +4,7 @@
 #include <fcl/geometry/shape/convex.h>
 #include <fcl/math/bv/OBBRSS.h>
 #include <fcl/narrowphase/collision.h>
+#include <fcl/narrowphase/distance.h>
 
 #include <vector>
 
@@ -58,6 +59,27 @@ bool fcl_touches(const FclShape& a, const Eigen::Isometry3d& pose_a, const FclSh
   request.gjk_solver_type = fcl::GST_LIBCCD;
   fcl::CollisionResultd result;  // collide() appends: a fresh one each time
   return fcl::collide(a.geometry.get(), pose_a, b.geometry.get(), pose_b, request, result) > 0;
+}
+
+bool fcl_gap(const FclShape& a, const Eigen::Isometry3d& pose_a, const FclShape& b,
+             const Eigen::Isometry3d& pose_b, FclGap& gap) noexcept {
+  try {
+    // distance() of touching shapes is not to be relied on.
+    if (fcl_touches(a, pose_a, b, pose_b)) {
+      gap = {};
+      return true;
+    }
+    fcl::DistanceRequestd request(true);
+    request.gjk_solver_type = fcl::GST_LIBCCD;
+    fcl::DistanceResultd result;
+    gap.distance =
+        fcl::distance(a.geometry.get(), pose_a, b.geometry.get(), pose_b, request, result);
+    gap.point_a = result.nearest_points[0];
+    gap.point_b = result.nearest_points[1];
+    return gap.distance > 0.0 && gap.point_a.allFinite() && gap.point_b.allFinite();
+  } catch (const std::exception&) {
+    return false;
+  }
 }
 
 }  // namespace twinbus

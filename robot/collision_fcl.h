@@ -17,6 +17,15 @@ std::shared_ptr<FclShape> fcl_primitive(ShapeKind kind, const Eigen::Vector3d& s
 std::shared_ptr<FclShape> fcl_hull(const TriangleMesh& hull);
 std::shared_ptr<FclShape> fcl_mesh(const TriangleMesh& mesh);
 
+// Distance [m] and nearest points, in world; zero and no points when they touch.
+struct FclGap {
+  double distance = 0.0;
+  Eigen::Vector3d point_a = Eigen::Vector3d::Zero(), point_b = Eigen::Vector3d::Zero();
+};
+// False when FCL gives up.  Allocates.
+bool fcl_gap(const FclShape& a, const Eigen::Isometry3d& pose_a, const FclShape& b,
+             const Eigen::Isometry3d& pose_b, FclGap& gap) noexcept;
+
 // By libccd, its other solver.  Allocates.
 bool fcl_touches(const FclShape& a, const Eigen::Isometry3d& pose_a, const FclShape& b,
                  const Eigen::Isometry3d& pose_b);

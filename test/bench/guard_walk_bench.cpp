@@ -83,12 +83,13 @@ RateStats timed(SelfCollision& check, const std::vector<Configuration>& walk, lo
 
 int main(int argc, char** argv) try {
   Options options("guard_walk_bench", "All pairs and the reduced list while walking.");
-  std::string file, robot = "hrp1s";
+  std::string file, csv, robot = "hrp1s";
   double beyond = 0.05;
   options.text("--states", "FILE.csv", file,
                "from `twinbus log csv LOG STATE FILE.csv --fields q`");
   options.text("--robot", "NAME_OR_DIR", robot, "that walked");
   options.number("--beyond", "RAD", beyond, 0.0, 1.0, "by which joints may leave the ranges seen");
+  options.text("--csv", "FILE.csv", csv, "what every state took, for chart guard");
   options.parse(argc, argv);
   if (file.empty()) {
     std::printf("no states given: see --help\n");
@@ -133,16 +134,21 @@ int main(int argc, char** argv) try {
   SelfCollision few(model, geometry, left);
   long hits = 0, hits_few = 0;
   const RateStats cost = timed(all, walk, hits), cost_few = timed(few, walk, hits_few);
-  RateStats placing, guard_tick;
-  Guard guard(model, {});
-  RobotState state;
-  state.run_id = 1;
-  state.joint_count = static_cast<std::int16_t>(model.bus_count());
+  RateStats placing, guard_tick, fcl_tick;
   for (const Configuration& c : walk) {
     const std::int64_t begin = monotonic_ns();
     few.place(c.q);
     placing.add(monotonic_ns() - begin);
   }
+  std::FILE* out = csv.empty() ? nullptr : std::fopen(csv.c_str(), "w");
+  if (!csv.empty() && out == nullptr) throw std::runtime_error(csv + " cannot be written");
+  if (out != nullptr) std::fprintf(out, "tick,all_us,reduced_us,guard_us,fcl_us\n");
+  Model slow = model;
+  slow.yaml_text += "\ncollision: fcl\n";
+  Guard guard(model, {}), guard_by_fcl(slow, {});
+  RobotState state;
+  state.run_id = 1;
+  state.joint_count = static_cast<std::int16_t>(model.bus_count());
   for (const Configuration& c : walk) {
     ++state.tick;
     for (std::size_t k = 0; k < model.bus_joints.size(); ++k) {
@@ -150,10 +156,29 @@ int main(int argc, char** argv) try {
       if (state.tick > 1) state.qd[k] = static_cast<float>((q - state.q[k]) / model.period());
       state.q[k] = q;
     }
-    const std::int64_t begin = monotonic_ns();
-    guard.check(state, nullptr, c);
-    guard_tick.add(monotonic_ns() - begin);
+    double us[4] = {};
+    const auto once = [&](int row, auto call) {
+      const std::int64_t begin = monotonic_ns();
+      call();
+      const std::int64_t took = monotonic_ns() - begin;
+      us[row] = 1e-3 * static_cast<double>(took);
+      return took;
+    };
+    once(0, [&] {
+      all.place(c.q);
+      all.touching();
+    });
+    once(1, [&] {
+      few.place(c.q);
+      few.touching();
+    });
+    guard_tick.add(once(2, [&] { guard.check(state, nullptr, c); }));
+    fcl_tick.add(once(3, [&] { guard_by_fcl.check(state, nullptr, c); }));
+    if (out != nullptr)
+      std::fprintf(out, "%lld,%.3f,%.3f,%.3f,%.3f\n", static_cast<long long>(state.tick), us[0],
+                   us[1], us[2], us[3]);
   }
+  if (out != nullptr) std::fclose(out);
   std::printf(
       "%s, %zu states of walking: %zu pairs, %zu of them can touch within %.2f rad of what "
       "the joints did; %ld and %ld contacts\n",
@@ -163,6 +188,7 @@ int main(int argc, char** argv) try {
   print("exact verdict, reduced list", cost_few);
   print("  of it kinematics", placing);
   print("guard tick: distances and look-ahead", guard_tick);
+  print("  the same with collision: fcl", fcl_tick);
   return hits == 0 && hits_few == 0 ? 0 : 1;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "guard_walk_bench: %s\n", error.what());

@@ -84,6 +84,33 @@ TEST(Collision, EveryVerdictIsThatOfBruteForceFcl) {
   EXPECT_GT(touching, 500);
 }
 
+TEST(Collision, FclAsBackendFindsTheSamePairsAtTheSameDistances) {
+  Model slow = hrp1s();
+  slow.yaml_text += "\ncollision: fcl\n";
+  Collision own(hrp1s()), fcl(slow);
+  Kinematics kinematics(slow);
+  std::mt19937_64 random(kSeed + 7);
+  int compared = 0;
+  for (int i = 0; i < 40; ++i) {
+    kinematics.update(random_posture(slow, named_posture(slow, "half_sitting"), 0.4, random));
+    std::map<std::pair<int, int>, double> ours;
+    for (const PairDistance& p : all_near(own, kinematics, 0.05))
+      ours[{p.link_a, p.link_b}] = p.distance;
+    for (const PairDistance& p : all_near(fcl, kinematics, 0.049)) {
+      const auto found = ours.find({p.link_a, p.link_b});
+      ASSERT_NE(found, ours.end()) << i;
+      if (p.distance > kBand) {
+        EXPECT_NEAR(p.distance, found->second, 1e-4);
+        EXPECT_NEAR((p.point_b - p.point_a).norm(), p.distance, 1e-4);
+      } else {
+        EXPECT_LT(found->second, 1e-4);
+      }
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 100);
+}
+
 TEST(Collision, TheNormalTakesThePairApart) {
   const Model& model = hrp1s();
   Collision collision(model);

@@ -1,0 +1,64 @@
+#!/usr/bin/env python3
+"""./twinbus chart guard [--out DIR] [--redraw]: what watching for self-collision takes while the robot walks (the paper's Fig. 9).
+
+walk_forward is run and logged; then every state of it is judged by the exact check of all pairs on their meshes, by the same on the
+pairs that can touch within the ranges the joints kept to, and by a tick of the guard (distances, look-ahead), with our distances and
+with FCL's (robot.yaml, collision: fcl).  Written as SVG, PNG and CSV to DIR (default test/charts/guard); --redraw draws from the
+CSV that is there.
+"""
+
+import csv
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+import chart_walk
+import plot
+
+CURVES = (("fcl_us", "guard tick, collision: fcl"), ("guard_us", "guard tick"), ("all_us", "exact, all pairs"), ("reduced_us", "exact, reduced list"))
+PERIOD = 0.002  # [s]
+
+
+def measure(file):
+    program = chart_walk.twinbus()
+    with tempfile.TemporaryDirectory() as folder:
+        log, states = pathlib.Path(folder) / "walk.log", pathlib.Path(folder) / "walk.csv"
+        subprocess.run([program, "run", "walk_forward", "--for", "8", "--log", log], capture_output=True, check=False)
+        subprocess.run([program, "log", "csv", log, "STATE", states, "--fields", "q"], capture_output=True, check=True)
+        subprocess.run([program.parent / "guard_walk_bench", "--states", states, "--csv", file], check=True)
+
+
+def draw(file, folder):
+    with open(file, newline="") as source:
+        rows = list(csv.DictReader(source))
+    curves, words = [], []
+    for key, name in CURVES:
+        values = [float(row[key]) for row in rows]
+        words.append(f"{name} {sorted(values)[len(values) // 2]:.1f}")
+        # Of every 20 ticks the median: what else the machine does is no part of it.
+        curves.append((name, [(PERIOD * i, sorted(values[i:i + 20])[len(values[i:i + 20]) // 2]) for i in range(0, len(values), 20)]))
+    words = "medians in us: " + ", ".join(words)
+    print(words, flush=True)
+    one = plot.write(folder / "guard.svg", plot.lines("Self-collision while walking at 0.55 m/s, hrp1s", words, "time [s]", "time of a tick [us]", curves[1:]))
+    two = plot.write(folder / "fcl.svg", plot.lines("The same guard with FCL's distances", words, "time [s]", "time of a tick [us]", curves[:2]))
+    for missing in {one, two} - {None}:
+        print(missing)
+
+
+def main(words):
+    if "--help" in words or "-h" in words:
+        print(__doc__)
+        return 0
+    folder = pathlib.Path(words[words.index("--out") + 1] if "--out" in words else chart_walk.ROOT / "test/charts/guard")
+    folder.mkdir(parents=True, exist_ok=True)
+    file = folder / "guard.csv"
+    if "--redraw" not in words:
+        measure(file)
+    draw(file, folder)
+    print(f"in {folder}")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
