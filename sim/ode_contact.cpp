@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/contact_law.h"
 #include "sim/ode_impl.h"
 
 namespace twinbus {
@@ -106,7 +107,10 @@ void OdeWorld::Impl::find_sole_contacts() noexcept {
       const Eigen::Vector3d point = link * (sole.frame * sole_corner(sole, corner));
       const double depth =
           config.ground_height[foot] - offset[foot][static_cast<std::size_t>(corner)] - point.z();
-      if (!(depth > 0.0)) continue;
+      // What comes down within the step touches in it, as in the other engine.
+      if (!(depth > 0.0 || depth - h * kinematics.point_velocity(sole.link, point).z() > 0.0)) {
+        continue;
+      }
       dContactGeom geom{};
       for (int i = 0; i < 3; ++i) geom.pos[i] = point[i];
       geom.normal[2] = 1.0;
@@ -152,13 +156,16 @@ void OdeWorld::Impl::add_contact(const dContactGeom& geom, int link, int sole, d
   const Eigen::Vector3d point(geom.pos[0], geom.pos[1], geom.pos[2]);
   dVector3 velocity;
   dBodyGetPointVel(body(link), point.x(), point.y(), point.z(), velocity);
+  const double end = geom.depth - h * (geom.normal[0] * velocity[0] + geom.normal[1] * velocity[1] +
+                                       geom.normal[2] * velocity[2]);
+  c *= std::clamp(end / kDampingRamp, 0.0, 1.0);
   contact_rows.push_back(soft_row(geom, {velocity[0], velocity[1], velocity[2]},
                                   kinematics.link_in_world(link).linear(), k, c, mu));
   contacts.push_back({.link = link,
                       .sole = sole,
                       .point = point,
                       .force = Eigen::Vector3d::Zero(),
-                      .depth = geom.depth});
+                      .depth = std::max(0.0, geom.depth)});
 }
 
 // So that the friction pyramid does not favour the world's axes.
@@ -180,6 +187,12 @@ dContact OdeWorld::Impl::soft_row(const dContactGeom& geom, const Eigen::Vector3
   row.surface.mu = mu;
   row.surface.soft_erp = h * k / (h * k + c);
   row.surface.soft_cfm = 1.0 / (h * k + c);
+  // ODE takes a negative depth for none: the way that is left is a speed.
+  if (geom.depth < 0.0) {
+    row.surface.mode |= dContactMotionN;
+    const bool soft = config.contact == ContactModel::kSpringDamper;
+    row.surface.motionN = (soft ? row.surface.soft_erp : 1.0) / h * geom.depth;
+  }
   for (int i = 0; i < 3; ++i) row.fdir1[i] = along[i];
   return row;
 }
@@ -199,6 +212,13 @@ void OdeWorld::Impl::read_contact_forces() noexcept {
   }
   read_loose_forces();
   read_tie_forces();
+  forget_open();
+}
+
+// Points that were about to touch and did not.
+void OdeWorld::Impl::forget_open() noexcept {
+  std::erase_if(contacts,
+                [](const ContactPoint& c) { return !(c.depth > 0.0) && c.force.isZero(0.0); });
 }
 
 void OdeWorld::Impl::estimate_contact_forces() noexcept {
@@ -213,6 +233,7 @@ void OdeWorld::Impl::estimate_contact_forces() noexcept {
     const double force = (row.surface.soft_erp / h * row.geom.depth - speed) / row.surface.soft_cfm;
     contacts[i].force = std::max(0.0, force) * normal;
   }
+  forget_open();
 }
 
 }  // namespace twinbus

@@ -101,6 +101,7 @@ struct OdeWorld::Impl {
                     const Eigen::Matrix3d& turn, double k, double c, double mu) const noexcept;
   void create_contact_joints() noexcept;
   void read_contact_forces() noexcept;
+  void forget_open() noexcept;
   void estimate_contact_forces() noexcept;
 
   dBodyID body(int link) const { return bodies[static_cast<std::size_t>(link)]; }
