@@ -107,6 +107,10 @@ def push(lab, _rounds):
         print(f"{'push':12s} {engine.label}: " + ", ".join(f"{1e3 * h:g} ms {1e3 * e:.3f} mm {c:.2f} ms/s" for h, e, c in points))
         if engine is not lab.articulated:
             at_most("push", f"push at 2 ms, {engine.label}, error [mm]", 0.02, 1e3 * next(e for h, e, _ in points if h == 2e-3), unit="mm")
+    soft = lab.articulated3.run("push_soft", 1e-4, 1)
+    for engine in (lab.articulated2, lab.articulated3):
+        at_most("push", f"the same with legs of 5000 N m/rad, {engine.label}, error [mm]", 0.02,
+                1e3 * error(engine.run("push_soft", 2e-3, 1), soft), unit="mm")
     peers = [(lab.ode, (2e-2, 1e-2, 5e-3, 2e-3, 1e-3), 2e-4, {1e-3: 110})]
     if lab.packaged():
         peers.append((lab.mujoco(lab.packaged(), "implicit"), (2e-3, 1e-3, 5e-4, 2e-4, 1e-4), 2e-5, {1e-3: 100}))
@@ -148,6 +152,9 @@ def convergence(lab, _rounds):
     print(f"{'convergence':12s} order from 2 to 0.01 ms: {slope(errors):.3f}")
     row("convergence", "unconverged steps in these", "0", str(sum(r["counters"][2] for _, r in runs)),
         not any(r["counters"][2] for _, r in runs), unit="")
+    finest = lab.articulated3.run("push_soft", 2e-5, 1)
+    soft = [(h, error(lab.articulated.run("push_soft", h, 1), finest)) for h in (2e-3, 1e-3, 5e-4, 2e-4, 1e-4, 5e-5, 2e-5, 1e-5)]
+    at_least("convergence", "order of order 1, push, legs of 5000 N m/rad, 2 to 0.01 ms", 0.95, slope(soft), unit="")
     exact = lab.flight[2].run("flight", 5e-4, 1)
     points = [(h, error(lab.articulated2.run("flight", h, 1), exact)) for h in (1e-2, 5e-3, 2e-3, 1e-3, 5e-4)]
     at_least("convergence", "order of order 2, flight, 10 to 0.5 ms", 1.9, slope(points), unit="")

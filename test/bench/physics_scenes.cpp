@@ -195,9 +195,14 @@ PhysicsScene physics_scene(const std::string& name, double gain) {
     scene.duration = 0.5;
     on_its_feet(scene, gain);
     scene.start.base_velocity = {0.05, 0.05, 0.0};
-  } else if (name == "push") {
+  } else if (name == "push" || name == "push_soft") {
     scene.duration = 0.6;
     on_its_feet(scene, gain);
+    for (std::size_t j = 0; name == "push_soft" && j < scene.servos.size(); ++j) {
+      const double own = scene.model.joints[j].kp;
+      scene.servos[j].kp = gain * (own > 1e4 ? 5000.0 : own > 1e3 ? 1500.0 : 150.0);
+      scene.servos[j].kd = 0.02 * scene.servos[j].kp;
+    }
     scene.start.base.translation().z() += 0.01;
     scene.start.base_velocity.x() = 0.2;
   } else if (name == "slide") {
@@ -207,7 +212,7 @@ PhysicsScene physics_scene(const std::string& name, double gain) {
     scene.start.base_velocity.x() = 1.0;
   } else {
     throw std::runtime_error("no scene '" + name +
-                             "': there are flight, arm, stand, push, slide, throw");
+                             "': there are flight, arm, stand, push, push_soft, slide, throw");
   }
   return scene;
 }
