@@ -198,6 +198,7 @@ void fields(C& c, M& m, S& s) noexcept {
   c(m.link_a, s.link_a);
   c(m.link_b, s.link_b);
   c(m.miss, s.miss);
+  c(m.clearance, s.clearance);
   c(m.time, s.time);
   double before = 0;
   for (int i = 0; i < s.knot_count && i < kKnotsPerPiece; ++i) {

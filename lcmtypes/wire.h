@@ -91,7 +91,7 @@ struct Wire<ArmGoal> : WireBase<498, true> {
   static std::int64_t count(const ArmGoal& x) noexcept { return x.sequence; }
 };
 template <>
-struct Wire<ArmPathPiece> : WireBase<999, false> {
+struct Wire<ArmPathPiece> : WireBase<1003, false> {
   static std::int64_t sender(const ArmPathPiece& x) noexcept { return x.planner_id; }
 };
 template <>

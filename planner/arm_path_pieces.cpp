@@ -18,6 +18,7 @@ std::vector<ArmPathPiece> to_pieces(const ArmPlan& plan, const ArmPathIds& ids) 
     common.link_b = static_cast<std::int8_t>(std::min(plan.pair.link_b, 127));
     return {common};
   }
+  common.clearance = static_cast<float>(plan.clearance);
 
   constexpr std::size_t kPer = kKnotsPerPiece;
   const std::size_t knots = plan.path.size();

@@ -221,6 +221,7 @@ struct ArmPathPiece {  // arm_path_t
   std::int8_t link_a = 0;
   std::int8_t link_b = 0;
   float miss = 0;
+  float clearance = 0;
   std::array<double, kKnotsPerPiece> time{};
   std::array<std::array<double, kArmJoints>, kKnotsPerPiece> q{};
   std::array<std::array<float, kArmJoints>, kKnotsPerPiece> qd{};

@@ -189,6 +189,7 @@ inline ArmPathPiece sample<ArmPathPiece>() {
                  .knot_count = kKnotsPerPiece};
   for (std::size_t i = 0; i < x.joint.size(); ++i) x.joint[i] = static_cast<std::int16_t>(i + 6);
   x.miss = 0.1f;
+  x.clearance = 0.2f;
   count_up(x.time);
   count_up_rows(x.q);
   count_up_rows(x.qd);

@@ -8,6 +8,7 @@ namespace {
 ArmPlan plan_of(int knots, int joints) {
   ArmPlan plan;
   plan.status = ArmPathStatus::kOk;
+  plan.clearance = 0.014;
   for (int k = 0; k < joints; ++k) plan.joints.push_back(10 + k);
   for (int i = 0; i < knots; ++i) {
     Knot knot;
@@ -38,6 +39,7 @@ TEST(ArmPathPieces, PutTogetherAgainArePathThatWasPlanned) {
       EXPECT_EQ(piece.pieces, static_cast<int>(pieces.size()));
       EXPECT_EQ(piece.joint_count, 7);
       EXPECT_EQ(piece.joint[6], 16);
+      EXPECT_FLOAT_EQ(piece.clearance, 0.014F);
       for (int row = 0; row < piece.knot_count; ++row, ++knot) {
         const auto r = static_cast<std::size_t>(row);
         EXPECT_DOUBLE_EQ(piece.time[r], plan.path[knot].time);
