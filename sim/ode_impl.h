@@ -83,7 +83,7 @@ struct OdeWorld::Impl {
   void read_loose_forces() noexcept;
 
   // ode_ties.cpp
-  void add_ties();
+  void add_ties(const std::vector<Tie>& tied);
   Eigen::Vector3d place_of(const TieEnd& end) const noexcept;  // world
   void join(std::size_t tie) noexcept;                         // where its points are
   Status hold(int tie, bool holds) noexcept;

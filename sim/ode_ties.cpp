@@ -13,8 +13,8 @@ Eigen::Vector3d eigen_at(const dReal* v) { return {v[0], v[1], v[2]}; }
 
 }  // namespace
 
-void OdeWorld::Impl::add_ties() {
-  for (const Tie& tie : checked_ties(model, config)) {
+void OdeWorld::Impl::add_ties(const std::vector<Tie>& tied) {
+  for (const Tie& tie : tied) {
     const auto body_of = [this](const TieEnd& end) {
       return end.loose >= 0  ? loose[static_cast<std::size_t>(end.loose)].body
              : end.link >= 0 ? body(end.link)

@@ -13,6 +13,7 @@
 
 #include "robot/dynamics.h"
 #include "sim/ode_impl.h"
+#include "sim/ties.h"
 
 namespace twinbus {
 
@@ -73,6 +74,7 @@ void check_links(const Model& model, bool fixed_base) {
 OdeWorld::Impl::Impl(const Model& m, const WorldConfig& c)
     : model(m), config(c), h(c.step), configuration(m), start_of_step(m), kinematics(m) {
   check_links(m, config.fixed_base);
+  const std::vector<Tie> tied = checked_ties(m, config);
   open_engine();
   world = dWorldCreate();
   dWorldSetGravity(world, 0.0, 0.0, -kGravity);
@@ -128,7 +130,7 @@ OdeWorld::Impl::Impl(const Model& m, const WorldConfig& c)
   for (int j = 0; j < m.joint_count(); ++j) add_joint(j, kinematics);
   add_geoms();
   add_loose();
-  add_ties();
+  add_ties(tied);
   for (const dBodyID each : bodies) {
     if (each != nullptr) moving.push_back(each);
   }
