@@ -117,7 +117,8 @@ bool next_sentence(SourceStatus& told, const SourceStatus& now, Event& event) no
   if (told.controller_id != now.controller_id) {
     told.controller_id = now.controller_id;
     if (now.controller_id == 0) return next_sentence(told, now, event);
-    say(event, 0, "obeying controller %lld", static_cast<long long>(now.controller_id));
+    say(event, 0, "obeys a controller (its controller_id: %lld)",
+        static_cast<long long>(now.controller_id));
     return true;
   }
   if (told.terms_ignored == 0 && now.terms_ignored > 0) {

@@ -47,6 +47,8 @@ inline constexpr double kRigidReturn = 0.01;
 // For whoever asks how far a corner sinks in under its load [N/m].
 inline constexpr double kRigidStiffness = 1e8;
 
+inline Eigen::Vector3d vector(const dReal* v) { return {v[0], v[1], v[2]}; }
+
 struct OdeWorld::Impl {
   Impl(const Model& model, const WorldConfig& config);
   ~Impl();
@@ -105,6 +107,12 @@ struct OdeWorld::Impl {
   void estimate_contact_forces() noexcept;
 
   dBodyID body(int link) const { return bodies[static_cast<std::size_t>(link)]; }
+  // Null: the world, or a fixed base.
+  dBodyID body_of(const TieEnd& end) const {
+    return end.loose >= 0  ? loose[static_cast<std::size_t>(end.loose)].body
+           : end.link >= 0 ? body(end.link)
+                           : nullptr;
+  }
 
   const Model& model;
   WorldConfig config;

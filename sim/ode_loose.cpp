@@ -34,8 +34,6 @@ bool bounds_meet(const dReal* a, const dReal* b) {
          b[4] <= a[5];
 }
 
-Eigen::Vector3d eigen_of(const dReal* v) { return {v[0], v[1], v[2]}; }
-
 }  // namespace
 
 void OdeWorld::Impl::add_loose() {
@@ -75,9 +73,9 @@ LooseState OdeWorld::Impl::loose_state(std::size_t index) const noexcept {
   const dReal* q = dBodyGetQuaternion(id);
   LooseState state;
   state.pose.linear() = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix();
-  state.pose.translation() = eigen_of(dBodyGetPosition(id));
-  state.velocity = eigen_of(dBodyGetLinearVel(id));
-  state.angular_velocity = eigen_of(dBodyGetAngularVel(id));
+  state.pose.translation() = vector(dBodyGetPosition(id));
+  state.velocity = vector(dBodyGetLinearVel(id));
+  state.angular_velocity = vector(dBodyGetAngularVel(id));
   return state;
 }
 
@@ -116,7 +114,7 @@ void OdeWorld::Impl::meet_loose(std::size_t index, dGeomID geom, const LooseSide
       dCollide(loose[index].geom, geom, kPointsPerLoosePair, found, sizeof(dContactGeom));
   for (int i = 0; i < count; ++i) {
     if (loose_rows.size() >= loose_feedback.size()) return;
-    const Eigen::Vector3d point = eigen_of(found[i].pos);
+    const Eigen::Vector3d point = vector(found[i].pos);
     double k = side.stiffness, c = side.damping, mu = side.friction;
     int sole_side = -1;
     for (int s = 0; s < 2; ++s) {
@@ -135,7 +133,7 @@ void OdeWorld::Impl::meet_loose(std::size_t index, dGeomID geom, const LooseSide
       dBodyGetPointVel(side.body, point.x(), point.y(), point.z(), other);
     }
     LooseRow row;
-    row.contact = soft_row(found[i], eigen_of(v) - eigen_of(other),
+    row.contact = soft_row(found[i], vector(v) - vector(other),
                            loose_state(index).pose.linear(), k, c, mu);
     row.own = loose[index].body;
     row.other = side.body;
@@ -164,7 +162,7 @@ void OdeWorld::Impl::read_loose_forces() noexcept {
   for (std::size_t i = 0; i < loose_rows.size(); ++i) {
     if (loose_rows[i].reported < 0) continue;
     contacts[static_cast<std::size_t>(loose_rows[i].reported)].force =
-        eigen_of(loose_feedback[i].f2);
+        vector(loose_feedback[i].f2);
   }
 }
 

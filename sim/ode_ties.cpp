@@ -7,19 +7,8 @@
 
 namespace twinbus {
 
-namespace {
-
-Eigen::Vector3d eigen_at(const dReal* v) { return {v[0], v[1], v[2]}; }
-
-}  // namespace
-
 void OdeWorld::Impl::add_ties(const std::vector<Tie>& tied) {
   for (const Tie& tie : tied) {
-    const auto body_of = [this](const TieEnd& end) {
-      return end.loose >= 0  ? loose[static_cast<std::size_t>(end.loose)].body
-             : end.link >= 0 ? body(end.link)
-                             : nullptr;
-    };
     const double gain = h * tie.stiffness + tie.damping;
     const bool point = tie.length < 0.0;
     const dJointID joint =
@@ -44,19 +33,15 @@ void OdeWorld::Impl::add_ties(const std::vector<Tie>& tied) {
 
 // By where the bodies are: the kinematics may be of another time.
 Eigen::Vector3d OdeWorld::Impl::place_of(const TieEnd& end) const noexcept {
-  Eigen::Vector3d inside = end.point;
-  dBodyID id = nullptr;
-  if (end.loose >= 0) {
-    id = loose[static_cast<std::size_t>(end.loose)].body;
-  } else if (end.link >= 0) {
-    id = body(end.link);
-    if (id == nullptr) return configuration.base * end.point;
-    inside -= com_in_link[static_cast<std::size_t>(end.link)];
+  const dBodyID id = body_of(end);
+  if (id == nullptr) {
+    return end.link >= 0 ? Eigen::Vector3d(configuration.base * end.point) : end.point;
   }
-  if (id == nullptr) return end.point;
+  Eigen::Vector3d inside = end.point;
+  if (end.link >= 0) inside -= com_in_link[static_cast<std::size_t>(end.link)];
   dVector3 point;
   dBodyGetRelPointPos(id, inside.x(), inside.y(), inside.z(), point);
-  return eigen_at(point);
+  return vector(point);
 }
 
 void OdeWorld::Impl::join(std::size_t index) noexcept {
@@ -87,19 +72,14 @@ Status OdeWorld::Impl::hold(int tie, bool holds) noexcept {
   }
   const Eigen::Vector3d a = place_of(own.tie.a);
   const TieEnd& to = own.tie.b;
-  dBodyID id = nullptr;
+  const dBodyID id = body_of(to);
   Eigen::Vector3d& point = own.tie.b.point;
-  if (to.loose >= 0) {
-    id = loose[static_cast<std::size_t>(to.loose)].body;
-  } else if (to.link >= 0) {
-    id = body(to.link);
-  }
   if (id == nullptr) {
     point = to.link >= 0 ? Eigen::Vector3d(configuration.base.inverse() * a) : a;
   } else {
     dVector3 inside;
     dBodyGetPosRelPoint(id, a.x(), a.y(), a.z(), inside);
-    point = eigen_at(inside);
+    point = vector(inside);
     if (to.link >= 0) point += com_in_link[static_cast<std::size_t>(to.link)];
   }
   join(static_cast<std::size_t>(tie));
@@ -117,7 +97,7 @@ void OdeWorld::Impl::read_tie_forces() noexcept {
       contacts.push_back({.link = end.link,
                           .sole = -1,
                           .point = point,
-                          .force = eigen_at(force),
+                          .force = vector(force),
                           .depth = 0.0,
                           .tie = true});
     };

@@ -46,8 +46,6 @@ void open_engine() {
   dAllocateODEDataForThread(dAllocateMaskAll);
 }
 
-Eigen::Vector3d vector(const dReal* v) { return {v[0], v[1], v[2]}; }
-
 Eigen::Matrix3d matrix(const dReal* m) {
   Eigen::Matrix3d result;
   result << m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10];

@@ -14,24 +14,24 @@ constexpr double kMaxTarget = 1e9;  // of any number of a servo target
 
 bool within(const Eigen::Vector3d& v, double bound) { return v.cwiseAbs().maxCoeff() <= bound; }
 
-}  // namespace
-
-bool engine_of(const std::string& name, Engine& engine) {
-  for (const Engine known : {Engine::kArticulated, Engine::kOde}) {
-    if (name != kEngineNames[static_cast<std::size_t>(known)]) continue;
-    engine = known;
+template <typename Choice, std::size_t kCount>
+bool named(const std::string& name, const char* const (&names)[kCount], Choice& choice) {
+  for (std::size_t i = 0; i < kCount; ++i) {
+    if (name != names[i]) continue;
+    choice = static_cast<Choice>(i);
     return true;
   }
   return false;
 }
 
+}  // namespace
+
+bool engine_of(const std::string& name, Engine& engine) {
+  return named(name, kEngineNames, engine);
+}
+
 bool contact_of(const std::string& name, ContactModel& contact) {
-  for (const ContactModel known : {ContactModel::kSpringDamper, ContactModel::kRigid}) {
-    if (name != kContactNames[static_cast<std::size_t>(known)]) continue;
-    contact = known;
-    return true;
-  }
-  return false;
+  return named(name, kContactNames, contact);
 }
 
 Status check_target(const ServoTarget& t) noexcept {

@@ -93,7 +93,7 @@ TEST(PathTiming, IsNearlyAsFastAsTheLimitsAllow) {
     const double fastest =
         distance * a > v * v ? distance / v + v / a : 2.0 * std::sqrt(distance / a);
     EXPECT_GE(path.back().time, fastest - 1e-6);
-    EXPECT_LE(path.back().time, 1.05 * fastest + 0.2) << distance;
+    EXPECT_LE(path.back().time, 1.02 * fastest + 0.15) << distance;
   }
 }
 
