@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
 """./twinbus bench physics [CASE...] [--csv F] [--rounds N]: our engines beside their peers, row by row asked and reached.
 
-Cases: free flight arm stand push map convergence brick tumble piles loops effort determinism (default: all).  Costs are CPU time of one
+Cases: free flight arm stand push map convergence brick tumble piles loops manifold effort determinism (default: all).  Costs are CPU time of one
 thread; ours and the peers take turns, and a ratio is the median over rounds (default 5).  An engine's error is measured
 against a converged run: one reference where there is no contact, each engine's own finest run where contact laws differ.
 "asked" is for machines with AVX2; peers that are not installed are said and left out.  Exit status 1 if a row falls short.
 """
 
 import math
+import statistics
 import sys
 
 from physics_lab import Lab, call, cost_at, error, median_of, ratio, slope
@@ -245,6 +246,24 @@ def loops(lab, _rounds):
     row("loops", "unconverged steps in these", "0", f"{unconverged:g}", unconverged == 0, unit="")
 
 
+def manifold(lab, rounds):
+    runs = [call(lab.program.parent / "manifold_bench", 0.2) for _ in range(rounds)]
+    if not all(runs):
+        return at_most("manifold", "manifold_bench fails", 0, 1, unit="")
+    for name in ("cube_12", "cube_768", "cube_768_turned", "sphere_3072"):
+        ours, peer = ([dict(zip(words[2::2], map(float, words[3::2]))) for run in runs for words in map(str.split, run)
+                       if words[:2] == [name, library]] for library in ("twinbus", "fcl"))
+        first, fcl = ours[0], peer[0]
+        print(f"{'manifold':12s} {name}, FCL: {fcl['points']:.0f} points at {fcl['different']:.0f} places, normals within "
+              f"{fcl['normal_deg']:.2g} degrees, depth off by {fcl['depth_error_percent']:.1f} %")
+        at_most("manifold", f"{name}, points", 8, first["points"], unit="")
+        at_most("manifold", f"{name}, points found twice", 0, first["points"] - first["different"], unit="")
+        at_most("manifold", f"{name}, normals [degrees]", 2 if "sphere" in name else 1, first["normal_deg"], unit="degrees")
+        at_most("manifold", f"{name}, depth [%]", 2, first["depth_error_percent"], unit="%")
+        times = statistics.median([b["us"] / a["us"] for a, b in zip(ours, peer)])
+        at_least("manifold", f"{name}, {statistics.median(a['us'] for a in ours):.3g} us against FCL", 3, times, peer="FCL")
+
+
 def effort(lab, _rounds):
     for h in (1e-4, 1e-3, 1e-2):
         words = call(lab.program, "effort", "articulated", h)[0].split()
@@ -261,7 +280,7 @@ def determinism(lab, _rounds):
 CASES = {"free": free, "flight": lambda lab, _: smooth(lab, "flight", ((1e-8, 42),)),
          "arm": lambda lab, _: smooth(lab, "arm", ((1e-3, 3.5), (1e-8, 14))), "stand": stand, "push": push, "map": stability,
          "convergence": convergence, "brick": brick, "tumble": tumble,
-         "piles": piles, "loops": loops, "effort": effort, "determinism": determinism}
+         "piles": piles, "loops": loops, "manifold": manifold, "effort": effort, "determinism": determinism}
 
 
 def main(words):
