@@ -13,7 +13,8 @@ inline void certain(const BlockRobot& robot, const BlockScene& scene, BlockWork&
   const int groups = static_cast<int>(robot.groups.size());
   const int last = static_cast<int>(robot.bodies.size()) - 1;
   place_bodies(robot, w, from, step, t, last);
-  place_groups(robot, w, last);
+  for (int g = robot.fixed_groups; g < groups; ++g) place_group(robot, w, g);
+  find_swings(robot, w, step);
   float steps = 0.0F;
   for (int j = 0; j < robot.joints; ++j) steps += __builtin_fabsf(step[j]);
   Flags near = {}, touching = {};
@@ -35,9 +36,7 @@ inline void certain(const BlockRobot& robot, const BlockScene& scene, BlockWork&
   const Lanes h = all(half);
   for (int g = 0; g < groups; ++g) {
     const BlockGroup& group = robot.groups[static_cast<std::size_t>(g)];
-    float swing = 0.0F;
-    for (int j = 0; j < robot.joints; ++j) swing += __builtin_fabsf(step[j]) * group.travel[j];
-    w.bend[g] = 0.5F * half * half * steps * swing + kRounding;
+    w.bend[g] = 0.5F * half * half * steps * w.swing[g / 8][g % 8] + kRounding;
     const Lanes* rate = w.rate[group.body];
     const Lanes* p = w.around[g];
     for (int i = 0; i < 3; ++i) {  // omega x p + v

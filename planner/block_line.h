@@ -4,14 +4,10 @@
 // How far the middle of the group is, on the way between two postures, from where it is in the
 // nearer one, at most.  Its way c(t) stays within h^2 max |c''| / 8 of the chord over a step h in t,
 // and |c''| is at most (sum |step|) (sum |step| travel).  turn: the angle that the group turns.
-TWINBUS_INLINE Lanes gap_of(const BlockRobot& robot, const BlockGroup& g, const Lanes* p,
-                            const float* step, float steps, Lanes& turn) {
-  float swing = 0.0F, angle = 0.0F;
-  for (int j = 0; j < robot.joints; ++j) {
-    swing += __builtin_fabsf(step[j]) * g.travel[j];
-    angle += __builtin_fabsf(step[j]) * g.turn[j];
-  }
-  const float bend = steps * swing * (1.0F / 64.0F);
+TWINBUS_INLINE Lanes gap_of(const BlockWork& w, int g, float steps, Lanes& turn) {
+  const float angle = w.angle[g / 8][g % 8];
+  const float bend = steps * w.swing[g / 8][g % 8] * (1.0F / 64.0F);
+  const Lanes* p = w.around[g];
   const Lanes b[3] = {before(p[0]), before(p[1]), before(p[2])};
   Lanes half = all(0.5F) * root(apart(p, b));
   half[0] = 2.0F * half[1] + bend;  // the posture before the first is not looked at
@@ -46,16 +42,20 @@ inline bool group_free(const BlockRobot& robot, const BlockScene& scene, BlockWo
       place_balls(robot, w, g);
       BlockWork::Near found{g, o, w.near_ball_count, 0};
       Flags touched = {};
+      const float rind = rind_of(shape);
       for (int k = group.first; k < group.first + group.count; ++k) {
         const float radius = robot.balls[static_cast<std::size_t>(k)].radius;
-        if (!goes_on) {
-          touched |= meets(shape, w.ball[k], all(radius));
-          continue;
+        const float sum = radius + rind;
+        const Lanes square = square_to_core(shape, w.ball[k]);
+        Lanes far = all(sum);
+        if (goes_on) {
+          const float inside = group.around.radius - radius;
+          far += reach - all(group.around.radius) + w.turn[g] * all(inside);
         }
-        const Lanes gap =
-            reach - all(group.around.radius) + w.turn[g] * all(group.around.radius - radius);
-        if (!any(meets(shape, w.ball[k], all(radius) + gap))) continue;
-        touched |= meets(shape, w.ball[k], all(radius));
+        if (!any(square < far * far)) continue;
+        touched |= square < all(sum * sum);
+        if (group.piece_count == 0 && any(touched)) return false;
+        if (!goes_on) continue;
         w.near_ball[w.near_ball_count++] = k;
         ++found.count;
       }
@@ -101,80 +101,91 @@ inline bool world_free(const BlockRobot& robot, const BlockScene& scene, BlockWo
   return true;
 }
 
-// Returns how many blocks were looked at, negative when the line is not free.
-inline int line_free(const BlockRobot& robot, const BlockScene& scene, BlockWork& w,
-                     const float* from, const float* step, int blocks) {
-  const Lanes spread = {0.125F, 0.25F, 0.375F, 0.5F, 0.625F, 0.75F, 0.875F, 1.0F};
-  const int groups = static_cast<int>(robot.groups.size());
-  const int last = static_cast<int>(robot.bodies.size()) - 1;
-  const bool goes_on = blocks > 1;
-  w.near_count = w.near_ball_count = w.near_pair_count = w.last_body = 0;
-  place_bodies(robot, w, from, step, spread, last);
-  place_groups(robot, w, last);
+// Stride 5/8 of the blocks or a little more, that has no factor in common with them: it visits every
+// offset once and far ones early.
+inline int stride_of(int blocks) {
+  int stride = (blocks * 5 + 4) / 8;
+  while (std::gcd(stride, blocks) != 1) ++stride;
+  return stride % blocks;
+}
+
+// The first look, at postures over the whole line; what is near is listed when the line goes on.
+inline bool first_block_free(const BlockRobot& robot, const BlockScene& scene, BlockWork& w,
+                             const float* step, bool goes_on) {
+  w.near_count = w.near_ball_count = w.near_pair_count = w.near_group_count = w.last_body = 0;
   float steps = 0.0F;
-  for (int j = 0; j < robot.joints; ++j) steps += __builtin_fabsf(step[j]);
-  for (int g = groups - 1; g >= robot.fixed_groups; --g) {
-    const BlockGroup& group = robot.groups[static_cast<std::size_t>(g)];
-    w.reach[g] = all(group.around.radius);
-    if (goes_on) w.reach[g] += gap_of(robot, group, w.around[g], step, steps, w.turn[g]);
-    if (!group_free(robot, scene, w, g, goes_on)) return -1;
+  if (goes_on) {
+    find_swings(robot, w, step);
+    for (int j = 0; j < robot.joints; ++j) steps += __builtin_fabsf(step[j]);
   }
+  for (int g = static_cast<int>(robot.groups.size()) - 1; g >= robot.fixed_groups; --g) {
+    place_group(robot, w, g);
+    w.reach[g] = all(robot.groups[static_cast<std::size_t>(g)].around.radius);
+    if (goes_on) w.reach[g] += gap_of(w, g, steps, w.turn[g]);
+    if (!group_free(robot, scene, w, g, goes_on)) return false;
+  }
+  bool listed[kBlockGroups] = {};
   const int pairs = static_cast<int>(robot.pairs.size());
   for (int i = 0; i < pairs; ++i) {
     const auto [a, b] = robot.pairs[static_cast<std::size_t>(i)];
     const Lanes sum = w.reach[a] + w.reach[b];
     if (!any(apart(w.around[a], w.around[b]) < sum * sum)) continue;
-    if (!pair_free(robot, w, a, b)) return -1;
+    if (!pair_free(robot, w, a, b)) return false;
     if (!goes_on) continue;
     w.near_pair[w.near_pair_count++] = i;
-    const int body_a = robot.groups[static_cast<std::size_t>(a)].body;
-    const int body_b = robot.groups[static_cast<std::size_t>(b)].body;
-    const int higher = body_a > body_b ? body_a : body_b;
-    if (w.last_body < higher) w.last_body = higher;
-  }
-  if (w.near_count == 0 && w.near_pair_count == 0) return 1;
-
-  // A stride that visits every offset once and far ones early.
-  int stride = (blocks * 5 + 4) / 8;
-  for (;; ++stride) {
-    int x = stride, y = blocks;
-    while (y != 0) {
-      const int rest = x % y;
-      x = y;
-      y = rest;
+    for (const int g : {a, b}) {
+      const int body = robot.groups[static_cast<std::size_t>(g)].body;
+      if (body == 0 || listed[g]) continue;
+      listed[g] = true;
+      w.near_group[w.near_group_count++] = g;
+      w.last_body = std::max(w.last_body, body);
     }
-    if (x == 1) break;
   }
+  return true;
+}
+
+// A later look, at what is near alone.
+inline bool next_block_free(const BlockRobot& robot, const BlockScene& scene, BlockWork& w) {
+  for (int i = 0; i < w.near_count; ++i) {
+    const BlockWork::Near near = w.near[i];
+    const BlockGroup& group = robot.groups[static_cast<std::size_t>(near.group)];
+    const BlockShape& shape = scene.shapes[static_cast<std::size_t>(near.obstacle)];
+    if (i == 0 || w.near[i - 1].group != near.group) place_group(robot, w, near.group);
+    if (!any(meets(shape, w.around[near.group], all(group.around.radius)))) continue;
+    Flags touched = {};
+    for (int k = near.first; k < near.first + near.count; ++k) {
+      const BlockBall& ball = robot.balls[static_cast<std::size_t>(w.near_ball[k])];
+      Lanes p[3];
+      place(w, group.body, ball, p);
+      touched |= meets(shape, p, all(ball.radius));
+      if (group.piece_count == 0 && any(touched)) return false;
+    }
+    if (any(touched) && !settled(robot, w, near.group, shape, touched)) return false;
+  }
+  for (int i = 0; i < w.near_group_count; ++i) place_group(robot, w, w.near_group[i]);
+  for (int i = 0; i < w.near_pair_count; ++i) {
+    const auto [a, b] = robot.pairs[static_cast<std::size_t>(w.near_pair[i])];
+    if (!pair_free(robot, w, a, b)) return false;
+  }
+  return true;
+}
+
+// Returns how many blocks were looked at, negative when the line is not free.
+inline int line_free(const BlockRobot& robot, const BlockScene& scene, BlockWork& w,
+                     const float* from, const float* step, int blocks) {
+  const Lanes spread = {0.125F, 0.25F, 0.375F, 0.5F, 0.625F, 0.75F, 0.875F, 1.0F};
+  const int last = static_cast<int>(robot.bodies.size()) - 1;
+  place_bodies(robot, w, from, step, spread, last);
+  if (!first_block_free(robot, scene, w, step, blocks > 1)) return -1;
+  if (blocks == 1 || (w.near_count == 0 && w.near_pair_count == 0)) return 1;
   const float fine = 0.125F / static_cast<float>(blocks);
-  for (int n = 1, offset = stride % blocks; n < blocks; ++n, offset = (offset + stride) % blocks) {
+  const int stride = stride_of(blocks);
+  for (int n = 1, offset = stride; n < blocks; ++n) {
     place_bodies(robot, w, from, step, spread - all(fine * static_cast<float>(offset)),
                  w.last_body);
-    for (int i = 0; i < w.near_count; ++i) {
-      const BlockWork::Near near = w.near[i];
-      const BlockGroup& group = robot.groups[static_cast<std::size_t>(near.group)];
-      const BlockShape& shape = scene.shapes[static_cast<std::size_t>(near.obstacle)];
-      if (i == 0 || w.near[i - 1].group != near.group) {
-        place(w, group.body, group.around, w.around[near.group]);
-        w.placed[near.group] = false;
-      }
-      if (!any(meets(shape, w.around[near.group], all(group.around.radius)))) continue;
-      Flags touched = {};
-      for (int k = near.first; k < near.first + near.count; ++k) {
-        const BlockBall& ball = robot.balls[static_cast<std::size_t>(w.near_ball[k])];
-        Lanes p[3];
-        place(w, group.body, ball, p);
-        touched |= meets(shape, p, all(ball.radius));
-        if (group.piece_count == 0 && any(touched)) return -n - 1;
-      }
-      if (any(touched) && !settled(robot, w, near.group, shape, touched)) return -n - 1;
-    }
-    if (w.near_pair_count > 0) {
-      place_groups(robot, w, w.last_body);
-      for (int i = 0; i < w.near_pair_count; ++i) {
-        const auto [a, b] = robot.pairs[static_cast<std::size_t>(w.near_pair[i])];
-        if (!pair_free(robot, w, a, b)) return -n - 1;
-      }
-    }
+    if (!next_block_free(robot, scene, w)) return -n - 1;
+    offset += stride;
+    if (offset >= blocks) offset -= blocks;
   }
   return blocks;
 }

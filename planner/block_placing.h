@@ -3,11 +3,12 @@
 
 constexpr float kRounding = 2e-5F;  // what single precision may lose of a distance [m]
 
-TWINBUS_INLINE Lanes row_times(const Lanes* r, float x, float y, float z, Lanes sum) {
-  if (x != 0.0F) sum += r[0] * all(x);
-  if (y != 0.0F) sum += r[1] * all(y);
-  if (z != 0.0F) sum += r[2] * all(z);
-  return sum;
+// Where a point of a body is: origin + R (x, y, z).
+TWINBUS_INLINE void put_point(const Lanes* rotation, const Lanes* origin, const float* point,
+                              Lanes* to) {
+  const Lanes x = all(point[0]), y = all(point[1]), z = all(point[2]);
+  for (int i = 0; i < 3; ++i)
+    to[i] = origin[i] + rotation[3 * i] * x + rotation[3 * i + 1] * y + rotation[3 * i + 2] * z;
 }
 
 // Poses of bodies 1..last at from + t step.
@@ -18,50 +19,39 @@ inline void place_bodies(const BlockRobot& robot, BlockWork& w, const float* fro
     const BlockBody& b = bodies[i];
     const Lanes q = (all(from[b.joint]) + t * all(step[b.joint])) * all(b.scale) + all(b.shift);
     Lanes* out = w.rotation[i];
-    Lanes sine = all(0.0F), cosine = all(1.0F);
-    if (!b.slides) sine_cosine(q, sine, cosine);
-    if (b.parent == 0) {
-      for (int r = 0; r < 3; ++r) {
-        const float m0 = b.rotation[3 * r], m1 = b.rotation[3 * r + 1], m2 = b.rotation[3 * r + 2];
-        out[3 * r] = cosine * all(m0) + sine * all(m1);
-        out[3 * r + 1] = cosine * all(m1) - sine * all(m0);
-        out[3 * r + 2] = all(m2);
-        w.origin[i][r] = all(b.offset[r]);
-      }
-    } else {
-      const Lanes* parent = w.rotation[b.parent];
-      for (int r = 0; r < 3; ++r) {
-        const Lanes* p = parent + 3 * r;
-        Lanes m[3];
-        for (int k = 0; k < 3; ++k) {
-          if (b.axis[k] >= 0) {
-            m[k] = p[b.axis[k]] * all(b.sign[k]);
-          } else {
-            m[k] = p[0] * all(b.rotation[k]) + p[1] * all(b.rotation[3 + k]) +
-                   p[2] * all(b.rotation[6 + k]);
-          }
-        }
-        out[3 * r] = cosine * m[0] + sine * m[1];
-        out[3 * r + 1] = cosine * m[1] - sine * m[0];
-        out[3 * r + 2] = m[2];
-        w.origin[i][r] = row_times(p, b.offset[0], b.offset[1], b.offset[2], w.origin[b.parent][r]);
+    const Lanes* parent = w.rotation[b.parent];
+    put_point(parent, w.origin[b.parent], b.offset, w.origin[i]);
+    // The columns of the constant rotation in the world; those of the result mix the first two.
+    Lanes column[3][3];
+    for (int k = 0; k < 3; ++k) {
+      if (b.axis[k] >= 0) {
+        const Lanes sign = all(b.sign[k]);
+        for (int r = 0; r < 3; ++r) column[k][r] = parent[3 * r + b.axis[k]] * sign;
+      } else {
+        const Lanes x = all(b.rotation[k]), y = all(b.rotation[3 + k]), z = all(b.rotation[6 + k]);
+        for (int r = 0; r < 3; ++r)
+          column[k][r] = parent[3 * r] * x + parent[3 * r + 1] * y + parent[3 * r + 2] * z;
       }
     }
     if (b.slides) {
-      for (int r = 0; r < 3; ++r) w.origin[i][r] += out[3 * r + 2] * q;
+      for (int r = 0; r < 3; ++r) {
+        for (int k = 0; k < 3; ++k) out[3 * r + k] = column[k][r];
+        w.origin[i][r] += column[2][r] * q;
+      }
+      continue;
+    }
+    Lanes sine, cosine;
+    sine_cosine(q, sine, cosine);
+    for (int r = 0; r < 3; ++r) {
+      out[3 * r] = cosine * column[0][r] + sine * column[1][r];
+      out[3 * r + 1] = cosine * column[1][r] - sine * column[0][r];
+      out[3 * r + 2] = column[2][r];
     }
   }
 }
 
 TWINBUS_INLINE void place(const BlockWork& w, int body, const BlockBall& b, Lanes* to) {
-  if (body == 0) {
-    to[0] = all(b.x);
-    to[1] = all(b.y);
-    to[2] = all(b.z);
-    return;
-  }
-  const Lanes* r = w.rotation[body];
-  for (int i = 0; i < 3; ++i) to[i] = row_times(r + 3 * i, b.x, b.y, b.z, w.origin[body][i]);
+  put_point(w.rotation[body], w.origin[body], &b.x, to);
 }
 
 inline void place_balls(const BlockRobot& robot, BlockWork& w, int g) {
@@ -73,21 +63,44 @@ inline void place_balls(const BlockRobot& robot, BlockWork& w, int g) {
     place(w, group.body, balls[k], w.ball[k]);
 }
 
-inline void place_groups(const BlockRobot& robot, BlockWork& w, int last_body) {
-  for (std::size_t g = static_cast<std::size_t>(robot.fixed_groups); g < robot.groups.size(); ++g) {
-    if (robot.groups[g].body > last_body) continue;
-    w.placed[g] = false;
-    place(w, robot.groups[g].body, robot.groups[g].around, w.around[g]);
-  }
+// The ball around a group; its own balls are placed when they are asked for.
+TWINBUS_INLINE void place_group(const BlockRobot& robot, BlockWork& w, int g) {
+  const BlockGroup& group = robot.groups[static_cast<std::size_t>(g)];
+  w.placed[g] = false;
+  place(w, group.body, group.around, w.around[g]);
 }
 
 // Once per robot: what stands still is placed for good.
 inline void prepare(const BlockRobot& robot, BlockWork& w) {
+  for (int i = 0; i < 9; ++i) w.rotation[0][i] = all(i % 4 == 0 ? 1.0F : 0.0F);
+  for (Lanes& o : w.origin[0]) o = all(0.0F);
   for (int g = 0; g < robot.fixed_groups; ++g) {
     w.placed[g] = false;
     place(w, 0, robot.groups[static_cast<std::size_t>(g)].around, w.around[g]);
     w.reach[g] = all(robot.groups[static_cast<std::size_t>(g)].around.radius);
     place_balls(robot, w, g);
+  }
+  const int groups = static_cast<int>(robot.groups.size());
+  for (int g = 0; g < kBlockGroups; ++g) {
+    for (int j = 0; j < kMostPlanned; ++j) {
+      const bool there = g < groups;
+      w.travel[j][g / 8][g % 8] =
+          there ? robot.groups[static_cast<std::size_t>(g)].travel[j] : 0.0F;
+      w.turning[j][g / 8][g % 8] = there ? robot.groups[static_cast<std::size_t>(g)].turn[j] : 0.0F;
+    }
+  }
+}
+
+// Sums over the joints of |step| travel and |step| turn, of all groups.
+inline void find_swings(const BlockRobot& robot, BlockWork& w, const float* step) {
+  const int octets = (static_cast<int>(robot.groups.size()) + 7) / 8;
+  for (int o = 0; o < octets; ++o) w.swing[o] = w.angle[o] = all(0.0F);
+  for (int j = 0; j < robot.joints; ++j) {
+    const Lanes size = all(__builtin_fabsf(step[j]));
+    for (int o = 0; o < octets; ++o) {
+      w.swing[o] += size * w.travel[j][o];
+      w.angle[o] += size * w.turning[j][o];
+    }
   }
 }
 
@@ -109,11 +122,9 @@ inline int nearest(const float* columns, int stride, int count, int joints, cons
     best_index = better ? index : best_index;
     index += 8;
   }
-  int lane = 0;
-  for (int i = 1; i < 8; ++i) {
-    if (best[i] < best[lane] || (best[i] == best[lane] && best_index[i] < best_index[lane]))
-      lane = i;
-  }
-  found = best[lane];
-  return best_index[lane];
+  found = lowest(best);
+  int least_index = count;
+  for (unsigned m = mask(best == all(found)); m != 0; m &= m - 1)
+    least_index = std::min(least_index, static_cast<int>(best_index[__builtin_ctz(m)]));
+  return least_index;
 }

@@ -54,6 +54,7 @@ void BlockScene::add(const Obstacle& obstacle) {
       if (!(size.minCoeff() > 0.0)) return;
       shape.kind = BlockShape::Kind::kBox;
       put(shape.half, 0.5 * size);
+      shape.upright = obstacle.pose.linear().col(2) == Eigen::Vector3d::UnitZ();
       break;
     case ObstacleShape::kSphere:
       if (!(size.x() > 0.0)) return;

@@ -15,6 +15,7 @@ struct BlockShape {
   float center[3] = {};   // capsule: one end [m]
   float axis[3][3] = {};  // box: unit axes; cylinder: axis[2]; capsule: axis[0] from end to end [m]
   float half[3] = {};     // box: half edges; cylinder: radius, -, half length; else radius [m]
+  bool upright = false;   // box: axis[2] is the world's z
   float inverse = 0.0F;   // capsule: 1 / length^2
 };
 

@@ -1,19 +1,21 @@
 // Obstacles against balls and planes.  Included once per instruction set, inside a namespace,
 // by block_check.cpp: no #pragma once.
 
-// Where is a ball of this radius at p nearer than touching?
-TWINBUS_INLINE Flags meets(const BlockShape& s, const Lanes* p, Lanes radius) {
+// Squared distance of p to the core of a shape; the rest of the shape is `rind` around the core.
+TWINBUS_INLINE Lanes square_to_core(const BlockShape& s, const Lanes* p) {
   const Lanes d[3] = {p[0] - all(s.center[0]), p[1] - all(s.center[1]), p[2] - all(s.center[2])};
   const Lanes zero = all(0.0F);
   if (s.kind == BlockShape::Kind::kBox) {
     Lanes square = zero;
     for (int k = 0; k < 3; ++k) {
       const Lanes along =
-          d[0] * all(s.axis[k][0]) + d[1] * all(s.axis[k][1]) + d[2] * all(s.axis[k][2]);
+          s.upright
+              ? (k == 2 ? d[2] : d[0] * all(s.axis[k][0]) + d[1] * all(s.axis[k][1]))
+              : d[0] * all(s.axis[k][0]) + d[1] * all(s.axis[k][1]) + d[2] * all(s.axis[k][2]);
       const Lanes over = most(size_of(along) - all(s.half[k]), zero);
       square += over * over;
     }
-    return square < radius * radius;
+    return square;
   }
   if (s.kind == BlockShape::Kind::kCylinder) {
     const Lanes along =
@@ -21,11 +23,9 @@ TWINBUS_INLINE Flags meets(const BlockShape& s, const Lanes* p, Lanes radius) {
     const Lanes across = d[0] * d[0] + d[1] * d[1] + d[2] * d[2] - along * along;
     const Lanes out = most(root(most(across, zero)) - all(s.half[0]), zero);
     const Lanes over = most(size_of(along) - all(s.half[2]), zero);
-    return out * out + over * over < radius * radius;
+    return out * out + over * over;
   }
-  const Lanes sum = radius + all(s.half[0]);
-  if (s.kind == BlockShape::Kind::kSphere)
-    return d[0] * d[0] + d[1] * d[1] + d[2] * d[2] < sum * sum;
+  if (s.kind == BlockShape::Kind::kSphere) return d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
   Lanes t = (d[0] * all(s.axis[0][0]) + d[1] * all(s.axis[0][1]) + d[2] * all(s.axis[0][2])) *
             all(s.inverse);
   t = least(most(t, zero), all(1.0F));
@@ -34,7 +34,17 @@ TWINBUS_INLINE Flags meets(const BlockShape& s, const Lanes* p, Lanes radius) {
     const Lanes e = d[i] - t * all(s.axis[0][i]);
     square += e * e;
   }
-  return square < sum * sum;
+  return square;
+}
+TWINBUS_INLINE float rind_of(const BlockShape& s) {
+  return s.kind == BlockShape::Kind::kSphere || s.kind == BlockShape::Kind::kCapsule ? s.half[0]
+                                                                                     : 0.0F;
+}
+
+// Where is a ball of this radius at p nearer than touching?
+TWINBUS_INLINE Flags meets(const BlockShape& s, const Lanes* p, Lanes radius) {
+  const Lanes sum = radius + all(rind_of(s));
+  return square_to_core(s, p) < sum * sum;
 }
 
 // From the point of the shape that is nearest to p, or its middle, to p; unit.

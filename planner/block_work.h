@@ -39,6 +39,12 @@ struct BlockWork {
   int near_ball_count;
   int near_pair[kBlockGroups * kBlockGroups / 2];
   int near_pair_count;
+  int near_group[kBlockGroups];  // those of near pairs
+  int near_group_count;
+  // Of the groups, eight at a time and by joints: see BlockGroup.
+  Lanes travel[kMostPlanned][kBlockGroups / 8], turning[kMostPlanned][kBlockGroups / 8];
+  // How far a line swings and turns the groups, at most.
+  Lanes swing[kBlockGroups / 8], angle[kBlockGroups / 8];
   int last_body;  // the highest that anything near is fixed to
 };
 

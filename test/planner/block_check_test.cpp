@@ -46,7 +46,7 @@ struct Chain {
 };
 
 std::vector<Obstacle> obstacles() {
-  std::vector<Obstacle> all(3);
+  std::vector<Obstacle> all(4);
   all[0] = {ObstacleShape::kBox, {0.3, 0.4, 0.2}, Eigen::Isometry3d::Identity()};
   all[0].pose.translation() = Eigen::Vector3d(0.5, 0.2, 0.7);
   all[0].pose.linear() = Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitY()).matrix();
@@ -54,6 +54,9 @@ std::vector<Obstacle> obstacles() {
   all[1].pose.translation() = Eigen::Vector3d(-0.4, 0.3, 0.8);
   all[2] = {ObstacleShape::kSphere, {0.15, 0.0, 0.0}, Eigen::Isometry3d::Identity()};
   all[2].pose.translation() = Eigen::Vector3d(0.0, -0.6, 0.9);
+  all[3] = {ObstacleShape::kBox, {0.2, 0.1, 0.3}, Eigen::Isometry3d::Identity()};  // upright
+  all[3].pose.translation() = Eigen::Vector3d(-0.3, -0.3, 1.1);
+  all[3].pose.linear() = Eigen::AngleAxisd(0.7, Eigen::Vector3d::UnitZ()).matrix();
   return all;
 }
 
