@@ -269,7 +269,7 @@ void Balance::push_soles(const Estimator& estimator, double dt) noexcept {
 }
 
 // Torques of all joints while the ground pushes so.
-void Balance::feed_forward(const Estimator& estimator, double dt) noexcept {
+void Balance::feed_forward(const Estimator& estimator) noexcept {
   const Configuration& now = estimator.configuration();
   const Eigen::Isometry3d& ground = estimator.ground_in_world();
   for (std::size_t s = 0; s < 2; ++s) {
@@ -303,7 +303,7 @@ void Balance::feed_forward(const Estimator& estimator, double dt) noexcept {
   }
   (void)dynamics_.solve(estimator.kinematics(), now, qdd_, base_acceleration, turning, wrench_,
                         tau_);
-  const double lead = gains_.lead * dt;
+  const double lead = gains_.lead * model_->period();
   q_ = now.q + lead * now.qd;
   qd_ = now.qd;
 }
@@ -323,7 +323,7 @@ void Balance::update(const Estimator& estimator, double dt) noexcept {
   trunk_.update(stabilizer_.lean_wanted(), tilt, turn_rate_.head<2>(), height, dt);
   arms_.update(-trunk_.target().x() - trunk_.waist().x(), dt);  // to the left
   push_soles(estimator, dt);
-  feed_forward(estimator, dt);
+  feed_forward(estimator);
   fresh_ = false;
   finite_ = q_.allFinite() && qd_.allFinite() && tau_.allFinite();
 }

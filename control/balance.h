@@ -75,7 +75,7 @@ class Balance {
   void measure(const Estimator& estimator, double dt, bool fresh) noexcept;
   void take_soles(const Estimator& estimator, double share) noexcept;
   void push_soles(const Estimator& estimator, double dt) noexcept;
-  void feed_forward(const Estimator& estimator, double dt) noexcept;
+  void feed_forward(const Estimator& estimator) noexcept;
   double omega() const noexcept;
   void find_waist() noexcept;
   Eigen::Vector3d momentum_rate(const Estimator& estimator,

@@ -45,6 +45,7 @@ struct ControlLoop::Impl {
   void first_state() noexcept;
   void next_state(bool same_source) noexcept;
   void compute(std::int64_t now_ns, double dt, bool same_source) noexcept;
+  void look_again(std::int64_t now_ns) noexcept;
   bool pad_speaks(std::int64_t now_ns) const noexcept;
   Eigen::Vector3d lean(std::int64_t now_ns) const noexcept;
   Eigen::Vector3d walk_velocity(std::int64_t now_ns) const noexcept;
@@ -67,6 +68,7 @@ struct ControlLoop::Impl {
   RobotState state;
   bool have_state = false, have_output = false;
   std::int64_t answered_tick = -1, answered_run = 0, previous_run = 0;
+  std::int64_t looked_run = 0;  // the source whose states were answered without time going on
   std::int32_t answered_term = 0;
   SetPoint want, last;
   JointCommand command;
@@ -131,8 +133,8 @@ bool ControlLoop::Impl::goes_on() const noexcept {
          static_cast<double>(ticks) * model.period() <= kSameMotion;
 }
 
-// The old source goes on until it sees its successor, so both publish the ticks between.  Each is computed once:
-// computed again, the motion would run ahead of the robot; taken for a source started anew, it would end.
+// The old source goes on until it sees its successor, so both publish the ticks between.  Time goes on once in each:
+// twice, the motion would run ahead of the robot; taken for a source started anew, it would end.
 bool ControlLoop::Impl::computed_already() const noexcept {
   const std::int64_t behind = answered_tick - state.tick;
   return answered_tick >= 0 && behind >= 0 && behind < kHandOver && state.tick > kHandOver;
@@ -222,6 +224,18 @@ void ControlLoop::Impl::compute(std::int64_t now_ns, double dt, bool same_source
   have_output = true;
 }
 
+// A tick that the last source has published already, of another robot.  Steps go on as they are; legs that balance are
+// where they are measured: told to be where the other robot's are, they would pull this one over while its gate fades.
+void ControlLoop::Impl::look_again(std::int64_t now_ns) noexcept {
+  if (modes.walk() != nullptr || !have_output || !is_sane(state, model)) return;
+  next_state(std::exchange(looked_run, state.run_id) == state.run_id);
+  modes.want(now(), mask, 0.0, want);
+  blend.apply(want, 0.0);
+  guard_and_mask(now_ns, 0.0);
+  limit_set_points(model, state, nullptr, 0.0, want);
+  last = want;
+}
+
 bool ControlLoop::Impl::step(std::int64_t now_ns, JointCommand& out) noexcept {
   if (!have_state) return false;
   if (state.role != Role::kActive && state.role != Role::kReleasing && state.role != Role::kStopped)
@@ -232,6 +246,7 @@ bool ControlLoop::Impl::step(std::int64_t now_ns, JointCommand& out) noexcept {
     return true;
   }
   if (!same_source && computed_already()) {
+    look_again(now_ns);
     write(command);
     out = command;
     return true;
@@ -250,6 +265,7 @@ bool ControlLoop::Impl::step(std::int64_t now_ns, JointCommand& out) noexcept {
   answered_run = state.run_id;
   answered_term = state.term;
   answered_tick = state.tick;
+  looked_run = 0;
   if (sane) {
     compute(now_ns, dt, same_source);
   } else {

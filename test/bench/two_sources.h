@@ -3,7 +3,7 @@
 //
 // Everything of the product but the bus and the clock: Source, gate, handover, admission, control loop.  The clock is
 // counted, so a run is the same on any machine.  The standby's tick comes a little before STATE, as in real time; a
-// source can be made to wake late.
+// source can be made to wake late, and the whole machine to stand still.
 
 #pragma once
 
@@ -14,6 +14,7 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "bridge/source.h"
 #include "control/control_loop.h"
@@ -32,13 +33,40 @@ class StandInBody final : public RobotAdaptor {
     all.settings.insert(all.settings.end(), config.settings.begin(), config.settings.end());
     return body_.open(model, all);
   }
-  Status read(RobotState& state, double timeout_s) override { return body_.read(state, timeout_s); }
-  Status write(const JointCommand& command) override { return body_.write(command); }
+  Status read(RobotState& state, double timeout_s) override {
+    if (missed_ == 0 && again_ > 0) {  // the newest there is
+      --again_;
+      state = newest_;
+      return Status::kOk;
+    }
+    for (; missed_ > 0; --missed_) {
+      if (written_) (void)body_.write(last_);
+      (void)body_.read(state, timeout_s);
+    }
+    const Status status = body_.read(state, timeout_s);
+    newest_ = state;
+    return status;
+  }
+  Status write(const JointCommand& command) override {
+    last_ = command;
+    written_ = true;
+    return body_.write(command);
+  }
+  // Its clock went on while nobody read: so many cycles with the last command come before the next read, and the one
+  // after finds nothing newer.
+  void miss(int cycles) {
+    missed_ = cycles;
+    again_ = 1;
+  }
   void close() override { body_.close(); }
   const SimTruth* truth() const override { return body_.truth(); }
 
  private:
   SimAdaptor body_;
+  JointCommand last_;
+  RobotState newest_;
+  bool written_ = false;
+  int missed_ = 0, again_ = 0;
 };
 
 class TwoSources {
@@ -49,6 +77,7 @@ class TwoSources {
   TwoSources(const Model& model, const Scene& scene, const ControlConfig& control,
              std::unique_ptr<RobotAdaptor> second, const AdaptorConfig& settings)
       : model_(model), loop_(model, control) {
+    own_clock_ = dynamic_cast<StandInBody*>(second.get());
     body_ = {std::make_unique<SimAdaptor>(scene), std::move(second)};
     if (body_[0]->open(model, {}) != Status::kOk || body_[1]->open(model, settings) != Status::kOk)
       throw std::runtime_error("a body does not open");
@@ -66,30 +95,23 @@ class TwoSources {
 
   void tick() {
     now_ += model_.period_ns;
-    const std::size_t first = source_[0]->publishes_on_state() ? 1 : 0;  // the standby
-    std::array<bool, 2> busy{};
-    for (const std::size_t s : {first, 1 - first}) {
-      Delay& delay = delay_[s];
-      busy[s] = delay.asleep > 0 || delay.working > 0;
-      if (delay.asleep > 0) {
-        --delay.asleep;
-      } else if (delay.working == 0) {
-        source_[s]->begin_tick(s == first ? now_ - 300'000 : now_);
-        delay.working = std::exchange(delay.slow, 0);
-        busy[s] = delay.working > 0;
-        if (!busy[s]) deliver(s, now_);
-      }
+    if (stalled_ > 0) {
+      --stalled_;
+      late_ = true;
+      return;
     }
-    for (const std::size_t s : {first, 1 - first}) {
-      if (delay_[s].working > 0 && --delay_[s].working == 0) {
-        deliver(s, now_ + 300'000);
-        busy[s] = false;
-      }
+    // Of the ticks that were missed a source catches one up, and its answer finds it at the next.
+    if (std::exchange(late_, false)) {
+      answers_wait_ = true;
+      all_tick();
+      answers_wait_ = false;
     }
-    for (const std::size_t s : {first, 1 - first}) {
-      if (!busy[s]) source_[s]->end_tick(now_ + 400'000);
-    }
-    say_stops();
+    all_tick();
+  }
+  // The machine stands still for so many ticks from now on.
+  void stall(int ticks) {
+    stalled_ = ticks;
+    if (own_clock_ != nullptr) own_clock_->miss(ticks);
   }
   // The source does not wake for so many ticks from now on.
   void sleep(int index, int ticks) { delay_[static_cast<std::size_t>(index)].asleep = ticks; }
@@ -144,6 +166,36 @@ class TwoSources {
   struct Delay {
     int asleep = 0, slow = 0, working = 0;
   };
+  struct Answer {
+    JointCommand command;
+    ControllerStatus status;
+  };
+  void all_tick() {
+    const std::size_t first = source_[0]->publishes_on_state() ? 1 : 0;  // the standby
+    std::array<bool, 2> busy{};
+    for (const std::size_t s : {first, 1 - first}) {
+      Delay& delay = delay_[s];
+      busy[s] = delay.asleep > 0 || delay.working > 0;
+      if (delay.asleep > 0) {
+        --delay.asleep;
+      } else if (delay.working == 0) {
+        source_[s]->begin_tick(s == first ? now_ - 300'000 : now_);
+        delay.working = std::exchange(delay.slow, 0);
+        busy[s] = delay.working > 0;
+        if (!busy[s]) deliver(s, now_);
+      }
+    }
+    for (const std::size_t s : {first, 1 - first}) {
+      if (delay_[s].working > 0 && --delay_[s].working == 0) {
+        deliver(s, now_ + 300'000);
+        busy[s] = false;
+      }
+    }
+    for (const std::size_t s : {first, 1 - first}) {
+      if (!busy[s]) source_[s]->end_tick(now_ + 400'000);
+    }
+    say_stops();
+  }
   void deliver(std::size_t s, std::int64_t now) {
     Source& own = *source_[s];
     Source& other = *source_[1 - s];
@@ -162,11 +214,17 @@ class TwoSources {
       ++unanswered_;
       return;
     }
-    const std::int64_t answered = now + 200'000;
-    for (auto& source : source_) {
-      source->on_command(command_, answered);
-      source->on_controller_status(loop_.status(), answered);
+    answers_.push_back({command_, loop_.status()});
+    if (!answers_wait_) answer(now + 200'000);
+  }
+  void answer(std::int64_t now) {
+    for (const Answer& answer : answers_) {
+      for (auto& source : source_) {
+        source->on_command(answer.command, now);
+        source->on_controller_status(answer.status, now);
+      }
     }
+    answers_.clear();
   }
   void say_stops() {
     for (auto& source : source_) {
@@ -183,6 +241,10 @@ class TwoSources {
   StateAdmission admission_;
   std::array<std::unique_ptr<Source>, 2> source_;
   std::array<Delay, 2> delay_{};
+  std::vector<Answer> answers_;  // on their way
+  StandInBody* own_clock_ = nullptr;
+  int stalled_ = 0;
+  bool late_ = false, answers_wait_ = false;
   JointCommand command_;
   std::int64_t now_ = 0, unanswered_ = 0;
   std::int32_t sequence_ = 0;

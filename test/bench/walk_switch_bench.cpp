@@ -1,9 +1,12 @@
 // A walking robot is brought to rest, another source takes its place, and it walks on: simulator to robot and back.
 //
-//     walk_switch_bench [--engines] [--count N] [--speed V] [--robot R] [--seed N] [--guard] [--trace]
+//     walk_switch_bench [--engines] [--count N] [--speed V] [--robot R] [--seed N] [--guard]
+//         [--stall TICKS | --late TICKS] [--trace]
 //
 // N times each way with policy when-safe, asked at a random phase of the step.  Exit status 1 when a body fell, a switch
-// was refused, a stop took more than 1.5 steps or a STATE had no answer.  --engines: instead, from one simulator to
+// was refused, a stop took more than 1.5 steps, a torque jumped by more than 5 % of its limit or a STATE had no answer.
+// --stall: the machine stands still for so long, in every round at another tick about the switch; --late: only the new
+// source does.  --engines: instead, from one simulator to
 // another engine in mid-step and back (walk_switch_engines.h).
 
 #include <cstdio>
@@ -21,8 +24,11 @@
 namespace twinbus {
 namespace {
 
-constexpr float kOffGround = 0.003F;  // of a sole that stands no more [m]
-constexpr double kStands = 0.25;      // [s] on both soles: no double support lasts so long
+constexpr float kOffGround = 0.003F;          // of a sole that stands no more [m]
+constexpr double kStands = 0.25;              // [s] on both soles: no double support lasts so long
+constexpr int kStallFrom = -5, kStallTo = 6;  // after the tick of the grant
+constexpr int kStepTicks = 6;                 // after a switch in which torques are watched
+constexpr double kTorqueStep = 0.05;          // that a switch may make, of the limit
 constexpr std::int64_t kGiveUp_ns = 9'000'000'000;
 
 struct Bench {
@@ -30,12 +36,14 @@ struct Bench {
   int count = 50;
   double speed = 0.3;  // [m/s]
   unsigned seed = 1;
+  int stall = 0;      // of the whole machine, at every tick about the switch in turn [ticks]
+  bool late = false;  // only the new source is, so that the old one's next ticks come first
   bool guard = false, trace = false, engines = false;
 };
 
 struct Tally {
-  int switched = 0, late = 0, walked_on = 0;
-  double worst_steps = 0.0, sum_steps = 0.0, worst_wait = 0.0, worst_gap = 0.0;
+  int switched = 0, late = 0, jumped = 0, walked_on = 0;
+  double worst_steps = 0.0, sum_steps = 0.0, worst_wait = 0.0, worst_gap = 0.0, worst_torque = 0.0;
 };
 
 class Round {
@@ -72,7 +80,13 @@ class Round {
     last_in_air_ = stood_ = asked;
     stands_since_ = 0;
     rig_->request(SourceAction::kSwitch, TwoSources::run_of(1 - from), SwitchPolicy::kWhenSafe);
+    stall_at_ = kStallFrom + rounds_++ % (kStallTo - kStallFrom);
+    stalls_left_ = bench_.stall;
+    grant_tick_ = 0;
+    torque_ = 0.0;
     while (rig_->active() == from && rig_->now_ns() - asked < kGiveUp_ns && !fell_) {
+      stall_about_grant(from);
+      last_ = rig_->source(1 - from).state();
       step(true);
       if (rig_->source(from).status().refusal != Refusal::kNone)
         return say(from, refusal_text(rig_->source(from).status().refusal));
@@ -81,12 +95,21 @@ class Round {
     const double steps = 1e-9 * static_cast<double>(stood_ - asked) / gait_.period();
     const double all = 1e-9 * static_cast<double>(last_in_air_ - asked) / gait_.period();
     const double wait = 1e-9 * static_cast<double>(rig_->now_ns() - asked);
+    switched_ = rig_->source(1 - from).state().tick;
+    watch_torque(1 - from);
+    for (int i = 0; i < kStepTicks; ++i) {
+      stall_about_grant(1 - from);
+      step(true);
+      watch_torque(1 - from);
+    }
+    tally.worst_torque = std::max(tally.worst_torque, torque_);
+    tally.jumped += torque_ > kTorqueStep ? 1 : 0;
     if (bench_.trace) {
       std::printf(
           "%s: %.2f steps until it stands, %.2f until its feet are side by side, %.2f s to the "
-          "switch, "
-          "joint %d %.3f rad apart\n",
-          from == 0 ? "simulator to robot" : "robot to simulator", steps, all, wait, widest_, gap_);
+          "switch, joint %d %.3f rad apart, stall at %d, torque step %.1f %% of joint %d at %d\n",
+          from == 0 ? "simulator to robot" : "robot to simulator", steps, all, wait, widest_, gap_,
+          stall_at_, 1e2 * torque_, torque_joint_, torque_at_);
     }
     ++tally.switched;
     tally.late += steps > 1.5 ? 1 : 0;
@@ -137,6 +160,35 @@ class Round {
     }
   }
 
+  // The machine stands still at another tick about the switch in every round.
+  void stall_about_grant(int source) {
+    const RobotState& state = rig_->source(source).state();
+    if (state.grant_run_id != 0) grant_tick_ = state.grant_tick;
+    if (stalls_left_ == 0 || grant_tick_ == 0 || state.tick - grant_tick_ != stall_at_) return;
+    if (bench_.late) {
+      rig_->slow(1 - source, stalls_left_);
+    } else {
+      rig_->stall(stalls_left_);
+    }
+    stalls_left_ = 0;
+  }
+  // Of one body, from tick to tick, as a share of the joint's limit.
+  void watch_torque(int source) {
+    const RobotState& state = rig_->source(source).state();
+    if (state.tick == last_.tick) return;
+    const Model& model = bench_.model;
+    for (std::size_t k = 0; last_.tick > 0 && k < static_cast<std::size_t>(state.joint_count);
+         ++k) {
+      const double limit = model.joints[static_cast<std::size_t>(model.bus_joints[k])].effort;
+      const double share = static_cast<double>(std::abs(state.tau[k] - last_.tau[k])) / limit;
+      if (!(share > torque_)) continue;
+      torque_ = share;
+      torque_joint_ = static_cast<int>(k);
+      torque_at_ = static_cast<int>(state.tick - switched_);
+    }
+    last_ = state;
+  }
+
   const Bench& bench_;
   std::mt19937& random_;
   Gait gait_;
@@ -145,6 +197,10 @@ class Round {
   int said_ = 0, stands_since_ = 0, widest_ = 0;
   std::int64_t last_in_air_ = 0, stood_ = 0;
   double gap_ = 0.0, tilt_ = 0.0, standby_tilt_ = 0.0;  // [rad], [degrees], [degrees]
+  int rounds_ = 0, stall_at_ = 0, stalls_left_ = 0, torque_joint_ = 0, torque_at_ = 0;
+  std::int64_t grant_tick_ = 0, switched_ = 0;
+  double torque_ = 0.0;
+  RobotState last_;
 };
 
 int run(int argc, char** argv) {
@@ -161,6 +217,9 @@ int run(int argc, char** argv) {
       bench.speed = std::atof(argv[++i]);
     } else if (word == "--seed" && has_value) {
       bench.seed = static_cast<unsigned>(std::atoi(argv[++i]));
+    } else if ((word == "--stall" || word == "--late") && has_value) {
+      bench.late = word == "--late";
+      bench.stall = std::max(0, std::atoi(argv[++i]));
     } else if (word == "--engines") {
       bench.engines = true;
     } else if (word == "--guard") {
@@ -171,7 +230,7 @@ int run(int argc, char** argv) {
       std::fprintf(
           stderr,
           "walk_switch_bench [--engines] [--count N] [--speed V] [--robot R] [--seed N] [--guard] "
-          "[--trace]\n");
+          "[--stall TICKS | --late TICKS] [--trace]\n");
       return word == "--help" ? 0 : 2;
     }
   }
@@ -209,14 +268,16 @@ int run(int argc, char** argv) {
   int late = 0;
   for (std::size_t way = 0; way < 2; ++way) {
     const Tally& t = tally[way];
-    late += t.late;
+    late += t.late + t.jumped;
     std::printf(
         "%s at %.2f m/s: %d of %d walked, stopped and switched; steps until it stands %.2f on "
         "average, %.2f at "
-        "most (%d over 1.5), %.2f s to the switch at most, joints then up to %.3f rad apart\n",
+        "most (%d over 1.5), %.2f s to the switch at most, joints then up to %.3f rad apart, "
+        "torque step %.1f %% of the "
+        "limit at most\n",
         way == 0 ? "walking simulator to robot" : "walking robot to simulator", bench.speed,
         t.switched, bench.count, t.switched > 0 ? t.sum_steps / t.switched : 0.0, t.worst_steps,
-        t.late, t.worst_wait, t.worst_gap);
+        t.late, t.worst_wait, t.worst_gap, 1e2 * t.worst_torque);
   }
   std::printf(
       "%d falls, tilt %.1f degrees at most, of the standby %.1f; %lld states without an answer\n",
