@@ -1,19 +1,46 @@
 #include "sim/articulated_body.h"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <stdexcept>
 
 #include "robot/dynamics.h"
 #include "robot/index.h"
+#include "robot/vec4.h"
 
 namespace twinbus {
+
+namespace {
+
+// By four; numbers is a multiple of that.
+TWINBUS_AVX2_CLONES
+void find_sines(const std::vector<double>& angle, std::vector<double>& sine,
+                std::vector<double>& cosine) noexcept {
+  for (std::size_t j = 0; j < angle.size(); j += 4) {
+    Vec4 s, c;
+    sine_cosine(load4(&angle[j]), s, c);
+    store4(&sine[j], s);
+    store4(&cosine[j], c);
+    for (std::size_t k = j; k < j + 4; ++k) {
+      if (std::abs(angle[k]) <= kMostAngle) continue;
+      sine[k] = std::sin(angle[k]);
+      cosine[k] = std::cos(angle[k]);
+    }
+  }
+}
+
+}  // namespace
 
 // The order of these files matters.
 // clang-format off
 namespace baseline {
 #include "sim/spatial_functions.h"
+#include "sim/lane_functions.h"
+#include "sim/articulated_root.h"
 #include "sim/articulated_placing.h"
+#include "sim/articulated_momentum.h"
 #include "sim/articulated_sweeps.h"
 }  // namespace baseline
 #if defined(__x86_64__) && !defined(__clang__)
@@ -21,13 +48,19 @@ namespace baseline {
 #pragma GCC target("avx2,fma")
 namespace avx2 {
 #include "sim/spatial_functions.h"
+#include "sim/lane_functions.h"
+#include "sim/articulated_root.h"
 #include "sim/articulated_placing.h"
+#include "sim/articulated_momentum.h"
 #include "sim/articulated_sweeps.h"
 }  // namespace avx2
 #pragma GCC target("avx512f,avx512vl,avx512dq,fma")
 namespace avx512 {
 #include "sim/spatial_functions.h"
+#include "sim/lane_functions.h"
+#include "sim/articulated_root.h"
 #include "sim/articulated_placing.h"
+#include "sim/articulated_momentum.h"
 #include "sim/articulated_sweeps.h"
 }  // namespace avx512
 #pragma GCC pop_options
@@ -38,109 +71,209 @@ namespace avx512 {
 #endif
 // clang-format on
 
+// One call for both widths.
+#define TWINBUS_SWEEP(name, ...)                                  \
+  (wide_ ? TWINBUS_KERNEL(name(four_ __VA_OPT__(, ) __VA_ARGS__)) \
+         : TWINBUS_KERNEL(name(one_ __VA_OPT__(, ) __VA_ARGS__)))
+
 namespace {
 
-void set_columns(const Eigen::Matrix3d& from, Vec4 (&to)[3]) {
-  for (int k = 0; k < 3; ++k) to[k] = baseline::vec4(from.col(k));
+// A rank costs in four lanes what it costs in one, but for what is gathered from parents.
+constexpr double kWorthFour = 1.5;
+
+void set_vector(const Eigen::Vector3d& from, double* to, std::size_t stride) {
+  for (int k = 0; k < 3; ++k) to[static_cast<std::size_t>(k) * stride] = from[k];
+}
+void set_matrix(const Eigen::Matrix3d& from, double* to, std::size_t stride) {
+  for (int k = 0; k < 9; ++k) to[static_cast<std::size_t>(k) * stride] = from.data()[k];
 }
 
 }  // namespace
 
 ArticulatedBody::ArticulatedBody(const Model& model, bool fixed_base, double mass_scale) {
-  d_.floating = !fixed_base;
-  d_.fixed.resize(model.links.size());
-  d_.links.resize(model.links.size());
-  d_.folded.resize(model.links.size());
-  d_.qd.resize(model.joints.size());
-  std::vector<int> depth(model.links.size(), 0);
-  branch_.assign(model.links.size(), 0);
-  for (std::size_t i = 0; i < d_.fixed.size(); ++i) {
+  state_.floating = !fixed_base;
+  const std::size_t count = model.links.size();
+  std::vector<int> depth(count, 0);
+  branch_.assign(count, 0);
+  links_.parent.assign(count, -1);
+  for (std::size_t i = 0; i < count; ++i) {
     const Link& link = model.links[i];
-    BodyData::Fixed& to = d_.fixed[i];
-    to.mass = link.mass * mass_scale;
-    to.com = baseline::vec4(link.com);
-    const Eigen::Matrix3d inertia = link.inertia * mass_scale;
-    set_columns(inertia, to.inertia);
-    d_.mass += to.mass;
-    const bool moves = i > 0 || d_.floating;
-    if (moves && (!(link.mass > 0.0) || !(inertia.llt().info() == Eigen::Success))) {
+    state_.mass += link.mass * mass_scale;
+    const bool moves = i > 0 || state_.floating;
+    if (moves && (!(link.mass > 0.0) ||
+                  !(Eigen::Matrix3d(link.inertia * mass_scale).llt().info() == Eigen::Success))) {
       throw std::runtime_error(
           "link '" + link.name +
           "' cannot be simulated: its mass and inertia must be positive; give it an <inertial>");
     }
     if (i == 0) continue;
-    const Joint& joint = model.joints[i - 1];
-    to.parent = joint.parent;
-    depth[i] = depth[static_cast<std::size_t>(joint.parent)] + 1;
+    const int parent = model.joints[i - 1].parent;
+    links_.parent[i] = parent;
+    depth[i] = depth[at(parent)] + 1;
     deepest_ = std::max(deepest_, depth[i]);
-    if (!d_.floating)
-      branch_[i] = joint.parent == 0 ? static_cast<int>(i) : branch_[at(joint.parent)];
-    to.prismatic = joint.kind == JointKind::kPrismatic;
-    to.offset = baseline::vec4(joint.placement.translation());
-    to.axis = baseline::vec4(joint.axis);
-    to.rotor = joint.rotor_inertia;
-    const Eigen::Vector3d& a = joint.axis;
-    Eigen::Matrix3d hat;
-    hat << 0.0, -a.z(), a.y(), a.z(), 0.0, -a.x(), -a.y(), a.x(), 0.0;
-    const Eigen::Matrix3d along = a * a.transpose();
-    const Eigen::Matrix3d placed = joint.placement.linear();
-    set_columns(to.prismatic ? placed : Eigen::Matrix3d(placed * along), to.still);
-    set_columns(placed * (Eigen::Matrix3d::Identity() - along), to.swing);
-    set_columns(placed * hat, to.turn);
+    if (!state_.floating) branch_[i] = parent == 0 ? static_cast<int>(i) : branch_[at(parent)];
   }
-  for (std::size_t i = d_.fixed.size() - 1; i > 0; --i) {
-    BodyData::Fixed& parent = d_.fixed[static_cast<std::size_t>(d_.fixed[i].parent)];
-    d_.fixed[i].first = parent.leaf;
-    parent.leaf = false;
+  four_.ranks = side_by_side(links_.parent, 4);
+  wide_ = kWorthFour * static_cast<double>(four_.ranks.size()) < static_cast<double>(count);
+  if (wide_) {
+    fill(four_, model, mass_scale);
+  } else {
+    four_.ranks.clear();
+    one_.ranks = side_by_side(links_.parent, 1);
+    fill(one_, model, mass_scale);
+  }
+}
+
+template <class L>
+void ArticulatedBody::fill(BodyLanes<L>& lanes, const Model& model, double mass_scale) {
+  constexpr auto kLanes = static_cast<std::size_t>(BodyLanes<L>::kLanes);
+  const std::size_t ranks = lanes.ranks.size();
+  lanes.links.resize(ranks);
+  int most_folded = 0;
+  for (const Rank& rank : lanes.ranks) most_folded = std::max(most_folded, rank.folded + 1);
+  lanes.folded.resize(at(most_folded));
+  lanes.stiff.resize(ranks);
+  lanes.of_joint.resize(model.joints.size());
+  for (std::vector<double>* numbers :
+       {&lanes.angle, &lanes.rate, &lanes.sine, &lanes.cosine, &lanes.force, &lanes.gain}) {
+    numbers->assign((ranks * kLanes + 3) / 4 * 4, 0.0);
+  }
+  links_.first = reinterpret_cast<double*>(lanes.links.data());
+  links_.stride = kLanes;
+  links_.where.assign(model.links.size(), 0);
+  std::fill_n(links_.first, ranks * sizeof(LinkLanes<L>) / sizeof(double), 0.0);
+  for (std::size_t r = 0; r < ranks; ++r) {
+    Rank& rank = lanes.ranks[r];
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      const auto number = [&](std::size_t field) {
+        return links_.first + r * sizeof(LinkLanes<L>) / sizeof(double) + field * kLanes + lane;
+      };
+      *number(TWINBUS_LANE_FIELD(rotor)) = 1.0;  // without a link: so that D is not zero
+      if (r == 0)
+        set_matrix(Eigen::Matrix3d::Identity(), number(TWINBUS_LANE_FIELD(rotation)), kLanes);
+      const int i = rank.link[lane];
+      set_matrix(Eigen::Matrix3d::Identity(), number(TWINBUS_LANE_FIELD(placed)), kLanes);
+      if (i < 0) continue;
+      const Link& link = model.links[at(i)];
+      links_.where[at(i)] = static_cast<std::size_t>(number(0) - links_.first);
+      *number(TWINBUS_LANE_FIELD(mass)) = link.mass * mass_scale;
+      set_vector(link.com, number(TWINBUS_LANE_FIELD(com)), kLanes);
+      const Eigen::Matrix3d inertia = link.inertia * mass_scale;
+      double* to = number(TWINBUS_LANE_FIELD(inertia));
+      for (int row = 0; row < 3; ++row) {
+        for (int k = row; k < 3; ++k, to += kLanes) *to = inertia(row, k);
+      }
+      if (i == 0) continue;
+      const Joint& joint = model.joints[at(i - 1)];
+      const bool slides = joint.kind == JointKind::kPrismatic;
+      rank.slides = rank.slides || slides;
+      *number(TWINBUS_LANE_FIELD(slides)) = slides ? 1.0 : 0.0;
+      *number(TWINBUS_LANE_FIELD(rotor)) = joint.rotor_inertia;
+      set_vector(joint.placement.translation(), number(TWINBUS_LANE_FIELD(offset)), kLanes);
+      set_vector(joint.axis, number(TWINBUS_LANE_FIELD(joint_axis)), kLanes);
+      const Eigen::Matrix3d placed = joint.placement.linear();
+      set_matrix(placed, number(TWINBUS_LANE_FIELD(placed)), kLanes);
+      rank.turned = rank.turned || placed != Eigen::Matrix3d::Identity();
+      lanes.of_joint[at(i - 1)] = r * kLanes + lane;
+    }
   }
 }
 
 void ArticulatedBody::place(const Configuration& configuration) noexcept {
-  TWINBUS_KERNEL(place(d_, configuration));
+  TWINBUS_SWEEP(place, state_, configuration);
 }
 
 void ArticulatedBody::place(const Momentum& wanted, Configuration& configuration) noexcept {
-  TWINBUS_KERNEL(correct(d_, wanted, configuration));
-}
-
-void ArticulatedBody::add_compliance(int link, const Eigen::Vector3d& r,
-                                     const Eigen::Matrix3d& weight) noexcept {
-  TWINBUS_KERNEL(fold_compliance(d_, link, r, weight));
+  TWINBUS_SWEEP(correct, state_, wanted, configuration);
 }
 
 bool ArticulatedBody::inward(const std::vector<JointRow>& rows, double h) noexcept {
-  return TWINBUS_KERNEL(fold_inward(d_, rows, h));
+  return TWINBUS_SWEEP(fold_inward, state_, rows, h);
 }
 
-void ArticulatedBody::outward() noexcept { TWINBUS_KERNEL(accelerate(d_)); }
+void ArticulatedBody::outward() noexcept { TWINBUS_SWEEP(accelerate, state_); }
 
 void ArticulatedBody::add_wrench(int link, const Screw& wrench) noexcept {
-  TWINBUS_KERNEL(fold_wrench(d_, link, wrench));
+  TWINBUS_KERNEL(fold_wrench(links_, state_, link, wrench));
 }
 
 int ArticulatedBody::response(int link, ResponseRow* rows) const noexcept {
-  return TWINBUS_KERNEL(respond(d_, link, rows));
+  return TWINBUS_KERNEL(respond(links_, state_, link, rows));
 }
 
 Momentum ArticulatedBody::momentum() const noexcept {
-  return baseline::momentum_of(d_, d_.momentum, d_.moment);
+  return wide_ ? baseline::momentum_in(state_, four_.momentum, four_.moment)
+               : baseline::momentum_in(state_, one_.momentum, one_.moment);
+}
+
+double ArticulatedBody::fastest(double reach) const noexcept {
+  const std::vector<double>& rates = wide_ ? four_.rate : one_.rate;
+  Vec4 sum = {};
+  for (std::size_t j = 0; j < rates.size(); j += 4) {
+    const Vec4 rate = load4(&rates[j]);
+    sum += rate < 0.0 ? -rate : rate;
+  }
+  const Screw base = links_.screw(0, TWINBUS_LANE_FIELD(velocity));
+  // A joint's axis is within reach too; a prismatic one moves what it carries at its own speed.
+  return linear(base).norm() + angular(base).norm() * reach +
+         std::max(1.0, 2.0 * reach) * (sum[0] + sum[1] + sum[2] + sum[3]);
 }
 
 void ArticulatedBody::add_force(int link, const Eigen::Vector3d& r,
                                 const Eigen::Vector3d& force) noexcept {
-  Screw& bias = d_.links[static_cast<std::size_t>(link)].rigid_bias;
-  baseline::operator-=(bias, baseline::force_at(baseline::vec4(r), baseline::vec4(force)));
+  const Eigen::Vector3d torque = r.cross(force);
+  double* bias = links_.of(link, TWINBUS_LANE_FIELD(bias));
+  for (int k = 0; k < 3; ++k) {
+    bias[static_cast<std::size_t>(k) * links_.stride] -= torque[k];
+    bias[static_cast<std::size_t>(k + 3) * links_.stride] -= force[k];
+  }
+}
+
+namespace {
+
+// Of those of the lanes of a rank, a lane's own.
+template <class L>
+double* stiffness_of(BodyLanes<L>& d, std::size_t number) {
+  const std::size_t lanes = sizeof(L) / sizeof(double),
+                    size = sizeof(LinkLanes<L>) / sizeof(double);
+  const std::size_t rank = number / size;
+  if (!d.ranks[rank].touched) d.stiff[rank].value = Inertia<L>{};
+  d.ranks[rank].touched = true;
+  return reinterpret_cast<double*>(&d.stiff[rank].value) + number % size % lanes;
+}
+
+}  // namespace
+
+// J(r)' weight J(r) = [ r^ W r^' , r^ W ; .. , W ].
+void ArticulatedBody::add_compliance(int link, const Eigen::Vector3d& r,
+                                     const Eigen::Matrix3d& weight) noexcept {
+  Eigen::Matrix3d wv, ww;
+  for (int k = 0; k < 3; ++k) wv.col(k) = r.cross(weight.col(k));
+  for (int k = 0; k < 3; ++k) ww.col(k) = r.cross(wv.row(k));
+  const std::size_t number = links_.where[at(link)];
+  double* to = wide_ ? stiffness_of(four_, number) : stiffness_of(one_, number);
+  const auto add = [&](double x) {
+    *to += x;
+    to += links_.stride;
+  };
+  for (int k = 0; k < 3; ++k) {
+    for (int row = k; row < 3; ++row) add(ww(row, k));
+  }
+  for (int k = 0; k < 9; ++k) add(wv.data()[k]);
+  for (int k = 0; k < 3; ++k) {
+    for (int row = k; row < 3; ++row) add(weight(row, k));
+  }
 }
 
 // In root axes the derivative of the root's velocity is the acceleration itself: no extra w x v.
 void ArticulatedBody::advance(double h, Configuration& to) const noexcept {
-  for (std::size_t i = 1; i < d_.links.size(); ++i) {
+  for (std::size_t i = 1; i < links_.where.size(); ++i) {
     const auto joint = static_cast<Eigen::Index>(i) - 1;
-    to.qd[joint] += h * d_.links[i].qdd;
+    to.qd[joint] += h * qdd(static_cast<int>(joint));
     to.q[joint] += h * to.qd[joint];
   }
-  if (!d_.floating) return;
-  const Screw& a = d_.links[0].acceleration;
+  if (!state_.floating) return;
+  const Screw a = acceleration(0);
   const Eigen::Vector3d w = to.base_angular_velocity + h * angular(a);
   const Eigen::Vector3d v = to.base_velocity + h * linear(a);
   to.base.translation() += h * v;

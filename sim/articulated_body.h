@@ -18,6 +18,7 @@
 #include "robot/index.h"
 #include "robot/kinematics.h"
 #include "robot/model.h"
+#include "sim/articulated_lanes.h"
 #include "sim/spatial.h"
 
 namespace twinbus {
@@ -28,22 +29,11 @@ struct JointRow {
   double gain = 0.0;   // [N m s/rad], >= 0
 };
 
-struct alignas(64) LinkWork {
-  Screw rigid[6];      // inertia as placed, contacts folded in
-  Screw rigid_bias;    // gyroscopic forces, minus gravity, pushes and contacts
-  Screw axis;          // S
-  Screw coriolis;      // c = V_parent x S qd
-  Screw inertia_axis;  // U = articulated inertia times S
-  Screw velocity;      // V
-  Screw acceleration;  // a
-  double inverse_d;    // 1 / D
-  double u;            // torque - S' bias
-  double qdd;
-  Vec4 axes[3];  // rotation and com once more, as vectors
-  Vec4 center;
-  Eigen::Matrix3d rotation;  // link axes in world
-  Eigen::Vector3d origin;    // about O, world axes [m]
-  Eigen::Vector3d com;       // about O, world axes [m]
+// A link as it is placed, in world axes about O.
+struct LinkNow {
+  Eigen::Matrix3d rotation;
+  Eigen::Vector3d origin;
+  Screw velocity;
 };
 
 // Of the whole robot.
@@ -58,46 +48,23 @@ struct alignas(64) ResponseRow {
   int joint;  // moves this link; 0 .. -5 for the root's six; falls along the rows
 };
 
-struct BodyData {
-  // What never changes of a link and of the joint that moves it.
-  struct Fixed {
-    int parent = -1;
-    bool prismatic = false;
-    bool leaf = true;
-    bool first = false;  // of its siblings to be folded into the parent
-    Vec4 offset;         // of the joint, in the parent's axes
-    Vec4 axis;           // in the link's axes
-    // Link axes in parent axes: still + cos(q) swing + sin(q) turn.
-    Vec4 still[3], swing[3], turn[3];
-    double mass = 0.0;
-    double rotor = 0.0;
-    Vec4 com;
-    Vec4 inertia[3];  // about com, link axes
-  };
-  // What the children of a link add to it.
-  struct alignas(64) Folded {
-    Screw inertia[6];
-    Screw bias;
-  };
-
+// Of the body as a whole.
+struct BodyState {
   bool floating = true;
   double mass = 0.0;
-  std::vector<Fixed> fixed;
-  std::vector<LinkWork> links;
-  std::vector<Folded> folded;
-  std::vector<double> qd;
-  Screw root_bias = {};
-  Screw momentum = {};  // of all links, about O
-  Vec4 moment = {};     // sum of mass times centre, about O
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
-  double root[6][6] = {};  // Cholesky factor of the root's articulated inertia
-  double root_inverse[6] = {};
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();  // O in world
+  // Of link 0's articulated inertia: L, D and 1 / D of its L D L'.
+  double root[6][6] = {}, root_d[6] = {}, root_inverse[6] = {};
+  double root_bias[6] = {};
 };
 
 class ArticulatedBody {
  public:
   // Throws std::runtime_error for a link that has no mass or no definite inertia, naming it.
   ArticulatedBody(const Model& model, bool fixed_base, double mass_scale);
+  ArticulatedBody(ArticulatedBody&&) = default;
+  ArticulatedBody(const ArticulatedBody&) = delete;
+  ArticulatedBody& operator=(const ArticulatedBody&) = delete;
 
   // Poses, velocities, rigid inertias and biases, gravity included.
   void place(const Configuration& configuration) noexcept;
@@ -132,17 +99,54 @@ class ArticulatedBody {
   // Links of different branches do not feel one another: the base between them is fixed.
   int branch(int link) const noexcept { return branch_[static_cast<std::size_t>(link)]; }
 
-  int link_count() const noexcept { return static_cast<int>(d_.links.size()); }
-  bool floating() const noexcept { return d_.floating; }
-  const LinkWork& link(int i) const noexcept { return d_.links[static_cast<std::size_t>(i)]; }
-  const Eigen::Vector3d& origin() const noexcept { return d_.origin; }  // O in world
-  double mass() const noexcept { return d_.mass; }
-  double link_mass(int i) const noexcept { return d_.fixed[static_cast<std::size_t>(i)].mass; }
+  int link_count() const noexcept { return static_cast<int>(links_.where.size()); }
+  bool floating() const noexcept { return state_.floating; }
+  const Eigen::Vector3d& origin() const noexcept { return state_.origin; }  // O in world
+  double mass() const noexcept { return state_.mass; }
+
+  LinkNow link(int i) const noexcept {
+    constexpr std::size_t kTurn = TWINBUS_LANE_FIELD(rotation);
+    LinkNow now;
+    now.rotation << links_.three(i, kTurn), links_.three(i, kTurn + 3), links_.three(i, kTurn + 6);
+    now.origin = links_.three(i, TWINBUS_LANE_FIELD(origin));
+    now.velocity = links_.screw(i, TWINBUS_LANE_FIELD(velocity));
+    return now;
+  }
+  // Of a point of a link, link axes, in world.
+  double height(int link, const Eigen::Vector3d& local) const noexcept {
+    const double* up = links_.of(link, TWINBUS_LANE_FIELD(rotation) + 2);
+    const double* origin = links_.of(link, TWINBUS_LANE_FIELD(origin) + 2);
+    return state_.origin.z() + *origin + up[0] * local.x() + up[3 * links_.stride] * local.y() +
+           up[6 * links_.stride] * local.z();
+  }
+  // No point within reach of link 0's origin that belongs to the robot moves faster.
+  double fastest(double reach) const noexcept;
+  Eigen::Vector3d center(int link) const noexcept {  // of mass, about O
+    return links_.three(link, TWINBUS_LANE_FIELD(center));
+  }
+  double link_mass(int link) const noexcept { return *links_.of(link, TWINBUS_LANE_FIELD(mass)); }
+  // After outward().
+  Screw acceleration(int link) const noexcept {
+    return links_.screw(link, TWINBUS_LANE_FIELD(acceleration));
+  }
+  double qdd(int joint) const noexcept { return *links_.of(joint + 1, TWINBUS_LANE_FIELD(qdd)); }
+  // After inward(): of what the joint moves, everything else free.
+  double inverse_inertia(int joint) const noexcept {
+    return *links_.of(joint + 1, TWINBUS_LANE_FIELD(inverse_d));
+  }
 
  private:
+  template <class L>
+  void fill(BodyLanes<L>& lanes, const Model& model, double mass_scale);
+
   int deepest_ = 0;
   std::vector<int> branch_;  // by link
-  BodyData d_;
+  BodyState state_;
+  // One of the two, as the tree is wide or narrow.
+  bool wide_ = false;
+  BodyLanes<Vec4> four_;
+  BodyLanes<double> one_;
+  LinkNumbers links_;
 };
 
 }  // namespace twinbus

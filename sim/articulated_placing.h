@@ -1,170 +1,188 @@
-// Where all links of a BodyData are, how fast, how heavy, and what its momentum is.  No include
-// guard: articulated_body.cpp includes this once for each instruction set, in a namespace of its own.
+// Where all links of a body are, how fast and how heavy.  No include guard: articulated_body.cpp
+// includes this once for each instruction set, in a namespace of its own.
 
-inline bool factor_root(BodyData& d, const Screw (&inertia)[6]) noexcept {
-  bool sound = true;
-  for (int c = 0; c < 6; ++c) {
-    for (int r = c; r < 6; ++r) {
-      double sum = inertia[c][r];
-      for (int k = 0; k < c; ++k) sum -= d.root[r][k] * d.root[c][k];
-      if (r == c) {
-        sound = sound && sum > 0.0;
-        d.root[c][c] = std::sqrt(sum);
-        d.root_inverse[c] = 1.0 / d.root[c][c];
-      } else {
-        d.root[r][c] = sum * d.root_inverse[c];
-      }
-    }
-  }
-  return sound;
+// Where links are and how fast.
+template <class L>
+struct Frame {
+  Columns3<L> rotation;
+  Three<L> origin;
+  Six<L> velocity;
+};
+
+template <class L>
+TWINBUS_INLINE L lanes_of(const std::vector<double>& numbers, std::size_t rank) {
+  L value;
+  std::memcpy(&value, numbers.data() + rank * BodyLanes<L>::kLanes, sizeof value);
+  return value;
 }
 
-inline void solve_root(const BodyData& d, double (&x)[6]) noexcept {
-  for (int r = 0; r < 6; ++r) {
-    for (int k = 0; k < r; ++k) x[r] -= d.root[r][k] * x[k];
-    x[r] *= d.root_inverse[r];
-  }
-  for (int r = 5; r >= 0; --r) {
-    for (int k = r + 1; k < 6; ++k) x[r] -= d.root[k][r] * x[k];
-    x[r] *= d.root_inverse[r];
+template <class L>
+TWINBUS_INLINE const double* numbers_of(const BodyLanes<L>& d) {
+  return reinterpret_cast<const double*>(d.links.data());
+}
+
+// Where the numbers of the parents of a rank begin that are member field of theirs.
+template <class L>
+TWINBUS_INLINE void parents_at(const Rank& rank, std::size_t field, int (&from)[kMostLanes]) {
+  constexpr int kLanes = BodyLanes<L>::kLanes;
+  constexpr int kSize = static_cast<int>(sizeof(LinkLanes<L>) / sizeof(double));
+  for (int k = 0; k < kLanes; ++k) {
+    const int parent = rank.parent[k];
+    from[k] = parent / kLanes * kSize + static_cast<int>(field) * kLanes + parent % kLanes;
   }
 }
 
-inline void move_link(BodyData& d, std::size_t i, double q, double qd) noexcept {
-  const BodyData::Fixed& f = d.fixed[i];
-  LinkWork& link = d.links[i];
-  const LinkWork& parent = d.links[static_cast<std::size_t>(f.parent)];
-  Vec4 origin = vec4(parent.origin) + times(parent.axes, f.offset);
-  if (f.prismatic) {
-    for (int k = 0; k < 3; ++k) link.axes[k] = times(parent.axes, f.still[k]);
-    const Vec4 axis = times(link.axes, f.axis);
-    origin += axis * q;
-    link.axis = {Vec4{}, axis};
+template <class L>
+TWINBUS_INLINE Six<L> velocity_of_parents(const BodyLanes<L>& d, const Rank& rank) {
+  if (rank.parents >= 0) return d.links[static_cast<std::size_t>(rank.parents)].velocity;
+  int from[kMostLanes];
+  parents_at<L>(rank, TWINBUS_LANE_FIELD(velocity), from);
+  return gathered<L>(numbers_of(d), from, Six<L>{});
+}
+
+template <class L>
+TWINBUS_INLINE Frame<L> parents_of(const BodyLanes<L>& d, const Rank& rank) {
+  if (rank.parents >= 0) {
+    const LinkLanes<L>& on = d.links[static_cast<std::size_t>(rank.parents)];
+    return {on.rotation, on.origin, on.velocity};
+  }
+  Frame<L> frame;
+  int from[kMostLanes];
+  parents_at<L>(rank, TWINBUS_LANE_FIELD(rotation), from);
+  frame.rotation = gathered<L>(numbers_of(d), from, frame.rotation);
+  parents_at<L>(rank, TWINBUS_LANE_FIELD(origin), from);
+  frame.origin = gathered<L>(numbers_of(d), from, frame.origin);
+  frame.velocity = velocity_of_parents(d, rank);
+  return frame;
+}
+
+// Turn about an axis by the angle of that sine and cosine.
+template <class L>
+TWINBUS_INLINE Columns3<L> turn(const Three<L>& a, const L& s, const L& c) {
+  const Three<L> k = a * (1.0 - c), sa = a * s;
+  const L xy = k.x * a.y, xz = k.x * a.z, yz = k.y * a.z;
+  return {{c + k.x * a.x, xy + sa.z, xz - sa.y},
+          {xy - sa.z, c + k.y * a.y, yz + sa.x},
+          {xz + sa.y, yz - sa.x, c + k.z * a.z}};
+}
+
+template <class L>
+TWINBUS_INLINE void move_rank(BodyLanes<L>& d, std::size_t r) {
+  const Rank& rank = d.ranks[r];
+  LinkLanes<L>& link = d.links[r];
+  const Frame<L> on = parents_of(d, rank);
+  L s = lanes_of<L>(d.sine, r), c = lanes_of<L>(d.cosine, r);
+  if (rank.slides) {
+    s = s - s * link.slides;
+    c = c + link.slides * (1.0 - c);
+  }
+  Three<L> origin = on.origin + times(on.rotation, link.offset);
+  Columns3<L> R = on.rotation;
+  if (rank.turned) R = times(R, link.placed);
+  R = times(R, turn(link.joint_axis, s, c));
+  const Three<L> axis = times(R, link.joint_axis);
+  if (rank.slides) {
+    origin = origin + axis * (lanes_of<L>(d.angle, r) * link.slides);
+    link.axis = {axis * (1.0 - link.slides),
+                 cross(origin, axis) * (1.0 - link.slides) + axis * link.slides};
   } else {
-    const double c = std::cos(q), s = std::sin(q);
-    for (int k = 0; k < 3; ++k) {
-      link.axes[k] = times(parent.axes, f.still[k] + f.swing[k] * c + f.turn[k] * s);
-    }
-    const Vec4 axis = times(link.axes, f.axis);
     link.axis = {axis, cross(origin, axis)};
   }
-  for (int k = 0; k < 3; ++k) link.rotation.col(k) = vec3(link.axes[k]);
-  link.origin = vec3(origin);
-  link.velocity = parent.velocity + link.axis * qd;
+  link.rotation = R;
+  link.origin = origin;
+  link.velocity = on.velocity + link.axis * lanes_of<L>(d.rate, r);
 }
 
-inline void move_inertia(BodyData& d, std::size_t i) noexcept {
-  const BodyData::Fixed& f = d.fixed[i];
-  LinkWork& link = d.links[i];
-  const double m = f.mass;
-  const Vec4 C = vec4(link.origin) + times(link.axes, f.com);
+template <class L>
+TWINBUS_INLINE void move_inertia(LinkLanes<L>& link) {
+  const Columns3<L> R = link.rotation;
+  const L m = link.mass;
+  const Three<L> C = link.origin + times(R, link.com);
   link.center = C;
-  link.com = vec3(C);
   // R I R': the columns of (R I) weighted by the rows of R.
-  Vec4 half[3], inertia[3];
-  for (int k = 0; k < 3; ++k) half[k] = times(link.axes, f.inertia[k]);
-  for (int k = 0; k < 3; ++k) {
-    inertia[k] = half[0] * link.axes[0][k] + half[1] * link.axes[1][k] + half[2] * link.axes[2][k];
-  }
-  const double x = m * C[0], y = m * C[1], z = m * C[2];
-  const double xx = inertia[0][0] + y * C[1] + z * C[2];
-  const double yy = inertia[1][1] + x * C[0] + z * C[2];
-  const double zz = inertia[2][2] + x * C[0] + y * C[1];
-  const double xy = inertia[0][1] - x * C[1];
-  const double xz = inertia[0][2] - x * C[2];
-  const double yz = inertia[1][2] - y * C[2];
-  link.rigid[0] = {Vec4{xx, xy, xz, 0}, Vec4{0, -z, y, 0}};
-  link.rigid[1] = {Vec4{xy, yy, yz, 0}, Vec4{z, 0, -x, 0}};
-  link.rigid[2] = {Vec4{xz, yz, zz, 0}, Vec4{-y, x, 0, 0}};
-  link.rigid[3] = {Vec4{0, z, -y, 0}, Vec4{m, 0, 0, 0}};
-  link.rigid[4] = {Vec4{-z, 0, x, 0}, Vec4{0, m, 0, 0}};
-  link.rigid[5] = {Vec4{y, -x, 0, 0}, Vec4{0, 0, m, 0}};
+  const Symmetric3<L>& I = link.inertia;
+  const Columns3<L> half = {times(R, Three<L>{I.xx, I.xy, I.xz}),
+                            times(R, Three<L>{I.xy, I.yy, I.yz}),
+                            times(R, Three<L>{I.xz, I.yz, I.zz})};
+  const L x = m * C.x, y = m * C.y, z = m * C.z;
+  link.turning = {half.x.x * R.x.x + half.y.x * R.y.x + half.z.x * R.z.x + y * C.y + z * C.z,
+                  half.x.x * R.x.y + half.y.x * R.y.y + half.z.x * R.z.y - x * C.y,
+                  half.x.x * R.x.z + half.y.x * R.y.z + half.z.x * R.z.z - x * C.z,
+                  half.x.y * R.x.y + half.y.y * R.y.y + half.z.y * R.z.y + x * C.x + z * C.z,
+                  half.x.y * R.x.z + half.y.y * R.y.z + half.z.y * R.z.z - y * C.z,
+                  half.x.z * R.x.z + half.y.z * R.y.z + half.z.z * R.z.z + x * C.x + y * C.y};
 }
 
-inline void move(BodyData& d, const Configuration& configuration) noexcept {
-  d.origin = configuration.base.translation();
-  LinkWork& root = d.links[0];
-  root.rotation = configuration.base.linear();
-  for (int k = 0; k < 3; ++k) root.axes[k] = vec4(root.rotation.col(k));
-  root.origin.setZero();
-  root.velocity = d.floating ? Screw{vec4(configuration.base_angular_velocity),
-                                     vec4(configuration.base_velocity)}
-                             : Screw{};
-  root.axis = Screw{};
-  move_inertia(d, 0);
-  for (std::size_t i = 1; i < d.links.size(); ++i) {
-    const auto joint = static_cast<Eigen::Index>(i) - 1;
-    d.qd[i - 1] = configuration.qd[joint];
-    move_link(d, i, configuration.q[joint], configuration.qd[joint]);
-    move_inertia(d, i);
-  }
+// inertia += that of what turns so about O, of that mass and mass times centre.
+template <class L>
+TWINBUS_INLINE void add_rigid(const Symmetric3<L>& turning, const Three<L>& mc, const L& mass,
+                              Inertia<L>& inertia) {
+  add(turning, inertia.ww);
+  Columns3<L>& wv = inertia.wv;
+  wv.x.y += mc.z;
+  wv.x.z -= mc.y;
+  wv.y.x -= mc.z;
+  wv.y.z += mc.x;
+  wv.z.x += mc.y;
+  wv.z.y -= mc.x;
+  inertia.vv.xx += mass;
+  inertia.vv.yy += mass;
+  inertia.vv.zz += mass;
+}
+
+template <class L>
+TWINBUS_INLINE Six<L> momentum_of(const LinkLanes<L>& link) {
+  const Three<L> mc = link.center * link.mass, w = link.velocity.w, v = link.velocity.v;
+  return {times(link.turning, w) + cross(mc, v), v * link.mass - cross(mc, w)};
 }
 
 // With (n, l) = rigid (w, v):
-//     bias = ( w x n + v x l - C x m g ,  w x l - m g ),     c = ( w x a , w x s + v x a ) qd
-// w and v of the parent in c, axis (a, s).
-inline void weigh(BodyData& d) noexcept {
-  d.links[0].coriolis = Screw{};
-  d.momentum = Screw{};
-  d.moment = Vec4{};
-  for (std::size_t i = 0; i < d.links.size(); ++i) {
-    const BodyData::Fixed& f = d.fixed[i];
-    LinkWork& link = d.links[i];
-    const Vec4 w = link.velocity.w, v = link.velocity.v;
-    const Screw momentum = times(link.rigid, link.velocity);
-    d.momentum += momentum;
-    d.moment += link.center * f.mass;
-    const Vec4 n = momentum.w, l = momentum.v;
-    const Vec4 weight = {0.0, 0.0, -f.mass * kGravity, 0.0};
-    link.rigid_bias = {cross(w, n) + cross(v, l) - cross(link.center, weight),
-                       cross(w, l) - weight};
-    if (i == 0) continue;
-    const LinkWork& parent = d.links[static_cast<std::size_t>(f.parent)];
-    const Vec4 wp = parent.velocity.w, vp = parent.velocity.v;
-    const Vec4 a = link.axis.w, s = link.axis.v;
-    link.coriolis = {cross(wp, a) * d.qd[i - 1], (cross(wp, s) + cross(vp, a)) * d.qd[i - 1]};
-  }
+//     bias = ( w x n + v x l - C x m g ,  w x l - m g ),     c = V x S qd
+// V of the link or of its parent: they differ by S qd.
+template <class L>
+TWINBUS_INLINE void weigh_rank(BodyLanes<L>& d, std::size_t r) {
+  LinkLanes<L>& link = d.links[r];
+  const Three<L> w = link.velocity.w, v = link.velocity.v;
+  const Six<L> momentum = momentum_of(link);
+  d.momentum = d.momentum + momentum;
+  d.moment = d.moment + link.center * link.mass;
+  const L weight = link.mass * kGravity;
+  const Three<L> n = cross(w, momentum.w) + cross(v, momentum.v);
+  const Three<L> l = cross(w, momentum.v);
+  link.bias = {{n.x + link.center.y * weight, n.y - link.center.x * weight, n.z},
+               {l.x, l.y, l.z + weight}};
+  if (r == 0) return;
+  const Six<L> rate = link.axis * lanes_of<L>(d.rate, r);
+  link.coriolis = {cross(w, rate.w), cross(w, rate.v) + cross(v, rate.w)};
 }
 
-inline Momentum momentum_of(const BodyData& d, const Screw& sum, const Vec4& moment) noexcept {
-  const Eigen::Vector3d com = vec3(moment) / d.mass;
-  return {d.origin + com, vec3(sum.v), vec3(sum.w) - com.cross(vec3(sum.v))};
+template <class L>
+inline void begin_at(BodyLanes<L>& d, const BodyState& state, const Configuration& to) noexcept {
+  LinkLanes<L>& root = d.links[0];
+  const auto spread = [](const auto& v) { return broadcast<L>(v[0], v[1], v[2]); };
+  const Eigen::Matrix3d& R = to.base.linear();
+  root.rotation = {spread(R.col(0)), spread(R.col(1)), spread(R.col(2))};
+  root.origin = Three<L>{};
+  root.velocity = Six<L>{};
+  if (state.floating) root.velocity = {spread(to.base_angular_velocity), spread(to.base_velocity)};
+  root.axis = root.coriolis = Six<L>{};
+  d.momentum = Six<L>{};
+  d.moment = Three<L>{};
+  for (std::size_t j = 0; j < d.of_joint.size(); ++j) {
+    d.angle[d.of_joint[j]] = to.q[static_cast<Eigen::Index>(j)];
+    d.rate[d.of_joint[j]] = to.qd[static_cast<Eigen::Index>(j)];
+  }
+  for (Rank& rank : d.ranks) rank.touched = false;
+  find_sines(d.angle, d.sine, d.cosine);
 }
 
-// The change is a rigid motion of all links: d.root is free for its inertia until inward().
-inline void correct(BodyData& d, const Momentum& wanted, Configuration& to) noexcept {
-  move(d, to);
-  Screw sum = {}, columns[6] = {};  // momentum; inertia of all links as if welded; about O
-  Vec4 moment = {};
-  for (std::size_t i = 0; i < d.links.size(); ++i) {
-    const LinkWork& link = d.links[i];
-    sum += times(link.rigid, link.velocity);
-    moment += link.center * d.fixed[i].mass;
-    for (int k = 0; k < 6; ++k) columns[k] += link.rigid[k];
+template <class L>
+inline void place(BodyLanes<L>& d, BodyState& state, const Configuration& to) noexcept {
+  state.origin = to.base.translation();
+  begin_at(d, state, to);
+  for (std::size_t r = 0; r < d.ranks.size(); ++r) {
+    if (r > 0) move_rank(d, r);
+    move_inertia(d.links[r]);
+    weigh_rank(d, r);
   }
-  const Momentum now = momentum_of(d, sum, moment);
-  const Eigen::Vector3d com = now.com - d.origin;
-  const Eigen::Vector3d missing = wanted.linear - now.linear;
-  const Eigen::Vector3d turn = wanted.angular - now.angular + com.cross(missing);
-  double x[6] = {turn[0], turn[1], turn[2], missing[0], missing[1], missing[2]};
-  if (factor_root(d, columns)) {
-    solve_root(d, x);
-    to.base_angular_velocity += Eigen::Vector3d(x[0], x[1], x[2]);
-    to.base_velocity += Eigen::Vector3d(x[3], x[4], x[5]);
-    to.base.translation() += wanted.com - now.com;
-    d.origin = to.base.translation();
-    // To the bit what move() makes of it.
-    d.links[0].velocity = Screw{vec4(to.base_angular_velocity), vec4(to.base_velocity)};
-    for (std::size_t i = 1; i < d.links.size(); ++i) {
-      LinkWork& link = d.links[i];
-      const LinkWork& parent = d.links[static_cast<std::size_t>(d.fixed[i].parent)];
-      link.velocity = parent.velocity + link.axis * d.qd[i - 1];
-    }
-  }
-  weigh(d);
-}
-
-inline void place(BodyData& d, const Configuration& configuration) noexcept {
-  move(d, configuration);
-  weigh(d);
 }

@@ -1,110 +1,139 @@
-// The sweeps of the articulated-body algorithm over a BodyData that is placed.  No include guard:
+// The sweeps of the articulated-body algorithm over links that are placed.  No include guard:
 // articulated_body.cpp includes this once for each instruction set, in a namespace of its own.
 
-// rigid += J(r)' weight J(r); column k is J' weight (J e_k).
-inline void fold_compliance(BodyData& d, int link, const Eigen::Vector3d& at,
-                            const Eigen::Matrix3d& weight) noexcept {
-  Screw(&rigid)[6] = d.links[static_cast<std::size_t>(link)].rigid;
-  const Vec4 r = vec4(at);
-  const Vec4 x = vec4(weight.col(0)), y = vec4(weight.col(1)), z = vec4(weight.col(2));
-  rigid[0] += force_at(r, z * r[1] - y * r[2]);
-  rigid[1] += force_at(r, x * r[2] - z * r[0]);
-  rigid[2] += force_at(r, y * r[0] - x * r[1]);
-  rigid[3] += force_at(r, x);
-  rigid[4] += force_at(r, y);
-  rigid[5] += force_at(r, z);
+// What a rank adds to its parents, unless they take over its place.
+template <class L>
+TWINBUS_INLINE void fold_into_parents(BodyLanes<L>& d, const Rank& rank, const Folded<L>& folded) {
+  constexpr int kLanes = BodyLanes<L>::kLanes;
+  if (rank.parents >= 0) {
+    if (rank.first[0]) return;
+    const Rank& on = d.ranks[static_cast<std::size_t>(rank.parents)];
+    add(folded, d.folded[static_cast<std::size_t>(on.folded)].value);
+    return;
+  }
+  constexpr std::size_t kCount = sizeof folded / sizeof(L);
+  const double* from = reinterpret_cast<const double*>(&folded);
+  for (int lane = 0; lane < kLanes; ++lane) {
+    if (rank.link[lane] < 0) continue;
+    const auto parent = static_cast<std::size_t>(rank.parent[lane] / kLanes);
+    Folded<L>& into = d.folded[static_cast<std::size_t>(d.ranks[parent].folded)].value;
+    if (rank.first[lane]) into = Folded<L>{};
+    double* to = reinterpret_cast<double*>(&into) + rank.parent[lane] % kLanes;
+    const double* own = from + lane;
+    for (std::size_t k = 0; k < kCount; ++k) to[k * kLanes] += own[k * kLanes];
+  }
 }
 
-inline bool fold_inward(BodyData& d, const std::vector<JointRow>& rows, double h) noexcept {
-  bool sound = true;
-  Screw inertia[6], bias;
-  for (std::size_t i = d.links.size() - 1;; --i) {
-    LinkWork& link = d.links[i];
-    const BodyData::Fixed& f = d.fixed[i];
-    bias = link.rigid_bias;
-    for (int k = 0; k < 6; ++k) inertia[k] = link.rigid[k];
-    if (!f.leaf) {
-      bias += d.folded[i].bias;
-      for (int k = 0; k < 6; ++k) inertia[k] += d.folded[i].inertia[k];
-    }
-    if (i == 0) break;
-    const JointRow& row = rows[i - 1];
-    const Screw S = link.axis;
-    const Screw U = times(inertia, S);
-    const double D = dot(S, U) + f.rotor + h * row.gain;
-    sound = sound && D > 0.0;
-    link.inverse_d = 1.0 / D;
+// Articulated inertia and bias of a rank, of which all children are folded in: in its place.
+template <class L>
+TWINBUS_INLINE Folded<L>& articulated(BodyLanes<L>& d, std::size_t r) {
+  const Rank& rank = d.ranks[r];
+  const LinkLanes<L>& link = d.links[r];
+  Folded<L>& own = d.folded[static_cast<std::size_t>(rank.folded)].value;
+  const Three<L> mc = link.center * link.mass;
+  if (rank.leaf) {
+    const L none = {};
+    own.inertia.ww = link.turning;
+    own.inertia.wv = {{none, mc.z, -mc.y}, {-mc.z, none, mc.x}, {mc.y, -mc.x, none}};
+    own.inertia.vv = {link.mass, none, none, link.mass, none, link.mass};
+    own.bias = link.bias;
+  } else {
+    add_rigid(link.turning, mc, link.mass, own.inertia);
+    add(link.bias, own.bias);
+  }
+  if (rank.touched) add(d.stiff[r].value, own.inertia);
+  return own;
+}
+
+template <class L>
+inline bool fold_inward(BodyLanes<L>& d, BodyState& state, const std::vector<JointRow>& rows,
+                        double h) noexcept {
+  const L none = {}, one = broadcast<L>(1.0);
+  L wrong = {};
+  for (std::size_t j = 0; j < d.of_joint.size(); ++j) {
+    d.force[d.of_joint[j]] = rows[j].force;
+    d.gain[d.of_joint[j]] = rows[j].gain;
+  }
+  for (std::size_t r = d.ranks.size() - 1; r > 0; --r) {
+    LinkLanes<L>& link = d.links[r];
+    Folded<L>& own = articulated(d, r);
+    const L gain = lanes_of<L>(d.gain, r);
+    const Six<L> S = link.axis;
+    const Six<L> U = times(own.inertia, S);
+    const L D = dot(S, U) + link.rotor + gain * h;
+    wrong += D > 0.0 ? none : one;
+    const L inverse_d = one / D;
+    const L u = lanes_of<L>(d.force, r) - gain * lanes_of<L>(d.rate, r) - dot(S, own.bias);
+    link.inverse_d = inverse_d;
     link.inertia_axis = U;
-    link.u = row.force - row.gain * d.qd[i - 1] - dot(S, bias);
-
-    BodyData::Folded& to = d.folded[static_cast<std::size_t>(f.parent)];
-    const Screw Ud = U * link.inverse_d;
-    const Screw c = link.coriolis;
-    bias += Ud * link.u;
-    for (int k = 0; k < 6; ++k) {
-      inertia[k] -= Ud * (k < 3 ? U.w[k] : U.v[k - 3]);
-      bias += inertia[k] * (k < 3 ? c.w[k] : c.v[k - 3]);
-    }
-    if (f.first) {
-      for (int k = 0; k < 6; ++k) to.inertia[k] = inertia[k];
-      to.bias = bias;
-    } else {
-      for (int k = 0; k < 6; ++k) to.inertia[k] += inertia[k];
-      to.bias += bias;
-    }
+    link.u = u;
+    const Six<L> Ud = U * inverse_d;
+    subtract(own.inertia, Ud, U);
+    add(Ud * u + times(own.inertia, link.coriolis), own.bias);
+    fold_into_parents(d, d.ranks[r], own);
   }
-  d.root_bias = bias;
-  return (!d.floating || factor_root(d, inertia)) && sound;
+  const Folded<L>& own = articulated(d, 0);
+  const L* bias = reinterpret_cast<const L*>(&own.bias);
+  for (int k = 0; k < 6; ++k) state.root_bias[k] = sum_of_lanes(bias[k]);
+  return (!state.floating || factor_root(state, own.inertia)) && !(sum_of_lanes(wrong) > 0.0);
 }
 
-inline void accelerate(BodyData& d) noexcept {
-  d.links[0].acceleration = Screw{};
-  if (d.floating) {
+template <class L>
+inline void accelerate(BodyLanes<L>& d, const BodyState& state) noexcept {
+  d.links[0].acceleration = Six<L>{};
+  if (state.floating) {
     double x[6];
-    for (int r = 0; r < 6; ++r) x[r] = -d.root_bias[r];
-    solve_root(d, x);
-    d.links[0].acceleration = {Vec4{x[0], x[1], x[2], 0.0}, Vec4{x[3], x[4], x[5], 0.0}};
+    for (int r = 0; r < 6; ++r) x[r] = -state.root_bias[r];
+    solve_root(state, x);
+    d.links[0].acceleration = {broadcast<L>(x[0], x[1], x[2]), broadcast<L>(x[3], x[4], x[5])};
   }
-  for (std::size_t i = 1; i < d.links.size(); ++i) {
-    LinkWork& link = d.links[i];
-    const Screw base =
-        d.links[static_cast<std::size_t>(d.fixed[i].parent)].acceleration + link.coriolis;
+  for (std::size_t r = 1; r < d.ranks.size(); ++r) {
+    const Rank& rank = d.ranks[r];
+    LinkLanes<L>& link = d.links[r];
+    Six<L> base;
+    if (rank.parents >= 0) {
+      base = d.links[static_cast<std::size_t>(rank.parents)].acceleration;
+    } else {
+      int from[kMostLanes];
+      parents_at<L>(rank, TWINBUS_LANE_FIELD(acceleration), from);
+      base = gathered<L>(numbers_of(d), from, base);
+    }
+    base = base + link.coriolis;
     link.qdd = link.inverse_d * (link.u - dot(link.inertia_axis, base));
     link.acceleration = base + link.axis * link.qdd;
   }
 }
 
-inline void fold_wrench(BodyData& d, int index, const Screw& wrench) noexcept {
+inline void fold_wrench(LinkNumbers& d, BodyState& state, int link, const Screw& wrench) noexcept {
   Screw e = wrench;
-  for (auto i = static_cast<std::size_t>(index); i > 0;
-       i = static_cast<std::size_t>(d.fixed[i].parent)) {
-    LinkWork& link = d.links[i];
-    const double s = dot(link.axis, e);
-    link.u += s;
-    e -= link.inertia_axis * (s * link.inverse_d);
+  for (int i = link; i > 0; i = d.parent[static_cast<std::size_t>(i)]) {
+    const double s = dot(d.screw(i, TWINBUS_LANE_FIELD(axis)), e);
+    *d.of(i, TWINBUS_LANE_FIELD(u)) += s;
+    e -= d.screw(i, TWINBUS_LANE_FIELD(inertia_axis)) *
+         (s * *d.of(i, TWINBUS_LANE_FIELD(inverse_d)));
   }
-  d.root_bias -= e;
+  for (int k = 0; k < 6; ++k) state.root_bias[k] -= e[k];
 }
 
-inline int respond(const BodyData& d, int index, ResponseRow* rows) noexcept {
+inline int respond(const LinkNumbers& d, const BodyState& state, int index,
+                   ResponseRow* rows) noexcept {
   Screw E[6];
   for (int r = 0; r < 6; ++r) {
     E[r] = Screw{};
     (r < 3 ? E[r].w[r] : E[r].v[r - 3]) = 1.0;
   }
   int count = 0;
-  for (auto i = static_cast<std::size_t>(index); i > 0;
-       i = static_cast<std::size_t>(d.fixed[i].parent)) {
-    const LinkWork& link = d.links[i];
-    const Screw s = times(E, link.axis);
-    rows[count++] = {s * std::sqrt(link.inverse_d), static_cast<int>(i)};
-    for (int r = 0; r < 6; ++r) E[r] -= s * (link.inertia_axis[r] * link.inverse_d);
+  for (int i = index; i > 0; i = d.parent[static_cast<std::size_t>(i)]) {
+    const Screw s = times(E, d.screw(i, TWINBUS_LANE_FIELD(axis)));
+    const Screw U = d.screw(i, TWINBUS_LANE_FIELD(inertia_axis));
+    const double inverse_d = *d.of(i, TWINBUS_LANE_FIELD(inverse_d));
+    rows[count++] = {s * std::sqrt(inverse_d), i};
+    for (int r = 0; r < 6; ++r) E[r] -= s * (U[r] * inverse_d);
   }
-  if (!d.floating) return count;
+  if (!state.floating) return count;
   for (int r = 0; r < 6; ++r) {
-    for (int k = 0; k < r; ++k) E[r] -= E[k] * d.root[r][k];
-    E[r] = E[r] * d.root_inverse[r];
-    rows[count++] = {E[r], -r};
+    for (int k = 0; k < r; ++k) E[r] -= E[k] * state.root[r][k];
+    rows[count++] = {E[r] * std::sqrt(state.root_inverse[r]), -r};
   }
   return count;
 }

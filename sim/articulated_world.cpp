@@ -330,7 +330,7 @@ bool ArticulatedWorld::solve_step(double h) noexcept {
 
 double ArticulatedWorld::end_speed(std::size_t joint, double h) const noexcept {
   return configuration_.qd[static_cast<Eigen::Index>(joint)] +
-         h * body_.link(static_cast<int>(joint) + 1).qdd;
+         h * body_.qdd(static_cast<int>(joint));
 }
 
 void ArticulatedWorld::report_contacts() noexcept {
@@ -374,7 +374,7 @@ double ArticulatedWorld::encoder(int joint) const noexcept {
 double ArticulatedWorld::tau(int joint) const noexcept { return joints_[at(joint)].tau(); }
 
 Eigen::Isometry3d ArticulatedWorld::link_in_world(int link) const noexcept {
-  const LinkWork& l = body_.link(link);
+  const LinkNow l = body_.link(link);
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   pose.linear() = l.rotation;
   pose.translation() = body_.origin() + l.origin;
@@ -392,14 +392,14 @@ Eigen::Vector3d ArticulatedWorld::angular_velocity(int link) const noexcept {
 
 Eigen::Vector3d ArticulatedWorld::com() const noexcept {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (int i = 0; i < body_.link_count(); ++i) sum += body_.link_mass(i) * body_.link(i).com;
+  for (int i = 0; i < body_.link_count(); ++i) sum += body_.link_mass(i) * body_.center(i);
   return body_.origin() + sum / body_.mass();
 }
 
 Eigen::Vector3d ArticulatedWorld::com_velocity() const noexcept {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (int i = 0; i < body_.link_count(); ++i) {
-    sum += body_.link_mass(i) * at_point(body_.link(i).velocity, body_.link(i).com);
+    sum += body_.link_mass(i) * at_point(body_.link(i).velocity, body_.center(i));
   }
   return sum / body_.mass();
 }

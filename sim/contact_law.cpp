@@ -74,9 +74,9 @@ void contact_force(const ContactParams& p, double depth, const Eigen::Vector3d& 
     rounded_slip(beta, p.friction, fn, smooth, n, trial, out);
     return;
   }
-  const double size = trial.norm();
+  const double square = trial.squaredNorm();
   const double limit = p.friction * fn.force;
-  if (size <= limit) {
+  if (square <= limit * limit) {
     out.force = fn.force * n + trial;
     out.mode = ContactMode::kStick;
     if (!with_tangent) return;
@@ -84,6 +84,7 @@ void contact_force(const ContactParams& p, double depth, const Eigen::Vector3d& 
     out.tangent.diagonal().array() += beta;
     return;
   }
+  const double size = std::sqrt(square);
   const Eigen::Vector3d t = trial / size;
   out.force = fn.force * n + limit * t;
   out.mode = ContactMode::kSlip;

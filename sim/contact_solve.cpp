@@ -137,10 +137,10 @@ bool ContactSolve::stage_one_holds(Contacts& contacts, double h) const noexcept 
     Contact& c = contacts[at(members_[i])];
     // Nothing of it is folded in: what pressed a step ago presses still.
     if (c.other_system >= 0 && !c.guess.isZero(0.0)) return false;
-    c.v = c.v0 + h * at_point(systems_[at(c.system)]->link(c.link).acceleration, c.r);
+    c.v = c.v0 + h * at_point(systems_[at(c.system)]->acceleration(c.link), c.r);
     if (c.other_system >= 0) {
       const ArticulatedBody& other = *systems_[at(c.other_system)];
-      c.v -= h * at_point(other.link(c.other).acceleration, c.other_r);
+      c.v -= h * at_point(other.acceleration(c.other), c.other_r);
     }
     find_force(c, h, false, 0.0);
     total += c.now.force.norm();
@@ -211,7 +211,7 @@ int ContactSolve::slot_of(int system, int link) noexcept {
     slots_[at(s)].peer = slot;
     break;
   }
-  const Screw& a = systems_[at(system)]->link(link).acceleration;
+  const Screw a = systems_[at(system)]->acceleration(link);
   for (int r = 0; r < 6; ++r) a1_[6 * slot + r] = a[r];
   slots_.push_back(added);
   return slot;

@@ -87,7 +87,7 @@ bool FlightMotion::evaluate(ArticulatedBody& body, const std::vector<JointLaw>& 
   body.outward();
   if (!fixed_base_) {
     const Eigen::Matrix3d R = c.base.linear();
-    const Screw& a = body.link(0).acceleration;
+    const Screw a = body.acceleration(0);
     dy.head<3>() = c.base_velocity;
     const Eigen::Vector3d w = R.transpose() * c.base_angular_velocity;
     const Eigen::Quaterniond turn(Eigen::Vector4d(trial_.segment<4>(3)));
@@ -97,7 +97,7 @@ bool FlightMotion::evaluate(ArticulatedBody& body, const std::vector<JointLaw>& 
   }
   dy.segment(first_q_, joints_) = c.qd;
   for (Eigen::Index j = 0; j < joints_; ++j) {
-    dy[first_qd_ + j] = body.link(static_cast<int>(j) + 1).qdd;
+    dy[first_qd_ + j] = body.qdd(static_cast<int>(j));
   }
   return true;
 }
@@ -116,7 +116,7 @@ bool FlightMotion::gentle(Flight method, const ArticulatedBody& body,
                           const std::vector<JointLaw>& joints, double h) const noexcept {
   const double limit = method == Flight::kAb4 ? kGentleMultistep : kGentle;
   for (std::size_t j = 0; j < joints.size(); ++j) {
-    const double mobility = body.link(static_cast<int>(j) + 1).inverse_d;
+    const double mobility = body.inverse_inertia(static_cast<int>(j));
     if (!(h * h * joints[j].stiffness() * mobility < limit)) return false;
     if (!(h * joints[j].damping() * mobility < limit)) return false;
   }

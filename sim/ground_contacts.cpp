@@ -168,7 +168,7 @@ void GroundContacts::find_corners(const ArticulatedBody& body, double h,
     const auto foot = static_cast<std::size_t>(side);
     const Sole& sole = soles_[foot];
     if (sole.link < 0 || (sole.link == 0 && fixed_base_)) continue;
-    const LinkWork& link = body.link(sole.link);
+    const LinkNow link = body.link(sole.link);
     Contact found;
     found.link = sole.link;
     found.sole = side;
@@ -192,7 +192,7 @@ void GroundContacts::find_corners(const ArticulatedBody& body, double h,
         found.normal = d.normal;
       }
       found.key = (side * kSoleCorners + corner) * surfaces + deepest;
-      add(body, found, h, cursor, contacts);
+      add(link.velocity, found, h, cursor, contacts);
     }
   }
 }
@@ -204,8 +204,11 @@ void GroundContacts::find_probes(const ArticulatedBody& body, double h,
   Contact found;
   found.sole = -1;
   found.params = shell_params_;
+  const double far = reach_of(body.fastest(reach_), h);
   for (const ShapeProbes& shape : shapes_) {
-    const LinkWork& link = body.link(shape.link);
+    // Most are high above the ground.
+    if (solid_ == 0 && !(body.height(shape.link, shape.center) < shape.radius + far)) continue;
+    const LinkNow link = body.link(shape.link);
     const Eigen::Vector3d middle = link.origin + link.rotation * shape.center;
     const Eigen::Vector3d spin = angular(link.velocity);
     // Nothing of the shape moves faster than this (sums are bounds of norms, and cheaper).
@@ -224,7 +227,11 @@ void GroundContacts::find_probes(const ArticulatedBody& body, double h,
       }
       for (std::size_t i = shape.first; i < shape.first + shape.count; ++i) {
         const LinkProbe& probe = probes_[i];
-        if (surface == 0 && probe.skin) continue;
+        if (surface == 0) {  // of most, how high they are is enough
+          if (probe.skin) continue;
+          const double height = body.height(shape.link, probe.center);
+          if (!(probe.radius - height > -reach)) continue;
+        }
         const Eigen::Vector3d center = link.origin + link.rotation * probe.center;
         const Distance d = distance(surface, body.origin() + center);
         if (!(probe.radius - d.value > -reach)) continue;
@@ -235,15 +242,15 @@ void GroundContacts::find_probes(const ArticulatedBody& body, double h,
         found.normal = d.normal;
         found.r = center - probe.radius * d.normal;
         found.point = body.origin() + found.r;
-        add(body, found, h, cursor, contacts);
+        add(link.velocity, found, h, cursor, contacts);
       }
     }
   }
 }
 
-void GroundContacts::add(const ArticulatedBody& body, const Contact& found, double h,
-                         std::size_t& cursor, std::vector<Contact>& contacts) const noexcept {
-  const Eigen::Vector3d v0 = at_point(body.link(found.link).velocity, found.r);
+void GroundContacts::add(const Screw& velocity, const Contact& found, double h, std::size_t& cursor,
+                         std::vector<Contact>& contacts) const noexcept {
+  const Eigen::Vector3d v0 = at_point(velocity, found.r);
   if (!(found.depth > -reach_of(v0.norm(), h)) || contacts.size() >= kMostContacts) return;
   contacts.push_back(found);
   Contact& c = contacts.back();

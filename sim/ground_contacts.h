@@ -75,7 +75,8 @@ class GroundContacts {
                     std::vector<Contact>& contacts) const noexcept;
   void find_probes(const ArticulatedBody& body, double h,
                    std::vector<Contact>& contacts) const noexcept;
-  void add(const ArticulatedBody& body, const Contact& found, double h, std::size_t& cursor,
+  // velocity: of the link that is found to touch.
+  void add(const Screw& velocity, const Contact& found, double h, std::size_t& cursor,
            std::vector<Contact>& contacts) const noexcept;
 
   bool fixed_base_;

@@ -20,6 +20,19 @@
 
 namespace twinbus {
 
+// So stiff that a stop is passed by less than 1e-9 rad at any torque a robot has.
+inline constexpr double kStopGain = 1e11;  // [N m s/rad]
+// A joint set beyond its stop comes back by this share of the excess per step, not faster than so.
+inline constexpr double kStopShare = 0.2;
+inline constexpr double kStopReturn = 2.0;  // [rad/s or m/s]
+inline constexpr double kStopGuess =
+    1e-12;  // a joint so near its stop is expected to lean on it [rad]
+
+// How fast a joint may come nearer to a stop that is so far away [rad/s].
+inline double stop_bound(double room, double rate) noexcept {
+  return room >= 0.0 ? room * rate : std::max(kStopShare * room * rate, -kStopReturn);
+}
+
 class JointLaw {
  public:
   JointLaw(const Joint& joint, const WorldConfig& config);
@@ -75,6 +88,7 @@ class JointLaw {
   double flank() const noexcept;  // where the play settles under the joint's torque
 
   double lower_, upper_, limit_, damping_, friction_, backlash_;
+  double stick_;  // speed beyond which friction slides; none without friction
   ServoTarget target_;
   double play_ = 0.0, tau_ = 0.0;
   double saved_play_ = 0.0, saved_tau_ = 0.0;
@@ -83,5 +97,43 @@ class JointLaw {
   double low_bound_ = 0.0, high_bound_ = 0;  // of qd+ by the stops
   Pieces pieces_;
 };
+
+inline void JointLaw::begin(double q, double qd, double h) noexcept {
+  const ServoTarget& t = target_;
+  servo_.force = t.kp * (t.q - q - play_) + t.kd * t.qd + t.tau;
+  servo_.gain = h * t.kp + t.kd;
+  const double rate = 1.0 / h;
+  high_bound_ = stop_bound(upper_ - q, rate);
+  low_bound_ = -stop_bound(q - lower_, rate);
+  pieces_ = pieces_at(qd);
+  if (upper_ - q <= kStopGuess && qd >= 0.0) pieces_.stop = 1;
+  if (q - lower_ <= kStopGuess && qd <= 0.0) pieces_.stop = -1;
+}
+
+inline JointRow JointLaw::row() const noexcept {
+  JointRow row = servo_;
+  if (pieces_.servo != 0) row = {.force = pieces_.servo * limit_, .gain = 0.0};
+  row.gain += damping_;
+  if (pieces_.friction != 0) {
+    row.force -= pieces_.friction * friction_;
+  } else {
+    row.gain += friction_ / kStickSpeed;
+  }
+  if (pieces_.stop != 0) {
+    row.force += kStopGain * (pieces_.stop > 0 ? high_bound_ : low_bound_);
+    row.gain += kStopGain;
+  }
+  return row;
+}
+
+// Of every joint in every step, seldom other than zeros: without branches.
+inline JointLaw::Pieces JointLaw::pieces_at(double qd) const noexcept {
+  const double asked = servo_.force - servo_.gain * qd;
+  const auto side = [](double x, double low, double high) {
+    return static_cast<int>(x > high) - static_cast<int>(x < low);
+  };
+  return {side(asked, -limit_, limit_), side(qd, -stick_, stick_),
+          side(qd, low_bound_, high_bound_)};
+}
 
 }  // namespace twinbus

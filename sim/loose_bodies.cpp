@@ -111,7 +111,7 @@ bool LooseBodies::advance(const std::vector<Contact>& contacts, double h) noexce
 void LooseBodies::land(std::size_t index, double h) noexcept {
   Configuration& now = bodies_[index].now;
   const Eigen::Vector3d& inertia = bodies_[index].inertia;
-  const Screw& a = articulated_[index].link(0).acceleration;
+  const Screw a = articulated_[index].acceleration(0);
   const Eigen::Matrix3d r = now.base.linear();
   const Eigen::Vector3d w = now.base_angular_velocity;
   const auto momentum = [&](const Eigen::Vector3d& spin) {

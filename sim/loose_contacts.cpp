@@ -126,7 +126,7 @@ void LooseContacts::add(Piece piece) {
 
 void LooseContacts::place(Piece& piece, const std::vector<ArticulatedBody*>& systems) noexcept {
   const ArticulatedBody& body = *systems[at(piece.system)];
-  const LinkWork& link = body.link(piece.link);
+  const LinkNow link = body.link(piece.link);
   const Eigen::Vector3d middle = link.origin + link.rotation * piece.in_link.translation();
   piece.rotation = link.rotation * piece.in_link.linear();
   piece.center = body.origin() + middle;
@@ -325,7 +325,7 @@ void LooseContacts::consider(Contact& c, Search& search) noexcept {
   const Memory& memory = memory_[search.cursor++ % memory_.size()];
   Eigen::Vector3d bristle = memory.bristle;
   if (other != nullptr) {
-    const LinkWork& link = other->link(c.other);
+    const LinkNow link = other->link(c.other);
     bristle = link.rotation * bristle;
     if (c.material) bristle += other->origin() + link.origin;
   }
@@ -343,7 +343,7 @@ void LooseContacts::remember(const std::vector<ArticulatedBody*>& systems,
     Eigen::Vector3d kept = c.material ? bristle.anchor : bristle.stretch;
     if (c.other_system >= 0) {
       const ArticulatedBody& other = *systems[at(c.other_system)];
-      const LinkWork& link = other.link(c.other);
+      const LinkNow link = other.link(c.other);
       if (c.material) kept -= other.origin() + link.origin;
       kept = link.rotation.transpose() * kept;
     }

@@ -72,7 +72,7 @@ Ties::End Ties::placed(const TieEnd& end, const std::vector<ArticulatedBody*>& s
   placed.system = end.loose + 1;
   placed.link = end.loose >= 0 ? 0 : end.link;
   const ArticulatedBody& body = *systems[at(placed.system)];
-  const LinkWork& link = body.link(placed.link);
+  const LinkNow link = body.link(placed.link);
   placed.origin = body.origin();
   placed.velocity = link.velocity;
   placed.point = placed.origin + link.origin + link.rotation * end.point;
@@ -138,7 +138,7 @@ Status Ties::hold(int tie, bool holds, const std::vector<ArticulatedBody*>& syst
     own.tie.b.point = point;
   } else {
     const ArticulatedBody& body = *systems[at(to.loose + 1)];
-    const LinkWork& link = body.link(to.loose >= 0 ? 0 : to.link);
+    const LinkNow link = body.link(to.loose >= 0 ? 0 : to.link);
     own.tie.b.point = link.rotation.transpose() * (point - body.origin() - link.origin);
   }
   return Status::kOk;
