@@ -1,6 +1,8 @@
 #include "planner/certain_path.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <iterator>
 
 #include "robot/index.h"
 
@@ -32,6 +34,11 @@ bool proved(BlockCheck& check, const SearchPath& path, int joints) {
 
 }  // namespace
 
+bool certain_at(BlockCheck& check, const SearchPoint& q) {
+  static constexpr SearchPoint kNowhere{};
+  return check.line_certain(q.data(), kNowhere.data());
+}
+
 CertainPath find_certain(JointSearch& search, BlockCheck& check, float density,
                          const SearchPoint& start, const SearchPath& goals, bool (*keep_on)(void*),
                          void* user) {
@@ -43,7 +50,13 @@ CertainPath find_certain(JointSearch& search, BlockCheck& check, float density,
   bool tight = !check.point_free(start.data());
   for (const SearchPoint& goal : goals) tight = tight || !check.point_free(goal.data());
   check.settle_by_pieces(tight);
-  const SearchPath found = search.find(quick, start, goals, keep_on, user);
+  // No proved line ends where the posture alone cannot be proved.
+  SearchPath ends;
+  if (certain_at(check, start))
+    std::copy_if(goals.begin(), goals.end(), std::back_inserter(ends),
+                 [&](const SearchPoint& goal) { return certain_at(check, goal); });
+  if (ends.empty()) return result;
+  const SearchPath found = search.find(quick, start, ends, keep_on, user);
   result.rounds = search.rounds();
   if (found.empty()) return result;
   result.path = found;
@@ -52,7 +65,7 @@ CertainPath find_certain(JointSearch& search, BlockCheck& check, float density,
   if (result.certain) return result;
   result.path = found;
   if (!proved(check, found, joints)) {
-    result.path = search.find(slow, start, goals, keep_on, user);
+    result.path = search.find(slow, start, ends, keep_on, user);
     result.rounds += search.rounds();
     if (result.path.empty()) return result;
   }

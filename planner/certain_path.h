@@ -13,8 +13,12 @@ struct CertainPath {
   bool certain = false;  // every line is proved free
 };
 
-// start and goals must be free by the pieces at least.  First a path as a search with postures finds it; what cannot be proved of it is done again with
-// proved lines only.  density: postures per radian.  keep_on: as of JointSearch.
+// Is a posture proved free by itself?  Postures that are nearer to touching than rounding errors are not.
+bool certain_at(BlockCheck& check, const SearchPoint& q);
+
+// First a path as a search with postures finds it; what cannot be proved of it is done again with proved lines only.  No
+// path (after no round) is found from a start, or to goals, that are not certain themselves.  density: postures per
+// radian.  keep_on: as of JointSearch.
 CertainPath find_certain(JointSearch& search, BlockCheck& check, float density,
                          const SearchPoint& start, const SearchPath& goals,
                          bool (*keep_on)(void*) = nullptr, void* user = nullptr);
