@@ -8,7 +8,9 @@ DIR (or $TWINBUS_VAMP) holds checkouts of KavrakiLab/vamp, KavrakiLab/nigh, orlp
 names vamp, nigh, pdqsort, SIMDxorshift; the peer is built from them with VAMP's own flags.  Problems are those of
 $TWINBUS_DATA (default ../shared/data).  Ours and the peer take turns; a figure of a problem is its median over the rounds
 (default 5), a figure of the bench the median over the problems.  --ompl adds OMPL's RRT-Connect with
-FCL on every tenth problem, on VAMP's balls beside "ours" and on the meshes beside "proved" (minutes; libompl-dev).  Exit status 1 if a row falls short.
+FCL on every tenth problem, on VAMP's balls beside "ours" and on the meshes beside "proved", as often as there are rounds
+(minutes; libompl-dev).  It gets what ours has: steps of at most 1 rad and 32 postures per radian of every line; --range R sets
+its step, 0: OMPL's own choice.  Exit status 1 if a row falls short.
 """
 
 import os
@@ -91,7 +93,7 @@ def at_most(quantity, asked, value, mine, peer="", theirs=""):
 
 
 def main():
-    words, csv, rounds, ompl = sys.argv[1:], None, 5, False
+    words, csv, rounds, ompl, reach = sys.argv[1:], None, 5, False, 1.0
     vamp = os.environ.get("TWINBUS_VAMP")
     data = pathlib.Path(os.environ.get("TWINBUS_DATA", ROOT.parent / "shared/data"))
     while words:
@@ -101,13 +103,14 @@ def main():
             return 0
         if word == "--ompl":
             ompl = True
-        elif word in ("--csv", "--rounds", "--vamp") and words:
+        elif word in ("--csv", "--range", "--rounds", "--vamp") and words:
             value = words.pop(0)
             csv = value if word == "--csv" else csv
+            reach = float(value) if word == "--range" else reach
             rounds = int(value) if word == "--rounds" else rounds
             vamp = value if word == "--vamp" else vamp
         else:
-            print(f"bench planner: no option '{word}'; there are --csv --ompl --rounds --vamp", file=sys.stderr)
+            print(f"bench planner: no option '{word}'; there are --csv --ompl --range --rounds --vamp", file=sys.stderr)
             return 2
     problems = data / "problems/panda/panda_problems.txt"
     if not problems.exists():
@@ -158,9 +161,14 @@ def main():
         built = subprocess.run(["cmake", "--build", str(folder.parent), "--target", "ompl_peer"], capture_output=True)
         if built.returncode == 0:
             for geometry, name, same, gate in (("balls", "ours", mine, True), ("meshes", "proved", certain, False)):
-                found, asked = table(run(folder / "ompl_peer", geometry, data / "robots", problems, 2))
+                found, asked = table(run(folder / "ompl_peer", geometry, data / "robots", problems, 2, rounds, reach))
                 both = [key for key in found if key in same]
-                print(f"OMPL     RRT-Connect and FCL on the {geometry}: {len(found)} of {asked} solved in 2 s")
+                step = f"steps of at most {reach:g} rad" if reach > 0 else "steps as OMPL chooses"
+                print(f"OMPL     RRT-Connect and FCL on the {geometry}: {len(found)} of {asked} solved in 2 s; {rounds} rounds, {step}, "
+                      "32 postures per radian; this peer is built with -O3, OMPL and FCL are the system's")
+                for name_of, figures in (("OMPL", found), (name, {key: same[key] for key in both})):
+                    print(f"{name_of:8s} plan {statistics.median(column(figures, 0)):.1f} us, total {statistics.median(column(figures, 'total')):.1f} us, "
+                          f"cost {statistics.median(column(figures, 2)):.3f} rad")
                 for quantity, k in (("plan", 0), ("total", "total")):
                     a = statistics.median(column({key: same[key] for key in both}, k))
                     b = statistics.median(column({key: found[key] for key in both}, k))
