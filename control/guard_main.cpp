@@ -17,6 +17,7 @@
 #include "lcmtypes/channels.h"
 #include "robot/journal.h"
 #include "robot/load.h"
+#include "robot/loop_joints.h"
 #include "robot/obstacle_collector.h"
 #include "robot/options.h"
 #include "robot/process.h"
@@ -235,6 +236,8 @@ int run(int argc, char** argv) {
   const RealTime real_time = enter_real_time(kPriority, &why);
   if (!why.empty()) std::fprintf(stderr, "guard: %s\n", why.c_str());
   GuardProcess guard(a, model, real_time);
+  const std::string loops = loops_sentence(model);
+  if (!loops.empty()) std::fprintf(stderr, "guard: %s\n", loops.c_str());
   std::printf("guard ready: %s, margin %.0f mm, %s\n", model.name.c_str(), a.margin_mm,
               real_time == RealTime::kNone ? "no real-time priority" : "FIFO priority");
   std::fflush(stdout);

@@ -17,6 +17,7 @@
 #include "lcmtypes/channels.h"
 #include "robot/journal.h"
 #include "robot/load.h"
+#include "robot/loop_joints.h"
 #include "robot/missed_ticks.h"
 #include "robot/obstacle_collector.h"
 #include "robot/options.h"
@@ -343,6 +344,8 @@ int run(int argc, char** argv) {
   const RealTime real_time = enter_real_time(kPriority, &why);
   if (!why.empty()) std::fprintf(stderr, "controller: %s\n", why.c_str());
   Controller controller(a, model, real_time);
+  const std::string loops = loops_sentence(model);
+  if (!loops.empty()) std::fprintf(stderr, "controller: %s\n", loops.c_str());
   std::printf("controller ready: %s, %d joints, %s\n", model.name.c_str(), model.bus_count(),
               real_time == RealTime::kNone ? "no real-time priority" : "FIFO priority");
   std::fflush(stdout);

@@ -17,6 +17,7 @@
 #include "robot/kinematics.h"
 #include "robot/link_points.h"
 #include "robot/load.h"
+#include "robot/loop_joints.h"
 #include "robot/proposal.h"
 #include "robot/suspicions.h"
 #include "robot/xml.h"
@@ -249,6 +250,8 @@ void print(const Model& model, const Extent& extent) {
                 joint.kp, joint.kd);
   }
   print_limbs(model);
+  const std::string loops = loops_sentence(model);
+  if (!loops.empty()) std::printf("%s\n", loops.c_str());
   std::printf("poses:");
   for (const NamedPose& pose : model.poses) std::printf(" %s", pose.name.c_str());
   std::printf("\n%zu pairs of links are declared never to touch\n", model.disabled_pairs.size());

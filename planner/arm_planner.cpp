@@ -12,6 +12,7 @@
 #include "planner/shorten.h"
 #include "robot/index.h"
 #include "robot/inverse_kinematics.h"
+#include "robot/loop_joints.h"
 
 namespace twinbus {
 
@@ -76,7 +77,11 @@ struct ArmPlanner::Question {
 };
 
 ArmPlanner::ArmPlanner(const Model& model, const ArmPlannerConfig& config)
-    : model_(&model), config_(config), collision_(model), balls_(balls_along_links(model)) {}
+    : model_(&model),
+      config_(config),
+      collision_(model),
+      balls_(balls_along_links(model)),
+      looped_(joints_in_loops(model)) {}
 
 // Fills the question; false, with the reason in plan, if it makes no sense for this robot.
 bool ArmPlanner::understand(const ArmGoal& goal, const Configuration& start,
@@ -127,6 +132,15 @@ bool ArmPlanner::understand(const ArmGoal& goal, const Configuration& start,
     question.base_in_world = base.linear();
   } else {
     return refuse("kind must be joints, position or pose");
+  }
+
+  for (const int joint : plan.joints) {
+    if (std::find(looped_.begin(), looped_.end(), joint) == looped_.end()) continue;
+    plan.status = ArmPathStatus::kBadGoal;
+    plan.complaint = "joint " + model_->joints[at(joint)].name +
+                     " is in a closed loop (loops: of robot.yaml), and the planner moves every "
+                     "joint by itself";
+    return false;
   }
 
   question.start = pick(start.q, plan.joints);

@@ -88,6 +88,7 @@ class ArmPlanner {
   bool balancing_ = false;
   Collision collision_;
   std::vector<BallGroup> balls_;     // of all links
+  std::vector<int> looped_;          // joints that closed loops tie, refused
   std::vector<Obstacle> obstacles_;  // as they are
   std::vector<Obstacle> padded_;     // as a plan takes them
 };

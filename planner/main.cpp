@@ -17,6 +17,7 @@
 #include "planner/plan_worker.h"
 #include "robot/estimator.h"
 #include "robot/load.h"
+#include "robot/loop_joints.h"
 #include "robot/obstacle_collector.h"
 #include "robot/options.h"
 #include "robot/process.h"
@@ -231,6 +232,8 @@ int run(int argc, char** argv) {
   catch_quit_signals();
   const Model model = load_robot(common.robot);
   PlannerProcess planner(common, model);
+  const std::string loops = loops_sentence(model);
+  if (!loops.empty()) std::fprintf(stderr, "planner: %s\n", loops.c_str());
   std::printf("planner ready: %s\n", model.name.c_str());
   std::fflush(stdout);
   planner.run();

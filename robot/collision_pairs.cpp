@@ -1,6 +1,9 @@
 #include "robot/collision_pairs.h"
 
+#include <algorithm>
 #include <cstddef>
+
+#include "robot/loop_joints.h"
 
 namespace twinbus {
 
@@ -38,11 +41,17 @@ bool joint_moves_link(const Model& model, int joint, int link) {
 }  // namespace
 
 std::vector<CollisionPair> pairs_to_check(const Model& model) {
+  const std::vector<PinnedLinks> pins = pinned_links(model);
+  const auto pinned = [&](int a, int b) {
+    return std::any_of(pins.begin(), pins.end(), [&](const PinnedLinks& pin) {
+      return (pin.a == a && pin.b == b) || (pin.a == b && pin.b == a);
+    });
+  };
   std::vector<CollisionPair> pairs;
   for (int b = 0; b < model.link_count(); ++b) {
     if (!bears_geometry(model, b)) continue;
     for (int a = 0; a < b; ++a) {
-      if (!bears_geometry(model, a) || disabled(model, a, b)) continue;
+      if (!bears_geometry(model, a) || disabled(model, a, b) || pinned(a, b)) continue;
       if (nearest_bearing_ancestor(model, a) == b || nearest_bearing_ancestor(model, b) == a)
         continue;
       pairs.push_back({a, b});

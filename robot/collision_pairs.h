@@ -10,7 +10,8 @@
 
 namespace twinbus {
 
-// Neighbours: the nearest ancestor of one that bears any geometry is the other.
+// Neighbours: the nearest ancestor of one that bears any geometry is the other, or a loop of
+// robot.yaml pins one to the other.
 std::vector<CollisionPair> pairs_to_check(const Model& model);
 
 // Does joint j move link a with respect to link b (b < 0: with respect to the base, which obstacles

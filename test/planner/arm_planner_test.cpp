@@ -291,5 +291,31 @@ TEST(ArmPlanner, StopsWhenToldTo) {
   EXPECT_TRUE(plan.status == ArmPathStatus::kCancelled || plan.rounds == 0);
 }
 
+// hrp1s with its left hand pinned to its trunk: the left arm is a closed loop, the right one is not.
+TEST(ArmPlanner, AGoalForAnArmInAClosedLoopIsRefusedByTheNameOfAJoint) {
+  const Model looped = load_robot_texts(
+      {.folder = hrp1s().folder,
+       .yaml = hrp1s().yaml_text + "\nloops:\n  - {link: LHAND, to: CHEST}\n",
+       .urdf = hrp1s().urdf_text,
+       .srdf = hrp1s().srdf_text});
+  ArmPlanner planner(looped);
+  const ArmPlan right =
+      planner.plan(hand_to(ArmSide::kRight, 0.40, -0.30, 0.95), standing(), kGround, 1);
+  EXPECT_EQ(right.status, ArmPathStatus::kOk) << describe(looped, right);
+  ArmGoal joints;
+  joints.goal_id = 1;
+  joints.kind = ArmGoalKind::kJoints;
+  joints.speed = 0.5F;
+  const int elbow = looped.find_joint("LARM_ELBOW");
+  ASSERT_GE(elbow, 0);
+  joints.joint_mask = std::int64_t{1} << looped.bus_index[static_cast<std::size_t>(elbow)];
+  for (const ArmGoal& goal : {joints, hand_to(ArmSide::kLeft, 0.42, 0.26, 0.86)}) {
+    const ArmPlan left = planner.plan(goal, standing(), kGround, 1);
+    EXPECT_EQ(left.status, ArmPathStatus::kBadGoal);
+    EXPECT_NE(describe(looped, left).find("joint LARM_"), std::string::npos);
+    EXPECT_NE(describe(looped, left).find("closed loop"), std::string::npos);
+  }
+}
+
 }  // namespace
 }  // namespace twinbus
