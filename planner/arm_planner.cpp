@@ -234,6 +234,9 @@ bool ArmPlanner::find_goals(EdgeCheck& space, Question& question, Random& random
           q[plan.joints[at(k)]] = there;
         }
       }
+      // The closed form may give one answer from wherever it starts: when that is in the way, every
+      // other pair of tries goes down from where the dice put it.
+      options.restarts = question.goals.empty() && reached_any && i % 4 < 2 ? 0 : kIkTries;
       IkResult result = arm.solve(question.target, options, q);
       Eigen::Isometry3d there = base;
       for (int lean = 0; balancing_ && lean < kLeans && result.position_error < kStubborn; ++lean) {
