@@ -35,7 +35,8 @@ struct WalkGains {
   WalkStabilizerGains stabilizer;
   WalkFeetGains feet;
   SwingGains swing;
-  double velocity_filter = 0.010;      // of velocity and momentum in the DCM [s]
+  double velocity_filter = 0.010;      // of the velocity that tells whether the robot rests [s]
+  double dcm_filter = 0.020;           // of the velocity in the DCM, which the ZMP leads [s]
   double acceleration_filter = 0.010;  // of the joints' accelerations in the torques [s]
   double ground =
       5.0;  // rate at which the centre of mass follows the height of the footholds [1/s]
