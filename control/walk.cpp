@@ -10,8 +10,10 @@ namespace twinbus {
 
 namespace {
 constexpr int kFirstRounds = 10;
-constexpr double kLeastLoad = 0.05;   // of the weight, on feet that tell where the ground is
-constexpr double kRestSpeed = 0.02;   // of the centre of mass [m/s]
+constexpr double kLeastLoad = 0.05;  // of the weight, on feet that tell where the ground is
+constexpr double kWeighing = 1.0;    // in which what the robot carries is weighed [s]
+constexpr double kLightest = 0.7, kHeaviest = 1.5;  // that it is taken for, of its own weight
+constexpr double kRestSpeed = 0.02;                 // of the centre of mass [m/s]
 constexpr double kRestPlace = 0.006;  // of it and the ZMP, from the middle of the feet [m]
 }  // namespace
 
@@ -82,6 +84,12 @@ void Walk::measure(const Estimator& estimator, double dt, bool fresh) noexcept {
     measured_[at(f)].moment =
         pattern_.foot(f).unturn(Eigen::Vector2d(estimator.sole_torque(f).head<2>()));
   }
+  // On average over a step the feet press as hard as the robot weighs, with what it carries.
+  const double weight = mass_ * kGravity;
+  const double pressed = std::max(0.0, measured_[0].force) + std::max(0.0, measured_[1].force);
+  const double quick = fresh ? 1.0 : dt / (dt + kWeighing);
+  if (pressed > 0.0)  // measured at all
+    load_ = std::clamp(load_ + quick * (pressed / weight - load_), kLightest, kHeaviest);
   // The estimator has the loaded soles on one plane; here they stand as high as they landed.
   if (carried > kLeastLoad * mass_ * kGravity) shift_ = lower / carried;
   for (Foothold& foot : measured_feet_) foot.height += shift_;
@@ -115,9 +123,10 @@ void Walk::start(const Estimator& estimator) noexcept {
 // The wrench of each sole, world, about its frame; and the same in sole axes for the feet.
 void Walk::share_load(const Estimator& estimator) noexcept {
   const ZmpShare& share = stabilizer_.share();
-  const double weight = mass_ * (kGravity + vertical_acceleration());
+  const double mass = load_ * mass_;
+  const double weight = mass * (kGravity + vertical_acceleration());
   const double w = omega();
-  const Eigen::Vector2d horizontal = mass_ * w * w * (com_.head<2>() - share.zmp);
+  const Eigen::Vector2d horizontal = mass * w * w * (com_.head<2>() - share.zmp);
   for (std::size_t f = 0; f < 2; ++f) {
     const double part = f == 0 ? share.left : 1.0 - share.left;
     const Foothold& foot = pattern_.foot(static_cast<int>(f));

@@ -83,6 +83,7 @@ class Walk {
   WholeBodyIk ik_;
   InverseDynamics dynamics_;
   double mass_;
+  double load_ = 1.0;  // what the feet carry, of the robot's own weight
 
   Eigen::Vector3d com_ = Eigen::Vector3d::Zero(), com_velocity_ = Eigen::Vector3d::Zero();
   Eigen::Vector2d dcm_speed_ = Eigen::Vector2d::Zero(), dcm_ = Eigen::Vector2d::Zero();

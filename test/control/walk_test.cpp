@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "robot/dynamics.h"
 #include "test/control/hrp1s.h"
 #include "test/control/sim_rig.h"
 #include "test/no_alloc.h"
@@ -125,6 +126,22 @@ TEST(Walk, NoTickAllocates) {
   NoAlloc no_alloc;
   for (int i = 0; i < 1500; ++i) walk.update(estimator, q, model.period());
   EXPECT_EQ(no_alloc.count(), 0);
+}
+
+// The robot is a tenth heavier than its controller knows: the forces that feet are asked for are those they find.
+TEST(Walk, WhatTheRobotCarriesIsWeighedWhileItWalks) {
+  SimRig robot(test::hrp1s(), Scene{}, {{"model.mass_scale", "1.1"}}, {});
+  ASSERT_TRUE(robot.run(0.3));
+  robot.ask(Mode::kWalk);
+  ASSERT_TRUE(robot.run(3.0));
+  double asked = 0.0;
+  constexpr int kTicks = 600;
+  for (int i = 0; i < kTicks; ++i) {
+    ASSERT_TRUE(robot.tick());
+    const auto forces = robot.loop().foot_forces();
+    asked += (forces[0] + forces[1]) / kTicks;
+  }
+  EXPECT_NEAR(asked / (test::hrp1s().total_mass() * kGravity), 1.1, 0.02);
 }
 
 }  // namespace
