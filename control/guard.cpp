@@ -33,22 +33,6 @@ constexpr double kLost = 0.03;
 constexpr double kAnywhere = 100.0;  // [m]
 constexpr double kNever = 1e3;       // time to contact of a pair that parts [s]
 
-// How far a point of `link` can move per unit of each joint: a bound over all postures [m/rad or
-// m/m].
-std::vector<double> reaches(const Model& model, const Collision& collision, int link) {
-  std::vector<double> reach(model.joints.size(), 0.0);
-  double length = collision.link_radius(link);
-  if (!(length > 0.0)) return reach;
-  for (int child = link; child > 0; child = model.links[at(child)].parent) {
-    const Joint& joint = model.joints[at(child - 1)];
-    const bool slides = joint.kind == JointKind::kPrismatic;
-    reach[at(child - 1)] = slides ? 1.0 : length;
-    length += joint.placement.translation().norm();
-    if (slides) length += std::max(std::abs(joint.lower), std::abs(joint.upper));
-  }
-  return reach;
-}
-
 }  // namespace
 
 struct Guard::Impl {
@@ -58,12 +42,13 @@ struct Guard::Impl {
   SetPointTrack track;
   Kinematics now_kinematics, then_kinematics;
   Configuration now, then;
-  std::vector<double> reach;  // [link_count x joint_count]
-  std::vector<int> leg;       // [joint_count], 1 for leg joints
+  std::vector<int> leg;  // [joint_count], 1 for leg joints
   std::vector<std::uint8_t>
       moves;  // [link_count x joint_count]: the joint is on the way from the base to the link
   using Courses = std::vector<Course>;  // [joint_count]
   Courses braked, obeyed, masked;
+  Eigen::VectorXd rests;          // of a course [joint_count]
+  Collision::Ahead ahead_of_now;  // all courses that this tick may look along
   std::array<PairDistance, kMaxPairs> pairs{}, ahead{};
   int pair_count = 0;
   double least_share = kShare;
@@ -81,7 +66,8 @@ struct Guard::Impl {
   void predict_masked(std::int64_t mask) noexcept;
   void spread_to_mimics(Courses& courses) const noexcept;
   bool runs_on() noexcept;
-  double bound_travel(const Courses& courses) const noexcept;
+  void bound_moves() noexcept;
+  double bound_travel(const Courses& courses) noexcept;
   void measure_then(PairDistance& pair) noexcept;
   bool pair_now(const PairDistance& pair, PairDistance& found) noexcept;
   void look_along(const Courses& courses, int most_looks, std::int64_t& mask, bool& leg_hit,
@@ -114,9 +100,9 @@ Guard::Impl::Impl(const Model& robot, const GuardConfig& wanted)
   }
   braked.assign(joints, {});
   obeyed = masked = braked;
+  rests = ahead_of_now.moves = Eigen::VectorXd::Zero(robot.joint_count());
+  ahead_of_now.near = wanted.margin;
   for (int link = 0; link < robot.link_count(); ++link) {
-    const std::vector<double> row = reaches(robot, collision, link);
-    reach.insert(reach.end(), row.begin(), row.end());
     for (int joint = 0; joint < robot.joint_count(); ++joint) {
       moves.push_back(joint_moves_pair(robot, joint, link, -1) ? 1 : 0);
     }
@@ -169,17 +155,32 @@ bool Guard::Impl::runs_on() noexcept {
   return other_way;
 }
 
+// The most that a joint moves from here on any course that is looked along.
+void Guard::Impl::bound_moves() noexcept {
+  Eigen::VectorXd& farthest = ahead_of_now.moves;
+  const auto longer = [](double most, const Course& c) {
+    return std::max({most, std::abs(c.first), std::abs(c.rest())});
+  };
+  for (std::size_t j = 0; j < obeyed.size(); ++j)
+    farthest[static_cast<Eigen::Index>(j)] = longer(longer(0.0, obeyed[j]), braked[j]);
+  for (int k = 0; k < std::min(model->bus_count(), kMaxJoints); ++k) {
+    double& most = farthest[model->bus_joints[at(k)]];
+    most = longer(most, track.if_held(at(k)));
+  }
+  for (int j = 0; j < model->joint_count(); ++j) {
+    const Joint& joint = model->joints[at(j)];
+    if (joint.mimic >= 0) farthest[j] = std::abs(joint.mimic_multiplier) * farthest[joint.mimic];
+  }
+}
+
 // The most that two links come nearer on these courses [m].
-double Guard::Impl::bound_travel(const Courses& courses) const noexcept {
+double Guard::Impl::bound_travel(const Courses& courses) noexcept {
+  for (int j = 0; j < model->joint_count(); ++j) rests[j] = std::abs(courses[at(j)].rest());
   double most = 0.0, second = 0.0;
-  for (int link = 0; link < model->link_count(); ++link) {
-    double sum = 0.0;
-    for (int child = link; child > 0; child = model->links[at(child)].parent) {
-      const auto j = at(child - 1);
-      sum += std::abs(courses[j].rest()) * reach[at(link) * model->joints.size() + j];
-    }
-    second = std::max(second, std::min(sum, most));
-    most = std::max(most, sum);
+  for (int link = 1; link < model->link_count(); ++link) {
+    const double travel = collision.reach().between(link, 0, rests);
+    second = std::max(second, std::min(travel, most));
+    most = std::max(most, travel);
   }
   return most + second;
 }
@@ -275,6 +276,7 @@ void Guard::Impl::measure_then(PairDistance& pair) noexcept {
 // between them.
 void Guard::Impl::look_along(const Courses& courses, int most_looks, std::int64_t& mask,
                              bool& leg_hit, bool& danger) noexcept {
+  if (!collision.any_ahead()) return;
   const double farthest = bound_travel(courses);
   if (!(farthest > kNearer)) return;
   const int looks = std::clamp(static_cast<int>(std::ceil(farthest / kStride)), 1, most_looks);
@@ -288,8 +290,7 @@ void Guard::Impl::look_along(const Courses& courses, int most_looks, std::int64_
     for (int j = 0; j < model->joint_count(); ++j)
       then.q[j] = now.q[j] + courses[at(j)].at(1.0, braked_for);
     then_kinematics.update(then);
-    const int count =
-        collision.near_pairs(then_kinematics, config.margin, ahead.data(), kMaxPairs, false);
+    const int count = collision.near_pairs_ahead(then_kinematics, ahead.data(), kMaxPairs);
     bool found = false;
     for (int p = 0; p < count; ++p) {
       PairDistance& pair = ahead[at(p)];
@@ -360,8 +361,9 @@ const GuardReport& Guard::check(const RobotState& state, const JointCommand* com
   set_joints(*i.model, state, i.now);
   i.now_kinematics.update(i.now);
   i.predict(state, command);
+  i.bound_moves();
   i.pair_count = i.collision.near_pairs(i.now_kinematics, std::max(i.config.near, i.config.margin),
-                                        i.pairs.data(), kMaxPairs);
+                                        i.pairs.data(), kMaxPairs, &i.ahead_of_now);
 
   std::int64_t mask = 0;
   bool leg_hit = false;

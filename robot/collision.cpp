@@ -1,8 +1,10 @@
 #include "robot/collision.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <utility>
 
 #include "robot/collision_body.h"
@@ -10,9 +12,9 @@
 #include "robot/collision_pairs.h"
 #include "robot/config_node.h"
 #include "robot/convex_shape.h"
-#include "robot/gjk.h"
-#include "robot/mesh_distance.h"
+#include "robot/index.h"
 #include "robot/near_shapes.h"
+#include "robot/shape_gap.h"
 
 namespace twinbus {
 
@@ -25,20 +27,22 @@ using Body = CollisionShape;
 using Owner = CollisionOwner;
 
 constexpr double kRounding = 1e-9;  // [m]; what a bound may be wrong by
-// GJK has converged when its distance agrees with the lower bound of its own direction to this [m].
-constexpr double kConverged = 1e-6;
-// The distance of hulls stands for that of meshes above this [m].
-constexpr double kHullsApart = 0.02;
-
-// Of two shapes at the last look.
-struct ShapeMemory {
-  Vector3d apart = Vector3d::Zero();  // a separating direction, in the frame of the first
-  MeshMemory nearest;
-};
+// A look at all pairs is faster than proofs for more than these, and than looks at more than those few
+// that can come near.
+constexpr std::size_t kMostProofs = 64;
+constexpr int kFewAhead = 8;
+constexpr int kAll = kFewAhead + 1;
 
 struct FlatShape {  // all shapes in a row
   int owner = 0;
   int shape = 0;  // of the owner
+};
+
+struct ShapePair {  // of a candidate, as its pair of links names them
+  Owner *a = nullptr, *b = nullptr;
+  Body *body_a = nullptr, *body_b = nullptr;
+  ShapeMemory* memory = nullptr;
+  Vector3d towards;  // where b may be seen from a
 };
 
 struct OwnerPair {
@@ -64,17 +68,20 @@ struct Collision::Impl {
   std::vector<OwnerPair> pairs;  // self pairs, then link x obstacle
   std::vector<ShapeMemory> memory;
   std::vector<int> memory_of;  // [owners x owners]: first_memory, -1 when they are no pair
-  MeshDistance meshes;
+  ShapeGap gap;
   NearShapes near_shapes;
   std::vector<FlatShape> shapes;
-  std::vector<int> pair_of;  // [shapes x shapes], a < b
+  std::vector<int> pair_of;                            // [shapes x shapes], a < b
+  std::array<NearShapes::Candidate, kFewAhead> ahead;  // that can come near from a posture
+  double ahead_near = 0.0;                             // [m]
+  int ahead_count = 0;                                 // or kAll
   std::vector<int> only_joints;
+  std::optional<JointReach> reach;
   const Model* model = nullptr;
+  const Kinematics* kinematics = nullptr;  // of this query
   int link_count = 0;
   int link_owners = 0;
   int last_hit = 0;
-  bool asks_fcl = false;
-  bool depths = true;  // of what touches, in this query
   std::int64_t query = 0;
 
   explicit Impl(const Model& robot);
@@ -87,16 +94,18 @@ struct Collision::Impl {
   }
   Owner& owner(int i) { return owners[static_cast<std::size_t>(i)]; }
 
-  void place(const Kinematics& kinematics) noexcept;
-  const Isometry3d& placed(const Kinematics& kinematics, const Owner& owner, Body& body) noexcept;
+  void look_at(const Kinematics& posture) noexcept;
+  void place() noexcept;
+  const Isometry3d& placed(const Owner& owner, Body& body) noexcept;
   const OwnerPair& pair_of_shapes(const NearShapes::Candidate& c, int& index) const noexcept;
+  ShapePair shape_pair(const NearShapes::Candidate& candidate) noexcept;
+  void let_links_move(const Ahead& ahead) noexcept;
+  void keep_ahead(std::span<const NearShapes::Candidate> candidates, const Ahead& ahead) noexcept;
+  bool stays_apart(const NearShapes::Candidate& candidate, double most,
+                   const Ahead& ahead) noexcept;
+  int nearest(std::span<const NearShapes::Candidate> candidates, double near, PairDistance* pairs,
+              int capacity) noexcept;
   bool nearer(const NearShapes::Candidate& candidate, double near, PairDistance& result) noexcept;
-  bool shapes_nearer(Body& a, Body& b, ShapeMemory& remembered, const Vector3d& towards,
-                     double near, PairDistance& result) noexcept;
-  bool own_distance(const Body& a, const Body& b, const Vector3d& towards_b, double near,
-                    PairDistance& result) noexcept;
-  bool mesh_distance(const Body& a, const Body& b, double near, double at_least, MeshMemory& memory,
-                     PairDistance& result) noexcept;
 };
 
 Collision::Impl::Impl(const Model& robot)
@@ -110,7 +119,7 @@ Collision::Impl::Impl(const Model& robot)
     owner.link = link;
     for (const Shape& shape : robot.links[index].collision) {
       owner.shapes.push_back(collision_shape(shape));
-      if (owner.shapes.back().mesh) meshes.reserve(*owner.shapes.back().mesh);
+      if (owner.shapes.back().mesh) gap.meshes.reserve(*owner.shapes.back().mesh);
     }
     enclose(owner);
     owner_of[index] = static_cast<int>(owners.size());
@@ -118,7 +127,8 @@ Collision::Impl::Impl(const Model& robot)
     owners.push_back(std::move(owner));
   }
   link_owners = static_cast<int>(owners.size());
-  asks_fcl = by_fcl(robot);
+  gap.asks_fcl = by_fcl(robot);
+  reach.emplace(robot, link_radius);
   build_pairs();
 }
 
@@ -154,10 +164,15 @@ void Collision::Impl::build_shapes() {
     first.push_back(static_cast<int>(shapes.size()));
     for (int s = 0; s < static_cast<int>(owner(o).shapes.size()); ++s) {
       shapes.push_back({o, s});
-      capsules.push_back(owner(o).shapes[static_cast<std::size_t>(s)].capsule);
+      const Body& body = owner(o).shapes[static_cast<std::size_t>(s)];
+      Capsule capsule = body.capsule;  // of the link
+      capsule.a = body.local * capsule.a;
+      capsule.b = body.local * capsule.b;
+      capsules.push_back(capsule);
     }
   }
   near_shapes.set(capsules);
+  ahead_count = 0;
   pair_of.assign(shapes.size() * shapes.size(), -1);
   for (std::size_t p = 0; p < pairs.size(); ++p) {
     const OwnerPair& pair = pairs[p];
@@ -177,111 +192,28 @@ void Collision::Impl::build_shapes() {
   }
 }
 
-void Collision::Impl::place(const Kinematics& kinematics) noexcept {
+// Bodies are placed when something asks for them.
+void Collision::Impl::look_at(const Kinematics& posture) noexcept {
   ++query;
-  const Vector3d& origin = kinematics.link_in_world(0).translation();
-  int shape = 0;
-  for (Owner& o : owners) {
-    for (Body& body : o.shapes) near_shapes.place(shape++, placed(kinematics, o, body), origin);
+  kinematics = &posture;
+}
+
+void Collision::Impl::place() noexcept {
+  const Isometry3d still = Isometry3d::Identity();
+  const Vector3d& origin = kinematics->link_in_world(0).translation();
+  for (std::size_t s = 0; s < shapes.size(); ++s) {
+    const int link = owner(shapes[s].owner).link;
+    near_shapes.place(static_cast<int>(s), link >= 0 ? kinematics->link_in_world(link) : still,
+                      origin);
   }
 }
 
-const Isometry3d& Collision::Impl::placed(const Kinematics& kinematics, const Owner& owner,
-                                          Body& body) noexcept {
+const Isometry3d& Collision::Impl::placed(const Owner& owner, Body& body) noexcept {
   if (body.stamp != query) {
     body.stamp = query;
-    body.world = owner.link >= 0 ? kinematics.link_in_world(owner.link) * body.local : body.local;
+    body.world = owner.link >= 0 ? kinematics->link_in_world(owner.link) * body.local : body.local;
   }
   return body.world;
-}
-
-// Distance, points and normal of the cores, the distance zero when they overlap; false when they
-// are farther apart than near.
-bool Collision::Impl::own_distance(const Body& a, const Body& b, const Vector3d& towards_b,
-                                   double near, PairDistance& result) noexcept {
-  const double far = std::max(near, 0.0) + kRounding;
-  const GjkResult found = gjk_distance(a.core, a.world, b.core, b.world, far, towards_b);
-  if (found.distance > 0.0 && found.below > near + kRounding) return false;
-  result.distance = found.distance;
-  result.point_a = found.point_a;
-  result.point_b = found.point_b;
-  result.normal = found.normal;
-  return true;
-}
-
-// Distance and points where at least one is a mesh; false when they are farther apart than near.
-bool Collision::Impl::mesh_distance(const Body& a, const Body& b, double near, double at_least,
-                                    MeshMemory& nearest, PairDistance& result) noexcept {
-  MeshGap gap;
-  const double below = near + kRounding;
-  if (a.mesh && b.mesh) {
-    if (!meshes.between(*a.mesh, a.world, *b.mesh, b.world, below, at_least, nearest, gap))
-      return false;
-  } else if (a.mesh) {
-    if (!meshes.between(*a.mesh, a.world, b.core, b.world, below, nearest, gap)) return false;
-  } else {
-    if (!meshes.between(*b.mesh, b.world, a.core, a.world, below, nearest, gap)) return false;
-    std::swap(gap.point_a, gap.point_b);
-  }
-  result.distance = gap.distance;
-  result.point_a = gap.point_a;
-  result.point_b = gap.point_b;
-  return true;
-}
-
-// result.distance, when lower than before, is the signed distance; true when it was improved.
-// towards: where b may be seen from a.
-bool Collision::Impl::shapes_nearer(Body& a, Body& b, ShapeMemory& remembered,
-                                    const Vector3d& towards, double near,
-                                    PairDistance& result) noexcept {
-  const PlacedShape shape_a{&a.convex, &a.world};
-  const PlacedShape shape_b{&b.convex, &b.world};
-  const Vector3d between = b.world.translation() - a.world.translation();
-  const double reach = a.radius + b.radius + near;
-  if (!(reach > 0.0) || between.squaredNorm() > reach * reach) return false;
-  const Vector3d before = a.world.linear() * remembered.apart;
-  const double as_before = separation(shape_a, shape_b, before);
-  if (as_before > near + kRounding) return false;
-  const Vector3d seen = towards.squaredNorm() > 1e-8 ? towards.normalized() : between.normalized();
-  const double as_seen = separation(shape_a, shape_b, seen);
-  if (as_seen > near + kRounding) return false;
-  const Vector3d first = a.world.linear().transpose() *
-                         (as_before > as_seen && !remembered.apart.isZero(0.0) ? before : seen);
-
-  PairDistance found;
-  found.distance = near + 1.0;
-  FclGap gap;
-  const bool answered = asks_fcl && fcl_gap(*a.fcl, a.world, *b.fcl, b.world, gap);
-  const bool mesh = !answered && (a.mesh || b.mesh);
-  if (answered) {
-    if (gap.distance > near) return false;
-    found.distance = gap.distance;
-    found.point_a = gap.point_a;
-    found.point_b = gap.point_b;
-    if (gap.distance > 0.0) found.normal = (gap.point_b - gap.point_a).normalized();
-  } else if (!own_distance(a, b, first, near, found)) {
-    return false;
-  }
-  if (found.distance > kConverged) remembered.apart = a.world.linear().transpose() * found.normal;
-  const bool exact = mesh && !(found.distance > kHullsApart);
-  if (exact && !mesh_distance(a, b, near, std::max(found.distance - kConverged, 0.0),
-                              remembered.nearest, found))
-    return false;
-  if (!(found.distance > kConverged) && (depths || found.distance > 0.0)) {
-    // Touching: the shortest way out.
-    found.normal = way_out(shape_a, shape_b);
-    const double out = separation(shape_a, shape_b, found.normal);
-    found.distance = std::min(found.distance, out);
-    found.point_a = a.world * a.convex.support(a.world.linear().transpose() * found.normal);
-    found.point_b = b.world * b.convex.support(-(b.world.linear().transpose() * found.normal));
-  } else if (exact && found.distance > 0.0) {
-    found.normal = (found.point_b - found.point_a).normalized();
-  }
-  if (!(found.distance <= near) || found.distance >= result.distance) return false;
-  found.link_a = result.link_a;
-  found.link_b = result.link_b;
-  result = found;
-  return true;
 }
 
 const OwnerPair& Collision::Impl::pair_of_shapes(const NearShapes::Candidate& c,
@@ -290,28 +222,91 @@ const OwnerPair& Collision::Impl::pair_of_shapes(const NearShapes::Candidate& c,
   return pairs[static_cast<std::size_t>(index)];
 }
 
-// Of two placed shapes; as shapes_nearer.
+ShapePair Collision::Impl::shape_pair(const NearShapes::Candidate& candidate) noexcept {
+  int index = 0;
+  const OwnerPair& links = pair_of_shapes(candidate, index);
+  const FlatShape& one = shapes[at(candidate.a)];
+  const FlatShape& other = shapes[at(candidate.b)];
+  const bool same_way = one.owner == links.a;
+  const auto shape_a = at(same_way ? one.shape : other.shape);
+  const auto shape_b = at(same_way ? other.shape : one.shape);
+  ShapePair pair;
+  pair.a = &owner(links.a);
+  pair.b = &owner(links.b);
+  for (int d = 0; d < 3; ++d) pair.towards[d] = static_cast<double>(candidate.towards[d]);
+  if (!same_way) pair.towards = -pair.towards;
+  pair.body_a = &pair.a->shapes[shape_a];
+  pair.body_b = &pair.b->shapes[shape_b];
+  pair.memory = &memory[at(links.first_memory) + shape_a * pair.b->shapes.size() + shape_b];
+  return pair;
+}
+
+// As ShapeGap::nearer.
 bool Collision::Impl::nearer(const NearShapes::Candidate& candidate, double near,
                              PairDistance& result) noexcept {
-  int index = 0;
-  const OwnerPair& pair = pair_of_shapes(candidate, index);
-  const FlatShape& one = shapes[static_cast<std::size_t>(candidate.a)];
-  const FlatShape& other = shapes[static_cast<std::size_t>(candidate.b)];
-  const FlatShape& of_a = one.owner == pair.a ? one : other;
-  const FlatShape& of_b = one.owner == pair.a ? other : one;
-  Owner& a = owner(pair.a);
-  Owner& b = owner(pair.b);
-  result.link_a = index_of(a);
-  result.link_b = index_of(b);
-  const std::size_t shape_b = static_cast<std::size_t>(of_b.shape);
-  const std::size_t shape_a = static_cast<std::size_t>(of_a.shape);
-  const std::size_t known =
-      static_cast<std::size_t>(pair.first_memory) + shape_a * b.shapes.size() + shape_b;
-  Vector3d towards(static_cast<double>(candidate.towards[0]),
-                   static_cast<double>(candidate.towards[1]),
-                   static_cast<double>(candidate.towards[2]));
-  if (one.owner != pair.a) towards = -towards;
-  return shapes_nearer(a.shapes[shape_a], b.shapes[shape_b], memory[known], towards, near, result);
+  const ShapePair pair = shape_pair(candidate);
+  result.link_a = index_of(*pair.a);
+  result.link_b = index_of(*pair.b);
+  placed(*pair.a, *pair.body_a);
+  placed(*pair.b, *pair.body_b);
+  return gap.nearer(*pair.body_a, *pair.body_b, *pair.memory, pair.towards, near, result);
+}
+
+void Collision::Impl::let_links_move(const Ahead& moved) noexcept {
+  int shape = 0;
+  for (const Owner& o : owners) {
+    const double travel = o.link > 0 ? reach->between(o.link, 0, moved.moves) : 0.0;
+    for (std::size_t s = 0; s < o.shapes.size(); ++s) near_shapes.let_move(shape++, travel);
+  }
+}
+
+// Does a direction that is at hand prove that the moves cannot bring the two near?  most: what their
+// distance can change by [m].
+bool Collision::Impl::stays_apart(const NearShapes::Candidate& candidate, double most,
+                                  const Ahead& moved) noexcept {
+  const ShapePair pair = shape_pair(candidate);
+  const Isometry3d& world_a = placed(*pair.a, *pair.body_a);
+  const PlacedShape a{&pair.body_a->convex, &world_a};
+  const PlacedShape b{&pair.body_b->convex, &placed(*pair.b, *pair.body_b)};
+  const auto by = [&](const Vector3d& n) {
+    const double left = separation(a, b, n) - moved.near - kRounding;
+    return left > most || (left > 0.0 && left > reach->along(n, *kinematics, pair.a->link,
+                                                             pair.b->link, moved.moves));
+  };
+  if (by(world_a.linear() * pair.memory->apart)) return true;
+  if (!(pair.towards.squaredNorm() > 1e-8)) return false;
+  const Vector3d seen = pair.towards.normalized();
+  if (!by(seen)) return false;
+  pair.memory->apart = world_a.linear().transpose() * seen;
+  return true;
+}
+
+// Those that the moves can bring that near: joints that move both links do not count, and a
+// direction may say more than capsules.
+void Collision::Impl::keep_ahead(std::span<const NearShapes::Candidate> candidates,
+                                 const Ahead& moved) noexcept {
+  ahead_near = moved.near;
+  ahead_count = candidates.size() > kMostProofs ? kAll : 0;
+  if (ahead_count == kAll) return;
+  int owner_a = -1, owner_b = -1;  // shapes of two owners come in a row
+  double most = 0.0;
+  for (const NearShapes::Candidate& candidate : candidates) {
+    const int a = shapes[at(candidate.a)].owner;
+    const int b = shapes[at(candidate.b)].owner;
+    if (a != owner_a || b != owner_b)
+      most = reach->between(owner(a).link, owner(b).link, moved.moves);
+    owner_a = a;
+    owner_b = b;
+    if (static_cast<double>(candidate.bound) > moved.near + kRounding + most) continue;
+    if (ahead_count == kFewAhead) {
+      ahead_count = kAll;
+      return;
+    }
+    if (stays_apart(candidate, most, moved)) continue;
+    NearShapes::Candidate& kept = ahead[at(ahead_count++)];
+    kept = candidate;
+    kept.bound = -1e9F;  // of elsewhere
+  }
 }
 
 Collision::Collision(const Model& model) : impl_(std::make_unique<Impl>(model)) {}
@@ -320,6 +315,8 @@ Collision::~Collision() = default;
 const std::vector<CollisionPair>& Collision::pairs() const noexcept { return impl_->self_pairs; }
 
 int Collision::pair_count() const noexcept { return static_cast<int>(impl_->pairs.size()); }
+
+const JointReach& Collision::reach() const noexcept { return *impl_->reach; }
 
 double Collision::link_radius(int link) const noexcept {
   return impl_->link_radius[static_cast<std::size_t>(link)];
@@ -367,8 +364,9 @@ bool Collision::in_collision(const Kinematics& kinematics, CollisionPair* hit) n
 bool Collision::nearer_than(const Kinematics& kinematics, double clearance,
                             CollisionPair* hit) noexcept {
   Impl& i = *impl_;
-  i.place(kinematics);
-  i.depths = clearance < 0.0;
+  i.look_at(kinematics);
+  i.place();
+  i.gap.depths = clearance < 0.0;
   const auto candidates = i.near_shapes.nearer_than(clearance);
   PairDistance found;
   // What was hit last is likely hit again; asked who was hit, the answer must not depend on the
@@ -389,36 +387,65 @@ bool Collision::nearer_than(const Kinematics& kinematics, double clearance,
   return false;
 }
 
-int Collision::near_pairs(const Kinematics& kinematics, double near, PairDistance* pairs,
-                          int capacity, bool depths) noexcept {
-  Impl& i = *impl_;
-  i.depths = depths;
-  i.place(kinematics);
-  const auto candidates = i.near_shapes.nearer_than(near);
+// Of these candidates the pairs that are nearer than `near`, nearest first; how many.
+int Collision::Impl::nearest(std::span<const NearShapes::Candidate> candidates, double near,
+                             PairDistance* found_pairs, int capacity) noexcept {
   int kept = 0;
   for (const NearShapes::Candidate& candidate : candidates) {
+    if (static_cast<double>(candidate.bound) > near) continue;
     int index = 0;
-    const OwnerPair& links = i.pair_of_shapes(candidate, index);
-    const int link_a = i.index_of(i.owner(links.a)), link_b = i.index_of(i.owner(links.b));
+    const OwnerPair& links = pair_of_shapes(candidate, index);
+    const int link_a = index_of(owner(links.a)), link_b = index_of(owner(links.b));
     // Of two links only what is nearer than the nearest so far matters.
     int place = 0;
-    while (place < kept && (pairs[place].link_a != link_a || pairs[place].link_b != link_b))
+    while (place < kept &&
+           (found_pairs[place].link_a != link_a || found_pairs[place].link_b != link_b))
       ++place;
-    const double reach = place < kept ? std::min(near, pairs[place].distance) : near;
+    const double reach_of = place < kept ? std::min(near, found_pairs[place].distance) : near;
     PairDistance found;
     found.distance = near + 1.0;
-    if (static_cast<double>(candidate.bound) > reach || !i.nearer(candidate, reach, found))
+    if (static_cast<double>(candidate.bound) > reach_of || !nearer(candidate, reach_of, found))
       continue;
     if (place == kept) {
-      if (kept == capacity && !(kept > 0 && found.distance < pairs[kept - 1].distance)) continue;
+      if (kept == capacity && !(kept > 0 && found.distance < found_pairs[kept - 1].distance))
+        continue;
       place = kept < capacity ? kept++ : capacity - 1;
     }
-    for (; place > 0 && found.distance < pairs[place - 1].distance; --place)
-      pairs[place] = pairs[place - 1];
-    pairs[place] = found;
+    for (; place > 0 && found.distance < found_pairs[place - 1].distance; --place)
+      found_pairs[place] = found_pairs[place - 1];
+    found_pairs[place] = found;
   }
   return kept;
 }
+
+int Collision::near_pairs(const Kinematics& kinematics, double near, PairDistance* pairs,
+                          int capacity, const Ahead* ahead) noexcept {
+  Impl& i = *impl_;
+  i.gap.depths = true;
+  i.look_at(kinematics);
+  i.place();
+  if (ahead == nullptr) return i.nearest(i.near_shapes.nearer_than(near), near, pairs, capacity);
+  i.let_links_move(*ahead);
+  const auto candidates = i.near_shapes.nearer_than(near, ahead->near);
+  const int count = i.nearest(candidates, near, pairs, capacity);
+  i.keep_ahead(candidates, *ahead);
+  return count;
+}
+
+int Collision::near_pairs_ahead(const Kinematics& kinematics, PairDistance* pairs,
+                                int capacity) noexcept {
+  Impl& i = *impl_;
+  i.gap.depths = false;
+  i.look_at(kinematics);
+  if (i.ahead_count == kAll) {
+    i.place();
+    return i.nearest(i.near_shapes.nearer_than(i.ahead_near), i.ahead_near, pairs, capacity);
+  }
+  return i.nearest({i.ahead.data(), static_cast<std::size_t>(i.ahead_count)}, i.ahead_near, pairs,
+                   capacity);
+}
+
+bool Collision::any_ahead() const noexcept { return impl_->ahead_count > 0; }
 
 bool Collision::pair_nearer_than(const Kinematics& kinematics, int link_a, int link_b, double near,
                                  PairDistance& result) noexcept {
@@ -426,8 +453,8 @@ bool Collision::pair_nearer_than(const Kinematics& kinematics, int link_a, int l
   const int a = i.owner_of[static_cast<std::size_t>(link_a)];
   const int b = i.owner_of[static_cast<std::size_t>(link_b)];
   if (a < 0 || b < 0) return false;
-  ++i.query;
-  i.depths = true;
+  i.look_at(kinematics);
+  i.gap.depths = true;
   result = PairDistance{};
   result.link_a = link_a;
   result.link_b = link_b;
@@ -436,13 +463,13 @@ bool Collision::pair_nearer_than(const Kinematics& kinematics, int link_a, int l
   int index =
       i.memory_of[static_cast<std::size_t>(a) * i.owners.size() + static_cast<std::size_t>(b)];
   for (Body& body_a : i.owner(a).shapes) {
-    i.placed(kinematics, i.owner(a), body_a);
+    i.placed(i.owner(a), body_a);
     for (Body& body_b : i.owner(b).shapes) {
-      i.placed(kinematics, i.owner(b), body_b);
+      i.placed(i.owner(b), body_b);
       ShapeMemory nothing;
       ShapeMemory& known = index < 0 ? nothing : i.memory[static_cast<std::size_t>(index++)];
       const double reach = std::min(near, result.distance);
-      found = i.shapes_nearer(body_a, body_b, known, Vector3d::Zero(), reach, result) || found;
+      found = i.gap.nearer(body_a, body_b, known, Vector3d::Zero(), reach, result) || found;
     }
   }
   return found;
@@ -450,13 +477,12 @@ bool Collision::pair_nearer_than(const Kinematics& kinematics, int link_a, int l
 
 bool Collision::touches_by_fcl(const Kinematics& kinematics, const CollisionPair& pair) {
   Impl& i = *impl_;
-  ++i.query;
+  i.look_at(kinematics);
   Owner& a = i.owner(i.owner_of[static_cast<std::size_t>(pair.link_a)]);
   Owner& b = i.owner(i.owner_of[static_cast<std::size_t>(pair.link_b)]);
   for (Body& body_a : a.shapes) {
     for (Body& body_b : b.shapes) {
-      if (fcl_touches(*body_a.fcl, i.placed(kinematics, a, body_a), *body_b.fcl,
-                      i.placed(kinematics, b, body_b)))
+      if (fcl_touches(*body_a.fcl, i.placed(a, body_a), *body_b.fcl, i.placed(b, body_b)))
         return true;
     }
   }

@@ -14,6 +14,7 @@
 #include <memory>
 #include <vector>
 
+#include "robot/joint_reach.h"
 #include "robot/kinematics.h"
 #include "robot/model.h"
 #include "robot/requests.h"
@@ -63,11 +64,22 @@ class Collision {
   // Is anything at `clearance` [m] or nearer?
   bool nearer_than(const Kinematics& kinematics, double clearance,
                    CollisionPair* hit = nullptr) noexcept;
+  // What may come after a posture: no joint moves farther than `moves` from it [joint_count, rad or
+  // m], and what comes nearer than `near` [m] is to be found.
+  struct Ahead {
+    Eigen::VectorXd moves;
+    double near = 0.0;
+  };
   // Distances of the pairs nearer than `near` [m], nearest first, at most capacity; returns how
-  // many.  Without depths, pairs that touch have distance zero and neither points nor normal: finding
-  // the way out costs more than all the rest.
+  // many.  With `ahead`, also remembers which pairs near_pairs_ahead has to look at.
   int near_pairs(const Kinematics& kinematics, double near, PairDistance* pairs, int capacity,
-                 bool depths = true) noexcept;
+                 const Ahead* ahead = nullptr) noexcept;
+  // As near_pairs for ahead.near, at a posture that joints reach by the moves of the last call that
+  // had them.  Pairs that touch have distance zero and neither points nor normal: finding the way
+  // out costs more than all the rest.
+  int near_pairs_ahead(const Kinematics& kinematics, PairDistance* pairs, int capacity) noexcept;
+  // Can any pair come that near at all?  If not, near_pairs_ahead finds nothing.
+  bool any_ahead() const noexcept;
   // Distance of one pair if it is nearer than `near` [m]; false when it is not.
   bool pair_nearer_than(const Kinematics& kinematics, int link_a, int link_b, double near,
                         PairDistance& result) noexcept;
@@ -78,6 +90,8 @@ class Collision {
 
   // Radius of the geometry of a link about the link's origin [m]; 0 without geometry.
   double link_radius(int link) const noexcept;
+  // How far joints can move the geometry.
+  const JointReach& reach() const noexcept;
 
  private:
   struct Impl;

@@ -18,6 +18,7 @@ struct ShapeTables {
   float *from[3] = {}, *along[3] = {};      // of the segments, padded to 8
   float *middle[3] = {}, *round = nullptr;  // ball around the capsule
   const float* radius = nullptr;
+  float* travel = nullptr;  // that a shape may move on
   NearShapes::Candidate* found = nullptr;
 };
 
@@ -61,7 +62,7 @@ void NearShapes::set(const std::vector<Capsule>& capsules) {
   Impl& i = *impl_;
   i.capsules = capsules;
   const std::size_t count = (capsules.size() + 7) / 8 * 8;
-  i.numbers.assign(11 * count, 0.0F);
+  i.numbers.assign(12 * count, 0.0F);
   i.tables.shapes = static_cast<int>(capsules.size());
   i.tables.blocks = static_cast<int>(count / 8);
   i.wanted.assign(at(i.tables.shapes * i.tables.blocks), 0);
@@ -76,6 +77,7 @@ void NearShapes::set(const std::vector<Capsule>& capsules) {
   i.tables.round = next;
   float* radius = next + count;
   i.tables.radius = radius;
+  i.tables.travel = radius + count;
   for (std::size_t s = 0; s < capsules.size(); ++s) {
     radius[s] = static_cast<float>(capsules[s].radius);
     i.tables.round[s] = static_cast<float>(capsules[s].radius +
@@ -107,15 +109,20 @@ void NearShapes::place(int shape, const Eigen::Isometry3d& pose,
   }
 }
 
-std::span<const NearShapes::Candidate> NearShapes::nearer_than(double reach) noexcept {
+void NearShapes::let_move(int shape, double travel) noexcept {
+  impl_->tables.travel[at(shape)] = static_cast<float>(travel) * 1.00001F;
+}
+
+std::span<const NearShapes::Candidate> NearShapes::nearer_than(double reach,
+                                                               double ahead) noexcept {
   Impl& i = *impl_;
   i.tables.found = i.found.data();
-  const auto far = static_cast<float>(reach);
+  const auto far = static_cast<float>(reach), then = static_cast<float>(ahead);
 #if defined(__x86_64__) && !defined(__clang__)
-  const int n = i.wide ? avx2_shapes::near_shapes(i.tables, far)
-                       : baseline_shapes::near_shapes(i.tables, far);
+  const int n = i.wide ? avx2_shapes::near_shapes(i.tables, far, then)
+                       : baseline_shapes::near_shapes(i.tables, far, then);
 #else
-  const int n = baseline_shapes::near_shapes(i.tables, far);
+  const int n = baseline_shapes::near_shapes(i.tables, far, then);
 #endif
   return {i.found.data(), at(n)};
 }

@@ -32,9 +32,14 @@ class NearShapes {
   // Where a shape is; origin: the same for all shapes of a posture.
   void place(int shape, const Eigen::Isometry3d& pose, const Eigen::Vector3d& origin) noexcept;
 
-  // The wanted pairs whose bound is at most `reach` [m], by a and then by b; valid until the next
-  // call.
-  std::span<const Candidate> nearer_than(double reach) noexcept;
+  // By how much a shape may move on, for nearer_than [m]; 0 to begin with.
+  void let_move(int shape, double travel) noexcept;
+
+  // The wanted pairs whose bound is at most `reach` [m], or at most `ahead` [m] when both have moved
+  // on by what they may, by a and then by b; valid until the next call.  Bounds are those of where
+  // the shapes are.
+  std::span<const Candidate> nearer_than(double reach, double ahead) noexcept;
+  std::span<const Candidate> nearer_than(double reach) noexcept { return nearer_than(reach, -1e9); }
 
  private:
   struct Impl;

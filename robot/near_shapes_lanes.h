@@ -3,8 +3,8 @@
 // Of a bound: what single precision may lose, more where coordinates are large [m].
 constexpr float kFarSlack = 2e-6F;
 
-// Pairs whose bound is at most reach; how many.
-static int near_shapes(const ShapeTables& t, float reach) noexcept {
+// Pairs whose bound is at most reach, or at most ahead after their travel; how many.
+static int near_shapes(const ShapeTables& t, float reach, float ahead) noexcept {
   int n = 0;
   for (int a = 0; a < t.shapes; ++a) {
     F8 p[3], u[3], c[3];
@@ -13,7 +13,7 @@ static int near_shapes(const ShapeTables& t, float reach) noexcept {
       u[d] = all(t.along[d][a]);
       c[d] = all(t.middle[d][a]);
     }
-    const F8 round = all(t.round[a] + reach), radius = all(t.radius[a] + kCapsuleSlack);
+    const F8 round = all(t.round[a]), then = all(t.travel[a] + ahead), radius = all(t.radius[a] + kCapsuleSlack);
     for (int block = (a + 1) / 8; block < t.blocks; ++block) {
       unsigned open = t.wanted[a * t.blocks + block];
       if (open == 0) continue;
@@ -23,7 +23,8 @@ static int near_shapes(const ShapeTables& t, float reach) noexcept {
         const F8 far = load8(t.middle[d] + first) - c[d];
         far2 += far * far;
       }
-      const F8 sum = load8(t.round + first) + round;
+      const F8 within = most(all(reach), load8(t.travel + first) + then);
+      const F8 sum = load8(t.round + first) + round + within;
       open &= bits((far2 <= sum * sum * 1.00001F) & (sum >= all(0.0F)));
       if (open == 0) continue;
       F8 v[3], w[3];
@@ -34,7 +35,7 @@ static int near_shapes(const ShapeTables& t, float reach) noexcept {
       F8 towards[3];
       const F8 gap = segments_gap(u, v, w, towards);
       const F8 bound = gap - kFarSlack * size(gap) - load8(t.radius + first) - radius;
-      for (open &= bits(bound <= all(reach)); open != 0; open &= open - 1) {
+      for (open &= bits(bound <= within); open != 0; open &= open - 1) {
         const int lane = lowest(open);
         auto& found = t.found[n++];
         found.a = a;

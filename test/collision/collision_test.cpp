@@ -2,13 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <random>
 #include <utility>
 #include <vector>
 
 #include "robot/collision_pairs.h"
+#include "robot/index.h"
 #include "test/collision/postures.h"
 #include "test/no_alloc.h"
 
@@ -176,6 +179,58 @@ TEST(Collision, AnswersDoNotDependOnThePast) {
     EXPECT_EQ(a[i].distance, b[i].distance);
     EXPECT_EQ(a[i].point_a, b[i].point_a);
   }
+}
+
+// What is skipped ahead of a posture is proved to stay away, whatever the joints do within their moves.
+TEST(Collision, NothingThatComesNearAheadIsLeftOut) {
+  constexpr double kMargin = 0.03;
+  const Model& model = hrp1s();
+  Collision collision(model), fresh(model);
+  Obstacle box;
+  box.shape = ObstacleShape::kBox;
+  box.size = Eigen::Vector3d::Constant(0.3);
+  box.pose.translation() = Eigen::Vector3d(0.35, 0.2, 0.2);
+  collision.set_obstacles({box});
+  fresh.set_obstacles({box});
+  Kinematics now(model), then(model);
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  std::vector<PairDistance> ahead(500), all(500);
+  long found = 0, nothing = 0;
+  for (int k = 0; k < 200; ++k) {
+    Configuration c(model);
+    Collision::Ahead moved{Eigen::VectorXd::Zero(model.joint_count()), kMargin};
+    for (int j = 0; j < model.joint_count(); ++j) {
+      const Joint& joint = model.joints[at(j)];
+      c.q[j] = 0.5 * (joint.lower + joint.upper +
+                      unit(random) * (joint.upper - joint.lower) * (k % 2 == 0 ? 1.0 : 0.3));
+      moved.moves[j] = (k % 5 == 0 ? 0.01 : 0.2) * std::abs(unit(random));
+    }
+    now.update(c);
+    collision.near_pairs(now, 0.05, ahead.data(), 500, &moved);
+    nothing += collision.any_ahead() ? 0 : 1;
+    for (int posture = 0; posture < 10; ++posture) {
+      Configuration moved_on = c;
+      for (int j = 0; j < model.joint_count(); ++j)
+        moved_on.q[j] +=
+            moved.moves[j] * (posture < 5 ? unit(random) : std::copysign(1.0, unit(random)));
+      then.update(moved_on);
+      const int expected = fresh.near_pairs(then, kMargin, all.data(), 500);
+      const int count = collision.near_pairs_ahead(then, ahead.data(), 500);
+      ASSERT_EQ(count, expected) << "posture " << k;
+      for (int p = 0; p < count; ++p) {
+        const auto same =
+            std::find_if(all.begin(), all.begin() + expected, [&](const PairDistance& other) {
+              return other.link_a == ahead[at(p)].link_a && other.link_b == ahead[at(p)].link_b;
+            });
+        ASSERT_NE(same, all.begin() + expected) << "posture " << k;
+        EXPECT_NEAR(ahead[at(p)].distance, std::max(same->distance, 0.0), 1e-6);
+      }
+      found += count;
+    }
+  }
+  EXPECT_GT(found, 1000);
+  EXPECT_LT(nothing, 200);
 }
 
 TEST(Collision, QueriesOnPrimitivesAllocateNothing) {

@@ -1,0 +1,72 @@
+#include "robot/joint_reach.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "robot/index.h"
+
+namespace twinbus {
+
+namespace {
+constexpr double kRounding = 1e-6;  // of a sine
+}
+
+JointReach::JointReach(const Model& model, const std::vector<double>& radius)
+    : joints_(model.joint_count()), reach_(model.links.size() * model.joints.size(), 0.0) {
+  for (const Link& link : model.links) parent_.push_back(link.parent);
+  for (const Joint& joint : model.joints)
+    slides_.push_back(joint.kind == JointKind::kPrismatic ? 1 : 0);
+  for (int link = 0; link < model.link_count(); ++link) {
+    double length = radius[at(link)];
+    if (!(length > 0.0)) continue;
+    double* row = &reach_[at(link) * model.joints.size()];
+    for (int child = link; child > 0; child = model.links[at(child)].parent) {
+      const Joint& joint = model.joints[at(child - 1)];
+      const bool slides = joint.kind == JointKind::kPrismatic;
+      row[child - 1] = slides ? 1.0 : length;
+      length += joint.placement.translation().norm();
+      if (slides) length += std::max(std::abs(joint.lower), std::abs(joint.upper));
+    }
+  }
+}
+
+// Calls with every joint that moves one of the links against the other, from the outermost on, with
+// its reach and which link it moves.  Parents come before their children, so the later of two links
+// is never on the way to the other.
+template <class Visit>
+void JointReach::climb(int link_a, int link_b, Visit visit) const noexcept {
+  int now[2] = {std::max(link_a, 0), std::max(link_b, 0)};
+  const double* row[2];
+  for (int k = 0; k < 2; ++k) row[k] = reach_.data() + std::ptrdiff_t{now[k]} * joints_;
+  while (now[0] != now[1]) {
+    const int k = now[0] > now[1] ? 0 : 1;
+    const int joint = now[k] - 1;
+    visit(joint, row[k][joint], k);
+    now[k] = parent_[at(now[k])];
+  }
+}
+
+double JointReach::between(int link_a, int link_b, const Eigen::VectorXd& moves) const noexcept {
+  double sum = 0.0;
+  climb(link_a, link_b, [&](int joint, double reach, int) { sum += moves[joint] * reach; });
+  return sum;
+}
+
+double JointReach::along(const Eigen::Vector3d& n, const Kinematics& kinematics, int link_a,
+                         int link_b, const Eigen::VectorXd& moves) const noexcept {
+  const auto turns = [&](int joint) { return slides_[at(joint)] != 0 ? 0.0 : moves[joint]; };
+  double turn[2] = {};  // of the joints not yet passed
+  climb(link_a, link_b, [&](int joint, double, int k) { turn[k] += turns(joint); });
+  double sum = 0.0;
+  climb(link_a, link_b, [&](int joint, double reach, int k) {
+    turn[k] = std::max(0.0, turn[k] - turns(joint));
+    const double cosine = n.dot(kinematics.axis_in_world(joint));
+    const double across = slides_[at(joint)] != 0 ? std::abs(cosine)
+                                                  : std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
+    sum += moves[joint] * reach * std::min(1.0, across + turn[k] + kRounding);
+  });
+  return sum;
+}
+
+}  // namespace twinbus

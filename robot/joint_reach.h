@@ -1,0 +1,44 @@
+// How far the points of a link can move when joints do: a bound over all postures.
+//
+//     |x(q + dq) - x(q)|  <=  sum over the joints between of |dq_j| reach(link, j)
+//
+// seen from link 0; seen from another link, the joints that move both drop out.  Along a direction n
+// that is still for the observer, a joint counts only as far as its axis is not along n:
+//
+//     |n . (x(q + dq) - x(q))|  <=  sum of |dq_j| reach(link, j) min(1, |n x axis_j| + turn_j),
+//
+// turn_j the sum of |dq| of the joints before it, which may turn its axis.
+
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "robot/kinematics.h"
+#include "robot/model.h"
+
+namespace twinbus {
+
+class JointReach {
+ public:
+  // radius: of the geometry of every link about its origin [m]; what bears none does not move.
+  JointReach(const Model& model, const std::vector<double>& radius);
+
+  // By how much two links can come nearer when no joint moves farther than `moves` [joint_count,
+  // rad or m, not negative] [m].  Link 0 and obstacles (link < 0) stand still.
+  double between(int link_a, int link_b, const Eigen::VectorXd& moves) const noexcept;
+  // The same along n alone (world, unit), from where the links are.
+  double along(const Eigen::Vector3d& n, const Kinematics& kinematics, int link_a, int link_b,
+               const Eigen::VectorXd& moves) const noexcept;
+
+ private:
+  template <class Visit>
+  void climb(int link_a, int link_b, Visit visit) const noexcept;
+
+  int joints_;
+  std::vector<int> parent_;    // [link_count]
+  std::vector<char> slides_;   // [joint_count]
+  std::vector<double> reach_;  // [link_count x joint_count, m/rad or m/m]
+};
+
+}  // namespace twinbus
