@@ -2,9 +2,11 @@
 """./twinbus chart physics [CHART...] [--out DIR] [--redraw]: work against precision of every engine, and where each fails.
 
 Charts: flight arm stand push slide (error against CPU time of one thread per simulated second, one curve for each engine
-and method, the points are step sizes), map (which stands are stable), size (cost against the number of joints).  Each is
-written as SVG, PNG and CSV to DIR (default test/charts/physics); --redraw draws from the CSV that is there.  An engine's
-error is measured against a common reference where nothing touches, else against its own finest run: contact laws differ.
+and method, the points are step sizes), map (which stands are stable), size (cost against the number of joints), system (a
+standing and swaying robot with its controller: error against time for choices of the whole stack: engine, contact, step,
+control rate, sensors).  Each is written as SVG, PNG and CSV to DIR (default test/charts/physics); --redraw draws from the CSV
+that is there.  An engine's error is measured against a common reference where nothing touches, else against its own finest
+run: contact laws differ.
 """
 
 import csv
@@ -13,6 +15,7 @@ import pathlib
 import sys
 
 import plot
+import whole_stack
 from physics_lab import ROOT, Lab, call, error
 
 STEPS = (2e-2, 1e-2, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4)
@@ -115,6 +118,20 @@ def measure_size(lab):
         print(f"size: {engine.label}", flush=True)
 
 
+def draw_system(rows, folder):
+    names = list(dict.fromkeys(row["stack"] for row in rows))
+    curves = [(name, [(float(r["cpu_ms_per_s"]), float(r["error_m"])) for r in rows if r["stack"] == name and r["error_m"] != "failed"],
+               name.startswith("ode")) for name in names]
+    return plot.write(folder / "system.svg", plot.loglog("The whole stack: standing and swaying, 3 s", "where the base is, against order 3 at 0.25 ms; one "
+                                                         "process, with controller and guard; points are steps",
+                                                         "time of the loop, ms per simulated second", "error [m]", curves, ((1e-3, "1 mm"), (1e-4, "0.1 mm"))))
+
+
+MEASURE = {"map": measure_map, "size": measure_size, "system": whole_stack.measure}
+DRAW = {"map": draw_map, "size": draw_size, "system": draw_system}
+NAMES = (*ABOUT, *MEASURE)
+
+
 def main(words):
     if "--help" in words or "-h" in words:
         print(__doc__.strip())
@@ -126,17 +143,17 @@ def main(words):
             folder = pathlib.Path(words.pop(0))
         elif word == "--redraw":
             redraw = True
-        elif word in (*ABOUT, "map", "size"):
+        elif word in NAMES:
             names.append(word)
         else:
-            print(f"chart physics: no chart or option '{word}'; there are {' '.join((*ABOUT, 'map', 'size'))} --out --redraw", file=sys.stderr)
+            print(f"chart physics: no chart or option '{word}'; there are {' '.join(NAMES)} --out --redraw", file=sys.stderr)
             return 2
     folder.mkdir(parents=True, exist_ok=True)
     lab = None if redraw else Lab("chart physics")
-    for name in names or (*ABOUT, "map", "size"):
+    for name in names or NAMES:
         file = folder / f"{name}.csv"
         if not redraw:
-            rows = list({"map": measure_map, "size": measure_size}.get(name, lambda lab, n=name: measure(lab, n))(lab))
+            rows = list(MEASURE.get(name, lambda lab, n=name: measure(lab, n))(lab))
             with open(file, "w", newline="") as out:
                 writer = csv.DictWriter(out, rows[0].keys())
                 writer.writeheader()
@@ -146,7 +163,7 @@ def main(words):
             return 1
         with open(file, newline="") as source:
             rows = list(csv.DictReader(source))
-        missing = {"map": draw_map, "size": draw_size}.get(name, lambda r, f, n=name: draw_curves(n, r, f))(rows, folder)
+        missing = DRAW.get(name, lambda r, f, n=name: draw_curves(n, r, f))(rows, folder)
         print(f"{folder / name}.svg" + (f" ({missing})" if missing else ", .png, .csv"))
     return 0
 

@@ -1,0 +1,85 @@
+"""A standing and swaying robot with its controller, for choices of the whole stack: error and cost of each.
+
+Each choice is a scene file of its own for `twinbus run`.  Cost is the time that the run's own loop takes, the least of several
+runs; error is how far the base is, at two ends of a run, from where it is with the finest choice.
+"""
+
+import json
+import math
+import pathlib
+import re
+import shutil
+import subprocess
+import tempfile
+
+from physics_lab import ROOT
+
+ENDS = (2.5, 3.0)  # [s], both while it sways
+SCENE = """about: Standing, the body sways from side to side.
+modes:
+  - {at: 0, mode: balance}
+  - {at: 1, mode: balance, motion: sway, amplitude: 0.03, frequency: 0.4}
+"""
+NOISE = {"sensor.noise.encoder": 1e-5, "sensor.noise.velocity": 0.01, "sensor.noise.attitude": 0.002, "sensor.noise.gyro": 0.01,
+         "sensor.noise.force": 5, "sensor.noise.moment": 0.5}
+PERIOD = 0.002  # [s], of the robot as it is
+
+# (name, engine, contact, order, period, noise) and the steps [s].
+STACKS = (
+    ("articulated, order 1", "articulated", "spring_damper", 1, PERIOD, False, (2e-3, 1e-3, 5e-4, 2.5e-4)),
+    ("articulated, order 2", "articulated", "spring_damper", 2, PERIOD, False, (2e-3, 1e-3, 5e-4)),
+    ("articulated, order 3", "articulated", "spring_damper", 3, PERIOD, False, (2e-3, 1e-3)),
+    ("ode", "ode", "spring_damper", 1, PERIOD, False, (2e-3, 1e-3, 5e-4)),
+    ("ode, rigid contact", "ode", "rigid", 1, PERIOD, False, (2e-3, 1e-3)),
+    ("order 1, control at 1 kHz", "articulated", "spring_damper", 1, 0.001, False, (1e-3, 5e-4)),
+    ("order 1, control at 250 Hz", "articulated", "spring_damper", 1, 0.004, False, (4e-3, 2e-3, 1e-3)),
+    ("order 1, noisy sensors", "articulated", "spring_damper", 1, PERIOD, True, (2e-3, 1e-3, 5e-4)),
+)
+
+
+def robot_of(period, folder):
+    """A copy of hrp1s whose controller has that period."""
+    target = folder / f"hrp1s_{1e3 * period:g}ms"
+    if not target.exists():
+        shutil.copytree(ROOT / "config/robots/hrp1s", target)
+        sheet = target / "robot.yaml"
+        sheet.write_text(re.sub(r"(?m)^period: .*$", f"period: {period}", sheet.read_text()))
+    return target
+
+
+def run(program, stack, step, end, folder):
+    """(base x, y, yaw; seconds per simulated one), or None if it fails."""
+    _, engine, contact, order, period, noise, _ = stack
+    settings = dict(NOISE) if noise else {}
+    if order > 1:
+        settings["solver.order"] = order
+    scene = folder / "scene.yaml"
+    scene.write_text(SCENE + f"engine: {engine}\ncontact: {contact}\nstep: {step}\n" + (f"settings: {json.dumps(settings)}\n" if settings else ""))
+    report = folder / "report.json"
+    words = [program, "run", scene, "--for", f"{end}", "--report", report]
+    if period != PERIOD:
+        words += ["--robot", robot_of(period, folder)]
+    done = subprocess.run([str(word) for word in words], capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        return None
+    seen = json.loads(report.read_text())
+    return seen["base_final_xyyaw"], seen["wall_s"] / seen["sim_time_s"]
+
+
+def measure(lab):
+    program = pathlib.Path(lab.bin) / "twinbus"
+    if not program.exists():
+        raise SystemExit("chart physics system: twinbus is not built; run ./twinbus once")
+    with tempfile.TemporaryDirectory() as scratch:
+        folder = pathlib.Path(scratch)
+        finest = [run(program, STACKS[2], 2.5e-4, end, folder)[0] for end in ENDS]
+        for stack in STACKS:
+            for step in stack[-1]:
+                ends = [run(program, stack, step, end, folder) for end in ENDS]
+                row = {"stack": stack[0], "step_s": step, "cpu_ms_per_s": "", "error_m": "failed"}
+                if all(ends):
+                    off = max(math.dist(at[:2], exact[:2]) for (at, _), exact in zip(ends, finest))
+                    costs = [seconds for _, seconds in ends] + [run(program, stack, step, 1.0, folder)[1] for _ in range(3)]
+                    row.update(cpu_ms_per_s=f"{1e3 * min(costs):.5g}", error_m=f"{off:.4g}")
+                yield row
+            print(f"system: {stack[0]}", flush=True)
