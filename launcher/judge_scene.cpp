@@ -17,6 +17,19 @@ std::string sentence(const char* format, double reached, double asked) {
   return text;
 }
 
+// Of a further robot's base.
+struct RobotNow {
+  double moved;     // level, from where it began [m]
+  double tilt_deg;
+};
+
+RobotNow robot_now(const OneProcess& run, int robot) {
+  const Eigen::Isometry3d base = run.world().robot_link(robot, 0);
+  const Eigen::Vector3d start = run.further_robots()[static_cast<std::size_t>(robot)].start;
+  return {(base.translation() - start).head<2>().norm(),
+          kDegrees * std::acos(std::clamp(base.linear()(2, 2), -1.0, 1.0))};
+}
+
 }  // namespace
 
 Criteria for_robot(Criteria criteria, const Model& model) {
@@ -91,6 +104,22 @@ RunVerdict judge_scene(const OneProcess& run, const Criteria& asked, std::int64_
           who + sentence("ended at %.4f m/s, at most %.4f m/s were asked", speed, end.speed));
     }
   }
+  for (std::size_t i = 0; i < run.further_robots().size(); ++i) {
+    for (const RobotEnd& end : asked.robots) {
+      if (end.name != run.further_robots()[i].name) continue;
+      const std::string who = "robot '" + end.name + "' ";
+      const RobotNow now = robot_now(run, static_cast<int>(i));
+      if (!(now.moved <= end.within)) {
+        failures.push_back(who + sentence("ended %.4f m from where it began, at most %.4f m were "
+                                          "asked",
+                                          now.moved, end.within));
+      }
+      if (!(now.tilt_deg <= end.max_tilt_deg)) {
+        failures.push_back(who + sentence("ended tilted by %.2f degrees, at most %.2f were asked",
+                                          now.tilt_deg, end.max_tilt_deg));
+      }
+    }
+  }
   if (run.state().role == Role::kStopped) {
     failures.push_back(std::string("the source is stopped (") + stop_name(run.state().stop_kind) +
                        ")");
@@ -114,6 +143,13 @@ std::string scene_figures(const OneProcess& run) {
     const Eigen::Vector3d& p = now.pose.translation();
     std::snprintf(text, sizeof text, "loose body %s ended at %.4f %.4f %.4f m, %.1f mm/s\n",
                   run.loose_name(i).c_str(), p.x(), p.y(), p.z(), 1e3 * now.velocity.norm());
+    lines += text;
+  }
+  for (std::size_t i = 0; i < run.further_robots().size(); ++i) {
+    const RobotNow now = robot_now(run, static_cast<int>(i));
+    std::snprintf(text, sizeof text,
+                  "robot %s ended %.1f mm from where it began, tilt %.2f degrees\n",
+                  run.further_robots()[i].name.c_str(), 1e3 * now.moved, now.tilt_deg);
     lines += text;
   }
   if (w.steps() == 0) return lines;

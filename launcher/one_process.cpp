@@ -153,6 +153,10 @@ OneProcess::OneProcess(const Model& model, const Scene& scene, const OneProcessC
   shown_obstacles_ = obstacle_pieces(scene.obstacles, 1);
   if (!scene.tiles.empty()) shown_terrain_ = obstacle_pieces(scene.tiles, kRunId);
   for (const LooseBody& body : scene.loose) loose_names_.push_back(body.name);
+  for (const SceneRobot& robot : scene.robots) {
+    const int index = static_cast<int>(further_robots_.size());
+    further_robots_.push_back({robot.name, world().robot_link(index, 0).translation()});
+  }
   tell_obstacles();
   activate();
 }

@@ -67,6 +67,11 @@ class OneProcess {
     return loose_names_[static_cast<std::size_t>(body)];
   }
   int find_loose(const std::string& name) const;  // -1: there is none
+  struct FurtherRobot {
+    std::string name;
+    Eigen::Vector3d start;  // of its base, world [m]
+  };
+  const std::vector<FurtherRobot>& further_robots() const { return further_robots_; }
   const ControlLoop& loop() const { return loop_; }
   const Source& source() const { return source_; }
   const Lookout& seen() const { return seen_; }
@@ -97,6 +102,7 @@ class OneProcess {
   const Model& model_;
   SimAdaptor sim_;
   std::vector<std::string> loose_names_;
+  std::vector<FurtherRobot> further_robots_;
   Source source_;
   ControlLoop loop_;
   Estimator planner_view_;

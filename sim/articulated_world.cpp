@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "robot/dynamics.h"
 
@@ -16,12 +17,9 @@ constexpr int kMostPasses = 60;
 constexpr int kSettleParts = 256;  // of a step, at most
 constexpr std::uint64_t kNoContact = 0xcbf29ce484222325ULL;
 
-// One step of the Fowler-Noll-Vo hash.
-std::uint64_t mix(std::uint64_t pattern, int value) {
-  return (pattern ^ static_cast<std::uint64_t>(value)) * 0x100000001b3ULL;
-}
 // Whether it acts on the robot as a whole; whether the other side is fixed.
 bool of_robot(const Contact& c) { return (c.system == 0) != (c.other_system == 0); }
+bool within_robot(const Contact& c) { return c.system == 0 && c.other_system == 0; }
 bool holds_robot(const Contact& c) { return c.system == 0 && c.other_system < 0; }
 ContactPoint felt(int link, const Eigen::Vector3d& point, const Eigen::Vector3d& force) {
   return {.link = link, .sole = -1, .point = point, .force = force, .depth = 0.0, .tie = true};
@@ -45,7 +43,7 @@ ArticulatedWorld::ArticulatedWorld(const Model& model, const WorldConfig& config
       next_(model) {
   for (const Joint& joint : model.joints) joints_.emplace_back(joint, config);
   contacts_.reserve(at(loose_.most_contacts() + ties_.count()));
-  reported_.reserve(at(loose_.most_contacts() + 2 * ties_.count()));
+  reported_.reserve(at(2 * (loose_.most_contacts() + ties_.count())));
   pushes_.reserve(kMostPushes);
   configuration_.q.setZero();
   configuration_.qd.setZero();
@@ -148,7 +146,7 @@ Status ArticulatedWorld::step() noexcept {
 }
 
 bool ArticulatedWorld::fly() noexcept {
-  if (config_.flight == Flight::kImplicit) return false;
+  if (config_.flight == Flight::kImplicit || !loose_.robots().empty()) return false;
   if (!pushes_.empty()) {
     flight_.interrupt();
     return false;
@@ -171,7 +169,7 @@ bool ArticulatedWorld::fly() noexcept {
     joints_[j].settle(configuration_.q[index], configuration_.qd[index]);
   }
   ground_.forget();
-  (void)loose_.advance(contacts_, config_.step);  // nothing touches: they fall
+  (void)loose_.advance(contacts_, config_.step, 1.0);  // nothing touches: they fall
   reported_.clear();
   ++flown_;
   return true;
@@ -211,12 +209,12 @@ ArticulatedWorld::Outcome ArticulatedWorld::advance(double h, bool may_reject) n
   }
   body_.advance(h, next_);
   if (check_configuration(joints_.size(), next_) != Status::kOk) return Outcome::kFailed;
-  if (!loose_.advance(contacts_, h)) return Outcome::kFailed;
+  if (!loose_.advance(contacts_, h, h / config_.step)) return Outcome::kFailed;
   for (std::size_t j = 0; j < joints_.size(); ++j) {
     joints_[j].finish(next_.qd[static_cast<Eigen::Index>(j)], h / config_.step);
   }
   configuration_ = next_;
-  ground_.remember(contacts_, h);
+  ground_.remember(contacts_, 0, h);
   ties_.remember(contacts_);
   place_after(before_, h, 0.0);
   return Outcome::kTaken;
@@ -271,7 +269,7 @@ std::uint64_t ArticulatedWorld::pattern_of_contacts() const noexcept {
 std::uint64_t ArticulatedWorld::pattern() const noexcept {
   std::uint64_t pattern = pattern_of_contacts();
   for (const JointLaw& joint : joints_) pattern = mix(pattern, joint.pattern());
-  return pattern;
+  return loose_.robots().pattern(pattern);
 }
 
 // False: an inertia was not positive.
@@ -289,9 +287,11 @@ bool ArticulatedWorld::solve_step(double h) noexcept {
     const auto index = static_cast<Eigen::Index>(j);
     joints_[j].begin(configuration_.q[index], configuration_.qd[index], h);
   }
+  OtherRobots& others = loose_.robots();
+  others.begin(h);
   // Block pivoting (Judice and Pires 1994): all joints that are wrong change piece at once while
   // that makes fewer of them; else one piece of the last one alone does, which cannot cycle.
-  int fewest = static_cast<int>(joints_.size()) + 1;
+  int fewest = std::numeric_limits<int>::max();
   int patience = kPatience;
   for (int pass = 0;; ++pass) {
     for (std::size_t j = 0; j < joints_.size(); ++j) rows_[j] = joints_[j].row();
@@ -301,8 +301,8 @@ bool ArticulatedWorld::solve_step(double h) noexcept {
     const long before = solve_.counters().unconverged;
     solve_.solve(contacts_, h);
     converged_ = solve_.counters().unconverged == before;
-    int wrong = 0;
-    std::size_t last = 0;
+    int wrong = others.wrong(h);
+    std::size_t last = joints_.size();
     for (std::size_t j = 0; j < joints_.size(); ++j) {
       if (joints_[j].holds(end_speed(j, h))) continue;
       ++wrong;
@@ -320,7 +320,10 @@ bool ArticulatedWorld::solve_step(double h) noexcept {
     } else if (patience > 0) {
       --patience;
     }
-    if (patience == 0) {
+    const bool all = patience > 0;
+    if (all || last == joints_.size()) others.approach(h, all);
+    if (last == joints_.size()) continue;
+    if (!all) {
       joints_[last].approach_by_one(end_speed(last, h));
       continue;
     }
@@ -341,7 +344,13 @@ void ArticulatedWorld::report_contacts() noexcept {
       if (c.other_system == 0) reported_.push_back(felt(c.other, c.point, -c.now.force));
       continue;
     }
-    if (!of_robot(c) || (c.now.mode == ContactMode::kOpen && !(c.depth > 0.0))) continue;
+    if (c.now.mode == ContactMode::kOpen && !(c.depth > 0.0)) continue;
+    if (within_robot(c)) {
+      const double depth = std::max(0.0, c.depth);
+      reported_.push_back({c.link, -1, c.point, c.now.force, depth});
+      reported_.push_back({c.other, -1, c.point, -c.now.force, depth});
+    }
+    if (!of_robot(c)) continue;
     const bool first = c.system == 0;
     reported_.push_back({.link = first ? c.link : c.other,
                          .sole = c.sole,

@@ -63,6 +63,9 @@ class ArticulatedWorld final : public World {
   int loose_count() const noexcept override { return loose_.count(); }
   LooseState loose(int body) const noexcept override { return loose_.state(body); }
   Status set_loose(int body, const LooseState& state) noexcept override;
+  Eigen::Isometry3d robot_link(int robot, int link) const noexcept override {
+    return loose_.robots().link_in_world(robot, link);
+  }
   Status hold(int tie, bool holds) noexcept override;
   double corner_stiffness(int sole) const noexcept override;
   double corner_damping(int sole) const noexcept override;

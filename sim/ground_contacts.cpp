@@ -31,6 +31,10 @@ ContactParams rubber(double k, double c, double mu) {
   return params;
 }
 
+ContactParams shell(double stiffness, double friction) {
+  return rubber(stiffness, kLinkDamping * std::sqrt(stiffness / kLinkStiffness), friction);
+}
+
 Solid solid_of(const Obstacle& obstacle) noexcept {
   const SolidShape shape = obstacle.shape == ObstacleShape::kBox      ? SolidShape::kBox
                            : obstacle.shape == ObstacleShape::kSphere ? SolidShape::kSphere
@@ -46,8 +50,7 @@ GroundContacts::GroundContacts(const Model& model, const WorldConfig& config)
                                 sole.damping / kSoleCorners * config.damping_scale,
                                 std::sqrt(sole.friction * config.ground_friction));
   }
-  shell_params_ =
-      rubber(kLinkStiffness, kLinkDamping, std::sqrt(kLinkFriction * config.ground_friction));
+  shell_params_ = shell(config.shell_stiffness, std::sqrt(kLinkFriction * config.ground_friction));
   for (const Obstacle& obstacle : config.obstacles) {
     if (obstacle.shape == ObstacleShape::kNone) continue;
     obstacles_.push_back(obstacle);
@@ -270,10 +273,11 @@ void GroundContacts::add(const Screw& velocity, const Contact& found, double h, 
   c.stretch = planted(c, h);
 }
 
-void GroundContacts::remember(const std::vector<Contact>& contacts, double h) noexcept {
+void GroundContacts::remember(const std::vector<Contact>& contacts, int system,
+                              double h) noexcept {
   memory_.clear();
   for (const Contact& c : contacts) {
-    if (c.now.mode == ContactMode::kOpen || c.system != 0 || c.other_system >= 0 ||
+    if (c.now.mode == ContactMode::kOpen || c.system != system || c.other_system >= 0 ||
         c.tie != TieKind::kNone) {
       continue;
     }

@@ -27,6 +27,9 @@ inline constexpr int kMostContacts = 128;
 // sideways at all.
 ContactParams rubber(double stiffness, double damping, double friction);
 
+// Of a point of a link, as much damped at any stiffness.
+ContactParams shell(double stiffness, double friction);
+
 // Must have a shape.
 Solid solid_of(const Obstacle& obstacle) noexcept;
 
@@ -38,8 +41,9 @@ class GroundContacts {
   // h zero: only those that touch.  Always in the same order.  contacts must have kMostContacts
   // reserved; more are left out.
   void find(const ArticulatedBody& body, double h, std::vector<Contact>& contacts) const noexcept;
-  // After the solve of a step h: what the bristles are like at its end.
-  void remember(const std::vector<Contact>& contacts, double h) noexcept;
+  // After the solve of a step h: what the bristles of the robot's, which is that system of the
+  // solve, are like at its end.
+  void remember(const std::vector<Contact>& contacts, int system, double h) noexcept;
   void forget() noexcept { memory_.clear(); }
   // The bristles as they are, for a step that is taken again.
   void save() noexcept { saved_ = memory_; }

@@ -13,6 +13,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 
 #include "robot/model.h"
 #include "sim/articulated_body.h"
@@ -31,6 +32,11 @@ inline constexpr double kStopGuess =
 // How fast a joint may come nearer to a stop that is so far away [rad/s].
 inline double stop_bound(double room, double rate) noexcept {
   return room >= 0.0 ? room * rate : std::max(kStopShare * room * rate, -kStopReturn);
+}
+
+// One step of the Fowler-Noll-Vo hash, of which patterns are made.
+inline std::uint64_t mix(std::uint64_t pattern, int value) noexcept {
+  return (pattern ^ static_cast<std::uint64_t>(value)) * 0x100000001b3ULL;
 }
 
 class JointLaw {

@@ -30,7 +30,7 @@ Model model_of(const LooseBody& body) {
 }  // namespace
 
 LooseBodies::LooseBodies(const Model& model, const WorldConfig& config, ArticulatedBody& robot)
-    : systems_{&robot}, contacts_(model, config) {
+    : robots_(config), systems_{&robot}, contacts_(model, config) {
   articulated_.reserve(config.loose.size());
   for (const LooseBody& body : config.loose) {
     const Model own = model_of(body);
@@ -42,10 +42,13 @@ LooseBodies::LooseBodies(const Model& model, const WorldConfig& config, Articula
     added.inertia = own.links[0].inertia.diagonal();
     set(count() - 1, body.start);
   }
+  for (int i = 0; i < robots_.count(); ++i) systems_.push_back(&robots_.body(i));
 }
 
 int LooseBodies::most_contacts() const noexcept {
-  return kMostContacts + kMostLooseContacts * count();
+  const int robots = 1 + robots_.count();
+  const int among_robots = contacts_.robots_meet() ? robots * kMostContacts : 0;
+  return robots * kMostContacts + among_robots + kMostLooseContacts * count();
 }
 
 LooseState LooseBodies::state(int body) const noexcept {
@@ -73,27 +76,32 @@ void LooseBodies::place(std::size_t body) noexcept {
 }
 
 void LooseBodies::place_all() noexcept {
+  robots_.place_all();
   for (std::size_t i = 0; i < bodies_.size(); ++i) place(i);
 }
 
 bool LooseBodies::inward(double h) noexcept {
-  bool sound = true;
+  bool sound = robots_.inward(h);
   for (ArticulatedBody& body : articulated_) sound = body.inward(no_rows_, h) && sound;
   return sound;
 }
 
 void LooseBodies::outward() noexcept {
+  robots_.outward();
   for (ArticulatedBody& body : articulated_) body.outward();
 }
 
-bool LooseBodies::advance(const std::vector<Contact>& contacts, double h) noexcept {
-  if (bodies_.empty()) return true;
+bool LooseBodies::advance(const std::vector<Contact>& contacts, double h,
+                          double share) noexcept {
+  if (empty()) return true;
   contacts_.remember(systems_, contacts, h);
+  if (!robots_.advance(contacts, count() + 1, h, share)) return false;
   for (Body& body : bodies_) body.touched = false;
   for (const Contact& c : contacts) {
     if (c.now.mode == ContactMode::kOpen) continue;
-    if (c.system > 0) bodies_[at(c.system - 1)].touched = true;
-    if (c.other_system > 0) bodies_[at(c.other_system - 1)].touched = true;
+    for (const int system : {c.system, c.other_system}) {
+      if (system > 0 && system <= count()) bodies_[at(system - 1)].touched = true;
+    }
   }
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     if (bodies_[i].touched) {
@@ -142,6 +150,7 @@ void LooseBodies::fly(std::size_t index, double h) noexcept {
 
 void LooseBodies::save() noexcept {
   contacts_.save();
+  robots_.save();
   for (Body& body : bodies_) {
     body.start = body.now;
     body.ever = false;
@@ -150,6 +159,7 @@ void LooseBodies::save() noexcept {
 
 void LooseBodies::restore() noexcept {
   contacts_.restore();
+  robots_.restore();
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     bodies_[i].now = bodies_[i].start;
     place(i);
@@ -157,11 +167,13 @@ void LooseBodies::restore() noexcept {
 }
 
 void LooseBodies::keep_coarse(int which) noexcept {
+  robots_.keep_coarse(which);
   for (Body& body : bodies_) body.coarse[at(which)] = body.now;
 }
 
 // What has touched nothing is better as it is.
 void LooseBodies::extrapolate(int order) noexcept {
+  robots_.extrapolate(order);
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     if (!bodies_[i].ever) continue;
     twinbus::extrapolate(order, bodies_[i].coarse, bodies_[i].now);

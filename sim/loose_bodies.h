@@ -1,4 +1,5 @@
-// The loose bodies of a world: bodies of a single link beside the robot's in its one solve.
+// What moves in a world beside the commanded robot, in its one solve: loose bodies, of a single
+// link each, and further robots (sim/other_robots.h).
 //
 // A step of a body that touches something is backward Euler in the acceleration of the solve, with
 // linear and angular momentum kept exactly: what it gains is the impulse.  A body that touches
@@ -13,6 +14,7 @@
 #include "sim/articulated_body.h"
 #include "sim/contact_solve.h"
 #include "sim/loose_contacts.h"
+#include "sim/other_robots.h"
 #include "sim/world.h"
 
 namespace twinbus {
@@ -22,9 +24,12 @@ class LooseBodies {
   // robot must outlive this.  Throws std::runtime_error for a mass or size that cannot be.
   LooseBodies(const Model& model, const WorldConfig& config, ArticulatedBody& robot);
 
-  bool empty() const noexcept { return bodies_.empty(); }
+  // There is no contact but the robot's with what is fixed.
+  bool empty() const noexcept { return systems_.size() == 1 && !contacts_.active(); }
   int count() const noexcept { return static_cast<int>(bodies_.size()); }
-  // The robot first.
+  OtherRobots& robots() noexcept { return robots_; }
+  const OtherRobots& robots() const noexcept { return robots_; }
+  // The robot, the loose bodies, the further robots.
   const std::vector<ArticulatedBody*>& systems() const noexcept { return systems_; }
   int most_contacts() const noexcept;
 
@@ -33,13 +38,15 @@ class LooseBodies {
 
   // Appends their contacts.
   void find(double h, std::vector<Contact>& contacts) noexcept {
+    robots_.find(count() + 1, h, contacts);
     contacts_.find(systems_, h, contacts);
   }
   // All bodies, after the robot's; false: an inertia was not positive.
   bool inward(double h) noexcept;
   void outward() noexcept;
-  // After the solve, before the robot is placed anew.  False: no sane result.
-  bool advance(const std::vector<Contact>& contacts, double h) noexcept;
+  // After the solve, before the robot is placed anew; share: how much of a whole step it was.
+  // False: no sane result.
+  bool advance(const std::vector<Contact>& contacts, double h, double share) noexcept;
 
   // As they are, without what was folded in for a solve.
   void place_all() noexcept;
@@ -65,6 +72,7 @@ class LooseBodies {
 
   std::vector<ArticulatedBody> articulated_;
   std::vector<Body> bodies_;
+  OtherRobots robots_;
   std::vector<ArticulatedBody*> systems_;
   std::vector<JointRow> no_rows_;
   LooseContacts contacts_;

@@ -36,7 +36,10 @@ ContactParams together(const ContactParams& a, const ContactParams& b) {
 }  // namespace
 
 LooseContacts::LooseContacts(const Model& model, const WorldConfig& config)
-    : ground_(hard(kRigid, kRigid, config.ground_friction)) {
+    : robots_meet_(config.self_contact || !config.robots.empty()),
+      self_contact_(config.self_contact),
+      apart_(1 + config.loose.size() + config.robots.size()),
+      ground_(hard(kRigid, kRigid, config.ground_friction)) {
   int system = 0;
   for (const LooseBody& body : config.loose) {
     Piece piece;
@@ -47,7 +50,8 @@ LooseContacts::LooseContacts(const Model& model, const WorldConfig& config)
     add(std::move(piece));
   }
   loose_ = pieces_.size();
-  if (loose_ > 0) add_robot(model, config);
+  if (active()) add_robot(model, config, 0);
+  for (const OtherRobot& robot : config.robots) add_robot(*robot.model, config, ++system);
   moving_ = pieces_.size();
   const auto add_fixed = [&](const Obstacle& obstacle, bool tile) {
     if (obstacle.shape == ObstacleShape::kNone || loose_ == 0) return;
@@ -62,27 +66,28 @@ LooseContacts::LooseContacts(const Model& model, const WorldConfig& config)
   };
   for (const Obstacle& obstacle : config.obstacles) add_fixed(obstacle, false);
   for (const Obstacle& tile : config.tiles) add_fixed(tile, true);
-  if (loose_ > 0) {
-    for (std::size_t i = 0; i < pieces_.size(); ++i)
-      spans_.push_back({0.0, 0.0, static_cast<int>(i)});
-  }
-  const std::size_t most = loose_ > 0 ? kMostContacts + loose_ * kMostLooseContacts : 0;
+  for (std::size_t i = 0; i < pieces_.size(); ++i)
+    spans_.push_back({0.0, 0.0, static_cast<int>(i)});
+  const std::size_t robots = 1 + config.robots.size();
+  const std::size_t most = active() ? robots * kMostContacts + loose_ * kMostLooseContacts : 0;
   memory_.reserve(most);
   saved_.reserve(most);
 }
 
-void LooseContacts::add_robot(const Model& model, const WorldConfig& config) {
+void LooseContacts::add_robot(const Model& model, const WorldConfig& config, int system) {
+  const double scale = system == 0 ? config.stiffness_scale : 1.0;
+  const double damping_scale = system == 0 ? config.damping_scale : 1.0;
   for (std::size_t side = 0; side < 2; ++side) {
     const Sole& sole = model.soles[side];
     if (sole.link < 0) continue;
     Piece piece;
-    piece.system = 0;
+    piece.system = system;
     piece.link = sole.link;
     piece.sole = static_cast<int>(side);
     piece.solid_too = false;
     piece.in_link = sole.frame;
-    piece.params = rubber(sole.stiffness / kSoleCorners * config.stiffness_scale,
-                          sole.damping / kSoleCorners * config.damping_scale, sole.friction);
+    piece.params = rubber(sole.stiffness / kSoleCorners * scale,
+                          sole.damping / kSoleCorners * damping_scale, sole.friction);
     for (int corner = 0; corner < kSoleCorners; ++corner) {
       piece.probes.push_back({sole_corner(sole, corner), 0.0});
     }
@@ -92,14 +97,14 @@ void LooseContacts::add_robot(const Model& model, const WorldConfig& config) {
     for (const Shape& shape : model.links[i].collision) {
       if (shape.kind == ShapeKind::kMesh) continue;
       Piece piece;
-      piece.system = 0;
+      piece.system = system;
       piece.link = static_cast<int>(i);
       piece.solid.size = shape.size;
       piece.solid.shape = shape.kind == ShapeKind::kBox      ? SolidShape::kBox
                           : shape.kind == ShapeKind::kSphere ? SolidShape::kSphere
                                                              : SolidShape::kCylinder;
       piece.in_link = shape.pose;
-      piece.params = rubber(kLinkStiffness, kLinkDamping, kLinkFriction);
+      piece.params = shell(config.shell_stiffness, kLinkFriction);
       piece.probes = probes_of(piece.solid);
       // Near its sole a foot touches with the sole's corners.
       for (const Sole& sole : model.soles) {
@@ -111,6 +116,31 @@ void LooseContacts::add_robot(const Model& model, const WorldConfig& config) {
       add(std::move(piece));
     }
   }
+  if (!self_contact_) return;
+  const std::size_t links = model.links.size();
+  Apart& apart = apart_[at(system)];
+  apart.links = links;
+  apart.never.assign(links * links, 0);
+  const auto part = [&](std::size_t a, std::size_t b) {
+    apart.never[a * links + b] = apart.never[b * links + a] = 1;
+  };
+  for (std::size_t i = 0; i < links; ++i) {
+    part(i, i);
+    if (model.links[i].parent >= 0) part(i, at(model.links[i].parent));
+  }
+  for (const std::array<int, 2>& pair : model.disabled_pairs) part(at(pair[0]), at(pair[1]));
+}
+
+// a comes before b.  What robots do with fixed things is sim/ground_contacts.h's business.
+bool LooseContacts::may_meet(std::size_t a, std::size_t b) const noexcept {
+  if (a < loose_) return true;
+  if (b >= moving_) return false;
+  const Piece& one = pieces_[a];
+  const Piece& other = pieces_[b];
+  if (one.system != other.system) return true;
+  if (!self_contact_) return false;
+  const Apart& apart = apart_[at(one.system)];
+  return apart.never[at(one.link) * apart.links + at(other.link)] == 0;
 }
 
 void LooseContacts::add(Piece piece) {
@@ -152,7 +182,7 @@ void LooseContacts::find(const std::vector<ArticulatedBody*>& systems, double h,
     for (std::size_t b = a + 1; b < spans_.size() && spans_[b].from <= spans_[a].to; ++b) {
       const std::size_t i = at(std::min(spans_[a].piece, spans_[b].piece));
       const std::size_t j = at(std::max(spans_[a].piece, spans_[b].piece));
-      if (i >= loose_ || !near(pieces_[i], pieces_[j], h)) continue;
+      if (!may_meet(i, j) || !near(pieces_[i], pieces_[j], h)) continue;
       if (pieces_[j].solid_too) meet(pieces_[i], j, false, search);
       if (!pieces_[j].probes.empty()) meet(pieces_[j], i, pieces_[j].system < 0, search);
     }

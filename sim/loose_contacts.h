@@ -1,5 +1,6 @@
-// Which points of loose bodies may touch the ground, an obstacle, the robot or one another within
-// the next step.
+// Which points of loose bodies may touch the ground, an obstacle, a robot or one another within
+// the next step, which of one robot another robot and, if asked for, which links of a robot one
+// another.  Neighbours and the SRDF's disabled pairs never do.
 //
 // Every shape is a piece: probes (sim/solid.h) that enter the other pieces, and a solid that their
 // probes enter.  A sole has its corners for probes and no solid.  Springs and dampers of two pieces
@@ -18,8 +19,11 @@ namespace twinbus {
 
 class LooseContacts {
  public:
-  // Systems: the robot's is 0, that of loose body i is i + 1.
+  // Systems: the robot's is 0, that of loose body i is i + 1, the further robots come after them.
   LooseContacts(const Model& model, const WorldConfig& config);
+
+  bool active() const noexcept { return loose_ > 0 || robots_meet_; }
+  bool robots_meet() const noexcept { return robots_meet_; }  // one another or themselves
 
   // Appends contacts as far as their capacity goes, always in the same order.
   void find(const std::vector<ArticulatedBody*>& systems, double h,
@@ -70,7 +74,8 @@ class LooseContacts {
     std::size_t cursor = 0;
   };
 
-  void add_robot(const Model& model, const WorldConfig& config);
+  void add_robot(const Model& model, const WorldConfig& config, int system);
+  bool may_meet(std::size_t a, std::size_t b) const noexcept;
   void add(Piece piece);
   void sort_spans(double h) noexcept;
   void place(Piece& piece, const std::vector<ArticulatedBody*>& systems) noexcept;
@@ -86,6 +91,12 @@ class LooseContacts {
   std::vector<Piece> pieces_;  // the loose bodies, the robot's, the fixed ones
   std::vector<Span> spans_;    // of all pieces, by where they begin
   std::size_t loose_ = 0, moving_ = 0;
+  bool robots_meet_ = false, self_contact_ = false;
+  struct Apart {  // pairs of links of a robot that do not touch
+    std::size_t links = 0;
+    std::vector<char> never;  // [links x links]
+  };
+  std::vector<Apart> apart_;  // by system
   ContactParams ground_;
   int next_key_ = 0;
   std::vector<Memory> memory_, saved_;  // in the order of find()

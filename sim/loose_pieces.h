@@ -1,4 +1,5 @@
-// The loose bodies of a world as the numbered pieces that go out on LOOSE.
+// What moves in a world beside the robot, loose bodies and further robots, as the numbered pieces
+// that go out on LOOSE.  Of a further robot its simple shapes are shown, no meshes.
 
 #pragma once
 
@@ -13,25 +14,42 @@ namespace twinbus {
 
 class LoosePieces {
  public:
-  explicit LoosePieces(const std::vector<LooseBody>& bodies) {
+  LoosePieces() = default;
+  explicit LoosePieces(const WorldConfig& config) {
     std::vector<Obstacle> shapes;
-    const auto add = [&](int body, ObstacleShape shape, const Eigen::Vector3d& size, double up) {
+    const auto add = [&](const Row& row, ObstacleShape shape, const Eigen::Vector3d& size) {
       shapes.push_back({.shape = shape, .size = size, .pose = Eigen::Isometry3d::Identity()});
-      rows_.push_back({body, up});
+      rows_.push_back(row);
     };
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-      const auto body = static_cast<int>(i);
-      const Solid& solid = bodies[i].solid;
+    for (std::size_t i = 0; i < config.loose.size(); ++i) {
+      Row row;
+      row.body = static_cast<int>(i);
+      const Solid& solid = config.loose[i].solid;
       if (solid.shape == SolidShape::kBox) {
-        add(body, ObstacleShape::kBox, solid.size, 0.0);
+        add(row, ObstacleShape::kBox, solid.size);
       } else if (solid.shape == SolidShape::kSphere) {
-        add(body, ObstacleShape::kSphere, solid.size, 0.0);
+        add(row, ObstacleShape::kSphere, solid.size);
       } else {
-        add(body, ObstacleShape::kCylinder, solid.size, 0.0);
+        add(row, ObstacleShape::kCylinder, solid.size);
         if (solid.shape == SolidShape::kCylinder) continue;
         const Eigen::Vector3d cap(solid.size.x(), 0.0, 0.0);
-        for (const double side : {0.5, -0.5})
-          add(body, ObstacleShape::kSphere, cap, side * solid.size.y());
+        for (const double side : {0.5, -0.5}) {
+          row.in_body.translation().z() = side * solid.size.y();
+          add(row, ObstacleShape::kSphere, cap);
+        }
+      }
+    }
+    for (std::size_t i = 0; i < config.robots.size(); ++i) {
+      const Model& model = *config.robots[i].model;
+      for (int link = 0; link < model.link_count(); ++link) {
+        for (const Shape& shape : model.links[static_cast<std::size_t>(link)].collision) {
+          if (shape.kind == ShapeKind::kMesh) continue;
+          const Row row{static_cast<int>(i), link, shape.pose};
+          add(row, shape.kind == ShapeKind::kBox      ? ObstacleShape::kBox
+                   : shape.kind == ShapeKind::kSphere ? ObstacleShape::kSphere
+                                                      : ObstacleShape::kCylinder,
+              shape.size);
+        }
       }
     }
     if (!shapes.empty()) pieces_ = obstacle_pieces(shapes, 0);
@@ -44,15 +62,18 @@ class LoosePieces {
     out = pieces_[static_cast<std::size_t>(piece)];
     for (std::size_t row = 0; row < static_cast<std::size_t>(out.count); ++row) {
       const Row& of = rows_[static_cast<std::size_t>(piece * kObstaclesPerPiece) + row];
-      place_row(world.loose(of.body).pose * Eigen::Translation3d(0.0, 0.0, of.up), row, out);
+      const Eigen::Isometry3d body =
+          of.link < 0 ? world.loose(of.body).pose : world.robot_link(of.body, of.link);
+      place_row(body * of.in_body, row, out);
     }
     return count;
   }
 
  private:
   struct Row {
-    int body;
-    double up;  // along the body's z axis [m]
+    int body = 0;   // loose body, or further robot
+    int link = -1;  // of that robot; -1: a loose body
+    Eigen::Isometry3d in_body = Eigen::Isometry3d::Identity();
   };
   std::vector<Row> rows_;
   std::vector<ObstaclesPiece> pieces_;

@@ -56,6 +56,9 @@ class OdeWorld final : public World {
   int loose_count() const noexcept override;
   LooseState loose(int body) const noexcept override;
   Status set_loose(int body, const LooseState& state) noexcept override;
+  Eigen::Isometry3d robot_link(int, int) const noexcept override {
+    return Eigen::Isometry3d::Identity();  // it has none
+  }
   Status hold(int tie, bool holds) noexcept override;
   double corner_stiffness(int sole) const noexcept override;
   double corner_damping(int sole) const noexcept override;

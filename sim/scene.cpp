@@ -22,6 +22,7 @@ constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kDay = 86400.0;
 constexpr std::size_t kMaxObstacles = 200;
 constexpr std::size_t kMaxLoose = 100;
+constexpr std::size_t kMaxRobots = 15;
 
 Eigen::Vector3d vector3(const std::vector<double>& v) { return {v[0], v[1], v[2]}; }
 
@@ -94,6 +95,35 @@ LooseEnd read_loose_end(const ConfigNode& node, const std::vector<LooseBody>& bo
   end.position = bounded(node, "position", 1000.0, nullptr);
   end.within = node.number("within_m", 0.0, 100.0, end.within);
   end.speed = node.number("speed_m_s", 0.0, 100.0, end.speed);
+  node.finish();
+  return end;
+}
+
+SceneRobot read_robot(const ConfigNode& node, const std::string& own) {
+  SceneRobot robot;
+  robot.name = node.text("name");
+  robot.robot = node.text("robot", own);
+  robot.pose = node.text("pose", robot.pose);
+  const std::vector<double> at = node.numbers("position", 2);
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (!(std::abs(at[i]) <= 1000.0)) node.fail("position", "must be within 1000 m");
+    robot.place.translation()[static_cast<Eigen::Index>(i)] = at[i];
+  }
+  const double yaw = node.number("yaw_deg", -360.0, 360.0, 0.0) * kDegree;
+  robot.place.linear() = Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  node.finish();
+  return robot;
+}
+
+RobotEnd read_robot_end(const ConfigNode& node, const std::vector<SceneRobot>& robots) {
+  RobotEnd end;
+  end.name = node.text("name");
+  const auto is_it = [&](const SceneRobot& robot) { return robot.name == end.name; };
+  if (std::none_of(robots.begin(), robots.end(), is_it)) {
+    node.fail("name", "there is no robot '" + end.name + "' among the robots of this scene");
+  }
+  end.within = node.number("within_m", 0.0, 100.0, end.within);
+  end.max_tilt_deg = node.number("max_tilt_deg", 0.0, 180.0, end.max_tilt_deg);
   node.finish();
   return end;
 }
@@ -230,7 +260,8 @@ BodyChange read_body(const ConfigNode& node) {
   return change;
 }
 
-Criteria read_criteria(const ConfigNode& node, const std::vector<LooseBody>& loose) {
+Criteria read_criteria(const ConfigNode& node, const std::vector<LooseBody>& loose,
+                       const std::vector<SceneRobot>& robots) {
   Criteria criteria;
   criteria.max_tilt_deg = node.number("max_tilt_deg", 0.0, 180.0, kNan);
   criteria.zmp_margin_min_mm = node.number("zmp_margin_min_mm", -1000.0, 1000.0, kNan);
@@ -246,6 +277,9 @@ Criteria read_criteria(const ConfigNode& node, const std::vector<LooseBody>& loo
   criteria.no_self_collision = node.flag("no_self_collision", true);
   for (const ConfigNode& end : node.list("loose")) {
     criteria.loose.push_back(read_loose_end(end, loose));
+  }
+  for (const ConfigNode& end : node.list("robots")) {
+    criteria.robots.push_back(read_robot_end(end, robots));
   }
   node.finish();
   return criteria;
@@ -340,6 +374,15 @@ Scene load_scene(const std::string& name_or_file) {
     }
   }
   if (scene.loose.size() > kMaxLoose) top.fail("loose", "at most 100");
+  for (const ConfigNode& node : top.list("robots")) {
+    scene.robots.push_back(read_robot(node, scene.robot));
+    for (std::size_t i = 0; i + 1 < scene.robots.size(); ++i) {
+      if (scene.robots[i].name != scene.robots.back().name) continue;
+      node.fail("name", "two robots are called '" + scene.robots[i].name + "'");
+    }
+  }
+  if (scene.robots.size() > kMaxRobots) top.fail("robots", "at most 15");
+  scene.self_contact = top.flag("self_contact", false);
   for (const ConfigNode& node : top.list("loops")) scene.loops.push_back(read_loop(node));
   for (const ConfigNode& node : top.list("grasps")) scene.grasps.push_back(read_grasp(node));
   if (scene.loops.size() + scene.grasps.size() > kMaxLoose) {
@@ -347,7 +390,9 @@ Scene load_scene(const std::string& name_or_file) {
   }
   if (top.has("terrain")) scene.terrain = read_terrain(top.map("terrain"));
   if (top.has("push_round")) scene.push_round = read_push_round(top.map("push_round"));
-  if (top.has("criteria")) scene.criteria = read_criteria(top.map("criteria"), scene.loose);
+  if (top.has("criteria")) {
+    scene.criteria = read_criteria(top.map("criteria"), scene.loose, scene.robots);
+  }
   if (top.has("settings")) {
     const ConfigNode settings = top.map("settings");
     for (const std::string& key : settings.keys()) {

@@ -85,11 +85,26 @@ struct LooseEnd {
 struct Grasp {
   std::string link;
   Eigen::Vector3d point = Eigen::Vector3d::Zero();  // in its frame [m]
-  std::string to;                                   // a loose body, a link or world
+  std::string to;  // a loose body, a link, NAME/LINK of a further robot or world
   double at = 0.0, until = 1e9;                     // [s] of scene time
   double reach = 0.03;       // of the three points that hold, from that one [m]
   double stiffness = 1e6;    // of all three [N/m]
   double damping = 1e3;      // [N s/m]
+};
+
+// A further robot that nothing commands: it stands in a pose, its servos hold it.
+struct SceneRobot {
+  std::string name;
+  std::string robot;                                        // as Scene::robot
+  std::string pose = "half_sitting";
+  Eigen::Isometry3d place = Eigen::Isometry3d::Identity();  // of the middle between its soles
+};
+
+// How such a robot is to end: about where it began and upright.
+struct RobotEnd {
+  std::string name;
+  double within = 0.01;     // of its base, level [m]
+  double max_tilt_deg = 5;  // of its base
 };
 
 // Pass criteria; NaN means not asked.
@@ -107,6 +122,7 @@ struct Criteria {
   bool no_fall = true;
   bool no_self_collision = true;
   std::vector<LooseEnd> loose;
+  std::vector<RobotEnd> robots;
   Criteria();
 };
 
@@ -132,6 +148,8 @@ struct Scene {
   PushRound push_round;
   std::vector<BodyChange> bodies;
   std::vector<LooseBody> loose;  // bodies that nothing holds; planner and guard do not know them
+  std::vector<SceneRobot> robots;  // nor these
+  bool self_contact = false;       // links of one robot touch one another
   std::vector<Loop> loops;       // beside those of the robot
   std::vector<Grasp> grasps;
   Criteria criteria;
@@ -152,10 +170,11 @@ void resolve_poses(Scene& scene, const Model& model);
 // position, rpy_deg, pose, speed, cancel], walks: [at, for, vx, vy, wz], pads: [at, for, left_x, left_y, right_x],
 // terrain: {tile, height, slope_deg, from, length, width}, push_round: {link, at, every, count, phase, forward, back,
 // sideways, duration}, bodies: [link, mass, at, shift], loose: [name, shape (box, sphere, cylinder, capsule), size,
-// mass, position, rpy_deg, velocity, angular_velocity, friction, stiffness, damping], loops: as in robot/loops.h, grasps:
+// mass, position, rpy_deg, velocity, angular_velocity, friction, stiffness, damping], robots: [name, robot, pose, position, yaw_deg], self_contact, loops: as in robot/loops.h, grasps:
 // [link, point, to, at, until, reach, stiffness, damping], criteria: {max_tilt_deg, zmp_margin_min_mm, slip_max_mm,
 // sole_tilt_max_deg, zmp_margin_p5_mm, step_slip_max_mm, force_rms_percent, velocity_error_percent, travel_min_m,
-// drift_max_m, no_fall, no_self_collision, loose: [name, position, within_m, speed_m_s]}, settings: {model.mass_scale: 1.03, ...} as in
+// drift_max_m, no_fall, no_self_collision, loose: [name, position, within_m, speed_m_s],
+// robots: [name, within_m, max_tilt_deg]}, settings: {model.mass_scale: 1.03, ...} as in
 // sim/settings.h.  Scene time starts with the first command.
 Scene load_scene(const std::string& name_or_file);
 

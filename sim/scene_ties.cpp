@@ -10,9 +10,16 @@ namespace {
 
 constexpr int kTiesOfAGrasp = 3;  // not on one line: nothing turns in the hand
 
-TieEnd end_of(const Model& model, const Scene& scene, const std::string& name,
-              const Eigen::Vector3d& point) {
+// A link of a further robot is called NAME/LINK.
+TieEnd end_of(const Model& model, const std::vector<OtherRobot>& robots, const Scene& scene,
+              const std::string& name, const Eigen::Vector3d& point) {
   if (name == "world") return {-1, -1, point};
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    for (const Frame& frame : robots[i].model->frames) {
+      if (name != robots[i].name + "/" + frame.name) continue;
+      return {frame.link, -1, frame.in_link * point, static_cast<int>(i)};
+    }
+  }
   for (const Frame& frame : model.frames) {
     if (frame.name == name) return {frame.link, -1, frame.in_link * point};
   }
@@ -21,18 +28,22 @@ TieEnd end_of(const Model& model, const Scene& scene, const std::string& name,
   }
   throw std::runtime_error("scene " + scene.name + ": a tie names '" + name +
                            "', which is no link of the robot " + model.name +
-                           ", no loose body and not world");
+                           ", no loose body, no NAME/LINK of a further robot and not world");
 }
 
 }  // namespace
 
-SceneTies::SceneTies(const Model& model, const Scene& scene) {
+SceneTies::SceneTies(const Model& model, const std::vector<OtherRobot>& robots,
+                     const Scene& scene) {
+  const auto end = [&](const std::string& name, const Eigen::Vector3d& point) {
+    return end_of(model, robots, scene, name, point);
+  };
   const std::vector<Loop> own = loops_of(model);
   for (const std::vector<Loop>* loops : {&own, &scene.loops}) {
     for (const Loop& loop : *loops) {
       Tie tie;
-      tie.a = end_of(model, scene, loop.link, loop.point);
-      tie.b = end_of(model, scene, loop.to, loop.at);
+      tie.a = end(loop.link, loop.point);
+      tie.b = end(loop.to, loop.at);
       tie.stiffness = loop.stiffness;
       tie.damping = loop.damping;
       tie.length = loop.length;
@@ -43,9 +54,8 @@ SceneTies::SceneTies(const Model& model, const Scene& scene) {
     grasps_.push_back({static_cast<int>(ties_.size()), grasp.at, grasp.until});
     for (int axis = 0; axis < kTiesOfAGrasp; ++axis) {
       Tie tie;
-      tie.a =
-          end_of(model, scene, grasp.link, grasp.point + grasp.reach * Eigen::Vector3d::Unit(axis));
-      tie.b = end_of(model, scene, grasp.to, Eigen::Vector3d::Zero());
+      tie.a = end(grasp.link, grasp.point + grasp.reach * Eigen::Vector3d::Unit(axis));
+      tie.b = end(grasp.to, Eigen::Vector3d::Zero());
       tie.stiffness = grasp.stiffness / kTiesOfAGrasp;
       tie.damping = grasp.damping / kTiesOfAGrasp;
       tie.holds = false;

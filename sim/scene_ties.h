@@ -13,8 +13,9 @@ namespace twinbus {
 class SceneTies {
  public:
   SceneTies() = default;
-  // Throws std::runtime_error for a name that neither robot nor scene has.
-  SceneTies(const Model& model, const Scene& scene);
+  // robots: the further ones of the scene.  Throws std::runtime_error for a name that neither
+  // robot nor scene has.
+  SceneTies(const Model& model, const std::vector<OtherRobot>& robots, const Scene& scene);
 
   const std::vector<Tie>& ties() const noexcept { return ties_; }
   // At the start of a step at a time of the scene [s]: what is due is gripped or let go.

@@ -8,6 +8,7 @@
 #include "robot/dynamics.h"
 #include "robot/process.h"
 #include "sim/loose_pieces.h"
+#include "sim/scene_robots.h"
 #include "sim/scene_seed.h"
 #include "sim/scene_ties.h"
 #include "sim/sensors.h"
@@ -42,7 +43,7 @@ bool is_finite(const JointCommand& command, int count) noexcept {
 }  // namespace
 
 struct SimAdaptor::Impl {
-  explicit Impl(const Scene& s) : scene(s), loose(s.loose) {}
+  explicit Impl(const Scene& s) : scene(s) {}
 
   Scene scene;
   LoosePieces loose;
@@ -244,6 +245,8 @@ Status SimAdaptor::open(const Model& nominal, const AdaptorConfig& config) {
     s.settings.world.obstacles = s.scene.obstacles;
     s.settings.world.tiles = s.scene.tiles;
     s.settings.world.loose = s.scene.loose;
+    s.settings.world.robots = robots_of(s.scene);
+    s.settings.world.self_contact = s.scene.self_contact;
     if (!s.scene.tiles.empty() && s.settings.world.engine == Engine::kOde) {
       throw std::runtime_error("scene " + s.scene.name +
                                ": engine ode knows no uneven ground; use engine articulated");
@@ -274,9 +277,10 @@ Status SimAdaptor::open(const Model& nominal, const AdaptorConfig& config) {
       }
       s.pushes.push_back({link, push});
     }
-    s.ties = SceneTies(model, s.scene);
+    s.ties = SceneTies(model, s.settings.world.robots, s.scene);
     s.settings.world.ties = s.ties.ties();
     s.world = make_world(model, s.settings.world);
+    s.loose = LoosePieces(s.settings.world);
     s.sensors.emplace(model, s.settings.sensors);
     s.start();
     s.commanded = s.fall = false;

@@ -8,9 +8,10 @@
 namespace twinbus {
 
 struct TieEnd {
-  int link = -1;                                    // of the robot; -1: not on it
+  int link = -1;                                    // of a robot; -1: not on one
   int loose = -1;                                   // else this loose body; -1: fixed
   Eigen::Vector3d point = Eigen::Vector3d::Zero();  // in its axes [m]
+  int robot = -1;                                   // that has the link; -1: the commanded one
 };
 
 struct Tie {

@@ -12,7 +12,9 @@ namespace {
 constexpr double kShortest = 1e-9;  // of a spring that has a direction [m]
 
 bool can_move(const TieEnd& end, const WorldConfig& config) {
-  return end.loose >= 0 || end.link > 0 || (end.link == 0 && !config.fixed_base);
+  const bool fixed = end.robot < 0 ? config.fixed_base
+                                   : !config.robots[at(end.robot)].model->floating_base;
+  return end.loose >= 0 || end.link > 0 || (end.link == 0 && !fixed);
 }
 
 }  // namespace
@@ -43,13 +45,16 @@ std::vector<Tie> checked_ties(const Model& model, const WorldConfig& config) {
     std::string name = "tie ";
     name += std::to_string(i);
     for (const TieEnd* end : {&tie.a, &tie.b}) {
-      if (end->link >= model.link_count() || end->loose >= static_cast<int>(config.loose.size()) ||
-          !end->point.allFinite()) {
+      const bool known = end->robot < static_cast<int>(config.robots.size());
+      const Model& of = known && end->robot >= 0 ? *config.robots[at(end->robot)].model : model;
+      if (!known || end->link >= of.link_count() ||
+          end->loose >= static_cast<int>(config.loose.size()) || !end->point.allFinite()) {
         throw std::runtime_error(name + ": there is no such end");
       }
     }
     if (!can_move(tie.a, config)) std::swap(tie.a, tie.b);
-    if (!can_move(tie.a, config) || (tie.a.loose == tie.b.loose && tie.a.link == tie.b.link)) {
+    if (!can_move(tie.a, config) || (tie.a.loose == tie.b.loose && tie.a.link == tie.b.link &&
+                                     tie.a.robot == tie.b.robot)) {
       throw std::runtime_error(name + " ties nothing that moves to something else");
     }
     if (!(tie.stiffness > 0.0) || !(tie.damping >= 0.0) || !std::isfinite(tie.stiffness) ||
@@ -60,16 +65,22 @@ std::vector<Tie> checked_ties(const Model& model, const WorldConfig& config) {
   return ties;
 }
 
-Ties::Ties(const Model& model, const WorldConfig& config) {
+Ties::Ties(const Model& model, const WorldConfig& config)
+    : first_robot_(static_cast<int>(config.loose.size()) + 1) {
   for (const Tie& tie : checked_ties(model, config)) ties_.push_back({tie});
 }
 
-Ties::End Ties::placed(const TieEnd& end, const std::vector<ArticulatedBody*>& systems) noexcept {
+int Ties::system_of(const TieEnd& end) const noexcept {
+  return end.robot >= 0 ? first_robot_ + end.robot : end.loose + 1;
+}
+
+Ties::End Ties::placed(const TieEnd& end,
+                       const std::vector<ArticulatedBody*>& systems) const noexcept {
   End placed;
   placed.point = end.point;
   if (end.link < 0 && end.loose < 0) return placed;
   placed.central = end.loose >= 0;
-  placed.system = end.loose + 1;
+  placed.system = system_of(end);
   placed.link = end.loose >= 0 ? 0 : end.link;
   const ArticulatedBody& body = *systems[at(placed.system)];
   const LinkNow link = body.link(placed.link);
@@ -137,7 +148,7 @@ Status Ties::hold(int tie, bool holds, const std::vector<ArticulatedBody*>& syst
   if (to.link < 0 && to.loose < 0) {
     own.tie.b.point = point;
   } else {
-    const ArticulatedBody& body = *systems[at(to.loose + 1)];
+    const ArticulatedBody& body = *systems[at(system_of(to))];
     const LinkNow link = body.link(to.loose >= 0 ? 0 : to.link);
     own.tie.b.point = link.rotation.transpose() * (point - body.origin() - link.origin);
   }

@@ -36,8 +36,10 @@ class Ties {
   };
   struct End;  // as placed
 
-  static End placed(const TieEnd& end, const std::vector<ArticulatedBody*>& systems) noexcept;
+  int system_of(const TieEnd& end) const noexcept;
+  End placed(const TieEnd& end, const std::vector<ArticulatedBody*>& systems) const noexcept;
 
+  int first_robot_ = 1;  // of the further ones, as a system
   std::vector<Own> ties_;
 };
 

@@ -16,6 +16,8 @@
 #include "robot/kinematics.h"
 #include "robot/model.h"
 #include "robot/status.h"
+#include "sim/other_robot.h"
+#include "sim/servo_target.h"
 #include "sim/solid.h"
 #include "sim/tie.h"
 
@@ -66,6 +68,11 @@ struct LooseBody {
   double damping = 150.0;  // [N s/m]
 };
 
+// Shells of links other than soles: what a fallen robot lies on.
+inline constexpr double kLinkStiffness = 2e5;  // of a point [N/m]
+inline constexpr double kLinkDamping = 1e3;    // [N s/m]
+inline constexpr double kLinkFriction = 0.6;
+
 struct WorldConfig {
   Engine engine = Engine::kArticulated;
   ContactModel contact = ContactModel::kSpringDamper;
@@ -86,21 +93,11 @@ struct WorldConfig {
   std::vector<Obstacle> obstacles;
   std::vector<Obstacle> tiles;  // ground that is not flat: to the soles' corners what the ground is
   std::vector<LooseBody> loose;
+  std::vector<OtherRobot> robots;           // engine articulated only
+  bool self_contact = false;                // links of a robot touch one another; the same
+  double shell_stiffness = kLinkStiffness;  // of a point of a link that is no sole [N/m]
   std::vector<Tie> ties;
 };
-
-// What the servo of one joint is asked for: torque = tau + kp (q - q_now) + kd (qd - qd_now),
-// within the effort limit.
-struct ServoTarget {
-  double q = 0.0;    // [rad or m]
-  double qd = 0.0;   // [rad/s or m/s]
-  double tau = 0.0;  // [N m or N]
-  double kp = 0.0;   // >= 0
-  double kd = 0.0;   // >= 0
-};
-
-// kNotFinite or kOutOfRange (negative gain, absurd size) for a target that no servo may have.
-Status check_target(const ServoTarget& target) noexcept;
 
 struct ContactPoint {
   int link = -1;
@@ -141,10 +138,6 @@ inline constexpr double kStickSpeed = 0.01;
 inline constexpr double kPlayTorque = 2.0;  // [N m]
 inline constexpr double kPlayRate = 0.2;
 
-// Shells of links other than soles: what a fallen robot lies on.
-inline constexpr double kLinkStiffness = 2e5;  // of a point [N/m]
-inline constexpr double kLinkDamping = 1e3;    // [N s/m]
-inline constexpr double kLinkFriction = 0.6;
 // Points of a foot this near its sole are the corners' business [m].
 inline constexpr double kSoleSkin = 0.02;
 
@@ -198,6 +191,8 @@ class World {
   virtual LooseState loose(int body) const noexcept = 0;
   // kWrongSize, kNotFinite, kOutOfRange: changes nothing.
   virtual Status set_loose(int body, const LooseState& state) noexcept = 0;
+  // Of a further robot, as of the last step.
+  virtual Eigen::Isometry3d robot_link(int robot, int link) const noexcept = 0;
   // Of config.ties: from now on its ends are to stay together as they are, or are let go.
   virtual Status hold(int tie, bool holds) noexcept = 0;
   virtual double corner_stiffness(int sole) const noexcept = 0;  // [N/m]

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """./twinbus bench physics [CASE...] [--csv F] [--rounds N]: our engines beside their peers, row by row asked and reached.
 
-Cases: free flight arm stand push map convergence brick tumble piles loops manifold effort determinism (default: all).  Costs are CPU time of one
+Cases: free flight arm stand push map convergence brick tumble piles loops robots manifold effort determinism (default: all).  Costs are CPU time of one
 thread; ours and the peers take turns, and a ratio is the median over rounds (default 5).  An engine's error is measured
 against a converged run: one reference where there is no contact, each engine's own finest run where contact laws differ.
 "asked" is for machines with AVX2; peers that are not installed are said and left out.  Exit status 1 if a row falls short.
@@ -264,6 +264,26 @@ def manifold(lab, rounds):
         at_least("manifold", f"{name}, {statistics.median(a['us'] for a in ours):.3g} us against FCL", 3, times, peer="FCL")
 
 
+def robots(lab, _rounds):
+    unconverged = 0
+    for scene, what in (("hands", "two robots tied hand to hand"), ("bump", "a robot walked into another's back"),
+                        ("fold", "a robot's hand pressed against its own body")):
+        stable, runs = 0, [(order, h, k) for order in (1, 2) for h in (1e-4, 1e-3, 1e-2) for k in (1e6, 1e8)]
+        for order, h, k in runs:
+            lines = call(lab.program.parent / "physics_robots", scene, order, h, k)
+            words = lines[0].split() if lines else []
+            found = {name: float(words[words.index(name) + 1]) for name in ("fastest", "tilt", "gap", "touched", "unconverged") if name in words}
+            # A bump that nobody feels would be stable too.
+            met = found and (scene == "hands" or found["touched"] > 0)
+            if met and found["fastest"] < 0.2 and found["tilt"] < 10 and found["gap"] < 1e-3:
+                stable += 1
+            else:
+                print(f"{'robots':12s} {scene}, order {order}, {1e3 * h:g} ms, k {k:g}: {' '.join(words) or 'failed'}")
+            unconverged += found.get("unconverged", math.inf)
+        row("robots", f"{what}: stable, 0.1 to 10 ms, k 1e6 and 1e8", str(len(runs)), str(stable), stable == len(runs), unit="")
+    row("robots", "unconverged steps in these", "0", f"{unconverged:g}", unconverged == 0, unit="")
+
+
 def effort(lab, _rounds):
     for h in (1e-4, 1e-3, 1e-2):
         words = call(lab.program, "effort", "articulated", h)[0].split()
@@ -280,7 +300,7 @@ def determinism(lab, _rounds):
 CASES = {"free": free, "flight": lambda lab, _: smooth(lab, "flight", ((1e-8, 42),)),
          "arm": lambda lab, _: smooth(lab, "arm", ((1e-3, 3.5), (1e-8, 14))), "stand": stand, "push": push, "map": stability,
          "convergence": convergence, "brick": brick, "tumble": tumble,
-         "piles": piles, "loops": loops, "manifold": manifold, "effort": effort, "determinism": determinism}
+         "piles": piles, "loops": loops, "robots": robots, "manifold": manifold, "effort": effort, "determinism": determinism}
 
 
 def main(words):

@@ -94,6 +94,26 @@ TEST(Scene, ReadsLooseBodies) {
             std::string::npos);
 }
 
+TEST(Scene, ReadsFurtherRobots) {
+  const Scene scene = from_text(
+      "self_contact: true\nrobots:\n  - {name: second, position: [1, 2], yaw_deg: 90}\n"
+      "  - {name: third, robot: biped12, pose: zero, position: [0, 3]}\n"
+      "criteria: {robots: [{name: second, within_m: 0.5}]}\n");
+  EXPECT_TRUE(scene.self_contact);
+  ASSERT_EQ(scene.robots.size(), 2U);
+  EXPECT_EQ(scene.robots[0].robot, "hrp1s");
+  EXPECT_NEAR(scene.robots[0].place.linear()(1, 0), 1.0, 1e-12);
+  EXPECT_DOUBLE_EQ(scene.robots[0].place.translation().y(), 2.0);
+  EXPECT_EQ(scene.robots[1].robot, "biped12");
+  EXPECT_DOUBLE_EQ(scene.criteria.robots.at(0).within, 0.5);
+  EXPECT_NE(complaint("robots:\n  - {name: a, position: [0, 0]}\n  - {name: a, position: [1, 0]}\n")
+                .find("'a'"),
+            std::string::npos);
+  EXPECT_NE(complaint("robots:\n  - {name: a, position: [0, 1e9]}\n").find("position"),
+            std::string::npos);
+  EXPECT_NE(complaint("criteria: {robots: [{name: b}]}\n").find("'b'"), std::string::npos);
+}
+
 TEST(Scene, AWrongKeyNamesFileLineAndTheNearest) {
   const std::string text = complaint("duration: 3\nobstacels: []\n");
   EXPECT_NE(text.find(".yaml:2"), std::string::npos) << text;

@@ -1,0 +1,27 @@
+// A further robot of a world: nothing commands it, its servos hold the posture that it begins in.
+
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "robot/kinematics.h"
+#include "robot/model.h"
+#include "sim/servo_target.h"
+
+namespace twinbus {
+
+struct OtherRobot {
+  std::string name;
+  std::shared_ptr<const Model> model;
+  Configuration start;
+  std::vector<ServoTarget> servos;  // one for each joint
+};
+
+// One that stands in a pose on the springs of its soles, with the gains and torques that keep it
+// there.  place: of the middle between its soles, on the ground.
+OtherRobot standing_robot(const std::string& name, std::shared_ptr<const Model> model,
+                          const Eigen::VectorXd& q, const Eigen::Isometry3d& place);
+
+}  // namespace twinbus
