@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """./twinbus chart physics [CHART...] [--out DIR] [--redraw]: work against precision of every engine, and where each fails.
 
-Charts: flight arm stand push slide (error against CPU time of one thread per simulated second, one curve for each engine
-and method, the points are step sizes), map (which stands are stable), size (cost against the number of joints), system (a
-standing and swaying robot with its controller: error against time for choices of the whole stack: engine, contact, step,
+Charts: flight arm stand push landing slide (error against CPU time of one thread per simulated second, one curve for each
+engine and method, the points are step sizes), map (which stands are stable), size (cost against the number of joints), robots
+(against the number of robots), system (a standing and swaying robot with its controller: error against time for choices of the whole stack: engine, contact, step,
 control rate, sensors).  Each is written as SVG, PNG and CSV to DIR (default test/charts/physics); --redraw draws from the CSV
 that is there.  An engine's error is measured against a common reference where nothing touches, else against its own finest
 run: contact laws differ.
@@ -25,6 +25,7 @@ ABOUT = {
     "arm": ("Arm of 7 joints swinging freely, 0.5 s", "largest error of a link's centre of mass; reference RKF78, 0.25 ms"),
     "stand": ("Standing on its servos, shoved at 0.07 m/s, 0.5 s", "error against each engine's own finest run; with collision detection"),
     "push": ("Push: dropped 10 mm at 0.2 m/s forward, lands and rocks, 0.6 s", "error against each engine's own finest run; with collision detection"),
+    "landing": ("Landing: dropped 50 mm straight down, 0.6 s", "error against each engine's own finest run; with collision detection"),
     "slide": ("Slide: a brick of 1 m/s brought to rest by friction, 0.4 s", "error against each engine's own finest run"),
 }
 
@@ -118,6 +119,21 @@ def measure_size(lab):
         print(f"size: {engine.label}", flush=True)
 
 
+def measure_robots(lab):
+    for order in (1, 2):
+        for n in (1, 2, 4, 8, 16):
+            words = call(lab.program.parent / "physics_robots", f"crowd{n}", order, 1e-3, 2e5, 0.2)[0].split()
+            yield {"engine": f"articulated, order {order}", "robots": n, "us_per_step": words[words.index("step_us") + 1]}
+        print(f"robots: order {order}", flush=True)
+
+
+def draw_robots(rows, folder):
+    names = list(dict.fromkeys(row["engine"] for row in rows))
+    curves = [(name, [(float(r["robots"]), float(r["us_per_step"])) for r in rows if r["engine"] == name], False) for name in names]
+    return plot.write(folder / "robots.svg", plot.loglog("Cost of a step against the number of robots", "humanoids of 29 joints standing in one world, "
+                                                         "1 ms, with collision detection", "robots", "us a step", curves))
+
+
 def draw_system(rows, folder):
     names = list(dict.fromkeys(row["stack"] for row in rows))
     curves = [(name, [(float(r["cpu_ms_per_s"]), float(r["error_m"])) for r in rows if r["stack"] == name and r["error_m"] != "failed"],
@@ -127,8 +143,8 @@ def draw_system(rows, folder):
                                                          "time of the loop, ms per simulated second", "error [m]", curves, ((1e-3, "1 mm"), (1e-4, "0.1 mm"))))
 
 
-MEASURE = {"map": measure_map, "size": measure_size, "system": whole_stack.measure}
-DRAW = {"map": draw_map, "size": draw_size, "system": draw_system}
+MEASURE = {"map": measure_map, "size": measure_size, "robots": measure_robots, "system": whole_stack.measure}
+DRAW = {"map": draw_map, "size": draw_size, "robots": draw_robots, "system": draw_system}
 NAMES = (*ABOUT, *MEASURE)
 
 

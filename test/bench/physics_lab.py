@@ -16,7 +16,7 @@ import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PEERS = ROOT / "test/bench/peers"
-DURATION = {"flight": 0.5, "arm": 0.5, "stand": 0.5, "push": 0.6, "push_soft": 0.6, "slide": 0.4, "throw": 2.0}
+DURATION = {"flight": 0.5, "arm": 0.5, "stand": 0.5, "push": 0.6, "push_soft": 0.6, "landing": 0.6, "slide": 0.4, "throw": 2.0}
 
 
 def program_folder(who):

@@ -195,6 +195,10 @@ PhysicsScene physics_scene(const std::string& name, double gain) {
     scene.duration = 0.5;
     on_its_feet(scene, gain);
     scene.start.base_velocity = {0.05, 0.05, 0.0};
+  } else if (name == "landing") {
+    scene.duration = 0.6;
+    on_its_feet(scene, gain);
+    scene.start.base.translation().z() += 0.05;
   } else if (name == "push" || name == "push_soft") {
     scene.duration = 0.6;
     on_its_feet(scene, gain);
@@ -212,7 +216,7 @@ PhysicsScene physics_scene(const std::string& name, double gain) {
     scene.start.base_velocity.x() = 1.0;
   } else {
     throw std::runtime_error("no scene '" + name +
-                             "': there are flight, arm, stand, push, push_soft, slide, throw");
+                             "': there are flight, arm, stand, push, push_soft, landing, slide, throw");
   }
   return scene;
 }

@@ -27,7 +27,7 @@ struct PhysicsScene {
 // flight: hrp1s thrown, without servos and stops; arm: its right arm of 7 joints on a wall, swinging;
 // stand: on its servos in half_sitting, shoved; push: dropped 10 mm at 0.2 m/s forward;
 // push_soft: with the gains of the figures it is compared to, 5000, 1500 and 150 N m/rad for legs and torso, arms,
-// wrists; slide: a brick of
+// wrists; landing: dropped 50 mm; slide: a brick of
 // 1 m/s on the ground; throw: dropped turned and turning, all shells can touch; chainN: N
 // joints on a floating base, in the air.
 // gain: of all servos.  Throws std::runtime_error for another name.
