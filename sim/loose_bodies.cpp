@@ -1,7 +1,6 @@
 #include "sim/loose_bodies.h"
 
 #include <cmath>
-#include <stdexcept>
 
 #include "robot/dynamics.h"
 #include "robot/index.h"
@@ -14,9 +13,6 @@ namespace twinbus {
 namespace {
 
 Model model_of(const LooseBody& body) {
-  if (!(body.mass > 0.0 && bounding_radius(body.solid) > 0.0)) {
-    throw std::runtime_error("loose body '" + body.name + "': mass and size must be positive");
-  }
   Model model;
   model.name = body.name;
   Link link;

@@ -21,7 +21,7 @@ namespace twinbus {
 
 class LooseBodies {
  public:
-  // robot must outlive this.  Throws std::runtime_error for a mass or size that cannot be.
+  // robot must outlive this.  Masses and sizes are such as make_world() lets pass.
   LooseBodies(const Model& model, const WorldConfig& config, ArticulatedBody& robot);
 
   // There is no contact but the robot's with what is fixed.

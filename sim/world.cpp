@@ -12,6 +12,14 @@ namespace {
 
 constexpr double kMaxTarget = 1e9;  // of any number of a servo target
 
+void check_bodies(const std::vector<LooseBody>& bodies) {
+  for (const LooseBody& body : bodies) {
+    const double radius = bounding_radius(body.solid);
+    if (body.mass > 0.0 && radius > 0.0 && std::isfinite(body.mass + radius)) continue;
+    throw std::runtime_error("loose body '" + body.name + "': mass and size must be positive");
+  }
+}
+
 bool within(const Eigen::Vector3d& v, double bound) { return v.cwiseAbs().maxCoeff() <= bound; }
 
 template <typename Choice, std::size_t kCount>
@@ -72,6 +80,7 @@ Eigen::Vector3d sole_corner(const Sole& sole, int corner) noexcept {
 }
 
 std::unique_ptr<World> make_world(const Model& model, const WorldConfig& config) {
+  check_bodies(config.loose);
   if (config.engine == Engine::kOde && (!config.robots.empty() || config.self_contact)) {
     throw std::runtime_error(
         "engine ode has one robot, whose links do not touch one another: give engine articulated");

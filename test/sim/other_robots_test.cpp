@@ -147,7 +147,7 @@ TEST(OtherRobots, AHumanoidThatIsBumpedStaysOnItsFeet) {
     ASSERT_EQ(world.set_servo(j, own.servos[static_cast<std::size_t>(j)]), Status::kOk);
   }
   long touched = 0;
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < 750; ++i) {
     ASSERT_EQ(world.step(), Status::kOk);
     for (const Contact& c : world.solved()) {
       touched += c.other_system >= 0 && c.now.mode != ContactMode::kOpen ? 1 : 0;
