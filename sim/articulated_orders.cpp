@@ -10,13 +10,27 @@ namespace twinbus {
 namespace {
 
 constexpr double kStopSlack = 1e-9;  // [rad or m]
+// It is calm again where the last correction of an extrapolation changes no speed by more than this
+// times the step.
+constexpr double kCalm = 0.015;  // [m/s^2] and [rad/s^2]
+// Steps in parts of one size, at most: motion may be lively without an event.
+constexpr int kMostHeld = 16;
+
+double fastest_change(const Configuration& a, const Configuration& b) noexcept {
+  return std::max({(a.qd - b.qd).lpNorm<Eigen::Infinity>(),
+                   (a.base_velocity - b.base_velocity).norm(),
+                   (a.base_angular_velocity - b.base_angular_velocity).norm()});
+}
 
 }  // namespace
 
 // Where an event lies within a step, the step is taken in ever smaller parts, which grow again from
-// step to step: what follows on a landing is over sooner than a step is.
+// step to step once it is calm: servos and ground that a landing has shaken ring on for a while.
 bool ArticulatedWorld::advance_in_parts() noexcept {
-  part_ = std::min(2 * part_, kEventParts);
+  if (calm_ || ++held_ == kMostHeld) {
+    part_ = std::min(2 * part_, kEventParts);
+    held_ = 0;
+  }
   for (int done = 0; done < kEventParts;) {
     const double h = config_.step * part_ / kEventParts;
     switch (extrapolated(h, part_ > 1)) {
@@ -24,6 +38,7 @@ bool ArticulatedWorld::advance_in_parts() noexcept {
         return false;
       case Outcome::kEvent:
         part_ /= 2;
+        held_ = 0;
         break;
       case Outcome::kTaken:
         done += part_;
@@ -70,6 +85,11 @@ ArticulatedWorld::Outcome ArticulatedWorld::extrapolated(double h, bool may_reje
   if (smooth) {
     next_ = configuration_;
     extrapolate(config_.order, coarse_, configuration_);
+    // Of order 3 the last correction is a third of what order 2 with the same halves is off.
+    const double correction = config_.order == 2
+                                  ? fastest_change(configuration_, next_)
+                                  : fastest_change(configuration_, coarse_[1]) / 3.0;
+    calm_ = correction <= kCalm * config_.step;
     smooth = check_configuration(joints_.size(), configuration_) == Status::kOk && within_stops();
     if (!smooth) configuration_ = next_;
   }

@@ -78,6 +78,8 @@ Status ArticulatedWorld::set(const Configuration& to, const Eigen::VectorXd* tau
   pushes_.clear();
   flight_.interrupt();
   part_ = kEventParts;
+  held_ = 0;
+  calm_ = true;
   frozen_ = false;
   return Status::kOk;
 }

@@ -13,7 +13,7 @@
 // Order 2 or 3 (config.order): such a step, two half ones and three thirds from the same start are
 // extrapolated (sim/extrapolate.h).  Where they disagree on what touches, slips or is limited, or
 // something comes to touch or to part, an event lies within: the step is taken in parts, down to a
-// sixteenth, of which the one with the event is left at order 1.
+// sixteenth, of which the one with the event is left at order 1.  They grow again as it gets calm.
 //
 // With config.flight an explicit method of high order (sim/flight.h) takes the steps in which
 // nothing can touch and no servo is too stiff for it.
@@ -123,6 +123,8 @@ class ArticulatedWorld final : public World {
   std::array<Configuration, 2> coarse_;
   Configuration next_;
   int part_ = kEventParts;  // of kEventParts: what is taken of a step at once
+  int held_ = 0;            // steps in which it has not grown
+  bool calm_ = true;        // it may
   long joint_passes_ = 0;
   long unsettled_ = 0;
   long unconverged_ = 0;
