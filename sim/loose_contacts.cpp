@@ -27,13 +27,13 @@ double series(double a, double b) {
   return a + b > 0.0 ? a * b / (a + b) : 0.0;
 }
 
+}  // namespace
+
 ContactParams together(const ContactParams& a, const ContactParams& b) {
   return {series(a.stiffness, b.stiffness), series(a.damping, b.damping),
           series(a.tangent_stiffness, b.tangent_stiffness),
           series(a.tangent_damping, b.tangent_damping), std::sqrt(a.friction * b.friction)};
 }
-
-}  // namespace
 
 LooseContacts::LooseContacts(const Model& model, const WorldConfig& config)
     : robots_meet_(config.self_contact || !config.robots.empty()),
@@ -45,7 +45,10 @@ LooseContacts::LooseContacts(const Model& model, const WorldConfig& config)
     Piece piece;
     piece.system = ++system;
     piece.solid = body.solid;
-    piece.probes = probes_of(body.solid);
+    piece.mesh = body.mesh;
+    piece.only_mesh = body.mesh != nullptr;
+    if (!piece.only_mesh) piece.probes = probes_of(body.solid);
+    piece.solid_too = !piece.only_mesh;
     piece.params = hard(body.stiffness, body.damping, body.friction);
     add(std::move(piece));
   }
@@ -66,6 +69,9 @@ LooseContacts::LooseContacts(const Model& model, const WorldConfig& config)
   };
   for (const Obstacle& obstacle : config.obstacles) add_fixed(obstacle, false);
   for (const Obstacle& tile : config.tiles) add_fixed(tile, true);
+  if (std::any_of(pieces_.begin(), pieces_.end(), [](const Piece& p) { return p.only_mesh; })) {
+    give_meshes();
+  }
   for (std::size_t i = 0; i < pieces_.size(); ++i)
     spans_.push_back({0.0, 0.0, static_cast<int>(i)});
   const std::size_t robots = 1 + config.robots.size();
@@ -148,6 +154,11 @@ void LooseContacts::add(Piece piece) {
     piece.radius = std::max(piece.radius, probe.center.norm() + probe.radius);
   }
   if (piece.solid_too) piece.radius = std::max(piece.radius, bounding_radius(piece.solid));
+  if (piece.only_mesh) {
+    for (const Eigen::Vector3d& vertex : piece.mesh->vertices()) {
+      piece.radius = std::max(piece.radius, vertex.norm());
+    }
+  }
   piece.first_key = next_key_;
   // Two more for the ends of a cylinder that rolls.
   next_key_ += static_cast<int>(piece.probes.size()) + 2;
@@ -183,6 +194,10 @@ void LooseContacts::find(const std::vector<ArticulatedBody*>& systems, double h,
       const std::size_t i = at(std::min(spans_[a].piece, spans_[b].piece));
       const std::size_t j = at(std::max(spans_[a].piece, spans_[b].piece));
       if (!may_meet(i, j) || !near(pieces_[i], pieces_[j], h)) continue;
+      if (pieces_[i].only_mesh || pieces_[j].only_mesh) {
+        meet_mesh(i, static_cast<int>(j), search);
+        continue;
+      }
       if (pieces_[j].solid_too) meet(pieces_[i], j, false, search);
       if (!pieces_[j].probes.empty()) meet(pieces_[j], i, pieces_[j].system < 0, search);
     }
@@ -211,6 +226,10 @@ void LooseContacts::sort_spans(double h) noexcept {
 }
 
 void LooseContacts::meet_ground(const Piece& own, Search& search) noexcept {
+  if (own.only_mesh) {
+    meet_mesh(static_cast<std::size_t>(&own - pieces_.data()), -1, search);
+    return;
+  }
   if (own.solid.shape == SolidShape::kCylinder) {
     meet_cylinder(own, search);
     return;

@@ -5,17 +5,22 @@
 // Every shape is a piece: probes (sim/solid.h) that enter the other pieces, and a solid that their
 // probes enter.  A sole has its corners for probes and no solid.  Springs and dampers of two pieces
 // act in series, friction is the geometric mean.  Two boxes whose edges cross with no corner in the
-// other are not seen, nor are meshes.
+// other are not seen.  A body of triangles meets the triangles of all else (sim/loose_mesh.h).
 
 #pragma once
 
+#include <memory>
 #include <vector>
 
+#include "sim/contact/manifold.h"
 #include "sim/contact_solve.h"
 #include "sim/solid.h"
 #include "sim/world.h"
 
 namespace twinbus {
+
+// Springs and dampers in series.
+ContactParams together(const ContactParams& a, const ContactParams& b);
 
 class LooseContacts {
  public:
@@ -47,6 +52,8 @@ class LooseContacts {
     bool solid_too = true;  // not only probes
     bool tile = false;      // only its top counts
     Solid solid;
+    std::shared_ptr<const ContactMesh> mesh;  // of a body of triangles, and of all that it may meet
+    bool only_mesh = false;
     Eigen::Isometry3d in_link = Eigen::Isometry3d::Identity();
     ContactParams params;
     std::vector<Probe> probes;  // in the solid's axes
@@ -84,6 +91,10 @@ class LooseContacts {
   void meet_cylinder(const Piece& piece, Search& search) noexcept;
   // Probes of one in the solid of the other; turned: the probes are those of something fixed.
   void meet(const Piece& probes, std::size_t solid, bool turned, Search& search) noexcept;
+  // In sim/loose_mesh.cpp.
+  void give_meshes();
+  // other: -1: the ground.
+  void meet_mesh(std::size_t own, int other, Search& search) noexcept;
   // Of a box, the face that bare points are nearest to being out of; -1: ask point by point.
   int face_between(const Piece& points, const Piece& box) const noexcept;
   void consider(Contact& found, Search& search) noexcept;
@@ -98,6 +109,8 @@ class LooseContacts {
   };
   std::vector<Apart> apart_;  // by system
   ContactParams ground_;
+  ManifoldFinder finder_;
+  Manifold manifold_;
   int next_key_ = 0;
   std::vector<Memory> memory_, saved_;  // in the order of find()
 };

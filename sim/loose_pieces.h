@@ -24,6 +24,7 @@ class LoosePieces {
     for (std::size_t i = 0; i < config.loose.size(); ++i) {
       Row row;
       row.body = static_cast<int>(i);
+      row.in_body = config.loose[i].solid_pose;
       const Solid& solid = config.loose[i].solid;
       if (solid.shape == SolidShape::kBox) {
         add(row, ObstacleShape::kBox, solid.size);
@@ -34,7 +35,8 @@ class LoosePieces {
         if (solid.shape == SolidShape::kCylinder) continue;
         const Eigen::Vector3d cap(solid.size.x(), 0.0, 0.0);
         for (const double side : {0.5, -0.5}) {
-          row.in_body.translation().z() = side * solid.size.y();
+          row.in_body =
+              config.loose[i].solid_pose * Eigen::Translation3d(0.0, 0.0, side * solid.size.y());
           add(row, ObstacleShape::kSphere, cap);
         }
       }

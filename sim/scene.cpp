@@ -11,6 +11,7 @@
 
 #include "robot/config_node.h"
 #include "robot/load.h"
+#include "sim/loose_mesh.h"
 #include "sim/settings.h"
 
 namespace twinbus {
@@ -60,21 +61,52 @@ Obstacle read_obstacle(const ConfigNode& node) {
   return obstacle;
 }
 
+// A file beside the scene's own.
+TriangleMesh read_mesh(const ConfigNode& node) {
+  namespace fs = std::filesystem;
+  const fs::path name = node.text("file");
+  bool below = name.is_relative() && !name.empty();
+  for (const fs::path& part : name) below = below && part != "..";
+  if (!below) node.fail("file", "must be a file in the scene's folder or below it");
+  const Eigen::Vector3d scale = Eigen::Vector3d::Constant(node.number("scale", 1e-6, 1e3, 1.0));
+  try {
+    const fs::path file = fs::path(node.file()).parent_path() / name;
+    const TriangleMesh mesh = load_mesh(file.string(), scale);
+    if (mesh.triangles.size() > kMostContactTriangles) {
+      throw std::runtime_error("more than " + std::to_string(kMostContactTriangles) + " triangles");
+    }
+    return mesh;
+  } catch (const std::runtime_error& error) {
+    node.fail("file", error.what());
+  }
+}
+
 LooseBody read_loose(const ConfigNode& node) {
   const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
   LooseBody body;
   body.name = node.text("name");
-  const int shape = node.choice("shape", {"box", "sphere", "cylinder", "capsule"}, 0);
-  body.solid.shape = static_cast<SolidShape>(shape);
+  constexpr int kMesh = 4;
+  const int shape = node.choice("shape", {"box", "sphere", "cylinder", "capsule", "mesh"}, 0);
   const std::size_t numbers[] = {3, 1, 2, 2};
-  const std::vector<double> size = node.numbers("size", numbers[shape]);
-  for (std::size_t i = 0; i < size.size(); ++i) {
-    if (!(size[i] >= 1e-3 && size[i] <= 100.0)) node.fail("size", "must be from 0.001 to 100 m");
-    body.solid.size[static_cast<Eigen::Index>(i)] = size[i];
+  if (shape != kMesh) {
+    body.solid.shape = static_cast<SolidShape>(shape);
+    const std::vector<double> size = node.numbers("size", numbers[shape]);
+    for (std::size_t i = 0; i < size.size(); ++i) {
+      if (!(size[i] >= 1e-3 && size[i] <= 100.0)) node.fail("size", "must be from 0.001 to 100 m");
+      body.solid.size[static_cast<Eigen::Index>(i)] = size[i];
+    }
   }
   body.mass = node.number("mass", 1e-3, 1e5);
   body.start.pose.translation() = bounded(node, "position", 1000.0, nullptr);
   body.start.pose.linear() = rpy(node).toRotationMatrix();
+  if (shape == kMesh) {
+    const TriangleMesh mesh = read_mesh(node);
+    try {
+      give_mesh(mesh, body);
+    } catch (const std::runtime_error& error) {
+      node.fail("file", error.what());
+    }
+  }
   body.start.velocity = bounded(node, "velocity", 100.0, &zero);
   body.start.angular_velocity = bounded(node, "angular_velocity", 100.0, &zero);
   body.friction = node.number("friction", 0.0, 10.0, body.friction);

@@ -169,8 +169,10 @@ void resolve_poses(Scene& scene, const Model& model);
 // duration], modes: [at, mode, motion, pose, duration, amplitude, frequency], goals: [at, hand,
 // position, rpy_deg, pose, speed, cancel], walks: [at, for, vx, vy, wz], pads: [at, for, left_x, left_y, right_x],
 // terrain: {tile, height, slope_deg, from, length, width}, push_round: {link, at, every, count, phase, forward, back,
-// sideways, duration}, bodies: [link, mass, at, shift], loose: [name, shape (box, sphere, cylinder, capsule), size,
-// mass, position, rpy_deg, velocity, angular_velocity, friction, stiffness, damping], robots: [name, robot, pose, position, yaw_deg], self_contact, loops: as in robot/loops.h, grasps:
+// sideways, duration}, bodies: [link, mass, at, shift], loose: [name, shape (box, sphere, cylinder,
+// capsule, mesh), size (of a mesh: file beside the scene, scale), mass, position, rpy_deg, velocity,
+// angular_velocity, friction, stiffness, damping], robots: [name, robot, pose, position, yaw_deg],
+// self_contact, loops: as in robot/loops.h, grasps:
 // [link, point, to, at, until, reach, stiffness, damping], criteria: {max_tilt_deg, zmp_margin_min_mm, slip_max_mm,
 // sole_tilt_max_deg, zmp_margin_p5_mm, step_slip_max_mm, force_rms_percent, velocity_error_percent, travel_min_m,
 // drift_max_m, no_fall, no_self_collision, loose: [name, position, within_m, speed_m_s],

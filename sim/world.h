@@ -57,10 +57,14 @@ struct LooseState {
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  // world [rad/s]
 };
 
+class ContactMesh;
+
 // A homogeneous body that nothing holds.
 struct LooseBody {
   std::string name;
   Solid solid;
+  std::shared_ptr<const ContactMesh> mesh;  // instead of the solid, which then is the box around it
+  Eigen::Isometry3d solid_pose = Eigen::Isometry3d::Identity();  // of that box, in the body's axes
   double mass = 1.0;  // [kg]
   LooseState start;
   double friction = 0.6;

@@ -165,13 +165,15 @@ void ContactMesh::add_clusters() {
   }
 }
 
-// Sums over the tetrahedra from the origin to each triangle.
+// Sums over the tetrahedra from one point, near, to each triangle.
 void ContactMesh::weigh() noexcept {
+  const Eigen::Vector3d near = box_.center();
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();
   Eigen::Matrix3d second = Eigen::Matrix3d::Zero();  // integral of p p'
   for (const ContactFace& face : faces_) {
-    const Eigen::Vector3d &a = vertices_[at(face.vertex[0])], &b = vertices_[at(face.vertex[1])],
-                          &c = vertices_[at(face.vertex[2])];
+    const Eigen::Vector3d a = vertices_[at(face.vertex[0])] - near,
+                          b = vertices_[at(face.vertex[1])] - near,
+                          c = vertices_[at(face.vertex[2])] - near;
     const double six = a.dot(b.cross(c));
     const Eigen::Vector3d sum = a + b + c;
     volume_ += six / 6.0;
@@ -180,8 +182,9 @@ void ContactMesh::weigh() noexcept {
               (sum * sum.transpose() + a * a.transpose() + b * b.transpose() + c * c.transpose());
   }
   if (!(volume_ > 0.0)) return;
-  centre_ = moment / volume_;
-  const Eigen::Matrix3d about = second - volume_ * centre_ * centre_.transpose();
+  const Eigen::Vector3d aside = moment / volume_;
+  centre_ = near + aside;
+  const Eigen::Matrix3d about = second - volume_ * aside * aside.transpose();
   inertia_ = about.trace() * Eigen::Matrix3d::Identity() - about;
 }
 
