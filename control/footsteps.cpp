@@ -24,6 +24,8 @@ constexpr double kSidewaysEase =
 constexpr double kBent = 0.88, kLeastBent = 0.93;  // hip to ankle, share of the straight leg
 constexpr double kKneeShare = 0.85;  // of its torque that carrying the robot at rest may take
 constexpr double kTurn = 0.6;        // share of a hip's range that a command may use
+// Of the turn of a step: how far the foot on the inside opens, and how far the other one closes.
+constexpr double kOpens = 1.5, kCloses = 0.5;
 
 // In the pose that robots are said to stand and walk in.
 struct Stance {
@@ -73,6 +75,16 @@ Eigen::Vector3d Gait::possible(const Eigen::Vector3d& velocity) const noexcept {
   return share > 1.0 ? Eigen::Vector3d(velocity / share) : velocity;
 }
 
+// Seen along the line halfway between both headings, each sole is turned by half the angle.
+double Gait::turning_width(double turning) const noexcept {
+  const auto apart = [&](double turned, double reach) {
+    const double half = 0.5 * std::abs(turned);
+    return (min_width + 2.0 * reach * std::sin(half)) / std::cos(half);
+  };
+  return std::clamp(std::max(apart(kOpens * turning, heel), apart(kCloses * turning, toe)), width,
+                    max_width);
+}
+
 Gait gait_of(const Model& model, const Walking& w, double margin) {
   Gait g;
   g.single_support = w.single_support;
@@ -104,6 +116,8 @@ Gait gait_of(const Model& model, const Walking& w, double margin) {
   g.max_back = kReachBack * stride;
   g.max_width = g.width + kReachSideways * stride;
   g.standing_width = std::clamp(stance.width, g.min_width, g.max_width);
+  g.toe = left.front;
+  g.heel = left.back;
   const double length = left.front + left.back;
   g.zmp_forward = std::clamp(w.zmp_forward, -left.back + 0.25 * length, left.front - 0.25 * length);
   g.zmp_inward = w.zmp_inward;
@@ -112,7 +126,7 @@ Gait gait_of(const Model& model, const Walking& w, double margin) {
   const double period = g.period();
   g.most_velocity = {kCommandStride * g.max_forward / period,
                      kCommandStride * 0.5 * (g.max_width - g.width) / period,
-                     kTurn * reach.turn / (1.5 * period) * 2.0};
+                     kTurn * reach.turn / (kOpens * period) * 2.0};
   g.acceleration = g.most_velocity / std::max(0.2, 2.0 * period);
   g.acceleration.y() *= kSidewaysEase;
   return g;
@@ -122,7 +136,7 @@ Foothold next_foothold(const Foothold& from, int foot, const Eigen::Vector3d& ve
                        double period, double width) noexcept {
   const double out = side_of(1 - foot);  // to the side of the foot that moves
   const double turning = velocity.z() * period;
-  const double turn = turning * (turning * out > 0.0 ? 1.5 : 0.5);
+  const double turn = turning * (turning * out > 0.0 ? kOpens : kCloses);
   const double side = velocity.y() * out > 0.0 ? 2.0 * velocity.y() * period : 0.0;
   const double half = 0.5 * width;
   Foothold next = from;

@@ -48,12 +48,15 @@ struct Gait {
   double zmp_forward = 0.03, zmp_inward = 0.005;  // of the reference ZMP under a sole [m]
   double max_forward = 0.45, max_back = 0.35;     // of a foothold before the other foot [m]
   double min_width = 0.155, max_width = 0.5;      // [m]
+  double toe = 0.18, heel = 0.07;                 // of a sole before and behind its frame [m]
   double ankle_share = 0.9;  // share of the sole on which step adjustment counts
   Eigen::Vector2d sole_low{-0.1, -0.07}, sole_high{0.1, 0.07};  // of the ZMP in the sole frame [m]
   Eigen::Vector3d most_velocity{0.5, 0.2, 0.8};  // vx, vy, wz, each alone [m/s, m/s, rad/s]
   Eigen::Vector3d acceleration{0.5, 0.4, 1.5};   // of the velocity command
 
   double period() const noexcept { return single_support + double_support; }
+  // Between the sole frames, so that feet that turn so far a step [rad] keep heels and toes apart.
+  double turning_width(double turning) const noexcept;
   // What can be done of a command: all shares of what can be done alone together at most one.
   Eigen::Vector3d possible(const Eigen::Vector3d& velocity) const noexcept;
 };

@@ -111,7 +111,7 @@ Foothold WalkPattern::after(const Foothold& from, int foot, int steps_ahead) con
   // Feet that stand too near each other come apart before they turn.
   if (steps_ahead == 0 && apart().y() < gait_.min_width) velocity.z() = 0.0;
   // The last two steps share what the stance is narrower or wider.
-  double width = gait_.width;
+  double width = gait_.turning_width(velocity.z() * period_);
   if (tidy_ && velocity.squaredNorm() < 1e-12) {
     const bool second = square_ + steps_ahead >= 1;
     width += (second ? 1.0 : 0.5) * (gait_.standing_width - width);

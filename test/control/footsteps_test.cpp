@@ -61,6 +61,32 @@ TEST(Footsteps, SolesNeverComeNearerThanTheyMay) {
   }
 }
 
+// The corners of both soles, seen across the way they stand: 35 mm apart however fast they turn.
+TEST(Footsteps, SolesThatTurnKeepHeelsAndToesApart) {
+  const Gait g = gait();
+  const double inner = 0.5 * (g.min_width - 0.035);
+  EXPECT_EQ(g.turning_width(0.0), g.width);
+  for (const double wz : {-1.0, -0.7, 0.3, 0.85}) {
+    const double width = g.turning_width(wz * g.period());
+    ASSERT_LT(width, g.max_width);
+    Foothold at[2];
+    at[0].position << 0.0, 0.5 * width;
+    at[1].position << 0.0, -0.5 * width;
+    for (int n = 0; n < 12; ++n) {
+      const int stands = n % 2;
+      at[1 - stands] = next_foothold(at[stands], stands, {0.0, 0.0, wz}, g.period(), width);
+      Foothold middle;
+      middle.set_yaw(at[0].yaw() + 0.5 * std::remainder(at[1].yaw() - at[0].yaw(), 2.0 * M_PI));
+      double left = 1e9, right = -1e9;
+      for (const double x : {g.toe, -g.heel}) {
+        left = std::min(left, middle.unturn(at[0].position + at[0].turn({x, -inner})).y());
+        right = std::max(right, middle.unturn(at[1].position + at[1].turn({x, inner})).y());
+      }
+      EXPECT_GT(left - right, 0.0349) << wz << ' ' << n;
+    }
+  }
+}
+
 TEST(Footsteps, WhatIsAskedIsCutToWhatTheLegsReach) {
   const Gait g = gait();
   const Eigen::Vector3d fast = g.possible({5.0, 0.0, 0.0});

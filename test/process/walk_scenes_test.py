@@ -14,9 +14,9 @@ import harness
 from harness import BIN, Checks, cli
 
 SAME_FOR_EVERY_SEED = ["walk_forward", "walk_backward", "walk_sideways", "walk_turn", "walk_diagonal", "walk_slippery",
-                       "walk_carry", "walk_pad", "walk_fast"]
+                       "walk_carry", "walk_pad", "walk_fast", "walk_pivot"]
 LOOSE = ["box_on_foot", "box_push", "boxes_tumble", "plate_underfoot", "carry_box", "tied_hands"]
-ROBOTS = ["two_robots", "hand_in_hand"]  # which engine ode has not
+ROBOTS = ["two_robots", "hand_in_hand", "hook_on_step"]  # what engine ode has not
 SEEDED = ["walk_rough", "walk_noisy", "push_stand", "push_walk"]
 SEEDS = range(1, 21) if harness.FULL else range(1, 3)
 FIGURES = ["max_tilt_deg", "zmp_margin_min_mm", "zmp_margin_p5_mm", "step_slip_max_mm", "force_rms_percent",
