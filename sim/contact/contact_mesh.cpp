@@ -14,7 +14,7 @@ namespace twinbus {
 
 namespace {
 
-constexpr double kFlat = 0.9999;   // cosine between faces of one plane
+constexpr double kOnePlane = 0.9999;   // cosine between faces of one plane
 constexpr double kFarthest = 1e6;  // [m]
 constexpr double kSliver = 1e-14;  // area of a triangle against its longest edge squared
 
@@ -110,7 +110,7 @@ void ContactMesh::add_edges() {
   for (ContactEdge& edge : edges_) {
     closed_ = closed_ && edge.face[1] >= 0;
     edge.flat = edge.face[1] >= 0 &&
-                faces_[at(edge.face[0])].normal.dot(faces_[at(edge.face[1])].normal) > kFlat;
+                faces_[at(edge.face[0])].normal.dot(faces_[at(edge.face[1])].normal) > kOnePlane;
     ++first_[at(edge.from) + 1];
     ++first_[at(edge.to) + 1];
   }

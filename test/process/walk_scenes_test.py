@@ -72,7 +72,7 @@ def main():
     run(checks, "walk_turn", 1, robot="hrp2p")
     if harness.FULL:
         jvrc1(checks)
-        for robot in ["hrp2p", "biped12"]:
+        for robot in ["hrp1s", "hrp2p", "biped12"]:
             everyday(checks, robot)
             for scene in ["walk_forward", "walk_sideways", "walk_turn", "walk_rough"]:
                 run(checks, scene, 1, robot=robot)
