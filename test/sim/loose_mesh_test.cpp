@@ -23,13 +23,6 @@ using Eigen::Vector3d;
 
 constexpr double kGravity = 9.81;
 
-// A robot out of the way: a pendulum on the wall, hanging still.
-Model bystander() {
-  Model model = test::pendulum();
-  model.joints[0].placement.translation() = Vector3d(50, 50, 5);
-  return model;
-}
-
 LooseBody triangles(const TriangleMesh& mesh, double mass, const Vector3d& position) {
   LooseBody body;
   body.name = "body";
@@ -61,7 +54,7 @@ void run(ArticulatedWorld& world, double seconds, double step) {
 
 // As a box of corners does: m g / 4 k into the ground, or into a step, and a height map's tile.
 TEST(LooseMesh, CubeOfTrianglesRestsLikeABox) {
-  const Model model = bystander();
+  const Model model = test::bystander();
   TriangleMesh cube = test::box_triangles(Vector3d::Constant(0.2));
   cube = test::split(test::split(cube));
   for (const int under : {0, 1, 2}) {
@@ -83,7 +76,7 @@ TEST(LooseMesh, CubeOfTrianglesRestsLikeABox) {
 }
 
 TEST(LooseMesh, BodiesOfTrianglesLieOnOneAnotherAndOnSimpleOnes) {
-  const Model model = bystander();
+  const Model model = test::bystander();
   const TriangleMesh cube = test::box_triangles(Vector3d::Constant(0.1));
   WorldConfig config;
   config.step = 0.001;
@@ -105,7 +98,7 @@ TEST(LooseMesh, BodiesOfTrianglesLieOnOneAnotherAndOnSimpleOnes) {
 
 TEST(LooseMesh, HookHangsOverTheEdgeOfItsStep) {
   const Scene scene = load_scene("hook_on_step");
-  const Model model = bystander();
+  const Model model = test::bystander();
   WorldConfig config;
   config.step = scene.step;
   config.obstacles = scene.obstacles;
@@ -140,7 +133,7 @@ TEST(LooseMesh, WhatHasNoVolumeIsRefused) {
   TriangleMesh open = test::box_triangles(Vector3d::Constant(0.2));
   open.triangles.pop_back();
   EXPECT_THROW(triangles(open, 1.0, Vector3d::Zero()), std::runtime_error);
-  const Model model = bystander();
+  const Model model = test::bystander();
   WorldConfig config;
   config.engine = Engine::kOde;
   config.loose.push_back(triangles(test::box_triangles(Vector3d::Ones()), 1.0, Vector3d(0, 0, 2)));

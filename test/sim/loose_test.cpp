@@ -32,18 +32,11 @@ LooseBody box(const std::string& name, double mass, const Eigen::Vector3d& size,
   return body;
 }
 
-// A robot out of the way: a pendulum on the wall, hanging still.
-Model bystander() {
-  Model model = test::pendulum();
-  model.joints[0].placement.translation() = Eigen::Vector3d(50, 50, 5);
-  return model;
-}
-
 class LooseTest : public test::BothEngines {};
 TWINBUS_FOR_BOTH_ENGINES(LooseTest);
 
 TEST_P(LooseTest, EveryShapeComesToRestOnTheGround) {
-  const Model model = bystander();
+  const Model model = test::bystander();
   WorldConfig config;
   const SolidShape shapes[] = {SolidShape::kBox, SolidShape::kSphere, SolidShape::kCylinder,
                                SolidShape::kCapsule};
@@ -71,7 +64,7 @@ TEST_P(LooseTest, EveryShapeComesToRestOnTheGround) {
 }
 
 TEST_P(LooseTest, BoxesStandOnOneAnother) {
-  const Model model = bystander();
+  const Model model = test::bystander();
   WorldConfig config;
   config.step = 1e-3;
   for (int i = 0; i < 3; ++i) {
@@ -88,7 +81,7 @@ TEST_P(LooseTest, BoxesStandOnOneAnother) {
 }
 
 TEST_P(LooseTest, ABoxIsPutWhereItIsTold) {
-  const Model model = bystander();
+  const Model model = test::bystander();
   WorldConfig config;
   config.loose = {box("b", 1.0, {0.2, 0.2, 0.2}, {0, 0, 0.1})};
   const auto world = make(model, config);
@@ -106,7 +99,7 @@ TEST_P(LooseTest, ABoxIsPutWhereItIsTold) {
 
 // A loose box slides to where v^2 / (2 mu g) says.
 TEST_P(LooseTest, ABoxSlidesToAHalt) {
-  const Model model = bystander();
+  const Model model = test::bystander();
   WorldConfig config;
   config.step = 1e-3;
   LooseBody body = box("b", 5.0, {0.4, 0.4, 0.1}, {0, 0, 0.05 - 5.0 * kGravity / 4e6});
@@ -267,7 +260,7 @@ TEST(LooseAndRobot, ACollisionKeepsMomentumToTheOrderOfTheStep) {
 
 // The boxes numbered at random, and a box beside the stack among them.
 TEST(LooseStack, ItStandsTheSameInWhateverOrderItsBoxesAreNamed) {
-  const Model model = bystander();
+  const Model model = test::bystander();
   constexpr int kBoxes = 12;
   std::array<std::vector<double>, 2> heights;
   for (const std::size_t shuffled : {0u, 1u}) {
@@ -294,7 +287,7 @@ TEST(LooseStack, ItStandsTheSameInWhateverOrderItsBoxesAreNamed) {
 
 // Thrown boxes of 0.03 to 30 kg: every step settles inside the cone.
 TEST(LooseStress, ATumblingBoxAlwaysSettlesInsideTheCone) {
-  const Model model = bystander();
+  const Model model = test::bystander();
   Random random(3);
   const auto u = [&] { return 2.0 * random.uniform() - 1.0; };
   // Friction above 4/3 has struck corners that several forces would fit.

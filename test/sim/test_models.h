@@ -50,6 +50,13 @@ inline Model pendulum(double effort = 1000.0) {
 }
 
 // Inertia of the pendulum's link about its hinge.
+// A robot that is far from whatever a test is about.
+inline Model bystander() {
+  Model model = pendulum();
+  model.joints[0].placement.translation() = Eigen::Vector3d(50, 50, 5);
+  return model;
+}
+
 inline constexpr double kPendulumInertia = 0.02 + 2.0 * 0.5 * 0.5;  // [kg m^2]
 
 inline Model slider(double effort = 1000.0) {
