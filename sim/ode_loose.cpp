@@ -39,10 +39,6 @@ bool bounds_meet(const dReal* a, const dReal* b) {
 
 void OdeWorld::Impl::add_loose() {
   for (const LooseBody& body : config.loose) {
-    if (body.mesh != nullptr) {
-      throw std::runtime_error("loose body '" + body.name +
-                               "': engine ode has no bodies of triangles; take articulated");
-    }
     const Eigen::Matrix3d inertia = inertia_of(body.solid, body.mass);
     dMass mass;
     dMassSetParameters(&mass, body.mass, 0, 0, 0, inertia(0, 0), inertia(1, 1), inertia(2, 2), 0, 0,

@@ -67,11 +67,20 @@ void check_links(const Model& model, bool fixed_base) {
   }
 }
 
+void check_loose(const std::vector<LooseBody>& bodies) {
+  for (const LooseBody& body : bodies) {
+    if (body.mesh == nullptr) continue;
+    throw std::runtime_error("loose body '" + body.name +
+                             "': engine ode has no bodies of triangles; take articulated");
+  }
+}
+
 }  // namespace
 
 OdeWorld::Impl::Impl(const Model& m, const WorldConfig& c)
     : model(m), config(c), h(c.step), configuration(m), start_of_step(m), kinematics(m) {
   check_links(m, config.fixed_base);
+  check_loose(config.loose);
   const std::vector<Tie> tied = checked_ties(m, config);
   open_engine();
   world = dWorldCreate();
