@@ -5,30 +5,9 @@
 #include <stdexcept>
 
 #include "robot/index.h"
+#include "robot/joint_reach.h"
 
 namespace twinbus {
-
-namespace {
-
-// Largest distance from the axis of `joint` that a point of any link moved by it can have.
-double reach_of(const Model& model, const Collision& collision, int joint) {
-  if (model.joints[at(joint)].kind == JointKind::kPrismatic) return 1.0;
-  double reach = 0.0;
-  for (int link = 0; link < model.link_count(); ++link) {
-    double length = collision.link_radius(link);
-    if (!(length > 0.0)) continue;
-    for (int child = link; child > 0; child = model.links[at(child)].parent) {
-      if (child == joint + 1) reach = std::max(reach, length);
-      const Joint& passed = model.joints[at(child - 1)];
-      length += passed.placement.translation().norm();
-      if (passed.kind == JointKind::kPrismatic)
-        length += std::max(std::abs(passed.lower), std::abs(passed.upper));
-    }
-  }
-  return reach;
-}
-
-}  // namespace
 
 EdgeCheck::EdgeCheck(const Model& model, Collision& collision, const Configuration& posture,
                      const std::vector<int>& joints, double clearance)
@@ -44,7 +23,7 @@ EdgeCheck::EdgeCheck(const Model& model, Collision& collision, const Configurati
   }
   collision.check_only_moved_by(joints);
   reach_.resize(static_cast<int>(joints.size()));
-  for (int k = 0; k < reach_.size(); ++k) reach_[k] = reach_of(model, collision, joints[at(k)]);
+  for (int k = 0; k < reach_.size(); ++k) reach_[k] = collision.reach().farthest(joints[at(k)]);
 }
 
 const Kinematics& EdgeCheck::kinematics_at(const JointPoint& q) {

@@ -62,9 +62,8 @@ bool by_fcl(const Model& model) {
 
 struct Collision::Impl {
   std::vector<CollisionPair> self_pairs;
-  std::vector<Owner> owners;  // links that bear geometry, then obstacles
-  std::vector<int> owner_of;  // [link_count + kMaxObstacles] -> owner, -1
-  std::vector<double> link_radius;
+  std::vector<Owner> owners;     // links that bear geometry, then obstacles
+  std::vector<int> owner_of;     // [link_count + kMaxObstacles] -> owner, -1
   std::vector<OwnerPair> pairs;  // self pairs, then link x obstacle
   std::vector<ShapeMemory> memory;
   std::vector<int> memory_of;  // [owners x owners]: first_memory, -1 when they are no pair
@@ -111,7 +110,8 @@ struct Collision::Impl {
 Collision::Impl::Impl(const Model& robot)
     : self_pairs(pairs_to_check(robot)), model(&robot), link_count(robot.link_count()) {
   owner_of.assign(static_cast<std::size_t>(link_count + kMaxObstacles), -1);
-  link_radius.assign(static_cast<std::size_t>(link_count), 0.0);
+  std::vector<double> link_radius(static_cast<std::size_t>(link_count),
+                                  0.0);  // about its origin [m]
   for (int link = 0; link < link_count; ++link) {
     const auto index = static_cast<std::size_t>(link);
     if (robot.links[index].collision.empty()) continue;
@@ -317,10 +317,6 @@ const std::vector<CollisionPair>& Collision::pairs() const noexcept { return imp
 int Collision::pair_count() const noexcept { return static_cast<int>(impl_->pairs.size()); }
 
 const JointReach& Collision::reach() const noexcept { return *impl_->reach; }
-
-double Collision::link_radius(int link) const noexcept {
-  return impl_->link_radius[static_cast<std::size_t>(link)];
-}
 
 void Collision::set_obstacles(const std::vector<Obstacle>& obstacles) {
   Impl& i = *impl_;

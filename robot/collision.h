@@ -88,8 +88,6 @@ class Collision {
   // Allocates.
   bool touches_by_fcl(const Kinematics& kinematics, const CollisionPair& pair);
 
-  // Radius of the geometry of a link about the link's origin [m]; 0 without geometry.
-  double link_radius(int link) const noexcept;
   // How far joints can move the geometry.
   const JointReach& reach() const noexcept;
 

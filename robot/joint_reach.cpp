@@ -31,6 +31,13 @@ JointReach::JointReach(const Model& model, const std::vector<double>& radius)
   }
 }
 
+double JointReach::farthest(int joint) const noexcept {
+  double most = 0.0;
+  for (std::size_t i = at(joint); i < reach_.size(); i += at(joints_))
+    most = std::max(most, reach_[i]);
+  return most;
+}
+
 // Calls with every joint that moves one of the links against the other, from the outermost on, with
 // its reach and which link it moves.  Parents come before their children, so the later of two links
 // is never on the way to the other.

@@ -24,6 +24,8 @@ class JointReach {
   // radius: of the geometry of every link about its origin [m]; what bears none does not move.
   JointReach(const Model& model, const std::vector<double>& radius);
 
+  // The largest reach of a joint, over all links that it moves [m/rad, or 1 if it slides].
+  double farthest(int joint) const noexcept;
   // By how much two links can come nearer when no joint moves farther than `moves` [joint_count,
   // rad or m, not negative] [m].  Link 0 and obstacles (link < 0) stand still.
   double between(int link_a, int link_b, const Eigen::VectorXd& moves) const noexcept;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <vector>
@@ -64,6 +65,21 @@ TEST(JointReach, NoPointMovesFartherThanIsSaidInAnyDirection) {
   EXPECT_GT(nearest, 0.7);  // nor is it much more
   EXPECT_GT(nearest_along, 0.7);
   EXPECT_GT(tightened, 1000.0);
+}
+
+// Of all links that a joint moves, about its axis: what bounds every pair.
+TEST(JointReach, TheFarthestIsTheMostOfAllLinks) {
+  const Model& model = hrp1s();
+  const JointReach reach(model, std::vector<double>(model.links.size(), kRadius));
+  for (int j = 0; j < model.joint_count(); ++j) {
+    Eigen::VectorXd moves = Eigen::VectorXd::Zero(model.joint_count());
+    moves[j] = 1.0;
+    double most = 0.0;
+    for (int link = 0; link < model.link_count(); ++link)
+      most = std::max(most, reach.between(0, link, moves));
+    EXPECT_DOUBLE_EQ(reach.farthest(j), most) << model.joints[at(j)].name;
+    EXPECT_GT(most, 0.0);
+  }
 }
 
 TEST(JointReach, WhatMovesBothOrNeitherDoesNotCount) {
