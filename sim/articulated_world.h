@@ -68,7 +68,7 @@ class ArticulatedWorld final : public World {
   }
   Status hold(int tie, bool holds) noexcept override;
   double corner_stiffness(int sole) const noexcept override;
-  double corner_damping(int sole) const noexcept override;
+  double corner_damping(int sole, double force) const noexcept override;
 
   const SolveCounters& counters() const noexcept { return solve_.counters(); }
   const std::vector<Contact>& solved() const noexcept { return contacts_; }  // of the last step

@@ -22,11 +22,12 @@ Normal normal_force(const ContactParams& p, double depth, double vn, double h, d
     end = 0.5 * (end + root);
   }
   if (!(end > 0.0)) return result;
-  if (end < kDampingRamp) {
-    const double factor = p.stiffness - p.damping / kDampingRamp * vn;
+  if (end < p.ramp) {
+    const double by_depth = p.damping / p.ramp;
+    const double factor = p.stiffness - by_depth * vn;
     if (!(factor > 0.0)) return result;
     result.force = end * factor;
-    result.slope = hs * factor + end * p.damping / kDampingRamp;
+    result.slope = hs * factor + end * by_depth;
   } else {
     result.force = p.stiffness * end - p.damping * vn;
     result.slope = hs * p.stiffness + p.damping;

@@ -4,12 +4,15 @@
 //     vn = n.v     end depth  d+ = d - h vn
 //     normal       fn = d+ (k - c vn / ramp)   if d+ < ramp     never pulls
 //                  fn = k d+ - c vn            beyond it
+//                  fn = k d+ (1 - a vn)        of Hunt and Crossley 1975: the same with a ramp that
+//                                              no depth reaches, and c = a k ramp
 //     friction     f* = -kt s - (ct + h kt) vt                  s: stretch of the bristle
 //                  sticks with ft = f* if |f*| <= mu fn, else slips with ft = mu fn f*/|f*|
 //
 // The return to the cone is backward Euler of a spring and damper in series with a Coulomb slider
 // (radial return of plasticity; for friction: Lacoursiere and Wriggers 2006, chapter 5).  The
-// damping ramp lets a landing begin without a jump of force.
+// damping ramp lets a landing begin without a jump of force.  An impact at v on Hunt and Crossley's
+// ground leaves at v_out, where a (v + v_out) = ln((1 + a v) / (1 - a v_out)), whatever k is.
 
 #pragma once
 
@@ -17,15 +20,24 @@
 
 namespace twinbus {
 
+inline constexpr double kDampingRamp = 1e-4;  // depth at which linear damping is complete [m]
+inline constexpr double kEndlessRamp = 1.0;   // deeper than anything sinks in [m]
+
 struct ContactParams {
   double stiffness = 0.0;          // k [N/m]
   double damping = 0.0;            // c [N s/m]
   double tangent_stiffness = 0.0;  // kt [N/m]
   double tangent_damping = 0.0;    // ct [N s/m]
   double friction = 0.0;           // mu
+  double ramp = kDampingRamp;      // depth at which the damping is complete [m]
 };
 
-inline constexpr double kDampingRamp = 1e-4;  // depth at which damping is complete [m]
+// With Hunt and Crossley's damping instead of its own.  dissipation: a [s/m].
+inline ContactParams hunt_crossley(ContactParams params, double dissipation) noexcept {
+  params.ramp = kEndlessRamp;
+  params.damping = dissipation * params.stiffness * kEndlessRamp;
+  return params;
+}
 
 enum class ContactMode { kOpen, kStick, kSlip };
 

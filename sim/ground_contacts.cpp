@@ -35,6 +35,11 @@ ContactParams shell(double stiffness, double friction) {
   return rubber(stiffness, kLinkDamping * std::sqrt(stiffness / kLinkStiffness), friction);
 }
 
+ContactParams as_asked(const WorldConfig& config, const ContactParams& params) {
+  if (config.contact != ContactModel::kHuntCrossley) return params;
+  return hunt_crossley(params, config.dissipation);
+}
+
 Solid solid_of(const Obstacle& obstacle) noexcept {
   const SolidShape shape = obstacle.shape == ObstacleShape::kBox      ? SolidShape::kBox
                            : obstacle.shape == ObstacleShape::kSphere ? SolidShape::kSphere
@@ -46,11 +51,13 @@ GroundContacts::GroundContacts(const Model& model, const WorldConfig& config)
     : fixed_base_(config.fixed_base), soles_(model.soles), ground_height_(config.ground_height) {
   for (std::size_t side = 0; side < 2; ++side) {
     const Sole& sole = soles_[side];
-    sole_params_[side] = rubber(sole.stiffness / kSoleCorners * config.stiffness_scale,
+    sole_params_[side] =
+        as_asked(config, rubber(sole.stiffness / kSoleCorners * config.stiffness_scale,
                                 sole.damping / kSoleCorners * config.damping_scale,
-                                std::sqrt(sole.friction * config.ground_friction));
+                                std::sqrt(sole.friction * config.ground_friction)));
   }
-  shell_params_ = shell(config.shell_stiffness, std::sqrt(kLinkFriction * config.ground_friction));
+  shell_params_ = as_asked(
+      config, shell(config.shell_stiffness, std::sqrt(kLinkFriction * config.ground_friction)));
   for (const Obstacle& obstacle : config.obstacles) {
     if (obstacle.shape == ObstacleShape::kNone) continue;
     obstacles_.push_back(obstacle);
@@ -273,8 +280,7 @@ void GroundContacts::add(const Screw& velocity, const Contact& found, double h, 
   c.stretch = planted(c, h);
 }
 
-void GroundContacts::remember(const std::vector<Contact>& contacts, int system,
-                              double h) noexcept {
+void GroundContacts::remember(const std::vector<Contact>& contacts, int system, double h) noexcept {
   memory_.clear();
   for (const Contact& c : contacts) {
     if (c.now.mode == ContactMode::kOpen || c.system != system || c.other_system >= 0 ||

@@ -30,6 +30,9 @@ ContactParams rubber(double stiffness, double damping, double friction);
 // Of a point of a link, as much damped at any stiffness.
 ContactParams shell(double stiffness, double friction);
 
+// Damped as the world's contact model asks.
+ContactParams as_asked(const WorldConfig& config, const ContactParams& params);
+
 // Must have a shape.
 Solid solid_of(const Obstacle& obstacle) noexcept;
 

@@ -18,7 +18,7 @@ constexpr double kFacing = 0.5;  // of a face's normal along a sole's
 constexpr double kRigid = std::numeric_limits<double>::infinity();
 
 ContactParams hard(double stiffness, double damping, double friction) {
-  return {stiffness, damping, stiffness, damping, friction};
+  return {stiffness, damping, stiffness, damping, friction, kDampingRamp};
 }
 
 double series(double a, double b) {
@@ -30,9 +30,12 @@ double series(double a, double b) {
 }  // namespace
 
 ContactParams together(const ContactParams& a, const ContactParams& b) {
-  return {series(a.stiffness, b.stiffness), series(a.damping, b.damping),
+  return {series(a.stiffness, b.stiffness),
+          series(a.damping, b.damping),
           series(a.tangent_stiffness, b.tangent_stiffness),
-          series(a.tangent_damping, b.tangent_damping), std::sqrt(a.friction * b.friction)};
+          series(a.tangent_damping, b.tangent_damping),
+          std::sqrt(a.friction * b.friction),
+          std::max(a.ramp, b.ramp)};
 }
 
 LooseContacts::LooseContacts(const Model& model, const WorldConfig& config)
@@ -49,7 +52,7 @@ LooseContacts::LooseContacts(const Model& model, const WorldConfig& config)
     piece.only_mesh = body.mesh != nullptr;
     if (!piece.only_mesh) piece.probes = probes_of(body.solid);
     piece.solid_too = !piece.only_mesh;
-    piece.params = hard(body.stiffness, body.damping, body.friction);
+    piece.params = as_asked(config, hard(body.stiffness, body.damping, body.friction));
     add(std::move(piece));
   }
   loose_ = pieces_.size();
@@ -92,8 +95,9 @@ void LooseContacts::add_robot(const Model& model, const WorldConfig& config, int
     piece.sole = static_cast<int>(side);
     piece.solid_too = false;
     piece.in_link = sole.frame;
-    piece.params = rubber(sole.stiffness / kSoleCorners * scale,
-                          sole.damping / kSoleCorners * damping_scale, sole.friction);
+    piece.params =
+        as_asked(config, rubber(sole.stiffness / kSoleCorners * scale,
+                                sole.damping / kSoleCorners * damping_scale, sole.friction));
     for (int corner = 0; corner < kSoleCorners; ++corner) {
       piece.probes.push_back({sole_corner(sole, corner), 0.0});
     }
@@ -110,7 +114,7 @@ void LooseContacts::add_robot(const Model& model, const WorldConfig& config, int
                           : shape.kind == ShapeKind::kSphere ? SolidShape::kSphere
                                                              : SolidShape::kCylinder;
       piece.in_link = shape.pose;
-      piece.params = shell(config.shell_stiffness, kLinkFriction);
+      piece.params = as_asked(config, shell(config.shell_stiffness, kLinkFriction));
       piece.probes = probes_of(piece.solid);
       // Near its sole a foot touches with the sole's corners.
       for (const Sole& sole : model.soles) {

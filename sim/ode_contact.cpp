@@ -158,7 +158,7 @@ void OdeWorld::Impl::add_contact(const dContactGeom& geom, int link, int sole, d
   dBodyGetPointVel(body(link), point.x(), point.y(), point.z(), velocity);
   const double end = geom.depth - h * (geom.normal[0] * velocity[0] + geom.normal[1] * velocity[1] +
                                        geom.normal[2] * velocity[2]);
-  c *= std::clamp(end / kDampingRamp, 0.0, 1.0);
+  c = damping_at(k, c, end);
   contact_rows.push_back(soft_row(geom, {velocity[0], velocity[1], velocity[2]},
                                   kinematics.link_in_world(link).linear(), k, c, mu));
   contacts.push_back({.link = link,
@@ -166,6 +166,12 @@ void OdeWorld::Impl::add_contact(const dContactGeom& geom, int link, int sole, d
                       .point = point,
                       .force = Eigen::Vector3d::Zero(),
                       .depth = std::max(0.0, geom.depth)});
+}
+
+double OdeWorld::Impl::damping_at(double k, double c, double depth) const noexcept {
+  if (config.contact == ContactModel::kHuntCrossley)
+    return config.dissipation * k * std::max(depth, 0.0);
+  return c * std::clamp(depth / kDampingRamp, 0.0, 1.0);
 }
 
 // So that the friction pyramid does not favour the world's axes.
@@ -182,15 +188,14 @@ dContact OdeWorld::Impl::soft_row(const dContactGeom& geom, const Eigen::Vector3
   row.geom = geom;
   row.geom.g1 = row.geom.g2 = nullptr;
   row.surface.mode = dContactApprox1 | dContactFDir1;
-  if (config.contact == ContactModel::kSpringDamper)
-    row.surface.mode |= dContactSoftERP | dContactSoftCFM;
+  const bool soft = config.contact != ContactModel::kRigid;
+  if (soft) row.surface.mode |= dContactSoftERP | dContactSoftCFM;
   row.surface.mu = mu;
   row.surface.soft_erp = h * k / (h * k + c);
   row.surface.soft_cfm = 1.0 / (h * k + c);
   // ODE takes a negative depth for none: the way that is left is a speed.
   if (geom.depth < 0.0) {
     row.surface.mode |= dContactMotionN;
-    const bool soft = config.contact == ContactModel::kSpringDamper;
     row.surface.motionN = (soft ? row.surface.soft_erp : 1.0) / h * geom.depth;
   }
   for (int i = 0; i < 3; ++i) row.fdir1[i] = along[i];

@@ -98,6 +98,8 @@ struct OdeWorld::Impl {
   void find_link_contacts() noexcept;
   void add_contact(const dContactGeom& geom, int link, int sole, double k, double c,
                    double mu) noexcept;
+  // Of a point so deep, as the contact model has it.
+  double damping_at(double k, double c, double depth) const noexcept;
   // A spring and damper; the first friction axis along the slip, or along an axis of turn.
   dContact soft_row(const dContactGeom& geom, const Eigen::Vector3d& velocity,
                     const Eigen::Matrix3d& turn, double k, double c, double mu) const noexcept;

@@ -133,9 +133,10 @@ void OdeWorld::Impl::meet_loose(std::size_t index, dGeomID geom, const LooseSide
     if (side.body != nullptr) {
       dBodyGetPointVel(side.body, point.x(), point.y(), point.z(), other);
     }
+    if (config.contact == ContactModel::kHuntCrossley) c = damping_at(k, c, found[i].depth);
     LooseRow row;
-    row.contact = soft_row(found[i], vector(v) - vector(other),
-                           loose_state(index).pose.linear(), k, c, mu);
+    row.contact =
+        soft_row(found[i], vector(v) - vector(other), loose_state(index).pose.linear(), k, c, mu);
     row.own = loose[index].body;
     row.other = side.body;
     row.reported = -1;
@@ -162,8 +163,7 @@ void OdeWorld::Impl::create_loose_joints() noexcept {
 void OdeWorld::Impl::read_loose_forces() noexcept {
   for (std::size_t i = 0; i < loose_rows.size(); ++i) {
     if (loose_rows[i].reported < 0) continue;
-    contacts[static_cast<std::size_t>(loose_rows[i].reported)].force =
-        vector(loose_feedback[i].f2);
+    contacts[static_cast<std::size_t>(loose_rows[i].reported)].force = vector(loose_feedback[i].f2);
   }
 }
 

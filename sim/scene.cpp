@@ -379,7 +379,8 @@ Scene load_scene(const std::string& name_or_file) {
   scene.robot = top.text("robot", scene.robot);
   const int engine = top.choice("engine", {kEngineNames[0], kEngineNames[1]}, 0);
   scene.engine = kEngineNames[engine];
-  scene.contact = kContactNames[top.choice("contact", {kContactNames[0], kContactNames[1]}, 0)];
+  scene.contact =
+      kContactNames[top.choice("contact", {std::begin(kContactNames), std::end(kContactNames)}, 0)];
   scene.duration = top.number("duration", 0.01, kDay, scene.duration);
   scene.step = top.number("step", 1e-5, 0.1, scene.step);
   scene.start_pose = top.text("start_pose", scene.start_pose);

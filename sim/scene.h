@@ -85,17 +85,17 @@ struct LooseEnd {
 struct Grasp {
   std::string link;
   Eigen::Vector3d point = Eigen::Vector3d::Zero();  // in its frame [m]
-  std::string to;  // a loose body, a link, NAME/LINK of a further robot or world
-  double at = 0.0, until = 1e9;                     // [s] of scene time
-  double reach = 0.03;       // of the three points that hold, from that one [m]
-  double stiffness = 1e6;    // of all three [N/m]
-  double damping = 1e3;      // [N s/m]
+  std::string to;                // a loose body, a link, NAME/LINK of a further robot or world
+  double at = 0.0, until = 1e9;  // [s] of scene time
+  double reach = 0.03;           // of the three points that hold, from that one [m]
+  double stiffness = 1e6;        // of all three [N/m]
+  double damping = 1e3;          // [N s/m]
 };
 
 // A further robot that nothing commands: it stands in a pose, its servos hold it.
 struct SceneRobot {
   std::string name;
-  std::string robot;                                        // as Scene::robot
+  std::string robot;  // as Scene::robot
   std::string pose = "half_sitting";
   Eigen::Isometry3d place = Eigen::Isometry3d::Identity();  // of the middle between its soles
 };
@@ -130,7 +130,7 @@ struct Scene {
   std::string name;
   std::string robot = "hrp1s";
   std::string engine = "articulated";     // or ode
-  std::string contact = "spring_damper";  // or rigid, engine ode only
+  std::string contact = "spring_damper";  // or hunt_crossley, or rigid, engine ode only
   double duration = 10.0;                 // [s] of `twinbus run`
   std::string about;                      // one sentence
   double step = 0.0;  // physics step [s], a whole part of the robot's period; 0: the period
@@ -147,10 +147,10 @@ struct Scene {
   std::vector<Obstacle> tiles;  // of the terrain: ground to the soles, unknown to planner and guard
   PushRound push_round;
   std::vector<BodyChange> bodies;
-  std::vector<LooseBody> loose;  // bodies that nothing holds; planner and guard do not know them
+  std::vector<LooseBody> loose;    // bodies that nothing holds; planner and guard do not know them
   std::vector<SceneRobot> robots;  // nor these
   bool self_contact = false;       // links of one robot touch one another
-  std::vector<Loop> loops;       // beside those of the robot
+  std::vector<Loop> loops;         // beside those of the robot
   std::vector<Grasp> grasps;
   Criteria criteria;
   std::string text;                                           // as read
@@ -164,7 +164,7 @@ void resolve_poses(Scene& scene, const Model& model);
 // name_or_file: a YAML file, or a name under config/scenes.  Throws std::runtime_error naming file,
 // line and the nearest valid key.
 //
-// Keys: about, robot, engine (articulated or ode), contact (spring_damper or rigid), duration, step, start_pose, base (floating or fixed), ground:
+// Keys: about, robot, engine (articulated or ode), contact (spring_damper, hunt_crossley or rigid), duration, step, start_pose, base (floating or fixed), ground:
 // {friction}, obstacles: [shape, size, position, rpy_deg], pushes: [link, point, impulse, at,
 // duration], modes: [at, mode, motion, pose, duration, amplitude, frequency], goals: [at, hand,
 // position, rpy_deg, pose, speed, cancel], walks: [at, for, vx, vy, wz], pads: [at, for, left_x, left_y, right_x],

@@ -54,6 +54,9 @@ const Entry kEntries[] = {
      [](SimSettings& s, double v, double) { s.world.stiffness_scale = v; }},
     {"contact.damping_scale", 0.0, 1e3, "damping of the soles times this",
      [](SimSettings& s, double v, double) { s.world.damping_scale = v; }},
+    {"contact.dissipation", 0.0, 1e3,
+     "damping of contact hunt_crossley, as much less a bounce [s/m]",
+     [](SimSettings& s, double v, double) { s.world.dissipation = v; }},
     {"contact.friction", 0.0, 10.0, "Coulomb coefficient of the ground",
      [](SimSettings& s, double v, double) { s.world.ground_friction = v; }},
     {"ground.left_height_error", -0.05, 0.05, "ground under the left sole is this much higher [m]",
@@ -175,7 +178,7 @@ std::string apply_setting(const std::string& key, const std::string& value, doub
   }
   if (key == "contact") {
     if (contact_of(value, settings.world.contact)) return "";
-    return "setting contact=" + value + ": must be spring_damper or rigid";
+    return "setting contact=" + value + ": must be spring_damper, hunt_crossley or rigid";
   }
   const Entry* nearest = kEntries;
   for (const Entry& entry : kEntries) {

@@ -389,7 +389,8 @@ void SimAdaptor::Impl::continue_corner_forces(
           world->link_in_world(sole.link) * (sole.frame * sole_corner(sole, corner));
       const double wanted = force[at][static_cast<std::size_t>(corner)];
       const double speed = world->point_velocity(sole.link, point).z();
-      const double depth = (wanted + world->corner_damping(side) * speed) / corner_stiffness[at];
+      const double depth =
+          (wanted + world->corner_damping(side, wanted) * speed) / corner_stiffness[at];
       const double now = settings.world.ground_height[at] - point.z();
       // A corner that is to carry nothing is only kept from pressing.
       if (wanted > 0.0 || now > 0.0)

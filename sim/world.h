@@ -35,9 +35,10 @@ bool engine_of(const std::string& name, Engine& engine);
 // How what touches pushes back.
 enum class ContactModel {
   kSpringDamper,  // a spring and damper at each point
+  kHuntCrossley,  // a spring, and a damper that grows with the depth: section 3.3.2 of the paper
   kRigid,         // no way in: the LCP of engine ode, which alone has it, for comparison
 };
-inline constexpr const char* kContactNames[] = {"spring_damper", "rigid"};
+inline constexpr const char* kContactNames[] = {"spring_damper", "hunt_crossley", "rigid"};
 
 // False: there is no such contact.
 bool contact_of(const std::string& name, ContactModel& contact);
@@ -65,7 +66,7 @@ struct LooseBody {
   Solid solid;
   std::shared_ptr<const ContactMesh> mesh;  // instead of the solid, which then is the box around it
   Eigen::Isometry3d solid_pose = Eigen::Isometry3d::Identity();  // of that box, in the body's axes
-  double mass = 1.0;  // [kg]
+  double mass = 1.0;                                             // [kg]
   LooseState start;
   double friction = 0.6;
   double stiffness = 1e5;  // of a point that touches [N/m]
@@ -91,6 +92,7 @@ struct WorldConfig {
   double ground_friction = 0.8;                   // combined with the sole's as geometric mean
   double stiffness_scale = 1.0;                   // of the soles' springs
   double damping_scale = 1.0;                     // of the soles' dampers
+  double dissipation = 2.0;                       // of kHuntCrossley, everywhere [s/m]
   std::array<double, 2> ground_height{0.0, 0.0};  // under left and right sole [m]
   double servo_kp_scale = 1.0;
   double servo_kd_scale = 1.0;
@@ -200,7 +202,8 @@ class World {
   // Of config.ties: from now on its ends are to stay together as they are, or are let go.
   virtual Status hold(int tie, bool holds) noexcept = 0;
   virtual double corner_stiffness(int sole) const noexcept = 0;  // [N/m]
-  virtual double corner_damping(int sole) const noexcept = 0;    // [N s/m]
+  // Of one that carries the force [N s/m].
+  virtual double corner_damping(int sole, double force) const noexcept = 0;
 };
 
 // The world of config.engine.  The model must outlive it.  Throws std::runtime_error when the model

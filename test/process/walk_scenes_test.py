@@ -23,11 +23,12 @@ FIGURES = ["max_tilt_deg", "zmp_margin_min_mm", "zmp_margin_p5_mm", "step_slip_m
            "velocity_error_percent"]
 
 
-def run(checks, scene, seed, robot=None, engine=None):
+def run(checks, scene, seed, robot=None, engine=None, contact=None):
     report = os.path.join(tempfile.mkdtemp(), "report.json")
     words = ["run", scene, "--seed", seed, "--report", report]
     words += ["--robot", robot] if robot else []
     words += ["--engine", engine] if engine else []
+    words += ["--set", f"contact={contact}"] if contact else []
     status, out, err = cli(*words, timeout=600)
     try:
         with open(report, encoding="utf-8") as file:
@@ -35,7 +36,7 @@ def run(checks, scene, seed, robot=None, engine=None):
         line = "  ".join(f"{name} {figures[name]:.1f}" for name in FIGURES if figures.get(name) is not None)
     except (OSError, ValueError) as error:
         line = f"no report: {error}"
-    print(f"{scene} seed {seed} {robot or ''} {engine or ''}: exit {status}  {line}", flush=True)
+    print(f"{scene} seed {seed} {robot or ''} {engine or ''} {contact or ''}: exit {status}  {line}", flush=True)
     failed = [text for text in out.splitlines() if text.startswith("FAILED")]
     checks.that(status == 0, f"run {scene} --seed {seed} {robot or ''} {engine or ''} passes: {failed} {err[-300:]}")
 
@@ -66,6 +67,7 @@ def main():
     for scene in SAME_FOR_EVERY_SEED + LOOSE + ROBOTS + (["walk_start_stop"] if harness.FULL else []):
         run(checks, scene, 1)
     run(checks, "sway_rigid", 1)
+    run(checks, "walk_forward", 1, contact="hunt_crossley")
     for scene in SEEDED:
         for seed in SEEDS:
             run(checks, scene, seed)

@@ -21,6 +21,24 @@ ContactParams params() {
   return p;
 }
 
+// An impact on a law without friction, by small steps of the second order: the speed it leaves with.
+double rebound(const ContactParams& p, double mass, double speed) {
+  const double h = 1e-7;
+  ContactForce force;
+  const auto pull = [&](double depth, double v) {
+    contact_force(p, depth, Eigen::Vector3d::UnitZ(), Eigen::Vector3d::Zero(),
+                  Eigen::Vector3d(0.0, 0.0, v), 0.0, false, 0.0, force);
+    return force.force.z() / mass;
+  };
+  double depth = 0.0, v = -speed;
+  do {
+    const double half_depth = depth - 0.5 * h * v, half_v = v + 0.5 * h * pull(depth, v);
+    depth -= h * half_v;
+    v += h * pull(half_depth, half_v);
+  } while (depth > 0.0);
+  return v;
+}
+
 struct Case {
   double depth;
   Eigen::Vector3d normal, stretch, v;
@@ -57,21 +75,38 @@ TEST(ContactLaw, NeverPullsAndNeverLeavesTheCone) {
   EXPECT_GT(slips, 1000);
 }
 
+// a (v + v_out) = ln((1 + a v) / (1 - a v_out)), at any stiffness and mass.
+TEST(ContactLaw, AnImpactLosesWhatHuntAndCrossleySay) {
+  for (const double dissipation : {0.1, 0.5, 2.0}) {
+    for (const double stiffness : {1e4, 1e6}) {
+      ContactParams p = params();
+      p.stiffness = stiffness;
+      for (const double speed : {0.1, 1.0}) {
+        const double out = rebound(hunt_crossley(p, dissipation), 2.0, speed);
+        const double a = dissipation;
+        EXPECT_NEAR(a * (speed + out), std::log((1.0 + a * speed) / (1.0 - a * out)),
+                    1e-4 * a * speed);
+        EXPECT_LT(out, speed);
+      }
+    }
+  }
+}
+
 TEST(ContactLaw, TheTangentIsItsDerivative) {
   Random random(5);
   ContactForce force, plus, minus;
   const double step = 1e-8;
-  for (const double smooth : {0.0, 5.0}) {
+  for (const double smooth : {0.0, 5.0, -1.0, -5.0}) {  // below zero: Hunt and Crossley's
+    const ContactParams law = smooth < 0.0 ? hunt_crossley(params(), 2.0) : params();
+    const double round = smooth == -1.0 ? 0.0 : std::abs(smooth);
     int compared = 0;
     for (int i = 0; i < 3000; ++i) {
       const Case c = random_case(random);
-      contact_force(params(), c.depth, c.normal, c.stretch, c.v, kLawStep, true, smooth, force);
+      contact_force(law, c.depth, c.normal, c.stretch, c.v, kLawStep, true, round, force);
       for (int k = 0; k < 3; ++k) {
         const Eigen::Vector3d d = step * Eigen::Vector3d::Unit(k);
-        contact_force(params(), c.depth, c.normal, c.stretch, c.v + d, kLawStep, false, smooth,
-                      plus);
-        contact_force(params(), c.depth, c.normal, c.stretch, c.v - d, kLawStep, false, smooth,
-                      minus);
+        contact_force(law, c.depth, c.normal, c.stretch, c.v + d, kLawStep, false, round, plus);
+        contact_force(law, c.depth, c.normal, c.stretch, c.v - d, kLawStep, false, round, minus);
         if (plus.mode != minus.mode) continue;  // a kink
         const double end = c.depth - kLawStep * c.normal.dot(c.v);
         if (std::abs(end - kDampingRamp) < 1e-9 || std::abs(end) < 1e-9) continue;

@@ -63,6 +63,30 @@ TEST_P(LooseTest, EveryShapeComesToRestOnTheGround) {
   EXPECT_TRUE(world->contacts().empty());  // the robot is not touched
 }
 
+// Against a wall, so that no weight is in it: a (v + v_out) = ln((1 + a v) / (1 - a v_out)).
+TEST_P(LooseTest, ABallLeavesAWallAsHuntAndCrossleySay) {
+  const Model model = test::bystander();
+  WorldConfig config;
+  config.contact = ContactModel::kHuntCrossley;
+  config.dissipation = 0.5;
+  config.step = 1e-5;
+  config.order = is_ode() ? 1 : 2;
+  config.ground_friction = 0.0;
+  config.obstacles.push_back({.shape = ObstacleShape::kBox,
+                              .size = {0.2, 2.0, 2.0},
+                              .pose = Eigen::Isometry3d(Eigen::Translation3d(0.1, 0.0, 5.0))});
+  LooseBody ball = box("ball", 1.0, {0.1, 0.0, 0.0}, {-0.105, 0.0, 5.0});
+  ball.solid.shape = SolidShape::kSphere;
+  ball.start.velocity.x() = 1.0;
+  config.loose.push_back(ball);
+  const auto world = make(model, config);
+  ASSERT_EQ(world->set(Configuration(model)), Status::kOk);
+  for (int i = 0; i < 2000; ++i) ASSERT_EQ(world->step(), Status::kOk);
+  const double out = -world->loose(0).velocity.x(), a = config.dissipation;
+  EXPECT_LT(out, 0.95);
+  EXPECT_NEAR(a * (1.0 + out), std::log((1.0 + a) / (1.0 - a * out)), is_ode() ? 5e-3 : 1e-4);
+}
+
 TEST_P(LooseTest, BoxesStandOnOneAnother) {
   const Model model = test::bystander();
   WorldConfig config;

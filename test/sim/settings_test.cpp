@@ -32,6 +32,10 @@ TEST(Settings, ContactIsOneOfTwo) {
   SimSettings s;
   EXPECT_TRUE(apply_setting("contact", "rigid", 0.002, s).empty());
   EXPECT_EQ(s.world.contact, ContactModel::kRigid);
+  EXPECT_EQ(apply_setting("contact", "hunt_crossley", 0.002, s), "");
+  EXPECT_EQ(s.world.contact, ContactModel::kHuntCrossley);
+  EXPECT_EQ(apply_setting("contact.dissipation", "0.5", 0.002, s), "");
+  EXPECT_DOUBLE_EQ(s.world.dissipation, 0.5);
   EXPECT_NE(apply_setting("contact", "magic", 0.002, s).find("rigid"), std::string::npos);
 }
 
