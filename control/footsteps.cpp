@@ -90,6 +90,7 @@ Gait gait_of(const Model& model, const Walking& w, double margin) {
   g.single_support = w.single_support;
   g.double_support = w.double_support;
   g.lift = w.lift;
+  g.preview = w.preview;
   const auto fail = [&](const std::string& why) {
     throw std::runtime_error("robot " + model.name + " cannot walk as its robot.yaml asks: " + why);
   };

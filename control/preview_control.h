@@ -35,6 +35,10 @@ class PreviewControl {
   double zmp(const Cart& cart) const noexcept {
     return cart.position - cart.acceleration / (omega_ * omega_);
   }
+  // With that position, DCM and ZMP.
+  Cart cart(double position, double dcm, double zmp) const noexcept {
+    return {position, omega_ * (dcm - position), omega_ * omega_ * (position - zmp)};
+  }
   double dcm(const Cart& cart) const noexcept { return cart.position + cart.velocity / omega_; }
 
  private:

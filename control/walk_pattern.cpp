@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "control/dcm_plan.h"
 #include "control/step_adjust.h"
 #include "robot/pose_math.h"
 
 namespace twinbus {
 
 namespace {
-constexpr int kAhead = 3;             // steps planned beyond the next
 constexpr double kTooLate = 0.08;     // before touchdown, from when on a step is left alone [s]
 constexpr double kShortest = 0.10;    // any step may still last [s]
 constexpr double kMoved = 0.03;       // a step moved farther is a recovery [m]
@@ -35,8 +34,10 @@ double way(double from, double to, double most) noexcept {
 }
 }  // namespace
 
-WalkPattern::WalkPattern(const Gait& gait, const SwingGains& swing) noexcept
-    : gait_(gait), swing_(swing), period_(gait.period()) {}
+WalkPattern::WalkPattern(const Gait& gait, const SwingGains& swing)
+    : gait_(gait), swing_(swing), period_(gait.period()) {
+  if (gait.preview) preview_.emplace(gait.com_height);
+}
 
 Eigen::Vector2d WalkPattern::middle() const noexcept {
   return 0.5 * (zmp_on(gait_, feet_[0], 0) + zmp_on(gait_, feet_[1], 1));
@@ -71,8 +72,9 @@ void WalkPattern::start(const std::array<Foothold, 2>& feet) noexcept {
   period_ = gait_.period();
   since_landing_ = adjusted_ = uneven_ = 0.0;
   squares_ = tidy_ = false;
-  halting_ = false;
+  halting_ = unforeseen_ = false;
   rest_ = zmp_from_ = zmp_ = dcm_ = middle();
+  if (preview_) preview_->rest(rest_);
 }
 
 void WalkPattern::want(const Eigen::Vector3d& velocity) noexcept {
@@ -136,6 +138,7 @@ void WalkPattern::capture(const Eigen::Vector2d& measured_dcm) noexcept {
   const double side = feet_[0].unturn(measured_dcm - middle()).y();
   tidy_ = false;
   begin_step(side > 0.0 ? 1 : 0, gait_.hurry);
+  unforeseen_ = true;
   square_ = 0;
 }
 
@@ -200,6 +203,7 @@ bool WalkPattern::try_to_stand(const Eigen::Vector2d& measured_dcm, double omega
       return false;
   }
   stand(rest, time);
+  unforeseen_ = true;
   return true;
 }
 
@@ -207,6 +211,7 @@ void WalkPattern::advance(const std::array<bool, 2>& touching,
                           const std::array<Foothold, 2>& measured, double dt) noexcept {
   time_ += dt;
   since_landing_ += dt;
+  if (preview_) preview_->advance(dt);
   if (!halting_ || braking_) {
     const Eigen::Vector3d rate =
         halting_ ? Eigen::Vector3d(gait_.most_velocity / kHaltTime) : gait_.acceleration;
@@ -246,7 +251,7 @@ void WalkPattern::plan(const Eigen::Vector2d& measured_dcm, double omega) noexce
   const double left_now = double_ + single_time_ - time_;
   if (single() && left_now >= kTooLate) {
     target_ = after(foot(support_), support_, 0);
-    plan_pieces(omega);
+    (void)plan_pieces(omega);
     {
       const StepNow now{.support = foot(support_),
                         .foot = support_,
@@ -262,7 +267,10 @@ void WalkPattern::plan(const Eigen::Vector2d& measured_dcm, double omega) noexce
       single_time_ = time_ + step.left - double_;
     }
   }
-  plan_pieces(omega);
+  const std::size_t count = plan_pieces(omega);
+  if (!preview_) return;
+  if (std::exchange(unforeseen_, false)) preview_->begin(dcm_, zmp_);
+  preview_->plan(std::span(pieces_).first(count));
 }
 
 int WalkPattern::ahead(Foothold* list, int most) const noexcept {
@@ -289,8 +297,8 @@ int WalkPattern::swing_way(Foothold* list, int most) const noexcept {
   return most;
 }
 
-void WalkPattern::plan_pieces(double omega) noexcept {
-  std::array<ZmpPiece, 2 + 2 * kAhead + 1> piece;
+std::size_t WalkPattern::plan_pieces(double omega) noexcept {
+  auto& piece = pieces_;
   std::size_t n = 0, landing = 0;
   const double in_double = double_ - time_;
   const Eigen::Vector2d here = walking_ ? zmp_on(gait_, foot(support_), support_) : rest_;
@@ -317,6 +325,8 @@ void WalkPattern::plan_pieces(double omega) noexcept {
       side = 1 - side;
     }
     piece[n++] = {from, xi, gait_.double_support};
+  } else {
+    piece[n++] = {here, here, kLeast};
   }
   dcm_landing_ = xi;
   for (std::size_t k = n; k-- > 0;) {
@@ -324,6 +334,7 @@ void WalkPattern::plan_pieces(double omega) noexcept {
     xi = dcm_before(piece[k], xi, omega);
   }
   dcm_ = xi;
+  return n;
 }
 
 }  // namespace twinbus

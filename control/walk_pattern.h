@@ -7,8 +7,11 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <optional>
 
+#include "control/dcm_plan.h"
 #include "control/footsteps.h"
+#include "control/preview_plan.h"
 #include "control/swing_foot.h"
 
 namespace twinbus {
@@ -17,7 +20,8 @@ class WalkPattern {
  public:
   static constexpr int kMostFootholds = 32;  // of a list
 
-  explicit WalkPattern(const Gait& gait, const SwingGains& swing = {}) noexcept;
+  // Allocates if the gait asks for preview control.
+  explicit WalkPattern(const Gait& gait, const SwingGains& swing = {});
 
   // Stands on both feet; left, right.
   void start(const std::array<Foothold, 2>& feet) noexcept;
@@ -47,8 +51,9 @@ class WalkPattern {
   const Foothold& foot(int foot) const noexcept { return feet_[static_cast<std::size_t>(foot)]; }
   const SwingFoot& swing() const noexcept { return swing_; }
   const Foothold& target() const noexcept { return target_; }
-  const Eigen::Vector2d& dcm() const noexcept { return dcm_; }
-  const Eigen::Vector2d& zmp() const noexcept { return zmp_; }
+  // The reference.
+  Eigen::Vector2d dcm() const noexcept { return preview_ ? preview_->dcm() : dcm_; }
+  Eigen::Vector2d zmp() const noexcept { return preview_ ? preview_->zmp() : zmp_; }
   const Eigen::Vector3d& velocity() const noexcept { return velocity_; }
   double heading() const noexcept;  // between the feet [rad]
   Eigen::Vector2d middle() const noexcept;
@@ -67,7 +72,7 @@ class WalkPattern {
   const Gait& gait() const noexcept { return gait_; }
 
  private:
-  void plan_pieces(double omega) noexcept;
+  std::size_t plan_pieces(double omega) noexcept;  // how many
   bool try_to_stand(const Eigen::Vector2d& measured_dcm, double omega) noexcept;
   void stand(const Eigen::Vector2d& rest, double time) noexcept;
   Eigen::Vector2d on_both_soles(const Eigen::Vector2d& point) const noexcept;
@@ -80,8 +85,13 @@ class WalkPattern {
     return wanted_.squaredNorm() > 1e-10 || listed_ < list_count_;
   }
 
+  static constexpr int kAhead = 3;  // steps planned beyond the next
+
   Gait gait_;
   SwingFoot swing_;
+  std::optional<PreviewPlan> preview_;
+  bool unforeseen_ = false;                          // a stop or a step that no preview knew of
+  std::array<ZmpPiece, 2 + 2 * kAhead + 1> pieces_;  // of the ZMP to come
   std::array<Foothold, 2> feet_;
   std::array<Foothold, kMostFootholds> list_;
   int listed_ = 0, list_count_ = 0, list_support_ = 0;

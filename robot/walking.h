@@ -18,6 +18,7 @@ struct Walking {
   double com_height = 0.0;    // of the centre of mass above the ground, 0: as the legs say [m]
   double zmp_forward = 0.03;  // of the reference zero-moment point before a sole frame [m]
   double zmp_inward = 0.005;  // and towards the other foot [m]
+  bool preview = false;  // reference by preview control, not in closed form: `pattern: preview`
   bool own_attitude = false;  // from gyro and accelerometer, not the IMU's: `attitude: estimated`
 };
 

@@ -1,7 +1,8 @@
 // How walking holds: stops in every phase, pushes by direction and phase, a robot that is not the nominal one, what every
 // robot must do, time of a tick.
 //
-//     walk_bench [stop|push|robust|everyday|time]... [--robot R] [--phases N] [--speed V] [--push V] [--guard] [--engine E]
+//     walk_bench [stop|push|robust|pattern|everyday|time]... [--robot R] [--phases N] [--speed V] [--push V] [--guard]
+//                [--engine E]
 //
 // --push: the same change of velocity [m/s] in every direction.  Without words: all of it.  Exit status 1 when a robot
 // fell, a stop took more than 1.5 steps or the guard (--guard) asked for a stop.
@@ -18,6 +19,7 @@
 #include "robot/load.h"
 #include "robot/process.h"
 #include "sim/scene_seed.h"
+#include "test/control/hrp1s.h"
 #include "test/control/sim_rig.h"
 
 namespace twinbus {
@@ -208,15 +210,21 @@ void shift_trunk(Bench& bench, double x, double y) {
   trunk->com += Eigen::Vector3d(x, y, 0.0);
 }
 
-// As if its robot.yaml said so.
-void estimate_attitude(Model& model) {
-  const std::string words = "attitude: estimated";
-  const std::size_t walking = model.yaml_text.find("walking:");
-  if (walking == std::string::npos) {
-    model.yaml_text += "\nwalking: {" + words + "}\n";
-  } else {
-    model.yaml_text.insert(model.yaml_text.find('{', walking) + 1, words + ", ");
+// The reference in closed form and that of preview control.
+int patterns(const Bench& given) {
+  int fell = 0;
+  for (const char* name : {"closed_form", "preview"}) {
+    Bench bench = given;
+    bench.model = test::say_walking(given.model, std::string("pattern: ") + name);
+    Walker robot(bench, scene_of(bench), {});
+    const bool good = robot.walk(bench.model, bench.speed, 0.0, 12.0);
+    fell += good ? 0 : 1;
+    std::printf("pattern %-11s walks %.2f m/s: %s, tilt %.2f degrees, ZMP margin %.1f mm\n", name,
+                bench.speed, good ? "holds" : "FALLS", 57.29578 * robot.record().base_tilt_max,
+                1e3 * robot.record().zmp_margin_min);
+    fell += pushes(bench, {}, name, 6);
   }
+  return fell;
 }
 
 int robust(const Bench& given) {
@@ -249,7 +257,7 @@ int robust(const Bench& given) {
   int fell = 0;
   for (const auto& [name, settings, trunk_x, trunk_y, own_attitude] : table) {
     Bench bench = given;
-    if (own_attitude) estimate_attitude(bench.model);
+    if (own_attitude) bench.model = test::say_walking(bench.model, "attitude: estimated");
     shift_trunk(bench, trunk_x, trunk_y);
     Walker robot(bench, scene_of(bench), settings);
     const bool good = robot.walk(bench.model, bench.speed, 0.0, 12.0);
@@ -342,12 +350,13 @@ int run(int argc, char** argv) {
     } else if (word == "--speed" && has_value) {
       bench.speed = std::atof(argv[++i]);
     } else if (word == "stop" || word == "push" || word == "robust" || word == "time" ||
-               word == "everyday") {
+               word == "everyday" || word == "pattern") {
       words.push_back(word);
     } else {
-      std::fprintf(stderr,
-                   "walk_bench [stop|push|robust|everyday|time]... [--robot R] [--phases N] "
-                   "[--speed V] [--push V] [--guard] [--engine E]\n");
+      std::fprintf(
+          stderr,
+          "walk_bench [stop|push|robust|pattern|everyday|time]... [--robot R] [--phases N] "
+          "[--speed V] [--push V] [--guard] [--engine E]\n");
       return word == "--help" ? 0 : 2;
     }
   }
@@ -359,6 +368,7 @@ int run(int argc, char** argv) {
   if (asked("stop")) bad += stops(bench);
   if (asked("push")) bad += pushes(bench, {}, "nominal", phases_given ? bench.phases : 12);
   if (asked("robust")) bad += robust(bench);
+  if (asked("pattern")) bad += patterns(bench);
   if (asked("everyday")) bad += everyday(bench);
   for (const bool guard : {false, true}) {
     if (asked("time")) time_ticks(bench, guard);

@@ -2,6 +2,8 @@
 
 #pragma once
 
+#include <string>
+
 #include "robot/load.h"
 #include "robot/model.h"
 
@@ -9,6 +11,17 @@ namespace twinbus::test {
 
 inline const Model& hrp1s() {
   static const Model model = load_robot("hrp1s");
+  return model;
+}
+
+// As if the map `walking` of its robot.yaml said so too.
+inline Model say_walking(Model model, const std::string& words) {
+  const std::size_t walking = model.yaml_text.find("walking:");
+  if (walking == std::string::npos) {
+    model.yaml_text += "\nwalking: {" + words + "}\n";
+  } else {
+    model.yaml_text.insert(model.yaml_text.find('{', walking) + 1, words + ", ");
+  }
   return model;
 }
 

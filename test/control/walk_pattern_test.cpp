@@ -19,7 +19,7 @@ Gait gait() { return gait_of(test::hrp1s(), walking_of(test::hrp1s()), 0.01); }
 
 // A robot that does what the pattern says: a pendulum on the reference ZMP, and soles that land where they were sent.
 struct Puppet {
-  Puppet() : pattern(gait()) {
+  explicit Puppet(const Gait& how = gait()) : pattern(how) {
     std::array<Foothold, 2> feet;
     for (int f = 0; f < 2; ++f)
       feet[static_cast<std::size_t>(f)].position << 0.0, side_of(f) * 0.5 * pattern.gait().width;
@@ -60,6 +60,29 @@ TEST(DcmPlan, APieceRunsForwardsAsItWasComputedBackwards) {
     xi += piece.duration / n * kOmega * (xi - p);
   }
   EXPECT_LT((xi - end).norm(), 2e-5);
+}
+
+// What nobody could know ahead, the end of walking, moves the reference of the closed form at once.
+TEST(WalkPattern, PreviewControlBendsTheReferenceThatTheClosedFormLetsJump) {
+  Gait preview = gait();
+  preview.preview = true;
+  double jump[2] = {};  // of the DCM in a tick [m]
+  for (const bool with : {false, true}) {
+    Puppet puppet(with ? preview : gait());
+    Eigen::Vector2d last = puppet.pattern.dcm();
+    for (int i = 0; i < 4500; ++i) {
+      puppet.pattern.want({i < 2000 ? 0.3 : 0.0, 0.0, 0.0});
+      puppet.tick();
+      jump[with] = std::max(jump[with], (puppet.pattern.dcm() - last).norm());
+      last = puppet.pattern.dcm();
+    }
+    EXPECT_FALSE(puppet.pattern.walking());
+    EXPECT_GT(puppet.pattern.middle().x(), 0.8);
+    EXPECT_LT((puppet.com - puppet.pattern.middle()).norm(), 0.01);
+    EXPECT_LT((puppet.pattern.dcm() - puppet.pattern.middle()).norm(), 0.001);
+  }
+  EXPECT_GT(jump[0], 0.03);
+  EXPECT_LT(jump[1], 0.005);
 }
 
 TEST(WalkPattern, StandsUntilAVelocityIsWantedAndAgainAfterwards) {

@@ -15,7 +15,7 @@ namespace twinbus {
 namespace {
 
 struct Walker : SimRig {
-  Walker() : SimRig(test::hrp1s(), Scene{}, {}, {}) {}
+  explicit Walker(const Model& model = test::hrp1s()) : SimRig(model, Scene{}, {}, {}) {}
 
   // Walks so for some seconds; false when the robot fell.
   bool walk(double vx, double vy, double wz, double seconds) {
@@ -68,6 +68,25 @@ TEST(Walk, WalksForwardSidewaysAndTurnsAtTheVelocityAskedAndComesToStand) {
   }
 }
 
+TEST(Walk, WithAReferenceOfPreviewControlItWalksTurnsAndComesToStandToo) {
+  const Model model = test::say_walking(test::hrp1s(), "pattern: preview");
+  ASSERT_TRUE(walking_of(model).preview);
+  Walker robot(model), closed;
+  for (Walker* each : {&robot, &closed}) {
+    ASSERT_TRUE(each->run(0.3));
+    each->ask(Mode::kWalk);
+    ASSERT_TRUE(each->walk(0.3, 0.05, 0.2, 5.0));
+    EXPECT_GT(std::hypot(each->truth().base_position[0], each->truth().base_position[1]), 0.7);
+    EXPECT_LT(each->record().base_tilt_max, 0.035);
+    EXPECT_GT(each->record().zmp_margin_min, 0.020);
+  }
+  EXPECT_NE(robot.truth().base_position, closed.truth().base_position) << "it is another reference";
+  robot.state().stop_kind = StopKind::kBalanced;
+  ASSERT_TRUE(robot.run(4.1));
+  EXPECT_EQ(robot.command().flags & kCommandStopping, 0) << "at rest";
+  EXPECT_FALSE(robot.record().fell);
+}
+
 TEST(Walk, ACommandThatIsNotRepeatedEnds) {
   Walker robot;
   ASSERT_TRUE(robot.run(0.3));
@@ -114,18 +133,20 @@ TEST(Walk, TheGamepadsSticksWalk) {
 
 TEST(Walk, NoTickAllocates) {
   if (!allocations_counted()) GTEST_SKIP() << "not counted in this build";
-  const Model& model = test::hrp1s();
-  Walker robot;
-  ASSERT_TRUE(robot.run(0.3));
-  Estimator estimator(model);
-  estimator.update(robot.state());
-  Walk walk(model, {});
-  walk.start(estimator);
-  walk.want({0.3, 0.0, 0.1});
-  const Eigen::VectorXd q = estimator.configuration().q;
-  NoAlloc no_alloc;
-  for (int i = 0; i < 1500; ++i) walk.update(estimator, q, model.period());
-  EXPECT_EQ(no_alloc.count(), 0);
+  for (const char* pattern : {"pattern: closed_form", "pattern: preview"}) {
+    const Model model = test::say_walking(test::hrp1s(), pattern);
+    Walker robot(model);
+    ASSERT_TRUE(robot.run(0.3));
+    Estimator estimator(model);
+    estimator.update(robot.state());
+    Walk walk(model, {});
+    walk.start(estimator);
+    walk.want({0.3, 0.0, 0.1});
+    const Eigen::VectorXd q = estimator.configuration().q;
+    NoAlloc no_alloc;
+    for (int i = 0; i < 1500; ++i) walk.update(estimator, q, model.period());
+    EXPECT_EQ(no_alloc.count(), 0) << pattern;
+  }
 }
 
 // The robot is a tenth heavier than its controller knows: the forces that feet are asked for are those they find.
