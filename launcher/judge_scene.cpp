@@ -19,7 +19,7 @@ std::string sentence(const char* format, double reached, double asked) {
 
 // Of a further robot's base.
 struct RobotNow {
-  double moved;     // level, from where it began [m]
+  double moved;  // level, from where it began [m]
   double tilt_deg;
 };
 
@@ -28,6 +28,23 @@ RobotNow robot_now(const OneProcess& run, int robot) {
   const Eigen::Vector3d start = run.further_robots()[static_cast<std::size_t>(robot)].start;
   return {(base.translation() - start).head<2>().norm(),
           kDegrees * std::acos(std::clamp(base.linear()(2, 2), -1.0, 1.0))};
+}
+
+void judge_swing(const SwingWatch& watch, const SwingAsked& asked,
+                 std::vector<std::string>& failures) {
+  const auto seen = watch.seen();
+  if (!seen) {
+    failures.push_back("joint " + asked.joint + " did not swing after the push");
+    return;
+  }
+  const auto compare = [&](double reached, double expected, double percent, const char* format) {
+    const double off = 1e2 * std::abs(reached / expected - 1.0);
+    if (!(off <= percent)) failures.push_back(sentence(format, off, percent));
+  };
+  compare(seen->period, watch.expected().period, asked.period_percent,
+          "the swing's period was %.1f %% from the linear model's, at most %.1f %% were asked");
+  compare(seen->decay, watch.expected().decay, asked.decay_percent,
+          "the swing's decay was %.1f %% from the linear model's, at most %.1f %% were asked");
 }
 
 }  // namespace
@@ -120,6 +137,7 @@ RunVerdict judge_scene(const OneProcess& run, const Criteria& asked, std::int64_
       }
     }
   }
+  if (run.swing().on()) judge_swing(run.swing(), asked.swing, failures);
   if (run.state().role == Role::kStopped) {
     failures.push_back(std::string("the source is stopped (") + stop_name(run.state().stop_kind) +
                        ")");
@@ -150,6 +168,14 @@ std::string scene_figures(const OneProcess& run) {
     std::snprintf(text, sizeof text,
                   "robot %s ended %.1f mm from where it began, tilt %.2f degrees\n",
                   run.further_robots()[i].name.c_str(), 1e3 * now.moved, now.tilt_deg);
+    lines += text;
+  }
+  if (const auto seen = run.swing().seen()) {
+    const Swing& expected = run.swing().expected();
+    std::snprintf(text, sizeof text,
+                  "swings with a period of %.4f s and a decay of %.3f /s; the linear model says "
+                  "%.4f s and %.3f /s\n",
+                  seen->period, seen->decay, expected.period, expected.decay);
     lines += text;
   }
   if (w.steps() == 0) return lines;

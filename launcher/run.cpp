@@ -151,6 +151,12 @@ std::string with_own_figures(const std::string& report, double force_error, cons
   json["force_rms_percent"] = number(1e2 * walked.force_error());
   json["velocity_error_percent"] = number(1e2 * walked.velocity_error());
   json["travel_m"] = number(walked.travel());
+  if (const auto swing = run.swing().seen()) {
+    json["swing_period_s"] = swing->period;
+    json["swing_decay_per_s"] = swing->decay;
+    json["linear_period_s"] = run.swing().expected().period;
+    json["linear_decay_per_s"] = run.swing().expected().decay;
+  }
   return json.dump(2) + "\n";
 }
 

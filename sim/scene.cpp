@@ -313,6 +313,14 @@ Criteria read_criteria(const ConfigNode& node, const std::vector<LooseBody>& loo
   for (const ConfigNode& end : node.list("robots")) {
     criteria.robots.push_back(read_robot_end(end, robots));
   }
+  if (node.has("swing")) {
+    const ConfigNode swing = node.map("swing");
+    SwingAsked& asked = criteria.swing;
+    asked.joint = swing.text("joint");
+    asked.period_percent = swing.number("period_percent", 0.0, 100.0, asked.period_percent);
+    asked.decay_percent = swing.number("decay_percent", 0.0, 100.0, asked.decay_percent);
+    swing.finish();
+  }
   node.finish();
   return criteria;
 }

@@ -107,6 +107,14 @@ struct RobotEnd {
   double max_tilt_deg = 5;  // of its base
 };
 
+// A joint's torque, after the scene's one push, is to swing as the linear model of the standing robot
+// does: sim/swing.h.
+struct SwingAsked {
+  std::string joint;            // empty: not asked
+  double period_percent = 3.0;  // within this of the model's
+  double decay_percent = 10.0;
+};
+
 // Pass criteria; NaN means not asked.
 struct Criteria {
   double max_tilt_deg;
@@ -123,6 +131,7 @@ struct Criteria {
   bool no_self_collision = true;
   std::vector<LooseEnd> loose;
   std::vector<RobotEnd> robots;
+  SwingAsked swing;
   Criteria();
 };
 
@@ -176,7 +185,7 @@ void resolve_poses(Scene& scene, const Model& model);
 // [link, point, to, at, until, reach, stiffness, damping], criteria: {max_tilt_deg, zmp_margin_min_mm, slip_max_mm,
 // sole_tilt_max_deg, zmp_margin_p5_mm, step_slip_max_mm, force_rms_percent, velocity_error_percent, travel_min_m,
 // drift_max_m, no_fall, no_self_collision, loose: [name, position, within_m, speed_m_s],
-// robots: [name, within_m, max_tilt_deg]}, settings: {model.mass_scale: 1.03, ...} as in
+// robots: [name, within_m, max_tilt_deg], swing: {joint, period_percent, decay_percent}}, settings: {model.mass_scale: 1.03, ...} as in
 // sim/settings.h.  Scene time starts with the first command.
 Scene load_scene(const std::string& name_or_file);
 

@@ -451,6 +451,7 @@ Status SimAdaptor::set_state(const ImposedState& imposed) {
   return Status::kOk;
 }
 
+const WorldConfig& SimAdaptor::world_config() const { return impl_->settings.world; }
 const World* SimAdaptor::world() const { return impl_->world.get(); }
 
 int SimAdaptor::loose(int piece, ObstaclesPiece& out) const {

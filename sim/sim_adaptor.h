@@ -25,6 +25,7 @@ class SimAdaptor final : public RobotAdaptor {
   const SimTruth* truth() const override;
   int loose(int piece, ObstaclesPiece&) const override;
   const World* world() const;  // null: not open
+  const WorldConfig& world_config() const;
   bool is_hardware() const override { return false; }
 
  private:

@@ -4,7 +4,8 @@
 Charts: flight arm stand push landing slide (error against CPU time of one thread per simulated second, one curve for each
 engine and method, the points are step sizes), map (which stands are stable), size (cost against the number of joints), robots
 (against the number of robots), system (a standing and swaying robot with its controller: error against time for choices of the whole stack: engine, contact, step,
-control rate, sensors).  Each is written as SVG, PNG and CSV to DIR (default test/charts/physics); --redraw draws from the CSV
+control rate, sensors), release sway stamp (Figs. 12 to 14 of the paper: a damped oscillation beside its linear model, and
+the normal force of a foot on soft soles and in rigid contact).  Each is written as SVG, PNG and CSV to DIR (default test/charts/physics); --redraw draws from the CSV
 that is there.  An engine's error is measured against a common reference where nothing touches, else against its own finest
 run: contact laws differ.
 """
@@ -14,6 +15,7 @@ import math
 import pathlib
 import sys
 
+import paper_figures
 import plot
 import whole_stack
 from physics_lab import ROOT, Lab, call, error
@@ -143,8 +145,8 @@ def draw_system(rows, folder):
                                                          "time of the loop, ms per simulated second", "error [m]", curves, ((1e-3, "1 mm"), (1e-4, "0.1 mm"))))
 
 
-MEASURE = {"map": measure_map, "size": measure_size, "robots": measure_robots, "system": whole_stack.measure}
-DRAW = {"map": draw_map, "size": draw_size, "robots": draw_robots, "system": draw_system}
+MEASURE = {"map": measure_map, "size": measure_size, "robots": measure_robots, "system": whole_stack.measure, **paper_figures.MEASURE}
+DRAW = {"map": draw_map, "size": draw_size, "robots": draw_robots, "system": draw_system, **paper_figures.DRAW}
 NAMES = (*ABOUT, *MEASURE)
 
 

@@ -187,10 +187,10 @@ def lines(title, subtitle, x_name, y_name, curves, outlines=(), alike=False):
     out = _frame(title, subtitle)
     for value in ticks(x0, x1):
         x, _ = at((value, y0))
-        out.append(f"<line x1='{x:.1f}' y1='{TOP}' x2='{x:.1f}' y2='{bottom}' stroke='#ddd'/>" + _text(x, bottom + 18, f"{value:.3g}", 12, "middle"))
+        out.append(f"<line x1='{x:.1f}' y1='{TOP}' x2='{x:.1f}' y2='{bottom}' stroke='#ddd'/>" + _text(x, bottom + 18, f"{value:.5g}", 12, "middle"))
     for value in ticks(y0, y1):
         _, y = at((x0, value))
-        out.append(f"<line x1='{LEFT}' y1='{y:.1f}' x2='{right}' y2='{y:.1f}' stroke='#ddd'/>" + _text(LEFT - 8, y + 4, f"{value:.3g}", 12, "end"))
+        out.append(f"<line x1='{LEFT}' y1='{y:.1f}' x2='{right}' y2='{y:.1f}' stroke='#ddd'/>" + _text(LEFT - 8, y + 4, f"{value:.5g}", 12, "end"))
     for outline in outlines:
         corners = " ".join("{:.1f},{:.1f}".format(*at(point)) for point in outline)
         out.append(f"<polygon points='{corners}' fill='#eef2f6' stroke='#888'/>")

@@ -67,6 +67,8 @@ def main():
     for scene in SAME_FOR_EVERY_SEED + LOOSE + ROBOTS + (["walk_start_stop"] if harness.FULL else []):
         run(checks, scene, 1)
     run(checks, "sway_rigid", 1)
+    run(checks, "release", 1)
+    run(checks, "stamp", 1)
     run(checks, "walk_forward", 1, contact="hunt_crossley")
     for scene in SEEDED:
         for seed in SEEDS:
@@ -78,7 +80,7 @@ def main():
             everyday(checks, robot)
             for scene in ["walk_forward", "walk_sideways", "walk_turn", "walk_rough"]:
                 run(checks, scene, 1, robot=robot)
-        for scene in ["walk_forward", "push_walk"] + LOOSE:
+        for scene in ["walk_forward", "push_walk", "release", "stamp"] + LOOSE:
             run(checks, scene, 1, engine="ode")
     checks.exit()
 
