@@ -137,6 +137,10 @@ RunVerdict judge_scene(const OneProcess& run, const Criteria& asked, std::int64_
       }
     }
   }
+  if (run.energy().on() && !run.energy().begun())
+    failures.push_back("the servos worked all the time: of energy nothing can be said");
+  at_most(run.energy().drift(), asked.energy_drift_j,
+          "the robot's energy was %.4f J off, at most %.4f J were asked");
   if (run.swing().on()) judge_swing(run.swing(), asked.swing, failures);
   if (run.state().role == Role::kStopped) {
     failures.push_back(std::string("the source is stopped (") + stop_name(run.state().stop_kind) +
@@ -168,6 +172,11 @@ std::string scene_figures(const OneProcess& run) {
     std::snprintf(text, sizeof text,
                   "robot %s ended %.1f mm from where it began, tilt %.2f degrees\n",
                   run.further_robots()[i].name.c_str(), 1e3 * now.moved, now.tilt_deg);
+    lines += text;
+  }
+  if (run.energy().begun()) {
+    std::snprintf(text, sizeof text, "energy %.4f J, at most %.2e J off\n", run.energy().first(),
+                  run.energy().drift());
     lines += text;
   }
   if (const auto seen = run.swing().seen()) {

@@ -146,6 +146,7 @@ OneProcess::OneProcess(const Model& model, const Scene& scene, const OneProcessC
               pads_of(scene)),
       walked_(model, scene),
       swing_(model, scene, sim_.world_config()),
+      energy_(model, scene),
       listener_(config.listener),
       journal_(ProcessKind::kController, config.control.controller_id,
                {static_cast<double>(config.control.first_mode),
@@ -362,7 +363,9 @@ void OneProcess::watch() {
   seen_.on_guard(loop_.guard_report(), now_ns_);
   walked_.add(truth, loop_.status().mode, loop_.foot_forces(),
               static_cast<double>(heard_.tick - first_tick_) * model_.period());
-  swing_.add(truth.push_force != decltype(truth.push_force){}, heard_);
+  const bool pushed = truth.push_force != decltype(truth.push_force){};
+  swing_.add(pushed, heard_);
+  energy_.add(pushed, heard_, world());
   for (std::size_t foot = 0; foot < 2; ++foot) {
     if (model_.soles[foot].link < 0) continue;
     const auto x = static_cast<double>(truth.foot_attitude[foot][1]);

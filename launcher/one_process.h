@@ -20,6 +20,7 @@
 #include "control/control_loop.h"
 #include "launcher/lookout.h"
 #include "launcher/state_hash.h"
+#include "launcher/energy_watch.h"
 #include "launcher/swing_watch.h"
 #include "launcher/walk_figures.h"
 #include "planner/arm_planner.h"
@@ -78,6 +79,7 @@ class OneProcess {
   const Lookout& seen() const { return seen_; }
   const WalkFigures& walked() const { return walked_; }
   const SwingWatch& swing() const { return swing_; }
+  const EnergyWatch& energy() const { return energy_; }
   double sole_tilt_max() const { return sole_tilt_max_; }  // [rad]
   std::string state_hash() const { return hash_.text(); }
   // What controller and planner had to say since the last call.
@@ -115,6 +117,7 @@ class OneProcess {
   Lookout seen_;
   WalkFigures walked_;
   SwingWatch swing_;
+  EnergyWatch energy_;
   BusListener listener_;
   std::vector<ObstaclesPiece> shown_obstacles_, shown_terrain_;
   JournalWriter<SendPage> journal_;

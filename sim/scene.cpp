@@ -305,6 +305,7 @@ Criteria read_criteria(const ConfigNode& node, const std::vector<LooseBody>& loo
   criteria.velocity_error_percent = node.number("velocity_error_percent", 0.0, 1e4, kNan);
   criteria.travel_min_m = node.number("travel_min_m", 0.0, 1e4, kNan);
   criteria.drift_max_m = node.number("drift_max_m", 0.0, 1e4, kNan);
+  criteria.energy_drift_j = node.number("energy_drift_j", 0.0, 1e9, kNan);
   criteria.no_fall = node.flag("no_fall", true);
   criteria.no_self_collision = node.flag("no_self_collision", true);
   for (const ConfigNode& end : node.list("loose")) {
@@ -371,7 +372,8 @@ Criteria::Criteria()
       force_rms_percent(kNan),
       velocity_error_percent(kNan),
       travel_min_m(kNan),
-      drift_max_m(kNan) {}
+      drift_max_m(kNan),
+      energy_drift_j(kNan) {}
 
 Scene load_scene(const std::string& name_or_file) {
   const std::string file = find_scene(name_or_file);
@@ -392,6 +394,12 @@ Scene load_scene(const std::string& name_or_file) {
   scene.duration = top.number("duration", 0.01, kDay, scene.duration);
   scene.step = top.number("step", 1e-5, 0.1, scene.step);
   scene.start_pose = top.text("start_pose", scene.start_pose);
+  if (top.has("start_velocity")) {
+    const ConfigNode speeds = top.map("start_velocity");
+    for (const std::string& joint : speeds.keys())
+      scene.start_velocity.emplace_back(joint, speeds.number(joint, -kMaxSpeed, kMaxSpeed));
+    speeds.finish();
+  }
   scene.fixed_base = top.choice("base", {"floating", "fixed"}, 0) == 1;
   if (top.has("ground")) {
     const ConfigNode ground = top.map("ground");

@@ -127,6 +127,7 @@ struct Criteria {
   double velocity_error_percent;  // of what was commanded, over each walk
   double travel_min_m;            // of the base from where it was at the start, at the end
   double drift_max_m;             // the same, at most
+  double energy_drift_j;          // of the robot while no servo works on it
   bool no_fall = true;
   bool no_self_collision = true;
   std::vector<LooseEnd> loose;
@@ -144,6 +145,7 @@ struct Scene {
   std::string about;                      // one sentence
   double step = 0.0;  // physics step [s], a whole part of the robot's period; 0: the period
   std::string start_pose = "half_sitting";
+  std::vector<std::pair<std::string, double>> start_velocity;  // of joints [rad/s or m/s]
   bool fixed_base = false;
   double ground_friction = 0.8;
   std::vector<Obstacle> obstacles;  // in the ground frame, for planner, guard and the world
@@ -173,7 +175,7 @@ void resolve_poses(Scene& scene, const Model& model);
 // name_or_file: a YAML file, or a name under config/scenes.  Throws std::runtime_error naming file,
 // line and the nearest valid key.
 //
-// Keys: about, robot, engine (articulated or ode), contact (spring_damper, hunt_crossley or rigid), duration, step, start_pose, base (floating or fixed), ground:
+// Keys: about, robot, engine (articulated or ode), contact (spring_damper, hunt_crossley or rigid), duration, step, start_pose, start_velocity: {JOINT: speed, ...}, base (floating or fixed), ground:
 // {friction}, obstacles: [shape, size, position, rpy_deg], pushes: [link, point, impulse, at,
 // duration], modes: [at, mode, motion, pose, duration, amplitude, frequency], goals: [at, hand,
 // position, rpy_deg, pose, speed, cancel], walks: [at, for, vx, vy, wz], pads: [at, for, left_x, left_y, right_x],
@@ -184,7 +186,7 @@ void resolve_poses(Scene& scene, const Model& model);
 // self_contact, loops: as in robot/loops.h, grasps:
 // [link, point, to, at, until, reach, stiffness, damping], criteria: {max_tilt_deg, zmp_margin_min_mm, slip_max_mm,
 // sole_tilt_max_deg, zmp_margin_p5_mm, step_slip_max_mm, force_rms_percent, velocity_error_percent, travel_min_m,
-// drift_max_m, no_fall, no_self_collision, loose: [name, position, within_m, speed_m_s],
+// drift_max_m, energy_drift_j, no_fall, no_self_collision, loose: [name, position, within_m, speed_m_s],
 // robots: [name, within_m, max_tilt_deg], swing: {joint, period_percent, decay_percent}}, settings: {model.mass_scale: 1.03, ...} as in
 // sim/settings.h.  Scene time starts with the first command.
 Scene load_scene(const std::string& name_or_file);

@@ -118,6 +118,13 @@ void SimAdaptor::Impl::start() {
   corner_stiffness = {world->corner_stiffness(0), world->corner_stiffness(1)};
   standing = stand(*model, q, settings.world.mass_scale, corner_stiffness,
                    settings.world.ground_height, settings.world.fixed_base);
+  for (const auto& [name, speed] : scene.start_velocity) {
+    const int joint = model->find_joint(name);
+    if (joint < 0)
+      throw std::runtime_error("scene " + scene.name + ": start_velocity: the robot " +
+                               model->name + " has no joint '" + name + "'");
+    standing.configuration.qd[joint] = speed;
+  }
   standing_height = standing.configuration.base.translation().z();
   hold.resize(model->joints.size());
   imposed_to = standing.configuration;

@@ -5,7 +5,6 @@
 #include <limits>
 #include <stdexcept>
 
-#include "robot/dynamics.h"
 #include "robot/index.h"
 #include "robot/load.h"
 #include "sim/standing.h"
@@ -210,21 +209,6 @@ LoopScene loop_scene(const std::string& name) {
   if (name == "andrews") return andrews();
   throw std::runtime_error("there is no mechanism '" + name +
                            "'; take four_bar, n_four_bar40, bricard, andrews or tied");
-}
-
-double energy_of(const LoopScene& scene, Kinematics& kinematics, const Configuration& now) {
-  kinematics.update(now);
-  double sum = 0.0;
-  for (int i = 1; i < scene.model.link_count(); ++i) {
-    const Link& link = scene.model.links[at(i)];
-    const Eigen::Isometry3d& pose = kinematics.link_in_world(i);
-    const Vector3d com = pose * link.com;
-    const Vector3d w = pose.linear().transpose() * kinematics.angular_velocity(i);
-    sum +=
-        link.mass * (0.5 * kinematics.point_velocity(i, com).squaredNorm() + kGravity * com.z()) +
-        0.5 * w.dot(link.inertia * w);
-  }
-  return sum;
 }
 
 }  // namespace twinbus

@@ -31,7 +31,5 @@ struct LoopScene {
 // with its hands tied together.  Throws std::runtime_error for another name.
 LoopScene loop_scene(const std::string& name);
 
-// Kinetic and potential, springs of a length among the ties included [J].
-double energy_of(const LoopScene& scene, Kinematics& kinematics, const Configuration& now);
 
 }  // namespace twinbus

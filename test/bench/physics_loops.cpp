@@ -16,6 +16,7 @@
 #include <string>
 
 #include "loop_scenes.h"
+#include "robot/energy.h"
 #include "robot/index.h"
 #include "sim/articulated_world.h"
 
@@ -71,7 +72,8 @@ int main(int argc, char** argv) try {
   }
   Kinematics kinematics(scene.model);
   const auto energy = [&] {
-    double sum = energy_of(scene, kinematics, world->configuration());
+    kinematics.update(world->configuration());
+    double sum = mechanical_energy(kinematics, world->configuration());
     for (const Tie& tie : scene.config.ties) {
       if (tie.length < 0.0) continue;
       const auto place = [&](const TieEnd& end) {

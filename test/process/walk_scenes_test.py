@@ -18,6 +18,7 @@ SAME_FOR_EVERY_SEED = ["walk_forward", "walk_backward", "walk_sideways", "walk_t
 LOOSE = ["box_on_foot", "box_push", "boxes_tumble", "plate_underfoot", "carry_box", "tied_hands"]
 KNOWN = ["slide_to_roll", "brick_stop", "incline", "heavy_on_light"]  # loose bodies whose way is known in closed form
 BOUNCES = ["bounce", "bounce_wall"]  # the same, where engine ode damps by itself
+MECHANISMS = ["four_bar", "n_four_bar", "bricard", "governor"]  # closed loops that keep their energy
 ROBOTS = ["two_robots", "hand_in_hand", "hook_on_step"]  # what engine ode has not
 SEEDED = ["walk_rough", "walk_noisy", "push_stand", "push_walk"]
 SEEDS = range(1, 21) if harness.FULL else range(1, 3)
@@ -66,7 +67,7 @@ def jvrc1(checks):
 def main():
     harness.require("twinbus")
     checks = Checks()
-    for scene in SAME_FOR_EVERY_SEED + LOOSE + KNOWN + BOUNCES + ROBOTS + (["walk_start_stop"] if harness.FULL else []):
+    for scene in SAME_FOR_EVERY_SEED + LOOSE + KNOWN + BOUNCES + MECHANISMS + ROBOTS + (["walk_start_stop"] if harness.FULL else []):
         run(checks, scene, 1)
     run(checks, "sway_rigid", 1)
     run(checks, "release", 1)

@@ -1,0 +1,121 @@
+"""Mechanisms with closed loops on a fixed base, as robots: URDF, SRDF and robot.yaml of each are written by its make_urdf.py.
+
+Rods are 1 m and 1 kg unless said otherwise; the tree of the URDF leaves one joint of each loop out, `loops` of robot.yaml puts it back.
+"""
+
+import pathlib
+
+BAR = 1.0 / 12.0  # of a rod about its middle, across [kg m^2]
+THIN = 1e-4  # along itself
+
+
+class Mechanism:
+    def __init__(self, name, about):
+        self.name, self.about = name, about
+        self.links, self.joints, self.loops, self.poses = [], [], [], {}
+        self.link("base", 1.0, (0, 0, 0), (0.1, 0.1, 0.1))
+
+    def link(self, name, mass, com, inertia, *seen):
+        """seen: (shape of URDF, where its middle is)."""
+        visual = "".join(f'<visual><origin xyz="{words(at)}"/><geometry>{shape}</geometry></visual>' for shape, at in seen)
+        self.links.append(
+            f'  <link name="{name}"><inertial><origin xyz="{words(com)}"/><mass value="{mass:g}"/><inertia ixx="{inertia[0]:.9g}" '
+            f'iyy="{inertia[1]:.9g}" izz="{inertia[2]:.9g}" ixy="0" ixz="0" iyz="0"/></inertial>{visual}</link>')
+
+    def joint(self, name, parent, child, at, axis, kind="continuous"):
+        ends = ' lower="-2" upper="2"' if kind == "prismatic" else ""
+        self.joints.append(
+            (name, f'  <joint name="{name}" type="{kind}"><parent link="{parent}"/><child link="{child}"/><origin xyz="{words(at)}"/>'
+             f'<axis xyz="{words(axis)}"/><limit effort="1000" velocity="100"{ends}/></joint>'))
+
+    def rod(self, name, parent, at, axis, along):
+        middle = [0.5 * a for a in along]
+        self.link(name, 1.0, middle, [THIN if a else BAR for a in along], (bar(along), middle))
+        self.joint(name.upper(), parent, name, at, axis)
+
+    def pose(self, name, **q):
+        self.poses[name] = q
+
+    def loop(self, link, point, to, at):
+        self.loops.append(f"  - {{link: {link}, point: {list(point)}, to: {to}, at: {list(at)}, stiffness: 1.0e+8, damping: 1.0e+6}}")
+
+    def write(self, folder):
+        names = [name for name, _ in self.joints]
+        lines = [f'<robot name="{self.name}">', *self.links, *[text for _, text in self.joints], "</robot>", ""]
+        (folder / f"{self.name}.urdf").write_text("\n".join(lines))
+        lines = [f'<robot name="{self.name}">', '  <group name="all">' + "".join(f'<joint name="{n}"/>' for n in names) + "</group>"]
+        for pose, q in self.poses.items():
+            values = "".join(f'<joint name="{n}" value="{q.get(n, 0.0):.12g}"/>' for n in names)
+            lines.append(f'  <group_state name="{pose}" group="all">{values}</group_state>')
+        (folder / f"{self.name}.srdf").write_text("\n".join(lines + ["</robot>", ""]))
+        (folder / "robot.yaml").write_text("\n".join([f"# {self.about}", f"urdf: {self.name}.urdf", f"srdf: {self.name}.srdf", "base: fixed",
+                                                      "period: 0.002  # [s]", "off: torque_off", "loops:", *self.loops, ""]))
+
+
+def bar(along):
+    return f'<box size="{words([max(abs(a), 0.04) for a in along])}"/>'
+
+
+def words(three):
+    return " ".join(f"{x:g}" for x in three)
+
+
+X, Y, Z = (1, 0, 0), (0, 1, 0), (0, 0, 1)
+
+
+def four_bars(name, count, about):
+    m = Mechanism(name, about)
+    for i in range(count + 1):
+        m.rod(f"upright{i}", "base", (i, 0, 0), Y, Z)
+    for i in range(count):
+        m.rod(f"across{i}", f"upright{i}", Z, Y, X)
+        m.loop(f"across{i}", X, f"upright{i + 1}", Z)
+    m.pose("up")
+    return m
+
+
+def bricard():
+    m = Mechanism("bricard", "Bricard's mechanism: five rods along the edges of a cube on six hinges, one more than it could need.")
+    along = (X, Y, Z, (-1, 0, 0), (0, -1, 0))
+    axis = (Y, Z, X, Y, Z)
+    end = [0.0, 0.0, 0.0]
+    for i in range(5):
+        m.rod(f"rod{i}", "base" if i == 0 else f"rod{i - 1}", (0, 0, 0) if i == 0 else along[i - 1], axis[i], along[i])
+        end = [e + a for e, a in zip(end, along[i])]
+    for side in (-0.1, 0.1):  # the sixth hinge: two points of its axis
+        m.loop("rod4", [a + side * x for a, x in zip(along[4], X)], "base", [e + side * x for e, x in zip(end, X)])
+    m.pose("cube")
+    return m
+
+
+def governor():
+    """Watt's: two arms with a ball at each end swing out from a turning shaft, rods from their middles lift a collar."""
+    m = Mechanism("governor", "A flyball governor: two arms of 1 m with balls of 5 kg on a turning shaft, and a collar of 2 kg that their rods lift.")
+    m.link("shaft", 5.0, (0, 0, -0.5), (0.5, 0.5, 0.02), (bar((0, 0, 1.6)), (0, 0, -0.8)))
+    m.joint("SHAFT", "base", "shaft", (0, 0, 2), Z)
+    m.link("collar", 2.0, (0, 0, 0), (0.01, 0.01, 0.02), ('<box size="0.14 0.14 0.06"/>', (0, 0, 0)))
+    m.joint("COLLAR", "shaft", "collar", (0, 0, -3 ** 0.5 / 2), Z, "prismatic")
+    for name, side in (("left", 1), ("right", -1)):
+        # Hanging straight down at zero; the rod from the middle of the arm back to the shaft.
+        m.link(f"{name}_arm", 5.5, (0, 0, -0.95), (0.08, 0.08, 0.02), (bar(Z), (0, 0, -0.5)),
+               ('<sphere radius="0.1"/>', (0, 0, -1)))
+        m.joint(f"{name.upper()}_ARM", "shaft", f"{name}_arm", (0, 0, 0), (0, -side, 0))
+        m.link(f"{name}_rod", 0.2, (0, 0, -0.25), (0.0042, 0.0042, 1e-4), (bar((0, 0, 0.5)), (0, 0, -0.25)))
+        m.joint(f"{name.upper()}_ROD", f"{name}_arm", f"{name}_rod", (0, 0, -0.5), (0, side, 0))
+        for across in (-0.05, 0.05):  # a hinge on the collar: two points of its axis
+            m.loop(f"{name}_rod", (0, across, -0.5), "collar", (0, across, 0))
+    m.pose("out", LEFT_ARM=0.523598775598, RIGHT_ARM=0.523598775598, LEFT_ROD=1.047197551197, RIGHT_ROD=1.047197551197)
+    return m
+
+
+ALL = {
+    "four_bar": lambda: four_bars("four_bar", 1, "Three rods of 1 m and 1 kg in a square with the ground."),
+    "n_four_bar": lambda: four_bars("n_four_bar", 10, "Ten squares of rods in a row, which lie flat in a line twice a turn."),
+    "bricard": bricard,
+    "governor": governor,
+}
+
+
+def write(script):
+    folder = pathlib.Path(script).resolve().parent
+    ALL[folder.name]().write(folder)
