@@ -6,6 +6,7 @@
 
 #include "robot/index.h"
 #include "sim/bristle.h"
+#include "sim/link_hull.h"
 
 namespace twinbus {
 
@@ -136,8 +137,11 @@ void GroundContacts::add_probes(int link, const Shape& shape, const Model& model
       }
       break;
     }
-    case ShapeKind::kMesh:
+    case ShapeKind::kMesh: {
+      const Eigen::Isometry3d in_shape = shape.pose.inverse();
+      for (const Eigen::Vector3d& corner : link_hull(shape).points) probe(in_shape * corner, 0.0);
       break;
+    }
   }
   if (added.count > 0) shapes_.push_back(added);
 }

@@ -2,9 +2,9 @@
 //
 // The corners of a sole carry the sole's declared spring and damper, against the ground and against
 // obstacles.  Every other shape is a handful of probes, small spheres or bare points: corners,
-// edges and faces of a box, the spine of a cylinder.  They exist so that a fallen robot lies on the
-// ground and a hand does not pass through a table; an edge of an obstacle that enters a shape
-// between its probes is not seen.  Meshes are left out, as in the other engine.
+// edges and faces of a box, the spine of a cylinder, the corners of a mesh's hull.  They exist so
+// that a fallen robot lies on the ground and a hand does not pass through a table; an edge of an
+// obstacle that enters a shape between its probes is not seen.
 //
 // The bristles of friction are remembered here from step to step: the anchor of a point that is
 // fixed in its link, the stretch of one that rolls along it.

@@ -5,9 +5,11 @@
 #include <limits>
 #include <utility>
 
+#include "robot/convex_hull.h"
 #include "robot/index.h"
 #include "sim/bristle.h"
 #include "sim/ground_contacts.h"
+#include "sim/link_hull.h"
 
 namespace twinbus {
 
@@ -105,10 +107,14 @@ void LooseContacts::add_robot(const Model& model, const WorldConfig& config, int
   }
   for (std::size_t i = 0; i < model.links.size(); ++i) {
     for (const Shape& shape : model.links[i].collision) {
-      if (shape.kind == ShapeKind::kMesh) continue;
       Piece piece;
       piece.system = system;
       piece.link = static_cast<int>(i);
+      if (shape.kind == ShapeKind::kMesh) {
+        add_hull(shape, model, as_asked(config, shell(config.shell_stiffness, kLinkFriction)),
+                 std::move(piece));
+        continue;
+      }
       piece.solid.size = shape.size;
       piece.solid.shape = shape.kind == ShapeKind::kBox      ? SolidShape::kBox
                           : shape.kind == ShapeKind::kSphere ? SolidShape::kSphere
@@ -139,6 +145,33 @@ void LooseContacts::add_robot(const Model& model, const WorldConfig& config, int
     if (model.links[i].parent >= 0) part(i, at(model.links[i].parent));
   }
   for (const std::array<int, 2>& pair : model.disabled_pairs) part(at(pair[0]), at(pair[1]));
+}
+
+// Of a foot only what is above its sole: near it, it touches with the sole's corners.
+void LooseContacts::add_hull(const Shape& shape, const Model& model, const ContactParams& params,
+                             Piece piece) {
+  TriangleMesh hull = link_hull(shape);
+  for (const Sole& sole : model.soles) {
+    if (sole.link != piece.link) continue;
+    const Eigen::Isometry3d in_sole = sole.frame.inverse();
+    for (Eigen::Vector3d& point : hull.points) {
+      Eigen::Vector3d p = in_sole * point;
+      p.z() = std::max(p.z(), kSoleSkin);
+      point = sole.frame * p;
+    }
+    hull = convex_hull(hull.points);
+  }
+  if (hull.triangles.empty()) return;
+  // About its middle, where a piece has its bounding sphere.
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& point : hull.points) box.extend(point);
+  for (Eigen::Vector3d& point : hull.points) point -= box.center();
+  piece.in_link.translation() = box.center();
+  piece.mesh = std::make_shared<const ContactMesh>(hull);
+  piece.only_mesh = true;
+  piece.solid_too = false;
+  piece.params = params;
+  add(std::move(piece));
 }
 
 // a comes before b.  What robots do with fixed things is sim/ground_contacts.h's business.

@@ -82,6 +82,8 @@ class LooseContacts {
   };
 
   void add_robot(const Model& model, const WorldConfig& config, int system);
+  // Of a link of triangles.
+  void add_hull(const Shape& shape, const Model& model, const ContactParams& params, Piece piece);
   bool may_meet(std::size_t a, std::size_t b) const noexcept;
   void add(Piece piece);
   void sort_spans(double h) noexcept;

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "sim/contact_law.h"
+#include "sim/link_hull.h"
 #include "sim/ode_impl.h"
 
 namespace twinbus {
@@ -36,11 +37,40 @@ bool overlap(const dReal* a, const dReal* b) {
 
 }  // namespace
 
+// Before there is anything of ODE: a mesh that cannot be read throws.
+void OdeWorld::Impl::read_hulls() {
+  for (const Link& link : model.links) {
+    for (const Shape& shape : link.collision) {
+      if (shape.kind != ShapeKind::kMesh) continue;
+      const TriangleMesh hull = link_hull(shape);
+      OdeHull& kept = hulls.emplace_back();
+      for (const Eigen::Vector3d& point : hull.points)
+        kept.points.insert(kept.points.end(), {point.x(), point.y(), point.z()});
+      for (const auto& triangle : hull.triangles) {
+        for (const int corner : triangle) kept.corners.push_back(static_cast<dTriIndex>(corner));
+      }
+    }
+  }
+}
+
+// In the link frame; null: it has no volume.
+dGeomID OdeWorld::Impl::create_hull(OdeHull& hull) {
+  if (hull.corners.empty()) return nullptr;
+  hull.data = dGeomTriMeshDataCreate();
+  dGeomTriMeshDataBuildDouble(hull.data, hull.points.data(), 3 * sizeof(double),
+                              static_cast<int>(hull.points.size() / 3), hull.corners.data(),
+                              static_cast<int>(hull.corners.size()), 3 * sizeof(dTriIndex));
+  return dCreateTriMesh(nullptr, hull.data, nullptr, nullptr, nullptr);
+}
+
 void OdeWorld::Impl::add_geoms() {
   plane = dCreatePlane(nullptr, 0.0, 0.0, 1.0, 0.0);
+  std::size_t next_hull = 0;
   for (int link = 0; link < model.link_count(); ++link) {
-    if (body(link) == nullptr) continue;
     for (const Shape& shape : model.links[static_cast<std::size_t>(link)].collision) {
+      const std::size_t hull = next_hull;
+      if (shape.kind == ShapeKind::kMesh) ++next_hull;
+      if (body(link) == nullptr) continue;
       dGeomID geom = nullptr;
       switch (shape.kind) {
         case ShapeKind::kBox:
@@ -53,11 +83,14 @@ void OdeWorld::Impl::add_geoms() {
           geom = dCreateCylinder(nullptr, shape.size.x(), shape.size.y());
           break;
         case ShapeKind::kMesh:
-          break;  // the guard and the planner know meshes; here a robot falls on its primitives
+          geom = create_hull(hulls[hull]);
+          break;
       }
       if (geom == nullptr) continue;
       dGeomSetBody(geom, body(link));
-      set_geom_offset(geom, shape.pose, com_in_link[static_cast<std::size_t>(link)]);
+      const bool in_link = shape.kind == ShapeKind::kMesh;
+      set_geom_offset(geom, in_link ? Eigen::Isometry3d::Identity() : shape.pose,
+                      com_in_link[static_cast<std::size_t>(link)]);
       link_geoms.push_back({geom, link});
     }
   }

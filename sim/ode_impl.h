@@ -34,6 +34,13 @@ struct OdeGeom {
   int link = -1;
 };
 
+// A link of triangles, as ODE reads it from here.
+struct OdeHull {
+  std::vector<double> points;
+  std::vector<dTriIndex> corners;
+  dTriMeshDataID data = nullptr;
+};
+
 struct SavedBody {
   dVector3 position, linear, angular;
   dQuaternion attitude;
@@ -93,6 +100,8 @@ struct OdeWorld::Impl {
 
   // ode_contact.cpp
   void add_geoms();
+  void read_hulls();
+  dGeomID create_hull(OdeHull& hull);
   void find_contacts() noexcept;
   void find_sole_contacts() noexcept;
   void find_link_contacts() noexcept;
@@ -128,6 +137,7 @@ struct OdeWorld::Impl {
   std::vector<OdeJoint> joints;
   std::vector<OdeGeom> link_geoms;
   std::vector<dGeomID> obstacle_geoms;
+  std::vector<OdeHull> hulls;  // in the order of links and shapes
   struct Loose {
     dBodyID body;
     dGeomID geom;

@@ -81,6 +81,7 @@ OdeWorld::Impl::Impl(const Model& m, const WorldConfig& c)
     : model(m), config(c), h(c.step), configuration(m), start_of_step(m), kinematics(m) {
   check_links(m, config.fixed_base);
   check_loose(config.loose);
+  read_hulls();
   const std::vector<Tie> tied = checked_ties(m, config);
   open_engine();
   world = dWorldCreate();
@@ -149,6 +150,9 @@ OdeWorld::Impl::~Impl() {
   for (const OdeGeom& geom : link_geoms) dGeomDestroy(geom.geom);
   for (const dGeomID geom : obstacle_geoms) dGeomDestroy(geom);
   for (const Loose& each : loose) dGeomDestroy(each.geom);
+  for (const OdeHull& hull : hulls) {
+    if (hull.data != nullptr) dGeomTriMeshDataDestroy(hull.data);
+  }
   if (plane != nullptr) dGeomDestroy(plane);
   dJointGroupDestroy(contact_group);
   dWorldDestroy(world);

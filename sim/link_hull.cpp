@@ -1,0 +1,26 @@
+#include "sim/link_hull.h"
+
+#include <algorithm>
+
+#include "robot/convex_hull.h"
+#include "robot/shape_mesh.h"
+
+namespace twinbus {
+
+TriangleMesh link_hull(const Shape& mesh) {
+  double outside = 0.0;
+  const std::vector<Eigen::Vector3d> points = shape_mesh(mesh, outside).points;
+  std::vector<Eigen::Vector3d> corners;
+  for (int i = 0; i < 27; ++i) {
+    const Eigen::Vector3d along(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+    if (along.isZero()) continue;
+    const auto farthest =
+        std::max_element(points.begin(), points.end(),
+                         [&](const auto& a, const auto& b) { return along.dot(a) < along.dot(b); });
+    if (std::find(corners.begin(), corners.end(), *farthest) == corners.end())
+      corners.push_back(*farthest);
+  }
+  return convex_hull(corners);
+}
+
+}  // namespace twinbus

@@ -1,0 +1,15 @@
+// What a link of triangles touches with: the hull of those corners that stand out farthest in the
+// 26 directions of a cube's faces, edges and corners.
+
+#pragma once
+
+#include "robot/mesh_file.h"
+#include "robot/model.h"
+
+namespace twinbus {
+
+// In the link frame.  No triangles, only points, where the mesh has no volume.  Throws
+// std::runtime_error when it cannot be read.
+TriangleMesh link_hull(const Shape& mesh);
+
+}  // namespace twinbus
