@@ -7,6 +7,12 @@
 
 namespace twinbus {
 
+namespace {
+
+constexpr double kThinnest = 1e-3;  // [m]
+
+}  // namespace
+
 TriangleMesh link_hull(const Shape& mesh) {
   double outside = 0.0;
   const std::vector<Eigen::Vector3d> points = shape_mesh(mesh, outside).points;
@@ -20,7 +26,16 @@ TriangleMesh link_hull(const Shape& mesh) {
     if (std::find(corners.begin(), corners.end(), *farthest) == corners.end())
       corners.push_back(*farthest);
   }
-  return convex_hull(corners);
+  TriangleMesh hull = convex_hull(corners);
+  if (!hull.triangles.empty()) return hull;
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& corner : corners) box.extend(corner);
+  const Eigen::Vector3d half = (0.5 * box.sizes()).cwiseMax(0.5 * kThinnest);
+  for (int i = 0; i < 8; ++i) {
+    const Eigen::Vector3d sign(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
+    hull.points.push_back(box.center() + sign.cwiseProduct(half));
+  }
+  return convex_hull(hull.points);
 }
 
 }  // namespace twinbus

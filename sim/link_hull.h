@@ -8,7 +8,7 @@
 
 namespace twinbus {
 
-// In the link frame.  No triangles, only points, where the mesh has no volume.  Throws
+// In the link frame.  Of a mesh without volume the box around it, 1 mm thick at least.  Throws
 // std::runtime_error when it cannot be read.
 TriangleMesh link_hull(const Shape& mesh);
 

@@ -30,6 +30,19 @@ Model block_of_triangles(const std::string& name) {
   return model;
 }
 
+// The same with a plate of no thickness for its box, where the box has its top.
+Model block_with_a_plate() {
+  Model model = test::block();
+  Shape& shape = model.links[0].collision[0];
+  const std::string path = testing::TempDir() + "hull_plate.obj";
+  std::ofstream(path) << "v -0.2 -0.2 0.1\nv 0.2 -0.2 0.1\nv 0.2 0.2 0.1\nv -0.2 0.2 0.1\n"
+                         "f 1 2 3\nf 1 3 4\n";
+  shape.kind = ShapeKind::kMesh;
+  shape.mesh = path;
+  shape.size.setOnes();
+  return model;
+}
+
 // On its back, so that no sole touches: where its origin comes to rest.
 double rest(const Model& model, Engine engine) {
   WorldConfig config;
@@ -56,6 +69,10 @@ TEST_P(LinkHullTest, ALinkOfTrianglesLiesAsItsBoxDoes) {
       rest(block_of_triangles("hull_" + test::engine_name(GetParam())), GetParam());
   EXPECT_NEAR(box, 0.2, 1e-3);
   EXPECT_NEAR(triangles, box, 3e-4);
+}
+
+TEST_P(LinkHullTest, AMeshWithoutVolumeHolds) {
+  EXPECT_NEAR(rest(block_with_a_plate(), GetParam()), 0.2, 2e-3);
 }
 
 TEST_P(LinkHullTest, AMeshThatIsGoneIsRefused) {
