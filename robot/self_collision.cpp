@@ -8,6 +8,7 @@
 #include "robot/collision_pairs.h"
 #include "robot/index.h"
 #include "robot/pose_math.h"
+#include "robot/self_collision_body.h"
 #include "robot/self_collision_data.h"
 #include "robot/vec4.h"
 
@@ -21,8 +22,10 @@ namespace baseline_lanes {
 #include "robot/self_collision_far.h"
 #include "robot/self_collision_triangles.h"
 #include "robot/self_collision_hulls.h"
+#include "robot/self_collision_overlap.h"
 #include "robot/self_collision_inside.h"
 #include "robot/self_collision_boxes.h"
+#include "robot/self_collision_cells.h"
 #include "robot/self_collision_near.h"
 }  // namespace baseline_lanes
 #undef TWINBUS_WIDE
@@ -36,8 +39,10 @@ namespace avx2_lanes {
 #include "robot/self_collision_far.h"
 #include "robot/self_collision_triangles.h"
 #include "robot/self_collision_hulls.h"
+#include "robot/self_collision_overlap.h"
 #include "robot/self_collision_inside.h"
 #include "robot/self_collision_boxes.h"
+#include "robot/self_collision_cells.h"
 #include "robot/self_collision_near.h"
 }  // namespace avx2_lanes
 #pragma GCC target("avx512f,avx512vl,avx512dq")
@@ -47,8 +52,10 @@ namespace avx512_lanes {
 #include "robot/self_collision_far.h"
 #include "robot/self_collision_triangles.h"
 #include "robot/self_collision_hulls.h"
+#include "robot/self_collision_overlap.h"
 #include "robot/self_collision_inside.h"
 #include "robot/self_collision_boxes.h"
+#include "robot/self_collision_cells.h"
 #include "robot/self_collision_near.h"
 }  // namespace avx512_lanes
 #pragma GCC pop_options
@@ -62,42 +69,8 @@ namespace avx512_lanes {
 // clang-format on
 
 namespace {
-
-constexpr int kLanes = 8;
-
-std::size_t padded(std::size_t n) { return (n + kLanes - 1) / kLanes * kLanes; }
-
-void set4(const Eigen::Vector3d& v, double last, float (&to)[4]) {
-  for (int k = 0; k < 3; ++k) to[k] = static_cast<float>(v[k]);
-  to[3] = static_cast<float>(last);
+constexpr int kLanes = kCollisionLanes;
 }
-
-struct Aligned {  // numbers that lanes read
-  std::vector<float> store;
-  float* data = nullptr;
-  void resize(std::size_t n, float value = 0.0F) {
-    store.assign(n + 16, value);
-    void* raw = store.data();
-    std::size_t room = store.size() * sizeof(float);
-    data = static_cast<float*>(std::align(64, n * sizeof(float), raw, room));
-  }
-};
-
-CollisionTriangleBoxes boxes_of(const TriangleCluster& cluster) {
-  constexpr float kGrow = 1e-6F;  // [m]
-  CollisionTriangleBoxes boxes;
-  for (std::size_t d = 0; d < 3; ++d) {
-    for (std::size_t lane = 0; lane < TriangleCluster::kLanes; ++lane) {
-      const auto [low, high] = std::minmax(
-          {cluster.corner[0][d][lane], cluster.corner[1][d][lane], cluster.corner[2][d][lane]});
-      boxes.low[d][lane] = low - kGrow;
-      boxes.high[d][lane] = high + kGrow;
-    }
-  }
-  return boxes;
-}
-
-}  // namespace
 
 InstructionSet best_instruction_set() noexcept {
 #if defined(__x86_64__) && !defined(__clang__)
@@ -113,27 +86,21 @@ InstructionSet best_instruction_set() noexcept {
 }
 
 struct SelfCollision::Impl {
-  struct Body {
-    std::vector<TriangleCluster> clusters;
-    Aligned center[3], radius, block_center[3], block_radius, hull[3];
-    Aligned box_middle[3], box_half[3], box_low[3], box_high[3];
-    std::vector<CollisionTriangleBoxes> triangle_boxes;
-    std::vector<std::array<float, 4>> middle, half, witness;
-  };
-
   std::vector<CollisionPair> pairs;
   std::vector<CollisionJoint> joints;
   std::vector<CollisionBody> bodies;
-  std::vector<Body> stores;
+  std::vector<CollisionBodyStore> stores;
   std::vector<unsigned char> wanted;
   std::vector<int> pair_of, body_of;
   std::vector<CollisionPose> poses;
   std::vector<double> angle, sine, cosine;
-  Aligned placed;
+  AlignedNumbers placed;
   std::vector<CollisionCandidate> near;
   std::vector<int> hits;
   std::vector<CollisionMemory> memory;
-  Aligned bound, kept;
+  std::vector<JointCells> joint_cells;
+  std::vector<CollisionCells> cells;
+  AlignedNumbers bound, kept;
   std::vector<unsigned char> open;
   Work counters;
   long work[4] = {};
@@ -150,11 +117,11 @@ struct SelfCollision::Impl {
   }
 
   void add_joints(const Model& model, const RobotGeometry& geometry);
-  static void group(Body& store, const std::vector<TriangleCluster>& clusters);
   void add_bodies(const RobotGeometry& geometry);
   void add_pairs(const RobotGeometry& geometry);
   void connect();
   void want(const CollisionPair& pair, bool on) noexcept;
+  void take(std::vector<JointCells>&& found);
 };
 
 void SelfCollision::Impl::add_joints(const Model& model, const RobotGeometry& geometry) {
@@ -196,93 +163,17 @@ void SelfCollision::Impl::add_joints(const Model& model, const RobotGeometry& ge
   cosine.assign(angles, 1.0);
 }
 
-// Clusters come in the order of their tree, so eight in a row lie together.
-void SelfCollision::Impl::group(Body& store, const std::vector<TriangleCluster>& clusters) {
-  const std::size_t blocks = padded(clusters.size()) / kLanes;
-  for (Aligned& c : store.block_center) c.resize(padded(blocks), 1e9F);
-  store.block_radius.resize(padded(blocks));
-  for (std::size_t b = 0; b < blocks; ++b) {
-    const std::size_t end = std::min(clusters.size(), kLanes * (b + 1));
-    const auto center = [&](std::size_t i) {
-      return Eigen::Vector3d(static_cast<double>(clusters[i].center[0]),
-                             static_cast<double>(clusters[i].center[1]),
-                             static_cast<double>(clusters[i].center[2]));
-    };
-    Eigen::Vector3d low = center(kLanes * b), high = low;
-    for (std::size_t i = kLanes * b; i < end; ++i) {
-      const Eigen::Vector3d reach =
-          Eigen::Vector3d::Constant(static_cast<double>(clusters[i].radius));
-      low = low.cwiseMin(center(i) - reach);
-      high = high.cwiseMax(center(i) + reach);
-    }
-    const Eigen::Vector3d middle = 0.5 * (low + high);
-    double radius = 0.0;
-    for (std::size_t i = kLanes * b; i < end; ++i) {
-      radius =
-          std::max(radius, (center(i) - middle).norm() + static_cast<double>(clusters[i].radius));
-    }
-    for (std::size_t d = 0; d < 3; ++d)
-      store.block_center[d].data[b] = static_cast<float>(middle[static_cast<int>(d)]);
-    store.block_radius.data[b] = static_cast<float>(radius + 2e-6);
-  }
-}
-
 void SelfCollision::Impl::add_bodies(const RobotGeometry& geometry) {
   body_of = geometry.of_link;
-  stores.resize(geometry.links.size());
-  std::size_t most = 0;
-  for (std::size_t i = 0; i < geometry.links.size(); ++i) {
-    const LinkGeometry& g = geometry.links[i];
-    Body& store = stores[i];
-    store.clusters = g.clusters;
-    const std::size_t count = padded(g.clusters.size());
-    most = std::max(most, count);
-    for (Aligned& c : store.center) c.resize(count, 1e9F);
-    for (auto* row : {&store.box_middle, &store.box_low, &store.box_high}) {
-      for (Aligned& c : *row) c.resize(count, 1e9F);
-    }
-    for (Aligned& c : store.box_half) c.resize(count);
-    store.radius.resize(count);
-    for (std::size_t c = 0; c < g.clusters.size(); ++c) {
-      const TriangleCluster& cluster = g.clusters[c];
-      std::array<float, 4> middle{}, half{};
-      for (std::size_t d = 0; d < 3; ++d) {
-        store.center[d].data[c] = cluster.center[d];
-        middle[d] = 0.5F * (cluster.low[d] + cluster.high[d]);
-        half[d] = 0.5F * (cluster.high[d] - cluster.low[d]) + 1e-6F;
-        store.box_middle[d].data[c] = middle[d];
-        store.box_half[d].data[c] = half[d];
-        store.box_low[d].data[c] = middle[d] - half[d];
-        store.box_high[d].data[c] = middle[d] + half[d];
-      }
-      store.radius.data[c] = cluster.radius;
-      store.middle.push_back(middle);
-      store.half.push_back(half);
-    }
-    for (const TriangleCluster& c : g.clusters) store.triangle_boxes.push_back(boxes_of(c));
-    group(store, g.clusters);
-    const std::vector<Eigen::Vector3d>& corners = g.hull.points;
-    for (int d = 0; d < 3; ++d) {
-      store.hull[d].resize(padded(corners.size()));
-      for (std::size_t c = 0; c < padded(corners.size()); ++c)
-        store.hull[d].data[c] = static_cast<float>(corners[std::min(c, corners.size() - 1)][d]);
-    }
-    for (const Eigen::Vector3d& p : g.witnesses) {
-      store.witness.push_back(
-          {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z()), 0.0F});
-    }
-    CollisionBody body{};
-    set4(g.sphere.center, g.sphere.radius, body.sphere);
-    set4(g.capsule.a, g.capsule.radius, body.from);
-    set4(g.capsule.b, g.capsule.radius, body.to);
-    set4(g.low, 0.0, body.low);
-    set4(g.high, 0.0, body.high);
-    body.link = g.link;
-    body.clusters = static_cast<int>(g.clusters.size());
-    body.hull_corners = static_cast<int>(padded(corners.size()));
-    bodies.push_back(body);
+  for (const LinkGeometry& link : geometry.links) {
+    const bool asked = std::any_of(pairs.begin(), pairs.end(), [&](const CollisionPair& pair) {
+      return pair.link_a == link.link || pair.link_b == link.link;
+    });
+    stores.emplace_back(link, asked);
+    bodies.push_back(stores.back().view());
+    tables.most_clusters =
+        std::max(tables.most_clusters, static_cast<int>(padded_lanes(link.clusters.size())));
   }
-  tables.most_clusters = static_cast<int>(most);
 }
 
 void SelfCollision::Impl::want(const CollisionPair& pair, bool on) noexcept {
@@ -296,7 +187,7 @@ void SelfCollision::Impl::want(const CollisionPair& pair, bool on) noexcept {
 void SelfCollision::Impl::add_pairs(const RobotGeometry& geometry) {
   const int n = static_cast<int>(bodies.size());
   tables.bodies = n;
-  tables.blocks = static_cast<int>(padded(bodies.size())) / kLanes;
+  tables.blocks = static_cast<int>(padded_lanes(bodies.size())) / kLanes;
   wanted.assign(at(n * tables.blocks), 0);
   pair_of.assign(at(n * n), -1);
   for (std::size_t p = 0; p < pairs.size(); ++p) {
@@ -311,8 +202,46 @@ void SelfCollision::Impl::add_pairs(const RobotGeometry& geometry) {
   }
 }
 
+// bodies_touch looks at the clusters of the body that has fewer, one after the other.
+void SelfCollision::Impl::take(std::vector<JointCells>&& found) {
+  if (found.size() != pairs.size())
+    throw std::invalid_argument("SelfCollision: joint cells of other pairs");
+  joint_cells = std::move(found);
+  for (std::size_t p = 0; p < pairs.size(); ++p) {
+    JointCells& from = joint_cells[p];
+    CollisionCells& to = cells[p];
+    to = {};
+    for (int k = 0; k < from.joints; ++k) {
+      const auto joint = std::find_if(joints.begin(), joints.end(), [&](const CollisionJoint& j) {
+        return j.index == from.joint[k];
+      });
+      to.slot[k] = static_cast<int>(joint - joints.begin());
+      to.count[k] = from.count[k];
+      to.low[k] = from.low[k];
+      to.per_unit[k] = from.per_unit[k];
+    }
+    const int a = body_of[at(pairs[p].link_a)], b = body_of[at(pairs[p].link_b)];
+    const auto [first, second] = std::minmax(a, b);
+    const bool swapped = bodies[at(first)].clusters > bodies[at(second)].clusters;
+    const bool turn = (swapped ? second : first) != a;
+    for (std::size_t i = 2; i < from.lists.size();) {
+      const std::size_t end = i + 1 + from.lists[i];
+      const auto begin = from.lists.begin() + static_cast<std::ptrdiff_t>(i);
+      const auto last = from.lists.begin() + static_cast<std::ptrdiff_t>(end);
+      for (std::size_t k = i + 1; turn && k < end; ++k)
+        from.lists[k] = from.lists[k] << 16 | from.lists[k] >> 16;
+      std::sort(begin + 1, last,
+                [](std::uint32_t x, std::uint32_t y) { return (x & 0xFFFFU) < (y & 0xFFFFU); });
+      i = end;
+    }
+    to.cell = from.cell.data();
+    to.lists = from.lists.data();
+    to.joints = from.joints;
+  }
+}
+
 void SelfCollision::Impl::connect() {
-  const std::size_t count = padded(bodies.size());
+  const std::size_t count = padded_lanes(bodies.size());
   placed.resize(11 * count);
   for (int k = 0; k < 4; ++k) tables.sphere[k] = placed.data + at(k) * count;
   for (int k = 0; k < 3; ++k) {
@@ -321,32 +250,14 @@ void SelfCollision::Impl::connect() {
   }
   tables.capsule_radius = placed.data + 10 * count;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
-    CollisionBody& body = bodies[i];
-    Body& store = stores[i];
-    for (int d = 0; d < 3; ++d) body.center[d] = store.center[d].data;
-    body.radius = store.radius.data;
-    for (int d = 0; d < 3; ++d) body.block_center[d] = store.block_center[d].data;
-    body.block_radius = store.block_radius.data;
-    for (int d = 0; d < 3; ++d) {
-      body.hull[d] = store.hull[d].data;
-      body.box_middle[d] = store.box_middle[d].data;
-      body.box_half[d] = store.box_half[d].data;
-      body.box_low[d] = store.box_low[d].data;
-      body.box_high[d] = store.box_high[d].data;
-    }
-    body.triangle_boxes = store.triangle_boxes.data();
-    body.cluster = store.clusters.data();
-    body.middle = reinterpret_cast<const float(*)[4]>(store.middle.data());
-    body.half = reinterpret_cast<const float(*)[4]>(store.half.data());
-    body.witness = reinterpret_cast<const float(*)[4]>(store.witness.data());
-    body.witnesses = static_cast<int>(store.witness.size());
-    tables.sphere[3][i] = body.sphere[3];
-    tables.capsule_radius[i] = body.from[3];
+    tables.sphere[3][i] = bodies[i].sphere[3];
+    tables.capsule_radius[i] = bodies[i].from[3];
   }
   near.resize(pairs.size() + kLanes);
   hits.assign(pairs.size() + 1, 0);
   memory.assign(pairs.size(), {});
-  bound.resize(padded(pairs.size()) + kLanes);
+  cells.assign(pairs.size(), {});
+  bound.resize(padded_lanes(pairs.size()) + kLanes);
   kept.resize(14 * at(tables.most_clusters) + kLanes);
   open.assign(at(tables.most_clusters) / kLanes + 1, 0);
   tables.joint = joints.data();
@@ -364,6 +275,7 @@ void SelfCollision::Impl::connect() {
   tables.kept = kept.data;
   tables.open = open.data();
   tables.memory = memory.data();
+  tables.cells = cells.data();
   tables.work = work;
 }
 
@@ -419,15 +331,15 @@ bool SelfCollision::any_touching() noexcept {
 bool SelfCollision::touches(int pair) noexcept {
   Impl& i = *impl_;
   const CollisionPair& links = i.pairs[at(pair)];
-  return TWINBUS_LANES(
-      bodies_touch(i.tables, i.body_of[at(links.link_a)], i.body_of[at(links.link_b)], true));
+  return TWINBUS_LANES(bodies_touch(i.tables, i.body_of[at(links.link_a)],
+                                    i.body_of[at(links.link_b)], true, nullptr));
 }
 
 bool SelfCollision::surfaces_cross(int pair) noexcept {
   Impl& i = *impl_;
   const CollisionPair& links = i.pairs[at(pair)];
-  return TWINBUS_LANES(
-      bodies_touch(i.tables, i.body_of[at(links.link_a)], i.body_of[at(links.link_b)], false));
+  return TWINBUS_LANES(bodies_touch(i.tables, i.body_of[at(links.link_a)],
+                                    i.body_of[at(links.link_b)], false, nullptr));
 }
 
 double SelfCollision::lower_bound(int pair) noexcept {
@@ -448,6 +360,8 @@ void SelfCollision::lower_bounds(float* bounds) noexcept {
 }
 
 void SelfCollision::enable(int pair, bool on) noexcept { impl_->want(impl_->pairs[at(pair)], on); }
+
+void SelfCollision::use(std::vector<JointCells> cells) { impl_->take(std::move(cells)); }
 
 void SelfCollision::use(InstructionSet set) noexcept {
   impl_->set = std::min(set, best_instruction_set());

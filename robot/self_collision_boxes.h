@@ -113,3 +113,15 @@ TWINBUS_INLINE unsigned meet_placed(const CollisionBody& a, int ca, const float*
         size(load8(placed + 8 * d) - a.middle[ca][d]) > load8(placed + 24 + 8 * d) + a.half[ca][d];
   return ~bits(apart) & 0xFFU;
 }
+
+// The box of cluster cb of b in a's axes; does it lie apart from that of cluster ca of a?
+TWINBUS_INLINE bool box_apart(const CollisionBody& a, int ca, const CollisionPose& b_to_a,
+                              const CollisionBody& b, int cb, F4& middle, F4& half) noexcept {
+  const float* h = b.half[cb];
+  const F4 x = load4f(b_to_a.column[0]) * h[0], y = load4f(b_to_a.column[1]) * h[1],
+           z = load4f(b_to_a.column[2]) * h[2];
+  half = size4(x) + size4(y) + size4(z);
+  middle = moved(b_to_a, b.middle[cb]);
+  const F4 gap = middle - load4f(a.middle[ca]);
+  return any3(size4(gap) > half + load4f(a.half[ca]));
+}

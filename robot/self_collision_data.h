@@ -4,6 +4,7 @@
 #pragma once
 
 #include "robot/geometry.h"
+#include "robot/joint_cells.h"
 
 namespace twinbus {
 
@@ -46,6 +47,8 @@ struct alignas(16) CollisionBody {  // a link that bears geometry
   const float* hull[3] =
       {};                // corners of the convex hull, the last one repeated up to a multiple of 8
   int hull_corners = 0;  // with the repeated ones
+  const float* inner[4] = {};  // balls inside: centres and radii, padded to a multiple of 8
+  int inner_balls = 0;         // with the padding
 };
 
 // What the last look at a pair found; it says where to look first, never what is there.
@@ -54,6 +57,13 @@ struct alignas(16) CollisionMemory {
       {};  // a direction that parted the hulls, in the axes of the second body; or zero
   int cluster[2] = {-1, -1};  // that crossed
   int stuck = 0;              // looks in a row at which no plane was found between the hulls
+};
+
+struct CollisionCells {  // JointCells of a pair, clusters in the order in which it is looked at
+  int joints = 0;
+  int slot[JointCells::kMostJoints] = {}, count[JointCells::kMostJoints] = {};
+  double low[JointCells::kMostJoints] = {}, per_unit[JointCells::kMostJoints] = {};
+  const std::uint32_t *cell = nullptr, *lists = nullptr;
 };
 
 struct CollisionCandidate {
@@ -65,6 +75,7 @@ struct CollisionTables {
   const CollisionBody* body = nullptr;
   const unsigned char* wanted = nullptr;  // [bodies x blocks], a bit per body b > a
   const int* pair_of = nullptr;           // [bodies x bodies], -1
+  const CollisionCells* cells = nullptr;  // [pairs]
   int joints = 0, bodies = 0, blocks = 0;
   // Of the posture.
   const double* q = nullptr;

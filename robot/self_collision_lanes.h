@@ -10,6 +10,7 @@ constexpr float kAxisSlack = 1e-7F;     // per length of a separating axis [m]
 constexpr float kCapsuleSlack = 1e-5F;  // what single precision may lose [m]
 constexpr float kPlaneSlack = 1e-6F;    // of a corner beside a plane [m]
 constexpr float kHullSlack = 3e-6F;     // the same, between two links [m]
+constexpr float kInnerSlack = 5e-6F;    // the same, of balls that overlap [m]
 
 TWINBUS_INLINE F8 load8(const float* from) noexcept {
   F8 v;

@@ -2,18 +2,6 @@
 
 constexpr int kStuck = 3;  // looks without a plane after which only every eighth look tries one
 
-// The box of cluster cb of b in a's axes; does it lie apart from that of cluster ca of a?
-TWINBUS_INLINE bool box_apart(const CollisionBody& a, int ca, const CollisionPose& b_to_a,
-                              const CollisionBody& b, int cb, F4& middle, F4& half) noexcept {
-  const float* h = b.half[cb];
-  const F4 x = load4f(b_to_a.column[0]) * h[0], y = load4f(b_to_a.column[1]) * h[1],
-           z = load4f(b_to_a.column[2]) * h[2];
-  half = size4(x) + size4(y) + size4(z);
-  middle = moved(b_to_a, b.middle[cb]);
-  const F4 gap = middle - load4f(a.middle[ca]);
-  return any3(size4(gap) > half + load4f(a.half[ca]));
-}
-
 // Do triangles of a's clusters cross triangles of b's?  Which: into memory.
 static bool surfaces_cross(const CollisionTables& t, const CollisionBody& a, const CollisionBody& b,
                            const CollisionPose& a_to_b, const CollisionPose& b_to_a,
@@ -65,8 +53,37 @@ static bool surfaces_cross(const CollisionTables& t, const CollisionBody& a, con
   return false;
 }
 
-// inside: also when one is inside the other.
-static bool bodies_touch(const CollisionTables& t, int first, int second, bool inside) noexcept {
+// What crossed when last looked at is likely to cross.
+static bool memory_crosses(const CollisionTables& t, const CollisionMemory& memory,
+                           const CollisionBody& a, const CollisionBody& b,
+                           const CollisionPose& a_to_b, const CollisionPose& b_to_a) noexcept {
+  if (memory.cluster[0] < 0) return false;
+  const unsigned list[2] = {1U, static_cast<unsigned>(memory.cluster[0]) |
+                                    static_cast<unsigned>(memory.cluster[1]) << 16};
+  return list_crosses(t, list, a, b, a_to_b, b_to_a);
+}
+
+// Is there a plane between the hulls?  Where the last one was is tried first.
+static bool hulls_parted(const CollisionBody& a, const CollisionBody& b,
+                         const CollisionPose& a_to_b, CollisionMemory& memory) noexcept {
+  float n[4] = {memory.apart[0], memory.apart[1], memory.apart[2], 0.0F};
+  bool apart = memory.cluster[0] < 0 && (n[0] != 0.0F || n[1] != 0.0F || n[2] != 0.0F) &&
+               hulls_apart(a, b, a_to_b, n, 1);
+  if (!apart && (memory.stuck < kStuck || memory.stuck % 8 == 0)) {
+    const F4 from = moved(a_to_b, a.sphere);
+    const F4 way = load4f(b.sphere) - from;
+    const float scale =
+        1.0F / __builtin_sqrtf(way[0] * way[0] + way[1] * way[1] + way[2] * way[2] + 1e-12F);
+    for (int k = 0; k < 3; ++k) n[k] = way[k] * scale;
+    apart = hulls_apart(a, b, a_to_b, n, kMostProbes);
+  }
+  for (int k = 0; apart && k < 3; ++k) memory.apart[k] = n[k];
+  return apart;
+}
+
+// inside: also when one is inside the other.  list: of the only clusters that can, where it is known.
+static bool bodies_touch(const CollisionTables& t, int first, int second, bool inside,
+                         const unsigned* list) noexcept {
   const bool swap = t.body[first].clusters > t.body[second].clusters;
   const CollisionBody& a = t.body[swap ? second : first];
   const CollisionBody& b = t.body[swap ? first : second];
@@ -88,42 +105,19 @@ static bool bodies_touch(const CollisionTables& t, int first, int second, bool i
         -(a_to_b.column[i][0] * a_to_b.origin[0] + a_to_b.column[i][1] * a_to_b.origin[1] +
           a_to_b.column[i][2] * a_to_b.origin[2]);
   }
-  CollisionMemory& memory = t.memory[t.pair_of[first * t.bodies + second]];
-  if (memory.cluster[0] >= 0) {  // what crossed when last looked at is likely to cross
-    const int ca = memory.cluster[0], cb = memory.cluster[1];
-    F4 in_a, half_in_a, in_b, half_in_b;
-    if (!box_apart(a, ca, b_to_a, b, cb, in_a, half_in_a) &&
-        !box_apart(b, cb, a_to_b, a, ca, in_b, half_in_b)) {
-      ++t.work[2];
-      MovedCluster moved_a;
-      bool ready = false;
-      float box[4][4];
-      const F4 boxes[4] = {in_b, half_in_b, in_a, half_in_a};
-      __builtin_memcpy(box, boxes, sizeof box);
-      if (clusters_cross(a, ca, b, cb, a_to_b, box[0], box[1], box[2], box[3], moved_a, ready,
-                         t.work))
-        return true;
-    }
-  }
-  float n[4] = {memory.apart[0], memory.apart[1], memory.apart[2], 0.0F};
-  bool apart = memory.cluster[0] < 0 && (n[0] != 0.0F || n[1] != 0.0F || n[2] != 0.0F) &&
-               hulls_apart(a, b, a_to_b, n, 1);
-  if (!apart && (memory.stuck < kStuck || memory.stuck % 8 == 0)) {
-    const F4 from = moved(a_to_b, a.sphere);
-    const F4 way = load4f(b.sphere) - from;
-    const float scale =
-        1.0F / __builtin_sqrtf(way[0] * way[0] + way[1] * way[1] + way[2] * way[2] + 1e-12F);
-    for (int k = 0; k < 3; ++k) n[k] = way[k] * scale;
-    apart = hulls_apart(a, b, a_to_b, n, kMostProbes);
-  }
-  memory.stuck = apart ? 0 : memory.stuck + 1;
-  if (apart) {
-    for (int k = 0; k < 3; ++k) memory.apart[k] = n[k];
+  if (list != nullptr) {
+    if (inside && inner_overlap(a, b, a_to_b)) return true;
+    if (list_crosses(t, list, a, b, a_to_b, b_to_a)) return true;
+  } else {
+    CollisionMemory& memory = t.memory[t.pair_of[first * t.bodies + second]];
+    if (memory_crosses(t, memory, a, b, a_to_b, b_to_a)) return true;
+    const bool apart = hulls_parted(a, b, a_to_b, memory);
+    memory.stuck = apart ? 0 : memory.stuck + 1;
+    if (!apart && inside && inner_overlap(a, b, a_to_b)) return true;
+    if (!apart && surfaces_cross(t, a, b, a_to_b, b_to_a, memory)) return true;
     memory.cluster[0] = -1;
-    return false;
+    if (apart) return false;
   }
-  if (surfaces_cross(t, a, b, a_to_b, b_to_a, memory)) return true;
-  memory.cluster[0] = -1;
   if (!inside) return false;
   const bool a_smaller = a.sphere[3] <= b.sphere[3];
   return a_smaller ? some_inside(a, b, a_to_b) : some_inside(b, a, b_to_a);
@@ -138,8 +132,13 @@ static int collide(const CollisionTables& t, bool first_only) noexcept {
     if (t.bound[i] > 0.0F) continue;
     ++t.work[1];
     const CollisionCandidate pair = t.near[i];
-    if (!bodies_touch(t, pair.a, pair.b, true)) continue;
-    t.hit[hits++] = t.pair_of[pair.a * t.bodies + pair.b];
+    const int index = t.pair_of[pair.a * t.bodies + pair.b];
+    const CollisionCells& cells = t.cells[index];
+    const unsigned cell = cells.joints > 0 ? cell_at(cells, t.q) : JointCells::kUnknown;
+    if (cell == JointCells::kFree) continue;
+    const unsigned* list = cell == JointCells::kUnknown ? nullptr : cells.lists + cell;
+    if (!bodies_touch(t, pair.a, pair.b, true, list)) continue;
+    t.hit[hits++] = index;
     if (first_only) break;
   }
   return hits;

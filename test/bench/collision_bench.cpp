@@ -19,6 +19,8 @@
 
 #include "robot/geometry.h"
 #include "robot/index.h"
+#include "robot/inner_balls.h"
+#include "robot/joint_cells.h"
 #include "robot/kinematics.h"
 #include "robot/options.h"
 #include "robot/pair_proof.h"
@@ -210,19 +212,6 @@ void costs(const Model& model, SelfCollision& check, FclPeer& fcl, int count, bo
   print("FCL AABB tree manager", manager, ours, csv, where);
 }
 
-// How often the mesh is wound around the point: 1 inside, 0 outside, of an open mesh between.
-double winding_number(const TriangleMesh& mesh, const Eigen::Vector3d& point) {
-  double sum = 0.0;
-  for (const auto& t : mesh.triangles) {
-    const Eigen::Vector3d a = mesh.points[at(t[0])] - point, b = mesh.points[at(t[1])] - point,
-                          c = mesh.points[at(t[2])] - point;
-    const double la = a.norm(), lb = b.norm(), lc = c.norm();
-    sum += 2.0 * std::atan2(a.dot(b.cross(c)),
-                            la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
-  }
-  return sum / (4.0 * M_PI);
-}
-
 class Verdicts {
  public:
   Verdicts(const Model& model, const RobotGeometry& geometry, SelfCollision& check, FclPeer& fcl)
@@ -317,6 +306,24 @@ Configuration near_contact(const Model& model, SelfCollision& check, Postures& p
   return middle;
 }
 
+void use_cells(const Model& model, const RobotGeometry& geometry, SelfCollision& check) {
+  const std::int64_t begin = monotonic_ns();
+  std::vector<JointCells> cells = find_joint_cells(model, geometry, check.pairs());
+  const double seconds = 1e-9 * static_cast<double>(monotonic_ns() - begin);
+  std::size_t pairs = 0, count = 0, free = 0, numbers = 0;
+  for (const JointCells& c : cells) {
+    pairs += c.joints > 0 ? 1 : 0;
+    count += c.cell.size();
+    numbers += c.cell.size() + c.lists.size();
+    free += static_cast<std::size_t>(std::count(c.cell.begin(), c.cell.end(), JointCells::kFree));
+  }
+  std::printf(
+      "joint cells of %zu pairs: %zu, %.1f %% free, %.1f MB, found once in %.1f s\n", pairs, count,
+      100.0 * static_cast<double>(free) / static_cast<double>(std::max<std::size_t>(count, 1)),
+      4e-6 * static_cast<double>(numbers), seconds);
+  check.use(std::move(cells));
+}
+
 // Pairs proved never to touch, looked for at random postures.
 bool never_is_never(const Model& model, const RobotGeometry& geometry, std::int64_t samples) {
   const std::int64_t begin = monotonic_ns();
@@ -349,6 +356,7 @@ bool never_is_never(const Model& model, const RobotGeometry& geometry, std::int6
 int main(int argc, char** argv) try {
   Options options("collision_bench", "Exact self-collision beside FCL on the same triangles.");
   std::string robot = "jvrc29", package, drop, csv_file;
+  bool no_cells = false;
   std::int64_t postures = 4000, verdicts = 2000, never = 100'000;
   options.text(
       "--robot", "NAME", robot,
@@ -360,6 +368,8 @@ int main(int argc, char** argv) try {
                   "compared with FCL, random and near contact each");
   options.integer("--never", "N", never, 0, 1'000'000'000,
                   "random postures at which proved pairs are looked for");
+  options.flag("--no-cells", no_cells,
+               "without lists of what pairs with few joints between them can touch with");
   options.text("--csv", "FILE", csv_file, "also as rows");
   options.parse(argc, argv);
 
@@ -379,6 +389,7 @@ int main(int argc, char** argv) try {
       "%.0f ms\n",
       robot.c_str(), geometry.links.size(), check.pairs().size(), triangles, clusters,
       model.joint_count(), load_ms);
+  if (!no_cells) use_cells(model, geometry, check);
   std::FILE* csv = csv_file.empty() ? nullptr : std::fopen(csv_file.c_str(), "a");
   if (!csv_file.empty() && csv == nullptr)
     throw std::runtime_error(csv_file + " cannot be written");

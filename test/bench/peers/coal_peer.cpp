@@ -82,6 +82,7 @@ int main(int argc, char** argv) try {
   const Model model = load_case(robot, package, drop);
   const RobotGeometry geometry = build_geometry(model, {.balls = false});
   SelfCollision check(model, geometry);
+  check.use(find_joint_cells(model, geometry, check.pairs()));
   CoalPeer coal(geometry, check.pairs());
   Kinematics kinematics(model);
   for (const bool near_home : {false, true}) {
