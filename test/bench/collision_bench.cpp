@@ -357,7 +357,7 @@ int main(int argc, char** argv) try {
   Options options("collision_bench", "Exact self-collision beside FCL on the same triangles.");
   std::string robot = "jvrc29", package, drop, csv_file;
   bool no_cells = false;
-  std::int64_t postures = 4000, verdicts = 2000, never = 100'000;
+  std::int64_t postures = 4000, verdicts = 2000, never = 100'000, seed = 1;
   options.text(
       "--robot", "NAME", robot,
       "jvrc29 (JVRC-1 without its distal finger links), a robot's name or folder, or a .urdf");
@@ -366,6 +366,7 @@ int main(int argc, char** argv) try {
   options.integer("--postures", "N", postures, 20, 10'000'000, "timed, of each kind");
   options.integer("--verdicts", "N", verdicts, 0, 100'000'000,
                   "compared with FCL, random and near contact each");
+  options.integer("--seed", "N", seed, 0, 1'000'000'000, "of the postures compared");
   options.integer("--never", "N", never, 0, 1'000'000'000,
                   "random postures at which proved pairs are looked for");
   options.flag("--no-cells", no_cells,
@@ -399,7 +400,7 @@ int main(int argc, char** argv) try {
   if (csv != nullptr) std::fclose(csv);
 
   Verdicts random(model, geometry, check, fcl), near(model, geometry, check, fcl);
-  Postures draws(model);
+  Postures draws(model, static_cast<std::uint64_t>(seed));
   for (std::int64_t k = 0; k < verdicts; ++k) random.compare(draws.draw(k % 2 != 0));
   for (std::int64_t k = 0; k < verdicts; ++k) near.compare(near_contact(model, check, draws));
   random.print("random and near home");
