@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "robot/requests.h"
+#include "robot/step_list.h"
 
 namespace twinbus {
 
@@ -31,13 +32,19 @@ struct ScriptedPad {
   Gamepad request;
 };
 
+struct ScriptedSteps {
+  double at = 0.0;  // [s] of active time
+  StepList request;
+};
+
 class SceneScript {
  public:
   // period [s]; run_id: of the source the requests are for.
   SceneScript(const std::vector<ScriptedMode>& modes, const std::vector<ScriptedGoal>& goals,
               double period, std::int64_t run_id, const std::vector<ScriptedWalk>& walks = {},
-              const std::vector<ScriptedPad>& pads = {})
-      : modes_(modes), goals_(goals), walks_(walks), pads_(pads), period_(period) {
+              const std::vector<ScriptedPad>& pads = {},
+              const std::vector<ScriptedSteps>& steps = {})
+      : modes_(modes), goals_(goals), walks_(walks), pads_(pads), steps_(steps), period_(period) {
     // Whoever listens takes a lower sequence for an old message.
     std::stable_sort(modes_.begin(), modes_.end(),
                      [](const ScriptedMode& a, const ScriptedMode& b) { return a.at < b.at; });
@@ -49,6 +56,10 @@ class SceneScript {
     for (ScriptedGoal& scripted : goals_) {
       scripted.goal.sender_id = scripted.goal.run_id = run_id;
       scripted.goal.goal_id = scripted.goal.sequence = ++sequence;
+    }
+    for (ScriptedSteps& scripted : steps_) {
+      scripted.request.sender_id = scripted.request.run_id = run_id;
+      scripted.request.sequence = ++sequence;
     }
     for (ScriptedWalk& scripted : walks_)
       scripted.request.sender_id = scripted.request.run_id = run_id;
@@ -70,6 +81,10 @@ class SceneScript {
     for (ScriptedGoal& scripted : goals_) {
       const std::int64_t at = first_tick - 1 + std::llround(scripted.at / period_);
       if (tick >= at && tick < at + kAhead) say(scripted.goal);
+    }
+    for (ScriptedSteps& scripted : steps_) {
+      const std::int64_t at = first_tick - 1 + std::llround(scripted.at / period_);
+      if (tick >= at && tick < at + kAhead) say(scripted.request);
     }
     if (tick % kRepeat != 0) return;
     say_on(walks_, tick, first_tick, say);
@@ -95,6 +110,7 @@ class SceneScript {
   std::vector<ScriptedGoal> goals_;
   std::vector<ScriptedWalk> walks_;
   std::vector<ScriptedPad> pads_;
+  std::vector<ScriptedSteps> steps_;
   std::int32_t sequence_ = 0;
   double period_;
 };

@@ -39,6 +39,7 @@ const char* own_channel(SourceKind kind) {
 const char* channel_of(const ModeRequest&) { return channel::kModeRequest; }
 const char* channel_of(const ArmGoal&) { return channel::kArmGoal; }
 const char* channel_of(const WalkCommand&) { return channel::kWalk; }
+const char* channel_of(const StepList&) { return channel::kSteps; }
 const char* channel_of(const Gamepad&) { return channel::kGamepad; }
 
 class Shell {
@@ -55,7 +56,8 @@ class Shell {
         source_(model, adaptor, config()),
         scene_(model_text_pieces(model, options.scene_text, run_id_), options.obstacles,
                options.terrain, run_id_),
-        script_(options.modes, options.goals, model.period(), run_id_, options.walks, options.pads),
+        script_(options.modes, options.goals, model.period(), run_id_, options.walks, options.pads,
+                options.steps),
         pulse_(options.process, run_id_, real_time) {
     period_ns_ = std::llround(model.period_ns / options.rate);
     told_ = source_.status();

@@ -39,6 +39,7 @@ struct SourceMainOptions {
   std::vector<ScriptedGoal> goals;
   std::vector<ScriptedWalk> walks;
   std::vector<ScriptedPad> pads;
+  std::vector<ScriptedSteps> steps;
 };
 
 // --guard-required and --for; a simulator's also --lockstep, --rate and --seed.

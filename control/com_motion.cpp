@@ -14,6 +14,10 @@ constexpr double kLeanRate = 5.0;          // [rad/s] of the critically damped f
 // A stick that is thrown over asks for this at most: no foot may become so light that it slips.
 constexpr double kLeanSpeed = 0.15;  // [m/s]
 constexpr double kTwoPi = 6.283185307179586;
+
+double sensible(double frequency) noexcept {
+  return frequency > 0.0 ? std::clamp(frequency, 0.02, kMostFrequency) : 0.5;
+}
 }  // namespace
 
 void ComMotion::start(const Eigen::Vector3d& home, const Eigen::Vector3d& position,
@@ -38,14 +42,17 @@ void ComMotion::shift_home(const Eigen::Vector3d& home) noexcept {
   way_z_.aim(home.z(), 1.0);
 }
 
+double ComMotion::possible(double amplitude, double frequency) noexcept {
+  const double f = sensible(frequency);
+  const double a = std::min(std::abs(amplitude), kMostAmplitude);
+  return std::min(a, kMostAcceleration / (kTwoPi * kTwoPi * f * f));
+}
+
 void ComMotion::request(Motion motion, double amplitude, double frequency) noexcept {
   if (!std::isfinite(amplitude) || !std::isfinite(frequency)) return;
-  double f = frequency > 0.0 ? std::min(frequency, kMostFrequency) : 0.5;
-  f = std::max(f, 0.02);
+  const double f = sensible(frequency);
   const bool forward = motion == Motion::kSway && amplitude < 0.0;
-  double a = std::min(std::abs(amplitude), kMostAmplitude);
-  a = std::min(a, kMostAcceleration / (kTwoPi * kTwoPi * f * f));
-  if (motion == Motion::kNone) a = 0.0;
+  const double a = motion == Motion::kNone ? 0.0 : possible(amplitude, frequency);
   next_motion_ = motion;
   next_amplitude_ = a;
   next_frequency_ = f;

@@ -24,6 +24,8 @@ class ComMotion {
              const Eigen::Vector3d& velocity, double duration) noexcept;
   // amplitude [m], frequency [Hz]; numbers that make no sense are cut to sensible ones.
   void request(Motion motion, double amplitude, double frequency) noexcept;
+  // What becomes of an amplitude that is asked for [m].
+  static double possible(double amplitude, double frequency) noexcept;
   // Ends the motion as fast as is smooth.
   void stop(double duration) noexcept;
   // Lean away from home [m], followed with a bounded speed and a smooth lag.

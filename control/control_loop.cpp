@@ -80,6 +80,8 @@ struct ControlLoop::Impl {
   std::int64_t gamepad_ns = 0;
   WalkCommand walk;
   std::int64_t walk_ns = 0;
+  StepList steps;
+  bool new_steps = false;
   GuardReport guard_heard;
   std::int64_t guard_heard_ns = 0;
   std::int64_t mask = 0;  // bit per joint held this tick
@@ -214,6 +216,7 @@ void ControlLoop::Impl::compute(std::int64_t now_ns, double dt, bool same_source
   }
   modes.lean(lean(now_ns));
   modes.walk(walk_velocity(now_ns));
+  if (std::exchange(new_steps, false)) modes.walk_steps(steps);
   modes.want(now(), mask, dt, want);
   if (modes.take_change() && have_output) blend.start(last, want, kModeBlend);
   blend.apply(want, dt);
@@ -297,6 +300,14 @@ void ControlLoop::on_walk_command(const WalkCommand& command, std::int64_t now_n
   impl_->status.walk_sequence = command.sequence;
   impl_->walk = command;
   impl_->walk_ns = now_ns;
+}
+
+void ControlLoop::on_step_list(const StepList& list) noexcept {
+  StepList& last = impl_->steps;
+  if (!impl_->have_state || list.run_id != impl_->state.run_id) return;
+  if (list.sender_id == last.sender_id && list.sequence == last.sequence) return;
+  last = list;
+  impl_->new_steps = true;
 }
 
 void ControlLoop::on_gamepad(const Gamepad& gamepad, std::int64_t now_ns) noexcept {

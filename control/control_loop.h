@@ -16,6 +16,7 @@
 #include "robot/model.h"
 #include "robot/requests.h"
 #include "robot/robot_io.h"
+#include "robot/step_list.h"
 
 namespace twinbus {
 
@@ -37,6 +38,9 @@ class ControlLoop {
   void on_state(const RobotState& state, std::int64_t now_ns) noexcept;
   void on_mode_request(const ModeRequest& request) noexcept;
   void on_walk_command(const WalkCommand& command, std::int64_t now_ns) noexcept;
+  // Footsteps to be walked from where the robot stands, in mode walk; refused with a sentence (take_sentence) when it
+  // cannot.  The same one again is no new one.
+  void on_step_list(const StepList& list) noexcept;
   void on_gamepad(const Gamepad& gamepad, std::int64_t now_ns) noexcept;
   void on_arm_path(const ArmPathPiece& piece) noexcept;
   void on_arm_goal(const ArmGoal& goal) noexcept;  // only to cancel the path being followed

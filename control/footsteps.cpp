@@ -117,6 +117,8 @@ Gait gait_of(const Model& model, const Walking& w, double margin) {
   g.max_back = kReachBack * stride;
   g.max_width = g.width + kReachSideways * stride;
   g.standing_width = std::clamp(stance.width, g.min_width, g.max_width);
+  g.inner = inner;
+  g.max_turn = 2.0 * kTurn * reach.turn;
   g.toe = left.front;
   g.heel = left.back;
   const double length = left.front + left.back;

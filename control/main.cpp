@@ -100,6 +100,7 @@ class Controller {
     bus_.listen_each<RobotState>(channel::kState, on_state_);
     bus_.listen_each<ModeRequest>(channel::kModeRequest, on_mode_);
     bus_.listen_each<WalkCommand>(channel::kWalk, on_walk_);
+    bus_.listen_each<StepList>(channel::kSteps, on_steps_);
     bus_.listen_each<Gamepad>(channel::kGamepad, on_gamepad_);
     bus_.listen_each<ArmPathPiece>(channel::kArmPath, on_path_);
     bus_.listen_each<ArmGoal>(channel::kArmGoal, on_goal_);
@@ -260,6 +261,13 @@ class Controller {
       c->loop_.on_walk_command(m, now);
     }
   };
+  struct OnSteps {
+    Controller* c;
+    void operator()(const StepList& m, Bytes bytes) {
+      c->journal_.consumed(JournalInput::kSteps, bytes, monotonic_ns());
+      c->loop_.on_step_list(m);
+    }
+  };
   struct OnGamepad {
     Controller* c;
     void operator()(const Gamepad& m, Bytes bytes) {
@@ -328,6 +336,7 @@ class Controller {
   OnState on_state_{this};
   OnMode on_mode_{this};
   OnWalk on_walk_{this};
+  OnSteps on_steps_{this};
   OnGamepad on_gamepad_{this};
   OnPath on_path_{this};
   OnGoal on_goal_{this};

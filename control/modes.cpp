@@ -39,6 +39,7 @@ Modes::Modes(const Model& model, const BalanceGains& gains, const WalkGains& wal
     if (balance_->is_leg(model.bus_joints[at(k)])) legs_ |= std::int64_t{1} << k;
   }
   try {
+    squat_ = std::make_unique<SquatCheck>(model);
     walk_ = std::make_unique<Walk>(model, walk);
   } catch (const std::runtime_error& error) {
     no_walk_ = std::string(error.what()) + "; the mode stays as it is";
@@ -149,6 +150,21 @@ void Modes::enter_pose(const ModeRequest& request, const Moment& now) noexcept {
   posture_.move(request.q, request.joint_mask, static_cast<double>(request.duration));
 }
 
+void Modes::request_motion(const ModeRequest& request, const Moment& now) noexcept {
+  const auto amplitude = static_cast<double>(request.amplitude);
+  const auto frequency = static_cast<double>(request.frequency);
+  // One that squats already was asked before, from where it stood.
+  const bool from_standing = balance_->motion() == Motion::kNone && squat_ != nullptr;
+  if (request.motion == Motion::kSquat && from_standing) {
+    const double depth = 2.0 * ComMotion::possible(amplitude, frequency);
+    if (const char* why = squat_->why_not(now.estimator, depth)) {
+      sentence_ = why;
+      return;
+    }
+  }
+  balance_->request(request.motion, amplitude, frequency);
+}
+
 void Modes::obey(const ModeRequest& request, const Moment& now) noexcept {
   if (bracing_) {
     if (request.mode != Mode::kIdle) {
@@ -182,10 +198,7 @@ void Modes::obey(const ModeRequest& request, const Moment& now) noexcept {
       break;
     case Mode::kBalance:
       if (mode_ != Mode::kBalance) enter(Mode::kBalance, now);
-      if (balancing_) {
-        balance_->request(request.motion, static_cast<double>(request.amplitude),
-                          static_cast<double>(request.frequency));
-      }
+      if (balancing_) request_motion(request, now);
       break;
     case Mode::kWalk:
       if (!walking_) {
@@ -279,6 +292,14 @@ void Modes::end_brace(const Moment& now) noexcept {
   const bool stands = may_balance(now);
   sentence_ = stands ? "the robot did not fall: it balances again" : kHasFallen;
   enter(stands ? Mode::kBalance : Mode::kIdle, now);
+}
+
+void Modes::walk_steps(const StepList& list) noexcept {
+  if (!walking_ || leaving_ || stopping_) {
+    sentence_ = "footsteps are walked in mode walk; the robot stays where it is";
+    return;
+  }
+  if (const char* why = walk_->follow(list)) sentence_ = why;
 }
 
 void Modes::add_path(const ArmPathPiece& piece) noexcept {

@@ -18,6 +18,7 @@
 #include "control/brace.h"
 #include "control/posture.h"
 #include "control/set_point.h"
+#include "control/squat_check.h"
 #include "control/static_torque.h"
 #include "control/walk.h"
 #include "robot/estimator.h"
@@ -58,6 +59,8 @@ class Modes {
   void walk(const Eigen::Vector3d& velocity) noexcept {
     if (walking_ && !leaving_ && !stopping_) walk_->want(velocity);
   }
+  // Footsteps instead of a velocity; refused with a sentence.
+  void walk_steps(const StepList& list) noexcept;
   // A path while there is nothing to move with is not taken.
   void add_path(const ArmPathPiece& piece) noexcept;
   void cancel_path() noexcept { arm_.cancel(); }
@@ -90,15 +93,17 @@ class Modes {
   // Walks no more: once the robot stands, `next` is obeyed.  at_once: the shortest stop; tidy: the feet side by side.
   void leave_walk(const ModeRequest& next, bool at_once, bool tidy) noexcept;
   void begin_balance(const Moment& now) noexcept;
+  void request_motion(const ModeRequest& request, const Moment& now) noexcept;
   void end_brace(const Moment& now) noexcept;
   void move_legs(const Moment& now, double dt) noexcept;
   void damp(const RobotState& state, SetPoint& set_point) const noexcept;
 
   const Model& model_;
-  std::unique_ptr<Balance> balance_;  // null when the robot cannot
-  std::unique_ptr<Walk> walk_;        // null when the robot cannot
-  std::string no_walk_;               // why not
-  ModeRequest next_;                  // while leaving
+  std::unique_ptr<Balance> balance_;   // null when the robot cannot
+  std::unique_ptr<SquatCheck> squat_;  // as balance_
+  std::unique_ptr<Walk> walk_;         // null when the robot cannot
+  std::string no_walk_;                // why not
+  ModeRequest next_;                   // while leaving
   Posture posture_;
   ArmFollow arm_;
   Brace brace_;

@@ -7,13 +7,13 @@
 namespace twinbus {
 
 namespace {
-constexpr double kEvery = 0.01;  // between two ZMPs that are looked at [s]
-constexpr double kAhead = 1.6;   // they reach so far [s]
-constexpr double kJerk = 1e-6;   // r [s^6]
+constexpr double kEvery = 0.01;   // between two ZMPs that are looked at [s]
+constexpr double kHorizon = 1.6;  // they reach so far [s]
+constexpr double kJerk = 1e-6;    // r [s^6]
 }  // namespace
 
 PreviewPlan::PreviewPlan(double height)
-    : control_(height, kEvery, static_cast<int>(std::lround(kAhead / kEvery)), kJerk) {
+    : control_(height, kEvery, static_cast<int>(std::lround(kHorizon / kEvery)), kJerk) {
   for (auto& wanted : wanted_) wanted.resize(static_cast<std::size_t>(control_.count()));
 }
 

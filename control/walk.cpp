@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "control/listed_steps.h"
 #include "robot/index.h"
 #include "robot/pose_math.h"
 
@@ -53,6 +54,16 @@ bool Walk::resting() const noexcept {
 // Upright with the heading of the feet, but for what is left of the attitude at the start.
 Eigen::Matrix3d Walk::attitude() const noexcept {
   return rotation_z(heading_) * rotation_of(first_.position() * first_turn_);
+}
+
+const char* Walk::follow(const StepList& list) noexcept {
+  if (!pattern_.settled())
+    return "a list of footsteps begins where the robot stands, and it walks; it goes on as it was";
+  if (const char* why = check_steps(gait(), list).why) return why;
+  std::array<Foothold, kMostSteps> places;
+  const int count = place_steps(list, {pattern_.foot(0), pattern_.foot(1)}, places);
+  pattern_.follow(places.data(), count, 1 - first_foot(list));
+  return nullptr;
 }
 
 void Walk::measure(const Estimator& estimator, double dt, bool fresh) noexcept {

@@ -21,6 +21,7 @@
 #include "robot/dynamics.h"
 #include "robot/estimator.h"
 #include "robot/model.h"
+#include "robot/step_list.h"
 
 namespace twinbus {
 
@@ -36,6 +37,8 @@ class Walk {
 
   // vx, vy, wz [m/s, m/s, rad/s]; cut to what the robot can.
   void want(const Eigen::Vector3d& velocity) noexcept { pattern_.want(velocity); }
+  // Footsteps from where it stands.  Null, or a sentence that lives for ever: why not.
+  const char* follow(const StepList& list) noexcept;
   // The shortest stop that catches the robot.
   void halt() noexcept { pattern_.halt(); }
   // Before it rests, the feet come side by side.

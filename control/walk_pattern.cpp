@@ -225,7 +225,7 @@ void WalkPattern::advance(const std::array<bool, 2>& touching,
     if (!(wants_to_walk() || squares_) || time_ < double_) return;
     squares_ = false;
     int support = wanted_.y() > 0.0 || (wanted_.y() == 0.0 && wanted_.z() >= 0.0) ? 1 : 0;
-    if (list_count_ > 0) support = list_support_;
+    if (listed_ < list_count_) support = list_support_;
     begin_step(support, gait_.first_double);
     square_ = 0;
     return;

@@ -141,6 +141,11 @@ void BusLink::send(WalkCommand& command) {
   impl_->send(channel::kWalk, command);
 }
 
+void BusLink::send(StepList& list) {
+  stamp(list);
+  impl_->send(channel::kSteps, list);
+}
+
 void BusLink::send(ArmGoal& goal) {
   stamp(goal);
   impl_->send(channel::kArmGoal, goal);

@@ -12,6 +12,7 @@
 #include "launcher/arguments.h"
 #include "launcher/lookout.h"
 #include "robot/requests.h"
+#include "robot/step_list.h"
 
 namespace twinbus {
 
@@ -44,6 +45,7 @@ class BusLink {
   void send(ModeRequest& request);
   void send(StopRequest& request);
   void send(WalkCommand& command);
+  void send(StepList& list);
   void send(ArmGoal& goal);
   void send(Heartbeat& beat);
   // Plain text on EVENT; severity as in event_t, that of an alarm is 2.

@@ -17,6 +17,7 @@
 #include "launcher/switch_source.h"
 #include "launcher/tools.h"
 #include "launcher/up.h"
+#include "launcher/walk.h"
 #include "robot/nearest.h"
 
 using namespace twinbus;
@@ -41,7 +42,7 @@ constexpr Command kCommands[] = {
     {"pose", "go to a named pose", &pose_command},
     {"sway", "sway from side to side", &sway_command},
     {"squat", "move up and down", &squat_command},
-    {"walk", "walk at a velocity", &walk_command},
+    {"walk", "walk at a velocity, or footsteps of a file", &walk_command},
     {"reach", "bring a hand to a point around obstacles", &reach_command},
     {"gamepad", "drive with a gamepad or the keyboard", &gamepad_command},
     {"replay", "play a log as a source of STATE", &replay_command},

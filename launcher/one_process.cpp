@@ -26,6 +26,7 @@ constexpr int kActivationTicks = 100'000;
 
 const char* channel_of(const ModeRequest&) { return channel::kModeRequest; }
 const char* channel_of(const WalkCommand&) { return channel::kWalk; }
+const char* channel_of(const StepList&) { return channel::kSteps; }
 const char* channel_of(const Gamepad&) { return channel::kGamepad; }
 const char* channel_of(const ArmGoal&) { return channel::kArmGoal; }
 
@@ -41,6 +42,10 @@ struct JournalKind<ModeRequest> {
 template <>
 struct JournalKind<WalkCommand> {
   static constexpr JournalInput value = JournalInput::kWalk;
+};
+template <>
+struct JournalKind<StepList> {
+  static constexpr JournalInput value = JournalInput::kSteps;
 };
 template <>
 struct JournalKind<Gamepad> {
@@ -101,6 +106,12 @@ std::vector<ScriptedPad> pads_of(const Scene& scene) {
   return pads;
 }
 
+std::vector<ScriptedSteps> steps_of(const Scene& scene) {
+  std::vector<ScriptedSteps> steps;
+  for (const TimedSteps& timed : scene.steps) steps.push_back({timed.at, timed.list});
+  return steps;
+}
+
 std::vector<ScriptedGoal> goals_of(const Scene& scene) {
   std::vector<ScriptedGoal> goals;
   for (const TimedGoal& goal : scene.goals) goals.push_back({goal.at, goal.goal});
@@ -143,7 +154,7 @@ OneProcess::OneProcess(const Model& model, const Scene& scene, const OneProcessC
       loop_(model, config.control),
       planner_view_(model),
       script_(modes_of(scene), goals_of(scene), model.period(), kRunId, walks_of(scene),
-              pads_of(scene)),
+              pads_of(scene), steps_of(scene)),
       walked_(model, scene),
       swing_(model, scene, sim_.world_config()),
       energy_(model, scene),
@@ -317,6 +328,8 @@ void OneProcess::say_script() {
       loop_.on_mode_request(received);
     } else if constexpr (std::is_same_v<decltype(received), WalkCommand>) {
       loop_.on_walk_command(received, now_ns_);
+    } else if constexpr (std::is_same_v<decltype(received), StepList>) {
+      loop_.on_step_list(received);
     } else if constexpr (std::is_same_v<decltype(received), Gamepad>) {
       loop_.on_gamepad(received, now_ns_);
     } else {

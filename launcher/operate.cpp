@@ -18,12 +18,6 @@ constexpr double kAskAgain = 0.1;       // [s]
 constexpr double kAnswerTimeout = 2.0;  // [s]
 constexpr int kStopRepeats = 5;         // sent at once, before anything is heard
 
-BusLink open_bus(const Arguments& arguments) {
-  catch_quit_signals();
-  return BusLink(arguments.text("--url", ""), arguments.text("--prefix", ""),
-                 arguments.all("--allow"));
-}
-
 std::int64_t active_run(BusLink& bus) {
   const SeenSource* active = wait_for_active(bus, 1.0);
   if (active == nullptr)
@@ -32,7 +26,14 @@ std::int64_t active_run(BusLink& bus) {
   return active->status.run_id;
 }
 
-// Sends request again and again until the controller shows its sequence.  False when it never does.
+}  // namespace
+
+BusLink open_bus(const Arguments& arguments) {
+  catch_quit_signals();
+  return BusLink(arguments.text("--url", ""), arguments.text("--prefix", ""),
+                 arguments.all("--allow"));
+}
+
 bool ask_controller(BusLink& bus, ModeRequest& request) {
   request.run_id = active_run(bus);
   const std::int64_t begin = monotonic_ns();
@@ -48,6 +49,8 @@ bool ask_controller(BusLink& bus, ModeRequest& request) {
   return false;
 }
 
+namespace {
+
 int report_mode(BusLink& bus, const ModeRequest& request, const char* asked) {
   if (bus.seen().controller_statuses().received() == 0)
     throw std::runtime_error("no controller is running");
@@ -59,6 +62,8 @@ int report_mode(BusLink& bus, const ModeRequest& request, const char* asked) {
     std::printf("%s: the controller is in mode %s\n", asked, mode_name(mode));
     return 0;
   }
+  for (const std::string& event : bus.seen().take_events())
+    std::fprintf(stderr, "%s: %s\n", asked, event.c_str());
   std::fprintf(stderr, "%s: the controller stays in mode %s; it does not do %s%s\n", asked,
                mode_name(mode), mode_name(request.mode),
                request.mode == Mode::kWalk ? " yet" : " now");
@@ -251,49 +256,6 @@ int sway_command(const std::vector<std::string>& words) {
 int squat_command(const std::vector<std::string>& words) {
   return motion_command(words, Motion::kSquat, "squat",
                         "Moves the body up and down while balancing.", 0.03, 0.25);
-}
-
-int walk_command(const std::vector<std::string>& words) {
-  const Arguments arguments(
-      {"walk",
-       "VX VY WZ",
-       "Walks at VX m/s forward, VY m/s to the left, turning WZ rad/s to the left, for some "
-       "seconds.",
-       {{"--for", "S", "seconds; default 2"}, prefix_option(), url_option(), allow_option()},
-       3,
-       3},
-      words);
-  WalkCommand command;
-  command.vx = static_cast<float>(arguments.word_number(0, "VX", -2.0, 2.0));
-  command.vy = static_cast<float>(arguments.word_number(1, "VY", -1.0, 1.0));
-  command.wz = static_cast<float>(arguments.word_number(2, "WZ", -2.0, 2.0));
-  command.timeout = 0.3F;
-  const double duration = arguments.number("--for", 2.0, 0.1, 3600.0);
-  BusLink bus = open_bus(arguments);
-  ModeRequest request;
-  request.mode = Mode::kWalk;
-  ask_controller(bus, request);
-  bus.listen(0.1);
-  if (bus.seen().controller_statuses().received() == 0)
-    throw std::runtime_error("no controller is running");
-  if (bus.seen().controller().mode != Mode::kWalk) {
-    std::fprintf(stderr, "walk: this controller does not walk yet; it stays in mode %s\n",
-                 mode_name(bus.seen().controller().mode));
-    return 1;
-  }
-  command.run_id = request.run_id;
-  const std::int64_t begin = monotonic_ns();
-  while (!quit_requested() && seconds_since(begin) < duration) {
-    command.sequence = 0;  // each its own
-    command.run_id = bus.seen().newest_state().run_id;  // whichever source it is by now
-    bus.send(command);
-    bus.listen(0.05);
-  }
-  command.sequence = 0;
-  command.vx = command.vy = command.wz = 0.0F;
-  bus.send(command);
-  std::printf("walk: done\n");
-  return 0;
 }
 
 }  // namespace twinbus

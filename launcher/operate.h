@@ -1,9 +1,12 @@
-// What an operator says to a running robot: stop, clear, pose, mode, sway, squat, walk.
+// What an operator says to a running robot: stop, clear, pose, mode, sway, squat.
 
 #pragma once
 
 #include <string>
 #include <vector>
+
+#include "launcher/arguments.h"
+#include "launcher/bus_link.h"
 
 namespace twinbus {
 
@@ -13,6 +16,10 @@ int pose_command(const std::vector<std::string>& words);
 int mode_command(const std::vector<std::string>& words);
 int sway_command(const std::vector<std::string>& words);
 int squat_command(const std::vector<std::string>& words);
-int walk_command(const std::vector<std::string>& words);
+
+// For these and other commands.
+BusLink open_bus(const Arguments& arguments);
+// Sends request again and again until the controller shows its sequence.  False when it never does.
+bool ask_controller(BusLink& bus, ModeRequest& request);
 
 }  // namespace twinbus

@@ -25,7 +25,7 @@ constexpr int kMostMends = 40;         // of messages that the log does not have
 constexpr int kMostCandidates = 1000;  // messages that are tried for a flipped bit
 
 // Channels of inputs, by JournalInput.
-constexpr std::array<const char*, 11> kChannels = {"",
+constexpr std::array<const char*, 12> kChannels = {"",
                                                    channel::kModeRequest,
                                                    channel::kWalk,
                                                    channel::kGamepad,
@@ -35,7 +35,8 @@ constexpr std::array<const char*, 11> kChannels = {"",
                                                    channel::kGuard,
                                                    channel::kObstacles,
                                                    "",
-                                                   channel::kCommand};
+                                                   channel::kCommand,
+                                                   channel::kSteps};
 
 template <class T>
 std::vector<std::uint8_t> encoded(const T& value) {
@@ -187,6 +188,8 @@ void Rerun::consume(Process& process, const JournalPage& page, std::size_t i) {
       return give(ModeRequest{}, [&](const auto& m) { loop.on_mode_request(m); });
     case JournalInput::kWalk:
       return give(WalkCommand{}, [&](const auto& m) { loop.on_walk_command(m, now); });
+    case JournalInput::kSteps:
+      return give(StepList{}, [&](const auto& m) { loop.on_step_list(m); });
     case JournalInput::kGamepad:
       return give(Gamepad{}, [&](const auto& m) { loop.on_gamepad(m, now); });
     case JournalInput::kPath:

@@ -143,6 +143,19 @@ void fields(C& c, M& m, S& s) noexcept {
   c.within(m.timeout, s.timeout, 0.0f, 1e6f);
 }
 
+template <class C, class M, Is<StepList> S>
+void fields(C& c, M& m, S& s) noexcept {
+  c.instant(m.utime, s.utime);
+  c.id(m.sender_id, s.sender_id);
+  c.id(m.run_id, s.run_id);
+  c.counter(m.sequence, s.sequence);
+  c.count(m.count, s.count, kMostSteps);
+  c(m.first_foot, s.first_foot);
+  c(m.x, s.x);
+  c(m.y, s.y);
+  c(m.yaw, s.yaw);
+}
+
 template <class C, class M, Is<Gamepad> S>
 void fields(C& c, M& m, S& s) noexcept {
   c.instant(m.utime, s.utime);
@@ -432,6 +445,7 @@ TWINBUS_CONVERT(SourceStatus)
 TWINBUS_CONVERT(ControllerRequest)
 TWINBUS_CONVERT(ModeRequest)
 TWINBUS_CONVERT(WalkCommand)
+TWINBUS_CONVERT(StepList)
 TWINBUS_CONVERT(Gamepad)
 TWINBUS_CONVERT(ArmGoal)
 TWINBUS_CONVERT(ArmPathPiece)

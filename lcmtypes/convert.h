@@ -12,6 +12,7 @@
 #include "robot/requests.h"
 #include "robot/robot_io.h"
 #include "robot/status.h"
+#include "robot/step_list.h"
 #include "twinbus/arm_goal_t.hpp"
 #include "twinbus/arm_path_t.hpp"
 #include "twinbus/controller_request_t.hpp"
@@ -30,6 +31,7 @@
 #include "twinbus/sim_truth_t.hpp"
 #include "twinbus/source_request_t.hpp"
 #include "twinbus/source_status_t.hpp"
+#include "twinbus/step_list_t.hpp"
 #include "twinbus/stop_t.hpp"
 #include "twinbus/walk_command_t.hpp"
 
@@ -68,6 +70,10 @@ struct MessageOf<ModeRequest> {
 template <>
 struct MessageOf<WalkCommand> {
   using type = walk_command_t;
+};
+template <>
+struct MessageOf<StepList> {
+  using type = step_list_t;
 };
 template <>
 struct MessageOf<Gamepad> {

@@ -63,6 +63,7 @@ std::span<const ChannelInfo> channel_table() {
       row<GuardReport>(channel::kGuard),
       row<Gamepad>(channel::kGamepad),
       row<WalkCommand>(channel::kWalk),
+      row<StepList>(channel::kSteps),
       row<ArmGoal>(channel::kArmGoal),
       row<ArmPathPiece>(channel::kArmPath),
       row<ControllerStatus>(channel::kControllerStatus),
@@ -99,6 +100,7 @@ TWINBUS_WIRE(SourceStatus)
 TWINBUS_WIRE(ControllerRequest)
 TWINBUS_WIRE(ModeRequest)
 TWINBUS_WIRE(WalkCommand)
+TWINBUS_WIRE(StepList)
 TWINBUS_WIRE(Gamepad)
 TWINBUS_WIRE(ArmGoal)
 TWINBUS_WIRE(ArmPathPiece)

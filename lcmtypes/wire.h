@@ -14,6 +14,7 @@
 #include "robot/requests.h"
 #include "robot/robot_io.h"
 #include "robot/status.h"
+#include "robot/step_list.h"
 
 namespace twinbus {
 
@@ -79,6 +80,11 @@ template <>
 struct Wire<WalkCommand> : WireBase<52, true> {
   static std::int64_t sender(const WalkCommand& x) noexcept { return x.sender_id; }
   static std::int64_t count(const WalkCommand& x) noexcept { return x.sequence; }
+};
+template <>
+struct Wire<StepList> : WireBase<423, true> {
+  static std::int64_t sender(const StepList& x) noexcept { return x.sender_id; }
+  static std::int64_t count(const StepList& x) noexcept { return x.sequence; }
 };
 template <>
 struct Wire<Gamepad> : WireBase<100, true> {

@@ -38,7 +38,8 @@ enum class JournalInput : std::int8_t {
   kGuard = 7,
   kObstacles = 8,
   kTakeObstacles = 9,  // no message: the collected obstacles become those of the guard
-  kCommand = 10
+  kCommand = 10,
+  kSteps = 11
 };
 
 inline constexpr std::size_t kJournalInputs = 24;

@@ -60,6 +60,7 @@ int run(int argc, char** argv) {
   for (const TimedGoal& goal : scene.goals) options.goals.push_back({goal.at, goal.goal});
   for (const TimedWalk& walk : scene.walks)
     options.walks.push_back({walk.at, walk.duration, walk.command});
+  for (const TimedSteps& timed : scene.steps) options.steps.push_back({timed.at, timed.list});
   for (const TimedPad& pad : scene.pads) options.pads.push_back({pad.at, pad.duration, pad.pad});
 
   SimAdaptor adaptor(scene);

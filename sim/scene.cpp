@@ -250,6 +250,14 @@ TimedPad read_pad(const ConfigNode& node) {
   return timed;
 }
 
+TimedSteps read_timed_steps(const ConfigNode& node) {
+  TimedSteps timed;
+  timed.at = node.number("at", 0.0, kDay);
+  timed.list = read_steps(node);
+  node.finish();
+  return timed;
+}
+
 Terrain read_terrain(const ConfigNode& node) {
   Terrain terrain;
   terrain.tile = node.number("tile", 0.05, 10.0, terrain.tile);
@@ -414,6 +422,8 @@ Scene load_scene(const std::string& name_or_file) {
   for (const ConfigNode& node : top.list("goals")) scene.goals.push_back(read_goal(node));
   for (const ConfigNode& node : top.list("walks")) scene.walks.push_back(read_walk(node));
   for (const ConfigNode& node : top.list("pads")) scene.pads.push_back(read_pad(node));
+  for (const ConfigNode& node : top.list("footsteps"))
+    scene.steps.push_back(read_timed_steps(node));
   for (const ConfigNode& node : top.list("bodies")) scene.bodies.push_back(read_body(node));
   for (const ConfigNode& node : top.list("loose")) {
     scene.loose.push_back(read_loose(node));

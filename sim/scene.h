@@ -12,6 +12,7 @@
 #include "robot/loops.h"
 #include "robot/model.h"
 #include "robot/requests.h"
+#include "robot/step_list.h"
 #include "sim/world.h"
 
 namespace twinbus {
@@ -44,6 +45,12 @@ struct TimedWalk {
 struct TimedPad {
   double at = 0.0, duration = 1.0;  // [s]
   Gamepad pad;
+};
+
+// A list of footsteps, obeyed in mode walk while the robot stands.
+struct TimedSteps {
+  double at = 0.0;  // [s]
+  StepList list;
 };
 
 // Uneven ground: square tiles of random height and slope from x = from on; see scene_seed.
@@ -154,6 +161,7 @@ struct Scene {
   std::vector<TimedGoal> goals;
   std::vector<TimedWalk> walks;
   std::vector<TimedPad> pads;
+  std::vector<TimedSteps> steps;
   Terrain terrain;
   std::vector<Obstacle> tiles;  // of the terrain: ground to the soles, unknown to planner and guard
   PushRound push_round;
@@ -179,6 +187,7 @@ void resolve_poses(Scene& scene, const Model& model);
 // {friction}, obstacles: [shape, size, position, rpy_deg], pushes: [link, point, impulse, at,
 // duration], modes: [at, mode, motion, pose, duration, amplitude, frequency], goals: [at, hand,
 // position, rpy_deg, pose, speed, cancel], walks: [at, for, vx, vy, wz], pads: [at, for, left_x, left_y, right_x],
+// footsteps: [at, steps: [foot, x, y, yaw]],
 // terrain: {tile, height, slope_deg, from, length, width}, push_round: {link, at, every, count, phase, forward, back,
 // sideways, duration}, bodies: [link, mass, at, shift], loose: [name, shape (box, sphere, cylinder,
 // capsule, mesh), size (of a mesh: file beside the scene, scale), mass, position, rpy_deg, velocity,

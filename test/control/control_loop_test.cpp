@@ -163,6 +163,49 @@ TEST(ControlLoop, WalkingIsDeclinedWithASentenceWhileTheRobotDoesNotStand) {
   EXPECT_EQ(rig.loop().take_sentence(), nullptr) << "said once";
 }
 
+// A robot whose legs cannot do it says so and goes on standing; a shallower squat is still done.
+TEST(ControlLoop, ASquatThatTheLegsCannotDoIsRefusedBeforeAnythingMoves) {
+  struct Case {
+    const char* joint;
+    double upper, effort;
+    const char* says;
+  };
+  for (const Case& c : {Case{"LLEG_KNEE", 0.0, 0.0, ""}, Case{"LLEG_KNEE", 0.2, 0.0, "limits"},
+                        Case{"RLEG_KNEE", 0.0, 1.3, "efforts"}}) {
+    Rig standing;
+    ASSERT_TRUE(standing.run(0.3));
+    Model model = test::hrp1s();
+    for (std::size_t k = 0; k < model.bus_joints.size(); ++k) {
+      Joint& joint = model.joints[static_cast<std::size_t>(model.bus_joints[k])];
+      if (joint.name != c.joint) continue;
+      // A little more than standing needs, less than the bottom of a deep squat.
+      if (c.upper > 0.0) joint.upper = standing.state().q[k] + c.upper;
+      if (c.effort > 0.0)
+        joint.effort = c.effort * std::abs(static_cast<double>(standing.state().tau[k]));
+    }
+    SimRig rig(model, test::hrp1s(), Scene{}, {}, {});
+    ASSERT_TRUE(rig.run(0.3));
+    (void)rig.loop().take_sentence();
+    rig.ask(Mode::kBalance, Motion::kSquat, 0.08, 0.3);
+    ASSERT_TRUE(rig.tick());
+    const char* sentence = rig.loop().take_sentence();
+    if (*c.says == 0) {
+      EXPECT_EQ(sentence, nullptr);
+      EXPECT_EQ(rig.loop().status().motion, Motion::kSquat);
+      continue;
+    }
+    ASSERT_NE(sentence, nullptr) << c.says;
+    EXPECT_NE(std::string(sentence).find(c.says), std::string::npos) << sentence;
+    const float height = rig.truth().com[2];
+    ASSERT_TRUE(rig.run(2.0));
+    EXPECT_NEAR(rig.truth().com[2], height, 0.004);
+    EXPECT_EQ(rig.loop().status().motion, Motion::kNone);
+    rig.ask(Mode::kBalance, Motion::kSquat, 0.005, 0.3);
+    ASSERT_TRUE(rig.run(0.5));
+    EXPECT_EQ(rig.loop().status().motion, Motion::kSquat) << "a shallower one";
+  }
+}
+
 TEST(ControlLoop, AStateThatNoRobotCanBeInIsRiddenOut) {
   Rig rig;
   ASSERT_TRUE(rig.run(0.2));

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "control/leg_reach.h"
+#include "control/listed_steps.h"
 #include "test/control/hrp1s.h"
 
 namespace twinbus {
@@ -138,6 +139,73 @@ TEST(LegReach, FindsTheKneeAndTheLengthOfTheStraightLeg) {
     EXPECT_NEAR(reach.hip_width, 0.18, 1e-9);
     EXPECT_NEAR(reach.ankle_height, 0.07, 1e-3);
   }
+}
+
+StepList one_step(FootSide foot, double x, double y, double yaw) {
+  StepList list;
+  list.first_foot = foot;
+  list.count = 1;
+  list.x[0] = static_cast<float>(x);
+  list.y[0] = static_cast<float>(y);
+  list.yaw[0] = static_cast<float>(yaw);
+  return list;
+}
+
+// Whatever a velocity within the limits leads to is within the limits of a list too.
+TEST(ListedSteps, StepsOfAPossibleVelocityArePossible) {
+  const Gait g = gait();
+  for (const Eigen::Vector3d& share :
+       {Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(-1, 0, 0), Eigen::Vector3d(0, 1, 0),
+        Eigen::Vector3d(0, -1, 0), Eigen::Vector3d(0, 0, 1), Eigen::Vector3d(0, 0, -1),
+        Eigen::Vector3d(0.5, 0.3, 0.2)}) {
+    const Eigen::Vector3d v = g.possible(share.cwiseProduct(g.most_velocity));
+    for (int stands = 0; stands < 2; ++stands) {
+      const Foothold next =
+          next_foothold({}, stands, v, g.period(), g.turning_width(v.z() * g.period()));
+      const StepList list = one_step(stands == 0 ? FootSide::kRight : FootSide::kLeft,
+                                     next.position.x(), next.position.y(), next.yaw());
+      const StepRefusal refusal = check_steps(g, list);
+      EXPECT_EQ(refusal.why, nullptr) << refusal.why << " " << share.transpose();
+    }
+  }
+}
+
+TEST(ListedSteps, ReachTurnAndOverlapAreRefusedOnBothSides) {
+  const Gait g = gait();
+  for (const double side : {1.0, -1.0}) {
+    const FootSide foot = side > 0.0 ? FootSide::kLeft : FootSide::kRight;
+    const auto why = [&](double x, double y, double yaw) {
+      const StepRefusal refusal = check_steps(g, one_step(foot, x, side * y, side * yaw));
+      return std::string(refusal.why != nullptr ? refusal.why : "");
+    };
+    EXPECT_EQ(why(0.2, 0.2, 0.0), "");
+    EXPECT_NE(why(g.max_forward + 0.01, 0.2, 0.0).find("legs reach"), std::string::npos);
+    EXPECT_NE(why(-g.max_back - 0.01, 0.2, 0.0).find("legs reach"), std::string::npos);
+    EXPECT_NE(why(0.0, g.max_width + 0.01, 0.0).find("legs reach"), std::string::npos);
+    EXPECT_NE(why(0.8 * g.max_forward, g.max_width - 0.01, 0.0).find("legs reach"),
+              std::string::npos);
+    EXPECT_NE(why(0.1, -0.2, 0.0).find("on the other"), std::string::npos) << "crossed";
+    EXPECT_NE(why(0.0, g.min_width - 0.005, 0.0).find("on the other"), std::string::npos);
+    EXPECT_NE(why(0.0, 0.2, -0.4).find("on the other"), std::string::npos) << "toes closed";
+    EXPECT_NE(why(0.0, 0.3, g.max_turn + 0.01).find("hips"), std::string::npos);
+  }
+}
+
+TEST(ListedSteps, EachIsInTheFrameOfTheFootThatStandsThen) {
+  StepList list;
+  list.first_foot = FootSide::kLeft;
+  list.count = 2;
+  list.x = {0.2F, 0.1F};
+  list.y = {0.2F, -0.2F};
+  list.yaw = {1.0F, 0.0F};
+  std::array<Foothold, 2> feet;
+  feet[1].position << 1.0, 2.0;
+  feet[1].set_yaw(1.5707963);
+  std::array<Foothold, kMostSteps> places;
+  ASSERT_EQ(place_steps(list, feet, places), 2);
+  EXPECT_LT((places[0].position - Eigen::Vector2d(0.8, 2.2)).norm(), 1e-6);
+  EXPECT_NEAR(places[1].yaw(), 2.5707963, 1e-6);
+  EXPECT_LT((places[1].position - places[0].position - places[0].turn({0.1, -0.2})).norm(), 1e-6);
 }
 
 }  // namespace

@@ -87,6 +87,68 @@ TEST(Walk, WithAReferenceOfPreviewControlItWalksTurnsAndComesToStandToo) {
   EXPECT_FALSE(robot.record().fell);
 }
 
+// Each where the foot that stood then said; the robot stands where the last two led.
+TEST(Walk, WalksAListOfFootstepsAndStands) {
+  Walker robot;
+  ASSERT_TRUE(robot.run(0.3));
+  robot.ask(Mode::kWalk);
+  ASSERT_TRUE(robot.run(0.1));
+  StepList list;
+  list.run_id = robot.state().run_id;
+  list.sequence = 1;
+  list.count = 4;
+  list.first_foot = FootSide::kRight;
+  list.x = {0.2F, 0.25F, 0.1F, 0.0F};
+  list.y = {-0.2F, 0.2F, -0.24F, 0.2F};
+  list.yaw = {0.0F, 0.0F, -0.3F, 0.0F};
+  const SimTruth from = robot.truth();
+  robot.loop().on_step_list(list);
+  ASSERT_TRUE(robot.run(2.0));
+  robot.loop().on_step_list(list);  // the same again
+  ASSERT_TRUE(robot.run(4.0));
+  EXPECT_EQ(robot.loop().take_sentence(), nullptr);
+  const auto at = [&](std::size_t foot) {
+    return Eigen::Vector2d(robot.truth().foot_position[foot][0],
+                           robot.truth().foot_position[foot][1]);
+  };
+  // The left foot stood and stepped twice: 0.2 + 0.25 + 0.1 ahead with the right one between.
+  const double left_x = static_cast<double>(from.foot_position[0][0]);
+  const double right_y = static_cast<double>(from.foot_position[0][1]) - 0.2;
+  const Eigen::Vector2d right(left_x + 0.55, right_y + 0.2 - 0.24);
+  EXPECT_LT((at(1) - right).norm(), 0.012);
+  const Eigen::Vector2d left = right + 0.2 * Eigen::Vector2d(std::sin(0.3), std::cos(0.3));
+  EXPECT_LT((at(0) - left).norm(), 0.012);
+  EXPECT_FALSE(robot.record().fell);
+  EXPECT_GT(robot.record().zmp_margin_min, 0.02);
+}
+
+TEST(Walk, AListThatCannotBeWalkedIsRefusedAndNothingMoves) {
+  Walker robot;
+  ASSERT_TRUE(robot.run(0.3));
+  StepList list;
+  list.run_id = robot.state().run_id;
+  list.count = 2;
+  list.first_foot = FootSide::kLeft;
+  list.x = {0.1F, 0.1F};
+  list.y = {0.2F, -0.2F};
+  const auto said = [&](float second) {
+    list.x[1] = second;
+    ++list.sequence;
+    (void)robot.loop().take_sentence();
+    robot.loop().on_step_list(list);
+    EXPECT_TRUE(robot.run(1.5));
+    const char* sentence = robot.loop().take_sentence();
+    return std::string(sentence != nullptr ? sentence : "");
+  };
+  EXPECT_NE(said(0.1F).find("mode walk"), std::string::npos);
+  robot.ask(Mode::kWalk);
+  ASSERT_TRUE(robot.run(0.1));
+  EXPECT_NE(said(0.8F).find("farther than the legs reach"), std::string::npos);
+  EXPECT_LT(std::abs(robot.truth().base_position[0]), 0.02F);
+  EXPECT_EQ(said(0.1F), "");
+  EXPECT_NE(said(0.1F).find("begins where the robot stands"), std::string::npos) << "it walks";
+}
+
 TEST(Walk, ACommandThatIsNotRepeatedEnds) {
   Walker robot;
   ASSERT_TRUE(robot.run(0.3));

@@ -141,6 +141,15 @@ inline WalkCommand sample<WalkCommand>() {
           .timeout = 0.5f};
 }
 template <>
+inline StepList sample<StepList>() {
+  StepList x{.utime = 1, .sender_id = 2, .run_id = 3, .sequence = 4, .count = 32};
+  x.first_foot = FootSide::kRight;
+  count_up(x.x);
+  count_up(x.y);
+  count_up(x.yaw);
+  return x;
+}
+template <>
 inline Gamepad sample<Gamepad>() {
   Gamepad x{.utime = 1,
             .sender_id = 2,
@@ -342,6 +351,7 @@ void for_every_type(F&& f) {
   f.template operator()<ControllerRequest>();
   f.template operator()<ModeRequest>();
   f.template operator()<WalkCommand>();
+  f.template operator()<StepList>();
   f.template operator()<Gamepad>();
   f.template operator()<ArmGoal>();
   f.template operator()<ArmPathPiece>();
