@@ -208,20 +208,32 @@ Momentum ArticulatedBody::momentum() const noexcept {
 
 double ArticulatedBody::fastest(double reach) const noexcept {
   const std::vector<double>& rates = wide_ ? four_.rate : one_.rate;
-  Vec4 sum = {};
-  for (std::size_t j = 0; j < rates.size(); j += 4) {
-    const Vec4 rate = load4(&rates[j]);
-    sum += rate < 0.0 ? -rate : rate;
-  }
+  const auto count = static_cast<Eigen::Index>(rates.size());
+  const double sum = Eigen::Map<const Eigen::ArrayXd>(rates.data(), count).abs().sum();
   const Screw base = links_.screw(0, TWINBUS_LANE_FIELD(velocity));
   // A joint's axis is within reach too; a prismatic one moves what it carries at its own speed.
-  return linear(base).norm() + angular(base).norm() * reach +
-         std::max(1.0, 2.0 * reach) * (sum[0] + sum[1] + sum[2] + sum[3]);
+  return linear(base).norm() + angular(base).norm() * reach + std::max(1.0, 2.0 * reach) * sum;
+}
+
+void PointForces::add(const Eigen::Vector3d& r, const Eigen::Vector3d& f,
+                      const Eigen::Matrix3d& weight) noexcept {
+  torque += r.cross(f);
+  force += f;
+  // J(r)' weight J(r) = [ r^ W r^' , r^ W ; .. , W ].
+  Eigen::Matrix3d turned;
+  for (int k = 0; k < 3; ++k) turned.col(k) = r.cross(weight.col(k));
+  for (int k = 0; k < 3; ++k) ww.col(k) += r.cross(turned.row(k));
+  wv += turned;
+  vv += weight;
 }
 
 void ArticulatedBody::add_force(int link, const Eigen::Vector3d& r,
                                 const Eigen::Vector3d& force) noexcept {
-  const Eigen::Vector3d torque = r.cross(force);
+  add_wrench_to_bias(link, r.cross(force), force);
+}
+
+void ArticulatedBody::add_wrench_to_bias(int link, const Eigen::Vector3d& torque,
+                                         const Eigen::Vector3d& force) noexcept {
   double* bias = links_.of(link, TWINBUS_LANE_FIELD(bias));
   for (int k = 0; k < 3; ++k) {
     bias[static_cast<std::size_t>(k) * links_.stride] -= torque[k];
@@ -237,19 +249,18 @@ double* stiffness_of(BodyLanes<L>& d, std::size_t number) {
   const std::size_t lanes = sizeof(L) / sizeof(double),
                     size = sizeof(LinkLanes<L>) / sizeof(double);
   const std::size_t rank = number / size;
-  if (!d.ranks[rank].touched) d.stiff[rank].value = Inertia<L>{};
+  if (!d.ranks[rank].touched) {
+    double* to = reinterpret_cast<double*>(&d.stiff[rank].value);
+    std::fill_n(to, sizeof(Inertia<L>) / sizeof(double), 0.0);
+  }
   d.ranks[rank].touched = true;
   return reinterpret_cast<double*>(&d.stiff[rank].value) + number % size % lanes;
 }
 
 }  // namespace
 
-// J(r)' weight J(r) = [ r^ W r^' , r^ W ; .. , W ].
-void ArticulatedBody::add_compliance(int link, const Eigen::Vector3d& r,
-                                     const Eigen::Matrix3d& weight) noexcept {
-  Eigen::Matrix3d wv, ww;
-  for (int k = 0; k < 3; ++k) wv.col(k) = r.cross(weight.col(k));
-  for (int k = 0; k < 3; ++k) ww.col(k) = r.cross(wv.row(k));
+void ArticulatedBody::add_forces(int link, const PointForces& forces) noexcept {
+  add_wrench_to_bias(link, forces.torque, forces.force);
   const std::size_t number = links_.where[at(link)];
   double* to = wide_ ? stiffness_of(four_, number) : stiffness_of(one_, number);
   const auto add = [&](double x) {
@@ -257,11 +268,11 @@ void ArticulatedBody::add_compliance(int link, const Eigen::Vector3d& r,
     to += links_.stride;
   };
   for (int k = 0; k < 3; ++k) {
-    for (int row = k; row < 3; ++row) add(ww(row, k));
+    for (int row = k; row < 3; ++row) add(forces.ww(row, k));
   }
-  for (int k = 0; k < 9; ++k) add(wv.data()[k]);
+  for (int k = 0; k < 9; ++k) add(forces.wv.data()[k]);
   for (int k = 0; k < 3; ++k) {
-    for (int row = k; row < 3; ++row) add(weight(row, k));
+    for (int row = k; row < 3; ++row) add(forces.vv(row, k));
   }
 }
 

@@ -43,6 +43,18 @@ struct Momentum {
   Eigen::Vector3d angular;  // about the com [kg m^2/s]
 };
 
+// What acts on one link at several points: forces [N], and forces -weight * acceleration of the
+// point; weight: symmetric 3x3 [kg].  All about O.
+struct PointForces {
+  Eigen::Vector3d torque = Eigen::Vector3d::Zero(), force = Eigen::Vector3d::Zero();
+  // Of J(r)' weight J(r) = [ ww wv ; wv' vv ].
+  Eigen::Matrix3d ww = Eigen::Matrix3d::Zero(), wv = Eigen::Matrix3d::Zero(),
+                  vv = Eigen::Matrix3d::Zero();
+
+  void add(const Eigen::Vector3d& r, const Eigen::Vector3d& f,
+           const Eigen::Matrix3d& weight) noexcept;
+};
+
 struct alignas(64) ResponseRow {
   Screw row;
   int joint;  // moves this link; 0 .. -5 for the root's six; falls along the rows
@@ -75,8 +87,7 @@ class ArticulatedBody {
 
   // A force [N] on a point of a link, r about O.
   void add_force(int link, const Eigen::Vector3d& r, const Eigen::Vector3d& force) noexcept;
-  // A force -weight * acceleration of the point; weight: symmetric 3x3 [kg].
-  void add_compliance(int link, const Eigen::Vector3d& r, const Eigen::Matrix3d& weight) noexcept;
+  void add_forces(int link, const PointForces& forces) noexcept;
 
   // False: an inertia that is not positive; nothing may be read then.
   [[nodiscard]] bool inward(const std::vector<JointRow>& rows, double h) noexcept;
@@ -136,6 +147,8 @@ class ArticulatedBody {
   }
 
  private:
+  void add_wrench_to_bias(int link, const Eigen::Vector3d& torque,
+                          const Eigen::Vector3d& force) noexcept;
   template <class L>
   void fill(BodyLanes<L>& lanes, const Model& model, double mass_scale);
 

@@ -18,9 +18,19 @@
 
 namespace twinbus {
 
+// Copied number by number: g++ copies a whole struct of vectors in pieces of 16 bytes, some by way
+// of integers, and what is stored in pieces is slow to read as one vector again.
 template <class L>
 struct Three {
   L x, y, z;
+
+  Three() = default;
+  TWINBUS_INLINE Three(const L& a, const L& b, const L& c) : x(a), y(b), z(c) {}
+  TWINBUS_INLINE Three(const Three& v) : x(v.x), y(v.y), z(v.z) {}
+  TWINBUS_INLINE Three& operator=(const Three& v) {
+    x = v.x, y = v.y, z = v.z;
+    return *this;
+  }
 };
 
 template <class L>
@@ -36,6 +46,16 @@ struct Columns3 {
 template <class L>
 struct Symmetric3 {
   L xx, xy, xz, yy, yz, zz;
+
+  Symmetric3() = default;
+  TWINBUS_INLINE Symmetric3(const L& a, const L& b, const L& c, const L& d, const L& e, const L& f)
+      : xx(a), xy(b), xz(c), yy(d), yz(e), zz(f) {}
+  TWINBUS_INLINE Symmetric3(const Symmetric3& m)
+      : xx(m.xx), xy(m.xy), xz(m.xz), yy(m.yy), yz(m.yz), zz(m.zz) {}
+  TWINBUS_INLINE Symmetric3& operator=(const Symmetric3& m) {
+    xx = m.xx, xy = m.xy, xz = m.xz, yy = m.yy, yz = m.yz, zz = m.zz;
+    return *this;
+  }
 };
 
 // [ ww wv ; wv' vv ]

@@ -1,6 +1,15 @@
 // The sweeps of the articulated-body algorithm over links that are placed.  No include guard:
 // articulated_body.cpp includes this once for each instruction set, in a namespace of its own.
 
+// Number by number: g++ makes a loop over bytes of = {}.
+template <class L>
+TWINBUS_INLINE void clear(Folded<L>& folded) {
+  const L none = {};
+  folded.inertia.ww = folded.inertia.vv = {none, none, none, none, none, none};
+  folded.inertia.wv.x = folded.inertia.wv.y = folded.inertia.wv.z = {none, none, none};
+  folded.bias.w = folded.bias.v = {none, none, none};
+}
+
 // What a rank adds to its parents, unless they take over its place.
 template <class L>
 TWINBUS_INLINE void fold_into_parents(BodyLanes<L>& d, const Rank& rank, const Folded<L>& folded) {
@@ -17,7 +26,7 @@ TWINBUS_INLINE void fold_into_parents(BodyLanes<L>& d, const Rank& rank, const F
     if (rank.link[lane] < 0) continue;
     const auto parent = static_cast<std::size_t>(rank.parent[lane] / kLanes);
     Folded<L>& into = d.folded[static_cast<std::size_t>(d.ranks[parent].folded)].value;
-    if (rank.first[lane]) into = Folded<L>{};
+    if (rank.first[lane]) clear(into);
     double* to = reinterpret_cast<double*>(&into) + rank.parent[lane] % kLanes;
     const double* own = from + lane;
     for (std::size_t k = 0; k < kCount; ++k) to[k * kLanes] += own[k * kLanes];
@@ -59,7 +68,7 @@ inline bool fold_inward(BodyLanes<L>& d, BodyState& state, const std::vector<Joi
     Folded<L>& own = articulated(d, r);
     const L gain = lanes_of<L>(d.gain, r);
     const Six<L> S = link.axis;
-    const Six<L> U = times(own.inertia, S);
+    const Six<L> U = times(own.inertia, S), Ic = times(own.inertia, link.coriolis);
     const L D = dot(S, U) + link.rotor + gain * h;
     wrong += D > 0.0 ? none : one;
     const L inverse_d = one / D;
@@ -69,7 +78,8 @@ inline bool fold_inward(BodyLanes<L>& d, BodyState& state, const std::vector<Joi
     link.u = u;
     const Six<L> Ud = U * inverse_d;
     subtract(own.inertia, Ud, U);
-    add(Ud * u + times(own.inertia, link.coriolis), own.bias);
+    // K c + U u / D with K = I - U U' / D: I c need not wait for the division.
+    add(Ic + Ud * (u - dot(U, link.coriolis)), own.bias);
     fold_into_parents(d, d.ranks[r], own);
   }
   const Folded<L>& own = articulated(d, 0);

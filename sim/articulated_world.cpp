@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "robot/dynamics.h"
 
@@ -215,7 +216,7 @@ ArticulatedWorld::Outcome ArticulatedWorld::advance(double h, bool may_reject) n
   for (std::size_t j = 0; j < joints_.size(); ++j) {
     joints_[j].finish(next_.qd[static_cast<Eigen::Index>(j)], h / config_.step);
   }
-  configuration_ = next_;
+  std::swap(configuration_, next_);
   ground_.remember(contacts_, 0, h);
   ties_.remember(contacts_);
   place_after(before_, h, 0.0);

@@ -81,7 +81,8 @@ void contact_force(const ContactParams& p, double depth, const Eigen::Vector3d& 
     out.force = fn.force * n + trial;
     out.mode = ContactMode::kStick;
     if (!with_tangent) return;
-    out.tangent = (fn.slope - beta) * n * n.transpose();
+    const Eigen::Vector3d along = (fn.slope - beta) * n;
+    for (int k = 0; k < 3; ++k) out.tangent.col(k) = along * n[k];
     out.tangent.diagonal().array() += beta;
     return;
   }
@@ -91,8 +92,9 @@ void contact_force(const ContactParams& p, double depth, const Eigen::Vector3d& 
   out.mode = ContactMode::kSlip;
   if (!with_tangent) return;
   const double alpha = beta * limit / size;
-  out.tangent = (fn.slope - alpha) * n * n.transpose() - alpha * t * t.transpose() +
-                p.friction * fn.slope * t * n.transpose();
+  const Eigen::Vector3d along = (fn.slope - alpha) * n, held = alpha * t;
+  const Eigen::Vector3d dragged = p.friction * fn.slope * t;
+  for (int k = 0; k < 3; ++k) out.tangent.col(k) = along * n[k] - held * t[k] + dragged * n[k];
   out.tangent.diagonal().array() += alpha;
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "robot/vec4.h"
 #include "sim/contact_solve.h"
 
 namespace twinbus {
@@ -38,6 +39,16 @@ Eigen::Vector3d at_point(const double* a, const Eigen::Vector3d& r) {
           a[5] + a[0] * r[1] - a[1] * r[0]};
 }
 
+// columns += a b'.
+TWINBUS_AVX2_CLONES
+void add_outer(const Screw& a, const Screw& b, Screw (&columns)[6]) noexcept {
+  const double* factor = reinterpret_cast<const double*>(&b);
+  for (int k = 0; k < 6; ++k) {
+    columns[k].w += a.w * factor[k < 3 ? k : k + 1];
+    columns[k].v += a.v * factor[k < 3 ? k : k + 1];
+  }
+}
+
 }  // namespace
 
 void ContactSolve::build_response() noexcept {
@@ -55,11 +66,7 @@ void ContactSolve::build_response() noexcept {
       const ResponseRow *a = rows_.data(), *b = same ? a : other_rows_.data();
       for (int p = 0, q = 0; p < rows && q < others;) {
         if (a[p].joint == b[q].joint) {
-          for (int k = 0; k < 6; ++k) {
-            const double factor = b[q].row[k];
-            columns[k].w += a[p].row.w * factor;
-            columns[k].v += a[p].row.v * factor;
-          }
+          add_outer(a[p].row, b[q].row, columns);
           ++p, ++q;
         } else if (a[p].joint > b[q].joint) {
           ++p;

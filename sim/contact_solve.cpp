@@ -60,6 +60,12 @@ ContactSolve::ContactSolve(std::vector<ArticulatedBody*> systems, int most_conta
 }
 
 void ContactSolve::fold(Contacts& contacts, double h) noexcept {
+  PointForces forces;  // of contacts in a row that are of one link
+  int system = -1, link = -1;
+  const auto fold_in = [&] {
+    if (link >= 0) systems_[at(system)]->add_forces(link, forces);
+    forces = PointForces{};
+  };
   for (Contact& c : contacts) {
     // A light body that is about to land: what is folded in wrongly drowns its mass in rounding.
     if (c.other_system >= 0 || (c.system > 0 && !(c.depth > 0.0))) {
@@ -76,10 +82,14 @@ void ContactSolve::fold(Contacts& contacts, double h) noexcept {
       const Eigen::Vector3d column = c.g0 * c.normal;
       c.g0 -= (column - c.normal * c.normal.dot(column)) * c.normal.transpose();
     }
-    ArticulatedBody& body = *systems_[at(c.system)];
-    body.add_compliance(c.link, c.r, h * c.g0);
-    body.add_force(c.link, c.r, c.f0);
+    if (c.system != system || c.link != link) {
+      fold_in();
+      system = c.system;
+      link = c.link;
+    }
+    forces.add(c.r, c.f0, h * c.g0);
   }
+  fold_in();
 }
 
 void ContactSolve::solve(Contacts& contacts, double h) noexcept {
@@ -133,11 +143,18 @@ void ContactSolve::make_islands(const Contacts& contacts) noexcept {
 
 bool ContactSolve::stage_one_holds(Contacts& contacts, double h) const noexcept {
   double total = 1.0, mismatch = 0.0;
+  int system = -1, link = -1;  // of the contact before
+  Screw a;
   for (int i = 0; i < member_count_; ++i) {
     Contact& c = contacts[at(members_[i])];
     // Nothing of it is folded in: what pressed a step ago presses still.
     if (c.other_system >= 0 && !c.guess.isZero(0.0)) return false;
-    c.v = c.v0 + h * at_point(systems_[at(c.system)]->acceleration(c.link), c.r);
+    if (c.system != system || c.link != link) {
+      system = c.system;
+      link = c.link;
+      a = systems_[at(system)]->acceleration(link);
+    }
+    c.v = c.v0 + h * at_point(a, c.r);
     if (c.other_system >= 0) {
       const ArticulatedBody& other = *systems_[at(c.other_system)];
       c.v -= h * at_point(other.acceleration(c.other), c.other_r);

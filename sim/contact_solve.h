@@ -29,6 +29,8 @@ enum class TieKind { kNone, kPoint, kLength };  // kLength: only along the norma
 
 // One point of a link, A, against something fixed or a link B.
 struct Contact {
+  Contact() noexcept {}  // said, or all of it would be filled with zeros before this
+
   int system = 0;         // body of A; 0 is the robot
   int link = -1;          // of it
   int other_system = -1;  // body of B; -1: fixed

@@ -52,6 +52,9 @@ GroundContacts::GroundContacts(const Model& model, const WorldConfig& config)
     : fixed_base_(config.fixed_base), soles_(model.soles), ground_height_(config.ground_height) {
   for (std::size_t side = 0; side < 2; ++side) {
     const Sole& sole = soles_[side];
+    for (int corner = 0; corner < kSoleCorners; ++corner) {
+      corner_[side][at(corner)] = sole.frame * sole_corner(sole, corner);
+    }
     sole_params_[side] =
         as_asked(config, rubber(sole.stiffness / kSoleCorners * config.stiffness_scale,
                                 sole.damping / kSoleCorners * config.damping_scale,
@@ -86,11 +89,10 @@ GroundContacts::GroundContacts(const Model& model, const WorldConfig& config)
   for (const ShapeProbes& shape : shapes_) {
     reach_ = std::max(reach_, far[at(shape.link)] + shape.center.norm() + shape.radius);
   }
-  for (const Sole& sole : soles_) {
-    if (sole.link < 0) continue;
-    for (int corner = 0; corner < kSoleCorners; ++corner) {
-      const Eigen::Vector3d local = sole.frame * sole_corner(sole, corner);
-      reach_ = std::max(reach_, far[at(sole.link)] + local.norm());
+  for (std::size_t side = 0; side < 2; ++side) {
+    if (soles_[side].link < 0) continue;
+    for (const Eigen::Vector3d& local : corner_[side]) {
+      reach_ = std::max(reach_, far[at(soles_[side].link)] + local.norm());
     }
   }
   memory_.reserve(kMostContacts);
@@ -99,7 +101,7 @@ GroundContacts::GroundContacts(const Model& model, const WorldConfig& config)
 
 void GroundContacts::add_probes(int link, const Shape& shape, const Model& model) {
   if (link == 0 && fixed_base_) return;
-  ShapeProbes added{link, shape.pose.translation(), 0.0, probes_.size(), 0};
+  ShapeProbes added{link, shape.pose.translation(), 0.0, probes_.size(), 0, 0};
   const auto probe = [&](const Eigen::Vector3d& at, double radius) {
     LinkProbe p{shape.pose * at, radius, false};
     for (const Sole& sole : model.soles) {
@@ -143,6 +145,10 @@ void GroundContacts::add_probes(int link, const Shape& shape, const Model& model
       break;
     }
   }
+  const auto first = probes_.begin() + static_cast<std::ptrdiff_t>(added.first);
+  const auto skin =
+      std::stable_partition(first, probes_.end(), [](const LinkProbe& p) { return !p.skin; });
+  added.bare = static_cast<std::size_t>(skin - first);
   if (added.count > 0) shapes_.push_back(added);
 }
 
@@ -183,30 +189,25 @@ void GroundContacts::find_corners(const ArticulatedBody& body, double h,
     const Sole& sole = soles_[foot];
     if (sole.link < 0 || (sole.link == 0 && fixed_base_)) continue;
     const LinkNow link = body.link(sole.link);
-    Contact found;
-    found.link = sole.link;
-    found.sole = side;
-    found.material = true;
-    found.params = sole_params_[foot];
+    Found found{.link = sole.link, .sole = side, .material = true, .params = &sole_params_[foot]};
     for (int corner = 0; corner < kSoleCorners; ++corner) {
-      const Eigen::Vector3d local = sole.frame * sole_corner(sole, corner);
-      found.r = link.origin + link.rotation * local;
-      found.point = body.origin() + found.r;
-      const double offset = offset_[foot][static_cast<std::size_t>(corner)];
+      found.r = link.origin + link.rotation * corner_[foot][at(corner)];
+      const Eigen::Vector3d point = body.origin() + found.r;
+      const double offset = offset_[foot][at(corner)];
       int deepest = 0;
-      found.depth = ground_height_[foot] - offset - found.point.z();
+      found.depth = ground_height_[foot] - offset - point.z();
       found.normal = Eigen::Vector3d::UnitZ();
       for (std::size_t i = 0; i < obstacles_.size(); ++i) {
-        const Eigen::Vector3d away = obstacles_[i].pose.translation() - found.point;
+        const Eigen::Vector3d away = obstacles_[i].pose.translation() - point;
         if (!(away.norm() < obstacle_radius_[i] + 1.0)) continue;
-        const Distance d = i < solid_ ? distance(i + 1, found.point) : under(i, found.point);
+        const Distance d = i < solid_ ? distance(i + 1, point) : under(i, point);
         if (!(-d.value - offset > found.depth)) continue;
         deepest = static_cast<int>(i) + 1;
         found.depth = -d.value - offset;
         found.normal = d.normal;
       }
       found.key = (side * kSoleCorners + corner) * surfaces + deepest;
-      add(link.velocity, found, h, cursor, contacts);
+      add(body, link.velocity, found, h, cursor, contacts);
     }
   }
 }
@@ -215,9 +216,7 @@ void GroundContacts::find_probes(const ArticulatedBody& body, double h,
                                  std::vector<Contact>& contacts) const noexcept {
   std::size_t cursor = 0;
   const std::size_t surfaces = obstacles_.size() + 1;
-  Contact found;
-  found.sole = -1;
-  found.params = shell_params_;
+  Found found{.link = -1, .sole = -1, .params = &shell_params_};
   const double far = reach_of(body.fastest(reach_), h);
   for (const ShapeProbes& shape : shapes_) {
     // Most are high above the ground.
@@ -239,11 +238,13 @@ void GroundContacts::find_probes(const ArticulatedBody& body, double h,
         if (!(apart < shape.radius + obstacle_radius_[surface - 1] + reach)) continue;
         if (!(distance(surface, at).value < shape.radius + reach)) continue;
       }
-      for (std::size_t i = shape.first; i < shape.first + shape.count; ++i) {
+      const std::size_t end = shape.first + (surface == 0 ? shape.bare : shape.count);
+      const Eigen::Vector3d up = link.rotation.row(2);
+      const double middle_height = body.origin().z() + link.origin.z();
+      for (std::size_t i = shape.first; i < end; ++i) {
         const LinkProbe& probe = probes_[i];
         if (surface == 0) {  // of most, how high they are is enough
-          if (probe.skin) continue;
-          const double height = body.height(shape.link, probe.center);
+          const double height = middle_height + up.dot(probe.center);
           if (!(probe.radius - height > -reach)) continue;
         }
         const Eigen::Vector3d center = link.origin + link.rotation * probe.center;
@@ -255,19 +256,27 @@ void GroundContacts::find_probes(const ArticulatedBody& body, double h,
         found.depth = probe.radius - d.value;
         found.normal = d.normal;
         found.r = center - probe.radius * d.normal;
-        found.point = body.origin() + found.r;
-        add(link.velocity, found, h, cursor, contacts);
+        add(body, link.velocity, found, h, cursor, contacts);
       }
     }
   }
 }
 
-void GroundContacts::add(const Screw& velocity, const Contact& found, double h, std::size_t& cursor,
+void GroundContacts::add(const ArticulatedBody& body, const Screw& velocity, const Found& found,
+                         double h, std::size_t& cursor,
                          std::vector<Contact>& contacts) const noexcept {
   const Eigen::Vector3d v0 = at_point(velocity, found.r);
   if (!(found.depth > -reach_of(v0.norm(), h)) || contacts.size() >= kMostContacts) return;
-  contacts.push_back(found);
-  Contact& c = contacts.back();
+  Contact& c = contacts.emplace_back();
+  c.link = found.link;
+  c.sole = found.sole;
+  c.key = found.key;
+  c.material = found.material;
+  c.params = *found.params;
+  c.point = body.origin() + found.r;
+  c.r = found.r;
+  c.normal = found.normal;
+  c.depth = found.depth;
   c.v0 = v0;
   // Contacts are found in the same order at each step: the one sought is seldom far.
   std::size_t seen = 0;

@@ -69,6 +69,16 @@ class GroundContacts {
     Eigen::Vector3d center;  // of the bounding sphere, link frame
     double radius;
     std::size_t first, count;
+    std::size_t bare;  // of them: those that are no skin, which come first
+  };
+  // Of a point that touches, or may soon.
+  struct Found {
+    int link, sole;
+    int key = 0;
+    bool material = false;
+    const ContactParams* params;
+    Eigen::Vector3d r = Eigen::Vector3d::Zero(), normal = Eigen::Vector3d::Zero();
+    double depth = 0.0;
   };
   struct Memory {
     int key;
@@ -83,11 +93,12 @@ class GroundContacts {
   void find_probes(const ArticulatedBody& body, double h,
                    std::vector<Contact>& contacts) const noexcept;
   // velocity: of the link that is found to touch.
-  void add(const Screw& velocity, const Contact& found, double h, std::size_t& cursor,
-           std::vector<Contact>& contacts) const noexcept;
+  void add(const ArticulatedBody& body, const Screw& velocity, const Found& found, double h,
+           std::size_t& cursor, std::vector<Contact>& contacts) const noexcept;
 
   bool fixed_base_;
   std::array<Sole, 2> soles_;
+  std::array<std::array<Eigen::Vector3d, kSoleCorners>, 2> corner_;  // link frame
   std::array<ContactParams, 2> sole_params_;
   ContactParams shell_params_;
   std::array<double, 2> ground_height_;

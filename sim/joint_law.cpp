@@ -13,7 +13,8 @@ JointLaw::JointLaw(const Joint& joint, const WorldConfig& config)
       damping_(joint.damping * config.friction_scale),
       friction_(joint.friction * config.friction_scale + config.joint_friction),
       backlash_(config.backlash),
-      stick_(friction_ > 0.0 ? kStickSpeed : std::numeric_limits<double>::infinity()) {
+      stick_(friction_ > 0.0 ? kStickSpeed : std::numeric_limits<double>::infinity()),
+      stick_gain_(friction_ / kStickSpeed) {
   if (joint.kind == JointKind::kContinuous) return;
   lower_ = joint.lower;
   upper_ = joint.upper;
@@ -40,12 +41,6 @@ void JointLaw::approach_by_one(double qd_end) noexcept {
   } else if (pieces_.friction != before.friction) {
     pieces_.servo = before.servo;
   }
-}
-
-void JointLaw::finish(double qd, double share) noexcept {
-  tau_ = pieces_.servo != 0 ? pieces_.servo * limit_
-                            : std::clamp(servo_.force - servo_.gain * qd, -limit_, limit_);
-  if (backlash_ > 0.0) play_ += share * kPlayRate * (flank() - play_);
 }
 
 double JointLaw::torque_at(double q, double qd) const noexcept {

@@ -94,7 +94,8 @@ class JointLaw {
   double flank() const noexcept;  // where the play settles under the joint's torque
 
   double lower_, upper_, limit_, damping_, friction_, backlash_;
-  double stick_;  // speed beyond which friction slides; none without friction
+  double stick_;       // speed beyond which friction slides; none without friction
+  double stick_gain_;  // of friction that does not [N m s/rad]
   ServoTarget target_;
   double play_ = 0.0, tau_ = 0.0;
   double saved_play_ = 0.0, saved_tau_ = 0.0;
@@ -123,13 +124,19 @@ inline JointRow JointLaw::row() const noexcept {
   if (pieces_.friction != 0) {
     row.force -= pieces_.friction * friction_;
   } else {
-    row.gain += friction_ / kStickSpeed;
+    row.gain += stick_gain_;
   }
   if (pieces_.stop != 0) {
     row.force += kStopGain * (pieces_.stop > 0 ? high_bound_ : low_bound_);
     row.gain += kStopGain;
   }
   return row;
+}
+
+inline void JointLaw::finish(double qd, double share) noexcept {
+  tau_ = pieces_.servo != 0 ? pieces_.servo * limit_
+                            : std::clamp(servo_.force - servo_.gain * qd, -limit_, limit_);
+  if (backlash_ > 0.0) play_ += share * kPlayRate * (flank() - play_);
 }
 
 // Of every joint in every step, seldom other than zeros: without branches.
