@@ -2,7 +2,7 @@
 
 Ours are methods of build/.../bin/physics_cases.  Peers are built here from test/bench/peers against whatever is installed:
 MuJoCo of the distribution (libmujoco-dev), MuJoCo of the running Python (pip install mujoco-core), Pinocchio (pip install
-pin).  What is missing is said once and left out.
+pin), and where nothing touches Bullet (libbullet-dev).  What is missing is said once and left out.
 """
 
 import importlib.util
@@ -13,6 +13,7 @@ import statistics
 import subprocess
 import sys
 import time
+import xml.etree.ElementTree as ElementTree
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PEERS = ROOT / "test/bench/peers"
@@ -50,7 +51,9 @@ class Ours:
         return parse_run(call(self.program, "run", scene, self.method, h, repeats))
 
 
-class Mujoco:
+class Peer:
+    """A program of PEERS that reads scenes as models(scene, gain) writes them."""
+
     def __init__(self, program, models, method, label):
         self.program, self.models, self.method, self.label = program, models, method, label
 
@@ -64,6 +67,8 @@ class Mujoco:
     def run(self, scene, h, repeats=3):
         return parse_run(call(self.program, "run", self.model(scene), self.method, h, DURATION[scene], repeats))
 
+
+class Mujoco(Peer):
     def stands(self, gain, h):
         lines = call(self.program, "map", self.model("stand", gain), self.method, h, 1.2)
         return lines[0] if lines else "diverged"
@@ -92,6 +97,42 @@ class Pinocchio:
             costs.append(batch(lambda: lib.aba(model, data, q, v, tau)))
             empty.append(batch(lambda: model.nq))
         return statistics.median(costs) - statistics.median(empty)
+
+
+def turned(q, v):
+    """A vector turned by a unit quaternion w x y z."""
+    def cross(a, b):
+        return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+    t = [2.0 * x for x in cross(q[1:], v)]
+    return [x + q[0] * y + z for x, y, z in zip(v, t, cross(q[1:], t))]
+
+
+def tree_of(mjcf):
+    """A scene in the air, written for MuJoCo, as peers/tree_peer.h reads it: "fixed" or "free", velocity and angular velocity of
+    the base in world; then a line for each link: parent (-1: none), placement in it as position and
+    quaternion w x y z, axis of the hinge, mass, com, inertia xx yy zz xy xz yz about it, q, qd."""
+    root = ElementTree.fromstring(mjcf)
+    base, start = root.find("worldbody/body"), root.find("keyframe/key")
+    free = base.find("freejoint") is not None
+    q, qd = start.get("qpos").split()[7 if free else 0:], start.get("qvel").split()
+    lines = ["fixed 0 0 0 0 0 0"]
+    if root.find("worldbody/geom") is not None:
+        raise ValueError("a tree has nothing to touch")
+    if free:  # MuJoCo's turns in the axes of the body
+        spin = turned([float(x) for x in base.get("quat").split()], [float(x) for x in qd[3:6]])
+        lines, qd = [" ".join(["free", *qd[:3], *map(repr, spin)])], qd[6:]
+
+    def add(body, parent):
+        joint, mass, me = body.find("joint"), body.find("inertial"), len(lines) - 1
+        if joint is not None and (joint.get("type") != "hinge" or float(joint.get("armature"))):
+            raise ValueError("a tree has hinges without rotors")
+        lines.append(" ".join([str(parent), body.get("pos"), body.get("quat"), "0 0 1" if joint is None else joint.get("axis"),
+                               *(mass.get(name) for name in ("mass", "pos", "fullinertia")),
+                               *(["0", "0"] if joint is None else [q.pop(0), qd.pop(0)])]))
+        for child in body.findall("body"):
+            add(child, me)
+    add(base, -1)
+    return lines
 
 
 def parse_run(lines):
@@ -159,7 +200,7 @@ def slope(curve):
 
 
 def build(source, program, *words):
-    if program.exists() and program.stat().st_mtime > source.stat().st_mtime:
+    if program.exists() and program.stat().st_mtime > max(file.stat().st_mtime for file in (source, PEERS / "tree_peer.h")):
         return True
     program.parent.mkdir(parents=True, exist_ok=True)
     compiler = os.environ.get("CXX", "g++")
@@ -184,6 +225,7 @@ class Lab:
         self.mujocos = {}  # version -> program
         self._written = {}
         self._find_mujoco()
+        self.trees = self._find_bullet()
         self.pinocchio = self._find_pinocchio()
 
     def models(self, scene, gain=1.0):
@@ -192,6 +234,11 @@ class Lab:
             path.write_text("\n".join(call(self.program, "mjcf", scene, gain)) + "\n")
             self._written[scene, gain] = path
         return self._written[scene, gain]
+
+    def tree(self, scene, gain=1.0):
+        path = self.models(scene, gain).with_suffix(".tree")
+        path.write_text("\n".join(tree_of(self.models(scene, gain).read_text())) + "\n")
+        return path
 
     def mujoco(self, version, method):
         return Mujoco(self.mujocos[version], self.models, method, f"MuJoCo {version} {method}")
@@ -221,6 +268,17 @@ class Lab:
                 self.mujocos[call(program, "version")[0]] = program
         else:
             print("current MuJoCo: not installed, left out (pip install mujoco-core)")
+
+    def _find_bullet(self):
+        """Its methods of order 1 and 4, in double precision."""
+        flags = subprocess.run(["pkg-config", "--cflags", "--libs", "bullet-float64", "eigen3"], capture_output=True, text=True)
+        program = self.work / "bullet"
+        if flags.returncode != 0:
+            print("Bullet: not installed, left out (apt install libbullet-dev)")
+        elif build(PEERS / "bullet_peer.cpp", program, *flags.stdout.split()):
+            version = call(program, "version")[0]
+            return [Peer(program, self.tree, method, f"Bullet {version} {method}") for method in ("euler", "rk4")]
+        return []
 
     def _find_pinocchio(self):
         try:
