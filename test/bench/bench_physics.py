@@ -44,7 +44,7 @@ def free(lab, rounds):
     if lab.pinocchio:
         contenders.append((lab.pinocchio, 2.9))
     contenders.append((lab.ode, 38))
-    contenders += [(peer, None) for peer in lab.trees[:1]]
+    contenders += [(peer, None) for peer in lab.stepped_trees()]
     medians, all_rows = median_of(rounds, *[lambda c=c: c.step_us("flight", h, 0.15) for c, _ in contenders])
     print(f"{'free':12s} us a step: " + ", ".join(f"{c.label} {m:.2f}" for (c, _), m in zip(contenders, medians)))
     for k, (peer, asked) in enumerate(contenders):

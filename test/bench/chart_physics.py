@@ -6,8 +6,8 @@ engine and method, the points are step sizes), map (which stands are stable), si
 (against the number of robots), system (a standing and swaying robot with its controller: error against time for choices of the whole stack: engine, contact, step,
 control rate, sensors), release sway stamp (Figs. 12 to 14 of the paper: a damped oscillation beside its linear model, and
 the normal force of a foot on soft soles and in rigid contact).  Each is written as SVG, PNG and CSV to DIR (default test/charts/physics); --redraw draws from the CSV
-that is there.  Peers that are installed are beside ours: MuJoCo, and in flight, arm and size Bullet, whose rk4 is of order 1 on a
-floating base.  An engine's error is measured against a common reference where nothing touches, else against its own finest run:
+that is there.  Peers that are installed are beside ours: MuJoCo, and in flight, arm and size Bullet (its rk4 is of order 1 on a
+floating base), DART and Simbody.  An engine's error is measured against a common reference where nothing touches, else against its own finest run:
 contact laws differ.
 """
 
@@ -113,7 +113,7 @@ def draw_size(rows, folder):
 
 
 def measure_size(lab):
-    peers = [lab.articulated, lab.articulated2] + [lab.mujoco(v, "euler") for v in lab.mujocos] + lab.trees[:1] + [lab.ode]
+    peers = [lab.articulated, lab.articulated2] + [lab.mujoco(v, "euler") for v in lab.mujocos] + lab.stepped_trees() + [lab.ode]
     for engine in peers:
         for n in (7, 14, 30, 60, 100, 200):
             if engine is lab.ode and n > 60:

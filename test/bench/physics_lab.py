@@ -2,7 +2,7 @@
 
 Ours are methods of build/.../bin/physics_cases.  Peers are built here from test/bench/peers against whatever is installed:
 MuJoCo of the distribution (libmujoco-dev), MuJoCo of the running Python (pip install mujoco-core), Pinocchio (pip install
-pin), and where nothing touches Bullet (libbullet-dev).  What is missing is said once and left out.
+pin), and where nothing touches Bullet, DART and Simbody (TREE_PEERS).  What is missing is said once and left out.
 """
 
 import importlib.util
@@ -18,6 +18,12 @@ import xml.etree.ElementTree as ElementTree
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PEERS = ROOT / "test/bench/peers"
 DURATION = {"flight": 0.5, "arm": 0.5, "stand": 0.5, "push": 0.6, "push_soft": 0.6, "landing": 0.6, "slide": 0.4, "throw": 2.0}
+
+TREE_PEERS = (  # program, name, package, libraries for pkg-config, methods
+    ("bullet", "Bullet", "libbullet-dev", "bullet-float64", ("euler", "rk4")),
+    ("dart", "DART", "libdart-dev", "dart", ("euler",)),
+    ("simbody", "Simbody", "libsimbody-dev", "simbody", ("euler", "merson")),
+)
 
 
 def program_folder(who):
@@ -225,7 +231,7 @@ class Lab:
         self.mujocos = {}  # version -> program
         self._written = {}
         self._find_mujoco()
-        self.trees = self._find_bullet()
+        self.trees = list(self._find_trees())
         self.pinocchio = self._find_pinocchio()
 
     def models(self, scene, gain=1.0):
@@ -239,6 +245,10 @@ class Lab:
         path = self.models(scene, gain).with_suffix(".tree")
         path.write_text("\n".join(tree_of(self.models(scene, gain).read_text())) + "\n")
         return path
+
+    def stepped_trees(self):
+        """Their cheapest step."""
+        return [peer for peer in self.trees if peer.method == "euler"]
 
     def mujoco(self, version, method):
         return Mujoco(self.mujocos[version], self.models, method, f"MuJoCo {version} {method}")
@@ -269,16 +279,17 @@ class Lab:
         else:
             print("current MuJoCo: not installed, left out (pip install mujoco-core)")
 
-    def _find_bullet(self):
-        """Its methods of order 1 and 4, in double precision."""
-        flags = subprocess.run(["pkg-config", "--cflags", "--libs", "bullet-float64", "eigen3"], capture_output=True, text=True)
-        program = self.work / "bullet"
-        if flags.returncode != 0:
-            print("Bullet: not installed, left out (apt install libbullet-dev)")
-        elif build(PEERS / "bullet_peer.cpp", program, *flags.stdout.split()):
-            version = call(program, "version")[0]
-            return [Peer(program, self.tree, method, f"Bullet {version} {method}") for method in ("euler", "rk4")]
-        return []
+    def _find_trees(self):
+        """Each method of the peers of free motion."""
+        for file, name, package, libraries, methods in TREE_PEERS:
+            flags = subprocess.run(["pkg-config", "--cflags", "--libs", libraries, "eigen3"], capture_output=True, text=True)
+            program = self.work / file
+            if flags.returncode != 0:
+                print(f"{name}: not installed, left out (apt install {package})")
+            elif build(PEERS / f"{file}_peer.cpp", program, *[flag for flag in flags.stdout.split() if not flag.startswith("-std=")]):
+                version = call(program, "version")[0]
+                for method in methods:
+                    yield Peer(program, self.tree, method, f"{name} {version} {method}")
 
     def _find_pinocchio(self):
         try:
