@@ -13,12 +13,13 @@
 #include "control/footsteps.h"
 #include "control/preview_plan.h"
 #include "control/swing_foot.h"
+#include "robot/step_list.h"
 
 namespace twinbus {
 
 class WalkPattern {
  public:
-  static constexpr int kMostFootholds = 32;  // of a list
+  static constexpr int kMostFootholds = kMostSteps;  // of a list
 
   // Allocates if the gait asks for preview control.
   explicit WalkPattern(const Gait& gait, const SwingGains& swing = {});

@@ -371,9 +371,9 @@ void ArticulatedWorld::estimate_contact_forces() noexcept {
       find_force(c, 0.0, false, 0.0);
       continue;
     }
-    const double damping = c.params.damping * std::clamp(c.depth / c.params.ramp, 0.0, 1.0);
-    const double fn = c.params.stiffness * c.depth -
-                      (damping + config_.step * c.params.stiffness) * c.normal.dot(c.v0);
+    const double fn =
+        c.params.stiffness * c.depth -
+        (damping_at(c.params, c.depth) + config_.step * c.params.stiffness) * c.normal.dot(c.v0);
     c.now.force = std::max(0.0, fn) * c.normal;
     c.now.mode = ContactMode::kStick;
   }
@@ -422,8 +422,8 @@ double ArticulatedWorld::corner_stiffness(int sole) const noexcept {
 }
 
 double ArticulatedWorld::corner_damping(int sole, double force) const noexcept {
-  if (config_.contact == ContactModel::kHuntCrossley) return config_.dissipation * force;
-  return ground_.sole_params(sole).damping;
+  const ContactParams& params = ground_.sole_params(sole);
+  return damping_at(params, force / params.stiffness);
 }
 
 }  // namespace twinbus

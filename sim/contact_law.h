@@ -17,6 +17,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 
 namespace twinbus {
 
@@ -37,6 +38,11 @@ inline ContactParams hunt_crossley(ContactParams params, double dissipation) noe
   params.ramp = kEndlessRamp;
   params.damping = dissipation * params.stiffness * kEndlessRamp;
   return params;
+}
+
+// Of a point so deep [N s/m].
+inline double damping_at(const ContactParams& params, double depth) noexcept {
+  return params.damping * std::clamp(depth / params.ramp, 0.0, 1.0);
 }
 
 enum class ContactMode { kOpen, kStick, kSlip };

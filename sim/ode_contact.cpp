@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "sim/contact_law.h"
+#include "sim/ground_contacts.h"
 #include "sim/link_hull.h"
 #include "sim/ode_impl.h"
 
@@ -202,9 +203,10 @@ void OdeWorld::Impl::add_contact(const dContactGeom& geom, int link, int sole, d
 }
 
 double OdeWorld::Impl::damping_at(double k, double c, double depth) const noexcept {
-  if (config.contact == ContactModel::kHuntCrossley)
-    return config.dissipation * k * std::max(depth, 0.0);
-  return c * std::clamp(depth / kDampingRamp, 0.0, 1.0);
+  ContactParams params;
+  params.stiffness = k;
+  params.damping = c;
+  return twinbus::damping_at(as_asked(config, params), depth);
 }
 
 // So that the friction pyramid does not favour the world's axes.

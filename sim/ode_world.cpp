@@ -410,9 +410,11 @@ double OdeWorld::corner_stiffness(int sole) const noexcept {
 double OdeWorld::corner_damping(int sole, double force) const noexcept {
   const Impl& w = *impl_;
   if (w.config.contact == ContactModel::kRigid) return 0.0;
-  if (w.config.contact == ContactModel::kHuntCrossley) return w.config.dissipation * force;
-  return w.model.soles[static_cast<std::size_t>(sole)].damping / kSoleCorners *
-         w.config.damping_scale;
+  const double k = corner_stiffness(sole);
+  return w.damping_at(
+      k,
+      w.model.soles[static_cast<std::size_t>(sole)].damping / kSoleCorners * w.config.damping_scale,
+      force / k);
 }
 
 long OdeWorld::engine_messages() noexcept {

@@ -37,8 +37,9 @@ class StandingForces {
       const Sole& sole = model.soles[side];
       if (sole.link < 0) continue;
       for (int c = 0; c < kSoleCorners; ++c) anchor_[side][at(c)] = corner(sole, c);
-      params_[side] = rubber(sole.stiffness / kSoleCorners * world.stiffness_scale,
-                             sole.damping / kSoleCorners * world.damping_scale, 0.0);
+      params_[side] =
+          as_asked(world, rubber(sole.stiffness / kSoleCorners * world.stiffness_scale,
+                                 sole.damping / kSoleCorners * world.damping_scale, 0.0));
     }
   }
 
@@ -97,8 +98,7 @@ class StandingForces {
     const Vector3d gone = point - anchor_[side][at(k)];
     const Vector3d velocity = kinematics_.point_velocity(sole.link, point);
     const double load = standing_.corner_force[side][at(k)];
-    const bool grows = world_.contact == ContactModel::kHuntCrossley;
-    const double damping = grows ? world_.dissipation * load : p.damping;
+    const double damping = damping_at(p, load / p.stiffness);
     Vector3d force = -p.tangent_stiffness * gone - p.tangent_damping * velocity;
     force.z() = load - p.stiffness * gone.z() - damping * velocity.z();
     external_.push_back({.link = sole.link, .point = point, .force = force});
