@@ -3,7 +3,8 @@
 
 Charts: soles (ZMP, centre of mass and DCM among the soles, seen from above), force (normal force of the left foot against
 what it was asked to carry), rigid (the same force on the robot's soft soles and with rigid contact, on Open Dynamics Engine: what
-lies above 50 Hz), guard (time of the collision check while walking), twin (hrp2p in the simulator and as the stand-in robot),
+lies above 50 Hz), guard (time of the collision check while walking), twin (hrp2p walks in the simulator, and behind the hardware bridge as the
+stand-in robot, with all processes of the stack and in real time: force, tilt, ZMP, joints), snapshots (both seen from the side),
 speed (ZMP margin and force error against the velocity asked), cost (what foot forces are off a run with an eighth of the step,
 against CPU time of the whole stack), map (largest push survived on the spot, by direction and phase, beside the bound of the
 linear inverted pendulum).
@@ -22,9 +23,10 @@ import sys
 import tempfile
 
 import plot
+import twin_figures
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-CHARTS = ("soles", "force", "rigid", "guard", "twin", "speed", "cost", "map")
+CHARTS = ("soles", "force", "rigid", "guard", "twin", "snapshots", "speed", "cost", "map")
 SOLE = ((0.18, 0.07), (0.18, -0.07), (-0.07, -0.07), (-0.07, 0.07))  # hrp1s, in the sole frame [m]
 WEIGHT = 130.8 * 9.81  # [N]
 FROM, TO = 6.0, 9.0    # what is drawn of walk_forward [s]
@@ -152,26 +154,14 @@ def draw_guard(rows, folder):
 
 
 def measure_twin():
-    words = ("--robot", "hrp2p", "--speed", "0.6")
-    for a, b in zip(trace(*words), trace(*words, "--emulated")):
-        yield {"time": a["time"]} | {f"{key}_{name}": row[key] for name, row in (("simulator", a), ("emulated", b))
-                                     for key in ("x", "y", "roll", "pitch", "left")}
+    return twin_figures.walked(twinbus().parent)["twin"]
 
 
-def draw_twin(rows, folder):
-    def curve(key, name):
-        return [(float(row["time"]), float(row[f"{key}_{name}"])) for row in rows]
-    off = math.sqrt(sum((float(row["left_simulator"]) - float(row["left_emulated"])) ** 2 for row in rows) / len(rows))
-    sway = math.sqrt(sum((float(row["y_simulator"]) - float(row["y_emulated"])) ** 2 for row in rows) / len(rows))
-    words = f"difference rms: force {off:.0f} N, sway {1e3 * sway:.1f} mm"
-    print(words, flush=True)
-    missing = plot.write(folder / "twin.svg", plot.lines(
-        "hrp2p walks at 0.6 m/s: simulator and stand-in robot", f"normal force of the left foot; {words}", "time [s]", "force [N]",
-        [("simulator", curve("left", "simulator")), ("stand-in robot", curve("left", "emulated"))]))
-    plot.write(folder / "twin_path.svg", plot.lines(
-        "hrp2p walks at 0.6 m/s: simulator and stand-in robot", "sway of the base", "time [s]", "to the left [m]",
-        [("simulator", curve("y", "simulator")), ("stand-in robot", curve("y", "emulated"))]))
-    return missing
+def measure_snapshots():
+    return twin_figures.walked(twinbus().parent)["snapshots"]
+
+
+draw_twin, draw_snapshots = twin_figures.draw_twin, twin_figures.draw_snapshots
 
 
 def measure_speed():

@@ -180,15 +180,11 @@ def lines(title, subtitle, x_name, y_name, curves, outlines=(), alike=False):
     def at(point):
         return LEFT + (point[0] - x0) / (x1 - x0) * wide, bottom - (point[1] - y0) / (y1 - y0) * high
 
-    def ticks(low, high):
-        step = 10.0 ** math.floor(math.log10((high - low) / 4.0))
-        step *= next(k for k in (1, 2, 5, 10) if (high - low) / (k * step) <= 8)
-        return [step * k for k in range(math.ceil(low / step), math.floor(high / step) + 1)]
     out = _frame(title, subtitle)
-    for value in ticks(x0, x1):
+    for value in _ticks(x0, x1):
         x, _ = at((value, y0))
         out.append(f"<line x1='{x:.1f}' y1='{TOP}' x2='{x:.1f}' y2='{bottom}' stroke='#ddd'/>" + _text(x, bottom + 18, f"{value:.5g}", 12, "middle"))
-    for value in ticks(y0, y1):
+    for value in _ticks(y0, y1):
         _, y = at((x0, value))
         out.append(f"<line x1='{LEFT}' y1='{y:.1f}' x2='{right}' y2='{y:.1f}' stroke='#ddd'/>" + _text(LEFT - 8, y + 4, f"{value:.5g}", 12, "end"))
     for outline in outlines:
@@ -202,5 +198,71 @@ def lines(title, subtitle, x_name, y_name, curves, outlines=(), alike=False):
         way = " ".join("{:.1f},{:.1f}".format(*at(point)) for point in points)
         out.append(f"<polyline points='{way}' fill='none' stroke='{color}' stroke-width='1.6'/>")
         out.append(f"<line x1='{right + 14}' y1='{y}' x2='{right + 40}' y2='{y}' stroke='{color}' stroke-width='2.2'/>" + _text(right + 46, y + 4, label, 12))
+    out.append("</svg>")
+    return "\n".join(out)
+
+
+def _ticks(low, high, most=8):
+    step = 10.0 ** math.floor(math.log10((high - low) / most))
+    step *= next(k for k in (1, 2, 5, 10) if (high - low) / (k * step) <= most)
+    return [step * k for k in range(math.ceil(low / step), math.floor(high / step) + 1)]
+
+
+def panels(title, subtitle, x_name, labels, rows, high=104):
+    """Curves above one another on one axis.  labels: of the curves, the same in every panel; rows: [(y name, words at its right,
+    [[(x, y)]])]."""
+    gap, right_edge = 30, WIDTH - 30
+    height = TOP + 22 + len(rows) * (high + gap) + BOTTOM - gap
+    out = _frame(title, subtitle, WIDTH, height)
+    every = [x for _, _, curves in rows for points in curves for x, _ in points]
+    x0, x1 = min(every), max(every)
+    at = LEFT
+    for k, label in enumerate(labels):
+        out.append(f"<line x1='{at}' y1='{TOP}' x2='{at + 26}' y2='{TOP}' stroke='{COLORS[k]}' stroke-width='2.2'/>")
+        out.append(_text(at + 32, TOP + 4, label, 12))
+        at += 60 + 7 * len(label)
+    for i, (name, words, curves) in enumerate(rows):
+        top = TOP + 36 + i * (high + gap)
+        bottom = top + high
+        values = [y for points in curves for _, y in points]
+        margin = 0.06 * (max(values) - min(values)) or 1.0
+        y0, y1 = min(values) - margin, max(values) + margin
+
+        def place(point, y0=y0, y1=y1, bottom=bottom):
+            return LEFT + (point[0] - x0) / (x1 - x0) * (right_edge - LEFT), bottom - (point[1] - y0) / (y1 - y0) * high
+        for value in _ticks(x0, x1):
+            x, _ = place((value, y0))
+            out.append(f"<line x1='{x:.1f}' y1='{top}' x2='{x:.1f}' y2='{bottom}' stroke='#ddd'/>")
+            if i == len(rows) - 1:
+                out.append(_text(x, bottom + 18, f"{value:.5g}", 12, "middle"))
+        for value in _ticks(y0, y1, 4):
+            _, y = place((x0, value))
+            out.append(f"<line x1='{LEFT}' y1='{y:.1f}' x2='{right_edge}' y2='{y:.1f}' stroke='#ddd'/>" + _text(LEFT - 8, y + 4, f"{value:.5g}", 11, "end"))
+        out.append(f"<rect x='{LEFT}' y='{top}' width='{right_edge - LEFT}' height='{high}' fill='none' stroke='#444'/>")
+        out.append(_text(LEFT, top - 5, name, 12, weight="bold") + _text(right_edge, top - 5, words, 12, "end", "#555"))
+        for k, points in enumerate(curves):
+            way = " ".join("{:.1f},{:.1f}".format(*place(point)) for point in points)
+            out.append(f"<polyline points='{way}' fill='none' stroke='{COLORS[k]}' stroke-width='1.4'/>")
+    out.append(_text((LEFT + right_edge) / 2, height - 16, x_name, 13, "middle"))
+    out.append("</svg>")
+    return "\n".join(out)
+
+
+def film(title, subtitle, strips, cell):
+    """Rows of pictures.  strips: [(name, [(words below, draw(left, ground) -> SVG elements)])]; cell: width and height of a picture."""
+    wide, high = cell
+    side = LEFT
+    count = max(len(pictures) for _, pictures in strips)
+    width, height = side + wide * count + 24, TOP + len(strips) * (high + 54) + 10
+    out = _frame(title, subtitle, width, height)
+    for i, (name, pictures) in enumerate(strips):
+        top = TOP + 26 + i * (high + 54)
+        out.append(_text(side, top - 8, name, 13, weight="bold"))
+        for k, (words, draw) in enumerate(pictures):
+            left = side + wide * k
+            out.append(f"<svg x='{left}' y='{top}' width='{wide}' height='{high}'><rect width='{wide}' height='{high}' fill='#f6f8fa'/>")
+            out += draw(0.0, high - 30.0)
+            out.append(f"</svg><rect x='{left}' y='{top}' width='{wide}' height='{high}' fill='none' stroke='#ccd'/>")
+            out.append(_text(left + wide / 2, top + high + 16, words, 11, "middle", "#555"))
     out.append("</svg>")
     return "\n".join(out)

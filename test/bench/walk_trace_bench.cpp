@@ -1,9 +1,8 @@
 // What a walk looks like tick by tick: foot forces measured and asked, where the base is, what the guard took.
 //
-//     walk_trace_bench [--robot R] [--speed V] [--engine E] [--set KEY=VALUE]... [--emulated] [--guard] [--for S]
+//     walk_trace_bench [--robot R] [--speed V] [--engine E] [--set KEY=VALUE]... [--guard] [--for S]
 //
 // Prints CSV: time [s], force and asked of the left and right foot [N], base x, y [m], roll, pitch [rad], guard [us of CPU].
-// --emulated: the body of the stand-in robot (other engine, other masses, friction, backlash, noise, delay).
 
 #include <cstdio>
 #include <cstdlib>
@@ -15,7 +14,6 @@
 #include "robot/load.h"
 #include "robot/pose_math.h"
 #include "robot/process.h"
-#include "sim/emulated_robot.h"
 #include "test/control/sim_rig.h"
 
 namespace twinbus {
@@ -55,15 +53,12 @@ int run(int argc, char** argv) {
       const std::size_t equals = setting.find('=');
       if (equals == std::string::npos) return 2;
       settings.emplace_back(setting.substr(0, equals), setting.substr(equals + 1));
-    } else if (word == "--emulated") {
-      scene.engine = "ode";
-      for (const auto& setting : EmulatedRobot::differences()) settings.push_back(setting);
     } else if (word == "--guard") {
       guarded = true;
     } else {
       std::fprintf(stderr,
                    "walk_trace_bench [--robot R] [--speed V] [--engine E] [--set KEY=VALUE]... "
-                   "[--emulated] [--guard] [--for S]\n");
+                   "[--guard] [--for S]\n");
       return word == "--help" ? 0 : 2;
     }
   }

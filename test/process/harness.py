@@ -231,14 +231,20 @@ def alive(pid):
         return False
 
 
+def urdf_of(robot):
+    """The root element of one of our robots' URDF."""
+    return xml.etree.ElementTree.parse(next((ROOT / "config/robots" / robot).glob("*.urdf"))).getroot()
+
+
+def bus_joints(robot="hrp1s"):
+    """Joint elements of the URDF that are on the bus, in the bus's order: that of the URDF."""
+    return [joint for joint in urdf_of(robot).iter("joint")
+            if joint.get("type") in ("revolute", "continuous", "prismatic") and joint.find("mimic") is None]
+
+
 def effort_limits(robot="hrp1s"):
-    """Of the joints on the bus, in the bus's order: that of the URDF."""
-    urdf = next((ROOT / "config/robots" / robot).glob("*.urdf"))
-    limits = []
-    for joint in xml.etree.ElementTree.parse(urdf).getroot().iter("joint"):
-        if joint.get("type") in ("revolute", "continuous", "prismatic") and joint.find("mimic") is None:
-            limits.append(float(joint.find("limit").get("effort")))
-    return limits
+    """Of the joints on the bus."""
+    return [float(joint.find("limit").get("effort")) for joint in bus_joints(robot)]
 
 
 def percentile(values, share):
