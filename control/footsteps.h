@@ -19,6 +19,7 @@ namespace twinbus {
 struct Foothold {
   Eigen::Vector2d position = Eigen::Vector2d::Zero();  // of the sole frame, world [m]
   double height = 0.0;                                 // of the ground there [m]
+  Eigen::Vector2d gradient = Eigen::Vector2d::Zero();  // of the ground under the sole
 
   double yaw() const noexcept { return yaw_; }  // [rad]
   void set_yaw(double yaw) noexcept;

@@ -85,6 +85,8 @@ void Walk::measure(const Estimator& estimator, double dt, bool fresh) noexcept {
     Foothold& foot = measured_feet_[at(f)];
     foot.position = sole.translation().head<2>();
     foot.set_yaw(yaw_of(sole.linear()));
+    const Eigen::Vector3d up = sole.linear().col(2);
+    foot.gradient = -up.head<2>() / std::max(0.5, up.z());
     const double force = std::max(0.0, estimator.sole_force(f).z());
     foot.height = sole.translation().z() + force / std::max(1e3, model_->soles[at(f)].stiffness);
     if (!fresh && !pattern_.swings(f)) {
@@ -183,7 +185,7 @@ void Walk::update(const Estimator& estimator, const Eigen::VectorXd& q_given, do
   first_.advance(dt);
   measure(estimator, dt, fresh_);
   pattern_.advance({estimator.loaded(0), estimator.loaded(1)}, measured_feet_, dt);
-  ground_.advance(pattern_.ground(), dt);
+  ground_.advance(pattern_.ground_at(stabilizer_.com()), dt);
   const double w = omega();
   pattern_.plan(dcm_, w);
   stabilizer_.update(pattern_, com_.head<2>(), dcm_, w, dt);

@@ -16,6 +16,11 @@ constexpr double kQuick = 4.0;    // a foot in the air is corrected fully after 
 Eigen::Vector3d in_plan(const Foothold& at) noexcept {
   return {at.position.x(), at.position.y(), at.height};
 }
+
+// Of a plane that rises by `gradient` [rad].
+Eigen::Vector3d tilt_of(const Eigen::Vector2d& gradient) noexcept {
+  return {std::atan(gradient.y()), -std::atan(gradient.x()), 0.0};
+}
 }  // namespace
 
 WalkFeet::WalkFeet(const Model& model, const WalkFeetGains& gains)
@@ -48,6 +53,7 @@ void WalkFeet::start(const WalkPattern& pattern, const std::array<Eigen::Isometr
   for (std::size_t f = 0; f < 2; ++f) {
     Foot& foot = feet_[f];
     foot.admitted.setZero();
+    foot.tilt.setZero();
     foot.was_swinging = false;
     give_way(foot, loads[f], 1.0);
     const Foothold& at = pattern.foot(static_cast<int>(f));
@@ -94,15 +100,16 @@ void WalkFeet::update(const WalkPattern& pattern, const std::array<FootLoad, 2>&
 
     const Foothold& at = swings ? pattern.swing().place() : pattern.foot(static_cast<int>(f));
     const Eigen::Vector3d place = in_plan(at);
-    const Eigen::Matrix3d heading = at.rotation();
+    const double blend =
+        swings ? dt / g.upright_filter * std::min(1.0, kQuick * pattern.swing().progress()) : 0.0;
+    foot.tilt += blend * (tilt_of(pattern.slope().gradient()) - foot.tilt);
+    const Eigen::Matrix3d heading = rotation_of(foot.tilt) * at.rotation();
     if (foot.was_swinging && !swings) {  // landed: the command stays where it is
       foot.offset = foot.last - place;
       foot.offset_turn = rotation_vector(foot.last_turn * heading.transpose());
     }
     foot.was_swinging = swings;
     if (swings) {
-      const double blend =
-          dt / g.upright_filter * std::min(1.0, kQuick * pattern.swing().progress());
       const Eigen::Vector3d seen =
           to_asked * (place - base.measured.translation()) + base.asked.translation();
       Eigen::Vector3d turn = rotation_vector(to_asked);

@@ -3,8 +3,9 @@
 // A loaded sole gives way: it sinks by f/k and turns by M/k_turn, so the pose asked for is the one that it will have
 // (feed-forward).  What is still missed moves it on (admittance), a = w (M - M*) / k_turn - a / T, likewise the difference
 // of the feet's forces moves them apart in height.  A foot in the air is put where it must be in the world although the
-// base is not where the plan has it; one that landed elsewhere than planned stays there and is taken into the plan.  What
-// a standing sole had to turn is the slope of its ground, and is kept while it stands.
+// base is not where the plan has it, tilted as the ground is believed to be there; one that landed elsewhere than planned
+// stays there and is taken into the plan.  What a standing sole had to turn is the slope of its ground, and is kept while
+// it stands.
 
 #pragma once
 
@@ -49,6 +50,7 @@ class WalkFeet {
     Eigen::Vector3d offset = Eigen::Vector3d::Zero(), offset_turn = Eigen::Vector3d::Zero();
     Eigen::Vector3d last = Eigen::Vector3d::Zero();
     Eigen::Matrix3d last_turn = Eigen::Matrix3d::Identity();
+    Eigen::Vector3d tilt = Eigen::Vector3d::Zero();  // that it landed with [rad]
     bool was_swinging = false;
   };
   void give_way(Foot& foot, const FootLoad& load, double share) noexcept;

@@ -62,6 +62,7 @@ bool WalkPattern::side_by_side() const noexcept {
 
 void WalkPattern::start(const std::array<Foothold, 2>& feet) noexcept {
   feet_ = feet;
+  slope_.reset();
   wanted_.setZero();
   velocity_.setZero();
   listed_ = list_count_ = 0;
@@ -100,14 +101,19 @@ void WalkPattern::follow(const Foothold* list, int count, int first_support) noe
   list_support_ = first_support;
 }
 
+// As high as the ground is there, as far as that is known.
+Foothold WalkPattern::on_ground(Foothold at, const Foothold& from) const noexcept {
+  at.height = from.height + slope_.gradient().dot(at.position - from.position);
+  return at;
+}
+
 // The foothold after `foot` stands on `from`, so many steps from the one under way.
 Foothold WalkPattern::after(const Foothold& from, int foot, int steps_ahead) const noexcept {
   const int i = listed_ + steps_ahead;
   const bool fits = ((i % 2 == 0) ? list_support_ : 1 - list_support_) == foot;
   if (i < list_count_ && fits) {
     Foothold listed = list_[static_cast<std::size_t>(i)];
-    listed.height = from.height;  // a list knows nothing of the ground
-    return listed;
+    return on_ground(listed, from);  // a list knows nothing of the ground
   }
   Eigen::Vector3d velocity = velocity_;
   // Feet that stand too near each other come apart before they turn.
@@ -118,7 +124,7 @@ Foothold WalkPattern::after(const Foothold& from, int foot, int steps_ahead) con
     const bool second = square_ + steps_ahead >= 1;
     width += (second ? 1.0 : 0.5) * (gait_.standing_width - width);
   }
-  return next_foothold(from, foot, velocity, period_, width);
+  return on_ground(next_foothold(from, foot, velocity, period_, width), from);
 }
 
 void WalkPattern::begin_step(int support, double double_time) noexcept {
@@ -142,10 +148,12 @@ void WalkPattern::capture(const Eigen::Vector2d& measured_dcm) noexcept {
   square_ = 0;
 }
 
-void WalkPattern::land(const Foothold& where) noexcept {
+void WalkPattern::land(const Foothold& where, const Foothold& stood) noexcept {
   braking_ = true;
+  slope_.stood_on(stood.gradient);
   const int landed = 1 - support_;
-  uneven_ = std::max(kForget * uneven_, std::abs(where.height - foot(support_).height));
+  uneven_ =
+      std::max(kForget * uneven_, std::abs(where.height - on_ground(where, foot(support_)).height));
   feet_[static_cast<std::size_t>(landed)] = where;
   ++steps_;
   if (listed_ < list_count_) ++listed_;
@@ -243,7 +251,7 @@ void WalkPattern::advance(const std::array<bool, 2>& touching,
                  dt);
   const auto m = static_cast<std::size_t>(moves);
   const bool landed = touching[m] && swing_.progress() > kEarlyShare;
-  if (landed || swing_.lost()) land(measured[m]);
+  if (landed || swing_.lost()) land(measured[m], measured[static_cast<std::size_t>(support_)]);
 }
 
 void WalkPattern::plan(const Eigen::Vector2d& measured_dcm, double omega) noexcept {
@@ -262,7 +270,7 @@ void WalkPattern::plan(const Eigen::Vector2d& measured_dcm, double omega) noexce
                         .left_now = left_now,
                         .shortest = std::max(kShortest, double_ + gait_.shortest_single - time_)};
       const StepAdjusted step = adjust_step(gait_, now, omega);
-      target_ = step.foothold;
+      target_ = on_ground(step.foothold, foot(support_));
       adjusted_ = step.moved;
       single_time_ = time_ + step.left - double_;
     }

@@ -11,6 +11,7 @@
 
 #include "control/dcm_plan.h"
 #include "control/footsteps.h"
+#include "control/ground_slope.h"
 #include "control/preview_plan.h"
 #include "control/swing_foot.h"
 #include "robot/step_list.h"
@@ -62,6 +63,14 @@ class WalkPattern {
   double ground() const noexcept {
     return single() ? foot(support_).height : 0.5 * (feet_[0].height + feet_[1].height);
   }
+  // The same under a point of the plane that the ground is taken for.
+  double ground_at(const Eigen::Vector2d& point) const noexcept {
+    const Eigen::Vector2d on = single()
+                                   ? foot(support_).position
+                                   : Eigen::Vector2d(0.5 * (feet_[0].position + feet_[1].position));
+    return ground() + slope_.gradient().dot(point - on);
+  }
+  const GroundSlope& slope() const noexcept { return slope_; }
   // Where the ZMP rests while the robot stands; soon the middle.
   const Eigen::Vector2d& rest() const noexcept { return rest_; }
   int steps() const noexcept { return steps_; }  // landed
@@ -78,9 +87,11 @@ class WalkPattern {
   void stand(const Eigen::Vector2d& rest, double time) noexcept;
   Eigen::Vector2d on_both_soles(const Eigen::Vector2d& point) const noexcept;
   void begin_step(int support, double double_time) noexcept;
-  void land(const Foothold& where) noexcept;
+  // stood: the other one, that carried the robot; both as measured.
+  void land(const Foothold& where, const Foothold& stood) noexcept;
   Eigen::Vector2d apart() const noexcept;  // the left foot from the right one, in its axes [m]
   bool side_by_side() const noexcept;
+  Foothold on_ground(Foothold at, const Foothold& from) const noexcept;
   Foothold after(const Foothold& from, int foot, int steps_ahead) const noexcept;
   bool wants_to_walk() const noexcept {
     return wanted_.squaredNorm() > 1e-10 || listed_ < list_count_;
@@ -90,6 +101,7 @@ class WalkPattern {
 
   Gait gait_;
   SwingFoot swing_;
+  GroundSlope slope_;
   std::optional<PreviewPlan> preview_;
   bool unforeseen_ = false;                          // a stop or a step that no preview knew of
   std::array<ZmpPiece, 2 + 2 * kAhead + 1> pieces_;  // of the ZMP to come

@@ -263,6 +263,7 @@ Terrain read_terrain(const ConfigNode& node) {
   terrain.tile = node.number("tile", 0.05, 10.0, terrain.tile);
   terrain.height = node.number("height", 0.0, 0.2, terrain.height);
   terrain.slope = kDegree * node.number("slope_deg", 0.0, 20.0, 0.0);
+  terrain.ramp = kDegree * node.number("ramp_deg", 0.0, 20.0, 0.0);
   terrain.from = node.number("from", -100.0, 100.0, terrain.from);
   terrain.length = node.number("length", 0.0, 100.0);
   terrain.width = node.number("width", 0.1, 100.0, terrain.width);

@@ -55,9 +55,11 @@ struct TimedSteps {
 
 // Uneven ground: square tiles of random height and slope from x = from on; see scene_seed.
 struct Terrain {
-  double tile = 0.3;                // edge [m]
-  double height = 0.0;              // of a tile, 0 to this [m]
-  double slope = 0.0;               // about x and y, +- this [rad]
+  double tile = 0.3;    // edge [m]
+  double height = 0.0;  // of a tile, 0 to this [m]
+  double slope = 0.0;   // about x and y, +- this [rad]
+  double ramp =
+      0.0;  // the first third goes up so steeply, the second is level, the last goes down [rad]
   double from = 0.4, length = 0.0;  // along x [m]; 0: no tiles
   double width = 1.8;               // along y, about the x axis [m]
 };
@@ -188,7 +190,7 @@ void resolve_poses(Scene& scene, const Model& model);
 // duration], modes: [at, mode, motion, pose, duration, amplitude, frequency], goals: [at, hand,
 // position, rpy_deg, pose, speed, cancel], walks: [at, for, vx, vy, wz], pads: [at, for, left_x, left_y, right_x],
 // footsteps: [at, steps: [foot, x, y, yaw]],
-// terrain: {tile, height, slope_deg, from, length, width}, push_round: {link, at, every, count, phase, forward, back,
+// terrain: {tile, height, slope_deg, ramp_deg, from, length, width}, push_round: {link, at, every, count, phase, forward, back,
 // sideways, duration}, bodies: [link, mass, at, shift], loose: [name, shape (box, sphere, cylinder,
 // capsule, mesh), size (of a mesh: file beside the scene, scale), mass, position, rpy_deg, velocity,
 // angular_velocity, friction, stiffness, damping], robots: [name, robot, pose, position, yaw_deg],

@@ -22,14 +22,28 @@ int link_of(const Scene& scene, const Model& model, const std::string& name) {
   return link;
 }
 
+struct Ground {
+  double height, pitch;  // [m], [rad]
+};
+
+// So far along a terrain: up, level, down; whole tiles each.
+Ground ramp_at(const Terrain& terrain, double along) {
+  const double third = terrain.tile * std::round(terrain.length / (3.0 * terrain.tile));
+  const double rise = std::tan(terrain.ramp);
+  if (along < third) return {rise * along, -terrain.ramp};
+  if (along < 2.0 * third) return {rise * third, 0.0};
+  return {rise * std::max(0.0, 3.0 * third - along), terrain.ramp};
+}
+
 // Its top's middle is as high as drawn; its sides stand a hair into the neighbours', so that there is no gap.
 Obstacle tile_at(const Terrain& terrain, double x, double y, Random& random) {
-  const double height = terrain.height * random.uniform();
+  const Ground ramp = ramp_at(terrain, x - terrain.from);
+  const double height = ramp.height + terrain.height * random.uniform();
   const double roll = terrain.slope * (2.0 * random.uniform() - 1.0);
-  const double pitch = terrain.slope * (2.0 * random.uniform() - 1.0);
+  const double pitch = ramp.pitch + terrain.slope * (2.0 * random.uniform() - 1.0);
   Obstacle tile;
   tile.shape = ObstacleShape::kBox;
-  tile.size << terrain.tile, terrain.tile, kThick;
+  tile.size << terrain.tile / std::cos(ramp.pitch), terrain.tile, kThick;
   tile.pose.linear() = (Eigen::AngleAxisd(pitch, Eigen::Vector3d::UnitY()) *
                         Eigen::AngleAxisd(roll, Eigen::Vector3d::UnitX()))
                            .toRotationMatrix();

@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Core>
 #include <cmath>
 #include <limits>
+
+#include "robot/dynamics.h"
 
 namespace twinbus {
 namespace {
@@ -52,6 +55,35 @@ TEST(Lipm, ZmpToReachIsTheInverseOfAdvance) {
   const LipmState start{.position = 0.01, .velocity = 0.2};
   const double zmp = lipm.zmp_to_reach(0.15, start, 0.3);
   EXPECT_NEAR(lipm.capture_point(lipm.advance(start, zmp, 0.3)), 0.15, 1e-12);
+}
+
+// A point mass whose leg pushes it along a sloped plane, in three dimensions, by small steps of the mechanics alone.
+TEST(Lipm, TheSlopeOfTheConstraintPlaneDoesNotChangeHorizontalMotion) {
+  const ConstraintPlane plane{.kx = 0.3, .ky = -0.2, .zc = kHeight};
+  const Eigen::Vector3d normal = Eigen::Vector3d(-plane.kx, -plane.ky, 1.0).normalized();
+  Eigen::Vector3d x(-0.1, 0.08, plane.height(-0.1, 0.08));
+  Eigen::Vector3d v(0.45, -0.2, plane.kx * 0.45 + plane.ky * -0.2);
+  const Lipm lipm(plane);
+  const LipmState forward{.position = x.x(), .velocity = v.x()};
+  const LipmState sideways{.position = x.y(), .velocity = v.y()};
+  constexpr int kSteps = 100000;
+  constexpr double kTime = 0.5, dt = kTime / kSteps;
+  const Eigen::Vector3d gravity(0.0, 0.0, -kGravity);
+  for (int i = 0; i < kSteps; ++i) {
+    const auto acceleration = [&](const Eigen::Vector3d& at) {
+      // The push along the leg that leaves no acceleration across the plane.
+      return Eigen::Vector3d(gravity - normal.dot(gravity) / normal.dot(at) * at);
+    };
+    const Eigen::Vector3d middle = v + 0.5 * dt * acceleration(x);
+    const Eigen::Vector3d half = x + 0.5 * dt * v;
+    v += dt * acceleration(half);
+    x += dt * middle;
+  }
+  EXPECT_NEAR(x.z(), plane.height(x.x(), x.y()), 1e-9);
+  EXPECT_NEAR(x.x(), lipm.advance(forward, 0.0, kTime).position, 1e-8);
+  EXPECT_NEAR(v.x(), lipm.advance(forward, 0.0, kTime).velocity, 1e-8);
+  EXPECT_NEAR(x.y(), lipm.advance(sideways, 0.0, kTime).position, 1e-8);
+  EXPECT_NEAR(v.y(), lipm.advance(sideways, 0.0, kTime).velocity, 1e-8);
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ import harness
 from harness import BIN, Checks, cli
 
 SAME_FOR_EVERY_SEED = ["walk_forward", "walk_backward", "walk_sideways", "walk_turn", "walk_diagonal", "walk_slippery",
-                       "walk_carry", "walk_pad", "walk_fast", "walk_pivot", "walk_steps"]
+                       "walk_carry", "walk_pad", "walk_fast", "walk_pivot", "walk_steps", "walk_slope"]
 LOOSE = ["box_on_foot", "box_push", "boxes_tumble", "plate_underfoot", "carry_box", "tied_hands"]
 KNOWN = ["slide_to_roll", "brick_stop", "incline", "heavy_on_light"]  # loose bodies whose way is known in closed form
 BOUNCES = ["bounce", "bounce_wall"]  # the same, where engine ode damps by itself

@@ -1,0 +1,57 @@
+#include "sim/scene_seed.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "robot/model.h"
+#include "sim/scene.h"
+
+namespace twinbus {
+namespace {
+
+// Height of a tile's top over a point [m].
+double top(const Obstacle& tile, double x, double y) {
+  const Eigen::Vector3d up = tile.pose.linear().col(2);
+  const Eigen::Vector3d middle = tile.pose.translation() + 0.5 * tile.size.z() * up;
+  return middle.z() - (up.x() * (x - middle.x()) + up.y() * (y - middle.y())) / up.z();
+}
+
+Scene ramp() {
+  Scene scene;
+  scene.terrain.tile = 0.3;
+  scene.terrain.from = 0.6;
+  scene.terrain.length = 5.4;
+  scene.terrain.width = 0.3;
+  scene.terrain.ramp = 5.0 * std::numbers::pi / 180.0;
+  return scene;
+}
+
+TEST(SceneSeed, ARampGoesUpStaysLevelAndComesDownWithoutAStep) {
+  Scene scene = ramp();
+  apply_seed(scene, Model{}, 1);
+  ASSERT_EQ(scene.tiles.size(), 18U);
+  EXPECT_NEAR(top(scene.tiles.front(), 0.6, 0.0), 0.0, 1e-12);
+  EXPECT_NEAR(top(scene.tiles.back(), 6.0, 0.0), 0.0, 1e-12);
+  for (std::size_t i = 0; i + 1 < scene.tiles.size(); ++i) {
+    const double edge = 0.6 + 0.3 * static_cast<double>(i + 1);
+    EXPECT_NEAR(top(scene.tiles[i], edge, 0.1), top(scene.tiles[i + 1], edge, 0.1), 1e-12) << i;
+  }
+  const double summit = std::tan(scene.terrain.ramp) * 1.8;
+  EXPECT_NEAR(top(scene.tiles[8], 3.3, 0.0), summit, 1e-12);
+}
+
+TEST(SceneSeed, ARampIsTheSameForEverySeedAndTilesAreNot) {
+  Scene one = ramp(), two = ramp();
+  apply_seed(one, Model{}, 1);
+  apply_seed(two, Model{}, 2);
+  EXPECT_EQ(one.tiles[3].pose.matrix(), two.tiles[3].pose.matrix());
+  one.terrain.height = two.terrain.height = 0.03;
+  apply_seed(one, Model{}, 1);
+  apply_seed(two, Model{}, 2);
+  EXPECT_NE(one.tiles[3].pose.matrix(), two.tiles[3].pose.matrix());
+}
+
+}  // namespace
+}  // namespace twinbus
