@@ -163,9 +163,7 @@ Distance GroundContacts::distance(std::size_t surface,
   return {d.value, turn * d.normal};
 }
 
-// A tile is ground: all that is below its top is in it, and pushed out upwards.
-Distance GroundContacts::under(std::size_t tile, const Eigen::Vector3d& point) const noexcept {
-  const Obstacle& box = obstacles_[tile];
+Distance under_tile(const Obstacle& box, const Eigen::Vector3d& point) noexcept {
   const Eigen::Vector3d p = box.pose.linear().transpose() * (point - box.pose.translation());
   const bool over = std::abs(p.x()) <= 0.5 * box.size.x() && std::abs(p.y()) <= 0.5 * box.size.y();
   return {over ? p.z() - 0.5 * box.size.z() : 1.0, box.pose.linear().col(2)};
@@ -200,7 +198,7 @@ void GroundContacts::find_corners(const ArticulatedBody& body, double h,
       for (std::size_t i = 0; i < obstacles_.size(); ++i) {
         const Eigen::Vector3d away = obstacles_[i].pose.translation() - point;
         if (!(away.norm() < obstacle_radius_[i] + 1.0)) continue;
-        const Distance d = i < solid_ ? distance(i + 1, point) : under(i, point);
+        const Distance d = i < solid_ ? distance(i + 1, point) : under_tile(obstacles_[i], point);
         if (!(-d.value - offset > found.depth)) continue;
         deepest = static_cast<int>(i) + 1;
         found.depth = -d.value - offset;

@@ -36,6 +36,10 @@ ContactParams as_asked(const WorldConfig& config, const ContactParams& params);
 // Must have a shape.
 Solid solid_of(const Obstacle& obstacle) noexcept;
 
+// Of a point from a tile of uneven ground: all that is below its top is in it, and pushed out
+// upwards.
+Distance under_tile(const Obstacle& tile, const Eigen::Vector3d& point) noexcept;
+
 class GroundContacts {
  public:
   GroundContacts(const Model& model, const WorldConfig& config);
@@ -87,7 +91,6 @@ class GroundContacts {
 
   void add_probes(int link, const Shape& shape, const Model& model);
   Distance distance(std::size_t surface, const Eigen::Vector3d& point) const noexcept;
-  Distance under(std::size_t tile, const Eigen::Vector3d& point) const noexcept;
   void find_corners(const ArticulatedBody& body, double h,
                     std::vector<Contact>& contacts) const noexcept;
   void find_probes(const ArticulatedBody& body, double h,

@@ -6,8 +6,8 @@
 #include "robot/index.h"
 #include "sim/extrapolate.h"
 #include "sim/free_turn.h"
-#include "sim/contact/contact_mesh.h"
 #include "sim/ground_contacts.h"
+#include "sim/loose_mesh.h"
 
 namespace twinbus {
 
@@ -19,9 +19,7 @@ Model model_of(const LooseBody& body) {
   Link link;
   link.name = body.name;
   link.mass = body.mass;
-  link.inertia = body.mesh != nullptr
-                     ? Eigen::Matrix3d(body.mass / body.mesh->volume() * body.mesh->inertia())
-                     : inertia_of(body.solid, body.mass);
+  link.inertia = inertia_of(body);
   model.links = {link};
   return model;
 }

@@ -81,6 +81,11 @@ void give_mesh(const TriangleMesh& triangles, LooseBody& body) {
       turn.transpose() * (as_given.box().center() - as_given.middle());
 }
 
+Eigen::Matrix3d inertia_of(const LooseBody& body) noexcept {
+  if (body.mesh == nullptr) return inertia_of(body.solid, body.mass);
+  return body.mass / body.mesh->volume() * body.mesh->inertia();
+}
+
 std::shared_ptr<const ContactMesh> mesh_of(const Solid& solid) {
   if (solid.shape == SolidShape::kCapsule) {
     return std::make_shared<const ContactMesh>(capsule(solid.size));

@@ -22,6 +22,9 @@ inline constexpr std::size_t kMostContactTriangles = 20'000;
 // turned along.  Throws std::runtime_error for triangles that do not enclose a volume.
 void give_mesh(const TriangleMesh& triangles, LooseBody& body);
 
+// About its centre of mass, in its axes [kg m^2].
+Eigen::Matrix3d inertia_of(const LooseBody& body) noexcept;
+
 // Of a simple shape, round ones from outside.
 std::shared_ptr<const ContactMesh> mesh_of(const Solid& solid);
 

@@ -44,24 +44,11 @@ void OdeWorld::Impl::read_hulls() {
     for (const Shape& shape : link.collision) {
       if (shape.kind != ShapeKind::kMesh) continue;
       const TriangleMesh hull = link_hull(shape);
-      OdeHull& kept = hulls.emplace_back();
-      for (const Eigen::Vector3d& point : hull.points)
-        kept.points.insert(kept.points.end(), {point.x(), point.y(), point.z()});
-      for (const auto& triangle : hull.triangles) {
-        for (const int corner : triangle) kept.corners.push_back(static_cast<dTriIndex>(corner));
-      }
+      OdeMesh& kept = hulls.emplace_back();
+      for (const Eigen::Vector3d& point : hull.points) kept.add_point(point);
+      for (const auto& [a, b, c] : hull.triangles) kept.add_triangle(a, b, c);
     }
   }
-}
-
-// In the link frame; null: it has no volume.
-dGeomID OdeWorld::Impl::create_hull(OdeHull& hull) {
-  if (hull.corners.empty()) return nullptr;
-  hull.data = dGeomTriMeshDataCreate();
-  dGeomTriMeshDataBuildDouble(hull.data, hull.points.data(), 3 * sizeof(double),
-                              static_cast<int>(hull.points.size() / 3), hull.corners.data(),
-                              static_cast<int>(hull.corners.size()), 3 * sizeof(dTriIndex));
-  return dCreateTriMesh(nullptr, hull.data, nullptr, nullptr, nullptr);
 }
 
 void OdeWorld::Impl::add_geoms() {
@@ -84,7 +71,7 @@ void OdeWorld::Impl::add_geoms() {
           geom = dCreateCylinder(nullptr, shape.size.x(), shape.size.y());
           break;
         case ShapeKind::kMesh:
-          geom = create_hull(hulls[hull]);
+          geom = hulls[hull].create_geom();  // in the link frame; null: it has no volume
           break;
       }
       if (geom == nullptr) continue;
@@ -95,29 +82,31 @@ void OdeWorld::Impl::add_geoms() {
       link_geoms.push_back({geom, link});
     }
   }
-  for (const Obstacle& obstacle : config.obstacles) {
-    dGeomID geom = nullptr;
-    switch (obstacle.shape) {
-      case ObstacleShape::kBox:
-        geom = dCreateBox(nullptr, obstacle.size.x(), obstacle.size.y(), obstacle.size.z());
-        break;
-      case ObstacleShape::kSphere:
-        geom = dCreateSphere(nullptr, obstacle.size.x());
-        break;
-      case ObstacleShape::kCylinder:
-        geom = dCreateCylinder(nullptr, obstacle.size.x(), obstacle.size.y());
-        break;
-      case ObstacleShape::kNone:
-        break;
-    }
-    if (geom == nullptr) continue;
-    const Eigen::Vector3d p = obstacle.pose.translation();
-    const Eigen::Quaterniond q(obstacle.pose.linear());
-    const dQuaternion attitude = {q.w(), q.x(), q.y(), q.z()};
-    dGeomSetPosition(geom, p.x(), p.y(), p.z());
-    dGeomSetQuaternion(geom, attitude);
-    obstacle_geoms.push_back(geom);
+  for (const Obstacle& obstacle : config.obstacles) add_solid(obstacle, obstacle_geoms);
+  for (const Obstacle& tile : config.tiles) add_solid(tile, tile_geoms);
+}
+
+void OdeWorld::Impl::add_solid(const Obstacle& obstacle, std::vector<dGeomID>& geoms) {
+  dGeomID geom = nullptr;
+  switch (obstacle.shape) {
+    case ObstacleShape::kBox:
+      geom = dCreateBox(nullptr, obstacle.size.x(), obstacle.size.y(), obstacle.size.z());
+      break;
+    case ObstacleShape::kSphere:
+      geom = dCreateSphere(nullptr, obstacle.size.x());
+      break;
+    case ObstacleShape::kCylinder:
+      geom = dCreateCylinder(nullptr, obstacle.size.x(), obstacle.size.y());
+      break;
+    case ObstacleShape::kNone:
+      return;
   }
+  const Eigen::Vector3d p = obstacle.pose.translation();
+  const Eigen::Quaterniond q(obstacle.pose.linear());
+  const dQuaternion attitude = {q.w(), q.x(), q.y(), q.z()};
+  dGeomSetPosition(geom, p.x(), p.y(), p.z());
+  dGeomSetQuaternion(geom, attitude);
+  geoms.push_back(geom);
 }
 
 void OdeWorld::Impl::find_contacts() noexcept {
@@ -139,19 +128,38 @@ void OdeWorld::Impl::find_sole_contacts() noexcept {
     const double mu = std::sqrt(sole.friction * config.ground_friction);
     for (int corner = 0; corner < kSoleCorners; ++corner) {
       const Eigen::Vector3d point = link * (sole.frame * sole_corner(sole, corner));
-      const double depth =
-          config.ground_height[foot] - offset[foot][static_cast<std::size_t>(corner)] - point.z();
+      const double raised = offset[foot][static_cast<std::size_t>(corner)];
+      double depth = config.ground_height[foot] - raised - point.z();
+      Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
+      for (const Obstacle& tile : config.tiles) {
+        const Distance d = under_tile(tile, point);
+        if (!(-d.value - raised > depth)) continue;
+        depth = -d.value - raised;
+        normal = d.normal;
+      }
       // What comes down within the step touches in it, as in the other engine.
-      if (!(depth > 0.0 || depth - h * kinematics.point_velocity(sole.link, point).z() > 0.0)) {
+      if (!(depth > 0.0 || depth - h * normal.dot(kinematics.point_velocity(sole.link, point)) > 0.0)) {
         continue;
       }
       dContactGeom geom{};
-      for (int i = 0; i < 3; ++i) geom.pos[i] = point[i];
-      geom.normal[2] = 1.0;
+      for (int i = 0; i < 3; ++i) {
+        geom.pos[i] = point[i];
+        geom.normal[i] = normal[i];
+      }
       geom.depth = depth;
       add_contact(geom, sole.link, side, k, c, mu);
     }
   }
+}
+
+// Its corners touch the ground there.
+bool OdeWorld::Impl::is_on_sole(int link, const Eigen::Vector3d& point) const noexcept {
+  for (const Sole& sole : model.soles) {
+    if (sole.link != link) continue;
+    const Eigen::Isometry3d frame = kinematics.link_in_world(sole.link) * sole.frame;
+    if ((frame.inverse() * point).z() < kSoleSkin) return true;
+  }
+  return false;
 }
 
 void OdeWorld::Impl::find_link_contacts() noexcept {
@@ -160,27 +168,24 @@ void OdeWorld::Impl::find_link_contacts() noexcept {
   for (const OdeGeom& own : link_geoms) {
     dReal box[6];
     dGeomGetAABB(own.geom, box);
-    if (box[4] <= 0.0) {
-      const int count = dCollide(own.geom, plane, kPointsPerPair, found, sizeof(dContactGeom));
+    const auto meet = [&](dGeomID other, bool is_ground) {
+      const int count = dCollide(own.geom, other, kPointsPerPair, found, sizeof(dContactGeom));
       for (int i = 0; i < count; ++i) {
         const Eigen::Vector3d point(found[i].pos[0], found[i].pos[1], found[i].pos[2]);
-        bool is_sole = false;
-        for (const Sole& sole : model.soles) {
-          if (sole.link != own.link) continue;
-          const Eigen::Isometry3d frame = kinematics.link_in_world(sole.link) * sole.frame;
-          is_sole = is_sole || (frame.inverse() * point).z() < kSoleSkin;
-        }
-        if (!is_sole) add_contact(found[i], own.link, -1, kLinkStiffness, kLinkDamping, mu);
-      }
-    }
-    for (const dGeomID obstacle : obstacle_geoms) {
-      dReal other[6];
-      dGeomGetAABB(obstacle, other);
-      if (!overlap(box, other)) continue;
-      const int count = dCollide(own.geom, obstacle, kPointsPerPair, found, sizeof(dContactGeom));
-      for (int i = 0; i < count; ++i)
+        if (is_ground && is_on_sole(own.link, point)) continue;
         add_contact(found[i], own.link, -1, kLinkStiffness, kLinkDamping, mu);
-    }
+      }
+    };
+    if (box[4] <= 0.0) meet(plane, true);
+    const auto meet_near = [&](const std::vector<dGeomID>& geoms, bool are_ground) {
+      for (const dGeomID geom : geoms) {
+        dReal other[6];
+        dGeomGetAABB(geom, other);
+        if (overlap(box, other)) meet(geom, are_ground);
+      }
+    };
+    meet_near(obstacle_geoms, false);
+    meet_near(tile_geoms, true);
   }
 }
 

@@ -1,9 +1,12 @@
-// Inside of OdeWorld, shared by sim/ode*.cpp and nobody else: the only header that includes ODE.
+// Inside of OdeWorld, shared by sim/ode*.cpp and nobody else.
 
 #pragma once
 
 #include <ode/ode.h>
 
+#include <deque>
+
+#include "sim/ode_mesh.h"
 #include "sim/ode_world.h"
 
 namespace twinbus {
@@ -32,13 +35,6 @@ struct OdeJoint {
 struct OdeGeom {
   dGeomID geom = nullptr;
   int link = -1;
-};
-
-// A link of triangles, as ODE reads it from here.
-struct OdeHull {
-  std::vector<double> points;
-  std::vector<dTriIndex> corners;
-  dTriMeshDataID data = nullptr;
 };
 
 struct SavedBody {
@@ -84,6 +80,7 @@ struct OdeWorld::Impl {
     double stiffness, damping, friction;
   };
   void add_loose();
+  dGeomID add_mesh(const ContactMesh& mesh);
   void set_loose(std::size_t index, const LooseState& state) noexcept;
   LooseState loose_state(std::size_t index) const noexcept;
   void find_loose_contacts() noexcept;
@@ -101,7 +98,8 @@ struct OdeWorld::Impl {
   // ode_contact.cpp
   void add_geoms();
   void read_hulls();
-  dGeomID create_hull(OdeHull& hull);
+  void add_solid(const Obstacle& obstacle, std::vector<dGeomID>& geoms);
+  bool is_on_sole(int link, const Eigen::Vector3d& point) const noexcept;
   void find_contacts() noexcept;
   void find_sole_contacts() noexcept;
   void find_link_contacts() noexcept;
@@ -136,8 +134,9 @@ struct OdeWorld::Impl {
   double total_mass = 0.0;
   std::vector<OdeJoint> joints;
   std::vector<OdeGeom> link_geoms;
-  std::vector<dGeomID> obstacle_geoms;
-  std::vector<OdeHull> hulls;  // in the order of links and shapes
+  std::vector<dGeomID> obstacle_geoms, tile_geoms;
+  std::deque<OdeMesh> hulls;   // of the links, in the order of links and shapes
+  std::deque<OdeMesh> meshes;  // of the loose bodies
   struct Loose {
     dBodyID body;
     dGeomID geom;

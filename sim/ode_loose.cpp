@@ -4,7 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "sim/ground_contacts.h"
+#include "sim/contact/contact_mesh.h"
+#include "sim/loose_mesh.h"
 #include "sim/ode_impl.h"
 
 namespace twinbus {
@@ -37,16 +38,24 @@ bool bounds_meet(const dReal* a, const dReal* b) {
 
 }  // namespace
 
+dGeomID OdeWorld::Impl::add_mesh(const ContactMesh& mesh) {
+  OdeMesh& added = meshes.emplace_back();
+  for (const Eigen::Vector3d& point : mesh.vertices()) added.add_point(point);
+  for (const ContactFace& face : mesh.faces())
+    added.add_triangle(face.vertex[0], face.vertex[1], face.vertex[2]);
+  return added.create_geom();
+}
+
 void OdeWorld::Impl::add_loose() {
   for (const LooseBody& body : config.loose) {
-    const Eigen::Matrix3d inertia = inertia_of(body.solid, body.mass);
+    const Eigen::Matrix3d inertia = inertia_of(body);
     dMass mass;
     dMassSetParameters(&mass, body.mass, 0, 0, 0, inertia(0, 0), inertia(1, 1), inertia(2, 2), 0, 0,
                        0);
     const dBodyID id = dBodyCreate(world);
     dBodySetMass(id, &mass);
     dBodySetGyroscopicMode(id, 1);
-    const dGeomID geom = geom_of(body.solid);
+    const dGeomID geom = body.mesh != nullptr ? add_mesh(*body.mesh) : geom_of(body.solid);
     dGeomSetBody(geom, id);
     loose.push_back({id, geom});
     set_loose(loose.size() - 1, body.start);
@@ -94,6 +103,7 @@ void OdeWorld::Impl::find_loose_contacts() noexcept {
     const LooseSide fixed{nullptr, -1, own.stiffness, own.damping, std::sqrt(own.friction * mu)};
     meet(plane, fixed);
     for (const dGeomID obstacle : obstacle_geoms) meet(obstacle, fixed);
+    for (const dGeomID tile : tile_geoms) meet(tile, fixed);
     for (std::size_t j = i + 1; j < loose.size(); ++j) {
       const LooseBody& other = config.loose[j];
       meet(loose[j].geom, {loose[j].body, -1, springs_in_series(own.stiffness, other.stiffness),

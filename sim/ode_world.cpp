@@ -67,20 +67,11 @@ void check_links(const Model& model, bool fixed_base) {
   }
 }
 
-void check_loose(const std::vector<LooseBody>& bodies) {
-  for (const LooseBody& body : bodies) {
-    if (body.mesh == nullptr) continue;
-    throw std::runtime_error("loose body '" + body.name +
-                             "': engine ode has no bodies of triangles; take articulated");
-  }
-}
-
 }  // namespace
 
 OdeWorld::Impl::Impl(const Model& m, const WorldConfig& c)
     : model(m), config(c), h(c.step), configuration(m), start_of_step(m), kinematics(m) {
   check_links(m, config.fixed_base);
-  check_loose(config.loose);
   read_hulls();
   const std::vector<Tie> tied = checked_ties(m, config);
   open_engine();
@@ -149,10 +140,8 @@ OdeWorld::Impl::Impl(const Model& m, const WorldConfig& c)
 OdeWorld::Impl::~Impl() {
   for (const OdeGeom& geom : link_geoms) dGeomDestroy(geom.geom);
   for (const dGeomID geom : obstacle_geoms) dGeomDestroy(geom);
+  for (const dGeomID geom : tile_geoms) dGeomDestroy(geom);
   for (const Loose& each : loose) dGeomDestroy(each.geom);
-  for (const OdeHull& hull : hulls) {
-    if (hull.data != nullptr) dGeomTriMeshDataDestroy(hull.data);
-  }
   if (plane != nullptr) dGeomDestroy(plane);
   dJointGroupDestroy(contact_group);
   dWorldDestroy(world);

@@ -254,10 +254,6 @@ Status SimAdaptor::open(const Model& nominal, const AdaptorConfig& config) {
     s.settings.world.loose = s.scene.loose;
     s.settings.world.robots = robots_of(s.scene);
     s.settings.world.self_contact = s.scene.self_contact;
-    if (!s.scene.tiles.empty() && s.settings.world.engine == Engine::kOde) {
-      throw std::runtime_error("scene " + s.scene.name +
-                               ": engine ode knows no uneven ground; use engine articulated");
-    }
     s.settings.world.fixed_base = s.scene.fixed_base || !model.floating_base;
     apply_settings(s.scene.settings, model.period(), s.settings);
     apply_settings(config.settings, model.period(), s.settings);

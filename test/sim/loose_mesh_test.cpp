@@ -46,7 +46,7 @@ double upward(const ArticulatedWorld& world) {
   return force;
 }
 
-void run(ArticulatedWorld& world, double seconds, double step) {
+void run(World& world, double seconds, double step) {
   for (int i = 0; i < static_cast<int>(seconds / step); ++i) {
     ASSERT_EQ(world.step(), Status::kOk) << i;
   }
@@ -72,6 +72,28 @@ TEST(LooseMesh, CubeOfTrianglesRestsLikeABox) {
     EXPECT_LT(world.loose(0).velocity.norm(), 1e-6) << under;
     EXPECT_NEAR(upward(world), 8.0 * kGravity, 1e-3) << under;
     EXPECT_LT(world.loose(0).pose.translation().head<2>().norm(), 0.0501) << under;
+  }
+}
+
+// ODE finds other points than ours, and others each step: the cube lies as high as some of them carry it, and trembles.
+TEST(LooseMesh, EngineOdeHasCubesOfTrianglesToo) {
+  const Model model = test::bystander();
+  for (const int under : {0, 1, 2}) {
+    WorldConfig config;
+    config.engine = Engine::kOde;
+    config.step = 0.001;
+    const double ground = under == 0 ? 0.0 : 0.1;
+    const Obstacle step = step_of({0.6, 0.6, 0.1}, {0.0, 0.0, 0.05});
+    if (under == 1) config.obstacles.push_back(step);
+    if (under == 2) config.tiles.push_back(step);
+    const TriangleMesh cube = test::box_triangles(Vector3d::Constant(0.2));
+    config.loose.push_back(triangles(cube, 8.0, {0.05, 0.0, ground + 0.11}));
+    const std::unique_ptr<World> world = make_world(model, config);
+    run(*world, 2.0, config.step);
+    const double sink = ground + 0.1 - world->loose(0).pose.translation().z();
+    EXPECT_GT(sink, 8.0 * kGravity / (8.0 * 1e6)) << under;
+    EXPECT_LT(sink, 8.0 * kGravity / (2.0 * 1e6)) << under;
+    EXPECT_LT(world->loose(0).velocity.norm(), 1e-3) << under;
   }
 }
 
@@ -133,11 +155,6 @@ TEST(LooseMesh, WhatHasNoVolumeIsRefused) {
   TriangleMesh open = test::box_triangles(Vector3d::Constant(0.2));
   open.triangles.pop_back();
   EXPECT_THROW(triangles(open, 1.0, Vector3d::Zero()), std::runtime_error);
-  const Model model = test::bystander();
-  WorldConfig config;
-  config.engine = Engine::kOde;
-  config.loose.push_back(triangles(test::box_triangles(Vector3d::Ones()), 1.0, Vector3d(0, 0, 2)));
-  EXPECT_THROW(make_world(model, config), std::runtime_error);
 }
 
 // What load_scene says of a scene with this file.
