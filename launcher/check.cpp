@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "launcher/arguments.h"
+#include "launcher/check_cells.h"
 #include "launcher/check_pairs.h"
 #include "launcher/trial.h"
 #include "robot/base_turn.h"
@@ -330,6 +331,10 @@ int check_command(const std::vector<std::string>& words) {
         {"--pairs", "",
          "instead: which pairs of links can touch, with proof, and which of those that the SRDF "
          "leaves out do"},
+        {"--cells", "",
+         "instead: finds what links with few joints between them can touch with, and keeps it in "
+         "the "
+         "user's cache (seconds; makes the exact check of all pairs faster)"},
         {"--write", "FILE", "with --pairs: writes the SRDF with all proved pairs and reasons"},
         {"--propose", "FOLDER",
          "writes the proposed robot.yaml and SRDF with a copy of the URDF into FOLDER"}},
@@ -339,6 +344,7 @@ int check_command(const std::vector<std::string>& words) {
   const Subject subject = load_subject(arguments.word(0));
   const Model& model = subject.model;
   if (arguments.has("--pairs")) return check_pairs(model, arguments.text("--write", ""));
+  if (arguments.has("--cells")) return check_cells(model);
   const Extent extent = measure(model);
   const std::vector<Suspicion> suspicions = find_suspicions(model);
   std::vector<Suspicion> missing = find_missing(model);

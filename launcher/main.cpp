@@ -18,6 +18,7 @@
 #include "launcher/tools.h"
 #include "launcher/up.h"
 #include "launcher/walk.h"
+#include "robot/disk_cache.h"
 #include "robot/nearest.h"
 
 using namespace twinbus;
@@ -78,6 +79,7 @@ int main(int argc, char** argv) {
     names.push_back(command.name);
     if (name != command.name) continue;
     try {
+      use_user_cache();
       return command.run({argv + 2, argv + argc});
     } catch (const UsageError& error) {
       std::fprintf(stderr, "%s\n", error.what());

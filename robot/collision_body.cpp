@@ -4,10 +4,10 @@
 #include <cmath>
 #include <optional>
 
-#include "robot/bounds.h"
 #include "robot/coarse_mesh.h"
 #include "robot/collision_fcl.h"
 #include "robot/convex_hull.h"
+#include "robot/geometry_memory.h"
 #include "robot/mesh_file.h"
 
 namespace twinbus {
@@ -76,7 +76,7 @@ CollisionShape of_mesh(const Shape& shape) {
   result.fcl = hull ? fcl_hull(mesh) : fcl_mesh(mesh);
   const std::vector<Vector3d> corners = hull ? mesh.points : convex_hull(mesh.points).points;
   result.core = gjk_hull(corners);
-  result.capsule = capsule_around(corners);
+  result.capsule = kept_capsule(corners);
   if (!hull) {
     result.mesh = std::make_shared<ClusteredMesh>(mesh);
   }

@@ -4,9 +4,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <utility>
 
+#include "robot/geometry_memory.h"
 #include "robot/index.h"
 
 namespace twinbus {
@@ -23,14 +23,17 @@ constexpr double kNewGround =
     0.75;  // a centre is at least so far out of the balls before, in radii
 
 bool closed(const TriangleMesh& mesh) {
-  std::map<std::pair<int, int>, int> uses;  // of an edge, one way less the other
+  std::vector<std::pair<int, int>> one_way, other_way;  // edges
   for (const auto& t : mesh.triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
       const int a = t[k], b = t[(k + 1) % 3];
-      uses[std::minmax(a, b)] += a < b ? 1 : -1;
+      if (a < b) one_way.emplace_back(a, b);
+      if (b < a) other_way.emplace_back(b, a);
     }
   }
-  return std::all_of(uses.begin(), uses.end(), [](const auto& use) { return use.second == 0; });
+  std::sort(one_way.begin(), one_way.end());
+  std::sort(other_way.begin(), other_way.end());
+  return one_way == other_way;
 }
 
 double to_segment2(const Vector3d& p, const Vector3d& a, const Vector3d& b) {
@@ -139,9 +142,10 @@ double winding_number(const TriangleMesh& mesh, const Vector3d& point) {
   return sum / (4.0 * kPi);
 }
 
-std::vector<Ball> inner_balls(const LinkGeometry& g, int balls, int points) {
+namespace {
+
+std::vector<Ball> find_inner_balls(const LinkGeometry& g, int balls, int points) {
   std::vector<Ball> chosen;
-  if (g.mesh.triangles.empty() || !closed(g.mesh)) return chosen;
   std::vector<Ball> candidates;
   for (const Vector3d& point : grid_inside(g)) {
     const double radius = clearance(g.clusters, point);
@@ -165,6 +169,37 @@ std::vector<Ball> inner_balls(const LinkGeometry& g, int balls, int points) {
     if (!(out_of(chosen, *most) > 0.0)) break;
     chosen.push_back({*most, 0.0});
   }
+  return chosen;
+}
+
+}  // namespace
+
+// Nothing of the surface is in a ball, so balls that overlap are inside together, or outside.
+bool are_inside(const LinkGeometry& g, const std::vector<Ball>& balls) {
+  if (balls.empty()) return true;
+  if (!closed(g.mesh)) return false;
+  std::vector<const Ball*> known;
+  for (const Ball& ball : balls) {
+    if (ball.radius == 0.0) {
+      if (std::find(g.hull.points.begin(), g.hull.points.end(), ball.center) == g.hull.points.end())
+        return false;
+      continue;
+    }
+    if (!(ball.radius > 0.0 && ball.radius <= clearance(g.clusters, ball.center))) return false;
+    const bool beside = std::any_of(known.begin(), known.end(), [&](const Ball* other) {
+      return (ball.center - other->center).norm() < ball.radius + other->radius;
+    });
+    if (!beside && !(std::abs(winding_number(g.mesh, ball.center)) > 0.5)) return false;
+    known.push_back(&ball);
+  }
+  return true;
+}
+
+std::vector<Ball> inner_balls(const LinkGeometry& g, int balls, int points) {
+  std::vector<Ball> chosen;
+  if (g.mesh.triangles.empty() || recall_inner_balls(g, balls, points, chosen)) return chosen;
+  if (closed(g.mesh)) chosen = find_inner_balls(g, balls, points);
+  keep_inner_balls(g, balls, points, chosen);
   return chosen;
 }
 

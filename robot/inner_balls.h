@@ -16,6 +16,9 @@ namespace twinbus {
 // often one way as the other: its inside is not defined.  mesh, hull and clusters of `link` are read.
 std::vector<Ball> inner_balls(const LinkGeometry& link, int balls, int points);
 
+// Are all of them balls inside the mesh, or corners of its hull?  What inner_balls promises.
+bool are_inside(const LinkGeometry& link, const std::vector<Ball>& balls);
+
 // How often the mesh is wound around the point: 0 outside, +-1 inside, of an open mesh between.
 double winding_number(const TriangleMesh& mesh, const Eigen::Vector3d& point);
 

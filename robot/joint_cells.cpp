@@ -62,6 +62,44 @@ struct Box {  // of cells: from low up to, not with, high
 
 using Couple = std::pair<int, int>;  // pieces of a and b
 
+// The joints that move link a, and link b, alone; from the outermost on.
+using Sides = std::array<std::vector<int>, 2>;
+
+Sides joints_between(const Model& model, const CollisionPair& pair) {
+  Sides sides;
+  for (int j = model.joint_count() - 1; j >= 0; --j) {
+    if (!joint_moves_pair(model, j, pair.link_a, pair.link_b)) continue;
+    sides[joint_moves_pair(model, j, pair.link_a, -1) ? 0 : 1].push_back(j);
+  }
+  return sides;
+}
+
+// Cells of which nothing is known yet; without joints where there are too many, or one without limits.
+JointCells unknown_cells(const Model& model, const Sides& sides, int per_joint) {
+  JointCells cells;
+  const std::size_t between = sides[0].size() + sides[1].size();
+  if (between == 0 || between > JointCells::kMostJoints) return {};
+  std::size_t total = 1;
+  for (const std::vector<int>& side : sides) {
+    for (const int j : side) {
+      const Joint& joint = model.joints[at(j)];
+      const bool turns = joint.kind != JointKind::kPrismatic;
+      const double low = turns ? std::max(joint.lower, -kPi) : joint.lower;
+      const double high = turns ? std::min(joint.upper, kPi) : joint.upper;
+      if (!(std::isfinite(high - low) && high > low)) return {};
+      const int k = cells.joints++;
+      cells.joint[k] = j;
+      cells.count[k] = per_joint;
+      cells.low[k] = low;
+      cells.per_unit[k] = cells.count[k] / (high - low);
+      total *= at(cells.count[k]);
+    }
+  }
+  cells.cell.assign(total, JointCells::kUnknown);
+  cells.lists.assign(2, 0);  // so that no list begins where the numbers mean something else
+  return cells;
+}
+
 class Finder {
  public:
   Finder(const Model& model, const RobotGeometry& geometry, const JointCellOptions& options)
@@ -73,17 +111,11 @@ class Finder {
         pieces_(geometry.links.size()) {}
 
   JointCells find(const CollisionPair& pair) {
-    JointCells cells;
     pair_ = pair;
-    for (std::vector<int>& side : side_) side.clear();
-    for (int j = model_.joint_count() - 1; j >= 0; --j) {  // from the outermost on
-      if (!joint_moves_pair(model_, j, pair.link_a, pair.link_b)) continue;
-      side_[joint_moves_pair(model_, j, pair.link_a, -1) ? 0 : 1].push_back(j);
-    }
-    const std::size_t between = side_[0].size() + side_[1].size();
-    if (between == 0 || between > JointCells::kMostJoints) return cells;
+    side_ = joints_between(model_, pair);
+    JointCells cells = unknown_cells(model_, side_, options_.per_joint);
+    if (cells.joints == 0) return cells;
     cells_ = &cells;
-    if (!cut_ranges()) return {};
     for (std::size_t k = 0; k < 2; ++k) {
       const std::vector<Piece>& pieces = of_link(k == 0 ? pair.link_a : pair.link_b);
       if (pieces.size() > kMostClusters) return {};
@@ -108,29 +140,6 @@ class Finder {
     const std::size_t index = at(geometry_.of_link[at(link)]);
     if (pieces_[index].empty()) pieces_[index] = pieces_of(geometry_.links[index]);
     return pieces_[index];
-  }
-
-  bool cut_ranges() {
-    JointCells& cells = *cells_;
-    std::size_t total = 1;
-    for (const std::vector<int>& side : side_) {
-      for (const int j : side) {
-        const Joint& joint = model_.joints[at(j)];
-        const bool turns = joint.kind != JointKind::kPrismatic;
-        const double low = turns ? std::max(joint.lower, -kPi) : joint.lower;
-        const double high = turns ? std::min(joint.upper, kPi) : joint.upper;
-        if (!(std::isfinite(high - low) && high > low)) return false;
-        const int k = cells.joints++;
-        cells.joint[k] = j;
-        cells.count[k] = options_.per_joint;
-        cells.low[k] = low;
-        cells.per_unit[k] = cells.count[k] / (high - low);
-        total *= at(cells.count[k]);
-      }
-    }
-    cells.cell.assign(total, JointCells::kUnknown);
-    cells.lists.assign(2, 0);  // so that no list begins where the numbers mean something else
-    return true;
   }
 
   double half_width(const Box& box, int k) const {
@@ -294,7 +303,7 @@ class Finder {
   MeshDistance distance_;
   // Of the pair in hand.
   CollisionPair pair_;
-  std::vector<int> side_[2];      // joints that move a, b alone
+  Sides side_;                    // joints that move a, b alone
   std::vector<double> half_[2];   // widths of their ranges
   double slide_[2] = {};          // of the sliding ones, together
   std::vector<double> moved_[2];  // of the pieces
@@ -308,11 +317,46 @@ class Finder {
 
 std::vector<JointCells> find_joint_cells(const Model& model, const RobotGeometry& geometry,
                                          const std::vector<CollisionPair>& pairs,
-                                         const JointCellOptions& options) {
+                                         const JointCellOptions& options,
+                                         const std::function<void(int done)>& progress) {
   Finder finder(model, geometry, options);
   std::vector<JointCells> cells;
-  for (const CollisionPair& pair : pairs) cells.push_back(finder.find(pair));
+  for (const CollisionPair& pair : pairs) {
+    if (progress) progress(static_cast<int>(cells.size()));
+    cells.push_back(finder.find(pair));
+  }
   return cells;
+}
+
+bool are_cells_of(const JointCells& cells, const Model& model, const RobotGeometry& geometry,
+                  const CollisionPair& pair, const JointCellOptions& options) {
+  if (cells.joints == 0) return cells.cell.empty() && cells.lists.empty();
+  const JointCells blank = unknown_cells(model, joints_between(model, pair), options.per_joint);
+  if (cells.joints != blank.joints || cells.cell.size() != blank.cell.size()) return false;
+  for (int k = 0; k < blank.joints; ++k) {
+    if (cells.joint[k] != blank.joint[k] || cells.count[k] != blank.count[k] ||
+        cells.low[k] != blank.low[k] || cells.per_unit[k] != blank.per_unit[k])
+      return false;
+  }
+  const auto clusters = [&](int link) {
+    return geometry.links[at(geometry.of_link[at(link)])].clusters.size();
+  };
+  const std::size_t of_a = clusters(pair.link_a), of_b = clusters(pair.link_b);
+  const std::vector<std::uint32_t>& lists = cells.lists;
+  std::vector<char> begins(lists.size(), 0);
+  if (lists.size() < 2) return false;
+  for (std::size_t i = 2; i < lists.size();) {
+    const std::size_t count = lists[i];
+    if (count < 1 || count > JointCells::kMostCouples || count >= lists.size() - i) return false;
+    begins[i] = 1;
+    for (std::size_t k = i + 1; k <= i + count; ++k) {
+      if ((lists[k] & 0xFFFFU) >= of_a || lists[k] >> 16 >= of_b) return false;
+    }
+    i += count + 1;
+  }
+  return std::all_of(cells.cell.begin(), cells.cell.end(), [&](std::uint32_t cell) {
+    return cell <= JointCells::kUnknown || (cell < begins.size() && begins[cell] != 0);
+  });
 }
 
 }  // namespace twinbus

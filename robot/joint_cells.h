@@ -13,6 +13,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "robot/collision.h"
@@ -43,9 +44,15 @@ struct JointCellOptions {
 };
 
 // One of each pair, in their order; without joints where more than kMostJoints are between.  Takes
-// some tenths of a second per pair that comes near.
+// some tenths of a second per pair that comes near.  progress: called before each pair.
 std::vector<JointCells> find_joint_cells(const Model& model, const RobotGeometry& geometry,
                                          const std::vector<CollisionPair>& pairs,
-                                         const JointCellOptions& options = {});
+                                         const JointCellOptions& options = {},
+                                         const std::function<void(int done)>& progress = {});
+
+// Could they be of this pair: joints, ranges, cells and lists as find_joint_cells makes them?  Says
+// nothing of whether a cell is rightly free.
+bool are_cells_of(const JointCells& cells, const Model& model, const RobotGeometry& geometry,
+                  const CollisionPair& pair, const JointCellOptions& options = {});
 
 }  // namespace twinbus

@@ -17,6 +17,8 @@
 #include <exception>
 #include <random>
 
+#include "robot/disk_cache.h"
+
 namespace twinbus {
 
 namespace {
@@ -86,6 +88,7 @@ void sleep_until_ns(std::int64_t due_ns) noexcept {
 
 int run_process(const char* name, int (*run)(int, char**), int argc, char** argv) noexcept {
   try {
+    use_user_cache();
     return run(argc, argv);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s: %s\n", name, error.what());

@@ -23,7 +23,7 @@ std::int64_t wall_us() noexcept;
 void sleep_until_ns(std::int64_t due_ns) noexcept;
 
 // What main() returns: the result of run, or 1 after the error that ended it was printed behind the
-// program's name.
+// program's name.  What run finds about meshes is kept in the user's cache (disk_cache.h).
 int run_process(const char* name, int (*run)(int, char**), int argc, char** argv) noexcept;
 
 // Random id, 1 <= id < 2^53.

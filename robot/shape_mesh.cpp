@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <numbers>
+#include <unordered_map>
 
 namespace twinbus {
 
@@ -136,12 +137,30 @@ void append(const TriangleMesh& more, TriangleMesh& mesh) {
     mesh.triangles.push_back({a + first, b + first, c + first});
 }
 
+namespace {
+
+using Place = std::array<std::int64_t, 3>;  // on the grid of kWeld
+
+struct PlaceHash {
+  std::size_t operator()(const Place& p) const noexcept {
+    std::uint64_t h = 0;
+    for (const std::int64_t k : p) {
+      h = (h ^ static_cast<std::uint64_t>(k)) * 0x9e3779b97f4a7c15U;
+      h ^= h >> 29;
+    }
+    return static_cast<std::size_t>(h);
+  }
+};
+
+}  // namespace
+
 TriangleMesh welded(const TriangleMesh& mesh) {
   TriangleMesh result;
-  std::map<std::array<std::int64_t, 3>, int> seen;
+  std::unordered_map<Place, int, PlaceHash> seen;
+  seen.reserve(mesh.points.size());
   std::vector<int> now(mesh.points.size());
   for (std::size_t i = 0; i < mesh.points.size(); ++i) {
-    std::array<std::int64_t, 3> key;
+    Place key;
     for (std::size_t k = 0; k < 3; ++k)
       key[k] = std::llround(mesh.points[i][static_cast<int>(k)] / kWeld);
     const auto found = seen.emplace(key, static_cast<int>(result.points.size()));

@@ -8,6 +8,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <string_view>
 
 namespace twinbus {
 
@@ -114,17 +115,49 @@ void refuse_deep_nesting(const std::string& text, const std::string& file) {
 
 namespace {
 
-XmlElement convert(const TiXmlElement& from) {
+constexpr std::size_t kLongText = 64;  // [bytes]
+constexpr char kLifted = '\x01';  // in place of a long list: this, its number, and its line ends
+
+bool is_of_a_number(char c) {
+  return (c >= '0' && c <= '9') || c == ' ' || c == '\n' || c == '.' || c == '-' || c == 'e' ||
+         c == 'E' || c == '+' || c == '\r' || c == '\t';
+}
+
+// Mesh files are long lists of numbers, over which TinyXML takes a hundred instructions per byte:
+// it is given the file without them.
+std::string without_lists(const std::string& text, std::vector<std::string_view>& lists) {
+  if (text.find(kLifted) != std::string::npos || text.find("<![CDATA[") != std::string::npos)
+    return text;
+  std::string rest;
+  std::size_t kept = 0;  // up to here
+  for (std::size_t tag = text.find('>'); tag != std::string::npos; tag = text.find('>', tag)) {
+    const std::size_t begin = ++tag;
+    while (tag < text.size() && is_of_a_number(text[tag])) ++tag;
+    if (tag - begin < kLongText || tag == text.size() || text[tag] != '<') continue;
+    const std::string_view list = std::string_view(text).substr(begin, tag - begin);
+    rest.append(text, kept, begin - kept);
+    rest += kLifted + std::to_string(lists.size());
+    rest.append(static_cast<std::size_t>(std::count(list.begin(), list.end(), '\n')), '\n');
+    lists.push_back(list);
+    kept = tag;
+  }
+  return rest.append(text, kept);
+}
+
+XmlElement convert(const TiXmlElement& from, const std::vector<std::string_view>& lists) {
   XmlElement element;
   element.name = from.ValueStr();
   element.line = from.Row();
-  if (const char* text = from.GetText()) element.text = text;
+  if (const char* text = from.GetText()) {
+    element.text = text;
+    if (text[0] == kLifted && !lists.empty()) element.text = lists[std::stoul(text + 1)];
+  }
   for (const TiXmlAttribute* a = from.FirstAttribute(); a != nullptr; a = a->Next()) {
     element.attributes.emplace_back(a->Name(), a->ValueStr());
   }
   for (const TiXmlElement* c = from.FirstChildElement(); c != nullptr;
        c = c->NextSiblingElement()) {
-    element.children.push_back(convert(*c));
+    element.children.push_back(convert(*c, lists));
   }
   return element;
 }
@@ -136,7 +169,8 @@ XmlElement parse_xml(const std::string& text, const std::string& file) {
   refuse_deep_nesting(text, file);
   TiXmlDocument document;
   // TinyXML steps over the end by up to three bytes where a letter of several is cut short.
-  const std::string padded = text + std::string(8, '\0');
+  std::vector<std::string_view> lists;
+  const std::string padded = without_lists(text, lists) + std::string(8, '\0');
   document.Parse(padded.c_str(), nullptr, TIXML_ENCODING_UTF8);
   if (document.Error()) {
     std::string why = document.ErrorDesc();
@@ -148,7 +182,7 @@ XmlElement parse_xml(const std::string& text, const std::string& file) {
   if (root == nullptr)
     throw std::runtime_error(file +
                              ": not XML: there is no element; write <robot name=...> ... </robot>");
-  return convert(*root);
+  return convert(*root, lists);
 }
 
 bool parse_numbers(const std::string& text, double* values, int count) {

@@ -17,10 +17,11 @@
 #include <string>
 #include <vector>
 
+#include "robot/disk_cache.h"
 #include "robot/geometry.h"
 #include "robot/index.h"
 #include "robot/inner_balls.h"
-#include "robot/joint_cells.h"
+#include "robot/joint_cells_memory.h"
 #include "robot/kinematics.h"
 #include "robot/options.h"
 #include "robot/pair_proof.h"
@@ -308,20 +309,11 @@ Configuration near_contact(const Model& model, SelfCollision& check, Postures& p
 
 void use_cells(const Model& model, const RobotGeometry& geometry, SelfCollision& check) {
   const std::int64_t begin = monotonic_ns();
-  std::vector<JointCells> cells = find_joint_cells(model, geometry, check.pairs());
+  const bool kept = use_kept_cells(model, geometry, check);
+  if (!kept) find_and_keep_cells(model, geometry, check);
   const double seconds = 1e-9 * static_cast<double>(monotonic_ns() - begin);
-  std::size_t pairs = 0, count = 0, free = 0, numbers = 0;
-  for (const JointCells& c : cells) {
-    pairs += c.joints > 0 ? 1 : 0;
-    count += c.cell.size();
-    numbers += c.cell.size() + c.lists.size();
-    free += static_cast<std::size_t>(std::count(c.cell.begin(), c.cell.end(), JointCells::kFree));
-  }
-  std::printf(
-      "joint cells of %zu pairs: %zu, %.1f %% free, %.1f MB, found once in %.1f s\n", pairs, count,
-      100.0 * static_cast<double>(free) / static_cast<double>(std::max<std::size_t>(count, 1)),
-      4e-6 * static_cast<double>(numbers), seconds);
-  check.use(std::move(cells));
+  std::printf("joint cells of the pairs with few joints between them %s in %.3f s\n",
+              kept ? "read" : "found", seconds);
 }
 
 // Pairs proved never to touch, looked for at random postures.
@@ -373,6 +365,7 @@ int main(int argc, char** argv) try {
                "without lists of what pairs with few joints between them can touch with");
   options.text("--csv", "FILE", csv_file, "also as rows");
   options.parse(argc, argv);
+  use_user_cache();
 
   const Model model = load_case(robot, package, drop);
   const std::int64_t begin = monotonic_ns();

@@ -43,6 +43,26 @@ def refusals(checks, scratch):
                 f"of the URDF a remedy is proposed, and an arm is told that it does not stand: {out[-600:]}{err}")
 
 
+def cells(checks):
+    """Found once, read again; a damaged file is said in one line and found anew."""
+    with tempfile.TemporaryDirectory() as folder:
+        before = os.environ.get("TWINBUS_CACHE")
+        os.environ["TWINBUS_CACHE"] = folder
+        for damaged, word in ((False, "found"), (False, "read"), (True, "found"), (False, "read")):
+            if damaged:
+                file = next(pathlib.Path(folder).glob("*.cells"))
+                file.write_bytes(file.read_bytes()[:-1])
+            status, out, err = cli("check", "biped12", "--cells", timeout=120)
+            checks.that(status == 0 and f" {word} " in out, f"check --cells: {out}{err}")
+            checks.that(len(err.splitlines()) == damaged, f"check --cells says one line of a damaged file: {err}")
+        os.environ["TWINBUS_CACHE"] = "off"
+        status, out, err = cli("check", "biped12", "--cells", timeout=120)
+        checks.that(status == 1 and "not kept" in out, f"check --cells without a cache: {out}{err}")
+        os.environ.pop("TWINBUS_CACHE")
+        if before is not None:
+            os.environ["TWINBUS_CACHE"] = before
+
+
 def main():
     harness.require("twinbus")
     checks = Checks()
@@ -52,6 +72,7 @@ def main():
         if (DATA / "jvrc1/jvrc1.urdf").is_file():
             stands(checks, DATA / "jvrc1/jvrc1.urdf", scratch)
         refusals(checks, scratch)
+    cells(checks)
     checks.exit()
 
 

@@ -14,6 +14,7 @@
 #include "robot/kinematics.h"
 #include "robot/load.h"
 #include "robot/pose_math.h"
+#include "test/temporary_folder.h"
 
 namespace twinbus::test {
 
@@ -102,30 +103,6 @@ inline std::string data_folder() {
   const std::string folder = named != nullptr ? named : TWINBUS_DATA_FOLDER;
   return std::filesystem::is_directory(folder) ? folder : "";
 }
-
-// A folder of its own for a test, gone afterwards.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "robot_test_XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
-    path_ = name;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  std::string write(const std::string& name, const std::string& text) const {
-    std::ofstream((path_ / name), std::ios::binary) << text;
-    return (path_ / name).string();
-  }
-  std::string path() const { return path_.string(); }
-
- private:
-  std::filesystem::path path_;
-};
 
 template <class Function>
 std::string error_of(Function function) {

@@ -63,5 +63,36 @@ TEST(Mesh, EveryMeshOfTheSharedRobotsIsRead) {
   EXPECT_GT(count, 60);
 }
 
+TEST(Mesh, LongListsOfNumbersKeepTheirNumbersAndTheLinesBehindThem) {
+  std::string numbers;
+  for (int i = 0; i < 40; ++i) numbers += std::to_string(i) + ".5 -1e-3\n";
+  const std::string text = "<a><!-- > " + numbers + " --><b>" + numbers + "</b>\n<c>" + numbers +
+                           "<d/>" + numbers + "</c><e n='7'>1 2</e></a>";
+  const XmlElement root = parse_xml(text, "file");
+  ASSERT_EQ(root.children.size(), 3U);
+  EXPECT_EQ(root.children[0].text, numbers);
+  EXPECT_EQ(root.children[1].text, numbers);
+  EXPECT_EQ(root.children[2].text, "1 2");
+  EXPECT_EQ(root.children[0].line, 41);  // behind the comment
+  EXPECT_EQ(root.children[1].line, 82);
+  EXPECT_EQ(root.children[2].line, 162);
+  EXPECT_EQ(parse_xml("<a><![CDATA[>" + numbers + "<]]></a>", "file").text, ">" + numbers + "<");
+  // What stands for a list cannot be written by hand.
+  EXPECT_EQ(parse_xml("<a>\x01"
+                      "0</a>",
+                      "file")
+                .text,
+            "\x01"
+            "0");
+  EXPECT_EQ(parse_xml("<a><b>\x01"
+                      "9</b><c>" +
+                          numbers + "</c></a>",
+                      "file")
+                .children[0]
+                .text,
+            "\x01"
+            "9");
+}
+
 }  // namespace
 }  // namespace twinbus::test
