@@ -1,4 +1,4 @@
-"""Mechanisms with closed loops on a fixed base, as robots: URDF, SRDF and robot.yaml of each are written by its make_urdf.py.
+"""Mechanisms, most with closed loops on a fixed base, as robots: URDF, SRDF and robot.yaml of each are written by its make_urdf.py.
 
 Rods are 1 m and 1 kg unless said otherwise; the tree of the URDF leaves one joint of each loop out, `loops` of robot.yaml puts it back.
 """
@@ -15,15 +15,16 @@ class Mechanism:
         self.links, self.joints, self.loops, self.poses = [], [], [], {}
         self.link("base", 1.0, (0, 0, 0), (0.1, 0.1, 0.1))
 
-    def link(self, name, mass, com, inertia, *seen):
-        """seen: (shape of URDF, where its middle is)."""
+    def link(self, name, mass, com, inertia, *seen, touched=()):
+        """seen: (shape of URDF, where its middle is); touched: the same."""
         visual = "".join(f'<visual><origin xyz="{words(at)}"/><geometry>{shape}</geometry></visual>' for shape, at in seen)
+        visual += "".join(f'<collision><origin xyz="{words(at)}"/><geometry>{shape}</geometry></collision>' for shape, at in touched)
         self.links.append(
             f'  <link name="{name}"><inertial><origin xyz="{words(com)}"/><mass value="{mass:g}"/><inertia ixx="{inertia[0]:.9g}" '
             f'iyy="{inertia[1]:.9g}" izz="{inertia[2]:.9g}" ixy="0" ixz="0" iyz="0"/></inertial>{visual}</link>')
 
-    def joint(self, name, parent, child, at, axis, kind="continuous"):
-        ends = ' lower="-2" upper="2"' if kind == "prismatic" else ""
+    def joint(self, name, parent, child, at, axis, kind="continuous", reach=2):
+        ends = f' lower="-{reach}" upper="{reach}"' if kind == "prismatic" else ""
         self.joints.append(
             (name, f'  <joint name="{name}" type="{kind}"><parent link="{parent}"/><child link="{child}"/><origin xyz="{words(at)}"/>'
              f'<axis xyz="{words(axis)}"/><limit effort="1000" velocity="100"{ends}/></joint>'))
@@ -49,7 +50,7 @@ class Mechanism:
             lines.append(f'  <group_state name="{pose}" group="all">{values}</group_state>')
         (folder / f"{self.name}.srdf").write_text("\n".join(lines + ["</robot>", ""]))
         (folder / "robot.yaml").write_text("\n".join([f"# {self.about}", f"urdf: {self.name}.urdf", f"srdf: {self.name}.srdf", "base: fixed",
-                                                      "period: 0.002  # [s]", "off: torque_off", "loops:", *self.loops, ""]))
+                                                      "period: 0.002  # [s]", "off: torque_off", *(["loops:", *self.loops] if self.loops else []), ""]))
 
 
 def bar(along):
@@ -108,11 +109,44 @@ def governor():
     return m
 
 
+def pendulum():
+    """From 90 degrees its period is 4 sqrt(l / g) K(sin 45 degrees) = 2 s, with l = I / (m c) about the hinge."""
+    m = Mechanism("pendulum", "A pendulum that takes 2 s from 90 degrees and back.")
+    length = 9.81 * (2.0 / (4.0 * 1.8540746773013719)) ** 2
+    about = 0.7 * (length - 0.7)  # of 1 kg, about its middle 0.7 m below the hinge
+    m.link("bob", 1.0, (0, 0, -0.7), (about, about, about), (bar((0, 0, 0.7)), (0, 0, -0.35)), ('<sphere radius="0.06"/>', (0, 0, -0.7)))
+    m.joint("SWING", "base", "bob", (0, 0, 0), Y)
+    m.pose("level", SWING=1.5707963267948966)
+    m.pose("down")
+    return m
+
+
+def chain(count):
+    m = Mechanism(f"chain_{count}", f"{count} rods of 0.1 m and 0.1 kg, one hanging from the other.")
+    for i in range(count):
+        across = 0.1 * 0.1 ** 2 / 12
+        m.link(f"link{i}", 0.1, (0, 0, -0.05), (across, across, 1e-6), ('<box size="0.02 0.02 0.1"/>', (0, 0, -0.05)))
+        m.joint(f"HINGE{i}", f"link{i - 1}" if i else "base", f"link{i}", (0, 0, -0.1 if i else 0), Y if i % 2 else X)
+    m.pose("bent", **{f"HINGE{i}": 0.1 for i in range(count)})
+    return m
+
+
+def belt():
+    m = Mechanism("belt", "A belt so heavy that nothing on it slows it down.")
+    m.link("belt", 1e6, (0, 0, 0), (1e6, 1e6, 1e6), ('<box size="8 0.5 0.1"/>', (0, 0, -0.05)), touched=(('<box size="8 0.5 0.1"/>', (0, 0, -0.05)),))
+    m.joint("BELT", "base", "belt", (0, 0, 1), X, "prismatic", reach=20)
+    m.pose("start")
+    return m
+
+
 ALL = {
     "four_bar": lambda: four_bars("four_bar", 1, "Three rods of 1 m and 1 kg in a square with the ground."),
     "n_four_bar": lambda: four_bars("n_four_bar", 10, "Ten squares of rods in a row, which lie flat in a line twice a turn."),
     "bricard": bricard,
     "governor": governor,
+    "pendulum": pendulum,
+    "chain_30": lambda: chain(30),
+    "belt": belt,
 }
 
 
