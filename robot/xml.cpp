@@ -126,8 +126,10 @@ bool is_of_a_number(char c) {
 // Mesh files are long lists of numbers, over which TinyXML takes a hundred instructions per byte:
 // it is given the file without them.
 std::string without_lists(const std::string& text, std::vector<std::string_view>& lists) {
-  if (text.find(kLifted) != std::string::npos || text.find("<![CDATA[") != std::string::npos)
-    return text;
+  // Where the mark may come from elsewhere, written or as a number, nothing is left out.
+  for (const char* other : {"\x01", "&#", "<![CDATA["}) {
+    if (text.find(other) != std::string::npos) return text;
+  }
   std::string rest;
   std::size_t kept = 0;  // up to here
   for (std::size_t tag = text.find('>'); tag != std::string::npos; tag = text.find('>', tag)) {

@@ -78,6 +78,10 @@ TEST(Mesh, LongListsOfNumbersKeepTheirNumbersAndTheLinesBehindThem) {
   EXPECT_EQ(root.children[2].line, 162);
   EXPECT_EQ(parse_xml("<a><![CDATA[>" + numbers + "<]]></a>", "file").text, ">" + numbers + "<");
   // What stands for a list cannot be written by hand.
+  for (const char* mark : {"&#1;9", "&#x1;9", "&#01;9"}) {
+    const std::string hostile = "<a><b>" + std::string(mark) + "</b><c>" + numbers + "</c></a>";
+    EXPECT_NO_THROW(EXPECT_LE(parse_xml(hostile, "file").children[0].text.size(), 6U));
+  }
   EXPECT_EQ(parse_xml("<a>\x01"
                       "0</a>",
                       "file")
