@@ -44,7 +44,7 @@ struct Obstacle {
 
 class Collision {
  public:
-  static constexpr int kMaxObstacles = 64;
+  static constexpr int kMaxObstacles = 256;
 
   // Loads geometry; drops adjacent pairs and the SRDF's disabled ones.  Throws if a mesh cannot be
   // read.

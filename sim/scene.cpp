@@ -5,13 +5,14 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
-#include <numbers>
 #include <sstream>
 #include <stdexcept>
 
 #include "robot/config_node.h"
 #include "robot/load.h"
 #include "sim/loose_mesh.h"
+#include "sim/scene_obstacle.h"
+#include "sim/scene_read.h"
 #include "sim/settings.h"
 
 namespace twinbus {
@@ -19,67 +20,10 @@ namespace twinbus {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kDay = 86400.0;
 constexpr std::size_t kMaxObstacles = 200;
 constexpr std::size_t kMaxLoose = 100;
 constexpr std::size_t kMaxRobots = 15;
-
-Eigen::Vector3d vector3(const std::vector<double>& v) { return {v[0], v[1], v[2]}; }
-
-Eigen::Vector3d bounded(const ConfigNode& node, const std::string& key, double bound,
-                        const Eigen::Vector3d* fallback) {
-  if (fallback != nullptr && !node.has(key)) return *fallback;
-  const Eigen::Vector3d v = vector3(node.numbers(key, 3));
-  if (!(v.cwiseAbs().maxCoeff() <= bound)) {
-    node.fail(key, "every number must be within +-" + std::to_string(static_cast<int>(bound)));
-  }
-  return v;
-}
-
-Eigen::Quaterniond rpy(const ConfigNode& node) {
-  const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
-  const Eigen::Vector3d angle = kDegree * bounded(node, "rpy_deg", 360.0, &zero);
-  return Eigen::AngleAxisd(angle.z(), Eigen::Vector3d::UnitZ()) *
-         Eigen::AngleAxisd(angle.y(), Eigen::Vector3d::UnitY()) *
-         Eigen::AngleAxisd(angle.x(), Eigen::Vector3d::UnitX());
-}
-
-Obstacle read_obstacle(const ConfigNode& node) {
-  Obstacle obstacle;
-  const int shape = node.choice("shape", {"box", "sphere", "cylinder"}, 0);
-  obstacle.shape = static_cast<ObstacleShape>(shape + 1);
-  const std::size_t numbers[] = {3, 1, 2};
-  const std::vector<double> size = node.numbers("size", numbers[shape]);
-  for (std::size_t i = 0; i < size.size(); ++i) {
-    if (!(size[i] >= 1e-3 && size[i] <= 100.0)) node.fail("size", "must be from 0.001 to 100 m");
-    obstacle.size[static_cast<Eigen::Index>(i)] = size[i];
-  }
-  obstacle.pose.translation() = bounded(node, "position", 1000.0, nullptr);
-  obstacle.pose.linear() = rpy(node).toRotationMatrix();
-  node.finish();
-  return obstacle;
-}
-
-// A file beside the scene's own.
-TriangleMesh read_mesh(const ConfigNode& node) {
-  namespace fs = std::filesystem;
-  const fs::path name = node.text("file");
-  bool below = name.is_relative() && !name.empty();
-  for (const fs::path& part : name) below = below && part != "..";
-  if (!below) node.fail("file", "must be a file in the scene's folder or below it");
-  const Eigen::Vector3d scale = Eigen::Vector3d::Constant(node.number("scale", 1e-6, 1e3, 1.0));
-  try {
-    const fs::path file = fs::path(node.file()).parent_path() / name;
-    const TriangleMesh mesh = load_mesh(file.string(), scale);
-    if (mesh.triangles.size() > kMostContactTriangles) {
-      throw std::runtime_error("more than " + std::to_string(kMostContactTriangles) + " triangles");
-    }
-    return mesh;
-  } catch (const std::runtime_error& error) {
-    node.fail("file", error.what());
-  }
-}
 
 LooseBody read_loose(const ConfigNode& node) {
   const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
@@ -416,8 +360,10 @@ Scene load_scene(const std::string& name_or_file) {
     ground.finish();
   }
   for (const ConfigNode& node : top.list("obstacles"))
-    scene.obstacles.push_back(read_obstacle(node));
-  if (scene.obstacles.size() > kMaxObstacles) top.fail("obstacles", "at most 200");
+    read_obstacle(node, scene.obstacles);
+  if (scene.obstacles.size() > kMaxObstacles)
+    top.fail("obstacles", "at most 200, and these are " + std::to_string(scene.obstacles.size()) +
+                              "; of meshes, points and height maps a larger `cell` makes fewer");
   for (const ConfigNode& node : top.list("pushes")) scene.pushes.push_back(read_push(node));
   for (const ConfigNode& node : top.list("modes")) scene.modes.push_back(read_mode(node));
   for (const ConfigNode& node : top.list("goals")) scene.goals.push_back(read_goal(node));

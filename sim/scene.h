@@ -186,7 +186,7 @@ void resolve_poses(Scene& scene, const Model& model);
 // line and the nearest valid key.
 //
 // Keys: about, robot, engine (articulated or ode), contact (spring_damper, hunt_crossley or rigid), duration, step, start_pose, start_velocity: {JOINT: speed, ...}, base (floating or fixed), ground:
-// {friction}, obstacles: [shape, size, position, rpy_deg], pushes: [link, point, impulse, at,
+// {friction}, obstacles: see scene_obstacle.h, pushes: [link, point, impulse, at,
 // duration], modes: [at, mode, motion, pose, duration, amplitude, frequency], goals: [at, hand,
 // position, rpy_deg, pose, speed, cancel], walks: [at, for, vx, vy, wz], pads: [at, for, left_x, left_y, right_x],
 // footsteps: [at, steps: [foot, x, y, yaw]],

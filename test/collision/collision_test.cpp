@@ -273,7 +273,7 @@ TEST(Collision, ObstaclesThatAreNoShapeAreLeftOut) {
   collision.set_obstacles({flat, lost, none});
   EXPECT_EQ(collision.pair_count(), before);
   collision.set_obstacles(std::vector<Obstacle>(1000, good));
-  EXPECT_LE(collision.pair_count(), before + 64 * model.link_count());
+  EXPECT_LE(collision.pair_count(), before + Collision::kMaxObstacles * model.link_count());
 }
 
 TEST(Collision, OnlyPairsThatTheJointsMoveAreCheckedOnRequest) {

@@ -72,6 +72,7 @@ def main():
         run(checks, scene, 1)
     run(checks, "sway_rigid", 1)
     run(checks, "release", 1)
+    run(checks, "reach_scan", 1)
     run(checks, "stamp", 1)
     run(checks, "walk_forward", 1, contact="hunt_crossley")
     run(checks, "hook_on_step", 1, engine="ode")
