@@ -122,25 +122,32 @@ double Balance::omega() const noexcept {
   return std::sqrt(std::max(2.0, kGravity + motion_.acceleration().z()) / height);
 }
 
-// Centre of mass, its velocity, momentum and the attitude of the base in the ground frame.
-void Balance::measure(const Estimator& estimator, double dt, bool fresh) noexcept {
+void Balance::forget() noexcept {
+  com_velocity_.setZero();
+  turn_rate_.setZero();
+  qd_.setZero();
+}
+
+void Balance::watch(const Estimator& estimator, double dt) noexcept {
+  const Eigen::Matrix3d world_in_ground = estimator.ground_in_world().linear().transpose();
+  const Configuration& now = estimator.configuration();
+  const double share = dt / (dt + gains_.velocity_filter);
+  com_velocity_ +=
+      share * (world_in_ground * estimator.kinematics().com_velocity() - com_velocity_);
+  turn_rate_ += share * (world_in_ground * now.base_angular_velocity - turn_rate_);
+  qd_ += dt / (dt + gains_.rate_filter) * (now.qd - qd_);
+}
+
+// Centre of mass, DCM and the attitude of the base in the ground frame.
+void Balance::measure(const Estimator& estimator) noexcept {
   const Eigen::Isometry3d world_in_ground = estimator.ground_in_world().inverse();
-  const Kinematics& k = estimator.kinematics();
-  com_ = world_in_ground * k.com();
-  const Eigen::Vector3d velocity = world_in_ground.linear() * k.com_velocity();
-  const Eigen::Vector3d spin = world_in_ground.linear() * k.angular_momentum();
-  const double height = std::max(0.2, com_.z());
-  const double share = fresh ? 1.0 : dt / (dt + gains_.velocity_filter);
-  com_velocity_ += share * (velocity - com_velocity_);
-  momentum_ += share * (Eigen::Vector2d(spin.y(), -spin.x()) / (mass_ * height) - momentum_);
-  dcm_ = com_.head<2>() + (com_velocity_.head<2>() + momentum_) / omega();
+  com_ = world_in_ground * estimator.kinematics().com();
+  dcm_ = com_.head<2>() +
+         world_in_ground.linear().topLeftCorner<2, 2>() * estimator.dcm_velocity() / omega();
   const Eigen::Matrix3d base = world_in_ground.linear() * estimator.configuration().base.linear();
   const double yaw = yaw_of(base);
   turn_ = turn_vector(yaw_turn(-yaw) * base);
   turn_.z() = yaw;
-  turn_rate_ +=
-      share *
-      (world_in_ground.linear() * estimator.configuration().base_angular_velocity - turn_rate_);
 }
 
 void Balance::take_soles(const Estimator& estimator, double share) noexcept {
@@ -158,7 +165,7 @@ void Balance::start(const Estimator& estimator) noexcept {
   const Eigen::Isometry3d world_in_ground = estimator.ground_in_world().inverse();
   com_ = world_in_ground * estimator.kinematics().com();
   motion_.start(com_, com_, Eigen::Vector3d::Zero(), 0.001);  // so that omega() knows the height
-  measure(estimator, model_->period(), true);
+  measure(estimator);
   first_turn_ = turn_;
   first_.rest(1.0);
   first_.aim(0.0, gains_.settle);
@@ -169,7 +176,6 @@ void Balance::start(const Estimator& estimator) noexcept {
   start_trunk(estimator);
   arms_.start();
   foot_.start();
-  fresh_ = true;
   finite_ = true;
 }
 
@@ -304,14 +310,13 @@ void Balance::feed_forward(const Estimator& estimator) noexcept {
   (void)dynamics_.solve(estimator.kinematics(), now, qdd_, base_acceleration, turning, wrench_,
                         tau_);
   const double lead = gains_.lead * model_->period();
-  q_ = now.q + lead * now.qd;
-  qd_ = now.qd;
+  q_ = now.q + lead * qd_;
 }
 
 void Balance::update(const Estimator& estimator, double dt) noexcept {
   motion_.advance(dt);
   first_.advance(dt);
-  measure(estimator, dt, fresh_);
+  measure(estimator);
   take_soles(estimator, std::min(1.0, dt * gains_.follow_feet));
   const double height = std::max(0.2, com_.z());
   const Eigen::Vector2d tilt = turn_.head<2>() - first_.position() * first_turn_.head<2>();
@@ -324,7 +329,6 @@ void Balance::update(const Estimator& estimator, double dt) noexcept {
   arms_.update(-trunk_.target().x() - trunk_.waist().x(), dt);  // to the left
   push_soles(estimator, dt);
   feed_forward(estimator);
-  fresh_ = false;
   finite_ = q_.allFinite() && qd_.allFinite() && tau_.allFinite();
 }
 

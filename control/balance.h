@@ -32,6 +32,11 @@ class Balance {
   // Throws std::runtime_error when why_not is not null.
   Balance(const Model& model, const BalanceGains& gains);
 
+  // One call per tick in whatever mode, before update: velocities are low-passed all the time, for of one sample they
+  // are noise, which a start would keep and whoever fades to these set-points would take for a motion.
+  void watch(const Estimator& estimator, double dt) noexcept;
+  // Another robot may be watched from now on.
+  void forget() noexcept;
   // Begins where the robot is, with its velocity; motion is forgotten.
   void start(const Estimator& estimator) noexcept;
   // The same robot through another source: references and motion go on, filters and errors are
@@ -72,7 +77,7 @@ class Balance {
   Motion motion() const noexcept { return motion_.motion(); }
 
  private:
-  void measure(const Estimator& estimator, double dt, bool fresh) noexcept;
+  void measure(const Estimator& estimator) noexcept;
   void take_soles(const Estimator& estimator, double share) noexcept;
   void push_soles(const Estimator& estimator, double dt) noexcept;
   void feed_forward(const Estimator& estimator) noexcept;
@@ -98,13 +103,13 @@ class Balance {
   Eigen::Vector3d home_ = Eigen::Vector3d::Zero();
 
   Eigen::Vector3d com_ = Eigen::Vector3d::Zero(), com_velocity_ = Eigen::Vector3d::Zero();
-  Eigen::Vector2d momentum_ = Eigen::Vector2d::Zero(), dcm_ = Eigen::Vector2d::Zero();
+  Eigen::Vector2d dcm_ = Eigen::Vector2d::Zero();
   Eigen::Vector3d turn_ = Eigen::Vector3d::Zero(), turn_rate_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d acceleration_ = Eigen::Vector3d::Zero(),
                   angular_acceleration_ = Eigen::Vector3d::Zero();
   double mass_;
   std::array<double, 2> foot_forces_{};
-  bool fresh_ = true, finite_ = true;
+  bool finite_ = true;
   Eigen::VectorXd q_, qd_, qdd_, tau_, kp_, kd_, offset_, offset_rate_;
   std::array<int, 2> waist_{-1, -1};  // joint that rolls, joint that pitches the trunk
   std::array<double, 2> waist_sign_{1.0, 1.0};

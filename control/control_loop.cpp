@@ -1,6 +1,7 @@
 #include "control/control_loop.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -32,6 +33,7 @@ constexpr double kSameMotion = 1.0;       // [s] in which another source may go 
 constexpr std::int64_t kHandOver = 16;    // ticks that both sources of a switch may publish
 constexpr double kMostWalkTimeout = 2.0;  // [s]
 constexpr double kPadShare = 0.8;         // of the fastest walk, at full stick
+constexpr double kLook = 0.3;             // [s] in which a robot at rest finds out what is up
 constexpr const char* kInsane = "a state that no robot can be in was ignored";
 
 double axis(float a) noexcept { return std::clamp(static_cast<double>(a), -1.0, 1.0); }
@@ -43,8 +45,9 @@ struct ControlLoop::Impl {
 
   bool step(std::int64_t now_ns, JointCommand& out) noexcept;
   void first_state() noexcept;
-  void next_state(bool same_source) noexcept;
+  void next_state(bool same_source, bool again) noexcept;
   void compute(std::int64_t now_ns, double dt, bool same_source) noexcept;
+  void obey_requests() noexcept;
   void look_again(std::int64_t now_ns) noexcept;
   bool pad_speaks(std::int64_t now_ns) const noexcept;
   Eigen::Vector3d lean(std::int64_t now_ns) const noexcept;
@@ -58,12 +61,16 @@ struct ControlLoop::Impl {
   const Model& model;
   ControlConfig config;
   Estimator estimator;
+  std::int64_t look = 0;      // ticks in which the robot holds first, and finds its attitude
+  std::int64_t obeys_at = 0;  // tick from which on it obeys
+  bool begins = false;        // the first mode is still to come
   Modes modes;
   Blend blend;
   MaskBrake brake;
   std::unique_ptr<Guard> guard;
   ModeQueue requests;
-  std::int64_t legs = 0;  // bit per joint: never masked
+  std::int64_t legs = 0;      // bit per joint: never masked
+  std::int64_t measured = 0;  // bit per joint whose last set-point was what is measured
 
   RobotState state;
   bool have_state = false, have_output = false;
@@ -108,21 +115,25 @@ ControlLoop::Impl::Impl(const Model& m, const ControlConfig& c)
     }
   }
   status.controller_id = c.controller_id;
-  estimator.estimate_attitude(walking_of(m).own_attitude);
+  const bool own_attitude = walking_of(m).own_attitude;
+  estimator.estimate_attitude(own_attitude);
+  if (own_attitude) look = std::llround(kLook / m.period());
 }
 
 void ControlLoop::Impl::first_state() noexcept {
   estimator.reset();
   estimator.update(state);
+  obeys_at = state.tick + look;
+  begins = look > 0;
   have_output = false;
   brake.reset();
   blend.cancel();
   if (guard != nullptr) guard->reset();
-  modes.start(config.first_mode, now());
+  modes.start(look > 0 ? Mode::kHold : config.first_mode, now());
 }
 
-void ControlLoop::Impl::next_state(bool same_source) noexcept {
-  estimator.update(state);
+void ControlLoop::Impl::next_state(bool same_source, bool again) noexcept {
+  estimator.update(state, again);
   if (same_source) return;
   modes.rebase();
   if (guard != nullptr) guard->reset();
@@ -202,6 +213,18 @@ void ControlLoop::Impl::write(JointCommand& out) const noexcept {
   }
 }
 
+void ControlLoop::Impl::obey_requests() noexcept {
+  if (std::exchange(begins, false) && state.role == Role::kActive) {
+    ModeRequest first;
+    first.mode = config.first_mode;
+    modes.obey(first, now());
+  }
+  while (const ModeRequest* request = requests.take(state.tick)) {
+    status.mode_sequence = request->sequence;
+    modes.obey(*request, now());
+  }
+}
+
 void ControlLoop::Impl::compute(std::int64_t now_ns, double dt, bool same_source) noexcept {
   modes.watch_for_a_fall(now());
   const bool for_switch = std::exchange(switch_heard, false);
@@ -210,15 +233,14 @@ void ControlLoop::Impl::compute(std::int64_t now_ns, double dt, bool same_source
     brake.reset();
     have_output = false;
   }
-  while (const ModeRequest* request = requests.take(state.tick)) {
-    status.mode_sequence = request->sequence;
-    modes.obey(*request, now());
-  }
+  if (state.tick >= obeys_at) obey_requests();
   modes.lean(lean(now_ns));
   modes.walk(walk_velocity(now_ns));
   if (std::exchange(new_steps, false)) modes.walk_steps(steps);
   modes.want(now(), mask, dt, want);
-  if (modes.take_change() && have_output) blend.start(last, want, kModeBlend);
+  const std::int64_t follows = modes.measured();
+  if (modes.take_change() && have_output) blend.start(last, want, follows | measured, kModeBlend);
+  measured = follows;
   blend.apply(want, dt);
   guard_and_mask(now_ns, dt);
   // Set-points that follow what is measured begin anew where another robot is; its gate fades them in.
@@ -231,7 +253,7 @@ void ControlLoop::Impl::compute(std::int64_t now_ns, double dt, bool same_source
 // where they are measured: told to be where the other robot's are, they would pull this one over while its gate fades.
 void ControlLoop::Impl::look_again(std::int64_t now_ns) noexcept {
   if (modes.walk() != nullptr || !have_output || !is_sane(state, model)) return;
-  next_state(std::exchange(looked_run, state.run_id) == state.run_id);
+  next_state(std::exchange(looked_run, state.run_id) == state.run_id, true);
   modes.want(now(), mask, 0.0, want);
   blend.apply(want, 0.0);
   guard_and_mask(now_ns, 0.0);
@@ -262,7 +284,7 @@ bool ControlLoop::Impl::step(std::int64_t now_ns, JointCommand& out) noexcept {
     first_state();
   } else {
     dt *= static_cast<double>(std::clamp<std::int64_t>(state.tick - answered_tick, 1, kMostTicks));
-    if (sane) next_state(same_source);
+    if (sane) next_state(same_source, false);
   }
   if (!same_source) previous_run = answered_run;
   answered_run = state.run_id;

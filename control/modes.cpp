@@ -88,6 +88,7 @@ void Modes::start(Mode first, const Moment& now) noexcept {
   mode_ = Mode::kNone;
   bracing_ = false;
   balancing_ = walking_ = leaving_ = false;
+  if (balance_ != nullptr) balance_->forget();
   enter(first, now);
 }
 
@@ -319,6 +320,7 @@ void Modes::damp(const RobotState& state, SetPoint& set_point) const noexcept {
 
 void Modes::want(const Moment& now, std::int64_t mask, double dt, SetPoint& set_point) noexcept {
   posture_.advance(dt);
+  if (balance_ != nullptr) balance_->watch(now.estimator, dt);
   // A path begins where a guard holds the arm, not where the arm was wanted before.
   for (int k = 0; now.last != nullptr && arm_.begins() && k < model_.bus_count(); ++k) {
     if (((mask >> k) & 1) != 0) posture_.set(k, now.last->q[at(k)], 0.0);
@@ -376,6 +378,7 @@ void Modes::move_legs(const Moment& now, double dt) noexcept {
     balance_->update(now.estimator, dt);
     if (balance_->finite()) return;
     sentence_ = "the balance controller met a number that is not one; it starts again";
+    balance_->forget();
     balance_->start(now.estimator);
     balance_->update(now.estimator, dt);
   } else {

@@ -82,6 +82,8 @@ class Modes {
     return balancing_ ? balance_->foot_forces() : std::array<double, 2>{};
   }
   bool stopping() const noexcept { return stopping_; }  // commands carry the flag
+  // Bit per joint whose set-point is where it is measured.
+  std::int64_t measured() const noexcept { return balancing_ ? legs_ : 0; }
 
  private:
   bool may_balance(const Moment& now) const noexcept;

@@ -69,16 +69,9 @@ const char* Walk::follow(const StepList& list) noexcept {
 void Walk::measure(const Estimator& estimator, double dt, bool fresh) noexcept {
   const Kinematics& k = estimator.kinematics();
   const double share = fresh ? 1.0 : dt / (dt + gains_.velocity_filter);
-  const Eigen::Vector3d spin = k.angular_momentum();
-  const double height = std::max(0.2, height_.position());
-  const double w = omega();
   com_ = k.com();
   com_velocity_ += share * (k.com_velocity() - com_velocity_);
-  const Eigen::Vector2d speed =
-      k.com_velocity().head<2>() + Eigen::Vector2d(spin.y(), -spin.x()) / (mass_ * height);
-  dcm_speed_ += dt * w * w * (com_ - estimator.zmp()).head<2>();
-  dcm_speed_ += (fresh ? 1.0 : dt / (dt + gains_.dcm_filter)) * (speed - dcm_speed_);
-  dcm_ = com_.head<2>() + dcm_speed_ / w;
+  dcm_ = com_.head<2>() + estimator.dcm_velocity() / omega();
   double carried = 0.0, lower = 0.0;  // by feet that stand; load times what they are too low
   for (int f = 0; f < 2; ++f) {
     const Eigen::Isometry3d& sole = estimator.sole_in_world(f);

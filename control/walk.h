@@ -89,7 +89,7 @@ class Walk {
   double load_ = 1.0;  // what the feet carry, of the robot's own weight
 
   Eigen::Vector3d com_ = Eigen::Vector3d::Zero(), com_velocity_ = Eigen::Vector3d::Zero();
-  Eigen::Vector2d dcm_speed_ = Eigen::Vector2d::Zero(), dcm_ = Eigen::Vector2d::Zero();
+  Eigen::Vector2d dcm_ = Eigen::Vector2d::Zero();
   std::array<Foothold, 2> measured_feet_;
   std::array<FootLoad, 2> wanted_, measured_;
   MinJerk height_, first_;  // of the centre of mass; 1 -> 0: share of the first tilt still held

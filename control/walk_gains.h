@@ -36,7 +36,6 @@ struct WalkGains {
   WalkFeetGains feet;
   SwingGains swing;
   double velocity_filter = 0.010;      // of the velocity that tells whether the robot rests [s]
-  double dcm_filter = 0.020;           // of the velocity in the DCM, which the ZMP leads [s]
   double acceleration_filter = 0.010;  // of the joints' accelerations in the torques [s]
   double ground =
       5.0;  // rate at which the centre of mass follows the height of the footholds [1/s]

@@ -11,6 +11,7 @@ namespace twinbus {
 
 namespace {
 constexpr double kTooLate = 0.08;     // before touchdown, from when on a step is left alone [s]
+constexpr double kObeys = 0.20;       // before touchdown, until when it follows the velocity [s]
 constexpr double kShortest = 0.10;    // any step may still last [s]
 constexpr double kMoved = 0.03;       // a step moved farther is a recovery [m]
 constexpr double kEarlyShare = 0.6;   // of the swing, from when on touching counts as landing
@@ -136,7 +137,7 @@ void WalkPattern::begin_step(int support, double double_time) noexcept {
   double_ = double_time;
   single_time_ = gait_.single_support;
   adjusted_ = 0.0;
-  target_ = after(foot(support_), support_, 0);
+  target_ = planned_ = after(foot(support_), support_, 0);
 }
 
 void WalkPattern::capture(const Eigen::Vector2d& measured_dcm) noexcept {
@@ -244,7 +245,7 @@ void WalkPattern::advance(const std::array<bool, 2>& touching,
     swing_.start(foot(moves));
   }
   if (!single_) {
-    target_ = after(foot(support_), support_, 0);
+    target_ = planned_ = after(foot(support_), support_, 0);
     return;
   }
   swing_.advance(target_, double_ + single_time_ - time_, gait_.lift + std::min(uneven_, kMostMore),
@@ -258,12 +259,13 @@ void WalkPattern::plan(const Eigen::Vector2d& measured_dcm, double omega) noexce
   if (halting_ && !single_) (void)try_to_stand(measured_dcm, omega);
   const double left_now = double_ + single_time_ - time_;
   if (single() && left_now >= kTooLate) {
-    target_ = after(foot(support_), support_, 0);
+    if (left_now >= kObeys) planned_ = after(foot(support_), support_, 0);
+    target_ = planned_;
     (void)plan_pieces(omega);
     {
       const StepNow now{.support = foot(support_),
                         .foot = support_,
-                        .planned = target_,
+                        .planned = planned_,
                         .dcm = measured_dcm,
                         .offset = dcm_landing_ - target_.position,
                         .left_planned = double_ + gait_.single_support - time_,

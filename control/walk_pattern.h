@@ -116,7 +116,7 @@ class WalkPattern {
   double uneven_ = 0.0;   // the steps up and down that the last landings met [m]
   double time_ = 0.0, double_ = 0.0, single_time_ = 0.0;  // in the step; its two parts [s]
   double since_landing_ = 0.0, period_;                   // measured, of a step [s]
-  Foothold target_;
+  Foothold planned_, target_;  // of the foot that moves; the latter adjusted to catch the robot
   double adjusted_ = 0.0;
   Eigen::Vector2d rest_ = Eigen::Vector2d::Zero();
   Eigen::Vector2d zmp_from_ = Eigen::Vector2d::Zero();  // where this double support began

@@ -14,14 +14,21 @@ namespace twinbus {
 
 namespace {
 
-// A foot counts as loaded above kLoadedOn of the robot's weight, as lifted below kLoadedOff; its
+// A foot counts as loaded above kLoadedOn of the robot's weight, as lifted below kLoadedOff.  One reading below
+// kLoadedSurely may be noise, by which a foot in the air would land: it takes two.  A foot's
 // share in the averages grows from nothing at kLoadedOff to full at kFullShare, so that touching
 // and lifting make no step.
 constexpr double kLoadedOn = 0.05;
+constexpr double kLoadedSurely = 0.1;
 constexpr double kLoadedOff = 0.03;
 constexpr double kFullShare = 0.15;
 // Without force sensors: soles this close to the lowest one stand on the ground [m].
 constexpr double kSameHeight = 0.005;
+constexpr double kLeastHeight = 0.2;  // of the centre of mass that is reckoned with [m]
+constexpr double kDcmFilter = 0.020;  // of the velocity of the joints against what the ZMP says [s]
+constexpr double kAttitudeFilter = 0.05;  // of the IMU's attitude against what its gyro says [s]
+constexpr double kGyroBias = 2.0;         // in which the gyro's own error is found [s]
+constexpr double kOtherAttitude = 0.1;    // farther off it is another attitude: it is taken [rad]
 
 }  // namespace
 
@@ -42,6 +49,7 @@ void Estimator::reset() noexcept {
   yaw_offset_ = 0.0;
   upright_base_.setIdentity();
   position_.setZero();
+  dcm_velocity_.setZero();
   for (std::size_t foot = 0; foot < 2; ++foot) {
     force_[foot].setZero();
     torque_[foot].setZero();
@@ -53,26 +61,53 @@ void Estimator::reset() noexcept {
   support_.clear();
 }
 
-void Estimator::update(const RobotState& state) noexcept {
+void Estimator::update(const RobotState& state, bool again) noexcept {
   const bool start = !started_;
   const bool switched = started_ && state.run_id != run_id_;
   run_id_ = state.run_id;
   started_ = true;
-  look_at_imu(state);
+  const double since = 1e-9 * static_cast<double>(state.time_ns - time_ns_);
+  const double period = model_->period();
+  dt_ = again ? 0.0 : since > 0.0 && since < 10.0 * period ? since : period;
+  time_ns_ = state.time_ns;
+  look_at_imu(state, start || switched);
   look(state);
+  if (start) {  // the first reading is believed
+    for (Eigen::Vector3d& force : force_) force.z() = weight_force_;
+  }
   measure_load(state);
   place_base(start, switched);
   move_base();
   finish();
+  follow_dcm();
 }
 
-void Estimator::look_at_imu(const RobotState& state) noexcept {
-  const double period = model_->period();
-  const double dt = 1e-9 * static_cast<double>(state.time_ns - time_ns_);
-  time_ns_ = state.time_ns;
-  if (!own_attitude_ || (state.sensor_flags & kImuValid) == 0) return;
-  attitude_.update(vector_from_array(state.gyro), vector_from_array(state.accel), imu_velocity_,
-                   loaded_[0] || loaded_[1], dt > 0.0 && dt < 10.0 * period ? dt : period);
+// The attitude is a filter of ours; or the heading is what the IMU reads, and what is up, u, goes on by the gyro, which is
+// quiet from tick to tick, and is pulled to what the IMU reads, too, without the gyro's bias b:
+//     u' = u x (gyro - b) + e / T,    b' = u x e / (T T_b),    e = u of the IMU - u
+void Estimator::look_at_imu(const RobotState& state, bool anew) noexcept {
+  if ((state.sensor_flags & kImuValid) == 0) return;
+  const Eigen::Vector3d gyro = vector_from_array(state.gyro);
+  if (own_attitude_) {
+    if (dt_ > 0.0) {
+      attitude_.update(gyro, vector_from_array(state.accel), imu_velocity_,
+                       loaded_[0] || loaded_[1], dt_);
+    }
+    imu_ = attitude_.rotation();
+    return;
+  }
+  const Eigen::Vector3d up_before =
+      rotation_of(-dt_ * (gyro - gyro_bias_)) * imu_.row(2).transpose();
+  imu_ = quaternion_from_array(state.attitude).toRotationMatrix();
+  const Eigen::Vector3d up = imu_.row(2).transpose();
+  const Eigen::Vector3d off = up - up_before;
+  if (anew || !(off.norm() < kOtherAttitude)) {
+    gyro_bias_.setZero();
+    return;
+  }
+  gyro_bias_ += dt_ / (kAttitudeFilter * kGyroBias) * up_before.cross(off);
+  const Eigen::Vector3d believed = up_before + dt_ / (dt_ + kAttitudeFilter) * off;
+  imu_ *= Eigen::Quaterniond::FromTwoVectors(believed, up).toRotationMatrix();
 }
 
 // Everything relative to the base's origin, in a frame with z up and the heading the IMU believes
@@ -90,11 +125,8 @@ void Estimator::look(const RobotState& state) noexcept {
   if ((state.sensor_flags & kImuValid) != 0) {
     const Eigen::Matrix3d imu_in_base =
         kinematics_.link_in_world(model_->imu_link).linear() * model_->imu.linear();
-    const Eigen::Matrix3d imu = own_attitude_
-                                    ? attitude_.rotation()
-                                    : quaternion_from_array(state.attitude).toRotationMatrix();
     const Eigen::Vector3d rate = own_attitude_ ? attitude_.rate() : vector_from_array(state.gyro);
-    upright_base_.noalias() = imu * imu_in_base.transpose();
+    upright_base_.noalias() = imu_ * imu_in_base.transpose();
     omega = imu_in_base * rate - kinematics_.angular_velocity(model_->imu_link);
   }
   configuration_.base_angular_velocity = upright_base_ * omega;
@@ -129,9 +161,10 @@ void Estimator::measure_load(const RobotState& state) noexcept {
     const Sole& sole = model_->soles[at(foot)];
     Seen& seen = seen_[at(foot)];
     seen.weight = 0.0;
-    force_[at(foot)].setZero();
     torque_[at(foot)].setZero();
     const bool was_loaded = std::exchange(loaded_[at(foot)], false);
+    const double share_before = force_[at(foot)].z() / weight_force_;
+    force_[at(foot)].setZero();
     if (sole.link < 0) continue;
     const auto limb = static_cast<Limb>(foot);
     if (state.wrench_kind[at(foot)] != WrenchKind::kAbsent &&
@@ -144,7 +177,8 @@ void Estimator::measure_load(const RobotState& state) noexcept {
       torque_[at(foot)] = seen.sensor_rotation * vector_from_array<float>({w[3], w[4], w[5]}) +
                           seen.sensor_arm.cross(force);
       const double share = force.z() / weight_force_;
-      loaded_[at(foot)] = share > (was_loaded ? kLoadedOff : kLoadedOn);
+      const bool lands = share > kLoadedSurely || std::min(share, share_before) > kLoadedOn;
+      loaded_[at(foot)] = was_loaded ? share > kLoadedOff : lands;
       if (loaded_[at(foot)]) {
         seen.weight = std::clamp((share - kLoadedOff) / (kFullShare - kLoadedOff), 0.0, 1.0);
       }
@@ -294,6 +328,18 @@ void Estimator::finish() noexcept {
     ground_.translation() = 0.5 * (sole_[0].translation() + sole_[1].translation());
     ground_.translation().z() = 0.0;
   }
+}
+
+// Begins at rest, for one reading of the joints is noise.  Another source goes on with it: its robot moves as the last
+// one did.
+void Estimator::follow_dcm() noexcept {
+  const double height = std::max(kLeastHeight, kinematics_.com().z());
+  const Eigen::Vector3d spin = kinematics_.angular_momentum();
+  const Eigen::Vector2d measured =
+      kinematics_.com_velocity().head<2>() +
+      kGravity / (weight_force_ * height) * Eigen::Vector2d(spin.y(), -spin.x());
+  dcm_velocity_ += dt_ * kGravity / height * (kinematics_.com() - zmp_).head<2>();
+  dcm_velocity_ += dt_ / (dt_ + kDcmFilter) * (measured - dcm_velocity_);
 }
 
 }  // namespace twinbus

@@ -29,8 +29,9 @@ class Estimator {
   void reset() noexcept;
 
   // One call per tick.  With a new run_id (a switch) the ground frame stays where it was, so the
-  // estimate does not jump though the new source has a heading of its own.
-  void update(const RobotState& state) noexcept;
+  // estimate does not jump though the new source has a heading of its own.  again: this tick was seen
+  // before, of another robot; what follows in time stays as it is.
+  void update(const RobotState& state, bool again = false) noexcept;
 
   const Configuration& configuration() const noexcept {
     return configuration_;
@@ -52,6 +53,10 @@ class Estimator {
   bool loaded(int foot) const noexcept { return loaded_[static_cast<std::size_t>(foot)]; }
   // Measured zero-moment point in world, z of the ground; com projection when no foot is loaded.
   const Eigen::Vector3d& zmp() const noexcept { return zmp_; }
+  // Horizontal velocity whose DCM is com + this / omega: of the centre of mass, with the angular momentum L about it, world
+  // [m/s].  Led by the measured ZMP p and pulled to what the joints say, so that it is neither late nor noisy:
+  //     s = v + (L_y, -L_x) / (m h),    s' = g / h (x - p)
+  const Eigen::Vector2d& dcm_velocity() const noexcept { return dcm_velocity_; }
   // Convex hull of the loaded soles, seen from above, in world.
   const SupportPolygon& support() const noexcept { return support_; }
   // Distance of a ground point (world) to the edge of the hull, positive inside [m]; -1 when no
@@ -75,12 +80,13 @@ class Estimator {
     double weight = 0.0;  // share in the average
   };
 
-  void look_at_imu(const RobotState& state) noexcept;
+  void look_at_imu(const RobotState& state, bool anew) noexcept;
   void look(const RobotState& state) noexcept;
   void measure_load(const RobotState& state) noexcept;
   void place_base(bool start, bool switched) noexcept;
   void move_base() noexcept;
   void finish() noexcept;
+  void follow_dcm() noexcept;
 
   const Model* model_;
   double weight_force_;  // of the whole robot [N]
@@ -97,7 +103,10 @@ class Estimator {
   bool own_attitude_ = false;
   AttitudeFilter attitude_;
   Eigen::Vector3d imu_velocity_ = Eigen::Vector3d::Zero();  // frame of the filter [m/s]
+  Eigen::Matrix3d imu_ = Eigen::Matrix3d::Identity();       // attitude as it is believed
+  Eigen::Vector3d gyro_bias_ = Eigen::Vector3d::Zero();     // IMU's axes, horizontal [rad/s]
   std::int64_t time_ns_ = 0;
+  double dt_ = 0.0;  // since the last state [s]
   bool started_ = false;
 
   std::array<Eigen::Isometry3d, 2> sole_;
@@ -105,6 +114,7 @@ class Estimator {
   std::array<Eigen::Vector3d, 2> force_, torque_;
   std::array<bool, 2> loaded_{};
   Eigen::Vector3d zmp_;
+  Eigen::Vector2d dcm_velocity_ = Eigen::Vector2d::Zero();
   SupportPolygon support_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace twinbus {
@@ -22,7 +23,7 @@ SetPoint point(double q, double qd, double tau, double kp) {
 TEST(Blend, BeginsAtTheOldSetPointAndItsVelocity) {
   Blend blend(1);
   const SetPoint last = point(0.5, 0.2, 30.0, 100.0), fresh = point(-0.1, 0.0, -10.0, 500.0);
-  blend.start(last, fresh, 0.5);
+  blend.start(last, fresh, 0, 0.5);
   SetPoint p = fresh;
   blend.apply(p, 1e-6);
   EXPECT_NEAR(p.q[0], 0.5, 1e-6);
@@ -35,7 +36,7 @@ TEST(Blend, BeginsAtTheOldSetPointAndItsVelocity) {
 TEST(Blend, EndsAtTheNewSetPointAndLeavesItAlone) {
   Blend blend(1);
   const SetPoint fresh = point(-0.1, 0.3, -10.0, 500.0);
-  blend.start(point(0.5, 0.2, 30.0, 100.0), fresh, 0.5);
+  blend.start(point(0.5, 0.2, 30.0, 100.0), fresh, 0, 0.5);
   SetPoint p;
   for (int i = 0; i < 251; ++i) {
     p = fresh;
@@ -50,7 +51,7 @@ TEST(Blend, EndsAtTheNewSetPointAndLeavesItAlone) {
 TEST(Blend, VelocityIsTheDerivativeOfPosition) {
   Blend blend(1);
   const SetPoint fresh = point(0.0, 0.0, 0.0, 0.0);
-  blend.start(point(0.4, -0.7, 0.0, 0.0), fresh, 0.5);
+  blend.start(point(0.4, -0.7, 0.0, 0.0), fresh, 0, 0.5);
   double last = 0.4;
   for (int i = 0; i < 2500; ++i) {
     SetPoint p = fresh;
@@ -63,14 +64,14 @@ TEST(Blend, VelocityIsTheDerivativeOfPosition) {
 TEST(Blend, AChangeInMidFadeDoesNotStep) {
   Blend blend(1);
   const SetPoint a = point(0.0, 0.0, 0.0, 100.0), b = point(1.0, 0.0, 50.0, 300.0);
-  blend.start(a, b, 0.5);
+  blend.start(a, b, 0, 0.5);
   SetPoint out;
   for (int i = 0; i < 100; ++i) {
     out = b;
     blend.apply(out, kDt);
   }
   const SetPoint last = out;
-  blend.start(last, a, 0.5);
+  blend.start(last, a, 0, 0.5);
   out = a;
   blend.apply(out, kDt);
   EXPECT_NEAR(out.q[0], last.q[0] + kDt * last.qd[0], 1e-4);
@@ -78,9 +79,42 @@ TEST(Blend, AChangeInMidFadeDoesNotStep) {
   EXPECT_NEAR(out.tau[0], last.tau[0], 0.05);
 }
 
+TEST(Blend, TheSpeedOfWhatIsMeasuredIsNotCarriedOn) {
+  Blend blend(2);
+  SetPoint last, fresh;
+  last.qd = {0.3, 0.3};
+  blend.start(last, fresh, 1, 0.5);
+  double measured = 0.0, wanted = 0.0;
+  for (int i = 0; i < 250; ++i) {
+    SetPoint p;
+    blend.apply(p, kDt);
+    measured = std::max(measured, std::abs(p.q[0]));
+    wanted = std::max(wanted, std::abs(p.q[1]));
+  }
+  EXPECT_EQ(measured, 0.0);
+  EXPECT_GT(wanted, 0.02);
+}
+
+TEST(Blend, TheTorqueOfATickIsNotKeptWhereSetPointsAreWhatIsMeasured) {
+  Blend blend(2);
+  SetPoint last, fresh;
+  last.tau = {20.0, 20.0};
+  blend.start(last, fresh, 1, 0.5);
+  SetPoint p;
+  blend.apply(p, 1e-6);  // yet it does not jump
+  EXPECT_NEAR(p.tau[0], 20.0, 1e-3);
+  double kept[2] = {};  // impulse [N m s]
+  for (int i = 0; i < 250; ++i) {
+    p = fresh;
+    blend.apply(p, kDt);
+    for (std::size_t j = 0; j < 2; ++j) kept[j] += kDt * p.tau[j];
+  }
+  EXPECT_LT(kept[0], 0.15 * kept[1]);
+}
+
 TEST(Blend, CancelledChangesNothing) {
   Blend blend(1);
-  blend.start(point(1.0, 1.0, 1.0, 1.0), point(0.0, 0.0, 0.0, 0.0), 0.5);
+  blend.start(point(1.0, 1.0, 1.0, 1.0), point(0.0, 0.0, 0.0, 0.0), 0, 0.5);
   blend.cancel();
   SetPoint p = point(0.2, 0.0, 0.0, 0.0);
   blend.apply(p, kDt);

@@ -8,6 +8,7 @@ import json
 import os
 import pathlib
 import subprocess
+import sys
 import tempfile
 
 import harness
@@ -65,6 +66,15 @@ def jvrc1(checks):
         everyday(checks, folder)
 
 
+def robust(checks):
+    """Sensors three times as noisy as walk_noisy's, with bias, and an attitude that is estimated; --full: the whole table."""
+    words = ["--seeds", "3"] if harness.FULL else ["--rows", "both"]
+    done = subprocess.run([sys.executable, harness.ROOT / "test/bench/bench_robust.py", *words], capture_output=True, text=True,
+                          check=False)
+    print(done.stdout, end="")
+    checks.that(done.returncode == 0, f"a robot that is not the nominal one passes: {done.stdout[-600:]}{done.stderr[-300:]}")
+
+
 def main():
     harness.require("twinbus")
     checks = Checks()
@@ -81,6 +91,7 @@ def main():
         for seed in SEEDS:
             run(checks, scene, seed)
     run(checks, "walk_turn", 1, robot="hrp2p")
+    robust(checks)
     if harness.FULL:
         jvrc1(checks)
         for robot in ["hrp1s", "hrp2p", "biped12"]:

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include "robot/dynamics.h"
 #include "robot/pose_math.h"
@@ -26,6 +27,24 @@ TEST(AttitudeFilter, TheFirstLookAtTheAccelerometerSaysWhatIsUp) {
                 Eigen::Vector3d::Zero(), true, kTick);
   EXPECT_LT(lean(filter, truth), 1e-9);
   EXPECT_NEAR(yaw_of(filter.rotation()), 0.0, 1e-12);
+}
+
+// Legs and accelerometer as noisy as in the harshest row of the robustness table.
+TEST(AttitudeFilter, ARobotAtRestIsFoundWithinTheFirstLooksHoweverNoisy) {
+  const Eigen::Matrix3d truth = rotation_from_rpy(0.05, -0.03, 0.0);
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    std::mt19937 random(seed);
+    std::normal_distribution<double> normal;
+    const auto noise = [&](double size) {
+      return Eigen::Vector3d(size * normal(random), size * normal(random), size * normal(random));
+    };
+    AttitudeFilter filter;
+    for (int i = 0; i < 150; ++i) {
+      filter.update(noise(0.03), truth.transpose() * Eigen::Vector3d(0, 0, kGravity) + noise(0.15),
+                    noise(0.04), true, kTick);
+    }
+    EXPECT_LT(lean(filter, truth), 6e-3) << "seed " << seed;
+  }
 }
 
 TEST(AttitudeFilter, FindsTheBiasOfTheGyro) {

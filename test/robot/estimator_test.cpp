@@ -109,8 +109,12 @@ TEST(Estimator, SwayIsFollowedAndSolesStandStill) {
   Estimator estimator(stand.model_);
   for (int i = 0; i < 500; ++i) {
     const double t = 0.002 * i;
+    const Eigen::Matrix3d before = stand.truth.base.linear();
     stand.place({0.03 * std::sin(3 * t), 0.04 * std::sin(5 * t), 0.02 * std::sin(2 * t) - 0.03},
                 {0.02 * std::sin(4 * t), 0.03 * std::sin(3 * t), 0.05 * std::sin(2 * t)});
+    // The gyro has felt the turn that the attitude made.
+    stand.truth.base_angular_velocity =
+        rotation_vector(stand.truth.base.linear() * before.transpose()) / 0.002;
     estimator.update(stand.state(0.4, Stand::kHalf, Stand::kHalf));
     ASSERT_LT(
         (estimator.configuration().base.translation() - stand.truth.base.translation()).norm(),
@@ -217,6 +221,53 @@ TEST(Estimator, ALiftedFootMovesFreely) {
             1e-5);
   const Eigen::Vector3d com(0, -0.09, 0);
   EXPECT_NEAR(estimator.support_margin(com), 0.07, 1e-4);
+}
+
+TEST(Estimator, OneReadingOfAForceIsNoLoad) {
+  Stand stand;
+  stand.place({0, 0, 0}, {0, 0, 0});
+  Estimator estimator(stand.model_);
+  estimator.update(stand.state(0, 0.0, 2 * Stand::kHalf));
+  EXPECT_FALSE(estimator.loaded(0));
+  estimator.update(stand.state(0, 100.0, 2 * Stand::kHalf));
+  EXPECT_FALSE(estimator.loaded(0));
+  estimator.update(stand.state(0, 0.0, 2 * Stand::kHalf));
+  estimator.update(stand.state(0, 100.0, 2 * Stand::kHalf));
+  EXPECT_FALSE(estimator.loaded(0));
+  estimator.update(stand.state(0, 100.0, 2 * Stand::kHalf));
+  EXPECT_TRUE(estimator.loaded(0));
+}
+
+// White noise of the IMU's attitude and of the joints' rates: the gyro and the ZMP know better.
+TEST(Estimator, NoiseOfAttitudeAndRatesIsHeardQuietly) {
+  Stand stand;
+  stand.place({0, 0, 0}, {0, 0, 0});
+  Estimator estimator(stand.model_);
+  std::mt19937 random(1);
+  std::normal_distribution<double> normal;
+  const RobotState quiet = stand.state(0, Stand::kHalf, Stand::kHalf);
+  const Eigen::Matrix3d read = quaternion_from_array(quiet.attitude).toRotationMatrix();
+  double tilt = 0.0;
+  Eigen::Array2d sum = Eigen::Array2d::Zero(), squares = sum, of_joints = sum;
+  for (int i = 0; i < 2000; ++i) {
+    RobotState state = quiet;
+    state.time_ns = std::int64_t{2'000'000} * i;
+    const Eigen::Vector3d turn(0.006 * normal(random), 0.006 * normal(random), 0.0);
+    state.attitude = array_from_rotation<float>(read * rotation_of(turn));
+    for (auto& qd : state.qd) qd = static_cast<float>(0.03 * normal(random));
+    estimator.update(state);
+    if (i < 500) continue;
+    tilt += rotation_vector(estimator.configuration().base.linear() *
+                            stand.truth.base.linear().transpose())
+                .head<2>()
+                .squaredNorm();
+    of_joints += estimator.kinematics().com_velocity().head<2>().array().square();
+    sum += estimator.dcm_velocity().array();
+    squares += estimator.dcm_velocity().array().square();
+  }
+  EXPECT_LT(std::sqrt(tilt / 3000.0), 0.0015);
+  const Eigen::Array2d spread = (squares / 1500.0 - (sum / 1500.0).square()).sqrt();
+  EXPECT_LT(spread.maxCoeff(), 0.5 * (of_joints / 1500.0).sqrt().minCoeff());
 }
 
 TEST(Estimator, ZmpIsWhereTheForcesBalance) {
