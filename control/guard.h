@@ -2,9 +2,13 @@
 // the joints that must be braked so that nothing touches.
 //
 // Once per tick it asks: if the command is obeyed for the ticks that a mask needs to arrive, and
-// everything is braked after that, does anything come nearer than the margin?  If so, the arm and
-// waist joints that bring the pair together are masked; joints that take it apart never are, so a
-// robot that was started in collision, or was stopped in front of one, can always be moved out.
+// everything is braked after that, does anything come nearer than the margin?  It asks the same of a
+// brake that begins now, as commands may change at once, and of joints that are still held and stay so
+// while others go on.  If so, the arm and waist joints that bring the pair together are masked; joints
+// that take it apart never are, so a robot that was started in collision, or was stopped in front of
+// one, can always be moved out.  Ways are proved as a whole (robot/swept_shapes): between the places
+// looked at nothing comes nearer than half the margin, or half of what is left of it; what cannot be
+// proved in a tick is answered like a danger.
 // Legs are never masked: a pair that legs bring together asks for a balanced stop.
 
 #pragma once
@@ -51,6 +55,10 @@ class Guard {
   // obstacles.
   const PairDistance* pairs() const noexcept;
   int pair_count() const noexcept;
+
+  // Stretches of a way to rest, since the start, that were too long or too near something to be proved
+  // free within the looks that a tick has.
+  std::int64_t unproved() const noexcept;
 
   // Forgets the past: the next call is the first.
   void reset() noexcept;

@@ -158,6 +158,12 @@ void SetPointTrack::go_together(const RobotState& state) noexcept {
   }
 }
 
+std::int64_t SetPointTrack::on_hold() const noexcept {
+  std::int64_t held = masks_[0];
+  for (int i = 1; i < delay_ticks_; ++i) held |= masks_[at(i)];
+  return held;
+}
+
 void SetPointTrack::follow(const RobotState& state, const JointCommand& command,
                            std::int64_t mask) noexcept {
   if (!started_) start(state, command);

@@ -47,6 +47,8 @@ class SetPointTrack {
   // One tick: the set-points move on towards command.  mask: bit per joint that the last look held.
   void follow(const RobotState& state, const JointCommand& command, std::int64_t mask) noexcept;
 
+  // Joints that a mask holds or will hold once it arrives, bit per joint of the bus.
+  std::int64_t on_hold() const noexcept;
   // From a look until a brake of the next look comes, and the joint with it [s].
   double delay() const noexcept { return delay_; }
   // Joint k of the bus obeys its command until a brake comes.  Those that are held now are let go

@@ -1,20 +1,15 @@
 #include "robot/collision.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
-#include <optional>
 #include <utility>
 
-#include "robot/collision_body.h"
 #include "robot/collision_fcl.h"
 #include "robot/collision_pairs.h"
+#include "robot/collision_parts.h"
 #include "robot/config_node.h"
-#include "robot/convex_shape.h"
 #include "robot/index.h"
-#include "robot/near_shapes.h"
-#include "robot/shape_gap.h"
 
 namespace twinbus {
 
@@ -26,31 +21,6 @@ using Eigen::Vector3d;
 using Body = CollisionShape;
 using Owner = CollisionOwner;
 
-constexpr double kRounding = 1e-9;  // [m]; what a bound may be wrong by
-// A look at all pairs is faster than proofs for more than these, and than looks at more than those few
-// that can come near.
-constexpr std::size_t kMostProofs = 64;
-constexpr int kFewAhead = 8;
-constexpr int kAll = kFewAhead + 1;
-
-struct FlatShape {  // all shapes in a row
-  int owner = 0;
-  int shape = 0;  // of the owner
-};
-
-struct ShapePair {  // of a candidate, as its pair of links names them
-  Owner *a = nullptr, *b = nullptr;
-  Body *body_a = nullptr, *body_b = nullptr;
-  ShapeMemory* memory = nullptr;
-  Vector3d towards;  // where b may be seen from a
-};
-
-struct OwnerPair {
-  int a = 0;
-  int b = 0;
-  int first_memory = 0;  // of shapes(a) x shapes(b)
-};
-
 // robot.yaml, collision: own or fcl.
 bool by_fcl(const Model& model) {
   if (model.yaml_text.empty()) return false;
@@ -59,53 +29,6 @@ bool by_fcl(const Model& model) {
 }
 
 }  // namespace
-
-struct Collision::Impl {
-  std::vector<CollisionPair> self_pairs;
-  std::vector<Owner> owners;     // links that bear geometry, then obstacles
-  std::vector<int> owner_of;     // [link_count + kMaxObstacles] -> owner, -1
-  std::vector<OwnerPair> pairs;  // self pairs, then link x obstacle
-  std::vector<ShapeMemory> memory;
-  std::vector<int> memory_of;  // [owners x owners]: first_memory, -1 when they are no pair
-  ShapeGap gap;
-  NearShapes near_shapes;
-  std::vector<FlatShape> shapes;
-  std::vector<int> pair_of;                            // [shapes x shapes], a < b
-  std::array<NearShapes::Candidate, kFewAhead> ahead;  // that can come near from a posture
-  double ahead_near = 0.0;                             // [m]
-  int ahead_count = 0;                                 // or kAll
-  std::vector<int> only_joints;
-  std::optional<JointReach> reach;
-  const Model* model = nullptr;
-  const Kinematics* kinematics = nullptr;  // of this query
-  int link_count = 0;
-  int link_owners = 0;
-  int last_hit = 0;
-  std::int64_t query = 0;
-
-  explicit Impl(const Model& robot);
-  void build_pairs();
-  void build_shapes();
-  OwnerPair make_pair(int a, int b);
-  int index_of(const Owner& owner) const {  // link, or obstacle + link_count
-    return owner.link >= 0 ? owner.link
-                           : link_count + static_cast<int>(&owner - owners.data()) - link_owners;
-  }
-  Owner& owner(int i) { return owners[static_cast<std::size_t>(i)]; }
-
-  void look_at(const Kinematics& posture) noexcept;
-  void place() noexcept;
-  const Isometry3d& placed(const Owner& owner, Body& body) noexcept;
-  const OwnerPair& pair_of_shapes(const NearShapes::Candidate& c, int& index) const noexcept;
-  ShapePair shape_pair(const NearShapes::Candidate& candidate) noexcept;
-  void let_links_move(const Ahead& ahead) noexcept;
-  void keep_ahead(std::span<const NearShapes::Candidate> candidates, const Ahead& ahead) noexcept;
-  bool stays_apart(const NearShapes::Candidate& candidate, double most,
-                   const Ahead& ahead) noexcept;
-  int nearest(std::span<const NearShapes::Candidate> candidates, double near, PairDistance* pairs,
-              int capacity) noexcept;
-  bool nearer(const NearShapes::Candidate& candidate, double near, PairDistance& result) noexcept;
-};
 
 Collision::Impl::Impl(const Model& robot)
     : self_pairs(pairs_to_check(robot)), model(&robot), link_count(robot.link_count()) {
@@ -129,6 +52,8 @@ Collision::Impl::Impl(const Model& robot)
   link_owners = static_cast<int>(owners.size());
   gap.asks_fcl = by_fcl(robot);
   reach.emplace(robot, link_radius);
+  swept.emplace(robot, *reach);
+  moves_to.resize(robot.links.size());
   build_pairs();
 }
 
@@ -159,6 +84,7 @@ void Collision::Impl::build_pairs() {
 void Collision::Impl::build_shapes() {
   shapes.clear();
   std::vector<Capsule> capsules;
+  std::vector<SweptShapes::Part> parts;
   std::vector<int> first;  // shape of every owner
   for (int o = 0; o < static_cast<int>(owners.size()); ++o) {
     first.push_back(static_cast<int>(shapes.size()));
@@ -169,10 +95,14 @@ void Collision::Impl::build_shapes() {
       capsule.a = body.local * capsule.a;
       capsule.b = body.local * capsule.b;
       capsules.push_back(capsule);
+      parts.push_back({owner(o).link, &body.convex,
+                       body.convex.kind == ShapeKind::kMesh ? &body.core : nullptr, body.local});
     }
   }
   near_shapes.set(capsules);
-  ahead_count = 0;
+  swept->set(parts);
+  open_pairs.assign(shapes.size() * shapes.size() / 2, 0);
+  ahead = {};
   pair_of.assign(shapes.size() * shapes.size(), -1);
   for (std::size_t p = 0; p < pairs.size(); ++p) {
     const OwnerPair& pair = pairs[p];
@@ -187,6 +117,7 @@ void Collision::Impl::build_shapes() {
         const auto b = static_cast<std::size_t>(first[static_cast<std::size_t>(pair.b)]) + k;
         pair_of[std::min(a, b) * shapes.size() + std::max(a, b)] = static_cast<int>(p);
         near_shapes.want(static_cast<int>(a), static_cast<int>(b), true);
+        swept->want(static_cast<int>(std::min(a, b)), static_cast<int>(std::max(a, b)));
       }
     }
   }
@@ -196,6 +127,7 @@ void Collision::Impl::build_shapes() {
 void Collision::Impl::look_at(const Kinematics& posture) noexcept {
   ++query;
   kinematics = &posture;
+  gap.close = kGjkClose;
 }
 
 void Collision::Impl::place() noexcept {
@@ -250,63 +182,6 @@ bool Collision::Impl::nearer(const NearShapes::Candidate& candidate, double near
   placed(*pair.a, *pair.body_a);
   placed(*pair.b, *pair.body_b);
   return gap.nearer(*pair.body_a, *pair.body_b, *pair.memory, pair.towards, near, result);
-}
-
-void Collision::Impl::let_links_move(const Ahead& moved) noexcept {
-  int shape = 0;
-  for (const Owner& o : owners) {
-    const double travel = o.link > 0 ? reach->between(o.link, 0, moved.moves) : 0.0;
-    for (std::size_t s = 0; s < o.shapes.size(); ++s) near_shapes.let_move(shape++, travel);
-  }
-}
-
-// Does a direction that is at hand prove that the moves cannot bring the two near?  most: what their
-// distance can change by [m].
-bool Collision::Impl::stays_apart(const NearShapes::Candidate& candidate, double most,
-                                  const Ahead& moved) noexcept {
-  const ShapePair pair = shape_pair(candidate);
-  const Isometry3d& world_a = placed(*pair.a, *pair.body_a);
-  const PlacedShape a{&pair.body_a->convex, &world_a};
-  const PlacedShape b{&pair.body_b->convex, &placed(*pair.b, *pair.body_b)};
-  const auto by = [&](const Vector3d& n) {
-    const double left = separation(a, b, n) - moved.near - kRounding;
-    return left > most || (left > 0.0 && left > reach->along(n, *kinematics, pair.a->link,
-                                                             pair.b->link, moved.moves));
-  };
-  if (by(world_a.linear() * pair.memory->apart)) return true;
-  if (!(pair.towards.squaredNorm() > 1e-8)) return false;
-  const Vector3d seen = pair.towards.normalized();
-  if (!by(seen)) return false;
-  pair.memory->apart = world_a.linear().transpose() * seen;
-  return true;
-}
-
-// Those that the moves can bring that near: joints that move both links do not count, and a
-// direction may say more than capsules.
-void Collision::Impl::keep_ahead(std::span<const NearShapes::Candidate> candidates,
-                                 const Ahead& moved) noexcept {
-  ahead_near = moved.near;
-  ahead_count = candidates.size() > kMostProofs ? kAll : 0;
-  if (ahead_count == kAll) return;
-  int owner_a = -1, owner_b = -1;  // shapes of two owners come in a row
-  double most = 0.0;
-  for (const NearShapes::Candidate& candidate : candidates) {
-    const int a = shapes[at(candidate.a)].owner;
-    const int b = shapes[at(candidate.b)].owner;
-    if (a != owner_a || b != owner_b)
-      most = reach->between(owner(a).link, owner(b).link, moved.moves);
-    owner_a = a;
-    owner_b = b;
-    if (static_cast<double>(candidate.bound) > moved.near + kRounding + most) continue;
-    if (ahead_count == kFewAhead) {
-      ahead_count = kAll;
-      return;
-    }
-    if (stays_apart(candidate, most, moved)) continue;
-    NearShapes::Candidate& kept = ahead[at(ahead_count++)];
-    kept = candidate;
-    kept.bound = -1e9F;  // of elsewhere
-  }
 }
 
 Collision::Collision(const Model& model) : impl_(std::make_unique<Impl>(model)) {}
@@ -422,26 +297,9 @@ int Collision::near_pairs(const Kinematics& kinematics, double near, PairDistanc
   i.place();
   if (ahead == nullptr) return i.nearest(i.near_shapes.nearer_than(near), near, pairs, capacity);
   i.let_links_move(*ahead);
-  const auto candidates = i.near_shapes.nearer_than(near, ahead->near);
-  const int count = i.nearest(candidates, near, pairs, capacity);
-  i.keep_ahead(candidates, *ahead);
-  return count;
+  i.ahead = i.near_shapes.nearer_than(near, ahead->near);
+  return i.nearest(i.ahead, near, pairs, capacity);
 }
-
-int Collision::near_pairs_ahead(const Kinematics& kinematics, PairDistance* pairs,
-                                int capacity) noexcept {
-  Impl& i = *impl_;
-  i.gap.depths = false;
-  i.look_at(kinematics);
-  if (i.ahead_count == kAll) {
-    i.place();
-    return i.nearest(i.near_shapes.nearer_than(i.ahead_near), i.ahead_near, pairs, capacity);
-  }
-  return i.nearest({i.ahead.data(), static_cast<std::size_t>(i.ahead_count)}, i.ahead_near, pairs,
-                   capacity);
-}
-
-bool Collision::any_ahead() const noexcept { return impl_->ahead_count > 0; }
 
 bool Collision::pair_nearer_than(const Kinematics& kinematics, int link_a, int link_b, double near,
                                  PairDistance& result) noexcept {

@@ -18,6 +18,7 @@
 #include "robot/kinematics.h"
 #include "robot/model.h"
 #include "robot/requests.h"
+#include "robot/swept_shapes.h"
 
 namespace twinbus {
 
@@ -71,18 +72,36 @@ class Collision {
     double near = 0.0;
   };
   // Distances of the pairs nearer than `near` [m], nearest first, at most capacity; returns how
-  // many.  With `ahead`, also remembers which pairs near_pairs_ahead has to look at.
+  // many.  With `ahead`, a way may be looked along afterwards.
   int near_pairs(const Kinematics& kinematics, double near, PairDistance* pairs, int capacity,
                  const Ahead* ahead = nullptr) noexcept;
-  // As near_pairs for ahead.near, at a posture that joints reach by the moves of the last call that
-  // had them.  Pairs that touch have distance zero and neither points nor normal: finding the way
-  // out costs more than all the rest.
-  int near_pairs_ahead(const Kinematics& kinematics, PairDistance* pairs, int capacity) noexcept;
-  // Can any pair come that near at all?  If not, near_pairs_ahead finds nothing.
-  bool any_ahead() const noexcept;
   // Distance of one pair if it is nearer than `near` [m]; false when it is not.
   bool pair_nearer_than(const Kinematics& kinematics, int link_a, int link_b, double near,
                         PairDistance& result) noexcept;
+
+  // Two shapes on a way, as far as they have been looked at.  Bits are places, or ways to the next.
+  struct OnWay {
+    int pair = -1, link_a = 0, link_b = 0;
+    double margin = 0.0;                        // places where they are nearer are asked for [m]
+    double clear = 0.0;                         // nowhere between are they to be nearer, unseen [m]
+    unsigned open = 0;                          // ways to the next place that are not proved
+    unsigned asked = 0, far = 0, hopeless = 0;  // places; places; ways that places cannot prove
+    double best = 0.0;                          // least gap along the direction that said most [m]
+    SweptShapes::AtPlaces least, left_out;      // of the distance, at least [m]
+  };
+  // Goes to the places of a way.  Its joints move from the posture of the last near_pairs that had
+  // `ahead` no farther than that said.
+  void go(const Eigen::Isometry3d& base, const SweptShapes::Way& way) noexcept;
+  // Of all shapes, those that no direction at hand proves to stay `margin` apart at the places and
+  // `clear` between [m]; at most capacity; how many there are.
+  int open_on_way(double margin, double clear, OnWay* pairs, int capacity) noexcept;
+  // Begins to look at two shapes on the way, margin and clear as they say.
+  void begin(OnWay& pair) noexcept;
+  // The next place where they are nearer than the margin, -1 when there is none left; then pair.open
+  // says what could not be proved.  result: with depth, points and normal if depths, else pairs that
+  // touch have distance zero and no more.  looks: taken off for every distance measured; none is
+  // when none is left, and everything may be open.
+  int nearer_on_way(OnWay& pair, bool depths, int& looks, PairDistance& result) noexcept;
 
   // The pair by fcl::collide with its other solver (libccd), no filter: what tests compare with.
   // Allocates.

@@ -14,7 +14,6 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double kConverged = 5e-8;  // upper and lower bound agree to this [m]
 constexpr double kTouching = 1e-12;  // [m]
 constexpr int kMostSteps = 64;
 
@@ -192,7 +191,7 @@ struct Search {
 
 TWINBUS_AVX2_CLONES
 static void search(const GjkShape& a, const GjkShape& b, const double (&to_a)[4][4], double far,
-                   const double (&first)[4], Search& found) noexcept {
+                   double close, const double (&first)[4], Search& found) noexcept {
   const Vec4 half_a = vec4(a.half), half_b = vec4(b.half);
   const Vec4 column[3] = {load4(to_a[0]), load4(to_a[1]), load4(to_a[2])};
   const Vec4 shift = load4(to_a[3]);
@@ -222,7 +221,7 @@ static void search(const GjkShape& a, const GjkShape& b, const double (&to_a)[4]
       found.far = true;
       return;
     }
-    if (length - below <= kConverged) break;
+    if (length - below <= close) break;
     bool known = false;
     for (int i = 0; i < count; ++i) {
       const Vec4 same = corner[i].v - next.v;
@@ -253,7 +252,7 @@ static void search(const GjkShape& a, const GjkShape& b, const double (&to_a)[4]
 
 GjkResult gjk_distance(const GjkShape& a, const Eigen::Isometry3d& pose_a, const GjkShape& b,
                        const Eigen::Isometry3d& pose_b, double far,
-                       const Vector3d& towards_b) noexcept {
+                       const Vector3d& towards_b, double close) noexcept {
   if (b.kind == ShapeKind::kSphere && a.kind != ShapeKind::kMesh)
     return to_ball(a, pose_a, b, pose_b.translation());
   if (a.kind == ShapeKind::kSphere && b.kind != ShapeKind::kMesh) {
@@ -275,7 +274,7 @@ GjkResult gjk_distance(const GjkShape& a, const Eigen::Isometry3d& pose_a, const
   }
   const double skins = skin(a) + skin(b);
   Search found;
-  search(a, b, to_a, far + skins, first, found);
+  search(a, b, to_a, far + skins, close, first, found);
   GjkResult result;
   if (found.far) {
     result.below = found.below - skins;

@@ -34,11 +34,15 @@ struct GjkResult {
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  // from a to b, unit; zero when they overlap
 };
 
+inline constexpr double kGjkClose = 5e-8;  // [m]
+
+// close: the search ends when distance and below are this near to each other [m].
 // Stops early when the distance is larger than `far` [m]: below says so, the rest is unfinished.
 // towards_b: where to look first, in a's axes, such as the normal of the last time; zero: nothing is
 // known.
 GjkResult gjk_distance(const GjkShape& a, const Eigen::Isometry3d& pose_a, const GjkShape& b,
                        const Eigen::Isometry3d& pose_b, double far,
-                       const Eigen::Vector3d& towards_b = Eigen::Vector3d::Zero()) noexcept;
+                       const Eigen::Vector3d& towards_b = Eigen::Vector3d::Zero(),
+                       double close = kGjkClose) noexcept;
 
 }  // namespace twinbus

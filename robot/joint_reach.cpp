@@ -13,10 +13,19 @@ constexpr double kRounding = 1e-6;  // of a sine
 }
 
 JointReach::JointReach(const Model& model, const std::vector<double>& radius)
-    : joints_(model.joint_count()), reach_(model.links.size() * model.joints.size(), 0.0) {
+    : joints_(model.joint_count()),
+      reach_(model.links.size() * model.joints.size(), 0.0),
+      radius_(radius),
+      length_(model.links.size(), 0.0) {
   for (const Link& link : model.links) parent_.push_back(link.parent);
   for (const Joint& joint : model.joints)
     slides_.push_back(joint.kind == JointKind::kPrismatic ? 1 : 0);
+  for (int link = 1; link < model.link_count(); ++link) {
+    const Joint& joint = model.joints[at(link - 1)];
+    length_[at(link)] = length_[at(joint.parent)] + joint.placement.translation().norm();
+    if (joint.kind == JointKind::kPrismatic)
+      length_[at(link)] += std::max(std::abs(joint.lower), std::abs(joint.upper));
+  }
   for (int link = 0; link < model.link_count(); ++link) {
     double length = radius[at(link)];
     if (!(length > 0.0)) continue;

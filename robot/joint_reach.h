@@ -12,6 +12,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <vector>
 
 #include "robot/kinematics.h"
@@ -26,6 +27,14 @@ class JointReach {
 
   // The largest reach of a joint, over all links that it moves [m/rad, or 1 if it slides].
   double farthest(int joint) const noexcept;
+  // Of a joint and a link that it moves; 0 if it does not.
+  double of(int link, int joint) const noexcept {
+    return reach_[static_cast<std::size_t>(link * joints_ + joint)];
+  }
+  // It is, of a joint that turns, the radius of the link and the length of the stretched chain to it,
+  // less that to the link behind the joint [m].
+  double radius(int link) const noexcept { return radius_[static_cast<std::size_t>(link)]; }
+  double length(int link) const noexcept { return length_[static_cast<std::size_t>(link)]; }
   // By how much two links can come nearer when no joint moves farther than `moves` [joint_count,
   // rad or m, not negative] [m].  Link 0 and obstacles (link < 0) stand still.
   double between(int link_a, int link_b, const Eigen::VectorXd& moves) const noexcept;
@@ -38,9 +47,11 @@ class JointReach {
   void climb(int link_a, int link_b, Visit visit) const noexcept;
 
   int joints_;
-  std::vector<int> parent_;    // [link_count]
-  std::vector<char> slides_;   // [joint_count]
-  std::vector<double> reach_;  // [link_count x joint_count, m/rad or m/m]
+  std::vector<int> parent_;     // [link_count]
+  std::vector<char> slides_;    // [joint_count]
+  std::vector<double> reach_;   // [link_count x joint_count, m/rad or m/m]
+  std::vector<double> radius_;  // [link_count, m]
+  std::vector<double> length_;  // of the stretched chain to a link [link_count, m]
 };
 
 }  // namespace twinbus

@@ -26,7 +26,7 @@ constexpr double kHullsApart = 0.02;
 bool ShapeGap::own_distance(const CollisionShape& a, const CollisionShape& b,
                             const Vector3d& towards_b, double near, PairDistance& result) noexcept {
   const double far = std::max(near, 0.0) + kRounding;
-  const GjkResult found = gjk_distance(a.core, a.world, b.core, b.world, far, towards_b);
+  const GjkResult found = gjk_distance(a.core, a.world, b.core, b.world, far, towards_b, close);
   if (found.distance > 0.0 && found.below > near + kRounding) return false;
   result.distance = found.distance;
   result.point_a = found.point_a;

@@ -21,9 +21,10 @@ struct ShapeMemory {
 
 class ShapeGap {
  public:
-  MeshDistance meshes;    // with room for every mesh that is asked about
-  bool asks_fcl = false;  // for distances
-  bool depths = true;     // of what touches
+  MeshDistance meshes;       // with room for every mesh that is asked about
+  bool asks_fcl = false;     // for distances
+  bool depths = true;        // of what touches
+  double close = kGjkClose;  // how near a distance of convex shapes is to be [m]
 
   // Of shapes whose `world` is set.  result.distance, when lower than before, is the signed distance,
   // at most `near` [m]; true when it was improved.  towards: where b may be seen from a.

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -20,6 +19,7 @@
 #include "robot/rate_stats.h"
 #include "robot/self_collision.h"
 #include "test/collision/guard_rig.h"
+#include "test/collision/rated_drive.h"
 #include "test/no_alloc.h"
 
 using namespace twinbus;
@@ -28,8 +28,6 @@ namespace {
 
 constexpr int kParts = 20;         // looks per tick of 2 ms
 constexpr double kFar = 0.05;      // nothing comes this far in a tick [m]
-constexpr double kPace = 30.0;     // of the follower: as fast as ratings allow [rad/s]
-constexpr double kRamp = 0.05;     // to the rated speed [s]
 constexpr double kArrived = 0.02;  // [rad]
 constexpr double kThrough =
     0.012;  // a way that leads nearer than this leads through the margin [m]
@@ -42,32 +40,26 @@ class Driver {
         exact_(model, build_geometry(model, {.balls = false})),
         distances_(model),
         kinematics_(model),
+        drive_(model),
         seed_(seed),
-        ticks_(ticks) {
-    for (std::size_t k = 0; k < model.bus_joints.size(); ++k) {
-      const std::string& name = model.joints[at(model.bus_joints[k])].name;
-      if (name.find("ARM") != std::string::npos || name.find("WAIST") != std::string::npos ||
-          name.find("CHEST") != std::string::npos)
-        moved_.push_back(k);
-    }
-  }
+        ticks_(ticks) {}
 
   // The number of a motion and the seed say all about it.
   void motion(Guard& guard, std::int64_t number, int repeats, bool tell) {
     const Configuration home = named_posture(model_, "half_sitting");
-    const Configuration target = draw_target(home, number);
+    const Configuration target = drive_.draw_target(exact_, home, seed_, number);
     std::vector<std::int64_t> least(at(2 * ticks_), INT64_MAX);
     ++motions;
     for (int repeat = 0; repeat < repeats; ++repeat) {
       const bool first = repeat == 0;  // the others only time the same ticks again
       guard.reset();
       GuardRig rig(model_, home);
-      PerJoint<double> v{}, a{};
+      drive_.start();
       bool masked = false, hit = false;
       Eigen::VectorXd before = home.q;
       for (int i = 0; i < 2 * ticks_; ++i) {
         const Configuration& aim = i < ticks_ ? target : home;
-        for (const std::size_t k : moved_) follow(rig, k, aim.q[model_.bus_joints[k]], v, a);
+        drive_.follow(rig, aim);
         const NoAlloc no_alloc;
         masked = rig.tick(guard).hold_mask != 0 || masked;
         if (i > 0) allocations += no_alloc.count();
@@ -96,21 +88,6 @@ class Driver {
  private:
   static long long as_long(std::int64_t x) { return static_cast<long long>(x); }
 
-  Configuration draw_target(const Configuration& home, std::int64_t number) {
-    std::seed_seq seeds{seed_, number};
-    std::mt19937_64 random(seeds);
-    Configuration target = home;
-    do {
-      for (const std::size_t k : moved_) {
-        const Joint& joint = model_.joints[at(model_.bus_joints[k])];
-        target.q[model_.bus_joints[k]] =
-            std::uniform_real_distribution<double>(joint.lower, joint.upper)(random);
-      }
-      exact_.place(target.q);
-    } while (!exact_.any_touching());
-    return target;
-  }
-
   // Does anything touch between two ticks?
   bool look_between(const Guard& guard, const Eigen::VectorXd& before,
                     const Eigen::VectorXd& after) {
@@ -129,7 +106,7 @@ class Driver {
   void count_way_back(const GuardRig& rig, const Guard& guard, const Configuration& home,
                       std::int64_t number) {
     double left = 0.0;
-    for (const std::size_t k : moved_)
+    for (const std::size_t k : drive_.moved())
       left = std::max(left, std::abs(rig.state.q[k] - home.q[model_.bus_joints[k]]));
     if (left <= kArrived) return;
     const Configuration end = rig.configuration();
@@ -163,7 +140,7 @@ class Driver {
       std::printf("  %s %s %.2f mm\n", model_.links[at(pair.link_a)].name.c_str(),
                   model_.links[at(pair.link_b)].name.c_str(), 1e3 * pair.distance);
     }
-    for (const std::size_t k : moved_) {
+    for (const std::size_t k : drive_.moved()) {
       std::printf("  %s %.3f at %.2f, set %.3f at %.2f, asked %.3f\n",
                   model_.joints[at(model_.bus_joints[k])].name.c_str(), rig.state.q[k],
                   static_cast<double>(rig.state.qd[k]), rig.effective().q[k],
@@ -171,26 +148,13 @@ class Driver {
     }
   }
 
-  // Third order, towards the aim, within the rated speed and what reaches it in kRamp.
-  void follow(GuardRig& rig, std::size_t k, double aim, PerJoint<double>& v,
-              PerJoint<double>& a) const {
-    const Joint& joint = model_.joints[at(model_.bus_joints[k])];
-    const double dt = model_.period(), most = joint.velocity / kRamp;
-    const double jerk = kPace * kPace * kPace * (aim - rig.command.q[k]) -
-                        3.0 * kPace * kPace * v[k] - 3.0 * kPace * a[k];
-    const double limit = most / kRamp;
-    a[k] = std::clamp(a[k] + std::clamp(jerk, -limit, limit) * dt, -most, most);
-    v[k] = std::clamp(v[k] + a[k] * dt, -joint.velocity, joint.velocity);
-    rig.command.q[k] = std::clamp(rig.command.q[k] + v[k] * dt, joint.lower, joint.upper);
-  }
-
   const Model& model_;
   SelfCollision exact_;
   Collision distances_;
   Kinematics kinematics_;
+  RatedDrive drive_;
   std::int64_t seed_;
   int ticks_;
-  std::vector<std::size_t> moved_;
 };
 
 void print(const char* name, const RateStats& stats) {
@@ -221,9 +185,10 @@ int main(int argc, char** argv) try {
     driver.motion(guard, m, static_cast<int>(repeats), only >= 0);
   std::printf(
       "%ld motions: %ld with a contact in %ld looks, nearest %.2f mm; the guard held joints in "
-      "%ld; %ld did not come back, %ld more have no way back; %ld allocations%s\n",
+      "%ld; %ld did not come back, %ld more have no way back; %lld stretches not proved; %ld "
+      "allocations%s\n",
       driver.motions, driver.contacts, driver.looks, 1e3 * driver.nearest, driver.held,
-      driver.stuck, driver.refused, driver.allocations,
+      driver.stuck, driver.refused, static_cast<long long>(guard.unproved()), driver.allocations,
       allocations_counted() ? "" : " (not counted)");
   print("guard per tick", driver.every);
   if (repeats > 1) print("  least of the repeats of each tick", driver.tick);

@@ -181,9 +181,11 @@ TEST(Collision, AnswersDoNotDependOnThePast) {
   }
 }
 
-// What is skipped ahead of a posture is proved to stay away, whatever the joints do within their moves.
-TEST(Collision, NothingThatComesNearAheadIsLeftOut) {
-  constexpr double kMargin = 0.03;
+// What no way names is proved to stay apart on it, and so is what no place and no stretch names of
+// what it does.
+TEST(Collision, NothingThatComesNearOnAWayIsLeftOut) {
+  constexpr double kMargin = 0.01, kClear = 0.005;
+  constexpr int kPlaces = SweptShapes::kPlaces;
   const Model& model = hrp1s();
   Collision collision(model), fresh(model);
   Obstacle box;
@@ -193,44 +195,76 @@ TEST(Collision, NothingThatComesNearAheadIsLeftOut) {
   collision.set_obstacles({box});
   fresh.set_obstacles({box});
   Kinematics now(model), then(model);
-  std::mt19937_64 random(11);
+  std::mt19937_64 random(12);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
-  std::vector<PairDistance> ahead(500), all(500);
-  long found = 0, nothing = 0;
-  for (int k = 0; k < 200; ++k) {
+  std::vector<PairDistance> all(2000);
+  std::vector<Collision::OnWay> open(2000);
+  SweptShapes::Way way;
+  way.q.resize(model.joints.size());
+  way.bend.resize(model.joints.size());
+  long near_places = 0, near_between = 0, proved = 0, named = 0;
+  for (int k = 0; k < 150; ++k) {
     Configuration c(model);
-    Collision::Ahead moved{Eigen::VectorXd::Zero(model.joint_count()), kMargin};
+    Collision::Ahead ahead{Eigen::VectorXd::Zero(model.joint_count()), kMargin};
+    const double step = k % 3 == 0 ? 0.06 : 0.015;
     for (int j = 0; j < model.joint_count(); ++j) {
       const Joint& joint = model.joints[at(j)];
-      c.q[j] = 0.5 * (joint.lower + joint.upper +
-                      unit(random) * (joint.upper - joint.lower) * (k % 2 == 0 ? 1.0 : 0.3));
-      moved.moves[j] = (k % 5 == 0 ? 0.01 : 0.2) * std::abs(unit(random));
+      c.q[j] = 0.5 * (joint.lower + joint.upper + 0.6 * unit(random) * (joint.upper - joint.lower));
+      const double along = step * unit(random);
+      for (int place = 0; place < kPlaces; ++place) {
+        way.q[at(j)][at(place)] = c.q[j] + along * place;
+        way.bend[at(j)][at(place)] =
+            place + 1 < kPlaces && k % 2 == 0 ? static_cast<float>(0.03 * step) : 0.0F;
+      }
+      ahead.moves[j] = std::abs(along) * (kPlaces - 1) + 0.03 * step;
     }
     now.update(c);
-    collision.near_pairs(now, 0.05, ahead.data(), 500, &moved);
-    nothing += collision.any_ahead() ? 0 : 1;
-    for (int posture = 0; posture < 10; ++posture) {
-      Configuration moved_on = c;
-      for (int j = 0; j < model.joint_count(); ++j)
-        moved_on.q[j] +=
-            moved.moves[j] * (posture < 5 ? unit(random) : std::copysign(1.0, unit(random)));
-      then.update(moved_on);
-      const int expected = fresh.near_pairs(then, kMargin, all.data(), 500);
-      const int count = collision.near_pairs_ahead(then, ahead.data(), 500);
-      ASSERT_EQ(count, expected) << "posture " << k;
-      for (int p = 0; p < count; ++p) {
-        const auto same =
-            std::find_if(all.begin(), all.begin() + expected, [&](const PairDistance& other) {
-              return other.link_a == ahead[at(p)].link_a && other.link_b == ahead[at(p)].link_b;
-            });
-        ASSERT_NE(same, all.begin() + expected) << "posture " << k;
-        EXPECT_NEAR(ahead[at(p)].distance, std::max(same->distance, 0.0), 1e-6);
+    collision.near_pairs(now, 0.05, all.data(), 2000, &ahead);
+    collision.go(c.base, way);
+    const int count = collision.open_on_way(kMargin, kClear, open.data(), 2000);
+    ASSERT_LE(count, 2000);
+    named += count;
+    std::map<std::pair<int, int>, unsigned> near, may_be_near;  // places; stretches
+    for (int p = 0; p < count; ++p) {
+      Collision::OnWay& pair = open[at(p)];
+      collision.begin(pair);
+      int looks = 1000;
+      PairDistance found;
+      const std::pair<int, int> links{pair.link_a, pair.link_b};
+      for (int place; (place = collision.nearer_on_way(pair, false, looks, found)) >= 0;) {
+        EXPECT_LT(found.distance, kMargin);
+        near[links] |= 1U << static_cast<unsigned>(place);
       }
-      found += count;
+      may_be_near[links] |= pair.open;
+      proved += pair.open == 0 ? 1 : 0;
+    }
+    for (int part = 0; part <= 4 * (kPlaces - 1); ++part) {
+      const int place = part / 4;
+      const bool between = part % 4 != 0;
+      Configuration on_way = c;
+      for (int j = 0; j < model.joint_count(); ++j) {
+        on_way.q[j] += (way.q[at(j)][1] - way.q[at(j)][0]) * part / 4.0;
+        if (between)
+          on_way.q[j] +=
+              std::copysign(static_cast<double>(way.bend[at(j)][at(place)]), unit(random));
+      }
+      then.update(on_way);
+      const double reach = between ? kClear : kMargin - 1e-4;
+      const int expected = fresh.near_pairs(then, reach, all.data(), 2000);
+      for (int p = 0; p < expected; ++p) {
+        const auto& where = between ? may_be_near : near;
+        const auto said = where.find({all[at(p)].link_a, all[at(p)].link_b});
+        ASSERT_NE(said, where.end()) << "way " << k << " at " << part;
+        EXPECT_NE(said->second >> static_cast<unsigned>(place) & 1U, 0U)
+            << "way " << k << " at " << part;
+        ++(between ? near_between : near_places);
+      }
     }
   }
-  EXPECT_GT(found, 1000);
-  EXPECT_LT(nothing, 200);
+  EXPECT_GT(near_places, 1000);
+  EXPECT_GT(near_between, 1000);
+  EXPECT_GT(proved, 100);
+  EXPECT_LT(named, 150 * 60) << "hardly anything is proved at once";
 }
 
 TEST(Collision, QueriesOnPrimitivesAllocateNothing) {

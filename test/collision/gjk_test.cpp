@@ -94,6 +94,24 @@ TEST(Gjk, AHullOfPointsIsAsFarAwayAsTheBox) {
   EXPECT_EQ(no_alloc.count(), 0);
 }
 
+TEST(Gjk, EndsAsNearToTheDistanceAsIsAsked) {
+  Isometry3d there = Isometry3d::Identity();
+  there.linear() = Eigen::AngleAxisd(0.7, Vector3d(0.6, 0.0, 0.8)).toRotationMatrix();
+  const GjkShape tube = shape(ShapeKind::kCylinder, 0.05, 0.2);
+  double coarsest = 0.0;
+  for (int k = 0; k < 50; ++k) {
+    there.translation() = Vector3d(0.2 + 0.002 * k, 0.3 - 0.003 * k, 0.1);
+    const double exact = gjk_distance(tube, Isometry3d::Identity(), tube, there, 9.0).distance;
+    const GjkResult r =
+        gjk_distance(tube, Isometry3d::Identity(), tube, there, 9.0, Vector3d::Zero(), 1e-3);
+    EXPECT_GE(r.distance, exact - kGjkClose);
+    EXPECT_LE(r.distance, exact + 1e-3);
+    EXPECT_LE(r.below, exact + kGjkClose);
+    coarsest = std::max(coarsest, r.distance - exact);
+  }
+  EXPECT_GT(coarsest, 1e-6) << "it takes no notice";
+}
+
 TEST(Gjk, StopsEarlyWhenFarAway) {
   Isometry3d there = Isometry3d::Identity();
   there.translation() = Vector3d(0.3, 0.4, 1.0);

@@ -6,7 +6,9 @@
 #include <random>
 #include <vector>
 
+#include "robot/geometry.h"
 #include "test/collision/guard_rig.h"
+#include "test/collision/rated_drive.h"
 #include "test/no_alloc.h"
 
 namespace twinbus {
@@ -255,6 +257,34 @@ TEST(Guard, RandomMotionsNeverTouch) {
     }
   }
   EXPECT_GT(masked, looks / 20) << "the motions were too tame to say anything";
+}
+
+// Motions at rated speed whose danger lies between the places that a few even looks along the braked
+// way would see (6301), appears when what is asked for slows down on one joint alone (435), or when joints
+// that were about to be let go stay held while others go on (6628).
+TEST(Guard, NothingIsPassedOverOnTheWayToRest) {
+  const Model& model = hrp1s();
+  const Configuration home = named_posture(model, "half_sitting");
+  SelfCollision exact(model, build_geometry(model, {.balls = false}));
+  Watch watch(model);
+  RatedDrive drive(model);
+  for (const std::int64_t number : {435, 6301, 6628}) {
+    const Configuration target = drive.draw_target(exact, home, 1, number);
+    Guard guard(model, {});
+    GuardRig rig(model, home);
+    drive.start();
+    double nearest = 1.0;
+    bool held = false;
+    for (int i = 0; i < 1000; ++i) {
+      drive.follow(rig, i < 500 ? target : home);
+      held = rig.tick(guard).hold_mask != 0 || held;
+      nearest = std::min(nearest, watch.nearest(rig));
+      ASSERT_GT(nearest, 0.0) << "motion " << number << " tick " << i;
+    }
+    EXPECT_TRUE(held) << number;
+    EXPECT_GT(nearest, 0.008) << number;
+    EXPECT_EQ(guard.unproved(), 0) << number;
+  }
 }
 
 TEST(Guard, AllocatesNothing) {

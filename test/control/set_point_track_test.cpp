@@ -67,6 +67,22 @@ TEST(SetPointTrack, AHeldSetPointStopsAndStays) {
   EXPECT_GT(f.obeyed(), f.held()) << "let go it would run after its command";
 }
 
+TEST(SetPointTrack, AMaskHoldsUntilWhatWasSentBeforeItHasArrived) {
+  Fixture f;
+  SetPointTrack late(f.model, 3, 0.0);
+  const std::int64_t one = 2, other = 8;
+  EXPECT_EQ(late.on_hold(), 0);
+  late.follow(f.state, f.command, one);
+  late.follow(f.state, f.command, other);
+  EXPECT_EQ(late.on_hold(), one | other);
+  late.follow(f.state, f.command, 0);
+  EXPECT_EQ(late.on_hold(), one | other);
+  late.follow(f.state, f.command, 0);
+  EXPECT_EQ(late.on_hold(), other);
+  late.follow(f.state, f.command, 0);
+  EXPECT_EQ(late.on_hold(), 0);
+}
+
 TEST(SetPointTrack, RunningAfterACommandNeverLeadsPastIt) {
   Fixture f;
   f.tick(0.0);

@@ -1,0 +1,163 @@
+// What Collision says of the ways that may come after a posture: where on them shapes come near, and what
+// is proved to stay apart.
+
+#include <algorithm>
+#include <cmath>
+
+#include "robot/collision_parts.h"
+#include "robot/index.h"
+
+namespace twinbus {
+
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr int kPlaces = SweptShapes::kPlaces;
+constexpr unsigned kAllPlaces = (1U << kPlaces) - 1U, kAllWays = kAllPlaces >> 1U;
+// Distances on a way are measured up to here; what is farther apart needs no more [m].
+constexpr double kFar = 0.5;
+constexpr double kFine = 1e-9;      // in double precision [m]
+constexpr double kClose = 1e-5;     // how exactly [m]
+constexpr double kRounding = 5e-6;  // of where shapes are in single precision [m]
+
+bool has(unsigned bits, int k) { return (bits >> static_cast<unsigned>(k) & 1U) != 0; }
+unsigned only(int k) { return 1U << static_cast<unsigned>(k); }
+double number(float x) { return static_cast<double>(x); }
+
+// The place to measure next: where they may be nearest of those that may still say something, or -1.
+int next_place(const Collision::OnWay& pair) noexcept {
+  const unsigned useful = pair.open & ~pair.hopeless;
+  const unsigned worth = (~pair.far | useful | useful << 1U) & ~pair.asked & kAllPlaces;
+  int best = -1;
+  for (int k = 0; k < kPlaces; ++k) {
+    if (has(worth, k) && (best < 0 || pair.least[at(k)] < pair.least[at(best)])) best = k;
+  }
+  return best;
+}
+
+}  // namespace
+
+// Seen from link 0; the sum over the joints of moves x reach is (radius + length) times one sum, less
+// another (joint_reach.h).
+void Collision::Impl::let_links_move(const Ahead& moved) noexcept {
+  for (int link = 1; link < link_count; ++link) {
+    const double move = moved.moves[link - 1];
+    const bool slides = model->joints[at(link - 1)].kind == JointKind::kPrismatic;
+    moves_to[at(link)] = moves_to[at(model->links[at(link)].parent)];
+    moves_to[at(link)].sum += slides ? 0.0 : move;
+    moves_to[at(link)].less += slides ? -move : move * reach->length(link);
+  }
+  int shape = 0;
+  for (const CollisionOwner& o : owners) {
+    double travel = 0.0;
+    if (o.link > 0) {
+      const Moves& of = moves_to[at(o.link)];
+      travel = (reach->radius(o.link) + reach->length(o.link)) * of.sum - of.less + kFine;
+    }
+    for (std::size_t s = 0; s < o.shapes.size(); ++s) near_shapes.let_move(shape++, travel);
+  }
+}
+
+void Collision::go(const Eigen::Isometry3d& base, const SweptShapes::Way& way) noexcept {
+  impl_->swept->go(base, way);
+}
+
+int Collision::open_on_way(double margin, double clear, OnWay* pairs, int capacity) noexcept {
+  Impl& i = *impl_;
+  const int count = i.swept->open(i.ahead, margin, clear, i.open_pairs.data(),
+                                  static_cast<int>(i.open_pairs.size()));
+  for (int p = 0; p < std::min(count, capacity); ++p) {
+    OnWay& pair = pairs[p];
+    pair.pair = i.open_pairs[at(p)];
+    const auto [a, b] = i.swept->shapes(pair.pair);
+    const OwnerPair& links = i.pairs[at(i.pair_of[at(a) * i.shapes.size() + at(b)])];
+    pair.link_a = i.index_of(i.owner(links.a));
+    pair.link_b = i.index_of(i.owner(links.b));
+    pair.margin = margin;
+    pair.clear = clear;
+  }
+  return count;
+}
+
+// What the gaps along one direction prove.
+void Collision::Impl::note(OnWay& pair, const SweptShapes::AtPlaces& gaps) const noexcept {
+  for (int k = 0; k < kPlaces; ++k) {
+    const float here = gaps[at(k)];
+    pair.least[at(k)] = std::max(pair.least[at(k)], here);
+    if (number(here) >= pair.margin) pair.far |= only(k);
+    if (k + 1 == kPlaces) break;
+    if (number(std::min(here, gaps[at(k + 1)]) - pair.left_out[at(k)]) >= pair.clear)
+      pair.open &= ~only(k);
+  }
+}
+
+void Collision::begin(OnWay& pair) noexcept {
+  SweptShapes& swept = *impl_->swept;
+  pair.open = kAllWays;
+  pair.asked = pair.far = pair.hopeless = 0;
+  pair.left_out = swept.left_out(pair.pair);
+  pair.least = swept.gaps(pair.pair, swept.remembered(pair.pair, 0), 0);
+  pair.best = number(*std::min_element(pair.least.begin(), pair.least.end()));
+  impl_->note(pair, pair.least);
+}
+
+int Collision::nearer_on_way(OnWay& pair, bool depths, int& looks, PairDistance& result) noexcept {
+  Impl& i = *impl_;
+  const auto [a, b] = i.swept->shapes(pair.pair);
+  NearShapes::Candidate candidate;
+  candidate.a = a;
+  candidate.b = b;
+  const ShapePair shapes = i.shape_pair(candidate);
+  const bool same_way =
+      shapes.body_a == &i.owner(i.shapes[at(a)].owner).shapes[at(i.shapes[at(a)].shape)];
+  i.gap.depths = depths;
+  i.gap.close = kClose;
+  for (int place = next_place(pair); place >= 0 && looks > 0; place = next_place(pair)) {
+    --looks;
+    pair.asked |= only(place);
+    ++i.query;
+    shapes.body_a->world = i.swept->pose(same_way ? a : b, place);
+    shapes.body_b->world = i.swept->pose(same_way ? b : a, place);
+    shapes.body_a->stamp = shapes.body_b->stamp = i.query;
+    const Vector3d seen = (same_way ? 1.0 : -1.0) * i.swept->remembered(pair.pair, place);
+    result = PairDistance{};
+    result.link_a = pair.link_a;
+    result.link_b = pair.link_b;
+    result.distance = kFar + 1.0;
+    const bool found =
+        i.gap.nearer(*shapes.body_a, *shapes.body_b, *shapes.memory, seen, kFar, result);
+    const double distance = found ? result.distance : kFar;
+    pair.least[at(place)] =
+        std::max(pair.least[at(place)], static_cast<float>(distance - kRounding - kClose));
+    if (found && distance > 0.0) {
+      const Vector3d direction = (same_way ? 1.0 : -1.0) * result.normal;
+      const SweptShapes::AtPlaces gaps = i.swept->gaps(pair.pair, direction, place);
+      i.note(pair, gaps);
+      const double least = number(*std::min_element(gaps.begin(), gaps.end()));
+      if (least > pair.best) {
+        pair.best = least;
+        i.swept->remember(pair.pair, direction, place);
+      }
+    }
+    for (const int way : {place - 1, place}) {
+      if (way >= 0 && way + 1 < kPlaces && distance - number(pair.left_out[at(way)]) < pair.clear)
+        pair.hopeless |= only(way);
+    }
+    if (distance < pair.margin) return place;
+    pair.far |= only(place);
+  }
+  if (next_place(pair) >= 0) {
+    pair.open = kAllWays;
+  } else if (pair.open != 0) {  // they may be too near together to be proved by any other means
+    const SweptShapes::AtPlaces travel = i.swept->travel(pair.pair);
+    for (int k = 0; k + 1 < kPlaces; ++k) {
+      if (0.5F * (pair.least[at(k)] + pair.least[at(k + 1)] - travel[at(k)]) >=
+          static_cast<float>(pair.clear))
+        pair.open &= ~only(k);
+    }
+  }
+  return -1;
+}
+
+}  // namespace twinbus

@@ -1,0 +1,88 @@
+// What Collision is made of: shapes of links and obstacles, the pairs of them, and what may come near
+// on the way from a posture.  Shared by collision.cpp (at a posture) and collision_ahead.cpp (on a way).
+
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "robot/collision.h"
+#include "robot/collision_body.h"
+#include "robot/convex_shape.h"
+#include "robot/joint_reach.h"
+#include "robot/near_shapes.h"
+#include "robot/shape_gap.h"
+#include "robot/swept_shapes.h"
+
+namespace twinbus {
+
+struct FlatShape {  // all shapes in a row
+  int owner = 0;
+  int shape = 0;  // of the owner
+};
+
+struct ShapePair {  // of a candidate, as its pair of links names them
+  CollisionOwner *a = nullptr, *b = nullptr;
+  CollisionShape *body_a = nullptr, *body_b = nullptr;
+  ShapeMemory* memory = nullptr;
+  Eigen::Vector3d towards;  // where b may be seen from a
+};
+
+struct OwnerPair {
+  int a = 0;
+  int b = 0;
+  int first_memory = 0;  // of shapes(a) x shapes(b)
+};
+
+struct Collision::Impl {
+  std::vector<CollisionPair> self_pairs;
+  std::vector<CollisionOwner> owners;  // links that bear geometry, then obstacles
+  std::vector<int> owner_of;           // [link_count + kMaxObstacles] -> owner, -1
+  std::vector<OwnerPair> pairs;        // self pairs, then link x obstacle
+  std::vector<ShapeMemory> memory;
+  std::vector<int> memory_of;  // [owners x owners]: first_memory, -1 when they are no pair
+  ShapeGap gap;
+  NearShapes near_shapes;
+  std::vector<FlatShape> shapes;
+  std::vector<int> pair_of;                      // [shapes x shapes], a < b
+  std::span<const NearShapes::Candidate> ahead;  // that can come near from a posture
+  std::vector<int> open_pairs;                   // room
+  struct Moves {                                 // of the joints on the way to a link
+    double sum = 0.0, less = 0.0;
+  };
+  std::vector<Moves> moves_to;  // [link_count]
+  std::vector<int> only_joints;
+  std::optional<JointReach> reach;
+  std::optional<SweptShapes> swept;
+  const Model* model = nullptr;
+  const Kinematics* kinematics = nullptr;  // of this query
+  int link_count = 0;
+  int link_owners = 0;
+  int last_hit = 0;
+  std::int64_t query = 0;
+
+  explicit Impl(const Model& robot);
+  void build_pairs();
+  void build_shapes();
+  OwnerPair make_pair(int a, int b);
+  int index_of(const CollisionOwner& owner) const {  // link, or obstacle + link_count
+    return owner.link >= 0 ? owner.link
+                           : link_count + static_cast<int>(&owner - owners.data()) - link_owners;
+  }
+  CollisionOwner& owner(int i) { return owners[static_cast<std::size_t>(i)]; }
+
+  void look_at(const Kinematics& posture) noexcept;
+  void place() noexcept;
+  const Eigen::Isometry3d& placed(const CollisionOwner& owner, CollisionShape& body) noexcept;
+  const OwnerPair& pair_of_shapes(const NearShapes::Candidate& c, int& index) const noexcept;
+  ShapePair shape_pair(const NearShapes::Candidate& candidate) noexcept;
+  void let_links_move(const Ahead& ahead) noexcept;
+  int nearest(std::span<const NearShapes::Candidate> candidates, double near, PairDistance* pairs,
+              int capacity) noexcept;
+  void note(OnWay& pair, const SweptShapes::AtPlaces& gaps) const noexcept;
+  bool nearer(const NearShapes::Candidate& candidate, double near, PairDistance& result) noexcept;
+};
+
+}  // namespace twinbus
