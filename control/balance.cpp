@@ -56,6 +56,7 @@ Balance::Balance(const Model& model, const BalanceGains& gains)
       mass_(model.total_mass()),
       q_(Eigen::VectorXd::Zero(model.joint_count())),
       qd_(q_),
+      rates_(q_),
       qdd_(q_),
       tau_(q_),
       kp_(q_),
@@ -125,7 +126,8 @@ double Balance::omega() const noexcept {
 void Balance::forget() noexcept {
   com_velocity_.setZero();
   turn_rate_.setZero();
-  qd_.setZero();
+  momentum_.setZero();
+  rates_.setZero();
 }
 
 void Balance::watch(const Estimator& estimator, double dt) noexcept {
@@ -135,15 +137,17 @@ void Balance::watch(const Estimator& estimator, double dt) noexcept {
   com_velocity_ +=
       share * (world_in_ground * estimator.kinematics().com_velocity() - com_velocity_);
   turn_rate_ += share * (world_in_ground * now.base_angular_velocity - turn_rate_);
-  qd_ += dt / (dt + gains_.rate_filter) * (now.qd - qd_);
+  const Eigen::Vector3d spin = world_in_ground * estimator.kinematics().angular_momentum();
+  const double height = std::max(0.2, estimator.kinematics().com().z());
+  momentum_ += share * (Eigen::Vector2d(spin.y(), -spin.x()) / (mass_ * height) - momentum_);
+  rates_ += dt / (dt + gains_.rate_filter) * (now.qd - rates_);
 }
 
 // Centre of mass, DCM and the attitude of the base in the ground frame.
 void Balance::measure(const Estimator& estimator) noexcept {
   const Eigen::Isometry3d world_in_ground = estimator.ground_in_world().inverse();
   com_ = world_in_ground * estimator.kinematics().com();
-  dcm_ = com_.head<2>() +
-         world_in_ground.linear().topLeftCorner<2, 2>() * estimator.dcm_velocity() / omega();
+  dcm_ = com_.head<2>() + (com_velocity_.head<2>() + momentum_) / omega();
   const Eigen::Matrix3d base = world_in_ground.linear() * estimator.configuration().base.linear();
   const double yaw = yaw_of(base);
   turn_ = turn_vector(yaw_turn(-yaw) * base);
@@ -310,6 +314,8 @@ void Balance::feed_forward(const Estimator& estimator) noexcept {
   (void)dynamics_.solve(estimator.kinematics(), now, qdd_, base_acceleration, turning, wrench_,
                         tau_);
   const double lead = gains_.lead * model_->period();
+  // What is measured; at the start, which who fades to it keeps, without its noise.
+  qd_ = now.qd + first_.position() * (rates_ - now.qd);
   q_ = now.q + lead * qd_;
 }
 

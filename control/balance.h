@@ -103,14 +103,14 @@ class Balance {
   Eigen::Vector3d home_ = Eigen::Vector3d::Zero();
 
   Eigen::Vector3d com_ = Eigen::Vector3d::Zero(), com_velocity_ = Eigen::Vector3d::Zero();
-  Eigen::Vector2d dcm_ = Eigen::Vector2d::Zero();
+  Eigen::Vector2d dcm_ = Eigen::Vector2d::Zero(), momentum_ = Eigen::Vector2d::Zero();
   Eigen::Vector3d turn_ = Eigen::Vector3d::Zero(), turn_rate_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d acceleration_ = Eigen::Vector3d::Zero(),
                   angular_acceleration_ = Eigen::Vector3d::Zero();
   double mass_;
   std::array<double, 2> foot_forces_{};
   bool finite_ = true;
-  Eigen::VectorXd q_, qd_, qdd_, tau_, kp_, kd_, offset_, offset_rate_;
+  Eigen::VectorXd q_, qd_, rates_, qdd_, tau_, kp_, kd_, offset_, offset_rate_;
   std::array<int, 2> waist_{-1, -1};  // joint that rolls, joint that pitches the trunk
   std::array<double, 2> waist_sign_{1.0, 1.0};
   std::vector<ExternalWrench> no_wrench_;

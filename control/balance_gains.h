@@ -16,9 +16,8 @@ struct BalanceGains {
   FootComplianceGains foot;
   // Largest a soft sole may be tilted by an off-centre load [rad]: 0.44 degrees, so that 0.5 are kept.
   double sole_tilt = 0.0076;
-  double velocity_filter =
-      0.006;  // of the velocity that is told and holds the height, and of the turning [s]
-  double rate_filter = 0.020;  // of the joints' rates in the set-points of the legs [s]
+  double velocity_filter = 0.006;  // of the velocity and momentum in the DCM, and of the turning [s]
+  double rate_filter = 0.020;  // of the joints' rates in the set-points of the legs, at the start [s]
   double settle = 1.0;         // time in which what is not upright at the start is put right [s]
   double way_home = 1.5;       // time to the home position of the centre of mass [s]
   double follow_feet =
