@@ -47,6 +47,66 @@ void judge_swing(const SwingWatch& watch, const SwingAsked& asked,
           "the swing's decay was %.1f %% from the linear model's, at most %.1f %% were asked");
 }
 
+void judge_joint(const OneProcess& run, const JointEnd& end, std::vector<std::string>& failures) {
+  const int joint = run.model().find_joint(end.name);
+  if (joint < 0) {
+    failures.push_back("the robot has no joint '" + end.name + "'");
+    return;
+  }
+  const Configuration& now = run.world().configuration();
+  const auto judge = [&](double reached, double asked, double within, const char* format) {
+    const double off = std::abs(reached - asked);
+    if (!(off <= within)) failures.push_back("joint " + end.name + sentence(format, off, within));
+  };
+  judge(now.q[joint], end.position, end.within,
+        " ended %.3g off where it was asked to be, at most %.3g were asked");
+  if (!std::isnan(end.speed))
+    judge(now.qd[joint], end.speed, end.speed_within,
+          " ended %.3g /s off the speed that was asked, at most %.3g were asked");
+}
+
+void judge_loose(const LooseWatch& watch, const Criteria& asked,
+                 std::vector<std::string>& failures) {
+  const auto at_most = [&](double reached, double most, const std::string& who,
+                           const char* format) {
+    if (!std::isnan(most) && !(reached <= most))
+      failures.push_back(who + sentence(format, reached, most));
+  };
+  at_most(watch.drift(), asked.loose_energy_drift_j, "",
+          "the energy of the loose bodies was %.3g J off, at most %.3g J were asked");
+  at_most(watch.gain(), asked.loose_energy_gain_j, "",
+          "the loose bodies gained %.3g J, at most %.3g J were asked");
+  for (std::size_t i = 0; i < asked.spins.size(); ++i) {
+    const SpinAsked& spin = asked.spins[i];
+    const LooseWatch::Spin& seen = watch.spins()[i];
+    const std::string who = "loose body '" + spin.name + "' ";
+    at_most(seen.energy_drift, spin.energy_drift, who,
+            "turned with an energy that was off by %.2e of itself, at most %.2e was asked");
+    at_most(seen.momentum_drift, spin.momentum_drift, who,
+            "turned with a momentum that was off by %.2e of itself, at most %.2e was asked");
+    if (spin.flips >= 0 && seen.flips != spin.flips) {
+      failures.push_back(who + "flipped " + std::to_string(seen.flips) + " times, " +
+                         std::to_string(spin.flips) + " were asked");
+    }
+  }
+}
+
+void judge_touch(const TouchWatch& watch, const TouchAsked& asked,
+                 std::vector<std::string>& failures) {
+  if (!watch.begun()) failures.push_back("touch: the run ended before it was looked at");
+  if (watch.wrong_count() > 0) {
+    failures.push_back("the robot was touched at " + std::to_string(watch.wrong_count()) +
+                       " points more or fewer than the " + std::to_string(asked.points) +
+                       " that were asked");
+  }
+  if (!(watch.off() <= asked.within)) {
+    failures.push_back(
+        sentence("a point was touched by a force that was off by %.2e of itself, at "
+                 "most %.2e was asked",
+                 watch.off(), asked.within));
+  }
+}
+
 }  // namespace
 
 Criteria for_robot(Criteria criteria, const Model& model) {
@@ -140,7 +200,10 @@ RunVerdict judge_scene(const OneProcess& run, const Criteria& asked, std::int64_
   if (run.energy().on() && !run.energy().begun())
     failures.push_back("the servos worked all the time: of energy nothing can be said");
   at_most(run.energy().drift(), asked.energy_drift_j,
-          "the robot's energy was %.4f J off, at most %.4f J were asked");
+          "the robot's energy was %.3g J off, at most %.3g J were asked");
+  for (const JointEnd& end : asked.joints) judge_joint(run, end, failures);
+  judge_loose(run.loose(), asked, failures);
+  if (run.touch().on()) judge_touch(run.touch(), asked.touch, failures);
   if (run.swing().on()) judge_swing(run.swing(), asked.swing, failures);
   if (run.state().role == Role::kStopped) {
     failures.push_back(std::string("the source is stopped (") + stop_name(run.state().stop_kind) +
@@ -150,7 +213,7 @@ RunVerdict judge_scene(const OneProcess& run, const Criteria& asked, std::int64_
   return verdict;
 }
 
-std::string scene_figures(const OneProcess& run) {
+std::string scene_figures(const OneProcess& run, const Criteria& asked) {
   const RunFigures& f = run.seen().figures();
   const WalkFigures& w = run.walked();
   char text[400];
@@ -177,6 +240,32 @@ std::string scene_figures(const OneProcess& run) {
   if (run.energy().begun()) {
     std::snprintf(text, sizeof text, "energy %.4f J, at most %.2e J off\n", run.energy().first(),
                   run.energy().drift());
+    lines += text;
+  }
+  for (const JointEnd& end : asked.joints) {
+    const int joint = run.model().find_joint(end.name);
+    if (joint < 0) continue;
+    const Configuration& now = run.world().configuration();
+    std::snprintf(text, sizeof text, "joint %s ended at %.9f, %.9f /s\n", end.name.c_str(),
+                  now.q[joint], now.qd[joint]);
+    lines += text;
+  }
+  if (run.world().loose_count() > 0) {
+    std::snprintf(text, sizeof text,
+                  "energy of the loose bodies %.4f J, %.2e J off, %.2e J above\n",
+                  run.loose().first(), run.loose().drift(), run.loose().gain());
+    lines += text;
+  }
+  for (const LooseWatch::Spin& spin : run.loose().spins()) {
+    std::snprintf(
+        text, sizeof text,
+        "loose body %s flipped %d times, energy of turning off by %.1e, momentum by %.1e\n",
+        run.loose_name(spin.body).c_str(), spin.flips, spin.energy_drift, spin.momentum_drift);
+    lines += text;
+  }
+  if (run.touch().begun()) {
+    std::snprintf(text, sizeof text, "touched at every point by the same force within %.1e\n",
+                  run.touch().off());
     lines += text;
   }
   if (const auto seen = run.swing().seen()) {

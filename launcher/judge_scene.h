@@ -18,6 +18,6 @@ Criteria for_robot(Criteria criteria, const Model& model);
 RunVerdict judge_scene(const OneProcess& run, const Criteria& asked, std::int64_t ticks);
 
 // Lines for people: how it stood and, if it did, how it walked.
-std::string scene_figures(const OneProcess& run);
+std::string scene_figures(const OneProcess& run, const Criteria& asked);
 
 }  // namespace twinbus

@@ -158,6 +158,8 @@ OneProcess::OneProcess(const Model& model, const Scene& scene, const OneProcessC
       walked_(model, scene),
       swing_(model, scene, sim_.world_config()),
       energy_(model, scene),
+      loose_(scene),
+      touch_(scene),
       listener_(config.listener),
       journal_(ProcessKind::kController, config.control.controller_id,
                {static_cast<double>(config.control.first_mode),
@@ -379,6 +381,8 @@ void OneProcess::watch() {
   const bool pushed = truth.push_force != decltype(truth.push_force){};
   swing_.add(pushed, heard_);
   energy_.add(pushed, heard_, world());
+  loose_.add(world());
+  touch_.add(static_cast<double>(heard_.tick - first_tick_) * model_.period(), world());
   for (std::size_t foot = 0; foot < 2; ++foot) {
     if (model_.soles[foot].link < 0) continue;
     const auto x = static_cast<double>(truth.foot_attitude[foot][1]);

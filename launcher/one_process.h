@@ -21,7 +21,9 @@
 #include "launcher/lookout.h"
 #include "launcher/state_hash.h"
 #include "launcher/energy_watch.h"
+#include "launcher/loose_watch.h"
 #include "launcher/swing_watch.h"
+#include "launcher/touch_watch.h"
 #include "launcher/walk_figures.h"
 #include "planner/arm_planner.h"
 #include "robot/estimator.h"
@@ -80,6 +82,9 @@ class OneProcess {
   const WalkFigures& walked() const { return walked_; }
   const SwingWatch& swing() const { return swing_; }
   const EnergyWatch& energy() const { return energy_; }
+  const LooseWatch& loose() const { return loose_; }
+  const TouchWatch& touch() const { return touch_; }
+  const Model& model() const { return model_; }
   double sole_tilt_max() const { return sole_tilt_max_; }  // [rad]
   std::string state_hash() const { return hash_.text(); }
   // What controller and planner had to say since the last call.
@@ -118,6 +123,8 @@ class OneProcess {
   WalkFigures walked_;
   SwingWatch swing_;
   EnergyWatch energy_;
+  LooseWatch loose_;
+  TouchWatch touch_;
   BusListener listener_;
   std::vector<ObstaclesPiece> shown_obstacles_, shown_terrain_;
   JournalWriter<SendPage> journal_;

@@ -110,10 +110,10 @@ double rms_difference(const FootForces& a, const FootForces& b) {
   return n > 0 ? std::sqrt(sum / static_cast<double>(2 * n)) : std::nan("");
 }
 
-void print(const OneProcess& run, const RunVerdict& verdict, const std::string& robot, double sim_s,
-           double wall_s, double force_error) {
+void print(const OneProcess& run, const Criteria& asked, const RunVerdict& verdict,
+           const std::string& robot, double sim_s, double wall_s, double force_error) {
   std::printf("%.3f s simulated in %.3f s: %.1f times real time\n", sim_s, wall_s, sim_s / wall_s);
-  std::printf("%s", scene_figures(run).c_str());
+  std::printf("%s", scene_figures(run, asked).c_str());
   if (!std::isnan(force_error))
     std::printf("foot forces: %.2f N from the reference (root mean square)\n", force_error);
   std::printf("state_hash %s\n", run.state_hash().c_str());
@@ -211,8 +211,8 @@ int run_command(const std::vector<std::string>& words) {
     force_error = rms_difference(forces, go(reference, ticks, false));
   }
   const RunVerdict verdict = judge_scene(run, scene.criteria, ticks);
-  print(run, verdict, request.robot, model.period() * static_cast<double>(run.ticks()), wall_s,
-        force_error);
+  print(run, scene.criteria, verdict, request.robot,
+        model.period() * static_cast<double>(run.ticks()), wall_s, force_error);
   if (const std::string file = arguments.text("--report", ""); !file.empty()) {
     write_file(file,
                with_own_figures(report_json(verdict, request, run.seen(), wall_s, run.state_hash()),

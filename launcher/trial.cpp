@@ -71,7 +71,7 @@ Trial try_to_stand(const Model& model) {
     const RunVerdict verdict = judge_scene(run, scene.criteria, run.ticks());
     trial.stood = verdict.passed && trial.cannot_balance.empty();
     trial.failures = verdict.failures;
-    trial.figures = scene_figures(run);
+    trial.figures = scene_figures(run, scene.criteria);
     while (!trial.figures.empty() && trial.figures.back() == '\n') trial.figures.pop_back();
   } catch (const std::exception& error) {
     trial.refusal = error.what();

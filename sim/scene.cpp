@@ -4,7 +4,6 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <limits>
 #include <sstream>
 #include <stdexcept>
 
@@ -12,14 +11,13 @@
 #include "robot/load.h"
 #include "sim/loose_mesh.h"
 #include "sim/scene_obstacle.h"
-#include "sim/scene_read.h"
+#include "sim/scene_vectors.h"
 #include "sim/settings.h"
 
 namespace twinbus {
 
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kDay = 86400.0;
 constexpr std::size_t kMaxObstacles = 200;
 constexpr std::size_t kMaxLoose = 100;
@@ -51,7 +49,7 @@ LooseBody read_loose(const ConfigNode& node) {
       node.fail("file", error.what());
     }
   }
-  body.start.velocity = bounded(node, "velocity", 100.0, &zero);
+  body.start.velocity = bounded(node, "velocity", kMaxSpeed, &zero);
   body.start.angular_velocity = bounded(node, "angular_velocity", 100.0, &zero);
   body.friction = node.number("friction", 0.0, 10.0, body.friction);
   body.stiffness = node.number("stiffness", 1e2, 1e9, body.stiffness);
@@ -59,20 +57,6 @@ LooseBody read_loose(const ConfigNode& node) {
   body.damping = node.number("damping", 0.0, 1e7, std::sqrt(0.25 * body.stiffness * body.mass));
   node.finish();
   return body;
-}
-
-LooseEnd read_loose_end(const ConfigNode& node, const std::vector<LooseBody>& bodies) {
-  LooseEnd end;
-  end.name = node.text("name");
-  const auto is_it = [&](const LooseBody& body) { return body.name == end.name; };
-  if (std::none_of(bodies.begin(), bodies.end(), is_it)) {
-    node.fail("name", "there is no loose body '" + end.name + "' in this scene");
-  }
-  end.position = bounded(node, "position", 1000.0, nullptr);
-  end.within = node.number("within_m", 0.0, 100.0, end.within);
-  end.speed = node.number("speed_m_s", 0.0, 100.0, end.speed);
-  node.finish();
-  return end;
 }
 
 SceneRobot read_robot(const ConfigNode& node, const std::string& own) {
@@ -89,19 +73,6 @@ SceneRobot read_robot(const ConfigNode& node, const std::string& own) {
   robot.place.linear() = Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   node.finish();
   return robot;
-}
-
-RobotEnd read_robot_end(const ConfigNode& node, const std::vector<SceneRobot>& robots) {
-  RobotEnd end;
-  end.name = node.text("name");
-  const auto is_it = [&](const SceneRobot& robot) { return robot.name == end.name; };
-  if (std::none_of(robots.begin(), robots.end(), is_it)) {
-    node.fail("name", "there is no robot '" + end.name + "' among the robots of this scene");
-  }
-  end.within = node.number("within_m", 0.0, 100.0, end.within);
-  end.max_tilt_deg = node.number("max_tilt_deg", 0.0, 180.0, end.max_tilt_deg);
-  node.finish();
-  return end;
 }
 
 Grasp read_grasp(const ConfigNode& node) {
@@ -245,40 +216,6 @@ BodyChange read_body(const ConfigNode& node) {
   return change;
 }
 
-Criteria read_criteria(const ConfigNode& node, const std::vector<LooseBody>& loose,
-                       const std::vector<SceneRobot>& robots) {
-  Criteria criteria;
-  criteria.max_tilt_deg = node.number("max_tilt_deg", 0.0, 180.0, kNan);
-  criteria.zmp_margin_min_mm = node.number("zmp_margin_min_mm", -1000.0, 1000.0, kNan);
-  criteria.slip_max_mm = node.number("slip_max_mm", 0.0, 1e4, kNan);
-  criteria.sole_tilt_max_deg = node.number("sole_tilt_max_deg", 0.0, 180.0, kNan);
-  criteria.zmp_margin_p5_mm = node.number("zmp_margin_p5_mm", -1000.0, 1000.0, kNan);
-  criteria.step_slip_max_mm = node.number("step_slip_max_mm", 0.0, 1e4, kNan);
-  criteria.force_rms_percent = node.number("force_rms_percent", 0.0, 1e4, kNan);
-  criteria.velocity_error_percent = node.number("velocity_error_percent", 0.0, 1e4, kNan);
-  criteria.travel_min_m = node.number("travel_min_m", 0.0, 1e4, kNan);
-  criteria.drift_max_m = node.number("drift_max_m", 0.0, 1e4, kNan);
-  criteria.energy_drift_j = node.number("energy_drift_j", 0.0, 1e9, kNan);
-  criteria.no_fall = node.flag("no_fall", true);
-  criteria.no_self_collision = node.flag("no_self_collision", true);
-  for (const ConfigNode& end : node.list("loose")) {
-    criteria.loose.push_back(read_loose_end(end, loose));
-  }
-  for (const ConfigNode& end : node.list("robots")) {
-    criteria.robots.push_back(read_robot_end(end, robots));
-  }
-  if (node.has("swing")) {
-    const ConfigNode swing = node.map("swing");
-    SwingAsked& asked = criteria.swing;
-    asked.joint = swing.text("joint");
-    asked.period_percent = swing.number("period_percent", 0.0, 100.0, asked.period_percent);
-    asked.decay_percent = swing.number("decay_percent", 0.0, 100.0, asked.decay_percent);
-    swing.finish();
-  }
-  node.finish();
-  return criteria;
-}
-
 std::string find_scene(const std::string& name_or_file) {
   namespace fs = std::filesystem;
   std::error_code ignored;
@@ -314,19 +251,6 @@ std::vector<double> pose_on_bus(const Scene& scene, const Model& model, const st
 }
 
 }  // namespace
-
-Criteria::Criteria()
-    : max_tilt_deg(kNan),
-      zmp_margin_min_mm(kNan),
-      slip_max_mm(kNan),
-      sole_tilt_max_deg(kNan),
-      zmp_margin_p5_mm(kNan),
-      step_slip_max_mm(kNan),
-      force_rms_percent(kNan),
-      velocity_error_percent(kNan),
-      travel_min_m(kNan),
-      drift_max_m(kNan),
-      energy_drift_j(kNan) {}
 
 Scene load_scene(const std::string& name_or_file) {
   const std::string file = find_scene(name_or_file);
@@ -397,7 +321,10 @@ Scene load_scene(const std::string& name_or_file) {
   if (top.has("terrain")) scene.terrain = read_terrain(top.map("terrain"));
   if (top.has("push_round")) scene.push_round = read_push_round(top.map("push_round"));
   if (top.has("criteria")) {
-    scene.criteria = read_criteria(top.map("criteria"), scene.loose, scene.robots);
+    std::vector<std::string> loose, robots;
+    for (const LooseBody& body : scene.loose) loose.push_back(body.name);
+    for (const SceneRobot& robot : scene.robots) robots.push_back(robot.name);
+    scene.criteria = read_criteria(top.map("criteria"), loose, robots);
   }
   if (top.has("settings")) {
     const ConfigNode settings = top.map("settings");

@@ -13,6 +13,7 @@
 #include "robot/model.h"
 #include "robot/requests.h"
 #include "robot/step_list.h"
+#include "sim/scene_criteria.h"
 #include "sim/world.h"
 
 namespace twinbus {
@@ -82,14 +83,6 @@ struct BodyChange {
   Eigen::Vector3d shift = Eigen::Vector3d::Zero();  // of the link's own centre of mass [m]
 };
 
-// Where a loose body is to be at the end of a run, at rest.
-struct LooseEnd {
-  std::string name;
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();  // of its middle, world [m]
-  double within = 0.01;                                // [m]
-  double speed = 0.02;                                 // at most [m/s]
-};
-
 // A hand, or any link, grips something as it then lies in it, and lets it go.
 struct Grasp {
   std::string link;
@@ -107,42 +100,6 @@ struct SceneRobot {
   std::string robot;  // as Scene::robot
   std::string pose = "half_sitting";
   Eigen::Isometry3d place = Eigen::Isometry3d::Identity();  // of the middle between its soles
-};
-
-// How such a robot is to end: about where it began and upright.
-struct RobotEnd {
-  std::string name;
-  double within = 0.01;     // of its base, level [m]
-  double max_tilt_deg = 5;  // of its base
-};
-
-// A joint's torque, after the scene's one push, is to swing as the linear model of the standing robot
-// does: sim/swing.h.
-struct SwingAsked {
-  std::string joint;            // empty: not asked
-  double period_percent = 3.0;  // within this of the model's
-  double decay_percent = 10.0;
-};
-
-// Pass criteria; NaN means not asked.
-struct Criteria {
-  double max_tilt_deg;
-  double zmp_margin_min_mm;
-  double slip_max_mm;
-  double sole_tilt_max_deg;
-  double zmp_margin_p5_mm;        // 5th percentile
-  double step_slip_max_mm;        // of a sole while it stands, in any step
-  double force_rms_percent;       // normal force of a foot against what was wanted, of the weight
-  double velocity_error_percent;  // of what was commanded, over each walk
-  double travel_min_m;            // of the base from where it was at the start, at the end
-  double drift_max_m;             // the same, at most
-  double energy_drift_j;          // of the robot while no servo works on it
-  bool no_fall = true;
-  bool no_self_collision = true;
-  std::vector<LooseEnd> loose;
-  std::vector<RobotEnd> robots;
-  SwingAsked swing;
-  Criteria();
 };
 
 struct Scene {
@@ -195,10 +152,7 @@ void resolve_poses(Scene& scene, const Model& model);
 // capsule, mesh), size (of a mesh: file beside the scene, scale), mass, position, rpy_deg, velocity,
 // angular_velocity, friction, stiffness, damping], robots: [name, robot, pose, position, yaw_deg],
 // self_contact, loops: as in robot/loops.h, grasps:
-// [link, point, to, at, until, reach, stiffness, damping], criteria: {max_tilt_deg, zmp_margin_min_mm, slip_max_mm,
-// sole_tilt_max_deg, zmp_margin_p5_mm, step_slip_max_mm, force_rms_percent, velocity_error_percent, travel_min_m,
-// drift_max_m, energy_drift_j, no_fall, no_self_collision, loose: [name, position, within_m, speed_m_s],
-// robots: [name, within_m, max_tilt_deg], swing: {joint, period_percent, decay_percent}}, settings: {model.mass_scale: 1.03, ...} as in
+// [link, point, to, at, until, reach, stiffness, damping], criteria: as in sim/scene_criteria.h, settings: {model.mass_scale: 1.03, ...} as in
 // sim/settings.h.  Scene time starts with the first command.
 Scene load_scene(const std::string& name_or_file);
 

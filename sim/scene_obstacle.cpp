@@ -8,7 +8,7 @@
 
 #include "sim/loose_mesh.h"
 #include "sim/obstacle_cover.h"
-#include "sim/scene_read.h"
+#include "sim/scene_vectors.h"
 
 namespace twinbus {
 

@@ -10,10 +10,11 @@ THIN = 1e-4  # along itself
 
 
 class Mechanism:
-    def __init__(self, name, about):
-        self.name, self.about = name, about
+    def __init__(self, name, about, base="fixed"):
+        self.name, self.about, self.base = name, about, base
         self.links, self.joints, self.loops, self.poses = [], [], [], {}
-        self.link("base", 1.0, (0, 0, 0), (0.1, 0.1, 0.1))
+        if base == "fixed":
+            self.link("base", 1.0, (0, 0, 0), (0.1, 0.1, 0.1))
 
     def link(self, name, mass, com, inertia, *seen, touched=()):
         """seen: (shape of URDF, where its middle is); touched: the same."""
@@ -23,11 +24,12 @@ class Mechanism:
             f'  <link name="{name}"><inertial><origin xyz="{words(com)}"/><mass value="{mass:g}"/><inertia ixx="{inertia[0]:.9g}" '
             f'iyy="{inertia[1]:.9g}" izz="{inertia[2]:.9g}" ixy="0" ixz="0" iyz="0"/></inertial>{visual}</link>')
 
-    def joint(self, name, parent, child, at, axis, kind="continuous", reach=2):
+    def joint(self, name, parent, child, at, axis, kind="continuous", friction=0.0, reach=2):
         ends = f' lower="-{reach}" upper="{reach}"' if kind == "prismatic" else ""
+        rubs = f'<dynamics friction="{friction:g}"/>' if friction else ""
         self.joints.append(
             (name, f'  <joint name="{name}" type="{kind}"><parent link="{parent}"/><child link="{child}"/><origin xyz="{words(at)}"/>'
-             f'<axis xyz="{words(axis)}"/><limit effort="1000" velocity="100"{ends}/></joint>'))
+             f'<axis xyz="{words(axis)}"/><limit effort="1000" velocity="100"{ends}/>{rubs}</joint>'))
 
     def rod(self, name, parent, at, axis, along):
         middle = [0.5 * a for a in along]
@@ -37,8 +39,9 @@ class Mechanism:
     def pose(self, name, **q):
         self.poses[name] = q
 
-    def loop(self, link, point, to, at):
-        self.loops.append(f"  - {{link: {link}, point: {list(point)}, to: {to}, at: {list(at)}, stiffness: 1.0e+8, damping: 1.0e+6}}")
+    def loop(self, link, point, to, at, stiffness="1.0e+8", damping="1.0e+6", more=""):
+        self.loops.append(
+            f"  - {{link: {link}, point: {list(point)}, to: {to}, at: {list(at)}, stiffness: {stiffness}, damping: {damping}{more}}}")
 
     def write(self, folder):
         names = [name for name, _ in self.joints]
@@ -49,7 +52,7 @@ class Mechanism:
             values = "".join(f'<joint name="{n}" value="{q.get(n, 0.0):.12g}"/>' for n in names)
             lines.append(f'  <group_state name="{pose}" group="all">{values}</group_state>')
         (folder / f"{self.name}.srdf").write_text("\n".join(lines + ["</robot>", ""]))
-        (folder / "robot.yaml").write_text("\n".join([f"# {self.about}", f"urdf: {self.name}.urdf", f"srdf: {self.name}.srdf", "base: fixed",
+        (folder / "robot.yaml").write_text("\n".join([f"# {self.about}", f"urdf: {self.name}.urdf", f"srdf: {self.name}.srdf", f"base: {self.base}",
                                                       "period: 0.002  # [s]", "off: torque_off", *(["loops:", *self.loops] if self.loops else []), ""]))
 
 
@@ -131,6 +134,46 @@ def chain(count):
     return m
 
 
+def andrews():
+    """Hairer and Wanner, Solving Ordinary Differential Equations II, chapter VI.9, ten times slower: spring and torque a hundredth.
+
+    The torque of 0.33 N mm is the friction of the crank on a flywheel that always turns faster.
+    """
+    m = Mechanism("andrews", "Andrews' squeezing mechanism: seven bodies in a plane, three loops, a spring.")
+    a, b, c = (-0.06934, -0.00227, 0), (-0.03635, 0.03273, 0), (0.014, 0.072, 0)
+
+    def body(name, parent, at, mass, inertia, com, joint, friction=0.0):
+        m.link(name, mass, com, (inertia, inertia, inertia), ('<sphere radius="0.003"/>', com))
+        m.joint(joint, parent, name, at, Z, friction=friction)
+
+    body("flywheel", "base", (0, 0, 0), 1.0, 10.0, (0, 0, 0), "FLYWHEEL")
+    body("crank", "flywheel", (0, 0, 0), 0.04325, 2.194e-6, (92e-5, 0, 0), "CRANK", 0.00033)
+    body("rod", "crank", (7e-3, 0, 0), 0.00365, 4.410e-7, (-115e-4, 0, 0), "THETA")
+    body("spring_arm", "base", b, 0.02373, 5.255e-6, (1043e-5, -1874e-5, 0), "GAMMA")
+    body("upper_lever", "base", a, 0.07050, 1.169e-5, (2308e-5, 916e-5, 0), "DELTA")
+    body("upper_link", "upper_lever", (4e-2, 0, 0), 0.00706, 5.667e-7, (0, -579e-5, 0), "PHI")
+    body("lower_lever", "base", a, 0.05498, 1.912e-5, (-449e-5, -1228e-5, 0), "EPSILON")
+    body("lower_link", "lower_lever", (0, -4e-2, 0), 0.00706, 5.667e-7, (579e-5, 0, 0), "OMEGA")
+    for link, point in (("spring_arm", (0, -35e-3, 0)), ("upper_link", (0, -2e-2, 0)), ("lower_link", (2e-2, 0, 0))):
+        m.loop("rod", (-28e-3, 0, 0), link, point, "1.0e+9", "1.0e+4")
+    m.loop("spring_arm", (2e-2, -18e-3, 0), "base", c, "45.3", "0", ", length: 0.07785")
+    m.pose("start", CRANK=-0.0617138900142765, GAMMA=0.45527981916307, DELTA=0.487364979543843, PHI=0.222668390165886,
+           EPSILON=1.23054744454982, OMEGA=-0.222668390165886)
+    return m
+
+
+def table():
+    m = Mechanism("table", "A table of 40 kg on four legs, with a turning tray in its middle.", "floating")
+    legs = [(x, y, 0.35) for x in (-0.5, 0.5) for y in (-0.5, 0.5)]
+    shapes = [('<box size="1.1 1.1 0.04"/>', (0, 0, 0.72)), *(('<sphere radius="0.05"/>', (x, y, 0.05)) for x, y, _ in legs)]
+    m.link("top", 38.0, (0, 0, 0.6), (5.0, 5.0, 8.0), *shapes, *(('<cylinder radius="0.04" length="0.7"/>', at) for at in legs),
+           touched=shapes)
+    m.link("tray", 2.0, (0, 0, 0.01), (0.05, 0.05, 0.1), ('<cylinder radius="0.3" length="0.02"/>', (0, 0, 0.01)))
+    m.joint("TRAY", "top", "tray", (0, 0, 0.75), Z)
+    m.pose("half_sitting")
+    return m
+
+
 def belt():
     m = Mechanism("belt", "A belt so heavy that nothing on it slows it down.")
     m.link("belt", 1e6, (0, 0, 0), (1e6, 1e6, 1e6), ('<box size="8 0.5 0.1"/>', (0, 0, -0.05)), touched=(('<box size="8 0.5 0.1"/>', (0, 0, -0.05)),))
@@ -146,6 +189,8 @@ ALL = {
     "governor": governor,
     "pendulum": pendulum,
     "chain_30": lambda: chain(30),
+    "andrews": andrews,
+    "table": table,
     "belt": belt,
 }
 

@@ -20,7 +20,8 @@ LOOSE = ["box_on_foot", "box_push", "boxes_tumble", "plate_underfoot", "carry_bo
 KNOWN = ["slide_to_roll", "brick_stop", "incline", "heavy_on_light"]  # loose bodies whose way is known in closed form
 BOUNCES = ["bounce", "bounce_wall"]  # the same, where engine ode damps by itself
 MECHANISMS = ["four_bar", "n_four_bar", "bricard", "governor"]  # closed loops that keep their energy
-STANDARD = ["pendulum", "chain_30", "top", "cradle", "stick_slip", "painleve"]  # mechanisms and loose bodies whose end is known
+STANDARD = ["pendulum", "chain_30", "top", "cradle", "stick_slip", "painleve", "dzhanibekov",
+            "andrews", "table"]  # mechanisms and loose bodies whose end is known
 ROBOTS = ["two_robots", "hand_in_hand"]  # what engine ode has not
 SEEDED = ["walk_rough", "walk_noisy", "push_stand", "push_walk"]
 SEEDS = range(1, 21) if harness.FULL else range(1, 3)
