@@ -126,7 +126,7 @@ double Balance::omega() const noexcept {
 void Balance::forget() noexcept {
   com_velocity_.setZero();
   turn_rate_.setZero();
-  momentum_.setZero();
+  spun_velocity_.setZero();
   rates_.setZero();
 }
 
@@ -137,9 +137,8 @@ void Balance::watch(const Estimator& estimator, double dt) noexcept {
   com_velocity_ +=
       share * (world_in_ground * estimator.kinematics().com_velocity() - com_velocity_);
   turn_rate_ += share * (world_in_ground * now.base_angular_velocity - turn_rate_);
-  const Eigen::Vector3d spin = world_in_ground * estimator.kinematics().angular_momentum();
-  const double height = std::max(0.2, estimator.kinematics().com().z());
-  momentum_ += share * (Eigen::Vector2d(spin.y(), -spin.x()) / (mass_ * height) - momentum_);
+  spun_velocity_ += share * (world_in_ground.topLeftCorner<2, 2>() * estimator.spun_velocity() -
+                             spun_velocity_);
   rates_ += dt / (dt + gains_.rate_filter) * (now.qd - rates_);
 }
 
@@ -147,7 +146,7 @@ void Balance::watch(const Estimator& estimator, double dt) noexcept {
 void Balance::measure(const Estimator& estimator) noexcept {
   const Eigen::Isometry3d world_in_ground = estimator.ground_in_world().inverse();
   com_ = world_in_ground * estimator.kinematics().com();
-  dcm_ = com_.head<2>() + (com_velocity_.head<2>() + momentum_) / omega();
+  dcm_ = com_.head<2>() + spun_velocity_ / omega();
   const Eigen::Matrix3d base = world_in_ground.linear() * estimator.configuration().base.linear();
   const double yaw = yaw_of(base);
   turn_ = turn_vector(yaw_turn(-yaw) * base);

@@ -103,7 +103,7 @@ class Balance {
   Eigen::Vector3d home_ = Eigen::Vector3d::Zero();
 
   Eigen::Vector3d com_ = Eigen::Vector3d::Zero(), com_velocity_ = Eigen::Vector3d::Zero();
-  Eigen::Vector2d dcm_ = Eigen::Vector2d::Zero(), momentum_ = Eigen::Vector2d::Zero();
+  Eigen::Vector2d dcm_ = Eigen::Vector2d::Zero(), spun_velocity_ = Eigen::Vector2d::Zero();
   Eigen::Vector3d turn_ = Eigen::Vector3d::Zero(), turn_rate_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d acceleration_ = Eigen::Vector3d::Zero(),
                   angular_acceleration_ = Eigen::Vector3d::Zero();

@@ -101,8 +101,8 @@ void WalkFeet::update(const WalkPattern& pattern, const std::array<FootLoad, 2>&
     const Foothold& at = swings ? pattern.swing().place() : pattern.foot(static_cast<int>(f));
     const Eigen::Vector3d place = in_plan(at);
     const double blend =
-        swings ? dt / g.upright_filter * std::min(1.0, kQuick * pattern.swing().progress()) : 0.0;
-    foot.tilt += blend * (tilt_of(pattern.slope().gradient()) - foot.tilt);
+        dt / g.upright_filter * std::min(1.0, kQuick * pattern.swing().progress());
+    if (swings) foot.tilt += blend * (tilt_of(pattern.slope().gradient()) - foot.tilt);
     const Eigen::Matrix3d heading = rotation_of(foot.tilt) * at.rotation();
     if (foot.was_swinging && !swings) {  // landed: the command stays where it is
       foot.offset = foot.last - place;

@@ -5,7 +5,7 @@
 
 #include "robot/dynamics.h"
 #include "robot/index.h"
-#include "sim/contact/contact_mesh.h"
+#include "sim/loose_mesh.h"
 
 namespace twinbus {
 
@@ -28,9 +28,7 @@ int middle_axis(const Eigen::Vector3d& inertia) {
 LooseWatch::LooseWatch(const Scene& scene) {
   for (const LooseBody& body : scene.loose) {
     mass_.push_back(body.mass);
-    inertia_.push_back(body.mesh
-                           ? Eigen::Matrix3d(body.mass / body.mesh->volume() * body.mesh->inertia())
-                           : inertia_of(body.solid, body.mass));
+    inertia_.push_back(inertia_of(body));
   }
   for (const SpinAsked& asked : scene.criteria.spins) {
     const auto is_it = [&](const LooseBody& body) { return body.name == asked.name; };

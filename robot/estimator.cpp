@@ -335,11 +335,11 @@ void Estimator::finish() noexcept {
 void Estimator::follow_dcm() noexcept {
   const double height = std::max(kLeastHeight, kinematics_.com().z());
   const Eigen::Vector3d spin = kinematics_.angular_momentum();
-  const Eigen::Vector2d measured =
+  spun_velocity_ =
       kinematics_.com_velocity().head<2>() +
       kGravity / (weight_force_ * height) * Eigen::Vector2d(spin.y(), -spin.x());
   dcm_velocity_ += dt_ * kGravity / height * (kinematics_.com() - zmp_).head<2>();
-  dcm_velocity_ += dt_ / (dt_ + kDcmFilter) * (measured - dcm_velocity_);
+  dcm_velocity_ += dt_ / (dt_ + kDcmFilter) * (spun_velocity_ - dcm_velocity_);
 }
 
 }  // namespace twinbus

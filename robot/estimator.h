@@ -53,9 +53,11 @@ class Estimator {
   bool loaded(int foot) const noexcept { return loaded_[static_cast<std::size_t>(foot)]; }
   // Measured zero-moment point in world, z of the ground; com projection when no foot is loaded.
   const Eigen::Vector3d& zmp() const noexcept { return zmp_; }
-  // Horizontal velocity whose DCM is com + this / omega: of the centre of mass, with the angular momentum L about it, world
-  // [m/s].  Led by the measured ZMP p and pulled to what the joints say, so that it is neither late nor noisy:
-  //     s = v + (L_y, -L_x) / (m h),    s' = g / h (x - p)
+  // Of the centre of mass with the angular momentum L about it, v + (L_y, -L_x) / (m h), as the joints say it now, world
+  // [m/s].
+  const Eigen::Vector2d& spun_velocity() const noexcept { return spun_velocity_; }
+  // Horizontal velocity whose DCM is com + this / omega, world [m/s]: spun_velocity(), led by the measured ZMP p and pulled to what
+  // the joints say, so that it is neither late nor noisy:  s' = g / h (x - p)
   const Eigen::Vector2d& dcm_velocity() const noexcept { return dcm_velocity_; }
   // Convex hull of the loaded soles, seen from above, in world.
   const SupportPolygon& support() const noexcept { return support_; }
@@ -114,7 +116,7 @@ class Estimator {
   std::array<Eigen::Vector3d, 2> force_, torque_;
   std::array<bool, 2> loaded_{};
   Eigen::Vector3d zmp_;
-  Eigen::Vector2d dcm_velocity_ = Eigen::Vector2d::Zero();
+  Eigen::Vector2d dcm_velocity_ = Eigen::Vector2d::Zero(), spun_velocity_ = dcm_velocity_;
   SupportPolygon support_;
 };
 

@@ -31,9 +31,11 @@ void set_geom_offset(dGeomID geom, const Eigen::Isometry3d& pose, const Eigen::V
   dGeomSetOffsetRotation(geom, rotation);
 }
 
-bool overlap(const dReal* a, const dReal* b) {
-  return a[0] <= b[1] && b[0] <= a[1] && a[2] <= b[3] && b[2] <= a[3] && a[4] <= b[5] &&
-         b[4] <= a[5];
+Solid solid_of(const Shape& shape) noexcept {
+  const SolidShape kind = shape.kind == ShapeKind::kBox      ? SolidShape::kBox
+                          : shape.kind == ShapeKind::kSphere ? SolidShape::kSphere
+                                                             : SolidShape::kCylinder;
+  return {kind, shape.size};
 }
 
 }  // namespace
@@ -59,21 +61,9 @@ void OdeWorld::Impl::add_geoms() {
       const std::size_t hull = next_hull;
       if (shape.kind == ShapeKind::kMesh) ++next_hull;
       if (body(link) == nullptr) continue;
-      dGeomID geom = nullptr;
-      switch (shape.kind) {
-        case ShapeKind::kBox:
-          geom = dCreateBox(nullptr, shape.size.x(), shape.size.y(), shape.size.z());
-          break;
-        case ShapeKind::kSphere:
-          geom = dCreateSphere(nullptr, shape.size.x());
-          break;
-        case ShapeKind::kCylinder:
-          geom = dCreateCylinder(nullptr, shape.size.x(), shape.size.y());
-          break;
-        case ShapeKind::kMesh:
-          geom = hulls[hull].create_geom();  // in the link frame; null: it has no volume
-          break;
-      }
+      // Of a mesh in the link frame, null if it has no volume.
+      const dGeomID geom =
+          shape.kind == ShapeKind::kMesh ? hulls[hull].create_geom() : geom_of(solid_of(shape));
       if (geom == nullptr) continue;
       dGeomSetBody(geom, body(link));
       const bool in_link = shape.kind == ShapeKind::kMesh;
@@ -87,20 +77,8 @@ void OdeWorld::Impl::add_geoms() {
 }
 
 void OdeWorld::Impl::add_solid(const Obstacle& obstacle, std::vector<dGeomID>& geoms) {
-  dGeomID geom = nullptr;
-  switch (obstacle.shape) {
-    case ObstacleShape::kBox:
-      geom = dCreateBox(nullptr, obstacle.size.x(), obstacle.size.y(), obstacle.size.z());
-      break;
-    case ObstacleShape::kSphere:
-      geom = dCreateSphere(nullptr, obstacle.size.x());
-      break;
-    case ObstacleShape::kCylinder:
-      geom = dCreateCylinder(nullptr, obstacle.size.x(), obstacle.size.y());
-      break;
-    case ObstacleShape::kNone:
-      return;
-  }
+  if (obstacle.shape == ObstacleShape::kNone) return;
+  const dGeomID geom = geom_of(solid_of(obstacle));
   const Eigen::Vector3d p = obstacle.pose.translation();
   const Eigen::Quaterniond q(obstacle.pose.linear());
   const dQuaternion attitude = {q.w(), q.x(), q.y(), q.z()};
@@ -152,14 +130,14 @@ void OdeWorld::Impl::find_sole_contacts() noexcept {
   }
 }
 
-// Its corners touch the ground there.
-bool OdeWorld::Impl::is_on_sole(int link, const Eigen::Vector3d& point) const noexcept {
-  for (const Sole& sole : model.soles) {
-    if (sole.link != link) continue;
+int OdeWorld::Impl::sole_at(int link, const Eigen::Vector3d& point) const noexcept {
+  for (int side = 0; side < 2; ++side) {
+    const Sole& sole = model.soles[static_cast<std::size_t>(side)];
+    if (link < 0 || sole.link != link) continue;
     const Eigen::Isometry3d frame = kinematics.link_in_world(sole.link) * sole.frame;
-    if ((frame.inverse() * point).z() < kSoleSkin) return true;
+    if ((frame.inverse() * point).z() < kSoleSkin) return side;
   }
-  return false;
+  return -1;
 }
 
 void OdeWorld::Impl::find_link_contacts() noexcept {
@@ -172,7 +150,7 @@ void OdeWorld::Impl::find_link_contacts() noexcept {
       const int count = dCollide(own.geom, other, kPointsPerPair, found, sizeof(dContactGeom));
       for (int i = 0; i < count; ++i) {
         const Eigen::Vector3d point(found[i].pos[0], found[i].pos[1], found[i].pos[2]);
-        if (is_ground && is_on_sole(own.link, point)) continue;
+        if (is_ground && sole_at(own.link, point) >= 0) continue;  // its corners touch there
         add_contact(found[i], own.link, -1, kLinkStiffness, kLinkDamping, mu);
       }
     };
@@ -181,7 +159,7 @@ void OdeWorld::Impl::find_link_contacts() noexcept {
       for (const dGeomID geom : geoms) {
         dReal other[6];
         dGeomGetAABB(geom, other);
-        if (overlap(box, other)) meet(geom, are_ground);
+        if (bounds_meet(box, other)) meet(geom, are_ground);
       }
     };
     meet_near(obstacle_geoms, false);

@@ -6,6 +6,7 @@
 
 #include <deque>
 
+#include "sim/ode_geom.h"
 #include "sim/ode_mesh.h"
 #include "sim/ode_world.h"
 
@@ -99,7 +100,8 @@ struct OdeWorld::Impl {
   void add_geoms();
   void read_hulls();
   void add_solid(const Obstacle& obstacle, std::vector<dGeomID>& geoms);
-  bool is_on_sole(int link, const Eigen::Vector3d& point) const noexcept;
+  // The sole that a point of a link is of, -1: none.
+  int sole_at(int link, const Eigen::Vector3d& point) const noexcept;
   void find_contacts() noexcept;
   void find_sole_contacts() noexcept;
   void find_link_contacts() noexcept;

@@ -14,27 +14,7 @@ namespace {
 
 constexpr int kPointsPerLoosePair = 8;
 
-dGeomID geom_of(const Solid& solid) {
-  const Eigen::Vector3d& s = solid.size;
-  switch (solid.shape) {
-    case SolidShape::kBox:
-      return dCreateBox(nullptr, s.x(), s.y(), s.z());
-    case SolidShape::kCylinder:
-      return dCreateCylinder(nullptr, s.x(), s.y());
-    case SolidShape::kCapsule:
-      return dCreateCapsule(nullptr, s.x(), s.y());
-    case SolidShape::kSphere:
-      break;
-  }
-  return dCreateSphere(nullptr, s.x());
-}
-
 double springs_in_series(double a, double b) { return a + b > 0.0 ? a * b / (a + b) : 0.0; }
-
-bool bounds_meet(const dReal* a, const dReal* b) {
-  return a[0] <= b[1] && b[0] <= a[1] && a[2] <= b[3] && b[2] <= a[3] && a[4] <= b[5] &&
-         b[4] <= a[5];
-}
 
 }  // namespace
 
@@ -127,13 +107,9 @@ void OdeWorld::Impl::meet_loose(std::size_t index, dGeomID geom, const LooseSide
     if (loose_rows.size() >= loose_feedback.size()) return;
     const Eigen::Vector3d point = vector(found[i].pos);
     double k = side.stiffness, c = side.damping, mu = side.friction;
-    int sole_side = -1;
-    for (int s = 0; s < 2; ++s) {
-      const Sole& sole = model.soles[static_cast<std::size_t>(s)];
-      if (side.link < 0 || sole.link != side.link) continue;
-      const Eigen::Isometry3d frame = kinematics.link_in_world(sole.link) * sole.frame;
-      if (!((frame.inverse() * point).z() < kSoleSkin)) continue;
-      sole_side = s;
+    const int sole_side = sole_at(side.link, point);
+    if (sole_side >= 0) {
+      const Sole& sole = model.soles[static_cast<std::size_t>(sole_side)];
       k = springs_in_series(own.stiffness, sole.stiffness / kSoleCorners * config.stiffness_scale);
       c = springs_in_series(own.damping, sole.damping / kSoleCorners * config.damping_scale);
       mu = std::sqrt(own.friction * sole.friction);

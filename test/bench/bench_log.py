@@ -17,13 +17,12 @@ import sys
 import tempfile
 import time
 
+import programs
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 if "TWINBUS_BIN" not in os.environ and not {"-h", "--help"} & set(sys.argv):
     # `twinbus bench` became this script; the programs are those of the newest build, the bus is one of its own.
-    builds = sorted(ROOT.glob("build/*/bin/twinbus"), key=lambda path: path.stat().st_mtime)
-    if not builds:
-        sys.exit("bench log: nothing is built; run ./twinbus up once")
-    os.environ["TWINBUS_BIN"] = str(builds[-1].parent)
+    os.environ["TWINBUS_BIN"] = str(programs.folder_of("twinbus", "bench log"))
     os.execv(ROOT / "test/tools/private_bus.sh", ["private_bus.sh", sys.executable, __file__, *sys.argv[1:]])
 sys.path.insert(0, str(ROOT / "test/process"))
 import harness  # noqa: E402

@@ -20,6 +20,8 @@ import statistics
 import subprocess
 import sys
 
+import programs
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PEERS = ROOT / "test/bench/peers"
 VALID = 559  # problems with a free start and goal by VAMP's balls
@@ -30,12 +32,7 @@ rows, short_of = [], []
 
 
 def program_folder():
-    if "TWINBUS_BIN" in os.environ:
-        return pathlib.Path(os.environ["TWINBUS_BIN"])
-    builds = sorted(ROOT.glob("build/*/bin/planner_cases"), key=lambda path: path.stat().st_mtime)
-    if not builds:
-        sys.exit("bench planner: planner_cases is not built; run ./twinbus bench once")
-    return builds[-1].parent
+    return programs.folder_of("planner_cases", "bench planner")
 
 
 def build_vamp(folder, out):

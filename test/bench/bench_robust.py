@@ -17,6 +17,8 @@ import subprocess
 import sys
 import tempfile
 
+import programs
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SCENES = ["walk_forward", "push_stand", "push_walk"]
 FIGURES = {"tilt [deg]": "max_tilt_deg", "margin [mm]": "zmp_margin_min_mm", "slip [mm]": "step_slip_max_mm",
@@ -51,12 +53,7 @@ TRUNK = "WAIST_R"  # of hrp1s: its heaviest link
 
 
 def twinbus():
-    if "TWINBUS_BIN" in os.environ:
-        return pathlib.Path(os.environ["TWINBUS_BIN"]) / "twinbus"
-    builds = sorted(ROOT.glob("build/*/bin/twinbus"), key=lambda path: path.stat().st_mtime)
-    if not builds:
-        sys.exit("bench robust: nothing is built; run ./twinbus up once")
-    return builds[-1]
+    return programs.folder_of("twinbus", "bench robust") / "twinbus"
 
 
 def robot_that_estimates(folder):

@@ -8,16 +8,14 @@ import os
 import pathlib
 import sys
 
+import programs
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 if "--help" in sys.argv or "-h" in sys.argv:
     print(__doc__.strip())
     sys.exit(0)
-if "TWINBUS_BIN" not in os.environ:
-    # `twinbus bench` became this script; the programs are those of the newest build.
-    builds = sorted(ROOT.glob("build/*/bin/twinbus"), key=lambda path: path.stat().st_mtime)
-    if not builds:
-        sys.exit("bench switch: nothing is built; run ./twinbus up once")
-    os.environ["TWINBUS_BIN"] = str(builds[-1].parent)
+# `twinbus bench` became this script; the programs are those of the newest build.
+os.environ["TWINBUS_BIN"] = str(programs.folder_of("twinbus", "bench switch"))
 os.execv(ROOT / "test/tools/private_bus.sh",
          ["private_bus.sh", sys.executable, str(ROOT / "test/process/switch_test.py"), "bench", *sys.argv[1:]])

@@ -23,6 +23,7 @@ import sys
 import tempfile
 
 import plot
+import programs
 import twin_figures
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -36,12 +37,7 @@ SPEEDS = (0.1, 0.2, 0.3, 0.4, 0.5, 0.55, 0.6, 0.65, 0.7)
 
 
 def twinbus():
-    if "TWINBUS_BIN" in os.environ:
-        return pathlib.Path(os.environ["TWINBUS_BIN"]) / "twinbus"
-    builds = sorted(ROOT.glob("build/*/bin/twinbus"), key=lambda path: path.stat().st_mtime)
-    if not builds:
-        sys.exit("chart walk: nothing is built; run ./twinbus up once")
-    return builds[-1]
+    return programs.folder_of("twinbus", "chart walk") / "twinbus"
 
 
 def table_of(*settings):

@@ -15,6 +15,8 @@ import sys
 import time
 import xml.etree.ElementTree as ElementTree
 
+import programs
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PEERS = ROOT / "test/bench/peers"
 DURATION = {"flight": 0.5, "arm": 0.5, "stand": 0.5, "push": 0.6, "push_soft": 0.6, "landing": 0.6, "slide": 0.4, "throw": 2.0}
@@ -24,15 +26,6 @@ TREE_PEERS = (  # program, name, package, libraries for pkg-config, methods
     ("dart", "DART", "libdart-dev", "dart", ("euler",)),
     ("simbody", "Simbody", "libsimbody-dev", "simbody", ("euler", "merson")),
 )
-
-
-def program_folder(who):
-    if "TWINBUS_BIN" in os.environ:
-        return pathlib.Path(os.environ["TWINBUS_BIN"])
-    builds = sorted(ROOT.glob("build/*/bin/physics_cases"), key=lambda path: path.stat().st_mtime)
-    if not builds:
-        sys.exit(f"{who}: physics_cases is not built; run ./twinbus bench once")
-    return builds[-1].parent
 
 
 def call(*words, timeout=300):
@@ -219,7 +212,7 @@ def build(source, program, *words):
 
 class Lab:
     def __init__(self, who):
-        self.bin = program_folder(who)
+        self.bin = programs.folder_of("physics_cases", who)
         self.program = self.bin / "physics_cases"
         self.work = self.bin.parent / "peers"
         self.work.mkdir(parents=True, exist_ok=True)

@@ -1,7 +1,7 @@
 // How walking holds: stops in every phase, pushes by direction and phase, a robot that is not the nominal one, what every
 // robot must do, time of a tick.
 //
-//     walk_bench [stop|push|robust|pattern|everyday|time]... [--robot R] [--phases N] [--speed V] [--push V] [--guard]
+//     walk_bench [stop|push|pattern|everyday|time]... [--robot R] [--phases N] [--speed V] [--push V] [--guard]
 //                [--engine E]
 //
 // --push: the same change of velocity [m/s] in every direction.  Without words: all of it.  Exit status 1 when a robot
@@ -28,7 +28,7 @@ namespace {
 constexpr float kOffGround = 0.003F;  // of a sole that stands no more [m]
 
 struct Bench {
-  Model model, simulated;
+  Model model;
   std::string engine = "articulated";
   int phases = 100;
   bool guard = false;
@@ -39,7 +39,7 @@ struct Bench {
 // A rig that walks; the time is that since walking was asked for.
 struct Walker : SimRig {
   Walker(const Bench& bench, const Scene& scene, const Settings& settings)
-      : SimRig(bench.model, bench.simulated, scene, settings, config(bench)) {
+      : SimRig(bench.model, bench.model, scene, settings, config(bench)) {
     (void)run(0.5);
     ask(Mode::kWalk);
   }
@@ -201,15 +201,6 @@ int everyday(const Bench& given) {
   return fell + count - held;
 }
 
-// The heaviest link's centre of mass is not where the controller believes [m].
-void shift_trunk(Bench& bench, double x, double y) {
-  bench.simulated = bench.model;
-  auto& links = bench.simulated.links;
-  const auto trunk = std::max_element(links.begin(), links.end(),
-                                      [](const Link& a, const Link& b) { return a.mass < b.mass; });
-  trunk->com += Eigen::Vector3d(x, y, 0.0);
-}
-
 // The reference in closed form and that of preview control.
 int patterns(const Bench& given) {
   int fell = 0;
@@ -223,49 +214,6 @@ int patterns(const Bench& given) {
                 bench.speed, good ? "holds" : "FALLS", 57.29578 * robot.record().base_tilt_max,
                 1e3 * robot.record().zmp_margin_min);
     fell += pushes(bench, {}, name, 6);
-  }
-  return fell;
-}
-
-int robust(const Bench& given) {
-  struct Row {
-    const char* name;
-    Settings settings;
-    double trunk_x = 0.0, trunk_y = 0.0;  // [m]
-    bool own_attitude = false;            // from gyro and accelerometer
-  };
-  const Settings noisy{{"sensor.noise.encoder", "3e-5"},   {"sensor.noise.velocity", "0.03"},
-                       {"sensor.noise.attitude", "0.006"}, {"sensor.noise.gyro", "0.03"},
-                       {"sensor.noise.accel", "0.15"},     {"sensor.noise.force", "15"},
-                       {"sensor.noise.moment", "1.5"},     {"sensor.bias.roll", "0.003"},
-                       {"sensor.bias.pitch", "0.003"},     {"sensor.bias.gyro", "0.005"},
-                       {"sensor.bias.accel", "0.03"},      {"sensor.bias.force", "5"}};
-  const std::vector<Row> table = {
-      {"nominal", {}},
-      {"mass x1.1", {{"model.mass_scale", "1.1"}}},
-      {"mass x0.9", {{"model.mass_scale", "0.9"}}},
-      {"sole stiffness x1.1", {{"contact.stiffness_scale", "1.1"}}},
-      {"sole stiffness x0.9", {{"contact.stiffness_scale", "0.9"}}},
-      {"delay 4 ticks", {{"servo.delay_ms", "8"}}},
-      {"trunk 20 mm forward", {}, 0.02, 0.0},
-      {"trunk 20 mm back", {}, -0.02, 0.0},
-      {"trunk 20 mm left", {}, 0.0, 0.02},
-      {"noise x3 and bias", noisy},
-      {"attitude estimated", {}, 0.0, 0.0, true},
-      {"the same, noisy", noisy, 0.0, 0.0, true},
-  };
-  int fell = 0;
-  for (const auto& [name, settings, trunk_x, trunk_y, own_attitude] : table) {
-    Bench bench = given;
-    if (own_attitude) bench.model = test::say_walking(bench.model, "attitude: estimated");
-    shift_trunk(bench, trunk_x, trunk_y);
-    Walker robot(bench, scene_of(bench), settings);
-    const bool good = robot.walk(bench.model, bench.speed, 0.0, 12.0);
-    fell += good ? 0 : 1;
-    std::printf("%-22s walks %.2f m/s: %s, tilt %.2f degrees, ZMP margin %.1f mm\n", name,
-                bench.speed, good ? "holds" : "FALLS", 57.29578 * robot.record().base_tilt_max,
-                1e3 * robot.record().zmp_margin_min);
-    fell += pushes(bench, settings, name, 3);
   }
   return fell;
 }
@@ -349,25 +297,24 @@ int run(int argc, char** argv) {
       bench.push = std::atof(argv[++i]);
     } else if (word == "--speed" && has_value) {
       bench.speed = std::atof(argv[++i]);
-    } else if (word == "stop" || word == "push" || word == "robust" || word == "time" ||
+    } else if (word == "stop" || word == "push" || word == "time" ||
                word == "everyday" || word == "pattern") {
       words.push_back(word);
     } else {
       std::fprintf(
           stderr,
-          "walk_bench [stop|push|robust|pattern|everyday|time]... [--robot R] [--phases N] "
+          "walk_bench [stop|push|pattern|everyday|time]... [--robot R] [--phases N] "
           "[--speed V] [--push V] [--guard] [--engine E]\n");
       return word == "--help" ? 0 : 2;
     }
   }
-  bench.model = bench.simulated = load_robot(robot);
+  bench.model = load_robot(robot);
   const auto asked = [&](const char* name) {
     return words.empty() || std::find(words.begin(), words.end(), name) != words.end();
   };
   int bad = 0;
   if (asked("stop")) bad += stops(bench);
   if (asked("push")) bad += pushes(bench, {}, "nominal", phases_given ? bench.phases : 12);
-  if (asked("robust")) bad += robust(bench);
   if (asked("pattern")) bad += patterns(bench);
   if (asked("everyday")) bad += everyday(bench);
   for (const bool guard : {false, true}) {

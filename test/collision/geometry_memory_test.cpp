@@ -14,6 +14,7 @@
 #include "robot/load.h"
 #include "robot/packed.h"
 #include "robot/triangle_clusters.h"
+#include "test/collision/post_and_arm.h"
 #include "test/collision/postures.h"
 #include "test/temporary_folder.h"
 
@@ -209,28 +210,6 @@ TEST_F(GeometryMemory, ACapsuleThatLeavesAPointOutIsFoundAnew) {
   EXPECT_EQ(kept_capsule(points).radius, capsule.radius);
   EXPECT_EQ(said.size(), 1U);
   EXPECT_EQ(disk_cache().find("capsule", key), content);
-}
-
-// A post of 0.1 m, and an arm of 0.3 m that turns about z, 0.3 m beside it.
-Model post_and_arm() {
-  Model model;
-  Shape shape;
-  shape.size = {0.1, 0.1, 0.1};
-  model.links.resize(2);
-  model.links[0].collision.push_back(shape);
-  shape.size = {0.3, 0.02, 0.02};
-  shape.pose.translation() = Eigen::Vector3d(0.15, 0.0, 0.0);
-  model.links[1].collision.push_back(shape);
-  Joint joint;
-  joint.kind = JointKind::kRevolute;
-  joint.axis = Eigen::Vector3d::UnitZ();
-  joint.placement.translation() = Eigen::Vector3d(-0.3, 0.0, 0.0);
-  joint.lower = -2.0;
-  joint.upper = 2.0;
-  joint.child = 1;
-  model.links[1].parent = 0;
-  model.joints.push_back(joint);
-  return model;
 }
 
 struct CellsMemory : GeometryMemory {

@@ -8,6 +8,7 @@
 
 #include "robot/index.h"
 #include "robot/self_collision.h"
+#include "test/collision/post_and_arm.h"
 #include "test/collision/postures.h"
 #include "test/no_alloc.h"
 
@@ -15,28 +16,6 @@ namespace twinbus {
 namespace {
 
 constexpr JointCellOptions kCoarse{.per_joint = 6, .looks = 400};
-
-// A post of 0.1 m, and an arm of 0.3 m that turns about z, 0.3 m beside it.
-Model post_and_arm() {
-  Model model;
-  Shape shape;
-  shape.size = {0.1, 0.1, 0.1};
-  model.links.resize(2);
-  model.links[0].collision.push_back(shape);
-  shape.size = {0.3, 0.02, 0.02};
-  shape.pose.translation() = Eigen::Vector3d(0.15, 0.0, 0.0);
-  model.links[1].collision.push_back(shape);
-  Joint joint;
-  joint.kind = JointKind::kRevolute;
-  joint.axis = Eigen::Vector3d::UnitZ();
-  joint.placement.translation() = Eigen::Vector3d(-0.3, 0.0, 0.0);
-  joint.lower = -2.0;
-  joint.upper = 2.0;
-  joint.child = 1;
-  model.links[1].parent = 0;
-  model.joints.push_back(joint);
-  return model;
-}
 
 TEST(JointCells, AreFreeWhereTheArmIsClearOfThePostAndListedWhereItIsNot) {
   const Model model = post_and_arm();
