@@ -1,8 +1,9 @@
 """Engines and peers on the same scenes: what bench_physics.py and chart_physics.py share.
 
 Ours are methods of build/.../bin/physics_cases.  Peers are built here from test/bench/peers against whatever is installed:
-MuJoCo of the distribution (libmujoco-dev), MuJoCo of the running Python (pip install mujoco-core), Pinocchio (pip install
-pin), and where nothing touches Bullet, DART and Simbody (TREE_PEERS).  What is missing is said once and left out.
+MuJoCo of the distribution (libmujoco-dev), MuJoCo of the running Python (pip install mujoco-core) and of the folders of
+$TWINBUS_MUJOCO (wheels unpacked, separated by colons), Pinocchio (pip install pin), and where nothing touches Bullet, DART and
+Simbody (TREE_PEERS).  What is missing is said once and left out.
 """
 
 import importlib.util
@@ -261,16 +262,24 @@ class Lab:
         else:
             print("MuJoCo of the distribution: not installed, left out (apt install libmujoco-dev)")
         spec = importlib.util.find_spec("mujoco")
-        folder = pathlib.Path(spec.origin or list(spec.submodule_search_locations)[0]) if spec else None
-        if folder and folder.is_file():
-            folder = folder.parent
-        libraries = sorted(folder.glob("libmujoco.so*")) if folder else []
-        if libraries:
-            program = self.work / "mujoco_current"
-            if build(source, program, f"-I{folder}/include", libraries[-1], f"-Wl,-rpath,{folder}"):
-                self.mujocos[call(program, "version")[0]] = program
-        else:
+        own = pathlib.Path(spec.origin or list(spec.submodule_search_locations)[0]) if spec else None
+        if own and own.is_file():
+            own = own.parent
+        others = [pathlib.Path(folder).resolve() for folder in os.environ.get("TWINBUS_MUJOCO", "").split(":") if folder]
+        for folder in [own, *others] if own else others:
+            self._add_mujoco(folder)
+        if not self.current():
             print("current MuJoCo: not installed, left out (pip install mujoco-core)")
+
+    def _add_mujoco(self, folder):
+        """folder: as its wheel has it, the library beside include/."""
+        libraries = sorted(folder.glob("libmujoco.so*"))
+        if not libraries:
+            print(f"{folder}: no libmujoco.so in it, left out")
+            return
+        program = self.work / f"mujoco_{libraries[-1].name.split('.so.')[-1]}"
+        if build(PEERS / "mujoco_peer.cpp", program, f"-I{folder}/include", libraries[-1], f"-Wl,-rpath,{folder}"):
+            self.mujocos[call(program, "version")[0]] = program
 
     def _find_trees(self):
         """Each method of the peers of free motion."""
