@@ -9,67 +9,9 @@
 #include "robot/dynamics.h"
 #include "robot/index.h"
 #include "robot/vec4.h"
+#include "sim/articulated_kernels.h"
 
 namespace twinbus {
-
-namespace {
-
-// By four; numbers is a multiple of that.
-TWINBUS_AVX2_CLONES
-void find_sines(const std::vector<double>& angle, std::vector<double>& sine,
-                std::vector<double>& cosine) noexcept {
-  for (std::size_t j = 0; j < angle.size(); j += 4) {
-    Vec4 s, c;
-    sine_cosine(load4(&angle[j]), s, c);
-    store4(&sine[j], s);
-    store4(&cosine[j], c);
-    for (std::size_t k = j; k < j + 4; ++k) {
-      if (std::abs(angle[k]) <= kMostAngle) continue;
-      sine[k] = std::sin(angle[k]);
-      cosine[k] = std::cos(angle[k]);
-    }
-  }
-}
-
-}  // namespace
-
-// The order of these files matters.
-// clang-format off
-namespace baseline {
-#include "sim/spatial_functions.h"
-#include "sim/lane_functions.h"
-#include "sim/articulated_root.h"
-#include "sim/articulated_placing.h"
-#include "sim/articulated_momentum.h"
-#include "sim/articulated_sweeps.h"
-}  // namespace baseline
-#if defined(__x86_64__) && !defined(__clang__)
-#pragma GCC push_options
-#pragma GCC target("avx2,fma")
-namespace avx2 {
-#include "sim/spatial_functions.h"
-#include "sim/lane_functions.h"
-#include "sim/articulated_root.h"
-#include "sim/articulated_placing.h"
-#include "sim/articulated_momentum.h"
-#include "sim/articulated_sweeps.h"
-}  // namespace avx2
-#pragma GCC target("avx512f,avx512vl,avx512dq,fma")
-namespace avx512 {
-#include "sim/spatial_functions.h"
-#include "sim/lane_functions.h"
-#include "sim/articulated_root.h"
-#include "sim/articulated_placing.h"
-#include "sim/articulated_momentum.h"
-#include "sim/articulated_sweeps.h"
-}  // namespace avx512
-#pragma GCC pop_options
-#define TWINBUS_KERNEL(call) \
-  (simd() == Simd::kAvx512 ? avx512::call : simd() == Simd::kAvx2 ? avx2::call : baseline::call)
-#else
-#define TWINBUS_KERNEL(call) (baseline::call)
-#endif
-// clang-format on
 
 // One call for both widths.
 #define TWINBUS_SWEEP(name, ...)                                  \
@@ -80,13 +22,6 @@ namespace {
 
 // A rank costs in four lanes what it costs in one, but for what is gathered from parents.
 constexpr double kWorthFour = 1.5;
-
-void set_vector(const Eigen::Vector3d& from, double* to, std::size_t stride) {
-  for (int k = 0; k < 3; ++k) to[static_cast<std::size_t>(k) * stride] = from[k];
-}
-void set_matrix(const Eigen::Matrix3d& from, double* to, std::size_t stride) {
-  for (int k = 0; k < 9; ++k) to[static_cast<std::size_t>(k) * stride] = from.data()[k];
-}
 
 }  // namespace
 
@@ -116,66 +51,11 @@ ArticulatedBody::ArticulatedBody(const Model& model, bool fixed_base, double mas
   four_.ranks = side_by_side(links_.parent, 4);
   wide_ = kWorthFour * static_cast<double>(four_.ranks.size()) < static_cast<double>(count);
   if (wide_) {
-    fill(four_, model, mass_scale);
+    fill(four_, model, mass_scale, links_);
   } else {
     four_.ranks.clear();
     one_.ranks = side_by_side(links_.parent, 1);
-    fill(one_, model, mass_scale);
-  }
-}
-
-template <class L>
-void ArticulatedBody::fill(BodyLanes<L>& lanes, const Model& model, double mass_scale) {
-  constexpr auto kLanes = static_cast<std::size_t>(BodyLanes<L>::kLanes);
-  const std::size_t ranks = lanes.ranks.size();
-  lanes.links.resize(ranks);
-  int most_folded = 0;
-  for (const Rank& rank : lanes.ranks) most_folded = std::max(most_folded, rank.folded + 1);
-  lanes.folded.resize(at(most_folded));
-  lanes.stiff.resize(ranks);
-  lanes.of_joint.resize(model.joints.size());
-  for (std::vector<double>* numbers :
-       {&lanes.angle, &lanes.rate, &lanes.sine, &lanes.cosine, &lanes.force, &lanes.gain}) {
-    numbers->assign((ranks * kLanes + 3) / 4 * 4, 0.0);
-  }
-  links_.first = reinterpret_cast<double*>(lanes.links.data());
-  links_.stride = kLanes;
-  links_.where.assign(model.links.size(), 0);
-  std::fill_n(links_.first, ranks * sizeof(LinkLanes<L>) / sizeof(double), 0.0);
-  for (std::size_t r = 0; r < ranks; ++r) {
-    Rank& rank = lanes.ranks[r];
-    for (std::size_t lane = 0; lane < kLanes; ++lane) {
-      const auto number = [&](std::size_t field) {
-        return links_.first + r * sizeof(LinkLanes<L>) / sizeof(double) + field * kLanes + lane;
-      };
-      *number(TWINBUS_LANE_FIELD(rotor)) = 1.0;  // without a link: so that D is not zero
-      if (r == 0)
-        set_matrix(Eigen::Matrix3d::Identity(), number(TWINBUS_LANE_FIELD(rotation)), kLanes);
-      const int i = rank.link[lane];
-      set_matrix(Eigen::Matrix3d::Identity(), number(TWINBUS_LANE_FIELD(placed)), kLanes);
-      if (i < 0) continue;
-      const Link& link = model.links[at(i)];
-      links_.where[at(i)] = static_cast<std::size_t>(number(0) - links_.first);
-      *number(TWINBUS_LANE_FIELD(mass)) = link.mass * mass_scale;
-      set_vector(link.com, number(TWINBUS_LANE_FIELD(com)), kLanes);
-      const Eigen::Matrix3d inertia = link.inertia * mass_scale;
-      double* to = number(TWINBUS_LANE_FIELD(inertia));
-      for (int row = 0; row < 3; ++row) {
-        for (int k = row; k < 3; ++k, to += kLanes) *to = inertia(row, k);
-      }
-      if (i == 0) continue;
-      const Joint& joint = model.joints[at(i - 1)];
-      const bool slides = joint.kind == JointKind::kPrismatic;
-      rank.slides = rank.slides || slides;
-      *number(TWINBUS_LANE_FIELD(slides)) = slides ? 1.0 : 0.0;
-      *number(TWINBUS_LANE_FIELD(rotor)) = joint.rotor_inertia;
-      set_vector(joint.placement.translation(), number(TWINBUS_LANE_FIELD(offset)), kLanes);
-      set_vector(joint.axis, number(TWINBUS_LANE_FIELD(joint_axis)), kLanes);
-      const Eigen::Matrix3d placed = joint.placement.linear();
-      set_matrix(placed, number(TWINBUS_LANE_FIELD(placed)), kLanes);
-      rank.turned = rank.turned || placed != Eigen::Matrix3d::Identity();
-      lanes.of_joint[at(i - 1)] = r * kLanes + lane;
-    }
+    fill(one_, model, mass_scale, links_);
   }
 }
 
@@ -188,7 +68,7 @@ void ArticulatedBody::place(const Momentum& wanted, Configuration& configuration
 }
 
 bool ArticulatedBody::inward(const std::vector<JointRow>& rows, double h) noexcept {
-  return TWINBUS_SWEEP(fold_inward, state_, rows, h);
+  return TWINBUS_SWEEP(set_rows, rows), TWINBUS_SWEEP(fold_inward, state_, h);
 }
 
 void ArticulatedBody::outward() noexcept { TWINBUS_SWEEP(accelerate, state_); }

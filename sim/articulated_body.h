@@ -61,13 +61,9 @@ struct alignas(64) ResponseRow {
 };
 
 // Of the body as a whole.
-struct BodyState {
-  bool floating = true;
+struct BodyState : RootFactors<double> {
   double mass = 0.0;
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();  // O in world
-  // Of link 0's articulated inertia: L, D and 1 / D of its L D L'.
-  double root[6][6] = {}, root_d[6] = {}, root_inverse[6] = {};
-  double root_bias[6] = {};
 };
 
 class ArticulatedBody {
@@ -149,9 +145,6 @@ class ArticulatedBody {
  private:
   void add_wrench_to_bias(int link, const Eigen::Vector3d& torque,
                           const Eigen::Vector3d& force) noexcept;
-  template <class L>
-  void fill(BodyLanes<L>& lanes, const Model& model, double mass_scale);
-
   int deepest_ = 0;
   std::vector<int> branch_;  // by link
   BodyState state_;

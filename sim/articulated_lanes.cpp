@@ -1,8 +1,10 @@
 #include "sim/articulated_lanes.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "robot/index.h"
+#include "robot/vec4.h"
 
 namespace twinbus {
 
@@ -78,7 +80,30 @@ void share_folded(std::vector<Rank>& ranks, int lanes) {
   if (ranks[0].leaf) take(ranks[0]);
 }
 
+void set_vector(const Eigen::Vector3d& from, double* to, std::size_t stride) {
+  for (int k = 0; k < 3; ++k) to[static_cast<std::size_t>(k) * stride] = from[k];
+}
+void set_matrix(const Eigen::Matrix3d& from, double* to, std::size_t stride) {
+  for (int k = 0; k < 9; ++k) to[static_cast<std::size_t>(k) * stride] = from.data()[k];
+}
+
 }  // namespace
+
+TWINBUS_AVX2_CLONES
+void find_sines(const std::vector<double>& angle, std::vector<double>& sine,
+                std::vector<double>& cosine) noexcept {
+  for (std::size_t j = 0; j < angle.size(); j += 4) {
+    Vec4 s, c;
+    sine_cosine(load4(&angle[j]), s, c);
+    store4(&sine[j], s);
+    store4(&cosine[j], c);
+    for (std::size_t k = j; k < j + 4; ++k) {
+      if (std::abs(angle[k]) <= kMostAngle) continue;
+      sine[k] = std::sin(angle[k]);
+      cosine[k] = std::cos(angle[k]);
+    }
+  }
+}
 
 std::vector<Rank> side_by_side(const std::vector<int>& parent, int lanes) {
   const int count = static_cast<int>(parent.size());
@@ -107,5 +132,75 @@ std::vector<Rank> side_by_side(const std::vector<int>& parent, int lanes) {
   share_folded(ranks, lanes);
   return ranks;
 }
+
+std::vector<Rank> copies_side_by_side(const std::vector<int>& parent, int lanes) {
+  std::vector<Rank> ranks(parent.size());
+  for (std::size_t r = 0; r < ranks.size(); ++r) {
+    std::fill_n(ranks[r].link, lanes, static_cast<int>(r));
+    if (r == 0) continue;
+    ranks[r].parents = parent[r];
+    for (int lane = 0; lane < lanes; ++lane) ranks[r].parent[lane] = parent[r] * lanes + lane;
+  }
+  share_folded(ranks, lanes);
+  return ranks;
+}
+
+template <class L>
+void fill(BodyLanes<L>& lanes, const Model& model, double mass_scale, LinkNumbers& to_links) {
+  constexpr auto kLanes = static_cast<std::size_t>(BodyLanes<L>::kLanes);
+  const std::size_t ranks = lanes.ranks.size();
+  lanes.links.resize(ranks);
+  int most_folded = 0;
+  for (const Rank& rank : lanes.ranks) most_folded = std::max(most_folded, rank.folded + 1);
+  lanes.folded.resize(at(most_folded));
+  lanes.stiff.resize(ranks);
+  lanes.of_joint.resize(model.joints.size());
+  for (std::vector<double>* numbers :
+       {&lanes.angle, &lanes.rate, &lanes.sine, &lanes.cosine, &lanes.force, &lanes.gain}) {
+    numbers->assign((ranks * kLanes + 3) / 4 * 4, 0.0);
+  }
+  to_links.first = reinterpret_cast<double*>(lanes.links.data());
+  to_links.stride = kLanes;
+  to_links.where.assign(model.links.size(), 0);
+  std::fill_n(to_links.first, ranks * sizeof(LinkLanes<L>) / sizeof(double), 0.0);
+  for (std::size_t r = 0; r < ranks; ++r) {
+    Rank& rank = lanes.ranks[r];
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      const auto number = [&](std::size_t field) {
+        return to_links.first + r * sizeof(LinkLanes<L>) / sizeof(double) + field * kLanes + lane;
+      };
+      *number(TWINBUS_LANE_FIELD(rotor)) = 1.0;  // without a link: so that D is not zero
+      if (r == 0)
+        set_matrix(Eigen::Matrix3d::Identity(), number(TWINBUS_LANE_FIELD(rotation)), kLanes);
+      const int i = rank.link[lane];
+      set_matrix(Eigen::Matrix3d::Identity(), number(TWINBUS_LANE_FIELD(placed)), kLanes);
+      if (i < 0) continue;
+      const Link& link = model.links[at(i)];
+      to_links.where[at(i)] = static_cast<std::size_t>(number(0) - to_links.first);
+      *number(TWINBUS_LANE_FIELD(mass)) = link.mass * mass_scale;
+      set_vector(link.com, number(TWINBUS_LANE_FIELD(com)), kLanes);
+      const Eigen::Matrix3d inertia = link.inertia * mass_scale;
+      double* to = number(TWINBUS_LANE_FIELD(inertia));
+      for (int row = 0; row < 3; ++row) {
+        for (int k = row; k < 3; ++k, to += kLanes) *to = inertia(row, k);
+      }
+      if (i == 0) continue;
+      const Joint& joint = model.joints[at(i - 1)];
+      const bool slides = joint.kind == JointKind::kPrismatic;
+      rank.slides = rank.slides || slides;
+      *number(TWINBUS_LANE_FIELD(slides)) = slides ? 1.0 : 0.0;
+      *number(TWINBUS_LANE_FIELD(rotor)) = joint.rotor_inertia;
+      set_vector(joint.placement.translation(), number(TWINBUS_LANE_FIELD(offset)), kLanes);
+      set_vector(joint.axis, number(TWINBUS_LANE_FIELD(joint_axis)), kLanes);
+      const Eigen::Matrix3d placed = joint.placement.linear();
+      set_matrix(placed, number(TWINBUS_LANE_FIELD(placed)), kLanes);
+      rank.turned = rank.turned || placed != Eigen::Matrix3d::Identity();
+      lanes.of_joint[at(i - 1)] = r * kLanes + lane;
+    }
+  }
+}
+
+template void fill(BodyLanes<Vec4>&, const Model&, double, LinkNumbers&);
+template void fill(BodyLanes<double>&, const Model&, double, LinkNumbers&);
 
 }  // namespace twinbus

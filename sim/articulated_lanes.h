@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "robot/model.h"
 #include "sim/spatial.h"
 
 // The alignment that Vec4 names is lost in a template argument; what needs it says so again.
@@ -125,6 +126,8 @@ struct Rank {
 // Link 0 alone, then the others, those with the longest chain behind them first.  parent: of each
 // link, before it; -1 of link 0.
 std::vector<Rank> side_by_side(const std::vector<int>& parent, int lanes);
+// A rank for each link, with a copy of it in each lane.
+std::vector<Rank> copies_side_by_side(const std::vector<int>& parent, int lanes);
 
 template <class T>
 struct alignas(64) Aligned {
@@ -143,6 +146,15 @@ struct BodyLanes {
   std::vector<std::size_t> of_joint;  // where each joint is among these
   alignas(64) Six<L> momentum;        // of all links, about O; to be summed over lanes
   alignas(64) Three<L> moment;        // sum of mass times centre, about O
+};
+
+// What holds link 0 up is in lane 0 of a robot's ranks; N is L where each lane is a robot of its own.
+template <class N>
+struct RootFactors {
+  bool floating = true;
+  // Of link 0's articulated inertia: L, D and 1 / D of its L D L'.
+  N root[6][6] = {}, root_d[6] = {}, root_inverse[6] = {};
+  N root_bias[6] = {};
 };
 
 // The same numbers, one link at a time.
@@ -165,5 +177,13 @@ struct LinkNumbers {
             Vec4{x[3 * stride], x[4 * stride], x[5 * stride], 0.0}};
   }
 };
+
+// Of angles whose number is a multiple of four.
+void find_sines(const std::vector<double>& angle, std::vector<double>& sine,
+                std::vector<double>& cosine) noexcept;
+
+// The numbers of a model's links in lanes whose ranks are set, and where they are: of several copies the last.
+template <class L>
+void fill(BodyLanes<L>& lanes, const Model& model, double mass_scale, LinkNumbers& to_links);
 
 }  // namespace twinbus

@@ -46,6 +46,8 @@ inline void correct(BodyLanes<L>& d, BodyState& state, const Momentum& wanted,
     const auto spread = [](const auto& v) { return broadcast<L>(v[0], v[1], v[2]); };
     d.links[0].velocity = {spread(to.base_angular_velocity), spread(to.base_velocity)};
   }
+  d.momentum = Six<L>{};
+  d.moment = Three<L>{};
   for (std::size_t r = 0; r < d.ranks.size(); ++r) {
     LinkLanes<L>& link = d.links[r];
     if (r > 0)

@@ -166,8 +166,6 @@ inline void begin_at(BodyLanes<L>& d, const BodyState& state, const Configuratio
   root.velocity = Six<L>{};
   if (state.floating) root.velocity = {spread(to.base_angular_velocity), spread(to.base_velocity)};
   root.axis = root.coriolis = Six<L>{};
-  d.momentum = Six<L>{};
-  d.moment = Three<L>{};
   for (std::size_t j = 0; j < d.of_joint.size(); ++j) {
     d.angle[d.of_joint[j]] = to.q[static_cast<Eigen::Index>(j)];
     d.rate[d.of_joint[j]] = to.qd[static_cast<Eigen::Index>(j)];
@@ -176,13 +174,21 @@ inline void begin_at(BodyLanes<L>& d, const BodyState& state, const Configuratio
   find_sines(d.angle, d.sine, d.cosine);
 }
 
+// Link 0 is placed, sines are known.
 template <class L>
-inline void place(BodyLanes<L>& d, BodyState& state, const Configuration& to) noexcept {
-  state.origin = to.base.translation();
-  begin_at(d, state, to);
+inline void place_links(BodyLanes<L>& d) noexcept {
+  d.momentum = Six<L>{};
+  d.moment = Three<L>{};
   for (std::size_t r = 0; r < d.ranks.size(); ++r) {
     if (r > 0) move_rank(d, r);
     move_inertia(d.links[r]);
     weigh_rank(d, r);
   }
+}
+
+template <class L>
+inline void place(BodyLanes<L>& d, BodyState& state, const Configuration& to) noexcept {
+  state.origin = to.base.translation();
+  begin_at(d, state, to);
+  place_links(d);
 }

@@ -55,14 +55,17 @@ TWINBUS_INLINE Folded<L>& articulated(BodyLanes<L>& d, std::size_t r) {
 }
 
 template <class L>
-inline bool fold_inward(BodyLanes<L>& d, BodyState& state, const std::vector<JointRow>& rows,
-                        double h) noexcept {
-  const L none = {}, one = broadcast<L>(1.0);
-  L wrong = {};
+inline void set_rows(BodyLanes<L>& d, const std::vector<JointRow>& rows) noexcept {
   for (std::size_t j = 0; j < d.of_joint.size(); ++j) {
     d.force[d.of_joint[j]] = rows[j].force;
     d.gain[d.of_joint[j]] = rows[j].gain;
   }
+}
+
+template <class L, class N>
+inline bool fold_inward(BodyLanes<L>& d, RootFactors<N>& state, double h) noexcept {
+  const L none = {}, one = broadcast<L>(1.0);
+  L wrong = {};
   for (std::size_t r = d.ranks.size() - 1; r > 0; --r) {
     LinkLanes<L>& link = d.links[r];
     Folded<L>& own = articulated(d, r);
@@ -84,18 +87,21 @@ inline bool fold_inward(BodyLanes<L>& d, BodyState& state, const std::vector<Joi
   }
   const Folded<L>& own = articulated(d, 0);
   const L* bias = reinterpret_cast<const L*>(&own.bias);
-  for (int k = 0; k < 6; ++k) state.root_bias[k] = sum_of_lanes(bias[k]);
+  for (int k = 0; k < 6; ++k) state.root_bias[k] = of_robots<N>(bias[k]);
   return (!state.floating || factor_root(state, own.inertia)) && !(sum_of_lanes(wrong) > 0.0);
 }
 
-template <class L>
-inline void accelerate(BodyLanes<L>& d, const BodyState& state) noexcept {
+template <class L, class N>
+inline void accelerate(BodyLanes<L>& d, const RootFactors<N>& state) noexcept {
   d.links[0].acceleration = Six<L>{};
   if (state.floating) {
-    double x[6];
+    N x[6];
     for (int r = 0; r < 6; ++r) x[r] = -state.root_bias[r];
     solve_root(state, x);
-    d.links[0].acceleration = {broadcast<L>(x[0], x[1], x[2]), broadcast<L>(x[3], x[4], x[5])};
+    L in_lanes[6];
+    for (int r = 0; r < 6; ++r) in_lanes[r] = L{} + x[r];
+    d.links[0].acceleration = {{in_lanes[0], in_lanes[1], in_lanes[2]},
+                               {in_lanes[3], in_lanes[4], in_lanes[5]}};
   }
   for (std::size_t r = 1; r < d.ranks.size(); ++r) {
     const Rank& rank = d.ranks[r];

@@ -36,7 +36,7 @@ ArticulatedWorld::ArticulatedWorld(const Model& model, const WorldConfig& config
       loose_(model, config, body_),
       ties_(model, config),
       solve_(loose_.systems(), loose_.most_contacts() + ties_.count()),
-      flight_(model.joint_count(), config.fixed_base),
+      flight_(model, config),
       rows_(model.joints.size()),
       configuration_(model),
       start_(model),
@@ -160,7 +160,7 @@ bool ArticulatedWorld::fly() noexcept {
     return false;
   }
   next_ = configuration_;
-  if (!flight_.step(config_.flight, body_, joints_, config_.step, next_)) return false;
+  if (!flight_.step(body_, joints_, config_.step, next_)) return false;
   if (check_configuration(joints_.size(), next_) != Status::kOk) {
     flight_.interrupt();
     body_.place(configuration_);

@@ -29,18 +29,20 @@ constexpr double kA[13][12] = {
 constexpr double kB[13] = {0,        0,         0,         0, 0,          34.0 / 105, 9.0 / 35,
                            9.0 / 35, 9.0 / 280, 9.0 / 280, 0, 41.0 / 840, 41.0 / 840};
 
-// Of stiffness h^2 k and damping h c over the joint's inertia: well inside the stable range.
+// gentle()'s limits: well inside the stable range.
 constexpr double kGentle = 1.0;
 constexpr double kGentleMultistep = 0.2;
 
 }  // namespace
 
-FlightMotion::FlightMotion(int joints, bool fixed_base)
-    : fixed_base_(fixed_base),
-      joints_(joints),
-      first_q_(fixed_base ? 0 : 7),
-      first_qd_(fixed_base ? joints : joints + 13),
-      rows_(at(joints)) {
+FlightMotion::FlightMotion(const Model& model, const WorldConfig& config)
+    : method_(config.flight),
+      fixed_base_(config.fixed_base),
+      joints_(model.joint_count()),
+      first_q_(fixed_base_ ? 0 : 7),
+      first_qd_(fixed_base_ ? joints_ : joints_ + 13),
+      rows_(model.joints.size()) {
+  if (method_ == Flight::kGauss8) gauss_.emplace(model, fixed_base_, config.mass_scale);
   const Eigen::Index size = first_qd_ + joints_;
   for (Eigen::VectorXd* v : {&y_, &sum_, &trial_}) v->setZero(size);
   for (Eigen::VectorXd& v : k_) v.setZero(size);
@@ -111,18 +113,6 @@ bool FlightMotion::stage(ArticulatedBody& body, const std::vector<JointLaw>& joi
   return evaluate(body, joints, scratch_, k_[at(index)]);
 }
 
-// After an evaluation: its inverse inertias are those of the joints.
-bool FlightMotion::gentle(Flight method, const ArticulatedBody& body,
-                          const std::vector<JointLaw>& joints, double h) const noexcept {
-  const double limit = method == Flight::kAb4 ? kGentleMultistep : kGentle;
-  for (std::size_t j = 0; j < joints.size(); ++j) {
-    const double mobility = body.inverse_inertia(static_cast<int>(j));
-    if (!(h * h * joints[j].stiffness() * mobility < limit)) return false;
-    if (!(h * joints[j].damping() * mobility < limit)) return false;
-  }
-  return true;
-}
-
 bool FlightMotion::runge_kutta(ArticulatedBody& body, const std::vector<JointLaw>& joints,
                                double h) noexcept {
   sum_ = y_ + h / 6.0 * k_[0];
@@ -151,25 +141,28 @@ bool FlightMotion::fehlberg(ArticulatedBody& body, const std::vector<JointLaw>& 
   return true;
 }
 
-bool FlightMotion::step(Flight method, ArticulatedBody& body, const std::vector<JointLaw>& joints,
-                        double h, Configuration& configuration) noexcept {
+bool FlightMotion::step(ArticulatedBody& body, const std::vector<JointLaw>& joints, double h,
+                        Configuration& configuration) noexcept {
+  if (gauss_) return gauss_->step(body, joints, h, configuration);
   for (const JointLaw& joint : joints) {
     if (!joint.smooth()) return false;
   }
   read(configuration);
   trial_ = y_;
-  if (!evaluate(body, joints, configuration, k_[0]) || !gentle(method, body, joints, h)) {
+  const double limit = method_ == Flight::kAb4 ? kGentleMultistep : kGentle;
+  if (!evaluate(body, joints, configuration, k_[0]) ||
+      !gentle(joints, h, limit, [&](int j) { return body.inverse_inertia(j); })) {
     known_ = 0;
     return false;
   }
   bool done = false;
-  if (method == Flight::kRkf78) {
+  if (method_ == Flight::kRkf78) {
     done = fehlberg(body, joints, h);
   } else {
     newest_ = (newest_ + 1) % 4;
     history_[at(newest_)] = k_[0];
     known_ = std::min(known_ + 1, 4);
-    if (method == Flight::kAb4 && known_ == 4) {
+    if (method_ == Flight::kAb4 && known_ == 4) {
       const auto past = [&](int n) -> const Eigen::VectorXd& {
         return history_[at((newest_ + 4 - n) % 4)];
       };

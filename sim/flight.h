@@ -1,4 +1,5 @@
-// Explicit integration of true order while a robot touches nothing.
+// Integration of true order while a robot touches nothing: explicit, here, or implicit by Gauss's
+// method (sim/gauss_flight.h).
 //
 // State y = (p, Q, q; w, v, qd), w and v of the root in its own axes, so that their derivative is
 // the spatial acceleration itself.  Q is treated as four plain numbers in all stages and normalised
@@ -12,10 +13,12 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "robot/kinematics.h"
 #include "sim/articulated_body.h"
+#include "sim/gauss_flight.h"
 #include "sim/joint_law.h"
 #include "sim/world.h"
 
@@ -23,14 +26,18 @@ namespace twinbus {
 
 class FlightMotion {
  public:
-  FlightMotion(int joints, bool fixed_base);
+  // Of config: the method, the base and the mass scale.
+  FlightMotion(const Model& model, const WorldConfig& config);
 
   // Something else moved the robot, or its servos were told otherwise.
-  void interrupt() noexcept { known_ = 0; }
+  void interrupt() noexcept {
+    known_ = 0;
+    if (gauss_) gauss_->interrupt();
+  }
 
   // One step h.  False: a servo is too stiff for it or a joint law is not smooth (friction, play,
   // a stop in reach); the configuration is as it was, the body is placed at it.
-  bool step(Flight method, ArticulatedBody& body, const std::vector<JointLaw>& joints, double h,
+  bool step(ArticulatedBody& body, const std::vector<JointLaw>& joints, double h,
             Configuration& configuration) noexcept;
 
  private:
@@ -42,11 +49,10 @@ class FlightMotion {
   bool evaluate(ArticulatedBody& body, const std::vector<JointLaw>& joints,
                 const Configuration& configuration, Eigen::VectorXd& dy) noexcept;
   bool stage(ArticulatedBody& body, const std::vector<JointLaw>& joints, int index) noexcept;
-  bool gentle(Flight method, const ArticulatedBody& body, const std::vector<JointLaw>& joints,
-              double h) const noexcept;
   bool runge_kutta(ArticulatedBody& body, const std::vector<JointLaw>& joints, double h) noexcept;
   bool fehlberg(ArticulatedBody& body, const std::vector<JointLaw>& joints, double h) noexcept;
 
+  Flight method_;
   bool fixed_base_;
   Eigen::Index joints_, first_q_, first_qd_;
   Eigen::VectorXd y_, sum_, trial_;
@@ -56,6 +62,7 @@ class FlightMotion {
   int newest_ = 0;
   Configuration scratch_;
   std::vector<JointRow> rows_;
+  std::optional<GaussFlight> gauss_;  // for kGauss8
 };
 
 }  // namespace twinbus

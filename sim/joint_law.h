@@ -149,4 +149,17 @@ inline JointLaw::Pieces JointLaw::pieces_at(double qd) const noexcept {
           side(qd, low_bound_, high_bound_)};
 }
 
+// Whether a method that is not implicit in the joints follows these servos: of each, stiffness h^2 k and damping h c over the
+// inertia that the joint moves are below limit.  inverse_inertia: of a joint.
+template <class InverseInertia>
+bool gentle(const std::vector<JointLaw>& joints, double h, double limit,
+            InverseInertia&& inverse_inertia) noexcept {
+  for (std::size_t j = 0; j < joints.size(); ++j) {
+    const double mobility = inverse_inertia(static_cast<int>(j));
+    if (!(h * h * joints[j].stiffness() * mobility < limit)) return false;
+    if (!(h * joints[j].damping() * mobility < limit)) return false;
+  }
+  return true;
+}
+
 }  // namespace twinbus

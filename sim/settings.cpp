@@ -30,9 +30,9 @@ const Entry kEntries[] = {
     {"solver.order", 1.0, 3.0,
      "of accuracy; 2 and 3 (engine articulated) take 3 and 6 solves a step",
      [](SimSettings& s, double v, double) { s.world.order = static_cast<int>(std::lround(v)); }},
-    {"solver.flight", 0.0, 3.0,
-     "what touches nothing moves by 1: Adams-Bashforth 4, 2: Runge-Kutta 4, 3: Fehlberg 8; 0: like "
-     "all else",
+    {"solver.flight", 0.0, 4.0,
+     "what touches nothing moves by 1: Adams-Bashforth 4, 2: Runge-Kutta 4, 3: Fehlberg 8, 4: Gauss "
+     "8; 0: like all else",
      [](SimSettings& s, double v, double) {
        s.world.flight = static_cast<Flight>(std::lround(v));
      }},

@@ -49,6 +49,7 @@ enum class Flight {
   kAb4,       // Adams-Bashforth: one evaluation a step, order 4
   kRk4,       // four evaluations, order 4
   kRkf78,     // thirteen evaluations, order 8
+  kGauss8,    // implicit, symplectic, order 8: a few times four evaluations side by side
 };
 
 // Of a loose body: its middle and its axes.

@@ -10,7 +10,7 @@
 //     physics_cases tumble METHOD H STIFFNESS FRICTION [THROWS]  boxes thrown, friction 0.3 to that
 //     physics_cases boxes SHAPE METHOD H COUNT [SECONDS]  us a step of boxes lying apart or in a stack
 //
-// METHOD: articulated, articulated2 and articulated3 (orders 2, 3), ode, or articulated-ab4, -rk4, -rkf78 in flight.
+// METHOD: articulated, articulated2 and articulated3 (orders 2, 3), ode, or articulated-ab4, -rk4, -rkf78, -gauss8 in flight.
 
 #include <time.h>
 
@@ -60,6 +60,8 @@ WorldConfig config_of(const PhysicsScene& scene, const std::string& method, doub
     config.flight = Flight::kRk4;
   } else if (method == "articulated-rkf78") {
     config.flight = Flight::kRkf78;
+  } else if (method == "articulated-gauss8") {
+    config.flight = Flight::kGauss8;
   } else if (method != "articulated") {
     throw std::runtime_error("no method '" + method + "'");
   }

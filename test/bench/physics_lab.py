@@ -221,7 +221,7 @@ class Lab:
         self.articulated2 = Ours(self.program, "articulated2", "articulated, order 2")
         self.articulated3 = Ours(self.program, "articulated3", "articulated, order 3")
         self.ode = Ours(self.program, "ode", "ODE direct")
-        self.flight = [Ours(self.program, f"articulated-{m}", f"articulated, {m.upper()}") for m in ("ab4", "rk4", "rkf78")]
+        self.flight = [Ours(self.program, f"articulated-{m}", f"articulated, {m.upper()}") for m in ("ab4", "rk4", "rkf78", "gauss8")]
         self.mujocos = {}  # version -> program
         self._written = {}
         self._find_mujoco()

@@ -4,9 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "robot/dynamics.h"
+#include "robot/energy.h"
 #include "sim/articulated_world.h"
 #include "test/no_alloc.h"
 #include "test_models.h"
@@ -44,11 +46,14 @@ TEST(Flight, MethodsHaveTheirOrderOnATurningBase) {
   EXPECT_NEAR(ratio(Flight::kRk4), 16.0, 2.0);
   EXPECT_NEAR(ratio(Flight::kAb4), 16.0, 5.0);
   EXPECT_LT((tumbled(Flight::kRk4, 2.5e-3) - exact).norm(), 1e-7);
+  const auto coarse = [&](double step) { return (tumbled(Flight::kGauss8, step) - exact).norm(); };
+  EXPECT_NEAR(std::log(coarse(0.125) / coarse(0.1)) / std::log(1.25), 8.0, 1.0);
+  EXPECT_LT(coarse(1e-2), 1e-11);
 }
 
 TEST(Flight, WhatComesDownIsCaughtByTheImplicitSolve) {
   const Model model = test::block();
-  for (const Flight flight : {Flight::kAb4, Flight::kRk4, Flight::kRkf78}) {
+  for (const Flight flight : {Flight::kAb4, Flight::kRk4, Flight::kRkf78, Flight::kGauss8}) {
     WorldConfig config;
     config.flight = flight;
     ArticulatedWorld world(model, config);
@@ -81,6 +86,76 @@ TEST(Flight, WhatIsStiffOrRoughIsLeftToTheImplicitSolve) {
   ASSERT_EQ(rough.set(start), Status::kOk);
   ASSERT_EQ(rough.step(), Status::kOk);
   EXPECT_EQ(rough.flown(), 0);
+}
+
+// For a hundred seconds, in steps in which the chain turns by several degrees.
+TEST(Flight, AChainSwingsByGaussWithoutLosingEnergy) {
+  const Model model = test::chain(2, true);
+  WorldConfig config;
+  config.flight = Flight::kGauss8;
+  config.fixed_base = true;
+  config.step = 0.02;
+  ArticulatedWorld world(model, config);
+  Configuration start(model);
+  start.base.translation().z() = 50.0;
+  start.base.linear() = Eigen::AngleAxisd(0.5 * M_PI, Eigen::Vector3d::UnitY()).toRotationMatrix();
+  start.q << 0.4, -0.2;
+  ASSERT_EQ(world.set(start), Status::kOk);
+  Kinematics kinematics(model);
+  const auto energy = [&] {
+    kinematics.update(world.configuration());
+    return mechanical_energy(kinematics, world.configuration());
+  };
+  const double before = energy();
+  double worst = 0.0, fastest = 0.0;
+  for (int i = 0; i < 5000; ++i) {
+    ASSERT_EQ(world.step(), Status::kOk);
+    worst = std::max(worst, std::abs(energy() - before));
+    fastest = std::max(fastest, world.configuration().qd.norm());
+  }
+  EXPECT_EQ(world.flown(), 5000);
+  EXPECT_GT(fastest, 1.0);
+  EXPECT_LT(worst, 1e-9);
+}
+
+TEST(FourPostures, AccelerateLikeOneEach) {
+  for (const bool fixed : {false, true}) {
+    const Model model = test::chain(5, true);
+    FourPostures four(model, fixed, 1.2);
+    ArticulatedBody one(model, fixed, 1.2);
+    std::vector<Configuration> at(4, Configuration(model));
+    std::vector<JointRow> rows(model.joints.size());
+    for (int p = 0; p < 4; ++p) {
+      Configuration& c = at[static_cast<std::size_t>(p)];
+      c.base.linear() = Eigen::AngleAxisd(0.4 + p, Eigen::Vector3d(1, p, 2).normalized()).toRotationMatrix();
+      if (!fixed) {
+        c.base_angular_velocity = {0.3, -0.2 * p, 0.5};
+        c.base_velocity = {1.0, 0.1 * p, -0.4};
+      }
+      four.set_base(p, c.base.linear(), c.base_angular_velocity, c.base_velocity);
+      for (int j = 0; j < model.joint_count(); ++j) {
+        c.q[j] = 0.3 * std::sin(1.0 + 2 * p + j);
+        c.qd[j] = std::cos(2.0 * p - j);
+        four.q()(p, j) = c.q[j];
+        four.qd()(p, j) = c.qd[j];
+        four.torque()(p, j) = 0.7 * p - j;
+      }
+    }
+    ASSERT_TRUE(four.accelerate());
+    for (int p = 0; p < 4; ++p) {
+      for (int j = 0; j < model.joint_count(); ++j) {
+        rows[static_cast<std::size_t>(j)] = {.force = 0.7 * p - j, .gain = 0.0};
+      }
+      one.place(at[static_cast<std::size_t>(p)]);
+      ASSERT_TRUE(one.inward(rows, 0.0));
+      one.outward();
+      for (int j = 0; j < model.joint_count(); ++j) {
+        EXPECT_NEAR(four.qdd(p, j), one.qdd(j), 1e-10 * (1.0 + std::abs(one.qdd(j))));
+      }
+      const Screw a = four.base_acceleration(p), b = one.acceleration(0);
+      EXPECT_LT((angular(a) - angular(b)).norm() + (linear(a) - linear(b)).norm(), 1e-10);
+    }
+  }
 }
 
 }  // namespace
