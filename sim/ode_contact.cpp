@@ -163,7 +163,10 @@ void OdeWorld::Impl::find_link_contacts() noexcept {
       }
     };
     meet_near(obstacle_geoms, false);
-    meet_near(tile_geoms, true);
+    // As in the other engine tiles meet no more of a foot than its sole's corners.
+    const bool is_foot = std::any_of(model.soles.begin(), model.soles.end(),
+                                     [&](const Sole& sole) { return sole.link == own.link; });
+    if (!is_foot) meet_near(tile_geoms, true);
   }
 }
 
