@@ -13,6 +13,7 @@
 #include "launcher/reach.h"
 #include "launcher/restart.h"
 #include "launcher/run.h"
+#include "launcher/scenes.h"
 #include "launcher/status.h"
 #include "launcher/switch_source.h"
 #include "launcher/tools.h"
@@ -34,6 +35,7 @@ struct Command {
 constexpr Command kCommands[] = {
     {"up", "start and supervise simulator, controller, guard, planner and viewer", &up_command},
     {"run", "run a scene in one process, without a bus, as fast as it goes", &run_command},
+    {"scenes", "which scenes there are", &scenes_command},
     {"restart", "start one process of the stack anew", &restart_command},
     {"status", "who is there, rates, roles, terms, timing", &status_command},
     {"switch", "let simulator, hardware bridge or replay take over", &switch_command},

@@ -225,13 +225,8 @@ std::string find_scene(const std::string& name_or_file) {
     const fs::path path = folder / (name_or_file + ".yaml");
     if (fs::is_regular_file(path, ignored)) return path.string();
   }
-  std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
-    if (entry.path().extension() == ".yaml") names.push_back(entry.path().stem().string());
-  }
-  std::sort(names.begin(), names.end());
   std::string list;
-  for (const std::string& name : names) list += " " + name;
+  for (const std::string& name : scene_names()) list += " " + name;
   throw std::runtime_error("no scene '" + name_or_file + "': give a file or one of" + list);
 }
 
@@ -251,6 +246,18 @@ std::vector<double> pose_on_bus(const Scene& scene, const Model& model, const st
 }
 
 }  // namespace
+
+std::vector<std::string> scene_names() {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  std::vector<std::string> names;
+  for (const auto& entry :
+       fs::directory_iterator(fs::path(config_folder()) / "scenes", ignored)) {
+    if (entry.path().extension() == ".yaml") names.push_back(entry.path().stem().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
 
 Scene load_scene(const std::string& name_or_file) {
   const std::string file = find_scene(name_or_file);

@@ -156,4 +156,7 @@ void resolve_poses(Scene& scene, const Model& model);
 // sim/settings.h.  Scene time starts with the first command.
 Scene load_scene(const std::string& name_or_file);
 
+// Of config/scenes, by alphabet.
+std::vector<std::string> scene_names();
+
 }  // namespace twinbus
