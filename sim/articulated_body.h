@@ -128,10 +128,6 @@ class ArticulatedBody {
   }
   // No point within reach of link 0's origin that belongs to the robot moves faster.
   double fastest(double reach) const noexcept;
-  Eigen::Vector3d center(int link) const noexcept {  // of mass, about O
-    return links_.three(link, TWINBUS_LANE_FIELD(center));
-  }
-  double link_mass(int link) const noexcept { return *links_.of(link, TWINBUS_LANE_FIELD(mass)); }
   // After outward().
   Screw acceleration(int link) const noexcept {
     return links_.screw(link, TWINBUS_LANE_FIELD(acceleration));

@@ -403,18 +403,10 @@ Eigen::Vector3d ArticulatedWorld::angular_velocity(int link) const noexcept {
   return angular(body_.link(link).velocity);
 }
 
-Eigen::Vector3d ArticulatedWorld::com() const noexcept {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (int i = 0; i < body_.link_count(); ++i) sum += body_.link_mass(i) * body_.center(i);
-  return body_.origin() + sum / body_.mass();
-}
+Eigen::Vector3d ArticulatedWorld::com() const noexcept { return body_.momentum().com; }
 
 Eigen::Vector3d ArticulatedWorld::com_velocity() const noexcept {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (int i = 0; i < body_.link_count(); ++i) {
-    sum += body_.link_mass(i) * at_point(body_.link(i).velocity, body_.center(i));
-  }
-  return sum / body_.mass();
+  return body_.momentum().linear / body_.mass();
 }
 
 double ArticulatedWorld::corner_stiffness(int sole) const noexcept {

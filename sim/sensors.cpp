@@ -44,14 +44,6 @@ Eigen::Quaterniond inclined(const Eigen::Quaterniond& attitude, const Imperfecti
 
 }  // namespace
 
-double Imperfection::read(double value, Random& random) const noexcept {
-  value += bias;
-  if (noise > 0.0) value += noise * random.normal();
-  if (limit > 0.0) value = std::clamp(value, -limit, limit);
-  if (quantum > 0.0) value = quantum * std::round(value / quantum);
-  return value;
-}
-
 bool Sensors::SampleClock::due(double dt, double rate) noexcept {
   if (!(rate > 0.0)) return true;
   const bool first = left < 0.0;

@@ -5,6 +5,8 @@
 
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -23,7 +25,13 @@ struct Imperfection {
   double limit = 0.0;    // it reads no further than this, either way
 
   // What is read for `value`, in the order of a real sensor: bias, noise, saturation, counts.
-  double read(double value, Random& random) const noexcept;
+  double read(double value, Random& random) const noexcept {
+    value += bias;
+    if (noise > 0.0) value += noise * random.normal();
+    if (limit > 0.0) value = std::clamp(value, -limit, limit);
+    if (quantum > 0.0) value = quantum * std::round(value / quantum);
+    return value;
+  }
 };
 
 struct SensorOptions {
