@@ -68,32 +68,43 @@ def curve(engine, scene, steps, reference, repeats=2):
     return points
 
 
+def measured_curves(scene, ours, theirs, rounds):
+    """ours, theirs: (engine, steps, what its error is against).  For each round the points (error, cost) of ours together and of
+    each of theirs: in turn, as costs change with the machine."""
+    found = []
+    for number in range(rounds):
+        mine, others = [], {}
+        for engine, steps, reference in [*ours, *theirs]:
+            points = curve(engine, scene, steps, reference, 1)
+            if number == 0:
+                print(f"{scene:12s} {engine.label}: " + ", ".join(f"{1e3 * h:g} ms {e:.1e} m {c:.2f} ms/s" for h, e, c in points))
+            if any(engine is own for own, _, _ in ours):
+                mine += [(e, c) for _, e, c in points]
+            else:
+                others[engine] = [(e, c) for _, e, c in points]
+        found.append((mine, others))
+    return found
+
+
+def cheaper(scene, wanted, least, peer, found):
+    """The row of how much cheaper ours are at an error [m] than a peer."""
+    costs = [(cost_at(mine, wanted)[0], *cost_at(others[peer], wanted)) for mine, others in found]
+    note = ", its curve extended" if costs[0][2] else ""
+    at_least(scene, f"{scene} at {wanted:g} m, times cheaper than {peer.label}{note}", least,
+             statistics.median(theirs / ours for ours, theirs, _ in costs), peer=peer.label,
+             ours=statistics.median(ours for ours, _, _ in costs), theirs=statistics.median(theirs for _, theirs, _ in costs))
+
+
 def smooth(lab, scene, targets, rounds):
     reference = lab.flight[2].run(scene, 2.5e-4, 1)
     check = error(lab.flight[2].run(scene, 5e-4, 1), reference)
     print(f"{scene:12s} reference: RKF78 at 0.25 ms, moves by {check:.1e} m from 0.5 ms")
-    peers = [lab.mujoco(version, "rk4") for version in lab.mujocos]
-    found = []  # of each round: ours at each error, theirs at each error
-    for number in range(rounds):
-        ours, theirs = [], {}
-        for engine in [*lab.flight, *peers]:
-            mine = engine in lab.flight
-            steps = (5e-2, 2.5e-2, 2e-2, 1e-2, 5e-3, 2e-3, 1e-3) if mine else (1e-2, 5e-3, 2e-3, 1e-3, 5e-4)
-            points = curve(engine, scene, steps, reference, 1)
-            if number == 0:
-                print(f"{scene:12s} {engine.label}: " + ", ".join(f"{1e3 * h:g} ms {e:.1e} m {c:.2f} ms/s" for h, e, c in points))
-            if mine:
-                ours += [(e, c) for _, e, c in points]
-            else:
-                theirs[engine] = [(e, c) for _, e, c in points]
-        found.append((ours, theirs))
-    for peer in peers:
+    ours = [(engine, (5e-2, 2.5e-2, 2e-2, 1e-2, 5e-3, 2e-3, 1e-3), reference) for engine in lab.flight]
+    theirs = [(lab.mujoco(version, "rk4"), (1e-2, 5e-3, 2e-3, 1e-3, 5e-4), reference) for version in lab.mujocos]
+    found = measured_curves(scene, ours, theirs, rounds)
+    for peer, _, _ in theirs:
         for wanted, asked in targets:
-            costs = [(cost_at(ours, wanted)[0], *cost_at(theirs[peer], wanted)) for ours, theirs in found]
-            note = ", its curve extended" if costs[0][2] else ""
-            at_least(scene, f"{scene} at {wanted:g} m, times cheaper than {peer.label}{note}", asked,
-                     statistics.median(b / a for a, b, _ in costs), peer=peer.label,
-                     ours=statistics.median(a for a, _, _ in costs), theirs=statistics.median(b for _, b, _ in costs))
+            cheaper(scene, wanted, asked, peer, found)
 
 
 def stand(lab, rounds):
@@ -109,39 +120,32 @@ def stand(lab, rounds):
     at_least("stand", "real-time factor, standing, 1 ms, with collision", 180, 1e3 / medians[0])
 
 
-def push(lab, _rounds):
-    finest = lab.articulated3.run("push", 1e-4, 1)
-    coarse = (2e-2, 1e-2, 5e-3, 2e-3, 1e-3, 5e-4)
-    ours = []
-    for engine in (lab.articulated, lab.articulated2, lab.articulated3):
-        points = curve(engine, "push", coarse, finest)
-        ours += [(e, c) for _, e, c in points]
-        print(f"{'push':12s} {engine.label}: " + ", ".join(f"{1e3 * h:g} ms {1e3 * e:.3f} mm {c:.2f} ms/s" for h, e, c in points))
-        if engine is not lab.articulated:
-            at_most("push", f"push at 2 ms, {engine.label}, error [mm]", 0.02, 1e3 * next(e for h, e, _ in points if h == 2e-3), unit="mm")
-    soft = lab.articulated3.run("push_soft", 1e-4, 1)
+def push(lab, rounds):
+    for scene in ("push", "push_soft"):  # with the robot's own gains; with legs of 5000 N m/rad
+        push_of(lab, scene, rounds)
+
+
+def push_of(lab, scene, rounds):
+    finest = lab.articulated3.run(scene, 1e-4, 1)
     for engine in (lab.articulated2, lab.articulated3):
-        at_most("push", f"the same with legs of 5000 N m/rad, {engine.label}, error [mm]", 0.02,
-                1e3 * error(engine.run("push_soft", 2e-3, 1), soft), unit="mm")
+        at_most("push", f"{scene} at 2 ms, {engine.label}, error [mm]", 0.02, 1e3 * error(engine.run(scene, 2e-3, 1), finest), unit="mm")
     peers = [(lab.ode, (2e-2, 1e-2, 5e-3, 2e-3, 1e-3), 2e-4, {1e-3: 110})]
     if lab.packaged():
         peers.append((lab.mujoco(lab.packaged(), "implicit"), (2e-3, 1e-3, 5e-4, 2e-4, 1e-4), 2e-5, {1e-3: 100}))
     if lab.current():
         peers.append((lab.mujoco(lab.current(), "implicitfast"), (2e-3, 1e-3, 5e-4, 2e-4, 1e-4), 2e-5, {1e-3: 28, 1e-4: 42}))
-    for peer, steps, limit, asked in peers:
-        own = peer.run("push", limit, 1)
-        if peer is lab.ode:  # too slow for finer steps: extrapolated from two
-            own["at"] = [2 * a - b for a, b in zip(peer.run("push", 0.5 * limit, 1)["at"], own["at"])]
-        points = curve(peer, "push", steps, own, 1)
-        print(f"{'push':12s} {peer.label}: " + ", ".join(f"{1e3 * h:g} ms {1e3 * e:.3f} mm {c:.2f} ms/s" for h, e, c in points))
-        if peer is lab.ode:
-            at_most("push", "limits of both engines apart [mm]", 0.05, 1e3 * error(own, finest), unit="mm")
+    limits = {peer: peer.run(scene, limit, 1) for peer, _, limit, _ in peers}
+    # Too slow for finer steps: extrapolated from two.
+    half = lab.ode.run(scene, 0.5 * peers[0][2], 1)
+    limits[lab.ode]["at"] = [2 * a - b for a, b in zip(half["at"], limits[lab.ode]["at"])]
+    at_most("push", f"{scene}, limits of both engines apart [mm]", 0.05, 1e3 * error(limits[lab.ode], finest), unit="mm")
+    ours = [(engine, (2e-2, 1e-2, 5e-3, 2e-3, 1e-3, 5e-4), finest)
+            for engine in (lab.articulated, lab.articulated2, lab.articulated3)]
+    theirs = [(peer, steps, limits[peer]) for peer, steps, _, _ in peers]
+    found = measured_curves(scene, ours, theirs, rounds)
+    for peer, _, _, asked in peers:
         for wanted, least in asked.items():
-            mine, _ = cost_at(ours, wanted)
-            theirs, beyond = cost_at([(e, c) for _, e, c in points], wanted)
-            note = ", its curve extended" if beyond else ""
-            at_least("push", f"push at {1e3 * wanted:g} mm, times cheaper than {peer.label}{note}", least, theirs / mine,
-                     peer=peer.label, ours=mine, theirs=theirs)
+            cheaper(scene, wanted, least, peer, found)
 
 
 def stability(lab, _rounds):
