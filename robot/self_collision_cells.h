@@ -13,10 +13,10 @@ TWINBUS_INLINE unsigned cell_at(const CollisionCells& cells, const double* q) no
   return cells.cell[index];
 }
 
-// Do triangles of the couples of clusters in the list cross?
+// Do triangles of the couples of clusters in the list cross?  Which: into memory.
 static bool list_crosses(const CollisionTables& t, const unsigned* list, const CollisionBody& a,
                          const CollisionBody& b, const CollisionPose& a_to_b,
-                         const CollisionPose& b_to_a) noexcept {
+                         const CollisionPose& b_to_a, CollisionMemory& memory) noexcept {
   MovedCluster moved_a;
   bool ready = false;
   int before = -1;
@@ -32,8 +32,11 @@ static bool list_crosses(const CollisionTables& t, const unsigned* list, const C
     __builtin_memcpy(box, boxes, sizeof box);
     ++t.work[2];
     if (clusters_cross(a, ca, b, cb, a_to_b, box[0], box[1], box[2], box[3], moved_a, ready,
-                       t.work))
+                       t.work)) {
+      memory.cluster[0] = ca;
+      memory.cluster[1] = cb;
       return true;
+    }
   }
   return false;
 }

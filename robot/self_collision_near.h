@@ -1,5 +1,6 @@
 // Do two links touch?  Part of the kernels of SelfCollision, included after self_collision_lanes.h.
 
+constexpr unsigned kShortList = 4;  // couples that cost no more than to look for a plane first
 constexpr int kStuck = 3;  // looks without a plane after which only every eighth look tries one
 
 // Do triangles of a's clusters cross triangles of b's?  Which: into memory.
@@ -54,13 +55,13 @@ static bool surfaces_cross(const CollisionTables& t, const CollisionBody& a, con
 }
 
 // What crossed when last looked at is likely to cross.
-static bool memory_crosses(const CollisionTables& t, const CollisionMemory& memory,
+static bool memory_crosses(const CollisionTables& t, CollisionMemory& memory,
                            const CollisionBody& a, const CollisionBody& b,
                            const CollisionPose& a_to_b, const CollisionPose& b_to_a) noexcept {
   if (memory.cluster[0] < 0) return false;
   const unsigned list[2] = {1U, static_cast<unsigned>(memory.cluster[0]) |
                                     static_cast<unsigned>(memory.cluster[1]) << 16};
-  return list_crosses(t, list, a, b, a_to_b, b_to_a);
+  return list_crosses(t, list, a, b, a_to_b, b_to_a, memory);
 }
 
 // Is there a plane between the hulls?  Where the last one was is tried first.
@@ -105,19 +106,21 @@ static bool bodies_touch(const CollisionTables& t, int first, int second, bool i
         -(a_to_b.column[i][0] * a_to_b.origin[0] + a_to_b.column[i][1] * a_to_b.origin[1] +
           a_to_b.column[i][2] * a_to_b.origin[2]);
   }
-  if (list != nullptr) {
-    if (inside && inner_overlap(a, b, a_to_b)) return true;
-    if (list_crosses(t, list, a, b, a_to_b, b_to_a)) return true;
-  } else {
-    CollisionMemory& memory = t.memory[t.pair_of[first * t.bodies + second]];
+  CollisionMemory& memory = t.memory[t.pair_of[first * t.bodies + second]];
+  if (list == nullptr || list[0] > kShortList) {
     if (memory_crosses(t, memory, a, b, a_to_b, b_to_a)) return true;
     const bool apart = hulls_parted(a, b, a_to_b, memory);
     memory.stuck = apart ? 0 : memory.stuck + 1;
-    if (!apart && inside && inner_overlap(a, b, a_to_b)) return true;
-    if (!apart && surfaces_cross(t, a, b, a_to_b, b_to_a, memory)) return true;
-    memory.cluster[0] = -1;
-    if (apart) return false;
+    if (apart) {
+      memory.cluster[0] = -1;
+      return false;
+    }
   }
+  if (inside && inner_overlap(a, b, a_to_b)) return true;
+  if (list != nullptr ? list_crosses(t, list, a, b, a_to_b, b_to_a, memory)
+                      : surfaces_cross(t, a, b, a_to_b, b_to_a, memory))
+    return true;
+  memory.cluster[0] = -1;
   if (!inside) return false;
   const bool a_smaller = a.sphere[3] <= b.sphere[3];
   return a_smaller ? some_inside(a, b, a_to_b) : some_inside(b, a, b_to_a);
