@@ -20,6 +20,8 @@ namespace {
 
 constexpr double kDay = 86400.0;
 constexpr std::size_t kMaxObstacles = 200;
+// Planner and guard leave none of a scene's out.
+static_assert(kMaxObstacles <= static_cast<std::size_t>(Collision::kMaxObstacles));
 constexpr std::size_t kMaxLoose = 100;
 constexpr std::size_t kMaxRobots = 15;
 
@@ -305,6 +307,7 @@ Scene load_scene(const std::string& name_or_file) {
   for (const ConfigNode& node : top.list("bodies")) scene.bodies.push_back(read_body(node));
   for (const ConfigNode& node : top.list("loose")) {
     scene.loose.push_back(read_loose(node));
+    scene.loose_at.push_back(node.where("name"));
     for (std::size_t i = 0; i + 1 < scene.loose.size(); ++i) {
       if (scene.loose[i].name != scene.loose.back().name) continue;
       node.fail("name", "two loose bodies are called '" + scene.loose[i].name + "'");

@@ -126,6 +126,7 @@ struct Scene {
   PushRound push_round;
   std::vector<BodyChange> bodies;
   std::vector<LooseBody> loose;    // bodies that nothing holds; planner and guard do not know them
+  std::vector<std::string> loose_at;  // where each has its name: "file:line: name"
   std::vector<SceneRobot> robots;  // nor these
   bool self_contact = false;       // links of one robot touch one another
   std::vector<Loop> loops;         // beside those of the robot

@@ -10,18 +10,34 @@ namespace {
 
 constexpr int kTiesOfAGrasp = 3;  // not on one line: nothing turns in the hand
 
+// Which of the two would a tie mean?
+void refuse_loose_called(const std::string& name, const std::string& whose, const Scene& scene) {
+  for (std::size_t i = 0; i < scene.loose.size(); ++i) {
+    if (scene.loose[i].name != name) continue;
+    throw std::runtime_error(scene.loose_at[i] + ": a tie names '" + name +
+                             "', which is this loose body and " + whose +
+                             "; give the loose body another name, here and in loops and grasps");
+  }
+}
+
 // A link of a further robot is called NAME/LINK.
 TieEnd end_of(const Model& model, const std::vector<OtherRobot>& robots, const Scene& scene,
               const std::string& name, const Eigen::Vector3d& point) {
-  if (name == "world") return {-1, -1, point};
+  if (name == "world") {
+    refuse_loose_called(name, "what is fixed", scene);
+    return {-1, -1, point};
+  }
   for (std::size_t i = 0; i < robots.size(); ++i) {
     for (const Frame& frame : robots[i].model->frames) {
       if (name != robots[i].name + "/" + frame.name) continue;
+      refuse_loose_called(name, "a link of robot '" + robots[i].name + "'", scene);
       return {frame.link, -1, frame.in_link * point, static_cast<int>(i)};
     }
   }
   for (const Frame& frame : model.frames) {
-    if (frame.name == name) return {frame.link, -1, frame.in_link * point};
+    if (frame.name != name) continue;
+    refuse_loose_called(name, "a link of the robot " + model.name, scene);
+    return {frame.link, -1, frame.in_link * point};
   }
   for (std::size_t i = 0; i < scene.loose.size(); ++i) {
     if (scene.loose[i].name == name) return {-1, static_cast<int>(i), point};

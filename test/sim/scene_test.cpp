@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "robot/load.h"
+#include "sim/scene_ties.h"
 
 namespace twinbus {
 namespace {
@@ -135,6 +136,29 @@ TEST(Scene, LoopsAndGraspsAreRead) {
   EXPECT_DOUBLE_EQ(scene.grasps[0].until, 3.0);
   EXPECT_NE(complaint("grasps:\n  - {link: LHAND, to: box, at: 3, until: 1}\n"), "");
   EXPECT_NE(complaint("loops:\n  - {link: LHAND, stiffness: 0}\n"), "");
+}
+
+// Which of the two a tie means is not guessed.
+TEST(Scene, ALooseBodyThatATieNamesIsNotCalledLikeALink) {
+  const Model model = load_robot("hrp1s");
+  const auto complaint_of = [&](const std::string& name, const std::string& loop) {
+    const Scene scene =
+        from_text("loose:\n  - {name: " + name +
+                  ", size: [1, 1, 1], mass: 1, position: [0, 0, 0]}\nloops:\n  - " + loop + "\n");
+    try {
+      const SceneTies ties(model, {}, scene);
+    } catch (const std::runtime_error& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(complaint_of("box", "{link: LHAND, to: box}"), "");
+  EXPECT_EQ(complaint_of("RHAND", "{link: LHAND, to: CHEST}"), "");  // no tie names it
+  for (const std::string name : {"RHAND", "world"}) {
+    const std::string said = complaint_of(name, "{link: LHAND, to: " + name + "}");
+    EXPECT_NE(said.find(".yaml:2: name: a tie names '" + name + "'"), std::string::npos) << said;
+    EXPECT_NE(said.find("another name"), std::string::npos) << said;
+  }
 }
 
 TEST(Scene, WrongValuesAreRefused) {
