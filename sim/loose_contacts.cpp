@@ -132,19 +132,7 @@ void LooseContacts::add_robot(const Model& model, const WorldConfig& config, int
       add(std::move(piece));
     }
   }
-  if (!self_contact_) return;
-  const std::size_t links = model.links.size();
-  Apart& apart = apart_[at(system)];
-  apart.links = links;
-  apart.never.assign(links * links, 0);
-  const auto part = [&](std::size_t a, std::size_t b) {
-    apart.never[a * links + b] = apart.never[b * links + a] = 1;
-  };
-  for (std::size_t i = 0; i < links; ++i) {
-    part(i, i);
-    if (model.links[i].parent >= 0) part(i, at(model.links[i].parent));
-  }
-  for (const std::array<int, 2>& pair : model.disabled_pairs) part(at(pair[0]), at(pair[1]));
+  if (self_contact_) apart_[at(system)] = LinkPairs(model);
 }
 
 // Of a foot only what is above its sole: near it, it touches with the sole's corners.
@@ -182,8 +170,7 @@ bool LooseContacts::may_meet(std::size_t a, std::size_t b) const noexcept {
   const Piece& other = pieces_[b];
   if (one.system != other.system) return true;
   if (!self_contact_) return false;
-  const Apart& apart = apart_[at(one.system)];
-  return apart.never[at(one.link) * apart.links + at(other.link)] == 0;
+  return !apart_[at(one.system)].never_touch(one.link, other.link);
 }
 
 void LooseContacts::add(Piece piece) {

@@ -14,6 +14,7 @@
 
 #include "sim/contact/manifold.h"
 #include "sim/contact_solve.h"
+#include "sim/link_pairs.h"
 #include "sim/solid.h"
 #include "sim/world.h"
 
@@ -105,11 +106,7 @@ class LooseContacts {
   std::vector<Span> spans_;    // of all pieces, by where they begin
   std::size_t loose_ = 0, moving_ = 0;
   bool robots_meet_ = false, self_contact_ = false;
-  struct Apart {  // pairs of links of a robot that do not touch
-    std::size_t links = 0;
-    std::vector<char> never;  // [links x links]
-  };
-  std::vector<Apart> apart_;  // by system
+  std::vector<LinkPairs> apart_;  // by system
   ContactParams ground_;
   ManifoldFinder finder_;
   Manifold manifold_;

@@ -8,42 +8,17 @@
 
 #include "sim/ode_geom.h"
 #include "sim/ode_mesh.h"
+#include "sim/ode_robot.h"
 #include "sim/ode_world.h"
 
 namespace twinbus {
-
-// One moving joint and the rows that act on it.
-//
-// All rows have the same axis.  Revolute: an angular motor with axis 0 = servo, 1 = rotor inertia,
-// damping and friction, 2 = stop (its angle is ours, so that ranges beyond half a turn work).
-// Prismatic: a linear motor with axis 0 and 1 likewise; the stop is the slider's own.
-struct OdeJoint {
-  dJointID joint = nullptr;
-  dJointID motor = nullptr;
-  bool prismatic = false;
-  double middle = 0.0;                           // q at ODE's zero
-  double lower = -dInfinity, upper = dInfinity;  // stops
-  double limit = 0.0;                            // effort
-  double rotor = 0.0;                            // reflected inertia
-  double damping = 0.0;
-  double friction = 0.0;
-  ServoTarget target;
-  bool bounded = false;  // servo and rotor in separate rows, the servo's with its limit
-  double play = 0.0;     // servo side minus link side [rad], backlash
-  double tau = 0.0;
-};
-
-struct OdeGeom {
-  dGeomID geom = nullptr;
-  int link = -1;
-};
 
 struct SavedBody {
   dVector3 position, linear, angular;
   dQuaternion attitude;
 };
 
-inline constexpr int kMaxContacts = 96;
+inline constexpr int kMaxContacts = 96;  // of a robot
 // Rigid contacts: what is no deeper stays, so that a resting point goes on touching [m].
 inline constexpr double kRigidLayer = 1e-4;
 // What is deeper comes out no faster than this [m/s].
@@ -51,43 +26,37 @@ inline constexpr double kRigidReturn = 0.01;
 // For whoever asks how far a corner sinks in under its load [N/m].
 inline constexpr double kRigidStiffness = 1e8;
 
-inline Eigen::Vector3d vector(const dReal* v) { return {v[0], v[1], v[2]}; }
-
 struct OdeWorld::Impl {
   Impl(const Model& model, const WorldConfig& config);
   ~Impl();
 
   // ode_world.cpp
-  void read_state() noexcept;
-  bool state_is_sane() const noexcept;
+  void create_robots();
   void save() noexcept;
   void restore() noexcept;
-
-  // ode_servo.cpp
-  void add_joint(int joint, const Kinematics& kinematics);
-  void prepare_stop(const OdeJoint& joint, double q, double qd) noexcept;
-  void prepare_rows(OdeJoint& joint, double q, double qd) noexcept;
-  // Servo torques of the step just made; true if a joint without a bounded row went beyond its
-  // limit.
-  bool read_torques() noexcept;
-  double flank(
-      const OdeJoint& joint) const noexcept;  // where the play settles under the joint's torque
-  void update_play() noexcept;
+  bool state_is_sane() const noexcept;
+  void prepare_step() noexcept;
+  bool read_step() noexcept;  // false: no sane result
 
   // ode_loose.cpp
-  struct LooseSide {  // what a loose body meets
-    dBodyID body;     // null: fixed
-    int link;         // of the robot, -1
-    double stiffness, damping, friction;
-  };
   void add_loose();
   dGeomID add_mesh(const ContactMesh& mesh);
   void set_loose(std::size_t index, const LooseState& state) noexcept;
   LooseState loose_state(std::size_t index) const noexcept;
+  ContactParams surface(const LooseBody& body) const noexcept;
   void find_loose_contacts() noexcept;
-  void meet_loose(std::size_t index, dGeomID geom, const LooseSide& side) noexcept;
-  void create_loose_joints() noexcept;
-  void read_loose_forces() noexcept;
+  void meet_fixed(std::size_t index, dGeomID geom) noexcept;
+  void meet_loose(std::size_t index, std::size_t other) noexcept;
+  void meet_link(std::size_t index, std::size_t robot, const OdeGeom& geom) noexcept;
+  // As damped as that, but for contact hunt_crossley.
+  void add_loose_row(const dContactGeom& geom, dBodyID own, dBodyID other,
+                     const ContactParams& params, int felt_by_other) noexcept;
+
+  // ode_meeting.cpp
+  void find_meetings() noexcept;  // of robots with one another, of links of one robot
+  void find_meetings(std::size_t robot, std::size_t other) noexcept;
+  void meet(std::size_t robot, const OdeGeom& geom, std::size_t other,
+            const OdeGeom& other_geom) noexcept;
 
   // ode_ties.cpp
   void add_ties(const std::vector<Tie>& tied);
@@ -98,59 +67,57 @@ struct OdeWorld::Impl {
 
   // ode_contact.cpp
   void add_geoms();
-  void read_hulls();
   void add_solid(const Obstacle& obstacle, std::vector<dGeomID>& geoms);
-  // The sole that a point of a link is of, -1: none.
-  int sole_at(int link, const Eigen::Vector3d& point) const noexcept;
   void find_contacts() noexcept;
-  void find_sole_contacts() noexcept;
-  void find_link_contacts() noexcept;
-  void add_contact(const dContactGeom& geom, int link, int sole, double k, double c,
-                   double mu) noexcept;
-  // Of a point so deep, as the contact model has it.
-  double damping_at(double k, double c, double depth) const noexcept;
-  // A spring and damper; the first friction axis along the slip, or along an axis of turn.
-  dContact soft_row(const dContactGeom& geom, const Eigen::Vector3d& velocity,
-                    const Eigen::Matrix3d& turn, double k, double c, double mu) const noexcept;
+  void find_sole_contacts(std::size_t robot) noexcept;
+  void find_link_contacts(std::size_t robot) noexcept;
+  // Of a robot with what is fixed.
+  void add_contact(const dContactGeom& geom, std::size_t robot, int link, int sole) noexcept;
+  // Of a point of a link: where it is in contacts, -1: nobody asks.
+  int feel(std::size_t robot, int link, int sole, const dContactGeom& geom) noexcept;
+  // Null: fixed.  The normal is towards own.
+  struct Row {
+    dContact contact;
+    dBodyID own, other;
+    int felt, felt_by_other;  // index in contacts, -1
+  };
+  bool has_room() const noexcept { return rows.size() < feedback.size(); }
+  // A spring and damper at a point of a robot, by its depth at the end of the step.
+  void add_row(const dContactGeom& geom, dBodyID own, dBodyID other, const ContactParams& params,
+               int felt, int felt_by_other) noexcept;
+  Eigen::Vector3d velocity_between(const dContactGeom& geom, dBodyID own,
+                                   dBodyID other) const noexcept;
+  // The first friction axis along the slip, or along an axis of the body.
+  dContact soft_row(const dContactGeom& geom, const Eigen::Vector3d& velocity, dBodyID body,
+                    double k, double c, double mu) const noexcept;
   void create_contact_joints() noexcept;
   void read_contact_forces() noexcept;
   void forget_open() noexcept;
   void estimate_contact_forces() noexcept;
 
-  dBodyID body(int link) const { return bodies[static_cast<std::size_t>(link)]; }
   // Null: the world, or a fixed base.
   dBodyID body_of(const TieEnd& end) const {
     return end.loose >= 0  ? loose[static_cast<std::size_t>(end.loose)].body
-           : end.link >= 0 ? body(end.link)
+           : end.link >= 0 ? robot_of(end).body(end.link)
                            : nullptr;
   }
+  const OdeRobot& robot_of(const TieEnd& end) const {
+    return robots[static_cast<std::size_t>(end.robot + 1)];
+  }
 
-  const Model& model;
   WorldConfig config;
   double h;
   dWorldID world = nullptr;
   dJointGroupID contact_group = nullptr;
-  std::vector<dBodyID> bodies;  // by link; null for a fixed base
-  std::vector<Eigen::Vector3d> com_in_link;
-  std::vector<double> link_mass;
-  double total_mass = 0.0;
-  std::vector<OdeJoint> joints;
-  std::vector<OdeGeom> link_geoms;
+  std::deque<OdeRobot> robots;  // the commanded one, then the further ones
+  OdeRobot& commanded;
   std::vector<dGeomID> obstacle_geoms, tile_geoms;
-  std::deque<OdeMesh> hulls;   // of the links, in the order of links and shapes
   std::deque<OdeMesh> meshes;  // of the loose bodies
   struct Loose {
     dBodyID body;
     dGeomID geom;
   };
-  struct LooseRow {
-    dContact contact;
-    dBodyID own, other;
-    int reported;  // index in contacts, -1
-  };
   std::vector<Loose> loose;
-  std::vector<LooseRow> loose_rows;
-  std::vector<dJointFeedback> loose_feedback;
   struct TieJoint {
     Tie tie;
     dJointID joint;
@@ -158,16 +125,13 @@ struct OdeWorld::Impl {
   std::vector<TieJoint> ties;
   std::vector<dJointFeedback> tie_feedback;
   dGeomID plane = nullptr;
-  std::array<std::array<double, kSoleCorners>, 2> offset{};
+  ContactParams ground;  // and all else that is fixed
 
-  Configuration configuration;
-  Configuration start_of_step;
-  Kinematics kinematics;
-  std::vector<dBodyID> moving;  // all that move, the robot's and the loose
+  std::vector<dBodyID> moving;  // all that move, the robots' and the loose
   std::vector<SavedBody> saved;
-  std::vector<ContactPoint> contacts;
-  std::vector<dContact> contact_rows;
-  std::vector<dJointFeedback> feedback;
+  std::vector<ContactPoint> contacts;  // of the commanded robot
+  std::vector<Row> rows;
+  std::vector<dJointFeedback> feedback;  // of the rows
   struct Push {
     int link;
     Eigen::Vector3d point, force;

@@ -5,6 +5,8 @@
 #include <stdexcept>
 
 #include "sim/contact/contact_mesh.h"
+#include "sim/ground_contacts.h"
+#include "sim/loose_contacts.h"
 #include "sim/loose_mesh.h"
 #include "sim/ode_impl.h"
 
@@ -13,8 +15,6 @@ namespace twinbus {
 namespace {
 
 constexpr int kPointsPerLoosePair = 8;
-
-double springs_in_series(double a, double b) { return a + b > 0.0 ? a * b / (a + b) : 0.0; }
 
 }  // namespace
 
@@ -40,8 +40,6 @@ void OdeWorld::Impl::add_loose() {
     loose.push_back({id, geom});
     set_loose(loose.size() - 1, body.start);
   }
-  loose_feedback.resize(loose.size() * static_cast<std::size_t>(kMostLooseContacts));
-  loose_rows.reserve(loose_feedback.size());
 }
 
 void OdeWorld::Impl::set_loose(std::size_t index, const LooseState& to) noexcept {
@@ -69,88 +67,76 @@ LooseState OdeWorld::Impl::loose_state(std::size_t index) const noexcept {
   return state;
 }
 
+ContactParams OdeWorld::Impl::surface(const LooseBody& body) const noexcept {
+  return {body.stiffness, body.damping, body.stiffness, body.damping, body.friction};
+}
+
 void OdeWorld::Impl::find_loose_contacts() noexcept {
-  loose_rows.clear();
   for (std::size_t i = 0; i < loose.size(); ++i) {
-    const LooseBody& own = config.loose[i];
-    const auto meet = [&](dGeomID geom, const LooseSide& side) {
-      dReal a[6], b[6];
-      dGeomGetAABB(loose[i].geom, a);
-      dGeomGetAABB(geom, b);
-      if (bounds_meet(a, b)) meet_loose(i, geom, side);
+    dReal own_box[6];
+    dGeomGetAABB(loose[i].geom, own_box);
+    const auto near = [&](dGeomID geom) {
+      dReal box[6];
+      dGeomGetAABB(geom, box);
+      return bounds_meet(own_box, box);
     };
-    const double mu = config.ground_friction;
-    const LooseSide fixed{nullptr, -1, own.stiffness, own.damping, std::sqrt(own.friction * mu)};
-    meet(plane, fixed);
-    for (const dGeomID obstacle : obstacle_geoms) meet(obstacle, fixed);
-    for (const dGeomID tile : tile_geoms) meet(tile, fixed);
-    for (std::size_t j = i + 1; j < loose.size(); ++j) {
-      const LooseBody& other = config.loose[j];
-      meet(loose[j].geom, {loose[j].body, -1, springs_in_series(own.stiffness, other.stiffness),
-                           springs_in_series(own.damping, other.damping),
-                           std::sqrt(own.friction * other.friction)});
+    if (near(plane)) meet_fixed(i, plane);
+    for (const dGeomID obstacle : obstacle_geoms) {
+      if (near(obstacle)) meet_fixed(i, obstacle);
     }
-    for (const OdeGeom& geom : link_geoms) {
-      meet(geom.geom,
-           {body(geom.link), geom.link, springs_in_series(own.stiffness, kLinkStiffness),
-            springs_in_series(own.damping, kLinkDamping), std::sqrt(own.friction * kLinkFriction)});
+    for (const dGeomID tile : tile_geoms) {
+      if (near(tile)) meet_fixed(i, tile);
+    }
+    for (std::size_t j = i + 1; j < loose.size(); ++j) {
+      if (near(loose[j].geom)) meet_loose(i, j);
+    }
+    for (std::size_t robot = 0; robot < robots.size(); ++robot) {
+      for (const OdeGeom& geom : robots[robot].geoms) {
+        if (near(geom.geom)) meet_link(i, robot, geom);
+      }
     }
   }
 }
 
-void OdeWorld::Impl::meet_loose(std::size_t index, dGeomID geom, const LooseSide& side) noexcept {
+void OdeWorld::Impl::meet_fixed(std::size_t index, dGeomID geom) noexcept {
   dContactGeom found[kPointsPerLoosePair];
-  const LooseBody& own = config.loose[index];
   const int count =
       dCollide(loose[index].geom, geom, kPointsPerLoosePair, found, sizeof(dContactGeom));
+  const ContactParams params = together(surface(config.loose[index]), ground);
+  for (int i = 0; i < count; ++i) add_loose_row(found[i], loose[index].body, nullptr, params, -1);
+}
+
+void OdeWorld::Impl::meet_loose(std::size_t index, std::size_t other) noexcept {
+  dContactGeom found[kPointsPerLoosePair];
+  const int count = dCollide(loose[index].geom, loose[other].geom, kPointsPerLoosePair, found,
+                             sizeof(dContactGeom));
+  const ContactParams params = together(surface(config.loose[index]), surface(config.loose[other]));
   for (int i = 0; i < count; ++i) {
-    if (loose_rows.size() >= loose_feedback.size()) return;
-    const Eigen::Vector3d point = vector(found[i].pos);
-    double k = side.stiffness, c = side.damping, mu = side.friction;
-    const int sole_side = sole_at(side.link, point);
-    if (sole_side >= 0) {
-      const Sole& sole = model.soles[static_cast<std::size_t>(sole_side)];
-      k = springs_in_series(own.stiffness, sole.stiffness / kSoleCorners * config.stiffness_scale);
-      c = springs_in_series(own.damping, sole.damping / kSoleCorners * config.damping_scale);
-      mu = std::sqrt(own.friction * sole.friction);
-    }
-    dVector3 v, other{0.0, 0.0, 0.0, 0.0};
-    dBodyGetPointVel(loose[index].body, point.x(), point.y(), point.z(), v);
-    if (side.body != nullptr) {
-      dBodyGetPointVel(side.body, point.x(), point.y(), point.z(), other);
-    }
-    if (config.contact == ContactModel::kHuntCrossley) c = damping_at(k, c, found[i].depth);
-    LooseRow row;
-    row.contact =
-        soft_row(found[i], vector(v) - vector(other), loose_state(index).pose.linear(), k, c, mu);
-    row.own = loose[index].body;
-    row.other = side.body;
-    row.reported = -1;
-    if (side.link >= 0 && contacts.size() < static_cast<std::size_t>(kMaxContacts)) {
-      row.reported = static_cast<int>(contacts.size());
-      contacts.push_back({.link = side.link,
-                          .sole = sole_side,
-                          .point = point,
-                          .force = Eigen::Vector3d::Zero(),
-                          .depth = found[i].depth});
-    }
-    loose_rows.push_back(row);
+    add_loose_row(found[i], loose[index].body, loose[other].body, params, -1);
   }
 }
 
-void OdeWorld::Impl::create_loose_joints() noexcept {
-  for (std::size_t i = 0; i < loose_rows.size(); ++i) {
-    const dJointID joint = dJointCreateContact(world, contact_group, &loose_rows[i].contact);
-    dJointAttach(joint, loose_rows[i].own, loose_rows[i].other);
-    dJointSetFeedback(joint, &loose_feedback[i]);
+void OdeWorld::Impl::meet_link(std::size_t index, std::size_t robot, const OdeGeom& geom) noexcept {
+  dContactGeom found[kPointsPerLoosePair];
+  const int count =
+      dCollide(loose[index].geom, geom.geom, kPointsPerLoosePair, found, sizeof(dContactGeom));
+  for (int i = 0; i < count && has_room(); ++i) {
+    const int sole = robots[robot].sole_at(geom.link, vector(found[i].pos));
+    const int felt = feel(robot, geom.link, sole, found[i]);
+    add_loose_row(found[i], loose[index].body, robots[robot].body(geom.link),
+                  together(surface(config.loose[index]), robots[robot].surface(sole)), felt);
   }
 }
 
-void OdeWorld::Impl::read_loose_forces() noexcept {
-  for (std::size_t i = 0; i < loose_rows.size(); ++i) {
-    if (loose_rows[i].reported < 0) continue;
-    contacts[static_cast<std::size_t>(loose_rows[i].reported)].force = vector(loose_feedback[i].f2);
-  }
+void OdeWorld::Impl::add_loose_row(const dContactGeom& geom, dBodyID first, dBodyID second,
+                                   const ContactParams& params, int felt_by_other) noexcept {
+  if (!has_room()) return;
+  const double c = config.contact == ContactModel::kHuntCrossley
+                       ? damping_at(as_asked(config, params), geom.depth)
+                       : params.damping;
+  rows.push_back({soft_row(geom, velocity_between(geom, first, second), first, params.stiffness, c,
+                           params.friction),
+                  first, second, -1, felt_by_other});
 }
 
 int OdeWorld::loose_count() const noexcept { return static_cast<int>(impl_->loose.size()); }

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "sim/ode_impl.h"
+#include "sim/ode_robot.h"
 
 namespace twinbus {
 
@@ -40,7 +40,7 @@ void set_row(const OdeJoint& joint, int axis, double gain, double force, double 
 
 }  // namespace
 
-void OdeWorld::Impl::add_joint(int index, const Kinematics& at_middle) {
+void OdeRobot::add_joint(int index, dWorldID world) {
   const auto at = static_cast<std::size_t>(index);
   const Joint& from = model.joints[at];
   OdeJoint& to = joints[at];
@@ -50,7 +50,7 @@ void OdeWorld::Impl::add_joint(int index, const Kinematics& at_middle) {
   to.damping = from.damping * config.friction_scale;
   to.friction = from.friction * config.friction_scale + config.joint_friction;
 
-  const Eigen::Vector3d axis = at_middle.axis_in_world(index);
+  const Eigen::Vector3d axis = kinematics.axis_in_world(index);
   const dBodyID child = body(from.child);
   const dBodyID parent = body(from.parent);
   if (to.prismatic) {
@@ -62,7 +62,7 @@ void OdeWorld::Impl::add_joint(int index, const Kinematics& at_middle) {
     dJointSetLMotorNumAxes(to.motor, 2);
     for (int i = 0; i < 2; ++i) dJointSetLMotorAxis(to.motor, i, 1, axis.x(), axis.y(), axis.z());
   } else {
-    const Eigen::Vector3d anchor = at_middle.link_in_world(from.child).translation();
+    const Eigen::Vector3d anchor = kinematics.link_in_world(from.child).translation();
     to.joint = dJointCreateHinge(world, nullptr);
     dJointAttach(to.joint, child, parent);
     dJointSetHingeAnchor(to.joint, anchor.x(), anchor.y(), anchor.z());
@@ -83,7 +83,8 @@ void OdeWorld::Impl::add_joint(int index, const Kinematics& at_middle) {
 // whenever the joint could reach the stop within the step: it is not passed, whatever pushes. ODE's
 // row has the target -stop_erp / h (angle - stop), so a distance still to go is a negative stop_erp
 // and a stop that is mirrored by q.
-void OdeWorld::Impl::prepare_stop(const OdeJoint& joint, double q, double qd) noexcept {
+void OdeRobot::prepare_stop(const OdeJoint& joint, double q, double qd) noexcept {
+  const double h = config.step;
   const double reach = h * (std::abs(qd) + kStopReach);
   double low = -dInfinity, high = dInfinity, erp = kStopErp;
   if (q - joint.lower < reach && q - joint.lower <= joint.upper - q) {
@@ -105,8 +106,16 @@ void OdeWorld::Impl::prepare_stop(const OdeJoint& joint, double q, double qd) no
   }
 }
 
-void OdeWorld::Impl::prepare_rows(OdeJoint& joint, double q, double qd) noexcept {
+void OdeRobot::prepare_rows() noexcept {
+  for (std::size_t j = 0; j < joints.size(); ++j) {
+    const auto index = static_cast<Eigen::Index>(j);
+    prepare_joint(joints[j], start_of_step.q[index], start_of_step.qd[index]);
+  }
+}
+
+void OdeRobot::prepare_joint(OdeJoint& joint, double q, double qd) noexcept {
   const ServoTarget& t = joint.target;
+  const double h = config.step;
   const double servo_gain = h * t.kp + t.kd;
   // Coulomb friction as damping of the magnitude it has at the present speed: below kStickSpeed it
   // creeps.
@@ -139,7 +148,8 @@ void OdeWorld::Impl::prepare_rows(OdeJoint& joint, double q, double qd) noexcept
 }
 
 // The law itself at the end of the step: equal to the row's lambda, which solves it.
-bool OdeWorld::Impl::read_torques() noexcept {
+bool OdeRobot::read_torques() noexcept {
+  const double h = config.step;
   bool beyond = false;
   for (std::size_t i = 0; i < joints.size(); ++i) {
     OdeJoint& joint = joints[i];
@@ -158,11 +168,25 @@ bool OdeWorld::Impl::read_torques() noexcept {
   return beyond;
 }
 
-double OdeWorld::Impl::flank(const OdeJoint& joint) const noexcept {
+double OdeRobot::flank(const OdeJoint& joint) const noexcept {
   return 0.5 * config.backlash * std::clamp(joint.tau / kPlayTorque, -1.0, 1.0);
 }
 
-void OdeWorld::Impl::update_play() noexcept {
+void OdeRobot::set_servo(int joint, const ServoTarget& target) noexcept {
+  ServoTarget& own = joints[static_cast<std::size_t>(joint)].target;
+  own = target;
+  own.kp *= config.servo_kp_scale;
+  own.kd *= config.servo_kd_scale;
+}
+
+void OdeRobot::set_tau(int index, double tau) noexcept {
+  OdeJoint& joint = joints[static_cast<std::size_t>(index)];
+  joint.bounded = false;
+  joint.tau = std::isfinite(tau) ? std::clamp(tau, -joint.limit, joint.limit) : 0.0;
+  joint.play = flank(joint);
+}
+
+void OdeRobot::update_play() noexcept {
   for (OdeJoint& joint : joints) {
     // A bounded row costs time: a joint that is well inside its limit again gets the cheap one.
     if (joint.bounded && std::abs(joint.tau) < 0.9 * joint.limit) joint.bounded = false;

@@ -35,10 +35,11 @@ void OdeWorld::Impl::add_ties(const std::vector<Tie>& tied) {
 Eigen::Vector3d OdeWorld::Impl::place_of(const TieEnd& end) const noexcept {
   const dBodyID id = body_of(end);
   if (id == nullptr) {
-    return end.link >= 0 ? Eigen::Vector3d(configuration.base * end.point) : end.point;
+    return end.link >= 0 ? Eigen::Vector3d(robot_of(end).configuration.base * end.point)
+                         : end.point;
   }
   Eigen::Vector3d inside = end.point;
-  if (end.link >= 0) inside -= com_in_link[static_cast<std::size_t>(end.link)];
+  if (end.link >= 0) inside -= robot_of(end).com_in_link[static_cast<std::size_t>(end.link)];
   dVector3 point;
   dBodyGetRelPointPos(id, inside.x(), inside.y(), inside.z(), point);
   return vector(point);
@@ -75,12 +76,12 @@ Status OdeWorld::Impl::hold(int tie, bool holds) noexcept {
   const dBodyID id = body_of(to);
   Eigen::Vector3d& point = own.tie.b.point;
   if (id == nullptr) {
-    point = to.link >= 0 ? Eigen::Vector3d(configuration.base.inverse() * a) : a;
+    point = to.link >= 0 ? Eigen::Vector3d(robot_of(to).configuration.base.inverse() * a) : a;
   } else {
     dVector3 inside;
     dBodyGetPosRelPoint(id, a.x(), a.y(), a.z(), inside);
     point = vector(inside);
-    if (to.link >= 0) point += com_in_link[static_cast<std::size_t>(to.link)];
+    if (to.link >= 0) point += robot_of(to).com_in_link[static_cast<std::size_t>(to.link)];
   }
   join(static_cast<std::size_t>(tie));
   dJointEnable(own.joint);
@@ -93,7 +94,9 @@ void OdeWorld::Impl::read_tie_forces() noexcept {
     if (!tie.holds) continue;
     const Eigen::Vector3d point = place_of(tie.a);
     const auto feel = [&](const TieEnd& end, const dReal* force) {
-      if (end.link < 0 || contacts.size() >= static_cast<std::size_t>(kMaxContacts)) return;
+      if (end.link < 0 || end.robot >= 0 ||
+          contacts.size() >= static_cast<std::size_t>(kMaxContacts))
+        return;
       contacts.push_back({.link = end.link,
                           .sole = -1,
                           .point = point,

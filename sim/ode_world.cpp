@@ -1,5 +1,5 @@
-// Building, setting and stepping the ODE world; rows of the joints are in ode_servo.cpp, contacts
-// in ode_contact.cpp.
+// Building, setting and stepping the ODE world; its robots are in ode_robot.cpp, rows of their
+// joints in ode_servo.cpp, contacts in ode_contact.cpp.
 
 #include "sim/ode_world.h"
 
@@ -7,11 +7,11 @@
 #include <atomic>
 #include <cmath>
 #include <cstdarg>
+#include <limits>
 #include <mutex>
-#include <numbers>
-#include <stdexcept>
 
 #include "robot/dynamics.h"
+#include "sim/ground_contacts.h"
 #include "sim/ode_impl.h"
 #include "sim/ties.h"
 
@@ -46,33 +46,34 @@ void open_engine() {
   dAllocateODEDataForThread(dAllocateMaskAll);
 }
 
-Eigen::Matrix3d matrix(const dReal* m) {
-  Eigen::Matrix3d result;
-  result << m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10];
-  return result;
-}
-
 bool sane(const Eigen::Vector3d& v, double bound) {
   return v.cwiseAbs().maxCoeff() <= bound && v.allFinite();
 }
 
 // Before anything of ODE's is made: what a constructor that throws has made is never destroyed.
-void check_links(const Model& model, bool fixed_base) {
-  for (std::size_t i = fixed_base ? 1 : 0; i < model.links.size(); ++i) {
-    const Link& link = model.links[i];
-    if (link.mass > 0.0 && link.inertia.llt().info() == Eigen::Success) continue;
-    throw std::runtime_error(
-        "link '" + link.name +
-        "' cannot be simulated: its mass and inertia must be positive; give it an <inertial>");
+std::deque<OdeRobot> robots_of(const Model& model, const WorldConfig& config) {
+  std::deque<OdeRobot> robots;
+  robots.emplace_back(model, config);
+  for (const OtherRobot& each : config.robots) {
+    check_robot(each);
+    robots.emplace_back(*each.model, config_of(each, config));
   }
+  return robots;
+}
+
+ContactParams fixed(double friction) {
+  constexpr double kRigid = std::numeric_limits<double>::infinity();
+  return {kRigid, kRigid, kRigid, kRigid, friction};
 }
 
 }  // namespace
 
 OdeWorld::Impl::Impl(const Model& m, const WorldConfig& c)
-    : model(m), config(c), h(c.step), configuration(m), start_of_step(m), kinematics(m) {
-  check_links(m, config.fixed_base);
-  read_hulls();
+    : config(c),
+      h(c.step),
+      robots(robots_of(m, config)),
+      commanded(robots.front()),
+      ground(fixed(c.ground_friction)) {
   const std::vector<Tie> tied = checked_ties(m, config);
   open_engine();
   world = dWorldCreate();
@@ -84,65 +85,45 @@ OdeWorld::Impl::Impl(const Model& m, const WorldConfig& c)
   dWorldSetContactMaxCorrectingVel(world, rigid ? kRigidReturn : dInfinity);
   dWorldSetAutoDisableFlag(world, 0);
   contact_group = dJointGroupCreate(0);
-  contacts.reserve(kMaxContacts);
-  contact_rows.reserve(kMaxContacts);
-  feedback.resize(kMaxContacts);
   pushes.reserve(16);
-
-  // Hinges are attached in the middle of their range, which fixes ODE's zero far from half a turn.
-  joints.resize(m.joints.size());
-  for (std::size_t j = 0; j < joints.size(); ++j) {
-    const Joint& joint = m.joints[j];
-    const bool has_range = std::isfinite(joint.lower) && std::isfinite(joint.upper);
-    joints[j].middle = has_range ? 0.5 * (joint.lower + joint.upper) : 0.0;
-    configuration.q[static_cast<Eigen::Index>(j)] = joints[j].middle;
-  }
-  configuration.qd.setZero();
-  kinematics.update(configuration);
-
-  for (int i = 0; i < m.link_count(); ++i) {
-    const Link& link = m.links[static_cast<std::size_t>(i)];
-    com_in_link.push_back(link.com);
-    link_mass.push_back(link.mass * config.mass_scale);
-    total_mass += link_mass.back();
-    if (i == 0 && config.fixed_base) {
-      bodies.push_back(nullptr);
-      continue;
-    }
-    const Eigen::Matrix3d inertia = link.inertia * config.mass_scale;
-    dMass mass;
-    dMassSetZero(&mass);
-    mass.mass = link_mass.back();
-    for (int r = 0; r < 3; ++r) {
-      for (int k = 0; k < 3; ++k) mass.I[r * 4 + k] = inertia(r, k);
-    }
-    const dBodyID body = dBodyCreate(world);
-    dBodySetMass(body, &mass);
-    bodies.push_back(body);
-    const Eigen::Isometry3d& pose = kinematics.link_in_world(i);
-    const Eigen::Vector3d com = pose * link.com;
-    const Eigen::Quaterniond q(pose.linear());
-    const dQuaternion attitude = {q.w(), q.x(), q.y(), q.z()};
-    dBodySetPosition(body, com.x(), com.y(), com.z());
-    dBodySetQuaternion(body, attitude);
-  }
-  for (int j = 0; j < m.joint_count(); ++j) add_joint(j, kinematics);
+  create_robots();
   add_geoms();
   add_loose();
   add_ties(tied);
-  for (const dBodyID each : bodies) {
-    if (each != nullptr) moving.push_back(each);
+  for (const OdeRobot& robot : robots) {
+    for (const dBodyID each : robot.bodies) {
+      if (each != nullptr) moving.push_back(each);
+    }
   }
   for (const Loose& each : loose) moving.push_back(each.body);
   saved.resize(moving.size());
+  const bool meet = config.self_contact || robots.size() > 1;
+  const std::size_t of_robots = robots.size() * (meet ? 2 : 1) * kMaxContacts;
+  contacts.reserve(kMaxContacts);
+  feedback.resize(of_robots + loose.size() * static_cast<std::size_t>(kMostLooseContacts));
+  rows.reserve(feedback.size());
+}
+
+void OdeWorld::Impl::create_robots() {
+  for (OdeRobot& robot : robots) robot.create(world);
+  for (std::size_t i = 0; i < config.robots.size(); ++i) {
+    const OtherRobot& asked = config.robots[i];
+    OdeRobot& robot = robots[i + 1];
+    robot.place(asked.start);
+    for (int j = 0; j < robot.model.joint_count(); ++j) {
+      const ServoTarget& servo = asked.servos[static_cast<std::size_t>(j)];
+      robot.set_servo(j, servo);
+      robot.set_tau(j, servo.tau);
+    }
+  }
 }
 
 OdeWorld::Impl::~Impl() {
-  for (const OdeGeom& geom : link_geoms) dGeomDestroy(geom.geom);
   for (const dGeomID geom : obstacle_geoms) dGeomDestroy(geom);
   for (const dGeomID geom : tile_geoms) dGeomDestroy(geom);
   for (const Loose& each : loose) dGeomDestroy(each.geom);
   if (plane != nullptr) dGeomDestroy(plane);
+  robots.clear();  // geoms before the bodies that carry them
   dJointGroupDestroy(contact_group);
   dWorldDestroy(world);
 }
@@ -154,6 +135,7 @@ void OdeWorld::Impl::save() noexcept {
     dCopyVector3(saved[i].linear, dBodyGetLinearVel(moving[i]));
     dCopyVector3(saved[i].angular, dBodyGetAngularVel(moving[i]));
   }
+  for (OdeRobot& robot : robots) robot.start_of_step = robot.configuration;
 }
 
 void OdeWorld::Impl::restore() noexcept {
@@ -166,30 +148,7 @@ void OdeWorld::Impl::restore() noexcept {
     dBodySetForce(moving[i], 0.0, 0.0, 0.0);
     dBodySetTorque(moving[i], 0.0, 0.0, 0.0);
   }
-}
-
-void OdeWorld::Impl::read_state() noexcept {
-  if (bodies[0] != nullptr) {
-    configuration.base.linear() = matrix(dBodyGetRotation(bodies[0]));
-    const Eigen::Vector3d arm = configuration.base.linear() * com_in_link[0];
-    configuration.base.translation() = vector(dBodyGetPosition(bodies[0])) - arm;
-    configuration.base_angular_velocity = vector(dBodyGetAngularVel(bodies[0]));
-    configuration.base_velocity =
-        vector(dBodyGetLinearVel(bodies[0])) - configuration.base_angular_velocity.cross(arm);
-  }
-  for (std::size_t j = 0; j < joints.size(); ++j) {
-    const auto index = static_cast<Eigen::Index>(j);
-    if (joints[j].prismatic) {
-      configuration.q[index] = joints[j].middle + dJointGetSliderPosition(joints[j].joint);
-      configuration.qd[index] = dJointGetSliderPositionRate(joints[j].joint);
-    } else {
-      // ODE's angle is within half a turn; ours goes on.
-      const double turn = 2.0 * std::numbers::pi;
-      const double angle = joints[j].middle + dJointGetHingeAngle(joints[j].joint);
-      configuration.q[index] = angle + turn * std::round((configuration.q[index] - angle) / turn);
-      configuration.qd[index] = dJointGetHingeAngleRate(joints[j].joint);
-    }
-  }
+  for (OdeRobot& robot : robots) robot.configuration = robot.start_of_step;
 }
 
 bool OdeWorld::Impl::state_is_sane() const noexcept {
@@ -202,7 +161,25 @@ bool OdeWorld::Impl::state_is_sane() const noexcept {
     const dReal* q = dBodyGetQuaternion(body);
     if (!(std::abs(q[0]) + std::abs(q[1]) + std::abs(q[2]) + std::abs(q[3]) < 3.0)) return false;
   }
-  return configuration.q.allFinite() && configuration.qd.allFinite();
+  return std::all_of(robots.begin(), robots.end(), [](const OdeRobot& robot) {
+    return robot.configuration.q.allFinite() && robot.configuration.qd.allFinite();
+  });
+}
+
+void OdeWorld::Impl::prepare_step() noexcept {
+  for (OdeRobot& robot : robots) robot.prepare_rows();
+  create_contact_joints();
+  for (const Push& push : pushes) {
+    if (commanded.body(push.link) == nullptr) continue;
+    dBodyAddForceAtPos(commanded.body(push.link), push.force.x(), push.force.y(), push.force.z(),
+                       push.point.x(), push.point.y(), push.point.z());
+  }
+}
+
+bool OdeWorld::Impl::read_step() noexcept {
+  dJointGroupEmpty(contact_group);
+  for (OdeRobot& robot : robots) robot.read_state();
+  return state_is_sane();
 }
 
 OdeWorld::OdeWorld(const Model& model, const WorldConfig& config)
@@ -211,41 +188,13 @@ OdeWorld::~OdeWorld() = default;
 
 Status OdeWorld::set(const Configuration& to, const Eigen::VectorXd* tau) noexcept {
   Impl& w = *impl_;
-  const Status status = check_configuration(w.joints.size(), to);
+  const Status status = check_configuration(w.commanded.joints.size(), to);
   if (status != Status::kOk) return status;
-  w.configuration = to;
-  if (w.bodies[0] == nullptr) {
-    w.configuration.base_velocity.setZero();
-    w.configuration.base_angular_velocity.setZero();
-  }
-  w.kinematics.update(w.configuration);
-  for (std::size_t i = 0; i < w.bodies.size(); ++i) {
-    const dBodyID body = w.bodies[i];
-    if (body == nullptr) continue;
-    const int link = static_cast<int>(i);
-    const Eigen::Isometry3d& pose = w.kinematics.link_in_world(link);
-    const Eigen::Vector3d com = pose * w.com_in_link[i];
-    const Eigen::Vector3d velocity = w.kinematics.point_velocity(link, com);
-    const Eigen::Vector3d& spin = w.kinematics.angular_velocity(link);
-    const Eigen::Quaterniond q(pose.linear());
-    const dQuaternion attitude = {q.w(), q.x(), q.y(), q.z()};
-    dBodySetPosition(body, com.x(), com.y(), com.z());
-    dBodySetQuaternion(body, attitude);
-    dBodySetLinearVel(body, velocity.x(), velocity.y(), velocity.z());
-    dBodySetAngularVel(body, spin.x(), spin.y(), spin.z());
-    dBodySetForce(body, 0.0, 0.0, 0.0);
-    dBodySetTorque(body, 0.0, 0.0, 0.0);
-  }
-  for (auto& sole : w.offset) sole.fill(0.0);
+  w.commanded.place(to);
   w.estimate_contact_forces();
-  for (std::size_t j = 0; j < w.joints.size(); ++j) {
-    OdeJoint& joint = w.joints[j];
-    joint.bounded = false;
-    const double known =
-        tau != nullptr && tau->size() == to.q.size() ? (*tau)[static_cast<Eigen::Index>(j)] : 0.0;
-    joint.tau = std::isfinite(known) ? std::clamp(known, -joint.limit, joint.limit) : 0.0;
-    joint.play = w.flank(joint);
-  }
+  const bool known = tau != nullptr && tau->size() == to.q.size();
+  for (int j = 0; j < w.commanded.model.joint_count(); ++j)
+    w.commanded.set_tau(j, known ? (*tau)[j] : 0.0);
   w.pushes.clear();
   w.frozen = false;
   return Status::kOk;
@@ -253,20 +202,16 @@ Status OdeWorld::set(const Configuration& to, const Eigen::VectorXd* tau) noexce
 
 Status OdeWorld::set_servo(int joint, const ServoTarget& t) noexcept {
   Impl& w = *impl_;
-  if (joint < 0 || joint >= static_cast<int>(w.joints.size())) return Status::kWrongSize;
+  if (joint < 0 || joint >= w.commanded.model.joint_count()) return Status::kWrongSize;
   const Status status = check_target(t);
-  if (status != Status::kOk) return status;
-  ServoTarget& own = w.joints[static_cast<std::size_t>(joint)].target;
-  own = t;
-  own.kp *= w.config.servo_kp_scale;
-  own.kd *= w.config.servo_kd_scale;
-  return Status::kOk;
+  if (status == Status::kOk) w.commanded.set_servo(joint, t);
+  return status;
 }
 
 Status OdeWorld::push(int link, const Eigen::Vector3d& point,
                       const Eigen::Vector3d& force) noexcept {
   Impl& w = *impl_;
-  if (link < 0 || link >= static_cast<int>(w.bodies.size())) return Status::kWrongSize;
+  if (link < 0 || link >= w.commanded.model.link_count()) return Status::kWrongSize;
   if (!point.allFinite() || !force.allFinite()) return Status::kNotFinite;
   if (!sane(point, kMaxDistance) || !sane(force, kMaxPush) ||
       w.pushes.size() == w.pushes.capacity()) {
@@ -278,11 +223,12 @@ Status OdeWorld::push(int link, const Eigen::Vector3d& point,
 
 void OdeWorld::set_corner_offset(int sole, int corner, double offset) noexcept {
   if (!std::isfinite(offset)) return;
-  impl_->offset[static_cast<std::size_t>(sole)][static_cast<std::size_t>(corner)] = offset;
+  impl_->commanded.offset[static_cast<std::size_t>(sole)][static_cast<std::size_t>(corner)] =
+      offset;
 }
 
 double OdeWorld::corner_offset(int sole, int corner) const noexcept {
-  return impl_->offset[static_cast<std::size_t>(sole)][static_cast<std::size_t>(corner)];
+  return impl_->commanded.offset[static_cast<std::size_t>(sole)][static_cast<std::size_t>(corner)];
 }
 
 Status OdeWorld::step() noexcept {
@@ -290,39 +236,28 @@ Status OdeWorld::step() noexcept {
   if (w.frozen) return Status::kDiverged;
   try {
     w.save();
-    w.start_of_step = w.configuration;
     w.find_contacts();
     // Every pass solves the exact problem of the rows that have limits; a pass that finds another
     // joint beyond its limit gives it a limited row and is taken back.  Joints only gain limits
     // within a step, so this ends.
-    for (std::size_t pass = 0; pass <= w.joints.size(); ++pass) {
-      for (std::size_t j = 0; j < w.joints.size(); ++j) {
-        const auto index = static_cast<Eigen::Index>(j);
-        w.prepare_rows(w.joints[j], w.start_of_step.q[index], w.start_of_step.qd[index]);
-      }
-      w.create_contact_joints();
-      for (const Impl::Push& push : w.pushes) {
-        if (w.body(push.link) == nullptr) continue;
-        dBodyAddForceAtPos(w.body(push.link), push.force.x(), push.force.y(), push.force.z(),
-                           push.point.x(), push.point.y(), push.point.z());
-      }
-      if (dWorldStep(w.world, w.h) == 0) throw EngineFailure{};
-      dJointGroupEmpty(w.contact_group);
-      w.read_state();
-      if (!w.state_is_sane()) throw EngineFailure{};
-      if (!w.read_torques()) break;
+    for (;;) {
+      w.prepare_step();
+      if (dWorldStep(w.world, w.h) == 0 || !w.read_step()) throw EngineFailure{};
+      bool beyond = false;
+      for (OdeRobot& robot : w.robots) beyond = robot.read_torques() || beyond;
+      if (!beyond) break;
       w.restore();
-      w.configuration = w.start_of_step;
     }
     w.read_contact_forces();
-    w.update_play();
-    w.kinematics.update(w.configuration);
+    for (OdeRobot& robot : w.robots) {
+      robot.update_play();
+      robot.kinematics.update(robot.configuration);
+    }
     w.pushes.clear();
     return Status::kOk;
   } catch (const EngineFailure&) {
     dJointGroupEmpty(w.contact_group);
     w.restore();
-    w.configuration = w.start_of_step;
     w.frozen = true;
     return Status::kDiverged;
   }
@@ -330,80 +265,77 @@ Status OdeWorld::step() noexcept {
 
 void OdeWorld::estimate_contact_forces() noexcept { impl_->estimate_contact_forces(); }
 
-const Configuration& OdeWorld::configuration() const noexcept { return impl_->configuration; }
+const Configuration& OdeWorld::configuration() const noexcept {
+  return impl_->commanded.configuration;
+}
 
 double OdeWorld::encoder(int joint) const noexcept {
-  const Impl& w = *impl_;
-  return w.configuration.q[joint] + w.joints[static_cast<std::size_t>(joint)].play;
+  const OdeRobot& robot = impl_->commanded;
+  return robot.configuration.q[joint] + robot.joints[static_cast<std::size_t>(joint)].play;
 }
 
 double OdeWorld::tau(int joint) const noexcept {
-  return impl_->joints[static_cast<std::size_t>(joint)].tau;
+  return impl_->commanded.joints[static_cast<std::size_t>(joint)].tau;
 }
 
 Eigen::Isometry3d OdeWorld::link_in_world(int link) const noexcept {
-  const Impl& w = *impl_;
-  const dBodyID body = w.body(link);
-  if (body == nullptr) return w.configuration.base;
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  pose.linear() = matrix(dBodyGetRotation(body));
-  pose.translation() = vector(dBodyGetPosition(body)) -
-                       pose.linear() * w.com_in_link[static_cast<std::size_t>(link)];
-  return pose;
+  return impl_->commanded.link_in_world(link);
+}
+
+Eigen::Isometry3d OdeWorld::robot_link(int robot, int link) const noexcept {
+  return impl_->robots[static_cast<std::size_t>(robot + 1)].link_in_world(link);
 }
 
 Eigen::Vector3d OdeWorld::point_velocity(int link, const Eigen::Vector3d& point) const noexcept {
-  const dBodyID body = impl_->body(link);
+  const dBodyID body = impl_->commanded.body(link);
   if (body == nullptr) return Eigen::Vector3d::Zero();
   const Eigen::Vector3d arm = point - vector(dBodyGetPosition(body));
   return vector(dBodyGetLinearVel(body)) + vector(dBodyGetAngularVel(body)).cross(arm);
 }
 
 Eigen::Vector3d OdeWorld::angular_velocity(int link) const noexcept {
-  const dBodyID body = impl_->body(link);
+  const dBodyID body = impl_->commanded.body(link);
   return body == nullptr ? Eigen::Vector3d::Zero() : vector(dBodyGetAngularVel(body));
 }
 
-double OdeWorld::mass() const noexcept { return impl_->total_mass; }
+double OdeWorld::mass() const noexcept { return impl_->commanded.total_mass; }
 
 Eigen::Vector3d OdeWorld::com() const noexcept {
-  const Impl& w = *impl_;
+  const OdeRobot& robot = impl_->commanded;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (std::size_t i = 0; i < w.bodies.size(); ++i) {
-    const Eigen::Vector3d at = w.bodies[i] != nullptr
-                                   ? vector(dBodyGetPosition(w.bodies[i]))
-                                   : Eigen::Vector3d(w.configuration.base * w.com_in_link[i]);
-    sum += w.link_mass[i] * at;
+  for (std::size_t i = 0; i < robot.bodies.size(); ++i) {
+    const Eigen::Vector3d at =
+        robot.bodies[i] != nullptr
+            ? vector(dBodyGetPosition(robot.bodies[i]))
+            : Eigen::Vector3d(robot.configuration.base * robot.com_in_link[i]);
+    sum += robot.link_mass[i] * at;
   }
-  return sum / w.total_mass;
+  return sum / robot.total_mass;
 }
 
 Eigen::Vector3d OdeWorld::com_velocity() const noexcept {
-  const Impl& w = *impl_;
+  const OdeRobot& robot = impl_->commanded;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (std::size_t i = 0; i < w.bodies.size(); ++i) {
-    if (w.bodies[i] != nullptr) sum += w.link_mass[i] * vector(dBodyGetLinearVel(w.bodies[i]));
+  for (std::size_t i = 0; i < robot.bodies.size(); ++i) {
+    if (robot.bodies[i] == nullptr) continue;
+    sum += robot.link_mass[i] * vector(dBodyGetLinearVel(robot.bodies[i]));
   }
-  return sum / w.total_mass;
+  return sum / robot.total_mass;
 }
 
 const std::vector<ContactPoint>& OdeWorld::contacts() const noexcept { return impl_->contacts; }
 
 double OdeWorld::corner_stiffness(int sole) const noexcept {
   const Impl& w = *impl_;
-  if (w.config.contact == ContactModel::kRigid) return kRigidStiffness;
-  return w.model.soles[static_cast<std::size_t>(sole)].stiffness / kSoleCorners *
-         w.config.stiffness_scale;
+  return w.config.contact == ContactModel::kRigid ? kRigidStiffness
+                                                  : w.commanded.surface(sole).stiffness;
 }
 
 double OdeWorld::corner_damping(int sole, double force) const noexcept {
   const Impl& w = *impl_;
   if (w.config.contact == ContactModel::kRigid) return 0.0;
-  const double k = corner_stiffness(sole);
-  return w.damping_at(
-      k,
-      w.model.soles[static_cast<std::size_t>(sole)].damping / kSoleCorners * w.config.damping_scale,
-      force / k);
+  const ContactParams params = as_asked(w.config, w.commanded.surface(sole));
+  return damping_at(params, force / params.stiffness);
 }
 
 long OdeWorld::engine_messages() noexcept {

@@ -1,4 +1,4 @@
-// The simulated world of one robot, integrated by Open Dynamics Engine.
+// The simulated world, integrated by Open Dynamics Engine.
 //
 // Nothing stiff is applied as a force: servo, rotor inertia and ground are rows of ODE's own solve,
 // which makes each of them exactly backward Euler.  With A the solved system, a row with
@@ -56,9 +56,7 @@ class OdeWorld final : public World {
   int loose_count() const noexcept override;
   LooseState loose(int body) const noexcept override;
   Status set_loose(int body, const LooseState& state) noexcept override;
-  Eigen::Isometry3d robot_link(int, int) const noexcept override {
-    return Eigen::Isometry3d::Identity();  // it has none
-  }
+  Eigen::Isometry3d robot_link(int robot, int link) const noexcept override;
   Status hold(int tie, bool holds) noexcept override;
   double corner_stiffness(int sole) const noexcept override;
   double corner_damping(int sole, double force) const noexcept override;

@@ -12,6 +12,8 @@
 
 namespace twinbus {
 
+struct WorldConfig;
+
 struct OtherRobot {
   std::string name;
   std::shared_ptr<const Model> model;
@@ -23,5 +25,12 @@ struct OtherRobot {
 // there.  place: of the middle between its soles, on the ground.
 OtherRobot standing_robot(const std::string& name, std::shared_ptr<const Model> model,
                           const Eigen::VectorXd& q, const Eigen::Isometry3d& place);
+
+// Throws std::runtime_error, naming the robot, for a start or a servo that cannot be.
+void check_robot(const OtherRobot& robot);
+
+// Of this robot: ground, contact and step are the world's; what is changed of the commanded robot
+// alone is not changed of this one.
+WorldConfig config_of(const OtherRobot& robot, const WorldConfig& world);
 
 }  // namespace twinbus

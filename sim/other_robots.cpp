@@ -1,11 +1,9 @@
 #include "sim/other_robots.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "robot/index.h"
 #include "sim/extrapolate.h"
-#include "sim/standing.h"
 
 namespace twinbus {
 
@@ -13,47 +11,11 @@ namespace {
 
 constexpr double kStopSlack = 1e-9;  // [rad or m]
 
-// Ground and step of the world; what is changed of the commanded robot alone is not of this one.
-WorldConfig config_of(const OtherRobot& robot, const WorldConfig& world) {
-  WorldConfig own;
-  own.step = world.step;
-  own.fixed_base = !robot.model->floating_base;
-  own.ground_friction = world.ground_friction;
-  own.shell_stiffness = world.shell_stiffness;
-  own.obstacles = world.obstacles;
-  own.tiles = world.tiles;
-  return own;
-}
-
 }  // namespace
-
-OtherRobot standing_robot(const std::string& name, std::shared_ptr<const Model> model,
-                          const Eigen::VectorXd& q, const Eigen::Isometry3d& place) {
-  std::array<double, 2> corner{};
-  for (std::size_t side = 0; side < 2; ++side) {
-    corner[side] = model->soles[side].stiffness / kSoleCorners;
-  }
-  Standing standing = stand(*model, q, 1.0, corner, {0.0, 0.0}, !model->floating_base);
-  OtherRobot robot;
-  robot.name = name;
-  for (int j = 0; j < model->joint_count(); ++j) {
-    const Joint& joint = model->joints[at(j)];
-    robot.servos.push_back(
-        {.q = q[j], .qd = 0.0, .tau = standing.tau[j], .kp = joint.kp, .kd = joint.kd});
-  }
-  robot.model = std::move(model);
-  robot.start = standing.configuration;
-  robot.start.base = place * robot.start.base;
-  return robot;
-}
 
 OtherRobots::OtherRobots(const WorldConfig& config) {
   for (const OtherRobot& robot : config.robots) {
-    const std::string name = "robot '" + robot.name + "': ";
-    if (!robot.model || robot.servos.size() != robot.model->joints.size() ||
-        check_configuration(robot.model->joints.size(), robot.start) != Status::kOk) {
-      throw std::runtime_error(name + "its start is not one of its model");
-    }
+    check_robot(robot);
     const Model& model = *robot.model;
     const WorldConfig own = config_of(robot, config);
     robots_.push_back({ArticulatedBody(model, own.fixed_base, 1.0),
@@ -66,10 +28,6 @@ OtherRobots::OtherRobots(const WorldConfig& config) {
                        {robot.start, robot.start}});
     Robot& added = robots_.back();
     for (std::size_t j = 0; j < model.joints.size(); ++j) {
-      if (check_target(robot.servos[j]) != Status::kOk) {
-        throw std::runtime_error(name + "joint '" + model.joints[j].name +
-                                 "' cannot have such a servo");
-      }
       added.joints.emplace_back(model.joints[j], own);
       added.joints.back().set_target(robot.servos[j]);
       added.joints.back().set_tau(robot.servos[j].tau);

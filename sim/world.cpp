@@ -81,10 +81,6 @@ Eigen::Vector3d sole_corner(const Sole& sole, int corner) noexcept {
 
 std::unique_ptr<World> make_world(const Model& model, const WorldConfig& config) {
   check_bodies(config.loose);
-  if (config.engine == Engine::kOde && (!config.robots.empty() || config.self_contact)) {
-    throw std::runtime_error(
-        "engine ode has one robot, whose links do not touch one another: give engine articulated");
-  }
   if (config.engine == Engine::kOde) return std::make_unique<OdeWorld>(model, config);
   if (config.contact == ContactModel::kRigid) {
     throw std::runtime_error("contact rigid is of engine ode only; give engine ode too");

@@ -100,7 +100,7 @@ struct WorldConfig {
   std::vector<Obstacle> obstacles;
   std::vector<Obstacle> tiles;  // ground that is not flat: to the soles' corners what the ground is
   std::vector<LooseBody> loose;
-  std::vector<OtherRobot> robots;           // engine articulated only
+  std::vector<OtherRobot> robots;           // further ones, beside the one commanded
   bool self_contact = false;                // links of a robot touch one another; the same
   double shell_stiffness = kLinkStiffness;  // of a point of a link that is no sole [N/m]
   std::vector<Tie> ties;

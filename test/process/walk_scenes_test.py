@@ -22,7 +22,7 @@ BOUNCES = ["bounce", "bounce_wall"]  # the same, where engine ode damps by itsel
 MECHANISMS = ["four_bar", "n_four_bar", "bricard", "governor"]  # closed loops that keep their energy
 STANDARD = ["pendulum", "chain_30", "top", "cradle", "stick_slip", "painleve", "dzhanibekov",
             "andrews", "table"]  # mechanisms and loose bodies whose end is known
-ROBOTS = ["two_robots", "hand_in_hand"]  # what engine ode has not
+ROBOTS = ["two_robots", "hand_in_hand"]  # a second robot; links of one robot that touch
 SEEDED = ["walk_rough", "walk_noisy", "push_stand", "push_walk"]
 SEEDS = range(1, 21) if harness.FULL else range(1, 3)
 FIGURES = ["max_tilt_deg", "zmp_margin_min_mm", "zmp_margin_p5_mm", "step_slip_max_mm", "force_rms_percent",
@@ -88,6 +88,8 @@ def main():
     run(checks, "walk_forward", 1, contact="hunt_crossley")
     run(checks, "hook_on_step", 1, engine="ode")
     run(checks, "walk_slope", 1, engine="ode")
+    for scene in ROBOTS:
+        run(checks, scene, 1, engine="ode")
     for scene in SEEDED:
         for seed in SEEDS:
             run(checks, scene, seed)
