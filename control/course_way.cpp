@@ -73,6 +73,7 @@ void CourseWay::go(const Eigen::VectorXd& here, const Shares& shares,
   std::array<Instant, SweptShapes::kPlaces> instants;
   for (std::size_t k = 0; k < shares.size(); ++k) instants[k] = instant(shares[k]);
   for (std::size_t j = 0; j < courses_.size(); ++j) {
+    if (way.asked[j] == 0) continue;
     const Course& c = courses_[j];
     auto& q = way.q[j];
     auto& bend = way.bend[j];

@@ -35,7 +35,7 @@ class CourseWay {
   void go_on(double share, Eigen::VectorXd& q) const noexcept;
   // Where the brakes come.
   double brakes_at() const noexcept;
-  // The places from here; no two next to each other on both sides of brakes_at().
+  // The places from here, of the joints that way.asked says; no two next to each other on both sides of brakes_at().
   void go(const Eigen::VectorXd& here, const Shares& shares, SweptShapes::Way& way) const noexcept;
 
  private:

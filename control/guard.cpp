@@ -97,6 +97,7 @@ struct Guard::Impl {
              double share, const Courses& courses) noexcept;
   bool blame_at(const Kinematics& kinematics, const PairDistance& pair,
                 const Courses& courses) noexcept;
+  double approach_speed(const PairDistance& pair) const noexcept;
   void fill_rows() noexcept;
 };
 
@@ -125,11 +126,13 @@ Guard::Impl::Impl(const Model& robot, const GuardConfig& wanted)
   }
   braked.assign(joints, {});
   obeyed = masked = braked;
+  ahead_of_now.q = now.q;
   rests = ahead_of_now.moves = reaches = changes = Eigen::VectorXd::Zero(robot.joint_count());
   for (int joint = 0; joint < robot.joint_count(); ++joint)
     reaches[joint] = collision.reach().farthest(joint);
   places.q.resize(joints);
   places.bend.resize(joints);
+  places.asked.assign(joints, 1);
   ahead_of_now.near = wanted.margin;
   for (int link = 0; link < robot.link_count(); ++link) {
     for (int joint = 0; joint < robot.joint_count(); ++joint) {
@@ -371,6 +374,7 @@ void Guard::Impl::prove_mask() noexcept {
 // Looks along the way from here to rest; true when something comes too near.
 bool Guard::Impl::look_along(const Courses& courses) noexcept {
   if (!(travel(courses, nullptr) > kNearer)) return false;
+  if (!collision.narrow(rests, config.margin, places.asked)) return false;
   const CourseWay way(courses, track.delay());
   const CourseWay::Shares shares = way.shares();
   way.go(now.q, shares, places);
@@ -380,6 +384,15 @@ bool Guard::Impl::look_along(const Courses& courses) noexcept {
   const bool found = count > kMostOpen ? hold_all() : look(way, shares, courses, 0, count);
   danger = danger || found;
   return found;
+}
+
+// How fast the pair comes together now, at one point: what moves both does not count [m/s].
+double Guard::Impl::approach_speed(const PairDistance& pair) const noexcept {
+  const auto velocity = [&](int link) {
+    return link < model->link_count() ? now_kinematics.point_velocity(link, pair.point_a)
+                                      : Vector3d(Vector3d::Zero());
+  };
+  return pair.normal.dot(velocity(pair.link_a) - velocity(pair.link_b));
 }
 
 void Guard::Impl::fill_rows() noexcept {
@@ -393,9 +406,7 @@ void Guard::Impl::fill_rows() noexcept {
     const PairDistance pair = p < near ? pairs[i] : PairDistance{};
     const Vector3d a = p < near ? Vector3d(to_base * pair.point_a) : Vector3d::Zero();
     const Vector3d b = p < near ? Vector3d(to_base * pair.point_b) : Vector3d::Zero();
-    double speed = 0.0;  // of approach [m/s]
-    for (int j = 0; p < near && j < model->joint_count(); ++j)
-      speed -= approach(now_kinematics, pair, j, now.qd[j]);
+    const double speed = p < near ? approach_speed(pair) : 0.0;  // [m/s]
     const double time =
         speed > 1e-6 ? std::min(std::max(pair.distance, 0.0) / speed, kNever) : kNever;
     report.link_a[i] = static_cast<std::int16_t>(pair.link_a);
@@ -438,6 +449,7 @@ const GuardReport& Guard::check(const RobotState& state, const JointCommand* com
   i.now_kinematics.update(i.now);
   i.predict(state, command);
   i.bound_moves();
+  i.ahead_of_now.q = i.now.q;
   i.pair_count = i.collision.near_pairs(i.now_kinematics, std::max(i.config.near, i.config.margin),
                                         i.pairs.data(), kMaxPairs, &i.ahead_of_now);
 

@@ -105,11 +105,14 @@ void SetPointTrack::move(std::size_t k, double measured, double asked, double as
 void SetPointTrack::look(std::size_t k, double measured, double acceleration) noexcept {
   const SetPoint& p = point_[k];
   const double limit = limit_[k], behind = p.q - measured, left = p.asked - p.q;
+  const bool fading = p.fade >= 0.0;
   const auto go_on = [&](double t) {  // the command speeds up as it does, then a brake
     double q = 0.0, v = 0.0, q_now = 0.0, v_now = 0.0;
-    faded(p, 0.0, q_now, v_now);
-    faded(p, t, q, v);
-    const double a = p.fade >= 0.0 ? 0.0 : acceleration;
+    if (fading) {
+      faded(p, 0.0, q_now, v_now);
+      faded(p, t, q, v);
+    }
+    const double a = fading ? 0.0 : acceleration;
     const double faster =
         std::abs(p.asked_qd + v) > std::abs(p.asked_v + v) ? p.asked_qd : p.asked_v;
     const double v_end = std::clamp(faster + a * t + v, -limit, limit);
@@ -117,7 +120,6 @@ void SetPointTrack::look(std::size_t k, double measured, double acceleration) no
                        std::clamp(q - q_now, -limit * t, limit * t);
     return Course{behind + way + v_end * lag_, v_end, brake_[k]};
   };
-  const bool fading = p.fade >= 0.0;
   const bool follows = !p.held && (fading || std::abs(left) < 1e-9);
   if (follows) {
     obeyed_[k] = go_on(delay_ - lag_);

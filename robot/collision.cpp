@@ -54,6 +54,7 @@ Collision::Impl::Impl(const Model& robot)
   reach.emplace(robot, link_radius);
   swept.emplace(robot, *reach);
   moves_to.resize(robot.links.size());
+  walked_to = step = Eigen::VectorXd::Zero(robot.joint_count());
   build_pairs();
 }
 
@@ -86,6 +87,7 @@ void Collision::Impl::build_shapes() {
   std::vector<Capsule> capsules;
   std::vector<SweptShapes::Part> parts;
   std::vector<int> first;  // shape of every owner
+  std::size_t wanted = 0;
   for (int o = 0; o < static_cast<int>(owners.size()); ++o) {
     first.push_back(static_cast<int>(shapes.size()));
     for (int s = 0; s < static_cast<int>(owner(o).shapes.size()); ++s) {
@@ -103,6 +105,8 @@ void Collision::Impl::build_shapes() {
   swept->set(parts);
   open_pairs.assign(shapes.size() * shapes.size() / 2, 0);
   ahead = {};
+  looked_at = {};
+  left_count = all_left = 0;
   pair_of.assign(shapes.size() * shapes.size(), -1);
   for (std::size_t p = 0; p < pairs.size(); ++p) {
     const OwnerPair& pair = pairs[p];
@@ -118,9 +122,17 @@ void Collision::Impl::build_shapes() {
         pair_of[std::min(a, b) * shapes.size() + std::max(a, b)] = static_cast<int>(p);
         near_shapes.want(static_cast<int>(a), static_cast<int>(b), true);
         swept->want(static_cast<int>(std::min(a, b)), static_cast<int>(std::max(a, b)));
+        ++wanted;
       }
     }
   }
+  travel_of.assign(shapes.size(), 0.0);
+  not_parted.assign(shapes.size() * shapes.size(), 0);
+  apart_until.assign(shapes.size() * shapes.size(), 0.0);
+  walked.assign(shapes.size(), 0.0);
+  walks = false;
+  apart.assign(wanted, {});
+  left.assign(wanted, {});
 }
 
 // Bodies are placed when something asks for them.
@@ -296,8 +308,11 @@ int Collision::near_pairs(const Kinematics& kinematics, double near, PairDistanc
   i.look_at(kinematics);
   i.place();
   if (ahead == nullptr) return i.nearest(i.near_shapes.nearer_than(near), near, pairs, capacity);
-  i.let_links_move(*ahead);
+  i.walk_on(*ahead);
+  i.let_shapes_move(*ahead);
   i.ahead = i.near_shapes.nearer_than(near, ahead->near);
+  i.ahead_from = &kinematics;
+  for (std::size_t c = 0; c < i.ahead.size(); ++c) i.apart[c].known = false;
   return i.nearest(i.ahead, near, pairs, capacity);
 }
 

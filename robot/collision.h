@@ -11,6 +11,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -70,6 +71,7 @@ class Collision {
   struct Ahead {
     Eigen::VectorXd moves;
     double near = 0.0;
+    Eigen::VectorXd q;  // of the posture [joint_count]; empty: nothing is kept from one to the next
   };
   // Distances of the pairs nearer than `near` [m], nearest first, at most capacity; returns how
   // many.  With `ahead`, a way may be looked along afterwards.
@@ -89,10 +91,15 @@ class Collision {
     double best = 0.0;                          // least gap along the direction that said most [m]
     SweptShapes::AtPlaces least, left_out;      // of the distance, at least [m]
   };
-  // Goes to the places of a way.  Its joints move from the posture of the last near_pairs that had
-  // `ahead` no farther than that said.
+  // From now on only those shapes are looked at that may come nearer than `margin` [m] when no joint
+  // moves farther than `moves` from the posture of the last near_pairs that had `ahead`, which is still
+  // as it was; moves: no more than that said.  joints: 1 for those that it depends on where these
+  // shapes are, as SweptShapes::Way wants it [joint_count].  False when no shapes are left.
+  bool narrow(const Eigen::VectorXd& moves, double margin,
+              std::vector<std::uint8_t>& joints) noexcept;
+  // Goes to the places of a way.  Its joints move no farther than narrow was told.
   void go(const Eigen::Isometry3d& base, const SweptShapes::Way& way) noexcept;
-  // Of all shapes, those that no direction at hand proves to stay `margin` apart at the places and
+  // Of the shapes left, those that no direction at hand proves to stay `margin` apart at the places and
   // `clear` between [m]; at most capacity; how many there are.
   int open_on_way(double margin, double clear, OnWay* pairs, int capacity) noexcept;
   // Begins to look at two shapes on the way, margin and clear as they say.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "robot/collision_parts.h"
+#include "robot/convex_shape.h"
 #include "robot/index.h"
 
 namespace twinbus {
@@ -17,9 +18,13 @@ constexpr int kPlaces = SweptShapes::kPlaces;
 constexpr unsigned kAllPlaces = (1U << kPlaces) - 1U, kAllWays = kAllPlaces >> 1U;
 // Distances on a way are measured up to here; what is farther apart needs no more [m].
 constexpr double kFar = 0.5;
-constexpr double kFine = 1e-9;      // in double precision [m]
-constexpr double kClose = 1e-5;     // how exactly [m]
-constexpr double kRounding = 5e-6;  // of where shapes are in single precision [m]
+constexpr double kFine = 1e-9;       // in double precision [m]
+constexpr int kFew = 3, kMany = 10;  // pairs left; of so many the way is cheaper than to narrow it
+constexpr int kDirections = 10;      // asked for after a posture
+constexpr double kQuick = 0.25;      // of what travels as far a direction hardly parts any [m]
+constexpr std::uint8_t kWait = 15;   // ways until a pair is asked for a direction again
+constexpr double kClose = 1e-5;      // how exactly [m]
+constexpr double kRounding = 5e-6;   // of where shapes are in single precision [m]
 
 bool has(unsigned bits, int k) { return (bits >> static_cast<unsigned>(k) & 1U) != 0; }
 unsigned only(int k) { return 1U << static_cast<unsigned>(k); }
@@ -40,23 +45,122 @@ int next_place(const Collision::OnWay& pair) noexcept {
 
 // Seen from link 0; the sum over the joints of moves x reach is (radius + length) times one sum, less
 // another (joint_reach.h).
-void Collision::Impl::let_links_move(const Ahead& moved) noexcept {
+void Collision::Impl::let_joints_move(const Eigen::VectorXd& moves) noexcept {
   for (int link = 1; link < link_count; ++link) {
-    const double move = moved.moves[link - 1];
+    const double move = moves[link - 1];
     const bool slides = model->joints[at(link - 1)].kind == JointKind::kPrismatic;
-    moves_to[at(link)] = moves_to[at(model->links[at(link)].parent)];
-    moves_to[at(link)].sum += slides ? 0.0 : move;
-    moves_to[at(link)].less += slides ? -move : move * reach->length(link);
+    Moves& of = moves_to[at(link)];
+    of = moves_to[at(model->links[at(link)].parent)];
+    of.sum += slides ? 0.0 : move;
+    of.less += slides ? -move : move * reach->length(link);
   }
-  int shape = 0;
-  for (const CollisionOwner& o : owners) {
-    double travel = 0.0;
-    if (o.link > 0) {
-      const Moves& of = moves_to[at(o.link)];
-      travel = (reach->radius(o.link) + reach->length(o.link)) * of.sum - of.less + kFine;
+  for (std::size_t s = 0; s < shapes.size(); ++s) {
+    const int link = link_of(static_cast<int>(s));
+    if (link <= 0) continue;
+    const Moves& of = moves_to[at(link)];
+    travel_of[s] = (reach->radius(link) + reach->length(link)) * of.sum - of.less + kFine;
+  }
+}
+
+void Collision::Impl::let_shapes_move(const Ahead& moved) noexcept {
+  let_joints_move(moved.moves);
+  for (std::size_t s = 0; s < shapes.size(); ++s)
+    near_shapes.let_move(static_cast<int>(s), travel_of[s]);
+}
+
+// Obstacles stand in the world, in which link 0 may move: of them nothing is kept.
+void Collision::Impl::walk_on(const Ahead& to) noexcept {
+  const bool from_before = walks;
+  walks = to.q.size() == walked_to.size();
+  if (from_before && walks) {
+    step = (to.q - walked_to).cwiseAbs();
+    let_joints_move(step);
+    for (std::size_t s = 0; s < shapes.size(); ++s) walked[s] += travel_of[s];
+  } else {
+    std::fill(apart_until.begin(), apart_until.end(), 0.0);
+    std::fill(walked.begin(), walked.end(), 0.0);
+  }
+  if (walks) walked_to = to.q;
+  directions_left = kDirections;
+}
+
+// The better of two directions: that of the last distance, and between the axes of the capsules.
+const Collision::Impl::Apart& Collision::Impl::apart_at(std::size_t candidate) noexcept {
+  Apart& known = apart[candidate];
+  if (known.known) return known;
+  known.known = true;
+  known.n.setZero();
+  known.gap = -kFar;
+  const ShapePair pair = shape_pair(ahead[candidate]);
+  const auto pose = [&](const CollisionOwner& owner, const CollisionShape& body) {
+    return owner.link >= 0 ? ahead_from->link_in_world(owner.link) * body.local : body.local;
+  };
+  const Eigen::Isometry3d a = pose(*pair.a, *pair.body_a), b = pose(*pair.b, *pair.body_b);
+  const double length = pair.towards.norm();
+  const Vector3d directions[] = {
+      a.linear() * pair.memory->apart,
+      length > kFine ? Vector3d(pair.towards / length) : Vector3d(Vector3d::Zero())};
+  for (const Vector3d& n : directions) {
+    if (n.isZero(0.0)) continue;
+    const double along =
+        separation({&pair.body_a->convex, &a}, {&pair.body_b->convex, &b}, n) - kFine;
+    if (along > known.gap) known.n = n, known.gap = along;
+  }
+  return known;
+}
+
+bool Collision::Impl::stays_parted(std::size_t candidate, const Eigen::VectorXd& moves,
+                                   double margin) noexcept {
+  const Apart& known = apart_at(candidate);
+  const NearShapes::Candidate& c = ahead[candidate];
+  if (!(known.gap >= margin)) return false;
+  if (known.gap - travel_of[at(c.a)] - travel_of[at(c.b)] >= margin) return true;
+  return known.gap - reach->along(known.n, *ahead_from, link_of(c.a), link_of(c.b), moves) >=
+         margin;
+}
+
+// What a direction did not part is not asked for one again at once, nor are directions looked for when
+// so much is left that the way is looked along anyway.
+bool Collision::narrow(const Eigen::VectorXd& moves, double margin,
+                       std::vector<std::uint8_t>& joints) noexcept {
+  Impl& i = *impl_;
+  if (i.all_left > 0) {
+    --i.all_left;
+    i.looked_at = i.ahead;
+    std::fill(joints.begin(), joints.end(), std::uint8_t{1});
+    return !i.ahead.empty();
+  }
+  i.let_joints_move(moves);
+  i.left_count = 0;
+  std::fill(joints.begin(), joints.end(), std::uint8_t{0});
+  for (std::size_t c = 0; c < i.ahead.size(); ++c) {
+    const NearShapes::Candidate& candidate = i.ahead[c];
+    const double travel = i.travel_of[at(candidate.a)] + i.travel_of[at(candidate.b)];
+    if (number(candidate.bound) - travel >= margin) continue;
+    const std::size_t pair = at(candidate.a) * i.shapes.size() + at(candidate.b);
+    const double walked = i.walked[at(candidate.a)] + i.walked[at(candidate.b)];
+    if (i.apart_until[pair] - walked - travel >= margin) continue;
+    std::uint8_t& wait = i.not_parted[pair];
+    if (wait > 0) {
+      --wait;
+    } else if (i.left_count < kFew && travel < kQuick && i.directions_left > 0) {
+      --i.directions_left;
+      const bool parted = i.stays_parted(c, moves, margin);
+      if (i.walks && i.link_of(candidate.a) >= 0 && i.link_of(candidate.b) >= 0)
+        i.apart_until[pair] = i.apart[c].gap + walked;
+      if (parted) continue;
+      wait = kWait;
     }
-    for (std::size_t s = 0; s < o.shapes.size(); ++s) near_shapes.let_move(shape++, travel);
+    i.left[at(i.left_count++)] = candidate;
+    for (const int shape : {candidate.a, candidate.b}) {
+      for (int link = i.link_of(shape); link > 0 && joints[at(link - 1)] == 0;
+           link = i.model->links[at(link)].parent)
+        joints[at(link - 1)] = 1;
+    }
   }
+  i.looked_at = {i.left.data(), at(i.left_count)};
+  if (i.left_count > kMany) i.all_left = kWait;
+  return i.left_count > 0;
 }
 
 void Collision::go(const Eigen::Isometry3d& base, const SweptShapes::Way& way) noexcept {
@@ -65,7 +169,7 @@ void Collision::go(const Eigen::Isometry3d& base, const SweptShapes::Way& way) n
 
 int Collision::open_on_way(double margin, double clear, OnWay* pairs, int capacity) noexcept {
   Impl& i = *impl_;
-  const int count = i.swept->open(i.ahead, margin, clear, i.open_pairs.data(),
+  const int count = i.swept->open(i.looked_at, margin, clear, i.open_pairs.data(),
                                   static_cast<int>(i.open_pairs.size()));
   for (int p = 0; p < std::min(count, capacity); ++p) {
     OnWay& pair = pairs[p];

@@ -48,11 +48,30 @@ struct Collision::Impl {
   std::vector<FlatShape> shapes;
   std::vector<int> pair_of;                      // [shapes x shapes], a < b
   std::span<const NearShapes::Candidate> ahead;  // that can come near from a posture
-  std::vector<int> open_pairs;                   // room
-  struct Moves {                                 // of the joints on the way to a link
+  const Kinematics* ahead_from = nullptr;        // that posture
+  struct Apart {                                 // a direction that parts a candidate there
+    Eigen::Vector3d n;                           // world
+    double gap = 0.0;                            // along it [m]
+    bool known = false;
+  };
+  std::vector<Apart> apart;              // of the candidates
+  std::vector<std::uint8_t> not_parted;  // ways to wait since [shapes x shapes], a < b
+  // A distance found once is consumed by what its shapes move on: a pair stays farther apart than this
+  // less what both have walked [shapes x shapes, m].
+  std::vector<double> apart_until;
+  std::vector<double> walked;  // by shapes, since they were built [m]
+  Eigen::VectorXd walked_to, step;
+  bool walks = false;
+  int directions_left = 0;
+  std::vector<NearShapes::Candidate> left;           // that narrow leaves
+  int left_count = 0, all_left = 0;                  // of them; ways for which it leaves all
+  std::span<const NearShapes::Candidate> looked_at;  // what it left last
+  std::vector<int> open_pairs;                       // room
+  struct Moves {                                     // of the joints on the way to a link
     double sum = 0.0, less = 0.0;
   };
-  std::vector<Moves> moves_to;  // [link_count]
+  std::vector<Moves> moves_to;    // [link_count]
+  std::vector<double> travel_of;  // of shapes, seen from link 0 [m]
   std::vector<int> only_joints;
   std::optional<JointReach> reach;
   std::optional<SweptShapes> swept;
@@ -78,7 +97,14 @@ struct Collision::Impl {
   const Eigen::Isometry3d& placed(const CollisionOwner& owner, CollisionShape& body) noexcept;
   const OwnerPair& pair_of_shapes(const NearShapes::Candidate& c, int& index) const noexcept;
   ShapePair shape_pair(const NearShapes::Candidate& candidate) noexcept;
-  void let_links_move(const Ahead& ahead) noexcept;
+  void let_joints_move(const Eigen::VectorXd& moves) noexcept;
+  int link_of(int shape) const noexcept {  // -1: obstacle
+    return owners[static_cast<std::size_t>(shapes[static_cast<std::size_t>(shape)].owner)].link;
+  }
+  void let_shapes_move(const Ahead& ahead) noexcept;
+  void walk_on(const Ahead& ahead) noexcept;
+  const Apart& apart_at(std::size_t candidate) noexcept;
+  bool stays_parted(std::size_t candidate, const Eigen::VectorXd& moves, double margin) noexcept;
   int nearest(std::span<const NearShapes::Candidate> candidates, double near, PairDistance* pairs,
               int capacity) noexcept;
   void note(OnWay& pair, const SweptShapes::AtPlaces& gaps) const noexcept;

@@ -43,7 +43,8 @@ struct SweptTables {
   const int* pair_of = nullptr;                      // [parts x parts], a < b
   const float* reach = nullptr;                      // [links x joints]
   const float *radius = nullptr, *length = nullptr;  // of links; of the stretched chain to them
-  unsigned char* stale = nullptr;                    // a link is not where its joints say
+  unsigned char *stale = nullptr,                    // a link is not where its joints say
+      *fresh = nullptr, *asked = nullptr;            // it has just been put there; it is to be
   float *sine = nullptr, *cosine = nullptr, *slide = nullptr, *moves = nullptr, *bend = nullptr,
         *left = nullptr;                             // [joints]
   float *link_pose = nullptr, *part_pose = nullptr;  // [x 12: columns, then origin]
@@ -117,7 +118,7 @@ struct SweptShapes::Impl {
   std::vector<SweptPair> pairs;
   std::vector<int> pair_of;
   std::vector<float> reach, radius, length, numbers, corners;
-  std::vector<unsigned char> stale;
+  std::vector<unsigned char> stale, fresh, asked;
   std::vector<std::array<double, kPlaces>> angles;  // that sines are of
   SweptTables tables;
   Eigen::Matrix3d base = Eigen::Matrix3d::Identity();
@@ -174,6 +175,10 @@ void SweptShapes::Impl::lay_out() {
   t.length = length.data();
   stale.assign(at(t.links), 1);
   t.stale = stale.data();
+  fresh.assign(at(t.links), 0);
+  t.fresh = fresh.data();
+  asked.assign(at(t.links), 1);
+  t.asked = asked.data();
   angles.assign(at(t.joints), {});
   never = true;
   std::fill_n(t.cosine, 8 * t.joints, 1.0F);
@@ -262,10 +267,12 @@ void SweptShapes::go(const Eigen::Isometry3d& base, const Way& way) noexcept {
   SweptTables& t = i.tables;
   const bool wide = i.wide;
   for (std::size_t j = 0; j < way.q.size(); ++j) {
+    t.asked[j + 1] = way.asked[j];
+    if (way.asked[j] == 0) continue;
     const auto& q = way.q[j];
     std::copy(way.bend[j].begin(), way.bend[j].end(), t.bend + 8 * j);
-    t.stale[j + 1] = q != i.angles[j] ? 1 : 0;
-    if (t.stale[j + 1] == 0) continue;
+    if (q == i.angles[j]) continue;
+    t.stale[j + 1] = 1;
     i.angles[j] = q;
     for (std::size_t k = 0; k < at(kPlaces); ++k) {
       t.slide[8 * j + k] = static_cast<float>(q[k]);
@@ -282,7 +289,7 @@ void SweptShapes::go(const Eigen::Isometry3d& base, const Way& way) noexcept {
     }
   }
   i.origin = base.translation();
-  t.stale[0] = i.never || base.linear() != i.base ? 1 : 0;
+  t.fresh[0] = i.never || base.linear() != i.base ? 1 : 0;
   i.never = false;
   i.base = base.linear();
   Eigen::Isometry3d turned = base;

@@ -18,6 +18,7 @@
 
 #include <Eigen/Geometry>
 #include <array>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
@@ -40,6 +41,9 @@ class SweptShapes {
   struct Way {
     std::vector<std::array<double, kPlaces>> q;  // [joint_count]
     std::vector<AtPlaces> bend;                  // [joint_count]
+    // 0: nothing that is asked for depends on this joint, and whatever the other two say of it is not
+    // looked at [joint_count].
+    std::vector<std::uint8_t> asked;
   };
 
   struct Part {

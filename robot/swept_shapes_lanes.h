@@ -25,12 +25,14 @@ TWINBUS_INLINE F8 turned8(const Pose8& p, int d, F8 x, F8 y, F8 z) noexcept {
   return p.column[0][d] * x + p.column[1][d] * y + p.column[2][d] * z;
 }
 
-// Of links that are stale, which those behind them are too.
+// Of links that are asked for and stale, which those behind them are too, until they are asked for.
 static void go(const SweptTables& t) noexcept {
   for (int link = 1; link < t.links; ++link) {
     const SweptHinge& hinge = t.hinge[link - 1];
-    t.stale[link] |= t.stale[hinge.parent];
-    if (t.stale[link] == 0) continue;
+    t.stale[link] |= t.fresh[hinge.parent];
+    t.fresh[link] = t.stale[link] & t.asked[link];
+    if (t.fresh[link] == 0) continue;
+    t.stale[link] = 0;
     const Pose8 parent = pose8(t.link_pose + 96 * hinge.parent);
     const F8 s = load8(t.sine + 8 * (link - 1)), c = load8(t.cosine + 8 * (link - 1)),
              slide = load8(t.slide + 8 * (link - 1));
@@ -49,7 +51,7 @@ static void go(const SweptTables& t) noexcept {
   }
   for (int i = 0; i < t.parts; ++i) {
     const SweptPart& part = t.part[i];
-    if (part.link < 0 || t.stale[part.link] == 0) continue;
+    if (part.link < 0 || t.fresh[part.link] == 0) continue;
     const Pose8 link = pose8(t.link_pose + 96 * part.link);
     Pose8 p;
     for (int k = 0; k < 3; ++k)
@@ -68,6 +70,7 @@ static void go(const SweptTables& t) noexcept {
 // sum over the joints is (radius + length) times one sum, less another.
 static void leave_out(const SweptTables& t) noexcept {
   for (int link = 1; link < t.links; ++link) {
+    if (t.asked[link] == 0) continue;
     const SweptHinge& hinge = t.hinge[link - 1];
     const F8 step = load8(t.moves + 8 * (link - 1)), bend = load8(t.bend + 8 * (link - 1));
     const F8 move = step * 0.5F, way = step + 2.0F * bend;

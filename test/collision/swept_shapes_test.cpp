@@ -67,6 +67,7 @@ struct Fixture {
     }
     way.q.resize(model.joints.size());
     way.bend.resize(model.joints.size());
+    way.asked.assign(model.joints.size(), 1);
     base.base.translation() = Vector3d(3.0, -2.0, 0.8);
     base.base.linear() =
         Eigen::AngleAxisd(0.7, Vector3d(0.3, 0.2, 0.9).normalized()).toRotationMatrix();
@@ -146,6 +147,42 @@ TEST(SweptShapes, ShapesAreWhereKinematicsSays) {
             1e-5);
     }
   }
+}
+
+// Links that were left out of some ways are where they belong once they are asked for, however they
+// got there.
+TEST(SweptShapes, WhatWasNotAskedForIsInItsPlaceOnceItIs) {
+  Fixture f;
+  Kinematics kinematics(f.model);
+  int kept = 0;
+  for (int k = 0; k < 200; ++k) {
+    std::fill(f.way.asked.begin(), f.way.asked.end(), std::uint8_t{0});
+    const std::size_t wanted = at(static_cast<int>(f.random() % f.parts.size()));
+    for (int link = f.parts[wanted].link; link > 0; link = f.model.links[at(link)].parent)
+      f.way.asked[at(link - 1)] = 1;
+    if (k % 4 == 0) {
+      f.draw_way(0.3);
+    } else {
+      f.swept.go(f.base.base, f.way);  // the same way for others
+    }
+    if (k % 10 == 0)
+      f.base.base.linear() *= Eigen::AngleAxisd(0.1, Vector3d::UnitX()).toRotationMatrix();
+    if (k % 10 == 0) f.swept.go(f.base.base, f.way);
+    for (int place = 0; place < kPlaces; ++place) {
+      kinematics.update(f.posture(place, false));
+      for (std::size_t p = 0; p < f.parts.size(); ++p) {
+        const int link = f.parts[p].link;
+        if (link > 0 && f.way.asked[at(link - 1)] == 0) continue;
+        ++kept;
+        ASSERT_LT(
+            (f.swept.pose(static_cast<int>(p), place).matrix() - f.pose(kinematics, p).matrix())
+                .norm(),
+            1e-5)
+            << k << " " << link;
+      }
+    }
+  }
+  EXPECT_GT(kept, 10000);
 }
 
 // And no more than what single precision loses is taken off.

@@ -45,6 +45,7 @@ TEST(CourseWay, BetweenPlacesItIsNearlyStraight) {
   SweptShapes::Way places;
   places.q.resize(8);
   places.bend.resize(8);
+  places.asked.assign(8, 1);
   const Eigen::VectorXd here = Eigen::VectorXd::Constant(8, 0.3);
   for (int k = 0; k < 60; ++k) {
     const std::vector<Course> courses = random_courses(random);
