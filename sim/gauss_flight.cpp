@@ -14,7 +14,7 @@ namespace {
 constexpr double kSettled = 1e-9;
 constexpr int kMostIterations = 16;
 constexpr int kMostHalvings = 4;
-constexpr double kGentle = 0.2;  // gentle()'s limit, for iterations that settle quickly
+constexpr double kGentleGauss = 0.2;  // gentle()'s limit, for iterations that settle quickly
 constexpr int kTurnSweeps = 2, kLastTurnSweeps = 8;  // they cost no dynamics
 
 struct Gauss {
@@ -137,7 +137,7 @@ GaussFlight::Outcome GaussFlight::settle(const std::vector<JointLaw>& joints, do
     follow(h, start);
     if (floating_) turn(h, kTurnSweeps);
     if (!rates_.allFinite() || !evaluate(joints)) return Outcome::kWild;
-    if (i == 0 && !gentle(joints, h, kGentle, [this](int j) { return four_.inverse_inertia(j); })) {
+    if (i == 0 && !gentle(joints, h, kGentleGauss, [this](int j) { return four_.inverse_inertia(j); })) {
       return Outcome::kNotForThis;
     }
     const double change = h * (next_ - acceleration_).abs().maxCoeff();
