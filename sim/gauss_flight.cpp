@@ -44,6 +44,11 @@ const Gauss& gauss() {
   return method;
 }
 
+// Of a turn Q with angular velocity w in its own axes:  Q' = 1/2 Q (w, 0), as x y z w.
+Eigen::Vector4d turning(const Eigen::Vector4d& turn, double wx, double wy, double wz) noexcept {
+  return 0.5 * (Eigen::Quaterniond(turn) * Eigen::Quaterniond(0.0, wx, wy, wz)).coeffs();
+}
+
 Eigen::Matrix3d axes_of(const Eigen::Array4d& turn) noexcept {
   return Eigen::Quaterniond(Eigen::Vector4d(turn.matrix().normalized())).toRotationMatrix();
 }
@@ -81,15 +86,13 @@ void GaussFlight::follow(double h, const Configuration& start) noexcept {
   integrate(within, four_.qd().data(), start.q.data(), joints_, four_.q().data());
 }
 
-// Of a turn Q with angular velocity w in its own axes:  Q' = 1/2 Q (w, 0).
 void GaussFlight::turn(double h, int sweeps) noexcept {
   const Eigen::Matrix4d within = h * gauss().within;
   for (int i = 0; i < sweeps; ++i) {
     Turns change;
     for (Eigen::Index p = 0; p < FourPostures::kCount; ++p) {
-      const Eigen::Quaterniond at(Eigen::Vector4d(turns_.row(p).matrix()));
-      const Eigen::Quaterniond spin(0.0, rates_(p, 0), rates_(p, 1), rates_(p, 2));
-      change.row(p) = 0.5 * (at * spin).coeffs().array().transpose();
+      change.row(p) =
+          turning(turns_.row(p).matrix(), rates_(p, 0), rates_(p, 1), rates_(p, 2)).transpose();
     }
     turns_.matrix().noalias() = within.lazyProduct(change.matrix());
     turns_.rowwise() += start_turn_.transpose();
@@ -165,9 +168,8 @@ bool GaussFlight::finish(const std::vector<JointLaw>& joints, double h, Configur
   turn(h, kLastTurnSweeps);
   Eigen::Vector4d attitude = start_turn_.matrix();
   for (Eigen::Index p = 0; p < FourPostures::kCount; ++p) {
-    const Eigen::Quaterniond at(Eigen::Vector4d(turns_.row(p).matrix()));
-    const Eigen::Quaterniond spin(0.0, rates_(p, 0), rates_(p, 1), rates_(p, 2));
-    attitude += 0.5 * whole[p] * (at * spin).coeffs();
+    attitude += whole[p] *
+                turning(turns_.row(p).matrix(), rates_(p, 0), rates_(p, 1), rates_(p, 2));
     const Eigen::Vector3d v = rates_.row(p).segment<3>(3).matrix();
     c.base.translation() += whole[p] * (axes_of(turns_.row(p).transpose()) * v);
   }
