@@ -131,7 +131,7 @@ bool Collision::narrow(const Eigen::VectorXd& moves, double margin,
     return !i.ahead.empty();
   }
   i.let_joints_move(moves);
-  i.left_count = 0;
+  int left = 0;
   std::fill(joints.begin(), joints.end(), std::uint8_t{0});
   for (std::size_t c = 0; c < i.ahead.size(); ++c) {
     const NearShapes::Candidate& candidate = i.ahead[c];
@@ -143,7 +143,7 @@ bool Collision::narrow(const Eigen::VectorXd& moves, double margin,
     std::uint8_t& wait = i.not_parted[pair];
     if (wait > 0) {
       --wait;
-    } else if (i.left_count < kFew && travel < kQuick && i.directions_left > 0) {
+    } else if (left < kFew && travel < kQuick && i.directions_left > 0) {
       --i.directions_left;
       const bool parted = i.stays_parted(c, moves, margin);
       if (i.walks && i.link_of(candidate.a) >= 0 && i.link_of(candidate.b) >= 0)
@@ -151,16 +151,16 @@ bool Collision::narrow(const Eigen::VectorXd& moves, double margin,
       if (parted) continue;
       wait = kWait;
     }
-    i.left[at(i.left_count++)] = candidate;
+    i.left[at(left++)] = candidate;
     for (const int shape : {candidate.a, candidate.b}) {
       for (int link = i.link_of(shape); link > 0 && joints[at(link - 1)] == 0;
            link = i.model->links[at(link)].parent)
         joints[at(link - 1)] = 1;
     }
   }
-  i.looked_at = {i.left.data(), at(i.left_count)};
-  if (i.left_count > kMany) i.all_left = kWait;
-  return i.left_count > 0;
+  i.looked_at = {i.left.data(), at(left)};
+  if (left > kMany) i.all_left = kWait;
+  return left > 0;
 }
 
 void Collision::go(const Eigen::Isometry3d& base, const SweptShapes::Way& way) noexcept {

@@ -64,7 +64,7 @@ struct Collision::Impl {
   bool walks = false;
   int directions_left = 0;
   std::vector<NearShapes::Candidate> left;           // that narrow leaves
-  int left_count = 0, all_left = 0;                  // of them; ways for which it leaves all
+  int all_left = 0;                                  // ways for which it leaves all
   std::span<const NearShapes::Candidate> looked_at;  // what it left last
   std::vector<int> open_pairs;                       // room
   struct Moves {                                     // of the joints on the way to a link

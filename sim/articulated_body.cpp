@@ -3,13 +3,10 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <stdexcept>
 
-#include "robot/dynamics.h"
 #include "robot/index.h"
-#include "robot/vec4.h"
 #include "sim/articulated_kernels.h"
+#include "sim/world.h"
 
 namespace twinbus {
 
@@ -23,24 +20,25 @@ namespace {
 // A rank costs in four lanes what it costs in one, but for what is gathered from parents.
 constexpr double kWorthFour = 1.5;
 
+template <class L>
+void set_rows(BodyLanes<L>& d, const std::vector<JointRow>& rows) noexcept {
+  for (std::size_t j = 0; j < d.of_joint.size(); ++j) {
+    d.force[d.of_joint[j]] = rows[j].force;
+    d.gain[d.of_joint[j]] = rows[j].gain;
+  }
+}
+
 }  // namespace
 
 ArticulatedBody::ArticulatedBody(const Model& model, bool fixed_base, double mass_scale) {
+  check_links(model, fixed_base);
   state_.floating = !fixed_base;
   const std::size_t count = model.links.size();
   std::vector<int> depth(count, 0);
   branch_.assign(count, 0);
   links_.parent.assign(count, -1);
   for (std::size_t i = 0; i < count; ++i) {
-    const Link& link = model.links[i];
-    state_.mass += link.mass * mass_scale;
-    const bool moves = i > 0 || state_.floating;
-    if (moves && (!(link.mass > 0.0) ||
-                  !(Eigen::Matrix3d(link.inertia * mass_scale).llt().info() == Eigen::Success))) {
-      throw std::runtime_error(
-          "link '" + link.name +
-          "' cannot be simulated: its mass and inertia must be positive; give it an <inertial>");
-    }
+    state_.mass += model.links[i].mass * mass_scale;
     if (i == 0) continue;
     const int parent = model.joints[i - 1].parent;
     links_.parent[i] = parent;
@@ -68,7 +66,8 @@ void ArticulatedBody::place(const Momentum& wanted, Configuration& configuration
 }
 
 bool ArticulatedBody::inward(const std::vector<JointRow>& rows, double h) noexcept {
-  return TWINBUS_SWEEP(set_rows, rows), TWINBUS_SWEEP(fold_inward, state_, h);
+  wide_ ? set_rows(four_, rows) : set_rows(one_, rows);
+  return TWINBUS_SWEEP(fold_inward, state_, h);
 }
 
 void ArticulatedBody::outward() noexcept { TWINBUS_SWEEP(accelerate, state_); }

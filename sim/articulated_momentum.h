@@ -1,5 +1,5 @@
 // Momentum of a body, and its motion changed so that it has a wanted one.  No include guard:
-// articulated_body.cpp includes this once for each instruction set, in a namespace of its own.
+// articulated_kernels.h includes this once for each instruction set, in a namespace of its own.
 
 template <class L>
 inline Momentum momentum_in(const BodyState& state, const Six<L>& sum, const Three<L>& moment) {

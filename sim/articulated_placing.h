@@ -1,4 +1,4 @@
-// Where all links of a body are, how fast and how heavy.  No include guard: articulated_body.cpp
+// Where all links of a body are, how fast and how heavy.  No include guard: articulated_kernels.h
 // includes this once for each instruction set, in a namespace of its own.
 
 // Where links are and how fast.

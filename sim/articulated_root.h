@@ -1,5 +1,5 @@
 // The articulated inertia of link 0, which nothing holds: factored, and solved with.  No include guard:
-// articulated_body.cpp includes this once for each instruction set, in a namespace of its own.
+// articulated_kernels.h includes this once for each instruction set, in a namespace of its own.
 
 // What lanes have together, or each, if each is a robot of its own.
 template <class N, class L>

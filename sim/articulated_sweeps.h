@@ -1,5 +1,5 @@
 // The sweeps of the articulated-body algorithm over links that are placed.  No include guard:
-// articulated_body.cpp includes this once for each instruction set, in a namespace of its own.
+// articulated_kernels.h includes this once for each instruction set, in a namespace of its own.
 
 // Number by number: g++ makes a loop over bytes of = {}.
 template <class L>
@@ -52,14 +52,6 @@ TWINBUS_INLINE Folded<L>& articulated(BodyLanes<L>& d, std::size_t r) {
   }
   if (rank.touched) add(d.stiff[r].value, own.inertia);
   return own;
-}
-
-template <class L>
-inline void set_rows(BodyLanes<L>& d, const std::vector<JointRow>& rows) noexcept {
-  for (std::size_t j = 0; j < d.of_joint.size(); ++j) {
-    d.force[d.of_joint[j]] = rows[j].force;
-    d.gain[d.of_joint[j]] = rows[j].gain;
-  }
 }
 
 template <class L, class N>

@@ -143,10 +143,10 @@ bool FlightMotion::fehlberg(ArticulatedBody& body, const std::vector<JointLaw>& 
 
 bool FlightMotion::step(ArticulatedBody& body, const std::vector<JointLaw>& joints, double h,
                         Configuration& configuration) noexcept {
-  if (gauss_) return gauss_->step(body, joints, h, configuration);
   for (const JointLaw& joint : joints) {
     if (!joint.smooth()) return false;
   }
+  if (gauss_) return gauss_->step(body, joints, h, configuration);
   read(configuration);
   trial_ = y_;
   const double limit = method_ == Flight::kAb4 ? kGentleMultistep : kGentle;

@@ -23,10 +23,6 @@ FourPostures::FourPostures(const Model& model, bool fixed_base, double mass_scal
   }
   lanes_.ranks = copies_side_by_side(links_.parent, kCount);
   fill(lanes_, model, mass_scale, links_);
-  LinkLanes<Vec4>& root = lanes_.links[0];
-  root.origin = Three<Vec4>{};
-  root.velocity = Six<Vec4>{};
-  root.axis = root.coriolis = Six<Vec4>{};
 }
 
 void FourPostures::set_base(int posture, const Eigen::Matrix3d& axes,

@@ -21,7 +21,7 @@ class FourPostures {
   // A row for each posture, a column for each joint.
   using Rows = Eigen::Map<Eigen::Array<double, kCount, Eigen::Dynamic>>;
 
-  // Throws as ArticulatedBody does.
+  // A model that ArticulatedBody takes.
   FourPostures(const Model& model, bool fixed_base, double mass_scale);
 
   // What to fill in before accelerate(): angles [rad], rates [rad/s] and torques [N m] of the

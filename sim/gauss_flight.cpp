@@ -207,19 +207,15 @@ GaussFlight::Outcome GaussFlight::advance(const std::vector<JointLaw>& joints, d
   known_ = false;
   if (outcome == Outcome::kNotForThis || halvings == 0) return outcome;
   for (int half = 0; half < 2; ++half) {
-    known_ = false;  // what is known is of another step
     outcome = advance(joints, 0.5 * h, halvings - 1, configuration);
     if (outcome != Outcome::kTaken) return outcome;
   }
-  known_ = false;
+  known_ = false;  // what is known is of half a step
   return outcome;
 }
 
 bool GaussFlight::step(ArticulatedBody& body, const std::vector<JointLaw>& joints, double h,
                        Configuration& configuration) noexcept {
-  for (const JointLaw& joint : joints) {
-    if (!joint.smooth()) return false;
-  }
   before_ = configuration;
   if (advance(joints, h, kMostHalvings, configuration) != Outcome::kTaken) {
     known_ = false;

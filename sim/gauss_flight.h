@@ -22,15 +22,14 @@ namespace twinbus {
 
 class GaussFlight {
  public:
-  // Throws as ArticulatedBody does.
+  // A model that ArticulatedBody takes.
   GaussFlight(const Model& model, bool fixed_base, double mass_scale);
 
   // Something else moved the robot, or its servos were told otherwise.
   void interrupt() noexcept { known_ = false; }
 
-  // One step h, in smaller ones while the motion is too wild for it.  False: a servo is too stiff
-  // for it or a joint law is not smooth (friction, play, a stop in reach); the configuration is as
-  // it was.
+  // One step h, in smaller ones while the motion is too wild for it; the joint laws must be smooth.
+  // False: a servo is too stiff for it or a stop in reach; the configuration is as it was.
   bool step(ArticulatedBody& body, const std::vector<JointLaw>& joints, double h,
             Configuration& configuration) noexcept;
 

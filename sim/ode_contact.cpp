@@ -6,7 +6,6 @@
 // a table.  Contacts come in a fixed order.  With contact rigid a row has neither: ODE's LCP.
 
 #include <algorithm>
-#include <cmath>
 
 #include "sim/contact_law.h"
 #include "sim/ground_contacts.h"
@@ -17,7 +16,6 @@ namespace twinbus {
 
 namespace {
 
-constexpr int kPointsPerPair = 4;
 constexpr double kSlipSpeed = 1e-3;  // below it the friction axes follow the foot [m/s]
 
 }  // namespace
@@ -89,27 +87,25 @@ void OdeWorld::Impl::find_link_contacts(std::size_t index) noexcept {
     if (robot.body(part.link) == nullptr) continue;
     dReal box[6];
     dGeomGetAABB(part.geom, box);
-    const auto meet_one = [&](dGeomID other, bool is_ground) {
+    const auto meet_one = [&](dGeomID other) {
       const int count = dCollide(part.geom, other, kPointsPerPair, found, sizeof(dContactGeom));
       for (int i = 0; i < count; ++i) {
-        const Eigen::Vector3d point(found[i].pos[0], found[i].pos[1], found[i].pos[2]);
-        if (is_ground && robot.sole_at(part.link, point) >= 0) continue;  // its corners touch there
-        add_contact(found[i], index, part.link, -1);
+        const bool by_corners =
+            other == plane && robot.sole_at(part.link, vector(found[i].pos)) >= 0;
+        if (!by_corners) add_contact(found[i], index, part.link, -1);
       }
     };
-    if (box[4] <= 0.0) meet_one(plane, true);
-    const auto meet_near = [&](const std::vector<dGeomID>& geoms, bool are_ground) {
+    const auto meet_near = [&](const std::vector<dGeomID>& geoms) {
       for (const dGeomID geom : geoms) {
         dReal other[6];
         dGeomGetAABB(geom, other);
-        if (bounds_meet(box, other)) meet_one(geom, are_ground);
+        if (bounds_meet(box, other)) meet_one(geom);
       }
     };
-    meet_near(obstacle_geoms, false);
+    if (box[4] <= 0.0) meet_one(plane);
+    meet_near(obstacle_geoms);
     // As in the other engine tiles meet no more of a foot than its sole's corners.
-    const bool is_foot = std::any_of(robot.model.soles.begin(), robot.model.soles.end(),
-                                     [&](const Sole& sole) { return sole.link == part.link; });
-    if (!is_foot) meet_near(tile_geoms, true);
+    if (!robot.has_sole(part.link)) meet_near(tile_geoms);
   }
 }
 

@@ -18,7 +18,8 @@ struct SavedBody {
   dQuaternion attitude;
 };
 
-inline constexpr int kMaxContacts = 96;  // of a robot
+inline constexpr int kMaxContacts = 96;   // of a robot
+inline constexpr int kPointsPerPair = 4;  // of a shape of a robot with another or with what is fixed
 // Rigid contacts: what is no deeper stays, so that a resting point goes on touching [m].
 inline constexpr double kRigidLayer = 1e-4;
 // What is deeper comes out no faster than this [m/s].

@@ -6,12 +6,6 @@
 
 namespace twinbus {
 
-namespace {
-
-constexpr int kPointsPerMeeting = 4;
-
-}  // namespace
-
 void OdeWorld::Impl::find_meetings() noexcept {
   for (std::size_t robot = 0; robot < robots.size(); ++robot) {
     if (config.self_contact) find_meetings(robot, robot);
@@ -47,9 +41,9 @@ void OdeWorld::Impl::meet(std::size_t robot, const OdeGeom& geom, std::size_t ot
     meet(other, other_geom, robot, geom);
     return;
   }
-  dContactGeom found[kPointsPerMeeting];
+  dContactGeom found[kPointsPerPair];
   const int count =
-      dCollide(geom.geom, other_geom.geom, kPointsPerMeeting, found, sizeof(dContactGeom));
+      dCollide(geom.geom, other_geom.geom, kPointsPerPair, found, sizeof(dContactGeom));
   for (int i = 0; i < count && has_room(); ++i) {
     const Eigen::Vector3d point = vector(found[i].pos);
     const int sole = one.sole_at(geom.link, point);

@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
 #include "sim/ground_contacts.h"
 #include "sim/link_hull.h"
@@ -13,16 +12,6 @@
 namespace twinbus {
 
 namespace {
-
-void check_links(const Model& model, bool fixed_base) {
-  for (std::size_t i = fixed_base ? 1 : 0; i < model.links.size(); ++i) {
-    const Link& link = model.links[i];
-    if (link.mass > 0.0 && link.inertia.llt().info() == Eigen::Success) continue;
-    throw std::runtime_error(
-        "link '" + link.name +
-        "' cannot be simulated: its mass and inertia must be positive; give it an <inertial>");
-  }
-}
 
 void set_geom_offset(dGeomID geom, const Eigen::Isometry3d& pose, const Eigen::Vector3d& com) {
   const Eigen::Vector3d p = pose.translation() - com;

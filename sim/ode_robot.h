@@ -57,6 +57,9 @@ struct OdeRobot {
   // From ODE's bodies; kinematics stay as they are.
   void read_state() noexcept;
   Eigen::Isometry3d link_in_world(int link) const noexcept;
+  bool has_sole(int link) const noexcept {
+    return link == model.soles[0].link || link == model.soles[1].link;
+  }
   // The sole that a point of a link is of, -1: none.
   int sole_at(int link, const Eigen::Vector3d& point) const noexcept;
   // Of a point of a link, or of one of its soles, not yet with what it touches.

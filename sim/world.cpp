@@ -79,6 +79,16 @@ Eigen::Vector3d sole_corner(const Sole& sole, int corner) noexcept {
   return {corner < 2 ? sole.front : -sole.back, corner % 2 == 0 ? sole.left : -sole.right, 0.0};
 }
 
+void check_links(const Model& model, bool fixed_base) {
+  for (std::size_t i = fixed_base ? 1 : 0; i < model.links.size(); ++i) {
+    const Link& link = model.links[i];
+    if (link.mass > 0.0 && link.inertia.llt().info() == Eigen::Success) continue;
+    throw std::runtime_error(
+        "link '" + link.name +
+        "' cannot be simulated: its mass and inertia must be positive; give it an <inertial>");
+  }
+}
+
 std::unique_ptr<World> make_world(const Model& model, const WorldConfig& config) {
   check_bodies(config.loose);
   if (config.engine == Engine::kOde) return std::make_unique<OdeWorld>(model, config);

@@ -31,10 +31,6 @@ FLAGS = ("-std=c++17 -O3 -march=native -mavx2 -fno-math-errno -fno-signed-zeros 
 rows, short_of = [], []
 
 
-def program_folder():
-    return programs.folder_of("planner_cases", "bench planner")
-
-
 def build_vamp(folder, out):
     """The peer program, or None with a line that says why."""
     if not folder:
@@ -113,7 +109,7 @@ def main():
     if not problems.exists():
         print(f"bench planner: {problems} is not there; $TWINBUS_DATA names the folder of data", file=sys.stderr)
         return 1
-    folder = program_folder()
+    folder = programs.folder_of("planner_cases", "bench planner")
     peer = build_vamp(pathlib.Path(vamp) if vamp else None, folder)
     ours, theirs, proved, touching = [], [], [], 0
     for n in range(rounds):
