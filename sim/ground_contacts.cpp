@@ -264,7 +264,8 @@ void GroundContacts::add(const ArticulatedBody& body, const Screw& velocity, con
                          double h, std::size_t& cursor,
                          std::vector<Contact>& contacts) const noexcept {
   const Eigen::Vector3d v0 = at_point(velocity, found.r);
-  if (!(found.depth > -reach_of(v0.norm(), h)) || contacts.size() >= kMostContacts) return;
+  const bool in_reach = found.depth > 0.0 || found.depth > -reach_of(v0.norm(), h);
+  if (!in_reach || contacts.size() >= kMostContacts) return;
   Contact& c = contacts.emplace_back();
   c.link = found.link;
   c.sole = found.sole;
@@ -277,13 +278,10 @@ void GroundContacts::add(const ArticulatedBody& body, const Screw& velocity, con
   c.depth = found.depth;
   c.v0 = v0;
   // Contacts are found in the same order at each step: the one sought is seldom far.
-  std::size_t seen = 0;
-  while (seen < memory_.size() && memory_[cursor % memory_.size()].key != c.key) {
-    ++cursor;
-    ++seen;
-  }
-  if (seen < memory_.size()) {
-    const Memory& memory = memory_[cursor++ % memory_.size()];
+  for (std::size_t seen = 0; seen < memory_.size(); ++seen) {
+    const Memory& memory = memory_[cursor];
+    cursor = cursor + 1 < memory_.size() ? cursor + 1 : 0;
+    if (memory.key != c.key) continue;
     c.stretch = c.material ? Eigen::Vector3d(c.point - memory.bristle) : memory.bristle;
     c.stretch -= c.normal * c.normal.dot(c.stretch);
     return;

@@ -13,6 +13,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 #include "robot/model.h"
@@ -52,7 +53,9 @@ class JointLaw {
   JointRow row() const noexcept;
   // Whether the assumed pieces are those of that end speed; approach() assumes them, or the one
   // in between where they are opposite: the middle of the law is steep, a leap over it returns.
-  bool holds(double qd_end) const noexcept { return pieces_at(qd_end) == pieces_; }
+  bool holds(double qd_end) const noexcept {
+    return within_all(qd_end) ? pieces_ == Pieces{} : pieces_at(qd_end) == pieces_;
+  }
   void approach(double qd_end) noexcept;
   // The same for one piece of them only.
   void approach_by_one(double qd_end) noexcept;
@@ -90,6 +93,11 @@ class JointLaw {
     bool operator==(const Pieces&) const = default;
   };
 
+  // Most joints in most steps: no limit, friction or stop in reach of that end speed.
+  bool within_all(double qd_end) const noexcept {
+    return std::abs(servo_.force - servo_.gain * qd_end) <= limit_ && std::abs(qd_end) <= stick_ &&
+           qd_end >= low_bound_ && qd_end <= high_bound_;
+  }
   Pieces pieces_at(double qd_end) const noexcept;
   double flank() const noexcept;  // where the play settles under the joint's torque
 
@@ -112,13 +120,17 @@ inline void JointLaw::begin(double q, double qd, double h) noexcept {
   const double rate = 1.0 / h;
   high_bound_ = stop_bound(upper_ - q, rate);
   low_bound_ = -stop_bound(q - lower_, rate);
-  pieces_ = pieces_at(qd);
+  pieces_ = within_all(qd) ? Pieces{} : pieces_at(qd);
   if (upper_ - q <= kStopGuess && qd >= 0.0) pieces_.stop = 1;
   if (q - lower_ <= kStopGuess && qd <= 0.0) pieces_.stop = -1;
 }
 
 inline JointRow JointLaw::row() const noexcept {
   JointRow row = servo_;
+  if (pieces_ == Pieces{}) {
+    row.gain = row.gain + damping_ + stick_gain_;
+    return row;
+  }
   if (pieces_.servo != 0) row = {.force = pieces_.servo * limit_, .gain = 0.0};
   row.gain += damping_;
   if (pieces_.friction != 0) {
@@ -139,7 +151,6 @@ inline void JointLaw::finish(double qd, double share) noexcept {
   if (backlash_ > 0.0) play_ += share * kPlayRate * (flank() - play_);
 }
 
-// Of every joint in every step, seldom other than zeros: without branches.
 inline JointLaw::Pieces JointLaw::pieces_at(double qd) const noexcept {
   const double asked = servo_.force - servo_.gain * qd;
   const auto side = [](double x, double low, double high) {
