@@ -134,6 +134,7 @@ Guard::Impl::Impl(const Model& robot, const GuardConfig& wanted)
   places.bend.resize(joints);
   places.asked.assign(joints, 1);
   ahead_of_now.near = wanted.margin;
+  ahead_of_now.enough = kGuardPairs;
   for (int link = 0; link < robot.link_count(); ++link) {
     for (int joint = 0; joint < robot.joint_count(); ++joint) {
       moves.push_back(joint_moves_pair(robot, joint, link, -1) ? 1 : 0);

@@ -21,6 +21,9 @@ using Eigen::Vector3d;
 using Body = CollisionShape;
 using Owner = CollisionOwner;
 
+constexpr double kMicrometre = 1e-6;  // [m]
+constexpr float kCoarse = 1e-6F;      // what a bound in single precision may lose [m]
+
 // robot.yaml, collision: own or fcl.
 bool by_fcl(const Model& model) {
   if (model.yaml_text.empty()) return false;
@@ -128,11 +131,10 @@ void Collision::Impl::build_shapes() {
   }
   travel_of.assign(shapes.size(), 0.0);
   not_parted.assign(shapes.size() * shapes.size(), 0);
-  apart_until.assign(shapes.size() * shapes.size(), 0.0);
-  walked.assign(shapes.size(), 0.0);
   walks = false;
   apart.assign(wanted, {});
   left.assign(wanted, {});
+  by_bound.assign(wanted, nullptr);
 }
 
 // Bodies are placed when something asks for them.
@@ -270,12 +272,34 @@ bool Collision::nearer_than(const Kinematics& kinematics, double clearance,
   return false;
 }
 
-// Of these candidates the pairs that are nearer than `near`, nearest first; how many.
-int Collision::Impl::nearest(std::span<const NearShapes::Candidate> candidates, double near,
-                             PairDistance* found_pairs, int capacity) noexcept {
+// A bound of a candidate is found.
+void Collision::Impl::know(NearShapes::Candidate& candidate, double at_least) noexcept {
+  candidate.bound = std::max(candidate.bound, static_cast<float>(at_least) - kCoarse);
+  near_shapes.know(candidate.a, candidate.b, at_least);
+}
+
+// Of these candidates the pairs that are nearer than `near`, nearest first; how many.  Those that may be
+// nearest are looked at first; once there are enough, only what is nearer than them,
+// or than `all`, not below zero: bounds say nothing about depths.
+int Collision::Impl::nearest(std::span<NearShapes::Candidate> candidates, double near, int enough,
+                             double all, PairDistance* found_pairs, int capacity) noexcept {
+  const auto later = [](const NearShapes::Candidate* x, const NearShapes::Candidate* y) {
+    const float here = std::max(x->bound, 0.0F), there = std::max(y->bound, 0.0F);
+    return here > there || (!(here < there) && x > y);
+  };
+  const auto first = by_bound.begin();
+  auto end = first;
+  for (NearShapes::Candidate& candidate : candidates) {
+    if (static_cast<double>(candidate.bound) <= near) *end++ = &candidate;
+  }
+  std::make_heap(first, end, later);
   int kept = 0;
-  for (const NearShapes::Candidate& candidate : candidates) {
-    if (static_cast<double>(candidate.bound) > near) continue;
+  for (; end != first; --end) {
+    std::pop_heap(first, end, later);
+    NearShapes::Candidate& candidate = **(end - 1);
+    const double wanted =
+        kept < enough ? near : std::clamp(found_pairs[enough - 1].distance, all, near);
+    if (static_cast<double>(candidate.bound) > wanted) break;
     int index = 0;
     const OwnerPair& links = pair_of_shapes(candidate, index);
     const int link_a = index_of(owner(links.a)), link_b = index_of(owner(links.b));
@@ -284,11 +308,13 @@ int Collision::Impl::nearest(std::span<const NearShapes::Candidate> candidates, 
     while (place < kept &&
            (found_pairs[place].link_a != link_a || found_pairs[place].link_b != link_b))
       ++place;
-    const double reach_of = place < kept ? std::min(near, found_pairs[place].distance) : near;
+    const double reach_of = place < kept ? std::min(wanted, found_pairs[place].distance) : wanted;
     PairDistance found;
     found.distance = near + 1.0;
-    if (static_cast<double>(candidate.bound) > reach_of || !nearer(candidate, reach_of, found))
-      continue;
+    if (static_cast<double>(candidate.bound) > std::max(reach_of, std::min(near, 0.0))) continue;
+    const bool nearer_yet = nearer(candidate, reach_of, found);
+    know(candidate, gap.parted);
+    if (!nearer_yet) continue;
     if (place == kept) {
       if (kept == capacity && !(kept > 0 && found.distance < found_pairs[kept - 1].distance))
         continue;
@@ -307,13 +333,17 @@ int Collision::near_pairs(const Kinematics& kinematics, double near, PairDistanc
   i.gap.depths = true;
   i.look_at(kinematics);
   i.place();
-  if (ahead == nullptr) return i.nearest(i.near_shapes.nearer_than(near), near, pairs, capacity);
+  if (ahead == nullptr)
+    return i.nearest(i.near_shapes.nearer_than(near), near, capacity, std::min(near, 0.0), pairs,
+                     capacity);
+  i.gap.close = kMicrometre;
   i.walk_on(*ahead);
   i.let_shapes_move(*ahead);
-  i.ahead = i.near_shapes.nearer_than(near, ahead->near);
+  i.ahead = i.near_shapes.nearer_than(near, ahead->near, i.walks);
   i.ahead_from = &kinematics;
   for (std::size_t c = 0; c < i.ahead.size(); ++c) i.apart[c].known = false;
-  return i.nearest(i.ahead, near, pairs, capacity);
+  const int enough = ahead->enough > 0 ? std::min(ahead->enough, capacity) : capacity;
+  return i.nearest(i.ahead, near, enough, ahead->near, pairs, capacity);
 }
 
 bool Collision::pair_nearer_than(const Kinematics& kinematics, int link_a, int link_b, double near,

@@ -72,9 +72,10 @@ class Collision {
     Eigen::VectorXd moves;
     double near = 0.0;
     Eigen::VectorXd q;  // of the posture [joint_count]; empty: nothing is kept from one to the next
+    int enough = 0;     // of the pairs not nearer than `near`, the nearest; 0: all
   };
   // Distances of the pairs nearer than `near` [m], nearest first, at most capacity; returns how
-  // many.  With `ahead`, a way may be looked along afterwards.
+  // many, to a micrometre.  With `ahead`, a way may be looked along afterwards.
   int near_pairs(const Kinematics& kinematics, double near, PairDistance* pairs, int capacity,
                  const Ahead* ahead = nullptr) noexcept;
   // Distance of one pair if it is nearer than `near` [m]; false when it is not.

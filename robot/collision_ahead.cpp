@@ -75,10 +75,12 @@ void Collision::Impl::walk_on(const Ahead& to) noexcept {
   if (from_before && walks) {
     step = (to.q - walked_to).cwiseAbs();
     let_joints_move(step);
-    for (std::size_t s = 0; s < shapes.size(); ++s) walked[s] += travel_of[s];
-  } else {
-    std::fill(apart_until.begin(), apart_until.end(), 0.0);
-    std::fill(walked.begin(), walked.end(), 0.0);
+    for (std::size_t s = 0; s < shapes.size(); ++s)
+      near_shapes.walk(static_cast<int>(s), travel_of[s]);
+  } else if (walks) {
+    const auto first_obstacle = std::find_if(
+        shapes.begin(), shapes.end(), [&](const FlatShape& s) { return s.owner >= link_owners; });
+    near_shapes.keep(static_cast<int>(first_obstacle - shapes.begin()));
   }
   if (walks) walked_to = to.q;
   directions_left = kDirections;
@@ -134,20 +136,17 @@ bool Collision::narrow(const Eigen::VectorXd& moves, double margin,
   int left = 0;
   std::fill(joints.begin(), joints.end(), std::uint8_t{0});
   for (std::size_t c = 0; c < i.ahead.size(); ++c) {
-    const NearShapes::Candidate& candidate = i.ahead[c];
+    NearShapes::Candidate& candidate = i.ahead[c];
     const double travel = i.travel_of[at(candidate.a)] + i.travel_of[at(candidate.b)];
     if (number(candidate.bound) - travel >= margin) continue;
     const std::size_t pair = at(candidate.a) * i.shapes.size() + at(candidate.b);
-    const double walked = i.walked[at(candidate.a)] + i.walked[at(candidate.b)];
-    if (i.apart_until[pair] - walked - travel >= margin) continue;
     std::uint8_t& wait = i.not_parted[pair];
     if (wait > 0) {
       --wait;
     } else if (left < kFew && travel < kQuick && i.directions_left > 0) {
       --i.directions_left;
       const bool parted = i.stays_parted(c, moves, margin);
-      if (i.walks && i.link_of(candidate.a) >= 0 && i.link_of(candidate.b) >= 0)
-        i.apart_until[pair] = i.apart[c].gap + walked;
+      i.know(candidate, i.apart[c].gap);
       if (parted) continue;
       wait = kWait;
     }

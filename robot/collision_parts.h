@@ -46,27 +46,24 @@ struct Collision::Impl {
   ShapeGap gap;
   NearShapes near_shapes;
   std::vector<FlatShape> shapes;
-  std::vector<int> pair_of;                      // [shapes x shapes], a < b
-  std::span<const NearShapes::Candidate> ahead;  // that can come near from a posture
-  const Kinematics* ahead_from = nullptr;        // that posture
-  struct Apart {                                 // a direction that parts a candidate there
-    Eigen::Vector3d n;                           // world
-    double gap = 0.0;                            // along it [m]
+  std::vector<int> pair_of;                // [shapes x shapes], a < b
+  std::span<NearShapes::Candidate> ahead;  // that can come near from a posture
+  const Kinematics* ahead_from = nullptr;  // that posture
+  struct Apart {                           // a direction that parts a candidate there
+    Eigen::Vector3d n;                     // world
+    double gap = 0.0;                      // along it [m]
     bool known = false;
   };
   std::vector<Apart> apart;              // of the candidates
   std::vector<std::uint8_t> not_parted;  // ways to wait since [shapes x shapes], a < b
-  // A distance found once is consumed by what its shapes move on: a pair stays farther apart than this
-  // less what both have walked [shapes x shapes, m].
-  std::vector<double> apart_until;
-  std::vector<double> walked;  // by shapes, since they were built [m]
-  Eigen::VectorXd walked_to, step;
+  Eigen::VectorXd walked_to, step;       // from one posture to the next
   bool walks = false;
   int directions_left = 0;
   std::vector<NearShapes::Candidate> left;           // that narrow leaves
   int all_left = 0;                                  // ways for which it leaves all
   std::span<const NearShapes::Candidate> looked_at;  // what it left last
   std::vector<int> open_pairs;                       // room
+  std::vector<NearShapes::Candidate*> by_bound;      // room
   struct Moves {                                     // of the joints on the way to a link
     double sum = 0.0, less = 0.0;
   };
@@ -105,8 +102,9 @@ struct Collision::Impl {
   void walk_on(const Ahead& ahead) noexcept;
   const Apart& apart_at(std::size_t candidate) noexcept;
   bool stays_parted(std::size_t candidate, const Eigen::VectorXd& moves, double margin) noexcept;
-  int nearest(std::span<const NearShapes::Candidate> candidates, double near, PairDistance* pairs,
-              int capacity) noexcept;
+  int nearest(std::span<NearShapes::Candidate> candidates, double near, int enough, double all,
+              PairDistance* pairs, int capacity) noexcept;
+  void know(NearShapes::Candidate& candidate, double at_least) noexcept;
   void note(OnWay& pair, const SweptShapes::AtPlaces& gaps) const noexcept;
   bool nearer(const NearShapes::Candidate& candidate, double near, PairDistance& result) noexcept;
 };

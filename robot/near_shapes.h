@@ -2,6 +2,9 @@
 // around each shape, eight pairs at a time.
 //
 // Single precision about an origin near the robot; what it may lose is taken off every bound.
+//
+// From one posture to the next what is known is used up by what the shapes walk: a pair stays farther
+// apart than it was, less what both have walked since.  Most pairs are not looked at again for long.
 
 #pragma once
 
@@ -37,9 +40,18 @@ class NearShapes {
 
   // The wanted pairs whose bound is at most `reach` [m], or at most `ahead` [m] when both have moved
   // on by what they may, by a and then by b; valid until the next call.  Bounds are those of where
-  // the shapes are.
-  std::span<const Candidate> nearer_than(double reach, double ahead) noexcept;
-  std::span<const Candidate> nearer_than(double reach) noexcept { return nearer_than(reach, -1e9); }
+  // the shapes are.  By what is kept, when walk has said of every posture how it was reached.
+  std::span<Candidate> nearer_than(double reach, double ahead, bool by_kept) noexcept;
+  std::span<Candidate> nearer_than(double reach) noexcept {
+    return nearer_than(reach, -1e9, false);
+  }
+
+  // Of how many shapes, from the first, something is kept; all is forgotten.  After want.
+  void keep(int shapes) noexcept;
+  // A shape has moved by no more than this since it was placed last [m].
+  void walk(int shape, double way) noexcept;
+  // Where they are, they are at least so far apart [m].
+  void know(int a, int b, double apart) noexcept;
 
  private:
   struct Impl;

@@ -27,7 +27,10 @@ bool ShapeGap::own_distance(const CollisionShape& a, const CollisionShape& b,
                             const Vector3d& towards_b, double near, PairDistance& result) noexcept {
   const double far = std::max(near, 0.0) + kRounding;
   const GjkResult found = gjk_distance(a.core, a.world, b.core, b.world, far, towards_b, close);
-  if (found.distance > 0.0 && found.below > near + kRounding) return false;
+  if (found.distance > 0.0 && found.below > near + kRounding) {
+    parted = found.below - kRounding;
+    return false;
+  }
   result.distance = found.distance;
   result.point_a = found.point_a;
   result.point_b = found.point_b;
@@ -61,13 +64,20 @@ bool ShapeGap::nearer(CollisionShape& a, CollisionShape& b, ShapeMemory& remembe
   const PlacedShape shape_b{&b.convex, &b.world};
   const Vector3d between = b.world.translation() - a.world.translation();
   const double reach = a.radius + b.radius + near;
+  parted = near;
   if (!(reach > 0.0) || between.squaredNorm() > reach * reach) return false;
   const Vector3d before = a.world.linear() * remembered.apart;
   const double as_before = separation(shape_a, shape_b, before);
-  if (as_before > near + kRounding) return false;
+  if (as_before > near + kRounding) {
+    parted = as_before - kRounding;
+    return false;
+  }
   const Vector3d seen = towards.squaredNorm() > 1e-8 ? towards.normalized() : between.normalized();
   const double as_seen = separation(shape_a, shape_b, seen);
-  if (as_seen > near + kRounding) return false;
+  if (as_seen > near + kRounding) {
+    parted = as_seen - kRounding;
+    return false;
+  }
   const Vector3d first = a.world.linear().transpose() *
                          (as_before > as_seen && !remembered.apart.isZero(0.0) ? before : seen);
 
@@ -100,6 +110,7 @@ bool ShapeGap::nearer(CollisionShape& a, CollisionShape& b, ShapeMemory& remembe
   } else if (exact && found.distance > 0.0) {
     found.normal = (found.point_b - found.point_a).normalized();
   }
+  parted = found.distance - std::max(kConverged, close);
   if (!(found.distance <= near) || found.distance >= result.distance) return false;
   found.link_a = result.link_a;
   found.link_b = result.link_b;

@@ -25,6 +25,7 @@ class ShapeGap {
   bool asks_fcl = false;     // for distances
   bool depths = true;        // of what touches
   double close = kGjkClose;  // how near a distance of convex shapes is to be [m]
+  double parted = 0.0;       // so far at least are the two apart that were looked at last [m]
 
   // Of shapes whose `world` is set.  result.distance, when lower than before, is the signed distance,
   // at most `near` [m]; true when it was improved.  towards: where b may be seen from a.

@@ -269,9 +269,11 @@ TEST(Collision, NothingThatComesNearOnAWayIsLeftOut) {
 }
 
 // What one posture has proved serves the next ones, and no longer than it is true: a robot that walks on in
-// small steps, jumps, and whose obstacle and base move, is never said to stay apart where it does not.
+// small steps, jumps, and whose obstacle and base move, is never said to stay apart where it does not; and
+// the nearest pairs are those that one finds who knows nothing.
 TEST(Collision, WhatStaysApartIsNotBelievedTooLong) {
-  constexpr double kMargin = 0.01;
+  constexpr double kMargin = 0.01, kNear = 0.05;
+  constexpr int kEnough = 6;
   const Model& model = hrp1s();
   Collision collision(model), fresh(model);
   Obstacle box;
@@ -280,13 +282,13 @@ TEST(Collision, WhatStaysApartIsNotBelievedTooLong) {
   Kinematics now(model), then(model);
   std::mt19937_64 random(15);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
-  std::vector<PairDistance> all(2000);
+  std::vector<PairDistance> all(2000), nearest(2000);
   std::vector<std::uint8_t> joints(at(model.joint_count()));
   const Configuration home = named_posture(model, "half_sitting");
   Configuration c = home;
   Eigen::VectorXd speed = Eigen::VectorXd::Zero(model.joint_count());
-  Collision::Ahead ahead{Eigen::VectorXd::Zero(model.joint_count()), kMargin, c.q};
-  long cleared = 0, nearly = 0, near = 0;
+  Collision::Ahead ahead{Eigen::VectorXd::Zero(model.joint_count()), kMargin, c.q, kEnough};
+  long cleared = 0, nearly = 0, near = 0, named = 0;
   for (int k = 0; k < 6000; ++k) {
     if (k % 500 == 0) {
       box.pose.translation() = Eigen::Vector3d(0.5, 0.3 * unit(random), 0.3 * unit(random));
@@ -305,7 +307,14 @@ TEST(Collision, WhatStaysApartIsNotBelievedTooLong) {
     }
     ahead.q = c.q;
     now.update(c);
-    collision.near_pairs(now, 0.05, all.data(), 2000, &ahead);
+    const int found = collision.near_pairs(now, kNear, nearest.data(), 2000, &ahead);
+    const int wanted = fresh.near_pairs(now, kNear, all.data(), 2000);
+    for (int p = 0; p < wanted && (p < kEnough || all[at(p)].distance < kMargin); ++p) {
+      ASSERT_LT(p, found) << k;
+      EXPECT_NEAR(std::max(nearest[at(p)].distance, 0.0), std::max(all[at(p)].distance, 0.0), 3e-6)
+          << k << " " << p;
+      ++named;
+    }
     const bool left = collision.narrow(ahead.moves, kMargin, joints);
     cleared += left ? 0 : 1;
     Configuration on_way = c;
@@ -327,6 +336,7 @@ TEST(Collision, WhatStaysApartIsNotBelievedTooLong) {
   EXPECT_GT(cleared, 300);
   EXPECT_GT(near, 300);
   EXPECT_GT(nearly, 0);
+  EXPECT_GT(named, 10000);
 }
 
 TEST(Collision, QueriesOnPrimitivesAllocateNothing) {

@@ -38,8 +38,7 @@ double distance(const Capsule& a, const Capsule& b) {
 }
 
 struct Field {
-  explicit Field(std::uint64_t seed, const Vector3d& about) : random(seed) {
-    std::vector<Capsule> local;
+  explicit Field(std::uint64_t seed, const Vector3d& about) : random(seed), pose(at(kShapes)) {
     for (int i = 0; i < kShapes; ++i) {
       Capsule c;
       c.a = 0.2 * point();
@@ -48,22 +47,26 @@ struct Field {
       local.push_back(c);
     }
     shapes.set(local);
+    placed = local;
     for (int i = 0; i < kShapes; ++i) {
-      const Eigen::Isometry3d pose = Eigen::Translation3d(about + point()) *
-                                     Eigen::AngleAxisd(3.0 * point().x(), point().normalized());
-      shapes.place(i, pose, about);
-      Capsule c = local[at(i)];
-      c.a = pose * c.a;
-      c.b = pose * c.b;
-      placed.push_back(c);
+      const Vector3d where = about + point();
+      const double angle = 3.0 * point().x();
+      place(i, Eigen::Translation3d(where) * Eigen::AngleAxisd(angle, point().normalized()), about);
     }
+  }
+  void place(int i, const Eigen::Isometry3d& to, const Vector3d& about) {
+    shapes.place(i, to, about);
+    pose[at(i)] = to;
+    placed[at(i)].a = to * local[at(i)].a;
+    placed[at(i)].b = to * local[at(i)].b;
   }
   Vector3d point() { return {unit(random), unit(random), unit(random)}; }
 
   std::mt19937_64 random;
   std::uniform_real_distribution<double> unit{-1.0, 1.0};
   NearShapes shapes;
-  std::vector<Capsule> placed;
+  std::vector<Capsule> local, placed;
+  std::vector<Eigen::Isometry3d> pose;
 };
 
 TEST(NearShapes, NoBoundIsLargerThanTheDistanceAndFewAreMuchSmaller) {
@@ -108,6 +111,58 @@ TEST(NearShapes, ExactlyTheWantedPairsWithinReachAreFoundInOrder) {
   }
 }
 
+// Shapes walk on for metres, at times in a jump; at times more than what capsules say is known of a pair.
+TEST(NearShapes, WhatIsKeptHidesNoPairThatIsNear) {
+  constexpr int kKeeping = kShapes - 5;  // the others may be anywhere the next time
+  constexpr double kReach = 0.05, kThen = 0.01;
+  Field field(9, Vector3d::Zero());
+  for (int a = 0; a < kShapes; ++a) {
+    for (int b = a + 1; b < kShapes; ++b) field.shapes.want(a, b, (a + b) % 3 != 0);
+  }
+  field.shapes.keep(kKeeping);
+  std::vector<double> travel(at(kShapes));
+  long near = 0, listed = 0, looked_at = 0;
+  for (int k = 0; k < 1000; ++k) {
+    const double step = k % 50 == 49 ? 0.3 : 0.005;
+    for (int s = 0; s < kShapes; ++s) {
+      const Capsule before = field.placed[at(s)];
+      Eigen::Isometry3d pose = Eigen::Translation3d(step * field.point()) * field.pose[at(s)] *
+                               Eigen::AngleAxisd(step, field.point().normalized());
+      if (pose.translation().norm() > 0.4) pose.translation() *= 0.9;
+      if (s >= kKeeping && k % 10 == 0) pose.translation() = 0.4 * field.point();
+      field.place(s, pose, Vector3d::Zero());
+      const Capsule& now = field.placed[at(s)];
+      field.shapes.walk(s, std::max((now.a - before.a).norm(), (now.b - before.b).norm()));
+      travel[at(s)] = s % 4 == 0 ? 0.0 : 0.03 * std::abs(field.point().x());
+      field.shapes.let_move(s, travel[at(s)]);
+    }
+    const auto found = field.shapes.nearer_than(kReach, kThen, true);
+    listed += static_cast<long>(found.size());
+    if (k % 20 != 10) continue;
+    std::size_t next = 0;
+    for (int a = 0; a < kShapes; ++a) {
+      for (int b = a + 1; b < kShapes; ++b) {
+        if ((a + b) % 3 == 0) continue;
+        const double true_distance = distance(field.placed[at(a)], field.placed[at(b)]);
+        const bool here = next < found.size() && found[next].a == a && found[next].b == b;
+        if (true_distance <= std::max(kReach, kThen + travel[at(a)] + travel[at(b)])) {
+          ++near;
+          EXPECT_TRUE(here) << k << ": " << a << " " << b << " are " << true_distance;
+        }
+        if (here) {
+          EXPECT_LE(static_cast<double>(found[next].bound), true_distance);
+        }
+        next += here ? 1 : 0;
+        if (a % 2 == 0) field.shapes.know(a, b, true_distance - 1e-5);
+        ++looked_at;
+      }
+    }
+    EXPECT_EQ(next, found.size());
+  }
+  EXPECT_GT(near, 500);
+  EXPECT_LT(listed, looked_at * 20 / 3);  // most are parted by what is kept
+}
+
 TEST(NearShapes, AllocatesNothing) {
   Field field(7, Vector3d::Zero());
   for (int a = 0; a < kShapes; ++a) {
@@ -115,7 +170,12 @@ TEST(NearShapes, AllocatesNothing) {
   }
   const NoAlloc no_alloc;
   field.shapes.place(3, Eigen::Isometry3d::Identity(), Vector3d::Zero());
+  field.shapes.keep(kShapes);
   EXPECT_GT(field.shapes.nearer_than(1.0).size(), 0U);
+  for (int k = 0; k < 3; ++k) {
+    field.shapes.walk(3, 3.0);  // so far that it counts anew
+    EXPECT_GT(field.shapes.nearer_than(1.0, 0.0, true).size(), 0U);
+  }
   EXPECT_EQ(no_alloc.count(), 0);
 }
 
