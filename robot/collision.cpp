@@ -56,7 +56,7 @@ Collision::Impl::Impl(const Model& robot)
   gap.asks_fcl = by_fcl(robot);
   reach.emplace(robot, link_radius);
   swept.emplace(robot, *reach);
-  moves_to.resize(robot.links.size());
+  travel_to.assign(robot.links.size(), 0.0);
   walked_to = step = Eigen::VectorXd::Zero(robot.joint_count());
   build_pairs();
 }
@@ -90,11 +90,13 @@ void Collision::Impl::build_shapes() {
   std::vector<Capsule> capsules;
   std::vector<SweptShapes::Part> parts;
   std::vector<int> first;  // shape of every owner
+  link_of_shape.clear();
   std::size_t wanted = 0;
   for (int o = 0; o < static_cast<int>(owners.size()); ++o) {
     first.push_back(static_cast<int>(shapes.size()));
     for (int s = 0; s < static_cast<int>(owner(o).shapes.size()); ++s) {
       shapes.push_back({o, s});
+      if (owner(o).link >= 0) link_of_shape.push_back(owner(o).link);
       const Body& body = owner(o).shapes[static_cast<std::size_t>(s)];
       Capsule capsule = body.capsule;  // of the link
       capsule.a = body.local * capsule.a;
@@ -104,6 +106,7 @@ void Collision::Impl::build_shapes() {
                        body.convex.kind == ShapeKind::kMesh ? &body.core : nullptr, body.local});
     }
   }
+  link_shapes = link_of_shape.size();
   near_shapes.set(capsules);
   swept->set(parts);
   open_pairs.assign(shapes.size() * shapes.size() / 2, 0);
@@ -145,13 +148,11 @@ void Collision::Impl::look_at(const Kinematics& posture) noexcept {
 }
 
 void Collision::Impl::place() noexcept {
-  const Isometry3d still = Isometry3d::Identity();
   const Vector3d& origin = kinematics->link_in_world(0).translation();
-  for (std::size_t s = 0; s < shapes.size(); ++s) {
-    const int link = owner(shapes[s].owner).link;
-    near_shapes.place(static_cast<int>(s), link >= 0 ? kinematics->link_in_world(link) : still,
-                      origin);
-  }
+  for (std::size_t s = 0; s < link_shapes; ++s)
+    near_shapes.place(static_cast<int>(s), kinematics->link_in_world(link_of_shape[s]), origin);
+  for (std::size_t s = link_shapes; s < shapes.size(); ++s)
+    near_shapes.place(static_cast<int>(s), Isometry3d::Identity(), origin);
 }
 
 const Isometry3d& Collision::Impl::placed(const Owner& owner, Body& body) noexcept {

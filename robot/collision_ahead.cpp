@@ -43,28 +43,16 @@ int next_place(const Collision::OnWay& pair) noexcept {
 
 }  // namespace
 
-// Seen from link 0; the sum over the joints of moves x reach is (radius + length) times one sum, less
-// another (joint_reach.h).
+// Seen from link 0.
 void Collision::Impl::let_joints_move(const Eigen::VectorXd& moves) noexcept {
-  for (int link = 1; link < link_count; ++link) {
-    const double move = moves[link - 1];
-    const bool slides = model->joints[at(link - 1)].kind == JointKind::kPrismatic;
-    Moves& of = moves_to[at(link)];
-    of = moves_to[at(model->links[at(link)].parent)];
-    of.sum += slides ? 0.0 : move;
-    of.less += slides ? -move : move * reach->length(link);
-  }
-  for (std::size_t s = 0; s < shapes.size(); ++s) {
-    const int link = link_of(static_cast<int>(s));
-    if (link <= 0) continue;
-    const Moves& of = moves_to[at(link)];
-    travel_of[s] = (reach->radius(link) + reach->length(link)) * of.sum - of.less + kFine;
-  }
+  reach->from_base(moves, travel_to);
+  for (std::size_t s = 0; s < link_shapes; ++s)
+    travel_of[s] = travel_to[at(link_of_shape[s])] + kFine;
 }
 
 void Collision::Impl::let_shapes_move(const Ahead& moved) noexcept {
   let_joints_move(moved.moves);
-  for (std::size_t s = 0; s < shapes.size(); ++s)
+  for (std::size_t s = 0; s < link_shapes; ++s)
     near_shapes.let_move(static_cast<int>(s), travel_of[s]);
 }
 
@@ -75,12 +63,10 @@ void Collision::Impl::walk_on(const Ahead& to) noexcept {
   if (from_before && walks) {
     step = (to.q - walked_to).cwiseAbs();
     let_joints_move(step);
-    for (std::size_t s = 0; s < shapes.size(); ++s)
+    for (std::size_t s = 0; s < link_shapes; ++s)
       near_shapes.walk(static_cast<int>(s), travel_of[s]);
   } else if (walks) {
-    const auto first_obstacle = std::find_if(
-        shapes.begin(), shapes.end(), [&](const FlatShape& s) { return s.owner >= link_owners; });
-    near_shapes.keep(static_cast<int>(first_obstacle - shapes.begin()));
+    near_shapes.keep(static_cast<int>(link_shapes));
   }
   if (walks) walked_to = to.q;
   directions_left = kDirections;

@@ -64,11 +64,9 @@ struct Collision::Impl {
   std::span<const NearShapes::Candidate> looked_at;  // what it left last
   std::vector<int> open_pairs;                       // room
   std::vector<NearShapes::Candidate*> by_bound;      // room
-  struct Moves {                                     // of the joints on the way to a link
-    double sum = 0.0, less = 0.0;
-  };
-  std::vector<Moves> moves_to;    // [link_count]
-  std::vector<double> travel_of;  // of shapes, seen from link 0 [m]
+  std::size_t link_shapes = 0;                       // shapes of links: before those of obstacles
+  std::vector<int> link_of_shape;                    // [link_shapes]
+  std::vector<double> travel_to, travel_of;          // of links, of shapes, seen from link 0 [m]
   std::vector<int> only_joints;
   std::optional<JointReach> reach;
   std::optional<SweptShapes> swept;

@@ -16,7 +16,8 @@ JointReach::JointReach(const Model& model, const std::vector<double>& radius)
     : joints_(model.joint_count()),
       reach_(model.links.size() * model.joints.size(), 0.0),
       radius_(radius),
-      length_(model.links.size(), 0.0) {
+      length_(model.links.size(), 0.0),
+      sums_(model.links.size()) {
   for (const Link& link : model.links) parent_.push_back(link.parent);
   for (const Joint& joint : model.joints)
     slides_.push_back(joint.kind == JointKind::kPrismatic ? 1 : 0);
@@ -67,6 +68,22 @@ double JointReach::between(int link_a, int link_b, const Eigen::VectorXd& moves)
   double sum = 0.0;
   climb(link_a, link_b, [&](int joint, double reach, int) { sum += moves[joint] * reach; });
   return sum;
+}
+
+// The sum of moves x reach is the length to the end of the link times one sum over the joints, less another.
+void JointReach::from_base(const Eigen::VectorXd& moves, std::vector<double>& of_links) noexcept {
+  const double* move = moves.data();
+  for (std::size_t link = 1; link < sums_.size(); ++link, ++move) {
+    Sums& sums = sums_[link];
+    sums = sums_[at(parent_[link])];
+    if (slides_[link - 1] != 0) {
+      sums.less -= *move;
+    } else {
+      sums.turned += *move;
+      sums.less += *move * length_[link];
+    }
+    of_links[link] = (radius_[link] + length_[link]) * sums.turned - sums.less;
+  }
 }
 
 double JointReach::along(const Eigen::Vector3d& n, const Kinematics& kinematics, int link_a,

@@ -38,6 +38,8 @@ class JointReach {
   // By how much two links can come nearer when no joint moves farther than `moves` [joint_count,
   // rad or m, not negative] [m].  Link 0 and obstacles (link < 0) stand still.
   double between(int link_a, int link_b, const Eigen::VectorXd& moves) const noexcept;
+  // The same of every link and link 0, all at once [link_count].
+  void from_base(const Eigen::VectorXd& moves, std::vector<double>& of_links) noexcept;
   // The same along n alone (world, unit), from where the links are.
   double along(const Eigen::Vector3d& n, const Kinematics& kinematics, int link_a, int link_b,
                const Eigen::VectorXd& moves) const noexcept;
@@ -52,6 +54,10 @@ class JointReach {
   std::vector<double> reach_;   // [link_count x joint_count, m/rad or m/m]
   std::vector<double> radius_;  // [link_count, m]
   std::vector<double> length_;  // of the stretched chain to a link [link_count, m]
+  struct Sums {                 // over the joints to a link
+    double turned = 0.0, less = 0.0;
+  };
+  std::vector<Sums> sums_;  // [link_count]
 };
 
 }  // namespace twinbus

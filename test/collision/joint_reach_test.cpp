@@ -97,5 +97,18 @@ TEST(JointReach, WhatMovesBothOrNeitherDoesNotCount) {
   }
 }
 
+// Some joints turn, some slide.
+TEST(JointReach, WhatIsSaidOfAllLinksAtOnceIsWhatIsSaidOfEach) {
+  Model model = hrp1s();
+  for (std::size_t j = 0; j < model.joints.size(); j += 3)
+    model.joints[j].kind = JointKind::kPrismatic;
+  JointReach reach(model, std::vector<double>(model.links.size(), kRadius));
+  std::vector<double> of_links(model.links.size(), 0.0);
+  const Eigen::VectorXd moves = Eigen::VectorXd::LinSpaced(model.joint_count(), 0.1, 1.0);
+  reach.from_base(moves, of_links);
+  for (int link = 0; link < model.link_count(); ++link)
+    EXPECT_NEAR(of_links[at(link)], reach.between(0, link, moves), 1e-12) << link;
+}
+
 }  // namespace
 }  // namespace twinbus
