@@ -279,28 +279,27 @@ void Collision::Impl::know(NearShapes::Candidate& candidate, double at_least) no
   near_shapes.know(candidate.a, candidate.b, at_least);
 }
 
-// Of these candidates the pairs that are nearer than `near`, nearest first; how many.  Those that may be
-// nearest are looked at first; once there are enough, only what is nearer than them,
-// or than `all`, not below zero: bounds say nothing about depths.
+// Of these candidates the pairs that are nearer than `near`, nearest first; how many.  Once there are
+// `enough`, only what is nearer than them or than `all`: so those that may be nearest are looked at first.
+// Of what may touch the order is kept, as bounds say nothing about depths.
 int Collision::Impl::nearest(std::span<NearShapes::Candidate> candidates, double near, int enough,
                              double all, PairDistance* found_pairs, int capacity) noexcept {
-  const auto later = [](const NearShapes::Candidate* x, const NearShapes::Candidate* y) {
+  const auto sooner = [](const NearShapes::Candidate* x, const NearShapes::Candidate* y) {
     const float here = std::max(x->bound, 0.0F), there = std::max(y->bound, 0.0F);
-    return here > there || (!(here < there) && x > y);
+    return here < there || (!(here > there) && x < y);
   };
   const auto first = by_bound.begin();
   auto end = first;
   for (NearShapes::Candidate& candidate : candidates) {
     if (static_cast<double>(candidate.bound) <= near) *end++ = &candidate;
   }
-  std::make_heap(first, end, later);
+  if (enough < capacity) std::sort(first, end, sooner);
   int kept = 0;
-  for (; end != first; --end) {
-    std::pop_heap(first, end, later);
-    NearShapes::Candidate& candidate = **(end - 1);
+  for (auto next = first; next != end; ++next) {
+    NearShapes::Candidate& candidate = **next;
     const double wanted =
         kept < enough ? near : std::clamp(found_pairs[enough - 1].distance, all, near);
-    if (static_cast<double>(candidate.bound) > wanted) break;
+    if (static_cast<double>(candidate.bound) > wanted) continue;
     int index = 0;
     const OwnerPair& links = pair_of_shapes(candidate, index);
     const int link_a = index_of(owner(links.a)), link_b = index_of(owner(links.b));
