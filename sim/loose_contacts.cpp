@@ -60,6 +60,7 @@ LooseContacts::LooseContacts(const Model& model, const WorldConfig& config)
   loose_ = pieces_.size();
   if (active()) add_robot(model, config, 0);
   for (const OtherRobot& robot : config.robots) add_robot(*robot.model, config, ++system);
+  alone_.assign(apart_.size(), 0);
   moving_ = pieces_.size();
   const auto add_fixed = [&](const Obstacle& obstacle, bool tile) {
     if (obstacle.shape == ObstacleShape::kNone || loose_ == 0) return;
@@ -79,6 +80,7 @@ LooseContacts::LooseContacts(const Model& model, const WorldConfig& config)
   }
   for (std::size_t i = 0; i < pieces_.size(); ++i)
     spans_.push_back({0.0, 0.0, static_cast<int>(i)});
+  near_.reserve(spans_.size());
   const std::size_t robots = 1 + config.robots.size();
   const std::size_t most = active() ? robots * kMostContacts + loose_ * kMostLooseContacts : 0;
   memory_.reserve(most);
@@ -88,6 +90,7 @@ LooseContacts::LooseContacts(const Model& model, const WorldConfig& config)
 void LooseContacts::add_robot(const Model& model, const WorldConfig& config, int system) {
   const double scale = system == 0 ? config.stiffness_scale : 1.0;
   const double damping_scale = system == 0 ? config.damping_scale : 1.0;
+  Outline outline{.system = system, .first = pieces_.size(), .end = 0, .box = {}};
   for (std::size_t side = 0; side < 2; ++side) {
     const Sole& sole = model.soles[side];
     if (sole.link < 0) continue;
@@ -133,6 +136,8 @@ void LooseContacts::add_robot(const Model& model, const WorldConfig& config, int
     }
   }
   if (self_contact_) apart_[at(system)] = LinkPairs(model);
+  outline.end = pieces_.size();
+  robots_.push_back(outline);
 }
 
 // Of a foot only what is above its sole: near it, it touches with the sole's corners.
@@ -212,11 +217,17 @@ void LooseContacts::find(const std::vector<ArticulatedBody*>& systems, double h,
     const Piece& own = pieces_[i];
     if (own.center.z() < own.radius + reach_of(own.speed, h)) meet_ground(own, search);
   }
+  find_alone(h);
   sort_spans(h);
-  for (std::size_t a = 0; a < spans_.size(); ++a) {
-    for (std::size_t b = a + 1; b < spans_.size() && spans_[b].from <= spans_[a].to; ++b) {
-      const std::size_t i = at(std::min(spans_[a].piece, spans_[b].piece));
-      const std::size_t j = at(std::max(spans_[a].piece, spans_[b].piece));
+  near_.clear();
+  for (const Span& span : spans_) {
+    const int system = pieces_[at(span.piece)].system;
+    if (system < 0 || alone_[at(system)] == 0) near_.push_back(span);
+  }
+  for (std::size_t a = 0; a < near_.size(); ++a) {
+    for (std::size_t b = a + 1; b < near_.size() && near_[b].from <= near_[a].to; ++b) {
+      const std::size_t i = at(std::min(near_[a].piece, near_[b].piece));
+      const std::size_t j = at(std::max(near_[a].piece, near_[b].piece));
       if (!may_meet(i, j) || !near(pieces_[i], pieces_[j], h)) continue;
       if (pieces_[i].only_mesh || pieces_[j].only_mesh) {
         meet_mesh(i, static_cast<int>(j), search);
@@ -225,6 +236,28 @@ void LooseContacts::find(const std::vector<ArticulatedBody*>& systems, double h,
       if (pieces_[j].solid_too) meet(pieces_[i], j, false, search);
       if (!pieces_[j].probes.empty()) meet(pieces_[j], i, pieces_[j].system < 0, search);
     }
+  }
+}
+
+void LooseContacts::find_alone(double h) noexcept {
+  const auto reach = [&](const Piece& piece) { return piece.radius + reach_of(piece.speed, h); };
+  for (Outline& robot : robots_) {
+    robot.box.setEmpty();
+    for (std::size_t i = robot.first; i < robot.end; ++i) {
+      const Eigen::Vector3d half = Eigen::Vector3d::Constant(reach(pieces_[i]));
+      robot.box.extend(pieces_[i].center - half);
+      robot.box.extend(pieces_[i].center + half);
+    }
+  }
+  for (const Outline& robot : robots_) {
+    bool alone = !self_contact_;
+    for (const Outline& other : robots_) {
+      if (&other != &robot && other.box.intersects(robot.box)) alone = false;
+    }
+    for (std::size_t i = 0; alone && i < loose_; ++i) {
+      alone = robot.box.exteriorDistance(pieces_[i].center) > reach(pieces_[i]);
+    }
+    alone_[at(robot.system)] = alone ? 1 : 0;
   }
 }
 

@@ -9,6 +9,7 @@
 
 #pragma once
 
+#include <Eigen/Geometry>
 #include <memory>
 #include <vector>
 
@@ -75,6 +76,12 @@ class LooseContacts {
     double from, to;
     int piece;
   };
+  // The pieces of a robot, and a box that none of them leaves in a step.
+  struct Outline {
+    int system = 0;
+    std::size_t first = 0, end = 0;
+    Eigen::AlignedBox3d box;
+  };
   struct Search {
     const std::vector<ArticulatedBody*>& systems;
     double h;
@@ -88,6 +95,8 @@ class LooseContacts {
   bool may_meet(std::size_t a, std::size_t b) const noexcept;
   void add(Piece piece);
   void sort_spans(double h) noexcept;
+  // Which robots have nothing near them.
+  void find_alone(double h) noexcept;
   void place(Piece& piece, const std::vector<ArticulatedBody*>& systems) noexcept;
   bool near(const Piece& a, const Piece& b, double h) const noexcept;
   void meet_ground(const Piece& piece, Search& search) noexcept;
@@ -104,7 +113,10 @@ class LooseContacts {
 
   std::vector<Piece> pieces_;  // the loose bodies, the robot's, the fixed ones
   std::vector<Span> spans_;    // of all pieces, by where they begin
+  std::vector<Span> near_;     // of these, but for robots that are alone
   std::size_t loose_ = 0, moving_ = 0;
+  std::vector<Outline> robots_;
+  std::vector<char> alone_;  // by system
   bool robots_meet_ = false, self_contact_ = false;
   std::vector<LinkPairs> apart_;  // by system
   ContactParams ground_;
