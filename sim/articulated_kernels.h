@@ -11,6 +11,7 @@
 #include "robot/dynamics.h"
 #include "robot/vec4.h"
 #include "sim/articulated_body.h"
+#include "sim/rigid_links.h"
 
 namespace twinbus {
 
@@ -23,6 +24,7 @@ namespace baseline {
 #include "sim/articulated_placing.h"
 #include "sim/articulated_momentum.h"
 #include "sim/articulated_sweeps.h"
+#include "sim/inverse_lanes.h"
 }  // namespace baseline
 #if defined(__x86_64__) && !defined(__clang__)
 #pragma GCC push_options
@@ -34,6 +36,7 @@ namespace avx2 {
 #include "sim/articulated_placing.h"
 #include "sim/articulated_momentum.h"
 #include "sim/articulated_sweeps.h"
+#include "sim/inverse_lanes.h"
 }  // namespace avx2
 #pragma GCC target("avx512f,avx512vl,avx512dq,fma")
 namespace avx512 {
@@ -43,6 +46,7 @@ namespace avx512 {
 #include "sim/articulated_placing.h"
 #include "sim/articulated_momentum.h"
 #include "sim/articulated_sweeps.h"
+#include "sim/inverse_lanes.h"
 }  // namespace avx512
 #pragma GCC pop_options
 #define TWINBUS_KERNEL(call) \

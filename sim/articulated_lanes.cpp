@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "robot/index.h"
 #include "robot/vec4.h"
@@ -133,13 +134,20 @@ std::vector<Rank> side_by_side(const std::vector<int>& parent, int lanes) {
   return ranks;
 }
 
+// In order of depth: links that follow one another seldom wait for one another.
 std::vector<Rank> copies_side_by_side(const std::vector<int>& parent, int lanes) {
+  std::vector<int> depth(parent.size(), 0), order(parent.size()), rank_of(parent.size());
+  for (std::size_t i = 1; i < parent.size(); ++i) depth[i] = depth[at(parent[i])] + 1;
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return depth[at(a)] < depth[at(b)]; });
   std::vector<Rank> ranks(parent.size());
   for (std::size_t r = 0; r < ranks.size(); ++r) {
-    std::fill_n(ranks[r].link, lanes, static_cast<int>(r));
+    const int link = order[r];
+    rank_of[at(link)] = static_cast<int>(r);
+    std::fill_n(ranks[r].link, lanes, link);
     if (r == 0) continue;
-    ranks[r].parents = parent[r];
-    for (int lane = 0; lane < lanes; ++lane) ranks[r].parent[lane] = parent[r] * lanes + lane;
+    ranks[r].parents = rank_of[at(parent[at(link)])];
+    for (int lane = 0; lane < lanes; ++lane) ranks[r].parent[lane] = ranks[r].parents * lanes + lane;
   }
   share_folded(ranks, lanes);
   return ranks;
