@@ -5,6 +5,7 @@
     arrows_test.py FOLDER     checks another one (the test of this test does)
 """
 
+import os
 import pathlib
 import re
 import subprocess
@@ -53,6 +54,8 @@ INCLUDE = re.compile(r'^\s*#\s*include\s+([<"])([^>"]+)[>"]', re.MULTILINE)
 CODE = {".h", ".cpp", ".c", ".cc", ".hpp"}
 TEXT = CODE | {".py", ".sh", ".yaml", ".yml", ".txt", ".md", ".cmake", ".json", ".lcm", ".java", ".urdf", ".srdf", ".nft", ""}
 
+STARTED = re.compile(r"test/bench/(bench|chart)_\w+\.py")  # by ./twinbus bench and chart
+
 
 def files_of(root):
     """Tracked files and those that could be; without git, everything outside build folders."""
@@ -98,6 +101,8 @@ def check(root):
     for file in files_of(root):
         path = root / file
         suffix = path.suffix
+        if STARTED.fullmatch(file) and not os.access(path, os.X_OK):
+            problems.append(f"{file}: the launcher starts it, so it must be executable: chmod +x")
         if suffix not in TEXT or "package-lock" in file or "/web/" in file:
             continue
         try:
