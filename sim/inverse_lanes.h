@@ -59,21 +59,6 @@ struct AnyHinge {
 };
 
 template <class L>
-TWINBUS_INLINE Three<L> times(const Symmetric3<double>& m, const Three<L>& v) {
-  return {m.xx * v.x + m.xy * v.y + m.xz * v.z, m.xy * v.x + m.yy * v.y + m.yz * v.z,
-          m.xz * v.x + m.yz * v.y + m.zz * v.z};
-}
-template <class L>
-TWINBUS_INLINE Three<L> times(const Columns3<L>& m, const Three<double>& v) {
-  return {m.x.x * v.x + m.y.x * v.y + m.z.x * v.z, m.x.y * v.x + m.y.y * v.y + m.z.y * v.z,
-          m.x.z * v.x + m.y.z * v.y + m.z.z * v.z};
-}
-template <class L>
-TWINBUS_INLINE Three<L> cross(const Three<double>& a, const Three<L>& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-template <class L>
 TWINBUS_INLINE L lane_of(const double* numbers, std::size_t column) {
   L value;
   std::memcpy(&value, numbers + column * (sizeof(L) / sizeof(double)), sizeof value);

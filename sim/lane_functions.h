@@ -38,8 +38,9 @@ template <class L>
 TWINBUS_INLINE L dot(const Three<L>& a, const Three<L>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
-template <class L>
-TWINBUS_INLINE Three<L> cross(const Three<L>& a, const Three<L>& b) {
+// A, M and V: of lanes too, or of numbers that are the same in all of them.
+template <class A, class L>
+TWINBUS_INLINE Three<L> cross(const Three<A>& a, const Three<L>& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
@@ -56,8 +57,8 @@ TWINBUS_INLINE L dot(const Six<L>& a, const Six<L>& b) {
   return dot(a.w, b.w) + dot(a.v, b.v);
 }
 
-template <class L>
-TWINBUS_INLINE Three<L> times(const Columns3<L>& m, const Three<L>& v) {
+template <class L, class V>
+TWINBUS_INLINE Three<L> times(const Columns3<L>& m, const Three<V>& v) {
   return {m.x.x * v.x + m.y.x * v.y + m.z.x * v.z, m.x.y * v.x + m.y.y * v.y + m.z.y * v.z,
           m.x.z * v.x + m.y.z * v.y + m.z.z * v.z};
 }
@@ -69,8 +70,8 @@ template <class L>
 TWINBUS_INLINE Three<L> times_transposed(const Columns3<L>& m, const Three<L>& v) {
   return {dot(m.x, v), dot(m.y, v), dot(m.z, v)};
 }
-template <class L>
-TWINBUS_INLINE Three<L> times(const Symmetric3<L>& m, const Three<L>& v) {
+template <class M, class L>
+TWINBUS_INLINE Three<L> times(const Symmetric3<M>& m, const Three<L>& v) {
   return {m.xx * v.x + m.xy * v.y + m.xz * v.z, m.xy * v.x + m.yy * v.y + m.yz * v.z,
           m.xz * v.x + m.yz * v.y + m.zz * v.z};
 }
