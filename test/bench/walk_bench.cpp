@@ -8,11 +8,11 @@
 // fell, a stop took more than 1.5 steps or the guard (--guard) asked for a stop.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <numeric>
 #include <string>
 #include <vector>
 
@@ -20,6 +20,7 @@
 #include "robot/load.h"
 #include "robot/process.h"
 #include "sim/scene_seed.h"
+#include "test/bench/core_alone.h"
 #include "test/control/hrp1s.h"
 #include "test/control/sim_rig.h"
 
@@ -220,27 +221,19 @@ int patterns(const Bench& given) {
 }
 
 constexpr int kTimedTicks = 4000;
-constexpr int kWalks = 9;  // the same walk: what a tick costs itself is the least of its times
+constexpr int kWalks = 9;
 
-// Work that is the same every time: its spread is the machine's.
-std::uint64_t same_work(int steps) {
-  std::uint64_t x = 88172645463325252U;
-  for (int i = 0; i < steps; ++i) {
-    x ^= x << 13U;
-    x ^= x >> 7U;
-    x ^= x << 17U;
-  }
-  return x;
-}
-
-// Of every tick of a walk [us].
+// Of every tick of all walks.
 struct Times {
-  std::vector<double> control, engine, pattern, same;
+  test::SharedTimes control, engine, pattern, same;
+  test::SharedTimes loop;  // control and engine together
 };
+
+double us_since(std::int64_t then) { return 1e-3 * static_cast<double>(monotonic_ns() - then); }
 
 // One tick of the control loop while the simulated robot walks at a physics step of 1 ms, what the engine takes, the
 // pattern generator alone, and work that is the same every time.  False when the robot fell.
-bool walk_timed(const Bench& bench, int same_steps, Times& times) {
+bool walk_timed(const Bench& bench, int same_rounds, test::CoreAlone& core, Times& times) {
   Scene scene = scene_of(bench);
   scene.step = 0.001;
   Walker robot(bench, scene, {});
@@ -254,82 +247,75 @@ bool walk_timed(const Bench& bench, int same_steps, Times& times) {
   command.run_id = state.run_id;
   command.vx = static_cast<float>(bench.speed);
   command.timeout = 0.1F;
-  std::uint64_t sink = 0;
-  const auto us_of = [](const auto& call) {
-    const std::int64_t then = monotonic_ns();
-    call();
-    return 1e-3 * static_cast<double>(monotonic_ns() - then);
-  };
   for (std::int64_t i = robot.ticks(); i < robot.ticks() + kTimedTicks; ++i) {
-    Status read = Status::kOk, written = Status::kOk;
-    const double reading = us_of([&] { read = robot.sim().read(state, 0.0); });
+    std::array<bool, 6> alone{core.alone()};
+    std::int64_t then = monotonic_ns();
+    const Status read = robot.sim().read(state, 0.0);
+    const double reading = us_since(then);
     state.tick = i;
     state.time_ns = i * bench.model.period_ns;
     if (i % 10 == 0) robot.loop().on_walk_command(command, state.time_ns);
-    times.control.push_back(us_of([&] {
-      robot.loop().on_state(state, state.time_ns);
-      (void)robot.loop().step(state.time_ns, answer);
-    }));
-    times.engine.push_back(reading + us_of([&] { written = robot.sim().write(answer); }));
+    alone[1] = core.alone();
+    then = monotonic_ns();
+    robot.loop().on_state(state, state.time_ns);
+    (void)robot.loop().step(state.time_ns, answer);
+    const double control = us_since(then);
+    alone[2] = core.alone();
+    then = monotonic_ns();
+    const Status written = robot.sim().write(answer);
+    const double engine = reading + us_since(then);
+    alone[3] = core.alone();
     if (read != Status::kOk || written != Status::kOk) return false;
-    times.pattern.push_back(us_of([&] {
-      pattern.advance({true, true}, {pattern.foot(0), pattern.foot(1)}, bench.model.period());
-      pattern.plan(pattern.dcm(), 3.7);
-    }));
-    times.same.push_back(us_of([&] { sink ^= same_work(same_steps); }));
+    then = monotonic_ns();
+    pattern.advance({true, true}, {pattern.foot(0), pattern.foot(1)}, bench.model.period());
+    pattern.plan(pattern.dcm(), 3.7);
+    const double planning = us_since(then);
+    alone[4] = core.alone();
+    then = monotonic_ns();
+    test::CoreAlone::burst(same_rounds);
+    const double same = us_since(then);
+    alone[5] = core.alone();
+
+    const bool all = alone[0] && alone[1] && alone[2] && alone[3];
+    times.control.add(control, alone[1] && alone[2]);
+    times.engine.add(engine, all);
+    times.loop.add(control + engine, all);
+    times.pattern.add(planning, alone[3] && alone[4]);
+    times.same.add(same, alone[4] && alone[5]);
   }
-  return sink != 1;
+  return true;
 }
 
-double share_of(std::vector<double> us, double share) {
-  std::sort(us.begin(), us.end());
-  return us[static_cast<std::size_t>(share * static_cast<double>(us.size() - 1))];
+void print_times(const char* name, const test::SharedTimes& times) {
+  const double median = times.all(0.5), tail = times.all(0.99);
+  const double own = times.alone(0.5), own_tail = times.alone(0.99);
+  std::printf("  %-38s %6.1f %6.1f (%.2fx) %8.1f   %6.1f %6.1f (%.2fx) %8.1f %5.0f %%\n", name,
+              median, tail, tail / median, times.all(1.0), own, own_tail, own_tail / own,
+              times.alone(1.0), 100.0 * times.share_alone());
 }
 
-// All times, and their spread when every tick of the same walk counts with the least of its times.
-void print_times(const char* name, const std::vector<std::vector<double>>& walks) {
-  std::vector<double> all, least = walks.front();
-  for (const std::vector<double>& walk : walks) {
-    all.insert(all.end(), walk.begin(), walk.end());
-    for (std::size_t i = 0; i < walk.size(); ++i) least[i] = std::min(least[i], walk[i]);
-  }
-  const double median = share_of(all, 0.5), own = share_of(least, 0.5);
-  const double tail = share_of(all, 0.99), own_tail = share_of(least, 0.99);
-  std::printf("%-38s median %5.1f us, 99 %% %5.1f us (%.2fx), worst %6.1f us;", name, median, tail,
-              tail / median, share_of(all, 1.0));
-  std::printf(" least of every tick: %5.1f, %5.1f (%.2fx), %5.1f us\n", own, own_tail,
-              own_tail / own, share_of(least, 1.0));
-}
-
-// The same walk many times over: what the machine adds to a tick, it does not add to the same tick every time.
 void time_ticks(const Bench& given, bool guard) {
   Bench bench = given;
   bench.guard = guard;
-  Times first;
-  if (!walk_timed(bench, 1000, first)) return;
-  const int same_steps = static_cast<int>(
-      std::lround(1e3 * share_of(first.control, 0.5) / std::max(0.1, share_of(first.same, 0.5))));
-  std::vector<std::vector<double>> control, engine, pattern, same;
-  std::vector<double> speed;
+  test::CoreAlone core;
+  Times first, times;
+  constexpr int kFirstRounds = 1000;
+  if (!walk_timed(bench, kFirstRounds, core, first)) return;
+  const int same_rounds = static_cast<int>(
+      std::lround(kFirstRounds * first.control.all(0.5) / std::max(0.1, first.same.all(0.5))));
   for (int walk = 0; walk < kWalks; ++walk) {
-    Times times;
-    if (!walk_timed(bench, same_steps, times)) return;
-    const double both = std::accumulate(times.control.begin(), times.control.end(), 0.0) +
-                        std::accumulate(times.engine.begin(), times.engine.end(), 0.0);
-    speed.push_back(1e6 * bench.model.period() * kTimedTicks / both);
-    control.push_back(std::move(times.control));
-    engine.push_back(std::move(times.engine));
-    pattern.push_back(std::move(times.pattern));
-    same.push_back(std::move(times.same));
+    if (!walk_timed(bench, same_rounds, core, times)) return;
   }
-  std::printf("walking %s guard, the same %d ticks %d times:\n", guard ? "with" : "without",
-              kTimedTicks, kWalks);
-  print_times("control tick", control);
-  print_times("as much work that is always the same", same);
-  if (!guard) print_times("pattern generator alone", pattern);
-  print_times("engine and sensors, two steps of 1 ms", engine);
-  std::printf("whole loop, physics at 1 ms: median %.0f times real time, most %.0f, least %.0f\n",
-              share_of(speed, 0.5), share_of(speed, 1.0), share_of(speed, 0.0));
+  std::printf("walking %s guard, %d ticks [us]\n  %-38s %-31s   %s\n", guard ? "with" : "without",
+              kTimedTicks * kWalks, "", "all: median   99 %    worst",
+              "core alone: median   99 %   worst, share");
+  print_times("control tick", times.control);
+  print_times("as many additions in registers", times.same);
+  if (!guard) print_times("pattern generator alone", times.pattern);
+  print_times("engine and sensors, two steps of 1 ms", times.engine);
+  const double tick_us = 1e6 * bench.model.period();
+  std::printf("  whole loop: %.0f times real time, core alone %.0f\n", tick_us / times.loop.mean(),
+              tick_us / times.loop.mean_alone());
 }
 
 int run(int argc, char** argv) {

@@ -1,0 +1,85 @@
+// Whether timed work had its core to itself.
+//
+// Two hardware threads share the execution ports of one core.  When the other one works for somebody else (another
+// guest of the same host), code with many independent instructions takes 1.5 to 2.4 times as long; a chain of dependent
+// ones takes as long as ever.  A guest sees no counter of that, but a short loop of independent additions, timed right
+// before and right after the work, does: it touches no memory and takes either one time or more than twice that time.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <vector>
+
+#include "robot/process.h"
+
+namespace twinbus::test {
+
+class CoreAlone {
+ public:
+  // Learns in 2,000 bursts (2 to 5 ms) how long one takes at least.
+  CoreAlone() {
+    for (int i = 0; i < 2000; ++i) (void)alone();
+  }
+
+  // One burst of about a microsecond: whether nobody shared the core in it.
+  [[nodiscard]] bool alone() {
+    const std::int64_t then = monotonic_ns();
+    burst(kRounds);
+    const std::int64_t took = monotonic_ns() - then;
+    least_ns_ = std::min(least_ns_, took);
+    return static_cast<double>(took) < kAlone * static_cast<double>(least_ns_);
+  }
+
+  // Additions that do not wait for one another: work that takes the same time whenever the core is alone.
+  static void burst(int rounds) {
+    std::array<std::uint64_t, 8> sums{1, 2, 3, 4, 5, 6, 7, 8};
+    for (int i = 0; i < rounds; ++i) {
+      for (std::uint64_t& sum : sums) {
+        sum += 3;
+        asm volatile("" : "+r"(sum));  // stays an addition in a register
+      }
+    }
+  }
+
+ private:
+  static constexpr int kRounds = 200;
+  static constexpr double kAlone = 1.3;
+  std::int64_t least_ns_ = std::numeric_limits<std::int64_t>::max();
+};
+
+// Times of the same kind of work [us], and which of them had the core alone.
+class SharedTimes {
+ public:
+  void add(double us, bool alone) {
+    all_.push_back(us);
+    if (alone) alone_.push_back(us);
+  }
+  // At `share` (0 to 1) of all times in order; 0 when there are none.
+  [[nodiscard]] double all(double share) const { return at(all_, share); }
+  [[nodiscard]] double alone(double share) const { return at(alone_, share); }
+  [[nodiscard]] double mean() const { return mean_of(all_); }
+  [[nodiscard]] double mean_alone() const { return mean_of(alone_); }
+  [[nodiscard]] double share_alone() const {
+    return all_.empty() ? 0.0
+                        : static_cast<double>(alone_.size()) / static_cast<double>(all_.size());
+  }
+
+ private:
+  static double at(std::vector<double> us, double share) {
+    if (us.empty()) return 0.0;
+    const auto nth =
+        us.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(us.size() - 1));
+    std::nth_element(us.begin(), nth, us.end());
+    return *nth;
+  }
+  static double mean_of(const std::vector<double>& us) {
+    return us.empty() ? 0.0
+                      : std::accumulate(us.begin(), us.end(), 0.0) / static_cast<double>(us.size());
+  }
+  std::vector<double> all_, alone_;
+};
+
+}  // namespace twinbus::test
