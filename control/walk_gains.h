@@ -42,7 +42,7 @@ struct WalkGains {
   double settle = 1.0;  // time in which height and attitude found at the start are put right [s]
   double turn = 0.05;   // lag of the base's heading behind the feet [s]
   double step_when = 0.03;  // ZMP wanted beyond the soles that starts a step from standing [m]
-  int rounds = 2;           // of the whole-body inverse kinematics
+  int rounds = 1;           // of the whole-body inverse kinematics
 };
 
 }  // namespace twinbus
