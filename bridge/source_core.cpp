@@ -354,7 +354,7 @@ void SourceCore::watch_support(std::int64_t now_ns) noexcept {
   own_estimate_->update(state_);
   const Estimator& own = *own_estimate_;
   double margin = own.support_margin(own.zmp());
-  double speed = own.kinematics().com_velocity().head<2>().norm();
+  double speed = own.com_velocity().head<2>().norm();
   const bool fresh =
       controller_.run_id == config_.run_id && now_ns - controller_ns_ <= kControllerFresh_ns;
   if (fresh) {

@@ -135,7 +135,7 @@ void Balance::watch(const Estimator& estimator, double dt) noexcept {
   const Configuration& now = estimator.configuration();
   const double share = dt / (dt + gains_.velocity_filter);
   com_velocity_ +=
-      share * (world_in_ground * estimator.kinematics().com_velocity() - com_velocity_);
+      share * (world_in_ground * estimator.com_velocity() - com_velocity_);
   turn_rate_ += share * (world_in_ground * now.base_angular_velocity - turn_rate_);
   spun_velocity_ += share * (world_in_ground.topLeftCorner<2, 2>() * estimator.spun_velocity() -
                              spun_velocity_);

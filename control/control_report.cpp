@@ -45,7 +45,7 @@ void report_tick(const Modes& modes, const Moment& now, ControllerStatus& s) noe
     s.zmp_reference = flat(walk->stabilizer().zmp_wanted());
   } else {
     s.com = to_floats<3>(world_in_ground * estimator.kinematics().com());
-    s.com_velocity = to_floats<3>(world_in_ground.linear() * estimator.kinematics().com_velocity());
+    s.com_velocity = to_floats<3>(world_in_ground.linear() * estimator.com_velocity());
     s.com_reference = s.com;
     s.dcm = {s.com[0], s.com[1]};
     s.zmp_reference = to_floats<2>(zmp.head<2>());

@@ -70,7 +70,7 @@ void Walk::measure(const Estimator& estimator, double dt, bool fresh) noexcept {
   const Kinematics& k = estimator.kinematics();
   const double share = fresh ? 1.0 : dt / (dt + gains_.velocity_filter);
   com_ = k.com();
-  com_velocity_ += share * (k.com_velocity() - com_velocity_);
+  com_velocity_ += share * (estimator.com_velocity() - com_velocity_);
   dcm_ = com_.head<2>() + estimator.dcm_velocity() / omega();
   double carried = 0.0, lower = 0.0;  // by feet that stand; load times what they are too low
   for (int f = 0; f < 2; ++f) {

@@ -37,6 +37,13 @@ Estimator::Estimator(const Model& model)
       weight_force_(kGravity * model.total_mass()),
       configuration_(model),
       kinematics_(model) {
+  std::vector<bool> needed(model.joints.size(), false);
+  for (int link : {model.soles[0].link, model.soles[1].link, model.imu_link}) {
+    for (; link > 0; link = model.links[at(link)].parent) needed[at(link) - 1] = true;
+  }
+  for (std::size_t j = 0; j < needed.size(); ++j) {
+    if (needed[j]) seen_joints_.push_back(static_cast<int>(j));
+  }
   reset();
 }
 
@@ -117,7 +124,7 @@ void Estimator::look(const RobotState& state) noexcept {
   configuration_.base.setIdentity();
   configuration_.base_velocity.setZero();
   configuration_.base_angular_velocity.setZero();
-  kinematics_.update(configuration_);
+  kinematics_.update(configuration_, seen_joints_);
 
   // attitude = base * link of the IMU * IMU.  The IMU measures its own rates: those of the joints
   // before it come off.
@@ -334,10 +341,11 @@ void Estimator::finish() noexcept {
 // one did.
 void Estimator::follow_dcm() noexcept {
   const double height = std::max(kLeastHeight, kinematics_.com().z());
-  const Eigen::Vector3d spin = kinematics_.angular_momentum();
-  spun_velocity_ =
-      kinematics_.com_velocity().head<2>() +
-      kGravity / (weight_force_ * height) * Eigen::Vector2d(spin.y(), -spin.x());
+  const Kinematics::Momentum momentum = kinematics_.momentum();
+  const Eigen::Vector3d& spin = momentum.angular;
+  com_velocity_ = momentum.com_velocity;
+  spun_velocity_ = com_velocity_.head<2>() +
+                   kGravity / (weight_force_ * height) * Eigen::Vector2d(spin.y(), -spin.x());
   dcm_velocity_ += dt_ * kGravity / height * (kinematics_.com() - zmp_).head<2>();
   dcm_velocity_ += dt_ / (dt_ + kDcmFilter) * (spun_velocity_ - dcm_velocity_);
 }

@@ -51,6 +51,8 @@ class Estimator {
     return torque_[static_cast<std::size_t>(foot)];
   }
   bool loaded(int foot) const noexcept { return loaded_[static_cast<std::size_t>(foot)]; }
+  // Of the centre of mass, as the joints say it now, world [m/s].
+  const Eigen::Vector3d& com_velocity() const noexcept { return com_velocity_; }
   // Measured zero-moment point in world, z of the ground; com projection when no foot is loaded.
   const Eigen::Vector3d& zmp() const noexcept { return zmp_; }
   // Of the centre of mass with the angular momentum L about it, v + (L_y, -L_x) / (m h), as the joints say it now, world
@@ -94,6 +96,7 @@ class Estimator {
   double weight_force_;  // of the whole robot [N]
   Configuration configuration_;
   Kinematics kinematics_;
+  std::vector<int> seen_joints_;  // before the soles and the IMU
   std::array<Seen, 2> seen_;
   Eigen::Matrix3d upright_base_;           // base rotation with the IMU's heading
   Eigen::Vector3d position_;               // of the base's origin, world
@@ -115,7 +118,7 @@ class Estimator {
   Eigen::Isometry3d ground_;
   std::array<Eigen::Vector3d, 2> force_, torque_;
   std::array<bool, 2> loaded_{};
-  Eigen::Vector3d zmp_;
+  Eigen::Vector3d zmp_, com_velocity_ = Eigen::Vector3d::Zero();
   Eigen::Vector2d dcm_velocity_ = Eigen::Vector2d::Zero(), spun_velocity_ = dcm_velocity_;
   SupportPolygon support_;
 };

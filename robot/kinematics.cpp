@@ -98,61 +98,70 @@ TWINBUS_INLINE static void mix(Vec4& b, Vec4& e, double s, double c) noexcept {
   b = turned;
 }
 
+// The link that joint j moves, from its parent's state.
+TWINBUS_INLINE void Kinematics::move_link(std::size_t j, double q, double qd) noexcept {
+  const Hinge& hinge = hinges_[j];
+  const LinkState& parent = links_[at(hinge.parent)];
+  LinkState& child = links_[j + 1];
+  const double* from = parent.pose.matrix().data();
+  Columns r = columns(from, 4);
+  Vec4 arm = r.times(hinge.offset.value.data());
+  if (hinge.turned) {
+    r = {r.times(hinge.placement[0].value.data()), r.times(hinge.placement[1].value.data()),
+         r.times(hinge.placement[2].value.data())};
+  }
+  const double s = sine_[j], c = cosine_[j];
+  Vec4 axis{};
+  switch (hinge.turn) {
+    case Turn::kX:
+      axis = r.x * hinge.sign;
+      mix(r.y, r.z, hinge.sign * s, c);
+      break;
+    case Turn::kY:
+      axis = r.y * hinge.sign;
+      mix(r.z, r.x, hinge.sign * s, c);
+      break;
+    case Turn::kZ:
+      axis = r.z * hinge.sign;
+      mix(r.x, r.y, hinge.sign * s, c);
+      break;
+    case Turn::kAny: {
+      // Rodrigues: column k becomes c r_k + s (axis x r_k) + (1 - c) a_k axis.
+      axis = r.times(hinge.axis.value.data());
+      const double* a = hinge.axis.value.data();
+      const Vec4 t = axis * (1.0 - c), u = axis * s;
+      r = {r.x * c + cross4(u, r.x) + t * a[0], r.y * c + cross4(u, r.y) + t * a[1],
+           r.z * c + cross4(u, r.z) + t * a[2]};
+      break;
+    }
+    case Turn::kSlides:
+      axis = r.times(hinge.axis.value.data());
+      arm += axis * q;
+      break;
+  }
+  const Vec4 omega = load(parent.omega);
+  const Vec4 velocity = load(parent.velocity) + cross4(omega, arm);
+  const Vec4 speed = axis * qd;
+  const bool slides = hinge.turn == Turn::kSlides;
+  store(child.axis, axis);
+  store(child.omega, slides ? omega : omega + speed);
+  store(child.velocity, slides ? velocity + speed : velocity);
+  double* to = child.pose.matrix().data();
+  store4(to, r.x);
+  store4(to + 4, r.y);
+  store4(to + 8, r.z);
+  store4(to + 12, load4(from + 12) + arm);
+}
+
+TWINBUS_AVX2_CLONES
+void Kinematics::move_links(const std::vector<int>& joints, const double* q,
+                            const double* qd) noexcept {
+  for (const int j : joints) move_link(at(j), q[j], qd[j]);
+}
+
 TWINBUS_AVX2_CLONES
 void Kinematics::move_links(const double* q, const double* qd) noexcept {
-  for (std::size_t j = 0; j < hinges_.size(); ++j) {
-    const Hinge& hinge = hinges_[j];
-    const LinkState& parent = links_[at(hinge.parent)];
-    LinkState& child = links_[j + 1];
-    const double* from = parent.pose.matrix().data();
-    Columns r = columns(from, 4);
-    Vec4 arm = r.times(hinge.offset.value.data());
-    if (hinge.turned) {
-      r = {r.times(hinge.placement[0].value.data()), r.times(hinge.placement[1].value.data()),
-           r.times(hinge.placement[2].value.data())};
-    }
-    const double s = sine_[j], c = cosine_[j];
-    Vec4 axis{};
-    switch (hinge.turn) {
-      case Turn::kX:
-        axis = r.x * hinge.sign;
-        mix(r.y, r.z, hinge.sign * s, c);
-        break;
-      case Turn::kY:
-        axis = r.y * hinge.sign;
-        mix(r.z, r.x, hinge.sign * s, c);
-        break;
-      case Turn::kZ:
-        axis = r.z * hinge.sign;
-        mix(r.x, r.y, hinge.sign * s, c);
-        break;
-      case Turn::kAny: {
-        // Rodrigues: column k becomes c r_k + s (axis x r_k) + (1 - c) a_k axis.
-        axis = r.times(hinge.axis.value.data());
-        const double* a = hinge.axis.value.data();
-        const Vec4 t = axis * (1.0 - c), u = axis * s;
-        r = {r.x * c + cross4(u, r.x) + t * a[0], r.y * c + cross4(u, r.y) + t * a[1],
-             r.z * c + cross4(u, r.z) + t * a[2]};
-        break;
-      }
-      case Turn::kSlides:
-        axis = r.times(hinge.axis.value.data());
-        arm += axis * q[j];
-        break;
-    }
-    const Vec4 omega = load(parent.omega);
-    const Vec4 velocity = load(parent.velocity) + cross4(omega, arm);
-    const Vec4 speed = axis * qd[j];
-    const bool slides = hinge.turn == Turn::kSlides;
-    store(child.axis, axis);
-    store(child.omega, slides ? omega : omega + speed);
-    store(child.velocity, slides ? velocity + speed : velocity);
-    double* to = child.pose.matrix().data();
-    store4(to, r.x);
-    store4(to + 4, r.y);
-    store4(to + 8, r.z);
-    store4(to + 12, load4(from + 12) + arm);
-  }
+  for (std::size_t j = 0; j < hinges_.size(); ++j) move_link(j, q[j], qd[j]);
   for (std::size_t i = 0; i < links_.size(); ++i) {
     LinkState& link = links_[i];
     const double* pose = link.pose.matrix().data();
@@ -167,32 +176,30 @@ void Kinematics::move_links(const double* q, const double* qd) noexcept {
   }
 }
 
-void Kinematics::update(const Configuration& configuration) noexcept {
+void Kinematics::move_base(const Configuration& configuration) noexcept {
   LinkState& base = links_[0];
   base.pose = configuration.base;
   base.omega.value = configuration.base_angular_velocity;
   base.velocity.value = configuration.base_velocity;
+}
+
+void Kinematics::update(const Configuration& configuration) noexcept {
+  move_base(configuration);
   sines(configuration);
   move_links(configuration.q.data(), configuration.qd.data());
   com_ = (mass_ > 0.0 ? 1.0 / mass_ : 0.0) * subtree_moment_[0].value;
 }
 
-// Momentum of a link alone.
-TWINBUS_INLINE static Vec4 push_of(const LinkState& link, const LinkMass& of) noexcept {
-  const Vec4 arm = load(link.com) - load4(link.pose.matrix().data() + 12);
-  return (load(link.velocity) + cross4(load(link.omega), arm)) * of.mass;
+void Kinematics::update(const Configuration& configuration,
+                        const std::vector<int>& joints) noexcept {
+  move_base(configuration);
+  sines(configuration);
+  move_links(joints, configuration.q.data(), configuration.qd.data());
 }
 
 TWINBUS_AVX2_CLONES
-Eigen::Vector3d Kinematics::com_velocity() const noexcept {
-  Vec4 momentum{};
-  for (std::size_t i = 0; i < links_.size(); ++i) momentum += push_of(links_[i], masses_[i]);
-  return (mass_ > 0.0 ? 1.0 / mass_ : 0.0) * vector3(momentum);
-}
-
-TWINBUS_AVX2_CLONES
-Eigen::Vector3d Kinematics::angular_momentum() const noexcept {
-  Vec4 angular{};
+Kinematics::Momentum Kinematics::momentum() const noexcept {
+  Vec4 linear{}, angular{};
   const Vec4 centre = vec4(com_);
   for (std::size_t i = 0; i < links_.size(); ++i) {
     const LinkState& link = links_[i];
@@ -201,9 +208,12 @@ Eigen::Vector3d Kinematics::angular_momentum() const noexcept {
     const Vec4 omega = load(link.omega);
     const Columns inertia{load(of.inertia[0]), load(of.inertia[1]), load(of.inertia[2])};
     const Vec4 own = inertia.times(dot3(turn.x, omega), dot3(turn.y, omega), dot3(turn.z, omega));
-    angular += cross4(load(link.com) - centre, push_of(link, of)) + turn.times(own);
+    const Vec4 arm = load(link.com) - load4(link.pose.matrix().data() + 12);
+    const Vec4 push = (load(link.velocity) + cross4(omega, arm)) * of.mass;
+    linear += push;
+    angular += cross4(load(link.com) - centre, push) + turn.times(own);
   }
-  return vector3(angular);
+  return {(mass_ > 0.0 ? 1.0 / mass_ : 0.0) * vector3(linear), vector3(angular)};
 }
 
 Eigen::Vector3d Kinematics::point_velocity(int link, const Eigen::Vector3d& point) const noexcept {

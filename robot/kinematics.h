@@ -48,6 +48,8 @@ class Kinematics {
   explicit Kinematics(const Model& model);
 
   void update(const Configuration& configuration) noexcept;
+  // Base and links moved by `joints` alone, each after those before it: other links, and every centre of mass, stay as they were.
+  void update(const Configuration& configuration, const std::vector<int>& joints) noexcept;
 
   const Eigen::Isometry3d& link_in_world(int link) const noexcept { return state(link).pose; }
   const Eigen::Vector3d& angular_velocity(int link) const noexcept {
@@ -65,8 +67,13 @@ class Kinematics {
   // Centre of mass of one link, world [m].
   const Eigen::Vector3d& com_of_link(int link) const noexcept { return state(link).com.value; }
   const Eigen::Vector3d& com() const noexcept { return com_; }  // world [m]
-  Eigen::Vector3d com_velocity() const noexcept;                // world [m/s]; visits every link
-  Eigen::Vector3d angular_momentum() const noexcept;  // about the com, world; visits every link
+  struct Momentum {
+    Eigen::Vector3d com_velocity;  // world [m/s]
+    Eigen::Vector3d angular;       // about the centre of mass, world [kg m^2/s]
+  };
+  Momentum momentum() const noexcept;  // visits every link
+  Eigen::Vector3d com_velocity() const noexcept { return momentum().com_velocity; }
+  Eigen::Vector3d angular_momentum() const noexcept { return momentum().angular; }
   double mass() const noexcept { return mass_; }
 
   // jacobian [6 x (6 + joint_count)], rows: linear then angular velocity of `point` fixed to
@@ -96,7 +103,10 @@ class Kinematics {
   };
 
   void sines(const Configuration& configuration) noexcept;
+  void move_base(const Configuration& configuration) noexcept;
+  void move_link(std::size_t j, double q, double qd) noexcept;
   void move_links(const double* q, const double* qd) noexcept;
+  void move_links(const std::vector<int>& joints, const double* q, const double* qd) noexcept;
 
   const Model* model_;
   std::vector<LinkState> links_;

@@ -1,5 +1,7 @@
 #include "robot/kinematics.h"
 
+#include <algorithm>
+
 #include "fixtures.h"
 #include "test/no_alloc.h"
 
@@ -28,6 +30,29 @@ TEST(Kinematics, VelocitiesAreDerivativesOfPoses) {
           << model.links[static_cast<std::size_t>(i)].name;
     }
     EXPECT_LT((now.com_velocity() - (after.com() - before.com()) / (2 * kStep)).norm(), 1e-7);
+  }
+}
+
+TEST(Kinematics, SomeJointsMoveTheirLinksAlone) {
+  const Model model = robot_with_every_joint();
+  const Motion motion(model, 5);
+  Kinematics all(model), some(model), before(model);
+  before.update(motion.configuration(0.3));
+  some.update(motion.configuration(0.3));
+  all.update(motion.configuration(0.9));
+  std::vector<int> joints;  // up to the last link
+  for (int link = model.link_count() - 1; link > 0;
+       link = model.links[static_cast<std::size_t>(link)].parent)
+    joints.insert(joints.begin(), link - 1);
+  ASSERT_LT(static_cast<int>(joints.size()), model.joint_count());
+  some.update(motion.configuration(0.9), joints);
+  EXPECT_EQ(some.com(), before.com());
+  EXPECT_TRUE(some.link_in_world(0).isApprox(all.link_in_world(0), 0.0));
+  for (int j = 0; j < model.joint_count(); ++j) {
+    const bool moved = std::find(joints.begin(), joints.end(), j) != joints.end();
+    const Kinematics& same = moved ? all : before;
+    EXPECT_TRUE(some.link_in_world(j + 1).isApprox(same.link_in_world(j + 1), 0.0)) << j;
+    EXPECT_EQ(some.origin_velocity(j + 1), same.origin_velocity(j + 1)) << j;
   }
 }
 
