@@ -67,6 +67,7 @@ struct ControlLoop::Impl {
   Modes modes;
   Blend blend;
   MaskBrake brake;
+  SetPointLimits limits;
   std::unique_ptr<Guard> guard;
   ModeQueue requests;
   std::int64_t legs = 0;      // bit per joint: never masked
@@ -102,7 +103,8 @@ ControlLoop::Impl::Impl(const Model& m, const ControlConfig& c)
       estimator(m),
       modes(m, c.gains, WalkGains{}),
       blend(m.bus_count()),
-      brake(m) {
+      brake(m),
+      limits(m) {
   if (m.bus_count() < 1 || m.bus_count() > kMaxJoints) {
     throw std::runtime_error("robot " + m.name + " has " + std::to_string(m.bus_count()) +
                              " actuated joints; the bus carries 1 to " +
@@ -244,7 +246,7 @@ void ControlLoop::Impl::compute(std::int64_t now_ns, double dt, bool same_source
   blend.apply(want, dt);
   guard_and_mask(now_ns, dt);
   // Set-points that follow what is measured begin anew where another robot is; its gate fades them in.
-  limit_set_points(model, state, same_source ? now().last : nullptr, dt, want);
+  limits.apply(state, same_source ? now().last : nullptr, dt, want);
   last = want;
   have_output = true;
 }
@@ -257,7 +259,7 @@ void ControlLoop::Impl::look_again(std::int64_t now_ns) noexcept {
   modes.want(now(), mask, 0.0, want);
   blend.apply(want, 0.0);
   guard_and_mask(now_ns, 0.0);
-  limit_set_points(model, state, nullptr, 0.0, want);
+  limits.apply(state, nullptr, 0.0, want);
   last = want;
 }
 

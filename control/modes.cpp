@@ -32,6 +32,14 @@ Modes::Modes(const Model& model, const BalanceGains& gains, const WalkGains& wal
       static_torque_(model),
       q_given_(Eigen::VectorXd::Zero(model.joint_count())),
       tau_(q_given_) {
+  for (int k = 0; k < model.bus_count(); ++k) {
+    const Joint& joint = model.joints[at(model.bus_joints[at(k)])];
+    kp_[at(k)] = joint.kp;
+    kd_[at(k)] = joint.kd;
+  }
+  for (int j = 0; j < model.joint_count(); ++j) {
+    if (model.joints[at(j)].mimic >= 0) followers_.push_back(j);
+  }
   no_walk_ = "this robot cannot walk: it needs a free base and two six-joint legs with soles";
   if (Balance::why_not(model) != nullptr) return;
   balance_ = std::make_unique<Balance>(model, gains);
@@ -339,30 +347,34 @@ void Modes::want(const Moment& now, std::int64_t mask, double dt, SetPoint& set_
   const int n = model_.bus_count();
   q_given_ = now.estimator.configuration().q;
   for (int k = 0; k < n; ++k) q_given_[model_.bus_joints[at(k)]] = posture_.q(k);
-  for (int j = 0; j < model_.joint_count(); ++j) {
+  for (const int j : followers_) {
     const Joint& follower = model_.joints[at(j)];
-    if (follower.mimic >= 0)
-      q_given_[j] = follower.mimic_multiplier * q_given_[follower.mimic] + follower.mimic_offset;
+    q_given_[j] = follower.mimic_multiplier * q_given_[follower.mimic] + follower.mimic_offset;
   }
   move_legs(now, dt);
   const Eigen::VectorXd& tau = walking_ ? walk_->tau() : balancing_ ? balance_->tau() : tau_;
+  set_point.kp = kp_;
+  set_point.kd = kd_;
   for (int k = 0; k < n; ++k) {
+    set_point.q[at(k)] = posture_.q(k);
+    set_point.qd[at(k)] = posture_.qd(k);
+    set_point.tau[at(k)] = tau[model_.bus_joints[at(k)]];
+  }
+  for (int k = 0; k < n && (walking_ || balancing_); ++k) {
     const auto i = at(k);
     const int j = model_.bus_joints[i];
-    const Joint& joint = model_.joints[at(j)];
-    const bool leg = balancing_ && balance_->is_leg(j);
-    set_point.q[i] = leg ? balance_->q()[j] : posture_.q(k);
-    set_point.qd[i] = leg ? balance_->qd()[j] : posture_.qd(k);
-    if (balancing_ && !leg) {
+    const bool leg = ((legs_ >> k) & 1) != 0;
+    if (leg) {
+      set_point.q[i] = walking_ ? walk_->q()[j] : balance_->q()[j];
+      set_point.qd[i] = walking_ ? walk_->qd()[j] : balance_->qd()[j];
+    }
+    if (!balancing_) continue;
+    if (leg) {
+      set_point.kp[i] = balance_->kp(j);
+      set_point.kd[i] = balance_->kd(j);
+    } else {
       set_point.q[i] += balance_->offset(j);
       set_point.qd[i] += balance_->offset_rate(j);
-    }
-    set_point.tau[i] = tau[j];
-    set_point.kp[i] = leg ? balance_->kp(j) : joint.kp;
-    set_point.kd[i] = leg ? balance_->kd(j) : joint.kd;
-    if (walking_ && walk_->is_leg(j)) {
-      set_point.q[i] = walk_->q()[j];
-      set_point.qd[i] = walk_->qd()[j];
     }
   }
 }

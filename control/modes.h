@@ -12,6 +12,7 @@
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "control/arm_follow.h"
 #include "control/balance.h"
@@ -113,7 +114,9 @@ class Modes {
   Mode mode_ = Mode::kNone, mode_before_stop_ = Mode::kNone;
   bool balancing_ = false, walking_ = false, leaving_ = false, changed_ = false;
   bool stopping_ = false, held_by_gate_ = false, bracing_ = false;
-  std::int64_t legs_ = 0;          // bit per bus joint that balance moves
+  std::int64_t legs_ = 0;          // bit per bus joint that balance and walking move
+  std::vector<int> followers_;     // joints that mimic another
+  PerJoint<double> kp_{}, kd_{};   // of joints that nothing else is asked of
   Eigen::VectorXd q_given_, tau_;  // [joint_count]
   const char* sentence_ = nullptr;
   const char* arm_refusal_ = nullptr;  // as told

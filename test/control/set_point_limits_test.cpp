@@ -14,6 +14,7 @@ constexpr double kDt = 0.002;
 
 struct Fixture {
   const Model& model = test::hrp1s();
+  SetPointLimits limits{model};
   RobotState state;
   SetPoint last, point;
   const Joint& joint(std::size_t k) const {
@@ -27,7 +28,7 @@ TEST(SetPointLimits, WhatIsWithinTheLimitsIsLeftAlone) {
   f.point.tau[0] = 5.0;
   f.point.kp[0] = 100.0;
   const SetPoint asked = f.point;
-  limit_set_points(f.model, f.state, &f.last, kDt, f.point);
+  f.limits.apply(f.state, &f.last, kDt, f.point);
   EXPECT_EQ(f.point.q[0], asked.q[0]);
   EXPECT_EQ(f.point.tau, asked.tau);
   EXPECT_EQ(f.point.kp, asked.kp);
@@ -41,7 +42,7 @@ TEST(SetPointLimits, EverythingTooLargeIsCut) {
     f.point.tau[k] = 1e9;
     f.point.kp[k] = -5.0;
   }
-  limit_set_points(f.model, f.state, nullptr, kDt, f.point);
+  f.limits.apply(f.state, nullptr, kDt, f.point);
   for (std::size_t k = 0; k < 29; ++k) {
     EXPECT_DOUBLE_EQ(f.point.q[k], f.joint(k).upper);
     EXPECT_DOUBLE_EQ(f.point.qd[k], -f.joint(k).velocity);
@@ -53,7 +54,7 @@ TEST(SetPointLimits, EverythingTooLargeIsCut) {
 TEST(SetPointLimits, NoSetPointMovesFasterThanItsJoint) {
   Fixture f;
   f.point.q[0] = 0.2;
-  limit_set_points(f.model, f.state, &f.last, kDt, f.point);
+  f.limits.apply(f.state, &f.last, kDt, f.point);
   EXPECT_GT(f.point.q[0], 0.0);
   EXPECT_LE(f.point.q[0], f.joint(0).velocity * kDt + 1e-15);
 }
@@ -68,7 +69,7 @@ TEST(SetPointLimits, ANumberThatIsNoneLeavesTheJointWhereItWas) {
       PerJoint<double>* fields[] = {&f.point.q, &f.point.qd, &f.point.tau, &f.point.kp,
                                     &f.point.kd};
       (*fields[field])[3] = bad;
-      limit_set_points(f.model, f.state, &f.last, kDt, f.point);
+      f.limits.apply(f.state, &f.last, kDt, f.point);
       EXPECT_NEAR(f.point.q[3], 0.1, f.joint(3).velocity * kDt);
       EXPECT_EQ(f.point.qd[3], 0.0);
       EXPECT_EQ(f.point.tau[3], 0.0);
