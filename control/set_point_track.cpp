@@ -2,6 +2,7 @@
 
 #include "robot/brake.h"
 #include "robot/index.h"
+#include "robot/vec4.h"
 
 namespace twinbus {
 
@@ -11,6 +12,13 @@ namespace {
 constexpr double kServoError = 0.1;
 // A set-point of ours that is farther than this from its joint is a wrong guess [rad or m].
 constexpr double kLost = 0.3;
+// A set-point this close to its command is there [rad or m].
+constexpr double kFollows = 1e-9;
+
+TWINBUS_INLINE double between(double x, double least, double most) noexcept {
+  x = x < least ? least : x;
+  return most < x ? most : x;
+}
 
 }  // namespace
 
@@ -38,22 +46,39 @@ void SetPointTrack::reset() noexcept {
 
 void SetPointTrack::start(const RobotState& state, const JointCommand& command) noexcept {
   for (std::size_t k = 0; k < count_; ++k) {
-    point_[k] = {};
-    point_[k].q = std::clamp(command.q[k], state.q[k] - kServoError, state.q[k] + kServoError);
-    point_[k].asked = command.q[k];
+    q_[k] = std::clamp(command.q[k], state.q[k] - kServoError, state.q[k] + kServoError);
+    asked_[k] = command.q[k];
+    v_[k] = asked_v_[k] = asked_qd_[k] = 0.0;
   }
+  held_now_ = fading_ = 0;
   started_ = true;
 }
 
-void SetPointTrack::faded(const SetPoint& p, double t, double& q, double& v) const noexcept {
+// What is asked of every joint, and how that moves.
+TWINBUS_AVX2_CLONES
+void SetPointTrack::hear(const JointCommand& command) noexcept {
+  for (std::size_t k = 0; k < count_; ++k) {
+    const double limit = limit_[k], asked = command.q[k];
+    const double asked_v = between((asked - asked_[k]) / period_, -limit, limit);
+    // What speeds up is taken to go on so, as far as joints can; what slows down may stop slowing.
+    const double gain = between((asked_v - asked_v_[k]) / period_, -brake_[k], brake_[k]);
+    acceleration_[k] = gain * asked_v > 0.0 ? gain : 0.0;
+    asked_[k] = asked;
+    asked_v_[k] = asked_v;
+    asked_qd_[k] = between(static_cast<double>(command.qd[k]), -limit, limit);
+  }
+}
+
+void SetPointTrack::faded(std::size_t k, double t, double& q, double& v) const noexcept {
   q = v = 0.0;
-  const double s = (p.fade + t) / fade_s_;
-  if (p.fade < 0.0 || !(s < 1.0)) return;
+  const Fade& p = fade_[k];
+  const double s = (p.time + t) / fade_s_;
+  if (!(s < 1.0)) return;
   const double s2 = s * s, s3 = s2 * s;
-  q = p.fade_q * (1.0 - s3 * (10.0 - 15.0 * s + 6.0 * s2)) +
-      p.fade_v * fade_s_ * (s - s3 * (6.0 - 8.0 * s + 3.0 * s2));
-  v = p.fade_q * (-30.0 * s2 + 60.0 * s3 - 30.0 * s2 * s2) / fade_s_ +
-      p.fade_v * (1.0 - 18.0 * s2 + 32.0 * s3 - 15.0 * s2 * s2);
+  q = p.q * (1.0 - s3 * (10.0 - 15.0 * s + 6.0 * s2)) +
+      p.v * fade_s_ * (s - s3 * (6.0 - 8.0 * s + 3.0 * s2));
+  v = p.q * (-30.0 * s2 + 60.0 * s3 - 30.0 * s2 * s2) / fade_s_ +
+      p.v * (1.0 - 18.0 * s2 + 32.0 * s3 - 15.0 * s2 * s2);
 }
 
 double SetPointTrack::farthest(std::size_t k) const noexcept {
@@ -68,73 +93,86 @@ Course SetPointTrack::run_after(std::size_t k, double way) const noexcept {
   return {std::copysign(v * delay_, way), std::copysign(v, way), b};
 }
 
-void SetPointTrack::move(std::size_t k, double measured, double asked, double asked_qd,
-                         bool held) noexcept {
-  SetPoint& p = point_[k];
-  const double limit = limit_[k];
-  const double asked_v = std::clamp((asked - p.asked) / period_, -limit, limit);
-  // What speeds up is taken to go on so, as far as joints can; what slows down may stop slowing.
-  const double gain = std::clamp((asked_v - p.asked_v) / period_, -brake_[k], brake_[k]);
-  const double acceleration = gain * asked_v > 0.0 ? gain : 0.0;
-  p.asked = asked;
-  p.asked_v = asked_v;
-  p.asked_qd = std::clamp(asked_qd, -limit, limit);
-  const double before = p.q;
-  if (held) {
-    const double slower = std::copysign(std::max(0.0, std::abs(p.v) - brake_[k] * period_), p.v);
-    p.q += 0.5 * (p.v + slower) * period_;
-    p.v = slower;
-    p.fade = -1.0;
-  } else {
-    if (p.held && fade_s_ > 0.0) {
-      p.fade_q = p.q - (asked - p.asked_qd * period_);
-      p.fade_v = p.v - p.asked_qd;
-      p.fade = 0.0;
-    }
-    if (p.fade >= 0.0 && !((p.fade += period_) < fade_s_)) p.fade = -1.0;
-    double q = 0.0, v = 0.0;
-    faded(p, 0.0, q, v);
-    p.q = std::clamp(asked + q, before - limit * period_, before + limit * period_);
-    p.v = std::clamp(p.asked_qd + v, -limit, limit);
+// What was held and is no more begins to fade back to its command; what has faded is free.
+void SetPointTrack::hold(std::int64_t joints) noexcept {
+  const std::int64_t released = fade_s_ > 0.0 ? held_now_ & ~joints : 0;
+  fading_ = (fading_ | released) & ~joints;
+  held_now_ = joints;
+  if (fading_ == 0) return;
+  for (std::size_t k = 0; k < count_; ++k) {
+    const std::int64_t joint = bit(static_cast<int>(k));
+    if ((released & joint) != 0)
+      fade_[k] = {q_[k] - (asked_[k] - asked_qd_[k] * period_), v_[k] - asked_qd_[k], 0.0};
+    if ((fading_ & joint) != 0 && !((fade_[k].time += period_) < fade_s_)) fading_ &= ~joint;
   }
-  p.held = held;
-  p.q = std::clamp(p.q, measured - kLost, measured + kLost);
-  look(k, measured, acceleration);
 }
 
-void SetPointTrack::look(std::size_t k, double measured, double acceleration) noexcept {
-  const SetPoint& p = point_[k];
-  const double limit = limit_[k], behind = p.q - measured, left = p.asked - p.q;
-  const bool fading = p.fade >= 0.0;
-  const auto go_on = [&](double t) {  // the command speeds up as it does, then a brake
+// A joint that is held or fades.
+void SetPointTrack::move_bound(std::size_t k, double measured) noexcept {
+  const double limit = limit_[k], before = q_[k];
+  if ((held_now_ & bit(static_cast<int>(k))) != 0) {
+    const double slower =
+        std::copysign(std::max(0.0, std::abs(v_[k]) - brake_[k] * period_), v_[k]);
+    q_[k] += 0.5 * (v_[k] + slower) * period_;
+    v_[k] = slower;
+  } else {
+    double q = 0.0, v = 0.0;
+    faded(k, 0.0, q, v);
+    q_[k] = std::clamp(asked_[k] + q, before - limit * period_, before + limit * period_);
+    v_[k] = std::clamp(asked_qd_[k] + v, -limit, limit);
+  }
+  q_[k] = std::clamp(q_[k], measured - kLost, measured + kLost);
+  look(k, measured);
+}
+
+// Of a joint that is held, fades or lags behind its command.
+void SetPointTrack::look(std::size_t k, double measured) noexcept {
+  const double limit = limit_[k], behind = q_[k] - measured, left = asked_[k] - q_[k];
+  const bool fading = (fading_ & bit(static_cast<int>(k))) != 0;
+  const bool held = (held_now_ & bit(static_cast<int>(k))) != 0;
+  const auto go_on = [&](double t) {  // the fade goes on, then a brake
     double q = 0.0, v = 0.0, q_now = 0.0, v_now = 0.0;
-    if (fading) {
-      faded(p, 0.0, q_now, v_now);
-      faded(p, t, q, v);
-    }
-    const double a = fading ? 0.0 : acceleration;
+    faded(k, 0.0, q_now, v_now);
+    faded(k, t, q, v);
     const double faster =
-        std::abs(p.asked_qd + v) > std::abs(p.asked_v + v) ? p.asked_qd : p.asked_v;
-    const double v_end = std::clamp(faster + a * t + v, -limit, limit);
-    const double way = 0.5 * (p.asked_v + std::clamp(p.asked_v + a * t, -limit, limit)) * t +
-                       std::clamp(q - q_now, -limit * t, limit * t);
+        std::abs(asked_qd_[k] + v) > std::abs(asked_v_[k] + v) ? asked_qd_[k] : asked_v_[k];
+    const double v_end = std::clamp(faster + v, -limit, limit);
+    const double way = asked_v_[k] * t + std::clamp(q - q_now, -limit * t, limit * t);
     return Course{behind + way + v_end * lag_, v_end, brake_[k]};
   };
-  const bool follows = !p.held && (fading || std::abs(left) < 1e-9);
-  if (follows) {
+  if (fading) {
     obeyed_[k] = go_on(delay_ - lag_);
   } else {
-    const Course asked{p.asked_v * delay_, p.asked_v, brake_[k]};
+    const Course asked{asked_v_[k] * delay_, asked_v_[k], brake_[k]};
     way_[k] = left + asked.rest();
     obeyed_[k] = run_after(k, std::clamp(way_[k], -farthest(k), farthest(k)));
     obeyed_[k].first += behind;
   }
-  if (p.held) {
-    held_[k] = {behind + p.v * lag_, p.v, brake_[k]};
-  } else if (follows) {
-    held_[k] = go_on(delay_ - lag_ - period_);
+  if (held) {
+    held_[k] = {behind + v_[k] * lag_, v_[k], brake_[k]};
   } else {
-    held_[k] = obeyed_[k];
+    held_[k] = fading ? go_on(delay_ - lag_ - period_) : obeyed_[k];
+  }
+}
+
+// Joints that nothing holds and that are where they are asked to be: the command speeds up as it does, then a brake comes.
+TWINBUS_AVX2_CLONES
+void SetPointTrack::move_free(const RobotState& state) noexcept {
+  const double obeyed_s = delay_ - lag_, held_s = obeyed_s - period_;
+  for (std::size_t k = 0; k < count_; ++k) {
+    const double limit = limit_[k], measured = state.q[k];
+    const double most = limit * period_;
+    const double q =
+        between(between(asked_[k], q_[k] - most, q_[k] + most), measured - kLost, measured + kLost);
+    const double behind = q - measured, v = asked_v_[k], a = acceleration_[k];
+    const double faster = std::abs(asked_qd_[k]) > std::abs(v) ? asked_qd_[k] : v;
+    free_.q[k] = q;
+    free_.obeyed_v[k] = between(faster + a * obeyed_s, -limit, limit);
+    free_.obeyed[k] = behind + 0.5 * (v + between(v + a * obeyed_s, -limit, limit)) * obeyed_s +
+                      free_.obeyed_v[k] * lag_;
+    free_.held_v[k] = between(faster + a * held_s, -limit, limit);
+    free_.held[k] = behind + 0.5 * (v + between(v + a * held_s, -limit, limit)) * held_s +
+                    free_.held_v[k] * lag_;
   }
 }
 
@@ -144,7 +182,8 @@ void SetPointTrack::go_together(const RobotState& state) noexcept {
   double most = 0.0;
   std::size_t slowest = 0;
   for (std::size_t k = 0; k < count_; ++k) {
-    const double times = point_[k].held ? std::abs(way_[k]) / farthest(k) : 0.0;
+    const double times =
+        (held_now_ & bit(static_cast<int>(k))) != 0 ? std::abs(way_[k]) / farthest(k) : 0.0;
     if (!(times > most)) continue;
     most = times;
     slowest = k;
@@ -152,9 +191,9 @@ void SetPointTrack::go_together(const RobotState& state) noexcept {
   if (!(most > 0.0)) return;
   const Course lead = run_after(slowest, way_[slowest] / std::max(1.0, most));
   for (std::size_t k = 0; k < count_; ++k) {
-    if (!point_[k].held) continue;
+    if ((held_now_ & bit(static_cast<int>(k))) == 0) continue;
     const double ratio = way_[k] / way_[slowest];
-    obeyed_[k].first = point_[k].q - state.q[k] + ratio * lead.first;
+    obeyed_[k].first = q_[k] - state.q[k] + ratio * lead.first;
     obeyed_[k].speed = ratio * lead.speed;
     obeyed_[k].brake = std::max(std::abs(ratio) * lead.brake, 1e-6);
   }
@@ -172,10 +211,25 @@ void SetPointTrack::follow(const RobotState& state, const JointCommand& command,
   for (std::size_t i = masks_.size(); i-- > 1;) masks_[i] = masks_[i - 1];
   masks_[0] = mask;
   const std::int64_t in_force = delay_ticks_ > 0 ? masks_[at(delay_ticks_ - 1)] : mask;
-  for (std::size_t k = 0; k < count_; ++k)
-    move(k, state.q[k], command.q[k], static_cast<double>(command.qd[k]),
-         (in_force & bit(static_cast<int>(k))) != 0);
-  go_together(state);
+  hear(command);
+  move_free(state);
+  hold(in_force & (bit(static_cast<int>(count_)) - 1));
+  const std::int64_t bound = held_now_ | fading_;
+  for (std::size_t k = 0; k < count_; ++k) {
+    if ((bound & bit(static_cast<int>(k))) != 0) {
+      move_bound(k, state.q[k]);
+      continue;
+    }
+    q_[k] = free_.q[k];
+    v_[k] = asked_qd_[k];
+    if (std::abs(asked_[k] - q_[k]) < kFollows) {
+      obeyed_[k] = {free_.obeyed[k], free_.obeyed_v[k], brake_[k]};
+      held_[k] = {free_.held[k], free_.held_v[k], brake_[k]};
+    } else {
+      look(k, state.q[k]);
+    }
+  }
+  if (held_now_ != 0) go_together(state);
 }
 
 }  // namespace twinbus

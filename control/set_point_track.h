@@ -62,22 +62,22 @@ class SetPointTrack {
   }
 
  private:
-  struct SetPoint {
-    double q = 0.0, v = 0.0;            // as written [rad or m], [rad/s or m/s]
-    double asked = 0.0, asked_v = 0.0;  // last command and how fast it moves
-    double asked_qd = 0.0;              // what it says about that itself: a brake begins there
-    double fade_q = 0.0, fade_v = 0.0;  // what the fade began with
-    double fade = -1.0;                 // since the fade began [s]; none below zero
-    bool held = false;
+  // What is left of the way back to the command, since the fade began.
+  struct Fade {
+    double q = 0.0, v = 0.0;  // that it began with
+    double time = 0.0;        // since then [s]
   };
   void start(const RobotState& state, const JointCommand& command) noexcept;
-  void move(std::size_t k, double measured, double asked, double asked_qd, bool held) noexcept;
-  void look(std::size_t k, double measured, double acceleration) noexcept;
+  void hear(const JointCommand& command) noexcept;
+  void move_free(const RobotState& state) noexcept;
+  void hold(std::int64_t joints) noexcept;
+  void move_bound(std::size_t k, double measured) noexcept;
+  void look(std::size_t k, double measured) noexcept;
   void go_together(const RobotState& state) noexcept;
   double farthest(std::size_t k) const noexcept;  // that a set-point looks ahead [rad or m]
   Course run_after(std::size_t k, double way) const noexcept;
   // Of what fades, after t more seconds: what is left of the difference, and its rate.
-  void faded(const SetPoint& p, double t, double& q, double& v) const noexcept;
+  void faded(std::size_t k, double t, double& q, double& v) const noexcept;
 
   double period_;  // [s]
   double lag_;     // [s]
@@ -89,8 +89,15 @@ class SetPointTrack {
   std::array<std::int64_t, kMostDelay> masks_{};  // on their way, the newest first
   PerJoint<double> limit_{};                      // fastest set-point [rad/s or m/s]
   PerJoint<double> brake_{};
-  PerJoint<double> way_{};  // left to where the command stops [rad or m]
-  PerJoint<SetPoint> point_{};
+  PerJoint<double> way_{};      // left to where the command stops [rad or m]
+  PerJoint<double> q_{}, v_{};  // as written [rad or m], [rad/s or m/s]
+  PerJoint<double> asked_{}, asked_v_{}, acceleration_{};  // the last command and how it moves
+  PerJoint<double> asked_qd_{};             // what it says about that itself: a brake begins there
+  std::int64_t held_now_ = 0, fading_ = 0;  // bit per joint
+  PerJoint<Fade> fade_{};
+  struct {  // where joints are that nothing holds, and their courses
+    PerJoint<double> q{}, obeyed{}, obeyed_v{}, held{}, held_v{};
+  } free_;
   PerJoint<Course> obeyed_{}, held_{};
 };
 
