@@ -91,13 +91,13 @@ void Sensors::measure(const World& world, double dt, RobotState& state) noexcept
 
 void Sensors::measure_joints(const World& world) noexcept {
   const int count = model_->bus_count();
+  const Eigen::VectorXd& qd = world.configuration().qd;
   sample_.joint_count = static_cast<std::int16_t>(count);
   for (int k = 0; k < count; ++k) {
     const auto at = static_cast<std::size_t>(k);
     const int joint = model_->bus_joints[at];
     sample_.q[at] = options_.encoder.read(world.encoder(joint), random_);
-    sample_.qd[at] =
-        static_cast<float>(options_.velocity.read(world.configuration().qd[joint], random_));
+    sample_.qd[at] = static_cast<float>(options_.velocity.read(qd[joint], random_));
     sample_.tau[at] = static_cast<float>(options_.torque.read(world.tau(joint), random_));
   }
   sample_.sensor_flags |= kEncodersValid;

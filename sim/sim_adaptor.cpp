@@ -157,13 +157,11 @@ void SimAdaptor::Impl::drive_servos() noexcept {
       commanded = true;
     }
   }
-  for (int j = 0; j < model->joint_count(); ++j) {
-    (void)world->set_servo(j, hold[static_cast<std::size_t>(j)]);
-  }
-  if (commanded || fall) {
-    for (int k = 0; k < model->bus_count(); ++k) {
-      const auto i = static_cast<std::size_t>(k);
-      const int j = model->bus_joints[i];
+  const bool obeys = commanded || fall;
+  for (int k = 0; k < model->bus_count(); ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    const int j = model->bus_joints[i];
+    if (obeys) {
       ServoTarget target{.q = command.q[i],
                          .qd = command.qd[i],
                          .tau = command.tau[i],
@@ -176,8 +174,9 @@ void SimAdaptor::Impl::drive_servos() noexcept {
                   .kp = 0.0,
                   .kd = kFallDamping * model->joints[static_cast<std::size_t>(j)].effort};
       }
-      (void)world->set_servo(j, target);
+      if (world->set_servo(j, target) == Status::kOk) continue;
     }
+    (void)world->set_servo(j, hold[static_cast<std::size_t>(j)]);
   }
   const Configuration& now = world->configuration();
   for (int j = 0; j < model->joint_count(); ++j) {

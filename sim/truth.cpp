@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+
+#include "robot/support_polygon.h"
 
 namespace twinbus {
 
@@ -11,10 +12,6 @@ namespace {
 
 constexpr double kFallenTilt = 0.5;  // cosine of 60 degrees
 constexpr double kLoaded = 1.0;      // a sole with less is in the air [N]
-
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
 
 template <std::size_t N>
 void copy(const Eigen::Vector3d& from, std::array<float, N>& to) {
@@ -34,24 +31,6 @@ void copy(const Eigen::Matrix3d& rotation, std::array<Number, 4>& to) {
 }
 
 }  // namespace
-
-double hull_margin(const Eigen::Vector2d* points, int count,
-                   const Eigen::Vector2d& point) noexcept {
-  // An edge of the hull is a pair of points with all others on its left.
-  double margin = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < count; ++i) {
-    for (int j = 0; j < count; ++j) {
-      const Eigen::Vector2d edge = points[j] - points[i];
-      const double length = edge.norm();
-      if (!(length > 1e-9)) continue;
-      bool is_edge = true;
-      for (int k = 0; k < count && is_edge; ++k)
-        is_edge = cross(edge, points[k] - points[i]) >= -1e-9 * length;
-      if (is_edge) margin = std::min(margin, cross(edge, point - points[i]) / length);
-    }
-  }
-  return std::isfinite(margin) ? margin : 0.0;
-}
 
 void fill_truth(const Model& model, const World& world, double standing_height,
                 SimTruth& truth) noexcept {
@@ -85,8 +64,7 @@ void fill_truth(const Model& model, const World& world, double standing_height,
   }
   truth.penetration = static_cast<float>(penetration);
 
-  std::array<Eigen::Vector2d, 8> support;
-  int corners = 0;
+  SupportPolygon support;
   for (std::size_t side = 0; side < 2; ++side) {
     const Sole& sole = model.soles[side];
     truth.foot_slip[side] = 0.0F;
@@ -99,14 +77,14 @@ void fill_truth(const Model& model, const World& world, double standing_height,
     truth.foot_slip[side] =
         static_cast<float>(world.point_velocity(sole.link, frame.translation()).head<2>().norm());
     for (int corner = 0; corner < kSoleCorners; ++corner) {
-      support[static_cast<std::size_t>(corners++)] = (frame * sole_corner(sole, corner)).head<2>();
+      support.add((frame * sole_corner(sole, corner)).head<2>());
     }
   }
+  support.finish();
   const Eigen::Vector2d zmp =
       pressure > kLoaded ? Eigen::Vector2d(moment / pressure) : world.com().head<2>();
   truth.zmp = {static_cast<float>(zmp.x()), static_cast<float>(zmp.y())};
-  truth.zmp_margin =
-      corners > 0 ? static_cast<float>(hull_margin(support.data(), corners, zmp)) : 0.0F;
+  truth.zmp_margin = support.count() > 0 ? static_cast<float>(support.margin(zmp)) : 0.0F;
   truth.fell = model.floating_base && (!(now.base.translation().z() > 0.5 * standing_height) ||
                                        !(now.base.linear()(2, 2) > kFallenTilt));
 }

@@ -13,8 +13,4 @@ namespace twinbus {
 void fill_truth(const Model& model, const World& world, double standing_height,
                 SimTruth& truth) noexcept;
 
-// Distance [m] of a ground point to the edge of the convex hull of points, positive inside.  count
-// <= 8.
-double hull_margin(const Eigen::Vector2d* points, int count, const Eigen::Vector2d& point) noexcept;
-
 }  // namespace twinbus

@@ -1,5 +1,7 @@
 #include "sim/world.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -43,9 +45,13 @@ bool contact_of(const std::string& name, ContactModel& contact) {
 }
 
 Status check_target(const ServoTarget& t) noexcept {
-  for (const double number : {t.q, t.qd, t.tau, t.kp, t.kd}) {
-    if (!std::isfinite(number)) return Status::kNotFinite;
-    if (!(std::abs(number) <= kMaxTarget)) return Status::kOutOfRange;
+  const std::array<double, 5> numbers{t.q, t.qd, t.tau, t.kp, t.kd};
+  bool good = true;
+  for (const double number : numbers) good &= std::abs(number) <= kMaxTarget;
+  if (!good) {
+    const bool finite = std::all_of(numbers.begin(), numbers.end(),
+                                    [](double number) { return std::isfinite(number); });
+    return finite ? Status::kOutOfRange : Status::kNotFinite;
   }
   return t.kp >= 0.0 && t.kd >= 0.0 ? Status::kOk : Status::kOutOfRange;
 }

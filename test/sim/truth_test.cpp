@@ -9,14 +9,6 @@
 namespace twinbus {
 namespace {
 
-TEST(Truth, HullMarginIsTheDistanceToTheNearestEdge) {
-  const Eigen::Vector2d square[] = {{1, 1}, {-1, -1}, {1, -1}, {-1, 1}, {0, 0}, {1, 0}};
-  EXPECT_NEAR(hull_margin(square, 6, {0, 0}), 1.0, 1e-12);
-  EXPECT_NEAR(hull_margin(square, 6, {0.7, -0.2}), 0.3, 1e-12);
-  EXPECT_NEAR(hull_margin(square, 6, {1.5, 0}), -0.5, 1e-12);
-  EXPECT_EQ(hull_margin(square, 0, {0, 0}), 0.0);
-}
-
 class TruthTest : public test::BothEngines {};
 TWINBUS_FOR_BOTH_ENGINES(TruthTest);
 
