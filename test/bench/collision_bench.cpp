@@ -28,6 +28,7 @@
 #include "robot/process.h"
 #include "robot/self_collision.h"
 #include "test/bench/collision_cases.h"
+#include "test/bench/core_alone.h"
 #include "test/no_alloc.h"
 
 using namespace twinbus;
@@ -138,10 +139,12 @@ void costs(const Model& model, SelfCollision& check, FclPeer& fcl, int count, bo
   Postures postures(model);
   Kinematics kinematics(model);
   std::vector<float> bounds(check.pairs().size() + 8);
-  Times single, all, first, placing, bound, loop, manager;
+  test::CoreAlone core;
+  Times single, alone, all, first, placing, bound, loop, manager;
   long allocations = 0, hits = 0, colliding = 0;
   SelfCollision::Work work;
-  for (Times* t : {&single, &all, &first, &placing, &bound}) t->us.reserve(at(count) + kBlock);
+  for (Times* t : {&single, &alone, &all, &first, &placing, &bound})
+    t->us.reserve(at(count) + kBlock);
   // Blocks, so that both see the machine in the same state and neither empties the other's caches.
   for (int done = 0; done < count; done += kBlock) {
     std::vector<Configuration> set;
@@ -167,10 +170,12 @@ void costs(const Model& model, SelfCollision& check, FclPeer& fcl, int count, bo
     work.clusters += after.clusters - before.clusters;
     work.rows += after.rows - before.rows;
     for (int k = 0; k < kBlock; ++k) {
+      const bool before_it = core.alone();
       time(single, 1, [&](int) {
         check.place(q(k));
         check.touching();
       });
+      if (before_it && core.alone()) alone.us.push_back(single.us.back());
     }
     for (int from = 0; from < kBlock; from += kBatch) {
       time(placing, kBatch, [&](int k) { check.place(q(from + k)); });
@@ -200,11 +205,14 @@ void costs(const Model& model, SelfCollision& check, FclPeer& fcl, int count, bo
   std::printf("%s: %d postures, %.2f pairs touch, %.0f %% of postures; %ld allocations\n", where,
               count, static_cast<double>(hits) / count,
               100.0 * static_cast<double>(colliding) / count, allocations);
+  std::printf("  core alone in %.0f %% of postures\n",
+              100.0 * static_cast<double>(alone.us.size()) / static_cast<double>(single.us.size()));
   std::printf("  %.1f sphere, %.1f capsule, %.0f cluster pairs, %.0f triangle rows\n",
               static_cast<double>(work.spheres) / tests, static_cast<double>(work.capsules) / tests,
               static_cast<double>(work.clusters) / tests, static_cast<double>(work.rows) / tests);
   const double ours = single.at_share(0.5);  // FCL's are of each posture too
   print("exact, all pairs (each posture)", single, 0.0, csv, where);
+  print("the same, core alone", alone, 0.0, csv, where);
   print("exact, all pairs (batches of 20)", all, 0.0, csv, where);
   print("exact, until the first hit", first, 0.0, csv, where);
   print("kinematics and placing alone", placing, 0.0, csv, where);
