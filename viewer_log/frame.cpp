@@ -49,15 +49,17 @@ std::vector<Vector3d> hull(std::vector<Vector3d> points) {
   return chain;
 }
 
-void add_feet(const StackView& view, Json& frame) {
+// Below the robot as it is drawn: the estimate of where it walked drifts from the truth.
+void add_feet(const StackView& view, std::int64_t now_ns, Json& frame) {
   const Estimator& estimator = view.estimator();
+  const Eigen::Isometry3d drawn = view.drawn_from_estimated(now_ns);
   Json soles = Json::array(), loaded = Json::array(), force = Json::array();
   std::vector<Vector3d> support;
   for (int foot = 0; foot < 2; ++foot) {
     const Sole& sole = view.model().soles[static_cast<std::size_t>(foot)];
     if (sole.link < 0) continue;
     Json outline = Json::array();
-    for (const Vector3d& corner : corners(sole, estimator.sole_in_world(foot))) {
+    for (const Vector3d& corner : corners(sole, drawn * estimator.sole_in_world(foot))) {
       outline.push_back(point(corner));
       if (estimator.loaded(foot)) support.push_back(corner);
     }
@@ -122,7 +124,8 @@ void add_balance(const StackView& view, std::int64_t now_ns, Json& frame) {
   }
   if (view.controller().fresh(now_ns, kSenderFresh)) {
     const ControllerStatus& status = view.controller().value;
-    const Eigen::Isometry3d& ground = view.estimator().ground_in_world();
+    const Eigen::Isometry3d ground =
+        view.drawn_from_estimated(now_ns) * view.estimator().ground_in_world();
     const auto on_ground = [&](const std::array<float, 2>& p) {
       return point(ground * Vector3d(double{p[0]}, double{p[1]}, 0.0));
     };
@@ -268,7 +271,7 @@ std::string live_frame(const StackView& view, std::int64_t now_ns, const Recorde
                 {"stop", label(state.stop_kind)}};
   frame["q"] = numbers(state.q, view.model().bus_count(), 5);
   frame["base"] = pose(view.base(now_ns));
-  add_feet(view, frame);
+  add_feet(view, now_ns, frame);
   add_forces(view, now_ns, frame);
   add_balance(view, now_ns, frame);
   add_pairs(view, now_ns, frame);

@@ -100,6 +100,34 @@ TEST(LiveFrame, WithASimulatorItsContactsAreDrawn) {
   EXPECT_TRUE(frame.contains("push"));
 }
 
+// Where the robot believes it is drifts from where the simulator has it; what is under its feet stays under its feet.
+TEST(LiveFrame, SolesAndPolygonAreBelowTheRobotThatIsDrawn) {
+  StackView view(model());
+  view.on_state(standing(), kNow);
+  SimTruth truth;
+  truth.run_id = 11;
+  truth.base_attitude = {1, 0, 0, 0};
+  view.on_truth(truth, kNow);
+  const Json before = Json::parse(live_frame(view, kNow));
+  truth.base_position = {0.25, -0.5, 0};
+  view.on_truth(truth, kNow);
+  const Json after = Json::parse(live_frame(view, kNow));
+  const auto moved = [](const Json& a, const Json& b, int i) {
+    const auto k = static_cast<std::size_t>(i);
+    return b[k].get<double>() - a[k].get<double>();
+  };
+  EXPECT_NEAR(moved(before["base"], after["base"], 0), 0.25, 1e-3);
+  ASSERT_EQ(before["polygon"].size(), after["polygon"].size());
+  for (const char* key : {"soles", "polygon"}) {
+    const Json& a = key == std::string("soles") ? before[key][0] : before[key];
+    const Json& b = key == std::string("soles") ? after[key][0] : after[key];
+    for (std::size_t corner = 0; corner < a.size(); ++corner) {
+      EXPECT_NEAR(moved(a[corner], b[corner], 0), 0.25, 1e-3) << key;
+      EXPECT_NEAR(moved(a[corner], b[corner], 1), -0.5, 1e-3) << key;
+    }
+  }
+}
+
 TEST(LiveFrame, NothingHeardYetIsStillAFrame) {
   StackView view(model());
   const Json live = Json::parse(live_frame(view, kNow));
