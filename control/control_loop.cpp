@@ -68,6 +68,7 @@ struct ControlLoop::Impl {
   Blend blend;
   MaskBrake brake;
   SetPointLimits limits;
+  StateCheck check;
   std::unique_ptr<Guard> guard;
   ModeQueue requests;
   std::int64_t legs = 0;      // bit per joint: never masked
@@ -104,7 +105,8 @@ ControlLoop::Impl::Impl(const Model& m, const ControlConfig& c)
       modes(m, c.gains, WalkGains{}),
       blend(m.bus_count()),
       brake(m),
-      limits(m) {
+      limits(m),
+      check(m) {
   if (m.bus_count() < 1 || m.bus_count() > kMaxJoints) {
     throw std::runtime_error("robot " + m.name + " has " + std::to_string(m.bus_count()) +
                              " actuated joints; the bus carries 1 to " +
@@ -254,7 +256,7 @@ void ControlLoop::Impl::compute(std::int64_t now_ns, double dt, bool same_source
 // A tick that the last source has published already, of another robot.  Steps go on as they are; legs that balance are
 // where they are measured: told to be where the other robot's are, they would pull this one over while its gate fades.
 void ControlLoop::Impl::look_again(std::int64_t now_ns) noexcept {
-  if (modes.walk() != nullptr || !have_output || !is_sane(state, model)) return;
+  if (modes.walk() != nullptr || !have_output || !check.is_sane(state)) return;
   next_state(std::exchange(looked_run, state.run_id) == state.run_id, true);
   modes.want(now(), mask, 0.0, want);
   blend.apply(want, 0.0);
@@ -278,7 +280,7 @@ bool ControlLoop::Impl::step(std::int64_t now_ns, JointCommand& out) noexcept {
     out = command;
     return true;
   }
-  const bool sane = is_sane(state, model);
+  const bool sane = check.is_sane(state);
   const bool first = answered_tick < 0 || (!same_source && !goes_on());
   if (first && !sane) return false;
   double dt = model.period();

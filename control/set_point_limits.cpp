@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "robot/index.h"
+#include "robot/vec4.h"
 
 namespace twinbus {
 
@@ -29,6 +30,7 @@ SetPointLimits::SetPointLimits(const Model& model) noexcept
   }
 }
 
+TWINBUS_AVX2_CLONES
 void SetPointLimits::apply(const RobotState& state, const SetPoint* last, double dt,
                            SetPoint& p) const noexcept {
   // Finite numbers times zero are zero; a sum that overflows only has every joint looked at.

@@ -3,39 +3,51 @@
 
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
+#include "robot/index.h"
 #include "robot/model.h"
 #include "robot/robot_io.h"
 
 namespace twinbus {
 
-inline bool is_sane(const RobotState& state, const Model& model) noexcept {
-  if (state.joint_count != model.bus_count()) return false;
-  for (int k = 0; k < model.bus_count(); ++k) {
-    const auto i = static_cast<std::size_t>(k);
-    const Joint& joint = model.joints[static_cast<std::size_t>(model.bus_joints[i])];
-    const bool turns = joint.kind == JointKind::kContinuous;
-    if (!(std::abs(state.q[i]) < 1e4)) return false;
-    if (!turns && !(state.q[i] > joint.lower - 1.0 && state.q[i] < joint.upper + 1.0)) return false;
-    if (!(std::abs(state.qd[i]) < 200.0F)) return false;
-    if (!(std::abs(state.tau[i]) < 1e6F)) return false;
-  }
-  float norm = 0.0F;
-  for (float a : state.attitude) norm += a * a;
-  if (!(norm > 0.5F && norm < 1.5F)) return false;
-  for (float g : state.gyro) {
-    if (!(std::abs(g) < 100.0F)) return false;
-  }
-  for (float a : state.accel) {
-    if (!(std::abs(a) < 2000.0F)) return false;
-  }
-  for (const auto& wrench : state.wrench) {
-    for (float w : wrench) {
-      if (!(std::abs(w) < 1e5F)) return false;
+class StateCheck {
+ public:
+  explicit StateCheck(const Model& model) noexcept
+      : count_(static_cast<std::size_t>(model.bus_count())) {
+    for (std::size_t i = 0; i < count_; ++i) {
+      const Joint& joint = model.joints[at(model.bus_joints[i])];
+      const bool turns = joint.kind == JointKind::kContinuous;
+      low_[i] = turns ? -kMostPosition : std::max(-kMostPosition, joint.lower - kBeyond);
+      high_[i] = turns ? kMostPosition : std::min(kMostPosition, joint.upper + kBeyond);
     }
   }
-  return true;
-}
+
+  [[nodiscard]] bool is_sane(const RobotState& state) const noexcept {
+    if (state.joint_count != static_cast<int>(count_)) return false;
+    bool good = true;
+    for (std::size_t i = 0; i < count_; ++i) {
+      good &= state.q[i] > low_[i] && state.q[i] < high_[i];
+      good &= std::abs(state.qd[i]) < 200.0F && std::abs(state.tau[i]) < 1e6F;
+    }
+    float norm = 0.0F;
+    for (const float a : state.attitude) norm += a * a;
+    good &= norm > 0.5F && norm < 1.5F;
+    for (const float g : state.gyro) good &= std::abs(g) < 100.0F;
+    for (const float a : state.accel) good &= std::abs(a) < 2000.0F;
+    for (const auto& wrench : state.wrench) {
+      for (const float w : wrench) good &= std::abs(w) < 1e5F;
+    }
+    return good;
+  }
+
+ private:
+  static constexpr double kMostPosition = 1e4;  // [rad or m]
+  static constexpr double kBeyond = 1.0;        // of a joint's limits [rad or m]
+
+  std::size_t count_;
+  PerJoint<double> low_{}, high_{};  // bus order
+};
 
 }  // namespace twinbus
