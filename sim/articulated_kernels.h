@@ -24,6 +24,8 @@ namespace baseline {
 #include "sim/articulated_placing.h"
 #include "sim/articulated_momentum.h"
 #include "sim/articulated_sweeps.h"
+#include "sim/link_hinges.h"
+#include "sim/inertia_lanes.h"
 #include "sim/inverse_lanes.h"
 }  // namespace baseline
 #if defined(__x86_64__) && !defined(__clang__)
@@ -36,6 +38,8 @@ namespace avx2 {
 #include "sim/articulated_placing.h"
 #include "sim/articulated_momentum.h"
 #include "sim/articulated_sweeps.h"
+#include "sim/link_hinges.h"
+#include "sim/inertia_lanes.h"
 #include "sim/inverse_lanes.h"
 }  // namespace avx2
 #pragma GCC target("avx512f,avx512vl,avx512dq,fma")
@@ -46,6 +50,8 @@ namespace avx512 {
 #include "sim/articulated_placing.h"
 #include "sim/articulated_momentum.h"
 #include "sim/articulated_sweeps.h"
+#include "sim/link_hinges.h"
+#include "sim/inertia_lanes.h"
 #include "sim/inverse_lanes.h"
 }  // namespace avx512
 #pragma GCC pop_options

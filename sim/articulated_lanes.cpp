@@ -135,24 +135,6 @@ std::vector<Rank> side_by_side(const std::vector<int>& parent, int lanes) {
 }
 
 // In order of depth: links that follow one another seldom wait for one another.
-std::vector<Rank> copies_side_by_side(const std::vector<int>& parent, int lanes) {
-  std::vector<int> depth(parent.size(), 0), order(parent.size()), rank_of(parent.size());
-  for (std::size_t i = 1; i < parent.size(); ++i) depth[i] = depth[at(parent[i])] + 1;
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return depth[at(a)] < depth[at(b)]; });
-  std::vector<Rank> ranks(parent.size());
-  for (std::size_t r = 0; r < ranks.size(); ++r) {
-    const int link = order[r];
-    rank_of[at(link)] = static_cast<int>(r);
-    std::fill_n(ranks[r].link, lanes, link);
-    if (r == 0) continue;
-    ranks[r].parents = rank_of[at(parent[at(link)])];
-    for (int lane = 0; lane < lanes; ++lane) ranks[r].parent[lane] = ranks[r].parents * lanes + lane;
-  }
-  share_folded(ranks, lanes);
-  return ranks;
-}
-
 template <class L>
 void fill(BodyLanes<L>& lanes, const Model& model, double mass_scale, LinkNumbers& to_links) {
   constexpr auto kLanes = static_cast<std::size_t>(BodyLanes<L>::kLanes);

@@ -126,8 +126,6 @@ struct Rank {
 // Link 0 alone, then the others, those with the longest chain behind them first.  parent: of each
 // link, before it; -1 of link 0.
 std::vector<Rank> side_by_side(const std::vector<int>& parent, int lanes);
-// A rank for each link, with a copy of it in each lane.
-std::vector<Rank> copies_side_by_side(const std::vector<int>& parent, int lanes);
 
 template <class T>
 struct alignas(64) Aligned {

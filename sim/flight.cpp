@@ -42,7 +42,8 @@ FlightMotion::FlightMotion(const Model& model, const WorldConfig& config)
       first_q_(fixed_base_ ? 0 : 7),
       first_qd_(fixed_base_ ? joints_ : joints_ + 13),
       rows_(model.joints.size()) {
-  if (method_ == Flight::kGauss8) gauss_.emplace(model, fixed_base_, config.mass_scale);
+  if (method_ == Flight::kGauss8)
+    gauss_.emplace(model, fixed_base_, config.mass_scale, config.flight_error);
   const Eigen::Index size = first_qd_ + joints_;
   for (Eigen::VectorXd* v : {&y_, &sum_, &trial_}) v->setZero(size);
   for (Eigen::VectorXd& v : k_) v.setZero(size);

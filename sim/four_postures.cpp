@@ -7,30 +7,38 @@ namespace twinbus {
 
 namespace {
 
-Three<Vec4> in_lanes(const Eigen::Vector3d& v) noexcept {
-  return {Vec4{} + v.x(), Vec4{} + v.y(), Vec4{} + v.z()};
+Three<double> three(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+
+Symmetric3<double> symmetric(const Eigen::Matrix3d& m) {
+  return {m(0, 0), m(0, 1), m(0, 2), m(1, 1), m(1, 2), m(2, 2)};
 }
 
+// What a link weighs and how its joint holds it.
 RigidLink rigid(const Model& model, std::size_t i, double mass_scale) {
   const Link& link = model.links[i];
   const double m = mass_scale * link.mass;
   const Eigen::Vector3d c = link.com;
+  const Eigen::Matrix3d one = Eigen::Matrix3d::Identity();
   const Eigen::Matrix3d inertia =
-      mass_scale * link.inertia +
-      m * (c.squaredNorm() * Eigen::Matrix3d::Identity() - c * c.transpose());
-  RigidLink of{.mass = m,
-               .moment = {m * c.x(), m * c.y(), m * c.z()},
-               .inertia = {inertia(0, 0), inertia(0, 1), inertia(0, 2), inertia(1, 1),
-                           inertia(1, 2), inertia(2, 2)},
-               .offset = {0.0, 0.0, 0.0},
-               .axis = 3};
+      mass_scale * link.inertia + m * (c.squaredNorm() * one - c * c.transpose());
+  RigidLink of{};
+  of.mass = m;
+  of.moment = three(m * c);
+  of.inertia = symmetric(inertia);
+  of.spread = symmetric(0.5 * inertia.trace() * one - inertia);
+  of.axis = 3;
+  of.leaf = true;
   if (i == 0) return of;
   const Joint& joint = model.joints[i - 1];
-  const Eigen::Vector3d offset = joint.placement.translation();
-  of.offset = {offset.x(), offset.y(), offset.z()};
+  const Eigen::Matrix3d placed = joint.placement.linear();
+  of.offset = three(joint.placement.translation());
+  of.rotor = joint.rotor_inertia;
+  of.parent = at(joint.parent);
+  of.placed = {three(placed.col(0)), three(placed.col(1)), three(placed.col(2))};
+  of.direction = three(joint.axis);
+  of.slides = joint.kind == JointKind::kPrismatic;
   for (int k = 0; k < 3; ++k) {
-    const bool straight = joint.placement.linear() == Eigen::Matrix3d::Identity();
-    if (straight && joint.axis == Eigen::Vector3d::Unit(k)) of.axis = k;
+    if (!of.slides && placed == one && joint.axis == Eigen::Vector3d::Unit(k)) of.axis = k;
   }
   return of;
 }
@@ -38,53 +46,41 @@ RigidLink rigid(const Model& model, std::size_t i, double mass_scale) {
 }  // namespace
 
 FourPostures::FourPostures(const Model& model, bool fixed_base, double mass_scale) {
-  root_.floating = !fixed_base;
-  numbers_.parent.assign(model.links.size(), -1);
-  for (std::size_t j = 0; j < model.joints.size(); ++j) {
-    numbers_.parent[j + 1] = model.joints[j].parent;
-    slides_ = slides_ || model.joints[j].kind == JointKind::kPrismatic;
+  const std::size_t count = model.links.size();
+  for (std::size_t i = 0; i < count; ++i) body_.rigid.push_back(rigid(model, i, mass_scale));
+  for (std::size_t i = count - 1; i > 0; --i) {
+    RigidLink& on = body_.rigid[body_.rigid[i].parent];
+    body_.rigid[i].first = on.leaf;
+    on.leaf = false;
   }
-  lanes_.ranks = copies_side_by_side(numbers_.parent, kCount);
-  fill(lanes_, model, mass_scale, numbers_);
-  for (const Rank& rank : lanes_.ranks) {
-    rigid_.push_back(rigid(model, at(rank.link[0]), mass_scale));
+  body_.links.resize(count);
+  body_.folded.resize(count);
+  body_.root.floating = !fixed_base;
+  for (auto* numbers : {&body_.angle, &body_.rate, &body_.force, &body_.sine, &body_.cosine,
+                        &body_.known_angle, &body_.known_sine, &body_.known_cosine}) {
+    numbers->assign(count * kCount, 0.0);
   }
-  links_.resize(model.links.size());
   spin().setZero();
 }
 
 void FourPostures::hold(const Eigen::Matrix3d& axes) noexcept {
-  lanes_.links[0].rotation = {in_lanes(axes.col(0)), in_lanes(axes.col(1)), in_lanes(axes.col(2))};
-  held_ = axes.transpose() * Eigen::Vector3d(0.0, 0.0, kGravity);
+  const Eigen::Vector3d up = axes.row(2).transpose() * kGravity;
+  body_.held = {Vec4{} + up.x(), Vec4{} + up.y(), Vec4{} + up.z()};
 }
 
-bool FourPostures::accelerate(Accelerations& to) noexcept {
-  find_sines(lanes_.angle, lanes_.sine, lanes_.cosine);
-  if (root_.floating) lanes_.links[0].velocity.w = links_[0].value.w;
-  TWINBUS_KERNEL(place_links(lanes_));
-  if (!TWINBUS_KERNEL(fold_inward(lanes_, root_, 0.0))) return false;
-  TWINBUS_KERNEL(accelerate(lanes_, root_));
-  if (root_.floating) {
-    const Six<Vec4>& a = lanes_.links[0].acceleration;
-    const Vec4 felt[6] = {a.v.x, a.v.y, a.v.z + kGravity, a.w.x, a.w.y, a.w.z};
-    for (int k = 0; k < 6; ++k) store4(to.col(k).data(), felt[k]);
-  } else {
-    to.leftCols<6>().setZero();
-    for (int k = 0; k < 3; ++k) to.col(k) = held_[k];
-  }
-  for (std::size_t r = 1; r < lanes_.links.size(); ++r) {
-    store4(to.data() + (kFirstJoint - 1 + r) * kCount, lanes_.links[r].qdd);
-  }
-  return true;
+bool FourPostures::weigh() noexcept {
+  find_sines(body_.angle, body_.sine, body_.cosine);
+  body_.known_angle = body_.angle;
+  body_.known_sine = body_.sine;
+  body_.known_cosine = body_.cosine;
+  return TWINBUS_KERNEL(factor(body_));
 }
 
-void FourPostures::improve(Accelerations& guess) noexcept {
-  if (slides_) {
-    (void)accelerate(guess);
-    return;
+void FourPostures::improve(const Accelerations& guess, Accelerations& to) noexcept {
+  if (!TWINBUS_KERNEL(find_near_sines(body_))) {
+    find_sines(body_.angle, body_.sine, body_.cosine);
   }
-  find_sines(lanes_.angle, lanes_.sine, lanes_.cosine);
-  TWINBUS_KERNEL(improve(lanes_, root_, rigid_, links_, guess.data()));
+  TWINBUS_KERNEL(improve(body_, guess.data(), to.data()));
 }
 
 }  // namespace twinbus

@@ -1,6 +1,6 @@
-// Forward dynamics of one robot at four postures at once: each in a lane of its own
-// (sim/articulated_lanes.h), for what a short vector of postures costs little more than one.
-// For methods that need several independent evaluations (sim/gauss_flight.h).
+// Forward dynamics of one robot at four postures at once: each in a lane of its own, for what a short
+// vector of postures costs little more than one (sim/inverse_lanes.h).  For methods that need several
+// independent evaluations (sim/gauss_flight.h).
 //
 // Nothing touches: there are gravity and the torques of the joints, rotors included.  Everything
 // is in link 0's axes: how these stand in world and how fast link 0 goes matters to nothing that
@@ -9,11 +9,12 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <vector>
 
 #include "robot/dynamics.h"
 #include "robot/model.h"
-#include "sim/articulated_body.h"
+#include "robot/vec4.h"
 #include "sim/rigid_links.h"
 
 namespace twinbus {
@@ -21,7 +22,7 @@ namespace twinbus {
 class FourPostures {
  public:
   static constexpr int kCount = 4;
-  // A row for each posture, a column for each joint, in the order of joint_of().
+  // A row for each posture, a column for each joint.
   using Rows = Eigen::Map<Eigen::Array<double, kCount, Eigen::Dynamic>>;
   using Spins = Eigen::Map<Eigen::Array<double, kCount, 3>, Eigen::Aligned32>;
   // Columns: acceleration of link 0's origin minus gravity, of its turning, of the joints.
@@ -31,43 +32,36 @@ class FourPostures {
   // A model that ArticulatedBody takes.
   FourPostures(const Model& model, bool fixed_base, double mass_scale);
 
-  int joint_of(int column) const noexcept { return lanes_.ranks[at(column + 1)].link[0] - 1; }
-
-  // What to fill in before accelerate(): angles [rad], rates [rad/s] and torques [N m] of the
-  // joints, [m], [m/s] and [N] of prismatic ones.
-  Rows q() noexcept { return rows(lanes_.angle); }
-  Rows qd() noexcept { return rows(lanes_.rate); }
-  Rows torque() noexcept { return rows(lanes_.force); }
+  // What to fill in: angles [rad], rates [rad/s] and torques [N m] of the joints, [m], [m/s] and [N]
+  // of prismatic ones.
+  Rows q() noexcept { return rows(body_.angle); }
+  Rows qd() noexcept { return rows(body_.rate); }
+  Rows torque() noexcept { return rows(body_.force); }
   // Angular velocity of link 0 [rad/s], unless it is fixed.
-  Spins spin() noexcept { return Spins(reinterpret_cast<double*>(&links_[0].value.w)); }
+  Spins spin() noexcept { return Spins(reinterpret_cast<double*>(&body_.links[0].value.w)); }
   // Of a fixed base, its axes in world: where gravity comes from.
   void hold(const Eigen::Matrix3d& axes) noexcept;
 
-  // False: an inertia that is not positive; nothing may be read then.
-  [[nodiscard]] bool accelerate(Accelerations& to) noexcept;
+  // What the robots weigh as they stand.  False: an inertia that is not positive; nothing may be
+  // read then.
+  [[nodiscard]] bool weigh() noexcept;
 
-  // From a guess a better one, for half the time: its error is multiplied by the share by which
-  // the robot's inertia has changed since accelerate(), of each posture.
-  void improve(Accelerations& guess) noexcept;
+  // From any guess the accelerations, if the robots were weighed as they stand; else better ones:
+  // their error is multiplied by the share by which the inertia has changed, of each posture.
+  void improve(const Accelerations& guess, Accelerations& to) noexcept;
 
-  // Of what the joint moves, everything else free, at posture 0 of accelerate().
+  // Of what the joint moves, everything else free, of posture 0 when it was weighed.
   double inverse_inertia(int joint) const noexcept {
-    return numbers_.of(joint + 1, TWINBUS_LANE_FIELD(inverse_d))[0];
+    return body_.links[static_cast<std::size_t>(joint) + 1].value.inverse_d[0];
   }
 
  private:
-  // Rank r has a link in all of its lanes; column r - 1 is of the joint that moves it.
+  // The first four numbers are nobody's: link 0 has no joint.
   Rows rows(std::vector<double>& numbers) noexcept {
-    return {numbers.data() + kCount, kCount, static_cast<Eigen::Index>(lanes_.links.size()) - 1};
+    return {numbers.data() + kCount, kCount, static_cast<Eigen::Index>(body_.links.size()) - 1};
   }
 
-  BodyLanes<Vec4> lanes_;
-  LinkNumbers numbers_;
-  RootFactors<Vec4> root_;
-  bool slides_ = false;  // there are prismatic joints: improve() knows none
-  std::vector<RigidLink> rigid_;
-  std::vector<Aligned<LinkMotion<Vec4>>> links_;
-  Eigen::Vector3d held_ = {0.0, 0.0, kGravity};  // acceleration that a fixed base feels
+  RigidBody<Vec4> body_;
 };
 
 }  // namespace twinbus

@@ -1,6 +1,7 @@
 #include "sim/gauss_flight.h"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 
 #include "robot/index.h"
@@ -12,12 +13,22 @@ namespace {
 
 // Of the speed that iterations would still change, beside 1 and the fastest [1/s].
 constexpr double kSettled = 1e-9;
+// Of the error that a part of a step may have.
+constexpr double kSettledShare = 0.5;
 constexpr int kMostIterations = 16;
-constexpr int kMostHalvings = 4;
+constexpr int kMostParts = 500;             // tried in a step
+constexpr double kMostHalved = 1.0 / 16.0;  // of a step that has no error to keep to
+constexpr double kAlmost = 1e-9;
+// The error of a step's speeds, from the last of the four polynomials that its accelerations are:
+// found by comparing with steps a quarter as long.
+constexpr double kOfThird = 1e-3;
+constexpr double kFirstReach = 0.1;  // [s]
+constexpr int kJudged = 2;           // the iteration after which a part that is too long shows it
+constexpr double kCautious = 0.9, kTooWrong = 4.0;
 constexpr double kGentleGauss = 0.2;  // gentle()'s limit, for iterations that settle quickly
 constexpr int kTurnSweeps = 8;        // they cost no dynamics
 // Beyond such a change of speed postures are not yet known.
-constexpr double kFar = 0.1;  // [rad/s]
+constexpr double kFar = 1.0;  // [rad/s]
 
 struct Gauss {
   Eigen::Vector4d c;
@@ -25,35 +36,31 @@ struct Gauss {
   Eigen::Matrix4d twice;         // its square: from accelerations to positions
   Eigen::RowVector4d whole;      // b_j
   Eigen::RowVector4d whole_way;  // b_j (1 - c_j)
-  Eigen::Matrix4d ahead;         // from accelerations of a step to those of the next
+  Eigen::Matrix4d powers;        // from accelerations to the coefficients of 1, t, t^2, t^3
+  Eigen::RowVector4d third;      // to that of Legendre's polynomial of degree 3 over the step
 
   Gauss() {
     const double near = std::sqrt(3.0 / 7 - 2.0 / 7 * std::sqrt(1.2)),
                  far = std::sqrt(3.0 / 7 + 2.0 / 7 * std::sqrt(1.2));
     c = 0.5 + 0.5 * Eigen::Array4d(-far, -near, near, far);
-    Eigen::Matrix4d powers, integrals, next;  // of c
+    Eigen::Matrix4d of_c, integrals;
     for (int k = 0; k < 4; ++k) {
-      powers.col(k) = c.array().pow(k);
+      of_c.col(k) = c.array().pow(k);
       integrals.col(k) = c.array().pow(k + 1) / (k + 1);
-      next.col(k) = (1.0 + c.array()).pow(k);
     }
-    const Eigen::Matrix4d weights = powers.inverse();
+    const Eigen::Matrix4d weights = of_c.inverse();
+    powers = weights;
+    third = weights.row(3) / 20.0;
     within = integrals * weights;
     twice = within * within;
     whole = Eigen::RowVector4d(1.0, 1.0 / 2, 1.0 / 3, 1.0 / 4) * weights;
     whole_way = whole * within;
-    ahead = next * weights;
   }
 };
 
 const Gauss& gauss() {
   static const Gauss method;
   return method;
-}
-
-// Of a turn Q with angular velocity w in its own axes:  Q' = 1/2 Q (w, 0), as x y z w.
-Eigen::Vector4d turning(const Eigen::Vector4d& turn, const Eigen::Vector3d& w) noexcept {
-  return 0.5 * (Eigen::Quaterniond(turn) * Eigen::Quaterniond(0.0, w.x(), w.y(), w.z())).coeffs();
 }
 
 Eigen::Matrix3d axes_of(const Eigen::Array4d& turn) noexcept {
@@ -73,19 +80,48 @@ void integrate(const Eigen::Matrix4d& within, const double* slopes, const Eigen:
   }
 }
 
+// The largest difference, of columns of four; infinite if one is not a number.
+TWINBUS_AVX2_CLONES
+double apart(const double* a, const double* b, Eigen::Index columns) noexcept {
+  Vec4 most = {}, wrong = {};
+  for (Eigen::Index c = 0; c < columns; ++c, a += 4, b += 4) {
+    const Vec4 d = load4(a) - load4(b), size = d < 0.0 ? -d : d;
+    most = size <= most ? most : size;
+    wrong += d - d;
+  }
+  double all = 0.0;
+  for (int k = 0; k < 4; ++k) {
+    if (!(wrong[k] == 0.0)) return HUGE_VAL;
+    all = std::max(all, most[k]);
+  }
+  return all;
+}
+
+// Of turns T with angular velocities w in their own axes, four of each, x y z s and x y z:
+//     T' = 1/2 T (w, 0)
+TWINBUS_AVX2_CLONES
+void turning(const double* turns, const double* w, double* to) noexcept {
+  const Vec4 x = load4(turns), y = load4(turns + 4), z = load4(turns + 8), s = load4(turns + 12);
+  const Vec4 a = 0.5 * load4(w), b = 0.5 * load4(w + 4), c = 0.5 * load4(w + 8);
+  store4(to, s * a + y * c - z * b);
+  store4(to + 4, s * b + z * a - x * c);
+  store4(to + 8, s * c + x * b - y * a);
+  store4(to + 12, -x * a - y * b - z * c);
+}
+
 constexpr int kSpin = 3, kJoints = FourPostures::kFirstJoint;  // first columns
 
 }  // namespace
 
-GaussFlight::GaussFlight(const Model& model, bool fixed_base, double mass_scale)
+GaussFlight::GaussFlight(const Model& model, bool fixed_base, double mass_scale, double most_error)
     : floating_(!fixed_base),
       joints_(model.joint_count()),
-      four_(model, fixed_base, mass_scale),
-      before_(model) {
-  for (Points* points : {&acceleration_, &next_}) {
+      most_error_(most_error),
+      four_(model, fixed_base, mass_scale) {
+  for (Points* points : {&acceleration_, &next_, &last_}) {
     points->setZero(FourPostures::kCount, kJoints + joints_);
   }
-  for (Eigen::ArrayXd* start : {&start_q_, &start_qd_}) start->setZero(joints_);
+  for (Eigen::ArrayXd* start : {&start_.q, &start_.qd}) start->setZero(joints_);
   (void)gauss();
 }
 
@@ -94,149 +130,172 @@ void GaussFlight::aim(const std::vector<JointLaw>& joints, double h) noexcept {
   const Eigen::Vector4d none = Eigen::Vector4d::Zero(), times = h * gauss().c;
   auto q = four_.q(), qd = four_.qd();
   const double *slopes = acceleration_.data() + FourPostures::kCount * kJoints,
-               *rates = start_qd_.data();
+               *rates = start_.qd.data();
   integrate(within, slopes, none, rates, rates, joints_, qd.data());
-  integrate(twice, slopes, times, rates, start_q_.data(), joints_, q.data());
+  integrate(twice, slopes, times, rates, start_.q.data(), joints_, q.data());
   if (floating_) {
-    integrate(within, acceleration_.col(kSpin).data(), none, start_spin_.data(), start_spin_.data(),
+    integrate(within, acceleration_.col(kSpin).data(), none, start_.spin.data(), start_.spin.data(),
               3, four_.spin().data());
   }
   if (!driven_) return;
   auto torque = four_.torque();
   for (int j = 0; j < static_cast<int>(joints_); ++j) {
-    const JointLaw& law = joints[at(four_.joint_of(j))];
     for (Eigen::Index p = 0; p < FourPostures::kCount; ++p) {
-      torque(p, j) = law.torque_at(q(p, j), qd(p, j));
+      torque(p, j) = joints[at(j)].torque_at(q(p, j), qd(p, j));
     }
   }
 }
 
-GaussFlight::Outcome GaussFlight::settle(const std::vector<JointLaw>& joints, double h) noexcept {
-  if (known_) {
-    next_.matrix().noalias() = gauss().ahead.lazyProduct(acceleration_.matrix());
-    acceleration_.swap(next_);
-  } else {
+// From the step before, of length last_step_, which ended where this one begins.
+void GaussFlight::guess(double h) noexcept {
+  if (!(last_step_ > 0.0)) {
     acceleration_.setZero();
+    return;
   }
-  const double fastest = start_qd_.abs().maxCoeff() + start_spin_.abs().maxCoeff();
-  const double enough = kSettled * h * (1.0 + fastest);
+  const Eigen::Array4d t = 1.0 + h / last_step_ * gauss().c.array();
+  Eigen::Matrix4d powers;
+  powers << Eigen::Array4d::Ones(), t, t * t, t * t * t;
+  const Eigen::Matrix4d ahead = powers * gauss().powers;
+  acceleration_.matrix().noalias() = ahead.lazyProduct(last_.matrix());
+}
+
+GaussFlight::Outcome GaussFlight::settle(const std::vector<JointLaw>& joints, double h) noexcept {
+  guess(h);
+  error_ = 0.0;
+  const double fastest = start_.qd.abs().maxCoeff() + start_.spin.abs().maxCoeff();
+  const double enough = std::max(kSettled * h * (1.0 + fastest), kSettledShare * most_error_);
   double before = 1.0;  // how much the iteration before changed
   bool far = true;
   for (int i = 0; i < kMostIterations; ++i) {
     aim(joints, h);
-    if (!four_.qd().allFinite()) return Outcome::kWild;
-    if (far) {
-      if (!four_.accelerate(next_)) return Outcome::kWild;
-    } else {
-      next_ = acceleration_;
-      four_.improve(next_);
-    }
+    if (far && !four_.weigh()) return Outcome::kWild;
+    four_.improve(acceleration_, next_);
     if (i == 0 &&
         !gentle(joints, h, kGentleGauss, [this](int j) { return four_.inverse_inertia(j); })) {
       return Outcome::kNotForThis;
     }
-    const double change = h * (next_ - acceleration_).abs().maxCoeff();
+    const double change = h * apart(next_.data(), acceleration_.data(), next_.cols());
+    if (!(change < HUGE_VAL)) return Outcome::kWild;
     acceleration_.swap(next_);
     far = far && change > kFar;
     // Each changes about as much less than the one before.
-    if (i > 0 && change < before && change * change <= enough * before) return Outcome::kTaken;
+    const bool settled = i > 0 && change < before && change * change <= enough * before;
+    if (most_error_ > 0.0 && (settled || i == kJudged)) {
+      error_ = error(h);
+      if (error_ > kTooWrong * most_error_) return Outcome::kWild;
+    }
+    if (settled) return Outcome::kTaken;
     before = change;
   }
   return Outcome::kWild;
 }
 
-void GaussFlight::finish_base(double h, Configuration& c) noexcept {
+double GaussFlight::longer(double error) const noexcept {
+  return std::clamp(kCautious * std::pow(error / most_error_, -1.0 / 8.0), 0.2, 2.0);
+}
+
+double GaussFlight::error(double h) const noexcept {
+  const double most = acceleration_.abs().maxCoeff();
+  double third = (gauss().third.lazyProduct(acceleration_.matrix())).cwiseAbs().maxCoeff();
+  return most > 0.0 ? kOfThird * h * third * third / most : 0.0;
+}
+
+void GaussFlight::finish_base(double h) noexcept {
   const Gauss& method = gauss();
+  const Eigen::Matrix4d within = h * method.within;
+  const Eigen::Vector4d none = Eigen::Vector4d::Zero();
+  auto spin = four_.spin();
+  integrate(within, acceleration_.col(kSpin).data(), none, start_.spin.data(), start_.spin.data(),
+            3, spin.data());
   Turns turns, change;
-  turns.rowwise() = start_turn_.transpose();
+  turns.rowwise() = start_.turn.transpose();
   for (int i = 0; i <= kTurnSweeps; ++i) {
-    for (Eigen::Index p = 0; p < FourPostures::kCount; ++p) {
-      const Eigen::Vector3d spin = four_.spin().row(p).matrix();
-      change.row(p) = turning(turns.row(p).matrix(), spin).transpose();
-    }
+    turning(turns.data(), spin.data(), change.data());
     if (i == kTurnSweeps) break;
-    turns.matrix().noalias() = h * method.within.lazyProduct(change.matrix());
-    turns.rowwise() += start_turn_.transpose();
+    integrate(within, change.data(), none, start_.turn.data(), start_.turn.data(), 4, turns.data());
   }
-  const Eigen::Vector3d before = c.base_velocity, fall = {0.0, 0.0, -kGravity * h};
-  c.base.translation() += h * (before + 0.5 * fall);
-  c.base_velocity += fall;
+  const Eigen::Vector3d fall = {0.0, 0.0, -kGravity * h};
+  start_.place += h * (start_.velocity + 0.5 * fall);
+  start_.velocity += fall;
   for (Eigen::Index p = 0; p < FourPostures::kCount; ++p) {
     const Eigen::Vector3d felt =
         axes_of(turns.row(p).transpose()) * acceleration_.row(p).head<3>().matrix().transpose();
-    c.base.translation() += h * h * method.whole_way[p] * felt;
-    c.base_velocity += h * method.whole[p] * felt;
+    start_.place += h * h * method.whole_way[p] * felt;
+    start_.velocity += h * method.whole[p] * felt;
   }
-  const Eigen::Array3d spin =
-      start_spin_ +
+  start_.spin +=
       h * (method.whole * acceleration_.middleCols<3>(kSpin).matrix()).transpose().array();
-  const Eigen::Vector4d turn =
-      start_turn_.matrix() + h * (method.whole * change.matrix()).transpose();
-  c.base.linear() = axes_of(turn.array());
-  c.base_angular_velocity = c.base.linear() * spin.matrix();
+  start_.turn += h * (method.whole * change.matrix()).transpose().array();
 }
 
-bool GaussFlight::finish(const std::vector<JointLaw>& joints, double h, Configuration& c) noexcept {
-  aim(joints, h);
+bool GaussFlight::finish(const std::vector<JointLaw>& joints, double h) noexcept {
   for (int j = 0; j < static_cast<int>(joints_); ++j) {
-    const int joint = four_.joint_of(j);
     const auto a = acceleration_.col(kJoints + j).matrix();
-    c.q[joint] += h * (c.qd[joint] + h * gauss().whole_way.dot(a));
-    c.qd[joint] += h * gauss().whole.dot(a);
-    if (!joints[at(joint)].within_stops(c.q[joint])) return false;
+    start_.q[j] += h * (start_.qd[j] + h * gauss().whole_way.dot(a));
+    start_.qd[j] += h * gauss().whole.dot(a);
+    if (!joints[at(j)].within_stops(start_.q[j])) return false;
   }
-  if (floating_) finish_base(h, c);
+  if (floating_) finish_base(h);
+  last_.swap(acceleration_);
+  last_step_ = h;
   return true;
 }
 
-void GaussFlight::begin(const std::vector<JointLaw>& joints,
-                        const Configuration& configuration) noexcept {
-  const Eigen::Matrix3d axes = configuration.base.linear();
-  start_turn_ = Eigen::Quaterniond(axes).coeffs();
+void GaussFlight::begin(const std::vector<JointLaw>& joints, const Configuration& c) noexcept {
+  const Eigen::Matrix3d axes = c.base.linear();
+  start_.turn = Eigen::Quaterniond(axes).coeffs();
+  start_.place = c.base.translation();
+  start_.velocity = c.base_velocity;
+  start_.q = c.q;
+  start_.qd = c.qd;
   if (floating_) {
-    start_spin_ = axes.transpose() * configuration.base_angular_velocity;
+    start_.spin = axes.transpose() * c.base_angular_velocity;
   } else {
     four_.hold(axes);
   }
   driven_ = false;
-  for (int j = 0; j < static_cast<int>(joints_); ++j) {
-    const int joint = four_.joint_of(j);
-    const JointLaw& law = joints[at(joint)];
-    start_q_[j] = configuration.q[joint];
-    start_qd_[j] = configuration.qd[joint];
+  for (const JointLaw& law : joints) {
     driven_ =
         driven_ || law.stiffness() != 0.0 || law.damping() != 0.0 || law.torque_at(0.0, 0.0) != 0.0;
   }
   if (!driven_) four_.torque().setZero();
 }
 
-// halvings: how often h may still be halved.
-GaussFlight::Outcome GaussFlight::advance(const std::vector<JointLaw>& joints, double h,
-                                          int halvings, Configuration& configuration) noexcept {
-  begin(joints, configuration);
-  Outcome outcome = settle(joints, h);
-  if (outcome == Outcome::kTaken) {
-    known_ = true;
-    return finish(joints, h, configuration) ? outcome : Outcome::kNotForThis;
-  }
-  known_ = false;
-  if (outcome == Outcome::kNotForThis || halvings == 0) return outcome;
-  for (int half = 0; half < 2; ++half) {
-    outcome = advance(joints, 0.5 * h, halvings - 1, configuration);
-    if (outcome != Outcome::kTaken) return outcome;
-  }
-  known_ = false;  // what is known is of half a step
-  return outcome;
+void GaussFlight::end(Configuration& c) const noexcept {
+  c.q = start_.q;
+  c.qd = start_.qd;
+  if (!floating_) return;
+  c.base.translation() = start_.place;
+  c.base.linear() = axes_of(start_.turn);
+  c.base_velocity = start_.velocity;
+  c.base_angular_velocity = c.base.linear() * start_.spin.matrix();
 }
 
+// In parts of at most reach_: less after one that was too wild or too wrong, more after good ones.
 bool GaussFlight::step(ArticulatedBody& body, const std::vector<JointLaw>& joints, double h,
                        Configuration& configuration) noexcept {
-  before_ = configuration;
-  if (advance(joints, h, kMostHalvings, configuration) != Outcome::kTaken) {
-    known_ = false;
-    configuration = before_;
+  begin(joints, configuration);
+  const bool by_error = most_error_ > 0.0;
+  if (!by_error || !(last_step_ > 0.0)) reach_ = by_error ? kFirstReach : h;
+  double left = h;
+  for (int tried = 0; left > 0.0; ++tried) {
+    const double parts = std::max(1.0, std::ceil(left / reach_ - kAlmost)), part = left / parts;
+    const Outcome outcome = tried == kMostParts ? Outcome::kNotForThis : settle(joints, part);
+    if (outcome == Outcome::kNotForThis) break;
+    if (outcome == Outcome::kTaken) {
+      if (!finish(joints, part)) break;
+      left = parts > 1.0 ? left - part : 0.0;
+    } else if (!by_error && part < 1.5 * kMostHalved * h) {
+      break;
+    }
+    const double room = error_ > 0.0 ? longer(error_) : outcome == Outcome::kTaken ? 1.0 : 0.5;
+    reach_ = room * part;
+  }
+  if (left > 0.0) {
+    interrupt();
     return false;
   }
+  end(configuration);
   body.place(configuration);
   return true;
 }

@@ -31,11 +31,16 @@ const Entry kEntries[] = {
      "of accuracy; 2 and 3 (engine articulated) take 3 and 6 solves a step",
      [](SimSettings& s, double v, double) { s.world.order = static_cast<int>(std::lround(v)); }},
     {"solver.flight", 0.0, 4.0,
-     "what touches nothing moves by 1: Adams-Bashforth 4, 2: Runge-Kutta 4, 3: Fehlberg 8, 4: Gauss "
+     "what touches nothing moves by 1: Adams-Bashforth 4, 2: Runge-Kutta 4, 3: Fehlberg 8, 4: "
+     "Gauss "
      "8; 0: like all else",
      [](SimSettings& s, double v, double) {
        s.world.flight = static_cast<Flight>(std::lround(v));
      }},
+    {"solver.flight_error", 0.0, 1e-3,
+     "flight 4 takes a step in parts, each of which makes no speed wrong by more [rad/s], [m/s]; "
+     "0: whole",
+     [](SimSettings& s, double v, double) { s.world.flight_error = v; }},
     {"model.mass_scale", 0.1, 10.0, "masses and inertias times this",
      [](SimSettings& s, double v, double) { s.world.mass_scale = v; }},
     {"model.friction", 0.0, 1e3, "Coulomb friction added to every joint [N m]",

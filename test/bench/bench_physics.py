@@ -100,6 +100,7 @@ def smooth(lab, scene, targets, rounds):
     check = error(lab.flight[2].run(scene, 5e-4, 1), reference)
     print(f"{scene:12s} reference: RKF78 at 0.25 ms, moves by {check:.1e} m from 0.5 ms")
     ours = [(engine, (5e-2, 2.5e-2, 2e-2, 1e-2, 5e-3, 2e-3, 1e-3), reference) for engine in lab.flight]
+    ours += [(engine, (5e-1, 1e-1), reference) for engine in lab.parted]
     theirs = [(lab.mujoco(version, "rk4"), (1e-2, 5e-3, 2e-3, 1e-3, 5e-4), reference) for version in lab.mujocos]
     found = measured_curves(scene, ours, theirs, rounds)
     for peer, _, _ in theirs:

@@ -10,7 +10,8 @@
 //     physics_cases tumble METHOD H STIFFNESS FRICTION [THROWS]  boxes thrown, friction 0.3 to that
 //     physics_cases boxes SHAPE METHOD H COUNT [SECONDS]  us a step of boxes lying apart or in a stack
 //
-// METHOD: articulated, articulated2 and articulated3 (orders 2, 3), ode, or articulated-ab4, -rk4, -rkf78, -gauss8 in flight.
+// METHOD: articulated, articulated2 and articulated3 (orders 2, 3), ode, or articulated-ab4, -rk4, -rkf78, -gauss8 in flight;
+// -gauss8-1e-7: in parts that are right to 1e-7 rad/s.
 
 #include <time.h>
 
@@ -44,6 +45,8 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
+const std::string kGauss8 = "articulated-gauss8";
+
 WorldConfig config_of(const PhysicsScene& scene, const std::string& method, double h) {
   WorldConfig config;
   config.step = h;
@@ -60,8 +63,10 @@ WorldConfig config_of(const PhysicsScene& scene, const std::string& method, doub
     config.flight = Flight::kRk4;
   } else if (method == "articulated-rkf78") {
     config.flight = Flight::kRkf78;
-  } else if (method == "articulated-gauss8") {
+  } else if (method.rfind(kGauss8, 0) == 0) {
     config.flight = Flight::kGauss8;
+    const std::string most = method.substr(kGauss8.size());
+    config.flight_error = most.empty() ? 0.0 : std::atof(most.c_str() + 1);
   } else if (method != "articulated") {
     throw std::runtime_error("no method '" + method + "'");
   }
