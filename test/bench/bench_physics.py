@@ -311,6 +311,10 @@ def determinism(lab, _rounds):
     for method in ("articulated", "articulated2"):
         hashes = {call(lab.program, "hash", "throw", method, 2e-3)[0].split()[-1] for _ in range(10)}
         row("determinism", f"different hashes of 10 throws, {method}", "1", str(len(hashes)), len(hashes) == 1, unit="")
+        # Read out and continued in a new world.
+        for scene, h, where, share in (("throw", 2e-3, "in the air", 0.1), ("stand", 1e-3, "in contact", 0.5)):
+            hashes = {call(lab.program, "hash", scene, method, h, at)[0].split()[-1] for at in (1, share)}
+            row("determinism", f"different hashes with and without a restart {where}, {method}", "1", str(len(hashes)), len(hashes) == 1, unit="")
 
 
 CASES = {"free": free, "flight": lambda lab, rounds: smooth(lab, "flight", ((1e-8, 42),), rounds),

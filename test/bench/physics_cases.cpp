@@ -6,7 +6,8 @@
 //     physics_cases brick METHOD H STIFFNESS DEGREES   stopping distance
 //     physics_cases map   METHOD SMALLEST_H            which stands are stable
 //     physics_cases effort METHOD H                    worst excess over limits and stops, thrown
-//     physics_cases hash  SCENE METHOD H               of the whole trajectory
+//     physics_cases hash  SCENE METHOD H [RESTORED]    of the whole trajectory; read out after that
+//                                                      share of it and continued in a new world
 //     physics_cases tumble METHOD H STIFFNESS FRICTION [THROWS]  boxes thrown, friction 0.3 to that
 //     physics_cases boxes SHAPE METHOD H COUNT [SECONDS]  us a step of boxes lying apart or in a stack
 //
@@ -20,6 +21,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -227,9 +229,21 @@ void effort(const std::string& method, double h) {
   std::printf("effort %s %g over %.3g beyond %.3g\n", method.c_str(), h, over, beyond);
 }
 
-void hash(const std::string& name, const std::string& method, double h) {
+std::unique_ptr<World> restored(const World& world, const PhysicsScene& scene,
+                                const WorldConfig& config) {
+  auto copy = make_world(scene.model, config);
+  begin(*copy, scene);
+  Eigen::VectorXd tau(scene.model.joint_count());
+  for (int j = 0; j < scene.model.joint_count(); ++j) tau[j] = world.tau(j);
+  if (copy->set(world.configuration(), &tau) != Status::kOk) throw std::runtime_error("bad state");
+  return copy;
+}
+
+// restored_at: a share of the time, 1: never.
+void hash(const std::string& name, const std::string& method, double h, double restored_at) {
   const PhysicsScene scene = physics_scene(name);
-  const auto world = make_world(scene.model, config_of(scene, method, h));
+  const WorldConfig config = config_of(scene, method, h);
+  auto world = make_world(scene.model, config);
   begin(*world, scene);
   std::uint64_t sum = 0xcbf29ce484222325ULL;
   const auto mix = [&](double value) {
@@ -237,7 +251,10 @@ void hash(const std::string& name, const std::string& method, double h) {
     std::memcpy(&bits, &value, sizeof bits);
     sum = (sum ^ bits) * 0x100000001b3ULL;
   };
-  for (long i = 0; i < steps_of(scene.duration, h); ++i) {
+  const long steps = steps_of(scene.duration, h),
+             pause = std::lround(restored_at * static_cast<double>(steps));
+  for (long i = 0; i < steps; ++i) {
+    if (i == pause) world = restored(*world, scene, config);
     if (world->step() != Status::kOk) throw std::runtime_error("diverged");
     const Configuration& c = world->configuration();
     for (int j = 0; j < scene.model.joint_count(); ++j) mix(c.q[j]);
@@ -372,7 +389,7 @@ int cases(int argc, char** argv) {
   } else if (what == "effort") {
     effort(word(2), number(3, 1e-3));
   } else if (what == "hash") {
-    hash(word(2), word(3), number(4, 1e-3));
+    hash(word(2), word(3), number(4, 1e-3), number(5, 1.0));
   } else if (what == "tumble") {
     tumble(word(2), number(3, 1e-3), number(4, 1e6), number(5, 0.8),
            static_cast<int>(number(6, 40)));
