@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include "robot/index.h"
+#include "robot/vec4.h"
 
 namespace twinbus {
 
@@ -67,27 +69,59 @@ CourseWay::Shares CourseWay::between(double from, double to) noexcept {
   return result;
 }
 
-// Before the brakes come joints go straight; braked they are off the straight way by b h^2 / 8 at most.
+namespace {
+
+constexpr std::size_t kPlaces = SweptShapes::kPlaces;
+
+struct Instants {  // of all places
+  alignas(32) double of_delay[kPlaces], braked[kPlaces];
+  alignas(32) double to_next[kPlaces];  // braked until the next one [s]
+};
+
+TWINBUS_INLINE Vec4 smaller(const Vec4& a, const Vec4& b) noexcept { return a < b ? a : b; }
+
+// Before the brakes come a joint goes straight; braked it is off the straight way by b h^2 / 8 at most.
+TWINBUS_AVX2_CLONES
+void go_along(const Course& c, double here, const Instants& instants, double* q,
+              float* bend) noexcept {
+  const double stops = std::abs(c.speed) / c.brake, brake = std::copysign(0.5 * c.brake, c.speed);
+  const Vec4 stop = Vec4{} + stops;
+  Vec4 at[2], next[2];
+  for (std::size_t half = 0; half < 2; ++half) {
+    const Vec4 s = smaller(load4(instants.braked + 4 * half), stop);
+    at[half] = here + (c.first * load4(instants.of_delay + 4 * half) + (c.speed - brake * s) * s);
+    store4(q + 4 * half, at[half]);
+  }
+  next[0] = __builtin_shufflevector(at[0], at[1], 1, 2, 3, 4);
+  next[1] = __builtin_shufflevector(at[1], at[1], 1, 2, 3, 3);
+  for (std::size_t half = 0; half < 2; ++half) {
+    const Vec4 h = load4(instants.to_next + 4 * half), step = next[half] - at[half];
+    const Vec4 most = smaller(step < 0.0 ? -step : step, 0.125 * c.brake * h * h);
+    for (std::size_t i = 0; i < 4; ++i) bend[4 * half + i] = static_cast<float>(most[i]);
+  }
+}
+
+}  // namespace
+
 void CourseWay::go(const Eigen::VectorXd& here, const Shares& shares,
                    SweptShapes::Way& way) const noexcept {
-  std::array<Instant, SweptShapes::kPlaces> instants;
-  for (std::size_t k = 0; k < shares.size(); ++k) instants[k] = instant(shares[k]);
+  Instants instants;
+  for (std::size_t k = 0; k < kPlaces; ++k) {
+    const Instant now = instant(shares[k]);
+    instants.of_delay[k] = now.of_delay;
+    instants.braked[k] = now.braked;
+    instants.to_next[k] = 0.0;
+    if (k > 0) instants.to_next[k - 1] = now.braked - instants.braked[k - 1];
+  }
   for (std::size_t j = 0; j < courses_.size(); ++j) {
     if (way.asked[j] == 0) continue;
     const Course& c = courses_[j];
-    auto& q = way.q[j];
-    auto& bend = way.bend[j];
-    q.fill(here[static_cast<Eigen::Index>(j)]);
-    bend.fill(0.0F);
-    if (c.first == 0.0 && c.speed == 0.0) continue;
-    const double stops = std::abs(c.speed) / c.brake, brake = std::copysign(0.5 * c.brake, c.speed);
-    for (std::size_t k = 0; k < shares.size(); ++k) {
-      const double s = std::min(instants[k].braked, stops);
-      q[k] += c.first * instants[k].of_delay + (c.speed - brake * s) * s;
-    }
-    for (std::size_t k = 0; k + 1 < shares.size(); ++k) {
-      const double h = instants[k + 1].braked - instants[k].braked;
-      bend[k] = static_cast<float>(std::min(std::abs(q[k + 1] - q[k]), 0.125 * c.brake * h * h));
+    const double from = here[static_cast<Eigen::Index>(j)];
+    if (c.first == 0.0 && c.speed == 0.0) {
+      way.q[j].fill(from);
+      way.bend[j].fill(0.0F);
+    } else {
+      go_along(c, from, instants, way.q[j].data(), way.bend[j].data());
     }
   }
 }

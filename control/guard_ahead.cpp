@@ -144,6 +144,15 @@ bool Guard::Impl::judge(const CourseWay& way, const CourseWay::Shares& shares,
   return false;
 }
 
+// Only the joints that these pairs hang on.
+void Guard::Impl::ask_joints(const Collision::OnWay* asked, int count) noexcept {
+  for (int j = 0; j < model->joint_count(); ++j) {
+    places.asked[at(j)] = std::any_of(asked, asked + count, [&](const Collision::OnWay& pair) {
+      return moves_link(j, pair.link_a) || moves_link(j, pair.link_b);
+    });
+  }
+}
+
 // Looks at these pairs at these places, then between them at what is not proved to stay apart; true when
 // one comes too near.
 bool Guard::Impl::look(const CourseWay& way, const CourseWay::Shares& shares,
@@ -170,6 +179,7 @@ bool Guard::Impl::look(const CourseWay& way, const CourseWay::Shares& shares,
     const auto next_end = std::copy_if(pairs_open.begin(), pairs_open.begin() + count,
                                        open[at(part + 1)].begin(), is_open);
     const auto parts = CourseWay::between(shares[at(stretch)], shares[at(stretch + 1)]);
+    ask_joints(open[at(part + 1)].data(), static_cast<int>(next_end - open[at(part + 1)].begin()));
     way.go(now.q, parts, places);
     collision.go(now.base, places);
     if (look(way, parts, courses, part + 1,

@@ -70,6 +70,7 @@ struct Guard::Impl {
              Collision::OnWay& pair) noexcept;
   bool look(const CourseWay& way, const CourseWay::Shares& shares, const Courses& courses, int part,
             int count) noexcept;
+  void ask_joints(const Collision::OnWay* asked, int count) noexcept;
   bool hold_all() noexcept;
   void prove_mask() noexcept;
   bool comes_too_near(const PairDistance& before, const PairDistance& after) const noexcept;

@@ -80,17 +80,29 @@ namespace avx2_swept {
 
 namespace {
 
-// Sines of a joint's angles at all places.
+TWINBUS_INLINE void store_single(float* to, const Vec4& v) noexcept {
+  for (std::size_t i = 0; i < 4; ++i) to[i] = static_cast<float>(v[i]);
+}
+
+// Of a joint what it is at all places, its sines and by how much it moves to the next; are the angles
+// small enough for these sines?
 TWINBUS_AVX2_CLONES
-void sines(const double* angles, float* sine, float* cosine) noexcept {
-  for (std::size_t k = 0; k < 8; k += 4) {
+bool turn(const double* q, float* slide, float* moves, float* sine, float* cosine) noexcept {
+  const Vec4 angles[2] = {load4(q), load4(q + 4)};
+  const Vec4 next[2] = {__builtin_shufflevector(angles[0], angles[1], 1, 2, 3, 4),
+                        __builtin_shufflevector(angles[1], angles[1], 1, 2, 3, 3)};
+  bool small = true;
+  for (std::size_t half = 0; half < 2; ++half) {
+    const Vec4 &angle = angles[half], step = next[half] - angle;
     Vec4 s, c;
-    sine_cosine(load4(angles + k), s, c);
-    for (std::size_t i = 0; i < 4; ++i) {
-      sine[k + i] = static_cast<float>(s[i]);
-      cosine[k + i] = static_cast<float>(c[i]);
-    }
+    sine_cosine(angle, s, c);
+    store_single(sine + 4 * half, s);
+    store_single(cosine + 4 * half, c);
+    store_single(slide + 4 * half, angle);
+    store_single(moves + 4 * half, step < 0.0 ? -step : step);
+    for (int i = 0; i < 4; ++i) small = small && std::abs(angle[i]) <= kMostAngle;
   }
+  return small;
 }
 
 void take(const Eigen::Matrix3d& from, float (&to)[3][3]) {
@@ -274,18 +286,11 @@ void SweptShapes::go(const Eigen::Isometry3d& base, const Way& way) noexcept {
     if (q == i.angles[j]) continue;
     t.stale[j + 1] = 1;
     i.angles[j] = q;
+    if (turn(q.data(), t.slide + 8 * j, t.moves + 8 * j, t.sine + 8 * j, t.cosine + 8 * j))
+      continue;
     for (std::size_t k = 0; k < at(kPlaces); ++k) {
-      t.slide[8 * j + k] = static_cast<float>(q[k]);
-      t.moves[8 * j + k] =
-          k + 1 < at(kPlaces) ? static_cast<float>(std::abs(q[k + 1] - q[k])) : 0.0F;
-    }
-    if (std::all_of(q.begin(), q.end(), [](double x) { return std::abs(x) <= kMostAngle; })) {
-      sines(q.data(), t.sine + 8 * j, t.cosine + 8 * j);
-    } else {
-      for (std::size_t k = 0; k < at(kPlaces); ++k) {
-        t.sine[8 * j + k] = static_cast<float>(std::sin(q[k]));
-        t.cosine[8 * j + k] = static_cast<float>(std::cos(q[k]));
-      }
+      t.sine[8 * j + k] = static_cast<float>(std::sin(q[k]));
+      t.cosine[8 * j + k] = static_cast<float>(std::cos(q[k]));
     }
   }
   i.origin = base.translation();
