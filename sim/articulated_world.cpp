@@ -85,6 +85,25 @@ Status ArticulatedWorld::set(const Configuration& to, const Eigen::VectorXd* tau
   return Status::kOk;
 }
 
+bool ArticulatedWorld::resume(const ArticulatedWorld& other) noexcept {
+  if (loose_.count() > 0 || !loose_.robots().empty() || !config_.ties.empty()) return false;
+  configuration_ = other.configuration_;
+  ground_ = other.ground_;
+  joints_ = other.joints_;
+  flight_ = other.flight_;
+  pushes_ = other.pushes_;
+  reported_ = other.reported_;
+  part_ = other.part_;
+  held_ = other.held_;
+  calm_ = other.calm_;
+  converged_ = other.converged_;
+  airborne_ = other.airborne_;
+  before_ = other.before_;
+  frozen_ = other.frozen_;
+  body_.place(configuration_);
+  return true;
+}
+
 Status ArticulatedWorld::set_servo(int joint, const ServoTarget& target) noexcept {
   if (joint < 0 || at(joint) >= joints_.size()) return Status::kWrongSize;
   const Status status = check_target(target);

@@ -42,6 +42,10 @@ class ArticulatedWorld final : public World {
 
   Status set(const Configuration& configuration,
              const Eigen::VectorXd* tau = nullptr) noexcept override;
+  // Goes on as another world of the same model and config would, bit for bit: where its robot is and
+  // all that joints and contacts remember.  False: there are loose bodies, ties or other robots;
+  // nothing has changed.
+  [[nodiscard]] bool resume(const ArticulatedWorld& other) noexcept;
   Status set_servo(int joint, const ServoTarget& target) noexcept override;
   Status push(int link, const Eigen::Vector3d& point,
               const Eigen::Vector3d& force) noexcept override;

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """./twinbus bench physics [CASE...] [--csv F] [--rounds N]: our engines beside their peers, row by row asked and reached.
 
-Cases: free flight arm stand push map convergence brick tumble piles loops robots manifold effort determinism restart (default: all).  Costs are CPU time of one
+Cases: free flight arm stand push map convergence brick tumble piles loops robots manifold effort determinism (default: all).  Costs are CPU time of one
 thread; ours and the peers take turns, and a ratio is the median over rounds (default 5).  An engine's error is measured
 against a converged run: one reference where there is no contact, each engine's own finest run where contact laws differ.
 "asked" is for machines with AVX2; peers that are not installed are said and left out.  Exit status 1 if a row falls short.
@@ -311,21 +311,16 @@ def determinism(lab, _rounds):
     for method in ("articulated", "articulated2"):
         hashes = {call(lab.program, "hash", "throw", method, 2e-3)[0].split()[-1] for _ in range(10)}
         row("determinism", f"different hashes of 10 throws, {method}", "1", str(len(hashes)), len(hashes) == 1, unit="")
-
-
-def restart(lab, _rounds):
-    """Read out and continued in a new world."""
-    for method in ("articulated", "articulated2"):
+        # In the middle another world goes on.
         for scene, h, where, share in (("throw", 2e-3, "in the air", 0.1), ("stand", 1e-3, "in contact", 0.5)):
             hashes = {call(lab.program, "hash", scene, method, h, at)[0].split()[-1] for at in (1, share)}
-            row("restart", f"different hashes with and without a restart {where}, {method}", "1", str(len(hashes)), len(hashes) == 1, unit="")
+            row("determinism", f"different hashes, resumed {where} or not, {method}", "1", str(len(hashes)), len(hashes) == 1, unit="")
 
 
 CASES = {"free": free, "flight": lambda lab, rounds: smooth(lab, "flight", ((1e-8, 42),), rounds),
          "arm": lambda lab, rounds: smooth(lab, "arm", ((1e-3, 3.5), (1e-8, 14)), rounds), "stand": stand, "push": push, "map": stability,
          "convergence": convergence, "brick": brick, "tumble": tumble,
-         "piles": piles, "loops": loops, "robots": robots, "manifold": manifold, "effort": effort, "determinism": determinism,
-         "restart": restart}
+         "piles": piles, "loops": loops, "robots": robots, "manifold": manifold, "effort": effort, "determinism": determinism}
 
 
 def main(words):

@@ -6,8 +6,8 @@
 //     physics_cases brick METHOD H STIFFNESS DEGREES   stopping distance
 //     physics_cases map   METHOD SMALLEST_H            which stands are stable
 //     physics_cases effort METHOD H                    worst excess over limits and stops, thrown
-//     physics_cases hash  SCENE METHOD H [RESTORED]    of the whole trajectory; read out after that
-//                                                      share of it and continued in a new world
+//     physics_cases hash  SCENE METHOD H [RESTORED]    of the whole trajectory; after that share
+//                                                      of it a new world resumes it
 //     physics_cases tumble METHOD H STIFFNESS FRICTION [THROWS]  boxes thrown, friction 0.3 to that
 //     physics_cases boxes SHAPE METHOD H COUNT [SECONDS]  us a step of boxes lying apart or in a stack
 //
@@ -231,11 +231,9 @@ void effort(const std::string& method, double h) {
 
 std::unique_ptr<World> restored(const World& world, const PhysicsScene& scene,
                                 const WorldConfig& config) {
-  auto copy = make_world(scene.model, config);
-  begin(*copy, scene);
-  Eigen::VectorXd tau(scene.model.joint_count());
-  for (int j = 0; j < scene.model.joint_count(); ++j) tau[j] = world.tau(j);
-  if (copy->set(world.configuration(), &tau) != Status::kOk) throw std::runtime_error("bad state");
+  auto copy = std::make_unique<ArticulatedWorld>(scene.model, config);
+  const auto* ours = dynamic_cast<const ArticulatedWorld*>(&world);
+  if (ours == nullptr || !copy->resume(*ours)) throw std::runtime_error("cannot be restored");
   return copy;
 }
 

@@ -216,6 +216,32 @@ TEST_F(Humanoid, SameStartSameBits) {
   }
 }
 
+// A robot that has fallen and slides: another world takes over, and both go on.
+TEST_F(Humanoid, AnotherWorldResumesBitByBit) {
+  for (const int order : {1, 2}) {
+    WorldConfig config;
+    config.order = order;
+    ArticulatedWorld one(model, config), two(model, config);
+    ASSERT_EQ(one.set(thrown()), Status::kOk);
+    hold(one, Eigen::VectorXd::Zero(model.joint_count()));
+    for (int i = 0; i < 700; ++i) ASSERT_EQ(one.step(), Status::kOk);
+    ASSERT_FALSE(one.contacts().empty());
+    {
+      const NoAlloc guard;
+      ASSERT_TRUE(two.resume(one));
+      EXPECT_EQ(guard.count(), 0);
+    }
+    for (int i = 0; i < 200; ++i) {
+      ASSERT_EQ(one.step(), Status::kOk);
+      ASSERT_EQ(two.step(), Status::kOk);
+      const Configuration &a = one.configuration(), &b = two.configuration();
+      ASSERT_EQ(a.q, b.q) << i;
+      ASSERT_EQ(a.qd, b.qd) << i;
+      ASSERT_EQ(a.base.matrix(), b.base.matrix()) << i;
+    }
+  }
+}
+
 // A block pushed for a while on its two soles: error against a fine run of the same engine, and the
 // fine runs of both.
 Eigen::Vector3d pushed_block(Engine engine, double step, int order = 1) {
