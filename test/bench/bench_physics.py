@@ -119,6 +119,8 @@ def stand(lab, rounds):
         at_least("stand", f"standing step with collision, times faster than {contenders[1].label}", 6,
                  ratio(all_rows, 0, 1), peer=contenders[1].label, ours=medians[0], theirs=medians[1])
     at_least("stand", "real-time factor, standing, 1 ms, with collision", 180, 1e3 / medians[0])
+    us, share = lab.articulated.step_us_alone("stand", h, 1.0)
+    at_least("stand", f"the same, core alone ({100 * share:.0f} % of the steps)", 180, 1e3 / us if us else 0.0)
 
 
 def push(lab, rounds):

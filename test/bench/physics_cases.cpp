@@ -2,6 +2,7 @@
 //
 //     physics_cases mjcf  SCENE                        the scene for MuJoCo
 //     physics_cases step  SCENE METHOD H [SECONDS]     us a step, median of batches
+//     physics_cases alone SCENE METHOD H [SECONDS]     the same of steps that had the core to themselves, and their share
 //     physics_cases run   SCENE METHOD H [REPEATS]     CPU ms per simulated s, where all links end
 //     physics_cases brick METHOD H STIFFNESS DEGREES   stopping distance
 //     physics_cases map   METHOD SMALLEST_H            which stands are stable
@@ -30,6 +31,7 @@
 #include "robot/process.h"
 #include "sim/articulated_world.h"
 #include "sim/random.h"
+#include "test/bench/core_alone.h"
 #include "test/bench/physics_scenes.h"
 
 namespace twinbus {
@@ -106,6 +108,30 @@ void time_steps(const std::string& name, const std::string& method, double h, do
     }
   }
   std::printf("step %s %s %g us %.4f\n", name.c_str(), method.c_str(), h, median(batches));
+}
+
+void time_steps_alone(const std::string& name, const std::string& method, double h,
+                      double seconds) {
+  const PhysicsScene scene = physics_scene(name);
+  const auto world = make_world(scene.model, config_of(scene, method, h));
+  test::CoreAlone core;
+  test::SharedTimes times;
+  const long most = steps_of(scene.duration, h);
+  const double begun = cpu_seconds();
+  while (cpu_seconds() - begun < seconds) {
+    begin(*world, scene);
+    bool before = core.alone();
+    for (long i = 0; i < most; ++i) {
+      const std::int64_t then = monotonic_ns();
+      if (world->step() != Status::kOk) throw std::runtime_error("diverged");
+      const double us = 1e-3 * static_cast<double>(monotonic_ns() - then);
+      const bool after = core.alone();
+      times.add(us, before && after);
+      before = after;
+    }
+  }
+  std::printf("alone %s %s %g share %.3f us %.4f\n", name.c_str(), method.c_str(), h,
+              times.share_alone(), times.alone(0.5));
 }
 
 void run(const std::string& name, const std::string& method, double h, int repeats) {
@@ -378,6 +404,8 @@ int cases(int argc, char** argv) {
     std::fputs(mjcf(physics_scene(word(2), number(3, 1.0))).c_str(), stdout);
   } else if (what == "step") {
     time_steps(word(2), word(3), number(4, 1e-3), number(5, 0.3));
+  } else if (what == "alone") {
+    time_steps_alone(word(2), word(3), number(4, 1e-3), number(5, 0.3));
   } else if (what == "run") {
     run(word(2), word(3), number(4, 1e-3), static_cast<int>(number(5, 3)));
   } else if (what == "brick") {

@@ -47,6 +47,11 @@ class Ours:
     def step_us(self, scene, h, seconds):
         return float(call(self.program, "step", scene, self.method, h, seconds)[0].split()[-1])
 
+    def step_us_alone(self, scene, h, seconds):
+        """Of steps that had the core to themselves, no hardware thread beside them; and which share these are."""
+        words = call(self.program, "alone", scene, self.method, h, seconds)[0].split()
+        return float(words[-1]), float(words[-3])
+
     def run(self, scene, h, repeats=3):
         return parse_run(call(self.program, "run", scene, self.method, h, repeats))
 
