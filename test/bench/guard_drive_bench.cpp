@@ -18,6 +18,7 @@
 #include "robot/options.h"
 #include "robot/rate_stats.h"
 #include "robot/self_collision.h"
+#include "test/bench/core_alone.h"
 #include "test/collision/guard_rig.h"
 #include "test/collision/rated_drive.h"
 #include "test/no_alloc.h"
@@ -32,6 +33,8 @@ constexpr double kArrived = 0.02;  // [rad]
 constexpr double kThrough =
     0.012;  // a way that leads nearer than this leads through the margin [m]
 constexpr int kWayParts = 400;
+constexpr std::int64_t kSlow_ns =
+    40'000;  // a tick that is looked at again until the core is its own
 
 class Driver {
  public:
@@ -45,12 +48,19 @@ class Driver {
         ticks_(ticks) {}
 
   // The number of a motion and the seed say all about it.
-  void motion(Guard& guard, std::int64_t number, int repeats, bool tell) {
+  // most: repeats while a slow tick never had the core alone.
+  void motion(Guard& guard, std::int64_t number, int repeats, int most, bool tell) {
     const Configuration home = named_posture(model_, "half_sitting");
     const Configuration target = drive_.draw_target(exact_, home, seed_, number);
-    std::vector<std::int64_t> least(at(2 * ticks_), INT64_MAX);
+    std::vector<std::int64_t> least(at(2 * ticks_), INT64_MAX), alone = least;
     ++motions;
-    for (int repeat = 0; repeat < repeats; ++repeat) {
+    const auto wants_more = [&] {
+      for (std::size_t i = 0; i < least.size(); ++i) {
+        if (least[i] > kSlow_ns && alone[i] == INT64_MAX) return true;
+      }
+      return false;
+    };
+    for (int repeat = 0; repeat < repeats || (repeat < most && wants_more()); ++repeat) {
       const bool first = repeat == 0;  // the others only time the same ticks again
       guard.reset();
       GuardRig rig(model_, home);
@@ -60,9 +70,11 @@ class Driver {
       for (int i = 0; i < 2 * ticks_; ++i) {
         const Configuration& aim = i < ticks_ ? target : home;
         drive_.follow(rig, aim);
+        const bool alone_before = core_.alone();
         const NoAlloc no_alloc;
         masked = rig.tick(guard).hold_mask != 0 || masked;
         if (i > 0) allocations += no_alloc.count();
+        if (alone_before && core_.alone()) alone[at(i)] = std::min(alone[at(i)], rig.check_ns);
         every.add(rig.check_ns);
         least[at(i)] = std::min(least[at(i)], rig.check_ns);
         if (!first) continue;
@@ -78,10 +90,19 @@ class Driver {
       held += masked ? 1 : 0;
       count_way_back(rig, guard, home, number);
     }
-    for (const std::int64_t ns : least) tick.add(ns);
+    for (std::size_t i = 0; i < least.size(); ++i) {
+      tick.add(least[i]);
+      if (alone[i] != INT64_MAX) {
+        core_alone.add(alone[i]);
+      } else if (least[i] > kSlow_ns) {
+        ++never_alone;
+      }
+    }
   }
 
   RateStats every, tick;  // every look of the guard; the least of its repeats
+  RateStats core_alone;   // the least of those repeats that had the core alone
+  long never_alone = 0;   // slow ticks that had not
   long motions = 0, contacts = 0, held = 0, refused = 0, stuck = 0, looks = 0, allocations = 0;
   double nearest = 1.0;  // [m]
 
@@ -149,6 +170,7 @@ class Driver {
   }
 
   const Model& model_;
+  test::CoreAlone core_;
   SelfCollision exact_;
   Collision distances_;
   Kinematics kinematics_;
@@ -167,7 +189,7 @@ void print(const char* name, const RateStats& stats) {
 
 int main(int argc, char** argv) try {
   Options options("guard_drive_bench", "The guard against random motions into self-collision.");
-  std::int64_t motions = 200, ticks = 500, seed = 1, first = 0, only = -1, repeats = 1;
+  std::int64_t motions = 200, ticks = 500, seed = 1, first = 0, only = -1, repeats = 1, most = 0;
   options.integer("--motions", "N", motions, 1, 10'000'000, "into collision and back");
   options.integer("--first", "N", first, 0, 10'000'000, "number of the first motion");
   options.integer("--only", "N", only, -1, 10'000'000, "this motion alone, tick by tick");
@@ -175,6 +197,9 @@ int main(int argc, char** argv) try {
   options.integer("--seed", "N", seed, 0, 1'000'000'000, "of the targets");
   options.integer("--repeats", "N", repeats, 1, 100,
                   "of every motion: a tick costs the least of what it took");
+  options.integer(
+      "--until-alone", "N", most, 0, 10'000,
+      "repeats of a motion, at most, until each of its ticks over 40 us had the core alone");
   options.parse(argc, argv);
 
   const Model& model = hrp1s();
@@ -182,7 +207,7 @@ int main(int argc, char** argv) try {
   Guard guard(model, {});
   const std::int64_t begin = only >= 0 ? only : first, end = only >= 0 ? only + 1 : first + motions;
   for (std::int64_t m = begin; m < end; ++m)
-    driver.motion(guard, m, static_cast<int>(repeats), only >= 0);
+    driver.motion(guard, m, static_cast<int>(repeats), static_cast<int>(most), only >= 0);
   std::printf(
       "%ld motions: %ld with a contact in %ld looks, nearest %.2f mm; the guard held joints in "
       "%ld; %ld did not come back, %ld more have no way back; %lld stretches not proved; %ld "
@@ -191,7 +216,9 @@ int main(int argc, char** argv) try {
       driver.stuck, driver.refused, static_cast<long long>(guard.unproved()), driver.allocations,
       allocations_counted() ? "" : " (not counted)");
   print("guard per tick", driver.every);
-  if (repeats > 1) print("  least of the repeats of each tick", driver.tick);
+  if (repeats > 1 || most > 0) print("  least of the repeats of each tick", driver.tick);
+  print("  least of those with the core alone", driver.core_alone);
+  std::printf("  %ld ticks over 40 us never had the core alone\n", driver.never_alone);
   return driver.contacts == 0 && driver.stuck == 0 ? 0 : 1;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "guard_drive_bench: %s\n", error.what());
