@@ -188,7 +188,7 @@ void ControlLoop::Impl::guard_and_mask(std::int64_t now_ns, double dt) noexcept 
   mask = 0;
   if (guard != nullptr) {
     write(command);  // what is asked, before any mask
-    mask = guard->check(state, &command, estimator.configuration()).hold_mask;
+    mask = guard->check(state, &command, estimator).hold_mask;
   }
   if (guard_heard.run_id == state.run_id && guard_heard_ns != 0 &&
       static_cast<double>(now_ns - guard_heard_ns) < model.guard_timeout * 1e9) {

@@ -28,7 +28,7 @@ Guard::Impl::Impl(const Model& robot, const GuardConfig& wanted)
       config(wanted),
       collision(robot),
       track(robot, wanted.delay_ticks, wanted.servo_lag),
-      now_kinematics(robot),
+      own_kinematics(robot),
       then_kinematics(robot),
       now(robot),
       then(robot) {
@@ -121,7 +121,7 @@ void Guard::Impl::bound_moves() noexcept {
 // How fast the pair comes together now, at one point: what moves both does not count [m/s].
 double Guard::Impl::approach_speed(const PairDistance& pair) const noexcept {
   const auto velocity = [&](int link) {
-    return link < model->link_count() ? now_kinematics.point_velocity(link, pair.point_a)
+    return link < model->link_count() ? now_kinematics->point_velocity(link, pair.point_a)
                                       : Vector3d(Vector3d::Zero());
   };
   return pair.normal.dot(velocity(pair.link_a) - velocity(pair.link_b));
@@ -164,56 +164,70 @@ void Guard::set_obstacles(const std::vector<Obstacle>& obstacles) {
   impl_->collision.set_obstacles(obstacles);
 }
 
-void Guard::reset() noexcept {
-  impl_->track.reset();
-  impl_->keep.fill(0);
-  impl_->report = GuardReport{};
+void Guard::Impl::forget() noexcept {
+  track.reset();
+  keep.fill(0);
+  report = GuardReport{};
 }
+
+void Guard::reset() noexcept { impl_->forget(); }
 
 const GuardReport& Guard::check(const RobotState& state, const JointCommand* command,
                                 const Configuration& base) noexcept {
   Impl& i = *impl_;
-  if (state.run_id != i.run_id) reset();  // another source: its set-points are not ours
-  i.run_id = state.run_id;
-
   i.now.base = base.base;
   set_joints(*i.model, state, i.now);
-  i.now_kinematics.update(i.now);
-  i.predict(state, command);
-  i.bound_moves();
-  i.ahead_of_now.q = i.now.q;
-  i.pair_count = i.collision.near_pairs(i.now_kinematics, std::max(i.config.near, i.config.margin),
-                                        i.pairs.data(), kMaxPairs, &i.ahead_of_now);
+  i.own_kinematics.update(i.now);
+  i.now_kinematics = &i.own_kinematics;
+  return i.check(state, command);
+}
 
-  i.mask = 0, i.leg_hit = i.danger = false;
-  i.least_share = Impl::kShare;
-  const bool other_way = i.runs_on();
-  i.suspect = -1;
-  i.stretches_left = Impl::kMostStretches;
-  i.looks_left = Impl::kMostLooks;
-  i.look_along(i.obeyed);
-  if (other_way) i.look_along(i.braked);
-  if (command != nullptr) i.prove_mask();
+const GuardReport& Guard::check(const RobotState& state, const JointCommand* command,
+                                const Estimator& seen) noexcept {
+  Impl& i = *impl_;
+  i.now.base = seen.configuration().base;
+  i.now.q = seen.configuration().q;
+  i.now_kinematics = &seen.kinematics();
+  return i.check(state, command);
+}
+
+const GuardReport& Guard::Impl::check(const RobotState& state,
+                                      const JointCommand* command) noexcept {
+  if (state.run_id != run_id) forget();  // another source: its set-points are not ours
+  run_id = state.run_id;
+  predict(state, command);
+  bound_moves();
+  ahead_of_now.q = now.q;
+  pair_count = collision.near_pairs(*now_kinematics, std::max(config.near, config.margin),
+                                    pairs.data(), kMaxPairs, &ahead_of_now);
+
+  mask = 0, leg_hit = danger = false;
+  least_share = kShare;
+  const bool other_way = runs_on();
+  suspect = -1;
+  stretches_left = kMostStretches;
+  looks_left = kMostLooks;
+  look_along(obeyed);
+  if (other_way) look_along(braked);
+  if (command != nullptr) prove_mask();
   for (std::size_t k = 0; k < at(kMaxJoints); ++k) {
-    const bool caused = ((i.mask >> k) & 1) != 0;
-    i.keep[k] = caused ? kKeepTicks : std::max(0, i.keep[k] - 1);
-    if (i.keep[k] > 0) i.mask |= std::int64_t{1} << k;
+    const bool caused = ((mask >> k) & 1) != 0;
+    keep[k] = caused ? kKeepTicks : std::max(0, keep[k] - 1);
+    if (keep[k] > 0) mask |= std::int64_t{1} << k;
   }
 
-  GuardReport& report = i.report;
   report.tick = state.tick;
   report.run_id = state.run_id;
-  report.guard_id = i.config.guard_id;
-  report.hold_mask = i.mask;
+  report.guard_id = config.guard_id;
+  report.hold_mask = mask;
   report.compute_ns = 0;
-  report.stop_asked = i.leg_hit;
-  report.pairs_checked = static_cast<std::int16_t>(
-      std::min<std::size_t>(static_cast<std::size_t>(i.collision.pair_count()),
-                            std::numeric_limits<std::int16_t>::max()));
-  i.fill_rows();
-  const bool touching = i.pair_count > 0 && !(i.pairs[0].distance > 0.0);
+  report.stop_asked = leg_hit;
+  report.pairs_checked = static_cast<std::int16_t>(std::min<std::size_t>(
+      static_cast<std::size_t>(collision.pair_count()), std::numeric_limits<std::int16_t>::max()));
+  fill_rows();
+  const bool touching = pair_count > 0 && !(pairs[0].distance > 0.0);
   report.verdict = touching                ? GuardVerdict::kInCollision
-                   : i.danger              ? GuardVerdict::kWillCollide
+                   : danger                ? GuardVerdict::kWillCollide
                    : report.pairs_near > 0 ? GuardVerdict::kNear
                                            : GuardVerdict::kClear;
   return report;

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "robot/collision.h"
+#include "robot/estimator.h"
 #include "robot/kinematics.h"
 #include "robot/model.h"
 #include "robot/requests.h"
@@ -48,6 +49,10 @@ class Guard {
   // compute_ns is left 0 for the caller to fill.
   const GuardReport& check(const RobotState& state, const JointCommand* command,
                            const Configuration& base) noexcept;
+
+  // The same of an estimator that has taken the state: its kinematics are used, and how fast it sees the base move.
+  const GuardReport& check(const RobotState& state, const JointCommand* command,
+                           const Estimator& seen) noexcept;
 
   const GuardReport& report() const noexcept;
 

@@ -93,7 +93,7 @@ void Guard::Impl::go_to(const CourseWay& way, double share) noexcept {
 
 void Guard::Impl::blame(const PairDistance& before, const PairDistance& after, const CourseWay& way,
                         double share, const Courses& courses) noexcept {
-  if (blame_at(now_kinematics, before, courses)) return;
+  if (blame_at(*now_kinematics, before, courses)) return;
   go_to(way, share);
   PairDistance then_pair = after;
   if (!(after.distance > 0.0) &&  // depth, points and normal, which a look leaves out
@@ -134,7 +134,7 @@ bool Guard::Impl::judge(const CourseWay& way, const CourseWay::Shares& shares,
   for (int place;
        (place = collision.nearer_on_way(pair, !(distance > 0.0), looks_left, found)) >= 0;) {
     if (before == nullptr &&
-        collision.pair_nearer_than(now_kinematics, pair.link_a, pair.link_b, kAnywhere, far))
+        collision.pair_nearer_than(*now_kinematics, pair.link_a, pair.link_b, kAnywhere, far))
       before = &far;
     if (before == nullptr || !comes_too_near(*before, found)) continue;
     suspect = pair.pair;

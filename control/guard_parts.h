@@ -26,7 +26,8 @@ struct Guard::Impl {
   GuardConfig config;
   Collision collision;
   SetPointTrack track;
-  Kinematics now_kinematics, then_kinematics;
+  Kinematics own_kinematics, then_kinematics;
+  const Kinematics* now_kinematics = &own_kinematics;  // or the estimator's, of the same joints
   Configuration now, then;
   std::vector<int> leg;  // [joint_count], 1 for leg joints
   std::vector<std::uint8_t>
@@ -58,6 +59,9 @@ struct Guard::Impl {
     return link < model->link_count() && moves[at(link * model->joint_count() + joint)] != 0;
   }
 
+  void forget() noexcept;
+  // What is now is known.
+  const GuardReport& check(const RobotState& state, const JointCommand* command) noexcept;
   void predict(const RobotState& state, const JointCommand* command) noexcept;
   void predict_masked(std::int64_t held) noexcept;
   bool runs_on() noexcept;

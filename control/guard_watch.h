@@ -28,8 +28,7 @@ class GuardWatch {
     estimator_.update(state);
     const bool answered = has_command_ && command_.run_id == state.run_id &&
                           command_.tick <= state.tick && state.tick - command_.tick <= kOldCommand;
-    GuardReport report =
-        guard_.check(state, answered ? &command_ : nullptr, estimator_.configuration());
+    GuardReport report = guard_.check(state, answered ? &command_ : nullptr, estimator_);
     report.compute_ns = 0;
     if (state.stop_kind != StopKind::kNone)
       report.stop_asked = false;  // it has been stopped already

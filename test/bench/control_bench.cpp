@@ -220,7 +220,7 @@ void check_again(const Model& model, const std::vector<Heard>& all, RateStats& s
     const std::int64_t middle = monotonic_ns();
     const std::int64_t planner = in_planner.count();
     NoAlloc in_guard;
-    (void)guard.check(all[n].state, &all[n].command, estimator.configuration());
+    (void)guard.check(all[n].state, &all[n].command, estimator);
     const std::int64_t end = monotonic_ns();
     if (n < kWarmUp) continue;
     estimate.add(middle - begin);

@@ -88,7 +88,7 @@ int run(int argc, char** argv) {
     if (guarded) {
       estimator.update(rig.state());
       const std::int64_t start = thread_cpu_ns();
-      (void)guard.check(rig.state(), &rig.command(), estimator.configuration());
+      (void)guard.check(rig.state(), &rig.command(), estimator);
       guard_us = 1e-3 * static_cast<double>(thread_cpu_ns() - start);
     }
     if (rig.ticks() < first) continue;
