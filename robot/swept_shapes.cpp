@@ -24,6 +24,7 @@ struct SweptPart {
   int link = -1;
   float half[3] = {}, radius = 0.0F;  // of the shape; of the ball around it
   float column[3][3] = {}, origin[3] = {};
+  bool turned = true;             // against the link
   const float* corner = nullptr;  // x of all, y of all, z of all
   int corners = 0;
 };
@@ -43,8 +44,8 @@ struct SweptTables {
   const int* pair_of = nullptr;                      // [parts x parts], a < b
   const float* reach = nullptr;                      // [links x joints]
   const float *radius = nullptr, *length = nullptr;  // of links; of the stretched chain to them
-  unsigned char *stale = nullptr,                    // a link is not where its joints say
-      *fresh = nullptr, *asked = nullptr;            // it has just been put there; it is to be
+  unsigned char *stale = nullptr,  // a link is not where its joints say, nor what it leaves out
+      *fresh = nullptr, *asked = nullptr;  // it has just been put there; it is to be
   float *sine = nullptr, *cosine = nullptr, *slide = nullptr, *moves = nullptr, *bend = nullptr,
         *left = nullptr;                             // [joints]
   float *link_pose = nullptr, *part_pose = nullptr;  // [x 12: columns, then origin]
@@ -159,6 +160,7 @@ struct SweptShapes::Impl {
     for (int d = 0; d < 3; ++d) n[d] = static_cast<float>(in[d]);
   }
   void lay_out();
+  void set_base(const Eigen::Isometry3d& to) noexcept;
 };
 
 // All rows one after the other.
@@ -243,6 +245,7 @@ void SweptShapes::set(const std::vector<Part>& parts) {
     take(from.shape->half, part.half);
     part.radius = static_cast<float>(from.shape->radius()) * 1.0001F;
     take(Eigen::Matrix3d(from.local.linear()), part.column);
+    part.turned = from.local.linear() != Eigen::Matrix3d::Identity();
     take(Eigen::Vector3d(from.local.translation()), part.origin);
     if (from.hull != nullptr) {
       part.corners = static_cast<int>(from.hull->points.size() / 3);
@@ -274,6 +277,24 @@ void SweptShapes::want(int a, int b) {
   i.tables.pair = i.pairs.data();
 }
 
+void SweptShapes::Impl::set_base(const Eigen::Isometry3d& to) noexcept {
+  const bool turns = never || to.linear() != base;
+  tables.fresh[0] = turns ? 1 : 0;
+  if (!turns && to.translation() == origin) return;
+  never = false;
+  base = to.linear();
+  origin = to.translation();
+  Eigen::Isometry3d turned = to;
+  turned.translation().setZero();
+  spread(turned, tables.link_pose);
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    if (parts[p].link >= 0) continue;
+    Eigen::Isometry3d pose = still[p];
+    pose.translation() -= origin;
+    spread(pose, tables.part_pose + 96 * p);
+  }
+}
+
 void SweptShapes::go(const Eigen::Isometry3d& base, const Way& way) noexcept {
   Impl& i = *impl_;
   SweptTables& t = i.tables;
@@ -282,7 +303,11 @@ void SweptShapes::go(const Eigen::Isometry3d& base, const Way& way) noexcept {
     t.asked[j + 1] = way.asked[j];
     if (way.asked[j] == 0) continue;
     const auto& q = way.q[j];
-    std::copy(way.bend[j].begin(), way.bend[j].end(), t.bend + 8 * j);
+    float* bend = t.bend + 8 * j;
+    if (!std::equal(way.bend[j].begin(), way.bend[j].end(), bend)) {
+      std::copy(way.bend[j].begin(), way.bend[j].end(), bend);
+      t.stale[j + 1] = 1;
+    }
     if (q == i.angles[j]) continue;
     t.stale[j + 1] = 1;
     i.angles[j] = q;
@@ -293,19 +318,7 @@ void SweptShapes::go(const Eigen::Isometry3d& base, const Way& way) noexcept {
       t.cosine[8 * j + k] = static_cast<float>(std::cos(q[k]));
     }
   }
-  i.origin = base.translation();
-  t.fresh[0] = i.never || base.linear() != i.base ? 1 : 0;
-  i.never = false;
-  i.base = base.linear();
-  Eigen::Isometry3d turned = base;
-  turned.translation().setZero();
-  spread(turned, t.link_pose);
-  for (std::size_t p = 0; p < i.parts.size(); ++p) {
-    if (i.parts[p].link >= 0) continue;
-    Eigen::Isometry3d pose = i.still[p];
-    pose.translation() -= i.origin;
-    spread(pose, t.part_pose + 96 * p);
-  }
+  i.set_base(base);
   TWINBUS_SWEPT(go(t));
   TWINBUS_SWEPT(leave_out(t));
 }

@@ -53,11 +53,13 @@ static void go(const SweptTables& t) noexcept {
     const SweptPart& part = t.part[i];
     if (part.link < 0 || t.fresh[part.link] == 0) continue;
     const Pose8 link = pose8(t.link_pose + 96 * part.link);
-    Pose8 p;
-    for (int k = 0; k < 3; ++k)
-      for (int d = 0; d < 3; ++d)
-        p.column[k][d] = turned8(link, d, all(part.column[k][0]), all(part.column[k][1]),
-                                 all(part.column[k][2]));
+    Pose8 p = link;
+    if (part.turned) {
+      for (int k = 0; k < 3; ++k)
+        for (int d = 0; d < 3; ++d)
+          p.column[k][d] = turned8(link, d, all(part.column[k][0]), all(part.column[k][1]),
+                                   all(part.column[k][2]));
+    }
     for (int d = 0; d < 3; ++d)
       p.origin[d] = link.origin[d] +
                     turned8(link, d, all(part.origin[0]), all(part.origin[1]), all(part.origin[2]));
@@ -70,7 +72,7 @@ static void go(const SweptTables& t) noexcept {
 // sum over the joints is (radius + length) times one sum, less another.
 static void leave_out(const SweptTables& t) noexcept {
   for (int link = 1; link < t.links; ++link) {
-    if (t.asked[link] == 0) continue;
+    if (t.fresh[link] == 0) continue;
     const SweptHinge& hinge = t.hinge[link - 1];
     const F8 step = load8(t.moves + 8 * (link - 1)), bend = load8(t.bend + 8 * (link - 1));
     const F8 move = step * 0.5F, way = step + 2.0F * bend;
