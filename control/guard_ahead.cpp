@@ -189,17 +189,20 @@ bool Guard::Impl::look(const CourseWay& way, const CourseWay::Shares& shares,
   return false;
 }
 
-// Masks more joints until nothing comes too near with this mask.  Those that are still held are let go
-// with it, or stay where they are: both may come.
+// Masks more joints until nothing comes too near with this mask and what is kept of earlier ones, which
+// is what the report will say: who holds that until the next tick may go on holding it to rest.  Those
+// that are still held besides are let go with it, or stay where they are: both may come.
 void Guard::Impl::prove_mask() noexcept {
+  std::int64_t kept = 0;
+  for (int k = 0; k < kMaxJoints; ++k) kept |= keep[at(k)] > 1 ? bit(k) : 0;
   for (int round = 0; round < kMostRounds; ++round) {
-    const std::int64_t before = mask, stay = mask | track.on_hold();
-    if (mask != 0) {
-      predict_masked(mask);
-      least_share = 0.0;
+    const std::int64_t before = mask, held = mask | kept, stay = held | track.on_hold();
+    if (mask != 0) least_share = 0.0;
+    if (held != 0) {
+      predict_masked(held);
       look_along(masked);
     }
-    if (stay != before && mask == before) {
+    if (stay != held && mask == before) {
       predict_masked(stay);
       look_along(masked);
     }
