@@ -93,16 +93,20 @@ void set_matrix(const Eigen::Matrix3d& from, double* to, std::size_t stride) {
 TWINBUS_AVX2_CLONES
 void find_sines(const std::vector<double>& angle, std::vector<double>& sine,
                 std::vector<double>& cosine) noexcept {
+  Int4 near = Int4{} - 1;
   for (std::size_t j = 0; j < angle.size(); j += 4) {
     Vec4 s, c;
-    sine_cosine(load4(&angle[j]), s, c);
+    const Vec4 a = load4(&angle[j]);
+    sine_cosine(a, s, c);
     store4(&sine[j], s);
     store4(&cosine[j], c);
-    for (std::size_t k = j; k < j + 4; ++k) {
-      if (std::abs(angle[k]) <= kMostAngle) continue;
-      sine[k] = std::sin(angle[k]);
-      cosine[k] = std::cos(angle[k]);
-    }
+    near &= (a <= kMostAngle) & (a >= -kMostAngle);
+  }
+  if ((near[0] & near[1] & near[2] & near[3]) != 0) return;
+  for (std::size_t j = 0; j < angle.size(); ++j) {
+    if (std::abs(angle[j]) <= kMostAngle) continue;
+    sine[j] = std::sin(angle[j]);
+    cosine[j] = std::cos(angle[j]);
   }
 }
 
