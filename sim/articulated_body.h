@@ -119,6 +119,10 @@ class ArticulatedBody {
     now.velocity = links_.screw(i, TWINBUS_LANE_FIELD(velocity));
     return now;
   }
+  // Of a link's origin, in world.
+  double height(int link) const noexcept {
+    return state_.origin.z() + *links_.of(link, TWINBUS_LANE_FIELD(origin) + 2);
+  }
   // Of a point of a link, link axes, in world.
   double height(int link, const Eigen::Vector3d& local) const noexcept {
     const double* up = links_.of(link, TWINBUS_LANE_FIELD(rotation) + 2);

@@ -101,7 +101,7 @@ GroundContacts::GroundContacts(const Model& model, const WorldConfig& config)
 
 void GroundContacts::add_probes(int link, const Shape& shape, const Model& model) {
   if (link == 0 && fixed_base_) return;
-  ShapeProbes added{link, shape.pose.translation(), 0.0, probes_.size(), 0, 0};
+  ShapeProbes added{link, shape.pose.translation(), 0.0, probes_.size(), 0, 0, 0.0};
   const auto probe = [&](const Eigen::Vector3d& at, double radius) {
     LinkProbe p{shape.pose * at, radius, false};
     for (const Sole& sole : model.soles) {
@@ -149,6 +149,7 @@ void GroundContacts::add_probes(int link, const Shape& shape, const Model& model
   const auto skin =
       std::stable_partition(first, probes_.end(), [](const LinkProbe& p) { return !p.skin; });
   added.bare = static_cast<std::size_t>(skin - first);
+  added.extent = added.center.norm() + added.radius;
   if (added.count > 0) shapes_.push_back(added);
 }
 
@@ -217,8 +218,10 @@ void GroundContacts::find_probes(const ArticulatedBody& body, double h,
   Found found{.link = -1, .sole = -1, .params = &shell_params_};
   const double far = reach_of(body.fastest(reach_), h);
   for (const ShapeProbes& shape : shapes_) {
-    // Most are high above the ground.
-    if (solid_ == 0 && !(body.height(shape.link, shape.center) < shape.radius + far)) continue;
+    if (solid_ == 0) {  // most are high above the ground, and their link's origin says so
+      if (!(body.height(shape.link) < shape.extent + far)) continue;
+      if (!(body.height(shape.link, shape.center) < shape.radius + far)) continue;
+    }
     const LinkNow link = body.link(shape.link);
     const Eigen::Vector3d middle = link.origin + link.rotation * shape.center;
     const Eigen::Vector3d spin = angular(link.velocity);

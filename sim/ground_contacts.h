@@ -74,6 +74,7 @@ class GroundContacts {
     double radius;
     std::size_t first, count;
     std::size_t bare;  // of them: those that are no skin, which come first
+    double extent;     // no probe is further from the link's origin [m]
   };
   // Of a point that touches, or may soon.
   struct Found {
