@@ -65,6 +65,8 @@ void ArticulatedBody::place(const Momentum& wanted, Configuration& configuration
   TWINBUS_SWEEP(correct, state_, wanted, configuration);
 }
 
+void ArticulatedBody::let_go() noexcept { TWINBUS_SWEEP(weigh_links); }
+
 bool ArticulatedBody::inward(const std::vector<JointRow>& rows, double h) noexcept {
   wide_ ? set_rows(four_, rows) : set_rows(one_, rows);
   return TWINBUS_SWEEP(fold_inward, state_, h);

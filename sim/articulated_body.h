@@ -81,6 +81,9 @@ class ArticulatedBody {
   // the square of the step.
   void place(const Momentum& wanted, Configuration& configuration) noexcept;
 
+  // As placed last, before anything was folded in: the same as place() again, for a fraction of it.
+  void let_go() noexcept;
+
   // A force [N] on a point of a link, r about O.
   void add_force(int link, const Eigen::Vector3d& r, const Eigen::Vector3d& force) noexcept;
   void add_forces(int link, const PointForces& forces) noexcept;

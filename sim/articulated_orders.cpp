@@ -1,6 +1,7 @@
 // Orders 2 and 3 of ArticulatedWorld: steps of order 1 extrapolated, in parts where an event lies.
 
 #include <algorithm>
+#include <utility>
 
 #include "sim/articulated_world.h"
 #include "sim/extrapolate.h"
@@ -57,11 +58,14 @@ ArticulatedWorld::Outcome ArticulatedWorld::extrapolated(double h, bool may_reje
   for (JointLaw& joint : joints_) joint.save();
   Momentum momentum;  // if nothing touches
   bool smooth = true, airborne = true;
+  bool moved = false;  // the body is placed elsewhere than at the start
   std::uint64_t expected = 0;
   for (int parts = 1; parts <= config_.order; ++parts) {
-    if (parts > 1) go_back();
+    if (parts > 1) go_back(std::exchange(moved, false));
     for (int i = 0; i < parts; ++i) {
-      const Outcome outcome = advance(h / parts, may_reject);
+      const bool goes_on = i + 1 < parts;
+      const Outcome outcome = advance(h / parts, may_reject, goes_on);
+      moved = moved || goes_on || floats();
       if (outcome == Outcome::kFailed && parts == config_.order) return Outcome::kFailed;
       smooth = smooth && outcome == Outcome::kTaken;
       if (parts == 1) {
@@ -72,7 +76,7 @@ ArticulatedWorld::Outcome ArticulatedWorld::extrapolated(double h, bool may_reje
       smooth = smooth && pattern() == expected && !crosses();
       if (smooth) continue;
       if (may_reject) {
-        go_back();
+        go_back(moved);
         return Outcome::kEvent;
       }
       if (parts < config_.order) break;
@@ -94,6 +98,7 @@ ArticulatedWorld::Outcome ArticulatedWorld::extrapolated(double h, bool may_reje
     if (!smooth) configuration_ = next_;
   }
   if (!smooth) {
+    if (!floats()) body_.place(configuration_);
     ++events_;
     return Outcome::kTaken;
   }
@@ -121,9 +126,9 @@ bool ArticulatedWorld::within_stops() const noexcept {
 }
 
 // To where extrapolated() began.
-void ArticulatedWorld::go_back() noexcept {
+void ArticulatedWorld::go_back(bool moved) noexcept {
   configuration_ = start_;
-  body_.place(configuration_);
+  moved ? body_.place(configuration_) : body_.let_go();
   ground_.restore();
   loose_.restore();
   for (JointLaw& joint : joints_) joint.restore();

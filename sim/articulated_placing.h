@@ -186,6 +186,17 @@ inline void place_links(BodyLanes<L>& d) noexcept {
   }
 }
 
+// What pushes and contacts have folded into placed links is taken out of them again.
+template <class L>
+inline void weigh_links(BodyLanes<L>& d) noexcept {
+  d.momentum = Six<L>{};
+  d.moment = Three<L>{};
+  for (std::size_t r = 0; r < d.ranks.size(); ++r) {
+    d.ranks[r].touched = false;
+    weigh_rank(d, r);
+  }
+}
+
 template <class L>
 inline void place(BodyLanes<L>& d, BodyState& state, const Configuration& to) noexcept {
   state.origin = to.base.translation();

@@ -217,8 +217,10 @@ bool ArticulatedWorld::advance_settled() noexcept {
 }
 
 // One solve.  kFailed: no sane result.  kEvent, if it may be rejected: its contacts did not settle,
-// and nothing has changed.
-ArticulatedWorld::Outcome ArticulatedWorld::advance(double h, bool may_reject) noexcept {
+// and nothing has changed.  goes_on: another solve follows from where this one ends; else a body
+// that does not float is left placed where it began.
+ArticulatedWorld::Outcome ArticulatedWorld::advance(double h, bool may_reject,
+                                                    bool goes_on) noexcept {
   next_ = configuration_;
   if (!solve_step(h)) return Outcome::kFailed;
   if (!converged_) {
@@ -238,14 +240,14 @@ ArticulatedWorld::Outcome ArticulatedWorld::advance(double h, bool may_reject) n
   std::swap(configuration_, next_);
   ground_.remember(contacts_, 0, h);
   ties_.remember(contacts_);
-  place_after(before_, h, 0.0);
+  if (goes_on || floats()) place_after(before_, h, 0.0);
   return Outcome::kTaken;
 }
 
 // momentum: of the start; kept in flight.  before: share of the old velocity in the way of the
 // centre of mass.
 void ArticulatedWorld::place_after(Momentum momentum, double h, double before) noexcept {
-  if (!airborne_ || touched(true)) {
+  if (!floats()) {
     body_.place(configuration_);
     return;
   }
@@ -271,6 +273,9 @@ bool ArticulatedWorld::touched(bool fixed) const noexcept {
     return c.now.mode != ContactMode::kOpen && (fixed ? holds_robot(c) : of_robot(c));
   });
 }
+
+// Nothing fixed has touched the robot in the last solve: its momentum is known.
+bool ArticulatedWorld::floats() const noexcept { return airborne_ && !touched(true); }
 
 void ArticulatedWorld::find_contacts(double h) noexcept {
   ground_.find(body_, h, contacts_);

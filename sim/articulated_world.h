@@ -95,16 +95,17 @@ class ArticulatedWorld final : public World {
   bool fly() noexcept;
   static constexpr int kEventParts = 16;  // of a step, at most
   enum class Outcome { kTaken, kEvent, kFailed };
-  Outcome advance(double h, bool may_reject) noexcept;
+  Outcome advance(double h, bool may_reject, bool goes_on = true) noexcept;
   bool advance_settled() noexcept;
   bool advance_in_parts() noexcept;
   Outcome extrapolated(double h, bool may_reject) noexcept;
   bool crosses() const noexcept;
   bool within_stops() const noexcept;
-  void go_back() noexcept;
+  void go_back(bool moved) noexcept;
   bool solve_step(double h) noexcept;
   void place_after(Momentum momentum, double h, double before) noexcept;
   bool touched(bool fixed) const noexcept;
+  bool floats() const noexcept;
   void find_contacts(double h) noexcept;
   std::uint64_t pattern_of_contacts() const noexcept;
   std::uint64_t pattern() const noexcept;
