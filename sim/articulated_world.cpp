@@ -295,7 +295,11 @@ std::uint64_t ArticulatedWorld::pattern_of_contacts() const noexcept {
 
 std::uint64_t ArticulatedWorld::pattern() const noexcept {
   std::uint64_t pattern = pattern_of_contacts();
-  for (const JointLaw& joint : joints_) pattern = mix(pattern, joint.pattern());
+  for (std::size_t j = 0; j < joints_.size(); ++j) {  // few are beyond their first pieces
+    if (const int pieces = joints_[j].pattern(); pieces != 0) {
+      pattern = mix(mix(pattern, static_cast<int>(j)), pieces);
+    }
+  }
   return loose_.robots().pattern(pattern);
 }
 
