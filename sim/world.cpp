@@ -22,6 +22,9 @@ void check_bodies(const std::vector<LooseBody>& bodies) {
   }
 }
 
+// 0 x is not 0 if x is infinite or no number; unlike allFinite() this takes several at a time.
+bool all_finite(const Eigen::VectorXd& v) { return (0.0 * v).sum() == 0.0; }
+
 bool within(const Eigen::Vector3d& v, double bound) { return v.cwiseAbs().maxCoeff() <= bound; }
 
 template <typename Choice, std::size_t kCount>
@@ -59,7 +62,7 @@ Status check_target(const ServoTarget& t) noexcept {
 Status check_configuration(std::size_t count, const Configuration& to) noexcept {
   const auto joints = static_cast<Eigen::Index>(count);
   if (to.q.size() != joints || to.qd.size() != joints) return Status::kWrongSize;
-  if (!to.q.allFinite() || !to.qd.allFinite() || !to.base.matrix().allFinite() ||
+  if (!all_finite(to.q) || !all_finite(to.qd) || !to.base.matrix().allFinite() ||
       !to.base_velocity.allFinite() || !to.base_angular_velocity.allFinite()) {
     return Status::kNotFinite;
   }
