@@ -2,7 +2,6 @@
 
 constexpr float kSweptSlack = 5e-6F;  // what single precision may lose of a gap [m]
 constexpr unsigned kAllLanes = 0xFF;
-
 TWINBUS_INLINE void store8(float* to, const F8& v) noexcept { __builtin_memcpy(to, &v, sizeof v); }
 
 struct Pose8 {
