@@ -107,6 +107,12 @@ bool Collision::Impl::stays_parted(std::size_t candidate, const Eigen::VectorXd&
          margin;
 }
 
+bool Collision::Impl::leave_all(std::vector<std::uint8_t>& joints) noexcept {
+  looked_at = ahead;
+  std::fill(joints.begin(), joints.end(), std::uint8_t{1});
+  return !ahead.empty();
+}
+
 // What a direction did not part is not asked for one again at once, nor are directions looked for when
 // so much is left that the way is looked along anyway.
 bool Collision::narrow(const Eigen::VectorXd& moves, double margin,
@@ -114,9 +120,7 @@ bool Collision::narrow(const Eigen::VectorXd& moves, double margin,
   Impl& i = *impl_;
   if (i.all_left > 0) {
     --i.all_left;
-    i.looked_at = i.ahead;
-    std::fill(joints.begin(), joints.end(), std::uint8_t{1});
-    return !i.ahead.empty();
+    return i.leave_all(joints);
   }
   i.let_joints_move(moves);
   int left = 0;
@@ -136,6 +140,10 @@ bool Collision::narrow(const Eigen::VectorXd& moves, double margin,
       if (parted) continue;
       wait = kWait;
     }
+    if (left == kMany) {
+      i.all_left = kWait;
+      return i.leave_all(joints);
+    }
     i.left[at(left++)] = candidate;
     for (const int shape : {candidate.a, candidate.b}) {
       for (int link = i.link_of(shape); link > 0 && joints[at(link - 1)] == 0;
@@ -144,7 +152,6 @@ bool Collision::narrow(const Eigen::VectorXd& moves, double margin,
     }
   }
   i.looked_at = {i.left.data(), at(left)};
-  if (left > kMany) i.all_left = kWait;
   return left > 0;
 }
 

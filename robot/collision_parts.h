@@ -99,6 +99,7 @@ struct Collision::Impl {
   void let_shapes_move(const Ahead& ahead) noexcept;
   void walk_on(const Ahead& ahead) noexcept;
   const Apart& apart_at(std::size_t candidate) noexcept;
+  bool leave_all(std::vector<std::uint8_t>& joints) noexcept;
   bool stays_parted(std::size_t candidate, const Eigen::VectorXd& moves, double margin) noexcept;
   int nearest(std::span<NearShapes::Candidate> candidates, double near, int enough, double all,
               PairDistance* pairs, int capacity) noexcept;
