@@ -71,11 +71,11 @@ CourseWay::Shares CourseWay::between(double from, double to) noexcept {
 
 namespace {
 
-constexpr std::size_t kPlaces = SweptShapes::kPlaces;
+constexpr std::size_t kPlacesOnWay = SweptShapes::kPlaces;
 
 struct Instants {  // of all places
-  alignas(32) double of_delay[kPlaces], braked[kPlaces];
-  alignas(32) double to_next[kPlaces];  // braked until the next one [s]
+  alignas(32) double of_delay[kPlacesOnWay], braked[kPlacesOnWay];
+  alignas(32) double to_next[kPlacesOnWay];  // braked until the next one [s]
 };
 
 TWINBUS_INLINE Vec4 smaller(const Vec4& a, const Vec4& b) noexcept { return a < b ? a : b; }
@@ -106,7 +106,7 @@ void go_along(const Course& c, double here, const Instants& instants, double* q,
 void CourseWay::go(const Eigen::VectorXd& here, const Shares& shares,
                    SweptShapes::Way& way) const noexcept {
   Instants instants;
-  for (std::size_t k = 0; k < kPlaces; ++k) {
+  for (std::size_t k = 0; k < kPlacesOnWay; ++k) {
     const Instant now = instant(shares[k]);
     instants.of_delay[k] = now.of_delay;
     instants.braked[k] = now.braked;
