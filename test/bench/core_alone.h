@@ -5,6 +5,9 @@
 // ones takes as long as ever.  A guest sees no counter of that, but a short loop of independent additions, timed right
 // before and right after the work, does: it touches no memory, takes one time alone and 1.2 to 2 times that beside a
 // neighbour, whose turns last about 0.1 ms.
+//
+// What is tagged leans to short times: long work is seldom alone from end to end, and an interrupt between the bursts is not
+// seen.  It tells what a neighbour adds; it does not replace the figures of all times.
 #pragma once
 
 #include <algorithm>
