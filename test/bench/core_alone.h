@@ -61,6 +61,18 @@ class SharedTimes {
   // At `share` (0 to 1) of all times in order; 0 when there are none.
   [[nodiscard]] double all(double share) const { return at(all_, share); }
   [[nodiscard]] double alone(double share) const { return at(alone_, share); }
+  // The same when the same `count` pieces of work were done over and over, in the same order: each piece's time is the
+  // median of its repeats.  What a neighbour adds falls on other pieces in every repeat and drops out; unlike the choice
+  // by alone(), this one does not lean to short pieces.
+  [[nodiscard]] double repeated(double share, std::size_t count) const {
+    std::vector<double> pieces(count), repeats;
+    for (std::size_t i = 0; i < count; ++i) {
+      repeats.clear();
+      for (std::size_t k = i; k < all_.size(); k += count) repeats.push_back(all_[k]);
+      pieces[i] = at(repeats, 0.5);
+    }
+    return at(pieces, share);
+  }
   [[nodiscard]] double mean() const { return mean_of(all_); }
   [[nodiscard]] double mean_alone() const { return mean_of(alone_); }
   [[nodiscard]] double share_alone() const {
