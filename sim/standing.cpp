@@ -176,6 +176,25 @@ Standing stand(const Model& model, const Eigen::VectorXd& q, double mass_scale,
   return result;
 }
 
+namespace {
+
+// The shortest x with system x = right, as near as there is one; the system is symmetric.  (A complete orthogonal
+// decomposition does the same, but allocates once the rank is not full.)
+Eigen::Vector3d least_solution(const Eigen::Matrix3d& system,
+                               const Eigen::Vector3d& right) noexcept {
+  constexpr double kNone = 1e-12;  // of the greatest eigenvalue
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> parts(system);
+  const double least = kNone * parts.eigenvalues().maxCoeff();
+  Eigen::Vector3d along = parts.eigenvectors().transpose() * right;
+  for (int i = 0; i < 3; ++i) {
+    const double value = parts.eigenvalues()[i];
+    along[i] = value > least ? along[i] / value : 0.0;
+  }
+  return parts.eigenvectors() * along;
+}
+
+}  // namespace
+
 std::array<double, 4> corner_forces(const Sole& sole, double fz, double mx, double my) noexcept {
   // f_i = a + b y_i + c x_i with sums fz, sum f y = mx, -sum f x = my; corners that would pull are
   // left out.
@@ -189,8 +208,7 @@ std::array<double, 4> corner_forces(const Sole& sole, double fz, double mx, doub
       const Eigen::Vector3d arm(1.0, corner.y(), -corner.x());
       system += arm * arm.transpose();
     }
-    const Eigen::Vector3d plane =
-        system.completeOrthogonalDecomposition().solve(Eigen::Vector3d(fz, mx, my));
+    const Eigen::Vector3d plane = least_solution(system, {fz, mx, my});
     bool done = true;
     for (int i = 0; i < kSoleCorners; ++i) {
       const auto at = static_cast<std::size_t>(i);

@@ -5,6 +5,7 @@
 #include "robot/dynamics.h"
 #include "robot/load.h"
 #include "sim/ode_world.h"
+#include "test/no_alloc.h"
 
 namespace twinbus {
 namespace {
@@ -54,8 +55,31 @@ TEST(Standing, CornerForcesHaveTheResultantAsked) {
   EXPECT_NEAR(fz, 600.0, 1e-9);
   EXPECT_NEAR(mx, 12.0, 1e-9);
   EXPECT_NEAR(my, -20.0, 1e-9);
-  for (const double f : corner_forces(sole, 600.0, 42.0, 0.0))
-    EXPECT_GE(f, 0.0);  // at the edge: never pulls
+}
+
+// On the rim and beyond it, as of a robot that lies: two corners or one carry all, none pulls.
+TEST(Standing, AForceBeyondTheRimIsCarriedByItsCornersWithoutAllocating) {
+  const Model model = load_robot("hrp1s");
+  const Sole& sole = model.soles[0];
+  const double x = sole_corner(sole, 0).x(), y = sole_corner(sole, 0).y();
+  double shared = 0.0;  // of the corners at that edge
+  for (int c = 0; c < kSoleCorners; ++c) {
+    if (sole_corner(sole, c).y() * y > 0.0) shared += 300.0 * sole_corner(sole, c).x();
+  }
+  const NoAlloc no_alloc;
+  const auto edge = corner_forces(sole, 600.0, 600.0 * y, -shared);
+  const auto corner = corner_forces(sole, 600.0, 600.0 * y, -600.0 * x);
+  const auto beyond = corner_forces(sole, 600.0, 2000.0 * y, -2000.0 * x);
+  const std::int64_t allocated = no_alloc.count();
+  EXPECT_EQ(allocations_counted() ? allocated : 0, 0);
+  for (int c = 0; c < kSoleCorners; ++c) {
+    const auto i = static_cast<std::size_t>(c);
+    const bool at_edge = sole_corner(sole, c).y() * y > 0.0;
+    EXPECT_NEAR(edge[i], at_edge ? 300.0 : 0.0, 1e-6) << c;
+    EXPECT_NEAR(corner[i], c == 0 ? 600.0 : 0.0, 1e-6) << c;
+    EXPECT_GE(beyond[i], 0.0) << c;
+  }
+  EXPECT_GT(beyond[0], 600.0);
 }
 
 TEST(Standing, FittingTheBaseBringsTheForcesBack) {
