@@ -33,6 +33,7 @@ constexpr double kWait = 0.02;         // [s] for a message, then the heartbeat 
 constexpr std::int64_t kWarmUp = 100;  // ticks; LCM makes a list per channel with its first message
 constexpr std::int64_t kStopEvery = 10;  // a stop is asked for again after as many ticks
 constexpr std::int64_t kQuietNs = 1'000'000'000;
+constexpr std::int64_t kQuietSameNs = 10 * kQuietNs;
 
 struct Arguments {
   CommonOptions common;
@@ -143,11 +144,17 @@ class GuardProcess {
     if (!bus_.send(channel::kStop, stop)) ++send_failures_;
   }
 
-  // Who comes too near whom, at most once a second.
+  // Who comes too near whom, at most once a second; while it stays the same two, seldom.
   void tell(const GuardReport& report) noexcept {
     const std::int64_t now = monotonic_ns();
-    if (told_ns_ != 0 && now - told_ns_ < kQuietNs) return;
+    const std::array<int, 2> pair =
+        report.pairs_near > 0 ? std::array<int, 2>{report.link_a[0], report.link_b[0]}
+                              : std::array<int, 2>{-1, -1};
+    const bool same = pair == told_pair_ && now - held_ns_ < kQuietNs;
+    held_ns_ = now;
+    if (told_ns_ != 0 && now - told_ns_ < (same ? kQuietSameNs : kQuietNs)) return;
     told_ns_ = now;
+    told_pair_ = pair;
     Event event;
     event.utime = wall_us();
     event.sender_id = id_;
@@ -219,7 +226,8 @@ class GuardProcess {
   bool fresh_ = false, new_obstacles_ = false;
   Pulse pulse_;
   JournalWriter<SendPage> journal_;
-  std::int64_t heard_ns_ = 0, told_ns_ = 0, stop_tick_ = 0, state_hash_ = 0;
+  std::int64_t heard_ns_ = 0, told_ns_ = 0, held_ns_ = 0, stop_tick_ = 0, state_hash_ = 0;
+  std::array<int, 2> told_pair_{-1, -1};
   std::int64_t missed_ = 0, rejected_ = 0, allocations_ = 0, send_failures_ = 0;
   std::int32_t stop_sequence_ = 0, event_sequence_ = 0;
 
