@@ -47,8 +47,9 @@ class FourPostures {
   [[nodiscard]] bool weigh() noexcept;
 
   // From any guess the accelerations, if the robots were weighed as they stand; else better ones:
-  // their error is multiplied by the share by which the inertia has changed, of each posture.
-  void improve(const Accelerations& guess, Accelerations& to) noexcept;
+  // their error is multiplied by the share by which the inertia has changed, of each posture.  How much
+  // they change [rad/s^2], [m/s^2]: the root of the sum of squares over links, its mean over the postures.
+  double improve(const Accelerations& guess, Accelerations& to) noexcept;
 
   // Of what the joint moves, everything else free, of posture 0 when it was weighed.
   double inverse_inertia(int joint) const noexcept {

@@ -6,7 +6,7 @@
 // postures are nearly known, and only forces are evaluated anew after that.
 //
 // Where an error is named, a step is taken in parts that are as long as it allows: their accelerations
-// are polynomials over time, and how small the last of the four is tells how wrong they are.
+// are polynomials over time, and how small the last two of the four are tells how wrong they are.
 //
 // How the robot moves in the axes of link 0 depends neither on how these stand nor on how fast they
 // go: attitude and position follow when the iteration is done.  Symplectic and symmetric: the energy

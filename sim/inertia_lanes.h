@@ -18,12 +18,13 @@ TWINBUS_INLINE Symmetric3<L> turned_out(const Hinge& hinge, const Symmetric3<L>&
   return {t.x.x, t.y.x, t.z.x, t.y.y, t.z.y, t.z.z};
 }
 
-// In the parent's axes, about its origin.  With p the offset and B = wv + p^ vv:
+// About the parent's origin instead of the link's.  With p the offset and B = wv + p^ vv:
 //     [ ww + p^ B' + (p^ wv')'   B ; B'  vv ]
-template <class L, class Hinge>
-TWINBUS_INLINE Inertia<L> carried_out(const Hinge& hinge, const Inertia<L>& m) {
-  Inertia<L> to = {turned_out(hinge, m.ww), turned_out(hinge, m.wv), turned_out(hinge, m.vv)};
-  const auto& p = hinge.offset;
+template <class L>
+TWINBUS_INLINE void shift(const Together&, Inertia<L>&) {}
+template <class L, class N>
+TWINBUS_INLINE void shift(const Apart<N>& origin, Inertia<L>& to) {
+  const N& p = origin.offset;
   const Symmetric3<L>& vv = to.vv;
   const Columns3<L> wv = to.wv;
   to.wv = {wv.x + cross(p, Three<L>{vv.xx, vv.xy, vv.xz}),
@@ -42,6 +43,13 @@ TWINBUS_INLINE Inertia<L> carried_out(const Hinge& hinge, const Inertia<L>& m) {
   to.ww.xy += y.x + hx.y;
   to.ww.xz += z.x + hx.z;
   to.ww.yz += z.y + hy.z;
+}
+
+// In the parent's axes, about its origin.
+template <class L, class Hinge>
+TWINBUS_INLINE Inertia<L> carried_out(const Hinge& hinge, const Inertia<L>& m) {
+  Inertia<L> to = {turned_out(hinge, m.ww), turned_out(hinge, m.wv), turned_out(hinge, m.vv)};
+  shift(hinge.origin, to);
   return to;
 }
 

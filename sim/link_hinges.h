@@ -1,18 +1,88 @@
 // Joints between links that are each in axes of their own.  No include guard: articulated_kernels.h
 // includes this once for each instruction set, in a namespace of its own.
 //
-// A hinge takes vectors of the parent's axes into the link's and out again, and knows S, what the
-// joint moves: a unit vector of rotation, or of translation.
+// A hinge takes vectors of the parent's axes into the link's and out again, tells what the link's
+// origin has of the parent's motion and gives it of the link's, and knows S, what the joint moves: a unit
+// vector of rotation, or of translation.
+
+template <class L>
+TWINBUS_INLINE L lane_of(const double* numbers, std::size_t column) {
+  L value;
+  std::memcpy(&value, numbers + column * (sizeof(L) / sizeof(double)), sizeof value);
+  return value;
+}
+
+// Member number A, from 0, of x, y, z.
+template <int A, class T>
+TWINBUS_INLINE auto& part(T& v) {
+  if constexpr (A == 0) {
+    return v.x;
+  } else if constexpr (A == 1) {
+    return v.y;
+  } else {
+    return v.z;
+  }
+}
+
+template <int R, int C, class L>
+TWINBUS_INLINE const L& entry(const Symmetric3<L>& m) {
+  if constexpr (R > C) {
+    return entry<C, R>(m);
+  } else if constexpr (R == 0) {
+    return C == 0 ? m.xx : C == 1 ? m.xy : m.xz;
+  } else if constexpr (R == 1) {
+    return C == 1 ? m.yy : m.yz;
+  } else {
+    return m.zz;
+  }
+}
+
+// Where a link's origin is that is not its parent's.
+template <class N>
+struct Apart {
+  N offset;  // in the parent's axes
+
+  template <class L>
+  TWINBUS_INLINE Three<L> felt(const LinkMotion<L>& on) const {
+    return on.felt - cross(offset, on.turning) - cross(on.w, cross(offset, on.w));
+  }
+  template <class L>
+  TWINBUS_INLINE Three<L> linear(const Six<L>& on) const {
+    return on.v - cross(offset, on.w);
+  }
+  // The link's forces, in the parent's axes, to what its parent needs.
+  template <class L>
+  TWINBUS_INLINE void give(const Six<L>& forces, Six<L>& to) const {
+    add(forces, to);
+    to.w = to.w + cross(offset, forces.v);
+  }
+};
+
+struct Together {
+  template <class L>
+  TWINBUS_INLINE const Three<L>& felt(const LinkMotion<L>& on) const {
+    return on.felt;
+  }
+  template <class L>
+  TWINBUS_INLINE const Three<L>& linear(const Six<L>& on) const {
+    return on.v;
+  }
+  template <class L>
+  TWINBUS_INLINE void give(const Six<L>& forces, Six<L>& to) const {
+    add(forces, to);
+  }
+};
 
 // Turn about axis A of its own, the axes parallel to the parent's at angle 0.
-template <int A, class L>
+template <int A, class Place, class L>
 struct StraightHinge {
+  static constexpr int kAxis = A;
   L s, c;
-  const Three<double>& offset;
+  Place origin;
 
   template <class T>
   TWINBUS_INLINE static T& of(Three<T>& v) {
-    return A == 0 ? v.x : A == 1 ? v.y : v.z;
+    return part<A>(v);
   }
   TWINBUS_INLINE Three<L> into(const Three<L>& v) const {
     if constexpr (A == 0) {
@@ -24,7 +94,7 @@ struct StraightHinge {
     }
   }
   TWINBUS_INLINE Three<L> out(const Three<L>& v) const {
-    return StraightHinge{-s, c, offset}.into(v);
+    return StraightHinge{-s, c, origin}.into(v);
   }
   // S'v
   TWINBUS_INLINE L along(Six<L> v) const { return of(v.w); }
@@ -59,8 +129,9 @@ struct StraightHinge {
 // About or along any axis, after any turn.
 template <class L>
 struct AnyHinge {
+  static constexpr int kAxis = 3;
   Columns3<L> axes;  // of the link, in its parent's
-  Three<L> offset;
+  Apart<Three<L>> origin;
   Six<L> axis;
 
   TWINBUS_INLINE Three<L> into(const Three<L>& v) const { return times_transposed(axes, v); }
@@ -84,27 +155,28 @@ TWINBUS_INLINE AnyHinge<L> any_hinge(const RigidLink& rigid, const L& angle, con
   const Three<L> a = spread(rigid.direction), o = spread(rigid.offset), still = {none, none, none};
   const Columns3<L> placed = {spread(rigid.placed.x), spread(rigid.placed.y),
                               spread(rigid.placed.z)};
-  if (rigid.slides) return {placed, o + times(placed, a) * angle, {still, a}};
+  if (rigid.slides) return {placed, {o + times(placed, a) * angle}, {still, a}};
   const Three<L> k = a * (one - c), sa = a * s;
   const Columns3<L> turned = {{c + k.x * a.x, k.x * a.y + sa.z, k.x * a.z - sa.y},
                               {k.x * a.y - sa.z, c + k.y * a.y, k.y * a.z + sa.x},
                               {k.x * a.z + sa.y, k.y * a.z - sa.x, c + k.z * a.z}};
-  return {times(placed, turned), o, {a, still}};
+  return {times(placed, turned), {o}, {a, still}};
 }
 
 template <class L, class Do>
 TWINBUS_INLINE void with_hinge(const RigidBody<L>& d, std::size_t i, Do&& act) {
-  const auto of_link = [i](const std::vector<double>& numbers) {
-    L value;
-    std::memcpy(&value, numbers.data() + i * (sizeof(L) / sizeof(double)), sizeof value);
-    return value;
-  };
   const RigidLink& rigid = d.rigid[i];
-  const L s = of_link(d.sine), c = of_link(d.cosine);
-  if (rigid.axis == 0) return act(StraightHinge<0, L>{s, c, rigid.offset});
-  if (rigid.axis == 1) return act(StraightHinge<1, L>{s, c, rigid.offset});
-  if (rigid.axis == 2) return act(StraightHinge<2, L>{s, c, rigid.offset});
-  act(any_hinge(rigid, of_link(d.angle), s, c));
+  const L s = lane_of<L>(d.sine.data(), i), c = lane_of<L>(d.cosine.data(), i);
+  if (rigid.axis == 3) return act(any_hinge(rigid, lane_of<L>(d.angle.data(), i), s, c));
+  if (rigid.apart) {
+    const Apart<Three<double>> apart = {rigid.offset};
+    if (rigid.axis == 0) return act(StraightHinge<0, Apart<Three<double>>, L>{s, c, apart});
+    if (rigid.axis == 1) return act(StraightHinge<1, Apart<Three<double>>, L>{s, c, apart});
+    return act(StraightHinge<2, Apart<Three<double>>, L>{s, c, apart});
+  }
+  if (rigid.axis == 0) return act(StraightHinge<0, Together, L>{s, c, {}});
+  if (rigid.axis == 1) return act(StraightHinge<1, Together, L>{s, c, {}});
+  act(StraightHinge<2, Together, L>{s, c, {}});
 }
 
 // Sines and cosines of angles near those of which they are known; false: some are not near.

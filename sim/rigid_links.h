@@ -1,4 +1,8 @@
 // A robot's links in their own axes, where what they weigh never changes: for sim/inverse_lanes.h.
+//
+// Mass on a hinge's axis moves as if it were the parent's.  So a hinge about x, y or z hands on all
+// that can be moved to its axis without changing how the link resists turning (Khalil and Dombre
+// 2002, section 9.4): the link's own mass, its moment and its spread along the axis are 0.
 
 #pragma once
 
@@ -17,7 +21,8 @@ struct RigidLink {
   Symmetric3<double> spread;   // sum of mass times r r', r from its origin
   Three<double> offset;        // of its origin at 0, in the parent's axes
   double rotor;
-  int axis;  // of its hinge: 0 to 2 x, y or z, the axes parallel to the parent's at 0; 3: any
+  int axis;    // of its hinge: 0 to 2 x, y or z, the axes parallel to the parent's at 0; 3: any
+  bool apart;  // its origin is not its parent's
   std::size_t parent;  // before it
   bool leaf, first;    // nothing hangs on it; the first of its parent's children, from the last on
   // Of a joint of axis 3.

@@ -6,10 +6,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "robot/dynamics.h"
 #include "robot/energy.h"
 #include "sim/articulated_world.h"
+#include "sim/spatial.h"
 #include "test/no_alloc.h"
 #include "test_models.h"
 
@@ -61,6 +63,40 @@ TEST(Flight, GaussTakesAStepInAsManyPartsAsItsErrorAllows) {
   }
   // Shorter ones are taken whole.
   EXPECT_EQ(tumbled(Flight::kGauss8, 2e-3, 1e-5), tumbled(Flight::kGauss8, 2e-3, 1e-4));
+}
+
+// Where a chain of n links that is thrown turning has its links after a second.
+Eigen::Matrix3Xd thrown(int n, double spin, Flight flight, double step, double error = 0.0) {
+  WorldConfig config;
+  config.flight = flight;
+  config.flight_error = error;
+  config.step = step;
+  const Model model = test::chain(n, true);
+  ArticulatedWorld world(model, config);
+  Configuration start(model);
+  start.base.translation().z() = 100.0;
+  start.base_angular_velocity = Eigen::Vector3d(1.0, 2.0, 0.5) * spin;
+  for (int j = 0; j < n; ++j) start.qd[j] = 0.2 * std::sin(1.0 + j);
+  EXPECT_EQ(world.set(start), Status::kOk);
+  const auto steps = static_cast<int>(std::lround(1.0 / step));
+  for (int i = 0; i < steps; ++i) EXPECT_EQ(world.step(), Status::kOk);
+  EXPECT_EQ(world.flown(), steps) << n << " links, error " << error;
+  Eigen::Matrix3Xd links(3, n + 1);
+  for (int i = 0; i <= n; ++i) links.col(i) = world.link_in_world(i).translation();
+  return links;
+}
+
+// Slow and fast ones, of which the longer ones whip.
+TEST(Flight, GaussKeepsToTheErrorThatIsNamed) {
+  for (const int n : {2, 4, 7}) {
+    for (const double spin : {0.5, 1.0}) {
+      const Eigen::Matrix3Xd exact = thrown(n, spin, Flight::kRkf78, 1e-3);
+      for (const double error : {1e-5, 1e-6, 1e-7, 1e-8}) {
+        const Eigen::Matrix3Xd found = thrown(n, spin, Flight::kGauss8, 1.0, error);
+        EXPECT_LT((found - exact).colwise().norm().maxCoeff(), error) << n << ' ' << spin;
+      }
+    }
+  }
 }
 
 TEST(Flight, WhatComesDownIsCaughtByTheImplicitSolve) {
@@ -234,6 +270,63 @@ TEST(FourPostures, FromAGuessComeToTheSame) {
       EXPECT_LT(robots.off(), 0.3 * before);
       before = robots.off();
     }
+  }
+}
+
+// A wrist and a hip: joints of every axis that share an origin, and that do not, of links that are as
+// lopsided as can be.
+Model lopsided() {
+  Model model = test::chain(8, true);
+  for (const std::size_t j : {1, 2, 3}) model.joints[j].placement.translation().setZero();
+  for (const std::size_t j : {4, 5, 6}) {
+    model.joints[j].placement.translation() = Eigen::Vector3d(0.1, -0.2, 0.3);
+  }
+  model.joints[7].axis = Eigen::Vector3d(2, -1, 2) / 3.0;
+  model.joints[7].placement.translation().setZero();
+  for (Link& link : model.links) {
+    const Eigen::Matrix3d axes =
+        Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+    link.inertia = axes * Eigen::Vector3d(0.01, 0.03, 0.035).asDiagonal() * axes.transpose();
+    link.com = {0.1, -0.07, 0.05};
+  }
+  return model;
+}
+
+TEST(FourPostures, WithOriginsTogetherToo) {
+  for (const bool fixed : {false, true}) {
+    FourAndOne robots(lopsided(), fixed);
+    robots.accelerations.setZero();
+    ASSERT_TRUE(robots.four.weigh());
+    robots.four.improve(robots.accelerations, robots.accelerations);
+    EXPECT_LT(robots.off(), 1e-10);
+    EXPECT_LT(robots.four.improve(robots.accelerations, robots.accelerations), 1e-10);
+  }
+}
+
+TEST(FourPostures, SayHowMuchTheyChange) {
+  FourAndOne robots(lopsided(), false);
+  ASSERT_TRUE(robots.four.weigh());
+  FourPostures::Accelerations first = robots.accelerations, second = first;
+  first.setZero();
+  const double change = robots.four.improve(first, second);
+  EXPECT_NEAR(change, (second - first).matrix().norm() / 2.0, 1e-9 * change);
+  robots.four.q()(2, 3) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(robots.four.improve(first, second) < HUGE_VAL);
+}
+
+TEST(FourPostures, EveryInstructionSetGivesTheSameToRounding) {
+  std::vector<FourPostures::Accelerations> found;
+  for (const Simd level : {Simd::kBaseline, Simd::kAvx2, Simd::kAvx512}) {
+    lower_simd(level);
+    FourAndOne robots(lopsided(), false);
+    robots.accelerations.setZero();
+    EXPECT_TRUE(robots.four.weigh());
+    robots.four.improve(robots.accelerations, robots.accelerations);
+    found.push_back(robots.accelerations);
+  }
+  lower_simd(Simd::kAvx512);
+  for (const FourPostures::Accelerations& one : found) {
+    EXPECT_LT(((one - found[0]).abs() / (1.0 + found[0].abs())).maxCoeff(), 1e-12);
   }
 }
 
