@@ -228,7 +228,7 @@ class Lab:
         self.ode = Ours(self.program, "ode", "ODE direct")
         self.flight = [Ours(self.program, f"articulated-{m}", f"articulated, {m.upper()}") for m in ("ab4", "rk4", "rkf78", "gauss8")]
         # In as many parts as make no speed wrong by more [rad/s]; H may be the whole flight.
-        self.parted = [Ours(self.program, f"articulated-gauss8-{most}", f"articulated, GAUSS8 to {most}") for most in ("1e-6", "1e-7", "1e-8")]
+        self.parted = [Ours(self.program, f"articulated-gauss8-{most}", f"articulated, GAUSS8 to {most}") for most in ("1e-6", "3e-7", "1e-7", "3e-8", "1e-8")]
         self.mujocos = {}  # version -> program
         self._written = {}
         self._find_mujoco()
