@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "robot/gjk_support.h"
+#include "robot/support_cells.h"
 #include "robot/vec4.h"
 
 namespace twinbus {
@@ -16,6 +18,8 @@ using Eigen::Vector3d;
 
 constexpr double kTouching = 1e-12;  // [m]
 constexpr int kMostSteps = 64;
+// Of fewer points than these all are looked at; of more it would take long to find where each is farthest.
+constexpr std::size_t kFewPoints = 8, kManyPoints = 512;
 
 struct Corner {  // of the difference of the shapes
   Vec4 v, on_a, on_b;
@@ -95,51 +99,6 @@ TWINBUS_INLINE Nearest of_tetrahedron(const Corner* c) noexcept {
   return best;
 }
 
-// The point of the hull farthest along d.
-TWINBUS_AVX2_CLONES
-std::size_t farthest(const double* x, std::size_t n, double dx, double dy, double dz) noexcept {
-  const double* y = x + n;
-  const double* z = y + n;
-  Vec4 best = load4(x) * dx + load4(y) * dy + load4(z) * dz;
-  Int4 where{0, 1, 2, 3}, now = where;
-  for (std::size_t i = 4; i < n; i += 4) {
-    now += 4;
-    const Vec4 value = load4(x + i) * dx + load4(y + i) * dy + load4(z + i) * dz;
-    const Int4 better = value > best;
-    best = better ? value : best;
-    where = better ? now : where;
-  }
-  int lane = 0;
-  for (int k = 1; k < 4; ++k) {
-    if (best[k] > best[lane]) lane = k;
-  }
-  return static_cast<std::size_t>(where[lane]);
-}
-
-// a with the signs of b.
-TWINBUS_INLINE Vec4 with_signs(Vec4 a, Vec4 b) noexcept {
-  Int4 x, y;
-  std::memcpy(&x, &a, sizeof x);
-  std::memcpy(&y, &b, sizeof y);
-  x = (x & INT64_MAX) | (y & INT64_MIN);
-  std::memcpy(&a, &x, sizeof a);
-  return a;
-}
-
-// Without the radius of a sphere.
-TWINBUS_INLINE Vec4 support(const GjkShape& s, const Vec4& half, const Vec4& d) noexcept {
-  if (s.kind == ShapeKind::kBox) return with_signs(half, d);
-  if (s.kind == ShapeKind::kCylinder) {
-    const double across = std::sqrt(d[0] * d[0] + d[1] * d[1]);
-    const double scale = across > 1e-12 ? half[0] / across : 0.0;
-    return Vec4{scale * d[0], scale * d[1], std::copysign(half[1], d[2]), 0.0};
-  }
-  if (s.kind == ShapeKind::kSphere) return Vec4{};
-  const std::size_t n = s.points.size() / 3;
-  const std::size_t i = farthest(s.points.data(), n, d[0], d[1], d[2]);
-  return Vec4{s.points[i], s.points[n + i], s.points[2 * n + i], 0.0};
-}
-
 double skin(const GjkShape& s) noexcept { return s.kind == ShapeKind::kSphere ? s.half.x() : 0.0; }
 
 }  // namespace
@@ -153,6 +112,7 @@ GjkShape gjk_hull(const std::vector<Vector3d>& points) {
     const Vector3d& p = points[std::min(i, points.size() - 1)];
     for (std::size_t k = 0; k < 3; ++k) shape.points[k * n + i] = p[static_cast<int>(k)];
   }
+  if (n > kFewPoints && n <= kManyPoints) shape.cells = support_cells(points);
   return shape;
 }
 
@@ -192,7 +152,6 @@ struct Search {
 TWINBUS_AVX2_CLONES
 static void search(const GjkShape& a, const GjkShape& b, const double (&to_a)[4][4], double far,
                    double close, const double (&first)[4], Search& found) noexcept {
-  const Vec4 half_a = vec4(a.half), half_b = vec4(b.half);
   const Vec4 column[3] = {load4(to_a[0]), load4(to_a[1]), load4(to_a[2])};
   const Vec4 shift = load4(to_a[3]);
   const Vec4 row[3] = {{to_a[0][0], to_a[1][0], to_a[2][0], 0.0},
@@ -200,8 +159,8 @@ static void search(const GjkShape& a, const GjkShape& b, const double (&to_a)[4]
                        {to_a[0][2], to_a[1][2], to_a[2][2], 0.0}};
   // Along -p, of a minus b.
   const auto look = [&](const Vec4& p, Corner& c) __attribute__((always_inline)) {
-    c.on_a = support(a, half_a, -p);
-    const Vec4 on_b = support(b, half_b, row[0] * p[0] + row[1] * p[1] + row[2] * p[2]);
+    c.on_a = support(a, -p);
+    const Vec4 on_b = support(b, row[0] * p[0] + row[1] * p[1] + row[2] * p[2]);
     c.on_b = column[0] * on_b[0] + column[1] * on_b[1] + column[2] * on_b[2] + shift;
     c.v = c.on_a - c.on_b;
   };
@@ -211,7 +170,10 @@ static void search(const GjkShape& a, const GjkShape& b, const double (&to_a)[4]
   nearest = of_corner(corner, 0);
   int count = 1;
   double length = std::sqrt(dot3(nearest.point, nearest.point));
-  found.below = -1e300;
+  const double said = -dot3(load4(first), corner[0].v);
+  found.below = said > 0.0 ? said / std::sqrt(dot3(load4(first), load4(first))) : 0.0;
+  found.far = found.below > far;
+  if (found.far) return;
   for (int step = 0; step < kMostSteps && length > kTouching; ++step) {
     Corner next;
     look(nearest.point, next);
@@ -251,8 +213,8 @@ static void search(const GjkShape& a, const GjkShape& b, const double (&to_a)[4]
 }
 
 GjkResult gjk_distance(const GjkShape& a, const Eigen::Isometry3d& pose_a, const GjkShape& b,
-                       const Eigen::Isometry3d& pose_b, double far,
-                       const Vector3d& towards_b, double close) noexcept {
+                       const Eigen::Isometry3d& pose_b, double far, const Vector3d& towards_b,
+                       double close) noexcept {
   if (b.kind == ShapeKind::kSphere && a.kind != ShapeKind::kMesh)
     return to_ball(a, pose_a, b, pose_b.translation());
   if (a.kind == ShapeKind::kSphere && b.kind != ShapeKind::kMesh) {

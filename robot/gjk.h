@@ -10,9 +10,11 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <span>
 #include <vector>
 
 #include "robot/model.h"
+#include "robot/support_cells.h"
 
 namespace twinbus {
 
@@ -21,6 +23,7 @@ struct GjkShape {
   Eigen::Vector3d half = Eigen::Vector3d::Zero();  // box: half edges; sphere: radius; cylinder:
                                                    // radius, half length [m]
   std::vector<double> points;  // x of all, y of all, z of all; a multiple of four each [m]
+  SupportCells cells;          // of the points; may be empty
 };
 
 // The hull of these points as a shape; points not empty.
@@ -34,6 +37,16 @@ struct GjkResult {
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  // from a to b, unit; zero when they overlap
 };
 
+struct GjkQuery {
+  const GjkShape* a = nullptr;
+  const Eigen::Isometry3d* pose_a = nullptr;
+  const GjkShape* b = nullptr;
+  const Eigen::Isometry3d* pose_b = nullptr;
+  double far = 0.0;  // [m]
+  Eigen::Vector3d towards_b = Eigen::Vector3d::Zero();
+  GjkResult result;
+};
+
 inline constexpr double kGjkClose = 5e-8;  // [m]
 
 // close: the search ends when distance and below are this near to each other [m].
@@ -44,5 +57,8 @@ GjkResult gjk_distance(const GjkShape& a, const Eigen::Isometry3d& pose_a, const
                        const Eigen::Isometry3d& pose_b, double far,
                        const Eigen::Vector3d& towards_b = Eigen::Vector3d::Zero(),
                        double close = kGjkClose) noexcept;
+
+// The same of many, four at a time, in two thirds of the time; to rounding what gjk_distance says.
+void gjk_distances(std::span<GjkQuery> queries, double close = kGjkClose) noexcept;
 
 }  // namespace twinbus

@@ -2,9 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+#include <numbers>
 #include <random>
+#include <string>
+#include <vector>
 
 #include "robot/convex_shape.h"
+#include "robot/support_cells.h"
 #include "test/no_alloc.h"
 
 namespace twinbus {
@@ -110,6 +116,173 @@ TEST(Gjk, EndsAsNearToTheDistanceAsIsAsked) {
     coarsest = std::max(coarsest, r.distance - exact);
   }
   EXPECT_GT(coarsest, 1e-6) << "it takes no notice";
+}
+
+// Corners of lumps, prisms with many corners in one plane, slabs a micrometre thick, needles and tetrahedra.
+std::vector<Vector3d> corners(std::mt19937_64& random, int kind) {
+  std::normal_distribution<double> normal;
+  std::vector<Vector3d> points;
+  const auto n = [&] { return 0.1 * normal(random); };
+  if (kind == 0) {
+    for (int i = 0; i < 40; ++i) points.emplace_back(0.1 * Vector3d(n(), n(), n()).normalized());
+  } else if (kind == 1) {
+    for (int i = 0; i < 24; ++i) {
+      const double angle = std::numbers::pi / 6.0 * i, z = i < 12 ? 0.1 : -0.1;
+      points.emplace_back(0.05 * std::cos(angle), 0.05 * std::sin(angle), z);
+    }
+  } else if (kind == 2) {
+    for (int i = 0; i < 20; ++i) points.emplace_back(n(), n(), (i % 2) * 1e-6);
+  } else if (kind == 3) {
+    for (int i = 0; i < 10; ++i) points.emplace_back(n(), 0.0, i % 3 == 0 ? 1e-9 : 0.0);
+  } else {
+    for (int i = 0; i < 4; ++i) points.emplace_back(n(), n(), n());
+  }
+  return points;
+}
+
+double reach(const std::vector<Vector3d>& points, const Isometry3d& pose, const Vector3d& along) {
+  double most = -1e300;
+  for (const Vector3d& p : points) most = std::max(most, along.dot(pose * p));
+  return most;
+}
+
+// Of each distance: the planes across the normal through the points part the two, or are as near as that.
+TEST(Gjk, ManyAtOnceAreEachProvedFromBothSides) {
+  std::mt19937_64 random(8);
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  std::vector<std::vector<Vector3d>> points;
+  std::vector<GjkShape> hulls;
+  for (int i = 0; i < 50; ++i) {
+    points.push_back(corners(random, i % 5));
+    hulls.push_back(gjk_hull(points.back()));
+  }
+  constexpr std::size_t kCount = 203;
+  std::vector<Isometry3d> poses(2 * kCount);
+  std::vector<GjkQuery> queries(kCount), again(kCount);
+  std::vector<std::size_t> of_a(kCount), of_b(kCount);
+  int apart = 0, overlapping = 0, far = 0;
+  for (int round = 0; round < 60; ++round) {
+    for (std::size_t k = 0; k < kCount; ++k) {
+      of_a[k] = k % hulls.size();
+      of_b[k] = (k / hulls.size() + static_cast<std::size_t>(7 * round)) % hulls.size();
+      // From far apart to one in the other, some turned by quarters so that faces are square to each other.
+      const double spread = std::pow(10.0, -2.0 * std::abs(unit(random)));
+      poses[2 * k] = somewhere(random, 0.1);
+      poses[2 * k + 1] = poses[2 * k] * somewhere(random, 0.2 * spread);
+      if (k % 4 == 0) poses[2 * k + 1].linear() = poses[2 * k].linear();
+      if (k % 16 == 0) poses[2 * k + 1] = poses[2 * k];
+      const Vector3d towards =
+          k % 3 == 0 ? Vector3d::Zero().eval() : Vector3d(unit(random), unit(random), 0.0);
+      queries[k] = {&hulls[of_a[k]],
+                    &poses[2 * k],
+                    &hulls[of_b[k]],
+                    &poses[2 * k + 1],
+                    k % 5 == 0 ? 0.05 : 9.0,
+                    towards,
+                    {}};
+      again[kCount - 1 - k] = queries[k];
+    }
+    const NoAlloc no_alloc;
+    gjk_distances(queries);
+    gjk_distances(again);
+    EXPECT_EQ(no_alloc.count(), 0);
+    for (std::size_t k = 0; k < kCount; ++k) {
+      const GjkQuery& q = queries[k];
+      const GjkResult& r = q.result;
+      SCOPED_TRACE(std::to_string(round) + " " + std::to_string(k));
+      // Who else is searched for changes nothing.
+      const GjkResult& other = again[kCount - 1 - k].result;
+      ASSERT_EQ(r.distance, other.distance);
+      ASSERT_EQ(r.below, other.below);
+      ASSERT_EQ(r.point_a, other.point_a);
+      ASSERT_EQ(r.normal, other.normal);
+      ASSERT_TRUE(r.point_a.allFinite() && r.point_b.allFinite() && r.normal.allFinite());
+      const GjkResult one = gjk_distance(*q.a, *q.pose_a, *q.b, *q.pose_b, q.far, q.towards_b);
+      if (r.below > q.far) {
+        ++far;
+        ASSERT_TRUE(one.below > q.far || one.distance > q.far - 1e-7);
+        continue;
+      }
+      ASSERT_NEAR(r.distance, one.distance, 1e-6);
+      if (!(r.distance > 1e-7)) {
+        ++overlapping;
+        continue;
+      }
+      ++apart;
+      ASSERT_NEAR((r.point_b - r.point_a).norm(), r.distance, 1e-9);
+      ASSERT_NEAR(r.normal.norm(), 1.0, 1e-9);
+      const double gap = -reach(points[of_b[k]], *q.pose_b, -r.normal) -
+                         reach(points[of_a[k]], *q.pose_a, r.normal);
+      ASSERT_NEAR(gap, r.distance, 1e-6);
+      ASSERT_NEAR(r.below, r.distance, 1e-6);
+    }
+  }
+  EXPECT_GT(apart, 2000);
+  EXPECT_GT(overlapping, 2000);
+  EXPECT_GT(far, 100);
+}
+
+// Where nothing is known, as of a pose that is no number, they are said to overlap.
+TEST(Gjk, APoseThatIsNoNumberEndsTheSearch) {
+  std::mt19937_64 random(9);
+  const GjkShape hull = gjk_hull(corners(random, 0));
+  const Isometry3d here = Isometry3d::Identity();
+  Isometry3d nowhere = here;
+  nowhere.translation().x() = std::nan("");
+  std::array<GjkQuery, 5> queries;
+  for (GjkQuery& q : queries) q = {&hull, &here, &hull, &nowhere, 9.0, Vector3d::Zero(), {}};
+  Isometry3d there = here;
+  there.translation().z() = 1.0;
+  queries[3].pose_b = &there;
+  gjk_distances(queries);
+  EXPECT_EQ(queries[0].result.distance, 0.0);
+  EXPECT_TRUE(queries[0].result.normal.allFinite());
+  EXPECT_GT(queries[3].result.distance, 0.7);
+}
+
+// What is farthest is in the cell of the direction, also where many are equally far.
+TEST(Gjk, CellsLeaveOutNothingThatIsFarthest) {
+  std::mt19937_64 random(10);
+  std::normal_distribution<double> normal;
+  for (int kind = 0; kind < 4; ++kind) {
+    const std::vector<Vector3d> points = corners(random, kind);
+    const SupportCells cells = support_cells(points);
+    ASSERT_EQ(cells.points.size(), 3 * kSupportCells * cells.row);
+    EXPECT_LT(cells.row, points.size());
+    for (int i = 0; i < 20000; ++i) {
+      Vector3d d(normal(random), normal(random), normal(random));
+      if (i % 3 == 0) d[i % 2] = 0.0;
+      if (i % 7 == 0) d = (10.0 * d).array().round();
+      if (d.isZero(0.0)) continue;
+      d.normalize();
+      int axis = 0;
+      d.cwiseAbs().maxCoeff(&axis);
+      const int cell = 8 * axis + (std::signbit(d[0]) ? 1 : 0) + (std::signbit(d[1]) ? 2 : 0) +
+                       (std::signbit(d[2]) ? 4 : 0);
+      const double* x = cells.points.data() + 3 * cells.row * static_cast<std::size_t>(cell);
+      double most = -1e300;
+      for (std::size_t k = 0; k < cells.row; ++k)
+        most = std::max(most, d.dot(Vector3d(x[k], x[cells.row + k], x[2 * cells.row + k])));
+      ASSERT_NEAR(most, reach(points, Isometry3d::Identity(), d), 1e-10);
+    }
+  }
+}
+
+// More corners than have cells.
+TEST(Gjk, AHullOfVeryManyCornersIsSearchedWhole) {
+  std::mt19937_64 random(11);
+  std::normal_distribution<double> normal;
+  std::vector<Vector3d> many;
+  for (int i = 0; i < 1500; ++i)
+    many.push_back(0.1 * Vector3d(normal(random), normal(random), normal(random)).normalized());
+  const GjkShape ball = gjk_hull(many);
+  EXPECT_EQ(ball.cells.row, 0U);
+  for (int i = 0; i < 200; ++i) {
+    const Isometry3d a = somewhere(random, 0.3), b = somewhere(random, 0.3);
+    const GjkResult r = gjk_distance(ball, a, ball, b, 9.0);
+    if (!(r.distance > 0.0)) continue;
+    EXPECT_NEAR(-reach(many, b, -r.normal) - reach(many, a, r.normal), r.distance, 2e-7) << i;
+  }
 }
 
 TEST(Gjk, StopsEarlyWhenFarAway) {

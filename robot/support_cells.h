@@ -1,0 +1,28 @@
+// Which points of a hull can be the farthest along a direction: a few, found by the direction alone.
+//
+// Directions are in 24 cells: by the signs of x, y and z, and by which of them is the largest.  A point
+// p is of a cell when some direction d of it has
+//
+//     p . d >= q . d     for all points q,
+//
+// that is, when the cell, a cone of four edges, is not empty after all these planes have cut it.
+
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace twinbus {
+
+inline constexpr int kSupportCells = 24;
+
+// Of a direction: sign bits of x, y, z as 1, 2, 4; 8 more when |y| is largest, 16 when |z| is.
+struct SupportCells {
+  std::vector<double>
+      points;           // of every cell: x of all, y of all, z of all [kSupportCells x 3 x row, m]
+  std::size_t row = 0;  // a multiple of four
+};
+
+SupportCells support_cells(const std::vector<Eigen::Vector3d>& points);
+
+}  // namespace twinbus
