@@ -13,6 +13,7 @@
 #include <span>
 #include <vector>
 
+#include "robot/instruction_set.h"
 #include "robot/model.h"
 #include "robot/support_cells.h"
 
@@ -58,7 +59,9 @@ GjkResult gjk_distance(const GjkShape& a, const Eigen::Isometry3d& pose_a, const
                        const Eigen::Vector3d& towards_b = Eigen::Vector3d::Zero(),
                        double close = kGjkClose) noexcept;
 
-// The same of many, four at a time, in two thirds of the time; to rounding what gjk_distance says.
+// The same of many, four or eight at a time, in two thirds of the time or less; to rounding what gjk_distance says.
+// Every set of instructions that the machine has gives the same bits.
 void gjk_distances(std::span<GjkQuery> queries, double close = kGjkClose) noexcept;
+void gjk_distances(std::span<GjkQuery> queries, double close, InstructionSet set) noexcept;
 
 }  // namespace twinbus

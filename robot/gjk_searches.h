@@ -1,4 +1,4 @@
-// The kernel of gjk_many.cpp: four searches at once, one a lane.  Included after gjk_lanes.h.
+// The kernel of gjk_many.cpp: several searches at once, one a lane.  Included after gjk_lane_supports.h.
 //
 // A search has three corners of the difference of the shapes, the first one three times to begin with.  To them
 // comes the support point w along -v, and of what has w for a corner (w itself, three edges, three faces) that is
@@ -19,7 +19,8 @@ TWINBUS_INLINE void prepare(const GjkQuery& q, Prepared& to) noexcept {
   const Vec4 given = vec4(q.towards_b), known = dot3(given, given) > 0.0 ? given : shift;
   const Vec4 towards = dot3(known, known) > 0.0 ? known : Vec4{1.0, 0.0, 0.0, 0.0};
   const Vec4 on_a = support(*q.a, towards);
-  const Vec4 in_b = support(*q.b, -(rows[0] * towards[0] + rows[1] * towards[1] + rows[2] * towards[2]));
+  const Vec4 in_b =
+      support(*q.b, -(rows[0] * towards[0] + rows[1] * towards[1] + rows[2] * towards[2]));
   const Vec4 v = on_a - (turn[0] * in_b[0] + turn[1] * in_b[1] + turn[2] * in_b[2] + shift);
   for (int k = 0; k < 3; ++k) store4(to.turn[k], turn[k]);
   store4(to.shift, shift);
@@ -29,32 +30,51 @@ TWINBUS_INLINE void prepare(const GjkQuery& q, Prepared& to) noexcept {
   to.below = -dot3(towards, v) / std::sqrt(dot3(towards, towards));
 }
 
-TWINBUS_INLINE void put(double (&lanes)[4], const Int4& lane, double number) noexcept {
-  store4(lanes, lane ? all4(number) : load4(lanes));
-}
+// Searches, each in the axes of its a: of every number those of all lanes.
+struct alignas(64) Searches {
+  Numbers turn[3][3] = {}, shift[3] = {};  // of b
+  Numbers v[3] = {}, above = {}, below = {}, far = {}, steps = {};
+  Numbers corner[3][3] = {}, part[3] = {};
+  Numbers look[3] = {};  // in which the corners were found
+  // Where on a: of the last looks, and at the end of the first ones.
+  Numbers on_a[kKeptLooks + 1][3];
+  int looks = 0;
+  GjkQuery* query[kLanes] = {};
+  Shapes a, b;
+
+  Searches() noexcept { std::memset(on_a[kKeptLooks], 0, sizeof on_a[kKeptLooks]); }
+};
 
 // A search is given this lane.
 static void begin(GjkQuery& q, const Prepared& from, Searches& s, int lane) noexcept {
-  const Int4 here = Int4{0, 1, 2, 3} == Int4{} + lane;
+  const Mask here = mask_of(1U << lane);
+  const auto put = [&](Numbers & numbers, double number) __attribute__((always_inline)) {
+    store(numbers, pick(here, all(number), load(numbers)));
+  };
+  Numbers(&on_a)[3] = s.on_a[kKeptLooks];
   for (int d = 0; d < 3; ++d) {
     for (int k = 0; k < 3; ++k) {
-      put(s.turn[d][k], here, from.turn[k][d]);
-      put(s.corner[k][d], here, from.v[d]);
-      put(s.on_a[k][d], here, from.on_a[d]);
+      put(s.turn[d][k], from.turn[k][d]);
+      put(s.corner[k][d], from.v[d]);
     }
-    put(s.shift[d], here, from.shift[d]);
-    put(s.v[d], here, from.v[d]);
-    put(s.part[d], here, 0.0);
+    put(s.shift[d], from.shift[d]);
+    put(s.v[d], from.v[d]);
+    put(s.part[d], 0.0);
+    put(s.look[d], kKeptLooks);
+    put(on_a[d], from.on_a[d]);
   }
-  put(s.above, here, from.above);
-  put(s.below, here, from.below);
-  put(s.far, here, q.far + skin(*q.a) + skin(*q.b));
-  put(s.steps, here, 0.0);
+  put(s.above, from.above);
+  put(s.below, from.below);
+  put(s.far, q.far + skin(*q.a) + skin(*q.b));
+  put(s.steps, 0.0);
   s.query[lane] = &q;
+  s.a.set(lane, *q.a);
+  s.b.set(lane, *q.b);
 }
 
 // It has ended at a distance from `below` to `above`, v from b to a; on_a: where on a.  In a's axes.
-TWINBUS_INLINE void answer(GjkQuery& q, double below, double above, const Vec4& v, const Vec4& on_a) noexcept {
+TWINBUS_INLINE void answer(GjkQuery& q, double below, double above, const Vec4& v,
+                           const Vec4& on_a) noexcept {
   GjkResult& result = q.result;
   result = {};
   const double skin_a = skin(*q.a), skins = skin_a + skin(*q.b);
@@ -87,62 +107,53 @@ static void end(const Searches& s, int lane) noexcept {
   Vec4 on_a{}, v{};
   for (int i = 0; i < 3; ++i) {
     const double weight = part[i] > 0.0 ? part[i] : rest / others;
-    on_a += weight * Vec4{s.on_a[i][0][lane], s.on_a[i][1][lane], s.on_a[i][2][lane], 0.0};
+    const Numbers(&look)[3] = s.on_a[static_cast<int>(s.look[i][lane])];
+    on_a += weight * Vec4{look[0][lane], look[1][lane], look[2][lane], 0.0};
   }
   for (int d = 0; d < 3; ++d) v[d] = s.v[d][lane];
   answer(*s.query[lane], s.below[lane], s.above[lane], v, on_a);
 }
 
 // Of the lanes that are open the next corners: w, and where they are on a.
-TWINBUS_INLINE void look(const Searches& s, unsigned open, Vec4x3& w, Vec4x3& on_a) noexcept {
-  Vec4 v[4] = {-load4(s.v[0]), -load4(s.v[1]), -load4(s.v[2]), Vec4{}}, back[4], to_a[4], to_b[4];
-  back[3] = Vec4{};
+TWINBUS_INLINE void look(const Searches& s, unsigned open, Lanes3& w, Lanes3& on_a) noexcept {
+  const Lanes3 v = {-load(s.v[0]), -load(s.v[1]), -load(s.v[2])};
+  Lanes3 back, on_b;
   for (int k = 0; k < 3; ++k)
-    back[k] = -(load4(s.turn[0][k]) * v[0] + load4(s.turn[1][k]) * v[1] + load4(s.turn[2][k]) * v[2]);
-  transpose(v, to_a);
-  transpose(back, to_b);
-  Vec4 a[4], b[4], p[4], q[4];
-#pragma GCC unroll 4
-  for (int lane = 0; lane < 4; ++lane) {
-    const bool asked = (open >> lane & 1U) != 0;
-    a[lane] = asked ? support(*s.query[lane]->a, to_a[lane]) : Vec4{};
-    b[lane] = asked ? support(*s.query[lane]->b, to_b[lane]) : Vec4{};
-  }
-  transpose(a, p);
-  transpose(b, q);
+    back[k] = -(load(s.turn[0][k]) * v[0] + load(s.turn[1][k]) * v[1] + load(s.turn[2][k]) * v[2]);
+  supports(s.a, s.query, &GjkQuery::a, open, v, on_a);
+  supports(s.b, s.query, &GjkQuery::b, open, back, on_b);
   for (int d = 0; d < 3; ++d) {
-    on_a[d] = p[d];
-    w[d] = p[d] - (load4(s.turn[d][0]) * q[0] + load4(s.turn[d][1]) * q[1] + load4(s.turn[d][2]) * q[2] +
-                   load4(s.shift[d]));
+    w[d] = on_a[d] - (load(s.turn[d][0]) * on_b[0] + load(s.turn[d][1]) * on_b[1] +
+                      load(s.turn[d][2]) * on_b[2] + load(s.shift[d]));
   }
 }
 
 // A step of all; bits of those that end.
 TWINBUS_INLINE unsigned step(Searches& s, unsigned open, double close) noexcept {
-  Vec4x3 w, on_a;
+  Lanes3 w, on_a;
   look(s, open, w, on_a);
-  const Vec4x3 v = {load4(s.v[0]), load4(s.v[1]), load4(s.v[2])};
-  const Vec4 none{}, length = load4(s.above), before = load4(s.below), steps = load4(s.steps) + 1.0;
-  const Vec4 said = dot(v, w) / length, below = said > before ? said : before;
-  store4(s.below, below);
-  store4(s.steps, steps);
+  const int number = s.looks++ % kKeptLooks;
+  for (int d = 0; d < 3; ++d) store(s.on_a[number][d], on_a[d]);
+  const Lanes3 v = {load(s.v[0]), load(s.v[1]), load(s.v[2])};
+  const Lanes none{}, length = load(s.above), before = load(s.below), steps = load(s.steps) + 1.0;
+  const Lanes said = dot(v, w) / length, below = pick(above(said, before), said, before);
+  store(s.below, below);
+  store(s.steps, steps);
   NearestOfFour nearest;
   nearest_of_four(w, s.corner, nearest);
-  const Vec4 root = root4(dot(nearest.v, nearest.v)), now = nearest.inside ? none : root;
+  const Lanes now = pick(nearest.inside, none, root(dot(nearest.v, nearest.v)));
   // If not, rounding: what was found is as good as it gets.
-  const Int4 nearer = now < length;
+  const Mask nearer = above(length, now);
   for (int i = 0; i < 3; ++i) {
-    const Int4 replaced = nearer & ~(nearest.part[i] > none);
-    for (int d = 0; d < 3; ++d) {
-      store4(s.corner[i][d], replaced ? w[d] : load4(s.corner[i][d]));
-      store4(s.on_a[i][d], replaced ? on_a[d] : load4(s.on_a[i][d]));
-    }
-    store4(s.part[i], nearer ? nearest.part[i] : load4(s.part[i]));
+    const Mask replaced = nearer & ~above(nearest.part[i], none);
+    for (int d = 0; d < 3; ++d) store(s.corner[i][d], pick(replaced, w[d], load(s.corner[i][d])));
+    store(s.look[i], pick(replaced, all(number), load(s.look[i])));
+    store(s.part[i], pick(nearer, nearest.part[i], load(s.part[i])));
   }
-  for (int d = 0; d < 3; ++d) store4(s.v[d], nearer ? nearest.v[d] : v[d]);
-  store4(s.above, nearer ? now : length);
-  return lanes_of((below > load4(s.far)) | (length - below <= all4(close)) | ~nearer | (now <= all4(kTouching)) |
-               (steps > all4(kMostSteps))) &
+  for (int d = 0; d < 3; ++d) store(s.v[d], pick(nearer, nearest.v[d], v[d]));
+  store(s.above, pick(nearer, now, length));
+  return lanes_of(above(below, load(s.far)) | at_least(all(close), length - below) | ~nearer |
+                  at_least(all(kTouching), now) | above(steps, all(kMostSteps))) &
          open;
 }
 
@@ -176,7 +187,7 @@ static void search(std::span<GjkQuery> queries, double close) noexcept {
       return false;
     };
     unsigned open = 0;
-    for (int lane = 0; lane < 4; ++lane) open |= fill(lane) ? 1U << lane : 0U;
+    for (int lane = 0; lane < kLanes; ++lane) open |= fill(lane) ? 1U << lane : 0U;
     while (open != 0) {
       for (unsigned ended = step(s, open, close); ended != 0; ended &= ended - 1) {
         const int lane = __builtin_ctz(ended);

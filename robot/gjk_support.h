@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 
 #include "robot/gjk.h"
 #include "robot/vec4.h"
@@ -26,45 +27,77 @@ TWINBUS_INLINE unsigned signs_of(const Vec4& a) noexcept {
 #endif
 }
 
-TWINBUS_INLINE Vec4 largest_of(const Vec4& a, const Vec4& b) noexcept { return a > b ? a : b; }
+typedef double Vec8 __attribute__((vector_size(64), aligned(64)));
+typedef std::int64_t Int8 __attribute__((vector_size(64), aligned(64)));
+
+template <class Wide>
+TWINBUS_INLINE Wide largest_of(const Wide& a, const Wide& b) noexcept {
+  return a > b ? a : b;
+}
+TWINBUS_INLINE Vec4 largest_of_halves(const Vec8& a) noexcept {
+  return largest_of(__builtin_shufflevector(a, a, 0, 1, 2, 3),
+                    __builtin_shufflevector(a, a, 4, 5, 6, 7));
+}
+TWINBUS_INLINE Vec4 largest_of_halves(const Vec4& a) noexcept { return a; }
+TWINBUS_INLINE Int4 counted(const Int4&) noexcept { return Int4{0, 1, 2, 3}; }
+TWINBUS_INLINE Int8 counted(const Int8&) noexcept { return Int8{0, 1, 2, 3, 4, 5, 6, 7}; }
 
 // As in support_cells.h.
 TWINBUS_INLINE std::size_t cell_of(const Vec4& d) noexcept {
-  // By |x| >= |y|, |y| >= |z|, |z| >= |x| as 1, 2, 4.
-  constexpr std::uint8_t kLargest[8] = {0, 0, 8, 0, 16, 16, 8, 0};
-  const Vec4 size = reinterpret_cast<Vec4>(reinterpret_cast<Int4>(d) & INT64_MAX);
-  return (signs_of(d) & 7U) | kLargest[signs_of(reinterpret_cast<Vec4>(size >= rolled(size))) & 7U];
-}
-
-// The same beyond the first of very many, one of which is the farthest of those.
-inline const double* farthest_of_many(const double* x, std::size_t n, const Vec4& d,
-                                      const double* found) noexcept {
-  const auto along = [&](const double* p) { return p[0] * d[0] + p[n] * d[1] + p[2 * n] * d[2]; };
-  for (std::size_t i = 0; i < n; ++i) {
-    if (along(x + i) > along(found)) found = x + i;
-  }
-  return found;
+  // By |x| >= |y|, |y| >= |z|, |z| >= |x| as 1, 2, 4: the largest coordinate.
+  constexpr std::uint8_t kLargest[8] = {0, 0, 1, 0, 2, 2, 1, 0};
+  const Vec4 size = reinterpret_cast<Vec4>(reinterpret_cast<Int4>(d) & INT64_MAX),
+             next = rolled(size);
+  const unsigned axis = kLargest[signs_of(reinterpret_cast<Vec4>(size >= next)) & 7U];
+  const Vec4 largest = largest_of(largest_of(size, next), rolled(next));
+  const unsigned halves =
+      (signs_of(reinterpret_cast<Vec4>(size + size >= largest)) & 7U) * 9U;  // twice in a row
+  return (signs_of(d) & 7U) + 8U * axis + 24U * (halves >> (axis + 1U) & 3U);
 }
 
 constexpr std::int64_t kWhose = 255;  // bits of a number that say whose it is
 constexpr std::size_t kMostInARow = 256;
 
-// Of n points, x of all, then y, then z, the farthest along d, or one that is so to 6e-14 of its distance.
-TWINBUS_INLINE const double* farthest(const double* x, std::size_t n, const Vec4& d) noexcept {
-  const double* y = x + n;
-  const double* z = y + n;
-  const auto block = [&](std::size_t i, const Int4& whose) __attribute__((always_inline)) {
-    const Vec4 value = load4(x + i) * d[0] + load4(y + i) * d[1] + load4(z + i) * d[2];
-    return reinterpret_cast<Vec4>((reinterpret_cast<Int4>(value) & ~kWhose) | whose);
+// Of very many points.
+inline const double* farthest_of_many(const double* points, std::size_t n, const Vec4& d) noexcept {
+  const auto along = [&](const double* p) { return p[0] * d[0] + p[n] * d[1] + p[2 * n] * d[2]; };
+  const double* found = points;
+  for (const double* p = points; p != points + n; ++p) {
+    if (along(p) > along(found)) found = p;
+  }
+  return found;
+}
+
+// Of n points, x of all, then y, then z, the farthest along (x, y, z), or one that is so to 6e-14 of its distance; n at
+// most kMostInARow and a multiple of as many as Wide, a vector of double, has; Whole one of whole numbers.
+template <class Wide, class Whole>
+TWINBUS_INLINE const double* farthest_in_row(const double* points, std::size_t n, double x,
+                                             double y, double z) noexcept {
+  constexpr std::size_t kWide = sizeof(Wide) / sizeof(double);
+  const auto load = [](const double* from) __attribute__((always_inline)) {
+    Wide v;
+    std::memcpy(&v, from, sizeof v);
+    return v;
   };
-  Int4 whose{0, 1, 2, 3};
-  Vec4 best = block(0, whose);
-  const std::size_t first = n < kMostInARow ? n : kMostInARow;
-  for (std::size_t i = 4; i < first; i += 4) best = largest_of(best, block(i, whose += 4));
+  const auto block = [&](std::size_t i, const Whole& whose) __attribute__((always_inline)) {
+    const double* const p = points + i;
+    const Wide value = load(p) * x + load(p + n) * y + load(p + 2 * n) * z;
+    return reinterpret_cast<Wide>((reinterpret_cast<Whole>(value) & ~kWhose) | whose);
+  };
+  Whole whose = counted(Whole{});
+  Wide all = block(0, whose);
+  for (std::size_t i = kWide; i < n; i += kWide)
+    all = largest_of(all, block(i, whose += static_cast<std::int64_t>(kWide)));
+  Vec4 best = largest_of_halves(all);
   best = largest_of(best, __builtin_shufflevector(best, best, 2, 3, 0, 1));
   best = largest_of(best, __builtin_shufflevector(best, best, 1, 0, 3, 2));
-  const double* const found = x + (reinterpret_cast<Int4>(best)[0] & kWhose);
-  return n <= kMostInARow ? found : farthest_of_many(x, n, d, found);
+  return points + (reinterpret_cast<Int4>(best)[0] & kWhose);
+}
+
+// The same of any multiple of four points.
+TWINBUS_INLINE const double* farthest(const double* points, std::size_t n, const Vec4& d) noexcept {
+  if (n <= kMostInARow) return farthest_in_row<Vec4, Int4>(points, n, d[0], d[1], d[2]);
+  return farthest_of_many(points, n, d);
 }
 
 // The point of a shape farthest along d, without the radius of a sphere.

@@ -20,6 +20,7 @@ struct Hull {
   int link = 0;
   GjkShape shape;
   Eigen::Isometry3d local = Eigen::Isometry3d::Identity();  // in the link
+  bool as_link = true;                                      // local is the identity
   Eigen::Isometry3d world = Eigen::Isometry3d::Identity();
   Capsule capsule;  // around it, in its frame
 };
@@ -38,6 +39,7 @@ Hull hull_of(int link, const Shape& shape) {
     hull.local = primitive.local;
     hull.capsule = primitive.capsule;
   }
+  hull.as_link = hull.local.matrix().isIdentity(0.0);
   return hull;
 }
 
@@ -47,6 +49,7 @@ struct HullDistances::Impl {
   std::vector<CollisionPair> pairs;
   std::vector<Hull> hulls;
   NearShapes near_shapes;
+  std::vector<unsigned char> several;         // of every pair: a link of it has several hulls
   std::vector<int> first;                     // hull of every link; one more
   std::vector<int> pair_of;                   // [hulls x hulls], a < b
   std::vector<GjkQuery> queries;              // room
@@ -70,6 +73,8 @@ HullDistances::HullDistances(const Model& model) : impl_(std::make_unique<Impl>(
   i.pair_of.assign(i.hulls.size() * i.hulls.size(), -1);
   for (std::size_t p = 0; p < i.pairs.size(); ++p) {
     const auto [link_a, link_b] = i.pairs[p];
+    const auto count = [&](int link) { return i.first[at(link + 1)] - i.first[at(link)]; };
+    i.several.push_back(count(link_a) > 1 || count(link_b) > 1 ? 1 : 0);
     for (int a = i.first[at(link_a)]; a < i.first[at(link_a + 1)]; ++a) {
       for (int b = i.first[at(link_b)]; b < i.first[at(link_b + 1)]; ++b) {
         i.pair_of[at(std::min(a, b)) * i.hulls.size() + at(std::max(a, b))] = static_cast<int>(p);
@@ -91,7 +96,12 @@ int HullDistances::near(const Kinematics& kinematics, double near, PairDistance*
   const Eigen::Vector3d& origin = kinematics.link_in_world(0).translation();
   for (std::size_t h = 0; h < i.hulls.size(); ++h) {
     Hull& hull = i.hulls[h];
-    hull.world = kinematics.link_in_world(hull.link) * hull.local;
+    const Eigen::Isometry3d& link = kinematics.link_in_world(hull.link);
+    if (hull.as_link) {
+      hull.world = link;
+    } else {
+      hull.world = link * hull.local;
+    }
     i.near_shapes.place(static_cast<int>(h), hull.world, origin);
   }
   std::size_t asked = 0;
@@ -120,7 +130,8 @@ int HullDistances::near(const Kinematics& kinematics, double near, PairDistance*
     const int q = i.order[at(k)].second;
     const auto [link_a, link_b] = i.pairs[at(i.pair_of_query[at(q)])];
     // Of two links that have several shapes the nearest of these came first.
-    if (std::any_of(pairs, pairs + kept, [&, a = link_a, b = link_b](const PairDistance& before) {
+    if (i.several[at(i.pair_of_query[at(q)])] != 0 &&
+        std::any_of(pairs, pairs + kept, [&, a = link_a, b = link_b](const PairDistance& before) {
           return before.link_a == a && before.link_b == b;
         }))
       continue;

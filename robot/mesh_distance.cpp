@@ -8,7 +8,7 @@
 
 #include "robot/index.h"
 #include "robot/mesh_distance_data.h"
-#include "robot/self_collision.h"
+#include "robot/instruction_set.h"
 #include "robot/triangle_clusters.h"
 #include "robot/vec4.h"
 

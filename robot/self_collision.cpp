@@ -72,19 +72,6 @@ namespace {
 constexpr int kLanes = kCollisionLanes;
 }
 
-InstructionSet best_instruction_set() noexcept {
-#if defined(__x86_64__) && !defined(__clang__)
-  static const InstructionSet best =
-      __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
-              __builtin_cpu_supports("avx512dq")
-          ? InstructionSet::kAvx512
-          : (__builtin_cpu_supports("avx2") ? InstructionSet::kAvx2 : InstructionSet::kBaseline);
-  return best;
-#else
-  return InstructionSet::kBaseline;
-#endif
-}
-
 struct SelfCollision::Impl {
   std::vector<CollisionPair> pairs;
   std::vector<CollisionJoint> joints;

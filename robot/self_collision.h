@@ -15,15 +15,11 @@
 
 #include "robot/collision.h"
 #include "robot/geometry.h"
+#include "robot/instruction_set.h"
 #include "robot/joint_cells.h"
 #include "robot/model.h"
 
 namespace twinbus {
-
-enum class InstructionSet { kBaseline, kAvx2, kAvx512 };
-
-// The widest that this machine has.
-InstructionSet best_instruction_set() noexcept;
 
 class SelfCollision {
  public:

@@ -16,15 +16,23 @@ using Points = std::vector<Vector3d>;
 
 constexpr double kNoMore = 1e-12;  // ahead of all others is as good as behind [m]
 
-// Directions with the largest coordinate one, of which the cell is the hull.
-std::array<Vector3d, 4> edges_of(int cell) {
-  const int axis = cell / 8;
-  const Vector3d sign((cell & 1) != 0 ? -1.0 : 1.0, (cell & 2) != 0 ? -1.0 : 1.0,
-                      (cell & 4) != 0 ? -1.0 : 1.0);
+constexpr int kQuadrants = 24;  // cells of which halves are not asked
+
+struct Range {
+  double from = 0.0, to = 1.0;
+};
+
+// Directions with the largest coordinate one, of which the cell is the hull; how large the one after it is, and the
+// one before.
+std::array<Vector3d, 4> edges_of(int quadrant, Range after, Range before) {
+  const int axis = quadrant / 8;
+  const Vector3d sign((quadrant & 1) != 0 ? -1.0 : 1.0, (quadrant & 2) != 0 ? -1.0 : 1.0,
+                      (quadrant & 4) != 0 ? -1.0 : 1.0);
   const Vector3d x = sign[axis] * Vector3d::Unit(axis);
   const Vector3d y = sign[(axis + 1) % 3] * Vector3d::Unit((axis + 1) % 3);
   const Vector3d z = sign[(axis + 2) % 3] * Vector3d::Unit((axis + 2) % 3);
-  return {x, x + y, x + y + z, x + z};
+  return {x + after.from * y + before.from * z, x + after.to * y + before.from * z,
+          x + after.to * y + before.to * z, x + after.from * y + before.to * z};
 }
 
 // What of the polygon is on the side of the plane where n . d >= kNoMore.
@@ -47,8 +55,7 @@ std::size_t farthest(const Points& points, const Vector3d& d) {
       points.begin());
 }
 
-Points points_of(int cell, const Points& points) {
-  const std::array<Vector3d, 4> edges = edges_of(cell);
+Points points_of(const std::array<Vector3d, 4>& edges, const Points& points) {
   // Those that are farthest along the edges leave little to the others, so they cut first.
   std::vector<std::size_t> order(points.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -74,10 +81,17 @@ Points points_of(int cell, const Points& points) {
 SupportCells support_cells(const Points& points) {
   std::array<Points, kSupportCells> of_cell;
   SupportCells cells;
-  for (int c = 0; c < kSupportCells; ++c) {
-    of_cell[at(c)] = points_of(c, points);
-    cells.row = std::max(cells.row, (of_cell[at(c)].size() + 3) / 4 * 4);
+  for (int q = 0; q < kQuadrants; ++q) {
+    const Points quadrant = points_of(edges_of(q, {}, {}), points);
+    for (int half = 0; half < 4; ++half) {
+      const Range small{0.0, 0.5}, large{0.5, 1.0};
+      Points& few = of_cell[at(q + kQuadrants * half)];
+      few = points_of(edges_of(q, (half & 1) != 0 ? large : small, (half & 2) != 0 ? large : small),
+                      quadrant);
+      cells.row = std::max(cells.row, (few.size() + 7) / 8 * 8);
+    }
   }
+  cells.points.reserve(at(3 * kSupportCells) * cells.row);
   for (const Points& few : of_cell) {
     for (int d = 0; d < 3; ++d) {
       for (std::size_t k = 0; k < cells.row; ++k)

@@ -1,7 +1,7 @@
 // Which points of a hull can be the farthest along a direction: a few, found by the direction alone.
 //
-// Directions are in 24 cells: by the signs of x, y and z, and by which of them is the largest.  A point
-// p is of a cell when some direction d of it has
+// Directions are in 96 cells: by the signs of x, y and z, by which of them is the largest, and by whether the
+// others are half as large.  A point p is of a cell when some direction d of it has
 //
 //     p . d >= q . d     for all points q,
 //
@@ -14,13 +14,14 @@
 
 namespace twinbus {
 
-inline constexpr int kSupportCells = 24;
+inline constexpr int kSupportCells = 96;
 
-// Of a direction: sign bits of x, y, z as 1, 2, 4; 8 more when |y| is largest, 16 when |z| is.
+// Of a direction: sign bits of x, y, z as 1, 2, 4; 8 more when |y| is the largest, 16 when |z| is; 24 more when the
+// coordinate after the largest (x after z) is at least half of it, 48 when the one before is.
 struct SupportCells {
   std::vector<double>
       points;           // of every cell: x of all, y of all, z of all [kSupportCells x 3 x row, m]
-  std::size_t row = 0;  // a multiple of four
+  std::size_t row = 0;  // a multiple of eight
 };
 
 SupportCells support_cells(const std::vector<Eigen::Vector3d>& points);

@@ -5,7 +5,7 @@
 #include <cstddef>
 
 #include "robot/index.h"
-#include "robot/self_collision.h"
+#include "robot/instruction_set.h"
 #include "robot/self_collision_data.h"
 #include "robot/vec4.h"
 
