@@ -112,7 +112,7 @@ void Collision::Impl::build_shapes() {
   open_pairs.assign(shapes.size() * shapes.size() / 2, 0);
   ahead = {};
   looked_at = {};
-  all_left = 0;
+  many_left = 0;
   pair_of.assign(shapes.size() * shapes.size(), -1);
   for (std::size_t p = 0; p < pairs.size(); ++p) {
     const OwnerPair& pair = pairs[p];

@@ -19,8 +19,8 @@ constexpr unsigned kAllPlaces = (1U << kPlaces) - 1U, kAllWays = kAllPlaces >> 1
 // Distances on a way are measured up to here; what is farther apart needs no more [m].
 constexpr double kFar = 0.5;
 constexpr double kFine = 1e-9;       // in double precision [m]
-constexpr int kFew = 3, kMany = 10;  // pairs left; of so many the way is cheaper than to narrow it
-constexpr int kDirections = 10;      // asked for after a posture
+constexpr int kFew = 3, kMany = 10;  // pairs left; of so many the way is cheaper than directions
+constexpr int kDirections = 6;       // asked for after a posture
 constexpr double kQuick = 0.25;      // of what travels as far a direction hardly parts any [m]
 constexpr std::uint8_t kWait = 15;   // ways until a pair is asked for a direction again
 constexpr double kClose = 1e-5;      // how exactly [m]
@@ -107,21 +107,13 @@ bool Collision::Impl::stays_parted(std::size_t candidate, const Eigen::VectorXd&
          margin;
 }
 
-bool Collision::Impl::leave_all(std::vector<std::uint8_t>& joints) noexcept {
-  looked_at = ahead;
-  std::fill(joints.begin(), joints.end(), std::uint8_t{1});
-  return !ahead.empty();
-}
-
 // What a direction did not part is not asked for one again at once, nor are directions looked for when
-// so much is left that the way is looked along anyway.
+// so much is left that the way is looked along anyway, nor on the next ways.
 bool Collision::narrow(const Eigen::VectorXd& moves, double margin,
                        std::vector<std::uint8_t>& joints) noexcept {
   Impl& i = *impl_;
-  if (i.all_left > 0) {
-    --i.all_left;
-    return i.leave_all(joints);
-  }
+  const bool many = i.many_left > 0;
+  if (many) --i.many_left;
   i.let_joints_move(moves);
   int left = 0;
   std::fill(joints.begin(), joints.end(), std::uint8_t{0});
@@ -133,16 +125,12 @@ bool Collision::narrow(const Eigen::VectorXd& moves, double margin,
     std::uint8_t& wait = i.not_parted[pair];
     if (wait > 0) {
       --wait;
-    } else if (left < kFew && travel < kQuick && i.directions_left > 0) {
+    } else if (!many && left < kFew && travel < kQuick && i.directions_left > 0) {
       --i.directions_left;
       const bool parted = i.stays_parted(c, moves, margin);
       i.know(candidate, i.apart[c].gap);
       if (parted) continue;
       wait = kWait;
-    }
-    if (left == kMany) {
-      i.all_left = kWait;
-      return i.leave_all(joints);
     }
     i.left[at(left++)] = candidate;
     for (const int shape : {candidate.a, candidate.b}) {
@@ -151,6 +139,7 @@ bool Collision::narrow(const Eigen::VectorXd& moves, double margin,
         joints[at(link - 1)] = 1;
     }
   }
+  if (!many && left > kMany) i.many_left = kWait;
   i.looked_at = {i.left.data(), at(left)};
   return left > 0;
 }

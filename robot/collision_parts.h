@@ -60,7 +60,7 @@ struct Collision::Impl {
   bool walks = false;
   int directions_left = 0;
   std::vector<NearShapes::Candidate> left;           // that narrow leaves
-  int all_left = 0;                                  // ways for which it leaves all
+  int many_left = 0;                                 // ways for which it asks for no direction
   std::span<const NearShapes::Candidate> looked_at;  // what it left last
   std::vector<int> open_pairs;                       // room
   std::vector<NearShapes::Candidate*> by_bound;      // room
@@ -99,7 +99,6 @@ struct Collision::Impl {
   void let_shapes_move(const Ahead& ahead) noexcept;
   void walk_on(const Ahead& ahead) noexcept;
   const Apart& apart_at(std::size_t candidate) noexcept;
-  bool leave_all(std::vector<std::uint8_t>& joints) noexcept;
   bool stays_parted(std::size_t candidate, const Eigen::VectorXd& moves, double margin) noexcept;
   int nearest(std::span<NearShapes::Candidate> candidates, double near, int enough, double all,
               PairDistance* pairs, int capacity) noexcept;

@@ -71,9 +71,17 @@ namespace avx2_swept {
 #include "robot/self_collision_lanes.h"
 #include "robot/swept_shapes_lanes.h"
 }  // namespace avx2_swept
+// No wider: of more registers, and of bits that say which lanes.
+#pragma GCC target("avx512f,avx512vl,avx512dq")
+namespace avx512_swept {
+#include "robot/self_collision_lanes.h"
+#include "robot/swept_shapes_lanes.h"
+}  // namespace avx512_swept
 #pragma GCC pop_options
 #undef TWINBUS_WIDE
-#define TWINBUS_SWEPT(call) (wide ? avx2_swept::call : baseline_swept::call)
+#define TWINBUS_SWEPT(call)                                \
+  (set == InstructionSet::kAvx512 ? avx512_swept::call     \
+   : set == InstructionSet::kAvx2 ? avx2_swept::call : baseline_swept::call)
 #else
 #define TWINBUS_SWEPT(call) (baseline_swept::call)
 #endif
@@ -137,7 +145,7 @@ struct SweptShapes::Impl {
   Eigen::Matrix3d base = Eigen::Matrix3d::Identity();
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   bool never = true;  // gone anywhere
-  bool wide = best_instruction_set() != InstructionSet::kBaseline;
+  InstructionSet set = best_instruction_set();
 
   int common_link(int a, int b) const {
     a = std::max(a, 0);
@@ -298,7 +306,7 @@ void SweptShapes::Impl::set_base(const Eigen::Isometry3d& to) noexcept {
 void SweptShapes::go(const Eigen::Isometry3d& base, const Way& way) noexcept {
   Impl& i = *impl_;
   SweptTables& t = i.tables;
-  const bool wide = i.wide;
+  const InstructionSet set = i.set;
   for (std::size_t j = 0; j < way.q.size(); ++j) {
     t.asked[j + 1] = way.asked[j];
     if (way.asked[j] == 0) continue;
@@ -325,7 +333,7 @@ void SweptShapes::go(const Eigen::Isometry3d& base, const Way& way) noexcept {
 
 int SweptShapes::open(std::span<const NearShapes::Candidate> shapes, double margin, double clear,
                       int* pairs, int capacity) noexcept {
-  const bool wide = impl_->wide;
+  const InstructionSet set = impl_->set;
   return TWINBUS_SWEPT(open_pairs(impl_->tables, shapes.data(), static_cast<int>(shapes.size()),
                                   static_cast<float>(margin), static_cast<float>(clear), pairs,
                                   capacity));
@@ -361,7 +369,7 @@ void SweptShapes::remember(int pair, const Eigen::Vector3d& direction, int place
 SweptShapes::AtPlaces SweptShapes::gaps(int pair, const Eigen::Vector3d& direction,
                                         int place) const noexcept {
   const SweptPair& p = impl_->pairs[at(pair)];
-  const bool wide = impl_->wide;
+  const InstructionSet set = impl_->set;
   float n[3];
   impl_->direction(p, direction, place, n);
   AtPlaces result;
@@ -370,14 +378,14 @@ SweptShapes::AtPlaces SweptShapes::gaps(int pair, const Eigen::Vector3d& directi
 }
 
 SweptShapes::AtPlaces SweptShapes::left_out(int pair) const noexcept {
-  const bool wide = impl_->wide;
+  const InstructionSet set = impl_->set;
   AtPlaces result;
   TWINBUS_SWEPT(pair_bounds(impl_->tables, impl_->pairs[at(pair)], result.data(), nullptr));
   return result;
 }
 
 SweptShapes::AtPlaces SweptShapes::travel(int pair) const noexcept {
-  const bool wide = impl_->wide;
+  const InstructionSet set = impl_->set;
   AtPlaces result;
   TWINBUS_SWEPT(pair_bounds(impl_->tables, impl_->pairs[at(pair)], nullptr, result.data()));
   return result;
