@@ -25,7 +25,7 @@ struct Shapes {
 
   void set(int lane, const GjkShape& shape) noexcept {
     row[lane] = shape.cells.row;
-    points[lane] = shape.cells.row > 0 ? shape.cells.points.data() : nullptr;
+    points[lane] = shape.cells.row > 0 ? shape.cells.points(0) : nullptr;
   }
 };
 

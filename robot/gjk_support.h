@@ -104,8 +104,7 @@ TWINBUS_INLINE const double* farthest(const double* points, std::size_t n, const
 TWINBUS_INLINE Vec4 support(const GjkShape& s, const Vec4& d) noexcept {
   if (s.kind == ShapeKind::kMesh) {
     const std::size_t n = s.cells.row > 0 ? s.cells.row : s.points.size() / 3;
-    const double* from =
-        s.cells.row > 0 ? s.cells.points.data() + 3 * n * cell_of(d) : s.points.data();
+    const double* from = s.cells.row > 0 ? s.cells.points(cell_of(d)) : s.points.data();
     const double* p = farthest(from, n, d);
     return Vec4{p[0], p[n], p[2 * n], 0.0};
   }

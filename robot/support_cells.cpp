@@ -91,11 +91,14 @@ SupportCells support_cells(const Points& points) {
       cells.row = std::max(cells.row, (few.size() + 7) / 8 * 8);
     }
   }
-  cells.points.reserve(at(3 * kSupportCells) * cells.row);
+  cells.numbers.reserve(at(3 * kSupportCells) * cells.row / 8);
   for (const Points& few : of_cell) {
     for (int d = 0; d < 3; ++d) {
-      for (std::size_t k = 0; k < cells.row; ++k)
-        cells.points.push_back(few[std::min(k, few.size() - 1)][d]);
+      for (std::size_t k = 0; k < cells.row; k += 8) {
+        SupportCells::Eight& eight = cells.numbers.emplace_back();
+        for (std::size_t i = 0; i < 8; ++i)
+          eight.number[i] = few[std::min(k + i, few.size() - 1)][d];
+      }
     }
   }
   return cells;

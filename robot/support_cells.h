@@ -19,9 +19,16 @@ inline constexpr int kSupportCells = 96;
 // Of a direction: sign bits of x, y, z as 1, 2, 4; 8 more when |y| is the largest, 16 when |z| is; 24 more when the
 // coordinate after the largest (x after z) is at least half of it, 48 when the one before is.
 struct SupportCells {
-  std::vector<double>
-      points;           // of every cell: x of all, y of all, z of all [kSupportCells x 3 x row, m]
-  std::size_t row = 0;  // a multiple of eight
+  struct alignas(64) Eight {  // a line of the cache
+    double number[8];
+  };
+  std::vector<Eight>
+      numbers;          // of every cell: x of all, y of all, z of all [kSupportCells x 3 x row, m]
+  std::size_t row = 0;  // points of a cell, a multiple of eight
+
+  [[nodiscard]] const double* points(std::size_t cell) const noexcept {
+    return numbers[cell * 3 * row / 8].number;
+  }
 };
 
 SupportCells support_cells(const std::vector<Eigen::Vector3d>& points);

@@ -250,7 +250,7 @@ TEST(Gjk, CellsLeaveOutNothingThatIsFarthest) {
   for (int kind = 0; kind < 4; ++kind) {
     const std::vector<Vector3d> points = corners(random, kind);
     const SupportCells cells = support_cells(points);
-    ASSERT_EQ(cells.points.size(), 3 * kSupportCells * cells.row);
+    ASSERT_EQ(cells.numbers.size() * 8, 3 * kSupportCells * cells.row);
     EXPECT_LT(cells.row, points.size());
     for (int i = 0; i < 20000; ++i) {
       Vector3d d(normal(random), normal(random), normal(random));
@@ -263,7 +263,7 @@ TEST(Gjk, CellsLeaveOutNothingThatIsFarthest) {
       const auto half = [&](int k) { return 2.0 * std::abs(d[(axis + k) % 3]) >= largest ? 1 : 0; };
       const int cell = 48 * half(2) + 24 * half(1) + 8 * axis + (std::signbit(d[0]) ? 1 : 0) +
                        (std::signbit(d[1]) ? 2 : 0) + (std::signbit(d[2]) ? 4 : 0);
-      const double* x = cells.points.data() + 3 * cells.row * static_cast<std::size_t>(cell);
+      const double* x = cells.points(static_cast<std::size_t>(cell));
       double most = -1e300;
       for (std::size_t k = 0; k < cells.row; ++k)
         most = std::max(most, d.dot(Vector3d(x[k], x[cells.row + k], x[2 * cells.row + k])));
