@@ -117,7 +117,7 @@ struct NearestOfFour {
   Mask inside;  // zero is inside
 };
 
-TWINBUS_INLINE void nearest_of_four(const Lanes3& w, const Numbers (&corner)[3][3],
+TWINBUS_INLINE void nearest_of_four(const Lanes3& w, const Lanes3 (&corner)[3],
                                     NearestOfFour& result) noexcept {
   const Lanes none{};
   Lanes3 e[3], q[3], normal = {};
@@ -132,7 +132,7 @@ TWINBUS_INLINE void nearest_of_four(const Lanes3& w, const Numbers (&corner)[3][
     return nearer;
   };
   for (int i = 0; i < 3; ++i) {
-    for (int d = 0; d < 3; ++d) e[i][d] = load(corner[i][d]) - w[d];
+    for (int d = 0; d < 3; ++d) e[i][d] = corner[i][d] - w[d];
     cross(e[i], w, q[i]);
     const Lanes along = -dot(w, e[i]), length2 = dot(e[i], e[i]);
     const Mask nearer = take(above(along, none) & above(length2, along), dot(q[i], q[i]), length2);

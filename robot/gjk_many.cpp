@@ -18,15 +18,8 @@ namespace {
 
 constexpr double kTouching = 1e-12;  // [m]
 constexpr double kMostSteps = 64.0;
-constexpr int kKeptLooks = 80;       // more than a search takes
-constexpr std::size_t kAtOnce = 64;  // queries that are prepared
-
-// A search before it has a lane, in the axes of its a.
-struct alignas(32) Prepared {
-  double turn[3][4], shift[4];  // of b
-  double v[4], on_a[4];         // the first corner of the difference; where it is on a
-  double above, below;          // the distance is no larger, no smaller [m]
-};
+constexpr int kKeptLooks = 80;      // more than a search takes
+constexpr double kNothing = 1e300;  // is known [m]
 
 double skin(const GjkShape& s) noexcept { return s.kind == ShapeKind::kSphere ? s.half.x() : 0.0; }
 

@@ -1,70 +1,45 @@
 // The kernel of gjk_many.cpp: several searches at once, one a lane.  Included after gjk_lane_supports.h.
 //
-// A search has three corners of the difference of the shapes, the first one three times to begin with.  To them
-// comes the support point w along -v, and of what has w for a corner (w itself, three edges, three faces) that is
-// kept which is nearest to zero.  Corners that are not needed become w, so there are always three.
-
-// The first look, along towards_b.
-TWINBUS_INLINE void prepare(const GjkQuery& q, Prepared& to) noexcept {
-  const double *a = q.pose_a->data(), *b = q.pose_b->data();
-  const Vec4 axes[4] = {load4(a), load4(a + 4), load4(a + 8), Vec4{}};
-  Vec4 into_a[4], rows[4];
-  transpose(axes, into_a);
-  const auto in_a = [&](const Vec4& x) __attribute__((always_inline)) {
-    return into_a[0] * x[0] + into_a[1] * x[1] + into_a[2] * x[2];
-  };
-  const Vec4 turn[4] = {in_a(load4(b)), in_a(load4(b + 4)), in_a(load4(b + 8)), Vec4{}};
-  transpose(turn, rows);
-  const Vec4 shift = in_a(load4(b + 12) - load4(a + 12));
-  const Vec4 given = vec4(q.towards_b), known = dot3(given, given) > 0.0 ? given : shift;
-  const Vec4 towards = dot3(known, known) > 0.0 ? known : Vec4{1.0, 0.0, 0.0, 0.0};
-  const Vec4 on_a = support(*q.a, towards);
-  const Vec4 in_b =
-      support(*q.b, -(rows[0] * towards[0] + rows[1] * towards[1] + rows[2] * towards[2]));
-  const Vec4 v = on_a - (turn[0] * in_b[0] + turn[1] * in_b[1] + turn[2] * in_b[2] + shift);
-  for (int k = 0; k < 3; ++k) store4(to.turn[k], turn[k]);
-  store4(to.shift, shift);
-  store4(to.v, v);
-  store4(to.on_a, on_a);
-  to.above = std::sqrt(dot3(v, v));
-  to.below = -dot3(towards, v) / std::sqrt(dot3(towards, towards));
-}
+// A search has three corners of the difference of the shapes, all of them the support point of its first direction to
+// begin with.  To them comes the support point w along -v, and of what has w for a corner (w itself, three edges,
+// three faces) that is kept which is nearest to zero.  Corners that are not needed become w, so there are always three.
 
 // Searches, each in the axes of its a: of every number those of all lanes.
 struct alignas(64) Searches {
   Numbers turn[3][3] = {}, shift[3] = {};  // of b
   Numbers v[3] = {}, above = {}, below = {}, far = {}, steps = {};
   Numbers corner[3][3] = {}, part[3] = {};
-  Numbers look[3] = {};  // in which the corners were found
-  // Where on a: of the last looks, and at the end of the first ones.
-  Numbers on_a[kKeptLooks + 1][3];
+  Numbers look[3] = {};         // in which the corners were found
+  Numbers on_a[kKeptLooks][3];  // of the last looks: where on a
   int looks = 0;
   GjkQuery* query[kLanes] = {};
   Shapes a, b;
-
-  Searches() noexcept { std::memset(on_a[kKeptLooks], 0, sizeof on_a[kKeptLooks]); }
 };
 
 // A search is given this lane.
-static void begin(GjkQuery& q, const Prepared& from, Searches& s, int lane) noexcept {
+static void begin(GjkQuery& q, Searches& s, int lane) noexcept {
+  const double *a = q.pose_a->data(), *b = q.pose_b->data();
+  const Vec4 axes[4] = {load4(a), load4(a + 4), load4(a + 8), Vec4{}};
+  Vec4 into_a[4];
+  transpose(axes, into_a);
+  const auto in_a = [&](const Vec4& x) __attribute__((always_inline)) {
+    return into_a[0] * x[0] + into_a[1] * x[1] + into_a[2] * x[2];
+  };
+  const Vec4 turn[3] = {in_a(load4(b)), in_a(load4(b + 4)), in_a(load4(b + 8))};
+  const Vec4 shift = in_a(load4(b + 12) - load4(a + 12));
+  const Vec4 given = vec4(q.towards_b), known = dot3(given, given) > 0.0 ? given : shift;
+  const Vec4 towards = dot3(known, known) > 0.0 ? known : Vec4{1.0, 0.0, 0.0, 0.0};
   const Mask here = mask_of(1U << lane);
   const auto put = [&](Numbers & numbers, double number) __attribute__((always_inline)) {
     store(numbers, pick(here, all(number), load(numbers)));
   };
-  Numbers(&on_a)[3] = s.on_a[kKeptLooks];
   for (int d = 0; d < 3; ++d) {
-    for (int k = 0; k < 3; ++k) {
-      put(s.turn[d][k], from.turn[k][d]);
-      put(s.corner[k][d], from.v[d]);
-    }
-    put(s.shift[d], from.shift[d]);
-    put(s.v[d], from.v[d]);
-    put(s.part[d], 0.0);
-    put(s.look[d], kKeptLooks);
-    put(on_a[d], from.on_a[d]);
+    for (int k = 0; k < 3; ++k) put(s.turn[d][k], turn[k][d]);
+    put(s.shift[d], shift[d]);
+    put(s.v[d], -towards[d]);
   }
-  put(s.above, from.above);
-  put(s.below, from.below);
+  put(s.above, std::sqrt(dot3(towards, towards)));
+  put(s.below, -kNothing);
   put(s.far, q.far + skin(*q.a) + skin(*q.b));
   put(s.steps, 0.0);
   s.query[lane] = &q;
@@ -97,6 +72,7 @@ TWINBUS_INLINE void answer(GjkQuery& q, double below, double above, const Vec4& 
 
 static void end(const Searches& s, int lane) noexcept {
   // What the parts leave of one is shared by the corners that became w.
+  constexpr double kShare[4] = {0.0, 1.0, 1.0 / 2.0, 1.0 / 3.0};
   double part[3], rest = 1.0;
   int others = 0;
   for (int i = 0; i < 3; ++i) {
@@ -104,9 +80,10 @@ static void end(const Searches& s, int lane) noexcept {
     rest -= part[i];
     others += part[i] > 0.0 ? 0 : 1;
   }
+  rest *= kShare[others];
   Vec4 on_a{}, v{};
   for (int i = 0; i < 3; ++i) {
-    const double weight = part[i] > 0.0 ? part[i] : rest / others;
+    const double weight = part[i] > 0.0 ? part[i] : rest;
     const Numbers(&look)[3] = s.on_a[static_cast<int>(s.look[i][lane])];
     on_a += weight * Vec4{look[0][lane], look[1][lane], look[2][lane], 0.0};
   }
@@ -128,72 +105,62 @@ TWINBUS_INLINE void look(const Searches& s, unsigned open, Lanes3& w, Lanes3& on
   }
 }
 
-// A step of all; bits of those that end.
+// A step of all; bits of those that end.  In the first one of a search v is only a direction, and `above` its length.
 TWINBUS_INLINE unsigned step(Searches& s, unsigned open, double close) noexcept {
   Lanes3 w, on_a;
   look(s, open, w, on_a);
   const int number = s.looks++ % kKeptLooks;
   for (int d = 0; d < 3; ++d) store(s.on_a[number][d], on_a[d]);
   const Lanes3 v = {load(s.v[0]), load(s.v[1]), load(s.v[2])};
-  const Lanes none{}, length = load(s.above), before = load(s.below), steps = load(s.steps) + 1.0;
+  const Lanes none{}, length = load(s.above), before = load(s.below), steps = load(s.steps);
+  const Mask first = at_least(none, steps);
   const Lanes said = dot(v, w) / length, below = pick(above(said, before), said, before);
   store(s.below, below);
-  store(s.steps, steps);
+  store(s.steps, steps + 1.0);
+  Lanes3 corner[3];
+  for (int i = 0; i < 3; ++i)
+    for (int d = 0; d < 3; ++d) corner[i][d] = pick(first, w[d], load(s.corner[i][d]));
   NearestOfFour nearest;
-  nearest_of_four(w, s.corner, nearest);
+  nearest_of_four(w, corner, nearest);
   const Lanes now = pick(nearest.inside, none, root(dot(nearest.v, nearest.v)));
   // If not, rounding: what was found is as good as it gets.
-  const Mask nearer = above(length, now);
+  const Mask nearer = above(length, now) | first;
   for (int i = 0; i < 3; ++i) {
     const Mask replaced = nearer & ~above(nearest.part[i], none);
-    for (int d = 0; d < 3; ++d) store(s.corner[i][d], pick(replaced, w[d], load(s.corner[i][d])));
+    for (int d = 0; d < 3; ++d) store(s.corner[i][d], pick(replaced, w[d], corner[i][d]));
     store(s.look[i], pick(replaced, all(number), load(s.look[i])));
     store(s.part[i], pick(nearer, nearest.part[i], load(s.part[i])));
   }
   for (int d = 0; d < 3; ++d) store(s.v[d], pick(nearer, nearest.v[d], v[d]));
   store(s.above, pick(nearer, now, length));
-  return lanes_of(above(below, load(s.far)) | at_least(all(close), length - below) | ~nearer |
-                  at_least(all(kTouching), now) | above(steps, all(kMostSteps))) &
+  // That v parts them so far proves its normal too, so the search ends only where v stays as it was.
+  return lanes_of(above(below, load(s.far)) | (at_least(all(close), length - below) & ~first) |
+                  ~nearer | at_least(all(kTouching), now) | at_least(steps, all(kMostSteps))) &
          open;
 }
 
 static void search(std::span<GjkQuery> queries, double close) noexcept {
-  Prepared prepared[kAtOnce];
   Searches s;
-  for (std::size_t first = 0; first < queries.size(); first += kAtOnce) {
-    const std::size_t count = std::min(kAtOnce, queries.size() - first);
-    std::size_t wanted[kAtOnce], waiting = 0, next = 0;
-    for (std::size_t k = 0; k < count; ++k) {
-      GjkQuery& q = queries[first + k];
-      if (q.a->kind != ShapeKind::kMesh && q.b->kind != ShapeKind::kMesh) {
-        q.result = gjk_distance(*q.a, *q.pose_a, *q.b, *q.pose_b, q.far, q.towards_b, close);
-        continue;
-      }
-      prepare(q, prepared[k]);
-      wanted[waiting++] = k;
-    }
-    const auto fill = [&](int lane) {
-      for (; next < waiting; ++next) {
-        GjkQuery& q = queries[first + wanted[next]];
-        const Prepared& from = prepared[wanted[next]];
-        if (from.below > q.far + skin(*q.a) + skin(*q.b) || !(from.above > kTouching)) {
-          answer(q, from.below, from.above, load4(from.v), load4(from.on_a));
-          continue;
-        }
-        begin(q, from, s, lane);
+  std::size_t next = 0;
+  const auto fill = [&](int lane) {
+    for (; next < queries.size(); ++next) {
+      GjkQuery& q = queries[next];
+      if (q.a->kind == ShapeKind::kMesh || q.b->kind == ShapeKind::kMesh) {
+        begin(q, s, lane);
         ++next;
         return true;
       }
-      return false;
-    };
-    unsigned open = 0;
-    for (int lane = 0; lane < kLanes; ++lane) open |= fill(lane) ? 1U << lane : 0U;
-    while (open != 0) {
-      for (unsigned ended = step(s, open, close); ended != 0; ended &= ended - 1) {
-        const int lane = __builtin_ctz(ended);
-        end(s, lane);
-        if (!fill(lane)) open &= ~(1U << lane);
-      }
+      q.result = gjk_distance(*q.a, *q.pose_a, *q.b, *q.pose_b, q.far, q.towards_b, close);
+    }
+    return false;
+  };
+  unsigned open = 0;
+  for (int lane = 0; lane < kLanes; ++lane) open |= fill(lane) ? 1U << lane : 0U;
+  while (open != 0) {
+    for (unsigned ended = step(s, open, close); ended != 0; ended &= ended - 1) {
+      const int lane = __builtin_ctz(ended);
+      end(s, lane);
+      if (!fill(lane)) open &= ~(1U << lane);
     }
   }
 }
