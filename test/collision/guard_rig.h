@@ -43,37 +43,19 @@ class GuardRig {
   // One tick with command.q as it stands: the guard looks, the gate obeys an older look.
   const GuardReport& tick(Guard& guard) {
     ++state.tick;
-    const std::int64_t now_ns = state.tick * model_.period_ns;
-    const double dt = model_.period();
-    for (std::size_t k = 0; k < model_.bus_joints.size(); ++k) {
-      const double speed = (command.q[k] - last_[k]) / dt;
-      last_[k] = command.q[k];
-      // A step has no velocity to speak of.
-      const bool step =
-          std::abs(speed) >
-          1.001 * model_.joints[static_cast<std::size_t>(model_.bus_joints[k])].velocity;
-      command.qd[k] = step ? 0.0F : static_cast<float>(speed);
-    }
-    command.tick = state.tick;
+    say_speeds();
     const std::int64_t begin = monotonic_ns();
     const GuardReport& report = guard.check(state, &command, base);
     check_ns = monotonic_ns() - begin;
-    reports_[static_cast<std::size_t>(state.tick) % reports_.size()] = report;
-    const GuardReport& late = reports_[static_cast<std::size_t>(state.tick + 1) % reports_.size()];
-    if (late.tick > 0) gate_.guard(late, now_ns);
-    accepted = gate_.accept(command, state.tick, false, now_ns);
-    const JointCommand& effective = gate_.output(state.tick, false, now_ns);
-    for (std::size_t k = 0; k < model_.bus_joints.size(); ++k) {
-      double qd = static_cast<double>(state.qd[k]);
-      for (int i = 0; i < 4; ++i) {  // critically damped
-        qd += 0.25 * dt *
-              (kServo * kServo * (effective.q[k] - state.q[k]) +
-               2.0 * kServo * (static_cast<double>(effective.qd[k]) - qd));
-        state.q[k] += 0.25 * dt * qd;
-      }
-      state.qd[k] = static_cast<float>(qd);
-    }
+    move(report);
     return report;
+  }
+
+  // The same when the guard looks no more: this is what it said.
+  void tick(GuardReport report) {
+    report.tick = ++state.tick;
+    say_speeds();
+    move(report);
   }
 
   Configuration configuration() const {
@@ -91,6 +73,40 @@ class GuardRig {
   std::int64_t check_ns = 0;  // what the last look of the guard took
 
  private:
+  void say_speeds() {
+    const double dt = model_.period();
+    for (std::size_t k = 0; k < model_.bus_joints.size(); ++k) {
+      const double speed = (command.q[k] - last_[k]) / dt;
+      last_[k] = command.q[k];
+      // A step has no velocity to speak of.
+      const bool step =
+          std::abs(speed) >
+          1.001 * model_.joints[static_cast<std::size_t>(model_.bus_joints[k])].velocity;
+      command.qd[k] = step ? 0.0F : static_cast<float>(speed);
+    }
+    command.tick = state.tick;
+  }
+
+  void move(const GuardReport& report) {
+    const std::int64_t now_ns = state.tick * model_.period_ns;
+    const double dt = model_.period();
+    reports_[static_cast<std::size_t>(state.tick) % reports_.size()] = report;
+    const GuardReport& late = reports_[static_cast<std::size_t>(state.tick + 1) % reports_.size()];
+    if (late.tick > 0) gate_.guard(late, now_ns);
+    accepted = gate_.accept(command, state.tick, false, now_ns);
+    const JointCommand& effective = gate_.output(state.tick, false, now_ns);
+    for (std::size_t k = 0; k < model_.bus_joints.size(); ++k) {
+      double qd = static_cast<double>(state.qd[k]);
+      for (int i = 0; i < 4; ++i) {  // critically damped
+        qd += 0.25 * dt *
+              (kServo * kServo * (effective.q[k] - state.q[k]) +
+               2.0 * kServo * (static_cast<double>(effective.qd[k]) - qd));
+        state.q[k] += 0.25 * dt * qd;
+      }
+      state.qd[k] = static_cast<float>(qd);
+    }
+  }
+
   const Model& model_;
   GateLimits limits_;
   CommandGate gate_;

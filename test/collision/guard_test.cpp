@@ -287,6 +287,42 @@ TEST(Guard, NothingIsPassedOverOnTheWayToRest) {
   }
 }
 
+// After a report a brake of all is in time: masks that are not proved let two of these motions touch (56, 435).
+TEST(Guard, AfterItsReportABrakeOfAllIsInTime) {
+  const Model& model = hrp1s();
+  const Configuration home = named_posture(model, "half_sitting");
+  SelfCollision exact(model, build_geometry(model, {.balls = false}));
+  Watch watch(model);
+  RatedDrive drive(model);
+  std::int64_t all = 0;
+  for (const std::size_t k : drive.moved()) all |= std::int64_t{1} << k;
+  int forks = 0;
+  for (const std::int64_t number : {56, 435, 6628}) {
+    const Configuration target = drive.draw_target(exact, home, 1, number);
+    Guard guard(model, {});
+    GuardRig rig(model, home);
+    drive.start();
+    for (int i = 0; i < 500; ++i) {
+      drive.follow(rig, target);
+      const GuardReport report = rig.tick(guard);
+      if (report.hold_mask == 0 || report.hold_mask == all || i % 4 != 0) continue;
+      ++forks;
+      GuardRig fork = rig;
+      RatedDrive on = drive;
+      double nearest = 1.0;
+      for (int t = 0; t < 150; ++t) {
+        GuardReport brake = report;
+        brake.hold_mask = all;
+        on.follow(fork, target);
+        fork.tick(brake);
+        if (t % 3 == 0) nearest = std::min(nearest, watch.nearest(fork));
+      }
+      ASSERT_GT(nearest, 0.0) << "motion " << number << " tick " << i;
+    }
+  }
+  EXPECT_GT(forks, 100);
+}
+
 TEST(Guard, AllocatesNothing) {
   const Model& model = hrp1s();
   Guard guard(model, {});
