@@ -40,29 +40,37 @@ namespace block_avx2 {
 #include "planner/block_line.h"
 #include "planner/block_certain.h"
 }  // namespace block_avx2
+// Of many corners two at once; else no wider.
+#pragma GCC target("avx512f,avx512vl,avx512dq")
+#define TWINBUS_BLOCK_AVX512
+namespace block_avx512 {
+#include "planner/block_lanes.h"
+#include "planner/block_placing.h"
+#include "planner/block_shapes.h"
+#include "planner/block_separate.h"
+#include "planner/block_line.h"
+#include "planner/block_certain.h"
+}  // namespace block_avx512
+#undef TWINBUS_BLOCK_AVX512
 #undef TWINBUS_BLOCK_AVX2
 #pragma GCC pop_options
-#define TWINBUS_BLOCK(slow, call) ((slow) ? block_baseline::call : block_avx2::call)
-namespace {
-const bool kOnlyBaseline = !__builtin_cpu_supports("avx2");
-}  // namespace
+#define TWINBUS_BLOCK(set, call)                           \
+  ((set) == InstructionSet::kAvx512 ? block_avx512::call   \
+   : (set) == InstructionSet::kAvx2 ? block_avx2::call : block_baseline::call)
 #else
-#define TWINBUS_BLOCK(slow, call) (static_cast<void>(slow), block_baseline::call)
-namespace {
-const bool kOnlyBaseline = true;
-}  // namespace
+#define TWINBUS_BLOCK(set, call) (static_cast<void>(set), block_baseline::call)
 #endif
 // clang-format on
 
-BlockCheck::BlockCheck(const BlockRobot& robot, const BlockScene& scene, bool slow)
-    : robot_(&robot), scene_(&scene), work_(new BlockWork), slow_(slow || kOnlyBaseline) {
-  TWINBUS_BLOCK(slow_, prepare(robot, *work_));
+BlockCheck::BlockCheck(const BlockRobot& robot, const BlockScene& scene, InstructionSet set)
+    : robot_(&robot), scene_(&scene), work_(new BlockWork), set_(set) {
+  TWINBUS_BLOCK(set_, prepare(robot, *work_));
 }
 
 BlockCheck::~BlockCheck() = default;
 
 bool BlockCheck::line_free(const float* from, const float* step, int blocks) noexcept {
-  const int looked = TWINBUS_BLOCK(slow_, line_free(*robot_, *scene_, *work_, from, step, blocks));
+  const int looked = TWINBUS_BLOCK(set_, line_free(*robot_, *scene_, *work_, from, step, blocks));
   blocks_ += looked < 0 ? -looked : looked;
   return looked > 0;
 }
@@ -92,7 +100,7 @@ bool BlockCheck::line_certain(const float* from, const float* step) noexcept {
       Lanes t;
       for (int i = 0; i < 8; ++i) t[i] = now[at(std::min(first + i, count - 1))];
       unsigned certain = 0, touching = 0;
-      TWINBUS_BLOCK(slow_,
+      TWINBUS_BLOCK(set_,
                     certain(*robot_, *scene_, *work_, from, step, t, half, certain, touching));
       ++blocks_;
       if (touching != 0) return false;
@@ -110,12 +118,12 @@ bool BlockCheck::line_certain(const float* from, const float* step) noexcept {
 }
 
 bool BlockCheck::world_free() noexcept {
-  return TWINBUS_BLOCK(slow_, world_free(*robot_, *scene_, *work_));
+  return TWINBUS_BLOCK(set_, world_free(*robot_, *scene_, *work_));
 }
 
 int nearest_point(const float* columns, int stride, int count, int joints, const float* q,
                   float& found) noexcept {
-  return TWINBUS_BLOCK(kOnlyBaseline, nearest(columns, stride, count, joints, q, found));
+  return TWINBUS_BLOCK(best_instruction_set(), nearest(columns, stride, count, joints, q, found));
 }
 
 void sort_pairs(BlockRobot& robot) {

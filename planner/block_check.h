@@ -14,6 +14,7 @@
 
 #include "planner/block_robot.h"
 #include "planner/block_scene.h"
+#include "robot/instruction_set.h"
 
 namespace twinbus {
 
@@ -21,8 +22,9 @@ struct BlockWork;  // what a check writes on
 
 class BlockCheck {
  public:
-  // robot and scene must outlive this.  slow: what any x86-64 can do, for tests.
-  BlockCheck(const BlockRobot& robot, const BlockScene& scene, bool slow = false);
+  // robot and scene must outlive this.  set: one that this machine has; all give the same answers.
+  BlockCheck(const BlockRobot& robot, const BlockScene& scene,
+             InstructionSet set = best_instruction_set());
   ~BlockCheck();
   BlockCheck(const BlockCheck&) = delete;
   BlockCheck& operator=(const BlockCheck&) = delete;
@@ -50,7 +52,7 @@ class BlockCheck {
   const BlockRobot* robot_;
   const BlockScene* scene_;
   std::unique_ptr<BlockWork> work_;
-  bool slow_;
+  InstructionSet set_;
   std::int64_t blocks_ = 0;
 };
 

@@ -37,6 +37,17 @@ TWINBUS_INLINE Lanes root(Lanes a) {
   return a;
 }
 #endif
+#ifdef TWINBUS_BLOCK_AVX512
+TWINBUS_INLINE __m512 twice(const Lanes& a) {
+  return __builtin_shufflevector(a, a, 0, 1, 2, 3, 4, 5, 6, 7, 0, 1, 2, 3, 4, 5, 6, 7);
+}
+template <class Half, class Wide>
+TWINBUS_INLINE Half half_of(const Wide& a, int which) {
+  Half halves[2];
+  std::memcpy(halves, &a, sizeof halves);
+  return halves[which];
+}
+#endif
 TWINBUS_INLINE bool any(Flags f) { return mask(f) != 0; }
 
 TWINBUS_INLINE float lowest(Lanes a) {

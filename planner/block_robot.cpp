@@ -233,6 +233,7 @@ BlockRobot compile_robot(const Model& model, const Configuration& posture,
       BlockPiece piece;
       piece.first = static_cast<int>(robot.corners.size());
       piece.count = static_cast<int>(corners.size());
+      piece.room = (piece.count + 15) / 16 * 16;
       Ball ball;
       for (const Eigen::Vector3d& c : corners)
         ball.center += c / static_cast<double>(corners.size());
@@ -240,9 +241,11 @@ BlockRobot compile_robot(const Model& model, const Configuration& posture,
         ball.radius = std::max(ball.radius, rounded_up((c - ball.center).norm()) + kRounding);
       piece.around = to_block(ball, place.in_body, grow);
       robot.pieces.push_back(piece);
-      for (const Eigen::Vector3d& corner : corners) {
-        const Eigen::Vector3f c = (place.in_body * corner).cast<float>();
-        robot.corners.push_back({c.x(), c.y(), c.z()});
+      for (int axis = 0; axis < 3; ++axis) {
+        for (int k = 0; k < piece.room; ++k) {
+          const Eigen::Vector3d& corner = corners[at(k < piece.count ? k : 0)];
+          robot.corners.push_back(static_cast<float>((place.in_body * corner)[axis]));
+        }
       }
     }
     for (int b = place.body; b > 0; b = robot.bodies[at(b)].parent) {

@@ -49,7 +49,8 @@ struct BlockBall {
 };
 
 struct BlockPiece {
-  int first = 0, count = 0;  // in corners
+  int first = 0, count = 0;  // in corners: x of all, then y, then z
+  int room = 0;              // of each: a multiple of 16, filled up with the first
   BlockBall around{};
 };
 
@@ -72,8 +73,8 @@ struct BlockRobot {
   int fixed_groups = 0;             // that many are of the world
   std::vector<BlockBall> balls;
   std::vector<BlockPiece> pieces;
-  std::vector<std::array<float, 3>> corners;  // of the pieces, in the body [m]
-  std::vector<std::pair<int, int>> pairs;     // groups that may touch; those that touch often first
+  std::vector<float> corners;              // of the pieces, in the body [m]
+  std::vector<std::pair<int, int>> pairs;  // groups that may touch; those that touch often first
 };
 
 // Balls, hull and clusters of a link.

@@ -1,6 +1,53 @@
 // Planes between groups and obstacles: what settles the matter where balls touch.  Included once per
 // instruction set, inside a namespace, by block_check.cpp: no #pragma once.
 
+// Of the corners of a piece the one that is lowest along d, a lane each; of several the first.
+TWINBUS_INLINE void lowest_corner(const float* corners, const BlockPiece& piece, const Lanes* d,
+                                  Lanes* to) {
+  const float *x = corners, *y = x + piece.room, *z = y + piece.room;
+#ifdef TWINBUS_BLOCK_AVX512
+  // Two corners at once: the even ones in the lower half, the odd ones in the upper.
+  const __m512 dx = twice(d[0]), dy = twice(d[1]), dz = twice(d[2]);
+  __m512 low = _mm512_set1_ps(1e30F);
+  __m512i lowest = _mm512_setzero_si512();
+  const __m512i two = _mm512_set1_epi32(2);
+  __m512i number = _mm512_setr_epi32(0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1);
+  for (int first = 0; first < piece.count; first += 16) {
+    const __m512 x16 = _mm512_loadu_ps(x + first), y16 = _mm512_loadu_ps(y + first),
+                 z16 = _mm512_loadu_ps(z + first);
+    for (int k = first; k < first + 16 && k < piece.count; k += 2) {
+      // The lowest four bits of a number choose among sixteen.
+      const __m512 height = dx * _mm512_maskz_permutexvar_ps(0xFFFF, number, x16) +
+                            dy * _mm512_maskz_permutexvar_ps(0xFFFF, number, y16) +
+                            dz * _mm512_maskz_permutexvar_ps(0xFFFF, number, z16);
+      const __mmask16 lower = _mm512_cmp_ps_mask(height, low, _CMP_LT_OQ);
+      low = _mm512_maskz_min_ps(0xFFFF, height, low);  // does not wait for the mask
+      lowest = _mm512_mask_mov_epi32(lowest, lower, number);
+      number = _mm512_add_epi32(number, two);
+    }
+  }
+  const Lanes even = half_of<Lanes>(low, 0), odd = half_of<Lanes>(low, 1);
+  const Flags of_even = half_of<Flags>(lowest, 0), of_odd = half_of<Flags>(lowest, 1);
+  const Flags best = (odd < even) | ((odd == even) & (of_odd < of_even)) ? of_odd : of_even;
+#else
+  Lanes low = all(1e30F);
+  Flags best{};
+  for (int k = 0; k < piece.count; ++k) {
+    const Lanes height = d[0] * all(x[k]) + d[1] * all(y[k]) + d[2] * all(z[k]);
+    const Flags lower = height < low;
+    low = least(height, low);
+    best = lower ? Flags{} + k : best;
+  }
+#endif
+  float found[3][8];
+  for (int lane = 0; lane < 8; ++lane) {
+    found[0][lane] = x[best[lane]];
+    found[1][lane] = y[best[lane]];
+    found[2][lane] = z[best[lane]];
+  }
+  for (int i = 0; i < 3; ++i) to[i] = load(found[i]);
+}
+
 // Are some corners of group g and the shape on two sides of a plane?  far: by more than a margin of
 // `fixed` and, along the plane's normal, of `moves`; apart: at all.  Stops when the lanes that are
 // asked are far.  Looks for the plane as Chung and Wang (1996): its normal is mirrored at the line
@@ -13,7 +60,7 @@ inline void separate_piece(const BlockRobot& robot, const BlockWork& w, int g,
   far = separate = Flags{};
   const Lanes* r = w.rotation[group.body];
   const Lanes* origin = w.origin[group.body];
-  const std::array<float, 3>* corners = robot.corners.data() + piece.first;
+  const float* corners = robot.corners.data() + piece.first;
   const int faces = shape.kind == BlockShape::Kind::kBox        ? 3
                     : shape.kind == BlockShape::Kind::kCylinder ? 1
                                                                 : 0;
@@ -32,17 +79,8 @@ inline void separate_piece(const BlockRobot& robot, const BlockWork& w, int g,
     Lanes d[3];
     for (int i = 0; i < 3; ++i)
       d[i] = group.body == 0 ? n[i] : r[i] * n[0] + r[3 + i] * n[1] + r[6 + i] * n[2];
-    Lanes low = all(1e30F);
-    Lanes at[3] = {low, low, low};
-    for (int k = 0; k < piece.count; ++k) {
-      const Lanes x = all(corners[k][0]), y = all(corners[k][1]), z = all(corners[k][2]);
-      const Lanes height = d[0] * x + d[1] * y + d[2] * z;
-      const Flags lower = height < low;
-      low = lower ? height : low;
-      at[0] = lower ? x : at[0];
-      at[1] = lower ? y : at[1];
-      at[2] = lower ? z : at[2];
-    }
+    Lanes at[3];
+    lowest_corner(corners, piece, d, at);
     Lanes e[3], b[3];
     highest_point(shape, n, b);
     for (int i = 0; i < 3; ++i) {
@@ -57,18 +95,20 @@ inline void separate_piece(const BlockRobot& robot, const BlockWork& w, int g,
     far |= gap > margin;
     separate |= gap > all(kRounding + robot.grow);
     if (!any(asked & ~far)) return;
-    const Lanes length = root(most(e[0] * e[0] + e[1] * e[1] + e[2] * e[2], all(1e-12F)));
+    const Lanes per = all(1.0F) / root(most(e[0] * e[0] + e[1] * e[1] + e[2] * e[2], all(1e-12F)));
+    const Lanes twice_off = all(2.0F) * gap * per;
     Lanes m[3];
     for (int i = 0; i < 3; ++i) {
-      const Lanes u = e[i] / length;
-      m[i] = gap > all(0.0F) ? n[i] + u : n[i] - all(2.0F) * gap / length * u;
+      const Lanes u = e[i] * per;
+      m[i] = gap > all(0.0F) ? n[i] + u : n[i] - twice_off * u;
     }
-    const Lanes size = root(most(m[0] * m[0] + m[1] * m[1] + m[2] * m[2], all(1e-12F)));
+    const Lanes unit = all(1.0F) / root(most(m[0] * m[0] + m[1] * m[1] + m[2] * m[2], all(1e-12F)));
     const Flags better = gap > best_gap;
     best_gap = better ? gap : best_gap;
     for (int i = 0; i < 3; ++i) {
-      best[i] = better ? m[i] / size : best[i];
-      n[i] = turn == faces ? best[i] : m[i] / size;
+      m[i] *= unit;
+      best[i] = better ? m[i] : best[i];
+      n[i] = turn == faces ? best[i] : m[i];
     }
   }
 }

@@ -67,8 +67,9 @@ TWINBUS_INLINE void first_normal(const BlockShape& s, const Lanes* p, Lanes* n) 
     t = least(most(t, all(0.0F)), all(1.0F));
     for (int i = 0; i < 3; ++i) d[i] -= t * all(s.axis[0][i]);
   }
-  const Lanes size = most(root(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]), all(1e-6F));
-  for (int i = 0; i < 3; ++i) n[i] = d[i] / size;
+  const Lanes unit =
+      all(1.0F) / most(root(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]), all(1e-6F));
+  for (int i = 0; i < 3; ++i) n[i] = d[i] * unit;
 }
 
 // The point of the shape that is farthest along n.
@@ -87,9 +88,11 @@ TWINBUS_INLINE void highest_point(const BlockShape& s, const Lanes* n, Lanes* to
       }
     }
     if (s.kind == BlockShape::Kind::kBox) return;
-    const Lanes size = most(
-        root(across[0] * across[0] + across[1] * across[1] + across[2] * across[2]), all(1e-6F));
-    for (int i = 0; i < 3; ++i) to[i] += all(s.half[0]) * across[i] / size;
+    const Lanes out =
+        all(s.half[0]) /
+        most(root(across[0] * across[0] + across[1] * across[1] + across[2] * across[2]),
+             all(1e-6F));
+    for (int i = 0; i < 3; ++i) to[i] += across[i] * out;
     return;
   }
   if (s.kind == BlockShape::Kind::kCapsule) {
