@@ -83,7 +83,7 @@ namespace avx512_swept {
   (set == InstructionSet::kAvx512 ? avx512_swept::call     \
    : set == InstructionSet::kAvx2 ? avx2_swept::call : baseline_swept::call)
 #else
-#define TWINBUS_SWEPT(call) (baseline_swept::call)
+#define TWINBUS_SWEPT(call) (static_cast<void>(set), baseline_swept::call)
 #endif
 // clang-format on
 
