@@ -289,6 +289,36 @@ TEST(Gjk, AHullOfVeryManyCornersIsSearchedWhole) {
   }
 }
 
+// Nearly all corners in one cell: a fine lens on a long body.
+TEST(Gjk, ManyCornersInOneDirectionAreAllSeen) {
+  std::vector<Vector3d> points;
+  for (int i = 0; i < 20; ++i) {
+    for (int k = 0; k < 20; ++k) {
+      const double x = 2e-3 * (i + 0.5), y = 2e-3 * (k + 0.5);
+      points.emplace_back(x, y, 0.1 - 0.1 * (x * x + y * y));
+    }
+  }
+  for (const double x : {-0.2, 0.3}) points.emplace_back(x, -0.1, -0.3);
+  points.emplace_back(0.0, 0.4, -0.3);
+  const GjkShape lens = gjk_hull(points);
+  std::mt19937_64 random(12);
+  std::vector<Isometry3d> poses(400);
+  std::vector<GjkQuery> queries;
+  for (Isometry3d& pose : poses) pose = somewhere(random, 0.4);
+  for (std::size_t k = 0; k < poses.size(); k += 2)
+    queries.push_back({&lens, &poses[k], &lens, &poses[k + 1], 9.0, Vector3d::Zero(), {}});
+  gjk_distances(queries);
+  int apart = 0;
+  for (const GjkQuery& q : queries) {
+    if (!(q.result.distance > 1e-7)) continue;
+    ++apart;
+    EXPECT_NEAR(
+        -reach(points, *q.pose_b, -q.result.normal) - reach(points, *q.pose_a, q.result.normal),
+        q.result.distance, 1e-6);
+  }
+  EXPECT_GT(apart, 50);
+}
+
 TEST(Gjk, StopsEarlyWhenFarAway) {
   Isometry3d there = Isometry3d::Identity();
   there.translation() = Vector3d(0.3, 0.4, 1.0);
