@@ -25,11 +25,6 @@ def falls(bus, since):
     return any(truth.fell for _, truth in bus.messages("TRUTH", since))
 
 
-def last_before(bus, channel, instant):
-    found = [(at, message) for at, message in bus.messages(channel, instant - 1_000_000_000, instant)]
-    return found[-1] if found else (None, None)
-
-
 def controller(bus, stack, checks, rng):
     """The source holds the last command, then stops 40 to 46 ms after the last accepted one; nobody falls."""
     before = time.monotonic_ns()
@@ -37,9 +32,12 @@ def controller(bus, stack, checks, rng):
     at, state = bus.wait_for("STATE", lambda s: s.stop_kind >= 2, 2.0)
     if not checks.that(state is not None, "controller killed: the source stops"):
         return
-    last_at, last = last_before(bus, "COMMAND", at)
-    if not checks.that(last is not None, "a command came before"):
+    # Those of the controller that was killed: a new one may be back within the 40 ms, and no source obeys it.
+    sent = list(bus.messages("COMMAND", before - 1_000_000_000, at))
+    killed = [c.controller_id for instant, c in sent if instant <= before]
+    if not checks.that(killed, "a command came before"):
         return
+    last_at, last = [(instant, c) for instant, c in sent if c.controller_id == killed[-1]][-1]
     # In ticks of 2 ms, which no late reading here blurs, or on the clock, which counts on while a source misses a tick.
     # STATE shows the stop at the next tick.
     ticks, clock = 2 * (state.tick - last.tick), 1e-6 * (at - last_at)
