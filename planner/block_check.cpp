@@ -24,6 +24,7 @@ namespace block_baseline {
 #include "planner/block_lanes.h"
 #include "planner/block_placing.h"
 #include "planner/block_shapes.h"
+#include "robot/nearest_of_four.h"
 #include "planner/block_separate.h"
 #include "planner/block_line.h"
 #include "planner/block_certain.h"
@@ -36,6 +37,7 @@ namespace block_avx2 {
 #include "planner/block_lanes.h"
 #include "planner/block_placing.h"
 #include "planner/block_shapes.h"
+#include "robot/nearest_of_four.h"
 #include "planner/block_separate.h"
 #include "planner/block_line.h"
 #include "planner/block_certain.h"
@@ -47,6 +49,7 @@ namespace block_avx512 {
 #include "planner/block_lanes.h"
 #include "planner/block_placing.h"
 #include "planner/block_shapes.h"
+#include "robot/nearest_of_four.h"
 #include "planner/block_separate.h"
 #include "planner/block_line.h"
 #include "planner/block_certain.h"
@@ -75,10 +78,7 @@ bool BlockCheck::line_free(const float* from, const float* step, int blocks) noe
   return looked > 0;
 }
 
-void BlockCheck::settle_by_pieces(bool yes) noexcept {
-  work_->by_pieces = yes;
-  work_->turns = yes ? BlockWork::kPatientTurns : BlockWork::kTurns;
-}
+void BlockCheck::settle_by_pieces(bool yes) noexcept { work_->by_pieces = yes; }
 
 bool BlockCheck::point_free(const float* q) noexcept {
   static constexpr float kNowhere[kMostPlanned] = {};

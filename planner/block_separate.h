@@ -49,39 +49,33 @@ TWINBUS_INLINE void lowest_corner(const float* corners, const BlockPiece& piece,
 }
 
 // Are some corners of group g and the shape on two sides of a plane?  far: by more than a margin of
-// `fixed` and, along the plane's normal, of `moves`; apart: at all.  Stops when the lanes that are
-// asked are far.  Looks for the plane as Chung and Wang (1996): its normal is mirrored at the line
-// between the two points that are nearest to it; once it separates it turns towards that line.
+// `fixed` and, along the plane's normal, of `moves`; apart: at all.  Looks for the plane as Gilbert,
+// Johnson and Keerthi (1988) do: across the way from zero to the nearest point of what is known of
+// the difference of the two.  Stops when the lanes that are asked are far or cannot be, and with
+// `one` as soon as one of them cannot be.
 inline void separate_piece(const BlockRobot& robot, const BlockWork& w, int g,
                            const BlockPiece& piece, const Lanes* middle, const BlockShape& shape,
-                           const Lanes& fixed, const Lanes* moves, const Flags& asked, Flags& far,
-                           Flags& separate) {
+                           const Lanes& fixed, const Lanes* moves, const Flags& asked, bool one,
+                           Flags& far, Flags& separate) {
   const BlockGroup& group = robot.groups[static_cast<std::size_t>(g)];
   far = separate = Flags{};
   const Lanes* r = w.rotation[group.body];
   const Lanes* origin = w.origin[group.body];
   const float* corners = robot.corners.data() + piece.first;
-  const int faces = shape.kind == BlockShape::Kind::kBox        ? 3
-                    : shape.kind == BlockShape::Kind::kCylinder ? 1
-                                                                : 0;
-  Lanes n[3], best[3] = {};
-  Lanes best_gap = all(-1e30F);
+  const Lanes least_gap = all(kRounding + robot.grow);
+  Lanes3 n, known[3];
+  Lanes length = all(1e30F);
+  Flags meet = {}, open = asked;
   first_normal(shape, middle, n);
-  for (int turn = 0; turn < w.turns + faces; ++turn) {
-    if (turn > 0 && turn <= faces) {  // the faces that look at the group
-      const float* axis = shape.axis[3 - turn];
-      const Lanes side = (middle[0] - all(shape.center[0])) * all(axis[0]) +
-                         (middle[1] - all(shape.center[1])) * all(axis[1]) +
-                         (middle[2] - all(shape.center[2])) * all(axis[2]);
-      for (int i = 0; i < 3; ++i) n[i] = side > all(0.0F) ? all(axis[i]) : all(-axis[i]);
-    }
+  constexpr int kTurns = 20;  // hardly one in a thousand needs ten
+  for (int turn = 0; turn < kTurns; ++turn) {
     // Of the group, the corner that is lowest along n; of the shape, the highest point.
     Lanes d[3];
     for (int i = 0; i < 3; ++i)
       d[i] = group.body == 0 ? n[i] : r[i] * n[0] + r[3 + i] * n[1] + r[6 + i] * n[2];
     Lanes at[3];
     lowest_corner(corners, piece, d, at);
-    Lanes e[3], b[3];
+    Lanes3 e, b;
     highest_point(shape, n, b);
     for (int i = 0; i < 3; ++i) {
       e[i] = (group.body == 0
@@ -89,26 +83,29 @@ inline void separate_piece(const BlockRobot& robot, const BlockWork& w, int g,
                   : r[3 * i] * at[0] + r[3 * i + 1] * at[1] + r[3 * i + 2] * at[2] + origin[i]) -
              b[i];
     }
-    const Lanes gap = e[0] * n[0] + e[1] * n[1] + e[2] * n[2];
+    const Lanes gap = dot(e, n);
     Lanes margin = fixed;
     if (moves != nullptr) margin += size_of(n[0] * moves[0] + n[1] * moves[1] + n[2] * moves[2]);
     far |= gap > margin;
-    separate |= gap > all(kRounding + robot.grow);
-    if (!any(asked & ~far)) return;
-    const Lanes per = all(1.0F) / root(most(e[0] * e[0] + e[1] * e[1] + e[2] * e[2], all(1e-12F)));
-    const Lanes twice_off = all(2.0F) * gap * per;
-    Lanes m[3];
-    for (int i = 0; i < 3; ++i) {
-      const Lanes u = e[i] * per;
-      m[i] = gap > all(0.0F) ? n[i] + u : n[i] - twice_off * u;
+    separate |= gap > least_gap;
+    open &= ~far;
+    if (!any(open)) return;
+    if (turn == 0) {
+      for (int k = 0; k < 3; ++k)
+        for (int i = 0; i < 3; ++i) known[k][i] = e[i];
     }
-    const Lanes unit = all(1.0F) / root(most(m[0] * m[0] + m[1] * m[1] + m[2] * m[2], all(1e-12F)));
-    const Flags better = gap > best_gap;
-    best_gap = better ? gap : best_gap;
+    NearestOfFour nearest;
+    nearest_of_four(e, known, nearest);
+    const Lanes now = root(dot(nearest.v, nearest.v));
+    // What is nearest so far is no farther than the two are apart.
+    meet |= nearest.inside | (now <= least_gap);
+    open &= ~meet & (now < length) & ~((now <= fixed) & separate);
+    if (!any(open) || (one && any(asked & meet))) return;
+    length = now;
+    const Lanes unit = all(1.0F) / now;
     for (int i = 0; i < 3; ++i) {
-      m[i] *= unit;
-      best[i] = better ? m[i] : best[i];
-      n[i] = turn == faces ? best[i] : m[i];
+      n[i] = nearest.v[i] * unit;
+      for (int k = 0; k < 3; ++k) known[k][i] = nearest.part[k] > all(0.0F) ? known[k][i] : e[i];
     }
   }
 }
@@ -121,9 +118,11 @@ inline void separate(const BlockRobot& robot, const BlockWork& w, int g, const B
   far = separate = Flags{};
   if (group.piece_count == 0) return;
   const BlockPiece* pieces = robot.pieces.data() + group.first_piece;
-  separate_piece(robot, w, g, pieces[0], w.around[g], shape, fixed, moves, asked, far, separate);
+  const bool whole = !w.by_pieces || group.piece_count == 1;
+  separate_piece(robot, w, g, pieces[0], w.around[g], shape, fixed, moves, asked, whole, far,
+                 separate);
   const Flags rest = asked & ~separate;
-  if (!w.by_pieces || group.piece_count == 1 || !any(rest)) return;
+  if (whole || !any(rest)) return;
   Lanes margin = fixed;
   if (moves != nullptr)
     margin += root(moves[0] * moves[0] + moves[1] * moves[1] + moves[2] * moves[2]);
@@ -134,7 +133,7 @@ inline void separate(const BlockRobot& robot, const BlockWork& w, int g, const B
     const Flags near = meets(shape, middle, all(pieces[i].around.radius) + margin) & rest;
     if (!any(near)) continue;
     Flags piece_far, piece_separate;
-    separate_piece(robot, w, g, pieces[i], middle, shape, fixed, moves, near, piece_far,
+    separate_piece(robot, w, g, pieces[i], middle, shape, fixed, moves, near, true, piece_far,
                    piece_separate);
     all_far &= piece_far | ~near;
     all_separate &= piece_separate | ~near;

@@ -24,8 +24,6 @@ struct BlockWork {
   Lanes rate[kBlockBodies][6], moves[kBlockGroups][3];
   float bend[kBlockGroups];
   bool placed[kBlockGroups];
-  static constexpr int kTurns = 12, kPatientTurns = 40;
-  int turns = kTurns;      // of a plane that is looked for
   bool by_pieces = false;  // what hulls leave open is settled by their pieces
   // What a line has near it, found by its first block: groups with an obstacle, and their balls.
   struct Near {

@@ -29,6 +29,7 @@ double skin(const GjkShape& s) noexcept { return s.kind == ShapeKind::kSphere ? 
 #define TWINBUS_WIDE 0
 namespace baseline_gjk {
 #include "robot/gjk_lanes.h"
+#include "robot/nearest_of_four.h"
 #include "robot/gjk_lane_supports.h"
 #include "robot/gjk_searches.h"
 }  // namespace baseline_gjk
@@ -39,6 +40,7 @@ namespace baseline_gjk {
 #pragma GCC target("avx2")
 namespace avx2_gjk {
 #include "robot/gjk_lanes.h"
+#include "robot/nearest_of_four.h"
 #include "robot/gjk_lane_supports.h"
 #include "robot/gjk_searches.h"
 }  // namespace avx2_gjk
@@ -47,6 +49,7 @@ namespace avx2_gjk {
 #pragma GCC target("avx512f,avx512vl,avx512dq")
 namespace avx512_gjk {
 #include "robot/gjk_lanes.h"
+#include "robot/nearest_of_four.h"
 #include "robot/gjk_lane_supports.h"
 #include "robot/gjk_searches.h"
 }  // namespace avx512_gjk

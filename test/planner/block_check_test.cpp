@@ -8,6 +8,7 @@
 
 #include "planner/nearest_point.h"
 #include "planner/random.h"
+#include "robot/gjk.h"
 #include "robot/index.h"
 
 namespace twinbus {
@@ -202,6 +203,58 @@ TEST(BlockCheck, CornersSettleWhatBallsLeaveOpen) {
     const std::vector<float> q(at(kMostPlanned));
     EXPECT_EQ(check.point_free(q.data()), gap > 0.0);
   }
+}
+
+// Hulls and obstacles in any place and of any shape, thin plates too, against distances in double precision.
+TEST(BlockCheck, CornersSayWhatTheDistanceOfTheHullSays) {
+  Random random(5);
+  const auto between = [&](double a, double b) { return random.uniform(a, b); };
+  const auto direction = [&] {
+    return Eigen::Vector3d(between(-1.0, 1.0), between(-1.0, 1.0), between(-1.0, 1.0)).normalized();
+  };
+  int apart = 0, touching = 0;
+  for (int i = 0; i < 3000; ++i) {
+    Chain chain(1);
+    BallGroup& group = chain.groups[1];
+    const Ball ball{{0.0, 0.0, 0.5}, 0.4};
+    group.balls = {ball};
+    group.pieces = {{}};
+    const Eigen::Vector3d half(between(0.01, 0.2), between(0.01, 0.2), between(0.01, 0.2));
+    for (int k = 0; k < 4 + i % 40; ++k)
+      group.pieces[0].emplace_back(ball.center + direction().cwiseProduct(half));
+    std::vector<Obstacle> wall(1);
+    Obstacle& o = wall[0];
+    o = {static_cast<ObstacleShape>(1 + i % 3), Eigen::Vector3d::Zero(),
+         Eigen::Isometry3d::Identity()};
+    for (int k = 0; k < 3; ++k) o.size[k] = between(0.005, 0.3);
+    o.pose.linear() = Eigen::AngleAxisd(between(-3.0, 3.0), direction()).matrix();
+    const Model& model = chain.model;
+    Kinematics kinematics(model);
+    kinematics.update(Configuration(model));
+    const Eigen::Isometry3d& link = kinematics.link_in_world(1);
+    o.pose.translation() = link * (ball.center + between(0.0, 0.5) * direction());
+    GjkShape other;
+    other.half = o.size;
+    other.kind = ShapeKind::kSphere;
+    if (o.shape == ObstacleShape::kBox) {
+      other.kind = ShapeKind::kBox;
+      other.half *= 0.5;
+    } else if (o.shape == ObstacleShape::kCylinder) {
+      other.kind = ShapeKind::kCylinder;
+      other.half.y() *= 0.5;
+    }
+    const double distance =
+        gjk_distance(gjk_hull(group.pieces[0]), link, other, o.pose, 1.0).distance;
+    if (distance > 0.0 && distance < 1e-4) continue;
+    (distance > 0.0 ? apart : touching) += 1;
+    const BlockRobot robot = chain.compiled();
+    const BlockScene scene(wall);
+    BlockCheck check(robot, scene);
+    const std::vector<float> q(at(kMostPlanned));
+    EXPECT_EQ(check.point_free(q.data()), distance > 0.0) << i << ": " << distance;
+  }
+  EXPECT_GT(apart, 500);
+  EXPECT_GT(touching, 500);
 }
 
 // Also where corners decide: any number of them, some in one place, some equally low.
