@@ -15,6 +15,7 @@ import sys
 
 import bench_planner
 import plot
+import programs
 
 CHARTS = ("cost", "meshes")
 ROUNDS = 3
@@ -22,7 +23,7 @@ ROUNDS = 3
 
 def measure(vamp):
     data = pathlib.Path(os.environ.get("TWINBUS_DATA", bench_planner.ROOT.parent / "shared/data"))
-    problems, folder = data / "problems/panda/panda_problems.txt", bench_planner.program_folder()
+    problems, folder = data / "problems/panda/panda_problems.txt", programs.folder_of("planner_cases", "chart planner")
     if not problems.exists():
         sys.exit(f"chart planner: {problems} is not there; $TWINBUS_DATA names the folder of data")
     peer = bench_planner.build_vamp(pathlib.Path(vamp) if vamp else None, folder)
