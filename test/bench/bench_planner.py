@@ -99,9 +99,15 @@ def main():
         elif word in ("--csv", "--range", "--rounds", "--vamp") and words:
             value = words.pop(0)
             csv = value if word == "--csv" else csv
-            reach = float(value) if word == "--range" else reach
-            rounds = int(value) if word == "--rounds" else rounds
             vamp = value if word == "--vamp" else vamp
+            try:
+                reach = float(value) if word == "--range" else reach
+                rounds = int(value) if word == "--rounds" else rounds
+            except ValueError:
+                rounds = 0
+            if rounds < 1 or not 0.0 <= reach < 1e9:
+                print(f"bench planner: {word} takes a number{' of 1 or more' if word == '--rounds' else ''}, not '{value}'", file=sys.stderr)
+                return 2
         else:
             print(f"bench planner: no option '{word}'; there are --csv --ompl --range --rounds --vamp", file=sys.stderr)
             return 2
