@@ -29,7 +29,7 @@ constexpr double kDegrees = 57.29577951308232;
 constexpr int kFinerSteps = 8;                        // of the reference, per step of the run
 constexpr std::int64_t kProgressEvery = 500'000'000;  // [ns]
 
-Syntax syntax() {
+Syntax run_syntax() {
   return {"run",
           "SCENE",
           "Runs a scene in one process, without a bus, as fast as it goes, and judges it by the "
@@ -163,7 +163,7 @@ std::string with_own_figures(const std::string& report, double force_error, cons
 }  // namespace
 
 int run_command(const std::vector<std::string>& words) {
-  const Arguments arguments(syntax(), words);
+  const Arguments arguments(run_syntax(), words);
   catch_quit_signals();
   Scene scene = load_scene(arguments.word(0));
   RunRequest request;

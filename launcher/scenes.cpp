@@ -13,7 +13,7 @@ namespace twinbus {
 
 namespace {
 
-Syntax syntax() {
+Syntax scenes_syntax() {
   return {"scenes",
           "[WORD...]",
           "Lists the scenes of config/scenes and what happens in each; with words only those that "
@@ -32,7 +32,7 @@ std::string small(std::string text) {
 }  // namespace
 
 int scenes_command(const std::vector<std::string>& words) {
-  const Arguments arguments(syntax(), words);
+  const Arguments arguments(scenes_syntax(), words);
   const std::vector<std::string> names = scene_names();
   std::size_t width = 0;
   for (const std::string& name : names) width = std::max(width, name.size());

@@ -16,8 +16,6 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-constexpr double kTouching = 1e-12;  // [m]
-constexpr int kMostSteps = 64;
 // Of fewer points than these all are looked at; of more it would take long to find where each is farthest.
 constexpr std::size_t kFewPoints = 8, kManyPoints = 512;
 
@@ -132,7 +130,7 @@ static GjkResult to_ball(const GjkShape& a, const Eigen::Isometry3d& pose_a, con
   const Vector3d in_a = pose_a.linear().transpose() * (center - pose_a.translation());
   const Vector3d on_a = nearest_to(a, in_a);
   const double length = (in_a - on_a).norm(), radius = skin(ball), skins = skin(a) + radius;
-  if (!(length > skins + kTouching)) return {};
+  if (!(length > skins + kGjkTouching)) return {};
   GjkResult result;
   const Vector3d normal = (in_a - on_a) / length;
   result.distance = result.below = length - skins;
@@ -175,7 +173,7 @@ static void search(const GjkShape& a, const GjkShape& b, const double (&to_a)[4]
   found.below = said > 0.0 ? said / std::sqrt(dot3(load4(first), load4(first))) : 0.0;
   found.far = found.below > far;
   if (found.far) return;
-  for (int step = 0; step < kMostSteps && length > kTouching; ++step) {
+  for (int step = 0; step < kGjkMostSteps && length > kGjkTouching; ++step) {
     Corner next;
     look(nearest.point, next);
     const double below = dot3(nearest.point, next.v) / length;
@@ -245,7 +243,7 @@ GjkResult gjk_distance(const GjkShape& a, const Eigen::Isometry3d& pose_a, const
     return result;
   }
   const double length = found.length;
-  if (!(length > kTouching)) return {};  // cores overlap
+  if (!(length > kGjkTouching)) return {};  // cores overlap
   result.below = std::max(found.below, 0.0) - skins;
   if (!(length > skins)) return {};
   Vec4 on_a{}, on_b{};

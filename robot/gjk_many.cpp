@@ -16,8 +16,6 @@ namespace twinbus {
 
 namespace {
 
-constexpr double kTouching = 1e-12;  // [m]
-constexpr double kMostSteps = 64.0;
 constexpr int kKeptLooks = 80;      // more than a search takes
 constexpr double kNothing = 1e300;  // is known [m]
 

@@ -59,7 +59,7 @@ TWINBUS_INLINE void answer(GjkQuery& q, double below, double above, const Vec4& 
     return;
   }
   // They overlap; or a pose is no number, and nothing is known of them.
-  if (!(above > kTouching && above > skins)) return;
+  if (!(above > kGjkTouching && above > skins)) return;
   result.below = (below > 0.0 ? below : 0.0) - skins;
   result.distance = above - skins;
   const Columns turn = columns(q.pose_a->data(), 4);
@@ -135,7 +135,7 @@ TWINBUS_INLINE unsigned step(Searches& s, unsigned open, double close) noexcept 
   store(s.above, pick(nearer, now, length));
   // That v parts them so far proves its normal too, so the search ends only where v stays as it was.
   return lanes_of(above(below, load(s.far)) | (at_least(all(close), length - below) & ~first) |
-                  ~nearer | at_least(all(kTouching), now) | at_least(steps, all(kMostSteps))) &
+                  ~nearer | at_least(all(kGjkTouching), now) | at_least(steps, all(kGjkMostSteps))) &
          open;
 }
 

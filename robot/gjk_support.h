@@ -12,6 +12,9 @@
 
 namespace twinbus {
 
+inline constexpr double kGjkTouching = 1e-12;  // no distance [m]
+inline constexpr int kGjkMostSteps = 64;       // of a search
+
 // The signs, as bits.
 TWINBUS_INLINE unsigned signs_of(const Vec4& a) noexcept {
 #if defined(__SSE2__)
