@@ -135,7 +135,8 @@ TWINBUS_INLINE unsigned step(Searches& s, unsigned open, double close) noexcept 
   store(s.above, pick(nearer, now, length));
   // That v parts them so far proves its normal too, so the search ends only where v stays as it was.
   return lanes_of(above(below, load(s.far)) | (at_least(all(close), length - below) & ~first) |
-                  ~nearer | at_least(all(kGjkTouching), now) | at_least(steps, all(kGjkMostSteps))) &
+                  ~nearer | at_least(all(kGjkTouching), now) |
+                  at_least(steps, all(kGjkMostSteps))) &
          open;
 }
 
