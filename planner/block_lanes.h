@@ -15,7 +15,6 @@ TWINBUS_INLINE Lanes most(Lanes a, Lanes b) { return a > b ? a : b; }
 // As robot/nearest_of_four.h asks for them.
 typedef Flags Mask;
 typedef Lanes Lanes3[3];
-TWINBUS_INLINE Mask mask_of(unsigned) { return Flags{}; }
 TWINBUS_INLINE Mask above(Lanes a, Lanes b) { return a > b; }
 TWINBUS_INLINE Mask at_least(Lanes a, Lanes b) { return a >= b; }
 TWINBUS_INLINE Lanes pick(Mask which, Lanes a, Lanes b) { return which ? a : b; }

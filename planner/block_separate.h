@@ -49,10 +49,10 @@ TWINBUS_INLINE void lowest_corner(const float* corners, const BlockPiece& piece,
 }
 
 // Are some corners of group g and the shape on two sides of a plane?  far: by more than a margin of
-// `fixed` and, along the plane's normal, of `moves`; apart: at all.  Looks for the plane as Gilbert,
+// `fixed` and, along the plane's normal, of `moves`; separate: at all.  Looks for the plane as Gilbert,
 // Johnson and Keerthi (1988) do: across the way from zero to the nearest point of what is known of
 // the difference of the two.  Stops when the lanes that are asked are far or cannot be, and with
-// `one` as soon as one of them cannot be.
+// `one` as soon as one of them is seen to touch.
 inline void separate_piece(const BlockRobot& robot, const BlockWork& w, int g,
                            const BlockPiece& piece, const Lanes* middle, const BlockShape& shape,
                            const Lanes& fixed, const Lanes* moves, const Flags& asked, bool one,

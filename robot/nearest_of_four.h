@@ -1,5 +1,5 @@
 // The step of a search for the distance of two convex shapes, in several lanes.  Included once per instruction set inside
-// a namespace that says what Lanes, Lanes3 and Mask are, with all, pick, above, at_least and mask_of: no #pragma once.
+// a namespace that says what Lanes, Lanes3 and Mask are, with all, pick, above and at_least: no #pragma once.
 
 TWINBUS_INLINE Lanes dot(const Lanes3& a, const Lanes3& b) noexcept {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -39,7 +39,7 @@ TWINBUS_INLINE void nearest_of_four(const Lanes3& w, const Lanes3 (&corner)[3],
     part[i] = pick(nearer, along, none);
   }
   Lanes sum = none, volume = none;
-  Mask of_face = mask_of(0), same = ~of_face;
+  Mask of_face = above(none, none), same = ~of_face;
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3, k = (i + 2) % 3;
     Lanes3 n;
