@@ -16,6 +16,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import threading
 
 import programs
 
@@ -74,7 +75,10 @@ def scene_with(scene, trunk, folder):
     text = (ROOT / f"config/scenes/{scene}.yaml").read_text(encoding="utf-8")
     assert "\nbodies:" not in text
     file = pathlib.Path(folder) / f"{scene}_{'_'.join(map(str, trunk))}.yaml"
-    file.write_text(f"{text}\nbodies:\n  - {{link: {TRUNK}, shift: [{', '.join(map(str, trunk))}]}}\n", encoding="utf-8")
+    # Another thread may be reading it.
+    own = file.with_suffix(f".{threading.get_ident()}")
+    own.write_text(f"{text}\nbodies:\n  - {{link: {TRUNK}, shift: [{', '.join(map(str, trunk))}]}}\n", encoding="utf-8")
+    own.replace(file)
     return file
 
 
