@@ -48,6 +48,14 @@ struct Watch {  // what really happens, seen without the guard
   Kinematics kinematics;
 };
 
+struct RatedMotions {
+  const Model& model = hrp1s();
+  Configuration home = named_posture(model, "half_sitting");
+  SelfCollision exact{model, build_geometry(model, {.balls = false})};
+  Watch watch{model};
+  RatedDrive drive{model};
+};
+
 TEST(Guard, StandingStillIsClearOfMasks) {
   const Model& model = hrp1s();
   Guard guard(model, {});
@@ -263,11 +271,8 @@ TEST(Guard, RandomMotionsNeverTouch) {
 // way would see (6301), appears when what is asked for slows down on one joint alone (435), or when joints
 // that were about to be let go stay held while others go on (6628).
 TEST(Guard, NothingIsPassedOverOnTheWayToRest) {
-  const Model& model = hrp1s();
-  const Configuration home = named_posture(model, "half_sitting");
-  SelfCollision exact(model, build_geometry(model, {.balls = false}));
-  Watch watch(model);
-  RatedDrive drive(model);
+  RatedMotions motions;
+  auto& [model, home, exact, watch, drive] = motions;
   for (const std::int64_t number : {435, 6301, 6628}) {
     const Configuration target = drive.draw_target(exact, home, 1, number);
     Guard guard(model, {});
@@ -289,11 +294,8 @@ TEST(Guard, NothingIsPassedOverOnTheWayToRest) {
 
 // After a report a brake of all is in time: masks that are not proved let two of these motions touch (56, 435).
 TEST(Guard, AfterItsReportABrakeOfAllIsInTime) {
-  const Model& model = hrp1s();
-  const Configuration home = named_posture(model, "half_sitting");
-  SelfCollision exact(model, build_geometry(model, {.balls = false}));
-  Watch watch(model);
-  RatedDrive drive(model);
+  RatedMotions motions;
+  auto& [model, home, exact, watch, drive] = motions;
   std::int64_t all = 0;
   for (const std::size_t k : drive.moved()) all |= std::int64_t{1} << k;
   int forks = 0;
