@@ -49,7 +49,7 @@ TWINBUS_INLINE void lowest_corner(const float* corners, const BlockPiece& piece,
 }
 
 // Are some corners of group g and the shape on two sides of a plane?  far: by more than a margin of
-// `fixed` and, along the plane's normal, of `moves`; separate: at all.  Looks for the plane as Gilbert,
+// `fixed` and, along the plane's normal, of `moves`; separate: at all.  Looks for it as Gilbert,
 // Johnson and Keerthi (1988) do: across the way from zero to the nearest point of what is known of
 // the difference of the two.  Stops when the lanes that are asked are far or cannot be, and with
 // `one` as soon as one of them is seen to touch.
@@ -67,7 +67,7 @@ inline void separate_piece(const BlockRobot& robot, const BlockWork& w, int g,
   Lanes length = all(1e30F);
   Flags meet = {}, open = asked;
   first_normal(shape, middle, n);
-  constexpr int kTurns = 20;  // hardly one in a thousand needs ten
+  constexpr int kTurns = 20;  // fewer than one in a hundred needs more than ten
   for (int turn = 0; turn < kTurns; ++turn) {
     // Of the group, the corner that is lowest along n; of the shape, the highest point.
     Lanes d[3];
@@ -97,7 +97,7 @@ inline void separate_piece(const BlockRobot& robot, const BlockWork& w, int g,
     NearestOfFour nearest;
     nearest_of_four(e, known, nearest);
     const Lanes now = root(dot(nearest.v, nearest.v));
-    // What is nearest so far is no farther than the two are apart.
+    // The two are no farther apart than what is nearest so far.
     meet |= nearest.inside | (now <= least_gap);
     open &= ~meet & (now < length) & ~((now <= fixed) & separate);
     if (!any(open) || (one && any(asked & meet))) return;

@@ -16,7 +16,6 @@ import shutil
 import subprocess
 import sys
 import tempfile
-import threading
 
 import programs
 
@@ -75,18 +74,15 @@ def scene_with(scene, trunk, folder):
     text = (ROOT / f"config/scenes/{scene}.yaml").read_text(encoding="utf-8")
     assert "\nbodies:" not in text
     file = pathlib.Path(folder) / f"{scene}_{'_'.join(map(str, trunk))}.yaml"
-    # Another thread may be reading it.
-    own = file.with_suffix(f".{threading.get_ident()}")
-    own.write_text(f"{text}\nbodies:\n  - {{link: {TRUNK}, shift: [{', '.join(map(str, trunk))}]}}\n", encoding="utf-8")
-    own.replace(file)
+    file.write_text(f"{text}\nbodies:\n  - {{link: {TRUNK}, shift: [{', '.join(map(str, trunk))}]}}\n", encoding="utf-8")
     return file
 
 
-def run(name, scene, seed, folder, robot):
+def run(name, scene, seed, written, folder, robot):
     """(name, scene, seed, whether it passed, figures, what failed)."""
     row = ROWS[name]
     report = tempfile.mktemp(suffix=".json", dir=folder)
-    words = [twinbus(), "run", scene_with(scene, row.trunk, folder), "--seed", str(seed), "--report", report]
+    words = [twinbus(), "run", written, "--seed", str(seed), "--report", report]
     words += ["--robot", robot] if row.estimated else []
     for key, value in row.settings.items():
         words += ["--set", f"{key}={value}"]
@@ -113,9 +109,11 @@ def main():
     bad, lines = 0, []
     with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(2) as pool:
         robot = robot_that_estimates(folder)
+        # Written before any runs: many read the same one.
+        written = {(name, scene): scene_with(scene, ROWS[name].trunk, folder) for name in rows for scene in scenes}
         jobs = [(name, scene, seed) for name in rows for scene in scenes for seed in range(1, given.seeds + 1)]
         print(f"{'':20} {'scene':13} seed {'':6}" + "".join(f"{title:>14}" for title in FIGURES))
-        for name, scene, seed, passed, figures, failed in pool.map(lambda job: run(*job, folder, robot), jobs):
+        for name, scene, seed, passed, figures, failed in pool.map(lambda job: run(*job, written[job[:2]], folder, robot), jobs):
             bad += not passed
             values = [figures.get(key) for key in FIGURES.values()]
             text = "".join(f"{'' if value is None else f'{value:.1f}':>14}" for value in values)
