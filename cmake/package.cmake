@@ -44,4 +44,4 @@ configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/twinbusConfig.cmake.in
   ${PROJECT_BINARY_DIR}/twinbusConfig.cmake INSTALL_DESTINATION ${package_dir})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/twinbusConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/twinbusConfig.cmake ${PROJECT_BINARY_DIR}/twinbusConfigVersion.cmake
-  ${CMAKE_CURRENT_LIST_DIR}/FindLCM.cmake DESTINATION ${package_dir} COMPONENT development)
+  ${CMAKE_CURRENT_LIST_DIR}/FindLCM.cmake ${CMAKE_CURRENT_LIST_DIR}/libraries.cmake DESTINATION ${package_dir} COMPONENT development)

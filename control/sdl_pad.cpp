@@ -1,6 +1,6 @@
 #include "control/sdl_pad.h"
 
-#include <SDL2/SDL.h>
+#include <SDL.h>
 
 #include <cstdio>
 #include <stdexcept>
