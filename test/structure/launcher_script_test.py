@@ -33,9 +33,11 @@ class Script(unittest.TestCase):
         # configures and builds a program that says what it was given
         executable(self.bin / "cmake", f"""#!/bin/sh
 echo cmake "$@" >>{self.calls}
-mkdir -p build/release/bin; touch build/release/build.ninja
-printf '#!/bin/sh\\necho program "$@"\\n' >build/release/bin/twinbus; chmod +x build/release/bin/twinbus
+case $1 in --preset) build=$4; mkdir -p "$build/bin"; touch "$build/build.ninja";; --build) build=$2;; esac
+printf '#!/bin/sh\\necho program "$@"\\n' >"$build/bin/twinbus"; chmod +x "$build/bin/twinbus"
 """)
+        for program in ("ninja", "c++"):
+            executable(self.bin / program, "#!/bin/sh\nexit 1\n")
         self.packages("there  a reason\n")
 
     def tearDown(self):
@@ -44,8 +46,8 @@ printf '#!/bin/sh\\necho program "$@"\\n' >build/release/bin/twinbus; chmod +x b
     def packages(self, text):
         (self.root / "config" / "packages.txt").write_text("# comment\n" + text)
 
-    def run_script(self, *words):
-        environment = dict(os.environ, PATH=f"{self.bin}:{os.environ['PATH']}")
+    def run_script(self, *words, **settings):
+        environment = dict(os.environ, **{"PATH": f"{self.bin}:{os.environ['PATH']}", **settings})
         environment.pop("TWINBUS_NO_INSTALL", None)
         return subprocess.run([self.root / "twinbus", *words], capture_output=True, text=True, env=environment,
                               stdin=subprocess.DEVNULL, timeout=60)
@@ -85,6 +87,67 @@ printf '#!/bin/sh\\necho program "$@"\\n' >build/release/bin/twinbus; chmod +x b
         self.assertIn("apt-get install gone", done.stderr)
         self.assertEqual(self.said(), "")
 
+    def test_an_account_without_root_gets_one_sentence_to_pass_on(self):
+        self.packages("there  a\ngone  b\nother  c\n")
+        executable(self.bin / "id", "#!/bin/sh\necho 1000\n")
+        executable(self.bin / "sudo", "#!/bin/sh\nexit 1\n")
+        done = self.run_script("up")
+        self.assertEqual((done.returncode, done.stdout), (1, ""))
+        self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+        self.assertIn("administrator to run: apt-get install gone other", done.stderr)
+        self.assertEqual(self.said(), "")
+        # What it can do without is no reason to stop.
+        self.packages("there  a\nany?: window  d\n")
+        done = self.run_script("up")
+        self.assertEqual((done.returncode, done.stdout), (0, "program up\n"), done.stderr)
+        self.assertIn("goes on without window", done.stderr)
+
+    def test_packages_of_one_distribution_only(self):
+        release = self.root / "os-release"
+        self.packages("there  a\ngone [debian]  b\nother [!debian-13]  c\nspy: window [ubuntu-24.04 debian-13]  d\n")
+        for text, wanted in (("ID=debian\nVERSION_ID=\"13\"\n", "gone window"), ("ID=ubuntu\nVERSION_ID=22.04\n", "other"),
+                             ("ID=ubuntu\nVERSION_ID=24.04\n", "other window"), ("ID=debian\nVERSION_ID=12\n", "gone other")):
+            release.write_text(text)
+            done = self.run_script("--no-install", "spy", TWINBUS_OS_RELEASE=str(release))
+            self.assertTrue(done.stderr.endswith(f"apt-get install {wanted}\n"), (text, done.stderr))
+
+    def test_builds_elsewhere(self):
+        elsewhere = self.root / "else where"
+        done = self.run_script("up", TWINBUS_BUILDS=str(elsewhere))
+        self.assertEqual((done.returncode, done.stdout), (0, "program up\n"), done.stderr)
+        self.assertTrue((elsewhere / "release" / "bin" / "twinbus").exists())
+        self.assertFalse((self.root / "build").exists())
+
+    def test_what_cannot_be_written_is_one_sentence_with_the_remedy(self):
+        done = self.run_script("up", TWINBUS_BUILDS="/proc/nothing/here")
+        self.assertEqual((done.returncode, done.stdout, done.stderr.count("\n")), (1, "", 1), done.stderr)
+        self.assertIn("TWINBUS_BUILDS=", done.stderr)
+
+    def test_a_missing_program_is_named_with_its_package(self):
+        (self.bin / "ninja").unlink()
+        done = self.run_script("up", PATH=f"{self.bin}:{self.tools_without('ninja', 'ctest')}")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("apt-get install ninja-build", done.stderr)
+
+    def tools_without(self, *names):
+        folder = self.root / "tools"
+        folder.mkdir()
+        for place in ("/usr/bin", "/bin"):
+            for tool in pathlib.Path(place).iterdir():
+                if tool.name not in names and not (folder / tool.name).exists():
+                    (folder / tool.name).symlink_to(tool)
+        return folder
+
+    def test_the_newest_clang_that_makes_fuzzers_is_taken(self):
+        for number, works in ((97, True), (98, True), (99, False)):
+            executable(self.bin / f"clang++-{number}", f"#!/bin/sh\ncat >/dev/null; exit {0 if works else 1}\n")
+        executable(self.bin / "ctest", "#!/bin/sh\necho 100% tests passed, 0 tests failed out of 1\n")
+        (self.root / "CMakePresets.json").write_text('{"testPresets": [{"name": "release"}, {"name": "asan"}, {"name": "tsan"},'
+                                                     ' {"name": "fuzz", "filter": {"include": {"label": "fuzz"}}}]}')
+        self.run_script("test")
+        self.assertIn("clang++-98", self.said())
+        self.assertNotIn("clang++-99", self.said())
+
     def test_a_stop_never_waits_for_a_build(self):
         self.run_script("up")
         self.calls.unlink()
@@ -99,8 +162,8 @@ printf '#!/bin/sh\\necho program "$@"\\n' >build/release/bin/twinbus; chmod +x b
         self.assertEqual(self.run_script("env").stdout, "program env\n")
 
     def test_a_build_that_fails_is_one_line_and_exit_status_1(self):
-        executable(self.bin / "cmake", "#!/bin/sh\nmkdir -p build/release; touch build/release/build.ninja\n"
-                                       "case $1 in --build) echo error: no such thing; exit 1;; esac\n")
+        executable(self.bin / "cmake", "#!/bin/sh\ncase $1 in --build) echo error: no such thing; exit 1;; esac\n"
+                                       "mkdir -p $4; touch $4/build.ninja\n")
         done = self.run_script("up")
         self.assertEqual(done.returncode, 1)
         self.assertIn("no such thing", done.stderr)
