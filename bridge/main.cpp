@@ -4,11 +4,11 @@
 
 #include <cstdio>
 
-#include "bridge/adaptor_host.h"
-#include "bridge/source_main.h"
-#include "bridge/threaded_adaptor.h"
-#include "robot/load.h"
-#include "robot/process.h"
+#include "bridge/adaptor/adaptor_host.h"
+#include "bridge/source/source_main.h"
+#include "bridge/adaptor/threaded_adaptor.h"
+#include "robot/description/load.h"
+#include "common/process/process.h"
 
 namespace twinbus {
 namespace {

@@ -3,7 +3,7 @@
 #   find_package(twinbus REQUIRED)        # -DCMAKE_PREFIX_PATH=P
 #   target_link_libraries(mine PRIVATE twinbus::robot twinbus::sim twinbus::planner twinbus::lcmtypes)
 #
-# Headers are included as in the tree, "robot/model.h".  The robots are in P/share/twinbus/config: set TWINBUS_CONFIG to it.
+# Headers are included as in the tree, "robot/description/model.h".  The robots are in P/share/twinbus/config: set TWINBUS_CONFIG to it.
 
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)

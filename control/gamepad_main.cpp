@@ -12,17 +12,17 @@
 #include <memory>
 #include <string>
 
-#include "control/hand_target.h"
-#include "control/raw_terminal.h"
-#include "control/sdl_pad.h"
-#include "control/teleop.h"
-#include "lcmtypes/bus.h"
-#include "lcmtypes/channels.h"
-#include "robot/estimator.h"
-#include "robot/load.h"
-#include "robot/options.h"
-#include "robot/process.h"
-#include "robot/state_admission.h"
+#include "control/teleop/hand_target.h"
+#include "control/teleop/raw_terminal.h"
+#include "control/teleop/sdl_pad.h"
+#include "control/teleop/teleop.h"
+#include "lcmtypes/bus/bus.h"
+#include "lcmtypes/bus/channels.h"
+#include "robot/estimation/estimator.h"
+#include "robot/description/load.h"
+#include "common/process/options.h"
+#include "common/process/process.h"
+#include "lcmtypes/msg/state_admission.h"
 
 using namespace twinbus;
 

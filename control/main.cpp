@@ -12,18 +12,18 @@
 #include <string>
 #include <vector>
 
-#include "control/control_loop.h"
-#include "lcmtypes/bus.h"
-#include "lcmtypes/channels.h"
-#include "robot/journal.h"
-#include "robot/load.h"
-#include "robot/loop_joints.h"
-#include "robot/missed_ticks.h"
-#include "robot/obstacle_collector.h"
-#include "robot/options.h"
-#include "robot/process.h"
-#include "robot/pulse.h"
-#include "robot/state_admission.h"
+#include "control/loop/control_loop.h"
+#include "lcmtypes/bus/bus.h"
+#include "lcmtypes/bus/channels.h"
+#include "lcmtypes/msg/journal.h"
+#include "robot/description/load.h"
+#include "robot/collision/loop_joints.h"
+#include "lcmtypes/node/missed_ticks.h"
+#include "robot/collision/obstacle_collector.h"
+#include "common/process/options.h"
+#include "common/process/process.h"
+#include "lcmtypes/node/pulse.h"
+#include "lcmtypes/msg/state_admission.h"
 #include "test/no_alloc.h"
 
 namespace twinbus {

@@ -5,22 +5,22 @@
 #include <string>
 #include <vector>
 
-#include "launcher/arguments.h"
-#include "launcher/check.h"
-#include "launcher/doctor.h"
-#include "launcher/log_command.h"
-#include "launcher/operate.h"
-#include "launcher/reach.h"
-#include "launcher/restart.h"
-#include "launcher/run.h"
-#include "launcher/scenes.h"
-#include "launcher/status.h"
-#include "launcher/switch_source.h"
-#include "launcher/tools.h"
-#include "launcher/up.h"
-#include "launcher/walk.h"
-#include "robot/disk_cache.h"
-#include "robot/nearest.h"
+#include "common/process/arguments.h"
+#include "launcher/check/check.h"
+#include "launcher/operate/doctor.h"
+#include "launcher/log/log_command.h"
+#include "launcher/operate/operate.h"
+#include "launcher/operate/reach.h"
+#include "launcher/up/restart.h"
+#include "launcher/run/run.h"
+#include "launcher/run/scenes.h"
+#include "launcher/operate/status.h"
+#include "launcher/operate/switch_source.h"
+#include "launcher/operate/tools.h"
+#include "launcher/up/up.h"
+#include "launcher/operate/walk.h"
+#include "common/file/disk_cache.h"
+#include "common/text/closest_name.h"
 
 using namespace twinbus;
 

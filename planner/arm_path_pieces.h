@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "planner/arm_planner.h"
-#include "robot/requests.h"
+#include "lcmtypes/msg/requests.h"
 
 namespace twinbus {
 

@@ -5,14 +5,14 @@
 #include <cstddef>
 #include <cstdio>
 
-#include "planner/arm_lines.h"
-#include "planner/edge_check.h"
-#include "planner/motion_effort.h"
-#include "planner/random.h"
-#include "planner/shorten.h"
-#include "robot/index.h"
-#include "robot/inverse_kinematics.h"
-#include "robot/loop_joints.h"
+#include "planner/search/arm_lines.h"
+#include "planner/search/edge_check.h"
+#include "planner/timing/motion_effort.h"
+#include "common/math/splitmix64.h"
+#include "planner/search/shorten.h"
+#include "common/math/index.h"
+#include "robot/kinematics/inverse_kinematics.h"
+#include "robot/collision/loop_joints.h"
 
 namespace twinbus {
 

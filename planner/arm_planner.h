@@ -10,12 +10,12 @@
 #include <string>
 #include <vector>
 
-#include "planner/block_robot.h"
-#include "planner/path_timing.h"
-#include "robot/collision.h"
-#include "robot/kinematics.h"
-#include "robot/model.h"
-#include "robot/requests.h"
+#include "planner/batch/robot.h"
+#include "planner/timing/path_timing.h"
+#include "robot/collision/collision.h"
+#include "robot/kinematics/kinematics.h"
+#include "robot/description/model.h"
+#include "lcmtypes/msg/requests.h"
 
 namespace twinbus {
 

@@ -11,18 +11,18 @@
 #include <string>
 #include <vector>
 
-#include "lcmtypes/bus.h"
-#include "lcmtypes/channels.h"
+#include "lcmtypes/bus/bus.h"
+#include "lcmtypes/bus/channels.h"
 #include "planner/arm_path_pieces.h"
 #include "planner/plan_worker.h"
-#include "robot/estimator.h"
-#include "robot/load.h"
-#include "robot/loop_joints.h"
-#include "robot/obstacle_collector.h"
-#include "robot/options.h"
-#include "robot/process.h"
-#include "robot/pulse.h"
-#include "robot/state_admission.h"
+#include "robot/estimation/estimator.h"
+#include "robot/description/load.h"
+#include "robot/collision/loop_joints.h"
+#include "robot/collision/obstacle_collector.h"
+#include "common/process/options.h"
+#include "common/process/process.h"
+#include "lcmtypes/node/pulse.h"
+#include "lcmtypes/msg/state_admission.h"
 #include "test/no_alloc.h"
 
 namespace twinbus {

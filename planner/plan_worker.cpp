@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "robot/process.h"
+#include "common/process/process.h"
 
 namespace twinbus {
 

@@ -10,8 +10,8 @@
 #include <memory>
 
 #include "bridge/adaptors/emulated_robot/protocol.h"
-#include "robot/model.h"
-#include "sim/scene.h"
+#include "robot/description/model.h"
+#include "sim/scene/scene.h"
 #include "sim/sim_adaptor.h"
 
 namespace twinbus {

@@ -10,11 +10,11 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "robot/load.h"
-#include "robot/options.h"
-#include "robot/process.h"
+#include "robot/description/load.h"
+#include "common/process/options.h"
+#include "common/process/process.h"
 #include "sim/emulated_robot.h"
-#include "sim/settings.h"
+#include "sim/scene/settings.h"
 
 namespace twinbus {
 namespace {

@@ -3,14 +3,14 @@
 #include <cstdio>
 #include <stdexcept>
 
-#include "bridge/source_main.h"
-#include "robot/load.h"
-#include "robot/options.h"
-#include "robot/process.h"
-#include "sim/obstacle_pieces.h"
-#include "sim/scene.h"
-#include "sim/scene_seed.h"
-#include "sim/settings.h"
+#include "bridge/source/source_main.h"
+#include "robot/description/load.h"
+#include "common/process/options.h"
+#include "common/process/process.h"
+#include "sim/scene/obstacle_pieces.h"
+#include "sim/scene/scene.h"
+#include "sim/scene/scene_seed.h"
+#include "sim/scene/settings.h"
 #include "sim/sim_adaptor.h"
 
 namespace twinbus {

@@ -5,17 +5,17 @@
 #include <cstdio>
 #include <optional>
 
-#include "robot/dynamics.h"
-#include "robot/process.h"
-#include "sim/loose_pieces.h"
-#include "sim/scene_robots.h"
-#include "sim/scene_seed.h"
-#include "sim/scene_ties.h"
-#include "sim/sensors.h"
-#include "sim/settings.h"
-#include "sim/standing.h"
-#include "sim/truth.h"
-#include "sim/world.h"
+#include "robot/dynamics/inverse_dynamics.h"
+#include "common/process/process.h"
+#include "sim/scene/rigid_object_pieces.h"
+#include "sim/scene/scene_robots.h"
+#include "sim/scene/scene_seed.h"
+#include "sim/scene/scene_ties.h"
+#include "sim/scene/sensors.h"
+#include "sim/scene/settings.h"
+#include "sim/world/static_equilibrium.h"
+#include "sim/world/truth.h"
+#include "sim/world/world.h"
 
 namespace twinbus {
 

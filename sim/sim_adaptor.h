@@ -4,8 +4,8 @@
 
 #include <memory>
 
-#include "bridge/adaptor.h"
-#include "sim/scene.h"
+#include "bridge/adaptor/adaptor.h"
+#include "sim/scene/scene.h"
 
 namespace twinbus {
 

@@ -7,7 +7,7 @@
 #include <map>
 #include <utility>
 
-#include "robot/mesh_file.h"
+#include "geometry/mesh/mesh_file.h"
 
 namespace twinbus::test {
 

@@ -17,20 +17,20 @@
 #include <string>
 #include <vector>
 
-#include "robot/load.h"
-#include "robot/options.h"
-#include "robot/process.h"
-#include "viewer_log/frame.h"
-#include "viewer_log/log_feed_main.h"
-#include "viewer_log/log_shelf.h"
-#include "viewer_log/log_view.h"
-#include "viewer_log/mark_scan.h"
-#include "viewer_log/page_request.h"
-#include "viewer_log/replay_frame.h"
-#include "viewer_log/replay_request.h"
-#include "viewer_log/scene_frame.h"
-#include "viewer_log/signals.h"
-#include "viewer_log/web_server.h"
+#include "robot/description/load.h"
+#include "common/process/options.h"
+#include "common/process/process.h"
+#include "viewer_log/view/frame.h"
+#include "viewer_log/view/log_feed_main.h"
+#include "viewer_log/log/log_library.h"
+#include "viewer_log/view/log_view.h"
+#include "viewer_log/log/mark_scan.h"
+#include "viewer_log/server/page_request.h"
+#include "viewer_log/view/replay_frame.h"
+#include "viewer_log/server/replay_request.h"
+#include "viewer_log/view/scene_frame.h"
+#include "viewer_log/view/signals.h"
+#include "viewer_log/server/web_server.h"
 
 using namespace twinbus;
 

@@ -10,16 +10,16 @@
 #include <string>
 #include <vector>
 
-#include "lcmtypes/bus.h"
-#include "lcmtypes/channels.h"
-#include "robot/memory_order.h"
-#include "robot/options.h"
-#include "robot/process.h"
-#include "robot/pulse.h"
-#include "robot/time_name.h"
-#include "viewer_log/gap_meter.h"
-#include "viewer_log/message_schema.h"
-#include "viewer_log/recorder.h"
+#include "lcmtypes/bus/bus.h"
+#include "lcmtypes/bus/channels.h"
+#include "common/process/oom_priority.h"
+#include "common/process/options.h"
+#include "common/process/process.h"
+#include "lcmtypes/node/pulse.h"
+#include "common/time/time_name.h"
+#include "viewer_log/view/gap_meter.h"
+#include "viewer_log/log/message_schema.h"
+#include "viewer_log/log/recorder.h"
 
 namespace twinbus {
 namespace {

@@ -14,13 +14,13 @@
 #include <stdexcept>
 #include <string>
 
-#include "bridge/source_main.h"
-#include "lcmtypes/bus.h"
-#include "lcmtypes/channels.h"
-#include "robot/load.h"
-#include "robot/options.h"
-#include "robot/process.h"
-#include "viewer_log/log_player.h"
+#include "bridge/source/source_main.h"
+#include "lcmtypes/bus/bus.h"
+#include "lcmtypes/bus/channels.h"
+#include "robot/description/load.h"
+#include "common/process/options.h"
+#include "common/process/process.h"
+#include "viewer_log/log/log_player.h"
 
 namespace twinbus {
 namespace {

@@ -22,9 +22,9 @@
 #include <string>
 #include <vector>
 
-#include "lcmtypes/bus.h"
-#include "lcmtypes/channels.h"
-#include "robot/process.h"
+#include "lcmtypes/bus/bus.h"
+#include "lcmtypes/bus/channels.h"
+#include "common/process/process.h"
 #include "test/lcmtypes/samples.h"
 #include "twinbus/joint_command_t.hpp"
 #include "twinbus/robot_state_t.hpp"

@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "robot/index.h"
-#include "robot/load.h"
+#include "common/math/index.h"
+#include "robot/description/load.h"
 
 namespace twinbus {
 

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "robot/kinematics.h"
-#include "robot/model.h"
-#include "robot/process.h"
+#include "robot/kinematics/kinematics.h"
+#include "robot/description/model.h"
+#include "common/process/process.h"
 
 namespace twinbus {
 

@@ -12,18 +12,18 @@
 #include <string>
 #include <vector>
 
-#include "bridge/source.h"
-#include "control/control_loop.h"
-#include "control/guard.h"
-#include "control/teleop.h"
+#include "bridge/source/source.h"
+#include "control/loop/control_loop.h"
+#include "control/guard/guard.h"
+#include "control/teleop/teleop.h"
 #include "planner/arm_path_pieces.h"
 #include "planner/arm_planner.h"
-#include "robot/estimator.h"
-#include "robot/load.h"
-#include "robot/options.h"
-#include "robot/process.h"
-#include "robot/rate_stats.h"
-#include "sim/scene.h"
+#include "robot/estimation/estimator.h"
+#include "robot/description/load.h"
+#include "common/process/options.h"
+#include "common/process/process.h"
+#include "common/time/latency_histogram.h"
+#include "sim/scene/scene.h"
 #include "sim/sim_adaptor.h"
 #include "test/no_alloc.h"
 

@@ -16,7 +16,7 @@
 #include <numeric>
 #include <vector>
 
-#include "robot/process.h"
+#include "common/process/process.h"
 
 namespace twinbus::test {
 

@@ -16,13 +16,13 @@
 #include <string>
 #include <vector>
 
-#include "robot/collision.h"
-#include "robot/geometry.h"
-#include "robot/hull_distances.h"
-#include "robot/index.h"
-#include "robot/kinematics.h"
-#include "robot/mesh_distance.h"
-#include "robot/options.h"
+#include "robot/collision/collision.h"
+#include "robot/collision/links/link_geometry.h"
+#include "robot/collision/hull_distances.h"
+#include "common/math/index.h"
+#include "robot/kinematics/kinematics.h"
+#include "geometry/distance/mesh_distance.h"
+#include "common/process/options.h"
 #include "test/bench/collision_cases.h"
 #include "test/bench/core_alone.h"
 #include "test/no_alloc.h"

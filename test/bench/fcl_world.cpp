@@ -7,8 +7,8 @@
 #include <fcl/narrowphase/collision.h>
 #include <fcl/narrowphase/collision_object.h>
 
-#include "robot/geometry.h"
-#include "robot/kinematics.h"
+#include "robot/collision/links/link_geometry.h"
+#include "robot/kinematics/kinematics.h"
 
 namespace twinbus {
 

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "robot/model.h"
+#include "robot/description/model.h"
 #include "test/bench/planner_problems.h"
 
 namespace twinbus {

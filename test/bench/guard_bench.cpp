@@ -13,13 +13,13 @@
 #include <string>
 #include <vector>
 
-#include "control/guard.h"
-#include "robot/collision.h"
-#include "robot/index.h"
-#include "robot/load.h"
-#include "robot/options.h"
-#include "robot/process.h"
-#include "robot/rate_stats.h"
+#include "control/guard/guard.h"
+#include "robot/collision/collision.h"
+#include "common/math/index.h"
+#include "robot/description/load.h"
+#include "common/process/options.h"
+#include "common/process/process.h"
+#include "common/time/latency_histogram.h"
 #include "test/no_alloc.h"
 
 using namespace twinbus;

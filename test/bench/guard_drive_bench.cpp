@@ -13,11 +13,11 @@
 #include <string>
 #include <vector>
 
-#include "robot/geometry.h"
-#include "robot/index.h"
-#include "robot/options.h"
-#include "robot/rate_stats.h"
-#include "robot/self_collision.h"
+#include "robot/collision/links/link_geometry.h"
+#include "common/math/index.h"
+#include "common/process/options.h"
+#include "common/time/latency_histogram.h"
+#include "robot/collision/exact/self_collision.h"
 #include "test/bench/core_alone.h"
 #include "test/collision/guard_rig.h"
 #include "test/collision/rated_drive.h"

@@ -16,15 +16,15 @@
 #include <string>
 #include <vector>
 
-#include "control/guard.h"
-#include "robot/geometry.h"
-#include "robot/index.h"
-#include "robot/load.h"
-#include "robot/options.h"
-#include "robot/pair_proof.h"
-#include "robot/process.h"
-#include "robot/rate_stats.h"
-#include "robot/self_collision.h"
+#include "control/guard/guard.h"
+#include "robot/collision/links/link_geometry.h"
+#include "common/math/index.h"
+#include "robot/description/load.h"
+#include "common/process/options.h"
+#include "robot/collision/exact/pair_proof.h"
+#include "common/process/process.h"
+#include "common/time/latency_histogram.h"
+#include "robot/collision/exact/self_collision.h"
 
 using namespace twinbus;
 

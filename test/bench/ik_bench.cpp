@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "robot/anatomy.h"
-#include "robot/inverse_kinematics.h"
-#include "robot/load.h"
-#include "robot/options.h"
-#include "robot/pose_math.h"
-#include "robot/process.h"
-#include "robot/rate_stats.h"
+#include "robot/onboarding/anatomy.h"
+#include "robot/kinematics/inverse_kinematics.h"
+#include "robot/description/load.h"
+#include "common/process/options.h"
+#include "common/math/pose_math.h"
+#include "common/process/process.h"
+#include "common/time/latency_histogram.h"
 
 using namespace twinbus;
 

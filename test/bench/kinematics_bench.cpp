@@ -8,16 +8,16 @@
 #include <string>
 #include <vector>
 
-#include "robot/dynamics.h"
-#include "robot/estimator.h"
-#include "robot/forward_dynamics.h"
-#include "robot/inverse_kinematics.h"
-#include "robot/kinematics.h"
-#include "robot/load.h"
-#include "robot/mass_matrix.h"
-#include "robot/options.h"
-#include "robot/process.h"
-#include "robot/rate_stats.h"
+#include "robot/dynamics/inverse_dynamics.h"
+#include "robot/estimation/estimator.h"
+#include "robot/dynamics/forward_dynamics.h"
+#include "robot/kinematics/inverse_kinematics.h"
+#include "robot/kinematics/kinematics.h"
+#include "robot/description/load.h"
+#include "robot/dynamics/mass_matrix.h"
+#include "common/process/options.h"
+#include "common/process/process.h"
+#include "common/time/latency_histogram.h"
 
 using namespace twinbus;
 

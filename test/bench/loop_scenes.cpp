@@ -5,9 +5,9 @@
 #include <limits>
 #include <stdexcept>
 
-#include "robot/index.h"
-#include "robot/load.h"
-#include "sim/standing.h"
+#include "common/math/index.h"
+#include "robot/description/load.h"
+#include "sim/world/static_equilibrium.h"
 
 namespace twinbus {
 

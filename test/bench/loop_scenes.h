@@ -5,9 +5,9 @@
 
 #include <string>
 
-#include "robot/kinematics.h"
-#include "robot/model.h"
-#include "sim/world.h"
+#include "robot/kinematics/kinematics.h"
+#include "robot/description/model.h"
+#include "sim/world/world.h"
 
 namespace twinbus {
 

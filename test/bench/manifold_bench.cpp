@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/contact/manifold.h"
+#include "geometry/mesh_contact/manifold.h"
 #include "test/contact_shapes.h"
 
 namespace twinbus {

@@ -27,10 +27,10 @@
 #include <string>
 #include <vector>
 
-#include "robot/dynamics.h"
-#include "robot/process.h"
-#include "sim/articulated_world.h"
-#include "sim/random.h"
+#include "robot/dynamics/inverse_dynamics.h"
+#include "common/process/process.h"
+#include "sim/engine/articulated_world.h"
+#include "common/math/random.h"
 #include "test/bench/core_alone.h"
 #include "test/bench/physics_scenes.h"
 

@@ -16,9 +16,9 @@
 #include <string>
 
 #include "loop_scenes.h"
-#include "robot/energy.h"
-#include "robot/index.h"
-#include "sim/articulated_world.h"
+#include "robot/dynamics/energy.h"
+#include "common/math/index.h"
+#include "sim/engine/articulated_world.h"
 
 namespace {
 

@@ -18,10 +18,10 @@
 #include <stdexcept>
 #include <string>
 
-#include "robot/index.h"
-#include "robot/load.h"
-#include "sim/articulated_world.h"
-#include "sim/other_robot.h"
+#include "common/math/index.h"
+#include "robot/description/load.h"
+#include "sim/engine/articulated_world.h"
+#include "sim/world/other_robot.h"
 
 namespace {
 

@@ -6,9 +6,9 @@
 #include <limits>
 #include <stdexcept>
 
-#include "robot/dynamics.h"
-#include "robot/load.h"
-#include "sim/standing.h"
+#include "robot/dynamics/inverse_dynamics.h"
+#include "robot/description/load.h"
+#include "sim/world/static_equilibrium.h"
 
 namespace twinbus {
 

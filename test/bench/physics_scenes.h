@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "robot/kinematics.h"
-#include "robot/model.h"
-#include "sim/world.h"
+#include "robot/kinematics/kinematics.h"
+#include "robot/description/model.h"
+#include "sim/world/world.h"
 
 namespace twinbus {
 

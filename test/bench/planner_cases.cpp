@@ -9,8 +9,8 @@
 #include <exception>
 #include <string>
 
-#include "planner/certain_path.h"
-#include "robot/load.h"
+#include "planner/search/certain_path.h"
+#include "robot/description/load.h"
 #include "test/bench/planner_problems.h"
 
 namespace twinbus {

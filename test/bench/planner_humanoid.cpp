@@ -14,11 +14,11 @@
 #include <exception>
 #include <string>
 
-#include "planner/certain_path.h"
-#include "planner/random.h"
-#include "robot/collision_pairs.h"
-#include "robot/index.h"
-#include "robot/load.h"
+#include "planner/search/certain_path.h"
+#include "common/math/splitmix64.h"
+#include "robot/collision/collision_pairs.h"
+#include "common/math/index.h"
+#include "robot/description/load.h"
 
 namespace twinbus {
 namespace {

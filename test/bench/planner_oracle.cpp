@@ -11,7 +11,7 @@
 #include <iostream>
 #include <sstream>
 
-#include "robot/load.h"
+#include "robot/description/load.h"
 #include "test/bench/fcl_world.h"
 
 namespace twinbus {

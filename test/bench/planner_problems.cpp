@@ -7,8 +7,8 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "robot/srdf.h"
-#include "robot/urdf.h"
+#include "robot/description/srdf.h"
+#include "robot/description/urdf.h"
 
 namespace twinbus {
 

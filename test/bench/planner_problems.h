@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "planner/block_robot.h"
-#include "planner/block_scene.h"
-#include "planner/joint_search.h"
+#include "planner/batch/robot.h"
+#include "planner/batch/scene.h"
+#include "planner/search/rrt_connect.h"
 
 namespace twinbus {
 

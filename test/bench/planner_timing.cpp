@@ -17,10 +17,10 @@
 #include <sstream>
 #include <string>
 
-#include "planner/motion_effort.h"
-#include "planner/path_timing.h"
-#include "robot/index.h"
-#include "robot/load.h"
+#include "planner/timing/motion_effort.h"
+#include "planner/timing/path_timing.h"
+#include "common/math/index.h"
+#include "robot/description/load.h"
 
 namespace twinbus {
 namespace {

@@ -8,8 +8,8 @@
 #include <fstream>
 #include <string>
 
-#include "robot/load.h"
-#include "robot/process.h"
+#include "robot/description/load.h"
+#include "common/process/process.h"
 #include "test/control/sim_rig.h"
 
 namespace twinbus {

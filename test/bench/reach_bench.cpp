@@ -20,13 +20,13 @@
 #include <optional>
 #include <string>
 
-#include "launcher/one_process.h"
-#include "launcher/reach_progress.h"
-#include "planner/random.h"
-#include "robot/geometry.h"
-#include "robot/index.h"
-#include "robot/options.h"
-#include "robot/self_collision.h"
+#include "launcher/run/local_stack.h"
+#include "launcher/operate/reach_progress.h"
+#include "common/math/splitmix64.h"
+#include "robot/collision/links/link_geometry.h"
+#include "common/math/index.h"
+#include "common/process/options.h"
+#include "robot/collision/exact/self_collision.h"
 #include "test/collision/postures.h"
 
 namespace twinbus {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "robot/robot_io.h"
+#include "lcmtypes/msg/robot_io.h"
 
 namespace twinbus {
 

@@ -16,9 +16,9 @@
 #include <utility>
 #include <vector>
 
-#include "bridge/source.h"
-#include "control/control_loop.h"
-#include "robot/state_admission.h"
+#include "bridge/source/source.h"
+#include "control/loop/control_loop.h"
+#include "lcmtypes/msg/state_admission.h"
 #include "sim/emulated_robot.h"
 #include "sim/sim_adaptor.h"
 

@@ -16,10 +16,10 @@
 #include <string>
 #include <vector>
 
-#include "control/walk.h"
-#include "robot/load.h"
-#include "robot/process.h"
-#include "sim/scene_seed.h"
+#include "control/walk/walk.h"
+#include "robot/description/load.h"
+#include "common/process/process.h"
+#include "sim/scene/scene_seed.h"
 #include "test/bench/core_alone.h"
 #include "test/control/hrp1s.h"
 #include "test/control/sim_rig.h"

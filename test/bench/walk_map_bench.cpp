@@ -19,10 +19,10 @@
 #include <cstdlib>
 #include <string>
 
-#include "control/walk.h"
-#include "robot/dynamics.h"
-#include "robot/load.h"
-#include "robot/process.h"
+#include "control/walk/walk.h"
+#include "robot/dynamics/inverse_dynamics.h"
+#include "robot/description/load.h"
+#include "common/process/process.h"
 #include "test/control/sim_rig.h"
 
 namespace twinbus {

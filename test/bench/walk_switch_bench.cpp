@@ -14,9 +14,9 @@
 #include <random>
 #include <string>
 
-#include "control/walk.h"
-#include "robot/load.h"
-#include "robot/process.h"
+#include "control/walk/walk.h"
+#include "robot/description/load.h"
+#include "common/process/process.h"
 #include "test/bench/tilt.h"
 #include "test/bench/two_sources.h"
 #include "test/bench/walk_switch_engines.h"

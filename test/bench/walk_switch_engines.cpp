@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <limits>
 
-#include "control/walk.h"
+#include "control/walk/walk.h"
 #include "test/bench/tilt.h"
 #include "test/bench/two_sources.h"
 

@@ -2,7 +2,7 @@
 
 #pragma once
 
-#include "robot/model.h"
+#include "robot/description/model.h"
 
 namespace twinbus {
 

@@ -9,11 +9,11 @@
 #include <ctime>
 #include <string>
 
-#include "control/guard.h"
-#include "robot/estimator.h"
-#include "robot/load.h"
-#include "robot/pose_math.h"
-#include "robot/process.h"
+#include "control/guard/guard.h"
+#include "robot/estimation/estimator.h"
+#include "robot/description/load.h"
+#include "common/math/pose_math.h"
+#include "common/process/process.h"
 #include "test/control/sim_rig.h"
 
 namespace twinbus {

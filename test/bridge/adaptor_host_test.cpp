@@ -1,4 +1,4 @@
-#include "bridge/adaptor_host.h"
+#include "bridge/adaptor/adaptor_host.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "bridge/blend.h"
+#include "bridge/gate/blend.h"
 
 #include <gtest/gtest.h>
 

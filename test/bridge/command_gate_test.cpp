@@ -1,4 +1,4 @@
-#include "bridge/command_gate.h"
+#include "bridge/gate/command_gate.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "bridge/handover.h"
+#include "bridge/handover/handover.h"
 
 #include <gtest/gtest.h>
 

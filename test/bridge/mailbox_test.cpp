@@ -1,4 +1,4 @@
-#include "bridge/mailbox.h"
+#include "bridge/adaptor/mailbox.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "bridge/model_text.h"
+#include "bridge/source/model_text.h"
 
 #include <gtest/gtest.h>
 

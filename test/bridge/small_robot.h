@@ -3,8 +3,8 @@
 
 #pragma once
 
-#include "bridge/adaptor.h"
-#include "robot/model.h"
+#include "bridge/adaptor/adaptor.h"
+#include "robot/description/model.h"
 
 namespace twinbus::test {
 

@@ -1,4 +1,4 @@
-#include "bridge/source_events.h"
+#include "bridge/source/source_events.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "bridge/source.h"
+#include "bridge/source/source.h"
 
 #include <gtest/gtest.h>
 

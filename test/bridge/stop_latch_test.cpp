@@ -1,4 +1,4 @@
-#include "bridge/stop_latch.h"
+#include "bridge/gate/stop_latch.h"
 
 #include <gtest/gtest.h>
 

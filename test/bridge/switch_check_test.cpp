@@ -1,4 +1,4 @@
-#include "bridge/switch_check.h"
+#include "bridge/handover/switch_check.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "bridge/threaded_adaptor.h"
+#include "bridge/adaptor/threaded_adaptor.h"
 
 #include <gtest/gtest.h>
 

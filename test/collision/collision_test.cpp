@@ -1,4 +1,4 @@
-#include "robot/collision.h"
+#include "robot/collision/collision.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "robot/collision_pairs.h"
-#include "robot/index.h"
+#include "robot/collision/collision_pairs.h"
+#include "common/math/index.h"
 #include "test/collision/postures.h"
 #include "test/no_alloc.h"
 

@@ -1,4 +1,4 @@
-#include "robot/geometry_memory.h"
+#include "robot/collision/links/geometry_cache.h"
 
 #include <gtest/gtest.h>
 
@@ -7,13 +7,13 @@
 #include <fstream>
 #include <random>
 
-#include "robot/disk_cache.h"
-#include "robot/index.h"
-#include "robot/inner_balls.h"
-#include "robot/joint_cells_memory.h"
-#include "robot/load.h"
-#include "robot/packed.h"
-#include "robot/triangle_clusters.h"
+#include "common/file/disk_cache.h"
+#include "common/math/index.h"
+#include "geometry/bounds/inscribed_spheres.h"
+#include "robot/collision/exact/posture_cells_cache.h"
+#include "robot/description/load.h"
+#include "common/file/byte_pack.h"
+#include "geometry/bounds/triangle_clusters.h"
 #include "test/collision/post_and_arm.h"
 #include "test/collision/postures.h"
 #include "test/temporary_folder.h"

@@ -1,15 +1,15 @@
-#include "robot/geometry.h"
+#include "robot/collision/links/link_geometry.h"
 
 #include <gtest/gtest.h>
 
 #include <map>
 #include <random>
 
-#include "robot/convex_hull.h"
-#include "robot/index.h"
-#include "robot/load.h"
-#include "robot/shape_mesh.h"
-#include "robot/sphere_cover.h"
+#include "geometry/bounds/convex_hull.h"
+#include "common/math/index.h"
+#include "robot/description/load.h"
+#include "geometry/bounds/shape_mesh.h"
+#include "geometry/bounds/sphere_cover.h"
 
 namespace twinbus {
 namespace {

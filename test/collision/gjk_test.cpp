@@ -1,4 +1,4 @@
-#include "robot/gjk.h"
+#include "geometry/distance/gjk.h"
 
 #include <gtest/gtest.h>
 
@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "robot/convex_shape.h"
-#include "robot/support_cells.h"
+#include "geometry/distance/convex_shape.h"
+#include "geometry/distance/support_cells.h"
 #include "test/no_alloc.h"
 
 namespace twinbus {

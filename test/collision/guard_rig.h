@@ -9,9 +9,9 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "bridge/command_gate.h"
-#include "control/guard.h"
-#include "robot/process.h"
+#include "bridge/gate/command_gate.h"
+#include "control/guard/guard.h"
+#include "common/process/process.h"
 #include "test/collision/postures.h"
 
 namespace twinbus {

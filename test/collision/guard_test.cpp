@@ -1,4 +1,4 @@
-#include "control/guard.h"
+#include "control/guard/guard.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "robot/geometry.h"
+#include "robot/collision/links/link_geometry.h"
 #include "test/collision/guard_rig.h"
 #include "test/collision/rated_drive.h"
 #include "test/no_alloc.h"

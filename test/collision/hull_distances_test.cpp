@@ -1,4 +1,4 @@
-#include "robot/hull_distances.h"
+#include "robot/collision/hull_distances.h"
 
 #include <gtest/gtest.h>
 
@@ -8,10 +8,10 @@
 #include <random>
 #include <vector>
 
-#include "robot/collision_body.h"
-#include "robot/convex_shape.h"
-#include "robot/gjk.h"
-#include "robot/index.h"
+#include "robot/collision/collision_body.h"
+#include "geometry/distance/convex_shape.h"
+#include "geometry/distance/gjk.h"
+#include "common/math/index.h"
 #include "test/collision/postures.h"
 #include "test/no_alloc.h"
 

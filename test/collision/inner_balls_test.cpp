@@ -1,8 +1,8 @@
-#include "robot/inner_balls.h"
+#include "geometry/bounds/inscribed_spheres.h"
 
 #include <gtest/gtest.h>
 
-#include "robot/index.h"
+#include "common/math/index.h"
 #include "test/collision/postures.h"
 
 namespace twinbus {

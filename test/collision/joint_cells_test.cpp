@@ -1,4 +1,4 @@
-#include "robot/joint_cells.h"
+#include "robot/collision/exact/posture_cells.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <random>
 #include <set>
 
-#include "robot/index.h"
-#include "robot/self_collision.h"
+#include "common/math/index.h"
+#include "robot/collision/exact/self_collision.h"
 #include "test/collision/post_and_arm.h"
 #include "test/collision/postures.h"
 #include "test/no_alloc.h"

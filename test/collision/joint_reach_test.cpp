@@ -1,4 +1,4 @@
-#include "robot/joint_reach.h"
+#include "robot/kinematics/joint_reach.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "robot/index.h"
+#include "common/math/index.h"
 #include "test/collision/postures.h"
 
 namespace twinbus {

@@ -1,12 +1,12 @@
-#include "robot/mesh_distance.h"
+#include "geometry/distance/mesh_distance.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 #include <vector>
 
-#include "robot/index.h"
-#include "robot/shape_mesh.h"
+#include "common/math/index.h"
+#include "geometry/bounds/shape_mesh.h"
 #include "test/no_alloc.h"
 
 namespace twinbus {

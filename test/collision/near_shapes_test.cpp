@@ -1,4 +1,4 @@
-#include "robot/near_shapes.h"
+#include "geometry/distance/broad_phase.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "robot/index.h"
+#include "common/math/index.h"
 #include "test/no_alloc.h"
 
 namespace twinbus {

@@ -1,8 +1,8 @@
-#include "robot/pair_proof.h"
+#include "robot/collision/exact/pair_proof.h"
 
 #include <gtest/gtest.h>
 
-#include "robot/index.h"
+#include "common/math/index.h"
 
 namespace twinbus {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <Eigen/Geometry>
 
-#include "robot/model.h"
+#include "robot/description/model.h"
 
 namespace twinbus {
 

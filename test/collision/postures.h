@@ -7,9 +7,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "robot/kinematics.h"
-#include "robot/load.h"
-#include "robot/model.h"
+#include "robot/kinematics/kinematics.h"
+#include "robot/description/load.h"
+#include "robot/description/model.h"
 
 namespace twinbus {
 

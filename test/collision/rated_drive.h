@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "robot/index.h"
-#include "robot/self_collision.h"
+#include "common/math/index.h"
+#include "robot/collision/exact/self_collision.h"
 #include "test/collision/guard_rig.h"
 
 namespace twinbus {

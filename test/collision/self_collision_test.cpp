@@ -1,4 +1,4 @@
-#include "robot/self_collision.h"
+#include "robot/collision/exact/self_collision.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <set>
 #include <vector>
 
-#include "robot/index.h"
+#include "common/math/index.h"
 #include "test/collision/postures.h"
 #include "test/no_alloc.h"
 

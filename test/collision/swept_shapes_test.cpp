@@ -1,4 +1,4 @@
-#include "robot/swept_shapes.h"
+#include "robot/collision/continuous.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "robot/index.h"
+#include "common/math/index.h"
 #include "test/collision/postures.h"
 
 namespace twinbus {

@@ -1,10 +1,10 @@
 // The arm on the side to which the trunk leans swings out, the other stays, and a small lean moves none.
 
-#include "control/arm_clearance.h"
+#include "control/balance/arm_clearance.h"
 
 #include <gtest/gtest.h>
 
-#include "robot/load.h"
+#include "robot/description/load.h"
 
 namespace twinbus {
 namespace {

@@ -1,4 +1,4 @@
-#include "control/arm_follow.h"
+#include "control/loop/arm_follow.h"
 
 #include <gtest/gtest.h>
 

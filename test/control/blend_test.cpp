@@ -1,4 +1,4 @@
-#include "control/blend.h"
+#include "control/loop/blend.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "control/com_motion.h"
+#include "control/balance/com_motion.h"
 
 #include <gtest/gtest.h>
 

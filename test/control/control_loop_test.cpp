@@ -1,4 +1,4 @@
-#include "control/control_loop.h"
+#include "control/loop/control_loop.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <limits>
 #include <string>
 
-#include "robot/index.h"
+#include "common/math/index.h"
 #include "test/control/hrp1s.h"
 #include "test/control/sim_rig.h"
 #include "test/no_alloc.h"

@@ -1,4 +1,4 @@
-#include "control/course_way.h"
+#include "control/guard/braking_path.h"
 
 #include <gtest/gtest.h>
 

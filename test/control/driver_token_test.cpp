@@ -1,4 +1,4 @@
-#include "control/driver_token.h"
+#include "control/loop/driver_token.h"
 
 #include <gtest/gtest.h>
 

@@ -8,9 +8,9 @@
 #include <random>
 #include <stdexcept>
 
-#include "bridge/source.h"
-#include "control/control_loop.h"
-#include "sim/scene.h"
+#include "bridge/source/source.h"
+#include "control/loop/control_loop.h"
+#include "sim/scene/scene.h"
 #include "sim/sim_adaptor.h"
 #include "test/control/hrp1s.h"
 

@@ -1,4 +1,4 @@
-#include "control/footsteps.h"
+#include "control/walk/footsteps.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <limits>
 #include <stdexcept>
 
-#include "control/leg_reach.h"
-#include "control/listed_steps.h"
+#include "control/legs/leg_reach.h"
+#include "control/walk/listed_steps.h"
 #include "test/control/hrp1s.h"
 
 namespace twinbus {

@@ -1,4 +1,4 @@
-#include "control/ground_follow.h"
+#include "control/walk/ground_follow.h"
 
 #include <gtest/gtest.h>
 

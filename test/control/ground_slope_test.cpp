@@ -1,4 +1,4 @@
-#include "control/ground_slope.h"
+#include "control/walk/ground_slope.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "control/hand_target.h"
+#include "control/teleop/hand_target.h"
 
 #include <gtest/gtest.h>
 

@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "robot/load.h"
-#include "robot/model.h"
+#include "robot/description/load.h"
+#include "robot/description/model.h"
 
 namespace twinbus::test {
 

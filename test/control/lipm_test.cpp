@@ -1,4 +1,4 @@
-#include "control/lipm.h"
+#include "control/walk/lipm.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "robot/dynamics.h"
+#include "robot/dynamics/inverse_dynamics.h"
 
 namespace twinbus {
 namespace {

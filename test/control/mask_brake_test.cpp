@@ -1,11 +1,11 @@
-#include "control/mask_brake.h"
+#include "control/loop/mask_brake.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "robot/brake.h"
+#include "robot/kinematics/brake.h"
 #include "test/control/hrp1s.h"
 
 namespace twinbus {

@@ -1,4 +1,4 @@
-#include "control/min_jerk.h"
+#include "control/joint/min_jerk.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "control/mode_queue.h"
+#include "control/loop/mode_queue.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "control/pad_mapping.h"
+#include "control/teleop/pad_mapping.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "control/posture.h"
+#include "control/joint/posture.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Preview control against what it must be: optimal, at rest where it is told to rest, and beside the closed form.
 
-#include "control/preview_control.h"
+#include "control/walk/preview_control.h"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +11,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "control/dcm_plan.h"
-#include "robot/dynamics.h"
+#include "control/walk/dcm_plan.h"
+#include "robot/dynamics/inverse_dynamics.h"
 
 namespace twinbus {
 namespace {

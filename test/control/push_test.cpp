@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "robot/load.h"
+#include "robot/description/load.h"
 #include "test/control/sim_rig.h"
 
 namespace twinbus {

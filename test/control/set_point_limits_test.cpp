@@ -1,4 +1,4 @@
-#include "control/set_point_limits.h"
+#include "control/loop/set_point_limits.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "control/set_point_track.h"
+#include "control/guard/set_point_predictor.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "robot/brake.h"
+#include "robot/kinematics/brake.h"
 #include "test/control/hrp1s.h"
 
 namespace twinbus {

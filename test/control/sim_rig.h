@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "control/control_loop.h"
-#include "sim/scene.h"
+#include "control/loop/control_loop.h"
+#include "sim/scene/scene.h"
 #include "sim/sim_adaptor.h"
 
 namespace twinbus {

@@ -1,4 +1,4 @@
-#include "control/stabilizer.h"
+#include "control/balance/stabilizer.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <new>
 
-#include "control/lipm.h"
+#include "control/walk/lipm.h"
 
 namespace twinbus {
 namespace {

@@ -1,4 +1,4 @@
-#include "control/state_check.h"
+#include "control/loop/state_check.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "control/static_torque.h"
+#include "control/legs/static_torque.h"
 
 #include <gtest/gtest.h>
 

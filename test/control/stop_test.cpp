@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "control/control_loop.h"
+#include "control/loop/control_loop.h"
 #include "test/control/hrp1s.h"
 #include "test/control/sim_rig.h"
 

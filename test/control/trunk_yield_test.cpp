@@ -1,4 +1,4 @@
-#include "control/trunk_yield.h"
+#include "control/balance/angular_momentum_lean.h"
 
 #include <gtest/gtest.h>
 

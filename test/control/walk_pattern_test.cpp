@@ -1,13 +1,13 @@
-#include "control/walk_pattern.h"
+#include "control/walk/walk_pattern.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "control/dcm_plan.h"
-#include "control/lipm.h"
-#include "control/step_adjust.h"
+#include "control/walk/dcm_plan.h"
+#include "control/walk/lipm.h"
+#include "control/walk/step_adjust.h"
 #include "test/control/hrp1s.h"
 
 namespace twinbus {

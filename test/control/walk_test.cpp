@@ -1,12 +1,12 @@
 // The walking robot in the simulator: flat ground, one command after the other.
 
-#include "control/walk.h"
+#include "control/walk/walk.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "robot/dynamics.h"
+#include "robot/dynamics/inverse_dynamics.h"
 #include "test/control/hrp1s.h"
 #include "test/control/sim_rig.h"
 #include "test/no_alloc.h"

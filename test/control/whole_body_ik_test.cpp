@@ -1,10 +1,10 @@
-#include "control/whole_body_ik.h"
+#include "control/legs/whole_body_ik.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "robot/pose_math.h"
+#include "common/math/pose_math.h"
 #include "test/control/hrp1s.h"
 
 namespace twinbus {

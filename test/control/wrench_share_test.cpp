@@ -1,4 +1,4 @@
-#include "control/wrench_share.h"
+#include "control/legs/wrench_share.h"
 
 #include <gtest/gtest.h>
 

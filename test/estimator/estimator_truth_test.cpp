@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "robot/estimator.h"
-#include "robot/load.h"
-#include "robot/pose_math.h"
+#include "robot/estimation/estimator.h"
+#include "robot/description/load.h"
+#include "common/math/pose_math.h"
 #include "test/control/sim_rig.h"
 
 namespace twinbus {

@@ -9,8 +9,8 @@
 #include <cstring>
 #include <vector>
 
-#include "lcmtypes/convert.h"
-#include "lcmtypes/wire.h"
+#include "lcmtypes/bus/convert.h"
+#include "lcmtypes/bus/wire.h"
 #include "test/lcmtypes/samples.h"
 
 using namespace twinbus;

@@ -4,9 +4,9 @@
 #include <cstdlib>
 #include <string>
 
-#include "robot/disk_cache.h"
-#include "robot/geometry_memory.h"
-#include "robot/triangle_clusters.h"
+#include "common/file/disk_cache.h"
+#include "robot/collision/links/geometry_cache.h"
+#include "geometry/bounds/triangle_clusters.h"
 
 using namespace twinbus;
 

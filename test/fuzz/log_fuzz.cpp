@@ -3,8 +3,8 @@
 #include <cstdlib>
 #include <span>
 
-#include "viewer_log/log_index.h"
-#include "viewer_log/log_reader.h"
+#include "viewer_log/log/log_index.h"
+#include "viewer_log/log/log_reader.h"
 
 using namespace twinbus;
 

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "robot/mesh_file.h"
+#include "geometry/mesh/mesh_file.h"
 
 using namespace twinbus;
 

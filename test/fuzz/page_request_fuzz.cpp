@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "viewer_log/page_request.h"
+#include "viewer_log/server/page_request.h"
 
 using namespace twinbus;
 

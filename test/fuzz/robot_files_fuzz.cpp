@@ -5,9 +5,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "robot/robot_yaml.h"
-#include "robot/srdf.h"
-#include "robot/urdf.h"
+#include "robot/description/robot_yaml.h"
+#include "robot/description/srdf.h"
+#include "robot/description/urdf.h"
 
 using namespace twinbus;
 

@@ -1,4 +1,4 @@
-#include "launcher/arguments.h"
+#include "common/process/arguments.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "launcher/bus_health.h"
+#include "launcher/bus/bus_health.h"
 
 #include <gtest/gtest.h>
 

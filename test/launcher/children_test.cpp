@@ -1,4 +1,4 @@
-#include "launcher/children.h"
+#include "launcher/stack/children.h"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>

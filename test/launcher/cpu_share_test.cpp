@@ -1,4 +1,4 @@
-#include "launcher/cpu_share.h"
+#include "launcher/stack/cpu_share.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

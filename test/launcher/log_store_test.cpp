@@ -1,10 +1,10 @@
-#include "launcher/log_store.h"
+#include "launcher/log/log_store.h"
 
 #include <gtest/gtest.h>
 
-#include "lcmtypes/wire.h"
-#include "robot/journal.h"
-#include "viewer_log/message_schema.h"
+#include "lcmtypes/bus/wire.h"
+#include "lcmtypes/msg/journal.h"
+#include "viewer_log/log/message_schema.h"
 
 namespace twinbus {
 namespace {

@@ -1,4 +1,4 @@
-#include "launcher/lookout.h"
+#include "launcher/bus/stack_monitor.h"
 
 #include <gtest/gtest.h>
 

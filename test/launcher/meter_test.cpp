@@ -1,4 +1,4 @@
-#include "launcher/meter.h"
+#include "launcher/bus/meter.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "launcher/stack.h"
+#include "launcher/stack/stack.h"
 
 #include <gtest/gtest.h>
 

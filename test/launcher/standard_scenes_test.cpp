@@ -6,10 +6,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "launcher/judge_scene.h"
-#include "launcher/one_process.h"
-#include "robot/load.h"
-#include "sim/scene_seed.h"
+#include "launcher/run/judge_scene.h"
+#include "launcher/run/local_stack.h"
+#include "robot/description/load.h"
+#include "sim/scene/scene_seed.h"
 
 namespace twinbus {
 namespace {

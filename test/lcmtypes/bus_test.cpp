@@ -1,4 +1,4 @@
-#include "lcmtypes/bus.h"
+#include "lcmtypes/bus/bus.h"
 
 #include <gtest/gtest.h>
 #include <poll.h>
@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "lcmtypes/channels.h"
+#include "lcmtypes/bus/channels.h"
 #include "test/lcmtypes/samples.h"
 #include "test/no_alloc.h"
 

@@ -1,4 +1,4 @@
-#include "lcmtypes/convert.h"
+#include "lcmtypes/bus/convert.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "lcmtypes/inbox.h"
+#include "lcmtypes/bus/inbox.h"
 
 #include <gtest/gtest.h>
 

@@ -9,8 +9,8 @@
 #include <memory>
 #include <random>
 
-#include "lcmtypes/convert.h"
-#include "lcmtypes/wire.h"
+#include "lcmtypes/bus/convert.h"
+#include "lcmtypes/bus/wire.h"
 #include "test/lcmtypes/samples.h"
 
 using namespace twinbus;

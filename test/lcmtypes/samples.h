@@ -5,8 +5,8 @@
 
 #include <cstddef>
 
-#include "robot/requests.h"
-#include "robot/robot_io.h"
+#include "lcmtypes/msg/requests.h"
+#include "lcmtypes/msg/robot_io.h"
 
 namespace twinbus {
 

@@ -1,4 +1,4 @@
-#include "robot/state_admission.h"
+#include "lcmtypes/msg/state_admission.h"
 
 #include <gtest/gtest.h>
 

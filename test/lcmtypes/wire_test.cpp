@@ -1,4 +1,4 @@
-#include "lcmtypes/wire.h"
+#include "lcmtypes/bus/wire.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "lcmtypes/convert.h"
+#include "lcmtypes/bus/convert.h"
 #include "test/lcmtypes/layout.h"
 #include "test/lcmtypes/samples.h"
 

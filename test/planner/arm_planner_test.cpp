@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "planner/random.h"
+#include "common/math/splitmix64.h"
 #include "test/planner/reach_rig.h"
 
 namespace twinbus {

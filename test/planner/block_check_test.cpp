@@ -1,4 +1,4 @@
-#include "planner/block_check.h"
+#include "planner/batch/check.h"
 
 #include <gtest/gtest.h>
 
@@ -6,10 +6,10 @@
 #include <memory>
 #include <vector>
 
-#include "planner/nearest_point.h"
-#include "planner/random.h"
-#include "robot/gjk.h"
-#include "robot/index.h"
+#include "planner/batch/nearest_point.h"
+#include "common/math/splitmix64.h"
+#include "geometry/distance/gjk.h"
+#include "common/math/index.h"
 
 namespace twinbus {
 namespace {

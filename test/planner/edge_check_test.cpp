@@ -1,4 +1,4 @@
-#include "planner/edge_check.h"
+#include "planner/search/edge_check.h"
 
 #include <gtest/gtest.h>
 

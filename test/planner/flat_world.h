@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "planner/free_space.h"
+#include "planner/search/free_space.h"
 
 namespace twinbus {
 

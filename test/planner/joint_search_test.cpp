@@ -1,8 +1,8 @@
-#include "planner/joint_search.h"
+#include "planner/search/rrt_connect.h"
 
 #include <gtest/gtest.h>
 
-#include "planner/shorten.h"
+#include "planner/search/shorten.h"
 
 namespace twinbus {
 namespace {

@@ -1,10 +1,10 @@
-#include "planner/motion_effort.h"
+#include "planner/timing/motion_effort.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "robot/index.h"
+#include "common/math/index.h"
 #include "test/planner/reach_rig.h"
 
 namespace twinbus {

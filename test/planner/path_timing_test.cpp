@@ -1,10 +1,10 @@
-#include "planner/path_timing.h"
+#include "planner/timing/path_timing.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "planner/random.h"
+#include "common/math/splitmix64.h"
 #include "test/planner/flat_world.h"
 
 namespace twinbus {

@@ -12,10 +12,10 @@
 #include <string>
 #include <vector>
 
-#include "robot/collision.h"
-#include "robot/load.h"
-#include "robot/options.h"
-#include "sim/scene.h"
+#include "robot/collision/collision.h"
+#include "robot/description/load.h"
+#include "common/process/options.h"
+#include "sim/scene/scene.h"
 
 using namespace twinbus;
 

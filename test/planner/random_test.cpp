@@ -1,4 +1,4 @@
-#include "planner/random.h"
+#include "common/math/splitmix64.h"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "planner/arm_planner.h"
-#include "robot/load.h"
+#include "robot/description/load.h"
 #include "test/collision/postures.h"
 
 namespace twinbus {

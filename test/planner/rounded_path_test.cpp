@@ -1,4 +1,4 @@
-#include "planner/rounded_path.h"
+#include "planner/timing/rounded_path.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 P6 viewer and recorder killed again and again; P7 processes that sleep; D4 messages of another build; D5 two simulators and two
 controllers; D6 ticks that stand, go back or leap; D8 clocks that are set; T3 too little processor; T5 too little memory; T6 a
-disk that is full or slow.  (P8 is restart_test, D7 a unit test of bridge/frozen_sensors.h.)  TWINBUS_FULL=1: as often as
+disk that is full or slow.  (P8 is restart_test, D7 a unit test of bridge/adaptor/frozen_sensors.h.)  TWINBUS_FULL=1: as often as
 the plan says.  Words on the command line choose cases.
 """
 
@@ -288,7 +288,7 @@ def d4(checks):
             time.sleep(0.004)
         sent = time.monotonic_ns()
         time.sleep(max(0.0, 1.0 - 1e-9 * (sent - since)))
-        # By the rows of the table in lcmtypes/wire.cpp: STATE is the first, COMMAND the fifth.
+        # By the rows of the table in lcmtypes/bus/wire.cpp: STATE is the first, COMMAND the fifth.
         counts = rejected_by(bus, stack, since)
         for program, rows in (("twinbus_controller", {1: "STATE", 9: "MODE_REQUEST", 10: "STOP"}), ("twinbus_guard", {1: "STATE", 5: "COMMAND"}),
                               ("twinbus_simulator", {5: "COMMAND", 7: "SOURCE_REQUEST", 10: "STOP"})):

@@ -1,7 +1,7 @@
 // ./twinbus bench explorer: explorer_bench [--sources N] [--depth D] [--faults F]
 // [--happenings H] [--minutes M]
 // [--start NAME] [--without RULE].  With --minutes it deepens until the time is over.  --without
-// switches off a rule of bridge/rules.h, by its number, to see that it is missed.
+// switches off a rule of bridge/handover/rules.h, by its number, to see that it is missed.
 
 #include <chrono>
 #include <cstdio>

@@ -102,7 +102,7 @@ TEST_P(PlantedBug, IsFound) {
   const Plant& plant = GetParam();
   const Outcome outcome = explore(plant.start, 2, plant.bounds, without(plant.rule));
   ASSERT_NE(outcome.violation, "") << "rule " << static_cast<int>(plant.rule)
-                                   << " of bridge/rules.h was switched off and nothing was found";
+                                   << " of bridge/handover/rules.h was switched off and nothing was found";
   std::printf("rule %d: %s (start %s, %lld states)\n", static_cast<int>(plant.rule),
               outcome.violation.c_str(), start_name(plant.start),
               static_cast<long long>(outcome.states));

@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "bridge/source_core.h"
-#include "robot/state_admission.h"
+#include "bridge/source/source_core.h"
+#include "lcmtypes/msg/state_admission.h"
 
 namespace twinbus::protocol {
 

@@ -1,12 +1,12 @@
-#include "robot/attitude_filter.h"
+#include "robot/estimation/attitude_filter.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "robot/dynamics.h"
-#include "robot/pose_math.h"
+#include "robot/dynamics/inverse_dynamics.h"
+#include "common/math/pose_math.h"
 #include "test/no_alloc.h"
 
 namespace twinbus::test {

@@ -1,7 +1,7 @@
-#include "robot/closed_form.h"
+#include "robot/kinematics/closed_form.h"
 
 #include "fixtures.h"
-#include "robot/inverse_kinematics.h"
+#include "robot/kinematics/inverse_kinematics.h"
 
 namespace twinbus::test {
 namespace {

@@ -1,4 +1,4 @@
-#include "robot/coarse_mesh.h"
+#include "geometry/bounds/coarse_mesh.h"
 
 #include <random>
 

@@ -1,4 +1,4 @@
-#include "robot/config_node.h"
+#include "common/text/strict_yaml.h"
 
 #include <limits>
 

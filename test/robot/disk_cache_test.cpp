@@ -1,4 +1,4 @@
-#include "robot/disk_cache.h"
+#include "common/file/disk_cache.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-#include "robot/packed.h"
+#include "common/file/byte_pack.h"
 #include "test/temporary_folder.h"
 
 namespace twinbus {

@@ -1,4 +1,4 @@
-#include "robot/dynamics.h"
+#include "robot/dynamics/inverse_dynamics.h"
 
 #include "fixtures.h"
 #include "test/no_alloc.h"

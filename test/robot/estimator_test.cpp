@@ -1,9 +1,9 @@
-#include "robot/estimator.h"
+#include "robot/estimation/estimator.h"
 
 #include "fixtures.h"
-#include "robot/dynamics.h"
-#include "robot/inverse_kinematics.h"
-#include "robot/sole_contact.h"
+#include "robot/dynamics/inverse_dynamics.h"
+#include "robot/kinematics/inverse_kinematics.h"
+#include "robot/estimation/sole_contact.h"
 #include "test/no_alloc.h"
 
 namespace twinbus::test {

@@ -11,9 +11,9 @@
 #include <random>
 #include <string>
 
-#include "robot/kinematics.h"
-#include "robot/load.h"
-#include "robot/pose_math.h"
+#include "robot/kinematics/kinematics.h"
+#include "robot/description/load.h"
+#include "common/math/pose_math.h"
 #include "test/temporary_folder.h"
 
 namespace twinbus::test {

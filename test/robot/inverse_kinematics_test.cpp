@@ -1,4 +1,4 @@
-#include "robot/inverse_kinematics.h"
+#include "robot/kinematics/inverse_kinematics.h"
 
 #include "fixtures.h"
 #include "test/no_alloc.h"

@@ -1,4 +1,4 @@
-#include "robot/kinematics.h"
+#include "robot/kinematics/kinematics.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
-#include "robot/load.h"
+#include "robot/description/load.h"
 
 #include "fixtures.h"
-#include "robot/anatomy.h"
+#include "robot/onboarding/anatomy.h"
 
 namespace twinbus::test {
 namespace {

@@ -1,10 +1,10 @@
-#include "robot/loop_joints.h"
+#include "robot/collision/loop_joints.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "robot/collision_pairs.h"
+#include "robot/collision/collision_pairs.h"
 #include "test/robot/fixtures.h"
 
 namespace twinbus::test {

@@ -1,7 +1,7 @@
-#include "robot/mesh_file.h"
+#include "geometry/mesh/mesh_file.h"
 
 #include "fixtures.h"
-#include "robot/xml.h"
+#include "common/text/xml.h"
 
 namespace twinbus::test {
 namespace {

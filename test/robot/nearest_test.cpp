@@ -1,4 +1,4 @@
-#include "robot/nearest.h"
+#include "common/text/closest_name.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "robot/options.h"
+#include "common/process/options.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "robot/pose_math.h"
+#include "common/math/pose_math.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "robot/process.h"
+#include "common/process/process.h"
 
 #include <gtest/gtest.h>
 

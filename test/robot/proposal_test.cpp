@@ -1,12 +1,12 @@
-#include "robot/proposal.h"
+#include "robot/onboarding/proposal.h"
 
 #include <functional>
 
 #include "fixtures.h"
-#include "robot/base_turn.h"
-#include "robot/known_srdf.h"
-#include "robot/shape_inertia.h"
-#include "robot/suspicions.h"
+#include "robot/onboarding/base_turn.h"
+#include "robot/onboarding/known_srdf.h"
+#include "robot/description/shape_inertia.h"
+#include "robot/onboarding/model_lint.h"
 
 namespace twinbus::test {
 namespace {

@@ -1,4 +1,4 @@
-#include "robot/pulse.h"
+#include "lcmtypes/node/pulse.h"
 
 #include <gtest/gtest.h>
 

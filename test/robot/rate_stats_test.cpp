@@ -1,4 +1,4 @@
-#include "robot/rate_stats.h"
+#include "common/time/latency_histogram.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "robot/requests.h"
+#include "lcmtypes/msg/requests.h"
 
 #include <gtest/gtest.h>
 

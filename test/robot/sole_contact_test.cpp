@@ -1,4 +1,4 @@
-#include "robot/sole_contact.h"
+#include "robot/estimation/sole_contact.h"
 
 #include "fixtures.h"
 

@@ -1,4 +1,4 @@
-#include "robot/srdf.h"
+#include "robot/description/srdf.h"
 
 #include "fixtures.h"
 

@@ -1,4 +1,4 @@
-#include "robot/support_polygon.h"
+#include "robot/estimation/support_polygon.h"
 
 #include <gtest/gtest.h>
 

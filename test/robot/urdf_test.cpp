@@ -1,4 +1,4 @@
-#include "robot/urdf.h"
+#include "robot/description/urdf.h"
 
 #include "fixtures.h"
 

@@ -1,4 +1,4 @@
-#include "robot/vec4.h"
+#include "common/simd/vec4.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
-#include "robot/witness.h"
+#include "common/time/jitter_probe.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 
-#include "robot/missed_ticks.h"
+#include "lcmtypes/node/missed_ticks.h"
 
 namespace twinbus {
 namespace {

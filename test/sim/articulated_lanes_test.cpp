@@ -1,14 +1,14 @@
 // Links side by side: whatever the tree, each once, behind its parent, and all that they fold into
 // their parents arrives.
 
-#include "sim/articulated_lanes.h"
+#include "sim/articulated/articulated_lanes.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "robot/index.h"
-#include "sim/random.h"
+#include "common/math/index.h"
+#include "common/math/random.h"
 
 namespace twinbus {
 namespace {

@@ -1,6 +1,6 @@
 // What the articulated engine promises beyond what every engine does (world_*_test.cpp).
 
-#include "sim/articulated_world.h"
+#include "sim/engine/articulated_world.h"
 
 #include <gtest/gtest.h>
 
@@ -9,11 +9,11 @@
 #include <memory>
 #include <vector>
 
-#include "robot/dynamics.h"
-#include "robot/load.h"
-#include "sim/ode_world.h"
-#include "sim/random.h"
-#include "sim/standing.h"
+#include "robot/dynamics/inverse_dynamics.h"
+#include "robot/description/load.h"
+#include "sim/engine/ode_world.h"
+#include "common/math/random.h"
+#include "sim/world/static_equilibrium.h"
 #include "test/no_alloc.h"
 #include "test_models.h"
 

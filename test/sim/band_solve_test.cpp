@@ -1,11 +1,11 @@
-#include "sim/band_solve.h"
+#include "sim/contact/band_solve.h"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Dense>
 #include <algorithm>
 
-#include "sim/random.h"
+#include "common/math/random.h"
 
 namespace twinbus {
 namespace {

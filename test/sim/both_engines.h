@@ -7,7 +7,7 @@
 #include <memory>
 #include <string>
 
-#include "sim/world.h"
+#include "sim/world/world.h"
 
 namespace twinbus::test {
 

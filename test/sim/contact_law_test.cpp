@@ -1,10 +1,10 @@
-#include "sim/contact_law.h"
+#include "sim/contact/contact_law.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "sim/random.h"
+#include "common/math/random.h"
 
 namespace twinbus {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "robot/load.h"
+#include "robot/description/load.h"
 
 namespace twinbus {
 namespace {

@@ -1,6 +1,6 @@
 // Motion that touches nothing: order of the explicit methods, and when they hand over.
 
-#include "sim/flight.h"
+#include "sim/articulated/free_flight.h"
 
 #include <gtest/gtest.h>
 
@@ -8,10 +8,10 @@
 #include <cmath>
 #include <limits>
 
-#include "robot/dynamics.h"
-#include "robot/energy.h"
-#include "sim/articulated_world.h"
-#include "sim/spatial.h"
+#include "robot/dynamics/inverse_dynamics.h"
+#include "robot/dynamics/energy.h"
+#include "sim/engine/articulated_world.h"
+#include "sim/articulated/spatial.h"
 #include "test/no_alloc.h"
 #include "test_models.h"
 

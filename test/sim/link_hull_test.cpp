@@ -1,4 +1,4 @@
-#include "sim/link_hull.h"
+#include "sim/world/link_hull.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "both_engines.h"
-#include "robot/dynamics.h"
+#include "robot/dynamics/inverse_dynamics.h"
 #include "test/contact_shapes.h"
 #include "test_models.h"
 

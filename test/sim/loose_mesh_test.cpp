@@ -1,6 +1,6 @@
 // Loose bodies of triangles: they rest where their shape rests, carried by their weight.
 
-#include "sim/loose_mesh.h"
+#include "sim/contact/rigid_object_mesh.h"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +9,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "robot/load.h"
-#include "sim/articulated_world.h"
-#include "sim/scene.h"
+#include "robot/description/load.h"
+#include "sim/engine/articulated_world.h"
+#include "sim/scene/scene.h"
 #include "test/contact_shapes.h"
 #include "test/no_alloc.h"
 #include "test_models.h"

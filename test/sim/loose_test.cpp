@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "both_engines.h"
-#include "robot/dynamics.h"
-#include "robot/load.h"
-#include "sim/articulated_world.h"
-#include "sim/free_turn.h"
-#include "sim/random.h"
-#include "sim/standing.h"
+#include "robot/dynamics/inverse_dynamics.h"
+#include "robot/description/load.h"
+#include "sim/engine/articulated_world.h"
+#include "sim/articulated/torque_free_rotation.h"
+#include "common/math/random.h"
+#include "sim/world/static_equilibrium.h"
 #include "test/no_alloc.h"
 #include "test_models.h"
 

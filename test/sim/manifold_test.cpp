@@ -1,6 +1,6 @@
 // Contact of triangle sets: bodies whose contact is known by hand.
 
-#include "sim/contact/manifold.h"
+#include "geometry/mesh_contact/manifold.h"
 
 #include <gtest/gtest.h>
 
@@ -11,9 +11,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "robot/index.h"
-#include "robot/shape_mesh.h"
-#include "sim/random.h"
+#include "common/math/index.h"
+#include "geometry/bounds/shape_mesh.h"
+#include "common/math/random.h"
 #include "test/contact_shapes.h"
 #include "test/no_alloc.h"
 

@@ -1,6 +1,6 @@
 // Boxes that cover obstacles: nothing of the shape is outside of them, and they are no fatter than promised.
 
-#include "sim/obstacle_cover.h"
+#include "sim/scene/obstacle_cover.h"
 
 #include <gtest/gtest.h>
 
@@ -10,9 +10,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "robot/load.h"
-#include "sim/contact/contact_mesh.h"
-#include "sim/scene.h"
+#include "robot/description/load.h"
+#include "geometry/mesh_contact/contact_mesh.h"
+#include "sim/scene/scene.h"
 #include "test/contact_shapes.h"
 
 namespace twinbus {

@@ -1,6 +1,6 @@
 // Further robots in the one solve, and links of a robot that touch one another.
 
-#include "sim/other_robots.h"
+#include "sim/contact/other_robots.h"
 
 #include <gtest/gtest.h>
 
@@ -10,9 +10,9 @@
 #include <stdexcept>
 
 #include "both_engines.h"
-#include "robot/dynamics.h"
-#include "robot/load.h"
-#include "sim/articulated_world.h"
+#include "robot/dynamics/inverse_dynamics.h"
+#include "robot/description/load.h"
+#include "sim/engine/articulated_world.h"
 #include "test/no_alloc.h"
 #include "test_models.h"
 

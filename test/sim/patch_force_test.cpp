@@ -1,13 +1,13 @@
 // The contact law of the paper, section 3.3.2, on manifolds known by hand.
 
-#include "sim/contact/patch_force.h"
+#include "geometry/mesh_contact/patch_force.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-#include "robot/index.h"
+#include "common/math/index.h"
 #include "test/contact_shapes.h"
 
 namespace twinbus {

@@ -1,4 +1,4 @@
-#include "sim/random.h"
+#include "common/math/random.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "both_engines.h"
-#include "robot/dynamics.h"
+#include "robot/dynamics/inverse_dynamics.h"
 #include "test_models.h"
 
 namespace twinbus {

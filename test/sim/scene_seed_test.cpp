@@ -1,12 +1,12 @@
-#include "sim/scene_seed.h"
+#include "sim/scene/scene_seed.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "robot/model.h"
-#include "sim/scene.h"
+#include "robot/description/model.h"
+#include "sim/scene/scene.h"
 
 namespace twinbus {
 namespace {

@@ -1,4 +1,4 @@
-#include "sim/scene.h"
+#include "sim/scene/scene.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "robot/load.h"
-#include "sim/scene_ties.h"
+#include "robot/description/load.h"
+#include "sim/scene/scene_ties.h"
 
 namespace twinbus {
 namespace {

@@ -1,11 +1,11 @@
-#include "sim/sensors.h"
+#include "sim/scene/sensors.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "both_engines.h"
-#include "robot/dynamics.h"
+#include "robot/dynamics/inverse_dynamics.h"
 #include "test_models.h"
 
 namespace twinbus {

@@ -1,4 +1,4 @@
-#include "sim/settings.h"
+#include "sim/scene/settings.h"
 
 #include <gtest/gtest.h>
 

@@ -6,8 +6,8 @@
 #include <cstring>
 #include <limits>
 
-#include "robot/dynamics.h"
-#include "robot/load.h"
+#include "robot/dynamics/inverse_dynamics.h"
+#include "robot/description/load.h"
 #include "test/no_alloc.h"
 
 namespace twinbus {

@@ -1,10 +1,10 @@
-#include "sim/standing.h"
+#include "sim/world/static_equilibrium.h"
 
 #include <gtest/gtest.h>
 
-#include "robot/dynamics.h"
-#include "robot/load.h"
-#include "sim/ode_world.h"
+#include "robot/dynamics/inverse_dynamics.h"
+#include "robot/description/load.h"
+#include "sim/engine/ode_world.h"
 #include "test/no_alloc.h"
 
 namespace twinbus {

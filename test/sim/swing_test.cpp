@@ -1,13 +1,13 @@
-#include "sim/swing.h"
+#include "launcher/run/swing.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "both_engines.h"
-#include "robot/index.h"
-#include "robot/load.h"
-#include "sim/standing.h"
+#include "common/math/index.h"
+#include "robot/description/load.h"
+#include "sim/world/static_equilibrium.h"
 
 namespace twinbus {
 namespace {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <string>
 
-#include "robot/model.h"
+#include "robot/description/model.h"
 
 namespace twinbus::test {
 

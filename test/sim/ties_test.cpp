@@ -5,11 +5,11 @@
 #include <cmath>
 
 #include "both_engines.h"
-#include "robot/dynamics.h"
-#include "robot/load.h"
-#include "sim/articulated_world.h"
-#include "sim/standing.h"
-#include "sim/tie.h"
+#include "robot/dynamics/inverse_dynamics.h"
+#include "robot/description/load.h"
+#include "sim/engine/articulated_world.h"
+#include "sim/world/static_equilibrium.h"
+#include "sim/world/constraint.h"
 #include "test/no_alloc.h"
 #include "test_models.h"
 

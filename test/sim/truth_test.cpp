@@ -1,9 +1,9 @@
-#include "sim/truth.h"
+#include "sim/world/truth.h"
 
 #include <gtest/gtest.h>
 
 #include "both_engines.h"
-#include "robot/dynamics.h"
+#include "robot/dynamics/inverse_dynamics.h"
 #include "test_models.h"
 
 namespace twinbus {

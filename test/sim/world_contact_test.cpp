@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "both_engines.h"
-#include "robot/dynamics.h"
-#include "sim/world.h"
+#include "robot/dynamics/inverse_dynamics.h"
+#include "sim/world/world.h"
 #include "test_models.h"
 
 namespace twinbus {

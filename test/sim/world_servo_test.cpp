@@ -8,8 +8,8 @@
 #include <tuple>
 
 #include "both_engines.h"
-#include "robot/dynamics.h"
-#include "sim/world.h"
+#include "robot/dynamics/inverse_dynamics.h"
+#include "sim/world/world.h"
 #include "test_models.h"
 
 namespace twinbus {

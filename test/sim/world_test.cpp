@@ -1,4 +1,4 @@
-#include "sim/world.h"
+#include "sim/world/world.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "both_engines.h"
-#include "robot/dynamics.h"
-#include "robot/load.h"
+#include "robot/dynamics/inverse_dynamics.h"
+#include "robot/description/load.h"
 #include "test_models.h"
 
 namespace twinbus {

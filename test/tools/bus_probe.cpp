@@ -12,10 +12,10 @@
 #include <cstring>
 #include <exception>
 
-#include "lcmtypes/bus.h"
-#include "lcmtypes/channels.h"
-#include "robot/process.h"
-#include "robot/state_admission.h"
+#include "lcmtypes/bus/bus.h"
+#include "lcmtypes/bus/channels.h"
+#include "common/process/process.h"
+#include "lcmtypes/msg/state_admission.h"
 #include "test/lcmtypes/samples.h"
 #include "test/no_alloc.h"
 

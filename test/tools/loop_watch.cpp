@@ -12,9 +12,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "lcmtypes/bus.h"
-#include "robot/process.h"
-#include "viewer_log/log_event.h"
+#include "lcmtypes/bus/bus.h"
+#include "common/process/process.h"
+#include "viewer_log/log/log_event.h"
 
 using namespace twinbus;
 

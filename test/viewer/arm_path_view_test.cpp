@@ -1,4 +1,4 @@
-#include "viewer_log/arm_path_view.h"
+#include "viewer_log/view/arm_path_view.h"
 
 #include <gtest/gtest.h>
 

@@ -14,10 +14,10 @@
 #include <string>
 #include <utility>
 
-#include "lcmtypes/bus.h"
-#include "lcmtypes/channels.h"
-#include "robot/load.h"
-#include "robot/process.h"
+#include "lcmtypes/bus/bus.h"
+#include "lcmtypes/bus/channels.h"
+#include "robot/description/load.h"
+#include "common/process/process.h"
 
 using namespace twinbus;
 

@@ -1,4 +1,4 @@
-#include "viewer_log/frame.h"
+#include "viewer_log/view/frame.h"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "robot/load.h"
-#include "viewer_log/signals.h"
+#include "robot/description/load.h"
+#include "viewer_log/view/signals.h"
 
 namespace twinbus {
 namespace {

@@ -1,4 +1,4 @@
-#include "viewer_log/log_view.h"
+#include "viewer_log/view/log_view.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -12,12 +12,12 @@
 #include <string>
 #include <vector>
 
-#include "robot/load.h"
-#include "viewer_log/frame.h"
-#include "viewer_log/log_marks.h"
-#include "viewer_log/log_shelf.h"
-#include "viewer_log/log_writer.h"
-#include "viewer_log/replay_request.h"
+#include "robot/description/load.h"
+#include "viewer_log/view/frame.h"
+#include "viewer_log/log/log_marks.h"
+#include "viewer_log/log/log_library.h"
+#include "viewer_log/log/log_writer.h"
+#include "viewer_log/server/replay_request.h"
 
 namespace twinbus {
 namespace {

@@ -1,4 +1,4 @@
-#include "viewer_log/message_json.h"
+#include "viewer_log/log/message_json.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "viewer_log/log_event.h"
+#include "viewer_log/log/log_event.h"
 
 namespace twinbus {
 namespace {

@@ -1,4 +1,4 @@
-#include "viewer_log/page_request.h"
+#include "viewer_log/server/page_request.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "control/raw_terminal.h"
+#include "control/teleop/raw_terminal.h"
 
 #include <gtest/gtest.h>
 #include <pty.h>
@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "control/teleop.h"
+#include "control/teleop/teleop.h"
 
 namespace twinbus {
 namespace {

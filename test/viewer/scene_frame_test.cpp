@@ -1,10 +1,10 @@
-#include "viewer_log/scene_frame.h"
+#include "viewer_log/view/scene_frame.h"
 
 #include <gtest/gtest.h>
 
 #include <cstring>
 
-#include "robot/load.h"
+#include "robot/description/load.h"
 
 namespace twinbus {
 namespace {

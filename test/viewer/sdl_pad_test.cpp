@@ -1,4 +1,4 @@
-#include "control/sdl_pad.h"
+#include "control/teleop/sdl_pad.h"
 
 #include <gtest/gtest.h>
 

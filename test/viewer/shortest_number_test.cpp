@@ -1,4 +1,4 @@
-#include "viewer_log/shortest_number.h"
+#include "viewer_log/log/shortest_number.h"
 
 #include <gtest/gtest.h>
 

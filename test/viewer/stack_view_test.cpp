@@ -1,12 +1,12 @@
-#include "viewer_log/stack_view.h"
+#include "viewer_log/view/stack_view.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstring>
 
-#include "robot/load.h"
-#include "viewer_log/health.h"
+#include "robot/description/load.h"
+#include "viewer_log/view/health.h"
 
 namespace twinbus {
 namespace {

@@ -1,8 +1,8 @@
-#include "viewer_log/switch_plan.h"
+#include "viewer_log/view/switch_plan.h"
 
 #include <gtest/gtest.h>
 
-#include "robot/load.h"
+#include "robot/description/load.h"
 
 namespace twinbus {
 namespace {

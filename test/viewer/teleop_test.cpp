@@ -1,4 +1,4 @@
-#include "control/teleop.h"
+#include "control/teleop/teleop.h"
 
 #include <gtest/gtest.h>
 

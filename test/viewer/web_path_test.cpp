@@ -1,4 +1,4 @@
-#include "viewer_log/web_path.h"
+#include "viewer_log/server/web_path.h"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>

@@ -1,4 +1,4 @@
-#include "viewer_log/gap_meter.h"
+#include "viewer_log/view/gap_meter.h"
 
 #include <gtest/gtest.h>
 

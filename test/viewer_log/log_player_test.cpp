@@ -1,11 +1,11 @@
-#include "viewer_log/log_player.h"
+#include "viewer_log/log/log_player.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <filesystem>
 
-#include "viewer_log/log_writer.h"
+#include "viewer_log/log/log_writer.h"
 
 namespace twinbus {
 namespace {

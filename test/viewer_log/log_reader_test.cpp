@@ -1,4 +1,4 @@
-#include "viewer_log/log_reader.h"
+#include "viewer_log/log/log_reader.h"
 
 #include <gtest/gtest.h>
 

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "viewer_log/log_reader.h"
-#include "viewer_log/log_writer.h"
+#include "viewer_log/log/log_reader.h"
+#include "viewer_log/log/log_writer.h"
 
 namespace twinbus {
 

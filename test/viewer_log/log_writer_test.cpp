@@ -1,4 +1,4 @@
-#include "viewer_log/log_writer.h"
+#include "viewer_log/log/log_writer.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

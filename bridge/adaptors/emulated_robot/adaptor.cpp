@@ -11,7 +11,7 @@
 #include <ctime>
 #include <random>
 
-#include "bridge/adaptor_abi.h"
+#include "bridge/adaptor/adaptor_abi.h"
 #include "bridge/adaptors/emulated_robot/protocol.h"
 
 namespace twinbus {

@@ -12,10 +12,10 @@
 #include <string>
 #include <vector>
 
-#include "robot/geometry.h"
-#include "robot/index.h"
-#include "robot/options.h"
-#include "robot/self_collision.h"
+#include "robot/collision/links/link_geometry.h"
+#include "common/math/index.h"
+#include "common/process/options.h"
+#include "robot/collision/exact/self_collision.h"
 #include "test/bench/collision_cases.h"
 
 using namespace twinbus;

@@ -22,7 +22,7 @@
 #include <memory>
 #include <vector>
 
-#include "robot/load.h"
+#include "robot/description/load.h"
 #include "test/bench/fcl_world.h"
 
 namespace ob = ompl::base;

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "bridge/adaptor_abi.h"
+#include "bridge/adaptor/adaptor_abi.h"
 #include "test/bridge/small_robot.h"
 
 namespace {

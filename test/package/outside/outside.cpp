@@ -3,11 +3,11 @@
 #include <cstdio>
 #include <exception>
 
-#include "lcmtypes/channels.h"
+#include "lcmtypes/bus/channels.h"
 #include "planner/arm_planner.h"
-#include "robot/kinematics.h"
-#include "robot/load.h"
-#include "sim/scene.h"
+#include "robot/kinematics/kinematics.h"
+#include "robot/description/load.h"
+#include "sim/scene/scene.h"
 #include "twinbus/robot_state_t.hpp"
 
 int main() try {

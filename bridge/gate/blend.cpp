@@ -1,0 +1,57 @@
+#include "bridge/gate/blend.h"
+
+#include "common/math/index.h"
+
+namespace twinbus {
+
+void OffsetBlend::start(const JointCommand& own, const JointCommand& client, std::int64_t mask,
+                        double dt, double duration) noexcept {
+  for (int j = 0; j < kMaxJoints; ++j) {
+    if ((mask & bit(j)) == 0) continue;
+    const auto i = static_cast<std::size_t>(j);
+    if (!(duration > 0.0)) {
+      active &= ~bit(j);
+      continue;
+    }
+    // The client where it was dt ago, so that both set-points belong to one instant.
+    const double client_qd = static_cast<double>(client.qd[i]);
+    q[i] = own.q[i] - (client.q[i] - client_qd * dt);
+    qd[i] = static_cast<double>(own.qd[i]) - client_qd;
+    tau[i] = own.tau[i] - client.tau[i];
+    kp[i] = own.kp[i] - client.kp[i];
+    kd[i] = own.kd[i] - client.kd[i];
+    elapsed[i] = 0.0F;
+    duration_s[i] = static_cast<float>(duration);
+    active |= bit(j);
+  }
+}
+
+void OffsetBlend::advance_and_apply(double dt, int joint_count, JointCommand& command) noexcept {
+  if (active == 0) return;
+  for (int j = 0; j < joint_count; ++j) {
+    if ((active & bit(j)) == 0) continue;
+    const auto i = static_cast<std::size_t>(j);
+    elapsed[i] += static_cast<float>(dt);
+    const double total = static_cast<double>(duration_s[i]);
+    const double s = static_cast<double>(elapsed[i]) / total;
+    if (!(s < 1.0)) {
+      active &= ~bit(j);
+      continue;
+    }
+    const double s2 = s * s;
+    const double s3 = s2 * s;
+    const double s4 = s3 * s;
+    const double h0 = 1.0 - s3 * (10.0 - 15.0 * s + 6.0 * s2);
+    const double h1 = s - s3 * (6.0 - 8.0 * s + 3.0 * s2);
+    const double h0_rate = (-30.0 * s2 + 60.0 * s3 - 30.0 * s4) / total;  // d h0 / dt
+    const double h1_rate = 1.0 - 18.0 * s2 + 32.0 * s3 - 15.0 * s4;       // T d h1 / dt
+    const auto left = static_cast<float>(h0);
+    command.q[i] += q[i] * h0 + qd[i] * total * h1;
+    command.qd[i] += static_cast<float>(q[i] * h0_rate + qd[i] * h1_rate);
+    command.tau[i] += tau[i] * left;
+    command.kp[i] += kp[i] * left;
+    command.kd[i] += kd[i] * left;
+  }
+}
+
+}  // namespace twinbus

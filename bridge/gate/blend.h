@@ -1,0 +1,45 @@
+// Fades one set-point into another without a jump: what is left of the difference decays per joint
+// over a fixed time.
+//
+// At the start e = own - client, in position and velocity.  The offset added to the client's
+// position is the quintic
+//
+//     o(t) = e_q h0(s) + e_qd T h1(s),   s = t / T,   h0 = 1 - 10 s^3 + 15 s^4 - 6 s^5,   h1 = s -
+//     6 s^3 + 8 s^4 - 3 s^5
+//
+// with o(0) = e_q, o'(0) = e_qd, and o, o', o'' zero at T: position and velocity go on as they were
+// and end at the client's.  Torque and gains fade with h0.  A joint may start again at any instant,
+// in the middle of a fade too, because the own set-point already contains what is left of the last
+// fade.
+
+#pragma once
+
+#include <cstdint>
+
+#include "lcmtypes/msg/robot_io.h"
+
+namespace twinbus {
+
+struct OffsetBlend {
+  // Joints of the mask (bit per joint) start to fade from own, which was in force dt seconds [s]
+  // ago, to client. duration [s]; 0 takes the client at once.
+  void start(const JointCommand& own, const JointCommand& client, std::int64_t mask, double dt,
+             double duration) noexcept;
+
+  // Forgets every offset.
+  void clear() noexcept { active = 0; }
+
+  // dt seconds [s] pass; then what is left is added to the first joint_count joints of command.
+  void advance_and_apply(double dt, int joint_count, JointCommand& command) noexcept;
+
+  std::int64_t active = 0;       // bit per joint that still fades
+  PerJoint<float> elapsed{};     // [s]
+  PerJoint<float> duration_s{};  // [s]
+  PerJoint<double> q{};          // e at the start [rad or m]
+  PerJoint<double> qd{};         // [rad/s or m/s]
+  PerJoint<float> tau{};         // [N m or N]
+  PerJoint<float> kp{};
+  PerJoint<float> kd{};
+};
+
+}  // namespace twinbus

@@ -1,0 +1,349 @@
+#include "bridge/gate/command_gate.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/math/index.h"
+
+namespace twinbus {
+
+namespace {
+
+constexpr double kBrakeTime = 0.1;   // from full speed to rest [s]
+constexpr double kTorqueStep = 0.1;  // largest change per tick, of the effort limit
+constexpr double kGainRange = 10.0;  // largest gain, of the model's own
+constexpr std::int64_t kBalancedStopLasts_ns = 2'000'000'000;
+constexpr int kTicksWithoutStopping = 3;
+
+
+std::int64_t bits_of(const Model& model, const std::vector<int>& joints) {
+  std::int64_t mask = 0;
+  for (int k = 0; k < model.bus_count(); ++k) {
+    if (std::find(joints.begin(), joints.end(), model.bus_joints[at(k)]) != joints.end())
+      mask |= bit(k);
+  }
+  return mask;
+}
+
+// One tick of coming to rest.
+void brake_step(double deceleration, double dt, double& q, float& qd) noexcept {
+  const double v = static_cast<double>(qd);
+  const double slower = std::copysign(std::max(0.0, std::abs(v) - deceleration * dt), v);
+  q += 0.5 * (v + slower) * dt;
+  qd = static_cast<float>(slower);
+}
+
+// Cuts value into [low, high]; 1 if it had to.  Numbers are finite here.
+template <class T>
+int cut(T& value, double low, double high) noexcept {
+  const double x = static_cast<double>(value);
+  if (x >= low && x <= high) return 0;
+  value = static_cast<T>(x < low ? low : high);
+  return 1;
+}
+
+}  // namespace
+
+GateLimits::GateLimits(const Model& model) {
+  joint_count = model.bus_count();
+  model_hash = model.hash;
+  legs = bits_of(model, model.leg_joints);
+  for (const Hand& hand : model.hands) arms |= bits_of(model, hand.joints);
+  all = joint_count >= 63 ? ~std::int64_t{0} : bit(joint_count) - 1;
+  period = model.period();
+  period_ns = model.period_ns;
+  command_timeout_ns = std::llround(1e9 * model.command_timeout);
+  guard_timeout_ns = std::llround(1e9 * model.guard_timeout);
+  blend_s = model.blend_s;
+  damp_when_off = model.off_action == OffAction::kDamp;
+  for (int k = 0; k < joint_count; ++k) {
+    const Joint& joint = model.joints[at(model.bus_joints[at(k)])];
+    const std::size_t i = at(k);
+    lower[i] = joint.lower;
+    upper[i] = joint.upper;
+    velocity[i] = joint.velocity;
+    effort[i] = joint.effort;
+    step[i] = (joint.rate > 0.0 ? joint.rate : 1.05 * joint.velocity) * period;
+    brake[i] = std::max(joint.velocity, 0.5) / kBrakeTime;
+    kp[i] = static_cast<float>(joint.kp);
+    kd[i] = static_cast<float>(joint.kd);
+    kp_max[i] = static_cast<float>(joint.kp > 0.0 ? kGainRange * joint.kp : 1e6);
+    kd_max[i] = static_cast<float>(joint.kd > 0.0 ? kGainRange * joint.kd : 1e5);
+    stop_kp[i] = static_cast<float>(joint.stop_kp > 0.0 ? joint.stop_kp : joint.kp);
+    stop_kd[i] = static_cast<float>(joint.stop_kd > 0.0 ? joint.stop_kd : joint.kd);
+  }
+}
+
+CommandGate::CommandGate(const GateLimits& limits, bool guard_required, std::uint64_t seed,
+                         RuleSet off) noexcept
+    : limits_(&limits), off_(off), guard_required_(guard_required), latch_(seed) {
+  client_.joint_count = effective_.joint_count = static_cast<std::int16_t>(limits.joint_count);
+}
+
+void CommandGate::hold_measured(const RobotState& state) noexcept {
+  blend_.clear();
+  for (int j = 0; j < limits_->joint_count; ++j) {
+    const std::size_t i = at(j);
+    effective_.q[i] = state.q[i];
+    effective_.qd[i] = 0.0F;
+    effective_.tau[i] = state.tau[i];
+    cut(effective_.tau[i], -limits_->effort[i], limits_->effort[i]);
+    effective_.kp[i] = limits_->kp[i];
+    effective_.kd[i] = limits_->kd[i];
+  }
+  start_hold(false);
+}
+
+void CommandGate::adopt(const JointCommand& command) noexcept {
+  blend_.clear();
+  effective_ = command;
+  effective_.joint_count = static_cast<std::int16_t>(limits_->joint_count);
+  start_hold(false);
+}
+
+void CommandGate::open(std::int64_t run_id, std::int32_t term, bool watched, double blend_s,
+                       std::int64_t now_ns) noexcept {
+  open_ = true;
+  watched_ = watched;
+  run_id_ = run_id;
+  term_ = term;
+  controller_ = next_controller_ = 0;
+  last_tick_ = -1;
+  last_accepted_ns_ = guard_ns_ = now_ns;
+  guard_tick_ = -1;
+  have_client_ = false;
+  blend_again(blend_s);
+}
+
+void CommandGate::close(bool stop_gains) noexcept {
+  if (open_ && !latch_.latched()) start_hold(stop_gains);
+  open_ = false;
+  have_client_ = false;
+}
+
+void CommandGate::blend_again(double blend_s) noexcept {
+  fade_next_ = true;
+  next_blend_s_ = blend_s;
+}
+
+void CommandGate::rebind(std::int64_t controller_id) noexcept {
+  if (controller_id != controller_) next_controller_ = controller_id;
+}
+
+GateVerdict CommandGate::judge(const JointCommand& command, std::int64_t tick) const noexcept {
+  if (!open_) return GateVerdict::kClosed;
+  if (command.run_id != run_id_ && holds(off_, Rule::kCommandRun)) return GateVerdict::kOtherRun;
+  if (command.term != term_ && holds(off_, Rule::kCommandTerm)) return GateVerdict::kOtherTerm;
+  if (controller_ != 0 && command.controller_id != controller_ &&
+      command.controller_id != next_controller_ && holds(off_, Rule::kOneController)) {
+    return GateVerdict::kOtherController;
+  }
+  if (command.tick <= last_tick_ && holds(off_, Rule::kCommandOrder)) return GateVerdict::kOldTick;
+  const std::int64_t oldest = tick - limits_->command_timeout_ns / limits_->period_ns;
+  if ((command.tick < oldest || command.tick > tick) && holds(off_, Rule::kCommandAge)) {
+    return GateVerdict::kTooOld;
+  }
+  if (command.joint_count != limits_->joint_count) return GateVerdict::kWrongSize;
+  if (command.model_hash != limits_->model_hash) return GateVerdict::kWrongModel;
+  // Infinity minus itself and NaN minus itself are NaN, everything else gives zero.
+  double zero = 0.0;
+  for (int j = 0; j < limits_->joint_count; ++j) {
+    const std::size_t i = at(j);
+    const double floats = static_cast<double>(command.qd[i] - command.qd[i]) +
+                          static_cast<double>(command.tau[i] - command.tau[i]) +
+                          static_cast<double>(command.kp[i] - command.kp[i]) +
+                          static_cast<double>(command.kd[i] - command.kd[i]);
+    zero += (command.q[i] - command.q[i]) + floats;
+  }
+  if (!(zero == 0.0)) return GateVerdict::kNotFinite;
+  if (latch_.kind == StopKind::kBalanced && (command.flags & kCommandStopping) == 0) {
+    return GateVerdict::kStopped;
+  }
+  if (latch_.kind > StopKind::kBalanced && holds(off_, Rule::kStopShutsGate)) {
+    return GateVerdict::kStopped;
+  }
+  return GateVerdict::kAccepted;
+}
+
+GateVerdict CommandGate::accept(const JointCommand& command, std::int64_t tick, bool late,
+                                std::int64_t now_ns) noexcept {
+  watch(now_ns);  // a process that slept finds its backlog too late
+  const GateVerdict verdict = judge(command, tick);
+  if (verdict != GateVerdict::kAccepted) {
+    if (verdict != GateVerdict::kClosed) ++counters_.rejected;
+    return verdict;
+  }
+  ++counters_.accepted;
+  if (late) ++counters_.late;
+  if (next_controller_ != 0 && command.controller_id == next_controller_) {
+    next_controller_ = 0;
+    blend_again(limits_->blend_s);
+  }
+  controller_ = command.controller_id;
+  last_tick_ = command.tick;
+  last_accepted_ns_ = now_ns;
+  if ((command.flags & kCommandStopping) != 0) stopping_seen_ = true;
+  if (fade_next_) {
+    fade_next_ = false;
+    blend_.start(effective_, command, limits_->all, late ? 0.0 : limits_->period, next_blend_s_);
+  }
+  client_ = command;
+  have_client_ = true;
+  holding_ = false;
+  return verdict;
+}
+
+// The set-point of our own: from where it is to rest, torque as it is, gains as they are or those
+// of a stop.
+void CommandGate::start_hold(bool stop_gains) noexcept {
+  blend_.clear();
+  client_ = effective_;
+  client_.flags = 0;
+  holding_ = true;
+  fade_next_ = true;
+  if (!(next_blend_s_ > 0.0)) next_blend_s_ = limits_->blend_s;
+  if (!stop_gains) return;
+  client_.kp = limits_->stop_kp;
+  client_.kd = limits_->stop_kd;
+  blend_.start(effective_, client_, limits_->all, 0.0, limits_->blend_s);  // gains fade
+}
+
+void CommandGate::stop(const StopRequest& request, std::int64_t now_ns) noexcept {
+  const StopKind before = latch_.kind;
+  if (latch_.stop(request, off_)) entered_stop(before, now_ns);
+}
+
+void CommandGate::stop(StopKind kind, StopReason reason, std::int64_t now_ns) noexcept {
+  const StopKind before = latch_.kind;
+  if (latch_.stop(kind, reason)) entered_stop(before, now_ns);
+}
+
+void CommandGate::entered_stop(StopKind before, std::int64_t now_ns) noexcept {
+  if (latch_.kind <= before) return;
+  stop_since_ns_ = now_ns;
+  ticks_without_stopping_ = 0;
+  stopping_seen_ = false;
+  // A source that follows no controller of its own has nobody who could make a balanced stop.
+  if (latch_.kind == StopKind::kBalanced && !(open_ && watched_)) latch_.kind = StopKind::kHold;
+  if (latch_.kind == StopKind::kHold) start_hold(true);
+}
+
+bool CommandGate::clear(std::int32_t nonce, std::int64_t now_ns) noexcept {
+  if (!latch_.clear(nonce, off_)) return false;
+  controller_ = next_controller_ = 0;
+  have_client_ = false;
+  last_accepted_ns_ = now_ns;
+  if (!holding_) start_hold(false);
+  blend_again(limits_->blend_s);
+  return true;
+}
+
+void CommandGate::guard(const GuardReport& report, std::int64_t now_ns) noexcept {
+  if (report.run_id != run_id_ || report.tick <= guard_tick_) return;
+  guard_tick_ = report.tick;
+  guard_ns_ = now_ns;
+  guard_mask_ = report.hold_mask & limits_->all;
+}
+
+void CommandGate::watch(std::int64_t now_ns) noexcept {
+  if (latch_.kind == StopKind::kBalanced && now_ns - stop_since_ns_ > kBalancedStopLasts_ns) {
+    stop(StopKind::kHold, latch_.reason, now_ns);
+  }
+  if (open_ && watched_ && !latch_.latched() &&
+      now_ns - last_accepted_ns_ >= limits_->command_timeout_ns &&
+      holds(off_, Rule::kTimeoutStops)) {
+    stop(StopKind::kHold, StopReason::kCommandTimeout, now_ns);
+  }
+}
+
+std::int64_t CommandGate::mask_in_force(bool walking, std::int64_t now_ns) const noexcept {
+  if (!open_) return 0;
+  std::int64_t mask = guard_tick_ >= 0 ? guard_mask_ : 0;
+  if (now_ns - guard_ns_ > limits_->guard_timeout_ns) {
+    mask = guard_required_ ? (mask | limits_->arms) : 0;
+  }
+  return walking ? mask & ~limits_->legs : mask;
+}
+
+void CommandGate::off_command(JointCommand& command) const noexcept {
+  command = effective_;
+  command.qd.fill(0.0F);
+  command.tau.fill(0.0F);
+  command.kp.fill(0.0F);
+  command.kd.fill(0.0F);
+  if (limits_->damp_when_off) command.kd = limits_->stop_kd;
+}
+
+void CommandGate::brake(JointCommand& command, std::int64_t mask) noexcept {
+  for (int j = 0; j < limits_->joint_count; ++j) {
+    if ((mask & bit(j)) == 0) continue;
+    const std::size_t i = at(j);
+    command.q[i] = effective_.q[i];
+    command.qd[i] = effective_.qd[i];
+    brake_step(limits_->brake[i], limits_->period, command.q[i], command.qd[i]);
+    command.tau[i] = effective_.tau[i];
+    command.kp[i] = effective_.kp[i];
+    command.kd[i] = effective_.kd[i];
+  }
+}
+
+void CommandGate::limit(JointCommand& command) noexcept {
+  int cuts = 0;
+  for (int j = 0; j < limits_->joint_count; ++j) {
+    const std::size_t i = at(j);
+    const double tau = static_cast<double>(effective_.tau[i]);
+    const double tau_step = kTorqueStep * limits_->effort[i];
+    cuts += cut(command.q[i], limits_->lower[i], limits_->upper[i]);
+    cuts += cut(command.qd[i], -limits_->velocity[i], limits_->velocity[i]);
+    cuts += cut(command.tau[i], -limits_->effort[i], limits_->effort[i]);
+    cuts += cut(command.kp[i], 0.0, static_cast<double>(limits_->kp_max[i]));
+    cuts += cut(command.kd[i], 0.0, static_cast<double>(limits_->kd_max[i]));
+    cuts +=
+        cut(command.q[i], effective_.q[i] - limits_->step[i], effective_.q[i] + limits_->step[i]);
+    cuts += cut(command.tau[i], tau - tau_step, tau + tau_step);
+  }
+  counters_.clamped += cuts;
+}
+
+const JointCommand& CommandGate::output(std::int64_t tick, bool walking,
+                                        std::int64_t now_ns) noexcept {
+  watch(now_ns);
+  if (latch_.kind == StopKind::kBalanced) {
+    ticks_without_stopping_ = stopping_seen_ ? 0 : ticks_without_stopping_ + 1;
+    if (ticks_without_stopping_ >= kTicksWithoutStopping)
+      stop(StopKind::kHold, latch_.reason, now_ns);
+  }
+  stopping_seen_ = false;
+  if (!holds(off_, Rule::kStopLatches)) latch_.clear(latch_.nonce);
+
+  JointCommand command;
+  if (latch_.kind == StopKind::kOff) {
+    off_command(command);
+  } else {
+    if (holding_) {
+      for (int j = 0; j < limits_->joint_count; ++j) {
+        brake_step(limits_->brake[at(j)], limits_->period, client_.q[at(j)], client_.qd[at(j)]);
+      }
+    }
+    const std::int64_t mask = holding_ ? 0 : mask_in_force(walking, now_ns);
+    const std::int64_t released = braking_ & ~mask;
+    if (released != 0) {
+      blend_.start(effective_, client_, released, limits_->period, limits_->blend_s);
+    }
+    command = client_;
+    blend_.advance_and_apply(limits_->period, limits_->joint_count, command);
+    braking_ = mask;
+    brake(command, mask);
+    limit(command);
+  }
+  command.tick = tick;
+  command.run_id = run_id_;
+  command.term = term_;
+  command.controller_id = controller_;
+  command.model_hash = limits_->model_hash;
+  command.joint_count = static_cast<std::int16_t>(limits_->joint_count);
+  effective_ = command;
+  return effective_;
+}
+
+}  // namespace twinbus

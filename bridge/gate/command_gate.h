@@ -1,0 +1,152 @@
+// The last code before a motor: HOUSE_STYLE.md section 8, the same in simulation and reality.
+//
+// Commands come in by accept(), stops by stop(); once per tick output() gives what is written to
+// the adaptor.  A command is refused whole before anything in it is clamped, because clamping NaN
+// gives NaN.  The gate always has an effective set-point of its own; a client's commands are faded
+// in from it (OffsetBlend).  Copyable: the protocol explorer clones it.
+
+#pragma once
+
+#include <cstdint>
+
+#include "bridge/gate/blend.h"
+#include "bridge/handover/rules.h"
+#include "bridge/gate/stop_latch.h"
+#include "robot/description/model.h"
+#include "lcmtypes/msg/requests.h"
+#include "lcmtypes/msg/robot_io.h"
+
+namespace twinbus {
+
+// What the gate needs of the model, per joint on the bus.
+struct GateLimits {
+  explicit GateLimits(const Model& model);
+  int joint_count = 0;
+  std::int64_t model_hash = 0;
+  std::int64_t arms = 0;  // bit per joint
+  std::int64_t legs = 0;
+  std::int64_t all = 0;
+  double period = 0.0;  // [s]
+  std::int64_t period_ns = 0;
+  std::int64_t command_timeout_ns = 0;
+  std::int64_t guard_timeout_ns = 0;
+  double blend_s = 0.0;
+  bool damp_when_off = true;
+  PerJoint<double> lower{}, upper{};      // [rad or m]
+  PerJoint<double> velocity{}, effort{};  // [rad/s or m/s], [N m or N]
+  PerJoint<double> step{};                // largest change of a position in one period [rad or m]
+  PerJoint<double> brake{};  // deceleration of a joint brought to rest [rad/s^2 or m/s^2]
+  PerJoint<float> kp{}, kd{}, kp_max{}, kd_max{}, stop_kp{}, stop_kd{};
+};
+
+enum class GateVerdict : std::int8_t {
+  kAccepted = 0,
+  kClosed,    // obeys nobody now
+  kOtherRun,  // for another source
+  kOtherTerm,
+  kOtherController,  // bound to somebody else
+  kOldTick,          // not newer than the last
+  kTooOld,           // older than the command timeout, or from the future
+  kWrongSize,
+  kWrongModel,
+  kNotFinite,
+  kStopped,  // a stop is in force
+};
+
+struct GateCounters {
+  std::int64_t accepted = 0, rejected = 0, late = 0;
+  std::int64_t clamped = 0;  // numbers cut to a limit
+};
+
+class CommandGate {
+ public:
+  // limits must outlive the gate.
+  CommandGate(const GateLimits& limits, bool guard_required, std::uint64_t seed,
+              RuleSet off = 0) noexcept;
+
+  // The set-point becomes the measured posture with the model's gains, at rest.
+  void hold_measured(const RobotState& state) noexcept;
+  // The set-point becomes a command that was in force on another source (a state was imposed with
+  // it).
+  void adopt(const JointCommand& command) noexcept;
+
+  // Obeys commands that name this run and term, from the first controller that speaks; its first
+  // command is faded in over blend_s.  watched: silence for the command timeout, counted from
+  // now_ns, stops.
+  void open(std::int64_t run_id, std::int32_t term, bool watched, double blend_s,
+            std::int64_t now_ns) noexcept;
+  // Obeys nobody: brings the set-point to rest and holds it, with its gains or those of a stop.
+  void close(bool stop_gains = false) noexcept;
+  // The next command is faded in again.
+  void blend_again(double blend_s) noexcept;
+  // Another controller may take the place of the bound one; it does with its first good command,
+  // faded in.
+  void rebind(std::int64_t controller_id) noexcept;
+
+  // tick: of the state that was published last.  late: its set-point has already been written.
+  GateVerdict accept(const JointCommand& command, std::int64_t tick, bool late,
+                     std::int64_t now_ns) noexcept;
+  void stop(const StopRequest& request, std::int64_t now_ns) noexcept;
+  void stop(StopKind kind, StopReason reason, std::int64_t now_ns) noexcept;
+  // True if the stop is cleared; the client is faded in again.
+  bool clear(std::int32_t nonce, std::int64_t now_ns) noexcept;
+  void share_nonce(std::int32_t nonce, bool stopped) noexcept { latch_.share(nonce, stopped); }
+  void guard(const GuardReport& report, std::int64_t now_ns) noexcept;
+
+  // Time-outs; before output() and before the role of a tick is decided.
+  void watch(std::int64_t now_ns) noexcept;
+  // Once per tick: the set-point to write.  walking: the guard may not brake the legs.
+  const JointCommand& output(std::int64_t tick, bool walking, std::int64_t now_ns) noexcept;
+
+  const JointCommand& effective() const noexcept { return effective_; }
+  const StopLatch& latch() const noexcept { return latch_; }
+  const GateCounters& counters() const noexcept { return counters_; }
+  std::int64_t controller_id() const noexcept { return controller_; }
+  std::int64_t last_accepted_ns() const noexcept { return last_accepted_ns_; }
+  std::int64_t last_accepted_tick() const noexcept { return last_tick_; }
+  std::int64_t masked() const noexcept { return braking_; }  // bit per joint
+  bool is_open() const noexcept { return open_; }
+  bool commanded() const noexcept { return have_client_; }  // a command was accepted since open()
+  bool wants_blend() const noexcept { return fade_next_ && next_blend_s_ > 0.0; }
+  bool blending() const noexcept { return blend_.active != 0; }
+
+ private:
+  friend struct ProtocolProbe;  // test/protocol looks inside to tell states apart
+  GateVerdict judge(const JointCommand& command, std::int64_t tick) const noexcept;
+  void entered_stop(StopKind before, std::int64_t now_ns) noexcept;
+  void start_hold(bool stop_gains) noexcept;
+  void off_command(JointCommand& command) const noexcept;
+  void brake(JointCommand& command, std::int64_t mask) noexcept;
+  void limit(JointCommand& command) noexcept;
+  std::int64_t mask_in_force(bool walking, std::int64_t now_ns) const noexcept;
+
+  const GateLimits* limits_;
+  RuleSet off_;
+  bool guard_required_;
+  bool open_ = false;
+  bool watched_ = false;
+  bool have_client_ = false;  // client_ is a command of the present client
+  bool fade_next_ = false;    // the next accepted command starts a blend
+  bool holding_ = true;       // client_ is a hold of our own
+  double next_blend_s_ = 0.0;
+  std::int64_t run_id_ = 0;
+  std::int64_t controller_ = 0;
+  std::int64_t next_controller_ = 0;
+  std::int64_t last_tick_ = -1;
+  std::int64_t last_accepted_ns_ = 0;
+  std::int64_t stop_since_ns_ = 0;
+  std::int64_t guard_ns_ = 0;  // of the last report, or of open()
+  std::int64_t guard_tick_ = -1;
+  std::int64_t guard_mask_ = 0;
+  std::int64_t braking_ = 0;
+  std::int32_t term_ = 0;
+  std::int32_t ticks_without_stopping_ = 0;
+  bool stopping_seen_ = false;  // this tick
+  StopLatch latch_;
+  GateCounters counters_;
+  JointCommand client_;     // what is asked for, by the client or by our own hold
+  JointCommand effective_;  // what was written last
+  OffsetBlend blend_;
+};
+
+}  // namespace twinbus

@@ -1,0 +1,66 @@
+// What a source tells of itself and its scene again and again, for whoever comes late: robot description, obstacles,
+// terrain once a second, loose bodies 50 times; spread so that no tick sends many.
+
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "bridge/adaptor/adaptor.h"
+#include "lcmtypes/msg/requests.h"
+
+namespace twinbus {
+
+class SceneTeller {
+ public:
+  // run_id: of the source, whose world terrain and loose bodies are in.
+  SceneTeller(std::vector<ModelTextPiece> texts, std::vector<ObstaclesPiece> obstacles,
+              std::vector<ObstaclesPiece> terrain, std::int64_t run_id)
+      : texts_(std::move(texts)),
+        obstacles_(std::move(obstacles)),
+        terrain_(std::move(terrain)),
+        run_id_(run_id) {
+    for (ObstaclesPiece& piece : terrain_) piece.scene_id = run_id_;
+  }
+
+  // At most one message; on has text(), obstacles() and terrain() with a piece each.
+  template <class On>
+  void repeat(std::int64_t now_ns, On& on) noexcept {
+    const std::size_t total = texts_.size() + obstacles_.size() + terrain_.size();
+    if (total == 0 || now_ns < next_ns_) return;
+    next_ns_ = now_ns + kSecond_ns / static_cast<std::int64_t>(total);
+    next_ = (next_ + 1) % total;
+    std::size_t i = next_;
+    if (i < texts_.size()) return on.text(texts_[i]);
+    i -= texts_.size();
+    if (i < obstacles_.size()) return on.obstacles(obstacles_[i]);
+    on.terrain(terrain_[i - obstacles_.size()]);
+  }
+
+  // At most one message: on.loose().
+  template <class On>
+  void tell_loose(std::int64_t now_ns, const RobotAdaptor& adaptor, On& on) noexcept {
+    if (now_ns < next_loose_ns_) return;
+    loose_piece_ = loose_piece_ + 1 < loose_pieces_ ? loose_piece_ + 1 : 0;
+    loose_pieces_ = adaptor.loose(loose_piece_, loose_);
+    next_loose_ns_ = now_ns + kLooseEvery_ns / (loose_pieces_ > 0 ? loose_pieces_ : 1);
+    if (loose_pieces_ == 0) return;
+    loose_.scene_id = run_id_;
+    on.loose(loose_);
+  }
+
+ private:
+  static constexpr std::int64_t kSecond_ns = 1'000'000'000, kLooseEvery_ns = 20'000'000;
+
+  std::vector<ModelTextPiece> texts_;
+  std::vector<ObstaclesPiece> obstacles_, terrain_;
+  std::int64_t run_id_;
+  std::int64_t next_ns_ = 0, next_loose_ns_ = 0;
+  std::size_t next_ = 0;
+  ObstaclesPiece loose_;
+  int loose_piece_ = 0, loose_pieces_ = 0;
+};
+
+}  // namespace twinbus

@@ -1,0 +1,137 @@
+#include "bridge/source/source_events.h"
+
+#include <cstdarg>
+#include <cstdio>
+
+#include "lcmtypes/msg/status.h"
+
+namespace twinbus {
+
+namespace {
+
+__attribute__((format(printf, 3, 4))) void say(Event& event, int severity, const char* format,
+                                               ...) noexcept {
+  event.severity = static_cast<std::int8_t>(severity);
+  event.text.fill('\0');
+  std::va_list arguments;
+  va_start(arguments, format);
+  std::vsnprintf(event.text.data(), event.text.size(), format, arguments);
+  va_end(arguments);
+}
+
+const char* stop_name(StopKind kind) noexcept {
+  switch (kind) {
+    case StopKind::kNone:
+      return "none";
+    case StopKind::kBalanced:
+      return "balanced";
+    case StopKind::kHold:
+      return "hold";
+    case StopKind::kOff:
+      return "off";
+  }
+  return "unknown";
+}
+
+const char* reason_name(StopReason reason) noexcept {
+  switch (reason) {
+    case StopReason::kNone:
+      return "no reason given";
+    case StopReason::kOperator:
+      return "asked by the operator";
+    case StopReason::kGamepad:
+      return "asked on the gamepad";
+    case StopReason::kViewer:
+      return "asked in the viewer";
+    case StopReason::kGuard:
+      return "asked by the guard";
+    case StopReason::kLauncher:
+      return "the stack is being ended";
+    case StopReason::kController:
+      return "asked by the controller";
+    case StopReason::kCommandTimeout:
+      return "no command for the command timeout: is the controller running?";
+    case StopReason::kDevice:
+      return "the device failed";
+    case StopReason::kSwitch:
+      return "rest before a switch";
+  }
+  return "unknown reason";
+}
+
+const char* role_sentence(Role before, Role now) noexcept {
+  switch (now) {
+    case Role::kActive:
+      if (before == Role::kReleasing)
+        return "the target did not take over in time: I stay active, in a new term";
+      if (before == Role::kStopped) return "the stop is cleared: active again";
+      return "I am the active source now";
+    case Role::kReleasing:
+      return "handing over to the target";
+    case Role::kParked:
+      return "parked";
+    case Role::kStandbyTrack:
+      return "standby: I take over the state of the active source";
+    case Role::kStandbyShadow:
+      return "standby: I follow the commands of the active source";
+    case Role::kStopped:
+      return "stopped";
+    case Role::kNone:
+      break;
+  }
+  return "no role";
+}
+
+}  // namespace
+
+bool next_sentence(SourceStatus& told, const SourceStatus& now, Event& event) noexcept {
+  if (told.role != now.role) {
+    say(event, 0, "%s (term %d)", role_sentence(told.role, now.role), static_cast<int>(now.term));
+    told.role = now.role;
+    return true;
+  }
+  if (told.stop_kind != now.stop_kind) {
+    if (now.stop_kind != StopKind::kNone) {
+      say(event, 2, "stop '%s': %s", stop_name(now.stop_kind), reason_name(now.stop_reason));
+    } else {
+      say(event, 0, "stop cleared");
+    }
+    told.stop_kind = now.stop_kind;
+    return true;
+  }
+  if (now.refusal != Refusal::kNone &&
+      (told.refusal != now.refusal || told.refusal_sequence != now.refusal_sequence)) {
+    told.refusal = now.refusal;
+    told.refusal_sequence = now.refusal_sequence;
+    say(event, 1, "refused: %s", refusal_text(now.refusal));
+    return true;
+  }
+  told.refusal = now.refusal;
+  told.refusal_sequence = now.refusal_sequence;
+  if (told.adaptor_status != now.adaptor_status) {
+    told.adaptor_status = now.adaptor_status;
+    say(event, now.adaptor_status == 0 ? 0 : 2, "device: %s",
+        to_text(static_cast<Status>(now.adaptor_status)));
+    return true;
+  }
+  if (told.controller_id != now.controller_id) {
+    told.controller_id = now.controller_id;
+    if (now.controller_id == 0) return next_sentence(told, now, event);
+    say(event, 0, "obeys a controller (its controller_id: %lld)",
+        static_cast<long long>(now.controller_id));
+    return true;
+  }
+  if (told.terms_ignored == 0 && now.terms_ignored > 0) {
+    told.terms_ignored = now.terms_ignored;
+    say(event, 2, "somebody publishes on STATE with a term nobody granted: ignored and counted");
+    return true;
+  }
+  if (told.clamped == 0 && now.clamped > 0) {
+    told.clamped = now.clamped;
+    say(event, 1, "a command was beyond a limit: cut and counted");
+    return true;
+  }
+  return false;
+}
+
+}  // namespace twinbus

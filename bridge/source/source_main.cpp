@@ -1,0 +1,442 @@
+#include "bridge/source/source_main.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "bridge/source/model_text.h"
+#include "bridge/source/scene_teller.h"
+#include "bridge/source/source_events.h"
+#include "lcmtypes/bus/bus.h"
+#include "lcmtypes/bus/channels.h"
+#include "lcmtypes/node/missed_ticks.h"
+#include "common/process/process.h"
+#include "lcmtypes/node/pulse.h"
+#include "common/time/latency_histogram.h"
+#include "test/no_alloc.h"
+
+namespace twinbus {
+
+namespace {
+
+constexpr double kCommandDeadline = 0.6;  // of the period, then the command is late
+constexpr std::int64_t kStatusEvery_ns = 100'000'000;
+constexpr std::int64_t kSecond_ns = 1'000'000'000;
+constexpr double kResendEvery = 0.020;  // lock-step [s]
+constexpr int kLastTicks = 25;          // of a robot that is held before the process ends
+
+const char* own_channel(SourceKind kind) {
+  switch (kind) {
+    case SourceKind::kBridge:
+      return channel::kStateBridge;
+    case SourceKind::kReplay:
+      return channel::kStateReplay;
+    default:
+      return channel::kStateSim;
+  }
+}
+
+const char* channel_of(const ModeRequest&) { return channel::kModeRequest; }
+const char* channel_of(const ArmGoal&) { return channel::kArmGoal; }
+const char* channel_of(const WalkCommand&) { return channel::kWalk; }
+const char* channel_of(const StepList&) { return channel::kSteps; }
+const char* channel_of(const Gamepad&) { return channel::kGamepad; }
+
+class Shell {
+ public:
+  Shell(const SourceMainOptions& options, const Model& model, RobotAdaptor& adaptor,
+        RealTime real_time)
+      : options_(options),
+        model_(model),
+        adaptor_(adaptor),
+        run_id_(options.common.id != 0 ? options.common.id : random_id()),
+        bus_({.url = options.common.url,
+              .prefix = options.common.prefix,
+              .allow = {options.common.allow}}),
+        source_(model, adaptor, config()),
+        scene_(model_text_pieces(model, options.scene_text, run_id_), options.obstacles,
+               options.terrain, run_id_),
+        script_(options.modes, options.goals, model.period(), run_id_, options.walks, options.pads,
+                options.steps),
+        pulse_(options.process, run_id_, real_time) {
+    period_ns_ = std::llround(model.period_ns / options.rate);
+    told_ = source_.status();
+    told_.role = Role::kNone;
+    if (!options.lockstep) missed_.watch(period_ns_);
+    listen();
+  }
+
+  std::int64_t run_id() const { return run_id_; }
+
+  int run() {
+    std::int64_t due = monotonic_ns();
+    due += period_ns_ - due % period_ns_;
+    while (!finished()) {
+      NoAlloc no_alloc;
+      wait_until(due);
+      wake_.add(monotonic_ns() - due);
+      tick(due);
+      due = next_due(due);
+      allocations_ += no_alloc.count();
+    }
+    leave(due);
+    return bus_gone_ ? 1 : 0;
+  }
+
+ private:
+  SourceConfig config() const {
+    SourceConfig c;
+    c.run_id = run_id_;
+    c.kind = options_.kind;
+    c.pace = options_.lockstep ? Pace::kLockStep : Pace::kRealTime;
+    // Lock-step does not wait for the guard's process, so its silence must not decide anything there; the
+    // controller's own guard looks at every tick.
+    c.guard_required = options_.guard_required && !options_.lockstep;
+    c.seed = static_cast<std::uint64_t>(options_.seed) ^ static_cast<std::uint64_t>(monotonic_ns());
+    return c;
+  }
+
+  void listen() {
+    bus_.listen_each<RobotState>(channel::kState, on_state_);
+    for (const char* name : {channel::kStateSim, channel::kStateBridge, channel::kStateReplay}) {
+      bus_.listen_each<RobotState>(name, on_standby_);
+    }
+    bus_.listen_each<JointCommand>(channel::kCommand, on_command_);
+    bus_.listen_each<SourceRequest>(channel::kSourceRequest, on_request_);
+    bus_.listen_each<ControllerRequest>(channel::kControllerRequest, on_controller_);
+    bus_.listen_each<StopRequest>(channel::kStop, on_stop_);
+    bus_.listen_each<GuardReport>(channel::kGuard, on_guard_);
+    bus_.listen_each<ControllerStatus>(channel::kControllerStatus, on_controller_status_);
+  }
+
+  bool finished() const {
+    if (quit_requested() || bus_gone_) return true;
+    if (!(options_.duration > 0.0) || first_tick_ == 0) return false;
+    const double active =
+        model_.period() * static_cast<double>(source_.state().tick - first_tick_ + 1);
+    return active >= options_.duration - 1e-9;
+  }
+
+  // In lock-step the command is the clock, as long as somebody may command.
+  bool lockstep_now() const {
+    return options_.lockstep && source_.publishes_on_state() &&
+           source_.status().stop_kind <= StopKind::kBalanced;
+  }
+
+  void receive(double timeout_s) {
+    if (bus_.receive(timeout_s) < 0) bus_gone_ = true;
+  }
+
+  void wait_until(std::int64_t due) {
+    if (lockstep_now()) return receive(0.0);
+    for (std::int64_t left = due - monotonic_ns(); left > 0 && !quit_requested() && !bus_gone_;
+         left = due - monotonic_ns()) {
+      receive(1e-9 * static_cast<double>(left));
+    }
+    receive(0.0);
+  }
+
+  void tick(std::int64_t due) {
+    const std::int64_t begin = monotonic_ns();
+    source_.begin_tick(begin);
+    const RobotState& state = source_.state();
+    if (source_.publishes_on_state() && first_tick_ == 0) first_tick_ = state.tick;
+    const std::int64_t sent = monotonic_ns();
+    publish_state();
+    if (source_.publishes_on_state() && !lockstep_now() && sent - due > period_ns_ / 2) {
+      missed_.add(1, sent - due - period_ns_ / 2, due - 2 * period_ns_, sent);
+    }
+    const bool has_truth = keep_truth();
+    const std::int64_t published = monotonic_ns();
+    if (lockstep_now()) {
+      wait_for_answer();
+    } else {
+      const std::int64_t deadline =
+          due + std::llround(kCommandDeadline * static_cast<double>(period_ns_));
+      for (std::int64_t left = deadline - monotonic_ns();
+           left > 0 && !source_.command_ready() && !bus_gone_; left = deadline - monotonic_ns()) {
+        receive(1e-9 * static_cast<double>(left));
+      }
+    }
+    const std::int64_t answered = monotonic_ns();
+    // A tick without an answer counts with the whole time that was waited.
+    if (is_commanded()) pulse_.answered(answered - sent);
+    source_.end_tick(answered);
+    if (has_truth) {
+      send(channel::kTruth, truth_);
+      scene_.tell_loose(answered, adaptor_, tell_scene_);
+    }
+    report(answered);
+    const std::int64_t end = monotonic_ns();
+    pulse_.tick(end, (published - begin) + (end - answered));
+  }
+
+  // The truth of the tick that was just published.  It is sent after the answer, which it would
+  // delay.
+  bool keep_truth() {
+    const SimTruth* truth = adaptor_.truth();
+    if (truth == nullptr || !source_.publishes_on_state()) return false;
+    truth_ = *truth;
+    truth_.tick = source_.state().tick;
+    truth_.run_id = run_id_;
+    return true;
+  }
+
+  bool is_commanded() const {
+    const SourceStatus& s = source_.status();
+    return s.role == Role::kActive && s.controller_id != 0 && s.stop_kind == StopKind::kNone;
+  }
+
+  void publish_state() {
+    send(source_.publishes_on_state() ? channel::kState : own_channel(options_.kind),
+         source_.state());
+  }
+
+  // Lock-step: the state is sent again until it is answered.
+  void wait_for_answer() {
+    const std::int64_t asked = monotonic_ns();
+    bool said = false;
+    while (!source_.command_ready() && lockstep_now() && !quit_requested() && !bus_gone_) {
+      const std::int64_t sent = monotonic_ns();
+      for (double left = kResendEvery; left > 0.0 && !source_.command_ready() && !bus_gone_;
+           left = kResendEvery - 1e-9 * static_cast<double>(monotonic_ns() - sent)) {
+        receive(left);
+      }
+      if (source_.command_ready()) break;
+      report(monotonic_ns());
+      publish_state();
+      if (!said && monotonic_ns() - asked > kSecond_ns) {
+        said = true;
+        tell(1, "lock-step pauses: no controller has answered for 1 s");
+        std::fprintf(stderr, "%s: lock-step pauses: no controller has answered tick %lld for 1 s\n",
+                     options_.program.c_str(), static_cast<long long>(source_.state().tick));
+      }
+    }
+  }
+
+  // Ticks lie on absolute multiples of the period; a process that slept goes on and does not catch
+  // up in a burst.
+  std::int64_t next_due(std::int64_t due) {
+    std::int64_t next = due + period_ns_;
+    if (options_.rate == 1.0) next = source_.next_tick_due_ns(due);
+    const std::int64_t now = monotonic_ns();
+    if (next < now - period_ns_) {
+      if (source_.publishes_on_state() && !options_.lockstep) {
+        missed_.add((now - next) / period_ns_, now - next - period_ns_, due - period_ns_, now);
+      }
+      next += (now - next) / period_ns_ * period_ns_;
+    }
+    return next;
+  }
+
+  template <class T>
+  void send(const char* name, const T& value) {
+    if (!bus_.send(name, value)) ++send_failures_;
+  }
+
+  void tell(int severity, const char* text) {
+    Event event;
+    event.severity = static_cast<std::int8_t>(severity);
+    std::snprintf(event.text.data(), event.text.size(), "%s", text);
+    send_event(event);
+  }
+
+  void send_event(Event& event) {
+    event.utime = wall_us();
+    event.sender_id = run_id_;
+    event.run_id = run_id_;
+    event.tick = source_.state().tick;
+    event.sequence = ++event_sequence_;
+    event.kind = options_.process;
+    send(channel::kEvent, event);
+  }
+
+  void report(std::int64_t now) {
+    SourceStatus status = source_.status();
+    status.ticks_missed = missed_.count();
+    const bool changed = status.role != told_.role || status.stop_kind != told_.stop_kind ||
+                         status.refusal != told_.refusal || status.term != told_term_ ||
+                         status.refusal_sequence != told_.refusal_sequence ||
+                         status.stop_nonce != told_nonce_ ||
+                         status.controller_id != told_.controller_id;
+    Event event;
+    while (next_sentence(told_, status, event)) send_event(event);
+    if (changed || now - status_ns_ >= kStatusEvery_ns) {
+      told_term_ = status.term;
+      told_nonce_ = status.stop_nonce;
+      status_ns_ = now;
+      status.utime = wall_us();
+      send(channel::kSourceStatus, status);
+    }
+    StopRequest stop = source_.take_stop_to_publish(now);
+    if (stop.kind != StopKind::kNone) {
+      stop.utime = wall_us();
+      send(channel::kStop, stop);
+    }
+    if (pulse_.due(now)) send_heartbeat(now);
+    scene_.repeat(now, tell_scene_);
+    send_script();
+  }
+
+  void send_heartbeat(std::int64_t now) {
+    Heartbeat& beat = pulse_.beat(now);
+    const BusCounters& counters = bus_.counters();
+    const SourceStatus& status = source_.status();
+    beat.messages_received = counters.received;
+    beat.messages_rejected = counters.rejected + status.commands_rejected + status.terms_ignored;
+    beat.messages_lost = counters.lost;
+    missed_.tell(beat);
+    beat.allocations = allocations_counted() ? allocations_ : -1;
+    beat.send_failures = static_cast<std::int32_t>(send_failures_);
+    beat.wake_p99_us = static_cast<float>(1e-3 * wake_.p99_ns());
+    beat.state = source_.publishes_on_state() ? std::int8_t{2} : std::int8_t{1};
+    if (!bus_.send_heartbeat(beat)) ++send_failures_;
+  }
+
+  void send_script() {
+    if (first_tick_ == 0 || !source_.publishes_on_state()) return;
+    script_.after(source_.state().tick, first_tick_, [this](auto& request) {
+      request.utime = wall_us();
+      send(channel_of(request), request);
+    });
+  }
+
+  // A robot is held for a moment, so that whoever watches sees the stop; then STATE is left.
+  void leave(std::int64_t due) {
+    if (bus_gone_) return;
+    if (source_.publishes_on_state() && adaptor_.is_hardware()) {
+      StopRequest stop;
+      stop.sender_id = run_id_;
+      stop.kind = StopKind::kHold;
+      stop.reason = StopReason::kLauncher;
+      source_.on_stop(stop, monotonic_ns());
+      for (int i = 0; i < kLastTicks; ++i) {
+        sleep_until_ns(due);
+        tick(due);
+        due += period_ns_;
+      }
+    }
+    RobotState last = source_.state();
+    last.role = Role::kParked;
+    last.grant_run_id = 0;
+    send(own_channel(options_.kind), last);
+    SourceStatus status = source_.status();
+    status.role = Role::kParked;
+    status.utime = wall_us();
+    send(channel::kSourceStatus, status);
+    tell(0, "source ended");
+  }
+
+  struct TellScene {
+    Shell* s;
+    void text(ModelTextPiece& piece) const noexcept { stamped(channel::kModelText, piece); }
+    void obstacles(ObstaclesPiece& piece) const noexcept { stamped(channel::kObstacles, piece); }
+    void terrain(ObstaclesPiece& piece) const noexcept { stamped(channel::kTerrain, piece); }
+    void loose(ObstaclesPiece& piece) const noexcept { stamped(channel::kLoose, piece); }
+    template <class T>
+    void stamped(const char* name, T& piece) const noexcept {
+      piece.utime = wall_us();
+      s->send(name, piece);
+    }
+  };
+  struct OnState {
+    Shell* s;
+    void operator()(const RobotState& m) const noexcept { s->source_.on_state(m, monotonic_ns()); }
+  };
+  struct OnStandby {
+    Shell* s;
+    void operator()(const RobotState& m) const noexcept {
+      s->source_.on_standby_state(m, monotonic_ns());
+    }
+  };
+  struct OnCommand {
+    Shell* s;
+    void operator()(const JointCommand& m) const noexcept {
+      s->source_.on_command(m, monotonic_ns());
+    }
+  };
+  struct OnRequest {
+    Shell* s;
+    void operator()(const SourceRequest& m) const noexcept {
+      s->source_.on_source_request(m, monotonic_ns());
+    }
+  };
+  struct OnController {
+    Shell* s;
+    void operator()(const ControllerRequest& m) const noexcept {
+      s->source_.on_controller_request(m, monotonic_ns());
+    }
+  };
+  struct OnStop {
+    Shell* s;
+    void operator()(const StopRequest& m) const noexcept { s->source_.on_stop(m, monotonic_ns()); }
+  };
+  struct OnGuard {
+    Shell* s;
+    void operator()(const GuardReport& m) const noexcept { s->source_.on_guard(m, monotonic_ns()); }
+  };
+  struct OnControllerStatus {
+    Shell* s;
+    void operator()(const ControllerStatus& m) const noexcept {
+      s->source_.on_controller_status(m, monotonic_ns());
+    }
+  };
+
+  const SourceMainOptions& options_;
+  const Model& model_;
+  RobotAdaptor& adaptor_;
+  std::int64_t run_id_;
+  Bus bus_;
+  Source source_;
+  SceneTeller scene_;
+  SceneScript script_;
+  SimTruth truth_;
+  SourceStatus told_;
+  MissedTicks missed_;
+  Pulse pulse_;
+  RateStats wake_;
+  std::int64_t period_ns_ = 0, first_tick_ = 0, send_failures_ = 0, allocations_ = 0,
+               status_ns_ = 0;
+  std::int32_t event_sequence_ = 0, told_term_ = 0, told_nonce_ = 0;
+  bool bus_gone_ = false;
+
+  TellScene tell_scene_{this};
+  OnState on_state_{this};
+  OnStandby on_standby_{this};
+  OnCommand on_command_{this};
+  OnRequest on_request_{this};
+  OnController on_controller_{this};
+  OnStop on_stop_{this};
+  OnGuard on_guard_{this};
+  OnControllerStatus on_controller_status_{this};
+};
+
+}  // namespace
+
+void add_source_options(Options& parser, SourceMainOptions& options, bool simulator) {
+  parser.number("--for", "S", options.duration, 0.0, 1e7,
+                "ends after S seconds of being active; 0: never");
+  parser.flag("--guard-required", options.guard_required,
+              "brakes the arms while no guard is heard");
+  if (!simulator) return;
+  parser.flag("--lockstep", options.lockstep,
+              "waits for the answer to every STATE instead of the clock");
+  parser.number("--rate", "X", options.rate, 0.01, 100.0, "runs X times as fast as real time");
+  parser.integer("--seed", "N", options.seed, 0, INT64_MAX, "of everything random");
+}
+
+int run_source_main(const SourceMainOptions& options, const Model& model, RobotAdaptor& adaptor) {
+  catch_quit_signals();
+  std::string why;
+  const RealTime real_time = enter_real_time(options.priority, &why);
+  if (!why.empty()) std::fprintf(stderr, "%s: %s\n", options.program.c_str(), why.c_str());
+  Shell shell(options, model, adaptor, real_time);
+  std::printf("%s ready: %s, %d joints, run %lld, %s, %s\n", options.program.c_str(),
+              model.name.c_str(), model.bus_count(), static_cast<long long>(shell.run_id()),
+              options.lockstep ? "lock-step" : "real time",
+              real_time == RealTime::kNone ? "no real-time priority" : "FIFO priority");
+  std::fflush(stdout);
+  return shell.run();
+}
+
+}  // namespace twinbus

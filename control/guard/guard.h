@@ -1,0 +1,79 @@
+// Self-collision and obstacle guard: looks at one state and the command that answers it, and names
+// the joints that must be braked so that nothing touches.
+//
+// Once per tick it asks: if the command is obeyed for the ticks that a mask needs to arrive, and
+// everything is braked after that, does anything come nearer than the margin?  It asks the same of a
+// brake that begins now, as commands may change at once, and of joints that are still held and stay so
+// while others go on.  If so, the arm and waist joints that bring the pair together are masked; joints
+// that take it apart never are, so a robot that was started in collision, or was stopped in front of
+// one, can always be moved out.  Ways are proved as a whole (robot/swept_shapes): between the places
+// looked at nothing comes nearer than half the margin, or half of what is left of it; what cannot be
+// proved in a tick is answered like a danger.
+// Legs are never masked: a pair that legs bring together asks for a balanced stop.
+
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "robot/collision/collision.h"
+#include "robot/estimation/estimator.h"
+#include "robot/kinematics/kinematics.h"
+#include "robot/description/model.h"
+#include "lcmtypes/msg/requests.h"
+#include "lcmtypes/msg/robot_io.h"
+
+namespace twinbus {
+
+struct GuardConfig {
+  std::int64_t guard_id = 1;
+  double margin = 0.010;     // distance that is left when everything has come to rest [m]
+  double near = 0.050;       // pairs nearer than this are reported [m]
+  int delay_ticks = 2;       // from the state that shows a danger to the brake that answers it
+  double servo_lag = 0.005;  // by which a joint runs on behind a set-point that is braked [s]
+};
+
+class Guard {
+ public:
+  static constexpr int kMaxPairs = 64;  // near pairs kept per tick
+
+  // The model must outlive the guard.  Allocates everything; throws std::runtime_error if a mesh
+  // cannot be read.
+  Guard(const Model& model, const GuardConfig& config);
+  ~Guard();
+
+  // Judges one tick; call for every tick.  state and command are finite (convert).  command: what
+  // the controller asks for, before any mask is applied to it; null when unknown.  base: only its
+  // base pose is read, and only obstacles depend on it.  The report holds until the next call;
+  // compute_ns is left 0 for the caller to fill.
+  const GuardReport& check(const RobotState& state, const JointCommand* command,
+                           const Configuration& base) noexcept;
+
+  // The same of an estimator that has taken the state: its kinematics are used, and how fast it sees the base move.
+  const GuardReport& check(const RobotState& state, const JointCommand* command,
+                           const Estimator& seen) noexcept;
+
+  const GuardReport& report() const noexcept;
+
+  // All near pairs of the last tick, nearest first, points in world; links >= link_count are
+  // obstacles.
+  const PairDistance* pairs() const noexcept;
+  int pair_count() const noexcept;
+
+  // Stretches of a way to rest, since the start, that were too long or too near something to be proved
+  // free within the looks that a tick has.
+  std::int64_t unproved() const noexcept;
+
+  // Forgets the past: the next call is the first.
+  void reset() noexcept;
+
+  // Obstacles in the world of `base`; the first kMaxObstacles are kept.
+  void set_obstacles(const std::vector<Obstacle>& obstacles);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace twinbus

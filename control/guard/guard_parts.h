@@ -1,0 +1,91 @@
+// What Guard is made of.  Shared by guard.cpp (a tick, from the state to the report) and guard_ahead.cpp
+// (the ways that may follow it, and who is to be held).
+
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "control/guard/braking_path.h"
+#include "control/guard/guard.h"
+#include "control/guard/set_point_predictor.h"
+#include "common/math/index.h"
+
+namespace twinbus {
+
+struct Guard::Impl {
+  static constexpr int kMostOpen = 128;  // pairs that are looked at one by one at once
+  // A stretch that is not proved is looked at in parts, and so are these.
+  static constexpr int kMostParts = 3;
+  static constexpr int kMostStretches = 24, kMostLooks = 150;  // of a tick
+  // Of the approach: joints that do less of it are not masked.
+  static constexpr double kShare = 0.02;
+
+  const Model* model;
+  GuardConfig config;
+  Collision collision;
+  SetPointTrack track;
+  Kinematics own_kinematics, then_kinematics;
+  const Kinematics* now_kinematics = &own_kinematics;  // or the estimator's, of the same joints
+  Configuration now, then;
+  std::vector<int> leg;  // [joint_count], 1 for leg joints
+  std::vector<std::uint8_t>
+      moves;  // [link_count x joint_count]: the joint is on the way from the base to the link
+  using Courses = std::vector<Course>;  // [joint_count]
+  Courses braked, obeyed, masked;
+  Eigen::VectorXd rests;              // of a course [joint_count]
+  Eigen::VectorXd reaches;            // of joints [joint_count]
+  Eigen::VectorXd changes;            // of a distance, by joints [joint_count, m]
+  std::vector<std::int64_t> bits_of;  // of a joint, or of the one it follows, on the bus
+  Collision::Ahead ahead_of_now;      // all courses that this tick may look along
+  SweptShapes::Way places;
+  std::array<PairDistance, kMaxPairs> pairs{};
+  int pair_count = 0;
+  std::array<std::array<Collision::OnWay, kMostOpen>, kMostParts> open;
+  int suspect = -1;  // shapes that came too near when a way was looked along last
+  int stretches_left = 0, looks_left = 0;
+  std::int64_t unproved = 0;
+  std::int64_t mask = 0;  // the answer of this tick, like the next two
+  bool leg_hit = false, danger = false;
+  double least_share = kShare;
+  std::int64_t all_but_legs = 0;
+  std::array<int, kMaxJoints> keep{};  // ticks left of a mask
+  std::int64_t run_id = 0;
+  GuardReport report;
+
+  Impl(const Model& robot, const GuardConfig& wanted);
+  bool moves_link(int joint, int link) const noexcept {
+    return link < model->link_count() && moves[at(link * model->joint_count() + joint)] != 0;
+  }
+
+  void forget() noexcept;
+  // What is now is known.
+  const GuardReport& check(const RobotState& state, const JointCommand* command) noexcept;
+  void predict(const RobotState& state, const JointCommand* command) noexcept;
+  void predict_masked(std::int64_t held) noexcept;
+  bool runs_on() noexcept;
+  void bound_moves() noexcept;
+  const PairDistance* near_now(int link_a, int link_b) const noexcept;
+  bool look_along(const Courses& courses) noexcept;
+  double travel(const Courses& courses, const Courses* other) noexcept;
+  void go_to(const CourseWay& way, double share) noexcept;
+  bool judge(const CourseWay& way, const CourseWay::Shares& shares, const Courses& courses,
+             Collision::OnWay& pair) noexcept;
+  bool look(const CourseWay& way, const CourseWay::Shares& shares, const Courses& courses, int part,
+            int count) noexcept;
+  void ask_joints(const Collision::OnWay* asked, int count) noexcept;
+  bool hold_all() noexcept;
+  void prove_mask() noexcept;
+  bool comes_too_near(const PairDistance& before, const PairDistance& after) const noexcept;
+  double approach(const Kinematics& kinematics, const PairDistance& pair, int joint,
+                  double step) const noexcept;
+  void blame(const PairDistance& before, const PairDistance& after, const CourseWay& way,
+             double share, const Courses& courses) noexcept;
+  bool blame_at(const Kinematics& kinematics, const PairDistance& pair,
+                const Courses& courses) noexcept;
+  double approach_speed(const PairDistance& pair) const noexcept;
+  void fill_rows() noexcept;
+};
+
+}  // namespace twinbus

@@ -1,0 +1,401 @@
+#include "control/loop/modes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "common/math/index.h"
+
+namespace twinbus {
+
+namespace {
+constexpr double kBrake = 0.3;         // [s] in which hold brings a moving joint to rest
+constexpr double kStopTime = 0.4;      // [s] in which a balanced stop ends a motion
+constexpr double kFallenTilt = 0.7;    // [rad]
+constexpr double kBalanceTilt = 0.35;  // [rad] from which balance still begins
+constexpr double kIdleDamping = 0.1;   // share of kd
+constexpr double kSettledZmp = 0.02;   // [m] inside the support polygon: a stop may end
+constexpr const char* kHasFallen =
+    "the robot has fallen: the joints are damped; put it on its feet and ask for balance";
+
+double tilt(const Estimator& estimator) noexcept {
+  const double up = estimator.configuration().base.linear()(2, 2);
+  return std::acos(std::clamp(up, -1.0, 1.0));
+}
+}  // namespace
+
+Modes::Modes(const Model& model, const BalanceGains& gains, const WalkGains& walk)
+    : model_(model),
+      posture_(model),
+      arm_(model),
+      brace_(model),
+      static_torque_(model),
+      q_given_(Eigen::VectorXd::Zero(model.joint_count())),
+      tau_(q_given_) {
+  for (int k = 0; k < model.bus_count(); ++k) {
+    const Joint& joint = model.joints[at(model.bus_joints[at(k)])];
+    kp_[at(k)] = joint.kp;
+    kd_[at(k)] = joint.kd;
+  }
+  for (int j = 0; j < model.joint_count(); ++j) {
+    if (model.joints[at(j)].mimic >= 0) followers_.push_back(j);
+  }
+  no_walk_ = "this robot cannot walk: it needs a free base and two six-joint legs with soles";
+  if (Balance::why_not(model) != nullptr) return;
+  balance_ = std::make_unique<Balance>(model, gains);
+  for (int k = 0; k < model.bus_count(); ++k) {
+    if (balance_->is_leg(model.bus_joints[at(k)])) legs_ |= std::int64_t{1} << k;
+  }
+  try {
+    squat_ = std::make_unique<SquatCheck>(model);
+    walk_ = std::make_unique<Walk>(model, walk);
+  } catch (const std::runtime_error& error) {
+    no_walk_ = std::string(error.what()) + "; the mode stays as it is";
+  }
+}
+
+bool Modes::may_balance(const Moment& now) const noexcept {
+  return balance_ != nullptr && tilt(now.estimator) < kBalanceTilt && now.estimator.loaded(0) &&
+         now.estimator.loaded(1);
+}
+
+void Modes::begin_balance(const Moment& now) noexcept {
+  balance_->start(now.estimator);
+  balancing_ = true;
+  walking_ = leaving_ = false;
+}
+
+void Modes::enter_walk(const Moment& now) noexcept {
+  if (walk_ == nullptr) {
+    sentence_ = no_walk_.c_str();
+    return;
+  }
+  if (!may_balance(now)) {
+    sentence_ =
+        "walking begins on an upright robot with both soles on the ground; the mode stays as it is";
+    return;
+  }
+  changed_ = true;
+  if (mode_ == Mode::kIdle || mode_ == Mode::kNone || now.last == nullptr)
+    posture_.rest(now.state.q);
+  walk_->start(now.estimator);
+  walking_ = true;
+  balancing_ = leaving_ = false;
+  mode_ = Mode::kWalk;
+}
+
+void Modes::leave_walk(const ModeRequest& next, bool at_once, bool tidy) noexcept {
+  if (at_once && !(leaving_ && tidy)) walk_->halt();
+  walk_->want(Eigen::Vector3d::Zero());
+  if (tidy && !leaving_) walk_->square();
+  next_ = next;
+  leaving_ = true;
+}
+
+void Modes::start(Mode first, const Moment& now) noexcept {
+  mode_ = Mode::kNone;
+  bracing_ = false;
+  balancing_ = walking_ = leaving_ = false;
+  if (balance_ != nullptr) balance_->forget();
+  enter(first, now);
+}
+
+void Modes::rebase() noexcept {
+  if (balancing_) balance_->rebase();
+  if (walking_) walk_->rebase();
+}
+
+// Hold keeps the set-points, brought to rest; at_measured starts from where the joints are instead.
+void Modes::enter_hold(const Moment& now, bool at_measured) noexcept {
+  balancing_ = walking_ = leaving_ = false;
+  if (at_measured || now.last == nullptr) {
+    posture_.rest(now.state.q);
+  } else {
+    posture_.brake(now.last->q, now.last->qd, kBrake);
+  }
+}
+
+void Modes::enter_balance(const Moment& now) noexcept {
+  if (!may_balance(now)) {
+    sentence_ =
+        balance_ == nullptr
+            ? "this robot cannot balance: it needs a free base and two six-joint legs with soles"
+            : "balance needs an upright robot with both soles on the ground; holding instead";
+    enter_hold(now, false);
+    mode_ = Mode::kHold;
+    return;
+  }
+  if (!balancing_) {
+    if (mode_ == Mode::kIdle || mode_ == Mode::kNone || now.last == nullptr)
+      posture_.rest(now.state.q);
+    begin_balance(now);
+  }
+  mode_ = Mode::kBalance;
+}
+
+void Modes::enter(Mode next, const Moment& now) noexcept {
+  changed_ = true;
+  switch (next) {
+    case Mode::kIdle:
+      arm_.drop();
+      balancing_ = walking_ = leaving_ = false;
+      mode_ = Mode::kIdle;
+      break;
+    case Mode::kBalance:
+      enter_balance(now);
+      break;
+    default:
+      enter_hold(now, mode_ == Mode::kIdle || mode_ == Mode::kNone);
+      mode_ = next;
+      break;
+  }
+}
+
+void Modes::enter_pose(const ModeRequest& request, const Moment& now) noexcept {
+  arm_.cancel();
+  // Without legs in it, the legs go on balancing.
+  if (!balancing_ || (request.joint_mask & legs_) != 0) enter(Mode::kHold, now);
+  mode_ = Mode::kPose;
+  posture_.move(request.q, request.joint_mask, static_cast<double>(request.duration));
+}
+
+void Modes::request_motion(const ModeRequest& request, const Moment& now) noexcept {
+  const auto amplitude = static_cast<double>(request.amplitude);
+  const auto frequency = static_cast<double>(request.frequency);
+  // One that squats already was asked before, from where it stood.
+  const bool from_standing = balance_->motion() == Motion::kNone && squat_ != nullptr;
+  if (request.motion == Motion::kSquat && from_standing) {
+    const double depth = 2.0 * ComMotion::possible(amplitude, frequency);
+    if (const char* why = squat_->why_not(now.estimator, depth)) {
+      sentence_ = why;
+      return;
+    }
+  }
+  balance_->request(request.motion, amplitude, frequency);
+}
+
+void Modes::obey(const ModeRequest& request, const Moment& now) noexcept {
+  if (bracing_) {
+    if (request.mode != Mode::kIdle) {
+      sentence_ = "the robot falls: it obeys again once it lies; the mode stays as it is";
+      return;
+    }
+    bracing_ = false;
+  }
+  if (held_by_gate_) {
+    if (request.mode == Mode::kIdle) {
+      mode_before_stop_ = Mode::kIdle;
+    } else {
+      sentence_ = "the robot is stopped: clear the stop first; the mode stays as it is";
+    }
+    return;
+  }
+  const bool stand_first = request.mode == Mode::kHold || request.mode == Mode::kPose ||
+                           request.mode == Mode::kBalance || request.mode == Mode::kStop;
+  if (walking_ && stand_first) {
+    const bool stop = request.mode == Mode::kStop;
+    if (stop) arm_.cancel();
+    return leave_walk(request, stop, !stop);
+  }
+  switch (request.mode) {
+    case Mode::kIdle:
+    case Mode::kHold:
+      if (mode_ != request.mode) enter(request.mode, now);
+      break;
+    case Mode::kPose:
+      enter_pose(request, now);
+      break;
+    case Mode::kBalance:
+      if (mode_ != Mode::kBalance) enter(Mode::kBalance, now);
+      if (balancing_) request_motion(request, now);
+      break;
+    case Mode::kWalk:
+      if (!walking_) {
+        enter_walk(now);
+      } else if (!stopping_) {
+        leaving_ = false;
+      }
+      break;
+    case Mode::kStop:
+      arm_.cancel();
+      if (balancing_) {
+        balance_->stop_motion(kStopTime);
+      } else if (mode_ != Mode::kIdle) {
+        enter(Mode::kHold, now);
+      }
+      break;
+    case Mode::kNone:
+      break;
+  }
+}
+
+// The gate obeys nobody while it is stopped, but for a balanced stop: then it passes what carries
+// `stopping`.
+bool Modes::follow_stop(StopKind asked, bool for_switch, const Moment& now) noexcept {
+  const RobotState& state = now.state;
+  const bool was_held = held_by_gate_;
+  held_by_gate_ = state.role == Role::kStopped && state.stop_kind >= StopKind::kHold;
+  const bool balanced = state.stop_kind == StopKind::kBalanced || asked == StopKind::kBalanced;
+  if (balanced && !stopping_) {
+    arm_.cancel();
+    if (walking_) {
+      leave_walk({}, true, for_switch);
+    } else if (balancing_) {
+      balance_->stop_motion(kStopTime);
+    } else if (mode_ != Mode::kIdle && !bracing_) {
+      enter_hold(now, false);
+    }
+    stopping_ = true;
+  }
+  if (state.stop_kind != StopKind::kBalanced) {
+    stopping_ = false;
+  } else if (balancing_ && balance_->resting() &&
+             now.estimator.support_margin(now.estimator.zmp()) > kSettledZmp) {
+    stopping_ = false;
+  }
+  if (!held_by_gate_ && !was_held) return false;
+  if (held_by_gate_ && !was_held) {
+    mode_before_stop_ = mode_;
+    mode_ = Mode::kStop;
+    arm_.drop();
+  }
+  bracing_ = false;
+  // Nobody listens: follow the robot, so that the first command after the clear is where it is.
+  posture_.rest(state.q);
+  changed_ = false;
+  walking_ = leaving_ = false;
+  balancing_ = may_balance(now);
+  if (balancing_) balance_->start(now.estimator);
+  if (!held_by_gate_) {
+    mode_ = mode_before_stop_ == Mode::kIdle ? Mode::kIdle
+            : balancing_                     ? Mode::kBalance
+                                             : Mode::kHold;
+    if (mode_ == Mode::kIdle) balancing_ = false;
+  }
+  return true;
+}
+
+void Modes::watch_for_a_fall(const Moment& now) noexcept {
+  if (bracing_) {
+    if (brace_.over()) end_brace(now);
+    return;
+  }
+  if (!(balancing_ || walking_)) return;
+  if (tilt(now.estimator) >= kFallenTilt) {
+    sentence_ = kHasFallen;
+    enter(Mode::kIdle, now);
+  } else if (Brace::is_lost(now.estimator)) {
+    sentence_ = "the robot falls: it bends its knees, brings its arms before it and gives way";
+    arm_.drop();
+    balancing_ = walking_ = leaving_ = false;
+    bracing_ = true;
+    changed_ = false;  // a fall leaves no time to blend
+    mode_ = Mode::kStop;
+    brace_.start(now.last, now.state, posture_);
+  }
+}
+
+// It lies, or the push was less bad than it seemed.
+void Modes::end_brace(const Moment& now) noexcept {
+  bracing_ = false;
+  const bool stands = may_balance(now);
+  sentence_ = stands ? "the robot did not fall: it balances again" : kHasFallen;
+  enter(stands ? Mode::kBalance : Mode::kIdle, now);
+}
+
+void Modes::walk_steps(const StepList& list) noexcept {
+  if (!walking_ || leaving_ || stopping_) {
+    sentence_ = "footsteps are walked in mode walk; the robot stays where it is";
+    return;
+  }
+  if (const char* why = walk_->follow(list)) sentence_ = why;
+}
+
+void Modes::add_path(const ArmPathPiece& piece) noexcept {
+  if (held_by_gate_ || stopping_ || bracing_ || mode_ == Mode::kIdle || mode_ == Mode::kNone)
+    return;
+  arm_.add(piece);
+}
+
+void Modes::damp(const RobotState& state, SetPoint& set_point) const noexcept {
+  for (int k = 0; k < model_.bus_count(); ++k) {
+    const auto i = at(k);
+    set_point.q[i] = state.q[i];
+    set_point.qd[i] = set_point.tau[i] = set_point.kp[i] = 0.0;
+    set_point.kd[i] = kIdleDamping * model_.joints[at(model_.bus_joints[i])].kd;
+  }
+}
+
+void Modes::want(const Moment& now, std::int64_t mask, double dt, SetPoint& set_point) noexcept {
+  posture_.advance(dt);
+  if (balance_ != nullptr) balance_->watch(now.estimator, dt);
+  // A path begins where a guard holds the arm, not where the arm was wanted before.
+  for (int k = 0; now.last != nullptr && arm_.begins() && k < model_.bus_count(); ++k) {
+    if (((mask >> k) & 1) != 0) posture_.set(k, now.last->q[at(k)], 0.0);
+  }
+  arm_.update(posture_, mask, dt);
+  if (arm_.refusal() != nullptr && arm_.refusal() != arm_refusal_) sentence_ = arm_.refusal();
+  arm_refusal_ = arm_.refusal();
+  if (mode_ == Mode::kIdle) return damp(now.state, set_point);
+  if (bracing_) return brace_.update(now.estimator, posture_, dt, set_point);
+  if (leaving_ && walk_->resting()) {
+    const ModeRequest next = next_;
+    enter(Mode::kBalance, now);
+    obey(next, now);
+  }
+
+  const int n = model_.bus_count();
+  q_given_ = now.estimator.configuration().q;
+  for (int k = 0; k < n; ++k) q_given_[model_.bus_joints[at(k)]] = posture_.q(k);
+  for (const int j : followers_) {
+    const Joint& follower = model_.joints[at(j)];
+    q_given_[j] = follower.mimic_multiplier * q_given_[follower.mimic] + follower.mimic_offset;
+  }
+  move_legs(now, dt);
+  const Eigen::VectorXd& tau = walking_ ? walk_->tau() : balancing_ ? balance_->tau() : tau_;
+  set_point.kp = kp_;
+  set_point.kd = kd_;
+  for (int k = 0; k < n; ++k) {
+    set_point.q[at(k)] = posture_.q(k);
+    set_point.qd[at(k)] = posture_.qd(k);
+    set_point.tau[at(k)] = tau[model_.bus_joints[at(k)]];
+  }
+  for (int k = 0; k < n && (walking_ || balancing_); ++k) {
+    const auto i = at(k);
+    const int j = model_.bus_joints[i];
+    const bool leg = ((legs_ >> k) & 1) != 0;
+    if (leg) {
+      set_point.q[i] = walking_ ? walk_->q()[j] : balance_->q()[j];
+      set_point.qd[i] = walking_ ? walk_->qd()[j] : balance_->qd()[j];
+    }
+    if (!balancing_) continue;
+    if (leg) {
+      set_point.kp[i] = balance_->kp(j);
+      set_point.kd[i] = balance_->kd(j);
+    } else {
+      set_point.q[i] += balance_->offset(j);
+      set_point.qd[i] += balance_->offset_rate(j);
+    }
+  }
+}
+
+void Modes::move_legs(const Moment& now, double dt) noexcept {
+  if (walking_) {
+    walk_->update(now.estimator, q_given_, dt);
+    if (walk_->finite()) return;
+    sentence_ = "the walking controller met a number that is not one; the robot stands";
+    enter(Mode::kBalance, now);
+  }
+  if (balancing_) {
+    balance_->update(now.estimator, dt);
+    if (balance_->finite()) return;
+    sentence_ = "the balance controller met a number that is not one; it starts again";
+    balance_->forget();
+    balance_->start(now.estimator);
+    balance_->update(now.estimator, dt);
+  } else {
+    static_torque_.solve(now.estimator, q_given_, tau_);
+  }
+}
+
+}  // namespace twinbus

@@ -1,0 +1,125 @@
+// Which mode the robot is in, how it gets from one to another and through a stop, and what the mode
+// asks of every joint.
+//
+// A mode that cannot be entered falls back to hold and says why.  Whatever changes here, the set-points
+// may step: control_loop blends them over.
+
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "control/loop/arm_follow.h"
+#include "control/balance/balance.h"
+#include "control/loop/fall_protection.h"
+#include "control/joint/posture.h"
+#include "control/joint/set_point.h"
+#include "control/balance/squat_check.h"
+#include "control/legs/static_torque.h"
+#include "control/walk/walk.h"
+#include "robot/estimation/estimator.h"
+#include "robot/description/model.h"
+#include "lcmtypes/msg/requests.h"
+#include "lcmtypes/msg/robot_io.h"
+
+namespace twinbus {
+
+// The tick that is being answered.
+struct Moment {
+  const RobotState& state;
+  const Estimator& estimator;  // has taken the state
+  const SetPoint* last;        // put out a tick ago; null: nothing yet that the robot obeys
+};
+
+class Modes {
+ public:
+  // Throws std::runtime_error when the robot's soles and legs contradict each other.
+  Modes(const Model& model, const BalanceGains& gains, const WalkGains& walk);
+
+  // Forgets everything and enters a mode.
+  void start(Mode first, const Moment& now) noexcept;
+  // The same robot speaks through another source.
+  void rebase() noexcept;
+  // A robot that cannot be caught any more braces itself; one that lies on the ground is let go.
+  void watch_for_a_fall(const Moment& now) noexcept;
+  // asked: the highest stop heard since the last tick.  True while the gate obeys nobody, and at the
+  // tick it obeys again: then what was put out before counts no more, the robot is followed.
+  // for_switch: another source is to take over once the robot stands as robots are left, feet side by side.
+  bool follow_stop(StopKind asked, bool for_switch, const Moment& now) noexcept;
+  void obey(const ModeRequest& request, const Moment& now) noexcept;
+  // Of the centre of mass, while balancing [m].
+  void lean(const Eigen::Vector3d& offset) noexcept {
+    if (balancing_) balance_->lean(offset);
+  }
+  // Velocity to walk at, while in mode walk: vx, vy, wz [m/s, m/s, rad/s].
+  void walk(const Eigen::Vector3d& velocity) noexcept {
+    if (walking_ && !leaving_ && !stopping_) walk_->want(velocity);
+  }
+  // Footsteps instead of a velocity; refused with a sentence.
+  void walk_steps(const StepList& list) noexcept;
+  // A path while there is nothing to move with is not taken.
+  void add_path(const ArmPathPiece& piece) noexcept;
+  void cancel_path() noexcept { arm_.cancel(); }
+
+  // What the mode asks of every joint.  mask: bit per joint that the guard held a tick ago.
+  void want(const Moment& now, std::int64_t mask, double dt, SetPoint& set_point) noexcept;
+  // Whether the set-points may have stepped since the last call.
+  bool take_change() noexcept { return std::exchange(changed_, false); }
+  // What people should be told once, or null; a string that lives for ever.
+  const char* take_sentence() noexcept { return std::exchange(sentence_, nullptr); }
+
+  Mode mode() const noexcept { return mode_; }
+  const ArmFollow& arm() const noexcept { return arm_; }
+  const Balance* balance() const noexcept { return balancing_ ? balance_.get() : nullptr; }
+  const Walk* walk() const noexcept { return walking_ ? walk_.get() : nullptr; }
+  // Normal force asked of each foot, left and right [N].
+  std::array<double, 2> foot_forces() const noexcept {
+    if (walking_) return walk_->foot_forces();
+    return balancing_ ? balance_->foot_forces() : std::array<double, 2>{};
+  }
+  bool stopping() const noexcept { return stopping_; }  // commands carry the flag
+  // Bit per joint whose set-point is where it is measured.
+  std::int64_t measured() const noexcept { return balancing_ ? legs_ : 0; }
+
+ private:
+  bool may_balance(const Moment& now) const noexcept;
+  void enter(Mode next, const Moment& now) noexcept;
+  void enter_balance(const Moment& now) noexcept;
+  void enter_hold(const Moment& now, bool at_measured) noexcept;
+  void enter_pose(const ModeRequest& request, const Moment& now) noexcept;
+  void enter_walk(const Moment& now) noexcept;
+  // Walks no more: once the robot stands, `next` is obeyed.  at_once: the shortest stop; tidy: the feet side by side.
+  void leave_walk(const ModeRequest& next, bool at_once, bool tidy) noexcept;
+  void begin_balance(const Moment& now) noexcept;
+  void request_motion(const ModeRequest& request, const Moment& now) noexcept;
+  void end_brace(const Moment& now) noexcept;
+  void move_legs(const Moment& now, double dt) noexcept;
+  void damp(const RobotState& state, SetPoint& set_point) const noexcept;
+
+  const Model& model_;
+  std::unique_ptr<Balance> balance_;   // null when the robot cannot
+  std::unique_ptr<SquatCheck> squat_;  // as balance_
+  std::unique_ptr<Walk> walk_;         // null when the robot cannot
+  std::string no_walk_;                // why not
+  ModeRequest next_;                   // while leaving
+  Posture posture_;
+  ArmFollow arm_;
+  Brace brace_;
+  StaticTorque static_torque_;
+  Mode mode_ = Mode::kNone, mode_before_stop_ = Mode::kNone;
+  bool balancing_ = false, walking_ = false, leaving_ = false, changed_ = false;
+  bool stopping_ = false, held_by_gate_ = false, bracing_ = false;
+  std::int64_t legs_ = 0;          // bit per bus joint that balance and walking move
+  std::vector<int> followers_;     // joints that mimic another
+  PerJoint<double> kp_{}, kd_{};   // of joints that nothing else is asked of
+  Eigen::VectorXd q_given_, tau_;  // [joint_count]
+  const char* sentence_ = nullptr;
+  const char* arm_refusal_ = nullptr;  // as told
+};
+
+}  // namespace twinbus

@@ -1,0 +1,29 @@
+// Nothing leaves the controller that is not finite and within the robot's limits; the gate of the
+// source finds nothing left to clamp.
+
+#pragma once
+
+#include "control/joint/set_point.h"
+#include "robot/description/model.h"
+#include "lcmtypes/msg/robot_io.h"
+
+namespace twinbus {
+
+class SetPointLimits {
+ public:
+  explicit SetPointLimits(const Model& model) noexcept;
+
+  // A joint with a number that is not one stays where it was put last (last, else measured), with its
+  // default gains.  Then position, way since last, velocity and torque are clamped to the joint's limits.
+  // last: put out dt > 0 seconds ago; null at the beginning.
+  void apply(const RobotState& state, const SetPoint* last, double dt,
+             SetPoint& set_point) const noexcept;
+
+ private:
+  std::size_t count_;
+  PerJoint<double> lower_, upper_, rate_, velocity_,
+      effort_;                // bus order; +-inf where there is none
+  PerJoint<double> kp_, kd_;  // defaults
+};
+
+}  // namespace twinbus

@@ -1,0 +1,340 @@
+#include "control/teleop/teleop.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <utility>
+
+namespace twinbus {
+
+namespace {
+
+constexpr double kStickDeadZone = 0.12;  // of full travel: worn sticks rest up to 0.1 off centre
+constexpr double kTriggerDeadZone = 0.05;
+constexpr double kKeyboardIdle = 30.0;  // no key for so long: nobody is there [s]
+
+struct AxisRow {
+  std::size_t axis;
+  double sign;
+  float Gamepad::*field;
+  const char* control;
+  const char* effect;
+};
+constexpr std::array<AxisRow, 4> kAxes{{
+    {1, -1.0, &Gamepad::left_y, "left stick forward / back", "lean forward / back"},
+    {0, -1.0, &Gamepad::left_x, "left stick left / right", "lean left / right"},
+    {3, -1.0, &Gamepad::right_y, "right stick down", "crouch"},
+    {2, -1.0, &Gamepad::right_x, "right stick left / right", "turn (when walking)"},
+}};
+
+// While this one is held too, the sticks move a hand and leave the body alone.
+constexpr std::int32_t kHandButton = kPadRightShoulder;
+constexpr double kHandSpeed = 0.10;    // [m/s] at full stick
+constexpr double kHandKeyStep = 0.02;  // [m]
+constexpr double kPadCycle = 0.01;     // from one on_pad to the next [s]
+struct HandAxisRow {
+  std::size_t axis;  // of the pad
+  double sign;
+  std::size_t direction;  // forward, left, up
+};
+constexpr std::array<HandAxisRow, 3> kHandAxes{{{1, -1.0, 0}, {0, -1.0, 1}, {3, -1.0, 2}}};
+
+constexpr std::int32_t kDeadmanButton = kPadLeftShoulder;
+
+struct ButtonRow {
+  std::int32_t buttons;  // all of them
+  TeleopAction action;
+  bool needs_deadman;
+  const char* control;
+  const char* effect;
+};
+constexpr std::array<ButtonRow, 9> kButtons{{
+    {kPadB, TeleopAction::kStop, false, "B", "STOP, at any time"},
+    {kPadBack | kPadStart, TeleopAction::kClear, false, "back + start", "clear the stop"},
+    {kDeadmanButton, TeleopAction::kDeadman, false, "left bumper (LB), held",
+     "dead-man: everything below works only while it is held"},
+    {kPadA, TeleopAction::kBalance, true, "A", "balance, standing still"},
+    {kPadX, TeleopAction::kSway, true, "X", "sway from side to side"},
+    {kPadY, TeleopAction::kSquat, true, "Y", "squat up and down"},
+    {kPadDown, TeleopAction::kHold, true, "cross down", "hold the posture"},
+    {kPadLeft, TeleopAction::kLeftHand, true, "cross left", "the left hand is the one to move"},
+    {kPadRight, TeleopAction::kRightHand, true, "cross right", "the right hand is the one to move"},
+}};
+
+struct KeyRow {
+  int key;
+  int other_key;  // does the same, 0 none
+  float Gamepad::*field;
+  float step;
+  TeleopAction action;
+  const char* control;
+  const char* effect;
+};
+constexpr float kStep = 0.1f;
+constexpr std::array<KeyRow, 17> kKeys{{
+    {' ', 0, nullptr, 0, TeleopAction::kStop, "space", "STOP, at any time"},
+    {'c', 0, nullptr, 0, TeleopAction::kClear, "c", "clear the stop"},
+    {'w', kKeyUp, &Gamepad::left_y, kStep, TeleopAction::kNone, "w, arrow up",
+     "lean forward, a step more"},
+    {'s', kKeyDown, &Gamepad::left_y, -kStep, TeleopAction::kNone, "s, arrow down", "lean back"},
+    {'a', kKeyLeft, &Gamepad::left_x, kStep, TeleopAction::kNone, "a, arrow left", "lean left"},
+    {'d', kKeyRight, &Gamepad::left_x, -kStep, TeleopAction::kNone, "d, arrow right", "lean right"},
+    {'i', 0, &Gamepad::right_y, kStep, TeleopAction::kNone, "i", "rise again"},
+    {'k', 0, &Gamepad::right_y, -kStep, TeleopAction::kNone, "k", "crouch, a step more"},
+    {'j', 0, &Gamepad::right_x, kStep, TeleopAction::kNone, "j", "turn left (when walking)"},
+    {'l', 0, &Gamepad::right_x, -kStep, TeleopAction::kNone, "l", "turn right (when walking)"},
+    {'x', '0', nullptr, 0, TeleopAction::kCentre, "x, 0", "centre: all of the above back to zero"},
+    {'1', 0, nullptr, 0, TeleopAction::kBalance, "1", "balance, standing still"},
+    {'2', 0, nullptr, 0, TeleopAction::kSway, "2", "sway from side to side"},
+    {'3', 0, nullptr, 0, TeleopAction::kSquat, "3", "squat up and down"},
+    {'4', 0, nullptr, 0, TeleopAction::kHold, "4", "hold the posture"},
+    {'h', 0, nullptr, 0, TeleopAction::kOtherHand, "h", "the other hand is the one to move"},
+    {'q', 3, nullptr, 0, TeleopAction::kQuit, "q, Ctrl-C", "let go and quit"},
+}};
+
+// Capitals move the chosen hand by a step; the planner finds a way around everything.
+struct HandKeyRow {
+  int key;
+  std::size_t direction;  // forward, left, up
+  double sign;
+};
+constexpr std::array<HandKeyRow, 6> kHandKeys{
+    {{'W', 0, 1.0}, {'S', 0, -1.0}, {'A', 1, 1.0}, {'D', 1, -1.0}, {'I', 2, 1.0}, {'K', 2, -1.0}}};
+
+constexpr int kMinRaw = -32767;  // SDL's range is one longer on the negative side
+constexpr double kFullRaw = 32767.0;
+
+double unit(std::int16_t raw) { return std::max<int>(raw, kMinRaw) / kFullRaw; }
+
+bool centred(const PadInput& input) {
+  return std::all_of(kAxes.begin(), kAxes.end(), [&](const AxisRow& row) {
+    return std::abs(unit(input.axes[row.axis])) <= kStickDeadZone;
+  });
+}
+
+void zero_axes(Gamepad& gamepad) {
+  for (const AxisRow& row : kAxes) gamepad.*row.field = 0.0f;
+  gamepad.left_trigger = 0.0f;
+  gamepad.right_trigger = 0.0f;
+}
+
+void append_row(std::string& text, const char* control, const char* effect) {
+  char line[160];
+  std::snprintf(line, sizeof line, "  %-28s %s\n", control, effect);
+  text += line;
+}
+
+}  // namespace
+
+float stick_value(std::int16_t raw, double sign) noexcept {
+  const double value = unit(raw);
+  const double beyond = std::abs(value) - kStickDeadZone;
+  if (!(beyond > 0.0)) return 0.0f;
+  return static_cast<float>(std::copysign(beyond / (1.0 - kStickDeadZone), sign * value));
+}
+
+float trigger_value(std::int16_t raw) noexcept {
+  const double beyond = unit(raw) - kTriggerDeadZone;
+  return beyond > 0.0 ? static_cast<float>(beyond / (1.0 - kTriggerDeadZone)) : 0.0f;
+}
+
+Teleop::Teleop(std::int64_t sender_id, bool keyboard) : keyboard_(keyboard) {
+  gamepad_.sender_id = sender_id;
+  gamepad_.keyboard = keyboard;
+  gamepad_.connected = keyboard;
+  if (keyboard) std::snprintf(gamepad_.name.data(), gamepad_.name.size(), "keyboard");
+}
+
+void Teleop::release() noexcept {
+  armed_ = false;
+  seen_released_ = false;
+  gamepad_.deadman = false;
+  hand_move_ = {};
+  zero_axes(gamepad_);
+}
+
+void Teleop::let_go() noexcept {
+  release();
+  gamepad_.connected = false;
+  gamepad_.buttons = 0;
+  last_buttons_ = 0;
+}
+
+void Teleop::on_source(std::int64_t run_id, bool stopped) noexcept {
+  run_id_ = run_id;
+  if (stop_latched_ && stop_seen_ && !stopped) stop_latched_ = false;
+  stop_seen_ = stop_latched_ && stopped;
+}
+
+void Teleop::on_pad(const PadInput& input) noexcept {
+  if (!input.connected) return let_go();
+  gamepad_.connected = true;
+  gamepad_.name = input.name;
+  gamepad_.buttons = input.buttons;
+
+  // The dead-man first: a button pressed in the moment of letting go does nothing.
+  const bool deadman = (input.buttons & kDeadmanButton) != 0;
+  if (!deadman) release();
+  for (const ButtonRow& row : kButtons) {
+    const bool pressed = (input.buttons & row.buttons) == row.buttons;
+    const bool before = (last_buttons_ & row.buttons) == row.buttons;
+    if (row.action == TeleopAction::kDeadman) continue;
+    if (pressed && !before && (armed_ || !row.needs_deadman)) act(row.action);
+  }
+  last_buttons_ = input.buttons;
+  if (!deadman) {
+    seen_released_ = true;  // whatever a stop or a clear has just forgotten
+    return;
+  }
+
+  if (!armed_ && seen_released_ && !stop_latched_ && centred(input)) {
+    armed_ = true;
+    gamepad_.run_id = run_id_;
+  }
+  gamepad_.deadman = armed_;
+  zero_axes(gamepad_);
+  if (!armed_) return;
+  if ((input.buttons & kHandButton) != 0) {
+    for (const HandAxisRow& row : kHandAxes) {
+      hand_move_[row.direction] +=
+          kPadCycle * kHandSpeed * static_cast<double>(stick_value(input.axes[row.axis], row.sign));
+    }
+    return;
+  }
+  for (const AxisRow& row : kAxes) {
+    gamepad_.*row.field = stick_value(input.axes[row.axis], row.sign);
+  }
+  gamepad_.left_trigger = trigger_value(input.axes[4]);
+  gamepad_.right_trigger = trigger_value(input.axes[5]);
+}
+
+void Teleop::on_key(int key, std::int64_t now_ns) noexcept {
+  if (key <= 0) return;
+  const auto hand_row =
+      std::find_if(kHandKeys.begin(), kHandKeys.end(),
+                   [&](const HandKeyRow& candidate) { return candidate.key == key; });
+  if (hand_row != kHandKeys.end()) {
+    last_key_ns_ = now_ns;
+    if (take_hold()) hand_move_[hand_row->direction] += hand_row->sign * kHandKeyStep;
+    return;
+  }
+  const auto row = std::find_if(kKeys.begin(), kKeys.end(), [&](const KeyRow& candidate) {
+    return candidate.key == key || candidate.other_key == key;
+  });
+  if (row == kKeys.end()) return;
+  last_key_ns_ = now_ns;
+  if (row->action != TeleopAction::kNone) return act(row->action);
+  if (!take_hold()) return;
+  // Whole steps, so that as many steps back give exactly zero.
+  float& value = gamepad_.*row->field;
+  value = std::clamp(std::round((value + row->step) / kStep) * kStep, -1.0f, 1.0f);
+}
+
+// Of a keyboard, which has no button to hold: any key that moves something does.
+bool Teleop::take_hold() noexcept {
+  if (stop_latched_) return false;
+  if (!armed_) gamepad_.run_id = run_id_;
+  armed_ = true;
+  gamepad_.deadman = true;
+  return true;
+}
+
+std::array<double, 3> Teleop::take_hand_move() noexcept {
+  return std::exchange(hand_move_, std::array<double, 3>{});
+}
+
+void Teleop::act(TeleopAction action) noexcept {
+  if (action == TeleopAction::kStop) {
+    release();
+    stop_latched_ = true;
+    stop_seen_ = false;
+  }
+  if (action == TeleopAction::kClear) {
+    stop_latched_ = false;
+    release();
+  }
+  if (action == TeleopAction::kCentre) {
+    zero_axes(gamepad_);
+    hand_move_ = {};
+  }
+  if (action == TeleopAction::kOtherHand)
+    hand_ = hand_ == ArmSide::kLeft ? ArmSide::kRight : ArmSide::kLeft;
+  if (action == TeleopAction::kLeftHand) hand_ = ArmSide::kLeft;
+  if (action == TeleopAction::kRightHand) hand_ = ArmSide::kRight;
+  if (action == TeleopAction::kQuit) let_go();
+  // A stop is never lost to a full list: it takes the last place.
+  if (action_count_ == static_cast<int>(actions_.size())) {
+    if (action != TeleopAction::kStop) return;
+    --action_count_;
+  }
+  actions_[static_cast<std::size_t>(action_count_++)] = action;
+}
+
+TeleopAction Teleop::take_action() noexcept {
+  if (action_count_ == 0) return TeleopAction::kNone;
+  const TeleopAction first = actions_.front();
+  std::copy(actions_.begin() + 1, actions_.begin() + action_count_, actions_.begin());
+  --action_count_;
+  return first;
+}
+
+Gamepad Teleop::message(std::int64_t utime, std::int64_t now_ns) noexcept {
+  if (keyboard_ && armed_ && 1e-9 * static_cast<double>(now_ns - last_key_ns_) > kKeyboardIdle) {
+    release();
+  }
+  if (!armed_) gamepad_.run_id = run_id_;
+  gamepad_.stop = stop_latched_;
+  gamepad_.utime = utime;
+  ++gamepad_.sequence;
+  return gamepad_;
+}
+
+bool to_mode_request(TeleopAction action, ModeRequest& request) noexcept {
+  request.mode = Mode::kBalance;
+  request.motion = Motion::kNone;
+  switch (action) {
+    case TeleopAction::kBalance:
+      return true;
+    case TeleopAction::kSway:
+      request.motion = Motion::kSway;
+      request.amplitude = 0.03f;  // as in the scenes sway and squat
+      request.frequency = 0.4f;
+      return true;
+    case TeleopAction::kSquat:
+      request.motion = Motion::kSquat;
+      request.amplitude = 0.05f;
+      request.frequency = 0.3f;
+      return true;
+    case TeleopAction::kHold:
+      request.mode = Mode::kHold;
+      return true;
+    default:
+      return false;
+  }
+}
+
+std::string cheat_sheet(bool keyboard) {
+  std::string text;
+  if (keyboard) {
+    text += "keyboard: each key moves a set point by a tenth; nothing has to be held down\n";
+    for (const KeyRow& row : kKeys) append_row(text, row.control, row.effect);
+    append_row(text, "W S A D, with shift",
+               "hand 20 mm forward, back, left, right, around everything");
+    append_row(text, "I K, with shift", "hand 20 mm up, down; x stops it");
+    char line[120];
+    std::snprintf(line, sizeof line, "  %-28s %s\n", "no key for 30 s",
+                  "counts as letting go, as does closing the terminal");
+    return text + line;
+  }
+  text += "gamepad (names as on an Xbox pad)\n";
+  for (const ButtonRow& row : kButtons) append_row(text, row.control, row.effect);
+  for (const AxisRow& row : kAxes) append_row(text, row.control, row.effect);
+  append_row(text, "right bumper (RB), held too",
+             "sticks move the hand: left stick along the ground,");
+  append_row(text, "", "right stick up / down; the planner finds the way");
+  text += "  take hold with centred sticks; letting go of LB or unplugging sends zeros\n";
+  return text;
+}
+
+}  // namespace twinbus

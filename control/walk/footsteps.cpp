@@ -1,0 +1,156 @@
+#include "control/walk/footsteps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "control/legs/leg_chain.h"
+#include "control/legs/leg_reach.h"
+#include "robot/dynamics/inverse_dynamics.h"
+#include "common/math/index.h"
+#include "robot/kinematics/kinematics.h"
+#include "common/math/pose_math.h"
+
+namespace twinbus {
+
+namespace {
+// Shares of what the legs reach at walking height, so that a recovery step is still possible.
+constexpr double kReachForward = 0.8, kReachBack = 0.62, kReachSideways = 0.53;
+constexpr double kCommandStride = 0.95;  // of the longest foothold that a command may ask for
+constexpr double kBetween = 0.035;       // between two soles side by side [m]
+constexpr double kSidewaysEase =
+    0.5;  // soles are narrow: a change to the side takes twice the time
+constexpr double kBent = 0.88, kLeastBent = 0.93;  // hip to ankle, share of the straight leg
+constexpr double kKneeShare = 0.85;  // of its torque that carrying the robot at rest may take
+constexpr double kTurn = 0.6;        // share of a hip's range that a command may use
+// Of the turn of a step: how far the foot on the inside opens, and how far the other one closes.
+constexpr double kOpens = 1.5, kCloses = 0.5;
+
+// In the pose that robots are said to stand and walk in.
+struct Stance {
+  double com_above_hips, width;  // [m]
+};
+Stance stance_of(const Model& model, int hip_link) {
+  Configuration configuration(model);
+  const int pose = model.find_pose("half_sitting");
+  for (int j = 0; pose >= 0 && j < model.joint_count(); ++j)
+    configuration.q[j] = model.poses[at(pose)].q[at(j)];
+  Kinematics kinematics(model);
+  kinematics.update(configuration);
+  const auto sole = [&](std::size_t f) -> Eigen::Vector3d {
+    return kinematics.link_in_world(model.soles[f].link) * model.soles[f].frame.translation();
+  };
+  return {kinematics.com().z() - kinematics.link_in_world(hip_link).translation().z(),
+          (sole(0) - sole(1)).y()};
+}
+// From hip to ankle: bent so far that the stride is left, but no farther than one knee carries the robot, which the leg
+// above it leads past the weight by half its length times the sine of half its bend.
+double standing_length(const Model& model, const LegReach& reach) {
+  const double lever =
+      kKneeShare * model.joints[at(reach.knee)].effort / (model.total_mass() * kGravity);
+  const double bend = std::min(1.0, lever / (0.5 * reach.longest));  // sine of half of it
+  return reach.longest * std::clamp(std::sqrt(1.0 - bend * bend), kBent, kLeastBent);
+}
+}  // namespace
+
+void Foothold::set_yaw(double yaw) noexcept {
+  if (yaw == yaw_) return;
+  yaw_ = yaw;
+  cosine_ = std::cos(yaw);
+  sine_ = std::sin(yaw);
+}
+
+Eigen::Matrix3d Foothold::rotation() const noexcept {
+  Eigen::Matrix3d m;
+  m << cosine_, -sine_, 0.0, sine_, cosine_, 0.0, 0.0, 0.0, 1.0;
+  return m;
+}
+
+Eigen::Vector3d Gait::possible(const Eigen::Vector3d& velocity) const noexcept {
+  if (!velocity.allFinite()) return Eigen::Vector3d::Zero();
+  Eigen::Vector3d most = most_velocity;
+  if (velocity.x() < 0.0) most.x() *= max_back / max_forward;
+  const double share = velocity.cwiseQuotient(most).norm();
+  return share > 1.0 ? Eigen::Vector3d(velocity / share) : velocity;
+}
+
+// Seen along the line halfway between both headings, each sole is turned by half the angle.
+double Gait::turning_width(double turning) const noexcept {
+  const auto apart = [&](double turned, double reach) {
+    const double half = 0.5 * std::abs(turned);
+    return (min_width + 2.0 * reach * std::sin(half)) / std::cos(half);
+  };
+  return std::clamp(std::max(apart(kOpens * turning, heel), apart(kCloses * turning, toe)), width,
+                    max_width);
+}
+
+Gait gait_of(const Model& model, const Walking& w, double margin) {
+  Gait g;
+  g.single_support = w.single_support;
+  g.double_support = w.double_support;
+  g.lift = w.lift;
+  g.preview = w.preview;
+  const auto fail = [&](const std::string& why) {
+    throw std::runtime_error("robot " + model.name + " cannot walk as its robot.yaml asks: " + why);
+  };
+  const Sole& left = model.soles[0];
+  const Sole& right = model.soles[1];
+  const double inner = std::max(left.right, right.left), outer = std::max(left.left, right.right);
+  const LegChain leg = leg_chain(model, 0);
+  if (leg.count != 6) fail("a sole does not hang on the base by six joints");
+  const LegReach reach = leg_reach(model, 0);
+  const double ankle = reach.ankle_height;
+  const Stance stance = stance_of(model, leg.joint[0] + 1);
+  const double above = stance.com_above_hips;
+  g.com_height = w.com_height > 0.0 ? w.com_height : above + ankle + standing_length(model, reach);
+  const double hip = g.com_height - above - ankle;
+  if (!(hip > 0.3 * reach.longest && hip < 0.99 * reach.longest)) {
+    fail("walking.com_height puts the hips " + std::to_string(hip) +
+         " m above the ankles; the legs reach " + std::to_string(reach.longest) + " m");
+  }
+  const double stride = 2.0 * std::sqrt(reach.longest * reach.longest - hip * hip);
+  g.min_width = inner + inner + kBetween;
+  g.width = w.width > 0.0 ? w.width : std::max(reach.hip_width, g.min_width + 0.03);
+  if (!(g.width >= g.min_width)) fail("walking.width lets the soles touch each other");
+  g.max_forward = kReachForward * stride;
+  g.max_back = kReachBack * stride;
+  g.max_width = g.width + kReachSideways * stride;
+  g.standing_width = std::clamp(stance.width, g.min_width, g.max_width);
+  g.inner = inner;
+  g.max_turn = 2.0 * kTurn * reach.turn;
+  g.toe = left.front;
+  g.heel = left.back;
+  const double length = left.front + left.back;
+  g.zmp_forward = std::clamp(w.zmp_forward, -left.back + 0.25 * length, left.front - 0.25 * length);
+  g.zmp_inward = w.zmp_inward;
+  g.sole_low = {-left.back + margin, -std::min(inner, outer) + margin};
+  g.sole_high = {left.front - margin, std::min(inner, outer) - margin};
+  const double period = g.period();
+  g.most_velocity = {kCommandStride * g.max_forward / period,
+                     kCommandStride * 0.5 * (g.max_width - g.width) / period,
+                     kTurn * reach.turn / (kOpens * period) * 2.0};
+  g.acceleration = g.most_velocity / std::max(0.2, 2.0 * period);
+  g.acceleration.y() *= kSidewaysEase;
+  return g;
+}
+
+Foothold next_foothold(const Foothold& from, int foot, const Eigen::Vector3d& velocity,
+                       double period, double width) noexcept {
+  const double out = side_of(1 - foot);  // to the side of the foot that moves
+  const double turning = velocity.z() * period;
+  const double turn = turning * (turning * out > 0.0 ? kOpens : kCloses);
+  const double side = velocity.y() * out > 0.0 ? 2.0 * velocity.y() * period : 0.0;
+  const double half = 0.5 * width;
+  Foothold next = from;
+  next.set_yaw(wrap_angle(from.yaw() + turn));
+  next.position = from.position + from.turn({velocity.x() * period, out * half + side});
+  next.position += next.turn({0.0, out * half});
+  return next;
+}
+
+Eigen::Vector2d zmp_on(const Gait& gait, const Foothold& at, int foot) noexcept {
+  return at.position + at.turn({gait.zmp_forward, -side_of(foot) * gait.zmp_inward});
+}
+
+}  // namespace twinbus

@@ -1,0 +1,58 @@
+#include "control/walk/step_adjust.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace twinbus {
+
+namespace {
+constexpr int kLonger = 1, kShorter = 13;  // durations tried beside the present one
+constexpr double kApart = 0.02;            // between them [s]
+constexpr double kMissed = 100.0;          // cost of what is beyond reach [1/m^2]
+constexpr double kHaste = 0.02;            // of another duration [1/s^2]
+}  // namespace
+
+StepAdjusted adjust_step(const Gait& gait, const StepNow& now, double omega) noexcept {
+  const Foothold& support = now.support;
+  const Eigen::Vector2d xi = support.unturn(now.dcm - support.position);
+  const Eigen::Vector2d offset = support.unturn(now.offset);
+  const Eigen::Vector2d planned = support.unturn(now.planned.position - support.position);
+  const double side = side_of(1 - now.foot);
+  const Eigen::Vector2d reach_low(-gait.max_back, side > 0.0 ? gait.min_width : -gait.max_width);
+  const Eigen::Vector2d reach_high(gait.max_forward, side > 0.0 ? gait.max_width : -gait.min_width);
+  const Eigen::Vector2d middle = 0.5 * (gait.sole_low + gait.sole_high);
+  const Eigen::Vector2d low = middle + gait.ankle_share * (gait.sole_low - middle);
+  const Eigen::Vector2d high = middle + gait.ankle_share * (gait.sole_high - middle);
+
+  double best = 1e300, best_left = now.left_now;
+  Eigen::Vector2d best_place = planned;
+  for (int k = -kLonger; k <= kShorter; ++k) {
+    const double left = std::min(now.left_planned, now.left_now - kApart * k);
+    if (k != 0 && left < now.shortest) continue;
+    const double grown = std::exp(omega * left);
+    Eigen::Vector2d place, missed;
+    for (Eigen::Index d = 0; d < 2; ++d) {
+      const double from = high[d] + (xi[d] - high[d]) * grown - offset[d];
+      const double to = low[d] + (xi[d] - low[d]) * grown - offset[d];
+      const double wanted = std::min(std::max(planned[d], from), to);
+      place[d] = std::min(std::max(wanted, reach_low[d]), reach_high[d]);
+      missed[d] = wanted - place[d];
+    }
+    const double late = left - now.left_planned;
+    const double cost =
+        kMissed * missed.squaredNorm() + (place - planned).squaredNorm() + kHaste * late * late;
+    if (cost < best) {
+      best = cost;
+      best_place = place;
+      best_left = left;
+    }
+  }
+  StepAdjusted result;
+  result.foothold = now.planned;
+  result.foothold.position = support.position + support.turn(best_place);
+  result.left = best_left;
+  result.moved = (best_place - planned).norm();
+  return result;
+}
+
+}  // namespace twinbus

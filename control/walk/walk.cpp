@@ -1,0 +1,202 @@
+#include "control/walk/walk.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "control/walk/listed_steps.h"
+#include "common/math/index.h"
+#include "common/math/pose_math.h"
+
+namespace twinbus {
+
+namespace {
+constexpr int kFirstRounds = 10;
+constexpr double kLeastLoad = 0.05;  // of the weight, on feet that tell where the ground is
+constexpr double kWeighing = 1.0;    // in which what the robot carries is weighed [s]
+constexpr double kLightest = 0.7, kHeaviest = 1.5;  // that it is taken for, of its own weight
+constexpr double kRestSpeed = 0.02;                 // of the centre of mass [m/s]
+constexpr double kRestPlace = 0.006;  // of it and the ZMP, from the middle of the feet [m]
+}  // namespace
+
+Walk::Walk(const Model& model, const WalkGains& gains)
+    : model_(&model),
+      gains_(gains),
+      pattern_(gait_of(model, walking_of(model), gains.stabilizer.margin), gains.swing),
+      stabilizer_(gains.stabilizer),
+      feet_(model, gains.feet),
+      ik_(model),
+      dynamics_(model),
+      mass_(model.total_mass()),
+      ground_(gains.ground),
+      q_(Eigen::VectorXd::Zero(model.joint_count())),
+      qd_(q_),
+      qdd_(q_),
+      tau_(q_),
+      wrench_(2) {
+  for (std::size_t f = 0; f < 2; ++f) wrench_[f].link = model.soles[f].link;
+}
+
+double Walk::omega() const noexcept {
+  return std::sqrt(std::max(2.0, kGravity + vertical_acceleration()) /
+                   std::max(0.2, height_.position()));
+}
+
+Eigen::Vector3d Walk::com_reference() const noexcept {
+  return {stabilizer_.com().x(), stabilizer_.com().y(), height_.position() + ground_.height()};
+}
+
+bool Walk::resting() const noexcept {
+  return pattern_.settled() && com_velocity_.head<2>().norm() < kRestSpeed &&
+         (pattern_.rest() - pattern_.middle()).norm() < kRestPlace &&
+         (stabilizer_.com() - pattern_.middle()).norm() < kRestPlace;
+}
+
+// Upright with the heading of the feet, but for what is left of the attitude at the start.
+Eigen::Matrix3d Walk::attitude() const noexcept {
+  return rotation_z(heading_) * rotation_of(first_.position() * first_turn_);
+}
+
+const char* Walk::follow(const StepList& list) noexcept {
+  if (!pattern_.settled())
+    return "a list of footsteps begins where the robot stands, and it walks; it goes on as it was";
+  if (const char* why = check_steps(gait(), list).why) return why;
+  std::array<Foothold, kMostSteps> places;
+  const int count = place_steps(list, {pattern_.foot(0), pattern_.foot(1)}, places);
+  pattern_.follow(places.data(), count, 1 - first_foot(list));
+  return nullptr;
+}
+
+void Walk::measure(const Estimator& estimator, double dt, bool fresh) noexcept {
+  const Kinematics& k = estimator.kinematics();
+  const double share = fresh ? 1.0 : dt / (dt + gains_.velocity_filter);
+  com_ = k.com();
+  com_velocity_ += share * (estimator.com_velocity() - com_velocity_);
+  dcm_ = com_.head<2>() + estimator.dcm_velocity() / omega();
+  double carried = 0.0, lower = 0.0;  // by feet that stand; load times what they are too low
+  for (int f = 0; f < 2; ++f) {
+    const Eigen::Isometry3d& sole = estimator.sole_in_world(f);
+    Foothold& foot = measured_feet_[at(f)];
+    foot.position = sole.translation().head<2>();
+    foot.set_yaw(yaw_of(sole.linear()));
+    const Eigen::Vector3d up = sole.linear().col(2);
+    foot.gradient = -up.head<2>() / std::max(0.5, up.z());
+    const double force = std::max(0.0, estimator.sole_force(f).z());
+    foot.height = sole.translation().z() + force / std::max(1e3, model_->soles[at(f)].stiffness);
+    if (!fresh && !pattern_.swings(f)) {
+      carried += force;
+      lower += force * (pattern_.foot(f).height - foot.height);
+    }
+    measured_[at(f)].force = estimator.sole_force(f).z();
+    measured_[at(f)].moment =
+        pattern_.foot(f).unturn(Eigen::Vector2d(estimator.sole_torque(f).head<2>()));
+  }
+  // On average over a step the feet press as hard as the robot weighs, with what it carries.
+  const double weight = mass_ * kGravity;
+  const double pressed = std::max(0.0, measured_[0].force) + std::max(0.0, measured_[1].force);
+  const double quick = fresh ? 1.0 : dt / (dt + kWeighing);
+  if (pressed > 0.0)  // measured at all
+    load_ = std::clamp(load_ + quick * (pressed / weight - load_), kLightest, kHeaviest);
+  // The estimator has the loaded soles on one plane; here they stand as high as they landed.
+  if (carried > kLeastLoad * mass_ * kGravity) shift_ = lower / carried;
+  for (Foothold& foot : measured_feet_) foot.height += shift_;
+}
+
+void Walk::start(const Estimator& estimator) noexcept {
+  shift_ = 0.0;
+  height_.rest(std::max(0.2, estimator.kinematics().com().z()));
+  measure(estimator, model_->period(), true);
+  pattern_.start(measured_feet_);
+  ground_.rest(pattern_.ground());
+  height_.rest(height_.position() - ground_.height());
+  measure(estimator, model_->period(), true);
+  heading_ = pattern_.heading();
+  const Eigen::Matrix3d base = estimator.configuration().base.linear();
+  first_turn_ = rotation_vector(rotation_z(-heading_) * base);
+  first_.rest(1.0);
+  first_.aim(0.0, gains_.settle);
+  height_.aim(gait().com_height, gains_.settle);
+  stabilizer_.start(com_.head<2>(), dcm_);
+  feet_.start(pattern_, {estimator.sole_in_world(0), estimator.sole_in_world(1)}, measured_);
+  ik_.start(estimator.configuration());
+  ik_.solve(com_, attitude(), feet_.target(), estimator.configuration().q, kFirstRounds);
+  q_ = ik_.configuration().q;
+  qd_.setZero();
+  qdd_.setZero();
+  fresh_ = true;
+  finite_ = true;
+}
+
+// The wrench of each sole, world, about its frame; and the same in sole axes for the feet.
+void Walk::share_load(const Estimator& estimator) noexcept {
+  const ZmpShare& share = stabilizer_.share();
+  const double mass = load_ * mass_;
+  const double weight = mass * (kGravity + vertical_acceleration());
+  const double w = omega();
+  const Eigen::Vector2d horizontal = mass * w * w * (com_.head<2>() - share.zmp);
+  for (std::size_t f = 0; f < 2; ++f) {
+    const double part = f == 0 ? share.left : 1.0 - share.left;
+    const Foothold& foot = pattern_.foot(static_cast<int>(f));
+    const Eigen::Vector2d arm = foot.turn(share.cop[f]);
+    Eigen::Vector2d push = part * horizontal;
+    const double most = 0.8 * std::max(0.1, model_->soles[f].friction) * part * weight;
+    if (push.norm() > most) push *= most / push.norm();
+    wrench_[f].force << push, part * weight;
+    wrench_[f].torque = Eigen::Vector3d(arm.x(), arm.y(), 0.0).cross(wrench_[f].force);
+    wanted_[f].force = part * weight;
+    wanted_[f].moment = foot.unturn(Eigen::Vector2d(wrench_[f].torque.head<2>()));
+  }
+  (void)estimator;
+}
+
+void Walk::feed_forward(double dt) noexcept {
+  const Eigen::VectorXd& q = ik_.configuration().q;
+  const double share = dt / (dt + gains_.acceleration_filter);
+  for (Eigen::Index j = 0; j < q.size(); ++j) {
+    const double rate = fresh_ ? 0.0 : (q[j] - q_[j]) / dt;
+    qdd_[j] += share * ((rate - qd_[j]) / dt - qdd_[j]);
+    qd_[j] = rate;
+  }
+  q_ = q;
+  Configuration& c = ik_.configuration();
+  c.qd = qd_;
+  c.base_velocity << stabilizer_.velocity(), height_.velocity() + ground_.velocity();
+  c.base_angular_velocity.setZero();
+  ik_.update();
+  const Kinematics& k = ik_.kinematics();
+  const double w = omega();
+  Eigen::Vector3d acceleration(0.0, 0.0, vertical_acceleration());
+  acceleration.head<2>() = w * w * (stabilizer_.com() - stabilizer_.zmp());
+  for (std::size_t f = 0; f < 2; ++f) {
+    const Sole& sole = model_->soles[f];
+    wrench_[f].point = (k.link_in_world(sole.link) * sole.frame).translation();
+  }
+  (void)dynamics_.solve(k, c, qdd_, acceleration, Eigen::Vector3d::Zero(), wrench_, tau_);
+}
+
+void Walk::update(const Estimator& estimator, const Eigen::VectorXd& q_given, double dt) noexcept {
+  height_.advance(dt);
+  first_.advance(dt);
+  measure(estimator, dt, fresh_);
+  pattern_.advance({estimator.loaded(0), estimator.loaded(1)}, measured_feet_, dt);
+  ground_.advance(pattern_.ground_at(stabilizer_.com()), dt);
+  const double w = omega();
+  pattern_.plan(dcm_, w);
+  stabilizer_.update(pattern_, com_.head<2>(), dcm_, w, dt);
+  if (stabilizer_.excess().norm() > gains_.step_when) pattern_.capture(dcm_);
+  heading_ += wrap_angle(pattern_.heading() - heading_) * std::min(1.0, dt / gains_.turn);
+
+  share_load(estimator);
+  const double left = stabilizer_.share().left;
+  BaseError base;
+  base.asked = ik_.configuration().base;
+  base.asked.linear() = attitude();
+  base.measured = estimator.configuration().base;
+  base.measured.translation().z() += shift_;
+  feet_.update(pattern_, wanted_, measured_, {left, 1.0 - left}, base, dt);
+  ik_.solve(com_reference(), attitude(), feet_.target(), q_given, gains_.rounds);
+  feed_forward(dt);
+  fresh_ = false;
+  finite_ = q_.allFinite() && qd_.allFinite() && tau_.allFinite();
+}
+
+}  // namespace twinbus

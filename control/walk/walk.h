@@ -1,0 +1,105 @@
+// Walking: one tick from the estimate to the set-points of the legs and torques of all joints.
+//
+// All in the estimator's world.  measure -> pattern (footholds, reference) -> stabilizer (ZMP, who carries it) -> feet
+// (poses asked of the soles) -> whole-body inverse kinematics -> recursive Newton-Euler with the shared wrenches.
+// Unlike standing balance the legs are position-controlled: a foot in the air must go where it was sent.
+
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <vector>
+
+#include "control/walk/footsteps.h"
+#include "control/walk/ground_follow.h"
+#include "control/joint/min_jerk.h"
+#include "control/walk/walk_feet.h"
+#include "control/walk/walk_gains.h"
+#include "control/walk/walk_pattern.h"
+#include "control/walk/walk_stabilizer.h"
+#include "control/legs/whole_body_ik.h"
+#include "robot/dynamics/inverse_dynamics.h"
+#include "robot/estimation/estimator.h"
+#include "robot/description/model.h"
+#include "lcmtypes/msg/step_list.h"
+
+namespace twinbus {
+
+class Walk {
+ public:
+  // Throws std::runtime_error with one sentence when the robot cannot walk.
+  Walk(const Model& model, const WalkGains& gains);
+
+  // Begins where the robot is, standing on both feet.
+  void start(const Estimator& estimator) noexcept;
+  // The same robot through another source.
+  void rebase() noexcept { stabilizer_.rebase(); }
+
+  // vx, vy, wz [m/s, m/s, rad/s]; cut to what the robot can.
+  void want(const Eigen::Vector3d& velocity) noexcept { pattern_.want(velocity); }
+  // Footsteps from where it stands.  Null, or a sentence that lives for ever: why not.
+  const char* follow(const StepList& list) noexcept;
+  // The shortest stop that catches the robot.
+  void halt() noexcept { pattern_.halt(); }
+  // Before it rests, the feet come side by side.
+  void square() noexcept { pattern_.square(); }
+
+  // q_given [joint_count]: of the joints that are not of a leg.
+  void update(const Estimator& estimator, const Eigen::VectorXd& q_given, double dt) noexcept;
+
+  const Eigen::VectorXd& q() const noexcept { return q_; }
+  const Eigen::VectorXd& qd() const noexcept { return qd_; }
+  const Eigen::VectorXd& tau() const noexcept { return tau_; }
+  bool is_leg(int joint) const noexcept { return ik_.is_leg(joint); }
+  bool finite() const noexcept { return finite_; }
+  // Stands on both feet, and nothing moves.
+  bool resting() const noexcept;
+
+  const WalkPattern& pattern() const noexcept { return pattern_; }
+  const WalkStabilizer& stabilizer() const noexcept { return stabilizer_; }
+  const Gait& gait() const noexcept { return pattern_.gait(); }
+  // World, for the status.
+  const Eigen::Vector3d& com() const noexcept { return com_; }
+  const Eigen::Vector3d& com_velocity() const noexcept { return com_velocity_; }
+  const Eigen::Vector2d& dcm() const noexcept { return dcm_; }
+  Eigen::Vector3d com_reference() const noexcept;
+  // Normal force asked of each foot [N].
+  std::array<double, 2> foot_forces() const noexcept {
+    return {wanted_[0].force, wanted_[1].force};
+  }
+
+ private:
+  void measure(const Estimator& estimator, double dt, bool fresh) noexcept;
+  void share_load(const Estimator& estimator) noexcept;
+  void feed_forward(double dt) noexcept;
+  double omega() const noexcept;
+  double vertical_acceleration() const noexcept {
+    return height_.acceleration() + ground_.acceleration();
+  }
+  Eigen::Matrix3d attitude() const noexcept;
+
+  const Model* model_;
+  WalkGains gains_;
+  WalkPattern pattern_;
+  WalkStabilizer stabilizer_;
+  WalkFeet feet_;
+  WholeBodyIk ik_;
+  InverseDynamics dynamics_;
+  double mass_;
+  double load_ = 1.0;  // what the feet carry, of the robot's own weight
+
+  Eigen::Vector3d com_ = Eigen::Vector3d::Zero(), com_velocity_ = Eigen::Vector3d::Zero();
+  Eigen::Vector2d dcm_ = Eigen::Vector2d::Zero();
+  std::array<Foothold, 2> measured_feet_;
+  std::array<FootLoad, 2> wanted_, measured_;
+  MinJerk height_, first_;  // of the centre of mass; 1 -> 0: share of the first tilt still held
+  GroundFollow ground_;
+  double shift_ = 0.0;  // of heights, from the estimator's to those of the footholds [m]
+  Eigen::Vector3d first_turn_ = Eigen::Vector3d::Zero();
+  double heading_ = 0.0;
+  bool fresh_ = true, finite_ = true;
+  Eigen::VectorXd q_, qd_, qdd_, tau_;
+  std::vector<ExternalWrench> wrench_;
+};
+
+}  // namespace twinbus

@@ -1,0 +1,18 @@
+// Small balls and capsules around points.
+
+#pragma once
+
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "robot/collision/links/link_geometry.h"
+
+namespace twinbus {
+
+// Nearly the smallest; points not empty.  Exact: no point is farther than the radius.
+Ball ball_around(const std::vector<Eigen::Vector3d>& points, int steps = 2000);
+
+// A small capsule, found by hill climbing; points not empty.  Exact in the same sense.
+Capsule capsule_around(const std::vector<Eigen::Vector3d>& points);
+
+}  // namespace twinbus

@@ -1,0 +1,99 @@
+#include "launcher/bus/bus_health.h"
+
+#include <cstdio>
+#include <cstring>
+
+#include "lcmtypes/bus/wire.h"
+
+namespace twinbus {
+
+namespace {
+
+constexpr std::int64_t kEvery = 1'000'000'000;  // counts are compared after so long [ns]
+constexpr std::int64_t kQuiet =
+    10'000'000'000;                 // between two alarms of a process and a channel [ns]
+constexpr std::int32_t kMany = 25;  // lost or refused in that time
+constexpr std::int32_t kBusy = 50;  // received in that time: it goes on, or something is wrong
+constexpr float kSilence_ms = 250.0F;
+
+// The loop's own: a source that becomes active leaves its standby channel, and an operator may go home.
+bool never_ends(const char* channel) {
+  return std::strcmp(channel, "STATE") == 0 || std::strcmp(channel, "COMMAND") == 0 ||
+         std::strcmp(channel, "GUARD") == 0;
+}
+
+std::string sentence(const FullHeartbeat& beat, std::size_t row, std::int32_t count,
+                     const char* what) {
+  char text[160];
+  std::snprintf(text, sizeof text, "%s (pid %d): %d messages on %s %s in the last second",
+                process_name(beat.kind), beat.pid, count, heard_channel(beat, row), what);
+  return text;
+}
+
+}  // namespace
+
+const char* heard_channel(const FullHeartbeat& beat, std::size_t row) {
+  const auto table = channel_table();
+  const auto i = static_cast<std::size_t>(beat.channel[row] - 1);
+  return i < table.size() ? table[i].channel : "?";
+}
+
+std::vector<std::string> BusHealth::look(const std::vector<const SeenProcess*>& processes,
+                                         std::int64_t now_ns) {
+  std::vector<std::string> alarms;
+  for (const SeenProcess* process : processes) {
+    const FullHeartbeat& beat = process->beat;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(beat.channels); ++i) {
+      Row& row = rows_[{beat.process_id, beat.channel[i]}];
+      const bool may_tell = row.told_ns == 0 || now_ns - row.told_ns > kQuiet;
+      const std::size_t before = alarms.size();
+      const bool silent =
+          row.busy && beat.channel_age_ms[i] > kSilence_ms && never_ends(heard_channel(beat, i));
+      if (silent && !row.silent && may_tell) {
+        char text[160];
+        std::snprintf(text, sizeof text, "%s (pid %d) hears nothing on %s any more",
+                      process_name(beat.kind), beat.pid, heard_channel(beat, i));
+        alarms.emplace_back(text);
+      }
+      row.silent = silent;
+      if (row.looked_ns == 0 || now_ns - row.looked_ns >= kEvery) {
+        const bool first = row.looked_ns == 0;
+        const std::int32_t lost = beat.channel_lost[i] - row.lost;
+        const std::int32_t rejected = beat.channel_rejected[i] - row.rejected;
+        if (!first && lost >= kMany && may_tell)
+          alarms.push_back(sentence(beat, i, lost, "are missing"));
+        if (!first && rejected >= kMany && may_tell)
+          alarms.push_back(sentence(beat, i, rejected, "were refused"));
+        const std::int32_t received = beat.channel_received[i] - row.received;
+        if (!first && (received > 0 || !silent)) row.busy = received >= kBusy;
+        row.looked_ns = now_ns;
+        row.received = beat.channel_received[i];
+        row.lost = beat.channel_lost[i];
+        row.rejected = beat.channel_rejected[i];
+      }
+      if (alarms.size() > before) row.told_ns = now_ns;
+    }
+  }
+  return alarms;
+}
+
+std::vector<std::string> channel_lines(const std::vector<const SeenProcess*>& processes) {
+  std::vector<std::string> lines = {
+      "process    hears               received    age ms jitter us     lost repeated rejected"};
+  for (const SeenProcess* process : processes) {
+    const FullHeartbeat& b = process->beat;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(b.channels); ++i) {
+      if (b.channel_received[i] == 0 && b.channel_rejected[i] == 0) continue;
+      char line[160];
+      std::snprintf(line, sizeof line, "%-10s %-18s %9d %9.1f %9.0f %8d %8d %8d",
+                    process_name(b.kind), heard_channel(b, i), b.channel_received[i],
+                    static_cast<double>(b.channel_age_ms[i]),
+                    static_cast<double>(b.channel_jitter_us[i]), b.channel_lost[i],
+                    b.channel_repeated[i], b.channel_rejected[i]);
+      lines.emplace_back(line);
+    }
+  }
+  return lines;
+}
+
+}  // namespace twinbus

@@ -1,0 +1,37 @@
+// Alarms from heartbeats: a process that loses or refuses messages of a channel, or no longer hears one that was busy.
+//
+// Looks only; whoever owns it says the sentences and puts them on EVENT.
+
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "launcher/bus/stack_monitor.h"
+
+namespace twinbus {
+
+class BusHealth {
+ public:
+  // The newest heartbeats, a few times a second; new alarms, as sentences.
+  std::vector<std::string> look(const std::vector<const SeenProcess*>& processes,
+                                std::int64_t now_ns);
+
+ private:
+  struct Row {  // one channel of one process, a second ago
+    std::int64_t looked_ns = 0, told_ns = 0;
+    std::int32_t received = 0, lost = 0, rejected = 0;
+    bool busy = false, silent = false;
+  };
+  std::map<std::pair<std::int64_t, int>, Row> rows_;
+};
+
+// One line per process and channel that it has heard: age, jitter, gaps, repetitions, refusals.
+std::vector<std::string> channel_lines(const std::vector<const SeenProcess*>& processes);
+// Of a row of a heartbeat; "?" for one that this program does not know.
+const char* heard_channel(const FullHeartbeat& beat, std::size_t row);
+
+}  // namespace twinbus

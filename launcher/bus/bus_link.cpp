@@ -1,0 +1,191 @@
+#include "launcher/bus/bus_link.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <stdexcept>
+
+#include "lcmtypes/bus/bus.h"
+#include "lcmtypes/bus/channels.h"
+#include "common/process/process.h"
+
+namespace twinbus {
+
+namespace {
+
+BusOptions options_of(const std::string& url, const std::string& prefix,
+                      const std::vector<std::string>& allow) {
+  BusOptions options;
+  if (!url.empty()) options.url = url;
+  options.prefix = prefix;
+  options.allow = allow;
+  return options;
+}
+
+// Takes in whatever type it is called with.
+struct Ear {
+  Lookout& seen;
+  bool own_channel = false;
+
+  void operator()(const RobotState& state) const {
+    seen.on_state(state, own_channel, monotonic_ns());
+  }
+  void operator()(const JointCommand& command) const { seen.on_command(command, monotonic_ns()); }
+  void operator()(const SourceStatus& status) const {
+    seen.on_source_status(status, monotonic_ns());
+  }
+  void operator()(const FullHeartbeat& beat) const { seen.on_heartbeat(beat, monotonic_ns()); }
+  void operator()(const SimTruth& truth) const { seen.on_truth(truth, monotonic_ns()); }
+  void operator()(const GuardReport& report) const { seen.on_guard(report, monotonic_ns()); }
+  void operator()(const ControllerStatus& status) const {
+    seen.on_controller_status(status, monotonic_ns());
+  }
+  void operator()(const Event& event) const { seen.on_event(event); }
+};
+
+}  // namespace
+
+struct BusLink::Impl {
+  Impl(const BusOptions& options, Lookout& seen)
+      : ear{seen, false}, own_ear{seen, true}, bus(options) {
+    bus.listen_each<RobotState>(channel::kState, ear);
+    bus.listen_each<RobotState>(channel::kStateSim, own_ear);
+    bus.listen_each<RobotState>(channel::kStateBridge, own_ear);
+    bus.listen_each<RobotState>(channel::kStateReplay, own_ear);
+    bus.listen_each<JointCommand>(channel::kCommand, ear);
+    bus.listen_each<SourceStatus>(channel::kSourceStatus, ear);
+    bus.listen_each<FullHeartbeat>(channel::kHeartbeat, ear);
+    bus.listen_each<SimTruth>(channel::kTruth, ear);
+    bus.listen_each<GuardReport>(channel::kGuard, ear);
+    bus.listen_each<ControllerStatus>(channel::kControllerStatus, ear);
+    bus.listen_each<Event>(channel::kEvent, ear);
+  }
+
+  void operator()(const char*, std::span<const std::uint8_t> bytes, std::int64_t) const {
+    if (raw_state) raw_state(bytes);
+  }
+
+  template <class T>
+  void send(const char* channel, const T& message) {
+    if (!bus.send(channel, message)) {
+      throw std::runtime_error(
+          std::string("cannot send on ") + channel +
+          ": no route, or a number that is not fit to send; try ./twinbus doctor");
+    }
+  }
+
+  Ear ear;
+  Ear own_ear;
+  std::function<void(std::span<const std::uint8_t>)> raw_state;
+  Bus bus;  // last: its subscriptions refer to the ears
+};
+
+BusLink::BusLink(const std::string& url, const std::string& prefix,
+                 const std::vector<std::string>& allow)
+    : sender_id_(random_id()) {
+  const BusOptions options = options_of(url, prefix, allow);
+  url_ = options.url;
+  impl_ = std::make_unique<Impl>(options, seen_);
+}
+
+BusLink::~BusLink() = default;
+
+void BusLink::receive(double seconds) {
+  if (impl_->bus.receive(seconds) < 0)
+    throw std::runtime_error("the bus is gone: the network was taken down");
+}
+
+void BusLink::listen(double seconds) {
+  const std::int64_t end = monotonic_ns() + static_cast<std::int64_t>(seconds * 1e9);
+  for (std::int64_t now = monotonic_ns(); now < end && !quit_requested(); now = monotonic_ns()) {
+    receive(std::min(0.05, 1e-9 * static_cast<double>(end - now)));
+  }
+}
+
+void BusLink::on_raw_state(std::function<void(std::span<const std::uint8_t>)> handler) {
+  const bool first = !impl_->raw_state;
+  impl_->raw_state = std::move(handler);
+  if (first) impl_->bus.listen_raw(channel::kState, *impl_);
+}
+
+int BusLink::fileno() const { return impl_->bus.fileno(); }
+
+template <class T>
+void BusLink::stamp(T& message) {
+  message.utime = wall_us();
+  message.sender_id = sender_id_;
+  if (message.sequence == 0) message.sequence = ++sequence_;
+}
+
+void BusLink::send(SourceRequest& request) {
+  stamp(request);
+  impl_->send(channel::kSourceRequest, request);
+}
+
+void BusLink::send(ControllerRequest& request) {
+  stamp(request);
+  impl_->send(channel::kControllerRequest, request);
+}
+
+void BusLink::send(ModeRequest& request) {
+  stamp(request);
+  impl_->send(channel::kModeRequest, request);
+}
+
+void BusLink::send(StopRequest& request) {
+  stamp(request);
+  impl_->send(channel::kStop, request);
+}
+
+void BusLink::send(WalkCommand& command) {
+  stamp(command);
+  impl_->send(channel::kWalk, command);
+}
+
+void BusLink::send(StepList& list) {
+  stamp(list);
+  impl_->send(channel::kSteps, list);
+}
+
+void BusLink::send(ArmGoal& goal) {
+  stamp(goal);
+  impl_->send(channel::kArmGoal, goal);
+}
+
+void BusLink::send(Heartbeat& beat) {
+  beat.utime = wall_us();
+  beat.process_id = sender_id_;
+  beat.kind = ProcessKind::kLauncher;
+  impl_->send(channel::kHeartbeat, beat);
+}
+
+void BusLink::alarm(const std::string& sentence) { tell(sentence, 2); }
+
+void BusLink::tell(const std::string& sentence, int severity) {
+  Event event;
+  event.run_id = seen_.newest_state().run_id;
+  event.tick = seen_.newest_state().tick;
+  event.severity = static_cast<std::int8_t>(severity);
+  event.kind = ProcessKind::kLauncher;
+  std::snprintf(event.text.data(), event.text.size(), "%s", sentence.c_str());
+  stamp(event);
+  impl_->send(channel::kEvent, event);
+}
+
+const SeenSource* wait_for_active(BusLink& bus, double seconds) {
+  // Everyone publishes SOURCE_STATUS at 10 Hz, so a quarter of a second hears all who are there.
+  const std::int64_t start = monotonic_ns();
+  for (;;) {
+    bus.listen(0.25);
+    const SeenSource* active = bus.seen().active(monotonic_ns());
+    if (active != nullptr || quit_requested()) return active;
+    if (1e-9 * static_cast<double>(monotonic_ns() - start) > seconds) return nullptr;
+  }
+}
+
+std::string describe(const SeenSource& source) {
+  return std::string(source_name(source.status.source)) + " run " +
+         std::to_string(source.status.run_id) + " (term " + std::to_string(source.status.term) +
+         ", " + role_name(source.status.role) + ")";
+}
+
+}  // namespace twinbus

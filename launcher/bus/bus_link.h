@@ -1,0 +1,73 @@
+// The launcher's end of the bus: everything heard goes into a Lookout, operator messages go out.
+
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "common/process/arguments.h"
+#include "launcher/bus/stack_monitor.h"
+#include "lcmtypes/msg/requests.h"
+#include "lcmtypes/msg/step_list.h"
+
+namespace twinbus {
+
+class BusLink {
+ public:
+  // url empty: $LCM_DEFAULT_URL, else the project's own.  Throws std::runtime_error if the bus cannot be opened.
+  // allow: IPv4 addresses of other machines whose messages are taken.
+  BusLink(const std::string& url, const std::string& prefix,
+          const std::vector<std::string>& allow = {});
+  ~BusLink();
+
+  // Waits up to so many seconds for anything, then takes in all that is there.
+  void receive(double seconds);
+  // Goes on receiving for so many seconds, or until the program is asked to end.
+  void listen(double seconds);
+  // Readable when receive(0) has something to do.
+  int fileno() const;
+
+  // Also gives every encoded STATE to handler, as it came.
+  void on_raw_state(std::function<void(std::span<const std::uint8_t>)> handler);
+
+  Lookout& seen() { return seen_; }
+  const std::string& url() const { return url_; }
+  std::int64_t sender_id() const { return sender_id_; }
+
+  // Each fills in utime, sender_id and, where it is 0, the next sequence.  Throws std::runtime_error if the datagram
+  // cannot be sent.
+  void send(SourceRequest& request);
+  void send(ControllerRequest& request);
+  void send(ModeRequest& request);
+  void send(StopRequest& request);
+  void send(WalkCommand& command);
+  void send(StepList& list);
+  void send(ArmGoal& goal);
+  void send(Heartbeat& beat);
+  // Plain text on EVENT; severity as in event_t, that of an alarm is 2.
+  void tell(const std::string& sentence, int severity);
+  void alarm(const std::string& sentence);
+
+ private:
+  struct Impl;
+  template <class T>
+  void stamp(T& message);
+
+  Lookout seen_;
+  std::string url_;
+  std::int64_t sender_id_;
+  std::int32_t sequence_ = 0;
+  std::unique_ptr<Impl> impl_;
+};
+
+// Waits up to so many seconds for a source that holds STATE; null if there is none.
+const SeenSource* wait_for_active(BusLink& bus, double seconds);
+
+// "simulator run 123 (term 4, active)"
+std::string describe(const SeenSource& source);
+
+}  // namespace twinbus

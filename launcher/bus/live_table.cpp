@@ -1,0 +1,123 @@
+#include "launcher/bus/live_table.h"
+
+#include <cstdarg>
+#include <cstdio>
+
+#include "lcmtypes/msg/status.h"
+
+namespace twinbus {
+
+namespace {
+
+__attribute__((format(printf, 1, 2))) std::string line_of(const char* format, ...) {
+  char text[160];
+  std::va_list arguments;
+  va_start(arguments, format);
+  std::vsnprintf(text, sizeof text, format, arguments);
+  va_end(arguments);
+  return text;
+}
+
+std::string age_text(double seconds) {
+  if (seconds > 1e6) return "never";
+  return seconds < 1.0 ? line_of("%.1f ms", 1e3 * seconds) : line_of("%.1f s", seconds);
+}
+
+std::string stream_line(const char* name, const Meter& meter, std::int64_t now_ns) {
+  return line_of("  %-10s %7.1f %9s %7lld", name, meter.rate(now_ns),
+                 age_text(meter.age(now_ns)).c_str(), static_cast<long long>(meter.lost()));
+}
+
+std::string source_line(const SeenSource& source, std::int64_t now_ns) {
+  const SourceStatus& s = source.status;
+  std::string line = line_of(
+      "  %-10s %7.1f %9s %5d %8lld %6lld %9lld", source_name(s.source), source.states.rate(now_ns),
+      role_name(s.role), s.term, static_cast<long long>(s.ticks_missed),
+      static_cast<long long>(s.commands_late), static_cast<long long>(s.commands_rejected));
+  if (s.stop_kind != StopKind::kNone) line += std::string("  STOP ") + stop_name(s.stop_kind);
+  if (s.adaptor_status != 0)
+    line += std::string("  ") + to_text(static_cast<Status>(s.adaptor_status));
+  return line;
+}
+
+// Viewer, planner and gamepad have no ticks to be missed.
+bool has_ticks(ProcessKind kind) {
+  return kind == ProcessKind::kSimulator || kind == ProcessKind::kBridge ||
+         kind == ProcessKind::kController || kind == ProcessKind::kGuard;
+}
+
+std::string process_line(const SeenProcess& process, double cpu) {
+  const Heartbeat& b = process.beat;
+  std::string line = line_of("  %-10s %7.1f %9d %5.0f", process_name(b.kind),
+                             static_cast<double>(b.rate), b.pid, 1e2 * cpu);
+  if (!has_ticks(b.kind)) return line;
+  return line + line_of(" %8lld %6.0f %6.0f %6.0f %6lld  %s",
+                        static_cast<long long>(b.ticks_missed),
+                        static_cast<double>(b.tick_median_us), static_cast<double>(b.tick_p99_us),
+                        static_cast<double>(b.tick_max_us), static_cast<long long>(b.allocations),
+                        realtime_name(b.realtime));
+}
+
+const char* guard_word(const Lookout& seen, std::int64_t now_ns) {
+  if (seen.guard().age(now_ns) > 1.0) return "silent";
+  return seen.newest_guard().verdict >= GuardVerdict::kWillCollide ? "holds joints" : "clear";
+}
+
+}  // namespace
+
+std::vector<std::string> table_lines(const Lookout& seen, CpuShare& shares, std::int64_t now_ns) {
+  std::vector<std::string> lines;
+  lines.push_back("source            Hz      role  term   missed   late  rejected");
+  for (const SeenSource* source : seen.sources(now_ns))
+    lines.push_back(source_line(*source, now_ns));
+  lines.push_back("stream            Hz       age    lost");
+  lines.push_back(stream_line("STATE", seen.state(), now_ns));
+  lines.push_back(stream_line("COMMAND", seen.command(), now_ns));
+  if (seen.guard().received() > 0) lines.push_back(stream_line("GUARD", seen.guard(), now_ns));
+  lines.push_back("process           Hz       pid cpu %   missed    p50    p99 max us alloc");
+  for (const SeenProcess* process : seen.processes(now_ns)) {
+    lines.push_back(process_line(*process, shares.recent(process->beat.pid, now_ns)));
+  }
+  if (seen.controller_statuses().age(now_ns) < 1.0) {
+    const ControllerStatus& c = seen.controller();
+    lines.push_back(line_of("robot: mode %s, ZMP margin %.1f mm, guard %s", mode_name(c.mode),
+                            1e3 * static_cast<double>(c.zmp_margin), guard_word(seen, now_ns)));
+  }
+  for (const SeenProcess* process : seen.processes(now_ns)) {
+    const Heartbeat& b = process->beat;
+    const SeenSource* active = seen.active(now_ns);
+    if (active == nullptr || active->status.run_id != b.process_id || !(b.age_us > 0.0F)) continue;
+    lines.push_back(
+        line_of("STATE to COMMAND: median %.0f us, 99 %% within %.0f us; machine stood still for "
+                "%lld of the missed",
+                static_cast<double>(b.age_us), static_cast<double>(b.age_p99_us),
+                static_cast<long long>(b.ticks_stalled)));
+  }
+  return lines;
+}
+
+std::string summary_line(const Lookout& seen, std::int64_t now_ns) {
+  const SeenSource* active = seen.active(now_ns);
+  return line_of("STATE %.1f Hz (%s, term %d, %s), COMMAND %.1f Hz, missed %lld, mode %s%s",
+                 seen.state().rate(now_ns),
+                 active == nullptr ? "no source" : source_name(active->status.source),
+                 active == nullptr ? 0 : active->status.term,
+                 active == nullptr ? "-" : role_name(active->status.role),
+                 seen.command().rate(now_ns),
+                 active == nullptr ? 0LL : static_cast<long long>(active->status.ticks_missed),
+                 mode_name(seen.controller().mode), seen.figures().fell ? ", FELL" : "");
+}
+
+void Redraw::clear() {
+  if (lines_ > 0) std::printf("\x1b[%zuA\x1b[J", lines_);
+  lines_ = 0;
+}
+
+void Redraw::draw(const std::vector<std::string>& lines) {
+  clear();
+  for (const std::string& line : lines) std::printf("%s\n", line.c_str());
+  std::fflush(stdout);
+  lines_ = lines.size();
+}
+
+}  // namespace twinbus

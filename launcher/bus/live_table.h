@@ -1,0 +1,33 @@
+// The picture that `up` and `status` show: sources, streams and processes with their rates, ages and roles.
+
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "launcher/stack/cpu_share.h"
+#include "launcher/bus/stack_monitor.h"
+
+namespace twinbus {
+
+// At most about 20 lines, each shorter than 100 characters.
+// shares: of the processes of this machine.
+std::vector<std::string> table_lines(const Lookout& seen, CpuShare& shares, std::int64_t now_ns);
+// All of it in one line, for a log.
+std::string summary_line(const Lookout& seen, std::int64_t now_ns);
+
+// Writes lines over the ones written before; only for a terminal.
+class Redraw {
+ public:
+  void draw(const std::vector<std::string>& lines);
+  // Leaves the lines standing; what is printed next comes below them.
+  void leave() { lines_ = 0; }
+  // Takes the lines away, so that something else can be printed in their place.
+  void clear();
+
+ private:
+  std::size_t lines_ = 0;
+};
+
+}  // namespace twinbus

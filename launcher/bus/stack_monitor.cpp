@@ -1,0 +1,196 @@
+#include "launcher/bus/stack_monitor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <utility>
+
+namespace twinbus {
+
+namespace {
+
+constexpr std::size_t kMostSenders = 64;  // a flood of invented ids must not grow the maps
+constexpr std::size_t kMostEvents = 200;
+
+double age(std::int64_t heard_ns, std::int64_t now_ns) {
+  return 1e-9 * static_cast<double>(now_ns - heard_ns);
+}
+
+// Angle between the z axis of this attitude (w x y z) and the vertical.
+double tilt_of(const std::array<double, 4>& q) {
+  const double up = 1.0 - 2.0 * (q[1] * q[1] + q[2] * q[2]);
+  return std::acos(std::clamp(up, -1.0, 1.0));
+}
+
+double yaw_of(const std::array<double, 4>& q) {
+  return std::atan2(2.0 * (q[0] * q[3] + q[1] * q[2]), 1.0 - 2.0 * (q[2] * q[2] + q[3] * q[3]));
+}
+
+const char* word(int index, std::initializer_list<const char*> words) {
+  return index >= 0 && index < static_cast<int>(words.size()) ? words.begin()[index] : "unknown";
+}
+
+template <class Map>
+auto* slot(Map& map, std::int64_t id) {
+  auto found = map.find(id);
+  if (found == map.end()) {
+    if (map.size() >= kMostSenders) return static_cast<typename Map::mapped_type*>(nullptr);
+    found = map.try_emplace(id).first;
+  }
+  return &found->second;
+}
+
+}  // namespace
+
+void Lookout::on_state(const RobotState& state, bool own_channel, std::int64_t now_ns) {
+  if (auto* source = slot(sources_, state.run_id)) {
+    source->states.add(state.tick, now_ns);
+    source->on_state = !own_channel;
+    source->state = state;
+  }
+  if (own_channel) return;
+  state_.add(state.tick, now_ns);
+  newest_state_ = state;
+}
+
+void Lookout::on_command(const JointCommand& command, std::int64_t now_ns) {
+  command_.add(command.tick, now_ns);
+}
+
+void Lookout::on_source_status(const SourceStatus& status, std::int64_t now_ns) {
+  if (auto* source = slot(sources_, status.run_id)) {
+    source->status = status;
+    source->heard_ns = now_ns;
+  }
+}
+
+void Lookout::on_heartbeat(const FullHeartbeat& beat, std::int64_t now_ns) {
+  if (auto* process = slot(processes_, beat.process_id)) {
+    process->beat = beat;
+    process->heard_ns = now_ns;
+  }
+}
+
+void Lookout::on_truth(const SimTruth& truth, std::int64_t now_ns) {
+  if (state_.received() > 0 && truth.run_id != newest_state_.run_id)
+    return;  // of a standby simulator
+  truth_.add(truth.tick, now_ns);
+  RunFigures& f = figures_;
+  ++f.truths;
+  f.fell = f.fell || truth.fell;
+  f.max_tilt = std::max(f.max_tilt, tilt_of(truth.base_attitude));
+  f.zmp_margin_min = std::min(f.zmp_margin_min, static_cast<double>(truth.zmp_margin));
+  const double dt = last_truth_time_ < 0.0 ? 0.0 : truth.sim_time - last_truth_time_;
+  for (std::size_t foot = 0; foot < 2; ++foot) {
+    if (dt > 0.0 && dt < 0.1) f.slip[foot] += dt * static_cast<double>(truth.foot_slip[foot]);
+    f.slip_max = std::max(f.slip_max, f.slip[foot]);
+  }
+  last_truth_time_ = truth.sim_time;
+  f.penetration_max = std::max(f.penetration_max, static_cast<double>(truth.penetration));
+  if (f.first_sim_time < 0.0) f.first_sim_time = truth.sim_time;
+  f.sim_time = truth.sim_time;
+  f.base[0] = truth.base_position[0];
+  f.base[1] = truth.base_position[1];
+  f.base[2] = yaw_of(truth.base_attitude);
+  f.realtime_factor = static_cast<double>(truth.realtime_factor);
+}
+
+void Lookout::on_guard(const GuardReport& report, std::int64_t now_ns) {
+  guard_.add(report.tick, now_ns);
+  newest_guard_ = report;
+  if (report.verdict == GuardVerdict::kInCollision) ++figures_.self_collision_ticks;
+}
+
+void Lookout::on_controller_status(const ControllerStatus& status, std::int64_t now_ns) {
+  controller_meter_.add(status.tick, now_ns);
+  controller_ = status;
+}
+
+void Lookout::on_event(const Event& event) {
+  if (events_.size() >= kMostEvents) return;
+  std::string line = std::string(process_name(event.kind)) + ": ";
+  for (const char c : event.text) {
+    if (c == '\0') break;
+    // A terminal obeys control characters; a stranger's datagram must not reach it.
+    line += static_cast<unsigned char>(c) < 32 || c == 127 ? '?' : c;
+  }
+  events_.push_back(line);
+}
+
+std::vector<const SeenSource*> Lookout::sources(std::int64_t now_ns, double seconds) const {
+  std::vector<const SeenSource*> found;
+  for (const auto& [id, source] : sources_) {
+    if (source.heard_ns > 0 && age(source.heard_ns, now_ns) < seconds) found.push_back(&source);
+  }
+  return found;
+}
+
+std::vector<const SeenProcess*> Lookout::processes(std::int64_t now_ns, double seconds) const {
+  std::vector<const SeenProcess*> found;
+  for (const auto& [id, process] : processes_) {
+    if (age(process.heard_ns, now_ns) < seconds) found.push_back(&process);
+  }
+  std::sort(found.begin(), found.end(), [](const SeenProcess* a, const SeenProcess* b) {
+    return a->beat.kind != b->beat.kind ? a->beat.kind < b->beat.kind : a->beat.pid < b->beat.pid;
+  });
+  return found;
+}
+
+const SeenSource* Lookout::active(std::int64_t now_ns) const {
+  const SeenSource* best = nullptr;
+  for (const SeenSource* source : sources(now_ns)) {
+    const Role role = source->status.role;
+    if (role != Role::kActive && role != Role::kReleasing && role != Role::kStopped) continue;
+    if (best == nullptr || source->status.term > best->status.term) best = source;
+  }
+  return best;
+}
+
+const SeenSource* Lookout::source(std::int64_t run_id) const {
+  const auto found = sources_.find(run_id);
+  return found == sources_.end() ? nullptr : &found->second;
+}
+
+const SeenProcess* Lookout::process_of_pid(std::int32_t pid) const {
+  for (const auto& [id, process] : processes_) {
+    if (process.beat.pid == pid) return &process;
+  }
+  return nullptr;
+}
+
+std::vector<std::string> Lookout::take_events() { return std::exchange(events_, {}); }
+
+void Lookout::restart_counts() {
+  for (Meter* meter : {&state_, &command_, &guard_, &truth_, &controller_meter_}) meter->restart();
+  figures_ = RunFigures();
+  last_truth_time_ = -1.0;
+}
+
+const char* source_name(SourceKind source) {
+  return word(static_cast<int>(source), {"none", "simulator", "bridge", "replay"});
+}
+
+const char* role_name(Role role) {
+  return word(static_cast<int>(role),
+              {"none", "parked", "active", "releasing", "track", "shadow", "stopped"});
+}
+
+const char* stop_name(StopKind kind) {
+  return word(static_cast<int>(kind), {"none", "balanced", "hold", "off"});
+}
+
+const char* mode_name(Mode mode) {
+  return word(static_cast<int>(mode), {"none", "idle", "hold", "pose", "balance", "walk", "stop"});
+}
+
+const char* process_name(ProcessKind kind) {
+  return word(static_cast<int>(kind),
+              {"process", "simulator", "bridge", "replay", "controller", "guard", "planner",
+               "viewer", "gamepad", "log", "launcher", "user"});
+}
+
+const char* realtime_name(std::int8_t realtime) {
+  return word(realtime, {"none", "FIFO", "FIFO+locked"});
+}
+
+}  // namespace twinbus

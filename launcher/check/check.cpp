@@ -1,0 +1,413 @@
+#include "launcher/check/check.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <stdexcept>
+
+#include "common/process/arguments.h"
+#include "launcher/check/check_cells.h"
+#include "launcher/check/check_pairs.h"
+#include "launcher/check/trial.h"
+#include "robot/onboarding/base_turn.h"
+#include "geometry/bounds/coarse_mesh.h"
+#include "common/math/index.h"
+#include "robot/kinematics/kinematics.h"
+#include "geometry/bounds/link_points.h"
+#include "robot/description/load.h"
+#include "robot/collision/loop_joints.h"
+#include "robot/onboarding/proposal.h"
+#include "robot/onboarding/model_lint.h"
+#include "common/text/xml.h"
+
+namespace twinbus {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+const char* kind_name(JointKind kind) {
+  return kind == JointKind::kPrismatic    ? "prismatic"
+         : kind == JointKind::kContinuous ? "continuous"
+                                          : "revolute";
+}
+
+// What is to be checked: a folder with robot.yaml, or a URDF that has none.
+struct Subject {
+  Model model;
+  std::string urdf;  // file, when there is no robot.yaml
+  std::string text;  // of the URDF as it is proposed
+  ProposalSource source;
+  Model repaired;  // what the proposal is made of
+};
+
+std::string only_urdf(const std::string& folder) {
+  std::vector<std::string> found;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (entry.path().extension() == ".urdf") found.push_back(entry.path().string());
+  }
+  if (found.size() == 1) return found.front();
+  throw std::runtime_error(folder + ": has neither robot.yaml nor one .urdf, but " +
+                           std::to_string(found.size()) + "; name the file");
+}
+
+Subject load_subject(const std::string& name) {
+  Subject subject;
+  std::error_code error;
+  if (fs::is_regular_file(name, error)) {
+    subject.urdf = name;
+  } else {
+    const std::string folder = robot_folder(name);
+    if (fs::exists(folder + "/robot.yaml", error)) {
+      subject.model = load_robot(name);
+      return subject;
+    }
+    subject.urdf = only_urdf(folder);
+  }
+  ProposalSource& source = subject.source;
+  source.packages = find_packages(subject.urdf);
+  subject.text = with_packages(read_text_file(subject.urdf), subject.urdf, source.packages);
+  subject.repaired =
+      load_repaired_urdf(subject.text, subject.urdf, source.packages, source.repairs);
+  const Eigen::Matrix3d turn = find_base_turn(subject.repaired);
+  if (!turn.isIdentity(1e-9)) {
+    subject.text = with_upright_base(subject.text, subject.repaired.links.front().name, turn);
+    subject.repaired =
+        load_repaired_urdf(subject.text, subject.urdf, source.packages, source.repairs);
+    source.notes.push_back(
+        "the base of the file does not have z up and x forward: the copy of the URDF has a link "
+        "upright_base above it that has");
+  }
+  source.urdf_name = fs::path(subject.urdf).filename().string();
+  source.srdf_file = find_srdf(subject.urdf);
+  if (!source.srdf_file.empty()) source.srdf_text = read_text_file(source.srdf_file);
+  // The robot as its file says it, if that is a robot without repairs.
+  try {
+    subject.model = load_urdf(subject.urdf, source.packages);
+  } catch (const std::runtime_error&) {
+    subject.model = subject.repaired;
+  }
+  return subject;
+}
+
+// The robot that the proposal makes, as `run` will load it.
+Model load_proposed(const Proposal& proposal, const Subject& subject) {
+  return load_robot_texts({.folder = fs::path(subject.urdf).parent_path().string(),
+                           .yaml = proposal.yaml,
+                           .urdf = subject.text,
+                           .srdf = proposal.srdf});
+}
+
+struct Extent {
+  Eigen::Vector3d size = Eigen::Vector3d::Zero();
+  Eigen::Vector3d com = Eigen::Vector3d::Zero();  // from the middle of the box, at its bottom
+  int shapes = 0, meshes = 0, links = 0;
+  int coarse = 0;  // meshes that the guard sees as their hulls
+};
+
+Extent measure(const Model& model) {
+  Configuration c(model);
+  c.q = neutral_posture(model);
+  Kinematics k(model);
+  k.update(c);
+  Extent extent;
+  Eigen::Vector3d low = Eigen::Vector3d::Constant(1e300);
+  Eigen::Vector3d high = -low;
+  for (int i = 0; i < model.link_count(); ++i) {
+    const Link& link = model.links[at(i)];
+    for (const Eigen::Vector3d& point : link_points(link)) {
+      const Eigen::Vector3d p = k.link_in_world(i) * point;
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+    }
+    extent.links += link.collision.empty() ? 0 : 1;
+    extent.shapes += static_cast<int>(link.collision.size());
+    for (const Shape& shape : link.collision) {
+      if (shape.kind != ShapeKind::kMesh) continue;
+      ++extent.meshes;
+      extent.coarse +=
+          load_mesh(shape.mesh, shape.size).triangles.size() > at(kFineTriangles) ? 1 : 0;
+    }
+  }
+  if (!(low.x() <= high.x())) return extent;
+  extent.size = high - low;
+  extent.com = k.com() - Eigen::Vector3d(0.5 * (low + high).x(), 0.5 * (low + high).y(), low.z());
+  return extent;
+}
+
+std::vector<std::string> sensors(const Model& model) {
+  std::vector<std::string> found;
+  if (!model.yaml_text.empty()) found.push_back("IMU on " + model.links[at(model.imu_link)].name);
+  for (const int side : {0, 1}) {
+    const std::string name = side == 0 ? "left" : "right";
+    const Sole& sole = model.soles[at(side)];
+    const Hand& hand = model.hands[at(side)];
+    if (sole.link >= 0)
+      found.push_back("force, " + name + " foot, on " + model.links[at(sole.link)].name);
+    if (hand.link >= 0)
+      found.push_back("force, " + name + " hand, on " + model.links[at(hand.link)].name);
+  }
+  for (const Frame& frame : model.frames) {
+    std::string lower = frame.name;
+    for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    if (lower.find("camera") != std::string::npos) {
+      found.push_back("camera frame " + frame.name + ", on " + model.links[at(frame.link)].name);
+    }
+  }
+  return found;
+}
+
+json number(double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
+
+json to_json(const std::vector<Suspicion>& all) {
+  json list = json::array();
+  for (const Suspicion& s : all)
+    list.push_back({{"about", s.about}, {"what", s.what}, {"remedy", s.remedy}});
+  return list;
+}
+
+json report(const Model& model, const Extent& extent) {
+  json out = {{"name", model.name},
+              {"mass_kg", model.total_mass()},
+              {"joints", json::array()},
+              {"links", model.link_count()},
+              {"bus_joints", model.bus_count()},
+              {"floating_base", model.floating_base},
+              {"size_m", {extent.size.x(), extent.size.y(), extent.size.z()}},
+              {"com_above_ground_m", extent.com.z()},
+              {"geometry",
+               {{"links", extent.links},
+                {"shapes", extent.shapes},
+                {"meshes", extent.meshes},
+                {"meshes_as_hulls", extent.coarse}}},
+              {"sensors", sensors(model)},
+              {"period_s", model.period()},
+              {"model_hash", model.hash}};
+  for (const Joint& joint : model.joints) {
+    const auto j = static_cast<std::size_t>(&joint - model.joints.data());
+    out["joints"].push_back(
+        {{"name", joint.name},
+         {"kind", kind_name(joint.kind)},
+         {"bus", model.bus_index[j]},
+         {"lower", number(joint.lower)},
+         {"upper", number(joint.upper)},
+         {"velocity", number(joint.velocity)},
+         {"effort", number(joint.effort)},
+         {"rotor_inertia", joint.rotor_inertia},
+         {"kp", joint.kp},
+         {"kd", joint.kd},
+         {"mimics", joint.mimic < 0 ? json(nullptr) : json(model.joints[at(joint.mimic)].name)}});
+  }
+  for (const NamedPose& pose : model.poses) out["poses"].push_back(pose.name);
+  return out;
+}
+
+// Where it stands, what it reaches with and what it feels.
+void print_limbs(const Model& model) {
+  for (const int side : {0, 1}) {
+    const char* name = side == 0 ? "left" : "right";
+    const Sole& sole = model.soles[at(side)];
+    if (sole.link >= 0) {
+      std::printf("%s sole on %s: %.0f x %.0f mm, %.3g N/m, %.3g N s/m, friction %.2f\n", name,
+                  model.links[at(sole.link)].name.c_str(), 1e3 * (sole.front + sole.back),
+                  1e3 * (sole.left + sole.right), sole.stiffness, sole.damping, sole.friction);
+    }
+    const Hand& hand = model.hands[at(side)];
+    if (hand.link >= 0) {
+      std::printf("%s hand on %s: arm of %zu joints\n", name,
+                  model.links[at(hand.link)].name.c_str(), hand.joints.size());
+    }
+  }
+  for (const std::string& sensor : sensors(model)) std::printf("sensor: %s\n", sensor.c_str());
+}
+
+void print(const Model& model, const Extent& extent) {
+  std::printf("%s: %d joints (%d on the bus), %d links, %.1f kg, period %.1f ms, model hash %lld\n",
+              model.name.c_str(), model.joint_count(), model.bus_count(), model.link_count(),
+              model.total_mass(), 1e3 * model.period(), static_cast<long long>(model.hash));
+  std::printf(
+      "size %.2f x %.2f x %.2f m in the zero posture, centre of mass %.2f m above its lowest "
+      "point\n",
+      extent.size.x(), extent.size.y(), extent.size.z(), extent.com.z());
+  std::printf("%d links can be touched: %d shapes, %d of them meshes\n", extent.links,
+              extent.shapes, extent.meshes);
+  if (extent.coarse > 0) {
+    std::printf(
+        "to the guard %d meshes of more than %d triangles are their convex hulls: it keeps out of "
+        "their hollows too\n",
+        extent.coarse, kFineTriangles);
+  }
+  std::printf("%4s  %-28s %-10s %8s %8s %8s %8s %8s %7s\n", "bus", "joint", "kind", "lower",
+              "upper", "velocity", "effort", "kp", "kd");
+  for (const Joint& joint : model.joints) {
+    const int bus = model.bus_index[static_cast<std::size_t>(&joint - model.joints.data())];
+    std::printf("%4s  %-28s %-10s %8.3f %8.3f %8.2f %8.1f %8.0f %7.0f\n",
+                bus < 0 ? "-" : std::to_string(bus).c_str(), joint.name.c_str(),
+                kind_name(joint.kind), joint.lower, joint.upper, joint.velocity, joint.effort,
+                joint.kp, joint.kd);
+  }
+  print_limbs(model);
+  const std::string loops = loops_sentence(model);
+  if (!loops.empty()) std::printf("%s\n", loops.c_str());
+  std::printf("poses:");
+  for (const NamedPose& pose : model.poses) std::printf(" %s", pose.name.c_str());
+  std::printf("\n%zu pairs of links are declared never to touch\n", model.disabled_pairs.size());
+}
+
+json to_json(const Trial& trial) {
+  return {{"refusal", trial.refusal},
+          {"cannot_balance", trial.cannot_balance},
+          {"stood", trial.stood},
+          {"simulated_s", trial.simulated_s},
+          {"realtime_factor", trial.wall_s > 0.0 ? trial.simulated_s / trial.wall_s : 0.0},
+          {"figures", trial.figures},
+          {"failures", trial.failures},
+          {"weak", trial.weak}};
+}
+
+void print(const Trial& trial) {
+  std::printf("\n");
+  if (!trial.refusal.empty()) return;  // said as the error
+  if (!trial.cannot_balance.empty()) {
+    std::printf(
+        "does not stand: %s.  Balance wants a free base and two legs of six joints, each with a "
+        "sole: "
+        "scenes in which a robot stands are not for this one\n",
+        trial.cannot_balance.c_str());
+    return;
+  }
+  if (trial.stood) {
+    std::printf("stands: %.1f s in the simulator, %.1f times real time: %s\n", trial.simulated_s,
+                trial.simulated_s / std::max(trial.wall_s, 1e-9), trial.figures.c_str());
+    return;
+  }
+  std::printf("DOES NOT STAND (%.1f s in the simulator): %s\n", trial.simulated_s,
+              trial.figures.c_str());
+  for (const std::string& failure : trial.failures) std::printf("  %s\n", failure.c_str());
+  for (const std::string& weak : trial.weak) {
+    std::printf("  %s: correct the limit in the URDF, or half_sitting in the SRDF\n", weak.c_str());
+  }
+  std::printf(
+      "  see `If it falls` in config/robots/README.md; what is named above as suspicious or to be "
+      "looked "
+      "at comes first\n");
+}
+
+void print(const char* title, const std::vector<Suspicion>& all) {
+  std::printf("\n%s: %s\n", title, all.empty() ? "nothing" : "");
+  for (const Suspicion& s : all)
+    std::printf("  %s: %s; %s\n", s.about.c_str(), s.what.c_str(), s.remedy.c_str());
+}
+
+void write_file(const fs::path& path, const std::string& text) {
+  if (fs::exists(path)) throw std::runtime_error(path.string() + ": exists; name a new folder");
+  std::ofstream stream(path, std::ios::binary);
+  stream << text;
+  stream.close();
+  if (!stream) throw std::runtime_error(path.string() + ": cannot be written");
+}
+
+}  // namespace
+
+int check_command(const std::vector<std::string>& words) {
+  const Arguments arguments(
+      {"check",
+       "ROBOT",
+       "Loads a robot (a name in config/robots, a folder, or a URDF file) with every check of its "
+       "files.\n"
+       "Prints mass, size, joints, sensors, what is suspicious and what robot.yaml lacks; for a "
+       "URDF without\n"
+       "robot.yaml also proposes one.  Then the robot, or what is proposed, stands for two seconds "
+       "in the "
+       "simulator.\n"
+       "Exit status 1 if it is refused, with one line naming file and remedy, or does not stand "
+       "though it "
+       "has the legs.",
+       {{"--json", "", "everything as one JSON object"},
+        {"--pairs", "",
+         "instead: which pairs of links can touch, with proof, and which of those that the SRDF "
+         "leaves out do"},
+        {"--cells", "",
+         "instead: finds what links with few joints between them can touch with, and keeps it in "
+         "the "
+         "user's cache (seconds; makes the exact check of all pairs faster)"},
+        {"--write", "FILE", "with --pairs: writes the SRDF with all proved pairs and reasons"},
+        {"--propose", "FOLDER",
+         "writes the proposed robot.yaml and SRDF with a copy of the URDF into FOLDER"}},
+       1,
+       1},
+      words);
+  const Subject subject = load_subject(arguments.word(0));
+  const Model& model = subject.model;
+  if (arguments.has("--pairs")) return check_pairs(model, arguments.text("--write", ""));
+  if (arguments.has("--cells")) return check_cells(model);
+  const Extent extent = measure(model);
+  const std::vector<Suspicion> suspicions = find_suspicions(model);
+  std::vector<Suspicion> missing = find_missing(model);
+  const std::string folder = arguments.text("--propose", "");
+  if (subject.urdf.empty() && !folder.empty())
+    throw UsageError("check: --propose wants a URDF file; " + arguments.word(0) +
+                     " has a robot.yaml already");
+  std::optional<Proposal> proposal;
+  if (!subject.urdf.empty()) proposal = propose(subject.repaired, subject.source);
+  if (proposal && !folder.empty()) {
+    const fs::path name(subject.source.urdf_name);
+    fs::create_directories(folder);
+    write_file(fs::path(folder) / "robot.yaml", proposal->yaml);
+    write_file(fs::path(folder) / fs::path(name).replace_extension(".srdf"), proposal->srdf);
+    write_file(fs::path(folder) / name, subject.text);
+  }
+  const Model proposed = proposal ? (folder.empty() ? load_proposed(*proposal, subject)
+                                                    : load_robot(fs::absolute(folder).string()))
+                                  : Model();
+  const Trial trial = try_to_stand(proposal ? proposed : model);
+  if (proposal) {  // beside robot.yaml itself, what the proposal leaves open
+    missing = {{"robot.yaml", "is not there",
+                folder.empty() ? "take the proposal below" : "one is proposed"}};
+    for (const Suspicion& s : find_missing(proposed)) missing.push_back(s);
+  }
+  const bool good = trial.refusal.empty() && (trial.stood || !trial.cannot_balance.empty());
+  if (arguments.has("--json")) {
+    json out = report(model, extent);
+    out["suspicious"] = to_json(suspicions);
+    out["missing"] = to_json(missing);
+    out["trial"] = to_json(trial);
+    if (proposal) {
+      out["proposed"] = {{"robot_yaml", proposal->yaml},
+                         {"srdf", proposal->srdf},
+                         {"urdf", subject.text},
+                         {"doubts", proposal->doubts}};
+    }
+    std::printf("%s\n", out.dump(2, ' ', false, json::error_handler_t::replace).c_str());
+    return good ? 0 : 1;
+  }
+  print(model, extent);
+  print("suspicious", suspicions);
+  print("missing", missing);
+  if (proposal) {
+    std::printf("\nlook at these before you use the proposal:%s\n",
+                proposal->doubts.empty() ? " nothing found" : "");
+    for (const std::string& doubt : proposal->doubts) std::printf("  %s\n", doubt.c_str());
+    std::printf("\nfound:\n");
+    print_limbs(proposed);
+    if (folder.empty()) {
+      std::printf(
+          "\nproposed robot.yaml (--propose FOLDER writes it, with an SRDF and the URDF):\n\n%s",
+          proposal->yaml.c_str());
+    } else {
+      std::printf("\nwritten: %s\n", folder.c_str());
+    }
+  }
+  print(trial);
+  if (proposal && !folder.empty() && trial.stood)
+    std::printf("next: ./twinbus run stand --robot %s\n", folder.c_str());
+  if (!trial.refusal.empty())
+    throw std::runtime_error(arguments.word(0) + " cannot be simulated: " + trial.refusal);
+  return good ? 0 : 1;
+}
+
+}  // namespace twinbus

@@ -1,0 +1,82 @@
+#include "launcher/check/trial.h"
+
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+#include "control/balance/balance.h"
+#include "launcher/run/judge_scene.h"
+#include "launcher/run/local_stack.h"
+#include "common/math/index.h"
+#include "common/process/process.h"
+#include "sim/scene/scene.h"
+#include "sim/scene/scene_seed.h"
+#include "sim/world/static_equilibrium.h"
+#include "sim/world/world.h"
+
+namespace twinbus {
+
+namespace {
+
+constexpr double kSimulated = 2.0;                    // [s]
+constexpr double kReserve = 0.9;                      // of the effort limit
+constexpr std::int64_t kPatience = 10'000'000'000LL;  // [ns]
+
+std::vector<std::string> weak_joints(const Model& model) {
+  std::vector<std::string> weak;
+  const int pose = model.find_pose("half_sitting");
+  if (pose < 0) return weak;
+  const std::vector<double>& q = model.poses[at(pose)].q;
+  const Standing standing =
+      stand(model, Eigen::Map<const Eigen::VectorXd>(q.data(), static_cast<Eigen::Index>(q.size())),
+            1.0, {model.soles[0].stiffness / kSoleCorners, model.soles[1].stiffness / kSoleCorners},
+            {0.0, 0.0}, !model.floating_base);
+  for (const int j : model.bus_joints) {
+    const Joint& joint = model.joints[at(j)];
+    const double needed = std::abs(standing.needed[j]);
+    if (needed <= kReserve * joint.effort) continue;
+    char text[120];
+    std::snprintf(text, sizeof text,
+                  " needs %.1f N m to hold half_sitting; its effort limit is %.1f", needed,
+                  joint.effort);
+    weak.push_back("joint " + joint.name + text);
+  }
+  return weak;
+}
+
+}  // namespace
+
+Trial try_to_stand(const Model& model) {
+  Trial trial;
+  if (const char* why = Balance::why_not(model)) trial.cannot_balance = why;
+  try {
+    for (const Engine engine : {Engine::kArticulated, Engine::kOde}) {
+      WorldConfig world;
+      world.engine = engine;
+      world.fixed_base = !model.floating_base;
+      (void)make_world(model, world);
+    }
+    trial.weak = weak_joints(model);
+    Scene scene = load_scene("stand");
+    scene.criteria = for_robot(scene.criteria, model);
+    resolve_poses(scene, model);
+    apply_seed(scene, model, 1);
+    OneProcess run(model, scene, {});
+    const auto ticks = static_cast<std::int64_t>(std::llround(kSimulated / model.period()));
+    const std::int64_t begin = monotonic_ns();
+    while (run.ticks() < ticks && monotonic_ns() - begin < kPatience && run.tick()) {
+    }
+    trial.wall_s = 1e-9 * static_cast<double>(monotonic_ns() - begin);
+    trial.simulated_s = model.period() * static_cast<double>(run.ticks());
+    const RunVerdict verdict = judge_scene(run, scene.criteria, run.ticks());
+    trial.stood = verdict.passed && trial.cannot_balance.empty();
+    trial.failures = verdict.failures;
+    trial.figures = scene_figures(run, scene.criteria);
+    while (!trial.figures.empty() && trial.figures.back() == '\n') trial.figures.pop_back();
+  } catch (const std::exception& error) {
+    trial.refusal = error.what();
+  }
+  return trial;
+}
+
+}  // namespace twinbus

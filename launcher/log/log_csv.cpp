@@ -1,0 +1,150 @@
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <stdexcept>
+
+#include "common/process/arguments.h"
+#include "launcher/log/log_command.h"
+#include "launcher/log/log_scan.h"
+#include "lcmtypes/bus/wire.h"
+#include "common/text/closest_name.h"
+#include "common/process/process.h"
+#include "viewer_log/log/message_schema.h"
+
+namespace twinbus {
+
+namespace {
+
+constexpr std::size_t kBuffer = 1 << 20;  // [bytes]
+
+std::vector<std::string> split(const std::string& text) {
+  std::vector<std::string> parts;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    if (end > begin) parts.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return parts;
+}
+
+// The columns asked for: a field, or an array by its name.
+std::vector<const MessageField*> columns_of(const MessageSchema& schema, const std::string& asked) {
+  std::vector<const MessageField*> columns;
+  if (asked.empty()) {
+    for (const MessageField& field : schema.fields) columns.push_back(&field);
+    return columns;
+  }
+  for (const std::string& name : split(asked)) {
+    const std::size_t before = columns.size();
+    for (const MessageField& field : schema.fields) {
+      if (field.name == name || field.name.starts_with(name + "[")) columns.push_back(&field);
+    }
+    if (columns.size() > before) continue;
+    std::vector<std::string> known;
+    for (const MessageField& field : schema.fields)
+      known.push_back(field.name.substr(0, field.name.find('[')));
+    throw UsageError("log csv: " + schema.type + " has no field '" + name + "'" +
+                     suggestion(name, known));
+  }
+  return columns;
+}
+
+// Entries of per-joint arrays that no joint uses are left out.
+void drop_unused(std::vector<const MessageField*>& columns, const MessageSchema& schema,
+                 std::span<const std::uint8_t> message) {
+  const int count_field = schema.find("joint_count");
+  if (count_field < 0 || schema.find("q[47]") < 0) return;
+  const double joints = field_number(schema.fields[static_cast<std::size_t>(count_field)], message);
+  std::erase_if(columns, [&](const MessageField* field) {
+    for (const char* name : {"q[", "qd[", "tau[", "kp[", "kd["}) {
+      if (field->name.starts_with(name))
+        return std::stod(field->name.substr(std::string(name).size())) >= joints;
+    }
+    return false;
+  });
+}
+
+class Output {
+ public:
+  explicit Output(const std::string& file)
+      : name_(file.empty() ? "the output" : file),
+        file_(file.empty() ? stdout : std::fopen(file.c_str(), "wb")) {
+    if (file_ == nullptr) throw std::runtime_error("cannot write " + name_);
+  }
+  ~Output() {
+    if (file_ != nullptr && file_ != stdout) std::fclose(file_);
+  }
+  Output(const Output&) = delete;
+  Output& operator=(const Output&) = delete;
+  void put(std::string& text) {
+    if (std::fwrite(text.data(), 1, text.size(), file_) != text.size() || std::fflush(file_) != 0)
+      throw std::runtime_error("cannot write " + name_ + ": is the disk full?");
+    text.clear();
+  }
+
+ private:
+  std::string name_;
+  std::FILE* file_;
+};
+
+}  // namespace
+
+int log_csv(const std::vector<std::string>& words) {
+  const Arguments arguments(
+      {"log csv",
+       "FILE CHANNEL [OUT.csv]",
+       "A channel as a table with one row per message; without OUT.csv on the standard output.",
+       {{"--fields", "A,B", "fields, or arrays by their name; default all"},
+        {"--from", "S", "seconds from the first event"},
+        {"--to", "S", "seconds from the first event"},
+        {"--type", "T", "of a channel that is not ours, as in robot_state_t"}},
+       2,
+       3},
+      words);
+  catch_quit_signals();
+  const std::string file = arguments.word(0), channel = arguments.word(1);
+  const ChannelInfo* info = find_channel(channel.c_str());
+  for (std::size_t at = 1; info == nullptr && at < channel.size(); ++at) {
+    if (channel[at - 1] == '_')
+      info = find_channel(channel.c_str() + at);  // R1_STATE, REPLAY_COMMAND
+  }
+  const std::string type = arguments.text("--type", info != nullptr ? info->type : "");
+  const MessageSchema* schema = find_schema(type);
+  if (schema == nullptr)
+    throw UsageError("log csv: of which type is " + channel + "? say --type, as in robot_state_t");
+  std::vector<const MessageField*> columns = columns_of(*schema, arguments.text("--fields", ""));
+  Output output(arguments.word(2));
+  std::string text;
+  text.reserve(2 * kBuffer);
+  std::int64_t rows = 0, strange = 0;
+  scan_log(file, arguments.number("--from", 0.0, 0.0, 1e9),
+           arguments.number("--to", kWholeLog, 0.0, 1e13), [&](const LogEvent& event) {
+             if (event.channel != channel) return true;
+             if (event.data.size() != schema->bytes) {
+               ++strange;
+               return true;
+             }
+             if (rows++ == 0) {
+               drop_unused(columns, *schema, event.data);
+               text = "utime";
+               for (const MessageField* field : columns) text += "," + field->name;
+               text += "\n";
+             }
+             text += std::to_string(event.utime);
+             for (const MessageField* field : columns) {
+               text += ',';
+               append_field(text, *field, event.data);
+             }
+             text += '\n';
+             if (text.size() >= kBuffer) output.put(text);
+             return true;
+           });
+  output.put(text);
+  if (strange > 0)
+    std::fprintf(stderr, "log csv: %lld messages on %s are not of type %s\n",
+                 static_cast<long long>(strange), channel.c_str(), type.c_str());
+  if (rows == 0) throw std::runtime_error("log " + file + ": nothing on " + channel);
+  return 0;
+}
+
+}  // namespace twinbus

@@ -1,0 +1,99 @@
+#include <cstdio>
+#include <stdexcept>
+
+#include "common/process/arguments.h"
+#include "launcher/log/log_command.h"
+#include "launcher/log/log_scan.h"
+#include "launcher/bus/stack_monitor.h"
+#include "launcher/log/rerun.h"
+#include "lcmtypes/bus/channels.h"
+#include "lcmtypes/bus/wire.h"
+#include "robot/description/load.h"
+#include "common/process/process.h"
+
+namespace twinbus {
+
+namespace {
+
+constexpr std::int64_t kFarEnough = 200'000;  // events in which the robot must have been named
+
+// The robot's name and model hash as the log tells them; empty and 0 when it does not.
+struct LoggedRobot {
+  std::string name;
+  std::int64_t model_hash = 0;
+};
+
+LoggedRobot robot_of(const std::string& file, const std::string& prefix) {
+  LoggedRobot robot;
+  std::int64_t events = 0;
+  LogReader reader(file);
+  for (LogEvent event; events < kFarEnough && reader.next(event); ++events) {
+    ModelTextPiece piece;
+    RobotState state;
+    if (event.channel == prefix + channel::kState && decode(event.data, state) == Status::kOk)
+      robot.model_hash = state.model_hash;
+    if (event.channel == prefix + channel::kLogText && decode(event.data, piece) == Status::kOk) {
+      const std::string text(piece.text.data(), static_cast<std::size_t>(piece.count));
+      const std::size_t at = text.find("robot: ");
+      if (piece.kind == 6 && at != std::string::npos)
+        robot.name = text.substr(at + 7, text.find('\n', at) - at - 7);
+    }
+    if (!robot.name.empty() && robot.model_hash != 0) break;
+  }
+  return robot;
+}
+
+}  // namespace
+
+int log_rerun(const std::vector<std::string>& words) {
+  const Arguments arguments(
+      {"log rerun",
+       "FILE",
+       "Computes every command, guard report and estimate of a log again from the messages and the "
+       "journal in it,\n"
+       "and compares bit for bit.  Exit status 0 only if all are the same and nothing is missing.",
+       {robot_option(), prefix_option()},
+       1,
+       1},
+      words);
+  catch_quit_signals();
+  const std::string file = arguments.word(0), prefix = arguments.text("--prefix", "");
+  const LoggedRobot logged = robot_of(file, prefix);
+  const Model model =
+      load_robot(arguments.text("--robot", logged.name.empty() ? "hrp1s" : logged.name));
+  if (logged.model_hash != 0 && logged.model_hash != model.hash) {
+    throw std::runtime_error("log " + file + ": was recorded with another robot than " +
+                             model.name + " is now (model hash " +
+                             std::to_string(logged.model_hash) + ", now " +
+                             std::to_string(model.hash) + "); say which with --robot");
+  }
+  Rerun rerun(model);
+  scan_log(file, 0.0, kWholeLog, [&](const LogEvent& event) {
+    if (event.channel.starts_with(prefix))
+      rerun.add(event.channel.substr(prefix.size()), event.utime, event.data);
+    return true;
+  });
+  rerun.finish();
+  bool good = true;
+  std::int64_t answers = 0;
+  for (const RerunFigures& f : rerun.figures()) {
+    std::printf(
+        "%s %lld: %lld steps, %lld answers, %lld different; %lld inputs, %lld missing, %lld "
+        "damaged%s\n",
+        process_name(f.kind), static_cast<long long>(f.id), static_cast<long long>(f.steps),
+        static_cast<long long>(f.answers), static_cast<long long>(f.different),
+        static_cast<long long>(f.inputs), static_cast<long long>(f.missing),
+        static_cast<long long>(f.damaged), f.whole ? "" : "; NOT WHOLE");
+    good = good && f.whole && f.different == 0 && f.missing == 0 && f.damaged == 0;
+    answers += f.answers;
+  }
+  for (const std::string& finding : rerun.findings()) std::printf("%s\n", finding.c_str());
+  if (answers == 0) {
+    std::printf("no JOURNAL in this log: nothing could be computed again\n");
+    return 1;
+  }
+  std::printf(good ? "bit for bit the same\n" : "NOT the same\n");
+  return good ? 0 : 1;
+}
+
+}  // namespace twinbus

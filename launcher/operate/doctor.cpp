@@ -1,0 +1,256 @@
+#include "launcher/operate/doctor.h"
+
+#include <arpa/inet.h>
+#include <netinet/in.h>
+#include <sched.h>
+#include <sys/mman.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "common/process/arguments.h"
+#include "launcher/bus/bus_link.h"
+#include "launcher/stack/run_folder.h"
+#include "lcmtypes/bus/bus.h"
+#include "common/process/process.h"
+
+namespace twinbus {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr long kWantedBuffer = 4194304;  // recv_buf_size of the default URL [bytes]
+
+enum class Health { kGood, kCould, kBad };  // kCould: works, but not as well as it could
+
+class Report {
+ public:
+  void add(Health health, const std::string& what, const std::string& remedy = "") {
+    const char* mark = health == Health::kGood    ? "ok     "
+                       : health == Health::kCould ? "better "
+                                                  : "MISSING";
+    std::printf("%s  %s\n", mark, what.c_str());
+    if (!remedy.empty() && health != Health::kGood)
+      std::printf("         mend: %s\n", remedy.c_str());
+    bad_ += health == Health::kBad;
+  }
+  int bad() const { return bad_; }
+
+ private:
+  int bad_ = 0;
+};
+
+std::string first_line(const std::string& file) {
+  std::ifstream stream(file);
+  std::string line;
+  std::getline(stream, line);
+  return line;
+}
+
+std::string in_path(const std::string& program) {
+  const char* path = std::getenv("PATH");
+  std::istringstream folders(path == nullptr ? "" : path);
+  for (std::string folder; std::getline(folders, folder, ':');) {
+    const std::string file = folder + "/" + program;
+    if (access(file.c_str(), X_OK) == 0) return file;
+  }
+  return "";
+}
+
+// The kernel chooses a way for a datagram to this address without sending any.
+bool has_route(const char* address, std::string& why) {
+  const int fd = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+  sockaddr_in to{};
+  to.sin_family = AF_INET;
+  to.sin_port = htons(9);
+  inet_pton(AF_INET, address, &to.sin_addr);
+  const bool found = fd >= 0 && connect(fd, reinterpret_cast<const sockaddr*>(&to), sizeof to) == 0;
+  why = found ? "" : std::strerror(errno);
+  if (fd >= 0) close(fd);
+  return found;
+}
+
+void check_network(Report& report, const std::string& url) {
+  const std::string scheme = "udpm://";
+  const std::string group =
+      url.starts_with(scheme)
+          ? url.substr(scheme.size(), url.find(':', scheme.size()) - scheme.size())
+          : "";
+  if (group.empty()) {
+    report.add(Health::kGood, "bus " + url + " is not multicast: no route is needed");
+    return;
+  }
+  std::string why;
+  if (has_route(group.c_str(), why)) {
+    report.add(Health::kGood, "route for multicast to " + group);
+  } else {
+    report.add(Health::kBad,
+               "no route for multicast to " + group + " (" + why + "): LCM cannot start",
+               "sudo ip link set lo up && sudo ip route add 224.0.0.0/4 dev lo");
+  }
+  const long buffer = std::atol(first_line("/proc/sys/net/core/rmem_max").c_str());
+  report.add(buffer >= kWantedBuffer ? Health::kGood : Health::kCould,
+             "largest socket buffer (net.core.rmem_max) " + std::to_string(buffer) + " bytes" +
+                 (buffer >= kWantedBuffer ? "" : ", 4194304 keep bursts of messages whole"),
+             "sudo sysctl -w net.core.rmem_max=4194304");
+}
+
+void check_bus(Report& report, const std::string& url) {
+  try {
+    BusLink bus(url, "");
+    bus.listen(0.5);
+    const auto sources = bus.seen().sources(monotonic_ns());
+    const auto processes = bus.seen().processes(monotonic_ns());
+    if (sources.empty() && processes.empty()) {
+      report.add(Health::kGood, "bus " + bus.url() + " opens, and nobody is on it");
+    } else {
+      report.add(Health::kGood,
+                 "bus " + bus.url() + " is in use: " + std::to_string(processes.size()) +
+                     " processes" + (sources.empty() ? "" : ", " + describe(*sources.front())));
+    }
+  } catch (const std::exception& error) {
+    report.add(Health::kBad, std::string("the bus does not open: ") + error.what());
+  }
+}
+
+void check_java(Report& report) {
+  const std::string java = in_path("java");
+  report.add(java.empty() ? Health::kCould : Health::kGood,
+             java.empty() ? "no java: ./twinbus spy needs it" : "java: " + java,
+             "sudo apt-get install default-jre");
+  bool jar = false;
+  for (const char* file : {"/usr/share/java/lcm.jar", "/usr/local/share/java/lcm.jar"})
+    jar = jar || fs::exists(file);
+  report.add(jar ? Health::kGood : Health::kCould,
+             jar ? "lcm.jar for lcm-spy" : "no lcm.jar: ./twinbus spy needs it",
+             "sudo apt-get install liblcm-java");
+  const std::string types = fs::path(program_folder()).parent_path().string() + "/share/types.jar";
+  report.add(fs::exists(types) ? Health::kGood : Health::kCould,
+             fs::exists(types) ? "types for lcm-spy: " + types
+                               : "no " + types + ": lcm-spy would not decode",
+             "sudo apt-get install default-jdk-headless liblcm-java && rm -r build/release && "
+             "./twinbus status");
+}
+
+void check_real_time(Report& report, bool in_detail) {
+  sched_param before{};
+  const int policy = sched_getscheduler(0);
+  sched_getparam(0, &before);
+  sched_param wanted{};
+  wanted.sched_priority = 60;
+  const bool fifo = sched_setscheduler(0, SCHED_FIFO, &wanted) == 0;
+  const std::string why = fifo ? "" : std::strerror(errno);
+  if (fifo) sched_setscheduler(0, policy, &before);
+  report.add(fifo ? Health::kGood : Health::kCould,
+             fifo ? "FIFO priority is allowed"
+                  : "no FIFO priority (" + why + "): up to 1 % of the ticks may be missed",
+             "run as root, or: echo '@sudo - rtprio 90' | sudo tee "
+             "/etc/security/limits.d/twinbus.conf, and log in again");
+  if (!in_detail) return;
+  const bool locked = mlockall(MCL_CURRENT) == 0;
+  report.add(locked ? Health::kGood : Health::kCould,
+             locked ? "memory can be locked"
+                    : std::string("memory cannot be locked (") + std::strerror(errno) + ")",
+             "echo '@sudo - memlock unlimited' | sudo tee -a /etc/security/limits.d/twinbus.conf, "
+             "and log in again");
+  if (locked) munlockall();
+  const bool awake = access("/dev/cpu_dma_latency", W_OK) == 0;
+  report.add(
+      awake ? Health::kGood : Health::kCould,
+      awake ? "CPUs are kept awake between ticks while a stack runs (TWINBUS_CPU_SLEEP=1 saves "
+              "their power instead)"
+            : "/dev/cpu_dma_latency cannot be written: CPUs may sleep between ticks and wake late",
+      "sudo chmod o+w /dev/cpu_dma_latency");
+  const std::string runtime = first_line("/proc/sys/kernel/sched_rt_runtime_us");
+  report.add(Health::kGood, "share of a CPU for real-time tasks: " +
+                                (runtime.empty() ? "unknown" : runtime) + " us per 1000000");
+  report.add(fs::exists("/sys/kernel/realtime") ? Health::kGood : Health::kCould,
+             fs::exists("/sys/kernel/realtime")
+                 ? "PREEMPT_RT kernel"
+                 : "no PREEMPT_RT kernel: enough for 500 Hz, not for 2 kHz",
+             "sudo apt-get install linux-image-rt-amd64");
+  const std::string governor = first_line("/sys/devices/system/cpu/cpu0/cpufreq/scaling_governor");
+  if (!governor.empty()) {
+    report.add(governor == "performance" ? Health::kGood : Health::kCould,
+               "CPU governor " + governor,
+               "echo performance | sudo tee /sys/devices/system/cpu/cpu*/cpufreq/scaling_governor");
+  }
+  report.add(Health::kGood, std::to_string(sysconf(_SC_NPROCESSORS_ONLN)) + " CPUs");
+}
+
+void check_packages(Report& report) {
+  std::ifstream list(install_folder() + "/config/packages.txt");
+  std::ifstream status_file("/var/lib/dpkg/status");
+  if (!list || !status_file) return;  // not a source tree, or not Debian
+  std::stringstream buffer;
+  buffer << status_file.rdbuf();
+  std::vector<std::string> installed;
+  std::string name;
+  for (std::string line; std::getline(buffer, line);) {
+    if (line.starts_with("Package: ")) name = line.substr(9);
+    if (line == "Status: install ok installed") installed.push_back(name);
+  }
+  std::string missing;
+  std::size_t count = 0;
+  for (std::string line; std::getline(list, line);) {
+    std::istringstream words(line);
+    std::string package;
+    words >> package;
+    if (package.empty() || package[0] == '#' || package.ends_with(':')) continue;
+    ++count;
+    if (std::find(installed.begin(), installed.end(), package) == installed.end())
+      missing += " " + package;
+  }
+  report.add(missing.empty() ? Health::kGood : Health::kBad,
+             missing.empty()
+                 ? "all " + std::to_string(count) + " packages of config/packages.txt are installed"
+                 : "packages are missing:" + missing,
+             "sudo apt-get install" + missing);
+}
+
+void check_space(Report& report) {
+  std::error_code error;
+  const fs::space_info space = fs::space(install_folder(), error);
+  if (error) return;
+  const double free_gb = 1e-9 * static_cast<double>(space.available);
+  char text[64];
+  std::snprintf(text, sizeof text, "%.1f GB free for runs and builds", free_gb);
+  report.add(free_gb > 2.0 ? Health::kGood : Health::kCould, text, "rm -r runs");
+}
+
+}  // namespace
+
+int doctor_command(const std::vector<std::string>& words) {
+  const Arguments arguments(
+      {"doctor",
+       "",
+       "Looks at this machine: packages, multicast, buffers, the bus, Java for lcm-spy, real-time "
+       "rights; names\n"
+       "what is missing and the command that mends it.  Exit status 1 if something needed is "
+       "missing.",
+       {{"--rt", "", "real-time rights, kernel and CPU in detail"}, url_option()},
+       0,
+       0},
+      words);
+  catch_quit_signals();
+  const std::string url = arguments.text("--url", default_url());
+  Report report;
+  check_packages(report);
+  check_network(report, url);
+  check_bus(report, url);
+  check_java(report);
+  check_real_time(report, arguments.has("--rt"));
+  check_space(report);
+  return report.bad() == 0 ? 0 : 1;
+}
+
+}  // namespace twinbus

@@ -1,0 +1,261 @@
+#include "launcher/operate/operate.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <stdexcept>
+
+#include "common/process/arguments.h"
+#include "launcher/bus/bus_link.h"
+#include "robot/description/load.h"
+#include "common/text/closest_name.h"
+#include "common/process/process.h"
+
+namespace twinbus {
+
+namespace {
+
+constexpr double kAskAgain = 0.1;       // [s]
+constexpr double kAnswerTimeout = 2.0;  // [s]
+constexpr int kStopRepeats = 5;         // sent at once, before anything is heard
+
+std::int64_t active_run(BusLink& bus) {
+  const SeenSource* active = wait_for_active(bus, 1.0);
+  if (active == nullptr)
+    throw std::runtime_error("no source is active on " + bus.url() +
+                             "; start one with ./twinbus up");
+  return active->status.run_id;
+}
+
+}  // namespace
+
+BusLink open_bus(const Arguments& arguments) {
+  catch_quit_signals();
+  return BusLink(arguments.text("--url", ""), arguments.text("--prefix", ""),
+                 arguments.all("--allow"));
+}
+
+bool ask_controller(BusLink& bus, ModeRequest& request) {
+  request.run_id = active_run(bus);
+  const std::int64_t begin = monotonic_ns();
+  std::int64_t asked = 0;
+  while (!quit_requested() && seconds_since(begin) < kAnswerTimeout) {
+    if (asked == 0 || seconds_since(asked) > kAskAgain) {
+      asked = monotonic_ns();
+      bus.send(request);
+    }
+    bus.receive(0.01);
+    if (asked != 0 && bus.seen().controller().mode_sequence == request.sequence) return true;
+  }
+  return false;
+}
+
+namespace {
+
+int report_mode(BusLink& bus, const ModeRequest& request, const char* asked) {
+  if (bus.seen().controller_statuses().received() == 0)
+    throw std::runtime_error("no controller is running");
+  const Mode mode = bus.seen().controller().mode;
+  // A motion that was ended dies away for a while.
+  const bool as_asked =
+      request.motion == Motion::kNone || bus.seen().controller().motion == request.motion;
+  if (mode == request.mode && as_asked) {
+    std::printf("%s: the controller is in mode %s\n", asked, mode_name(mode));
+    return 0;
+  }
+  for (const std::string& event : bus.seen().take_events())
+    std::fprintf(stderr, "%s: %s\n", asked, event.c_str());
+  std::fprintf(stderr, "%s: the controller stays in mode %s; it does not do %s%s\n", asked,
+               mode_name(mode), mode_name(request.mode),
+               request.mode == Mode::kWalk ? " yet" : " now");
+  return 1;
+}
+
+int ask_and_report(const Arguments& arguments, ModeRequest& request, const char* asked) {
+  BusLink bus = open_bus(arguments);
+  ask_controller(bus, request);
+  bus.listen(0.1);
+  return report_mode(bus, request, asked);
+}
+
+int motion_command(const std::vector<std::string>& words, Motion motion, const char* name,
+                   const char* about, double amplitude, double frequency) {
+  const Arguments arguments({name,
+                             "",
+                             about,
+                             {{"--amplitude", "M", "metres"},
+                              {"--frequency", "HZ", "per second"},
+                              prefix_option(),
+                              url_option(),
+                              allow_option()},
+                             0,
+                             0},
+                            words);
+  ModeRequest request;
+  request.mode = Mode::kBalance;
+  request.motion = motion;
+  request.amplitude = static_cast<float>(arguments.number("--amplitude", amplitude, 0.0, 0.2));
+  request.frequency = static_cast<float>(arguments.number("--frequency", frequency, 0.0, 5.0));
+  return ask_and_report(arguments, request, name);
+}
+
+}  // namespace
+
+int stop_command(const std::vector<std::string>& words) {
+  const Arguments arguments(
+      {"stop",
+       "[balanced|hold|off]",
+       "Stops the robot: balanced (default) lets the controller make its shortest safe stop, hold "
+       "freezes the\n"
+       "posture, off lets go.  Works with the controller dead.  Stays until ./twinbus clear.",
+       {prefix_option(), url_option(), allow_option()},
+       0,
+       1},
+      words);
+  const std::string word = arguments.word(0, "balanced");
+  const std::vector<std::string> kinds = {"balanced", "hold", "off"};
+  const auto found = std::find(kinds.begin(), kinds.end(), word);
+  if (found == kinds.end())
+    throw UsageError("stop: no kind '" + word + "'" + suggestion(word, kinds));
+  BusLink bus = open_bus(arguments);
+  StopRequest request;
+  request.kind = static_cast<StopKind>(1 + (found - kinds.begin()));
+  request.reason = StopReason::kOperator;
+  // Said before anything is heard: a stop waits for nothing.
+  for (int i = 0; i < kStopRepeats; ++i) bus.send(request);
+  const std::int64_t begin = monotonic_ns();
+  while (!quit_requested() && seconds_since(begin) < kAnswerTimeout) {
+    bus.listen(0.05);
+    const std::vector<const SeenSource*> sources = bus.seen().sources(monotonic_ns());
+    const bool all =
+        !sources.empty() &&
+        std::all_of(sources.begin(), sources.end(), [&](const SeenSource* source) {
+          return source->status.stop_kind >= request.kind || source->status.role == Role::kParked;
+        });
+    const SeenSource* active = bus.seen().active(monotonic_ns());
+    if (all && active != nullptr && seconds_since(begin) > 0.15) {
+      std::printf("stop: %s is stopped (%s); ./twinbus clear lets it go on\n",
+                  describe(*active).c_str(), stop_name(active->status.stop_kind));
+      return 0;
+    }
+    bus.send(request);
+  }
+  if (bus.seen().active(monotonic_ns()) == nullptr)
+    throw std::runtime_error("sent, but no active source is heard");
+  throw std::runtime_error(
+      "sent, but the source does not say that it stopped: use the robot's own emergency stop");
+}
+
+int clear_command(const std::vector<std::string>& words) {
+  const Arguments arguments({"clear",
+                             "",
+                             "Ends a stop: the source goes on from where it stands.  A controller "
+                             "that was started again since is\n"
+                             "taken on.",
+                             {prefix_option(), url_option(), allow_option()},
+                             0,
+                             0},
+                            words);
+  BusLink bus = open_bus(arguments);
+  const std::int64_t run = active_run(bus);
+  if (bus.seen().source(run)->status.stop_kind == StopKind::kNone) {
+    std::printf("clear: nothing is stopped\n");
+    return 0;
+  }
+  // The gate stays bound to the controller it knew; when that one is gone and another is there, it is meant.
+  bus.listen(0.3);
+  std::int64_t controller = 0;
+  bool bound_alive = false;
+  for (const SeenProcess* process : bus.seen().processes(monotonic_ns())) {
+    if (process->beat.kind != ProcessKind::kController) continue;
+    controller = process->beat.process_id;
+    bound_alive = bound_alive || controller == bus.seen().source(run)->status.controller_id;
+  }
+  if (controller != 0 && !bound_alive) {
+    ControllerRequest request;
+    request.run_id = run;
+    request.controller_id = controller;
+    for (int i = 0; i < 3; ++i) bus.send(request);
+    bus.listen(0.2);
+  }
+  StopRequest request;
+  request.kind = StopKind::kNone;
+  request.reason = StopReason::kOperator;
+  const std::int64_t begin = monotonic_ns();
+  while (!quit_requested() && seconds_since(begin) < kAnswerTimeout) {
+    request.stop_nonce = bus.seen().source(run)->status.stop_nonce;
+    bus.send(request);
+    bus.listen(0.15);
+    const SeenSource* source = bus.seen().source(run);
+    if (source->status.stop_kind == StopKind::kNone) {
+      std::printf("clear: %s goes on\n", describe(*source).c_str());
+      return 0;
+    }
+  }
+  throw std::runtime_error(
+      "the source stays stopped: whatever stopped it still asks for it (./twinbus status)");
+}
+
+int pose_command(const std::vector<std::string>& words) {
+  const Arguments arguments(
+      {"pose",
+       "NAME",
+       "Moves to a named pose of the robot's SRDF (group_state), over both feet.",
+       {robot_option(),
+        {"--duration", "S", "seconds; default 2"},
+        prefix_option(),
+        url_option(),
+        allow_option()},
+       1,
+       1},
+      words);
+  const Model model = load_robot(arguments.text("--robot", "hrp1s"));
+  const int pose = model.find_pose(arguments.word(0));
+  if (pose < 0) {
+    std::vector<std::string> names;
+    for (const NamedPose& named : model.poses) names.push_back(named.name);
+    throw UsageError("pose: " + model.name + " has no pose '" + arguments.word(0) + "'" +
+                     suggestion(arguments.word(0), names));
+  }
+  ModeRequest request;
+  request.mode = Mode::kPose;
+  request.duration = static_cast<float>(arguments.number("--duration", 2.0, 0.1, 60.0));
+  const std::vector<double>& q = model.poses[static_cast<std::size_t>(pose)].q;
+  for (int k = 0; k < model.bus_count(); ++k) {
+    const auto index = static_cast<std::size_t>(k);
+    request.q[index] = q[static_cast<std::size_t>(model.bus_joints[index])];
+    request.joint_mask |= std::int64_t{1} << k;
+  }
+  return ask_and_report(arguments, request, "pose");
+}
+
+int mode_command(const std::vector<std::string>& words) {
+  const std::vector<std::string> names = {"idle", "hold", "balance", "walk", "stop"};
+  const std::vector<Mode> modes = {Mode::kIdle, Mode::kHold, Mode::kBalance, Mode::kWalk,
+                                   Mode::kStop};
+  const Arguments arguments({"mode",
+                             "idle|hold|balance|walk|stop",
+                             "Asks the controller for a mode; it changes without a jump.",
+                             {prefix_option(), url_option(), allow_option()},
+                             1,
+                             1},
+                            words);
+  const auto found = std::find(names.begin(), names.end(), arguments.word(0));
+  if (found == names.end())
+    throw UsageError("mode: no mode '" + arguments.word(0) + "'" +
+                     suggestion(arguments.word(0), names));
+  ModeRequest request;
+  request.mode = modes[static_cast<std::size_t>(found - names.begin())];
+  return ask_and_report(arguments, request, "mode");
+}
+
+int sway_command(const std::vector<std::string>& words) {
+  return motion_command(words, Motion::kSway, "sway",
+                        "Sways the body from side to side while balancing.", 0.03, 0.25);
+}
+
+int squat_command(const std::vector<std::string>& words) {
+  return motion_command(words, Motion::kSquat, "squat",
+                        "Moves the body up and down while balancing.", 0.03, 0.25);
+}
+
+}  // namespace twinbus

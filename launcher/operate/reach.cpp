@@ -1,0 +1,296 @@
+#include "launcher/operate/reach.h"
+
+#include <unistd.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <stdexcept>
+
+#include "common/process/arguments.h"
+#include "launcher/operate/reach_progress.h"
+#include "lcmtypes/bus/bus.h"
+#include "lcmtypes/bus/channels.h"
+#include "planner/arm_planner.h"
+#include "robot/estimation/estimator.h"
+#include "robot/description/load.h"
+#include "common/process/process.h"
+#include "lcmtypes/msg/state_admission.h"
+
+namespace twinbus {
+
+namespace {
+
+constexpr double kFirstState = 2.0;    // [s] until a robot must be heard
+constexpr double kAskAgain = 0.2;      // [s]
+constexpr double kPlanTimeout = 15.0;  // [s]
+
+// What one `reach` hears of the stack.
+class Watcher {
+ public:
+  Watcher(const Model& model, const BusOptions& options)
+      : model_(model), bus_(options), estimator_(model) {
+    bus_.listen_each<RobotState>(channel::kState, on_state_);
+    bus_.listen_each<ArmPathPiece>(channel::kArmPath, on_path_);
+    bus_.listen_each<ControllerStatus>(channel::kControllerStatus, on_status_);
+  }
+
+  void receive(double seconds) {
+    if (bus_.receive(seconds) < 0) throw std::runtime_error("the bus is gone");
+  }
+  Bus& bus() { return bus_; }
+  // From now on the path that answers this goal is waited for.
+  void expect(std::int64_t goal) {
+    goal_id = goal;
+    answered = false;
+    first = {};
+    have = 0;
+    duration = 0.0;
+  }
+
+  // Position and distance of the hand from where it should be, in the ground frame.
+  Eigen::Isometry3d hand_in_ground(ArmSide side) const {
+    const Hand& hand = model_.hands[side == ArmSide::kLeft ? 0 : 1];
+    return estimator_.ground_in_world().inverse() *
+           estimator_.kinematics().link_in_world(hand.link) * hand.frame;
+  }
+
+  std::int64_t run_id() const { return states_ > 0 ? admission_.run_id() : 0; }
+  bool other_robot() const { return other_robot_; }
+  StopKind stop_kind() const { return stop_kind_; }
+  std::int64_t states() const { return states_; }
+
+  std::int64_t goal_id = 0;  // whose path is waited for
+  bool answered = false;
+  ArmPathPiece first;      // a piece of the answer
+  std::uint64_t have = 0;  // bit per piece
+  double duration = 0.0;   // [s] as far as known
+  ControllerStatus status;
+  std::int64_t statuses = 0;
+
+ private:
+  void hear(const RobotState& state) {
+    if (state.model_hash != model_.hash || state.joint_count != model_.bus_count()) {
+      other_robot_ = true;
+      return;
+    }
+    if (!admission_.admit(state, monotonic_ns()) || (states_ > 0 && state.tick == tick_)) return;
+    tick_ = state.tick;
+    stop_kind_ = state.stop_kind;
+    ++states_;
+    estimator_.update(state);
+  }
+  void hear(const ArmPathPiece& piece) {
+    if (goal_id == 0 || piece.goal_id != goal_id || (answered && piece.path_id != first.path_id))
+      return;
+    answered = true;
+    first = piece;
+    if (piece.pieces <= 0 || piece.pieces > 64 || piece.piece < 0 || piece.piece >= piece.pieces)
+      return;
+    const std::uint64_t bit = std::uint64_t{1} << piece.piece;
+    if ((have & bit) != 0 || piece.knot_count < 1 || piece.knot_count > kKnotsPerPiece) return;
+    have |= bit;
+    duration = std::max(duration, piece.time[static_cast<std::size_t>(piece.knot_count) - 1]);
+  }
+  void hear(const ControllerStatus& heard) {
+    status = heard;
+    ++statuses;
+  }
+
+  struct On {
+    Watcher* w;
+    void operator()(const RobotState& m) const { w->hear(m); }
+    void operator()(const ArmPathPiece& m) const { w->hear(m); }
+    void operator()(const ControllerStatus& m) const { w->hear(m); }
+  };
+
+  const Model& model_;
+  Bus bus_;
+  Estimator estimator_;
+  StateAdmission admission_;
+  bool other_robot_ = false;
+  StopKind stop_kind_ = StopKind::kNone;
+  std::int64_t tick_ = 0, states_ = 0;
+  On on_state_{this}, on_path_{this}, on_status_{this};
+};
+
+ArmGoal goal_from(const Arguments& arguments, const Model& model) {
+  ArmGoal goal;
+  const std::string side = arguments.word(0);
+  if (side != "left" && side != "right")
+    throw UsageError("reach: which hand? say left or right, not " + side);
+  goal.side = side == "left" ? ArmSide::kLeft : ArmSide::kRight;
+  if (model.hands[side == "left" ? 0 : 1].link < 0) {
+    throw std::runtime_error(model.name + " has no " + side + " hand (robot.yaml, hands)");
+  }
+  const std::size_t count = arguments.words().size();
+  if (count != 4 && count != 7) throw UsageError("reach: X Y Z, or X Y Z and R P Y");
+  static constexpr std::array<const char*, 3> kAxis{"X", "Y", "Z"};
+  for (std::size_t k = 0; k < 3; ++k)
+    goal.position[k] = arguments.word_number(k + 1, kAxis[k], -5.0, 5.0);
+  goal.kind = count == 7 ? ArmGoalKind::kPose : ArmGoalKind::kPosition;
+  if (count == 7) {
+    const Eigen::Quaterniond turn(
+        Eigen::AngleAxisd(arguments.word_number(6, "yaw", -7.0, 7.0), Eigen::Vector3d::UnitZ()) *
+        Eigen::AngleAxisd(arguments.word_number(5, "pitch", -7.0, 7.0), Eigen::Vector3d::UnitY()) *
+        Eigen::AngleAxisd(arguments.word_number(4, "roll", -7.0, 7.0), Eigen::Vector3d::UnitX()));
+    goal.orientation = {turn.w(), turn.x(), turn.y(), turn.z()};
+  }
+  goal.speed = static_cast<float>(arguments.number("--speed", 0.4, 0.01, 1.0));
+  goal.sender_id = random_id();
+  return goal;
+}
+
+void ask(Watcher& watcher, ArmGoal& goal) {
+  goal.run_id = watcher.run_id();
+  const std::int64_t begin = monotonic_ns();
+  std::int64_t asked = 0;
+  while (!quit_requested() && !watcher.answered && seconds_since(begin) < kPlanTimeout) {
+    if (asked == 0 || seconds_since(asked) > kAskAgain) {
+      asked = monotonic_ns();
+      goal.utime = wall_us();
+      ++goal.sequence;
+      if (!watcher.bus().send(channel::kArmGoal, goal))
+        throw std::runtime_error("the goal cannot be sent");
+    }
+    watcher.receive(0.02);
+  }
+  if (!watcher.answered) {
+    throw std::runtime_error("no planner answers; ./twinbus status shows whether one is running");
+  }
+}
+
+void cancel(Watcher& watcher, ArmGoal goal) {
+  goal.kind = ArmGoalKind::kCancel;
+  goal.utime = wall_us();
+  ++goal.sequence;
+  if (!watcher.bus().send(channel::kArmGoal, goal))
+    std::fprintf(stderr, "reach: the cancel could not be sent\n");
+}
+
+// Until the controller says done; false with a sentence when it does not come to that.
+bool follow(Watcher& watcher, const ArmGoal& goal) {
+  const std::int64_t begin = monotonic_ns();
+  const bool terminal = ::isatty(STDOUT_FILENO) != 0;
+  ReachProgress progress(watcher.first.path_id, watcher.duration);
+  const auto fail = [&](const char* sentence) {
+    std::fprintf(stderr, "%sreach: %s\n", terminal && progress.moving() ? "\n" : "", sentence);
+    return false;
+  };
+  std::int64_t shown = 0;
+  do {
+    if (quit_requested()) {
+      cancel(watcher, goal);
+      return fail("cancelled; the arm stops on its path");
+    }
+    watcher.receive(0.02);
+    if (terminal && progress.moving() && seconds_since(shown) > 0.2) {
+      shown = monotonic_ns();
+      std::printf("\r  %3.0f %%", 100.0 * progress.share(seconds_since(begin)));
+      std::fflush(stdout);
+    }
+  } while (progress.goes_on(seconds_since(begin), watcher.stop_kind(),
+                            watcher.statuses > 0 ? &watcher.status : nullptr));
+  if (progress.must_cancel()) cancel(watcher, goal);
+  if (!progress.arrived()) return fail(progress.failure());
+  if (terminal) std::printf("\r  arrived after %.1f s      \n", seconds_since(begin));
+  return true;
+}
+
+// One plan and its motion.  False, with a sentence, when the arm does not come to the end of it.
+bool go(Watcher& watcher, const Model& model, ArmGoal& goal, bool say) {
+  goal.goal_id = random_id();
+  watcher.expect(goal.goal_id);
+  ask(watcher, goal);
+  ArmPlan plan;  // as much of it as the message tells
+  plan.status = watcher.first.status;
+  if (plan.status != ArmPathStatus::kOk) {
+    plan.pair = {watcher.first.link_a, watcher.first.link_b};
+    plan.miss = static_cast<double>(watcher.first.miss);
+    plan.complaint = "the planner's event says why";
+    std::fprintf(stderr, "reach: %s\n", describe(model, plan).c_str());
+    return false;
+  }
+  const std::uint64_t all = ~std::uint64_t{0} >> (64 - watcher.first.pieces);
+  for (const std::int64_t start = monotonic_ns();
+       watcher.have != all && seconds_since(start) < 1.0;)
+    watcher.receive(0.02);
+  if (say) {
+    std::printf(
+        "path of %.1f s in %d pieces, proved to keep %.0f mm from the body and all obstacles\n",
+        watcher.duration, static_cast<int>(watcher.first.pieces),
+        1e3 * static_cast<double>(watcher.first.clearance));
+    std::fflush(stdout);
+  }
+  if (!follow(watcher, goal)) return false;
+  for (const std::int64_t start = monotonic_ns();
+       !quit_requested() && seconds_since(start) < kReachSettle;)
+    watcher.receive(0.02);
+  return true;
+}
+
+}  // namespace
+
+int reach_command(const std::vector<std::string>& words) {
+  const Arguments arguments(
+      {"reach",
+       "left|right X Y Z [R P Y]",
+       "Plans a motion of one arm around obstacles and the robot's own body and follows it.  X Y Z "
+       "[m], "
+       "R P Y [rad] of the hand in the ground frame: midway between the feet, x forward, z up.",
+       {{"--speed", "SHARE", "of the joints' velocity limits, 0.01 to 1 (0.4)"},
+        robot_option(),
+        prefix_option(),
+        url_option(),
+        allow_option()},
+       1,
+       7},
+      words);
+  catch_quit_signals();
+  const Model model = load_robot(arguments.text("--robot", "hrp1s"));
+  ArmGoal goal = goal_from(arguments, model);
+  BusOptions options;
+  options.url = arguments.text("--url", options.url);
+  options.prefix = arguments.text("--prefix", "");
+  options.allow = arguments.all("--allow");
+  Watcher watcher(model, options);
+
+  const std::int64_t begin = monotonic_ns();
+  while (!quit_requested() && watcher.states() < 5 && seconds_since(begin) < kFirstState)
+    watcher.receive(0.02);
+  if (watcher.states() == 0) {
+    throw std::runtime_error(
+        watcher.other_robot()
+            ? "the robot on the bus is not " + model.name + "; give its folder with --robot"
+            : "no robot is heard on " + options.url + "; start one with ./twinbus up");
+  }
+
+  const Eigen::Vector3d target(goal.position[0], goal.position[1], goal.position[2]);
+  double miss = 0.0;
+  for (int attempt = 0; attempt <= kReachCorrections; ++attempt) {
+    if (!go(watcher, model, goal, attempt == 0)) return 1;
+    miss = (watcher.hand_in_ground(goal.side).translation() - target).norm();
+    if (quit_requested() || miss <= kReachNearEnough) break;
+  }
+  const Eigen::Isometry3d hand = watcher.hand_in_ground(goal.side);
+  const Eigen::Vector3d at = hand.translation();
+  std::printf("%s hand at %.3f %.3f %.3f m, %.1f mm from the goal", arguments.word(0).c_str(),
+              at.x(), at.y(), at.z(), 1e3 * miss);
+  if (goal.kind == ArmGoalKind::kPose) {
+    const auto& o = goal.orientation;
+    const double angle = Eigen::Quaterniond(hand.linear())
+                             .angularDistance(Eigen::Quaterniond(o[0], o[1], o[2], o[3]));
+    std::printf(", turned %.1f degrees from it", angle * 180.0 / M_PI);
+  }
+  std::printf("\n");
+  if (!(miss <= kReachFar)) {
+    std::fprintf(stderr,
+                 "reach: the hand came no nearer than %.0f mm; does the robot stand still?\n",
+                 1e3 * miss);
+    return 1;
+  }
+  return 0;
+}
+
+}  // namespace twinbus

@@ -1,0 +1,132 @@
+#include "launcher/operate/status.h"
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "common/process/arguments.h"
+#include "launcher/bus/bus_health.h"
+#include "launcher/bus/bus_link.h"
+#include "launcher/bus/live_table.h"
+#include "common/process/process.h"
+
+namespace twinbus {
+
+namespace {
+
+constexpr double kLookFor = 1.2;  // two rate windows [s]
+
+Syntax status_syntax() {
+  return {"status",
+          "",
+          "Shows sources with role, term and rate, streams with rate and age, the timing of each "
+          "process's loop,\nand how every channel that it hears does: age, jitter, gaps, "
+          "repetitions, refusals.\n"
+          "Exit status 1 if no source is heard.",
+          {{"--watch", "", "again and again, until Ctrl-C"},
+           {"--json", "", "for programs"},
+           prefix_option(),
+           url_option(),
+           allow_option()},
+          0,
+          0};
+}
+
+nlohmann::ordered_json channels_json(const FullHeartbeat& b) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::object();
+  for (std::size_t i = 0; i < static_cast<std::size_t>(b.channels); ++i) {
+    all[heard_channel(b, i)] = {
+        {"received", b.channel_received[i]},   {"age_ms", b.channel_age_ms[i]},
+        {"jitter_us", b.channel_jitter_us[i]}, {"lost", b.channel_lost[i]},
+        {"repeated", b.channel_repeated[i]},   {"rejected", b.channel_rejected[i]}};
+  }
+  return all;
+}
+
+nlohmann::ordered_json as_json(const Lookout& seen, std::int64_t now_ns) {
+  nlohmann::ordered_json all;
+  all["sources"] = nlohmann::ordered_json::array();
+  for (const SeenSource* source : seen.sources(now_ns)) {
+    const SourceStatus& s = source->status;
+    all["sources"].push_back({{"source", source_name(s.source)},
+                              {"run_id", s.run_id},
+                              {"role", role_name(s.role)},
+                              {"term", s.term},
+                              {"rate", source->states.rate(now_ns)},
+                              {"ticks_missed", s.ticks_missed},
+                              {"commands_late", s.commands_late},
+                              {"commands_rejected", s.commands_rejected},
+                              {"clamped", s.clamped},
+                              {"stop", stop_name(s.stop_kind)},
+                              {"controller_id", s.controller_id}});
+  }
+  const auto stream = [&](const Meter& meter) {
+    return nlohmann::ordered_json{
+        {"rate", meter.rate(now_ns)}, {"age_s", meter.age(now_ns)}, {"lost", meter.lost()}};
+  };
+  all["streams"] = {{"STATE", stream(seen.state())},
+                    {"COMMAND", stream(seen.command())},
+                    {"GUARD", stream(seen.guard())}};
+  all["processes"] = nlohmann::ordered_json::array();
+  for (const SeenProcess* process : seen.processes(now_ns)) {
+    const FullHeartbeat& b = process->beat;
+    all["processes"].push_back({{"process", process_name(b.kind)},
+                                {"pid", b.pid},
+                                {"id", b.process_id},
+                                {"rate", b.rate},
+                                {"tick_median_us", b.tick_median_us},
+                                {"tick_p99_us", b.tick_p99_us},
+                                {"tick_max_us", b.tick_max_us},
+                                {"wake_p99_us", b.wake_p99_us},
+                                {"ticks_missed", b.ticks_missed},
+                                {"ticks_stalled", b.ticks_stalled},
+                                {"age_us", b.age_us},
+                                {"age_p99_us", b.age_p99_us},
+                                {"allocations", b.allocations},
+                                {"realtime", realtime_name(b.realtime)},
+                                {"hears", channels_json(b)}});
+  }
+  all["mode"] =
+      seen.controller_statuses().received() > 0 ? mode_name(seen.controller().mode) : "none";
+  return all;
+}
+
+}  // namespace
+
+int status_command(const std::vector<std::string>& words) {
+  const Arguments arguments(status_syntax(), words);
+  catch_quit_signals();
+  BusLink bus(arguments.text("--url", ""), arguments.text("--prefix", ""),
+              arguments.all("--allow"));
+  Redraw redraw;
+  CpuShare shares;
+  bus.listen(kLookFor);
+  while (arguments.has("--watch") && !quit_requested()) {
+    const std::vector<std::string> lines = table_lines(bus.seen(), shares, monotonic_ns());
+    if (isatty(STDOUT_FILENO) != 0) {
+      redraw.draw(lines);
+    } else {
+      std::printf("%s\n", summary_line(bus.seen(), monotonic_ns()).c_str());
+      std::fflush(stdout);
+    }
+    bus.listen(0.5);
+  }
+  const std::int64_t now = monotonic_ns();
+  if (arguments.has("--json")) {
+    std::printf("%s\n", as_json(bus.seen(), now).dump(2).c_str());
+  } else if (!arguments.has("--watch")) {
+    for (const std::string& line : table_lines(bus.seen(), shares, now))
+      std::printf("%s\n", line.c_str());
+    for (const std::string& line : channel_lines(bus.seen().processes(now)))
+      std::printf("%s\n", line.c_str());
+  }
+  if (!bus.seen().sources(now).empty()) return 0;
+  if (!arguments.has("--watch")) {
+    std::fprintf(stderr, "status: no source is heard on %s; start one with ./twinbus up\n",
+                 bus.url().c_str());
+  }
+  return 1;
+}
+
+}  // namespace twinbus

@@ -1,0 +1,139 @@
+#include "launcher/operate/tools.h"
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <map>
+#include <stdexcept>
+
+#include "common/process/arguments.h"
+#include "launcher/stack/run_folder.h"
+#include "common/text/closest_name.h"
+
+namespace twinbus {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Becomes the program.
+[[noreturn]] void become(const std::string& program, const std::vector<std::string>& words) {
+  std::vector<std::string> copy = words;
+  std::string name = program;
+  std::vector<char*> arguments = {name.data()};
+  for (std::string& word : copy) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  std::fflush(stdout);
+  execv(name.c_str(), arguments.data());
+  throw std::runtime_error("cannot run " + program + ": " + std::strerror(errno));
+}
+
+std::string script(const std::string& name) { return install_folder() + "/launcher/" + name; }
+
+// What can be measured: name -> program in bin, or script in the source tree.
+std::map<std::string, std::string> benches() {
+  std::map<std::string, std::string> found;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(program_folder(), ignored)) {
+    std::string name = entry.path().filename().string();
+    if (name.starts_with("bench_")) {
+      found[name.substr(6)] = entry.path().string();
+    } else if (name.ends_with("_bench")) {
+      found[name.substr(0, name.size() - 6)] = entry.path().string();
+    }
+  }
+  for (const auto& entry : fs::directory_iterator(install_folder() + "/test/bench", ignored)) {
+    const std::string name = entry.path().stem().string();
+    if (entry.path().extension() == ".py" && name.starts_with("bench_"))
+      found[name.substr(6)] = entry.path().string();
+  }
+  return found;
+}
+
+}  // namespace
+
+int spy_command(const std::vector<std::string>& words) { become(script("spy.sh"), words); }
+
+int env_command(const std::vector<std::string>& words) { become(script("env.sh"), words); }
+
+int gamepad_command(const std::vector<std::string>& words) {
+  become(program_folder() + "/twinbus_gamepad", words);
+}
+
+int replay_command(const std::vector<std::string>& words) {
+  become(program_folder() + "/twinbus_replay", words);
+}
+
+int view_command(const std::vector<std::string>& words) {
+  std::vector<std::string> given = words;
+  given.push_back("--runs");
+  given.push_back(runs_folder());
+  become(program_folder() + "/twinbus_log_viewer", given);
+}
+
+int record_command(const std::vector<std::string>& words) {
+  std::vector<std::string> given = words;
+  std::replace(given.begin(), given.end(), std::string("-o"), std::string("--output"));
+  become(program_folder() + "/twinbus_recorder", given);
+}
+
+int bench_command(const std::vector<std::string>& words) {
+  const std::map<std::string, std::string> known = benches();
+  std::vector<std::string> names;
+  std::string all;
+  for (const auto& [name, program] : known) {
+    names.push_back(name);
+    all += " " + name;
+  }
+  if (words.empty()) {
+    std::printf("benches:%s\nrun one with ./twinbus bench NAME [--csv F]\n", all.c_str());
+    return 0;
+  }
+  if (words[0] == "--help" || words[0] == "-h") {
+    std::printf(
+        "usage: ./twinbus bench [NAME] [OPTION...]\n"
+        "Measures and prints median, 99th and 99.9th percentile and worst; without NAME lists what "
+        "there is.\n"
+        "  --csv F               also as rows "
+        "bench,case,metric,unit,median,p99,p999,max,peer,peer_median,ratio\n"
+        "Other options are the bench's own: ./twinbus bench NAME --help.  There are:%s\n",
+        all.c_str());
+    return 0;
+  }
+  const auto found = known.find(words[0]);
+  if (found == known.end())
+    throw UsageError("bench: no bench '" + words[0] + "'" + suggestion(words[0], names));
+  become(found->second, {words.begin() + 1, words.end()});
+}
+
+int chart_command(const std::vector<std::string>& words) {
+  std::vector<std::string> names;
+  std::string all;
+  std::error_code ignored;
+  const std::string folder = install_folder() + "/test/bench/";
+  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+    const std::string name = entry.path().stem().string();
+    if (entry.path().extension() != ".py" || !name.starts_with("chart_")) continue;
+    names.push_back(name.substr(6));
+    all += " " + names.back();
+  }
+  if (words.empty() || words[0] == "--help" || words[0] == "-h") {
+    std::printf(
+        "usage: ./twinbus chart NAME [--out DIR] [OPTION...]\n"
+        "Measures and draws.  Other options are the chart's own: ./twinbus chart NAME --help.  "
+        "There "
+        "are:%s\n",
+        all.c_str());
+    return 0;
+  }
+  if (std::find(names.begin(), names.end(), words[0]) == names.end())
+    throw UsageError("chart: no chart '" + words[0] + "'" + suggestion(words[0], names));
+  become(folder + "chart_" + words[0] + ".py", {words.begin() + 1, words.end()});
+}
+
+}  // namespace twinbus

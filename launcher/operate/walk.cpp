@@ -1,0 +1,148 @@
+#include "launcher/operate/walk.h"
+
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+#include "control/walk/listed_steps.h"
+#include "control/walk/walk_gains.h"
+#include "common/process/arguments.h"
+#include "launcher/bus/bus_link.h"
+#include "launcher/operate/operate.h"
+#include "robot/description/load.h"
+#include "common/process/process.h"
+
+namespace twinbus {
+
+namespace {
+
+constexpr double kRefusalTime = 0.3;  // in which a controller says that it does not walk so [s]
+constexpr double kRest = 0.02;        // slower the centre of mass rests [m/s]
+constexpr double kRestTime = 0.5;     // [s]
+constexpr int kRepeats = 3;           // of a list, in case one is lost
+
+// A robot that cannot do them is not asked.
+StepList read_feasible_steps(const std::string& file, const Model& model, const Gait& gait) {
+  const ConfigNode top = ConfigNode::load(file);
+  const StepList list = read_steps(top);
+  top.finish();
+  const StepRefusal refusal = check_steps(gait, list);
+  if (refusal.why != nullptr)
+    throw std::runtime_error(file + ": step " + std::to_string(refusal.step + 1) + " (" +
+                             model.name + "): " + refusal.why);
+  return list;
+}
+
+bool enter_walk(BusLink& bus, ModeRequest& request) {
+  request.mode = Mode::kWalk;
+  ask_controller(bus, request);
+  bus.listen(0.1);
+  if (bus.seen().controller_statuses().received() == 0)
+    throw std::runtime_error("no controller is running");
+  if (bus.seen().controller().mode == Mode::kWalk) return true;
+  std::fprintf(stderr, "walk: this controller does not walk yet; it stays in mode %s\n",
+               mode_name(bus.seen().controller().mode));
+  return false;
+}
+
+// Listens until the robot stands again; false when it does not.
+bool wait_for_rest(BusLink& bus, double least, double most) {
+  const std::int64_t begin = monotonic_ns();
+  std::int64_t moved = begin;
+  while (!quit_requested() && seconds_since(begin) < most) {
+    bus.listen(0.05);
+    const ControllerStatus& status = bus.seen().controller();
+    if (status.mode != Mode::kWalk) return false;
+    const auto& v = status.com_velocity;
+    if (std::hypot(static_cast<double>(v[0]), static_cast<double>(v[1])) > kRest)
+      moved = monotonic_ns();
+    if (seconds_since(begin) > least && seconds_since(moved) > kRestTime) return true;
+  }
+  return false;
+}
+
+int walk_steps(const Arguments& arguments) {
+  const Model model = load_robot(arguments.text("--robot", "hrp1s"));
+  const Gait gait = gait_of(model, walking_of(model), WalkGains{}.stabilizer.margin);
+  StepList list = read_feasible_steps(arguments.text("--steps", ""), model, gait);
+  BusLink bus = open_bus(arguments);
+  ModeRequest request;
+  if (!enter_walk(bus, request)) return 1;
+  if (bus.seen().newest_state().model_hash != model.hash)
+    throw std::runtime_error("the robot that runs is not " + model.name + ": say --robot");
+  (void)bus.seen().take_events();
+  list.run_id = request.run_id;
+  for (int i = 0; i < kRepeats; ++i) {
+    bus.send(list);  // stamped once
+    bus.listen(kRefusalTime / kRepeats);
+  }
+  for (const std::string& event : bus.seen().take_events()) {
+    if (event.find("footstep") == std::string::npos) continue;
+    std::fprintf(stderr, "walk: %s\n", event.c_str());
+    return 1;
+  }
+  const double time = gait.first_double + list.count * gait.period();
+  if (!wait_for_rest(bus, time, 2.0 * time + 10.0)) {
+    std::fprintf(stderr, "walk: the robot was kept from walking its %d steps to the end\n",
+                 static_cast<int>(list.count));
+    return 1;
+  }
+  std::printf("walk: done, %d steps\n", static_cast<int>(list.count));
+  return 0;
+}
+
+}  // namespace
+
+int walk_command(const std::vector<std::string>& words) {
+  const Arguments arguments(
+      {"walk",
+       "VX VY WZ | --steps FILE",
+       "Walks at VX m/s forward, VY m/s to the left, turning WZ rad/s to the left, for some "
+       "seconds;\n"
+       "or the footsteps of a YAML file, at most 32 that take turns, each in the frame of the foot "
+       "that\n"
+       "stands then (x forward, y left [m], yaw [rad]):\n"
+       "    steps:\n"
+       "      - {foot: left, x: 0.2, y: 0.2, yaw: 0.1}\n"
+       "      - {foot: right, x: 0.2, y: -0.2}\n"
+       "What the legs do not reach, and a sole on the other, is refused before anything moves.",
+       {{"--for", "S", "seconds; default 2"},
+        {"--steps", "FILE", "footsteps instead of a velocity"},
+        robot_option(),
+        prefix_option(),
+        url_option(),
+        allow_option()},
+       0,
+       3},
+      words);
+  if (arguments.has("--steps")) {
+    if (!arguments.words().empty() || arguments.has("--for"))
+      throw UsageError("walk: --steps FILE stands alone, without a velocity or a time");
+    return walk_steps(arguments);
+  }
+  if (arguments.words().size() != 3) throw UsageError("walk: it takes VX VY WZ, or --steps FILE");
+  WalkCommand command;
+  command.vx = static_cast<float>(arguments.word_number(0, "VX", -2.0, 2.0));
+  command.vy = static_cast<float>(arguments.word_number(1, "VY", -1.0, 1.0));
+  command.wz = static_cast<float>(arguments.word_number(2, "WZ", -2.0, 2.0));
+  command.timeout = 0.3F;
+  const double duration = arguments.number("--for", 2.0, 0.1, 3600.0);
+  BusLink bus = open_bus(arguments);
+  ModeRequest request;
+  if (!enter_walk(bus, request)) return 1;
+  command.run_id = request.run_id;
+  const std::int64_t begin = monotonic_ns();
+  while (!quit_requested() && seconds_since(begin) < duration) {
+    command.sequence = 0;                               // each its own
+    command.run_id = bus.seen().newest_state().run_id;  // whichever source it is by now
+    bus.send(command);
+    bus.listen(0.05);
+  }
+  command.sequence = 0;
+  command.vx = command.vy = command.wz = 0.0F;
+  bus.send(command);
+  std::printf("walk: done\n");
+  return 0;
+}
+
+}  // namespace twinbus

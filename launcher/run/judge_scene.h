@@ -1,0 +1,23 @@
+// Judges a run in one process by its scene's own criteria.
+
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "launcher/run/local_stack.h"
+#include "launcher/run/verdict.h"
+#include "sim/scene/scene.h"
+
+namespace twinbus {
+
+// Criteria as they are asked of this robot: of the ZMP's margin no more than half of what its soles
+// can give.
+Criteria for_robot(Criteria criteria, const Model& model);
+
+RunVerdict judge_scene(const OneProcess& run, const Criteria& asked, std::int64_t ticks);
+
+// Lines for people: how it stood and, if it did, how it walked.
+std::string scene_figures(const OneProcess& run, const Criteria& asked);
+
+}  // namespace twinbus

@@ -1,0 +1,395 @@
+#include "launcher/run/local_stack.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <stdexcept>
+#include <type_traits>
+
+#include "lcmtypes/bus/channels.h"
+#include "lcmtypes/bus/wire.h"
+#include "planner/arm_path_pieces.h"
+#include "lcmtypes/msg/status.h"
+#include "sim/scene/obstacle_pieces.h"
+
+namespace twinbus {
+
+namespace {
+
+constexpr std::int64_t kRunId = 1;
+constexpr std::int64_t kOperatorId = 4;
+constexpr std::int64_t kPlannerId = 3;
+constexpr std::int64_t kStopEvery = 10;  // a stop the guard asks for is said that often [ticks]
+constexpr double kServoError =
+    0.1;  // [rad]: a set-point farther from its joint is none to start from
+constexpr int kActivationTicks = 100'000;
+
+const char* channel_of(const ModeRequest&) { return channel::kModeRequest; }
+const char* channel_of(const WalkCommand&) { return channel::kWalk; }
+const char* channel_of(const StepList&) { return channel::kSteps; }
+const char* channel_of(const Gamepad&) { return channel::kGamepad; }
+const char* channel_of(const ArmGoal&) { return channel::kArmGoal; }
+
+// What the controller's journal says of a message that is for it.
+template <class T>
+struct JournalKind {
+  static constexpr JournalInput value = JournalInput::kNone;
+};
+template <>
+struct JournalKind<ModeRequest> {
+  static constexpr JournalInput value = JournalInput::kMode;
+};
+template <>
+struct JournalKind<WalkCommand> {
+  static constexpr JournalInput value = JournalInput::kWalk;
+};
+template <>
+struct JournalKind<StepList> {
+  static constexpr JournalInput value = JournalInput::kSteps;
+};
+template <>
+struct JournalKind<Gamepad> {
+  static constexpr JournalInput value = JournalInput::kGamepad;
+};
+template <>
+struct JournalKind<StopRequest> {
+  static constexpr JournalInput value = JournalInput::kStop;
+};
+template <>
+struct JournalKind<ArmGoal> {
+  static constexpr JournalInput value = JournalInput::kGoal;
+};
+template <>
+struct JournalKind<ArmPathPiece> {
+  static constexpr JournalInput value = JournalInput::kPath;
+};
+template <>
+struct JournalKind<ObstaclesPiece> {
+  static constexpr JournalInput value = JournalInput::kObstacles;
+};
+
+// The adaptor must be open before a source is built around it.
+SimAdaptor& opened(SimAdaptor& sim, const Model& model, const OneProcessConfig& config) {
+  AdaptorConfig adaptor{config.settings};
+  const auto is_seed = [](const auto& setting) { return setting.first == "sensor.seed"; };
+  if (std::none_of(config.settings.begin(), config.settings.end(), is_seed)) {
+    adaptor.settings.emplace_back("sensor.seed", std::to_string(config.seed));
+  }
+  if (sim.open(model, adaptor) != Status::kOk)
+    throw std::runtime_error("the simulator does not open");
+  return sim;
+}
+
+SourceConfig source_config(const OneProcessConfig& config) {
+  SourceConfig source;
+  source.run_id = kRunId;
+  source.pace = Pace::kFreeRun;
+  source.seed = config.seed;
+  return source;
+}
+
+std::vector<ScriptedMode> modes_of(const Scene& scene) {
+  std::vector<ScriptedMode> modes;
+  for (const TimedMode& mode : scene.modes) modes.push_back({mode.at, mode.request});
+  return modes;
+}
+
+std::vector<ScriptedWalk> walks_of(const Scene& scene) {
+  std::vector<ScriptedWalk> walks;
+  for (const TimedWalk& walk : scene.walks) walks.push_back({walk.at, walk.duration, walk.command});
+  return walks;
+}
+
+std::vector<ScriptedPad> pads_of(const Scene& scene) {
+  std::vector<ScriptedPad> pads;
+  for (const TimedPad& pad : scene.pads) pads.push_back({pad.at, pad.duration, pad.pad});
+  return pads;
+}
+
+std::vector<ScriptedSteps> steps_of(const Scene& scene) {
+  std::vector<ScriptedSteps> steps;
+  for (const TimedSteps& timed : scene.steps) steps.push_back({timed.at, timed.list});
+  return steps;
+}
+
+std::vector<ScriptedGoal> goals_of(const Scene& scene) {
+  std::vector<ScriptedGoal> goals;
+  for (const TimedGoal& goal : scene.goals) goals.push_back({goal.at, goal.goal});
+  return goals;
+}
+
+std::int64_t now_or_one(std::int64_t now_ns) { return now_ns > 0 ? now_ns : 1; }
+
+}  // namespace
+
+// A message as its receiver gets it.  False: what could not be sent.
+template <class T>
+bool OneProcess::over_the_bus(const char* channel, const T& sent, T& received, StateHash* hash,
+                              std::int64_t* content) {
+  std::array<std::uint8_t, kLargestMessage> bytes;
+  const int size = encode(sent, bytes);
+  if (size <= 0) return false;
+  const std::span<const std::uint8_t> encoded(bytes.data(), static_cast<std::size_t>(size));
+  if (hash != nullptr) hash->add(encoded);
+  if (listener_) {
+    listener_(channel, encoded, now_ns_);
+    if (content != nullptr) *content = content_hash(encoded);
+    if constexpr (JournalKind<T>::value != JournalInput::kNone)
+      journal_.consumed(JournalKind<T>::value, encoded, now_or_one(now_ns_));
+  }
+  return decode(encoded, received) == Status::kOk;
+}
+
+void OneProcess::SendPage::operator()(const JournalPage& page) const noexcept {
+  if (!o->listener_) return;
+  std::array<std::uint8_t, kLargestMessage> bytes;
+  const auto size = static_cast<std::size_t>(encode(page, bytes));
+  o->listener_(channel::kJournal, std::span<const std::uint8_t>(bytes).first(size), o->now_ns_);
+}
+
+OneProcess::OneProcess(const Model& model, const Scene& scene, const OneProcessConfig& config)
+    : model_(model),
+      sim_(scene),
+      source_(model, opened(sim_, model, config), source_config(config)),
+      loop_(model, config.control),
+      planner_view_(model),
+      script_(modes_of(scene), goals_of(scene), model.period(), kRunId, walks_of(scene),
+              pads_of(scene), steps_of(scene)),
+      walked_(model, scene),
+      swing_(model, scene, sim_.world_config()),
+      energy_(model, scene),
+      loose_(scene),
+      touch_(scene),
+      listener_(config.listener),
+      journal_(ProcessKind::kController, config.control.controller_id,
+               {static_cast<double>(config.control.first_mode),
+                config.control.guard_in_loop ? 1.0 : 0.0},
+               SendPage{this}) {
+  shown_obstacles_ = obstacle_pieces(scene.obstacles, 1);
+  if (!scene.tiles.empty()) shown_terrain_ = obstacle_pieces(scene.tiles, kRunId);
+  for (const LooseBody& body : scene.loose) loose_names_.push_back(body.name);
+  for (const SceneRobot& robot : scene.robots) {
+    const int index = static_cast<int>(further_robots_.size());
+    further_robots_.push_back({robot.name, world().robot_link(index, 0).translation()});
+  }
+  tell_obstacles();
+  activate();
+}
+
+int OneProcess::find_loose(const std::string& name) const {
+  const auto found = std::find(loose_names_.begin(), loose_names_.end(), name);
+  return found == loose_names_.end() ? -1 : static_cast<int>(found - loose_names_.begin());
+}
+
+void OneProcess::tell_obstacles() {
+  for (const ObstaclesPiece& piece : shown_obstacles_) {
+    ObstaclesPiece received;
+    if (over_the_bus(channel::kObstacles, piece, received)) (void)obstacles_.add(received);
+  }
+  journal_.consumed(JournalInput::kTakeObstacles, {}, now_or_one(now_ns_));
+  loop_.set_obstacles(obstacles_.obstacles());
+}
+
+// Into the log, for whoever looks at it; nobody here obeys it.
+template <class T>
+void OneProcess::show(const char* channel, T message) {
+  message.utime = now_ns_ / 1000;
+  std::array<std::uint8_t, kLargestMessage> bytes;
+  const int size = encode(message, bytes);
+  if (size <= 0) return;
+  listener_(channel, std::span<const std::uint8_t>(bytes).first(static_cast<std::size_t>(size)),
+            now_ns_);
+}
+
+// As often as a stack on a bus does.
+void OneProcess::show_scene() {
+  const auto every = [&](double seconds) {
+    return ticks_ % std::max<std::int64_t>(1, std::llround(seconds / model_.period())) == 0;
+  };
+  if (every(1.0)) {
+    for (const ObstaclesPiece& piece : shown_obstacles_) show(channel::kObstacles, piece);
+    for (const ObstaclesPiece& piece : shown_terrain_) show(channel::kTerrain, piece);
+  }
+  ObstaclesPiece piece;
+  for (int i = 0; every(0.02) && i < sim_.loose(i, piece); ++i) {
+    piece.scene_id = kRunId;
+    show(channel::kLoose, piece);
+  }
+  if (!every(0.05)) return;
+  loop_.footsteps(piece);
+  if (piece.count == 0 && !walked_on_) return;
+  walked_on_ = piece.count > 0;
+  piece.scene_id = kRunId;
+  show(channel::kFootsteps, piece);
+}
+
+// A source listens for others before it may become active: time passes, but not for the robot.
+void OneProcess::activate() {
+  for (int i = 1; i < kActivationTicks; ++i) {
+    now_ns_ += model_.period_ns;
+    if (i % 100 == 0) {
+      SourceRequest request;
+      request.action = SourceAction::kActivate;
+      request.policy = SwitchPolicy::kNow;
+      request.sender_id = kOperatorId;
+      request.run_id = request.target_run_id = kRunId;
+      request.sequence = ++sequence_;
+      source_.on_source_request(request, now_ns_);
+    }
+    source_.begin_tick(now_ns_);
+    if (source_.publishes_on_state()) {
+      first_tick_ = source_.state().tick;
+      return;
+    }
+    source_.end_tick(now_ns_);
+  }
+  throw std::runtime_error(std::string("the simulator does not become active: ") +
+                           refusal_text(source_.status().refusal));
+}
+
+bool OneProcess::tick() {
+  if (!failure_.empty()) return false;
+  if (ticks_ > 0) {
+    now_ns_ += model_.period_ns;
+    source_.begin_tick(now_ns_);
+  }
+  if (!over_the_bus(channel::kState, source_.state(), heard_, &hash_, &state_content_)) {
+    failure_ = "tick " + std::to_string(source_.state().tick) + ": a state that cannot be sent";
+    return false;
+  }
+  ++ticks_;
+  control();
+  watch();  // before the simulator moves on
+  source_.end_tick(now_ns_);
+  say_script();
+  if (source_.status().adaptor_status != static_cast<std::int8_t>(Status::kOk)) {
+    failure_ = "tick " + std::to_string(heard_.tick) + ": the simulation gave up";
+  }
+  return failure_.empty();
+}
+
+void OneProcess::control() {
+  loop_.on_state(heard_, now_ns_);
+  planner_view_.update(heard_);
+  JointCommand answer;
+  std::int64_t answer_content = 0, report_content = 0;
+  if (loop_.step(now_ns_, answer) &&
+      over_the_bus(channel::kCommand, answer, command_, nullptr, &answer_content)) {
+    source_.on_command(command_, now_ns_);
+    if (ControllerStatus status; listener_) {
+      (void)over_the_bus(channel::kControllerStatus, loop_.status(), status, nullptr,
+                         &report_content);
+    }
+  }
+  if (listener_) journal_.stepped(heard_, state_content_, now_ns_, answer_content, report_content);
+  if (const char* sentence = loop_.take_sentence())
+    sentences_.push_back(std::string("controller: ") + sentence);
+  const bool repeated = heard_.tick - stop_asked_tick_ < kStopEvery;
+  if (loop_.guard_report().stop_asked && heard_.stop_kind == StopKind::kNone && !repeated) {
+    stop_asked_tick_ = heard_.tick;
+    StopRequest stop;
+    stop.sender_id = kOperatorId;
+    stop.kind = StopKind::kBalanced;
+    stop.reason = StopReason::kGuard;
+    say(stop);
+  }
+}
+
+void OneProcess::say(ModeRequest request) {
+  request.sender_id = kOperatorId;
+  request.run_id = kRunId;
+  request.sequence = ++sequence_;
+  ModeRequest received;
+  if (over_the_bus(channel::kModeRequest, request, received)) loop_.on_mode_request(received);
+}
+
+void OneProcess::say(StopRequest stop) {
+  stop.sender_id = stop.sender_id != 0 ? stop.sender_id : kOperatorId;
+  stop.sequence = ++sequence_;
+  StopRequest received;
+  if (!over_the_bus(channel::kStop, stop, received)) return;
+  source_.on_stop(received, now_ns_);
+  loop_.on_stop(received);
+}
+
+void OneProcess::say(ArmGoal goal) {
+  goal.sender_id = kOperatorId;
+  goal.run_id = kRunId;
+  goal.sequence = ++sequence_;
+  ArmGoal received;
+  if (!over_the_bus(channel::kArmGoal, goal, received)) return;
+  loop_.on_arm_goal(received);
+  plan(received);
+}
+
+void OneProcess::say_script() {
+  script_.after(heard_.tick, first_tick_, [this](auto& request) {
+    auto received = request;
+    if (!over_the_bus(channel_of(request), request, received)) return;
+    if constexpr (std::is_same_v<decltype(received), ModeRequest>) {
+      loop_.on_mode_request(received);
+    } else if constexpr (std::is_same_v<decltype(received), WalkCommand>) {
+      loop_.on_walk_command(received, now_ns_);
+    } else if constexpr (std::is_same_v<decltype(received), StepList>) {
+      loop_.on_step_list(received);
+    } else if constexpr (std::is_same_v<decltype(received), Gamepad>) {
+      loop_.on_gamepad(received, now_ns_);
+    } else {
+      loop_.on_arm_goal(received);
+      plan(received);
+    }
+  });
+}
+
+// The planner's process, but that the answer takes no simulated time.
+void OneProcess::plan(const ArmGoal& goal) {
+  if (goal.goal_id == planned_goal_) return;  // said again
+  planned_goal_ = goal.goal_id;
+  if (goal.kind == ArmGoalKind::kCancel) return;
+  if (planner_ == nullptr) {
+    planner_ = std::make_unique<ArmPlanner>(model_);
+    planner_->set_obstacles(obstacles_.obstacles());
+  }
+  Configuration start = planner_view_.configuration();
+  for (std::size_t k = 0; k < model_.bus_joints.size(); ++k) {
+    if (std::abs(command_.q[k] - heard_.q[k]) < kServoError)
+      start.q[model_.bus_joints[k]] = command_.q[k];
+  }
+  planner_->set_balancing(loop_.status().mode == Mode::kBalance);
+  const ArmPlan plan = planner_->plan(goal, start, planner_view_.ground_in_world(),
+                                      static_cast<std::uint64_t>(goal.goal_id));
+  sentences_.push_back("planner: " + describe(model_, plan));
+  arm_answer_ = to_pieces(plan, {kPlannerId, goal.run_id, goal.goal_id, goal.goal_id});
+  for (const ArmPathPiece& piece : arm_answer_) {
+    ArmPathPiece received;
+    if (over_the_bus(channel::kArmPath, piece, received)) loop_.on_arm_path(received);
+  }
+}
+
+void OneProcess::watch() {
+  SimTruth truth = *sim_.truth();
+  truth.tick = heard_.tick;
+  truth.run_id = kRunId;
+  seen_.on_state(heard_, false, now_ns_);
+  seen_.on_command(command_, now_ns_);
+  if (SimTruth received; listener_) (void)over_the_bus(channel::kTruth, truth, received);
+  if (listener_) show_scene();
+  seen_.on_truth(truth, now_ns_);
+  seen_.on_guard(loop_.guard_report(), now_ns_);
+  walked_.add(truth, loop_.status().mode, loop_.foot_forces(),
+              static_cast<double>(heard_.tick - first_tick_) * model_.period());
+  const bool pushed = truth.push_force != decltype(truth.push_force){};
+  swing_.add(pushed, heard_);
+  energy_.add(pushed, heard_, world());
+  loose_.add(world());
+  touch_.add(static_cast<double>(heard_.tick - first_tick_) * model_.period(), world());
+  for (std::size_t foot = 0; foot < 2; ++foot) {
+    if (model_.soles[foot].link < 0) continue;
+    const auto x = static_cast<double>(truth.foot_attitude[foot][1]);
+    const auto y = static_cast<double>(truth.foot_attitude[foot][2]);
+    sole_tilt_max_ =
+        std::max(sole_tilt_max_, std::acos(std::clamp(1.0 - 2.0 * (x * x + y * y), -1.0, 1.0)));
+  }
+}
+
+}  // namespace twinbus

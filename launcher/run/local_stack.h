@@ -1,0 +1,145 @@
+// A whole stack in one process and without a bus: simulator behind its source and gate, control loop with
+// the guard in it, planner, script of the scene.
+//
+// Every message passes encode and decode and every event has its tick, so the states are bit for bit those
+// of lock-step over LCM.  Time is simulated time alone: a run is as fast as the machine, and repeatable.
+
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bridge/source/scene_script.h"
+#include "bridge/source/source.h"
+#include "control/loop/control_loop.h"
+#include "launcher/bus/stack_monitor.h"
+#include "launcher/run/state_hash.h"
+#include "launcher/run/energy_watch.h"
+#include "launcher/run/loose_watch.h"
+#include "launcher/run/swing_watch.h"
+#include "launcher/run/touch_watch.h"
+#include "launcher/run/walk_figures.h"
+#include "planner/arm_planner.h"
+#include "robot/estimation/estimator.h"
+#include "lcmtypes/msg/journal.h"
+#include "robot/description/model.h"
+#include "robot/collision/obstacle_collector.h"
+#include "sim/scene/scene.h"
+#include "sim/sim_adaptor.h"
+
+namespace twinbus {
+
+// Hears every message as a recorder on a bus would: channel, encoded bytes, simulated time [ns].
+using BusListener = std::function<void(const char* channel, std::span<const std::uint8_t> bytes,
+                                       std::int64_t now_ns)>;
+
+struct OneProcessConfig {
+  std::vector<std::pair<std::string, std::string>> settings;  // as --set; they win over the scene's
+  std::uint64_t seed = 1;
+  ControlConfig control;
+  BusListener listener;  // may be empty
+};
+
+class OneProcess {
+ public:
+  // Opens everything and activates the source.  The model must outlive this.  Throws std::runtime_error.
+  OneProcess(const Model& model, const Scene& scene, const OneProcessConfig& config);
+
+  // STATE, COMMAND, physics: one period.  False when the simulation gave up; failure() says why.
+  bool tick();
+  const std::string& failure() const { return failure_; }
+
+  // Said on the bus before the next tick.
+  void say(ModeRequest request);
+  void say(StopRequest stop);
+  // The planner answers at once: see arm_answer().
+  void say(ArmGoal goal);
+  // What went out on ARM_PATH for the last goal.
+  const std::vector<ArmPathPiece>& arm_answer() const { return arm_answer_; }
+
+  std::int64_t ticks() const { return ticks_; }
+  const RobotState& state() const { return heard_; }  // as decoded
+  const SimTruth& truth() const { return *sim_.truth(); }
+  const World& world() const { return *sim_.world(); }
+  const std::string& loose_name(int body) const {
+    return loose_names_[static_cast<std::size_t>(body)];
+  }
+  int find_loose(const std::string& name) const;  // -1: there is none
+  struct FurtherRobot {
+    std::string name;
+    Eigen::Vector3d start;  // of its base, world [m]
+  };
+  const std::vector<FurtherRobot>& further_robots() const { return further_robots_; }
+  const ControlLoop& loop() const { return loop_; }
+  const Source& source() const { return source_; }
+  const Lookout& seen() const { return seen_; }
+  const WalkFigures& walked() const { return walked_; }
+  const SwingWatch& swing() const { return swing_; }
+  const EnergyWatch& energy() const { return energy_; }
+  const LooseWatch& loose() const { return loose_; }
+  const TouchWatch& touch() const { return touch_; }
+  const Model& model() const { return model_; }
+  double sole_tilt_max() const { return sole_tilt_max_; }  // [rad]
+  std::string state_hash() const { return hash_.text(); }
+  // What controller and planner had to say since the last call.
+  std::vector<std::string> take_sentences() { return std::exchange(sentences_, {}); }
+
+ private:
+  template <class T>
+  bool over_the_bus(const char* channel, const T& sent, T& received, StateHash* hash = nullptr,
+                    std::int64_t* content = nullptr);
+  struct SendPage {
+    OneProcess* o;
+    void operator()(const JournalPage& page) const noexcept;
+  };
+  void activate();
+  void tell_obstacles();
+  template <class T>
+  void show(const char* channel, T message);
+  void show_scene();
+  void control();
+  void plan(const ArmGoal& goal);
+  void say_script();
+  void watch();
+
+  const Model& model_;
+  SimAdaptor sim_;
+  std::vector<std::string> loose_names_;
+  std::vector<FurtherRobot> further_robots_;
+  Source source_;
+  ControlLoop loop_;
+  Estimator planner_view_;
+  ObstacleCollector obstacles_;
+  std::unique_ptr<ArmPlanner> planner_;  // with the first goal
+  SceneScript script_;
+  StateHash hash_;
+  Lookout seen_;
+  WalkFigures walked_;
+  SwingWatch swing_;
+  EnergyWatch energy_;
+  LooseWatch loose_;
+  TouchWatch touch_;
+  BusListener listener_;
+  std::vector<ObstaclesPiece> shown_obstacles_, shown_terrain_;
+  JournalWriter<SendPage> journal_;
+
+  RobotState heard_;
+  JointCommand command_;
+  std::int64_t now_ns_ = 0;  // simulated
+  std::int64_t ticks_ = 0, first_tick_ = 0, stop_asked_tick_ = -1000, planned_goal_ = 0;
+  std::int32_t sequence_ = 0;
+  std::int64_t state_content_ = 0;
+  double sole_tilt_max_ = 0.0;
+  bool walked_on_ = false;
+  std::vector<std::string> sentences_;
+  std::vector<ArmPathPiece> arm_answer_;
+  std::string failure_;
+};
+
+}  // namespace twinbus

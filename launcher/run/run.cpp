@@ -1,0 +1,224 @@
+#include "launcher/run/run.h"
+
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "common/process/arguments.h"
+#include "launcher/run/judge_scene.h"
+#include "launcher/run/local_stack.h"
+#include "launcher/stack/run_folder.h"
+#include "launcher/run/verdict.h"
+#include "robot/description/load.h"
+#include "common/process/process.h"
+#include "sim/scene/scene_seed.h"
+#include "sim/scene/settings.h"
+#include "sim/world/world.h"
+#include "viewer_log/log/log_writer.h"
+
+namespace twinbus {
+
+namespace {
+
+constexpr double kDegrees = 57.29577951308232;
+constexpr int kFinerSteps = 8;                        // of the reference, per step of the run
+constexpr std::int64_t kProgressEvery = 500'000'000;  // [ns]
+
+Syntax run_syntax() {
+  return {"run",
+          "SCENE",
+          "Runs a scene in one process, without a bus, as fast as it goes, and judges it by the "
+          "scene's own criteria.\n"
+          "SCENE is a name in config/scenes or a file.  Exit status 0 only if all of them hold.  "
+          "The same line gives the\n"
+          "same state_hash, which is also that of ./twinbus up SCENE --lockstep.  Settings of "
+          "--set:\n" +
+              settings_help(),
+          {robot_option(),
+           {"--for", "S", "simulated seconds; default: the scene's duration"},
+           {"--engine", "E", "articulated or ode; default the scene's"},
+           {"--seed", "N", "of everything random; default 1"},
+           {"--set", "KEY=VALUE", "a setting of the simulator; wins over the scene's own"},
+           {"--reference", "",
+            "runs the scene again with eight physics steps in one: error of the foot forces "
+            "against that"},
+           {"--no-guard", "", "leaves the guard in the controller out"},
+           {"--log", "F.log", "records every message, for ./twinbus log; times are simulated"},
+           {"--report", "F.json", "writes the figures"}},
+          1,
+          1};
+}
+
+std::vector<std::pair<std::string, std::string>> settings_of(const Arguments& arguments,
+                                                             double period) {
+  std::vector<std::pair<std::string, std::string>> settings;
+  for (const std::string& word : arguments.all("--set")) {
+    const std::size_t equal = word.find('=');
+    if (equal == std::string::npos)
+      throw UsageError("run: --set wants KEY=VALUE, not '" + word + "'");
+    settings.emplace_back(word.substr(0, equal), word.substr(equal + 1));
+    SimSettings scratch;
+    const std::string complaint =
+        apply_setting(settings.back().first, settings.back().second, period, scratch);
+    if (!complaint.empty()) throw UsageError("run: " + complaint);
+  }
+  return settings;
+}
+
+using FootForces = std::vector<std::array<float, 2>>;  // vertical, left and right, per tick [N]
+
+void show_progress(const OneProcess& run, std::int64_t ticks, std::int64_t& shown_ns) {
+  static const bool terminal = isatty(STDERR_FILENO) == 1;
+  if (!terminal || monotonic_ns() - shown_ns < kProgressEvery) return;
+  shown_ns = monotonic_ns();
+  std::fprintf(stderr, "\r%3.0f %%  ",
+               1e2 * static_cast<double>(run.ticks()) / static_cast<double>(ticks));
+}
+
+FootForces go(OneProcess& run, std::int64_t ticks, bool talk) {
+  FootForces forces;
+  forces.reserve(static_cast<std::size_t>(ticks));
+  std::int64_t shown_ns = monotonic_ns();
+  while (run.ticks() < ticks && !quit_requested() && run.tick()) {
+    const SimTruth& truth = run.truth();
+    forces.push_back({truth.foot_force[0][2], truth.foot_force[1][2]});
+    for (const std::string& sentence : run.take_sentences()) {
+      if (talk) {
+        std::printf("%8.3f s  %s\n", 1e-9 * static_cast<double>(run.state().time_ns),
+                    sentence.c_str());
+      }
+    }
+    show_progress(run, ticks, shown_ns);
+  }
+  return forces;
+}
+
+// Root of the mean square over ticks and feet [N].
+double rms_difference(const FootForces& a, const FootForces& b) {
+  double sum = 0.0;
+  const std::size_t n = std::min(a.size(), b.size());
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t foot = 0; foot < 2; ++foot) {
+      sum += std::pow(static_cast<double>(a[i][foot]) - static_cast<double>(b[i][foot]), 2);
+    }
+  }
+  return n > 0 ? std::sqrt(sum / static_cast<double>(2 * n)) : std::nan("");
+}
+
+void print(const OneProcess& run, const Criteria& asked, const RunVerdict& verdict,
+           const std::string& robot, double sim_s, double wall_s, double force_error) {
+  std::printf("%.3f s simulated in %.3f s: %.1f times real time\n", sim_s, wall_s, sim_s / wall_s);
+  std::printf("%s", scene_figures(run, asked).c_str());
+  if (!std::isnan(force_error))
+    std::printf("foot forces: %.2f N from the reference (root mean square)\n", force_error);
+  std::printf("state_hash %s\n", run.state_hash().c_str());
+  for (const std::string& failure : verdict.failures) std::printf("FAILED: %s\n", failure.c_str());
+  if (verdict.fell && std::filesystem::exists(robot))
+    std::printf("why: ./twinbus check %s names joints that are too weak and what looks wrong\n",
+                robot.c_str());
+  if (verdict.passed) std::printf("passed\n");
+}
+
+// What the settings make of the scene's contact.
+std::string contact_asked(const Scene& scene,
+                          const std::vector<std::pair<std::string, std::string>>& settings) {
+  std::string contact = scene.contact;
+  for (const auto* list : {&scene.settings, &settings}) {
+    for (const auto& [key, value] : *list) {
+      if (key == "contact") contact = value;
+    }
+  }
+  return contact;
+}
+
+// The figures that only `run` has, in the report that `up` writes too.
+std::string with_own_figures(const std::string& report, double force_error, const OneProcess& run) {
+  const WalkFigures& walked = run.walked();
+  const auto number = [](double value) {
+    return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
+  };
+  auto json = nlohmann::ordered_json::parse(report);
+  if (!std::isnan(force_error)) json["foot_force_rms_error_n"] = force_error;
+  json["sole_tilt_max_deg"] = kDegrees * run.sole_tilt_max();
+  json["steps"] = walked.steps();
+  json["zmp_margin_p5_mm"] = number(1e3 * walked.margin_percentile(0.05));
+  json["step_slip_max_mm"] = number(1e3 * walked.step_slip_max());
+  json["force_rms_percent"] = number(1e2 * walked.force_error());
+  json["velocity_error_percent"] = number(1e2 * walked.velocity_error());
+  json["travel_m"] = number(walked.travel());
+  if (const auto swing = run.swing().seen()) {
+    json["swing_period_s"] = swing->period;
+    json["swing_decay_per_s"] = swing->decay;
+    json["linear_period_s"] = run.swing().expected().period;
+    json["linear_decay_per_s"] = run.swing().expected().decay;
+  }
+  return json.dump(2) + "\n";
+}
+
+}  // namespace
+
+int run_command(const std::vector<std::string>& words) {
+  const Arguments arguments(run_syntax(), words);
+  catch_quit_signals();
+  Scene scene = load_scene(arguments.word(0));
+  RunRequest request;
+  request.scene = scene.name;
+  request.robot = arguments.text("--robot", scene.robot);
+  request.engine = arguments.text("--engine", scene.engine);
+  Engine engine;
+  if (!engine_of(request.engine, engine))
+    throw UsageError("run: there is no engine '" + request.engine + "'; use articulated or ode");
+  scene.engine = request.engine;
+  request.lockstep = true;
+  request.duration = arguments.number("--for", scene.duration, 0.002, 1e6);
+  request.seed = static_cast<std::uint64_t>(arguments.number("--seed", 1.0, 0.0, 1e9));
+  const Model model = load_robot(request.robot);
+  scene.criteria = for_robot(scene.criteria, model);
+  resolve_poses(scene, model);
+  apply_seed(scene, model, request.seed);
+  request.period = model.period();
+  request.step_s = scene.step > 0.0 ? scene.step : model.period();
+
+  OneProcessConfig config;
+  config.settings = settings_of(arguments, model.period());
+  request.contact = contact_asked(scene, config.settings);
+  config.seed = request.seed;
+  config.control.guard_in_loop = !arguments.has("--no-guard");
+  const std::int64_t ticks = std::llround(request.duration / model.period());
+
+  std::unique_ptr<LogWriter> log;
+  if (const std::string file = arguments.text("--log", ""); !file.empty()) {
+    log = std::make_unique<LogWriter>(file);
+    config.listener = [&log](const char* name, std::span<const std::uint8_t> bytes,
+                             std::int64_t now_ns) { log->add(now_ns / 1000, name, bytes); };
+  }
+  OneProcess run(model, scene, config);
+  config.listener = nullptr;  // not of the reference
+  const std::int64_t begin = monotonic_ns();
+  const FootForces forces = go(run, ticks, true);
+  const double wall_s = std::max(1e-9, 1e-9 * static_cast<double>(monotonic_ns() - begin));
+  if (log != nullptr) log->close();
+  double force_error = std::nan("");
+  if (arguments.has("--reference")) {
+    Scene finer = scene;
+    finer.step = request.step_s / kFinerSteps;
+    OneProcess reference(model, finer, config);
+    force_error = rms_difference(forces, go(reference, ticks, false));
+  }
+  const RunVerdict verdict = judge_scene(run, scene.criteria, ticks);
+  print(run, scene.criteria, verdict, request.robot,
+        model.period() * static_cast<double>(run.ticks()), wall_s, force_error);
+  if (const std::string file = arguments.text("--report", ""); !file.empty()) {
+    write_file(file,
+               with_own_figures(report_json(verdict, request, run.seen(), wall_s, run.state_hash()),
+                                force_error, run));
+  }
+  return verdict.passed ? 0 : 1;
+}
+
+}  // namespace twinbus

@@ -1,0 +1,215 @@
+#include "launcher/run/verdict.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+namespace twinbus {
+
+namespace {
+
+constexpr double kMissedWithFifo = 0.001;  // share of ticks
+constexpr double kMissedWithoutFifo = 0.01;
+constexpr double kMachineTooBad = 0.01;  // share of ticks that a bare timer missed
+constexpr double kRateTolerance = 0.01;  // share of the rate asked for
+constexpr double kDegrees = 57.29577951308232;
+
+std::string text(const char* format, double a, double b = 0.0) {
+  char line[320];
+  std::snprintf(line, sizeof line, format, a, b);
+  return line;
+}
+
+bool is_source(ProcessKind kind) {
+  return kind == ProcessKind::kSimulator || kind == ProcessKind::kBridge;
+}
+
+double share_of(std::int64_t part, std::int64_t ticks) {
+  return ticks > 0 ? static_cast<double>(part) / static_cast<double>(ticks) : 0.0;
+}
+
+// NaN and "never" become null: JSON has no words for them.
+nlohmann::json number(double value) {
+  if (!std::isfinite(value) || std::abs(value) >= 1e9) return nullptr;
+  return value;
+}
+
+}  // namespace
+
+MissedCounts missed_so_far(const Lookout& seen, std::int64_t now_ns) {
+  MissedCounts counts;
+  for (const SeenProcess* process : seen.processes(now_ns, 2.0)) {
+    const Heartbeat& beat = process->beat;
+    if (beat.kind == ProcessKind::kController) {
+      counts.controller += beat.ticks_missed;
+      counts.controller_stalled += beat.ticks_stalled;
+    } else if (is_source(beat.kind)) {
+      counts.source += beat.ticks_missed;
+      counts.source_stalled += beat.ticks_stalled;
+      counts.timer = std::max(counts.timer, beat.timer_missed);
+    }
+  }
+  return counts;
+}
+
+bool runs_at_fifo(const Lookout& seen, std::int64_t now_ns) {
+  bool source = false;
+  bool controller = false;
+  bool all = true;
+  for (const SeenProcess* process : seen.processes(now_ns, 2.0)) {
+    const ProcessKind kind = process->beat.kind;
+    const bool is_controller = kind == ProcessKind::kController;
+    if (!is_source(kind) && !is_controller) continue;
+    source = source || is_source(kind);
+    controller = controller || is_controller;
+    all = all && process->beat.realtime >= 1;
+  }
+  return source && controller && all;
+}
+
+RunVerdict judge(const Lookout& seen, const RunRequest& request, const MissedCounts& start,
+                 std::int64_t now_ns) {
+  RunVerdict verdict;
+  verdict.ticks = seen.state().received();
+  verdict.state_rate = seen.state().mean_rate();
+  verdict.command_rate = seen.command().mean_rate();
+  verdict.rate_wanted = request.rate / request.period;
+  verdict.fifo = runs_at_fifo(seen, now_ns);
+  verdict.missed_allowed = verdict.fifo ? kMissedWithFifo : kMissedWithoutFifo;
+  verdict.fell = seen.figures().fell;
+  if (const SeenSource* active = seen.active(now_ns)) {
+    if (active->status.role == Role::kStopped) {
+      verdict.failures.push_back(std::string("the source is stopped (") +
+                                 stop_name(active->status.stop_kind) + ")");
+    }
+    for (const SeenProcess* process : seen.processes(now_ns, 2.0)) {
+      if (process->beat.process_id != active->status.run_id) continue;
+      verdict.answer_median_us = static_cast<double>(process->beat.age_us);
+      verdict.answer_p99_us = static_cast<double>(process->beat.age_p99_us);
+    }
+  } else {
+    verdict.failures.push_back("no source is active at the end");
+  }
+  const MissedCounts end = missed_so_far(seen, now_ns);
+  verdict.source_missed = std::max<std::int64_t>(end.source - start.source, 0);
+  verdict.controller_missed = std::max<std::int64_t>(end.controller - start.controller, 0);
+  const std::int64_t source_stalled =
+      std::max<std::int64_t>(end.source_stalled - start.source_stalled, 0);
+  const std::int64_t controller_stalled =
+      std::max<std::int64_t>(end.controller_stalled - start.controller_stalled, 0);
+  const std::int64_t source_own = verdict.source_missed - source_stalled;
+  const std::int64_t controller_own = verdict.controller_missed - controller_stalled;
+  verdict.missed = std::max(verdict.source_missed, verdict.controller_missed);
+  verdict.stalled = verdict.missed - std::max(source_own, controller_own);
+  if (end.timer >= 0) verdict.timer_missed = end.timer - std::max<std::int64_t>(start.timer, 0);
+
+  if (!request.lockstep) {
+    // What never came because the machine stood still is no loss of ours either.
+    const double tolerance = kRateTolerance + share_of(verdict.stalled, verdict.ticks);
+    for (const auto& [name, rate] :
+         {std::pair("STATE", verdict.state_rate), std::pair("COMMAND", verdict.command_rate)}) {
+      if (!(std::abs(rate - verdict.rate_wanted) <= tolerance * verdict.rate_wanted)) {
+        verdict.failures.push_back(std::string(name) + text(" came at %.1f Hz, %.1f Hz were asked",
+                                                            rate, verdict.rate_wanted));
+      }
+    }
+    const double share =
+        verdict.ticks > 0 ? share_of(verdict.missed - verdict.stalled, verdict.ticks) : 1.0;
+    if (!(share <= verdict.missed_allowed)) {
+      verdict.failures.push_back(text("%.3f %% of ticks missed, %.1f %% allowed", 1e2 * share,
+                                      1e2 * verdict.missed_allowed));
+    }
+  }
+  if (verdict.fell) verdict.failures.push_back("the robot fell");
+  verdict.passed = verdict.failures.empty();
+  return verdict;
+}
+
+std::vector<std::string> verdict_lines(const RunVerdict& verdict, const RunRequest& request) {
+  std::vector<std::string> lines;
+  lines.push_back(
+      text("STATE %.1f Hz, COMMAND %.1f Hz", verdict.state_rate, verdict.command_rate) +
+      (request.lockstep ? " (lock-step)" : text(", asked %.1f Hz", verdict.rate_wanted)));
+  char line[320];
+  std::snprintf(
+      line, sizeof line, "missed %lld of %lld ticks (%.3f %%; source %lld, controller %lld)",
+      static_cast<long long>(verdict.missed), static_cast<long long>(verdict.ticks),
+      1e2 * share_of(verdict.missed, verdict.ticks), static_cast<long long>(verdict.source_missed),
+      static_cast<long long>(verdict.controller_missed));
+  std::string missed = line;
+  if (verdict.timer_missed >= 0) {
+    std::snprintf(line, sizeof line,
+                  ", of which %lld while the machine itself stood still (a bare timer of higher "
+                  "priority stood still too)",
+                  static_cast<long long>(verdict.stalled));
+    missed += line;
+  }
+  lines.push_back(missed);
+  if (!request.lockstep) {
+    std::snprintf(line, sizeof line, "our own: %lld ticks (%.3f %%, at most %.1f %% %s FIFO)",
+                  static_cast<long long>(verdict.missed - verdict.stalled),
+                  1e2 * share_of(verdict.missed - verdict.stalled, verdict.ticks),
+                  1e2 * verdict.missed_allowed, verdict.fifo ? "with" : "WITHOUT");
+    lines.push_back(line);
+  }
+  if (verdict.timer_missed > 0 && share_of(verdict.timer_missed, verdict.ticks) > kMachineTooBad) {
+    lines.push_back(
+        text("this machine is too restless for real time: a bare timer misses %.1f %% of the ticks "
+             "by itself; "
+             "end other programs, or use a machine that is not shared (./twinbus doctor --rt)",
+             1e2 * share_of(verdict.timer_missed, verdict.ticks)));
+  }
+  if (verdict.answer_median_us > 0.0) {
+    lines.push_back(text("STATE sent to COMMAND obeyed: median %.0f us, 99 %% within %.0f us",
+                         verdict.answer_median_us, verdict.answer_p99_us));
+  }
+  lines.push_back(verdict.fell ? "the robot fell" : "no fall");
+  for (const std::string& failure : verdict.failures) lines.push_back("FAILED: " + failure);
+  if (verdict.passed) lines.push_back("passed");
+  return lines;
+}
+
+std::string report_json(const RunVerdict& verdict, const RunRequest& request, const Lookout& seen,
+                        double wall_s, const std::string& state_hash) {
+  const RunFigures& f = seen.figures();
+  const double sim_time = f.truths > 0 ? f.sim_time - f.first_sim_time
+                                       : static_cast<double>(verdict.ticks) * request.period;
+  nlohmann::ordered_json report;
+  report["scene"] = request.scene;
+  report["robot"] = request.robot;
+  report["engine"] = request.engine;
+  report["contact"] = request.contact;
+  report["step_s"] = request.step_s;
+  report["seed"] = request.seed;
+  report["sim_time_s"] = sim_time;
+  report["wall_s"] = wall_s;
+  report["realtime_factor"] = wall_s > 0.0 ? number(sim_time / wall_s) : nlohmann::json();
+  report["ticks"] = verdict.ticks;
+  report["missed_ticks"] = verdict.missed;
+  report["fell"] = verdict.fell;
+  report["max_tilt_deg"] = number(kDegrees * f.max_tilt);
+  report["base_final_xyyaw"] = {f.base[0], f.base[1], f.base[2]};
+  report["zmp_margin_min_mm"] = number(1e3 * f.zmp_margin_min);
+  report["slip_max_mm"] = number(1e3 * f.slip_max);
+  report["penetration_max_mm"] = number(1e3 * f.penetration_max);
+  report["self_collision_ticks"] = f.self_collision_ticks;
+  report["foot_force_rms_error_n"] = nullptr;  // needs the reference, which only `run` has
+  report["state_hash"] =
+      state_hash.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(state_hash);
+  report["passed"] = verdict.passed;
+  report["fifo"] = verdict.fifo;
+  report["state_hz"] = number(verdict.state_rate);
+  report["command_hz"] = number(verdict.command_rate);
+  report["stalled_ticks"] = verdict.stalled;
+  report["bare_timer_missed_ticks"] = verdict.timer_missed;
+  report["answer_median_us"] = number(verdict.answer_median_us);
+  report["answer_p99_us"] = number(verdict.answer_p99_us);
+  report["source_missed_ticks"] = verdict.source_missed;
+  report["controller_missed_ticks"] = verdict.controller_missed;
+  report["lockstep"] = request.lockstep;
+  report["failures"] = verdict.failures;
+  return report.dump(2) + "\n";
+}
+
+}  // namespace twinbus

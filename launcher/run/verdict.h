@@ -1,0 +1,71 @@
+// Judges a run of the stack by what was heard: rates, missed ticks, falls; and writes it down.
+
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "launcher/bus/stack_monitor.h"
+
+namespace twinbus {
+
+// What the run was asked for.
+struct RunRequest {
+  std::string scene;
+  std::string robot;
+  std::string engine;
+  std::string contact = "spring_damper";
+  std::uint64_t seed = 0;
+  double step_s = 0.0;    // physics step
+  double period = 0.002;  // [s]
+  double rate = 1.0;      // times real time
+  bool lockstep = false;
+  double duration = 0.0;  // asked for [s]; 0: until Ctrl-C
+};
+
+// Ticks that sources and controllers have missed since they started, and how many of those would have been in time had
+// the machine not stood still.
+struct MissedCounts {
+  std::int64_t source = 0;
+  std::int64_t source_stalled = 0;
+  std::int64_t controller = 0;
+  std::int64_t controller_stalled = 0;
+  std::int64_t timer = -1;  // ticks that a bare timer of higher priority missed; -1: there was none
+};
+
+struct RunVerdict {
+  std::int64_t ticks = 0;
+  std::int64_t missed = 0;   // the worse of what source and controller counted
+  std::int64_t stalled = 0;  // of these, by the machine
+  std::int64_t source_missed = 0;
+  std::int64_t controller_missed = 0;
+  std::int64_t timer_missed = -1;
+  double missed_allowed = 0.0;  // share, of what is not the machine's
+  double answer_median_us =
+      0.0;  // from STATE sent to COMMAND obeyed, as the source sees it; 0 unknown
+  double answer_p99_us = 0.0;
+  double state_rate = 0.0;  // [Hz]
+  double command_rate = 0.0;
+  double rate_wanted = 0.0;
+  bool fifo = false;  // source and controller both
+  bool fell = false;
+  bool passed = false;
+  std::vector<std::string> failures;  // one sentence each
+};
+
+MissedCounts missed_so_far(const Lookout& seen, std::int64_t now_ns);
+// Source and controller both run at FIFO priority.
+bool runs_at_fifo(const Lookout& seen, std::int64_t now_ns);
+
+RunVerdict judge(const Lookout& seen, const RunRequest& request, const MissedCounts& start,
+                 std::int64_t now_ns);
+
+// Lines for people.
+std::vector<std::string> verdict_lines(const RunVerdict& verdict, const RunRequest& request);
+
+// JSON with the keys that `twinbus run --report` writes, as far as the bus shows them, and the rates.
+std::string report_json(const RunVerdict& verdict, const RunRequest& request, const Lookout& seen,
+                        double wall_s, const std::string& state_hash);
+
+}  // namespace twinbus

@@ -1,0 +1,118 @@
+#include "launcher/up/restart.h"
+
+#include <signal.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+#include "common/process/arguments.h"
+#include "launcher/stack/run_folder.h"
+#include "common/process/process.h"
+
+namespace twinbus {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::int64_t kLookForWish = 100'000'000;  // [ns]
+constexpr double kMostWait = 10.0;                  // [s]
+constexpr double kAnswerPause = 0.05;               // [s]
+
+std::string line_of(const std::string& file) {
+  std::ifstream stream(file);
+  std::string line;
+  std::getline(stream, line);
+  return line;
+}
+
+// Whole at once, so that nobody reads half a wish.
+void put(const std::string& file, const std::string& text) {
+  write_file(file + ".new", text);
+  fs::rename(file + ".new", file);
+}
+
+bool is_running(const std::string& folder) {
+  const std::string text = line_of(folder + "/pid");
+  if (text.empty()) return false;
+  const long pid = std::strtol(text.c_str(), nullptr, 10);
+  return pid > 1 && ::kill(static_cast<pid_t>(pid), 0) == 0;
+}
+
+// The run folders whose `up` is running.
+std::vector<std::string> running_folders() {
+  std::vector<std::string> found;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(runs_folder(), ignored)) {
+    if (is_running(entry.path().string())) found.push_back(entry.path().string());
+  }
+  return found;
+}
+
+}  // namespace
+
+RestartRequests::RestartRequests(const std::string& folder) : folder_(folder) {
+  write_file(folder_ + "/pid", std::to_string(::getpid()) + "\n");
+}
+
+RestartRequests::~RestartRequests() { ::unlink((folder_ + "/pid").c_str()); }
+
+void RestartRequests::look(Supervisor& supervisor, std::int64_t now_ns) {
+  if (now_ns - looked_ns_ < kLookForWish) return;
+  looked_ns_ = now_ns;
+  const std::string file = folder_ + "/restart";
+  if (::access(file.c_str(), F_OK) != 0) return;
+  const std::string name = line_of(file);
+  ::unlink(file.c_str());
+  const std::string refusal = supervisor.restart(name, now_ns);
+  put(folder_ + "/restarted", refusal.empty() ? "ok\n" : refusal + "\n");
+}
+
+void keep_viewer_addresses() {
+  for (const char* name : {"TWINBUS_VIEWER_TOKEN", "TWINBUS_VIEWER_WATCH_TOKEN"}) {
+    char token[40];
+    std::snprintf(token, sizeof token, "%016llx%016llx",
+                  static_cast<unsigned long long>(random_id()),
+                  static_cast<unsigned long long>(random_id()));
+    setenv(name, token, 0);
+  }
+}
+
+int restart_command(const std::vector<std::string>& words) {
+  const Arguments arguments(
+      {"restart",
+       "NAME",
+       "Ends one process of the running stack and starts it anew: controller, guard, simulator, "
+       "...\n"
+       "A source that is started anew is parked; it moves nothing until it is asked.",
+       {},
+       1,
+       1},
+      words);
+  const std::vector<std::string> folders = running_folders();
+  if (folders.empty()) throw std::runtime_error("no stack of ./twinbus up is running");
+  if (folders.size() > 1)
+    throw std::runtime_error("several stacks are running (" + folders[0] + ", " + folders[1] +
+                             "); set TWINBUS_RUNS to the folder of one's own");
+  const std::string& folder = folders.front();
+  const std::string answer = folder + "/restarted";
+  ::unlink(answer.c_str());
+  put(folder + "/restart", arguments.word(0) + "\n");
+  const std::int64_t begin = monotonic_ns();
+  while (seconds_since(begin) < kMostWait) {
+    ::usleep(static_cast<useconds_t>(1e6 * kAnswerPause));
+    const std::string said = line_of(answer);
+    if (said.empty()) continue;
+    ::unlink(answer.c_str());
+    if (said != "ok") throw std::runtime_error(said);
+    std::printf("%s is started anew\n", arguments.word(0).c_str());
+    return 0;
+  }
+  throw std::runtime_error("the stack in " + folder + " does not answer");
+}
+
+}  // namespace twinbus

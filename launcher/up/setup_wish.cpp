@@ -1,0 +1,95 @@
+#include "launcher/up/setup_wish.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+#include "launcher/stack/run_folder.h"
+#include "common/process/process.h"
+
+namespace twinbus {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::int64_t kLookForSetup = 100'000'000;  // [ns]
+constexpr std::uintmax_t kLargestWish = 1 << 20;     // [bytes]
+constexpr double kMostStart = 10.0;                  // [s]
+
+bool concerns(const StackProcess& process) {
+  constexpr std::array<const char*, 4> kPrograms = {"twinbus_simulator", "twinbus_controller",
+                                                    "twinbus_guard", "twinbus_planner"};
+  return std::find(kPrograms.begin(), kPrograms.end(), process.program) != kPrograms.end();
+}
+
+}  // namespace
+
+SetupWishes::SetupWishes(const std::string& folder) : folder_(folder) {
+  fs::create_directories(folder_);
+}
+
+std::string SetupWishes::take(std::int64_t now_ns) {
+  if (now_ns - looked_ns_ < kLookForSetup) return {};
+  looked_ns_ = now_ns;
+  const std::string file = folder_ + "/wish.json";
+  if (::access(file.c_str(), F_OK) != 0) return {};
+  std::error_code ignored;
+  std::string wish = "{}";
+  if (fs::file_size(file, ignored) <= kLargestWish) {
+    std::ifstream stream(file);
+    wish.assign(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
+  }
+  ::unlink(file.c_str());
+  return wish;
+}
+
+Setup SetupWishes::prepare(const std::string& wish, const std::string& robot, const Stack& stack,
+                           const Lookout& seen) const {
+  for (const StackProcess& process : stack.processes) {
+    if (process.hardware) throw std::runtime_error("this stack moves a real robot");
+  }
+  const StackProcess* source = stack.find(stack.activate);
+  if (source == nullptr || source->program != "twinbus_simulator")
+    throw std::runtime_error("this stack does not begin with a simulator");
+  if (seen.newest_state().source != SourceKind::kSimulator)
+    throw std::runtime_error("switch to the simulator first");
+  return write_setup(wish, robot, folder_);
+}
+
+std::string SetupWishes::answer(const std::string& wish, const std::string& problem) const {
+  if (!problem.empty()) return "not set up: " + problem;
+  write_file(folder_ + "/now.json", wish);
+  return "set up as the page asked";
+}
+
+void fill_in(const Setup& setup, Placeholders& values) {
+  values["scene"] = {setup.scene};
+  values["robot"] = {"--robot", setup.robot};
+  values["engine"] = {"--engine", setup.engine};
+}
+
+void start_anew(const Stack& stack, Supervisor& supervisor, BusLink& bus) {
+  const std::int32_t old = supervisor.pid_of(stack.activate);
+  for (const Supervised& one : supervisor.processes()) {
+    if (!concerns(one.process)) continue;
+    const std::string refusal = supervisor.restart(one.process.name, monotonic_ns());
+    if (!refusal.empty()) throw std::runtime_error(refusal);
+  }
+  const std::int64_t begin = monotonic_ns();
+  while (!quit_requested()) {
+    bus.receive(0.02);
+    supervisor.watch(monotonic_ns());
+    const std::int32_t pid = supervisor.pid_of(stack.activate);
+    if (pid != 0 && pid != old && bus.seen().process_of_pid(pid) != nullptr) return;
+    if (seconds_since(begin) > kMostStart)
+      throw std::runtime_error("the simulator was not heard within 10 s");
+  }
+}
+
+}  // namespace twinbus

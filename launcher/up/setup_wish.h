@@ -1,0 +1,45 @@
+// The page's wish for another setup on its way to the `up` that owns the stack, by files in the run folder.
+//
+// Only a stack that is simulated is set up so: of one whose hardware is active, or that moves real motors at all, nothing is
+// started anew because a page asks for it.
+
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "launcher/bus/bus_link.h"
+#include "launcher/up/setup.h"
+#include "launcher/stack/stack.h"
+#include "launcher/stack/supervisor.h"
+
+namespace twinbus {
+
+class SetupWishes {
+ public:
+  // folder: SETUP/, made here.
+  explicit SetupWishes(const std::string& folder);
+
+  // A wish that has come since the last call, else empty; cheap enough for every turn of a loop.
+  std::string take(std::int64_t now_ns);
+
+  // Throws std::runtime_error with the sentence to answer.
+  Setup prepare(const std::string& wish, const std::string& robot, const Stack& stack,
+                const Lookout& seen) const;
+
+  // The sentence that answers.  What holds now is kept in now.json, where the page finds it.
+  std::string answer(const std::string& wish, const std::string& problem) const;
+
+ private:
+  std::string folder_;
+  std::int64_t looked_ns_ = 0;
+};
+
+// What processes are started with from now on.
+void fill_in(const Setup& setup, Placeholders& values);
+
+// Starts simulator, controller, guard and planner of the stack anew and waits until the new simulator is heard.  Throws
+// std::runtime_error when it is not within 10 s.
+void start_anew(const Stack& stack, Supervisor& supervisor, BusLink& bus);
+
+}  // namespace twinbus

@@ -1,0 +1,495 @@
+#include "launcher/up/up.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <stdexcept>
+
+#include "launcher/bus/bus_health.h"
+#include "launcher/bus/bus_link.h"
+#include "launcher/bus/live_table.h"
+#include "launcher/up/restart.h"
+#include "launcher/stack/run_folder.h"
+#include "launcher/up/setup_wish.h"
+#include "launcher/up/shadow.h"
+#include "launcher/stack/stack.h"
+#include "launcher/run/state_hash.h"
+#include "launcher/stack/supervisor.h"
+#include "launcher/up/up_syntax.h"
+#include "launcher/run/verdict.h"
+#include "launcher/up/who_is_there.h"
+#include "robot/description/load.h"
+#include "common/process/process.h"
+#include "sim/scene/scene.h"
+#include "sim/world/world.h"
+
+namespace twinbus {
+
+namespace {
+
+constexpr double kListenFirst = 0.4;  // sources and processes speak at 10 Hz [s]
+constexpr double kActivationTimeout =
+    10.0;  // a source listens 1 s for other terms before it may become active [s]
+constexpr double kAskAgain = 0.25;          // [s]
+constexpr double kTableEvery = 0.25;        // on a terminal [s]
+constexpr double kLineEvery = 10.0;         // elsewhere [s]
+constexpr std::int64_t kScriptAhead = 100;  // a request is sent this early [ticks]
+constexpr int kScriptRepeats = 3;
+constexpr double kWithoutSource = 10.0;  // a stack stays for who restarts one by hand [s]
+constexpr double kSettle = 0.5;  // from the first answered tick to the first counted one [s]
+
+double seconds(std::int64_t from_ns, std::int64_t to_ns) {
+  return 1e-9 * static_cast<double>(to_ns - from_ns);
+}
+
+class Up {
+ public:
+  explicit Up(const Arguments& arguments);
+  int run();
+
+ private:
+  Placeholders placeholders(const Arguments& arguments) const;
+  void refuse_if_someone_publishes();
+  void start_all();
+  void note_ready();
+  void activate();
+  void wait_for_first_commands();
+  bool work();  // until the end; false if something broke
+  void send_script();
+  void set_up(const std::string& wish);
+  bool judge_and_report(bool whole, double wall_s);
+  void show(std::int64_t now_ns);
+  std::string cpu_line(std::int64_t now_ns);
+  void say(const std::string& line);
+  bool elapsed(std::int64_t now_ns) const;
+  bool is_over(std::int64_t now_ns);
+
+  RunRequest request_;
+  Scene scene_;
+  Stack stack_;
+  std::string report_;
+  std::string folder_;
+  bool terminal_ = isatty(STDOUT_FILENO) != 0;
+  StateHash hash_;
+  std::unique_ptr<BusLink> bus_;
+  std::unique_ptr<Supervisor> supervisor_;
+  std::unique_ptr<RestartRequests> restarts_;
+  std::unique_ptr<SetupWishes> wishes_;
+  Placeholders values_;
+  std::string viewer_address_, watch_address_;
+  Redraw redraw_;
+  CpuShare shares_;
+  BusHealth health_;
+  MissedCounts at_start_;
+  std::int64_t start_ns_ = 0;  // of the measured part
+  std::int64_t shown_ns_ = 0;
+  std::int64_t sourceless_ns_ = 0;  // since when no source runs
+  std::int64_t first_tick_ = 0;     // scene time 0
+  std::size_t modes_sent_ = 0;
+  std::size_t goals_sent_ = 0;
+};
+
+Up::Up(const Arguments& arguments) {
+  scene_ = load_scene(arguments.word(0, "stand"));
+  request_.scene = scene_.name;
+  request_.robot = arguments.text("--robot", scene_.robot);
+  request_.engine = arguments.text("--engine", scene_.engine);
+  Engine engine;
+  if (!engine_of(request_.engine, engine)) {
+    throw UsageError("up: there is no engine '" + request_.engine + "'; use articulated or ode");
+  }
+  request_.lockstep = arguments.has("--lockstep");
+  request_.rate = arguments.number("--rate", 1.0, 0.01, 100.0);
+  request_.duration = arguments.number("--for", 0.0, 0.1, 1e6);
+  request_.seed = static_cast<std::uint64_t>(arguments.number("--seed", 1.0, 0.0, 1e9));
+  report_ = arguments.text("--report", "");
+  const Model model = load_robot(request_.robot);  // the same error for every process, said once
+  resolve_poses(scene_, model);
+  request_.contact = scene_.contact;
+  request_.period = model.period();
+  request_.step_s = scene_.step > 0.0 ? scene_.step : model.period();
+  if (arguments.has("--no-fifo")) setenv("TWINBUS_FIFO", "0", 1);  // every process inherits it
+  go_ahead_of_ordinary_programs();
+  // Lock-step goes as fast as it can: with real-time priority it would leave those who watch no time.
+  if (request_.lockstep) setenv("TWINBUS_FIFO", "0", 1);
+  stack_ = load_stack(arguments.text("--stack", "sim"));
+  if (arguments.has("--no-viewer")) {
+    stack_.leave_out([](const StackProcess& process) { return process.viewer; });
+  }
+  const char* record = std::getenv("TWINBUS_RECORD");
+  if (arguments.has("--no-record") || (record != nullptr && std::string(record) == "0")) {
+    stack_.leave_out([](const StackProcess& process) { return process.recorder; });
+  }
+
+  bus_ = std::make_unique<BusLink>(arguments.text("--url", ""), arguments.text("--prefix", ""),
+                                   arguments.all("--allow"));
+  refuse_if_someone_publishes();
+  bus_->on_raw_state([this](std::span<const std::uint8_t> bytes) { hash_.add(bytes); });
+
+  keep_viewer_addresses();
+  folder_ = make_run_folder();
+  write_file(folder_ + "/stack.yaml", stack_.text);
+  write_file(folder_ + "/scene.yaml", scene_.text);
+  write_file(folder_ + "/commit", commit_of_program() + "\n");
+  values_ = placeholders(arguments);
+  supervisor_ = std::make_unique<Supervisor>(stack_, values_, folder_,
+                                             [this](const std::string& line) { say(line); });
+  restarts_ = std::make_unique<RestartRequests>(folder_);
+  wishes_ = std::make_unique<SetupWishes>(folder_ + "/setup");
+}
+
+Placeholders Up::placeholders(const Arguments& arguments) const {
+  Placeholders values;
+  auto& bus = values["bus"];
+  for (const char* option : {"--url", "--prefix"}) {
+    for (const std::string& value : arguments.all(option)) bus.insert(bus.end(), {option, value});
+  }
+  std::string allowed;
+  for (const std::string& address : arguments.all("--allow"))
+    allowed += (allowed.empty() ? "" : ",") + address;
+  if (!allowed.empty()) bus.insert(bus.end(), {"--allow", allowed});
+  values["robot"] = {"--robot", request_.robot};
+  values["scene"] = {arguments.word(0, "stand")};
+  auto& pace = values["pace"];
+  if (request_.lockstep) pace = {"--lockstep"};
+  if (arguments.has("--rate")) pace.insert(pace.end(), {"--rate", arguments.text("--rate", "1")});
+  // In lock-step the simulator itself ends after its last tick, so that two runs have the same ticks.
+  if (request_.lockstep && request_.duration > 0.0)
+    pace.insert(pace.end(), {"--for", arguments.text("--for", "")});
+  values["engine"] = {"--engine", request_.engine};
+  auto& settings = values["settings"];
+  for (const std::string& setting : arguments.all("--set"))
+    settings.insert(settings.end(), {"--set", setting});
+  if (arguments.has("--seed"))
+    settings.insert(settings.end(), {"--seed", arguments.text("--seed", "1")});
+  values["folder"] = {folder_};
+  values["listen"] = arguments.has("--listen")
+                         ? std::vector<std::string>{"--listen", arguments.text("--listen", "")}
+                         : std::vector<std::string>{};
+  values["log"] = {arguments.text("--log", "")};
+  values["device"] = {"twinbus_" + arguments.text("--prefix", "") + std::to_string(getpid())};
+  return values;
+}
+
+void Up::say(const std::string& line) {
+  redraw_.clear();
+  std::printf("up: %s\n", line.c_str());
+  std::fflush(stdout);
+}
+
+void Up::refuse_if_someone_publishes() {
+  bus_->listen(kListenFirst);
+  const std::string who = who_is_in_the_way(bus_->seen(), stack_, monotonic_ns());
+  if (!who.empty()) {
+    throw std::runtime_error(
+        "someone already publishes on " + bus_->url() + ": " + who +
+        "; end it first, or give this robot channels of its own with --prefix R2_");
+  }
+}
+
+// Messages say which processes are there: a heartbeat has the process id, a state the run id of a heartbeat.
+void Up::note_ready() {
+  const Lookout& seen = bus_->seen();
+  for (const Supervised& one : supervisor_->processes()) {
+    if (one.ready || one.child.empty() || one.process.ready_when != ReadyWhen::kMessage) continue;
+    const SeenProcess* process = seen.process_of_pid(one.child.front().pid());
+    if (process == nullptr) continue;
+    const std::string& channel = one.process.ready_channel;
+    const SeenSource* source = seen.source(process->beat.process_id);
+    const bool is_state =
+        channel.starts_with("STATE") && source != nullptr && source->states.received() > 0;
+    const bool is_status = channel == "SOURCE_STATUS" && source != nullptr && source->heard_ns > 0;
+    const bool is_beat = channel == "HEARTBEAT" && process->beat.state != 0;
+    if (is_state || is_status || is_beat) supervisor_->heard_from_name(one.process.name);
+  }
+}
+
+void Up::start_all() {
+  const std::int64_t begin = monotonic_ns();
+  std::vector<std::string> told;
+  while (!quit_requested()) {
+    bus_->receive(0.02);
+    note_ready();
+    supervisor_->start_more(monotonic_ns());
+    for (const Supervised& one : supervisor_->processes()) {
+      if (!one.ready || std::find(told.begin(), told.end(), one.process.name) != told.end())
+        continue;
+      told.push_back(one.process.name);
+      char time[32];
+      std::snprintf(time, sizeof time, "%.2f s", seconds(begin, monotonic_ns()));
+      say(one.process.name + " ready after " + time);
+      for (const std::string& line : one.child.front().last_lines(20)) {
+        const std::size_t at = line.find("http://");
+        if (one.process.viewer && at != std::string::npos) {
+          const bool ours = line.find("ready at") != std::string::npos;
+          (ours ? viewer_address_ : watch_address_) = line.substr(at, line.find(' ', at) - at);
+        }
+      }
+    }
+    if (supervisor_->all_ready()) return;
+  }
+}
+
+void Up::activate() {
+  if (stack_.activate.empty()) return;
+  const SeenProcess* process = bus_->seen().process_of_pid(supervisor_->pid_of(stack_.activate));
+  if (process == nullptr)
+    throw std::runtime_error("'" + stack_.activate +
+                             "' sends no heartbeat, so it cannot be activated");
+  SourceRequest request;
+  request.action = SourceAction::kActivate;
+  request.policy = SwitchPolicy::kNow;
+  request.run_id = request.target_run_id = process->beat.process_id;
+  const std::int64_t begin = monotonic_ns();
+  std::int64_t asked = 0;
+  while (!quit_requested()) {
+    const std::int64_t now = monotonic_ns();
+    if (asked == 0 || seconds(asked, now) > kAskAgain) {
+      asked = now;
+      request.sequence =
+          0;  // a new one: a refusal answers one sequence, and the reason may have gone since
+      bus_->send(request);
+    }
+    bus_->receive(0.02);
+    supervisor_->watch(monotonic_ns());
+    const SeenSource* source = bus_->seen().source(request.run_id);
+    // Its own word is enough: on a busy machine its states may lie in our socket for a while.
+    if (source != nullptr && source->status.role == Role::kActive) {
+      say(describe(*source) + " holds STATE");
+      return;
+    }
+    if (supervisor_->broken())
+      throw std::runtime_error("a required process ended before the robot was running");
+    if (seconds(begin, now) > kActivationTimeout) {
+      const bool refused = source != nullptr && source->status.refusal != Refusal::kNone;
+      throw std::runtime_error(
+          "'" + stack_.activate + "' did not become active within 10 s" +
+          (refused ? std::string(": ") + refusal_text(source->status.refusal) : ""));
+    }
+  }
+}
+
+void Up::wait_for_first_commands() {
+  const std::int64_t begin = monotonic_ns();
+  while (!quit_requested() && bus_->seen().command().received() == 0) {
+    bus_->receive(0.02);
+    supervisor_->watch(monotonic_ns());
+    if (supervisor_->broken())
+      throw std::runtime_error("a required process ended before the robot was running");
+    if (seconds(begin, monotonic_ns()) > kActivationTimeout) {
+      throw std::runtime_error(
+          "no COMMAND within 10 s: the controller does not answer STATE (its output: " + folder_ +
+          "/controller.log)");
+    }
+  }
+  if (!stack_.shadow.empty() && put_in_shadow(*bus_, *supervisor_, stack_.shadow))
+    say("'" + stack_.shadow + "' shadows it: GAP is the difference");
+  // The first ticks of a source and a controller fill caches and page tables: they are run, but not counted.
+  if (!request_.lockstep) bus_->listen(kSettle);
+  start_ns_ = monotonic_ns();
+  first_tick_ = bus_->seen().newest_state().tick;
+  at_start_ = missed_so_far(bus_->seen(), start_ns_);
+  if (!request_.lockstep) bus_->seen().restart_counts();
+  say(std::string(request_.lockstep ? "in lock-step, without FIFO priority"
+                  : runs_at_fifo(bus_->seen(), start_ns_)
+                      ? "source and controller run with FIFO priority"
+                      : "WITHOUT FIFO priority (./twinbus doctor --rt says why)") +
+      "; output of each process: " + folder_);
+  for (const SeenProcess* process : bus_->seen().processes(start_ns_))
+    shares_.of(process->beat.pid, start_ns_);
+  if (!watch_address_.empty()) say("to watch and stop from a phone: " + watch_address_);
+  if (!viewer_address_.empty()) say("viewer: " + viewer_address_);
+}
+
+// A simulator publishes the modes and goals of its scene itself; where a robot is the first source, this does.
+void Up::send_script() {
+  const StackProcess* first = stack_.find(stack_.activate);
+  if (first == nullptr || first->program == "twinbus_simulator") return;
+  const Lookout& seen = bus_->seen();
+  const RobotState& state = seen.newest_state();
+  const auto due = [&](double at, std::int64_t& at_tick) {
+    at_tick = first_tick_ + static_cast<std::int64_t>(at / request_.period + 0.5);
+    return state.tick + kScriptAhead >= at_tick;
+  };
+  std::int64_t at_tick = 0;
+  while (modes_sent_ < scene_.modes.size() && due(scene_.modes[modes_sent_].at, at_tick)) {
+    ModeRequest request = scene_.modes[modes_sent_++].request;
+    request.run_id = state.run_id;
+    request.at_tick = std::max(at_tick, state.tick + kScriptAhead / 2);
+    for (int i = 0; i < kScriptRepeats; ++i) bus_->send(request);  // the same sequence: counts once
+  }
+  while (goals_sent_ < scene_.goals.size() && due(scene_.goals[goals_sent_].at, at_tick)) {
+    ArmGoal goal = scene_.goals[goals_sent_++].goal;
+    goal.run_id = state.run_id;
+    goal.goal_id = random_id();
+    for (int i = 0; i < kScriptRepeats; ++i) bus_->send(goal);
+  }
+}
+
+// As if it had been started so: the run begins anew, its log goes on.
+void Up::set_up(const std::string& wish) {
+  std::string problem;
+  try {
+    const Setup setup = wishes_->prepare(wish, request_.robot, stack_, bus_->seen());
+    scene_ = load_scene(setup.scene);
+    resolve_poses(scene_, load_robot(setup.robot));
+    fill_in(setup, values_);
+    supervisor_->fit(values_);
+    start_anew(stack_, *supervisor_, *bus_);
+    activate();
+    modes_sent_ = goals_sent_ = 0;
+    wait_for_first_commands();
+  } catch (const std::exception& error) {
+    problem = error.what();
+  }
+  // It comes back as an event and is said then.
+  bus_->tell(wishes_->answer(wish, problem), problem.empty() ? 0 : 2);
+}
+
+bool Up::elapsed(std::int64_t now_ns) const {
+  return request_.duration > 0.0 && !request_.lockstep &&
+         seconds(start_ns_, now_ns) >= request_.duration;
+}
+
+// A required process is gone for good, or every source is and nobody starts one anew.
+bool Up::is_over(std::int64_t now_ns) {
+  if (supervisor_->broken()) return true;
+  if (!supervisor_->every_source_ended()) {
+    sourceless_ns_ = 0;
+    return false;
+  }
+  if (sourceless_ns_ == 0) {
+    sourceless_ns_ = now_ns;
+    say("no source is left: ./twinbus restart NAME starts one anew; else all ends in 10 s");
+  }
+  return seconds(sourceless_ns_, now_ns) > kWithoutSource;
+}
+
+void Up::show(std::int64_t now_ns) {
+  for (const std::string& event : bus_->seen().take_events()) say(event);
+  for (const std::string& alarm : health_.look(bus_->seen().processes(now_ns), now_ns))
+    bus_->alarm(alarm);  // it comes back as an event and is said then
+  if (shown_ns_ != 0 && seconds(shown_ns_, now_ns) < (terminal_ ? kTableEvery : kLineEvery)) return;
+  shown_ns_ = now_ns;
+  if (!terminal_) {
+    char time[32];
+    std::snprintf(time, sizeof time, "%6.1f s  ", seconds(start_ns_, now_ns));
+    say(time + summary_line(bus_->seen(), now_ns));
+    return;
+  }
+  std::vector<std::string> lines = table_lines(bus_->seen(), shares_, now_ns);
+  char title[200];
+  std::snprintf(title, sizeof title,
+                "twinbus up %s: %s, %s, stack %s, %.1f s%s%s   (Ctrl-C stops everything)",
+                request_.scene.c_str(), request_.robot.c_str(), request_.engine.c_str(),
+                stack_.name.c_str(), seconds(start_ns_, now_ns),
+                viewer_address_.empty() ? "" : ", ", viewer_address_.c_str());
+  lines.insert(lines.begin(), title);
+  redraw_.draw(lines);
+}
+
+bool Up::work() {
+  const bool ends_itself = request_.lockstep && request_.duration > 0.0;
+  while (!quit_requested()) {
+    bus_->receive(0.02);
+    const std::int64_t now = monotonic_ns();
+    if (ends_itself) {
+      for (const Supervised& one : supervisor_->processes()) {
+        const bool gone = one.process.name == stack_.activate && !one.child.empty() &&
+                          one.child.front().wait_is_over();
+        if (gone) {
+          // What is still in the socket: a launcher without priority may be seconds behind.
+          for (std::int64_t heard = -1; heard != bus_->seen().state().received();) {
+            heard = bus_->seen().state().received();
+            bus_->listen(0.1);
+          }
+          return true;
+        }
+      }
+    }
+    supervisor_->watch(now);
+    restarts_->look(*supervisor_, now);
+    if (const std::string wish = wishes_->take(now); !wish.empty()) set_up(wish);
+    note_ready();
+    if (is_over(now)) return false;
+    send_script();
+    if (elapsed(now)) return true;
+    show(now);
+  }
+  return true;
+}
+
+std::string Up::cpu_line(std::int64_t now_ns) {
+  std::string line = "CPU:";
+  double all = 0.0;
+  char part[64];
+  for (const SeenProcess* process : bus_->seen().processes(now_ns)) {
+    const double share = shares_.of(process->beat.pid, now_ns);
+    all += share;
+    std::snprintf(part, sizeof part, " %s %.0f %%,", process_name(process->beat.kind), 1e2 * share);
+    line += part;
+  }
+  std::snprintf(part, sizeof part, " together %.2f of %ld CPUs", all,
+                sysconf(_SC_NPROCESSORS_ONLN));
+  return line + part;
+}
+
+bool Up::judge_and_report(bool whole, double wall_s) {
+  const std::int64_t now = monotonic_ns();
+  RunVerdict verdict = judge(bus_->seen(), request_, at_start_, now);
+  if (request_.lockstep) {
+    // The source has ended by itself, so it is no longer active: only ticks and falls count.
+    std::erase_if(verdict.failures,
+                  [](const std::string& failure) { return failure.starts_with("no source"); });
+    const auto wanted = static_cast<std::int64_t>(request_.duration / request_.period + 0.5);
+    if (whole && verdict.ticks < wanted) {
+      verdict.failures.push_back(std::to_string(verdict.ticks) + " of " + std::to_string(wanted) +
+                                 " ticks came");
+    }
+  }
+  if (!whole) verdict.failures.push_back("a required process ended");
+  verdict.passed = verdict.failures.empty();
+  redraw_.clear();
+  for (const std::string& line : verdict_lines(verdict, request_)) say(line);
+  say(cpu_line(now));
+  const std::string hash = request_.lockstep ? hash_.text() : "";
+  if (!hash.empty()) say("state_hash " + hash);
+  const std::string json = report_json(verdict, request_, bus_->seen(), wall_s, hash);
+  write_file(folder_ + "/report.json", json);
+  if (!report_.empty()) write_file(report_, json);
+  return verdict.passed;
+}
+
+int Up::run() {
+  say("stack " + stack_.name + ", scene " + request_.scene + ", robot " + request_.robot +
+      ", bus " + bus_->url());
+  start_all();
+  if (!quit_requested()) activate();
+  if (!quit_requested()) wait_for_first_commands();
+  bool good = true;
+  if (start_ns_ != 0) {
+    good = work();
+    const double wall_s = seconds(start_ns_, monotonic_ns());
+    const bool asked_to_judge = request_.duration > 0.0 && !quit_requested();
+    if (asked_to_judge || !good) good = judge_and_report(good, wall_s);
+  }
+  redraw_.leave();
+  say("stops " + std::to_string(supervisor_->processes().size()) + " processes");
+  const bool ended_well = supervisor_->stop_all();
+  say(ended_well ? "all processes ended" : "all processes ended, not all of them well");
+  return good ? 0 : 1;
+}
+
+}  // namespace
+
+int up_command(const std::vector<std::string>& words) {
+  const Arguments arguments(up_syntax(), words);
+  catch_quit_signals();
+  Up up(arguments);
+  return up.run();
+}
+
+}  // namespace twinbus

@@ -1,0 +1,46 @@
+#include "launcher/up/up_syntax.h"
+
+#include "launcher/stack/stack.h"
+
+namespace twinbus {
+
+Syntax up_syntax() {
+  std::string stacks;
+  for (const std::string& name : stack_names()) stacks += (stacks.empty() ? "" : ", ") + name;
+  return {
+      "up",
+      "[SCENE]",
+      "Starts the processes of a stack, activates its source, shows what runs and stops "
+      "everything on Ctrl-C.\n"
+      "SCENE is a name in config/scenes or a file; default: stand.  With --for the run is "
+      "judged: exit status 0 only\n"
+      "if STATE and COMMAND kept their rate, at most 0.1 % of the ticks were missed (1 % "
+      "without FIFO) and nobody fell.\n"
+      "A tick that was missed only because the machine itself stood still is told, but not "
+      "held against the stack.",
+      {robot_option(),
+       {"--stack", "NAME", "of config/stacks (" + stacks + "), or a file; default sim"},
+       {"--engine", "E", "articulated or ode; default the scene's"},
+       {"--lockstep", "",
+        "each tick waits for its command: slower or faster than real time, repeatable"},
+       {"--rate", "X", "times real time; default 1"},
+       {"--for", "S", "seconds; then stops, judges and exits"},
+       {"--seed", "N", "of noise and perturbations"},
+       {"--set", "KEY=VALUE",
+        "setting of the simulator, as in model.mass_scale=1.03; may be repeated"},
+       {"--no-viewer", "", "without the page in the browser"},
+       {"--listen", "ADDR",
+        "an address of this machine on which a phone may watch and stop, with the token that is "
+        "printed; 0.0.0.0: all"},
+       {"--no-record", "", "without a log of the run in its folder"},
+       {"--log", "FILE", "of --stack replay: the log that is played"},
+       {"--no-fifo", "", "ordinary priority for every process"},
+       {"--report", "F", "writes the figures as JSON"},
+       prefix_option(),
+       url_option(),
+       allow_option()},
+      0,
+      1};
+}
+
+}  // namespace twinbus

@@ -1,0 +1,189 @@
+// Copies the fields of a message one way and judges each; convert.cpp lists the fields, this knows
+// the rules.
+//
+// Only convert.cpp includes it.
+
+#pragma once
+
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+#include "lcmtypes/msg/journal.h"
+#include "lcmtypes/msg/requests.h"
+#include "lcmtypes/msg/robot_io.h"
+#include "lcmtypes/msg/status.h"
+#include "lcmtypes/msg/step_list.h"
+
+namespace twinbus {
+
+inline constexpr double kLargestNumber = 1e12;  // in any SI unit; its square still fits a float
+inline constexpr std::int64_t kIds = std::int64_t{1} << 53;
+inline constexpr std::int64_t kInstants = std::int64_t{1}
+                                          << 62;  // [ns, us] differences do not overflow
+inline constexpr std::int32_t kCounts =
+    std::int32_t{1} << 30;  // terms and sequences: adding to them does not overflow
+
+constexpr int last_of(SourceKind) { return static_cast<int>(SourceKind::kReplay); }
+constexpr int last_of(Role) { return static_cast<int>(Role::kStopped); }
+constexpr int last_of(StopKind) { return static_cast<int>(StopKind::kOff); }
+constexpr int last_of(WrenchKind) { return static_cast<int>(WrenchKind::kEstimated); }
+constexpr int last_of(StopReason) { return static_cast<int>(StopReason::kSwitch); }
+constexpr int last_of(SourceAction) { return static_cast<int>(SourceAction::kPark); }
+constexpr int last_of(SwitchPolicy) { return static_cast<int>(SwitchPolicy::kWhenSafe); }
+constexpr int last_of(Refusal) { return 127; }  // programs print the unknown ones as numbers
+constexpr int last_of(Mode) { return static_cast<int>(Mode::kStop); }
+constexpr int last_of(Motion) { return static_cast<int>(Motion::kSquat); }
+constexpr int last_of(FootSide) { return static_cast<int>(FootSide::kRight); }
+constexpr int last_of(ArmSide) { return static_cast<int>(ArmSide::kRight); }
+constexpr int last_of(ArmGoalKind) { return static_cast<int>(ArmGoalKind::kPose); }
+constexpr int last_of(ArmPathStatus) { return static_cast<int>(ArmPathStatus::kBadGoal); }
+constexpr int last_of(GuardVerdict) { return static_cast<int>(GuardVerdict::kInCollision); }
+constexpr int last_of(ProcessKind) { return static_cast<int>(ProcessKind::kUser); }
+constexpr int last_of(JournalInput) { return static_cast<int>(JournalInput::kSteps); }
+constexpr int last_of(ObstacleShape) { return static_cast<int>(ObstacleShape::kCylinder); }
+
+// Copies fields one way and judges what it copied.  The first objection stays.
+template <bool to_message>
+class Copier {
+ public:
+  Status status() const noexcept { return status_; }
+
+  // A number, a flag, an enumeration, or an array of them.
+  template <class M, class S>
+  void operator()(M& m, S& s) noexcept {
+    if constexpr (std::is_array_v<M>) {
+      for (std::size_t i = 0; i < std::extent_v<M>; ++i) (*this)(m[i], s[i]);
+    } else {
+      using Field = std::remove_const_t<S>;
+      if constexpr (std::is_enum_v<Field>) {
+        if (!(m_value(m, s) >= 0 && m_value(m, s) <= last_of(Field{}))) refuse(Status::kOutOfRange);
+      } else if constexpr (std::is_same_v<Field, bool>) {
+        if (!(m_value(m, s) == 0 || m_value(m, s) == 1)) refuse(Status::kOutOfRange);
+      } else if constexpr (std::is_floating_point_v<Field>) {
+        const auto x = m_value(m, s);
+        if (!std::isfinite(x)) refuse(Status::kNotFinite);
+        if (!(std::abs(x) <= static_cast<decltype(x)>(kLargestNumber))) refuse(Status::kOutOfRange);
+      }
+      copy(m, s);
+    }
+  }
+
+  // An integer or number that must lie in low .. high.
+  template <class M, class S, class Limit>
+  void within(M& m, S& s, Limit low, Limit high) noexcept {
+    if (!(m_value(m, s) >= low && m_value(m, s) <= high)) refuse(Status::kOutOfRange);
+    (*this)(m, s);
+  }
+  template <class M, class S>
+  void id(M& m, S& s) noexcept {
+    within(m, s, std::int64_t{0}, kIds - 1);
+  }
+  template <class M, class S>
+  void instant(M& m, S& s) noexcept {
+    within(m, s, std::int64_t{0}, kInstants);
+  }
+  template <class M, class S>
+  void counter(M& m, S& s) noexcept {
+    within(m, s, std::int32_t{0}, kCounts);
+  }
+  // What a struct does not have: zero in its message, and judged like the rest.
+  template <class M>
+  void leave_out(M& m) noexcept {
+    if constexpr (std::is_array_v<M>) {
+      for (auto& x : m) leave_out(x);
+    } else {
+      std::remove_const_t<M> nothing = 0;
+      (*this)(m, nothing);
+    }
+  }
+  // How many entries of an array are in use.
+  template <class M, class S>
+  void count(M& m, S& s, int most) noexcept {
+    if (!(m_value(m, s) >= 0 && m_value(m, s) <= most)) refuse(Status::kWrongSize);
+    copy(m, s);
+  }
+  template <class M, class S>
+  void joint_count(M& m, S& s) noexcept {
+    count(m, s, kMaxJoints);
+  }
+  // Entries beyond used come out as zero.
+  template <class M, class S>
+  void per_joint(M& m, S& s, int used) noexcept {
+    (*this)(m, s);
+    for (int i = used < 0 ? 0 : used; i < kMaxJoints; ++i) {
+      if constexpr (to_message)
+        m[i] = 0;
+      else
+        s[static_cast<std::size_t>(i)] = 0;
+    }
+  }
+  template <class M, class S>
+  void rotation(M& m, S& s, bool needed) noexcept {
+    (*this)(m, s);
+    double square = 0;
+    for (const auto x : s) square += static_cast<double>(x) * static_cast<double>(x);
+    if (needed && !(std::abs(square - 1.0) <= 0.01)) refuse(Status::kOutOfRange);
+  }
+  // Piece number and number of pieces.
+  template <class M, class S>
+  void pieces(M& m, S& s) noexcept {
+    within(m.pieces, s.pieces, 0, 16000);
+    within(m.piece, s.piece, 0, s.pieces > 0 ? s.pieces - 1 : 0);
+  }
+  // Zero-terminated, for people: control characters become '?', so that no text can drive a
+  // terminal.
+  template <class M, class S>
+  void text(M& m, S& s) noexcept {
+    bool ended = false;
+    for (std::size_t i = 0; i < s.size(); ++i) {
+      copy(m[i], s[i]);
+      const char c = s[i];
+      ended = ended || c == '\0';
+      const bool control = !ended && static_cast<unsigned char>(c) < 0x20;
+      if constexpr (to_message) {
+        if (ended)
+          m[i] = 0;
+        else if (control || c == 0x7f)
+          m[i] = '?';
+      } else {
+        if (ended)
+          s[i] = '\0';
+        else if (control || c == 0x7f)
+          s[i] = '?';
+      }
+    }
+    if (!ended) refuse(Status::kWrongSize);
+  }
+  void require(bool condition) noexcept {
+    if (!condition) refuse(Status::kOutOfRange);
+  }
+
+ private:
+  template <class M, class S>
+  static auto m_value(const M& m, const S& s) noexcept {
+    if constexpr (!to_message)
+      return m;
+    else
+      return static_cast<M>(s);
+  }
+  template <class M, class S>
+  static void copy(M& m, S& s) noexcept {
+    if constexpr (to_message)
+      m = static_cast<M>(s);
+    else
+      s = static_cast<S>(m);
+  }
+  void refuse(Status why) noexcept {
+    if (status_ == Status::kOk) status_ = why;
+  }
+
+  Status status_ = Status::kOk;
+};
+
+template <class S, class T>
+concept Is = std::same_as<std::remove_const_t<S>, T>;
+
+}  // namespace twinbus

@@ -1,0 +1,116 @@
+// The journal of a process that answers states: which messages it consumed, in which order, for which answer.
+//
+// Control depends on states, messages and instants given to it, and on nothing else; so whoever has the messages (a log)
+// and this journal can compute every answer again bit for bit.  Messages are named by a hash of their bytes.
+
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <span>
+
+#include "lcmtypes/msg/requests.h"
+
+namespace twinbus {
+
+// 64 bits; any changed bit changes it.
+inline std::int64_t content_hash(std::span<const std::uint8_t> bytes) noexcept {
+  constexpr std::uint64_t kPrime = 0x9e3779b97f4a7c15ULL;
+  std::uint64_t hash = (bytes.size() + 1) * kPrime;
+  for (std::size_t at = 0; at < bytes.size(); at += 8) {
+    std::uint64_t word = 0;
+    std::memcpy(&word, bytes.data() + at, bytes.size() - at < 8 ? bytes.size() - at : 8);
+    hash = (hash ^ word) * kPrime;
+    hash ^= hash >> 29;
+  }
+  return static_cast<std::int64_t>(hash);
+}
+
+enum class JournalInput : std::int8_t {
+  kNone = 0,
+  kMode = 1,
+  kWalk = 2,
+  kGamepad = 3,
+  kPath = 4,
+  kGoal = 5,
+  kStop = 6,
+  kGuard = 7,
+  kObstacles = 8,
+  kTakeObstacles = 9,  // no message: the collected obstacles become those of the guard
+  kCommand = 10,
+  kSteps = 11
+};
+
+inline constexpr std::size_t kJournalInputs = 24;
+
+struct JournalPage {  // journal_t
+  std::int64_t process_id = 0;
+  std::int64_t page = 0;
+  std::int64_t step = 0;
+  std::int64_t run_id = 0;
+  std::int64_t tick = 0;
+  std::int64_t now_ns = 0;
+  std::int64_t state_hash = 0;
+  std::int64_t answer_hash = 0;
+  std::int64_t report_hash = 0;
+  std::array<std::int64_t, kJournalInputs> input_hash{};
+  std::array<std::int64_t, kJournalInputs> input_ns{};
+  std::array<double, 4> setting{};
+  std::int16_t inputs = 0;
+  ProcessKind kind = ProcessKind::kNone;
+  bool whole = false;
+  std::array<JournalInput, kJournalInputs> input{};
+};
+
+// Collects one page after another.  send(const JournalPage&) is called when a page is full or its answer is there.
+template <class Send>
+class JournalWriter {
+ public:
+  JournalWriter(ProcessKind kind, std::int64_t process_id, const std::array<double, 4>& setting,
+                Send send) noexcept
+      : send_(send) {
+    page_.kind = kind;
+    page_.process_id = process_id;
+    page_.setting = setting;
+  }
+
+  void consumed(JournalInput input, std::span<const std::uint8_t> bytes,
+                std::int64_t now_ns) noexcept {
+    if (static_cast<std::size_t>(page_.inputs) == kJournalInputs) put(false);
+    const auto i = static_cast<std::size_t>(page_.inputs++);
+    page_.input[i] = input;
+    page_.input_hash[i] = bytes.empty() ? 0 : content_hash(bytes);
+    page_.input_ns[i] = now_ns;
+  }
+
+  // The step that answered, or did not answer, this state; hashes of what was sent, 0 for nothing.
+  void stepped(const RobotState& state, std::int64_t state_hash, std::int64_t now_ns,
+               std::int64_t answer_hash, std::int64_t report_hash) noexcept {
+    page_.run_id = state.run_id;
+    page_.tick = state.tick;
+    page_.state_hash = state_hash;
+    page_.now_ns = now_ns;
+    page_.answer_hash = answer_hash;
+    page_.report_hash = report_hash;
+    put(true);
+    ++page_.step;
+  }
+
+ private:
+  void put(bool whole) noexcept {
+    page_.whole = whole;
+    send_(page_);
+    ++page_.page;
+    page_.inputs = 0;
+    page_.input.fill(JournalInput::kNone);
+    page_.input_hash.fill(0);
+    page_.input_ns.fill(0);
+    if (whole) page_.answer_hash = page_.report_hash = page_.state_hash = 0;
+  }
+
+  Send send_;
+  JournalPage page_;
+};
+
+}  // namespace twinbus

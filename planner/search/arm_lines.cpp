@@ -1,0 +1,84 @@
+#include "planner/search/arm_lines.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/math/index.h"
+
+namespace twinbus {
+
+namespace {
+
+constexpr int kMostBalls = 8;  // along a link
+
+std::vector<std::pair<int, int>> pairs_of(const Collision& collision,
+                                          const std::vector<BallGroup>& groups) {
+  std::vector<std::pair<int, int>> pairs;
+  const auto group_of = [&](int link) {
+    const auto found = std::find_if(groups.begin(), groups.end(),
+                                    [&](const BallGroup& g) { return g.link == link; });
+    return static_cast<int>(found - groups.begin());
+  };
+  for (const CollisionPair& pair : collision.pairs())
+    pairs.emplace_back(group_of(pair.link_a), group_of(pair.link_b));
+  return pairs;
+}
+
+}  // namespace
+
+SearchPoint to_search(const JointPoint& q) {
+  SearchPoint point{};
+  for (int j = 0; j < q.size(); ++j) point[at(j)] = static_cast<float>(q[j]);
+  return point;
+}
+
+JointPoint from_search(const SearchPoint& q, int joints) {
+  JointPoint point(joints);
+  for (int j = 0; j < joints; ++j) point[j] = static_cast<double>(q[at(j)]);
+  return point;
+}
+
+// Balls are larger by the clearance, so two of them keep more than that.
+ArmLines::ArmLines(const Model& model, EdgeCheck& exact, const Collision& collision,
+                   const std::vector<BallGroup>& groups, const std::vector<Obstacle>& obstacles)
+    : exact_(&exact),
+      scene_(obstacles),
+      robot_(compile_robot(model, exact.posture(), exact.joints(), groups,
+                           pairs_of(collision, groups), exact.clearance())),
+      check_(robot_, scene_) {}
+
+bool ArmLines::free(const SearchPoint& from, const SearchPoint& step, float) {
+  if (check_.line_certain(from.data(), step.data())) {
+    ++proved_;
+    return true;
+  }
+  ++settled_;
+  SearchPoint to = from;
+  for (std::size_t j = 0; j < to.size(); ++j) to[j] += step[j];
+  return exact_->line_free(from_search(from, robot_.joints), from_search(to, robot_.joints));
+}
+
+std::vector<BallGroup> balls_along_links(const Model& model) {
+  std::vector<BallGroup> groups;
+  for (const LinkGeometry& link : build_geometry(model, {.balls = false}).links) {
+    const Capsule& capsule = link.capsule;
+    const Eigen::Vector3d along = capsule.b - capsule.a;
+    const int count = std::clamp(static_cast<int>(std::ceil(along.norm() / (0.7 * capsule.radius))),
+                                 1, kMostBalls);
+    // A ball holds its share of the capsule: half a share along, the radius across.
+    const double half = 0.5 * along.norm() / count;
+    BallGroup group = group_from(link);
+    group.pieces.resize(1);  // the hull
+    for (int i = 0; i < count; ++i) {
+      group.balls.push_back(
+          {capsule.a + (i + 0.5) / count * along, std::hypot(capsule.radius, half)});
+    }
+    // The round ends stick out of the last balls.
+    group.balls.push_back({capsule.a, capsule.radius});
+    group.balls.push_back({capsule.b, capsule.radius});
+    groups.push_back(std::move(group));
+  }
+  return groups;
+}
+
+}  // namespace twinbus

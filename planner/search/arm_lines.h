@@ -1,0 +1,41 @@
+// Straight lines of an arm as a search asks for them: balls around the links prove most of them free
+// in microseconds, exact distances settle the rest.
+
+#pragma once
+
+#include <vector>
+
+#include "planner/batch/check.h"
+#include "planner/search/edge_check.h"
+#include "planner/search/rrt_connect.h"
+
+namespace twinbus {
+
+SearchPoint to_search(const JointPoint& q);
+JointPoint from_search(const SearchPoint& q, int joints);
+
+class ArmLines : public LineTest {
+ public:
+  // exact: with its clearance set; must outlive this.  groups: balls of all links of the model.
+  ArmLines(const Model& model, EdgeCheck& exact, const Collision& collision,
+           const std::vector<BallGroup>& groups, const std::vector<Obstacle>& obstacles);
+
+  bool free(const SearchPoint& from, const SearchPoint& step, float length) override;
+
+  std::int64_t proved() const { return proved_; }    // lines that balls were enough for
+  std::int64_t settled() const { return settled_; }  // lines that took exact distances
+  SearchLimits limits() const { return {.lower = robot_.lower, .upper = robot_.upper}; }
+
+ private:
+  EdgeCheck* exact_;
+  BlockScene scene_;
+  BlockRobot robot_;
+  BlockCheck check_;
+  std::int64_t proved_ = 0, settled_ = 0;
+};
+
+// Balls of all links: along each link's capsule, which holds its triangles.  Throws as
+// build_geometry.
+std::vector<BallGroup> balls_along_links(const Model& model);
+
+}  // namespace twinbus

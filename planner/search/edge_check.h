@@ -1,0 +1,67 @@
+// Straight lines in joint space against the robot's own body and the obstacles, with no gap for
+// anything to slip through.
+//
+// A point on a link moves at most
+//
+//     |dx| <= sum over joints of reach_j |dq_j|
+//
+// where reach_j is the largest distance of any link point from joint j's axis in any posture.  A
+// line is sampled so finely that this bound is at most twice the clearance between two samples;
+// every sample keeps the clearance, so no posture between them touches.
+
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "planner/search/free_space.h"
+#include "robot/collision/collision.h"
+#include "robot/kinematics/kinematics.h"
+#include "robot/description/model.h"
+
+namespace twinbus {
+
+class EdgeCheck : public FreeSpace {
+ public:
+  // Everything but `joints` (model indices) stays as in posture.  clearance [m], positive.  model
+  // and collision must outlive this; collision must already know the obstacles, in the world of the
+  // posture's base.
+  EdgeCheck(const Model& model, Collision& collision, const Configuration& posture,
+            const std::vector<int>& joints, double clearance);
+
+  bool point_free(const JointPoint& q) override;
+  bool line_free(const JointPoint& from, const JointPoint& to) override;
+
+  // Every point of a cubic, given by its Bezier points: it stays in their hull, so from its middle
+  // no point of the robot moves farther than the bound above of the farthest of them. Halved until
+  // that proves that the clearance is kept; no is also said when that takes too long.
+  bool curve_free(const std::array<JointPoint, 4>& curve, int halvings = 12);
+
+  // Which pair is in the way at q; false when none is.
+  bool who_is_near(const JointPoint& q, double clearance, CollisionPair& pair);
+  // Distance of the nearest pair at q, at most `far` [m].
+  double nearest(const JointPoint& q, double far);
+  // The most any point of the robot moves between two postures [m].
+  double motion_bound(const JointPoint& from, const JointPoint& to) const;
+
+  void set_clearance(double clearance) { clearance_ = clearance; }
+  void set_base(const Eigen::Isometry3d& base) { posture_.base = base; }  // in the world
+  double clearance() const { return clearance_; }
+  std::int64_t checks() const { return checks_; }  // postures looked at so far
+  const Kinematics& kinematics_at(const JointPoint& q);
+  const std::vector<int>& joints() const { return joints_; }
+  const Configuration& posture() const { return posture_; }
+
+ private:
+  const Model* model_;
+  Collision* collision_;
+  Configuration posture_;
+  Kinematics kinematics_;
+  std::vector<int> joints_;
+  JointPoint reach_;  // [m/rad or m/m]
+  double clearance_;
+  std::int64_t checks_ = 0;
+};
+
+}  // namespace twinbus

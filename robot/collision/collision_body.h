@@ -1,0 +1,47 @@
+// The shapes of links and obstacles as Collision wants them.
+
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "geometry/distance/convex_shape.h"
+#include "robot/collision/links/link_geometry.h"
+#include "geometry/distance/gjk.h"
+#include "geometry/distance/mesh_distance.h"
+#include "robot/description/model.h"
+
+namespace twinbus {
+
+struct FclShape;  // collision_fcl.h
+
+struct CollisionShape {  // one shape, of a link or an obstacle
+  ConvexShape convex;
+  double radius = 0.0;  // of the sphere around it [m]
+  Capsule capsule;      // around it, in its frame
+  GjkShape core;        // the same, or the hull of a mesh
+  Eigen::Isometry3d local =
+      Eigen::Isometry3d::Identity();  // of the convex shape, in the link frame (obstacle: world)
+  Eigen::Isometry3d world = Eigen::Isometry3d::Identity();
+  std::int64_t stamp = -1;              // query that world belongs to
+  std::shared_ptr<ClusteredMesh> mesh;  // in the frame of the convex shape; null for a hull
+  std::shared_ptr<FclShape> fcl;        // what the oracle asks
+};
+
+struct CollisionOwner {  // a link or an obstacle: its shapes and the sphere around them
+  int link = -1;         // -1: obstacle
+  std::vector<CollisionShape> shapes;
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();  // in the link frame (obstacle: world)
+  double radius = 0.0;
+  Eigen::Vector3d center_in_world = Eigen::Vector3d::Zero();
+};
+
+// Throws std::runtime_error when a mesh cannot be read.  Meshes of very many triangles become hulls.
+CollisionShape collision_shape(const Shape& shape);
+
+// Computes the sphere.
+void enclose(CollisionOwner& owner);
+
+}  // namespace twinbus

@@ -1,0 +1,21 @@
+// Which pairs of links are worth checking: all that bear geometry, but neighbours and the SRDF's
+// disabled pairs.
+
+#pragma once
+
+#include <vector>
+
+#include "robot/collision/collision.h"
+#include "robot/description/model.h"
+
+namespace twinbus {
+
+// Neighbours: the nearest ancestor of one that bears any geometry is the other, or a loop of
+// robot.yaml pins one to the other.
+std::vector<CollisionPair> pairs_to_check(const Model& model);
+
+// Does joint j move link a with respect to link b (b < 0: with respect to the base, which obstacles
+// stand still with)?
+bool joint_moves_pair(const Model& model, int joint, int link_a, int link_b);
+
+}  // namespace twinbus

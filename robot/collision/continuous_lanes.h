@@ -1,0 +1,220 @@
+// The kernels of SweptShapes, a lane for every place; included after float8.h.
+
+constexpr float kSweptSlack = 5e-6F;  // what single precision may lose of a gap [m]
+constexpr unsigned kAllLanes = 0xFF;
+TWINBUS_INLINE void store8(float* to, const F8& v) noexcept { __builtin_memcpy(to, &v, sizeof v); }
+
+struct Pose8 {
+  F8 column[3][3], origin[3];
+};
+TWINBUS_INLINE Pose8 pose8(const float* from) noexcept {
+  Pose8 p;
+  for (int c = 0; c < 3; ++c)
+    for (int r = 0; r < 3; ++r) p.column[c][r] = load8(from + 8 * (3 * c + r));
+  for (int r = 0; r < 3; ++r) p.origin[r] = load8(from + 8 * (9 + r));
+  return p;
+}
+TWINBUS_INLINE void store_pose8(float* to, const Pose8& p) noexcept {
+  for (int c = 0; c < 3; ++c)
+    for (int r = 0; r < 3; ++r) store8(to + 8 * (3 * c + r), p.column[c][r]);
+  for (int r = 0; r < 3; ++r) store8(to + 8 * (9 + r), p.origin[r]);
+}
+// Of the axis d: what the pose makes of v.
+TWINBUS_INLINE F8 turned8(const Pose8& p, int d, F8 x, F8 y, F8 z) noexcept {
+  return p.column[0][d] * x + p.column[1][d] * y + p.column[2][d] * z;
+}
+
+// Of links that are asked for and stale, which those behind them are too, until they are asked for.
+static void go(const SweptTables& t) noexcept {
+  for (int link = 1; link < t.links; ++link) {
+    const SweptHinge& hinge = t.hinge[link - 1];
+    t.stale[link] |= t.fresh[hinge.parent];
+    t.fresh[link] = t.stale[link] & t.asked[link];
+    if (t.fresh[link] == 0) continue;
+    t.stale[link] = 0;
+    const Pose8 parent = pose8(t.link_pose + 96 * hinge.parent);
+    const F8 s = load8(t.sine + 8 * (link - 1)), c = load8(t.cosine + 8 * (link - 1)),
+             slide = load8(t.slide + 8 * (link - 1));
+    Pose8 child;
+    for (int k = 0; k < 3; ++k) {
+      F8 v[3];
+      for (int r = 0; r < 3; ++r)
+        v[r] = hinge.still[k][r] + c * hinge.with_cosine[k][r] + s * hinge.with_sine[k][r];
+      for (int d = 0; d < 3; ++d) child.column[k][d] = turned8(parent, d, v[0], v[1], v[2]);
+    }
+    F8 o[3];
+    for (int r = 0; r < 3; ++r) o[r] = hinge.offset[r] + slide * hinge.slide[r];
+    for (int d = 0; d < 3; ++d)
+      child.origin[d] = parent.origin[d] + turned8(parent, d, o[0], o[1], o[2]);
+    store_pose8(t.link_pose + 96 * link, child);
+  }
+  for (int i = 0; i < t.parts; ++i) {
+    const SweptPart& part = t.part[i];
+    if (part.link < 0 || t.fresh[part.link] == 0) continue;
+    const Pose8 link = pose8(t.link_pose + 96 * part.link);
+    Pose8 p = link;
+    if (part.turned) {
+      for (int k = 0; k < 3; ++k)
+        for (int d = 0; d < 3; ++d)
+          p.column[k][d] = turned8(link, d, all(part.column[k][0]), all(part.column[k][1]),
+                                   all(part.column[k][2]));
+    }
+    for (int d = 0; d < 3; ++d)
+      p.origin[d] = link.origin[d] +
+                    turned8(link, d, all(part.origin[0]), all(part.origin[1]), all(part.origin[2]));
+    store_pose8(t.part_pose + 96 * i, p);
+  }
+}
+
+// What joints leave out by themselves, then what links do and how far they go, seen from link 0: the
+// reach of a joint is the radius of the link and the length of the stretched chain between, so that the
+// sum over the joints is (radius + length) times one sum, less another.
+static void leave_out(const SweptTables& t) noexcept {
+  for (int link = 1; link < t.links; ++link) {
+    if (t.fresh[link] == 0) continue;
+    const SweptHinge& hinge = t.hinge[link - 1];
+    const F8 step = load8(t.moves + 8 * (link - 1)), bend = load8(t.bend + 8 * (link - 1));
+    const F8 move = step * 0.5F, way = step + 2.0F * bend;
+    const F8 before = load8(t.turn + 8 * hinge.parent);
+    const F8 own = hinge.turns ? move : all(0.0F);
+    const F8 left = bend + move * (0.5F * own + before);
+    store8(t.turn + 8 * link, before + own);
+    store8(t.left + 8 * (link - 1), left);
+    const float turns = hinge.turns ? 1.0F : 0.0F, slides = 1.0F - turns, length = t.length[link];
+    const F8 add[4] = {left * turns, left * (turns * length - slides), way * turns,
+                       way * (turns * length - slides)};
+    F8 sum[4];
+    for (int k = 0; k < 4; ++k) {
+      sum[k] = load8(t.sums + 8 * (4 * hinge.parent + k)) + add[k];
+      store8(t.sums + 8 * (4 * link + k), sum[k]);
+    }
+    const float end = t.radius[link] + length;
+    store8(t.link_left_out + 8 * link, (end * sum[0] - sum[1]) * 1.0001F + 1e-7F);
+    t.half_travel[link] = 0.50005F * largest(end * sum[2] - sum[3]) + 1e-7F;
+  }
+}
+
+// Calls with every joint between the links of a pair, its reach and how far the joints above both turn.
+template <class Visit>
+TWINBUS_INLINE void between_links(const SweptTables& t, const SweptPair& pair,
+                                  Visit visit) noexcept {
+  for (const int link : {pair.link_a, pair.link_b}) {
+    for (int k = link; k > pair.common; k = t.hinge[k - 1].parent)
+      visit(k - 1, t.reach[link * t.joints + k - 1]);
+  }
+}
+TWINBUS_INLINE F8 pair_left_out(const SweptTables& t, const SweptPair& pair) noexcept {
+  F8 sum = all(0.0F);
+  const F8 above = load8(t.turn + 8 * pair.common);
+  between_links(t, pair, [&](int j, float reach) {
+    sum += reach * (load8(t.left + 8 * j) - 0.5F * load8(t.moves + 8 * j) * above);
+  });
+  return sum * 1.0001F;
+}
+TWINBUS_INLINE F8 pair_travel(const SweptTables& t, const SweptPair& pair) noexcept {
+  F8 sum = all(0.0F);
+  between_links(t, pair, [&](int j, float reach) {
+    sum += reach * (load8(t.moves + 8 * j) + 2.0F * load8(t.bend + 8 * j));
+  });
+  return sum * 1.0001F;
+}
+
+// How far a shape reaches along n from its middle; sign: of n, which only hulls ask for.
+TWINBUS_INLINE F8 extent8(const SweptPart& part, const Pose8& p, const F8 (&n)[3], float sign,
+                          bool hulls) noexcept {
+  if (part.kind == SweptPart::kBall) return all(part.half[0]);
+  F8 in[3];
+  for (int k = 0; k < 3; ++k)
+    in[k] = p.column[k][0] * n[0] + p.column[k][1] * n[1] + p.column[k][2] * n[2];
+  if (part.kind == SweptPart::kCylinder)
+    return root(in[0] * in[0] + in[1] * in[1]) * part.half[0] + size(in[2]) * part.half[1];
+  if (!hulls || part.corners == 0)
+    return size(in[0]) * part.half[0] + size(in[1]) * part.half[1] + size(in[2]) * part.half[2];
+  F8 far = all(-1e9F);
+  const float *x = part.corner, *y = x + part.corners, *z = y + part.corners;
+  for (int k = 0; k < part.corners; ++k)
+    far = most(far, (in[0] * x[k] + in[1] * y[k] + in[2] * z[k]) * sign);
+  return far;
+}
+
+// n: in the axes of the link that both hang on.
+TWINBUS_INLINE F8 gaps8(const SweptTables& t, const SweptPair& pair, const float* n0,
+                        bool hulls) noexcept {
+  const Pose8 a = pose8(t.part_pose + 96 * pair.a), b = pose8(t.part_pose + 96 * pair.b);
+  const float* frame = t.link_pose + 96 * pair.common;
+  F8 n[3];
+  for (int d = 0; d < 3; ++d)
+    n[d] = load8(frame + 8 * d) * n0[0] + load8(frame + 8 * (3 + d)) * n0[1] +
+           load8(frame + 8 * (6 + d)) * n0[2];
+  F8 gap = all(-kSweptSlack);
+  for (int d = 0; d < 3; ++d) gap += n[d] * (b.origin[d] - a.origin[d]);
+  return gap - extent8(t.part[pair.a], a, n, 1.0F, hulls) -
+         extent8(t.part[pair.b], b, n, -1.0F, hulls);
+}
+
+TWINBUS_INLINE F8 with_next(F8 gap) noexcept {
+  return least(gap, __builtin_shufflevector(gap, gap, 1, 2, 3, 4, 5, 6, 7, 7));
+}
+
+TWINBUS_INLINE bool parts_all_along(const SweptTables& t, const SweptPair& pair, const float* n0,
+                                    float margin, float clear) noexcept {
+  const bool meshes = t.part[pair.a].corners + t.part[pair.b].corners > 0;
+  for (int hulls = 0; hulls <= (meshes ? 1 : 0); ++hulls) {
+    const F8 gap = gaps8(t, pair, n0, hulls != 0);
+    if (bits(gap >= margin) != kAllLanes) continue;
+    const F8 between = with_next(gap) - clear;
+    const F8 from_base =
+        load8(t.link_left_out + 8 * pair.link_a) + load8(t.link_left_out + 8 * pair.link_b);
+    if (bits(between >= from_base) == kAllLanes) return true;
+    if (pair.common != 0 && bits(between >= pair_left_out(t, pair)) == kAllLanes) return true;
+  }
+  return false;
+}
+
+static int open_pairs(const SweptTables& t, const NearShapes::Candidate* shapes, int count,
+                      float margin, float clear, int* open, int capacity) noexcept {
+  int found = 0;
+  for (int i = 0; i < count; ++i) {
+    const int number = t.pair_of[shapes[i].a * t.parts + shapes[i].b];
+    SweptPair& pair = t.pair[number];
+    const float *a = t.part_pose + 96 * pair.a + 72, *b = t.part_pose + 96 * pair.b + 72;
+    const float sum = t.part[pair.a].radius + t.part[pair.b].radius + margin +
+                      t.half_travel[pair.link_a] + t.half_travel[pair.link_b] + kSweptSlack;
+    F8 far2 = all(0.0F);
+    for (int d = 0; d < 3; ++d) {
+      const F8 far = load8(b + 8 * d) - load8(a + 8 * d);
+      far2 += far * far;
+    }
+    if (bits(far2 >= all(1.0001F * sum * sum)) == kAllLanes) continue;
+    if (parts_all_along(t, pair, pair.n, margin, clear)) continue;
+    const float* frame = t.link_pose + 96 * pair.common;  // at the first place
+    float seen[3], length2 = 0.0F;
+    for (int k = 0; k < 3; ++k) {
+      seen[k] = frame[8 * 3 * k] * shapes[i].towards[0] +
+                frame[8 * (3 * k + 1)] * shapes[i].towards[1] +
+                frame[8 * (3 * k + 2)] * shapes[i].towards[2];
+      length2 += seen[k] * seen[k];
+    }
+    if (length2 > 1e-8F) {
+      const float length = __builtin_sqrtf(length2);
+      for (float& x : seen) x /= length;
+      if (parts_all_along(t, pair, seen, margin, clear)) {
+        for (int k = 0; k < 3; ++k) pair.n[k] = seen[k];
+        continue;
+      }
+    }
+    if (found < capacity) open[found] = number;
+    ++found;
+  }
+  return found;
+}
+
+static void pair_bounds(const SweptTables& t, const SweptPair& pair, float* left_out,
+                        float* travel) noexcept {
+  if (left_out != nullptr) store8(left_out, pair_left_out(t, pair));
+  if (travel != nullptr) store8(travel, pair_travel(t, pair));
+}
+static void pair_gaps(const SweptTables& t, const SweptPair& pair, const float* n0,
+                      float* gaps) noexcept {
+  store8(gaps, gaps8(t, pair, n0, true));
+}

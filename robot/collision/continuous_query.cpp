@@ -1,0 +1,248 @@
+// What Collision says of the ways that may come after a posture: where on them shapes come near, and what
+// is proved to stay apart.
+
+#include <algorithm>
+#include <cmath>
+
+#include "robot/collision/collision_impl.h"
+#include "geometry/distance/convex_shape.h"
+#include "common/math/index.h"
+
+namespace twinbus {
+
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr int kPlaces = SweptShapes::kPlaces;
+constexpr unsigned kAllPlaces = (1U << kPlaces) - 1U, kAllWays = kAllPlaces >> 1U;
+// Distances on a way are measured up to here; what is farther apart needs no more [m].
+constexpr double kFar = 0.5;
+constexpr double kFine = 1e-9;       // in double precision [m]
+constexpr int kFew = 3, kMany = 10;  // pairs left; of so many the way is cheaper than directions
+constexpr int kDirections = 6;       // asked for after a posture
+constexpr double kQuick = 0.25;      // of what travels as far a direction hardly parts any [m]
+constexpr std::uint8_t kWait = 15;   // ways until a pair is asked for a direction again
+constexpr double kClose = 1e-5;      // how exactly [m]
+constexpr double kRounding = 5e-6;   // of where shapes are in single precision [m]
+
+bool has(unsigned bits, int k) { return (bits >> static_cast<unsigned>(k) & 1U) != 0; }
+unsigned only(int k) { return 1U << static_cast<unsigned>(k); }
+double number(float x) { return static_cast<double>(x); }
+
+// The place to measure next: where they may be nearest of those that may still say something, or -1.
+int next_place(const Collision::OnWay& pair) noexcept {
+  const unsigned useful = pair.open & ~pair.hopeless;
+  const unsigned worth = (~pair.far | useful | useful << 1U) & ~pair.asked & kAllPlaces;
+  int best = -1;
+  for (int k = 0; k < kPlaces; ++k) {
+    if (has(worth, k) && (best < 0 || pair.least[at(k)] < pair.least[at(best)])) best = k;
+  }
+  return best;
+}
+
+}  // namespace
+
+// Seen from link 0.
+void Collision::Impl::let_joints_move(const Eigen::VectorXd& moves) noexcept {
+  reach->from_base(moves, travel_to);
+  for (std::size_t s = 0; s < link_shapes; ++s)
+    travel_of[s] = travel_to[at(link_of_shape[s])] + kFine;
+}
+
+void Collision::Impl::let_shapes_move(const Ahead& moved) noexcept {
+  let_joints_move(moved.moves);
+  for (std::size_t s = 0; s < link_shapes; ++s)
+    near_shapes.let_move(static_cast<int>(s), travel_of[s]);
+}
+
+// Obstacles stand in the world, in which link 0 may move: of them nothing is kept.
+void Collision::Impl::walk_on(const Ahead& to) noexcept {
+  const bool from_before = walks;
+  walks = to.q.size() == walked_to.size();
+  if (from_before && walks) {
+    step = (to.q - walked_to).cwiseAbs();
+    let_joints_move(step);
+    for (std::size_t s = 0; s < link_shapes; ++s)
+      near_shapes.walk(static_cast<int>(s), travel_of[s]);
+  } else if (walks) {
+    near_shapes.keep(static_cast<int>(link_shapes));
+  }
+  if (walks) walked_to = to.q;
+  directions_left = kDirections;
+}
+
+// The better of two directions: that of the last distance, and between the axes of the capsules.
+const Collision::Impl::Apart& Collision::Impl::apart_at(std::size_t candidate) noexcept {
+  Apart& known = apart[candidate];
+  if (known.known) return known;
+  known.known = true;
+  known.n.setZero();
+  known.gap = -kFar;
+  const ShapePair pair = shape_pair(ahead[candidate]);
+  const auto pose = [&](const CollisionOwner& owner, const CollisionShape& body) {
+    return owner.link >= 0 ? ahead_from->link_in_world(owner.link) * body.local : body.local;
+  };
+  const Eigen::Isometry3d a = pose(*pair.a, *pair.body_a), b = pose(*pair.b, *pair.body_b);
+  const double length = pair.towards.norm();
+  const Vector3d directions[] = {
+      a.linear() * pair.memory->apart,
+      length > kFine ? Vector3d(pair.towards / length) : Vector3d(Vector3d::Zero())};
+  for (const Vector3d& n : directions) {
+    if (n.isZero(0.0)) continue;
+    const double along =
+        separation({&pair.body_a->convex, &a}, {&pair.body_b->convex, &b}, n) - kFine;
+    if (along > known.gap) known.n = n, known.gap = along;
+  }
+  return known;
+}
+
+bool Collision::Impl::stays_parted(std::size_t candidate, const Eigen::VectorXd& moves,
+                                   double margin) noexcept {
+  const Apart& known = apart_at(candidate);
+  const NearShapes::Candidate& c = ahead[candidate];
+  if (!(known.gap >= margin)) return false;
+  if (known.gap - travel_of[at(c.a)] - travel_of[at(c.b)] >= margin) return true;
+  return known.gap - reach->along(known.n, *ahead_from, link_of(c.a), link_of(c.b), moves) >=
+         margin;
+}
+
+// What a direction did not part is not asked for one again at once, nor are directions looked for when
+// so much is left that the way is looked along anyway, nor on the next ways.
+bool Collision::narrow(const Eigen::VectorXd& moves, double margin,
+                       std::vector<std::uint8_t>& joints) noexcept {
+  Impl& i = *impl_;
+  const bool many = i.many_left > 0;
+  if (many) --i.many_left;
+  i.let_joints_move(moves);
+  int left = 0;
+  std::fill(joints.begin(), joints.end(), std::uint8_t{0});
+  for (std::size_t c = 0; c < i.ahead.size(); ++c) {
+    NearShapes::Candidate& candidate = i.ahead[c];
+    const double travel = i.travel_of[at(candidate.a)] + i.travel_of[at(candidate.b)];
+    if (number(candidate.bound) - travel >= margin) continue;
+    const std::size_t pair = at(candidate.a) * i.shapes.size() + at(candidate.b);
+    std::uint8_t& wait = i.not_parted[pair];
+    if (wait > 0) {
+      --wait;
+    } else if (!many && left < kFew && travel < kQuick && i.directions_left > 0) {
+      --i.directions_left;
+      const bool parted = i.stays_parted(c, moves, margin);
+      i.know(candidate, i.apart[c].gap);
+      if (parted) continue;
+      wait = kWait;
+    }
+    i.left[at(left++)] = candidate;
+    for (const int shape : {candidate.a, candidate.b}) {
+      for (int link = i.link_of(shape); link > 0 && joints[at(link - 1)] == 0;
+           link = i.model->links[at(link)].parent)
+        joints[at(link - 1)] = 1;
+    }
+  }
+  if (!many && left > kMany) i.many_left = kWait;
+  i.looked_at = {i.left.data(), at(left)};
+  return left > 0;
+}
+
+void Collision::go(const Eigen::Isometry3d& base, const SweptShapes::Way& way) noexcept {
+  impl_->swept->go(base, way);
+}
+
+int Collision::open_on_way(double margin, double clear, OnWay* pairs, int capacity) noexcept {
+  Impl& i = *impl_;
+  const int count = i.swept->open(i.looked_at, margin, clear, i.open_pairs.data(),
+                                  static_cast<int>(i.open_pairs.size()));
+  for (int p = 0; p < std::min(count, capacity); ++p) {
+    OnWay& pair = pairs[p];
+    pair.pair = i.open_pairs[at(p)];
+    const auto [a, b] = i.swept->shapes(pair.pair);
+    const OwnerPair& links = i.pairs[at(i.pair_of[at(a) * i.shapes.size() + at(b)])];
+    pair.link_a = i.index_of(i.owner(links.a));
+    pair.link_b = i.index_of(i.owner(links.b));
+    pair.margin = margin;
+    pair.clear = clear;
+  }
+  return count;
+}
+
+// What the gaps along one direction prove.
+void Collision::Impl::note(OnWay& pair, const SweptShapes::AtPlaces& gaps) const noexcept {
+  for (int k = 0; k < kPlaces; ++k) {
+    const float here = gaps[at(k)];
+    pair.least[at(k)] = std::max(pair.least[at(k)], here);
+    if (number(here) >= pair.margin) pair.far |= only(k);
+    if (k + 1 == kPlaces) break;
+    if (number(std::min(here, gaps[at(k + 1)]) - pair.left_out[at(k)]) >= pair.clear)
+      pair.open &= ~only(k);
+  }
+}
+
+void Collision::begin(OnWay& pair) noexcept {
+  SweptShapes& swept = *impl_->swept;
+  pair.open = kAllWays;
+  pair.asked = pair.far = pair.hopeless = 0;
+  pair.left_out = swept.left_out(pair.pair);
+  pair.least = swept.gaps(pair.pair, swept.remembered(pair.pair, 0), 0);
+  pair.best = number(*std::min_element(pair.least.begin(), pair.least.end()));
+  impl_->note(pair, pair.least);
+}
+
+int Collision::nearer_on_way(OnWay& pair, bool depths, int& looks, PairDistance& result) noexcept {
+  Impl& i = *impl_;
+  const auto [a, b] = i.swept->shapes(pair.pair);
+  NearShapes::Candidate candidate;
+  candidate.a = a;
+  candidate.b = b;
+  const ShapePair shapes = i.shape_pair(candidate);
+  const bool same_way =
+      shapes.body_a == &i.owner(i.shapes[at(a)].owner).shapes[at(i.shapes[at(a)].shape)];
+  i.gap.depths = depths;
+  i.gap.close = kClose;
+  for (int place = next_place(pair); place >= 0 && looks > 0; place = next_place(pair)) {
+    --looks;
+    pair.asked |= only(place);
+    ++i.query;
+    shapes.body_a->world = i.swept->pose(same_way ? a : b, place);
+    shapes.body_b->world = i.swept->pose(same_way ? b : a, place);
+    shapes.body_a->stamp = shapes.body_b->stamp = i.query;
+    const Vector3d seen = (same_way ? 1.0 : -1.0) * i.swept->remembered(pair.pair, place);
+    result = PairDistance{};
+    result.link_a = pair.link_a;
+    result.link_b = pair.link_b;
+    result.distance = kFar + 1.0;
+    const bool found =
+        i.gap.nearer(*shapes.body_a, *shapes.body_b, *shapes.memory, seen, kFar, result);
+    const double distance = found ? result.distance : kFar;
+    pair.least[at(place)] =
+        std::max(pair.least[at(place)], static_cast<float>(distance - kRounding - kClose));
+    if (found && distance > 0.0) {
+      const Vector3d direction = (same_way ? 1.0 : -1.0) * result.normal;
+      const SweptShapes::AtPlaces gaps = i.swept->gaps(pair.pair, direction, place);
+      i.note(pair, gaps);
+      const double least = number(*std::min_element(gaps.begin(), gaps.end()));
+      if (least > pair.best) {
+        pair.best = least;
+        i.swept->remember(pair.pair, direction, place);
+      }
+    }
+    for (const int way : {place - 1, place}) {
+      if (way >= 0 && way + 1 < kPlaces && distance - number(pair.left_out[at(way)]) < pair.clear)
+        pair.hopeless |= only(way);
+    }
+    if (distance < pair.margin) return place;
+    pair.far |= only(place);
+  }
+  if (next_place(pair) >= 0) {
+    pair.open = kAllWays;
+  } else if (pair.open != 0) {  // they may be too near together to be proved by any other means
+    const SweptShapes::AtPlaces travel = i.swept->travel(pair.pair);
+    for (int k = 0; k + 1 < kPlaces; ++k) {
+      if (0.5F * (pair.least[at(k)] + pair.least[at(k + 1)] - travel[at(k)]) >=
+          static_cast<float>(pair.clear))
+        pair.open &= ~only(k);
+    }
+  }
+  return -1;
+}
+
+}  // namespace twinbus

@@ -1,0 +1,218 @@
+#include "robot/collision/links/link_geometry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+
+#include "geometry/bounds/bounds.h"
+#include "geometry/bounds/convex_hull.h"
+#include "robot/collision/links/geometry_cache.h"
+#include "common/math/index.h"
+#include "geometry/bounds/shape_mesh.h"
+#include "geometry/bounds/sphere_cover.h"
+#include "geometry/bounds/triangle_clusters.h"
+
+namespace twinbus {
+
+namespace {
+
+using Eigen::Vector3d;
+
+// Bounds of links are used in single precision, up to two metres from the base.
+constexpr double kGrowLink = 1e-6, kGrowShare = 1e-5;  // [m], of the radius
+constexpr double kGrowCluster = 2e-6;                  // [m]
+constexpr double kRounding = 1e-14;                    // share, of a radius in double precision
+
+double grown_link(double radius) { return radius * (1.0 + kGrowShare) + kGrowLink; }
+
+const Vector3d& corner(const TriangleMesh& mesh, int triangle, std::size_t k) {
+  return mesh.points[at(mesh.triangles[at(triangle)][k])];
+}
+
+Vector3d middle(const TriangleMesh& mesh, int t) {
+  return (corner(mesh, t, 0) + corner(mesh, t, 1) + corner(mesh, t, 2)) / 3.0;
+}
+
+void store(const Vector3d& v, float (&to)[3]) {
+  for (int k = 0; k < 3; ++k) to[k] = static_cast<float>(v[k]);
+}
+
+// Halves near the median of the longest axis until 16 are left, by whole clusters, so that all but one are full.
+void split(const TriangleMesh& mesh, int* first, int count, std::vector<TriangleCluster>& out) {
+  constexpr int kLanes = TriangleCluster::kLanes;
+  if (count <= kLanes) {
+    out.push_back(triangle_cluster(mesh, first, count, nullptr));
+    return;
+  }
+  Vector3d low = Vector3d::Constant(1e300), high = -low;
+  for (int i = 0; i < count; ++i) {
+    low = low.cwiseMin(middle(mesh, first[i]));
+    high = high.cwiseMax(middle(mesh, first[i]));
+  }
+  int axis = 0;
+  (high - low).maxCoeff(&axis);
+  const int half = std::max(1, (count + kLanes) / (2 * kLanes)) * kLanes;
+  std::nth_element(first, first + half, first + count,
+                   [&](int a, int b) { return middle(mesh, a)[axis] < middle(mesh, b)[axis]; });
+  split(mesh, first, half, out);
+  split(mesh, first + half, count - half, out);
+}
+
+// All but the box; the order of the triangles in the clusters, too.
+void find_bounds(const GeometryOptions& options, LinkGeometry& g, std::vector<int>& order) {
+  g.hull = convex_hull(g.mesh.points);
+  const auto grown = [&](double radius, auto distance) {
+    for (const Vector3d& p : g.mesh.points) radius = std::max(radius, distance(p));
+    return grown_link(radius) * (1.0 + kRounding);
+  };
+  g.sphere = ball_around(g.hull.points);
+  g.sphere.radius =
+      grown(g.sphere.radius, [&](const Vector3d& p) { return (p - g.sphere.center).norm(); });
+  g.capsule = capsule_around(g.hull.points);
+  const Vector3d along = g.capsule.b - g.capsule.a;
+  g.capsule.radius = grown(g.capsule.radius, [&](const Vector3d& p) {
+    const double t =
+        std::clamp((p - g.capsule.a).dot(along) / std::max(along.squaredNorm(), 1e-30), 0.0, 1.0);
+    return (p - g.capsule.a - t * along).norm();
+  });
+  g.clusters = triangle_clusters(g.mesh, order);
+  if (options.balls)
+    g.balls = cover_with_balls(g.mesh, g.hull, options.ball_excess, options.most_balls);
+}
+
+[[noreturn]] void unsound(const char* what) {
+  throw std::runtime_error(std::string("geometry: a ") + what +
+                           " does not hold its triangles; simplify the mesh");
+}
+
+}  // namespace
+
+TriangleCluster triangle_cluster(const TriangleMesh& mesh, const int* triangles, int count,
+                                 const Ball* sphere) {
+  TriangleCluster c{};
+  c.count = count;
+  std::vector<Vector3d> points;
+  Vector3d low = Vector3d::Constant(1e300), high = -low;
+  for (int lane = 0; lane < TriangleCluster::kLanes; ++lane) {
+    const int t = triangles[std::min(lane, count - 1)];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vector3d& p = corner(mesh, t, k);
+      points.push_back(p);
+      low = low.cwiseMin(p);
+      high = high.cwiseMax(p);
+      for (int d = 0; d < 3; ++d) c.corner[k][d][lane] = static_cast<float>(p[d]);
+    }
+    const Vector3d& a = corner(mesh, t, 0);
+    const Vector3d normal = (corner(mesh, t, 1) - a).cross(corner(mesh, t, 2) - a);
+    // The normal of a sliver says nothing: it is left zero and cuts nothing off.
+    const bool flat = normal.norm() > 1e-12;
+    const Vector3d unit = flat ? normal.normalized() : Vector3d::Zero();
+    for (int d = 0; d < 3; ++d) c.normal[d][lane] = static_cast<float>(unit[d]);
+    c.offset[lane] = static_cast<float>(unit.dot(a));
+  }
+  Ball found;
+  if (sphere == nullptr) {
+    found = ball_around(points, 400);
+    found.radius += kGrowCluster;
+    sphere = &found;
+  }
+  store(sphere->center, c.center);
+  c.radius = static_cast<float>(sphere->radius);
+  store(low.array() - kGrowLink, c.low);
+  store(high.array() + kGrowLink, c.high);
+  return c;
+}
+
+std::vector<TriangleCluster> triangle_clusters(const TriangleMesh& mesh, std::vector<int>& order) {
+  order.resize(mesh.triangles.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::vector<TriangleCluster> clusters;
+  split(mesh, order.data(), static_cast<int>(order.size()), clusters);
+  return clusters;
+}
+
+std::vector<TriangleCluster> triangle_clusters(const TriangleMesh& mesh) {
+  std::vector<int> order;
+  return triangle_clusters(mesh, order);
+}
+
+LinkGeometry link_geometry(const std::vector<Shape>& shapes, const GeometryOptions& options) {
+  LinkGeometry g;
+  g.low = g.high = Vector3d::Zero();
+  bool primitive = true;
+  TriangleMesh all;
+  for (const Shape& shape : shapes) {
+    const TriangleMesh one = shape_mesh(shape, g.outside);
+    if (!one.points.empty()) g.witnesses.push_back(one.points.front());
+    append(one, all);
+    primitive = primitive && shape.kind != ShapeKind::kMesh;
+  }
+  g.mesh = welded(all);
+  if (g.mesh.triangles.empty()) return g;
+  if (primitive) g.parts = shapes;
+  g.low = g.high = g.mesh.points.front();
+  for (const Vector3d& p : g.mesh.points) {
+    g.low = g.low.cwiseMin(p);
+    g.high = g.high.cwiseMax(p);
+  }
+  g.low.array() -= kGrowLink;
+  g.high.array() += kGrowLink;
+  if (recall_bounds(options, g)) return g;
+  std::vector<int> order;
+  find_bounds(options, g, order);
+  verify(g);
+  keep_bounds(options, g, order);
+  return g;
+}
+
+void verify(const LinkGeometry& g) {
+  const Vector3d along = g.capsule.b - g.capsule.a;
+  for (const Vector3d& p : g.mesh.points) {
+    if (!(grown_link((p - g.sphere.center).norm()) <= g.sphere.radius)) unsound("sphere");
+    const double t =
+        std::clamp((p - g.capsule.a).dot(along) / std::max(along.squaredNorm(), 1e-30), 0.0, 1.0);
+    if (!(grown_link((p - g.capsule.a - t * along).norm()) <= g.capsule.radius)) unsound("capsule");
+    if (!((p - g.low).minCoeff() >= 0.0 && (g.high - p).minCoeff() >= 0.0)) unsound("box");
+  }
+  int triangles = 0;
+  for (const TriangleCluster& c : g.clusters) {
+    triangles += c.count;
+    for (int lane = 0; lane < TriangleCluster::kLanes; ++lane) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        double distance2 = 0.0;
+        for (std::size_t d = 0; d < 3; ++d) {
+          const double x = static_cast<double>(c.corner[k][d][lane]);
+          const double gap = x - static_cast<double>(c.center[d]);
+          distance2 += gap * gap;
+          if (!(x >= static_cast<double>(c.low[d]) && x <= static_cast<double>(c.high[d])))
+            unsound("cluster's box");
+        }
+        if (!(std::sqrt(distance2) + 0.5 * kGrowCluster <= static_cast<double>(c.radius)))
+          unsound("cluster's sphere");
+      }
+    }
+  }
+  const double most = 1.0 + (g.high - g.low).norm();  // no bound need be larger
+  if (!(std::max(g.sphere.radius, g.capsule.radius) <= most)) unsound("sphere or capsule");
+  if (triangles != static_cast<int>(g.mesh.triangles.size())) unsound("list of clusters");
+  if (!g.balls.empty() && !covers(g.balls, g.mesh)) unsound("set of balls");
+}
+
+RobotGeometry build_geometry(const Model& model, const GeometryOptions& options) {
+  RobotGeometry robot;
+  robot.of_link.assign(model.links.size(), -1);
+  for (int link = 0; link < model.link_count(); ++link) {
+    const std::vector<Shape>& shapes = model.links[at(link)].collision;
+    if (shapes.empty()) continue;
+    LinkGeometry g = link_geometry(shapes, options);
+    if (g.mesh.triangles.empty()) continue;
+    g.link = link;
+    robot.of_link[at(link)] = static_cast<int>(robot.links.size());
+    robot.links.push_back(std::move(g));
+  }
+  return robot;
+}
+
+}  // namespace twinbus

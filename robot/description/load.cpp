@@ -1,0 +1,266 @@
+#include "robot/description/load.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <stdexcept>
+
+#include "robot/description/model_builder.h"
+#include "robot/description/model_hash.h"
+#include "common/text/closest_name.h"
+#include "robot/description/robot_yaml.h"
+#include "robot/description/shape_inertia.h"
+#include "robot/description/srdf.h"
+#include "robot/description/urdf.h"
+#include "common/text/xml.h"
+
+namespace twinbus {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+int need_joint(const Model& model, const std::string& name, const std::string& where) {
+  const int index = model.find_joint(name);
+  if (index >= 0) return index;
+  std::vector<std::string> known;
+  for (const Joint& joint : model.joints) known.push_back(joint.name);
+  throw std::runtime_error(where + ": there is no moving joint " + name + suggestion(name, known));
+}
+
+void apply_servos(const RobotYaml& yaml, Model& model) {
+  std::map<const double*, std::string> said;  // which entry gave a number
+  std::string where;
+  const auto take = [&](double value, double& into) {
+    if (!std::isfinite(value)) return;
+    const auto [known, fresh] = said.emplace(&into, where);
+    if (!fresh) {
+      throw std::runtime_error(where +
+                               ": a number of this servo is given a second time, first at " +
+                               known->second + "; leave one of them out");
+    }
+    into = value;
+  };
+  for (const ServoEntry& entry : yaml.servos) {
+    for (const std::string& name : entry.joints) {
+      const int index = need_joint(model, name, entry.node.where("joints"));
+      Joint& joint = model.joints[static_cast<std::size_t>(index)];
+      where = entry.node.where("joints") + ": " + name;
+      take(entry.kp, joint.kp);
+      take(entry.kd, joint.kd);
+      if (std::isfinite(entry.kp)) joint.stop_kp = joint.kp;
+      if (std::isfinite(entry.kd)) joint.stop_kd = joint.kd;
+      take(entry.stop_kp, joint.stop_kp);
+      take(entry.stop_kd, joint.stop_kd);
+      take(entry.rate, joint.rate);
+      take(entry.rotor_inertia, joint.rotor_inertia);
+      take(entry.friction, joint.friction);
+      take(entry.damping, joint.damping);
+    }
+  }
+}
+
+void apply_yaml(const RobotYaml& yaml, const ModelBuilder& builder, const std::string& file,
+                Model& model) {
+  model.period_ns = yaml.timing.period_ns;
+  model.command_timeout = yaml.timing.command_timeout;
+  model.state_timeout = yaml.timing.state_timeout;
+  model.guard_timeout = yaml.timing.guard_timeout;
+  model.device_timeout = yaml.timing.device_timeout;
+  model.blend_s = yaml.timing.blend_s;
+  model.off_action = yaml.timing.off_action;
+  if (!yaml.imu_frame.empty()) {
+    const Frame imu = builder.frame(yaml.imu_frame, file + ": imu");
+    model.imu_link = imu.link;
+    model.imu = imu.in_link;
+  }
+  for (std::size_t side = 0; side < 2; ++side) {
+    const std::string name = side == 0 ? "left" : "right";
+    if (const SoleEntry& entry = yaml.soles[side]; entry.present) {
+      const std::string where = file + ": soles: " + name;
+      const Frame frame = builder.frame(entry.frame, where);
+      const Frame sensor = builder.frame(entry.sensor, where);
+      if (frame.link != sensor.link) {
+        throw std::runtime_error(where + ": " + entry.frame + " and " + entry.sensor +
+                                 " are on different links");
+      }
+      model.soles[side] = entry.sole;
+      model.soles[side].link = frame.link;
+      model.soles[side].frame = frame.in_link * entry.offset;
+      model.soles[side].sensor =
+          entry.sensor == entry.frame ? model.soles[side].frame : sensor.in_link;
+    }
+    if (const HandEntry& entry = yaml.hands[side]; entry.present) {
+      const std::string where = file + ": hands: " + name;
+      const Frame frame = builder.frame(entry.frame, where);
+      const Frame sensor = builder.frame(entry.sensor, where);
+      if (frame.link != sensor.link) {
+        throw std::runtime_error(where + ": " + entry.frame + " and " + entry.sensor +
+                                 " are on different links");
+      }
+      model.hands[side].link = frame.link;
+      model.hands[side].frame = frame.in_link * entry.offset;
+      model.hands[side].sensor =
+          entry.sensor == entry.frame ? model.hands[side].frame : sensor.in_link;
+      for (const std::string& joint : entry.joints) {
+        model.hands[side].joints.push_back(need_joint(model, joint, where));
+      }
+    }
+  }
+  for (const std::string& joint : yaml.leg_joints) {
+    model.leg_joints.push_back(need_joint(model, joint, file + ": leg_joints"));
+  }
+  apply_servos(yaml, model);
+}
+
+void apply_srdf(const Srdf& srdf, const ModelBuilder& builder, const std::string& file,
+                Model& model) {
+  for (const SrdfPose& pose : srdf.poses) {
+    NamedPose named;
+    named.name = pose.name;
+    named.q.assign(model.joints.size(), 0.0);
+    for (const auto& [joint_name, value] : pose.joints) {
+      const std::string where = file + ":" + std::to_string(pose.line) + ": pose " + pose.name;
+      const int index = need_joint(model, joint_name, where);
+      const Joint& joint = model.joints[static_cast<std::size_t>(index)];
+      if (!(value >= joint.lower && value <= joint.upper)) {
+        throw std::runtime_error(where + ": joint " + joint_name + " is outside its limits");
+      }
+      named.q[static_cast<std::size_t>(index)] = value;
+    }
+    for (std::size_t i = 0; i < model.joints.size(); ++i) {
+      const Joint& joint = model.joints[i];
+      if (joint.mimic >= 0) {
+        named.q[i] = joint.mimic_multiplier * named.q[static_cast<std::size_t>(joint.mimic)] +
+                     joint.mimic_offset;
+      }
+    }
+    model.poses.push_back(std::move(named));
+  }
+  for (const SrdfRotor& rotor : srdf.rotors) {
+    const std::string where = file + ":" + std::to_string(rotor.line) + ": rotor_params";
+    model.joints[static_cast<std::size_t>(need_joint(model, rotor.joint, where))].rotor_inertia =
+        rotor.reflected_inertia;
+  }
+  for (const SrdfPair& pair : srdf.disabled) {
+    const std::string where = file + ":" + std::to_string(pair.line) + ": disable_collisions";
+    const int a = builder.frame(pair.link_a, where).link;
+    const int b = builder.frame(pair.link_b, where).link;
+    if (a != b) model.disabled_pairs.push_back({std::min(a, b), std::max(a, b)});
+  }
+}
+
+}  // namespace
+
+std::string robot_folder(const std::string& name_or_folder) {
+  if (name_or_folder.empty())
+    throw std::runtime_error("the name of the robot is empty; name a folder of config/robots");
+  std::error_code error;
+  const bool plain_name = name_or_folder.find('/') == std::string::npos && name_or_folder != "." &&
+                          name_or_folder != "..";
+  const fs::path robots = fs::path(config_folder()) / "robots";
+  if (plain_name && fs::is_directory(robots / name_or_folder, error))
+    return (robots / name_or_folder).string();
+  if (fs::is_directory(name_or_folder, error)) return name_or_folder;
+  std::vector<std::string> known;
+  for (const auto& entry : fs::directory_iterator(robots, error)) {
+    if (entry.is_directory(error)) known.push_back(entry.path().filename().string());
+  }
+  throw std::runtime_error("no robot " + name_or_folder + ": neither a folder nor a name under " +
+                           robots.string() + suggestion(name_or_folder, known));
+}
+
+std::string config_folder() {
+  if (const char* named = std::getenv("TWINBUS_CONFIG"); named != nullptr && *named != '\0')
+    return named;
+  std::error_code error;
+  fs::path at = fs::read_symlink("/proc/self/exe", error).parent_path();
+  for (int up = 0; !error && up < 4 && at.has_relative_path(); ++up, at = at.parent_path()) {
+    if (fs::is_directory(at / "config" / "robots", error)) return (at / "config").string();
+    error.clear();
+  }
+  return TWINBUS_CONFIG_FOLDER;
+}
+
+Model load_robot(const std::string& name_or_folder) {
+  const fs::path folder = robot_folder(name_or_folder);
+  const auto in_folder = [&](const std::string& name, const std::string& who) {
+    if (name.find('/') != std::string::npos || name == "..") {
+      throw std::runtime_error(who + ": " + name + " must be a file of the robot's folder");
+    }
+    return (folder / name).string();
+  };
+  const std::string yaml_file = (folder / "robot.yaml").string();
+  RobotTexts texts{.folder = folder.string(), .yaml = read_text_file(yaml_file), .urdf{}, .srdf{}};
+  const RobotYaml yaml = parse_robot_yaml(texts.yaml, yaml_file);
+  texts.urdf = read_text_file(in_folder(yaml.urdf, yaml_file + ": urdf"));
+  if (!yaml.srdf.empty()) texts.srdf = read_text_file(in_folder(yaml.srdf, yaml_file + ": srdf"));
+  return load_robot_texts(texts);
+}
+
+Model load_robot_texts(const RobotTexts& texts) {
+  const fs::path folder = texts.folder;
+  const std::string yaml_file = (folder / "robot.yaml").string();
+  Model model;
+  model.yaml_text = texts.yaml;
+  const RobotYaml yaml = parse_robot_yaml(model.yaml_text, yaml_file);
+  const std::string urdf_file = (folder / yaml.urdf).string();
+  model.urdf_text = texts.urdf;
+  model.floating_base = yaml.floating_base;
+
+  ModelBuilder builder(parse_urdf(model.urdf_text, urdf_file,
+                                  {.folder = folder.string(), .packages = yaml.packages}),
+                       urdf_file);
+  builder.fix_joints(yaml.fixed_joints, yaml_file);
+  builder.build(model);
+  model.folder = folder.string();
+  for (const std::string& name : yaml.inertia_from_shape) {
+    const std::string where = yaml_file + ": inertia_from_shape";
+    take_inertia_from_shape(model.links[static_cast<std::size_t>(builder.frame(name, where).link)]);
+  }
+  if (!yaml.srdf.empty()) {
+    const std::string srdf_file = (folder / yaml.srdf).string();
+    model.srdf_text = texts.srdf;
+    apply_srdf(parse_srdf(model.srdf_text, srdf_file), builder, srdf_file, model);
+  }
+  apply_yaml(yaml, builder, yaml_file, model);  // wins over the SRDF
+  model.hash = model_hash(model);
+  return model;
+}
+
+Model load_urdf(const std::string& urdf_file,
+                const std::vector<std::pair<std::string, std::string>>& packages,
+                bool floating_base) {
+  Model model;
+  model.folder = fs::absolute(urdf_file).parent_path().string();
+  model.urdf_text = read_text_file(urdf_file);
+  model.floating_base = floating_base;
+  ModelBuilder(
+      parse_urdf(model.urdf_text, urdf_file, {.folder = model.folder, .packages = packages}),
+      urdf_file)
+      .build(model);
+  model.hash = model_hash(model);
+  return model;
+}
+
+Model load_repaired_urdf(const std::string& text, const std::string& file,
+                         const std::vector<std::pair<std::string, std::string>>& packages,
+                         UrdfRepairs& repairs) {
+  Model model;
+  model.folder = fs::absolute(file).parent_path().string();
+  model.urdf_text = text;
+  ModelBuilder builder(parse_urdf(text, file, {.folder = model.folder, .packages = packages}),
+                       file);
+  repairs.fixed_joints = builder.fix_weightless();
+  builder.build(model, false);
+  for (Link& link : model.links) {
+    if (!lacks_inertia(link)) continue;
+    repairs.inertia_from_shape.push_back(link.name);
+    take_inertia_from_shape(link);
+  }
+  model.hash = model_hash(model);
+  return model;
+}
+
+}  // namespace twinbus

@@ -1,0 +1,29 @@
+#include "robot/description/model.h"
+
+namespace twinbus {
+
+namespace {
+
+template <class Items>
+int find_named(const Items& items, const std::string& name) {
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (items[i].name == name) return static_cast<int>(i);
+  }
+  return -1;
+}
+
+}  // namespace
+
+double Model::total_mass() const {
+  double sum = 0.0;
+  for (const Link& link : links) sum += link.mass;
+  return sum;
+}
+
+int Model::find_joint(const std::string& joint_name) const {
+  return find_named(joints, joint_name);
+}
+int Model::find_link(const std::string& link_name) const { return find_named(links, link_name); }
+int Model::find_pose(const std::string& pose_name) const { return find_named(poses, pose_name); }
+
+}  // namespace twinbus

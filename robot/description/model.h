@@ -1,0 +1,150 @@
+// A robot as the rest of twinbus sees it: a tree of links joined by moving joints, plus what
+// robot.yaml adds.
+//
+// Links joined by fixed joints are merged at load, so link 0 is the base and link i > 0 is moved by
+// joint i - 1; parents come before children.  Arrays of messages have bus order instead, which is
+// the order of the URDF file and need not put parents first: always go through bus_joints or
+// bus_index.
+
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "lcmtypes/msg/robot_io.h"
+
+namespace twinbus {
+
+enum class JointKind { kRevolute, kContinuous, kPrismatic };
+
+struct Joint {
+  std::string name;
+  JointKind kind = JointKind::kRevolute;
+  int parent = 0;  // link index
+  int child = 0;   // link index, always joint index + 1
+  Eigen::Isometry3d placement =
+      Eigen::Isometry3d::Identity();  // joint frame at q = 0, in the parent link frame
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  // unit, in the joint frame
+  double lower = 0.0;                               // [rad or m]; -inf for continuous joints
+  double upper = 0.0;
+  double velocity = 0.0;       // limit [rad/s or m/s]
+  double effort = 0.0;         // limit [N m or N]
+  double damping = 0.0;        // [N m s/rad]
+  double friction = 0.0;       // Coulomb [N m]
+  double rotor_inertia = 0.0;  // reflected through the gear [kg m^2]
+  double kp = 0.0;             // default gains, robot.yaml
+  double kd = 0.0;
+  double stop_kp = 0.0;  // gains of a hold stop
+  double stop_kd = 0.0;
+  double rate = 0.0;  // gate: largest change of a commanded position [rad/s]
+  int mimic = -1;     // joint index it follows, -1 none; mimic joints are not on the bus
+  double mimic_multiplier = 1.0;
+  double mimic_offset = 0.0;
+};
+
+enum class ShapeKind { kBox, kSphere, kCylinder, kMesh };
+
+struct Shape {
+  ShapeKind kind = ShapeKind::kBox;
+  Eigen::Vector3d size = Eigen::Vector3d::Zero();  // box: full edges; sphere: radius, -, -;
+                                                   // cylinder: radius, length, -; mesh: scale
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  // in the link frame; cylinder axis is z
+  std::string mesh;                                        // resolved file name
+};
+
+struct Link {
+  std::string name;
+  int parent = -1;                                    // link index
+  double mass = 0.0;                                  // [kg]
+  Eigen::Vector3d com = Eigen::Vector3d::Zero();      // in the link frame [m]
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  // about the com, link axes [kg m^2]
+  std::vector<Shape> collision;
+  std::vector<Shape> visual;  // what a picture shows; nothing is computed with it
+};
+
+// A link of the URDF, moving or fixed, where it ended up.
+struct Frame {
+  std::string name;
+  int link = -1;
+  Eigen::Isometry3d in_link = Eigen::Isometry3d::Identity();
+};
+
+// A flat rectangular sole.  Its frame has z up and x forward and lies on the ground when the foot
+// stands flat.
+struct Sole {
+  int link = -1;
+  Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();   // in the link frame
+  Eigen::Isometry3d sensor = Eigen::Isometry3d::Identity();  // force sensor, in the link frame
+  double front = 0.0;  // from the frame's origin to the edges, all positive [m]
+  double back = 0.0;
+  double left = 0.0;
+  double right = 0.0;
+  double stiffness = 0.0;  // of the whole sole against the ground [N/m]
+  double damping = 0.0;    // [N s/m]
+  double friction = 0.0;   // Coulomb coefficient
+};
+
+struct Hand {
+  int link = -1;
+  Eigen::Isometry3d frame =
+      Eigen::Isometry3d::Identity();  // what reach() places, in the link frame
+  Eigen::Isometry3d sensor = Eigen::Isometry3d::Identity();
+  std::vector<int> joints;  // of the arm, from shoulder to wrist
+};
+
+struct NamedPose {
+  std::string name;
+  std::vector<double> q;  // [joint_count]
+};
+
+enum class OffAction { kTorqueOff, kDamp };
+
+struct Model {
+  std::string name;
+  std::string folder;         // where its files are
+  std::vector<Joint> joints;  // all moving joints, mimic ones included
+  std::vector<Link> links;    // links.size() == joints.size() + 1
+  std::vector<Frame> frames;  // every link of the URDF, fixed ones included, in file order
+  std::vector<int>
+      bus_joints;  // actuated non-mimic joints: entry k is the joint with index k on the bus
+  std::vector<int>
+      bus_index;  // the inverse: entry j is the bus index of joint j, -1 when not on the bus
+  std::array<Sole, 2> soles;  // left, right; link -1 when absent
+  std::array<Hand, 2> hands;  // left, right; link -1 when absent
+  int imu_link = 0;
+  Eigen::Isometry3d imu = Eigen::Isometry3d::Identity();  // in its link's frame
+  std::vector<int> leg_joints;  // of both legs: never masked while walking
+  std::vector<NamedPose> poses;
+  std::vector<std::array<int, 2>> disabled_pairs;  // link indices, SRDF disable_collisions
+  bool floating_base = true;
+
+  std::int32_t period_ns = 2'000'000;
+  double command_timeout = 0.040;  // [s]
+  double state_timeout = 0.025;
+  double guard_timeout = 0.030;
+  double device_timeout = 0.050;
+  double blend_s = 0.3;
+  OffAction off_action = OffAction::kDamp;
+  std::int64_t hash = 0;  // PROTOCOL.md section 7, below 2^53
+
+  std::vector<std::string> notes;  // what the files say that is not used, with file and line
+
+  std::string urdf_text;  // as read, for MODEL_TEXT
+  std::string srdf_text;
+  std::string yaml_text;
+
+  int joint_count() const { return static_cast<int>(joints.size()); }
+  int link_count() const { return static_cast<int>(links.size()); }
+  int bus_count() const { return static_cast<int>(bus_joints.size()); }
+  double period() const { return 1e-9 * period_ns; }
+  double total_mass() const;
+  // Index in joints / links / poses, or -1.
+  int find_joint(const std::string& name) const;
+  int find_link(const std::string& name) const;
+  int find_pose(const std::string& name) const;
+};
+
+}  // namespace twinbus

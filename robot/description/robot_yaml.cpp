@@ -1,0 +1,131 @@
+#include "robot/description/robot_yaml.h"
+
+#include <cmath>
+#include <limits>
+
+#include "robot/description/loops.h"
+#include "common/math/pose_math.h"
+#include "robot/description/walking_config.h"
+
+namespace twinbus {
+
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+const char* const kSides[2] = {"left", "right"};
+
+// `at` and `rpy`: a place in the link that `frame` names.
+Eigen::Isometry3d read_offset(const ConfigNode& node) {
+  const std::vector<double> at = node.numbers("at", 3, {0.0, 0.0, 0.0});
+  const std::vector<double> rpy = node.numbers("rpy", 3, {0.0, 0.0, 0.0});
+  for (const double value : at) {
+    if (!(std::abs(value) <= 10.0)) node.fail("at", "must be within 10 m");
+  }
+  Eigen::Isometry3d offset = Eigen::Isometry3d::Identity();
+  offset.translation() << at[0], at[1], at[2];
+  if (rpy != std::vector<double>{0.0, 0.0, 0.0}) {
+    offset.linear() = rotation_from_rpy(rpy[0], rpy[1], rpy[2]);
+  }
+  return offset;
+}
+
+SoleEntry read_sole(const ConfigNode& node) {
+  SoleEntry entry;
+  entry.present = true;
+  entry.frame = node.text("frame");
+  entry.sensor = node.text("sensor", entry.frame);
+  entry.offset = read_offset(node);
+  entry.sole.front = node.number("front", 1e-3, 1.0);
+  entry.sole.back = node.number("back", 1e-3, 1.0);
+  entry.sole.left = node.number("left", 1e-3, 1.0);
+  entry.sole.right = node.number("right", 1e-3, 1.0);
+  entry.sole.stiffness = node.number("stiffness", 1e2, 1e9);
+  entry.sole.damping = node.number("damping", 0.0, 1e7);
+  entry.sole.friction = node.number("friction", 0.0, 10.0);
+  node.finish();
+  return entry;
+}
+
+HandEntry read_hand(const ConfigNode& node) {
+  HandEntry entry;
+  entry.present = true;
+  entry.frame = node.text("frame");
+  entry.sensor = node.text("sensor", entry.frame);
+  entry.offset = read_offset(node);
+  entry.joints = node.texts("joints");
+  node.finish();
+  return entry;
+}
+
+ServoEntry read_servo(const ConfigNode& node) {
+  ServoEntry entry{.joints = node.texts("joints"),
+                   .kp = node.number("kp", 0.0, 1e7, kNan),
+                   .kd = node.number("kd", 0.0, 1e6, kNan),
+                   .stop_kp = node.number("stop_kp", 0.0, 1e7, kNan),
+                   .stop_kd = node.number("stop_kd", 0.0, 1e6, kNan),
+                   .rate = node.number("rate", 1e-3, 1e3, kNan),
+                   .rotor_inertia = node.number("rotor_inertia", 0.0, 1e3, kNan),
+                   .friction = node.number("friction", 0.0, 1e4, kNan),
+                   .damping = node.number("damping", 0.0, 1e5, kNan),
+                   .node = node};
+  if (entry.joints.empty()) node.fail("joints", "must name at least one joint");
+  node.finish();
+  return entry;
+}
+
+}  // namespace
+
+RobotYaml parse_robot_yaml(const std::string& text, const std::string& file) {
+  const ConfigNode top = ConfigNode::parse(text, file);
+  RobotYaml yaml;
+  yaml.urdf = top.text("urdf");
+  yaml.srdf = top.text("srdf", "");
+  if (top.has("packages")) {
+    const ConfigNode packages = top.map("packages");
+    for (const std::string& name : packages.keys())
+      yaml.packages.emplace_back(name, packages.text(name));
+  }
+  yaml.fixed_joints = top.texts("fixed_joints");
+  yaml.inertia_from_shape = top.texts("inertia_from_shape");
+  yaml.floating_base = top.choice("base", {"floating", "fixed"}, 0) == 0;
+  yaml.imu_frame = top.text("imu", "");
+
+  Model& timing = yaml.timing;
+  timing.period_ns = static_cast<std::int32_t>(
+      std::llround(1e9 * top.number("period", 2e-4, 0.1, timing.period())));
+  if (top.has("timeouts")) {
+    const ConfigNode timeouts = top.map("timeouts");
+    timing.command_timeout = timeouts.number("command", 1e-3, 10.0, timing.command_timeout);
+    timing.state_timeout = timeouts.number("state", 1e-3, 10.0, timing.state_timeout);
+    timing.guard_timeout = timeouts.number("guard", 1e-3, 10.0, timing.guard_timeout);
+    timing.device_timeout = timeouts.number("device", 1e-3, 10.0, timing.device_timeout);
+    timeouts.finish();
+  }
+  timing.blend_s = top.number("blend", 0.0, 10.0, timing.blend_s);
+  timing.off_action =
+      top.choice("off", {"torque_off", "damp"}, 1) == 0 ? OffAction::kTorqueOff : OffAction::kDamp;
+
+  if (top.has("soles")) {
+    const ConfigNode soles = top.map("soles");
+    for (std::size_t side = 0; side < 2; ++side) {
+      if (soles.has(kSides[side])) yaml.soles[side] = read_sole(soles.map(kSides[side]));
+    }
+    soles.finish();
+  }
+  if (top.has("hands")) {
+    const ConfigNode hands = top.map("hands");
+    for (std::size_t side = 0; side < 2; ++side) {
+      if (hands.has(kSides[side])) yaml.hands[side] = read_hand(hands.map(kSides[side]));
+    }
+    hands.finish();
+  }
+  if (top.has("walking")) (void)read_walking(top.map("walking"));          // control reads it again
+  for (const ConfigNode& node : top.list("loops")) (void)read_loop(node);  // the simulator does too
+  (void)top.choice("collision", {"own", "fcl"}, 0);  // collision.cpp reads it again
+  yaml.leg_joints = top.texts("leg_joints");
+  for (const ConfigNode& node : top.list("servos")) yaml.servos.push_back(read_servo(node));
+  top.finish();
+  return yaml;
+}
+
+}  // namespace twinbus

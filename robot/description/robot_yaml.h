@@ -1,0 +1,53 @@
+// robot.yaml: what URDF and SRDF cannot say.  Names of links and joints are still text here;
+// load.cpp resolves them.
+
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "common/text/strict_yaml.h"
+#include "robot/description/model.h"
+
+namespace twinbus {
+
+// Servo numbers of one or more joints; NaN where not said.
+struct ServoEntry {
+  std::vector<std::string> joints;
+  double kp, kd, stop_kp, stop_kd, rate, rotor_inertia, friction, damping;
+  ConfigNode node;
+};
+
+struct SoleEntry {
+  bool present = false;
+  std::string frame, sensor;
+  Eigen::Isometry3d offset = Eigen::Isometry3d::Identity();  // of the sole's frame in that link
+  Sole sole;  // sizes and spring only
+};
+
+struct HandEntry {
+  bool present = false;
+  std::string frame, sensor;
+  Eigen::Isometry3d offset = Eigen::Isometry3d::Identity();
+  std::vector<std::string> joints;
+};
+
+struct RobotYaml {
+  std::string urdf, srdf;  // file names in the robot's folder; srdf may be empty
+  std::vector<std::pair<std::string, std::string>> packages;
+  std::vector<std::string> fixed_joints;
+  std::vector<std::string> inertia_from_shape;  // links; see shape_inertia.h
+  bool floating_base = true;
+  std::string imu_frame;
+  std::array<SoleEntry, 2> soles;
+  std::array<HandEntry, 2> hands;
+  std::vector<std::string> leg_joints;
+  std::vector<ServoEntry> servos;
+  Model timing;  // period, timeouts, blend and off action only
+};
+
+// Throws std::runtime_error naming file, line and the nearest valid key.
+RobotYaml parse_robot_yaml(const std::string& text, const std::string& file);
+
+}  // namespace twinbus

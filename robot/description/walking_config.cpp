@@ -1,0 +1,26 @@
+#include "robot/description/walking_config.h"
+
+namespace twinbus {
+
+Walking read_walking(const ConfigNode& node) {
+  Walking w;
+  w.single_support = node.number("single_support", 0.1, 5.0, w.single_support);
+  w.double_support = node.number("double_support", 0.01, 5.0, w.double_support);
+  w.width = node.number("width", 0.0, 2.0, w.width);
+  w.lift = node.number("lift", 0.0, 0.5, w.lift);
+  w.com_height = node.number("com_height", 0.0, 5.0, w.com_height);
+  w.zmp_forward = node.number("zmp_forward", -0.5, 0.5, w.zmp_forward);
+  w.zmp_inward = node.number("zmp_inward", -0.2, 0.2, w.zmp_inward);
+  w.preview = node.choice("pattern", {"closed_form", "preview"}, 0) == 1;
+  w.own_attitude = node.choice("attitude", {"imu", "estimated"}, 0) == 1;
+  node.finish();
+  return w;
+}
+
+Walking walking_of(const Model& model) {
+  if (model.yaml_text.empty()) return {};
+  const ConfigNode top = ConfigNode::parse(model.yaml_text, "robot.yaml of " + model.name);
+  return top.has("walking") ? read_walking(top.map("walking")) : Walking{};
+}
+
+}  // namespace twinbus

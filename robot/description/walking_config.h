@@ -1,0 +1,30 @@
+// How a robot is to walk: the map `walking` of robot.yaml.
+//
+// Only what its makers choose; what follows from its legs and soles is not in here.  Not part of the model's hash: it is
+// the same robot however it walks.
+
+#pragma once
+
+#include "common/text/strict_yaml.h"
+#include "robot/description/model.h"
+
+namespace twinbus {
+
+struct Walking {
+  double single_support = 0.5;  // of a step [s]
+  double double_support = 0.1;
+  double width = 0.0;         // between the sole frames, 0: as legs and soles say [m]
+  double lift = 0.05;         // of the swing foot [m]
+  double com_height = 0.0;    // of the centre of mass above the ground, 0: as the legs say [m]
+  double zmp_forward = 0.03;  // of the reference zero-moment point before a sole frame [m]
+  double zmp_inward = 0.005;  // and towards the other foot [m]
+  bool preview = false;  // reference by preview control, not in closed form: `pattern: preview`
+  bool own_attitude = false;  // from gyro and accelerometer, not the IMU's: `attitude: estimated`
+};
+
+// Throws std::runtime_error naming file, line and key.
+Walking read_walking(const ConfigNode& node);
+// Of a loaded robot: as its robot.yaml says, or the defaults.
+Walking walking_of(const Model& model);
+
+}  // namespace twinbus

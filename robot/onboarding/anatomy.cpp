@@ -1,0 +1,395 @@
+#include "robot/onboarding/anatomy.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdio>
+
+#include "common/math/index.h"
+#include "robot/kinematics/kinematics.h"
+#include "geometry/bounds/link_points.h"
+
+namespace twinbus {
+
+namespace {
+
+constexpr double kSide = 0.01;   // nearer to the middle plane is in the middle [m]
+constexpr double kSole = 0.008;  // what is so near to the lowest point belongs to the sole [m]
+constexpr double kFlat = 0.015;  // links that reach so near to the lowest point may be the foot [m]
+constexpr double kTurned = 1.5;  // no foot is wider than long by this
+constexpr int kLimbJoints = 3;   // in a row, at least
+constexpr int kLegJoints = 6;    // the foot hangs on the sixth; what follows are toes
+// Of a foot without geometry, of the way from hip to ankle.
+constexpr double kFootLength = 0.32, kFootWidth = 0.16, kAnkleHeight = 0.12;
+
+bool mentions(const std::string& name, const std::vector<const char*>& words) {
+  std::string lower = name;
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return std::any_of(words.begin(), words.end(),
+                     [&](const char* word) { return lower.find(word) != std::string::npos; });
+}
+
+struct Branch {
+  int root = -1;          // the first link that moves
+  double lowest = 1e300;  // [m]
+  double mass = 0.0;
+};
+
+class Finder {
+ public:
+  Finder(const Model& model, const std::array<SrdfFoot, 2>& feet, const Eigen::Matrix3d& turn)
+      : model_(model), feet_(feet), kinematics_(model) {
+    Configuration c(model);
+    c.q = neutral_posture(model);
+    c.base.linear() = turn;
+    kinematics_.update(c);
+    children_.resize(model.links.size());
+    for (int i = 1; i < model.link_count(); ++i)
+      children_[at(model.links[at(i)].parent)].push_back(i);
+    for (int i = 0; i < model.link_count(); ++i) {
+      std::vector<Eigen::Vector3d> points = link_points(model.links[at(i)]);
+      for (Eigen::Vector3d& point : points) point = kinematics_.link_in_world(i) * point;
+      points_.push_back(std::move(points));
+    }
+    sides_.assign(model.links.size(), 0);
+    depth_.assign(model.links.size(), 1);
+    for (int i = model.link_count() - 1; i >= 0; --i) sum_up(i);
+  }
+
+  Anatomy find() {
+    measure();
+    find_limbs();
+    const int legs = lowest_pair();
+    if (legs < 0) {
+      result_.doubts.emplace_back(
+          "no pair of limbs with three joints in a row, one left and one right: no legs, no feet");
+    } else {
+      for (std::size_t side = 0; side < 2; ++side) find_sole(side, pairs_[at(legs)][side]);
+    }
+    find_arms(legs);
+    find_imu();
+    return std::move(result_);
+  }
+
+ private:
+  // Which side the ends of a subtree lie on: 1 left, 2 right, 4 in the middle, as bits.
+  void sum_up(int link) {
+    if (children_[at(link)].empty()) {
+      const double y = middle(link).y();
+      sides_[at(link)] = y > kSide ? 1 : y < -kSide ? 2 : 4;
+    }
+    for (const int child : children_[at(link)]) {
+      sides_[at(link)] |= sides_[at(child)];
+      depth_[at(link)] = std::max(depth_[at(link)], depth_[at(child)] + 1);
+    }
+  }
+
+  Eigen::Vector3d middle(int link) const {
+    const std::vector<Eigen::Vector3d>& points = points_[at(link)];
+    if (points.empty()) return kinematics_.link_in_world(link).translation();
+    Eigen::Vector3d low = points.front();
+    Eigen::Vector3d high = low;
+    for (const Eigen::Vector3d& point : points) {
+      low = low.cwiseMin(point);
+      high = high.cwiseMax(point);
+    }
+    return 0.5 * (low + high);
+  }
+
+  double lowest(int link) const {
+    double z = kinematics_.link_in_world(link).translation().z();
+    for (const Eigen::Vector3d& point : points_[at(link)]) z = std::min(z, point.z());
+    return z;
+  }
+
+  void measure() {
+    double low = 1e300;
+    double high = -1e300;
+    for (int i = 0; i < model_.link_count(); ++i) low_ = std::min(low_, lowest(i));
+    for (const auto& points : points_) {
+      for (const Eigen::Vector3d& point : points) {
+        low = std::min(low, point.z());
+        high = std::max(high, point.z());
+      }
+    }
+    result_.height = high > low ? high - low : 0.0;
+    if (!(high > low))
+      result_.doubts.emplace_back("no link has geometry: sizes are those of joints");
+  }
+
+  void collect(int link, Branch& limb) const {
+    limb.lowest = std::min(limb.lowest, lowest(link));
+    limb.mass += model_.links[at(link)].mass;
+    for (const int child : children_[at(link)]) collect(child, limb);
+  }
+
+  void find_limbs() {
+    std::array<std::vector<Branch>, 2> found;
+    for (int i = 1; i < model_.link_count(); ++i) {
+      const int side = sides_[at(i)];
+      const int above = sides_[at(model_.links[at(i)].parent)];
+      if ((side != 1 && side != 2) || above == side || depth_[at(i)] < kLimbJoints) continue;
+      Branch limb{.root = i};
+      collect(i, limb);
+      found[side == 1 ? 0 : 1].push_back(limb);
+    }
+    // A pair is equally heavy and deep.
+    for (const Branch& left : found[0]) {
+      for (const Branch& right : found[1]) {
+        const bool alike = std::abs(left.mass - right.mass) <= 0.1 * (left.mass + right.mass) &&
+                           std::abs(left.lowest - right.lowest) < 0.05 &&
+                           depth_[at(left.root)] == depth_[at(right.root)] &&
+                           (kinematics_.link_in_world(left.root).translation() -
+                            kinematics_.link_in_world(right.root).translation())
+                                   .cwiseProduct(Eigen::Vector3d(1, 0, 1))
+                                   .norm() < 0.05;
+        if (alike) pairs_.push_back({left, right});
+      }
+    }
+  }
+
+  // Hanging arms reach lowest when there are no legs.
+  bool is_named_like_an_arm(int root) const {
+    bool arm = false;
+    for (int link = root; link < model_.link_count(); ++link) {
+      int up = link;
+      while (up > root) up = model_.links[at(up)].parent;
+      if (up != root) continue;
+      for (const std::string& name :
+           {model_.links[at(link)].name, model_.joints[at(link - 1)].name}) {
+        if (mentions(name, {"leg", "hip", "knee", "ankle", "foot", "thigh", "toe"})) return false;
+        arm = arm || mentions(name, {"shoulder", "elbow", "wrist", "hand", "grip", "finger"});
+      }
+    }
+    return arm;
+  }
+
+  int lowest_pair() const {
+    int best = -1;
+    for (std::size_t i = 0; i < pairs_.size(); ++i) {
+      if (is_named_like_an_arm(pairs_[i][0].root)) continue;
+      if (best < 0 || pairs_[i][0].lowest < pairs_[at(best)][0].lowest) best = static_cast<int>(i);
+    }
+    // Legs reach the ground; a robot on a column has none.
+    const bool stands =
+        best >= 0 && pairs_[at(best)][0].lowest < low_ + 0.05 * result_.height + 1e-6;
+    return stands || result_.height == 0.0 ? best : -1;
+  }
+
+  // From the limb's root to its end; at a branch the heavier part goes on unless it must end there.
+  std::vector<int> chain(int root, bool ends_at_branch) const {
+    std::vector<int> links{root};
+    while (!children_[at(links.back())].empty()) {
+      const std::vector<int>& next = children_[at(links.back())];
+      if (next.size() > 1 && ends_at_branch && links.size() >= at(kLimbJoints)) break;
+      int best = next.front();
+      for (const int child : next) best = depth_[at(child)] > depth_[at(best)] ? child : best;
+      links.push_back(best);
+    }
+    return links;
+  }
+
+  std::string sensor_on(int link) const {
+    for (const Frame& frame : model_.frames) {
+      if (frame.link == link &&  // "ft" begins a word: the end of "left" is none
+          mentions("_" + frame.name, {"force", "_ft", "fsensor", "f_sensor", "sixaxis"}))
+        return frame.name;
+    }
+    return "";
+  }
+
+  void find_sole(std::size_t side, const Branch& limb) {
+    const char* name = side == 0 ? "left" : "right";
+    const std::vector<int> links = chain(limb.root, false);
+    int foot = links.back();
+    for (const int link : links) {  // the first that reaches the ground; toes hang on it
+      if (lowest(link) <= limb.lowest + kFlat) {
+        foot = link;
+        break;
+      }
+    }
+    // The foot itself may have no geometry: then it is what hangs on the ankle.
+    const std::size_t sixth = std::min(links.size(), at(kLegJoints)) - 1;
+    if (points_[at(links[sixth])].empty()) foot = links[sixth];
+    Sole& sole = result_.soles[side];
+    sole.link = foot;
+    const Eigen::Isometry3d& pose = kinematics_.link_in_world(foot);
+    result_.sole_sensor[side] = sensor_on(foot);
+    for (const int link : links) {
+      result_.leg_joints.push_back(link - 1);
+      if (link == foot) break;
+    }
+    if (points_[at(foot)].empty()) {
+      guess_sole(side, limb.root);
+      return;
+    }
+    const double ground = lowest(foot);
+    Eigen::Vector3d low(1e300, 1e300, 0.0);
+    Eigen::Vector3d high = -low;
+    for (const Eigen::Vector3d& point : points_[at(foot)]) {
+      if (point.z() > ground + kSole) continue;
+      low = low.cwiseMin(point);
+      high = high.cwiseMax(point);
+    }
+    Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();
+    frame.translation() << pose.translation().x(), pose.translation().y(), ground;
+    if (!(low.x() < frame.translation().x() && frame.translation().x() < high.x() &&
+          low.y() < frame.translation().y() && frame.translation().y() < high.y()) &&
+        low.x() < high.x()) {  // the ankle is not above the sole
+      frame.translation().head<2>() = 0.5 * (low + high).head<2>();
+    }
+    sole.frame = pose.inverse() * frame;
+    sole.front = std::max(high.x() - frame.translation().x(), 0.005);
+    sole.back = std::max(frame.translation().x() - low.x(), 0.005);
+    sole.left = std::max(high.y() - frame.translation().y(), 0.005);
+    sole.right = std::max(frame.translation().y() - low.y(), 0.005);
+    if (sole.left + sole.right > kTurned * (sole.front + sole.back)) {
+      result_.doubts.push_back("foot " + model_.links[at(foot)].name +
+                               " is wider than long, so its mesh lies crosswise (the up axis of a "
+                               "DAE is not used): the sole is taken with the long side forward");
+      const Sole crosswise = sole;
+      sole.front = std::max(crosswise.left, crosswise.right);
+      sole.back = std::min(crosswise.left, crosswise.right);
+      sole.left = sole.right = 0.5 * (crosswise.front + crosswise.back);
+    }
+    if (sole.front + sole.back < 0.04 || sole.left + sole.right < 0.02) {
+      result_.doubts.push_back(std::string("the ") + name + " sole on " +
+                               model_.links[at(foot)].name +
+                               " is hardly a surface: measure it, or the feet are points or not "
+                               "flat in the zero posture");
+    }
+    result_.hip_height = kinematics_.link_in_world(limb.root).translation().z() - ground;
+  }
+
+  // Of a foot that cannot be seen: as the SRDF says, or in proportion to the leg as people have it.
+  void guess_sole(std::size_t side, int root) {
+    Sole& sole = result_.soles[side];
+    const Eigen::Isometry3d& pose = kinematics_.link_in_world(sole.link);
+    const double leg = (kinematics_.link_in_world(root).translation() - pose.translation()).norm();
+    SrdfFoot foot = feet_[side];
+    if (!foot.present) {
+      foot = {false, kFootLength * leg, kFootWidth * leg, -0.1 * kFootLength * leg,
+              0.0,   kAnkleHeight * leg};
+    }
+    Eigen::Isometry3d frame = Eigen::Isometry3d::Identity();
+    frame.translation() = pose.translation() - Eigen::Vector3d(0.0, 0.0, foot.ankle_height);
+    sole.frame = pose.inverse() * frame;
+    sole.front = 0.5 * foot.length - foot.ankle_forward;
+    sole.back = 0.5 * foot.length + foot.ankle_forward;
+    sole.left = 0.5 * foot.width - foot.ankle_left;
+    sole.right = 0.5 * foot.width + foot.ankle_left;
+    result_.hip_height =
+        kinematics_.link_in_world(root).translation().z() - frame.translation().z();
+    char text[200];
+    std::snprintf(text, sizeof(text),
+                  " has no geometry: its sole is %s, %.0f x %.0f mm, %.0f mm below the ankle; "
+                  "measure at, front, back, left, right under soles in robot.yaml",
+                  foot.present ? "as the SRDF's <specificities> say" : "guessed from the leg",
+                  1e3 * foot.length, 1e3 * foot.width, 1e3 * foot.ankle_height);
+    result_.doubts.push_back("foot " + model_.links[at(sole.link)].name + text);
+  }
+
+  void find_arms(int legs) {
+    int best = -1;
+    for (std::size_t i = 0; i < pairs_.size(); ++i) {
+      if (static_cast<int>(i) == legs) continue;
+      if (legs >= 0 && pairs_[i][0].lowest < pairs_[at(legs)][0].lowest + 0.1 * result_.height) {
+        result_.doubts.emplace_back(
+            "four limbs reach the ground: this does not look like a humanoid");
+        continue;
+      }
+      if (best < 0 || pairs_[i][0].mass > pairs_[at(best)][0].mass) best = static_cast<int>(i);
+    }
+    if (best < 0) {
+      result_.doubts.emplace_back("no pair of arms: no hands");
+      if (legs < 0) find_single_arm();
+      return;
+    }
+    for (std::size_t side = 0; side < 2; ++side) {
+      std::vector<int> links = chain(pairs_[at(best)][side].root, true);
+      // A gripper in line with the arm is no joint of the arm.
+      while (links.size() > at(kLimbJoints) && model_.joints[at(links.back() - 1)].mimic >= 0)
+        links.pop_back();
+      const std::string& last = model_.joints[at(links.back() - 1)].name;
+      if (links.size() > at(kLimbJoints + 1) &&
+          mentions(last, {"hand", "grip", "finger", "thumb", "jaw"}) &&
+          !mentions(last, {"wrist"})) {
+        links.pop_back();
+      }
+      Hand& hand = result_.hands[side];
+      hand.link = links.back();
+      hand.frame.translation() = kinematics_.link_in_world(hand.link).inverse() * middle(hand.link);
+      for (const int link : links) {
+        if (model_.joints[at(link - 1)].mimic < 0) hand.joints.push_back(link - 1);
+      }
+      result_.hand_sensor[side] = sensor_on(hand.link);
+    }
+  }
+
+  // A manipulator: its one arm is called right.
+  void find_single_arm() {
+    const std::vector<int> links = chain(0, true);
+    Hand hand;
+    for (const int link : links) {
+      if (link > 0 && model_.joints[at(link - 1)].mimic < 0) hand.joints.push_back(link - 1);
+    }
+    if (hand.joints.size() < at(kLimbJoints)) return;
+    hand.link = links.back();
+    hand.frame.translation() = kinematics_.link_in_world(hand.link).inverse() * middle(hand.link);
+    result_.hands[1] = hand;
+    result_.hand_sensor[1] = sensor_on(hand.link);
+  }
+
+  void find_imu() {
+    const Frame* best = nullptr;
+    for (const Frame& frame : model_.frames) {
+      const bool in_trunk = (sides_[at(frame.link)] & 3) == 3;
+      if (!in_trunk || !mentions(frame.name, {"imu", "gyro", "accel", "inertial", "gsensor"}))
+        continue;
+      const bool nearer = best == nullptr || frame.link < best->link ||
+                          (frame.link == best->link && mentions(frame.name, {"imu"}) &&
+                           !mentions(best->name, {"imu"}));
+      if (nearer) best = &frame;
+    }
+    if (best != nullptr) {
+      result_.imu_frame = best->name;
+      return;
+    }
+    result_.imu_frame = model_.links.front().name;
+    result_.doubts.push_back("no link of the trunk is called IMU: the base link " +
+                             result_.imu_frame + " is taken; add a link where the sensor is");
+  }
+
+  const Model& model_;
+  const std::array<SrdfFoot, 2>& feet_;
+  Kinematics kinematics_;
+  std::vector<std::vector<int>> children_;
+  std::vector<std::vector<Eigen::Vector3d>> points_;  // world
+  std::vector<int> sides_, depth_;
+  std::vector<std::array<Branch, 2>> pairs_;
+  double low_ = 1e300;  // of the whole robot [m]
+  Anatomy result_;
+};
+
+}  // namespace
+
+Eigen::VectorXd neutral_posture(const Model& model) {
+  Eigen::VectorXd q(model.joint_count());
+  for (int j = 0; j < model.joint_count(); ++j) {
+    const Joint& joint = model.joints[at(j)];
+    q[j] = std::clamp(0.0, joint.lower, joint.upper);
+  }
+  for (int j = 0; j < model.joint_count(); ++j) {
+    const Joint& joint = model.joints[at(j)];
+    if (joint.mimic >= 0) q[j] = joint.mimic_multiplier * q[joint.mimic] + joint.mimic_offset;
+  }
+  return q;
+}
+
+Anatomy find_anatomy(const Model& model, const std::array<SrdfFoot, 2>& feet,
+                     const Eigen::Matrix3d& turn) {
+  return Finder(model, feet, turn).find();
+}
+
+}  // namespace twinbus

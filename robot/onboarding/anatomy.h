@@ -1,0 +1,44 @@
+// Feet, hands and trunk of a humanoid nobody has described, from names and geometry.
+//
+// Looked at in the posture nearest to zero, with the base upright: z up, x forward, left at
+// positive y.  A limb is the largest part of the tree that lies on one side and has three joints in
+// a row; the pair of limbs that reaches lowest are the legs unless they are named like arms, of the
+// others the heavier are the arms.
+
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <string>
+#include <vector>
+
+#include "robot/description/model.h"
+#include "robot/description/srdf.h"
+
+namespace twinbus {
+
+struct Anatomy {
+  std::array<Sole, 2> soles;  // left, right: link, frame and edges; link -1 when not found
+  std::array<Hand, 2> hands;  // left, right: link, frame, joints
+  std::array<std::string, 2> sole_sensor, hand_sensor;  // names of frames, empty when none is there
+  std::vector<int> leg_joints;
+  std::string imu_frame;            // a frame of the trunk
+  double height = 0.0;              // lowest to highest point of the geometry [m]
+  double hip_height = 0.0;          // of the first leg joint above the ground [m]
+  std::vector<std::string> doubts;  // what was guessed or not found, for people
+};
+
+// Nothing throws: what is not found is said in doubts.  feet: sizes for feet without geometry, as an
+// SRDF may give them; without these they are guessed from the length of the legs.
+// turn: of the base, from the frame of its file to one that is upright and looks along x.
+Anatomy find_anatomy(const Model& model, const std::array<SrdfFoot, 2>& feet = {},
+                     const Eigen::Matrix3d& turn = Eigen::Matrix3d::Identity());
+
+// The posture nearest to zero within the limits [joint_count].
+Eigen::VectorXd neutral_posture(const Model& model);
+
+// A posture to stand in: soles flat, knees a little bent, the centre of mass above the middle of the
+// soles, arms as in neutral_posture.  Needs model.soles; false when the legs cannot do it.
+bool find_standing_posture(const Model& model, Eigen::VectorXd& q);
+
+}  // namespace twinbus

@@ -1,0 +1,350 @@
+#include "robot/onboarding/proposal.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <set>
+
+#include "robot/collision/collision.h"
+#include "robot/dynamics/inverse_dynamics.h"
+#include "common/math/index.h"
+#include "robot/kinematics/kinematics.h"
+#include "robot/onboarding/known_srdf.h"
+#include "common/math/pose_math.h"
+
+namespace twinbus {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Of hrp1s, which stands well with them; others get theirs by weight.
+constexpr double kWeight = 130.8;         // [kg]
+constexpr double kLegStiffness = 15.6;    // [1/rad], times weight times height of the hips
+constexpr double kSoleStiffness = 1.0e6;  // [N/m]
+constexpr double kSoleDamping = 2.0e3;    // [N s/m]
+constexpr double kLeastStiffness = 1.0;   // [N m/rad]
+// Turning stiffness of one sole against the weight times the height of the hips.
+constexpr double kTipping = 6.0;
+constexpr double kArmStiffness = 150.0;  // [1/rad], times the moment of what hangs on the joint
+
+// Two digits are all a guess deserves; plain decimals, which YAML reads as numbers.
+std::string rough(double value) {
+  if (!(value > 0.0)) return "0";
+  const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.10g", std::round(value / unit) * unit);
+  return text;
+}
+
+std::string fixed(double value) {
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.4f", std::abs(value) < 5e-5 ? 0.0 : value);
+  return text;
+}
+
+std::string exact(double value) {
+  char text[64];
+  std::snprintf(text, sizeof(text), "%.17g", value);
+  return text;
+}
+
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    out += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '"' ? "&quot;" : std::string(1, c);
+  }
+  return out;
+}
+
+std::string list(const std::vector<std::string>& names) {
+  std::string out = "[";
+  for (std::size_t i = 0; i < names.size(); ++i) out += (i == 0 ? "" : ", ") + names[i];
+  return out + "]";
+}
+
+std::string list(const Eigen::Vector3d& v) {
+  return std::string("[") + fixed(v.x()) + ", " + fixed(v.y()) + ", " + fixed(v.z()) + "]";
+}
+
+class Writer {
+ public:
+  Writer(const Model& model, const Anatomy& anatomy, const KnownSrdf& known)
+      : model_(model), anatomy_(anatomy), known_(known) {
+    model_.soles = anatomy.soles;
+    for (const auto& [a, b] : known.disabled) {
+      const int link_a = link_of(a);
+      const int link_b = link_of(b);
+      if (link_a != link_b)
+        model_.disabled_pairs.push_back({std::min(link_a, link_b), std::max(link_a, link_b)});
+    }
+    posture_ = neutral_posture(model_);
+    choose_posture();
+    for (int j = 0; j < model_.joint_count(); ++j) {
+      for (const Hand& hand : anatomy.hands) {
+        if (hand.link > 0 && j + 1 != hand.link && above(hand.link, j + 1)) fingers_.push_back(j);
+      }
+    }
+  }
+
+  std::string yaml(const ProposalSource& source, const std::string& srdf_name) {
+    std::string out =
+        "# Proposed by `twinbus check`: a beginning.  Measure soles and gains before a real robot "
+        "moves.\n";
+    out += "urdf: " + source.urdf_name + "\nsrdf: " + srdf_name +
+           "\nbase: " + (floating() ? "floating" : "fixed") + "\n";
+    if (!source.packages.empty()) {
+      out += "packages:\n";
+      for (const auto& [name, folder] : source.packages)
+        out += "  " + name + ": \"" + folder + "\"\n";
+    }
+    std::vector<std::string> fixed = source.repairs.fixed_joints;
+    for (const int j : fingers_) fixed.push_back(model_.joints[at(j)].name);
+    if (!fixed.empty()) {
+      out += "# Fingers, and what has no mass; take those out that a controller moves.\n";
+      out += "fixed_joints: " + list(fixed) + "\n";
+    }
+    std::vector<std::string> filled;
+    for (const std::string& name : source.repairs.inertia_from_shape) {
+      const int link = model_.find_link(name);
+      if (link > 0 || (link == 0 && floating())) filled.push_back(name);
+    }
+    if (!filled.empty()) {
+      out += "# The URDF gives these no inertia: that of a box around the geometry is taken.\n";
+      out += "inertia_from_shape: " + list(filled) + "\n";
+    }
+    out += "period: 0.002  # [s]\noff: damp\n\nimu: " + anatomy_.imu_frame + "\n";
+    soles(out);
+    hands(out);
+    if (!anatomy_.leg_joints.empty())
+      out += "\nleg_joints: " + list(names_of(anatomy_.leg_joints)) + "\n";
+    std::string servos;
+    for (const int j : model_.bus_joints) {
+      if (!is_finger(j)) servo(j, servos);
+    }
+    if (servos.empty()) return out;
+    return out + "\n# From weight and lever arms [N m/rad, N m s/rad].\nservos:\n" + servos;
+  }
+
+  std::string srdf() {
+    std::string out =
+        "<?xml version=\"1.0\"?>\n<!-- Proposed by `twinbus check`. -->\n<robot name=\"" +
+        escaped(model_.name) + "\">\n";
+    write_pose("zero", neutral_posture(model_), out);
+    write_pose("half_sitting", posture_, out);
+    for (const NamedPose& pose : known_.poses) {
+      if (pose.name == "zero" || pose.name == "half_sitting") continue;
+      write_pose(pose.name, to_vector(pose), out);
+    }
+    if (!known_.rotors.empty()) out += "  <rotor_params>\n";
+    for (const SrdfRotor& rotor : known_.rotors) {
+      out += "    <joint name=\"" + escaped(rotor.joint) + "\" mass=\"" +
+             exact(rotor.reflected_inertia) + "\" gear_ratio=\"1\"/>\n";
+    }
+    if (!known_.rotors.empty()) out += "  </rotor_params>\n";
+    for (const auto& [a, b] : known_.disabled) {
+      out += "  <disable_collisions link1=\"" + escaped(a) + "\" link2=\"" + escaped(b) +
+             "\" reason=\"said by the SRDF that was there\"/>\n";
+    }
+    for (const CollisionPair& pair : touching()) {
+      out += "  <disable_collisions link1=\"" + escaped(model_.links[at(pair.link_a)].name) +
+             "\" link2=\"" + escaped(model_.links[at(pair.link_b)].name) +
+             "\" reason=\"touch in a proposed posture\"/>\n";
+    }
+    return out + "</robot>\n";
+  }
+
+  // What people must know of the choices.
+  void tell(std::vector<std::string>& doubts) const {
+    doubts.insert(doubts.end(), doubts_.begin(), doubts_.end());
+    if (disabled_ > 0) {
+      doubts.push_back(std::to_string(disabled_) +
+                       " pairs of links touch in the proposed postures and are exempt from the "
+                       "collision check: look at them in the SRDF");
+    }
+  }
+
+ private:
+  bool floating() const { return model_.soles[0].link >= 0; }
+
+  int link_of(const std::string& frame_name) const {
+    for (const Frame& frame : model_.frames) {
+      if (frame.name == frame_name) return frame.link;
+    }
+    return -1;
+  }
+
+  std::vector<std::string> names_of(const std::vector<int>& joints) const {
+    std::vector<std::string> names;
+    for (const int j : joints) names.push_back(model_.joints[at(j)].name);
+    return names;
+  }
+
+  static Eigen::VectorXd to_vector(const NamedPose& pose) {
+    return Eigen::Map<const Eigen::VectorXd>(pose.q.data(),
+                                             static_cast<Eigen::Index>(pose.q.size()));
+  }
+
+  // half_sitting of the SRDF that was there, if the robot stands in it; else one that is computed.
+  void choose_posture() {
+    if (!floating()) return;
+    for (const NamedPose& pose : known_.poses) {
+      if (pose.name != "half_sitting") continue;
+      const std::string why = why_it_falls(model_, to_vector(pose));
+      if (why.empty()) {
+        posture_ = to_vector(pose);
+        return;
+      }
+      doubts_.push_back("half_sitting of the SRDF that was there is not used: " + why);
+    }
+    if (find_standing_posture(model_, posture_)) return;
+    const std::string why = why_it_falls(model_, posture_);
+    doubts_.push_back(
+        "no posture with bent knees and flat soles was found: half_sitting is the zero posture" +
+        (why.empty() ? std::string() : ", in which " + why) +
+        "; look at the limits of the leg joints, or write half_sitting into the SRDF by hand");
+  }
+
+  void write_pose(const std::string& name, const Eigen::VectorXd& q, std::string& out) const {
+    out += "  <group_state name=\"" + escaped(name) + "\" group=\"all\">\n";
+    for (const int j : model_.bus_joints) {
+      const Joint& joint = model_.joints[at(j)];
+      if (is_finger(j)) continue;
+      // Rounding must not leave the limits.
+      const double value = std::clamp(std::round(q[j] * 1e6) / 1e6, joint.lower, joint.upper);
+      out += "    <joint name=\"" + escaped(joint.name) + "\" value=\"" +
+             exact(value == 0.0 ? 0.0 : value) + "\"/>\n";
+    }
+    out += "  </group_state>\n";
+  }
+
+  void soles(std::string& out) const {
+    if (model_.soles[0].link < 0) return;
+    const double share = model_.total_mass() / kWeight;
+    out +=
+        "\n# frame: z up, x forward, on the ground when the foot is flat; at, rpy: where it is in "
+        "the link [m, rad].\nsoles:\n";
+    for (std::size_t side = 0; side < 2; ++side) {
+      const Sole& sole = model_.soles[side];
+      const std::string& sensor = anatomy_.sole_sensor[side];
+      // Short soles must be stiffer, or the robot tips over on their springs.
+      const double half = 0.5 * (sole.front + sole.back);
+      const double stiffness =
+          std::max(kSoleStiffness * share, kTipping * model_.total_mass() * kGravity *
+                                               std::max(anatomy_.hip_height, 0.1) /
+                                               std::max(half * half, 1e-4));
+      out += std::string(side == 0 ? "  left:" : "  right:") +
+             "\n    {frame: " + model_.links[at(sole.link)].name +
+             ", at: " + list(sole.frame.translation()) +
+             ", rpy: " + list(rpy_from_rotation(sole.frame.linear())) +
+             (sensor.empty() ? "" : ", sensor: " + sensor) + ",\n     front: " + fixed(sole.front) +
+             ", back: " + fixed(sole.back) + ", left: " + fixed(sole.left) +
+             ", right: " + fixed(sole.right) + ",\n     stiffness: " + rough(stiffness) +
+             ", damping: " + rough(kSoleDamping / kSoleStiffness * stiffness) +
+             ", friction: 0.8}\n";
+    }
+  }
+
+  void hands(std::string& out) const {
+    if (anatomy_.hands[0].link < 0 && anatomy_.hands[1].link < 0) return;
+    out += "\nhands:\n";
+    for (std::size_t side = 0; side < 2; ++side) {
+      const Hand& hand = anatomy_.hands[side];
+      if (hand.link < 0) continue;
+      out += std::string(side == 0 ? "  left:" : "  right:") +
+             "\n    frame: " + model_.links[at(hand.link)].name +
+             "\n    at: " + list(hand.frame.translation()) + "\n";
+      if (!anatomy_.hand_sensor[side].empty())
+        out += "    sensor: " + anatomy_.hand_sensor[side] + "\n";
+      out += "    joints: " + list(names_of(hand.joints)) + "\n";
+    }
+  }
+
+  bool above(int link, int below) const {
+    while (below > link) below = model_.links[at(below)].parent;
+    return below == link;
+  }
+
+  bool is_finger(int j) const {
+    return std::find(fingers_.begin(), fingers_.end(), j) != fingers_.end();
+  }
+
+  // Legs and what carries the arms hold the weight of the robot, others what hangs on them.
+  void servo(int j, std::string& out) const {
+    const Joint& joint = model_.joints[at(j)];
+    Configuration c(model_);
+    c.q = posture_;
+    Kinematics k(model_);
+    k.update(c);
+    double moment = 0.0;  // of what hangs on the joint, at worst [N m]
+    double inertia = joint.rotor_inertia;
+    bool carries_hand = false;
+    for (const Hand& hand : anatomy_.hands)
+      carries_hand = carries_hand || (hand.link > 0 && above(j + 1, hand.link));
+    int hands = 0;
+    for (const Hand& hand : anatomy_.hands)
+      hands += hand.link > 0 && above(j + 1, hand.link) ? 1 : 0;
+    for (int i = j + 1; i < model_.link_count(); ++i) {
+      if (!above(j + 1, i)) continue;
+      const double arm = (k.com_of_link(i) - k.link_in_world(j + 1).translation()).norm();
+      moment += model_.links[at(i)].mass * kGravity * arm;
+      inertia += model_.links[at(i)].mass * arm * arm + model_.links[at(i)].inertia.trace() / 3.0;
+    }
+    const bool leg = std::find(anatomy_.leg_joints.begin(), anatomy_.leg_joints.end(), j) !=
+                     anatomy_.leg_joints.end();
+    double kp = std::max(kArmStiffness * moment, kLeastStiffness);
+    double kd = 1.4 * std::sqrt(kp * inertia);
+    if (leg || hands == 2) {
+      kp = kLegStiffness * model_.total_mass() * kGravity * std::max(anatomy_.hip_height, 0.1);
+      kd = 0.02 * kp;
+    }
+    out += "  - {joints: [" + joint.name + "], kp: " + rough(kp) + ", kd: " + rough(kd) + "}\n";
+  }
+
+  // Pairs of links that touch in one of the postures.
+  std::vector<CollisionPair> touching() {
+    Collision collision(model_);
+    Kinematics k(model_);
+    Configuration c(model_);
+    std::set<std::pair<int, int>> found;
+    for (const Eigen::VectorXd& q : {neutral_posture(model_), posture_}) {
+      c.q = q;
+      k.update(c);
+      std::vector<PairDistance> near(4096);
+      const int count = collision.near_pairs(k, 1e-3, near.data(), static_cast<int>(near.size()));
+      for (int i = 0; i < count; ++i) found.insert({near[at(i)].link_a, near[at(i)].link_b});
+    }
+    std::vector<CollisionPair> pairs;
+    for (const auto& [a, b] : found) pairs.push_back({a, b});
+    disabled_ = pairs.size();
+    return pairs;
+  }
+
+  Model model_;
+  const Anatomy& anatomy_;
+  const KnownSrdf& known_;
+  std::vector<std::string> doubts_;
+  Eigen::VectorXd posture_;
+  std::vector<int> fingers_;  // joints behind the hands
+  std::size_t disabled_ = 0;
+};
+
+}  // namespace
+
+Proposal propose(const Model& model, const ProposalSource& source) {
+  const KnownSrdf known = fit_srdf(model, source.srdf_text, source.srdf_file);
+  const Anatomy anatomy = find_anatomy(model, known.feet);
+  Writer writer(model, anatomy, known);
+  Proposal proposal;
+  proposal.doubts = source.notes;
+  proposal.doubts.insert(proposal.doubts.end(), anatomy.doubts.begin(), anatomy.doubts.end());
+  proposal.doubts.insert(proposal.doubts.end(), known.doubts.begin(), known.doubts.end());
+  const std::string stem = fs::path(source.urdf_name).stem().string();
+  proposal.yaml = writer.yaml(source, stem + ".srdf");
+  proposal.srdf = writer.srdf();
+  writer.tell(proposal.doubts);
+  return proposal;
+}
+
+}  // namespace twinbus

@@ -1,0 +1,46 @@
+// robot.yaml and SRDF for a robot that has none: a beginning that stands, to be corrected by people.
+
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "robot/onboarding/anatomy.h"
+#include "robot/description/load.h"
+#include "robot/description/model.h"
+
+namespace twinbus {
+
+struct Proposal {
+  std::string yaml, srdf;
+  std::vector<std::string> doubts;  // what people must look at
+};
+
+// What is known of the robot besides its model.
+struct ProposalSource {
+  std::string urdf_name;                                      // file name beside robot.yaml
+  std::vector<std::pair<std::string, std::string>> packages;  // name and folder
+  UrdfRepairs repairs;                                        // made when it was loaded
+  std::string srdf_text, srdf_file;  // an SRDF that is there already; both may be empty
+  std::vector<std::string> notes;    // what else was done to the URDF
+};
+
+// model: as load_repaired_urdf made it.  Of an SRDF that is there, poses, disabled pairs and rotors
+// are kept, as far as they fit the URDF.
+Proposal propose(const Model& model, const ProposalSource& source);
+
+// The SRDF that belongs to a URDF: of its name beside it or in ../srdf, or the only one there;
+// empty when there is none.
+std::string find_srdf(const std::string& urdf_file);
+
+// Mesh names relative to the URDF's folder as package://FOLDER/..., so that a copy elsewhere finds
+// them; adds that package if there was one.
+std::string with_packages(const std::string& urdf_text, const std::string& urdf_file,
+                          std::vector<std::pair<std::string, std::string>>& packages);
+
+// Folders of the package:// names that a URDF mentions, looked for above the file: the nearest
+// folder of that name, or one that has it.
+std::vector<std::pair<std::string, std::string>> find_packages(const std::string& urdf_file);
+
+}  // namespace twinbus

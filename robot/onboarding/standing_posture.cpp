@@ -1,0 +1,92 @@
+// Bends the legs of a robot that is known by its soles only, until it stands over them.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "robot/onboarding/anatomy.h"
+#include "common/math/index.h"
+#include "robot/kinematics/inverse_kinematics.h"
+#include "robot/kinematics/kinematics.h"
+
+namespace twinbus {
+
+namespace {
+
+// Of the length of the leg that the hips go down; less where the joints do not allow more.
+constexpr double kDrops[] = {0.06, 0.04, 0.025, 0.015, 0.008, 0.005, 0.003, 0.002, 0.001};
+constexpr int kPostureRounds = 60;
+
+// Knees forward: the joints of a leg that turn about y are bent like hip, knee and ankle.
+void bend(const Model& model, const Kinematics& k, int foot, Eigen::VectorXd& q) {
+  std::vector<int> pitch;
+  for (int link = model.soles[at(foot)].link; link > 0; link = model.links[at(link)].parent) {
+    if (std::abs(k.axis_in_world(link - 1).y()) > 0.7) pitch.push_back(link - 1);
+  }
+  if (pitch.size() != 3) return;
+  const double angle[3] = {-0.35, 0.7, -0.35};  // ankle, knee, hip
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Joint& joint = model.joints[at(pitch[i])];
+    const double sign = k.axis_in_world(pitch[i]).y() > 0.0 ? 1.0 : -1.0;
+    q[pitch[i]] = std::clamp(sign * angle[i], joint.lower, joint.upper);
+  }
+}
+
+// Both soles flat at `target` (base's frame) and the centre of mass above their middle.
+bool put(const Model& model, std::vector<InverseKinematics>& legs,
+         std::array<Eigen::Isometry3d, 2> target, Kinematics& k, Configuration& c) {
+  for (int round = 0; round < kPostureRounds; ++round) {
+    double middle = 0.0;
+    for (int foot = 0; foot < 2; ++foot) {
+      const IkResult result = legs[at(foot)].solve(target[at(foot)], {.restarts = 5}, c.q);
+      if (!result.reached) return false;
+      const Sole& sole = model.soles[at(foot)];
+      middle += 0.5 * (target[at(foot)].translation().x() + 0.5 * (sole.front - sole.back));
+    }
+    k.update(c);
+    const double error = k.com().x() - middle;
+    if (std::abs(error) < 1e-6) return true;
+    for (Eigen::Isometry3d& sole : target) sole.translation().x() += error;
+  }
+  return false;
+}
+
+}  // namespace
+
+bool find_standing_posture(const Model& model, Eigen::VectorXd& q) {
+  if (model.soles[0].link <= 0 || model.soles[1].link <= 0) return false;
+  Configuration c(model);
+  c.q = neutral_posture(model);
+  Kinematics k(model);
+  k.update(c);
+  std::array<Eigen::Isometry3d, 2> target;  // in the base's frame
+  double leg = 0.0, level = 0.0;
+  for (int foot = 0; foot < 2; ++foot) {
+    const Sole& sole = model.soles[at(foot)];
+    target[at(foot)] = k.link_in_world(sole.link) * sole.frame;
+    int root = sole.link;
+    while (model.links[at(root)].parent > 0) root = model.links[at(root)].parent;
+    leg = (k.link_in_world(root).translation() - target[at(foot)].translation()).norm();
+    level += 0.5 * target[at(foot)].translation().z();
+  }
+  Eigen::VectorXd bent = c.q;
+  for (int foot = 0; foot < 2; ++foot) bend(model, k, foot, bent);
+  std::vector<InverseKinematics> legs;
+  for (int foot = 0; foot < 2; ++foot) {
+    legs.emplace_back(model, 0, model.soles[at(foot)].link, model.soles[at(foot)].frame);
+  }
+  for (const double drop : kDrops) {
+    for (Eigen::Isometry3d& sole : target) {
+      sole.linear().setIdentity();
+      sole.translation().z() = level + drop * leg;
+    }
+    c.q = bent;
+    if (!put(model, legs, target, k, c)) continue;
+    q = c.q;
+    return true;
+  }
+  return false;
+}
+
+}  // namespace twinbus

@@ -1,0 +1,19 @@
+// Richardson extrapolation of steps of order 1 to order 2 or 3.
+//
+// With y1, y2, y3 after one step, two halves and three thirds of it from the same start:
+//
+//     order 2    2 y2 - y1
+//     order 3    (3 (3 y3 - 2 y2) - (2 y2 - y1)) / 2
+
+#pragma once
+
+#include <array>
+
+#include "robot/kinematics/kinematics.h"
+
+namespace twinbus {
+
+// coarse: y1 and, at order 3, y2, which is spoilt.  y: the finest; becomes the result.
+void extrapolate(int order, std::array<Configuration, 2>& coarse, Configuration& y) noexcept;
+
+}  // namespace twinbus

@@ -1,0 +1,315 @@
+#include "sim/contact/ground_contacts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "common/math/index.h"
+#include "sim/contact/bristle.h"
+#include "sim/world/link_hull.h"
+
+namespace twinbus {
+
+namespace {
+
+constexpr double kTangentRatio = 40.0;
+constexpr double kTangentMass = 15.0;  // [kg]
+
+constexpr double kHigh = 1.0;  // [m], more than the ground is ever uneven
+
+constexpr int kSpineProbes = 5;
+constexpr int kRimProbes = 6;
+
+}  // namespace
+
+ContactParams rubber(double k, double c, double mu) {
+  ContactParams params;
+  params.stiffness = k;
+  params.damping = c;
+  params.tangent_stiffness = kTangentRatio * k;
+  params.tangent_damping = std::sqrt(params.tangent_stiffness * kTangentMass);
+  params.friction = mu;
+  return params;
+}
+
+ContactParams shell(double stiffness, double friction) {
+  return rubber(stiffness, kLinkDamping * std::sqrt(stiffness / kLinkStiffness), friction);
+}
+
+ContactParams as_asked(const WorldConfig& config, const ContactParams& params) {
+  if (config.contact != ContactModel::kHuntCrossley) return params;
+  return hunt_crossley(params, config.dissipation);
+}
+
+Solid solid_of(const Obstacle& obstacle) noexcept {
+  const SolidShape shape = obstacle.shape == ObstacleShape::kBox      ? SolidShape::kBox
+                           : obstacle.shape == ObstacleShape::kSphere ? SolidShape::kSphere
+                                                                      : SolidShape::kCylinder;
+  return {shape, obstacle.size};
+}
+
+GroundContacts::GroundContacts(const Model& model, const WorldConfig& config)
+    : fixed_base_(config.fixed_base), soles_(model.soles), ground_height_(config.ground_height) {
+  for (std::size_t side = 0; side < 2; ++side) {
+    const Sole& sole = soles_[side];
+    for (int corner = 0; corner < kSoleCorners; ++corner) {
+      corner_[side][at(corner)] = sole.frame * sole_corner(sole, corner);
+    }
+    sole_params_[side] =
+        as_asked(config, rubber(sole.stiffness / kSoleCorners * config.stiffness_scale,
+                                sole.damping / kSoleCorners * config.damping_scale,
+                                std::sqrt(sole.friction * config.ground_friction)));
+  }
+  shell_params_ = as_asked(
+      config, shell(config.shell_stiffness, std::sqrt(kLinkFriction * config.ground_friction)));
+  for (const Obstacle& obstacle : config.obstacles) {
+    if (obstacle.shape == ObstacleShape::kNone) continue;
+    obstacles_.push_back(obstacle);
+    obstacle_radius_.push_back(bounding_radius(solid_of(obstacle)));
+  }
+  solid_ = obstacles_.size();
+  for (const Obstacle& tile : config.tiles) {
+    obstacles_.push_back(tile);
+    obstacle_radius_.push_back(bounding_radius(solid_of(tile)));
+  }
+  for (std::size_t i = 0; i < model.links.size(); ++i) {
+    for (const Shape& shape : model.links[i].collision) {
+      add_probes(static_cast<int>(i), shape, model);
+    }
+  }
+  // The longest way from link 0's origin to anything that can touch.
+  std::vector<double> far(model.links.size(), 0.0);
+  for (std::size_t i = 1; i < far.size(); ++i) {
+    const Joint& joint = model.joints[i - 1];
+    far[i] = far[at(joint.parent)] + joint.placement.translation().norm();
+    if (joint.kind == JointKind::kPrismatic) {
+      far[i] += std::max(std::abs(joint.lower), std::abs(joint.upper));
+    }
+  }
+  for (const ShapeProbes& shape : shapes_) {
+    reach_ = std::max(reach_, far[at(shape.link)] + shape.center.norm() + shape.radius);
+  }
+  for (std::size_t side = 0; side < 2; ++side) {
+    if (soles_[side].link < 0) continue;
+    for (const Eigen::Vector3d& local : corner_[side]) {
+      reach_ = std::max(reach_, far[at(soles_[side].link)] + local.norm());
+    }
+  }
+  memory_.reserve(kMostContacts);
+  saved_.reserve(kMostContacts);
+}
+
+void GroundContacts::add_probes(int link, const Shape& shape, const Model& model) {
+  if (link == 0 && fixed_base_) return;
+  ShapeProbes added{link, shape.pose.translation(), 0.0, probes_.size(), 0, 0, 0.0};
+  const auto probe = [&](const Eigen::Vector3d& at, double radius) {
+    LinkProbe p{shape.pose * at, radius, false};
+    for (const Sole& sole : model.soles) {
+      p.skin = p.skin || (sole.link == link && (sole.frame.inverse() * p.center).z() < kSoleSkin);
+    }
+    added.radius = std::max(added.radius, at.norm() + radius);
+    probes_.push_back(p);
+    ++added.count;
+  };
+  const Eigen::Vector3d& size = shape.size;
+  switch (shape.kind) {
+    case ShapeKind::kSphere:
+      probe(Eigen::Vector3d::Zero(), size.x());
+      break;
+    case ShapeKind::kBox:
+      for (int i = 0; i < 27; ++i) {
+        if (i == 13) continue;  // the middle of the box
+        probe({0.5 * (i % 3 - 1) * size.x(), 0.5 * (i / 3 % 3 - 1) * size.y(),
+               0.5 * (i / 9 - 1) * size.z()},
+              0.0);
+      }
+      break;
+    case ShapeKind::kCylinder: {
+      const double radius = size.x(), half = 0.5 * size.y();
+      if (half >= radius) {  // spheres along the spine
+        for (int i = 0; i < kSpineProbes; ++i) {
+          probe({0.0, 0.0, (half - radius) * (2.0 * i / (kSpineProbes - 1) - 1.0)}, radius);
+        }
+      } else {  // a disk: points of both rims
+        for (int i = 0; i < 2 * kRimProbes; ++i) {
+          const double angle = 2.0 * std::numbers::pi * (i / 2) / kRimProbes;
+          probe({radius * std::cos(angle), radius * std::sin(angle), i % 2 == 0 ? half : -half},
+                0.0);
+        }
+      }
+      break;
+    }
+    case ShapeKind::kMesh: {
+      const Eigen::Isometry3d in_shape = shape.pose.inverse();
+      for (const Eigen::Vector3d& corner : link_hull(shape).points) probe(in_shape * corner, 0.0);
+      break;
+    }
+  }
+  const auto first = probes_.begin() + static_cast<std::ptrdiff_t>(added.first);
+  const auto skin =
+      std::stable_partition(first, probes_.end(), [](const LinkProbe& p) { return !p.skin; });
+  added.bare = static_cast<std::size_t>(skin - first);
+  added.extent = added.center.norm() + added.radius;
+  if (added.count > 0) shapes_.push_back(added);
+}
+
+// Surface 0 is the ground, others are obstacles.  Signed, negative inside.
+Distance GroundContacts::distance(std::size_t surface,
+                                  const Eigen::Vector3d& point) const noexcept {
+  if (surface == 0) return {point.z(), Eigen::Vector3d::UnitZ()};
+  const Obstacle& obstacle = obstacles_[surface - 1];
+  const Eigen::Matrix3d turn = obstacle.pose.linear();
+  const Distance d =
+      distance_to(solid_of(obstacle), turn.transpose() * (point - obstacle.pose.translation()));
+  return {d.value, turn * d.normal};
+}
+
+Distance under_tile(const Obstacle& box, const Eigen::Vector3d& point) noexcept {
+  const Eigen::Vector3d p = box.pose.linear().transpose() * (point - box.pose.translation());
+  const bool over = std::abs(p.x()) <= 0.5 * box.size.x() && std::abs(p.y()) <= 0.5 * box.size.y();
+  return {over ? p.z() - 0.5 * box.size.z() : 1.0, box.pose.linear().col(2)};
+}
+
+void GroundContacts::find(const ArticulatedBody& body, double h,
+                          std::vector<Contact>& contacts) const noexcept {
+  contacts.clear();
+  // High above everything.
+  if (obstacles_.empty() && body.origin().z() > reach_ + kHigh + 2.0 * h * kMaxSpeed) return;
+  find_corners(body, h, contacts);
+  find_probes(body, h, contacts);
+}
+
+void GroundContacts::find_corners(const ArticulatedBody& body, double h,
+                                  std::vector<Contact>& contacts) const noexcept {
+  std::size_t cursor = 0;
+  const int surfaces = static_cast<int>(obstacles_.size()) + 1;
+  for (int side = 0; side < 2; ++side) {
+    const auto foot = static_cast<std::size_t>(side);
+    const Sole& sole = soles_[foot];
+    if (sole.link < 0 || (sole.link == 0 && fixed_base_)) continue;
+    const LinkNow link = body.link(sole.link);
+    Found found{.link = sole.link, .sole = side, .material = true, .params = &sole_params_[foot]};
+    for (int corner = 0; corner < kSoleCorners; ++corner) {
+      found.r = link.origin + link.rotation * corner_[foot][at(corner)];
+      const Eigen::Vector3d point = body.origin() + found.r;
+      const double offset = offset_[foot][at(corner)];
+      int deepest = 0;
+      found.depth = ground_height_[foot] - offset - point.z();
+      found.normal = Eigen::Vector3d::UnitZ();
+      for (std::size_t i = 0; i < obstacles_.size(); ++i) {
+        const Eigen::Vector3d away = obstacles_[i].pose.translation() - point;
+        if (!(away.norm() < obstacle_radius_[i] + 1.0)) continue;
+        const Distance d = i < solid_ ? distance(i + 1, point) : under_tile(obstacles_[i], point);
+        if (!(-d.value - offset > found.depth)) continue;
+        deepest = static_cast<int>(i) + 1;
+        found.depth = -d.value - offset;
+        found.normal = d.normal;
+      }
+      found.key = (side * kSoleCorners + corner) * surfaces + deepest;
+      add(body, link.velocity, found, h, cursor, contacts);
+    }
+  }
+}
+
+void GroundContacts::find_probes(const ArticulatedBody& body, double h,
+                                 std::vector<Contact>& contacts) const noexcept {
+  std::size_t cursor = 0;
+  const std::size_t surfaces = obstacles_.size() + 1;
+  Found found{.link = -1, .sole = -1, .params = &shell_params_};
+  const double far = reach_of(body.fastest(reach_), h);
+  for (const ShapeProbes& shape : shapes_) {
+    if (solid_ == 0) {  // most are high above the ground, and their link's origin says so
+      if (!(body.height(shape.link) < shape.extent + far)) continue;
+      if (!(body.height(shape.link, shape.center) < shape.radius + far)) continue;
+    }
+    const LinkNow link = body.link(shape.link);
+    const Eigen::Vector3d middle = link.origin + link.rotation * shape.center;
+    const Eigen::Vector3d spin = angular(link.velocity);
+    // Nothing of the shape moves faster than this (sums are bounds of norms, and cheaper).
+    const double speed =
+        at_point(link.velocity, middle).cwiseAbs().sum() + spin.cwiseAbs().sum() * shape.radius;
+    const double reach = reach_of(speed, h);
+    for (std::size_t surface = 0; surface <= solid_; ++surface) {
+      const Eigen::Vector3d at = body.origin() + middle;
+      if (surface == 0) {
+        if (!(at.z() < shape.radius + reach)) continue;
+      } else {
+        const Obstacle& obstacle = obstacles_[surface - 1];
+        const double apart = (obstacle.pose.translation() - at).norm();
+        if (!(apart < shape.radius + obstacle_radius_[surface - 1] + reach)) continue;
+        if (!(distance(surface, at).value < shape.radius + reach)) continue;
+      }
+      const std::size_t end = shape.first + (surface == 0 ? shape.bare : shape.count);
+      const Eigen::Vector3d up = link.rotation.row(2);
+      const double middle_height = body.origin().z() + link.origin.z();
+      for (std::size_t i = shape.first; i < end; ++i) {
+        const LinkProbe& probe = probes_[i];
+        if (surface == 0) {  // of most, how high they are is enough
+          const double height = middle_height + up.dot(probe.center);
+          if (!(probe.radius - height > -reach)) continue;
+        }
+        const Eigen::Vector3d center = link.origin + link.rotation * probe.center;
+        const Distance d = distance(surface, body.origin() + center);
+        if (!(probe.radius - d.value > -reach)) continue;
+        found.link = shape.link;
+        found.key = static_cast<int>((i + 2 * kSoleCorners) * surfaces + surface);
+        found.material = !(probe.radius > 0.0);
+        found.depth = probe.radius - d.value;
+        found.normal = d.normal;
+        found.r = center - probe.radius * d.normal;
+        add(body, link.velocity, found, h, cursor, contacts);
+      }
+    }
+  }
+}
+
+void GroundContacts::add(const ArticulatedBody& body, const Screw& velocity, const Found& found,
+                         double h, std::size_t& cursor,
+                         std::vector<Contact>& contacts) const noexcept {
+  const Eigen::Vector3d v0 = at_point(velocity, found.r);
+  const bool in_reach = found.depth > 0.0 || found.depth > -reach_of(v0.norm(), h);
+  if (!in_reach || contacts.size() >= kMostContacts) return;
+  Contact& c = contacts.emplace_back();
+  c.link = found.link;
+  c.sole = found.sole;
+  c.key = found.key;
+  c.material = found.material;
+  c.params = *found.params;
+  c.point = body.origin() + found.r;
+  c.r = found.r;
+  c.normal = found.normal;
+  c.depth = found.depth;
+  c.v0 = v0;
+  // Contacts are found in the same order at each step: the one sought is seldom far.
+  for (std::size_t seen = 0; seen < memory_.size(); ++seen) {
+    const Memory& memory = memory_[cursor];
+    cursor = cursor + 1 < memory_.size() ? cursor + 1 : 0;
+    if (memory.key != c.key) continue;
+    c.stretch = c.material ? Eigen::Vector3d(c.point - memory.bristle) : memory.bristle;
+    c.stretch -= c.normal * c.normal.dot(c.stretch);
+    return;
+  }
+  c.stretch = planted(c, h);
+}
+
+void GroundContacts::remember(const std::vector<Contact>& contacts, int system, double h) noexcept {
+  memory_.clear();
+  for (const Contact& c : contacts) {
+    if (c.now.mode == ContactMode::kOpen || c.system != system || c.other_system >= 0 ||
+        c.tie != TieKind::kNone) {
+      continue;
+    }
+    const Bristle bristle = bristle_after(c, h);
+    memory_.push_back({c.key, c.material ? bristle.anchor : bristle.stretch});
+  }
+}
+
+void GroundContacts::set_corner_offset(int sole, int corner, double offset) noexcept {
+  offset_[static_cast<std::size_t>(sole)][static_cast<std::size_t>(corner)] = offset;
+}
+
+double GroundContacts::corner_offset(int sole, int corner) const noexcept {
+  return offset_[static_cast<std::size_t>(sole)][static_cast<std::size_t>(corner)];
+}
+
+}  // namespace twinbus

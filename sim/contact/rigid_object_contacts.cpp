@@ -1,0 +1,460 @@
+#include "sim/contact/rigid_object_contacts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "geometry/bounds/convex_hull.h"
+#include "common/math/index.h"
+#include "sim/contact/bristle.h"
+#include "sim/contact/ground_contacts.h"
+#include "sim/world/link_hull.h"
+
+namespace twinbus {
+
+namespace {
+
+constexpr double kFlat = 0.05;   // a cylinder whose cap is this level stands on its rim
+constexpr double kFacing = 0.5;  // of a face's normal along a sole's
+constexpr double kRigid = std::numeric_limits<double>::infinity();
+
+ContactParams hard(double stiffness, double damping, double friction) {
+  return {stiffness, damping, stiffness, damping, friction, kDampingRamp};
+}
+
+double series(double a, double b) {
+  if (a == kRigid) return b;
+  if (b == kRigid) return a;
+  return a + b > 0.0 ? a * b / (a + b) : 0.0;
+}
+
+}  // namespace
+
+ContactParams together(const ContactParams& a, const ContactParams& b) {
+  return {series(a.stiffness, b.stiffness),
+          series(a.damping, b.damping),
+          series(a.tangent_stiffness, b.tangent_stiffness),
+          series(a.tangent_damping, b.tangent_damping),
+          std::sqrt(a.friction * b.friction),
+          std::max(a.ramp, b.ramp)};
+}
+
+LooseContacts::LooseContacts(const Model& model, const WorldConfig& config)
+    : robots_meet_(config.self_contact || !config.robots.empty()),
+      self_contact_(config.self_contact),
+      apart_(1 + config.loose.size() + config.robots.size()),
+      ground_(hard(kRigid, kRigid, config.ground_friction)) {
+  int system = 0;
+  for (const LooseBody& body : config.loose) {
+    Piece piece;
+    piece.system = ++system;
+    piece.solid = body.solid;
+    piece.mesh = body.mesh;
+    piece.only_mesh = body.mesh != nullptr;
+    if (!piece.only_mesh) piece.probes = probes_of(body.solid);
+    piece.solid_too = !piece.only_mesh;
+    piece.params = as_asked(config, hard(body.stiffness, body.damping, body.friction));
+    add(std::move(piece));
+  }
+  loose_ = pieces_.size();
+  if (active()) add_robot(model, config, 0);
+  for (const OtherRobot& robot : config.robots) add_robot(*robot.model, config, ++system);
+  alone_.assign(apart_.size(), 0);
+  moving_ = pieces_.size();
+  const auto add_fixed = [&](const Obstacle& obstacle, bool tile) {
+    if (obstacle.shape == ObstacleShape::kNone || loose_ == 0) return;
+    Piece piece;
+    piece.solid = solid_of(obstacle);
+    piece.rotation = obstacle.pose.linear();
+    piece.center = obstacle.pose.translation();
+    piece.params = ground_;
+    piece.tile = tile;
+    if (!tile && obstacle.shape == ObstacleShape::kBox) piece.probes = probes_of(piece.solid);
+    add(std::move(piece));
+  };
+  for (const Obstacle& obstacle : config.obstacles) add_fixed(obstacle, false);
+  for (const Obstacle& tile : config.tiles) add_fixed(tile, true);
+  if (std::any_of(pieces_.begin(), pieces_.end(), [](const Piece& p) { return p.only_mesh; })) {
+    give_meshes();
+  }
+  for (std::size_t i = 0; i < pieces_.size(); ++i)
+    spans_.push_back({0.0, 0.0, static_cast<int>(i)});
+  near_.reserve(spans_.size());
+  const std::size_t robots = 1 + config.robots.size();
+  const std::size_t most = active() ? robots * kMostContacts + loose_ * kMostLooseContacts : 0;
+  memory_.reserve(most);
+  saved_.reserve(most);
+}
+
+void LooseContacts::add_robot(const Model& model, const WorldConfig& config, int system) {
+  const double scale = system == 0 ? config.stiffness_scale : 1.0;
+  const double damping_scale = system == 0 ? config.damping_scale : 1.0;
+  Outline outline{.system = system, .first = pieces_.size(), .end = 0, .box = {}};
+  for (std::size_t side = 0; side < 2; ++side) {
+    const Sole& sole = model.soles[side];
+    if (sole.link < 0) continue;
+    Piece piece;
+    piece.system = system;
+    piece.link = sole.link;
+    piece.sole = static_cast<int>(side);
+    piece.solid_too = false;
+    piece.in_link = sole.frame;
+    piece.params =
+        as_asked(config, rubber(sole.stiffness / kSoleCorners * scale,
+                                sole.damping / kSoleCorners * damping_scale, sole.friction));
+    for (int corner = 0; corner < kSoleCorners; ++corner) {
+      piece.probes.push_back({sole_corner(sole, corner), 0.0});
+    }
+    add(std::move(piece));
+  }
+  for (std::size_t i = 0; i < model.links.size(); ++i) {
+    for (const Shape& shape : model.links[i].collision) {
+      Piece piece;
+      piece.system = system;
+      piece.link = static_cast<int>(i);
+      if (shape.kind == ShapeKind::kMesh) {
+        add_hull(shape, model, as_asked(config, shell(config.shell_stiffness, kLinkFriction)),
+                 std::move(piece));
+        continue;
+      }
+      piece.solid.size = shape.size;
+      piece.solid.shape = shape.kind == ShapeKind::kBox      ? SolidShape::kBox
+                          : shape.kind == ShapeKind::kSphere ? SolidShape::kSphere
+                                                             : SolidShape::kCylinder;
+      piece.in_link = shape.pose;
+      piece.params = as_asked(config, shell(config.shell_stiffness, kLinkFriction));
+      piece.probes = probes_of(piece.solid);
+      // Near its sole a foot touches with the sole's corners.
+      for (const Sole& sole : model.soles) {
+        if (sole.link != piece.link) continue;
+        const Eigen::Isometry3d in_sole = sole.frame.inverse() * shape.pose;
+        std::erase_if(piece.probes,
+                      [&](const Probe& p) { return (in_sole * p.center).z() < kSoleSkin; });
+      }
+      add(std::move(piece));
+    }
+  }
+  if (self_contact_) apart_[at(system)] = LinkPairs(model);
+  outline.end = pieces_.size();
+  robots_.push_back(outline);
+}
+
+// Of a foot only what is above its sole: near it, it touches with the sole's corners.
+void LooseContacts::add_hull(const Shape& shape, const Model& model, const ContactParams& params,
+                             Piece piece) {
+  TriangleMesh hull = link_hull(shape);
+  for (const Sole& sole : model.soles) {
+    if (sole.link != piece.link) continue;
+    const Eigen::Isometry3d in_sole = sole.frame.inverse();
+    for (Eigen::Vector3d& point : hull.points) {
+      Eigen::Vector3d p = in_sole * point;
+      p.z() = std::max(p.z(), kSoleSkin);
+      point = sole.frame * p;
+    }
+    hull = convex_hull(hull.points);
+  }
+  if (hull.triangles.empty()) return;
+  // About its middle, where a piece has its bounding sphere.
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& point : hull.points) box.extend(point);
+  for (Eigen::Vector3d& point : hull.points) point -= box.center();
+  piece.in_link.translation() = box.center();
+  piece.mesh = std::make_shared<const ContactMesh>(hull);
+  piece.only_mesh = true;
+  piece.solid_too = false;
+  piece.params = params;
+  add(std::move(piece));
+}
+
+// a comes before b.  What robots do with fixed things is sim/contact/ground_contacts.h's business.
+bool LooseContacts::may_meet(std::size_t a, std::size_t b) const noexcept {
+  if (a < loose_) return true;
+  if (b >= moving_) return false;
+  const Piece& one = pieces_[a];
+  const Piece& other = pieces_[b];
+  if (one.system != other.system) return true;
+  if (!self_contact_) return false;
+  return !apart_[at(one.system)].never_touch(one.link, other.link);
+}
+
+void LooseContacts::add(Piece piece) {
+  for (const Probe& probe : piece.probes) {
+    piece.radius = std::max(piece.radius, probe.center.norm() + probe.radius);
+  }
+  if (piece.solid_too) piece.radius = std::max(piece.radius, bounding_radius(piece.solid));
+  if (piece.only_mesh) {
+    for (const Eigen::Vector3d& vertex : piece.mesh->vertices()) {
+      piece.radius = std::max(piece.radius, vertex.norm());
+    }
+  }
+  piece.first_key = next_key_;
+  // Two more for the ends of a cylinder that rolls.
+  next_key_ += static_cast<int>(piece.probes.size()) + 2;
+  pieces_.push_back(std::move(piece));
+}
+
+void LooseContacts::place(Piece& piece, const std::vector<ArticulatedBody*>& systems) noexcept {
+  const ArticulatedBody& body = *systems[at(piece.system)];
+  const LinkNow link = body.link(piece.link);
+  const Eigen::Vector3d middle = link.origin + link.rotation * piece.in_link.translation();
+  piece.rotation = link.rotation * piece.in_link.linear();
+  piece.center = body.origin() + middle;
+  piece.speed =
+      at_point(link.velocity, middle).norm() + angular(link.velocity).norm() * piece.radius;
+}
+
+bool LooseContacts::near(const Piece& a, const Piece& b, double h) const noexcept {
+  const double apart = a.radius + b.radius + reach_of(a.speed + b.speed, h);
+  return (a.center - b.center).squaredNorm() < apart * apart;
+}
+
+void LooseContacts::find(const std::vector<ArticulatedBody*>& systems, double h,
+                         std::vector<Contact>& contacts) noexcept {
+  for (std::size_t i = 0; i < moving_; ++i) place(pieces_[i], systems);
+  Search search{systems, h, contacts};
+  for (std::size_t i = 0; i < loose_; ++i) {
+    const Piece& own = pieces_[i];
+    if (own.center.z() < own.radius + reach_of(own.speed, h)) meet_ground(own, search);
+  }
+  find_alone(h);
+  sort_spans(h);
+  near_.clear();
+  for (const Span& span : spans_) {
+    const int system = pieces_[at(span.piece)].system;
+    if (system < 0 || alone_[at(system)] == 0) near_.push_back(span);
+  }
+  for (std::size_t a = 0; a < near_.size(); ++a) {
+    for (std::size_t b = a + 1; b < near_.size() && near_[b].from <= near_[a].to; ++b) {
+      const std::size_t i = at(std::min(near_[a].piece, near_[b].piece));
+      const std::size_t j = at(std::max(near_[a].piece, near_[b].piece));
+      if (!may_meet(i, j) || !near(pieces_[i], pieces_[j], h)) continue;
+      if (pieces_[i].only_mesh || pieces_[j].only_mesh) {
+        meet_mesh(i, static_cast<int>(j), search);
+        continue;
+      }
+      if (pieces_[j].solid_too) meet(pieces_[i], j, false, search);
+      if (!pieces_[j].probes.empty()) meet(pieces_[j], i, pieces_[j].system < 0, search);
+    }
+  }
+}
+
+void LooseContacts::find_alone(double h) noexcept {
+  const auto reach = [&](const Piece& piece) { return piece.radius + reach_of(piece.speed, h); };
+  for (Outline& robot : robots_) {
+    robot.box.setEmpty();
+    for (std::size_t i = robot.first; i < robot.end; ++i) {
+      const Eigen::Vector3d half = Eigen::Vector3d::Constant(reach(pieces_[i]));
+      robot.box.extend(pieces_[i].center - half);
+      robot.box.extend(pieces_[i].center + half);
+    }
+  }
+  for (const Outline& robot : robots_) {
+    bool alone = !self_contact_;
+    for (const Outline& other : robots_) {
+      if (&other != &robot && other.box.intersects(robot.box)) alone = false;
+    }
+    for (std::size_t i = 0; alone && i < loose_; ++i) {
+      alone = robot.box.exteriorDistance(pieces_[i].center) > reach(pieces_[i]);
+    }
+    alone_[at(robot.system)] = alone ? 1 : 0;
+  }
+}
+
+// By insertion: little changes from step to step.  What begins at the same place is in the order of
+// the pieces, so that the order depends on nothing but where they are.
+void LooseContacts::sort_spans(double h) noexcept {
+  for (Span& span : spans_) {
+    const Piece& piece = pieces_[at(span.piece)];
+    const double half = piece.radius + reach_of(piece.speed, h);
+    span.from = piece.center.x() - half;
+    span.to = piece.center.x() + half;
+  }
+  for (std::size_t k = 1; k < spans_.size(); ++k) {
+    const Span span = spans_[k];
+    std::size_t to = k;
+    for (; to > 0; --to) {
+      const Span& before = spans_[to - 1];
+      if (before.from < span.from || (before.from == span.from && before.piece < span.piece)) break;
+      spans_[to] = before;
+    }
+    spans_[to] = span;
+  }
+}
+
+void LooseContacts::meet_ground(const Piece& own, Search& search) noexcept {
+  if (own.only_mesh) {
+    meet_mesh(static_cast<std::size_t>(&own - pieces_.data()), -1, search);
+    return;
+  }
+  if (own.solid.shape == SolidShape::kCylinder) {
+    meet_cylinder(own, search);
+    return;
+  }
+  Contact found;
+  found.system = own.system;
+  found.normal = Eigen::Vector3d::UnitZ();
+  found.params = together(own.params, ground_);
+  const auto targets = static_cast<int>(pieces_.size()) + 1;
+  for (std::size_t i = 0; i < own.probes.size(); ++i) {
+    const Probe& probe = own.probes[i];
+    found.point = own.center + own.rotation * probe.center;
+    found.point.z() -= probe.radius;
+    found.depth = -found.point.z();
+    found.material = !(probe.radius > 0.0);
+    found.key = kFirstKey + (own.first_key + static_cast<int>(i)) * targets;
+    consider(found, search);
+  }
+}
+
+// On the points of its rims if it stands, else on the lowest point of each rim.
+void LooseContacts::meet_cylinder(const Piece& own, Search& search) noexcept {
+  Contact found;
+  found.system = own.system;
+  found.normal = Eigen::Vector3d::UnitZ();
+  found.params = together(own.params, ground_);
+  const auto targets = static_cast<int>(pieces_.size()) + 1;
+  const Eigen::Vector3d axis = own.rotation.col(2);
+  const Eigen::Vector3d across = axis * axis.z() - Eigen::Vector3d::UnitZ();
+  const auto count = static_cast<int>(own.probes.size());
+  found.material = across.norm() < kFlat;
+  const int first = found.material ? 0 : count, end = found.material ? count : count + 2;
+  for (int i = first; i < end; ++i) {
+    if (found.material) {
+      if (own.probes[at(i)].radius > 0.0) continue;
+      found.point = own.center + own.rotation * own.probes[at(i)].center;
+    } else {
+      const double side = i == first ? 0.5 : -0.5;
+      found.point =
+          own.center + side * own.solid.size.y() * axis + own.solid.size.x() * across.normalized();
+    }
+    found.depth = -found.point.z();
+    found.key = kFirstKey + (own.first_key + i) * targets;
+    consider(found, search);
+  }
+}
+
+// Point by point a corner on the edge of a box could be pushed out sideways.
+int LooseContacts::face_between(const Piece& points, const Piece& box) const noexcept {
+  if (box.solid.shape != SolidShape::kBox || box.tile || points.probes.size() < 4) return -1;
+  const Eigen::Matrix3d turn = box.rotation.transpose() * points.rotation;
+  const Eigen::Vector3d middle = box.rotation.transpose() * (points.center - box.center);
+  int best = -1;
+  double most = -std::numeric_limits<double>::infinity();
+  for (int face = 0; face < 6; ++face) {
+    const int axis = face / 2;
+    const double sign = face % 2 == 0 ? 1.0 : -1.0;
+    // A sole is pushed up, however deep it has sunk into something thin.
+    if (points.sole >= 0 && sign * turn(axis, 2) < -kFacing) continue;
+    double least = std::numeric_limits<double>::infinity();
+    for (const Probe& probe : points.probes) {
+      if (probe.radius > 0.0) return -1;
+      least = std::min(least, sign * (middle[axis] + turn.row(axis).dot(probe.center)));
+    }
+    const double apart = least - 0.5 * box.solid.size[axis];
+    if (!(apart > most)) continue;
+    most = apart;
+    best = face;
+  }
+  return best;
+}
+
+void LooseContacts::meet(const Piece& from, std::size_t into, bool turned,
+                         Search& search) noexcept {
+  const Piece& solid = pieces_[into];
+  const auto targets = static_cast<int>(pieces_.size()) + 1;
+  Contact found;
+  found.params = together(from.params, solid.params);
+  found.sole = from.sole;
+  found.system = turned ? solid.system : from.system;
+  found.link = turned ? solid.link : from.link;
+  found.other_system = turned ? -1 : solid.system;
+  found.other = turned ? -1 : solid.link;
+  const int face = face_between(from, solid);
+  for (std::size_t i = 0; i < from.probes.size(); ++i) {
+    const Probe& probe = from.probes[i];
+    const Eigen::Vector3d center = from.center + from.rotation * probe.center;
+    const Eigen::Vector3d inside = solid.rotation.transpose() * (center - solid.center);
+    Distance d;
+    if (solid.tile) {
+      const bool over = std::abs(inside.x()) <= 0.5 * solid.solid.size.x() &&
+                        std::abs(inside.y()) <= 0.5 * solid.solid.size.y();
+      d = {over ? inside.z() - 0.5 * solid.solid.size.z() : 1.0, Eigen::Vector3d::UnitZ()};
+    } else if (face >= 0) {
+      const int axis = face / 2;
+      const double sign = face % 2 == 0 ? 1.0 : -1.0;
+      Eigen::Vector3d beyond = inside.cwiseAbs() - 0.5 * solid.solid.size;
+      beyond[axis] = 0.0;
+      if (!(beyond.maxCoeff() < kMargin)) continue;
+      d = {sign * inside[axis] - 0.5 * solid.solid.size[axis], sign * Eigen::Vector3d::Unit(axis)};
+    } else {
+      d = distance_to(solid.solid, inside);
+    }
+    const Eigen::Vector3d out = solid.rotation * d.normal;
+    found.normal = turned ? Eigen::Vector3d(-out) : out;
+    found.depth = probe.radius - d.value;
+    found.material = !turned && !(probe.radius > 0.0);
+    found.point = center - probe.radius * out;
+    found.key =
+        kFirstKey + (from.first_key + static_cast<int>(i)) * targets + static_cast<int>(into) + 1;
+    consider(found, search);
+  }
+}
+
+void LooseContacts::consider(Contact& c, Search& search) noexcept {
+  const ArticulatedBody& body = *search.systems[at(c.system)];
+  if (c.link < 0) c.link = 0;
+  c.r = c.point - body.origin();
+  c.v0 = at_point(body.link(c.link).velocity, c.r);
+  const ArticulatedBody* other = c.other_system >= 0 ? search.systems[at(c.other_system)] : nullptr;
+  if (other != nullptr) {
+    c.other_r = c.point - other->origin();
+    c.v0 -= at_point(other->link(c.other).velocity, c.other_r);
+  }
+  if (!(c.depth > -reach_of(c.v0.norm(), search.h)) ||
+      search.contacts.size() >= search.contacts.capacity()) {
+    return;
+  }
+  search.contacts.push_back(c);
+  Contact& added = search.contacts.back();
+  // Contacts are found in the same order at each step: the one sought is seldom far.
+  std::size_t seen = 0;
+  while (seen < memory_.size() && memory_[search.cursor % memory_.size()].key != c.key) {
+    ++search.cursor;
+    ++seen;
+  }
+  if (seen == memory_.size()) {
+    added.guess.setZero();
+    added.stretch = planted(added, search.h);
+    return;
+  }
+  const Memory& memory = memory_[search.cursor++ % memory_.size()];
+  Eigen::Vector3d bristle = memory.bristle;
+  if (other != nullptr) {
+    const LinkNow link = other->link(c.other);
+    bristle = link.rotation * bristle;
+    if (c.material) bristle += other->origin() + link.origin;
+  }
+  added.stretch = c.material ? Eigen::Vector3d(c.point - bristle) : bristle;
+  added.stretch -= c.normal * c.normal.dot(added.stretch);
+  added.guess = memory.force;
+}
+
+void LooseContacts::remember(const std::vector<ArticulatedBody*>& systems,
+                             const std::vector<Contact>& contacts, double h) noexcept {
+  memory_.clear();
+  for (const Contact& c : contacts) {
+    if (c.key < kFirstKey || c.now.mode == ContactMode::kOpen) continue;
+    const Bristle bristle = bristle_after(c, h);
+    Eigen::Vector3d kept = c.material ? bristle.anchor : bristle.stretch;
+    if (c.other_system >= 0) {
+      const ArticulatedBody& other = *systems[at(c.other_system)];
+      const LinkNow link = other.link(c.other);
+      if (c.material) kept -= other.origin() + link.origin;
+      kept = link.rotation.transpose() * kept;
+    }
+    memory_.push_back({c.key, kept, c.now.force});
+  }
+}
+
+}  // namespace twinbus

@@ -1,0 +1,129 @@
+// Which points of loose bodies may touch the ground, an obstacle, a robot or one another within
+// the next step, which of one robot another robot and, if asked for, which links of a robot one
+// another.  Neighbours and the SRDF's disabled pairs never do.
+//
+// Every shape is a piece: probes (sim/world/solid.h) that enter the other pieces, and a solid that their
+// probes enter.  A sole has its corners for probes and no solid.  Springs and dampers of two pieces
+// act in series, friction is the geometric mean.  Two boxes whose edges cross with no corner in the
+// other are not seen.  A body of triangles meets the triangles of all else (sim/contact/rigid_object_mesh.h).
+
+#pragma once
+
+#include <Eigen/Geometry>
+#include <memory>
+#include <vector>
+
+#include "geometry/mesh_contact/manifold.h"
+#include "sim/contact/contact_solve.h"
+#include "sim/world/link_pairs.h"
+#include "sim/world/solid.h"
+#include "sim/world/world.h"
+
+namespace twinbus {
+
+// Springs and dampers in series.
+ContactParams together(const ContactParams& a, const ContactParams& b);
+
+class LooseContacts {
+ public:
+  // Systems: the robot's is 0, that of loose body i is i + 1, the further robots come after them.
+  LooseContacts(const Model& model, const WorldConfig& config);
+
+  bool active() const noexcept { return loose_ > 0 || robots_meet_; }
+  bool robots_meet() const noexcept { return robots_meet_; }  // one another or themselves
+
+  // Appends contacts as far as their capacity goes, always in the same order.
+  void find(const std::vector<ArticulatedBody*>& systems, double h,
+            std::vector<Contact>& contacts) noexcept;
+  // After the solve of a step h, the systems still as they were at its start.
+  void remember(const std::vector<ArticulatedBody*>& systems, const std::vector<Contact>& contacts,
+                double h) noexcept;
+  void forget() noexcept { memory_.clear(); }
+  // The bristles as they are, for a step that is taken again.
+  void save() noexcept { saved_ = memory_; }
+  void restore() noexcept { memory_ = saved_; }
+
+  // Loose contacts have keys from here on.
+  static constexpr int kFirstKey = 1 << 24;
+
+ private:
+  struct Piece {
+    int system = -1;  // -1: fixed
+    int link = 0;
+    int sole = -1;
+    bool solid_too = true;  // not only probes
+    bool tile = false;      // only its top counts
+    Solid solid;
+    std::shared_ptr<const ContactMesh> mesh;  // of a body of triangles, and of all that it may meet
+    bool only_mesh = false;
+    Eigen::Isometry3d in_link = Eigen::Isometry3d::Identity();
+    ContactParams params;
+    std::vector<Probe> probes;  // in the solid's axes
+    int first_key = 0;          // of its probes
+    double radius = 0.0;        // about its middle [m]
+    // As placed.
+    Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+    Eigen::Vector3d center = Eigen::Vector3d::Zero();  // world
+    double speed = 0.0;                                // nothing of it is faster [m/s]
+  };
+  struct Memory {
+    int key;
+    Eigen::Vector3d bristle;  // in B's axes: anchor, or stretch of a point that rolls
+    Eigen::Vector3d force;    // world
+  };
+  // Along x, with what it may move in a step.
+  struct Span {
+    double from, to;
+    int piece;
+  };
+  // The pieces of a robot, and a box that none of them leaves in a step.
+  struct Outline {
+    int system = 0;
+    std::size_t first = 0, end = 0;
+    Eigen::AlignedBox3d box;
+  };
+  struct Search {
+    const std::vector<ArticulatedBody*>& systems;
+    double h;
+    std::vector<Contact>& contacts;
+    std::size_t cursor = 0;
+  };
+
+  void add_robot(const Model& model, const WorldConfig& config, int system);
+  // Of a link of triangles.
+  void add_hull(const Shape& shape, const Model& model, const ContactParams& params, Piece piece);
+  bool may_meet(std::size_t a, std::size_t b) const noexcept;
+  void add(Piece piece);
+  void sort_spans(double h) noexcept;
+  // Which robots have nothing near them.
+  void find_alone(double h) noexcept;
+  void place(Piece& piece, const std::vector<ArticulatedBody*>& systems) noexcept;
+  bool near(const Piece& a, const Piece& b, double h) const noexcept;
+  void meet_ground(const Piece& piece, Search& search) noexcept;
+  void meet_cylinder(const Piece& piece, Search& search) noexcept;
+  // Probes of one in the solid of the other; turned: the probes are those of something fixed.
+  void meet(const Piece& probes, std::size_t solid, bool turned, Search& search) noexcept;
+  // In sim/contact/rigid_object_mesh.cpp.
+  void give_meshes();
+  // other: -1: the ground.
+  void meet_mesh(std::size_t own, int other, Search& search) noexcept;
+  // Of a box, the face that bare points are nearest to being out of; -1: ask point by point.
+  int face_between(const Piece& points, const Piece& box) const noexcept;
+  void consider(Contact& found, Search& search) noexcept;
+
+  std::vector<Piece> pieces_;  // the loose bodies, the robot's, the fixed ones
+  std::vector<Span> spans_;    // of all pieces, by where they begin
+  std::vector<Span> near_;     // of these, but for robots that are alone
+  std::size_t loose_ = 0, moving_ = 0;
+  std::vector<Outline> robots_;
+  std::vector<char> alone_;  // by system
+  bool robots_meet_ = false, self_contact_ = false;
+  std::vector<LinkPairs> apart_;  // by system
+  ContactParams ground_;
+  ManifoldFinder finder_;
+  Manifold manifold_;
+  int next_key_ = 0;
+  std::vector<Memory> memory_, saved_;  // in the order of find()
+};
+
+}  // namespace twinbus

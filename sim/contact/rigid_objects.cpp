@@ -1,0 +1,181 @@
+#include "sim/contact/rigid_objects.h"
+
+#include <cmath>
+
+#include "robot/dynamics/inverse_dynamics.h"
+#include "common/math/index.h"
+#include "sim/articulated/richardson.h"
+#include "sim/articulated/torque_free_rotation.h"
+#include "sim/contact/ground_contacts.h"
+#include "sim/contact/rigid_object_mesh.h"
+
+namespace twinbus {
+
+namespace {
+
+Model model_of(const LooseBody& body) {
+  Model model;
+  model.name = body.name;
+  Link link;
+  link.name = body.name;
+  link.mass = body.mass;
+  link.inertia = inertia_of(body);
+  model.links = {link};
+  return model;
+}
+
+}  // namespace
+
+LooseBodies::LooseBodies(const Model& model, const WorldConfig& config, ArticulatedBody& robot)
+    : robots_(config), systems_{&robot}, contacts_(model, config) {
+  articulated_.reserve(config.loose.size());
+  for (const LooseBody& body : config.loose) {
+    const Model own = model_of(body);
+    articulated_.emplace_back(own, false, 1.0);
+    systems_.push_back(&articulated_.back());
+    Body& added = bodies_.emplace_back();
+    added.now = added.start = Configuration(own);
+    added.coarse = {added.now, added.now};
+    added.inertia = own.links[0].inertia.diagonal();
+    set(count() - 1, body.start);
+  }
+  for (int i = 0; i < robots_.count(); ++i) systems_.push_back(&robots_.body(i));
+}
+
+int LooseBodies::most_contacts() const noexcept {
+  const int robots = 1 + robots_.count();
+  const int among_robots = contacts_.robots_meet() ? robots * kMostContacts : 0;
+  return robots * kMostContacts + among_robots + kMostLooseContacts * count();
+}
+
+LooseState LooseBodies::state(int body) const noexcept {
+  const Configuration& now = bodies_[at(body)].now;
+  return {now.base, now.base_velocity, now.base_angular_velocity};
+}
+
+void LooseBodies::set(int body, const LooseState& state) noexcept {
+  Configuration& now = bodies_[at(body)].now;
+  now.base = state.pose;
+  now.base.linear() = Eigen::Quaterniond(state.pose.linear()).normalized().toRotationMatrix();
+  now.base_velocity = state.velocity;
+  now.base_angular_velocity = state.angular_velocity;
+  place(at(body));
+  contacts_.forget();
+}
+
+// The acceleration of the solve is to be that of the centre itself, without w x v.
+void LooseBodies::place(std::size_t body) noexcept {
+  const Configuration& now = bodies_[body].now;
+  ArticulatedBody& work = articulated_[body];
+  work.place(now);
+  work.add_force(0, Eigen::Vector3d::Zero(),
+                 work.mass() * now.base_angular_velocity.cross(now.base_velocity));
+}
+
+void LooseBodies::place_all() noexcept {
+  robots_.place_all();
+  for (std::size_t i = 0; i < bodies_.size(); ++i) place(i);
+}
+
+bool LooseBodies::inward(double h) noexcept {
+  bool sound = robots_.inward(h);
+  for (ArticulatedBody& body : articulated_) sound = body.inward(no_rows_, h) && sound;
+  return sound;
+}
+
+void LooseBodies::outward() noexcept {
+  robots_.outward();
+  for (ArticulatedBody& body : articulated_) body.outward();
+}
+
+bool LooseBodies::advance(const std::vector<Contact>& contacts, double h,
+                          double share) noexcept {
+  if (empty()) return true;
+  contacts_.remember(systems_, contacts, h);
+  if (!robots_.advance(contacts, count() + 1, h, share)) return false;
+  for (Body& body : bodies_) body.touched = false;
+  for (const Contact& c : contacts) {
+    if (c.now.mode == ContactMode::kOpen) continue;
+    for (const int system : {c.system, c.other_system}) {
+      if (system > 0 && system <= count()) bodies_[at(system - 1)].touched = true;
+    }
+  }
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (bodies_[i].touched) {
+      bodies_[i].ever = true;
+      land(i, h);
+    } else {
+      fly(i, h);
+    }
+    if (check_configuration(0, bodies_[i].now) != Status::kOk) return false;
+    place(i);
+  }
+  return true;
+}
+
+void LooseBodies::land(std::size_t index, double h) noexcept {
+  Configuration& now = bodies_[index].now;
+  const Eigen::Vector3d& inertia = bodies_[index].inertia;
+  const Screw a = articulated_[index].acceleration(0);
+  const Eigen::Matrix3d r = now.base.linear();
+  const Eigen::Vector3d w = now.base_angular_velocity;
+  const auto momentum = [&](const Eigen::Vector3d& spin) {
+    return Eigen::Vector3d(r * inertia.cwiseProduct(r.transpose() * spin));
+  };
+  const Eigen::Vector3d end = w + h * angular(a);
+  const Eigen::Vector3d angular_momentum = momentum(end) + h * w.cross(momentum(w));
+  now.base_velocity += h * linear(a);
+  now.base.translation() += h * now.base_velocity;
+  const double angle = h * end.norm();
+  if (angle > 0.0) {
+    const Eigen::Quaterniond turn(Eigen::AngleAxisd(angle, end.normalized()));
+    now.base.linear() = (turn * Eigen::Quaterniond(r)).normalized().toRotationMatrix();
+  }
+  const Eigen::Matrix3d after = now.base.linear();
+  now.base_angular_velocity = after * (after.transpose() * angular_momentum).cwiseQuotient(inertia);
+}
+
+void LooseBodies::fly(std::size_t index, double h) noexcept {
+  Configuration& now = bodies_[index].now;
+  const Eigen::Vector3d gravity(0.0, 0.0, -kGravity);
+  now.base.translation() += h * (now.base_velocity + 0.5 * h * gravity);
+  now.base_velocity += h * gravity;
+  Eigen::Matrix3d rotation = now.base.linear();
+  turn_freely(bodies_[index].inertia, h, rotation, now.base_angular_velocity);
+  now.base.linear() = rotation;
+}
+
+void LooseBodies::save() noexcept {
+  contacts_.save();
+  robots_.save();
+  for (Body& body : bodies_) {
+    body.start = body.now;
+    body.ever = false;
+  }
+}
+
+void LooseBodies::restore() noexcept {
+  contacts_.restore();
+  robots_.restore();
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    bodies_[i].now = bodies_[i].start;
+    place(i);
+  }
+}
+
+void LooseBodies::keep_coarse(int which) noexcept {
+  robots_.keep_coarse(which);
+  for (Body& body : bodies_) body.coarse[at(which)] = body.now;
+}
+
+// What has touched nothing is better as it is.
+void LooseBodies::extrapolate(int order) noexcept {
+  robots_.extrapolate(order);
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (!bodies_[i].ever) continue;
+    twinbus::extrapolate(order, bodies_[i].coarse, bodies_[i].now);
+    place(i);
+  }
+}
+
+}  // namespace twinbus

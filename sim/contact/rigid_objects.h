@@ -1,0 +1,81 @@
+// What moves in a world beside the commanded robot, in its one solve: loose bodies, of a single
+// link each, and further robots (sim/contact/other_robots.h).
+//
+// A step of a body that touches something is backward Euler in the acceleration of the solve, with
+// linear and angular momentum kept exactly: what it gains is the impulse.  A body that touches
+// nothing falls exactly and turns by sim/articulated/torque_free_rotation.h.
+
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "robot/kinematics/kinematics.h"
+#include "sim/articulated/aba.h"
+#include "sim/contact/contact_solve.h"
+#include "sim/contact/rigid_object_contacts.h"
+#include "sim/contact/other_robots.h"
+#include "sim/world/world.h"
+
+namespace twinbus {
+
+class LooseBodies {
+ public:
+  // robot must outlive this.  Masses and sizes are such as make_world() lets pass.
+  LooseBodies(const Model& model, const WorldConfig& config, ArticulatedBody& robot);
+
+  // There is no contact but the robot's with what is fixed.
+  bool empty() const noexcept { return systems_.size() == 1 && !contacts_.active(); }
+  int count() const noexcept { return static_cast<int>(bodies_.size()); }
+  OtherRobots& robots() noexcept { return robots_; }
+  const OtherRobots& robots() const noexcept { return robots_; }
+  // The robot, the loose bodies, the further robots.
+  const std::vector<ArticulatedBody*>& systems() const noexcept { return systems_; }
+  int most_contacts() const noexcept;
+
+  LooseState state(int body) const noexcept;
+  void set(int body, const LooseState& state) noexcept;
+
+  // Appends their contacts.
+  void find(double h, std::vector<Contact>& contacts) noexcept {
+    robots_.find(count() + 1, h, contacts);
+    contacts_.find(systems_, h, contacts);
+  }
+  // All bodies, after the robot's; false: an inertia was not positive.
+  bool inward(double h) noexcept;
+  void outward() noexcept;
+  // After the solve, before the robot is placed anew; share: how much of a whole step it was.
+  // False: no sane result.
+  bool advance(const std::vector<Contact>& contacts, double h, double share) noexcept;
+
+  // As they are, without what was folded in for a solve.
+  void place_all() noexcept;
+
+  // For higher orders: the state as it is; back to it; what coarser steps came to; their limit.
+  void save() noexcept;
+  void restore() noexcept;
+  void keep_coarse(int which) noexcept;
+  void extrapolate(int order) noexcept;
+
+ private:
+  struct Body {
+    Configuration now, start;
+    std::array<Configuration, 2> coarse;
+    Eigen::Vector3d inertia;  // principal, the body's axes [kg m^2]
+    bool touched = false;     // in the last step
+    bool ever = false;        // since save()
+  };
+
+  void place(std::size_t body) noexcept;
+  void land(std::size_t body, double h) noexcept;
+  void fly(std::size_t body, double h) noexcept;
+
+  std::vector<ArticulatedBody> articulated_;
+  std::vector<Body> bodies_;
+  OtherRobots robots_;
+  std::vector<ArticulatedBody*> systems_;
+  std::vector<JointRow> no_rows_;
+  LooseContacts contacts_;
+};
+
+}  // namespace twinbus

@@ -1,0 +1,137 @@
+// Orders 2 and 3 of ArticulatedWorld: steps of order 1 extrapolated, in parts where an event lies.
+
+#include <algorithm>
+#include <utility>
+
+#include "sim/engine/articulated_world.h"
+#include "sim/articulated/richardson.h"
+
+namespace twinbus {
+
+namespace {
+
+constexpr double kStopSlack = 1e-9;  // [rad or m]
+// It is calm again where the last correction of an extrapolation changes no speed by more than this
+// times the step.
+constexpr double kCalm = 0.015;  // [m/s^2] and [rad/s^2]
+// Steps in parts of one size, at most: motion may be lively without an event.
+constexpr int kMostHeld = 16;
+
+double fastest_change(const Configuration& a, const Configuration& b) noexcept {
+  return std::max({(a.qd - b.qd).lpNorm<Eigen::Infinity>(),
+                   (a.base_velocity - b.base_velocity).norm(),
+                   (a.base_angular_velocity - b.base_angular_velocity).norm()});
+}
+
+}  // namespace
+
+// Where an event lies within a step, the step is taken in ever smaller parts, which grow again from
+// step to step once it is calm: servos and ground that a landing has shaken ring on for a while.
+bool ArticulatedWorld::advance_in_parts() noexcept {
+  if (calm_ || ++held_ == kMostHeld) {
+    part_ = std::min(2 * part_, kEventParts);
+    held_ = 0;
+  }
+  for (int done = 0; done < kEventParts;) {
+    const double h = config_.step * part_ / kEventParts;
+    switch (extrapolated(h, part_ > 1)) {
+      case Outcome::kFailed:
+        return false;
+      case Outcome::kEvent:
+        part_ /= 2;
+        held_ = 0;
+        break;
+      case Outcome::kTaken:
+        done += part_;
+        break;
+    }
+  }
+  return true;
+}
+
+// One step, two halves, at order 3 three thirds of it from the same start.  may_reject: an event
+// leaves everything as it was.
+ArticulatedWorld::Outcome ArticulatedWorld::extrapolated(double h, bool may_reject) noexcept {
+  start_ = configuration_;
+  loose_.save();
+  ground_.save();
+  for (JointLaw& joint : joints_) joint.save();
+  Momentum momentum;  // if nothing touches
+  bool smooth = true, airborne = true;
+  bool moved = false;  // the body is placed elsewhere than at the start
+  std::uint64_t expected = 0;
+  for (int parts = 1; parts <= config_.order; ++parts) {
+    if (parts > 1) go_back(std::exchange(moved, false));
+    for (int i = 0; i < parts; ++i) {
+      const bool goes_on = i + 1 < parts;
+      const Outcome outcome = advance(h / parts, may_reject, goes_on);
+      moved = moved || goes_on || floats();
+      if (outcome == Outcome::kFailed && parts == config_.order) return Outcome::kFailed;
+      smooth = smooth && outcome == Outcome::kTaken;
+      if (parts == 1) {
+        expected = pattern();
+        momentum = before_;
+      }
+      airborne = airborne && airborne_ && !touched(false);
+      smooth = smooth && pattern() == expected && !crosses();
+      if (smooth) continue;
+      if (may_reject) {
+        go_back(moved);
+        return Outcome::kEvent;
+      }
+      if (parts < config_.order) break;
+    }
+    if (parts < config_.order) {
+      coarse_[at(parts - 1)] = configuration_;
+      loose_.keep_coarse(parts - 1);
+    }
+  }
+  if (smooth) {
+    next_ = configuration_;
+    extrapolate(config_.order, coarse_, configuration_);
+    // Of order 3 the last correction is a third of what order 2 with the same halves is off.
+    const double correction = config_.order == 2
+                                  ? fastest_change(configuration_, next_)
+                                  : fastest_change(configuration_, coarse_[1]) / 3.0;
+    calm_ = correction <= kCalm * config_.step;
+    smooth = check_configuration(joints_.size(), configuration_) == Status::kOk && within_stops();
+    if (!smooth) configuration_ = next_;
+  }
+  if (!smooth) {
+    if (!floats()) body_.place(configuration_);
+    ++events_;
+    return Outcome::kTaken;
+  }
+  loose_.extrapolate(config_.order);
+  airborne_ = airborne;
+  place_after(momentum, h, 0.5);
+  return Outcome::kTaken;
+}
+
+// Something came to touch or to part within the last solve.
+bool ArticulatedWorld::crosses() const noexcept {
+  return std::any_of(contacts_.begin(), contacts_.end(), [](const Contact& c) {
+    return (c.depth > 0.0) != (c.now.mode != ContactMode::kOpen);
+  });
+}
+
+// What is extrapolated may leap over a stop that no step of order 1 passes.
+bool ArticulatedWorld::within_stops() const noexcept {
+  for (std::size_t j = 0; j < joints_.size(); ++j) {
+    const auto index = static_cast<Eigen::Index>(j);
+    const double fine = std::max(kStopSlack, joints_[j].beyond_stops(next_.q[index]));
+    if (!(joints_[j].beyond_stops(configuration_.q[index]) <= fine)) return false;
+  }
+  return true;
+}
+
+// To where extrapolated() began.
+void ArticulatedWorld::go_back(bool moved) noexcept {
+  configuration_ = start_;
+  moved ? body_.place(configuration_) : body_.let_go();
+  ground_.restore();
+  loose_.restore();
+  for (JointLaw& joint : joints_) joint.restore();
+}
+
+}  // namespace twinbus

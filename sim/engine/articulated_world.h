@@ -1,0 +1,144 @@
+// The simulated world of one robot and loose bodies in one implicit solve: the default engine.
+//
+// A step of backward Euler: sim/articulated_body moves the links in reduced coordinates (joints
+// cannot come apart), sim/joint_law acts in each joint, sim/ground_contacts and sim/contact_solve
+// at each touching point, all with the velocities of the end of the step.  So no stiffness of servo
+// or ground limits the step; it is first order in it.  Gyroscopic forces are those of its start.
+// In flight momentum is kept to rounding besides.
+//
+// A pass of the solve is exact for the pieces of the joint laws it assumes; a step whose result
+// lies on other pieces (a servo reaches its limit, a joint its stop) takes another pass.  A step
+// whose contacts do not settle is taken in parts, ever smaller ones.
+
+// Order 2 or 3 (config.order): such a step, two half ones and three thirds from the same start are
+// extrapolated (sim/articulated/richardson.h).  Where they disagree on what touches, slips or is limited, or
+// something comes to touch or to part, an event lies within: the step is taken in parts, down to a
+// sixteenth, of which the one with the event is left at order 1.  They grow again as it gets calm.
+//
+// With config.flight an explicit method of high order (sim/articulated/free_flight.h) takes the steps in which
+// nothing can touch and no servo is too stiff for it.
+
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "sim/articulated/aba.h"
+#include "sim/contact/contact_solve.h"
+#include "sim/articulated/free_flight.h"
+#include "sim/contact/ground_contacts.h"
+#include "sim/articulated/joint_law.h"
+#include "sim/contact/rigid_objects.h"
+#include "sim/contact/ties.h"
+#include "sim/world/world.h"
+
+namespace twinbus {
+
+class ArticulatedWorld final : public World {
+ public:
+  // Throws std::runtime_error as make_world() says.
+  ArticulatedWorld(const Model& model, const WorldConfig& config);
+
+  Status set(const Configuration& configuration,
+             const Eigen::VectorXd* tau = nullptr) noexcept override;
+  // Goes on as another world of the same model and config would, bit for bit: where its robot is and
+  // all that joints and contacts remember.  False: there are loose bodies, ties or other robots;
+  // nothing has changed.
+  [[nodiscard]] bool resume(const ArticulatedWorld& other) noexcept;
+  Status set_servo(int joint, const ServoTarget& target) noexcept override;
+  Status push(int link, const Eigen::Vector3d& point,
+              const Eigen::Vector3d& force) noexcept override;
+  void set_corner_offset(int sole, int corner, double offset) noexcept override;
+  double corner_offset(int sole, int corner) const noexcept override;
+  void estimate_contact_forces() noexcept override;
+  Status step() noexcept override;
+
+  const Configuration& configuration() const noexcept override { return configuration_; }
+  double encoder(int joint) const noexcept override;
+  double tau(int joint) const noexcept override;
+  Eigen::Isometry3d link_in_world(int link) const noexcept override;
+  Eigen::Vector3d point_velocity(int link, const Eigen::Vector3d& point) const noexcept override;
+  Eigen::Vector3d angular_velocity(int link) const noexcept override;
+  double mass() const noexcept override { return body_.mass(); }
+  Eigen::Vector3d com() const noexcept override;
+  Eigen::Vector3d com_velocity() const noexcept override;
+  const std::vector<ContactPoint>& contacts() const noexcept override { return reported_; }
+  int loose_count() const noexcept override { return loose_.count(); }
+  LooseState loose(int body) const noexcept override { return loose_.state(body); }
+  Status set_loose(int body, const LooseState& state) noexcept override;
+  Eigen::Isometry3d robot_link(int robot, int link) const noexcept override {
+    return loose_.robots().link_in_world(robot, link);
+  }
+  Status hold(int tie, bool holds) noexcept override;
+  double corner_stiffness(int sole) const noexcept override;
+  double corner_damping(int sole, double force) const noexcept override;
+
+  const SolveCounters& counters() const noexcept { return solve_.counters(); }
+  const std::vector<Contact>& solved() const noexcept { return contacts_; }  // of the last step
+  long joint_passes() const noexcept { return joint_passes_; }  // beyond the first of each step
+  // Steps that ended with a joint on a wrong piece of its law.
+  long unsettled() const noexcept { return unsettled_; }
+  // Solves of contacts that did not settle even in the smallest part of a step.
+  long unconverged() const noexcept { return unconverged_; }
+  // Parts of steps of order 2 or 3 that were left at order 1.
+  long events() const noexcept { return events_; }
+  // Steps that an explicit method took.
+  long flown() const noexcept { return flown_; }
+
+ private:
+  struct Push {
+    int link;
+    Eigen::Vector3d point, force;
+  };
+
+  bool fly() noexcept;
+  static constexpr int kEventParts = 16;  // of a step, at most
+  enum class Outcome { kTaken, kEvent, kFailed };
+  Outcome advance(double h, bool may_reject, bool goes_on = true) noexcept;
+  bool advance_settled() noexcept;
+  bool advance_in_parts() noexcept;
+  Outcome extrapolated(double h, bool may_reject) noexcept;
+  bool crosses() const noexcept;
+  bool within_stops() const noexcept;
+  void go_back(bool moved) noexcept;
+  bool solve_step(double h) noexcept;
+  void place_after(Momentum momentum, double h, double before) noexcept;
+  bool touched(bool fixed) const noexcept;
+  bool floats() const noexcept;
+  void find_contacts(double h) noexcept;
+  std::uint64_t pattern_of_contacts() const noexcept;
+  std::uint64_t pattern() const noexcept;
+  double end_speed(std::size_t joint, double h) const noexcept;
+  void report_contacts() noexcept;
+
+  WorldConfig config_;
+  ArticulatedBody body_;
+  GroundContacts ground_;
+  LooseBodies loose_;
+  Ties ties_;
+  ContactSolve solve_;
+  FlightMotion flight_;
+  std::vector<JointLaw> joints_;
+  std::vector<JointRow> rows_;
+  std::vector<Contact> contacts_;
+  std::vector<ContactPoint> reported_;
+  std::vector<Push> pushes_;
+  Configuration configuration_, start_;
+  std::array<Configuration, 2> coarse_;
+  Configuration next_;
+  int part_ = kEventParts;  // of kEventParts: what is taken of a step at once
+  int held_ = 0;            // steps in which it has not grown
+  bool calm_ = true;        // it may
+  long joint_passes_ = 0;
+  long unsettled_ = 0;
+  long unconverged_ = 0;
+  long events_ = 0;
+  long flown_ = 0;
+  bool converged_ = true;  // the last solve
+  bool airborne_ = false;  // nothing fixed touched the robot when the last solve began
+  Momentum before_;        // then
+  bool frozen_ = false;
+};
+
+}  // namespace twinbus

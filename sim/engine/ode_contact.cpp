@@ -1,0 +1,218 @@
+// What touches what in the simulated world, as soft contact rows of ODE.
+//
+// A row with soft ERP = h k / (h k + c) and CFM = 1 / (h k + c) is lambda = k (depth - h v+) - c v+
+// >= 0: a spring and damper by backward Euler.  The corners of a sole carry its declared stiffness;
+// everything else exists so that a fallen robot lies on the ground and an arm does not pass through
+// a table.  Contacts come in a fixed order.  With contact rigid a row has neither: ODE's LCP.
+
+#include <algorithm>
+
+#include "sim/contact/contact_law.h"
+#include "sim/contact/ground_contacts.h"
+#include "sim/contact/rigid_object_contacts.h"
+#include "sim/engine/ode_impl.h"
+
+namespace twinbus {
+
+namespace {
+
+constexpr double kSlipSpeed = 1e-3;  // below it the friction axes follow the foot [m/s]
+
+}  // namespace
+
+void OdeWorld::Impl::add_geoms() {
+  plane = dCreatePlane(nullptr, 0.0, 0.0, 1.0, 0.0);
+  for (const Obstacle& obstacle : config.obstacles) add_solid(obstacle, obstacle_geoms);
+  for (const Obstacle& tile : config.tiles) add_solid(tile, tile_geoms);
+}
+
+void OdeWorld::Impl::add_solid(const Obstacle& obstacle, std::vector<dGeomID>& geoms) {
+  if (obstacle.shape == ObstacleShape::kNone) return;
+  const dGeomID geom = geom_of(solid_of(obstacle));
+  const Eigen::Vector3d p = obstacle.pose.translation();
+  const Eigen::Quaterniond q(obstacle.pose.linear());
+  const dQuaternion attitude = {q.w(), q.x(), q.y(), q.z()};
+  dGeomSetPosition(geom, p.x(), p.y(), p.z());
+  dGeomSetQuaternion(geom, attitude);
+  geoms.push_back(geom);
+}
+
+void OdeWorld::Impl::find_contacts() noexcept {
+  contacts.clear();
+  rows.clear();
+  for (std::size_t robot = 0; robot < robots.size(); ++robot) {
+    find_sole_contacts(robot);
+    find_link_contacts(robot);
+  }
+  find_meetings();
+  find_loose_contacts();
+}
+
+void OdeWorld::Impl::find_sole_contacts(std::size_t index) noexcept {
+  const OdeRobot& robot = robots[index];
+  for (int side = 0; side < 2; ++side) {
+    const auto foot = static_cast<std::size_t>(side);
+    const Sole& sole = robot.model.soles[foot];
+    if (sole.link < 0 || robot.body(sole.link) == nullptr) continue;
+    const Eigen::Isometry3d& link = robot.kinematics.link_in_world(sole.link);
+    for (int corner = 0; corner < kSoleCorners; ++corner) {
+      const Eigen::Vector3d point = link * (sole.frame * sole_corner(sole, corner));
+      const double raised = robot.offset[foot][static_cast<std::size_t>(corner)];
+      double depth = robot.config.ground_height[foot] - raised - point.z();
+      Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
+      for (const Obstacle& tile : config.tiles) {
+        const Distance d = under_tile(tile, point);
+        if (!(-d.value - raised > depth)) continue;
+        depth = -d.value - raised;
+        normal = d.normal;
+      }
+      // What comes down within the step touches in it, as in the other engine.
+      const Eigen::Vector3d velocity = robot.kinematics.point_velocity(sole.link, point);
+      if (!(depth > 0.0 || depth - h * normal.dot(velocity) > 0.0)) continue;
+      dContactGeom geom{};
+      for (int i = 0; i < 3; ++i) {
+        geom.pos[i] = point[i];
+        geom.normal[i] = normal[i];
+      }
+      geom.depth = depth;
+      add_contact(geom, index, sole.link, side);
+    }
+  }
+}
+
+void OdeWorld::Impl::find_link_contacts(std::size_t index) noexcept {
+  dContactGeom found[kPointsPerPair];
+  const OdeRobot& robot = robots[index];
+  for (const OdeGeom& part : robot.geoms) {
+    if (robot.body(part.link) == nullptr) continue;
+    dReal box[6];
+    dGeomGetAABB(part.geom, box);
+    const auto meet_one = [&](dGeomID other) {
+      const int count = dCollide(part.geom, other, kPointsPerPair, found, sizeof(dContactGeom));
+      for (int i = 0; i < count; ++i) {
+        const bool by_corners =
+            other == plane && robot.sole_at(part.link, vector(found[i].pos)) >= 0;
+        if (!by_corners) add_contact(found[i], index, part.link, -1);
+      }
+    };
+    const auto meet_near = [&](const std::vector<dGeomID>& geoms) {
+      for (const dGeomID geom : geoms) {
+        dReal other[6];
+        dGeomGetAABB(geom, other);
+        if (bounds_meet(box, other)) meet_one(geom);
+      }
+    };
+    if (box[4] <= 0.0) meet_one(plane);
+    meet_near(obstacle_geoms);
+    // As in the other engine tiles meet no more of a foot than its sole's corners.
+    if (!robot.has_sole(part.link)) meet_near(tile_geoms);
+  }
+}
+
+void OdeWorld::Impl::add_contact(const dContactGeom& geom, std::size_t robot, int link,
+                                 int sole) noexcept {
+  if (!has_room()) return;
+  const int felt = feel(robot, link, sole, geom);
+  if (robot == 0 && felt < 0) return;
+  add_row(geom, robots[robot].body(link), nullptr, together(robots[robot].surface(sole), ground),
+          felt, -1);
+}
+
+int OdeWorld::Impl::feel(std::size_t robot, int link, int sole, const dContactGeom& geom) noexcept {
+  if (robot != 0 || contacts.size() >= static_cast<std::size_t>(kMaxContacts)) return -1;
+  contacts.push_back({.link = link,
+                      .sole = sole,
+                      .point = vector(geom.pos),
+                      .force = Eigen::Vector3d::Zero(),
+                      .depth = std::max(0.0, geom.depth)});
+  return static_cast<int>(contacts.size()) - 1;
+}
+
+Eigen::Vector3d OdeWorld::Impl::velocity_between(const dContactGeom& geom, dBodyID first,
+                                                 dBodyID second) const noexcept {
+  dVector3 v, other{0.0, 0.0, 0.0, 0.0};
+  dBodyGetPointVel(first, geom.pos[0], geom.pos[1], geom.pos[2], v);
+  if (second != nullptr) dBodyGetPointVel(second, geom.pos[0], geom.pos[1], geom.pos[2], other);
+  return vector(v) - vector(other);
+}
+
+void OdeWorld::Impl::add_row(const dContactGeom& geom, dBodyID first, dBodyID second,
+                             const ContactParams& params, int felt, int felt_by_other) noexcept {
+  const Eigen::Vector3d velocity = velocity_between(geom, first, second);
+  const double end = geom.depth - h * vector(geom.normal).dot(velocity);
+  const double c = damping_at(as_asked(config, params), end);
+  rows.push_back({soft_row(geom, velocity, first, params.stiffness, c, params.friction), first,
+                  second, felt, felt_by_other});
+}
+
+// So that the friction pyramid does not favour the world's axes.
+dContact OdeWorld::Impl::soft_row(const dContactGeom& geom, const Eigen::Vector3d& velocity,
+                                  dBodyID body, double k, double c, double mu) const noexcept {
+  const Eigen::Matrix3d turn = matrix(dBodyGetRotation(body));
+  const Eigen::Vector3d normal(geom.normal[0], geom.normal[1], geom.normal[2]);
+  Eigen::Vector3d along = velocity - normal.dot(velocity) * normal;
+  for (int axis = 0; axis < 2 && !(along.norm() > (axis == 0 ? kSlipSpeed : 0.1)); ++axis) {
+    along = turn.col(axis) - normal.dot(turn.col(axis)) * normal;
+  }
+  along.normalize();
+  dContact row{};
+  row.geom = geom;
+  row.geom.g1 = row.geom.g2 = nullptr;
+  row.surface.mode = dContactApprox1 | dContactFDir1;
+  const bool soft = config.contact != ContactModel::kRigid;
+  if (soft) row.surface.mode |= dContactSoftERP | dContactSoftCFM;
+  row.surface.mu = mu;
+  row.surface.soft_erp = h * k / (h * k + c);
+  row.surface.soft_cfm = 1.0 / (h * k + c);
+  // ODE takes a negative depth for none: the way that is left is a speed.
+  if (geom.depth < 0.0) {
+    row.surface.mode |= dContactMotionN;
+    row.surface.motionN = (soft ? row.surface.soft_erp : 1.0) / h * geom.depth;
+  }
+  for (int i = 0; i < 3; ++i) row.fdir1[i] = along[i];
+  return row;
+}
+
+void OdeWorld::Impl::create_contact_joints() noexcept {
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const dJointID joint = dJointCreateContact(world, contact_group, &rows[i].contact);
+    dJointAttach(joint, rows[i].own, rows[i].other);
+    dJointSetFeedback(joint, &feedback[i]);
+  }
+}
+
+void OdeWorld::Impl::read_contact_forces() noexcept {
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const Eigen::Vector3d force = vector(feedback[i].f1);
+    const auto felt_as = [&](int index, const Eigen::Vector3d& f) {
+      if (index >= 0) contacts[static_cast<std::size_t>(index)].force = f;
+    };
+    felt_as(rows[i].felt, force);
+    felt_as(rows[i].felt_by_other, -force);
+  }
+  read_tie_forces();
+  forget_open();
+}
+
+// Points that were about to touch and did not.
+void OdeWorld::Impl::forget_open() noexcept {
+  std::erase_if(contacts,
+                [](const ContactPoint& c) { return !(c.depth > 0.0) && c.force.isZero(0.0); });
+}
+
+// Of what is fixed alone: that is what carries a robot.
+void OdeWorld::Impl::estimate_contact_forces() noexcept {
+  find_contacts();
+  for (const Row& row : rows) {
+    if (row.felt < 0 || row.other != nullptr) continue;
+    const dContact& contact = row.contact;
+    const Eigen::Vector3d normal = vector(contact.geom.normal);
+    const double speed = normal.dot(velocity_between(contact.geom, row.own, nullptr));
+    const double force =
+        (contact.surface.soft_erp / h * contact.geom.depth - speed) / contact.surface.soft_cfm;
+    contacts[static_cast<std::size_t>(row.felt)].force = std::max(0.0, force) * normal;
+  }
+  forget_open();
+}
+
+}  // namespace twinbus

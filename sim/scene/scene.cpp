@@ -1,0 +1,375 @@
+#include "sim/scene/scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+#include "common/text/strict_yaml.h"
+#include "robot/description/load.h"
+#include "sim/contact/rigid_object_mesh.h"
+#include "sim/scene/scene_obstacle.h"
+#include "sim/scene/scene_vectors.h"
+#include "sim/scene/settings.h"
+
+namespace twinbus {
+
+namespace {
+
+constexpr double kDay = 86400.0;
+constexpr std::size_t kMaxObstacles = 200;
+// Planner and guard leave none of a scene's out.
+static_assert(kMaxObstacles <= static_cast<std::size_t>(Collision::kMaxObstacles));
+constexpr std::size_t kMaxLoose = 100;
+constexpr std::size_t kMaxRobots = 15;
+
+LooseBody read_loose(const ConfigNode& node) {
+  const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
+  LooseBody body;
+  body.name = node.text("name");
+  constexpr int kMesh = 4;
+  const int shape = node.choice("shape", {"box", "sphere", "cylinder", "capsule", "mesh"}, 0);
+  const std::size_t numbers[] = {3, 1, 2, 2};
+  if (shape != kMesh) {
+    body.solid.shape = static_cast<SolidShape>(shape);
+    const std::vector<double> size = node.numbers("size", numbers[shape]);
+    for (std::size_t i = 0; i < size.size(); ++i) {
+      if (!(size[i] >= 1e-3 && size[i] <= 100.0)) node.fail("size", "must be from 0.001 to 100 m");
+      body.solid.size[static_cast<Eigen::Index>(i)] = size[i];
+    }
+  }
+  body.mass = node.number("mass", 1e-3, 1e5);
+  body.start.pose.translation() = bounded(node, "position", 1000.0, nullptr);
+  body.start.pose.linear() = rpy(node).toRotationMatrix();
+  if (shape == kMesh) {
+    const TriangleMesh mesh = read_mesh(node);
+    try {
+      give_mesh(mesh, body);
+    } catch (const std::runtime_error& error) {
+      node.fail("file", error.what());
+    }
+  }
+  body.start.velocity = bounded(node, "velocity", kMaxSpeed, &zero);
+  body.start.angular_velocity = bounded(node, "angular_velocity", 100.0, &zero);
+  body.friction = node.number("friction", 0.0, 10.0, body.friction);
+  body.stiffness = node.number("stiffness", 1e2, 1e9, body.stiffness);
+  // Half critical for a body on four points.
+  body.damping = node.number("damping", 0.0, 1e7, std::sqrt(0.25 * body.stiffness * body.mass));
+  node.finish();
+  return body;
+}
+
+SceneRobot read_robot(const ConfigNode& node, const std::string& own) {
+  SceneRobot robot;
+  robot.name = node.text("name");
+  robot.robot = node.text("robot", own);
+  robot.pose = node.text("pose", robot.pose);
+  const std::vector<double> at = node.numbers("position", 2);
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (!(std::abs(at[i]) <= 1000.0)) node.fail("position", "must be within 1000 m");
+    robot.place.translation()[static_cast<Eigen::Index>(i)] = at[i];
+  }
+  const double yaw = node.number("yaw_deg", -360.0, 360.0, 0.0) * kDegree;
+  robot.place.linear() = Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  node.finish();
+  return robot;
+}
+
+Grasp read_grasp(const ConfigNode& node) {
+  const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
+  Grasp grasp;
+  grasp.link = node.text("link");
+  grasp.point = bounded(node, "point", 10.0, &zero);
+  grasp.to = node.text("to");
+  grasp.at = node.number("at", 0.0, kDay);
+  grasp.until = node.number("until", grasp.at, 1e9, grasp.until);
+  grasp.reach = node.number("reach", 1e-3, 1.0, grasp.reach);
+  grasp.stiffness = node.number("stiffness", 1e2, 1e10, grasp.stiffness);
+  grasp.damping = node.number("damping", 0.0, 1e8, 1e-3 * grasp.stiffness);
+  node.finish();
+  return grasp;
+}
+
+Push read_push(const ConfigNode& node) {
+  const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
+  Push push;
+  push.link = node.text("link");
+  push.point = bounded(node, "point", 10.0, &zero);
+  push.impulse = bounded(node, "impulse", 1e4, nullptr);
+  push.at = node.number("at", 0.0, kDay);
+  push.duration = node.number("duration", 1e-3, 60.0, 0.1);
+  node.finish();
+  return push;
+}
+
+TimedMode read_mode(const ConfigNode& node) {
+  TimedMode timed;
+  timed.at = node.number("at", 0.0, kDay);
+  const int mode = node.choice("mode", {"idle", "hold", "pose", "balance", "walk", "stop"}, -1);
+  if (mode < 0) node.fail("mode", "is missing");
+  timed.request.mode = static_cast<Mode>(mode + 1);
+  timed.request.motion = static_cast<Motion>(node.choice("motion", {"none", "sway", "squat"}, 0));
+  timed.request.duration = static_cast<float>(node.number("duration", 0.0, 3600.0, 2.0));
+  timed.request.amplitude = static_cast<float>(node.number("amplitude", 0.0, 1.0, 0.0));
+  timed.request.frequency = static_cast<float>(node.number("frequency", 0.0, 10.0, 0.0));
+  timed.pose = node.text("pose", "");
+  if (timed.request.mode == Mode::kPose && timed.pose.empty())
+    node.fail("pose", "is missing: mode pose needs a named pose");
+  node.finish();
+  return timed;
+}
+
+TimedGoal read_goal(const ConfigNode& node) {
+  TimedGoal timed;
+  timed.at = node.number("at", 0.0, kDay);
+  timed.goal.side = static_cast<ArmSide>(node.choice("hand", {"left", "right"}, -1) + 1);
+  if (timed.goal.side == ArmSide::kNone) node.fail("hand", "is missing: left or right");
+  timed.goal.speed = static_cast<float>(node.number("speed", 0.01, 1.0, 1.0));
+  timed.pose = node.text("pose", "");
+  if (node.flag("cancel", false)) {
+    timed.goal.kind = ArmGoalKind::kCancel;
+  } else if (!timed.pose.empty()) {
+    timed.goal.kind = ArmGoalKind::kJoints;
+  } else {
+    const Eigen::Vector3d position = bounded(node, "position", 10.0, nullptr);
+    timed.goal.kind = node.has("rpy_deg") ? ArmGoalKind::kPose : ArmGoalKind::kPosition;
+    const Eigen::Quaterniond q = rpy(node);
+    for (int i = 0; i < 3; ++i) timed.goal.position[static_cast<std::size_t>(i)] = position[i];
+    timed.goal.orientation = {q.w(), q.x(), q.y(), q.z()};
+  }
+  node.finish();
+  return timed;
+}
+
+TimedWalk read_walk(const ConfigNode& node) {
+  TimedWalk timed;
+  timed.at = node.number("at", 0.0, kDay);
+  timed.duration = node.number("for", 0.0, kDay);
+  timed.command.vx = static_cast<float>(node.number("vx", -2.0, 2.0, 0.0));
+  timed.command.vy = static_cast<float>(node.number("vy", -1.0, 1.0, 0.0));
+  timed.command.wz = static_cast<float>(node.number("wz", -2.0, 2.0, 0.0));
+  timed.command.timeout = 0.1F;
+  node.finish();
+  return timed;
+}
+
+TimedPad read_pad(const ConfigNode& node) {
+  TimedPad timed;
+  timed.at = node.number("at", 0.0, kDay);
+  timed.duration = node.number("for", 0.0, kDay);
+  timed.pad.connected = timed.pad.deadman = true;
+  timed.pad.left_x = static_cast<float>(node.number("left_x", -1.0, 1.0, 0.0));
+  timed.pad.left_y = static_cast<float>(node.number("left_y", -1.0, 1.0, 0.0));
+  timed.pad.right_x = static_cast<float>(node.number("right_x", -1.0, 1.0, 0.0));
+  node.finish();
+  return timed;
+}
+
+TimedSteps read_timed_steps(const ConfigNode& node) {
+  TimedSteps timed;
+  timed.at = node.number("at", 0.0, kDay);
+  timed.list = read_steps(node);
+  node.finish();
+  return timed;
+}
+
+Terrain read_terrain(const ConfigNode& node) {
+  Terrain terrain;
+  terrain.tile = node.number("tile", 0.05, 10.0, terrain.tile);
+  terrain.height = node.number("height", 0.0, 0.2, terrain.height);
+  terrain.slope = kDegree * node.number("slope_deg", 0.0, 20.0, 0.0);
+  terrain.ramp = kDegree * node.number("ramp_deg", 0.0, 20.0, 0.0);
+  terrain.from = node.number("from", -100.0, 100.0, terrain.from);
+  terrain.length = node.number("length", 0.0, 100.0);
+  terrain.width = node.number("width", 0.1, 100.0, terrain.width);
+  const double tiles =
+      std::ceil(terrain.length / terrain.tile) * std::ceil(terrain.width / terrain.tile);
+  if (!(tiles <= static_cast<double>(kMaxObstacles)))
+    node.fail("length", "makes more than 200 tiles with this width and tile");
+  node.finish();
+  return terrain;
+}
+
+PushRound read_push_round(const ConfigNode& node) {
+  PushRound round;
+  round.link = node.text("link", "");
+  round.at = node.number("at", 0.0, kDay, round.at);
+  round.every = node.number("every", 0.1, kDay, round.every);
+  round.count = static_cast<int>(node.integer("count", 0, 10000));
+  round.phase = node.number("phase", 0.0, 60.0, round.phase);
+  round.forward = node.number("forward", 0.0, 10.0, 0.0);
+  round.back = node.number("back", 0.0, 10.0, round.forward);
+  round.sideways = node.number("sideways", 0.0, 10.0, 0.0);
+  round.duration = node.number("duration", 1e-3, 60.0, round.duration);
+  node.finish();
+  return round;
+}
+
+BodyChange read_body(const ConfigNode& node) {
+  const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
+  BodyChange change;
+  change.link = node.text("link");
+  change.mass = node.number("mass", 0.0, 1000.0, 0.0);
+  change.at = bounded(node, "at", 10.0, &zero);
+  change.shift = bounded(node, "shift", 1.0, &zero);
+  node.finish();
+  return change;
+}
+
+std::string find_scene(const std::string& name_or_file) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  if (fs::is_regular_file(name_or_file, ignored)) return name_or_file;
+  const fs::path folder = fs::path(config_folder()) / "scenes";
+  if (name_or_file.find('/') == std::string::npos) {
+    const fs::path path = folder / (name_or_file + ".yaml");
+    if (fs::is_regular_file(path, ignored)) return path.string();
+  }
+  std::string list;
+  for (const std::string& name : scene_names()) list += " " + name;
+  throw std::runtime_error("no scene '" + name_or_file + "': give a file or one of" + list);
+}
+
+std::vector<double> pose_on_bus(const Scene& scene, const Model& model, const std::string& pose) {
+  const int index = model.find_pose(pose);
+  if (index < 0) {
+    std::string list;
+    for (const NamedPose& known : model.poses) list += " " + known.name;
+    throw std::runtime_error("scene " + scene.name + ": the robot " + model.name +
+                             " has no pose '" + pose + "'; it has" + list);
+  }
+  std::vector<double> q;
+  for (int joint : model.bus_joints) {
+    q.push_back(model.poses[static_cast<std::size_t>(index)].q[static_cast<std::size_t>(joint)]);
+  }
+  return q;
+}
+
+}  // namespace
+
+std::vector<std::string> scene_names() {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  std::vector<std::string> names;
+  for (const auto& entry :
+       fs::directory_iterator(fs::path(config_folder()) / "scenes", ignored)) {
+    if (entry.path().extension() == ".yaml") names.push_back(entry.path().stem().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+Scene load_scene(const std::string& name_or_file) {
+  const std::string file = find_scene(name_or_file);
+  std::ifstream stream(file);
+  std::stringstream text;
+  text << stream.rdbuf();
+  const ConfigNode top = ConfigNode::load(file);
+
+  Scene scene;
+  scene.name = std::filesystem::path(file).stem().string();
+  scene.text = text.str();
+  scene.about = top.text("about", "");
+  scene.robot = top.text("robot", scene.robot);
+  const int engine = top.choice("engine", {kEngineNames[0], kEngineNames[1]}, 0);
+  scene.engine = kEngineNames[engine];
+  scene.contact =
+      kContactNames[top.choice("contact", {std::begin(kContactNames), std::end(kContactNames)}, 0)];
+  scene.duration = top.number("duration", 0.01, kDay, scene.duration);
+  scene.step = top.number("step", 1e-5, 0.1, scene.step);
+  scene.start_pose = top.text("start_pose", scene.start_pose);
+  if (top.has("start_velocity")) {
+    const ConfigNode speeds = top.map("start_velocity");
+    for (const std::string& joint : speeds.keys())
+      scene.start_velocity.emplace_back(joint, speeds.number(joint, -kMaxSpeed, kMaxSpeed));
+    speeds.finish();
+  }
+  scene.fixed_base = top.choice("base", {"floating", "fixed"}, 0) == 1;
+  if (top.has("ground")) {
+    const ConfigNode ground = top.map("ground");
+    scene.ground_friction = ground.number("friction", 0.0, 10.0, scene.ground_friction);
+    ground.finish();
+  }
+  for (const ConfigNode& node : top.list("obstacles"))
+    read_obstacle(node, scene.obstacles);
+  if (scene.obstacles.size() > kMaxObstacles)
+    top.fail("obstacles", "at most 200, and these are " + std::to_string(scene.obstacles.size()) +
+                              "; of meshes, points and height maps a larger `cell` makes fewer");
+  for (const ConfigNode& node : top.list("pushes")) scene.pushes.push_back(read_push(node));
+  for (const ConfigNode& node : top.list("modes")) scene.modes.push_back(read_mode(node));
+  for (const ConfigNode& node : top.list("goals")) scene.goals.push_back(read_goal(node));
+  for (const ConfigNode& node : top.list("walks")) scene.walks.push_back(read_walk(node));
+  for (const ConfigNode& node : top.list("pads")) scene.pads.push_back(read_pad(node));
+  for (const ConfigNode& node : top.list("footsteps"))
+    scene.steps.push_back(read_timed_steps(node));
+  for (const ConfigNode& node : top.list("bodies")) scene.bodies.push_back(read_body(node));
+  for (const ConfigNode& node : top.list("loose")) {
+    scene.loose.push_back(read_loose(node));
+    scene.loose_at.push_back(node.where("name"));
+    for (std::size_t i = 0; i + 1 < scene.loose.size(); ++i) {
+      if (scene.loose[i].name != scene.loose.back().name) continue;
+      node.fail("name", "two loose bodies are called '" + scene.loose[i].name + "'");
+    }
+  }
+  if (scene.loose.size() > kMaxLoose) top.fail("loose", "at most 100");
+  for (const ConfigNode& node : top.list("robots")) {
+    scene.robots.push_back(read_robot(node, scene.robot));
+    for (std::size_t i = 0; i + 1 < scene.robots.size(); ++i) {
+      if (scene.robots[i].name != scene.robots.back().name) continue;
+      node.fail("name", "two robots are called '" + scene.robots[i].name + "'");
+    }
+  }
+  if (scene.robots.size() > kMaxRobots) top.fail("robots", "at most 15");
+  scene.self_contact = top.flag("self_contact", false);
+  for (const ConfigNode& node : top.list("loops")) scene.loops.push_back(read_loop(node));
+  for (const ConfigNode& node : top.list("grasps")) scene.grasps.push_back(read_grasp(node));
+  if (scene.loops.size() + scene.grasps.size() > kMaxLoose) {
+    top.fail("loops", "at most 100 loops and grasps");
+  }
+  if (top.has("terrain")) scene.terrain = read_terrain(top.map("terrain"));
+  if (top.has("push_round")) scene.push_round = read_push_round(top.map("push_round"));
+  if (top.has("criteria")) {
+    std::vector<std::string> loose, robots;
+    for (const LooseBody& body : scene.loose) loose.push_back(body.name);
+    for (const SceneRobot& robot : scene.robots) robots.push_back(robot.name);
+    scene.criteria = read_criteria(top.map("criteria"), loose, robots);
+  }
+  if (top.has("settings")) {
+    const ConfigNode settings = top.map("settings");
+    for (const std::string& key : settings.keys()) {
+      SimSettings scratch;
+      const std::string value = settings.text(key);
+      const std::string complaint = apply_setting(key, value, 0.002, scratch);
+      if (!complaint.empty()) settings.fail(key, complaint);
+      scene.settings.emplace_back(key, value);
+    }
+    settings.finish();
+  }
+  top.finish();
+  return scene;
+}
+
+void resolve_poses(Scene& scene, const Model& model) {
+  for (TimedMode& timed : scene.modes) {
+    if (timed.pose.empty()) continue;
+    const std::vector<double> q = pose_on_bus(scene, model, timed.pose);
+    std::copy(q.begin(), q.end(), timed.request.q.begin());
+    timed.request.joint_mask = static_cast<std::int64_t>((std::uint64_t{1} << q.size()) - 1);
+  }
+  for (TimedGoal& timed : scene.goals) {
+    if (timed.pose.empty()) continue;
+    const std::vector<double> q = pose_on_bus(scene, model, timed.pose);
+    const Hand& hand = model.hands[timed.goal.side == ArmSide::kLeft ? 0 : 1];
+    std::copy(q.begin(), q.end(), timed.goal.q.begin());
+    for (std::size_t k = 0; k < model.bus_joints.size(); ++k) {
+      if (std::find(hand.joints.begin(), hand.joints.end(), model.bus_joints[k]) !=
+          hand.joints.end()) {
+        timed.goal.joint_mask |= std::int64_t{1} << k;
+      }
+    }
+  }
+}
+
+}  // namespace twinbus

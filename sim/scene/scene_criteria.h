@@ -1,0 +1,98 @@
+// When a run of a scene counts as passed.
+
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "common/text/strict_yaml.h"
+
+namespace twinbus {
+
+// Where a loose body is to be at the end of a run, at rest.
+struct LooseEnd {
+  std::string name;
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  // of its middle, world [m]
+  double within = 0.01;                                // [m]
+  double speed = 0.02;                                 // at most [m/s]
+};
+
+// How a further robot is to end: about where it began and upright.
+struct RobotEnd {
+  std::string name;
+  double within = 0.01;     // of its base, level [m]
+  double max_tilt_deg = 5;  // of its base
+};
+
+// A joint's torque, after the scene's one push, is to swing as the linear model of the standing robot
+// does: launcher/run/swing.h.
+struct SwingAsked {
+  std::string joint;            // empty: not asked
+  double period_percent = 3.0;  // within this of the model's
+  double decay_percent = 10.0;
+};
+
+// Where a joint of the robot is to be at the end of a run, and how fast it then turns.
+struct JointEnd {
+  std::string name;
+  double position = 0.0;      // [rad or m]
+  double within = 0.0;        // [rad or m]
+  double speed;               // NaN: not asked [rad/s or m/s]
+  double speed_within = 0.0;  // [rad/s or m/s]
+};
+
+// A loose body on which no torque acts turns on as it did.
+struct SpinAsked {
+  std::string name;
+  double energy_drift = 1e-9;    // of turning, at most, relative
+  double momentum_drift = 1e-9;  // angular, in world, at most, relative
+  int flips = -1;                // how often its middle axis points the other way; < 0: not asked
+};
+
+// At so many points the robot is touched, everywhere by the same force.
+struct TouchAsked {
+  int points = 0;       // 0: not asked
+  double force = 0.0;   // upward, at each [N]
+  double within = 0.0;  // relative
+  double from = 0.0;    // in every tick from here on [s]
+};
+
+// Pass criteria; NaN means not asked.
+struct Criteria {
+  double max_tilt_deg;
+  double zmp_margin_min_mm;
+  double slip_max_mm;
+  double sole_tilt_max_deg;
+  double zmp_margin_p5_mm;        // 5th percentile
+  double step_slip_max_mm;        // of a sole while it stands, in any step
+  double force_rms_percent;       // normal force of a foot against what was wanted, of the weight
+  double velocity_error_percent;  // of what was commanded, over each walk
+  double travel_min_m;            // of the base from where it was at the start, at the end
+  double drift_max_m;             // the same, at most
+  double energy_drift_j;          // of the robot while no servo works on it
+  double loose_energy_drift_j;    // of all loose bodies together, without what springs store
+  double loose_energy_gain_j;     // the same, upward only
+  bool no_fall = true;
+  bool no_self_collision = true;
+  std::vector<LooseEnd> loose;
+  std::vector<RobotEnd> robots;
+  std::vector<JointEnd> joints;
+  std::vector<SpinAsked> spins;
+  TouchAsked touch;
+  SwingAsked swing;
+  Criteria();
+};
+
+// The map `criteria` of a scene with loose bodies and further robots of these names.  Keys:
+// {max_tilt_deg, zmp_margin_min_mm, slip_max_mm, sole_tilt_max_deg, zmp_margin_p5_mm,
+// step_slip_max_mm, force_rms_percent, velocity_error_percent, travel_min_m, drift_max_m,
+// energy_drift_j, loose_energy_drift_j, loose_energy_gain_j, no_fall, no_self_collision, loose:
+// [name, position, within_m, speed_m_s], robots: [name, within_m, max_tilt_deg], joints: [name,
+// position, within, speed, speed_within], spins: [name, energy_drift, momentum_drift, flips], touch:
+// {points, force_n, within, from}, swing: {joint, period_percent, decay_percent}}
+// Throws std::runtime_error naming file, line and key.
+Criteria read_criteria(const ConfigNode& node, const std::vector<std::string>& loose,
+                       const std::vector<std::string>& robots);
+
+}  // namespace twinbus

@@ -1,0 +1,20 @@
+// The obstacles of a scene file, and triangles from files beside it.
+
+#pragma once
+
+#include <vector>
+
+#include "common/text/strict_yaml.h"
+#include "geometry/mesh/mesh_file.h"
+#include "sim/scene/scene.h"
+
+namespace twinbus {
+
+// `file` and `scale` of a map: a mesh beside the scene.
+TriangleMesh read_mesh(const ConfigNode& node);
+
+// One obstacle: [shape (box, sphere, cylinder), size, position, rpy_deg], or [shape (mesh, points, height_map), file,
+// scale (of a mesh) or spacing (of a height map), cell, position, rpy_deg], which becomes boxes.
+void read_obstacle(const ConfigNode& node, std::vector<Obstacle>& obstacles);
+
+}  // namespace twinbus

@@ -1,0 +1,21 @@
+// What the seed of a run decides about its scene: the tiles of uneven ground, and when and where a round of pushes comes.
+//
+// The noise of the sensors has the same seed and is the simulator's business (sensor.seed).
+
+#pragma once
+
+#include <cstdint>
+
+#include "robot/description/model.h"
+#include "sim/scene/scene.h"
+
+namespace twinbus {
+
+// Fills tiles from terrain and adds the pushes of push_round; the same seed, the same scene.  Throws std::runtime_error
+// naming a link that the robot does not have.
+void apply_seed(Scene& scene, const Model& model, std::uint64_t seed);
+
+// The robot as the scene's bodies change it.  Throws std::runtime_error naming a link that it does not have.
+Model changed_model(const Model& model, const Scene& scene);
+
+}  // namespace twinbus

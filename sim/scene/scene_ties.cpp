@@ -1,0 +1,92 @@
+#include "sim/scene/scene_ties.h"
+
+#include <stdexcept>
+
+#include "robot/description/loops.h"
+
+namespace twinbus {
+
+namespace {
+
+constexpr int kTiesOfAGrasp = 3;  // not on one line: nothing turns in the hand
+
+// Which of the two would a tie mean?
+void refuse_loose_called(const std::string& name, const std::string& whose, const Scene& scene) {
+  for (std::size_t i = 0; i < scene.loose.size(); ++i) {
+    if (scene.loose[i].name != name) continue;
+    throw std::runtime_error(scene.loose_at[i] + ": a tie names '" + name +
+                             "', which is this loose body and " + whose +
+                             "; give the loose body another name, here and in loops and grasps");
+  }
+}
+
+// A link of a further robot is called NAME/LINK.
+TieEnd end_of(const Model& model, const std::vector<OtherRobot>& robots, const Scene& scene,
+              const std::string& name, const Eigen::Vector3d& point) {
+  if (name == "world") {
+    refuse_loose_called(name, "what is fixed", scene);
+    return {-1, -1, point};
+  }
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    for (const Frame& frame : robots[i].model->frames) {
+      if (name != robots[i].name + "/" + frame.name) continue;
+      refuse_loose_called(name, "a link of robot '" + robots[i].name + "'", scene);
+      return {frame.link, -1, frame.in_link * point, static_cast<int>(i)};
+    }
+  }
+  for (const Frame& frame : model.frames) {
+    if (frame.name != name) continue;
+    refuse_loose_called(name, "a link of the robot " + model.name, scene);
+    return {frame.link, -1, frame.in_link * point};
+  }
+  for (std::size_t i = 0; i < scene.loose.size(); ++i) {
+    if (scene.loose[i].name == name) return {-1, static_cast<int>(i), point};
+  }
+  throw std::runtime_error("scene " + scene.name + ": a tie names '" + name +
+                           "', which is no link of the robot " + model.name +
+                           ", no loose body, no NAME/LINK of a further robot and not world");
+}
+
+}  // namespace
+
+SceneTies::SceneTies(const Model& model, const std::vector<OtherRobot>& robots,
+                     const Scene& scene) {
+  const auto end = [&](const std::string& name, const Eigen::Vector3d& point) {
+    return end_of(model, robots, scene, name, point);
+  };
+  const std::vector<Loop> own = loops_of(model);
+  for (const std::vector<Loop>* loops : {&own, &scene.loops}) {
+    for (const Loop& loop : *loops) {
+      Tie tie;
+      tie.a = end(loop.link, loop.point);
+      tie.b = end(loop.to, loop.at);
+      tie.stiffness = loop.stiffness;
+      tie.damping = loop.damping;
+      tie.length = loop.length;
+      ties_.push_back(tie);
+    }
+  }
+  for (const Grasp& grasp : scene.grasps) {
+    grasps_.push_back({static_cast<int>(ties_.size()), grasp.at, grasp.until});
+    for (int axis = 0; axis < kTiesOfAGrasp; ++axis) {
+      Tie tie;
+      tie.a = end(grasp.link, grasp.point + grasp.reach * Eigen::Vector3d::Unit(axis));
+      tie.b = end(grasp.to, Eigen::Vector3d::Zero());
+      tie.stiffness = grasp.stiffness / kTiesOfAGrasp;
+      tie.damping = grasp.damping / kTiesOfAGrasp;
+      tie.holds = false;
+      ties_.push_back(tie);
+    }
+  }
+}
+
+void SceneTies::update(double time, World& world) noexcept {
+  for (Timed& grasp : grasps_) {
+    const bool wanted = time >= grasp.at && time < grasp.until;
+    if (wanted == grasp.holds) continue;
+    grasp.holds = wanted;
+    for (int i = 0; i < kTiesOfAGrasp; ++i) (void)world.hold(grasp.first + i, wanted);
+  }
+}
+
+}  // namespace twinbus

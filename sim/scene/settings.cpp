@@ -1,0 +1,231 @@
+#include "sim/scene/settings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <stdexcept>
+
+namespace twinbus {
+
+namespace {
+
+struct Entry {
+  const char* key;
+  double low, high;
+  const char* meaning;
+  void (*set)(SimSettings&, double value, double period);
+};
+
+int ticks(double ms, double period) { return static_cast<int>(std::lround(1e-3 * ms / period)); }
+
+template <Imperfection SensorOptions::*Sensor, double Imperfection::*Property>
+void sensor(SimSettings& s, double value, double) {
+  s.sensors.*Sensor.*Property = value;
+}
+
+constexpr double kDelayMs = 60.0;
+
+const Entry kEntries[] = {
+    {"solver.order", 1.0, 3.0,
+     "of accuracy; 2 and 3 (engine articulated) take 3 and 6 solves a step",
+     [](SimSettings& s, double v, double) { s.world.order = static_cast<int>(std::lround(v)); }},
+    {"solver.flight", 0.0, 4.0,
+     "what touches nothing moves by 1: Adams-Bashforth 4, 2: Runge-Kutta 4, 3: Fehlberg 8, 4: "
+     "Gauss "
+     "8; 0: like all else",
+     [](SimSettings& s, double v, double) {
+       s.world.flight = static_cast<Flight>(std::lround(v));
+     }},
+    {"solver.flight_error", 0.0, 1e-3,
+     "flight 4 takes a step in parts, each of which makes no speed wrong by more [rad/s], [m/s]; "
+     "0: whole",
+     [](SimSettings& s, double v, double) { s.world.flight_error = v; }},
+    {"model.mass_scale", 0.1, 10.0, "masses and inertias times this",
+     [](SimSettings& s, double v, double) { s.world.mass_scale = v; }},
+    {"model.friction", 0.0, 1e3, "Coulomb friction added to every joint [N m]",
+     [](SimSettings& s, double v, double) { s.world.joint_friction = v; }},
+    {"model.friction_scale", 0.0, 100.0, "friction and damping of the joints times this",
+     [](SimSettings& s, double v, double) { s.world.friction_scale = v; }},
+    {"model.backlash", 0.0, 0.1, "play of every joint [rad]",
+     [](SimSettings& s, double v, double) { s.world.backlash = v; }},
+    {"servo.delay_ms", 0.0, kDelayMs, "from command to servo, whole periods [ms]",
+     [](SimSettings& s, double v, double) { s.servo_delay_ms = v; }},
+    {"servo.kp_scale", 0.0, 100.0, "position gains times this",
+     [](SimSettings& s, double v, double) { s.world.servo_kp_scale = v; }},
+    {"servo.kd_scale", 0.0, 100.0, "velocity gains times this",
+     [](SimSettings& s, double v, double) { s.world.servo_kd_scale = v; }},
+    {"contact.stiffness_scale", 1e-3, 1e3, "stiffness of the soles times this",
+     [](SimSettings& s, double v, double) { s.world.stiffness_scale = v; }},
+    {"contact.damping_scale", 0.0, 1e3, "damping of the soles times this",
+     [](SimSettings& s, double v, double) { s.world.damping_scale = v; }},
+    {"contact.dissipation", 0.0, 1e3,
+     "damping of contact hunt_crossley, as much less a bounce [s/m]",
+     [](SimSettings& s, double v, double) { s.world.dissipation = v; }},
+    {"contact.friction", 0.0, 10.0, "Coulomb coefficient of the ground",
+     [](SimSettings& s, double v, double) { s.world.ground_friction = v; }},
+    {"ground.left_height_error", -0.05, 0.05, "ground under the left sole is this much higher [m]",
+     [](SimSettings& s, double v, double) { s.world.ground_height[0] = v; }},
+    {"ground.right_height_error", -0.05, 0.05,
+     "ground under the right sole is this much higher [m]",
+     [](SimSettings& s, double v, double) { s.world.ground_height[1] = v; }},
+    {"sensor.noise.encoder", 0.0, 0.1, "standard deviation [rad]",
+     sensor<&SensorOptions::encoder, &Imperfection::noise>},
+    {"sensor.bias.encoder", -1, 1.0, "added to every reading [rad]",
+     sensor<&SensorOptions::encoder, &Imperfection::bias>},
+    {"sensor.quantum.encoder", 0.0, 0.1, "one count [rad]",
+     sensor<&SensorOptions::encoder, &Imperfection::quantum>},
+    {"sensor.limit.encoder", 0.0, 100.0, "reads no further, either way; 0: no limit [rad]",
+     sensor<&SensorOptions::encoder, &Imperfection::limit>},
+    {"sensor.noise.velocity", 0.0, 10.0, "standard deviation [rad/s]",
+     sensor<&SensorOptions::velocity, &Imperfection::noise>},
+    {"sensor.bias.velocity", -10, 10.0, "added to every reading [rad/s]",
+     sensor<&SensorOptions::velocity, &Imperfection::bias>},
+    {"sensor.quantum.velocity", 0.0, 1.0, "one count [rad/s]",
+     sensor<&SensorOptions::velocity, &Imperfection::quantum>},
+    {"sensor.limit.velocity", 0.0, 1000.0, "reads no further, either way; 0: no limit [rad/s]",
+     sensor<&SensorOptions::velocity, &Imperfection::limit>},
+    {"sensor.noise.torque", 0.0, 1000.0, "standard deviation [N m]",
+     sensor<&SensorOptions::torque, &Imperfection::noise>},
+    {"sensor.bias.torque", -1000.0, 1000.0, "added to every reading [N m]",
+     sensor<&SensorOptions::torque, &Imperfection::bias>},
+    {"sensor.quantum.torque", 0.0, 100.0, "one count [N m]",
+     sensor<&SensorOptions::torque, &Imperfection::quantum>},
+    {"sensor.limit.torque", 0.0, 100000.0, "reads no further, either way; 0: no limit [N m]",
+     sensor<&SensorOptions::torque, &Imperfection::limit>},
+    {"sensor.noise.attitude", 0.0, 0.1, "standard deviation [rad]",
+     sensor<&SensorOptions::inclination, &Imperfection::noise>},
+    {"sensor.quantum.inclination", 0.0, 0.1, "roll and pitch, one count [rad]",
+     sensor<&SensorOptions::inclination, &Imperfection::quantum>},
+    {"sensor.limit.inclination", 0.0, 1.57,
+     "roll and pitch, reads no further, either way; 0: no limit [rad]",
+     sensor<&SensorOptions::inclination, &Imperfection::limit>},
+    {"sensor.noise.gyro", 0.0, 10.0, "standard deviation [rad/s]",
+     sensor<&SensorOptions::gyro, &Imperfection::noise>},
+    {"sensor.bias.gyro", -1, 1.0, "added to every reading [rad/s]",
+     sensor<&SensorOptions::gyro, &Imperfection::bias>},
+    {"sensor.quantum.gyro", 0.0, 1.0, "one count [rad/s]",
+     sensor<&SensorOptions::gyro, &Imperfection::quantum>},
+    {"sensor.limit.gyro", 0.0, 1000.0, "reads no further, either way; 0: no limit [rad/s]",
+     sensor<&SensorOptions::gyro, &Imperfection::limit>},
+    {"sensor.noise.accel", 0.0, 100.0, "standard deviation [m/s^2]",
+     sensor<&SensorOptions::accel, &Imperfection::noise>},
+    {"sensor.bias.accel", -10, 10.0, "added to every reading [m/s^2]",
+     sensor<&SensorOptions::accel, &Imperfection::bias>},
+    {"sensor.quantum.accel", 0.0, 10.0, "one count [m/s^2]",
+     sensor<&SensorOptions::accel, &Imperfection::quantum>},
+    {"sensor.limit.accel", 0.0, 10000.0, "reads no further, either way; 0: no limit [m/s^2]",
+     sensor<&SensorOptions::accel, &Imperfection::limit>},
+    {"sensor.noise.force", 0.0, 1000.0, "feet and hands, standard deviation [N]",
+     sensor<&SensorOptions::force, &Imperfection::noise>},
+    {"sensor.bias.force", -1000.0, 1000.0, "feet and hands, added to every reading [N]",
+     sensor<&SensorOptions::force, &Imperfection::bias>},
+    {"sensor.quantum.force", 0.0, 100.0, "feet and hands, one count [N]",
+     sensor<&SensorOptions::force, &Imperfection::quantum>},
+    {"sensor.limit.force", 0.0, 1000000.0,
+     "feet and hands, reads no further, either way; 0: no limit [N]",
+     sensor<&SensorOptions::force, &Imperfection::limit>},
+    {"sensor.noise.moment", 0.0, 1000.0, "feet and hands, standard deviation [N m]",
+     sensor<&SensorOptions::moment, &Imperfection::noise>},
+    {"sensor.bias.moment", -1000.0, 1000.0, "feet and hands, added to every reading [N m]",
+     sensor<&SensorOptions::moment, &Imperfection::bias>},
+    {"sensor.quantum.moment", 0.0, 100.0, "feet and hands, one count [N m]",
+     sensor<&SensorOptions::moment, &Imperfection::quantum>},
+    {"sensor.limit.moment", 0.0, 100000.0,
+     "feet and hands, reads no further, either way; 0: no limit [N m]",
+     sensor<&SensorOptions::moment, &Imperfection::limit>},
+    {"sensor.bias.roll", -0.2, 0.2, "of the attitude [rad]",
+     [](SimSettings& s, double v, double) { s.sensors.roll_bias = v; }},
+    {"sensor.bias.pitch", -0.2, 0.2, "of the attitude [rad]",
+     [](SimSettings& s, double v, double) { s.sensors.pitch_bias = v; }},
+    {"sensor.rate.encoder", 0.0, 1e5, "samples a second, 0: one a tick [Hz]",
+     [](SimSettings& s, double v, double) { s.sensors.encoder_rate = v; }},
+    {"sensor.rate.imu", 0.0, 1e5, "samples a second, 0: one a tick [Hz]",
+     [](SimSettings& s, double v, double) { s.sensors.imu_rate = v; }},
+    {"sensor.rate.force", 0.0, 1e5, "feet and hands, samples a second, 0: one a tick [Hz]",
+     [](SimSettings& s, double v, double) { s.sensors.force_rate = v; }},
+    {"sensor.imu_yaw_drift", -1.0, 1.0, "of the attitude about the vertical [rad/s]",
+     [](SimSettings& s, double v, double) { s.sensors.yaw_drift = v; }},
+    {"sensor.delay_ms", 0.0, kDelayMs, "of all sensors, whole periods [ms]",
+     [](SimSettings& s, double v, double period) { s.sensors.delay_ticks = ticks(v, period); }},
+    {"sensor.seed", 0.0, 9e15, "of the noise",
+     [](SimSettings& s, double v, double) { s.sensors.seed = static_cast<std::uint64_t>(v); }},
+};
+
+std::size_t edit_distance(const std::string& a, const std::string& b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t above = row[j];
+      row[j] = std::min({above + 1, row[j - 1] + 1, diagonal + (a[i - 1] == b[j - 1] ? 0U : 1U)});
+      diagonal = above;
+    }
+  }
+  return row[b.size()];
+}
+
+std::string number_text(double number) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%g", number);
+  return text;
+}
+
+}  // namespace
+
+std::string apply_setting(const std::string& key, const std::string& value, double period,
+                          SimSettings& settings) {
+  if (key == "engine") {
+    if (engine_of(value, settings.world.engine)) return "";
+    return "setting engine=" + value + ": must be articulated or ode";
+  }
+  if (key == "contact") {
+    if (contact_of(value, settings.world.contact)) return "";
+    return "setting contact=" + value + ": must be spring_damper, hunt_crossley or rigid";
+  }
+  const Entry* nearest = kEntries;
+  for (const Entry& entry : kEntries) {
+    if (edit_distance(key, entry.key) < edit_distance(key, nearest->key)) nearest = &entry;
+    if (key != entry.key) continue;
+    char* end = nullptr;
+    const double number = std::strtod(value.c_str(), &end);
+    if (value.empty() || *end != '\0' || !(number >= entry.low && number <= entry.high)) {
+      return "setting " + key + "=" + value + ": must be a number from " + number_text(entry.low) +
+             " to " + number_text(entry.high) + " (" + entry.meaning + ")";
+    }
+    entry.set(settings, number, period);
+    return "";
+  }
+  return "unknown setting '" + key + "': the nearest is '" + nearest->key + "' (" +
+         nearest->meaning + ")";
+}
+
+void apply_settings(const std::vector<std::pair<std::string, std::string>>& list, double period,
+                    SimSettings& settings) {
+  for (const auto& [key, value] : list) {
+    const std::string complaint = apply_setting(key, value, period, settings);
+    if (!complaint.empty()) throw std::runtime_error(complaint);
+  }
+}
+
+std::string settings_help() {
+  std::string help =
+      "  engine                      articulated | ode    physics engine: articulated (default) "
+      "takes microseconds a step,\n"
+      "                              ode about a millisecond: for machines with a fast core for "
+      "each simulated robot\n"
+      "  contact                     spring_damper | rigid    what touches: springs and dampers "
+      "(default), or the LCP of\n"
+      "                              engine ode, for comparison\n";
+  for (const Entry& entry : kEntries) {
+    char line[200];
+    std::snprintf(line, sizeof line, "  %-27s %8g .. %-8g %s\n", entry.key, entry.low, entry.high,
+                  entry.meaning);
+    help += line;
+  }
+  return help;
+}
+
+}  // namespace twinbus

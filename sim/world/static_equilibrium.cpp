@@ -1,0 +1,266 @@
+#include "sim/world/static_equilibrium.h"
+
+#include <Eigen/Dense>
+#include <cmath>
+
+#include "robot/dynamics/inverse_dynamics.h"
+#include "sim/world/world.h"
+
+namespace twinbus {
+
+namespace {
+
+constexpr double kHang = 0.3;  // clearance of a fixed-base robot's soles [m]
+
+using Corners = std::array<std::array<Eigen::Vector3d, 4>, 2>;
+
+Corners corners_in_world(const Model& model, const Kinematics& kinematics) {
+  Corners corners;
+  for (std::size_t side = 0; side < 2; ++side) {
+    const Sole& sole = model.soles[side];
+    for (int i = 0; i < kSoleCorners; ++i) {
+      corners[side][static_cast<std::size_t>(i)] =
+          sole.link < 0 ? Eigen::Vector3d::Zero()
+                        : Eigen::Vector3d(kinematics.link_in_world(sole.link) *
+                                          (sole.frame * sole_corner(sole, i)));
+    }
+  }
+  return corners;
+}
+
+// Small rigid motion of the base: up by z, turned about world x and y at pivot.
+void move_base(const Eigen::Vector3d& z_roll_pitch, const Eigen::Vector3d& pivot,
+               Configuration& configuration) {
+  const Eigen::Vector3d turn(z_roll_pitch[1], z_roll_pitch[2], 0.0);
+  const double angle = turn.norm();
+  Eigen::Isometry3d motion = Eigen::Isometry3d::Identity();
+  motion.translate(pivot + Eigen::Vector3d(0.0, 0.0, z_roll_pitch[0]));
+  if (angle > 0.0) motion.rotate(Eigen::AngleAxisd(angle, turn / angle));
+  motion.translate(-pivot);
+  configuration.base = motion * configuration.base;
+}
+
+// Base with the soles' midpoint at the origin, heading 0, sole plane horizontal.
+void place_on_ground(const Model& model, Kinematics& kinematics, Configuration& configuration) {
+  configuration.base = Eigen::Isometry3d::Identity();
+  kinematics.update(configuration);
+  int feet = 0;
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  Eigen::Vector3d x = Eigen::Vector3d::Zero(), z = Eigen::Vector3d::Zero();
+  for (const Sole& sole : model.soles) {
+    if (sole.link < 0) continue;
+    const Eigen::Isometry3d frame = kinematics.link_in_world(sole.link) * sole.frame;
+    middle += frame.translation();
+    x += frame.linear().col(0);
+    z += frame.linear().col(2);
+    ++feet;
+  }
+  if (feet == 0) return;
+  middle /= feet;
+  Eigen::Isometry3d ground = Eigen::Isometry3d::Identity();
+  ground.linear().col(2) = z.normalized();
+  ground.linear().col(1) = z.cross(x).normalized();
+  ground.linear().col(0) = ground.linear().col(1).cross(ground.linear().col(2));
+  ground.translation() = middle;
+  configuration.base = ground.inverse();
+  kinematics.update(configuration);
+}
+
+// Torques that hold the links against gravity and the normal forces at the corners.
+Eigen::VectorXd static_torques(const Model& model, const Kinematics& kinematics, double mass_scale,
+                               const Corners& corners,
+                               const std::array<std::array<double, 4>, 2>& force) {
+  const auto links = model.links.size();
+  std::vector<Eigen::Vector3d> sum(links),
+      moment(links);  // on the link and all beyond it, about the world origin
+  for (std::size_t i = 0; i < links; ++i) {
+    const Link& link = model.links[i];
+    const Eigen::Vector3d com = kinematics.link_in_world(static_cast<int>(i)) * link.com;
+    sum[i] = Eigen::Vector3d(0.0, 0.0, -kGravity * mass_scale * link.mass);
+    moment[i] = com.cross(sum[i]);
+    for (std::size_t side = 0; side < 2; ++side) {
+      if (model.soles[side].link != static_cast<int>(i)) continue;
+      for (std::size_t c = 0; c < 4; ++c) {
+        const Eigen::Vector3d f(0.0, 0.0, force[side][c]);
+        sum[i] += f;
+        moment[i] += corners[side][c].cross(f);
+      }
+    }
+  }
+  Eigen::VectorXd tau = Eigen::VectorXd::Zero(model.joint_count());
+  for (std::size_t i = links; i-- > 1;) {
+    const Joint& joint = model.joints[i - 1];
+    const Eigen::Vector3d axis = kinematics.axis_in_world(static_cast<int>(i) - 1);
+    const Eigen::Vector3d at = kinematics.link_in_world(static_cast<int>(i)).translation();
+    tau[static_cast<Eigen::Index>(i) - 1] = joint.kind == JointKind::kPrismatic
+                                                ? -axis.dot(sum[i])
+                                                : -axis.dot(moment[i] - at.cross(sum[i]));
+    sum[static_cast<std::size_t>(joint.parent)] += sum[i];
+    moment[static_cast<std::size_t>(joint.parent)] += moment[i];
+  }
+  return tau;
+}
+
+}  // namespace
+
+Standing stand(const Model& model, const Eigen::VectorXd& q, double mass_scale,
+               const std::array<double, 2>& stiffness, const std::array<double, 2>& ground_height,
+               bool fixed_base) {
+  Standing result;
+  result.configuration = Configuration(model);
+  Configuration& configuration = result.configuration;
+  configuration.q = q;
+  configuration.qd.setZero();
+  Kinematics kinematics(model);
+  place_on_ground(model, kinematics, configuration);
+  const bool has_feet = model.soles[0].link >= 0 || model.soles[1].link >= 0;
+  const double weight = mass_scale * kinematics.mass() * kGravity;
+
+  if (fixed_base || !has_feet) {
+    if (has_feet) configuration.base.pretranslate(Eigen::Vector3d(0.0, 0.0, kHang));
+    kinematics.update(configuration);
+    result.balanced = fixed_base;
+  } else {
+    // Newton on base height, roll and pitch: the corner springs carry the weight right below the
+    // centre of mass.
+    double total = 0.0;
+    for (std::size_t s = 0; s < 2; ++s) total += model.soles[s].link < 0 ? 0.0 : 4.0 * stiffness[s];
+    move_base({-weight / total, 0.0, 0.0}, Eigen::Vector3d::Zero(), configuration);
+    for (int pass = 0; pass < 40 && !result.balanced; ++pass) {
+      kinematics.update(configuration);
+      const Corners corners = corners_in_world(model, kinematics);
+      const Eigen::Vector3d& com = kinematics.com();
+      Eigen::Vector3d residual(-weight, 0.0,
+                               0.0);  // force, moments about the ground point below the com
+      Eigen::Matrix3d slope = Eigen::Matrix3d::Zero();
+      for (std::size_t s = 0; s < 2; ++s) {
+        if (model.soles[s].link < 0) continue;
+        for (const Eigen::Vector3d& p : corners[s]) {
+          const double depth = ground_height[s] - p.z();
+          if (!(depth > 0.0)) continue;
+          const Eigen::Vector3d arm(1.0, p.y() - com.y(),
+                                    -(p.x() - com.x()));  // of a unit force on z, roll, pitch
+          residual += stiffness[s] * depth * arm;
+          slope -= stiffness[s] * arm * arm.transpose();
+        }
+      }
+      if (residual.cwiseAbs().maxCoeff() < 1e-9 * weight) {
+        result.balanced = true;
+        break;
+      }
+      const Eigen::FullPivLU<Eigen::Matrix3d> lu(slope);
+      if (lu.rank() < 3) break;
+      const Eigen::Vector3d move = -lu.solve(residual);
+      if (!(move.cwiseAbs().maxCoeff() < 0.05)) break;
+      move_base(move, {com.x(), com.y(), 0.0}, configuration);
+    }
+    kinematics.update(configuration);
+  }
+
+  const Corners corners = corners_in_world(model, kinematics);
+  if (!fixed_base) {
+    for (std::size_t s = 0; s < 2; ++s) {
+      if (model.soles[s].link < 0) continue;
+      for (std::size_t c = 0; c < 4; ++c) {
+        result.corner_force[s][c] =
+            stiffness[s] * std::max(0.0, ground_height[s] - corners[s][c].z());
+      }
+    }
+  }
+  result.tau = static_torques(model, kinematics, mass_scale, corners, result.corner_force);
+  result.needed = result.tau;
+  for (Eigen::Index j = 0; j < result.tau.size(); ++j) {
+    const double limit = model.joints[static_cast<std::size_t>(j)].effort;
+    if (std::isfinite(limit)) result.tau[j] = std::clamp(result.tau[j], -limit, limit);
+  }
+  return result;
+}
+
+namespace {
+
+// The shortest x with system x = right, as near as there is one; the system is symmetric.  (A complete orthogonal
+// decomposition does the same, but allocates once the rank is not full.)
+Eigen::Vector3d least_solution(const Eigen::Matrix3d& system,
+                               const Eigen::Vector3d& right) noexcept {
+  constexpr double kNone = 1e-12;  // of the greatest eigenvalue
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> parts(system);
+  const double least = kNone * parts.eigenvalues().maxCoeff();
+  Eigen::Vector3d along = parts.eigenvectors().transpose() * right;
+  for (int i = 0; i < 3; ++i) {
+    const double value = parts.eigenvalues()[i];
+    along[i] = value > least ? along[i] / value : 0.0;
+  }
+  return parts.eigenvectors() * along;
+}
+
+}  // namespace
+
+std::array<double, 4> corner_forces(const Sole& sole, double fz, double mx, double my) noexcept {
+  // f_i = a + b y_i + c x_i with sums fz, sum f y = mx, -sum f x = my; corners that would pull are
+  // left out.
+  std::array<bool, 4> presses{true, true, true, true};
+  std::array<double, 4> force{};
+  for (int pass = 0; pass < 4; ++pass) {
+    Eigen::Matrix3d system = Eigen::Matrix3d::Zero();
+    for (int i = 0; i < kSoleCorners; ++i) {
+      if (!presses[static_cast<std::size_t>(i)]) continue;
+      const Eigen::Vector3d corner = sole_corner(sole, i);
+      const Eigen::Vector3d arm(1.0, corner.y(), -corner.x());
+      system += arm * arm.transpose();
+    }
+    const Eigen::Vector3d plane = least_solution(system, {fz, mx, my});
+    bool done = true;
+    for (int i = 0; i < kSoleCorners; ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      const Eigen::Vector3d corner = sole_corner(sole, i);
+      force[at] = presses[at] ? plane.dot(Eigen::Vector3d(1.0, corner.y(), -corner.x())) : 0.0;
+    }
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (force[i] < 0.0) {
+        presses[i] = false;
+        force[i] = 0.0;
+        done = false;
+      }
+    }
+    if (done) break;
+  }
+  return force;
+}
+
+void fit_base_to_corner_forces(const Model& model,
+                               const std::array<std::array<double, 4>, 2>& force,
+                               const std::array<double, 2>& stiffness,
+                               const std::array<double, 2>& ground_height, Kinematics& kinematics,
+                               Configuration& configuration) noexcept {
+  for (int pass = 0; pass < 3; ++pass) {
+    kinematics.update(configuration);
+    const Corners corners = corners_in_world(model, kinematics);
+    Eigen::Vector3d pivot = Eigen::Vector3d::Zero();
+    double loaded = 0.0;
+    for (std::size_t s = 0; s < 2; ++s) {
+      for (std::size_t c = 0; c < 4; ++c) {
+        if (!(force[s][c] > 0.0)) continue;
+        pivot += force[s][c] * corners[s][c];
+        loaded += force[s][c];
+      }
+    }
+    if (!(loaded > 0.0)) return;
+    pivot /= loaded;
+    Eigen::Matrix3d system = 1e-9 * Eigen::Matrix3d::Identity();
+    Eigen::Vector3d right = Eigen::Vector3d::Zero();
+    for (std::size_t s = 0; s < 2; ++s) {
+      if (model.soles[s].link < 0) continue;
+      for (std::size_t c = 0; c < 4; ++c) {
+        if (!(force[s][c] > 0.0)) continue;
+        const Eigen::Vector3d& p = corners[s][c];
+        const double wanted = ground_height[s] - force[s][c] / stiffness[s];  // z of the corner
+        const Eigen::Vector3d arm(1.0, p.y() - pivot.y(), -(p.x() - pivot.x()));
+        system += arm * arm.transpose();
+        right += arm * (wanted - p.z());
+      }
+    }
+    move_base(system.ldlt().solve(right), {pivot.x(), pivot.y(), 0.0}, configuration);
+  }
+}
+
+}  // namespace twinbus

@@ -1,0 +1,16 @@
+// What only a simulator knows of its robot: the pose of the base, contacts, zero-moment point.
+
+#pragma once
+
+#include "robot/description/model.h"
+#include "lcmtypes/msg/requests.h"
+#include "sim/world/world.h"
+
+namespace twinbus {
+
+// standing_height: of the base when the run began [m]; half of it, or a tilt of 60 degrees, counts
+// as fallen.
+void fill_truth(const Model& model, const World& world, double standing_height,
+                SimTruth& truth) noexcept;
+
+}  // namespace twinbus

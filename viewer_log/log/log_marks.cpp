@@ -1,0 +1,116 @@
+#include "viewer_log/log/log_marks.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <utility>
+
+#include "viewer_log/view/health.h"
+
+namespace twinbus {
+
+namespace {
+
+constexpr double kFallenCosine = 0.5;         // a trunk tilted by more than 60 degrees has fallen
+constexpr std::int64_t kSilence = 25'000;     // without STATE [us]
+constexpr std::int64_t kGuardRest = 200'000;  // a guard that lets go for less goes on [us]
+constexpr std::size_t kMostSenders = 64;
+
+// Cosine of the tilt: z axis of a rotation w x y z, along the vertical.
+double upright(const std::array<float, 4>& w) {
+  const double x = static_cast<double>(w[1]), y = static_cast<double>(w[2]);
+  return 1.0 - 2.0 * (x * x + y * y);
+}
+
+}  // namespace
+
+const char* label(MarkKind kind) noexcept {
+  constexpr const char* kNames[] = {"switch", "stop", "fall", "guard", "missed", "message"};
+  return kNames[static_cast<std::size_t>(kind)];
+}
+
+void MarkFinder::add(std::int64_t utime, MarkKind kind, std::string text) {
+  if (marks_.size() >= kMostMarks) {
+    ++left_out_;
+    return;
+  }
+  marks_.push_back({1e-6 * static_cast<double>(utime - first_utime_), kind, std::move(text)});
+}
+
+void MarkFinder::on_state(const RobotState& state, std::int64_t utime) {
+  if (last_state_utime_ != 0 && utime - last_state_utime_ > kSilence) {
+    char text[60];
+    std::snprintf(text, sizeof text, "no STATE for %.0f ms",
+                  1e-3 * static_cast<double>(utime - last_state_utime_));
+    add(last_state_utime_, MarkKind::kMissed, text);
+  }
+  if (state.run_id != last_.run_id || state.term != last_.term) {
+    std::string text = label(state.source);
+    text += " holds STATE, term ";
+    text += std::to_string(state.term);
+    add(utime, MarkKind::kSwitch, std::move(text));
+  }
+  if (state.stop_kind != last_.stop_kind) {
+    std::string text = state.stop_kind == StopKind::kNone ? "stop cleared" : "stop: ";
+    if (state.stop_kind != StopKind::kNone) text += label(state.stop_kind);
+    add(utime, MarkKind::kStop, std::move(text));
+  }
+  if ((state.sensor_flags & kImuValid) != 0) {
+    const bool now = upright(state.attitude) > kFallenCosine;
+    if (upright_ && !now) add(utime, MarkKind::kFall, "tilted by more than 60 degrees");
+    upright_ = now;
+  }
+  last_ = state;
+  last_state_utime_ = utime;
+}
+
+void MarkFinder::on_guard(const GuardReport& report, std::int64_t utime) {
+  if (report.hold_mask != 0) {
+    if (!holding_) {
+      std::string text = "guard holds joints (";
+      text += label(report.verdict);
+      text += ")";
+      add(utime, MarkKind::kGuard, std::move(text));
+    }
+    holding_ = true;
+    quiet_since_ = utime;
+  } else if (utime - quiet_since_ > kGuardRest) {
+    holding_ = false;
+  }
+}
+
+void MarkFinder::on_source_status(const SourceStatus& status, std::int64_t utime) {
+  const auto [known, is_new] = missed_.try_emplace(status.run_id, status.ticks_missed);
+  const std::int64_t more = status.ticks_missed - known->second;
+  if (!is_new && more > 0) {
+    std::string text = label(status.source);
+    text += ": ";
+    text += std::to_string(more);
+    text += more == 1 ? " tick missed" : " ticks missed";
+    add(utime, MarkKind::kMissed, std::move(text));
+  }
+  known->second = status.ticks_missed;
+  if (missed_.size() > kMostSenders) missed_.erase(missed_.begin());
+}
+
+void MarkFinder::on_event(const Event& event, std::int64_t utime) {
+  const auto known = std::find_if(told_.begin(), told_.end(),
+                                  [&](const auto& e) { return e.first == event.sender_id; });
+  if (known != told_.end() && known->second == event.sequence) return;  // said again
+  if (known != told_.end()) {
+    known->second = event.sequence;
+  } else {
+    if (told_.size() >= kMostSenders) told_.erase(told_.begin());
+    told_.emplace_back(event.sender_id, event.sequence);
+  }
+  const std::string words(event.text.data(), strnlen(event.text.data(), event.text.size()));
+  std::string text = label(event.kind);
+  text += ": ";
+  text += words;
+  const bool fall =
+      words.find("fell") != std::string::npos || words.find("fallen") != std::string::npos;
+  add(utime, fall ? MarkKind::kFall : MarkKind::kMessage, std::move(text));
+}
+
+}  // namespace twinbus

@@ -1,0 +1,70 @@
+// Reads log files, also damaged ones: what cannot be an event is stepped over and counted.
+//
+// Every intact event is given back, whatever happened around it: an event is judged by itself, not by its
+// successor.  Its lengths are believed only if no other event begins inside it.  Memory is bounded: a window of
+// the file, whatever the file says.
+
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "viewer_log/log/log_event.h"
+
+namespace twinbus {
+
+struct LogDamage {
+  std::int64_t places = 0;  // runs of bytes that are no events
+  std::int64_t bytes = 0;   // in them
+  bool cut = false;         // the last event is not complete
+};
+
+class LogReader {
+ public:
+  // Throws std::runtime_error naming a file that cannot be read.
+  explicit LogReader(const std::string& file);
+  // The bytes of a log; they must outlive the reader.
+  explicit LogReader(std::span<const std::uint8_t> bytes);
+  ~LogReader();
+  LogReader(const LogReader&) = delete;
+  LogReader& operator=(const LogReader&) = delete;
+
+  // The next intact event, valid until the next call of anything.  False at the end.
+  bool next(LogEvent& event);
+  // Goes to the first event at or after that time, as far as times in the log do not go back.  Needs no index: about
+  // twenty reads, however long the log is.
+  void seek(std::int64_t utime);
+  // Goes to the first event at or behind this place.  Damage that was counted stays counted.
+  void go_to(std::int64_t offset);
+
+  std::int64_t offset() const { return offset_; }
+  std::int64_t size() const { return size_; }
+  const LogDamage& damage() const { return damage_; }
+  // What follows the end is taken in: a log that is still being written.
+  void look_for_more();
+
+ private:
+  struct Head {
+    std::int64_t number = 0;
+    std::size_t name = 0, data = 0;  // lengths
+    std::int64_t total() const { return static_cast<std::int64_t>(kEventHead + name + data); }
+  };
+  const std::uint8_t* view(std::int64_t offset, std::size_t count);
+  bool head_at(std::int64_t offset, Head& head);
+  bool begins_well(std::int64_t offset, std::int64_t number);
+  std::int64_t other_event_inside(std::int64_t offset, const Head& head);
+  std::int64_t next_mark(std::int64_t from, std::int64_t to);
+  bool event_at(std::int64_t& offset, LogEvent& event, LogDamage& damage);
+
+  int fd_ = -1;
+  std::span<const std::uint8_t> memory_;
+  std::int64_t size_ = 0, offset_ = 0;
+  LogDamage damage_;
+  std::vector<std::uint8_t> window_;
+  std::int64_t window_offset_ = 0;
+  std::size_t window_count_ = 0;
+};
+
+}  // namespace twinbus

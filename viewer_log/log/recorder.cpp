@@ -1,0 +1,196 @@
+#include "viewer_log/log/recorder.h"
+
+#include <sys/statvfs.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <utility>
+
+namespace twinbus {
+
+namespace {
+
+constexpr auto kWriteEvery = std::chrono::milliseconds(200);
+constexpr std::size_t kMostPending = 64 << 20;      // more waits for the disk no longer [bytes]
+constexpr std::size_t kWriteSoon = 1 << 20;         // more is written at once [bytes]
+constexpr std::int64_t kDescribeEvery = 1'000'000;  // [us]
+
+std::int64_t events_in(std::span<const std::uint8_t> bytes) {
+  std::int64_t count = 0;
+  for (std::size_t at = 0; at < bytes.size(); ++count) {
+    at += kEventHead + read_u32(bytes.data() + at + 20) + read_u32(bytes.data() + at + 24);
+  }
+  return count;
+}
+
+std::int64_t utime_of(std::span<const std::uint8_t> event) { return read_i64(event.data() + 12); }
+
+}  // namespace
+
+Recorder::Recorder(const RecorderConfig& config) : config_(config) {
+  next_part();
+  thread_ = std::thread([this] { work(); });
+}
+
+Recorder::~Recorder() {
+  {
+    const std::lock_guard lock(mutex_);
+    quit_ = true;
+  }
+  wake_.notify_one();
+  thread_.join();
+}
+
+void Recorder::add(std::int64_t utime, std::string_view channel,
+                   std::span<const std::uint8_t> data) {
+  bool soon = false;
+  {
+    const std::lock_guard lock(mutex_);
+    if (pending_.size() > kMostPending || data.size() > kLargestData) {
+      ++figures_.dropped;
+      return;
+    }
+    append_event(pending_, utime, channel, data);
+    ++pending_count_;
+    soon = pending_.size() > kWriteSoon;
+  }
+  if (soon) wake_.notify_one();
+}
+
+void Recorder::describe(std::string_view channel, std::vector<std::vector<std::uint8_t>> messages) {
+  const std::lock_guard lock(mutex_);
+  description_channel_ = channel;
+  description_ = std::move(messages);
+}
+
+RecorderFigures Recorder::figures() const {
+  const std::lock_guard lock(mutex_);
+  return figures_;
+}
+
+std::string Recorder::take_news() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(news_, {});
+}
+
+void Recorder::say(const std::string& sentence) {
+  const std::lock_guard lock(mutex_);
+  news_ = sentence;
+}
+
+std::string Recorder::part_name(int part) const {
+  if (part == 1) return config_.file;
+  const std::filesystem::path path(config_.file);
+  char number[16];
+  std::snprintf(number, sizeof number, "-%04d", part);
+  return (path.parent_path() / (path.stem().string() + number + path.extension().string()))
+      .string();
+}
+
+void Recorder::next_part() {
+  auto next =
+      std::make_unique<LogWriter>(part_name(part_ + 1));  // may throw: then the old one goes on
+  if (writer_ != nullptr) {
+    (void)writer_->write_index();
+    parts_.push_back({part_name(part_), writer_->size()});
+  }
+  writer_ = std::move(next);
+  ++part_;
+  described_utime_ = 0;
+  const std::lock_guard lock(mutex_);
+  figures_.parts = part_;
+}
+
+void Recorder::apply_quota() {
+  if (config_.quota_bytes <= 0) return;
+  std::int64_t all = writer_->size();
+  for (const Part& part : parts_) all += part.bytes;
+  while (all > config_.quota_bytes && !parts_.empty()) {
+    all -= parts_.front().bytes;
+    (void)::unlink(parts_.front().file.c_str());
+    parts_.pop_front();
+  }
+}
+
+bool Recorder::room() const {
+  struct statvfs disk {};
+  const std::string folder = std::filesystem::path(config_.file).parent_path().string();
+  if (statvfs(folder.empty() ? "." : folder.c_str(), &disk) != 0) return true;
+  const auto block = static_cast<std::int64_t>(disk.f_frsize);
+  // Of a small disk a tenth, or nothing could ever be written there.
+  const std::int64_t keep =
+      std::min(config_.keep_free, static_cast<std::int64_t>(disk.f_blocks) * block / 10);
+  return static_cast<std::int64_t>(disk.f_bavail) * block > keep;
+}
+
+void Recorder::write_out(std::vector<std::uint8_t>& events) {
+  const std::int64_t size = writer_->size();
+  const std::int64_t count = writer_->events();
+  const bool has_room = room();
+  const std::size_t done = has_room ? writer_->write(events) : 0;
+  const std::int64_t lost = events_in(std::span(events).subspan(done));
+  const bool failed = done < events.size();
+  if (failed && !failing_) {
+    const char* why = has_room ? std::strerror(writer_->error()) : "the disk is full";
+    say("recording stopped: " + part_name(part_) + ": " + why + "; it goes on when there is room");
+  } else if (!failed && failing_) {
+    say("recording goes on in " + part_name(part_));
+  }
+  failing_ = failed;
+  const std::lock_guard lock(mutex_);
+  figures_.dropped += lost;
+  figures_.written += writer_->events() - count;
+  figures_.bytes += writer_->size() - size;
+}
+
+void Recorder::split_if_full() {
+  const bool large = config_.split_bytes > 0 && writer_->size() >= config_.split_bytes;
+  const bool long_ago =
+      config_.split_seconds > 0.0 && part_utime_ != 0 &&
+      1e-6 * static_cast<double>(newest_utime_ - part_utime_) >= config_.split_seconds;
+  if ((!large && !long_ago) || failing_ || cannot_split_) return;
+  try {
+    next_part();
+    part_utime_ = 0;
+  } catch (const std::exception& error) {
+    cannot_split_ = true;
+    say(std::string(error.what()) + "; the file before goes on");
+  }
+}
+
+void Recorder::work() {
+  std::vector<std::uint8_t> events, text;
+  std::vector<std::vector<std::uint8_t>> description;
+  std::string channel;
+  for (bool last = false; !last;) {
+    {
+      std::unique_lock lock(mutex_);
+      wake_.wait_for(lock, kWriteEvery, [this] { return quit_ || pending_.size() > kWriteSoon; });
+      last = quit_;
+      std::swap(events, pending_);
+      pending_count_ = 0;
+      description = description_;
+      channel = description_channel_;
+    }
+    if (events.empty()) continue;
+    newest_utime_ = utime_of(events);
+    split_if_full();  // with something to put into the new part: none stays empty
+    if (part_utime_ == 0) part_utime_ = newest_utime_;
+    if (newest_utime_ - described_utime_ >= kDescribeEvery && !description.empty()) {
+      described_utime_ = newest_utime_;
+      text.clear();
+      for (const auto& message : description) append_event(text, newest_utime_, channel, message);
+      write_out(text);
+    }
+    write_out(events);
+    events.clear();
+    apply_quota();
+  }
+  (void)writer_->write_index();
+}
+
+}  // namespace twinbus

@@ -1,0 +1,170 @@
+#include "viewer_log/server/page_request.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace twinbus {
+
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::int64_t kLargestId = (std::int64_t{1} << 53) - 1;
+constexpr double kFarthestHand =
+    1000.0;  // a robot that has walked for long may be far from where it began [m]
+
+std::string text_member(const Json& json, const char* key) {
+  const auto found = json.find(key);
+  return found != json.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+// -1 unless the member is an integer from 0 to largest.
+std::int64_t integer_member(const Json& json, const char* key, std::int64_t largest) {
+  const auto found = json.find(key);
+  if (found == json.end() || !found->is_number_integer()) return -1;
+  if (found->is_number_unsigned() && found->get<std::uint64_t>() > std::uint64_t(largest))
+    return -1;
+  const auto value = found->get<std::int64_t>();
+  return value >= 0 && value <= largest ? value : -1;
+}
+
+// False unless it is a finite number of at most this size.
+bool read_number(const Json& json, double largest, double& value) {
+  if (!json.is_number()) return false;
+  value = json.get<double>();
+  return std::abs(value) <= largest;
+}
+
+bool read_walk(const Json& json, PageRequest& request) {
+  double vx = 0, vy = 0, wz = 0;
+  if (!read_number(json.value("vx", Json()), 2.0, vx) ||
+      !read_number(json.value("vy", Json()), 1.0, vy) ||
+      !read_number(json.value("wz", Json()), 2.0, wz)) {
+    return false;
+  }
+  request.vx = static_cast<float>(vx);
+  request.vy = static_cast<float>(vy);
+  request.wz = static_cast<float>(wz);
+  return true;
+}
+
+bool read_reach(const Json& json, PageRequest& request) {
+  const std::string side = text_member(json, "side");
+  if (side != "left" && side != "right") return false;
+  request.side = side == "left" ? ArmSide::kLeft : ArmSide::kRight;
+  const auto at = json.find("at");
+  if (at == json.end() || !at->is_array() || at->size() != 3) return false;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!read_number((*at)[i], kFarthestHand, request.at[i])) return false;
+  }
+  return true;
+}
+
+bool read_mode(const std::string& name, PageRequest& request) {
+  struct Row {
+    const char* name;
+    Mode mode;
+    Motion motion;
+    float amplitude, frequency;  // as in the scenes sway and squat
+  };
+  static constexpr Row kRows[] = {{"balance", Mode::kBalance, Motion::kNone, 0, 0},
+                                  {"sway", Mode::kBalance, Motion::kSway, 0.03f, 0.4f},
+                                  {"squat", Mode::kBalance, Motion::kSquat, 0.05f, 0.3f},
+                                  {"hold", Mode::kHold, Motion::kNone, 0, 0},
+                                  {"walk", Mode::kWalk, Motion::kNone, 0, 0},
+                                  {"idle", Mode::kIdle, Motion::kNone, 0, 0}};
+  for (const Row& row : kRows) {
+    if (name == row.name) {
+      request.mode = row.mode;
+      request.motion = row.motion;
+      request.amplitude = row.amplitude;
+      request.frequency = row.frequency;
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+bool read_page_request(const std::string& text, bool trusted, PageRequest& request,
+                       std::string& problem) {
+  request = {};
+  const Json json = Json::parse(text, nullptr, false);
+  if (json.is_discarded() || !json.is_object()) {
+    problem = "not understood: a request is a JSON object";
+    return false;
+  }
+  const std::string what = text_member(json, "do");
+  if (what == "hello") {
+    request.what = PageRequest::What::kHello;
+    return true;
+  }
+  if (what == "stop") {
+    const std::int64_t kind = integer_member(json, "kind", 3);
+    // A stop whose kind is damaged is still a stop.
+    request.stop = kind >= 1 ? StopKind(kind) : StopKind::kBalanced;
+    request.what = PageRequest::What::kStop;
+    return true;
+  }
+  if (!trusted) {
+    problem = "watching only: open the address that the viewer printed to get the buttons";
+    return false;
+  }
+  if (what == "clear") {
+    request.what = PageRequest::What::kClear;
+    return true;
+  }
+  if (what == "switch") {
+    request.run_id = integer_member(json, "run", kLargestId);
+    request.what = PageRequest::What::kSwitch;
+    problem = "switch: run must be the number of a source";
+    return request.run_id > 0;
+  }
+  if (what == "mode") {
+    request.what = PageRequest::What::kMode;
+    problem = "mode: one of balance, walk, sway, squat, hold, idle";
+    return read_mode(text_member(json, "mode"), request);
+  }
+  if (what == "walk") {
+    request.what = PageRequest::What::kWalk;
+    problem = "walk: vx, vy and wz must be numbers of at most 2 m/s, 1 m/s and 2 rad/s";
+    return read_walk(json, request);
+  }
+  if (what == "reach") {
+    request.what = PageRequest::What::kReach;
+    problem = "reach: side must be left or right, at three numbers in metres";
+    return read_reach(json, request);
+  }
+  if (what == "cancel") {
+    request.what = PageRequest::What::kCancel;
+    return true;
+  }
+  if (what == "setup") {
+    request.what = PageRequest::What::kSetup;
+    const auto setup = json.find("setup");
+    problem = "setup: a JSON object with the name of a scene";
+    if (setup == json.end() || !setup->is_object() || text_member(*setup, "scene").empty())
+      return false;
+    request.setup = setup->dump(-1, ' ', true, Json::error_handler_t::replace);
+    return true;
+  }
+  if (what == "record") {
+    const auto on = json.find("on");
+    problem = "record: on must be true or false";
+    if (on == json.end() || !on->is_boolean()) return false;
+    request.what = PageRequest::What::kRecord;
+    request.on = on->get<bool>();
+    return true;
+  }
+  problem =
+      "not understood: do must be stop, clear, switch, mode, walk, reach, cancel, setup or record";
+  return false;
+}
+
+std::string note_frame(const std::string& text) {
+  return Json({{"type", "note"}, {"text", text}})
+      .dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace twinbus

@@ -1,0 +1,31 @@
+// The difference between the active source and one that shadows it, tick by tick: the paper's Figs. 12 and 13, live.
+
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "lcmtypes/msg/requests.h"
+#include "lcmtypes/msg/robot_io.h"
+
+namespace twinbus {
+
+// Other minus active; two states of one tick.
+Gap gap_between(const RobotState& active, const RobotState& other) noexcept;
+
+class GapMeter {
+ public:
+  void on_active(const RobotState& state) noexcept;
+  // A source on a channel of its own; only one in standby is compared.
+  void on_other(const RobotState& state) noexcept;
+  // The newest difference of any standby that has not been taken; false when there is none.
+  bool take(Gap& gap) noexcept;
+
+ private:
+  static constexpr std::size_t kKept = 64;  // ticks: how far a standby may be behind
+  std::array<RobotState, kKept> active_{};
+  Gap gap_;
+  bool fresh_ = false;
+};
+
+}  // namespace twinbus

@@ -1,0 +1,34 @@
+// Is the stack well?  One level and one sentence that says what is wrong and what to do, for the
+// top of the page.
+
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "viewer_log/view/stack_view.h"
+
+namespace twinbus {
+
+enum class HealthLevel { kWaiting, kGood, kWarning, kStopped, kBad };
+
+const char* label(HealthLevel level) noexcept;
+
+struct Health {
+  HealthLevel level = HealthLevel::kWaiting;
+  std::string text;
+};
+
+// The worst thing first; the rest can be read in the tables.
+Health assess(const StackView& view, std::int64_t now_ns);
+
+const char* label(SourceKind kind) noexcept;
+const char* label(Role role) noexcept;
+const char* label(StopKind kind) noexcept;
+const char* label(StopReason reason) noexcept;
+const char* label(Mode mode) noexcept;
+const char* label(Motion motion) noexcept;
+const char* label(ProcessKind kind) noexcept;
+const char* label(GuardVerdict verdict) noexcept;
+
+}  // namespace twinbus

@@ -1,0 +1,49 @@
+// Between a bus and the viewer: requests that are sent several times, and messages that go to the view.  For mains only.
+
+#pragma once
+
+#include <cstdint>
+#include <type_traits>
+
+#include "lcmtypes/bus/bus.h"
+#include "common/process/process.h"
+#include "viewer_log/view/stack_view.h"
+
+namespace twinbus {
+
+// A request with its addressing, sent several times under one sequence number.
+template <class T>
+struct Outgoing {
+  T message{};
+  int left = 0;
+  void start(const T& next) {
+    const std::int64_t sender = message.sender_id;
+    const std::int32_t sequence = message.sequence + 1;
+    message = next;
+    message.sender_id = sender;
+    message.sequence = sequence;
+    left = kRepeats;
+  }
+  static constexpr int kRepeats = 5;  // one per frame, same sequence
+  void send(Bus& bus, const char* channel) {
+    if (left == 0) return;
+    --left;
+    message.utime = wall_us();
+    if (!bus.send(channel, message)) ++left;  // no room now: once more with the next frame
+  }
+};
+
+// Hands every message of a channel to the view.
+template <class T, auto kTake>
+struct ToView {
+  StackView& view;
+  void operator()(const T& message) {
+    if constexpr (std::is_invocable_v<decltype(kTake), StackView&, const T&, std::int64_t>) {
+      (view.*kTake)(message, monotonic_ns());
+    } else {
+      (view.*kTake)(message);
+    }
+  }
+};
+
+}  // namespace twinbus

@@ -1,0 +1,84 @@
+#include "viewer_log/view/setup_desk.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+namespace twinbus {
+
+namespace {
+
+using Json = nlohmann::json;
+namespace fs = std::filesystem;
+
+constexpr double kTurn = 3.14159265358979323846;  // range shown of a joint without limits [rad]
+
+// The line `about: ...` of a scene; a file without one says nothing of itself.
+std::string about_line(const fs::path& file) {
+  std::ifstream stream(file);
+  std::string line;
+  for (int i = 0; i < 20 && std::getline(stream, line); ++i) {
+    if (line.compare(0, 7, "about: ") == 0) return line.substr(7);
+  }
+  return {};
+}
+
+Json scene_list(const std::string& folder) {
+  std::vector<fs::path> files;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+    if (entry.path().extension() == ".yaml") files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  Json list = Json::array();
+  for (const fs::path& file : files)
+    list.push_back({{"name", file.stem().string()}, {"about", about_line(file)}});
+  return list;
+}
+
+double to_micro(double value) { return std::round(1e6 * value) / 1e6; }
+
+}  // namespace
+
+std::string setup_choices(const Model& model, const std::string& scenes_folder) {
+  Json json = {{"scenes", scene_list(scenes_folder)}, {"engines", {"articulated", "ode"}}};
+  json["poses"] = Json::object();
+  json["joints"] = Json::array();
+  json["links"] = Json::array();
+  json["unchecked"] = Json::array();
+  for (const NamedPose& pose : model.poses) {
+    Json q = Json::object();
+    for (std::size_t j = 0; j < model.joints.size() && j < pose.q.size(); ++j)
+      q[model.joints[j].name] = to_micro(pose.q[j]);
+    json["poses"][pose.name] = q;
+  }
+  for (const Joint& joint : model.joints) {
+    if (joint.mimic >= 0) continue;
+    json["joints"].push_back({{"name", joint.name},
+                              {"lower", to_micro(std::max(joint.lower, -kTurn))},
+                              {"upper", to_micro(std::min(joint.upper, kTurn))}});
+  }
+  for (const Link& link : model.links) json["links"].push_back(link.name);
+  for (const auto& [a, b] : model.disabled_pairs) {
+    json["unchecked"].push_back({model.links[static_cast<std::size_t>(a)].name,
+                                 model.links[static_cast<std::size_t>(b)].name});
+  }
+  return json.dump(-1, ' ', true, Json::error_handler_t::replace);
+}
+
+std::string lay_wish(const std::string& folder, const std::string& wish) {
+  if (folder.empty()) return "setup: this viewer was not started by ./twinbus up";
+  const std::string file = folder + "/setup/wish.json";
+  {
+    std::ofstream stream(file + ".new", std::ios::binary);
+    stream << wish;
+    if (!stream.flush()) return "setup: cannot write " + file;
+  }
+  std::error_code error;
+  fs::rename(file + ".new", file, error);  // whole at once
+  return error ? "setup: cannot write " + file : std::string();
+}
+
+}  // namespace twinbus
