@@ -24,15 +24,21 @@ set_target_properties(twinbus_messages PROPERTIES
 set_property(TARGET twinbus_lcmtypes APPEND PROPERTY
   INTERFACE_LINK_LIBRARIES $<INSTALL_INTERFACE:twinbus::messages>)
 
-set_target_properties(twinbus_planner_lib PROPERTIES EXPORT_NAME planner)
-foreach(name flags messages robot bridge sim lcmtypes)
-  set_target_properties(twinbus_${name} PROPERTIES EXPORT_NAME ${name})
+# twinbus::robot is a room, twinbus::robot_collision one of its folders.
+get_property(libraries GLOBAL PROPERTY TWINBUS_FOLDERS)
+set(exported)
+foreach(name ${libraries} twinbus_flags twinbus_messages)
+  if(name MATCHES "^twinbus_(control|launcher|viewer_log)")
+    continue()
+  endif()
+  string(REGEX REPLACE "^twinbus_" "" short ${name})
+  set_target_properties(${name} PROPERTIES EXPORT_NAME ${short})
+  list(APPEND exported ${name})
 endforeach()
-install(TARGETS twinbus_flags twinbus_messages twinbus_robot twinbus_bridge twinbus_sim
-    twinbus_planner_lib twinbus_lcmtypes EXPORT twinbus
+install(TARGETS ${exported} EXPORT twinbus
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
 install(EXPORT twinbus NAMESPACE twinbus:: FILE twinbusTargets.cmake DESTINATION ${package_dir} COMPONENT development)
-foreach(room robot bridge sim planner lcmtypes)
+foreach(room common geometry lcmtypes robot bridge sim planner)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${room} DESTINATION ${header_dir} COMPONENT development
     FILES_MATCHING PATTERN "*.h" PATTERN "*.lcm")
 endforeach()

@@ -168,7 +168,7 @@ Eigen::Isometry3d ArmPlanner::leaned(const Question& question, const Eigen::Vect
 }
 
 // Postures that answer the goal and keep the clearance, nearest to the start first.
-bool ArmPlanner::find_goals(EdgeCheck& space, Question& question, Random& random,
+bool ArmPlanner::find_goals(EdgeCheck& space, Question& question, SplitMix64& random,
                             ArmPlan& plan) const {
   const ArmGoal& goal = *question.goal;
   bool reached_any = false;
@@ -337,7 +337,7 @@ ArmPlan ArmPlanner::attempt(const ArmGoal& goal, const Configuration& start,
   ArmPlan plan;
   Question question;
   if (!understand(goal, start, ground_in_world, question, plan)) return plan;
-  Random random(seed);
+  SplitMix64 random(seed);
   EdgeCheck space(*model_, collision_, start, plan.joints, config_.clearance);
 
   const double room_at_start = space.nearest(question.start, config_.clearance);

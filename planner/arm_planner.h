@@ -77,7 +77,7 @@ class ArmPlanner {
   bool understand(const ArmGoal& goal, const Configuration& start, const Eigen::Isometry3d& ground,
                   Question& question, ArmPlan& plan) const;
   Eigen::Isometry3d leaned(const Question& question, const Eigen::VectorXd& q) const;
-  bool find_goals(class EdgeCheck& space, Question& question, class Random& random,
+  bool find_goals(class EdgeCheck& space, Question& question, class SplitMix64& random,
                   ArmPlan& plan) const;
   TimedPath timed(class EdgeCheck& space, const JointPath& corners,
                   const TimingLimits& limits) const;

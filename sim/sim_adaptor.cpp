@@ -15,6 +15,7 @@
 #include "sim/scene/settings.h"
 #include "sim/world/static_equilibrium.h"
 #include "sim/world/truth.h"
+#include "sim/engine/make_world.h"
 #include "sim/world/world.h"
 
 namespace twinbus {

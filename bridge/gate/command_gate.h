@@ -1,4 +1,4 @@
-// The last code before a motor: HOUSE_STYLE.md section 8, the same in simulation and reality.
+// The last code before a motor: doc/style.md section 8, the same in simulation and reality.
 //
 // Commands come in by accept(), stops by stop(); once per tick output() gives what is written to
 // the adaptor.  A command is refused whole before anything in it is clamped, because clamping NaN

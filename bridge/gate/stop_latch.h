@@ -1,4 +1,4 @@
-// A stop that stays until it is cleared by name: PROTOCOL.md section 6.
+// A stop that stays until it is cleared by name: doc/protocol.md section 6.
 //
 // Every stop draws a new nonce, shown in STATE; a clear must echo it.  So a clear that was sent
 // before this stop, came late, came twice or comes out of an old log clears nothing.  A repeated

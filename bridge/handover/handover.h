@@ -1,8 +1,8 @@
-// Who is active: roles, terms and grants of one source, as PROTOCOL.md section 4 says.  Pure and
+// Who is active: roles, terms and grants of one source, as doc/protocol.md section 4 says.  Pure and
 // copyable.
 //
 // What is heard only leaves evidence; the role changes in begin_tick() and nowhere else, so that no
-// message can move a source twice in one tick.  Rules this adds to PROTOCOL.md, each found by the
+// message can move a source twice in one tick.  Rules this adds to doc/protocol.md, each found by the
 // explorer in test/protocol:
 //
 //  * A grant counts for the target only while it is fresh: the target takes over if it has heard

@@ -1,4 +1,4 @@
-// The rules of PROTOCOL.md that a test can switch off one at a time, to see that the explorer
+// The rules of doc/protocol.md that a test can switch off one at a time, to see that the explorer
 // notices.
 //
 // Nothing in the product ever switches one off: RuleSet is empty unless test/protocol fills it.

@@ -8,7 +8,7 @@
 
 namespace twinbus {
 
-// PROTOCOL.md section 4.
+// doc/protocol.md section 4.
 struct SwitchTolerance {
   double position = 0.05;  // [rad or m]
   double velocity = 0.5;   // [rad/s or m/s]

@@ -7,9 +7,9 @@
 
 namespace twinbus {
 
-class Random {
+class SplitMix64 {
  public:
-  explicit Random(std::uint64_t seed) : state_(seed) {}
+  explicit SplitMix64(std::uint64_t seed) : state_(seed) {}
 
   std::uint64_t next() noexcept {
     state_ += 0x9E3779B97F4A7C15ULL;

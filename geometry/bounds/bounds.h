@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 #include <vector>
 
-#include "robot/collision/links/link_geometry.h"
+#include "geometry/shapes.h"
 
 namespace twinbus {
 

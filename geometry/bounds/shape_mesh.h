@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "geometry/mesh/mesh_file.h"
-#include "robot/description/model.h"
+#include "geometry/shapes.h"
 
 namespace twinbus {
 

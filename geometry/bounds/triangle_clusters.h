@@ -4,9 +4,23 @@
 
 #include <vector>
 
-#include "robot/collision/links/link_geometry.h"
+#include "geometry/mesh/mesh_file.h"
+#include "geometry/shapes.h"
 
 namespace twinbus {
+
+// Up to 16 triangles that lie together, a lane each; the lanes behind the last repeat it.  Bounds
+// are enlarged by more than single precision can lose.
+struct alignas(64) TriangleCluster {
+  static constexpr int kLanes = 16;
+  float corner[3][3][kLanes];  // corner, coordinate, triangle
+  float normal[3][kLanes];     // unit; zero for a triangle without area
+  float offset[kLanes];        // normal . x of the plane
+  float center[3];             // of the sphere around all
+  float radius;
+  float low[3], high[3];  // box around all
+  int count;              // triangles that are real
+};
 
 // order: the triangles, cluster by cluster.
 std::vector<TriangleCluster> triangle_clusters(const TriangleMesh& mesh, std::vector<int>& order);

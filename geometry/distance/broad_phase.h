@@ -13,7 +13,7 @@
 #include <span>
 #include <vector>
 
-#include "robot/collision/links/link_geometry.h"
+#include "geometry/shapes.h"
 
 namespace twinbus {
 

@@ -12,7 +12,7 @@
 
 #include <Eigen/Geometry>
 
-#include "robot/description/model.h"
+#include "geometry/shapes.h"
 
 namespace twinbus {
 

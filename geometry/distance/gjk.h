@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "common/simd/instruction_set.h"
-#include "robot/description/model.h"
+#include "geometry/shapes.h"
 #include "geometry/distance/support_cells.h"
 
 namespace twinbus {
@@ -38,16 +38,6 @@ struct GjkResult {
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();  // from a to b, unit; zero when they overlap
 };
 
-struct GjkQuery {
-  const GjkShape* a = nullptr;
-  const Eigen::Isometry3d* pose_a = nullptr;
-  const GjkShape* b = nullptr;
-  const Eigen::Isometry3d* pose_b = nullptr;
-  double far = 0.0;  // [m]
-  Eigen::Vector3d towards_b = Eigen::Vector3d::Zero();
-  GjkResult result;
-};
-
 inline constexpr double kGjkClose = 5e-8;  // [m]
 
 // close: the search ends when distance and below are this near to each other [m].
@@ -58,10 +48,5 @@ GjkResult gjk_distance(const GjkShape& a, const Eigen::Isometry3d& pose_a, const
                        const Eigen::Isometry3d& pose_b, double far,
                        const Eigen::Vector3d& towards_b = Eigen::Vector3d::Zero(),
                        double close = kGjkClose) noexcept;
-
-// The same of many, four or eight at a time, in two thirds of the time or less; to rounding what gjk_distance says.
-// Every set of instructions that the machine has gives the same bits.
-void gjk_distances(std::span<GjkQuery> queries, double close = kGjkClose) noexcept;
-void gjk_distances(std::span<GjkQuery> queries, double close, InstructionSet set) noexcept;
 
 }  // namespace twinbus

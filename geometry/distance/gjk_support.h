@@ -1,5 +1,5 @@
-// The point of a shape that is farthest along a direction, for the kernels of gjk.cpp and gjk_many.cpp: what both
-// spend half of their time on.
+// The point of a shape that is farthest along a direction, for the kernels of gjk.cpp: what
+// they spend half of their time on.
 
 #pragma once
 

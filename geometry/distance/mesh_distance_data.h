@@ -1,8 +1,8 @@
-// What the kernels of MeshDistance read and write: plain numbers, as in self_collision_data.h.
+// What the kernels of MeshDistance read and write: plain numbers, as in body_data.h.
 
 #pragma once
 
-#include "robot/collision/exact/self_collision_data.h"
+#include "geometry/distance/body_data.h"
 
 namespace twinbus {
 

@@ -16,7 +16,7 @@
 #include "geometry/bounds/coarse_mesh.h"
 #include "common/math/index.h"
 #include "robot/kinematics/kinematics.h"
-#include "geometry/bounds/link_points.h"
+#include "robot/description/link_points.h"
 #include "robot/description/load.h"
 #include "robot/collision/loop_joints.h"
 #include "robot/onboarding/proposal.h"

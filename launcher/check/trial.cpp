@@ -12,6 +12,7 @@
 #include "sim/scene/scene.h"
 #include "sim/scene/scene_seed.h"
 #include "sim/world/static_equilibrium.h"
+#include "sim/engine/make_world.h"
 #include "sim/world/world.h"
 
 namespace twinbus {

@@ -1,4 +1,4 @@
-// state_hash of a run as the bus shows it: PROTOCOL.md section 7, the same as `twinbus run` computes.
+// state_hash of a run as the bus shows it: doc/protocol.md section 7, the same as `twinbus run` computes.
 
 #pragma once
 

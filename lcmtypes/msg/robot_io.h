@@ -14,7 +14,7 @@ inline constexpr int kMaxJoints = 48;  // actuated joints that fit in one Ethern
 
 enum class SourceKind : std::int8_t { kNone = 0, kSimulator = 1, kBridge = 2, kReplay = 3 };
 
-// PROTOCOL.md section 4.
+// doc/protocol.md section 4.
 enum class Role : std::int8_t {
   kNone = 0,
   kParked = 1,
@@ -25,7 +25,7 @@ enum class Role : std::int8_t {
   kStopped = 6
 };
 
-// Higher wins.  PROTOCOL.md section 6.
+// Higher wins.  doc/protocol.md section 6.
 enum class StopKind : std::int8_t { kNone = 0, kBalanced = 1, kHold = 2, kOff = 3 };
 
 enum Limb : int { kLeftFoot = 0, kRightFoot = 1, kLeftHand = 2, kRightHand = 3, kLimbs = 4 };

@@ -1,4 +1,4 @@
-// Which messages on STATE a listener (controller, guard, planner, viewer) believes: PROTOCOL.md
+// Which messages on STATE a listener (controller, guard, planner, viewer) believes: doc/protocol.md
 // section 4.
 //
 // A source is believed when it goes on with the term it holds, when the holder granted it the next

@@ -132,7 +132,7 @@ void sort_pairs(BlockRobot& robot) {
   const std::vector<std::pair<int, int>> pairs = robot.pairs;
   std::vector<std::pair<int, std::size_t>> hits;
   std::vector<std::vector<float>> postures(kPostures);
-  Random random(3);
+  SplitMix64 random(3);
   for (std::vector<float>& q : postures) {
     for (int j = 0; j < robot.joints; ++j)
       q.push_back(static_cast<float>(random.uniform(static_cast<double>(robot.lower[at(j)]),

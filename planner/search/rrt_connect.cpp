@@ -98,7 +98,7 @@ const SearchPoint& JointSearch::sample() {
   if (next_ == table_.size()) {
     SearchPoint q{};
     // Seeds start far apart in the sequence.
-    const std::uint64_t offset = limits_.seed == 0 ? 0 : Random(limits_.seed).next() % 1000000;
+    const std::uint64_t offset = limits_.seed == 0 ? 0 : SplitMix64(limits_.seed).next() % 1000000;
     for (int j = 0; j < joints_; ++j) {
       const float low = limits_.lower[at(j)], high = limits_.upper[at(j)];
       q[at(j)] = low + (high - low) * mirrored(offset + next_ + 1, kBases[at(j)]);

@@ -6,7 +6,7 @@
 
 #include "common/math/index.h"
 #include "common/simd/instruction_set.h"
-#include "robot/collision/exact/self_collision_data.h"
+#include "geometry/distance/body_data.h"
 #include "common/simd/vec4.h"
 
 namespace twinbus {

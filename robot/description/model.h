@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/shapes.h"
 #include "lcmtypes/msg/robot_io.h"
 
 namespace twinbus {
@@ -43,16 +44,6 @@ struct Joint {
   int mimic = -1;     // joint index it follows, -1 none; mimic joints are not on the bus
   double mimic_multiplier = 1.0;
   double mimic_offset = 0.0;
-};
-
-enum class ShapeKind { kBox, kSphere, kCylinder, kMesh };
-
-struct Shape {
-  ShapeKind kind = ShapeKind::kBox;
-  Eigen::Vector3d size = Eigen::Vector3d::Zero();  // box: full edges; sphere: radius, -, -;
-                                                   // cylinder: radius, length, -; mesh: scale
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  // in the link frame; cylinder axis is z
-  std::string mesh;                                        // resolved file name
 };
 
 struct Link {
@@ -128,7 +119,7 @@ struct Model {
   double device_timeout = 0.050;
   double blend_s = 0.3;
   OffAction off_action = OffAction::kDamp;
-  std::int64_t hash = 0;  // PROTOCOL.md section 7, below 2^53
+  std::int64_t hash = 0;  // doc/protocol.md section 7, below 2^53
 
   std::vector<std::string> notes;  // what the files say that is not used, with file and line
 

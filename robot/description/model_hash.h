@@ -1,4 +1,4 @@
-// PROTOCOL.md section 7: a number that two processes compare to know that they mean the same robot.
+// doc/protocol.md section 7: a number that two processes compare to know that they mean the same robot.
 
 #pragma once
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "geometry/bounds/link_points.h"
+#include "robot/description/link_points.h"
 
 namespace twinbus {
 

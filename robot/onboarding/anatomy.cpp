@@ -7,7 +7,7 @@
 
 #include "common/math/index.h"
 #include "robot/kinematics/kinematics.h"
-#include "geometry/bounds/link_points.h"
+#include "robot/description/link_points.h"
 
 namespace twinbus {
 

@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <tuple>
 
-#include "geometry/bounds/link_points.h"
+#include "robot/description/link_points.h"
 #include "geometry/mesh/mesh_file.h"
 
 namespace twinbus {

@@ -5,22 +5,12 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "sim/engine/articulated_world.h"
-#include "sim/engine/ode_world.h"
 
 namespace twinbus {
 
 namespace {
 
 constexpr double kMaxTarget = 1e9;  // of any number of a servo target
-
-void check_bodies(const std::vector<LooseBody>& bodies) {
-  for (const LooseBody& body : bodies) {
-    const double radius = bounding_radius(body.solid);
-    if (body.mass > 0.0 && radius > 0.0 && std::isfinite(body.mass + radius)) continue;
-    throw std::runtime_error("loose body '" + body.name + "': mass and size must be positive");
-  }
-}
 
 // 0 x is not 0 if x is infinite or no number; unlike allFinite() this takes several at a time.
 bool all_finite(const Eigen::VectorXd& v) { return (0.0 * v).sum() == 0.0; }
@@ -96,15 +86,6 @@ void check_links(const Model& model, bool fixed_base) {
         "link '" + link.name +
         "' cannot be simulated: its mass and inertia must be positive; give it an <inertial>");
   }
-}
-
-std::unique_ptr<World> make_world(const Model& model, const WorldConfig& config) {
-  check_bodies(config.loose);
-  if (config.engine == Engine::kOde) return std::make_unique<OdeWorld>(model, config);
-  if (config.contact == ContactModel::kRigid) {
-    throw std::runtime_error("contact rigid is of engine ode only; give engine ode too");
-  }
-  return std::make_unique<ArticulatedWorld>(model, config);
 }
 
 }  // namespace twinbus

@@ -211,9 +211,4 @@ class World {
 // Throws std::runtime_error, naming the link, for one that is to move without a positive mass and inertia.
 void check_links(const Model& model, bool fixed_base);
 
-// The world of config.engine.  The model must outlive it.  Throws std::runtime_error when the model
-// cannot be simulated (a massless link, an indefinite inertia), naming it, or when the engine does
-// not know the contact asked for.
-std::unique_ptr<World> make_world(const Model& model, const WorldConfig& config);
-
 }  // namespace twinbus

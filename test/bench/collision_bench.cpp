@@ -20,7 +20,7 @@
 #include "common/file/disk_cache.h"
 #include "robot/collision/links/link_geometry.h"
 #include "common/math/index.h"
-#include "geometry/bounds/inscribed_spheres.h"
+#include "robot/collision/links/inscribed_spheres.h"
 #include "robot/collision/exact/posture_cells_cache.h"
 #include "robot/kinematics/kinematics.h"
 #include "common/process/options.h"

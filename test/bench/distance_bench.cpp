@@ -18,13 +18,11 @@
 
 #include "robot/collision/collision.h"
 #include "robot/collision/links/link_geometry.h"
-#include "robot/collision/hull_distances.h"
 #include "common/math/index.h"
 #include "robot/kinematics/kinematics.h"
 #include "geometry/distance/mesh_distance.h"
 #include "common/process/options.h"
 #include "test/bench/collision_cases.h"
-#include "test/bench/core_alone.h"
 #include "test/no_alloc.h"
 
 using namespace twinbus;
@@ -37,26 +35,8 @@ constexpr double kNear = 0.05, kSame = 1e-6;  // [m]
 struct BothMeshes {
   std::unique_ptr<ClusteredMesh> ours;
   std::shared_ptr<MeshModel> theirs;
-  std::shared_ptr<fcl::Convexd> hull;  // null when the link is no single mesh
   int index = 0;
 };
-
-std::shared_ptr<fcl::Convexd> fcl_convex(const TriangleMesh& hull) {
-  auto points = std::make_shared<std::vector<Eigen::Vector3d>>(hull.points);
-  auto faces = std::make_shared<std::vector<int>>();
-  for (const auto& [a, b, c] : hull.triangles) faces->insert(faces->end(), {3, a, b, c});
-  return std::make_shared<fcl::Convexd>(points, static_cast<int>(hull.triangles.size()), faces);
-}
-
-// Distance of the hulls by FCL, as exactly as it goes; below zero when they overlap.
-double hulls_by_fcl(const BothMeshes& a, const Eigen::Isometry3d& pose_a, const BothMeshes& b,
-                    const Eigen::Isometry3d& pose_b) {
-  fcl::DistanceRequestd request(true);
-  request.distance_tolerance = 1e-9;
-  fcl::DistanceResultd result;
-  fcl::distance(a.hull.get(), pose_a, b.hull.get(), pose_b, request, result);
-  return result.min_distance;
-}
 
 // Distance of the triangles by FCL; zero when they cross.
 double by_fcl(const BothMeshes& a, const Eigen::Isometry3d& pose_a, const BothMeshes& b,
@@ -74,7 +54,7 @@ double by_fcl(const BothMeshes& a, const Eigen::Isometry3d& pose_a, const BothMe
 }  // namespace
 
 int main(int argc, char** argv) try {
-  Options options("distance_bench", "Near pairs of hulls and of meshes beside FCL's distances.");
+  Options options("distance_bench", "Near pairs of meshes beside FCL's distances.");
   std::string robot = "jvrc29", package, drop;
   std::int64_t postures = 400, compared = 60;
   options.text("--robot", "NAME", robot, "as in bench collision");
@@ -86,7 +66,6 @@ int main(int argc, char** argv) try {
 
   const Model model = load_case(robot, package, drop);
   Collision collision(model);
-  HullDistances hull_distances(model);
   MeshDistance distance;
   std::vector<BothMeshes> links;
   std::vector<int> of_link(model.links.size(), -1);
@@ -95,9 +74,6 @@ int main(int argc, char** argv) try {
     link.ours = std::make_unique<ClusteredMesh>(g.mesh);
     link.theirs = std::make_shared<MeshModel>();
     link.index = g.link;
-    const auto& shapes = model.links[at(g.link)].collision;
-    if (shapes.size() == 1 && shapes.front().kind == ShapeKind::kMesh)
-      link.hull = fcl_convex(g.hull);
     std::vector<fcl::Triangle> triangles;
     for (const auto& [a, b, c] : g.mesh.triangles) triangles.emplace_back(at(a), at(b), at(c));
     link.theirs->beginModel();
@@ -108,53 +84,7 @@ int main(int argc, char** argv) try {
     links.push_back(std::move(link));
   }
   Kinematics kinematics(model);
-  test::CoreAlone core;
   bool agree = true;
-  // All pairs of hulls at a posture, those within reach and those beyond it.
-  const auto compare_hulls = [&](const auto& next) {
-    Times ours, theirs;
-    long asked = 0, overlap = 0, differ = 0;
-    double worst = 0.0;
-    PairDistance near[256];
-    for (std::int64_t k = 0; k < compared; ++k) {
-      kinematics.update(next(k));
-      int count = 0;
-      time(ours, 1, [&](int) { count = hull_distances.near(kinematics, kNear, near, 256); });
-      std::vector<double> expected;
-      const auto hulls_of = [&](const CollisionPair& pair) {
-        const auto &a = links[at(of_link[at(pair.link_a)])],
-                   &b = links[at(of_link[at(pair.link_b)])];
-        if (!a.hull || !b.hull) return std::numeric_limits<double>::quiet_NaN();
-        return hulls_by_fcl(a, kinematics.link_in_world(pair.link_a), b,
-                            kinematics.link_in_world(pair.link_b));
-      };
-      time(theirs, 1, [&](int) {
-        expected.clear();
-        for (const CollisionPair& pair : collision.pairs()) expected.push_back(hulls_of(pair));
-      });
-      for (std::size_t p = 0; p < expected.size(); ++p) {
-        const CollisionPair& pair = collision.pairs()[p];
-        const auto* const found = std::find_if(near, near + count, [&](const PairDistance& n) {
-          return n.link_a == pair.link_a && n.link_b == pair.link_b;
-        });
-        if (std::isnan(expected[p]) || (found == near + count && expected[p] > kNear)) continue;
-        const double error = found == near + count
-                                 ? kNear - expected[p]
-                                 : std::abs(found->distance - std::max(expected[p], 0.0));
-        ++asked;
-        overlap += expected[p] > 0.0 ? 0 : 1;
-        worst = std::max(worst, error);
-        differ += error <= kSame ? 0 : 1;
-      }
-    }
-    if (asked == 0) return;
-    std::printf(
-        "  %ld distances of hulls, %ld overlapping: near ones %.2f us, FCL's of all pairs %.0f us "
-        "(%.0fx); worst difference %.2g m, %ld over 1 um\n",
-        asked, overlap, ours.at_share(0.5), theirs.at_share(0.5),
-        theirs.at_share(0.5) / ours.at_share(0.5), worst, differ);
-    agree = agree && differ == 0;
-  };
   for (const char* kind : {"random", "near home", "one motion"}) {
     const std::string name = kind;
     Postures draws(model);
@@ -166,11 +96,10 @@ int main(int argc, char** argv) try {
       now.q = from.q + share * (to.q - from.q);
       return now;
     };
-    Times tick, of_hulls, of_hulls_alone;
+    Times tick;
     PairDistance near[256];
-    long pairs = 0, hulls = 0, allocations = 0;
-    for (Times* t : {&tick, &of_hulls, &of_hulls_alone})
-      t->us.reserve(at(static_cast<int>(postures)));
+    long pairs = 0, allocations = 0;
+    tick.us.reserve(at(static_cast<int>(postures)));
     for (std::int64_t k = 0; k < postures; ++k) {
       const Configuration& c = next(k);
       const NoAlloc no_alloc;
@@ -178,24 +107,13 @@ int main(int argc, char** argv) try {
         kinematics.update(c);
         pairs += collision.near_pairs(kinematics, kNear, near, 256);
       });
-      const bool before = core.alone();
-      time(of_hulls, 1, [&](int) {
-        kinematics.update(c);
-        hulls += hull_distances.near(kinematics, kNear, near, 256);
-      });
-      if (before && core.alone()) of_hulls_alone.us.push_back(of_hulls.us.back());
       allocations += no_alloc.count();
     }
-    std::printf(
-        "%s, hulls: %.1f pairs under 50 mm: median %.2f us, core alone %.2f us, p99 %.2f us\n",
-        kind, static_cast<double>(hulls) / static_cast<double>(postures), of_hulls.at_share(0.5),
-        of_hulls_alone.at_share(0.5), of_hulls.at_share(0.99));
     std::printf(
         "%s, shapes of the guard: %.1f pairs under 50 mm: median %.2f us, p99 %.2f us; %ld "
         "allocations\n",
         kind, static_cast<double>(pairs) / static_cast<double>(postures), tick.at_share(0.5),
         tick.at_share(0.99), allocations);
-    compare_hulls(next);
     // Every pair whose triangles are that near, asked alone.
     std::vector<MeshMemory> memory(collision.pairs().size());
     Times ours, theirs;

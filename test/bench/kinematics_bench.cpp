@@ -10,11 +10,11 @@
 
 #include "robot/dynamics/inverse_dynamics.h"
 #include "robot/estimation/estimator.h"
-#include "robot/dynamics/forward_dynamics.h"
+#include "test/oracles/forward_dynamics.h"
 #include "robot/kinematics/inverse_kinematics.h"
 #include "robot/kinematics/kinematics.h"
 #include "robot/description/load.h"
-#include "robot/dynamics/mass_matrix.h"
+#include "test/oracles/mass_matrix.h"
 #include "common/process/options.h"
 #include "common/process/process.h"
 #include "common/time/latency_histogram.h"

@@ -29,6 +29,7 @@
 
 #include "robot/dynamics/inverse_dynamics.h"
 #include "common/process/process.h"
+#include "sim/engine/make_world.h"
 #include "sim/engine/articulated_world.h"
 #include "common/math/random.h"
 #include "test/bench/core_alone.h"

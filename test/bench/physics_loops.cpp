@@ -18,6 +18,7 @@
 #include "loop_scenes.h"
 #include "robot/dynamics/energy.h"
 #include "common/math/index.h"
+#include "sim/engine/make_world.h"
 #include "sim/engine/articulated_world.h"
 
 namespace {

@@ -9,7 +9,7 @@
 #include <exception>
 #include <string>
 
-#include "planner/search/certain_path.h"
+#include "test/oracles/certain_path.h"
 #include "robot/description/load.h"
 #include "test/bench/planner_problems.h"
 

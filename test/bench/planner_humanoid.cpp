@@ -14,7 +14,7 @@
 #include <exception>
 #include <string>
 
-#include "planner/search/certain_path.h"
+#include "test/oracles/certain_path.h"
 #include "common/math/splitmix64.h"
 #include "robot/collision/collision_pairs.h"
 #include "common/math/index.h"
@@ -81,7 +81,7 @@ void measure(const Model& model, const char* name, const std::vector<std::string
   const BlockScene scene(shelves());
   BlockCheck check(robot, scene);
   JointSearch search({.lower = robot.lower, .upper = robot.upper});
-  Random random(1);
+  SplitMix64 random(1);
   const auto draw = [&] {
     SearchPoint q{};
     do {

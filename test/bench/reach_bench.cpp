@@ -55,7 +55,7 @@ Obstacle shape(ObstacleShape kind, const Eigen::Vector3d& size, const Eigen::Vec
 }
 
 // A table, posts, boards of a shelf and balls, as the dice have it.
-Obstacle draw_obstacle(Random& random) {
+Obstacle draw_obstacle(SplitMix64& random) {
   const double y = random.uniform(-0.7, 0.7);
   switch (random.next() % 4) {
     case 0:
@@ -99,7 +99,7 @@ Eigen::Isometry3d ground_of(const Model& model, const Kinematics& kinematics) {
 
 class World {
  public:
-  World(const Model& model, Random& random, std::uint64_t seed, double speed, bool trace)
+  World(const Model& model, SplitMix64& random, std::uint64_t seed, double speed, bool trace)
       : model_(model),
         random_(random),
         speed_(speed),
@@ -328,7 +328,7 @@ class World {
   }
 
   const Model& model_;
-  Random& random_;
+  SplitMix64& random_;
   double speed_;
   bool trace_;
   SelfCollision exact_;
@@ -343,7 +343,7 @@ class World {
 };
 
 int run(int argc, char** argv) {
-  Options options("reach_bench", "Random reachable goals for the hands of the balancing robot.");
+  Options options("reach_bench", "SplitMix64 reachable goals for the hands of the balancing robot.");
   std::int64_t count = 200, seed = 1;
   double speed = 0.4;
   bool trace = false;
@@ -353,7 +353,7 @@ int run(int argc, char** argv) {
   options.flag("--trace", trace, "a line for every goal");
   options.parse(argc, argv);
   const Model& model = hrp1s();
-  Random random(static_cast<std::uint64_t>(seed));
+  SplitMix64 random(static_cast<std::uint64_t>(seed));
   Tally tally;
   int asked = 0;
   while (asked < count) {

@@ -9,7 +9,7 @@
 
 #include "common/file/disk_cache.h"
 #include "common/math/index.h"
-#include "geometry/bounds/inscribed_spheres.h"
+#include "robot/collision/links/inscribed_spheres.h"
 #include "robot/collision/exact/posture_cells_cache.h"
 #include "robot/description/load.h"
 #include "common/file/byte_pack.h"

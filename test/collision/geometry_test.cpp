@@ -9,7 +9,7 @@
 #include "common/math/index.h"
 #include "robot/description/load.h"
 #include "geometry/bounds/shape_mesh.h"
-#include "geometry/bounds/sphere_cover.h"
+#include "robot/collision/links/sphere_cover.h"
 
 namespace twinbus {
 namespace {

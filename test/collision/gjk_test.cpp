@@ -147,84 +147,6 @@ double reach(const std::vector<Vector3d>& points, const Isometry3d& pose, const 
   return most;
 }
 
-// Of each distance: the planes across the normal through the points part the two, or are as near as that.
-TEST(Gjk, ManyAtOnceAreEachProvedFromBothSides) {
-  std::mt19937_64 random(8);
-  std::uniform_real_distribution<double> unit(-1.0, 1.0);
-  std::vector<std::vector<Vector3d>> points;
-  std::vector<GjkShape> hulls;
-  for (int i = 0; i < 50; ++i) {
-    points.push_back(corners(random, i % 5));
-    hulls.push_back(gjk_hull(points.back()));
-  }
-  constexpr std::size_t kCount = 203;
-  std::vector<Isometry3d> poses(2 * kCount);
-  std::vector<GjkQuery> queries(kCount), again(kCount);
-  std::vector<std::size_t> of_a(kCount), of_b(kCount);
-  int apart = 0, overlapping = 0, far = 0;
-  for (int round = 0; round < 60; ++round) {
-    for (std::size_t k = 0; k < kCount; ++k) {
-      of_a[k] = k % hulls.size();
-      of_b[k] = (k / hulls.size() + static_cast<std::size_t>(7 * round)) % hulls.size();
-      // From far apart to one in the other, some turned by quarters so that faces are square to each other.
-      const double spread = std::pow(10.0, -2.0 * std::abs(unit(random)));
-      poses[2 * k] = somewhere(random, 0.1);
-      poses[2 * k + 1] = poses[2 * k] * somewhere(random, 0.2 * spread);
-      if (k % 4 == 0) poses[2 * k + 1].linear() = poses[2 * k].linear();
-      if (k % 16 == 0) poses[2 * k + 1] = poses[2 * k];
-      const Vector3d towards =
-          k % 3 == 0 ? Vector3d::Zero().eval() : Vector3d(unit(random), unit(random), 0.0);
-      queries[k] = {&hulls[of_a[k]],
-                    &poses[2 * k],
-                    &hulls[of_b[k]],
-                    &poses[2 * k + 1],
-                    k % 5 == 0 ? 0.05 : 9.0,
-                    towards,
-                    {}};
-      again[kCount - 1 - k] = queries[k];
-    }
-    const NoAlloc no_alloc;
-    gjk_distances(queries);
-    // Those that this machine lacks are not asked for.
-    const int widest = static_cast<int>(best_instruction_set());
-    gjk_distances(again, kGjkClose, static_cast<InstructionSet>(std::min(round % 3, widest)));
-    EXPECT_EQ(no_alloc.count(), 0);
-    for (std::size_t k = 0; k < kCount; ++k) {
-      const GjkQuery& q = queries[k];
-      const GjkResult& r = q.result;
-      SCOPED_TRACE(std::to_string(round) + " " + std::to_string(k));
-      // Who else is searched for, and by which instructions, changes nothing.
-      const GjkResult& other = again[kCount - 1 - k].result;
-      ASSERT_EQ(r.distance, other.distance);
-      ASSERT_EQ(r.below, other.below);
-      ASSERT_EQ(r.point_a, other.point_a);
-      ASSERT_EQ(r.normal, other.normal);
-      ASSERT_TRUE(r.point_a.allFinite() && r.point_b.allFinite() && r.normal.allFinite());
-      const GjkResult one = gjk_distance(*q.a, *q.pose_a, *q.b, *q.pose_b, q.far, q.towards_b);
-      if (r.below > q.far) {
-        ++far;
-        ASSERT_TRUE(one.below > q.far || one.distance > q.far - 1e-7);
-        continue;
-      }
-      ASSERT_NEAR(r.distance, one.distance, 1e-6);
-      if (!(r.distance > 1e-7)) {
-        ++overlapping;
-        continue;
-      }
-      ++apart;
-      ASSERT_NEAR((r.point_b - r.point_a).norm(), r.distance, 1e-9);
-      ASSERT_NEAR(r.normal.norm(), 1.0, 1e-9);
-      const double gap = -reach(points[of_b[k]], *q.pose_b, -r.normal) -
-                         reach(points[of_a[k]], *q.pose_a, r.normal);
-      ASSERT_NEAR(gap, r.distance, 1e-6);
-      ASSERT_NEAR(r.below, r.distance, 1e-6);
-    }
-  }
-  EXPECT_GT(apart, 2000);
-  EXPECT_GT(overlapping, 2000);
-  EXPECT_GT(far, 100);
-}
-
 // Where nothing is known, as of a pose that is no number, they are said to overlap.
 TEST(Gjk, APoseThatIsNoNumberEndsTheSearch) {
   std::mt19937_64 random(9);
@@ -232,15 +154,9 @@ TEST(Gjk, APoseThatIsNoNumberEndsTheSearch) {
   const Isometry3d here = Isometry3d::Identity();
   Isometry3d nowhere = here;
   nowhere.translation().x() = std::nan("");
-  std::array<GjkQuery, 5> queries;
-  for (GjkQuery& q : queries) q = {&hull, &here, &hull, &nowhere, 9.0, Vector3d::Zero(), {}};
-  Isometry3d there = here;
-  there.translation().z() = 1.0;
-  queries[3].pose_b = &there;
-  gjk_distances(queries);
-  EXPECT_EQ(queries[0].result.distance, 0.0);
-  EXPECT_TRUE(queries[0].result.normal.allFinite());
-  EXPECT_GT(queries[3].result.distance, 0.7);
+  const GjkResult nothing = gjk_distance(hull, here, hull, nowhere, 9.0);
+  EXPECT_EQ(nothing.distance, 0.0);
+  EXPECT_TRUE(nothing.normal.allFinite());
 }
 
 // What is farthest is in the cell of the direction, also where many are equally far.
@@ -303,18 +219,13 @@ TEST(Gjk, ManyCornersInOneDirectionAreAllSeen) {
   const GjkShape lens = gjk_hull(points);
   std::mt19937_64 random(12);
   std::vector<Isometry3d> poses(400);
-  std::vector<GjkQuery> queries;
   for (Isometry3d& pose : poses) pose = somewhere(random, 0.4);
-  for (std::size_t k = 0; k < poses.size(); k += 2)
-    queries.push_back({&lens, &poses[k], &lens, &poses[k + 1], 9.0, Vector3d::Zero(), {}});
-  gjk_distances(queries);
   int apart = 0;
-  for (const GjkQuery& q : queries) {
-    if (!(q.result.distance > 1e-7)) continue;
+  for (std::size_t k = 0; k < poses.size(); k += 2) {
+    const GjkResult r = gjk_distance(lens, poses[k], lens, poses[k + 1], 9.0);
+    if (!(r.distance > 1e-7)) continue;
     ++apart;
-    EXPECT_NEAR(
-        -reach(points, *q.pose_b, -q.result.normal) - reach(points, *q.pose_a, q.result.normal),
-        q.result.distance, 1e-6);
+    EXPECT_NEAR(-reach(points, poses[k + 1], -r.normal) - reach(points, poses[k], r.normal), r.distance, 1e-6);
   }
   EXPECT_GT(apart, 50);
 }

@@ -1,4 +1,4 @@
-#include "geometry/bounds/inscribed_spheres.h"
+#include "robot/collision/links/inscribed_spheres.h"
 
 #include <gtest/gtest.h>
 

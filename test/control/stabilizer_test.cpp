@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <new>
 
-#include "control/walk/lipm.h"
+#include "test/oracles/lipm.h"
 
 namespace twinbus {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "control/walk/dcm_plan.h"
-#include "control/walk/lipm.h"
+#include "test/oracles/lipm.h"
 #include "control/walk/step_adjust.h"
 #include "test/control/hrp1s.h"
 

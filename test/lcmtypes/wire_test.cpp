@@ -102,7 +102,7 @@ TEST(Wire, NoOtherSizeAndNoOtherTypeIsAccepted) {
   });
 }
 
-// reliability.md D1, exhaustive: every number of every message.
+// Exhaustive: every number of every message.
 TEST(Wire, NotFiniteOrAbsurdNumbersRefuseTheWholeMessageInEveryField) {
   constexpr double kInf = std::numeric_limits<double>::infinity();
   int tried = 0;
@@ -148,7 +148,7 @@ TEST(Wire, NegativeZeroAndDenormalNumbersAreAcceptedInEveryField) {
   });
 }
 
-// reliability.md D2, and the same for every count, enumeration, flag and identifier: whatever an
+// The same for every count, enumeration, flag and identifier: whatever an
 // integer field holds, what comes out stays inside its array, list and range.
 TEST(Wire, ExtremeIntegersNeverComeOutOutOfRange) {
   for_every_type([&]<class T>() {

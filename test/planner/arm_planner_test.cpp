@@ -52,7 +52,7 @@ TEST(ArmPlanner, TheHandArrivesWhereItWasSent) {
 
 // Posts put at random into the way: every path that is found is looked at by FCL's other solver.
 TEST(ArmPlanner, PathsAroundPostsTouchNothing) {
-  Random random(20261121);
+  SplitMix64 random(20261121);
   int found = 0;
   int around = 0;
   for (int round = 0; round < 24; ++round) {

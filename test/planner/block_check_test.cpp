@@ -98,7 +98,7 @@ double clearance(const Chain& chain, const std::vector<float>& q) {
   return least;
 }
 
-std::vector<float> random_point(Random& random, int joints) {
+std::vector<float> random_point(SplitMix64& random, int joints) {
   std::vector<float> q;
   for (int j = 0; j < joints; ++j) q.push_back(static_cast<float>(random.uniform(-2.5, 2.5)));
   q.resize(at(kMostPlanned));
@@ -110,7 +110,7 @@ TEST(BlockCheck, APostureIsFreeWhenTheBallsAreClearInDoublePrecision) {
   const BlockRobot robot = chain.compiled();
   const BlockScene scene(obstacles());
   BlockCheck check(robot, scene);
-  Random random(1);
+  SplitMix64 random(1);
   int free = 0;
   for (int i = 0; i < 3000; ++i) {
     const std::vector<float> q = random_point(random, 6);
@@ -129,7 +129,7 @@ TEST(BlockCheck, WhatIsLeftOutAlongALineIsFarAway) {
   const BlockRobot robot = chain.compiled();
   const BlockScene scene(obstacles());
   BlockCheck check(robot, scene);
-  Random random(2);
+  SplitMix64 random(2);
   int free = 0;
   for (int i = 0; i < 2000; ++i) {
     const std::vector<float> from = random_point(random, 6);
@@ -160,7 +160,7 @@ TEST(BlockCheck, AProvedLineIsFreeAtEveryFinePosture) {
   const BlockRobot robot = chain.compiled();
   const BlockScene scene(obstacles());
   BlockCheck check(robot, scene);
-  Random random(5);
+  SplitMix64 random(5);
   int proved = 0, free = 0;
   for (int i = 0; i < 300; ++i) {
     const std::vector<float> from = random_point(random, 6);
@@ -207,7 +207,7 @@ TEST(BlockCheck, CornersSettleWhatBallsLeaveOpen) {
 
 // Hulls and obstacles in any place and of any shape, thin plates too, against distances in double precision.
 TEST(BlockCheck, CornersSayWhatTheDistanceOfTheHullSays) {
-  Random random(5);
+  SplitMix64 random(5);
   const auto between = [&](double a, double b) { return random.uniform(a, b); };
   const auto direction = [&] {
     return Eigen::Vector3d(between(-1.0, 1.0), between(-1.0, 1.0), between(-1.0, 1.0)).normalized();
@@ -260,7 +260,7 @@ TEST(BlockCheck, CornersSayWhatTheDistanceOfTheHullSays) {
 // Also where corners decide: any number of them, some in one place, some equally low.
 TEST(BlockCheck, EveryInstructionSetSaysTheSame) {
   Chain chain(7);
-  Random random(3);
+  SplitMix64 random(3);
   for (std::size_t g = 0; g < chain.groups.size(); ++g) {
     std::vector<Eigen::Vector3d> corners;
     const Ball& ball = chain.groups[g].balls.front();
@@ -299,7 +299,7 @@ TEST(BlockCheck, EveryInstructionSetSaysTheSame) {
 }
 
 TEST(BlockCheck, TheNearestPointIsTheFirstOfTheNearest) {
-  Random random(4);
+  SplitMix64 random(4);
   std::vector<float> columns(3 * 32, 1e6F);
   for (int count = 1; count <= 32; ++count) {
     for (int j = 0; j < 3; ++j)

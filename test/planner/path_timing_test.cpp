@@ -35,10 +35,10 @@ TEST(PathTiming, StartsAndEndsAtRestAtTheEndsOfThePath) {
   for (std::size_t i = 0; i + 1 < path.size(); ++i) EXPECT_LT(path[i].time, path[i + 1].time);
 }
 
-// Random paths and limits, looked at a thousand times a second: no sample beyond a limit, and a
+// SplitMix64 paths and limits, looked at a thousand times a second: no sample beyond a limit, and a
 // motion that could be stretched by no more than the limits leave.
 TEST(PathTiming, NoSampleIsBeyondALimitAndSomeSampleIsAtOne) {
-  Random random(20261121);
+  SplitMix64 random(20261121);
   for (int round = 0; round < 60; ++round) {
     JointPath corners = {point2(0.0, 0.0)};
     const int lines = 1 + static_cast<int>(random.uniform(0.0, 5.0));

@@ -7,14 +7,14 @@ namespace {
 
 // The first numbers of the reference implementation with seed 0.
 TEST(PlannerRandom, IsSplitmix64) {
-  Random random(0);
+  SplitMix64 random(0);
   EXPECT_EQ(random.next(), 0xE220A8397B1DCDAFULL);
   EXPECT_EQ(random.next(), 0x6E789E6AA1B965F4ULL);
   EXPECT_EQ(random.next(), 0x06C45D188009454FULL);
 }
 
 TEST(PlannerRandom, UniformStaysInsideAndFillsItsRange) {
-  Random random(3);
+  SplitMix64 random(3);
   double sum = 0.0;
   double low = 9.0;
   double high = -9.0;

@@ -56,7 +56,7 @@ def fragment(sequence, size, offset, number, count, payload):
 
 
 def nasty():
-    """What once crashed liblcm or got past it: facts/reliability.md section 3."""
+    """What once crashed liblcm or got past it."""
     yield from ((b'LC02\0\0\0\1STATE\0')[:n] for n in range(13))
     yield from ((struct.pack('>IIIIHH', SPLIT, 9, 100, 0, 0, 2) + b'STATE\0')[:n] for n in range(26))
     yield unsplit(b'STATE', b'A' * 200)                       # wrong size

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""kill -9 of every process at random instants (row i): PROTOCOL.md says what must happen, and it does.
+"""kill -9 of every process at random instants (row i): doc/protocol.md says what must happen, and it does.
 
 TWINBUS_FULL=1 repeats each 20 times, otherwise 2 times.  The seed is printed; KILL_SEED=N repeats a run.
 """

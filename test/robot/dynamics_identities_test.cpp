@@ -2,8 +2,8 @@
 // foreign ones and a thousand trees that nobody designed.
 
 #include "fixtures.h"
-#include "robot/dynamics/forward_dynamics.h"
-#include "robot/dynamics/mass_matrix.h"
+#include "test/oracles/forward_dynamics.h"
+#include "test/oracles/mass_matrix.h"
 #include "test/no_alloc.h"
 
 namespace twinbus::test {

@@ -1,5 +1,6 @@
 // What the articulated engine promises beyond what every engine does (world_*_test.cpp).
 
+#include "sim/engine/make_world.h"
 #include "sim/engine/articulated_world.h"
 
 #include <gtest/gtest.h>

@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 
+#include "sim/engine/make_world.h"
 #include "sim/world/world.h"
 
 namespace twinbus::test {

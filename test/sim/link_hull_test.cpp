@@ -1,3 +1,4 @@
+#include "sim/engine/make_world.h"
 #include "sim/world/link_hull.h"
 
 #include <gtest/gtest.h>

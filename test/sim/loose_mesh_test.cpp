@@ -1,5 +1,6 @@
 // Loose bodies of triangles: they rest where their shape rests, carried by their weight.
 
+#include "sim/engine/make_world.h"
 #include "sim/contact/rigid_object_mesh.h"
 
 #include <gtest/gtest.h>

@@ -9,6 +9,7 @@
 
 #include "both_engines.h"
 #include "robot/dynamics/inverse_dynamics.h"
+#include "sim/engine/make_world.h"
 #include "sim/world/world.h"
 #include "test_models.h"
 

@@ -1,8 +1,11 @@
 #!/usr/bin/env python3
-"""Arrows between rooms, third-party headers outside their one door, sizes of files, and traces of one machine.
+"""The structure of the tree: arrows between folders, one of everything, third-party headers outside their one door, sizes
+of files and folders, pages that are cited, and traces of one machine.
 
     arrows_test.py            checks the tree this file is in
     arrows_test.py FOLDER     checks another one (the test of this test does)
+
+The arrows are the PUBLIC and PRIVATE lists of twinbus_folder() in the CMakeLists.txt of each room.
 """
 
 import os
@@ -11,48 +14,46 @@ import re
 import subprocess
 import sys
 
-ROOMS = ["lcmtypes", "robot", "bridge", "sim", "control", "planner", "viewer_log", "launcher", "test", "examples"]
+ROOMS = ["common", "geometry", "lcmtypes", "robot", "bridge", "sim", "control", "planner", "viewer_log", "launcher"]
 
-# room -> rooms whose headers it may include (besides its own).
-ARROWS = {
-    "robot": set(),
-    "bridge": {"robot"},
-    "sim": {"robot", "bridge"},
-    "control": {"robot"},
-    "planner": {"robot"},
-    "viewer_log": {"robot"},
-    "lcmtypes": {"robot"},  # the structs that messages carry
-    "launcher": {"robot", "bridge", "sim", "control", "planner", "lcmtypes", "viewer_log"},
-}
-
-# The bus is used by mains only: *main.cpp, *_main.h, *_main.cpp, and the launcher.
-BUS = "lcmtypes"
+# Mains tie rooms together: main.cpp, *_main.cpp, *_main.h.  Adaptors are shared objects of their own.
 MAIN = re.compile(r"(^|[/_])main\.(cpp|h)$")
+ADAPTORS = "bridge/adaptors/"
 
-# Headers -> files that may include them.  ODE may be spread over sim/ode*.
+# The bus is used by mains and the launcher only.
+BUS = "lcmtypes/bus"
+BUS_USERS = ("lcmtypes/", "launcher/")
+
+# Headers -> files that may include them.
 DOORS = {
-    r"ode/": r"sim/ode[a-z_]*\.(cpp|h)",
-    r"fcl/|ccd/": r"robot/[a-z_]+\.cpp",
-    r"urdf_parser/|urdf_model/|urdf_exception/": r"robot/[a-z_]+\.cpp",
-    r"assimp/": r"robot/[a-z_]+\.cpp",
-    r"SDL": r"control/[a-z_]+\.cpp",
-    r"boost/beast|boost/asio": r"viewer_log/[a-z_]+\.cpp",
-    r"lcm/": r"lcmtypes/[a-z_]+\.(cpp|h)",
+    r"ode/": r"sim/engine/ode[a-z_]*\.(cpp|h)",
+    r"fcl/|ccd/": r"robot/collision/collision_fcl\.cpp",
+    r"urdf_parser/|urdf_model/|urdf_exception/": r"robot/description/urdf\.cpp",
+    r"tinyxml|expat": r"common/text/xml\.cpp",
+    r"SDL": r"control/teleop/sdl_pad\.cpp",
+    r"boost/beast|boost/asio": r"viewer_log/server/web_server\.cpp",
+    r"lcm/": r"lcmtypes/bus/[a-z_]+\.(cpp|h)",
 }
-ONE_FILE_DOORS = [r"fcl/|ccd/", r"urdf_parser/|urdf_model/|urdf_exception/", r"assimp/", r"SDL", r"boost/beast|boost/asio"]
 
 # "About 200" and "about 450": a tenth more is still about.
 HEADER_CEILING = 220
 SOURCE_CEILING = 495
-LISTS = {"robot/requests.h"}  # one struct per message: long because the bus has many messages, not many ideas
+LISTS = {"lcmtypes/msg/requests.h"}  # one struct per message: long because the bus has many messages, not many ideas
+FOLDER_CEILING = 30  # C++ files of a folder
+TEST_FOLDER_CEILING = 40
 
 # test/no_alloc.h is the one header of test/ that products include: a heartbeat counts allocations.
 SHARED_TEST_HEADERS = {"test/no_alloc.h"}
 
+# Headers that wait for their user: the engines' contact of the paper's section 3.3.
+WAITING = {"geometry/mesh_contact/patch_force.h"}
+
 MACHINE = re.compile(r"/(home|work|Users|root|tmp/[a-z]+_clone)/[A-Za-z0-9_.-]+")
 INCLUDE = re.compile(r'^\s*#\s*include\s+([<"])([^>"]+)[>"]', re.MULTILINE)
-CODE = {".h", ".cpp", ".c", ".cc", ".hpp"}
+CODE = {".h", ".cpp", ".c", ".cc", ".hpp", ".inl"}
 TEXT = CODE | {".py", ".sh", ".yaml", ".yml", ".txt", ".md", ".cmake", ".json", ".lcm", ".java", ".urdf", ".srdf", ".nft", ""}
+TYPE = re.compile(r"^(?:class|struct|enum class)\s+(?:alignas\([^)]*\)\s+)?([A-Z]\w*)(?:\s+final)?\s*(?::[^:][^{;]*)?\{", re.MULTILINE)
+PAGE = re.compile(r"(?<![\w/.-])((?:[A-Za-z0-9_-]+/)*[A-Za-z0-9_-]+\.md)\b")
 
 STARTED = re.compile(r"test/bench/(bench|chart)_\w+\.py")  # by ./twinbus bench and chart
 
@@ -67,64 +68,166 @@ def files_of(root):
     return sorted(f for f in listed if (root / f).is_file() and not f.startswith(("build/", "runs/")))
 
 
-def check_include(file, header, problems):
-    room = file.split("/")[0]
-    if room not in ARROWS:
-        return
-    target = header.split("/")[0]
-    is_main = bool(MAIN.search(file))
-    if target == BUS or (header.startswith("twinbus/") and header.endswith("_t.hpp")):
-        if room not in (BUS, "launcher") and not is_main:
-            problems.append(f"{file}: includes {header}; only mains, launcher/ and lcmtypes/ know the bus")
-        return
-    if target not in ROOMS or target == room or header in SHARED_TEST_HEADERS and is_main:
-        return
-    if target == "test" and header in SHARED_TEST_HEADERS:
-        return
-    if target not in ARROWS[room] and not is_main:
-        problems.append(f"{file}: includes {header}; no arrow leads from {room}/ to {target}/")
+def declared(files, read):
+    """{folder: (public, private)} of every twinbus_folder() call."""
+    arrows = {}
+    for file in files:
+        if not re.fullmatch(r"[a-z_]+/CMakeLists\.txt", file):
+            continue
+        for call in re.findall(r"^twinbus_folder\(([^)]*)\)", re.sub(r"#.*", "", read(file)), re.MULTILINE):
+            lists = {"": [], "PUBLIC": [], "PRIVATE": [], "LIBRARIES": []}
+            now = ""
+            for word in call.split():
+                if word in lists and word:
+                    now = word
+                else:
+                    lists[now].append(word)
+            arrows[lists[""][0]] = (set(lists["PUBLIC"]), set(lists["PRIVATE"]))
+    return arrows
 
 
-def check_doors(file, header, doors_used, problems):
-    if file.split("/")[0] == "test":
-        return  # oracles of tests may look behind the doors
-    for pattern, door in DOORS.items():
-        if re.match(pattern, header):
-            if not re.fullmatch(door, file):
-                problems.append(f"{file}: includes <{header}>; its door is {door}")
-            doors_used.setdefault(pattern, set()).add(file)
+def circles(arrows, problems):
+    state = {}
+
+    def visit(folder, way):
+        if state.get(folder) == "done":
+            return
+        if folder in way:
+            ring = way[way.index(folder):] + [folder]
+            problems.append(f"{folder.split('/')[0]}/CMakeLists.txt: a circle of folders: {' -> '.join(ring)}; "
+                            "move what both need into a folder below them")
+            return
+        for other in sorted(set().union(*arrows.get(folder, (set(), set())))):
+            visit(other, way + [folder])
+        state[folder] = "done"
+
+    for folder in sorted(arrows):
+        visit(folder, [])
+
+
+def check_arrows(code, problems, arrows):
+    """Includes against the arrows, and arrows against the includes."""
+    used = {folder: set() for folder in arrows}
+    for file, text in code.items():
+        room = file.split("/")[0]
+        if room not in ROOMS or file.startswith(ADAPTORS):
+            continue
+        folder = os.path.dirname(file)
+        is_main = bool(MAIN.search(file))
+        if folder not in arrows and not is_main:
+            problems.append(f"{file}: {folder} is in no twinbus_folder() of {room}/CMakeLists.txt: add it there with its arrows")
+            continue
+        for _, header in INCLUDE.findall(text):
+            there = os.path.dirname(header)
+            if header.startswith("twinbus/") and header.endswith("_t.hpp") or there == BUS:
+                if not file.startswith(BUS_USERS) and not is_main:
+                    problems.append(f"{file}: includes {header}; only mains, launcher/ and lcmtypes/ know the bus")
+                    continue
+            if header.startswith("test/"):
+                if not (is_main and header in SHARED_TEST_HEADERS):
+                    problems.append(f"{file}: includes {header}; the product needs no test")
+                continue
+            if there.split("/")[0] not in ROOMS or there == folder or is_main or there.startswith(ADAPTORS.rstrip("/")):
+                continue
+            public, private = arrows[folder]
+            used[folder].add(there)
+            if there not in public | private:
+                problems.append(f"{file}: includes {header}; no arrow leads from {folder} to {there}: see twinbus_folder({folder} "
+                                f"in {room}/CMakeLists.txt")
+            elif there in private and there not in public and file.endswith(".h"):
+                problems.append(f"{file}: a header includes {header}, but {there} is PRIVATE in twinbus_folder({folder}: make it PUBLIC")
+    for folder, (public, private) in arrows.items():
+        for other in sorted((public | private) - used[folder]):
+            problems.append(f"{folder.split('/')[0]}/CMakeLists.txt: twinbus_folder({folder} names {other}, which no file there includes: "
+                            "take it out")
+    circles(arrows, problems)
+
+
+def check_types(code, problems):
+    """One definition of every type name in a room (kernels that are compiled once per instruction set apart)."""
+    seen = {}
+    for file, text in code.items():
+        room = file.split("/")[0]
+        if room not in ROOMS or not file.endswith(".h") or "#pragma once" not in text:
+            continue
+        for name in TYPE.findall(text):
+            first = seen.setdefault((room, name), file)
+            if first != file:
+                problems.append(f"{file}: {name} is defined in {first} too: one program that links both is broken; rename one")
+
+
+def check_users(code, problems):
+    """Every header of the product is included by the product."""
+    included = {header for file, text in code.items() if file.split("/")[0] in ROOMS for _, header in INCLUDE.findall(text)
+                if header.rsplit(".", 1)[0] != file.rsplit(".", 1)[0]}
+    for file in code:
+        if file.split("/")[0] in ROOMS and file.endswith(".h") and file not in included | WAITING:
+            if not any(os.path.basename(file) == header for header in included):
+                problems.append(f"{file}: no file of the product includes it: give it a user, move it to test/, or delete it")
+
+
+def check_sizes(files, code, problems):
+    folders = {}
+    for file in files:
+        if os.path.splitext(file)[1] in CODE:
+            folders[os.path.dirname(file)] = folders.get(os.path.dirname(file), 0) + 1
+    for folder, count in sorted(folders.items()):
+        most = TEST_FOLDER_CEILING if folder.startswith("test") else FOLDER_CEILING
+        if count > most:
+            problems.append(f"{folder}: {count} C++ files, the ceiling is {most}: divide the folder by what its files are about")
+    for file, text in code.items():
+        lines = text.count("\n")
+        ceiling = HEADER_CEILING if file.endswith((".h", ".hpp")) else SOURCE_CEILING
+        if lines > ceiling and not file.startswith("test/") and file not in LISTS:
+            problems.append(f"{file}: {lines} lines, the ceiling is {ceiling}: two ideas, find the seam")
+
+
+def check_doors(code, problems):
+    for file, text in code.items():
+        if file.split("/")[0] == "test":
+            continue  # oracles of tests may look behind the doors
+        for _, header in INCLUDE.findall(text):
+            for pattern, door in DOORS.items():
+                if re.match(pattern, header) and not re.fullmatch(door, file):
+                    problems.append(f"{file}: includes <{header}>; its door is {door}")
+
+
+def check_pages(files, texts, problems):
+    """Every page that is cited exists."""
+    names = {os.path.basename(f) for f in files}
+    for file, text in texts.items():
+        if file.startswith("test/structure/"):
+            continue
+        for page in PAGE.findall(text):
+            if page not in files and os.path.basename(page) not in names:
+                problems.append(f"{file}: cites {page}, which is not there: write the page or name the one that is")
 
 
 def check(root):
     problems = []
-    doors_used = {}
-    for file in files_of(root):
+    files = files_of(root)
+    texts = {}
+    for file in files:
         path = root / file
-        suffix = path.suffix
         if STARTED.fullmatch(file) and not os.access(path, os.X_OK):
             problems.append(f"{file}: the launcher starts it, so it must be executable: chmod +x")
-        if suffix not in TEXT or "package-lock" in file or "/web/" in file:
+        if path.suffix not in TEXT or "package-lock" in file or "/web/" in file:
             continue
         try:
-            text = path.read_text(encoding="utf-8")
+            texts[file] = path.read_text(encoding="utf-8")
         except UnicodeDecodeError:
             continue
         if not file.endswith("arrows_test.py"):
-            for number, line in enumerate(text.splitlines(), 1):
+            for number, line in enumerate(texts[file].splitlines(), 1):
                 if MACHINE.search(line):
                     problems.append(f"{file}:{number}: a path of one machine: {MACHINE.search(line).group(0)}")
-        if suffix not in CODE:
-            continue
-        for _, header in INCLUDE.findall(text):
-            check_include(file, header, problems)
-            check_doors(file, header, doors_used, problems)
-        lines = text.count("\n")
-        ceiling = HEADER_CEILING if suffix in (".h", ".hpp") else SOURCE_CEILING
-        if lines > ceiling and not file.startswith("test/") and file not in LISTS:
-            problems.append(f"{file}: {lines} lines, the ceiling is {ceiling}: two ideas, find the seam")
-    for pattern in ONE_FILE_DOORS:
-        if len(doors_used.get(pattern, ())) > 1:
-            problems.append(f"{', '.join(sorted(doors_used[pattern]))}: all include {pattern}; there must be one door")
+    code = {f: t for f, t in texts.items() if os.path.splitext(f)[1] in CODE}
+    check_arrows(code, problems, declared(files, lambda f: texts.get(f, "")))
+    check_types(code, problems)
+    check_users(code, problems)
+    check_sizes(files, code, problems)
+    check_doors(code, problems)
+    check_pages(set(files), texts, problems)
     return problems
 
 

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <utility>
 
-#include "viewer_log/view/health.h"
+#include "lcmtypes/msg/labels.h"
 
 namespace twinbus {
 

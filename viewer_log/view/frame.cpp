@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "viewer_log/view/frame_number.h"
+#include "lcmtypes/msg/labels.h"
 #include "viewer_log/view/health.h"
 #include "viewer_log/view/scene_frame.h"
 

@@ -22,13 +22,4 @@ struct Health {
 // The worst thing first; the rest can be read in the tables.
 Health assess(const StackView& view, std::int64_t now_ns);
 
-const char* label(SourceKind kind) noexcept;
-const char* label(Role role) noexcept;
-const char* label(StopKind kind) noexcept;
-const char* label(StopReason reason) noexcept;
-const char* label(Mode mode) noexcept;
-const char* label(Motion motion) noexcept;
-const char* label(ProcessKind kind) noexcept;
-const char* label(GuardVerdict verdict) noexcept;
-
 }  // namespace twinbus

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "geometry/bounds/inscribed_spheres.h"
+#include "robot/collision/links/inscribed_spheres.h"
 
 namespace twinbus {
 

@@ -9,7 +9,7 @@
 #include "geometry/bounds/bounds.h"
 #include "common/file/disk_cache.h"
 #include "common/math/index.h"
-#include "geometry/bounds/inscribed_spheres.h"
+#include "robot/collision/links/inscribed_spheres.h"
 #include "common/file/byte_pack.h"
 #include "geometry/bounds/triangle_clusters.h"
 

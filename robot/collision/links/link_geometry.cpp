@@ -11,7 +11,7 @@
 #include "robot/collision/links/geometry_cache.h"
 #include "common/math/index.h"
 #include "geometry/bounds/shape_mesh.h"
-#include "geometry/bounds/sphere_cover.h"
+#include "robot/collision/links/sphere_cover.h"
 #include "geometry/bounds/triangle_clusters.h"
 
 namespace twinbus {

@@ -14,35 +14,12 @@
 #include <Eigen/Geometry>
 #include <vector>
 
+#include "geometry/bounds/triangle_clusters.h"
 #include "geometry/mesh/mesh_file.h"
+#include "geometry/shapes.h"
 #include "robot/description/model.h"
 
 namespace twinbus {
-
-struct Ball {
-  Eigen::Vector3d center = Eigen::Vector3d::Zero();
-  double radius = 0.0;
-};
-
-// All points at most `radius` from the segment a b.
-struct Capsule {
-  Eigen::Vector3d a = Eigen::Vector3d::Zero();
-  Eigen::Vector3d b = Eigen::Vector3d::Zero();
-  double radius = 0.0;
-};
-
-// Up to 16 triangles that lie together, a lane each; the lanes behind the last repeat it.  Bounds
-// are enlarged by more than single precision can lose.
-struct alignas(64) TriangleCluster {
-  static constexpr int kLanes = 16;
-  float corner[3][3][kLanes];  // corner, coordinate, triangle
-  float normal[3][kLanes];     // unit; zero for a triangle without area
-  float offset[kLanes];        // normal . x of the plane
-  float center[3];             // of the sphere around all
-  float radius;
-  float low[3], high[3];  // box around all
-  int count;              // triangles that are real
-};
 
 struct LinkGeometry {
   int link = 0;

@@ -1,4 +1,4 @@
-#include "planner/search/certain_path.h"
+#include "test/oracles/certain_path.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "robot/dynamics/forward_dynamics.h"
+#include "test/oracles/forward_dynamics.h"
 
 #include <cassert>
 

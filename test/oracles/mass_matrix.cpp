@@ -1,4 +1,4 @@
-#include "robot/dynamics/mass_matrix.h"
+#include "test/oracles/mass_matrix.h"
 
 #include "common/math/index.h"
 #include "common/math/pose_math.h"

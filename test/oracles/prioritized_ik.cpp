@@ -1,4 +1,4 @@
-#include "robot/kinematics/prioritized_ik.h"
+#include "test/oracles/prioritized_ik.h"
 
 #include <Eigen/Cholesky>
 #include <algorithm>

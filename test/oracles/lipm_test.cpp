@@ -1,4 +1,4 @@
-#include "control/walk/lipm.h"
+#include "test/oracles/lipm.h"
 
 #include <gtest/gtest.h>
 

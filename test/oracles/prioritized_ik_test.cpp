@@ -1,4 +1,4 @@
-#include "robot/kinematics/prioritized_ik.h"
+#include "test/oracles/prioritized_ik.h"
 
 #include "fixtures.h"
 #include "test/no_alloc.h"

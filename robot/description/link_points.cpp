@@ -1,4 +1,4 @@
-#include "geometry/bounds/link_points.h"
+#include "robot/description/link_points.h"
 
 #include <algorithm>
 #include <cmath>

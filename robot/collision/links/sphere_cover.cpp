@@ -1,4 +1,4 @@
-#include "geometry/bounds/sphere_cover.h"
+#include "robot/collision/links/sphere_cover.h"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 
 #pragma once
 
-#include "planner/search/line_test.h"
+#include "test/oracles/line_test.h"
 #include "planner/search/shorten.h"
 
 namespace twinbus {

@@ -1,0 +1,19 @@
+// What the enumerations of messages are called in sentences for people.
+
+#pragma once
+
+#include "lcmtypes/msg/requests.h"
+#include "lcmtypes/msg/robot_io.h"
+
+namespace twinbus {
+
+const char* label(SourceKind kind) noexcept;
+const char* label(Role role) noexcept;
+const char* label(StopKind kind) noexcept;
+const char* label(StopReason reason) noexcept;
+const char* label(Mode mode) noexcept;
+const char* label(Motion motion) noexcept;
+const char* label(ProcessKind kind) noexcept;
+const char* label(GuardVerdict verdict) noexcept;
+
+}  // namespace twinbus

@@ -1,0 +1,33 @@
+#include "sim/engine/make_world.h"
+
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+#include "sim/engine/articulated_world.h"
+#include "sim/engine/ode_world.h"
+
+namespace twinbus {
+
+namespace {
+
+void check_bodies(const std::vector<LooseBody>& bodies) {
+  for (const LooseBody& body : bodies) {
+    const double radius = bounding_radius(body.solid);
+    if (body.mass > 0.0 && radius > 0.0 && std::isfinite(body.mass + radius)) continue;
+    throw std::runtime_error("loose body '" + body.name + "': mass and size must be positive");
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<World> make_world(const Model& model, const WorldConfig& config) {
+  check_bodies(config.loose);
+  if (config.engine == Engine::kOde) return std::make_unique<OdeWorld>(model, config);
+  if (config.contact == ContactModel::kRigid) {
+    throw std::runtime_error("contact rigid is of engine ode only; give engine ode too");
+  }
+  return std::make_unique<ArticulatedWorld>(model, config);
+}
+
+}  // namespace twinbus
