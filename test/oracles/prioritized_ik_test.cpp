@@ -1,6 +1,6 @@
 #include "test/oracles/prioritized_ik.h"
 
-#include "fixtures.h"
+#include "test/robot/fixtures.h"
 #include "test/no_alloc.h"
 
 namespace twinbus::test {
