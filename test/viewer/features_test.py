@@ -97,6 +97,25 @@ check(page.wait_for("document.body.classList.contains('past')"), "a click holds 
 check(page.value("(([a, b]) => { a.chart.setCursor({ left: 40, top: 10 }, true, true); return a.chart.cursor.idx === b.chart.cursor.idx; })(twinbus.plots.plots)"), "one cursor for all")
 page.click("#present")
 
+# --- what is typed into a field is text ---
+page.value("document.querySelector('#plot-box input').value = ''")
+fake.drain()
+page.click("#plot-box input")
+for letter in "knee tau":
+    page.key(letter, "Space" if letter == " " else "Key" + letter.upper())
+check(page.value("document.querySelector('#plot-box input').value") == "knee tau", "'knee tau' is in the field, with its space")
+check(page.value("document.querySelectorAll('#plot-box .found li:not(.more)').length") >= 2, "and what it finds is offered")
+check(page.value("document.querySelector('#stop small').textContent") == "click", "the button says that no key stops now")
+check(page.value("!twinbus.chips || twinbus.stage.follow"), "no letter of it was a key")
+page.key("Escape", "Escape")
+check(fake.wait_for("stop", 0.7) is None, "and nothing has stopped")
+check(page.value("document.querySelector('#stop small').textContent") == "space", "outside the field space stops again")
+page.value("document.querySelector('#plot-box select').focus()")
+page.key(" ", "Space")
+check(fake.wait_for("stop 1", 10) is not None, "also where a list of choices has the focus")
+page.value("document.activeElement.blur()")
+page.click("#clear")
+
 # --- a link, a video, a log, a pad ---
 page.key("f", "KeyF")
 page.value("twinbus.stage.camera.position.set(1, 2, 1.5)")
