@@ -2,6 +2,7 @@
 include(libraries)
 twinbus_package(nlohmann-json3-dev nlohmann_json 3.10)
 twinbus_package(zlib1g-dev ZLIB)
+twinbus_pkg_config(zstd libzstd libzstd-dev)
 if(POLICY CMP0167)
   cmake_policy(SET CMP0167 NEW)  # Boost's own package file
 endif()

@@ -10,16 +10,16 @@
 #include <string>
 #include <vector>
 
-#include "lcmtypes/bus/bus.h"
-#include "lcmtypes/bus/channels.h"
 #include "common/process/oom_priority.h"
 #include "common/process/options.h"
 #include "common/process/process.h"
-#include "lcmtypes/node/pulse.h"
 #include "common/time/time_name.h"
-#include "viewer_log/view/gap_meter.h"
+#include "lcmtypes/bus/bus.h"
+#include "lcmtypes/bus/channels.h"
+#include "lcmtypes/node/pulse.h"
 #include "viewer_log/log/message_schema.h"
 #include "viewer_log/log/recorder.h"
+#include "viewer_log/view/gap_meter.h"
 
 namespace twinbus {
 namespace {
@@ -27,14 +27,17 @@ namespace {
 constexpr double kWait = 0.02;                   // [s]
 constexpr std::int64_t kGapEvery = 100'000'000;  // [ns]
 constexpr int kQueue = 1 << 16;                  // messages
-constexpr std::int64_t kMostDelay = 5'000'000;   // a message may have waited for us [us]
+constexpr char kSplit[] = "500MB";
+constexpr double kQuota = 10.0;                 // unless something else is asked for [GB]
+constexpr double kKeep = 30.0;                  // [min]
+constexpr std::int64_t kMostDelay = 5'000'000;  // a message may have waited for us [us]
 // Kinds of LOG_TEXT beyond those of MODEL_TEXT.
 constexpr std::int8_t kStackText = 5, kAboutText = 6, kSchemaText = 7;
 
 struct Arguments {
   CommonOptions common;
-  std::string file, output, channels = ".*", split, folder;
-  double quota_gb = 0.0;
+  std::string file, output, channels = ".*", split = kSplit, folder;
+  double quota_gb = kQuota, keep_min = kKeep;
 };
 
 Arguments parse(int argc, char** argv) {
@@ -44,18 +47,24 @@ Arguments parse(int argc, char** argv) {
   options.positional("FILE", a.file, false, "the log; default twinbus-DATE-TIME.log");
   options.text("--output", "FILE", a.output, "the same; -o of ./twinbus record");
   options.text("--channels", "RE", a.channels, "only channels that match this regular expression");
-  options.text("--split", "N[MB|min]", a.split, "a new file after so many megabytes or minutes");
+  options.text("--split", "N[MB|min]", a.split,
+               "a new part (FILE-0002 ...) after so many megabytes or minutes, default 500MB; 0: "
+               "never.  Every tool "
+               "takes FILE for all its parts");
   options.number("--quota", "GB", a.quota_gb, 0.0, 1e6,
-                 "of all files: removes the oldest; 0: none");
+                 "of all parts: removes the oldest; default 10, 0: none");
+  options.number("--keep", "MIN", a.keep_min, 0.0, 1e6,
+                 "the last minutes stay whatever the quota says; default 30, 0 with a --quota");
   options.text("--run-folder", "DIR", a.folder, "whose stack.yaml and commit go into the log");
   add_common(options, a.common);
   options.parse(argc, argv);
+  if (options.given("--quota") && !options.given("--keep")) a.keep_min = 0.0;
   return a;
 }
 
 // Throws std::runtime_error for what is neither megabytes nor minutes.
 void read_split(const std::string& text, RecorderConfig& config) {
-  if (text.empty()) return;
+  if (text.empty() || text == "0") return;
   std::size_t used = 0;
   double number = 0.0;
   try {
@@ -87,7 +96,22 @@ RecorderConfig config_of(const Arguments& a) {
   config.file = !a.output.empty() ? a.output : !a.file.empty() ? a.file : default_file();
   read_split(a.split, config);
   config.quota_bytes = static_cast<std::int64_t>(1e9 * a.quota_gb);
+  config.keep_seconds = 60.0 * a.keep_min;
   return config;
+}
+
+// "at most 10 GB, and at least the last 30 minutes"
+std::string limits_text(const RecorderConfig& config) {
+  char text[100];
+  if (config.quota_bytes == 0) return "no limit";
+  std::snprintf(text, sizeof text, "at most %g GB", 1e-9 * static_cast<double>(config.quota_bytes));
+  std::string limits = text;
+  if (config.keep_seconds > 0.0) {
+    std::snprintf(text, sizeof text, ", but always the last %g minutes",
+                  config.keep_seconds / 60.0);
+    limits += text;
+  }
+  return limits;
 }
 
 void add_pieces(std::string_view text, std::int8_t kind,
@@ -148,7 +172,7 @@ class RecorderProcess {
       if (pulse_.due(now)) send_heartbeat(now);
     }
     const RecorderFigures f = recorder_.figures();
-    std::printf("recorder: %lld events, %.1f MB in %d files, %lld dropped\n",
+    std::printf("recorder: %lld events, %.1f MB in %d parts, %lld dropped\n",
                 static_cast<long long>(f.written), 1e-6 * static_cast<double>(f.bytes), f.parts,
                 static_cast<long long>(lost()));
   }
@@ -237,7 +261,7 @@ int run(int argc, char** argv) {
   go_ahead_of_ordinary_programs();
   const RecorderConfig config = config_of(a);
   RecorderProcess process(a, config);
-  std::printf("recorder ready: %s\n", config.file.c_str());
+  std::printf("recorder ready: %s (%s)\n", config.file.c_str(), limits_text(config).c_str());
   std::fflush(stdout);
   process.run();
   return 0;

@@ -9,12 +9,12 @@
 #include <utility>
 
 #include "common/process/arguments.h"
-#include "launcher/log/log_scan.h"
+#include "common/process/process.h"
+#include "common/text/closest_name.h"
 #include "launcher/bus/stack_monitor.h"
+#include "launcher/log/log_scan.h"
 #include "lcmtypes/bus/channels.h"
 #include "lcmtypes/bus/wire.h"
-#include "common/text/closest_name.h"
-#include "common/process/process.h"
 #include "viewer_log/log/log_writer.h"
 
 namespace twinbus {
@@ -65,6 +65,32 @@ class NamePattern {
   regex_t compiled_{};
   std::map<std::string, bool, std::less<>> known_;
 };
+
+constexpr std::size_t kMostSenders = 10'000;
+
+// "balance", "sway"
+const char* what_is_asked(const ModeRequest& request) {
+  if (request.motion == Motion::kSway) return "sway";
+  if (request.motion == Motion::kSquat) return "squat";
+  return mode_name(request.mode);
+}
+
+const char* action_name(SourceAction action) {
+  switch (action) {
+    case SourceAction::kActivate:
+      return "activation";
+    case SourceAction::kSwitch:
+      return "switch";
+    case SourceAction::kStandbyTrack:
+      return "standby (track)";
+    case SourceAction::kStandbyShadow:
+      return "standby (shadow)";
+    case SourceAction::kPark:
+      return "parking";
+    default:
+      return "something unknown";
+  }
+}
 
 void refuse_same_file(const std::string& in, const std::string& out) {
   std::error_code ignored;
@@ -165,45 +191,62 @@ int log_events(const std::vector<std::string>& words) {
                 1e-6 * (static_cast<double>(event.utime) - static_cast<double>(start)),
                 static_cast<long long>(tick), text.c_str());
   };
+  std::map<std::int64_t, ProcessKind> senders;  // by heartbeat or event
+  const auto who = [&](std::int64_t sender) -> std::string {
+    const auto found = senders.find(sender);
+    if (found == senders.end()) return "by a command or program";
+    if (found->second == ProcessKind::kSimulator || found->second == ProcessKind::kBridge)
+      return "by the scene";
+    if (found->second == ProcessKind::kUser) return "by a command or program";
+    return std::string("by the ") + process_name(found->second);
+  };
   const auto first_time_told = [&](const auto& m) {
     return told.emplace(std::pair(m.sender_id, m.sequence), true).second;
   };
-  scan_log(
-      file, arguments.number("--from", 0.0, 0.0, 1e9),
-      arguments.number("--to", kWholeLog, 0.0, 1e13), [&](const LogEvent& event) {
-        if (!event.channel.starts_with(prefix)) return true;
-        const std::string_view name = event.channel.substr(prefix.size());
-        if (name == channel::kState) {
-          RobotState s;
-          if (decode(event.data, s) != Status::kOk) return true;
-          if (s.run_id != last.run_id || s.term != last.term)
-            line(event, s.tick,
-                 std::string(source_name(s.source)) + " holds STATE, term " +
-                     std::to_string(s.term));
-          if (s.stop_kind != last.stop_kind)
-            line(event, s.tick, std::string("stop: ") + stop_name(s.stop_kind));
-          last = s;
-        } else if (name == channel::kEvent) {
-          Event m;
-          if (decode(event.data, m) == Status::kOk)
-            line(event, m.tick, std::string(process_name(m.kind)) + ": " + m.text.data());
-        } else if (name == channel::kModeRequest) {
-          ModeRequest m;
-          if (decode(event.data, m) == Status::kOk && first_time_told(m))
-            line(event, last.tick, std::string("mode asked: ") + mode_name(m.mode));
-        } else if (name == channel::kStop) {
-          StopRequest m;
-          if (decode(event.data, m) == Status::kOk && first_time_told(m))
-            line(event, last.tick, std::string("stop asked: ") + stop_name(m.kind));
-        } else if (name == channel::kSourceRequest) {
-          SourceRequest m;
-          if (decode(event.data, m) == Status::kOk && first_time_told(m))
-            line(event, last.tick,
-                 std::string("source request ").append(std::to_string(static_cast<int>(m.action))) +
-                     " for run " + std::to_string(m.target_run_id));
-        }
-        return true;
-      });
+  scan_log(file, arguments.number("--from", 0.0, 0.0, 1e9),
+           arguments.number("--to", kWholeLog, 0.0, 1e13), [&](const LogEvent& event) {
+             if (!event.channel.starts_with(prefix)) return true;
+             const std::string_view name = event.channel.substr(prefix.size());
+             if (name == channel::kState) {
+               RobotState s;
+               if (decode(event.data, s) != Status::kOk) return true;
+               if (s.run_id != last.run_id || s.term != last.term)
+                 line(event, s.tick,
+                      std::string(source_name(s.source)) + " holds STATE, term " +
+                          std::to_string(s.term));
+               if (s.stop_kind != last.stop_kind)
+                 line(event, s.tick, std::string("stop: ") + stop_name(s.stop_kind));
+               last = s;
+             } else if (name == channel::kEvent) {
+               Event m;
+               if (decode(event.data, m) == Status::kOk)
+                 line(event, m.tick, std::string(process_name(m.kind)) + ": " + m.text.data());
+             } else if (name == channel::kModeRequest) {
+               ModeRequest m;
+               if (decode(event.data, m) == Status::kOk && first_time_told(m))
+                 line(event, last.tick,
+                      std::string("mode asked: ") + what_is_asked(m) + ", " + who(m.sender_id));
+             } else if (name == channel::kStop) {
+               StopRequest m;
+               if (decode(event.data, m) == Status::kOk && first_time_told(m))
+                 line(
+                     event, last.tick,
+                     (m.kind == StopKind::kNone ? std::string("clear asked")
+                                                : std::string("stop asked: ") + stop_name(m.kind)) +
+                         ", " + who(m.sender_id));
+             } else if (name == channel::kSourceRequest) {
+               SourceRequest m;
+               if (decode(event.data, m) == Status::kOk && first_time_told(m))
+                 line(event, last.tick,
+                      std::string(action_name(m.action)) + " asked for run " +
+                          std::to_string(m.target_run_id) + ", " + who(m.sender_id));
+             } else if (name == channel::kHeartbeat) {
+               FullHeartbeat m;
+               if (decode(event.data, m) == Status::kOk && senders.size() < kMostSenders)
+                 senders[m.process_id] = m.kind;
+             }
+             return true;
+           });
   return 0;
 }
 

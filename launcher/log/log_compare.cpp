@@ -1,26 +1,30 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
-#include <map>
+#include <functional>
+#include <limits>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
+#include "common/math/index.h"
 #include "common/process/arguments.h"
+#include "common/process/process.h"
 #include "launcher/log/log_command.h"
 #include "launcher/log/log_plot.h"
+#include "launcher/log/log_robot.h"
 #include "launcher/log/log_scan.h"
 #include "launcher/stack/run_folder.h"
 #include "lcmtypes/bus/wire.h"
-#include "common/math/index.h"
-#include "robot/description/load.h"
-#include "common/process/process.h"
 #include "viewer_log/view/gap_meter.h"
 
 namespace twinbus {
 
 namespace {
 
-constexpr std::size_t kMostCompared = 300'000;  // compared at once: ten minutes at 500 Hz
+constexpr std::size_t kMostDrawn =
+    200'000;  // points of a curve; of longer runs every second, fourth ...
 constexpr double kMilli = 1e3;
 
 struct Column {
@@ -34,26 +38,71 @@ struct Column {
   }
 };
 
-struct Stream {
-  std::vector<RobotState> states;  // in order of ticks
-  std::int64_t first_tick = -1;
+// The states of one channel in order of ticks, one at a time, however long the log is.
+class Stream {
+ public:
+  Stream(const std::string& file, std::string channel, const Arguments& arguments)
+      : file_(file), channel_(std::move(channel)), reader_(file) {
+    const std::int64_t start = first_time(reader_, file);
+    const double from = arguments.number("--from", 0.0, 0.0, 1e9),
+                 to = arguments.number("--to", kWholeLog, 0.0, 1e13);
+    if (from > 0.0) reader_.seek(start + std::llround(1e6 * from));
+    if (to < kWholeLog) last_utime_ = start + std::llround(1e6 * to);
+    if (!next()) throw std::runtime_error("log " + file + ": nothing on " + channel_);
+    first_tick_ = state_.tick;
+  }
+  // False at the end.
+  bool next() {
+    for (LogEvent event; reader_.next(event) && event.utime <= last_utime_;) {
+      if (++events_ % kLookEvery == 0 && quit_requested())
+        throw std::runtime_error("ended by the user");
+      RobotState state;
+      if (event.channel != channel_ || decode(event.data, state) != Status::kOk) continue;
+      if (state.tick <= state_.tick) continue;  // said again
+      state_ = state;
+      return true;
+    }
+    return false;
+  }
+  const RobotState& state() const { return state_; }
+  std::int64_t first_tick() const { return first_tick_; }
+
+ private:
+  static constexpr std::int64_t kLookEvery = 1 << 14;
+  std::string file_, channel_;
+  LogReader reader_;
+  RobotState state_{.tick = -1};
+  std::int64_t first_tick_ = -1, events_ = 0,
+               last_utime_ = std::numeric_limits<std::int64_t>::max();
 };
 
-Stream read(const std::string& file, const std::string& channel, const Arguments& arguments) {
-  Stream stream;
-  scan_log(file, arguments.number("--from", 0.0, 0.0, 1e9),
-           arguments.number("--to", kWholeLog, 0.0, 1e13), [&](const LogEvent& event) {
-             RobotState state;
-             if (event.channel != channel || decode(event.data, state) != Status::kOk) return true;
-             if (!stream.states.empty() && state.tick <= stream.states.back().tick)
-               return true;  // said again
-             if (stream.first_tick < 0) stream.first_tick = state.tick;
-             stream.states.push_back(state);
-             return stream.states.size() < kMostCompared;
-           });
-  if (stream.states.empty()) throw std::runtime_error("log " + file + ": nothing on " + channel);
-  return stream;
+// Every tick that both have; visit(a, b).
+void each_pair(Stream& a, Stream& b, std::int64_t offset,
+               const std::function<void(const RobotState&, const RobotState&)>& visit) {
+  for (bool more = true; more;) {
+    const std::int64_t ahead = b.state().tick - offset - a.state().tick;
+    if (ahead == 0) visit(a.state(), b.state());
+    if (ahead >= 0) more = a.next();
+    if (ahead <= 0) more = b.next() && more;
+  }
 }
+
+// A curve that keeps every n-th point, so that a long run fits.
+struct LongCurve {
+  Curve curve;
+  std::size_t every = 1, seen = 0;
+  void add(double x, double y) {
+    if (seen++ % every != 0) return;
+    curve.x.push_back(x);
+    curve.y.push_back(y);
+    if (curve.x.size() < kMostDrawn) return;
+    for (std::vector<double>* values : {&curve.x, &curve.y}) {
+      for (std::size_t i = 0; 2 * i < values->size(); ++i) (*values)[i] = (*values)[2 * i];
+      values->resize((values->size() + 1) / 2);
+    }
+    every *= 2;
+  }
+};
 
 std::string joint_name(const std::optional<Model>& model, std::size_t k) {
   if (!model) return std::string("joint ").append(std::to_string(k));
@@ -91,23 +140,21 @@ int log_compare(const std::vector<std::string>& words) {
         "log compare: one log and one channel: say which two, as in --channels STATE,STATE_BRIDGE");
   const std::string file_a = arguments.word(0), file_b = one_log ? file_a : arguments.word(1);
   const auto shift = static_cast<std::int64_t>(arguments.number("--shift", 0.0, -1e9, 1e9));
-  const Stream a = read(file_a, name_a, arguments), b = read(file_b, name_b, arguments);
-  const std::int64_t offset = (one_log ? 0 : b.first_tick - a.first_tick) + shift;
-
-  std::map<std::int64_t, const RobotState*> by_tick;
-  for (const RobotState& state : b.states) by_tick[state.tick - offset] = &state;
-  const RobotState& first = a.states.front();
-  if (first.model_hash != b.states.front().model_hash)
+  Stream a(file_a, name_a, arguments), b(file_b, name_b, arguments);
+  const std::int64_t offset = (one_log ? 0 : b.first_tick() - a.first_tick()) + shift;
+  const RobotState first = a.state();
+  if (first.model_hash != b.state().model_hash)
     throw std::runtime_error("log compare: the two are of different robots (model hash)");
   const std::size_t joints = at(first.joint_count);
   const double period = 1e-9 * static_cast<double>(first.period_ns);
+  const auto time_of = [&](const RobotState& s) {
+    return period * static_cast<double>(s.tick - first.tick);
+  };
   std::vector<Column> q(joints), tau(joints), foot(6), tilt(2);
-  std::vector<const RobotState*> pairs[2];
-  for (const RobotState& state : a.states) {
-    const auto found = by_tick.find(state.tick);
-    if (found == by_tick.end()) continue;
-    const Gap gap = gap_between(state, *found->second);
-    const double time = period * static_cast<double>(state.tick - a.first_tick);
+  std::int64_t count = 0;
+  each_pair(a, b, offset, [&](const RobotState& one, const RobotState& other) {
+    const Gap gap = gap_between(one, other);
+    const double time = time_of(one);
     for (std::size_t k = 0; k < joints; ++k) {
       q[k].add(static_cast<double>(gap.q[k]), time);
       tau[k].add(static_cast<double>(gap.tau[k]), time);
@@ -115,21 +162,14 @@ int log_compare(const std::vector<std::string>& words) {
     for (std::size_t i = 0; i < 6; ++i)
       foot[i].add(static_cast<double>(gap.foot_force[i / 3][i % 3]), time);
     for (std::size_t i = 0; i < 2; ++i) tilt[i].add(static_cast<double>(gap.tilt[i]), time);
-    pairs[0].push_back(&state);
-    pairs[1].push_back(found->second);
-  }
-  const auto count = static_cast<std::int64_t>(pairs[0].size());
+    ++count;
+  });
   if (count == 0)
     throw std::runtime_error(
         "log compare: no tick is in both; two logs of different runs are aligned at their first "
         "STATE, two channels of one log at the same tick");
 
-  std::optional<Model> model;
-  try {
-    Model loaded = load_robot(arguments.text("--robot", "hrp1s"));
-    if (loaded.hash == first.model_hash) model.emplace(std::move(loaded));
-  } catch (const std::exception&) {  // names are a kindness, not a need
-  }
+  const std::optional<Model> model = robot_of_hash(first.model_hash, arguments.text("--robot", ""));
   std::printf("%lld ticks, %.3f s: %s %s against %s %s\n", static_cast<long long>(count),
               period * static_cast<double>(count), file_b.c_str(), name_b.c_str(), file_a.c_str(),
               name_a.c_str());
@@ -154,32 +194,28 @@ int log_compare(const std::vector<std::string>& words) {
                 kMilli * tilt[i].rms(count), kMilli * tilt[i].most, tilt[i].at);
 
   if (const std::string plot = arguments.text("--plot", ""); !plot.empty()) {
-    const auto curve = [&](std::size_t which, const std::string& name, auto&& value) {
-      Curve c{name, {}, {}};
-      for (std::size_t i = 0; i < pairs[0].size(); ++i) {
-        c.x.push_back(period * static_cast<double>(pairs[0][i]->tick - a.first_tick));
-        c.y.push_back(value(*pairs[which][i]));
+    Stream again_a(file_a, name_a, arguments), again_b(file_b, name_b, arguments);
+    std::array<LongCurve, 7> curves;
+    const std::array<const char*, 7> names = {"A", "B", "A", "B", "A", "B", "B - A"};
+    for (std::size_t i = 0; i < curves.size(); ++i) curves[i].curve.name = names[i];
+    each_pair(again_a, again_b, offset, [&](const RobotState& one, const RobotState& other) {
+      const double time = time_of(one);
+      for (std::size_t side = 0; side < 2; ++side) {
+        curves[2 * side].add(time, static_cast<double>(one.wrench[side][2]));
+        curves[2 * side + 1].add(time, static_cast<double>(other.wrench[side][2]));
       }
-      return c;
-    };
-    std::vector<Panel> panels;
-    for (std::size_t side = 0; side < 2; ++side) {
-      const auto force = [side](const RobotState& s) {
-        return static_cast<double>(s.wrench[side][2]);
-      };
-      panels.push_back(
-          {side == 0 ? "left foot, vertical force [N]" : "right foot, vertical force [N]",
-           {curve(0, "A", force), curve(1, "B", force)}});
-    }
-    const auto angle = [worst](const RobotState& s) { return s.q[worst]; };
-    panels.push_back({joint_name(model, worst) + " [rad], the joint that differs most",
-                      {curve(0, "A", angle), curve(1, "B", angle)}});
-    Curve residual = curve(1, "B - A", angle);
-    for (std::size_t i = 0; i < residual.y.size(); ++i)
-      residual.y[i] = kMilli * (residual.y[i] - pairs[0][i]->q[worst]);
-    panels.push_back({joint_name(model, worst) + ", residual [mrad]", {residual}});
+      curves[4].add(time, one.q[worst]);
+      curves[5].add(time, other.q[worst]);
+      curves[6].add(time, kMilli * (other.q[worst] - one.q[worst]));
+    });
+    const std::vector<Panel> panels = {
+        {"left foot, vertical force [N]", {curves[0].curve, curves[1].curve}},
+        {"right foot, vertical force [N]", {curves[2].curve, curves[3].curve}},
+        {joint_name(model, worst) + " [rad], the joint that differs most",
+         {curves[4].curve, curves[5].curve}},
+        {joint_name(model, worst) + ", residual [mrad]", {curves[6].curve}}};
     write_file(plot,
-               svg_of("A: " + file_a + " " + name_a + "   B: " + file_b + " " + name_b, panels));
+               svg_of("A: " + file_a + " " + name_a + "\nB: " + file_b + " " + name_b, panels));
     std::printf("plot: %s\n", plot.c_str());
   }
   const double most = arguments.number("--most-mrad", 1e9, 0.0, 1e9);

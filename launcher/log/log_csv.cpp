@@ -1,14 +1,17 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 
 #include "common/process/arguments.h"
-#include "launcher/log/log_command.h"
-#include "launcher/log/log_scan.h"
-#include "lcmtypes/bus/wire.h"
-#include "common/text/closest_name.h"
 #include "common/process/process.h"
+#include "common/text/closest_name.h"
+#include "launcher/log/log_command.h"
+#include "launcher/log/log_robot.h"
+#include "launcher/log/log_scan.h"
+#include "lcmtypes/bus/channels.h"
+#include "lcmtypes/bus/wire.h"
 #include "viewer_log/log/message_schema.h"
 
 namespace twinbus {
@@ -28,7 +31,8 @@ std::vector<std::string> split(const std::string& text) {
 }
 
 // The columns asked for: a field, or an array by its name.
-std::vector<const MessageField*> columns_of(const MessageSchema& schema, const std::string& asked) {
+std::vector<const MessageField*> columns_of(const MessageSchema& schema, const std::string& asked,
+                                            const std::optional<Model>& model) {
   std::vector<const MessageField*> columns;
   if (asked.empty()) {
     for (const MessageField& field : schema.fields) columns.push_back(&field);
@@ -37,7 +41,10 @@ std::vector<const MessageField*> columns_of(const MessageSchema& schema, const s
   for (const std::string& name : split(asked)) {
     const std::size_t before = columns.size();
     for (const MessageField& field : schema.fields) {
-      if (field.name == name || field.name.starts_with(name + "[")) columns.push_back(&field);
+      if (field.name == name || field.name.starts_with(name + "[") ||
+          (model && field_with_joint(field.name, *model) == name)) {
+        columns.push_back(&field);
+      }
     }
     if (columns.size() > before) continue;
     std::vector<std::string> known;
@@ -93,8 +100,12 @@ int log_csv(const std::vector<std::string>& words) {
   const Arguments arguments(
       {"log csv",
        "FILE CHANNEL [OUT.csv]",
-       "A channel as a table with one row per message; without OUT.csv on the standard output.",
-       {{"--fields", "A,B", "fields, or arrays by their name; default all"},
+       "A channel as a table with one row per message; without OUT.csv on the standard output.  "
+       "Columns of joints\n"
+       "have their names, as in q.LLEG_KNEE.",
+       {{"--fields", "A,B", "fields, or arrays by their name, or q.LLEG_KNEE; default all"},
+        {"--numbers", "", "columns by number, as in q[3], instead of the names of joints"},
+        robot_option(),
         {"--from", "S", "seconds from the first event"},
         {"--to", "S", "seconds from the first event"},
         {"--type", "T", "of a channel that is not ours, as in robot_state_t"}},
@@ -112,7 +123,13 @@ int log_csv(const std::vector<std::string>& words) {
   const MessageSchema* schema = find_schema(type);
   if (schema == nullptr)
     throw UsageError("log csv: of which type is " + channel + "? say --type, as in robot_state_t");
-  std::vector<const MessageField*> columns = columns_of(*schema, arguments.text("--fields", ""));
+  const std::size_t ours = channel.find(info != nullptr ? info->channel : channel.c_str());
+  const std::string prefix = ours == std::string::npos ? "" : channel.substr(0, ours);
+  const std::optional<Model> model = robot_of_hash(
+      model_hash_of_log(file, prefix + twinbus::channel::kState), arguments.text("--robot", ""));
+  std::vector<const MessageField*> columns =
+      columns_of(*schema, arguments.text("--fields", ""), model);
+  const bool named = model.has_value() && !arguments.has("--numbers");
   Output output(arguments.word(2));
   std::string text;
   text.reserve(2 * kBuffer);
@@ -127,7 +144,8 @@ int log_csv(const std::vector<std::string>& words) {
              if (rows++ == 0) {
                drop_unused(columns, *schema, event.data);
                text = "utime";
-               for (const MessageField* field : columns) text += "," + field->name;
+               for (const MessageField* field : columns)
+                 text += "," + (named ? field_with_joint(field->name, *model) : field->name);
                text += "\n";
              }
              text += std::to_string(event.utime);

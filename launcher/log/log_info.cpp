@@ -5,10 +5,10 @@
 #include <tuple>
 
 #include "common/process/arguments.h"
+#include "common/process/process.h"
 #include "launcher/log/log_command.h"
 #include "launcher/log/log_scan.h"
 #include "lcmtypes/bus/wire.h"
-#include "common/process/process.h"
 #include "viewer_log/log/log_index.h"
 #include "viewer_log/log/message_schema.h"
 
@@ -31,25 +31,43 @@ void count(const LogEvent& event, ChannelCounts& channels) {
   found->second.bytes += static_cast<std::int64_t>(event.data.size());
 }
 
-// From the last index and what follows it; nothing for a log without one, or one that another was joined to.
+// Adds what the last index of a part says, and what follows it.  False for a part without one, or one that another log
+// was joined to.
+bool add_part_from_index(LogReader& reader, int part, Summary& summary) {
+  const std::int64_t begin = reader.part_begin(part), end = reader.part_end(part);
+  reader.go_to(begin);
+  LogEvent event;
+  if (!reader.next(event)) return false;
+  const std::int64_t first_utime = event.utime;
+  reader.go_to(std::max(begin, end - kTail));
+  bool found = false;
+  ChannelCounts channels;
+  while (reader.offset() < end && reader.next(event) && event.offset < end) {
+    summary.last_utime = std::max(summary.last_utime, event.utime);
+    if (event.channel != kLogIndex) {
+      if (found) count(event, channels);
+      continue;
+    }
+    std::optional<LogIndex> index = decode_index(event.data);
+    found = index.has_value() && index->offset == event.offset_in_part &&
+            index->first_utime == first_utime;
+    if (found) channels = std::move(index->channels);
+  }
+  for (const auto& [name, of_part] : channels) {
+    ChannelCount& sum = summary.channels[name];
+    sum.events += of_part.events;
+    sum.bytes += of_part.bytes;
+  }
+  return found;
+}
+
 std::optional<Summary> from_index(const std::string& file) {
   LogReader reader(file);
   Summary summary;
   summary.first_utime = first_time(reader, file);
-  reader.go_to(reader.size() - kTail);
-  bool found = false;
-  for (LogEvent event; reader.next(event);) {
-    summary.last_utime = std::max(summary.last_utime, event.utime);
-    if (event.channel != kLogIndex) {
-      if (found) count(event, summary.channels);
-      continue;
-    }
-    std::optional<LogIndex> index = decode_index(event.data);
-    found = index.has_value() && index->offset == event.offset &&
-            index->first_utime == summary.first_utime;
-    if (found) summary.channels = std::move(index->channels);
+  for (int part = 0; part < reader.parts(); ++part) {
+    if (!add_part_from_index(reader, part, summary)) return {};
   }
-  if (!found) return {};
   summary.from_index = true;
   return summary;
 }
@@ -100,14 +118,18 @@ class Gaps {
   std::map<std::string, std::int64_t> missing_;
 };
 
-void print(const Summary& summary, const Gaps* gaps, std::int64_t size, const std::string& file) {
+void print(const Summary& summary, const Gaps* gaps, const LogReader& log,
+           const std::string& file) {
   const double seconds =
       1e-6 * (static_cast<double>(summary.last_utime) - static_cast<double>(summary.first_utime));
   std::int64_t events = 0;
   for (const auto& [name, c] : summary.channels) events += c.events;
-  std::printf("%s: %.1f MB, %.3f s, %lld events on %zu channels\n", file.c_str(),
-              1e-6 * static_cast<double>(size), seconds, static_cast<long long>(events),
+  const std::string parts = log.parts() > 1 ? std::to_string(log.parts()) + " parts, " : "";
+  std::printf("%s: %s%.1f s, %.1f MB, %lld events on %zu channels\n", file.c_str(), parts.c_str(),
+              seconds, 1e-6 * static_cast<double>(log.size()), static_cast<long long>(events),
               summary.channels.size());
+  if (const std::string whole = log_of_part(file); !whole.empty())
+    std::printf("this is one part of %s, which stands for all of them\n", whole.c_str());
   std::printf("%-20s %-20s %10s %9s %10s%s\n", "channel", "type", "events", "Hz", "kB/s",
               gaps != nullptr ? "    missing" : "");
   for (const auto& [name, c] : summary.channels) {
@@ -136,10 +158,9 @@ int log_info(const std::vector<std::string>& words) {
       words);
   catch_quit_signals();
   const std::string file = arguments.word(0);
-  const std::int64_t size = LogReader(file).size();
   if (!arguments.has("--check")) {
     if (const std::optional<Summary> summary = from_index(file)) {
-      print(*summary, nullptr, size, file);
+      print(*summary, nullptr, LogReader(file), file);
       return 0;
     }
   }
@@ -158,7 +179,7 @@ int log_info(const std::vector<std::string>& words) {
     }
     return true;
   });
-  print(summary, thorough ? &gaps : nullptr, size, file);
+  print(summary, thorough ? &gaps : nullptr, reader, file);
   if (!thorough) return 0;
   const std::string damage = damage_text(found);
   std::printf("%s\n", damage.empty() ? "no damage" : damage.c_str());

@@ -4,16 +4,21 @@
 #include <future>
 #include <map>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 #include "common/process/arguments.h"
-#include "launcher/log/log_command.h"
-#include "launcher/log/log_scan.h"
-#include "lcmtypes/bus/wire.h"
 #include "common/process/process.h"
+#include "launcher/log/log_command.h"
+#include "launcher/log/log_robot.h"
+#include "launcher/log/log_scan.h"
+#include "lcmtypes/bus/channels.h"
+#include "lcmtypes/bus/wire.h"
 #include "viewer_log/log/mcap_writer.h"
 #include "viewer_log/log/message_json.h"
+#include "viewer_log/view/foxglove_scene.h"
 
 namespace twinbus {
 
@@ -21,7 +26,7 @@ namespace {
 
 // What becomes of one channel of the log.
 struct Topic {
-  const MessageSchema* schema = nullptr;  // null: of no type that is known
+  const MessageSchema* schema = nullptr;  // null: of no type that is known, or JSON already
   std::optional<MessageJson> json;
   std::uint16_t id = 0;
   std::uint32_t sequence = 0;
@@ -33,7 +38,7 @@ struct Part {
     const Topic* topic;
     std::uint32_t sequence;
     std::int64_t time_ns;
-    std::size_t offset;  // in bytes
+    std::size_t offset, size;  // in bytes
   };
   std::vector<std::uint8_t> bytes;
   std::vector<Message> messages;
@@ -47,7 +52,12 @@ McapChunk chunk_of(McapChunk chunk, const Part& part) {
   std::map<std::uint16_t, JsonRoom> rooms;
   for (const Part::Message& message : part.messages) {
     const Topic& topic = *message.topic;
-    const std::span data(part.bytes.data() + message.offset, topic.schema->bytes);
+    const std::span data(part.bytes.data() + message.offset, message.size);
+    if (topic.schema == nullptr) {
+      chunk.add(topic.id, message.sequence, message.time_ns,
+                {reinterpret_cast<const char*>(data.data()), data.size()});
+      continue;
+    }
     chunk.add(topic.id, message.sequence, message.time_ns,
               topic.json->json_of(data, rooms[topic.id]));
   }
@@ -87,17 +97,77 @@ std::string between_commas(const std::string& text) {
   return out;
 }
 
+void add_message(Part& part, Topic& topic, std::int64_t utime, std::span<const std::uint8_t> data) {
+  part.messages.push_back({&topic, topic.sequence++, 1000 * utime, part.bytes.size(), data.size()});
+  part.bytes.insert(part.bytes.end(), data.begin(), data.end());
+}
+
+// What Foxglove draws in 3D, made from what the log says.
+class SceneTopics {
+ public:
+  SceneTopics(Model model, McapWriter& writer) : model_(std::move(model)), scene_(model_) {
+    transforms_.id = writer.add_channel("/tf", kTransformsSchema, transforms_json_schema());
+    shapes_.id = writer.add_channel("/scene", kSceneSchema, scene_json_schema());
+  }
+
+  void take(const LogEvent& event, const std::string& prefix, Part& part) {
+    if (!event.channel.starts_with(prefix)) return;
+    const std::string_view name = event.channel.substr(prefix.size());
+    if (!told_) put(part, shapes_, event.utime, scene_.robot(event.utime));
+    told_ = true;
+    if (name == channel::kTruth) {
+      SimTruth truth;
+      if (decode(event.data, truth) != Status::kOk) return;
+      scene_.on_truth(truth, event.utime);
+      if (const auto text = scene_.forces(truth, event.utime))
+        put(part, shapes_, event.utime, *text);
+    } else if (name == channel::kControllerStatus) {
+      ControllerStatus status;
+      if (decode(event.data, status) == Status::kOk) scene_.on_status(status, event.utime);
+    } else if (name == channel::kState) {
+      RobotState state;
+      if (decode(event.data, state) != Status::kOk) return;
+      if (const auto text = scene_.transforms(state, event.utime))
+        put(part, transforms_, event.utime, *text);
+    } else if (name == channel::kObstacles || name == channel::kTerrain ||
+               name == channel::kLoose) {
+      ObstaclesPiece piece;
+      if (decode(event.data, piece) != Status::kOk) return;
+      put(part, shapes_, event.utime,
+          FoxgloveScene::obstacles(piece, std::string(name), event.utime));
+    }
+  }
+
+ private:
+  static void put(Part& part, Topic& topic, std::int64_t utime, const std::string& text) {
+    add_message(part, topic, utime,
+                {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+  }
+
+  Model model_;
+  FoxgloveScene scene_;
+  Topic transforms_, shapes_;
+  bool told_ = false;
+};
+
 }  // namespace
 
 int log_mcap(const std::vector<std::string>& words) {
   const Arguments arguments(
       {"log mcap",
        "IN OUT.mcap",
-       "Writes a log as MCAP with JSON messages and their schemas, for Foxglove and PlotJuggler.\n"
+       "Writes a log as MCAP (zstd) with JSON messages and their schemas, for Foxglove and "
+       "PlotJuggler, "
+       "and what\n"
+       "Foxglove draws in 3D: frames of the links on /tf, their shapes, obstacles and contact "
+       "forces on "
+       "/scene.\n"
        "Channels whose type is not the project's are left out and counted.",
        {{"--channels", "A,B", "only these; default all"},
         {"--from", "S", "seconds from the first event"},
         {"--to", "S", "seconds from the first event"},
+        {"--robot", "NAME", "of config/robots, or a folder; default the one whose log it is"},
+        {"--no-scene", "", "without /tf and /scene"},
         prefix_option()},
        2,
        2},
@@ -110,6 +180,18 @@ int log_mcap(const std::vector<std::string>& words) {
   const std::string only = between_commas(arguments.text("--channels", ""));
   McapWriter writer(out);
   std::map<std::string, Topic, std::less<>> topics;  // longer there than the works
+  std::optional<SceneTopics> scene;
+  if (!arguments.has("--no-scene") && only == ",,") {
+    const std::int64_t hash = model_hash_of_log(in, prefix + channel::kState);
+    if (auto model = robot_of_hash(hash, arguments.text("--robot", ""))) {
+      scene.emplace(std::move(*model), writer);
+    } else if (hash != 0) {
+      std::fprintf(
+          stderr,
+          "log mcap: no robot of config/robots is the one of this log, so nothing is there "
+          "to be drawn in 3D: say --robot\n");
+    }
+  }
   Works works(writer);
   Part part;
   std::int64_t unknown = 0, bytes = 0;
@@ -137,8 +219,8 @@ int log_mcap(const std::vector<std::string>& words) {
           ++unknown;
           return true;
         }
-        part.messages.push_back({&topic, topic.sequence++, 1000 * event.utime, part.bytes.size()});
-        part.bytes.insert(part.bytes.end(), event.data.begin(), event.data.end());
+        add_message(part, topic, event.utime, event.data);
+        if (scene) scene->take(event, prefix, part);
         if (part.bytes.size() >= kPart) {
           works.add(std::exchange(part, {}));
           part.bytes.reserve(kPart + kPart / 8);

@@ -1,4 +1,4 @@
-// Two curves over time, in panels one above the other, as SVG.
+// Curves over time, in panels one above the other, as SVG.  A title may have several lines.
 
 #pragma once
 

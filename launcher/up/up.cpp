@@ -8,21 +8,21 @@
 #include <memory>
 #include <stdexcept>
 
+#include "common/process/process.h"
 #include "launcher/bus/bus_health.h"
 #include "launcher/bus/bus_link.h"
 #include "launcher/bus/live_table.h"
-#include "launcher/up/restart.h"
+#include "launcher/run/state_hash.h"
+#include "launcher/run/verdict.h"
 #include "launcher/stack/run_folder.h"
+#include "launcher/stack/stack.h"
+#include "launcher/stack/supervisor.h"
+#include "launcher/up/restart.h"
 #include "launcher/up/setup_wish.h"
 #include "launcher/up/shadow.h"
-#include "launcher/stack/stack.h"
-#include "launcher/run/state_hash.h"
-#include "launcher/stack/supervisor.h"
 #include "launcher/up/up_syntax.h"
-#include "launcher/run/verdict.h"
 #include "launcher/up/who_is_there.h"
 #include "robot/description/load.h"
-#include "common/process/process.h"
 #include "sim/scene/scene.h"
 #include "sim/world/world.h"
 
@@ -43,6 +43,15 @@ constexpr double kSettle = 0.5;  // from the first answered tick to the first co
 
 double seconds(std::int64_t from_ns, std::int64_t to_ns) {
   return 1e-9 * static_cast<double>(to_ns - from_ns);
+}
+
+bool wants_log(const Stack& stack) {
+  for (const StackProcess& process : stack.processes) {
+    for (const std::string& word : process.arguments) {
+      if (word.find("{log}") != std::string::npos) return true;
+    }
+  }
+  return false;
 }
 
 class Up {
@@ -116,6 +125,10 @@ Up::Up(const Arguments& arguments) {
   // Lock-step goes as fast as it can: with real-time priority it would leave those who watch no time.
   if (request_.lockstep) setenv("TWINBUS_FIFO", "0", 1);
   stack_ = load_stack(arguments.text("--stack", "sim"));
+  if (!arguments.has("--log") && wants_log(stack_)) {
+    throw UsageError("up: --stack " + stack_.name +
+                     " plays a log: say which with --log FILE, as in --log runs/DATE-TIME/run.log");
+  }
   if (arguments.has("--no-viewer")) {
     stack_.leave_out([](const StackProcess& process) { return process.viewer; });
   }
@@ -166,6 +179,10 @@ Placeholders Up::placeholders(const Arguments& arguments) const {
   if (arguments.has("--seed"))
     settings.insert(settings.end(), {"--seed", arguments.text("--seed", "1")});
   values["folder"] = {folder_};
+  auto& record = values["record"];
+  for (const char* option : {"--split", "--quota"}) {
+    if (arguments.has(option)) record.insert(record.end(), {option, arguments.text(option, "")});
+  }
   values["listen"] = arguments.has("--listen")
                          ? std::vector<std::string>{"--listen", arguments.text("--listen", "")}
                          : std::vector<std::string>{};

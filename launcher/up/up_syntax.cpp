@@ -33,6 +33,10 @@ Syntax up_syntax() {
         "an address of this machine on which a phone may watch and stop, with the token that is "
         "printed; 0.0.0.0: all"},
        {"--no-record", "", "without a log of the run in its folder"},
+       {"--split", "SIZE",
+        "of the parts of run.log, as in 500MB (default) or 10min; 0: one file.  Tools take run.log "
+        "for all"},
+       {"--quota", "GB", "of run.log with its parts; default 10, but always the last 30 minutes"},
        {"--log", "FILE", "of --stack replay: the log that is played"},
        {"--no-fifo", "", "ordinary priority for every process"},
        {"--report", "F", "writes the figures as JSON"},

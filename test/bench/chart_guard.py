@@ -25,7 +25,7 @@ def measure(file):
     with tempfile.TemporaryDirectory() as folder:
         log, states = pathlib.Path(folder) / "walk.log", pathlib.Path(folder) / "walk.csv"
         subprocess.run([program, "run", "walk_forward", "--for", "8", "--log", log], capture_output=True, check=False)
-        subprocess.run([program, "log", "csv", log, "STATE", states, "--fields", "q"], capture_output=True, check=True)
+        subprocess.run([program, "log", "csv", log, "STATE", states, "--fields", "q", "--numbers"], capture_output=True, check=True)
         subprocess.run([program.parent / "guard_walk_bench", "--states", states, "--csv", file], check=True)
 
 

@@ -49,7 +49,7 @@ def table_of(*settings):
     tables = []
     for channel in ("TRUTH", "CONTROLLER_STATUS"):
         file = folder / f"{channel}.csv"
-        subprocess.run([twinbus(), "log", "csv", folder / "walk.log", channel, file], capture_output=True, check=True)
+        subprocess.run([twinbus(), "log", "csv", folder / "walk.log", channel, file, "--numbers"], capture_output=True, check=True)
         with open(file, newline="") as source:
             tables.append({int(row["tick"]): row for row in csv.DictReader(source)})
     truth, status = tables

@@ -26,7 +26,7 @@ def recorded(lab, channel, fields, *words):
         log, report = pathlib.Path(scratch) / "run.log", pathlib.Path(scratch) / "report.json"
         # A run that its scene's criteria fail is shown too.
         subprocess.run([str(w) for w in (program, "run", *words, "--log", log, "--report", report)], capture_output=True, check=False)
-        table = subprocess.run([str(w) for w in (program, "log", "csv", log, channel, "--fields", fields)], capture_output=True,
+        table = subprocess.run([str(w) for w in (program, "log", "csv", log, channel, "--fields", fields, "--numbers")], capture_output=True,
                                text=True, check=True)
         return list(csv.DictReader(table.stdout.splitlines())), json.loads(report.read_text())
 

@@ -98,7 +98,9 @@ def tools(checks, log, folder):
     checks.that("OTHER" in said and "COMMAND" in said and "GUARD" not in said, f"what was filtered and renamed: {said}")
     checks.that(cli("log", "csv", part, "STATE", table, "--fields", "tick,q,attitude")[0] == 0, "log csv")
     rows = table.read_text().splitlines()
-    checks.that(rows[0].startswith("utime,tick,q[0],") and "q[28]" in rows[0] and "q[29]" not in rows[0], rows[0][:200])
+    checks.that(rows[0].startswith("utime,tick,q.RLEG_HIP_R,") and "q.CHEST" in rows[0] and "q[29]" not in rows[0], rows[0][:200])
+    numbered = cli("log", "csv", part, "STATE", "--fields", "q.LLEG_KNEE", "--numbers")[1].splitlines()
+    checks.that(numbered[0] == "utime,q[16]", f"and by numbers: {numbered[0]}")
     checks.at_least(len(rows), 700, "rows of 1.5 s")
     status, said, problems = cli("log", "compare", part, part, "--plot", folder / "same.svg", "--most-mrad", "1e-9")
     checks.that(status == 0 and (folder / "same.svg").stat().st_size > 1000, f"log compare: {problems}{said[-300:]}")
@@ -136,6 +138,18 @@ def in_parts(checks, folder):
         done.terminate()
         said = done.communicate(timeout=10)[0]
     files = sorted(parts.iterdir(), key=lambda file: file.stat().st_mtime)
+    # The oldest that is left has the name of the whole, and the whole is one log.
+    checks.that(files[0].name == "run.log" and files[1].name > "run-0002.log", f"names: {[file.name for file in files]}")
+    status, table, problem = cli("log", "info", parts / "run.log", "--check")
+    checks.that(status == 0 and f"{len(files)} parts, " in table, f"log info of all parts: {problem}{table[:300]}")
+    counted = re.search(r"^STATE +robot_state_t +(\d+) .* (\d+)$", table, re.MULTILINE)
+    quick = re.search(r"^STATE +robot_state_t +(\d+) ", cli("log", "info", parts / "run.log")[1], re.MULTILINE)
+    checks.that(counted and quick and counted[1] == quick[1] and counted[2] == "0", f"counted and by index: {counted and counted[0]} {quick and quick[0]}")
+    ticks = [int(row.split(",")[1]) for row in cli("log", "csv", parts / "run.log", "STATE", "--fields", "tick")[1].splitlines()[1:]]
+    checks.that(ticks == list(range(ticks[0], ticks[0] + len(ticks))), "a table of all parts has every tick")
+    # Alone they are parts.
+    whole = parts / "run.log"
+    files[0] = whole.rename(parts / "alone.log")
     checks.that(2 <= len(files) <= 4, f"{len(files)} parts are left: {said[-300:]}")
     checks.at_most(sum(file.stat().st_size for file in files), 4.8e6, "bytes of all parts")
     spans = []

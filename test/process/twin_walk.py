@@ -43,7 +43,7 @@ class Walk:
     @staticmethod
     def _table(log, channel, fields):
         file = pathlib.Path(log).with_name(f"{channel}.csv")
-        status, _, error = cli("log", "csv", log, channel, file, "--fields", fields)
+        status, _, error = cli("log", "csv", log, channel, file, "--fields", fields, "--numbers")
         if status != 0:
             raise RuntimeError(error)
         with open(file, newline="", encoding="utf-8") as source:

@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
 #include <cstring>
+#include <filesystem>
+#include <fstream>
 
 #include "test/viewer_log/log_samples.h"
 
@@ -185,6 +189,107 @@ TEST(LogReader, SeekFindsTheFirstEventAtOrAfterATime) {
   reader.seek(0);
   ASSERT_TRUE(reader.next(event));
   EXPECT_EQ(event.number, 0);
+}
+
+// Logs in several files, in a folder of their own.
+class LogParts : public ::testing::Test {
+ protected:
+  void SetUp() override { std::filesystem::create_directories(folder_); }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+  std::string file(const std::string& name) const { return folder_ + "/" + name; }
+  // Ticks from first on, one per 2 ms.
+  void write(const std::string& name, int first, int count) const {
+    LogWriter writer(file(name));
+    std::vector<std::uint8_t> data(100);
+    for (int i = first; i < first + count; ++i) {
+      data[0] = static_cast<std::uint8_t>(i);
+      writer.add(1'000'000 + 2000 * i, "STATE", data);
+    }
+    writer.close();
+  }
+  static std::vector<std::int64_t> times(LogReader& reader) {
+    std::vector<std::int64_t> all;
+    for (LogEvent event; reader.next(event);) {
+      if (event.channel == "STATE") all.push_back((event.utime - 1'000'000) / 2000);
+    }
+    return all;
+  }
+  const std::string folder_ = (std::filesystem::temp_directory_path() /
+                               ("twinbus_log_parts." + std::to_string(getpid())))
+                                  .string();
+};
+
+TEST_F(LogParts, TheFirstPartStandsForAllOfThem) {
+  write("run.log", 0, 1000);
+  write("run-0002.log", 1000, 700);
+  write("run-0010.log", 1700, 800);
+  write("run-12.log", 5000, 10);    // no part
+  write("other-0002.log", 1, 10);  // of another log
+  LogReader reader(file("run.log"));
+  EXPECT_EQ(reader.parts(), 3);
+  const std::vector<std::int64_t> all = times(reader);
+  ASSERT_EQ(all.size(), 2500U);
+  for (std::size_t i = 0; i < all.size(); ++i) ASSERT_EQ(all[i], static_cast<std::int64_t>(i));
+  EXPECT_EQ(reader.damage().places, 0);
+  EXPECT_EQ(log_of_part(file("run-0002.log")), file("run.log"));
+  EXPECT_EQ(log_of_part(file("run-12.log")), "");
+  LogReader alone(file("run-0002.log"));
+  EXPECT_EQ(alone.parts(), 1);
+  EXPECT_EQ(times(alone).size(), 700U);
+}
+
+TEST_F(LogParts, ASeekFindsAnyMomentOfAnyPart) {
+  for (int part = 0; part < 20; ++part)
+    write(part == 0 ? "run.log" : log_part_name("run.log", part + 1), 300 * part, 300);
+  LogReader reader(file("run.log"));
+  EXPECT_EQ(reader.parts(), 20);
+  LogEvent event;
+  for (int tick = 0; tick < 6000; tick += 37) {
+    reader.seek(1'000'000 + 2000 * tick);
+    do {
+      ASSERT_TRUE(reader.next(event));
+    } while (event.channel != "STATE");
+    ASSERT_EQ(event.utime, 1'000'000 + 2000 * tick);
+  }
+}
+
+TEST_F(LogParts, EveryEventOfEveryPartHasItsSum) {
+  write("run.log", 0, 1000);
+  write("run-0002.log", 1000, 1000);
+  LogReader reader(file("run.log"));
+  LogCheck check;
+  for (LogEvent event; reader.next(event);) check.add(event);
+  EXPECT_EQ(check.checked(), 2000);
+  EXPECT_EQ(check.wrong() + check.missing(), 0);
+}
+
+TEST_F(LogParts, APartThatIsCutCostsOnlyItsEnd) {
+  write("run.log", 0, 1000);
+  write("run-0002.log", 1000, 1000);
+  std::filesystem::resize_file(file("run.log"), 50'000);
+  LogReader reader(file("run.log"));
+  const std::vector<std::int64_t> all = times(reader);
+  EXPECT_EQ(all.back(), 1999);
+  EXPECT_EQ(std::count_if(all.begin(), all.end(), [](auto tick) { return tick >= 1000; }), 1000);
+  EXPECT_EQ(reader.damage().places, 1);
+}
+
+TEST_F(LogParts, PartsOfAnOlderRecordingAreNotOfThisOne) {
+  write("run-0002.log", 0, 100);
+  write("run.log", 5000, 100);
+  LogReader reader(file("run.log"));
+  EXPECT_EQ(reader.parts(), 1);
+  EXPECT_EQ(times(reader).size(), 100U);
+}
+
+TEST_F(LogParts, ANewPartIsFoundWhileTheLogGrows) {
+  write("run.log", 0, 100);
+  LogReader reader(file("run.log"));
+  EXPECT_EQ(times(reader).size(), 100U);
+  write("run-0002.log", 100, 50);
+  reader.look_for_more();
+  EXPECT_EQ(reader.parts(), 2);
+  EXPECT_EQ(times(reader).size(), 50U);
 }
 
 }  // namespace

@@ -24,7 +24,8 @@ struct LogEvent {
   std::int64_t utime = 0;   // [us] since 1970
   std::string_view channel;
   std::span<const std::uint8_t> data;
-  std::int64_t offset = 0;              // in the file
+  std::int64_t offset = 0;              // in the log
+  std::int64_t offset_in_part = 0;      // in the file, of a log that has several
   std::span<const std::uint8_t> bytes;  // the whole event
 };
 

@@ -9,6 +9,8 @@
 #include <system_error>
 #include <utility>
 
+#include "viewer_log/log/log_reader.h"
+
 namespace twinbus {
 
 namespace {
@@ -22,7 +24,14 @@ constexpr std::size_t kMostShelved = 60;
 std::optional<ShelvedLog> shelved(const fs::path& file, std::string name) {
   struct stat about {};
   if (stat(file.c_str(), &about) != 0 || !S_ISREG(about.st_mode) || about.st_size == 0) return {};
-  return ShelvedLog{std::move(name), file.string(), about.st_size, about.st_mtime};
+  std::int64_t bytes = about.st_size, changed = about.st_mtime;
+  const std::vector<std::string> parts = log_parts(file.string());
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    if (stat(parts[i].c_str(), &about) != 0) continue;
+    bytes += about.st_size;
+    changed = std::max<std::int64_t>(changed, about.st_mtime);
+  }
+  return ShelvedLog{std::move(name), file.string(), bytes, changed};
 }
 
 }  // namespace

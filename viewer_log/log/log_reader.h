@@ -6,6 +6,7 @@
 
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -21,9 +22,16 @@ struct LogDamage {
   bool cut = false;         // the last event is not complete
 };
 
+// run.log, 3 -> run-0003.log.
+std::string log_part_name(const std::string& file, int part);
+// The files of the log that this one is the first part of, in order, itself first; of any other file itself alone.
+std::vector<std::string> log_parts(const std::string& file);
+// run-0003.log -> run.log, when that is there and has this part; else empty.
+std::string log_of_part(const std::string& file);
+
 class LogReader {
  public:
-  // Throws std::runtime_error naming a file that cannot be read.
+  // The log and the parts that follow it.  Throws std::runtime_error naming a file that cannot be read.
   explicit LogReader(const std::string& file);
   // The bytes of a log; they must outlive the reader.
   explicit LogReader(std::span<const std::uint8_t> bytes);
@@ -40,9 +48,13 @@ class LogReader {
   void go_to(std::int64_t offset);
 
   std::int64_t offset() const { return offset_; }
-  std::int64_t size() const { return size_; }
+  std::int64_t size() const { return size_; }  // [bytes] of all parts
   const LogDamage& damage() const { return damage_; }
-  // What follows the end is taken in: a log that is still being written.
+  int parts() const { return static_cast<int>(std::max<std::size_t>(parts_.size(), 1)); }
+  // Where a part begins and ends.
+  std::int64_t part_begin(int part) const;
+  std::int64_t part_end(int part) const;
+  // What follows the end is taken in, also new parts: a log that is still being written.
   void look_for_more();
 
  private:
@@ -58,7 +70,17 @@ class LogReader {
   std::int64_t next_mark(std::int64_t from, std::int64_t to);
   bool event_at(std::int64_t& offset, LogEvent& event, LogDamage& damage);
 
-  int fd_ = -1;
+  struct Part {
+    std::string file;
+    int fd = -1;
+    std::int64_t begin = 0, size = 0;
+  };
+  void add_part(const std::string& file);
+  bool is_part_begin(std::int64_t offset) const;
+  const Part* part_at(std::int64_t offset) const;
+  bool read(std::int64_t offset, std::size_t count);
+
+  std::vector<Part> parts_;  // none: memory_
   std::span<const std::uint8_t> memory_;
   std::int64_t size_ = 0, offset_ = 0;
   LogDamage damage_;

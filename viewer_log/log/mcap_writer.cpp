@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 #include <zlib.h>
+#include <zstd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -15,6 +16,8 @@ namespace twinbus {
 namespace {
 
 constexpr std::string_view kMagic("\x89MCAP0\r\n", 8);
+constexpr char kCompression[] = "zstd";
+constexpr int kLevel = 1;  // of zstd: a tenth of the bytes, faster than a disk
 
 enum Opcode : char {
   kHeader = 0x01,
@@ -132,6 +135,12 @@ void McapChunk::add(std::uint16_t channel, std::uint32_t sequence, std::int64_t 
 void McapChunk::close() {
   crc_ = static_cast<std::uint32_t>(crc32(0, reinterpret_cast<const Bytef*>(records_.data()),
                                           static_cast<uInt>(records_.size())));
+  compressed_.resize(ZSTD_compressBound(records_.size()));
+  const std::size_t bytes = ZSTD_compress(compressed_.data(), compressed_.size(), records_.data(),
+                                          records_.size(), kLevel);
+  if (ZSTD_isError(bytes) != 0)
+    throw std::runtime_error(std::string("mcap: zstd: ") + ZSTD_getErrorName(bytes));
+  compressed_.resize(bytes);
 }
 
 McapChunk McapWriter::begin_chunk(std::size_t expected) {
@@ -149,16 +158,17 @@ void McapWriter::put(const McapChunk& chunk) {
   place.last_ns = chunk.last_ns_;
   place.offset = static_cast<std::uint64_t>(size_);
   place.bytes = chunk.records_.size();
+  place.compressed = chunk.compressed_.size();
   std::string out;
-  put_head(out, kChunkRecord, 8 + 8 + 8 + 4 + 4 + 8 + place.bytes);
+  put_head(out, kChunkRecord, 8 + 8 + 8 + 4 + 4 + std::strlen(kCompression) + 8 + place.compressed);
   put_number(out, place.first_ns);
   put_number(out, place.last_ns);
   put_number(out, place.bytes);
   put_number(out, chunk.crc_);
-  put_text(out, "");  // not compressed
-  put_number(out, place.bytes);
+  put_text(out, kCompression);
+  put_number(out, place.compressed);
   write(out);
-  write(chunk.records_);
+  write(chunk.compressed_);
   place.length = static_cast<std::uint64_t>(size_) - place.offset;
   out.clear();
   for (const auto& [channel, index] : chunk.indexes_) {
@@ -203,8 +213,8 @@ void McapWriter::close() {
     put_number(content, place.length);
     content += offsets(place.indexes);
     put_number(content, place.index_length);
-    put_text(content, "");
-    put_number(content, place.bytes);
+    put_text(content, kCompression);
+    put_number(content, place.compressed);
     put_number(content, place.bytes);
     write(record(kChunkIndex, content));
   }

@@ -1,6 +1,6 @@
 // Writes MCAP files (mcap.dev): self-describing logs that Foxglove and PlotJuggler open, in chunks with an index at the end.
 //
-// Knows the container only; message_json.h says what a message is in JSON.  Uncompressed, each chunk with its CRC.
+// Knows the container only; message_json.h says what a message is in JSON.  Chunks are compressed with zstd, each with its CRC.
 // Chunks stand by themselves, so that several threads can fill one each; they are written in the order of the log.
 
 #pragma once
@@ -18,12 +18,13 @@ class McapChunk {
  public:
   void add(std::uint16_t channel, std::uint32_t sequence, std::int64_t time_ns,
            std::string_view json);
-  // No more messages; sums it up.
+  // No more messages; sums it up and compresses it.
   void close();
 
  private:
   friend class McapWriter;
   std::string records_;                           // begins with the channels that are new in it
+  std::string compressed_;                        // of a closed chunk
   std::map<std::uint16_t, std::string> indexes_;  // times and offsets per channel, encoded
   std::uint64_t first_ns_ = 0, last_ns_ = 0;
   std::int64_t messages_ = 0;
@@ -54,7 +55,8 @@ class McapWriter {
 
  private:
   struct ChunkPlace {
-    std::uint64_t first_ns = 0, last_ns = 0, offset = 0, length = 0, bytes = 0, index_length = 0;
+    std::uint64_t first_ns = 0, last_ns = 0, offset = 0, length = 0, bytes = 0, compressed = 0,
+                  index_length = 0;
     std::map<std::uint16_t, std::uint64_t> indexes;  // where the index of each channel lies
   };
   void write(std::string_view bytes);

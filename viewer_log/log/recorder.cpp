@@ -10,6 +10,8 @@
 #include <filesystem>
 #include <utility>
 
+#include "viewer_log/log/log_reader.h"
+
 namespace twinbus {
 
 namespace {
@@ -33,6 +35,9 @@ std::int64_t utime_of(std::span<const std::uint8_t> event) { return read_i64(eve
 
 Recorder::Recorder(const RecorderConfig& config) : config_(config) {
   next_part();
+  // Parts of a recording that had this name before: its first part has just been emptied.
+  const std::vector<std::string> left = log_parts(config_.file);
+  for (std::size_t i = 1; i < left.size(); ++i) (void)::unlink(left[i].c_str());
   thread_ = std::thread([this] { work(); });
 }
 
@@ -82,23 +87,14 @@ void Recorder::say(const std::string& sentence) {
   news_ = sentence;
 }
 
-std::string Recorder::part_name(int part) const {
-  if (part == 1) return config_.file;
-  const std::filesystem::path path(config_.file);
-  char number[16];
-  std::snprintf(number, sizeof number, "-%04d", part);
-  return (path.parent_path() / (path.stem().string() + number + path.extension().string()))
-      .string();
-}
-
 void Recorder::next_part() {
-  auto next =
-      std::make_unique<LogWriter>(part_name(part_ + 1));  // may throw: then the old one goes on
-  if (writer_ != nullptr) {
-    (void)writer_->write_index();
-    parts_.push_back({part_name(part_), writer_->size()});
-  }
+  // Whoever sees the next part finds the one before complete.
+  if (writer_ != nullptr) (void)writer_->write_index();
+  const std::string file = log_part_name(config_.file, part_ + 1);
+  auto next = std::make_unique<LogWriter>(file);  // may throw: then the old one goes on
+  if (writer_ != nullptr) parts_.push_back({part_file_, writer_->size(), part_utime_});
   writer_ = std::move(next);
+  part_file_ = file;
   ++part_;
   described_utime_ = 0;
   const std::lock_guard lock(mutex_);
@@ -110,8 +106,13 @@ void Recorder::apply_quota() {
   std::int64_t all = writer_->size();
   for (const Part& part : parts_) all += part.bytes;
   while (all > config_.quota_bytes && !parts_.empty()) {
+    const std::int64_t next_utime = parts_.size() > 1 ? parts_[1].utime : part_utime_;
+    if (1e-6 * static_cast<double>(newest_utime_ - next_utime) < config_.keep_seconds) return;
+    // The oldest part that is left takes the place of the one that goes, so that the log keeps its name.
+    std::string& next = parts_.size() > 1 ? parts_[1].file : part_file_;
+    if (std::rename(next.c_str(), config_.file.c_str()) != 0) return;
+    next = config_.file;
     all -= parts_.front().bytes;
-    (void)::unlink(parts_.front().file.c_str());
     parts_.pop_front();
   }
 }
@@ -136,9 +137,9 @@ void Recorder::write_out(std::vector<std::uint8_t>& events) {
   const bool failed = done < events.size();
   if (failed && !failing_) {
     const char* why = has_room ? std::strerror(writer_->error()) : "the disk is full";
-    say("recording stopped: " + part_name(part_) + ": " + why + "; it goes on when there is room");
+    say("recording stopped: " + part_file_ + ": " + why + "; it goes on when there is room");
   } else if (!failed && failing_) {
-    say("recording goes on in " + part_name(part_));
+    say("recording goes on in " + part_file_);
   }
   failing_ = failed;
   const std::lock_guard lock(mutex_);

@@ -21,10 +21,12 @@
 namespace twinbus {
 
 struct RecorderConfig {
-  std::string file;              // the next parts are called file-0002 and so on, before the ending
-  std::int64_t split_bytes = 0;  // a new part after so much; 0: never
-  double split_seconds = 0.0;    // a new part after so long; 0: never
-  std::int64_t quota_bytes = 0;  // of all parts: then the oldest is removed; 0: no quota
+  std::string
+      file;  // the next parts are called file-0002 and so on, before the ending; see log_reader.h
+  std::int64_t split_bytes = 0;       // a new part after so much; 0: never
+  double split_seconds = 0.0;         // a new part after so long; 0: never
+  std::int64_t quota_bytes = 0;       // of all parts: then the oldest is removed; 0: no quota
+  double keep_seconds = 0.0;          // the newest so many stay whatever the quota says
   std::int64_t keep_free = 64 << 20;  // left on the disk for others [bytes], at most a tenth of it
 };
 
@@ -61,7 +63,6 @@ class Recorder {
   void split_if_full();
   void apply_quota();
   void say(const std::string& sentence);
-  std::string part_name(int part) const;
 
   const RecorderConfig config_;
   mutable std::mutex mutex_;
@@ -79,8 +80,11 @@ class Recorder {
   struct Part {
     std::string file;
     std::int64_t bytes;
+    std::int64_t utime;  // of its first event
   };
-  std::deque<Part> parts_;  // closed ones that are still there
+  std::deque<Part>
+      parts_;  // closed ones that are still there; the oldest always has the name of the whole
+  std::string part_file_;  // of the part that is being written
   int part_ = 0;
   bool failing_ = false, cannot_split_ = false;
   std::int64_t part_utime_ = 0, described_utime_ = 0, newest_utime_ = 0;
