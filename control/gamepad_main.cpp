@@ -12,17 +12,17 @@
 #include <memory>
 #include <string>
 
+#include "common/process/options.h"
+#include "common/process/process.h"
 #include "control/teleop/hand_target.h"
 #include "control/teleop/raw_terminal.h"
 #include "control/teleop/sdl_pad.h"
 #include "control/teleop/teleop.h"
 #include "lcmtypes/bus/bus.h"
 #include "lcmtypes/bus/channels.h"
-#include "robot/estimation/estimator.h"
-#include "robot/description/load.h"
-#include "common/process/options.h"
-#include "common/process/process.h"
 #include "lcmtypes/msg/state_admission.h"
+#include "robot/description/load.h"
+#include "robot/estimation/estimator.h"
 
 using namespace twinbus;
 
@@ -182,6 +182,7 @@ class Arm {
     target_.move(Eigen::Vector3d(by.data()), at.translation());
   }
   void stop() { target_.stop(); }
+  bool walks() const { return mode_ == Mode::kWalk; }
   void send(Bus& bus, const RobotState& state, std::int64_t utime, std::int64_t now) {
     ArmGoal goal;
     if (!target_.next(now, state.run_id, random_id(), goal)) return;
@@ -218,7 +219,10 @@ class Arm {
   };
   struct OnStatus {
     Arm* a;
-    void operator()(const ControllerStatus& m) const { a->target_.on_status(m); }
+    void operator()(const ControllerStatus& m) const {
+      a->target_.on_status(m);
+      a->mode_ = m.mode;
+    }
   };
   struct OnGamepad {
     Arm* a;
@@ -233,13 +237,14 @@ class Arm {
   HandTarget target_;
   bool heard_ = false, known_ = false, held_ = false, drives_ = false;
   std::int64_t other_ns_ = 0;
+  Mode mode_ = Mode::kNone;
   OnPath on_path_{this};
   OnStatus on_status_{this};
   OnGamepad on_gamepad_{this};
 };
 
 // One line that is written over, on a terminal only.
-void show(const Teleop& teleop, const Gamepad& pad, const RobotState& state, bool fresh,
+void show(const Teleop& teleop, const Gamepad& pad, const RobotState& state, bool fresh, bool walks,
           const std::string& hand) {
   const char* source = !fresh                                   ? "no source"
                        : state.source == SourceKind::kSimulator ? "SIMULATOR"
@@ -250,10 +255,11 @@ void show(const Teleop& teleop, const Gamepad& pad, const RobotState& state, boo
                      : pad.deadman         ? "HOLDING  "
                                            : "let go   ";
   std::printf(
-      "\r%-9s term %-4d %s%s  lean forward %+.2f left %+.2f  height %+.2f  turn %+.2f  %s \x1b[K",
+      "\r%-9s term %-4d %s%s  %s forward %+.2f left %+.2f  height %+.2f  turn %+.2f  %s \x1b[K",
       source, fresh ? state.term : 0, grip,
-      fresh && state.stop_kind != StopKind::kNone ? "  (robot stopped)" : "", double{pad.left_y},
-      double{pad.left_x}, double{pad.right_y}, double{pad.right_x}, hand.c_str());
+      fresh && state.stop_kind != StopKind::kNone ? "  (robot stopped)" : "",
+      walks ? "walk" : "lean", double{pad.left_y}, double{pad.left_x}, double{pad.right_y},
+      double{pad.right_x}, hand.c_str());
   std::fflush(stdout);
 }
 
@@ -411,7 +417,7 @@ void run(const Arguments& options) {
     arm.send(bus, state, utime, monotonic_ns());
     if (cycle % kHeartbeatEvery == 0) {
       sent = bus.send_heartbeat(heartbeat(bus, id, cycle, message.connected)) && sent;
-      if (show_line) show(teleop, message, state, fresh, arm.words());
+      if (show_line) show(teleop, message, state, fresh, arm.walks(), arm.words());
     }
     static_cast<void>(sent);  // counted by the bus
   }

@@ -59,6 +59,21 @@ const char* reason_name(StopReason reason) noexcept {
   return "unknown reason";
 }
 
+// An alarm only where somebody has to act: who asked for a stop knows of it.
+int severity_of(StopReason reason) noexcept {
+  switch (reason) {
+    case StopReason::kOperator:
+    case StopReason::kGamepad:
+    case StopReason::kViewer:
+      return 1;
+    case StopReason::kLauncher:
+    case StopReason::kSwitch:
+      return 0;
+    default:
+      return 2;
+  }
+}
+
 const char* role_sentence(Role before, Role now) noexcept {
   switch (now) {
     case Role::kActive:
@@ -92,7 +107,8 @@ bool next_sentence(SourceStatus& told, const SourceStatus& now, Event& event) no
   }
   if (told.stop_kind != now.stop_kind) {
     if (now.stop_kind != StopKind::kNone) {
-      say(event, 2, "stop '%s': %s", stop_name(now.stop_kind), reason_name(now.stop_reason));
+      say(event, severity_of(now.stop_reason), "stop '%s': %s", stop_name(now.stop_kind),
+          reason_name(now.stop_reason));
     } else {
       say(event, 0, "stop cleared");
     }
@@ -110,7 +126,7 @@ bool next_sentence(SourceStatus& told, const SourceStatus& now, Event& event) no
   told.refusal_sequence = now.refusal_sequence;
   if (told.adaptor_status != now.adaptor_status) {
     told.adaptor_status = now.adaptor_status;
-    say(event, now.adaptor_status == 0 ? 0 : 2, "device: %s",
+    say(event, now.adaptor_status == 0 ? 0 : 1, "device: %s",
         to_text(static_cast<Status>(now.adaptor_status)));
     return true;
   }

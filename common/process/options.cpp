@@ -253,15 +253,17 @@ void Options::parse(int argc, char** argv) {
 }
 
 std::string Options::help() const {
-  std::string text = program_;
+  // ./twinbus gamepad runs twinbus_gamepad: what was typed is what is explained.
+  const char* command = std::getenv("TWINBUS_COMMAND");
+  std::string text = "usage: " + (command != nullptr ? std::string(command) : program_);
   for (const Entry& entry : positionals_) {
     const std::string name = entry.value_name + (entry.kind == Kind::kRest ? "..." : "");
     text += entry.required ? " " + name : " [" + name + "]";
   }
-  text += " [options]\n\n" + summary_ + "\n\n";
+  text += " [OPTION...]\n" + summary_ + "\n";
   const auto line = [&](const Entry& entry, const std::string& head) {
     std::string row = "  " + head;
-    row += row.size() < 32 ? std::string(32 - row.size(), ' ') : "\n" + std::string(32, ' ');
+    row += row.size() < 24 ? std::string(24 - row.size(), ' ') : "  ";
     text += row + entry.help;
     if (!entry.fallback.empty()) text += " (default: " + entry.fallback + ")";
     text += "\n";
@@ -270,8 +272,7 @@ std::string Options::help() const {
   for (const Entry& entry : options_) {
     line(entry, entry.name + (entry.value_name.empty() ? "" : " " + entry.value_name));
   }
-  text += "  --help                        shows this and exits\n";
-  return text;
+  return text + "Exit status: 0 done, 1 failed, 2 wrong arguments.\n";
 }
 
 namespace {

@@ -22,10 +22,12 @@ struct AxisRow {
   const char* effect;
 };
 constexpr std::array<AxisRow, 4> kAxes{{
-    {1, -1.0, &Gamepad::left_y, "left stick forward / back", "lean forward / back"},
-    {0, -1.0, &Gamepad::left_x, "left stick left / right", "lean left / right"},
+    {1, -1.0, &Gamepad::left_y, "left stick forward / back",
+     "lean forward / back; in mode walk: walk"},
+    {0, -1.0, &Gamepad::left_x, "left stick left / right",
+     "lean left / right; in mode walk: step aside"},
     {3, -1.0, &Gamepad::right_y, "right stick down", "crouch"},
-    {2, -1.0, &Gamepad::right_x, "right stick left / right", "turn (when walking)"},
+    {2, -1.0, &Gamepad::right_x, "right stick left / right", "turn, in mode walk"},
 }};
 
 // While this one is held too, the sticks move a hand and leave the body alone.
@@ -49,12 +51,14 @@ struct ButtonRow {
   const char* control;
   const char* effect;
 };
-constexpr std::array<ButtonRow, 9> kButtons{{
+constexpr std::array<ButtonRow, 10> kButtons{{
     {kPadB, TeleopAction::kStop, false, "B", "STOP, at any time"},
     {kPadBack | kPadStart, TeleopAction::kClear, false, "back + start", "clear the stop"},
     {kDeadmanButton, TeleopAction::kDeadman, false, "left bumper (LB), held",
      "dead-man: everything below works only while it is held"},
     {kPadA, TeleopAction::kBalance, true, "A", "balance, standing still"},
+    {kPadUp, TeleopAction::kWalk, true, "cross up",
+     "walk: the sticks then walk and turn; A stands again"},
     {kPadX, TeleopAction::kSway, true, "X", "sway from side to side"},
     {kPadY, TeleopAction::kSquat, true, "Y", "squat up and down"},
     {kPadDown, TeleopAction::kHold, true, "cross down", "hold the posture"},
@@ -72,23 +76,25 @@ struct KeyRow {
   const char* effect;
 };
 constexpr float kStep = 0.1f;
-constexpr std::array<KeyRow, 17> kKeys{{
+constexpr std::array<KeyRow, 18> kKeys{{
     {' ', 0, nullptr, 0, TeleopAction::kStop, "space", "STOP, at any time"},
     {'c', 0, nullptr, 0, TeleopAction::kClear, "c", "clear the stop"},
     {'w', kKeyUp, &Gamepad::left_y, kStep, TeleopAction::kNone, "w, arrow up",
-     "lean forward, a step more"},
+     "lean forward, a step more; in mode walk: walk"},
     {'s', kKeyDown, &Gamepad::left_y, -kStep, TeleopAction::kNone, "s, arrow down", "lean back"},
     {'a', kKeyLeft, &Gamepad::left_x, kStep, TeleopAction::kNone, "a, arrow left", "lean left"},
     {'d', kKeyRight, &Gamepad::left_x, -kStep, TeleopAction::kNone, "d, arrow right", "lean right"},
     {'i', 0, &Gamepad::right_y, kStep, TeleopAction::kNone, "i", "rise again"},
     {'k', 0, &Gamepad::right_y, -kStep, TeleopAction::kNone, "k", "crouch, a step more"},
-    {'j', 0, &Gamepad::right_x, kStep, TeleopAction::kNone, "j", "turn left (when walking)"},
-    {'l', 0, &Gamepad::right_x, -kStep, TeleopAction::kNone, "l", "turn right (when walking)"},
+    {'j', 0, &Gamepad::right_x, kStep, TeleopAction::kNone, "j", "turn left, in mode walk"},
+    {'l', 0, &Gamepad::right_x, -kStep, TeleopAction::kNone, "l", "turn right, in mode walk"},
     {'x', '0', nullptr, 0, TeleopAction::kCentre, "x, 0", "centre: all of the above back to zero"},
     {'1', 0, nullptr, 0, TeleopAction::kBalance, "1", "balance, standing still"},
     {'2', 0, nullptr, 0, TeleopAction::kSway, "2", "sway from side to side"},
     {'3', 0, nullptr, 0, TeleopAction::kSquat, "3", "squat up and down"},
     {'4', 0, nullptr, 0, TeleopAction::kHold, "4", "hold the posture"},
+    {'5', 0, nullptr, 0, TeleopAction::kWalk, "5",
+     "walk: w s a d then walk, j l turn; 1 stands again"},
     {'h', 0, nullptr, 0, TeleopAction::kOtherHand, "h", "the other hand is the one to move"},
     {'q', 3, nullptr, 0, TeleopAction::kQuit, "q, Ctrl-C", "let go and quit"},
 }};
@@ -306,6 +312,9 @@ bool to_mode_request(TeleopAction action, ModeRequest& request) noexcept {
       request.amplitude = 0.05f;
       request.frequency = 0.3f;
       return true;
+    case TeleopAction::kWalk:
+      request.mode = Mode::kWalk;
+      return true;
     case TeleopAction::kHold:
       request.mode = Mode::kHold;
       return true;
@@ -317,7 +326,10 @@ bool to_mode_request(TeleopAction action, ModeRequest& request) noexcept {
 std::string cheat_sheet(bool keyboard) {
   std::string text;
   if (keyboard) {
-    text += "keyboard: each key moves a set point by a tenth; nothing has to be held down\n";
+    text +=
+        "keyboard: each key moves a set point by a tenth; there is no dead-man key: the set points "
+        "stay until x, space, or\n"
+        "30 s without a key\n";
     for (const KeyRow& row : kKeys) append_row(text, row.control, row.effect);
     append_row(text, "W S A D, with shift",
                "hand 20 mm forward, back, left, right, around everything");

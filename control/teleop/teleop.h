@@ -25,6 +25,7 @@ enum PadButton : std::int32_t {
   kPadStart = 1 << 6,
   kPadLeftShoulder = 1 << 9,
   kPadRightShoulder = 1 << 10,
+  kPadUp = 1 << 11,
   kPadDown = 1 << 12,
   kPadLeft = 1 << 13,
   kPadRight = 1 << 14,
@@ -51,6 +52,7 @@ enum class TeleopAction {
   kSway,
   kSquat,
   kHold,
+  kWalk,
   kCentre,  // keyboard: all set points to zero
   kOtherHand,
   kLeftHand,

@@ -1,5 +1,6 @@
 #include "launcher/bus/bus_health.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstring>
 
@@ -13,6 +14,9 @@ constexpr std::int64_t kEvery = 1'000'000'000;  // counts are compared after so 
 constexpr std::int64_t kQuiet =
     10'000'000'000;                 // between two alarms of a process and a channel [ns]
 constexpr std::int32_t kMany = 25;  // lost or refused in that time
+constexpr std::int64_t kSettle = 5'000'000'000;  // a process and its channels begin [ns]
+constexpr std::int32_t kJump =
+    10;  // times more lost than received: the numbers of a new run, no loss
 constexpr std::int32_t kBusy = 50;  // received in that time: it goes on, or something is wrong
 constexpr float kSilence_ms = 250.0F;
 
@@ -45,6 +49,8 @@ std::vector<std::string> BusHealth::look(const std::vector<const SeenProcess*>& 
     const FullHeartbeat& beat = process->beat;
     for (std::size_t i = 0; i < static_cast<std::size_t>(beat.channels); ++i) {
       Row& row = rows_[{beat.process_id, beat.channel[i]}];
+      if (row.since_ns == 0) row.since_ns = now_ns;
+      const bool settled = now_ns - row.since_ns > kSettle;
       const bool may_tell = row.told_ns == 0 || now_ns - row.told_ns > kQuiet;
       const std::size_t before = alarms.size();
       const bool silent =
@@ -60,11 +66,13 @@ std::vector<std::string> BusHealth::look(const std::vector<const SeenProcess*>& 
         const bool first = row.looked_ns == 0;
         const std::int32_t lost = beat.channel_lost[i] - row.lost;
         const std::int32_t rejected = beat.channel_rejected[i] - row.rejected;
-        if (!first && lost >= kMany && may_tell)
-          alarms.push_back(sentence(beat, i, lost, "are missing"));
-        if (!first && rejected >= kMany && may_tell)
-          alarms.push_back(sentence(beat, i, rejected, "were refused"));
         const std::int32_t received = beat.channel_received[i] - row.received;
+        // Only the loop's own channels: what a standby source misses, nobody acts on.
+        const bool concerns = !first && settled && may_tell && never_ends(heard_channel(beat, i));
+        if (concerns && lost >= kMany && lost <= kJump * std::max(received, 1))
+          alarms.push_back(sentence(beat, i, lost, "are missing"));
+        if (concerns && rejected >= kMany)
+          alarms.push_back(sentence(beat, i, rejected, "were refused"));
         if (!first && (received > 0 || !silent)) row.busy = received >= kBusy;
         row.looked_ns = now_ns;
         row.received = beat.channel_received[i];

@@ -22,7 +22,7 @@ class BusHealth {
 
  private:
   struct Row {  // one channel of one process, a second ago
-    std::int64_t looked_ns = 0, told_ns = 0;
+    std::int64_t since_ns = 0, looked_ns = 0, told_ns = 0;
     std::int32_t received = 0, lost = 0, rejected = 0;
     bool busy = false, silent = false;
   };

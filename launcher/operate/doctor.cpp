@@ -17,10 +17,10 @@
 #include <sstream>
 
 #include "common/process/arguments.h"
+#include "common/process/process.h"
 #include "launcher/bus/bus_link.h"
 #include "launcher/stack/run_folder.h"
 #include "lcmtypes/bus/bus.h"
-#include "common/process/process.h"
 
 namespace twinbus {
 
@@ -199,12 +199,17 @@ void check_packages(Report& report) {
     if (line.starts_with("Package: ")) name = line.substr(9);
     if (line == "Status: install ok installed") installed.push_back(name);
   }
-  std::string missing;
+  std::string missing, for_spy;
   std::size_t count = 0;
   for (std::string line; std::getline(list, line);) {
     std::istringstream words(line);
     std::string package;
     words >> package;
+    if (package == "spy:" && words >> package &&
+        std::find(installed.begin(), installed.end(), package) == installed.end()) {
+      for_spy += " " + package;
+      continue;
+    }
     if (package.empty() || package[0] == '#' || package.ends_with(':')) continue;
     ++count;
     if (std::find(installed.begin(), installed.end(), package) == installed.end())
@@ -215,6 +220,10 @@ void check_packages(Report& report) {
                  ? "all " + std::to_string(count) + " packages of config/packages.txt are installed"
                  : "packages are missing:" + missing,
              "sudo apt-get install" + missing);
+  if (!for_spy.empty()) {
+    report.add(Health::kCould, "packages that only ./twinbus spy needs are missing:" + for_spy,
+               "sudo apt-get install" + for_spy);
+  }
 }
 
 void check_space(Report& report) {

@@ -1,14 +1,15 @@
 #include "launcher/operate/operate.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <stdexcept>
 
 #include "common/process/arguments.h"
+#include "common/process/process.h"
+#include "common/text/closest_name.h"
 #include "launcher/bus/bus_link.h"
 #include "robot/description/load.h"
-#include "common/text/closest_name.h"
-#include "common/process/process.h"
 
 namespace twinbus {
 
@@ -16,6 +17,9 @@ namespace {
 
 constexpr double kAskAgain = 0.1;       // [s]
 constexpr double kAnswerTimeout = 2.0;  // [s]
+constexpr double kWalkEnds = 6.0;       // a walk is brought to rest by then [s]
+constexpr double kPoseRest = 1.0;       // after the time of a pose, until the joints are there [s]
+constexpr double kPoseNear = 0.03;      // [rad or m]
 constexpr int kStopRepeats = 5;         // sent at once, before anything is heard
 
 std::int64_t active_run(BusLink& bus) {
@@ -49,24 +53,82 @@ bool ask_controller(BusLink& bus, ModeRequest& request) {
   return false;
 }
 
+std::string why_it_stays(BusLink& bus, const ModeRequest& request) {
+  const SeenSource* active = bus.seen().active(monotonic_ns());
+  if (active != nullptr && active->status.stop_kind != StopKind::kNone) {
+    return std::string("the robot is stopped (") + stop_name(active->status.stop_kind) +
+           "): ./twinbus clear ends that";
+  }
+  if (bus.seen().controller().mode_sequence != request.sequence)
+    return "the controller does not answer (./twinbus status)";
+  // What the controller said about it.
+  for (const std::string& event : bus.seen().take_events()) {
+    if (event.starts_with("controller: ")) return event.substr(event.find(' ') + 1);
+  }
+  return std::string("the controller stays in mode ") + mode_name(bus.seen().controller().mode);
+}
+
 namespace {
+
+// "the robot sways"
+std::string what_it_does(const ControllerStatus& status) {
+  if (status.mode == Mode::kBalance && status.motion == Motion::kSway) return "the robot sways";
+  if (status.mode == Mode::kBalance && status.motion == Motion::kSquat)
+    return "the robot moves up and down";
+  return std::string("the controller is in mode ") + mode_name(status.mode);
+}
+
+bool does(const ControllerStatus& status, const ModeRequest& request) {
+  // A motion that was ended dies away for a while.
+  return status.mode == request.mode &&
+         (request.motion == Motion::kNone || status.motion == request.motion);
+}
+
+// Until the joints are where they were asked to be; false when something else came first.
+bool wait_for_pose(BusLink& bus, const ModeRequest& request) {
+  const std::int64_t begin = monotonic_ns();
+  const double most = static_cast<double>(request.duration) + kPoseRest;
+  while (!quit_requested() && seconds_since(begin) < most) {
+    bus.listen(0.05);
+    if (bus.seen().controller().mode != Mode::kPose) return false;
+    if (seconds_since(begin) < static_cast<double>(request.duration)) continue;
+    const RobotState& state = bus.seen().newest_state();
+    bool there = true;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(state.joint_count); ++k) {
+      if ((request.joint_mask >> k & 1) != 0 && std::abs(state.q[k] - request.q[k]) > kPoseNear)
+        there = false;
+    }
+    if (there) return true;
+  }
+  return false;
+}
 
 int report_mode(BusLink& bus, const ModeRequest& request, const char* asked) {
   if (bus.seen().controller_statuses().received() == 0)
     throw std::runtime_error("no controller is running");
-  const Mode mode = bus.seen().controller().mode;
-  // A motion that was ended dies away for a while.
-  const bool as_asked =
-      request.motion == Motion::kNone || bus.seen().controller().motion == request.motion;
-  if (mode == request.mode && as_asked) {
-    std::printf("%s: the controller is in mode %s\n", asked, mode_name(mode));
+  // A walk is brought to rest first.
+  const std::int64_t begin = monotonic_ns();
+  while (!quit_requested() && bus.seen().controller().mode == Mode::kWalk &&
+         !does(bus.seen().controller(), request) && seconds_since(begin) < kWalkEnds) {
+    bus.listen(0.05);
+  }
+  bus.listen(0.05);
+  if (!does(bus.seen().controller(), request)) {
+    std::fprintf(stderr, "%s: %s\n", asked, why_it_stays(bus, request).c_str());
+    return 1;
+  }
+  if (request.mode != Mode::kPose) {
+    std::printf("%s: %s\n", asked, what_it_does(bus.seen().controller()).c_str());
     return 0;
   }
-  for (const std::string& event : bus.seen().take_events())
-    std::fprintf(stderr, "%s: %s\n", asked, event.c_str());
-  std::fprintf(stderr, "%s: the controller stays in mode %s; it does not do %s%s\n", asked,
-               mode_name(mode), mode_name(request.mode),
-               request.mode == Mode::kWalk ? " yet" : " now");
+  if (wait_for_pose(bus, request)) {
+    std::printf("%s: the robot is in the pose\n", asked);
+    return 0;
+  }
+  std::fprintf(stderr, "%s: the robot did not get there: %s\n", asked,
+               bus.seen().controller().mode == Mode::kPose
+                   ? "a joint is held or blocked (./twinbus status)"
+                   : why_it_stays(bus, request).c_str());
   return 1;
 }
 

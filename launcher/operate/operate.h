@@ -21,5 +21,7 @@ int squat_command(const std::vector<std::string>& words);
 BusLink open_bus(const Arguments& arguments);
 // Sends request again and again until the controller shows its sequence.  False when it never does.
 bool ask_controller(BusLink& bus, ModeRequest& request);
+// After it was asked: why the controller does not do it, and the remedy.
+std::string why_it_stays(BusLink& bus, const ModeRequest& request);
 
 }  // namespace twinbus

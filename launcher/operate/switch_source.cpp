@@ -7,8 +7,8 @@
 #include <stdexcept>
 
 #include "common/process/arguments.h"
-#include "launcher/bus/bus_link.h"
 #include "common/process/process.h"
+#include "launcher/bus/bus_link.h"
 
 namespace twinbus {
 
@@ -71,7 +71,9 @@ SeenSource find_target(const Lookout& seen, SourceKind kind, std::int64_t wanted
   if (!found) {
     throw std::runtime_error(std::string("no other ") + source_name(kind) + " is running" +
                              (active_is_of_kind ? ": it is active already"
-                                                : "; start one, as in ./twinbus up --stack both"));
+                              : kind == SourceKind::kReplay
+                                  ? ": start one with ./twinbus up --stack replay --log FILE"
+                                  : ": start one, as in ./twinbus up --stack both"));
   }
   return *found;
 }

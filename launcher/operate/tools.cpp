@@ -12,8 +12,8 @@
 #include <stdexcept>
 
 #include "common/process/arguments.h"
-#include "launcher/stack/run_folder.h"
 #include "common/text/closest_name.h"
+#include "launcher/stack/run_folder.h"
 
 namespace twinbus {
 
@@ -21,8 +21,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Becomes the program.
-[[noreturn]] void become(const std::string& program, const std::vector<std::string>& words) {
+// Becomes the program; command: how its --help calls it.
+[[noreturn]] void become(const std::string& program, const std::vector<std::string>& words,
+                         const char* command = nullptr) {
+  if (command != nullptr) setenv("TWINBUS_COMMAND", command, 1);
   std::vector<std::string> copy = words;
   std::string name = program;
   std::vector<char*> arguments = {name.data()};
@@ -62,24 +64,24 @@ int spy_command(const std::vector<std::string>& words) { become(script("spy.sh")
 int env_command(const std::vector<std::string>& words) { become(script("env.sh"), words); }
 
 int gamepad_command(const std::vector<std::string>& words) {
-  become(program_folder() + "/twinbus_gamepad", words);
+  become(program_folder() + "/twinbus_gamepad", words, "./twinbus gamepad");
 }
 
 int replay_command(const std::vector<std::string>& words) {
-  become(program_folder() + "/twinbus_replay", words);
+  become(program_folder() + "/twinbus_replay", words, "./twinbus replay");
 }
 
 int view_command(const std::vector<std::string>& words) {
   std::vector<std::string> given = words;
   given.push_back("--runs");
   given.push_back(runs_folder());
-  become(program_folder() + "/twinbus_log_viewer", given);
+  become(program_folder() + "/twinbus_log_viewer", given, "./twinbus view");
 }
 
 int record_command(const std::vector<std::string>& words) {
   std::vector<std::string> given = words;
   std::replace(given.begin(), given.end(), std::string("-o"), std::string("--output"));
-  become(program_folder() + "/twinbus_recorder", given);
+  become(program_folder() + "/twinbus_recorder", given, "./twinbus record");
 }
 
 int bench_command(const std::vector<std::string>& words) {

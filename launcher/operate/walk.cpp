@@ -4,13 +4,13 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "common/process/arguments.h"
+#include "common/process/process.h"
 #include "control/walk/listed_steps.h"
 #include "control/walk/walk_gains.h"
-#include "common/process/arguments.h"
 #include "launcher/bus/bus_link.h"
 #include "launcher/operate/operate.h"
 #include "robot/description/load.h"
-#include "common/process/process.h"
 
 namespace twinbus {
 
@@ -40,8 +40,7 @@ bool enter_walk(BusLink& bus, ModeRequest& request) {
   if (bus.seen().controller_statuses().received() == 0)
     throw std::runtime_error("no controller is running");
   if (bus.seen().controller().mode == Mode::kWalk) return true;
-  std::fprintf(stderr, "walk: this controller does not walk yet; it stays in mode %s\n",
-               mode_name(bus.seen().controller().mode));
+  std::fprintf(stderr, "walk: %s\n", why_it_stays(bus, request).c_str());
   return false;
 }
 

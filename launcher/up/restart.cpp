@@ -10,8 +10,8 @@
 #include <stdexcept>
 
 #include "common/process/arguments.h"
-#include "launcher/stack/run_folder.h"
 #include "common/process/process.h"
+#include "launcher/stack/run_folder.h"
 
 namespace twinbus {
 
@@ -69,7 +69,15 @@ void RestartRequests::look(Supervisor& supervisor, std::int64_t now_ns) {
   const std::string name = line_of(file);
   ::unlink(file.c_str());
   const std::string refusal = supervisor.restart(name, now_ns);
-  put(folder_ + "/restarted", refusal.empty() ? "ok\n" : refusal + "\n");
+  std::string answer = refusal.empty() ? "ok" : refusal;
+  for (const Supervised& one : supervisor.processes()) {
+    const std::string& program = one.process.program;
+    if (!refusal.empty() || one.process.name != name) continue;
+    if (program == "twinbus_simulator") answer = "ok sim";
+    if (program == "twinbus_bridge") answer = "ok bridge";
+    if (program == "twinbus_replay") answer = "ok replay";
+  }
+  put(folder_ + "/restarted", answer + "\n");
 }
 
 void keep_viewer_addresses() {
@@ -108,8 +116,10 @@ int restart_command(const std::vector<std::string>& words) {
     const std::string said = line_of(answer);
     if (said.empty()) continue;
     ::unlink(answer.c_str());
-    if (said != "ok") throw std::runtime_error(said);
-    std::printf("%s is started anew\n", arguments.word(0).c_str());
+    if (said != "ok" && !said.starts_with("ok ")) throw std::runtime_error(said);
+    std::printf("%s is started anew%s%s%s\n", arguments.word(0).c_str(),
+                said == "ok" ? "" : "; it is parked and moves nothing until ./twinbus switch ",
+                said == "ok" ? "" : said.substr(3).c_str(), said == "ok" ? "" : " makes it active");
     return 0;
   }
   throw std::runtime_error("the stack in " + folder + " does not answer");

@@ -15,7 +15,7 @@ import twinbus.robot_state_t;
 
 public class Hold implements LCMSubscriber {
   static final String HRP1S =
-      "0-5:15000:300,6-12:3000:60,13-18:15000:300,19-25:3000:60,26-28:15000:300";
+      "0-5:15000:300,6-9:3000:60,10-12:600:6,13-18:15000:300,19-22:3000:60,23-25:600:6,26-28:15000:300";
 
   final joint_command_t command = new joint_command_t();
   boolean holding = false;

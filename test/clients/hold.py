@@ -10,7 +10,7 @@ import time
 import twinbus
 
 # Gains of hrp1s: first joint, last joint, kp [N m/rad], kd [N m s/rad].  For another robot: --gains.
-HRP1S = '0-5:15000:300,6-12:3000:60,13-18:15000:300,19-25:3000:60,26-28:15000:300'
+HRP1S = '0-5:15000:300,6-9:3000:60,10-12:600:6,13-18:15000:300,19-22:3000:60,23-25:600:6,26-28:15000:300'
 
 
 def parse_gains(text):

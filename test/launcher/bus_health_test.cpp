@@ -76,6 +76,22 @@ TEST(BusHealth, AStandbyThatBecomesActiveIsNoAlarm) {
   EXPECT_TRUE(heard.second(0, 0, 0, 900.0F).empty());
 }
 
+// STATE_SIM again: its states come from another tick on after a restart, and a bridge that starts hears what is not for it.
+TEST(BusHealth, WhatAStandbyChannelMissesOrRefusesIsNoAlarm) {
+  Heard heard(2);
+  for (int i = 0; i < 8; ++i) heard.second(500, 0, 0, 1.0F);
+  EXPECT_TRUE(heard.second(500, 8800, 250, 1.0F).empty());
+}
+
+TEST(BusHealth, AStartIsNoAlarmNorAreTheTicksOfANewRun) {
+  Heard heard;
+  EXPECT_TRUE(heard.second(500, 0, 250, 1.0F).empty());
+  EXPECT_TRUE(heard.second(500, 0, 250, 1.0F).empty());
+  for (int i = 0; i < 5; ++i) heard.second(500, 0, 0, 1.0F);
+  EXPECT_TRUE(heard.second(500, 200000, 0, 1.0F).empty());
+  EXPECT_FALSE(heard.second(500, 0, 250, 1.0F).empty());
+}
+
 TEST(BusHealth, AQuietChannelMayBeSilent) {
   Heard heard;
   for (int i = 0; i < 5; ++i) EXPECT_TRUE(heard.second(10, 0, 0, 900.0F).empty());

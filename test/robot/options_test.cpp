@@ -64,8 +64,8 @@ TEST(Options, HelpListsAllWithDefaults) {
   Example e;
   EXPECT_TRUE(e.parse({"--help"}));
   EXPECT_TRUE(e.options.help_asked());
-  for (const char* part : {"tool [SCENE] [options]", "Does things.", "--rate X", "(default: 1)",
-                           "--engine ode|articulated", "--help"}) {
+  for (const char* part : {"usage: tool [SCENE] [OPTION...]", "Does things.", "--rate X",
+                           "(default: 1)", "--engine ode|articulated", "Exit status"}) {
     EXPECT_NE(e.options.help().find(part), std::string::npos) << part;
   }
 }
