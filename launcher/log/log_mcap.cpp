@@ -18,7 +18,7 @@
 #include "lcmtypes/bus/wire.h"
 #include "viewer_log/log/mcap_writer.h"
 #include "viewer_log/log/message_json.h"
-#include "viewer_log/view/foxglove_scene.h"
+#include "launcher/log/foxglove_scene.h"
 
 namespace twinbus {
 

@@ -118,6 +118,15 @@ const StackProcess* Stack::find(const std::string& wanted) const {
   return nullptr;
 }
 
+bool Stack::wants(const std::string& placeholder) const {
+  for (const StackProcess& process : processes) {
+    for (const std::string& word : process.arguments) {
+      if (word.find(placeholder) != std::string::npos) return true;
+    }
+  }
+  return false;
+}
+
 void Stack::leave_out(bool (*unwanted)(const StackProcess&)) {
   for (const StackProcess& gone : processes) {
     if (!unwanted(gone)) continue;

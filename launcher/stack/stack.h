@@ -41,6 +41,8 @@ struct Stack {
   std::vector<StackProcess> processes;  // sorted: each after those it waits for
 
   const StackProcess* find(const std::string& name) const;
+  // Is this placeholder among the arguments of any process?
+  bool wants(const std::string& placeholder) const;
   // Those of which unwanted says true, also from the lists of what others wait for.
   void leave_out(bool (*unwanted)(const StackProcess&));
 };

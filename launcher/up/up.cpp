@@ -31,8 +31,7 @@ namespace twinbus {
 namespace {
 
 constexpr double kListenFirst = 0.4;  // sources and processes speak at 10 Hz [s]
-constexpr double kActivationTimeout =
-    10.0;  // a source listens 1 s for other terms before it may become active [s]
+constexpr double kActivationTimeout = 10.0;  // a source listens 1 s for other terms first [s]
 constexpr double kAskAgain = 0.25;          // [s]
 constexpr double kTableEvery = 0.25;        // on a terminal [s]
 constexpr double kLineEvery = 10.0;         // elsewhere [s]
@@ -43,15 +42,6 @@ constexpr double kSettle = 0.5;  // from the first answered tick to the first co
 
 double seconds(std::int64_t from_ns, std::int64_t to_ns) {
   return 1e-9 * static_cast<double>(to_ns - from_ns);
-}
-
-bool wants_log(const Stack& stack) {
-  for (const StackProcess& process : stack.processes) {
-    for (const std::string& word : process.arguments) {
-      if (word.find("{log}") != std::string::npos) return true;
-    }
-  }
-  return false;
 }
 
 class Up {
@@ -125,15 +115,11 @@ Up::Up(const Arguments& arguments) {
   // Lock-step goes as fast as it can: with real-time priority it would leave those who watch no time.
   if (request_.lockstep) setenv("TWINBUS_FIFO", "0", 1);
   stack_ = load_stack(arguments.text("--stack", "sim"));
-  if (!arguments.has("--log") && wants_log(stack_)) {
-    throw UsageError("up: --stack " + stack_.name +
-                     " plays a log: say which with --log FILE, as in --log runs/DATE-TIME/run.log");
-  }
+  refuse_without_log(arguments, stack_);
   if (arguments.has("--no-viewer")) {
     stack_.leave_out([](const StackProcess& process) { return process.viewer; });
   }
-  const char* record = std::getenv("TWINBUS_RECORD");
-  if (arguments.has("--no-record") || (record != nullptr && std::string(record) == "0")) {
+  if (!records(arguments)) {
     stack_.leave_out([](const StackProcess& process) { return process.recorder; });
   }
 
@@ -179,10 +165,7 @@ Placeholders Up::placeholders(const Arguments& arguments) const {
   if (arguments.has("--seed"))
     settings.insert(settings.end(), {"--seed", arguments.text("--seed", "1")});
   values["folder"] = {folder_};
-  auto& record = values["record"];
-  for (const char* option : {"--split", "--quota"}) {
-    if (arguments.has(option)) record.insert(record.end(), {option, arguments.text(option, "")});
-  }
+  values["record"] = recorder_words(arguments);
   values["listen"] = arguments.has("--listen")
                          ? std::vector<std::string>{"--listen", arguments.text("--listen", "")}
                          : std::vector<std::string>{};

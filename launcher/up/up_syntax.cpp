@@ -1,6 +1,6 @@
 #include "launcher/up/up_syntax.h"
 
-#include "launcher/stack/stack.h"
+#include <cstdlib>
 
 namespace twinbus {
 
@@ -45,6 +45,25 @@ Syntax up_syntax() {
        allow_option()},
       0,
       1};
+}
+
+bool records(const Arguments& arguments) {
+  const char* record = std::getenv("TWINBUS_RECORD");
+  return !arguments.has("--no-record") && (record == nullptr || std::string(record) != "0");
+}
+
+void refuse_without_log(const Arguments& arguments, const Stack& stack) {
+  if (arguments.has("--log") || !stack.wants("{log}")) return;
+  throw UsageError("up: --stack " + stack.name +
+                   " plays a log: say which with --log FILE, as in --log runs/DATE-TIME/run.log");
+}
+
+std::vector<std::string> recorder_words(const Arguments& arguments) {
+  std::vector<std::string> words;
+  for (const char* option : {"--split", "--quota"}) {
+    if (arguments.has(option)) words.insert(words.end(), {option, arguments.text(option, "")});
+  }
+  return words;
 }
 
 }  // namespace twinbus

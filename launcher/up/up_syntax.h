@@ -2,10 +2,21 @@
 
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "common/process/arguments.h"
+#include "launcher/stack/stack.h"
 
 namespace twinbus {
 
 Syntax up_syntax();
+
+// Does it record a log?  TWINBUS_RECORD=0 is --no-record.
+bool records(const Arguments& arguments);
+// What is said to the recorder.
+std::vector<std::string> recorder_words(const Arguments& arguments);
+// Throws UsageError for a stack that plays a log when none is named.
+void refuse_without_log(const Arguments& arguments, const Stack& stack);
 
 }  // namespace twinbus

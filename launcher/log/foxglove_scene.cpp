@@ -1,4 +1,4 @@
-#include "viewer_log/view/foxglove_scene.h"
+#include "launcher/log/foxglove_scene.h"
 
 #include <algorithm>
 #include <cmath>
