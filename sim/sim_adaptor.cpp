@@ -74,6 +74,7 @@ struct SimAdaptor::Impl {
   bool ahead = false;  // write() has computed the period that the next read() measures
   Status ahead_status = Status::kOk;
   std::int64_t steps = 0;
+  std::optional<StepWatch> watch;
   double scene_time = -1.0;  // [s] since the first command; pushes go by it
   struct ScenePush {
     int link;
@@ -140,7 +141,7 @@ Status SimAdaptor::Impl::advance() noexcept {
     apply_pushes();
     // Half a step of slack, as for a push.
     if (scene_time >= 0.0) ties.update(scene_time + 0.5 * step, *world);
-    const Status status = world->step();
+    const Status status = watch->step(*world, step * static_cast<double>(steps + 1));
     if (status != Status::kOk) return status;
     ++steps;
     if (scene_time >= 0.0) scene_time += step;
@@ -203,6 +204,7 @@ void SimAdaptor::Impl::apply_pushes() noexcept {
     const Eigen::Vector3d force = p.push.impulse / p.push.duration;
     const Eigen::Vector3d point = world->link_in_world(p.link) * p.push.point;
     (void)world->push(p.link, point, force);
+    watch->push(*world, p.link, p.push.point, force);
     for (int i = 0; i < 3; ++i) {
       truth.push_force[static_cast<std::size_t>(i)] = static_cast<float>(force[i]);
       truth.push_point[static_cast<std::size_t>(i)] = static_cast<float>(point[i]);
@@ -295,6 +297,8 @@ Status SimAdaptor::open(const Model& nominal, const AdaptorConfig& config) {
     s.truth = SimTruth{};
     const Status placed = s.world->set(s.standing.configuration, &s.standing.tau);
     s.set_hold(s.standing.configuration, s.standing.tau);
+    s.watch.emplace(model, s.settings.world, s.pushes.size());
+    s.watch->begin(*s.world);
     return placed;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "simulator: %s\n", error.what());
@@ -442,6 +446,7 @@ Status SimAdaptor::set_state(const ImposedState& imposed) {
   if (status != Status::kOk) return status;
   if (!s.settings.world.fixed_base) s.continue_corner_forces(force);
   s.world->estimate_contact_forces();
+  s.watch->begin(*s.world);
   s.set_hold(to, tau);
   s.commanded = s.fall = false;
   s.writes = 0;
@@ -454,6 +459,8 @@ Status SimAdaptor::set_state(const ImposedState& imposed) {
   return Status::kOk;
 }
 
+const StepWatch& SimAdaptor::watch() const { return *impl_->watch; }
+void SimAdaptor::time_steps() { impl_->watch->time_steps(); }
 const WorldConfig& SimAdaptor::world_config() const { return impl_->settings.world; }
 const World* SimAdaptor::world() const { return impl_->world.get(); }
 

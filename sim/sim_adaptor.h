@@ -6,6 +6,7 @@
 
 #include "bridge/adaptor/adaptor.h"
 #include "sim/scene/scene.h"
+#include "sim/step_watch.h"
 
 namespace twinbus {
 
@@ -26,6 +27,8 @@ class SimAdaptor final : public RobotAdaptor {
   int loose(int piece, ObstaclesPiece&) const override;
   const World* world() const;  // null: not open
   const WorldConfig& world_config() const;
+  const StepWatch& watch() const;  // of the steps since open()
+  void time_steps();               // from now on the CPU time of the world's steps is measured
   bool is_hardware() const override { return false; }
 
  private:

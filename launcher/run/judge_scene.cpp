@@ -107,6 +107,21 @@ void judge_touch(const TouchWatch& watch, const TouchAsked& asked,
   }
 }
 
+// What the engine itself says of its steps.
+std::string doubts_line(const TrustCounts& trust) {
+  std::string line = "not to be trusted: " + std::to_string(trust.doubted) + " physics steps (";
+  bool first = true;
+  for (std::size_t i = 0; i < kDoubts; ++i) {
+    if (trust.steps[i] == 0) continue;
+    line += (first ? "" : ", ") + std::string(kDoubtNames[i]) + " " + std::to_string(trust.steps[i]);
+    first = false;
+  }
+  char text[80];
+  std::snprintf(text, sizeof text, "), the first at %.3f s: %s\n", trust.first_at,
+                kDoubtNames[static_cast<std::size_t>(trust.first)]);
+  return line + text;
+}
+
 }  // namespace
 
 Criteria for_robot(Criteria criteria, const Model& model) {
@@ -197,6 +212,8 @@ RunVerdict judge_scene(const OneProcess& run, const Criteria& asked, std::int64_
       }
     }
   }
+  at_most(static_cast<double>(run.trust().doubted), asked.max_doubted_steps,
+          "the engine does not trust %.0f of its steps, at most %.0f were asked");
   if (run.energy().on() && !run.energy().begun())
     failures.push_back("the servos worked all the time: of energy nothing can be said");
   at_most(run.energy().drift(), asked.energy_drift_j,
@@ -237,6 +254,7 @@ std::string scene_figures(const OneProcess& run, const Criteria& asked) {
                   run.further_robots()[i].name.c_str(), 1e3 * now.moved, now.tilt_deg);
     lines += text;
   }
+  if (run.trust().doubted > 0) lines += doubts_line(run.trust());
   if (run.energy().begun()) {
     std::snprintf(text, sizeof text, "energy %.4f J, at most %.2e J off\n", run.energy().first(),
                   run.energy().drift());

@@ -67,6 +67,9 @@ class OneProcess {
   const RobotState& state() const { return heard_; }  // as decoded
   const SimTruth& truth() const { return *sim_.truth(); }
   const World& world() const { return *sim_.world(); }
+  const TrustCounts& trust() const { return sim_.watch().counts(); }
+  void time_physics() { sim_.time_steps(); }  // from now on
+  double physics_seconds() const { return sim_.watch().seconds(); }  // CPU [s]
   const std::string& loose_name(int body) const {
     return loose_names_[static_cast<std::size_t>(body)];
   }

@@ -19,6 +19,20 @@ constexpr double kFlat = 0.05;   // a cylinder whose cap is this level stands on
 constexpr double kFacing = 0.5;  // of a face's normal along a sole's
 constexpr double kRigid = std::numeric_limits<double>::infinity();
 
+double thickness_of(bool solid, bool tile, const Solid& shape) {
+  if (!solid || tile) return kRigid;
+  switch (shape.shape) {
+    case SolidShape::kBox:
+      return shape.size.minCoeff();
+    case SolidShape::kSphere:
+    case SolidShape::kCapsule:
+      return 2.0 * shape.size.x();
+    case SolidShape::kCylinder:
+      return std::min(2.0 * shape.size.x(), shape.size.y());
+  }
+  return kRigid;
+}
+
 ContactParams hard(double stiffness, double damping, double friction) {
   return {stiffness, damping, stiffness, damping, friction, kDampingRamp};
 }
@@ -75,9 +89,7 @@ LooseContacts::LooseContacts(const Model& model, const WorldConfig& config)
   };
   for (const Obstacle& obstacle : config.obstacles) add_fixed(obstacle, false);
   for (const Obstacle& tile : config.tiles) add_fixed(tile, true);
-  if (std::any_of(pieces_.begin(), pieces_.end(), [](const Piece& p) { return p.only_mesh; })) {
-    give_meshes();
-  }
+  give_meshes();
   for (std::size_t i = 0; i < pieces_.size(); ++i)
     spans_.push_back({0.0, 0.0, static_cast<int>(i)});
   near_.reserve(spans_.size());
@@ -131,6 +143,7 @@ void LooseContacts::add_robot(const Model& model, const WorldConfig& config, int
         const Eigen::Isometry3d in_sole = sole.frame.inverse() * shape.pose;
         std::erase_if(piece.probes,
                       [&](const Probe& p) { return (in_sole * p.center).z() < kSoleSkin; });
+        piece.of_foot = true;
       }
       add(std::move(piece));
     }
@@ -188,6 +201,9 @@ void LooseContacts::add(Piece piece) {
       piece.radius = std::max(piece.radius, vertex.norm());
     }
   }
+  piece.thickness = thickness_of(piece.solid_too, piece.tile, piece.solid);
+  if (piece.only_mesh) piece.thickness = piece.mesh->box().sizes().minCoeff();
+  thinnest_ = std::min(thinnest_, piece.thickness);
   piece.first_key = next_key_;
   // Two more for the ends of a cylinder that rolls.
   next_key_ += static_cast<int>(piece.probes.size()) + 2;
@@ -233,8 +249,7 @@ void LooseContacts::find(const std::vector<ArticulatedBody*>& systems, double h,
         meet_mesh(i, static_cast<int>(j), search);
         continue;
       }
-      if (pieces_[j].solid_too) meet(pieces_[i], j, false, search);
-      if (!pieces_[j].probes.empty()) meet(pieces_[j], i, pieces_[j].system < 0, search);
+      meet_probes(i, j, search);
     }
   }
 }

@@ -4,12 +4,14 @@
 //
 // Every shape is a piece: probes (sim/world/solid.h) that enter the other pieces, and a solid that their
 // probes enter.  A sole has its corners for probes and no solid.  Springs and dampers of two pieces
-// act in series, friction is the geometric mean.  Two boxes whose edges cross with no corner in the
-// other are not seen.  A body of triangles meets the triangles of all else (sim/contact/rigid_object_mesh.h).
+// act in series, friction is the geometric mean.  Two boxes that overlap while no corner is about as deep
+// in the other, as where edges cross, meet as their triangles do, and so does a body of triangles with all else
+// (sim/contact/rigid_object_mesh.h).
 
 #pragma once
 
 #include <Eigen/Geometry>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -39,12 +41,17 @@ class LooseContacts {
   void remember(const std::vector<ArticulatedBody*>& systems, const std::vector<Contact>& contacts,
                 double h) noexcept;
   void forget() noexcept { memory_.clear(); }
+  // So deep that the middle of one has nearly passed that of the other, which turns the normal round.
+  bool may_come_through(const Contact& contact, double depth) const noexcept;
   // The bristles as they are, for a step that is taken again.
   void save() noexcept { saved_ = memory_; }
   void restore() noexcept { memory_ = saved_; }
 
   // Loose contacts have keys from here on.
   static constexpr int kFirstKey = 1 << 24;
+  // Those of points of triangles, so many for each pair of pieces.
+  static constexpr int kFirstMeshKey = 1 << 26;
+  static constexpr int kMeshKeysPerPair = 1 << 12;
 
  private:
   struct Piece {
@@ -53,6 +60,7 @@ class LooseContacts {
     int sole = -1;
     bool solid_too = true;  // not only probes
     bool tile = false;      // only its top counts
+    bool of_foot = false;   // its sole's corners touch for it
     Solid solid;
     std::shared_ptr<const ContactMesh> mesh;  // of a body of triangles, and of all that it may meet
     bool only_mesh = false;
@@ -61,6 +69,7 @@ class LooseContacts {
     std::vector<Probe> probes;  // in the solid's axes
     int first_key = 0;          // of its probes
     double radius = 0.0;        // about its middle [m]
+    double thickness = 0.0;     // the least [m]; infinite: pushed out one way however deep
     // As placed.
     Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
     Eigen::Vector3d center = Eigen::Vector3d::Zero();  // world
@@ -107,6 +116,10 @@ class LooseContacts {
   void give_meshes();
   // other: -1: the ground.
   void meet_mesh(std::size_t own, int other, Search& search) noexcept;
+  void meet_probes(std::size_t own, std::size_t other, Search& search) noexcept;
+  // Of two boxes, by how much they will overlap at the end of the step; of others 0.
+  double overlap(const Piece& a, const Piece& b, const Search& search) const noexcept;
+  Eigen::Isometry3d end_of(const Piece& piece, const Search& search) const noexcept;
   // Of a box, the face that bare points are nearest to being out of; -1: ask point by point.
   int face_between(const Piece& points, const Piece& box) const noexcept;
   void consider(Contact& found, Search& search) noexcept;
@@ -123,6 +136,7 @@ class LooseContacts {
   ManifoldFinder finder_;
   Manifold manifold_;
   int next_key_ = 0;
+  double thinnest_ = std::numeric_limits<double>::infinity();  // of two pieces together [m]
   std::vector<Memory> memory_, saved_;  // in the order of find()
 };
 

@@ -1,6 +1,7 @@
 #include "sim/contact/rigid_object_mesh.h"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -18,9 +19,6 @@ namespace {
 
 constexpr int kCapPoints = 16;  // round a capsule, and of each cap's rings
 constexpr int kCapRings = 4;
-
-constexpr int kMeshKey = 1 << 26;  // keys of points of meshes begin here
-constexpr int kKeysPerPair = 1 << 12;
 
 // So much of the number of a corner or edge as tells it from its neighbours.
 int short_name(std::int64_t feature) noexcept {
@@ -41,6 +39,13 @@ TriangleMesh capsule(const Eigen::Vector3d& size) {
     }
   }
   return convex_hull(points);
+}
+
+Eigen::Isometry3d pose_of(const Eigen::Matrix3d& rotation, const Eigen::Vector3d& middle) noexcept {
+  Eigen::Isometry3d pose;
+  pose.linear() = rotation;
+  pose.translation() = middle;
+  return pose;
 }
 
 Eigen::Isometry3d after(const Eigen::Isometry3d& pose, const Eigen::Vector3d& velocity,
@@ -100,34 +105,32 @@ std::shared_ptr<const ContactMesh> mesh_of(const Solid& solid) {
 }
 
 void LooseContacts::give_meshes() {
+  const bool all = std::any_of(pieces_.begin(), pieces_.end(),
+                               [](const Piece& piece) { return piece.only_mesh; });
   for (Piece& piece : pieces_) {
-    if (piece.mesh == nullptr && piece.solid_too) piece.mesh = mesh_of(piece.solid);
+    const bool box = piece.solid.shape == SolidShape::kBox && !piece.tile && !piece.of_foot;
+    if (piece.mesh == nullptr && piece.solid_too && (all || box)) piece.mesh = mesh_of(piece.solid);
     if (piece.mesh != nullptr) finder_.reserve(*piece.mesh);
   }
+}
+
+Eigen::Isometry3d LooseContacts::end_of(const Piece& piece, const Search& search) const noexcept {
+  const Eigen::Isometry3d pose = pose_of(piece.rotation, piece.center);
+  if (piece.system < 0) return pose;
+  const ArticulatedBody& body = *search.systems[at(piece.system)];
+  const Screw& velocity = body.link(piece.link).velocity;
+  return after(pose, at_point(velocity, piece.center - body.origin()), angular(velocity), search.h);
 }
 
 void LooseContacts::meet_mesh(std::size_t own, int other, Search& search) noexcept {
   const Piece& a = pieces_[own];
   const Piece* b = other >= 0 ? &pieces_[at(other)] : nullptr;
   if (a.mesh == nullptr || (b != nullptr && b->mesh == nullptr)) return;
-  const auto pose_of = [](const Piece& piece) {
-    Eigen::Isometry3d pose;
-    pose.linear() = piece.rotation;
-    pose.translation() = piece.center;
-    return pose;
-  };
-  const auto end_of = [&](const Piece& piece, const Eigen::Isometry3d& pose) {
-    if (piece.system < 0) return pose;
-    const ArticulatedBody& body = *search.systems[at(piece.system)];
-    const Screw& velocity = body.link(piece.link).velocity;
-    return after(pose, at_point(velocity, piece.center - body.origin()), angular(velocity),
-                 search.h);
-  };
-  const Eigen::Isometry3d pose_a = pose_of(a), end_a = end_of(a, pose_a);
+  const Eigen::Isometry3d pose_a = pose_of(a.rotation, a.center), end_a = end_of(a, search);
   const Eigen::Isometry3d back = pose_a * end_a.inverse(Eigen::Isometry);
   if (b == nullptr) {
     if (!finder_.with_ground(*a.mesh, end_a, manifold_)) return;
-  } else if (!finder_.between(*a.mesh, end_a, *b->mesh, end_of(*b, pose_of(*b)), manifold_)) {
+  } else if (!finder_.between(*a.mesh, end_a, *b->mesh, end_of(*b, search), manifold_)) {
     return;
   }
   Contact found;
@@ -149,7 +152,7 @@ void LooseContacts::meet_mesh(std::size_t own, int other, Search& search) noexce
     }
     found.depth = point.depth + search.h * found.normal.dot(v);
     found.material = (point.feature & 3) == CrossingPoint::kVertexA;
-    found.key = kMeshKey + pair * kKeysPerPair + short_name(point.feature);
+    found.key = kFirstMeshKey + pair * kMeshKeysPerPair + short_name(point.feature);
     consider(found, search);
   }
 }

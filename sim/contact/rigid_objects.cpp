@@ -13,6 +13,9 @@ namespace twinbus {
 
 namespace {
 
+constexpr double kStill = 0.01;  // [m/s] and [rad/s]
+constexpr int kLies = 64;        // smooth steps so slow, from which a body lies
+
 Model model_of(const LooseBody& body) {
   Model model;
   model.name = body.name;
@@ -59,6 +62,7 @@ void LooseBodies::set(int body, const LooseState& state) noexcept {
   now.base.linear() = Eigen::Quaterniond(state.pose.linear()).normalized().toRotationMatrix();
   now.base_velocity = state.velocity;
   now.base_angular_velocity = state.angular_velocity;
+  bodies_[at(body)].still = 0;
   place(at(body));
   contacts_.forget();
 }
@@ -172,8 +176,16 @@ void LooseBodies::keep_coarse(int which) noexcept {
 void LooseBodies::extrapolate(int order) noexcept {
   robots_.extrapolate(order);
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
-    if (!bodies_[i].ever) continue;
-    twinbus::extrapolate(order, bodies_[i].coarse, bodies_[i].now);
+    Body& body = bodies_[i];
+    if (!body.ever) continue;
+    const bool slow = body.now.base_velocity.norm() < kStill &&
+                      body.now.base_angular_velocity.norm() < kStill;
+    body.still = slow ? body.still + 1 : 0;
+    if (order == 3 && body.still > kLies) {
+      extrapolate_at_rest(body.coarse, body.now);
+    } else {
+      twinbus::extrapolate(order, body.coarse, body.now);
+    }
     place(i);
   }
 }

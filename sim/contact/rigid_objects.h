@@ -41,6 +41,10 @@ class LooseBodies {
     robots_.find(count() + 1, h, contacts);
     contacts_.find(systems_, h, contacts);
   }
+  // A contact so deep that its bodies may soon be pushed apart the other way.
+  bool may_come_through(const Contact& contact, double depth) const noexcept {
+    return contacts_.active() && contacts_.may_come_through(contact, depth);
+  }
   // All bodies, after the robot's; false: an inertia was not positive.
   bool inward(double h) noexcept;
   void outward() noexcept;
@@ -64,6 +68,7 @@ class LooseBodies {
     Eigen::Vector3d inertia;  // principal, the body's axes [kg m^2]
     bool touched = false;     // in the last step
     bool ever = false;        // since save()
+    int still = 0;            // smooth steps in which it touched and hardly moved, one after the other
   };
 
   void place(std::size_t body) noexcept;

@@ -46,6 +46,7 @@ ArticulatedWorld::ArticulatedWorld(const Model& model, const WorldConfig& config
   contacts_.reserve(at(loose_.most_contacts() + ties_.count()));
   reported_.reserve(at(2 * (loose_.most_contacts() + ties_.count())));
   pushes_.reserve(kMostPushes);
+  deep_.reserve(contacts_.capacity());
   configuration_.q.setZero();
   configuration_.qd.setZero();
   body_.place(configuration_);
@@ -81,6 +82,7 @@ Status ArticulatedWorld::set(const Configuration& to, const Eigen::VectorXd* tau
   part_ = kEventParts;
   held_ = 0;
   calm_ = true;
+  placed_ = true;
   frozen_ = false;
   return Status::kOk;
 }
@@ -100,6 +102,8 @@ bool ArticulatedWorld::resume(const ArticulatedWorld& other) noexcept {
   airborne_ = other.airborne_;
   before_ = other.before_;
   frozen_ = other.frozen_;
+  deep_ = other.deep_;
+  placed_ = other.placed_;
   body_.place(configuration_);
   return true;
 }
@@ -121,6 +125,7 @@ Status ArticulatedWorld::set_loose(int body, const LooseState& state) noexcept {
   const Status status = check_loose(state);
   if (status != Status::kOk) return status;
   loose_.set(body, state);
+  placed_ = true;
   frozen_ = false;
   return Status::kOk;
 }
@@ -151,6 +156,16 @@ double ArticulatedWorld::corner_offset(int sole, int corner) const noexcept {
 }
 
 Status ArticulatedWorld::step() noexcept {
+  trust_ = {};
+  const long unconverged = unconverged_, unsettled = unsettled_;
+  const Status status = take_step();
+  trust_[Doubt::kUnconverged] = unconverged_ > unconverged;
+  trust_[Doubt::kUnsettled] = unsettled_ > unsettled;
+  placed_ = false;
+  return status;
+}
+
+Status ArticulatedWorld::take_step() noexcept {
   if (frozen_) return Status::kDiverged;
   if (fly()) return Status::kOk;
   start_ = configuration_;
@@ -240,6 +255,7 @@ ArticulatedWorld::Outcome ArticulatedWorld::advance(double h, bool may_reject,
   std::swap(configuration_, next_);
   ground_.remember(contacts_, 0, h);
   ties_.remember(contacts_);
+  keep_depths(h);
   if (goes_on || floats()) place_after(before_, h, 0.0);
   return Outcome::kTaken;
 }
@@ -306,6 +322,7 @@ std::uint64_t ArticulatedWorld::pattern() const noexcept {
 // False: an inertia was not positive.
 bool ArticulatedWorld::solve_step(double h) noexcept {
   find_contacts(h);
+  doubt_depths(h);
   airborne_ = !config_.fixed_base &&
               std::none_of(contacts_.begin(), contacts_.end(),
                            [](const Contact& c) { return c.depth > 0.0 && holds_robot(c); });

@@ -73,6 +73,7 @@ class ArticulatedWorld final : public World {
   Status hold(int tie, bool holds) noexcept override;
   double corner_stiffness(int sole) const noexcept override;
   double corner_damping(int sole, double force) const noexcept override;
+  double elastic_energy() const noexcept override;
 
   const SolveCounters& counters() const noexcept { return solve_.counters(); }
   const std::vector<Contact>& solved() const noexcept { return contacts_; }  // of the last step
@@ -111,6 +112,9 @@ class ArticulatedWorld final : public World {
   std::uint64_t pattern() const noexcept;
   double end_speed(std::size_t joint, double h) const noexcept;
   void report_contacts() noexcept;
+  Status take_step() noexcept;
+  void doubt_depths(double h) noexcept;
+  void keep_depths(double h) noexcept;
 
   WorldConfig config_;
   ArticulatedBody body_;
@@ -124,6 +128,14 @@ class ArticulatedWorld final : public World {
   std::vector<Contact> contacts_;
   std::vector<ContactPoint> reported_;
   std::vector<Push> pushes_;
+  // Pairs of links that were deep in one another after the last solve, and how deep [m].
+  struct DeepPair {
+    std::array<int, 4> who;
+    double depth;
+  };
+  std::vector<DeepPair> deep_;
+  bool placed_ = true;   // since the last step somebody has: nothing is known of contacts
+  double last_h_ = 0.0;  // of the last solve [s]
   Configuration configuration_, start_;
   std::array<Configuration, 2> coarse_;
   Configuration next_;

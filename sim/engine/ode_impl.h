@@ -96,6 +96,11 @@ struct OdeWorld::Impl {
   void forget_open() noexcept;
   void estimate_contact_forces() noexcept;
 
+  // ode_trust.cpp
+  void doubt_rows() noexcept;
+  void doubt_speeds() noexcept;
+  double elastic_energy() const noexcept;
+
   // Null: the world, or a fixed base.
   dBodyID body_of(const TieEnd& end) const {
     return end.loose >= 0  ? loose[static_cast<std::size_t>(end.loose)].body
@@ -139,6 +144,13 @@ struct OdeWorld::Impl {
   };
   std::vector<Push> pushes;
   bool frozen = false;
+  StepTrust trust;  // of the step that is being made
+  struct DeepPair {
+    dBodyID own, other;
+    double depth;  // [m]
+  };
+  std::vector<DeepPair> deep;  // before the last step
+  bool placed = true;          // since then somebody has placed something
 };
 
 }  // namespace twinbus

@@ -150,6 +150,7 @@ Status OdeWorld::set_loose(int body, const LooseState& state) noexcept {
   const Status status = check_loose(state);
   if (status != Status::kOk) return status;
   impl_->set_loose(static_cast<std::size_t>(body), state);
+  impl_->placed = true;
   impl_->frozen = false;
   return Status::kOk;
 }

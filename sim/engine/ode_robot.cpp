@@ -120,6 +120,29 @@ void OdeRobot::create_geoms() {
   }
 }
 
+// Joints hold on to the world where the base was when they were made.
+void OdeRobot::follow_base() noexcept {
+  if (bodies[0] != nullptr || configuration.base.matrix() == attached_at_.matrix()) return;
+  attached_at_ = configuration.base;
+  Configuration middle(model);
+  middle.base = attached_at_;
+  middle.qd.setZero();
+  for (std::size_t j = 0; j < joints.size(); ++j)
+    middle.q[static_cast<Eigen::Index>(j)] = joints[j].middle;
+  kinematics.update(middle);
+  for (int j = 0; j < model.joint_count(); ++j) {
+    const Joint& joint = model.joints[static_cast<std::size_t>(j)];
+    if (body(joint.parent) != nullptr) continue;
+    const Eigen::Isometry3d& pose = kinematics.link_in_world(joint.child);
+    const Eigen::Vector3d com = pose * com_in_link[static_cast<std::size_t>(joint.child)];
+    const Eigen::Quaterniond q(pose.linear());
+    const dQuaternion attitude = {q.w(), q.x(), q.y(), q.z()};
+    dBodySetPosition(body(joint.child), com.x(), com.y(), com.z());
+    dBodySetQuaternion(body(joint.child), attitude);
+    anchor_joint(j);
+  }
+}
+
 void OdeRobot::place_fixed_base() noexcept {
   for (const FixedGeom& each : fixed_geoms_) {
     const Eigen::Isometry3d pose = configuration.base * each.in_base;
@@ -137,6 +160,7 @@ void OdeRobot::place(const Configuration& to) noexcept {
     configuration.base_velocity.setZero();
     configuration.base_angular_velocity.setZero();
   }
+  follow_base();
   kinematics.update(configuration);
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const dBodyID body = bodies[i];

@@ -96,7 +96,9 @@ struct OdeRobot {
   void create_bodies(dWorldID world);
   void create_geoms();
   void place_fixed_base() noexcept;  // its geoms have no body that carries them
+  void follow_base() noexcept;       // joints that hold on to the world do so where the base is
   void add_joint(int joint, dWorldID world);
+  void anchor_joint(int joint) noexcept;  // as kinematics has it and its bodies are placed
   void prepare_stop(const OdeJoint& joint, double q, double qd) noexcept;
   void prepare_joint(OdeJoint& joint, double q, double qd) noexcept;
   // Where the play settles under the joint's torque.
@@ -108,6 +110,7 @@ struct OdeRobot {
     Eigen::Isometry3d in_base;
   };
   std::vector<FixedGeom> fixed_geoms_;
+  Eigen::Isometry3d attached_at_ = Eigen::Isometry3d::Identity();  // of the base, for those joints
 };
 
 inline Eigen::Vector3d vector(const dReal* v) { return {v[0], v[1], v[2]}; }

@@ -40,6 +40,19 @@ void set_row(const OdeJoint& joint, int axis, double gain, double force, double 
 
 }  // namespace
 
+void OdeRobot::anchor_joint(int index) noexcept {
+  const auto at = static_cast<std::size_t>(index);
+  const Eigen::Vector3d axis = kinematics.axis_in_world(index);
+  if (joints[at].prismatic) {
+    dJointSetSliderAxis(joints[at].joint, axis.x(), axis.y(), axis.z());
+    return;
+  }
+  const Eigen::Vector3d anchor =
+      kinematics.link_in_world(model.joints[at].child).translation();
+  dJointSetHingeAnchor(joints[at].joint, anchor.x(), anchor.y(), anchor.z());
+  dJointSetHingeAxis(joints[at].joint, axis.x(), axis.y(), axis.z());
+}
+
 void OdeRobot::add_joint(int index, dWorldID world) {
   const auto at = static_cast<std::size_t>(index);
   const Joint& from = model.joints[at];
@@ -53,20 +66,15 @@ void OdeRobot::add_joint(int index, dWorldID world) {
   const Eigen::Vector3d axis = kinematics.axis_in_world(index);
   const dBodyID child = body(from.child);
   const dBodyID parent = body(from.parent);
+  to.joint = to.prismatic ? dJointCreateSlider(world, nullptr) : dJointCreateHinge(world, nullptr);
+  dJointAttach(to.joint, child, parent);
+  anchor_joint(index);
   if (to.prismatic) {
-    to.joint = dJointCreateSlider(world, nullptr);
-    dJointAttach(to.joint, child, parent);
-    dJointSetSliderAxis(to.joint, axis.x(), axis.y(), axis.z());
     to.motor = dJointCreateLMotor(world, nullptr);
     dJointAttach(to.motor, child, parent);
     dJointSetLMotorNumAxes(to.motor, 2);
     for (int i = 0; i < 2; ++i) dJointSetLMotorAxis(to.motor, i, 1, axis.x(), axis.y(), axis.z());
   } else {
-    const Eigen::Vector3d anchor = kinematics.link_in_world(from.child).translation();
-    to.joint = dJointCreateHinge(world, nullptr);
-    dJointAttach(to.joint, child, parent);
-    dJointSetHingeAnchor(to.joint, anchor.x(), anchor.y(), anchor.z());
-    dJointSetHingeAxis(to.joint, axis.x(), axis.y(), axis.z());
     to.motor = dJointCreateAMotor(world, nullptr);
     dJointAttach(to.motor, child, parent);
     dJointSetAMotorMode(to.motor, dAMotorUser);

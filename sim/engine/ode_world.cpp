@@ -102,6 +102,7 @@ OdeWorld::Impl::Impl(const Model& m, const WorldConfig& c)
   contacts.reserve(kMaxContacts);
   feedback.resize(of_robots + loose.size() * static_cast<std::size_t>(kMostLooseContacts));
   rows.reserve(feedback.size());
+  deep.reserve(feedback.size());
 }
 
 void OdeWorld::Impl::create_robots() {
@@ -197,6 +198,7 @@ Status OdeWorld::set(const Configuration& to, const Eigen::VectorXd* tau) noexce
     w.commanded.set_tau(j, known ? (*tau)[j] : 0.0);
   w.pushes.clear();
   w.frozen = false;
+  w.placed = true;
   return Status::kOk;
 }
 
@@ -233,10 +235,14 @@ double OdeWorld::corner_offset(int sole, int corner) const noexcept {
 
 Status OdeWorld::step() noexcept {
   Impl& w = *impl_;
+  trust_ = w.trust = {};
   if (w.frozen) return Status::kDiverged;
+  const long messages = engine_messages();
   try {
     w.save();
     w.find_contacts();
+    w.doubt_rows();
+    w.placed = false;
     // Every pass solves the exact problem of the rows that have limits; a pass that finds another
     // joint beyond its limit gives it a limited row and is taken back.  Joints only gain limits
     // within a step, so this ends.
@@ -254,6 +260,8 @@ Status OdeWorld::step() noexcept {
       robot.kinematics.update(robot.configuration);
     }
     w.pushes.clear();
+    w.trust.doubt[static_cast<std::size_t>(Doubt::kUnconverged)] = engine_messages() > messages;
+    trust_ = w.trust;
     return Status::kOk;
   } catch (const EngineFailure&) {
     dJointGroupEmpty(w.contact_group);
@@ -337,6 +345,8 @@ double OdeWorld::corner_damping(int sole, double force) const noexcept {
   const ContactParams params = as_asked(w.config, w.commanded.surface(sole));
   return damping_at(params, force / params.stiffness);
 }
+
+double OdeWorld::elastic_energy() const noexcept { return impl_->elastic_energy(); }
 
 long OdeWorld::engine_messages() noexcept {
   return engine_message_count.load(std::memory_order_relaxed);

@@ -60,6 +60,7 @@ class OdeWorld final : public World {
   Status hold(int tie, bool holds) noexcept override;
   double corner_stiffness(int sole) const noexcept override;
   double corner_damping(int sole, double force) const noexcept override;
+  double elastic_energy() const noexcept override;
 
   // Complaints of ODE since the program started, of all worlds.
   static long engine_messages() noexcept;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -207,6 +208,19 @@ PushRound read_push_round(const ConfigNode& node) {
   return round;
 }
 
+Disturbance read_disturbance(const ConfigNode& node) {
+  Disturbance d;
+  d.position = node.number("position", 0.0, 1.0, 0.0);
+  d.angle = kDegree * node.number("angle_deg", 0.0, 180.0, 0.0);
+  d.velocity = node.number("velocity", 0.0, 10.0, 0.0);
+  d.spin = node.number("spin", 0.0, 100.0, 0.0);
+  d.mass = node.number("mass", 0.0, 0.9, 0.0);
+  d.friction = node.number("friction", 0.0, 0.9, 0.0);
+  d.joints = node.number("joints", 0.0, 10.0, 0.0);
+  node.finish();
+  return d;
+}
+
 BodyChange read_body(const ConfigNode& node) {
   const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
   BodyChange change;
@@ -249,6 +263,21 @@ std::vector<double> pose_on_bus(const Scene& scene, const Model& model, const st
 
 }  // namespace
 
+double metres_of(const std::string& text) {
+  char* end = nullptr;
+  const double number = std::strtod(text.c_str(), &end);
+  std::string unit(end);
+  unit.erase(0, unit.find_first_not_of(' ') == std::string::npos ? unit.size()
+                                                                  : unit.find_first_not_of(' '));
+  const double scale = unit.empty() || unit == "m" ? 1.0
+                       : unit == "cm"              ? 1e-2
+                       : unit == "mm"              ? 1e-3
+                       : unit == "um"              ? 1e-6
+                                                   : 0.0;
+  const double metres = number * scale;
+  return end != text.c_str() && std::isfinite(metres) && metres > 0.0 ? metres : 0.0;
+}
+
 std::vector<std::string> scene_names() {
   namespace fs = std::filesystem;
   std::error_code ignored;
@@ -279,6 +308,10 @@ Scene load_scene(const std::string& name_or_file) {
       kContactNames[top.choice("contact", {std::begin(kContactNames), std::end(kContactNames)}, 0)];
   scene.duration = top.number("duration", 0.01, kDay, scene.duration);
   scene.step = top.number("step", 1e-5, 0.1, scene.step);
+  if (top.has("accuracy")) {
+    scene.accuracy = metres_of(top.text("accuracy"));
+    if (!(scene.accuracy > 0.0)) top.fail("accuracy", "must be a length such as 0.001 or 1 mm");
+  }
   scene.start_pose = top.text("start_pose", scene.start_pose);
   if (top.has("start_velocity")) {
     const ConfigNode speeds = top.map("start_velocity");
@@ -330,6 +363,7 @@ Scene load_scene(const std::string& name_or_file) {
   }
   if (top.has("terrain")) scene.terrain = read_terrain(top.map("terrain"));
   if (top.has("push_round")) scene.push_round = read_push_round(top.map("push_round"));
+  if (top.has("disturbance")) scene.disturbance = read_disturbance(top.map("disturbance"));
   if (top.has("criteria")) {
     std::vector<std::string> loose, robots;
     for (const LooseBody& body : scene.loose) loose.push_back(body.name);

@@ -75,6 +75,18 @@ struct PushRound {
   double duration = 0.1;                             // [s]
 };
 
+// Each seed is another world: how far from what the scene says its start may be drawn, evenly within +- this;
+// see scene_seed.
+struct Disturbance {
+  double position = 0.0;  // of each loose body, along each axis [m]
+  double angle = 0.0;     // about each of its axes [rad]
+  double velocity = 0.0;  // along each axis [m/s]
+  double spin = 0.0;      // about each axis [rad/s]
+  double mass = 0.0;      // of each loose body and of the robot as a whole, relative
+  double friction = 0.0;  // of each loose body and of the ground, relative
+  double joints = 0.0;    // speed of each of the robot's joints at the start [rad/s or m/s]
+};
+
 // The simulated robot is not the one that the controller knows: a mass on a link, a shifted centre of mass.
 struct BodyChange {
   std::string link;
@@ -109,6 +121,7 @@ struct Scene {
   std::string contact = "spring_damper";  // or hunt_crossley, or rigid, engine ode only
   double duration = 10.0;                 // [s] of `twinbus run`
   std::string about;                      // one sentence
+  double accuracy = 0.0;  // error asked for: `run` finds order and step that hold it [m]; 0: not asked
   double step = 0.0;  // physics step [s], a whole part of the robot's period; 0: the period
   std::string start_pose = "half_sitting";
   std::vector<std::pair<std::string, double>> start_velocity;  // of joints [rad/s or m/s]
@@ -124,6 +137,7 @@ struct Scene {
   Terrain terrain;
   std::vector<Obstacle> tiles;  // of the terrain: ground to the soles, unknown to planner and guard
   PushRound push_round;
+  Disturbance disturbance;
   std::vector<BodyChange> bodies;
   std::vector<LooseBody> loose;    // bodies that nothing holds; planner and guard do not know them
   std::vector<std::string> loose_at;  // where each has its name: "file:line: name"
@@ -143,19 +157,22 @@ void resolve_poses(Scene& scene, const Model& model);
 // name_or_file: a YAML file, or a name under config/scenes.  Throws std::runtime_error naming file,
 // line and the nearest valid key.
 //
-// Keys: about, robot, engine (articulated or ode), contact (spring_damper, hunt_crossley or rigid), duration, step, start_pose, start_velocity: {JOINT: speed, ...}, base (floating or fixed), ground:
+// Keys: about, robot, engine (articulated or ode), contact (spring_damper, hunt_crossley or rigid), duration, step, accuracy (0.001 or 1 mm), start_pose, start_velocity: {JOINT: speed, ...}, base (floating or fixed), ground:
 // {friction}, obstacles: see scene_obstacle.h, pushes: [link, point, impulse, at,
 // duration], modes: [at, mode, motion, pose, duration, amplitude, frequency], goals: [at, hand,
 // position, rpy_deg, pose, speed, cancel], walks: [at, for, vx, vy, wz], pads: [at, for, left_x, left_y, right_x],
 // footsteps: [at, steps: [foot, x, y, yaw]],
 // terrain: {tile, height, slope_deg, ramp_deg, from, length, width}, push_round: {link, at, every, count, phase, forward, back,
-// sideways, duration}, bodies: [link, mass, at, shift], loose: [name, shape (box, sphere, cylinder,
+// sideways, duration}, disturbance: {position, angle_deg, velocity, spin, mass, friction, joints}, bodies: [link, mass, at, shift], loose: [name, shape (box, sphere, cylinder,
 // capsule, mesh), size (of a mesh: file beside the scene, scale), mass, position, rpy_deg, velocity,
 // angular_velocity, friction, stiffness, damping], robots: [name, robot, pose, position, yaw_deg],
 // self_contact, loops: as in robot/description/loops.h, grasps:
 // [link, point, to, at, until, reach, stiffness, damping], criteria: as in sim/scene/scene_criteria.h, settings: {model.mass_scale: 1.03, ...} as in
 // sim/scene/settings.h.  Scene time starts with the first command.
 Scene load_scene(const std::string& name_or_file);
+
+// "0.001", "1 mm", "0.1mm", "20 um" as metres; 0 if it is none of these or not positive.
+double metres_of(const std::string& text);
 
 // Of config/scenes, by alphabet.
 std::vector<std::string> scene_names();

@@ -88,7 +88,8 @@ Criteria::Criteria()
       drift_max_m(kNan),
       energy_drift_j(kNan),
       loose_energy_drift_j(kNan),
-      loose_energy_gain_j(kNan) {}
+      loose_energy_gain_j(kNan),
+      max_doubted_steps(kNan) {}
 
 Criteria read_criteria(const ConfigNode& node, const std::vector<std::string>& loose,
                        const std::vector<std::string>& robots) {
@@ -106,6 +107,7 @@ Criteria read_criteria(const ConfigNode& node, const std::vector<std::string>& l
   criteria.energy_drift_j = node.number("energy_drift_j", 0.0, 1e9, kNan);
   criteria.loose_energy_drift_j = node.number("loose_energy_drift_j", 0.0, 1e9, kNan);
   criteria.loose_energy_gain_j = node.number("loose_energy_gain_j", 0.0, 1e9, kNan);
+  criteria.max_doubted_steps = node.number("max_doubted_steps", 0.0, 1e12, kNan);
   criteria.no_fall = node.flag("no_fall", true);
   criteria.no_self_collision = node.flag("no_self_collision", true);
   for (const ConfigNode& end : node.list("loose")) {

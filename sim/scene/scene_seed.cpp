@@ -1,5 +1,6 @@
 #include "sim/scene/scene_seed.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -77,11 +78,7 @@ Eigen::Vector3d impulse_of(const PushRound& round, int direction, double mass) {
   return mass * speed * Eigen::Vector3d(c, s, 0.0);
 }
 
-}  // namespace
-
-void apply_seed(Scene& scene, const Model& model, std::uint64_t seed) {
-  Random random(seed);
-  lay_tiles(scene, random);
+void draw_pushes(Scene& scene, const Model& model, Random& random) {
   const PushRound& round = scene.push_round;
   if (round.count == 0) return;
   const std::string link = round.link.empty()
@@ -96,6 +93,45 @@ void apply_seed(Scene& scene, const Model& model, std::uint64_t seed) {
     push.duration = round.duration;
     scene.pushes.push_back(push);
   }
+}
+
+// Every number is drawn, used or not: one figure of a disturbance changes nothing of the others.
+void disturb(Scene& scene, const Model& model, Random& random) {
+  const Disturbance& d = scene.disturbance;
+  const auto within = [&random](double most) { return most * (2.0 * random.uniform() - 1.0); };
+  const auto three = [&](double most) {
+    const double x = within(most), y = within(most), z = within(most);
+    return Eigen::Vector3d(x, y, z);
+  };
+  const auto asked = {d.position, d.angle, d.velocity, d.spin, d.mass, d.friction, d.joints};
+  if (std::none_of(asked.begin(), asked.end(), [](double most) { return most > 0.0; })) return;
+  for (LooseBody& body : scene.loose) {
+    body.start.pose.translation() += three(d.position);
+    const Eigen::Vector3d turn = three(d.angle);
+    if (turn.norm() > 0.0)
+      body.start.pose.linear() =
+          Eigen::AngleAxisd(turn.norm(), turn.normalized()) * body.start.pose.linear();
+    body.start.velocity += three(d.velocity);
+    body.start.angular_velocity += three(d.spin);
+    body.mass *= 1.0 + within(d.mass);
+    body.friction *= 1.0 + within(d.friction);
+  }
+  scene.ground_friction *= 1.0 + within(d.friction);
+  const double heavier = 1.0 + within(d.mass);
+  if (d.mass > 0.0) scene.settings.emplace_back("model.mass_scale", std::to_string(heavier));
+  for (const Joint& joint : model.joints) {
+    const double speed = within(d.joints);
+    if (d.joints > 0.0 && joint.mimic < 0) scene.start_velocity.emplace_back(joint.name, speed);
+  }
+}
+
+}  // namespace
+
+void apply_seed(Scene& scene, const Model& model, std::uint64_t seed) {
+  Random random(seed);
+  lay_tiles(scene, random);
+  draw_pushes(scene, model, random);
+  disturb(scene, model, random);
 }
 
 Model changed_model(const Model& model, const Scene& scene) {

@@ -1,4 +1,5 @@
-// What the seed of a run decides about its scene: the tiles of uneven ground, and when and where a round of pushes comes.
+// What the seed of a run decides about its scene: the tiles of uneven ground, when and where a round of pushes comes,
+// and how far a scene with a disturbance starts from what it says.
 //
 // The noise of the sensors has the same seed and is the simulator's business (sensor.seed).
 
@@ -11,7 +12,7 @@
 
 namespace twinbus {
 
-// Fills tiles from terrain and adds the pushes of push_round; the same seed, the same scene.  Throws std::runtime_error
+// Fills tiles from terrain, adds the pushes of push_round, draws the disturbance; the same seed, the same scene.  Throws std::runtime_error
 // naming a link that the robot does not have.
 void apply_seed(Scene& scene, const Model& model, std::uint64_t seed);
 

@@ -19,6 +19,7 @@
 #include "sim/world/other_robot.h"
 #include "sim/world/servo_target.h"
 #include "sim/world/solid.h"
+#include "sim/world/step_trust.h"
 #include "sim/world/constraint.h"
 
 namespace twinbus {
@@ -203,9 +204,14 @@ class World {
   virtual Eigen::Isometry3d robot_link(int robot, int link) const noexcept = 0;
   // Of config.ties: from now on its ends are to stay together as they are, or are let go.
   virtual Status hold(int tie, bool holds) noexcept = 0;
-  virtual double corner_stiffness(int sole) const noexcept = 0;  // [N/m]
-  // Of one that carries the force [N s/m].
+  virtual double corner_stiffness(int sole) const noexcept = 0;  // [N/m]; of one that carries the force [N s/m]:
   virtual double corner_damping(int sole, double force) const noexcept = 0;
+  virtual double elastic_energy() const noexcept = 0;  // of the springs of contacts and ties [J]
+  // Of the last step, but for its energy: sim/engine/energy_balance.h.
+  const StepTrust& trust() const noexcept { return trust_; }
+
+ protected:
+  StepTrust trust_;
 };
 
 // Throws std::runtime_error, naming the link, for one that is to move without a positive mass and inertia.

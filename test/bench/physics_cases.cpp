@@ -32,6 +32,7 @@
 #include "sim/engine/make_world.h"
 #include "sim/engine/articulated_world.h"
 #include "common/math/random.h"
+#include "sim/world/static_equilibrium.h"
 #include "test/bench/core_alone.h"
 #include "test/bench/physics_scenes.h"
 
@@ -220,6 +221,16 @@ const char* stands(const PhysicsScene& scene, const WorldConfig& config) {
   return "stable";
 }
 
+// In balance on ground of that stiffness: what soft ground is pressed in would throw the robot off hard one.
+void stand_on(double stiffness, PhysicsScene& scene) {
+  const Standing standing =
+      stand(scene.model, scene.start.q, 1.0, {stiffness, stiffness}, {0.0, 0.0}, false);
+  scene.start = standing.configuration;
+  scene.tau = standing.tau;
+  for (std::size_t j = 0; j < scene.servos.size(); ++j)
+    scene.servos[j].tau = standing.tau[static_cast<Eigen::Index>(j)];
+}
+
 void map(const std::string& method, double smallest) {
   for (const double gain : {0.3, 1.0, 3.0, 10.0}) {
     PhysicsScene scene = physics_scene("stand", gain);
@@ -228,6 +239,7 @@ void map(const std::string& method, double smallest) {
         sole.stiffness = kSoleCorners * stiffness;
         sole.damping = kSoleCorners * std::sqrt(stiffness * 15.0);
       }
+      stand_on(stiffness, scene);
       for (const double h : {2e-2, 1e-2, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4}) {
         if (h < 0.999 * smallest) continue;
         std::printf("map %s %g %g %g %s\n", method.c_str(), gain, stiffness, h,

@@ -53,5 +53,31 @@ TEST(SceneSeed, ARampIsTheSameForEverySeedAndTilesAreNot) {
   EXPECT_NE(one.tiles[3].pose.matrix(), two.tiles[3].pose.matrix());
 }
 
+TEST(SceneSeed, EverySeedOfADisturbanceIsAnotherWorldAndTheSameSeedTheSame) {
+  Scene scene;
+  LooseBody body;
+  body.start.pose.translation() = Eigen::Vector3d(1, 2, 3);
+  scene.loose = {body, body};
+  const auto drawn = [&](std::uint64_t seed) {
+    Scene copy = scene;
+    apply_seed(copy, Model{}, seed);
+    return copy;
+  };
+  EXPECT_EQ(drawn(1).loose[0].start.pose.matrix(), body.start.pose.matrix());  // nothing asked
+  scene.disturbance.position = 0.01;
+  scene.disturbance.mass = 0.1;
+  scene.disturbance.friction = 0.2;
+  const Scene one = drawn(1), same = drawn(1), two = drawn(2);
+  const Eigen::Vector3d moved = one.loose[0].start.pose.translation() - Eigen::Vector3d(1, 2, 3);
+  EXPECT_GT(moved.norm(), 0.0);
+  EXPECT_LE(moved.cwiseAbs().maxCoeff(), 0.01);
+  EXPECT_LE(std::abs(one.loose[0].mass / body.mass - 1.0), 0.1);
+  EXPECT_EQ(one.loose[1].start.pose.matrix(), same.loose[1].start.pose.matrix());
+  EXPECT_NE(one.loose[1].start.pose.matrix(), two.loose[1].start.pose.matrix());
+  EXPECT_NE(one.loose[0].start.pose.matrix(), one.loose[1].start.pose.matrix());
+  EXPECT_NE(one.ground_friction, two.ground_friction);
+  EXPECT_EQ(one.loose[0].start.velocity, body.start.velocity);
+}
+
 }  // namespace
 }  // namespace twinbus

@@ -1,0 +1,66 @@
+// Which steps of ArticulatedWorld are to be doubted, and what its springs hold.
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/contact/bristle.h"
+#include "sim/engine/articulated_world.h"
+
+namespace twinbus {
+
+namespace {
+std::array<int, 4> pair_of(const Contact& c) {
+  return {c.system, c.link, c.other_system, c.other};
+}
+}  // namespace
+
+// Contacts are looked for ahead of where things move: one that is deep when it is first seen was missed.
+void ArticulatedWorld::doubt_depths(double h) noexcept {
+  if (placed_) return;
+  for (const Contact& c : contacts_) {
+    if (!(c.depth > kFirstDepth) || c.tie != TieKind::kNone) continue;
+    double expected = kFirstDepth + 2.0 * h * std::abs(c.normal.dot(c.v0));
+    for (const DeepPair& pair : deep_) {
+      if (pair.who == pair_of(c)) expected += 2.0 * pair.depth;
+    }
+    if (!(c.depth > expected)) continue;
+    trust_[Doubt::kDeep] = true;
+    trust_.first_depth = std::max(trust_.first_depth, c.depth);
+  }
+}
+
+// After a solve: what is deep, and whether it may come out on the other side.
+void ArticulatedWorld::keep_depths(double h) noexcept {
+  last_h_ = h;
+  deep_.clear();
+  for (const Contact& c : contacts_) {
+    const double end = c.depth - h * c.normal.dot(c.v);
+    if (!(end > 0.25 * kFirstDepth) || c.tie != TieKind::kNone) continue;
+    if (loose_.may_come_through(c, end)) trust_[Doubt::kThrough] = true;
+    const auto who = pair_of(c);
+    const auto known = std::find_if(deep_.begin(), deep_.end(),
+                                    [&](const DeepPair& pair) { return pair.who == who; });
+    if (known == deep_.end()) {
+      deep_.push_back({who, end});
+    } else {
+      known->depth = std::max(known->depth, end);
+    }
+  }
+}
+
+double ArticulatedWorld::elastic_energy() const noexcept {
+  double energy = 0.0;
+  for (const Contact& c : contacts_) {
+    if (c.tie != TieKind::kNone) {
+      energy += 0.5 * c.params.stiffness * (c.stretch + last_h_ * c.v).squaredNorm();
+      continue;
+    }
+    const double end = c.depth - last_h_ * c.normal.dot(c.v);
+    if (c.now.mode == ContactMode::kOpen || !(end > 0.0)) continue;
+    energy += 0.5 * (c.params.stiffness * end * end +
+                     c.params.tangent_stiffness * bristle_after(c, last_h_).stretch.squaredNorm());
+  }
+  return energy;
+}
+
+}  // namespace twinbus

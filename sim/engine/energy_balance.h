@@ -1,0 +1,49 @@
+// Whether a world has more energy after a step than before it and than servos and pushes have given.
+//
+//     gain = kinetic + potential + what springs store, now - before  -  work of servos and pushes
+//
+// Friction, dampers, stops and backward Euler only take energy: a gain is an error of the step.  The
+// work of a servo is its torque times the way of its joint, of the torques before and after whichever
+// gives more.  Of worlds with further robots, whose servos nobody sees, nothing is said.
+
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "robot/description/model.h"
+#include "sim/world/world.h"
+
+namespace twinbus {
+
+class EnergyBalance {
+ public:
+  // The model must outlive this.
+  EnergyBalance(const Model& model, const WorldConfig& config);
+
+  // Before the first step, and after every jump.
+  void begin(const World& world) noexcept;
+  // After a step; pushed: work of pushes in it [J].  True: it is to be doubted.
+  bool add(const World& world, double pushed) noexcept;
+
+  double gain() const noexcept { return gain_; }  // of the last step; below zero: lost [J]
+
+ private:
+  struct Energy {
+    double kinetic = 0.0, potential = 0.0, elastic = 0.0;
+    double all() const noexcept { return kinetic + potential + elastic; }
+  };
+  Energy of(const World& world) const noexcept;
+
+  const Model& model_;
+  bool silent_ = false;
+  double mass_scale_ = 1.0;
+  std::vector<Eigen::Matrix3d> loose_inertia_;  // about the centre, the body's axes [kg m^2]
+  std::vector<double> loose_mass_;              // [kg]
+  Energy before_;
+  std::vector<double> q_, tau_;  // of the joints, before
+  double gain_ = 0.0;
+  double sum_ = 0.0, lowest_ = 0.0;  // of all gains since begin(), and the least it was [J]
+};
+
+}  // namespace twinbus

@@ -1,0 +1,64 @@
+// What is asked of every step of a simulated world beside its result: is it to be trusted, and what did it cost.
+
+#pragma once
+
+#include <time.h>
+
+#include <vector>
+
+#include "sim/engine/energy_balance.h"
+#include "sim/world/step_trust.h"
+#include "sim/world/world.h"
+
+namespace twinbus {
+
+class StepWatch {
+ public:
+  StepWatch(const Model& model, const WorldConfig& config, std::size_t most_pushes)
+      : balance_(model, config) {
+    pushes_.reserve(most_pushes);
+  }
+  // After a jump of the world.
+  void begin(const World& world) noexcept { balance_.begin(world); }
+  // A force on a point of a link acts in the next step; point: link frame, force: world [N].
+  void push(const World& world, int link, const Eigen::Vector3d& point, const Eigen::Vector3d& force) noexcept {
+    if (pushes_.size() < pushes_.capacity()) pushes_.push_back({link, point, world.link_in_world(link) * point, force});
+  }
+  // Steps the world; time: at its end [s].
+  Status step(World& world, double time) noexcept {
+    const double begun = timed_ ? cpu_seconds() : 0.0;
+    const Status status = world.step();
+    if (timed_) seconds_ += cpu_seconds() - begun;
+    if (status != Status::kOk) return status;
+    double work = 0.0;
+    for (const Push& push : pushes_) work += push.force.dot(world.link_in_world(push.link) * push.local - push.from);
+    pushes_.clear();
+    StepTrust trust = world.trust();
+    trust[Doubt::kEnergy] = balance_.add(world, work);
+    counts_.add(trust, balance_.gain(), time);
+    return status;
+  }
+  const TrustCounts& counts() const noexcept { return counts_; }
+
+  void time_steps() noexcept { timed_ = true; }
+  double seconds() const noexcept { return seconds_; }  // CPU of the steps since then [s]
+
+ private:
+  struct Push {
+    int link;
+    Eigen::Vector3d local, from, force;
+  };
+  static double cpu_seconds() noexcept {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+  }
+
+  EnergyBalance balance_;
+  TrustCounts counts_;
+  std::vector<Push> pushes_;
+  bool timed_ = false;
+  double seconds_ = 0.0;
+};
+
+}  // namespace twinbus

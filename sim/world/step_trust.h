@@ -1,0 +1,63 @@
+// Whether a step of an engine is to be trusted, said in that step, and how often it was not.
+//
+// A doubt is no failure: the step was taken.  It says that the result may be wrong by more than the
+// step's own error.
+
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+namespace twinbus {
+
+enum class Doubt {
+  kUnconverged,  // the contacts did not settle even in the smallest part of the step
+  kUnsettled,    // a joint ended on a wrong piece of its law
+  kEnergy,       // there is more energy than servos, pushes and springs have given
+  kDeep,         // a contact was first seen deeper than its speed explains
+  kThrough,      // a contact is deeper than half of what it touches: it may come out behind it
+};
+inline constexpr std::size_t kDoubts = 5;
+inline constexpr const char* kDoubtNames[kDoubts] = {"unconverged", "unsettled", "energy_gained",
+                                                     "first_seen_deep", "tunnelling"};
+
+// A contact that nothing says why it is deeper when it is first seen is doubted [m].
+inline constexpr double kFirstDepth = 2e-3;
+
+// Of one step.
+struct StepTrust {
+  std::array<bool, kDoubts> doubt{};
+  double first_depth = 0.0;  // of the deepest contact that was first seen too deep [m]
+
+  bool& operator[](Doubt d) noexcept { return doubt[static_cast<std::size_t>(d)]; }
+  bool operator[](Doubt d) const noexcept { return doubt[static_cast<std::size_t>(d)]; }
+  bool any() const noexcept {
+    return std::any_of(doubt.begin(), doubt.end(), [](bool each) { return each; });
+  }
+};
+
+// Of a run.
+struct TrustCounts {
+  std::array<long, kDoubts> steps{};  // with that doubt
+  long doubted = 0;                   // with any
+  double first_at = -1.0;             // the first of them [s]
+  Doubt first = Doubt::kUnconverged;
+  double energy_gain = 0.0;  // the most in a step [J]
+  double first_depth = 0.0;  // the most [m]
+
+  void add(const StepTrust& step, double gain, double time) noexcept {
+    energy_gain = std::max(energy_gain, gain);
+    first_depth = std::max(first_depth, step.first_depth);
+    if (!step.any()) return;
+    if (doubted++ == 0) {
+      first_at = time;
+      for (std::size_t i = kDoubts; i-- > 0;) {
+        if (step.doubt[i]) first = static_cast<Doubt>(i);
+      }
+    }
+    for (std::size_t i = 0; i < kDoubts; ++i) steps[i] += step.doubt[i] ? 1 : 0;
+  }
+};
+
+}  // namespace twinbus

@@ -1,0 +1,192 @@
+// Boxes whose edges cross: by how much boxes overlap, and what the engines make of it.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "both_engines.h"
+#include "common/math/random.h"
+#include "robot/dynamics/inverse_dynamics.h"
+#include "sim/contact/box_overlap.h"
+#include "sim/engine/articulated_world.h"
+#include "sim/scene/scene.h"
+#include "sim/scene/scene_seed.h"
+#include "test/no_alloc.h"
+#include "test_models.h"
+
+namespace twinbus {
+namespace {
+
+Eigen::Isometry3d placed(const Eigen::Vector3d& at, double turn, const Eigen::Vector3d& axis) {
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.translation() = at;
+  pose.linear() = Eigen::AngleAxisd(turn, axis.normalized()).toRotationMatrix();
+  return pose;
+}
+
+LooseBody box(const std::string& name, double mass, const Eigen::Vector3d& size,
+              const Eigen::Isometry3d& pose, double stiffness = 1e6) {
+  LooseBody body;
+  body.name = name;
+  body.solid = {SolidShape::kBox, size};
+  body.mass = mass;
+  body.start.pose = pose;
+  body.stiffness = stiffness;
+  body.damping = std::sqrt(0.25 * stiffness * mass);
+  return body;
+}
+
+TEST(BoxOverlap, IsTheLeastOfFacesAndCrossedEdges) {
+  const Eigen::Vector3d half(0.5, 0.5, 0.5);
+  const Eigen::Isometry3d still = Eigen::Isometry3d::Identity();
+  EXPECT_NEAR(box_overlap(still, half, placed({0.9, 0.1, 0}, 0, {1, 0, 0}), half), 0.1, 1e-15);
+  EXPECT_NEAR(box_overlap(still, half, placed({0, -1.25, 0}, 0, {1, 0, 0}), half), -0.25, 1e-15);
+  // A corner of a box on its edge in a face.
+  EXPECT_NEAR(box_overlap(still, half, placed({0, 0, 1.2}, M_PI / 4, {1, 0, 0}), half),
+              0.5 + std::sqrt(0.5) - 1.2, 1e-15);
+  // Both on an edge, these across one another: the edges are sqrt(1/2) from the middles.
+  const Eigen::Isometry3d low = placed({0, 0, 0}, M_PI / 4, {1, 0, 0});
+  const Eigen::Isometry3d high = placed({0, 0, 1.4}, M_PI / 4, {0, 1, 0});
+  EXPECT_NEAR(box_overlap(low, half, high, half), 2.0 * std::sqrt(0.5) - 1.4, 1e-15);
+  EXPECT_NEAR(box_overlap(high, half, low, half), 2.0 * std::sqrt(0.5) - 1.4, 1e-15);
+}
+
+class BoxEdges : public test::BothEngines {};
+TWINBUS_FOR_BOTH_ENGINES(BoxEdges);
+
+// No corner of either is in the other.
+TEST_P(BoxEdges, ABeamLiesAcrossABeam) {
+  const Model model = test::bystander();
+  WorldConfig config;
+  config.step = 1e-3;
+  config.loose = {box("low", 2.0, {1.0, 0.1, 0.1}, placed({0, 0, 0.05}, 0, {0, 0, 1})),
+                  box("high", 1.0, {0.1, 1.0, 0.1}, placed({0, 0, 0.151}, 0, {0, 0, 1}))};
+  const auto world = make(model, config);
+  ASSERT_EQ(world->set(Configuration(model)), Status::kOk);
+  for (int i = 0; i < 1000; ++i) ASSERT_EQ(world->step(), Status::kOk);
+  EXPECT_NEAR(world->loose(1).pose.translation().z(), 0.15, 2e-4);
+  EXPECT_LT(world->loose(1).velocity.norm(), 2e-3);
+}
+
+// Dropped edge on edge, the lower one fixed: it rebounds or slides off, and never has more energy
+// than it fell with.
+TEST_P(BoxEdges, AnEdgeThatFallsOnAnEdgeGainsNothing) {
+  const Model model = test::bystander();
+  WorldConfig config;
+  config.step = 1e-3;
+  Obstacle low;
+  low.shape = ObstacleShape::kBox;
+  low.size << 0.4, 0.4, 0.4;
+  low.pose = placed({0, 0, 0.5}, M_PI / 4, {1, 0, 0});
+  config.obstacles = {low};
+  const Eigen::Isometry3d start = placed({0.003, 0.002, 1.0}, M_PI / 4, {0, 1, 0});
+  config.loose = {box("high", 0.1, {0.1, 0.1, 0.1}, start, 1e5)};
+  const auto world = make(model, config);
+  ASSERT_EQ(world->set(Configuration(model)), Status::kOk);
+  const double edge = 0.5 + 0.2 * std::sqrt(2.0) + 0.05 * std::sqrt(2.0);  // of the middle, touching
+  double lowest = 1.0, highest_after = 0.0;
+  for (int i = 0; i < 700; ++i) {
+    ASSERT_EQ(world->step(), Status::kOk);
+    const double z = world->loose(0).pose.translation().z();
+    if (i < 300) lowest = std::min(lowest, z);
+    if (i > 250) highest_after = std::max(highest_after, z);
+  }
+  EXPECT_LT(highest_after, 1.0);
+  EXPECT_GT(lowest, edge - 0.02);
+}
+
+TEST(BoxEdgesOfOurs, MeetingAllocatesNothing) {
+  const Model model = test::bystander();
+  WorldConfig config;
+  config.step = 1e-3;
+  config.loose = {box("low", 2.0, {1.0, 0.1, 0.1}, placed({0, 0, 0.05}, 0, {0, 0, 1})),
+                  box("high", 1.0, {0.1, 1.0, 0.1}, placed({0, 0, 0.16}, 0.3, {0, 0, 1}))};
+  ArticulatedWorld world(model, config);
+  ASSERT_EQ(world.set(Configuration(model)), Status::kOk);
+  const NoAlloc guard;
+  for (int i = 0; i < 300; ++i) ASSERT_EQ(world.step(), Status::kOk);
+  EXPECT_EQ(guard.count(), 0);
+  EXPECT_NEAR(world.loose(1).pose.translation().z(), 0.15, 2e-4);
+}
+
+// Of the scene only what is loose, begun elsewhere by up to 5 mm, 20 times.
+TEST(BoxEdgesOfOurs, NothingIsFlungWhereBoxesTumble) {
+  const Model model = test::bystander();
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    Scene scene = load_scene("boxes_tumble");
+    apply_seed(scene, Model{}, seed);
+    for (const int order : {1, 2}) {
+      WorldConfig config;
+      config.step = 1e-3;
+      config.order = order;
+      config.loose = scene.loose;
+      ArticulatedWorld world(model, config);
+      ASSERT_EQ(world.set(Configuration(model)), Status::kOk);
+      double highest = 0.0;
+      for (int i = 0; i < 1500; ++i) {
+        ASSERT_EQ(world.step(), Status::kOk);
+        for (int b = 0; b < world.loose_count(); ++b)
+          highest = std::max(highest, world.loose(b).pose.translation().z());
+      }
+      EXPECT_LT(highest, 1.5) << "seed " << seed << " order " << order;
+    }
+  }
+}
+
+// It holds by 1 % more friction than it needs; at order 3 nothing may make it ring on.
+TEST(LyingStill, ABrickThatHoldsOnASlopeDoesNotCreepAtAnyOrder) {
+  const Model model = test::bystander();
+  const Eigen::Isometry3d slope = placed({4, 3, 1}, 20.0 * M_PI / 180.0, {0, 1, 0});
+  for (const int order : {1, 2, 3}) {
+    WorldConfig config;
+    config.step = 5e-5;
+    config.order = order;
+    config.ground_friction = 1.0;
+    Obstacle ground;
+    ground.shape = ObstacleShape::kBox;
+    ground.size << 4, 6, 0.2;
+    ground.pose = slope;
+    config.obstacles = {ground};
+    LooseBody brick = box("brick", 2.0, {0.4, 0.3, 0.1}, slope, 1e8);
+    brick.start.pose.translation() = Eigen::Vector3d(2.923672, 3, 1.551378);
+    brick.friction = 0.1351371;
+    config.loose = {brick};
+    ArticulatedWorld world(model, config);
+    ASSERT_EQ(world.set(Configuration(model)), Status::kOk);
+    for (int i = 0; i < 8000; ++i) ASSERT_EQ(world.step(), Status::kOk);
+    const Eigen::Vector3d way = world.loose(0).pose.translation() - brick.start.pose.translation();
+    EXPECT_LT(std::abs(slope.linear().col(0).dot(way)), 2e-6) << order;
+    EXPECT_LT(world.loose(0).velocity.norm(), 1e-8) << order;
+  }
+}
+
+class FixedBase : public test::BothEngines {};
+TWINBUS_FOR_BOTH_ENGINES(FixedBase);
+
+// Wherever the base is, its pendulum swings as at the origin.
+TEST_P(FixedBase, APendulumSwingsTheSameWhereverItsBaseIs) {
+  const Model model = test::pendulum();
+  WorldConfig config;
+  config.fixed_base = true;
+  config.step = 1e-3;
+  const auto swing = [&](const Eigen::Isometry3d& base) {
+    const auto world = make(model, config);
+    Configuration start(model);
+    start.base = base;
+    start.q[0] = 0.5;
+    EXPECT_EQ(world->set(start), Status::kOk);
+    (void)world->set_servo(0, {});
+    for (int i = 0; i < 400; ++i) EXPECT_EQ(world->step(), Status::kOk);
+    const Eigen::Vector3d hinge = base.inverse() * world->link_in_world(1).translation();
+    EXPECT_NEAR((hinge - Eigen::Vector3d(0, 0, 2)).norm(), 0.0, 1e-3);
+    return world->configuration().q[0];
+  };
+  const double here = swing(Eigen::Isometry3d::Identity());
+  const double there = swing(placed({3, -2, 5}, 1.0, {0, 0, 1}));
+  EXPECT_LT(here, 0.3);
+  EXPECT_NEAR(here, there, 1e-6);
+}
+
+}  // namespace
+}  // namespace twinbus
