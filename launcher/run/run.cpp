@@ -7,9 +7,11 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <stdexcept>
 
 #include "common/process/arguments.h"
+#include "launcher/run/accuracy.h"
 #include "launcher/run/judge_scene.h"
 #include "launcher/run/local_stack.h"
 #include "launcher/stack/run_folder.h"
@@ -47,6 +49,11 @@ Syntax run_syntax() {
            {"--reference", "",
             "runs the scene again with eight physics steps in one: error of the foot forces "
             "against that"},
+           {"--accuracy", "LENGTH",
+            "order and step are chosen so that no link or body is farther from the converged answer, "
+            "0.001 or 1mm"},
+           {"--budget", "MS",
+            "CPU time of the physics in a control period: the best accuracy that fits"},
            {"--no-guard", "", "leaves the guard in the controller out"},
            {"--log", "F.log", "records every message, for ./twinbus log; times are simulated"},
            {"--report", "F.json", "writes the figures"}},
@@ -136,8 +143,71 @@ std::string contact_asked(const Scene& scene,
   return contact;
 }
 
+AccuracyRequest accuracy_of(const Arguments& arguments, const Scene& scene) {
+  AccuracyRequest request;
+  request.error = scene.accuracy;
+  if (arguments.has("--accuracy")) {
+    request.error = metres_of(arguments.text("--accuracy", ""));
+    if (!(request.error > 0.0))
+      throw UsageError("run: --accuracy wants a length such as 0.001 or 1mm, not '" +
+                       arguments.text("--accuracy", "") + "'");
+  }
+  request.budget = 1e-3 * arguments.number("--budget", 0.0, 1e-4, 1e4);
+  request.talk = true;
+  return request;
+}
+
+// CPU of the physics of this run [ms per simulated s].
+double cost_of(const OneProcess& run) {
+  const double simulated = run.model().period() * static_cast<double>(run.ticks());
+  return simulated > 0.0 ? 1e3 * run.physics_seconds() / simulated : 0.0;
+}
+
+void print_choice(const AccuracyChoice& choice, const OneProcess& run,
+                  const AccuracyRequest& asked) {
+  if (choice.rung >= 0) {
+    const auto index = static_cast<std::size_t>(choice.rung);
+    const Rung& rung = choice.ladder.rungs[index];
+    std::printf("accuracy: order %d at %.3g ms, error %.3g mm", rung.order, 1e3 * rung.step,
+                1e3 * choice.ladder.estimate(index));
+    if (asked.error > 0.0) std::printf(" of %.3g mm asked", 1e3 * asked.error);
+    std::printf(", physics %.2f ms/s; ", cost_of(run));
+  } else {
+    std::printf("accuracy: not held, the scene's own order and step; ");
+  }
+  std::printf(choice.kept ? "chosen earlier in %.1f s of CPU\n" : "chosen in %.1f s of CPU\n",
+              choice.ladder.cost);
+}
+
+nlohmann::ordered_json choice_json(const AccuracyChoice& choice, const OneProcess& run,
+                                   const AccuracyRequest& asked) {
+  nlohmann::ordered_json json;
+  const auto number = [](double value) {
+    return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
+  };
+  json["asked_m"] = asked.error > 0.0 ? number(asked.error) : nlohmann::ordered_json();
+  json["budget_s"] = asked.budget > 0.0 ? number(asked.budget) : nlohmann::ordered_json();
+  if (choice.rung >= 0) {
+    const auto index = static_cast<std::size_t>(choice.rung);
+    json["error_estimate_m"] = number(choice.ladder.estimate(index));
+    json["order"] = choice.ladder.rungs[index].order;
+    json["step_s"] = choice.ladder.rungs[index].step;
+  } else {
+    json["error_estimate_m"] = nullptr;
+  }
+  json["physics_ms_per_s"] = cost_of(run);
+  json["choosing_cpu_s"] = choice.ladder.cost;
+  json["from_cache"] = choice.kept;
+  json["reason"] = choice.reason;
+  auto& parted = json["parted"] = nlohmann::ordered_json::array();
+  for (const Parted& each : choice.ladder.parted)
+    parted.push_back({{"body", each.body}, {"apart_m", number(each.apart)}});
+  return json;
+}
+
 // The figures that only `run` has, in the report that `up` writes too.
-std::string with_own_figures(const std::string& report, double force_error, const OneProcess& run) {
+std::string with_own_figures(const std::string& report, double force_error, const OneProcess& run,
+                             const AccuracyChoice* choice, const AccuracyRequest& accuracy) {
   const WalkFigures& walked = run.walked();
   const auto number = [](double value) {
     return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
@@ -151,6 +221,14 @@ std::string with_own_figures(const std::string& report, double force_error, cons
   json["force_rms_percent"] = number(1e2 * walked.force_error());
   json["velocity_error_percent"] = number(1e2 * walked.velocity_error());
   json["travel_m"] = number(walked.travel());
+  if (choice != nullptr) json["accuracy"] = choice_json(*choice, run, accuracy);
+  const TrustCounts& trust = run.trust();
+  auto& doubted = json["doubted_steps"];
+  doubted["any"] = trust.doubted;
+  for (std::size_t i = 0; i < kDoubts; ++i) doubted[kDoubtNames[i]] = trust.steps[i];
+  doubted["first_at_s"] = trust.doubted > 0 ? number(trust.first_at) : nlohmann::ordered_json();
+  doubted["energy_gain_max_j"] = trust.energy_gain;
+  doubted["first_seen_depth_max_mm"] = 1e3 * trust.first_depth;
   if (const auto swing = run.swing().seen()) {
     json["swing_period_s"] = swing->period;
     json["swing_decay_per_s"] = swing->decay;
@@ -190,6 +268,20 @@ int run_command(const std::vector<std::string>& words) {
   config.seed = request.seed;
   config.control.guard_in_loop = !arguments.has("--no-guard");
   const std::int64_t ticks = std::llround(request.duration / model.period());
+  AccuracyRequest accuracy = accuracy_of(arguments, scene);
+  std::optional<AccuracyChoice> choice;
+  if (accuracy.error > 0.0 || accuracy.budget > 0.0) {
+    accuracy.duration = request.duration;
+    accuracy.seed = request.seed;
+    choice = choose_accuracy(model, scene, config, accuracy);
+    if (choice->rung >= 0) {
+      const Rung& rung = choice->ladder.rungs[static_cast<std::size_t>(choice->rung)];
+      scene = at_rung(scene, rung.order, rung.step);
+      std::erase_if(config.settings,
+                    [](const auto& each) { return each.first == "solver.order"; });
+      request.step_s = rung.step;
+    }
+  }
 
   std::unique_ptr<LogWriter> log;
   if (const std::string file = arguments.text("--log", ""); !file.empty()) {
@@ -198,6 +290,7 @@ int run_command(const std::vector<std::string>& words) {
                              std::int64_t now_ns) { log->add(now_ns / 1000, name, bytes); };
   }
   OneProcess run(model, scene, config);
+  if (choice) run.time_physics();
   config.listener = nullptr;  // not of the reference
   const std::int64_t begin = monotonic_ns();
   const FootForces forces = go(run, ticks, true);
@@ -210,13 +303,18 @@ int run_command(const std::vector<std::string>& words) {
     OneProcess reference(model, finer, config);
     force_error = rms_difference(forces, go(reference, ticks, false));
   }
-  const RunVerdict verdict = judge_scene(run, scene.criteria, ticks);
+  RunVerdict verdict = judge_scene(run, scene.criteria, ticks);
+  if (choice && !choice->reason.empty()) {
+    verdict.failures.push_back(choice->reason);
+    verdict.passed = false;
+  }
+  if (choice) print_choice(*choice, run, accuracy);
   print(run, scene.criteria, verdict, request.robot,
         model.period() * static_cast<double>(run.ticks()), wall_s, force_error);
   if (const std::string file = arguments.text("--report", ""); !file.empty()) {
     write_file(file,
                with_own_figures(report_json(verdict, request, run.seen(), wall_s, run.state_hash()),
-                                force_error, run));
+                                force_error, run, choice ? &*choice : nullptr, accuracy));
   }
   return verdict.passed ? 0 : 1;
 }

@@ -1,0 +1,109 @@
+#include "launcher/run/accuracy.h"
+
+#include <sys/stat.h>
+
+#include <cmath>
+#include <cstdio>
+
+#include "common/file/disk_cache.h"
+#include "common/math/index.h"
+
+namespace twinbus {
+
+namespace {
+
+constexpr const char* kKind = "ladder";
+
+// Another program may come to another result.
+void add_this_program(FingerprintMaker& maker) {
+  struct stat file {};
+  if (stat("/proc/self/exe", &file) != 0) return;
+  maker.add(static_cast<std::int64_t>(file.st_size))
+      .add(static_cast<std::int64_t>(file.st_mtim.tv_sec))
+      .add(static_cast<std::int64_t>(file.st_mtim.tv_nsec));
+}
+
+Fingerprint key_of(const Model& model, const Scene& scene, const OneProcessConfig& config,
+                   const AccuracyRequest& request) {
+  FingerprintMaker maker;
+  maker.add("ladder 1");
+  add_this_program(maker);
+  maker.add(scene.text).add(scene.engine).add(scene.robot).add(model.hash);
+  for (const auto* list : {&scene.settings, &config.settings}) {
+    for (const auto& [name, value] : *list) maker.add(name).add(value);
+  }
+  maker.add(request.error).add(request.all).add(request.duration).add(request.seed);
+  maker.add(config.control.guard_in_loop);
+  return maker.value();
+}
+
+std::string text_of(const char* format, double a, double b = 0.0) {
+  char text[200];
+  std::snprintf(text, sizeof text, format, a, b);
+  return text;
+}
+
+void decide(const Model& model, const AccuracyRequest& request, AccuracyChoice& choice) {
+  const Ladder& ladder = choice.ladder;
+  if (!ladder.parted.empty()) {
+    const Parted& worst = ladder.parted.front();
+    choice.reason = worst.body + " has no converged answer: two runs that differ by 1e-12 part by " +
+                    text_of("%.3g mm", 1e3 * worst.apart) +
+                    "; no error can be held, leave the accuracy out";
+    return;
+  }
+  if (request.budget > 0.0) {
+    choice.rung = ladder.choose_within(1e3 * request.budget / model.period());
+    if (choice.rung < 0) {
+      choice.reason = text_of("no order and step fits into %.3g ms of a control period",
+                              1e3 * request.budget);
+      return;
+    }
+    const double reached = ladder.estimate(at(choice.rung));
+    if (request.error > 0.0 && !(reached <= request.error)) {
+      choice.reason = text_of("within the budget the error is %.3g mm, %.3g mm were asked",
+                              1e3 * reached, 1e3 * request.error);
+    }
+    return;
+  }
+  choice.rung = ladder.choose(request.error);
+  if (choice.rung < 0) {
+    choice.reason = text_of("no order and step holds %.3g mm: the finest two runs differ by %.3g mm",
+                            1e3 * request.error, 1e3 * ladder.agreement);
+  }
+}
+
+}  // namespace
+
+AccuracyChoice choose_accuracy(const Model& model, const Scene& scene,
+                               const OneProcessConfig& config, const AccuracyRequest& request) {
+  AccuracyChoice choice;
+  const Fingerprint key = key_of(model, scene, config, request);
+  if (const auto text = disk_cache().find(kKind, key)) {
+    choice.kept = read_ladder(*text, choice.ladder);
+    if (!choice.kept) disk_cache().refuse(kKind, key, "it is no ladder");
+  }
+  if (!choice.kept) {
+    LadderRequest climbing;
+    climbing.duration = request.duration;
+    climbing.error = request.error;
+    // Within a budget the yardstick is as good as time allows.
+    climbing.all = request.all || !(request.error > 0.0);
+    if (request.talk) {
+      climbing.progress = [](const Ladder& so_far) {
+        const Rung& rung = so_far.rungs.back();
+        std::fprintf(stderr, "accuracy: order %d at %.3g ms, %.2f ms of physics per second%s\n",
+                     rung.order, 1e3 * rung.step, rung.cost,
+                     std::isfinite(so_far.agreement) && rung.order == 3
+                         ? text_of("; the finest two agree to %.3g mm", 1e3 * so_far.agreement).c_str()
+                         : "");
+      };
+    }
+    choice.ladder = climb(model, scene, config, climbing);
+    if (!choice.ladder.rungs.empty()) disk_cache().keep(kKind, key, ladder_text(choice.ladder));
+  }
+  decide(model, request, choice);
+  return choice;
+}
+
+}  // namespace twinbus

@@ -1,0 +1,32 @@
+// How a run comes to the order and step that hold the error asked for: the ladder (launcher/run/ladder.h), climbed
+// once and then kept in the cache of this user.
+
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "launcher/run/ladder.h"
+
+namespace twinbus {
+
+struct AccuracyRequest {
+  double error = 0.0;   // asked for [m]; 0: the best that the budget gives
+  double budget = 0.0;  // of the physics in a control period, CPU [s]; 0: none
+  double duration = 0.0;
+  std::uint64_t seed = 1;
+  bool all = false;   // the whole ladder
+  bool talk = false;  // progress on stderr
+};
+
+struct AccuracyChoice {
+  Ladder ladder;
+  int rung = -1;       // -1: none holds the error, or fits the budget
+  bool kept = false;   // the ladder came from the cache
+  std::string reason;  // one sentence where rung is -1, or where the budget does not hold the error
+};
+
+AccuracyChoice choose_accuracy(const Model& model, const Scene& scene,
+                               const OneProcessConfig& config, const AccuracyRequest& request);
+
+}  // namespace twinbus

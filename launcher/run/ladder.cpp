@@ -1,0 +1,308 @@
+#include "launcher/run/ladder.h"
+
+#include <time.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <sstream>
+
+#include "common/math/index.h"
+#include "common/process/process.h"
+
+namespace twinbus {
+
+namespace {
+
+constexpr double kEvery = 0.02;        // between two looks at a run [s]
+constexpr double kTwin = 1e-12;        // relative, and [m]
+constexpr double kParted = 1e-6;       // [m]: what converges parts by less than 1e-8
+constexpr double kMargin = 1.3;        // of the error asked for
+constexpr double kAgreement = 2.0;     // of it the finest two runs agree to so small a part
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr int kParts[] = {1, 2, 4, 10, 20};  // of the control period
+
+using Sample = std::vector<Eigen::Vector3d>;
+
+struct Track {
+  std::vector<Sample> at;
+  std::vector<std::string> names;
+  double cost = 0.0;  // CPU of the physics [s]
+  double all = 0.0;   // CPU of everything [s]
+  bool whole = true;
+};
+
+double cpu_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+Sample places(const OneProcess& run) {
+  Sample sample;
+  const World& world = run.world();
+  for (int i = 0; i < run.model().link_count(); ++i)
+    sample.push_back(world.link_in_world(i).translation());
+  for (int i = 0; i < world.loose_count(); ++i)
+    sample.push_back(world.loose(i).pose.translation());
+  for (std::size_t i = 0; i < run.further_robots().size(); ++i)
+    sample.push_back(world.robot_link(static_cast<int>(i), 0).translation());
+  return sample;
+}
+
+std::vector<std::string> names_of(const OneProcess& run) {
+  std::vector<std::string> names;
+  for (const Link& link : run.model().links) names.push_back("link " + link.name);
+  for (int i = 0; i < run.world().loose_count(); ++i)
+    names.push_back("loose body " + run.loose_name(i));
+  for (const auto& robot : run.further_robots()) names.push_back("robot " + robot.name);
+  return names;
+}
+
+Track follow(const Model& model, const Scene& scene, const OneProcessConfig& config,
+             double duration) {
+  const double begun = cpu_seconds();
+  OneProcess run(model, scene, config);
+  run.time_physics();
+  Track track;
+  track.names = names_of(run);
+  const std::int64_t ticks = std::llround(duration / model.period());
+  const std::int64_t every = std::max<std::int64_t>(1, std::llround(kEvery / model.period()));
+  while (run.ticks() < ticks && !quit_requested() && run.tick()) {
+    if (run.ticks() % every == 0) track.at.push_back(places(run));
+  }
+  track.whole = run.ticks() >= ticks;
+  track.cost = run.physics_seconds();
+  track.all = cpu_seconds() - begun;
+  return track;
+}
+
+struct Apart {
+  double most = 0.0;  // [m]
+  std::size_t sample = 0, body = 0;
+};
+
+Apart distance(const Track& a, const Track& b) {
+  Apart apart;
+  if (!a.whole || !b.whole || a.at.size() != b.at.size()) return {kInfinity, 0, 0};
+  for (std::size_t i = 0; i < a.at.size(); ++i) {
+    for (std::size_t k = 0; k < a.at[i].size(); ++k) {
+      const double d = (a.at[i][k] - b.at[i][k]).norm();
+      if (!(d <= apart.most)) apart = {d, i, k};
+    }
+  }
+  return apart;
+}
+
+// The same with everything heavier, rougher and farther by one part in 1e12.
+Scene twin_of(const Scene& scene) {
+  Scene twin = scene;
+  twin.ground_friction *= 1.0 + kTwin;
+  for (LooseBody& body : twin.loose) {
+    body.mass *= 1.0 + kTwin;
+    body.friction *= 1.0 + kTwin;
+    body.start.pose.translation() += kTwin * Eigen::Vector3d(1.0, -0.7, 0.4);
+    body.start.velocity *= 1.0 + kTwin;
+    body.start.angular_velocity *= 1.0 + kTwin;
+  }
+  for (auto& [joint, speed] : twin.start_velocity) speed *= 1.0 + kTwin;
+  double mass = 1.0;
+  for (const auto& [key, value] : twin.settings) {
+    if (key == "model.mass_scale") mass = std::stod(value);
+  }
+  char text[40];
+  std::snprintf(text, sizeof text, "%.17g", mass * (1.0 + kTwin));
+  twin.settings.emplace_back("model.mass_scale", text);
+  return twin;
+}
+
+std::vector<Parted> parted_bodies(const Track& a, const Track& b) {
+  std::vector<Parted> parted;
+  for (std::size_t k = 0; k < a.names.size(); ++k) {
+    double most = 0.0;
+    for (std::size_t i = 0; i < std::min(a.at.size(), b.at.size()); ++i) {
+      const double d = (a.at[i][k] - b.at[i][k]).norm();
+      if (!(d <= most)) most = d;
+    }
+    if (!(most <= kParted)) parted.push_back({a.names[k], most});
+  }
+  std::sort(parted.begin(), parted.end(),
+            [](const Parted& x, const Parted& y) { return x.apart > y.apart; });
+  return parted;
+}
+
+}  // namespace
+
+double Ladder::estimate(std::size_t rung) const {
+  return rung + 1 == rungs.size() ? agreement : rungs[rung].apart;
+}
+
+int Ladder::choose(double error) const {
+  if (!parted.empty() || !(agreement <= error / kAgreement)) return -1;
+  int best = -1;
+  for (std::size_t i = 0; i < rungs.size(); ++i) {
+    const Rung& rung = rungs[i];
+    const bool holds = std::all_of(rungs.begin(), rungs.end(), [&](const Rung& finer) {
+      if (finer.order != rung.order || finer.step > rung.step) return true;
+      return finer.whole && finer.apart <= error / kMargin;
+    });
+    if (holds && (best < 0 || rung.cost < rungs[at(best)].cost)) best = static_cast<int>(i);
+  }
+  return best;
+}
+
+int Ladder::choose_within(double cost) const {
+  int best = -1;
+  for (std::size_t i = 0; i < rungs.size(); ++i) {
+    if (!rungs[i].whole || !(rungs[i].cost <= cost)) continue;
+    if (best < 0 || estimate(i) < estimate(at(best))) best = static_cast<int>(i);
+  }
+  return best;
+}
+
+Scene at_rung(const Scene& scene, int order, double step) {
+  Scene changed = scene;
+  changed.step = step;
+  std::erase_if(changed.settings, [](const auto& each) { return each.first == "solver.order"; });
+  if (order > 1) changed.settings.emplace_back("solver.order", std::to_string(order));
+  return changed;
+}
+
+Ladder climb(const Model& model, const Scene& scene, const OneProcessConfig& config,
+             const LadderRequest& request) {
+  OneProcessConfig quiet = config;
+  quiet.listener = nullptr;
+  std::erase_if(quiet.settings, [](const auto& each) { return each.first == "solver.order"; });
+  const int orders = scene.engine == "ode" ? 1 : 3;
+  Ladder ladder;
+  std::vector<Track> tracks;
+  const auto run = [&](const Scene& asked) {
+    Track track = follow(model, asked, quiet, request.duration);
+    ladder.cost += track.all;
+    return track;
+  };
+  const auto look_again = [&] {  // from the newest yardstick
+    for (std::size_t i = 0; i < tracks.size(); ++i) {
+      const Apart apart = distance(tracks[i], tracks.back());
+      Rung& rung = ladder.rungs[i];
+      rung.apart = apart.most;
+      rung.at = kEvery * static_cast<double>(apart.sample + 1);
+      rung.body = tracks[i].names.empty() ? "" : tracks[i].names[apart.body];
+    }
+  };
+  std::size_t last_top = 0;
+  bool have_top = false;
+  for (const int parts : kParts) {
+    const double step = model.period() / parts;
+    for (int order = 1; order <= orders; ++order) {
+      tracks.push_back(run(at_rung(scene, order, step)));
+      ladder.rungs.push_back({.order = order,
+                              .step = step,
+                              .cost = 1e3 * tracks.back().cost / request.duration,
+                              .apart = 0.0,
+                              .at = 0.0,
+                              .body = "",
+                              .whole = tracks.back().whole});
+      // Twins of the coarsest run of order 2, or of order 1 where there is no other.
+      if (parts == 1 && order == std::min(2, orders)) {
+        ladder.parted =
+            parted_bodies(tracks.back(), run(twin_of(at_rung(scene, order, step))));
+        if (!ladder.parted.empty() && !request.all) {
+          look_again();
+          ladder.agreement = kInfinity;
+          return ladder;
+        }
+      }
+      if (order == orders) {
+        look_again();
+        ladder.agreement = have_top ? ladder.rungs[last_top].apart : kInfinity;
+      }
+      if (request.progress) request.progress(ladder);
+      if (quit_requested()) return ladder;
+    }
+    last_top = tracks.size() - 1;
+    const bool agreed = have_top && ladder.agreement <= request.error / kAgreement;
+    have_top = true;
+    if (agreed && !request.all) break;
+  }
+  return ladder;
+}
+
+std::string ladder_text(const Ladder& ladder) {
+  std::ostringstream text;
+  text.precision(17);
+  text << "ladder 1 " << ladder.rungs.size() << ' ' << ladder.parted.size() << ' '
+       << (std::isfinite(ladder.agreement) ? ladder.agreement : -1.0) << ' ' << ladder.cost << '\n';
+  for (const Rung& r : ladder.rungs) {
+    text << r.order << ' ' << r.step << ' ' << r.cost << ' '
+         << (std::isfinite(r.apart) ? r.apart : -1.0) << ' ' << r.at << ' ' << r.whole << ' '
+         << r.body << '\n';
+  }
+  for (const Parted& p : ladder.parted)
+    text << (std::isfinite(p.apart) ? p.apart : -1.0) << ' ' << p.body << '\n';
+  return text.str();
+}
+
+bool read_ladder(const std::string& text, Ladder& ladder) {
+  std::istringstream in(text);
+  std::string word;
+  int version = 0;
+  std::size_t rungs = 0, parted = 0;
+  Ladder read;
+  if (!(in >> word >> version >> rungs >> parted >> read.agreement >> read.cost) ||
+      word != "ladder" || version != 1 || rungs > 1000 || parted > 10000) {
+    return false;
+  }
+  const auto endless = [](double value) { return value < 0.0 ? kInfinity : value; };
+  read.agreement = endless(read.agreement);
+  for (std::size_t i = 0; i < rungs; ++i) {
+    Rung r;
+    if (!(in >> r.order >> r.step >> r.cost >> r.apart >> r.at >> r.whole)) return false;
+    if (r.order < 1 || r.order > 3 || !(r.step > 0.0)) return false;
+    r.apart = endless(r.apart);
+    std::getline(in, r.body);
+    if (!r.body.empty()) r.body.erase(0, 1);
+    read.rungs.push_back(r);
+  }
+  for (std::size_t i = 0; i < parted; ++i) {
+    Parted p;
+    if (!(in >> p.apart)) return false;
+    p.apart = endless(p.apart);
+    std::getline(in, p.body);
+    if (!p.body.empty()) p.body.erase(0, 1);
+    read.parted.push_back(p);
+  }
+  ladder = read;
+  return true;
+}
+
+std::string ladder_table(const Ladder& ladder, int chosen) {
+  std::string table = "order   step [ms]   physics [ms/s]   error [mm]   where it is largest\n";
+  char line[200];
+  for (std::size_t i = 0; i < ladder.rungs.size(); ++i) {
+    const Rung& r = ladder.rungs[i];
+    const double error = 1e3 * ladder.estimate(i);
+    std::snprintf(line, sizeof line, "%c %d   %9.3f   %14.2f   %10.4g   ",
+                  static_cast<int>(i) == chosen ? '*' : ' ', r.order, 1e3 * r.step, r.cost, error);
+    table += line;
+    if (i + 1 == ladder.rungs.size()) {
+      table += "the yardstick";
+    } else if (!r.whole) {
+      table += "ended early";
+    } else {
+      std::snprintf(line, sizeof line, "%s at %.2f s", r.body.c_str(), r.at);
+      table += line;
+    }
+    table += '\n';
+  }
+  for (const Parted& p : ladder.parted) {
+    std::snprintf(line, sizeof line,
+                  "%s: two runs that differ by 1e-12 part by %.3g mm: no error can be held\n",
+                  p.body.c_str(), 1e3 * p.apart);
+    table += line;
+  }
+  return table;
+}
+
+}  // namespace twinbus

@@ -1,0 +1,74 @@
+// How far a run is from the converged answer, and the cheapest order and step that hold an error.
+//
+// Two runs whose start differs by 1e-12 come first: what parts there has no converged answer, body
+// by body.  Then a ladder of orders 1, 2, 3 at ever finer steps until the finest two of order 3 agree
+// to half the error asked for.  The last is the yardstick; delivered is the cheapest run that lies
+// within the error / 1.3 of it, together with all finer ones of its order.  Richardson's rule is not
+// used: where there are events it is wrong.
+//
+// The error is the largest distance of any link origin or loose body from the yardstick, every 20 ms.
+
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "launcher/run/local_stack.h"
+
+namespace twinbus {
+
+struct Rung {
+  int order = 1;
+  double step = 0.0;     // [s]
+  double cost = 0.0;     // CPU of the physics [ms per simulated s]
+  double apart = 0.0;    // from the yardstick [m]
+  double at = 0.0;       // where it is farthest [s]
+  std::string body;      // and what
+  bool whole = true;     // the run did not end early
+  bool operator==(const Rung&) const = default;
+};
+
+// What two runs that differ by 1e-12 disagree about.
+struct Parted {
+  std::string body;
+  double apart = 0.0;  // [m]
+  bool operator==(const Parted&) const = default;
+};
+
+struct Ladder {
+  std::vector<Rung> rungs;  // in the order in which they were run; the yardstick is the last
+  std::vector<Parted> parted;
+  double agreement = 0.0;   // of the finest two of order 3 [m]
+  double cost = 0.0;        // CPU of all runs, controller too [s]
+
+  // True error of a rung is about this [m]: its distance, of the yardstick the agreement.
+  double estimate(std::size_t rung) const;
+  // The cheapest that holds the error together with all finer ones of its order; -1: none does.
+  int choose(double error) const;
+  // The nearest to the yardstick that costs no more [ms per simulated s]; -1: none.
+  int choose_within(double cost) const;
+};
+
+struct LadderRequest {
+  double duration = 0.0;  // [s]
+  double error = 1e-3;    // asked for [m]
+  bool all = false;       // every rung, however soon they agree
+  std::function<void(const Ladder&)> progress;  // after each run; may be empty
+};
+
+// The scene's own step and order are not used.  Throws std::runtime_error as OneProcess does.
+Ladder climb(const Model& model, const Scene& scene, const OneProcessConfig& config,
+             const LadderRequest& request);
+
+// What the cache keeps.  Empty text or a wrong one: false.
+std::string ladder_text(const Ladder& ladder);
+bool read_ladder(const std::string& text, Ladder& ladder);
+
+// The scene as that rung runs it.
+Scene at_rung(const Scene& scene, int order, double step);
+
+// For people: a line for each rung.
+std::string ladder_table(const Ladder& ladder, int chosen);
+
+}  // namespace twinbus

@@ -1,0 +1,71 @@
+// The choice that a ladder of runs makes, and what of it the cache keeps.
+
+#include "launcher/run/ladder.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace twinbus {
+namespace {
+
+// Order 1 is lucky at 2 ms; order 2 holds a millimetre from there on.
+Ladder ladder() {
+  Ladder l;
+  const auto rung = [](int order, double step, double cost, double apart) {
+    Rung r;
+    r.order = order;
+    r.step = step;
+    r.cost = cost;
+    r.apart = apart;
+    r.body = "link foot";
+    return r;
+  };
+  l.rungs = {rung(1, 2e-3, 2, 2e-4),  rung(2, 2e-3, 6, 5e-4),  rung(3, 2e-3, 12, 1e-4),
+             rung(1, 1e-3, 4, 3e-3),  rung(2, 1e-3, 12, 9e-5), rung(3, 1e-3, 24, 0.0)};
+  l.agreement = 1e-4;
+  return l;
+}
+
+TEST(Ladder, TheCheapestIsTakenThatHoldsTogetherWithAllFinerOnes) {
+  const Ladder l = ladder();
+  EXPECT_EQ(l.choose(1e-2), 0);   // order 1 holds 10 mm at both steps
+  EXPECT_EQ(l.choose(1e-3), 1);   // order 1 at 2 ms was luck
+  EXPECT_EQ(l.choose(2e-4), 2);   // order 2 at 2 ms does not; order 3 costs as much as the finer one of 2 does
+}
+
+TEST(Ladder, NothingIsChosenThatTheYardstickDoesNotProve) {
+  Ladder l = ladder();
+  EXPECT_EQ(l.choose(1e-5), -1);
+  l.agreement = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(l.choose(1e-2), -1);
+  l = ladder();
+  l.parted.push_back({"loose body chip", 0.5});
+  EXPECT_EQ(l.choose(1e-2), -1);
+}
+
+TEST(Ladder, OfABudgetTheMostAccurateRunIsTaken) {
+  const Ladder l = ladder();
+  EXPECT_EQ(l.choose_within(1.0), -1);
+  EXPECT_EQ(l.choose_within(6.0), 0);
+  EXPECT_EQ(l.choose_within(12.0), 4);
+  EXPECT_DOUBLE_EQ(l.estimate(4), 9e-5);
+  EXPECT_DOUBLE_EQ(l.estimate(5), 1e-4);
+}
+
+TEST(Ladder, TheCacheGivesBackWhatItWasGiven) {
+  Ladder l = ladder();
+  l.rungs[0].apart = std::numeric_limits<double>::infinity();
+  l.rungs[0].whole = false;
+  l.parted = {{"robot left one", 0.25}};
+  Ladder back;
+  ASSERT_TRUE(read_ladder(ladder_text(l), back));
+  EXPECT_EQ(back.rungs, l.rungs);
+  EXPECT_EQ(back.parted, l.parted);
+  EXPECT_EQ(back.agreement, l.agreement);
+  EXPECT_FALSE(read_ladder("", back));
+  EXPECT_FALSE(read_ladder(ladder_text(l).substr(0, 60), back));
+}
+
+}  // namespace
+}  // namespace twinbus
