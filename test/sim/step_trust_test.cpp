@@ -1,0 +1,138 @@
+// What engines say of steps that are wrong, in that step, and that they say nothing of good ones.
+
+#include "sim/world/step_trust.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "both_engines.h"
+#include "sim/engine/energy_balance.h"
+#include "test_models.h"
+
+namespace twinbus {
+namespace {
+
+// A ball of 20 mm flies at a plate of 2 mm that stands in its way at x = 1.
+WorldConfig shot(double speed, double stiffness, double step) {
+  WorldConfig config;
+  config.step = step;
+  Obstacle plate;
+  plate.shape = ObstacleShape::kBox;
+  plate.size << 0.002, 1, 1;
+  plate.pose.translation() = Eigen::Vector3d(1, 0, 1);
+  config.obstacles = {plate};
+  LooseBody ball;
+  ball.name = "ball";
+  ball.mass = 0.03;
+  ball.solid = {SolidShape::kSphere, {0.01, 0, 0}};
+  ball.stiffness = stiffness;
+  ball.damping = 0.1 * std::sqrt(stiffness * ball.mass);
+  ball.start.pose.translation() = Eigen::Vector3d(0.9, 0, 1);
+  ball.start.velocity.x() = speed;
+  config.loose = {ball};
+  return config;
+}
+
+class StepTrustTest : public test::BothEngines {};
+TWINBUS_FOR_BOTH_ENGINES(StepTrustTest);
+
+TEST_P(StepTrustTest, WhatComesThroughAPlateIsSaidInThatStep) {
+  const Model model = test::bystander();
+  // Ours lets through what its spring cannot stop, ODE what moves too far in a step.
+  WorldConfig config = is_ode() ? shot(50, 1e7, 1e-3) : shot(50, 1e5, 1e-4);
+  if (is_ode()) config.loose[0].start.pose.translation().x() = 0.925;  // steps over it
+  const auto world = make(model, config);
+  ASSERT_EQ(world->set(Configuration(model)), Status::kOk);
+  double said_at = 2.0;
+  for (double t = 0.0; t < 0.01 && !(world->loose(0).pose.translation().x() > 1.0); t += config.step) {
+    ASSERT_EQ(world->step(), Status::kOk);
+    if (world->trust()[Doubt::kThrough]) said_at = std::min(said_at, t);
+  }
+  EXPECT_GT(world->loose(0).pose.translation().x(), 1.0);
+  EXPECT_LT(said_at, 1.0);
+}
+
+TEST_P(StepTrustTest, OfABallThatBouncesOffNothingIsSaid) {
+  const Model model = test::bystander();
+  const WorldConfig config = shot(2, 1e7, 1e-4);
+  const auto world = make(model, config);
+  ASSERT_EQ(world->set(Configuration(model)), Status::kOk);
+  EnergyBalance balance(model, config);
+  balance.begin(*world);
+  long doubted = 0;
+  for (int i = 0; i < 1000; ++i) {
+    ASSERT_EQ(world->step(), Status::kOk);
+    doubted += world->trust().any() || balance.add(*world, 0.0) ? 1 : 0;
+  }
+  EXPECT_LT(world->loose(0).velocity.x(), 0.0);
+  EXPECT_EQ(doubted, 0);
+}
+
+TEST(StepTrust, AServoThatLiftsIsNoGainAndAThrowInMidAirIs) {
+  const Model model = test::pendulum();
+  WorldConfig config;
+  config.fixed_base = true;
+  config.step = 1e-3;
+  const auto world = make_world(model, config);
+  Configuration start(model);
+  ASSERT_EQ(world->set(start), Status::kOk);
+  (void)world->set_servo(0, {.q = 1.0, .kp = 200.0, .kd = 20.0});
+  EnergyBalance balance(model, config);
+  balance.begin(*world);
+  for (int i = 0; i < 1000; ++i) {
+    ASSERT_EQ(world->step(), Status::kOk);
+    EXPECT_FALSE(balance.add(*world, 0.0)) << i << ": " << balance.gain();
+  }
+  Configuration faster = world->configuration();
+  faster.qd[0] += 1.0;
+  ASSERT_EQ(world->set(faster), Status::kOk);
+  ASSERT_EQ(world->step(), Status::kOk);
+  EXPECT_TRUE(balance.add(*world, 0.0));
+  EXPECT_GT(balance.gain(), 0.1);
+}
+
+// A free chain takes off at a step too large for its gyroscopic forces: it is said before kDiverged.
+TEST(StepTrust, AChainThatGainsEnergyIsDoubtedBeforeItDiverges) {
+  const Model model = test::chain(30, true);
+  WorldConfig config;
+  config.step = 0.02;
+  const auto world = make_world(model, config);
+  Configuration start(model);
+  start.base.translation().z() = 50.0;
+  for (int j = 0; j < start.qd.size(); ++j) start.qd[j] = 6.0 * std::sin(1.7 * j + 0.3);
+  ASSERT_EQ(world->set(start), Status::kOk);
+  for (int j = 0; j < model.joint_count(); ++j) (void)world->set_servo(j, {});
+  EnergyBalance balance(model, config);
+  balance.begin(*world);
+  double gained = 0.0, most = 0.0;
+  long doubted = 0;
+  for (int i = 0; i < 200 && world->step() == Status::kOk; ++i) {
+    doubted += balance.add(*world, 0.0) ? 1 : 0;
+    gained += balance.gain();
+    most = std::max(most, gained);
+  }
+  EXPECT_GT(most, 10.0);  // [J]
+  EXPECT_GT(doubted, 0);
+}
+
+TEST(StepTrust, CountsSayHowOftenAndWhatCameFirst) {
+  TrustCounts counts;
+  StepTrust step;
+  counts.add(step, 0.1, 1.0);
+  EXPECT_EQ(counts.doubted, 0);
+  step[Doubt::kDeep] = true;
+  step.first_depth = 0.01;
+  counts.add(step, 0.2, 2.0);
+  step[Doubt::kUnconverged] = true;
+  counts.add(step, 0.0, 3.0);
+  EXPECT_EQ(counts.doubted, 2);
+  EXPECT_EQ(counts.steps[static_cast<std::size_t>(Doubt::kDeep)], 2);
+  EXPECT_EQ(counts.steps[static_cast<std::size_t>(Doubt::kUnconverged)], 1);
+  EXPECT_EQ(counts.first, Doubt::kDeep);
+  EXPECT_EQ(counts.first_at, 2.0);
+  EXPECT_EQ(counts.energy_gain, 0.2);
+}
+
+}  // namespace
+}  // namespace twinbus
