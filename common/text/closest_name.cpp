@@ -40,6 +40,21 @@ std::string nearest_name(const std::string& name, const std::vector<std::string>
   return best;
 }
 
+std::string misspelt_name(const std::string& name, const std::vector<std::string>& candidates,
+                          std::size_t most) {
+  if (name.size() > 200) return {};
+  std::string best;
+  std::size_t fewest = most + 1;
+  for (const std::string& candidate : candidates) {
+    const std::size_t count = edits(name, candidate);
+    // Of a name of one or two letters nothing would be left.
+    if (count >= fewest || count >= candidate.size()) continue;
+    fewest = count;
+    best = candidate;
+  }
+  return best;
+}
+
 std::string suggestion(const std::string& name, const std::vector<std::string>& candidates) {
   const std::string near = nearest_name(name, candidates);
   if (!near.empty()) return "; did you mean " + near + "?";

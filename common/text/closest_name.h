@@ -11,6 +11,11 @@ namespace twinbus {
 // mistake.
 std::string nearest_name(const std::string& name, const std::vector<std::string>& candidates);
 
+// The candidate that name is a misspelling of: at most `most` letters added, lost or changed, capitals ignored; empty if
+// there is none.
+std::string misspelt_name(const std::string& name, const std::vector<std::string>& candidates,
+                          std::size_t most);
+
 // "; did you mean X?", or "; known: a, b, c" when nothing is near (at most 12 are listed).
 std::string suggestion(const std::string& name, const std::vector<std::string>& candidates);
 

@@ -8,9 +8,28 @@
 #include <stdexcept>
 
 #include "common/text/closest_name.h"
+#include "common/text/printable.h"
 #include "common/text/xml.h"
 
 namespace twinbus {
+
+namespace {
+
+constexpr std::size_t kLongestText = 4096;  // [bytes]
+
+// Names and texts are printed, sent and shown: control characters and broken UTF-8 do not get in.  Null if it is good.
+const char* why_no_text(const std::string& text) {
+  if (text.size() > kLongestText) return "is longer than 4096 bytes; shorten it";
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t letter = printable_letter(std::string_view(text).substr(at));
+    if (letter == 0 && text[at] != '\n' && text[at] != '\t')
+      return "has a control character or broken UTF-8; write plain text";
+    at += letter == 0 ? 1 : letter;
+  }
+  return nullptr;
+}
+
+}  // namespace
 
 struct ConfigNode::Impl {
   Impl(std::string file_name, YAML::Node map, std::string place)
@@ -22,6 +41,8 @@ struct ConfigNode::Impl {
     for (const auto& entry : node) {
       const int at = entry.first.Mark().line + 1;
       if (!entry.first.IsScalar()) fail_at(file, at, "a key must be plain text");
+      if (const char* why = why_no_text(entry.first.Scalar()))
+        fail_at(file, at, std::string("a key ") + why);
       if (!seen.insert(entry.first.Scalar()).second)
         fail_at(file, at, "key " + entry.first.Scalar() + " is there twice");
     }
@@ -106,6 +127,7 @@ std::string ConfigNode::text(const std::string& key) const {
   const YAML::Node node = impl_->find(key);
   if (!node) fail(key, "is missing; it is a text");
   if (!node.IsScalar()) fail(key, "must be plain text");
+  if (const char* why = why_no_text(node.Scalar())) fail(key, why);
   return node.Scalar();
 }
 
@@ -148,6 +170,7 @@ std::vector<std::string> ConfigNode::texts(const std::string& key) const {
   std::vector<std::string> result;
   for (const auto& entry : node) {
     if (!entry.IsScalar()) fail(key, "must be a list of plain texts");
+    if (const char* why = why_no_text(entry.Scalar())) fail(key, why);
     result.push_back(entry.Scalar());
   }
   return result;
@@ -194,12 +217,12 @@ int ConfigNode::line(const std::string& key) const {
 }
 
 std::string ConfigNode::where(const std::string& key) const {
-  return impl_->file + ":" + std::to_string(line(key)) + ": " + key;
+  return impl_->file + ":" + std::to_string(line(key)) + ": " + printable(key, 100);
 }
 
 void ConfigNode::fail(const std::string& key, const std::string& message) const {
-  throw std::runtime_error(where(key) + (impl_->path.empty() ? "" : " of " + impl_->path) + " " +
-                           message);
+  fail_at(impl_->file, line(key),
+          printable(key, 100) + (impl_->path.empty() ? "" : " of " + impl_->path) + " " + message);
 }
 
 }  // namespace twinbus

@@ -1,6 +1,6 @@
 #include "common/text/xml.h"
 
-#include <tinyxml.h>
+#include <expat.h>
 
 #include <algorithm>
 #include <charconv>
@@ -8,7 +8,9 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <string_view>
+#include <new>
+
+#include "common/text/printable.h"
 
 namespace twinbus {
 
@@ -27,12 +29,9 @@ const XmlElement* XmlElement::child(const std::string& key) const {
 }
 
 void fail_at(const std::string& file, int line, const std::string& message) {
-  std::string text = file + ":" + std::to_string(line) + ": " + message;
-  // Parts of a hostile file are quoted in messages: they stay on one line and cannot drive a terminal.
-  for (char& c : text) {
-    if (static_cast<unsigned char>(c) < ' ' || c == 127) c = '?';
-  }
-  throw std::runtime_error(text);
+  // Parts of a hostile file are quoted in messages: they stay on one line, short, and cannot drive a terminal.
+  throw std::runtime_error(printable(file + ":" + std::to_string(line) + ": ", 1000) +
+                           printable(message, 1000));
 }
 
 namespace {
@@ -70,121 +69,152 @@ std::string read_text_file(const std::string& path) {
   return text;
 }
 
-// Stops counting at the first thing that is not XML.
-void refuse_deep_nesting(const std::string& text, const std::string& file) {
-  int depth = 0;
-  int line = 1;
-  std::size_t counted = 0;
-  std::size_t at = 0;
-  const auto skip_past = [&](const char* end) {
-    const std::size_t found = text.find(end, at);
-    at = found == std::string::npos ? text.size() : found + std::strlen(end);
-  };
-  while ((at = text.find('<', at)) != std::string::npos) {
-    for (; counted < at; ++counted) line += text[counted] == '\n' ? 1 : 0;
-    if (text.compare(at, 4, "<!--") == 0) {
-      skip_past("-->");
-    } else if (text.compare(at, 9, "<![CDATA[") == 0) {
-      skip_past("]]>");
-    } else if (text.compare(at, 2, "<?") == 0) {
-      skip_past("?>");
-    } else if (text.compare(at, 2, "<!") == 0) {
-      skip_past(">");
-    } else if (text.compare(at, 2, "</") == 0) {
-      --depth;
-      skip_past(">");
-    } else {
-      char quote = 0;
-      std::size_t end = at + 1;
-      for (; end < text.size() && (quote != 0 || text[end] != '>'); ++end) {
-        if (quote != 0) {
-          if (text[end] == quote) quote = 0;
-        } else if (text[end] == '"' || text[end] == '\'') {
-          quote = text[end];
-        }
-      }
-      if (text[end - 1] != '/') ++depth;
-      if (depth > kMaxXmlDepth) {
-        fail_at(file, line,
-                "tags nested deeper than " + std::to_string(kMaxXmlDepth) + "; flatten them");
-      }
-      at = end;
-    }
-  }
-}
-
 namespace {
 
-constexpr std::size_t kLongText = 64;  // [bytes]
-constexpr char kLifted = '\x01';  // in place of a long list: this, its number, and its line ends
+// Builds the tree while expat reads.  What this reader refuses itself is kept and stops expat, since nothing may be thrown
+// through a library in C.
+class TreeBuilder {
+ public:
+  explicit TreeBuilder(const std::string& file) : file_(file), parser_(XML_ParserCreate(nullptr)) {
+    if (parser_ == nullptr) throw std::bad_alloc();
+    XML_SetUserData(parser_, this);
+    XML_SetElementHandler(parser_, &TreeBuilder::on_start, &TreeBuilder::on_end);
+    XML_SetCharacterDataHandler(parser_, &TreeBuilder::on_text);
+    XML_SetStartDoctypeDeclHandler(parser_, &TreeBuilder::on_doctype);
+  }
+  ~TreeBuilder() { XML_ParserFree(parser_); }
+  TreeBuilder(const TreeBuilder&) = delete;
+  TreeBuilder& operator=(const TreeBuilder&) = delete;
 
-bool is_of_a_number(char c) {
-  return (c >= '0' && c <= '9') || c == ' ' || c == '\n' || c == '.' || c == '-' || c == 'e' ||
-         c == 'E' || c == '+' || c == '\r' || c == '\t';
-}
+  XmlElement parse(const std::string& text) {
+    if (XML_Parse(parser_, text.data(), static_cast<int>(text.size()), XML_TRUE) == XML_STATUS_OK)
+      return std::move(root_);
+    const int line = static_cast<int>(XML_GetCurrentLineNumber(parser_));
+    if (!refusal_.empty()) fail_at(file_, line, refusal_);
+    const XML_Error error = XML_GetErrorCode(parser_);
+    if (error == XML_ERROR_NO_ELEMENTS && !started_) {
+      fail_at(file_, line, "not XML: there is no element; write <robot name=...> ... </robot>");
+    }
+    fail_at(
+        file_, line,
+        std::string("not well-formed XML: ") + XML_ErrorString(error) + "; repair it in an editor");
+  }
 
-// Mesh files are long lists of numbers, over which TinyXML takes a hundred instructions per byte:
-// it is given the file without them.
-std::string without_lists(const std::string& text, std::vector<std::string_view>& lists) {
-  // Where the mark may come from elsewhere, written or as a number, nothing is left out.
-  for (const char* other : {"\x01", "&#", "<![CDATA["}) {
-    if (text.find(other) != std::string::npos) return text;
+ private:
+  void refuse(const char* why) {
+    if (refusal_.empty()) refusal_ = why;
+    XML_StopParser(parser_, XML_FALSE);
   }
-  std::string rest;
-  std::size_t kept = 0;  // up to here
-  for (std::size_t tag = text.find('>'); tag != std::string::npos; tag = text.find('>', tag)) {
-    const std::size_t begin = ++tag;
-    while (tag < text.size() && is_of_a_number(text[tag])) ++tag;
-    if (tag - begin < kLongText || tag == text.size() || text[tag] != '<') continue;
-    const std::string_view list = std::string_view(text).substr(begin, tag - begin);
-    rest.append(text, kept, begin - kept);
-    rest += kLifted + std::to_string(lists.size());
-    rest.append(static_cast<std::size_t>(std::count(list.begin(), list.end(), '\n')), '\n');
-    lists.push_back(list);
-    kept = tag;
-  }
-  return rest.append(text, kept);
-}
 
-XmlElement convert(const TiXmlElement& from, const std::vector<std::string_view>& lists) {
-  XmlElement element;
-  element.name = from.ValueStr();
-  element.line = from.Row();
-  if (const char* text = from.GetText()) {
-    element.text = text;
-    if (text[0] == kLifted && !lists.empty()) element.text = lists[std::stoul(text + 1)];
+  static void XMLCALL on_start(void* user, const XML_Char* name, const XML_Char** attributes) {
+    TreeBuilder& self = *static_cast<TreeBuilder*>(user);
+    if (!self.refusal_.empty()) return;
+    self.started_ = true;
+    if (self.open_.size() >= kMaxXmlDepth) {
+      self.refuse("tags nested deeper than 64; flatten them");
+      return;
+    }
+    static_assert(kMaxXmlDepth == 64);
+    XmlElement element;
+    element.name = name;
+    element.line = static_cast<int>(XML_GetCurrentLineNumber(self.parser_));
+    for (; *attributes != nullptr; attributes += 2)
+      element.attributes.emplace_back(attributes[0], attributes[1]);
+    self.open_.push_back(std::move(element));
   }
-  for (const TiXmlAttribute* a = from.FirstAttribute(); a != nullptr; a = a->Next()) {
-    element.attributes.emplace_back(a->Name(), a->ValueStr());
+
+  static void XMLCALL on_end(void* user, const XML_Char*) {
+    TreeBuilder& self = *static_cast<TreeBuilder*>(user);
+    if (!self.refusal_.empty()) return;
+    XmlElement element = std::move(self.open_.back());
+    self.open_.pop_back();
+    constexpr const char* kBlanks = " \t\r\n";
+    const std::size_t first = element.text.find_first_not_of(kBlanks);
+    if (first == std::string::npos) {
+      element.text.clear();
+    } else {
+      element.text.erase(element.text.find_last_not_of(kBlanks) + 1);
+      element.text.erase(0, first);
+    }
+    if (self.open_.empty()) {
+      self.root_ = std::move(element);
+    } else {
+      self.open_.back().children.push_back(std::move(element));
+    }
   }
-  for (const TiXmlElement* c = from.FirstChildElement(); c != nullptr;
-       c = c->NextSiblingElement()) {
-    element.children.push_back(convert(*c, lists));
+
+  static void XMLCALL on_text(void* user, const XML_Char* text, int size) {
+    TreeBuilder& self = *static_cast<TreeBuilder*>(user);
+    if (self.refusal_.empty() && self.open_.back().children.empty())
+      self.open_.back().text.append(text, static_cast<std::size_t>(size));
   }
-  return element;
+
+  // Declarations could give attributes values that the file does not show, or multiply its text.
+  static void XMLCALL on_doctype(void* user, const XML_Char*, const XML_Char* system_id,
+                                 const XML_Char*, int has_subset) {
+    if (system_id != nullptr || has_subset != 0)
+      static_cast<TreeBuilder*>(user)->refuse(
+          "a document type with declarations is not read; remove <!DOCTYPE ...>");
+  }
+
+  const std::string& file_;
+  XML_Parser parser_;
+  std::vector<XmlElement> open_;  // from the root down
+  XmlElement root_;
+  std::string refusal_;
+  bool started_ = false;
+};
+
+void append_quoted(const std::string& value, std::string& text) {
+  for (const char c : value) {
+    switch (c) {
+      case '&':
+        text += "&amp;";
+        break;
+      case '<':
+        text += "&lt;";
+        break;
+      case '>':
+        text += "&gt;";
+        break;
+      case '"':
+        text += "&quot;";
+        break;
+      case '\t':
+        text += "&#9;";
+        break;
+      case '\n':
+        text += "&#10;";
+        break;
+      case '\r':
+        text += "&#13;";
+        break;
+      default:
+        text += c;
+    }
+  }
 }
 
 }  // namespace
 
 XmlElement parse_xml(const std::string& text, const std::string& file) {
   if (text.empty()) throw std::runtime_error(file + ": empty file");
-  refuse_deep_nesting(text, file);
-  TiXmlDocument document;
-  // TinyXML steps over the end by up to three bytes where a letter of several is cut short.
-  std::vector<std::string_view> lists;
-  const std::string padded = without_lists(text, lists) + std::string(8, '\0');
-  document.Parse(padded.c_str(), nullptr, TIXML_ENCODING_UTF8);
-  if (document.Error()) {
-    std::string why = document.ErrorDesc();
-    if (!why.empty() && why.back() == '.') why.pop_back();
-    fail_at(file, std::max(document.ErrorRow(), 1),
-            "not well-formed XML: " + why + "; repair it in an editor");
+  if (text.size() > kMaxBinaryFile)
+    throw std::runtime_error(file + ": too large to be read as XML");
+  return TreeBuilder(file).parse(text);
+}
+
+void append_xml(const XmlElement& element, std::string& text) {
+  text += '<' + element.name;
+  for (const auto& [name, value] : element.attributes) {
+    text += ' ' + name + "=\"";
+    append_quoted(value, text);
+    text += '"';
   }
-  const TiXmlElement* root = document.RootElement();
-  if (root == nullptr)
-    throw std::runtime_error(file +
-                             ": not XML: there is no element; write <robot name=...> ... </robot>");
-  return convert(*root, lists);
+  text += '>';
+  append_quoted(element.text, text);
+  for (const XmlElement& child : element.children) append_xml(child, text);
+  text += "</" + element.name + '>';
 }
 
 bool parse_numbers(const std::string& text, double* values, int count) {

@@ -1,7 +1,6 @@
-// A small XML file as a tree that knows its line numbers.
+// A small XML file as a tree that knows its line numbers, read by expat.
 //
-// What is too large, too deeply nested or not text is refused before the parser sees it: the
-// parsers below us recurse.
+// This is the only reader of XML here: other parsers take malformed files for others, `upper="0&45"` for 45.
 
 #pragma once
 
@@ -15,7 +14,7 @@ namespace twinbus {
 struct XmlElement {
   std::string name;
   int line = 0;
-  std::string text;  // directly inside, the first piece
+  std::string text;  // directly inside, before the first child, without blanks around it
   std::vector<std::pair<std::string, std::string>> attributes;
   std::vector<XmlElement> children;
 
@@ -25,7 +24,7 @@ struct XmlElement {
 
 inline constexpr std::size_t kMaxTextFile = 4u << 20;  // [bytes]
 inline constexpr std::size_t kMaxBinaryFile = 64u << 20;
-inline constexpr int kMaxXmlDepth = 64;
+inline constexpr std::size_t kMaxXmlDepth = 64;
 
 // Throws std::runtime_error: "file:line: message", one line without control characters.
 [[noreturn]] void fail_at(const std::string& file, int line, const std::string& message);
@@ -36,11 +35,12 @@ std::string read_text_file(const std::string& path);
 // Any file of at most kMaxBinaryFile bytes, as it is.
 std::string read_file(const std::string& path);
 
-// Throws if tags are nested deeper than kMaxXmlDepth.  Looks at every tag, without recursion.
-void refuse_deep_nesting(const std::string& text, const std::string& file);
-
-// The root element.  Throws, naming file and line.
+// The root element.  Throws, naming file and line, unless the text is well-formed XML without a document type that declares
+// anything and without tags nested deeper than kMaxXmlDepth.
 XmlElement parse_xml(const std::string& text, const std::string& file);
+
+// Appends the element as XML: what parse_xml reads from it is equal but for the lines.
+void append_xml(const XmlElement& element, std::string& text);
 
 // Finite numbers, separated by blanks, nothing else; decimal point, whatever the locale.  False if
 // text is anything else or has another count.

@@ -6,14 +6,14 @@
 #include <map>
 #include <stdexcept>
 
+#include "common/text/closest_name.h"
+#include "common/text/xml.h"
 #include "robot/description/model_builder.h"
 #include "robot/description/model_hash.h"
-#include "common/text/closest_name.h"
 #include "robot/description/robot_yaml.h"
 #include "robot/description/shape_inertia.h"
 #include "robot/description/srdf.h"
 #include "robot/description/urdf.h"
-#include "common/text/xml.h"
 
 namespace twinbus {
 
@@ -116,6 +116,7 @@ void apply_yaml(const RobotYaml& yaml, const ModelBuilder& builder, const std::s
 
 void apply_srdf(const Srdf& srdf, const ModelBuilder& builder, const std::string& file,
                 Model& model) {
+  model.notes.insert(model.notes.end(), srdf.notes.begin(), srdf.notes.end());
   for (const SrdfPose& pose : srdf.poses) {
     NamedPose named;
     named.name = pose.name;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "common/text/xml.h"
+#include "robot/description/known_names.h"
 
 namespace twinbus {
 
@@ -94,6 +95,7 @@ Srdf parse_srdf(const std::string& text, const std::string& file) {
   if (robot.name != "robot")
     fail_at(file, robot.line, "the root element is <" + robot.name + ">, not <robot>");
   Srdf srdf;
+  check_names(robot, known_srdf(), file, srdf.notes);
   for (const XmlElement& element : robot.children) {
     if (element.name == "group_state") {
       read_pose(element, file, srdf);

@@ -40,7 +40,8 @@ struct Srdf {
   std::vector<SrdfPose> poses;  // group states of one name are put together
   std::vector<SrdfPair> disabled;
   std::vector<SrdfRotor> rotors;
-  std::array<SrdfFoot, 2> feet;  // left, right
+  std::array<SrdfFoot, 2> feet;    // left, right
+  std::vector<std::string> notes;  // what is ignored, with file and line
 };
 
 // Throws std::runtime_error naming file, line and element.

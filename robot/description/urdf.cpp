@@ -105,16 +105,32 @@ UrdfJoint to_joint(const urdf::Joint& from, int line) {
   return joint;
 }
 
+// What urdfdom is given: the elements that it knows, as they were read here.  Its own reader takes malformed XML for
+// something else.
+std::string for_urdfdom(const XmlElement& robot) {
+  XmlElement known;
+  known.name = robot.name;
+  known.attributes = robot.attributes;
+  for (const XmlElement& element : robot.children) {
+    if (element.name == "link" || element.name == "joint" || element.name == "material")
+      known.children.push_back(element);
+  }
+  std::string text;
+  append_xml(known, text);
+  return text;
+}
+
 }  // namespace
 
 UrdfTree parse_urdf(const std::string& text, const std::string& file, const AssetRoots& roots) {
   const XmlElement robot = parse_xml(text, file);
-  check_urdf(robot, file);
+  UrdfTree tree;
+  check_urdf(robot, file, tree.notes);
 
   console_bridge::noOutputHandler();  // what it would print is checked above, with lines
   urdf::ModelInterfaceSharedPtr model;
   try {
-    model = urdf::parseURDF(text);
+    model = urdf::parseURDF(for_urdfdom(robot));
   } catch (const std::exception& error) {
     throw std::runtime_error(file + ": " + error.what());
   }
@@ -122,7 +138,6 @@ UrdfTree parse_urdf(const std::string& text, const std::string& file, const Asse
     throw std::runtime_error(
         file + ": the URDF parser refused it; compare it with the URDF specification");
 
-  UrdfTree tree;
   tree.name = model->getName();
   std::map<std::string, int> link_index;
   for (const XmlElement& element : robot.children) {

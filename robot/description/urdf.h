@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "common/text/xml.h"
 #include "robot/description/asset_path.h"
 #include "robot/description/model.h"
-#include "common/text/xml.h"
 
 namespace twinbus {
 
@@ -52,7 +52,7 @@ struct UrdfTree {
 // file: for messages.  Throws std::runtime_error, one line naming file, line and element.
 UrdfTree parse_urdf(const std::string& text, const std::string& file, const AssetRoots& roots);
 
-// The checks alone, on the XML (urdf_check.cpp).  Throws on the first element that is wrong.
-void check_urdf(const XmlElement& robot, const std::string& file);
+// The checks alone, on the XML (urdf_check.cpp).  Throws on the first element that is wrong; notes gets what is ignored.
+void check_urdf(const XmlElement& robot, const std::string& file, std::vector<std::string>& notes);
 
 }  // namespace twinbus

@@ -3,10 +3,12 @@
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
+#include <cstdio>
 #include <map>
 #include <set>
 
 #include "common/text/closest_name.h"
+#include "robot/description/known_names.h"
 #include "robot/description/urdf.h"
 
 namespace twinbus {
@@ -14,12 +16,14 @@ namespace twinbus {
 namespace {
 
 constexpr std::size_t kMaxLinks = 2000;
+constexpr double kFarthest = 1e3;  // of an origin from its parent [m], and of an angle [rad]
+constexpr double kLargest = 1e20;  // of an effort, speed, damping, inertia and so on, in SI units
 
 class Checker {
  public:
   explicit Checker(const std::string& file) : file_(file) {}
 
-  void check(const XmlElement& robot) {
+  void check(const XmlElement& robot, std::vector<std::string>& notes) {
     refuse_xacro(robot);
     if (robot.name != "robot")
       fail_at(file_, robot.line,
@@ -29,6 +33,7 @@ class Checker {
       fail_at(file_, robot.line,
               "URDF version " + *version + " is not known; write version=\"1.0\"");
     }
+    check_names(robot, known_urdf(), file_, notes);
     std::vector<const XmlElement*> joints;
     for (const XmlElement& element : robot.children) {
       if (element.name == "link") {
@@ -96,6 +101,21 @@ class Checker {
     return false;
   }
 
+  // Numbers that no robot has overflow in what is computed from them, so that different robots look the same.
+  bool read_bounded(const XmlElement& element, const char* key, double* values, int count,
+                    double most, const char* unit, std::string& faults) const {
+    if (!read(element, key, values, count, faults)) return false;
+    for (int i = 0; i < count; ++i) {
+      if (std::abs(values[i]) <= most) continue;
+      char text[120];
+      std::snprintf(text, sizeof text, "%s %s has %.3g; at most %.0e %s are read",
+                    element.name.c_str(), key, values[i], most, unit);
+      add(faults, text);
+      return false;
+    }
+    return true;
+  }
+
   static void add(std::string& faults, const std::string& fault) {
     if (!faults.empty()) faults += "; ";
     faults += fault;
@@ -106,8 +126,8 @@ class Checker {
     if (origin == nullptr) return;
     std::string faults;
     double v[3];
-    read(*origin, "xyz", v, 3, faults);
-    read(*origin, "rpy", v, 3, faults);
+    read_bounded(*origin, "xyz", v, 3, kFarthest, "m", faults);
+    read_bounded(*origin, "rpy", v, 3, kFarthest, "rad", faults);
     if (!faults.empty()) fail(*origin, owner, faults);
   }
 
@@ -148,7 +168,8 @@ class Checker {
           add(faults, std::string("inertia has no ") + keys[i]);
           complete = false;
         } else {
-          complete = read(*inertia, keys[i], &m[i], 1, faults) && complete;
+          complete =
+              read_bounded(*inertia, keys[i], &m[i], 1, kLargest, "kg m^2", faults) && complete;
         }
       }
       if (complete) check_inertia(m, faults);
@@ -196,7 +217,7 @@ class Checker {
       need("length", 1);
     } else if (shape.name == "mesh") {
       if (shape.attribute("filename") == nullptr) add(faults, "mesh has no filename");
-      read(shape, "scale", v, 3, faults);
+      read_bounded(shape, "scale", v, 3, kLargest, "", faults);
       if (v[0] == 0.0 || v[1] == 0.0 || v[2] == 0.0) add(faults, "mesh scale must not be 0");
     } else {
       add(faults, "shape <" + shape.name + "> is not known; use box, cylinder, sphere or mesh");
@@ -259,7 +280,7 @@ class Checker {
     if (const XmlElement* dynamics = joint.child("dynamics")) {
       for (const char* key : {"damping", "friction"}) {
         double value = 0.0;
-        if (read(*dynamics, key, &value, 1, faults) && !(value >= 0.0)) {
+        if (read_bounded(*dynamics, key, &value, 1, kLargest, "", faults) && !(value >= 0.0)) {
           add(faults, std::string("dynamics ") + key + " must not be negative");
         }
       }
@@ -276,18 +297,21 @@ class Checker {
       return;
     }
     double lower = 0.0, upper = 0.0, effort = 0.0, velocity = 0.0;
-    const bool bounds =
-        (limit->attribute("lower") == nullptr || read(*limit, "lower", &lower, 1, faults)) &&
-        (limit->attribute("upper") == nullptr || read(*limit, "upper", &upper, 1, faults));
+    const bool bounds = (limit->attribute("lower") == nullptr ||
+                         read_bounded(*limit, "lower", &lower, 1, kLargest, "rad", faults)) &&
+                        (limit->attribute("upper") == nullptr ||
+                         read_bounded(*limit, "upper", &upper, 1, kLargest, "rad", faults));
     if (bounds && !(lower <= upper)) add(faults, "limit lower is above upper; exchange them");
     if (limit->attribute("effort") == nullptr) {
       add(faults, "limit has no effort");
-    } else if (read(*limit, "effort", &effort, 1, faults) && !(effort >= 0.0)) {
+    } else if (read_bounded(*limit, "effort", &effort, 1, kLargest, "N m", faults) &&
+               !(effort >= 0.0)) {
       add(faults, "limit effort must not be negative; give its size");
     }
     if (limit->attribute("velocity") == nullptr) {
       add(faults, "limit has no velocity");
-    } else if (read(*limit, "velocity", &velocity, 1, faults) && !(velocity >= 0.0)) {
+    } else if (read_bounded(*limit, "velocity", &velocity, 1, kLargest, "rad/s", faults) &&
+               !(velocity >= 0.0)) {
       add(faults, "limit velocity must not be negative; give its size");
     }
   }
@@ -295,8 +319,8 @@ class Checker {
   void check_mimic(const XmlElement& joint, const XmlElement& mimic, std::string& faults) const {
     const std::string* followed = mimic.attribute("joint");
     double value = 0.0;
-    read(mimic, "multiplier", &value, 1, faults);
-    read(mimic, "offset", &value, 1, faults);
+    read_bounded(mimic, "multiplier", &value, 1, kLargest, "", faults);
+    read_bounded(mimic, "offset", &value, 1, kLargest, "", faults);
     if (followed == nullptr) {
       add(faults, "mimic names no joint");
       return;
@@ -381,6 +405,8 @@ class Checker {
 
 }  // namespace
 
-void check_urdf(const XmlElement& robot, const std::string& file) { Checker(file).check(robot); }
+void check_urdf(const XmlElement& robot, const std::string& file, std::vector<std::string>& notes) {
+  Checker(file).check(robot, notes);
+}
 
 }  // namespace twinbus

@@ -29,7 +29,7 @@ DOORS = {
     r"ode/": r"sim/engine/ode[a-z_]*\.(cpp|h)",
     r"fcl/|ccd/": r"robot/collision/collision_fcl\.cpp",
     r"urdf_parser/|urdf_model/|urdf_exception/": r"robot/description/urdf\.cpp",
-    r"tinyxml|expat": r"common/text/xml\.cpp",
+    r"expat": r"common/text/xml\.cpp",
     r"SDL": r"control/teleop/sdl_pad\.cpp",
     r"boost/beast|boost/asio": r"viewer_log/server/web_server\.cpp",
     r"lcm/": r"lcmtypes/bus/[a-z_]+\.(cpp|h)",
