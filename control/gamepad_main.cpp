@@ -345,7 +345,13 @@ void run(const Arguments& options) {
   std::unique_ptr<SdlPad> pad;
   if (!options.keyboard) {
     pad = std::make_unique<SdlPad>();
-    pad->take_mappings(options.mappings);
+    const int known = pad->take_mappings(options.mappings);
+    if (known <= 0 && options.mappings != Arguments().mappings) {
+      throw std::runtime_error(
+          "--mappings " + options.mappings +
+          (known < 0 ? ": cannot be read" : ": has no mapping of a pad in it") +
+          "; --map writes such a file");
+    }
   }
   std::unique_ptr<RawTerminal> terminal;
   if (options.keyboard || options.from_script) terminal = std::make_unique<RawTerminal>();

@@ -5,22 +5,23 @@
 #include <string>
 #include <vector>
 
+#include "common/file/disk_cache.h"
 #include "common/process/arguments.h"
+#include "common/text/closest_name.h"
+#include "common/text/printable.h"
 #include "launcher/check/check.h"
-#include "launcher/operate/doctor.h"
 #include "launcher/log/log_command.h"
+#include "launcher/operate/doctor.h"
 #include "launcher/operate/operate.h"
 #include "launcher/operate/reach.h"
-#include "launcher/up/restart.h"
-#include "launcher/run/run.h"
-#include "launcher/run/scenes.h"
 #include "launcher/operate/status.h"
 #include "launcher/operate/switch_source.h"
 #include "launcher/operate/tools.h"
-#include "launcher/up/up.h"
 #include "launcher/operate/walk.h"
-#include "common/file/disk_cache.h"
-#include "common/text/closest_name.h"
+#include "launcher/run/run.h"
+#include "launcher/run/scenes.h"
+#include "launcher/up/restart.h"
+#include "launcher/up/up.h"
 
 using namespace twinbus;
 
@@ -84,14 +85,15 @@ int main(int argc, char** argv) {
       use_user_cache();
       return command.run({argv + 2, argv + argc});
     } catch (const UsageError& error) {
-      std::fprintf(stderr, "%s\n", error.what());
+      std::fprintf(stderr, "%s\n", printable(error.what(), kLongestError, true).c_str());
       return 2;
     } catch (const std::exception& error) {
-      std::fprintf(stderr, "%s: %s\n", name.c_str(), error.what());
+      std::fprintf(stderr, "%s: %s\n", name.c_str(),
+                   printable(error.what(), kLongestError, true).c_str());
       return 1;
     }
   }
-  std::fprintf(stderr, "twinbus: no command '%s'%s\n", name.c_str(),
+  std::fprintf(stderr, "twinbus: no command '%s'%s\n", printable(name, 200).c_str(),
                suggestion(name, names).c_str());
   return 2;
 }

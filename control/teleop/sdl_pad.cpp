@@ -3,6 +3,7 @@
 #include <SDL.h>
 
 #include <cstdio>
+#include <filesystem>
 #include <stdexcept>
 #include <string>
 
@@ -75,8 +76,10 @@ void SdlPad::rumble(double seconds) {
                                    static_cast<Uint32>(1e3 * seconds));
 }
 
-void SdlPad::take_mappings(const std::string& file) {
-  (void)SDL_GameControllerAddMappingsFromFile(file.c_str());
+int SdlPad::take_mappings(const std::string& file) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) return -1;
+  return SDL_GameControllerAddMappingsFromFile(file.c_str());
 }
 
 bool RawSdlPad::open() {

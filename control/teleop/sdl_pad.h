@@ -21,8 +21,8 @@ class SdlPad {
   SdlPad(const SdlPad&) = delete;
   SdlPad& operator=(const SdlPad&) = delete;
 
-  // Mappings learned with --map; a file that is not there is none.
-  void take_mappings(const std::string& file);
+  // Mappings learned with --map: how many the file has for this system, -1 when it cannot be read.
+  int take_mappings(const std::string& file);
   // What the pad shows now; not connected while there is none, nor at once after one has vanished: the next one is
   // another, that nobody has taken hold of.  Never throws, does I/O but does not wait.
   void poll(PadInput& input);

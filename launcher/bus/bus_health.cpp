@@ -18,7 +18,15 @@ constexpr std::int64_t kSettle = 5'000'000'000;  // a process and its channels b
 constexpr std::int32_t kJump =
     10;  // times more lost than received: the numbers of a new run, no loss
 constexpr std::int32_t kBusy = 50;  // received in that time: it goes on, or something is wrong
+constexpr std::int64_t kMost =
+    10'000'000;  // more in that time were never counted: another's counter, or a forged one
 constexpr float kSilence_ms = 250.0F;
+
+// Since the last look, or -1 when no counter counts so.
+std::int64_t since(std::int32_t now, std::int32_t before) {
+  const std::int64_t more = std::int64_t{now} - before;
+  return more <= kMost ? more : -1;
+}
 
 // The loop's own: a source that becomes active leaves its standby channel, and an operator may go home.
 bool never_ends(const char* channel) {
@@ -26,11 +34,12 @@ bool never_ends(const char* channel) {
          std::strcmp(channel, "GUARD") == 0;
 }
 
-std::string sentence(const FullHeartbeat& beat, std::size_t row, std::int32_t count,
+std::string sentence(const FullHeartbeat& beat, std::size_t row, std::int64_t count,
                      const char* what) {
   char text[160];
-  std::snprintf(text, sizeof text, "%s (pid %d): %d messages on %s %s in the last second",
-                process_name(beat.kind), beat.pid, count, heard_channel(beat, row), what);
+  std::snprintf(text, sizeof text, "%s (pid %d): %lld messages on %s %s in the last second",
+                process_name(beat.kind), beat.pid, static_cast<long long>(count),
+                heard_channel(beat, row), what);
   return text;
 }
 
@@ -64,12 +73,12 @@ std::vector<std::string> BusHealth::look(const std::vector<const SeenProcess*>& 
       row.silent = silent;
       if (row.looked_ns == 0 || now_ns - row.looked_ns >= kEvery) {
         const bool first = row.looked_ns == 0;
-        const std::int32_t lost = beat.channel_lost[i] - row.lost;
-        const std::int32_t rejected = beat.channel_rejected[i] - row.rejected;
-        const std::int32_t received = beat.channel_received[i] - row.received;
+        const std::int64_t lost = since(beat.channel_lost[i], row.lost);
+        const std::int64_t rejected = since(beat.channel_rejected[i], row.rejected);
+        const std::int64_t received = since(beat.channel_received[i], row.received);
         // Only the loop's own channels: what a standby source misses, nobody acts on.
         const bool concerns = !first && settled && may_tell && never_ends(heard_channel(beat, i));
-        if (concerns && lost >= kMany && lost <= kJump * std::max(received, 1))
+        if (concerns && lost >= kMany && lost <= kJump * std::max<std::int64_t>(received, 1))
           alarms.push_back(sentence(beat, i, lost, "are missing"));
         if (concerns && rejected >= kMany)
           alarms.push_back(sentence(beat, i, rejected, "were refused"));

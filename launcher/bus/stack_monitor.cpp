@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <initializer_list>
 #include <utility>
+
+#include "common/text/printable.h"
 
 namespace twinbus {
 
@@ -108,13 +111,10 @@ void Lookout::on_controller_status(const ControllerStatus& status, std::int64_t 
 
 void Lookout::on_event(const Event& event) {
   if (events_.size() >= kMostEvents) return;
-  std::string line = std::string(process_name(event.kind)) + ": ";
-  for (const char c : event.text) {
-    if (c == '\0') break;
-    // A terminal obeys control characters; a stranger's datagram must not reach it.
-    line += static_cast<unsigned char>(c) < 32 || c == 127 ? '?' : c;
-  }
-  events_.push_back(line);
+  if (event.text[0] == '\0') return;  // nothing to tell
+  // A terminal obeys control characters; a stranger's datagram must not reach it.
+  const std::string_view text(event.text.data(), strnlen(event.text.data(), event.text.size()));
+  events_.push_back(std::string(process_name(event.kind)) + ": " + printable(text));
 }
 
 std::vector<const SeenSource*> Lookout::sources(std::int64_t now_ns, double seconds) const {

@@ -8,20 +8,21 @@
 #include <optional>
 #include <stdexcept>
 
+#include "common/math/index.h"
 #include "common/process/arguments.h"
+#include "common/text/xml.h"
+#include "geometry/bounds/coarse_mesh.h"
 #include "launcher/check/check_cells.h"
 #include "launcher/check/check_pairs.h"
 #include "launcher/check/trial.h"
-#include "robot/onboarding/base_turn.h"
-#include "geometry/bounds/coarse_mesh.h"
-#include "common/math/index.h"
-#include "robot/kinematics/kinematics.h"
+#include "robot/collision/loop_joints.h"
 #include "robot/description/link_points.h"
 #include "robot/description/load.h"
-#include "robot/collision/loop_joints.h"
-#include "robot/onboarding/proposal.h"
+#include "robot/description/urdf.h"
+#include "robot/kinematics/kinematics.h"
+#include "robot/onboarding/base_turn.h"
 #include "robot/onboarding/model_lint.h"
-#include "common/text/xml.h"
+#include "robot/onboarding/proposal.h"
 
 namespace twinbus {
 
@@ -94,12 +95,33 @@ Subject load_subject(const std::string& name) {
   return subject;
 }
 
-// The robot that the proposal makes, as `run` will load it.
-Model load_proposed(const Proposal& proposal, const Subject& subject) {
+// Of the user's file, what is most likely wrong when nothing can be made of its numbers.
+std::string farthest_origin(const Subject& subject) {
+  const UrdfTree tree = parse_urdf(read_text_file(subject.urdf), subject.urdf,
+                                   {.folder = fs::path(subject.urdf).parent_path().string(),
+                                    .packages = subject.source.packages});
+  const UrdfJoint* farthest = nullptr;
+  for (const UrdfJoint& joint : tree.joints) {
+    if (farthest == nullptr ||
+        joint.origin.translation().norm() > farthest->origin.translation().norm())
+      farthest = &joint;
+  }
+  if (farthest == nullptr) return "";
+  char metres[40];
+  std::snprintf(metres, sizeof metres, "%.3g m", farthest->origin.translation().norm());
+  return "; look at " + subject.urdf + ":" + std::to_string(farthest->line) + ": joint " +
+         farthest->name + " is the farthest from its parent, " + metres;
+}
+
+// The robot that the proposal makes, as `run` will load it.  What is wrong with it is said of the user's file.
+Model load_proposed(const Proposal& proposal, const Subject& subject) try {
   return load_robot_texts({.folder = fs::path(subject.urdf).parent_path().string(),
                            .yaml = proposal.yaml,
                            .urdf = subject.text,
                            .srdf = proposal.srdf});
+} catch (const std::runtime_error& error) {
+  throw std::runtime_error(subject.urdf + ": no robot can be proposed: " + error.what() +
+                           farthest_origin(subject));
 }
 
 struct Extent {
@@ -354,6 +376,8 @@ int check_command(const std::vector<std::string>& words) {
                      " has a robot.yaml already");
   std::optional<Proposal> proposal;
   if (!subject.urdf.empty()) proposal = propose(subject.repaired, subject.source);
+  // Loaded before anything is written: a proposal that is none leaves no folder.
+  Model proposed = proposal ? load_proposed(*proposal, subject) : Model();
   if (proposal && !folder.empty()) {
     const fs::path name(subject.source.urdf_name);
     fs::create_directories(folder);
@@ -361,9 +385,7 @@ int check_command(const std::vector<std::string>& words) {
     write_file(fs::path(folder) / fs::path(name).replace_extension(".srdf"), proposal->srdf);
     write_file(fs::path(folder) / name, subject.text);
   }
-  const Model proposed = proposal ? (folder.empty() ? load_proposed(*proposal, subject)
-                                                    : load_robot(fs::absolute(folder).string()))
-                                  : Model();
+  if (proposal && !folder.empty()) proposed = load_robot(fs::absolute(folder).string());
   const Trial trial = try_to_stand(proposal ? proposed : model);
   if (proposal) {  // beside robot.yaml itself, what the proposal leaves open
     missing = {{"robot.yaml", "is not there",

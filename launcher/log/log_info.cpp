@@ -18,6 +18,8 @@ namespace {
 
 constexpr std::int64_t kTail = 16 << 20;  // that is searched for the last index [bytes]
 
+constexpr std::int64_t kMostCounted = std::int64_t{1} << 53;  // ticks of a run, pages of a journal
+
 struct Summary {
   ChannelCounts channels;
   std::int64_t first_utime = 0, last_utime = 0;
@@ -81,8 +83,10 @@ class Gaps {
       found = columns_.emplace(event.channel, columns_of(event.channel)).first;
     const Columns& c = found->second;
     if (c.schema == nullptr || event.data.size() != c.schema->bytes) return;
-    const auto count = static_cast<std::int64_t>(field_number(*c.count, event.data));
-    const auto sender = static_cast<std::int64_t>(field_number(*c.sender, event.data));
+    const std::int64_t count = field_integer(*c.count, event.data);
+    const std::int64_t sender = field_integer(*c.sender, event.data);
+    // So many nobody has sent: a forged or a damaged one says nothing of what is missing.
+    if (count < 0 || count >= kMostCounted) return;
     const auto [last, is_new] =
         last_.try_emplace(std::tuple(std::string(event.channel), sender), count);
     if (!is_new && count > last->second + 1)

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <stdexcept>
@@ -12,7 +13,7 @@ namespace twinbus {
 
 namespace {
 constexpr std::int64_t kProgressEvery = 500'000'000;  // [ns]
-constexpr std::int64_t kLookEvery = 1 << 14;          // events
+constexpr std::int64_t kLookEvery = 256;              // events
 }  // namespace
 
 std::string damage_text(const LogDamage& damage) {
@@ -35,9 +36,12 @@ LogDamage scan_log(const std::string& file, double first_s, double last_s,
                    const std::function<bool(const LogEvent&)>& visit) {
   LogReader reader(file);
   const std::int64_t start = first_time(reader, file);
-  if (first_s > 0.0) reader.seek(start + std::llround(1e6 * first_s));
+  const auto at_second = [start](double s) {
+    return start + std::llround(1e6 * std::clamp(s, 0.0, 1e12));
+  };
+  if (first_s > 0.0) reader.seek(at_second(first_s));
   const bool to_the_end = last_s >= kWholeLog;
-  const std::int64_t last = to_the_end ? 0 : start + std::llround(1e6 * last_s);
+  const std::int64_t last = to_the_end ? 0 : at_second(last_s);
   const bool terminal = isatty(STDERR_FILENO) == 1;
   const std::int64_t from = reader.offset();
   std::int64_t events = 0, shown = monotonic_ns();

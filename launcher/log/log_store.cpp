@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstring>
 #include <utility>
 
@@ -97,14 +98,32 @@ const StoredMessage* LogStore::look(const std::string& channel,
   return nullptr;
 }
 
+// Every step of content_hash can be taken back, so the word that a place must have had follows from what is before it and
+// from the hash and what is behind it: one pass over the message, not one for each bit.
 std::vector<std::uint8_t> with_one_bit_mended(std::vector<std::uint8_t> bytes, std::int64_t hash,
                                               std::size_t& byte) {
-  for (byte = 0; byte < bytes.size(); ++byte) {
-    for (int bit = 0; bit < 8; ++bit) {
-      bytes[byte] = static_cast<std::uint8_t>(bytes[byte] ^ (1 << bit));
-      if (content_hash(bytes) == hash) return bytes;
-      bytes[byte] = static_cast<std::uint8_t>(bytes[byte] ^ (1 << bit));
+  std::vector<std::uint64_t> before;  // the hash of what lies before each word
+  std::vector<std::uint64_t> words;
+  HashSteps steps(bytes.size());
+  for (std::size_t at = 0; at < bytes.size(); at += 8) {
+    words.push_back(HashSteps::word_at(bytes, at));
+    before.push_back(steps.hash());
+    steps.take(words.back());
+  }
+  std::uint64_t after = static_cast<std::uint64_t>(hash);
+  for (std::size_t i = words.size(); i-- > 0;) {
+    const std::uint64_t mixed =
+        HashSteps::undone(after);  // what was before this word, with the word in it
+    const std::uint64_t flipped = mixed ^ before[i] ^ words[i];
+    if (std::has_single_bit(flipped)) {
+      byte = 8 * i + static_cast<std::size_t>(std::countr_zero(flipped)) / 8;
+      if (byte < bytes.size()) {
+        bytes[byte] =
+            static_cast<std::uint8_t>(bytes[byte] ^ (1U << (std::countr_zero(flipped) % 8)));
+        return bytes;
+      }
     }
+    after = mixed ^ words[i];
   }
   return {};
 }

@@ -7,10 +7,10 @@
 #include <numeric>
 #include <span>
 
+#include "common/math/index.h"
 #include "launcher/bus/stack_monitor.h"
 #include "lcmtypes/bus/channels.h"
 #include "lcmtypes/bus/wire.h"
-#include "common/math/index.h"
 #include "viewer_log/log/log_event.h"
 
 namespace twinbus {
@@ -19,6 +19,7 @@ namespace {
 
 constexpr std::int64_t kWait =
     500'000;  // messages may be recorded behind the page that names them [us]
+constexpr std::int64_t kMostPages = std::int64_t{1} << 53;
 constexpr std::size_t kMostFindings = 30;
 constexpr int kFewBytes = 6;           // a message that differs in no more is the same one, damaged
 constexpr int kMostMends = 40;         // of messages that the log does not have
@@ -63,7 +64,10 @@ void Rerun::say(const Process& process, const JournalPage& page, const std::stri
 void Rerun::add(std::string_view name, std::int64_t utime, std::span<const std::uint8_t> bytes) {
   if (name == channel::kJournal) {
     JournalPage page;
-    if (decode(bytes, page) == Status::kOk) waiting_.push_back({utime, page});
+    // A count that nobody has come to is damage.
+    const bool sane =
+        decode(bytes, page) == Status::kOk && page.page >= 0 && page.page < kMostPages;
+    if (sane) waiting_.push_back({utime, page});
   } else if (is_needed(name)) {
     store_.add(std::string(name), utime, {bytes.begin(), bytes.end()});
   }

@@ -12,6 +12,10 @@ namespace {
 constexpr double kDegrees = 57.29577951308232;
 
 std::string sentence(const char* format, double reached, double asked) {
+  if (!std::isfinite(reached)) {  // what stands before the number, and why there is none
+    const std::string whole = format;
+    return whole.substr(0, whole.find('%')) + "(not measured: the run ended before)";
+  }
   char text[200];
   std::snprintf(text, sizeof text, format, reached, asked);
   return text;
@@ -295,12 +299,16 @@ std::string scene_figures(const OneProcess& run, const Criteria& asked) {
     lines += text;
   }
   if (w.steps() == 0) return lines;
-  std::snprintf(text, sizeof text,
-                "%lld steps: 5 %% of the ZMP margins below %.0f mm, slip in a step %.2f mm, normal "
-                "force error %.1f %% of the weight, ",
-                static_cast<long long>(w.steps()), 1e3 * w.margin_percentile(0.05),
-                1e3 * w.step_slip_max(), 1e2 * w.force_error());
+  std::snprintf(text, sizeof text, "%lld steps: slip in a step %.2f mm, ",
+                static_cast<long long>(w.steps()), 1e3 * w.step_slip_max());
   lines += text;
+  if (std::isfinite(w.margin_percentile(0.05)) && std::isfinite(w.force_error())) {
+    std::snprintf(
+        text, sizeof text,
+        "5 %% of the ZMP margins below %.0f mm, normal force error %.1f %% of the weight, ",
+        1e3 * w.margin_percentile(0.05), 1e2 * w.force_error());
+    lines += text;
+  }
   if (std::isfinite(w.velocity_error()))
     std::snprintf(text, sizeof text, "velocity error %.1f %%, ", 1e2 * w.velocity_error());
   else

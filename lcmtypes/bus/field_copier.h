@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "common/text/printable.h"
 #include "lcmtypes/msg/journal.h"
 #include "lcmtypes/msg/requests.h"
 #include "lcmtypes/msg/robot_io.h"
@@ -133,29 +134,31 @@ class Copier {
     within(m.pieces, s.pieces, 0, 16000);
     within(m.piece, s.piece, 0, s.pieces > 0 ? s.pieces - 1 : 0);
   }
-  // Zero-terminated, for people: control characters become '?', so that no text can drive a
-  // terminal.
+  // Zero-terminated, for people: what is not printable becomes '?', so that no text can drive a terminal.
   template <class M, class S>
   void text(M& m, S& s) noexcept {
     bool ended = false;
+    std::size_t length = 0;
     for (std::size_t i = 0; i < s.size(); ++i) {
       copy(m[i], s[i]);
       const char c = s[i];
       ended = ended || c == '\0';
-      const bool control = !ended && static_cast<unsigned char>(c) < 0x20;
+      if (!ended) {
+        ++length;
+        continue;
+      }
       if constexpr (to_message) {
-        if (ended)
-          m[i] = 0;
-        else if (control || c == 0x7f)
-          m[i] = '?';
+        m[i] = 0;
       } else {
-        if (ended)
-          s[i] = '\0';
-        else if (control || c == 0x7f)
-          s[i] = '?';
+        s[i] = '\0';
       }
     }
     if (!ended) refuse(Status::kWrongSize);
+    if constexpr (to_message) {
+      make_printable(reinterpret_cast<char*>(&m[0]), length);
+    } else {
+      make_printable(s.data(), length);
+    }
   }
   void require(bool condition) noexcept {
     if (!condition) refuse(Status::kOutOfRange);

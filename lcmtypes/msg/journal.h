@@ -14,17 +14,38 @@
 
 namespace twinbus {
 
-// 64 bits; any changed bit changes it.
-inline std::int64_t content_hash(std::span<const std::uint8_t> bytes) noexcept {
-  constexpr std::uint64_t kPrime = 0x9e3779b97f4a7c15ULL;
-  std::uint64_t hash = (bytes.size() + 1) * kPrime;
-  for (std::size_t at = 0; at < bytes.size(); at += 8) {
+// content_hash word by word, forwards and back.
+class HashSteps {
+ public:
+  explicit HashSteps(std::size_t bytes) noexcept : hash_((bytes + 1) * kPrime) {}
+  // The eight bytes from here, fewer at the end.
+  static std::uint64_t word_at(std::span<const std::uint8_t> bytes, std::size_t at) noexcept {
     std::uint64_t word = 0;
     std::memcpy(&word, bytes.data() + at, bytes.size() - at < 8 ? bytes.size() - at : 8);
-    hash = (hash ^ word) * kPrime;
-    hash ^= hash >> 29;
+    return word;
   }
-  return static_cast<std::int64_t>(hash);
+  void take(std::uint64_t word) noexcept {
+    hash_ = (hash_ ^ word) * kPrime;
+    hash_ ^= hash_ >> 29;
+  }
+  std::uint64_t hash() const noexcept { return hash_; }
+  // The hash before a step, with its word in it, from the hash after it.
+  static std::uint64_t undone(std::uint64_t after) noexcept {
+    return (after ^ (after >> 29) ^ (after >> 58)) * kInverse;
+  }
+
+ private:
+  static constexpr std::uint64_t kPrime = 0x9e3779b97f4a7c15ULL;
+  static constexpr std::uint64_t kInverse = 0xf1de83e19937733dULL;  // of kPrime, modulo 2^64
+  static_assert(kPrime * kInverse == 1);
+  std::uint64_t hash_;
+};
+
+// 64 bits; any changed bit changes it.
+inline std::int64_t content_hash(std::span<const std::uint8_t> bytes) noexcept {
+  HashSteps steps(bytes.size());
+  for (std::size_t at = 0; at < bytes.size(); at += 8) steps.take(HashSteps::word_at(bytes, at));
+  return static_cast<std::int64_t>(steps.hash());
 }
 
 enum class JournalInput : std::int8_t {

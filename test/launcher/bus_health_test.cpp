@@ -114,5 +114,20 @@ TEST(BusHealth, TheTableNamesProcessAndChannel) {
   EXPECT_NE(lines[1].find("STATE"), std::string::npos);
 }
 
+// A stranger's heartbeat: counters from one end of their range to the other, back and forth.
+TEST(BusHealth, CountersThatNobodyCountedRaiseNoAlarm) {
+  SeenProcess process;
+  process.beat.channels = 1;
+  process.beat.channel[0] = 1;
+  BusHealth health;
+  for (int i = 0; i < 12; ++i) {
+    const std::int32_t wild = i % 2 == 0 ? INT32_MAX : INT32_MIN;
+    process.beat.channel_received[0] = process.beat.channel_lost[0] =
+        process.beat.channel_rejected[0] = wild;
+    for (const std::string& alarm : health.look({&process}, (i + 1) * std::int64_t{1'000'000'000}))
+      EXPECT_EQ(alarm.find("messages on"), std::string::npos) << alarm;
+  }
+}
+
 }  // namespace
 }  // namespace twinbus

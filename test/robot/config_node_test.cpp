@@ -1,7 +1,6 @@
-#include "common/text/strict_yaml.h"
-
 #include <limits>
 
+#include "common/text/strict_yaml.h"
 #include "fixtures.h"
 
 namespace twinbus::test {
@@ -71,6 +70,25 @@ TEST(ConfigNode, WhatIsQuotedFromAHostileFileStaysOnOneLine) {
       error_of([] { (void)ConfigNode::parse("a: \"\\\n\"\nb: \"\\\x1b[2J\"", "the_file"); });
   EXPECT_NE(error, "");
   for (const char c : error) EXPECT_GE(c, ' ') << error;
+}
+
+TEST(ConfigNode, TextThatDrivesATerminalOrFillsItIsRefused) {
+  const auto error = [](const std::string& value) {
+    return error_of([&] { (void)ConfigNode::parse("about: " + value, "s.yaml").text("about"); });
+  };
+  EXPECT_EQ(error("\"\\e[2J\""),
+            "s.yaml:1: about has a control character or broken UTF-8; write plain text");
+  EXPECT_EQ(error(std::string(1'000'000, 'x')),
+            "s.yaml:1: about is longer than 4096 bytes; shorten it");
+  EXPECT_EQ(error("Gr\xc3\xb6\xc3\x9f"
+                  "e"),
+            "");
+  EXPECT_LT(error_of([] {
+              (void)ConfigNode::parse("a:\n  " + std::string(1'000'000, 'x') + ": 1", "s.yaml")
+                  .map("a")
+                  .finish();
+            }).size(),
+            3000U);
 }
 
 }  // namespace

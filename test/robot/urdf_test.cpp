@@ -190,6 +190,24 @@ TEST(Urdf, ErrorsKnowTheLine) {
             "f.urdf:5: joint j: child link c does not exist; did you mean a?");
 }
 
+// They overflow in what is computed from them, and different robots would look the same.
+TEST(Urdf, NumbersThatNoRobotHasAreRefused) {
+  const auto error = [](const std::string& inside) {
+    return error_of([&] {
+      parse_urdf("<robot name='r'><link name='a'>" + inside + "</link></robot>", "f.urdf", {});
+    });
+  };
+  const std::string inertia =
+      "<mass value='1'/><inertia ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' izz='1'/></inertial>";
+  EXPECT_EQ(error("<inertial><origin xyz='0 1e308 0'/>" + inertia),
+            "f.urdf:1: link a, inertial: origin xyz has 1e+308; at most 1e+03 m are read");
+  EXPECT_EQ(error("<inertial><origin xyz='0 0.1 0'/>" + inertia), "");
+  EXPECT_NE(
+      error("<visual><origin rpy='0 0 1e9'/><geometry><sphere radius='1'/></geometry></visual>")
+          .find("at most"),
+      std::string::npos);
+}
+
 TEST(Urdf, FilesOutsideTheRobotsFolderAreRefused) {
   const auto error = [](const std::string& mesh) {
     const std::string text =

@@ -1,7 +1,6 @@
 #include "viewer_log/log/log_reader.h"
 
 #include <gtest/gtest.h>
-
 #include <unistd.h>
 
 #include <cstring>
@@ -142,6 +141,17 @@ TEST(LogReader, ABlockOfZerosOverEventsCostsThoseItTouches) {
   EXPECT_EQ(recovered(log, bytes), all_but(touched));
 }
 
+TEST(LogReader, TimesThatCannotBeCountedInNanosecondsAreDamage) {
+  for (const std::int64_t utime : {INT64_MIN, std::int64_t{-1}, kLatestTime + 1, INT64_MAX}) {
+    const SampleLog log = sample_log(kEvents);
+    std::vector<std::uint8_t> bytes = log.bytes;
+    write_i64(bytes.data() + log.begins[50] + 12, utime);
+    LogDamage damage;
+    EXPECT_EQ(recovered(log, bytes, &damage), all_but({50})) << utime;
+    EXPECT_EQ(damage.places, 1) << utime;
+  }
+}
+
 TEST(LogReader, TwoLogsJoinedAreReadLikeOne) {
   const SampleLog a = sample_log(kEvents, 1), b = sample_log(kEvents, 2, 5'000'000);
   std::vector<std::uint8_t> bytes = a.bytes;
@@ -214,16 +224,16 @@ class LogParts : public ::testing::Test {
     }
     return all;
   }
-  const std::string folder_ = (std::filesystem::temp_directory_path() /
-                               ("twinbus_log_parts." + std::to_string(getpid())))
-                                  .string();
+  const std::string folder_ =
+      (std::filesystem::temp_directory_path() / ("twinbus_log_parts." + std::to_string(getpid())))
+          .string();
 };
 
 TEST_F(LogParts, TheFirstPartStandsForAllOfThem) {
   write("run.log", 0, 1000);
   write("run-0002.log", 1000, 700);
   write("run-0010.log", 1700, 800);
-  write("run-12.log", 5000, 10);    // no part
+  write("run-12.log", 5000, 10);   // no part
   write("other-0002.log", 1, 10);  // of another log
   LogReader reader(file("run.log"));
   EXPECT_EQ(reader.parts(), 3);

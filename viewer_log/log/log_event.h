@@ -19,6 +19,9 @@ inline constexpr std::size_t kEventHead = 28;         // [bytes] before the chan
 inline constexpr std::size_t kLongestName = 255;      // of a channel; LCM itself allows 63
 inline constexpr std::size_t kLargestData = 8 << 20;  // [bytes]; more is damage
 
+// [us]; times outside 0 .. kLatestTime are damage, so that every time can be counted in nanoseconds.
+inline constexpr std::int64_t kLatestTime = (std::int64_t{1} << 62) / 1000;
+
 struct LogEvent {
   std::int64_t number = 0;  // counts up by one per event of a file
   std::int64_t utime = 0;   // [us] since 1970

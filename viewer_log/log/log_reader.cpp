@@ -228,6 +228,8 @@ bool LogReader::head_at(std::int64_t offset, Head& head) {
   const std::uint8_t* p = view(offset, kEventHead);
   if (p == nullptr || read_u32(p) != kEventMark) return false;
   head.number = read_i64(p + 4);
+  const std::int64_t utime = read_i64(p + 12);
+  if (utime < 0 || utime > kLatestTime) return false;
   head.name = read_u32(p + 20);
   head.data = read_u32(p + 24);
   if (head.name < 1 || head.name > kLongestName || head.data > kLargestData) return false;

@@ -168,6 +168,11 @@ double field_number(const MessageField& field, std::span<const std::uint8_t> mes
   return static_cast<double>(integer(field.type, p));
 }
 
+std::int64_t field_integer(const MessageField& field, std::span<const std::uint8_t> message) {
+  if (field.type == FieldType::kFloat || field.type == FieldType::kDouble) return 0;
+  return integer(field.type, message.data() + field.offset);
+}
+
 char* write_field(char* out, FieldType type, const std::uint8_t* p) noexcept {
   if (type == FieldType::kFloat) return write_shortest(out, std::bit_cast<float>(read_u32(p)));
   if (type == FieldType::kDouble) return write_shortest(out, std::bit_cast<double>(read_i64(p)));

@@ -41,6 +41,8 @@ const MessageSchema* find_schema(std::string_view type);
 
 std::size_t size_of(FieldType type);
 double field_number(const MessageField& field, std::span<const std::uint8_t> message);
+// Of a field of integers, every bit of it; 0 of a float or a double.
+std::int64_t field_integer(const MessageField& field, std::span<const std::uint8_t> message);
 // What lies at p, written to out, which has room for kLongestNumber (shortest_number.h); gives the end.
 char* write_field(char* out, FieldType type, const std::uint8_t* p) noexcept;
 // As a decimal that reads back to the same number.

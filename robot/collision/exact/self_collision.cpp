@@ -5,12 +5,12 @@
 #include <cstddef>
 #include <stdexcept>
 
-#include "robot/collision/collision_pairs.h"
 #include "common/math/index.h"
 #include "common/math/pose_math.h"
+#include "common/simd/vec4.h"
+#include "robot/collision/collision_pairs.h"
 #include "robot/collision/exact/self_collision_body.h"
 #include "robot/collision/exact/self_collision_data.h"
-#include "common/simd/vec4.h"
 
 namespace twinbus {
 
@@ -99,13 +99,13 @@ struct SelfCollision::Impl {
       : pairs(wanted_pairs) {
     add_joints(model, geometry);
     add_bodies(geometry);
-    add_pairs(geometry);
+    add_pairs(model, geometry);
     connect();
   }
 
   void add_joints(const Model& model, const RobotGeometry& geometry);
   void add_bodies(const RobotGeometry& geometry);
-  void add_pairs(const RobotGeometry& geometry);
+  void add_pairs(const Model& model, const RobotGeometry& geometry);
   void connect();
   void want(const CollisionPair& pair, bool on) noexcept;
   void take(std::vector<JointCells>&& found);
@@ -171,7 +171,7 @@ void SelfCollision::Impl::want(const CollisionPair& pair, bool on) noexcept {
   byte = static_cast<unsigned char>(on ? byte | mask : byte & ~mask);
 }
 
-void SelfCollision::Impl::add_pairs(const RobotGeometry& geometry) {
+void SelfCollision::Impl::add_pairs(const Model& model, const RobotGeometry& geometry) {
   const int n = static_cast<int>(bodies.size());
   tables.bodies = n;
   tables.blocks = static_cast<int>(padded_lanes(bodies.size())) / kLanes;
@@ -181,8 +181,15 @@ void SelfCollision::Impl::add_pairs(const RobotGeometry& geometry) {
     const int links = static_cast<int>(geometry.of_link.size());
     const CollisionPair& pair = pairs[p];
     if (pair.link_a < 0 || pair.link_b < 0 || pair.link_a >= links || pair.link_b >= links ||
-        pair.link_a == pair.link_b || body_of[at(pair.link_a)] < 0 || body_of[at(pair.link_b)] < 0)
-      throw std::invalid_argument("SelfCollision: a pair names a link without geometry");
+        pair.link_a == pair.link_b)
+      throw std::invalid_argument("a pair of links to be checked does not exist");
+    for (const int link : {pair.link_a, pair.link_b}) {
+      if (body_of[at(link)] >= 0) continue;
+      throw std::runtime_error(
+          "robot " + model.name + ": link " + model.links[at(link)].name +
+          ": no triangle of its collision shapes is large enough to be touched; "
+          "give its <collision> another shape or remove it");
+    }
     const int a = body_of[at(pair.link_a)], b = body_of[at(pair.link_b)];
     pair_of[at(a * n + b)] = pair_of[at(b * n + a)] = static_cast<int>(p);
     want(pair, true);
