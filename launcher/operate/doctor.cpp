@@ -1,10 +1,7 @@
 #include "launcher/operate/doctor.h"
 
-#include <arpa/inet.h>
-#include <netinet/in.h>
 #include <sched.h>
 #include <sys/mman.h>
-#include <sys/socket.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -21,6 +18,7 @@
 #include "launcher/bus/bus_link.h"
 #include "launcher/stack/run_folder.h"
 #include "lcmtypes/bus/bus.h"
+#include "lcmtypes/bus/udpm_receiver.h"
 
 namespace twinbus {
 
@@ -66,19 +64,6 @@ std::string in_path(const std::string& program) {
   return "";
 }
 
-// The kernel chooses a way for a datagram to this address without sending any.
-bool has_route(const char* address, std::string& why) {
-  const int fd = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
-  sockaddr_in to{};
-  to.sin_family = AF_INET;
-  to.sin_port = htons(9);
-  inet_pton(AF_INET, address, &to.sin_addr);
-  const bool found = fd >= 0 && connect(fd, reinterpret_cast<const sockaddr*>(&to), sizeof to) == 0;
-  why = found ? "" : std::strerror(errno);
-  if (fd >= 0) close(fd);
-  return found;
-}
-
 void check_network(Report& report, const std::string& url) {
   const std::string scheme = "udpm://";
   const std::string group =
@@ -90,7 +75,7 @@ void check_network(Report& report, const std::string& url) {
     return;
   }
   std::string why;
-  if (has_route(group.c_str(), why)) {
+  if (has_route(group, why)) {
     report.add(Health::kGood, "route for multicast to " + group);
   } else {
     report.add(Health::kBad,
@@ -141,6 +126,13 @@ void check_java(Report& report) {
              "./twinbus status");
 }
 
+// What Docker and Podman leave for whoever is inside.
+bool in_container() {
+  return fs::exists("/.dockerenv") || fs::exists("/run/.containerenv");
+}
+constexpr char kContainerRights[] =
+    "docker run --cap-add SYS_NICE --ulimit rtprio=90 --ulimit memlock=-1 ...";
+
 void check_real_time(Report& report, bool in_detail) {
   sched_param before{};
   const int policy = sched_getscheduler(0);
@@ -153,15 +145,17 @@ void check_real_time(Report& report, bool in_detail) {
   report.add(fifo ? Health::kGood : Health::kCould,
              fifo ? "FIFO priority is allowed"
                   : "no FIFO priority (" + why + "): up to 1 % of the ticks may be missed",
-             "run as root, or: echo '@sudo - rtprio 90' | sudo tee "
-             "/etc/security/limits.d/twinbus.conf, and log in again");
+             in_container() ? kContainerRights
+                            : "run as root, or: echo '@sudo - rtprio 90' | sudo tee "
+                              "/etc/security/limits.d/twinbus.conf, and log in again");
   if (!in_detail) return;
   const bool locked = mlockall(MCL_CURRENT) == 0;
   report.add(locked ? Health::kGood : Health::kCould,
              locked ? "memory can be locked"
                     : std::string("memory cannot be locked (") + std::strerror(errno) + ")",
-             "echo '@sudo - memlock unlimited' | sudo tee -a /etc/security/limits.d/twinbus.conf, "
-             "and log in again");
+             in_container() ? kContainerRights
+                            : "echo '@sudo - memlock unlimited' | sudo tee -a "
+                              "/etc/security/limits.d/twinbus.conf, and log in again");
   if (locked) munlockall();
   const bool awake = access("/dev/cpu_dma_latency", W_OK) == 0;
   report.add(

@@ -53,19 +53,26 @@ MissedCounts missed_so_far(const Lookout& seen, std::int64_t now_ns) {
   return counts;
 }
 
-bool runs_at_fifo(const Lookout& seen, std::int64_t now_ns) {
+int real_time_of(const Lookout& seen, std::int64_t now_ns) {
   bool source = false;
   bool controller = false;
-  bool all = true;
+  int least = 2;
   for (const SeenProcess* process : seen.processes(now_ns, 2.0)) {
     const ProcessKind kind = process->beat.kind;
     const bool is_controller = kind == ProcessKind::kController;
     if (!is_source(kind) && !is_controller) continue;
     source = source || is_source(kind);
     controller = controller || is_controller;
-    all = all && process->beat.realtime >= 1;
+    least = std::min(least, static_cast<int>(process->beat.realtime));
   }
-  return source && controller && all;
+  return source && controller ? least : 0;
+}
+
+std::string real_time_text(int real_time) {
+  if (real_time == 0) return "WITHOUT FIFO priority (./twinbus doctor --rt says why)";
+  return std::string("source and controller run with FIFO priority") +
+         (real_time == 2 ? " and locked memory"
+                         : ", but their memory is NOT LOCKED (./twinbus doctor --rt says why)");
 }
 
 RunVerdict judge(const Lookout& seen, const RunRequest& request, const MissedCounts& start,
@@ -75,7 +82,7 @@ RunVerdict judge(const Lookout& seen, const RunRequest& request, const MissedCou
   verdict.state_rate = seen.state().mean_rate();
   verdict.command_rate = seen.command().mean_rate();
   verdict.rate_wanted = request.rate / request.period;
-  verdict.fifo = runs_at_fifo(seen, now_ns);
+  verdict.fifo = real_time_of(seen, now_ns) >= 1;
   verdict.missed_allowed = verdict.fifo ? kMissedWithFifo : kMissedWithoutFifo;
   verdict.fell = seen.figures().fell;
   if (const SeenSource* active = seen.active(now_ns)) {

@@ -55,8 +55,9 @@ struct RunVerdict {
 };
 
 MissedCounts missed_so_far(const Lookout& seen, std::int64_t now_ns);
-// Source and controller both run at FIFO priority.
-bool runs_at_fifo(const Lookout& seen, std::int64_t now_ns);
+// What source and controller both have: 0 nothing, 1 FIFO priority, 2 and locked memory.
+int real_time_of(const Lookout& seen, std::int64_t now_ns);
+std::string real_time_text(int real_time);
 
 RunVerdict judge(const Lookout& seen, const RunRequest& request, const MissedCounts& start,
                  std::int64_t now_ns);

@@ -293,10 +293,8 @@ void Up::wait_for_first_commands() {
   first_tick_ = bus_->seen().newest_state().tick;
   at_start_ = missed_so_far(bus_->seen(), start_ns_);
   if (!request_.lockstep) bus_->seen().restart_counts();
-  say(std::string(request_.lockstep ? "in lock-step, without FIFO priority"
-                  : runs_at_fifo(bus_->seen(), start_ns_)
-                      ? "source and controller run with FIFO priority"
-                      : "WITHOUT FIFO priority (./twinbus doctor --rt says why)") +
+  say((request_.lockstep ? std::string("in lock-step, without FIFO priority")
+                         : real_time_text(real_time_of(bus_->seen(), start_ns_))) +
       "; output of each process: " + folder_);
   for (const SeenProcess* process : bus_->seen().processes(start_ns_))
     shares_.of(process->beat.pid, start_ns_);

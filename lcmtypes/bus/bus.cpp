@@ -138,12 +138,14 @@ Bus::Bus(const BusOptions& options) : options_(options) {
   const bool on_network = starts_with(options.url, "udpm://");
   const std::vector<std::uint32_t> allowed = addresses_of(options.allow);
   const MulticastGroup group = on_network ? multicast_group(options.url) : MulticastGroup{};
+  // liblcm would say it in twelve lines of its own.
+  if (std::string why; on_network && !has_route(group.address, why))
+    throw std::runtime_error("bus: cannot open " + options.url + " (" + why + "): " + kNoRoute);
   lcm_ = lcm_create(options.url.c_str());
   if (lcm_ == nullptr) {
     throw std::runtime_error(
         "bus: cannot open " + options.url +
-        (on_network ? ": no multicast route? try `ip route add 224.0.0.0/4 dev lo` as root"
-                    : ": is the file there and readable?"));
+        (on_network ? std::string(": ") + kNoRoute : ": is the file there and readable?"));
   }
   try {
     if (on_network) receiver_ = std::make_unique<UdpmReceiver>(group, allowed);

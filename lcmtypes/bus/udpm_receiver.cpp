@@ -47,6 +47,18 @@ std::int64_t arrival_us(msghdr& message) {
 
 }  // namespace
 
+bool has_route(const std::string& address, std::string& why) {
+  const int fd = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+  sockaddr_in to{};
+  to.sin_family = AF_INET;
+  to.sin_port = htons(9);
+  inet_pton(AF_INET, address.c_str(), &to.sin_addr);
+  const bool found = fd >= 0 && connect(fd, reinterpret_cast<const sockaddr*>(&to), sizeof to) == 0;
+  why = found ? "" : std::strerror(errno);
+  if (fd >= 0) close(fd);
+  return found;
+}
+
 MulticastGroup multicast_group(const std::string& url) {
   const std::size_t begin = std::strlen("udpm://");
   const std::string network = url.substr(begin, url.find('?', begin) - begin);
@@ -94,8 +106,7 @@ UdpmReceiver::UdpmReceiver(const MulticastGroup& group, std::vector<std::uint32_
     ip_mreq membership{};
     membership.imr_multiaddr = where.sin_addr;
     if (setsockopt(socket_, IPPROTO_IP, IP_ADD_MEMBERSHIP, &membership, sizeof membership) != 0) {
-      fail("cannot join " + group.address,
-           "no multicast route? try `ip route add 224.0.0.0/4 dev lo` as root");
+      fail("cannot join " + group.address, kNoRoute);
     }
   } catch (...) {
     close(socket_);

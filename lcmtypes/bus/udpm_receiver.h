@@ -20,6 +20,14 @@ struct MulticastGroup {
   int port = 7667;
 };
 
+// What an account can do where no datagram finds a way.
+inline constexpr char kNoRoute[] =
+    "no multicast route? an administrator runs once: ip link set lo up && ip route add 224.0.0.0/4 "
+    "dev lo (without one: ./twinbus --own-network ...)";
+
+// Whether the kernel knows a way for a datagram to this address; else why not.  Sends none.
+bool has_route(const std::string& address, std::string& why);
+
 // Throws std::invalid_argument naming what is wrong with the URL.
 MulticastGroup multicast_group(const std::string& url);
 
