@@ -71,7 +71,8 @@ Arguments parse(int argc, char** argv) {
       "twinbus_viewer",
       "Shows the running stack in a browser, with a stop button.\n"
       "TWINBUS_VIEWER_TOKEN and TWINBUS_VIEWER_WATCH_TOKEN in the environment keep the addresses "
-      "the same over a restart.");
+      "the same over a restart; TWINBUS_VIEWER_AT=HOST:PORT is where a forwarded port (a "
+      "container's) shows the page to others.");
   add_common(options, a.common);
   options.integer("--port", "N", a.port, 0, 65535,
                   "first port to try on 127.0.0.1, then the next free; 0: any");
@@ -177,6 +178,13 @@ class Viewer {
     WebConfig config;
     config.port = static_cast<int>(arguments_.port);
     config.listen = arguments_.listen;
+    if (const char* as = std::getenv("TWINBUS_VIEWER_AT")) {
+      config.reached_as = as;
+      if (config.reached_as.find_first_not_of(
+              "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789.-:[]") !=
+          std::string::npos)
+        throw std::runtime_error("TWINBUS_VIEWER_AT: HOST:PORT is needed, as in localhost:8040");
+    }
     config.token = token_of("TWINBUS_VIEWER_TOKEN");
     config.watch_token = token_of("TWINBUS_VIEWER_WATCH_TOKEN");
     const std::string& web = arguments_.web;

@@ -4,6 +4,7 @@
     phone_test.py BIN_FOLDER [SCREENSHOT.png]        in a private network namespace
 """
 import json
+import os
 import re
 import socket
 import subprocess
@@ -50,6 +51,17 @@ for wrong in ("here", "10.99.99.99", "0.0.0.0.0"):
     bad = Process(binary(bin_folder, "twinbus_viewer"), "--port", "0", "--no-open", "--listen", wrong)
     said = bad.wait_for("--listen", 10) or ""
     check(bad.child.wait(10) == 1 and wrong in said, f"--listen {wrong} is refused: {said[-90:]}")
+
+# --- a forwarded port, as that of a container, has another name ---
+AT = "robot.example:8123"
+viewer = Process(binary(bin_folder, "twinbus_viewer"), "--port", "0", "--no-open", "--listen", "0.0.0.0", env=dict(os.environ, TWINBUS_VIEWER_AT=AT))
+check(f"http://{AT}/#token=" in (viewer.wait_for("watch and stop") or ""), "TWINBUS_VIEWER_AT is the address that is told")
+port = int(re.search(r":(\d+)/#token", viewer.wait_for("ready at "))[1])
+check(status(port, "/", host=AT) == 200 and status(port, "/", host=AT, extra=f"Origin: http://{AT}\r\n") == 200, "and it is let in")
+check(status(port, "/robot.urdf", host=AT) == 403, "to the page only, without a token")
+check(status(port, "/", host=AT, extra="Origin: http://evil.example\r\n") == 403 and status(port, "/", host="evil.example:8123") == 403, "no other name is")
+check(status(port, "/", host=AT, to="127.0.0.1") == 403, "nor is it on loopback, where any name could point")
+viewer.end()
 
 for listen in ("0.0.0.0", FAR):
     viewer = Process(binary(bin_folder, "twinbus_viewer"), "--port", "0", "--no-open", "--listen", listen)

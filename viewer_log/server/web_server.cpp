@@ -193,8 +193,13 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
 
   void answer() {
     const Request& request = parser_->get();
-    if (!host_allowed(view(request[http::field::host]), shared_.port, own_) ||
-        !origin_allowed(view(request[http::field::origin]), shared_.port, own_)) {
+    const std::string_view host = view(request[http::field::host]);
+    const std::string_view origin = view(request[http::field::origin]);
+    const std::string& as = shared_.config.reached_as;
+    const bool forwarded =
+        far_ && !as.empty() && host == as && (origin.empty() || origin == "http://" + as);
+    if (!forwarded && (!host_allowed(host, shared_.port, own_) ||
+                       !origin_allowed(origin, shared_.port, own_))) {
       return refuse(http::status::forbidden, "foreign host or origin\n");
     }
     if (request.method() != http::verb::get && request.method() != http::verb::head) {
@@ -278,6 +283,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
                  "default-src 'self'; connect-src 'self' blob: ws://" + own_ + ":" +
                      std::to_string(shared_.port) +
                      (far_ ? "" : " ws://localhost:" + std::to_string(shared_.port)) +
+                     (shared_.config.reached_as.empty() ? "" : " ws://" + shared_.config.reached_as) +
                      "; img-src 'self' blob: data:; style-src 'self' 'unsafe-inline'; "
                      "frame-ancestors 'none'");
     response.keep_alive(!last && parser_->get().keep_alive());
@@ -460,7 +466,8 @@ std::string WebServer::watch_address() const {
   if (impl_->shared.config.listen.empty()) return {};
   const std::string host =
       others.is_unspecified() ? address_for_others(others.is_v6()) : written(others);
-  return "http://" + host + ":" + std::to_string(port()) +
+  const std::string& as = impl_->shared.config.reached_as;
+  return "http://" + (as.empty() ? host + ":" + std::to_string(port()) : as) +
          "/#token=" + impl_->shared.config.watch_token;
 }
 

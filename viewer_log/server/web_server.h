@@ -35,6 +35,8 @@ struct WebConfig {
   std::string token;        // empty: a random one is drawn
   std::string listen;       // an address of this machine beside 127.0.0.1; 0.0.0.0: all
   std::string watch_token;  // for who comes there; empty: a random one is drawn
+  // HOST:PORT that a forwarded port gives it for others, a container's; empty: its own address.
+  std::string reached_as;
   std::vector<WebRoot> roots;
   std::vector<WebDocument> documents;
   std::size_t max_clients = 16;            // WebSockets
