@@ -20,6 +20,7 @@
 #include "launcher/operate/walk.h"
 #include "launcher/run/run.h"
 #include "launcher/run/scenes.h"
+#include "launcher/run/tune.h"
 #include "launcher/up/restart.h"
 #include "launcher/up/up.h"
 
@@ -36,6 +37,8 @@ struct Command {
 constexpr Command kCommands[] = {
     {"up", "start and supervise simulator, controller, guard, planner and viewer", &up_command},
     {"run", "run a scene in one process, without a bus, as fast as it goes", &run_command},
+    {"tune", "find the cheapest order and step of a scene that hold an error", &tune_command},
+    {"explain", "what of a scene is modelled, at what cost and error", &explain_command},
     {"scenes", "which scenes there are", &scenes_command},
     {"restart", "start one process of the stack anew", &restart_command},
     {"status", "who is there, rates, roles, terms, timing", &status_command},

@@ -1,0 +1,246 @@
+#include "launcher/run/tune.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <sstream>
+#include <stdexcept>
+
+#include "common/math/index.h"
+#include "common/process/arguments.h"
+#include "common/process/process.h"
+#include "launcher/run/accuracy.h"
+#include "launcher/stack/run_folder.h"
+#include "robot/description/load.h"
+#include "sim/scene/scene_seed.h"
+
+namespace twinbus {
+
+namespace {
+
+constexpr double kLook = 1.0;  // of a scene, to see where its time goes [s]
+
+Syntax tune_syntax() {
+  return {"tune",
+          "SCENE",
+          "Runs a scene at every order and step of the ladder, prints error against cost and the "
+          "cheapest that holds the error\ntogether with all finer ones.  Exit status 0 only if one "
+          "does.",
+          {robot_option(),
+           {"--error", "LENGTH", "0.001 or 1mm; default the scene's accuracy, else 1mm"},
+           {"--budget", "MS", "CPU time of the physics in a control period: the best that fits"},
+           {"--for", "S", "simulated seconds; default: the scene's duration"},
+           {"--seed", "N", "of everything random; default 1"},
+           {"--csv", "F.csv", "writes order, step, cost and error of every run"},
+           {"--write", "F.yaml", "writes the scene with the settings found, and why"}},
+          1,
+          1};
+}
+
+Syntax explain_syntax() {
+  return {"explain",
+          "SCENE",
+          "Says what of a scene is modelled and how, where the time of its run goes, and with an "
+          "accuracy which orders and\nsteps were tried for it and what each is off.",
+          {robot_option(),
+           {"--accuracy", "LENGTH", "0.001 or 1mm; default the scene's"},
+           {"--for", "S", "simulated seconds of the ladder; default: the scene's duration"},
+           {"--seed", "N", "of everything random; default 1"}},
+          1,
+          1};
+}
+
+struct Opened {
+  Scene scene;
+  Model model;
+  OneProcessConfig config;
+  AccuracyRequest request;
+};
+
+double length_of(const Arguments& arguments, const std::string& option, double otherwise) {
+  if (!arguments.has(option)) return otherwise;
+  const double length = metres_of(arguments.text(option, ""));
+  if (!(length > 0.0))
+    throw UsageError(option + " wants a length such as 0.001 or 1mm, not '" +
+                     arguments.text(option, "") + "'");
+  return length;
+}
+
+Opened open(const Arguments& arguments) {
+  Opened opened;
+  Scene& scene = opened.scene = load_scene(arguments.word(0));
+  scene.robot = arguments.text("--robot", scene.robot);
+  opened.model = load_robot(scene.robot);
+  opened.request.seed =
+      static_cast<std::uint64_t>(arguments.number("--seed", 1.0, 0.0, 1e9));
+  opened.request.duration = arguments.number("--for", scene.duration, 0.02, 1e6);
+  opened.request.talk = true;
+  opened.config.seed = opened.request.seed;
+  resolve_poses(scene, opened.model);
+  apply_seed(scene, opened.model, opened.request.seed);
+  return opened;
+}
+
+std::string csv_of(const Opened& opened, const AccuracyChoice& choice) {
+  std::ostringstream csv;
+  csv.precision(9);
+  csv << "scene,seed,duration_s,order,step_s,physics_ms_per_s,error_m,where,at_s,chosen\n";
+  for (std::size_t i = 0; i < choice.ladder.rungs.size(); ++i) {
+    const Rung& rung = choice.ladder.rungs[i];
+    csv << opened.scene.name << ',' << opened.request.seed << ',' << opened.request.duration << ','
+        << rung.order << ',' << rung.step << ',' << rung.cost << ',' << choice.ladder.estimate(i)
+        << ',' << rung.body << ',' << rung.at << ',' << (static_cast<int>(i) == choice.rung)
+        << '\n';
+  }
+  return csv.str();
+}
+
+std::string why_of(const Opened& opened, const AccuracyChoice& choice) {
+  const auto index = static_cast<std::size_t>(choice.rung);
+  const Rung& rung = choice.ladder.rungs[index];
+  char text[300];
+  std::snprintf(text, sizeof text,
+                "tuned: error %.3g mm over %.3g s (seed %llu), physics %.3g ms per second; the "
+                "finest two runs agree to %.3g mm",
+                1e3 * choice.ladder.estimate(index), opened.request.duration,
+                static_cast<unsigned long long>(opened.request.seed), rung.cost,
+                1e3 * choice.ladder.agreement);
+  return text;
+}
+
+// Where the time of a short run goes.
+void print_shares(const Opened& opened) {
+  OneProcess run(opened.model, opened.scene, opened.config);
+  run.time_physics();
+  const double duration = std::min(kLook, opened.request.duration);
+  const std::int64_t ticks = std::max<std::int64_t>(1, std::llround(duration / opened.model.period()));
+  const std::int64_t begun = monotonic_ns();
+  std::size_t contacts = 0, most = 0;
+  while (run.ticks() < ticks && run.tick()) {
+    contacts += run.world().contacts().size();
+    most = std::max(most, run.world().contacts().size());
+  }
+  const double wall = 1e-9 * static_cast<double>(monotonic_ns() - begun);
+  const double simulated = opened.model.period() * static_cast<double>(run.ticks());
+  if (!(simulated > 0.0)) return;
+  const double physics = run.physics_seconds();
+  std::printf("time         %.2f ms per simulated second: physics %.2f (%.0f %%), sensors, controller, "
+              "guard and messages the rest\n",
+              1e3 * wall / simulated, 1e3 * physics / simulated, 1e2 * physics / wall);
+  std::printf("contacts     of the robot %.1f points in the mean, %zu at most\n",
+              static_cast<double>(contacts) / static_cast<double>(run.ticks()), most);
+  std::printf("doubts       %ld of the physics steps of that second\n", run.trust().doubted);
+}
+
+void print_model(const Opened& opened) {
+  const Scene& scene = opened.scene;
+  const Model& model = opened.model;
+  int locked = 0, follow = 0, rotors = 0, rubbing = 0;
+  for (const Joint& joint : model.joints) {
+    locked += !(joint.upper > joint.lower) ? 1 : 0;
+    follow += joint.mimic >= 0 ? 1 : 0;
+    rotors += joint.rotor_inertia > 0.0 ? 1 : 0;
+    rubbing += joint.friction > 0.0 || joint.damping > 0.0 ? 1 : 0;
+  }
+  std::printf("engine       %s, contact %s\n", scene.engine.c_str(), scene.contact.c_str());
+  std::printf("robot        %s: %d links, %d joints (%d cannot move, %d follow others, %d with rotor "
+              "inertia, %d with friction or damping), base %s\n",
+              model.name.c_str(), model.link_count(), model.joint_count(), locked, follow, rotors,
+              rubbing, scene.fixed_base || !model.floating_base ? "fixed" : "free");
+  std::printf("soles        four corners each, springs and dampers; links: %s\n",
+              scene.self_contact ? "touch one another, the ground and obstacles"
+                                 : "touch the ground and obstacles, not one another (self_contact)");
+  std::printf("loose        %zu bodies", scene.loose.size());
+  for (const LooseBody& body : scene.loose)
+    std::printf(", %s%s", body.name.c_str(), body.mesh != nullptr ? " (triangles)" : "");
+  std::printf("\nfixed        %zu obstacles, %zu tiles of ground; further robots %zu; loops %zu, grasps %zu\n",
+              scene.obstacles.size(), scene.tiles.size(), scene.robots.size(), scene.loops.size(),
+              scene.grasps.size());
+}
+
+}  // namespace
+
+std::string tuned_text(const std::string& scene, int order, double step, const std::string& why) {
+  std::istringstream in(scene);
+  std::ostringstream out;
+  out << "# " << why << "\n";
+  char number[40];
+  std::snprintf(number, sizeof number, "%.9g", step);
+  const std::string asked = "solver.order: " + std::to_string(order);
+  bool in_settings = false, has_order = false;
+  std::string body;
+  for (std::string line; std::getline(in, line);) {
+    const bool top = !line.empty() && line[0] != ' ' && line[0] != '#' && line[0] != '-';
+    if (top) in_settings = line.rfind("settings:", 0) == 0;
+    if (top && line.rfind("step:", 0) == 0) continue;
+    const std::size_t at = line.find("solver.order:");
+    if (in_settings && at != std::string::npos) {
+      const std::size_t end = line.find_first_of(",}#", at);
+      line.replace(at, (end == std::string::npos ? line.size() : end) - at, asked);
+      has_order = true;
+    } else if (top && in_settings && !has_order) {
+      if (const std::size_t brace = line.find('{'); brace != std::string::npos) {
+        if (scene.find("solver.order:") == std::string::npos) {
+          line.insert(brace + 1, asked + ", ");
+          has_order = true;
+        }
+      }
+    }
+    body += line + "\n";
+  }
+  out << "step: " << number << "\n";
+  if (!has_order && scene.rfind("settings:", 0) != 0 &&
+      scene.find("\nsettings:") == std::string::npos) {
+    out << "settings: {" << asked << "}\n";
+  } else if (!has_order) {  // a block of lines
+    const std::size_t from = body.rfind("settings:", 0) == 0 ? 0 : body.find("\nsettings:") + 1;
+    body.insert(body.find('\n', from) + 1, "  " + asked + "\n");
+  }
+  out << body;
+  return out.str();
+}
+
+int tune_command(const std::vector<std::string>& words) {
+  const Arguments arguments(tune_syntax(), words);
+  catch_quit_signals();
+  Opened opened = open(arguments);
+  opened.request.all = true;
+  opened.request.budget = 1e-3 * arguments.number("--budget", 0.0, 1e-4, 1e4);
+  opened.request.error = length_of(
+      arguments, "--error",
+      opened.scene.accuracy > 0.0 ? opened.scene.accuracy : opened.request.budget > 0.0 ? 0.0 : 1e-3);
+  const AccuracyChoice choice =
+      choose_accuracy(opened.model, opened.scene, opened.config, opened.request);
+  std::printf("%s", ladder_table(choice.ladder, choice.rung).c_str());
+  if (!choice.reason.empty()) std::printf("%s\n", choice.reason.c_str());
+  if (const std::string file = arguments.text("--csv", ""); !file.empty())
+    write_file(file, csv_of(opened, choice));
+  if (choice.rung < 0) return 1;
+  const Rung& rung = choice.ladder.rungs[at(choice.rung)];
+  const std::string why = why_of(opened, choice);
+  std::printf("order %d at %.4g ms; %s\n", rung.order, 1e3 * rung.step, why.c_str());
+  if (const std::string file = arguments.text("--write", ""); !file.empty())
+    write_file(file, tuned_text(opened.scene.text, rung.order, rung.step, why));
+  return choice.reason.empty() ? 0 : 1;
+}
+
+int explain_command(const std::vector<std::string>& words) {
+  const Arguments arguments(explain_syntax(), words);
+  catch_quit_signals();
+  Opened opened = open(arguments);
+  print_model(opened);
+  print_shares(opened);
+  opened.request.error = length_of(arguments, "--accuracy", opened.scene.accuracy);
+  if (!(opened.request.error > 0.0)) {
+    std::printf("accuracy     not asked for: the scene's own order and step; --accuracy 1mm finds which are "
+                "needed\n");
+    return 0;
+  }
+  const AccuracyChoice choice =
+      choose_accuracy(opened.model, opened.scene, opened.config, opened.request);
+  std::printf("%s", ladder_table(choice.ladder, choice.rung).c_str());
+  if (!choice.reason.empty()) std::printf("%s\n", choice.reason.c_str());
+  return 0;
+}
+
+}  // namespace twinbus

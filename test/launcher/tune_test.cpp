@@ -1,0 +1,49 @@
+// The scene that `tune` writes is the scene with another step and order.
+
+#include "launcher/run/tune.h"
+
+#include <gtest/gtest.h>
+
+#include "sim/scene/scene.h"
+#include "test/temporary_folder.h"
+
+#include <fstream>
+
+namespace twinbus {
+namespace {
+
+Scene written(const std::string& text) {
+  const test::TemporaryFolder folder;
+  const std::string file = folder.path() + "/scene.yaml";
+  std::ofstream(file) << text;
+  return load_scene(file);
+}
+
+std::string order_of(const Scene& scene) {
+  std::string order;
+  for (const auto& [key, value] : scene.settings) {
+    if (key == "solver.order") order += value;
+  }
+  return order;
+}
+
+TEST(Tune, StepAndOrderReplaceThoseOfTheSceneAndNothingElseIsLost) {
+  const std::string rest = "about: A test.\nduration: 3\nmodes:\n  - {at: 0, mode: balance}\n";
+  const std::string texts[] = {rest, rest + "step: 0.001\n",
+                               rest + "settings: {solver.order: 3, model.mass_scale: 1.5}\n",
+                               rest + "settings: {model.mass_scale: 1.5}\nstep: 0.0001\n",
+                               rest + "settings:\n  model.mass_scale: 1.5\n",
+                               rest + "settings:\n  solver.order: 3\n  model.mass_scale: 1.5\n"};
+  for (const std::string& text : texts) {
+    const Scene before = written(text);
+    const Scene scene = written(tuned_text(text, 2, 0.0005, "because"));
+    EXPECT_EQ(scene.step, 0.0005) << text;
+    EXPECT_EQ(order_of(scene), "2") << text;
+    EXPECT_EQ(scene.duration, 3.0) << text;
+    EXPECT_EQ(scene.modes.size(), 1U) << text;
+    EXPECT_EQ(scene.settings.size(), before.settings.size() + (order_of(before).empty() ? 1 : 0)) << text;
+  }
+}
+
+}  // namespace
+}  // namespace twinbus
