@@ -20,17 +20,17 @@ in_root() { env -i HOME=/root LANG=C.UTF-8 PATH="$PATH" chroot "$1" "${@:2}"; }
 try_without() {
   local package=$1 top=$work.without found
   rm -rf "$top"
-  mkdir -p "$top/upper" "$top/work" "$top/root"
-  mount -t overlay overlay -o "lowerdir=$work,upperdir=$top/upper,workdir=$top/work" "$top/root"
-  mount -t proc proc "$top/root/proc"
-  mount --rbind /dev "$top/root/dev"
-  sed -i "/^$package /d" "$top/root/twinbus/config/packages.txt"
+  mkdir -p "$top/upper" "$top/work" "$top/merged"
+  mount -t overlay overlay -o "lowerdir=$work,upperdir=$top/upper,workdir=$top/work" "$top/merged"
+  mount -t proc proc "$top/merged/proc"
+  mount --rbind /dev "$top/merged/dev"
+  sed -i "/^$package /d" "$top/merged/twinbus/config/packages.txt"
   # What is there only because of it goes.
   # shellcheck disable=SC2046
-  in_root "$top/root" sh -c "apt-mark auto $package && DEBIAN_FRONTEND=noninteractive apt-get autoremove -y -q -o APT::AutoRemove::RecommendsImportant=false -o APT::AutoRemove::SuggestsImportant=false" >"$top/apt.log" 2>&1
-  rm -rf "$top/root/twinbus/build"
+  in_root "$top/merged" sh -c "apt-mark auto $package && DEBIAN_FRONTEND=noninteractive apt-get autoremove -y -q -o APT::AutoRemove::RecommendsImportant=false -o APT::AutoRemove::SuggestsImportant=false" >"$top/apt.log" 2>&1
+  rm -rf "$top/merged/twinbus/build"
   # Once it configured it builds, and that is waited for no longer.
-  (cd / && exec setsid unshare --pid --fork --kill-child env -i HOME=/root LANG=C.UTF-8 PATH="$PATH" chroot "$top/root" \
+  (cd / && exec setsid unshare --pid --fork --kill-child env -i HOME=/root LANG=C.UTF-8 PATH="$PATH" chroot "$top/merged" \
     sh -c 'cd /twinbus && exec ./twinbus --no-install --help') </dev/null >"$top/said" 2>&1 &
   local child=$!
   while kill -0 "$child" 2>/dev/null && ! grep -q 'twinbus: builds' "$top/said"; do sleep 0.3; done
@@ -40,7 +40,7 @@ try_without() {
   if [[ " $found " == *" $package "* ]]; then
     echo "ok      without $package ./twinbus says: $found"
   else
-    found=$(in_root "$top/root" sh -c 'cd /twinbus && python3 test/structure/packages_test.py' 2>&1 | grep "^$package is" | head -1 || true)
+    found=$(in_root "$top/merged" sh -c 'cd /twinbus && python3 test/structure/packages_test.py' 2>&1 | grep "^$package is" | head -1 || true)
     if [ -n "$found" ]; then
       echo "ok      without $package the unit tests say: $found"
     else
@@ -48,7 +48,7 @@ try_without() {
       failed=1
     fi
   fi
-  umount -R "$top/root"
+  umount -R "$top/merged"
 }
 if [ "${TWINBUS_WITHOUT:-}" != inside ]; then
   TWINBUS_WITHOUT=inside exec unshare --mount --pid --fork --kill-child "$0" --release "$release" "$@"
