@@ -22,6 +22,9 @@ struct alignas(64) TriangleCluster {
   int count;              // triangles that are real
 };
 
+// What the sphere around a cluster is larger by, more than single precision can lose [m].
+inline constexpr double kGrowTriangleCluster = 2e-6;
+
 // order: the triangles, cluster by cluster.
 std::vector<TriangleCluster> triangle_clusters(const TriangleMesh& mesh, std::vector<int>& order);
 std::vector<TriangleCluster> triangle_clusters(const TriangleMesh& mesh);

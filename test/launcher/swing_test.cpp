@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "both_engines.h"
+#include "test/sim/both_engines.h"
 #include "common/math/index.h"
 #include "robot/description/load.h"
 #include "sim/world/static_equilibrium.h"
