@@ -5,7 +5,7 @@
 # Gives Eigen3::Eigen, Threads::Threads, lcm::lcm, LCM_GEN and system::NAME of each twinbus_pkg_config(NAME ...).
 
 function(twinbus_missing what package)
-  message(FATAL_ERROR "${what} is missing; run: apt-get install ${package}")
+  message(FATAL_ERROR "\n  ${what} is missing; run: apt-get install ${package}\n")  # indented: CMake breaks no line of it
 endfunction()
 
 # twinbus_pkg_config(NAME MODULE PACKAGE): target system::NAME of the pkg-config module MODULE that Debian's PACKAGE brings.

@@ -7,12 +7,13 @@
 # ./twinbus has to fail while it configures, or packages_test.py after it, and name the package.
 set -euo pipefail
 here=$(cd -- "$(dirname -- "$(readlink -f -- "$0")")" && pwd)
+tree=$(dirname "$(dirname "$here")")
 release=trixie
 if [ "${1:-}" = --release ]; then release=$2; shift 2; fi
 cache=${XDG_CACHE_HOME:-$HOME/.cache}/twinbus/roots
-work=$cache/$release-$(printf %s "$(dirname "$(dirname "$here")")" | cksum | cut -d' ' -f1)
+work=$cache/$release-$(printf %s "$tree" | cksum | cut -d' ' -f1)
 [ -e "$work.commit" ] || { echo "without_each.sh: no root; run: $here/clean_root.sh --release $release --keep"; exit 2; }
-list=$work/twinbus/config/packages.txt
+list=$tree/config/packages.txt
 packages=$(awk '/^#/ || NF == 0 || $1 ~ /:$/ {next} {print $1}' "$list")
 wanted=${*:-$packages}
 failed=0
@@ -24,14 +25,15 @@ try_without() {
   mount -t overlay overlay -o "lowerdir=$work,upperdir=$top/upper,workdir=$top/work" "$top/merged"
   mount -t proc proc "$top/merged/proc"
   mount --rbind /dev "$top/merged/dev"
+  git -C "$top/merged/twinbus" fetch -q "file://$tree" HEAD
+  git -C "$top/merged/twinbus" checkout -q --detach FETCH_HEAD
   sed -i "/^$package /d" "$top/merged/twinbus/config/packages.txt"
   # What is there only because of it goes.
   # shellcheck disable=SC2046
   in_root "$top/merged" sh -c "apt-mark auto $package && DEBIAN_FRONTEND=noninteractive apt-get autoremove -y -q -o APT::AutoRemove::RecommendsImportant=false -o APT::AutoRemove::SuggestsImportant=false" >"$top/apt.log" 2>&1
-  rm -rf "$top/merged/twinbus/build"
   # Once it configured it builds, and that is waited for no longer.
   (cd / && exec setsid unshare --pid --fork --kill-child env -i HOME=/root LANG=C.UTF-8 PATH="$PATH" chroot "$top/merged" \
-    sh -c 'cd /twinbus && exec ./twinbus --no-install --help') </dev/null >"$top/said" 2>&1 &
+    sh -c 'cd /twinbus && TWINBUS_BUILDS=/tmp/builds exec ./twinbus --no-install --help') </dev/null >"$top/said" 2>&1 &
   local child=$!
   while kill -0 "$child" 2>/dev/null && ! grep -q 'twinbus: builds' "$top/said"; do sleep 0.3; done
   kill "$child" 2>/dev/null || true

@@ -169,6 +169,13 @@ printf '#!/bin/sh\\necho program "$@"\\n' >"$build/bin/twinbus"; chmod +x "$buil
         self.assertIn("no such thing", done.stderr)
         self.assertEqual(done.stdout, "")
 
+    def test_a_library_that_cmake_misses_is_one_line_with_its_package(self):
+        executable(self.bin / "cmake", "#!/bin/sh\necho CMake Error\necho '  ode (x) is missing; run: apt-get install libode-dev'\nexit 1\n")
+        done = self.run_script("up")
+        self.assertEqual((done.returncode, done.stdout), (1, ""))
+        self.assertEqual(done.stderr.splitlines()[-1], "twinbus: ode (x) is missing; run: apt-get install libode-dev")
+        self.assertEqual(len(done.stderr.splitlines()), 2, done.stderr)
+
     def test_wrong_arguments_of_test_exit_with_2(self):
         self.assertEqual(self.run_script("test", "--fulll").returncode, 2)
         self.assertEqual(self.run_script("test", "--help").returncode, 0)
