@@ -14,6 +14,7 @@ import os
 import pathlib
 import re
 import shutil
+import signal
 import subprocess
 import sys
 import time
@@ -93,7 +94,7 @@ def start(root, environment, command, rights, network):
         words = ["setpriv", "--bounding-set", "-sys_nice,-ipc_lock,-sys_resource", "--inh-caps", "-sys_nice,-ipc_lock,-sys_resource",
                  "prlimit", "--rtprio=0", "--memlock=65536", *words]
     return subprocess.Popen([*ENTER, str(root), network, *words], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-                            stdin=subprocess.DEVNULL)
+                            stdin=subprocess.DEVNULL, start_new_session=True)
 
 
 def wait_for(process, expression, seconds=60):
@@ -163,8 +164,9 @@ def container(root, environment, entry, command, networks):
             check(status(networks, f"/robot.urdf?token={token}", at) == 200, "and with it the robot")
             check(status(networks, "/", "evil.example:8040") == 403, "under no other name")
         finally:
-            stack.terminate()
-            stack.wait(20)
+            os.killpg(stack.pid, signal.SIGKILL)  # unshare, and with it all that is in its namespaces
+            stack.wait()
+            time.sleep(1.0)
     said = run(*ENTER, root, networks[1], "setpriv", "--bounding-set", "-sys_nice,-ipc_lock,-sys_resource", "prlimit", "--rtprio=0",
                *entry, "doctor", "--rt").stdout
     check("--cap-add SYS_NICE" in said, "doctor says how docker gives FIFO priority")

@@ -36,7 +36,7 @@ try_without() {
     sh -c 'cd /twinbus && TWINBUS_BUILDS=/tmp/builds exec ./twinbus --no-install --help') </dev/null >"$top/said" 2>&1 &
   local child=$!
   while kill -0 "$child" 2>/dev/null && ! grep -q 'twinbus: builds' "$top/said"; do sleep 0.3; done
-  kill "$child" 2>/dev/null || true
+  kill -KILL "$child" 2>/dev/null || true
   wait "$child" 2>/dev/null || true
   found=$(grep -o 'apt-get install .*' "$top/said" | head -1 || true)
   if [[ " $found " == *" $package "* ]]; then
