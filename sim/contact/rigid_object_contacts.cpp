@@ -89,7 +89,9 @@ LooseContacts::LooseContacts(const Model& model, const WorldConfig& config)
   };
   for (const Obstacle& obstacle : config.obstacles) add_fixed(obstacle, false);
   for (const Obstacle& tile : config.tiles) add_fixed(tile, true);
-  give_meshes();
+  if (std::any_of(pieces_.begin(), pieces_.end(), [](const Piece& p) { return p.only_mesh; })) {
+    give_meshes();
+  }
   for (std::size_t i = 0; i < pieces_.size(); ++i)
     spans_.push_back({0.0, 0.0, static_cast<int>(i)});
   near_.reserve(spans_.size());

@@ -5,8 +5,8 @@
 // Every shape is a piece: probes (sim/world/solid.h) that enter the other pieces, and a solid that their
 // probes enter.  A sole has its corners for probes and no solid.  Springs and dampers of two pieces
 // act in series, friction is the geometric mean.  Two boxes that overlap while no corner is about as deep
-// in the other, as where edges cross, meet as their triangles do, and so does a body of triangles with all else
-// (sim/contact/rigid_object_mesh.h).
+// in the other, as where edges cross, meet where they overlap (sim/contact/box_overlap.h).  A body of triangles meets
+// the triangles of all else (sim/contact/rigid_object_mesh.h).
 
 #pragma once
 
@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "geometry/mesh_contact/manifold.h"
+#include "sim/contact/box_overlap.h"
 #include "sim/contact/contact_solve.h"
 #include "sim/world/link_pairs.h"
 #include "sim/world/solid.h"
@@ -117,8 +118,10 @@ class LooseContacts {
   // other: -1: the ground.
   void meet_mesh(std::size_t own, int other, Search& search) noexcept;
   void meet_probes(std::size_t own, std::size_t other, Search& search) noexcept;
-  // Of two boxes, by how much they will overlap at the end of the step; of others 0.
-  double overlap(const Piece& a, const Piece& b, const Search& search) const noexcept;
+  static bool is_box(const Piece& piece) noexcept;  // and its corners meet others
+  // end_a: where the first is at the end of the step.
+  void meet_boxes(std::size_t own, std::size_t other, const Eigen::Isometry3d& end_a,
+                  const BoxOverlap& overlap, Search& search) noexcept;
   Eigen::Isometry3d end_of(const Piece& piece, const Search& search) const noexcept;
   // Of a box, the face that bare points are nearest to being out of; -1: ask point by point.
   int face_between(const Piece& points, const Piece& box) const noexcept;

@@ -21,27 +21,65 @@ void LooseContacts::meet_probes(std::size_t own, std::size_t other, Search& sear
   if (pieces_[other].solid_too) meet(pieces_[own], other, false, search);
   if (!pieces_[other].probes.empty())
     meet(pieces_[other], own, pieces_[other].system < 0, search);
-  const double deep = overlap(pieces_[own], pieces_[other], search);
-  if (!(deep > kOverlap)) return;
+  const Piece& a = pieces_[own];
+  const Piece& b = pieces_[other];
+  if (!is_box(a) || !is_box(b)) return;
+  const Eigen::Isometry3d end_a = end_of(a, search), end_b = end_of(b, search);
+  const Eigen::Vector3d half_a = 0.5 * a.solid.size, half_b = 0.5 * b.solid.size;
+  BoxOverlap overlap = box_overlap(end_a, half_a, end_b, half_b);
+  if (!(overlap.depth > kOverlap)) return;
   double deepest = 0.0;
   for (std::size_t i = before; i < search.contacts.size(); ++i) {
     const Contact& c = search.contacts[i];
     deepest = std::max(deepest, c.depth - search.h * c.normal.dot(c.v0));
   }
-  if (deepest * kCorner > deep && deepest < kCorner * deep) return;
+  if (deepest * kCorner > overlap.depth && deepest < kCorner * overlap.depth) return;
+  box_contact(end_a, half_a, end_b, half_b, overlap);
+  if (overlap.count == 0) return;
   search.contacts.resize(before);
-  meet_mesh(own, static_cast<int>(other), search);
+  meet_boxes(own, other, end_a, overlap, search);
 }
 
-double LooseContacts::overlap(const Piece& a, const Piece& b,
-                              const Search& search) const noexcept {
-  const auto is_box = [](const Piece& piece) {
-    return piece.solid_too && !piece.tile && !piece.of_foot &&
-           piece.solid.shape == SolidShape::kBox && piece.mesh != nullptr;
-  };
-  if (!is_box(a) || !is_box(b)) return 0.0;
-  return box_overlap(end_of(a, search), 0.5 * a.solid.size, end_of(b, search),
-                     0.5 * b.solid.size);
+bool LooseContacts::is_box(const Piece& piece) noexcept {
+  return piece.solid_too && !piece.tile && !piece.of_foot &&
+         piece.solid.shape == SolidShape::kBox;
+}
+
+// Found where the boxes will be, set back to where they are.  Many points are together no stiffer than four.
+void LooseContacts::meet_boxes(std::size_t own, std::size_t other, const Eigen::Isometry3d& end_a,
+                               const BoxOverlap& overlap, Search& search) noexcept {
+  const Piece& a = pieces_[own];
+  const Piece& b = pieces_[other];
+  Eigen::Isometry3d pose_a;
+  pose_a.linear() = a.rotation;
+  pose_a.translation() = a.center;
+  const Eigen::Isometry3d back = pose_a * end_a.inverse(Eigen::Isometry);
+  Contact found;
+  found.params = together(a.params, b.params);
+  const double share = std::min(1.0, 4.0 / overlap.count);
+  found.params.stiffness *= share;
+  found.params.damping *= share;
+  found.params.tangent_stiffness *= share;
+  found.params.tangent_damping *= share;
+  found.system = a.system;
+  found.link = a.link;
+  found.other_system = b.system;
+  found.other = b.system >= 0 ? b.link : -1;
+  found.normal = overlap.normal;
+  const ArticulatedBody& body = *search.systems[at(a.system)];
+  const int pair =
+      static_cast<int>(own) * (static_cast<int>(pieces_.size()) + 1) + static_cast<int>(other) + 1;
+  for (int i = 0; i < overlap.count; ++i) {
+    found.point = back * overlap.point[at(i)];
+    Eigen::Vector3d v = at_point(body.link(a.link).velocity, found.point - body.origin());
+    if (b.system >= 0) {
+      const ArticulatedBody& against = *search.systems[at(b.system)];
+      v -= at_point(against.link(b.link).velocity, found.point - against.origin());
+    }
+    found.depth = overlap.deep[at(i)] + search.h * found.normal.dot(v);
+    found.key = kFirstMeshKey + pair * kMeshKeysPerPair + BoxOverlap::kMost * overlap.axis + i;
+    consider(found, search);
+  }
 }
 
 bool LooseContacts::may_come_through(const Contact& c, double depth) const noexcept {

@@ -1,7 +1,6 @@
 #include "sim/contact/rigid_object_mesh.h"
 
 #include <Eigen/Eigenvalues>
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -105,11 +104,8 @@ std::shared_ptr<const ContactMesh> mesh_of(const Solid& solid) {
 }
 
 void LooseContacts::give_meshes() {
-  const bool all = std::any_of(pieces_.begin(), pieces_.end(),
-                               [](const Piece& piece) { return piece.only_mesh; });
   for (Piece& piece : pieces_) {
-    const bool box = piece.solid.shape == SolidShape::kBox && !piece.tile && !piece.of_foot;
-    if (piece.mesh == nullptr && piece.solid_too && (all || box)) piece.mesh = mesh_of(piece.solid);
+    if (piece.mesh == nullptr && piece.solid_too) piece.mesh = mesh_of(piece.solid);
     if (piece.mesh != nullptr) finder_.reserve(*piece.mesh);
   }
 }

@@ -40,16 +40,40 @@ LooseBody box(const std::string& name, double mass, const Eigen::Vector3d& size,
 TEST(BoxOverlap, IsTheLeastOfFacesAndCrossedEdges) {
   const Eigen::Vector3d half(0.5, 0.5, 0.5);
   const Eigen::Isometry3d still = Eigen::Isometry3d::Identity();
-  EXPECT_NEAR(box_overlap(still, half, placed({0.9, 0.1, 0}, 0, {1, 0, 0}), half), 0.1, 1e-15);
-  EXPECT_NEAR(box_overlap(still, half, placed({0, -1.25, 0}, 0, {1, 0, 0}), half), -0.25, 1e-15);
+  EXPECT_NEAR(box_overlap(still, half, placed({0.9, 0.1, 0}, 0, {1, 0, 0}), half).depth, 0.1, 1e-15);
+  EXPECT_NEAR(box_overlap(still, half, placed({0, -1.25, 0}, 0, {1, 0, 0}), half).depth, -0.25, 1e-15);
   // A corner of a box on its edge in a face.
-  EXPECT_NEAR(box_overlap(still, half, placed({0, 0, 1.2}, M_PI / 4, {1, 0, 0}), half),
+  EXPECT_NEAR(box_overlap(still, half, placed({0, 0, 1.2}, M_PI / 4, {1, 0, 0}), half).depth,
               0.5 + std::sqrt(0.5) - 1.2, 1e-15);
   // Both on an edge, these across one another: the edges are sqrt(1/2) from the middles.
   const Eigen::Isometry3d low = placed({0, 0, 0}, M_PI / 4, {1, 0, 0});
   const Eigen::Isometry3d high = placed({0, 0, 1.4}, M_PI / 4, {0, 1, 0});
-  EXPECT_NEAR(box_overlap(low, half, high, half), 2.0 * std::sqrt(0.5) - 1.4, 1e-15);
-  EXPECT_NEAR(box_overlap(high, half, low, half), 2.0 * std::sqrt(0.5) - 1.4, 1e-15);
+  EXPECT_NEAR(box_overlap(low, half, high, half).depth, 2.0 * std::sqrt(0.5) - 1.4, 1e-15);
+  EXPECT_NEAR(box_overlap(high, half, low, half).depth, 2.0 * std::sqrt(0.5) - 1.4, 1e-15);
+}
+
+// Under a face the corners of the other's face, cut off at its sides; no deeper than they overlap.
+TEST(BoxOverlap, ItsPointsAreOfTheFaceThatIsCutOrWhereTheEdgesCross) {
+  const Eigen::Vector3d half(0.5, 0.5, 0.5), beam(1.0, 0.05, 0.05);
+  const Eigen::Isometry3d still = Eigen::Isometry3d::Identity();
+  const Eigen::Isometry3d above = placed({0, 0, 0.54}, 0.3, {0, 0, 1});
+  BoxOverlap overlap = box_overlap(above, beam, still, half);
+  box_contact(above, beam, still, half, overlap);
+  ASSERT_EQ(overlap.count, 4);
+  EXPECT_NEAR(overlap.normal.z(), 1.0, 1e-12);
+  for (int i = 0; i < 4; ++i) {
+    const Eigen::Vector3d& p = overlap.point[static_cast<std::size_t>(i)];
+    EXPECT_NEAR(overlap.deep[static_cast<std::size_t>(i)], 0.01, 1e-12);
+    EXPECT_NEAR(p.z(), 0.495, 1e-12);
+    EXPECT_NEAR(std::abs(p.x()), 0.5, 1e-12);  // cut where the beam leaves the block
+  }
+  const Eigen::Isometry3d low = placed({0.1, 0, 0}, M_PI / 4, {1, 0, 0});
+  const Eigen::Isometry3d high = placed({0, 0.2, 1.4}, M_PI / 4, {0, 1, 0});
+  overlap = box_overlap(high, half, low, half);
+  box_contact(high, half, low, half, overlap);
+  ASSERT_EQ(overlap.count, 1);
+  EXPECT_NEAR((overlap.normal - Eigen::Vector3d::UnitZ()).norm(), 0.0, 1e-12);
+  EXPECT_NEAR((overlap.point[0] - Eigen::Vector3d(0.0, 0.0, 0.7)).norm(), 0.0, 1e-12);
 }
 
 class BoxEdges : public test::BothEngines {};
