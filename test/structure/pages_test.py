@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Every path that a page names exists: links of README.md, doc/, examples/ and the rooms, and paths between backquotes that begin
-with a folder of the tree (without .h or .cpp too).
+with a folder of the tree (without .h or .cpp too); and doc/protocol.md has every channel.
 
     pages_test.py [FOLDER]
 """
@@ -12,8 +12,23 @@ import sys
 
 PAGES = re.compile(r"(README\.md|doc/[^/]+\.md|examples/[^/]+\.md|[a-z_]+/README\.md|config/robots/README\.md)")
 LINK = re.compile(r"\]\(([^)#\s]+)(?:#[^)]*)?\)")
+HOLE = re.compile(r"(^|[/_])[A-Z]{3,}([/_.]|$)")  # test/ROOM, lcmtypes/NAME_t.lcm: for the reader to fill in
 SPAN = re.compile(r"`([^`\n]+)`")
 PATH = re.compile(r"(?<![\w./{}~$-])((?:[A-Za-z0-9_]+/)+[A-Za-z0-9_.-]*[A-Za-z0-9_]/?)(?![\w*/<{}-])")
+
+
+def check_protocol(root, problems):
+    """The table of channels in doc/protocol.md has every channel, with the type and size of lcmtypes/bus."""
+    page = (root / "doc/protocol.md").read_text()
+    code = {name: (root / "lcmtypes/bus" / name).read_text() for name in ("channels.h", "wire.h", "wire.cpp", "convert.h")}
+    names = dict(re.findall(r'(k\w+)\[\] = "(\w+)"', code["channels.h"]))
+    bytes_of = dict(re.findall(r"struct Wire<(\w+)> : WireBase<(\d+)", code["wire.h"]))
+    type_of = dict(re.findall(r"struct MessageOf<(\w+)> \{\s*using type = (\w+);", code["convert.h"]))
+    for struct, constant in re.findall(r"row<(\w+)>\(channel::(k\w+)\)", code["wire.cpp"]):
+        row = rf"^\| [^|]*`{names[constant]}`[^|]* \| `{type_of[struct]}` \| {bytes_of[struct]} \|"
+        if not re.search(row, page, re.MULTILINE):
+            problems.append(f"doc/protocol.md: the table of channels in section 2 lacks {names[constant]}, {type_of[struct]}, "
+                            f"{bytes_of[struct]} bytes: write that row")
 
 
 def check(root):
@@ -28,8 +43,11 @@ def check(root):
                     problems.append(f"{page}:{number}: links to {link}, which is not there: name the file that is")
             for span in SPAN.findall(line):
                 for path in PATH.findall(span):
+                    if HOLE.search(path) and "README" not in path:
+                        continue
                     if path.split("/")[0] in tops and not any((root / (path + end)).exists() for end in ("", ".h", ".cpp")):
                         problems.append(f"{page}:{number}: names {path}, which is not there: name the file that is")
+    check_protocol(root, problems)
     return problems
 
 
