@@ -100,6 +100,14 @@ std::string link_value(const std::string& link, const char* key) {
                                                                                : std::string();
 }
 
+// The seconds before the present moment, for plots: played by readers of its own, a little per frame.
+struct Filling {
+  std::unique_ptr<LogView> log, other;
+  double end = 0.0, step = 0.0;
+  std::int64_t jumps = 0;
+  std::string rows;
+};
+
 class LogViewer {
  public:
   explicit LogViewer(Arguments arguments)
@@ -365,14 +373,6 @@ class LogViewer {
     status_due_ = status_due_ || changed_;
     changed_ = false;
   }
-
-  // The seconds before the present moment, for plots: played by readers of its own, a little per frame.
-  struct Filling {
-    std::unique_ptr<LogView> log, other;
-    double end = 0.0, step = 0.0;
-    std::int64_t jumps = 0;
-    std::string rows;
-  };
 
   void start_fill(double seconds) {
     filling_.emplace();
