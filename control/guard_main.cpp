@@ -12,17 +12,17 @@
 #include <stdexcept>
 #include <string>
 
+#include "common/process/options.h"
+#include "common/process/process.h"
 #include "control/guard/guard_watch.h"
 #include "lcmtypes/bus/bus.h"
 #include "lcmtypes/bus/channels.h"
 #include "lcmtypes/msg/journal.h"
-#include "robot/description/load.h"
+#include "lcmtypes/msg/state_admission.h"
+#include "lcmtypes/node/pulse.h"
 #include "robot/collision/loop_joints.h"
 #include "robot/collision/obstacle_collector.h"
-#include "common/process/options.h"
-#include "common/process/process.h"
-#include "lcmtypes/node/pulse.h"
-#include "lcmtypes/msg/state_admission.h"
+#include "robot/description/load.h"
 #include "test/no_alloc.h"
 
 namespace twinbus {
@@ -64,6 +64,7 @@ class GuardProcess {
     bus_.listen_each<RobotState>(channel::kState, on_state_);
     bus_.listen_each<JointCommand>(channel::kCommand, on_command_);
     bus_.listen_each<ObstaclesPiece>(channel::kObstacles, on_obstacles_);
+    bus_.listen_each<SourceStatus>(channel::kSourceStatus, on_source_);
   }
 
   void run() {
@@ -100,10 +101,17 @@ class GuardProcess {
     fresh_ = true;
   }
 
-  // The newest command that is for the source we watch.
+  // Whom the source obeys.
+  void hear_source(const SourceStatus& status) noexcept {
+    if (status.run_id == admission_.run_id() && status.term == admission_.term())
+      controller_ = status.controller_id;
+  }
+
+  // The newest command that is for the source we watch: one that its gate would refuse moves nothing, and must not stop it.
   void hear_command(const JointCommand& command, Bytes bytes) noexcept {
     if (command.run_id != admission_.run_id() || command.term != admission_.term() ||
-        command.joint_count != model_.bus_count() || command.model_hash != model_.hash) {
+        command.joint_count != model_.bus_count() || command.model_hash != model_.hash ||
+        command.tick > state_.tick || (controller_ != 0 && command.controller_id != controller_)) {
       return;
     }
     journal_.consumed(JournalInput::kCommand, bytes, monotonic_ns());
@@ -147,9 +155,9 @@ class GuardProcess {
   // Who comes too near whom, at most once a second; while it stays the same two, seldom.
   void tell(const GuardReport& report) noexcept {
     const std::int64_t now = monotonic_ns();
-    const std::array<int, 2> pair =
-        report.pairs_near > 0 ? std::array<int, 2>{report.link_a[0], report.link_b[0]}
-                              : std::array<int, 2>{-1, -1};
+    const std::array<int, 2> pair = report.pairs_near > 0
+                                        ? std::array<int, 2>{report.link_a[0], report.link_b[0]}
+                                        : std::array<int, 2>{-1, -1};
     const bool same = pair == told_pair_ && now - held_ns_ < kQuietNs;
     held_ns_ = now;
     if (told_ns_ != 0 && now - told_ns_ < (same ? kQuietSameNs : kQuietNs)) return;
@@ -202,6 +210,10 @@ class GuardProcess {
     GuardProcess* p;
     void operator()(const RobotState& m, Bytes bytes) const noexcept { p->hear_state(m, bytes); }
   };
+  struct OnSource {
+    GuardProcess* p;
+    void operator()(const SourceStatus& m, Bytes) const noexcept { p->hear_source(m); }
+  };
   struct OnCommand {
     GuardProcess* p;
     void operator()(const JointCommand& m, Bytes bytes) const noexcept {
@@ -220,6 +232,7 @@ class GuardProcess {
   std::int64_t id_;
   Bus bus_;
   GuardWatch watch_;
+  std::int64_t controller_ = 0;  // that the source obeys; 0 not known
   StateAdmission admission_;
   ObstacleCollector obstacles_;
   RobotState state_;
@@ -232,6 +245,7 @@ class GuardProcess {
   std::int32_t stop_sequence_ = 0, event_sequence_ = 0;
 
   OnState on_state_{this};
+  OnSource on_source_{this};
   OnCommand on_command_{this};
   OnObstacles on_obstacles_{this};
 };

@@ -11,18 +11,19 @@
 #include <string>
 #include <vector>
 
-#include "lcmtypes/bus/bus.h"
-#include "lcmtypes/bus/channels.h"
-#include "planner/arm_path_pieces.h"
-#include "planner/plan_worker.h"
-#include "robot/estimation/estimator.h"
-#include "robot/description/load.h"
-#include "robot/collision/loop_joints.h"
-#include "robot/collision/obstacle_collector.h"
 #include "common/process/options.h"
 #include "common/process/process.h"
-#include "lcmtypes/node/pulse.h"
+#include "lcmtypes/bus/bus.h"
+#include "lcmtypes/bus/channels.h"
+#include "lcmtypes/msg/obeyed_once.h"
 #include "lcmtypes/msg/state_admission.h"
+#include "lcmtypes/node/pulse.h"
+#include "planner/arm_path_pieces.h"
+#include "planner/plan_worker.h"
+#include "robot/collision/loop_joints.h"
+#include "robot/collision/obstacle_collector.h"
+#include "robot/description/load.h"
+#include "robot/estimation/estimator.h"
 #include "test/no_alloc.h"
 
 namespace twinbus {
@@ -97,7 +98,10 @@ class PlannerProcess {
       ++rejected_;  // of another run, or an old log
       return;
     }
-    if (goal.goal_id == goal_.goal_id && goal.kind == goal_.kind) return;  // said again
+    // Said again, or from a log of this run.  A goal and the end of it may have one number.
+    SpentNumbers<256>& spent = goal.kind == ArmGoalKind::kCancel ? cancelled_ : planned_;
+    if (spent.contains(goal.goal_id)) return;
+    spent.spend(goal.goal_id);
     goal_ = goal;
     new_goal_ = true;
   }
@@ -207,6 +211,7 @@ class PlannerProcess {
   JointCommand command_;
   Mode mode_ = Mode::kNone;  // of the controller
   ArmGoal goal_;
+  SpentNumbers<256> planned_, cancelled_;  // goals that were obeyed
   bool fresh_ = false, new_goal_ = false;
   std::vector<ArmPathPiece> pieces_;
   int sends_left_ = 0;

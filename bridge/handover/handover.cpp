@@ -429,6 +429,9 @@ Transition Handover::tick_waiting(const HandoverInput& input, std::int64_t now_n
       start_term(term + 1, now_ns);
       predecessor = from;
       predecessor_ns = now_ns;
+      // The limit is the robot's: who has taken over waits as who has granted.
+      last_grant_ns = now_ns;
+      has_granted = true;
       role = Role::kActive;
       return Transition::kTookOver;
     }

@@ -22,8 +22,8 @@
 //  * A holder that has been silent for the listening time is forgotten.  A shadow follows a new
 //    holder only if its term was believed by grant, cancel or activation; otherwise it parks, so
 //    that an old log cannot move a robot that shadows.
-//  * A source grants at most once in 1.9 s, so two sources switch at most about once a second, and
-//    a switch may be undone at once.  A request is obeyed once: its sequence must be higher than
+//  * A robot changes its source at most once a second: neither who granted nor who took over grants
+//    again before.  A request is obeyed once: its sequence must be higher than
 //    the last of that sender.
 
 #pragma once
@@ -47,7 +47,7 @@ struct HandoverConfig {
   std::int64_t state_timeout_ns = 25'000'000;
   std::int64_t listen_ns = 1'000'000'000;
   std::int64_t silence_ns = 100'000'000;
-  std::int64_t switch_interval_ns = 1'900'000'000;
+  std::int64_t switch_interval_ns = 1'000'000'000;
   std::int64_t when_safe_ns = 8'000'000'000;  // how long a safe moment is waited for
   RuleSet off = 0;
 };

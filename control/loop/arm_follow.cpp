@@ -52,8 +52,8 @@ void ArmFollow::begin(Path& path, const ArmPathPiece& piece) noexcept {
 
 void ArmFollow::add(const ArmPathPiece& piece) noexcept {
   if (piece.status != decltype(piece.status){} || piece.pieces <= 0)
-    return;                                                    // the planner found no path
-  if (following_ && piece.path_id == active_.path_id) return;  // heard again
+    return;                                    // the planner found no path
+  if (spent_.contains(piece.path_id)) return;  // heard again
   if (incoming_.pieces == 0 || incoming_.path_id != piece.path_id) begin(incoming_, piece);
   Path& path = incoming_;
   if (path.spoilt) return;
@@ -87,6 +87,7 @@ void ArmFollow::add(const ArmPathPiece& piece) noexcept {
   }
   path.have |= 1ULL << piece.piece;
   if (path.complete()) {
+    spent_.spend(path.path_id);
     waiting_ = finish(path);
     if (!waiting_) path.spoilt = true;
     if (following_) ending_ = true;  // the old one first comes to rest
@@ -114,6 +115,7 @@ bool ArmFollow::finish(Path& path) noexcept {
 void ArmFollow::cancel() noexcept {
   ending_ = true;
   waiting_ = false;
+  if (incoming_.pieces != 0) spent_.spend(incoming_.path_id);
   incoming_.pieces = 0;
   if (!following_) state_ = ArmState::kNone;
 }

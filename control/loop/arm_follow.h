@@ -11,8 +11,9 @@
 #include <vector>
 
 #include "control/joint/posture.h"
-#include "robot/description/model.h"
+#include "lcmtypes/msg/obeyed_once.h"
 #include "lcmtypes/msg/requests.h"
+#include "robot/description/model.h"
 
 namespace twinbus {
 
@@ -27,6 +28,8 @@ class ArmFollow {
   // A piece that makes no sense (sizes, joints, times, limits) spoils its path, which then never
   // starts.
   void add(const ArmPathPiece& piece) noexcept;
+  // A path that came when none could be followed: it is not followed later either.
+  void refuse(const ArmPathPiece& piece) noexcept { spent_.spend(piece.path_id); }
   // Ends on the path, as soon as it can be stopped smoothly.
   void cancel() noexcept;
   // At once: the joints are someone else's from now on.
@@ -67,6 +70,7 @@ class ArmFollow {
   std::vector<int> bus_of_;  // model joint -> bus joint, -1
   std::vector<bool> allowed_;
   Path active_, incoming_;
+  SpentNumbers<256> spent_;  // of paths that came whole, or were cancelled: each is followed once
   bool following_ = false, ending_ = false, waiting_ = false;
   double time_ = 0.0, rate_ = 0.0, clear_for_ = 0.0;
   int blocked_ = 0, segment_ = 0;

@@ -7,19 +7,20 @@
 #include <string>
 #include <utility>
 
+#include "common/math/index.h"
+#include "control/guard/guard.h"
 #include "control/loop/blend.h"
 #include "control/loop/control_report.h"
 #include "control/loop/driver_token.h"
 #include "control/loop/footstep_shapes.h"
-#include "control/guard/guard.h"
 #include "control/loop/mask_brake.h"
 #include "control/loop/mode_queue.h"
 #include "control/loop/modes.h"
 #include "control/loop/set_point_limits.h"
 #include "control/loop/state_check.h"
-#include "robot/estimation/estimator.h"
-#include "common/math/index.h"
+#include "lcmtypes/msg/obeyed_once.h"
 #include "robot/description/walking_config.h"
+#include "robot/estimation/estimator.h"
 
 namespace twinbus {
 
@@ -91,6 +92,8 @@ struct ControlLoop::Impl {
   std::int64_t walk_ns = 0;
   StepList steps;
   bool new_steps = false;
+  // Streams, too: what a sender has said before is from a log.
+  SenderSequences<64> steps_heard, walks_heard, pads_heard;
   GuardReport guard_heard;
   std::int64_t guard_heard_ns = 0;
   std::int64_t mask = 0;  // bit per joint held this tick
@@ -323,6 +326,7 @@ void ControlLoop::on_mode_request(const ModeRequest& request) noexcept {
 
 void ControlLoop::on_walk_command(const WalkCommand& command, std::int64_t now_ns) noexcept {
   if (!impl_->have_state || command.run_id != impl_->state.run_id) return;
+  if (!impl_->walks_heard.is_not_older(command.sender_id, command.sequence)) return;
   impl_->status.walk_sequence = command.sequence;
   impl_->walk = command;
   impl_->walk_ns = now_ns;
@@ -331,12 +335,13 @@ void ControlLoop::on_walk_command(const WalkCommand& command, std::int64_t now_n
 void ControlLoop::on_step_list(const StepList& list) noexcept {
   StepList& last = impl_->steps;
   if (!impl_->have_state || list.run_id != impl_->state.run_id) return;
-  if (list.sender_id == last.sender_id && list.sequence == last.sequence) return;
+  if (!impl_->steps_heard.is_new(list.sender_id, list.sequence)) return;
   last = list;
   impl_->new_steps = true;
 }
 
 void ControlLoop::on_gamepad(const Gamepad& gamepad, std::int64_t now_ns) noexcept {
+  if (!impl_->pads_heard.is_not_older(gamepad.sender_id, gamepad.sequence)) return;
   if (!impl_->token.admits(gamepad, now_ns)) return;
   impl_->gamepad = gamepad;
   impl_->gamepad_ns = now_ns;

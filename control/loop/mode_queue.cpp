@@ -4,20 +4,10 @@
 
 namespace twinbus {
 
-bool ModeQueue::seen(const ModeRequest& request) noexcept {
-  for (Sender& sender : sender_) {
-    if (sender.id != request.sender_id || sender.id == 0) continue;
-    if (request.sequence <= sender.sequence) return true;
-    sender.sequence = request.sequence;
-    return false;
-  }
-  sender_[next_sender_] = {request.sender_id, request.sequence};
-  next_sender_ = (next_sender_ + 1) % kSenders;
-  return false;
-}
-
 bool ModeQueue::add(const ModeRequest& request, std::int64_t run_id) noexcept {
-  if (request.run_id != run_id || seen(request) || count_ == kCapacity) return false;
+  if (request.run_id != run_id || count_ == kCapacity ||
+      !heard_.is_new(request.sender_id, request.sequence))
+    return false;
   waiting_[count_++] = request;
   return true;
 }

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 
+#include "lcmtypes/msg/obeyed_once.h"
 #include "lcmtypes/msg/requests.h"
 
 namespace twinbus {
@@ -24,18 +25,10 @@ class ModeQueue {
 
  private:
   static constexpr std::size_t kCapacity = 8;
-  static constexpr std::size_t kSenders = 16;
-  struct Sender {
-    std::int64_t id = 0;
-    std::int32_t sequence = 0;
-  };
-  bool seen(const ModeRequest& request) noexcept;
-
   std::array<ModeRequest, kCapacity> waiting_{};
   std::size_t count_ = 0;
   ModeRequest taken_;
-  std::array<Sender, kSenders> sender_{};
-  std::size_t next_sender_ = 0;
+  SenderSequences<64> heard_;
 };
 
 }  // namespace twinbus

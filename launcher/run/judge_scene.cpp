@@ -14,7 +14,9 @@ constexpr double kDegrees = 57.29577951308232;
 std::string sentence(const char* format, double reached, double asked) {
   if (!std::isfinite(reached)) {  // what stands before the number, and why there is none
     const std::string whole = format;
-    return whole.substr(0, whole.find('%')) + "(not measured: the run ended before)";
+    std::size_t at = whole.find('%');
+    while (at != std::string::npos && whole[at + 1] == '%') at = whole.find('%', at + 2);
+    return whole.substr(0, at) + "(not measured: the run ended before)";
   }
   char text[200];
   std::snprintf(text, sizeof text, format, reached, asked);
@@ -117,7 +119,8 @@ std::string doubts_line(const TrustCounts& trust) {
   bool first = true;
   for (std::size_t i = 0; i < kDoubts; ++i) {
     if (trust.steps[i] == 0) continue;
-    line += (first ? "" : ", ") + std::string(kDoubtNames[i]) + " " + std::to_string(trust.steps[i]);
+    line +=
+        (first ? "" : ", ") + std::string(kDoubtNames[i]) + " " + std::to_string(trust.steps[i]);
     first = false;
   }
   char text[80];
@@ -168,7 +171,7 @@ RunVerdict judge_scene(const OneProcess& run, const Criteria& asked, std::int64_
   at_least(1e3 * f.zmp_margin_min, asked.zmp_margin_min_mm,
            "the ZMP came as near as %.1f mm to the edge, %.1f mm were asked");
   at_least(1e3 * w.margin_percentile(0.05), asked.zmp_margin_p5_mm,
-           "in 5 %% of the ticks the ZMP was nearer than %.0f mm to the edge, %.1f mm were asked");
+           "of all ticks the ZMP was in 5 %% nearer than %.0f mm to the edge, %.1f mm were asked");
   at_most(1e3 * f.slip_max, asked.slip_max_mm, "a sole slid %.2f mm, at most %.2f mm were asked");
   at_most(1e3 * w.step_slip_max(), asked.step_slip_max_mm,
           "a sole slid %.2f mm in a step, at most %.2f mm were asked");

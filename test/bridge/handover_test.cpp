@@ -278,6 +278,34 @@ TEST_F(OneSource, TwoSwitchesInASecondAreRefusedAsTooSoon) {
   EXPECT_EQ(handover.refusal, Refusal::kBusy);
 }
 
+// Else two sources, each within its own limit, change a robot to and fro.
+TEST_F(OneSource, WhoHasTakenOverDoesNotGrantAtOnce) {
+  RobotState holder = standing(9);
+  holder.role = Role::kActive;
+  holder.term = 3;
+  const auto holder_speaks = [&] {
+    ++holder.tick;
+    handover.heard_state(holder, now);
+    return step();
+  };
+  handover.config.can_be_set = true;
+  for (int i = 0; i < 600; ++i) holder_speaks();
+  holder.role = Role::kReleasing;
+  holder.grant_run_id = handover.config.run_id;
+  holder.grant_tick = holder.tick + 5;
+  Transition happened = Transition::kNone;
+  for (int i = 0; i < 12 && happened != Transition::kTookOver; ++i) happened = holder_speaks();
+  ASSERT_EQ(happened, Transition::kTookOver);
+  hear_target(standing(kTarget));
+  ask(request(SourceAction::kSwitch, kTarget));
+  EXPECT_NE(step(), Transition::kGranted);
+  EXPECT_EQ(handover.refusal, Refusal::kBusy);
+  now += handover.config.switch_interval_ns;
+  hear_target(standing(kTarget));
+  ask(request(SourceAction::kSwitch, kTarget));
+  EXPECT_EQ(step(), Transition::kGranted);
+}
+
 TEST_F(OneSource, ASecondActivationIsRefusedWhileAnotherSourceIsHeard) {
   step();
   RobotState other = standing(9);

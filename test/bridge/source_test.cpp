@@ -292,6 +292,7 @@ TEST_F(Pair, SwitchAndSwitchBack) {
   tick();
   tick();
   EXPECT_FALSE(a.publishes_on_state());
+  for (int i = 0; i < 520; ++i) tick();  // a robot changes its source once a second
   request(SourceAction::kSwitch, 1, 2);
   ticks = 0;
   while (!a.publishes_on_state() && ++ticks < 20) tick();

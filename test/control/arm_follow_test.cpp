@@ -208,5 +208,31 @@ TEST(ArmFollow, ADroppedPathMovesNothingFromThatTickOn) {
   EXPECT_EQ(f.posture.q(f.bus), before);
 }
 
+TEST(ArmFollow, APathIsFollowedOnceThoughItIsHeardAgain) {
+  Fixture f;
+  f.hear();
+  for (int i = 0; i < 2000; ++i) f.tick();
+  ASSERT_EQ(f.follow.state(), ArmState::kDone);
+  const double end = f.posture.q(f.bus);
+  // Back where it began, so that nothing but its number keeps the old path from being followed.
+  PerJoint<double> q{};
+  f.posture.rest(q);
+  f.hear();
+  for (int i = 0; i < 500; ++i) f.tick();
+  EXPECT_EQ(f.follow.path_id(), 0);
+  EXPECT_NE(f.posture.q(f.bus), end);
+  f.pieces = f.path(2, f.posture.q(f.bus));
+  f.hear();
+  for (int i = 0; i < 500; ++i) f.tick();
+  EXPECT_EQ(f.follow.path_id(), 2);
+  // Nor is one that was refused or cancelled followed later.
+  f.follow.drop();
+  f.pieces = f.path(3, f.posture.q(f.bus));
+  f.follow.refuse(f.pieces[0]);
+  f.hear();
+  f.tick();
+  EXPECT_EQ(f.follow.path_id(), 0);
+}
+
 }  // namespace
 }  // namespace twinbus

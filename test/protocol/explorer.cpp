@@ -232,7 +232,7 @@ World world_at(Start start, const Setting& setting) {
     return world;
   }
   if (start == Start::kSwitchBack) {
-    world.quiet(10);
+    world.quiet(20);  // a robot changes its source seldom
     happen(EventKind::kSwitch, 0);
   }
   world.message_faults = 0;

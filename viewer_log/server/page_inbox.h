@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "viewer_log/view/frame.h"
 #include "viewer_log/server/page_request.h"
+#include "viewer_log/view/frame.h"
 #include "viewer_log/view/setup_desk.h"
 
 namespace twinbus {

@@ -1,13 +1,10 @@
 #include "viewer_log/server/web_server.h"
 
-#include <ifaddrs.h>
-#include <netinet/in.h>
-
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <chrono>
 #include <cstdint>
-#include <cstring>
 #include <deque>
 #include <mutex>
 #include <set>
@@ -20,6 +17,9 @@
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
 #include <boost/beast/websocket.hpp>
+
+#include "viewer_log/server/own_address.h"
+#include "viewer_log/server/stranger_seats.h"
 
 namespace twinbus {
 
@@ -36,6 +36,8 @@ using Text = std::shared_ptr<const std::string>;
 constexpr std::string_view kAcknowledge = "ack";
 constexpr int kMostUnread = 8;
 constexpr auto kHttpTimeout = std::chrono::seconds(15);
+// Of one from another machine that has shown no token yet.
+constexpr auto kStrangerTimeout = std::chrono::seconds(2);
 constexpr std::size_t kMaxHeader = 8192;              // [bytes]
 constexpr std::uint64_t kMaxFile = 64 * 1024 * 1024;  // [bytes]
 constexpr std::size_t kMaxAnswers = 16;               // waiting for one client
@@ -54,7 +56,8 @@ struct Shared {
   int port = 0;
   Slots newest;
   std::set<std::shared_ptr<Client>> clients;
-  std::size_t connections = 0;
+  std::size_t connections = 0;               // that are no page yet
+  std::unique_ptr<StrangerSeats> strangers;  // of those, from other machines and without a token
   std::atomic<std::size_t> client_count{0};
   std::atomic<long> frames_sent{0};
   std::atomic<long> refused{0};
@@ -165,17 +168,29 @@ class Client : public std::enable_shared_from_this<Client> {
 class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
  public:
   // own: the address it came to; far: it comes from another machine.
-  HttpConnection(Shared& shared, tcp::socket&& socket, std::string own, bool far)
+  HttpConnection(Shared& shared, tcp::socket&& socket, std::string own, std::string from, bool far)
       : shared_(shared), stream_(std::move(socket)), own_(std::move(own)), far_(far) {
     ++shared_.connections;
+    if (!far_) return;
+    bool crowded = false;
+    place_ = shared_.strangers->take({std::move(from), [this] { close(); }}, crowded);
+    stranger_ = true;
+    if (crowded) ++shared_.refused;
   }
-  ~HttpConnection() { --shared_.connections; }
+  ~HttpConnection() {
+    --shared_.connections;
+    no_stranger();
+  }
+  void close() {
+    no_stranger();
+    stream_.close();
+  }
 
   void read() {
     parser_.emplace();
     parser_->header_limit(kMaxHeader);
     parser_->body_limit(0);
-    stream_.expires_after(kHttpTimeout);
+    stream_.expires_after(stranger_ ? kStrangerTimeout : kHttpTimeout);
     http::async_read(
         stream_, buffer_, *parser_, [self = shared_from_this()](Error error, std::size_t) {
           if (!error) {
@@ -188,6 +203,11 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
 
  private:
   using Request = http::request<http::empty_body>;
+
+  void no_stranger() {
+    if (stranger_) shared_.strangers->leave(place_);
+    stranger_ = false;
+  }
 
   static std::string_view view(beast::string_view text) { return {text.data(), text.size()}; }
 
@@ -212,6 +232,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
     const std::string token = query_value(view(request.target()), "token");
     const bool trusted = same_token(token, shared_.config.token);
     const bool known = !far_ || trusted || same_token(token, shared_.config.watch_token);
+    if (known) no_stranger();
     if (websocket::is_upgrade(request)) return upgrade(path, known, trusted);
     if (!known && !is_page(path)) {
       return refuse(http::status::forbidden, "from another machine only with the token\n");
@@ -290,7 +311,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
     response.prepare_payload();
     auto kept = std::make_shared<http::response<Body>>(std::move(response));
     auto serializer = std::make_shared<http::response_serializer<Body>>(*kept);
-    stream_.expires_after(kHttpTimeout);
+    stream_.expires_after(stranger_ ? kStrangerTimeout : kHttpTimeout);
     const auto done = [self = shared_from_this(), kept, serializer](Error error, std::size_t) {
       if (!error && kept->keep_alive()) self->read();
     };
@@ -307,30 +328,14 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
   boost::optional<http::request_parser<http::empty_body>> parser_;
   const std::string own_;
   const bool far_;
+  bool stranger_ = false;
+  StrangerSeats::Place place_;
 };
 
 // As it is written in an address.
 std::string written(const asio::ip::address& address) {
   const std::string plain = address.to_string();
   return address.is_v6() ? "[" + plain + "]" : plain;
-}
-
-// An address of this machine that others may reach; 127.0.0.1 if there is none.
-std::string address_for_others(bool v6) {
-  ifaddrs* list = nullptr;
-  if (getifaddrs(&list) != 0) return "127.0.0.1";
-  std::string found = v6 ? "[::1]" : "127.0.0.1";
-  for (const ifaddrs* one = list; one != nullptr; one = one->ifa_next) {
-    if (one->ifa_addr == nullptr || one->ifa_addr->sa_family != (v6 ? AF_INET6 : AF_INET)) continue;
-    tcp::endpoint endpoint;
-    std::memcpy(endpoint.data(), one->ifa_addr, v6 ? sizeof(sockaddr_in6) : sizeof(sockaddr_in));
-    const asio::ip::address address = endpoint.address();
-    if (address.is_loopback() || (v6 && address.to_v6().is_link_local())) continue;
-    found = written(address);
-    break;
-  }
-  freeifaddrs(list);
-  return found;
 }
 
 }  // namespace
@@ -366,7 +371,7 @@ struct WebServer::Impl {
       if (error)
         throw std::runtime_error("--listen " + listen +
                                  " is no address of this machine; 0.0.0.0 is all");
-      if (others == asio::ip::address_v4::any()) first = others;
+      if (others == asio::ip::address_v4::any() || others.is_loopback()) first = others;
     }
     const bool both = !listen.empty() && others != first && !others.is_loopback();
     for (int i = 0; i < shared.config.ports_to_try; ++i) {
@@ -399,14 +404,17 @@ struct WebServer::Impl {
     const tcp::endpoint to = socket.local_endpoint(error);
     const tcp::endpoint from = error ? tcp::endpoint() : socket.remote_endpoint(error);
     const bool far = !from.address().is_loopback();
-    // Half of the places are for this machine.
+    // Half of the places are for this machine; strangers have seats of their own.
     const std::size_t most = shared.config.max_connections / (far ? 2 : 1);
-    if (error || shared.connections + shared.clients.size() >= most) {
+    const std::size_t known = shared.connections - shared.strangers->size() + shared.clients.size();
+    if (error || known >= most) {
       ++shared.refused;  // the socket closes as it leaves
       return;
     }
     socket.set_option(tcp::no_delay(true), error);
-    std::make_shared<HttpConnection>(shared, std::move(socket), written(to.address()), far)->read();
+    std::make_shared<HttpConnection>(shared, std::move(socket), written(to.address()),
+                                     written(from.address()), far)
+        ->read();
   }
 
   void take_published() {
@@ -435,6 +443,8 @@ WebServer::WebServer(WebConfig config) : impl_(std::make_unique<Impl>()) {
   if (config.token.empty()) config.token = random_token();
   if (config.watch_token.empty()) config.watch_token = random_token();
   impl_->shared.config = std::move(config);
+  impl_->shared.strangers =
+      std::make_unique<StrangerSeats>(impl_->shared.config.max_connections / 4);
   impl_->open();
   for (tcp::acceptor& acceptor : impl_->acceptors) {
     if (acceptor.is_open()) impl_->accept(acceptor);
@@ -458,7 +468,8 @@ int WebServer::port() const { return impl_->shared.port; }
 const std::string& WebServer::token() const { return impl_->shared.config.token; }
 
 std::string WebServer::address() const {
-  return "http://127.0.0.1:" + std::to_string(port()) + "/#token=" + token();
+  const std::string host = impl_->others.is_loopback() ? written(impl_->others) : "127.0.0.1";
+  return "http://" + host + ":" + std::to_string(port()) + "/#token=" + token();
 }
 
 std::string WebServer::watch_address() const {
