@@ -47,6 +47,7 @@ Modes::Modes(const Model& model, const BalanceGains& gains, const WalkGains& wal
     if (balance_->is_leg(model.bus_joints[at(k)])) legs_ |= std::int64_t{1} << k;
   }
   try {
+    pose_ = std::make_unique<PoseCheck>(model);
     squat_ = std::make_unique<SquatCheck>(model);
     walk_ = std::make_unique<Walk>(model, walk);
   } catch (const std::runtime_error& error) {
@@ -57,6 +58,12 @@ Modes::Modes(const Model& model, const BalanceGains& gains, const WalkGains& wal
 bool Modes::may_balance(const Moment& now) const noexcept {
   return balance_ != nullptr && tilt(now.estimator) < kBalanceTilt && now.estimator.loaded(0) &&
          now.estimator.loaded(1);
+}
+
+// Upright, and carried by a foot: not in a hoist, not on the ground.
+bool Modes::stands(const Moment& now) const noexcept {
+  return balance_ != nullptr && tilt(now.estimator) < kFallenTilt &&
+         (now.estimator.loaded(0) || now.estimator.loaded(1));
 }
 
 void Modes::begin_balance(const Moment& now) noexcept {
@@ -182,6 +189,14 @@ void Modes::obey(const ModeRequest& request, const Moment& now) noexcept {
     }
     bracing_ = false;
   }
+  // Damped legs fold.  Who means it says `stop off`, which is never refused.
+  if (request.mode == Mode::kIdle && stands(now)) {
+    sentence_ =
+        "idle lets go of the joints and the standing robot would fall; ./twinbus mode idle "
+        "--let-go "
+        "does it all the same";
+    return;
+  }
   if (held_by_gate_) {
     if (request.mode == Mode::kIdle) {
       mode_before_stop_ = Mode::kIdle;
@@ -189,6 +204,15 @@ void Modes::obey(const ModeRequest& request, const Moment& now) noexcept {
       sentence_ = "the robot is stopped: clear the stop first; the mode stays as it is";
     }
     return;
+  }
+  if (request.mode == Mode::kPose && (request.joint_mask & legs_) != 0 && stands(now) &&
+      pose_ != nullptr) {
+    if (const char* why =
+            pose_->why_not(now.estimator, now.last != nullptr ? now.last->q : now.state.q,
+                           request.q, request.joint_mask)) {
+      sentence_ = why;
+      return;
+    }
   }
   const bool stand_first = request.mode == Mode::kHold || request.mode == Mode::kPose ||
                            request.mode == Mode::kBalance || request.mode == Mode::kStop;
@@ -312,8 +336,9 @@ void Modes::walk_steps(const StepList& list) noexcept {
 }
 
 void Modes::add_path(const ArmPathPiece& piece) noexcept {
-  if (held_by_gate_ || stopping_ || bracing_ || mode_ == Mode::kIdle || mode_ == Mode::kNone)
-    return;
+  const bool may_follow =
+      !(held_by_gate_ || stopping_ || bracing_ || mode_ == Mode::kIdle || mode_ == Mode::kNone);
+  if (!may_follow) return arm_.refuse(piece);
   arm_.add(piece);
 }
 

@@ -14,18 +14,19 @@
 #include <utility>
 #include <vector>
 
-#include "control/loop/arm_follow.h"
 #include "control/balance/balance.h"
-#include "control/loop/fall_protection.h"
+#include "control/balance/pose_check.h"
+#include "control/balance/squat_check.h"
 #include "control/joint/posture.h"
 #include "control/joint/set_point.h"
-#include "control/balance/squat_check.h"
 #include "control/legs/static_torque.h"
+#include "control/loop/arm_follow.h"
+#include "control/loop/fall_protection.h"
 #include "control/walk/walk.h"
-#include "robot/estimation/estimator.h"
-#include "robot/description/model.h"
 #include "lcmtypes/msg/requests.h"
 #include "lcmtypes/msg/robot_io.h"
+#include "robot/description/model.h"
+#include "robot/estimation/estimator.h"
 
 namespace twinbus {
 
@@ -88,6 +89,7 @@ class Modes {
 
  private:
   bool may_balance(const Moment& now) const noexcept;
+  bool stands(const Moment& now) const noexcept;
   void enter(Mode next, const Moment& now) noexcept;
   void enter_balance(const Moment& now) noexcept;
   void enter_hold(const Moment& now, bool at_measured) noexcept;
@@ -104,6 +106,7 @@ class Modes {
   const Model& model_;
   std::unique_ptr<Balance> balance_;   // null when the robot cannot
   std::unique_ptr<SquatCheck> squat_;  // as balance_
+  std::unique_ptr<PoseCheck> pose_;    // as balance_
   std::unique_ptr<Walk> walk_;         // null when the robot cannot
   std::string no_walk_;                // why not
   ModeRequest next_;                   // while leaving

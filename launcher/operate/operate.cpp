@@ -297,10 +297,21 @@ int mode_command(const std::vector<std::string>& words) {
   const Arguments arguments({"mode",
                              "idle|hold|balance|walk|stop",
                              "Asks the controller for a mode; it changes without a jump.",
-                             {prefix_option(), url_option(), allow_option()},
+                             {{"--let-go", "", "with idle: also of a standing robot, which falls"},
+                              prefix_option(),
+                              url_option(),
+                              allow_option()},
                              1,
                              1},
                             words);
+  if (arguments.has("--let-go")) {
+    if (arguments.word(0) != "idle") throw UsageError("mode: --let-go is for idle");
+    std::vector<std::string> off;  // the same options
+    for (const std::string& word : words) {
+      if (word != "--let-go") off.push_back(word == "idle" ? "off" : word);
+    }
+    return stop_command(off);
+  }
   const auto found = std::find(names.begin(), names.end(), arguments.word(0));
   if (found == names.end())
     throw UsageError("mode: no mode '" + arguments.word(0) + "'" +

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "control/loop/control_loop.h"
 #include "test/control/hrp1s.h"
@@ -74,7 +75,7 @@ TEST(Stop, WhileTheGateHoldsTheSetPointsFollowTheRobotAndNoModeIsTaken) {
   }
 }
 
-TEST(Stop, IdleAskedDuringAStopIsTheModeAfterTheClear) {
+TEST(Stop, IdleAskedOfAStandingRobotDuringAStopIsRefused) {
   Rig rig;
   ASSERT_TRUE(rig.run(0.1));
   rig.state().stop_kind = StopKind::kHold;
@@ -86,8 +87,8 @@ TEST(Stop, IdleAskedDuringAStopIsTheModeAfterTheClear) {
   rig.state().stop_kind = StopKind::kNone;
   rig.state().role = Role::kActive;
   ASSERT_TRUE(rig.tick());
-  EXPECT_EQ(rig.loop().status().mode, Mode::kIdle);
-  EXPECT_EQ(rig.command().kp[3], 0.0F);
+  EXPECT_EQ(rig.loop().status().mode, Mode::kBalance);
+  EXPECT_GT(rig.command().kp[3], 0.0F);
 }
 
 TEST(Stop, AnArmPathIsNotTakenDuringAStop) {
@@ -106,6 +107,62 @@ TEST(Stop, AnArmPathIsNotTakenDuringAStop) {
   rig.state().role = Role::kActive;
   ASSERT_TRUE(rig.run(0.02));
   EXPECT_EQ(rig.loop().status().arm_path_id, 0);
+}
+
+TEST(Stop, NoModeAndNoPoseMakesAStandingRobotFall) {
+  Rig rig;
+  ASSERT_TRUE(rig.run(0.5));
+  rig.ask(Mode::kIdle);
+  ASSERT_TRUE(rig.run(0.5));
+  EXPECT_EQ(rig.loop().status().mode, Mode::kBalance);
+  const char* why = rig.loop().take_sentence();
+  ASSERT_NE(why, nullptr);
+  EXPECT_NE(std::string(why).find("--let-go"), std::string::npos) << why;
+
+  const Model& model = test::hrp1s();
+  ModeRequest pose;
+  pose.run_id = rig.state().run_id;
+  pose.sender_id = 77;
+  pose.mode = Mode::kPose;
+  pose.duration = 2.0F;
+  // One knee alone; every joint at 3 rad.
+  for (int k = 0; k < model.bus_count(); ++k) {
+    if (model.joints[static_cast<std::size_t>(model.bus_joints[static_cast<std::size_t>(k)])]
+            .name != "LLEG_KNEE")
+      continue;
+    pose.joint_mask = std::int64_t{1} << k;
+    pose.q[static_cast<std::size_t>(k)] = rig.state().q[static_cast<std::size_t>(k)] + 1.0;
+  }
+  ASSERT_NE(pose.joint_mask, 0);
+  pose.sequence = 1;
+  rig.loop().on_mode_request(pose);
+  ASSERT_TRUE(rig.run(3.0));
+  EXPECT_EQ(rig.loop().status().mode, Mode::kBalance);
+  why = rig.loop().take_sentence();
+  ASSERT_NE(why, nullptr);
+  EXPECT_NE(std::string(why).find("foot"), std::string::npos) << why;
+
+  pose.sequence = 2;
+  pose.joint_mask = (std::int64_t{1} << model.bus_count()) - 1;
+  pose.q.fill(3.0);
+  rig.loop().on_mode_request(pose);
+  ASSERT_TRUE(rig.run(3.0));
+  EXPECT_EQ(rig.loop().status().mode, Mode::kBalance);
+  EXPECT_FALSE(rig.record().fell);
+
+  // A pose that stands is taken.
+  const int sitting = model.find_pose("half_sitting");
+  ASSERT_GE(sitting, 0);
+  pose.sequence = 3;
+  for (int k = 0; k < model.bus_count(); ++k) {
+    pose.q[static_cast<std::size_t>(k)] =
+        model.poses[static_cast<std::size_t>(sitting)]
+            .q[static_cast<std::size_t>(model.bus_joints[static_cast<std::size_t>(k)])];
+  }
+  rig.loop().on_mode_request(pose);
+  ASSERT_TRUE(rig.run(3.0));
+  EXPECT_EQ(rig.loop().status().mode, Mode::kPose);
+  EXPECT_FALSE(rig.record().fell);
 }
 
 }  // namespace

@@ -1,0 +1,73 @@
+#include "control/balance/pose_check.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "common/math/index.h"
+#include "robot/estimation/support_polygon.h"
+
+namespace twinbus {
+
+namespace {
+constexpr int kPlaces = 20;        // of the way that are looked at
+constexpr double kSlide = 0.015;   // of one sole against the other [m]
+constexpr double kTurn = 0.05;     // [rad]
+constexpr double kInside = 0.015;  // of the centre of mass, from the edge of the soles [m]
+constexpr const char* kFeet =
+    "the pose would move one foot against the other on the ground and the robot would fall; give "
+    "both legs angles that keep the "
+    "soles flat";
+constexpr const char* kBalance =
+    "on the way to the pose the centre of mass leaves the soles and the robot would fall; ask for "
+    "a pose that is balanced";
+}  // namespace
+
+PoseCheck::PoseCheck(const Model& model) : model_(&model), way_(model), kinematics_(model) {}
+
+const char* PoseCheck::why_not(const Estimator& estimator, const PerJoint<double>& from,
+                               const PerJoint<double>& to, std::int64_t mask) noexcept {
+  const Sole& left = model_->soles[0];
+  const Sole& right = model_->soles[1];
+  way_ = estimator.configuration();
+  Eigen::Isometry3d before = Eigen::Isometry3d::Identity();
+  for (int place = 0; place <= kPlaces; ++place) {
+    const double share = static_cast<double>(place) / kPlaces;
+    for (int k = 0; k < model_->bus_count(); ++k) {
+      const int j = model_->bus_joints[at(k)];
+      const Joint& joint = model_->joints[at(j)];
+      double q = from[at(k)];
+      if (((mask >> k) & 1) != 0) q += share * (to[at(k)] - q);
+      way_.q[j] =
+          joint.kind == JointKind::kContinuous ? q : std::clamp(q, joint.lower, joint.upper);
+    }
+    kinematics_.update(way_);
+    const Eigen::Isometry3d left_sole = kinematics_.link_in_world(left.link) * left.frame;
+    const Eigen::Isometry3d right_in_left =
+        left_sole.inverse() * (kinematics_.link_in_world(right.link) * right.frame);
+    if (place == 0) before = right_in_left;
+    const Eigen::Matrix3d turned = before.linear().transpose() * right_in_left.linear();
+    const double turn = std::acos(std::clamp(0.5 * (turned.trace() - 1.0), -1.0, 1.0));
+    if (!((right_in_left.translation() - before.translation()).norm() < kSlide && turn < kTurn))
+      return kFeet;
+    // Seen from above, in the left sole, which stays where it is.
+    SupportPolygon polygon;
+    polygon.clear();
+    for (const auto& [sole, frame] :
+         {std::pair(&left, Eigen::Isometry3d::Identity().matrix().eval()),
+          std::pair(&right, right_in_left.matrix().eval())}) {
+      for (const double x : {sole->front, -sole->back}) {
+        for (const double y : {sole->left, -sole->right}) {
+          const Eigen::Vector4d corner = frame * Eigen::Vector4d(x, y, 0.0, 1.0);
+          polygon.add(corner.head<2>());
+        }
+      }
+    }
+    polygon.finish();
+    const Eigen::Vector3d com = left_sole.inverse() * kinematics_.com();
+    if (!(polygon.margin(com.head<2>()) > kInside)) return kBalance;
+  }
+  return nullptr;
+}
+
+}  // namespace twinbus
