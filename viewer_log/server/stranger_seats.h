@@ -26,10 +26,11 @@ class StrangerSeats {
   explicit StrangerSeats(std::size_t most) : most_(std::max<std::size_t>(1, most)) {}
 
   // When all are taken, the oldest of the machine that has most of them loses its own: whoever opens many connections keeps
-  // out nobody else.  True in `crowded` then.
-  Place take(Seat seat, bool& crowded) {
-    crowded = seats_.size() >= most_;
-    if (crowded) {
+  // out nobody else.  Counted in `crowds` then.
+  template <class Count>
+  Place take(Seat seat, Count& crowds) {
+    if (seats_.size() >= most_) {
+      ++crowds;
       std::map<std::string, int> count;
       for (const Seat& one : seats_) ++count[one.address];
       const auto most =

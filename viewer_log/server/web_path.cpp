@@ -147,6 +147,15 @@ bool same_token(std::string_view given, std::string_view expected) noexcept {
   return difference == 0;
 }
 
+std::string content_policy(const std::string& own, int port, bool near,
+                           const std::string& reached_as) {
+  const std::string at_port = ":" + std::to_string(port);
+  return "default-src 'self'; connect-src 'self' blob: ws://" + own + at_port +
+         (near ? " ws://localhost" + at_port : "") +
+         (reached_as.empty() ? "" : " ws://" + reached_as) +
+         "; img-src 'self' blob: data:; style-src 'self' 'unsafe-inline'; frame-ancestors 'none'";
+}
+
 std::string random_token() {
   std::random_device device;
   std::string token;

@@ -38,6 +38,11 @@ const char* content_type(std::string_view path) noexcept;
 [[nodiscard]] bool origin_allowed(std::string_view origin, int port,
                                   std::string_view own = "127.0.0.1");
 
+// What a page may load and connect to: its own server, as it was reached, and nothing else.  reached_as: HOST:PORT that a
+// proxy gives it, or empty.
+std::string content_policy(const std::string& own, int port, bool near,
+                           const std::string& reached_as);
+
 // Takes as long for a wrong token as for the right one; an empty expected token matches nothing.
 [[nodiscard]] bool same_token(std::string_view given, std::string_view expected) noexcept;
 

@@ -36,11 +36,10 @@ using Text = std::shared_ptr<const std::string>;
 constexpr std::string_view kAcknowledge = "ack";
 constexpr int kMostUnread = 8;
 constexpr auto kHttpTimeout = std::chrono::seconds(15);
-// Of one from another machine that has shown no token yet.
-constexpr auto kStrangerTimeout = std::chrono::seconds(2);
-constexpr std::size_t kMaxHeader = 8192;              // [bytes]
-constexpr std::uint64_t kMaxFile = 64 * 1024 * 1024;  // [bytes]
-constexpr std::size_t kMaxAnswers = 16;               // waiting for one client
+constexpr auto kStrangerTimeout = std::chrono::seconds(2);  // from elsewhere, no token yet
+constexpr std::size_t kMaxHeader = 8192;                    // [bytes]
+constexpr std::uint64_t kMaxFile = 64 * 1024 * 1024;        // [bytes]
+constexpr std::size_t kMaxAnswers = 16;                     // waiting for one client
 
 struct Slot {
   Text text;
@@ -171,11 +170,9 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
   HttpConnection(Shared& shared, tcp::socket&& socket, std::string own, std::string from, bool far)
       : shared_(shared), stream_(std::move(socket)), own_(std::move(own)), far_(far) {
     ++shared_.connections;
-    if (!far_) return;
-    bool crowded = false;
-    place_ = shared_.strangers->take({std::move(from), [this] { close(); }}, crowded);
-    stranger_ = true;
-    if (crowded) ++shared_.refused;
+    if (far_)
+      place_ = shared_.strangers->take({std::move(from), [this] { close(); }}, shared_.refused);
+    stranger_ = far_;
   }
   ~HttpConnection() {
     --shared_.connections;
@@ -218,8 +215,8 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
     const std::string& as = shared_.config.reached_as;
     const bool forwarded =
         far_ && !as.empty() && host == as && (origin.empty() || origin == "http://" + as);
-    if (!forwarded && (!host_allowed(host, shared_.port, own_) ||
-                       !origin_allowed(origin, shared_.port, own_))) {
+    if (!forwarded &&
+        (!host_allowed(host, shared_.port, own_) || !origin_allowed(origin, shared_.port, own_))) {
       return refuse(http::status::forbidden, "foreign host or origin\n");
     }
     if (request.method() != http::verb::get && request.method() != http::verb::head) {
@@ -301,12 +298,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
     response.set("X-Frame-Options", "DENY");
     response.set("Referrer-Policy", "no-referrer");
     response.set("Content-Security-Policy",
-                 "default-src 'self'; connect-src 'self' blob: ws://" + own_ + ":" +
-                     std::to_string(shared_.port) +
-                     (far_ ? "" : " ws://localhost:" + std::to_string(shared_.port)) +
-                     (shared_.config.reached_as.empty() ? "" : " ws://" + shared_.config.reached_as) +
-                     "; img-src 'self' blob: data:; style-src 'self' 'unsafe-inline'; "
-                     "frame-ancestors 'none'");
+                 content_policy(own_, shared_.port, !far_, shared_.config.reached_as));
     response.keep_alive(!last && parser_->get().keep_alive());
     response.prepare_payload();
     auto kept = std::make_shared<http::response<Body>>(std::move(response));
