@@ -8,6 +8,7 @@
 #include "common/process/arguments.h"
 #include "common/process/process.h"
 #include "common/text/closest_name.h"
+#include "common/text/xml.h"
 #include "launcher/bus/bus_link.h"
 #include "robot/description/load.h"
 
@@ -257,20 +258,62 @@ int clear_command(const std::vector<std::string>& words) {
       "the source stays stopped: whatever stopped it still asks for it (./twinbus status)");
 }
 
+namespace {
+
+// JOINT=ANGLE[,JOINT=ANGLE...]: only these joints move.
+void take_angles(const std::string& text, const Model& model, ModeRequest& request) {
+  std::vector<std::string> names;
+  for (const int j : model.bus_joints)
+    names.push_back(model.joints[static_cast<std::size_t>(j)].name);
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t end = std::min(text.find(',', at), text.size());
+    const std::string one = text.substr(at, end - at);
+    at = end + 1;
+    const std::size_t equals = one.find('=');
+    const std::string name = one.substr(0, equals);
+    double angle = 0.0;
+    if (equals == std::string::npos || !parse_numbers(one.substr(equals + 1), &angle, 1))
+      throw UsageError("pose: '" + one + "' is not JOINT=ANGLE, as in " + names.front() + "=0.2");
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end())
+      throw UsageError("pose: " + model.name + " moves no joint '" + name + "'" +
+                       suggestion(name, names));
+    const auto k = static_cast<std::size_t>(found - names.begin());
+    const Joint& joint = model.joints[static_cast<std::size_t>(model.bus_joints[k])];
+    if (!(angle >= joint.lower && angle <= joint.upper)) {
+      char limits[80];
+      std::snprintf(limits, sizeof limits, "%.3f to %.3f", joint.lower, joint.upper);
+      throw UsageError("pose: " + one + " is outside the limits of the joint, " + limits);
+    }
+    request.q[k] = angle;
+    request.joint_mask |= std::int64_t{1} << k;
+  }
+}
+
+}  // namespace
+
 int pose_command(const std::vector<std::string>& words) {
-  const Arguments arguments(
-      {"pose",
-       "NAME",
-       "Moves to a named pose of the robot's SRDF (group_state), over both feet.",
-       {robot_option(),
-        {"--duration", "S", "seconds; default 2"},
-        prefix_option(),
-        url_option(),
-        allow_option()},
-       1,
-       1},
-      words);
+  const Arguments arguments({"pose",
+                             "NAME|JOINT=ANGLE[,JOINT=ANGLE...]",
+                             "Moves to a named pose of the robot's SRDF (group_state), or these "
+                             "joints to these angles [rad or m].\n"
+                             "A pose on whose way a standing robot would fall is refused.",
+                             {robot_option(),
+                              {"--duration", "S", "seconds; default 2"},
+                              prefix_option(),
+                              url_option(),
+                              allow_option()},
+                             1,
+                             1},
+                            words);
   const Model model = load_robot(arguments.text("--robot", "hrp1s"));
+  ModeRequest request;
+  request.mode = Mode::kPose;
+  request.duration = static_cast<float>(arguments.number("--duration", 2.0, 0.1, 60.0));
+  if (arguments.word(0).find('=') != std::string::npos) {
+    take_angles(arguments.word(0), model, request);
+    return ask_and_report(arguments, request, "pose");
+  }
   const int pose = model.find_pose(arguments.word(0));
   if (pose < 0) {
     std::vector<std::string> names;
@@ -278,9 +321,6 @@ int pose_command(const std::vector<std::string>& words) {
     throw UsageError("pose: " + model.name + " has no pose '" + arguments.word(0) + "'" +
                      suggestion(arguments.word(0), names));
   }
-  ModeRequest request;
-  request.mode = Mode::kPose;
-  request.duration = static_cast<float>(arguments.number("--duration", 2.0, 0.1, 60.0));
   const std::vector<double>& q = model.poses[static_cast<std::size_t>(pose)].q;
   for (int k = 0; k < model.bus_count(); ++k) {
     const auto index = static_cast<std::size_t>(k);
