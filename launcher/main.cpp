@@ -22,6 +22,7 @@
 #include "launcher/run/scenes.h"
 #include "launcher/run/tune.h"
 #include "launcher/up/restart.h"
+#include "launcher/up/sim_command.h"
 #include "launcher/up/up.h"
 
 using namespace twinbus;
@@ -52,6 +53,8 @@ constexpr Command kCommands[] = {
     {"walk", "walk at a velocity, or footsteps of a file", &walk_command},
     {"reach", "bring a hand to a point around obstacles", &reach_command},
     {"gamepad", "drive with a gamepad or the keyboard", &gamepad_command},
+    {"push", "push the simulated robot", &push_command},
+    {"sim", "pause, single steps, slow motion, reset of the simulated world", &sim_command},
     {"replay", "play a log as a source of STATE", &replay_command},
     {"view", "look at a log in the browser, two on one timeline", &view_command},
     {"record", "record the bus into a log", &record_command},

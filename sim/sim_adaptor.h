@@ -29,6 +29,8 @@ class SimAdaptor final : public RobotAdaptor {
   const WorldConfig& world_config() const;
   const StepWatch& watch() const;  // of the steps since open()
   void time_steps();               // from now on the CPU time of the world's steps is measured
+  Status push(int link, const Eigen::Vector3d& force, const Eigen::Vector3d& point,
+              double seconds) override;
   bool is_hardware() const override { return false; }
 
  private:

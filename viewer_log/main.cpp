@@ -124,6 +124,7 @@ class Viewer {
     switch_.message.sender_id = id_;
     mode_.message.sender_id = id_;
     walk_.message.sender_id = id_;
+    sim_.message.sender_id = id_;
     goal_.message.sender_id = id_;
     state_.admit_by(admit_);
     bus_.listen(channel::kState, state_);
@@ -276,6 +277,18 @@ class Viewer {
           walk_.start(walk);
           break;
         }
+        case PageRequest::What::kSim: {
+          SimRequest sim = request.sim;
+          sim.run_id = state.run_id;
+          sim.model_hash = model_.hash;
+          sim.link = static_cast<std::int16_t>(model_.find_link(request.link));
+          const Eigen::Vector3d force = view_.world_from_sim().linear().transpose() *
+                                        Eigen::Vector3f(request.sim.force.data()).cast<double>();
+          for (std::size_t i = 0; i < 3; ++i)
+            sim.force[i] = static_cast<float>(force[static_cast<Eigen::Index>(i)]);
+          sim_.start(sim);
+          break;
+        }
         case PageRequest::What::kRecord:
           log_button_.turn(request.on);
           break;
@@ -302,6 +315,7 @@ class Viewer {
     switch_.send(bus_, channel::kSourceRequest);
     mode_.send(bus_, channel::kModeRequest);
     walk_.send(bus_, channel::kWalk);
+    sim_.send(bus_, channel::kSimRequest);
     goal_.send(bus_, channel::kArmGoal);
   }
 
@@ -383,6 +397,7 @@ class Viewer {
   Outgoing<SourceRequest> switch_;
   Outgoing<ModeRequest> mode_;
   Outgoing<WalkCommand> walk_;
+  Outgoing<SimRequest> sim_;
   Outgoing<ArmGoal> goal_;
   SwitchPlan switch_plan_;
   LogButton log_button_;

@@ -56,6 +56,11 @@ class RobotAdaptor {
   virtual const SimTruth* truth() const { return nullptr; }
   // Simulators: bodies that nothing holds, where they are now, world.  How many pieces there are; fills one of them.
   virtual int loose(int /*piece*/, ObstaclesPiece&) const { return 0; }
+  // Simulators: a force on a link for a while from now on; force: world [N], point: in the frame of the link [m].
+  virtual Status push(int /*link*/, const Eigen::Vector3d& /*force*/,
+                      const Eigen::Vector3d& /*point*/, double /*seconds*/) {
+    return Status::kUnsupported;
+  }
   virtual bool is_hardware() const { return true; }
 };
 

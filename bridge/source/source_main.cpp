@@ -6,6 +6,8 @@
 
 #include "bridge/source/model_text.h"
 #include "bridge/source/scene_teller.h"
+#include "bridge/source/sim_obey.h"
+#include "bridge/source/sim_pace.h"
 #include "bridge/source/source_events.h"
 #include "lcmtypes/bus/bus.h"
 #include "lcmtypes/bus/channels.h"
@@ -23,6 +25,7 @@ constexpr double kCommandDeadline = 0.6;  // of the period, then the command is 
 constexpr std::int64_t kStatusEvery_ns = 100'000'000;
 constexpr std::int64_t kSecond_ns = 1'000'000'000;
 constexpr double kResendEvery = 0.020;  // lock-step [s]
+constexpr double kPausedWait = 0.02;    // [s]
 constexpr int kLastTicks = 25;          // of a robot that is held before the process ends
 
 const char* own_channel(SourceKind kind) {
@@ -69,13 +72,19 @@ class Shell {
   std::int64_t run_id() const { return run_id_; }
 
   int run() {
-    std::int64_t due = monotonic_ns();
+    std::int64_t due = clock_.now();
     due += period_ns_ - due % period_ns_;
     while (!finished()) {
+      if (clock_.paused()) {
+        receive(kPausedWait);
+        report();
+        continue;
+      }
       NoAlloc no_alloc;
       wait_until(due);
-      wake_.add(monotonic_ns() - due);
+      wake_.add(clock_.now() - due);
       tick(due);
+      clock_.ticked();
       due = next_due(due);
       allocations_ += no_alloc.count();
     }
@@ -107,6 +116,16 @@ class Shell {
     bus_.listen_each<StopRequest>(channel::kStop, on_stop_);
     bus_.listen_each<GuardReport>(channel::kGuard, on_guard_);
     bus_.listen_each<ControllerStatus>(channel::kControllerStatus, on_controller_status_);
+    if (!adaptor_.is_hardware() && adaptor_.can_be_set())
+      bus_.listen_each<SimRequest>(channel::kSimRequest, on_sim_request_);
+  }
+
+  // Once per sequence: the same request is sent several times.
+  void obey(const SimRequest& m) {
+    if (m.run_id != run_id_ || (m.sender_id == sim_sender_ && m.sequence == sim_sequence_)) return;
+    sim_sender_ = m.sender_id;
+    sim_sequence_ = m.sequence;
+    tell(0, obey_sim_request(m, model_, clock_, adaptor_).data());
   }
 
   bool finished() const {
@@ -129,36 +148,40 @@ class Shell {
 
   void wait_until(std::int64_t due) {
     if (lockstep_now()) return receive(0.0);
-    for (std::int64_t left = due - monotonic_ns(); left > 0 && !quit_requested() && !bus_gone_;
-         left = due - monotonic_ns()) {
-      receive(1e-9 * static_cast<double>(left));
+    for (std::int64_t left = due - clock_.now(); left > 0 && !quit_requested() && !bus_gone_;
+         left = due - clock_.now()) {
+      if (clock_.paused()) return;
+      receive(1e-9 * static_cast<double>(left) / clock_.factor());
     }
     receive(0.0);
   }
 
   void tick(std::int64_t due) {
-    const std::int64_t begin = monotonic_ns();
+    const std::int64_t begin = clock_.now();
     source_.begin_tick(begin);
     const RobotState& state = source_.state();
     if (source_.publishes_on_state() && first_tick_ == 0) first_tick_ = state.tick;
-    const std::int64_t sent = monotonic_ns();
+    const std::int64_t sent = clock_.now();
     publish_state();
-    if (source_.publishes_on_state() && !lockstep_now() && sent - due > period_ns_ / 2) {
-      missed_.add(1, sent - due - period_ns_ / 2, due - 2 * period_ns_, sent);
+    if (source_.publishes_on_state() && !lockstep_now() && !clock_.changed() &&
+        sent - due > period_ns_ / 2) {
+      missed_.add(1, sent - due - period_ns_ / 2, clock_.real_of(due - 2 * period_ns_),
+                  clock_.real_of(sent));
     }
     const bool has_truth = keep_truth();
-    const std::int64_t published = monotonic_ns();
+    const std::int64_t published = clock_.now();
     if (lockstep_now()) {
       wait_for_answer();
     } else {
       const std::int64_t deadline =
           due + std::llround(kCommandDeadline * static_cast<double>(period_ns_));
-      for (std::int64_t left = deadline - monotonic_ns();
-           left > 0 && !source_.command_ready() && !bus_gone_; left = deadline - monotonic_ns()) {
+      for (std::int64_t left = deadline - clock_.now();
+           left > 0 && !source_.command_ready() && !bus_gone_ && !clock_.paused();
+           left = deadline - clock_.now()) {
         receive(1e-9 * static_cast<double>(left));
       }
     }
-    const std::int64_t answered = monotonic_ns();
+    const std::int64_t answered = clock_.now();
     // A tick without an answer counts with the whole time that was waited.
     if (is_commanded()) pulse_.answered(answered - sent);
     source_.end_tick(answered);
@@ -166,9 +189,9 @@ class Shell {
       send(channel::kTruth, truth_);
       scene_.tell_loose(answered, adaptor_, tell_scene_);
     }
-    report(answered);
-    const std::int64_t end = monotonic_ns();
-    pulse_.tick(end, (published - begin) + (end - answered));
+    report();
+    const std::int64_t end = clock_.now();
+    pulse_.tick(monotonic_ns(), (published - begin) + (end - answered));
   }
 
   // The truth of the tick that was just published.  It is sent after the answer, which it would
@@ -194,18 +217,18 @@ class Shell {
 
   // Lock-step: the state is sent again until it is answered.
   void wait_for_answer() {
-    const std::int64_t asked = monotonic_ns();
+    const std::int64_t asked = clock_.now();
     bool said = false;
     while (!source_.command_ready() && lockstep_now() && !quit_requested() && !bus_gone_) {
-      const std::int64_t sent = monotonic_ns();
+      const std::int64_t sent = clock_.now();
       for (double left = kResendEvery; left > 0.0 && !source_.command_ready() && !bus_gone_;
-           left = kResendEvery - 1e-9 * static_cast<double>(monotonic_ns() - sent)) {
+           left = kResendEvery - 1e-9 * static_cast<double>(clock_.now() - sent)) {
         receive(left);
       }
       if (source_.command_ready()) break;
-      report(monotonic_ns());
+      report();
       publish_state();
-      if (!said && monotonic_ns() - asked > kSecond_ns) {
+      if (!said && clock_.now() - asked > kSecond_ns) {
         said = true;
         tell(1, "lock-step pauses: no controller has answered for 1 s");
         std::fprintf(stderr, "%s: lock-step pauses: no controller has answered tick %lld for 1 s\n",
@@ -219,10 +242,11 @@ class Shell {
   std::int64_t next_due(std::int64_t due) {
     std::int64_t next = due + period_ns_;
     if (options_.rate == 1.0) next = source_.next_tick_due_ns(due);
-    const std::int64_t now = monotonic_ns();
+    const std::int64_t now = clock_.now();
     if (next < now - period_ns_) {
-      if (source_.publishes_on_state() && !options_.lockstep) {
-        missed_.add((now - next) / period_ns_, now - next - period_ns_, due - period_ns_, now);
+      if (source_.publishes_on_state() && !options_.lockstep && !clock_.changed()) {
+        missed_.add((now - next) / period_ns_, now - next - period_ns_,
+                    clock_.real_of(due - period_ns_), clock_.real_of(now));
       }
       next += (now - next) / period_ns_ * period_ns_;
     }
@@ -251,24 +275,27 @@ class Shell {
     send(channel::kEvent, event);
   }
 
-  void report(std::int64_t now) {
+  void report() {
+    const std::int64_t now = monotonic_ns();
     SourceStatus status = source_.status();
     status.ticks_missed = missed_.count();
+    if (clock_.changed()) status.pace = static_cast<std::int8_t>(clock_.paused() ? Pace::kPaused : Pace::kSlowed);
     const bool changed = status.role != told_.role || status.stop_kind != told_.stop_kind ||
                          status.refusal != told_.refusal || status.term != told_term_ ||
                          status.refusal_sequence != told_.refusal_sequence ||
-                         status.stop_nonce != told_nonce_ ||
+                         status.stop_nonce != told_nonce_ || status.pace != told_.pace ||
                          status.controller_id != told_.controller_id;
     Event event;
     while (next_sentence(told_, status, event)) send_event(event);
     if (changed || now - status_ns_ >= kStatusEvery_ns) {
       told_term_ = status.term;
       told_nonce_ = status.stop_nonce;
+      told_.pace = status.pace;
       status_ns_ = now;
       status.utime = wall_us();
       send(channel::kSourceStatus, status);
     }
-    StopRequest stop = source_.take_stop_to_publish(now);
+    StopRequest stop = source_.take_stop_to_publish(clock_.now());
     if (stop.kind != StopKind::kNone) {
       stop.utime = wall_us();
       send(channel::kStop, stop);
@@ -309,9 +336,9 @@ class Shell {
       stop.sender_id = run_id_;
       stop.kind = StopKind::kHold;
       stop.reason = StopReason::kLauncher;
-      source_.on_stop(stop, monotonic_ns());
+      source_.on_stop(stop, clock_.now());
       for (int i = 0; i < kLastTicks; ++i) {
-        sleep_until_ns(due);
+        sleep_until_ns(clock_.real_of(due));
         tick(due);
         due += period_ns_;
       }
@@ -339,47 +366,15 @@ class Shell {
       s->send(name, piece);
     }
   };
-  struct OnState {
+  // A message to the source, at the time of its clock.
+  template <class T, void (Source::*On)(const T&, std::int64_t) noexcept>
+  struct ToSource {
     Shell* s;
-    void operator()(const RobotState& m) const noexcept { s->source_.on_state(m, monotonic_ns()); }
+    void operator()(const T& m) const noexcept { (s->source_.*On)(m, s->clock_.now()); }
   };
-  struct OnStandby {
+  struct OnSimRequest {
     Shell* s;
-    void operator()(const RobotState& m) const noexcept {
-      s->source_.on_standby_state(m, monotonic_ns());
-    }
-  };
-  struct OnCommand {
-    Shell* s;
-    void operator()(const JointCommand& m) const noexcept {
-      s->source_.on_command(m, monotonic_ns());
-    }
-  };
-  struct OnRequest {
-    Shell* s;
-    void operator()(const SourceRequest& m) const noexcept {
-      s->source_.on_source_request(m, monotonic_ns());
-    }
-  };
-  struct OnController {
-    Shell* s;
-    void operator()(const ControllerRequest& m) const noexcept {
-      s->source_.on_controller_request(m, monotonic_ns());
-    }
-  };
-  struct OnStop {
-    Shell* s;
-    void operator()(const StopRequest& m) const noexcept { s->source_.on_stop(m, monotonic_ns()); }
-  };
-  struct OnGuard {
-    Shell* s;
-    void operator()(const GuardReport& m) const noexcept { s->source_.on_guard(m, monotonic_ns()); }
-  };
-  struct OnControllerStatus {
-    Shell* s;
-    void operator()(const ControllerStatus& m) const noexcept {
-      s->source_.on_controller_status(m, monotonic_ns());
-    }
+    void operator()(const SimRequest& m) const noexcept { s->obey(m); }
   };
 
   const SourceMainOptions& options_;
@@ -393,22 +388,25 @@ class Shell {
   SimTruth truth_;
   SourceStatus told_;
   MissedTicks missed_;
+  SimPace clock_;
   Pulse pulse_;
   RateStats wake_;
   std::int64_t period_ns_ = 0, first_tick_ = 0, send_failures_ = 0, allocations_ = 0,
                status_ns_ = 0;
-  std::int32_t event_sequence_ = 0, told_term_ = 0, told_nonce_ = 0;
+  std::int64_t sim_sender_ = 0;
+  std::int32_t sim_sequence_ = 0, event_sequence_ = 0, told_term_ = 0, told_nonce_ = 0;
   bool bus_gone_ = false;
 
   TellScene tell_scene_{this};
-  OnState on_state_{this};
-  OnStandby on_standby_{this};
-  OnCommand on_command_{this};
-  OnRequest on_request_{this};
-  OnController on_controller_{this};
-  OnStop on_stop_{this};
-  OnGuard on_guard_{this};
-  OnControllerStatus on_controller_status_{this};
+  ToSource<RobotState, &Source::on_state> on_state_{this};
+  ToSource<RobotState, &Source::on_standby_state> on_standby_{this};
+  ToSource<JointCommand, &Source::on_command> on_command_{this};
+  ToSource<SourceRequest, &Source::on_source_request> on_request_{this};
+  ToSource<ControllerRequest, &Source::on_controller_request> on_controller_{this};
+  ToSource<StopRequest, &Source::on_stop> on_stop_{this};
+  ToSource<GuardReport, &Source::on_guard> on_guard_{this};
+  ToSource<ControllerStatus, &Source::on_controller_status> on_controller_status_{this};
+  OnSimRequest on_sim_request_{this};
 };
 
 }  // namespace

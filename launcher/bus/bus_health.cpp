@@ -52,7 +52,8 @@ const char* heard_channel(const FullHeartbeat& beat, std::size_t row) {
 }
 
 std::vector<std::string> BusHealth::look(const std::vector<const SeenProcess*>& processes,
-                                         std::int64_t now_ns) {
+                                         std::int64_t now_ns,
+                                         bool paused) {
   std::vector<std::string> alarms;
   for (const SeenProcess* process : processes) {
     const FullHeartbeat& beat = process->beat;
@@ -63,7 +64,7 @@ std::vector<std::string> BusHealth::look(const std::vector<const SeenProcess*>& 
       const bool may_tell = row.told_ns == 0 || now_ns - row.told_ns > kQuiet;
       const std::size_t before = alarms.size();
       const bool silent =
-          row.busy && beat.channel_age_ms[i] > kSilence_ms && never_ends(heard_channel(beat, i));
+          !paused && row.busy && beat.channel_age_ms[i] > kSilence_ms && never_ends(heard_channel(beat, i));
       if (silent && !row.silent && may_tell) {
         char text[160];
         std::snprintf(text, sizeof text, "%s (pid %d) hears nothing on %s any more",

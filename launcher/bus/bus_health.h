@@ -18,7 +18,7 @@ class BusHealth {
  public:
   // The newest heartbeats, a few times a second; new alarms, as sentences.
   std::vector<std::string> look(const std::vector<const SeenProcess*>& processes,
-                                std::int64_t now_ns);
+                                std::int64_t now_ns, bool paused = false);
 
  private:
   struct Row {  // one channel of one process, a second ago

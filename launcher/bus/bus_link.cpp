@@ -146,6 +146,11 @@ void BusLink::send(StepList& list) {
   impl_->send(channel::kSteps, list);
 }
 
+void BusLink::send(SimRequest& request) {
+  stamp(request);
+  impl_->send(channel::kSimRequest, request);
+}
+
 void BusLink::send(ArmGoal& goal) {
   stamp(goal);
   impl_->send(channel::kArmGoal, goal);

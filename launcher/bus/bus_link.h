@@ -12,6 +12,7 @@
 #include "common/process/arguments.h"
 #include "launcher/bus/stack_monitor.h"
 #include "lcmtypes/msg/requests.h"
+#include "lcmtypes/msg/sim_request.h"
 #include "lcmtypes/msg/step_list.h"
 
 namespace twinbus {
@@ -46,6 +47,7 @@ class BusLink {
   void send(StopRequest& request);
   void send(WalkCommand& command);
   void send(StepList& list);
+  void send(SimRequest& request);
   void send(ArmGoal& goal);
   void send(Heartbeat& beat);
   // Plain text on EVENT; severity as in event_t, that of an alarm is 2.

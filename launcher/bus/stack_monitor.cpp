@@ -166,6 +166,12 @@ void Lookout::restart_counts() {
   last_truth_time_ = -1.0;
 }
 
+bool is_paused(const Lookout& seen, std::int64_t now_ns) {
+  constexpr std::int8_t kPaused = 4;  // SourceStatus::pace
+  const SeenSource* active = seen.active(now_ns);
+  return active != nullptr && active->status.pace == kPaused;
+}
+
 const char* source_name(SourceKind source) {
   return word(static_cast<int>(source), {"none", "simulator", "bridge", "replay"});
 }

@@ -94,6 +94,8 @@ class Lookout {
 };
 
 // Words for what messages carry as numbers.
+// Does the active source stand still because somebody asked it to?
+bool is_paused(const Lookout& seen, std::int64_t now_ns);
 const char* source_name(SourceKind source);
 const char* role_name(Role role);
 const char* stop_name(StopKind kind);

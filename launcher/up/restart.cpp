@@ -90,6 +90,15 @@ void keep_viewer_addresses() {
   }
 }
 
+std::string running_folder() {
+  const std::vector<std::string> folders = running_folders();
+  if (folders.empty()) throw std::runtime_error("no stack of ./twinbus up is running");
+  if (folders.size() > 1)
+    throw std::runtime_error("several stacks are running (" + folders[0] + ", " + folders[1] +
+                             "); set TWINBUS_RUNS to the folder of one's own");
+  return folders.front();
+}
+
 int restart_command(const std::vector<std::string>& words) {
   const Arguments arguments(
       {"restart",
@@ -101,12 +110,7 @@ int restart_command(const std::vector<std::string>& words) {
        1,
        1},
       words);
-  const std::vector<std::string> folders = running_folders();
-  if (folders.empty()) throw std::runtime_error("no stack of ./twinbus up is running");
-  if (folders.size() > 1)
-    throw std::runtime_error("several stacks are running (" + folders[0] + ", " + folders[1] +
-                             "); set TWINBUS_RUNS to the folder of one's own");
-  const std::string& folder = folders.front();
+  const std::string folder = running_folder();
   const std::string answer = folder + "/restarted";
   ::unlink(answer.c_str());
   put(folder + "/restart", arguments.word(0) + "\n");

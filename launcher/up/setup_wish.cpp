@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
+#include <utility>
 
 #include "launcher/stack/run_folder.h"
 #include "common/process/process.h"
@@ -20,6 +21,7 @@ namespace fs = std::filesystem;
 
 constexpr std::int64_t kLookForSetup = 100'000'000;  // [ns]
 constexpr std::uintmax_t kLargestWish = 1 << 20;     // [bytes]
+constexpr char kAgain[] = "{\"again\": true}";        // begin anew as before
 constexpr double kMostStart = 10.0;                  // [s]
 
 bool concerns(const StackProcess& process) {
@@ -30,7 +32,8 @@ bool concerns(const StackProcess& process) {
 
 }  // namespace
 
-SetupWishes::SetupWishes(const std::string& folder) : folder_(folder) {
+SetupWishes::SetupWishes(const std::string& folder, Setup now)
+    : folder_(folder), now_(std::move(now)) {
   fs::create_directories(folder_);
 }
 
@@ -50,7 +53,7 @@ std::string SetupWishes::take(std::int64_t now_ns) {
 }
 
 Setup SetupWishes::prepare(const std::string& wish, const std::string& robot, const Stack& stack,
-                           const Lookout& seen) const {
+                           const Lookout& seen) {
   for (const StackProcess& process : stack.processes) {
     if (process.hardware) throw std::runtime_error("this stack moves a real robot");
   }
@@ -59,13 +62,18 @@ Setup SetupWishes::prepare(const std::string& wish, const std::string& robot, co
     throw std::runtime_error("this stack does not begin with a simulator");
   if (seen.newest_state().source != SourceKind::kSimulator)
     throw std::runtime_error("switch to the simulator first");
-  return write_setup(wish, robot, folder_);
+  if (wish != kAgain) now_ = write_setup(wish, robot, folder_);
+  return now_;
 }
 
 std::string SetupWishes::answer(const std::string& wish, const std::string& problem) const {
-  if (!problem.empty()) return "not set up: " + problem;
-  write_file(folder_ + "/now.json", wish);
-  return "set up as the page asked";
+  const bool again = wish == kAgain;
+  if (problem.empty() && !again) write_file(folder_ + "/now.json", wish);
+  const std::string sentence = !problem.empty() ? "not set up: " + problem
+                               : again          ? "the simulated world has begun anew"
+                                                : "set up as the page asked";
+  write_file(folder_ + "/answer", (problem.empty() ? "ok " : "no ") + sentence + "\n");
+  return sentence;
 }
 
 void fill_in(const Setup& setup, Placeholders& values) {

@@ -17,21 +17,22 @@ namespace twinbus {
 
 class SetupWishes {
  public:
-  // folder: SETUP/, made here.
-  explicit SetupWishes(const std::string& folder);
+  // folder: SETUP/, made here.  now: how the stack was started.
+  SetupWishes(const std::string& folder, Setup now);
 
   // A wish that has come since the last call, else empty; cheap enough for every turn of a loop.
   std::string take(std::int64_t now_ns);
 
   // Throws std::runtime_error with the sentence to answer.
   Setup prepare(const std::string& wish, const std::string& robot, const Stack& stack,
-                const Lookout& seen) const;
+                const Lookout& seen);
 
-  // The sentence that answers.  What holds now is kept in now.json, where the page finds it.
+  // The sentence that answers, also in the file answer.  What holds now is kept in now.json, where the page finds it.
   std::string answer(const std::string& wish, const std::string& problem) const;
 
  private:
   std::string folder_;
+  Setup now_;
   std::int64_t looked_ns_ = 0;
 };
 

@@ -11,6 +11,7 @@
 #include "common/process/process.h"
 #include "launcher/bus/bus_health.h"
 #include "launcher/bus/bus_link.h"
+#include "launcher/bus/event_groups.h"
 #include "launcher/bus/live_table.h"
 #include "launcher/run/state_hash.h"
 #include "launcher/run/verdict.h"
@@ -30,14 +31,13 @@ namespace twinbus {
 
 namespace {
 
-constexpr double kListenFirst = 0.4;  // sources and processes speak at 10 Hz [s]
+constexpr double kListenFirst = 0.4;         // sources and processes speak at 10 Hz [s]
 constexpr double kActivationTimeout = 10.0;  // a source listens 1 s for other terms first [s]
-constexpr double kAskAgain = 0.25;          // [s]
-constexpr double kTableEvery = 0.25;        // on a terminal [s]
-constexpr double kLineEvery = 10.0;         // elsewhere [s]
-constexpr std::int64_t kScriptAhead = 100;  // a request is sent this early [ticks]
-constexpr int kScriptRepeats = 3;
-constexpr double kWithoutSource = 10.0;  // a stack stays for who restarts one by hand [s]
+constexpr double kAskAgain = 0.25, kTableEvery = 0.25;  // table: on a terminal [s]
+constexpr double kLineEvery = 10.0;                     // elsewhere [s]
+constexpr std::int64_t kScriptAhead = 100,
+                       kScriptRepeats = 3;  // a request is sent this early [ticks]
+constexpr double kWithoutSource = 10.0;     // a stack stays for who restarts one by hand [s]
 constexpr double kSettle = 0.5;  // from the first answered tick to the first counted one [s]
 
 double seconds(std::int64_t from_ns, std::int64_t to_ns) {
@@ -82,13 +82,11 @@ class Up {
   Redraw redraw_;
   CpuShare shares_;
   BusHealth health_;
+  EventGroups groups_;
   MissedCounts at_start_;
-  std::int64_t start_ns_ = 0;  // of the measured part
-  std::int64_t shown_ns_ = 0;
-  std::int64_t sourceless_ns_ = 0;  // since when no source runs
-  std::int64_t first_tick_ = 0;     // scene time 0
-  std::size_t modes_sent_ = 0;
-  std::size_t goals_sent_ = 0;
+  // Start of the measured part; the last table; since when no source runs; scene time 0.
+  std::int64_t start_ns_ = 0, shown_ns_ = 0, sourceless_ns_ = 0, first_tick_ = 0;
+  std::size_t modes_sent_ = 0, goals_sent_ = 0;
 };
 
 Up::Up(const Arguments& arguments) {
@@ -137,7 +135,8 @@ Up::Up(const Arguments& arguments) {
   supervisor_ = std::make_unique<Supervisor>(stack_, values_, folder_,
                                              [this](const std::string& line) { say(line); });
   restarts_ = std::make_unique<RestartRequests>(folder_);
-  wishes_ = std::make_unique<SetupWishes>(folder_ + "/setup");
+  const Setup now{arguments.word(0, "stand"), request_.robot, request_.engine};
+  wishes_ = std::make_unique<SetupWishes>(folder_ + "/setup", now);
 }
 
 Placeholders Up::placeholders(const Arguments& arguments) const {
@@ -367,8 +366,9 @@ bool Up::is_over(std::int64_t now_ns) {
 }
 
 void Up::show(std::int64_t now_ns) {
-  for (const std::string& event : bus_->seen().take_events()) say(event);
-  for (const std::string& alarm : health_.look(bus_->seen().processes(now_ns), now_ns))
+  for (const std::string& line : groups_.take(bus_->seen().take_events(), now_ns)) say(line);
+  for (const std::string& alarm :
+       health_.look(bus_->seen().processes(now_ns), now_ns, is_paused(bus_->seen(), now_ns)))
     bus_->alarm(alarm);  // it comes back as an event and is said then
   if (shown_ns_ != 0 && seconds(shown_ns_, now_ns) < (terminal_ ? kTableEvery : kLineEvery)) return;
   shown_ns_ = now_ns;

@@ -100,7 +100,7 @@ void fields(C& c, M& m, S& s) noexcept {
   c(m.stop_kind, s.stop_kind);
   c(m.stop_reason, s.stop_reason);
   c.within(m.adaptor_status, s.adaptor_status, 0, 127);
-  c.within(m.pace, s.pace, 0, 3);
+  c.within(m.pace, s.pace, 0, 5);
   c(m.can_be_set, s.can_be_set);
   c(m.hardware, s.hardware);
   c(m.refusal, s.refusal);
@@ -154,6 +154,22 @@ void fields(C& c, M& m, S& s) noexcept {
   c(m.x, s.x);
   c(m.y, s.y);
   c(m.yaw, s.yaw);
+}
+
+template <class C, class M, Is<SimRequest> S>
+void fields(C& c, M& m, S& s) noexcept {
+  c.instant(m.utime, s.utime);
+  c.id(m.sender_id, s.sender_id);
+  c.id(m.run_id, s.run_id);
+  c.id(m.model_hash, s.model_hash);
+  c.counter(m.sequence, s.sequence);
+  c(m.ticks, s.ticks);
+  c(m.link, s.link);
+  c(m.action, s.action);
+  c(m.pace, s.pace);
+  c(m.duration, s.duration);
+  c(m.force, s.force);
+  c(m.point, s.point);
 }
 
 template <class C, class M, Is<Gamepad> S>
@@ -446,6 +462,7 @@ TWINBUS_CONVERT(ControllerRequest)
 TWINBUS_CONVERT(ModeRequest)
 TWINBUS_CONVERT(WalkCommand)
 TWINBUS_CONVERT(StepList)
+TWINBUS_CONVERT(SimRequest)
 TWINBUS_CONVERT(Gamepad)
 TWINBUS_CONVERT(ArmGoal)
 TWINBUS_CONVERT(ArmPathPiece)

@@ -12,6 +12,7 @@
 #include "lcmtypes/msg/requests.h"
 #include "lcmtypes/msg/robot_io.h"
 #include "lcmtypes/msg/status.h"
+#include "lcmtypes/msg/sim_request.h"
 #include "lcmtypes/msg/step_list.h"
 #include "twinbus/arm_goal_t.hpp"
 #include "twinbus/arm_path_t.hpp"
@@ -31,6 +32,7 @@
 #include "twinbus/sim_truth_t.hpp"
 #include "twinbus/source_request_t.hpp"
 #include "twinbus/source_status_t.hpp"
+#include "twinbus/sim_request_t.hpp"
 #include "twinbus/step_list_t.hpp"
 #include "twinbus/stop_t.hpp"
 #include "twinbus/walk_command_t.hpp"
@@ -74,6 +76,10 @@ struct MessageOf<WalkCommand> {
 template <>
 struct MessageOf<StepList> {
   using type = step_list_t;
+};
+template <>
+struct MessageOf<SimRequest> {
+  using type = sim_request_t;
 };
 template <>
 struct MessageOf<Gamepad> {

@@ -16,6 +16,7 @@
 #include "lcmtypes/msg/requests.h"
 #include "lcmtypes/msg/robot_io.h"
 #include "lcmtypes/msg/status.h"
+#include "lcmtypes/msg/sim_request.h"
 #include "lcmtypes/msg/step_list.h"
 
 namespace twinbus {
@@ -37,6 +38,7 @@ constexpr int last_of(SwitchPolicy) { return static_cast<int>(SwitchPolicy::kWhe
 constexpr int last_of(Refusal) { return 127; }  // programs print the unknown ones as numbers
 constexpr int last_of(Mode) { return static_cast<int>(Mode::kStop); }
 constexpr int last_of(Motion) { return static_cast<int>(Motion::kSquat); }
+constexpr int last_of(SimAction) { return static_cast<int>(SimAction::kPush); }
 constexpr int last_of(FootSide) { return static_cast<int>(FootSide::kRight); }
 constexpr int last_of(ArmSide) { return static_cast<int>(ArmSide::kRight); }
 constexpr int last_of(ArmGoalKind) { return static_cast<int>(ArmGoalKind::kPose); }

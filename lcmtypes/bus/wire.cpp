@@ -78,6 +78,7 @@ std::span<const ChannelInfo> channel_table() {
       row<ObstaclesPiece>(channel::kLoose),
       row<ObstaclesPiece>(channel::kFootsteps),
       row<ModelTextPiece>(channel::kCamera),
+      row<SimRequest>(channel::kSimRequest),
   };
   return table;
 }
@@ -101,6 +102,7 @@ TWINBUS_WIRE(ControllerRequest)
 TWINBUS_WIRE(ModeRequest)
 TWINBUS_WIRE(WalkCommand)
 TWINBUS_WIRE(StepList)
+TWINBUS_WIRE(SimRequest)
 TWINBUS_WIRE(Gamepad)
 TWINBUS_WIRE(ArmGoal)
 TWINBUS_WIRE(ArmPathPiece)

@@ -14,6 +14,7 @@
 #include "lcmtypes/msg/requests.h"
 #include "lcmtypes/msg/robot_io.h"
 #include "lcmtypes/msg/status.h"
+#include "lcmtypes/msg/sim_request.h"
 #include "lcmtypes/msg/step_list.h"
 
 namespace twinbus {
@@ -85,6 +86,11 @@ template <>
 struct Wire<StepList> : WireBase<423, true> {
   static std::int64_t sender(const StepList& x) noexcept { return x.sender_id; }
   static std::int64_t count(const StepList& x) noexcept { return x.sequence; }
+};
+template <>
+struct Wire<SimRequest> : WireBase<83, true> {
+  static std::int64_t sender(const SimRequest& x) noexcept { return x.sender_id; }
+  static std::int64_t count(const SimRequest& x) noexcept { return x.sequence; }
 };
 template <>
 struct Wire<Gamepad> : WireBase<100, true> {

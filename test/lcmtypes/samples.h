@@ -150,6 +150,18 @@ inline StepList sample<StepList>() {
   return x;
 }
 template <>
+inline SimRequest sample<SimRequest>() {
+  SimRequest x{.utime = 1, .sender_id = 2, .run_id = 3, .model_hash = 4, .sequence = 5};
+  x.ticks = 6;
+  x.link = 7;
+  x.action = SimAction::kPush;
+  x.pace = 0.5f;
+  x.duration = 0.1f;
+  count_up(x.force);
+  count_up(x.point);
+  return x;
+}
+template <>
 inline Gamepad sample<Gamepad>() {
   Gamepad x{.utime = 1,
             .sender_id = 2,
@@ -352,6 +364,7 @@ void for_every_type(F&& f) {
   f.template operator()<ModeRequest>();
   f.template operator()<WalkCommand>();
   f.template operator()<StepList>();
+  f.template operator()<SimRequest>();
   f.template operator()<Gamepad>();
   f.template operator()<ArmGoal>();
   f.template operator()<ArmPathPiece>();

@@ -27,6 +27,12 @@ class PageInbox {
       const std::string refusal = lay_wish(run_folder, request.setup);
       return note_frame(refusal.empty() ? "Starting anew …" : refusal);
     }
+    if (request.what == PageRequest::What::kReset) {
+      const std::string refusal = lay_wish(run_folder, "{\"again\": true}");
+      return note_frame(refusal.empty() ? "The simulated world begins anew …" : refusal);
+    }
+    if (request.sim.action == SimAction::kPush && model.find_link(request.link) < 0)
+      return note_frame("push: the robot has no link of that name");
     const std::lock_guard<std::mutex> lock(mutex_);
     if (request.what == PageRequest::What::kStop) {
       if (request.stop > stop_) stop_ = request.stop;

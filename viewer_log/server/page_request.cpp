@@ -60,6 +60,44 @@ bool read_reach(const Json& json, PageRequest& request) {
   return true;
 }
 
+bool read_sim(const Json& json, SimRequest& sim) {
+  const std::string action = text_member(json, "action");
+  double pace = 1.0;
+  sim.action = action == "pause"  ? SimAction::kPause
+               : action == "go"   ? SimAction::kGo
+               : action == "step" ? SimAction::kStep
+               : action == "pace" ? SimAction::kPace
+                                  : SimAction::kNone;
+  if (sim.action == SimAction::kStep)
+    sim.ticks = static_cast<std::int32_t>(integer_member(json, "ticks", 100'000));
+  if (sim.action == SimAction::kPace && !read_number(json.value("pace", Json()), 100.0, pace))
+    return false;
+  sim.pace = static_cast<float>(pace);
+  return sim.action != SimAction::kNone && sim.ticks >= 0;
+}
+
+bool read_three(const Json& json, const char* key, double largest, std::array<float, 3>& values) {
+  const auto at = json.find(key);
+  if (at == json.end() || !at->is_array() || at->size() != 3) return false;
+  for (std::size_t i = 0; i < 3; ++i) {
+    double value = 0.0;
+    if (!read_number((*at)[i], largest, value)) return false;
+    values[i] = static_cast<float>(value);
+  }
+  return true;
+}
+
+bool read_push(const Json& json, PageRequest& request) {
+  double seconds = 0.0;
+  request.link = text_member(json, "link");
+  request.sim.action = SimAction::kPush;
+  if (!read_number(json.value("seconds", Json()), 60.0, seconds)) return false;
+  request.sim.duration = static_cast<float>(seconds);
+  return !request.link.empty() && seconds > 0.0 &&
+         read_three(json, "force", 100'000.0, request.sim.force) &&
+         read_three(json, "point", 10.0, request.sim.point);
+}
+
 bool read_mode(const std::string& name, PageRequest& request) {
   struct Row {
     const char* name;
@@ -136,6 +174,20 @@ bool read_page_request(const std::string& text, bool trusted, PageRequest& reque
     problem = "reach: side must be left or right, at three numbers in metres";
     return read_reach(json, request);
   }
+  if (what == "reset") {
+    request.what = PageRequest::What::kReset;
+    return true;
+  }
+  if (what == "sim") {
+    request.what = PageRequest::What::kSim;
+    problem = "sim: action is pause, go, step with ticks, or pace with pace";
+    return read_sim(json, request.sim);
+  }
+  if (what == "push") {
+    request.what = PageRequest::What::kSim;
+    problem = "push: link, force and point of three numbers each, and seconds";
+    return read_push(json, request);
+  }
   if (what == "cancel") {
     request.what = PageRequest::What::kCancel;
     return true;
@@ -158,7 +210,7 @@ bool read_page_request(const std::string& text, bool trusted, PageRequest& reque
     return true;
   }
   problem =
-      "not understood: do must be stop, clear, switch, mode, walk, reach, cancel, setup or record";
+      "not understood: do must be stop, clear, switch, mode, walk, reach, cancel, setup, reset, sim, push or record";
   return false;
 }
 

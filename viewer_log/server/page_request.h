@@ -4,6 +4,9 @@
 //   {"do":"clear"}  {"do":"switch","run":R}  {"do":"mode","mode":"balance|walk|sway|squat|hold|idle"}
 //   {"do":"walk","vx":V,"vy":V,"wz":W}  {"do":"reach","side":"left|right","at":[x,y,z]}  {"do":"cancel"}
 //   {"do":"setup","setup":{...}}  see launcher/up/setup.h, which judges it
+//   {"do":"reset"}  the simulated world begins anew
+//   {"do":"sim","action":"pause|go"}  {"do":"sim","action":"step","ticks":N}  {"do":"sim","action":"pace","pace":X}
+//   {"do":"push","link":L,"force":[x,y,z],"point":[x,y,z],"seconds":S}   world [N], in the link's frame [m]
 //   need it
 //   {"do":"hello"}
 
@@ -14,6 +17,7 @@
 #include <string>
 
 #include "lcmtypes/msg/requests.h"
+#include "lcmtypes/msg/sim_request.h"
 
 namespace twinbus {
 
@@ -29,6 +33,8 @@ struct PageRequest {
     kReach,
     kCancel,
     kSetup,
+    kReset,
+    kSim,
     kRecord
   };
   What what = What::kNone;
@@ -41,6 +47,8 @@ struct PageRequest {
   float vx = 0, vy = 0, wz = 0;  // walk [m/s, m/s, rad/s]
   ArmSide side = ArmSide::kNone;
   std::string setup;           // JSON
+  SimRequest sim;              // without sender, run and robot
+  std::string link;            // push
   bool on = false;             // record
   std::array<double, 3> at{};  // reach: where the hand shall be, in the world that is drawn [m]
 };

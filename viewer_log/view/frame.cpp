@@ -169,6 +169,7 @@ Json sources(const StackView& view, std::int64_t now_ns) {
                     {"age_ms", age_ms(heard.age(now_ns))},
                     {"hardware", s.hardware},
                     {"can_be_set", s.can_be_set},
+                    {"pace", s.pace},
                     {"stop", label(s.stop_kind)},
                     {"accepted", s.commands_accepted},
                     {"rejected", s.commands_rejected},
@@ -297,7 +298,8 @@ std::string live_frame(const StackView& view, std::int64_t now_ns, const Recorde
 std::string status_frame(const StackView& view, std::int64_t now_ns) {
   const Health health = assess(view, now_ns);
   Json frame = {{"type", "status"},
-                {"health", {{"level", label(health.level)}, {"text", health.text}}},
+                {"health", {{"level", label(health.level)}, {"text", health.text}, {"remedy", health.remedy}, {"anew", health.anew}}},
+                {"stop", label(view.state().value.stop_kind)},
                 {"state_hz", number(view.state_rate(), 1)},
                 {"command_hz", number(view.command_rate(), 1)},
                 {"guard_hz", number(view.guard_rate(), 1)},
@@ -325,6 +327,7 @@ std::string status_frame(const StackView& view, std::int64_t now_ns) {
                       {"utime", event.utime},
                       {"from", label(event.kind)},
                       {"severity", event.severity},
+                      {"count", event.count},
                       {"text", event.text}});
   }
   frame["events"] = events;

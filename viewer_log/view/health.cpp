@@ -11,12 +11,19 @@ namespace {
 
 constexpr double kStateSilent = 0.25;  // [s]
 constexpr double kSenderSilent = 0.5;  // [s]
+constexpr double kSourceSilent = 1.0;  // [s]
 constexpr double kThinMargin = 0.010;  // ZMP to the edge of the soles [m]
 constexpr double kSlow = 0.95;         // real-time factor
 
 std::string one_decimal(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.1f", value);
+  return text;
+}
+
+std::string two_decimals(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2f", value);
   return text;
 }
 
@@ -27,7 +34,21 @@ bool any_source(const StackView& view, std::int64_t now_ns) {
   return false;
 }
 
+constexpr std::int8_t kPaused = 4, kSlowed = 5;  // SourceStatus::pace
+
+// Of the source that is shown; 0 when it is not heard.
+std::int8_t pace_of(const StackView& view, std::int64_t now_ns) {
+  for (const auto& source : view.sources()) {
+    if (source.value.run_id == view.state().value.run_id && source.fresh(now_ns, kSourceSilent))
+      return source.value.pace;
+  }
+  return 0;
+}
+
 Health without_state(const StackView& view, std::int64_t now_ns) {
+  if (view.state().at_ns != 0 && pace_of(view, now_ns) == kPaused)
+    return {HealthLevel::kWaiting, "The simulated world is paused.",
+            "Go on, or one tick at a time."};
   if (any_source(view, now_ns)) {
     return {HealthLevel::kBad, "No source is active: choose one with its Activate button."};
   }
@@ -40,12 +61,7 @@ Health without_state(const StackView& view, std::int64_t now_ns) {
 }
 
 // The real-time factor says something only where time is meant to be real.
-bool paced(const StackView& view) {
-  for (const auto& source : view.sources()) {
-    if (source.value.run_id == view.state().value.run_id) return source.value.pace == 1;
-  }
-  return false;
-}
+bool paced(const StackView& view, std::int64_t now_ns) { return pace_of(view, now_ns) == 1; }
 
 }  // namespace
 
@@ -58,7 +74,10 @@ Health assess(const StackView& view, std::int64_t now_ns) {
                                    "): start the viewer with the same --robot."};
   }
   if (view.truth_applies(now_ns) && view.truth().value.fell) {
-    return {HealthLevel::kBad, "The robot has fallen: press STOP, then restart the scene."};
+    const bool stopped = state.stop_kind != StopKind::kNone;
+    return {HealthLevel::kBad,
+            std::string("The robot has fallen") + (stopped ? " and is stopped." : "."),
+            stopped ? "Start anew sets it on its feet." : "Press STOP, then Start anew.", true};
   }
   if (state.role == Role::kStopped || state.stop_kind != StopKind::kNone) {
     std::string why;
@@ -67,8 +86,8 @@ Health assess(const StackView& view, std::int64_t now_ns) {
         why = std::string(", by ") + label(source.value.stop_reason);
       }
     }
-    return {HealthLevel::kStopped,
-            std::string("Stopped (") + label(state.stop_kind) + why + "): press Clear to go on."};
+    return {HealthLevel::kStopped, std::string("Stopped (") + label(state.stop_kind) + why + ").",
+            "Press Clear to go on."};
   }
   if (!view.controller().fresh(now_ns, kSenderSilent)) {
     return {HealthLevel::kBad, "No controller is heard: the source will stop by itself."};
@@ -87,9 +106,13 @@ Health assess(const StackView& view, std::int64_t now_ns) {
   if (view.guard().fresh(now_ns, kSenderSilent) && view.guard().value.hold_mask != 0) {
     return {HealthLevel::kWarning, "The guard holds joints: a self-collision was ahead."};
   }
-  if (paced(view) && view.realtime_factor() > 0.0 && view.realtime_factor() < kSlow) {
+  if (paced(view, now_ns) && view.realtime_factor() > 0.0 && view.realtime_factor() < kSlow) {
     return {HealthLevel::kWarning,
             "Slower than real time: factor " + one_decimal(view.realtime_factor()) + "."};
+  }
+  if (pace_of(view, now_ns) == kSlowed) {
+    return {HealthLevel::kGood, "Slowed down on purpose: " + two_decimals(view.realtime_factor()) +
+                                    " times real time."};
   }
   const ControllerStatus& controller = view.controller().value;
   const char* doing = controller.motion != Motion::kNone ? label(controller.motion) : label(mode);

@@ -17,6 +17,8 @@ const char* label(HealthLevel level) noexcept;
 struct Health {
   HealthLevel level = HealthLevel::kWaiting;
   std::string text;
+  std::string remedy;  // for who may act, a sentence; may be empty
+  bool anew = false;   // the way out is to begin anew
 };
 
 // The worst thing first; the rest can be read in the tables.

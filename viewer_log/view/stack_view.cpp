@@ -11,6 +11,7 @@ namespace {
 constexpr std::size_t kMaxSenders =
     64;  // of heartbeats, source status and events: more are strangers
 constexpr std::size_t kMaxEvents = 60;
+constexpr std::int64_t kAgain = 30'000'000;  // the same event within this is counted [us]
 constexpr double kSilent = 10.0;      // [s]
 constexpr double kRateWindow = 2.0;   // [s]; shorter, a page sees the jitter of the viewer
 constexpr double kTruthFresh = 0.25;  // [s]
@@ -142,7 +143,16 @@ void StackView::on_event(const Event& event) {
   } else {
     known->second = event.sequence;
   }
-  events_.push_back({++events_seen_, event.utime, event.kind, event.severity, text_of(event.text)});
+  ShownEvent shown{++events_seen_, event.utime, event.kind, event.severity, text_of(event.text)};
+  const auto before = std::find_if(events_.begin(), events_.end(), [&](const ShownEvent& e) {
+    return e.kind == shown.kind && e.severity == shown.severity && e.text == shown.text &&
+           std::abs(shown.utime - e.utime) < kAgain;
+  });
+  if (before != events_.end()) {
+    shown.count = before->count + 1;
+    events_.erase(before);
+  }
+  events_.push_back(std::move(shown));
   if (events_.size() > kMaxEvents) events_.pop_front();
 }
 

@@ -48,6 +48,7 @@ struct ShownEvent {
   ProcessKind kind = ProcessKind::kNone;
   int severity = 0;
   std::string text;
+  int count = 1;  // how often within a short while
 };
 
 class StackView {

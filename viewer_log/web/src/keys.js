@@ -12,6 +12,7 @@ export class Keys {
     this.sheet = sheet;
     sheet.querySelector('dl').replaceChildren(...[[' ', 'space', 'stop; twice: hold at once'], ...rows, ['?', '?', 'this table']].filter(([, written]) => written).flatMap(([, written, does]) => {
       const term = document.createElement('dt'), text = document.createElement('dd');
+      term.className = text.className = does.startsWith('recording:') ? 'of-recording' : does.startsWith('simulated world:') || does.startsWith('stop;') ? 'of-robot' : '';
       term.append(Object.assign(document.createElement('kbd'), { textContent: written }));
       text.textContent = does;
       return [term, text];

@@ -51,10 +51,23 @@ export class Link {
       if (!kAnswers.has(message.type)) socket.send('ack'); // the server then sends no more than can be drawn
       this.on[message.type]?.(message);
     };
+    let opened = false;
+    socket.addEventListener('open', () => { opened = true; });
     socket.onclose = () => {
       this.on.connected(false);
+      if (!opened && token) this.askWhy();
       setTimeout(() => this.connect(), kRetry);
     };
+  }
+
+  // A socket does not say why it was refused; a file does.
+  async askWhy() {
+    try {
+      const answer = await fetch(withToken('robot.urdf'), { cache: 'no-store' });
+      if (answer.status === 403) this.on.refused?.();
+    } catch {
+      // nobody is there
+    }
   }
 
   // False when nobody is there to hear it.

@@ -13,6 +13,7 @@ import { Link } from './link.js';
 import { Panels } from './panels.js';
 import { beginOnPhone } from './phone.js';
 import { Plots } from './plots.js';
+import { Pusher } from './push.js';
 import { Recorder } from './record.js';
 import { Robot } from './robot.js';
 import { Setup } from './setup.js';
@@ -127,6 +128,7 @@ const link = new Link({
     if (message.status !== 'ok') panels.toast(`No arm path: ${message.status}.`);
   },
   note: (message) => panels.toast(message.text),
+  refused: () => panels.refused(),
 });
 
 // What a message of signals has, for plots; a recording is on the time of its log.
@@ -177,6 +179,25 @@ for (const button of reachButtons) {
 $('stop').onpointerdown = stop; // on pressing, not on letting go
 $('stop').onkeydown = (event) => { if (event.key === 'Enter' && !event.repeat) stop(); };
 $('clear').onclick = () => link.send({ do: 'clear' });
+
+// --- what only a simulated world can do ---
+const sim = (request) => { if (!link.send({ do: 'sim', ...request })) panels.toast('The viewer process does not answer.'); };
+const world = {
+  pause: () => sim({ action: panels.paused ? 'go' : 'pause' }),
+  step: (ticks) => sim({ action: 'step', ticks }),
+  slow: () => sim({ action: 'pace', pace: panels.slowed ? 1 : 0.1 }),
+  reset: () => link.send({ do: 'reset' }),
+};
+const pusher = new Pusher(stage, $('view'), robot, (request) => link.send({ do: 'push', ...request }), (words) => panels.toast(words));
+const press = (id, act) => { $(id).onclick = () => { act(); $(id).blur(); }; };
+press('sim-pause', world.pause);
+press('sim-step', () => world.step(1));
+press('sim-ten', () => world.step(50));
+press('sim-slow', world.slow);
+press('sim-reset', world.reset);
+press('anew', world.reset);
+press('sim-push', () => $('sim-push').classList.toggle('on', pusher.arm(!pusher.armed)));
+pusher.done = () => $('sim-push').classList.remove('on');
 
 // --- looking ---
 function toggle(id, change) {
@@ -231,6 +252,7 @@ const [arrowScale, arrowLeast] = $('arrow-scale').querySelectorAll('input');
 arrowScale.oninput = () => { stage.arrowScale = 2 ** Number(arrowScale.value); };
 arrowLeast.oninput = () => {
   stage.leastForce = Number(arrowLeast.value);
+  $('arrow-least').textContent = `${arrowLeast.value} N`;
   arrowLeast.title = `forces under ${arrowLeast.value} N are not drawn`;
 };
 
@@ -245,6 +267,13 @@ function recordingLog({ on, text }) {
   $('record-log').textContent = on ? 'end the log' : 'log';
   if (recordings++ > 0 && text) panels.toast(text);
 }
+
+$('more').onclick = () => {
+  const open = document.querySelector('footer nav').classList.toggle('open');
+  $('more').setAttribute('aria-expanded', String(open));
+  $('more').textContent = open ? 'less' : 'more …';
+  $('more').blur();
+};
 
 function inRecording(act) {
   if (timeline.active) act();
@@ -264,6 +293,7 @@ async function shareLink() {
 }
 $('link').onclick = () => { shareLink(); $('link').blur(); };
 
+const live = (act) => () => { if (!timeline.active && panels.trusted) act(); };
 const keys = new Keys([
   ['f', 'F', 'camera follows the robot', chips.follow],
   ['c', 'C', 'contact forces', chips.forces],
@@ -286,6 +316,10 @@ const keys = new Keys([
   ['i', 'I O', 'recording: the loop begins here, ends here', () => inRecording(() => timeline.mark('in'))],
   ['o', '', '', () => inRecording(() => timeline.mark('out'))],
   ['k', 'K', 'recording: loop', () => inRecording(() => timeline.loop())],
+  ['m', 'M', 'simulated world: pause, go on', live(world.pause)],
+  ['.', '. ,', 'simulated world: one tick, a tenth of a second', live(() => world.step(1))],
+  [',', '', '', live(() => world.step(50))],
+  ['x', 'X', 'push the simulated robot: pull at it in the picture', live(() => $('sim-push').onclick())],
   ['s', 'S', 'set up: scene, posture, pushes, checked pairs', chips.setup],
   ['e', 'E', 'what the robot\'s camera sees', chips.eye],
   ['r', 'R', 'record a log, and end it', () => { if (!timeline.active) $('record-log').onclick(); }],
@@ -339,4 +373,4 @@ setTimeout(beginDrawing, kPatience);
 link.connect();
 
 // For tests of the page.
-globalThis.twinbus = { figures, link, history, plots, stage, robot, commanded, standby, armPath, joystick, target, timeline, other, setup, eye, chips, panels, pad };
+globalThis.twinbus = { figures, link, history, plots, stage, robot, commanded, standby, armPath, joystick, target, timeline, other, setup, eye, chips, panels, pad, pusher };

@@ -1,6 +1,8 @@
 // Everything around the 3D view: badge, health, rates, sources, balance map, guard, processes, messages.
 
 const $ = (id) => document.getElementById(id);
+const kVerdicts = { clear: '✓', near: '•', 'will collide': '▲', 'in collision': '✖' }; // not by colour alone
+const kSeverities = ['', '▲ ', '✖ '];
 const kNames = { simulator: 'SIMULATOR', robot: 'ROBOT', replay: 'REPLAY', none: 'NO SOURCE' };
 
 function text(id, value) {
@@ -14,6 +16,7 @@ function element(tag, properties = {}, children = []) {
   return node;
 }
 
+const kWrongToken = 'The token of this address is wrong or of an earlier run: open the address that ./twinbus up prints now.';
 const hertz = (value) => (value > 0 ? `${value.toFixed(0)} Hz` : '–');
 const age = (ms) => (ms === null ? 'never' : ms < 1000 ? `${Math.round(ms)} ms` : `${(ms / 1000).toFixed(1)} s`);
 const clock = (utime) => new Date(utime / 1000).toTimeString().slice(0, 8);
@@ -38,7 +41,7 @@ export class Panels {
     this.robot = message.robot;
     document.title = `twinbus: ${message.robot}`;
     $('watching').hidden = message.trusted;
-    for (const button of document.querySelectorAll('#modes button, #reach button')) button.disabled = !message.trusted;
+    for (const button of document.querySelectorAll('#modes button, #reach button, #sim-box button')) button.disabled = !message.trusted;
     document.body.classList.toggle('watching', !message.trusted);
     $('clear').disabled = !message.trusted;
   }
@@ -55,19 +58,21 @@ export class Panels {
 
   live(live) {
     const present = live.age_ms !== null && live.age_ms < 500;
-    const source = !present ? 'none' : this.recording ? 'replay' : live.source;
+    let source = !present ? 'none' : this.recording ? 'replay' : live.source;
     this.active = present ? live.run : 0;
+    this.lived = true;
     const badge = `source-${source}`;
     if (this.badge !== badge) {
       document.body.classList.remove(this.badge);
       document.body.classList.add(badge);
       this.badge = badge;
     }
+    if (source === 'none' && !this.recording && this.paused) source = live.source; // it stands still on purpose
     text('badge-name', kNames[source] ?? source);
     const now = performance.now();
     if (now - (this.slow ?? 0) < 100) return; // figures that change faster cannot be read
     this.slow = now;
-    text('badge-detail', present && this.recording ? `${this.robot} · recorded from ${live.source}, ${live.role} · term ${live.term}` : present ? `${this.robot} · term ${live.term} · ${live.role} · age ${age(live.age_ms)}`
+    text('badge-detail', present && this.recording ? `${this.robot} · recorded from ${live.source}, ${live.role} · term ${live.term}` : present ? `${this.robot} · ${live.role}, term ${live.term} · ${age(live.age_ms)} old`
       : live.age_ms === null ? 'waiting for STATE' : `last state ${age(live.age_ms)} ago`);
     text('rate-time', `${(live.time ?? 0).toFixed(1)} s`);
     text('rate-tick', String(live.tick));
@@ -105,9 +110,10 @@ export class Panels {
   }
 
   pairs(pairs) {
+    this.close = pairs.some((pair) => pair.mm < 30);
     const rows = pairs.slice(0, 4).map((pair) => element('div', {
       className: `pair ${pair.mm < 5 ? 'touch' : pair.mm < 30 ? 'close' : ''}`,
-    }, [element('span', { textContent: `${pair.a} – ${pair.b}` }), element('b', { textContent: `${pair.mm.toFixed(0)} mm` })]));
+    }, [element('span', { textContent: `${pair.a} – ${pair.b}` }), element('b', { textContent: `${pair.mm < 5 ? '✖ ' : pair.mm < 30 ? '▲ ' : ''}${pair.mm.toFixed(0)} mm` })]));
     $('pairs').replaceChildren(...rows);
   }
 
@@ -115,15 +121,30 @@ export class Panels {
     const all = near.slice(0, 4).map(({ name, left }) => `${name} ${(left * 180 / Math.PI).toFixed(1)}°`).join(', ');
     text('limits', all);
     $('limits-row').hidden = near.length === 0;
+    $('tint-row').hidden = near.length === 0 && !this.close;
   }
 
   status(status) {
     if (!this.online) return;
-    $('health').className = status.health.level;
-    text('health-text', status.health.text);
-    document.body.classList.toggle('stopped', status.health.level === 'stopped');
-    document.body.classList.toggle('bad', status.health.level === 'bad');
-    $('clear').hidden = status.health.level !== 'stopped';
+    let { level, text: sentence, remedy } = status.health;
+    if (level === 'good' && this.active === 0 && this.lived && !this.recording) [level, sentence, remedy] = ['waiting', 'No state comes at this moment.', ''];
+    const stopped = level === 'stopped' || (status.stop ?? 'none') !== 'none';
+    if (remedy) sentence += ` ${this.trusted || this.recording ? remedy : 'It is ended at the computer where it runs.'}`;
+    if (this.recording) sentence = sentence.replace(/ ?Press (Clear|STOP).*$/, '');
+    if ($('health').className !== level) $('health').className = level;
+    text('health-text', sentence);
+    document.body.classList.toggle('stopped', stopped);
+    document.body.classList.toggle('bad', level === 'bad');
+    $('clear').hidden = !stopped || !this.trusted;
+    $('anew').hidden = !status.health.anew || !this.trusted;
+    const shown = status.sources.find((source) => source.run === (this.active || this.lastRun));
+    if (this.active) this.lastRun = this.active;
+    this.paused = shown?.pace === 4;
+    this.slowed = shown?.pace === 5;
+    $('sim-box').hidden = this.recording || shown?.kind !== 'simulator';
+    text('sim-now', this.paused ? 'paused' : this.slowed ? `× ${status.realtime_factor.toFixed(2)}` : 'runs');
+    text('sim-pause', this.paused ? 'Go on' : 'Pause');
+    text('sim-slow', this.slowed ? '× 1' : '× 0.1');
     text('rate-state', hertz(status.state_hz));
     text('rate-command', hertz(status.command_hz));
     text('rate-guard', hertz(status.guard_hz));
@@ -133,7 +154,7 @@ export class Panels {
     const name = !mode ? '–' : mode.motion !== 'none' ? mode.motion : mode.mode;
     text('mode-now', !mode ? 'no controller' : mode.stopping !== 'none' ? `stopping (${mode.stopping})` : name);
     for (const button of document.querySelectorAll('#modes button')) button.classList.toggle('on', button.dataset.mode === name);
-    text('guard-now', status.guard ? `${status.guard.verdict} · ${status.guard.pairs} pairs` : 'not heard');
+    text('guard-now', status.guard ? `${kVerdicts[status.guard.verdict] ?? ''} ${status.guard.verdict} · ${status.guard.pairs} pairs` : 'not heard');
     this.sources(status.sources);
     this.processes(status.processes);
     this.events(status.events);
@@ -188,7 +209,7 @@ export class Panels {
     if (last === this.lastEvent) return;
     this.lastEvent = last;
     $('events').replaceChildren(...[...list].reverse().map((event) => element('li', { className: `s${event.severity}` },
-      [element('small', { textContent: `${clock(event.utime)} ${event.from}` }), event.text])));
+      [element('small', { textContent: `${clock(event.utime)} ${event.from}` }), `${kSeverities[event.severity] ?? ''}${event.text}${event.count > 1 ? ` (×${event.count})` : ''}`])));
   }
 
   connected(yes) {
@@ -198,7 +219,14 @@ export class Panels {
     if (yes) return;
     this.lastEvent = -1;
     $('health').className = 'bad';
-    text('health-text', 'The viewer process does not answer: the picture is old. Trying again.');
+    text('health-text', this.wrongToken ? kWrongToken : 'The viewer process does not answer: the picture is old. Trying again.');
+  }
+
+  // It answers, but does not know the token of this address.
+  refused() {
+    this.wrongToken = true;
+    $('health').className = 'bad';
+    text('health-text', kWrongToken);
   }
 
   toast(message) {

@@ -1,0 +1,81 @@
+#!/usr/bin/env python3
+"""What only a simulated world can do, from the command line: a push, pause, single ticks, slow motion, beginning anew.
+
+A pause is no silence: nothing stops and nobody alarms, however long it lasts.
+"""
+
+import sys
+import time
+
+import harness
+from harness import Bus, Checks, Stack, cli
+
+
+def states(bus):
+    return sum(1 for _ in bus.messages("STATE"))
+
+
+def main():
+    harness.require("twinbus", "twinbus_simulator", "twinbus_controller", "twinbus_guard")
+    checks = Checks()
+    with Stack("stand", "--no-viewer") as stack:
+        bus = Bus()
+        time.sleep(1.5)
+        status, said, problem = cli("push", "CHEST", "40", "0", "0", "--for", "0.2")
+        checks.that(status == 0 and "CHEST is pushed with 40 0 0 N" in said, f"push: {said}{problem}")
+        _, pushed = bus.wait_for("TRUTH", lambda t: abs(t.push_force[0] - 40) < 0.1, 3.0, start=0)
+        checks.that(pushed is not None, "the truth has the force")
+        time.sleep(0.6)
+        forces = [t for _, t in bus.messages("TRUTH") if t.push_force[0] > 1]
+        checks.that(abs(len(forces) - 100) <= 2, f"for 0.2 s: {len(forces)} ticks")
+
+        checks.that(cli("sim", "pause")[0] == 0, "pause")
+        time.sleep(0.3)
+        before = states(bus)
+        time.sleep(1.5)
+        checks.that(states(bus) == before, "no tick while it is paused")
+        status, said, _ = cli("status")
+        checks.that(status == 0, f"it is there all the same: {said[:200]}")
+        checks.that(cli("sim", "step", "25")[0] == 0, "25 ticks")
+        time.sleep(0.8)
+        checks.that(states(bus) == before + 25, f"they came: {states(bus) - before}")
+        checks.that(cli("sim", "go")[0] == 0, "it goes on")
+        time.sleep(1.0)
+        ticks = [s.tick for _, s in bus.messages("STATE")]
+        checks.that(ticks == list(range(ticks[0], ticks[0] + len(ticks))), "no tick is left out")
+        checks.that(bus.newest("STATE")[1].stop_kind == 0, "and nothing has stopped the robot")
+
+        checks.that(cli("sim", "pace", "0.2")[0] == 0, "five times slower")
+        time.sleep(0.3)
+        before = states(bus)
+        time.sleep(2.0)
+        checks.that(120 <= states(bus) - before <= 280, f"200 ticks in two seconds: {states(bus) - before}")
+        checks.that(cli("sim", "pace", "1")[0] == 0, "real time again")
+
+        checks.that(cli("push", "CHEST", "900", "0", "0", "--for", "0.4")[0] == 0, "a push that nobody survives")
+        checks.that(bus.wait_for("TRUTH", lambda t: t.fell, 6.0, start=0)[1] is not None, "it falls")
+        status, said, problem = cli("sim", "reset", timeout=60)
+        checks.that(status == 0, f"reset: {said}{problem}")
+        _, stands = bus.wait_for("STATE", lambda s: s.role == 2 and s.stop_kind == 0, 10.0)
+        time.sleep(1.0)
+        truth = bus.newest("TRUTH")[1]
+        checks.that(stands is not None and not truth.fell and truth.base_position[2] > 0.5, "it stands again")
+
+        for words, expected in ((("push", "CHES", "9", "0", "0"), "did you mean CHEST?"), (("sim", "paus"), "did you mean pause?"),
+                                (("push", "CHEST", "9", "0"), "needs LINK FX FY FZ"), (("sim", "pace", "1000"), "X must be"), (("sim", "step", "0"), "TICKS")):
+            status, _, problem = cli(*words)
+            checks.that(status == 2 and expected in problem and problem.count("\n") == 1, f"{' '.join(words)}: {problem}")
+        bus.close()
+    with Stack("stand", "--stack", "both", "--no-viewer"):
+        time.sleep(1.0)
+        checks.that(cli("switch", "bridge", "--policy", "now", timeout=40)[0] == 0, "the robot is active")
+        for words in (("push", "CHEST", "40", "0", "0"), ("sim", "pause")):
+            status, _, problem = cli(*words)
+            checks.that(status == 1 and "not a simulator" in problem, f"{words[0]} a robot: {problem}")
+        status, _, problem = cli("sim", "reset", timeout=40)
+        checks.that(status == 1 and "switch to the simulator first" in problem, f"reset with a robot: {problem}")
+    checks.exit()
+
+
+if __name__ == "__main__":
+    sys.exit(main())
