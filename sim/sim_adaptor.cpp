@@ -16,15 +16,13 @@
 #include "sim/world/static_equilibrium.h"
 #include "sim/world/truth.h"
 #include "sim/engine/make_world.h"
+#include "sim/live_pushes.h"
 #include "sim/world/world.h"
 
 namespace twinbus {
 
 namespace {
 
-constexpr double kLongestPush = 60.0;      // [s]
-constexpr double kLargestPush = 100'000.0;  // [N]
-constexpr double kFarthestPush = 10.0;      // from the link's frame [m]
 constexpr int kMaxDelay = 64;        // ticks of servo delay
 constexpr double kMimicKp = 2000.0;  // holds a joint that follows another
 constexpr double kOffsetDecay =
@@ -84,12 +82,7 @@ struct SimAdaptor::Impl {
     Push push;
   };
   std::vector<ScenePush> pushes;
-  struct LivePush {
-    int link = -1;
-    double left = 0.0;  // [s]
-    Eigen::Vector3d force = Eigen::Vector3d::Zero(), point = Eigen::Vector3d::Zero();
-  };
-  std::array<LivePush, 8> live_pushes;  // those that somebody asks for while it runs
+  LivePushes live_pushes;
   SimTruth truth;
   Configuration imposed_to;  // scratch of set_state
   Eigen::VectorXd imposed_tau;
@@ -105,7 +98,6 @@ struct SimAdaptor::Impl {
   void start();
   void drive_servos() noexcept;
   void apply_pushes() noexcept;
-  void apply_live_pushes() noexcept;
   void relax_corner_offsets() noexcept;
   Status advance() noexcept;
 };
@@ -149,7 +141,10 @@ Status SimAdaptor::Impl::advance() noexcept {
   drive_servos();
   for (int i = 0; i < substeps; ++i) {
     apply_pushes();
-    apply_live_pushes();
+    live_pushes.apply(*world, step, truth,
+                      [this](int link, const Eigen::Vector3d& point, const Eigen::Vector3d& force) {
+                        watch->push(*world, link, point, force);
+                      });
     // Half a step of slack, as for a push.
     if (scene_time >= 0.0) ties.update(scene_time + 0.5 * step, *world);
     const Status status = watch->step(*world, step * static_cast<double>(steps + 1));
@@ -218,19 +213,6 @@ void SimAdaptor::Impl::apply_pushes() noexcept {
     watch->push(*world, p.link, p.push.point, force);
     for (int i = 0; i < 3; ++i) {
       truth.push_force[static_cast<std::size_t>(i)] = static_cast<float>(force[i]);
-      truth.push_point[static_cast<std::size_t>(i)] = static_cast<float>(point[i]);
-    }
-  }
-}
-
-void SimAdaptor::Impl::apply_live_pushes() noexcept {
-  for (LivePush& p : live_pushes) {
-    if (!(p.left > 0.5 * step)) continue;
-    p.left -= step;
-    const Eigen::Vector3d point = world->link_in_world(p.link) * p.point;
-    (void)world->push(p.link, point, p.force);
-    for (int i = 0; i < 3; ++i) {
-      truth.push_force[static_cast<std::size_t>(i)] = static_cast<float>(p.force[i]);
       truth.push_point[static_cast<std::size_t>(i)] = static_cast<float>(point[i]);
     }
   }
@@ -321,7 +303,7 @@ Status SimAdaptor::open(const Model& nominal, const AdaptorConfig& config) {
     s.truth = SimTruth{};
     const Status placed = s.world->set(s.standing.configuration, &s.standing.tau);
     s.set_hold(s.standing.configuration, s.standing.tau);
-    s.watch.emplace(model, s.settings.world, s.pushes.size());
+    s.watch.emplace(model, s.settings.world, s.pushes.size() + LivePushes::kMost);
     s.watch->begin(*s.world);
     return placed;
   } catch (const std::exception& error) {
@@ -356,20 +338,8 @@ Status SimAdaptor::read(RobotState& state, double) {
 
 Status SimAdaptor::push(int link, const Eigen::Vector3d& force, const Eigen::Vector3d& point,
                         double seconds) {
-  Impl& s = *impl_;
-  if (!s.world) return Status::kNotOpen;
-  if (link < 0 || link >= s.model->link_count()) return Status::kOutOfRange;
-  if (!force.allFinite() || !point.allFinite()) return Status::kNotFinite;
-  if (!(seconds > 0.0 && seconds <= kLongestPush && force.norm() <= kLargestPush &&
-        point.norm() <= kFarthestPush)) {
-    return Status::kOutOfRange;
-  }
-  for (Impl::LivePush& p : s.live_pushes) {
-    if (p.left > 0.0 && p.left > 0.5 * s.step) continue;
-    p = {.link = link, .left = seconds, .force = force, .point = point};
-    return Status::kOk;
-  }
-  return Status::kOutOfRange;  // so many at once
+  if (!impl_->world) return Status::kNotOpen;
+  return impl_->live_pushes.add(*impl_->model, link, force, point, seconds);
 }
 
 Status SimAdaptor::write(const JointCommand& command) {
