@@ -17,7 +17,7 @@ const char* label(HealthLevel level) noexcept;
 struct Health {
   HealthLevel level = HealthLevel::kWaiting;
   std::string text;
-  std::string remedy;  // for who may act, a sentence; may be empty
+  std::string remedy{};  // for who may act, a sentence; may be empty
   bool anew = false;   // the way out is to begin anew
 };
 
