@@ -91,7 +91,7 @@ flock 8
 
 make_base() {
   [ ! -e "$base.made" ] || [ -z "$(find "$base.made" -mtime -30)" ] || return 0
-  rm -rf "$base" "$base.made" "$base.part"
+  rm -rf --one-file-system "$base" "$base.made" "$base.part"
   # Where apt gets its packages here; where it knows no Debian, debootstrap's own mirror.
   local mirror script=
   mirror=$(apt-get indextargets --format '$(CREATED_BY) $(LABEL) $(COMPONENT) $(REPO_URI)' 2>/dev/null |
@@ -118,7 +118,7 @@ make_work() {
   local commit
   commit=$(git -C "$tree" rev-parse HEAD)
   [ "$(cat "$work.commit" 2>/dev/null)" != "$commit" ] || return 0
-  rm -rf "$work" "$work.commit" "$work.built"
+  rm -rf --one-file-system "$work" "$work.commit" "$work.built"
   cp -a --reflink=auto "$base" "$work"
   git clone -q --no-hardlinks "file://$tree" "$work/twinbus"
   git -C "$work/twinbus" checkout -q --detach "$commit"
@@ -160,6 +160,6 @@ step "unit tests" enter "$work" shared ./twinbus test --quick
 if [ $keep = yes ]; then
   say "left behind: $work"
 else
-  rm -rf "$work" "$work.commit" "$work.built" "$work.log"
+  rm -rf --one-file-system "$work" "$work.commit" "$work.built" "$work.log"
 fi
 say "Debian $release${summary}"

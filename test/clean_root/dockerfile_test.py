@@ -134,7 +134,7 @@ def two_machines():
 
 def main():
     folder = pathlib.Path(built).parent / (pathlib.Path(built).name + "-image")
-    subprocess.run(["rm", "-rf", folder], check=True)
+    subprocess.run(["rm", "-rf", "--one-file-system", folder], check=True)
     folder.mkdir()
     root, environment, entry, command = build_image(folder)
     size = int(run("du", "-sm", root).stdout.split()[0])
@@ -145,7 +145,7 @@ def main():
     finally:
         for network in networks:
             run("ip", "netns", "delete", network)
-    subprocess.run(["rm", "-rf", folder], check=True)
+    subprocess.run(["rm", "-rf", "--one-file-system", folder], check=True)
     sys.exit(1 if failures else 0)
 
 

@@ -20,7 +20,7 @@ failed=0
 in_root() { env -i HOME=/root LANG=C.UTF-8 PATH="$PATH" chroot "$1" "${@:2}"; }
 try_without() {
   local package=$1 top=$work.without found
-  rm -rf "$top"
+  rm -rf --one-file-system "$top"
   mkdir -p "$top/upper" "$top/work" "$top/merged"
   mount -t overlay overlay -o "lowerdir=$work,upperdir=$top/upper,workdir=$top/work" "$top/merged"
   mount -t proc proc "$top/merged/proc"
@@ -57,5 +57,5 @@ if [ "${TWINBUS_WITHOUT:-}" != inside ]; then
 fi
 mount --make-rprivate /
 for package in $wanted; do try_without "$package"; done
-rm -rf "$work.without"
+rm -rf --one-file-system "$work.without"
 exit $failed
