@@ -21,6 +21,7 @@
 #include "launcher/run/run.h"
 #include "launcher/run/scenes.h"
 #include "launcher/run/tune.h"
+#include "launcher/stack/run_folder.h"
 #include "launcher/up/restart.h"
 #include "launcher/up/sim_command.h"
 #include "launcher/up/up.h"
@@ -72,7 +73,7 @@ void print_help() {
   for (const Command& command : kCommands) std::printf("  %-9s %s\n", command.name, command.about);
   std::printf("  %-9s %s\n", "test", "build and run the tests");
   std::printf(
-      "\n./twinbus COMMAND --help says more.  Exit status: 0 done, 1 failed, 2 wrong arguments.\n");
+      "\n./twinbus COMMAND --help says more, ./twinbus --version which this is.  Exit status: 0 done, 1 failed, 2 wrong arguments.\n");
 }
 
 }  // namespace
@@ -81,6 +82,10 @@ int main(int argc, char** argv) {
   const std::string name = argc > 1 ? argv[1] : "--help";
   if (name == "--help" || name == "-h" || name == "help") {
     print_help();
+    return 0;
+  }
+  if (name == "--version" || name == "version") {
+    std::printf("twinbus %s, commit %s\n", TWINBUS_VERSION, commit_of_program().c_str());
     return 0;
   }
   std::vector<std::string> names = {"test"};

@@ -57,6 +57,54 @@ std::map<std::string, std::string> benches() {
   return found;
 }
 
+struct BenchRow {
+  const char* group;
+  const char* name;
+  const char* about;
+};
+constexpr BenchRow kBenches[] = {
+    {"control", "control", "a tick of the controller in each mode; does a loop allocate"},
+    {"control", "kinematics", "one call of the robot library"},
+    {"control", "ik", "inverse kinematics of arms and legs"},
+    {"control", "pushes", "the largest push a standing robot survives, by direction"},
+    {"walking", "walk", "stops, pushes, another robot, time of a tick"},
+    {"walking", "walk_map", "pushes survived on the spot, by direction and phase"},
+    {"walking", "walk_switch", "sources switched under a robot that walks"},
+    {"walking", "walk_trace", "a walk tick by tick"},
+    {"walking", "robust", "other masses, trunk, soles, delay, noise"},
+    {"guard and planner", "guard", "a tick of the guard beside FCL"},
+    {"guard and planner", "guard_drive", "random motions into self-collision"},
+    {"guard and planner", "guard_walk", "what watching all pairs costs while it walks"},
+    {"guard and planner", "collision", "the exact check beside FCL, every verdict compared"},
+    {"guard and planner", "distance", "distances of hulls and meshes beside FCL"},
+    {"guard and planner", "planner", "arm paths beside VAMP and OMPL"},
+    {"guard and planner", "reach", "a balancing robot reaches among obstacles"},
+    {"simulation", "physics", "engines beside their peers, asked and reached"},
+    {"simulation", "manifold", "contact of two sets of triangles beside FCL"},
+    {"bus and logs", "bus", "STATE to COMMAND through another process"},
+    {"bus and logs", "switch", "live switches of the source"},
+    {"bus and logs", "record", "what recording costs a stack"},
+    {"bus and logs", "log", "how fast the log tools are on a long log"},
+    {"bus and logs", "viewer", "what the page gives, and what it costs"}};
+
+// By group, those that are there.
+std::string bench_list(const std::vector<std::string>& names) {
+  std::string text, group;
+  std::vector<std::string> left = names;
+  for (const BenchRow& row : kBenches) {
+    const auto found = std::find(left.begin(), left.end(), row.name);
+    if (found == left.end()) continue;
+    left.erase(found);
+    if (group != row.group) text += (group = row.group) + "\n";
+    char line[160];
+    std::snprintf(line, sizeof line, "  %-14s %s\n", row.name, row.about);
+    text += line;
+  }
+  if (!left.empty()) text += "others\n";
+  for (const std::string& name : left) text += "  " + name + "\n";
+  return text;
+}
+
 }  // namespace
 
 int spy_command(const std::vector<std::string>& words) { become(script("spy.sh"), words); }
@@ -87,24 +135,16 @@ int record_command(const std::vector<std::string>& words) {
 int bench_command(const std::vector<std::string>& words) {
   const std::map<std::string, std::string> known = benches();
   std::vector<std::string> names;
-  std::string all;
-  for (const auto& [name, program] : known) {
-    names.push_back(name);
-    all += " " + name;
-  }
-  if (words.empty()) {
-    std::printf("benches:%s\nrun one with ./twinbus bench NAME [--csv F]\n", all.c_str());
-    return 0;
-  }
-  if (words[0] == "--help" || words[0] == "-h") {
+  for (const auto& [name, program] : known) names.push_back(name);
+  if (words.empty() || words[0] == "--help" || words[0] == "-h") {
     std::printf(
         "usage: ./twinbus bench [NAME] [OPTION...]\n"
         "Measures and prints median, 99th and 99.9th percentile and worst; without NAME lists what "
         "there is.\n"
         "  --csv F               also as rows "
         "bench,case,metric,unit,median,p99,p999,max,peer,peer_median,ratio\n"
-        "Other options are the bench's own: ./twinbus bench NAME --help.  There are:%s\n",
-        all.c_str());
+        "Other options are the bench's own: ./twinbus bench NAME --help.\n%s",
+        bench_list(names).c_str());
     return 0;
   }
   const auto found = known.find(words[0]);

@@ -106,9 +106,20 @@ def robot_alone(checks):
         checks.that(stack.process.wait(10) == 0, "^C ends it well")
 
 
+def lists(checks):
+    status, said, _ = cli("--version")
+    checks.that(status == 0 and said.startswith("twinbus "), f"--version: {said}")
+    status, said, _ = cli("bench")
+    groups = [line for line in said.splitlines() if line in ("walking", "guard and planner", "simulation", "bus and logs")]
+    checks.that(status == 0 and len(groups) == 4 and "  physics " in said, f"bench lists by group, each with a line: {said}")
+    status, _, problem = cli("up", "--stack", "replay")
+    checks.that(status == 2 and "--log FILE" in problem, f"a replay wants a log: {problem}")
+
+
 def main():
     harness.require("twinbus", "twinbus_simulator", "twinbus_bridge", "twinbus_controller", "twinbus_guard", "twinbus_planner", "emulated_robot")
     checks = Checks()
+    lists(checks)
     runs_and_judges(checks)
     robot_alone(checks)
     no_process_is_left(checks)
