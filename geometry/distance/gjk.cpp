@@ -109,6 +109,7 @@ GjkShape gjk_hull(const std::vector<Vector3d>& points) {
   for (std::size_t i = 0; i < n; ++i) {
     const Vector3d& p = points[std::min(i, points.size() - 1)];
     for (std::size_t k = 0; k < 3; ++k) shape.points[k * n + i] = p[static_cast<int>(k)];
+    shape.half = shape.half.cwiseMax(p.cwiseAbs());
   }
   if (n > kFewPoints && n <= kManyPoints) shape.cells = support_cells(points);
   if (shape.cells.row > kMostInARow) shape.cells = {};  // nearly all of them in one direction

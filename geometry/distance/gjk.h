@@ -22,7 +22,8 @@ namespace twinbus {
 struct GjkShape {
   ShapeKind kind = ShapeKind::kSphere;             // kMesh: the hull of the points
   Eigen::Vector3d half = Eigen::Vector3d::Zero();  // box: half edges; sphere: radius; cylinder:
-                                                   // radius, half length [m]
+                                                   // radius, half length; hull: of a box about its
+                                                   // origin that holds it [m]
   std::vector<double> points;  // x of all, y of all, z of all; a multiple of four each [m]
   SupportCells cells;          // of the points; may be empty
 };

@@ -228,7 +228,7 @@ bool MeshDistance::between(const ClusteredMesh& a, const Isometry3d& pose_a, con
   const Isometry3d a_to_b = pose_b.inverse(Eigen::Isometry) * pose_a;
   const double round = b.kind == ShapeKind::kSphere ? b.half.x() : 0.0;
   // Of the shape: a box around it, in its axes.
-  const Vector3d half = b.kind == ShapeKind::kBox ? b.half
+  const Vector3d half = b.kind == ShapeKind::kBox || b.kind == ShapeKind::kMesh ? b.half
                         : b.kind == ShapeKind::kSphere
                             ? Vector3d::Constant(round)
                             : Vector3d(b.half.x(), b.half.x(), b.half.y());

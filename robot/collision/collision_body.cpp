@@ -4,7 +4,6 @@
 #include <cmath>
 #include <optional>
 
-#include "geometry/bounds/coarse_mesh.h"
 #include "robot/collision/collision_fcl.h"
 #include "geometry/bounds/convex_hull.h"
 #include "robot/collision/links/geometry_cache.h"
@@ -60,7 +59,7 @@ CollisionShape primitive(const Shape& shape) {
 
 CollisionShape of_mesh(const Shape& shape) {
   TriangleMesh mesh = load_mesh(shape.mesh, shape.size);
-  const std::optional<TriangleMesh> hull = coarse_hull(mesh);
+  const std::optional<TriangleMesh> hull = kept_coarse_hull(mesh);
   if (hull) mesh = *hull;
   Vector3d low = mesh.points.front();
   Vector3d high = low;

@@ -71,6 +71,42 @@ void expect_same(const LinkGeometry& a, const LinkGeometry& b) {
   EXPECT_EQ(a.high, b.high);
 }
 
+TriangleMesh egg() {
+  std::mt19937 random(2);
+  std::normal_distribution<double> normal;
+  TriangleMesh mesh;
+  for (int i = 0; i < 1500; ++i) {
+    const Eigen::Vector3d d(normal(random), normal(random), normal(random));
+    mesh.points.push_back(Eigen::Vector3d(0.2, 0.1, 0.05).cwiseProduct(d.normalized()));
+    if (i >= 2) mesh.triangles.push_back({i - 2, i - 1, i});
+  }
+  return mesh;
+}
+
+TEST_F(GeometryMemory, CoarseHullsAreTheSameWhetherKeptOrNotAndMustHoldTheMesh) {
+  disk_cache() = DiskCache();
+  const TriangleMesh mesh = egg(), found = kept_coarse_hull(mesh).value();
+  disk_cache() = DiskCache(folder.path());
+  disk_cache().say = [this](const std::string& line) { said.push_back(line); };
+  for (int run = 0; run < 2; ++run) {  // keeps, then recalls
+    const TriangleMesh kept = kept_coarse_hull(mesh).value();
+    EXPECT_TRUE(same_bytes(kept.points, found.points));
+    EXPECT_TRUE(same_bytes(kept.triangles, found.triangles));
+  }
+  ASSERT_EQ(files("coarse").size(), 1u);
+  EXPECT_TRUE(said.empty());
+  // The corners of a smaller egg do not hold this one.
+  TriangleMesh smaller = mesh;
+  for (Eigen::Vector3d& p : smaller.points) p *= 0.9;
+  const Fingerprint key = fingerprint_of(mesh).value(), other = fingerprint_of(smaller).value();
+  ASSERT_TRUE(kept_coarse_hull(smaller));
+  disk_cache().keep("coarse", key, disk_cache().find("coarse", other).value());
+  EXPECT_TRUE(same_bytes(kept_coarse_hull(mesh).value().points, found.points));
+  EXPECT_EQ(said.size(), 1u);
+  disk_cache().keep("coarse", key, "nonsense");
+  EXPECT_TRUE(same_bytes(kept_coarse_hull(mesh).value().points, found.points));
+}
+
 TEST_F(GeometryMemory, GivesBackWhatWasFoundBitByBit) {
   disk_cache() = DiskCache();
   const LinkGeometry found = link_geometry(some_shapes());

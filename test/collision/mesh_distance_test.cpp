@@ -114,6 +114,36 @@ TEST(MeshDistance, OfAMeshAndARoundShape) {
   }
 }
 
+// Also where the mesh lies inside the hull, far from its middle.
+TEST(MeshDistance, OfAMeshAndAHull) {
+  std::mt19937_64 random(9);
+  MeshDistance distance;
+  const TriangleMesh a = star(0.03, random), b = star(0.2, random);
+  const ClusteredMesh mesh(a);
+  distance.reserve(mesh);
+  const GjkShape hull = gjk_hull(b.points);
+  int touching = 0;
+  for (int i = 0; i < 200; ++i) {
+    const Isometry3d pose_a = pose(0.05 + 0.001 * i, random), pose_b = pose(0.0, random);
+    double expected = 1e3;
+    for (const auto& t : a.triangles) {
+      const GjkShape one = gjk_hull({a.points[at(t[0])], a.points[at(t[1])], a.points[at(t[2])]});
+      expected = std::min(expected, gjk_distance(one, pose_a, hull, pose_b, 1e3).distance);
+    }
+    touching += expected > 0.0 ? 0 : 1;
+    for (const double below : {0.001, 0.01, 1.0}) {
+      MeshMemory memory;
+      MeshGap gap;
+      ASSERT_EQ(distance.between(mesh, pose_a, hull, pose_b, below, memory, gap), expected < below)
+          << i << ": " << expected << " m, below " << below;
+      if (expected < below) {
+        EXPECT_NEAR(gap.distance, expected, 1e-6) << i;
+      }
+    }
+  }
+  EXPECT_GT(touching, 30);
+}
+
 TEST(MeshDistance, AllocatesNothing) {
   std::mt19937_64 random(8);
   const ClusteredMesh ca(star(0.2, random)), cb(star(0.1, random));

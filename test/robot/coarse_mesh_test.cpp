@@ -30,14 +30,46 @@ TEST(CoarseMesh, HoldsEveryPointWithFewTriangles) {
       if (i >= 2) mesh.triangles.push_back({i - 2, i - 1, i});
     }
     const TriangleMesh coarse = coarse_hull(mesh).value();
-    EXPECT_LE(coarse.triangles.size(), static_cast<std::size_t>(kFineTriangles));
+    EXPECT_LE(coarse.points.size(), static_cast<std::size_t>(kMostCorners));
     EXPECT_GT(coarse.triangles.size(), 30u);
     double worst = -1e300;
     for (const Eigen::Vector3d& point : mesh.points)
       worst = std::max(worst, outside(coarse, point));
     EXPECT_LE(worst, 1e-9);
     for (const Eigen::Vector3d& point : coarse.points)
-      EXPECT_LT(point.cwiseQuotient(size).norm(), 1.35);
+      EXPECT_LT(point.cwiseQuotient(size).norm(), 1.08);
+    EXPECT_TRUE(holds(coarse, mesh.points));
+    EXPECT_FALSE(holds(coarse, {2.0 * size}));
+  }
+}
+
+double farthest(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& along) {
+  double most = -1e300;
+  for (const Eigen::Vector3d& p : points) most = std::max(most, along.dot(p));
+  return most;
+}
+
+// A shank: a bent plate with a round boss.  A hull that is scaled about its middle grows by centimetres here.
+TEST(CoarseMesh, IsNowhereMuchLargerThanTheHull) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  TriangleMesh mesh;
+  for (int i = 0; i < 4000; ++i) {
+    const double u = uniform(random), v = uniform(random);
+    if (i % 4 == 0) {
+      const Eigen::Vector3d d(uniform(random), uniform(random), uniform(random));
+      mesh.points.push_back(Eigen::Vector3d(0.02, 0.0, 0.2) + 0.05 * d.normalized());
+    } else {
+      mesh.points.emplace_back(0.03 * u * u, 0.06 * u, 0.25 * v);
+    }
+    if (i >= 2) mesh.triangles.push_back({i - 2, i - 1, i});
+  }
+  const TriangleMesh coarse = coarse_hull(mesh).value();
+  for (int i = 0; i < 2000; ++i) {
+    const Eigen::Vector3d n = Eigen::Vector3d(uniform(random), uniform(random), uniform(random)).normalized();
+    const double more = farthest(coarse.points, n) - farthest(mesh.points, n);
+    EXPECT_GE(more, -1e-9);
+    EXPECT_LE(more, 1.5e-3);
   }
 }
 

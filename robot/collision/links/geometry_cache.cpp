@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "geometry/bounds/bounds.h"
+#include "geometry/bounds/coarse_mesh.h"
+#include "geometry/bounds/convex_hull.h"
 #include "common/file/disk_cache.h"
 #include "common/math/index.h"
 #include "robot/collision/links/inscribed_spheres.h"
@@ -259,6 +261,33 @@ Capsule kept_capsule(const std::vector<Vector3d>& points) {
     disk_cache().keep("capsule", key, out.bytes());
   }
   return capsule;
+}
+
+std::optional<TriangleMesh> kept_coarse_hull(const TriangleMesh& mesh) {
+  // The corners are kept and their hull is found anew, so that it is the same bits whether it was known or not.
+  const auto of_corners = [&](const std::vector<Vector3d>& corners) -> std::optional<TriangleMesh> {
+    TriangleMesh hull = convex_hull(corners);
+    if (!holds(hull, mesh.points)) return std::nullopt;
+    return hull;
+  };
+  const bool keeps = !disk_cache().folder().empty() && mesh.triangles.size() > at(kFineTriangles);
+  const Fingerprint key = keeps ? fingerprint_of(mesh).value() : Fingerprint{};
+  if (const auto bytes = keeps ? disk_cache().find("coarse", key) : std::nullopt) {
+    Unpacker in(*bytes);
+    std::vector<Vector3d> corners;
+    for (const PlainBall& corner : in.get_all<PlainBall>()) corners.push_back(ball_of(corner).center);
+    const bool sound = in.whole() && corners.size() <= at(kMostCorners) &&
+                       std::all_of(corners.begin(), corners.end(), [](const Vector3d& p) { return p.allFinite(); });
+    if (auto hull = sound ? of_corners(corners) : std::nullopt) return hull;
+    disk_cache().refuse("coarse", key, "its corners do not hold the mesh");
+  }
+  const std::optional<TriangleMesh> found = coarse_hull(mesh);
+  const std::optional<TriangleMesh> hull = found ? of_corners(found->points) : std::nullopt;
+  if (!keeps || !hull) return hull;
+  std::vector<PlainBall> corners;
+  for (const Vector3d& corner : found->points) corners.push_back(plain(Ball{corner, 0.0}));
+  disk_cache().keep("coarse", key, Packer().put_all(corners).bytes());
+  return hull;
 }
 
 }  // namespace twinbus

@@ -5,6 +5,8 @@
 
 #pragma once
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "common/file/fingerprint.h"
@@ -26,6 +28,9 @@ void keep_inner_balls(const LinkGeometry& link, int balls, int points,
 
 // capsule_around(points).
 Capsule kept_capsule(const std::vector<Eigen::Vector3d>& points);
+
+// coarse_hull(mesh).
+std::optional<TriangleMesh> kept_coarse_hull(const TriangleMesh& mesh);
 
 // Of the mesh, and of the code that finds things about meshes.
 FingerprintMaker fingerprint_of(const TriangleMesh& mesh);
