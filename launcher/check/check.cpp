@@ -375,7 +375,10 @@ int check_command(const std::vector<std::string>& words) {
     throw UsageError("check: --propose wants a URDF file; " + arguments.word(0) +
                      " has a robot.yaml already");
   std::optional<Proposal> proposal;
-  if (!subject.urdf.empty()) proposal = propose(subject.repaired, subject.source);
+  if (!subject.urdf.empty()) {
+    proposal = propose(subject.repaired, subject.source);
+    exempt_at_rest(load_proposed(*proposal, subject), *proposal);
+  }
   // Loaded before anything is written: a proposal that is none leaves no folder.
   Model proposed = proposal ? load_proposed(*proposal, subject) : Model();
   if (proposal && !folder.empty()) {

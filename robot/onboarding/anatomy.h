@@ -38,7 +38,14 @@ Anatomy find_anatomy(const Model& model, const std::array<SrdfFoot, 2>& feet = {
 Eigen::VectorXd neutral_posture(const Model& model);
 
 // A posture to stand in: soles flat, knees a little bent, the centre of mass above the middle of the
-// soles, arms as in neutral_posture.  Needs model.soles; false when the legs cannot do it.
+// soles; all other joints as they are in q, or as in neutral_posture when it is empty.  Needs model.soles; false when
+// the legs cannot do it.
 bool find_standing_posture(const Model& model, Eigen::VectorXd& q);
+
+// How far the arms are from the legs in a posture [m], at most 0.08.
+double arms_to_legs(const Model& model, const Anatomy& anatomy, const Eigen::VectorXd& q);
+// Turns arms that hang beside the legs outwards until they are 0.08 m from them, or as far as 0.5 rad do it; how far
+// they were turned [rad].
+double hold_arms_out(const Model& model, const Anatomy& anatomy, Eigen::VectorXd& q);
 
 }  // namespace twinbus

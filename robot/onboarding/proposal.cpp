@@ -4,13 +4,12 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <set>
 
-#include "robot/collision/collision.h"
 #include "robot/dynamics/inverse_dynamics.h"
 #include "common/math/index.h"
 #include "robot/kinematics/kinematics.h"
 #include "robot/onboarding/known_srdf.h"
+#include "robot/onboarding/rest_pairs.h"
 #include "common/math/pose_math.h"
 
 namespace twinbus {
@@ -66,6 +65,11 @@ std::string list(const std::vector<std::string>& names) {
 
 std::string list(const Eigen::Vector3d& v) {
   return std::string("[") + fixed(v.x()) + ", " + fixed(v.y()) + ", " + fixed(v.z()) + "]";
+}
+
+std::string disabled(const Model& model, const RestPair& pair) {
+  return "  <disable_collisions link1=\"" + escaped(model.links[at(pair.link_a)].name) + "\" link2=\"" +
+         escaped(model.links[at(pair.link_b)].name) + "\" reason=\"" + escaped(pair.why) + "\"/>\n";
 }
 
 class Writer {
@@ -147,11 +151,9 @@ class Writer {
       out += "  <disable_collisions link1=\"" + escaped(a) + "\" link2=\"" + escaped(b) +
              "\" reason=\"said by the SRDF that was there\"/>\n";
     }
-    for (const CollisionPair& pair : touching()) {
-      out += "  <disable_collisions link1=\"" + escaped(model_.links[at(pair.link_a)].name) +
-             "\" link2=\"" + escaped(model_.links[at(pair.link_b)].name) +
-             "\" reason=\"touch in a proposed posture\"/>\n";
-    }
+    const std::vector<RestPair> pairs = pairs_at_rest(model_, {neutral_posture(model_), posture_});
+    disabled_ = pairs.size();
+    for (const RestPair& pair : pairs) out += disabled(model_, pair);
     return out + "</robot>\n";
   }
 
@@ -160,7 +162,7 @@ class Writer {
     doubts.insert(doubts.end(), doubts_.begin(), doubts_.end());
     if (disabled_ > 0) {
       doubts.push_back(std::to_string(disabled_) +
-                       " pairs of links touch in the proposed postures and are exempt from the "
+                       " pairs of links touch in the proposed postures, or nearly, and are exempt from the "
                        "collision check: look at them in the SRDF");
     }
   }
@@ -198,7 +200,16 @@ class Writer {
       }
       doubts_.push_back("half_sitting of the SRDF that was there is not used: " + why);
     }
-    if (find_standing_posture(model_, posture_)) return;
+    if (find_standing_posture(model_, posture_)) {
+      const double turned = hold_arms_out(model_, anatomy_, posture_);
+      if (!(turned > 0.0)) return;
+      char text[160];
+      std::snprintf(text, sizeof(text),
+                    "in half_sitting the arms are turned %.2f rad outwards: they hang %s the legs", turned,
+                    "within 80 mm of");
+      doubts_.emplace_back(text);
+      if (find_standing_posture(model_, posture_)) return;
+    }
     const std::string why = why_it_falls(model_, posture_);
     doubts_.push_back(
         "no posture with bent knees and flat soles was found: half_sitting is the zero posture" +
@@ -302,25 +313,6 @@ class Writer {
     out += "  - {joints: [" + joint.name + "], kp: " + rough(kp) + ", kd: " + rough(kd) + "}\n";
   }
 
-  // Pairs of links that touch in one of the postures.
-  std::vector<CollisionPair> touching() {
-    Collision collision(model_);
-    Kinematics k(model_);
-    Configuration c(model_);
-    std::set<std::pair<int, int>> found;
-    for (const Eigen::VectorXd& q : {neutral_posture(model_), posture_}) {
-      c.q = q;
-      k.update(c);
-      std::vector<PairDistance> near(4096);
-      const int count = collision.near_pairs(k, 1e-3, near.data(), static_cast<int>(near.size()));
-      for (int i = 0; i < count; ++i) found.insert({near[at(i)].link_a, near[at(i)].link_b});
-    }
-    std::vector<CollisionPair> pairs;
-    for (const auto& [a, b] : found) pairs.push_back({a, b});
-    disabled_ = pairs.size();
-    return pairs;
-  }
-
   Model model_;
   const Anatomy& anatomy_;
   const KnownSrdf& known_;
@@ -345,6 +337,23 @@ Proposal propose(const Model& model, const ProposalSource& source) {
   proposal.srdf = writer.srdf();
   writer.tell(proposal.doubts);
   return proposal;
+}
+
+void exempt_at_rest(const Model& loaded, Proposal& proposal) {
+  std::vector<Eigen::VectorXd> postures;
+  for (const char* name : {"zero", "half_sitting"}) {
+    const int pose = loaded.find_pose(name);
+    if (pose < 0) continue;
+    const std::vector<double>& q = loaded.poses[at(pose)].q;
+    postures.emplace_back(Eigen::Map<const Eigen::VectorXd>(q.data(), static_cast<Eigen::Index>(q.size())));
+  }
+  const std::vector<RestPair> pairs = pairs_at_rest(loaded, postures);
+  if (pairs.empty()) return;
+  std::string more;
+  for (const RestPair& pair : pairs) more += disabled(loaded, pair);
+  proposal.srdf.insert(proposal.srdf.rfind("</robot>"), more);
+  proposal.doubts.push_back(std::to_string(pairs.size()) +
+                            " more pairs touch once fingers are part of the hands, and are exempt too");
 }
 
 }  // namespace twinbus

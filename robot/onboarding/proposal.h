@@ -30,12 +30,17 @@ struct ProposalSource {
 // are kept, as far as they fit the URDF.
 Proposal propose(const Model& model, const ProposalSource& source);
 
+// Leaves out of the SRDF what touches at rest only when the proposal is loaded, as `loaded` is: with fingers that are
+// part of the hands, a hand may touch where the finger did.
+void exempt_at_rest(const Model& loaded, Proposal& proposal);
+
 // The SRDF that belongs to a URDF: of its name beside it or in ../srdf, or the only one there;
 // empty when there is none.
 std::string find_srdf(const std::string& urdf_file);
 
 // Mesh names relative to the URDF's folder as package://FOLDER/..., so that a copy elsewhere finds
-// them; adds that package if there was one.
+// them; adds that package if there was one.  FOLDER is the URDF's, or one of the three above it if meshes lie
+// there (urdf/ beside meshes/).
 std::string with_packages(const std::string& urdf_text, const std::string& urdf_file,
                           std::vector<std::pair<std::string, std::string>>& packages);
 

@@ -60,9 +60,52 @@ std::string find_srdf(const std::string& urdf_file) {
   return others.size() == 1 ? others.front().string() : "";
 }
 
+namespace {
+
+constexpr int kMostUp = 3;  // folders above the URDF's in which its meshes may lie
+
+struct MeshName {
+  std::size_t start, end;  // in the text
+  fs::path file;           // relative to the URDF's folder, without needless dots
+};
+
+// Meshes by names relative to the URDF's folder.
+std::vector<MeshName> relative_meshes(const std::string& text) {
+  const std::string key = "filename=";
+  std::vector<MeshName> found;
+  for (std::size_t i = text.find(key); i != std::string::npos; i = text.find(key, i + 1)) {
+    const std::size_t start = i + key.size() + 1;  // behind the quote
+    if (start >= text.size()) break;
+    const std::size_t end = text.find(text[start - 1], start);
+    if (end == std::string::npos) break;
+    const std::string file = text.substr(start, end - start);
+    const bool mesh = file.find("://") == std::string::npos && !file.empty() && file[0] != '/' &&
+                      fs::path(file).has_extension();
+    if (!mesh || text.rfind("<mesh", i) == std::string::npos) continue;
+    if (text.find('>', text.rfind("<mesh", i)) < i) continue;  // of another element
+    found.push_back({start, end, fs::path(file).lexically_normal()});
+  }
+  return found;
+}
+
+int folders_up(const fs::path& file) {
+  return static_cast<int>(std::count(file.begin(), file.end(), fs::path("..")));
+}
+
+}  // namespace
+
 std::string with_packages(const std::string& urdf_text, const std::string& urdf_file,
                           std::vector<std::pair<std::string, std::string>>& packages) {
-  const fs::path folder = folder_of(urdf_file);
+  const std::vector<MeshName> meshes = relative_meshes(urdf_text);
+  if (meshes.empty()) return urdf_text;
+  // The folder that holds them all: that of the URDF, or one above it (urdf/ beside meshes/).
+  int up = 0;
+  for (const MeshName& mesh : meshes) up = std::max(up, folders_up(mesh.file));
+  fs::path folder = folder_of(urdf_file), below;
+  for (int i = 0; i < std::min(up, kMostUp) && folder.parent_path().has_relative_path(); ++i) {
+    below = folder.filename() / below;
+    folder = folder.parent_path();
+  }
   std::string name = folder.filename().string();
   const auto bad = [](unsigned char c) { return std::isalnum(c) == 0 && c != '_' && c != '-'; };
   std::replace_if(name.begin(), name.end(), bad, '_');
@@ -70,24 +113,14 @@ std::string with_packages(const std::string& urdf_text, const std::string& urdf_
   while (std::any_of(packages.begin(), packages.end(),
                      [&](const auto& known) { return known.first == name; }))
     name += "_";
-  const std::string key = "filename=";
   std::string out;
   std::size_t from = 0;
-  for (std::size_t i = urdf_text.find(key); i != std::string::npos;
-       i = urdf_text.find(key, i + 1)) {
-    const std::size_t start = i + key.size() + 1;  // behind the quote
-    if (start >= urdf_text.size()) break;
-    const std::size_t end = urdf_text.find(urdf_text[start - 1], start);
-    if (end == std::string::npos) break;
-    const std::string file = urdf_text.substr(start, end - start);
-    const bool mesh = file.find("://") == std::string::npos && !file.empty() && file[0] != '/' &&
-                      fs::path(file).has_extension();
-    if (!mesh || urdf_text.rfind("<mesh", i) == std::string::npos) continue;
-    if (urdf_text.find('>', urdf_text.rfind("<mesh", i)) < i) continue;  // of another element
-    out += urdf_text.substr(from, start - from) + "package://" + name + "/";
-    from = start;
+  for (const MeshName& mesh : meshes) {
+    const std::string file = (below / mesh.file).lexically_normal().generic_string();
+    out += urdf_text.substr(from, mesh.start - from) + "package://" + name + "/" + file;
+    from = mesh.end;
   }
-  if (from > 0) packages.emplace_back(name, folder.string());
+  packages.emplace_back(name, folder.string());
   return out + urdf_text.substr(from);
 }
 

@@ -57,7 +57,7 @@ bool put(const Model& model, std::vector<InverseKinematics>& legs,
 bool find_standing_posture(const Model& model, Eigen::VectorXd& q) {
   if (model.soles[0].link <= 0 || model.soles[1].link <= 0) return false;
   Configuration c(model);
-  c.q = neutral_posture(model);
+  c.q = q.size() == model.joint_count() ? q : neutral_posture(model);
   Kinematics k(model);
   k.update(c);
   std::array<Eigen::Isometry3d, 2> target;  // in the base's frame

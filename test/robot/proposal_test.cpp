@@ -7,6 +7,10 @@
 #include "robot/onboarding/known_srdf.h"
 #include "robot/description/shape_inertia.h"
 #include "robot/onboarding/model_lint.h"
+#include "robot/onboarding/rest_pairs.h"
+#include "robot/description/asset_path.h"
+#include "common/math/index.h"
+#include "robot/kinematics/kinematics.h"
 
 namespace twinbus::test {
 namespace {
@@ -211,15 +215,100 @@ TEST(Proposal, ACopyOfTheUrdfFindsItsMeshes) {
   std::vector<std::pair<std::string, std::string>> packages;
   const std::string text =
       "<mesh filename=\"meshes/a.stl\"/><mesh filename='package://p/b.stl'/><texture "
-      "filename='c.png'/><mesh scale='1 1 1' filename='../d.stl'/>";
+      "filename='c.png'/>";
   const std::string out = with_packages(text, folder.path() + "/r.urdf", packages);
   ASSERT_EQ(packages.size(), 1u);
   const std::string own = "package://" + packages[0].first + "/";
   EXPECT_EQ(std::filesystem::weakly_canonical(folder.path()), packages[0].second);
   EXPECT_NE(out.find("\"" + own + "meshes/a.stl\""), std::string::npos) << out;
-  EXPECT_NE(out.find("'" + own + "../d.stl'"), std::string::npos) << out;
   EXPECT_NE(out.find("'package://p/b.stl'"), std::string::npos) << out;
   EXPECT_NE(out.find("'c.png'"), std::string::npos) << out;
+}
+
+// urdf/ beside meshes/ is how most robots come.
+TEST(Proposal, MeshesMayLieBesideTheFolderOfTheUrdf) {
+  const TemporaryFolder folder;
+  const std::filesystem::path root = std::filesystem::weakly_canonical(folder.path());
+  std::vector<std::pair<std::string, std::string>> packages;
+  const std::string text = "<mesh scale='1 1 1' filename='../meshes/a.stl'/><mesh filename=\"./b.stl\"/>";
+  const std::string out = with_packages(text, folder.path() + "/urdf/r.urdf", packages);
+  ASSERT_EQ(packages.size(), 1u);
+  EXPECT_EQ(packages[0].second, root);
+  const std::string own = "package://" + packages[0].first + "/";
+  EXPECT_NE(out.find("'" + own + "meshes/a.stl'"), std::string::npos) << out;
+  EXPECT_NE(out.find("\"" + own + "urdf/b.stl\""), std::string::npos) << out;
+  const AssetRoots roots{folder.path() + "/copy", packages};
+  EXPECT_EQ(resolve_asset(own + "meshes/a.stl", roots, "here"), root / "meshes/a.stl");
+  // No farther up than three folders: what is named there is not the robot's.
+  packages.clear();
+  const std::string far = with_packages("<mesh filename='../../../../../etc/a.stl'/>", "/a/b/c/d/e/r.urdf", packages);
+  ASSERT_EQ(packages.size(), 1u);
+  EXPECT_EQ(packages[0].second, "/a/b");
+  EXPECT_THROW(resolve_asset(far.substr(16, far.size() - 19), {"/a/b/c", packages}, "here"), std::runtime_error);
+}
+
+Model with_anatomy(const Anatomy& anatomy) {
+  Model model = bare_hrp1s();
+  model.soles = anatomy.soles;
+  model.hands = anatomy.hands;
+  return model;
+}
+
+// Hands beside the thighs, as many a zero posture has them.
+TEST(Proposal, ArmsThatHangBesideTheLegsAreHeldOut) {
+  const Anatomy anatomy = find_anatomy(bare_hrp1s());
+  const Model model = with_anatomy(anatomy);
+  Eigen::VectorXd q = neutral_posture(model);
+  ASSERT_LT(arms_to_legs(model, anatomy, q), 0.08);
+  const double before = arms_to_legs(model, anatomy, q);
+  const double turned = hold_arms_out(model, anatomy, q);
+  EXPECT_GT(turned, 0.0);
+  EXPECT_GT(arms_to_legs(model, anatomy, q), before + 0.02);
+  EXPECT_GT(q[model.find_joint("LARM_SHOULDER_R")], 0.0);
+  EXPECT_LT(q[model.find_joint("RARM_SHOULDER_R")], 0.0);
+  Eigen::VectorXd again = q;
+  if (arms_to_legs(model, anatomy, q) >= 0.08) {
+    EXPECT_EQ(hold_arms_out(model, anatomy, again), 0.0);
+  }
+  ASSERT_TRUE(find_standing_posture(model, q));
+  EXPECT_GT(q[model.find_joint("LARM_SHOULDER_R")], 0.0) << "the legs leave the arms where they are";
+}
+
+TEST(RestPairs, ATouchAtRestIsExemptedWithItsMirrorImage) {
+  Model model = hrp1s();
+  const std::vector<int> images = mirror_images(model);
+  const int left = model.find_link("LLEG_LINK3") >= 0 ? model.find_link("LLEG_LINK3") : model.joints[at(model.find_joint("LLEG_KNEE"))].child;
+  const int right = model.joints[at(model.find_joint("RLEG_KNEE"))].child;
+  EXPECT_EQ(images[at(left)], right);
+  EXPECT_EQ(images[at(right)], left);
+  EXPECT_EQ(images[0], 0);
+  const std::vector<double>& pose = model.poses[at(model.find_pose("half_sitting"))].q;
+  const Eigen::VectorXd q = Eigen::Map<const Eigen::VectorXd>(pose.data(), static_cast<Eigen::Index>(pose.size()));
+  const std::size_t clean = pairs_at_rest(model, {q}).size();
+  // A ball on the left shank that reaches into the left hand.
+  Configuration c(model);
+  c.q = q;
+  Kinematics k(model);
+  k.update(c);
+  Shape ball;
+  ball.kind = ShapeKind::kSphere;
+  ball.size = {0.05, 0.0, 0.0};
+  const int hand = model.hands[0].link;
+  ball.pose.translation() = k.link_in_world(left).inverse() * k.link_in_world(hand).translation();
+  model.links[at(left)].collision.push_back(ball);
+  const std::vector<RestPair> pairs = pairs_at_rest(model, {q});
+  EXPECT_GT(pairs.size(), clean);
+  const auto find = [&](int a, int b) {
+    return std::find_if(pairs.begin(), pairs.end(), [&](const RestPair& p) {
+      return p.link_a == std::min(a, b) && p.link_b == std::max(a, b);
+    });
+  };
+  ASSERT_NE(find(left, hand), pairs.end());
+  EXPECT_EQ(find(left, hand)->why, "touch in a proposed posture");
+  ASSERT_NE(find(right, model.hands[1].link), pairs.end());
+  EXPECT_NE(find(right, model.hands[1].link)->why.find("mirror image"), std::string::npos);
+  for (const RestPair& p : pairs) model.disabled_pairs.push_back({p.link_a, p.link_b});
+  EXPECT_TRUE(pairs_at_rest(model, {q}).empty());
 }
 
 TEST(Proposal, AnSrdfNearbyIsFound) {

@@ -1,0 +1,104 @@
+// Holds the arms of a proposed posture away from the legs: what hangs beside the thighs brushes past them in a walk.
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "common/math/index.h"
+#include "robot/collision/collision.h"
+#include "robot/kinematics/kinematics.h"
+#include "robot/onboarding/anatomy.h"
+
+namespace twinbus {
+
+namespace {
+
+constexpr double kClear = 0.08;      // of the arms from the legs at rest [m]
+constexpr double kMostOut = 0.5;     // [rad]
+constexpr double kTurnStep = 0.05;   // [rad]
+constexpr double kAbout = 0.7;       // cosine: an axis so nearly forward turns an arm outwards
+constexpr int kMostPairs = 1024;
+
+bool hangs_on(const Model& model, int link, int root) {
+  while (link > root) link = model.links[at(link)].parent;
+  return link == root;
+}
+
+// The joint that turns an arm to its side, and which way: the first of it about the forward axis.
+struct Shoulder {
+  int joint = -1;
+  double out = 1.0;  // sign of the joint that takes the hand outwards
+};
+
+Shoulder shoulder_of(const Model& model, const Kinematics& k, const Hand& hand, double side) {
+  for (const int j : hand.joints) {
+    const Eigen::Vector3d& axis = k.axis_in_world(j);
+    if (model.joints[at(j)].kind == JointKind::kPrismatic || !(std::abs(axis.x()) > kAbout)) continue;
+    const Eigen::Vector3d arm =
+        k.link_in_world(hand.link) * hand.frame.translation() - k.link_in_world(j + 1).translation();
+    const double moves = side * axis.cross(arm).y();  // [m/rad]
+    if (std::abs(moves) < 0.05) continue;             // it does not hang from this joint
+    return {j, moves > 0.0 ? 1.0 : -1.0};
+  }
+  return {};
+}
+
+}  // namespace
+
+double arms_to_legs(const Model& model, const Anatomy& anatomy, const Eigen::VectorXd& q) {
+  Collision collision(model);
+  Configuration c(model);
+  c.q = q;
+  Kinematics k(model);
+  k.update(c);
+  std::vector<PairDistance> near(at(kMostPairs));
+  const int count = collision.near_pairs(k, kClear, near.data(), kMostPairs);
+  const auto is_arm = [&](int link) {
+    return std::any_of(anatomy.hands.begin(), anatomy.hands.end(), [&](const Hand& hand) {
+      return !hand.joints.empty() && hangs_on(model, link, hand.joints.front() + 1);
+    });
+  };
+  const auto is_leg = [&](int link) {
+    return std::any_of(anatomy.leg_joints.begin(), anatomy.leg_joints.end(),
+                       [&](int j) { return hangs_on(model, link, j + 1); });
+  };
+  for (int i = 0; i < count; ++i) {
+    const auto& [a, b] = std::pair(near[at(i)].link_a, near[at(i)].link_b);
+    if ((is_arm(a) && is_leg(b)) || (is_arm(b) && is_leg(a))) return near[at(i)].distance;
+  }
+  return kClear;
+}
+
+double hold_arms_out(const Model& model, const Anatomy& anatomy, Eigen::VectorXd& q) {
+  if (anatomy.leg_joints.empty()) return 0.0;
+  Configuration c(model);
+  c.q = q;
+  Kinematics k(model);
+  k.update(c);
+  std::vector<Shoulder> shoulders;
+  for (std::size_t side = 0; side < 2; ++side) {
+    const Hand& hand = anatomy.hands[side];
+    if (hand.link < 0) continue;
+    const Shoulder shoulder = shoulder_of(model, k, hand, side == 0 ? 1.0 : -1.0);
+    if (shoulder.joint >= 0) shoulders.push_back(shoulder);
+  }
+  if (shoulders.empty()) return 0.0;
+  Eigen::VectorXd best = q;
+  double turned = 0.0, widest = arms_to_legs(model, anatomy, q);
+  for (double angle = kTurnStep; widest < kClear && angle < kMostOut + 0.5 * kTurnStep; angle += kTurnStep) {
+    Eigen::VectorXd tried = q;
+    for (const Shoulder& shoulder : shoulders) {
+      const Joint& joint = model.joints[at(shoulder.joint)];
+      tried[shoulder.joint] = std::clamp(q[shoulder.joint] + shoulder.out * angle, joint.lower, joint.upper);
+    }
+    const double apart = arms_to_legs(model, anatomy, tried);
+    if (!(apart > widest + 1e-4)) continue;
+    widest = apart;
+    best = tried;
+    turned = angle;
+  }
+  q = best;
+  return turned;
+}
+
+}  // namespace twinbus

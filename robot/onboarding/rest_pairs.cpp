@@ -1,0 +1,109 @@
+#include "robot/onboarding/rest_pairs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <utility>
+
+#include "common/math/index.h"
+#include "robot/collision/collision.h"
+#include "robot/kinematics/kinematics.h"
+#include "robot/onboarding/anatomy.h"
+
+namespace twinbus {
+
+namespace {
+
+constexpr double kTouch = 1e-3;   // nearer counts as touching [m]
+constexpr double kMargin = 0.01;  // the guard's [m]
+constexpr int kFewJoints = 3;     // between links that are near by their makers' intent
+constexpr double kSamePlace = 0.01;  // of a mirror image [m]
+constexpr double kAlike = 0.05;      // of its mass
+constexpr int kMostPairs = 4096;
+
+int depth(const Model& model, int link) {
+  int count = 0;
+  for (; link > 0; link = model.links[at(link)].parent) ++count;
+  return count;
+}
+
+int joints_between(const Model& model, int a, int b) {
+  int count = 0;
+  while (a != b) {
+    int& later = depth(model, a) >= depth(model, b) ? a : b;
+    later = model.links[at(later)].parent;
+    ++count;
+  }
+  return count;
+}
+
+}  // namespace
+
+std::vector<int> mirror_images(const Model& model) {
+  Configuration c(model);
+  c.q = neutral_posture(model);
+  Kinematics k(model);
+  k.update(c);
+  std::vector<int> images(model.links.size(), -1);
+  for (int a = 0; a < model.link_count(); ++a) {
+    const Eigen::Vector3d com = k.com_of_link(a);
+    const Eigen::Vector3d image(com.x(), -com.y(), com.z());
+    double nearest = kSamePlace;
+    for (int b = 0; b < model.link_count(); ++b) {
+      const double mass = model.links[at(a)].mass, other = model.links[at(b)].mass;
+      if (depth(model, a) != depth(model, b) || std::abs(mass - other) > kAlike * std::max(mass, other)) continue;
+      const double off = (k.com_of_link(b) - image).norm();
+      if (!(off < nearest)) continue;
+      nearest = off;
+      images[at(a)] = b;
+    }
+  }
+  return images;
+}
+
+std::vector<RestPair> pairs_at_rest(const Model& model, const std::vector<Eigen::VectorXd>& postures) {
+  Collision collision(model);
+  Configuration c(model);
+  Kinematics k(model);
+  std::vector<PairDistance> near(at(kMostPairs));
+  std::map<std::pair<int, int>, double> least;
+  for (const Eigen::VectorXd& q : postures) {
+    c.q = q;
+    k.update(c);
+    const int count = collision.near_pairs(k, kMargin, near.data(), kMostPairs);
+    for (int i = 0; i < count; ++i) {
+      const std::pair<int, int> pair{near[at(i)].link_a, near[at(i)].link_b};
+      if (near[at(i)].distance < kTouch || joints_between(model, pair.first, pair.second) <= kFewJoints) {
+        const auto [known, fresh] = least.emplace(pair, near[at(i)].distance);
+        if (!fresh) known->second = std::min(known->second, near[at(i)].distance);
+      }
+    }
+  }
+  std::vector<RestPair> pairs;
+  for (const auto& [pair, distance] : least) {
+    char why[100];
+    if (distance < kTouch) {
+      std::snprintf(why, sizeof why, "touch in a proposed posture");
+    } else {
+      std::snprintf(why, sizeof why, "%.1f mm apart at rest, %d joints between them", 1e3 * distance,
+                    joints_between(model, pair.first, pair.second));
+    }
+    pairs.push_back({pair.first, pair.second, why});
+  }
+  const std::vector<int> images = mirror_images(model);
+  const auto checked = [&](int a, int b) {
+    return std::any_of(collision.pairs().begin(), collision.pairs().end(), [&](const CollisionPair& p) {
+      return (p.link_a == a && p.link_b == b) || (p.link_a == b && p.link_b == a);
+    });
+  };
+  for (const auto& [pair, distance] : least) {
+    const int a = images[at(pair.first)], b = images[at(pair.second)];
+    if (a < 0 || b < 0 || !checked(a, b) || least.contains({std::min(a, b), std::max(a, b)})) continue;
+    pairs.push_back({std::min(a, b), std::max(a, b),
+                     "mirror image of " + model.links[at(pair.first)].name + ", " + model.links[at(pair.second)].name});
+  }
+  return pairs;
+}
+
+}  // namespace twinbus
