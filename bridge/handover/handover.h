@@ -22,7 +22,7 @@
 //  * A holder that has been silent for the listening time is forgotten.  A shadow follows a new
 //    holder only if its term was believed by grant, cancel or activation; otherwise it parks, so
 //    that an old log cannot move a robot that shadows.
-//  * A robot changes its source at most once a second: neither who granted nor who took over grants
+//  * A robot changes its source at most once in 0.8 s: neither who granted nor who took over grants
 //    again before.  A request is obeyed once: its sequence must be higher than
 //    the last of that sender.
 
@@ -47,7 +47,7 @@ struct HandoverConfig {
   std::int64_t state_timeout_ns = 25'000'000;
   std::int64_t listen_ns = 1'000'000'000;
   std::int64_t silence_ns = 100'000'000;
-  std::int64_t switch_interval_ns = 1'000'000'000;
+  std::int64_t switch_interval_ns = 800'000'000;
   std::int64_t when_safe_ns = 8'000'000'000;  // how long a safe moment is waited for
   RuleSet off = 0;
 };
