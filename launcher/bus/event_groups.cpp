@@ -4,7 +4,7 @@ namespace twinbus {
 
 namespace {
 
-constexpr std::int64_t kWhile = 10'000'000'000;  // [ns]
+constexpr std::int64_t kWhile = 60'000'000'000;  // [ns]
 constexpr std::size_t kMostGroups = 500;  // a flood of invented sentences must not grow the map
 
 std::string without_numbers(const std::string& text) {
@@ -36,7 +36,7 @@ std::vector<std::string> EventGroups::take(const std::vector<std::string>& event
       continue;
     }
     const std::string times = group.more == 1 ? "once" : std::to_string(group.more) + " times";
-    lines.push_back(group.last + " (" + times + " more in 10 s)");
+    lines.push_back(group.last + " (" + times + " more in a minute)");
     group = {.since_ns = now_ns, .more = 0, .last = {}};
     ++at;
   }

@@ -13,7 +13,7 @@ namespace twinbus {
 
 class EventGroups {
  public:
-  // The lines to print now: new sentences at once, and "... 12 times more in 10 s: SENTENCE" of those that came again.
+  // The lines to print now: new sentences at once, and "SENTENCE (12 times more in a minute)" of those that came again.
   std::vector<std::string> take(const std::vector<std::string>& events, std::int64_t now_ns);
 
  private:

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
+#include <numeric>
 #include <stdexcept>
 
 #include "common/process/process.h"
@@ -34,7 +35,7 @@ namespace {
 constexpr double kListenFirst = 0.4;         // sources and processes speak at 10 Hz [s]
 constexpr double kActivationTimeout = 10.0;  // a source listens 1 s for other terms first [s]
 constexpr double kAskAgain = 0.25, kTableEvery = 0.25;  // table: on a terminal [s]
-constexpr double kLineEvery = 10.0;                     // elsewhere [s]
+constexpr double kLineEvery = 20.0;                     // elsewhere [s]
 constexpr std::int64_t kScriptAhead = 100,
                        kScriptRepeats = 3;  // a request is sent this early [ticks]
 constexpr double kWithoutSource = 10.0;     // a stack stays for who restarts one by hand [s]
@@ -69,8 +70,7 @@ class Up {
   RunRequest request_;
   Scene scene_;
   Stack stack_;
-  std::string report_;
-  std::string folder_;
+  std::string report_, folder_, viewer_address_, watch_address_;
   bool terminal_ = isatty(STDOUT_FILENO) != 0;
   StateHash hash_;
   std::unique_ptr<BusLink> bus_;
@@ -78,7 +78,6 @@ class Up {
   std::unique_ptr<RestartRequests> restarts_;
   std::unique_ptr<SetupWishes> wishes_;
   Placeholders values_;
-  std::string viewer_address_, watch_address_;
   Redraw redraw_;
   CpuShare shares_;
   BusHealth health_;
@@ -217,9 +216,6 @@ void Up::start_all() {
       if (!one.ready || std::find(told.begin(), told.end(), one.process.name) != told.end())
         continue;
       told.push_back(one.process.name);
-      char time[32];
-      std::snprintf(time, sizeof time, "%.2f s", seconds(begin, monotonic_ns()));
-      say(one.process.name + " ready after " + time);
       for (const std::string& line : one.child.front().last_lines(20)) {
         const std::size_t at = line.find("http://");
         if (one.process.viewer && at != std::string::npos) {
@@ -228,8 +224,13 @@ void Up::start_all() {
         }
       }
     }
-    if (supervisor_->all_ready()) return;
+    if (supervisor_->all_ready()) break;
   }
+  char text[32];
+  std::snprintf(text, sizeof text, "ready after %.2f s:", seconds(begin, monotonic_ns()));
+  say(std::accumulate(
+      told.begin(), told.end(), std::string(text),
+      [](const std::string& all, const std::string& one) { return all + " " + one; }));
 }
 
 void Up::activate() {
@@ -370,7 +371,8 @@ void Up::show(std::int64_t now_ns) {
   for (const std::string& alarm :
        health_.look(bus_->seen().processes(now_ns), now_ns, is_paused(bus_->seen(), now_ns)))
     bus_->alarm(alarm);  // it comes back as an event and is said then
-  if (shown_ns_ != 0 && seconds(shown_ns_, now_ns) < (terminal_ ? kTableEvery : kLineEvery)) return;
+  const std::int64_t last = shown_ns_ == 0 && !terminal_ ? start_ns_ : shown_ns_;
+  if (last != 0 && seconds(last, now_ns) < (terminal_ ? kTableEvery : kLineEvery)) return;
   shown_ns_ = now_ns;
   if (!terminal_) {
     char time[32];
