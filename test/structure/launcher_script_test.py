@@ -157,6 +157,21 @@ printf '#!/bin/sh\\necho program "$@"\\n' >"$build/bin/twinbus"; chmod +x "$buil
             self.assertEqual(done.stdout, f"program {word}\n")
         self.assertEqual(self.said(), "")
 
+    def test_help_answers_at_once_without_a_build(self):
+        (self.root / "launcher").mkdir()
+        shutil.copy(ROOT / "launcher" / "main.cpp", self.root / "launcher" / "main.cpp")
+        for words in ((), ("--help",), ("help",)):
+            done = self.run_script(*words)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            for line in ("usage: ./twinbus COMMAND", "  up        start and supervise", "  test      build", 'eval "$(./twinbus env)"'):
+                self.assertIn(line, done.stdout)
+        self.assertEqual(self.said(), "")
+
+    def test_run_builds_no_more_than_it_needs(self):
+        self.run_script("run", "stand")
+        self.assertIn("--target twinbus_cli", self.said())
+        self.assertNotIn("--target programs", self.said())
+
     def test_stdout_belongs_to_the_program(self):
         self.packages("gone  b\n")
         self.assertEqual(self.run_script("env").stdout, "program env\n")
