@@ -21,11 +21,11 @@ LARGEST_TILT = math.radians(5)
 
 def client_command(kind):
     if kind == 'python':
-        return [sys.executable, str(ROOT / 'test/clients/hold.py')]
+        return [sys.executable, str(ROOT / 'examples/02_command_joints.py')]
     if kind == 'cpp':
-        return [str(BIN / 'hold_client')]
+        return [str(BIN / 'example_command_joints')]
     classes = f'/usr/share/java/lcm.jar:{BIN.parent / "share/types.jar"}'
-    return ['java', '-Djava.net.preferIPv4Stack=true', '-cp', classes, str(ROOT / 'test/clients/Hold.java')]
+    return ['java', '-Djava.net.preferIPv4Stack=true', '-cp', classes, str(ROOT / 'examples/02_CommandJoints.java')]
 
 
 def available():
@@ -74,7 +74,7 @@ def holds_through_switches(kind, checks):
 
 
 def main():
-    harness.require('twinbus', 'twinbus_simulator', 'twinbus_bridge', 'emulated_robot', 'hold_client')
+    harness.require('twinbus', 'twinbus_simulator', 'twinbus_bridge', 'emulated_robot', 'example_command_joints')
     checks = Checks()
     for kind in sys.argv[1:] or available():
         holds_through_switches(kind, checks)

@@ -12,7 +12,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 if "TWINBUS_BIN" in os.environ:
     os.environ.setdefault("TWINBUS_PYTHON", str(pathlib.Path(os.environ["TWINBUS_BIN"]).parent / "lib/python"))
-sys.path.insert(0, str(ROOT / "test/clients"))
+sys.path.insert(0, str(ROOT / "examples"))
 import hold  # noqa: E402
 import twinbus  # noqa: E402
 

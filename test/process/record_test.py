@@ -37,7 +37,7 @@ def events_of(data, channel):
 def record_a_run(checks):
     with Stack("stand", "--no-viewer"):
         environment = dict(os.environ, TWINBUS_PYTHON=str(BIN.parent / "lib/python"))
-        plug_in = subprocess.Popen([sys.executable, harness.ROOT / "test/clients/log_power.py", "--for", "2"],
+        plug_in = subprocess.Popen([sys.executable, harness.ROOT / "examples/09_add_channel.py", "--for", "2"],
                                    env=environment, stdout=subprocess.DEVNULL)
         time.sleep(0.5)
         checks.that(cli("sway")[0] == 0, "sway is asked")

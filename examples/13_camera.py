@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Shows pictures as those of the robot's camera: files one after the other, or a test picture; the viewer draws them (key E).
+"""13 Camera: shows pictures as those of the robot's camera: files one after the other, or a test picture; the viewer draws them (key E).
 
-    camera.py [--rate HZ] [--for S] [FILE.jpg or .png ...]
+    13_camera.py [--rate HZ] [--for S] [FILE.jpg or .png ...]
 """
 import argparse
 import itertools

@@ -7,6 +7,15 @@ a command that is padded and follows the source whatever term it is in.
     state = twinbus.newest_state(bus.receive(0.1))
     bus.send('COMMAND', twinbus.command_for(state, me, state.q, kp=[1000.0] * state.joint_count))
 
+and for operators, whose messages name the run that they are for and count up:
+
+    bus.listen('STATE', 'CONTROLLER_STATUS')
+    state = bus.wait('STATE')
+    request = twinbus.mode_request_t()
+    request.mode = 4                               # balance
+    bus.ask('MODE_REQUEST', request, state)
+    bus.wait('CONTROLLER_STATUS', lambda status: status.mode_sequence == request.sequence)
+
 Speaks LCM's multicast format for messages of one datagram, which all of ours are.  The message types come from the
 build (build/*/lib/python, or $TWINBUS_PYTHON), written by lcm-gen, and are those of the package `twinbus` in it:
 twinbus.robot_state_t and so on.
@@ -20,13 +29,19 @@ import select
 import socket
 import struct
 import sys
+import time
 
+# What is on each channel, as in lcmtypes/README.md; a channel of your own: twinbus.TYPES['POWER'] = power_t.
+TYPES = {'STATE': 'robot_state_t', 'STATE_SIM': 'robot_state_t', 'STATE_BRIDGE': 'robot_state_t', 'STATE_REPLAY': 'robot_state_t',
+         'COMMAND': 'joint_command_t', 'CONTROLLER_STATUS': 'controller_status_t', 'SOURCE_STATUS': 'source_status_t',
+         'TRUTH': 'sim_truth_t', 'GUARD': 'guard_report_t', 'ARM_PATH': 'arm_path_t', 'EVENT': 'event_t',
+         'HEARTBEAT': 'heartbeat_t', 'GAP': 'gap_t', 'OBSTACLES': 'obstacles_t', 'STOP': 'stop_t'}
 JOINTS = 48  # arrays of a command always have this length
 __path__ = []  # of the types: this module is their package too
 
 
 def _load_types():
-    root = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+    root = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
     folders = [os.environ.get('TWINBUS_PYTHON', ''), os.path.join(root, 'build/release/lib/python')]
     for folder in folders + sorted(glob.glob(os.path.join(root, 'build/*/lib/python'))):
         package = os.path.join(folder, 'twinbus')
@@ -53,6 +68,7 @@ class Bus:
         self.group, self.port = parts[1], int(parts[2])
         options = dict(pair.split('=', 1) for pair in (parts[3] or '').split('&') if '=' in pair)
         self.prefix, self.wanted, self.sequence = prefix, set(), 0
+        self.sender_id, self.asked = new_id(), 0
         self.sender = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
         self.sender.setsockopt(socket.IPPROTO_IP, socket.IP_MULTICAST_TTL, int(options.get('ttl', 0)))
         self.receiver = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
@@ -87,6 +103,54 @@ class Bus:
         self.sequence = (self.sequence + 1) & 0xFFFFFFFF
         header = struct.pack('>4sI', b'LC02', self.sequence) + (self.prefix + channel).encode() + b'\0'
         self.sender.sendto(header + message.encode(), (self.group, self.port))
+
+
+    def ask(self, channel, message, state):
+        """Sends an operator's message to the run that this STATE is of, with the time, our id and the next sequence."""
+        self.asked += 1
+        message.utime, message.sender_id, message.sequence = time.time_ns() // 1000, self.sender_id, self.asked
+        if hasattr(message, 'run_id'):
+            message.run_id = state.run_id
+        self.send(channel, message)
+
+    def wait(self, channel, accept=lambda message: True, timeout=5.0):
+        """The first message from now on of a channel listened to that accept() likes; TimeoutError when none comes in time."""
+        end = time.monotonic() + timeout
+        while time.monotonic() < end:
+            for name, body in self.receive(0.05):
+                message = decode(name, body) if name == channel else None
+                if message is not None and accept(message):
+                    return message
+        raise TimeoutError(f'{channel}: nothing of what was waited for in {timeout:g} s; is a stack running? (./twinbus status)')
+
+
+def decode(channel, body):
+    """The message, or None for one of another type."""
+    kind = TYPES[channel]
+    try:
+        return (globals()[kind] if isinstance(kind, str) else kind).decode(body)
+    except (ValueError, struct.error):
+        return None
+
+
+def read_log(path):
+    """(time [us since 1970], channel, body) of every message of a log in LCM's format, in the order of the file."""
+    with open(path, 'rb') as file:
+        while len(head := file.read(28)) == 28:
+            mark, _, utime, name, size = struct.unpack('>IqqII', head)
+            if mark != 0xEDA1DA01:
+                raise ValueError(f'{path}: no log, or a damaged one: ./twinbus log info {path} --check')
+            yield utime, file.read(name).decode(), file.read(size)
+
+
+def run(main):
+    """Calls main; Ctrl-C ends it quietly, what goes wrong is one line."""
+    try:
+        main()
+    except KeyboardInterrupt:
+        pass
+    except (OSError, ValueError) as error:
+        sys.exit(f'{os.path.basename(sys.argv[0])}: {error}')
 
 
 def new_id():

@@ -1,10 +1,14 @@
 #!/usr/bin/env python3
-"""A logger plug-in: adds a quantity of one's own to every log, here the mechanical power of the joints, 50 times a second.
+"""09 Add a channel: publishes the mechanical power of the joints, 50 times a second, as a type of its own on a channel of its own.
 
-A recorder takes whatever is on the bus, so a plug-in is a program that listens, computes and publishes a type of its own
-(power_t.lcm) on a channel of its own (POWER).  lcm-spy and lcm-logplayer know it like any other.
+Nothing in twinbus changes for that: a recorder takes whatever is on the bus, so POWER is in every log; lcm-spy and lcm-logplayer
+know it like any other. The type is power_t.lcm, beside this file.
+
+    ./twinbus up               (in another terminal)
+    python3 examples/09_add_channel.py
 """
 import argparse
+import math
 import os
 import subprocess
 import sys
@@ -18,7 +22,7 @@ PERIOD = 0.02  # [s]
 
 def own_type():
     """The Python class of power_t, made by lcm-gen."""
-    folder = tempfile.mkdtemp(prefix='log_power')
+    folder = tempfile.mkdtemp(prefix='power')
     source = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'power_t.lcm')
     subprocess.run(['lcm-gen', '-p', '--ppath', folder, source], check=True, stdout=subprocess.DEVNULL)
     sys.path.insert(0, folder)
@@ -28,14 +32,12 @@ def own_type():
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument('--for', dest='duration', type=float, default=float('inf'), help='seconds to run')
-    parser.add_argument('--url', help='LCM network (default: $LCM_DEFAULT_URL)')
-    parser.add_argument('--prefix', default='', help='before every channel name')
+    parser.add_argument('--for', dest='duration', type=float, default=math.inf, help='seconds to run')
     arguments = parser.parse_args()
     power_t = own_type()
-    bus = twinbus.Bus(arguments.url, arguments.prefix)
+    bus = twinbus.Bus()
     bus.listen('STATE')
-    print('log_power.py: ready', flush=True)
+    print('add_channel: ready', flush=True)
     end = time.monotonic() + arguments.duration
     while time.monotonic() < end:
         state = twinbus.newest_state(bus.receive(0.1))
@@ -43,8 +45,7 @@ def main():
             continue
         powers = [state.tau[k] * state.qd[k] for k in range(state.joint_count)]
         message = power_t()
-        message.tick = state.tick
-        message.mechanical = sum(powers)
+        message.tick, message.mechanical = state.tick, sum(powers)
         message.joint = max(range(len(powers)), key=lambda k: abs(powers[k]))
         message.largest = powers[message.joint]
         bus.send('POWER', message)
@@ -52,9 +53,4 @@ def main():
 
 
 if __name__ == '__main__':
-    try:
-        main()
-    except KeyboardInterrupt:
-        pass
-    except (OSError, ValueError, subprocess.CalledProcessError) as error:
-        raise SystemExit(f'log_power.py: {error}')
+    twinbus.run(main)
