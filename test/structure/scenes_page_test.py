@@ -30,7 +30,7 @@ READERS = {
     ("read_loop", None): ["loops[]"], ("read_criteria", "node"): ["criteria"], ("read_criteria", "swing"): ["criteria.swing"],
     ("read_loose_end", None): ["criteria.loose[]"], ("loose_name", None): ["criteria.loose[]", "criteria.spins[]"],
     ("read_robot_end", None): ["criteria.robots[]"], ("read_joint_end", None): ["criteria.joints[]"],
-    ("read_spin", None): ["criteria.spins[]"], ("read_touch", None): ["criteria.touch"], ("loops_of", None): [],  # of robot.yaml
+    ("read_spin", None): ["criteria.spins[]"], ("read_touch", None): ["criteria.touch"], ("loops_of", None): [], ("rpy", None): [],  # robot.yaml; helper
 }
 
 MAPS = {
@@ -181,7 +181,7 @@ def keys():
             variables = dict((b, a) for a, b in re.findall(r"\b([A-Z]\w+)&? (\w+)(?:;| =)", body))
             for call in re.finditer(r'(\w+)\.(number|integer|flag|text|choice|numbers|map|list)\(\s*"(\w+)"|(bounded|point_of)\((\w+), "(\w+)"|\b(rpy)\((\w+)\)', body):
                 variable, kind, key = (call[1], call[2], call[3]) if call[2] else (call[5], call[4], call[6]) if call[4] else (call[8], "rpy", "rpy_deg")
-                maps = READERS.get((function, variable)) or READERS.get((function, None))
+                maps = READERS.get((function, variable), READERS.get((function, None)))
                 if maps is None:
                     problems.append(f"{file}: {function}() reads `{key}` of {variable}: say in READERS of this test of which map")
                     continue
