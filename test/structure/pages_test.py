@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Every path that a page names exists: links of README.md, doc/, examples/ and the rooms, and paths between backquotes that begin
 with a folder of the tree (without .h or .cpp too); and doc/protocol.md has every channel.
+Functions that a page names, as `CommandGate::judge()`, are in the code.
 
     pages_test.py [FOLDER]
 """
@@ -14,6 +15,7 @@ PAGES = re.compile(r"(README\.md|doc/[^/]+\.md|examples/[^/]+\.md|[a-z_]+/README
 LINK = re.compile(r"\]\(([^)#\s]+)(?:#[^)]*)?\)")
 HOLE = re.compile(r"(^|[/_])[A-Z]{3,}([/_.]|$)")  # test/ROOM, lcmtypes/NAME_t.lcm: for the reader to fill in
 SPAN = re.compile(r"`([^`\n]+)`")
+CALL = re.compile(r"^(?:([A-Z]\w*)::)?([a-z]\w*)\(\)$")  # `CommandGate::judge()`
 PATH = re.compile(r"(?<![\w./{}~$-])((?:[A-Za-z0-9_]+/)+[A-Za-z0-9_.-]*[A-Za-z0-9_]/?)(?![\w*/<{}-])")
 
 
@@ -34,6 +36,9 @@ def check_protocol(root, problems):
 def check(root):
     listed = subprocess.run(["git", "-C", root, "ls-files", "-co", "--exclude-standard"], capture_output=True, text=True, check=True)
     pages = [page for page in listed.stdout.splitlines() if PAGES.fullmatch(page) and (root / page).is_file()]
+    code = "\n".join((root / file).read_text(errors="replace") for file in listed.stdout.splitlines()
+                     if file.endswith((".h", ".cpp", ".cmake", "CMakeLists.txt", ".py")) and (root / file).is_file())
+    words = set(re.findall(r"\w+", code))
     tops = {line.split("/")[0] for line in listed.stdout.splitlines() if "/" in line}
     problems = []
     for page in pages:
@@ -42,6 +47,9 @@ def check(root):
                 if not link.startswith(("http:", "https:")) and not (root / page).parent.joinpath(link).exists():
                     problems.append(f"{page}:{number}: links to {link}, which is not there: name the file that is")
             for span in SPAN.findall(line):
+                call = CALL.match(span)
+                if call and page != "doc/style.md" and not words.issuperset(filter(None, call.groups())):
+                    problems.append(f"{page}:{number}: names {span}, which no code has: name the function that is there")
                 for path in PATH.findall(span):
                     if HOLE.search(path) and "README" not in path:
                         continue
