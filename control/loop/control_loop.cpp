@@ -335,6 +335,7 @@ void ControlLoop::on_walk_command(const WalkCommand& command, std::int64_t now_n
 void ControlLoop::on_step_list(const StepList& list) noexcept {
   StepList& last = impl_->steps;
   if (!impl_->have_state || list.run_id != impl_->state.run_id) return;
+  if (list.sender_id == last.sender_id && list.sequence == last.sequence) return;
   if (!impl_->steps_heard.is_new(list.sender_id, list.sequence)) return;
   last = list;
   impl_->new_steps = true;
