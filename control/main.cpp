@@ -152,6 +152,9 @@ class Controller {
     std::int64_t answer_hash = 0, report_hash = 0;
     if (has_answer) {
       answer_hash = send_answer();
+      while (loop_.take_plan(plan_)) {
+        if (!bus_.send(channel::kStopPlan, plan_)) ++send_failures_;
+      }
       pulse_.answered(monotonic_ns() - heard_ns_);
       pulse_.tick(end, end - begin);
       ControllerStatus status = loop_.status();
@@ -323,6 +326,7 @@ class Controller {
   int caught_up_ = 0;  // states answered late since the last wait
   RobotState state_;
   JointCommand command_;
+  StopPlanPiece plan_;
   ObstaclesPiece footsteps_;
   std::int64_t footsteps_tick_ = 0;
   Pulse pulse_;

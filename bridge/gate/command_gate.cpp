@@ -14,7 +14,11 @@ constexpr double kTorqueStep = 0.1;  // largest change per tick, of the effort l
 constexpr double kGainRange = 10.0;  // largest gain, of the model's own
 constexpr std::int64_t kBalancedStopLasts_ns = 2'000'000'000;
 constexpr int kTicksWithoutStopping = 3;
-
+constexpr double kTakeOver = 0.10;  // in which a stop plan takes the set-points over [s]
+constexpr double kTakeBack = 0.15;  // and its controller again [s]
+// Of its last command, within which the controller may go on; the controller itself gives up a little before.
+constexpr double kResumesWithin = 0.21;  // [s]
+constexpr std::int64_t kLater = 2;  // that a command may be late beyond what is usual, to end a stop plan [ticks]
 
 std::int64_t bits_of(const Model& model, const std::vector<int>& joints) {
   std::int64_t mask = 0;
@@ -44,7 +48,7 @@ int cut(T& value, double low, double high) noexcept {
 
 }  // namespace
 
-GateLimits::GateLimits(const Model& model) {
+GateLimits::GateLimits(const Model& model) : robot(&model) {
   joint_count = model.bus_count();
   model_hash = model.hash;
   legs = bits_of(model, model.leg_joints);
@@ -76,7 +80,7 @@ GateLimits::GateLimits(const Model& model) {
 
 CommandGate::CommandGate(const GateLimits& limits, bool guard_required, std::uint64_t seed,
                          RuleSet off) noexcept
-    : limits_(&limits), off_(off), guard_required_(guard_required), latch_(seed) {
+    : limits_(&limits), off_(off), guard_required_(guard_required), plan_(*limits.robot), latch_(seed) {
   client_.joint_count = effective_.joint_count = static_cast<std::int16_t>(limits.joint_count);
 }
 
@@ -111,12 +115,14 @@ void CommandGate::open(std::int64_t run_id, std::int32_t term, bool watched, dou
   last_tick_ = -1;
   last_accepted_ns_ = guard_ns_ = now_ns;
   guard_tick_ = -1;
-  have_client_ = false;
+  have_client_ = fed_ = false;
+  plan_.forget();
   blend_again(blend_s);
 }
 
 void CommandGate::close(bool stop_gains) noexcept {
-  if (open_ && !latch_.latched()) start_hold(stop_gains);
+  if (open_ && (!latch_.latched() || plan_.running())) start_hold(stop_gains || latch_.latched());
+  plan_.forget();
   open_ = false;
   have_client_ = false;
 }
@@ -162,7 +168,81 @@ GateVerdict CommandGate::judge(const JointCommand& command, std::int64_t tick) c
   if (latch_.kind > StopKind::kBalanced && holds(off_, Rule::kStopShutsGate)) {
     return GateVerdict::kStopped;
   }
+  return plan_.running() ? judge_resume(command, tick) : GateVerdict::kAccepted;
+}
+
+// The controller that was obeyed may go on soon after its last command; whoever comes later waits for the plan's end.
+GateVerdict CommandGate::judge_resume(const JointCommand& command, std::int64_t tick) const noexcept {
+  if (plan_.ended(tick)) return GateVerdict::kAccepted;
+  const double silent = static_cast<double>(tick - fed_tick_) * limits_->period;
+  if (command.controller_id != controller_ || !resumable_ || silent > kResumesWithin) return GateVerdict::kPlanRuns;
+  if (command.tick < tick - usual_age_ - kLater) return GateVerdict::kTooOld;  // made before it knew of the silence
   return GateVerdict::kAccepted;
+}
+
+PlanContext CommandGate::plan_context(std::int64_t tick) const noexcept {
+  return {.run_id = run_id_, .controller_id = controller_, .tick = tick, .term = term_, .set_point = &effective_};
+}
+
+bool CommandGate::plan_ready(std::int64_t tick) const noexcept {
+  return open_ && watched_ && have_client_ && plan_.ready(plan_context(tick));
+}
+
+void CommandGate::add_plan(const StopPlanPiece& piece, std::int64_t tick) noexcept {
+  if (!open_ || !watched_ || plan_.running()) return;
+  const StopPlan* before = plan_.whole();
+  const std::int32_t number = before != nullptr ? before->head.number : -1;
+  const PlanRefusal refusal = plan_.add(piece, plan_context(tick));
+  if (refusal != PlanRefusal::kNone) {
+    plan_refusal_ = refusal;
+    ++counters_.plans_refused;
+  } else if (plan_.whole() != nullptr && plan_.whole()->head.number != number) {
+    ++counters_.plans_accepted;
+  }
+}
+
+void CommandGate::end_plan(std::int64_t tick) noexcept {
+  const bool ended = plan_.ended(tick);
+  plan_.stop();
+  blend_again(ended ? limits_->blend_s : kTakeBack);
+}
+
+// Decides whether a stop plan is followed this tick, and takes the set-points from it.
+void CommandGate::follow_plan(std::int64_t tick, const Estimator* robot, std::int64_t now_ns) noexcept {
+  const bool silent = have_client_ && !fed_ && !holding_ && latch_.kind <= StopKind::kBalanced;
+  bool starts = false;
+  if (!plan_.running() && (silent || plan_asked_) && plan_ready(tick)) {
+    starts = true;
+    plan_.start(tick, robot);
+    resumable_ = !plan_asked_;
+    holding_ = false;
+    ++counters_.plans_followed;
+  }
+  plan_asked_ = false;
+  if (!plan_.running()) return;
+  if (plan_.over(tick)) {
+    plan_.stop();
+    held_after_plan_ = true;
+    if (latch_.kind >= StopKind::kHold) {
+      start_hold(true);
+    } else {
+      stop(StopKind::kHold, StopReason::kCommandTimeout, now_ns);
+    }
+    return;
+  }
+  if (plan_.ended(tick)) controller_ = next_controller_ = 0;  // the first that speaks now
+  plan_.set_points(tick, robot, client_);
+  if (starts) blend_.start(effective_, client_, plan_.joints() & limits_->all, limits_->period, kTakeOver);
+  // Joints that the plan does not move go on as they were commanded last, and are held from the time-out on.
+  const std::int64_t others = limits_->all & ~plan_.joints();
+  if (others == 0 || (tick - plan_.since()) * limits_->period_ns < limits_->command_timeout_ns) return;
+  for (int j = 0; j < limits_->joint_count; ++j) {
+    const std::size_t i = at(j);
+    if ((others & bit(j)) == 0) continue;
+    client_.kp[i] = limits_->stop_kp[i];
+    client_.kd[i] = limits_->stop_kd[i];
+    brake_step(limits_->brake[i], limits_->period, client_.q[i], client_.qd[i]);
+  }
 }
 
 GateVerdict CommandGate::accept(const JointCommand& command, std::int64_t tick, bool late,
@@ -179,9 +259,14 @@ GateVerdict CommandGate::accept(const JointCommand& command, std::int64_t tick, 
     next_controller_ = 0;
     blend_again(limits_->blend_s);
   }
+  if (plan_.running()) end_plan(tick);
   controller_ = command.controller_id;
   last_tick_ = command.tick;
   last_accepted_ns_ = now_ns;
+  fed_ = true;
+  fed_tick_ = tick;
+  usual_age_ = std::max<std::int64_t>(tick - command.tick, 0);
+  held_after_plan_ = false;
   if ((command.flags & kCommandStopping) != 0) stopping_seen_ = true;
   if (fade_next_) {
     fade_next_ = false;
@@ -225,14 +310,21 @@ void CommandGate::entered_stop(StopKind before, std::int64_t now_ns) noexcept {
   stopping_seen_ = false;
   // A source that follows no controller of its own has nobody who could make a balanced stop.
   if (latch_.kind == StopKind::kBalanced && !(open_ && watched_)) latch_.kind = StopKind::kHold;
-  if (latch_.kind == StopKind::kHold) start_hold(true);
+  if (latch_.kind == StopKind::kOff) plan_.forget();
+  resumable_ = resumable_ && latch_.kind < StopKind::kHold;
+  if (latch_.kind != StopKind::kHold || plan_.running()) return;
+  plan_asked_ = latch_.reason != StopReason::kDevice && plan_ready(tick_ + 1);
+  if (!plan_asked_) start_hold(true);
 }
 
 bool CommandGate::clear(std::int32_t nonce, std::int64_t now_ns) noexcept {
   if (!latch_.clear(nonce, off_)) return false;
+  held_after_plan_ = false;
+  last_accepted_ns_ = now_ns;
+  if (plan_.running()) return true;  // to its end first
+  plan_asked_ = false;
   controller_ = next_controller_ = 0;
   have_client_ = false;
-  last_accepted_ns_ = now_ns;
   if (!holding_) start_hold(false);
   blend_again(limits_->blend_s);
   return true;
@@ -250,7 +342,7 @@ void CommandGate::watch(std::int64_t now_ns) noexcept {
     stop(StopKind::kHold, latch_.reason, now_ns);
   }
   if (open_ && watched_ && !latch_.latched() &&
-      now_ns - last_accepted_ns_ >= limits_->command_timeout_ns &&
+      now_ns - last_accepted_ns_ >= limits_->command_timeout_ns && !plan_.running() && !plan_ready(tick_ + 1) &&
       holds(off_, Rule::kTimeoutStops)) {
     stop(StopKind::kHold, StopReason::kCommandTimeout, now_ns);
   }
@@ -306,7 +398,7 @@ void CommandGate::limit(JointCommand& command) noexcept {
 }
 
 const JointCommand& CommandGate::output(std::int64_t tick, bool walking,
-                                        std::int64_t now_ns) noexcept {
+                                        std::int64_t now_ns, const Estimator* robot) noexcept {
   watch(now_ns);
   if (latch_.kind == StopKind::kBalanced) {
     ticks_without_stopping_ = stopping_seen_ ? 0 : ticks_without_stopping_ + 1;
@@ -316,6 +408,9 @@ const JointCommand& CommandGate::output(std::int64_t tick, bool walking,
   stopping_seen_ = false;
   if (!holds(off_, Rule::kStopLatches)) latch_.clear(latch_.nonce);
 
+  if (open_ && watched_) follow_plan(tick, robot, now_ns);
+  fed_ = false;
+  tick_ = tick;
   JointCommand command;
   if (latch_.kind == StopKind::kOff) {
     off_command(command);
@@ -325,7 +420,7 @@ const JointCommand& CommandGate::output(std::int64_t tick, bool walking,
         brake_step(limits_->brake[at(j)], limits_->period, client_.q[at(j)], client_.qd[at(j)]);
       }
     }
-    const std::int64_t mask = holding_ ? 0 : mask_in_force(walking, now_ns);
+    const std::int64_t mask = holding_ ? 0 : mask_in_force(walking || plan_.walks(), now_ns);
     const std::int64_t released = braking_ & ~mask;
     if (released != 0) {
       blend_.start(effective_, client_, released, limits_->period, limits_->blend_s);

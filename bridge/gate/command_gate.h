@@ -10,6 +10,7 @@
 #include <cstdint>
 
 #include "bridge/gate/blend.h"
+#include "bridge/gate/plan_run.h"
 #include "bridge/handover/rules.h"
 #include "bridge/gate/stop_latch.h"
 #include "robot/description/model.h"
@@ -20,7 +21,8 @@ namespace twinbus {
 
 // What the gate needs of the model, per joint on the bus.
 struct GateLimits {
-  explicit GateLimits(const Model& model);
+  explicit GateLimits(const Model& model);  // the model must outlive this
+  const Model* robot;
   int joint_count = 0;
   std::int64_t model_hash = 0;
   std::int64_t arms = 0;  // bit per joint
@@ -51,11 +53,13 @@ enum class GateVerdict : std::int8_t {
   kWrongModel,
   kNotFinite,
   kStopped,  // a stop is in force
+  kPlanRuns,  // a stop plan is followed, and this command may not end it
 };
 
 struct GateCounters {
   std::int64_t accepted = 0, rejected = 0, late = 0;
   std::int64_t clamped = 0;  // numbers cut to a limit
+  std::int64_t plans_accepted = 0, plans_refused = 0, plans_followed = 0;
 };
 
 class CommandGate {
@@ -86,6 +90,8 @@ class CommandGate {
   // tick: of the state that was published last.  late: its set-point has already been written.
   GateVerdict accept(const JointCommand& command, std::int64_t tick, bool late,
                      std::int64_t now_ns) noexcept;
+  // A piece of a stop plan.  A whole one that fits is followed from the first tick without a command, and through a hold.
+  void add_plan(const StopPlanPiece& piece, std::int64_t tick) noexcept;
   void stop(const StopRequest& request, std::int64_t now_ns) noexcept;
   void stop(StopKind kind, StopReason reason, std::int64_t now_ns) noexcept;
   // True if the stop is cleared; the client is faded in again.
@@ -95,8 +101,10 @@ class CommandGate {
 
   // Time-outs; before output() and before the role of a tick is decided.
   void watch(std::int64_t now_ns) noexcept;
-  // Once per tick: the set-point to write.  walking: the guard may not brake the legs.
-  const JointCommand& output(std::int64_t tick, bool walking, std::int64_t now_ns) noexcept;
+  // Once per tick: the set-point to write.  walking: the guard may not brake the legs.  robot: its estimate of this tick,
+  // for the balance of a stop plan; null: there is none.
+  const JointCommand& output(std::int64_t tick, bool walking, std::int64_t now_ns,
+                             const Estimator* robot = nullptr) noexcept;
 
   const JointCommand& effective() const noexcept { return effective_; }
   const StopLatch& latch() const noexcept { return latch_; }
@@ -109,10 +117,19 @@ class CommandGate {
   bool commanded() const noexcept { return have_client_; }  // a command was accepted since open()
   bool wants_blend() const noexcept { return fade_next_ && next_blend_s_ > 0.0; }
   bool blending() const noexcept { return blend_.active != 0; }
+  const PlanRun& plan() const noexcept { return plan_; }
+  PlanRefusal plan_refusal() const noexcept { return plan_refusal_; }  // of the last plan refused
+  // The hold in force came at the end of a stop plan.
+  bool held_after_plan() const noexcept { return held_after_plan_; }
 
  private:
   friend struct ProtocolProbe;  // test/protocol looks inside to tell states apart
   GateVerdict judge(const JointCommand& command, std::int64_t tick) const noexcept;
+  PlanContext plan_context(std::int64_t tick) const noexcept;
+  bool plan_ready(std::int64_t tick) const noexcept;
+  GateVerdict judge_resume(const JointCommand& command, std::int64_t tick) const noexcept;
+  void end_plan(std::int64_t tick) noexcept;
+  void follow_plan(std::int64_t tick, const Estimator* robot, std::int64_t now_ns) noexcept;
   void entered_stop(StopKind before, std::int64_t now_ns) noexcept;
   void start_hold(bool stop_gains) noexcept;
   void off_command(JointCommand& command) const noexcept;
@@ -142,6 +159,15 @@ class CommandGate {
   std::int32_t term_ = 0;
   std::int32_t ticks_without_stopping_ = 0;
   bool stopping_seen_ = false;  // this tick
+  bool fed_ = false;            // a command was accepted since the last output
+  bool plan_asked_ = false;     // a hold is to be reached along the plan
+  bool held_after_plan_ = false;
+  bool resumable_ = true;          // the plan that is followed has met no stop
+  std::int64_t tick_ = -1;         // of the last output
+  std::int64_t fed_tick_ = -1;     // of the source, when the last command was accepted
+  std::int64_t usual_age_ = 0;     // of that command then [ticks]
+  PlanRun plan_;
+  PlanRefusal plan_refusal_ = PlanRefusal::kNone;
   StopLatch latch_;
   GateCounters counters_;
   JointCommand client_;     // what is asked for, by the client or by our own hold

@@ -45,6 +45,9 @@ void Source::on_standby_state(const RobotState& state, std::int64_t now_ns) noex
 void Source::on_command(const JointCommand& command, std::int64_t now_ns) noexcept {
   impl_->core.on_command(command, now_ns);
 }
+void Source::on_stop_plan(const StopPlanPiece& piece, std::int64_t now_ns) noexcept {
+  impl_->core.on_stop_plan(piece, now_ns);
+}
 void Source::on_source_request(const SourceRequest& request, std::int64_t now_ns) noexcept {
   impl_->core.on_source_request(request, now_ns);
 }

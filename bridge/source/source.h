@@ -18,6 +18,7 @@
 #include "robot/description/model.h"
 #include "lcmtypes/msg/requests.h"
 #include "lcmtypes/msg/robot_io.h"
+#include "lcmtypes/msg/stop_plan.h"
 
 namespace twinbus {
 
@@ -43,6 +44,7 @@ class Source {
   // On STATE_SIM, STATE_BRIDGE or STATE_REPLAY.
   void on_standby_state(const RobotState& state, std::int64_t now_ns) noexcept;
   void on_command(const JointCommand& command, std::int64_t now_ns) noexcept;
+  void on_stop_plan(const StopPlanPiece& piece, std::int64_t now_ns) noexcept;
   void on_source_request(const SourceRequest& request, std::int64_t now_ns) noexcept;
   void on_controller_request(const ControllerRequest& request, std::int64_t now_ns) noexcept;
   void on_stop(const StopRequest& stop, std::int64_t now_ns) noexcept;

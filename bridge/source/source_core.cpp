@@ -139,6 +139,10 @@ void SourceCore::on_command(const JointCommand& command, std::int64_t now_ns) no
   verdict_ = gate_.accept(command, tick, late, gate_clock(now_ns));
 }
 
+void SourceCore::on_stop_plan(const StopPlanPiece& piece, std::int64_t) noexcept {
+  if (handover_.holds_state()) gate_.add_plan(piece, state_.tick);
+}
+
 void SourceCore::on_source_request(const SourceRequest& request, std::int64_t now_ns) noexcept {
   handover_.request(request, handover_input(now_ns), now_ns);
 }
@@ -342,16 +346,24 @@ void SourceCore::read_adaptor(std::int64_t now_ns) noexcept {
   gate_.stop(StopKind::kHold, StopReason::kDevice, gate_clock(now_ns));
 }
 
+bool SourceCore::estimate() noexcept {
+  if (!handover_.config.hardware && !handover_.pending_switch && !gate_.plan().known(state_.tick)) return false;
+  if (handover_.tick != estimated_tick_ + 1) own_estimate_->reset();
+  estimated_tick_ = handover_.tick;
+  own_estimate_->update(state_);
+  return true;
+}
+
 // Hardware may be left, and hardware may take over from a walk that has ended, when the active source stands on both
 // feet, ZMP well inside, CoM at rest.
 void SourceCore::watch_support(std::int64_t now_ns) noexcept {
   if (!own_estimate_.has_value() || !handover_.holds_state()) return;
-  if (!handover_.config.hardware && !handover_.pending_switch) {
+  const bool estimated = estimate();
+  if (!estimated || (!handover_.config.hardware && !handover_.pending_switch)) {
     support_since_ns_ = -1;
     stable_ = false;
     return;
   }
-  own_estimate_->update(state_);
   const Estimator& own = *own_estimate_;
   double margin = own.support_margin(own.zmp());
   double speed = own.com_velocity().head<2>().norm();
@@ -390,8 +402,10 @@ void SourceCore::end_tick(std::int64_t now_ns) noexcept {
   if (frozen(now_ns) || handover_.role == Role::kStandbyTrack || limp_) return;
   const bool walks = walking(now_ns);
   const StopKind before = gate_.latch().kind;
-  const JointCommand& command = gate_.output(state_.tick, walks, gate_clock(now_ns));
-  if (before == StopKind::kNone && gate_.latch().reason == StopReason::kCommandTimeout && walks) {
+  const bool estimated = own_estimate_.has_value() && estimated_tick_ == state_.tick;
+  const JointCommand& command =
+      gate_.output(state_.tick, walks, gate_clock(now_ns), estimated ? &*own_estimate_ : nullptr);
+  if (before == StopKind::kNone && gate_.latch().reason == StopReason::kCommandTimeout && walks && !gate_.held_after_plan()) {
     limp_ = adaptor_->fall_safe() == Status::kOk;  // nobody is left to place the next foot
     if (limp_) return;
   }
@@ -428,49 +442,6 @@ StopRequest SourceCore::take_stop_to_publish(std::int64_t now_ns) noexcept {
   stop.kind = StopKind::kBalanced;
   stop.reason = StopReason::kSwitch;
   return stop;
-}
-
-void SourceCore::fill_state() noexcept {
-  state_.tick = handover_.tick;
-  state_.time_ns = handover_.time_ns;
-  state_.run_id = config_.run_id;
-  state_.model_hash = model_->hash;
-  state_.grant_run_id = handover_.successor;
-  state_.grant_tick = handover_.successor != 0 ? handover_.grant_tick : 0;
-  state_.term = handover_.term;
-  state_.period_ns = model_->period_ns;
-  state_.stop_nonce = gate_.latch().nonce;
-  state_.joint_count = static_cast<std::int16_t>(limits_->joint_count);
-  state_.source = config_.kind;
-  state_.role = handover_.role;
-  state_.stop_kind = gate_.latch().kind;
-  if (!device_ok_) state_.sensor_flags &= ~kEncodersValid;
-}
-
-void SourceCore::fill_status() noexcept {
-  const GateCounters& counters = gate_.counters();
-  status_.run_id = config_.run_id;
-  status_.model_hash = model_->hash;
-  status_.tick = state_.tick;
-  status_.controller_id = gate_.controller_id();
-  status_.successor_run_id = handover_.successor;
-  status_.commands_accepted = counters.accepted;
-  status_.commands_rejected = counters.rejected;
-  status_.commands_late = counters.late;
-  status_.clamped = counters.clamped;
-  status_.terms_ignored = handover_.terms_ignored;
-  status_.term = handover_.term;
-  status_.period_ns = model_->period_ns;
-  status_.stop_nonce = gate_.latch().nonce;
-  status_.refusal_sequence = handover_.refusal_sequence;
-  status_.refusal = handover_.refusal;
-  status_.source = config_.kind;
-  status_.role = handover_.role;
-  status_.stop_kind = gate_.latch().kind;
-  status_.stop_reason = gate_.latch().reason;
-  status_.pace = static_cast<std::int8_t>(config_.pace);
-  status_.can_be_set = handover_.config.can_be_set;
-  status_.hardware = handover_.config.hardware;
 }
 
 }  // namespace twinbus

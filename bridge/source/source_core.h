@@ -26,6 +26,7 @@ class SourceCore {
   void on_state(const RobotState& state, std::int64_t now_ns) noexcept;
   void on_standby_state(const RobotState& state, std::int64_t now_ns) noexcept;
   void on_command(const JointCommand& command, std::int64_t now_ns) noexcept;
+  void on_stop_plan(const StopPlanPiece& piece, std::int64_t now_ns) noexcept;
   void on_source_request(const SourceRequest& request, std::int64_t now_ns) noexcept;
   void on_controller_request(const ControllerRequest& request, std::int64_t now_ns) noexcept;
   void on_stop(const StopRequest& stop, std::int64_t now_ns) noexcept;
@@ -61,6 +62,7 @@ class SourceCore {
   void fill_state() noexcept;
   void fill_status() noexcept;
   void watch_support(std::int64_t now_ns) noexcept;
+  bool estimate() noexcept;  // own_estimate_ takes this tick's state, if anybody needs it
 
   const Model* model_;
   const GateLimits* limits_;
@@ -69,7 +71,8 @@ class SourceCore {
   Handover handover_;
   CommandGate gate_;
   std::optional<Estimator> holder_estimate_;  // of the source that a settable standby follows
-  std::optional<Estimator> own_estimate_;     // of hardware: is it statically stable?
+  std::optional<Estimator> own_estimate_;     // of hardware: is it statically stable?  And for stop plans
+  std::int64_t estimated_tick_ = -1;
 
   RobotState state_;
   RobotState holder_state_;

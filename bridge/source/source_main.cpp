@@ -111,6 +111,7 @@ class Shell {
       bus_.listen_each<RobotState>(name, on_standby_);
     }
     bus_.listen_each<JointCommand>(channel::kCommand, on_command_);
+    bus_.listen_each<StopPlanPiece>(channel::kStopPlan, on_plan_);
     bus_.listen_each<SourceRequest>(channel::kSourceRequest, on_request_);
     bus_.listen_each<ControllerRequest>(channel::kControllerRequest, on_controller_);
     bus_.listen_each<StopRequest>(channel::kStop, on_stop_);
@@ -401,6 +402,7 @@ class Shell {
   ToSource<RobotState, &Source::on_state> on_state_{this};
   ToSource<RobotState, &Source::on_standby_state> on_standby_{this};
   ToSource<JointCommand, &Source::on_command> on_command_{this};
+  ToSource<StopPlanPiece, &Source::on_stop_plan> on_plan_{this};
   ToSource<SourceRequest, &Source::on_source_request> on_request_{this};
   ToSource<ControllerRequest, &Source::on_controller_request> on_controller_{this};
   ToSource<StopRequest, &Source::on_stop> on_stop_{this};

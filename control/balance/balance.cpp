@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "control/legs/leg_chain.h"
+#include "robot/kinematics/leg_chain.h"
 #include "common/math/pose_math.h"
 
 namespace twinbus {

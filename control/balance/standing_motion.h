@@ -13,7 +13,7 @@
 #include <array>
 #include <vector>
 
-#include "control/legs/leg_chain.h"
+#include "robot/kinematics/leg_chain.h"
 #include "robot/kinematics/kinematics.h"
 #include "robot/description/model.h"
 

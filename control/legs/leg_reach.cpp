@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "control/legs/leg_chain.h"
+#include "robot/kinematics/leg_chain.h"
 #include "common/math/index.h"
 #include "robot/kinematics/kinematics.h"
 

@@ -9,7 +9,7 @@
 #include <Eigen/Geometry>
 #include <array>
 
-#include "control/legs/leg_chain.h"
+#include "robot/kinematics/leg_chain.h"
 #include "control/legs/leg_reach.h"
 #include "robot/kinematics/kinematics.h"
 #include "robot/description/model.h"

@@ -126,16 +126,21 @@ void ArmFollow::drop() noexcept {
   state_ = ArmState::kNone;
 }
 
-void ArmFollow::sample(double time, Posture& posture, double rate) noexcept {
+void ArmFollow::place(double time, double rate, Posture& posture) const noexcept {
+  int segment = segment_;
+  while (segment < active_.knot_count - 2 && time >= active_.time[at(segment + 1)]) ++segment;
+  sample(segment, time, rate, posture);
+}
+
+void ArmFollow::sample(int segment, double time, double rate, Posture& posture) const noexcept {
   const Path& path = active_;
   const int last = path.knot_count - 1;
-  while (segment_ < last - 1 && time >= path.time[at(segment_ + 1)]) ++segment_;
   for (int c = 0; c < path.joint_count; ++c) {
     double q = path.q[at(last)][at(c)];
     double qd = 0.0;
     if (last > 0 && time < path.time[at(last)]) {
-      const auto a = at(segment_);
-      const auto b = at(segment_ + 1);
+      const auto a = at(segment);
+      const auto b = at(segment + 1);
       const double h = path.time[b] - path.time[a];
       const double s = std::clamp((time - path.time[a]) / h, 0.0, 1.0);
       const double s2 = s * s;
@@ -194,7 +199,8 @@ void ArmFollow::update(Posture& posture, std::int64_t masked, double dt) noexcep
   state_ = (held || clear_for_ < kClearFor) ? ArmState::kStoppedByGuard : ArmState::kFollowing;
   rate_ = stop ? std::max(0.0, rate_ - dt / kBrakeTime) : std::min(1.0, rate_ + dt / kRestartTime);
   time_ += rate_ * dt;
-  sample(time_, posture, rate_);
+  while (segment_ < active_.knot_count - 2 && time_ >= active_.time[at(segment_ + 1)]) ++segment_;
+  sample(segment_, time_, rate_, posture);
 
   if (time_ >= active_.time[at(active_.knot_count - 1)]) {
     following_ = false;

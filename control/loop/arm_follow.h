@@ -41,6 +41,11 @@ class ArmFollow {
   ArmState state() const noexcept { return state_; }
   std::int64_t path_id() const noexcept { return following_ ? active_.path_id : 0; }
   bool moving() const noexcept { return following_ && rate_ > 0.0; }
+  // Along the path that is followed: the planner's time [s], and how fast our own runs along it.
+  double time() const noexcept { return time_; }
+  double rate() const noexcept { return rate_; }
+  // Puts the joints of the path that is followed where it is at `time`.
+  void place(double time, double rate, Posture& posture) const noexcept;
   // Why the last complete path was not followed, or null.
   // A whole path has come and begins at the next update.
   bool begins() const noexcept { return waiting_ && !following_; }
@@ -64,7 +69,7 @@ class ArmFollow {
   };
   void begin(Path& path, const ArmPathPiece& piece) noexcept;
   bool finish(Path& path) noexcept;  // packs the knots; false if they make no path
-  void sample(double time, Posture& posture, double rate) noexcept;
+  void sample(int segment, double time, double rate, Posture& posture) const noexcept;
 
   const Model* model_;
   std::vector<int> bus_of_;  // model joint -> bus joint, -1

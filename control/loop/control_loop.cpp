@@ -35,7 +35,16 @@ constexpr std::int64_t kHandOver = 16;    // ticks that both sources of a switch
 constexpr double kMostWalkTimeout = 2.0;  // [s]
 constexpr double kPadShare = 0.8;         // of the fastest walk, at full stick
 constexpr double kLook = 0.3;             // [s] in which a robot at rest finds out what is up
+constexpr double kResumesWithin = 0.2;    // of the first tick without a command, a motion is taken up again [s]
+constexpr std::int64_t kSilentTicks = 5;  // without a command, from when on the robot was led by its stop plan
+constexpr double kSentNear = 0.1;         // [rad] of the plan, that a set-point of a follower can be
 constexpr const char* kInsane = "a state that no robot can be in was ignored";
+
+// Of the plans of a controller; another one's are others.
+std::int32_t first_number(std::int64_t controller_id) noexcept {
+  const std::uint64_t mixed = static_cast<std::uint64_t>(controller_id) * 0x9e3779b97f4a7c15ULL;
+  return static_cast<std::int32_t>(mixed >> 36);
+}
 
 double axis(float a) noexcept { return std::clamp(static_cast<double>(a), -1.0, 1.0); }
 
@@ -57,6 +66,8 @@ struct ControlLoop::Impl {
   void write(JointCommand& out) const noexcept;
   bool goes_on() const noexcept;
   bool computed_already() const noexcept;
+  bool was_led() const noexcept;
+  bool resume() noexcept;
   Moment now() const noexcept { return {state, estimator, have_output ? &last : nullptr}; }
 
   const Model& model;
@@ -69,6 +80,7 @@ struct ControlLoop::Impl {
   Blend blend;
   MaskBrake brake;
   SetPointLimits limits;
+  StopPlanner planner;
   StateCheck check;
   std::unique_ptr<Guard> guard;
   ModeQueue requests;
@@ -80,6 +92,8 @@ struct ControlLoop::Impl {
   std::int64_t answered_tick = -1, answered_run = 0, previous_run = 0;
   std::int64_t looked_run = 0;  // the source whose states were answered without time going on
   std::int32_t answered_term = 0;
+  bool plan_runs = false;  // the source follows a stop plan, and no one may take the robot over
+  Eigen::VectorXd resumed_q, resumed_qd;  // [joint_count]
   SetPoint want, last;
   JointCommand command;
 
@@ -109,6 +123,7 @@ ControlLoop::Impl::Impl(const Model& m, const ControlConfig& c)
       blend(m.bus_count()),
       brake(m),
       limits(m),
+      planner(m, modes.any_walk(), first_number(c.controller_id)),
       check(m) {
   if (m.bus_count() < 1 || m.bus_count() > kMaxJoints) {
     throw std::runtime_error("robot " + m.name + " has " + std::to_string(m.bus_count()) +
@@ -121,6 +136,7 @@ ControlLoop::Impl::Impl(const Model& m, const ControlConfig& c)
       if (m.bus_joints[at(k)] == leg_joint) legs |= std::int64_t{1} << k;
     }
   }
+  resumed_q = resumed_qd = Eigen::VectorXd::Zero(m.joint_count());
   status.controller_id = c.controller_id;
   const bool own_attitude = walking_of(m).own_attitude;
   estimator.estimate_attitude(own_attitude);
@@ -232,10 +248,58 @@ void ControlLoop::Impl::obey_requests() noexcept {
   }
 }
 
+// Whether commands were missing for so long that the stop plan has led the robot.
+bool ControlLoop::Impl::was_led() const noexcept {
+  return state.plan_number != 0 &&
+         (state.tick - answered_tick > 1 || state.tick - state.plan_tick >= kSilentTicks);
+}
+
+// Takes up the motion where a stop plan of ours has led it meanwhile.  False: nobody may, before the plan has ended.
+bool ControlLoop::Impl::resume() noexcept {
+  const StopPlan* plan = planner.plan(state.plan_number);
+  const auto silent = static_cast<double>(state.tick - state.plan_tick) * model.period();
+  if (plan == nullptr || !(silent <= kResumesWithin) || state.stop_kind != StopKind::kNone) return false;
+  if (!plan->head.walks) return true;
+  const Walk* foreseen = modes.walk() != nullptr ? planner.walk_at(state.plan_number, state.tick - 1) : nullptr;
+  if (foreseen == nullptr) return false;
+  // What the source wrote last is not heard, but the servos' torques show it.
+  PlanJoints planned;
+  joints_at(*plan, state.tick - 1, model.period(), planned);
+  Eigen::VectorXd& q = resumed_q;
+  Eigen::VectorXd& qd = resumed_qd;
+  for (int k = 0; k < model.bus_count(); ++k) {
+    const auto i = at(k);
+    const double kp = last.kp[i], kd = last.kd[i];
+    double sent = planned.q[i];
+    if (((legs >> k) & 1) != 0 && kp > 0.0) {
+      const double servo = static_cast<double>(state.tau[i]) - planned.tau[i] -
+                           kd * (planned.qd[i] - static_cast<double>(state.qd[i]));
+      sent = std::clamp(state.q[i] + servo / kp, sent - kSentNear, sent + kSentNear);
+    }
+    last.q[i] = q[model.bus_joints[i]] = sent;
+    last.qd[i] = qd[model.bus_joints[i]] = planned.qd[i];
+    last.tau[i] = planned.tau[i];
+  }
+  std::array<bool, 2> stands;
+  std::array<Eigen::Vector2d, 2> place;
+  std::array<double, 2> yaw;
+  for (int f = 0; f < 2; ++f) {
+    const Foothold& foot = foreseen->pattern().foot(f);
+    stands[at(f)] = !foreseen->pattern().swings(f);
+    place[at(f)] = foot.position;
+    yaw[at(f)] = foot.yaw();
+  }
+  estimator.resume(stands, place, yaw);
+  if (guard != nullptr) guard->reset();  // it foretells from set-points that were not
+  modes.resume_walk(*foreseen, q, qd);
+  answered_tick = state.tick - 1;
+  return true;
+}
+
 void ControlLoop::Impl::compute(std::int64_t now_ns, double dt, bool same_source) noexcept {
   modes.watch_for_a_fall(now());
   const bool for_switch = std::exchange(switch_heard, false);
-  if (modes.follow_stop(std::exchange(stop_heard, StopKind::kNone), for_switch, now())) {
+  if (modes.follow_stop(std::exchange(stop_heard, StopKind::kNone), for_switch, plan_runs, now())) {
     blend.cancel();
     brake.reset();
     have_output = false;
@@ -286,8 +350,11 @@ bool ControlLoop::Impl::step(std::int64_t now_ns, JointCommand& out) noexcept {
   const bool sane = check.is_sane(state);
   const bool first = answered_tick < 0 || (!same_source && !goes_on());
   if (first && !sane) return false;
+  const bool was_running = plan_runs;
+  const bool led = !first && sane && was_led();
+  plan_runs = (first && state.plan_number != 0) || (led && !resume());
   double dt = model.period();
-  if (first) {
+  if (first || (plan_runs && !was_running)) {  // what it knew of the robot is no longer so
     first_state();
   } else {
     dt *= static_cast<double>(std::clamp<std::int64_t>(state.tick - answered_tick, 1, kMostTicks));
@@ -306,6 +373,11 @@ bool ControlLoop::Impl::step(std::int64_t now_ns, JointCommand& out) noexcept {
     want = last;
   }
   write(command);
+  if (plan_runs || led) {  // the plan that is followed is needed until a command is obeyed again
+    planner.drop();
+  } else if (sane) {
+    planner.advance(modes.motion(command));
+  }
   report_tick(modes, now(), status);
   out = command;
   return true;
@@ -377,6 +449,8 @@ void ControlLoop::set_obstacles(const std::vector<Obstacle>& obstacles) {
 bool ControlLoop::step(std::int64_t now_ns, JointCommand& command) noexcept {
   return impl_->step(now_ns, command);
 }
+
+bool ControlLoop::take_plan(StopPlanPiece& piece) noexcept { return impl_->planner.take(piece); }
 
 const ControllerStatus& ControlLoop::status() const noexcept { return impl_->status; }
 

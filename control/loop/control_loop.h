@@ -17,6 +17,7 @@
 #include "lcmtypes/msg/requests.h"
 #include "lcmtypes/msg/robot_io.h"
 #include "lcmtypes/msg/step_list.h"
+#include "lcmtypes/msg/stop_plan.h"
 
 namespace twinbus {
 
@@ -54,6 +55,10 @@ class ControlLoop {
   // state yet, source not active, state already answered - a repeated tick gives the same command
   // again and returns true).
   bool step(std::int64_t now_ns, JointCommand& command) noexcept;
+
+  // Fills a piece of the stop plan behind the commands that is ready to be sent; false when there is none.  To be asked
+  // after each step until there is none.
+  bool take_plan(StopPlanPiece& piece) noexcept;
 
   // What was decided in the last step, for CONTROLLER_STATUS.
   const ControllerStatus& status() const noexcept;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "control/legs/leg_chain.h"
+#include "robot/kinematics/leg_chain.h"
 #include "control/legs/leg_reach.h"
 #include "common/math/index.h"
 

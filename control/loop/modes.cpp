@@ -201,7 +201,9 @@ void Modes::obey(const ModeRequest& request, const Moment& now) noexcept {
     if (request.mode == Mode::kIdle) {
       mode_before_stop_ = Mode::kIdle;
     } else {
-      sentence_ = "the robot is stopped: clear the stop first; the mode stays as it is";
+      sentence_ = now.state.plan_number != 0
+                      ? "the robot follows its stop plan: ask again once it stands; the mode stays as it is"
+                      : "the robot is stopped: clear the stop first; the mode stays as it is";
     }
     return;
   }
@@ -255,10 +257,10 @@ void Modes::obey(const ModeRequest& request, const Moment& now) noexcept {
 
 // The gate obeys nobody while it is stopped, but for a balanced stop: then it passes what carries
 // `stopping`.
-bool Modes::follow_stop(StopKind asked, bool for_switch, const Moment& now) noexcept {
+bool Modes::follow_stop(StopKind asked, bool for_switch, bool plan_runs, const Moment& now) noexcept {
   const RobotState& state = now.state;
   const bool was_held = held_by_gate_;
-  held_by_gate_ = state.role == Role::kStopped && state.stop_kind >= StopKind::kHold;
+  held_by_gate_ = plan_runs || (state.role == Role::kStopped && state.stop_kind >= StopKind::kHold);
   const bool balanced = state.stop_kind == StopKind::kBalanced || asked == StopKind::kBalanced;
   if (balanced && !stopping_) {
     arm_.cancel();
@@ -297,6 +299,23 @@ bool Modes::follow_stop(StopKind asked, bool for_switch, const Moment& now) noex
     if (mode_ == Mode::kIdle) balancing_ = false;
   }
   return true;
+}
+
+PlannedMotion Modes::motion(const JointCommand& command) const noexcept {
+  const std::int64_t all = model_.bus_count() >= 63 ? ~std::int64_t{0} : bit(model_.bus_count()) - 1;
+  const bool steered = mode_ != Mode::kIdle && mode_ != Mode::kNone && !bracing_ && !held_by_gate_;
+  return {.walk = walking_ ? walk_.get() : nullptr,
+          .posture = posture_,
+          .arm = arm_,
+          .q_given = q_given_,
+          .command = command,
+          .joints = balancing_ ? all & ~legs_ : all,
+          .moves = steered && (walking_ || posture_.moving() || arm_.moving())};
+}
+
+void Modes::resume_walk(const Walk& foreseen, const Eigen::VectorXd& q, const Eigen::VectorXd& qd) noexcept {
+  *walk_ = foreseen;
+  walk_->take_over(q, qd);
 }
 
 void Modes::watch_for_a_fall(const Moment& now) noexcept {

@@ -22,6 +22,7 @@
 #include "control/legs/static_torque.h"
 #include "control/loop/arm_follow.h"
 #include "control/loop/fall_protection.h"
+#include "control/loop/stop_planner.h"
 #include "control/walk/walk.h"
 #include "lcmtypes/msg/requests.h"
 #include "lcmtypes/msg/robot_io.h"
@@ -51,7 +52,8 @@ class Modes {
   // asked: the highest stop heard since the last tick.  True while the gate obeys nobody, and at the
   // tick it obeys again: then what was put out before counts no more, the robot is followed.
   // for_switch: another source is to take over once the robot stands as robots are left, feet side by side.
-  bool follow_stop(StopKind asked, bool for_switch, const Moment& now) noexcept;
+  // plan_runs: the robot follows a stop plan to its end, and obeys nobody before.
+  bool follow_stop(StopKind asked, bool for_switch, bool plan_runs, const Moment& now) noexcept;
   void obey(const ModeRequest& request, const Moment& now) noexcept;
   // Of the centre of mass, while balancing [m].
   void lean(const Eigen::Vector3d& offset) noexcept {
@@ -78,6 +80,12 @@ class Modes {
   const ArmFollow& arm() const noexcept { return arm_; }
   const Balance* balance() const noexcept { return balancing_ ? balance_.get() : nullptr; }
   const Walk* walk() const noexcept { return walking_ ? walk_.get() : nullptr; }
+  // Any walk of this robot, walking or not; null when it cannot.
+  const Walk* any_walk() const noexcept { return walk_.get(); }
+  // What moves the robot, for the stop plan behind a command.
+  PlannedMotion motion(const JointCommand& command) const noexcept;
+  // The robot has been led on meanwhile as this walk was foreseen, by these set-points [joint_count]: walking goes on there.
+  void resume_walk(const Walk& foreseen, const Eigen::VectorXd& q, const Eigen::VectorXd& qd) noexcept;
   // Normal force asked of each foot, left and right [N].
   std::array<double, 2> foot_forces() const noexcept {
     if (walking_) return walk_->foot_forces();

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "control/legs/leg_chain.h"
+#include "robot/kinematics/leg_chain.h"
 #include "control/legs/leg_reach.h"
 #include "robot/dynamics/inverse_dynamics.h"
 #include "common/math/index.h"

@@ -45,6 +45,17 @@ Eigen::Vector3d Walk::com_reference() const noexcept {
   return {stabilizer_.com().x(), stabilizer_.com().y(), height_.position() + ground_.height()};
 }
 
+Eigen::Vector3d Walk::reference_velocity() const noexcept {
+  return {stabilizer_.velocity().x(), stabilizer_.velocity().y(), height_.velocity() + ground_.velocity()};
+}
+
+Eigen::Vector3d Walk::reference_acceleration() const noexcept {
+  const double w = omega();
+  Eigen::Vector3d acceleration(0.0, 0.0, vertical_acceleration());
+  acceleration.head<2>() = w * w * (stabilizer_.com() - stabilizer_.zmp());
+  return acceleration;
+}
+
 bool Walk::resting() const noexcept {
   return pattern_.settled() && com_velocity_.head<2>().norm() < kRestSpeed &&
          (pattern_.rest() - pattern_.middle()).norm() < kRestPlace &&
@@ -127,7 +138,7 @@ void Walk::start(const Estimator& estimator) noexcept {
 }
 
 // The wrench of each sole, world, about its frame; and the same in sole axes for the feet.
-void Walk::share_load(const Estimator& estimator) noexcept {
+void Walk::share_load() noexcept {
   const ZmpShare& share = stabilizer_.share();
   const double mass = load_ * mass_;
   const double weight = mass * (kGravity + vertical_acceleration());
@@ -145,7 +156,6 @@ void Walk::share_load(const Estimator& estimator) noexcept {
     wanted_[f].force = part * weight;
     wanted_[f].moment = foot.unturn(Eigen::Vector2d(wrench_[f].torque.head<2>()));
   }
-  (void)estimator;
 }
 
 void Walk::feed_forward(double dt) noexcept {
@@ -159,18 +169,15 @@ void Walk::feed_forward(double dt) noexcept {
   q_ = q;
   Configuration& c = ik_.configuration();
   c.qd = qd_;
-  c.base_velocity << stabilizer_.velocity(), height_.velocity() + ground_.velocity();
+  c.base_velocity = reference_velocity();
   c.base_angular_velocity.setZero();
   ik_.update();
   const Kinematics& k = ik_.kinematics();
-  const double w = omega();
-  Eigen::Vector3d acceleration(0.0, 0.0, vertical_acceleration());
-  acceleration.head<2>() = w * w * (stabilizer_.com() - stabilizer_.zmp());
   for (std::size_t f = 0; f < 2; ++f) {
     const Sole& sole = model_->soles[f];
     wrench_[f].point = (k.link_in_world(sole.link) * sole.frame).translation();
   }
-  (void)dynamics_.solve(k, c, qdd_, acceleration, Eigen::Vector3d::Zero(), wrench_, tau_);
+  (void)dynamics_.solve(k, c, qdd_, reference_acceleration(), Eigen::Vector3d::Zero(), wrench_, tau_);
 }
 
 void Walk::update(const Estimator& estimator, const Eigen::VectorXd& q_given, double dt) noexcept {
@@ -185,7 +192,7 @@ void Walk::update(const Estimator& estimator, const Eigen::VectorXd& q_given, do
   if (stabilizer_.excess().norm() > gains_.step_when) pattern_.capture(dcm_);
   heading_ += wrap_angle(pattern_.heading() - heading_) * std::min(1.0, dt / gains_.turn);
 
-  share_load(estimator);
+  share_load();
   const double left = stabilizer_.share().left;
   BaseError base;
   base.asked = ik_.configuration().base;

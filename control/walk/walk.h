@@ -47,6 +47,14 @@ class Walk {
   // q_given [joint_count]: of the joints that are not of a leg.
   void update(const Estimator& estimator, const Eigen::VectorXd& q_given, double dt) noexcept;
 
+  // Ahead of the robot by dt [s], as the model says it will be; without its joints.
+  void foresee(double dt) noexcept;
+  // The joints of what was foreseen; q_given as above.
+  void foresee_joints(const Eigen::VectorXd& q_given, int rounds) noexcept;
+  // These set-points [joint_count] were in force meanwhile: the soles are where they put them, and come into the plan from
+  // there as after a landing.
+  void take_over(const Eigen::VectorXd& q, const Eigen::VectorXd& qd) noexcept;
+
   const Eigen::VectorXd& q() const noexcept { return q_; }
   const Eigen::VectorXd& qd() const noexcept { return qd_; }
   const Eigen::VectorXd& tau() const noexcept { return tau_; }
@@ -63,6 +71,12 @@ class Walk {
   const Eigen::Vector3d& com_velocity() const noexcept { return com_velocity_; }
   const Eigen::Vector2d& dcm() const noexcept { return dcm_; }
   Eigen::Vector3d com_reference() const noexcept;
+  Eigen::Vector3d reference_velocity() const noexcept;      // of the centre of mass
+  Eigen::Vector3d reference_acceleration() const noexcept;
+  const Configuration& posture() const noexcept { return ik_.configuration(); }  // as the joints are sent
+  const std::vector<ExternalWrench>& wrenches() const noexcept { return wrench_; }  // of the soles, as shared
+  double omega() const noexcept;                                                   // of the pendulum [1/s]
+  double carried_mass() const noexcept { return load_ * mass_; }                   // [kg]
   // Normal force asked of each foot [N].
   std::array<double, 2> foot_forces() const noexcept {
     return {wanted_[0].force, wanted_[1].force};
@@ -70,9 +84,8 @@ class Walk {
 
  private:
   void measure(const Estimator& estimator, double dt, bool fresh) noexcept;
-  void share_load(const Estimator& estimator) noexcept;
+  void share_load() noexcept;
   void feed_forward(double dt) noexcept;
-  double omega() const noexcept;
   double vertical_acceleration() const noexcept {
     return height_.acceleration() + ground_.acceleration();
   }

@@ -66,6 +66,21 @@ void WalkFeet::start(const WalkPattern& pattern, const std::array<Eigen::Isometr
   }
 }
 
+void WalkFeet::take_over(const WalkPattern& pattern, const std::array<Eigen::Isometry3d, 2>& sent) noexcept {
+  for (std::size_t f = 0; f < 2; ++f) {
+    Foot& foot = feet_[f];
+    const bool swings = pattern.swings(static_cast<int>(f));
+    const Foothold& at = swings ? pattern.swing().place() : pattern.foot(static_cast<int>(f));
+    const Eigen::Vector2d turn = foot.bend + foot.admitted;
+    foot.last_turn = sent[f].linear() * rotation_of({turn.x(), turn.y(), 0.0}).transpose();
+    foot.last = sent[f].translation() - Eigen::Vector3d(0.0, 0.0, (f == 0 ? 0.5 : -0.5) * lift_ - foot.sink);
+    foot.offset = foot.last - in_plan(at);
+    foot.offset_turn = rotation_vector(foot.last_turn * (rotation_of(foot.tilt) * at.rotation()).transpose());
+    foot.was_swinging = swings;
+    compose(f);
+  }
+}
+
 void WalkFeet::compose(std::size_t f) noexcept {
   const Foot& foot = feet_[f];
   const Eigen::Vector2d turn = foot.bend + foot.admitted;

@@ -37,6 +37,9 @@ class WalkFeet {
               const std::array<FootLoad, 2>& measured, const std::array<double, 2>& share,
               const BaseError& base, double dt) noexcept;
 
+  // Soles were sent elsewhere meanwhile: they stay there, and come into the plan as after a landing.
+  void take_over(const WalkPattern& pattern, const std::array<Eigen::Isometry3d, 2>& sent) noexcept;
+
   const std::array<Eigen::Isometry3d, 2>& target() const noexcept { return target_; }
 
  private:

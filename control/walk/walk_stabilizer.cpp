@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/math/index.h"
+#include "robot/stop_plan/sole_share.h"
+
 namespace twinbus {
 
 namespace {
@@ -12,25 +15,17 @@ constexpr double kRebase =
 
 ZmpShare share_walking(const WalkPattern& pattern, const Eigen::Vector2d& zmp) noexcept {
   const Gait& gait = pattern.gait();
+  std::array<SolePlace, 2> soles;
   std::array<Eigen::Vector2d, 2> on;
-  for (int f = 0; f < 2; ++f) on[static_cast<std::size_t>(f)] = zmp_on(gait, pattern.foot(f), f);
-  ZmpShare share;
-  if (pattern.single()) {
-    share.left = pattern.support() == 0 ? 1.0 : 0.0;
-  } else {
-    const Eigen::Vector2d line = on[0] - on[1];
-    share.left = std::clamp((zmp - on[1]).dot(line) / std::max(1e-6, line.squaredNorm()), 0.0, 1.0);
+  for (int f = 0; f < 2; ++f) {
+    const Foothold& foot = pattern.foot(f);
+    const Eigen::Vector2d forward = foot.turn({1.0, 0.0});
+    soles[at(f)] = {foot.position, forward.x(), forward.y()};
+    on[at(f)] = zmp_on(gait, foot, f);
   }
-  const Eigen::Vector2d rest = zmp - (on[1] + share.left * (on[0] - on[1]));
-  share.zmp.setZero();
-  for (std::size_t f = 0; f < 2; ++f) {
-    const Foothold& foot = pattern.foot(static_cast<int>(f));
-    share.cop[f] =
-        foot.unturn(on[f] + rest - foot.position).cwiseMax(gait.sole_low).cwiseMin(gait.sole_high);
-    share.zmp +=
-        (f == 0 ? share.left : 1.0 - share.left) * (foot.position + foot.turn(share.cop[f]));
-  }
-  return share;
+  const SoleShare share = share_on_soles(soles, on, {gait.sole_low, gait.sole_high},
+                                         pattern.single() ? pattern.support() : -1, zmp);
+  return {share.left, share.cop, share.zmp};
 }
 
 void WalkStabilizer::start(const Eigen::Vector2d& com, const Eigen::Vector2d& dcm) noexcept {

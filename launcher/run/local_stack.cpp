@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <stdexcept>
 #include <type_traits>
@@ -22,6 +23,7 @@ constexpr std::int64_t kPlannerId = 3;
 constexpr std::int64_t kStopEvery = 10;  // a stop the guard asks for is said that often [ticks]
 constexpr double kServoError =
     0.1;  // [rad]: a set-point farther from its joint is none to start from
+constexpr std::size_t kMostCaughtUp = 8;  // states answered late in a row
 constexpr int kActivationTicks = 100'000;
 
 const char* channel_of(const ModeRequest&) { return channel::kModeRequest; }
@@ -151,7 +153,8 @@ OneProcess::OneProcess(const Model& model, const Scene& scene, const OneProcessC
     : model_(model),
       sim_(scene),
       source_(model, opened(sim_, model, config), source_config(config)),
-      loop_(model, config.control),
+      control_(config.control),
+      loop_(std::make_unique<ControlLoop>(model, config.control)),
       planner_view_(model),
       script_(modes_of(scene), goals_of(scene), model.period(), kRunId, walks_of(scene),
               pads_of(scene), steps_of(scene)),
@@ -187,7 +190,7 @@ void OneProcess::tell_obstacles() {
     if (over_the_bus(channel::kObstacles, piece, received)) (void)obstacles_.add(received);
   }
   journal_.consumed(JournalInput::kTakeObstacles, {}, now_or_one(now_ns_));
-  loop_.set_obstacles(obstacles_.obstacles());
+  loop_->set_obstacles(obstacles_.obstacles());
 }
 
 // Into the log, for whoever looks at it; nobody here obeys it.
@@ -216,7 +219,7 @@ void OneProcess::show_scene() {
     show(channel::kLoose, piece);
   }
   if (!every(0.05)) return;
-  loop_.footsteps(piece);
+  loop_->footsteps(piece);
   if (piece.count == 0 && !walked_on_) return;
   walked_on_ = piece.count > 0;
   piece.scene_id = kRunId;
@@ -268,24 +271,51 @@ bool OneProcess::tick() {
   return failure_.empty();
 }
 
+// As the controller's main: of what it finds after a silence it answers the oldest first, a few, then the newest.
 void OneProcess::control() {
-  loop_.on_state(heard_, now_ns_);
   planner_view_.update(heard_);
+  if (heard_.tick < silent_until_) {
+    if (missed_.size() < kMostCaughtUp) missed_.push_back(heard_);
+    return;
+  }
+  for (const RobotState& state : missed_) answer(state);
+  missed_.clear();
+  answer(heard_);
+}
+
+void OneProcess::stall_controller(double seconds) {
+  missed_.clear();
+  silent_until_ = seconds < 0.0 ? std::numeric_limits<std::int64_t>::max()
+                                : heard_.tick + 1 + std::llround(seconds / model_.period());
+}
+
+void OneProcess::restart_controller(std::int64_t controller_id) {
+  control_.controller_id = controller_id;
+  loop_ = std::make_unique<ControlLoop>(model_, control_);
+  loop_->set_obstacles(obstacles_.obstacles());
+  missed_.clear();
+  silent_until_ = 0;
+}
+
+void OneProcess::answer(const RobotState& state) {
+  loop_->on_state(state, now_ns_);
   JointCommand answer;
   std::int64_t answer_content = 0, report_content = 0;
-  if (loop_.step(now_ns_, answer) &&
+  if (loop_->step(now_ns_, answer) &&
       over_the_bus(channel::kCommand, answer, command_, nullptr, &answer_content)) {
     source_.on_command(command_, now_ns_);
-    if (ControllerStatus status; listener_) {
-      (void)over_the_bus(channel::kControllerStatus, loop_.status(), status, nullptr,
-                         &report_content);
+    for (StopPlanPiece piece, received; loop_->take_plan(piece);) {
+      if (over_the_bus(channel::kStopPlan, piece, received)) source_.on_stop_plan(received, now_ns_);
     }
+    ControllerStatus status;
+    if (over_the_bus(channel::kControllerStatus, loop_->status(), status, nullptr, &report_content))
+      source_.on_controller_status(status, now_ns_);
   }
-  if (listener_) journal_.stepped(heard_, state_content_, now_ns_, answer_content, report_content);
-  if (const char* sentence = loop_.take_sentence())
+  if (listener_) journal_.stepped(state, state_content_, now_ns_, answer_content, report_content);
+  if (const char* sentence = loop_->take_sentence())
     sentences_.push_back(std::string("controller: ") + sentence);
   const bool repeated = heard_.tick - stop_asked_tick_ < kStopEvery;
-  if (loop_.guard_report().stop_asked && heard_.stop_kind == StopKind::kNone && !repeated) {
+  if (loop_->guard_report().stop_asked && heard_.stop_kind == StopKind::kNone && !repeated) {
     stop_asked_tick_ = heard_.tick;
     StopRequest stop;
     stop.sender_id = kOperatorId;
@@ -300,7 +330,7 @@ void OneProcess::say(ModeRequest request) {
   request.run_id = kRunId;
   request.sequence = ++sequence_;
   ModeRequest received;
-  if (over_the_bus(channel::kModeRequest, request, received)) loop_.on_mode_request(received);
+  if (over_the_bus(channel::kModeRequest, request, received)) loop_->on_mode_request(received);
 }
 
 void OneProcess::say(StopRequest stop) {
@@ -309,7 +339,7 @@ void OneProcess::say(StopRequest stop) {
   StopRequest received;
   if (!over_the_bus(channel::kStop, stop, received)) return;
   source_.on_stop(received, now_ns_);
-  loop_.on_stop(received);
+  loop_->on_stop(received);
 }
 
 void OneProcess::say(ArmGoal goal) {
@@ -318,7 +348,7 @@ void OneProcess::say(ArmGoal goal) {
   goal.sequence = ++sequence_;
   ArmGoal received;
   if (!over_the_bus(channel::kArmGoal, goal, received)) return;
-  loop_.on_arm_goal(received);
+  loop_->on_arm_goal(received);
   plan(received);
 }
 
@@ -327,15 +357,15 @@ void OneProcess::say_script() {
     auto received = request;
     if (!over_the_bus(channel_of(request), request, received)) return;
     if constexpr (std::is_same_v<decltype(received), ModeRequest>) {
-      loop_.on_mode_request(received);
+      loop_->on_mode_request(received);
     } else if constexpr (std::is_same_v<decltype(received), WalkCommand>) {
-      loop_.on_walk_command(received, now_ns_);
+      loop_->on_walk_command(received, now_ns_);
     } else if constexpr (std::is_same_v<decltype(received), StepList>) {
-      loop_.on_step_list(received);
+      loop_->on_step_list(received);
     } else if constexpr (std::is_same_v<decltype(received), Gamepad>) {
-      loop_.on_gamepad(received, now_ns_);
+      loop_->on_gamepad(received, now_ns_);
     } else {
-      loop_.on_arm_goal(received);
+      loop_->on_arm_goal(received);
       plan(received);
     }
   });
@@ -355,14 +385,14 @@ void OneProcess::plan(const ArmGoal& goal) {
     if (std::abs(command_.q[k] - heard_.q[k]) < kServoError)
       start.q[model_.bus_joints[k]] = command_.q[k];
   }
-  planner_->set_balancing(loop_.status().mode == Mode::kBalance);
+  planner_->set_balancing(loop_->status().mode == Mode::kBalance);
   const ArmPlan plan = planner_->plan(goal, start, planner_view_.ground_in_world(),
                                       static_cast<std::uint64_t>(goal.goal_id));
   sentences_.push_back("planner: " + describe(model_, plan));
   arm_answer_ = to_pieces(plan, {kPlannerId, goal.run_id, goal.goal_id, goal.goal_id});
   for (const ArmPathPiece& piece : arm_answer_) {
     ArmPathPiece received;
-    if (over_the_bus(channel::kArmPath, piece, received)) loop_.on_arm_path(received);
+    if (over_the_bus(channel::kArmPath, piece, received)) loop_->on_arm_path(received);
   }
 }
 
@@ -375,8 +405,8 @@ void OneProcess::watch() {
   if (SimTruth received; listener_) (void)over_the_bus(channel::kTruth, truth, received);
   if (listener_) show_scene();
   seen_.on_truth(truth, now_ns_);
-  seen_.on_guard(loop_.guard_report(), now_ns_);
-  walked_.add(truth, loop_.status().mode, loop_.foot_forces(),
+  seen_.on_guard(loop_->guard_report(), now_ns_);
+  walked_.add(truth, loop_->status().mode, loop_->foot_forces(),
               static_cast<double>(heard_.tick - first_tick_) * model_.period());
   const bool pushed = truth.push_force != decltype(truth.push_force){};
   swing_.add(pushed, heard_);

@@ -63,6 +63,12 @@ class OneProcess {
   // What went out on ARM_PATH for the last goal.
   const std::vector<ArmPathPiece>& arm_answer() const { return arm_answer_; }
 
+  // The controller stands still, as a process that is stopped does: it hears what it missed once it goes on.  seconds < 0:
+  // it has died.
+  void stall_controller(double seconds);
+  // Another controller begins.
+  void restart_controller(std::int64_t controller_id);
+
   std::int64_t ticks() const { return ticks_; }
   const RobotState& state() const { return heard_; }  // as decoded
   const SimTruth& truth() const { return *sim_.truth(); }
@@ -79,7 +85,7 @@ class OneProcess {
     Eigen::Vector3d start;  // of its base, world [m]
   };
   const std::vector<FurtherRobot>& further_robots() const { return further_robots_; }
-  const ControlLoop& loop() const { return loop_; }
+  const ControlLoop& loop() const { return *loop_; }
   const Source& source() const { return source_; }
   const Lookout& seen() const { return seen_; }
   const WalkFigures& walked() const { return walked_; }
@@ -107,6 +113,7 @@ class OneProcess {
   void show(const char* channel, T message);
   void show_scene();
   void control();
+  void answer(const RobotState& state);
   void plan(const ArmGoal& goal);
   void say_script();
   void watch();
@@ -116,7 +123,8 @@ class OneProcess {
   std::vector<std::string> loose_names_;
   std::vector<FurtherRobot> further_robots_;
   Source source_;
-  ControlLoop loop_;
+  ControlConfig control_;
+  std::unique_ptr<ControlLoop> loop_;
   Estimator planner_view_;
   ObstacleCollector obstacles_;
   std::unique_ptr<ArmPlanner> planner_;  // with the first goal
@@ -135,6 +143,8 @@ class OneProcess {
   RobotState heard_;
   JointCommand command_;
   std::int64_t now_ns_ = 0;  // simulated
+  std::int64_t silent_until_ = 0;       // the controller stands still before this tick
+  std::vector<RobotState> missed_;      // its first ones since
   std::int64_t ticks_ = 0, first_tick_ = 0, stop_asked_tick_ = -1000, planned_goal_ = 0;
   std::int32_t sequence_ = 0;
   std::int64_t state_content_ = 0;

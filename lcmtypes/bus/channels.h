@@ -9,6 +9,7 @@ inline constexpr char kStateSim[] = "STATE_SIM";
 inline constexpr char kStateBridge[] = "STATE_BRIDGE";
 inline constexpr char kStateReplay[] = "STATE_REPLAY";
 inline constexpr char kCommand[] = "COMMAND";
+inline constexpr char kStopPlan[] = "STOP_PLAN";
 inline constexpr char kSourceStatus[] = "SOURCE_STATUS";
 inline constexpr char kSourceRequest[] = "SOURCE_REQUEST";
 inline constexpr char kControllerRequest[] = "CONTROLLER_REQUEST";

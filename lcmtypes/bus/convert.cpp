@@ -7,7 +7,6 @@
 namespace twinbus {
 
 namespace {
-
 // One list of fields per message serves both directions.
 
 template <class C, class M, Is<RobotState> S>
@@ -20,9 +19,11 @@ void fields(C& c, M& m, S& s) noexcept {
   c.id(m.grant_run_id, s.grant_run_id);
   c.id(m.grant_tick, s.grant_tick);
   c(m.enabled, s.enabled);
+  c.id(m.plan_tick, s.plan_tick);
   c.counter(m.term, s.term);
   c.within(m.period_ns, s.period_ns, 1, 1'000'000'000);
   c(m.stop_nonce, s.stop_nonce);
+  c.counter(m.plan_number, s.plan_number);
   c(m.sensor_flags, s.sensor_flags);
   c.joint_count(m.joint_count, s.joint_count);
   c(m.source, s.source);
@@ -90,6 +91,9 @@ void fields(C& c, M& m, S& s) noexcept {
   c.id(m.commands_late, s.commands_late);
   c.id(m.clamped, s.clamped);
   c.id(m.ticks_missed, s.ticks_missed);
+  c.id(m.plans_accepted, s.plans_accepted);
+  c.id(m.plans_refused, s.plans_refused);
+  c.id(m.plans_followed, s.plans_followed);
   c.id(m.terms_ignored, s.terms_ignored);
   c.counter(m.term, s.term);
   c.within(m.period_ns, s.period_ns, 0, 1'000'000'000);
@@ -103,6 +107,7 @@ void fields(C& c, M& m, S& s) noexcept {
   c.within(m.pace, s.pace, 0, 5);
   c(m.can_be_set, s.can_be_set);
   c(m.hardware, s.hardware);
+  c.within(m.plan_refusal, s.plan_refusal, 0, 127);
   c(m.refusal, s.refusal);
 }
 
@@ -433,7 +438,6 @@ void fields(C& c, M& m, S& s) noexcept {
   c(m.whole, s.whole);
   c(m.input, s.input);
 }
-
 }  // namespace
 
 template <class T>

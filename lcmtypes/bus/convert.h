@@ -14,6 +14,7 @@
 #include "lcmtypes/msg/status.h"
 #include "lcmtypes/msg/sim_request.h"
 #include "lcmtypes/msg/step_list.h"
+#include "lcmtypes/msg/stop_plan.h"
 #include "twinbus/arm_goal_t.hpp"
 #include "twinbus/arm_path_t.hpp"
 #include "twinbus/controller_request_t.hpp"
@@ -34,6 +35,7 @@
 #include "twinbus/source_status_t.hpp"
 #include "twinbus/sim_request_t.hpp"
 #include "twinbus/step_list_t.hpp"
+#include "twinbus/stop_plan_t.hpp"
 #include "twinbus/stop_t.hpp"
 #include "twinbus/walk_command_t.hpp"
 
@@ -48,6 +50,10 @@ struct MessageOf<RobotState> {
 template <>
 struct MessageOf<JointCommand> {
   using type = joint_command_t;
+};
+template <>
+struct MessageOf<StopPlanPiece> {
+  using type = stop_plan_t;
 };
 template <>
 struct MessageOf<StopRequest> {
@@ -142,5 +148,10 @@ template <class T>
 Status to_message(const T& value, Message<T>& message) noexcept;
 template <class T>
 Status from_message(const Message<T>& message, T& value) noexcept;
+
+template <>
+Status to_message<StopPlanPiece>(const StopPlanPiece& value, stop_plan_t& message) noexcept;
+template <>
+Status from_message<StopPlanPiece>(const stop_plan_t& message, StopPlanPiece& value) noexcept;
 
 }  // namespace twinbus

@@ -1,7 +1,7 @@
 // Copies the fields of a message one way and judges each; convert.cpp lists the fields, this knows
 // the rules.
 //
-// Only convert.cpp includes it.
+// Only convert.cpp and convert_stop_plan.cpp include it.
 
 #pragma once
 
@@ -18,6 +18,7 @@
 #include "lcmtypes/msg/status.h"
 #include "lcmtypes/msg/sim_request.h"
 #include "lcmtypes/msg/step_list.h"
+#include "lcmtypes/msg/stop_plan.h"
 
 namespace twinbus {
 

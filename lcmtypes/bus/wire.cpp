@@ -54,6 +54,7 @@ std::span<const ChannelInfo> channel_table() {
       row<RobotState>(channel::kStateBridge),
       row<RobotState>(channel::kStateReplay),
       row<JointCommand>(channel::kCommand),
+      row<StopPlanPiece>(channel::kStopPlan),
       row<SourceStatus>(channel::kSourceStatus),
       row<SourceRequest>(channel::kSourceRequest),
       row<ControllerRequest>(channel::kControllerRequest),
@@ -95,6 +96,7 @@ const ChannelInfo* find_channel(const char* channel) noexcept {
   template Status decode<T>(std::span<const std::uint8_t>, T&) noexcept;
 TWINBUS_WIRE(RobotState)
 TWINBUS_WIRE(JointCommand)
+TWINBUS_WIRE(StopPlanPiece)
 TWINBUS_WIRE(StopRequest)
 TWINBUS_WIRE(SourceRequest)
 TWINBUS_WIRE(SourceStatus)

@@ -16,6 +16,7 @@
 #include "lcmtypes/msg/status.h"
 #include "lcmtypes/msg/sim_request.h"
 #include "lcmtypes/msg/step_list.h"
+#include "lcmtypes/msg/stop_plan.h"
 
 namespace twinbus {
 
@@ -44,7 +45,7 @@ struct WireBase {
 };
 
 template <>
-struct Wire<RobotState> : WireBase<1001, true> {
+struct Wire<RobotState> : WireBase<1013, true> {
   static std::int64_t sender(const RobotState& x) noexcept { return x.run_id; }
   static std::int64_t count(const RobotState& x) noexcept { return x.tick; }
 };
@@ -52,6 +53,10 @@ template <>
 struct Wire<JointCommand> : WireBase<1200, true> {
   static std::int64_t sender(const JointCommand& x) noexcept { return x.controller_id; }
   static std::int64_t count(const JointCommand& x) noexcept { return x.tick; }
+};
+template <>
+struct Wire<StopPlanPiece> : WireBase<1224, false> {
+  static std::int64_t sender(const StopPlanPiece& x) noexcept { return x.head.controller_id; }
 };
 template <>
 struct Wire<StopRequest> : WireBase<34, true> {
@@ -64,7 +69,7 @@ struct Wire<SourceRequest> : WireBase<47, true> {
   static std::int64_t count(const SourceRequest& x) noexcept { return x.sequence; }
 };
 template <>
-struct Wire<SourceStatus> : WireBase<129, false> {
+struct Wire<SourceStatus> : WireBase<154, false> {
   static std::int64_t sender(const SourceStatus& x) noexcept { return x.run_id; }
 };
 template <>

@@ -95,6 +95,7 @@ struct SourceStatus {
   std::int64_t commands_late = 0;
   std::int64_t clamped = 0;
   std::int64_t ticks_missed = 0;
+  std::int64_t plans_accepted = 0, plans_refused = 0, plans_followed = 0;
   std::int64_t terms_ignored = 0;
   std::int32_t term = 0;
   std::int32_t period_ns = 0;
@@ -108,6 +109,7 @@ struct SourceStatus {
   std::int8_t pace = 0;
   bool can_be_set = false;
   bool hardware = false;
+  std::int8_t plan_refusal = 0;  // robot/stop_plan/plan_assembler.h
   Refusal refusal = Refusal::kNone;
 };
 

@@ -49,9 +49,11 @@ struct RobotState {
   std::int64_t grant_run_id = 0;  // 0, or the run that may take over
   std::int64_t grant_tick = 0;    // the first tick that run may publish
   std::int64_t enabled = 0;       // bit per joint: servo on
+  std::int64_t plan_tick = 0;     // first tick at which a stop plan was followed instead of commands; 0 none is followed
   std::int32_t term = 0;
   std::int32_t period_ns = 0;
   std::int32_t stop_nonce = 0;
+  std::int32_t plan_number = 0;  // of that plan; 0 none is followed
   std::int32_t sensor_flags = 0;
   std::int16_t joint_count = 0;
   SourceKind source = SourceKind::kNone;

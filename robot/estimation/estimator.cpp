@@ -48,7 +48,7 @@ Estimator::Estimator(const Model& model)
 }
 
 void Estimator::reset() noexcept {
-  started_ = false;
+  started_ = resumed_ = false;
   attitude_.reset();
   imu_velocity_.setZero();
   loaded_ = {};
@@ -68,6 +68,14 @@ void Estimator::reset() noexcept {
   support_.clear();
 }
 
+void Estimator::resume(const std::array<bool, 2>& stands, const std::array<Eigen::Vector2d, 2>& place,
+                       const std::array<double, 2>& yaw) noexcept {
+  loaded_ = anchored_ = stands;
+  anchor_ = place;
+  anchor_yaw_ = yaw;
+  resumed_ = true;
+}
+
 void Estimator::update(const RobotState& state, bool again) noexcept {
   const bool start = !started_;
   const bool switched = started_ && state.run_id != run_id_;
@@ -77,7 +85,7 @@ void Estimator::update(const RobotState& state, bool again) noexcept {
   const double period = model_->period();
   dt_ = again ? 0.0 : since > 0.0 && since < 10.0 * period ? since : period;
   time_ns_ = state.time_ns;
-  look_at_imu(state, start || switched);
+  look_at_imu(state, start || switched || resumed_);
   look(state);
   if (start) {  // the first reading is believed
     for (Eigen::Vector3d& force : force_) force.z() = weight_force_;
@@ -348,6 +356,7 @@ void Estimator::follow_dcm() noexcept {
                    kGravity / (weight_force_ * height) * Eigen::Vector2d(spin.y(), -spin.x());
   dcm_velocity_ += dt_ * kGravity / height * (kinematics_.com() - zmp_).head<2>();
   dcm_velocity_ += dt_ / (dt_ + kDcmFilter) * (spun_velocity_ - dcm_velocity_);
+  if (std::exchange(resumed_, false)) dcm_velocity_ = spun_velocity_;
 }
 
 }  // namespace twinbus

@@ -33,6 +33,11 @@ class Estimator {
   // before, of another robot; what follows in time stays as it is.
   void update(const RobotState& state, bool again = false) noexcept;
 
+  // States were missed while somebody else moved the robot: at the next state the soles that stand are where they are said to
+  // be, world, and velocities are what that state says.
+  void resume(const std::array<bool, 2>& stands, const std::array<Eigen::Vector2d, 2>& place,
+              const std::array<double, 2>& yaw) noexcept;
+
   const Configuration& configuration() const noexcept {
     return configuration_;
   }  // base pose and velocity, joints
@@ -113,6 +118,7 @@ class Estimator {
   std::int64_t time_ns_ = 0;
   double dt_ = 0.0;  // since the last state [s]
   bool started_ = false;
+  bool resumed_ = false;  // the next state is the first after a silence
 
   std::array<Eigen::Isometry3d, 2> sole_;
   Eigen::Isometry3d ground_;

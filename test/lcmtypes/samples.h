@@ -7,6 +7,7 @@
 
 #include "lcmtypes/msg/requests.h"
 #include "lcmtypes/msg/robot_io.h"
+#include "lcmtypes/msg/stop_plan.h"
 
 namespace twinbus {
 
@@ -41,9 +42,11 @@ inline RobotState sample<RobotState>() {
                .grant_run_id = 78,
                .grant_tick = 1005,
                .enabled = 0x1fffffff,
+               .plan_tick = 990,
                .term = 3,
                .period_ns = 2'000'000,
                .stop_nonce = 9,
+               .plan_number = 12,
                .sensor_flags = 0x3f,
                .joint_count = kMaxJoints,
                .source = SourceKind::kSimulator,
@@ -72,6 +75,39 @@ inline JointCommand sample<JointCommand>() {
   count_up(x.tau);
   count_up(x.kp);
   count_up(x.kd);
+  return x;
+}
+template <>
+inline StopPlanPiece sample<StopPlanPiece>() {
+  StopPlanPiece x;
+  x.head = {.run_id = 77,
+            .model_hash = 4242,
+            .controller_id = 5,
+            .tick = 1000,
+            .joints = 0x1fffffff,
+            .term = 3,
+            .number = 12,
+            .pieces = 6,
+            .knot_count = 27,
+            .spacing = 20,
+            .joint_count = kMaxJoints,
+            .walks = true,
+            .omega = 3.6F,
+            .mass = 130.0F,
+            .sole_low = {-0.06F, -0.05F},
+            .sole_high = {0.13F, 0.05F},
+            .sole_zmp = {0.03F, 0.005F}};
+  x.piece = 2;
+  x.phase = {0, 1, 3, 1, 0};
+  std::int16_t value = 1;
+  for (auto* rows : {&x.q, &x.tau}) {
+    for (PlanRow& row : *rows) {
+      for (std::int16_t& number : row) number = value++;
+    }
+  }
+  for (PlanBalanceRow& row : x.balance) {
+    for (std::int16_t& number : row) number = value++;
+  }
   return x;
 }
 template <>
@@ -357,6 +393,7 @@ template <class F>
 void for_every_type(F&& f) {
   f.template operator()<RobotState>();
   f.template operator()<JointCommand>();
+  f.template operator()<StopPlanPiece>();
   f.template operator()<StopRequest>();
   f.template operator()<SourceRequest>();
   f.template operator()<SourceStatus>();

@@ -42,8 +42,9 @@ void put_number(std::vector<std::uint8_t>& bytes, const FieldElement& at, double
 bool is_real(const FieldElement& e) { return e.type == "double" || e.type == "float"; }
 
 TEST(Wire, SizesAreThoseOfTheProtocol) {
-  EXPECT_EQ(Wire<RobotState>::kBytes, 1001);
+  EXPECT_EQ(Wire<RobotState>::kBytes, 1013);
   EXPECT_EQ(Wire<JointCommand>::kBytes, 1200);
+  EXPECT_EQ(Wire<StopPlanPiece>::kBytes, 1224);
   EXPECT_EQ(Wire<StopRequest>::kBytes, 34);
 }
 
@@ -67,7 +68,7 @@ TEST(Wire, EveryChannelHasOneRowAndEveryTypeItsOwnFingerprint) {
     fingerprints.insert(info.fingerprint);
     EXPECT_EQ(find_channel(info.channel), &info);
   }
-  EXPECT_EQ(types.size(), 22u);
+  EXPECT_EQ(types.size(), 23u);
   EXPECT_EQ(fingerprints.size(), types.size());
   EXPECT_EQ(find_channel("NO_SUCH_CHANNEL"), nullptr);
 }

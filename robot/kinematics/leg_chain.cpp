@@ -1,4 +1,4 @@
-#include "control/legs/leg_chain.h"
+#include "robot/kinematics/leg_chain.h"
 
 namespace twinbus {
 

@@ -1,0 +1,54 @@
+#include "bridge/gate/plan_run.h"
+
+#include <cmath>
+
+#include "common/math/index.h"
+
+namespace twinbus {
+
+namespace {
+constexpr double kHolds = 1.0;  // the end of a plan, on its feet and with balance [s]
+}
+
+PlanRun::PlanRun(const Model& model) noexcept
+    : model_(&model),
+      second_(std::llround(1.0 / model.period())),
+      hold_ticks_(std::llround(kHolds / model.period())),
+      assembler_(model),
+      follower_(model) {}
+
+PlanRefusal PlanRun::add(const StopPlanPiece& piece, const PlanContext& context) noexcept {
+  if (running_) return PlanRefusal::kNone;  // the plan that is followed stays
+  return assembler_.add(piece, context);
+}
+
+void PlanRun::forget() noexcept {
+  running_ = false;
+  assembler_.clear();
+}
+
+bool PlanRun::known(std::int64_t tick) const noexcept {
+  return running_ || (assembler_.whole() != nullptr && tick - assembler_.whole()->head.tick <= second_);
+}
+
+void PlanRun::start(std::int64_t tick, const Estimator* robot) noexcept {
+  running_ = true;
+  since_ = tick;
+  if (robot != nullptr) follower_.start(*assembler_.whole(), tick, *robot);
+}
+
+void PlanRun::set_points(std::int64_t tick, const Estimator* robot, JointCommand& command) noexcept {
+  const StopPlan& plan = *assembler_.whole();
+  PlanJoints joints;
+  joints_at(plan, tick, model_->period(), joints);
+  if (robot != nullptr) follower_.balance(plan, tick, *robot, joints);
+  for (int j = 0; j < plan.head.joint_count; ++j) {
+    const auto i = at(j);
+    if ((plan.head.joints & bit(j)) == 0) continue;
+    command.q[i] = joints.q[i];
+    command.qd[i] = static_cast<float>(joints.qd[i]);
+    command.tau[i] = static_cast<float>(joints.tau[i]);
+  }
+}
+
+}  // namespace twinbus

@@ -1,0 +1,92 @@
+// A robot that walks outlives a controller that dies or stands still: few instants of what bench stalls measures with many.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "launcher/run/local_stack.h"
+#include "robot/description/load.h"
+#include "sim/scene/scene.h"
+#include "sim/scene/scene_seed.h"
+
+namespace twinbus {
+namespace {
+
+struct Walked {
+  explicit Walked(const char* name, std::uint64_t seed = 3) : scene(load_scene(name)), model(load_robot("hrp1s")) {
+    resolve_poses(scene, model);
+    apply_seed(scene, model, seed);
+    OneProcessConfig config;
+    config.seed = seed;
+    run = std::make_unique<OneProcess>(model, scene, config);
+  }
+  bool go(double seconds) {
+    const std::int64_t end = run->ticks() + std::llround(seconds / model.period());
+    while (run->ticks() < end && run->tick()) {
+      const SimTruth& t = run->truth();
+      led = std::max(led, run->state().plan_number);
+      if (t.fell) return false;
+    }
+    return true;
+  }
+  bool stands() const {
+    const SimTruth& t = run->truth();
+    return t.foot_force[0][2] > 100.0F && t.foot_force[1][2] > 100.0F &&
+           std::hypot(static_cast<double>(t.com_velocity[0]), static_cast<double>(t.com_velocity[1])) < 0.03;
+  }
+  Scene scene;
+  Model model;
+  std::unique_ptr<OneProcess> run;
+  std::int32_t led = 0;  // the plan that was followed
+};
+
+TEST(Stalls, AWalkingRobotWhoseControllerDiesComesToStandAndIsHeld) {
+  for (const char* scene : {"walk_forward", "walk_rough", "walk_slope"}) {
+    for (const double at : {4.03, 4.21, 4.39, 4.57}) {
+      Walked w(scene);
+      ASSERT_TRUE(w.go(at));
+      w.run->stall_controller(-1.0);
+      EXPECT_TRUE(w.go(1.5)) << scene << at;
+      EXPECT_NE(w.led, 0);
+      EXPECT_EQ(w.run->state().stop_kind, StopKind::kNone) << "held with balance for a second first";
+      EXPECT_TRUE(w.go(2.0)) << scene << at;
+      EXPECT_TRUE(w.stands()) << scene << at;
+      EXPECT_EQ(w.run->state().stop_kind, StopKind::kHold);
+      EXPECT_EQ(w.run->source().status().stop_reason, StopReason::kCommandTimeout);
+    }
+  }
+}
+
+TEST(Stalls, AControllerThatStoodStillWalksOn) {
+  for (const double stall : {0.02, 0.1, 0.2}) {
+    Walked w("walk_forward");
+    ASSERT_TRUE(w.go(4.1));
+    w.run->stall_controller(stall);
+    EXPECT_TRUE(w.go(0.5)) << stall;
+    EXPECT_NE(w.led, 0);
+    EXPECT_EQ(w.run->state().plan_number, 0);
+    const auto before = w.run->truth().base_position;
+    EXPECT_TRUE(w.go(1.5)) << stall;
+    EXPECT_GT(std::abs(w.run->truth().base_position[0] - before[0]), 0.4) << "walks on";
+    EXPECT_EQ(w.run->state().stop_kind, StopKind::kNone);
+  }
+}
+
+TEST(Stalls, AnotherControllerTakesTheRobotOverWhereThePlanEnds) {
+  Walked w("walk_forward");
+  ASSERT_TRUE(w.go(4.1));
+  w.run->stall_controller(-1.0);
+  EXPECT_TRUE(w.go(0.5));
+  w.run->restart_controller(99);
+  EXPECT_TRUE(w.go(0.2));
+  EXPECT_NE(w.run->state().plan_number, 0) << "not before";
+  EXPECT_TRUE(w.go(2.0));
+  EXPECT_TRUE(w.stands());
+  EXPECT_EQ(w.run->state().stop_kind, StopKind::kNone);
+  EXPECT_EQ(w.run->source().status().controller_id, 99);
+}
+
+}  // namespace
+}  // namespace twinbus
