@@ -152,10 +152,10 @@ int Ladder::choose(double error) const {
   return best;
 }
 
-int Ladder::choose_within(double cost) const {
+int Ladder::choose_within(double budget) const {
   int best = -1;
   for (std::size_t i = 0; i < rungs.size(); ++i) {
-    if (!rungs[i].whole || !(rungs[i].cost <= cost)) continue;
+    if (!rungs[i].whole || !(rungs[i].cost <= budget)) continue;
     if (best < 0 || estimate(i) < estimate(at(best))) best = static_cast<int>(i);
   }
   return best;

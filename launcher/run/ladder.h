@@ -47,7 +47,7 @@ struct Ladder {
   // The cheapest that holds the error together with all finer ones of its order; -1: none does.
   int choose(double error) const;
   // The nearest to the yardstick that costs no more [ms per simulated s]; -1: none.
-  int choose_within(double cost) const;
+  int choose_within(double budget) const;
 };
 
 struct LadderRequest {
