@@ -13,7 +13,6 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 if "TWINBUS_BIN" in os.environ:
     os.environ.setdefault("TWINBUS_PYTHON", str(pathlib.Path(os.environ["TWINBUS_BIN"]).parent / "lib/python"))
 sys.path.insert(0, str(ROOT / "examples"))
-import hold  # noqa: E402
 import twinbus  # noqa: E402
 
 ROLL, YAW, ELBOW = 20, 21, 22  # of the left arm, bus order
@@ -21,9 +20,17 @@ INTO = {ROLL: -0.26, YAW: -1.5, ELBOW: -1.8}
 SPEED = 0.8  # [rad/s]
 
 
+# Of hrp1s, as in examples/02: first joint, last joint, kp [N m/rad], kd [N m s/rad].
+GAINS = [(0, 5, 15000.0, 300.0), (6, 9, 3000.0, 60.0), (10, 12, 600.0, 6.0), (13, 18, 15000.0, 300.0), (19, 22, 3000.0, 60.0),
+         (23, 25, 600.0, 6.0), (26, 28, 15000.0, 300.0)]
+
+
 def main():
     what = sys.argv[1]
-    kp, kd = hold.parse_gains(hold.HRP1S)
+    kp, kd = [0.0] * twinbus.JOINTS, [0.0] * twinbus.JOINTS
+    for first, last, stiffness, damping in GAINS:
+        kp[first:last + 1] = [stiffness] * (last + 1 - first)
+        kd[first:last + 1] = [damping] * (last + 1 - first)
     bus = twinbus.Bus()
     bus.listen("STATE")
     me = twinbus.new_id()
