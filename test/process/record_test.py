@@ -78,7 +78,7 @@ def computed_again(checks, log, folder):
     states = list(events_of(bytes(data), "STATE"))
     offset, _ = states[len(states) // 2]
     # q[3]: behind the type hash, 8 int64, 4 int32, 1 int16, 3 int8 and 4 int8 lie 48 doubles.
-    at = offset + 8 + 8 * 8 + 4 * 4 + 2 + 3 + 4 + 3 * 8 + 5
+    at = offset + 8 + 9 * 8 + 5 * 4 + 2 + 3 + 4 + 3 * 8 + 5
     data[at] ^= 0x10
     damaged = folder / "flipped.log"
     damaged.write_bytes(data)

@@ -39,7 +39,7 @@ while at + HEAD.size <= len(raw):
     _, _, utime, name, size = HEAD.unpack_from(raw, at)
     if raw[at + 28:at + 28 + name] == b"STATE":
         body = at + 28 + name
-        states.append((1000 * utime, struct.unpack_from(">q", raw, body + 8)[0], struct.unpack_from(">29d", raw, body + 97)))
+        states.append((1000 * utime, struct.unpack_from(">q", raw, body + 8)[0], struct.unpack_from(">29d", raw, body + 109)))
     at += HEAD.size + name + size
 try:
     from mcap.reader import make_reader
