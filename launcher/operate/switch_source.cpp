@@ -21,6 +21,7 @@ constexpr double kFollowTimeout = 4.0;   // for a shadow to get there [s]
 constexpr double kFollowing = 1.0;  // it has faded in and swings with the active source by then [s]
 constexpr double kNearPosture = 0.045;   // the source itself refuses 0.05 [rad]
 constexpr double kSwitchTimeout = 15.0;  // with when-safe: a stop and 2 s of rest come first [s]
+constexpr double kBusyTimeout = 3.0;     // for the switch before this one to end and its pause to pass [s]
 constexpr double kAlignTimeout = 90.0;   // slow on purpose [s]
 
 Syntax switch_syntax() {
@@ -120,12 +121,20 @@ class Switch {
     request.run_id = active_run_;
     request.target_run_id = target_run_;
     const double timeout = align ? kAlignTimeout : kSwitchTimeout;
-    const bool done = ask_until(request, active_run_, timeout, [&] {
-      const SeenSource* target = bus_.seen().source(target_run_);
-      return target != nullptr && target->on_state && target->status.role == Role::kActive;
-    });
-    if (!done) why = reason(request, active_run_);
-    return done;
+    const std::int64_t begin = monotonic_ns();
+    while (true) {
+      const bool done = ask_until(request, active_run_, timeout, [&] {
+        const SeenSource* target = bus_.seen().source(target_run_);
+        return target != nullptr && target->on_state && target->status.role == Role::kActive;
+      });
+      if (done) return true;
+      // The switch before has just ended: the source takes the next one in a moment, and so does whoever asked.
+      if (!refused_as(Refusal::kBusy, request, active_run_) || seconds_since(begin) > kBusyTimeout) break;
+      bus_.listen(kAskSwitchAgain);
+      request.sequence = 0;  // a refusal answers one sequence
+    }
+    why = reason(request, active_run_);
+    return false;
   }
 
  private:
@@ -151,6 +160,11 @@ class Switch {
     const SeenSource* source = bus_.seen().source(answering_run);
     return source != nullptr && source->status.refusal != Refusal::kNone &&
            source->status.refusal_sequence == request.sequence;
+  }
+
+  bool refused_as(Refusal refusal, const SourceRequest& request, std::int64_t answering_run) const {
+    return refused(request, answering_run) &&
+           bus_.seen().source(answering_run)->status.refusal == refusal;
   }
 
   template <class Done>

@@ -48,13 +48,13 @@ ChannelInfo row(const char* channel) {
 }  // namespace
 
 std::span<const ChannelInfo> channel_table() {
+  // HEARTBEAT names a channel by its row, in logs too: new rows come last.
   static const std::array table{
       row<RobotState>(channel::kState),
       row<RobotState>(channel::kStateSim),
       row<RobotState>(channel::kStateBridge),
       row<RobotState>(channel::kStateReplay),
       row<JointCommand>(channel::kCommand),
-      row<StopPlanPiece>(channel::kStopPlan),
       row<SourceStatus>(channel::kSourceStatus),
       row<SourceRequest>(channel::kSourceRequest),
       row<ControllerRequest>(channel::kControllerRequest),
@@ -80,6 +80,7 @@ std::span<const ChannelInfo> channel_table() {
       row<ObstaclesPiece>(channel::kFootsteps),
       row<ModelTextPiece>(channel::kCamera),
       row<SimRequest>(channel::kSimRequest),
+      row<StopPlanPiece>(channel::kStopPlan),
   };
   return table;
 }

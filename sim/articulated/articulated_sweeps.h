@@ -128,7 +128,10 @@ inline int respond(const LinkNumbers& d, const BodyState& state, int index,
   Screw E[6];
   for (int r = 0; r < 6; ++r) {
     E[r] = Screw{};
-    (r < 3 ? E[r].w[r] : E[r].v[r - 3]) = 1.0;
+    if (r < 3)
+      E[r].w[r] = 1.0;
+    else
+      E[r].v[r - 3] = 1.0;
   }
   int count = 0;
   for (int i = index; i > 0; i = d.parent[static_cast<std::size_t>(i)]) {

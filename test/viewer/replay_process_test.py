@@ -23,7 +23,7 @@ twinbus, viewer_program = binary(bin_folder, "twinbus"), binary(bin_folder, "twi
 folder = pathlib.Path(tempfile.mkdtemp())
 runs = folder / "runs"
 HEAD = struct.Struct(">IqqII")
-STOP_KIND = 92  # offset in an encoded STATE
+STOP_KIND = 104  # offset in an encoded STATE: behind the type hash, 9 int64, 5 int32, 1 int16, source and role
 
 
 def events_of(data):
