@@ -127,7 +127,7 @@ make_work() {
 
 install_and_build() {
   [ ! -e "$work.built" ] || return 0
-  enter "$work" shared ./twinbus --help >/dev/null &&
+  enter "$work" shared ./twinbus --version >/dev/null &&
     enter "$work" shared cmake --build build/release --target unit_programs >"$work.log" &&
     touch "$work.built" || { tail -30 "$work.log"; return 1; }
 }

@@ -33,7 +33,7 @@ try_without() {
   in_root "$top/merged" sh -c "apt-mark auto $package && DEBIAN_FRONTEND=noninteractive apt-get autoremove -y -q -o APT::AutoRemove::RecommendsImportant=false -o APT::AutoRemove::SuggestsImportant=false" >"$top/apt.log" 2>&1
   # Once it configured it builds, and that is waited for no longer.
   (cd / && exec setsid unshare --pid --fork --kill-child env -i HOME=/root LANG=C.UTF-8 PATH="$PATH" chroot "$top/merged" \
-    sh -c 'cd /twinbus && TWINBUS_BUILDS=/tmp/builds exec ./twinbus --no-install --help') </dev/null >"$top/said" 2>&1 &
+    sh -c 'cd /twinbus && TWINBUS_BUILDS=/tmp/builds exec ./twinbus --no-install --version') </dev/null >"$top/said" 2>&1 &
   local child=$!
   while kill -0 "$child" 2>/dev/null && ! grep -q 'twinbus: builds' "$top/said"; do sleep 0.3; done
   kill -KILL "$child" 2>/dev/null || true
