@@ -71,6 +71,15 @@ std::string read_text_file(const std::string& path) {
 
 namespace {
 
+// From 1.  Expat 2.9 calls the older function deprecated.
+int current_line(XML_Parser parser) {
+#if XML_MAJOR_VERSION > 2 || XML_MINOR_VERSION >= 9
+  return static_cast<int>(XML_GetCurrentLineNumber64(parser));
+#else
+  return static_cast<int>(XML_GetCurrentLineNumber(parser));
+#endif
+}
+
 // Builds the tree while expat reads.  What this reader refuses itself is kept and stops expat, since nothing may be thrown
 // through a library in C.
 class TreeBuilder {
@@ -89,7 +98,7 @@ class TreeBuilder {
   XmlElement parse(const std::string& text) {
     if (XML_Parse(parser_, text.data(), static_cast<int>(text.size()), XML_TRUE) == XML_STATUS_OK)
       return std::move(root_);
-    const int line = static_cast<int>(XML_GetCurrentLineNumber(parser_));
+    const int line = current_line(parser_);
     if (!refusal_.empty()) fail_at(file_, line, refusal_);
     const XML_Error error = XML_GetErrorCode(parser_);
     if (error == XML_ERROR_NO_ELEMENTS && !started_) {
@@ -117,7 +126,7 @@ class TreeBuilder {
     static_assert(kMaxXmlDepth == 64);
     XmlElement element;
     element.name = name;
-    element.line = static_cast<int>(XML_GetCurrentLineNumber(self.parser_));
+    element.line = current_line(self.parser_);
     for (; *attributes != nullptr; attributes += 2)
       element.attributes.emplace_back(attributes[0], attributes[1]);
     self.open_.push_back(std::move(element));
