@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Does every file compile without a warning with another compiler?  Only looks: no code is made, so this takes a third of a build.
 
-    warnings.py COMPILER [PATTERN]
+    compiler_warnings.py COMPILER [PATTERN]
 
 Configures build/warnings-COMPILER as CI does (warnings are errors), writes the message types and gives each command of its
 compile_commands.json to COMPILER with -fsyntax-only.  PATTERN: only files whose path matches.  Exit status 1 where a file has
