@@ -3,9 +3,6 @@ include(libraries)
 twinbus_package(nlohmann-json3-dev nlohmann_json 3.10)
 twinbus_package(zlib1g-dev ZLIB)
 twinbus_pkg_config(zstd libzstd libzstd-dev)
-if(POLICY CMP0167)
-  cmake_policy(SET CMP0167 NEW)  # Boost's own package file
-endif()
 twinbus_package(libboost-dev Boost 1.71)  # headers only: Asio and Beast
 twinbus_pkg_config(sdl2 sdl2 libsdl2-dev)
 twinbus_package(libgtest-dev GTest)

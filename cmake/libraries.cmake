@@ -30,6 +30,9 @@ function(twinbus_pkg_config name module package)
     INTERFACE_LINK_LIBRARIES "${twinbus_${name}_LINK_LIBRARIES}")
 endfunction()
 
+if(POLICY CMP0167)
+  cmake_policy(SET CMP0167 NEW)  # Boost's own package file; a macro keeps what is set where it is written
+endif()
 # twinbus_package(PACKAGE NAME [VERSION ...]): find_package(NAME ...), of Debian's PACKAGE.
 macro(twinbus_package package name)
   find_package(${name} ${ARGN} QUIET)
