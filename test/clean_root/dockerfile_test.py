@@ -133,6 +133,7 @@ def two_machines():
 
 
 def main():
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit("ended before its end"))  # and what was started with it
     folder = pathlib.Path(built).parent / (pathlib.Path(built).name + "-image")
     subprocess.run(["rm", "-rf", "--one-file-system", folder], check=True)
     folder.mkdir()
