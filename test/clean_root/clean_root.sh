@@ -174,7 +174,7 @@ step() {
   shift
   "$@" || status=$?
   if [ $status -eq 124 ] && [ -n "$within" ]; then
-    far=$(how_far)
+    far=$(how_far || true)
     # What a missing line would break first: that the build was configured shows most, and this test the rest.
     if [ -e "$work/twinbus/build/release/build.ninja" ]; then
       within=
