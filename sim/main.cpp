@@ -41,7 +41,7 @@ int run(int argc, char** argv) {
   if (!parser.given("--robot")) options.common.robot = scene.robot;
   const Model model = load_robot(options.common.robot);
   resolve_poses(scene, model);
-  apply_seed(scene, model, options.seed);
+  apply_seed(scene, model, static_cast<std::uint64_t>(options.seed));
   SimSettings checked;  // a wrong setting is a wrong argument, said before anything opens
   for (const auto& [key, value] : config.settings) {
     const std::string complaint = apply_setting(key, value, model.period(), checked);

@@ -170,11 +170,11 @@ void SimAdaptor::Impl::drive_servos() noexcept {
     const auto i = static_cast<std::size_t>(k);
     const int j = model->bus_joints[i];
     if (obeys) {
-      ServoTarget target{.q = command.q[i],
-                         .qd = command.qd[i],
-                         .tau = command.tau[i],
-                         .kp = command.kp[i],
-                         .kd = command.kd[i]};
+      ServoTarget target{.q = static_cast<double>(command.q[i]),
+                         .qd = static_cast<double>(command.qd[i]),
+                         .tau = static_cast<double>(command.tau[i]),
+                         .kp = static_cast<double>(command.kp[i]),
+                         .kd = static_cast<double>(command.kd[i])};
       if (fall) {
         target = {.q = 0.0,
                   .qd = 0.0,

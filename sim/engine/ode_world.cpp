@@ -37,13 +37,13 @@ void open_engine() {
   static std::once_flag once;
   std::call_once(once, [] {
     dInitODE2(0);
-    dAllocateODEDataForThread(dAllocateMaskAll);
+    dAllocateODEDataForThread(static_cast<unsigned>(dAllocateMaskAll));
     dSetMessageHandler(&on_message);
     dSetErrorHandler(&on_failure);
     dSetDebugHandler(&on_failure);
     dRandSetSeed(1);
   });
-  dAllocateODEDataForThread(dAllocateMaskAll);
+  dAllocateODEDataForThread(static_cast<unsigned>(dAllocateMaskAll));
 }
 
 bool sane(const Eigen::Vector3d& v, double bound) {
