@@ -258,8 +258,8 @@ void show(const Teleop& teleop, const Gamepad& pad, const RobotState& state, boo
       "\r%-9s term %-4d %s%s  %s forward %+.2f left %+.2f  height %+.2f  turn %+.2f  %s \x1b[K",
       source, fresh ? state.term : 0, grip,
       fresh && state.stop_kind != StopKind::kNone ? "  (robot stopped)" : "",
-      walks ? "walk" : "lean", double{pad.left_y}, double{pad.left_x}, double{pad.right_y},
-      double{pad.right_x}, hand.c_str());
+      walks ? "walk" : "lean", static_cast<double>(pad.left_y), static_cast<double>(pad.left_x),
+      static_cast<double>(pad.right_y), static_cast<double>(pad.right_x), hand.c_str());
   std::fflush(stdout);
 }
 

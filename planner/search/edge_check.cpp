@@ -11,8 +11,7 @@ namespace twinbus {
 
 EdgeCheck::EdgeCheck(const Model& model, Collision& collision, const Configuration& posture,
                      const std::vector<int>& joints, double clearance)
-    : model_(&model),
-      collision_(&collision),
+    : collision_(&collision),
       posture_(posture),
       kinematics_(model),
       joints_(joints),

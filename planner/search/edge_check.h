@@ -54,7 +54,6 @@ class EdgeCheck : public FreeSpace {
   const Configuration& posture() const { return posture_; }
 
  private:
-  const Model* model_;
   Collision* collision_;
   Configuration posture_;
   Kinematics kinematics_;

@@ -312,8 +312,8 @@ class FakeStack {
     FakeStack& me;
     void operator()(const WalkCommand& walk) {
       char line[96];
-      std::snprintf(line, sizeof line, "walk %.2f %.2f %.2f run %ld", double{walk.vx},
-                    double{walk.vy}, double{walk.wz}, static_cast<long>(walk.run_id));
+      std::snprintf(line, sizeof line, "walk %.2f %.2f %.2f run %ld", static_cast<double>(walk.vx),
+                    static_cast<double>(walk.vy), static_cast<double>(walk.wz), static_cast<long>(walk.run_id));
       if (me.last_walk_ == line) return;
       me.last_walk_ = line;
       std::printf("%s\n", line);
@@ -360,8 +360,8 @@ class FakeStack {
       std::snprintf(
           line, sizeof line,
           "pad connected %d deadman %d stop %d lx %.2f ly %.2f rx %.2f ry %.2f buttons %d run %ld",
-          pad.connected, pad.deadman, pad.stop, double{pad.left_x}, double{pad.left_y},
-          double{pad.right_x}, double{pad.right_y}, pad.buttons, static_cast<long>(pad.run_id));
+          pad.connected, pad.deadman, pad.stop, static_cast<double>(pad.left_x), static_cast<double>(pad.left_y),
+          static_cast<double>(pad.right_x), static_cast<double>(pad.right_y), pad.buttons, static_cast<long>(pad.run_id));
       ++me.pads_;
       if (me.last_pad_ == line) return;
       me.last_pad_ = line;

@@ -116,7 +116,7 @@ void add_balance(const StackView& view, std::int64_t now_ns, Json& frame) {
     const Vector3d zmp(double{truth.zmp[0]}, double{truth.zmp[1]}, 0.0);
     frame["zmp"] = point(world * zmp);
     frame["com"] = point(world * vector(truth.com));
-    frame["margin_mm"] = number(1e3 * double{truth.zmp_margin}, 1);
+    frame["margin_mm"] = number(1e3 * static_cast<double>(truth.zmp_margin), 1);
   } else {
     const Estimator& estimator = view.estimator();
     frame["zmp"] = point(estimator.zmp());
@@ -149,8 +149,8 @@ void add_pairs(const StackView& view, std::int64_t now_ns, Json& frame) {
     for (std::size_t i = 0; i < rows; ++i) {
       pairs.push_back({{"a", name(report.link_a[i])},
                        {"b", name(report.link_b[i])},
-                       {"mm", number(1e3 * double{report.distance[i]}, 1)},
-                       {"s", number(double{report.time_to_contact[i]}, 2)},
+                       {"mm", number(1e3 * static_cast<double>(report.distance[i]), 1)},
+                       {"s", number(static_cast<double>(report.time_to_contact[i]), 2)},
                        {"from", point(base * vector(report.point_a[i]))},
                        {"to", point(base * vector(report.point_b[i]))}});
     }
@@ -189,10 +189,10 @@ Json processes(const StackView& view, std::int64_t now_ns) {
                     {"kind", label(h.kind)},
                     {"pid", h.pid},
                     {"age_ms", age_ms(heard.age(now_ns))},
-                    {"rate", number(double{h.rate}, 1)},
-                    {"median_us", number(double{h.tick_median_us}, 1)},
-                    {"p99_us", number(double{h.tick_p99_us}, 1)},
-                    {"input_age_us", number(double{h.age_us}, 0)},
+                    {"rate", number(static_cast<double>(h.rate), 1)},
+                    {"median_us", number(static_cast<double>(h.tick_median_us), 1)},
+                    {"p99_us", number(static_cast<double>(h.tick_p99_us), 1)},
+                    {"input_age_us", number(static_cast<double>(h.age_us), 0)},
                     {"missed", h.ticks_missed},
                     {"ticks", h.ticks},
                     {"lost", h.messages_lost},

@@ -98,7 +98,7 @@ std::string signals_frame(const StackView& view, std::int64_t now_ns, const Reco
                                   {"dcm", all(c.dcm)},
                                   {"zmp", all(c.zmp)},
                                   {"zmp_reference", all(c.zmp_reference)},
-                                  {"zmp_margin", number(double{c.zmp_margin})},
+                                  {"zmp_margin", number(static_cast<double>(c.zmp_margin))},
                                   {"compute_us", number(1e-3 * c.compute_ns, 1)}};
   }
   if (view.guard().fresh(now_ns, kFresh)) {
@@ -111,11 +111,11 @@ std::string signals_frame(const StackView& view, std::int64_t now_ns, const Reco
     frame["TRUTH"] = {{"base_position", all(t.base_position)},
                       {"com", all(t.com)},
                       {"zmp", all(t.zmp)},
-                      {"zmp_margin", number(double{t.zmp_margin})},
+                      {"zmp_margin", number(static_cast<double>(t.zmp_margin))},
                       {"left_foot_force", all(t.foot_force[0], 1)},
                       {"right_foot_force", all(t.foot_force[1], 1)},
                       {"foot_slip", all(t.foot_slip, 5)},
-                      {"penetration", number(double{t.penetration}, 6)}};
+                      {"penetration", number(static_cast<double>(t.penetration), 6)}};
   }
   return dump(frame);
 }
