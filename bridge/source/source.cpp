@@ -74,6 +74,7 @@ std::int64_t Source::next_tick_due_ns(std::int64_t last_due_ns) const noexcept {
 StopRequest Source::take_stop_to_publish(std::int64_t now_ns) noexcept {
   return impl_->core.take_stop_to_publish(now_ns);
 }
+bool Source::take_fall(std::array<char, 200>& cause) noexcept { return impl_->core.take_fall(cause); }
 const SourceStatus& Source::status() const noexcept { return impl_->core.status(); }
 const JointCommand& Source::effective_command() const noexcept {
   return impl_->core.gate().effective();

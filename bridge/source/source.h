@@ -11,6 +11,7 @@
 
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 
@@ -67,6 +68,9 @@ class Source {
   std::int64_t next_tick_due_ns(std::int64_t last_due_ns) const noexcept;
   // A stop that policy when_safe asks of the controller; kNone if none.  Publish it on STOP.
   StopRequest take_stop_to_publish(std::int64_t now_ns) noexcept;
+
+  // Once per fall of the robot, which has latched stop 'off': what led to it, zero-terminated.
+  bool take_fall(std::array<char, 200>& cause) noexcept;
 
   const SourceStatus& status() const noexcept;
   // The command that was last written to the adaptor.

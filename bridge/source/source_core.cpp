@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "bridge/handover/switch_check.h"
 #include "common/math/index.h"
+#include "lcmtypes/msg/fallen.h"
 
 namespace twinbus {
 
@@ -23,6 +25,7 @@ constexpr std::int64_t kSupportLasts_ns = 50'000'000;  // stable for so long bef
 constexpr std::int64_t kControllerFresh_ns = 50'000'000;
 constexpr std::int64_t kFollowAfter_ns = 500'000'000;  // a holder has walked
 constexpr float kFootInAir = 30.0F;                    // [N]
+constexpr double kLately = 2.0;        // what happened so long before a fall may have led to it [s]
 constexpr float kTorqueJump = 0.02F;                   // of the limit; a larger one is faded out
 
 // Infinity and NaN give NaN here, every other number zero.
@@ -61,7 +64,8 @@ SourceCore::SourceCore(const Model& model, const GateLimits& limits, RobotAdapto
       config_(config),
       handover_(handover),
       gate_(limits, config.guard_required, config.seed ^ static_cast<std::uint64_t>(config.run_id),
-            handover.off) {
+            handover.off),
+      fall_(model) {
   if (model.floating_base && model.soles[0].link >= 0 && model.soles[1].link >= 0) {
     if (handover.can_be_set) holder_estimate_.emplace(model);
     own_estimate_.emplace(model);
@@ -382,6 +386,43 @@ void SourceCore::watch_support(std::int64_t now_ns) noexcept {
   }
 }
 
+// A robot that lies is let go, whatever its controller does, and obeys again when somebody has looked at it.
+void SourceCore::watch_for_a_fall(std::int64_t now_ns) noexcept {
+  FallContext& c = fall_context_;
+  const std::int64_t before_ns = std::exchange(began_ns_, now_ns);
+  if (!handover_.holds_state() || config_.kind == SourceKind::kReplay) return fall_.forget();
+  const auto keep_worst = [now_ns](double seconds, double& worst, std::int64_t& at_ns) {
+    if (seconds < worst && static_cast<double>(now_ns - at_ns) < kLately * 1e9) return;
+    worst = seconds;
+    at_ns = now_ns;
+  };
+  if (config_.pace == Pace::kRealTime) {
+    const double slept = 1e-9 * static_cast<double>(now_ns - before_ns) - model_->period();
+    keep_worst(before_ns != 0 ? slept : 0.0, c.slept, slept_at_ns_);
+    const bool commanded = gate_.is_open() && gate_.commanded() && !gate_.latch().latched();
+    const std::int64_t silent_ns = gate_clock(now_ns) - gate_.last_accepted_ns();
+    keep_worst(commanded ? 1e-9 * static_cast<double>(silent_ns) : 0.0, c.silent, silent_at_ns_);
+  }
+  // `stop` without a stop is the brace of a robot that falls already.
+  if (controller_.run_id == config_.run_id && controller_.mode != c.mode && controller_.mode != Mode::kStop) {
+    c.mode = controller_.mode;
+    mode_since_ns_ = now_ns;
+  }
+  c.mode_age = 1e-9 * static_cast<double>(now_ns - mode_since_ns_);
+  c.stop = gate_.latch().kind;
+  c.reason = gate_.latch().reason;
+  c.plan_runs = gate_.plan().running();
+  if (!device_ok_ || !fall_.look(state_, c)) return;
+  fallen_ = true;
+  gate_.stop(StopKind::kOff, kStopFallen, gate_clock(now_ns));
+}
+
+bool SourceCore::take_fall(std::array<char, 200>& cause) noexcept {
+  if (!std::exchange(fallen_, false)) return false;
+  cause = fall_.cause();
+  return true;
+}
+
 void SourceCore::begin_tick(std::int64_t now_ns) noexcept {
   if (!written_ && handover_.holds_state()) ++status_.ticks_missed;
   gate_.watch(gate_clock(now_ns));
@@ -391,6 +432,7 @@ void SourceCore::begin_tick(std::int64_t now_ns) noexcept {
   if (handover_.holds_state() && !handover_.obeys() && gate_.is_open()) gate_.close();
   read_adaptor(now_ns);
   watch_support(now_ns);
+  watch_for_a_fall(now_ns);
   written_ = false;
   fill_state();
   fill_status();

@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 
@@ -12,6 +13,7 @@
 #include "bridge/gate/command_gate.h"
 #include "bridge/adaptor/frozen_sensors.h"
 #include "bridge/handover/handover.h"
+#include "bridge/source/fall_watch.h"
 #include "bridge/source/source.h"
 #include "robot/estimation/estimator.h"
 
@@ -36,6 +38,7 @@ class SourceCore {
   void end_tick(std::int64_t now_ns) noexcept;
   std::int64_t next_tick_due_ns(std::int64_t last_due_ns) const noexcept;
   StopRequest take_stop_to_publish(std::int64_t now_ns) noexcept;
+  bool take_fall(std::array<char, 200>& cause) noexcept;
 
   const RobotState& state() const noexcept { return state_; }
   bool command_ready() const noexcept;
@@ -62,6 +65,7 @@ class SourceCore {
   void fill_state() noexcept;
   void fill_status() noexcept;
   void watch_support(std::int64_t now_ns) noexcept;
+  void watch_for_a_fall(std::int64_t now_ns) noexcept;
   bool estimate() noexcept;  // own_estimate_ takes this tick's state, if anybody needs it
 
   const Model* model_;
@@ -99,6 +103,13 @@ class SourceCore {
   bool have_holder_command_ = false;
   bool written_ = true;  // this tick's set-point has been written
   bool limp_ = false;    // fall_safe() has taken over
+
+  FallWatch fall_;
+  FallContext fall_context_;
+  bool fallen_ = false;               // to be told
+  std::int64_t mode_since_ns_ = 0;    // of the controller
+  std::int64_t began_ns_ = 0;         // the last tick
+  std::int64_t slept_at_ns_ = 0, silent_at_ns_ = 0;  // when what the context names was
 };
 
 }  // namespace twinbus

@@ -3,6 +3,7 @@
 #include <cstdarg>
 #include <cstdio>
 
+#include "lcmtypes/msg/fallen.h"
 #include "lcmtypes/msg/status.h"
 
 namespace twinbus {
@@ -34,6 +35,7 @@ const char* stop_name(StopKind kind) noexcept {
 }
 
 const char* reason_name(StopReason reason) noexcept {
+  if (reason == kStopFallen) return "the robot has fallen; put it on its feet, then clear the stop";
   switch (reason) {
     case StopReason::kNone:
       return "no reason given";

@@ -287,6 +287,7 @@ class Shell {
                          status.stop_nonce != told_nonce_ || status.pace != told_.pace ||
                          status.controller_id != told_.controller_id;
     Event event;
+    if (std::array<char, 200> cause; source_.take_fall(cause)) tell(2, cause.data());
     while (next_sentence(told_, status, event)) send_event(event);
     if (changed || now - status_ns_ >= kStatusEvery_ns) {
       told_term_ = status.term;

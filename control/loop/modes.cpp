@@ -16,7 +16,7 @@ constexpr double kBalanceTilt = 0.35;  // [rad] from which balance still begins
 constexpr double kIdleDamping = 0.1;   // share of kd
 constexpr double kSettledZmp = 0.02;   // [m] inside the support polygon: a stop may end
 constexpr const char* kHasFallen =
-    "the robot has fallen: the joints are damped; put it on its feet and ask for balance";
+    "the robot has fallen: the joints are damped; put it on its feet, clear the stop and ask for balance";
 
 double tilt(const Estimator& estimator) noexcept {
   const double up = estimator.configuration().base.linear()(2, 2);
@@ -26,6 +26,7 @@ double tilt(const Estimator& estimator) noexcept {
 
 Modes::Modes(const Model& model, const BalanceGains& gains, const WalkGains& walk)
     : model_(model),
+      way_(model),
       posture_(model),
       arm_(model),
       brace_(model),
@@ -101,6 +102,7 @@ void Modes::leave_walk(const ModeRequest& next, bool at_once, bool tidy) noexcep
 
 void Modes::start(Mode first, const Moment& now) noexcept {
   mode_ = Mode::kNone;
+  looks_ahead_ = false;
   bracing_ = false;
   balancing_ = walking_ = leaving_ = false;
   if (balance_ != nullptr) balance_->forget();
@@ -158,10 +160,34 @@ void Modes::enter(Mode next, const Moment& now) noexcept {
   }
 }
 
+// Of a robot on its feet: the legs are told where to be, or nothing balances what the other joints do.
+const char* Modes::why_no_pose(const ModeRequest& request, const Moment& now) noexcept {
+  const bool balanced = (request.joint_mask & legs_) == 0 && (balancing_ || may_balance(now));
+  if (pose_ == nullptr || !stands(now) || balanced) return nullptr;
+  return pose_->why_not(now.estimator, now.last != nullptr ? now.last->q : now.state.q, request.q, request.joint_mask);
+}
+
+void Modes::look_ahead(const Moment& now) noexcept {
+  if (!looks_ahead_) return;
+  const PoseWay::Verdict verdict = way_.look();
+  if (verdict == PoseWay::Verdict::kLooks) return;
+  looks_ahead_ = false;
+  if (verdict == PoseWay::Verdict::kTouches) {
+    sentence_ = way_.why();
+  } else {
+    enter_pose(asked_pose_, now);
+  }
+}
+
 void Modes::enter_pose(const ModeRequest& request, const Moment& now) noexcept {
   arm_.cancel();
-  // Without legs in it, the legs go on balancing.
-  if (!balancing_ || (request.joint_mask & legs_) != 0) enter(Mode::kHold, now);
+  // Without legs in it, the legs balance what the others do, from hold too.
+  const bool without_legs = (request.joint_mask & legs_) == 0;
+  if (!without_legs || !(balancing_ || may_balance(now))) {
+    enter(Mode::kHold, now);
+  } else if (!balancing_) {
+    enter(Mode::kBalance, now);
+  }
   mode_ = Mode::kPose;
   posture_.move(request.q, request.joint_mask, static_cast<double>(request.duration));
 }
@@ -207,11 +233,8 @@ void Modes::obey(const ModeRequest& request, const Moment& now) noexcept {
     }
     return;
   }
-  if (request.mode == Mode::kPose && (request.joint_mask & legs_) != 0 && stands(now) &&
-      pose_ != nullptr) {
-    if (const char* why =
-            pose_->why_not(now.estimator, now.last != nullptr ? now.last->q : now.state.q,
-                           request.q, request.joint_mask)) {
+  if (request.mode == Mode::kPose && !walking_) {
+    if (const char* why = why_no_pose(request, now)) {
       sentence_ = why;
       return;
     }
@@ -223,13 +246,17 @@ void Modes::obey(const ModeRequest& request, const Moment& now) noexcept {
     if (stop) arm_.cancel();
     return leave_walk(request, stop, !stop);
   }
+  if (request.mode != Mode::kNone) looks_ahead_ = false;
   switch (request.mode) {
     case Mode::kIdle:
     case Mode::kHold:
       if (mode_ != request.mode) enter(request.mode, now);
       break;
     case Mode::kPose:
-      enter_pose(request, now);
+      way_.start(now.estimator.configuration(), now.last != nullptr ? now.last->q : now.state.q, request.q,
+                 request.joint_mask);
+      asked_pose_ = request;
+      looks_ahead_ = true;
       break;
     case Mode::kBalance:
       if (mode_ != Mode::kBalance) enter(Mode::kBalance, now);
@@ -264,6 +291,7 @@ bool Modes::follow_stop(StopKind asked, bool for_switch, bool plan_runs, const M
   const bool balanced = state.stop_kind == StopKind::kBalanced || asked == StopKind::kBalanced;
   if (balanced && !stopping_) {
     arm_.cancel();
+    looks_ahead_ = false;
     if (walking_) {
       leave_walk({}, true, for_switch);
     } else if (balancing_) {
@@ -280,6 +308,7 @@ bool Modes::follow_stop(StopKind asked, bool for_switch, bool plan_runs, const M
     stopping_ = false;
   }
   if (!held_by_gate_ && !was_held) return false;
+  looks_ahead_ = false;
   if (held_by_gate_ && !was_held) {
     mode_before_stop_ = mode_;
     mode_ = Mode::kStop;
@@ -325,12 +354,13 @@ void Modes::watch_for_a_fall(const Moment& now) noexcept {
   }
   if (!(balancing_ || walking_)) return;
   if (tilt(now.estimator) >= kFallenTilt) {
+    looks_ahead_ = false;
     sentence_ = kHasFallen;
     enter(Mode::kIdle, now);
   } else if (Brace::is_lost(now.estimator)) {
     sentence_ = "the robot falls: it bends its knees, brings its arms before it and gives way";
     arm_.drop();
-    balancing_ = walking_ = leaving_ = false;
+    balancing_ = walking_ = leaving_ = looks_ahead_ = false;
     bracing_ = true;
     changed_ = false;  // a fall leaves no time to blend
     mode_ = Mode::kStop;
@@ -371,6 +401,7 @@ void Modes::damp(const RobotState& state, SetPoint& set_point) const noexcept {
 }
 
 void Modes::want(const Moment& now, std::int64_t mask, double dt, SetPoint& set_point) noexcept {
+  if (dt > 0.0) look_ahead(now);
   posture_.advance(dt);
   if (balance_ != nullptr) balance_->watch(now.estimator, dt);
   // A path begins where a guard holds the arm, not where the arm was wanted before.

@@ -22,6 +22,7 @@
 #include "control/legs/static_torque.h"
 #include "control/loop/arm_follow.h"
 #include "control/loop/fall_protection.h"
+#include "control/loop/pose_way.h"
 #include "control/loop/stop_planner.h"
 #include "control/walk/walk.h"
 #include "lcmtypes/msg/requests.h"
@@ -101,6 +102,8 @@ class Modes {
   void enter(Mode next, const Moment& now) noexcept;
   void enter_balance(const Moment& now) noexcept;
   void enter_hold(const Moment& now, bool at_measured) noexcept;
+  const char* why_no_pose(const ModeRequest& request, const Moment& now) noexcept;
+  void look_ahead(const Moment& now) noexcept;
   void enter_pose(const ModeRequest& request, const Moment& now) noexcept;
   void enter_walk(const Moment& now) noexcept;
   // Walks no more: once the robot stands, `next` is obeyed.  at_once: the shortest stop; tidy: the feet side by side.
@@ -115,6 +118,9 @@ class Modes {
   std::unique_ptr<Balance> balance_;   // null when the robot cannot
   std::unique_ptr<SquatCheck> squat_;  // as balance_
   std::unique_ptr<PoseCheck> pose_;    // as balance_
+  PoseWay way_;
+  bool looks_ahead_ = false;  // along the way to asked_pose_, which begins when it is free
+  ModeRequest asked_pose_;
   std::unique_ptr<Walk> walk_;         // null when the robot cannot
   std::string no_walk_;                // why not
   ModeRequest next_;                   // while leaving

@@ -81,8 +81,11 @@ constexpr BenchRow kBenches[] = {
     {"guard and planner", "reach", "a balancing robot reaches among obstacles"},
     {"simulation", "physics", "engines beside their peers, asked and reached"},
     {"simulation", "manifold", "contact of two sets of triangles beside FCL"},
+    {"simulation", "tumble", "bodies of many shapes that fall: energy and penetration"},
     {"bus and logs", "bus", "STATE to COMMAND through another process"},
     {"bus and logs", "switch", "live switches of the source"},
+    {"bus and logs", "explorer", "how many states of the protocol a second are explored"},
+    {"bus and logs", "stalls", "what a process that stands still does to a robot"},
     {"bus and logs", "record", "what recording costs a stack"},
     {"bus and logs", "log", "how fast the log tools are on a long log"},
     {"bus and logs", "viewer", "what the page gives, and what it costs"}};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdio>
+#include <map>
 #include <stdexcept>
 
 #include "common/process/arguments.h"
@@ -12,6 +13,8 @@
 namespace twinbus {
 
 namespace {
+
+constexpr const char* kGroups[] = {"standing", "walking", "arms and hands", "bodies and mechanisms"};
 
 Syntax scenes_syntax() {
   return {"scenes",
@@ -31,21 +34,41 @@ std::string small(std::string text) {
 
 }  // namespace
 
+const char* scene_group(const Scene& scene) {
+  const bool walks = !scene.walks.empty() || !scene.pads.empty() || !scene.steps.empty() ||
+                     std::any_of(scene.modes.begin(), scene.modes.end(),
+                                 [](const TimedMode& timed) { return timed.request.mode == Mode::kWalk; });
+  if (walks) return kGroups[1];
+  const bool humanoid = scene.start_pose == "half_sitting" && !scene.fixed_base;
+  const bool moves = std::any_of(scene.modes.begin(), scene.modes.end(), [](const TimedMode& timed) {
+    return timed.request.motion != Motion::kNone || timed.request.mode == Mode::kPose;
+  });
+  const bool asked = moves || !scene.pushes.empty() || scene.push_round.count > 0;
+  if (!scene.goals.empty() || (humanoid && !scene.grasps.empty())) return kGroups[2];
+  if (!humanoid || (!asked && (!scene.loose.empty() || scene.robot != Scene{}.robot))) return kGroups[3];
+  return kGroups[0];
+}
+
 int scenes_command(const std::vector<std::string>& words) {
   const Arguments arguments(scenes_syntax(), words);
   const std::vector<std::string> names = scene_names();
   std::size_t width = 0;
   for (const std::string& name : names) width = std::max(width, name.size());
   bool any = false;
+  std::map<std::string, std::string> listed;  // by group
   for (const std::string& name : names) {
-    const std::string about = load_scene(name).about;
+    const Scene scene = load_scene(name);
+    const std::string& about = scene.about;
     const std::string text = small(name + " " + about);
     const bool wanted = std::all_of(words.begin(), words.end(), [&](const std::string& word) {
       return text.find(small(word)) != std::string::npos;
     });
     if (!wanted) continue;
     any = true;
-    std::printf("%-*s  %s\n", static_cast<int>(width), name.c_str(), about.c_str());
+    listed[scene_group(scene)] += "  " + name + std::string(width + 2 - name.size(), ' ') + about + "\n";
+  }
+  for (const char* group : kGroups) {
+    if (listed.contains(group)) std::printf("%s\n%s", group, listed[group].c_str());
   }
   if (!any) throw std::runtime_error("no scene has all of these words; ./twinbus scenes lists all");
   return 0;

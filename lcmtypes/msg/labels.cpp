@@ -1,5 +1,7 @@
 #include "lcmtypes/msg/labels.h"
 
+#include "lcmtypes/msg/fallen.h"
+
 namespace twinbus {
 
 const char* label(SourceKind kind) noexcept {
@@ -51,6 +53,7 @@ const char* label(StopKind kind) noexcept {
 }
 
 const char* label(StopReason reason) noexcept {
+  if (reason == kStopFallen) return "a fall";
   switch (reason) {
     case StopReason::kNone:
       return "none";

@@ -98,9 +98,15 @@ Push read_push(const ConfigNode& node) {
   Push push;
   push.link = node.text("link");
   push.point = bounded(node, "point", 10.0, &zero);
-  push.impulse = bounded(node, "impulse", 1e4, nullptr);
+  // force and for: as ./twinbus push has them.
+  const bool by_force = node.has("force");
+  if (by_force && node.has("impulse")) node.fail("force", "stands beside impulse: give one of them");
+  const bool has_for = node.has("for");
+  if (has_for && node.has("duration")) node.fail("for", "stands beside duration, which it means: give one of them");
+  push.duration = has_for ? node.number("for", 1e-3, 60.0) : node.number("duration", 1e-3, 60.0, 0.1);
+  push.impulse = by_force ? Eigen::Vector3d(push.duration * bounded(node, "force", 1e5, nullptr))
+                          : bounded(node, "impulse", 1e4, nullptr);
   push.at = node.number("at", 0.0, kDay);
-  push.duration = node.number("duration", 1e-3, 60.0, 0.1);
   node.finish();
   return push;
 }

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <random>
 #include <string>
 
 #include "control/loop/control_loop.h"
@@ -163,6 +165,90 @@ TEST(Stop, NoModeAndNoPoseMakesAStandingRobotFall) {
   ASSERT_TRUE(rig.run(3.0));
   EXPECT_EQ(rig.loop().status().mode, Mode::kPose);
   EXPECT_FALSE(rig.record().fell);
+}
+
+// Every named pose of the robot after every other, at once and slowly: the legs take the body along.
+TEST(Stop, NamedPosesOneAfterTheOtherAreStoodOrRefused) {
+  const Model& model = test::hrp1s();
+  Rig rig;
+  ASSERT_TRUE(rig.run(0.5));
+  ModeRequest pose;
+  pose.run_id = rig.state().run_id;
+  pose.sender_id = 77;
+  pose.mode = Mode::kPose;
+  pose.joint_mask = (std::int64_t{1} << model.bus_count()) - 1;
+  int taken = 0;
+  for (std::size_t i = 0; i < 3 * model.poses.size() * model.poses.size(); ++i) {
+    const std::size_t which = i % 2 == 0 ? i / 2 % model.poses.size() : (i / 2 + 1 + i / 10) % model.poses.size();
+    const NamedPose& named = model.poses[which];
+    for (int k = 0; k < model.bus_count(); ++k) {
+      pose.q[static_cast<std::size_t>(k)] = named.q[static_cast<std::size_t>(model.bus_joints[static_cast<std::size_t>(k)])];
+    }
+    pose.sequence = static_cast<std::int32_t>(i + 1);
+    pose.duration = static_cast<float>(i % 3) * 0.7F;
+    if (i % 4 == 0) rig.ask(Mode::kBalance);
+    rig.loop().on_mode_request(pose);
+    for (int t = 0; t < 1200; ++t) {
+      ASSERT_TRUE(rig.tick());
+      ASSERT_FALSE(rig.record().fell) << i << ": " << named.name << " in " << pose.duration << " s";
+    }
+    taken += rig.loop().status().mode == Mode::kPose;
+  }
+  std::printf("%d of %zu taken\n", taken, 3 * model.poses.size() * model.poses.size());
+  EXPECT_GT(taken, 10);
+}
+
+// Of arms and waist, from balance and from hold, slow and at once: taken and stood, or refused with what would be.
+TEST(Stop, PosesOfArmsAndWaistAreStoodOrRefusedForWhatWouldTouchOrFall) {
+  const Model& model = test::hrp1s();
+  Rig rig;
+  ASSERT_TRUE(rig.run(0.5));
+  std::mt19937 random(34);
+  const auto uniform = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  ModeRequest pose;
+  pose.run_id = rig.state().run_id;
+  pose.sender_id = 77;
+  pose.mode = Mode::kPose;
+  int taken = 0, touching = 0, falling = 0;
+  for (int i = 0; i < 60; ++i) {
+    rig.ask(i % 4 == 3 ? Mode::kHold : Mode::kBalance);
+    ASSERT_TRUE(rig.run(0.7));
+    (void)rig.loop().take_sentence();
+    pose.sequence = i + 1;
+    pose.joint_mask = 0;
+    pose.duration = static_cast<float>(i % 3 == 0 ? 0.0 : 1.5);
+    std::string asked;
+    for (int k = 0; k < model.bus_count(); ++k) {
+      const Joint& joint = model.joints[static_cast<std::size_t>(model.bus_joints[static_cast<std::size_t>(k)])];
+      if (joint.name.find("LEG") != std::string::npos || uniform(0.0, 1.0) < 0.6) continue;
+      pose.joint_mask |= std::int64_t{1} << k;
+      pose.q[static_cast<std::size_t>(k)] = uniform(joint.lower, joint.upper);
+      asked += joint.name + "=" + std::to_string(pose.q[static_cast<std::size_t>(k)]) + " ";
+    }
+    if (pose.joint_mask == 0) continue;
+    rig.loop().on_mode_request(pose);
+    for (int t = 0; t < 1500; ++t) {
+      ASSERT_TRUE(rig.tick());
+      ASSERT_NE(rig.loop().guard_report().verdict, GuardVerdict::kInCollision) << i << ": " << asked;
+      ASSERT_FALSE(rig.record().fell) << i << (i % 4 == 3 ? " from hold: " : ": ") << asked;
+    }
+    if (rig.loop().status().mode == Mode::kPose) {
+      ++taken;
+      EXPECT_EQ(rig.loop().guard_report().hold_mask, 0) << i << ": " << asked << "is taken and not reached";
+      continue;
+    }
+    const char* why = rig.loop().take_sentence();
+    ASSERT_NE(why, nullptr) << i << ": " << asked;
+    const std::string sentence = why;
+    touching += sentence.find("would touch") != std::string::npos;
+    falling += sentence.find("would fall") != std::string::npos;
+    EXPECT_TRUE(sentence.find("would touch") != std::string::npos || sentence.find("would fall") != std::string::npos) << sentence;
+  }
+  std::printf("%d taken, %d would touch, %d would fall\n", taken, touching, falling);
+  EXPECT_GT(taken, 5);
+  EXPECT_GT(touching, 5);
 }
 
 }  // namespace

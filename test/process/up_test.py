@@ -112,6 +112,11 @@ def lists(checks):
     status, said, _ = cli("bench")
     groups = [line for line in said.splitlines() if line in ("walking", "guard and planner", "simulation", "bus and logs")]
     checks.that(status == 0 and len(groups) == 4 and "  physics " in said, f"bench lists by group, each with a line: {said}")
+    checks.that("others" not in said and all(len(line.split(None, 1)) == 2 for line in said.splitlines() if line.startswith("  ")),
+                f"no bench without a line: {said}")
+    status, said, _ = cli("scenes")
+    groups = [line for line in said.splitlines() if not line.startswith(" ")]
+    checks.that(status == 0 and groups == ["standing", "walking", "arms and hands", "bodies and mechanisms"], f"scenes by group: {groups}")
     status, _, problem = cli("up", "--stack", "replay")
     checks.that(status == 2 and "--log FILE" in problem, f"a replay wants a log: {problem}")
 

@@ -1,19 +1,22 @@
 #!/usr/bin/env python3
-"""doc/scenes.md has every key of a scene and every setting, with the ranges and defaults of the code that reads them.
+"""doc/scenes.md has every key of a scene and every setting, with the ranges and defaults of the code that reads them, and
+config/scenes/scene.schema.json has the same for editors.
 
     scenes_page_test.py            says what is missing or old
-    scenes_page_test.py --write    writes the page anew
+    scenes_page_test.py --write    writes both anew
 
 Keys, kinds, ranges and defaults are read from the calls in sim/scene (ConfigNode), settings from the table kEntries of
 sim/scene/settings.cpp; what a key means is said here. A key without a meaning, or a meaning without a key, is a failure.
 """
 
+import json
 import pathlib
 import re
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PAGE = ROOT / "doc/scenes.md"
+SCHEMA = ROOT / "config/scenes/scene.schema.json"
 SOURCES = sorted(str(file.relative_to(ROOT)) for file in (ROOT / "sim/scene").glob("*.cpp")) + ["robot/description/loops.cpp",
                                                                                             "lcmtypes/msg/step_list.cpp"]
 HEADERS = ["sim/scene/scene.h", "sim/scene/scene_criteria.h", "sim/world/world.h", "robot/description/loops.h", "sim/world/link_hull.h"]
@@ -67,7 +70,7 @@ MEANING = {
     "obstacles[]": {"shape": "what it is", "size": "box: edges; sphere: radius; cylinder: radius, length [m]", "position": "of its middle, or of the file's origin, ground frame [m]", "rpy_deg": POSE["rpy_deg"],
                     "file": "beside the scene or below: STL, OBJ, DAE; points; heights", "scale": "of a mesh file", "cell": "of the boxes that cover a mesh, points or heights [m]",
                     "spacing": "of a height map [m]"},
-    "pushes[]": {"link": "name", "point": "in the link's frame [m]", "impulse": "in world [N s]", "at": AT, "duration": FOR},
+    "pushes[]": {"link": "name", "point": "in the link's frame [m]", "impulse": "in world [N s]", "force": "the same as impulse over duration, in world [N]", "at": AT, "duration": FOR, "for": "another word for duration"},
     "modes[]": {"at": AT, "mode": "as in mode_request_t", "motion": "in mode balance", "duration": "of a pose [s]", "amplitude": "of a motion [m]", "frequency": "of a motion [Hz]", "pose": "named pose, for mode pose"},
     "goals[]": {"at": AT, "hand": "which", "speed": "share of the joint velocity limits", "pose": "named pose: the arm's joints of it", "cancel": "ends the motion under way",
                 "position": "of the hand, ground frame [m]", "rpy_deg": "its turn too [degrees]"},
@@ -110,7 +113,7 @@ DEFAULT = {
     ("obstacles[]", "size"): "required of box, sphere, cylinder", ("obstacles[]", "file"): "required of mesh, points, height_map",
     ("obstacles[]", "spacing"): "required of height_map", ("loose[]", "size"): "required unless mesh", ("loose[]", "file"): "required of mesh",
     ("goals[]", "position"): "required without pose or cancel", ("modes[]", "pose"): "required of mode pose", ("robots[]", "robot"): "the scene's",
-    ("grasps[]", "until"): "never",
+    ("grasps[]", "until"): "never", ("pushes[]", "impulse"): "required without force", ("pushes[]", "force"): "", ("pushes[]", "for"): "",
 }
 
 
@@ -223,7 +226,8 @@ def page():
     lines = ["# Scenes", "", "<!-- Written by test/structure/scenes_page_test.py --write: do not edit. -->", "",
              "A scene is a YAML file: what stands where, what is asked of the robot and when, and when a run has passed. `./twinbus run FILE` runs and",
              "judges it, `./twinbus up FILE` shows it. An unknown key is refused with its line and the nearest valid key. A short one is",
-             "`examples/11_scene.yaml`; all are in `config/scenes`. `name[]` is a list, one map per entry; a key without a default may be left out unless it says required.", ""]
+             "`examples/11_scene.yaml`; all are in `config/scenes`. An editor completes and checks one that begins with",
+             "`# yaml-language-server: $schema=scene.schema.json` (the file is in `config/scenes`). `name[]` is a list, one map per entry; a key without a default may be left out unless it says required.", ""]
     for name, about in MAPS.items():
         lines += [f"## {name}", "", about, "", "| key | value | default | meaning |", "| --- | --- | --- | --- |"]
         order = list(MEANING[name])
@@ -240,10 +244,70 @@ def page():
     return "\n".join(lines) + "\n", problems
 
 
+def shape_of(name, key, value, default):
+    """One key for an editor: JSON schema, draft 7."""
+    inner = key if name == "scene" else f"{name}.{key}"
+    shape = {}
+    if value == "map":
+        shape = {"$ref": f"#/definitions/{inner}"} if inner in MAPS else {"type": "object"}
+    elif value == "list of maps":
+        shape = {"type": "array", "items": {"$ref": f"#/definitions/{inner}[]"}}
+    elif found := re.match(r"(\S+) \.\. (\S+?)(, whole)?$", value):
+        shape = {"type": "integer" if found[3] else "number"}
+        for word, limit in (("minimum", found[1]), ("maximum", found[2])):
+            if re.fullmatch(r"-?[\d.]+(e[-+]?\d+)?", limit):
+                shape[word] = float(limit)
+    elif value == "true, false":
+        shape = {"type": "boolean"}
+    elif "numbers" in value:
+        shape = {"type": "array", "items": {"type": "number"}}
+        if value[0].isdigit():
+            shape.update(minItems=int(value.split()[0]), maxItems=int(value.split()[0]))
+    elif value != "text":
+        shape = {"enum": value.split(", ")}
+    meaning = MEANING[name].get(key, "")
+    return shape if "$ref" in shape else {**shape, "description": meaning + (f"; default {default}" if default and not default.startswith("required") else "")}
+
+
+def schema():
+    """What an editor completes and checks while a scene is written."""
+    found, _ = keys()
+    definitions = {}
+    for name, about in MAPS.items():
+        required = sorted(key for key, (_, default) in found[name].items() if default == "required")
+        definitions[name] = {"type": "object", "description": about, "additionalProperties": False,
+                             "properties": {key: shape_of(name, key, *row) for key, row in sorted(found[name].items())},
+                             **({"required": required} if required else {})}
+    definitions["scene"]["properties"]["settings"] = {
+        "type": "object", "additionalProperties": False, "properties": {
+            "engine": {"type": "string"}, "contact": {"type": "string"},
+            **{key: {"description": f"{meaning}; {span}"} for key, span, meaning in settings()}}}
+    whole = {"$schema": "http://json-schema.org/draft-07/schema#", "title": "a scene of twinbus",
+             "$comment": "Written by test/structure/scenes_page_test.py --write: do not edit.",
+             "allOf": [{"$ref": "#/definitions/scene"}], "definitions": definitions}
+    return json.dumps(whole, indent=1, ensure_ascii=False) + "\n"
+
+
+def differences():
+    """Scenes of ours that the schema refuses, where a checker is installed."""
+    try:
+        import jsonschema
+        import yaml
+    except ImportError:
+        return []
+    checker = jsonschema.Draft7Validator(json.loads(schema()))
+    return [f"{file.name}: the schema refuses it: {error.message[:120]}"
+            for file in sorted((ROOT / "config/scenes").glob("*.yaml")) for error in checker.iter_errors(yaml.safe_load(file.read_text()))]
+
+
 def main():
     text, problems = page()
+    problems += differences()
     if "--write" in sys.argv and not problems:
         PAGE.write_text(text)
+        SCHEMA.write_text(schema())
+    elif not SCHEMA.exists() or SCHEMA.read_text() != schema():
+        problems.append("config/scenes/scene.schema.json is not what the code reads: test/structure/scenes_page_test.py --write")
     elif not PAGE.exists() or PAGE.read_text() != text:
         problems.append("doc/scenes.md is not what the code reads: test/structure/scenes_page_test.py --write")
     print("\n".join(problems + [f"{len(problems)} problems"]))

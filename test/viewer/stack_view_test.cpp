@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "robot/description/load.h"
+#include "lcmtypes/msg/fallen.h"
 #include "viewer_log/view/health.h"
 
 namespace twinbus {
@@ -191,6 +192,25 @@ TEST(Health, SaysTheWorstThingFirst) {
   EXPECT_NE(assess(view, now).text.find("fallen"), std::string::npos);
 
   EXPECT_EQ(assess(view, now + 400 * kMs).level, HealthLevel::kBad);  // the state is silent
+}
+
+// A robot whose simulator nobody can ask: its source has seen the fall.
+TEST(Health, AFallenRobotOfHardwareHasItsWayOut) {
+  StackView view(model());
+  RobotState state = standing();
+  state.role = Role::kStopped;
+  state.stop_kind = StopKind::kOff;
+  view.on_state(state, kStart);
+  SourceStatus source;
+  source.run_id = 11;
+  source.source = SourceKind::kBridge;
+  source.stop_kind = StopKind::kOff;
+  source.stop_reason = kStopFallen;
+  view.on_source_status(source, kStart);
+  const Health health = assess(view, kStart);
+  EXPECT_EQ(health.level, HealthLevel::kBad);
+  EXPECT_NE(health.text.find("fallen"), std::string::npos);
+  EXPECT_NE(health.remedy.find("Clear"), std::string::npos);
 }
 
 TEST(Health, AnotherRobotIsNamed) {

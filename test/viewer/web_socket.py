@@ -57,7 +57,8 @@ class WebSocket:
     def send(self, text, opcode=1):
         data = text.encode() if isinstance(text, str) else text
         head = bytes([0x80 | opcode])
-        head += bytes([0x80 | len(data)]) if len(data) < 126 else bytes([0xFE]) + struct.pack(">H", len(data))
+        head += (bytes([0x80 | len(data)]) if len(data) < 126 else bytes([0xFE]) + struct.pack(">H", len(data)) if len(data) < 65536
+                 else bytes([0xFF]) + struct.pack(">Q", len(data)))
         mask = os.urandom(4)
         self.socket.sendall(head + mask + bytes(b ^ mask[i % 4] for i, b in enumerate(data)))
 

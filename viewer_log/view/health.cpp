@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "lcmtypes/msg/fallen.h"
 #include "lcmtypes/msg/labels.h"
 
 namespace twinbus {
@@ -73,19 +74,21 @@ Health assess(const StackView& view, std::int64_t now_ns) {
                                    view.model().name +
                                    "): start the viewer with the same --robot."};
   }
+  StopReason reason = StopReason::kNone;
+  for (const auto& source : view.sources()) {
+    if (source.value.run_id == state.run_id) reason = source.value.stop_reason;
+  }
+  const bool stopped = state.stop_kind != StopKind::kNone;
+  if (stopped && reason == kStopFallen && !view.truth_applies(now_ns)) {
+    return {HealthLevel::kBad, "The robot has fallen and is stopped.", "Put it on its feet, then press Clear."};
+  }
   if (view.truth_applies(now_ns) && view.truth().value.fell) {
-    const bool stopped = state.stop_kind != StopKind::kNone;
     return {HealthLevel::kBad,
             std::string("The robot has fallen") + (stopped ? " and is stopped." : "."),
             stopped ? "Start anew sets it on its feet." : "Press STOP, then Start anew.", true};
   }
   if (state.role == Role::kStopped || state.stop_kind != StopKind::kNone) {
-    std::string why;
-    for (const auto& source : view.sources()) {
-      if (source.value.run_id == state.run_id && source.value.stop_reason != StopReason::kNone) {
-        why = std::string(", by ") + label(source.value.stop_reason);
-      }
-    }
+    const std::string why = reason != StopReason::kNone ? std::string(", by ") + label(reason) : "";
     return {HealthLevel::kStopped, std::string("Stopped (") + label(state.stop_kind) + why + ").",
             "Press Clear to go on."};
   }
