@@ -23,6 +23,7 @@ from stalls import Stalls
 COUNT = int(sys.argv[1]) if len(sys.argv) > 1 else 60
 VERBOSE = os.environ.get("REQUESTS_VERBOSE", "") != ""
 PER_STACK = 60
+KEPT = 15_000  # records, three seconds of them
 IDLE, HOLD, POSE, BALANCE, WALK, STOP = 1, 2, 3, 4, 5, 6
 MODES = {IDLE: "idle", HOLD: "hold", POSE: "pose", BALANCE: "balance", WALK: "walk", STOP: "stop"}
 SENDER = random.SystemRandom().getrandbits(50)
@@ -304,6 +305,7 @@ def one_stack(story, stalls, rng, count, walks):
             time.sleep(2.5)
             history = []
             for _ in range(count):
+                del bus.records[:-KEPT]
                 since = time.monotonic_ns()
                 what, outcome = driver.any()
                 story.asked += 1
@@ -335,8 +337,6 @@ def one_stack(story, stalls, rng, count, walks):
                     print(f"  {'not judged, stall ' if hit else ''}request {story.asked}: {what}: {wrong}", flush=True)
                     if not hit:
                         story.checks.that(False, f"request {story.asked}: {what}: {wrong}")
-                if len(bus.records) > 400_000:
-                    del bus.records[:-100_000]
         finally:
             driver.close()
             bus.close()

@@ -34,7 +34,7 @@ class Browser:
             port = found and int(found[1])
         self.drain = subprocess.Popen(["cat"], stdin=self.child.stderr, stdout=subprocess.DEVNULL)
         self.session, self.console, self.number = None, [], 0
-        self.socket = WebSocket(port, found[2], timeout=30)
+        self.socket = WebSocket(port, found[2], timeout=90)
         target = next(t for t in self.call("Target.getTargets")["targetInfos"] if t["type"] == "page")
         self.session = self.call("Target.attachToTarget", targetId=target["targetId"], flatten=True)["sessionId"]
         self.call("Runtime.enable")
