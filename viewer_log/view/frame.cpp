@@ -113,7 +113,7 @@ void add_balance(const StackView& view, std::int64_t now_ns, Json& frame) {
   const Eigen::Isometry3d& world = view.world_from_sim();
   if (view.truth_applies(now_ns)) {
     const SimTruth& truth = view.truth().value;
-    const Vector3d zmp(double{truth.zmp[0]}, double{truth.zmp[1]}, 0.0);
+    const Vector3d zmp(static_cast<double>(truth.zmp[0]), static_cast<double>(truth.zmp[1]), 0.0);
     frame["zmp"] = point(world * zmp);
     frame["com"] = point(world * vector(truth.com));
     frame["margin_mm"] = number(1e3 * static_cast<double>(truth.zmp_margin), 1);
@@ -128,7 +128,7 @@ void add_balance(const StackView& view, std::int64_t now_ns, Json& frame) {
     const Eigen::Isometry3d ground =
         view.drawn_from_estimated(now_ns) * view.estimator().ground_in_world();
     const auto on_ground = [&](const std::array<float, 2>& p) {
-      return point(ground * Vector3d(double{p[0]}, double{p[1]}, 0.0));
+      return point(ground * Vector3d(static_cast<double>(p[0]), static_cast<double>(p[1]), 0.0));
     };
     frame["zmp_reference"] = on_ground(status.zmp_reference);
     frame["dcm"] = on_ground(status.dcm);

@@ -104,7 +104,7 @@ std::string signals_frame(const StackView& view, std::int64_t now_ns, const Reco
   if (view.guard().fresh(now_ns, kFresh)) {
     const GuardReport& g = view.guard().value;
     frame["GUARD"] = {{"compute_us", number(1e-3 * g.compute_ns, 1)}, {"pairs_near", g.pairs_near}};
-    if (g.pairs_near > 0) frame["GUARD"]["distance"] = number(double{g.distance[0]});
+    if (g.pairs_near > 0) frame["GUARD"]["distance"] = number(static_cast<double>(g.distance[0]));
   }
   if (view.truth_applies(now_ns)) {
     const SimTruth& t = view.truth().value;
