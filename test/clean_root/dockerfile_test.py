@@ -140,7 +140,11 @@ def main():
     root, environment, entry, command = build_image(folder)
     size = int(run("du", "-sm", root).stdout.split()[0])
     print(f"the image has {size} MB")
-    networks = two_machines()
+    try:
+        networks = two_machines()
+    except (OSError, subprocess.CalledProcessError) as error:
+        print(f"this machine joins no two networks: its page is not looked at from outside ({error})")
+        sys.exit(1 if failures else 0)
     try:
         container(root, environment, entry, command, networks)
     finally:
