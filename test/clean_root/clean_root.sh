@@ -135,9 +135,12 @@ make_work() {
   [ "$(cat "$work.commit" 2>/dev/null)" != "$commit" ] || return 0
   rm -rf --one-file-system "$work" "$work.commit" "$work.built"
   cp -a --reflink=auto "$base" "$work"
-  git clone -q --no-hardlinks "file://$tree" "$work/twinbus" &&
-    git -C "$work/twinbus" checkout -q --detach "$commit" &&
-    echo "$commit" >"$work.commit"
+  git clone -q --no-hardlinks "file://$tree" "$work/twinbus" && git -C "$work/twinbus" checkout -q --detach "$commit" || return 1
+  enter "$work" shared apt-get -q update >"$work.log" 2>&1 || {
+    [ $? -ne 124 ] || return 124
+    skip "apt reaches no mirror in the root: $(tail -1 "$work.log")"
+  }
+  echo "$commit" >"$work.commit"
 }
 
 # ./twinbus installs what the list names and configures before it builds.
@@ -145,12 +148,15 @@ install_and_build() {
   [ ! -e "$work.built" ] || return 0
   local status=0
   rm -f "$work.log"
-  enter "$work" shared ./twinbus --version >/dev/null || status=$?
+  enter "$work" shared ./twinbus --version 2>&1 >/dev/null | tee "$work.said" || status=$?
   [ $status -ne 0 ] || enter "$work" shared cmake --build build/release --target unit_programs >"$work.log" || status=$?
   case $status in
     0) touch "$work.built" ;;
     124) ;;
-    *) [ ! -e "$work.log" ] || grep -A20 -m5 'FAILED\|error:' "$work.log" || tail -30 "$work.log" ;;
+    *)
+      ! grep -q '^E: Failed to fetch' "$work.said" || skip "the mirror did not give all packages: $(grep '^E: Failed to fetch' "$work.said" | head -1)"
+      [ ! -e "$work.log" ] || grep -A20 -m5 'FAILED\|error:' "$work.log" || tail -30 "$work.log"
+      ;;
   esac
   return $status
 }
@@ -162,7 +168,7 @@ end() {
   if [ $keep = yes ]; then
     say "left behind: $work"
   else
-    rm -rf --one-file-system "$work" "$work.commit" "$work.built" "$work.log"
+    rm -rf --one-file-system "$work" "$work.commit" "$work.built" "$work.log" "$work.said"
   fi
   say "Debian $release$1"
 }
@@ -199,8 +205,8 @@ fi
 step "packages and build" install_and_build
 [ $only_build = no ] || exit 0
 up_stand() { enter "$work" own ./twinbus up stand --for 5 --no-viewer; }
-try_twice() { "$@" || "$@"; }  # a run is judged, and this machine may be busy
-step "up stand" try_twice up_stand
+try_thrice() { "$@" || "$@" || "$@"; }  # a run is judged, and this machine may be busy
+step "up stand" try_thrice up_stand
 if [ "$release" = trixie ]; then  # what the Dockerfile starts from
   step container in_time python3 "$tree/test/clean_root/dockerfile_test.py" "$base" "$work" "$tree/test/clean_root/clean_root.sh" --enter
 fi

@@ -3,6 +3,7 @@
 
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -190,6 +191,25 @@ printf '#!/bin/sh\\necho program "$@"\\n' >"$build/bin/twinbus"; chmod +x "$buil
         self.assertEqual((done.returncode, done.stdout), (1, ""))
         self.assertEqual(done.stderr.splitlines()[-1], "twinbus: ode (x) is missing; run: apt-get install libode-dev")
         self.assertEqual(len(done.stderr.splitlines()), 2, done.stderr)
+
+    def test_what_builds_the_container_and_the_clean_root_builds(self):
+        for file, line in (("Dockerfile", r"^RUN ./twinbus (\S+)$"), ("test/clean_root/clean_root.sh", r"shared ./twinbus (\S+) .*>/dev/null")):
+            command = re.search(line, (ROOT / file).read_text(), re.MULTILINE).group(1)
+            self.calls.unlink(missing_ok=True)
+            shutil.rmtree(self.root / "build", ignore_errors=True)
+            self.run_script(command)
+            self.assertIn("--target programs", self.said(), f"{file}: {command}")
+
+    def test_the_clean_root_has_a_time_limit_and_says_what_it_left_out(self):
+        shutil.copy(ROOT / "CMakePresets.json", self.root)
+        executable(self.bin / "ctest", "#!/bin/sh\necho 100% tests passed, 0 tests failed out of 1\n")
+        (self.root / "test/clean_root").mkdir(parents=True)
+        for status, by, result, said in ((0, "54", 0, "== clean root: given --within 900"), (77, "10", 0, "== clean root: given --within [56]"),
+                                         (1, "54", 1, "failed after"), (1, "2", 0, "skipped, the rest took until minute 0 of 2")):
+            executable(self.root / "test/clean_root/clean_root.sh", f"#!/bin/sh\necho clean root: given $*\nexit {status}\n")
+            done = self.run_script("test", "-R", "x", "--clean-root-by", by)
+            self.assertEqual(done.returncode, result, done.stdout + done.stderr)
+            self.assertRegex(done.stdout, said)
 
     def test_wrong_arguments_of_test_exit_with_2(self):
         self.assertEqual(self.run_script("test", "--fulll").returncode, 2)
