@@ -41,6 +41,7 @@ constexpr Command kCommands[] = {
     {"run", "run a scene in one process, without a bus, as fast as it goes", &run_command},
     {"tune", "find the cheapest order and step of a scene that hold an error", &tune_command},
     {"explain", "what of a scene is modelled, at what cost and error", &explain_command},
+    {"campaign", "thousands of seeded runs, the smallest failure, a release gate", &campaign_command},
     {"scenes", "which scenes there are", &scenes_command},
     {"restart", "start one process of the stack anew", &restart_command},
     {"status", "who is there, rates, roles, terms, timing", &status_command},

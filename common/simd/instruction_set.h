@@ -5,7 +5,11 @@ namespace twinbus {
 
 enum class InstructionSet { kBaseline, kAvx2, kAvx512 };
 
-// The widest that this machine has.
+// What the variable TWINBUS_SIMD of the environment allows at most: baseline, avx2 or avx512 (the default, and for any other
+// word: `./twinbus run` refuses those).  The same path on two machines gives the same bits on both; read once.
+InstructionSet most_instruction_set() noexcept;
+
+// The widest that this machine has and TWINBUS_SIMD allows.
 InstructionSet best_instruction_set() noexcept;
 
 }  // namespace twinbus

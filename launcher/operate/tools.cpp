@@ -156,6 +156,10 @@ int bench_command(const std::vector<std::string>& words) {
   become(found->second, {words.begin() + 1, words.end()});
 }
 
+int campaign_command(const std::vector<std::string>& words) {
+  become(install_folder() + "/campaign/campaign.py", words, "./twinbus campaign");
+}
+
 int chart_command(const std::vector<std::string>& words) {
   std::vector<std::string> names;
   std::string all;

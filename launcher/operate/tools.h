@@ -1,4 +1,4 @@
-// Commands that are programs or scripts of their own: spy, env, record, gamepad, bench.
+// Commands that are programs or scripts of their own: spy, env, record, gamepad, bench, campaign.
 
 #pragma once
 
@@ -14,6 +14,7 @@ int view_command(const std::vector<std::string>& words);
 int record_command(const std::vector<std::string>& words);
 int gamepad_command(const std::vector<std::string>& words);
 int bench_command(const std::vector<std::string>& words);
+int campaign_command(const std::vector<std::string>& words);
 int chart_command(const std::vector<std::string>& words);
 
 }  // namespace twinbus

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -18,6 +19,7 @@
 #include "launcher/run/verdict.h"
 #include "robot/description/load.h"
 #include "common/process/process.h"
+#include "sim/articulated/spatial.h"
 #include "sim/scene/scene_seed.h"
 #include "sim/scene/settings.h"
 #include "sim/world/world.h"
@@ -131,6 +133,19 @@ void print(const OneProcess& run, const Criteria& asked, const RunVerdict& verdi
   if (verdict.passed) std::printf("passed\n");
 }
 
+constexpr const char* kSimdNames[] = {"baseline", "avx2", "avx512"};
+
+// A word that nobody knows would run on whatever path the machine has.
+void check_simd_word() {
+  const char* asked = std::getenv("TWINBUS_SIMD");
+  if (asked == nullptr || *asked == '\0') return;
+  for (const char* name : kSimdNames) {
+    if (std::string(asked) == name) return;
+  }
+  throw UsageError(std::string("run: TWINBUS_SIMD is '") + asked +
+                   "'; use baseline, avx2 or avx512, or take it out of the environment");
+}
+
 // What the settings make of the scene's contact.
 std::string contact_asked(const Scene& scene,
                           const std::vector<std::pair<std::string, std::string>>& settings) {
@@ -213,6 +228,7 @@ std::string with_own_figures(const std::string& report, double force_error, cons
     return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
   };
   auto json = nlohmann::ordered_json::parse(report);
+  json["simd"] = kSimdNames[static_cast<std::size_t>(simd())];
   if (!std::isnan(force_error)) json["foot_force_rms_error_n"] = force_error;
   json["sole_tilt_max_deg"] = kDegrees * run.sole_tilt_max();
   json["steps"] = walked.steps();
@@ -242,6 +258,7 @@ std::string with_own_figures(const std::string& report, double force_error, cons
 
 int run_command(const std::vector<std::string>& words) {
   const Arguments arguments(run_syntax(), words);
+  check_simd_word();
   catch_quit_signals();
   Scene scene = load_scene(arguments.word(0));
   RunRequest request;

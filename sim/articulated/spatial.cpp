@@ -1,5 +1,9 @@
 #include "sim/articulated/spatial.h"
 
+#include <algorithm>
+
+#include "common/simd/instruction_set.h"
+
 namespace twinbus {
 
 namespace {
@@ -10,7 +14,7 @@ Simd of_this_machine() noexcept {
   if (__builtin_cpu_supports("fma") && __builtin_cpu_supports("avx2")) {
     const bool wide = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
                       __builtin_cpu_supports("avx512dq");
-    return wide ? Simd::kAvx512 : Simd::kAvx2;
+    return std::min(wide ? Simd::kAvx512 : Simd::kAvx2, static_cast<Simd>(most_instruction_set()));
   }
 #endif
   return Simd::kBaseline;
