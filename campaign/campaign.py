@@ -13,6 +13,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 USAGE = """usage: ./twinbus campaign FILE.yaml [OPTION...]     run what is not done yet, write tables and report
        ./twinbus campaign report OUT [--serve]       the report again; --serve opens failing runs in the viewer
        ./twinbus campaign view OUT ID                one run in the viewer (recorded now if there is no log of it)
+       ./twinbus campaign gate FILE.yaml             passes or fails a version by as few runs as its risks allow
        ./twinbus campaign compare OUT OUT...         the same runs on different machines: which differ, by what
 
   --out FOLDER       tables, logs and what is done; default: campaigns/NAME beside the file
@@ -121,6 +122,7 @@ def run_command(words):
     finally:
         parquet = store.write_tables()
         report.write(store.out, store.done(), campaign)
+        store.close()
     return say_end(store, parquet, time.monotonic() - began, len(store.results) - before)
 
 

@@ -73,6 +73,12 @@ def machine():
     return _machine
 
 
+def program_of(task):
+    """Where the task's program lies on this machine: where it lay on the other, or what TWINBUS_PROGRAM names."""
+    named = os.environ.get("TWINBUS_PROGRAM")
+    return task["program"] if not named or hash_of(task["program"]) == task["program_hash"] else named
+
+
 class Runner:
     """A folder of its own for reports and shipped scenes; removed by close()."""
 
@@ -96,9 +102,8 @@ class Runner:
 
     def refusal(self, task):
         """Why this worker cannot run it; empty when it can."""
-        program = os.environ.get("TWINBUS_PROGRAM") or task["program"]
-        if hash_of(program) != task["program_hash"]:
-            return (f"worker {self.machine['host']}: {program} is not the program of this campaign ({task['program_hash']}); install that "
+        if hash_of(program_of(task)) != task["program_hash"]:
+            return (f"worker {self.machine['host']}: {program_of(task)} is not the program of this campaign ({task['program_hash']}); install that "
                     "one there and name it with TWINBUS_PROGRAM")
         if task.get("scene_path") and hash_of(task["scene_path"]) != task["scene_hash"]:
             return f"worker {self.machine['host']}: {task['scene_path']} is missing or another one; give workers the same folder"
@@ -107,7 +112,7 @@ class Runner:
         return ""
 
     def words(self, task, report):
-        words = [os.environ.get("TWINBUS_PROGRAM") or task["program"], "run", self.scene_file(task), "--seed", str(task["seed"]),
+        words = [program_of(task), "run", self.scene_file(task), "--seed", str(task["seed"]),
                  "--report", str(report), "--robot", task.get("robot_path") or task["robot"]]
         if task.get("for") is not None:
             words += ["--for", repr(task["for"])]

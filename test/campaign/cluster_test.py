@@ -2,7 +2,7 @@
 """The same campaign on 1 process, 2 workers, Dask with a worker that is killed and one that joins late, Dask whose scheduler is killed,
 and a Slurm array: the sorted tables are equal byte for byte, no task is lost and none is there twice.
 
-    cluster_test.py [--tasks N] [--kills S]    N tasks (200); with --kills a worker or the scheduler dies every S seconds or so
+    cluster_test.py [--tasks N] [--kills S] [--only-dask]    N tasks (200); with --kills a worker or the scheduler dies every S seconds or so
 
 Without Dask (python3-distributed) or Slurm that part is said and left out; the array is then run by a stand-in for sbatch.
 """
@@ -212,13 +212,14 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--tasks", type=int, default=200)
     parser.add_argument("--kills", type=float, default=0.0)
+    parser.add_argument("--only-dask", action="store_true")
     given = parser.parse_args()
     drill = Drill(given.tasks, given.kills)
     try:
         drill.local()
-        if given.kills:
+        if given.kills and not given.only_dask:
             drill.embedded_kills()
-        else:
+        elif not given.only_dask:
             drill.slurm()
         python = python_with_dask()
         if python is None:
