@@ -132,7 +132,7 @@ class Controller {
     if (pulse_.ticks() > 0 && last == state.run_id) {
       // Ticks that never came, and one that came but was overtaken before it was answered.
       const std::int64_t unanswered =
-          std::max<std::int64_t>(state.tick - state_.tick - 1, 0) + (fresh_ ? 1 : 0);
+          std::max<std::int64_t>(state.tick - state_.tick - 1, 0) + (fresh_ && state.tick != state_.tick ? 1 : 0);
       if (unanswered > 0) {
         missed_.add(unanswered, model_.period_ns / 2, heard_ns_ - model_.period_ns, now);
       }

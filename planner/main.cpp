@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "common/process/options.h"
+#include "common/process/priority.h"
 #include "common/process/process.h"
 #include "lcmtypes/bus/bus.h"
 #include "lcmtypes/bus/channels.h"
@@ -235,6 +236,7 @@ int run(int argc, char** argv) {
   add_common(options, common);
   options.parse(argc, argv);
   catch_quit_signals();
+  give_way();
   const Model model = load_robot(common.robot);
   PlannerProcess planner(common, model);
   const std::string loops = loops_sentence(model);

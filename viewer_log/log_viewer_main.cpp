@@ -2,7 +2,6 @@
 //
 // It opens no bus, so nothing that a page asks for can reach a robot.
 
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -19,6 +18,7 @@
 
 #include "robot/description/load.h"
 #include "common/process/options.h"
+#include "common/process/priority.h"
 #include "common/process/process.h"
 #include "viewer_log/view/frame.h"
 #include "viewer_log/view/log_feed_main.h"
@@ -435,7 +435,7 @@ class LogViewer {
 int main(int argc, char** argv) try {
   Arguments arguments = parse(argc, argv);
   catch_quit_signals();
-  setpriority(PRIO_PROCESS, 0, 10);
+  give_way();
   LogViewer viewer(std::move(arguments));
   viewer.run();
   return 0;

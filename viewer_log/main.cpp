@@ -4,7 +4,6 @@
 // It runs at the lowest priority and never slows anybody: it only reads the newest of what it
 // hears, 60 times a second.
 
-#include <sys/resource.h>
 #include <unistd.h>
 
 #include <array>
@@ -22,6 +21,7 @@
 #include "robot/description/load.h"
 #include "common/process/oom_priority.h"
 #include "common/process/options.h"
+#include "common/process/priority.h"
 #include "common/process/process.h"
 #include "lcmtypes/msg/state_admission.h"
 #include "viewer_log/view/frame.h"
@@ -432,7 +432,7 @@ int main(int argc, char** argv) try {
   const Arguments arguments = parse(argc, argv);
   catch_quit_signals();
   end_first_without_memory();
-  setpriority(PRIO_PROCESS, 0, 10);
+  give_way();
   Viewer viewer(arguments);
   viewer.run();
   return 0;

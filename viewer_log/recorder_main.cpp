@@ -12,6 +12,7 @@
 
 #include "common/process/oom_priority.h"
 #include "common/process/options.h"
+#include "common/process/priority.h"
 #include "common/process/process.h"
 #include "common/time/time_name.h"
 #include "lcmtypes/bus/bus.h"
@@ -258,6 +259,7 @@ int run(int argc, char** argv) {
   const Arguments a = parse(argc, argv);
   catch_quit_signals();
   end_first_without_memory();
+  give_way();  // without FIFO priority it is the first that waits
   go_ahead_of_ordinary_programs();
   const RecorderConfig config = config_of(a);
   RecorderProcess process(a, config);

@@ -4,8 +4,12 @@
 
 namespace twinbus {
 
+namespace {
+double left_at(double s) noexcept { return s < 1.0 ? 1.0 - s * s * s * (10.0 - 15.0 * s + 6.0 * s * s) : 0.0; }
+}  // namespace
+
 void OffsetBlend::start(const JointCommand& own, const JointCommand& client, std::int64_t mask,
-                        double dt, double duration) noexcept {
+                        double dt, double duration, double torque_duration) noexcept {
   for (int j = 0; j < kMaxJoints; ++j) {
     if ((mask & bit(j)) == 0) continue;
     const auto i = static_cast<std::size_t>(j);
@@ -22,6 +26,7 @@ void OffsetBlend::start(const JointCommand& own, const JointCommand& client, std
     kd[i] = own.kd[i] - client.kd[i];
     elapsed[i] = 0.0F;
     duration_s[i] = static_cast<float>(duration);
+    torque_s[i] = static_cast<float>(torque_duration > 0.0 ? torque_duration : duration);
     active |= bit(j);
   }
 }
@@ -41,14 +46,14 @@ void OffsetBlend::advance_and_apply(double dt, int joint_count, JointCommand& co
     const double s2 = s * s;
     const double s3 = s2 * s;
     const double s4 = s3 * s;
-    const double h0 = 1.0 - s3 * (10.0 - 15.0 * s + 6.0 * s2);
+    const double h0 = left_at(s);
     const double h1 = s - s3 * (6.0 - 8.0 * s + 3.0 * s2);
     const double h0_rate = (-30.0 * s2 + 60.0 * s3 - 30.0 * s4) / total;  // d h0 / dt
     const double h1_rate = 1.0 - 18.0 * s2 + 32.0 * s3 - 15.0 * s4;       // T d h1 / dt
     const auto left = static_cast<float>(h0);
     command.q[i] += q[i] * h0 + qd[i] * total * h1;
     command.qd[i] += static_cast<float>(q[i] * h0_rate + qd[i] * h1_rate);
-    command.tau[i] += tau[i] * left;
+    command.tau[i] += tau[i] * static_cast<float>(left_at(static_cast<double>(elapsed[i]) / static_cast<double>(torque_s[i])));
     command.kp[i] += kp[i] * left;
     command.kd[i] += kd[i] * left;
   }

@@ -8,7 +8,7 @@
 //     6 s^3 + 8 s^4 - 3 s^5
 //
 // with o(0) = e_q, o'(0) = e_qd, and o, o', o'' zero at T: position and velocity go on as they were
-// and end at the client's.  Torque and gains fade with h0.  A joint may start again at any instant,
+// and end at the client's.  Torque and gains fade with h0, torque in a time of its own where that is said.  A joint may start again at any instant,
 // in the middle of a fade too, because the own set-point already contains what is left of the last
 // fade.
 
@@ -22,9 +22,9 @@ namespace twinbus {
 
 struct OffsetBlend {
   // Joints of the mask (bit per joint) start to fade from own, which was in force dt seconds [s]
-  // ago, to client. duration [s]; 0 takes the client at once.
+  // ago, to client. duration [s]; 0 takes the client at once.  torque_duration [s]: of torques alone; 0: as duration.
   void start(const JointCommand& own, const JointCommand& client, std::int64_t mask, double dt,
-             double duration) noexcept;
+             double duration, double torque_duration = 0.0) noexcept;
 
   // Forgets every offset.
   void clear() noexcept { active = 0; }
@@ -35,6 +35,7 @@ struct OffsetBlend {
   std::int64_t active = 0;       // bit per joint that still fades
   PerJoint<float> elapsed{};     // [s]
   PerJoint<float> duration_s{};  // [s]
+  PerJoint<float> torque_s{};    // [s]
   PerJoint<double> q{};          // e at the start [rad or m]
   PerJoint<double> qd{};         // [rad/s or m/s]
   PerJoint<float> tau{};         // [N m or N]

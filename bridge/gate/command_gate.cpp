@@ -15,7 +15,8 @@ constexpr double kGainRange = 10.0;  // largest gain, of the model's own
 constexpr std::int64_t kBalancedStopLasts_ns = 2'000'000'000;
 constexpr int kTicksWithoutStopping = 3;
 constexpr double kTakeOver = 0.10;  // in which a stop plan takes the set-points over [s]
-constexpr double kTakeBack = 0.15;  // and its controller again [s]
+constexpr double kTakeBack = 0.15;  // and a controller again [s]
+constexpr double kTorqueBack = 0.04;  // and its torques: what is kept of them longer tilts a robot that balances [s]
 // Of its last command, within which the controller may go on; the controller itself gives up a little before.
 constexpr double kResumesWithin = 0.21;  // [s]
 constexpr std::int64_t kLater = 2;  // that a command may be late beyond what is usual, to end a stop plan [ticks]
@@ -27,6 +28,22 @@ std::int64_t bits_of(const Model& model, const std::vector<int>& joints) {
       mask |= bit(k);
   }
   return mask;
+}
+
+// The checks of plans that a test has switched off.
+std::uint8_t left_out(RuleSet off) noexcept {
+  if (off == 0) return 0;
+  std::uint8_t checks = 0;
+  const auto without_rule = [&](Rule rule, PlanCheck check) {
+    if (!holds(off, rule)) checks = static_cast<std::uint8_t>(checks | check);
+  };
+  without_rule(Rule::kPlanWhole, kCheckWhole);
+  without_rule(Rule::kPlanUnmixed, kCheckUnmixed);
+  without_rule(Rule::kPlanOrder, kCheckOrder);
+  without_rule(Rule::kPlanSource, kCheckSource);
+  without_rule(Rule::kPlanController, kCheckController);
+  without_rule(Rule::kPlanAge, kCheckAge);
+  return checks;
 }
 
 // One tick of coming to rest.
@@ -130,6 +147,7 @@ void CommandGate::close(bool stop_gains) noexcept {
 void CommandGate::blend_again(double blend_s) noexcept {
   fade_next_ = true;
   next_blend_s_ = blend_s;
+  next_torque_s_ = 0.0;
 }
 
 void CommandGate::rebind(std::int64_t controller_id) noexcept {
@@ -175,13 +193,17 @@ GateVerdict CommandGate::judge(const JointCommand& command, std::int64_t tick) c
 GateVerdict CommandGate::judge_resume(const JointCommand& command, std::int64_t tick) const noexcept {
   if (plan_.ended(tick)) return GateVerdict::kAccepted;
   const double silent = static_cast<double>(tick - fed_tick_) * limits_->period;
-  if (command.controller_id != controller_ || !resumable_ || silent > kResumesWithin) return GateVerdict::kPlanRuns;
-  if (command.tick < tick - usual_age_ - kLater) return GateVerdict::kTooOld;  // made before it knew of the silence
+  const bool other = command.controller_id != controller_ && holds(off_, Rule::kPlanOtherWaits);
+  const bool later = silent > kResumesWithin && holds(off_, Rule::kPlanResumeSoon);
+  const bool stopped = !resumable_ && holds(off_, Rule::kPlanStopStays);
+  if (other || stopped || later) return GateVerdict::kPlanRuns;
+  if (command.tick < tick - usual_age_ - kLater && holds(off_, Rule::kPlanResumeNew)) return GateVerdict::kTooOld;  // made before it knew of the silence
   return GateVerdict::kAccepted;
 }
 
 PlanContext CommandGate::plan_context(std::int64_t tick) const noexcept {
-  return {.run_id = run_id_, .controller_id = controller_, .tick = tick, .term = term_, .set_point = &effective_};
+  return {.run_id = run_id_, .controller_id = controller_, .tick = tick, .term = term_, .set_point = &effective_,
+          .left_out = left_out(off_)};
 }
 
 bool CommandGate::plan_ready(std::int64_t tick) const noexcept {
@@ -189,7 +211,7 @@ bool CommandGate::plan_ready(std::int64_t tick) const noexcept {
 }
 
 void CommandGate::add_plan(const StopPlanPiece& piece, std::int64_t tick) noexcept {
-  if (!open_ || !watched_ || plan_.running()) return;
+  if (!open_ || !watched_ || (plan_.running() && holds(off_, Rule::kPlanKept))) return;
   const StopPlan* before = plan_.whole();
   const std::int32_t number = before != nullptr ? before->head.number : -1;
   const PlanRefusal refusal = plan_.add(piece, plan_context(tick));
@@ -201,18 +223,21 @@ void CommandGate::add_plan(const StopPlanPiece& piece, std::int64_t tick) noexce
   }
 }
 
-void CommandGate::end_plan(std::int64_t tick) noexcept {
-  const bool ended = plan_.ended(tick);
+void CommandGate::end_plan() noexcept {
   plan_.stop();
-  blend_again(ended ? limits_->blend_s : kTakeBack);
+  blend_again(kTakeBack);
+  next_torque_s_ = kTorqueBack;
 }
 
 // Decides whether a stop plan is followed this tick, and takes the set-points from it.
 void CommandGate::follow_plan(std::int64_t tick, const Estimator* robot, std::int64_t now_ns) noexcept {
   const bool silent = have_client_ && !fed_ && !holding_ && latch_.kind <= StopKind::kBalanced;
+  const bool soon = (tick - fed_tick_) * limits_->period_ns <= limits_->command_timeout_ns;
+  const bool waits = soon && !plan_asked_ && !holds(off_, Rule::kPlanAtOnce);
   bool starts = false;
-  if (!plan_.running() && (silent || plan_asked_) && plan_ready(tick)) {
+  if (!plan_.running() && (silent || plan_asked_) && !waits && plan_ready(tick)) {
     starts = true;
+    if (!holds(off_, Rule::kPlanOtherWaits)) controller_ = 0;
     plan_.start(tick, robot);
     resumable_ = !plan_asked_;
     holding_ = false;
@@ -223,7 +248,7 @@ void CommandGate::follow_plan(std::int64_t tick, const Estimator* robot, std::in
   if (plan_.over(tick)) {
     plan_.stop();
     held_after_plan_ = true;
-    if (latch_.kind >= StopKind::kHold) {
+    if (latch_.kind >= StopKind::kHold || !holds(off_, Rule::kPlanEndLatches)) {
       start_hold(true);
     } else {
       stop(StopKind::kHold, StopReason::kCommandTimeout, now_ns);
@@ -259,7 +284,7 @@ GateVerdict CommandGate::accept(const JointCommand& command, std::int64_t tick, 
     next_controller_ = 0;
     blend_again(limits_->blend_s);
   }
-  if (plan_.running()) end_plan(tick);
+  if (plan_.running()) end_plan();
   controller_ = command.controller_id;
   last_tick_ = command.tick;
   last_accepted_ns_ = now_ns;
@@ -270,7 +295,7 @@ GateVerdict CommandGate::accept(const JointCommand& command, std::int64_t tick, 
   if ((command.flags & kCommandStopping) != 0) stopping_seen_ = true;
   if (fade_next_) {
     fade_next_ = false;
-    blend_.start(effective_, command, limits_->all, late ? 0.0 : limits_->period, next_blend_s_);
+    blend_.start(effective_, command, limits_->all, late ? 0.0 : limits_->period, next_blend_s_, next_torque_s_);
   }
   client_ = command;
   have_client_ = true;
@@ -310,7 +335,7 @@ void CommandGate::entered_stop(StopKind before, std::int64_t now_ns) noexcept {
   stopping_seen_ = false;
   // A source that follows no controller of its own has nobody who could make a balanced stop.
   if (latch_.kind == StopKind::kBalanced && !(open_ && watched_)) latch_.kind = StopKind::kHold;
-  if (latch_.kind == StopKind::kOff) plan_.forget();
+  if (latch_.kind == StopKind::kOff && holds(off_, Rule::kPlanOffEnds)) plan_.forget();
   resumable_ = resumable_ && latch_.kind < StopKind::kHold;
   if (latch_.kind != StopKind::kHold || plan_.running()) return;
   plan_asked_ = latch_.reason != StopReason::kDevice && plan_ready(tick_ + 1);

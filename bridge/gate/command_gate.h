@@ -128,7 +128,7 @@ class CommandGate {
   PlanContext plan_context(std::int64_t tick) const noexcept;
   bool plan_ready(std::int64_t tick) const noexcept;
   GateVerdict judge_resume(const JointCommand& command, std::int64_t tick) const noexcept;
-  void end_plan(std::int64_t tick) noexcept;
+  void end_plan() noexcept;
   void follow_plan(std::int64_t tick, const Estimator* robot, std::int64_t now_ns) noexcept;
   void entered_stop(StopKind before, std::int64_t now_ns) noexcept;
   void start_hold(bool stop_gains) noexcept;
@@ -145,7 +145,7 @@ class CommandGate {
   bool have_client_ = false;  // client_ is a command of the present client
   bool fade_next_ = false;    // the next accepted command starts a blend
   bool holding_ = true;       // client_ is a hold of our own
-  double next_blend_s_ = 0.0;
+  double next_blend_s_ = 0.0, next_torque_s_ = 0.0;
   std::int64_t run_id_ = 0;
   std::int64_t controller_ = 0;
   std::int64_t next_controller_ = 0;

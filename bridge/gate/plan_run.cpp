@@ -18,7 +18,6 @@ PlanRun::PlanRun(const Model& model) noexcept
       follower_(model) {}
 
 PlanRefusal PlanRun::add(const StopPlanPiece& piece, const PlanContext& context) noexcept {
-  if (running_) return PlanRefusal::kNone;  // the plan that is followed stays
   return assembler_.add(piece, context);
 }
 

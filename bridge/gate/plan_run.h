@@ -17,6 +17,7 @@ class PlanRun {
   // model must outlive this.
   explicit PlanRun(const Model& model) noexcept;
 
+  // Not while one is followed.
   PlanRefusal add(const StopPlanPiece& piece, const PlanContext& context) noexcept;
   void forget() noexcept;
   // A whole plan is here that may be followed from the tick of the context on.
@@ -41,6 +42,7 @@ class PlanRun {
   bool over(std::int64_t tick) const noexcept { return ended(tick - (walks() ? hold_ticks_ : 0)); }
 
  private:
+  friend struct ProtocolProbe;  // test/protocol looks inside to tell states apart
   const Model* model_;
   std::int64_t second_, hold_ticks_;  // [ticks]
   PlanAssembler assembler_;

@@ -42,6 +42,21 @@ enum class Rule : std::uint8_t {
   kBelieveByRule,          // a higher term is believed only by grant, cancel or activation
   kSwitchRate,             // one switch a second
   kGiveWay,                // of two sources on STATE the one nobody commands gives way
+  // stop plans
+  kPlanWhole,        // counts only when all its pieces are there
+  kPlanUnmixed,      // pieces of two plans never make one
+  kPlanOrder,        // an older one never replaces a newer one
+  kPlanSource,       // it is for this run and term
+  kPlanController,   // and of the controller that is obeyed
+  kPlanAge,          // one that began long ago is not followed
+  kPlanAtOnce,       // it is followed from the first tick without a command
+  kPlanKept,         // the one that is followed stays
+  kPlanOtherWaits,   // another controller waits for its end
+  kPlanResumeSoon,   // its own does, too, when it was silent for long
+  kPlanResumeNew,    // and goes on with a command that was made after the silence
+  kPlanStopStays,    // after a stop nobody ends it
+  kPlanOffEnds,      // off is off, plan or not
+  kPlanEndLatches,   // its end latches a stop
   kCount
 };
 

@@ -1,7 +1,7 @@
 // The clock that a source lives by: the steady clock, or one that a simulator may stop, slow down or let go tick by tick.
 //
 // Everything that waits for a source (gate, handover) is asked on this clock, so that a pause is no silence.  Until
-// somebody changes the pace it is the steady clock itself.
+// somebody changes the pace, or it stands for a late command, it is the steady clock itself.
 
 #pragma once
 
@@ -46,6 +46,17 @@ class SimPace {
     set(wanted_);
     return true;
   }
+  // Stands still until it goes on; what lies between has not been for whoever is asked on this clock.
+  void stand() noexcept {
+    set(factor_);
+    stands_ = true;
+  }
+  void end_stand() noexcept {
+    stands_ = false;
+    real_base_ = monotonic_ns();
+  }
+  // Goes back by so much, while it runs as the steady clock does.
+  void lose(std::int64_t ns) noexcept { real_base_ += ns; }
   // Call after each tick.
   void ticked() noexcept {
     if (steps_ > 0 && --steps_ == 0) set(0.0);
@@ -53,6 +64,7 @@ class SimPace {
 
  private:
   std::int64_t at(std::int64_t real) const noexcept {
+    if (stands_) return base_;
     if (factor_ == 1.0) return base_ + (real - real_base_);
     return base_ + static_cast<std::int64_t>(factor_ * static_cast<double>(real - real_base_));
   }
@@ -66,6 +78,7 @@ class SimPace {
   std::int64_t base_ = 0, real_base_ = 0;
   double factor_ = 1.0, wanted_ = 1.0;
   int steps_ = 0;
+  bool stands_ = false;
 };
 
 }  // namespace twinbus

@@ -23,7 +23,7 @@
 
 namespace twinbus {
 
-enum class Pace : std::int8_t { kRealTime = 1, kLockStep = 2, kFreeRun = 3, kPaused = 4, kSlowed = 5 };
+enum class Pace : std::int8_t { kRealTime = 1, kLockStep = 2, kFreeRun = 3, kPaused = 4, kSlowed = 5, kPatient = 6 };
 
 struct SourceConfig {
   std::int64_t run_id = 1;  // random, below 2^53

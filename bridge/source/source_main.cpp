@@ -9,6 +9,7 @@
 #include "bridge/source/sim_obey.h"
 #include "bridge/source/sim_pace.h"
 #include "bridge/source/source_events.h"
+#include "bridge/source/wait_count.h"
 #include "lcmtypes/bus/bus.h"
 #include "lcmtypes/bus/channels.h"
 #include "lcmtypes/node/missed_ticks.h"
@@ -26,6 +27,7 @@ constexpr std::int64_t kStatusEvery_ns = 100'000'000;
 constexpr std::int64_t kSecond_ns = 1'000'000'000;
 constexpr double kResendEvery = 0.020;  // lock-step [s]
 constexpr double kPausedWait = 0.02;    // [s]
+constexpr std::int64_t kPatience_ns = 200'000'000;  // of a world that waits for a late command
 constexpr int kLastTicks = 25;          // of a robot that is held before the process ends
 
 const char* own_channel(SourceKind kind) {
@@ -143,6 +145,13 @@ class Shell {
            source_.status().stop_kind <= StopKind::kBalanced;
   }
 
+  // The world may stand still for somebody who is obeyed.
+  bool patient_now() const {
+    const SourceStatus& s = source_.status();
+    return options_.patient && !options_.lockstep && !clock_.changed() && s.role == Role::kActive &&
+           s.controller_id != 0 && s.stop_kind <= StopKind::kBalanced;
+  }
+
   void receive(double timeout_s) {
     if (bus_.receive(timeout_s) < 0) bus_gone_ = true;
   }
@@ -164,7 +173,7 @@ class Shell {
     if (source_.publishes_on_state() && first_tick_ == 0) first_tick_ = state.tick;
     const std::int64_t sent = clock_.now();
     publish_state();
-    if (source_.publishes_on_state() && !lockstep_now() && !clock_.changed() &&
+    if (source_.publishes_on_state() && !lockstep_now() && !clock_.changed() && !patient_now() &&
         sent - due > period_ns_ / 2) {
       missed_.add(1, sent - due - period_ns_ / 2, clock_.real_of(due - 2 * period_ns_),
                   clock_.real_of(sent));
@@ -182,9 +191,11 @@ class Shell {
         receive(1e-9 * static_cast<double>(left));
       }
     }
+    const std::int64_t waited = source_.command_ready() ? 0 : wait_for_late_command();
+    if (source_.command_ready()) gave_up_ = false;
     const std::int64_t answered = clock_.now();
     // A tick without an answer counts with the whole time that was waited.
-    if (is_commanded()) pulse_.answered(answered - sent);
+    if (is_commanded()) pulse_.answered(answered - sent + waited);
     source_.end_tick(answered);
     if (has_truth) {
       send(channel::kTruth, truth_);
@@ -238,6 +249,33 @@ class Shell {
     }
   }
 
+  // The world stands still until the command comes, but not for ever: then the robot follows its stop plan, and nobody is
+  // waited for again before he has spoken.  Gives the time that was waited.
+  std::int64_t wait_for_late_command() {
+    if (!patient_now() || gave_up_) return 0;
+    const std::int64_t begin = monotonic_ns();
+    const auto resend = static_cast<std::int64_t>(1e9 * kResendEvery);
+    clock_.stand();
+    std::int64_t sent = begin, now = begin;
+    while (!source_.command_ready() && !quit_requested() && !bus_gone_ && now - begin < kPatience_ns) {
+      receive(1e-9 * static_cast<double>(std::max<std::int64_t>(sent + resend - now, 0)));
+      now = monotonic_ns();
+      if (source_.command_ready() || now - sent < resend) continue;
+      publish_state();
+      sent = now;
+    }
+    if (!source_.command_ready()) receive(0.0);  // the process itself may have slept
+    gave_up_ = !source_.command_ready();
+    clock_.end_stand();
+    now = monotonic_ns();
+    count_wait(now - begin, now);
+    return now - begin;
+  }
+
+  void count_wait(std::int64_t waited_ns, std::int64_t now) {
+    if (const char* sentence = waits_.add(waited_ns, now)) tell(1, sentence);
+  }
+
   // Ticks lie on absolute multiples of the period; a process that slept goes on and does not catch
   // up in a burst.
   std::int64_t next_due(std::int64_t due) {
@@ -245,6 +283,11 @@ class Shell {
     if (options_.rate == 1.0) next = source_.next_tick_due_ns(due);
     const std::int64_t now = clock_.now();
     if (next < now - period_ns_) {
+      if (patient_now()) {  // no tick is missed: the clock stood still with the process
+        clock_.lose(now - next);
+        count_wait(now - next, monotonic_ns());
+        return next;
+      }
       if (source_.publishes_on_state() && !options_.lockstep && !clock_.changed()) {
         missed_.add((now - next) / period_ns_, now - next - period_ns_,
                     clock_.real_of(due - period_ns_), clock_.real_of(now));
@@ -280,6 +323,7 @@ class Shell {
     const std::int64_t now = monotonic_ns();
     SourceStatus status = source_.status();
     status.ticks_missed = missed_.count();
+    if (options_.patient && !options_.lockstep) status.pace = static_cast<std::int8_t>(Pace::kPatient);
     if (clock_.changed()) status.pace = static_cast<std::int8_t>(clock_.paused() ? Pace::kPaused : Pace::kSlowed);
     const bool changed = status.role != told_.role || status.stop_kind != told_.stop_kind ||
                          status.refusal != told_.refusal || status.term != told_term_ ||
@@ -393,6 +437,8 @@ class Shell {
   SimPace clock_;
   Pulse pulse_;
   RateStats wake_;
+  WaitCount waits_;
+  bool gave_up_ = false;  // of waiting, until a command comes
   std::int64_t period_ns_ = 0, first_tick_ = 0, send_failures_ = 0, allocations_ = 0,
                status_ns_ = 0;
   std::int64_t sim_sender_ = 0;
@@ -422,6 +468,8 @@ void add_source_options(Options& parser, SourceMainOptions& options, bool simula
   if (!simulator) return;
   parser.flag("--lockstep", options.lockstep,
               "waits for the answer to every STATE instead of the clock");
+  parser.flag("--patient", options.patient,
+              "the clock stands still for up to 200 ms while a command is late");
   parser.number("--rate", "X", options.rate, 0.01, 100.0, "runs X times as fast as real time");
   parser.integer("--seed", "N", options.seed, 0, INT64_MAX, "of everything random");
 }
@@ -434,7 +482,9 @@ int run_source_main(const SourceMainOptions& options, const Model& model, RobotA
   Shell shell(options, model, adaptor, real_time);
   std::printf("%s ready: %s, %d joints, run %lld, %s, %s\n", options.program.c_str(),
               model.name.c_str(), model.bus_count(), static_cast<long long>(shell.run_id()),
-              options.lockstep ? "lock-step" : "real time",
+              options.lockstep  ? "lock-step"
+              : options.patient ? "real time, but waits for late commands"
+                                : "real time",
               real_time == RealTime::kNone ? "no real-time priority" : "FIFO priority");
   std::fflush(stdout);
   return shell.run();

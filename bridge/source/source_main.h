@@ -25,6 +25,7 @@ struct SourceMainOptions {
   ProcessKind process = ProcessKind::kSimulator;
   CommonOptions common;  // url, prefix, id
   bool lockstep = false;
+  bool patient = false;         // the clock of the simulated world stands still while a command is late
   bool guard_required = false;  // its silence masks the arms
   double rate = 1.0;            // real time: this many times faster (simulators)
   double duration = 0.0;        // [s] of active time, then it ends; 0: until a signal
@@ -42,7 +43,7 @@ struct SourceMainOptions {
   std::vector<ScriptedSteps> steps;
 };
 
-// --guard-required and --for; a simulator's also --lockstep, --rate and --seed.
+// --guard-required and --for; a simulator's also --lockstep, --patient, --rate and --seed.
 void add_source_options(Options& parser, SourceMainOptions& options, bool simulator);
 
 // The adaptor is open; closed by the caller.  Returns the exit code: 0 asked to end, 1 the adaptor

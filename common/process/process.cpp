@@ -52,6 +52,12 @@ void keep_cpus_awake() {
   if (write(file, &allowed_us, sizeof allowed_us) != sizeof allowed_us) close(file);
 }
 
+// Where the system sets no limit: with one, memory that is asked for later would be refused.
+void lock_memory_if_free() {
+  rlimit limit = {};
+  if (getrlimit(RLIMIT_MEMLOCK, &limit) == 0 && limit.rlim_cur == RLIM_INFINITY) (void)mlockall(MCL_CURRENT | MCL_FUTURE);
+}
+
 }  // namespace
 
 void catch_quit_signals() {
@@ -114,6 +120,7 @@ RealTime enter_real_time(int priority, std::string* why) {
   // Without FIFO priority the kernel may wake a sleeper 50 us late on purpose, to save wake-ups.
   (void)prctl(PR_SET_TIMERSLACK, 1UL);
   if (is_set_to("TWINBUS_FIFO", "0")) {
+    lock_memory_if_free();
     tell("no FIFO priority, as asked by TWINBUS_FIFO=0");
     return RealTime::kNone;
   }
@@ -121,6 +128,7 @@ RealTime enter_real_time(int priority, std::string* why) {
   parameters.sched_priority = priority;
   const int error = pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters);
   if (error != 0) {
+    lock_memory_if_free();
     tell(std::string("no FIFO priority (") + std::strerror(error) +
          "): run with CAP_SYS_NICE, or allow it with ulimit -r");
     return RealTime::kNone;

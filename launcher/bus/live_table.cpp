@@ -9,6 +9,8 @@ namespace twinbus {
 
 namespace {
 
+constexpr std::int8_t kPatient = 6;  // SourceStatus::pace
+
 __attribute__((format(printf, 1, 2))) std::string line_of(const char* format, ...) {
   char text[160];
   std::va_list arguments;
@@ -34,6 +36,7 @@ std::string source_line(const SeenSource& source, std::int64_t now_ns) {
       "  %-10s %7.1f %9s %5d %8lld %6lld %9lld", source_name(s.source), source.states.rate(now_ns),
       role_name(s.role), s.term, static_cast<long long>(s.ticks_missed),
       static_cast<long long>(s.commands_late), static_cast<long long>(s.commands_rejected));
+  if (s.pace == kPatient) line += "  waits for late commands";
   if (s.stop_kind != StopKind::kNone) line += std::string("  STOP ") + stop_name(s.stop_kind);
   if (s.adaptor_status != 0)
     line += std::string("  ") + to_text(static_cast<Status>(s.adaptor_status));
@@ -63,6 +66,13 @@ const char* guard_word(const Lookout& seen, std::int64_t now_ns) {
   return seen.newest_guard().verdict >= GuardVerdict::kWillCollide ? "holds joints" : "clear";
 }
 
+// What a world that waits costs; empty for every other.
+std::string pace_text(const Lookout& seen, std::int64_t now_ns) {
+  const SeenSource* active = seen.active(now_ns);
+  if (active == nullptr || active->status.pace != kPatient || !(seen.figures().realtime_factor > 0.0)) return "";
+  return line_of(", %.2f times real time", seen.figures().realtime_factor);
+}
+
 }  // namespace
 
 std::vector<std::string> table_lines(const Lookout& seen, CpuShare& shares, std::int64_t now_ns) {
@@ -81,7 +91,8 @@ std::vector<std::string> table_lines(const Lookout& seen, CpuShare& shares, std:
   if (seen.controller_statuses().age(now_ns) < 1.0) {
     const ControllerStatus& c = seen.controller();
     lines.push_back(line_of("robot: mode %s, ZMP margin %.1f mm, guard %s", mode_name(c.mode),
-                            1e3 * static_cast<double>(c.zmp_margin), guard_word(seen, now_ns)));
+                            1e3 * static_cast<double>(c.zmp_margin), guard_word(seen, now_ns)) +
+                    pace_text(seen, now_ns));
   }
   for (const SeenProcess* process : seen.processes(now_ns)) {
     const Heartbeat& b = process->beat;
@@ -105,7 +116,8 @@ std::string summary_line(const Lookout& seen, std::int64_t now_ns) {
                  active == nullptr ? "-" : role_name(active->status.role),
                  seen.command().rate(now_ns),
                  active == nullptr ? 0LL : static_cast<long long>(active->status.ticks_missed),
-                 mode_name(seen.controller().mode), seen.figures().fell ? ", FELL" : "");
+                 mode_name(seen.controller().mode), seen.figures().fell ? ", FELL" : "") +
+         pace_text(seen, now_ns);
 }
 
 void Redraw::clear() {

@@ -14,6 +14,7 @@
 #include <sstream>
 
 #include "common/process/arguments.h"
+#include "common/process/priority.h"
 #include "common/process/process.h"
 #include "launcher/bus/bus_link.h"
 #include "launcher/stack/run_folder.h"
@@ -148,6 +149,11 @@ void check_real_time(Report& report, bool in_detail) {
              in_container() ? kContainerRights
                             : "run as root, or: echo '@sudo - rtprio 90' | sudo tee "
                               "/etc/security/limits.d/twinbus.conf, and log in again");
+  const bool hard = may_enter_real_time();
+  report.add(Health::kGood, hard ? "simulated worlds keep a hard clock, for loops have FIFO priority here (./twinbus up --no-fifo: they "
+                                   "wait for late commands)"
+                                 : "simulated worlds wait up to 200 ms for a late command, for loops have no FIFO priority here: "
+                                   "slower than real time when the machine is busy (./twinbus up --strict: hard clock)");
   if (!in_detail) return;
   const bool locked = mlockall(MCL_CURRENT) == 0;
   report.add(locked ? Health::kGood : Health::kCould,

@@ -21,6 +21,7 @@ struct RunRequest {
   double period = 0.002;  // [s]
   double rate = 1.0;      // times real time
   bool lockstep = false;
+  bool patient = false;   // the simulated world waits for late commands, and is slower than real time meanwhile
   double duration = 0.0;  // asked for [s]; 0: until Ctrl-C
 };
 
@@ -48,6 +49,7 @@ struct RunVerdict {
   double state_rate = 0.0;  // [Hz]
   double command_rate = 0.0;
   double rate_wanted = 0.0;
+  double realtime_factor = 0.0;  // of rate_wanted
   bool fifo = false;  // source and controller both
   bool fell = false;
   bool passed = false;
@@ -57,7 +59,7 @@ struct RunVerdict {
 MissedCounts missed_so_far(const Lookout& seen, std::int64_t now_ns);
 // What source and controller both have: 0 nothing, 1 FIFO priority, 2 and locked memory.
 int real_time_of(const Lookout& seen, std::int64_t now_ns);
-std::string real_time_text(int real_time);
+std::string real_time_text(int real_time, bool patient = false);
 
 RunVerdict judge(const Lookout& seen, const RunRequest& request, const MissedCounts& start,
                  std::int64_t now_ns);

@@ -189,6 +189,11 @@ Stack parse_stack(const std::string& text, const std::string& file) {
   return stack;
 }
 
+bool moves_hardware(const Stack& stack) {
+  return std::any_of(stack.processes.begin(), stack.processes.end(),
+                     [](const StackProcess& p) { return p.hardware || p.program == "twinbus_bridge"; });
+}
+
 std::vector<std::string> stack_names() {
   std::vector<std::string> names;
   std::error_code ignored;

@@ -55,6 +55,9 @@ Stack parse_stack(const std::string& text, const std::string& file_for_errors);
 // Names of the stacks of the installation.
 std::vector<std::string> stack_names();
 
+// Whether any process of it has motors behind it, or something that stands in for them.
+bool moves_hardware(const Stack& stack);
+
 // The arguments with placeholders filled in.  Throws std::runtime_error naming an unknown one.
 using Placeholders = std::map<std::string, std::vector<std::string>>;
 std::vector<std::string> fill_in(const StackProcess& process, const Placeholders& values);

@@ -112,6 +112,7 @@ Up::Up(const Arguments& arguments) {
   // Lock-step goes as fast as it can: with real-time priority it would leave those who watch no time.
   if (request_.lockstep) setenv("TWINBUS_FIFO", "0", 1);
   stack_ = load_stack(arguments.text("--stack", "sim"));
+  request_.patient = waits_for_late_commands(arguments, stack_);
   refuse_without_log(arguments, stack_);
   if (arguments.has("--no-viewer")) {
     stack_.leave_out([](const StackProcess& process) { return process.viewer; });
@@ -150,12 +151,7 @@ Placeholders Up::placeholders(const Arguments& arguments) const {
   if (!allowed.empty()) bus.insert(bus.end(), {"--allow", allowed});
   values["robot"] = {"--robot", request_.robot};
   values["scene"] = {arguments.word(0, "stand")};
-  auto& pace = values["pace"];
-  if (request_.lockstep) pace = {"--lockstep"};
-  if (arguments.has("--rate")) pace.insert(pace.end(), {"--rate", arguments.text("--rate", "1")});
-  // In lock-step the simulator itself ends after its last tick, so that two runs have the same ticks.
-  if (request_.lockstep && request_.duration > 0.0)
-    pace.insert(pace.end(), {"--for", arguments.text("--for", "")});
+  values["pace"] = pace_words(arguments, request_.patient);
   values["engine"] = {"--engine", request_.engine};
   auto& settings = values["settings"];
   for (const std::string& setting : arguments.all("--set"))
@@ -294,7 +290,7 @@ void Up::wait_for_first_commands() {
   at_start_ = missed_so_far(bus_->seen(), start_ns_);
   if (!request_.lockstep) bus_->seen().restart_counts();
   say((request_.lockstep ? std::string("in lock-step, without FIFO priority")
-                         : real_time_text(real_time_of(bus_->seen(), start_ns_))) +
+                         : real_time_text(real_time_of(bus_->seen(), start_ns_), request_.patient)) +
       "; output of each process: " + folder_);
   for (const SeenProcess* process : bus_->seen().processes(start_ns_))
     shares_.of(process->beat.pid, start_ns_);

@@ -2,6 +2,8 @@
 
 #include <cstdlib>
 
+#include "common/process/priority.h"
+
 namespace twinbus {
 
 Syntax up_syntax() {
@@ -38,6 +40,9 @@ Syntax up_syntax() {
         "for all"},
        {"--quota", "GB", "of run.log with its parts; default 10, but always the last 30 minutes"},
        {"--log", "FILE", "of --stack replay: the log that is played"},
+       {"--strict", "",
+        "keeps the clock of a simulated world hard; else, on a machine without real-time rights, it stands still "
+        "while a command is late, up to 200 ms"},
        {"--no-fifo", "", "ordinary priority for every process"},
        {"--report", "F", "writes the figures as JSON"},
        prefix_option(),
@@ -50,6 +55,21 @@ Syntax up_syntax() {
 bool records(const Arguments& arguments) {
   const char* record = std::getenv("TWINBUS_RECORD");
   return !arguments.has("--no-record") && (record == nullptr || std::string(record) != "0");
+}
+
+bool waits_for_late_commands(const Arguments& arguments, const Stack& stack) {
+  return !arguments.has("--lockstep") && !arguments.has("--strict") && !moves_hardware(stack) && !may_enter_real_time();
+}
+
+std::vector<std::string> pace_words(const Arguments& arguments, bool patient) {
+  std::vector<std::string> words;
+  if (arguments.has("--lockstep")) words.emplace_back("--lockstep");
+  if (patient) words.emplace_back("--patient");
+  if (arguments.has("--rate")) words.insert(words.end(), {"--rate", arguments.text("--rate", "1")});
+  // In lock-step the simulator itself ends after its last tick, so that two runs have the same ticks.
+  if (arguments.has("--lockstep") && arguments.has("--for"))
+    words.insert(words.end(), {"--for", arguments.text("--for", "")});
+  return words;
 }
 
 void refuse_without_log(const Arguments& arguments, const Stack& stack) {

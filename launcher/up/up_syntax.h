@@ -16,6 +16,10 @@ Syntax up_syntax();
 bool records(const Arguments& arguments);
 // What is said to the recorder.
 std::vector<std::string> recorder_words(const Arguments& arguments);
+// Does a simulated world of this stack wait for late commands?
+bool waits_for_late_commands(const Arguments& arguments, const Stack& stack);
+// What is said to the simulator of its clock.
+std::vector<std::string> pace_words(const Arguments& arguments, bool patient);
 // Throws UsageError for a stack that plays a log when none is named.
 void refuse_without_log(const Arguments& arguments, const Stack& stack);
 

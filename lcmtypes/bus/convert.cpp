@@ -104,7 +104,7 @@ void fields(C& c, M& m, S& s) noexcept {
   c(m.stop_kind, s.stop_kind);
   c(m.stop_reason, s.stop_reason);
   c.within(m.adaptor_status, s.adaptor_status, 0, 127);
-  c.within(m.pace, s.pace, 0, 5);
+  c.within(m.pace, s.pace, 0, 6);
   c(m.can_be_set, s.can_be_set);
   c(m.hardware, s.hardware);
   c.within(m.plan_refusal, s.plan_refusal, 0, 127);

@@ -61,17 +61,18 @@ void PlanAssembler::clear() noexcept {
 }
 
 PlanRefusal PlanAssembler::judge_head(const StopPlanHead& head, const PlanContext& context) const noexcept {
-  if (head.run_id != context.run_id || head.term != context.term || head.model_hash != model_->hash) {
-    return PlanRefusal::kOtherSource;
-  }
-  if (context.controller_id == 0 || head.controller_id != context.controller_id) return PlanRefusal::kOtherController;
+  const bool for_us = head.run_id == context.run_id && head.term == context.term;
+  if ((!for_us && context.checks(kCheckSource)) || head.model_hash != model_->hash) return PlanRefusal::kOtherSource;
+  const bool obeyed = context.controller_id != 0 && head.controller_id == context.controller_id;
+  if (!obeyed && context.checks(kCheckController)) return PlanRefusal::kOtherController;
   const int pieces = (head.knot_count + kPlanKnotsPerPiece - 1) / kPlanKnotsPerPiece;
   const double length = model_->period() * head.spacing * (head.knot_count - 1);
   if (head.joint_count != model_->bus_count() || head.knot_count < 2 || head.knot_count > kMostPlanKnots ||
       head.pieces != pieces || head.spacing < 1 || !(length <= kLongest)) {
     return PlanRefusal::kWrongSize;
   }
-  if (head.tick > context.tick || static_cast<double>(context.tick - head.tick) * model_->period() > kOldest) {
+  const bool old = static_cast<double>(context.tick - head.tick) * model_->period() > kOldest;
+  if (head.tick > context.tick || (old && context.checks(kCheckAge))) {
     return PlanRefusal::kWrongTime;
   }
   if (!head.walks) return PlanRefusal::kNone;
@@ -131,18 +132,19 @@ PlanRefusal PlanAssembler::add(const StopPlanPiece& piece, const PlanContext& co
   }
   const std::int32_t number = piece.head.number;
   if (have_whole_ && number == whole_number_) return PlanRefusal::kNone;  // heard again
-  if (number < newest_number_ || number < whole_number_) return PlanRefusal::kOldNumber;
+  const bool older = number < newest_number_ || number < whole_number_;
+  if (older && context.checks(kCheckOrder)) return PlanRefusal::kOldNumber;
   if (number != newest_number_) {
     newest_number_ = number;
     coming_.head = piece.head;
-    have_ = 0;
+    if (context.checks(kCheckUnmixed)) have_ = 0;
     verdict_ = PlanRefusal::kNone;
   }
   if (verdict_ == PlanRefusal::kNone && !(piece.head == coming_.head)) verdict_ = PlanRefusal::kMixed;
   if (verdict_ != PlanRefusal::kNone) return verdict_;
   coming_.copy_from(piece);
   have_ |= 1U << piece.piece;
-  if (have_ != (1U << piece.head.pieces) - 1U) return PlanRefusal::kNone;
+  if (have_ != (1U << piece.head.pieces) - 1U && context.checks(kCheckWhole)) return PlanRefusal::kNone;
   verdict_ = judge_whole(coming_);
   if (verdict_ == PlanRefusal::kNone) verdict_ = judge_now(coming_, context);
   if (verdict_ != PlanRefusal::kNone) return verdict_;

@@ -26,6 +26,16 @@ enum class PlanRefusal : std::int8_t {
 };
 const char* to_text(PlanRefusal refusal) noexcept;
 
+// Checks that a test may leave out, to see that they are missed.
+enum PlanCheck : std::uint8_t {
+  kCheckWhole = 1,
+  kCheckUnmixed = 2,
+  kCheckOrder = 4,
+  kCheckSource = 8,
+  kCheckController = 16,
+  kCheckAge = 32,
+};
+
 // What a plan must fit.
 struct PlanContext {
   std::int64_t run_id = 0;
@@ -33,6 +43,8 @@ struct PlanContext {
   std::int64_t tick = 0;           // the present one
   std::int32_t term = 0;
   const JointCommand* set_point = nullptr;  // written last
+  std::uint8_t left_out = 0;                // PlanCheck bits, none outside of test/protocol
+  bool checks(PlanCheck check) const noexcept { return (left_out & check) == 0; }
 };
 
 class PlanAssembler {
@@ -54,6 +66,7 @@ class PlanAssembler {
   }
 
  private:
+  friend struct ProtocolProbe;  // test/protocol looks inside to tell states apart
   PlanRefusal judge_head(const StopPlanHead& head, const PlanContext& context) const noexcept;
   PlanRefusal judge_whole(const StopPlan& plan) const noexcept;
   PlanRefusal judge_now(const StopPlan& plan, const PlanContext& context) const noexcept;

@@ -2,7 +2,7 @@
 //
 //   stalls_bench SCENE SEED COUNT WHAT...      e.g. stalls_bench walk_forward 1 40 kill 100 other
 //
-// WHAT: kill; a number of milliseconds that the controller stands still; other: another controller 1 s after the kill; own: the
+// WHAT: kill; a number of milliseconds that the controller stands still; other: another controller 1 s after the kill, other500: after 500 ms; own: the
 // controller lives and makes its shortest stop.  At COUNT random instants of the walk the run is forked, and each WHAT goes on
 // from the same state.  Environment: VX walks at another speed [m/s], ROBOT another robot, FROM and UNTIL bound the instants [s].
 
@@ -68,8 +68,9 @@ double law_step(const Model& m, const JointCommand& a, const JointCommand& b, co
 
 Result watch(const Model& model, OneProcess& run, const std::string& what) {
   Result r;
-  const bool kill = what == "kill", other = what == "other", own = what == "own";
+  const bool kill = what == "kill", other = what.rfind("other", 0) == 0, own = what == "own";
   const auto ticks = [&](double seconds) { return static_cast<std::int64_t>(seconds / model.period()); };
+  const double later = other && what.size() > 5 ? 1e-3 * std::atof(what.c_str() + 5) : 1.0;
   const std::int64_t begin = run.ticks();
   if (own) {
     ModeRequest request;
@@ -83,8 +84,16 @@ Result watch(const Model& model, OneProcess& run, const std::string& what) {
   for (std::int64_t i = 0; run.ticks() < begin + ticks(kAfter) && !fell; ++i) {
     if (!run.tick()) break;
     if (i == 0) r.torque_step = law_step(model, run.source().effective_command(), before, run.state());
-    if (other && i == ticks(1.0)) run.restart_controller(77);
+    if (other && i == ticks(later)) run.restart_controller(77);
     const SimTruth& t = run.truth();
+    if (std::getenv("TRACE") != nullptr && i % std::atoi(std::getenv("TRACE")) == 0) {
+      double jump = 0.0;
+      for (std::size_t j = 0; j < 12; ++j) jump = std::max(jump, std::abs(run.source().effective_command().q[j] - run.state().q[j]));
+      std::printf("%lld plan %d mode %d tilt %.2f com v %.3f %.3f  F %.0f %.0f  q-gap %.4f zmp margin %.3f  %s\n", static_cast<long long>(i), run.state().plan_number,
+                  static_cast<int>(run.loop().status().mode), 57.3 * tilt_of(t), static_cast<double>(t.com_velocity[0]), static_cast<double>(t.com_velocity[1]),
+                  static_cast<double>(t.foot_force[0][2]), static_cast<double>(t.foot_force[1][2]), jump, static_cast<double>(t.zmp_margin),
+                  run.take_sentences().empty() ? "" : "!");
+    }
     r.pushed = r.pushed || t.push_force != decltype(t.push_force){};
     r.tilt = std::max(r.tilt, tilt_of(t));
     fell = t.fell || tilt_of(t) > kFallen;

@@ -91,6 +91,21 @@ TEST(Verdict, ASlowStreamFails) {
   EXPECT_NEAR(verdict.command_rate, 250.0, 1.0);
 }
 
+TEST(Verdict, AWorldThatWaitsMayBeSlowAndIsToldToBe) {
+  FakeRun run(1, 0, 0);
+  run.request.rate = 2.0;  // asked for twice what came
+  EXPECT_FALSE(run.verdict().passed);
+  run.request.patient = true;
+  const RunVerdict verdict = run.verdict();
+  EXPECT_TRUE(verdict.passed);
+  std::string all;
+  for (const std::string& line : verdict_lines(verdict, run.request)) all += line + "\n";
+  EXPECT_NE(all.find("waited for late commands: 0.500 times real time"), std::string::npos) << all;
+  FakeRun deaf(2, 0, 0);  // who commands it does not keep up
+  deaf.request.patient = true;
+  EXPECT_FALSE(deaf.verdict().passed);
+}
+
 TEST(Verdict, CommandsThatTheMachineSwallowedAreNoSlowStream) {
   EXPECT_TRUE(FakeRun(2, 5000, 1, 5000).verdict().passed);
   EXPECT_FALSE(FakeRun(2, 4000, 1, 4000).verdict().passed);

@@ -77,6 +77,18 @@ struct ProtocolProbe {
     h.add(x.latch_.nonce);
     h.add(x.latch_.shared_nonce);
     h.add(x.latch_.spent_nonce);
+    const PlanRun& plan = x.plan_;
+    if (plan.assembler_.controller_ == 0 && plan.whole() == nullptr) return;
+    h.add(plan.running());
+    h.add(plan.since());
+    h.add(plan.whole() != nullptr ? plan.whole()->head.number : 0);
+    h.add(plan.assembler_.newest_number_);
+    h.add(plan.assembler_.have_);
+    h.add(x.fed_tick_);
+    h.add(x.usual_age_);
+    h.add(x.resumable_);
+    h.add(x.plan_asked_);
+    h.add(x.have_client_);
   }
   static void hash(Hash& h, const SourceCore& x) {
     hash(h, x.handover_);
@@ -104,6 +116,10 @@ std::uint64_t World::digest() const {
   }
   for (const Letter& letter : late_) {
     h.add(letter.command);
+    if (letter.plan) {
+      h.add(letter.head.number);
+      h.add(letter.piece);
+    }
     h.add(letter.to);
     h.add(letter.command ? letter.body.tick : letter.state.tick);
     h.add(letter.command ? letter.body.run_id : letter.state.run_id);
@@ -116,6 +132,7 @@ std::uint64_t World::digest() const {
   }
   h.add(known_nonce_);
   h.add(controller_alive_);
+  if (setting_->plans) h.add(plans_);
   h.add(stop_reached_holder_);
   h.add(std::min(message_faults, 2));
   h.add(interventions > 0);

@@ -13,8 +13,11 @@ struct Choice {
   Happening happening;
 };
 
-std::vector<Fault> faults(int sources) {
+std::vector<Fault> faults(int sources, bool plans) {
   std::vector<Fault> all{{}};
+  for (int from = sources + 1; plans && from <= sources + 3; ++from) {
+    for (const Fate fate : {Fate::kLost, Fate::kLate, Fate::kDoubled}) all.push_back({from, 0, fate});
+  }
   for (int from = 0; from <= sources; ++from) {
     for (int to = 0; to <= sources; ++to) {
       if (from == to) continue;
@@ -28,9 +31,18 @@ std::vector<Fault> faults(int sources) {
   return all;
 }
 
-std::vector<Happening> happenings(int sources) {
+std::vector<Happening> happenings(int sources, bool plans) {
   std::vector<Happening> all{{}};
   using E = EventKind;
+  if (plans) {
+    for (const E kind : {E::kControllerDies, E::kControllerReturns, E::kNoMorePlans, E::kPlanOfOtherTerm, E::kPlanOfOther,
+                         E::kStaleCommand, E::kSecondController, E::kStopHold, E::kStopOff, E::kClear}) {
+      all.push_back({kind, 0, 0xff});
+    }
+    all.push_back({E::kSwitch, 1, 0xff});
+    all.push_back({E::kCrash, 0, 0xff});
+    return all;
+  }
   for (int i = 0; i < sources; ++i) {
     for (const E kind : {E::kActivate, E::kSwitch, E::kSwitchElsewhere, E::kPark, E::kTrack,
                          E::kShadow, E::kCrash, E::kRestart, E::kClear}) {
@@ -66,12 +78,18 @@ const char* event_name(EventKind kind) {
                                       "controller returns",
                                       "forged STATE",
                                       "second controller",
-                                      "command from the future"};
+                                      "command from the future",
+                                      "no more plans",
+                                      "plan of another term",
+                                      "plan of another controller",
+                                      "command from before the silence"};
   return names[static_cast<int>(kind)];
 }
 
 std::string node_name(int i, int sources) {
   if (i == sources) return "controller";
+  if (i == sources + 3) return "plan";
+  if (i > sources) return "piece " + std::to_string(i - sources) + " of the plan";
   return i < 0 ? "all" : std::string(1, static_cast<char>('A' + i));
 }
 
@@ -95,8 +113,8 @@ class Explorer {
   Explorer(const Setting& setting, const Bounds& bounds)
       : setting_(setting),
         bounds_(bounds),
-        faults_(faults(setting.sources)),
-        happenings_(happenings(setting.sources)),
+        faults_(faults(setting.sources, setting.plans)),
+        happenings_(happenings(setting.sources, setting.plans)),
         seen_(static_cast<std::size_t>(bounds.depth) + 1),
         begin_(std::chrono::steady_clock::now()) {}
 
@@ -172,7 +190,8 @@ class Explorer {
 const char* start_name(Start start) {
   static const char* const names[] = {"fresh",       "cold",       "track",         "switch",
                                       "switch-back", "shadow",     "shadow-switch", "far-shadow",
-                                      "stopped",     "two-active", "cancel",        "grant-lost"};
+                                      "stopped",     "two-active", "cancel",        "grant-lost",
+                                      "plans",       "plan-runs",  "plan-late",     "old-plan"};
   return names[static_cast<int>(start)];
 }
 
@@ -185,7 +204,8 @@ std::vector<Start> all_starts() {
 Setting setting_for(Start start, int sources, RuleSet off) {
   const bool hardware =
       start == Start::kShadow || start == Start::kShadowSwitch || start == Start::kFarShadow;
-  return Setting(sources, hardware, start == Start::kFarShadow ? 0.2 : 0.0, off);
+  const bool plans = start == Start::kPlans || start == Start::kPlanRuns || start == Start::kPlanLate || start == Start::kOldPlan;
+  return Setting(sources, hardware, start == Start::kFarShadow ? 0.2 : 0.0, off, plans);
 }
 
 World world_at(Start start, const Setting& setting) {
@@ -208,6 +228,14 @@ World world_at(Start start, const Setting& setting) {
   happen(hardware ? EventKind::kShadow : EventKind::kTrack, 1);
   if (setting.sources > 2) happen(EventKind::kTrack, 2);
   world.quiet(3);
+  if (start == Start::kOldPlan) {
+    happen(EventKind::kNoMorePlans, 0);
+    world.quiet(9);
+  }
+  if (start == Start::kPlanRuns || start == Start::kPlanLate) {
+    happen(EventKind::kControllerDies, 0);
+    world.quiet(start == Start::kPlanLate ? 10 : 3);
+  }
   if (start == Start::kStopped) {
     happen(EventKind::kStopHold, 0);
     world.quiet(2);
@@ -236,7 +264,7 @@ World world_at(Start start, const Setting& setting) {
     happen(EventKind::kSwitch, 0);
   }
   world.message_faults = 0;
-  world.interventions = start == Start::kStopped ? 1 : 0;
+  world.interventions = start == Start::kStopped || !world.controller_alive() ? 1 : 0;
   return world;
 }
 

@@ -29,6 +29,10 @@ enum class Start {
   kTwoActive,     // activated in two halves of a split network
   kCancel,        // B died with a grant in its hand; A is about to cancel
   kGrantLost,     // B was stopped and cut off with a grant in its hand, which has run out since
+  kPlans,         // as kTrack, and the controller sends a stop plan behind every command
+  kPlanRuns,      // and has been silent for a while
+  kPlanLate,      // for so long that it has to wait for the end of its plan
+  kOldPlan,       // it has sent no plan for a while
   kCount
 };
 const char* start_name(Start start);

@@ -85,11 +85,12 @@ void World::after_tick(int i) {
 void World::check_period() {
   for (int i = 0; i < setting_->sources; ++i) {
     if (!alive(i)) continue;
-    const Node& node = nodes_[static_cast<std::size_t>(i)];
+    Node& node = nodes_[static_cast<std::size_t>(i)];
+    check_plan(node);
     const Handover& h = node.core.handover();
     const StopLatch& latch = node.core.gate().latch();
     if (latch.kind < node.must_stop) fail("a stop is lost or lowered");
-    if (h.holds_state() && h.obeys() && !latch.latched() &&
+    if (h.holds_state() && h.obeys() && !latch.latched() && !node.core.gate().plan().running() &&
         now_ns_ - node.fed_ns > (kTimeoutPeriods + 1) * kPeriod) {
       fail("a source without commands does not stop");
     }
@@ -98,6 +99,50 @@ void World::check_period() {
         now_ns_ > 0 && h.believed_by_rule) {
       fail("a forged term is believed");
     }
+  }
+}
+
+// At the end of a period, of the stop plan that is followed or should be.
+void World::check_plan(Node& node) {
+  if (!setting_->plans) return;
+  const CommandGate& gate = node.core.gate();
+  const std::int64_t tick = node.core.state().tick;
+  const Handover& h = node.core.handover();
+  const bool fed = node.fed;
+  node.fed = false;
+  const bool obeys = h.holds_state() && h.obeys() && gate.is_open();
+  const std::int32_t before = node.followed;
+  node.followed = gate.plan().number();
+  if (node.followed != 0 && (before == 0 || before != node.followed)) {
+    const auto& heard = node.plans[static_cast<std::size_t>(node.followed) % node.plans.size()];
+    if (heard.head.number != node.followed || heard.pieces != 3) fail("a stop plan is followed of which a piece is missing");
+    if (heard.head.run_id != node.run_id || heard.head.term != h.term) fail("a stop plan for another run or term is followed");
+    if (tick - heard.head.tick > kResumePeriods) fail("a stop plan is followed that began long ago");
+    if (node.followed < node.newest_whole) fail("a stop plan is followed although a newer one is there");
+  }
+  if (before != 0 && node.followed != 0 && before != node.followed && !fed)
+    fail("another stop plan takes the place of the one that is followed");
+  if (node.followed != 0) {
+    if (gate.latch().kind == StopKind::kOff) fail("a stop plan is followed in spite of off");
+    const StopPlan& plan = *gate.plan().whole();
+    for (int k = 0; k < plan.head.knot_count; ++k) {
+      if (plan.tau[static_cast<std::size_t>(k)][0] != static_cast<std::int16_t>(plan.head.number))
+        fail("a stop plan is followed that is made of pieces of two");
+    }
+  } else {
+    const auto& ended = node.plans[static_cast<std::size_t>(before) % node.plans.size()];
+    if (before != 0 && !fed && obeys && ended.head.term == h.term && !gate.latch().latched())
+      fail("the end of a stop plan does not latch a stop");
+    node.plan_stopped = false;
+  }
+  // The newest plan that is whole and fits is followed at once when a command is missing.
+  const auto& newest = node.plans[static_cast<std::size_t>(std::max(node.newest_whole, 0)) % node.plans.size()];
+  const bool fits = newest.pieces == 3 && newest.head.number == node.newest_whole && newest.head.run_id == node.run_id &&
+                    newest.head.term == h.term && newest.head.controller_id == gate.controller_id() &&
+                    tick - newest.head.tick < kResumePeriods;
+  if (fits && obeys && !fed && !node.cleared && node.fed_tick >= 0 && node.last_accepted_term == h.term && before == 0 &&
+      !gate.latch().latched() && node.followed == 0) {
+    fail("a command is missing, a stop plan is there, and it is not followed");
   }
 }
 

@@ -88,6 +88,20 @@ constexpr Plant kPlants[] = {
     {Rule::kBelieveByRule, Start::kSwitch, within(1, 0, 1)},
     {Rule::kSwitchRate, Start::kGrantLost, within(3, 0, 2)},
     {Rule::kGiveWay, Start::kTwoActive, within(3, 0, 0)},
+    {Rule::kPlanWhole, Start::kPlans, within(1, 0, 0)},
+    {Rule::kPlanUnmixed, Start::kPlans, within(2, 2, 0)},
+    {Rule::kPlanOrder, Start::kPlans, within(2, 1, 0)},
+    {Rule::kPlanSource, Start::kPlans, within(1, 0, 1)},
+    {Rule::kPlanController, Start::kPlans, within(1, 0, 1)},
+    {Rule::kPlanAge, Start::kOldPlan, within(3, 0, 1)},
+    {Rule::kPlanAtOnce, Start::kPlans, within(1, 1, 0)},
+    {Rule::kPlanKept, Start::kPlans, within(3, 2, 0)},
+    {Rule::kPlanOtherWaits, Start::kPlanRuns, within(2, 0, 1)},
+    {Rule::kPlanResumeSoon, Start::kPlanLate, within(2, 0, 1)},
+    {Rule::kPlanResumeNew, Start::kPlanRuns, within(2, 0, 1)},
+    {Rule::kPlanStopStays, Start::kPlanRuns, within(4, 0, 3)},
+    {Rule::kPlanOffEnds, Start::kPlanRuns, within(1, 0, 1)},
+    {Rule::kPlanEndLatches, Start::kPlanLate, within(8, 0, 0)},
 };
 
 TEST(EveryRule, HasItsPlantedBug) {

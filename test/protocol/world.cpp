@@ -1,6 +1,7 @@
 #include "test/protocol/world.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace twinbus::protocol {
 
@@ -33,8 +34,8 @@ Model small_model() {
 
 }  // namespace
 
-Setting::Setting(int n, bool target_is_hardware, double target_q, RuleSet rules_off)
-    : sources(n), off(rules_off), model(small_model()), limits(model) {
+Setting::Setting(int n, bool target_is_hardware, double target_q, RuleSet rules_off, bool sends_plans)
+    : sources(n), off(rules_off), plans(sends_plans), model(small_model()), limits(model) {
   for (int i = 0; i < n; ++i) {
     const bool hardware = i == 1 && target_is_hardware;
     robots.emplace_back(!hardware, i == 1 ? target_q : 0.0);
@@ -121,6 +122,9 @@ void World::deliver_command(int to, const JointCommand& command) {
   const bool holding = node.core.handover().holds_state();
   const std::int64_t before = node.core.gate().counters().accepted;
   const StopKind latched = node.must_stop;
+  const bool led = node.core.gate().plan().running();
+  const bool ended = led && node.core.gate().plan().ended(node.core.state().tick);
+  const std::int64_t bound = node.core.gate().controller_id();
   node.core.on_command(command, now_ns_);
   if (!holding || node.core.gate().counters().accepted == before) return;
   // It obeyed.
@@ -128,7 +132,7 @@ void World::deliver_command(int to, const JointCommand& command) {
   if (command.run_id != node.run_id) fail("a source obeys a command that is for another source");
   if (command.term != h.term) fail("a source obeys a command of another term");
   if (command.controller_id == kOtherController && command.tick > 0 &&
-      node.last_accepted_tick >= 0 && node.last_accepted_term == h.term) {
+      node.last_accepted_tick >= 0 && node.last_accepted_term == h.term && !led) {
     fail("a second controller is obeyed beside the bound one");
   }
   if (node.last_accepted_term == h.term && command.tick <= node.last_accepted_tick) {
@@ -140,6 +144,19 @@ void World::deliver_command(int to, const JointCommand& command) {
   if (latched >= StopKind::kHold) fail("a command is obeyed in spite of a stop");
   if (h.successor != 0 && h.tick >= h.grant_tick)
     fail("the old holder obeys beyond the grant tick");
+  if (led && !ended) {
+    const std::int64_t silent = node.core.state().tick - node.fed_tick;
+    if (command.controller_id != kController || bound != kController)
+      fail("a controller that was not obeyed ends a stop plan");
+    if (silent > kResumePeriods) fail("a controller that was silent for long ends its stop plan");
+    if (node.core.state().tick - command.tick > node.usual_age + 2)
+      fail("a command from before the silence ends a stop plan");
+    if (node.plan_stopped) fail("a stop plan is ended in spite of a stop");
+  }
+  node.usual_age = node.core.state().tick - command.tick;
+  node.fed_tick = node.core.state().tick;
+  node.fed = true;
+  node.cleared = false;
   auto& owner = run_of_term_[static_cast<std::size_t>(command.term) % run_of_term_.size()];
   if (owner != 0 && owner != node.run_id && !double_activation_)
     fail("two sources obey in one term");
@@ -147,6 +164,65 @@ void World::deliver_command(int to, const JointCommand& command) {
   node.last_accepted_tick = command.tick;
   node.last_accepted_term = h.term;
   node.fed_ns = now_ns_;
+}
+
+// A plan whose torques tell its number, so that what is followed can be told from what was sent.
+StopPlanHead World::plan_for(const RobotState& state) const {
+  StopPlanHead head;
+  head.run_id = state.run_id;
+  head.model_hash = state.model_hash;
+  head.controller_id = kController;
+  head.tick = state.tick;
+  head.joints = 1;
+  head.term = state.term;
+  head.number = static_cast<std::int32_t>(state.tick) + 1;
+  head.pieces = 2;
+  head.knot_count = kPlanKnotsPerPiece + 1;
+  head.spacing = static_cast<std::int16_t>(kPlanPeriods / kPlanKnotsPerPiece);
+  head.joint_count = state.joint_count;
+  return head;
+}
+
+void World::deliver_plan(int to, const StopPlanHead& head, int piece) {
+  Node& node = nodes_[static_cast<std::size_t>(to)];
+  if (!node.alive) return;
+  StopPlanPiece message;
+  message.head = head;
+  message.piece = static_cast<std::int16_t>(piece);
+  for (PlanRow& row : message.tau) row[0] = static_cast<std::int16_t>(head.number);
+  for (PlanRow& row : message.q) row[0] = static_cast<std::int16_t>(std::lround(node.core.state().q[0] / kPlanPosition));
+  const CommandGate& gate = node.core.gate();
+  const std::int64_t before = gate.counters().plans_accepted;
+  auto& heard = node.plans[static_cast<std::size_t>(head.number) % node.plans.size()];
+  if (!(heard.head == head)) heard = {.head = head, .pieces = 0};
+  heard.pieces |= 1 << piece;
+  const bool followed = gate.plan().running();
+  node.core.on_stop_plan(message, now_ns_);
+  const bool whole = heard.pieces == 3;
+  if (gate.counters().plans_accepted == before) return;
+  const Handover& h = node.core.handover();
+  if (!whole) fail("a stop plan is taken of which a piece is missing");
+  if (head.run_id != node.run_id || head.term != h.term) fail("a stop plan for another run or term is taken");
+  if (head.controller_id != gate.controller_id()) fail("a stop plan of a controller that is not obeyed is taken");
+  if (followed) fail("another stop plan takes the place of the one that is followed");
+  if (head.number < node.newest_whole) fail("an older stop plan takes the place of a newer one");
+  node.newest_whole = std::max(node.newest_whole, head.number);
+}
+
+void World::send_plan(const RobotState& state, const Fault& fault) {
+  if (!setting_->plans || !plans_) return;
+  const StopPlanHead head = plan_for(state);
+  const int n = setting_->sources;
+  for (int piece = 0; piece < 2; ++piece) {
+    for (int to = 0; to < n; ++to) {
+      Fate fate = fate_of(fault, n + 1 + piece, to);
+      if (fate == Fate::kDelivered) fate = fate_of(fault, n + 3, to);
+      if (fate == Fate::kDelivered || fate == Fate::kDoubled) deliver_plan(to, head, piece);
+      if (fate == Fate::kLate || fate == Fate::kDoubled) {
+        late_.push_back({.plan = true, .piece = piece, .to = to, .state = {}, .body = {}, .head = head});
+      }
+    }
+  }
 }
 
 void World::controller_hears(const RobotState& state, const Fault& fault) {
@@ -172,9 +248,10 @@ void World::controller_hears(const RobotState& state, const Fault& fault) {
     const Fate fate = fate_of(fault, n, to);
     if (fate == Fate::kDelivered || fate == Fate::kDoubled) deliver_command(to, command);
     if (fate == Fate::kLate || fate == Fate::kDoubled) {
-      late_.push_back({.command = true, .to = to, .state = {}, .body = command});
+      late_.push_back({.command = true, .to = to, .state = {}, .body = command, .head = {}});
     }
   }
+  send_plan(state, fault);
 }
 
 void World::send_request(SourceRequest request, int receivers, bool again) {
@@ -207,7 +284,13 @@ void World::send_stop(StopKind kind, int receivers) {
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     Node& node = nodes_[i];
     if ((receivers & (1 << i)) == 0 || !node.alive) continue;
+    const bool led = node.core.gate().plan().running();
     node.core.on_stop(stop, now_ns_);
+    node.plan_stopped = node.plan_stopped || led;
+    if (kind == StopKind::kOff) {  // it forgets its plans
+      node.newest_whole = -1;
+      node.plans = {};
+    }
     node.must_stop = std::max(node.must_stop, kind);
     node.stopped_ns = now_ns_;
     const Handover& h = node.core.handover();
@@ -232,6 +315,7 @@ void World::send_clear(std::int32_t nonce, std::int64_t born_ns, int receivers) 
     if (node.core.handover().holds_state()) {
       stop_reached_holder_ = false;
       node.fed_ns = now_ns_;
+      node.cleared = true;
     }
     node.must_stop = StopKind::kNone;
   }
@@ -322,6 +406,23 @@ void World::apply(const Happening& happening) {
       for (int i = 0; i < setting_->sources; ++i) deliver_state(i, forged, true);
       return;
     }
+    case EventKind::kNoMorePlans:
+      plans_ = false;
+      return;
+    case EventKind::kPlanOfOtherTerm:
+    case EventKind::kPlanOfOther: {
+      if (holder < 0) return;
+      StopPlanHead head = plan_for(source(holder).state());
+      head.number += 50;
+      if (happening.kind == EventKind::kPlanOfOther) {
+        head.controller_id = kOtherController;
+      } else {
+        head.term += 1;
+      }
+      for (const int piece : {0, 1}) deliver_plan(holder, head, piece);
+      return;
+    }
+    case EventKind::kStaleCommand:
     case EventKind::kSecondController:
     case EventKind::kFutureCommand: {
       ++interventions;
@@ -333,13 +434,19 @@ void World::apply(const Happening& happening) {
       command.model_hash = state.model_hash;
       command.joint_count = state.joint_count;
       const bool future = happening.kind == EventKind::kFutureCommand;
-      command.controller_id = future ? kController : kOtherController;
+      command.controller_id = happening.kind == EventKind::kSecondController ? kOtherController : kController;
       command.tick = state.tick + (future ? 5 : 0);
       command.q[0] = state.q[0];
+      if (happening.kind == EventKind::kStaleCommand) {
+        command.tick = state.tick - 3;
+        deliver_command(holder, command);
+        return;
+      }
       // Beside a command of the controller that is not bound yet, the second one would be the
       // first.
-      if (!future && source(holder).gate().controller_id() != kController) return;
-      if (!future) command.tick = source(holder).gate().last_accepted_tick() + 1;
+      const bool led = source(holder).gate().plan().running();
+      if (!future && !led && source(holder).gate().controller_id() != kController) return;
+      if (!future) command.tick = led ? state.tick : source(holder).gate().last_accepted_tick() + 1;
       deliver_command(holder, command);
       return;
     }
@@ -353,7 +460,9 @@ void World::step(int order, const Fault& fault, const Happening& happening) {
   late_.clear();
   const auto open_mail = [&] {
     for (const Letter& letter : mail) {
-      if (letter.command) {
+      if (letter.plan) {
+        deliver_plan(letter.to, letter.head, letter.piece);
+      } else if (letter.command) {
         deliver_command(letter.to, letter.body);
       } else if (letter.to < setting_->sources) {
         deliver_state(letter.to, letter.state, letter.on_state);
@@ -382,7 +491,7 @@ void World::step(int order, const Fault& fault, const Happening& happening) {
       }
       if (fate == Fate::kLate || fate == Fate::kDoubled) {
         late_.push_back(
-            {.command = false, .on_state = on_state, .to = to, .state = state, .body = {}});
+            {.command = false, .on_state = on_state, .to = to, .state = state, .body = {}, .head = {}});
       }
     }
   }
@@ -404,6 +513,7 @@ std::string World::describe() const {
                 ? std::string(roles[static_cast<int>(h.role)]) + " term " + std::to_string(h.term) +
                       " tick " + std::to_string(h.tick) + " holder " + std::to_string(h.holder) +
                       (h.successor != 0 ? " grants at " + std::to_string(h.grant_tick) : "") +
+                      (source(i).gate().plan().running() ? " follows plan " + std::to_string(source(i).gate().plan().number()) : "") +
                       (source(i).gate().latch().latched() ? " LATCHED" : "")
                 : "crashed";
   }

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "bridge/source/source_core.h"
+#include "lcmtypes/msg/stop_plan.h"
 #include "lcmtypes/msg/state_admission.h"
 
 namespace twinbus::protocol {
@@ -20,6 +21,8 @@ namespace twinbus::protocol {
 inline constexpr int kMaxSources = 3;
 inline constexpr std::int64_t kPeriod = 20'000'000;  // [ns]: the silence of 0.1 s is five periods
 inline constexpr std::int64_t kTimeoutPeriods = 4;   // a command is silent after so many
+inline constexpr std::int64_t kResumePeriods = 10;   // in which a controller may end its own stop plan
+inline constexpr std::int64_t kPlanPeriods = 15;     // from the first knot of a stop plan to the last
 inline constexpr std::int64_t kStranger = 999;       // the run of a forged STATE
 
 // A robot with one joint that stands still wherever it is.
@@ -47,9 +50,10 @@ class StillRobot final : public RobotAdaptor {
 
 // What does not change during an exploration.
 struct Setting {
-  Setting(int sources, bool target_is_hardware, double target_q, RuleSet rules_off);
+  Setting(int sources, bool target_is_hardware, double target_q, RuleSet rules_off, bool sends_plans = false);
   int sources;
   RuleSet off;
+  bool plans = false;  // the controller sends a stop plan behind every command
   Model model;
   GateLimits limits;
   std::vector<StillRobot> robots;
@@ -61,7 +65,8 @@ enum class Fate : std::uint8_t { kDelivered, kLost, kLate, kDoubled };
 
 // One message of the period that does not simply arrive.
 struct Fault {
-  int from = -1;  // source, or sources for the controller; -1: none
+  // Source, or sources for the controller's commands, +1 and +2 for the two pieces of its stop plan, +3 for both; -1: none.
+  int from = -1;
   int to = -1;    // -1: every link of the period
   Fate fate = Fate::kDelivered;
 };
@@ -86,6 +91,10 @@ enum class EventKind : std::uint8_t {
   kForgedState,
   kSecondController,
   kFutureCommand,
+  kNoMorePlans,      // the controller sends commands alone
+  kPlanOfOtherTerm,  // a stop plan for a term that is not
+  kPlanOfOther,      // and one of a controller that is not obeyed
+  kStaleCommand,     // a command from the beginning of a silence comes
 };
 
 struct Happening {
@@ -139,19 +148,39 @@ class World {
     Role role_before = Role::kParked;
     std::int32_t term_before = 0;
     std::int64_t refusals_before = 0;
+    // of stop plans
+    struct HeardPlan {
+      StopPlanHead head;
+      int pieces = 0;  // bit per piece that was delivered
+    };
+    std::array<HeardPlan, 4> plans{};  // by number
+    std::int32_t newest_whole = -1;    // delivered in this term
+    std::int32_t followed = 0;         // the number of the plan that is followed
+    std::int64_t usual_age = 0;        // of the last accepted command [ticks]
+    std::int64_t fed_tick = -1;        // of the source then
+    bool fed = false;                  // a command was accepted since the last period ended
+    bool cleared = false;              // a stop, and nobody was obeyed since
+    bool plan_stopped = false;         // a stop was delivered while it was followed
     std::int64_t switch_addressed_elsewhere = 0;
   };
   struct Letter {  // a message that comes one period late
     bool command = false;
+    bool plan = false;
     bool on_state = false;
+    int piece = 0;
     int to = 0;
     RobotState state;
     JointCommand body;
+    StopPlanHead head = {};
   };
 
   void add_node(int i);
   void deliver_state(int to, const RobotState& state, bool on_state);
   void deliver_command(int to, const JointCommand& command);
+  void deliver_plan(int to, const StopPlanHead& head, int piece);
+  void send_plan(const RobotState& state, const Fault& fault);
+  StopPlanHead plan_for(const RobotState& state) const;
+  void check_plan(Node& node);
   void controller_hears(const RobotState& state, const Fault& fault);
   void apply(const Happening& happening);
   void send_request(SourceRequest request, int receivers, bool again);
@@ -171,7 +200,7 @@ class World {
   std::vector<Letter> late_;
   StateAdmission admission_;
   std::int64_t believed_tick_ = 0, believed_ns_ = 0, believed_grant_ = 0;
-  bool controller_alive_ = true;
+  bool controller_alive_ = true, plans_ = true;
   std::int32_t sequence_ = 0;
   std::int64_t next_run_ = 100;
   SourceRequest last_request_{};

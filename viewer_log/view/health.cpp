@@ -35,7 +35,7 @@ bool any_source(const StackView& view, std::int64_t now_ns) {
   return false;
 }
 
-constexpr std::int8_t kPaused = 4, kSlowed = 5;  // SourceStatus::pace
+constexpr std::int8_t kPaused = 4, kSlowed = 5, kPatient = 6;  // SourceStatus::pace
 
 // Of the source that is shown; 0 when it is not heard.
 std::int8_t pace_of(const StackView& view, std::int64_t now_ns) {
@@ -62,7 +62,10 @@ Health without_state(const StackView& view, std::int64_t now_ns) {
 }
 
 // The real-time factor says something only where time is meant to be real.
-bool paced(const StackView& view, std::int64_t now_ns) { return pace_of(view, now_ns) == 1; }
+bool paced(const StackView& view, std::int64_t now_ns) {
+  const std::int8_t pace = pace_of(view, now_ns);
+  return pace == 1 || pace == kPatient;
+}
 
 }  // namespace
 
@@ -111,7 +114,8 @@ Health assess(const StackView& view, std::int64_t now_ns) {
   }
   if (paced(view, now_ns) && view.realtime_factor() > 0.0 && view.realtime_factor() < kSlow) {
     return {HealthLevel::kWarning,
-            "Slower than real time: factor " + one_decimal(view.realtime_factor()) + "."};
+            "Slower than real time: factor " + two_decimals(view.realtime_factor()) +
+                (pace_of(view, now_ns) == kPatient ? ": the simulated world waits for late commands." : ".")};
   }
   if (pace_of(view, now_ns) == kSlowed) {
     return {HealthLevel::kGood, "Slowed down on purpose: " + two_decimals(view.realtime_factor()) +
