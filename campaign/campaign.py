@@ -13,8 +13,9 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 USAGE = """usage: ./twinbus campaign FILE.yaml [OPTION...]     run what is not done yet, write tables and report
        ./twinbus campaign report OUT [--serve]       the report again; --serve opens failing runs in the viewer
        ./twinbus campaign view OUT ID                one run in the viewer (recorded now if there is no log of it)
+       ./twinbus campaign search FILE.yaml           where failures begin: bisection, CMA-ES, importance sampling
+       ./twinbus campaign minimize OUT [ID]          the smallest scene that fails as a run did
        ./twinbus campaign gate FILE.yaml             passes or fails a version by as few runs as its risks allow
-       ./twinbus campaign compare OUT OUT...         the same runs on different machines: which differ, by what
 
   --out FOLDER       tables, logs and what is done; default: campaigns/NAME beside the file
   --workers N        processes on this machine; default: its processors

@@ -8,6 +8,7 @@ Slurm: OUT/slurm has the tasks and the script of the array; each array task appe
 import asyncio
 import json
 import pathlib
+import queue
 import shlex
 import shutil
 import subprocess
@@ -21,6 +22,7 @@ BATCH_SECONDS = 0.5
 MOST_BATCH = 50
 WAIT = 60.0         # [s] for a scheduler that went away
 POLL = 2.0          # [s] between two looks at the results of an array
+LOOK = 10           # [s] without a result after which the scheduler is asked what it knows
 ARRAY = 1000        # array tasks at most; clusters commonly allow 1001
 
 
@@ -109,21 +111,44 @@ def one_connection(client, distributed, left, add):
     first = waiting[:max(1, min(8, len(waiting) // 8))]
     rest = waiting[len(first):]
     mean = None
-    futures = distributed.as_completed([client.submit(batch_on_worker, [task], pure=False, retries=5) for task in first], with_results=True)
-    for _, results in futures:
-        if isinstance(results, BaseException):
-            raise results  # cancelled: the scheduler has gone
-        for result in results:
+    came, open_futures = queue.SimpleQueue(), {}
+
+    def submit(batch):
+        future = client.submit(batch_on_worker, batch, pure=False, retries=5)
+        open_futures[future.key] = future
+        future.add_done_callback(came.put)
+    for task in first:
+        submit([task])
+    quiet = 0
+    while open_futures:
+        try:
+            future = came.get(timeout=1.0)
+        except queue.Empty:
+            quiet += 1
+            # as_completed() waits for ever for futures that a scheduler took with it.
+            if client.status != "running" or (quiet % LOOK == 0 and not knows_any(client, list(open_futures))):
+                raise OSError("the scheduler has gone") from None
+            continue
+        quiet = 0
+        open_futures.pop(future.key, None)
+        for result in future.result(timeout=30):  # throws what the batch threw, or that it was cancelled
             if left.pop(result["id"], None) is not None:
                 add(result)
                 mean = result["where"]["task_s"] if mean is None else 0.9 * mean + 0.1 * result["where"]["task_s"]
         if rest and mean is not None:
             # All of them: what the scheduler has, late workers find.
             for batch in batches(rest, mean):
-                futures.add(client.submit(batch_on_worker, batch, pure=False, retries=5))
+                submit(batch)
             rest = []
     if left:
         raise RuntimeError("batches were lost")
+
+
+def knows_any(client, keys):
+    """Whether the scheduler has any of our batches: one that began anew has none."""
+    def look(keys, dask_scheduler=None):
+        return any(key in dask_scheduler.tasks for key in keys)
+    return client.run_on_scheduler(look, keys=keys)
 
 
 def write_array(store, tasks, jobs):

@@ -4,12 +4,16 @@ A worker that dies gets its tasks run again by another; a task under which worke
 """
 
 import collections
+import concurrent.futures
 import json
 import os
 import pathlib
+import queue
 import selectors
 import subprocess
 import sys
+
+import run_task
 
 WORKER = pathlib.Path(__file__).with_name("run_task.py")
 MOST_DEATHS = 5      # of workers at one task
@@ -115,3 +119,30 @@ def run(tasks, add, count, logs=None, most_logs=0, pids=None):
         raise
     for worker in workers:
         worker.end()
+
+
+class Threads:
+    """For many small batches one after the other, as a search asks for: threads that start the program themselves."""
+
+    def __init__(self, count):
+        self.pool = concurrent.futures.ThreadPoolExecutor(count)
+        self.runners = queue.SimpleQueue()
+        self.all = [run_task.Runner() for _ in range(count)]
+        for runner in self.all:
+            self.runners.put(runner)
+
+    def one(self, task):
+        runner = self.runners.get()
+        try:
+            return runner.run(task)
+        finally:
+            self.runners.put(runner)
+
+    def run(self, tasks, add):
+        for result in self.pool.map(self.one, tasks):
+            add(result)
+
+    def close(self):
+        self.pool.shutdown(cancel_futures=True)
+        for runner in self.all:
+            runner.close()
