@@ -54,6 +54,12 @@ def main():
 
         checks.that(cli("push", "CHEST", "900", "0", "0", "--for", "0.4")[0] == 0, "a push that nobody survives")
         checks.that(bus.wait_for("TRUTH", lambda t: t.fell, 6.0, start=0)[1] is not None, "it falls")
+        checks.that(bus.wait_for("STATE", lambda s: s.stop_kind == 3, 8.0, start=0)[1] is not None, "and is let go: stop off is latched")
+        time.sleep(0.3)
+        source = bus.newest("SOURCE_STATUS")[1]
+        checks.that(source.stop_reason == 10, f"with a reason of its own, fallen: {source.stop_reason}")
+        told = [harness.text_of(e) for _, e in bus.messages("EVENT") if "the robot has fallen: " in harness.text_of(e)]
+        checks.that(any("in mode balance" in t or "no time on its processor" in t for t in told), f"what led to it is said: {told}")
         status, said, problem = cli("sim", "reset", timeout=60)
         checks.that(status == 0, f"reset: {said}{problem}")
         _, stands = bus.wait_for("STATE", lambda s: s.role == 2 and s.stop_kind == 0, 10.0)
