@@ -102,7 +102,7 @@ void Modes::leave_walk(const ModeRequest& next, bool at_once, bool tidy) noexcep
 
 void Modes::start(Mode first, const Moment& now) noexcept {
   mode_ = Mode::kNone;
-  looks_ahead_ = false;
+  forget_pose();
   bracing_ = false;
   balancing_ = walking_ = leaving_ = false;
   if (balance_ != nullptr) balance_->forget();
@@ -165,6 +165,11 @@ const char* Modes::why_no_pose(const ModeRequest& request, const Moment& now) no
   const bool balanced = (request.joint_mask & legs_) == 0 && (balancing_ || may_balance(now));
   if (pose_ == nullptr || !stands(now) || balanced) return nullptr;
   return pose_->why_not(now.estimator, now.last != nullptr ? now.last->q : now.state.q, request.q, request.joint_mask);
+}
+
+// What was asked is told of, though something came before it began.
+void Modes::forget_pose() noexcept {
+  if (std::exchange(looks_ahead_, false)) sentence_ = "the pose is not begun: the robot was stopped meanwhile; ask again once it stands";
 }
 
 void Modes::look_ahead(const Moment& now) noexcept {
@@ -291,7 +296,7 @@ bool Modes::follow_stop(StopKind asked, bool for_switch, bool plan_runs, const M
   const bool balanced = state.stop_kind == StopKind::kBalanced || asked == StopKind::kBalanced;
   if (balanced && !stopping_) {
     arm_.cancel();
-    looks_ahead_ = false;
+    forget_pose();
     if (walking_) {
       leave_walk({}, true, for_switch);
     } else if (balancing_) {
@@ -308,7 +313,7 @@ bool Modes::follow_stop(StopKind asked, bool for_switch, bool plan_runs, const M
     stopping_ = false;
   }
   if (!held_by_gate_ && !was_held) return false;
-  looks_ahead_ = false;
+  forget_pose();
   if (held_by_gate_ && !was_held) {
     mode_before_stop_ = mode_;
     mode_ = Mode::kStop;

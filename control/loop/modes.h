@@ -104,6 +104,7 @@ class Modes {
   void enter_hold(const Moment& now, bool at_measured) noexcept;
   const char* why_no_pose(const ModeRequest& request, const Moment& now) noexcept;
   void look_ahead(const Moment& now) noexcept;
+  void forget_pose() noexcept;
   void enter_pose(const ModeRequest& request, const Moment& now) noexcept;
   void enter_walk(const Moment& now) noexcept;
   // Walks no more: once the robot stands, `next` is obeyed.  at_once: the shortest stop; tidy: the feet side by side.

@@ -167,6 +167,32 @@ TEST(Stop, NoModeAndNoPoseMakesAStandingRobotFall) {
   EXPECT_FALSE(rig.record().fell);
 }
 
+// A request is obeyed or answered, also when a stop comes while its way is looked along.
+TEST(Stop, APoseThatAStopPreventsIsToldOf) {
+  const Model& model = test::hrp1s();
+  Rig rig;
+  ASSERT_TRUE(rig.run(0.3));
+  ModeRequest pose;
+  pose.run_id = rig.state().run_id;
+  pose.sender_id = 77;
+  pose.sequence = 1;
+  pose.mode = Mode::kPose;
+  pose.duration = 1.0F;
+  for (std::size_t k = 0; k < model.bus_joints.size(); ++k) {
+    if (model.bus_joints[k] == model.hands[0].joints.front()) pose.joint_mask = std::int64_t{1} << k;
+  }
+  pose.q = rig.state().q;
+  rig.loop().on_mode_request(pose);
+  ASSERT_TRUE(rig.tick());
+  rig.state().stop_kind = StopKind::kHold;
+  rig.state().role = Role::kStopped;
+  ASSERT_TRUE(rig.tick());
+  const char* why = rig.loop().take_sentence();
+  ASSERT_NE(why, nullptr);
+  EXPECT_NE(std::string(why).find("not begun"), std::string::npos) << why;
+  EXPECT_EQ(rig.loop().status().mode, Mode::kStop);
+}
+
 // Every named pose of the robot after every other, at once and slowly: the legs take the body along.
 TEST(Stop, NamedPosesOneAfterTheOtherAreStoodOrRefused) {
   const Model& model = test::hrp1s();

@@ -34,6 +34,7 @@ FALLEN = math.cos(0.7)
 TRUE_REASONS = (
     ("idle lets go", lambda seen, r: r.mode == IDLE and seen.upright),
     ("the robot is stopped", lambda seen, r: seen.stopped),
+    ("the pose is not begun", lambda seen, r: r.mode == POSE),
     ("follows its stop plan", lambda seen, r: seen.plan),
     ("the pose would", lambda seen, r: r.mode == POSE),
     ("on the way to the pose", lambda seen, r: r.mode == POSE),
