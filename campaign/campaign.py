@@ -15,6 +15,7 @@ USAGE = """usage: ./twinbus campaign FILE.yaml [OPTION...]     run what is not d
        ./twinbus campaign view OUT ID                one run in the viewer (recorded now if there is no log of it)
        ./twinbus campaign search FILE.yaml           where failures begin: bisection, CMA-ES, importance sampling
        ./twinbus campaign minimize OUT [ID]          the smallest scene that fails as a run did
+       ./twinbus campaign compare OUT OUT...         the same runs on different machines: which differ, by what
        ./twinbus campaign gate FILE.yaml             passes or fails a version by as few runs as its risks allow
 
   --out FOLDER       tables, logs and what is done; default: campaigns/NAME beside the file

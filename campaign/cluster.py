@@ -70,7 +70,8 @@ def run_dask(tasks, add, address):
     """Runs tasks on the workers of a scheduler; add(result) is called for each."""
     import logging
     dask, distributed = import_dask()
-    logging.getLogger("distributed").setLevel(logging.CRITICAL)
+    for name in ("distributed", "asyncio", "tornado"):  # pages about sockets that closed
+        logging.getLogger(name).setLevel(logging.CRITICAL + 1)
     left = {task["id"]: task for task in tasks}
     lost_at = None
     while left:

@@ -102,11 +102,13 @@ class Drill:
         self.bad = 0
 
     def campaign(self, out, *words, python=sys.executable, environment=None):
-        return subprocess.Popen([python, str(campaign_rig.PROGRAM), "c.yaml", "--out", out, *words], cwd=self.folder, text=True,
-                                env=environment or self.environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        with open(self.folder / "said", "w", encoding="utf-8") as said:  # a pipe that nobody reads would hold it when it is full
+            return subprocess.Popen([python, str(campaign_rig.PROGRAM), "c.yaml", "--out", out, *words], cwd=self.folder,
+                                    env=environment or self.environment, stdout=said, stderr=said)
 
     def end(self, process, out, what, began):
-        said = process.communicate()[0]
+        process.wait()
+        said = (self.folder / "said").read_text(encoding="utf-8")
         table, first = self.folder / out / "results.csv", self.folder / "one/results.csv"
         counts = ids_of(self.folder / out)
         rows = len(table.read_text().splitlines()) - 1 if table.exists() else 0
@@ -204,7 +206,6 @@ class Drill:
             thread.join()
             if process.returncode != -signal.SIGKILL:
                 break
-            process.stdout.close()
         self.end(process, "killed", f"2 worker processes, they and the campaign killed at random, started {starts} times", began)
 
 
