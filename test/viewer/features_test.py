@@ -75,6 +75,19 @@ for key, what, state in (("f", "follow", "!twinbus.stage.follow"), ("c", "forces
 # --- plots ---
 page.key("p", "KeyP")
 page.wait_for("twinbus.history.count > 60 && twinbus.plots.plots.length === 3", 40)
+page.value("twinbus.plots.clear()")
+first, second = page.value("twinbus.history.joints.slice(0, 2)")
+for typed in (f"= STATE.q.{first} - STATE.q.{second}", f"STATE.q.{first} over STATE.q.{second}"):
+    page.value(f"(s => {{ s.value = '{typed}'; s.oninput(); document.querySelector('.found li').click(); s.value = ''; }})(twinbus.plots.search)")
+check(page.wait_for("twinbus.plots.plots.length === 2 && twinbus.plots.plots[0].chart?.data[1].some((v) => v !== null)"), "a number that follows from two others is plotted")
+check(page.wait_for("twinbus.plots.plots[1].chart?.points > 10 && !!document.querySelector('.plot .area > canvas[aria-label*=over]')"), "and one over the other")
+page.value("(s => { s.value = '= STATE.q.NOBODY'; s.oninput(); })(twinbus.plots.search)")
+check("was heard" in str(page.value("document.querySelector('.found').textContent")), "what cannot be computed is said")
+page.value("(s => { s.value = ''; s.oninput(); document.querySelector('.found').hidden = true; })(twinbus.plots.search); twinbus.plots.keep('mine'); twinbus.plots.preset('ZMP')")
+check(page.value("(twinbus.plots.layouts.value = 'mine', twinbus.plots.layouts.onchange(), twinbus.plots.plots.map((p) => p.names[0]).join('|'))")
+      == f"= STATE.q.{first} - STATE.q.{second}|STATE.q.{first} over STATE.q.{second}", "a set of plots is kept in the browser")
+page.value("twinbus.plots.clear(); twinbus.plots.keep('mine'); twinbus.plots.preset('ZMP')")
+check(page.value("twinbus.plots.layouts.hidden && twinbus.plots.plots.length === 3"), "and forgotten")
 names = page.value("[...document.querySelectorAll('#plot-box .presets button')].map((b) => b.textContent)")
 for i, name in enumerate(names):
     if name == "Two logs":

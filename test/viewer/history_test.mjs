@@ -1,5 +1,6 @@
 // What the page keeps for plots and for looking back.   node history_test.mjs
 import assert from 'node:assert/strict';
+import { derive } from '../../viewer_log/web/src/derived.js';
 import { History } from '../../viewer_log/web/src/history.js';
 import { kPresets } from '../../viewer_log/web/src/presets.js';
 import { nearLimits } from '../../viewer_log/web/src/tint.js';
@@ -23,6 +24,18 @@ assert.equal(history.rows(1).length, 61, 'a tick said again is no row');
 for (const [name, make] of Object.entries(kPresets)) {
   for (const [title, names] of make(history)) assert.ok(typeof title === 'string' && Array.isArray(names), name);
 }
+
+// Numbers that follow from those heard.
+const last = history.rows(0.5);
+assert.equal(history.pick('= STATE.q.JOINT_3 - STATE.q.JOINT_4', last).at(-1), 0, 'a difference');
+assert.equal(history.pick('= 2 * (STATE.wrench.left_foot.fz + 1) / 4', last).at(-2), 2, 'sums, products, brackets');
+assert.ok(Math.abs(history.pick('= d(STATE.q.JOINT_3)', last).at(-2) - 60) < 1e-6, 'a slope per second');
+assert.equal(history.pick('= -abs(STATE.q.JOINT_3)', last).at(-1), -5000);
+assert.equal(history.pick('= 1 / (STATE.q.JOINT_3 - STATE.q.JOINT_3)', last).at(-1), null, 'no number where there is none');
+assert.equal(history.pick('= SHOWN.zmp.x + 1', last).at(-1), null, 'nor where one is missing');
+for (const [text, words] of [['= STATE.q.NOBODY', 'was heard'], ['= (1', 'not closed'], ['= 1 1', 'too many'], ['= ', 'missing'], ['= 1 ^ 2', 'only names'], ['= *', 'was to stand'], ['= alert(1)', 'was heard']])
+  assert.throws(() => derive(text, history), new RegExp(words), text);
+
 history.add(1, { STATE: { q: q(0) } }, {});
 assert.equal(history.rows(1000).length, 1, 'another run begins anew');
 

@@ -2,6 +2,8 @@
 //
 // A column per number that was ever heard, named like CHANNEL.field.joint; a ring, so nothing grows.
 
+import { derive } from './derived.js';
+
 const kRows = 3600;      // a minute at 60 Hz
 const kPictures = 1800;  // live messages are larger
 const kAxes = { 2: ['x', 'y'], 3: ['x', 'y', 'z'], 4: ['w', 'x', 'y', 'z'], 6: ['fx', 'fy', 'fz', 'tx', 'ty', 'tz'] };
@@ -71,6 +73,13 @@ export class History {
   }
 
   pick(name, rows) {
+    if (name.startsWith('=')) {
+      try {
+        return derive(name, this)(rows);
+      } catch {
+        return rows.map(() => null); // of another robot or run
+      }
+    }
     const column = this.columns.get(name);
     return rows.map((row) => (column && !Number.isNaN(column[row]) ? column[row] : null));
   }

@@ -2,14 +2,18 @@
 
 import uPlot from 'uplot';
 import 'uplot/dist/uPlot.min.css';
+import { derive } from './derived.js';
 import { kPresets } from './presets.js';
 import { save } from './save.js';
+import { XyChart } from './xy_chart.js';
 
 const kColors = ['#58c4ff', '#ffb020', '#ff5ac8', '#3ecf8e', '#b07cff', '#ff6b6b', '#e8edf4', '#c9e265'];
 const kEvery = 120;     // between redraws [ms]
 const kMostFound = 40;
 const kMostCurves = 8;
 const kMostPlots = 3;
+const kKept = 'twinbus.plots'; // in the browser's storage
+const kOver = /^(.+?)\s+(?:over|vs)\s+(.+)$/;
 
 const make = (tag, properties = {}, children = []) => {
   const node = Object.assign(document.createElement(tag), properties);
@@ -32,6 +36,10 @@ export class Plots {
     this.found = find('.found');
     this.seconds = find('select');
     find('.presets').append(...Object.keys(kPresets).map((name) => make('button', { className: 'chip', textContent: name, onclick: () => this.preset(name) })));
+    this.layouts = find('.layouts');
+    this.layouts.onchange = () => this.layout(this.layouts.value);
+    find('.keep').onclick = () => this.keep();
+    this.listLayouts();
     find('.png').onclick = () => this.png();
     find('.csv').onclick = () => this.csv();
     this.search.oninput = () => this.offer();
@@ -62,6 +70,44 @@ export class Plots {
     for (const button of this.box.querySelectorAll('.presets button')) button.classList.toggle('on', button.textContent === name);
   }
 
+  // Sets of plots of one's own: what is kept in this browser, {name: {seconds, plots: [[title, names]]}}.
+  kept() {
+    try {
+      return JSON.parse(localStorage.getItem(kKept) ?? '{}') ?? {};
+    } catch {
+      return {};
+    }
+  }
+
+  listLayouts() {
+    const names = Object.keys(this.kept()).sort();
+    this.layouts.replaceChildren(make('option', { value: '', textContent: 'kept …' }), ...names.map((name) => make('option', { value: name, textContent: name })));
+    this.layouts.hidden = names.length === 0;
+  }
+
+  // Keeps what is shown under a name; shown as nothing, the name is forgotten.
+  keep(name = prompt('Keep these plots under which name?', this.layouts.value)) {
+    if (!name) return;
+    const all = this.kept();
+    if (this.plots.length === 0) delete all[name];
+    else all[name] = { seconds: this.seconds.value, plots: this.plots.map((plot) => [plot.title, plot.names]) };
+    try {
+      localStorage.setItem(kKept, JSON.stringify(all));
+    } catch {
+      // storage switched off or full: nothing is kept
+    }
+    this.listLayouts();
+    this.layouts.value = all[name] ? name : '';
+  }
+
+  layout(name) {
+    const one = this.kept()[name];
+    if (!one) return;
+    this.clear();
+    this.seconds.value = one.seconds;
+    for (const [title, names] of one.plots) this.add(title, names);
+  }
+
   clear() { for (const plot of [...this.plots]) this.remove(plot); }
 
   remove(plot) {
@@ -85,15 +131,41 @@ export class Plots {
 
   // A field to a plot; without one to the last, or to a new one.
   put(name, plot) {
-    if (!this.history.columns.has(name)) return;
+    if (kOver.test(name)) { this.add(name, [name]); return; }
+    if (!name.startsWith('=') && !this.history.columns.has(name)) return;
     const target = plot ?? (this.plots.length < kMostPlots ? null : this.plots.at(-1));
-    if (!target) { this.add(name.split('.').slice(0, 2).join('.'), [name]); return; }
+    if (!target || kOver.test(target.names[0] ?? '')) { this.add(name.startsWith('=') ? name.slice(1).trim() : name.split('.').slice(0, 2).join('.'), [name]); return; }
     if (!target.names.includes(name) && target.names.length < kMostCurves) target.names.push(name);
     target.chart?.destroy();
     target.chart = null;
   }
 
+  // `= A - B` and `A over B` are typed whole; says whether it is one of them.
+  offerComputed() {
+    const typed = this.search.value.trim();
+    const over = kOver.exec(typed);
+    if (!typed.startsWith('=') && !over) return false;
+    let problem = null;
+    try {
+      for (const part of over ? over.slice(1) : [typed]) derive(part, this.history);
+    } catch (error) {
+      problem = error.message;
+    }
+    const name = over ? over.slice(1).map((part) => (this.history.columns.has(part) ? part : `= ${part.replace(/^=\s*/, '')}`)).join(' over ') : typed;
+    const item = make('li', { textContent: problem ?? `plot ${name}`, className: problem ? 'more' : '' });
+    if (!problem) {
+      item.onclick = () => {
+        this.put(name);
+        this.search.blur();
+      };
+    }
+    this.found.replaceChildren(item);
+    this.found.hidden = false;
+    return true;
+  }
+
   offer() {
+    if (this.offerComputed()) return;
     const words = this.search.value.toLowerCase().split(/[\s.]+/).filter(Boolean);
     const names = this.history.names().filter((name) => words.every((word) => name.toLowerCase().includes(word)));
     this.found.replaceChildren(...names.slice(0, kMostFound).map((name) => {
@@ -158,6 +230,12 @@ export class Plots {
       if (this.held !== null && plot.chart && plot.heldAt === end) continue;
       plot.heldAt = this.held;
       const data = [times, ...plot.names.map((name) => this.history.pick(name, rows))];
+      const over = kOver.exec(plot.names[0] ?? '');
+      if (over) {
+        plot.chart ??= new XyChart(over.slice(1), plot.area, kColors[0]);
+        plot.chart.setData([times, ...over.slice(1).map((name) => this.history.pick(name, rows))]);
+        continue;
+      }
       if (!plot.chart) plot.chart = this.chart(plot, data);
       else plot.chart.setData(data, false);
       plot.chart.setScale('x', { min: end - seconds, max: end });
@@ -196,7 +274,7 @@ export class Plots {
 
   // Every curve that is shown, over the window that is shown.
   csv() {
-    const names = [...new Set(this.plots.flatMap((plot) => plot.names))];
+    const names = [...new Set(this.plots.flatMap((plot) => plot.names).flatMap((name) => kOver.exec(name)?.slice(1) ?? [name]))];
     const rows = this.history.rows(Number(this.seconds.value), this.held ?? this.history.last);
     const columns = names.map((name) => this.history.pick(name, rows));
     const lines = rows.map((row, i) => [this.history.time[row], ...columns.map((column) => column[i] ?? '')].join(','));
