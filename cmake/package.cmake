@@ -1,14 +1,27 @@
-# `cmake --install BUILD --prefix P` and then, in a project of one's own:
+# `ninja -C BUILD installable`, `cmake --install BUILD --prefix P`:
+#
+#   P/bin/twinbus             the program twinbus; as ./twinbus, but that it builds nothing
+#   P/lib/twinbus/bin         the processes            P/lib/twinbus/lib/adaptors   adaptors of hardware
+#   P/lib/twinbus/lib/python  message types in Python  P/lib/twinbus/share/types.jar  in Java
+#   P/include/twinbus         headers, and message types in C++
+#   P/share/twinbus           config (robots, scenes, stacks), lcmtypes (*.lcm), examples, the viewer's page, doc
+#
+# and then, in a project of one's own:
 #
 #   find_package(twinbus REQUIRED)        # -DCMAKE_PREFIX_PATH=P
 #   target_link_libraries(mine PRIVATE twinbus::robot twinbus::sim twinbus::planner twinbus::lcmtypes)
 #
-# Headers are included as in the tree, "robot/description/model.h".  The robots are in P/share/twinbus/config: set TWINBUS_CONFIG to it.
+# Headers are included as in the tree, "robot/description/model.h".  Folders of the rest: twinbus_PROGRAMS_DIR, twinbus_ADAPTORS_DIR,
+# twinbus_CONFIG_DIR, twinbus_LCMTYPES_DIR, twinbus_PYTHON_DIR, and twinbus_JAR.  `cpack --config BUILD/CPackConfig.cmake -B OUT`
+# makes a Debian package of all that.
 
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
+set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)  # no tests and benches are built for an installation
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/twinbus)
 set(header_dir ${CMAKE_INSTALL_INCLUDEDIR}/twinbus)
+set(home_dir lib/twinbus)  # as a build folder is inside; the programs find one another and the rest by it
+set(data_dir share/twinbus)
 
 # Our warnings are for our code; what a user compiles gets the include folder.
 get_target_property(options twinbus_flags INTERFACE_COMPILE_OPTIONS)
@@ -35,19 +48,60 @@ foreach(name ${libraries} twinbus_flags twinbus_messages)
   set_target_properties(${name} PROPERTIES EXPORT_NAME ${short})
   list(APPEND exported ${name})
 endforeach()
+add_custom_target(installable DEPENDS programs ${exported})
 install(TARGETS ${exported} EXPORT twinbus
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
 install(EXPORT twinbus NAMESPACE twinbus:: FILE twinbusTargets.cmake DESTINATION ${package_dir} COMPONENT development)
 foreach(room common geometry lcmtypes robot bridge sim planner)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${room} DESTINATION ${header_dir} COMPONENT development
-    FILES_MATCHING PATTERN "*.h" PATTERN "*.lcm")
+    FILES_MATCHING PATTERN "*.h")
 endforeach()
 install(DIRECTORY ${generated}/twinbus DESTINATION ${header_dir} COMPONENT development FILES_MATCHING PATTERN "*.hpp")
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/config DESTINATION ${CMAKE_INSTALL_DATADIR}/twinbus COMPONENT development
-  PATTERN "__pycache__" EXCLUDE)
+
+# What runs: programs, adaptors, and what they read.
+get_target_property(names programs MANUALLY_ADDED_DEPENDENCIES)
+foreach(name ${names})
+  get_target_property(type ${name} TYPE)
+  if(type STREQUAL "EXECUTABLE")
+    install(TARGETS ${name} RUNTIME DESTINATION ${home_dir}/bin COMPONENT programs)
+  elseif(type STREQUAL "MODULE_LIBRARY")
+    install(TARGETS ${name} LIBRARY DESTINATION ${home_dir}/lib/adaptors COMPONENT programs)
+  endif()
+endforeach()
+install(DIRECTORY ${TWINBUS_PYTHON_DIR} DESTINATION ${home_dir}/lib COMPONENT programs PATTERN "__pycache__" EXCLUDE)
+if(TARGET twinbus_java)
+  install(FILES ${CMAKE_BINARY_DIR}/share/types.jar DESTINATION ${home_dir}/share COMPONENT programs)
+endif()
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/config DESTINATION ${data_dir} COMPONENT programs
+  PATTERN "__pycache__" EXCLUDE PATTERN "packages.txt" EXCLUDE)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/lcmtypes DESTINATION ${data_dir} COMPONENT programs FILES_MATCHING PATTERN "*.lcm" PATTERN "README.md")
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/viewer_log/web/dist DESTINATION ${data_dir}/viewer_log/web COMPONENT programs)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples DESTINATION ${data_dir} COMPONENT programs
+  PATTERN "__pycache__" EXCLUDE PATTERN "CMakeLists.txt" EXCLUDE)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/doc DESTINATION ${data_dir} COMPONENT programs FILES_MATCHING PATTERN "*.md")
+install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${data_dir} COMPONENT programs)
+install(PROGRAMS ${PROJECT_SOURCE_DIR}/launcher/env.sh ${PROJECT_SOURCE_DIR}/launcher/spy.sh ${PROJECT_SOURCE_DIR}/launcher/named_state.py
+  DESTINATION ${data_dir}/launcher COMPONENT programs)
+install(CODE "file(MAKE_DIRECTORY \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/bin\")
+  file(CREATE_LINK ../${home_dir}/bin/twinbus \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/bin/twinbus\" SYMBOLIC)" COMPONENT programs)
 
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/twinbusConfig.cmake.in
-  ${PROJECT_BINARY_DIR}/twinbusConfig.cmake INSTALL_DESTINATION ${package_dir})
+  ${PROJECT_BINARY_DIR}/twinbusConfig.cmake INSTALL_DESTINATION ${package_dir} PATH_VARS home_dir data_dir)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/twinbusConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/twinbusConfig.cmake ${PROJECT_BINARY_DIR}/twinbusConfigVersion.cmake
   ${CMAKE_CURRENT_LIST_DIR}/FindLCM.cmake ${CMAKE_CURRENT_LIST_DIR}/libraries.cmake DESTINATION ${package_dir} COMPONENT development)
+
+# One Debian package.  Needed: the libraries that the programs load.  Recommended: what a project needs that builds with it.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME twinbus)
+set(CPACK_PACKAGE_CONTACT "twinbus developers <twinbus@localhost>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Simulator, controller, guard, planner and viewer of humanoid robots on an LCM bus")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "python3, iproute2")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "cmake, g++, pkg-config, liblcm-dev, liblcm-bin, libeigen3-dev, libode-dev, libfcl-dev, liburdfdom-dev, libconsole-bridge-dev, libexpat1-dev, libyaml-cpp-dev")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "default-jre, liblcm-java, libjchart2d-java")
+include(CPack)

@@ -42,7 +42,8 @@ __path__ = []  # of the types: this module is their package too
 
 def _load_types():
     root = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-    folders = [os.environ.get('TWINBUS_PYTHON', ''), os.path.join(root, 'build/release/lib/python')]
+    folders = [os.environ.get('TWINBUS_PYTHON', ''), os.path.join(root, 'build/release/lib/python'),
+               os.path.join(root, '../../lib/twinbus/lib/python')]  # of an installation
     for folder in folders + sorted(glob.glob(os.path.join(root, 'build/*/lib/python'))):
         package = os.path.join(folder, 'twinbus')
         if not os.path.isfile(os.path.join(package, 'robot_state_t.py')):

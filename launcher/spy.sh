@@ -50,7 +50,9 @@ if [ -z "${DISPLAY:-}" ]; then
 fi
 export LCM_DEFAULT_URL="${LCM_DEFAULT_URL:-udpm://239.255.76.67:17667?ttl=0&recv_buf_size=4194304}"
 build=${TWINBUS_BUILD:-$root/build/release}
-named=$build/share/named/$(basename "$robot")
+keep=$build/share
+[ -w "$keep" ] || keep=${XDG_CACHE_HOME:-$HOME/.cache}/twinbus
+named=$keep/named/$(basename "$robot")
 if python3 "$root/launcher/named_state.py" --make "$named" --robot "$robot" --twinbus "$build/bin/twinbus"; then
   python3 "$root/launcher/named_state.py" --run "$named" --url "$LCM_DEFAULT_URL" >/dev/null &
   trap 'kill $! 2>/dev/null' EXIT INT TERM

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "robot/description/load.h"
+#include "common/file/beside_program.h"
 #include "common/process/options.h"
 #include "common/process/priority.h"
 #include "common/process/process.h"
@@ -62,7 +63,7 @@ enum Slot : int {
 
 struct Arguments {
   std::string log, beside, robot = "hrp1s", runs, recorded_prefix;
-  std::string web = TWINBUS_WEB_FOLDER;
+  std::string web = beside_program("viewer_log/web/dist", TWINBUS_WEB_FOLDER);
   std::int64_t port = 8050;
   double from = 0.0;
   bool no_open = false;

@@ -19,6 +19,7 @@
 #include "lcmtypes/bus/bus.h"
 #include "lcmtypes/bus/channels.h"
 #include "robot/description/load.h"
+#include "common/file/beside_program.h"
 #include "common/process/oom_priority.h"
 #include "common/process/options.h"
 #include "common/process/priority.h"
@@ -59,7 +60,7 @@ enum Slot : int {
 
 struct Arguments {
   CommonOptions common;
-  std::string web = TWINBUS_WEB_FOLDER;  // folder of the page
+  std::string web = beside_program("viewer_log/web/dist", TWINBUS_WEB_FOLDER);  // folder of the page
   std::string listen, run_folder;
   std::int64_t port = 8040;
   bool no_open = false;

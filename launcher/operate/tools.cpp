@@ -25,6 +25,7 @@ namespace fs = std::filesystem;
 [[noreturn]] void become(const std::string& program, const std::vector<std::string>& words,
                          const char* command = nullptr) {
   if (command != nullptr) setenv("TWINBUS_COMMAND", command, 1);
+  setenv("TWINBUS_BUILD", fs::path(program_folder()).parent_path().c_str(), 0);  // for scripts: types, programs
   std::vector<std::string> copy = words;
   std::string name = program;
   std::vector<char*> arguments = {name.data()};

@@ -8,8 +8,9 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "robot/description/load.h"
+#include "common/file/beside_program.h"
 #include "common/time/time_name.h"
+#include "robot/description/load.h"
 
 namespace twinbus {
 
@@ -25,7 +26,13 @@ std::string install_folder() { return fs::path(config_folder()).parent_path().st
 
 std::string runs_folder() {
   const char* wanted = std::getenv("TWINBUS_RUNS");
-  return wanted != nullptr && *wanted != '\0' ? wanted : install_folder() + "/runs";
+  if (wanted != nullptr && *wanted != '\0') return wanted;
+  if (!program_is_installed()) return install_folder() + "/runs";
+  // An installation belongs to everybody: each user's runs are at home.
+  const char* data = std::getenv("XDG_DATA_HOME");
+  if (data != nullptr && *data != '\0') return std::string(data) + "/twinbus/runs";
+  const char* home = std::getenv("HOME");
+  return (home != nullptr && *home != '\0' ? std::string(home) + "/.local/share" : "/var/tmp") + "/twinbus/runs";
 }
 
 std::string make_run_folder() {

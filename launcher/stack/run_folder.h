@@ -8,11 +8,12 @@
 
 namespace twinbus {
 
-// Makes runs/DATE-TIME under the installation ($TWINBUS_RUNS wins), or DATE-TIME-2 and so on when there is one already.
+// Makes DATE-TIME in runs_folder(), or DATE-TIME-2 and so on when there is one already.
 // Throws std::runtime_error naming the folder if it cannot be made.
 std::string make_run_folder();
 
-// Where run folders are made.
+// Where run folders are made: $TWINBUS_RUNS, else runs/ of the source tree; of an installed program
+// $XDG_DATA_HOME/twinbus/runs or ~/.local/share/twinbus/runs.
 std::string runs_folder();
 
 // Throws std::runtime_error naming the file.

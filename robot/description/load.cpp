@@ -6,6 +6,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "common/file/beside_program.h"
 #include "common/text/closest_name.h"
 #include "common/text/xml.h"
 #include "robot/description/model_builder.h"
@@ -175,11 +176,12 @@ std::string robot_folder(const std::string& name_or_folder) {
 std::string config_folder() {
   if (const char* named = std::getenv("TWINBUS_CONFIG"); named != nullptr && *named != '\0')
     return named;
+  if (const std::string robots = beside_program("config/robots"); !robots.empty())
+    return fs::path(robots).parent_path().string();
+  // A program of somebody else that uses this library.
   std::error_code error;
-  fs::path at = fs::read_symlink("/proc/self/exe", error).parent_path();
-  for (int up = 0; !error && up < 4 && at.has_relative_path(); ++up, at = at.parent_path()) {
-    if (fs::is_directory(at / "config" / "robots", error)) return (at / "config").string();
-    error.clear();
+  for (const char* folder : {TWINBUS_CONFIG_FOLDER, "/usr/local/share/twinbus/config", "/usr/share/twinbus/config"}) {
+    if (fs::is_directory(folder, error)) return folder;
   }
   return TWINBUS_CONFIG_FOLDER;
 }

@@ -1,16 +1,25 @@
 #!/usr/bin/env python3
-"""An installed twinbus is found by a project outside the tree, which builds, links and runs.
+"""twinbus installed, as a Debian package where one can be made: programs run from there, and a project outside the tree finds the
+libraries, builds, links, and commands a joint of the installed simulator.
 
     package_test.py BUILD
 """
 
 import os
 import pathlib
+import re
+import shutil
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 
 HERE = pathlib.Path(__file__).resolve().parent
+TREE = str(HERE.parents[1])
+sys.path.insert(0, str(HERE.parent / "process"))
+import harness  # noqa: E402
+from harness import Bus  # noqa: E402
 
 
 def run(*words, **options):
@@ -20,20 +29,80 @@ def run(*words, **options):
     return done.stdout
 
 
+def install(build, folder):
+    """The prefix: of an unpacked Debian package, or of cmake --install where no package can be made."""
+    if all(map(shutil.which, ("dpkg-deb", "dpkg-shlibdeps", "file"))):
+        run("cpack", "--config", f"{build}/CPackConfig.cmake", "-B", folder / "cpack", "-D", "CPACK_DEBIAN_COMPRESSION_TYPE=gzip")
+        package, = (folder / "cpack").glob("twinbus_*.deb")
+        needs = run("dpkg-deb", "--field", package, "Depends")
+        assert "libode" in needs and "liblcm" in needs, f"the package needs {needs}"
+        run("dpkg-deb", "--extract", package, folder / "root")
+        print(f"{package.name}, {package.stat().st_size / 1e6:.0f} MB, needs {needs.strip()}")
+        return folder / "root" / "usr"
+    print("no Debian package: apt-get install dpkg-dev file")
+    run("cmake", "--install", build, "--prefix", folder / "installed")
+    return folder / "installed"
+
+
+def programs(prefix, clean):
+    twinbus = prefix / "bin" / "twinbus"
+    assert "up" in run(twinbus, "--help", env=clean)
+    said = run(twinbus, "run", "stand", "--for", "0.2", env=clean, cwd=prefix)
+    assert "passed" in said or "state_hash" in said, said
+    said = run(twinbus, "check", "hrp1s", env=clean, cwd=prefix)
+    assert str(prefix / "share/twinbus/config") in said or "hrp1s" in said, said
+    python = run(sys.executable, "-c", "import twinbus; print(len(twinbus.robot_state_t().encode()))",
+                 env=dict(clean, PYTHONPATH=str(prefix / "lib/twinbus/lib/python")))
+    assert int(python) > 1000, python
+    said = run(twinbus, "env", env=clean)
+    assert f"{prefix}/lib/twinbus/lib/python" in said and f"{prefix}/share/twinbus/examples" in said, said
+    assert (prefix / "lib/twinbus/lib/adaptors/emulated_robot.so").is_file()
+    assert (prefix / "share/twinbus/viewer_log/web/dist/index.html").is_file()
+    assert (prefix / "share/twinbus/lcmtypes/robot_state_t.lcm").is_file()
+
+
+def command_a_joint(prefix, program, clean):
+    """The installed stack without a controller, and the program outside as one."""
+    client = subprocess.Popen([program], env=clean)
+    bus = Bus()
+    stack = subprocess.Popen([prefix / "bin" / "twinbus", "up", "stand_python", "--stack", "client", "--no-viewer", "--for", "6"], env=clean,
+                             stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, stdin=subprocess.DEVNULL)
+    said = stack.communicate(timeout=60)[0]
+    client.send_signal(signal.SIGTERM)
+    client.wait(10)
+    time.sleep(0.2)
+    states = [state for _, state in bus.messages("STATE")]
+    bus.close()
+    joint = next(j for j in range(29) if max(s.q[j] for s in states) - min(s.q[j] for s in states) > 0.15) if states else None
+    assert joint is not None, f"no joint moved; {len(states)} STATEs\n{said[-2000:]}"
+    moved = max(s.q[joint] for s in states) - min(s.q[joint] for s in states)
+    assert moved < 0.25 and {s.stop_kind for s in states} == {0}, f"joint {joint} moved {moved:.3f} rad\n{said[-2000:]}"
+    return f"joint {joint} moved {moved:.3f} rad in {len(states)} ticks"
+
+
 def main():
-    with tempfile.TemporaryDirectory() as folder:
-        prefix = pathlib.Path(folder) / "installed"
-        run("cmake", "--install", sys.argv[1], "--prefix", prefix, "--component", "development")
-        tree = str(HERE.parents[1])
-        for header in prefix.glob("lib/cmake/twinbus/*.cmake"):
-            assert tree not in header.read_text(), f"{header} points into the source tree"
-        build = pathlib.Path(folder) / "build"
-        run("cmake", "-S", HERE / "outside", "-B", build, f"-DCMAKE_PREFIX_PATH={prefix}", "-DCMAKE_BUILD_TYPE=Release")
-        run("cmake", "--build", build)
-        config = dict(os.environ, TWINBUS_CONFIG=str(prefix / "share" / "twinbus" / "config"))
-        said = run(build / "outside", env=config)
+    build = sys.argv[1]
+    harness.require("twinbus", "twinbus_simulator", "twinbus_bridge", "twinbus_viewer")
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        prefix = install(build, folder)
+        clean = {key: value for key, value in os.environ.items() if not key.startswith("TWINBUS_")}
+        clean.update(XDG_DATA_HOME=str(folder / "home"), XDG_CACHE_HOME=str(folder / "cache"))
+        for file in [*prefix.rglob("*.cmake"), *prefix.rglob("*.sh"), *prefix.rglob("*.py")]:
+            assert TREE not in file.read_text(), f"{file} points into the source tree"
+        programs(prefix, clean)
+        outside = folder / "build"
+        said = run("cmake", "-S", HERE / "outside", "-B", outside, f"-DCMAKE_PREFIX_PATH={prefix}", "-DCMAKE_BUILD_TYPE=Release")
+        assert len(re.findall(rf"^-- [A-Z_]+: {re.escape(str(prefix))}/", said, re.M)) == 6, said
+        run("cmake", "--build", outside)
+        lines = (HERE / "outside/command_joint.cpp").read_text().splitlines()
+        assert len([line for line in lines if line.strip() and not line.startswith("//")]) <= 21, "longer than 20 lines"
+        config = dict(clean, TWINBUS_CONFIG=str(prefix / "share/twinbus/config"))
+        said = run(outside / "outside", env=config)
         assert said.startswith("130.8 kg, scene of 10 s, STATE has "), said
-    print("ok:", said.strip())
+        moved = command_a_joint(prefix, outside / "command_joint", config)
+        assert (folder / "home/twinbus/runs").is_dir(), "runs of an installed program are not at home"
+    print("ok:", said.strip(), "--", moved)
 
 
 main()

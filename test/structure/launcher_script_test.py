@@ -119,6 +119,17 @@ printf '#!/bin/sh\\necho program "$@"\\n' >"$build/bin/twinbus"; chmod +x "$buil
         self.assertTrue((elsewhere / "release" / "bin" / "twinbus").exists())
         self.assertFalse((self.root / "build").exists())
 
+    def test_a_moved_or_copied_build_folder_is_told_and_made_anew(self):
+        self.run_script("up")
+        build = self.root / "build/release"
+        for tree, place, moved in ((self.root, build, False), ("/old/tree", build, True), (self.root, "/old/tree/build/release", True)):
+            (build / "CMakeCache.txt").write_text(f"CMAKE_HOME_DIRECTORY:INTERNAL={tree}\nCMAKE_CACHEFILE_DIR:INTERNAL={place}\n")
+            self.calls.unlink()
+            done = self.run_script("up")
+            self.assertEqual((done.returncode, done.stdout), (0, "program up\n"), done.stderr)
+            self.assertEqual("was moved or copied" in done.stderr, moved, done.stderr)
+            self.assertEqual("cmake --preset release" in self.said(), moved, self.said())
+
     def test_what_cannot_be_written_is_one_sentence_with_the_remedy(self):
         done = self.run_script("up", TWINBUS_BUILDS="/proc/nothing/here")
         self.assertEqual((done.returncode, done.stdout, done.stderr.count("\n")), (1, "", 1), done.stderr)
