@@ -20,6 +20,7 @@
 #include "lcmtypes/msg/state_admission.h"
 #include "lcmtypes/node/pulse.h"
 #include "planner/arm_path_pieces.h"
+#include "planner/plan_start.h"
 #include "planner/plan_worker.h"
 #include "robot/collision/loop_joints.h"
 #include "robot/collision/obstacle_collector.h"
@@ -35,8 +36,6 @@ constexpr std::int64_t kWarmUp = 100;  // ticks; LCM makes a list per channel wi
 constexpr std::int64_t kFreshNs = 200'000'000;  // a plan needs a state not older than this
 constexpr std::int64_t kResendNs = 40'000'000;
 constexpr int kSends = 4;  // of every path
-constexpr double kServoError =
-    0.05;  // a set-point this near to its joint is where the path begins [rad]
 
 class PlannerProcess {
  public:
@@ -120,12 +119,7 @@ class PlannerProcess {
     }
     PlanQuestion question;
     question.goal = goal_;
-    question.start = estimator_.configuration();
-    // The motion goes on from the set-point, not from where the servo's error has left the joint.
-    for (std::size_t k = 0; command_.run_id == state_.run_id && k < model_.bus_joints.size(); ++k) {
-      if (std::abs(command_.q[k] - state_.q[k]) < kServoError)
-        question.start.q[model_.bus_joints[k]] = command_.q[k];
-    }
+    question.start = plan_start(model_, estimator_.configuration(), state_, command_);
     question.ground_in_world = estimator_.ground_in_world();
     question.obstacles = obstacles_.obstacles();
     question.seed = static_cast<std::uint64_t>(goal_.goal_id);

@@ -10,6 +10,7 @@
 #include "lcmtypes/bus/channels.h"
 #include "lcmtypes/bus/wire.h"
 #include "planner/arm_path_pieces.h"
+#include "planner/plan_start.h"
 #include "lcmtypes/msg/status.h"
 #include "sim/scene/obstacle_pieces.h"
 
@@ -21,8 +22,6 @@ constexpr std::int64_t kRunId = 1;
 constexpr std::int64_t kOperatorId = 4;
 constexpr std::int64_t kPlannerId = 3;
 constexpr std::int64_t kStopEvery = 10;  // a stop the guard asks for is said that often [ticks]
-constexpr double kServoError =
-    0.1;  // [rad]: a set-point farther from its joint is none to start from
 constexpr std::size_t kMostCaughtUp = 8;  // states answered late in a row
 constexpr int kActivationTicks = 100'000;
 
@@ -380,11 +379,7 @@ void OneProcess::plan(const ArmGoal& goal) {
     planner_ = std::make_unique<ArmPlanner>(model_);
     planner_->set_obstacles(obstacles_.obstacles());
   }
-  Configuration start = planner_view_.configuration();
-  for (std::size_t k = 0; k < model_.bus_joints.size(); ++k) {
-    if (std::abs(command_.q[k] - heard_.q[k]) < kServoError)
-      start.q[model_.bus_joints[k]] = command_.q[k];
-  }
+  const Configuration start = plan_start(model_, planner_view_.configuration(), heard_, command_);
   planner_->set_balancing(loop_->status().mode == Mode::kBalance);
   const ArmPlan plan = planner_->plan(goal, start, planner_view_.ground_in_world(),
                                       static_cast<std::uint64_t>(goal.goal_id));
