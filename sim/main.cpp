@@ -9,6 +9,7 @@
 #include "common/process/process.h"
 #include "sim/scene/obstacle_pieces.h"
 #include "sim/scene/scene.h"
+#include "sim/scene/scene_requests.h"
 #include "sim/scene/scene_seed.h"
 #include "sim/scene/settings.h"
 #include "sim/sim_adaptor.h"
@@ -56,12 +57,7 @@ int run(int argc, char** argv) {
   options.scene_text = scene.text;
   options.obstacles = obstacle_pieces(scene.obstacles, random_id());
   if (!scene.tiles.empty()) options.terrain = obstacle_pieces(scene.tiles, 0);
-  for (const TimedMode& mode : scene.modes) options.modes.push_back({mode.at, mode.request});
-  for (const TimedGoal& goal : scene.goals) options.goals.push_back({goal.at, goal.goal});
-  for (const TimedWalk& walk : scene.walks)
-    options.walks.push_back({walk.at, walk.duration, walk.command});
-  for (const TimedSteps& timed : scene.steps) options.steps.push_back({timed.at, timed.list});
-  for (const TimedPad& pad : scene.pads) options.pads.push_back({pad.at, pad.duration, pad.pad});
+  options.requests = requests_of(scene);
 
   SimAdaptor adaptor(scene);
   if (adaptor.open(model, config) != Status::kOk) return 1;  // it has said why

@@ -13,58 +13,43 @@
 
 namespace twinbus {
 
-struct ScriptedMode {
-  double at = 0.0;  // [s] of active time; takes effect at tick at / period
-  ModeRequest request;
-};
-struct ScriptedGoal {
-  double at = 0.0;  // [s] of active time
-  ArmGoal goal;
+// A mode takes effect at tick at / period; a velocity or a pad is said again and again while it lasts, as a user's program
+// or a pad does: silence ends it.
+template <class T>
+struct Scripted {
+  double at = 0.0, duration = 0.0;  // [s] of active time
+  T request;
 };
 
-// Said again and again while it lasts, as a user's program or a pad does: silence ends it.
-struct ScriptedWalk {
-  double at = 0.0, duration = 0.0;  // [s] of active time
-  WalkCommand request;
-};
-struct ScriptedPad {
-  double at = 0.0, duration = 0.0;  // [s] of active time
-  Gamepad request;
-};
-
-struct ScriptedSteps {
-  double at = 0.0;  // [s] of active time
-  StepList request;
+struct SceneRequests {
+  std::vector<Scripted<ModeRequest>> modes;
+  std::vector<Scripted<ArmGoal>> goals;
+  std::vector<Scripted<WalkCommand>> walks;
+  std::vector<Scripted<Gamepad>> pads;
+  std::vector<Scripted<StepList>> steps;
 };
 
 class SceneScript {
  public:
   // period [s]; run_id: of the source the requests are for.
-  SceneScript(const std::vector<ScriptedMode>& modes, const std::vector<ScriptedGoal>& goals,
-              double period, std::int64_t run_id, const std::vector<ScriptedWalk>& walks = {},
-              const std::vector<ScriptedPad>& pads = {},
-              const std::vector<ScriptedSteps>& steps = {})
-      : modes_(modes), goals_(goals), walks_(walks), pads_(pads), steps_(steps), period_(period) {
+  SceneScript(const SceneRequests& requests, double period, std::int64_t run_id)
+      : requests_(requests), period_(period) {
     // Whoever listens takes a lower sequence for an old message.
-    std::stable_sort(modes_.begin(), modes_.end(),
-                     [](const ScriptedMode& a, const ScriptedMode& b) { return a.at < b.at; });
+    std::stable_sort(requests_.modes.begin(), requests_.modes.end(),
+                     [](const auto& a, const auto& b) { return a.at < b.at; });
     std::int32_t sequence = 0;
-    for (ScriptedMode& scripted : modes_) {
-      scripted.request.sender_id = scripted.request.run_id = run_id;
-      scripted.request.sequence = ++sequence;
-    }
-    for (ScriptedGoal& scripted : goals_) {
-      scripted.goal.sender_id = scripted.goal.run_id = run_id;
-      scripted.goal.goal_id = scripted.goal.sequence = ++sequence;
-    }
-    for (ScriptedSteps& scripted : steps_) {
-      scripted.request.sender_id = scripted.request.run_id = run_id;
-      scripted.request.sequence = ++sequence;
-    }
-    for (ScriptedWalk& scripted : walks_)
-      scripted.request.sender_id = scripted.request.run_id = run_id;
-    for (ScriptedPad& scripted : pads_)
-      scripted.request.sender_id = scripted.request.run_id = run_id;
+    const auto address = [&](auto& list) {
+      for (auto& scripted : list) {
+        scripted.request.sender_id = scripted.request.run_id = run_id;
+        scripted.request.sequence = ++sequence;
+      }
+    };
+    address(requests_.modes);
+    address(requests_.goals);
+    for (Scripted<ArmGoal>& scripted : requests_.goals) scripted.request.goal_id = scripted.request.sequence;
+    address(requests_.steps);
+    address(requests_.walks);  // numbered when they are said
+    address(requests_.pads);
   }
 
   // After the state of `tick` was answered: calls say() with each request that is due.  first_tick:
@@ -72,26 +57,32 @@ class SceneScript {
   template <class Say>
   void after(std::int64_t tick, std::int64_t first_tick, Say&& say) {
     if (tick % kEvery != 0) return;
-    for (ScriptedMode& scripted : modes_) {
-      const std::int64_t at = first_tick - 1 + std::llround(scripted.at / period_);
+    for (Scripted<ModeRequest>& scripted : requests_.modes) {
+      const std::int64_t at = tick_of(scripted.at, first_tick);
       if (tick < at - kAhead || tick >= std::max(at, first_tick + kAhead)) continue;
       scripted.request.at_tick = at;
       say(scripted.request);
     }
-    for (ScriptedGoal& scripted : goals_) {
-      const std::int64_t at = first_tick - 1 + std::llround(scripted.at / period_);
-      if (tick >= at && tick < at + kAhead) say(scripted.goal);
-    }
-    for (ScriptedSteps& scripted : steps_) {
-      const std::int64_t at = first_tick - 1 + std::llround(scripted.at / period_);
-      if (tick >= at && tick < at + kAhead) say(scripted.request);
-    }
+    say_once(requests_.goals, tick, first_tick, say);
+    say_once(requests_.steps, tick, first_tick, say);
     if (tick % kRepeat != 0) return;
-    say_on(walks_, tick, first_tick, say);
-    say_on(pads_, tick, first_tick, say);
+    say_on(requests_.walks, tick, first_tick, say);
+    say_on(requests_.pads, tick, first_tick, say);
   }
 
  private:
+  std::int64_t tick_of(double at, std::int64_t first_tick) const {
+    return first_tick - 1 + std::llround(at / period_);
+  }
+
+  template <class Scripted, class Say>
+  void say_once(std::vector<Scripted>& list, std::int64_t tick, std::int64_t first_tick, Say&& say) {
+    for (Scripted& scripted : list) {
+      const std::int64_t at = tick_of(scripted.at, first_tick);
+      if (tick >= at && tick < at + kAhead) say(scripted.request);
+    }
+  }
+
   template <class Scripted, class Say>
   void say_on(std::vector<Scripted>& list, std::int64_t tick, std::int64_t first_tick, Say&& say) {
     const double time = static_cast<double>(tick - first_tick) * period_;
@@ -106,11 +97,7 @@ class SceneScript {
   static constexpr std::int64_t kEvery = 5;
   static constexpr std::int64_t kRepeat = 10;  // of velocities and pads [ticks]
 
-  std::vector<ScriptedMode> modes_;
-  std::vector<ScriptedGoal> goals_;
-  std::vector<ScriptedWalk> walks_;
-  std::vector<ScriptedPad> pads_;
-  std::vector<ScriptedSteps> steps_;
+  SceneRequests requests_;
   std::int32_t sequence_ = 0;
   double period_;
 };

@@ -61,8 +61,7 @@ class Shell {
         source_(model, adaptor, config()),
         scene_(model_text_pieces(model, options.scene_text, run_id_), options.obstacles,
                options.terrain, run_id_),
-        script_(options.modes, options.goals, model.period(), run_id_, options.walks, options.pads,
-                options.steps),
+        script_(options.requests, model.period(), run_id_),
         pulse_(options.process, run_id_, real_time) {
     period_ns_ = std::llround(model.period_ns / options.rate);
     told_ = source_.status();

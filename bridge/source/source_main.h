@@ -36,11 +36,7 @@ struct SourceMainOptions {
   std::vector<ObstaclesPiece> obstacles;  // OBSTACLES, at 1 Hz
   std::vector<ObstaclesPiece> terrain;    // TERRAIN, at 1 Hz; may be empty
   // Published with the run_id of this source while it is active.
-  std::vector<ScriptedMode> modes;
-  std::vector<ScriptedGoal> goals;
-  std::vector<ScriptedWalk> walks;
-  std::vector<ScriptedPad> pads;
-  std::vector<ScriptedSteps> steps;
+  SceneRequests requests;
 };
 
 // --guard-required and --for; a simulator's also --lockstep, --patient, --rate and --seed.

@@ -116,45 +116,21 @@ void BusLink::stamp(T& message) {
   if (message.sequence == 0) message.sequence = ++sequence_;
 }
 
-void BusLink::send(SourceRequest& request) {
-  stamp(request);
-  impl_->send(channel::kSourceRequest, request);
+template <class T>
+void BusLink::send_stamped(const char* channel, T& message) {
+  stamp(message);
+  impl_->send(channel, message);
 }
 
-void BusLink::send(ControllerRequest& request) {
-  stamp(request);
-  impl_->send(channel::kControllerRequest, request);
-}
-
-void BusLink::send(ModeRequest& request) {
-  stamp(request);
-  impl_->send(channel::kModeRequest, request);
-}
-
-void BusLink::send(StopRequest& request) {
-  stamp(request);
-  impl_->send(channel::kStop, request);
-}
-
-void BusLink::send(WalkCommand& command) {
-  stamp(command);
-  impl_->send(channel::kWalk, command);
-}
-
-void BusLink::send(StepList& list) {
-  stamp(list);
-  impl_->send(channel::kSteps, list);
-}
-
-void BusLink::send(SimRequest& request) {
-  stamp(request);
-  impl_->send(channel::kSimRequest, request);
-}
-
-void BusLink::send(ArmGoal& goal) {
-  stamp(goal);
-  impl_->send(channel::kArmGoal, goal);
-}
+void BusLink::send(SourceRequest& request) { send_stamped(channel::kSourceRequest, request); }
+void BusLink::send(ControllerRequest& request) { send_stamped(channel::kControllerRequest, request); }
+void BusLink::send(ModeRequest& request) { send_stamped(channel::kModeRequest, request); }
+void BusLink::send(StopRequest& request) { send_stamped(channel::kStop, request); }
+void BusLink::send(WalkCommand& command) { send_stamped(channel::kWalk, command); }
+void BusLink::send(StepList& list) { send_stamped(channel::kSteps, list); }
+void BusLink::send(SimRequest& request) { send_stamped(channel::kSimRequest, request); }
+void BusLink::send(ArmGoal& goal) { send_stamped(channel::kArmGoal, goal); }
+void BusLink::send(Gamepad& pad) { send_stamped(channel::kGamepad, pad); }
 
 void BusLink::send(Heartbeat& beat) {
   beat.utime = wall_us();
@@ -172,8 +148,7 @@ void BusLink::tell(const std::string& sentence, int severity) {
   event.severity = static_cast<std::int8_t>(severity);
   event.kind = ProcessKind::kLauncher;
   std::snprintf(event.text.data(), event.text.size(), "%s", sentence.c_str());
-  stamp(event);
-  impl_->send(channel::kEvent, event);
+  send_stamped(channel::kEvent, event);
 }
 
 const SeenSource* wait_for_active(BusLink& bus, double seconds) {

@@ -49,6 +49,7 @@ class BusLink {
   void send(StepList& list);
   void send(SimRequest& request);
   void send(ArmGoal& goal);
+  void send(Gamepad& pad);
   void send(Heartbeat& beat);
   // Plain text on EVENT; severity as in event_t, that of an alarm is 2.
   void tell(const std::string& sentence, int severity);
@@ -58,6 +59,8 @@ class BusLink {
   struct Impl;
   template <class T>
   void stamp(T& message);
+  template <class T>
+  void send_stamped(const char* channel, T& message);
 
   Lookout seen_;
   std::string url_;

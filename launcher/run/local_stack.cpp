@@ -13,6 +13,7 @@
 #include "planner/plan_start.h"
 #include "lcmtypes/msg/status.h"
 #include "sim/scene/obstacle_pieces.h"
+#include "sim/scene/scene_requests.h"
 
 namespace twinbus {
 
@@ -89,36 +90,6 @@ SourceConfig source_config(const OneProcessConfig& config) {
   return source;
 }
 
-std::vector<ScriptedMode> modes_of(const Scene& scene) {
-  std::vector<ScriptedMode> modes;
-  for (const TimedMode& mode : scene.modes) modes.push_back({mode.at, mode.request});
-  return modes;
-}
-
-std::vector<ScriptedWalk> walks_of(const Scene& scene) {
-  std::vector<ScriptedWalk> walks;
-  for (const TimedWalk& walk : scene.walks) walks.push_back({walk.at, walk.duration, walk.command});
-  return walks;
-}
-
-std::vector<ScriptedPad> pads_of(const Scene& scene) {
-  std::vector<ScriptedPad> pads;
-  for (const TimedPad& pad : scene.pads) pads.push_back({pad.at, pad.duration, pad.pad});
-  return pads;
-}
-
-std::vector<ScriptedSteps> steps_of(const Scene& scene) {
-  std::vector<ScriptedSteps> steps;
-  for (const TimedSteps& timed : scene.steps) steps.push_back({timed.at, timed.list});
-  return steps;
-}
-
-std::vector<ScriptedGoal> goals_of(const Scene& scene) {
-  std::vector<ScriptedGoal> goals;
-  for (const TimedGoal& goal : scene.goals) goals.push_back({goal.at, goal.goal});
-  return goals;
-}
-
 std::int64_t now_or_one(std::int64_t now_ns) { return now_ns > 0 ? now_ns : 1; }
 
 }  // namespace
@@ -155,8 +126,7 @@ OneProcess::OneProcess(const Model& model, const Scene& scene, const OneProcessC
       control_(config.control),
       loop_(std::make_unique<ControlLoop>(model, config.control)),
       planner_view_(model),
-      script_(modes_of(scene), goals_of(scene), model.period(), kRunId, walks_of(scene),
-              pads_of(scene), steps_of(scene)),
+      script_(requests_of(scene), model.period(), kRunId),
       walked_(model, scene),
       swing_(model, scene, sim_.world_config()),
       energy_(model, scene),

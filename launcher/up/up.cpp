@@ -20,12 +20,14 @@
 #include "launcher/stack/stack.h"
 #include "launcher/stack/supervisor.h"
 #include "launcher/up/restart.h"
+#include "launcher/up/robot_script.h"
 #include "launcher/up/setup_wish.h"
 #include "launcher/up/shadow.h"
 #include "launcher/up/up_syntax.h"
 #include "launcher/up/who_is_there.h"
 #include "robot/description/load.h"
 #include "sim/scene/scene.h"
+#include "sim/scene/scene_requests.h"
 #include "sim/world/world.h"
 
 namespace twinbus {
@@ -36,8 +38,6 @@ constexpr double kListenFirst = 0.4;         // sources and processes speak at 1
 constexpr double kActivationTimeout = 10.0;  // a source listens 1 s for other terms first [s]
 constexpr double kAskAgain = 0.25, kTableEvery = 0.25;  // table: on a terminal [s]
 constexpr double kLineEvery = 20.0;                     // elsewhere [s]
-constexpr std::int64_t kScriptAhead = 100,
-                       kScriptRepeats = 3;  // a request is sent this early [ticks]
 constexpr double kWithoutSource = 10.0;     // a stack stays for who restarts one by hand [s]
 constexpr double kSettle = 0.5;  // from the first answered tick to the first counted one [s]
 
@@ -58,7 +58,6 @@ class Up {
   void activate();
   void wait_for_first_commands();
   bool work();  // until the end; false if something broke
-  void send_script();
   void set_up(const std::string& wish);
   bool judge_and_report(bool whole, double wall_s);
   void show(std::int64_t now_ns);
@@ -83,9 +82,9 @@ class Up {
   BusHealth health_;
   EventGroups groups_;
   MissedCounts at_start_;
-  // Start of the measured part; the last table; since when no source runs; scene time 0.
-  std::int64_t start_ns_ = 0, shown_ns_ = 0, sourceless_ns_ = 0, first_tick_ = 0;
-  std::size_t modes_sent_ = 0, goals_sent_ = 0;
+  // Start of the measured part; the last table; since when no source runs.
+  std::int64_t start_ns_ = 0, shown_ns_ = 0, sourceless_ns_ = 0;
+  RobotScript script_;
 };
 
 Up::Up(const Arguments& arguments) {
@@ -286,7 +285,9 @@ void Up::wait_for_first_commands() {
   // The first ticks of a source and a controller fill caches and page tables: they are run, but not counted.
   if (!request_.lockstep) bus_->listen(kSettle);
   start_ns_ = monotonic_ns();
-  first_tick_ = bus_->seen().newest_state().tick;
+  // A simulator says what its scene asks; a robot does not.
+  if (const StackProcess* first = stack_.find(stack_.activate); first != nullptr && first->program != "twinbus_simulator")
+    script_.begin(requests_of(scene_), request_.period, bus_->seen().newest_state().tick);
   at_start_ = missed_so_far(bus_->seen(), start_ns_);
   if (!request_.lockstep) bus_->seen().restart_counts();
   say((request_.lockstep ? std::string("in lock-step, without FIFO priority")
@@ -296,31 +297,6 @@ void Up::wait_for_first_commands() {
     shares_.of(process->beat.pid, start_ns_);
   if (!watch_address_.empty()) say("to watch and stop from a phone: " + watch_address_);
   if (!viewer_address_.empty()) say("viewer: " + viewer_address_);
-}
-
-// A simulator publishes the modes and goals of its scene itself; where a robot is the first source, this does.
-void Up::send_script() {
-  const StackProcess* first = stack_.find(stack_.activate);
-  if (first == nullptr || first->program == "twinbus_simulator") return;
-  const Lookout& seen = bus_->seen();
-  const RobotState& state = seen.newest_state();
-  const auto due = [&](double at, std::int64_t& at_tick) {
-    at_tick = first_tick_ + static_cast<std::int64_t>(at / request_.period + 0.5);
-    return state.tick + kScriptAhead >= at_tick;
-  };
-  std::int64_t at_tick = 0;
-  while (modes_sent_ < scene_.modes.size() && due(scene_.modes[modes_sent_].at, at_tick)) {
-    ModeRequest request = scene_.modes[modes_sent_++].request;
-    request.run_id = state.run_id;
-    request.at_tick = std::max(at_tick, state.tick + kScriptAhead / 2);
-    for (int i = 0; i < kScriptRepeats; ++i) bus_->send(request);  // the same sequence: counts once
-  }
-  while (goals_sent_ < scene_.goals.size() && due(scene_.goals[goals_sent_].at, at_tick)) {
-    ArmGoal goal = scene_.goals[goals_sent_++].goal;
-    goal.run_id = state.run_id;
-    goal.goal_id = random_id();
-    for (int i = 0; i < kScriptRepeats; ++i) bus_->send(goal);
-  }
 }
 
 // As if it had been started so: the run begins anew, its log goes on.
@@ -334,7 +310,6 @@ void Up::set_up(const std::string& wish) {
     supervisor_->fit(values_);
     start_anew(stack_, *supervisor_, *bus_);
     activate();
-    modes_sent_ = goals_sent_ = 0;
     wait_for_first_commands();
   } catch (const std::exception& error) {
     problem = error.what();
@@ -411,7 +386,7 @@ bool Up::work() {
     if (const std::string wish = wishes_->take(now); !wish.empty()) set_up(wish);
     note_ready();
     if (is_over(now)) return false;
-    send_script();
+    script_.hear(bus_->seen().newest_state(), [this](auto& request) { bus_->send(request); });
     if (elapsed(now)) return true;
     show(now);
   }
