@@ -4,12 +4,12 @@
 #include <cmath>
 
 #include "common/math/index.h"
+#include "robot/kinematics/brake.h"
 
 namespace twinbus {
 
 namespace {
 
-constexpr double kBrakeTime = 0.1;   // from full speed to rest [s]
 constexpr double kTorqueStep = 0.1;  // largest change per tick, of the effort limit
 constexpr double kGainRange = 10.0;  // largest gain, of the model's own
 constexpr std::int64_t kBalancedStopLasts_ns = 2'000'000'000;
@@ -46,14 +46,6 @@ std::uint8_t left_out(RuleSet off) noexcept {
   return checks;
 }
 
-// One tick of coming to rest.
-void brake_step(double deceleration, double dt, double& q, float& qd) noexcept {
-  const double v = static_cast<double>(qd);
-  const double slower = std::copysign(std::max(0.0, std::abs(v) - deceleration * dt), v);
-  q += 0.5 * (v + slower) * dt;
-  qd = static_cast<float>(slower);
-}
-
 // Cuts value into [low, high]; 1 if it had to.  Numbers are finite here.
 template <class T>
 int cut(T& value, double low, double high) noexcept {
@@ -85,7 +77,7 @@ GateLimits::GateLimits(const Model& model) : robot(&model) {
     velocity[i] = joint.velocity;
     effort[i] = joint.effort;
     step[i] = (joint.rate > 0.0 ? joint.rate : 1.05 * joint.velocity) * period;
-    brake[i] = std::max(joint.velocity, 0.5) / kBrakeTime;
+    brake[i] = brake_deceleration(joint);
     kp[i] = static_cast<float>(joint.kp);
     kd[i] = static_cast<float>(joint.kd);
     kp_max[i] = static_cast<float>(joint.kp > 0.0 ? kGainRange * joint.kp : 1e6);

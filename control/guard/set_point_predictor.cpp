@@ -111,10 +111,7 @@ void SetPointTrack::hold(std::int64_t joints) noexcept {
 void SetPointTrack::move_bound(std::size_t k, double measured) noexcept {
   const double limit = limit_[k], before = q_[k];
   if ((held_now_ & bit(static_cast<int>(k))) != 0) {
-    const double slower =
-        std::copysign(std::max(0.0, std::abs(v_[k]) - brake_[k] * period_), v_[k]);
-    q_[k] += 0.5 * (v_[k] + slower) * period_;
-    v_[k] = slower;
+    brake_step(brake_[k], period_, q_[k], v_[k]);
   } else {
     double q = 0.0, v = 0.0;
     faded(k, 0.0, q, v);

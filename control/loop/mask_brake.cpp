@@ -7,10 +7,6 @@
 
 namespace twinbus {
 
-namespace {
-constexpr double kReturn = 0.5;  // [s]
-}  // namespace
-
 void MaskBrake::apply(SetPoint& set_point, std::int64_t mask, double dt) noexcept {
   for (int j = 0; j < model_->bus_count(); ++j) {
     const auto k = static_cast<std::size_t>(j);
@@ -22,16 +18,14 @@ void MaskBrake::apply(SetPoint& set_point, std::int64_t mask, double dt) noexcep
       }
       phase_[k] = Phase::kHeld;
       const Joint& joint = model_->joints[static_cast<std::size_t>(model_->bus_joints[k])];
-      const double change = brake_deceleration(joint) * dt;
-      qd_[k] -= std::clamp(qd_[k], -change, change);
-      q_[k] += qd_[k] * dt;
+      brake_step(brake_deceleration(joint), dt, q_[k], qd_[k]);
       set_point.q[k] = q_[k];
       set_point.qd[k] = qd_[k];
       continue;
     }
     if (phase_[k] == Phase::kHeld) {
       phase_[k] = Phase::kReturning;
-      offset_[k].aim_from(q_[k] - set_point.q[k], qd_[k] - set_point.qd[k], 0.0, 0.0, kReturn);
+      offset_[k].aim_from(q_[k] - set_point.q[k], qd_[k] - set_point.qd[k], 0.0, 0.0, model_->blend_s);
     }
     if (phase_[k] == Phase::kReturning) {
       offset_[k].advance(dt);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #include "robot/description/model.h"
 
@@ -16,6 +17,18 @@ inline constexpr double kSlowestFull =
 // [rad/s^2 or m/s^2]
 inline double brake_deceleration(const Joint& joint) noexcept {
   return std::max(joint.velocity, kSlowestFull) / kBrakeTime;
+}
+
+// One tick of coming to rest: position and velocity after dt [s] of that deceleration.
+inline void brake_step(double deceleration, double dt, double& q, double& v) noexcept {
+  const double slower = std::copysign(std::max(0.0, std::abs(v) - deceleration * dt), v);
+  q += 0.5 * (v + slower) * dt;
+  v = slower;
+}
+inline void brake_step(double deceleration, double dt, double& q, float& v) noexcept {
+  double speed = static_cast<double>(v);
+  brake_step(deceleration, dt, q, speed);
+  v = static_cast<float>(speed);
 }
 
 }  // namespace twinbus

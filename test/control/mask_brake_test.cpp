@@ -47,6 +47,31 @@ TEST(MaskBrake, AMaskedJointComesToRestAsFastAsItBrakes) {
             0.5 * 0.4 * 0.4 / brake_deceleration(joint) + 2.0 * 0.4 * kDt);
 }
 
+// The guard looks ahead by this law, and the gate brakes by it: a joint must not stop anywhere else.
+TEST(MaskBrake, AMaskedJointStopsWhereTheGuardPredictsAndTheGateWouldStopIt) {
+  Fixture f;
+  for (int n = 0; n < 10; ++n) f.tick(n, false);
+  const Joint& joint =
+      test::hrp1s().joints[static_cast<std::size_t>(test::hrp1s().bus_joints[kJoint])];
+  double q = asked(9) + 0.4 * kDt, v = 0.4;
+  for (int n = 10; n < 200; ++n) {
+    f.tick(n, true);
+    brake_step(brake_deceleration(joint), kDt, q, v);
+    ASSERT_NEAR(f.point.q[kJoint], q, 1e-12) << n;
+  }
+  // No more than rounding a way to rest into ticks costs.
+  EXPECT_NEAR(q - asked(10), 0.5 * 0.4 * 0.4 / brake_deceleration(joint), 5e-5);
+}
+
+TEST(MaskBrake, ReturnsInTheTimeInWhichGateAndGuardFade) {
+  Fixture f;
+  int n = 0;
+  for (; n < 100; ++n) f.tick(n, true);
+  const int end = n + static_cast<int>(test::hrp1s().blend_s / kDt) + 2;
+  for (; n < end; ++n) f.tick(n, false);
+  EXPECT_NEAR(f.point.q[kJoint], asked(end - 1), 1e-12);
+}
+
 TEST(MaskBrake, OtherJointsGoOn) {
   Fixture f;
   f.point.q[0] = 0.3;
