@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <utility>
 
+#include "lcmtypes/msg/motion_defaults.h"
+
 namespace twinbus {
 
 namespace {
@@ -303,14 +305,10 @@ bool to_mode_request(TeleopAction action, ModeRequest& request) noexcept {
     case TeleopAction::kBalance:
       return true;
     case TeleopAction::kSway:
-      request.motion = Motion::kSway;
-      request.amplitude = 0.03f;  // as in the scenes sway and squat
-      request.frequency = 0.4f;
-      return true;
     case TeleopAction::kSquat:
-      request.motion = Motion::kSquat;
-      request.amplitude = 0.05f;
-      request.frequency = 0.3f;
+      request.motion = action == TeleopAction::kSway ? Motion::kSway : Motion::kSquat;
+      request.amplitude = defaults_of(request.motion).amplitude;
+      request.frequency = defaults_of(request.motion).frequency;
       return true;
     case TeleopAction::kWalk:
       request.mode = Mode::kWalk;

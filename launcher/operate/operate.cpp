@@ -10,6 +10,7 @@
 #include "common/text/closest_name.h"
 #include "common/text/xml.h"
 #include "launcher/bus/bus_link.h"
+#include "lcmtypes/msg/motion_defaults.h"
 #include "robot/description/load.h"
 
 namespace twinbus {
@@ -141,12 +142,16 @@ int ask_and_report(const Arguments& arguments, ModeRequest& request, const char*
 }
 
 int motion_command(const std::vector<std::string>& words, Motion motion, const char* name,
-                   const char* about, double amplitude, double frequency) {
+                   const char* about) {
+  const auto [amplitude, frequency] = defaults_of(motion);
+  char far[60], often[60];
+  std::snprintf(far, sizeof far, "metres; default %.2f", static_cast<double>(amplitude));
+  std::snprintf(often, sizeof often, "per second; default %.1f", static_cast<double>(frequency));
   const Arguments arguments({name,
                              "",
                              about,
-                             {{"--amplitude", "M", "metres"},
-                              {"--frequency", "HZ", "per second"},
+                             {{"--amplitude", "M", far},
+                              {"--frequency", "HZ", often},
                               prefix_option(),
                               url_option(),
                               allow_option()},
@@ -156,8 +161,8 @@ int motion_command(const std::vector<std::string>& words, Motion motion, const c
   ModeRequest request;
   request.mode = Mode::kBalance;
   request.motion = motion;
-  request.amplitude = static_cast<float>(arguments.number("--amplitude", amplitude, 0.0, 0.2));
-  request.frequency = static_cast<float>(arguments.number("--frequency", frequency, 0.0, 5.0));
+  request.amplitude = static_cast<float>(arguments.number("--amplitude", static_cast<double>(amplitude), 0.0, 0.2));
+  request.frequency = static_cast<float>(arguments.number("--frequency", static_cast<double>(frequency), 0.0, 5.0));
   return ask_and_report(arguments, request, name);
 }
 
@@ -363,12 +368,12 @@ int mode_command(const std::vector<std::string>& words) {
 
 int sway_command(const std::vector<std::string>& words) {
   return motion_command(words, Motion::kSway, "sway",
-                        "Sways the body from side to side while balancing.", 0.03, 0.25);
+                        "Sways the body from side to side while balancing.");
 }
 
 int squat_command(const std::vector<std::string>& words) {
   return motion_command(words, Motion::kSquat, "squat",
-                        "Moves the body up and down while balancing.", 0.03, 0.25);
+                        "Moves the body up and down while balancing.");
 }
 
 }  // namespace twinbus

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "lcmtypes/msg/motion_defaults.h"
+
 namespace twinbus {
 namespace {
 
@@ -47,6 +49,8 @@ TEST(PageRequest, ReadsModesAndSources) {
   ASSERT_TRUE(read(R"({"do":"mode","mode":"squat"})", true, request));
   EXPECT_EQ(request.mode, Mode::kBalance);
   EXPECT_EQ(request.motion, Motion::kSquat);
+  EXPECT_EQ(request.amplitude, defaults_of(Motion::kSquat).amplitude);
+  EXPECT_EQ(request.frequency, defaults_of(Motion::kSquat).frequency);
   ASSERT_TRUE(read(R"({"do":"mode","mode":"hold"})", true, request));
   EXPECT_EQ(request.mode, Mode::kHold);
   EXPECT_EQ(request.motion, Motion::kNone);

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "lcmtypes/msg/motion_defaults.h"
+
 namespace twinbus {
 
 namespace {
@@ -103,20 +105,16 @@ bool read_mode(const std::string& name, PageRequest& request) {
     const char* name;
     Mode mode;
     Motion motion;
-    float amplitude, frequency;  // as in the scenes sway and squat
   };
-  static constexpr Row kRows[] = {{"balance", Mode::kBalance, Motion::kNone, 0, 0},
-                                  {"sway", Mode::kBalance, Motion::kSway, 0.03f, 0.4f},
-                                  {"squat", Mode::kBalance, Motion::kSquat, 0.05f, 0.3f},
-                                  {"hold", Mode::kHold, Motion::kNone, 0, 0},
-                                  {"walk", Mode::kWalk, Motion::kNone, 0, 0},
-                                  {"idle", Mode::kIdle, Motion::kNone, 0, 0}};
+  static constexpr Row kRows[] = {{"balance", Mode::kBalance, Motion::kNone}, {"sway", Mode::kBalance, Motion::kSway},
+                                  {"squat", Mode::kBalance, Motion::kSquat},  {"hold", Mode::kHold, Motion::kNone},
+                                  {"walk", Mode::kWalk, Motion::kNone},       {"idle", Mode::kIdle, Motion::kNone}};
   for (const Row& row : kRows) {
     if (name == row.name) {
       request.mode = row.mode;
       request.motion = row.motion;
-      request.amplitude = row.amplitude;
-      request.frequency = row.frequency;
+      request.amplitude = defaults_of(row.motion).amplitude;
+      request.frequency = defaults_of(row.motion).frequency;
       return true;
     }
   }
