@@ -4,6 +4,9 @@
 "ours" asks what VAMP asks: its balls, its obstacles, 32 postures per radian.  "proved" plans for the exact meshes and proves
 every line of the path; FCL looks at the final paths of both and of VAMP at 1,000 postures per radian.
 
+Both are the search of the planner with the line tests of test/oracles, for comparison with others.  P7 is what the planner's
+process runs: ArmPlanner::plan, goal postures, exact distances and timing included, on hrp1s at the table of the scene reach.
+
 DIR (or $TWINBUS_VAMP) holds checkouts of KavrakiLab/vamp, KavrakiLab/nigh, orlp/pdqsort and lemire/SIMDxorshift under the
 names vamp, nigh, pdqsort, SIMDxorshift; the peer is built from them with VAMP's own flags.  Problems are those of
 $TWINBUS_DATA (default ../shared/data).  Ours and the peer take turns; a figure of a problem is its median over the rounds
@@ -186,6 +189,11 @@ def main():
         at_most(f"P5 {words[0]} median ms", 1, 1e-3 * float(case["median_us"]), case["median_us"])
         at_most(f"P5 {words[0]} 99th percentile ms", 20, 1e-3 * float(case["p99_us"]), case["p99_us"])
         at_most(f"P5 {words[0]} paths that differ", 0, 1 - int(case["same"]), case["hash"])
+    line = run(folder / "planner_arm", 200, 3)
+    case = dict(zip(line.split()[1::2], line.split()[2::2]))
+    print(line.strip())
+    at_most("P7 ArmPlanner::plan, median ms", 100, 1e-3 * float(case["median_us"]), case["median_us"])
+    at_most("P7 plans that differ", 0, 1 - int(case["same"]), case["hash"])
     line = run(folder / "planner_timing", data / "robots", given=text_of_proved)
     case = dict(zip(line.split()[0::2], line.split()[1::2]))
     print(line.strip())
