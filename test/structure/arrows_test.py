@@ -45,9 +45,6 @@ TEST_FOLDER_CEILING = 40
 # test/no_alloc.h is the one header of test/ that products include: a heartbeat counts allocations.
 SHARED_TEST_HEADERS = {"test/no_alloc.h"}
 
-# Headers that wait for their user: the engines' contact of the paper's section 3.3.
-WAITING = {"geometry/mesh_contact/patch_force.h"}
-
 MACHINE = re.compile(r"/(home|work|Users|root|tmp/[a-z]+_clone)/[A-Za-z0-9_.-]+")
 INCLUDE = re.compile(r'^\s*#\s*include\s+([<"])([^>"]+)[>"]', re.MULTILINE)
 CODE = {".h", ".cpp", ".c", ".cc", ".hpp", ".inl"}
@@ -161,7 +158,7 @@ def check_users(code, problems):
     included = {header for file, text in code.items() if file.split("/")[0] in ROOMS for _, header in INCLUDE.findall(text)
                 if header.rsplit(".", 1)[0] != file.rsplit(".", 1)[0]}
     for file in code:
-        if file.split("/")[0] in ROOMS and file.endswith(".h") and file not in included | WAITING:
+        if file.split("/")[0] in ROOMS and file.endswith(".h") and file not in included:
             if not any(os.path.basename(file) == header for header in included):
                 problems.append(f"{file}: no file of the product includes it: give it a user, move it to test/, or delete it")
 

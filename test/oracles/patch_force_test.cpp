@@ -1,6 +1,6 @@
 // The contact law of the paper, section 3.3.2, on manifolds known by hand.
 
-#include "geometry/mesh_contact/patch_force.h"
+#include "test/oracles/patch_force.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "geometry/mesh_contact/patch_force.h"
+#include "test/oracles/patch_force.h"
 
 #include <algorithm>
 #include <cmath>
