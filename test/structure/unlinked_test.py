@@ -14,9 +14,25 @@ import sys
 
 ROOMS = ["common", "geometry", "lcmtypes", "robot", "bridge", "sim", "control", "planner", "viewer_log", "launcher"]
 SKIPPED = 77
-# What is called from outside of the programs, and why.
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+# Called by nothing of the product, and kept: functions (without twinbus::) by what uses them.
 KEPT = {
+    "tests and benches ask the product with them what the programs ask in other ways": """
+        ArmPlanner::path_free ArticulatedWorld::resume BlockCheck::settle_by_pieces BlockCheck::world_free BlockScene::add_capsule
+        Collision::in_collision Collision::touches_by_fcl Guard::check Guard::pair_count Guard::pairs Guard::unproved
+        InverseDynamics::point_acceleration InverseKinematics::hold InverseKinematics::pose JointReach::between
+        LogReader::look_for_more SupportPolygon::centre excess_over_hull fastest_time field_at sort_pairs take_bus_option""",
+    "stall tests and benches play operator and machine with them": """
+        OneProcess::restart_controller OneProcess::say OneProcess::stall_controller Source::effective_command
+        SourceCore::effective_command""",
+    "the exact check of all pairs is for tools of one's own; tests and bench collision hold it": """
+        SelfCollision::any_touching SelfCollision::enable SelfCollision::lower_bound SelfCollision::lower_bounds
+        SelfCollision::surfaces_cross SelfCollision::use SelfCollision::work""",
+    "one machine tests every instruction set with them": "lower_simd",
+    "part of an interface for mains of others": "Options::rest",
+    "waits for its user": "to_text BusLink::fileno BusLink::send ComMotion::shift_home StackView::source_of Supervisor::heard_from_pid",
 }
+KEPT_NAMES = {"twinbus::" + name for names in KEPT.values() for name in names.split()}
 # No functions of ours: clones, guards, tables; and what every class has, written or not.
 OURS = re.compile(r"^(?!.*(\[clone|guard variable|vtable|typeinfo|operator\(\)|operator new|operator delete))twinbus::")
 
@@ -28,15 +44,15 @@ def lines(*words, stdin=None):
 def symbols(objects):
     """(defined global functions {mangled: object}, names that are referred to)."""
     defined, used = {}, set()
-    for file in objects:
-        for line in lines("nm", "--defined-only", file):
-            words = line.split()
-            if len(words) == 3 and words[1] == "T":
-                defined[words[2]] = file
-        for line in lines("objdump", "-r", file):
-            words = line.split()
-            if len(words) == 3 and words[1].startswith("R_"):
-                used.add(re.sub(r"[-+]0x[0-9a-f]+$", "", words[2]))
+    for line in lines("nm", "-A", "--defined-only", *objects):
+        name, _, rest = line.rpartition(":")
+        words = rest.split()
+        if len(words) == 3 and words[1] == "T":
+            defined[words[2]] = pathlib.Path(name)
+    for line in lines("objdump", "-r", *objects):
+        words = line.split()
+        if len(words) == 3 and words[1].startswith("R_"):
+            used.add(re.sub(r"[-+]0x[0-9a-f]+$", "", words[2]))
     return defined, used
 
 
@@ -47,7 +63,11 @@ def without_caller(objects):
     plain = dict(zip(names, lines("c++filt", stdin="\n".join(names) + "\n")))
     called = set(lines("c++filt", stdin="\n".join(sorted(used)) + "\n"))
     found = {plain[n]: defined[n] for n in names if OURS.match(plain[n]) and plain[n] not in called}
-    return sorted((function, file) for function, file in found.items() if function.split("(")[0] not in KEPT)
+    return sorted((function, file) for function, file in found.items() if function.split("(")[0] not in KEPT_NAMES)
+
+
+def source_of(file, build):
+    return re.sub(r"/CMakeFiles/[^/]*[.]dir", "", str(file.relative_to(build)))[:-2]
 
 
 def find_planted(build, objects):
@@ -65,11 +85,11 @@ def main():
     if not all((build / "bin" / name).exists() for name in ("twinbus", "twinbus_simulator", "twinbus_viewer", "twinbus_replay", "twinbus_gamepad")):
         print(f"skipped: the programs are not built in {build}")
         return SKIPPED
-    objects = [file for room in ROOMS for file in sorted((build / room).rglob("*.o"))]
+    # An object of a file that is gone lies about until somebody cleans up.
+    objects = [file for room in ROOMS for file in sorted((build / room).rglob("*.o")) if (ROOT / source_of(file, build)).is_file()]
     found = without_caller(objects)
     for function, file in found:
-        source = str(file.relative_to(build)).replace(".o", "")
-        print(f"{re.sub(r'/CMakeFiles/[^/]*[.]dir', '', source)}: no program calls {function}: delete it, move it to test/, or give it a user")
+        print(f"{source_of(file, build)}: no program calls {function}: delete it, move it to test/, or give it a user")
     if not find_planted(build, objects):
         print("a planted function without a caller was not found")
         return 1
