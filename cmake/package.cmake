@@ -82,8 +82,9 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/doc DESTINATION ${data_dir} COMPONENT pr
 install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${data_dir} COMPONENT programs)
 install(PROGRAMS ${PROJECT_SOURCE_DIR}/launcher/env.sh ${PROJECT_SOURCE_DIR}/launcher/spy.sh ${PROJECT_SOURCE_DIR}/launcher/named_state.py
   DESTINATION ${data_dir}/launcher COMPONENT programs)
-install(CODE "file(MAKE_DIRECTORY \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/bin\")
-  file(CREATE_LINK ../${home_dir}/bin/twinbus \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/bin/twinbus\" SYMBOLIC)" COMPONENT programs)
+file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/link)
+file(CREATE_LINK ../${home_dir}/bin/twinbus ${PROJECT_BINARY_DIR}/link/twinbus SYMBOLIC)
+install(FILES ${PROJECT_BINARY_DIR}/link/twinbus DESTINATION bin COMPONENT programs)
 
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/twinbusConfig.cmake.in
   ${PROJECT_BINARY_DIR}/twinbusConfig.cmake INSTALL_DESTINATION ${package_dir} PATH_VARS home_dir data_dir)
