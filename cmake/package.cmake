@@ -60,7 +60,7 @@ install(DIRECTORY ${generated}/twinbus DESTINATION ${header_dir} COMPONENT devel
 
 # What runs: programs, adaptors, and what they read.
 get_target_property(names programs MANUALLY_ADDED_DEPENDENCIES)
-foreach(name ${names})
+foreach(name twinbus_cli ${names})
   get_target_property(type ${name} TYPE)
   if(type STREQUAL "EXECUTABLE")
     install(TARGETS ${name} RUNTIME DESTINATION ${home_dir}/bin COMPONENT programs)
@@ -68,7 +68,7 @@ foreach(name ${names})
     install(TARGETS ${name} LIBRARY DESTINATION ${home_dir}/lib/adaptors COMPONENT programs)
   endif()
 endforeach()
-install(DIRECTORY ${TWINBUS_PYTHON_DIR} DESTINATION ${home_dir}/lib COMPONENT programs PATTERN "__pycache__" EXCLUDE)
+install(DIRECTORY ${CMAKE_BINARY_DIR}/lib/python DESTINATION ${home_dir}/lib COMPONENT programs PATTERN "__pycache__" EXCLUDE)
 if(TARGET twinbus_java)
   install(FILES ${CMAKE_BINARY_DIR}/share/types.jar DESTINATION ${home_dir}/share COMPONENT programs)
 endif()

@@ -73,7 +73,7 @@ def command_a_joint(prefix, program, clean):
     time.sleep(0.2)
     states = [state for _, state in bus.messages("STATE")]
     bus.close()
-    joint = next(j for j in range(29) if max(s.q[j] for s in states) - min(s.q[j] for s in states) > 0.15) if states else None
+    joint = next((j for j in range(29) if states and max(s.q[j] for s in states) - min(s.q[j] for s in states) > 0.15), None)
     assert joint is not None, f"no joint moved; {len(states)} STATEs\n{said[-2000:]}"
     moved = max(s.q[joint] for s in states) - min(s.q[joint] for s in states)
     assert moved < 0.25 and {s.stop_kind for s in states} == {0}, f"joint {joint} moved {moved:.3f} rad\n{said[-2000:]}"

@@ -1,4 +1,4 @@
-// A controller: answers each STATE with a COMMAND that swings the left shoulder roll out by 0.2 rad and back.
+// A controller: answers each STATE with a COMMAND that swings the left arm out by 0.2 rad and back.
 #include <cmath>
 #include "lcmtypes/bus/bus.h"
 #include "lcmtypes/bus/channels.h"
@@ -10,7 +10,7 @@ int main() {
   JointCommand command{.controller_id = 20};
   for (int j = 0; j < model.joint_count(); ++j) command.kp[j] = model.joints[j].kp, command.kd[j] = model.joints[j].kd;
   Bus bus({});
-  auto answer = [&, joint = model.find_joint("LARM_JOINT1"), begin = RobotState{}](const RobotState& state) mutable {
+  auto answer = [&, joint = model.find_joint("LARM_SHOULDER_R"), begin = RobotState{}](const RobotState& state) mutable {
     if (begin.tick == 0) begin = state, command.q = state.q, command.tau = state.tau;
     command.tick = state.tick, command.run_id = state.run_id, command.term = state.term;
     command.model_hash = state.model_hash, command.joint_count = state.joint_count;
