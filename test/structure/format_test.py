@@ -10,7 +10,7 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-WIDEST = 130  # columns
+WIDEST = 130  # columns of the product
 RULES = [
     (re.compile(r"\t"), "a tab: two spaces"),
     (re.compile(r"[ \r]+$"), "blanks at the end of the line: take them out"),
@@ -35,7 +35,7 @@ def problems_of(name, text):
         found.append(f"{name}: ends with one newline, no more and no less")
     whole, bare = text.split("\n"), blanked(text).split("\n")
     for number, (line, code) in enumerate(zip(whole, bare), 1):
-        if len(line) > WIDEST and len(line.split("//")[0].rstrip()) > WIDEST and not STRING.search(line):
+        if len(line) > WIDEST and not name.startswith("test/") and len(line.split("//")[0].rstrip()) > WIDEST and not STRING.search(line):
             found.append(f"{name}:{number}: {len(line)} columns, the most are {WIDEST}: clang-format-14 -i {name}")
         for rule, what in RULES[:2]:
             if rule.search(line):
