@@ -94,6 +94,23 @@ TEST(OffsetBlend, MayStartAgainInTheMiddleOfAFadeWithoutAJump) {
   }
 }
 
+TEST(OffsetBlend, TorqueMayFadeSoonerThanTheRest) {
+  OffsetBlend blend;
+  const JointCommand own = own_set_point();
+  blend.start(own, client_at(0.0), 1, 0.0, kDuration, 0.04);
+  float before = own.tau[0];
+  double q = 0.0;
+  for (int i = 1; i <= 400; ++i) {
+    JointCommand c = client_at(i * kDt);
+    blend.advance_and_apply(kDt, 1, c);
+    ASSERT_LT(std::abs(c.tau[0] - before), 0.2F) << i;
+    before = c.tau[0];
+    q = c.q[0] - client_at(i * kDt).q[0];
+  }
+  EXPECT_NEAR(before, client_at(0.04).tau[0], 1e-3);
+  EXPECT_GT(q, 0.3);  // positions have just begun
+}
+
 TEST(OffsetBlend, TakesTheClientAtOnceWithoutADuration) {
   OffsetBlend blend;
   blend.start(own_set_point(), client_at(0.0), 1, 0.0, 0.0);

@@ -118,6 +118,39 @@ TEST_F(StopPlanGate, IsFollowedFromTheFirstMissedTickWithoutAStepAndThenLatches)
   EXPECT_NEAR(gate.effective().q[0], before, 0.002);
 }
 
+// Controller and guard die together: the arms stop, what is no arm goes on to the plan's end.
+TEST_F(StopPlanGate, WithoutAGuardArmsStopAndTheRestFollowsThePlan) {
+  limits.arms = 2;
+  gate = CommandGate(limits, true, 1);
+  gate.hold_measured(RobotState{});
+  gate.open(kRun, kTerm, true, 0.0, now);
+  for (int i = 0; i < 20; ++i) {
+    GuardReport report;
+    report.run_id = kRun;
+    report.tick = tick;
+    gate.guard(report, now);
+    next(true);
+  }
+  StopPlan both = plan(1);
+  both.head.joints = 3;
+  for (int k = 0; k < kKnots; ++k)
+    EXPECT_TRUE(to_plan(0.002 * kSpacing * std::min(k, 6) * kRate, kPlanPosition, both.q[static_cast<std::size_t>(k)][1]));
+  send(both);
+  const std::int64_t silent = std::llround(model.guard_timeout / 0.002);
+  for (std::int64_t i = 0; i < silent - 2; ++i) next(false);
+  EXPECT_TRUE(gate.plan().running());
+  EXPECT_EQ(gate.masked(), 0);
+  for (int i = 0; i < 25; ++i) next(false);
+  EXPECT_EQ(gate.masked(), 2);
+  const JointCommand stopped = gate.effective();
+  EXPECT_LT(stopped.q[1], 0.028);
+  EXPECT_EQ(stopped.qd[1], 0.0F);
+  for (int i = 0; i < 10; ++i) next(false);
+  EXPECT_TRUE(gate.plan().running());
+  EXPECT_EQ(gate.effective().q[1], stopped.q[1]);
+  EXPECT_NEAR(gate.effective().q[0], kPlanPosition * both.q[kKnots - 1][0], 1e-3);
+}
+
 TEST_F(StopPlanGate, WithoutOneTheTimeoutStopsAsEver) {
   walk(20);
   for (int i = 0; i < 21; ++i) EXPECT_FALSE(follows_next());
