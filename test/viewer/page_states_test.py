@@ -2,7 +2,7 @@
 """The page in seven states at five widths: nothing that is to be read or pressed is covered, every state has its way out, and axe-core finds
 nothing serious where it is installed.
 
-    page_states_test.py BIN_FOLDER [--all] [--pictures FOLDER] [--axe axe.min.js]      in a private network namespace
+    page_states_test.py BIN_FOLDER [--all] [--pictures FOLDER] [--axe axe.min.js] [--log run.log]      in a private network namespace
 
 Without --all: two widths, and no pictures. A real stack of simulator and robot: standing, walking, stopped, loaded, fallen, no source; then a log.
 """
@@ -24,6 +24,7 @@ parser = argparse.ArgumentParser()
 parser.add_argument("bin_folder")
 parser.add_argument("--all", action="store_true")
 parser.add_argument("--pictures")
+parser.add_argument("--log", help="only the replay of this log")
 parser.add_argument("--axe", default=os.environ.get("AXE_CORE", ""))
 arguments = parser.parse_args()
 if not find_browser():
@@ -112,47 +113,52 @@ def child_of(up, program):
     return None
 
 
-up = Process(binary(bin_folder, "twinbus"), "up", "stand", "--stack", "both")
-address = re.search(r"http://\S+token=\w+", up.wait_for("http://", 90) or "")
-if not address:
-    check(False, "the stack runs: " + " ".join(up.seen))
-    check.finish()
-page = Browser(address[0], (1280, 720))
-check(page.wait_for("globalThis.twinbus?.figures.first", 90), "the page draws the robot")
-check(health(page, "Running well|edge|Slower|Stopped"), "standing: " + str(page.value("document.getElementById('health-text').textContent")))
-cli("clear")
-everywhere(page, "standing", ["#stop"])
-walk = subprocess.Popen([binary(bin_folder, "twinbus"), "walk", "0.1", "0", "0", "--for", "40" if arguments.all else "15"], stdout=subprocess.DEVNULL,
-                        stderr=subprocess.DEVNULL)
-page.wait_for("document.getElementById('mode-now').textContent.includes('walk')", 20)
-everywhere(page, "walking", ["#stop"])
-walk.send_signal(signal.SIGINT)
-walk.wait(30)
-cli("stop", "hold")
-check(health(page, "Stopped"), "stopped is said")
-everywhere(page, "stopped", ["#clear"])
-cli("clear")
-simulator = child_of(up, "twinbus_simulator")
-stop_pulses = time.monotonic() + (60 if arguments.all else 20)
-pulses = subprocess.Popen([sys.executable, "-c", "import os, signal, sys, time\nend = time.monotonic() + float(sys.argv[2])\nwhile time.monotonic() < end:\n"
-                           "    os.kill(int(sys.argv[1]), signal.SIGSTOP); time.sleep(0.02); os.kill(int(sys.argv[1]), signal.SIGCONT); time.sleep(0.03)\n",
-                           str(simulator), "60" if arguments.all else "20"])
-health(page, "Slower|Stopped|edge", 20)
-everywhere(page, "loaded", ["#stop", "#clear"])
-pulses.wait()
-cli("clear")
-time.sleep(1.0)
-cli("push", "CHEST", "0", "1500", "0", "--for", "0.2")
-check(health(page, "fallen", 30), "fallen is said: " + str(page.value("document.getElementById('health-text').textContent")))
-time.sleep(2.0)
-everywhere(page, "fallen", ["#anew"])
-os.kill(simulator, signal.SIGSTOP)
-check(health(page, "silent|No source|no source", 30), "no source is said: " + str(page.value("document.getElementById('health-text').textContent")))
-everywhere(page, "no source", ["#stop", "#sources button"])
-os.kill(simulator, signal.SIGCONT)
-page.end()
-up.end(20)
-log = sorted(pathlib.Path(runs).glob("*/run.log"))[-1]
+def live_states():
+    up = Process(binary(bin_folder, "twinbus"), "up", "stand", "--stack", "both")
+    address = re.search(r"http://\S+token=\w+", up.wait_for("http://", 90) or "")
+    if not address:
+        check(False, "the stack runs: " + " ".join(up.seen))
+        check.finish()
+    page = Browser(address[0], (1280, 720))
+    check(page.wait_for("globalThis.twinbus?.figures.first", 90), "the page draws the robot")
+    check(health(page, "Running well|edge|Slower|Stopped"), "standing: " + str(page.value("document.getElementById('health-text').textContent")))
+    cli("clear")
+    everywhere(page, "standing", ["#stop"])
+    walk = subprocess.Popen([binary(bin_folder, "twinbus"), "walk", "0.1", "0", "0", "--for", "40" if arguments.all else "15"], stdout=subprocess.DEVNULL,
+                            stderr=subprocess.DEVNULL)
+    page.wait_for("document.getElementById('mode-now').textContent.includes('walk')", 20)
+    everywhere(page, "walking", ["#stop"])
+    walk.send_signal(signal.SIGINT)
+    walk.wait(30)
+    cli("stop", "hold")
+    check(health(page, "Stopped"), "stopped is said")
+    everywhere(page, "stopped", ["#clear"])
+    cli("clear")
+    simulator = child_of(up, "twinbus_simulator")
+    stop_pulses = time.monotonic() + (60 if arguments.all else 20)
+    pulses = subprocess.Popen([sys.executable, "-c", "import os, signal, sys, time\nend = time.monotonic() + float(sys.argv[2])\nwhile time.monotonic() < end:\n"
+                               "    os.kill(int(sys.argv[1]), signal.SIGSTOP); time.sleep(0.02); os.kill(int(sys.argv[1]), signal.SIGCONT); time.sleep(0.03)\n",
+                               str(simulator), "60" if arguments.all else "20"])
+    health(page, "Slower|Stopped|edge", 20)
+    everywhere(page, "loaded", ["#stop", "#clear"])
+    pulses.wait()
+    cli("clear")
+    time.sleep(1.0)
+    cli("push", "CHEST", "0", "1500", "0", "--for", "0.2")
+    check(health(page, "fallen", 30), "fallen is said: " + str(page.value("document.getElementById('health-text').textContent")))
+    time.sleep(2.0)
+    everywhere(page, "fallen", ["#anew"])
+    os.kill(simulator, signal.SIGSTOP)
+    check(health(page, "silent|No source|no source", 30), "no source is said: " + str(page.value("document.getElementById('health-text').textContent")))
+    everywhere(page, "no source", ["#stop", "#sources button"])
+    os.kill(simulator, signal.SIGCONT)
+    page.end()
+    up.end(20)
+
+
+if not arguments.log:
+    live_states()
+log = arguments.log or sorted(pathlib.Path(runs).glob("*/run.log"))[-1]
 view = Process(binary(bin_folder, "twinbus_log_viewer"), str(log), "--no-open", "--port", "0")
 page = Browser(re.search(r"http://\S+", view.wait_for("http://", 40))[0], (1280, 720))
 check(page.wait_for("globalThis.twinbus?.figures.first", 60), "the log is drawn")
