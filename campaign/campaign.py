@@ -16,6 +16,7 @@ USAGE = """usage: ./twinbus campaign FILE.yaml [OPTION...]     run what is not d
        ./twinbus campaign search FILE.yaml           where failures begin: bisection, CMA-ES, importance sampling
        ./twinbus campaign minimize OUT [ID]          the smallest scene that fails as a run did
        ./twinbus campaign compare OUT OUT...         the same runs on different machines: which differ, by what
+       ./twinbus campaign plan --task S --runs N     what N runs of S seconds cost on 2 to 1,000 cores
        ./twinbus campaign gate FILE.yaml             passes or fails a version by as few runs as its risks allow
 
   --out FOLDER       tables, logs and what is done; default: campaigns/NAME beside the file
@@ -146,7 +147,8 @@ def commands():
     import report
     found = {"report": report.report_command, "view": report.view_command}
     for name, module, function in (("compare", "compare", "compare_command"), ("search", "search", "search_command"),
-                                   ("minimize", "minimize", "minimize_command"), ("gate", "gate", "gate_command")):
+                                   ("minimize", "minimize", "minimize_command"), ("gate", "gate", "gate_command"),
+                                   ("plan", "plan", "plan_command")):
         if pathlib.Path(__file__).with_name(f"{module}.py").exists():
             found[name] = lambda words, m=module, f=function: getattr(__import__(m), f)(words)
     return found
