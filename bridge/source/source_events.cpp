@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "lcmtypes/msg/fallen.h"
+#include "lcmtypes/msg/labels.h"
 #include "lcmtypes/msg/status.h"
 
 namespace twinbus {
@@ -20,46 +21,18 @@ __attribute__((format(printf, 3, 4))) void say(Event& event, int severity, const
   va_end(arguments);
 }
 
-const char* stop_name(StopKind kind) noexcept {
-  switch (kind) {
-    case StopKind::kNone:
-      return "none";
-    case StopKind::kBalanced:
-      return "balanced";
-    case StopKind::kHold:
-      return "hold";
-    case StopKind::kOff:
-      return "off";
-  }
-  return "unknown";
-}
-
-const char* reason_name(StopReason reason) noexcept {
-  if (reason == kStopFallen) return "the robot has fallen; put it on its feet, then clear the stop";
-  switch (reason) {
-    case StopReason::kNone:
-      return "no reason given";
-    case StopReason::kOperator:
-      return "asked by the operator";
-    case StopReason::kGamepad:
-      return "asked on the gamepad";
-    case StopReason::kViewer:
-      return "asked in the viewer";
-    case StopReason::kGuard:
-      return "asked by the guard";
-    case StopReason::kLauncher:
-      return "the stack is being ended";
-    case StopReason::kController:
-      return "asked by the controller";
-    case StopReason::kCommandTimeout:
-      return "no command for the command timeout: is the controller running?";
-    case StopReason::kDevice:
-      return "the device failed";
-    case StopReason::kSwitch:
-      return "rest before a switch";
-  }
-  return "unknown reason";
-}
+constexpr const char* kReason[] = {
+    "no reason given",
+    "asked by the operator",
+    "asked on the gamepad",
+    "asked in the viewer",
+    "asked by the guard",
+    "the stack is being ended",
+    "asked by the controller",
+    "no command for the command timeout: is the controller running?",
+    "the device failed",
+    "rest before a switch",
+    "the robot has fallen; put it on its feet, then clear the stop"};  // kStopFallen
 
 // An alarm only where somebody has to act: who asked for a stop knows of it.
 int severity_of(StopReason reason) noexcept {
@@ -109,8 +82,8 @@ bool next_sentence(SourceStatus& told, const SourceStatus& now, Event& event) no
   }
   if (told.stop_kind != now.stop_kind) {
     if (now.stop_kind != StopKind::kNone) {
-      say(event, severity_of(now.stop_reason), "stop '%s': %s", stop_name(now.stop_kind),
-          reason_name(now.stop_reason));
+      say(event, severity_of(now.stop_reason), "stop '%s': %s", label(now.stop_kind),
+          name_of(now.stop_reason, kReason, "unknown reason"));
     } else {
       say(event, 0, "stop cleared");
     }

@@ -5,9 +5,6 @@
 
 namespace twinbus {
 
-namespace {
-
-// Edits of one character that turn a into b (Levenshtein), capitals ignored.
 std::size_t edits(const std::string& a, const std::string& b) {
   const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
   std::vector<std::size_t> row(b.size() + 1);
@@ -24,35 +21,32 @@ std::size_t edits(const std::string& a, const std::string& b) {
   return row[b.size()];
 }
 
-}  // namespace
+namespace {
 
-std::string nearest_name(const std::string& name, const std::vector<std::string>& candidates) {
-  if (name.size() > 200) return {};
-  std::string best;
-  std::size_t fewest = std::max<std::size_t>(2, name.size() / 3) + 1;
-  for (const std::string& candidate : candidates) {
-    const std::size_t count = edits(name, candidate);
-    if (count < fewest) {
-      fewest = count;
-      best = candidate;
-    }
-  }
-  return best;
-}
-
-std::string misspelt_name(const std::string& name, const std::vector<std::string>& candidates,
-                          std::size_t most) {
+// With the fewest edits, at most `most`; short: also one of which nothing would be left.
+std::string closest(const std::string& name, const std::vector<std::string>& candidates,
+                    std::size_t most, bool short_ones) {
   if (name.size() > 200) return {};
   std::string best;
   std::size_t fewest = most + 1;
   for (const std::string& candidate : candidates) {
     const std::size_t count = edits(name, candidate);
-    // Of a name of one or two letters nothing would be left.
-    if (count >= fewest || count >= candidate.size()) continue;
+    if (count >= fewest || (!short_ones && count >= candidate.size())) continue;
     fewest = count;
     best = candidate;
   }
   return best;
+}
+
+}  // namespace
+
+std::string nearest_name(const std::string& name, const std::vector<std::string>& candidates) {
+  return closest(name, candidates, std::max<std::size_t>(2, name.size() / 3), true);
+}
+
+std::string misspelt_name(const std::string& name, const std::vector<std::string>& candidates,
+                          std::size_t most) {
+  return closest(name, candidates, most, false);
 }
 
 std::string suggestion(const std::string& name, const std::vector<std::string>& candidates) {

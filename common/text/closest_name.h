@@ -2,10 +2,14 @@
 
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
 namespace twinbus {
+
+// Edits of one character that turn a into b (Levenshtein), capitals ignored.
+std::size_t edits(const std::string& a, const std::string& b);
 
 // The candidate with the fewest edits to name, or empty if all are too far away to be a typing
 // mistake.

@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <stdexcept>
 
+#include "common/text/closest_name.h"
+
 namespace twinbus {
 
 namespace {
@@ -152,21 +154,6 @@ const Entry kEntries[] = {
      [](SimSettings& s, double v, double) { s.sensors.seed = static_cast<std::uint64_t>(v); }},
 };
 
-std::size_t edit_distance(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t above = row[j];
-      row[j] = std::min({above + 1, row[j - 1] + 1, diagonal + (a[i - 1] == b[j - 1] ? 0U : 1U)});
-      diagonal = above;
-    }
-  }
-  return row[b.size()];
-}
-
 std::string number_text(double number) {
   char text[32];
   std::snprintf(text, sizeof text, "%g", number);
@@ -187,7 +174,7 @@ std::string apply_setting(const std::string& key, const std::string& value, doub
   }
   const Entry* nearest = kEntries;
   for (const Entry& entry : kEntries) {
-    if (edit_distance(key, entry.key) < edit_distance(key, nearest->key)) nearest = &entry;
+    if (edits(key, entry.key) < edits(key, nearest->key)) nearest = &entry;
     if (key != entry.key) continue;
     char* end = nullptr;
     const double number = std::strtod(value.c_str(), &end);

@@ -1,0 +1,52 @@
+#include "lcmtypes/msg/labels.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+
+#include "lcmtypes/bus/field_copier.h"
+
+namespace twinbus {
+namespace {
+
+// Every value that a message may carry has a name of its own, and the one behind the last has none.
+template <class E>
+void expect_names(E first) {
+  std::set<std::string> names;
+  const int last = last_of(E{});
+  for (int i = static_cast<int>(first); i <= last; ++i) names.insert(label(static_cast<E>(i)));
+  EXPECT_EQ(names.size(), static_cast<std::size_t>(last - static_cast<int>(first) + 1));
+  EXPECT_STREQ(label(static_cast<E>(last + 1)), "unknown");
+  EXPECT_STREQ(label(static_cast<E>(-1)), "unknown");
+}
+
+TEST(Labels, EveryValueHasAName) {
+  expect_names(SourceKind::kNone);
+  expect_names(Role::kNone);
+  expect_names(StopKind::kNone);
+  expect_names(StopReason::kNone);
+  expect_names(Mode::kNone);
+  expect_names(Motion::kNone);
+  expect_names(ProcessKind::kNone);
+  expect_names(GuardVerdict::kClear);
+}
+
+TEST(Labels, NamesStandAtTheirValue) {
+  EXPECT_STREQ(label(StopReason::kCommandTimeout), "missing commands");
+  EXPECT_STREQ(label(ProcessKind::kLauncher), "launcher");
+  EXPECT_STREQ(label(Role::kStandbyShadow), "shadow");
+  EXPECT_STREQ(label(Mode::kWalk), "walk");
+}
+
+TEST(Labels, EveryRefusalHasASentence) {
+  std::set<std::string> sentences;
+  for (int i = 0; i <= static_cast<int>(Refusal::kDevice); ++i)
+    sentences.insert(refusal_text(static_cast<Refusal>(i)));
+  EXPECT_EQ(sentences.size(), static_cast<std::size_t>(Refusal::kDevice) + 1);
+  EXPECT_STREQ(refusal_text(Refusal::kDevice), "the device of the target reports an error; look at its status");
+  EXPECT_STREQ(refusal_text(static_cast<Refusal>(100)), "refused for a reason that this version does not know");
+}
+
+}  // namespace
+}  // namespace twinbus
