@@ -9,6 +9,7 @@
 #include "common/process/process.h"
 #include "common/text/closest_name.h"
 #include "common/text/xml.h"
+#include "launcher/bus/bus_arguments.h"
 #include "launcher/bus/bus_link.h"
 #include "lcmtypes/msg/motion_defaults.h"
 #include "robot/description/load.h"
@@ -147,22 +148,16 @@ int motion_command(const std::vector<std::string>& words, Motion motion, const c
   char far[60], often[60];
   std::snprintf(far, sizeof far, "metres; default %.2f", static_cast<double>(amplitude));
   std::snprintf(often, sizeof often, "per second; default %.1f", static_cast<double>(frequency));
-  const Arguments arguments({name,
-                             "",
-                             about,
-                             {{"--amplitude", "M", far},
-                              {"--frequency", "HZ", often},
-                              prefix_option(),
-                              url_option(),
-                              allow_option()},
-                             0,
-                             0},
-                            words);
+  const Arguments arguments(
+      {name, "", about, on_bus({{"--amplitude", "M", far}, {"--frequency", "HZ", often}}), 0, 0},
+      words);
   ModeRequest request;
   request.mode = Mode::kBalance;
   request.motion = motion;
-  request.amplitude = static_cast<float>(arguments.number("--amplitude", static_cast<double>(amplitude), 0.0, 0.2));
-  request.frequency = static_cast<float>(arguments.number("--frequency", static_cast<double>(frequency), 0.0, 5.0));
+  request.amplitude =
+      static_cast<float>(arguments.number("--amplitude", static_cast<double>(amplitude), 0.0, 0.2));
+  request.frequency =
+      static_cast<float>(arguments.number("--frequency", static_cast<double>(frequency), 0.0, 5.0));
   return ask_and_report(arguments, request, name);
 }
 
@@ -170,14 +165,11 @@ int motion_command(const std::vector<std::string>& words, Motion motion, const c
 
 int stop_command(const std::vector<std::string>& words) {
   const Arguments arguments(
-      {"stop",
-       "[balanced|hold|off]",
+      {"stop", "[balanced|hold|off]",
        "Stops the robot: balanced (default) lets the controller make its shortest safe stop, hold "
        "freezes the\n"
        "posture, off lets go.  Works with the controller dead.  Stays until ./twinbus clear.",
-       {prefix_option(), url_option(), allow_option()},
-       0,
-       1},
+       on_bus(), 0, 1},
       words);
   const std::string word = arguments.word(0, "balanced");
   const std::vector<std::string> kinds = {"balanced", "hold", "off"};
@@ -214,14 +206,11 @@ int stop_command(const std::vector<std::string>& words) {
 }
 
 int clear_command(const std::vector<std::string>& words) {
-  const Arguments arguments({"clear",
-                             "",
+  const Arguments arguments({"clear", "",
                              "Ends a stop: the source goes on from where it stands.  A controller "
                              "that was started again since is\n"
                              "taken on.",
-                             {prefix_option(), url_option(), allow_option()},
-                             0,
-                             0},
+                             on_bus(), 0, 0},
                             words);
   BusLink bus = open_bus(arguments);
   const std::int64_t run = active_run(bus);
@@ -298,19 +287,13 @@ void take_angles(const std::string& text, const Model& model, ModeRequest& reque
 }  // namespace
 
 int pose_command(const std::vector<std::string>& words) {
-  const Arguments arguments({"pose",
-                             "NAME|JOINT=ANGLE[,JOINT=ANGLE...]",
-                             "Moves to a named pose of the robot's SRDF (group_state), or these "
-                             "joints to these angles [rad or m].\n"
-                             "A pose on whose way a standing robot would fall is refused.",
-                             {robot_option(),
-                              {"--duration", "S", "seconds; default 2"},
-                              prefix_option(),
-                              url_option(),
-                              allow_option()},
-                             1,
-                             1},
-                            words);
+  const Arguments arguments(
+      {"pose", "NAME|JOINT=ANGLE[,JOINT=ANGLE...]",
+       "Moves to a named pose of the robot's SRDF (group_state), or these "
+       "joints to these angles [rad or m].\n"
+       "A pose on whose way a standing robot would fall is refused.",
+       on_bus({robot_option(), {"--duration", "S", "seconds; default 2"}}), 1, 1},
+      words);
   const Model model = load_robot(arguments.text("--robot", "hrp1s"));
   ModeRequest request;
   request.mode = Mode::kPose;
@@ -339,16 +322,11 @@ int mode_command(const std::vector<std::string>& words) {
   const std::vector<std::string> names = {"idle", "hold", "balance", "walk", "stop"};
   const std::vector<Mode> modes = {Mode::kIdle, Mode::kHold, Mode::kBalance, Mode::kWalk,
                                    Mode::kStop};
-  const Arguments arguments({"mode",
-                             "idle|hold|balance|walk|stop",
-                             "Asks the controller for a mode; it changes without a jump.",
-                             {{"--let-go", "", "with idle: also of a standing robot, which falls"},
-                              prefix_option(),
-                              url_option(),
-                              allow_option()},
-                             1,
-                             1},
-                            words);
+  const Arguments arguments(
+      {"mode", "idle|hold|balance|walk|stop",
+       "Asks the controller for a mode; it changes without a jump.",
+       on_bus({{"--let-go", "", "with idle: also of a standing robot, which falls"}}), 1, 1},
+      words);
   if (arguments.has("--let-go")) {
     if (arguments.word(0) != "idle") throw UsageError("mode: --let-go is for idle");
     std::vector<std::string> off;  // the same options

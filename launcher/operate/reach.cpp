@@ -9,14 +9,15 @@
 #include <stdexcept>
 
 #include "common/process/arguments.h"
+#include "common/process/process.h"
+#include "launcher/bus/bus_arguments.h"
 #include "launcher/operate/reach_progress.h"
 #include "lcmtypes/bus/bus.h"
 #include "lcmtypes/bus/channels.h"
-#include "planner/arm_planner.h"
-#include "robot/estimation/estimator.h"
-#include "robot/description/load.h"
-#include "common/process/process.h"
 #include "lcmtypes/msg/state_admission.h"
+#include "planner/arm_planner.h"
+#include "robot/description/load.h"
+#include "robot/estimation/estimator.h"
 
 namespace twinbus {
 
@@ -234,18 +235,13 @@ bool go(Watcher& watcher, const Model& model, ArmGoal& goal, bool say) {
 
 int reach_command(const std::vector<std::string>& words) {
   const Arguments arguments(
-      {"reach",
-       "left|right X Y Z [R P Y]",
+      {"reach", "left|right X Y Z [R P Y]",
        "Plans a motion of one arm around obstacles and the robot's own body and follows it.  X Y Z "
        "[m], "
        "R P Y [rad] of the hand in the ground frame: midway between the feet, x forward, z up.",
-       {{"--speed", "SHARE", "of the joints' velocity limits, 0.01 to 1 (0.4)"},
-        robot_option(),
-        prefix_option(),
-        url_option(),
-        allow_option()},
-       1,
-       7},
+       on_bus({{"--speed", "SHARE", "of the joints' velocity limits, 0.01 to 1 (0.4)"},
+               robot_option()}),
+       1, 7},
       words);
   catch_quit_signals();
   const Model model = load_robot(arguments.text("--robot", "hrp1s"));

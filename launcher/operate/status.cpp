@@ -6,10 +6,11 @@
 #include <nlohmann/json.hpp>
 
 #include "common/process/arguments.h"
+#include "common/process/process.h"
+#include "launcher/bus/bus_arguments.h"
 #include "launcher/bus/bus_health.h"
 #include "launcher/bus/bus_link.h"
 #include "launcher/bus/live_table.h"
-#include "common/process/process.h"
 
 namespace twinbus {
 
@@ -18,19 +19,16 @@ namespace {
 constexpr double kLookFor = 1.2;  // two rate windows [s]
 
 Syntax status_syntax() {
-  return {"status",
-          "",
-          "Shows sources with role, term and rate, streams with rate and age, the timing of each "
-          "process's loop,\nand how every channel that it hears does: age, jitter, gaps, "
-          "repetitions, refusals.\n"
-          "Exit status 1 if no source is heard.",
-          {{"--watch", "", "again and again, until Ctrl-C"},
-           {"--json", "", "for programs"},
-           prefix_option(),
-           url_option(),
-           allow_option()},
-          0,
-          0};
+  return {
+      "status",
+      "",
+      "Shows sources with role, term and rate, streams with rate and age, the timing of each "
+      "process's loop,\nand how every channel that it hears does: age, jitter, gaps, "
+      "repetitions, refusals.\n"
+      "Exit status 1 if no source is heard.",
+      on_bus({{"--watch", "", "again and again, until Ctrl-C"}, {"--json", "", "for programs"}}),
+      0,
+      0};
 }
 
 nlohmann::ordered_json channels_json(const FullHeartbeat& b) {

@@ -8,6 +8,7 @@
 
 #include "common/process/arguments.h"
 #include "common/process/process.h"
+#include "launcher/bus/bus_arguments.h"
 #include "launcher/bus/bus_link.h"
 
 namespace twinbus {
@@ -21,8 +22,9 @@ constexpr double kFollowTimeout = 4.0;   // for a shadow to get there [s]
 constexpr double kFollowing = 1.0;  // it has faded in and swings with the active source by then [s]
 constexpr double kNearPosture = 0.045;   // the source itself refuses 0.05 [rad]
 constexpr double kSwitchTimeout = 15.0;  // with when-safe: a stop and 2 s of rest come first [s]
-constexpr double kBusyTimeout = 3.0;     // for the switch before this one to end and its pause to pass [s]
-constexpr double kAlignTimeout = 90.0;   // slow on purpose [s]
+constexpr double kBusyTimeout =
+    3.0;  // for the switch before this one to end and its pause to pass [s]
+constexpr double kAlignTimeout = 90.0;  // slow on purpose [s]
 
 Syntax switch_syntax() {
   return {
@@ -31,15 +33,15 @@ Syntax switch_syntax() {
       "Asks the active source to hand over to the simulator, the hardware bridge or the replay.  "
       "The target is put\n"
       "into standby first.  Prints why when it is refused; nothing has moved then.",
-      {{"--policy", "P", "now, or when-safe (default): after the controller's shortest safe stop"},
-       {"--align", "", "moves the target robot to the posture slowly first"},
-       {"--standby", "S",
-        "of the target until then: shadow or track; default track where a state can be imposed"},
-       {"--run", "ID",
-        "of the target, where there are several of its kind (see ./twinbus status --json)"},
-       prefix_option(),
-       url_option(),
-       allow_option()},
+      on_bus(
+          {{"--policy", "P",
+            "now, or when-safe (default): after the controller's shortest safe stop"},
+           {"--align", "", "moves the target robot to the posture slowly first"},
+           {"--standby", "S",
+            "of the target until then: shadow or track; default track where a state can be "
+            "imposed"},
+           {"--run", "ID",
+            "of the target, where there are several of its kind (see ./twinbus status --json)"}}),
       1,
       1};
 }
@@ -129,7 +131,8 @@ class Switch {
       });
       if (done) return true;
       // The switch before has just ended: the source takes the next one in a moment, and so does whoever asked.
-      if (!refused_as(Refusal::kBusy, request, active_run_) || seconds_since(begin) > kBusyTimeout) break;
+      if (!refused_as(Refusal::kBusy, request, active_run_) || seconds_since(begin) > kBusyTimeout)
+        break;
       bus_.listen(kAskSwitchAgain);
       request.sequence = 0;  // a refusal answers one sequence
     }

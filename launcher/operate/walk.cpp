@@ -8,6 +8,7 @@
 #include "common/process/process.h"
 #include "control/walk/listed_steps.h"
 #include "control/walk/walk_gains.h"
+#include "launcher/bus/bus_arguments.h"
 #include "launcher/bus/bus_link.h"
 #include "launcher/operate/operate.h"
 #include "robot/description/load.h"
@@ -94,8 +95,7 @@ int walk_steps(const Arguments& arguments) {
 
 int walk_command(const std::vector<std::string>& words) {
   const Arguments arguments(
-      {"walk",
-       "VX VY WZ | --steps FILE",
+      {"walk", "VX VY WZ | --steps FILE",
        "Walks at VX m/s forward, VY m/s to the left, turning WZ rad/s to the left, for some "
        "seconds;\n"
        "or the footsteps of a YAML file, at most 32 that take turns, each in the frame of the foot "
@@ -105,14 +105,10 @@ int walk_command(const std::vector<std::string>& words) {
        "      - {foot: left, x: 0.2, y: 0.2, yaw: 0.1}\n"
        "      - {foot: right, x: 0.2, y: -0.2}\n"
        "What the legs do not reach, and a sole on the other, is refused before anything moves.",
-       {{"--for", "S", "seconds; default 2"},
-        {"--steps", "FILE", "footsteps instead of a velocity"},
-        robot_option(),
-        prefix_option(),
-        url_option(),
-        allow_option()},
-       0,
-       3},
+       on_bus({{"--for", "S", "seconds; default 2"},
+               {"--steps", "FILE", "footsteps instead of a velocity"},
+               robot_option()}),
+       0, 3},
       words);
   if (arguments.has("--steps")) {
     if (!arguments.words().empty() || arguments.has("--for"))

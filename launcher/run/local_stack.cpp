@@ -34,41 +34,23 @@ const char* channel_of(const ArmGoal&) { return channel::kArmGoal; }
 
 // What the controller's journal says of a message that is for it.
 template <class T>
-struct JournalKind {
-  static constexpr JournalInput value = JournalInput::kNone;
-};
+constexpr JournalInput kJournalKind = JournalInput::kNone;
 template <>
-struct JournalKind<ModeRequest> {
-  static constexpr JournalInput value = JournalInput::kMode;
-};
+constexpr JournalInput kJournalKind<ModeRequest> = JournalInput::kMode;
 template <>
-struct JournalKind<WalkCommand> {
-  static constexpr JournalInput value = JournalInput::kWalk;
-};
+constexpr JournalInput kJournalKind<WalkCommand> = JournalInput::kWalk;
 template <>
-struct JournalKind<StepList> {
-  static constexpr JournalInput value = JournalInput::kSteps;
-};
+constexpr JournalInput kJournalKind<StepList> = JournalInput::kSteps;
 template <>
-struct JournalKind<Gamepad> {
-  static constexpr JournalInput value = JournalInput::kGamepad;
-};
+constexpr JournalInput kJournalKind<Gamepad> = JournalInput::kGamepad;
 template <>
-struct JournalKind<StopRequest> {
-  static constexpr JournalInput value = JournalInput::kStop;
-};
+constexpr JournalInput kJournalKind<StopRequest> = JournalInput::kStop;
 template <>
-struct JournalKind<ArmGoal> {
-  static constexpr JournalInput value = JournalInput::kGoal;
-};
+constexpr JournalInput kJournalKind<ArmGoal> = JournalInput::kGoal;
 template <>
-struct JournalKind<ArmPathPiece> {
-  static constexpr JournalInput value = JournalInput::kPath;
-};
+constexpr JournalInput kJournalKind<ArmPathPiece> = JournalInput::kPath;
 template <>
-struct JournalKind<ObstaclesPiece> {
-  static constexpr JournalInput value = JournalInput::kObstacles;
-};
+constexpr JournalInput kJournalKind<ObstaclesPiece> = JournalInput::kObstacles;
 
 // The adaptor must be open before a source is built around it.
 SimAdaptor& opened(SimAdaptor& sim, const Model& model, const OneProcessConfig& config) {
@@ -106,8 +88,8 @@ bool OneProcess::over_the_bus(const char* channel, const T& sent, T& received, S
   if (listener_) {
     listener_(channel, encoded, now_ns_);
     if (content != nullptr) *content = content_hash(encoded);
-    if constexpr (JournalKind<T>::value != JournalInput::kNone)
-      journal_.consumed(JournalKind<T>::value, encoded, now_or_one(now_ns_));
+    if constexpr (kJournalKind<T> != JournalInput::kNone)
+      journal_.consumed(kJournalKind<T>, encoded, now_or_one(now_ns_));
   }
   return decode(encoded, received) == Status::kOk;
 }

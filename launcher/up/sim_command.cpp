@@ -11,6 +11,7 @@
 #include "common/process/arguments.h"
 #include "common/process/process.h"
 #include "common/text/closest_name.h"
+#include "launcher/bus/bus_arguments.h"
 #include "launcher/bus/bus_link.h"
 #include "launcher/stack/run_folder.h"
 #include "launcher/up/restart.h"
@@ -80,20 +81,15 @@ int reset_world() {
 
 int push_command(const std::vector<std::string>& words) {
   const Arguments arguments(
-      {"push",
-       "LINK FX FY FZ",
+      {"push", "LINK FX FY FZ",
        "Pushes a link of the simulated robot with a force [N] along the axes of the world (x "
        "forward "
        "at the start,\n"
        "y left, z up), as in: ./twinbus push CHEST 60 0 0 --for 0.2",
-       {{"--for", "S", "seconds; default 0.1"},
-        {"--at", "X,Y,Z", "where on the link, in its frame [m]; default its centre of mass"},
-        robot_option(),
-        prefix_option(),
-        url_option(),
-        allow_option()},
-       4,
-       4},
+       on_bus({{"--for", "S", "seconds; default 0.1"},
+               {"--at", "X,Y,Z", "where on the link, in its frame [m]; default its centre of mass"},
+               robot_option()}),
+       4, 4},
       words);
   const Model model = load_robot(arguments.text("--robot", "hrp1s"));
   const int link = model.find_link(arguments.word(0));
@@ -124,17 +120,14 @@ int push_command(const std::vector<std::string>& words) {
 int sim_command(const std::vector<std::string>& words) {
   const std::vector<std::string> known = {"pause", "go", "step", "pace", "reset"};
   const Arguments arguments(
-      {"sim",
-       "pause | go | step [TICKS] | pace X | reset",
+      {"sim", "pause | go | step [TICKS] | pace X | reset",
        "The simulated world of the running stack: stands still, goes on, does some ticks (default "
        "1) and stands\n"
        "still, runs X times as fast as real time (0.01 to 10), or begins anew with its controller. "
        " "
        "A robot behind\n"
        "the bridge does none of it.",
-       {prefix_option(), url_option(), allow_option()},
-       1,
-       2},
+       on_bus(), 1, 2},
       words);
   const std::string what = arguments.word(0);
   const bool takes_number = what == "step" || what == "pace";
