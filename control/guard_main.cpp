@@ -130,7 +130,7 @@ class GuardProcess {
     pulse_.tick(end, end - begin);
     pulse_.answered(end - heard_ns_);
     if (report.stop_asked) ask_for_a_stop();
-    if (report.hold_mask != 0) tell(report);
+    if (report.hold_mask != 0 || report.stop_asked) tell(report);
   }
 
   static std::int64_t hash_of(const GuardReport& report) noexcept {
@@ -155,14 +155,14 @@ class GuardProcess {
   // Who comes too near whom, at most once a second; while it stays the same two, seldom.
   void tell(const GuardReport& report) noexcept {
     const std::int64_t now = monotonic_ns();
-    const std::array<int, 2> pair = report.pairs_near > 0
-                                        ? std::array<int, 2>{report.link_a[0], report.link_b[0]}
-                                        : std::array<int, 2>{-1, -1};
-    const bool same = pair == told_pair_ && now - held_ns_ < kQuietNs;
+    const GuardCause& cause = watch_.cause();
+    const std::array<int, 2> pair{cause.link_a, cause.link_b};
+    const bool same = pair == told_pair_ && report.stop_asked == told_stop_ && now - held_ns_ < kQuietNs;
     held_ns_ = now;
     if (told_ns_ != 0 && now - told_ns_ < (same ? kQuietSameNs : kQuietNs)) return;
     told_ns_ = now;
     told_pair_ = pair;
+    told_stop_ = report.stop_asked;
     Event event;
     event.utime = wall_us();
     event.sender_id = id_;
@@ -171,20 +171,10 @@ class GuardProcess {
     event.sequence = ++event_sequence_;
     event.severity = 1;
     event.kind = ProcessKind::kGuard;
-    if (report.pairs_near > 0) {
-      std::snprintf(event.text.data(), event.text.size(),
-                    "guard holds joints: %s is %.0f mm from %s", name(report.link_a[0]),
-                    1e3 * static_cast<double>(report.distance[0]), name(report.link_b[0]));
-    } else {
-      std::snprintf(event.text.data(), event.text.size(),
-                    "guard holds joints: they would touch something");
-    }
+    const int used = std::snprintf(event.text.data(), event.text.size(), "%s: ",
+                                   report.stop_asked ? "guard asks for a stop" : "guard holds joints");
+    describe(model_, cause, watch_.margin(), std::span(event.text).subspan(static_cast<std::size_t>(used)));
     if (!bus_.send(channel::kEvent, event)) ++send_failures_;
-  }
-
-  const char* name(int link) const noexcept {
-    return link < model_.link_count() ? model_.links[static_cast<std::size_t>(link)].name.c_str()
-                                      : "an obstacle";
   }
 
   void send_heartbeat() {
@@ -241,6 +231,7 @@ class GuardProcess {
   JournalWriter<SendPage> journal_;
   std::int64_t heard_ns_ = 0, told_ns_ = 0, held_ns_ = 0, stop_tick_ = 0, state_hash_ = 0;
   std::array<int, 2> told_pair_{-1, -1};
+  bool told_stop_ = false;
   std::int64_t missed_ = 0, rejected_ = 0, allocations_ = 0, send_failures_ = 0;
   std::int32_t stop_sequence_ = 0, event_sequence_ = 0;
 

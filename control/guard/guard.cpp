@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdio>
 #include <limits>
+#include <utility>
 
 #include "control/guard/guard_parts.h"
 #include "robot/collision/collision_pairs.h"
@@ -157,6 +159,27 @@ Guard::Guard(const Model& model, const GuardConfig& config)
 Guard::~Guard() = default;
 
 const GuardReport& Guard::report() const noexcept { return impl_->report; }
+const GuardCause& Guard::cause() const noexcept { return impl_->cause; }
+double Guard::margin() const noexcept { return impl_->config.margin; }
+
+void describe(const Model& model, const GuardCause& cause, double margin, std::span<char> text) noexcept {
+  const auto name = [&](int link) {
+    return link < model.link_count() ? model.links[at(link)].name.c_str() : "an obstacle";
+  };
+  if (cause.link_a < 0) {
+    std::snprintf(text.data(), text.size(), "a way to rest could not be proved free in time: all was braked");
+    return;
+  }
+  int used = std::snprintf(text.data(), text.size(), "%s and %s, %.1f mm apart, would come to %.1f mm",
+                           name(cause.link_a), name(cause.link_b), 1e3 * cause.now, 1e3 * cause.then);
+  if (cause.joint >= 0 && used > 0 && used < static_cast<int>(text.size())) {
+    const Joint& joint = model.joints[at(cause.joint)];
+    used += std::snprintf(text.data() + used, text.size() - at(used), " by %s at %.2f %s", joint.name.c_str(),
+                          cause.speed, joint.kind == JointKind::kPrismatic ? "m/s" : "rad/s");
+  }
+  if (used > 0 && used < static_cast<int>(text.size()))
+    std::snprintf(text.data() + used, text.size() - at(used), "; %.0f mm are kept", 1e3 * margin);
+}
 const PairDistance* Guard::pairs() const noexcept { return impl_->pairs.data(); }
 int Guard::pair_count() const noexcept { return impl_->pair_count; }
 std::int64_t Guard::unproved() const noexcept { return impl_->unproved; }
@@ -168,6 +191,7 @@ void Guard::Impl::forget() noexcept {
   track.reset();
   keep.fill(0);
   report = GuardReport{};
+  cause = GuardCause{};
 }
 
 void Guard::reset() noexcept { impl_->forget(); }
@@ -202,6 +226,7 @@ const GuardReport& Guard::Impl::check(const RobotState& state,
                                     pairs.data(), kMaxPairs, &ahead_of_now);
 
   mask = 0, leg_hit = danger = false;
+  const GuardCause last = std::exchange(cause, GuardCause{});
   least_share = kShare;
   const bool other_way = runs_on();
   suspect = -1;
@@ -216,6 +241,7 @@ const GuardReport& Guard::Impl::check(const RobotState& state,
     if (keep[k] > 0) mask |= std::int64_t{1} << k;
   }
 
+  if (!cause.found) cause = last;  // the mask of an earlier tick is still held
   report.tick = state.tick;
   report.run_id = state.run_id;
   report.guard_id = config.guard_id;

@@ -15,6 +15,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "robot/collision/collision.h"
@@ -32,6 +33,15 @@ struct GuardConfig {
   double near = 0.050;       // pairs nearer than this are reported [m]
   int delay_ticks = 2;       // from the state that shows a danger to the brake that answers it
   double servo_lag = 0.005;  // by which a joint runs on behind a set-point that is braked [s]
+};
+
+// What a tick held or stopped the robot for.
+struct GuardCause {
+  bool found = false;
+  int link_a = -1, link_b = -1;  // links >= link_count are obstacles; -1: a way that could not be proved free
+  double now = 0.0, then = 0.0;  // distance of the two at the tick, and where they come nearest [m]
+  int joint = -1;                // that brings them together most
+  double speed = 0.0;            // of it, as the look-ahead has it [rad/s or m/s]
 };
 
 class Guard {
@@ -56,6 +66,9 @@ class Guard {
 
   const GuardReport& report() const noexcept;
 
+  // Why the last tick that held joints or asked for a stop did so.
+  const GuardCause& cause() const noexcept;
+
   // All near pairs of the last tick, nearest first, points in world; links >= link_count are
   // obstacles.
   const PairDistance* pairs() const noexcept;
@@ -71,9 +84,15 @@ class Guard {
   // Obstacles in the world of `base`; the first kMaxObstacles are kept.
   void set_obstacles(const std::vector<Obstacle>& obstacles);
 
+  double margin() const noexcept;  // [m]
+
  private:
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
+
+// In words: "A and B, 12.1 mm apart, would come to 8.3 mm by JOINT at 0.52 rad/s; 10 mm are kept".  Cut off at the end of
+// the text.
+void describe(const Model& model, const GuardCause& cause, double margin, std::span<char> text) noexcept;
 
 }  // namespace twinbus

@@ -77,6 +77,12 @@ bool Guard::Impl::blame_at(const Kinematics& kinematics, const PairDistance& pai
     if (leg[at(j)] != 0) by_legs -= change;
   }
   if (!(together > kNearer)) return false;
+  if (cause.joint < 0) {
+    for (int j = 0; j < model->joint_count(); ++j) {
+      if (changes[j] < 0.0 && (cause.joint < 0 || changes[j] < changes[cause.joint])) cause.joint = j;
+    }
+    cause.speed = courses[at(cause.joint)].speed;
+  }
   for (int j = 0; j < model->joint_count(); ++j) {
     if (leg[at(j)] == 0 && changes[j] < -least_share * together) mask |= bits_of[at(j)];
   }
@@ -117,6 +123,7 @@ void Guard::Impl::blame(const PairDistance& before, const PairDistance& after, c
 // What cannot be proved is answered by a brake of all, which was safe when it was looked at last.
 bool Guard::Impl::hold_all() noexcept {
   ++unproved;
+  if (!cause.found) cause = {.found = true};
   mask |= all_but_legs;
   return true;
 }
@@ -138,6 +145,8 @@ bool Guard::Impl::judge(const CourseWay& way, const CourseWay::Shares& shares,
       before = &far;
     if (before == nullptr || !comes_too_near(*before, found)) continue;
     suspect = pair.pair;
+    if (!cause.found || cause.link_a < 0)
+      cause = {.found = true, .link_a = pair.link_a, .link_b = pair.link_b, .now = before->distance, .then = found.distance};
     blame(*before, found, way, shares[at(place)], courses);
     return true;
   }

@@ -53,6 +53,7 @@ struct Guard::Impl {
   std::array<int, kMaxJoints> keep{};  // ticks left of a mask
   std::int64_t run_id = 0;
   GuardReport report;
+  GuardCause cause;
 
   Impl(const Model& robot, const GuardConfig& wanted);
   bool moves_link(int joint, int link) const noexcept {

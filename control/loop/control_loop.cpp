@@ -467,6 +467,14 @@ const char* ControlLoop::take_sentence() noexcept {
   return own != nullptr ? own : impl_->modes.take_sentence();
 }
 
+std::string ControlLoop::guard_cause() const {
+  const Guard* guard = impl_->guard.get();
+  if (guard == nullptr || !guard->cause().found) return "";
+  std::array<char, 320> text{};
+  describe(impl_->model, guard->cause(), guard->margin(), text);
+  return text.data();
+}
+
 const GuardReport& ControlLoop::guard_report() const noexcept {
   static const GuardReport none;
   return impl_->guard != nullptr ? impl_->guard->report() : none;

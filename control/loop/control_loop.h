@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "control/balance/balance_gains.h"
@@ -71,6 +72,8 @@ class ControlLoop {
   const char* take_sentence() noexcept;
   // The in-loop guard's report of the last step, when guard_in_loop.
   const GuardReport& guard_report() const noexcept;
+  // Why it held joints or asked for a stop last, in words; empty when it never did.  Allocates.
+  std::string guard_cause() const;
 
  private:
   struct Impl;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <span>
 #include <stdexcept>
@@ -272,6 +273,10 @@ void OneProcess::answer(const RobotState& state) {
     stop.sender_id = kOperatorId;
     stop.kind = StopKind::kBalanced;
     stop.reason = StopReason::kGuard;
+    if (stop_cause_.empty()) {
+      stop_cause_ = "asked by the guard: " + loop_->guard_cause();
+      sentences_.push_back("stop " + stop_cause_);
+    }
     say(stop);
   }
 }
@@ -343,6 +348,27 @@ void OneProcess::plan(const ArmGoal& goal) {
   }
 }
 
+void OneProcess::note_touch(const GuardReport& report) {
+  if (report.verdict != GuardVerdict::kInCollision || report.pairs_near < 1) return;
+  const int a = report.link_a[0], b = report.link_b[0];
+  if (touch_a_ < 0) {
+    touch_a_ = a;
+    touch_b_ = b;
+    touch_time_ = static_cast<double>(heard_.tick - first_tick_) * model_.period();
+  }
+  if (a == touch_a_ && b == touch_b_) touch_depth_ = std::min(touch_depth_, static_cast<double>(report.distance[0]));
+}
+
+std::string OneProcess::first_touch() const {
+  if (touch_a_ < 0) return "";
+  const auto name = [&](int link) {
+    return link < model_.link_count() ? model_.links[static_cast<std::size_t>(link)].name : std::string("an obstacle");
+  };
+  char text[80];
+  std::snprintf(text, sizeof text, " by %.1f mm, first at %.3f s", -1e3 * touch_depth_, touch_time_);
+  return ": " + name(touch_a_) + " and " + name(touch_b_) + text;
+}
+
 void OneProcess::watch() {
   SimTruth truth = *sim_.truth();
   truth.tick = heard_.tick;
@@ -353,6 +379,7 @@ void OneProcess::watch() {
   if (listener_) show_scene();
   seen_.on_truth(truth, now_ns_);
   seen_.on_guard(loop_->guard_report(), now_ns_);
+  note_touch(loop_->guard_report());
   walked_.add(truth, loop_->status().mode, loop_->foot_forces(),
               static_cast<double>(heard_.tick - first_tick_) * model_.period());
   const bool pushed = truth.push_force != decltype(truth.push_force){};

@@ -94,6 +94,10 @@ class OneProcess {
   const LooseWatch& loose() const { return loose_; }
   const TouchWatch& touch() const { return touch_; }
   const Model& model() const { return model_; }
+  // Why the source was stopped, in words; empty when it was not, or nobody said.
+  const std::string& stop_cause() const { return stop_cause_; }
+  // The first two that touched and how deep they came, as the end of a sentence; empty when nothing touched.
+  std::string first_touch() const;
   double sole_tilt_max() const { return sole_tilt_max_; }  // [rad]
   std::string state_hash() const { return hash_.text(); }
   // What controller and planner had to say since the last call.
@@ -117,6 +121,7 @@ class OneProcess {
   void plan(const ArmGoal& goal);
   void say_script();
   void watch();
+  void note_touch(const GuardReport& report);
 
   const Model& model_;
   SimAdaptor sim_;
@@ -152,7 +157,9 @@ class OneProcess {
   bool walked_on_ = false;
   std::vector<std::string> sentences_;
   std::vector<ArmPathPiece> arm_answer_;
-  std::string failure_;
+  std::string failure_, stop_cause_;
+  int touch_a_ = -1, touch_b_ = -1;  // links >= link_count are obstacles
+  double touch_depth_ = 0.0, touch_time_ = 0.0;  // deepest of these two [m]; since the start of the scene [s]
 };
 
 }  // namespace twinbus

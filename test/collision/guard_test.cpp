@@ -221,6 +221,21 @@ TEST(Guard, LegsAreNeverMaskedButAskForAStop) {
     rig.command.q[bus("RLEG_HIP_R")] += 0.002;
     const GuardReport& report = rig.tick(guard);
     EXPECT_EQ(report.hold_mask & legs, 0);
+    if (report.stop_asked && !asked) {  // it says of whom, how near, by which joint
+      const GuardCause& cause = guard.cause();
+      ASSERT_TRUE(cause.found && cause.link_b >= 0);
+      EXPECT_LT(cause.then, guard.margin());
+      EXPECT_GT(cause.now, cause.then);
+      ASSERT_GE(cause.joint, 0);
+      EXPECT_NE(model.joints[static_cast<std::size_t>(cause.joint)].name.find("LEG_HIP_R"), std::string::npos);
+      std::array<char, 300> text{};
+      describe(model, cause, guard.margin(), text);
+      EXPECT_NE(std::string(text.data()).find(model.links[static_cast<std::size_t>(cause.link_a)].name), std::string::npos);
+      EXPECT_NE(std::string(text.data()).find("LEG_HIP_R at "), std::string::npos) << text.data();
+      std::array<char, 20> little{};
+      describe(model, cause, guard.margin(), little);  // cut off, not beyond
+      EXPECT_EQ(little.back(), '\0');
+    }
     asked = asked || report.stop_asked;
   }
   EXPECT_TRUE(asked);
