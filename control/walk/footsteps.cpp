@@ -24,6 +24,9 @@ constexpr double kSidewaysEase =
 constexpr double kBent = 0.88, kLeastBent = 0.93;  // hip to ankle, share of the straight leg
 constexpr double kKneeShare = 0.85;  // of its torque that carrying the robot at rest may take
 constexpr double kTurn = 0.6;        // share of a hip's range that a command may use
+constexpr double kZmpForward = 0.03;  // before a sole frame, if the ankles are strong enough [m]
+constexpr double kAnkleShare = 0.35;  // of an ankle's torque that holds it there
+constexpr double kPitch = 0.7;        // cosine: an axis so nearly to the left pitches the foot
 // Of the turn of a step: how far the foot on the inside opens, and how far the other one closes.
 constexpr double kOpens = 1.5, kCloses = 0.5;
 
@@ -51,6 +54,20 @@ double standing_length(const Model& model, const LegReach& reach) {
       kKneeShare * model.joints[at(reach.knee)].effort / (model.total_mass() * kGravity);
   const double bend = std::min(1.0, lever / (0.5 * reach.longest));  // sine of half of it
   return reach.longest * std::clamp(std::sqrt(1.0 - bend * bend), kBent, kLeastBent);
+}
+// The torque that holds the zero-moment point before the ankle is its lever times the weight: an ankle takes kAnkleShare
+// of its own for that, and the rest is left to the stabilizer.
+double held_by_ankle(const Model& model, const LegChain& leg) {
+  Configuration configuration(model);
+  Kinematics kinematics(model);
+  kinematics.update(configuration);
+  double lever = kZmpForward;
+  for (const std::size_t k : {std::size_t{4}, std::size_t{5}}) {
+    const int joint = leg.joint[k];
+    if (std::abs(kinematics.axis_in_world(joint).y()) < kPitch) continue;  // it rolls the foot
+    lever = std::min(lever, kAnkleShare * model.joints[at(joint)].effort / (model.total_mass() * kGravity));
+  }
+  return lever;
 }
 }  // namespace
 
@@ -122,7 +139,10 @@ Gait gait_of(const Model& model, const Walking& w, double margin) {
   g.toe = left.front;
   g.heel = left.back;
   const double length = left.front + left.back;
-  g.zmp_forward = std::clamp(w.zmp_forward, -left.back + 0.25 * length, left.front - 0.25 * length);
+  const double forward = std::isnan(w.zmp_forward)
+                             ? std::min(held_by_ankle(model, leg), held_by_ankle(model, leg_chain(model, 1)))
+                             : w.zmp_forward;
+  g.zmp_forward = std::clamp(forward, -left.back + 0.25 * length, left.front - 0.25 * length);
   g.zmp_inward = w.zmp_inward;
   g.sole_low = {-left.back + margin, -std::min(inner, outer) + margin};
   g.sole_high = {left.front - margin, std::min(inner, outer) - margin};

@@ -3,13 +3,18 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <stdexcept>
 #include <vector>
+
+#include "control/balance/balance.h"
 
 namespace twinbus {
 
 namespace {
 
 constexpr double kDegrees = 57.29577951308232;
+constexpr double kEdgeShare = 0.25;                      // of a sole's length, from its edge
+constexpr double kSoleLength = 220.0, kSoleWidth = 130.0;  // on which a margin is asked as the scene says [mm]
 
 std::string sentence(const char* format, double reached, double asked) {
   if (!std::isfinite(reached)) {  // what stands before the number, and why there is none
@@ -129,13 +134,62 @@ std::string doubts_line(const TrustCounts& trust) {
   return line + text;
 }
 
+bool walks(const Scene& scene) {
+  return !scene.walks.empty() || !scene.pads.empty() || !scene.steps.empty() ||
+         std::any_of(scene.modes.begin(), scene.modes.end(),
+                     [](const TimedMode& timed) { return timed.request.mode == Mode::kWalk; });
+}
+
 }  // namespace
 
+std::string why_not_for(const Scene& scene, const Model& model) {
+  if (walks(scene)) {
+    if (const char* why = Balance::why_not(model))
+      return std::string("it walks, which needs a free base and two legs of six joints with soles, and ") + why;
+  }
+  for (const TimedGoal& timed : scene.goals) {
+    const bool left = timed.goal.side == ArmSide::kLeft;
+    if (model.hands[left ? 0 : 1].link < 0)
+      return std::string("it reaches with the ") + (left ? "left" : "right") +
+             " hand, and robot.yaml names none (hands)";
+  }
+  const auto unknown = [&](const std::string& joint) { return !joint.empty() && model.find_joint(joint) < 0; };
+  for (const auto& [joint, speed] : scene.start_velocity) {
+    if (unknown(joint)) return "it starts with joint " + joint + " in motion, which the robot does not have";
+  }
+  for (const JointEnd& end : scene.criteria.joints) {
+    if (unknown(end.name)) return "it asks where joint " + end.name + " ends, which the robot does not have";
+  }
+  if (unknown(scene.criteria.swing.joint))
+    return "it asks how joint " + scene.criteria.swing.joint + " swings, which the robot does not have";
+  return "";
+}
+
+void refuse_unfit(const Scene& scene, const Model& model) {
+  const std::string why = why_not_for(scene, model);
+  if (why.empty()) return;
+  throw std::runtime_error("scene " + scene.name + " does not apply to the robot " + model.name + ": " + why +
+                           "; ./twinbus run --help says how to name another scene");
+}
+
 Criteria for_robot(Criteria criteria, const Model& model) {
+  const double asked_p5 = criteria.zmp_margin_p5_mm;
+  if (model.soles[0].link < 0 && model.soles[1].link < 0) {  // nothing stands, so nothing of standing is asked
+    for (double* asked :
+         {&criteria.zmp_margin_min_mm, &criteria.slip_max_mm, &criteria.sole_tilt_max_deg, &criteria.zmp_margin_p5_mm,
+          &criteria.step_slip_max_mm, &criteria.force_rms_percent, &criteria.velocity_error_percent})
+      *asked = std::nan("");
+  }
   for (const Sole& sole : model.soles) {
-    if (sole.link < 0 || std::isnan(criteria.zmp_margin_min_mm)) continue;
-    const double most = 1e3 * 0.5 * 0.5 * (sole.front + sole.back);
-    criteria.zmp_margin_min_mm = std::min(criteria.zmp_margin_min_mm, most);
+    if (sole.link < 0) continue;
+    const double length = 1e3 * (sole.front + sole.back), width = 1e3 * (sole.left + sole.right);
+    if (!std::isnan(criteria.zmp_margin_min_mm))
+      criteria.zmp_margin_min_mm = std::min(criteria.zmp_margin_min_mm, kEdgeShare * length);
+    // On one foot: soles that are narrower than those the scenes are written for are asked for as much less.
+    if (!std::isnan(criteria.zmp_margin_p5_mm)) {
+      const double share = std::min({1.0, width / kSoleWidth, length / kSoleLength});
+      criteria.zmp_margin_p5_mm = std::min(criteria.zmp_margin_p5_mm, share * asked_p5);
+    }
   }
   return criteria;
 }
@@ -155,7 +209,7 @@ RunVerdict judge_scene(const OneProcess& run, const Criteria& asked, std::int64_
   if (asked.no_fall && f.fell) failures.push_back("the robot fell");
   if (asked.no_self_collision && f.self_collision_ticks > 0) {
     failures.push_back("the robot touched itself or an obstacle in " +
-                       std::to_string(f.self_collision_ticks) + " ticks");
+                       std::to_string(f.self_collision_ticks) + " ticks" + run.first_touch());
   }
   // NaN: not asked; a figure that is none fails.
   const auto at_most = [&](double reached, double most, const char* format) {
@@ -230,8 +284,9 @@ RunVerdict judge_scene(const OneProcess& run, const Criteria& asked, std::int64_
   if (run.touch().on()) judge_touch(run.touch(), asked.touch, failures);
   if (run.swing().on()) judge_swing(run.swing(), asked.swing, failures);
   if (run.state().role == Role::kStopped) {
-    failures.push_back(std::string("the source is stopped (") + stop_name(run.state().stop_kind) +
-                       ")");
+    const std::string cause = run.stop_cause();
+    failures.push_back(std::string("the source is stopped (") + stop_name(run.state().stop_kind) + ")" +
+                       (cause.empty() ? "" : ": " + cause));
   }
   verdict.passed = failures.empty();
   return verdict;
@@ -241,7 +296,11 @@ std::string scene_figures(const OneProcess& run, const Criteria& asked) {
   const RunFigures& f = run.seen().figures();
   const WalkFigures& w = run.walked();
   char text[400];
-  std::snprintf(text, sizeof text,
+  const bool feet = run.model().soles[0].link >= 0 || run.model().soles[1].link >= 0;
+  if (!feet)
+    std::snprintf(text, sizeof text, "tilt %.2f degrees, no feet\n", kDegrees * f.max_tilt);
+  else
+    std::snprintf(text, sizeof text,
                 "tilt %.2f degrees, ZMP margin %.1f mm, slip %.2f mm, penetration %.2f mm, sole "
                 "tilt %.2f degrees\n",
                 kDegrees * f.max_tilt, 1e3 * f.zmp_margin_min, 1e3 * f.slip_max,

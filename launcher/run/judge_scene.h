@@ -20,4 +20,11 @@ RunVerdict judge_scene(const OneProcess& run, const Criteria& asked, std::int64_
 // Lines for people: how it stood and, if it did, how it walked.
 std::string scene_figures(const OneProcess& run, const Criteria& asked);
 
+// What the scene needs and this robot does not have, as one sentence; empty when the scene is for it.  The names in the
+// scene must have been resolved (resolve_poses).
+std::string why_not_for(const Scene& scene, const Model& model);
+
+// Throws std::runtime_error with that sentence.
+void refuse_unfit(const Scene& scene, const Model& model);
+
 }  // namespace twinbus

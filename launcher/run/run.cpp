@@ -275,6 +275,7 @@ int run_command(const std::vector<std::string>& words) {
   const Model model = load_robot(request.robot);
   scene.criteria = for_robot(scene.criteria, model);
   resolve_poses(scene, model);
+  refuse_unfit(scene, model);
   apply_seed(scene, model, request.seed);
   request.period = model.period();
   request.step_s = scene.step > 0.0 ? scene.step : model.period();

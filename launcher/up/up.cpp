@@ -14,6 +14,7 @@
 #include "launcher/bus/bus_link.h"
 #include "launcher/bus/event_groups.h"
 #include "launcher/bus/live_table.h"
+#include "launcher/run/judge_scene.h"
 #include "launcher/run/state_hash.h"
 #include "launcher/run/verdict.h"
 #include "launcher/stack/run_folder.h"
@@ -103,6 +104,7 @@ Up::Up(const Arguments& arguments) {
   report_ = arguments.text("--report", "");
   const Model model = load_robot(request_.robot);  // the same error for every process, said once
   resolve_poses(scene_, model);
+  refuse_unfit(scene_, model);
   request_.contact = scene_.contact;
   request_.period = model.period();
   request_.step_s = scene_.step > 0.0 ? scene_.step : model.period();

@@ -5,6 +5,8 @@
 
 #pragma once
 
+#include <limits>
+
 #include "common/text/strict_yaml.h"
 #include "robot/description/model.h"
 
@@ -16,7 +18,8 @@ struct Walking {
   double width = 0.0;         // between the sole frames, 0: as legs and soles say [m]
   double lift = 0.05;         // of the swing foot [m]
   double com_height = 0.0;    // of the centre of mass above the ground, 0: as the legs say [m]
-  double zmp_forward = 0.03;  // of the reference zero-moment point before a sole frame [m]
+  // Of the reference zero-moment point before a sole frame [m]; NaN: 0.03, or as much as the ankles can hold.
+  double zmp_forward = std::numeric_limits<double>::quiet_NaN();
   double zmp_inward = 0.005;  // and towards the other foot [m]
   bool preview = false;  // reference by preview control, not in closed form: `pattern: preview`
   bool own_attitude = false;  // from gyro and accelerometer, not the IMU's: `attitude: estimated`

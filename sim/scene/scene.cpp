@@ -12,6 +12,7 @@
 #include "robot/description/load.h"
 #include "sim/contact/rigid_object_mesh.h"
 #include "sim/scene/scene_obstacle.h"
+#include "sim/scene/scene_places.h"
 #include "sim/scene/scene_vectors.h"
 #include "sim/scene/settings.h"
 
@@ -392,6 +393,7 @@ Scene load_scene(const std::string& name_or_file) {
 }
 
 void resolve_poses(Scene& scene, const Model& model) {
+  name_places(scene, model);
   for (TimedMode& timed : scene.modes) {
     if (timed.pose.empty()) continue;
     const std::vector<double> q = pose_on_bus(scene, model, timed.pose);

@@ -150,7 +150,7 @@ struct Scene {
   std::vector<std::pair<std::string, std::string>> settings;  // model.mass_scale=1.03 and the like
 };
 
-// Fills q and joint_mask of the modes and goals that name a pose, in bus order.  Throws
+// Finds what the scene names by what it is (scene_places.h), and fills q and joint_mask of the modes and goals that name a pose, in bus order.  Throws
 // std::runtime_error if the robot has no such pose.
 void resolve_poses(Scene& scene, const Model& model);
 

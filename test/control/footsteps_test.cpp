@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "control/legs/leg_reach.h"
+#include "robot/dynamics/inverse_dynamics.h"
 #include "control/walk/listed_steps.h"
 #include "test/control/hrp1s.h"
 
@@ -116,6 +117,20 @@ TEST(Footsteps, ARobotOfWeakKneesWalksOnStraighterLegs) {
   for (int foot = 0; foot < 2; ++foot)
     weak.joints[static_cast<std::size_t>(leg_reach(weak, foot).knee)].effort = 170.0;
   EXPECT_GT(gait_of(weak, unsaid, 0.01).com_height, bent + 0.02);
+}
+
+// The torque that holds the zero-moment point ahead of the ankle is the weight times its lever.
+TEST(Footsteps, ARobotOfWeakAnklesKeepsTheZmpNearThem) {
+  Model weak = test::hrp1s();
+  Walking unsaid;
+  EXPECT_NEAR(gait_of(weak, unsaid, 0.01).zmp_forward, 0.03, 1e-12);
+  const double weight = weak.total_mass() * kGravity;
+  weak.joints[static_cast<std::size_t>(weak.find_joint("LLEG_ANKLE_R"))].effort = 1.0;  // it rolls the foot
+  EXPECT_NEAR(gait_of(weak, unsaid, 0.01).zmp_forward, 0.03, 1e-12);
+  weak.joints[static_cast<std::size_t>(weak.find_joint("RLEG_ANKLE_P"))].effort = 0.02 * weight;
+  EXPECT_NEAR(gait_of(weak, unsaid, 0.01).zmp_forward, 0.35 * 0.02, 1e-9);
+  unsaid.zmp_forward = 0.02;  // said: as it is
+  EXPECT_EQ(gait_of(weak, unsaid, 0.01).zmp_forward, 0.02);
 }
 
 TEST(Footsteps, AGaitThatTheLegsCannotDoIsRefusedWithItsReason) {

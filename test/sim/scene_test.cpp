@@ -1,4 +1,5 @@
 #include "sim/scene/scene.h"
+#include "sim/scene/scene_places.h"
 
 #include <gtest/gtest.h>
 
@@ -195,6 +196,39 @@ TEST(Scene, APoseIsTakenFromTheRobot) {
             7);
   Scene wrong = from_text("modes:\n  - {at: 1, mode: pose, pose: handstand}\n");
   EXPECT_THROW(resolve_poses(wrong, model), std::runtime_error);
+}
+
+// Names by what they are: the same scene is for robots whose links are called otherwise.
+TEST(Scene, PlacesAreFoundByWhatTheyAre) {
+  const Model model = load_robot("hrp1s");
+  EXPECT_EQ(find_place(model, "chest"), model.find_link("CHEST"));
+  EXPECT_EQ(find_place(model, "CHEST"), model.find_link("CHEST"));
+  EXPECT_EQ(find_place(model, "base"), 0);
+  EXPECT_EQ(find_place(model, "right_hand"), model.hands[1].link);
+  EXPECT_EQ(find_place(model, "left_foot"), model.soles[0].link);
+  EXPECT_EQ(find_place(model, "third_hand"), -1);
+  EXPECT_EQ(find_joint_place(model, "left_ankle_pitch"), model.find_joint("LLEG_ANKLE_P"));
+  EXPECT_EQ(find_joint_place(model, "right_knee"), model.find_joint("RLEG_KNEE"));
+  EXPECT_EQ(find_joint_place(model, "left_thumb"), -1);
+  Scene scene = from_text(
+      "pushes:\n  - {link: chest, impulse: [1, 0, 0], at: 1}\n"
+      "bodies:\n  - {link: left_hand, mass: 1}\n");
+  resolve_poses(scene, model);
+  EXPECT_EQ(scene.pushes[0].link, "CHEST");
+  EXPECT_EQ(scene.bodies[0].link, model.links[static_cast<std::size_t>(model.hands[0].link)].name);
+}
+
+TEST(Scene, ARobotWithOneHandUsesItForEitherAndAFixedOneHolds) {
+  Model model = load_robot("hrp1s");
+  model.hands[0] = Hand{};
+  model.floating_base = false;
+  Scene scene = from_text(
+      "modes:\n  - {at: 0, mode: balance}\n"
+      "goals:\n  - {at: 1, hand: left, pose: half_sitting}\n");
+  resolve_poses(scene, model);
+  EXPECT_EQ(scene.goals[0].goal.side, ArmSide::kRight);
+  EXPECT_NE(scene.goals[0].goal.joint_mask, 0);
+  EXPECT_EQ(scene.modes[0].request.mode, Mode::kHold);
 }
 
 }  // namespace
