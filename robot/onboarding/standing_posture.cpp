@@ -17,6 +17,7 @@ namespace {
 // Of the length of the leg that the hips go down; less where the joints do not allow more.
 constexpr double kDrops[] = {0.06, 0.04, 0.025, 0.015, 0.008, 0.005, 0.003, 0.002, 0.001};
 constexpr int kPostureRounds = 60;
+constexpr double kBetweenSoles = 0.05;  // at least: feet that all but touch cannot be lifted past each other [m]
 
 // Knees forward: the joints of a leg that turn about y are bent like hip, knee and ankle.
 void bend(const Model& model, const Kinematics& k, int foot, Eigen::VectorXd& q) {
@@ -70,6 +71,10 @@ bool find_standing_posture(const Model& model, Eigen::VectorXd& q) {
     leg = (k.link_in_world(root).translation() - target[at(foot)].translation()).norm();
     level += 0.5 * target[at(foot)].translation().z();
   }
+  const double between = target[0].translation().y() - target[1].translation().y() - model.soles[0].right - model.soles[1].left;
+  const double wider = std::max(0.0, kBetweenSoles - between);
+  target[0].translation().y() += 0.5 * wider;
+  target[1].translation().y() -= 0.5 * wider;
   Eigen::VectorXd bent = c.q;
   for (int foot = 0; foot < 2; ++foot) bend(model, k, foot, bent);
   std::vector<InverseKinematics> legs;
