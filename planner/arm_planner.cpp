@@ -109,7 +109,9 @@ bool ArmPlanner::understand(const ArmGoal& goal, const Configuration& start,
   } else if (goal.kind == ArmGoalKind::kPosition || goal.kind == ArmGoalKind::kPose) {
     if (goal.side != ArmSide::kLeft && goal.side != ArmSide::kRight)
       return refuse("side must be left or right");
-    question.hand = &model_->hands[goal.side == ArmSide::kLeft ? 0 : 1];
+    const std::size_t side = goal.side == ArmSide::kLeft ? 0 : 1;
+    question.hand = &model_->hands[side];
+    if (question.hand->link < 0) question.hand = &model_->hands[1 - side];  // the only one is either
     if (question.hand->link < 0 || question.hand->joints.empty())
       return refuse("the robot has no such hand");
     if (question.hand->joints.size() > at(kArmJoints))

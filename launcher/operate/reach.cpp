@@ -121,8 +121,10 @@ ArmGoal goal_from(const Arguments& arguments, const Model& model) {
   const std::string side = arguments.word(0);
   if (side != "left" && side != "right")
     throw UsageError("reach: which hand? say left or right, not " + side);
-  goal.side = side == "left" ? ArmSide::kLeft : ArmSide::kRight;
-  if (model.hands[side == "left" ? 0 : 1].link < 0) {
+  const std::size_t asked = side == "left" ? 0 : 1;
+  const std::size_t hand = model.hands[asked].link >= 0 ? asked : 1 - asked;  // the only one is either
+  goal.side = hand == 0 ? ArmSide::kLeft : ArmSide::kRight;
+  if (model.hands[hand].link < 0) {
     throw std::runtime_error(model.name + " has no " + side + " hand (robot.yaml, hands)");
   }
   const std::size_t count = arguments.words().size();

@@ -141,7 +141,10 @@ TimedGoal read_goal(const ConfigNode& node) {
   } else if (!timed.pose.empty()) {
     timed.goal.kind = ArmGoalKind::kJoints;
   } else {
-    const Eigen::Vector3d position = bounded(node, "position", 10.0, nullptr);
+    const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
+    timed.of_reach = node.has("reach");
+    if (timed.of_reach) timed.reach = bounded(node, "reach", 1.0, nullptr);
+    const Eigen::Vector3d position = bounded(node, "position", 10.0, timed.of_reach ? &zero : nullptr);
     timed.goal.kind = node.has("rpy_deg") ? ArmGoalKind::kPose : ArmGoalKind::kPosition;
     const Eigen::Quaterniond q = rpy(node);
     for (int i = 0; i < 3; ++i) timed.goal.position[static_cast<std::size_t>(i)] = position[i];

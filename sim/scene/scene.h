@@ -36,6 +36,9 @@ struct TimedGoal {
   double at = 0.0;  // [s]
   ArmGoal goal;
   std::string pose;
+  // Of a goal for any arm: from the shoulder, in shares of the stretched arm; resolve_poses makes the position of it.
+  bool of_reach = false;
+  Eigen::Vector3d reach = Eigen::Vector3d::Zero();
 };
 
 // Said again and again from `at` on: a velocity to walk at, or a gamepad that is held.
@@ -160,7 +163,7 @@ void resolve_poses(Scene& scene, const Model& model);
 // Keys: about, robot, engine (articulated or ode), contact (spring_damper, hunt_crossley or rigid), duration, step, accuracy (0.001 or 1 mm), start_pose, start_velocity: {JOINT: speed, ...}, base (floating or fixed), ground:
 // {friction}, obstacles: see scene_obstacle.h, pushes: [link, point, impulse, at,
 // duration], modes: [at, mode, motion, pose, duration, amplitude, frequency], goals: [at, hand,
-// position, rpy_deg, pose, speed, cancel], walks: [at, for, vx, vy, wz], pads: [at, for, left_x, left_y, right_x],
+// position, reach (from the shoulder, in lengths of the arm), rpy_deg, pose, speed, cancel], walks: [at, for, vx, vy, wz], pads: [at, for, left_x, left_y, right_x],
 // footsteps: [at, steps: [foot, x, y, yaw]],
 // terrain: {tile, height, slope_deg, ramp_deg, from, length, width}, push_round: {link, at, every, count, phase, forward, back,
 // sideways, duration}, disturbance: {position, angle_deg, velocity, spin, mass, friction, joints}, bodies: [link, mass, at, shift], loose: [name, shape (box, sphere, cylinder,

@@ -54,6 +54,32 @@ std::vector<int> pitch_joints(const Model& model, int foot) {
   return joints;
 }
 
+// Where a share of the stretched arm from its shoulder is, in the ground frame, while the robot is as the scene starts it.
+Eigen::Vector3d reached(const Scene& scene, const Model& model, const Hand& hand, const Eigen::Vector3d& share) {
+  Configuration c(model);
+  const int pose = model.find_pose(scene.start_pose);
+  for (int j = 0; pose >= 0 && j < model.joint_count(); ++j) c.q[j] = model.poses[at(pose)].q[at(j)];
+  Kinematics k(model);
+  k.update(c);
+  Eigen::Vector3d ground = Eigen::Vector3d::Zero();
+  int soles = 0;
+  for (const Sole& sole : model.soles) {
+    if (sole.link < 0) continue;
+    ground += k.link_in_world(sole.link) * sole.frame.translation();
+    ++soles;
+  }
+  if (soles > 0) ground /= soles;
+  const Eigen::Vector3d shoulder = k.link_in_world(hand.joints.front() + 1).translation();
+  Eigen::Vector3d last = k.link_in_world(hand.link) * hand.frame.translation();
+  double length = 0.0;
+  for (auto joint = hand.joints.rbegin(); joint != hand.joints.rend(); ++joint) {
+    const Eigen::Vector3d here = k.link_in_world(*joint + 1).translation();
+    length += (last - here).norm();
+    last = here;
+  }
+  return shoulder + length * share - ground;
+}
+
 }  // namespace
 
 int find_place(const Model& model, const std::string& name) {
@@ -108,6 +134,10 @@ void name_places(Scene& scene, const Model& model) {
     const std::size_t side = timed.goal.side == ArmSide::kLeft ? 0 : 1;
     if (model.hands[side].link < 0 && model.hands[1 - side].link >= 0)
       timed.goal.side = side == 0 ? ArmSide::kRight : ArmSide::kLeft;
+    const Hand& hand = model.hands[timed.goal.side == ArmSide::kLeft ? 0 : 1];
+    if (!timed.of_reach || hand.link < 0 || hand.joints.empty()) continue;
+    const Eigen::Vector3d position = reached(scene, model, hand, timed.reach);
+    for (int i = 0; i < 3; ++i) timed.goal.position[at(i)] = position[i];
   }
   if (model.floating_base) return;
   for (TimedMode& timed : scene.modes) {
