@@ -44,6 +44,8 @@ bool find_standing_posture(const Model& model, Eigen::VectorXd& q);
 
 // How far the arms are from the legs in a posture [m], at most 0.08.
 double arms_to_legs(const Model& model, const Anatomy& anatomy, const Eigen::VectorXd& q);
+// How far the legs are from each other in a posture [m], at most 0.08.
+double leg_to_leg(const Model& model, const Anatomy& anatomy, const Eigen::VectorXd& q);
 // Turns arms that hang beside the legs outwards until they are 0.08 m from them, or as far as 0.5 rad do it; how far
 // they were turned [rad].
 double hold_arms_out(const Model& model, const Anatomy& anatomy, Eigen::VectorXd& q);

@@ -1,6 +1,7 @@
 // Holds the arms of a proposed posture away from the legs: what hangs beside the thighs brushes past them in a walk.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -65,6 +66,28 @@ double arms_to_legs(const Model& model, const Anatomy& anatomy, const Eigen::Vec
   for (int i = 0; i < count; ++i) {
     const auto& [a, b] = std::pair(near[at(i)].link_a, near[at(i)].link_b);
     if ((is_arm(a) && is_leg(b)) || (is_arm(b) && is_leg(a))) return near[at(i)].distance;
+  }
+  return kClear;
+}
+
+double leg_to_leg(const Model& model, const Anatomy& anatomy, const Eigen::VectorXd& q) {
+  std::array<int, 2> root{};
+  for (std::size_t side = 0; side < 2; ++side) {
+    root[side] = anatomy.soles[side].link;
+    while (root[side] > 0 && model.links[at(root[side])].parent > 0) root[side] = model.links[at(root[side])].parent;
+  }
+  if (root[0] <= 0 || root[1] <= 0 || root[0] == root[1]) return kClear;
+  Collision collision(model);
+  Configuration c(model);
+  c.q = q;
+  Kinematics k(model);
+  k.update(c);
+  std::vector<PairDistance> near(at(kMostPairs));
+  const int count = collision.near_pairs(k, kClear, near.data(), kMostPairs);  // nearest first
+  for (int i = 0; i < count; ++i) {
+    const int a = near[at(i)].link_a, b = near[at(i)].link_b;
+    if ((hangs_on(model, a, root[0]) && hangs_on(model, b, root[1])) || (hangs_on(model, b, root[0]) && hangs_on(model, a, root[1])))
+      return near[at(i)].distance;
   }
   return kClear;
 }

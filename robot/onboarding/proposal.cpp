@@ -21,6 +21,10 @@ namespace fs = std::filesystem;
 // Of hrp1s, which stands well with them; others get theirs by weight.
 constexpr double kWeight = 130.8;         // [kg]
 constexpr double kLegStiffness = 15.6;    // [1/rad], times weight times height of the hips
+// Of a leg joint [s], times its stiffness.  Without a rotor a foot is so light that noise of the velocity, times more than
+// the smaller one, shakes it.
+constexpr double kLegDamping = 0.02, kLightDamping = 0.007;
+constexpr double kLegsApart = 0.02;  // in half_sitting, at least [m]
 constexpr double kSoleStiffness = 1.0e6;  // [N/m]
 constexpr double kSoleDamping = 2.0e3;    // [N s/m]
 constexpr double kLeastStiffness = 1.0;   // [N m/rad]
@@ -193,7 +197,13 @@ class Writer {
     if (!floating()) return;
     for (const NamedPose& pose : known_.poses) {
       if (pose.name != "half_sitting") continue;
-      const std::string why = why_it_falls(model_, to_vector(pose));
+      std::string why = why_it_falls(model_, to_vector(pose));
+      if (const double apart = leg_to_leg(model_, anatomy_, to_vector(pose)); why.empty() && apart < kLegsApart) {
+        char text[100];
+        std::snprintf(text, sizeof(text), "its legs are %.0f mm apart, and %.0f mm let them pass each other", 1e3 * apart,
+                      1e3 * kLegsApart);
+        why = text;
+      }
       if (why.empty()) {
         posture_ = to_vector(pose);
         return;
@@ -308,7 +318,7 @@ class Writer {
     double kd = 1.4 * std::sqrt(kp * inertia);
     if (leg || hands == 2) {
       kp = kLegStiffness * model_.total_mass() * kGravity * std::max(anatomy_.hip_height, 0.1);
-      kd = 0.02 * kp;
+      kd = (joint.rotor_inertia > 0.0 ? kLegDamping : kLightDamping) * kp;
     }
     out += "  - {joints: [" + joint.name + "], kp: " + rough(kp) + ", kd: " + rough(kd) + "}\n";
   }
