@@ -152,6 +152,7 @@ Gait gait_of(const Model& model, const Walking& w, double margin) {
                      kTurn * reach.turn / (kOpens * period) * 2.0};
   g.acceleration = g.most_velocity / std::max(0.2, 2.0 * period);
   g.acceleration.y() *= kSidewaysEase;
+  if (w.fastest > 0.0) g.most_velocity.x() = std::min(g.most_velocity.x(), w.fastest);
   return g;
 }
 

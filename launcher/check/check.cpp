@@ -15,6 +15,7 @@
 #include "launcher/check/check_cells.h"
 #include "launcher/check/check_pairs.h"
 #include "launcher/check/trial.h"
+#include "launcher/check/walk_trial.h"
 #include "robot/collision/loop_joints.h"
 #include "robot/description/link_points.h"
 #include "robot/description/load.h"
@@ -30,6 +31,8 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
+
+constexpr double kWalkPatience = 20.0;  // of the processor's time [s]
 
 const char* kind_name(JointKind kind) {
   return kind == JointKind::kPrismatic    ? "prismatic"
@@ -280,9 +283,17 @@ void print(const Model& model, const Extent& extent) {
   std::printf("\n%zu pairs of links are declared never to touch\n", model.disabled_pairs.size());
 }
 
-json to_json(const Trial& trial) {
+json to_json(const Trial& trial, const WalkTrial& walk) {
   return {{"refusal", trial.refusal},
           {"cannot_balance", trial.cannot_balance},
+          {"walk",
+           {{"why_not", walk.why_not},
+            {"leg_m", number(walk.leg)},
+            {"fastest_m_s", walk.fastest},
+            {"step_m", walk.step},
+            {"limit", walk.limit},
+            {"runs", walk.runs},
+            {"cpu_s", walk.cpu_s}}},
           {"stood", trial.stood},
           {"simulated_s", trial.simulated_s},
           {"realtime_factor", trial.wall_s > 0.0 ? trial.simulated_s / trial.wall_s : 0.0},
@@ -295,6 +306,11 @@ void print(const Trial& trial) {
   std::printf("\n");
   if (!trial.refusal.empty()) return;  // said as the error
   if (!trial.cannot_balance.empty()) {
+    if (trial.free) {
+      std::printf("%s while its servos hold half_sitting, and cannot balance or walk: %s\n",
+                  trial.stood ? "stands only" : "falls", trial.cannot_balance.c_str());
+      return;
+    }
     std::printf(
         "does not stand: %s.  Balance wants a free base and two legs of six joints, each with a "
         "sole: "
@@ -317,6 +333,16 @@ void print(const Trial& trial) {
       "  see `If it falls` in config/robots/README.md; what is named above as suspicious or to be "
       "looked "
       "at comes first\n");
+}
+
+void print(const WalkTrial& walk) {
+  if (walk.runs == 0) return;
+  if (!walk.why_not.empty()) {
+    std::printf("does not walk: %s\n", walk.why_not.c_str());
+    return;
+  }
+  std::printf("walks: %.2f m/s forward, steps of %.2f m, legs of %.2f m (%d walks in %.1f s)%s%s\n", walk.fastest,
+              walk.step, walk.leg, walk.runs, walk.cpu_s, walk.limit.empty() ? "" : "; faster: ", walk.limit.c_str());
 }
 
 void print(const char* title, const std::vector<Suspicion>& all) {
@@ -343,7 +369,7 @@ int check_command(const std::vector<std::string>& words) {
        "files.\n"
        "Prints mass, size, joints, sensors, what is suspicious and what robot.yaml lacks; for a "
        "URDF without\n"
-       "robot.yaml also proposes one.  Then the robot, or what is proposed, stands for two seconds "
+       "robot.yaml also proposes one, with a gait found by walking in the simulator.  The robot, or what is proposed, stands for two seconds "
        "in the "
        "simulator.\n"
        "Exit status 1 if it is refused, with one line naming file and remedy, or does not stand "
@@ -381,6 +407,14 @@ int check_command(const std::vector<std::string>& words) {
   }
   // Loaded before anything is written: a proposal that is none leaves no folder.
   Model proposed = proposal ? load_proposed(*proposal, subject) : Model();
+  const Trial trial = try_to_stand(proposal ? proposed : model);
+  WalkTrial walk;
+  if (proposal && trial.stood && trial.cannot_balance.empty()) {
+    walk = find_walk(proposed, kWalkPatience);
+    if (!walk.walking.empty())
+      proposal->yaml += "\n# As it walked best in the simulator; fastest: what commands may ask for [m/s].\nwalking: {" +
+                        walk.walking + "}\n";
+  }
   if (proposal && !folder.empty()) {
     const fs::path name(subject.source.urdf_name);
     fs::create_directories(folder);
@@ -389,7 +423,6 @@ int check_command(const std::vector<std::string>& words) {
     write_file(fs::path(folder) / name, subject.text);
   }
   if (proposal && !folder.empty()) proposed = load_robot(fs::absolute(folder).string());
-  const Trial trial = try_to_stand(proposal ? proposed : model);
   if (proposal) {  // beside robot.yaml itself, what the proposal leaves open
     missing = {{"robot.yaml", "is not there",
                 folder.empty() ? "take the proposal below" : "one is proposed"}};
@@ -400,7 +433,7 @@ int check_command(const std::vector<std::string>& words) {
     json out = report(model, extent);
     out["suspicious"] = to_json(suspicions);
     out["missing"] = to_json(missing);
-    out["trial"] = to_json(trial);
+    out["trial"] = to_json(trial, walk);
     if (proposal) {
       out["proposed"] = {{"robot_yaml", proposal->yaml},
                          {"srdf", proposal->srdf},
@@ -428,6 +461,7 @@ int check_command(const std::vector<std::string>& words) {
     }
   }
   print(trial);
+  print(walk);
   if (proposal && !folder.empty() && trial.stood)
     std::printf("next: ./twinbus run stand --robot %s\n", folder.c_str());
   if (!trial.refusal.empty())

@@ -12,7 +12,8 @@ namespace twinbus {
 struct Trial {
   std::string refusal;         // why `run` would refuse it; empty: it does not
   std::string cannot_balance;  // why it is no robot that balances; empty: it is one
-  bool stood = false;
+  bool stood = false;          // by balance, or by its servos when it cannot balance
+  bool free = false;           // its base is
   double simulated_s = 0.0, wall_s = 0.0;
   std::string figures;                // one line
   std::vector<std::string> failures;  // of the criteria of scene `stand`

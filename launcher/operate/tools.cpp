@@ -68,6 +68,7 @@ constexpr BenchRow kBenches[] = {
     {"control", "kinematics", "one call of the robot library"},
     {"control", "ik", "inverse kinematics of arms and legs"},
     {"control", "pushes", "the largest push a standing robot survives, by direction"},
+    {"walking", "any_robot", "humanoids never met: proposed, they stand and walk"},
     {"walking", "walk", "stops, pushes, another robot, time of a tick"},
     {"walking", "walk_map", "pushes survived on the spot, by direction and phase"},
     {"walking", "walk_switch", "sources switched under a robot that walks"},

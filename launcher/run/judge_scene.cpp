@@ -165,15 +165,17 @@ std::string why_not_for(const Scene& scene, const Model& model) {
   return "";
 }
 
-void refuse_unfit(const Scene& scene, const Model& model) {
+void fit_scene(Scene& scene, const Model& model) {
+  resolve_poses(scene, model);
+  scene.criteria = for_robot(scene.criteria, model, walks(scene));
   const std::string why = why_not_for(scene, model);
   if (why.empty()) return;
   throw std::runtime_error("scene " + scene.name + " does not apply to the robot " + model.name + ": " + why +
                            "; ./twinbus run --help says how to name another scene");
 }
 
-Criteria for_robot(Criteria criteria, const Model& model) {
-  const double asked_p5 = criteria.zmp_margin_p5_mm;
+Criteria for_robot(Criteria criteria, const Model& model, bool walks) {
+  const double asked_min = criteria.zmp_margin_min_mm, asked_p5 = criteria.zmp_margin_p5_mm;
   if (model.soles[0].link < 0 && model.soles[1].link < 0) {  // nothing stands, so nothing of standing is asked
     for (double* asked :
          {&criteria.zmp_margin_min_mm, &criteria.slip_max_mm, &criteria.sole_tilt_max_deg, &criteria.zmp_margin_p5_mm,
@@ -183,13 +185,13 @@ Criteria for_robot(Criteria criteria, const Model& model) {
   for (const Sole& sole : model.soles) {
     if (sole.link < 0) continue;
     const double length = 1e3 * (sole.front + sole.back), width = 1e3 * (sole.left + sole.right);
-    if (!std::isnan(criteria.zmp_margin_min_mm))
-      criteria.zmp_margin_min_mm = std::min(criteria.zmp_margin_min_mm, kEdgeShare * length);
     // On one foot: soles that are narrower than those the scenes are written for are asked for as much less.
-    if (!std::isnan(criteria.zmp_margin_p5_mm)) {
-      const double share = std::min({1.0, width / kSoleWidth, length / kSoleLength});
-      criteria.zmp_margin_p5_mm = std::min(criteria.zmp_margin_p5_mm, share * asked_p5);
+    const double share = std::min({1.0, width / kSoleWidth, length / kSoleLength});
+    if (!std::isnan(criteria.zmp_margin_min_mm)) {
+      criteria.zmp_margin_min_mm = std::min(criteria.zmp_margin_min_mm, kEdgeShare * length);
+      if (walks) criteria.zmp_margin_min_mm = std::min(criteria.zmp_margin_min_mm, share * asked_min);
     }
+    if (!std::isnan(criteria.zmp_margin_p5_mm)) criteria.zmp_margin_p5_mm = std::min(criteria.zmp_margin_p5_mm, share * asked_p5);
   }
   return criteria;
 }

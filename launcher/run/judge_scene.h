@@ -12,8 +12,8 @@
 namespace twinbus {
 
 // Criteria as they are asked of this robot: of the ZMP's margin no more than half of what its soles
-// can give.
-Criteria for_robot(Criteria criteria, const Model& model);
+// can give; of a robot that walks, and so stands on one foot, in proportion to soles narrower than 130 mm or shorter than 220.
+Criteria for_robot(Criteria criteria, const Model& model, bool walks = false);
 
 RunVerdict judge_scene(const OneProcess& run, const Criteria& asked, std::int64_t ticks);
 
@@ -24,7 +24,7 @@ std::string scene_figures(const OneProcess& run, const Criteria& asked);
 // scene must have been resolved (resolve_poses).
 std::string why_not_for(const Scene& scene, const Model& model);
 
-// Throws std::runtime_error with that sentence.
-void refuse_unfit(const Scene& scene, const Model& model);
+// Names resolved and criteria as this robot's soles make them.  Throws std::runtime_error with that sentence.
+void fit_scene(Scene& scene, const Model& model);
 
 }  // namespace twinbus

@@ -273,9 +273,8 @@ int run_command(const std::vector<std::string>& words) {
   request.duration = arguments.number("--for", scene.duration, 0.002, 1e6);
   request.seed = static_cast<std::uint64_t>(arguments.number("--seed", 1.0, 0.0, 1e9));
   const Model model = load_robot(request.robot);
-  scene.criteria = for_robot(scene.criteria, model);
-  resolve_poses(scene, model);
-  refuse_unfit(scene, model);
+  fit_scene(scene, model);
+  if (!scene.scaled.empty()) std::printf("%s\n", scene.scaled.c_str());
   apply_seed(scene, model, request.seed);
   request.period = model.period();
   request.step_s = scene.step > 0.0 ? scene.step : model.period();

@@ -94,17 +94,15 @@ Up::Up(const Arguments& arguments) {
   request_.robot = arguments.text("--robot", scene_.robot);
   request_.engine = arguments.text("--engine", scene_.engine);
   Engine engine;
-  if (!engine_of(request_.engine, engine)) {
+  if (!engine_of(request_.engine, engine))
     throw UsageError("up: there is no engine '" + request_.engine + "'; use articulated or ode");
-  }
   request_.lockstep = arguments.has("--lockstep");
   request_.rate = arguments.number("--rate", 1.0, 0.01, 100.0);
   request_.duration = arguments.number("--for", 0.0, 0.1, 1e6);
   request_.seed = static_cast<std::uint64_t>(arguments.number("--seed", 1.0, 0.0, 1e9));
   report_ = arguments.text("--report", "");
   const Model model = load_robot(request_.robot);  // the same error for every process, said once
-  resolve_poses(scene_, model);
-  refuse_unfit(scene_, model);
+  fit_scene(scene_, model);
   request_.contact = scene_.contact;
   request_.period = model.period();
   request_.step_s = scene_.step > 0.0 ? scene_.step : model.period();

@@ -11,6 +11,7 @@ Walking read_walking(const ConfigNode& node) {
   w.com_height = node.number("com_height", 0.0, 5.0, w.com_height);
   w.zmp_forward = node.number("zmp_forward", -0.5, 0.5, w.zmp_forward);
   w.zmp_inward = node.number("zmp_inward", -0.2, 0.2, w.zmp_inward);
+  w.fastest = node.number("fastest", 0.0, 10.0, w.fastest);
   w.preview = node.choice("pattern", {"closed_form", "preview"}, 0) == 1;
   w.own_attitude = node.choice("attitude", {"imu", "estimated"}, 0) == 1;
   node.finish();

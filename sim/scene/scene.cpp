@@ -13,6 +13,7 @@
 #include "sim/contact/rigid_object_mesh.h"
 #include "sim/scene/scene_obstacle.h"
 #include "sim/scene/scene_places.h"
+#include "sim/scene/scene_scale.h"
 #include "sim/scene/scene_vectors.h"
 #include "sim/scene/settings.h"
 
@@ -396,6 +397,7 @@ Scene load_scene(const std::string& name_or_file) {
 }
 
 void resolve_poses(Scene& scene, const Model& model) {
+  scale_to(scene, model);
   name_places(scene, model);
   for (TimedMode& timed : scene.modes) {
     if (timed.pose.empty()) continue;

@@ -150,6 +150,7 @@ struct Scene {
   std::vector<Grasp> grasps;
   Criteria criteria;
   std::string text;                                           // as read
+  std::string scaled;  // what scale_to made of it for the robot, in words; empty: nothing
   std::vector<std::pair<std::string, std::string>> settings;  // model.mass_scale=1.03 and the like
 };
 

@@ -28,7 +28,8 @@ TEST(SceneFit, WhatARobotDoesNotHaveIsSaid) {
   const Model table = load_robot("table");  // no legs, no hands
   EXPECT_NE(why_not_for(resolved("walk_forward", table), table).find("two legs"), std::string::npos);
   EXPECT_NE(why_not_for(resolved("release", table), table).find("left_ankle_pitch"), std::string::npos);
-  EXPECT_THROW(refuse_unfit(resolved("walk_forward", table), table), std::runtime_error);
+  Scene walk = load_scene("walk_forward");
+  EXPECT_THROW(fit_scene(walk, table), std::runtime_error);
   Model handless = load_robot("hrp1s");
   handless.hands = {};
   Scene reach = load_scene("reach");
@@ -49,6 +50,7 @@ TEST(SceneFit, MarginsAreThoseOfTheSoles) {
   for (Sole& sole : model.soles) sole.left = sole.right = 0.034;  // 68 mm wide
   EXPECT_NEAR(for_robot(asked, model).zmp_margin_p5_mm, 30.0 * 68.0 / 130.0, 1e-9);
   EXPECT_EQ(for_robot(asked, model).zmp_margin_min_mm, 40.0);
+  EXPECT_NEAR(for_robot(asked, model, true).zmp_margin_min_mm, 40.0 * 68.0 / 130.0, 1e-9);
   model.soles = {};
   const Criteria none = for_robot(asked, model);
   EXPECT_TRUE(std::isnan(none.zmp_margin_p5_mm) && std::isnan(none.zmp_margin_min_mm) && std::isnan(none.slip_max_mm));

@@ -20,6 +20,11 @@ def stands(checks, urdf, scratch):
     folder = os.path.join(scratch, urdf.stem)
     status, out, err = cli("check", str(urdf), "--propose", folder, timeout=120)
     checks.that(status == 0 and "\nstands: " in out, f"check of {urdf.name} says that it stands: {out[-600:]}{err}")
+    yaml = (pathlib.Path(folder) / "robot.yaml").read_text()
+    checks.that("\nwalks: " in out and "fastest: " in yaml.partition("\nwalking: {")[2],
+                f"{urdf.name} walks, and robot.yaml says how fast: {out[-600:]}")
+    status, out, err = cli("run", "walk_forward", "--robot", folder, "--for", "6", timeout=120)
+    checks.that("speeds x" in out and "the robot fell" not in out and "stopped" not in out, f"{urdf.name} walks in its own measure: {out}{err}")
     status, out, err = cli("run", "stand", "--robot", folder, "--for", "1", timeout=120)
     checks.that(status == 0 and "passed" in out, f"{urdf.name} stands: {out}{err}")
     status, out, err = cli("check", folder, timeout=120)
@@ -35,6 +40,8 @@ def refusals(checks, scratch):
     (folder / "r.urdf").write_text("<robot name='r'>" + link.format("a", 5, 0.1) + link.format("b", 1, 0) + joint + "</robot>")
     (folder / "r.srdf").write_text("<robot name='r'><group_state name='half_sitting' group='all'><joint name='j' value='0'/></group_state></robot>")
     (folder / "robot.yaml").write_text("urdf: r.urdf\nsrdf: r.srdf\nbase: fixed\n")
+    status, out, err = cli("run", "walk_forward", "--robot", "table")
+    checks.that(status == 1 and "does not apply to the robot" in err and not out, f"a robot without legs is refused before it walks: {out}{err}")
     for command in (["check", str(folder)], ["run", "stand", "--robot", str(folder)]):
         status, _, err = cli(*command)
         checks.that(status == 1 and "link 'b' cannot be simulated" in err, f"{command[0]} refuses a link without inertia: {status} {err}")

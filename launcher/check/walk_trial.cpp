@@ -1,0 +1,310 @@
+#include "launcher/check/walk_trial.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+#include <stdexcept>
+#include <vector>
+
+#include "common/math/index.h"
+#include "control/balance/balance.h"
+#include "control/legs/leg_reach.h"
+#include "control/walk/footsteps.h"
+#include "launcher/run/judge_scene.h"
+#include "launcher/run/local_stack.h"
+#include "robot/description/walking_config.h"
+#include "sim/scene/scene.h"
+
+namespace twinbus {
+
+namespace {
+
+constexpr double kShare = 0.85;        // of the largest speed, reported
+constexpr double kTiltMost = 5.0;      // [degrees]
+constexpr double kVelocityMost = 20.0; // error of the velocity [percent]
+constexpr double kShort = 5.0, kLong = 10.0;  // of a walk [s]
+constexpr double kStart = 1.0, kStop = 2.5;   // before it and after it [s]
+constexpr double kFroude = 0.45;       // of sqrt(g l), at most tried
+constexpr double kSlower = 0.65;       // the next speed after one that failed
+constexpr int kSlowerTimes = 5, kBisections = 3;
+constexpr double kGain = 1.08;         // a gait that does not walk so much faster is not worth a setting
+constexpr double kPinned = 0.98;       // of a limit: the joint is at it
+constexpr double kNearEnd = 0.01;      // of a range: the joint is at its end [rad]
+
+// Entries of the map `walking` that the search may give.
+struct GaitChoice {
+  double single_support = std::nan(""), zmp_forward = std::nan(""), com_height = std::nan("");
+  double fastest = std::nan("");
+
+  std::string text() const {
+    std::string out;
+    const auto add = [&](const char* key, double value) {
+      if (std::isnan(value)) return;
+      char entry[60];
+      std::snprintf(entry, sizeof entry, "%s%s: %.4g", out.empty() ? "" : ", ", key, value);
+      out += entry;
+    };
+    add("single_support", single_support);
+    add("zmp_forward", zmp_forward);
+    add("com_height", com_height);
+    add("fastest", fastest);
+    return out;
+  }
+};
+
+// The joint that is at a limit first while the robot walks.
+class LimitWatch {
+ public:
+  explicit LimitWatch(const Model& model) : model_(model) {}
+
+  void add(const RobotState& state, double time) {
+    if (!text_.empty()) return;
+    if (stood_at_.empty()) {
+      for (std::size_t k = 0; k < model_.bus_joints.size(); ++k) stood_at_.push_back(end_of_range(k, state.q[k]));
+    }
+    for (std::size_t k = 0; k < model_.bus_joints.size(); ++k) {
+      const Joint& joint = model_.joints[at(model_.bus_joints[k])];
+      const double q = state.q[k], v = std::abs(static_cast<double>(state.qd[k])), t = std::abs(static_cast<double>(state.tau[k]));
+      char text[160];
+      if (t > kPinned * joint.effort) {
+        std::snprintf(text, sizeof text, "%s is the first at a limit: %.3g N m of torque, %.2f s after the start",
+                      joint.name.c_str(), joint.effort, time);
+      } else if (v > kPinned * joint.velocity) {
+        std::snprintf(text, sizeof text, "%s is the first at a limit: %.3g rad/s, %.2f s after the start", joint.name.c_str(),
+                      joint.velocity, time);
+      } else if (const int end = end_of_range(k, q); end != 0 && end != stood_at_[k]) {
+        std::snprintf(text, sizeof text, "%s is the first at a limit: %.3g rad, the %s end of its range, %.2f s after the start",
+                      joint.name.c_str(), end < 0 ? joint.lower : joint.upper, end < 0 ? "lower" : "upper", time);
+      } else {
+        continue;
+      }
+      text_ = text;
+      return;
+    }
+  }
+  const std::string& text() const { return text_; }
+
+ private:
+  // -1: at the lower end, 1: at the upper one.
+  int end_of_range(std::size_t k, double q) const {
+    const Joint& joint = model_.joints[at(model_.bus_joints[k])];
+    const double near = std::min(kNearEnd, (1.0 - kPinned) * (joint.upper - joint.lower));
+    return q < joint.lower + near ? -1 : q > joint.upper - near ? 1 : 0;
+  }
+
+  const Model& model_;
+  std::vector<int> stood_at_;  // ends at which a joint was before: no limit that walking met
+  std::string text_;
+};
+
+Scene walk_scene(const Model& model, double speed, double seconds) {
+  Scene scene;
+  scene.name = "walk";
+  scene.robot = model.name;
+  scene.duration = kStart + seconds + kStop;
+  const auto mode = [&](double at, Mode wanted) {
+    TimedMode timed;
+    timed.at = at;
+    timed.request.mode = wanted;
+    scene.modes.push_back(timed);
+  };
+  mode(0.0, Mode::kBalance);
+  mode(0.5, Mode::kWalk);
+  mode(kStart + seconds + 0.5, Mode::kBalance);
+  TimedWalk walk;
+  walk.at = kStart;
+  walk.duration = seconds;
+  walk.command.vx = static_cast<float>(speed);
+  walk.command.timeout = 0.1F;
+  scene.walks.push_back(walk);
+  scene.criteria.max_tilt_deg = kTiltMost;
+  scene.criteria.velocity_error_percent = kVelocityMost;
+  return scene;
+}
+
+// Of this process: what others do to the machine costs no walks.
+double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+class Search {
+ public:
+  Search(const Model& model, double patience) : model_(model), yaml_(model.yaml_text), ends_(cpu_seconds() + patience) {}
+
+  bool time_left() const { return cpu_seconds() < ends_; }
+  int runs() const { return runs_; }
+  const std::string& failure() const { return failure_; }
+  const std::string& limit() const { return limit_; }
+
+  // Whether it walks so; why not: failure(), limit().
+  bool walks(const GaitChoice& gait, double speed, double seconds) {
+    ++runs_;
+    take(gait);
+    failure_.clear();
+    limit_.clear();
+    try {
+      const Scene scene = walk_scene(model_, speed, seconds);
+      OneProcess run(model_, scene, {});
+      LimitWatch limits(model_);
+      const auto ticks = static_cast<std::int64_t>(std::llround(scene.duration / model_.period()));
+      while (run.ticks() < ticks && run.tick()) {
+        if (run.seen().figures().fell || run.state().role == Role::kStopped) break;
+        const double time = static_cast<double>(run.ticks()) * model_.period();
+        if (time > 0.4) limits.add(run.state(), time - kStart);
+      }
+      const RunVerdict verdict = judge_scene(run, scene.criteria, run.ticks());
+      if (verdict.passed && run.ticks() >= ticks) return true;
+      for (const std::string& failure : verdict.failures) failure_ += (failure_.empty() ? "" : ", ") + failure;
+      limit_ = limits.text();
+    } catch (const std::runtime_error& error) {
+      failure_ = error.what();
+    }
+    return false;
+  }
+
+  double fastest_of_legs(const GaitChoice& gait) {
+    take(gait);
+    try {
+      return gait_of(model_, walking_of(model_), 0.01).most_velocity.x();
+    } catch (const std::runtime_error& error) {
+      failure_ = error.what();
+      return 0.0;
+    }
+  }
+
+ private:
+  void take(const GaitChoice& gait) {
+    const std::string entries = gait.text();
+    model_.yaml_text = entries.empty() ? yaml_ : yaml_ + "\nwalking: {" + entries + "}\n";
+  }
+
+  Model model_;
+  std::string yaml_, failure_, limit_;
+  double ends_;  // [s]
+  int runs_ = 0;
+};
+
+struct Found {
+  double speed = 0.0;  // 0: none
+  std::string failure, limit;  // at the lowest speed that failed
+};
+
+// The largest speed below `most` that walks.
+Found largest(Search& search, const GaitChoice& gait, double most, double seconds) {
+  Found found;
+  double fails = most, walks = 0.0;
+  for (int k = 0; k <= kSlowerTimes && search.time_left(); ++k) {
+    if (search.walks(gait, fails, seconds)) {
+      walks = fails;
+      break;
+    }
+    found.failure = search.failure();
+    found.limit = search.limit();
+    fails *= kSlower;
+  }
+  found.speed = walks;
+  if (!(walks > 0.0) || walks >= most) return found;
+  double high = walks / kSlower;
+  for (int k = 0; k < kBisections && search.time_left(); ++k) {
+    const double middle = 0.5 * (found.speed + high);
+    if (search.walks(gait, middle, seconds)) {
+      found.speed = middle;
+    } else {
+      high = middle;
+      found.failure = search.failure();
+      found.limit = search.limit();
+    }
+  }
+  return found;
+}
+
+// 10 s, slower until it walks.
+double verified(Search& search, const GaitChoice& gait, double speed) {
+  for (int k = 0; k < 6; ++k, speed *= 0.92) {
+    if (search.walks(gait, speed, kLong)) return speed;
+  }
+  return 0.0;
+}
+
+// One after the other each way that a gait may differ; what walks faster is kept.
+GaitChoice tuned(Search& search, const Gait& usual, double leg, double start, double& speed) {
+  GaitChoice best;
+  double target = std::max(start, 0.08 * std::sqrt(kGravity * leg));
+  const auto try_one = [&](GaitChoice gait) {
+    for (int k = 0; k < 3 && search.time_left(); ++k) {
+      const double wanted = speed > 0.0 ? kGain * speed : target;
+      if (wanted > search.fastest_of_legs(gait) || !search.walks(gait, wanted, kShort)) return;
+      best = gait;
+      speed = wanted;
+    }
+  };
+  for (const double place : {0.5 * usual.zmp_forward, 0.0, 0.25 * usual.zmp_forward + 0.01}) {
+    GaitChoice gait = best;
+    gait.zmp_forward = place;
+    try_one(gait);
+  }
+  for (const double time : {0.41, 0.45, 0.6, 0.35}) {
+    GaitChoice gait = best;
+    gait.single_support = time;
+    try_one(gait);
+  }
+  for (const double share : {-0.03, 0.025}) {
+    GaitChoice gait = best;
+    gait.com_height = usual.com_height + share * leg;
+    try_one(gait);
+  }
+  return best;
+}
+
+}  // namespace
+
+WalkTrial find_walk(const Model& model, double patience) {
+  WalkTrial trial;
+  if (const char* why = Balance::why_not(model)) {
+    trial.why_not = why;
+    return trial;
+  }
+  const double begin = cpu_seconds();
+  Gait usual;
+  try {
+    const LegReach reach = leg_reach(model, 0);
+    trial.leg = reach.longest + reach.ankle_height;
+    usual = gait_of(model, walking_of(model), 0.01);
+  } catch (const std::runtime_error& error) {
+    trial.why_not = error.what();
+    return trial;
+  }
+  Search search(model, patience);
+  const double scale = std::sqrt(kGravity * trial.leg);
+  const double most = std::min(usual.most_velocity.x(), kFroude * scale);
+  Found found = largest(search, {}, most, kShort);
+  GaitChoice choice;
+  double start = found.speed > 0.0 ? verified(search, choice, found.speed) : 0.0;
+  if (search.time_left()) {
+    double speed = start;
+    const GaitChoice other = tuned(search, usual, trial.leg, 0.5 * start, speed);
+    if (!other.text().empty() && speed > start) {
+      const double reached = verified(search, other, speed);
+      if (reached > kGain * start) {
+        choice = other;
+        start = reached;
+      }
+    }
+  }
+  trial.runs = search.runs();
+  trial.cpu_s = cpu_seconds() - begin;
+  trial.limit = found.limit.empty() ? found.failure : found.failure + "; " + found.limit;
+  if (!(start > 0.0)) {
+    trial.why_not = trial.limit.empty() ? "it does not walk at any speed" : trial.limit;
+    return trial;
+  }
+  trial.fastest = kShare * start;
+  const Walking walking = walking_of(model);
+  const double single = std::isnan(choice.single_support) ? walking.single_support : choice.single_support;
+  trial.step = trial.fastest * (single + walking.double_support);
+  choice.fastest = std::floor(1e3 * trial.fastest) / 1e3;
+  trial.fastest = choice.fastest;
+  trial.walking = choice.text();
+  return trial;
+}
+
+}  // namespace twinbus

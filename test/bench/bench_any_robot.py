@@ -1,0 +1,259 @@
+#!/usr/bin/env python3
+"""./twinbus bench any_robot [FILE.urdf ...] [--wheel DIR] [--seeds N] [--only WORD] [--keep DIR] [--csv F]: humanoids that the stack
+has never met, proposed by `check --propose` and not edited, stand and walk with the guard on.
+
+Without files: the descriptions with two legs in $TWINBUS_DATA/robots (default ../shared/data) and in the wheel example-robot-data,
+unpacked in DIR or else fetched by `pip download` into a temporary folder.  Each stands for 10 s and walks for 10 s at half of the
+speed that `check` reports, with noise on every sensor, once a seed (default 3).  A walk counts when the robot does not fall, is
+not stopped, touches nothing, tilts at most 5 degrees and keeps its velocity within 20 %, and half of the speed is at least
+0.08 sqrt(g leg).  A robot that `check` refuses or says not to stand is listed with that reason.  --keep DIR leaves the proposals
+there.  Exit status 1 if fewer than 90 % of those with legs stand or fewer than 80 % walk.
+
+./twinbus bench any_robot --arms N [FILE.urdf ...]: robots on a fixed base with an arm run `arm_hold` and `arm_reach`, and N goals each, drawn about the shoulder, among six
+boxes around it; printed is how many were reached, how many refused and for what, and how often something touched.  Exit status 1
+if a scene fails or anything touches.
+"""
+
+import csv
+import json
+import math
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import time
+import zipfile
+from random import Random
+
+import programs
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+G = 9.81
+NOISE = {"encoder": 1e-5, "velocity": 0.01, "attitude": 0.002, "gyro": 0.01, "force": 5, "moment": 0.5}  # of scene walk_noisy
+# Folders of the two sources that hold humanoids; the rest are arms, hands, quadrupeds, wheels and rotors.
+HUMANOIDS = ("talos_data", "g1", "jvrc1", "simple_humanoid", "bolt", "romeo_description", "icub_description", "human_description",
+             "alexander_description", "alex_description")
+ARMS = ("panda", "ur_description", "kinova_description", "xarm_description", "z1_description", "so_arm_description")
+WALK = """duration: 13.5
+modes:
+  - {{at: 0, mode: balance}}
+  - {{at: 0.5, mode: walk}}
+  - {{at: 11.5, mode: balance}}
+walks:
+  - {{at: 1, for: 10, vx: {:.4f}}}
+criteria: {{max_tilt_deg: 5, velocity_error_percent: 20}}
+"""
+
+
+def unpacked(folder):
+    """The wheel's robots folder."""
+    if not folder:
+        folder = pathlib.Path(tempfile.gettempdir()) / "example-robot-data"
+        if not folder.exists():
+            folder.mkdir()
+            subprocess.run([sys.executable, "-m", "pip", "download", "-q", "--no-deps", "-d", str(folder), "example-robot-data"], check=True)
+            for wheel in folder.glob("*.whl"):
+                zipfile.ZipFile(wheel).extractall(folder)
+    return next(pathlib.Path(folder).glob("**/example-robot-data/robots"), None)
+
+
+def descriptions(wheel, wanted=HUMANOIDS):
+    data = pathlib.Path(os.environ.get("TWINBUS_DATA", ROOT.parent / "shared/data")) / "robots"
+    folders = [data] if data.exists() else []
+    try:
+        folders += [f for f in [unpacked(wheel)] if f]
+    except (subprocess.CalledProcessError, OSError) as error:
+        print(f"the wheel example-robot-data is absent: {error}")
+    found, seen = [], set()
+    for folder in folders:
+        for file in sorted(folder.glob("**/*.urdf")):
+            top = file.relative_to(folder).parts[0]
+            if not any(top == name or top == name + "_description" for name in wanted) or "arm" in file.stem or "_spherized" in file.stem or "_collision" in file.stem:
+                continue
+            text = file.read_bytes()
+            if hash(text) not in seen:
+                found.append(file)
+            seen.add(hash(text))
+    return found
+
+
+class Robot:
+    def __init__(self, file, folder, binary, env):
+        self.file, self.folder, self.binary, self.env = file, folder, binary, env
+        self.name = file.stem
+        self.stood = self.walked = 0
+        self.speed = self.leg = float("nan")
+        self.refused, self.causes, self.tilt = "", [], 0.0
+
+    def twinbus(self, *words):
+        return subprocess.run([self.binary, *map(str, words)], capture_output=True, text=True, env=self.env)
+
+    def propose(self):
+        begun = time.monotonic()
+        done = self.twinbus("check", self.file, "--propose", self.folder, "--json")
+        self.seconds = time.monotonic() - begun
+        try:
+            report = json.loads(done.stdout)
+        except ValueError:
+            self.refused = (done.stderr.strip().splitlines() or ["?"])[-1]
+            return
+        trial = report["trial"]
+        self.refused = trial["refusal"] or ("" if trial["stood"] else trial["cannot_balance"])
+        walk = trial.get("walk") or {}
+        self.leg = walk.get("leg_m") or float("nan")
+        self.speed = walk.get("fastest_m_s") or 0.0
+        if walk.get("why_not"):
+            self.causes.append("check: " + walk["why_not"])
+        if trial["cannot_balance"] and not self.refused:
+            self.causes.append("check: " + trial["cannot_balance"])
+
+    def run(self, scene, seed):
+        with tempfile.NamedTemporaryFile(suffix=".json") as file:
+            noise = [w for key, value in NOISE.items() for w in ("--set", f"sensor.noise.{key}={value}")]
+            done = self.twinbus("run", scene, "--robot", self.folder, "--seed", seed, "--report", file.name, *noise)
+            failed = [line[8:] for line in done.stdout.splitlines() if line.startswith("FAILED: ")]
+            try:
+                self.tilt = max(self.tilt, json.load(open(file.name))["max_tilt_deg"])
+            except (ValueError, KeyError):
+                failed.append((done.stderr.strip().splitlines() or ["no report"])[-1])
+        return failed
+
+    def try_all(self, seeds, folder):
+        for seed in range(1, seeds + 1):
+            failed = self.run("stand", seed)
+            self.stood += not failed
+            self.causes += ["stand: " + cause for cause in failed]
+        if not self.speed > 0.0:
+            return
+        scene = folder / (self.name + "_walk.yaml")
+        scene.write_text(WALK.format(0.5 * self.speed))
+        self.tilt = 0.0
+        for seed in range(1, seeds + 1):
+            failed = self.run(scene, seed)
+            self.walked += not failed
+            self.causes += ["walk: " + cause for cause in failed]
+
+    def share(self):
+        return 0.5 * self.speed / math.sqrt(G * self.leg) if self.speed > 0.0 else 0.0
+
+
+def obstacles(random):
+    """Boxes on a ring around the shoulder's axis, where an arm has room in the middle."""
+    text = ""
+    for k in range(6):
+        angle, out, height = (k + random.random()) * math.pi / 3, random.uniform(0.55, 0.9), random.uniform(0.2, 0.9)
+        text += f"  - {{shape: box, size: [0.08, 0.08, 0.25], position: [{out * math.cos(angle):.3f}, {out * math.sin(angle):.3f}, {height:.3f}]}}\n"
+    return text
+
+
+def reaches(robot, count, seed, scratch):
+    """A scene of goals four seconds apart; {outcome: times}."""
+    random = Random(seed)
+    text = f"duration: {4 * count + 4}\nobstacles:\n{obstacles(random)}modes:\n  - {{at: 0, mode: hold}}\ngoals:\n"
+    for k in range(count):
+        while True:
+            place = [random.uniform(-0.8, 0.8) for _ in range(3)]
+            if 0.25 < math.dist(place, (0, 0, 0)) < 0.85:
+                break
+        text += f"  - {{at: {1 + 4 * k}, hand: right, reach: [{place[0]:.3f}, {place[1]:.3f}, {place[2]:.3f}], speed: 0.7}}\n"
+    scene = scratch / f"{robot.name}_{seed}.yaml"
+    scene.write_text(text)
+    done = robot.twinbus("run", scene, "--robot", robot.folder)
+    found = {}
+    for line in done.stdout.splitlines():
+        for word, name in (("arm path of", "reached"), ("would touch", "goal in the way"), ("out of reach", "out of reach"), ("no way found", "no way found"),
+                           ("already", "start touches"), ("makes no sense", "no sense"), ("FAILED", line[8:])):
+            if word in line:
+                found[name] = found.get(name, 0) + 1
+                break
+    if done.returncode and not found:
+        found[(done.stderr.strip().splitlines() or ["?"])[-1]] = 1
+    return found
+
+
+def arms(files, count, keep, scratch, binary):
+    failed = looked = 0
+    for number, file in enumerate(files):
+        robot = Robot(file, keep / f"{number:02d}_{file.stem}", binary, dict(os.environ))
+        done = robot.twinbus("check", file, "--propose", robot.folder, "--json")
+        try:
+            trial = json.loads(done.stdout)["trial"]
+        except ValueError:
+            print(f"{robot.name:28} refused: {(done.stderr.strip().splitlines() or ['?'])[-1]}", flush=True)
+            continue
+        if not trial["cannot_balance"].startswith("its base is fixed"):
+            continue
+        looked += 1
+        said = []
+        for scene in ("arm_hold", "arm_reach"):
+            done = robot.twinbus("run", scene, "--robot", robot.folder)
+            causes = [line[8:] for line in done.stdout.splitlines() if line.startswith("FAILED: ")] or done.stderr.strip().splitlines()[-1:]
+            paths = done.stdout.count("arm path of")
+            said.append(f"{scene} {'passed' if done.returncode == 0 else 'FAILED (' + '; '.join(causes) + ')'}"
+                        + (f", {paths} of 4 goals" if scene == "arm_reach" else ""))
+            failed += done.returncode != 0
+        found = {}
+        for seed in range((count + 9) // 10):
+            for name, times in reaches(robot, min(10, count - 10 * seed), seed, scratch).items():
+                found[name] = found.get(name, 0) + times
+        failed += sum(times for name, times in found.items() if "touched" in name)
+        print(f"{robot.name:28} {'; '.join(said)}; {count} reaches: " + ", ".join(f"{n} {name}" for name, n in sorted(found.items(), key=lambda i: -i[1])), flush=True)
+    return 1 if failed or not looked else 0
+
+
+def main(words):
+    options = {"--wheel": "", "--arms": "", "--seeds": "3", "--only": "", "--keep": "", "--csv": ""}
+    files = []
+    while words:
+        word = words.pop(0)
+        if word in ("--help", "-h"):
+            print(__doc__)
+            return 0
+        if word in options:
+            options[word] = words.pop(0)
+        else:
+            files.append(pathlib.Path(word))
+    seeds = int(options["--seeds"])
+    binary = str(programs.folder_of("twinbus", "bench any_robot") / "twinbus")
+    files = [f for f in files or descriptions(options["--wheel"], ARMS if options["--arms"] else HUMANOIDS) if options["--only"] in str(f)]
+    if options["--arms"]:
+        with tempfile.TemporaryDirectory() as scratch:
+            keep = pathlib.Path(options["--keep"] or scratch)
+            keep.mkdir(parents=True, exist_ok=True)
+            return arms(files, int(options["--arms"]), keep, pathlib.Path(scratch), binary)
+    stand = walk = legs = 0
+    rows = []
+    with tempfile.TemporaryDirectory() as scratch:
+        keep = pathlib.Path(options["--keep"] or scratch)
+        keep.mkdir(parents=True, exist_ok=True)
+        for number, file in enumerate(files):
+            robot = Robot(file, keep / f"{number:02d}_{file.stem}", binary, dict(os.environ))
+            robot.propose()
+            if robot.refused:
+                print(f"{robot.name:28} refused: {robot.refused}", flush=True)
+                continue
+            legs += 1
+            robot.try_all(seeds, pathlib.Path(scratch))
+            stood, walked = robot.stood == seeds, robot.walked == seeds and robot.share() >= 0.08
+            stand, walk = stand + stood, walk + walked
+            print(f"{robot.name:28} stands {robot.stood}/{seeds}  walks {robot.walked}/{seeds} at {0.5 * robot.speed:.3f} m/s = "
+                  f"{robot.share():.3f} sqrt(g l), l {robot.leg:.2f} m, tilt {robot.tilt:.1f}; check {robot.seconds:.1f} s", flush=True)
+            for cause in dict.fromkeys(robot.causes):
+                print(f"{'':28}   {cause}", flush=True)
+            rows.append(["any_robot", robot.name, "half speed", "m/s", f"{0.5 * robot.speed:.4f}", robot.stood, robot.walked])
+    if not legs:
+        print("no description with two legs was found")
+        return 1
+    good = stand >= 0.9 * legs and walk >= 0.8 * legs
+    print(f"{legs} with legs: {stand} stand (asked {math.ceil(0.9 * legs)}), {walk} walk (asked {math.ceil(0.8 * legs)})")
+    if options["--csv"]:
+        with open(options["--csv"], "w", newline="") as stream:
+            out = csv.writer(stream)
+            out.writerow(["bench", "case", "metric", "unit", "value", "stood", "walked"])
+            out.writerows(rows)
+    return 0 if good else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
