@@ -32,7 +32,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr double kWalkPatience = 20.0;  // of the processor's time [s]
+constexpr double kWalkPatience = 8.0;  // of the processor's time [s]
 
 const char* kind_name(JointKind kind) {
   return kind == JointKind::kPrismatic    ? "prismatic"

@@ -16,15 +16,16 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 DATA = pathlib.Path(os.environ.get("TWINBUS_DATA", ROOT.parent / "shared/data")) / "robots"
 
 
-def stands(checks, urdf, scratch):
+def stands(checks, urdf, scratch, walks=False):
     folder = os.path.join(scratch, urdf.stem)
-    status, out, err = cli("check", str(urdf), "--propose", folder, timeout=120)
+    status, out, err = cli("check", str(urdf), "--propose", folder, timeout=240)
     checks.that(status == 0 and "\nstands: " in out, f"check of {urdf.name} says that it stands: {out[-600:]}{err}")
-    yaml = (pathlib.Path(folder) / "robot.yaml").read_text()
-    checks.that("\nwalks: " in out and "fastest: " in yaml.partition("\nwalking: {")[2],
-                f"{urdf.name} walks, and robot.yaml says how fast: {out[-600:]}")
-    status, out, err = cli("run", "walk_forward", "--robot", folder, "--for", "6", timeout=120)
-    checks.that("speeds x" in out and "the robot fell" not in out and "stopped" not in out, f"{urdf.name} walks in its own measure: {out}{err}")
+    if walks:
+        yaml = (pathlib.Path(folder) / "robot.yaml").read_text()
+        checks.that("\nwalks: " in out and "fastest: " in yaml.partition("\nwalking: {")[2],
+                    f"{urdf.name} walks, and robot.yaml says how fast: {out[-600:]}")
+        status, out, err = cli("run", "walk_forward", "--robot", folder, "--for", "6", timeout=120)
+        checks.that("speeds x" in out and "the robot fell" not in out and "stopped" not in out, f"{urdf.name} walks in its own measure: {out}{err}")
     status, out, err = cli("run", "stand", "--robot", folder, "--for", "1", timeout=120)
     checks.that(status == 0 and "passed" in out, f"{urdf.name} stands: {out}{err}")
     status, out, err = cli("check", folder, timeout=120)
@@ -77,7 +78,7 @@ def main():
         for name in ("hrp1s", "hrp2p"):
             stands(checks, ROOT / f"config/robots/{name}/{name}.urdf", scratch)
         if (DATA / "jvrc1/jvrc1.urdf").is_file():
-            stands(checks, DATA / "jvrc1/jvrc1.urdf", scratch)
+            stands(checks, DATA / "jvrc1/jvrc1.urdf", scratch, walks=True)
         refusals(checks, scratch)
     cells(checks)
     checks.exit()
