@@ -65,7 +65,8 @@ class LimitWatch {
     }
     for (std::size_t k = 0; k < model_.bus_joints.size(); ++k) {
       const Joint& joint = model_.joints[at(model_.bus_joints[k])];
-      const double q = state.q[k], v = std::abs(static_cast<double>(state.qd[k])), t = std::abs(static_cast<double>(state.tau[k]));
+      const double q = state.q[k], v = std::abs(static_cast<double>(state.qd[k]));
+      const double t = std::abs(static_cast<double>(state.tau[k]));
       char text[160];
       if (t > kPinned * joint.effort) {
         std::snprintf(text, sizeof text, "%s is the first at a limit: %.3g N m of torque, %.2f s after the start",

@@ -86,7 +86,8 @@ double leg_to_leg(const Model& model, const Anatomy& anatomy, const Eigen::Vecto
   const int count = collision.near_pairs(k, kClear, near.data(), kMostPairs);  // nearest first
   for (int i = 0; i < count; ++i) {
     const int a = near[at(i)].link_a, b = near[at(i)].link_b;
-    if ((hangs_on(model, a, root[0]) && hangs_on(model, b, root[1])) || (hangs_on(model, b, root[0]) && hangs_on(model, a, root[1])))
+    const bool left_and_right = hangs_on(model, a, root[0]) && hangs_on(model, b, root[1]);
+    if (left_and_right || (hangs_on(model, b, root[0]) && hangs_on(model, a, root[1])))
       return near[at(i)].distance;
   }
   return kClear;
