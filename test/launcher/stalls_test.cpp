@@ -74,6 +74,29 @@ TEST(Stalls, AControllerThatStoodStillWalksOn) {
   }
 }
 
+// Half a second is too long to take the walk up again: the plan ends, and balance begins on tiles of different height, where
+// torques that were kept for long tilted the robot.
+TEST(Stalls, AControllerThatStoodStillForLongBalancesWhereThePlanEnds) {
+  for (const char* scene : {"walk_rough", "walk_slope"}) {
+    for (const double at : {4.986, 6.266, 6.982}) {
+      Walked w(scene, 1);
+      ASSERT_TRUE(w.go(at));
+      w.run->stall_controller(0.5);
+      double tilt = 0.0;
+      for (int i = 0; i < 30; ++i) {
+        EXPECT_TRUE(w.go(0.1)) << scene << at;
+        const SimTruth& t = w.run->truth();
+        const auto x = static_cast<double>(t.base_attitude[1]), y = static_cast<double>(t.base_attitude[2]);
+        tilt = std::max(tilt, std::acos(std::clamp(1.0 - 2.0 * (x * x + y * y), -1.0, 1.0)));
+      }
+      EXPECT_TRUE(w.stands()) << scene << at;
+      EXPECT_LT(tilt, 0.17) << scene << at;
+      EXPECT_EQ(w.run->state().stop_kind, StopKind::kNone);
+      EXPECT_EQ(w.run->state().plan_number, 0);
+    }
+  }
+}
+
 TEST(Stalls, AnotherControllerTakesTheRobotOverWhereThePlanEnds) {
   Walked w("walk_forward");
   ASSERT_TRUE(w.go(4.1));
