@@ -63,7 +63,7 @@ const char* PoseWay::why() noexcept {
   auto& text = sentences_[sentence_];
   sentence_ = (sentence_ + 1) % sentences_.size();
   std::snprintf(text.data(), text.size(),
-                "on the way to the pose %.60s and %.60s would touch; ask for one that keeps them apart, or go there in two moves",
+                "on the way to the pose %.40s and %.40s would touch; ask for one that keeps them apart, or go there in two moves",
                 model_->links[at(hit_.link_a)].name.c_str(), model_->links[at(hit_.link_b)].name.c_str());
   return text.data();
 }
