@@ -16,6 +16,12 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 PROGRAM = ROOT / "campaign/campaign.py"
 sys.path.insert(0, str(ROOT / "campaign"))
 
+try:
+    import yaml  # noqa: F401  as campaign/ does
+except ImportError:
+    print("skipped: campaigns need python3-yaml; run: apt-get install python3-yaml")
+    sys.exit(77)
+
 
 @contextlib.contextmanager
 def chdir(folder):
