@@ -5,7 +5,12 @@
 namespace twinbus {
 
 namespace {
-double left_at(double s) noexcept { return s < 1.0 ? 1.0 - s * s * s * (10.0 - 15.0 * s + 6.0 * s * s) : 0.0; }
+// h0 of the header at s = t / T.
+double left_at(double s) noexcept {
+  const double s2 = s * s;
+  const double s3 = s2 * s;
+  return s < 1.0 ? 1.0 - s3 * (10.0 - 15.0 * s + 6.0 * s2) : 0.0;
+}
 }  // namespace
 
 void OffsetBlend::start(const JointCommand& own, const JointCommand& client, std::int64_t mask,
@@ -53,7 +58,8 @@ void OffsetBlend::advance_and_apply(double dt, int joint_count, JointCommand& co
     const auto left = static_cast<float>(h0);
     command.q[i] += q[i] * h0 + qd[i] * total * h1;
     command.qd[i] += static_cast<float>(q[i] * h0_rate + qd[i] * h1_rate);
-    command.tau[i] += tau[i] * static_cast<float>(left_at(static_cast<double>(elapsed[i]) / static_cast<double>(torque_s[i])));
+    const double torque_at = static_cast<double>(elapsed[i]) / static_cast<double>(torque_s[i]);
+    command.tau[i] += tau[i] * static_cast<float>(left_at(torque_at));
     command.kp[i] += kp[i] * left;
     command.kd[i] += kd[i] * left;
   }
