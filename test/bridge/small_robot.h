@@ -17,6 +17,7 @@ inline Model small_model() {
   for (int j = 0; j < 2; ++j) {
     Joint joint;
     joint.child = j + 1;
+    model.links[static_cast<std::size_t>(joint.child)].parent = joint.parent;
     joint.lower = -2.0;
     joint.upper = 2.0;
     joint.velocity = 4.0;
