@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "common/math/index.h"
+#include "control/balance/straight_way.h"
 #include "robot/estimation/support_polygon.h"
 
 namespace twinbus {
@@ -33,14 +33,7 @@ const char* PoseCheck::why_not(const Estimator& estimator, const PerJoint<double
   Eigen::Isometry3d before = Eigen::Isometry3d::Identity();
   for (int place = 0; place <= kPlaces; ++place) {
     const double share = static_cast<double>(place) / kPlaces;
-    for (int k = 0; k < model_->bus_count(); ++k) {
-      const int j = model_->bus_joints[at(k)];
-      const Joint& joint = model_->joints[at(j)];
-      double q = from[at(k)];
-      if (((mask >> k) & 1) != 0) q += share * (to[at(k)] - q);
-      way_.q[j] =
-          joint.kind == JointKind::kContinuous ? q : std::clamp(q, joint.lower, joint.upper);
-    }
+    place_on_way(*model_, from, to, mask, share, way_);
     kinematics_.update(way_);
     const Eigen::Isometry3d left_sole = kinematics_.link_in_world(left.link) * left.frame;
     const Eigen::Isometry3d right_in_left =

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "common/math/index.h"
+#include "control/balance/straight_way.h"
 
 namespace twinbus {
 
@@ -27,17 +28,7 @@ void PoseWay::start(const Configuration& base, const PerJoint<double>& from, con
 PoseWay::Verdict PoseWay::look() noexcept {
   for (const int last = std::min(next_ + kPerTick, kPlaces + 1); next_ < last; ++next_) {
     const double share = static_cast<double>(next_) / kPlaces;
-    for (int k = 0; k < model_->bus_count(); ++k) {
-      const int j = model_->bus_joints[at(k)];
-      const Joint& joint = model_->joints[at(j)];
-      double q = from_[at(k)];
-      if (((mask_ >> k) & 1) != 0) q += share * (to_[at(k)] - q);
-      place_.q[j] = joint.kind == JointKind::kContinuous ? q : std::clamp(q, joint.lower, joint.upper);
-    }
-    for (int j = 0; j < model_->joint_count(); ++j) {
-      const Joint& joint = model_->joints[at(j)];
-      if (joint.mimic >= 0) place_.q[j] = joint.mimic_multiplier * place_.q[joint.mimic] + joint.mimic_offset;
-    }
+    place_on_way(*model_, from_, to_, mask_, share, place_);
     kinematics_.update(place_);
     const int count = collision_.near_pairs(kinematics_, kMargin, near_.data(), kMostPairs);
     if (next_ == 0) {

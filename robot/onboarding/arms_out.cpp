@@ -44,16 +44,21 @@ Shoulder shoulder_of(const Model& model, const Kinematics& k, const Hand& hand, 
   return {};
 }
 
-}  // namespace
-
-double arms_to_legs(const Model& model, const Anatomy& anatomy, const Eigen::VectorXd& q) {
+// Of the robot in that posture, nearest first.
+std::vector<PairDistance> near_pairs(const Model& model, const Eigen::VectorXd& q) {
   Collision collision(model);
   Configuration c(model);
   c.q = q;
   Kinematics k(model);
   k.update(c);
   std::vector<PairDistance> near(at(kMostPairs));
-  const int count = collision.near_pairs(k, kClear, near.data(), kMostPairs);
+  near.resize(at(collision.near_pairs(k, kClear, near.data(), kMostPairs)));
+  return near;
+}
+
+}  // namespace
+
+double arms_to_legs(const Model& model, const Anatomy& anatomy, const Eigen::VectorXd& q) {
   const auto is_arm = [&](int link) {
     return std::any_of(anatomy.hands.begin(), anatomy.hands.end(), [&](const Hand& hand) {
       return !hand.joints.empty() && hangs_on(model, link, hand.joints.front() + 1);
@@ -63,9 +68,9 @@ double arms_to_legs(const Model& model, const Anatomy& anatomy, const Eigen::Vec
     return std::any_of(anatomy.leg_joints.begin(), anatomy.leg_joints.end(),
                        [&](int j) { return hangs_on(model, link, j + 1); });
   };
-  for (int i = 0; i < count; ++i) {
-    const auto& [a, b] = std::pair(near[at(i)].link_a, near[at(i)].link_b);
-    if ((is_arm(a) && is_leg(b)) || (is_arm(b) && is_leg(a))) return near[at(i)].distance;
+  for (const PairDistance& pair : near_pairs(model, q)) {
+    const int a = pair.link_a, b = pair.link_b;
+    if ((is_arm(a) && is_leg(b)) || (is_arm(b) && is_leg(a))) return pair.distance;
   }
   return kClear;
 }
@@ -77,18 +82,11 @@ double leg_to_leg(const Model& model, const Anatomy& anatomy, const Eigen::Vecto
     while (root[side] > 0 && model.links[at(root[side])].parent > 0) root[side] = model.links[at(root[side])].parent;
   }
   if (root[0] <= 0 || root[1] <= 0 || root[0] == root[1]) return kClear;
-  Collision collision(model);
-  Configuration c(model);
-  c.q = q;
-  Kinematics k(model);
-  k.update(c);
-  std::vector<PairDistance> near(at(kMostPairs));
-  const int count = collision.near_pairs(k, kClear, near.data(), kMostPairs);  // nearest first
-  for (int i = 0; i < count; ++i) {
-    const int a = near[at(i)].link_a, b = near[at(i)].link_b;
+  for (const PairDistance& pair : near_pairs(model, q)) {
+    const int a = pair.link_a, b = pair.link_b;
     const bool left_and_right = hangs_on(model, a, root[0]) && hangs_on(model, b, root[1]);
     if (left_and_right || (hangs_on(model, b, root[0]) && hangs_on(model, a, root[1])))
-      return near[at(i)].distance;
+      return pair.distance;
   }
   return kClear;
 }

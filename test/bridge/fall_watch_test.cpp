@@ -116,15 +116,7 @@ TEST(FallWatch, AFallLatchesStopOffWithAReasonOfItsOwnAndAClearObeysAgain) {
     for (int i = 0; i < ticks; ++i) {
       now += kPeriodNs;
       source.begin_tick(now);
-      JointCommand c;
-      c.tick = source.state().tick;
-      c.run_id = source.state().run_id;
-      c.term = source.state().term;
-      c.model_hash = model.hash;
-      c.controller_id = 7;
-      c.joint_count = 2;
-      c.kp.fill(1000.0F);
-      source.on_command(c, now);
+      source.on_command(command_for(source.state()), now);
       source.end_tick(now + kPeriodNs / 2);
     }
   };

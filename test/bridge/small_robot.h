@@ -35,6 +35,19 @@ inline Model small_model() {
   return model;
 }
 
+// Answers that state: both joints to 0, by controller 7.
+inline JointCommand command_for(const RobotState& state) {
+  JointCommand c;
+  c.tick = state.tick;
+  c.run_id = state.run_id;
+  c.term = state.term;
+  c.model_hash = state.model_hash;
+  c.controller_id = 7;
+  c.joint_count = 2;
+  c.kp.fill(1000.0F);
+  return c;
+}
+
 class PointRobot : public RobotAdaptor {
  public:
   explicit PointRobot(bool simulator = true) : simulator_(simulator) {}

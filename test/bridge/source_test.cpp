@@ -27,15 +27,8 @@ class Loop : public ::testing::Test {
     source.begin_tick(now);
   }
   void answer(std::int64_t after) {
-    JointCommand c;
-    c.tick = source.state().tick;
-    c.run_id = source.state().run_id;
-    c.term = source.state().term;
-    c.model_hash = model.hash;
-    c.controller_id = 7;
-    c.joint_count = 2;
+    JointCommand c = command_for(source.state());
     c.q[0] = asked_q;
-    c.kp.fill(1000.0F);
     source.on_command(c, now + after);
     fed = now + after;
   }

@@ -25,6 +25,14 @@ struct Rig : SimRig {
   Rig() : SimRig(test::hrp1s(), flat(), {}, {}) {}
 };
 
+ModeRequest pose_request(Rig& rig) {
+  ModeRequest pose;
+  pose.run_id = rig.state().run_id;
+  pose.sender_id = 77;
+  pose.mode = Mode::kPose;
+  return pose;
+}
+
 TEST(Stop, ABalancedStopEndsTheMotionStandingAndThenDropsItsFlag) {
   Rig rig;
   ASSERT_TRUE(rig.run(0.2));
@@ -122,10 +130,7 @@ TEST(Stop, NoModeAndNoPoseMakesAStandingRobotFall) {
   EXPECT_NE(std::string(why).find("--let-go"), std::string::npos) << why;
 
   const Model& model = test::hrp1s();
-  ModeRequest pose;
-  pose.run_id = rig.state().run_id;
-  pose.sender_id = 77;
-  pose.mode = Mode::kPose;
+  ModeRequest pose = pose_request(rig);
   pose.duration = 2.0F;
   // One knee alone; every joint at 3 rad.
   for (int k = 0; k < model.bus_count(); ++k) {
@@ -172,11 +177,8 @@ TEST(Stop, APoseThatAStopPreventsIsToldOf) {
   const Model& model = test::hrp1s();
   Rig rig;
   ASSERT_TRUE(rig.run(0.3));
-  ModeRequest pose;
-  pose.run_id = rig.state().run_id;
-  pose.sender_id = 77;
+  ModeRequest pose = pose_request(rig);
   pose.sequence = 1;
-  pose.mode = Mode::kPose;
   pose.duration = 1.0F;
   for (std::size_t k = 0; k < model.bus_joints.size(); ++k) {
     if (model.bus_joints[k] == model.hands[0].joints.front()) pose.joint_mask = std::int64_t{1} << k;
@@ -198,10 +200,7 @@ TEST(Stop, NamedPosesOneAfterTheOtherAreStoodOrRefused) {
   const Model& model = test::hrp1s();
   Rig rig;
   ASSERT_TRUE(rig.run(0.5));
-  ModeRequest pose;
-  pose.run_id = rig.state().run_id;
-  pose.sender_id = 77;
-  pose.mode = Mode::kPose;
+  ModeRequest pose = pose_request(rig);
   pose.joint_mask = (std::int64_t{1} << model.bus_count()) - 1;
   int taken = 0;
   for (std::size_t i = 0; i < 3 * model.poses.size() * model.poses.size(); ++i) {
@@ -233,10 +232,7 @@ TEST(Stop, PosesOfArmsAndWaistAreStoodOrRefusedForWhatWouldTouchOrFall) {
   const auto uniform = [&](double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(random);
   };
-  ModeRequest pose;
-  pose.run_id = rig.state().run_id;
-  pose.sender_id = 77;
-  pose.mode = Mode::kPose;
+  ModeRequest pose = pose_request(rig);
   int taken = 0, touching = 0, falling = 0;
   for (int i = 0; i < 60; ++i) {
     rig.ask(i % 4 == 3 ? Mode::kHold : Mode::kBalance);
