@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "planner/arm_planner.h"
-#include "lcmtypes/msg/requests.h"
+#include "lcmtypes/msg/pieces.h"
 
 namespace twinbus {
 

@@ -8,7 +8,8 @@
 #include <Eigen/Geometry>
 
 #include "robot/description/model.h"
-#include "lcmtypes/msg/requests.h"
+#include "lcmtypes/msg/pieces.h"
+#include "lcmtypes/msg/reports.h"
 #include "lcmtypes/msg/robot_io.h"
 #include "lcmtypes/msg/status.h"
 

@@ -14,6 +14,7 @@
 #include "bridge/handover/rules.h"
 #include "bridge/gate/stop_latch.h"
 #include "robot/description/model.h"
+#include "lcmtypes/msg/reports.h"
 #include "lcmtypes/msg/requests.h"
 #include "lcmtypes/msg/robot_io.h"
 

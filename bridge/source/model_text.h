@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "robot/description/model.h"
-#include "lcmtypes/msg/requests.h"
+#include "lcmtypes/msg/pieces.h"
 
 namespace twinbus {
 

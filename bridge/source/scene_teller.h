@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "bridge/adaptor/adaptor.h"
-#include "lcmtypes/msg/requests.h"
+#include "lcmtypes/msg/pieces.h"
 
 namespace twinbus {
 

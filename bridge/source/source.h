@@ -17,6 +17,7 @@
 
 #include "bridge/adaptor/adaptor.h"
 #include "robot/description/model.h"
+#include "lcmtypes/msg/reports.h"
 #include "lcmtypes/msg/requests.h"
 #include "lcmtypes/msg/robot_io.h"
 #include "lcmtypes/msg/stop_plan.h"

@@ -6,7 +6,8 @@
 
 #include "bridge/handover/switch_check.h"
 #include "common/math/index.h"
-#include "lcmtypes/msg/fallen.h"
+#include "lcmtypes/msg/reports.h"
+#include "lcmtypes/msg/requests.h"
 
 namespace twinbus {
 
@@ -414,7 +415,7 @@ void SourceCore::watch_for_a_fall(std::int64_t now_ns) noexcept {
   c.plan_runs = gate_.plan().running();
   if (!device_ok_ || !fall_.look(state_, c)) return;
   fallen_ = true;
-  gate_.stop(StopKind::kOff, kStopFallen, gate_clock(now_ns));
+  gate_.stop(StopKind::kOff, StopReason::kFallen, gate_clock(now_ns));
 }
 
 bool SourceCore::take_fall(std::array<char, 200>& cause) noexcept {

@@ -3,8 +3,9 @@
 #include <cstdarg>
 #include <cstdio>
 
-#include "lcmtypes/msg/fallen.h"
 #include "lcmtypes/msg/labels.h"
+#include "lcmtypes/msg/reports.h"
+#include "lcmtypes/msg/requests.h"
 #include "lcmtypes/msg/status.h"
 
 namespace twinbus {
@@ -32,7 +33,7 @@ constexpr const char* kReason[] = {
     "no command for the command timeout: is the controller running?",
     "the device failed",
     "rest before a switch",
-    "the robot has fallen; put it on its feet, then clear the stop"};  // kStopFallen
+    "the robot has fallen; put it on its feet, then clear the stop"};  // StopReason::kFallen
 
 // An alarm only where somebody has to act: who asked for a stop knows of it.
 int severity_of(StopReason reason) noexcept {

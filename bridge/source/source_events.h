@@ -2,7 +2,7 @@
 
 #pragma once
 
-#include "lcmtypes/msg/requests.h"
+#include "lcmtypes/msg/reports.h"
 
 namespace twinbus {
 

@@ -15,7 +15,8 @@
 #include "bridge/source/source.h"
 #include "robot/description/model.h"
 #include "common/process/options.h"
-#include "lcmtypes/msg/requests.h"
+#include "lcmtypes/msg/pieces.h"
+#include "lcmtypes/msg/reports.h"
 
 namespace twinbus {
 

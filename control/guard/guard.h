@@ -22,7 +22,7 @@
 #include "robot/estimation/estimator.h"
 #include "robot/kinematics/kinematics.h"
 #include "robot/description/model.h"
-#include "lcmtypes/msg/requests.h"
+#include "lcmtypes/msg/reports.h"
 #include "lcmtypes/msg/robot_io.h"
 
 namespace twinbus {

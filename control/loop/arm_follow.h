@@ -12,7 +12,7 @@
 
 #include "control/joint/posture.h"
 #include "lcmtypes/msg/obeyed_once.h"
-#include "lcmtypes/msg/requests.h"
+#include "lcmtypes/msg/pieces.h"
 #include "robot/description/model.h"
 
 namespace twinbus {

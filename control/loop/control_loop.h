@@ -15,6 +15,8 @@
 #include "control/balance/balance_gains.h"
 #include "robot/collision/collision.h"
 #include "robot/description/model.h"
+#include "lcmtypes/msg/pieces.h"
+#include "lcmtypes/msg/reports.h"
 #include "lcmtypes/msg/requests.h"
 #include "lcmtypes/msg/robot_io.h"
 #include "lcmtypes/msg/step_list.h"

@@ -25,6 +25,7 @@
 #include "control/loop/pose_way.h"
 #include "control/loop/stop_planner.h"
 #include "control/walk/walk.h"
+#include "lcmtypes/msg/pieces.h"
 #include "lcmtypes/msg/requests.h"
 #include "lcmtypes/msg/robot_io.h"
 #include "robot/description/model.h"

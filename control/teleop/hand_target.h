@@ -9,6 +9,8 @@
 #include <Eigen/Core>
 #include <cstdint>
 
+#include "lcmtypes/msg/pieces.h"
+#include "lcmtypes/msg/reports.h"
 #include "lcmtypes/msg/requests.h"
 
 namespace twinbus {

@@ -11,6 +11,7 @@
 
 #include "launcher/bus/meter.h"
 #include "lcmtypes/msg/full_heartbeat.h"
+#include "lcmtypes/msg/reports.h"
 #include "lcmtypes/msg/requests.h"
 #include "lcmtypes/msg/robot_io.h"
 

@@ -11,7 +11,8 @@
 #include <optional>
 #include <string>
 
-#include "lcmtypes/msg/requests.h"
+#include "lcmtypes/msg/pieces.h"
+#include "lcmtypes/msg/reports.h"
 #include "lcmtypes/msg/robot_io.h"
 #include "robot/description/model.h"
 #include "robot/kinematics/kinematics.h"

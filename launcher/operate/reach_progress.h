@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-#include "lcmtypes/msg/requests.h"
+#include "lcmtypes/msg/reports.h"
 #include "lcmtypes/msg/robot_io.h"
 
 namespace twinbus {

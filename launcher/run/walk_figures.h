@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "robot/description/model.h"
+#include "lcmtypes/msg/reports.h"
 #include "lcmtypes/msg/requests.h"
 #include "sim/scene/scene.h"
 

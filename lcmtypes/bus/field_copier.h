@@ -13,11 +13,12 @@
 
 #include "common/text/printable.h"
 #include "lcmtypes/msg/journal.h"
-#include "lcmtypes/msg/fallen.h"
+#include "lcmtypes/msg/pieces.h"
+#include "lcmtypes/msg/reports.h"
 #include "lcmtypes/msg/requests.h"
 #include "lcmtypes/msg/robot_io.h"
-#include "lcmtypes/msg/status.h"
 #include "lcmtypes/msg/sim_request.h"
+#include "lcmtypes/msg/status.h"
 #include "lcmtypes/msg/step_list.h"
 #include "lcmtypes/msg/stop_plan.h"
 
@@ -34,7 +35,7 @@ constexpr int last_of(SourceKind) { return static_cast<int>(SourceKind::kReplay)
 constexpr int last_of(Role) { return static_cast<int>(Role::kStopped); }
 constexpr int last_of(StopKind) { return static_cast<int>(StopKind::kOff); }
 constexpr int last_of(WrenchKind) { return static_cast<int>(WrenchKind::kEstimated); }
-constexpr int last_of(StopReason) { return static_cast<int>(kStopFallen); }
+constexpr int last_of(StopReason) { return static_cast<int>(StopReason::kFallen); }
 constexpr int last_of(SourceAction) { return static_cast<int>(SourceAction::kPark); }
 constexpr int last_of(SwitchPolicy) { return static_cast<int>(SwitchPolicy::kWhenSafe); }
 constexpr int last_of(Refusal) { return 127; }  // programs print the unknown ones as numbers

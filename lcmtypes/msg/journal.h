@@ -10,7 +10,7 @@
 #include <cstring>
 #include <span>
 
-#include "lcmtypes/msg/requests.h"
+#include "lcmtypes/msg/reports.h"
 
 namespace twinbus {
 

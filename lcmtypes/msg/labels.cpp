@@ -9,7 +9,7 @@ constexpr const char* kRole[] = {"none", "parked", "active", "releasing", "track
 constexpr const char* kStopKind[] = {"none", "balanced", "hold", "off"};
 constexpr const char* kStopReason[] = {"none",         "the operator",   "the gamepad",      "the viewer",     "the guard",
                                        "the launcher", "the controller", "missing commands", "a device error", "a switch",
-                                       "a fall"};  // kStopFallen
+                                       "a fall"};  // StopReason::kFallen
 constexpr const char* kMode[] = {"none", "idle", "hold", "pose", "balance", "walk", "stop"};
 constexpr const char* kMotion[] = {"none", "sway", "squat"};
 constexpr const char* kProcessKind[] = {"unknown", "simulator", "bridge",  "replay", "controller", "guard",

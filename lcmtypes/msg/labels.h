@@ -4,6 +4,7 @@
 
 #include <cstddef>
 
+#include "lcmtypes/msg/reports.h"
 #include "lcmtypes/msg/requests.h"
 #include "lcmtypes/msg/robot_io.h"
 

@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 #include <cstddef>
 
-#include "lcmtypes/msg/requests.h"
+#include "lcmtypes/msg/pieces.h"
 
 namespace twinbus {
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "lcmtypes/msg/requests.h"
+#include "lcmtypes/msg/reports.h"
 #include "common/time/jitter_probe.h"
 
 namespace twinbus {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "robot/description/model.h"
-#include "lcmtypes/msg/requests.h"
+#include "lcmtypes/msg/reports.h"
 #include "sim/world/world.h"
 
 namespace twinbus {

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "bridge/source/source.h"
-#include "lcmtypes/msg/fallen.h"
+#include "lcmtypes/msg/requests.h"
 #include "test/bridge/small_robot.h"
 
 namespace twinbus {
@@ -134,7 +134,7 @@ TEST(FallWatch, AFallLatchesStopOffWithAReasonOfItsOwnAndAClearObeysAgain) {
   EXPECT_EQ(source.status().stop_kind, StopKind::kNone) << "it still falls";
   run(400);
   EXPECT_EQ(source.state().stop_kind, StopKind::kOff);
-  EXPECT_EQ(source.status().stop_reason, kStopFallen);
+  EXPECT_EQ(source.status().stop_reason, StopReason::kFallen);
   EXPECT_EQ(robot.written.kp[0], 0.0F) << "let go";
   std::array<char, 200> cause{};
   EXPECT_TRUE(source.take_fall(cause));

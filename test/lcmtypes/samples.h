@@ -5,6 +5,8 @@
 
 #include <cstddef>
 
+#include "lcmtypes/msg/pieces.h"
+#include "lcmtypes/msg/reports.h"
 #include "lcmtypes/msg/requests.h"
 #include "lcmtypes/msg/robot_io.h"
 #include "lcmtypes/msg/stop_plan.h"

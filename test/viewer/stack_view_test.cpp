@@ -6,7 +6,9 @@
 #include <cstring>
 
 #include "robot/description/load.h"
-#include "lcmtypes/msg/fallen.h"
+#include "lcmtypes/msg/pieces.h"
+#include "lcmtypes/msg/reports.h"
+#include "lcmtypes/msg/requests.h"
 #include "viewer_log/view/health.h"
 
 namespace twinbus {
@@ -205,7 +207,7 @@ TEST(Health, AFallenRobotOfHardwareHasItsWayOut) {
   source.run_id = 11;
   source.source = SourceKind::kBridge;
   source.stop_kind = StopKind::kOff;
-  source.stop_reason = kStopFallen;
+  source.stop_reason = StopReason::kFallen;
   view.on_source_status(source, kStart);
   const Health health = assess(view, kStart);
   EXPECT_EQ(health.level, HealthLevel::kBad);

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "lcmtypes/msg/requests.h"
+#include "lcmtypes/msg/reports.h"
 #include "lcmtypes/msg/robot_io.h"
 
 namespace twinbus {

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "lcmtypes/msg/requests.h"
+#include "lcmtypes/msg/pieces.h"
 
 namespace twinbus {
 

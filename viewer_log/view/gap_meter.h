@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdint>
 
-#include "lcmtypes/msg/requests.h"
+#include "lcmtypes/msg/reports.h"
 #include "lcmtypes/msg/robot_io.h"
 
 namespace twinbus {

@@ -3,8 +3,9 @@
 #include <cmath>
 #include <cstdio>
 
-#include "lcmtypes/msg/fallen.h"
 #include "lcmtypes/msg/labels.h"
+#include "lcmtypes/msg/reports.h"
+#include "lcmtypes/msg/requests.h"
 
 namespace twinbus {
 
@@ -82,7 +83,7 @@ Health assess(const StackView& view, std::int64_t now_ns) {
     if (source.value.run_id == state.run_id) reason = source.value.stop_reason;
   }
   const bool stopped = state.stop_kind != StopKind::kNone;
-  if (stopped && reason == kStopFallen && !view.truth_applies(now_ns)) {
+  if (stopped && reason == StopReason::kFallen && !view.truth_applies(now_ns)) {
     return {HealthLevel::kBad, "The robot has fallen and is stopped.", "Put it on its feet, then press Clear."};
   }
   if (view.truth_applies(now_ns) && view.truth().value.fell) {

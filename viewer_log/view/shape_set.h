@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "lcmtypes/msg/requests.h"
+#include "lcmtypes/msg/pieces.h"
 
 namespace twinbus {
 
