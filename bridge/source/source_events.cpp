@@ -7,6 +7,7 @@
 #include "lcmtypes/msg/reports.h"
 #include "lcmtypes/msg/requests.h"
 #include "lcmtypes/msg/status.h"
+#include "robot/stop_plan/plan_assembler.h"
 
 namespace twinbus {
 
@@ -21,6 +22,8 @@ __attribute__((format(printf, 3, 4))) void say(Event& event, int severity, const
   std::vsnprintf(event.text.data(), event.text.size(), format, arguments);
   va_end(arguments);
 }
+
+constexpr std::int64_t kManyPlans = 25;  // one after the other: a second of them
 
 constexpr const char* kReason[] = {
     "no reason given",
@@ -116,6 +119,17 @@ bool next_sentence(SourceStatus& told, const SourceStatus& now, Event& event) no
   if (told.terms_ignored == 0 && now.terms_ignored > 0) {
     told.terms_ignored = now.terms_ignored;
     say(event, 2, "somebody publishes on STATE with a term nobody granted: ignored and counted");
+    return true;
+  }
+  if (now.plans_accepted != told.plans_accepted) {
+    told.plans_accepted = now.plans_accepted;
+    told.plans_refused = now.plans_refused;
+    told.plan_refusal = 0;
+  }
+  if (now.plans_refused - told.plans_refused >= kManyPlans && told.plan_refusal != now.plan_refusal) {
+    told.plan_refusal = now.plan_refusal;
+    say(event, 1, "stop plans are refused: %s; the robot is held where it is if commands fail",
+        to_text(static_cast<PlanRefusal>(now.plan_refusal)));
     return true;
   }
   if (told.clamped == 0 && now.clamped > 0) {

@@ -36,12 +36,6 @@ void ComMotion::start(const Eigen::Vector3d& home, const Eigen::Vector3d& positi
   evaluate();
 }
 
-void ComMotion::shift_home(const Eigen::Vector3d& home) noexcept {
-  way_x_.aim(home.x(), 1.0);
-  way_y_.aim(home.y(), 1.0);
-  way_z_.aim(home.z(), 1.0);
-}
-
 double ComMotion::possible(double amplitude, double frequency) noexcept {
   const double f = sensible(frequency);
   const double a = std::min(std::abs(amplitude), kMostAmplitude);

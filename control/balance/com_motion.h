@@ -32,8 +32,6 @@ class ComMotion {
   void lean(const Eigen::Vector3d& offset) noexcept { lean_target_ = offset; }
 
   void advance(double dt) noexcept;
-  // The way home begins anew, motion and phase go on.
-  void shift_home(const Eigen::Vector3d& home) noexcept;
 
   const Eigen::Vector3d& position() const noexcept { return position_; }
   const Eigen::Vector3d& velocity() const noexcept { return velocity_; }

@@ -107,7 +107,6 @@ void BusLink::on_raw_state(std::function<void(std::span<const std::uint8_t>)> ha
   if (first) impl_->bus.listen_raw(channel::kState, *impl_);
 }
 
-int BusLink::fileno() const { return impl_->bus.fileno(); }
 
 template <class T>
 void BusLink::stamp(T& message) {
@@ -131,13 +130,6 @@ void BusLink::send(StepList& list) { send_stamped(channel::kSteps, list); }
 void BusLink::send(SimRequest& request) { send_stamped(channel::kSimRequest, request); }
 void BusLink::send(ArmGoal& goal) { send_stamped(channel::kArmGoal, goal); }
 void BusLink::send(Gamepad& pad) { send_stamped(channel::kGamepad, pad); }
-
-void BusLink::send(Heartbeat& beat) {
-  beat.utime = wall_us();
-  beat.process_id = sender_id_;
-  beat.kind = ProcessKind::kLauncher;
-  impl_->send(channel::kHeartbeat, beat);
-}
 
 void BusLink::alarm(const std::string& sentence) { tell(sentence, 2); }
 

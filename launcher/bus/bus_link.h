@@ -30,9 +30,6 @@ class BusLink {
   void receive(double seconds);
   // Goes on receiving for so many seconds, or until the program is asked to end.
   void listen(double seconds);
-  // Readable when receive(0) has something to do.
-  int fileno() const;
-
   // Also gives every encoded STATE to handler, as it came.
   void on_raw_state(std::function<void(std::span<const std::uint8_t>)> handler);
 
@@ -51,7 +48,6 @@ class BusLink {
   void send(SimRequest& request);
   void send(ArmGoal& goal);
   void send(Gamepad& pad);
-  void send(Heartbeat& beat);
   // Plain text on EVENT; severity as in event_t, that of an alarm is 2.
   void tell(const std::string& sentence, int severity);
   void alarm(const std::string& sentence);

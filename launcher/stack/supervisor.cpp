@@ -93,14 +93,6 @@ bool Supervisor::all_ready() const {
                      [](const Supervised& one) { return one.ready || one.died; });
 }
 
-void Supervisor::heard_from_pid(const std::string& channel, std::int64_t pid) {
-  for (Supervised& one : processes_) {
-    const bool mine =
-        !one.child.empty() && one.child.front().running() && one.child.front().pid() == pid;
-    if (mine && one.process.ready_channel == channel) one.ready = true;
-  }
-}
-
 void Supervisor::heard_from_name(const std::string& name) {
   for (Supervised& one : processes_) {
     if (one.process.name == name && !one.child.empty()) one.ready = true;

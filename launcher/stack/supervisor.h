@@ -41,8 +41,7 @@ class Supervisor {
   void start_more(std::int64_t now_ns);
   bool all_ready() const;
 
-  // One of the processes that wait for this channel: did this message make it ready?
-  void heard_from_pid(const std::string& channel, std::int64_t pid);
+  // A word on the bus of the process of that name makes it ready.
   void heard_from_name(const std::string& name);
 
   // Reports each death once, restarts what may be.

@@ -4,6 +4,8 @@
 
 #include <string>
 
+#include "robot/stop_plan/plan_assembler.h"
+
 namespace twinbus {
 namespace {
 
@@ -52,6 +54,27 @@ TEST(SourceEvents, ARefusalSaysWhatTheRefusalTextSays) {
   now.refusal = Refusal::kPosture;
   now.refusal_sequence = 1;
   EXPECT_NE(first_sentence(told, now).find(refusal_text(Refusal::kPosture)), std::string::npos);
+}
+
+TEST(SourceEvents, StopPlansThatAreRefusedOneAfterTheOtherAreToldOnceUntilOneIsTaken) {
+  SourceStatus told, now;
+  const auto sentence = [&]() -> std::string {
+    Event event;
+    return next_sentence(told, now, event) ? event.text.data() : "";
+  };
+  now.plans_accepted = 3;
+  now.plans_refused = 20;
+  now.plan_refusal = static_cast<std::int8_t>(PlanRefusal::kBeyondLimits);
+  EXPECT_EQ(sentence(), "") << "plans were taken between them";
+  now.plans_refused = 45;
+  EXPECT_EQ(sentence(),
+            "stop plans are refused: a number of it is beyond the robot's limits; the robot is held where it is if commands fail");
+  now.plans_refused = 450;
+  EXPECT_EQ(sentence(), "");
+  now.plans_accepted = 4;
+  EXPECT_EQ(sentence(), "");
+  now.plans_refused = 475;
+  EXPECT_NE(sentence(), "");
 }
 
 }  // namespace

@@ -30,7 +30,6 @@ KEPT = {
         SelfCollision::surfaces_cross SelfCollision::use SelfCollision::work""",
     "one machine tests every instruction set with them": "lower_simd",
     "part of an interface for mains of others": "Options::rest",
-    "waits for its user": "to_text BusLink::fileno BusLink::send ComMotion::shift_home StackView::source_of Supervisor::heard_from_pid",
 }
 KEPT_NAMES = {"twinbus::" + name for names in KEPT.values() for name in names.split()}
 # No functions of ours: clones, guards, tables; and what every class has, written or not.

@@ -215,17 +215,6 @@ Eigen::Isometry3d StackView::drawn_from_estimated(std::int64_t now_ns) const {
   return base(now_ns) * estimator_.configuration().base.inverse();
 }
 
-const SourceStatus* StackView::source_of(SourceKind kind, std::int64_t now_ns) const {
-  const Heard<SourceStatus>* best = nullptr;
-  for (const Heard<SourceStatus>& source : sources_) {
-    if (source.value.source == kind && source.fresh(now_ns, 1.0) &&
-        (best == nullptr || source.at_ns > best->at_ns)) {
-      best = &source;
-    }
-  }
-  return best == nullptr ? nullptr : &best->value;
-}
-
 void StackView::forget_silent(std::int64_t now_ns) {
   const auto silent = [&](const auto& heard) { return !heard.fresh(now_ns, kSilent); };
   std::erase_if(sources_, silent);

@@ -122,8 +122,6 @@ class StackView {
   double guard_rate() const { return guard_rate_.rate(); }
   // Time of the state per time of this machine, over the last second; 0 when unknown.
   double realtime_factor() const { return realtime_factor_; }
-  // Newest run of a kind heard on SOURCE_STATUS within the last second, nullptr if none.
-  const SourceStatus* source_of(SourceKind kind, std::int64_t now_ns) const;
 
   // Forgets processes and sources silent for 10 s.  Call now and then.
   void forget_silent(std::int64_t now_ns);
