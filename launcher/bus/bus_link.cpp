@@ -7,6 +7,7 @@
 #include "lcmtypes/bus/bus.h"
 #include "lcmtypes/bus/channels.h"
 #include "common/process/process.h"
+#include "lcmtypes/msg/labels.h"
 
 namespace twinbus {
 
@@ -157,7 +158,7 @@ const SeenSource* wait_for_active(BusLink& bus, double seconds) {
 std::string describe(const SeenSource& source) {
   return std::string(source_name(source.status.source)) + " run " +
          std::to_string(source.status.run_id) + " (term " + std::to_string(source.status.term) +
-         ", " + role_name(source.status.role) + ")";
+         ", " + label(source.status.role) + ")";
 }
 
 }  // namespace twinbus

@@ -3,6 +3,7 @@
 #include <cstdarg>
 #include <cstdio>
 
+#include "lcmtypes/msg/labels.h"
 #include "lcmtypes/msg/status.h"
 
 namespace twinbus {
@@ -34,10 +35,10 @@ std::string source_line(const SeenSource& source, std::int64_t now_ns) {
   const SourceStatus& s = source.status;
   std::string line = line_of(
       "  %-10s %7.1f %9s %5d %8lld %6lld %9lld", source_name(s.source), source.states.rate(now_ns),
-      role_name(s.role), s.term, static_cast<long long>(s.ticks_missed),
+      label(s.role), s.term, static_cast<long long>(s.ticks_missed),
       static_cast<long long>(s.commands_late), static_cast<long long>(s.commands_rejected));
   if (s.pace == kPatient) line += "  waits for late commands";
-  if (s.stop_kind != StopKind::kNone) line += std::string("  STOP ") + stop_name(s.stop_kind);
+  if (s.stop_kind != StopKind::kNone) line += std::string("  STOP ") + label(s.stop_kind);
   if (s.adaptor_status != 0)
     line += std::string("  ") + to_text(static_cast<Status>(s.adaptor_status));
   return line;
@@ -90,7 +91,7 @@ std::vector<std::string> table_lines(const Lookout& seen, CpuShare& shares, std:
   }
   if (seen.controller_statuses().age(now_ns) < 1.0) {
     const ControllerStatus& c = seen.controller();
-    lines.push_back(line_of("robot: mode %s, ZMP margin %.1f mm, guard %s", mode_name(c.mode),
+    lines.push_back(line_of("robot: mode %s, ZMP margin %.1f mm, guard %s", label(c.mode),
                             1e3 * static_cast<double>(c.zmp_margin), guard_word(seen, now_ns)) +
                     pace_text(seen, now_ns));
   }
@@ -113,10 +114,10 @@ std::string summary_line(const Lookout& seen, std::int64_t now_ns) {
                  seen.state().rate(now_ns),
                  active == nullptr ? "no source" : source_name(active->status.source),
                  active == nullptr ? 0 : active->status.term,
-                 active == nullptr ? "-" : role_name(active->status.role),
+                 active == nullptr ? "-" : label(active->status.role),
                  seen.command().rate(now_ns),
                  active == nullptr ? 0LL : static_cast<long long>(active->status.ticks_missed),
-                 mode_name(seen.controller().mode), seen.figures().fell ? ", FELL" : "") +
+                 label(seen.controller().mode), seen.figures().fell ? ", FELL" : "") +
          pace_text(seen, now_ns);
 }
 

@@ -176,19 +176,6 @@ const char* source_name(SourceKind source) {
   return word(static_cast<int>(source), {"none", "simulator", "bridge", "replay"});
 }
 
-const char* role_name(Role role) {
-  return word(static_cast<int>(role),
-              {"none", "parked", "active", "releasing", "track", "shadow", "stopped"});
-}
-
-const char* stop_name(StopKind kind) {
-  return word(static_cast<int>(kind), {"none", "balanced", "hold", "off"});
-}
-
-const char* mode_name(Mode mode) {
-  return word(static_cast<int>(mode), {"none", "idle", "hold", "pose", "balance", "walk", "stop"});
-}
-
 const char* process_name(ProcessKind kind) {
   return word(static_cast<int>(kind),
               {"process", "simulator", "bridge", "replay", "controller", "guard", "planner",

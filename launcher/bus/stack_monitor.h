@@ -98,9 +98,6 @@ class Lookout {
 // Does the active source stand still because somebody asked it to?
 bool is_paused(const Lookout& seen, std::int64_t now_ns);
 const char* source_name(SourceKind source);
-const char* role_name(Role role);
-const char* stop_name(StopKind kind);
-const char* mode_name(Mode mode);
 const char* process_name(ProcessKind kind);
 const char* realtime_name(std::int8_t realtime);  // as in Heartbeat
 

@@ -15,6 +15,7 @@
 #include "launcher/log/log_scan.h"
 #include "lcmtypes/bus/channels.h"
 #include "lcmtypes/bus/wire.h"
+#include "lcmtypes/msg/labels.h"
 #include "viewer_log/log/log_writer.h"
 
 namespace twinbus {
@@ -72,7 +73,7 @@ constexpr std::size_t kMostSenders = 10'000;
 const char* what_is_asked(const ModeRequest& request) {
   if (request.motion == Motion::kSway) return "sway";
   if (request.motion == Motion::kSquat) return "squat";
-  return mode_name(request.mode);
+  return label(request.mode);
 }
 
 const char* action_name(SourceAction action) {
@@ -215,7 +216,7 @@ int log_events(const std::vector<std::string>& words) {
                       std::string(source_name(s.source)) + " holds STATE, term " +
                           std::to_string(s.term));
                if (s.stop_kind != last.stop_kind)
-                 line(event, s.tick, std::string("stop: ") + stop_name(s.stop_kind));
+                 line(event, s.tick, std::string("stop: ") + label(s.stop_kind));
                last = s;
              } else if (name == channel::kEvent) {
                Event m;
@@ -232,7 +233,7 @@ int log_events(const std::vector<std::string>& words) {
                  line(
                      event, last.tick,
                      (m.kind == StopKind::kNone ? std::string("clear asked")
-                                                : std::string("stop asked: ") + stop_name(m.kind)) +
+                                                : std::string("stop asked: ") + label(m.kind)) +
                          ", " + who(m.sender_id));
              } else if (name == channel::kSourceRequest) {
                SourceRequest m;

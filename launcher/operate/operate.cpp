@@ -11,6 +11,7 @@
 #include "common/text/xml.h"
 #include "launcher/bus/bus_arguments.h"
 #include "launcher/bus/bus_link.h"
+#include "lcmtypes/msg/labels.h"
 #include "lcmtypes/msg/motion_defaults.h"
 #include "robot/description/load.h"
 
@@ -59,7 +60,7 @@ bool ask_controller(BusLink& bus, ModeRequest& request) {
 std::string why_it_stays(BusLink& bus, const ModeRequest& request) {
   const SeenSource* active = bus.seen().active(monotonic_ns());
   if (active != nullptr && active->status.stop_kind != StopKind::kNone) {
-    return std::string("the robot is stopped (") + stop_name(active->status.stop_kind) +
+    return std::string("the robot is stopped (") + label(active->status.stop_kind) +
            "): ./twinbus clear ends that";
   }
   if (bus.seen().controller().mode_sequence != request.sequence)
@@ -68,7 +69,7 @@ std::string why_it_stays(BusLink& bus, const ModeRequest& request) {
   for (const std::string& event : bus.seen().take_events()) {
     if (event.starts_with("controller: ")) return event.substr(event.find(' ') + 1);
   }
-  return std::string("the controller stays in mode ") + mode_name(bus.seen().controller().mode);
+  return std::string("the controller stays in mode ") + label(bus.seen().controller().mode);
 }
 
 namespace {
@@ -78,7 +79,7 @@ std::string what_it_does(const ControllerStatus& status) {
   if (status.mode == Mode::kBalance && status.motion == Motion::kSway) return "the robot sways";
   if (status.mode == Mode::kBalance && status.motion == Motion::kSquat)
     return "the robot moves up and down";
-  return std::string("the controller is in mode ") + mode_name(status.mode);
+  return std::string("the controller is in mode ") + label(status.mode);
 }
 
 bool does(const ControllerStatus& status, const ModeRequest& request) {
@@ -194,7 +195,7 @@ int stop_command(const std::vector<std::string>& words) {
     const SeenSource* active = bus.seen().active(monotonic_ns());
     if (all && active != nullptr && seconds_since(begin) > 0.15) {
       std::printf("stop: %s is stopped (%s); ./twinbus clear lets it go on\n",
-                  describe(*active).c_str(), stop_name(active->status.stop_kind));
+                  describe(*active).c_str(), label(active->status.stop_kind));
       return 0;
     }
     bus.send(request);

@@ -11,6 +11,7 @@
 #include "launcher/bus/bus_health.h"
 #include "launcher/bus/bus_link.h"
 #include "launcher/bus/live_table.h"
+#include "lcmtypes/msg/labels.h"
 
 namespace twinbus {
 
@@ -49,14 +50,14 @@ nlohmann::ordered_json as_json(const Lookout& seen, std::int64_t now_ns) {
     const SourceStatus& s = source->status;
     all["sources"].push_back({{"source", source_name(s.source)},
                               {"run_id", s.run_id},
-                              {"role", role_name(s.role)},
+                              {"role", label(s.role)},
                               {"term", s.term},
                               {"rate", source->states.rate(now_ns)},
                               {"ticks_missed", s.ticks_missed},
                               {"commands_late", s.commands_late},
                               {"commands_rejected", s.commands_rejected},
                               {"clamped", s.clamped},
-                              {"stop", stop_name(s.stop_kind)},
+                              {"stop", label(s.stop_kind)},
                               {"controller_id", s.controller_id}});
   }
   const auto stream = [&](const Meter& meter) {
@@ -86,7 +87,7 @@ nlohmann::ordered_json as_json(const Lookout& seen, std::int64_t now_ns) {
                                 {"hears", channels_json(b)}});
   }
   all["mode"] =
-      seen.controller_statuses().received() > 0 ? mode_name(seen.controller().mode) : "none";
+      seen.controller_statuses().received() > 0 ? label(seen.controller().mode) : "none";
   return all;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "control/balance/balance.h"
+#include "lcmtypes/msg/labels.h"
 
 namespace twinbus {
 
@@ -287,8 +288,8 @@ RunVerdict judge_scene(const OneProcess& run, const Criteria& asked, std::int64_
   if (run.swing().on()) judge_swing(run.swing(), asked.swing, failures);
   if (run.state().role == Role::kStopped) {
     const std::string cause = run.stop_cause();
-    failures.push_back(std::string("the source is stopped (") + stop_name(run.state().stop_kind) + ")" +
-                       (cause.empty() ? "" : ": " + cause));
+    failures.push_back(std::string("the source is stopped (") + label(run.state().stop_kind) + ") by " +
+                       label(run.source().status().stop_reason) + (cause.empty() ? "" : ": " + cause));
   }
   verdict.passed = failures.empty();
   return verdict;

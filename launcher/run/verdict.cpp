@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "lcmtypes/msg/labels.h"
+
 namespace twinbus {
 
 namespace {
@@ -90,7 +92,8 @@ RunVerdict judge(const Lookout& seen, const RunRequest& request, const MissedCou
   if (const SeenSource* active = seen.active(now_ns)) {
     if (active->status.role == Role::kStopped) {
       verdict.failures.push_back(std::string("the source is stopped (") +
-                                 stop_name(active->status.stop_kind) + ")");
+                                 label(active->status.stop_kind) + ") by " +
+                                 label(active->status.stop_reason));
     }
     for (const SeenProcess* process : seen.processes(now_ns, 2.0)) {
       if (process->beat.process_id != active->status.run_id) continue;

@@ -1,4 +1,5 @@
 #include "launcher/bus/stack_monitor.h"
+#include "lcmtypes/msg/labels.h"
 
 #include <gtest/gtest.h>
 
@@ -69,9 +70,9 @@ TEST(Lookout, FiguresAreTheWorstOfTheRun) {
 }
 
 TEST(Lookout, WordsForNumbersOutsideTheListAreUnknown) {
-  EXPECT_STREQ(role_name(static_cast<Role>(99)), "unknown");
+  EXPECT_STREQ(label(static_cast<Role>(99)), "unknown");
   EXPECT_STREQ(source_name(static_cast<SourceKind>(-1)), "unknown");
-  EXPECT_STREQ(role_name(Role::kStandbyTrack), "track");
+  EXPECT_STREQ(label(Role::kStandbyTrack), "track");
 }
 
 }  // namespace
