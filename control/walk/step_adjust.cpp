@@ -52,6 +52,7 @@ StepAdjusted adjust_step(const Gait& gait, const StepNow& now, double omega) noe
   result.foothold.position = support.position + support.turn(best_place);
   result.left = best_left;
   result.moved = (best_place - planned).norm();
+  result.cost = best;
   return result;
 }
 

@@ -31,6 +31,7 @@ struct StepAdjusted {
   Foothold foothold;
   double left = 0.0;   // until touchdown [s]
   double moved = 0.0;  // from the planned foothold [m]
+  double cost = 0.0;   // of this step; mostly what is beyond reach
 };
 
 StepAdjusted adjust_step(const Gait& gait, const StepNow& now, double omega) noexcept;

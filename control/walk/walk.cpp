@@ -189,7 +189,7 @@ void Walk::update(const Estimator& estimator, const Eigen::VectorXd& q_given, do
   const double w = omega();
   pattern_.plan(dcm_, w);
   stabilizer_.update(pattern_, com_.head<2>(), dcm_, w, dt);
-  if (stabilizer_.excess().norm() > gains_.step_when) pattern_.capture(dcm_);
+  if (stabilizer_.excess().norm() > gains_.step_when) pattern_.capture(dcm_, w);
   heading_ += wrap_angle(pattern_.heading() - heading_) * std::min(1.0, dt / gains_.turn);
 
   share_load();

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "control/walk/step_adjust.h"
 #include "common/math/pose_math.h"
 
 namespace twinbus {
@@ -140,13 +139,28 @@ void WalkPattern::begin_step(int support, double double_time) noexcept {
   target_ = planned_ = after(foot(support_), support_, 0);
 }
 
-void WalkPattern::capture(const Eigen::Vector2d& measured_dcm) noexcept {
+// One foot may carry most of the robot already, as before the other one after a walk was stopped: stepping with that one
+// would take away what holds the robot.
+void WalkPattern::capture(const Eigen::Vector2d& measured_dcm, double omega) noexcept {
   if (walking_) return;
   const double side = feet_[0].unturn(measured_dcm - middle()).y();
   tidy_ = false;
-  begin_step(side > 0.0 ? 1 : 0, gait_.hurry);
-  unforeseen_ = true;
   square_ = 0;
+  const Eigen::Vector2d zmp = zmp_;
+  int support = side > 0.0 ? 1 : 0;
+  double least = 0.0;
+  for (const int foot : {support, 1 - support}) {
+    zmp_ = zmp;
+    begin_step(foot, gait_.hurry);
+    (void)plan_pieces(omega);
+    const double cost = adjusted_step(measured_dcm, omega).cost;
+    if (foot != support && !(cost < least)) continue;
+    support = foot;
+    least = cost;
+  }
+  zmp_ = zmp;
+  begin_step(support, gait_.hurry);
+  unforeseen_ = true;
 }
 
 void WalkPattern::land(const Foothold& where, const Foothold& stood) noexcept {
@@ -255,6 +269,18 @@ void WalkPattern::advance(const std::array<bool, 2>& touching,
   if (landed || swing_.lost()) land(measured[m], measured[static_cast<std::size_t>(support_)]);
 }
 
+StepAdjusted WalkPattern::adjusted_step(const Eigen::Vector2d& measured_dcm, double omega) const noexcept {
+  const StepNow now{.support = foot(support_),
+                    .foot = support_,
+                    .planned = planned_,
+                    .dcm = measured_dcm,
+                    .offset = dcm_landing_ - target_.position,
+                    .left_planned = double_ + gait_.single_support - time_,
+                    .left_now = double_ + single_time_ - time_,
+                    .shortest = std::max(kShortest, double_ + gait_.shortest_single - time_)};
+  return adjust_step(gait_, now, omega);
+}
+
 void WalkPattern::plan(const Eigen::Vector2d& measured_dcm, double omega) noexcept {
   if (halting_ && !single_) (void)try_to_stand(measured_dcm, omega);
   const double left_now = double_ + single_time_ - time_;
@@ -262,20 +288,10 @@ void WalkPattern::plan(const Eigen::Vector2d& measured_dcm, double omega) noexce
     if (left_now >= kObeys) planned_ = after(foot(support_), support_, 0);
     target_ = planned_;
     (void)plan_pieces(omega);
-    {
-      const StepNow now{.support = foot(support_),
-                        .foot = support_,
-                        .planned = planned_,
-                        .dcm = measured_dcm,
-                        .offset = dcm_landing_ - target_.position,
-                        .left_planned = double_ + gait_.single_support - time_,
-                        .left_now = left_now,
-                        .shortest = std::max(kShortest, double_ + gait_.shortest_single - time_)};
-      const StepAdjusted step = adjust_step(gait_, now, omega);
-      target_ = on_ground(step.foothold, foot(support_));
-      adjusted_ = step.moved;
-      single_time_ = time_ + step.left - double_;
-    }
+    const StepAdjusted step = adjusted_step(measured_dcm, omega);
+    target_ = on_ground(step.foothold, foot(support_));
+    adjusted_ = step.moved;
+    single_time_ = time_ + step.left - double_;
   }
   const std::size_t count = plan_pieces(omega);
   if (!preview_) return;

@@ -13,6 +13,7 @@
 #include "control/walk/footsteps.h"
 #include "control/walk/ground_slope.h"
 #include "control/walk/preview_plan.h"
+#include "control/walk/step_adjust.h"
 #include "control/walk/swing_foot.h"
 #include "lcmtypes/msg/step_list.h"
 
@@ -42,8 +43,8 @@ class WalkPattern {
                double dt) noexcept;
   // Moves the next step so that this DCM can be caught, and plans.
   void plan(const Eigen::Vector2d& measured_dcm, double omega) noexcept;
-  // Standing, and pushed: a step at once, with the foot on the side of the DCM.
-  void capture(const Eigen::Vector2d& measured_dcm) noexcept;
+  // Standing, and pushed: a step at once, with the foot that needs to step less far to catch this DCM.
+  void capture(const Eigen::Vector2d& measured_dcm, double omega) noexcept;
 
   bool walking() const noexcept { return walking_; }
   bool settled() const noexcept { return !walking_ && !squares_; }
@@ -83,6 +84,7 @@ class WalkPattern {
 
  private:
   std::size_t plan_pieces(double omega) noexcept;  // how many
+  StepAdjusted adjusted_step(const Eigen::Vector2d& measured_dcm, double omega) const noexcept;
   bool try_to_stand(const Eigen::Vector2d& measured_dcm, double omega) noexcept;
   void stand(const Eigen::Vector2d& rest, double time) noexcept;
   Eigen::Vector2d on_both_soles(const Eigen::Vector2d& point) const noexcept;

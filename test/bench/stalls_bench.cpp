@@ -89,9 +89,11 @@ Result watch(const Model& model, OneProcess& run, const std::string& what) {
     if (std::getenv("TRACE") != nullptr && i % std::atoi(std::getenv("TRACE")) == 0) {
       double jump = 0.0;
       for (std::size_t j = 0; j < 12; ++j) jump = std::max(jump, std::abs(run.source().effective_command().q[j] - run.state().q[j]));
-      std::printf("%lld plan %d mode %d tilt %.2f com v %.3f %.3f  F %.0f %.0f  q-gap %.4f zmp margin %.3f  %s\n", static_cast<long long>(i), run.state().plan_number,
+      std::printf("%lld plan %d mode %d tilt %.2f com v %.3f %.3f  F %.0f %.0f  q-gap %.4f zmp margin %.3f  com %.3f %.3f %.3f feet %.3f %.3f tilt %.2f %.2f  %s\n", static_cast<long long>(i), run.state().plan_number,
                   static_cast<int>(run.loop().status().mode), 57.3 * tilt_of(t), static_cast<double>(t.com_velocity[0]), static_cast<double>(t.com_velocity[1]),
                   static_cast<double>(t.foot_force[0][2]), static_cast<double>(t.foot_force[1][2]), jump, static_cast<double>(t.zmp_margin),
+                  static_cast<double>(t.com[0]), static_cast<double>(t.com[1]), static_cast<double>(t.com[2]),
+                  static_cast<double>(t.foot_force[0][0]), static_cast<double>(t.foot_force[1][0]), 57.3 * 2 * t.base_attitude[1], 57.3 * 2 * t.base_attitude[2],
                   run.take_sentences().empty() ? "" : "!");
     }
     r.pushed = r.pushed || t.push_force != decltype(t.push_force){};
@@ -161,6 +163,7 @@ int main(int argc, char** argv) {
       const pid_t child = fork();
       if (child == 0) {
         const Result r = watch(model, run, argv[i]);
+        std::fflush(stdout);
         _exit(write(fd[1], &r, sizeof r) == sizeof r ? 0 : 1);
       }
       close(fd[1]);

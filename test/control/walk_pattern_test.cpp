@@ -224,6 +224,29 @@ TEST(WalkPattern, AHaltTakesAtMostTwoMoreSteps) {
   }
 }
 
+// As after a walk that was stopped: the front foot carries the robot already, so the other one steps.
+TEST(WalkPattern, ACaptureStepIsMadeWithTheFootThatNeedsToStepLessFar) {
+  const Gait g = gait();
+  for (int front = 0; front < 2; ++front) {
+    WalkPattern pattern(g);
+    std::array<Foothold, 2> feet;
+    for (int f = 0; f < 2; ++f)
+      feet[static_cast<std::size_t>(f)].position << (f == front ? 0.6 * g.max_forward : 0.0), side_of(f) * 0.5 * g.width;
+    pattern.start(feet);
+    const Eigen::Vector2d ahead(pattern.foot(front).position.x() + g.sole_high.x() - 0.03, side_of(front) * 0.45 * g.width);
+    pattern.plan(ahead, kOmega);
+    pattern.capture(ahead, kOmega);
+    EXPECT_TRUE(pattern.walking());
+    EXPECT_EQ(pattern.support(), front);
+  }
+  for (int foot = 0; foot < 2; ++foot) {  // pushed to a side: that foot goes there
+    Puppet puppet;
+    const Eigen::Vector2d aside(puppet.dcm.x(), side_of(foot) * g.width);
+    puppet.pattern.capture(aside, kOmega);
+    EXPECT_EQ(puppet.pattern.support(), 1 - foot);
+  }
+}
+
 TEST(WalkPattern, AListOfFootholdsIsSteppedOnOneByOne) {
   Puppet puppet;
   const double half = 0.5 * puppet.pattern.gait().width;

@@ -59,6 +59,20 @@ TEST(Stalls, AWalkingRobotWhoseControllerDiesComesToStandAndIsHeld) {
   }
 }
 
+// Where the slope leads down again the front foot has its toes in the air at first: the robot leans farther over it than the
+// stop foresaw, and steps on.
+TEST(Stalls, AStopThatIsAskedForWhereTheSlopeBeginsStands) {
+  for (const double at : {14.606, 14.844, 15.262, 15.432}) {
+    Walked w("walk_slope", 1);
+    ASSERT_TRUE(w.go(at));
+    ModeRequest stop;
+    stop.mode = Mode::kStop;
+    w.run->say(stop);
+    EXPECT_TRUE(w.go(4.5)) << at;
+    EXPECT_TRUE(w.stands()) << at;
+  }
+}
+
 TEST(Stalls, AControllerThatStoodStillWalksOn) {
   for (const double stall : {0.02, 0.1, 0.2}) {
     Walked w("walk_forward");
