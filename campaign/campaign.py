@@ -176,5 +176,17 @@ def main(words):
         return 130
 
 
+def main_that_may_be_left(words):
+    """For `campaign ... | head`: who reads no further has what he wanted."""
+    try:
+        try:
+            return main(words)
+        finally:
+            sys.stdout.flush()
+    except BrokenPipeError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # the interpreter flushes once more
+        return 141
+
+
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(main_that_may_be_left(sys.argv[1:]))

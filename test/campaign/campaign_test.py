@@ -119,6 +119,16 @@ class Table(Rig):
         self.assertEqual([int(row["seed"]) for row in self.table("o")], list(range(1, 151)))
 
 
+class Output(Rig):
+    def test_a_reader_that_leaves_gets_no_traceback(self):
+        for words in (["--help"], ["search", "--help"]):
+            read, write = os.pipe()
+            os.close(read)
+            done = subprocess.run(self.words(*words), stdout=write, stderr=subprocess.PIPE, text=True, env=self.environment)
+            os.close(write)
+            self.assertEqual(done.stderr, "", words)
+
+
 class Files(Rig):
     def test_wrong_files_name_line_field_and_remedy(self):
         for text, said in (
