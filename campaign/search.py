@@ -9,8 +9,8 @@
     search: {method: cmaes, minimize: zmp_margin_min_mm, box: {KEY: [LEAST, MOST]}, runs: 200}     # the worst case in a box
     search: {method: importance, normal: {KEY: [MEAN, SD]}, runs: 400}          # how rare a failure is
 
-Method bisection (default for push and unknown) takes what is larger to be worse; --random N draws N runs per row as well, and
-compares the boundary that these show.  Writes search.csv, and search.html with the map.
+Method bisection (default for push and unknown) takes what is larger to be worse.  --random N draws N runs as well (with bisection: N per
+row), and compares what these show.  Writes search.csv, and search.html with the map.
 """
 
 import argparse
@@ -19,8 +19,10 @@ import math
 import os
 import pathlib
 import random
+import warnings
 
 from errors import CampaignError
+from run_task import FIGURES
 from spec import IN_SCENE, TaskMaker
 
 KEYS = ("push", "unknown", "least", "most", "tolerance", "method", "minimize", "box", "normal", "runs")
@@ -228,33 +230,75 @@ def importance(search, number_of_runs):
         mean = [sum(w * draw[i] for draw, w in best) / total for i in range(len(keys))]
         # Never narrower than what is asked about: what a narrow draw does not see has a weight without bound.
         spread = [max(1.0, math.sqrt(sum(w * (draw[i] - mean[i]) ** 2 for draw, w in best) / total)) for i in range(len(keys))]
-    terms = [w if bad else 0.0 for w, bad in zip(weights, failed)]
-    rate = sum(terms) / len(terms)
-    error = math.sqrt(max(0.0, sum(t * t for t in terms) / len(terms) - rate * rate) / len(terms))
+    rate, error = mean_and_error([w if bad else 0.0 for w, bad in zip(weights, failed)])
     return rate, error, {k: normal[k][0] + normal[k][1] * m for k, m in zip(keys, mean)}
+
+
+def mean_and_error(terms):
+    mean = sum(terms) / len(terms)
+    return mean, math.sqrt(max(0.0, sum(t * t for t in terms) / len(terms) - mean * mean) / len(terms))
+
+
+def plain_rate(search, count):
+    """The same rate by draws that all count alike: (rate, error)."""
+    normal = {key: tuple(entry.number() for entry in value.entries()) for key, value in search.keys["normal"].items()}
+    chance = random.Random(search.campaign.draw_seed + 1)
+    points = [{k: repr(float(f"{chance.gauss(*pair):.9g}")) for k, pair in normal.items()} for _ in range(count)]
+    return mean_and_error([float(search.failed(each)) for each in search.fails(points)])
+
+
+def import_cma():
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # that there is nothing to draw with
+            import cma
+    except ImportError:
+        raise CampaignError("method cmaes needs the library cma; run: python3 -m pip install cma (or take method importance)") from None
+    return cma
+
+
+class Box:
+    """What cmaes is asked: the point of a box whose figure is smallest."""
+
+    def __init__(self, search):
+        self.search = search
+        if "box" not in search.keys or "minimize" not in search.keys:
+            raise search.value.error("cmaes wants box: {KEY: [LEAST, MOST]} and minimize: FIGURE")
+        self.box = {key: tuple(entry.number() for entry in value.entries()) for key, value in search.keys["box"].items()}
+        if any(len(pair) != 2 or not pair[0] < pair[1] for pair in self.box.values()):
+            raise search.keys["box"].error("wants KEY: [LEAST, MOST]")
+        if len(self.box) < 2:
+            raise search.keys["box"].error("wants two settings or more, which cma needs; of one setting, unknown: finds the boundary")
+        self.figure = search.keys["minimize"].text()
+        if self.figure not in FIGURES:
+            raise search.keys["minimize"].error(f"is no figure of a run; use one of {', '.join(FIGURES)}")
+
+    def figures(self, draws):
+        """Of points within 0..1 (points, figures): the worst over the seeds; a fall is worse than any figure."""
+        points = [{k: repr(float(f"{low + (high - low) * u:.9g}")) for (k, (low, high)), u in zip(self.box.items(), draw)} for draw in draws]
+        return points, [min((r["figures"].get(self.figure) or 0.0) - 1000.0 * bool(r["figures"].get("fell")) for r in each)
+                        for each in self.search.fails(points)]
 
 
 def cmaes(search, number_of_runs):
     """The worst point of a box: (point, figure)."""
-    try:
-        import cma
-    except ImportError:
-        raise CampaignError("method cmaes needs the library cma; run: python3 -m pip install cma (or take method importance)") from None
-    if "box" not in search.keys or "minimize" not in search.keys:
-        raise search.value.error("cmaes wants box: {KEY: [LEAST, MOST]} and minimize: FIGURE")
-    box = {key: tuple(entry.number() for entry in value.entries()) for key, value in search.keys["box"].items()}
-    if any(len(pair) != 2 or not pair[0] < pair[1] for pair in box.values()):
-        raise search.keys["box"].error("wants KEY: [LEAST, MOST]")
-    figure, keys = search.keys["minimize"].text(), list(box)
+    cma, box = import_cma(), Box(search)
     best = (None, math.inf)
-    strategy = cma.CMAEvolutionStrategy([0.5] * len(keys), 0.25, {"bounds": [0, 1], "seed": 1 + search.campaign.draw_seed, "verbose": -9})
-    while search.runs < number_of_runs and not strategy.stop():
-        draws = strategy.ask()
-        points = [{k: repr(float(f"{box[k][0] + (box[k][1] - box[k][0]) * u:.9g}")) for k, u in zip(keys, draw)} for draw in draws]
-        worst = [min((r["figures"].get(figure, 0.0) or 0.0) - 1000.0 * bool(r["figures"].get("fell")) for r in each) for each in search.fails(points)]
-        strategy.tell(draws, worst)
-        best = min([best, *zip(points, worst)], key=lambda pair: pair[1])
+    strategy = cma.CMAEvolutionStrategy([0.5] * len(box.box), 0.25, {"bounds": [0, 1], "seed": 1 + search.campaign.draw_seed, "verbose": -9})
+    while not strategy.stop():
+        draws, before = strategy.ask(), search.runs
+        points, figures = box.figures(draws)
+        strategy.tell(draws, figures)
+        best = min([best, *zip(points, figures)], key=lambda pair: pair[1])
+        if 2 * search.runs - before > number_of_runs:  # another generation would be too many
+            break
     return best
+
+
+def drawn_worst(search, count):
+    """The same by drawing: the worst of count points spread evenly over the box."""
+    box, chance = Box(search), random.Random(search.campaign.draw_seed)
+    return min(zip(*box.figures([[chance.random() for _ in box.box] for _ in range(count)])), key=lambda pair: pair[1])
 
 
 def rose(rows, title):
@@ -298,7 +342,7 @@ def search_command(words):
     parser.add_argument("--out")
     parser.add_argument("--workers", type=int, default=os.cpu_count() or 1)
     parser.add_argument("--dask")
-    parser.add_argument("--random", type=int, default=0, metavar="N", help="also N random runs per row, and how far their boundary is")
+    parser.add_argument("--random", type=int, default=0, metavar="N", help="also N random runs (bisection: per row), and how far what they show is")
     given = parser.parse_args(words)
     import cluster
     import local
@@ -328,15 +372,25 @@ def say(search, store, given):
     if search.method == "cmaes":
         point, figure = cmaes(search, most_runs)
         print(f"worst of {search.runs} runs: {figure:.6g} at {', '.join(f'{k}={v}' for k, v in point.items())}")
+        if given.random:
+            point, figure = drawn_worst(search, given.random)
+            print(f"worst of {given.random} drawn points: {figure:.6g} at {', '.join(f'{k}={v}' for k, v in point.items())}")
         return 0
     if search.method == "importance":
         if "normal" not in search.keys:
             raise search.value.error("importance wants normal: {KEY: [MEAN, SD]}")
         rate, error, middle = importance(search, most_runs)
+        if rate == 0.0:
+            print(f"no run failed of {search.runs}, drawn about " + ", ".join(f"{k}={v:.4g}" for k, v in middle.items())
+                  + ": give more runs:, or minimize: a figure that shrinks towards failure")
+            return 0
         print(f"rate of failures {rate:.3g} +- {error:.2g} from {search.runs} runs; they fail about "
               + ", ".join(f"{k}={v:.4g}" for k, v in middle.items()))
         if 0 < rate < 1 and error > 0:
             print(f"drawing without weights would take {(1 - rate) * rate / error ** 2:.0f} runs for that error")
+        if given.random:
+            rate, error = plain_rate(search, given.random)
+            print(f"drawn without weights: rate {rate:.3g} +- {error:.2g} from {given.random} points")
         return 0
     search.bisect(search.rows, max(1, given.workers))
     for row in search.rows:

@@ -16,7 +16,10 @@ from errors import CampaignError
 from run_task import FIGURES, whole_lines
 
 WHERE = ("host", "processor", "architecture", "path", "libc", "kernel", "started", "run_s", "task_s", "pid", "attempt")
-TEXT = {"state_hash"}
+# How a column of results.parquet is typed; settings are numbers where all their values are.
+TEXTS = {"id", "scene", "robot", "controller", "status", "failures", "state_hash"}
+WHOLE = {"seed", "ticks", "self_collision_ticks", "steps"}
+TRUTHS = {"fell"}
 
 
 class Store:
@@ -134,7 +137,7 @@ def cell(value):
 
 
 def write_parquet(path, names, rows):
-    """The same table, typed: a column is of numbers when all of its values are."""
+    """The same table, typed: the type of a column that is no setting does not depend on what is in it."""
     try:
         import pyarrow
         from pyarrow import parquet
@@ -143,14 +146,19 @@ def write_parquet(path, names, rows):
     columns = {}
     for i, name in enumerate(names):
         values = [row[i] for row in rows]
-        there = [value for value in values if value is not None]
-        if name not in ("id", "scene", "robot", "controller", "status", "failures", *TEXT) and not all(isinstance(v, bool) for v in there):
-            try:
-                values = [None if value is None else float(value) for value in values]
-            except ValueError:
-                values = [None if value is None else str(value) for value in values]
-        columns[name] = values
+        if name in TEXTS or name not in ("for_s", *WHOLE, *TRUTHS, *FIGURES) and not all(is_number(value) for value in values):
+            columns[name] = pyarrow.array([None if value is None else str(value) for value in values], pyarrow.string())
+        elif name in TRUTHS:
+            columns[name] = pyarrow.array([None if value is None else bool(value) for value in values], pyarrow.bool_())
+        elif name in WHOLE:
+            columns[name] = pyarrow.array([None if value is None else int(value) for value in values], pyarrow.int64())
+        else:
+            columns[name] = pyarrow.array([None if value is None else float(value) for value in values], pyarrow.float64())
     part = path.with_name(path.name + ".part")
     parquet.write_table(pyarrow.table(columns), part)
     os.replace(part, path)
     return True
+
+
+def is_number(value):
+    return value is None or number_or_text(value)[0] == 0

@@ -30,6 +30,24 @@ class Table(Rig):
         self.assertTrue((self.folder / "o/report.html").exists())
         self.assertEqual({row["path"] for row in self.table("o", "runs.csv")}, {"avx2"})
 
+    def test_the_same_table_as_parquet(self):
+        try:
+            from pyarrow import parquet
+        except ImportError:
+            self.skipTest("results.parquet needs pyarrow; run: python3 -m pip install pyarrow")
+        self.here(self.file("scenes: stand\nseeds: 1..5\nsettings: {bad: [2, 3], ms: 0}\n"), "--out", "o", status=1)
+        rows, found = self.table("o"), parquet.read_table(self.folder / "o/results.parquet")
+        self.assertEqual(found.column_names, list(rows[0]))
+        types = {field.name: str(field.type) for field in found.schema}
+        self.assertEqual([types[name] for name in ("id", "seed", "bad", "fell", "max_tilt_deg", "travel_m", "state_hash")],
+                         ["string", "int64", "double", "bool", "double", "double", "string"])  # no run has a travel_m
+        for row, one in zip(rows, found.to_pylist()):
+            self.assertEqual((row["id"], int(row["seed"]), float(row["max_tilt_deg"]), row["fell"] == "true"),
+                             (one["id"], one["seed"], one["max_tilt_deg"], one["fell"]))
+        before = (self.folder / "o/results.parquet").read_bytes()
+        self.here(self.folder / "c.yaml", "--out", "again", "--workers", 1, status=1)
+        self.assertEqual((self.folder / "again/results.parquet").read_bytes(), before)
+
     def test_the_table_does_not_depend_on_workers_or_order(self):
         file = self.file("scenes: stand\nseeds: 1..40\nsettings: {bad: [3, 7]}\n")
         for workers in (1, 3):

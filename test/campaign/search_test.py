@@ -3,6 +3,7 @@
 
 import math
 import random
+import re
 import unittest
 import unittest.mock
 
@@ -71,6 +72,36 @@ class Normal(unittest.TestCase):
         self.assertGreater(middle["u"], 2.0)
 
 
+def span(low, high):
+    return unittest.mock.Mock(entries=lambda: [unittest.mock.Mock(number=lambda: low), unittest.mock.Mock(number=lambda: high)])
+
+
+class Worst(unittest.TestCase):
+    def test_the_worst_point_of_a_box_beats_as_many_drawn_ones(self):
+        """A valley that no axis follows; its bottom is at (0.3, -1.4, 2)."""
+        try:
+            import cma  # noqa: F401
+        except ImportError:
+            self.skipTest("method cmaes needs the library cma; run: python3 -m pip install cma")
+        found = unittest.mock.Mock(runs=0)
+        found.keys = {"box": unittest.mock.Mock(items=lambda: [(k, span(-4.0, 4.0)) for k in "abc"]),
+                      "minimize": unittest.mock.Mock(text=lambda: "zmp_margin_min_mm")}
+        found.campaign.draw_seed = 1
+
+        def fails(points):
+            found.runs += len(points)
+            rows = [[float(p[k]) - at for k, at in (("a", 0.3), ("b", -1.4), ("c", 2.0))] for p in points]
+            return [[{"figures": {"zmp_margin_min_mm": (x + y) ** 2 + 50 * (x - y) ** 2 + 5 * z * z}}] for x, y, z in rows]
+        found.fails = fails
+        point, figure = search.cmaes(found, 400)
+        self.assertLessEqual(found.runs, 400)
+        self.assertGreater(found.runs, 380)
+        self.assertLess(figure, 0.01)
+        self.assertAlmostEqual(float(point["c"]), 2.0, delta=0.1)
+        _, drawn = search.drawn_worst(found, 400)
+        self.assertGreater(drawn, 10 * figure)
+
+
 class Command(Rig):
     def test_an_unknown_setting(self):
         file = self.file("scenes: stand\nlogs: 0\nsettings: {limit: [10, 20]}\nsearch: {unknown: push, least: 1, most: 100, tolerance: 0.05}\n")
@@ -81,10 +112,35 @@ class Command(Rig):
             self.assertLessEqual(float(row["largest_that_passes"]), float(row["limit"]))
             self.assertGreater(float(row["smallest_that_fails"]), float(row["limit"]))
 
+    def test_a_rate_with_and_without_weights(self):
+        """Pushes of 16 +- 5 fell above 20: 21 %."""
+        text = ("scenes: stand\nlogs: 0\nsettings: {limit: [20]}\nsearch: {method: importance, normal: {push: [%g, 5]}, runs: 120}\n")
+        said = self.here("search", self.file(text % 16), "--out", "o", "--workers", 2, "--random", 20)
+        found = re.search(r"rate of failures ([\d.]+) \+- ([\d.]+) from 120 runs", said)
+        self.assertTrue(found, said)
+        self.assertAlmostEqual(float(found[1]), 0.212, delta=0.1)
+        self.assertIn("from 20 points", said)
+        self.assertIn("no run failed", self.here("search", self.file(text % -80), "--out", "o", "--workers", 2))
+
+    def test_the_worst_point(self):
+        text = ("scenes: stand\nlogs: 0\nsettings: {limit: [20]}\n"
+                "search: {method: cmaes, minimize: %s, box: {%spush: [0, 25]}, runs: 40}\n")
+        try:
+            import cma  # noqa: F401
+        except ImportError:
+            self.assertIn("pip install cma", self.here("search", self.file(text % ("max_tilt_deg", "")), "--out", "o", status=1))
+            self.skipTest("method cmaes needs the library cma; run: python3 -m pip install cma")
+        said = self.here("search", self.file(text % ("max_tilt_deg", "ms: [0, 3], ")), "--out", "o", "--random", 10)
+        self.assertRegex(said, r"worst of \d+ runs: -999\.\d+ at ms=[\d.]+, push=2")
+        self.assertIn("worst of 10 drawn points", said)
+        self.assertIn("is no figure of a run", self.here("search", self.file(text % ("tilt", "ms: [0, 3], ")), "--out", "o", status=1))
+        self.assertIn("two settings or more", self.here("search", self.file(text % ("max_tilt_deg", "")), "--out", "o", status=1))
+
     def test_wrong_searches(self):
         for text, said in (("search: {}", "c.yaml:2: search: wants either"), ("search: {unknown: push}", "least is missing"),
                            ("search: {unknown: push, least: 3, most: 1}", "must be above least"), ("", "has no search"),
-                           ("search: {method: guess}", "is not one of")):
+                           ("search: {method: guess}", "is not one of"), ("search: {method: importance}", "importance wants normal"),
+                           ("search: {method: importance, normal: {push: [1, 0]}}", "wants KEY: [MEAN, SD]")):
             self.assertIn(said, self.here("search", self.file(f"scenes: stand\n{text}\n"), "--out", "o", status=1))
 
 
