@@ -23,6 +23,7 @@ MOST_BATCH = 50
 WAIT = 60.0         # [s] for a scheduler that went away
 POLL = 2.0          # [s] between two looks at the results of an array
 LOOK = 10           # [s] without a result after which the scheduler is asked what it knows
+SILENT = 600.0      # [s] without an answer of squeue
 ARRAY = 1000        # array tasks at most; clusters commonly allow 1001
 
 
@@ -195,7 +196,7 @@ def run_slurm(store, tasks, add, jobs):
 
 
 def follow(store, wanted, add, job):
-    read = {}
+    read, silent = {}, [None]
     while wanted:
         for file in sorted((store.out / "done").glob("slurm-*.jsonl")):
             with open(file, "rb") as lines:
@@ -213,10 +214,23 @@ def follow(store, wanted, add, job):
                     add(result)
         if not wanted:
             return
-        waiting = subprocess.run(["squeue", "-h", "-j", job, "-o", "%T"], capture_output=True, text=True)
-        if waiting.returncode != 0 or not waiting.stdout.strip():
+        if ended(job, silent):
             if read.get("last"):
                 raise CampaignError(f"job {job} has ended and {len(wanted)} tasks have no result; its sentences are in {store.out}/slurm/log; "
                                     "give the same command again for what is left")
             read["last"] = 1  # one more look: the end may be newer than the files that were read
         time.sleep(POLL)
+
+
+def ended(job, silent):
+    """Whether Slurm knows nothing more of a job.  silent: [since when squeue does not answer, or None].  Throws CampaignError."""
+    said = subprocess.run(["squeue", "-h", "-j", job, "-o", "%T"], capture_output=True, text=True)
+    if said.returncode == 0 or "Invalid job id" in said.stderr:
+        silent[0] = None
+        return not said.stdout.strip()
+    # A controller that restarts answers nothing for a while; the array goes on.
+    silent[0] = silent[0] or time.monotonic()
+    if time.monotonic() - silent[0] > SILENT:
+        raise CampaignError(f"squeue has not answered for {SILENT / 60:g} min ({(said.stderr.strip().splitlines() or ['no sentence'])[-1][:200]}); "
+                            f"job {job} may go on: give the same command again when it answers")
+    return False

@@ -4,7 +4,8 @@ and a Slurm array: the sorted tables are equal byte for byte, no task is lost an
 
     cluster_test.py [--tasks N] [--kills S] [--only-dask]    N tasks (200); with --kills a worker or the scheduler dies every S seconds or so
 
-Without Dask (python3-distributed) or Slurm that part is said and left out; the array is then run by a stand-in for sbatch.
+Without Dask (python3-distributed) that part is said and left out.  Slurm is one node that the test starts (slurm_node.py); without its
+programs a stand-in for sbatch runs the array.
 """
 
 import argparse
@@ -22,6 +23,7 @@ import time
 import pathlib
 
 import campaign_rig
+import slurm_node
 
 ROOT = campaign_rig.ROOT
 SBATCH = """#!/bin/bash
@@ -170,17 +172,46 @@ class Drill:
         print("killed: " + ", ".join(f"{count} times a {name}" for name, count in kills.items()), flush=True)
 
     def slurm(self):
-        environment, what = dict(self.environment), "Slurm of one node"
-        if not shutil.which("sbatch"):
-            fakes = self.folder / "fakes"
-            fakes.mkdir()
-            for name, text in (("sbatch", SBATCH), ("squeue", SQUEUE)):
-                (fakes / name).write_text(text)
-                (fakes / name).chmod(0o755)
-            environment["PATH"] = f"{fakes}:{environment['PATH']}"
-            what = "Slurm array by a stand-in for sbatch (slurm-wlm is not installed)"
+        """A Slurm of our own, one node, where its programs are; TWINBUS_SLURM=node: or it fails; =cluster: that of this machine."""
+        wanted, missing = os.environ.get("TWINBUS_SLURM", ""), slurm_node.missing()
         began = time.monotonic()
-        self.end(self.campaign("slurm", "--slurm", "--jobs", "3", environment=environment), "slurm", what, began)
+        if wanted == "cluster":
+            self.end(self.campaign("slurm", "--slurm", "--jobs", "3"), "slurm", "Slurm of this machine", began)
+            return
+        node, why = None, f"no {missing[0]}: apt-get install slurmctld slurmd slurm-client munge" if missing else ""
+        try:
+            if not missing:
+                node = slurm_node.Node(self.folder / "node")
+        except OSError as error:
+            why = str(error)
+        if node is None:
+            print(f"{'FAILED' if wanted == 'node' else 'no'} Slurm of one node: {why}", flush=True)
+            self.bad += wanted == "node"
+            self.slurm_stand_in()
+            return
+        try:
+            began = time.monotonic()
+            process = self.campaign("slurm", "--slurm", "--jobs", "3", environment=node.environment(self.environment))
+            again = None
+            while process.poll() is None and again is None:
+                time.sleep(0.05)
+                if any((self.folder / "slurm/done").glob("slurm-*.jsonl")):
+                    again = node.requeue_one()
+            if again:
+                node.restart_controller(3.0)
+            self.end(process, "slurm", f"Slurm of one node, 3 array tasks, {f'{again} requeued, the controller restarted' if again else 'none requeued'}", began)
+        finally:
+            node.end()
+
+    def slurm_stand_in(self):
+        environment, fakes, began = dict(self.environment), self.folder / "fakes", time.monotonic()
+        fakes.mkdir()
+        for name, text in (("sbatch", SBATCH), ("squeue", SQUEUE)):
+            (fakes / name).write_text(text)
+            (fakes / name).chmod(0o755)
+        environment["PATH"] = f"{fakes}:{environment['PATH']}"
+        self.end(self.campaign("slurm", "--slurm", "--jobs", "3", environment=environment), "slurm",
+                 "Slurm array by a stand-in for sbatch", began)
 
     def embedded_kills(self):
         """Workers and the campaign itself are killed; the same command goes on."""
