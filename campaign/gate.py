@@ -14,7 +14,7 @@ import random
 import statistics
 
 from errors import CampaignError
-from rates import Sprt, fixed_size, wilson
+from rates import Sprt, exact_risk, fixed_size, wilson
 
 KEYS = ("rate", "good", "alpha", "beta", "event", "most", "versions", "worse")
 
@@ -75,6 +75,7 @@ def gate_command(words):
     parser.add_argument("--dask")
     parser.add_argument("--simulate", type=float, metavar="RATE", help="no runs: a version that fails at this rate, many times over")
     parser.add_argument("--repeats", type=int, default=200)
+    parser.add_argument("--seed", type=int, default=1, help="of the simulation")
     given = parser.parse_args(words)
     import spec
     from store import Store
@@ -85,7 +86,7 @@ def gate_command(words):
         raise CampaignError(f"{given.file}: a gate takes grids only; let the scene's own randomness vary with the seed")
     asked = Asked(campaign.gate, campaign)
     if given.simulate is not None:
-        return simulate(asked, given.simulate, given.repeats)
+        return simulate(asked, given.simulate, max(1, given.repeats), given.seed)
     print(f"calls a version good whose {'share of differing pairs' if asked.versions else f'rate of {asked.event}s'} is {asked.p0:g}, but for "
           f"alpha {asked.alpha:g}; calls one bad whose is {asked.p1:g}, but for beta {asked.beta:g}; a fixed size would take {asked.fixed} "
           f"{'differing pairs' if asked.versions else 'runs'}")
@@ -170,9 +171,9 @@ def conclude(asked, test, said, judged):
     return 0 if said == "good" else 1
 
 
-def simulate(asked, rate, repeats):
+def simulate(asked, rate, repeats, seed=1):
     """Bernoulli runs at a known rate: how often is the gate wrong, and how many runs does it take?"""
-    generator = random.Random(1)
+    generator = random.Random(seed)
     said, runs = [], []
     for _ in range(repeats):
         test, decision = asked.test(), None
@@ -183,4 +184,15 @@ def simulate(asked, rate, repeats):
     saved = 1 - statistics.median(runs) / asked.fixed
     print(f"rate {rate:g}, {repeats} repeats: called good {said.count('good')}, bad {said.count('bad')}, undecided {said.count(None)}; "
           f"runs: median {statistics.median(runs):g}, largest {max(runs)}, a fixed size takes {asked.fixed}: {100 * saved:.0f} % saved")
-    return 0
+    good, bad, _ = exact_risk(asked.test(), rate, asked.most)
+    if asked.p0 < rate < asked.p1:
+        print(f"between {asked.p0:g} and {asked.p1:g} either answer is right; computed: good {100 * good:.2f} %, bad {100 * bad:.2f} %")
+        return 0
+    name, allowed = ("alpha", asked.alpha) if rate <= asked.p0 else ("beta", asked.beta)
+    wrong, exact = (repeats - said.count("good"), 1 - good) if name == "alpha" else (said.count("good"), good)
+    least, most = wilson(wrong, repeats)
+    held = least <= allowed
+    print(f"wrong {wrong} of {repeats}: {100 * wrong / repeats:.2f} % (95 %: {100 * least:.2f} .. {100 * most:.2f} %), {name} {100 * allowed:g} % "
+          f"{'held' if most <= allowed else 'is not contradicted' if held else 'EXCEEDED'}; computed without draws: {100 * exact:.2f} %, "
+          f"{'held' if exact <= allowed else 'EXCEEDED'}")
+    return 0 if held and exact <= allowed else 1

@@ -38,6 +38,27 @@ class Sprt:
         return "good" if self.evidence <= self.good else "bad" if self.evidence >= self.bad else None
 
 
+def exact_risk(test, rate, most):
+    """(P(good), P(bad), expected runs) of a Sprt that gives up after `most` runs, of a version that fails at this rate: computed, not drawn."""
+    states, good, bad, expected = {0: 1.0}, 0.0, 0.0, 0.0  # states: P of so many hits while nothing is said
+    for runs in range(1, most + 1):
+        expected += sum(states.values())
+        following = {}
+        for hits, chance in states.items():
+            for more, share in ((0, 1.0 - rate), (1, rate)):
+                evidence = (hits + more) * test.hit + (runs - hits - more) * test.miss
+                if evidence <= test.good:
+                    good += chance * share
+                elif evidence >= test.bad:
+                    bad += chance * share
+                else:
+                    following[hits + more] = following.get(hits + more, 0.0) + chance * share
+        states = following
+        if not states:
+            break
+    return good, bad, expected
+
+
 def binomial_at_most(hits, runs, rate):
     """P(X <= hits) of runs at rate."""
     if rate <= 0.0:

@@ -15,6 +15,7 @@ row), and compares what these show.  Writes search.csv, and search.html with the
 
 import argparse
 import csv
+import itertools
 import math
 import os
 import pathlib
@@ -28,7 +29,7 @@ from spec import IN_SCENE, TaskMaker
 KEYS = ("push", "unknown", "least", "most", "tolerance", "method", "minimize", "box", "normal", "runs")
 PUSH = "+ push"  # not the name of a setting
 METHODS = ("bisection", "cmaes", "importance")
-WARM = 1.25  # a neighbour's boundary is looked for within this factor of it
+UNKNOWN = {"mirrored": 0.01, "between": 0.2, "beside": 0.22}  # how far a guess is expected to be off before any was seen: of the logarithm
 
 
 class Row:
@@ -38,6 +39,7 @@ class Row:
         self.name, self.axes, self.settings = name, axes, settings
         self.good, self.bad, self.runs = least, most, 0
         self.tried_good = self.tried_bad = False
+        self.guesses, self.guess, self.off = None, None, 0.0  # where other rows say that the boundary is, and how far off that may be
 
     def boundary(self):
         if self.tried_bad and self.tried_good:
@@ -81,20 +83,19 @@ class Search:
         times = [entry.number(0, 86400) for entry in keys["at"].entries()] if "at" in keys else [2.0]
         count = keys["directions"].number(1, 360, whole=True) if "directions" in keys else 8
         push = {"link": keys["link"].text(), "duration": keys["duration"].number(0.001, 60) if "duration" in keys else 0.1}
-        rows = []
-        for at in times:
-            for i in range(count):
-                angle = 360.0 * i / count
-                # Exact along the axes: cos(90 degrees) is no zero in binary.
-                x, y = (round(f(math.radians(angle)), 12) for f in (math.cos, math.sin))
+        keys, rows = list(self.campaign.grid), []
+        for values, at, i in itertools.product(itertools.product(*self.campaign.grid.values()), times, range(count)):
+            angle, given = 360.0 * i / count, dict(zip(keys, values))
+            # Exact along the axes: cos(90 degrees) is no zero in binary.
+            x, y = (round(f(math.radians(angle)), 12) for f in (math.cos, math.sin))
 
-                def settings(size, at=at, x=x, y=y):
-                    return {PUSH: dict(push, at=at, impulse=[round(size * x, 6), round(size * y, 6), 0.0])}
-                rows.append(Row(f"{angle:g} degrees at {at:g} s", {"direction_deg": angle, "at_s": at}, settings, self.least, self.most))
+            def settings(size, given=given, at=at, x=x, y=y):
+                return {**given, PUSH: dict(push, at=at, impulse=[round(size * x, 6), round(size * y, 6), 0.0])}
+            name = ", ".join([f"{angle:g} degrees at {at:g} s", *(f"{k}={v}" for k, v in given.items() if len(self.campaign.grid[k]) > 1)])
+            rows.append(Row(name, {"direction_deg": angle, "at_s": at, **given}, settings, self.least, self.most))
         return rows
 
     def unknown_rows(self, key):
-        import itertools
         keys = list(self.campaign.grid)
         return [Row(", ".join(f"{k}={v}" for k, v in zip(keys, values)) or key, dict(zip(keys, values)),
                     lambda size, values=values: {**dict(zip(keys, values)), key: repr(float(f"{size:.9g}"))}, self.least, self.most)
@@ -111,12 +112,12 @@ class Search:
             tree = yaml.safe_load(scene[1]) or {}
             tree["pushes"] = list(tree.get("pushes") or []) + [push]
             changed = (scene[0], yaml.safe_dump(tree, default_flow_style=None, sort_keys=False, width=1000), scene[2])
-            self.maker.scenes.pop((scene[0], ()), None)
+            self.maker.scenes.clear()  # it knows scenes by their names
             for robot in self.campaign.robots:
                 for controller in self.campaign.controllers:
                     for seed in self.campaign.seeds:
                         tasks.append(self.maker.make(changed, robot, controller, settings, seed))
-            self.maker.scenes.pop((scene[0], ()), None)
+        self.maker.scenes.clear()
         return tasks
 
     def fails(self, points):
@@ -142,29 +143,42 @@ class Search:
     def narrow(self, row):
         return row.tried_good and row.tried_bad and row.bad - row.good <= self.tolerance * row.good
 
-    def next_value(self, row, near):
-        """Where a row is looked at next; near: the boundary of a neighbour."""
+    def middle(self, row):
+        return math.sqrt(row.good * row.bad) if row.good > 0 else 0.5 * (row.good + row.bad)
+
+    def next_value(self, row, like):
+        """Where a row is looked at next; like: a closed row that is most like it, or None."""
+        near = 0.98 * self.tolerance  # two values so far apart close a row
         if row.tried_good and row.tried_bad:
-            return math.sqrt(row.good * row.bad) if row.good > 0 else 0.5 * (row.good + row.bad)
-        if near is not None and not (row.tried_good or row.tried_bad):
-            return min(max(near, self.least), self.most)
-        if near is not None and row.tried_good != row.tried_bad:
-            value = row.good * WARM ** (2 ** (row.runs - 1)) if row.tried_good else row.bad / WARM ** (2 ** (row.runs - 1))
+            return self.middle(row)
+        if row.guess is not None:
+            if not (row.tried_good or row.tried_bad):
+                return min(max(row.guess * (1 + 0.5 * near) if row.off <= 0.5 * self.tolerance else row.guess, self.least), self.most)
+            step = 1 + max(near, 1.5 * row.off) * 2 ** (row.runs - 1)
+            value = row.good * step if row.tried_good else row.bad / step
             if self.least < value < self.most:
                 return value
-        if not (row.tried_good or row.tried_bad) and self.least > 0:
-            return math.sqrt(self.least * self.most)
-        if not row.tried_bad:
-            return self.most
-        return self.least
+            return self.most if row.tried_good else self.least
+        if not (row.tried_good or row.tried_bad) and like is not None and like.boundary() is None:
+            return self.most if like.tried_good else self.least
+        # An end is tried when nothing but that end is left.
+        if row.bad - row.good <= self.tolerance * row.good:
+            return self.most if row.tried_good else self.least
+        return self.middle(row)
 
     def bisect(self, rows, batch):
-        """Rows side by side: those whose neighbours are known begin there."""
-        open_rows, closed = list(rows), []
+        """One row from end to end; then rows side by side, each from where others say that it is."""
+        open_rows, closed, errors = in_order(rows), [], {}
         while open_rows:
-            # The first rows alone, then the rest, warm.
-            now = open_rows[:batch]
-            values = [self.next_value(row, nearest(row, closed)) for row in now]
+            now = open_rows[:batch if closed else 1]
+            for row in now:
+                if row.guesses is None:
+                    row.guesses = {name: guess for name, guess in ((f.__name__, f(row, closed)) for f in GUESSES) if guess is not None}
+                    offs = {name: expected(name, errors) for name in row.guesses}
+                    if offs:
+                        best = min(offs, key=offs.get)
+                        row.guess, row.off = row.guesses[best], offs[best]
+            values = [self.next_value(row, most_like(row, closed)) for row in now]
             points = [row.settings(value) for row, value in zip(now, values)]
             for row, value, results in zip(now, values, self.fails(points)):
                 row.note(value, self.failed(results))
@@ -172,31 +186,98 @@ class Search:
                 if end or self.narrow(row):
                     open_rows.remove(row)
                     closed.append(row)
+                    if row.boundary():
+                        for name, guess in row.guesses.items():
+                            errors.setdefault(name, []).append(abs(math.log(guess / row.boundary())))
         return rows
 
 
-def nearest(row, closed):
-    """The boundary of the closed row that is most like it."""
-    known = [other for other in closed if other.boundary() is not None]
-    if not known:
-        return None
+def expected(name, errors):
+    """How far off the next guess of a kind will be."""
+    last = errors.get(name, [])[-4:]
+    return sum(last) / len(last) if last else UNKNOWN[name]
 
+
+def turn(a, b):
+    """Between two directions [deg], 0 .. 180."""
+    apart = abs(a - b) % 360
+    return min(apart, 360 - apart)
+
+
+def in_order(rows):
+    """0, 45, 90 .. 180, then -45, -90 ...: what a guess needs comes first."""
+    directions = [float(row.axes.get("direction_deg", 0)) % 360 for row in rows]
+    return [row for _, _, row in sorted(zip(directions, range(len(rows)), rows), key=lambda each: (each[0] > 180, turn(each[0], 0)))]
+
+
+def most_like(row, closed):
     def distance(other):
-        turn = abs(float(row.axes.get("direction_deg", 0)) - float(other.axes.get("direction_deg", 0))) % 360
-        return min(turn, 360 - turn) + 100 * sum(row.axes[k] != other.axes.get(k) for k in row.axes if k != "direction_deg")
-    return min(known, key=distance).boundary()
+        return (turn(float(row.axes.get("direction_deg", 0)), float(other.axes.get("direction_deg", 0)))
+                + 100 * sum(row.axes[k] != other.axes.get(k) for k in row.axes if k != "direction_deg"))
+    return min(closed, key=distance, default=None)
 
 
-def random_rows(search, count):
-    """The same boundary by drawing: per row count runs evenly over least .. most; where the two kinds of runs part."""
-    chance, found = random.Random(1), []
+def with_boundary(closed):
+    return [other for other in closed if other.boundary()]
+
+
+def mirrored(row, closed):
+    """Left as right: robots are built so."""
+    if "direction_deg" not in row.axes:
+        return None
+    found = [other for other in with_boundary(closed) if turn(row.axes["direction_deg"], -other.axes["direction_deg"]) < 1e-6
+             and all(row.axes[k] == other.axes[k] for k in row.axes if k != "direction_deg")]
+    return found[0].boundary() if found else None
+
+
+def between(row, closed):
+    """Between the directions on both sides."""
+    if "direction_deg" not in row.axes:
+        return None
+    same = [other for other in with_boundary(closed) if all(row.axes[k] == other.axes[k] for k in row.axes if k != "direction_deg")]
+    sides = [((other.axes["direction_deg"] - row.axes["direction_deg"]) % 360, other) for other in same]
+    if len(sides) < 2:
+        return None
+    (before, left), (after, right) = max(sides, key=lambda s: s[0]), min(sides, key=lambda s: s[0])
+    share = (360 - before) / (360 - before + after)
+    return math.exp((1 - share) * math.log(left.boundary()) + share * math.log(right.boundary()))
+
+
+def beside(row, closed):
+    """As the row that is most like it."""
+    found = most_like(row, with_boundary(closed))
+    return found.boundary() if found else None
+
+
+GUESSES = (mirrored, between, beside)
+
+
+def random_rows(search, count, seed=1):
+    """Drawing instead: of each row, count values spread evenly over least .. most, and whether each fails."""
+    chance, found = random.Random(seed), []
     for row in search.rows:
         values = [float(f"{chance.uniform(search.least, search.most):.6g}") for _ in range(count)]
-        fails = [search.failed(results) for results in search.fails([row.settings(value) for value in values])]
-        good = max([v for v, bad in zip(values, fails) if not bad], default=search.least)
-        bad = min([v for v, bad in zip(values, fails) if bad], default=search.most)
-        found.append(0.5 * (good + bad))
+        found.append(list(zip(values, [search.failed(results) for results in search.fails([row.settings(value) for value in values])])))
     return found
+
+
+def parted(search, drawn):
+    """The boundary that draws show: where the two kinds of runs part."""
+    good = max([v for v, bad in drawn if not bad], default=search.least)
+    bad = min([v for v, bad in drawn if bad], default=search.most)
+    return 0.5 * (good + bad)
+
+
+def compare_with_drawn(search, looked, count):
+    """Draws of the search's own cost, of 20 times as much, and all: how far their boundaries are from the search's."""
+    drawn = random_rows(search, count, search.campaign.draw_seed)
+    rows, per_row = len(search.rows), (search.runs - looked) // len(search.rows)
+    cost = max(1, per_row // count)  # runs of a point: seeds, robots
+    counts = sorted({round(times * looked / rows / cost) for times in (1, 20)} | {count})
+    for number in (n for n in counts if 0 < n <= count):
+        apart = [abs(parted(search, each[:number]) - row.boundary()) / row.boundary() for each, row in zip(drawn, search.rows) if row.boundary()]
+        print(f"drawn: {number * cost * rows} runs, {number * cost * rows / looked:.1f} times as many: boundaries apart by at most "
+              f"{100 * max(apart, default=0):.1f} %, {sum(a <= 0.03 for a in apart)} of {len(apart)} within 3 %")
 
 
 def importance(search, number_of_runs):
@@ -311,15 +392,20 @@ def rose(rows, title):
     for k in (1, 2, 3, 4):
         out.append(f"<circle cx='{middle}' cy='{middle + 20}' r='{50 * k}' fill='none' stroke='#ddd'/>"
                    f"<text x='{middle + 3}' y='{middle + 16 - 50 * k}' fill='#777'>{most * k / 4:.3g}</text>")
-    for number, at in enumerate(sorted({row.axes["at_s"] for row in rows})):
+    groups = {}
+    for row in rows:
+        others = [f"{key}={value}" for key, value in row.axes.items()
+                  if key not in ("direction_deg", "at_s") and len({other.axes[key] for other in rows}) > 1]
+        groups.setdefault(", ".join([f"at {row.axes['at_s']:g} s", *others]), []).append(row)
+    for number, (name, group) in enumerate(groups.items()):
         dots = []
-        for row in rows:
-            if row.axes["at_s"] == at and row.boundary() is not None:
+        for row in group:
+            if row.boundary() is not None:
                 angle, radius = math.radians(row.axes["direction_deg"]), 200 * row.boundary() / most
                 dots.append(f"{middle - radius * math.sin(angle):.1f},{middle + 20 - radius * math.cos(angle):.1f}")
         color = colors[number % len(colors)]
         out.append(f"<polygon points='{' '.join(dots)}' fill='none' stroke='{color}' stroke-width='2'/>"
-                   f"<text x='8' y='{40 + 16 * number}' fill='{color}'>at {at:g} s</text>")
+                   f"<text x='8' y='{40 + 16 * number}' fill='{color}'>{name}</text>")
     return "".join(out) + f"<text x='{middle}' y='{size + 24}' text-anchor='middle'>up: forward, left: left; smallest push that fells [N s]</text></svg>"
 
 
@@ -400,8 +486,5 @@ def say(search, store, given):
     looked = search.runs
     print(f"{looked} runs\n{store.out / 'search.csv'}")
     if given.random:
-        drawn = random_rows(search, given.random)
-        apart = [abs(a - row.boundary()) / row.boundary() for a, row in zip(drawn, search.rows) if row.boundary()]
-        print(f"random sampling: {search.runs - looked} runs, {(search.runs - looked) / looked:.1f} times as many; boundaries apart by at most "
-              f"{100 * max(apart, default=0):.1f} %, {sum(a <= 0.03 for a in apart)} of {len(apart)} within 3 %")
+        compare_with_drawn(search, looked, given.random)
     return 0

@@ -33,6 +33,19 @@ class Risks(unittest.TestCase):
         self.assertLessEqual(good, 50)
         self.assertLessEqual(statistics.median(runs), 0.5 * fixed)
 
+    def test_computed_risks_hold_and_are_those_of_repeats(self):
+        for alpha, beta in ((0.05, 0.05), (0.01, 0.1)):
+            test = rates.Sprt(0.05, 0.1, alpha, beta)
+            fixed, _ = rates.fixed_size(0.05, 0.1, alpha, beta)
+            good, bad, runs = rates.exact_risk(test, 0.05, 5 * fixed)
+            self.assertLessEqual(1 - good, alpha)
+            wrong, _, _ = rates.exact_risk(test, 0.1, 5 * fixed)
+            self.assertLessEqual(wrong, beta)
+            _, drawn, lengths = repeats(0.05, 2000, alpha=alpha, beta=beta)
+            least, most = rates.wilson(drawn, 2000, 3.3)
+            self.assertTrue(least <= bad <= most, (least, bad, most))
+            self.assertAlmostEqual(statistics.mean(lengths) / runs, 1.0, delta=0.1)
+
     def test_the_fixed_size_is_that_of_exact_binomials(self):
         runs, hits = rates.fixed_size(0.05, 0.1, 0.05, 0.05)
         self.assertEqual((runs, hits), (298, 21))
@@ -62,6 +75,14 @@ class Gate(Rig):
         same.write_text(self.fake.read_text() + "\n")
         same.chmod(0o755)
         self.assertIn("no difference", self.here("gate", self.file(text % "same"), "--out", "b"))
+
+    def test_the_simulation_judges_itself(self):
+        file = self.file("scenes: stand\ngate: {rate: 0.1}\n")
+        for rate, name in ((0.05, "alpha"), (0.02, "alpha"), (0.1, "beta"), (0.3, "beta")):
+            said = self.here("gate", file, "--simulate", rate, "--seed", 3)
+            self.assertRegex(said, rf"wrong \d+ of 200: [\d.]+ % \(95 %: [\d.]+ .. [\d.]+ %\), {name} 5 % (held|is not contradicted); "
+                                   r"computed without draws: [\d.]+ %, held")
+        self.assertIn("either answer is right", self.here("gate", file, "--simulate", 0.07))
 
     def test_wrong_gates(self):
         for text, said in (("gate: {}", "c.yaml:2: gate: wants either"), ("gate: {rate: 2}", "c.yaml:2: gate.rate: 2 is not within"),

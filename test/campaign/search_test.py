@@ -36,10 +36,18 @@ class Bisection(unittest.TestCase):
         looked = found.runs
         for row, edge in zip(found.rows, found.edges):
             self.assertAlmostEqual(row.boundary() / edge, 1.0, delta=0.03)
-        self.assertLessEqual(looked, 32 * 6)
+        self.assertLessEqual(looked, 32 * 5)
         # 20 times as many runs, drawn: the boundary of some rows is still wrong by more than that
-        drawn = search.random_rows(found, 20 * looked // 32)
+        drawn = [search.parted(found, each) for each in search.random_rows(found, 20 * looked // 32)]
         self.assertGreater(max(abs(a - edge) / edge for a, edge in zip(drawn, found.edges)), 0.03)
+
+    def test_a_robot_that_falls_left_as_right_takes_two_runs_a_row_on_one_side(self):
+        for batch in (1, 2):
+            found = Known(lambda a: 40 - 13 * math.cos(a) + 9 * math.cos(3 * a), 16)
+            found.bisect(found.rows, batch)
+            self.assertLessEqual(sum(row.runs for row in found.rows[9:]), 15)
+            for row, edge in zip(found.rows, found.edges):
+                self.assertAlmostEqual(row.boundary() / edge, 1.0, delta=0.016)
 
     def test_rows_without_a_boundary_say_so(self):
         for edge, side in ((500.0, "all pass"), (0.1, "all fail")):
@@ -111,6 +119,23 @@ class Command(Rig):
         for row in rows:
             self.assertLessEqual(float(row["largest_that_passes"]), float(row["limit"]))
             self.assertGreater(float(row["smallest_that_fails"]), float(row["limit"]))
+
+    def test_pushes_with_settings(self):
+        """A push is given with each of the settings: what the program gets says so."""
+        import spec
+        file = self.file("scenes: stand\nlogs: 0\nsettings: {limit: [3, 4], scene.duration: [2, 3]}\n"
+                         "search: {push: {link: CHEST, directions: 4}, least: 1, most: 100}\n")
+        with unittest.mock.patch.dict("os.environ", self.environment):
+            looked = search.Search(spec.read(file), None, None, file)
+        self.assertEqual(len(looked.rows), 16)
+        texts = set()
+        for row in looked.rows:
+            for size in (10.0, 20.0):
+                task, = looked.tasks(row.settings(size))
+                self.assertEqual(task["settings"], {"limit": row.axes["limit"]})
+                self.assertIn(f"duration: {float(row.axes['scene.duration'])}", task["scene_text"])
+                texts.add((task["scene_text"], row.axes["limit"]))
+        self.assertEqual(len(texts), 32)
 
     def test_a_rate_with_and_without_weights(self):
         """Pushes of 16 +- 5 fell above 20: 21 %."""
