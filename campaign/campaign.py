@@ -44,6 +44,8 @@ def check_first(maker, campaign, tasks):
     line of the file, before thousands are refused."""
     import run_task
     from errors import CampaignError
+    if campaign.program:
+        return
     runner = run_task.Runner()
     try:
         groups = {}

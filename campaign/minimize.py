@@ -231,6 +231,8 @@ def minimize_command(words):
     found = [pair for pair in failed if pair[0]["id"] == given.id]
     if not found:
         raise CampaignError(f"{given.out}: run {given.id} is not there or did not fail; ids are in results.csv")
+    if "arguments" in found[0][0]:
+        raise CampaignError(f"{given.id}: is no run of a scene but of {found[0][0]['program']}, which has no ingredients")
     pool = local.Threads(max(1, given.workers))
     try:
         small = Minimizer(*found[0], pool.run)

@@ -15,7 +15,7 @@ import threading
 
 from errors import CampaignError
 from rates import wilson
-from run_task import whole_lines
+from run_task import program_words, whole_lines
 from store import number_or_text, sort_key
 
 STATUSES = ("passed", "failed", "timeout", "crashed", "refused")
@@ -161,9 +161,12 @@ def page(out, pairs, title):
         parts.append("<table><tr><th></th><th>id</th><th>scene</th><th>settings</th><th>seed</th><th>what</th><th>command</th></tr>")
     for task, result in worst[:MOST_WORST]:
         settings = ", ".join(f"{key}={value}" for key, value in task["varied"].items())
-        parts.append(f"<tr><td><a class=replay href='replay/{task['id']}'>replay</a></td><td>{task['id']}</td><td>{esc(task['scene'])}</td>"
+        link, command = f"<a class=replay href='replay/{task['id']}'>replay</a>", f"./twinbus campaign view {out} {task['id']}"
+        if "arguments" in task:  # no run of a scene: there is nothing to see
+            link, command = "", " ".join(program_words(task))
+        parts.append(f"<tr><td>{link}</td><td>{task['id']}</td><td>{esc(task['scene'])}</td>"
                      f"<td>{esc(settings)}</td><td class=n>{task['seed']}</td><td>{esc('; '.join(result['failures']) or result['status'])}</td>"
-                     f"<td><code>./twinbus campaign view {esc(out)} {task['id']}</code></td></tr>")
+                     f"<td><code>{esc(command)}</code></td></tr>")
     parts.append("</table>" if worst else "<p>None.</p>")
     return "\n".join(parts) + "</html>\n"
 
@@ -194,6 +197,8 @@ def log_of(out, tasks, name):
     import run_task
     if name not in tasks:
         raise CampaignError(f"{out}: has no run '{name}'; ids are in results.csv")
+    if "arguments" in tasks[name]:
+        raise CampaignError(f"{name}: is no run of a scene but of {tasks[name]['program']}; its command is in report.html")
     log = pathlib.Path(out) / "logs" / f"{name}.log"
     if not log.exists():
         runner = run_task.Runner()

@@ -74,9 +74,38 @@ def machine():
 
 
 def program_of(task):
-    """Where the task's program lies on this machine: where it lay on the other, or what TWINBUS_PROGRAM names."""
+    """Where the task's program lies on this machine: where it lay on the other, or what TWINBUS_PROGRAM names (another one: beside that)."""
     named = os.environ.get("TWINBUS_PROGRAM")
+    if named and "arguments" in task:
+        named = str(pathlib.Path(named).with_name(pathlib.Path(task["program"]).name))
     return task["program"] if not named or hash_of(task["program"]) == task["program_hash"] else named
+
+
+def program_words(task):
+    """The command of a program of its own, which prints what it finds."""
+    words = [program_of(task), *task["arguments"]]
+    words += ["--robot", task.get("robot_path") or task["robot"]] if task["robot"] else []
+    for key, value in task["settings"].items():
+        words += [f"--{key}"] if value == "true" else [] if value == "false" else [f"--{key}", value]
+    return words + (["--seed", str(task["seed"])] if task["seeded"] else [])
+
+
+def read_object(file):
+    try:
+        return json.loads(file.read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return {}
+
+
+def last_object(text):
+    """Of the last line that is a JSON object: what a program of its own has found."""
+    for line in reversed(text.splitlines()):
+        if line.startswith("{"):
+            try:
+                return json.loads(line)
+            except ValueError:
+                continue
+    return {}
 
 
 class Runner:
@@ -109,9 +138,14 @@ class Runner:
             return f"worker {self.machine['host']}: {task['scene_path']} is missing or another one; give workers the same folder"
         if task.get("robot_path") and hash_of(task["robot_path"]) != task["robot_hash"]:
             return f"worker {self.machine['host']}: {task['robot_path']} is missing or another one; give workers the same folder"
+        for path, digest in task.get("files", {}).items():
+            if hash_of(path) != digest:
+                return f"worker {self.machine['host']}: {path} is missing or another one; give workers the same files"
         return ""
 
     def words(self, task, report):
+        if "arguments" in task:
+            return program_words(task)
         words = [program_of(task), "run", self.scene_file(task), "--seed", str(task["seed"]),
                  "--report", str(report), "--robot", task.get("robot_path") or task["robot"]]
         if task.get("for") is not None:
@@ -135,14 +169,20 @@ class Runner:
         else:
             report.unlink(missing_ok=True)
             result["status"], result["failures"], figures = self.start(task, self.words(task, report), report)
-            result["figures"] = {key: figures[key] for key in FIGURES if figures.get(key) is not None}
+            if "arguments" in task:
+                where["times"] = {key: value for key, value in figures.pop("times", {}).items() if isinstance(value, (int, float))}
+                result["figures"] = {key: value for key, value in figures.items() if isinstance(value, (bool, int, float, str))}
+                if task.get("output"):
+                    result["output"] = self.output
+            else:
+                result["figures"] = {key: figures[key] for key in FIGURES if figures.get(key) is not None}
             where["path"] = figures.get("simd", "")
             if figures and task.get("simd", "any") != "any" and where["path"] != task["simd"]:
                 result.update(status="refused", again=True, figures={}, failures=[
                     f"worker {self.machine['host']}: runs path {where['path']}, and the campaign asks for {task['simd']}; "
                     "use a machine that has it, or ask for a lower path"])
         where["run_s"] = round(time.monotonic() - clock, 6)
-        if result["status"] == "failed" and logs and most_logs > 0:
+        if result["status"] == "failed" and logs and most_logs > 0 and "arguments" not in task:
             self.keep_log(task, pathlib.Path(logs), most_logs)
         where["task_s"] = round(time.monotonic() - clock, 6)
         result["where"] = where
@@ -160,7 +200,7 @@ class Runner:
         except OSError as error:
             return "refused", [f"cannot start {words[0]}: {error.strerror}"], {}
         try:
-            _, complaints = process.communicate(timeout=task.get("limit", 600.0))
+            printed, complaints = process.communicate(timeout=task.get("limit", 600.0))
         except subprocess.TimeoutExpired:
             os.killpg(process.pid, signal.SIGKILL)
             process.communicate()
@@ -168,10 +208,8 @@ class Runner:
         except BaseException:
             os.killpg(process.pid, signal.SIGKILL)
             raise
-        try:
-            figures = json.loads(report.read_text(encoding="utf-8"))
-        except (OSError, ValueError):
-            figures = {}
+        self.output = printed.decode("utf-8", "replace") if "arguments" in task else ""
+        figures = last_object(self.output) if "arguments" in task else read_object(report)
         said = complaints.decode("utf-8", "replace").strip().splitlines()
         if process.returncode < 0:
             return "crashed", [f"ended by signal {-process.returncode}"], {}

@@ -65,6 +65,10 @@ class Search:
         value = campaign.search
         keys = value.keys(KEYS)
         self.value, self.keys = value, keys
+        if campaign.cases:
+            raise value.error("takes no cases: beside it; write them as lists of settings:, each point of which is a row")
+        if campaign.program and "push" in keys:
+            raise keys["push"].error("is for scenes; of a program:, use unknown: KEY")
         self.method = keys["method"].word_of(METHODS) if "method" in keys else "bisection"
         if self.method == "bisection":
             if ("push" in keys) == ("unknown" in keys):

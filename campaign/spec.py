@@ -18,7 +18,7 @@ import strict
 from errors import CampaignError
 from run_task import hash_of
 
-KEYS = ("about", "scenes", "robots", "controllers", "seeds", "for", "limit", "path", "settings", "draws", "rounds", "draw_seed", "logs",
+KEYS = ("about", "scenes", "program", "arguments", "output", "cases", "robots", "controllers", "seeds", "for", "limit", "path", "settings", "draws", "rounds", "draw_seed", "logs",
         "search", "gate")
 MOST_TASKS = 2_000_000
 IN_SCENE = "scene."  # a setting that begins so is a key of the scene: scene.pushes.0.impulse.0
@@ -30,6 +30,10 @@ class Campaign:
     def __init__(self):
         self.file = ""
         self.scenes = []       # [(name, text, path or None)]
+        self.program = None    # path of a program that is no `twinbus run`
+        self.arguments, self.output = [], False
+        self.seeded = False    # whether the file names seeds
+        self.cases = {}        # name -> {settings, robot, program, arguments}: combinations that are no grid
         self.robots = [None]   # a name, a folder, or None: the scene's
         self.controllers = {"built_in": {}}
         self.seeds = [1]
@@ -115,6 +119,37 @@ def read_controllers(value, beside):
     return found
 
 
+def find_beside(value, beside):
+    """A program by its name, beside `twinbus`, or by its path."""
+    name = value.text()
+    found = beside / name if "/" in name else pathlib.Path(find_program()).with_name(name)
+    if not os.access(found, os.X_OK) or found.is_dir():
+        raise value.error(f"{found} is no program; build it, or name it by its path")
+    return str(found.resolve())
+
+
+def read_cases(value, campaign, beside):
+    """{NAME: {settings: {KEY: VALUE}, robot: R, program: P, arguments: [...]}}."""
+    for name, entry in value.items():
+        keys = entry.keys(("settings", "robot", "program", "arguments"))
+        case = campaign.cases[name] = {"settings": {}}
+        if "settings" in keys:
+            for key, each in keys["settings"].items():
+                campaign.lines[key] = each
+                case["settings"][key] = each.text()
+        if "robot" in keys:
+            case["robot"] = read_robot(keys["robot"], beside)
+        for key in ("program", "arguments"):
+            if key in keys and campaign.program is None:
+                raise keys[key].error("is for campaigns of a program:; scenes are run by controllers:")
+        if "program" in keys:
+            case["program"] = find_beside(keys["program"], beside)
+        if "arguments" in keys:
+            case["arguments"] = [each.text() for each in keys["arguments"].entries()]
+    if not campaign.cases:
+        raise value.error("is empty; leave it out")
+
+
 def read_settings(value, campaign):
     hows = set()
     for key, entry in value.items():
@@ -145,14 +180,29 @@ def read_settings(value, campaign):
     campaign.how = hows.pop() if hows else "random"
 
 
+def read_program(keys, campaign, beside):
+    for key in ("scenes", "controllers", "for", "path"):
+        if key in keys:
+            raise keys[key].error("is for campaigns of scenes:, and this one has a program:")
+    campaign.program = find_beside(keys["program"], beside)
+    campaign.scenes = [(pathlib.Path(campaign.program).name, "", None)]
+    if "arguments" in keys:
+        campaign.arguments = [entry.text() for entry in keys["arguments"].entries()]
+    if "output" in keys:
+        campaign.output = keys["output"].truth()
+
+
 def read(path):
     """The campaign of a file.  Throws CampaignError."""
     top = strict.load(path)
     beside = pathlib.Path(path).resolve().parent
-    keys = top.keys(KEYS, ("scenes",))
+    keys = top.keys(KEYS, () if top.is_map() and "program" in dict(top.items()) else ("scenes",))
     campaign = Campaign()
     campaign.file = str(path)
-    campaign.scenes = [read_scene(entry, beside) for entry in keys["scenes"].entries()]
+    if "program" in keys:
+        read_program(keys, campaign, beside)
+    else:
+        campaign.scenes = [read_scene(entry, beside) for entry in keys["scenes"].entries()]
     if not campaign.scenes:
         raise keys["scenes"].error("is empty; name at least one scene")
     names = [name for name, _, _ in campaign.scenes]
@@ -162,8 +212,10 @@ def read(path):
         campaign.robots = [read_robot(entry, beside) for entry in keys["robots"].entries()]
     if "controllers" in keys:
         campaign.controllers = read_controllers(keys["controllers"], beside)
+    if "cases" in keys:
+        read_cases(keys["cases"], campaign, beside)
     if "seeds" in keys:
-        campaign.seeds = read_seeds(keys["seeds"])
+        campaign.seeds, campaign.seeded = read_seeds(keys["seeds"]), True
     if "for" in keys:
         campaign.seconds = keys["for"].number(0.002, 1e6)
     if "limit" in keys:
@@ -182,7 +234,7 @@ def read(path):
         campaign.logs = keys["logs"].number(0, 1e6, whole=True)
     campaign.search, campaign.gate = keys.get("search"), keys.get("gate")
     count = len(campaign.scenes) * len(campaign.robots) * len(campaign.controllers) * len(campaign.seeds)
-    for values in campaign.grid.values():
+    for values in [*campaign.grid.values(), *([campaign.cases] if campaign.cases else [])]:
         count *= len(values)
     count *= campaign.draws if campaign.drawn else 1
     if count > MOST_TASKS:
@@ -249,7 +301,7 @@ class TaskMaker:
             self.robots[name] = hash_of(inside if inside.is_dir() else name)
         return name, (name if "/" in name else None), self.robots[name]
 
-    def make(self, scene, robot, controller, settings, seed, seconds=None, limit=None):
+    def make(self, scene, robot, controller, settings, seed, seconds=None, limit=None, case=""):
         campaign = self.campaign
         changes = {k: v for k, v in settings.items() if k.startswith(IN_SCENE)}
         given = {k: str(v) for k, v in settings.items() if not k.startswith(IN_SCENE)}
@@ -262,8 +314,8 @@ class TaskMaker:
                     "guard": how.get("guard", True), "program": hash_of(program), "path": campaign.path}
         task = {"id": hashlib.sha256(json.dumps(identity, sort_keys=True).encode()).hexdigest()[:16],
                 "scene": scene[0], "scene_hash": scene_hash if not scene[2] else hash_of(scene[2]), "robot": name, "robot_hash": robot_hash,
-                "controller": controller, "settings": given, "varied": {k: str(v) for k, v in settings.items()}, "seed": seed,
-                "for": seconds, "guard": how.get("guard", True), "program": program, "program_hash": identity["program"],
+                "controller": controller, "settings": given, "varied": {**({"case": case} if case else {}), **{k: str(v) for k, v in settings.items()}},
+                "seed": seed, "for": seconds, "guard": how.get("guard", True), "program": program, "program_hash": identity["program"],
                 "limit": campaign.limit if limit is None else limit, "simd": campaign.path}
         if folder:
             task["robot_path"] = folder
@@ -273,16 +325,37 @@ class TaskMaker:
             task["scene_text"] = text
         return task
 
+    def make_of_program(self, robot, settings, seed, case):
+        """A task of a program of its own: arguments, settings as --KEY VALUE, and --seed."""
+        campaign, how = self.campaign, self.campaign.cases.get(case, {})
+        program, arguments = how.get("program", campaign.program), how.get("arguments", campaign.arguments)
+        given = {k: str(v) for k, v in settings.items()}
+        name, folder, robot_hash = self.robot(robot, "") if robot else ("", None, "")
+        # What it reads decides what it finds.
+        files = {word: hash_of(word) for word in arguments if word.startswith("/") and os.path.exists(word) and word != os.devnull}
+        identity = {"program": hash_of(program), "arguments": [files.get(word, word) for word in arguments], "settings": given,
+                    "seed": seed, "robot": robot_hash}
+        return {"id": hashlib.sha256(json.dumps(identity, sort_keys=True).encode()).hexdigest()[:16], "scene": pathlib.Path(program).name,
+                "scene_hash": "", "robot": name, "robot_hash": robot_hash, **({"robot_path": folder} if folder else {}), "controller": "",
+                "settings": given, "varied": {**({"case": case} if case else {}), **given}, "seed": seed, "seeded": campaign.seeded,
+                "for": None, "program": program, "program_hash": identity["program"], "arguments": arguments, "files": files,
+                "limit": campaign.limit, "output": campaign.output}
+
     def product(self, points):
-        """Tasks of every scene, robot, controller, grid value, point and seed."""
+        """Tasks of every scene, robot, controller, case, grid value, point and seed."""
         campaign = self.campaign
-        keys = list(campaign.grid)
-        for scene, robot, controller in itertools.product(campaign.scenes, campaign.robots, campaign.controllers):
+        keys, cases = list(campaign.grid), campaign.cases or {"": {"settings": {}}}
+        if campaign.program:  # all cases with one seed, then with the next: what measures time takes turns
+            for seed, robot, (case, how), values, point in itertools.product(campaign.seeds, campaign.robots, cases.items(),
+                                                                            itertools.product(*campaign.grid.values()), points):
+                yield self.make_of_program(how.get("robot", robot), {**how["settings"], **dict(zip(keys, values)), **point}, seed, case)
+            return
+        for scene, robot, controller, (case, how) in itertools.product(campaign.scenes, campaign.robots, campaign.controllers, cases.items()):
             for values in itertools.product(*campaign.grid.values()):
                 for point in points:
-                    settings = {**dict(zip(keys, values)), **point}
+                    settings = {**how["settings"], **dict(zip(keys, values)), **point}
                     for seed in campaign.seeds:
-                        yield self.make(scene, robot, controller, settings, seed)
+                        yield self.make(scene, how.get("robot", robot), controller, settings, seed, case=case)
 
     def first(self):
         """Every task that is known before anything ran; of an adaptive campaign its first round."""

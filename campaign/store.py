@@ -81,11 +81,13 @@ class Store:
         """results.csv, runs.csv, tasks.jsonl and, where pyarrow is there, results.parquet.  False without pyarrow."""
         pairs = self.done()
         settings = sorted({key for task in self.tasks.values() for key in task["varied"]})
-        names = ["id", "scene", "robot", "controller", *settings, "seed", "for_s", "status", "failures", *FIGURES]
-        rows = [results_row(task, result, settings) for task, result in pairs]
+        figures, times = figures_of(pairs)
+        names = ["id", "scene", "robot", "controller", *settings, "seed", "for_s", "status", "failures", *figures]
+        rows = [results_row(task, result, settings, figures) for task, result in pairs]
         self.write_csv("results.csv", names, rows)
-        self.write_csv("runs.csv", ["id", "program", *WHERE],
-                       [[task["id"], task["program_hash"], *(result["where"].get(key, "") for key in WHERE)] for task, result in pairs])
+        self.write_csv("runs.csv", ["id", "program", *WHERE, *times],
+                       [[task["id"], task["program_hash"], *(result["where"].get(key, "") for key in WHERE),
+                         *(result["where"].get("times", {}).get(key, "") for key in times)] for task, result in pairs])
         with replacing(self.out / "tasks.jsonl") as file:
             for task in sorted(self.tasks.values(), key=sort_key):
                 file.write(json.dumps(task) + "\n")
@@ -126,10 +128,18 @@ def sort_key(task):
             [(key, number_or_text(task["varied"][key])) for key in sorted(task["varied"])], task["seed"], task["id"])
 
 
-def results_row(task, result, settings):
+def figures_of(pairs):
+    """The columns of results.csv, and those of runs.csv that are times: what programs of their own print has names of its own."""
+    if not any("arguments" in task for task, _ in pairs):
+        return FIGURES, ()
+    return (sorted({key for _, result in pairs for key in result["figures"]}),
+            sorted({key for _, result in pairs for key in result["where"].get("times", {})}))
+
+
+def results_row(task, result, settings, figures_there=FIGURES):
     figures = result["figures"]
     return [task["id"], task["scene"], task["robot"], task["controller"], *(task["varied"].get(key) for key in settings), task["seed"],
-            task["for"], result["status"], "; ".join(result["failures"]), *(figures.get(key) for key in FIGURES)]
+            task["for"], result["status"], "; ".join(result["failures"]), *(figures.get(key) for key in figures_there)]
 
 
 def cell(value):

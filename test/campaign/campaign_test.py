@@ -137,6 +137,75 @@ class Table(Rig):
         self.assertEqual([int(row["seed"]) for row in self.table("o")], list(range(1, 151)))
 
 
+class Programs(Rig):
+    """Tasks that are no `twinbus run`: a program's arguments, and the JSON object that it prints last."""
+
+    def setUp(self):
+        super().setUp()
+        prober = self.folder / "prober"
+        prober.write_text("""#!/bin/sh
+# prober FILE [--deep] [--hard N] --seed N: fails where N divides the seed
+file=$1 hard=0 deep=0; shift
+while [ $# -gt 0 ]; do case $1 in --deep) deep=1 ;; --hard) hard=$2; shift ;; --seed) seed=$2; shift ;; *) echo "no option $1" >&2; exit 2 ;; esac; shift; done
+echo "looks at $file"
+status=0; [ "$hard" != 0 ] && [ $((seed % hard)) = 0 ] && status=1
+echo '{"found": "'$(cat $file)'", "deep": '$deep', "depth": '$((seed * 2))', "failures": ["too hard"], "times": {"plan_us": 12.5}}'
+exit $status
+""")
+        prober.chmod(0o755)
+        self.data = self.folder / "data"
+        self.data.write_text("gold")
+        self.text = f"program: prober\narguments: [{self.data}]\nseeds: 1..6\ncases:\n  easy: {{}}\n  hard: {{settings: {{hard: 3, deep: true}}}}\n"
+
+    def test_figures_times_and_failures(self):
+        said = self.here(self.file(self.text + "output: true\n"), "--out", "o", "--workers", 2, status=1)
+        self.assertIn("10 passed, 2 failed", said)
+        rows = self.table("o")
+        self.assertEqual([(row["case"], row["seed"]) for row in rows], [(c, str(n)) for c in ("easy", "hard") for n in range(1, 7)])
+        self.assertEqual([row["seed"] for row in rows if row["status"] == "failed"], ["3", "6"])
+        self.assertEqual({row["found"] for row in rows}, {"gold"})
+        self.assertEqual([row["deep"] for row in rows], ["0"] * 6 + ["1"] * 6)
+        self.assertNotIn("plan_us", rows[0])
+        self.assertEqual(self.table("o", "runs.csv")[0]["plan_us"], "12.5")
+        self.assertIn("looks at", (self.folder / "o/done/here.jsonl").read_text())
+        text = (self.folder / "o/report.html").read_text()
+        self.assertIn("prober", text)
+        self.assertNotIn("replay/", text)
+        name = rows[8]["id"]
+        self.assertIn("no run of a scene", self.here("view", "o", name, status=1))
+        self.assertIn("no ingredients", self.here("minimize", "o", name, status=1))
+
+    def test_a_file_that_changes_is_another_task(self):
+        file = self.file(self.text)
+        self.here(file, "--out", "o", status=1)
+        self.assertIn("0 of them new", self.here(file, "--out", "o", status=1))
+        self.data.write_text("lead")
+        self.assertIn("12 of them new", self.here(file, "--out", "o", status=1))
+        self.assertEqual({row["found"] for row in self.table("o")}, {"lead"})
+
+    def test_wrong_ones(self):
+        for text, said in (("program: nobody\n", "is no program"), ("program: prober\nscenes: stand\n", "and this one has a program"),
+                           ("program: prober\ncases: {}\n", "is empty"), ("scenes: stand\ncases: {a: {program: x}}\n", "is for campaigns of a program"),
+                           ("program: prober\ncases: {a: {robot: nobody}}\n", "there is no robot"), ("cases: {a: {}}\n", "scenes is missing")):
+            self.assertIn(said, self.here(self.file(text), "--out", "o", status=1))
+        self.here(self.file(f"program: prober\narguments: [{self.data}, --wrong, x]\n"), "--out", "w", status=1)
+        row, = self.table("w")
+        self.assertEqual((row["status"], row["failures"]), ("refused", "no option --wrong"))
+
+
+class Cases(Rig):
+    def test_combinations_that_are_no_grid(self):
+        robot = self.folder / "mine"
+        robot.mkdir()
+        (robot / "robot.yaml").write_text("x")
+        file = self.file("scenes: [stand, sway]\ncases:\n  nominal: {}\n  bad: {settings: {bad: 1, ms: 2}}\n  other: {robot: mine}\n")
+        self.here(file, "--out", "o", status=1)
+        rows = self.table("o")
+        self.assertEqual([(row["scene"], row["case"], row["status"]) for row in rows if row["robot"] == "hrp1s"],
+                         [(scene, *each) for scene in ("stand", "sway") for each in (("bad", "failed"), ("nominal", "passed"))])
+        self.assertEqual([row["case"] for row in rows if row["robot"] != "hrp1s"], ["other", "other"])
+
+
 class Output(Rig):
     def test_a_reader_that_leaves_gets_no_traceback(self):
         for words in (["--help"], ["search", "--help"]):
