@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -29,6 +30,7 @@ using namespace twinbus;
 namespace {
 
 constexpr double kAfter = 4.5;         // watched after the instant [s]
+constexpr double kWithinPlan = 1.5;    // a push so soon after the instant is one within the plan [s]
 constexpr double kFallen = 0.5;        // [rad]
 constexpr double kStandsUpright = 0.15;  // [rad]
 constexpr double kStands = 0.03;       // of the centre of mass [m/s]
@@ -43,7 +45,7 @@ struct Result {
   bool fell = true, good = false, latched = false;
   double tilt = 0.0, torque_step = 0.0;  // [rad]; largest of the effort limit, at the first tick that is led
   int stop_kind = 0, stop_reason = 0;
-  bool pushed = false;
+  double pushed_at = -1.0;  // first, after the instant [s]; < 0: not pushed
 };
 
 double tilt_of(const SimTruth& t) {
@@ -88,15 +90,17 @@ Result watch(const Model& model, OneProcess& run, const std::string& what) {
     const SimTruth& t = run.truth();
     if (std::getenv("TRACE") != nullptr && i % std::atoi(std::getenv("TRACE")) == 0) {
       double jump = 0.0;
-      for (std::size_t j = 0; j < 12; ++j) jump = std::max(jump, std::abs(run.source().effective_command().q[j] - run.state().q[j]));
-      std::printf("%lld plan %d mode %d tilt %.2f com v %.3f %.3f  F %.0f %.0f  q-gap %.4f zmp margin %.3f  com %.3f %.3f %.3f feet %.3f %.3f tilt %.2f %.2f  %s\n", static_cast<long long>(i), run.state().plan_number,
-                  static_cast<int>(run.loop().status().mode), 57.3 * tilt_of(t), static_cast<double>(t.com_velocity[0]), static_cast<double>(t.com_velocity[1]),
-                  static_cast<double>(t.foot_force[0][2]), static_cast<double>(t.foot_force[1][2]), jump, static_cast<double>(t.zmp_margin),
-                  static_cast<double>(t.com[0]), static_cast<double>(t.com[1]), static_cast<double>(t.com[2]),
-                  static_cast<double>(t.foot_force[0][0]), static_cast<double>(t.foot_force[1][0]), 57.3 * 2 * t.base_attitude[1], 57.3 * 2 * t.base_attitude[2],
-                  run.take_sentences().empty() ? "" : "!");
+      for (std::size_t j = 0; j < 12; ++j)
+        jump = std::max(jump, std::abs(run.source().effective_command().q[j] - run.state().q[j]));
+      std::printf("%lld plan %d mode %d tilt %.2f com %.3f %.3f v %.3f %.3f F %.0f %.0f q-gap %.4f zmp margin %.3f\n",
+                  static_cast<long long>(i), run.state().plan_number, static_cast<int>(run.loop().status().mode),
+                  57.3 * tilt_of(t), static_cast<double>(t.com[0]), static_cast<double>(t.com[1]),
+                  static_cast<double>(t.com_velocity[0]), static_cast<double>(t.com_velocity[1]),
+                  static_cast<double>(t.foot_force[0][2]), static_cast<double>(t.foot_force[1][2]), jump,
+                  static_cast<double>(t.zmp_margin));
     }
-    r.pushed = r.pushed || t.push_force != decltype(t.push_force){};
+    const bool pushed = t.push_force != decltype(t.push_force){};
+    if (pushed && r.pushed_at < 0.0) r.pushed_at = static_cast<double>(run.ticks() - begin) * model.period();
     r.tilt = std::max(r.tilt, tilt_of(t));
     fell = t.fell || tilt_of(t) > kFallen;
   }
@@ -180,21 +184,26 @@ int main(int argc, char** argv) {
     }
   }
   for (int i = 4; i < argc; ++i) {
-    int good = 0, fell = 0, latched = 0, pushed = 0, pushed_good = 0;
+    int good = 0, fell = 0, latched = 0;
+    std::array<int, 3> pushed{}, pushed_good{};  // within the plan, later, never
     std::vector<double> step, tilt;
     for (const Result& r : results[argv[i]]) {
       good += r.good;
       fell += r.fell;
       latched += r.latched;
-      pushed += r.pushed;
-      pushed_good += r.pushed && r.good;
+      const std::size_t when = r.pushed_at < 0.0 ? 2 : r.pushed_at <= kWithinPlan ? 0 : 1;
+      ++pushed[when];
+      pushed_good[when] += r.good;
       step.push_back(r.torque_step);
       if (r.good) tilt.push_back(57.3 * r.tilt);
     }
     std::printf("%s seed %llu %s: good %d of %zu, fell %d, latched %d; torque step %.3f p95 %.3f max %.3f; tilt %.1f max %.1f",
                 argv[1], seed, argv[i], good, step.size(), fell, latched, part_of(step, 0.5), part_of(step, 0.95),
                 part_of(step, 1.0), part_of(tilt, 0.5), part_of(tilt, 1.0));
-    if (pushed > 0) std::printf("; pushed within: good %d of %d", pushed_good, pushed);
+    if (pushed[2] < static_cast<int>(step.size())) {
+      std::printf("; pushed within the plan: good %d of %d, later %d of %d, not pushed %d of %d", pushed_good[0], pushed[0],
+                  pushed_good[1], pushed[1], pushed_good[2], pushed[2]);
+    }
     std::printf("\n");
   }
   return 0;
