@@ -367,6 +367,10 @@ Transition Handover::tick_grant(const HandoverInput& input, std::int64_t now_ns)
   const bool rest_helps = pending.policy != SwitchPolicy::kNow &&
                           (why == Refusal::kUnstable || (differs && (input.walking || wants_rest)));
   const bool aligning = pending.align && (why == Refusal::kNotStandby || differs);
+  const Peer* target = find_peer(pending.target_run_id);
+  // The machine stood still, and the target will be heard again.
+  if (why == Refusal::kStale && input.device_ok && target != nullptr && now_ns - target->heard_ns <= config.late_ns)
+    return Transition::kNone;
   if ((rest_helps || aligning) && now_ns - pending_since_ns < config.when_safe_ns) {
     wants_rest = rest_helps;
     return Transition::kNone;

@@ -49,6 +49,7 @@ struct HandoverConfig {
   std::int64_t silence_ns = 100'000'000;
   std::int64_t switch_interval_ns = 800'000'000;
   std::int64_t when_safe_ns = 8'000'000'000;  // how long a safe moment is waited for
+  std::int64_t late_ns = 200'000'000;         // a target that was heard so recently is late, and waited for
   RuleSet off = 0;
 };
 

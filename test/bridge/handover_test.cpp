@@ -210,7 +210,7 @@ TEST_P(Refused, WithItsOwnReasonAndNothingMoves) {
   RobotState target = standing(kTarget);
   hear_target(target);
   GetParam().arrange(target, measured, input, handover);
-  if (GetParam().expected == Refusal::kStale) now += 26 * kMs;
+  if (GetParam().expected == Refusal::kStale) now += 201 * kMs;
   if (GetParam().expected != Refusal::kStale && GetParam().expected != Refusal::kUnknownTarget)
     hear_target(target);
   const std::int32_t term = handover.term;
@@ -343,6 +343,19 @@ TEST_F(OneSource, AnUnstableRobotIsLeftAsSoonAsItStandsWhenThePolicySaysSo) {
     EXPECT_TRUE(handover.wants_rest);
   }
   input.stable = true;
+  EXPECT_EQ(step(), Transition::kGranted);
+}
+
+// The machine stood still: the switch is made once the target is heard again.
+TEST_F(OneSource, ATargetThatIsLateIsWaitedFor) {
+  activate();
+  hear_target(standing(kTarget));
+  now += 150 * kMs;
+  ask(request(SourceAction::kSwitch, kTarget));
+  for (int i = 0; i < 10; ++i) ASSERT_EQ(step(), Transition::kNone);
+  EXPECT_TRUE(handover.pending_switch);
+  EXPECT_EQ(handover.refusal, Refusal::kNone);
+  hear_target(standing(kTarget));
   EXPECT_EQ(step(), Transition::kGranted);
 }
 

@@ -53,6 +53,7 @@ HandoverConfig Setting::handover_config(int source, std::int64_t run_id) const {
   c.state_timeout_ns = 3 * kPeriod;
   c.listen_ns = 10 * kPeriod;
   c.silence_ns = 5 * kPeriod;
+  c.late_ns = 4 * kPeriod;
   c.switch_interval_ns = 12 * kPeriod;
   c.off = off;
   return c;
