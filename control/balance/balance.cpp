@@ -271,7 +271,8 @@ void Balance::push_soles(const Estimator& estimator, double dt) noexcept {
     measured[s].force = estimator.sole_force(foot).z();
     measured[s].moment = soles_[s].unturn((to_ground * estimator.sole_torque(foot)).head<2>());
   }
-  foot_.update(wanted, measured, estimator.loaded(0) || estimator.loaded(1), dt);
+  const bool known = measured[0].force != 0.0 || measured[1].force != 0.0;  // else the feet have no force sensors
+  foot_.update(wanted, measured, known && (estimator.loaded(0) || estimator.loaded(1)), dt);
   for (std::size_t s = 0; s < 2; ++s) {
     wrench_[s].torque.head<2>() += soles_[s].turn(foot_.moment(static_cast<int>(s)));
   }

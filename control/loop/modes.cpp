@@ -83,6 +83,15 @@ void Modes::enter_walk(const Moment& now) noexcept {
         "walking begins on an upright robot with both soles on the ground; the mode stays as it is";
     return;
   }
+  if (!Walk::feels(now.estimator)) {
+    if (!Walk::stands_flat(now.estimator)) {
+      sentence_ =
+          "without force sensors at its feet the robot walks on flat ground only, and here it is not; the mode stays as it "
+          "is";
+      return;
+    }
+    sentence_ = "the feet have no force sensors: it walks at two fifths of its fastest at most, and stops where the ground is not flat";
+  }
   changed_ = true;
   if (mode_ == Mode::kIdle || mode_ == Mode::kNone || now.last == nullptr)
     posture_.rest(now.state.q);
@@ -461,7 +470,10 @@ void Modes::want(const Moment& now, std::int64_t mask, double dt, SetPoint& set_
 
 void Modes::move_legs(const Moment& now, double dt) noexcept {
   if (walking_) {
+    const bool went_on = !walk_->stopped_by_ground();
     walk_->update(now.estimator, q_given_, dt);
+    if (went_on && walk_->stopped_by_ground())
+      sentence_ = "the ground is not flat, and feet without force sensors do not turn with it: the robot stops";
     if (walk_->finite()) return;
     sentence_ = "the walking controller met a number that is not one; the robot stands";
     enter(Mode::kBalance, now);

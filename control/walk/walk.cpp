@@ -16,6 +16,11 @@ constexpr double kWeighing = 1.0;    // in which what the robot carries is weigh
 constexpr double kLightest = 0.7, kHeaviest = 1.5;  // that it is taken for, of its own weight
 constexpr double kRestSpeed = 0.02;                 // of the centre of mass [m/s]
 constexpr double kRestPlace = 0.006;  // of it and the ZMP, from the middle of the feet [m]
+constexpr double kFlatTilt = 0.035;   // of a sole on ground that feet without force sensors may walk on [rad]
+constexpr double kFlatStep = 0.008;   // between such soles [m]
+constexpr double kTiltFilter = 0.03;  // [s]
+constexpr double kUnfeltShare = 0.4;  // of the fastest walk
+constexpr double kUnfelt = 0.1;       // no force at all for so long: the sensors are not there [s]
 }  // namespace
 
 Walk::Walk(const Model& model, const WalkGains& gains)
@@ -83,6 +88,9 @@ void Walk::measure(const Estimator& estimator, double dt, bool fresh) noexcept {
   com_ = k.com();
   com_velocity_ += share * (estimator.com_velocity() - com_velocity_);
   dcm_ = com_.head<2>() + estimator.dcm_velocity() / omega();
+  // Without force sensors the feet are taken to carry what they are asked to.
+  unfelt_ = feels(estimator) ? 0.0 : fresh ? kUnfelt : unfelt_ + dt;
+  feels_ = unfelt_ < kUnfelt;
   double carried = 0.0, lower = 0.0;  // by feet that stand; load times what they are too low
   for (int f = 0; f < 2; ++f) {
     const Eigen::Isometry3d& sole = estimator.sole_in_world(f);
@@ -91,29 +99,74 @@ void Walk::measure(const Estimator& estimator, double dt, bool fresh) noexcept {
     foot.set_yaw(yaw_of(sole.linear()));
     const Eigen::Vector3d up = sole.linear().col(2);
     foot.gradient = -up.head<2>() / std::max(0.5, up.z());
-    const double force = std::max(0.0, estimator.sole_force(f).z());
+    const double force = std::max(0.0, feels_ ? estimator.sole_force(f).z() : wanted_[at(f)].force);
     foot.height = sole.translation().z() + force / std::max(1e3, model_->soles[at(f)].stiffness);
     if (!fresh && !pattern_.swings(f)) {
       carried += force;
       lower += force * (pattern_.foot(f).height - foot.height);
     }
+    if (!feels_) continue;
     measured_[at(f)].force = estimator.sole_force(f).z();
     measured_[at(f)].moment =
         pattern_.foot(f).unturn(Eigen::Vector2d(estimator.sole_torque(f).head<2>()));
   }
+  if (!feels_) measured_ = wanted_;
   // On average over a step the feet press as hard as the robot weighs, with what it carries.
   const double weight = mass_ * kGravity;
   const double pressed = std::max(0.0, measured_[0].force) + std::max(0.0, measured_[1].force);
   const double quick = fresh ? 1.0 : dt / (dt + kWeighing);
-  if (pressed > 0.0)  // measured at all
+  if (feels_ && pressed > 0.0)
     load_ = std::clamp(load_ + quick * (pressed / weight - load_), kLightest, kHeaviest);
   // The estimator has the loaded soles on one plane; here they stand as high as they landed.
   if (carried > kLeastLoad * mass_ * kGravity) shift_ = lower / carried;
   for (Foothold& foot : measured_feet_) foot.height += shift_;
 }
 
+bool Walk::feels(const Estimator& estimator) noexcept {
+  return estimator.sole_force(0).z() != 0.0 || estimator.sole_force(1).z() != 0.0;
+}
+
+bool Walk::stands_flat(const Estimator& estimator) noexcept {
+  const auto tilt = [&](int f) { return estimator.sole_in_world(f).linear().col(2).head<2>().norm(); };
+  const double step = (estimator.sole_in_world(0).translation() - estimator.sole_in_world(1).translation()).z();
+  return std::max(tilt(0), tilt(1)) < kFlatTilt && std::abs(step) < kFlatStep;
+}
+
+void Walk::want(const Eigen::Vector3d& velocity) noexcept {
+  if (steep_) return;
+  Eigen::Vector3d possible = gait().possible(velocity);
+  if (!feels_) {
+    const double share = possible.cwiseQuotient(gait().most_velocity).norm();
+    if (share > kUnfeltShare) possible *= kUnfeltShare / share;
+  }
+  pattern_.want(possible);
+}
+
+// Feet that feel nothing do not turn with the ground: on a slope or on tiles the next steps would fell the robot.
+void Walk::watch_ground(double dt) noexcept {
+  if (feels_ || steep_) return;
+  double tilt = 0.0;
+  for (int f = 0; f < 2; ++f) {
+    if (!pattern_.swings(f)) tilt = std::max(tilt, measured_feet_[at(f)].gradient.norm());
+  }
+  tilt_ += dt / (dt + kTiltFilter) * (tilt - tilt_);
+  if (tilt_ < kFlatTilt) return;
+  steep_ = true;
+  pattern_.halt();
+}
+
+// A foot in the air that feels nothing has landed when its time is over: a sole that is all but on the ground does not carry.
+std::array<bool, 2> Walk::touching(const Estimator& estimator) const noexcept {
+  std::array<bool, 2> touching{estimator.loaded(0), estimator.loaded(1)};
+  for (int f = 0; f < 2 && !feels_; ++f) {
+    if (pattern_.swings(f)) touching[at(f)] = pattern_.swing().progress() >= 1.0;
+  }
+  return touching;
+}
+
 void Walk::start(const Estimator& estimator) noexcept {
-  shift_ = 0.0;
+  shift_ = tilt_ = 0.0;
+  steep_ = false;
   height_.rest(std::max(0.2, estimator.kinematics().com().z()));
   measure(estimator, model_->period(), true);
   pattern_.start(measured_feet_);
@@ -184,7 +237,8 @@ void Walk::update(const Estimator& estimator, const Eigen::VectorXd& q_given, do
   height_.advance(dt);
   first_.advance(dt);
   measure(estimator, dt, fresh_);
-  pattern_.advance({estimator.loaded(0), estimator.loaded(1)}, measured_feet_, dt);
+  watch_ground(dt);
+  pattern_.advance(touching(estimator), measured_feet_, dt);
   ground_.advance(pattern_.ground_at(stabilizer_.com()), dt);
   const double w = omega();
   pattern_.plan(dcm_, w);

@@ -35,8 +35,13 @@ class Walk {
   // The same robot through another source.
   void rebase() noexcept { stabilizer_.rebase(); }
 
-  // vx, vy, wz [m/s, m/s, rad/s]; cut to what the robot can.
-  void want(const Eigen::Vector3d& velocity) noexcept { pattern_.want(velocity); }
+  // vx, vy, wz [m/s, m/s, rad/s]; cut to what the robot can.  One whose feet feel nothing walks at two fifths of its fastest at
+  // most, and on flat ground only: where it is found not to be flat the robot stops for good.
+  void want(const Eigen::Vector3d& velocity) noexcept;
+  // Whether the feet have force sensors; whether the soles that stand, do so on flat ground.
+  static bool feels(const Estimator& estimator) noexcept;
+  static bool stands_flat(const Estimator& estimator) noexcept;
+  bool stopped_by_ground() const noexcept { return steep_; }
   // Footsteps from where it stands.  Null, or a sentence that lives for ever: why not.
   const char* follow(const StepList& list) noexcept;
   // The shortest stop that catches the robot.
@@ -84,6 +89,8 @@ class Walk {
 
  private:
   void measure(const Estimator& estimator, double dt, bool fresh) noexcept;
+  std::array<bool, 2> touching(const Estimator& estimator) const noexcept;
+  void watch_ground(double dt) noexcept;
   void share_load() noexcept;
   void feed_forward(double dt) noexcept;
   double vertical_acceleration() const noexcept {
@@ -111,6 +118,9 @@ class Walk {
   Eigen::Vector3d first_turn_ = Eigen::Vector3d::Zero();
   double heading_ = 0.0;
   bool fresh_ = true, finite_ = true;
+  bool feels_ = true, steep_ = false;
+  double unfelt_ = 0.0;  // no force has been felt for so long [s]
+  double tilt_ = 0.0;    // of the standing soles of feet that feel nothing, smoothed [rad]
   Eigen::VectorXd q_, qd_, qdd_, tau_;
   std::vector<ExternalWrench> wrench_;
 };

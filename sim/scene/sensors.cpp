@@ -148,7 +148,8 @@ void Sensors::measure_wrenches(const World& world) noexcept {
     const auto at = static_cast<std::size_t>(limb);
     const bool is_foot = limb == kLeftFoot || limb == kRightFoot;
     const std::size_t side = limb == kLeftFoot || limb == kLeftHand ? 0 : 1;
-    const int link = is_foot ? model_->soles[side].link : model_->hands[side].link;
+    const bool missing = is_foot && !options_.foot_forces;
+    const int link = missing ? -1 : is_foot ? model_->soles[side].link : model_->hands[side].link;
     sample_.wrench[at] = {};
     sample_.wrench_kind[at] = link < 0 ? WrenchKind::kAbsent : WrenchKind::kMeasured;
     if (link < 0) continue;

@@ -49,6 +49,7 @@ struct SensorOptions {
   double yaw_drift = 0.0;  // of the attitude about the vertical [rad/s]
   // Samples a second; the last one is held in between. 0: one with every tick [Hz].
   double encoder_rate = 0.0, imu_rate = 0.0, force_rate = 0.0;
+  bool foot_forces = true;  // the feet have force sensors
   int delay_ticks = 0;  // of everything, 0 .. kMaxSensorDelay
   std::uint64_t seed = 1;
 };

@@ -146,6 +146,8 @@ const Entry kEntries[] = {
      [](SimSettings& s, double v, double) { s.sensors.imu_rate = v; }},
     {"sensor.rate.force", 0.0, 1e5, "feet and hands, samples a second, 0: one a tick [Hz]",
      [](SimSettings& s, double v, double) { s.sensors.force_rate = v; }},
+    {"sensor.foot_forces", 0.0, 1.0, "0: the feet have no force sensors",
+     [](SimSettings& s, double v, double) { s.sensors.foot_forces = v != 0.0; }},
     {"sensor.imu_yaw_drift", -1.0, 1.0, "of the attitude about the vertical [rad/s]",
      [](SimSettings& s, double v, double) { s.sensors.yaw_drift = v; }},
     {"sensor.delay_ms", 0.0, kDelayMs, "of all sensors, whole periods [ms]",

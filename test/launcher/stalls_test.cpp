@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "launcher/run/local_stack.h"
 #include "robot/description/load.h"
@@ -15,11 +18,14 @@ namespace twinbus {
 namespace {
 
 struct Walked {
-  explicit Walked(const char* name, std::uint64_t seed = 3) : scene(load_scene(name)), model(load_robot("hrp1s")) {
+  using Settings = std::vector<std::pair<std::string, std::string>>;
+  explicit Walked(const char* name, std::uint64_t seed = 3, const Settings& settings = {})
+      : scene(load_scene(name)), model(load_robot("hrp1s")) {
     resolve_poses(scene, model);
     apply_seed(scene, model, seed);
     OneProcessConfig config;
     config.seed = seed;
+    config.settings = settings;
     run = std::make_unique<OneProcess>(model, scene, config);
   }
   bool go(double seconds) {
@@ -36,8 +42,13 @@ struct Walked {
     return t.foot_force[0][2] > 100.0F && t.foot_force[1][2] > 100.0F &&
            std::hypot(static_cast<double>(t.com_velocity[0]), static_cast<double>(t.com_velocity[1])) < 0.03;
   }
+  bool said(const char* what) {
+    for (std::string& sentence : run->take_sentences()) heard += sentence;
+    return heard.find(what) != std::string::npos;
+  }
   Scene scene;
   Model model;
+  std::string heard;
   std::unique_ptr<OneProcess> run;
   std::int32_t led = 0;  // the plan that was followed
 };
@@ -109,6 +120,34 @@ TEST(Stalls, AControllerThatStoodStillForLongBalancesWhereThePlanEnds) {
       EXPECT_EQ(w.run->state().plan_number, 0);
     }
   }
+}
+
+// Attitude alone keeps it on its feet where the ground is flat.
+TEST(Stalls, ARobotWhoseFeetFeelNothingWalksSlowlyAndOnFlatGroundOnly) {
+  const Walked::Settings unfelt{{"sensor.foot_forces", "0"}};
+  for (const double at : {4.03, 4.25, 4.47}) {
+    Walked w("walk_forward", 3, unfelt);
+    ASSERT_TRUE(w.go(at));
+    EXPECT_TRUE(w.said("no force sensors"));
+    const double before = w.run->truth().base_position[0];
+    ASSERT_TRUE(w.go(1.2));  // two steps
+    EXPECT_NEAR(w.run->truth().base_position[0] - before, 1.2 * 0.39, 0.05) << "instead of 0.55 m/s";
+    w.run->stall_controller(-1.0);
+    EXPECT_TRUE(w.go(3.5)) << at;
+    EXPECT_TRUE(w.stands()) << at;
+    EXPECT_NE(w.led, 0);
+  }
+  Walked slope("walk_slope", 3, unfelt);
+  EXPECT_TRUE(slope.go(12.0));
+  EXPECT_TRUE(slope.said("the ground is not flat"));
+  EXPECT_TRUE(slope.stands());
+
+  Walked::Settings tilted = unfelt;
+  tilted.emplace_back("sensor.bias.pitch", "0.05");  // as on a slope
+  Walked refused("walk_forward", 3, tilted);
+  EXPECT_TRUE(refused.go(3.0));
+  EXPECT_TRUE(refused.said("on flat ground only"));
+  EXPECT_NE(refused.run->loop().status().mode, Mode::kWalk);
 }
 
 TEST(Stalls, AnotherControllerTakesTheRobotOverWhereThePlanEnds) {

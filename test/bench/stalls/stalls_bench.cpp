@@ -2,9 +2,10 @@
 //
 //   stalls_bench SCENE SEED COUNT WHAT...      e.g. stalls_bench walk_forward 1 40 kill 100 other
 //
-// WHAT: kill; a number of milliseconds that the controller stands still; other: another controller 1 s after the kill, other500: after 500 ms; own: the
-// controller lives and makes its shortest stop.  At COUNT random instants of the walk the run is forked, and each WHAT goes on
-// from the same state.  Environment: VX walks at another speed [m/s], ROBOT another robot, FROM and UNTIL bound the instants [s].
+// WHAT: kill; a number of milliseconds that the controller stands still; other: another controller 1 s after the kill,
+// other500: after 500 ms; own: the controller lives and makes its shortest stop.  At COUNT random instants of the walk the run is forked, and each WHAT goes on
+// from the same state.  Environment: VX walks at another speed [m/s], ROBOT another robot, SET=key=value a setting of the
+// simulator, FROM and UNTIL bound the instants [s].
 
 #include <sys/wait.h>
 #include <unistd.h>
@@ -144,6 +145,10 @@ int main(int argc, char** argv) {
   apply_seed(scene, model, seed);
   OneProcessConfig config;
   config.seed = seed;
+  if (const char* set = std::getenv("SET")) {
+    const std::string word = set;
+    config.settings.emplace_back(word.substr(0, word.find('=')), word.substr(word.find('=') + 1));
+  }
   OneProcess run(model, scene, config);
   double until = 0.0;
   for (const TimedWalk& walk : scene.walks) until = std::max(until, walk.at + walk.duration);
@@ -178,8 +183,8 @@ int main(int argc, char** argv) {
       if (!got) std::fprintf(stderr, "a run ended early: %s at tick %lld\n", argv[i], static_cast<long long>(instant));
       results[argv[i]].push_back(r);
       if (std::getenv("VERBOSE") != nullptr && !r.good) {
-        std::printf("  %s at %.3f s: fell %d stop %d reason %d tilt %.1f\n", argv[i], static_cast<double>(instant) * model.period(),
-                    r.fell, r.stop_kind, r.stop_reason, 57.3 * r.tilt);
+        std::printf("  %s at %.3f s: fell %d stop %d reason %d tilt %.1f\n", argv[i],
+                    static_cast<double>(instant) * model.period(), r.fell, r.stop_kind, r.stop_reason, 57.3 * r.tilt);
       }
     }
   }
