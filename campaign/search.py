@@ -29,6 +29,7 @@ from spec import IN_SCENE, TaskMaker
 KEYS = ("push", "unknown", "least", "most", "tolerance", "method", "minimize", "box", "normal", "runs")
 PUSH = "+ push"  # not the name of a setting
 METHODS = ("bisection", "cmaes", "importance")
+ISLAND = 0.12     # of a boundary: so far below it another run must pass
 UNKNOWN = {"mirrored": 0.01, "between": 0.2, "beside": 0.22}  # how far a guess is expected to be off before any was seen: of the logarithm
 
 
@@ -37,8 +38,9 @@ class Row:
 
     def __init__(self, name, axes, settings, least, most):
         self.name, self.axes, self.settings = name, axes, settings
-        self.good, self.bad, self.runs = least, most, 0
+        self.least, self.good, self.bad, self.runs = least, least, most, 0
         self.tried_good = self.tried_bad = False
+        self.seen = []  # (value, whether it failed)
         self.guesses, self.guess, self.off = None, None, 0.0  # where other rows say that the boundary is, and how far off that may be
 
     def boundary(self):
@@ -50,11 +52,23 @@ class Row:
         return "" if self.boundary() is not None else "all pass" if not self.tried_bad else "all fail"
 
     def note(self, value, failed):
+        """What passes above something that fails does not count: the smallest that fails is looked for."""
         self.runs += 1
+        self.seen.append((value, failed))
         if failed:
             self.bad, self.tried_bad = min(self.bad, value), True
-        else:
-            self.good, self.tried_good = max(self.good, value), True
+        passed = [seen for seen, bad in self.seen if not bad and (seen < self.bad or not self.tried_bad)]
+        if self.tried_good and not passed:
+            self.guess = None  # what it led to was an island
+        self.tried_good = bool(passed)
+        self.good = max(passed, default=self.least)
+
+    def below(self):
+        """Where an island of passing values would show: below the boundary, unless something there was seen to pass; or None."""
+        value = self.good * (1 - ISLAND)
+        if value <= self.least or any(not bad and self.good * (1 - 1.25 * ISLAND) <= seen <= self.good * (1 - 0.5 * ISLAND) for seen, bad in self.seen):
+            return None
+        return value
 
 
 class Search:
@@ -153,6 +167,8 @@ class Search:
     def next_value(self, row, like):
         """Where a row is looked at next; like: a closed row that is most like it, or None."""
         near = 0.98 * self.tolerance  # two values so far apart close a row
+        if self.narrow(row):
+            return row.below()
         if row.tried_good and row.tried_bad:
             return self.middle(row)
         if row.guess is not None:
@@ -187,7 +203,7 @@ class Search:
             for row, value, results in zip(now, values, self.fails(points)):
                 row.note(value, self.failed(results))
                 end = (row.tried_good and row.good >= self.most) or (row.tried_bad and row.bad <= self.least)
-                if end or self.narrow(row):
+                if end or self.narrow(row) and row.below() is None:
                     open_rows.remove(row)
                     closed.append(row)
                     if row.boundary():
@@ -267,8 +283,8 @@ def random_rows(search, count, seed=1):
 
 def parted(search, drawn):
     """The boundary that draws show: where the two kinds of runs part."""
-    good = max([v for v, bad in drawn if not bad], default=search.least)
-    bad = min([v for v, bad in drawn if bad], default=search.most)
+    bad = min([v for v, failed in drawn if failed], default=search.most)
+    good = max([v for v, failed in drawn if not failed and v < bad], default=search.least)
     return 0.5 * (good + bad)
 
 

@@ -208,7 +208,7 @@ def draw_cost(rows, folder):
 
 
 def measure_map():
-    done = subprocess.run([twinbus().parent / "walk_map_bench"], capture_output=True, text=True, check=True)
+    done = subprocess.run([sys.executable, ROOT / "test/bench/bench_walk_map.py"], capture_output=True, text=True, check=True)
     yield from csv.DictReader(done.stdout.splitlines())
 
 

@@ -1,14 +1,14 @@
-// `twinbus bench reach`: hrp1s balances among random obstacles and is asked for random places of its hands.
+// One world of `twinbus bench reach`: hrp1s balances among random obstacles and is asked for random places of its hands.
 //
-//     reach_bench [--count N] [--seed N] [--speed S] [--trace]
+//     reach_world [--goals N] [--seed N] [--speed S] [--trace]
 //
 // Each goal is the hand of a random arm posture, the body leaning as balance asks, that keeps the planner's
-// least clearance and 3 mm: so there is a posture that answers it.  Half are places, half whole poses.  Ten goals per
-// world, one after the other from where the last one left the arms, by the steps of `twinbus reach`; everything
-// in one process in simulated time.  The only true refusal is that there is no way, when a planner without
+// least clearance and 3 mm: so there is a posture that answers it.  Half are places, half whole poses.  They come one
+// after the other from where the last one left the arms, by the steps of `twinbus reach`; everything in one process
+// in simulated time.  The only true refusal is that there is no way, when a planner without
 // margins and with ten times the patience finds none either.
 // Contacts are looked for at every tick by the exact meshes, with the base where the simulator has it.
-// Exit status 1 when a goal was neither reached nor truly refused, anything touched, or the robot fell.
+// The last line is a JSON object of what happened, for campaigns.  Exit status 1 when a goal was neither reached nor truly refused, anything touched, or the robot fell.
 
 #include <algorithm>
 #include <array>
@@ -19,6 +19,8 @@
 #include <memory>
 #include <optional>
 #include <string>
+
+#include <nlohmann/json.hpp>
 
 #include "launcher/run/local_stack.h"
 #include "launcher/operate/reach_progress.h"
@@ -32,7 +34,6 @@
 namespace twinbus {
 namespace {
 
-constexpr int kGoalsPerWorld = 10;
 constexpr double kFromStart = 0.05;  // obstacles to the standing robot [m]
 constexpr double kInside = 0.02;     // goal postures inside the joint limits [rad]
 constexpr double kAngle = 0.035;     // a pose is reached within [rad]
@@ -42,7 +43,7 @@ constexpr int kTries = 2000;
 
 struct Tally {
   int reached = 0, true_refusals = 0, untrue = 0, held = 0, falls = 0, contacts = 0;
-  double worst_miss = 0.0, worst_angle = 0.0, nearest = 1.0, margin = 1.0;
+  double worst_miss = 0.0, worst_angle = 0.0, nearest = 1.0;
   std::map<std::string, int> reasons;
 };
 
@@ -343,33 +344,36 @@ class World {
 };
 
 int run(int argc, char** argv) {
-  Options options("reach_bench", "SplitMix64 reachable goals for the hands of the balancing robot.");
-  std::int64_t count = 200, seed = 1;
+  Options options("reach_world", "Reachable goals for the hands of a robot that balances among obstacles.");
+  std::int64_t goals = 10, seed = 1;
   double speed = 0.4;
   bool trace = false;
-  options.integer("--count", "N", count, 1, 100'000, "goals");
-  options.integer("--seed", "N", seed, 0, 1'000'000'000, "of worlds and goals");
+  options.integer("--goals", "N", goals, 1, 100'000, "goals");
+  options.integer("--seed", "N", seed, 0, 1'000'000'000, "of the world and its goals");
   options.number("--speed", "SHARE", speed, 0.05, 1.0, "of the joints' velocity limits");
   options.flag("--trace", trace, "a line for every goal");
   options.parse(argc, argv);
   const Model& model = hrp1s();
   SplitMix64 random(static_cast<std::uint64_t>(seed));
   Tally tally;
+  World world(model, random, random.next() >> 16, speed, trace);
   int asked = 0;
-  while (asked < count) {
-    World world(model, random, random.next() >> 16, speed, trace);
-    for (int i = 0; i < kGoalsPerWorld && asked < count && !world.fallen(); ++i)
-      world.reach(asked++, tally);
-    tally.margin = std::min(tally.margin, world.margin());
-  }
-  std::printf(
-      "%d goals: %d reached (%.1f mm, %.3f rad off at most), %d refused truly, %d untruly or "
-      "missed, "
-      "%d given up on the way; %d with a contact, %d falls; nearest %.1f mm, ZMP margin %.0f mm\n",
-      asked, tally.reached, 1e3 * tally.worst_miss, tally.worst_angle, tally.true_refusals,
-      tally.untrue, tally.held, tally.contacts, tally.falls, 1e3 * tally.nearest,
-      1e3 * tally.margin);
-  for (const auto& [reason, times] : tally.reasons) std::printf("%5d: %s\n", times, reason.c_str());
+  while (asked < goals && !world.fallen()) world.reach(asked++, tally);
+  nlohmann::json found = {{"asked", asked},
+                          {"reached", tally.reached},
+                          {"refused_truly", tally.true_refusals},
+                          {"missed", tally.untrue},
+                          {"given_up", tally.held},
+                          {"contacts", tally.contacts},
+                          {"falls", tally.falls},
+                          {"miss_mm", 1e3 * tally.worst_miss},
+                          {"angle_rad", tally.worst_angle},
+                          {"nearest_mm", 1e3 * tally.nearest},
+                          {"zmp_margin_mm", 1e3 * world.margin()},
+                          {"failures", nlohmann::json::array()}};
+  for (const auto& [reason, times] : tally.reasons)
+    found["failures"].push_back(std::to_string(times) + " times: " + reason);
+  std::printf("%s\n", found.dump().c_str());
   return tally.reached + tally.true_refusals == asked && tally.contacts == 0 && tally.falls == 0
              ? 0
              : 1;
@@ -381,6 +385,6 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) try {
   return twinbus::run(argc, argv);
 } catch (const std::exception& error) {
-  std::fprintf(stderr, "reach_bench: %s\n", error.what());
+  std::fprintf(stderr, "reach_world: %s\n", error.what());
   return 1;
 }

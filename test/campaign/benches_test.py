@@ -1,0 +1,46 @@
+#!/usr/bin/env python3
+"""Benches that are campaigns, each with few runs: bench pushes, walk_map and reach; bench robust is tested by walk_scenes_test.py."""
+
+import csv
+import subprocess
+import sys
+import unittest
+
+from campaign_rig import ROOT
+
+
+def bench(name, *words):
+    done = subprocess.run([sys.executable, ROOT / f"test/bench/bench_{name}.py", *words], capture_output=True, text=True, cwd=ROOT)
+    return done.returncode, done.stdout, done.stderr
+
+
+class Benches(unittest.TestCase):
+    def test_pushes(self):
+        status, out, said = bench("pushes")
+        self.assertEqual(status, 0, said)
+        rows = {line[:14].strip(): [float(word) for word in line[14:].split()] for line in out.splitlines()[2:]}
+        self.assertEqual(len(rows), 8, out)
+        for left, right in (("left", "right"), ("back left", "back right"), ("forward left", "forward right")):
+            self.assertAlmostEqual(rows[left][0] / rows[right][0], 1.0, delta=0.06, msg=out)
+        self.assertTrue(all(30 < size < 70 for row in rows.values() for size in row), out)
+
+    def test_a_map_of_walking(self):
+        status, out, said = bench("walk_map", "--directions", "4", "--phases", "1")
+        self.assertEqual(status, 0, said)
+        rows = list(csv.DictReader(out.splitlines()))
+        self.assertEqual([row["direction_deg"] for row in rows], ["0", "90", "180", "270"])
+        for row in rows:
+            self.assertTrue(0.3 < float(row["survived"]) <= 1.05 * min(1.6, float(row["bound"])), row)
+
+    def test_reach(self):
+        status, out, said = bench("reach", "--count", "20", "--seed", "3")
+        self.assertEqual(status, 0, out + said)
+        self.assertIn("20 goals: 20 reached", out)
+
+
+if __name__ == "__main__":
+    if not (ROOT / "build").is_dir() or subprocess.run([sys.executable, "-c", "import sys; sys.path.insert(0, 'test/bench'); import programs; "
+                                                        "programs.folder_of('reach_world', 'benches_test')"], cwd=ROOT).returncode:
+        print("skipped: bench programs are not built; run ./twinbus bench")
+        sys.exit(77)
+    unittest.main()
