@@ -213,7 +213,7 @@ class Runner:
         said = complaints.decode("utf-8", "replace").strip().splitlines()
         if process.returncode < 0:
             return "crashed", [f"ended by signal {-process.returncode}"], {}
-        if process.returncode not in (0, 1) or not figures:
+        if process.returncode not in (0, 1) or not (figures or task.get("output")):
             return "refused", [(said or ["no report and no sentence"])[-1][:LONGEST]], {}
         return ("passed" if process.returncode == 0 else "failed"), figures.get("failures", []), figures
 

@@ -18,7 +18,7 @@ import strict
 from errors import CampaignError
 from run_task import hash_of
 
-KEYS = ("about", "scenes", "program", "arguments", "output", "cases", "robots", "controllers", "seeds", "for", "limit", "path", "settings", "draws", "rounds", "draw_seed", "logs",
+KEYS = ("about", "scenes", "program", "arguments", "output", "repeats", "cases", "robots", "controllers", "seeds", "for", "limit", "path", "settings", "draws", "rounds", "draw_seed", "logs",
         "search", "gate")
 MOST_TASKS = 2_000_000
 IN_SCENE = "scene."  # a setting that begins so is a key of the scene: scene.pushes.0.impulse.0
@@ -31,7 +31,7 @@ class Campaign:
         self.file = ""
         self.scenes = []       # [(name, text, path or None)]
         self.program = None    # path of a program that is no `twinbus run`
-        self.arguments, self.output = [], False
+        self.arguments, self.output, self.repeats = [], False, 1
         self.seeded = False    # whether the file names seeds
         self.cases = {}        # name -> {settings, robot, program, arguments}: combinations that are no grid
         self.robots = [None]   # a name, a folder, or None: the scene's
@@ -190,6 +190,8 @@ def read_program(keys, campaign, beside):
         campaign.arguments = [entry.text() for entry in keys["arguments"].entries()]
     if "output" in keys:
         campaign.output = keys["output"].truth()
+    if "repeats" in keys:
+        campaign.repeats = keys["repeats"].number(1, 1e6, whole=True)
 
 
 def read(path):
@@ -202,6 +204,9 @@ def read(path):
     if "program" in keys:
         read_program(keys, campaign, beside)
     else:
+        for key in ("arguments", "output", "repeats"):
+            if key in keys:
+                raise keys[key].error("is for campaigns of a program:" + ("; runs of a scene repeat to the last bit" if key == "repeats" else ""))
         campaign.scenes = [read_scene(entry, beside) for entry in keys["scenes"].entries()]
     if not campaign.scenes:
         raise keys["scenes"].error("is empty; name at least one scene")
@@ -233,7 +238,7 @@ def read(path):
     if "logs" in keys:
         campaign.logs = keys["logs"].number(0, 1e6, whole=True)
     campaign.search, campaign.gate = keys.get("search"), keys.get("gate")
-    count = len(campaign.scenes) * len(campaign.robots) * len(campaign.controllers) * len(campaign.seeds)
+    count = campaign.repeats * len(campaign.scenes) * len(campaign.robots) * len(campaign.controllers) * len(campaign.seeds)
     for values in [*campaign.grid.values(), *([campaign.cases] if campaign.cases else [])]:
         count *= len(values)
     count *= campaign.draws if campaign.drawn else 1
@@ -325,7 +330,7 @@ class TaskMaker:
             task["scene_text"] = text
         return task
 
-    def make_of_program(self, robot, settings, seed, case):
+    def make_of_program(self, robot, settings, seed, case, repeat):
         """A task of a program of its own: arguments, settings as --KEY VALUE, and --seed."""
         campaign, how = self.campaign, self.campaign.cases.get(case, {})
         program, arguments = how.get("program", campaign.program), how.get("arguments", campaign.arguments)
@@ -334,10 +339,11 @@ class TaskMaker:
         # What it reads decides what it finds.
         files = {word: hash_of(word) for word in arguments if word.startswith("/") and os.path.exists(word) and word != os.devnull}
         identity = {"program": hash_of(program), "arguments": [files.get(word, word) for word in arguments], "settings": given,
-                    "seed": seed, "robot": robot_hash}
+                    "seed": seed, "robot": robot_hash, "repeat": repeat}
         return {"id": hashlib.sha256(json.dumps(identity, sort_keys=True).encode()).hexdigest()[:16], "scene": pathlib.Path(program).name,
                 "scene_hash": "", "robot": name, "robot_hash": robot_hash, **({"robot_path": folder} if folder else {}), "controller": "",
-                "settings": given, "varied": {**({"case": case} if case else {}), **given}, "seed": seed, "seeded": campaign.seeded,
+                "settings": given, "varied": {**({"case": case} if case else {}), **({"repeat": str(repeat)} if campaign.repeats > 1 else {}), **given},
+                "seed": seed, "seeded": campaign.seeded,
                 "for": None, "program": program, "program_hash": identity["program"], "arguments": arguments, "files": files,
                 "limit": campaign.limit, "output": campaign.output}
 
@@ -346,9 +352,9 @@ class TaskMaker:
         campaign = self.campaign
         keys, cases = list(campaign.grid), campaign.cases or {"": {"settings": {}}}
         if campaign.program:  # all cases with one seed, then with the next: what measures time takes turns
-            for seed, robot, (case, how), values, point in itertools.product(campaign.seeds, campaign.robots, cases.items(),
-                                                                            itertools.product(*campaign.grid.values()), points):
-                yield self.make_of_program(how.get("robot", robot), {**how["settings"], **dict(zip(keys, values)), **point}, seed, case)
+            for repeat, seed, robot, (case, how), values, point in itertools.product(range(1, campaign.repeats + 1), campaign.seeds, campaign.robots,
+                                                                                    cases.items(), itertools.product(*campaign.grid.values()), points):
+                yield self.make_of_program(how.get("robot", robot), {**how["settings"], **dict(zip(keys, values)), **point}, seed, case, repeat)
             return
         for scene, robot, controller, (case, how) in itertools.product(campaign.scenes, campaign.robots, campaign.controllers, cases.items()):
             for values in itertools.product(*campaign.grid.values()):

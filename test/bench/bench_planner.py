@@ -9,7 +9,8 @@ process runs: ArmPlanner::plan, goal postures, exact distances and timing includ
 
 DIR (or $TWINBUS_VAMP) holds checkouts of KavrakiLab/vamp, KavrakiLab/nigh, orlp/pdqsort and lemire/SIMDxorshift under the
 names vamp, nigh, pdqsort, SIMDxorshift; the peer is built from them with VAMP's own flags.  Problems are those of
-$TWINBUS_DATA (default ../shared/data).  Ours and the peer take turns; a figure of a problem is its median over the rounds
+$TWINBUS_DATA (default ../shared/data).  Ours and the peer take turns (the campaign
+test/bench/campaigns/planner.yaml); a figure of a problem is its median over the rounds
 (default 5), a figure of the bench the median over the problems.  --ompl adds OMPL's RRT-Connect with
 FCL on every tenth problem, on VAMP's balls beside "ours" and on the meshes beside "proved", as often as there are rounds
 (minutes; libompl-dev).  It gets what ours has: steps of at most 1 rad and 32 postures per radian of every line; --range R sets
@@ -22,7 +23,9 @@ import shutil
 import statistics
 import subprocess
 import sys
+import tempfile
 
+import on_campaign
 import programs
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -58,6 +61,33 @@ def build_vamp(folder, out):
 def run(program, *words, given=None):
     done = subprocess.run([str(w) for w in (program, *words)], capture_output=True, text=True, check=True, input=given)
     return done.stdout
+
+
+def measure(name, scratch, data, problems, rounds=1, peer=None):
+    """{case: [what it printed, by round]} of a campaign, whose cases take turns on one worker."""
+    campaign = on_campaign.read(name)
+    if rounds > 1:
+        campaign["repeats"] = rounds
+    else:
+        campaign.pop("repeats", None)
+    if peer:
+        campaign["cases"]["VAMP"] = {"program": str(peer), "arguments": ["PROBLEMS", "3"]}
+    places = {"ROBOTS": str((data / "robots").resolve()), "PROBLEMS": str(problems.resolve())}
+    for case in campaign["cases"].values():
+        case["arguments"] = [places.get(word, word) for word in case["arguments"]]
+    rows = on_campaign.run(name, campaign, scratch, "bench planner", "--workers", "1")
+    if failed := [row for row in rows if row["status"] != "passed"]:
+        sys.exit(f"bench planner: {failed[0]['case']} {failed[0]['status']}: {failed[0]['failures']}")
+    printed = on_campaign.outputs(scratch, name)
+    found = {}
+    for row in sorted(rows, key=lambda row: int(row.get("repeat") or 1)):
+        found.setdefault(row["case"], []).append(printed[row["id"]])
+    return found
+
+
+def touching_of(folder, data, problems, paths):
+    """How many final paths hit the meshes."""
+    return int(run(folder / "planner_oracle", data / "robots", problems, given=paths).split()[-1])
 
 
 def table(text):
@@ -120,19 +150,13 @@ def main():
         return 1
     folder = programs.folder_of("planner_cases", "bench planner")
     peer = build_vamp(pathlib.Path(vamp) if vamp else None, folder)
-    ours, theirs, proved, touching = [], [], [], 0
-    for n in range(rounds):
-        ours.append(table(run(folder / "planner_cases", "as_vamp", data / "robots", problems, 3))[0])
-        text = run(folder / "planner_cases", "certain", data / "robots", problems, 3)
-        proved.append(table(text)[0])
-        if n == 0:  # every round gives the same paths
-            oracle = run(folder / "planner_oracle", data / "robots", problems, given=text).split()
-            touching, text_of_proved = int(oracle[-1]), text
-        if peer:
-            text = run(peer, problems, 3)
-            theirs.append(table(text)[0])
-            if n == 0:
-                peer_touching = int(run(folder / "planner_oracle", data / "robots", problems, given=text).split()[-1])
+    with tempfile.TemporaryDirectory() as scratch:
+        texts = measure("planner", scratch, data, problems, rounds, peer)
+        robots = measure("planner_robots", scratch, data, problems)
+    ours, proved, theirs = ([table(text)[0] for text in texts.get(case, [])] for case in ("ours", "proved", "VAMP"))
+    text_of_proved = texts["proved"][0]  # every round gives the same paths
+    touching = touching_of(folder, data, problems, text_of_proved)
+    peer_touching = touching_of(folder, data, problems, texts["VAMP"][0]) if peer else 0
     mine = medians(ours)
     certain = medians(proved)
     tables = [("ours", mine), ("proved", certain)] + ([("VAMP", medians(theirs))] if peer else [])
@@ -181,7 +205,7 @@ def main():
                         short_of.append("P3 " + quantity)
         else:
             print("OMPL is absent: apt install libompl-dev, and build again")
-    for line in run(folder / "planner_humanoid", data / "robots", 400, 3).splitlines():
+    for line in robots["humanoid"][0].splitlines():
         words = line.split()
         case = dict(zip(words[1::2], words[2::2]))
         print(line)
@@ -189,7 +213,7 @@ def main():
         at_most(f"P5 {words[0]} median ms", 1, 1e-3 * float(case["median_us"]), case["median_us"])
         at_most(f"P5 {words[0]} 99th percentile ms", 20, 1e-3 * float(case["p99_us"]), case["p99_us"])
         at_most(f"P5 {words[0]} paths that differ", 0, 1 - int(case["same"]), case["hash"])
-    line = run(folder / "planner_arm", 200, 3)
+    line = robots["arm"][0]
     case = dict(zip(line.split()[1::2], line.split()[2::2]))
     print(line.strip())
     at_most("P7 ArmPlanner::plan, median ms", 100, 1e-3 * float(case["median_us"]), case["median_us"])

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """./twinbus campaign with a stand-in for the program: the table of tasks, resume, limits, deaths of workers, files that are wrong."""
 
+import json
 import os
 import random
 import signal
@@ -175,6 +176,14 @@ exit $status
         self.assertIn("no run of a scene", self.here("view", "o", name, status=1))
         self.assertIn("no ingredients", self.here("minimize", "o", name, status=1))
 
+    def test_repeats_take_turns(self):
+        file = self.file(self.text.replace("seeds: 1..6", "seeds: 1").replace("hard: 3, ", "") + "repeats: 3\noutput: true\n")
+        self.here(file, "--out", "o", "--workers", 1)
+        self.assertEqual([(row["case"], row["repeat"]) for row in self.table("o")], [(c, n) for c in ("easy", "hard") for n in "123"])
+        names = {row["id"]: row["case"] for row in self.table("o")}
+        done = [json.loads(line)["id"] for line in (self.folder / "o/done/here.jsonl").read_text().splitlines()]
+        self.assertEqual([names[name] for name in done], ["easy", "hard"] * 3)
+
     def test_a_file_that_changes_is_another_task(self):
         file = self.file(self.text)
         self.here(file, "--out", "o", status=1)
@@ -185,7 +194,8 @@ exit $status
 
     def test_wrong_ones(self):
         for text, said in (("program: nobody\n", "is no program"), ("program: prober\nscenes: stand\n", "and this one has a program"),
-                           ("program: prober\ncases: {}\n", "is empty"), ("scenes: stand\ncases: {a: {program: x}}\n", "is for campaigns of a program"),
+                           ("program: prober\ncases: {}\n", "is empty"), ("scenes: stand\nrepeats: 2\n", "repeat to the last bit"),
+                            ("scenes: stand\ncases: {a: {program: x}}\n", "is for campaigns of a program"),
                            ("program: prober\ncases: {a: {robot: nobody}}\n", "there is no robot"), ("cases: {a: {}}\n", "scenes is missing")):
             self.assertIn(said, self.here(self.file(text), "--out", "o", status=1))
         self.here(self.file(f"program: prober\narguments: [{self.data}, --wrong, x]\n"), "--out", "w", status=1)
