@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Benches that are campaigns, each with few runs: bench pushes, walk_map and reach; bench robust is tested by walk_scenes_test.py."""
+"""Benches that are campaigns, each with few runs: bench pushes, walk, walk_map and reach; bench robust is tested by walk_scenes_test.py."""
 
 import csv
 import subprocess
@@ -31,6 +31,17 @@ class Benches(unittest.TestCase):
         self.assertEqual([row["direction_deg"] for row in rows], ["0", "90", "180", "270"])
         for row in rows:
             self.assertTrue(0.3 < float(row["survived"]) <= 1.05 * min(1.6, float(row["bound"])), row)
+
+    def test_a_walk(self):
+        status, out, said = bench("walk", "stop", "push", "everyday", "--phases", "2")
+        self.assertEqual(status, 0, out + said)
+        lines = out.splitlines()
+        self.assertIn("in 2 phases: 0 falls, 0 took more than 1.5 steps", lines[0])
+        self.assertEqual(lines[1].count("2 of 2 .. standing"), 4, out)
+        self.assertEqual(sum("tiles of 20 mm: holds" in line for line in lines), 3, out)
+        self.assertIn("24 of 24 held", lines[-1])
+        status, out, said = bench("walk", "push", "--phases", "1", "--push", "3")
+        self.assertEqual((status, out.count("0 of 1 x standing 3.00: FALLS")), (1, 4), out + said)
 
     def test_reach(self):
         status, out, said = bench("reach", "--count", "20", "--seed", "3")
