@@ -19,16 +19,16 @@ from run_task import program_words, whole_lines
 from store import number_or_text, sort_key
 
 STATUSES = ("passed", "failed", "timeout", "crashed", "refused")
-COLORS = {"passed": "#2a9d5c", "failed": "#d1495b", "timeout": "#e08a1e", "crashed": "#8a4fbf", "refused": "#666666"}
+LINES = ("#1f6fb4", "#e08a1e", "#2a9d5c", "#8a4fbf", "#d1495b", "#0f8b8d")  # of scenes
 MOST_WORST = 40
 MOST_DOTS = 4000
 BINS = 8
 WIDTH, HEIGHT, LEFT, BOTTOM, TOP, RIGHT = 460, 300, 56, 48, 34, 16
 
 HEAD = """<!doctype html><html lang="en"><meta charset="utf-8"><title>{title}</title><style>
-body {{font: 15px/1.45 'DejaVu Sans', Helvetica, Arial, sans-serif; margin: 24px auto; max-width: 1080px; color: #222}}
+body {{font: 15px/1.45 'DejaVu Sans', Helvetica, Arial, sans-serif; margin: 24px auto; padding: 0 24px; max-width: 1280px; color: #222}}
 table {{border-collapse: collapse; margin: 12px 0}} td, th {{padding: 3px 10px; border-bottom: 1px solid #ddd; text-align: left}}
-th {{background: #f4f4f4}} td.n {{text-align: right}} code {{background: #f4f4f4; padding: 1px 4px}} h2 {{margin-top: 32px}}
+th {{background: #f4f4f4}} td.n {{text-align: right}} td.what {{min-width: 240px}} td code {{overflow-wrap: anywhere}} code {{background: #f4f4f4; padding: 1px 4px}} h2 {{margin-top: 32px}}
 .plots {{display: flex; flex-wrap: wrap; gap: 16px}} svg {{border: 1px solid #ddd}} a.replay {{background: #1f6fb4; color: white;
 padding: 2px 8px; border-radius: 4px; text-decoration: none}} .hint {{color: #555}}</style><h1>{title}</h1>
 """
@@ -68,59 +68,84 @@ def scale(low, high, begin, end):
     return lambda value: begin + (value - low) / span * (end - begin)
 
 
-def rate_plot(key, pairs):
-    """Share that did not pass, against a setting: at its values, or in bins where there are many."""
-    numbers = [(number_or_text(task["varied"][key]), result["status"] != "passed") for task, result in pairs if key in task["varied"]]
-    values = sorted({value for value, _ in numbers})
-    if len(values) < 2:
-        return ""
-    if any(kind for kind, _, _ in values) and len(values) > 20:
-        return ""
+def apart(ticks, px, width=9.0):
+    """Those ticks whose words do not overlap."""
+    kept, end = [], -1e9
+    for x, words in sorted(ticks, key=lambda tick: px(tick[0])):
+        half = 0.5 * 6.5 * len(words)
+        if px(x) - half > end + width:
+            kept.append((x, words))
+            end = px(x) + half
+    return kept
+
+
+def rate_groups(numbers, values):
+    """([(x, [whether a run did not pass])], ticks) at the values of a setting, or in bins where there are many."""
     if len(values) > 20:
         low, high = values[0][1], values[-1][1]
         width = (high - low) / BINS
         groups = [(low + width * (i + 0.5), [bad for value, bad in numbers if i == min(BINS - 1, int((value[1] - low) / width))])
                   for i in range(BINS)]
-        ticks = [(low + (high - low) * i / 4, f"{low + (high - low) * i / 4:.3g}") for i in range(5)]
-    else:
-        texts = any(kind for kind, _, _ in values)
-        groups = [(i if texts else value[1], [bad for other, bad in numbers if other == value]) for i, value in enumerate(values)]
-        ticks = [(x, (values[i][2] or f"{values[i][1]:g}")[:12]) for i, (x, _) in enumerate(groups)]
-        ticks = ticks if len(ticks) <= 8 else ticks[::len(ticks) // 6]
+        return groups, [(low + (high - low) * i / 4, f"{low + (high - low) * i / 4:.3g}") for i in range(5)]
+    texts = any(kind for kind, _, _ in values)
+    groups = [(i if texts else value[1], [bad for other, bad in numbers if other == value]) for i, value in enumerate(values)]
+    return groups, [(x, (values[i][2] or f"{values[i][1]:.4g}")[:12]) for i, (x, _) in enumerate(groups)]
+
+
+def rate_plot(key, pairs):
+    """Share that did not pass, against a setting, a line per scene."""
+    by_scene = {}
+    for task, result in pairs:
+        if key in task["varied"]:
+            by_scene.setdefault(task["scene"], []).append((number_or_text(task["varied"][key]), result["status"] != "passed"))
+    if len(by_scene) > len(LINES):
+        by_scene = {"all scenes": [each for numbers in by_scene.values() for each in numbers]}
+    values = sorted({value for numbers in by_scene.values() for value, _ in numbers})
+    if len(values) < 2 or any(kind for kind, _, _ in values) and len(values) > 20:
+        return ""
+    lines = {scene: rate_groups(numbers, values) for scene, numbers in sorted(by_scene.items())}
+    groups, ticks = next(iter(lines.values()))
     xs = [x for x, _ in groups]
     margin = 0.06 * (xs[-1] - xs[0])
     px, py = scale(xs[0] - margin, xs[-1] + margin, LEFT, WIDTH - RIGHT), scale(0.0, 1.0, HEIGHT - BOTTOM, TOP)
-    out = frame(f"did not pass, with 95 % interval, by {key}", key, "rate", ticks, (0, 0.25, 0.5, 0.75, 1), px, py)
-    way = []
-    for x, bads in groups:
-        if not bads:
-            continue
-        rate, (least, most) = sum(bads) / len(bads), wilson(sum(bads), len(bads))
-        way.append(f"{px(x):.1f},{py(rate):.1f}")
-        out.append(f"<line x1='{px(x):.1f}' x2='{px(x):.1f}' y1='{py(least):.1f}' y2='{py(most):.1f}' stroke='#1f6fb4' stroke-width='2'/>")
-        out.append(f"<circle cx='{px(x):.1f}' cy='{py(rate):.1f}' r='4' fill='#1f6fb4'><title>{sum(bads)} of {len(bads)}</title></circle>")
-    out.append(f"<polyline points='{' '.join(way)}' fill='none' stroke='#1f6fb4' stroke-opacity='0.5'/>")
+    out = frame(f"did not pass, with 95 % interval, by {key}", key, "rate", apart(ticks, px), (0, 0.25, 0.5, 0.75, 1), px, py)
+    for number, (scene, (groups, _)) in enumerate(lines.items()):
+        color, way = LINES[number % len(LINES)], []
+        shift = 3.0 * (number - 0.5 * (len(lines) - 1))  # intervals side by side
+        for x, bads in groups:
+            if not bads:
+                continue
+            at, rate, (least, most) = px(x) + shift, sum(bads) / len(bads), wilson(sum(bads), len(bads))
+            way.append(f"{at:.1f},{py(rate):.1f}")
+            out.append(f"<line x1='{at:.1f}' x2='{at:.1f}' y1='{py(least):.1f}' y2='{py(most):.1f}' stroke='{color}' stroke-width='2'/>")
+            out.append(f"<circle cx='{at:.1f}' cy='{py(rate):.1f}' r='4' fill='{color}'><title>{esc(scene)}: {sum(bads)} of {len(bads)}</title></circle>")
+        out.append(f"<polyline points='{' '.join(way)}' fill='none' stroke='{color}' stroke-opacity='0.5'/>")
+        if len(lines) > 1:
+            out.append(f"<text x='{WIDTH - RIGHT - 8}' y='{TOP + 56 + 14 * number}' font-size='11' text-anchor='end' fill='{color}'>{esc(scene)}</text>")
     return "".join(out + ["</svg>"])
 
 
 def map_plot(x_key, y_key, pairs):
-    """Every run as a dot over two settings that are numbers."""
-    dots = []
+    """Runs as dots over two settings that are numbers: green where all passed, red where none did."""
+    places = {}
     for task, result in pairs:
         try:
-            dots.append((float(task["varied"][x_key]), float(task["varied"][y_key]), result["status"], task["id"]))
+            places.setdefault((float(task["varied"][x_key]), float(task["varied"][y_key])), []).append(result["status"] != "passed")
         except (KeyError, ValueError):
             continue
-    if len({d[0] for d in dots}) < 2 or len({d[1] for d in dots}) < 2:
+    dots = sorted(places.items())
+    if len({d[0][0] for d in dots}) < 2 or len({d[0][1] for d in dots}) < 2:
         return ""
     dots = dots[::max(1, len(dots) // MOST_DOTS)]
-    spans = [(min(d[i] for d in dots), max(d[i] for d in dots)) for i in (0, 1)]
+    spans = [(min(d[0][i] for d in dots), max(d[0][i] for d in dots)) for i in (0, 1)]
     px, py = scale(*spans[0], LEFT + 8, WIDTH - RIGHT - 8), scale(*spans[1], HEIGHT - BOTTOM - 8, TOP + 8)
     ticks = [[low + (high - low) * i / 4 for i in range(5)] for low, high in spans]
-    out = frame("each run: green passed, red failed", x_key, y_key, [(x, f"{x:.3g}") for x in ticks[0]], ticks[1], px, py)
-    for x, y, status, name in dots:
-        out.append(f"<circle cx='{px(x):.1f}' cy='{py(y):.1f}' r='3' fill='{COLORS[status]}' fill-opacity='0.7'><title>{name} {status}</title>"
-                   "</circle>")
+    out = frame("runs: green all passed, red none did", x_key, y_key, [(x, f"{x:.3g}") for x in ticks[0]], ticks[1], px, py)
+    for (x, y), bads in dots:
+        share = sum(bads) / len(bads)
+        color = "#" + "".join(f"{round(g + share * (r - g)):02x}" for g, r in ((0x2a, 0xd1), (0x9d, 0x49), (0x5c, 0x5b)))
+        out.append(f"<circle cx='{px(x):.1f}' cy='{py(y):.1f}' r='{3 if len(dots) > 400 else 5}' fill='{color}' fill-opacity='0.85'>"
+                   f"<title>{sum(bads)} of {len(bads)} did not pass</title></circle>")
     return "".join(out + ["</svg>"])
 
 
@@ -165,7 +190,7 @@ def page(out, pairs, title):
         if "arguments" in task:  # no run of a scene: there is nothing to see
             link, command = "", " ".join(program_words(task))
         parts.append(f"<tr><td>{link}</td><td>{task['id']}</td><td>{esc(task['scene'])}</td>"
-                     f"<td>{esc(settings)}</td><td class=n>{task['seed']}</td><td>{esc('; '.join(result['failures']) or result['status'])}</td>"
+                     f"<td>{esc(settings)}</td><td class=n>{task['seed']}</td><td class=what>{esc('; '.join(result['failures']) or result['status'])}</td>"
                      f"<td><code>{esc(command)}</code></td></tr>")
     parts.append("</table>" if worst else "<p>None.</p>")
     return "\n".join(parts) + "</html>\n"

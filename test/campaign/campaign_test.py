@@ -216,6 +216,15 @@ class Cases(Rig):
         self.assertEqual([row["case"] for row in rows if row["robot"] != "hrp1s"], ["other", "other"])
 
 
+class Report(Rig):
+    def test_rates_by_scene_and_setting(self):
+        self.here(self.file("scenes: [stand, sway]\nseeds: 1..8\nlogs: 0\nsettings: {bad: [1, 2, 100], ms: [0, 1]}\n"), "--out", "o", status=1)
+        text = (self.folder / "o/report.html").read_text()
+        # at ms=0 and at ms=1: 8 of 8, 4 of 8 and 0 of 8 seeds, and 24 of 48 runs of a scene
+        for words in ("stand: 16 of 16", "sway: 8 of 16", "stand: 0 of 16", "stand: 12 of 24", "8 of 16 did not pass", "36.39 .. 63.61 %"):
+            self.assertIn(words, text)
+
+
 class Output(Rig):
     def test_a_reader_that_leaves_gets_no_traceback(self):
         for words in (["--help"], ["search", "--help"]):
