@@ -24,7 +24,7 @@ import warnings
 
 from errors import CampaignError
 from run_task import FIGURES
-from spec import IN_SCENE, TaskMaker
+from spec import TaskMaker, unique
 
 KEYS = ("push", "unknown", "least", "most", "tolerance", "method", "minimize", "box", "normal", "runs")
 PUSH = "+ push"  # not the name of a setting
@@ -115,7 +115,7 @@ class Search:
 
     def unknown_rows(self, key):
         keys = list(self.campaign.grid)
-        return [Row(", ".join(f"{k}={v}" for k, v in zip(keys, values)) or key, dict(zip(keys, values)),
+        return [Row(", ".join(f"{k}={v}" for k, v in zip(keys, values) if len(self.campaign.grid[k]) > 1) or key, dict(zip(keys, values)),
                     lambda size, values=values: {**dict(zip(keys, values)), key: repr(float(f"{size:.9g}"))}, self.least, self.most)
                 for values in itertools.product(*self.campaign.grid.values())]
 
@@ -123,7 +123,7 @@ class Search:
         """Of one point: every scene, robot, controller and seed; a push is added to the pushes of the scene."""
         push = settings.pop(PUSH, None)
         if push is None:
-            return list(self.maker.product([settings]))
+            return unique(self.maker.product([settings]))  # a row has its own values of the grid
         tasks = []
         for scene in self.campaign.scenes:
             import yaml
@@ -429,6 +429,32 @@ def rose(rows, title):
     return "".join(out) + f"<text x='{middle}' y='{size + 24}' text-anchor='middle'>up: forward, left: left; smallest push that fells [N s]</text></svg>"
 
 
+def curves(rows, key):
+    """Boundaries of an unknown over the first setting of the rows that is a number, a line for each combination of the others: SVG, or ""."""
+    from report import BOTTOM, HEIGHT, LEFT, LINES, RIGHT, TOP, WIDTH, apart, esc, frame, scale
+    from store import number_or_text
+    axes = [name for name in rows[0].axes if len({row.axes[name] for row in rows}) > 1 and all(number_or_text(row.axes[name])[0] == 0 for row in rows)]
+    found = [row for row in rows if row.boundary() is not None]
+    if not axes or len(found) < 2:
+        return ""
+    xs, ys = sorted({float(row.axes[axes[0]]) for row in found}), [row.boundary() for row in found]
+    low, high = min(ys), max(ys)
+    margin = 0.1 * (high - low or abs(high) or 1.0)
+    px, py = scale(xs[0], xs[-1], LEFT + 12, WIDTH - RIGHT - 12), scale(low - margin, high + margin, HEIGHT - BOTTOM, TOP)
+    out = frame(f"where failures begin: {key}", axes[0], key, apart([(x, f"{x:.4g}") for x in xs], px), [low + (high - low) * i / 4 for i in range(5)], px, py)
+    lines = {}
+    for row in found:
+        lines.setdefault(", ".join(f"{k}={v}" for k, v in row.axes.items()
+                                   if k != axes[0] and len({other.axes[k] for other in rows}) > 1), []).append(row)
+    for number, (name, group) in enumerate(sorted(lines.items())):
+        color = LINES[number % len(LINES)]
+        dots = sorted((px(float(row.axes[axes[0]])), py(row.boundary())) for row in group)
+        out.append(f"<polyline points='{' '.join(f'{x:.1f},{y:.1f}' for x, y in dots)}' fill='none' stroke='{color}' stroke-width='2'/>")
+        out += [f"<circle cx='{x:.1f}' cy='{y:.1f}' r='4' fill='{color}'/>" for x, y in dots]
+        out.append(f"<text x='{WIDTH - RIGHT - 8}' y='{TOP + 16 + 14 * number}' font-size='11' text-anchor='end' fill='{color}'>{esc(name)}</text>")
+    return "".join(out + ["</svg>"])
+
+
 def write(out, search):
     with open(out / "search.csv", "w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file, lineterminator="\n")
@@ -437,9 +463,9 @@ def write(out, search):
         for row in search.rows:
             writer.writerow([*(row.axes[key] for key in axes), f"{row.good:.6g}" if row.tried_good else "",
                              f"{row.bad:.6g}" if row.tried_bad else "", row.side()])
-    if "push" in search.keys:
-        (out / "search.html").write_text("<!doctype html><meta charset='utf-8'><title>Search</title>" + rose(search.rows, "felling push")
-                                         + "\n", encoding="utf-8")
+    drawn = rose(search.rows, "felling push") if "push" in search.keys else curves(search.rows, search.keys["unknown"].text())
+    if drawn:
+        (out / "search.html").write_text(f"<!doctype html><meta charset='utf-8'><title>Search</title>{drawn}\n", encoding="utf-8")
 
 
 def search_command(words):

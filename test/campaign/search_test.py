@@ -129,6 +129,10 @@ class Command(Rig):
         for row in rows:
             self.assertLessEqual(float(row["largest_that_passes"]), float(row["limit"]))
             self.assertGreater(float(row["smallest_that_fails"]), float(row["limit"]))
+        self.assertEqual(int(re.search(r"^(\d+) runs", said, re.MULTILINE)[1]), len(self.table("o")))
+        drawn = (self.folder / "o/search.html").read_text()
+        self.assertIn("where failures begin: push", drawn)
+        self.assertEqual(drawn.count("<circle"), 2)
 
     def test_pushes_with_settings(self):
         """A push is given with each of the settings: what the program gets says so."""
