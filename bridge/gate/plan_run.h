@@ -39,7 +39,7 @@ class PlanRun {
   bool walks() const noexcept { return running_ && assembler_.whole()->head.walks; }
   // Of the plan that is followed: its last knot is past; and the time after it, too.
   bool ended(std::int64_t tick) const noexcept { return running_ && tick > assembler_.whole()->last_tick(); }
-  bool over(std::int64_t tick) const noexcept { return ended(tick - (walks() ? hold_ticks_ : 0)); }
+  bool over(std::int64_t tick) const noexcept { return ended(tick - hold_ticks_); }
 
  private:
   friend struct ProtocolProbe;  // test/protocol looks inside to tell states apart

@@ -10,6 +10,7 @@ constexpr double kBrakeTime = 0.3;  // from full speed to rest [s]
 
 bool ArmForecast::advance(bool brakes, double dt) noexcept {
   if (brakes) share_ = std::max(0.0, share_ - dt / kBrakeTime);
+  gone_ += share_ * dt;
   posture_.advance(share_ * dt);
   if (path_id_ == 0) return true;
   if (arm_->path_id() != path_id_) return false;

@@ -19,11 +19,14 @@ class ArmForecast {
     time_ = arm.time();
     rate_ = arm.rate();
     share_ = 1.0;
+    gone_ = 0.0;
   }
   // brakes: the motion is to end.  False when the arm has begun another path meanwhile.
   bool advance(bool brakes, double dt) noexcept;
 
   const Posture& posture() const noexcept { return posture_; }
+  // So long has anything gone on at its own speed [s].
+  double gone() const noexcept { return gone_; }
   bool moving() const noexcept { return share_ > 0.0 && (path_id_ != 0 || posture_.moving()); }
 
  private:
@@ -32,6 +35,7 @@ class ArmForecast {
   std::int64_t path_id_ = 0;
   double time_ = 0.0, rate_ = 0.0;  // along the path
   double share_ = 1.0;              // of its own speed that every motion has
+  double gone_ = 0.0;
 };
 
 }  // namespace twinbus

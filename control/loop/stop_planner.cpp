@@ -15,6 +15,7 @@ constexpr double kStep = 0.010;     // of the walk that is run ahead [s]
 constexpr double kGoesOn = 0.050;   // before it stops [s]
 constexpr int kWalkKnots = 27;      // 1.04 s
 constexpr int kArmKnots = 11;       // 0.4 s
+constexpr double kRateFilter = 0.03;  // of joints that follow what is measured [s]
 constexpr int kKnotsPerTick = 3;
 constexpr int kRounds = 2;        // of the inverse kinematics per knot
 constexpr int kLastJoints = 10;   // ticks before a resumed walk goes on, from which its joints count
@@ -72,6 +73,7 @@ void StopPlanner::begin(const PlannedMotion& motion) noexcept {
   if (begun.walks) ahead_ = begun.walk = *motion.walk;
   begun.q_given = q_given_ = motion.q_given;
   command_ = motion.command;
+  follow_ = motion.follow;
   arm_.start(motion.posture, motion.arm);
   for (int j = 0; j < model_.bus_count(); ++j) started_[at(j)] = motion.posture.q(j);
   StopPlanHead& head = begun.plan.head;
@@ -131,6 +133,7 @@ bool StopPlanner::write_joints(int k) noexcept {
     const bool leg = begun.walks && ahead_->is_leg(joint);
     double q = command_.q[at(j)] + arm_.posture().q(j) - started_[at(j)];
     if (leg) q = knot(k).q[joint];
+    if ((follow_ & bit(j)) != 0) q = command_.q[at(j)] + rate_[at(j)] * arm_.gone();
     fits = to_plan(q, kPlanPosition, plan.q[at(k)][at(j)]) && fits;
     fits = to_plan(static_cast<double>(command_.tau[at(j)]), kPlanTorque, plan.tau[at(k)][at(j)]) && fits;
     if (!leg) q_given_[joint] = arm_.posture().q(j);
@@ -238,6 +241,9 @@ bool StopPlanner::make_knot() noexcept {
 
 void StopPlanner::advance(const PlannedMotion& motion) noexcept {
   ++age_;
+  const double share = model_.period() / (model_.period() + kRateFilter);
+  for (int j = 0; j < model_.bus_count(); ++j)
+    rate_[at(j)] += share * (static_cast<double>(motion.command.qd[at(j)]) - rate_[at(j)]);
   if (!motion.moves) {
     making_ = false;
     return;

@@ -28,6 +28,7 @@ struct PlannedMotion {
   const Eigen::VectorXd& q_given;  // [joint_count]: of the joints that walking does not move
   const JointCommand& command;
   std::int64_t joints = 0;  // bit per joint whose way is known beforehand
+  std::int64_t follow = 0;  // those of them that balance and go on as they are measured: they are braked
   bool moves = false;       // nothing moves: no plan
 };
 
@@ -88,6 +89,8 @@ class StopPlanner {
   ArmForecast arm_;
   JointCommand command_;       // that the plan continues
   PerJoint<double> started_{};  // the posture then
+  PerJoint<double> rate_{};     // of the commands, smoothed [rad/s]
+  std::int64_t follow_ = 0;
   Eigen::Vector2d origin_ = Eigen::Vector2d::Zero();  // of the plan's frame
   double heading_ = 0.0, cosine_ = 1.0, sine_ = 0.0;
   std::array<Knot, 3> knot_;

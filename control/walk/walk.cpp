@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "control/walk/listed_steps.h"
 #include "common/math/index.h"
@@ -241,6 +242,7 @@ void Walk::update(const Estimator& estimator, const Eigen::VectorXd& q_given, do
   pattern_.advance(touching(estimator), measured_feet_, dt);
   ground_.advance(pattern_.ground_at(stabilizer_.com()), dt);
   const double w = omega();
+  if (std::exchange(resumes_, false)) pattern_.walk_on(dcm_, w);
   pattern_.plan(dcm_, w);
   stabilizer_.update(pattern_, com_.head<2>(), dcm_, w, dt);
   if (stabilizer_.excess().norm() > gains_.step_when) pattern_.capture(dcm_, w);

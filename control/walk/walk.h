@@ -117,7 +117,7 @@ class Walk {
   double shift_ = 0.0;  // of heights, from the estimator's to those of the footholds [m]
   Eigen::Vector3d first_turn_ = Eigen::Vector3d::Zero();
   double heading_ = 0.0;
-  bool fresh_ = true, finite_ = true;
+  bool fresh_ = true, finite_ = true, resumes_ = false;
   bool feels_ = true, steep_ = false;
   double unfelt_ = 0.0;  // no force has been felt for so long [s]
   double tilt_ = 0.0;    // of the standing soles of feet that feel nothing, smoothed [rad]

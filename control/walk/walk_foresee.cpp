@@ -62,6 +62,7 @@ void Walk::take_over(const Eigen::VectorXd& q, const Eigen::VectorXd& qd) noexce
     sent[f] = ik_.kinematics().link_in_world(sole.link) * sole.frame;
   }
   feet_.take_over(pattern_, sent);
+  resumes_ = true;
 }
 
 }  // namespace twinbus

@@ -21,6 +21,7 @@ constexpr double kUncaught =
 constexpr double kRestRate = 0.15;  // from there to the middle of the feet [m/s]
 constexpr double kRestTime = 0.06;  // least time in which the ZMP goes there [s]
 constexpr double kHalfWay = 0.5;    // of a swing, from when on the next step brakes
+constexpr int kSpeeds = 4;           // tried between two, beside the first
 constexpr double kHaltTime = 0.10;  // from the fastest walk to none [s]
 constexpr double kStandingStride =
     0.6;  // share of the longest step over which a robot stands still
@@ -91,7 +92,26 @@ void WalkPattern::halt() noexcept {
   listed_ = list_count_ = 0;
   if (halting_ || !walking_) return;
   halting_ = true;
+  before_halt_ = velocity_;
   braking_ = !single_ || swing_.progress() < kHalfWay;
+}
+
+void WalkPattern::walk_on(const Eigen::Vector2d& measured_dcm, double omega) noexcept {
+  if (!walking_ || halting_ || !wants_to_walk() || list_count_ > 0) return;
+  const Eigen::Vector3d now = velocity_;
+  Eigen::Vector3d best = now;
+  double least = 1e9;
+  for (int k = 0; k <= kSpeeds; ++k) {
+    velocity_ = now + static_cast<double>(k) / kSpeeds * (before_halt_ - now);
+    if (!single_ || double_ + single_time_ - time_ >= kObeys) target_ = planned_ = after(foot(support_), support_, 0);
+    (void)plan_pieces(omega);
+    const double error = (dcm_ - measured_dcm).norm();
+    if (!(error < least)) continue;
+    least = error;
+    best = velocity_;
+  }
+  velocity_ = best;
+  if (!single_ || double_ + single_time_ - time_ >= kObeys) target_ = planned_ = after(foot(support_), support_, 0);
 }
 
 void WalkPattern::follow(const Foothold* list, int count, int first_support) noexcept {
@@ -142,7 +162,8 @@ void WalkPattern::begin_step(int support, double double_time) noexcept {
 // One foot may carry most of the robot already, as before the other one after a walk was stopped: stepping with that one
 // would take away what holds the robot.
 void WalkPattern::capture(const Eigen::Vector2d& measured_dcm, double omega) noexcept {
-  if (walking_) return;
+  const bool about_to = walking_ && !single_ && double_ - time_ > gait_.double_support;
+  if (walking_ && !about_to) return;
   const double side = feet_[0].unturn(measured_dcm - middle()).y();
   tidy_ = false;
   square_ = 0;

@@ -33,6 +33,9 @@ class WalkPattern {
   // Ends walking as soon as can be: the step under way brakes, or if it is half over the next one does, and where both
   // soles then stand the robot comes to rest if that catches it.
   void halt() noexcept;
+  // A halt has been foreseen, but the robot walks on: at that speed, of those between the present one and the one before the
+  // halt, whose reference this DCM is nearest to.
+  void walk_on(const Eigen::Vector2d& measured_dcm, double omega) noexcept;
   // Once it stands, and before it is settled, the feet come side by side, as far apart as the robot stands.
   void square() noexcept { squares_ = tidy_ = true; }
   // Walks these instead, in this order, beginning with the foot that is not `first_support`; then stands.  World.
@@ -43,7 +46,7 @@ class WalkPattern {
                double dt) noexcept;
   // Moves the next step so that this DCM can be caught, and plans.
   void plan(const Eigen::Vector2d& measured_dcm, double omega) noexcept;
-  // Standing, and pushed: a step at once, with the foot that needs to step less far to catch this DCM.
+  // Standing, or about to walk, and pushed: a step at once, with the foot that needs to step less far to catch this DCM.
   void capture(const Eigen::Vector2d& measured_dcm, double omega) noexcept;
 
   bool walking() const noexcept { return walking_; }
@@ -110,7 +113,7 @@ class WalkPattern {
   std::array<Foothold, 2> feet_;
   std::array<Foothold, kMostFootholds> list_;
   int listed_ = 0, list_count_ = 0, list_support_ = 0;
-  Eigen::Vector3d wanted_ = Eigen::Vector3d::Zero(), velocity_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d wanted_ = Eigen::Vector3d::Zero(), velocity_ = wanted_, before_halt_ = wanted_;
   bool walking_ = false, single_ = false, halting_ = false, braking_ = false;
   int support_ = 0, steps_ = 0, square_ = 0;
   bool squares_ = false;  // the feet are still to be put side by side

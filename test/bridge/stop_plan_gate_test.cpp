@@ -5,6 +5,7 @@
 #include <functional>
 #include <limits>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "bridge/gate/command_gate.h"
@@ -21,6 +22,7 @@ constexpr std::int64_t kRun = 42, kController = 7;
 constexpr std::int32_t kTerm = 3;
 constexpr int kKnots = 12;     // three pieces
 constexpr int kSpacing = 5;    // [ticks]
+constexpr int kHeld = 500;     // after the last knot [ticks]
 constexpr double kRate = 0.5;  // of joint 0 [rad/s]
 
 class StopPlanGate : public ::testing::Test {
@@ -110,6 +112,10 @@ TEST_F(StopPlanGate, IsFollowedFromTheFirstMissedTickWithoutAStepAndThenLatches)
     EXPECT_FALSE(gate.latch().latched());
     before = q;
   }
+  for (int i = 0; i < kHeld; ++i) {
+    next(false);
+    ASSERT_TRUE(gate.plan().running()) << "held at its end for a second " << i;
+  }
   for (int i = 0; i < 10; ++i) next(false);
   EXPECT_FALSE(gate.plan().running());
   EXPECT_EQ(gate.latch().kind, StopKind::kHold);
@@ -196,7 +202,7 @@ TEST_F(StopPlanGate, AHoldGoesAlongThePlanAndStaysLatched) {
   EXPECT_EQ(gate.latch().kind, StopKind::kHold);
   EXPECT_EQ(offer(command()), GateVerdict::kStopped);
   ASSERT_TRUE(follows_next());
-  for (int i = 0; i < kKnots * kSpacing; ++i) next(false);
+  for (int i = 0; i < kKnots * kSpacing + kHeld; ++i) next(false);
   EXPECT_FALSE(gate.plan().running());
   EXPECT_EQ(gate.latch().kind, StopKind::kHold);
   EXPECT_NEAR(gate.effective().q[0], kRate * 0.002 * (19 + 6 * kSpacing), 0.003);
@@ -296,6 +302,51 @@ TEST_F(StopPlanGate, RefusesWithItsReasonAndHoldsAsEver) {
   }
   for (int i = 0; i < 21; ++i) next(false);
   EXPECT_EQ(gate.latch().kind, StopKind::kHold);
+}
+
+// A stream of plans of which pieces are lost, come twice, out of order and mixed: what is followed is one that was made, whole.
+TEST_F(StopPlanGate, AStreamWithLossFollowsWholePlansOnly) {
+  std::mt19937 random(11);
+  int followed = 0;
+  for (int trial = 0; trial < 200; ++trial) {
+    CommandGate fresh(limits, false, 1);
+    gate = fresh;
+    gate.hold_measured(RobotState{});
+    gate.open(kRun, kTerm, true, 0.0, now);
+    tick = 100;
+    walk(5);
+    std::vector<StopPlan> made;
+    std::vector<StopPlanPiece> on_the_way;
+    for (int n = 1; n <= 6; ++n) {
+      made.push_back(plan(n));
+      made.back().tau[3][0] = static_cast<std::int16_t>(10 * n);  // tells it from the others
+      for (int i = 0; i < 3; ++i) {
+        StopPlanPiece piece;
+        made.back().copy_to(i, piece);
+        if (random() % 10 == 0) continue;  // lost
+        on_the_way.push_back(piece);
+        if (random() % 5 == 0) on_the_way.push_back(piece);
+      }
+      for (std::size_t k = 0; k + 1 < on_the_way.size(); ++k) {
+        if (random() % 4 == 0) std::swap(on_the_way[k], on_the_way[k + 1]);
+      }
+      while (on_the_way.size() > 2) {  // the rest comes among those of the next
+        gate.add_plan(on_the_way.front(), tick - 1);
+        on_the_way.erase(on_the_way.begin());
+      }
+      walk(3);
+    }
+    if (!follows_next()) continue;
+    ++followed;
+    const StopPlan& whole = *gate.plan().whole();
+    const StopPlan& same = made[static_cast<std::size_t>(whole.head.number - 1)];
+    EXPECT_TRUE(whole.head == same.head);
+    for (std::size_t k = 0; k < kKnots; ++k) {
+      EXPECT_EQ(whole.q[k], same.q[k]);
+      EXPECT_EQ(whole.tau[k], same.tau[k]);
+    }
+  }
+  EXPECT_GT(followed, 150);
 }
 
 // One that was good grows too old, and is not followed then.

@@ -224,6 +224,24 @@ TEST(WalkPattern, AHaltTakesAtMostTwoMoreSteps) {
   }
 }
 
+// A stop was foreseen while nobody knew of the robot; it goes on as fast as its DCM is, not as the stop would have it.
+TEST(WalkPattern, AWalkThatGoesOnAfterAForeseenHaltHasTheSpeedThatFitsTheDcm) {
+  Puppet puppet;
+  puppet.pattern.want({0.5, 0.0, 0.0});
+  puppet.run(5.03);
+  while (!(puppet.pattern.single() && puppet.pattern.swing().progress() < 0.2)) puppet.tick();
+  puppet.pattern.halt();
+  puppet.run(0.06);
+  EXPECT_LT(puppet.pattern.velocity().x(), 0.3);
+  puppet.pattern.want({0.5, 0.0, 0.0});
+  WalkPattern fast = puppet.pattern, slow = puppet.pattern;
+  const Eigen::Vector2d on = puppet.dcm + Eigen::Vector2d(0.06, 0.0);
+  fast.walk_on(on, kOmega);
+  EXPECT_GT(fast.velocity().x(), slow.velocity().x() + 0.1);
+  slow.walk_on(puppet.dcm - Eigen::Vector2d(0.06, 0.0), kOmega);
+  EXPECT_LT(slow.velocity().x(), fast.velocity().x());
+}
+
 // As after a walk that was stopped: the front foot carries the robot already, so the other one steps.
 TEST(WalkPattern, ACaptureStepIsMadeWithTheFootThatNeedsToStepLessFar) {
   const Gait g = gait();

@@ -99,6 +99,38 @@ TEST(Stalls, AControllerThatStoodStillWalksOn) {
   }
 }
 
+TEST(Stalls, SwayAndSquatGoOnAfterAStallAndAreTakenOverByAnotherController) {
+  for (const char* scene : {"sway", "squat"}) {
+    for (const double stall : {0.1, 0.5, -1.0}) {
+      Walked w(scene);
+      ASSERT_TRUE(w.go(4.1));
+      w.run->stall_controller(stall);
+      EXPECT_TRUE(w.go(0.8)) << scene << stall;
+      EXPECT_NE(w.led, 0) << scene << stall;
+      if (stall < 0.0) w.run->restart_controller(99);
+      EXPECT_TRUE(w.go(2.0)) << scene << stall;
+      EXPECT_EQ(w.run->state().stop_kind, StopKind::kNone) << scene << stall;
+      EXPECT_EQ(w.run->state().plan_number, 0) << scene << stall;
+    }
+  }
+}
+
+// `stop hold` in a walk: the robot comes to stand along the plan, and is held there.
+TEST(Stalls, AHoldThatIsAskedForInAWalkEndsStanding) {
+  for (const double at : {4.03, 4.21, 4.39}) {
+    Walked w("walk_forward");
+    ASSERT_TRUE(w.go(at));
+    StopRequest stop;
+    stop.kind = StopKind::kHold;
+    stop.reason = StopReason::kOperator;
+    w.run->say(stop);
+    EXPECT_TRUE(w.go(4.0)) << at;
+    EXPECT_NE(w.led, 0) << at;
+    EXPECT_TRUE(w.stands()) << at;
+    EXPECT_EQ(w.run->state().stop_kind, StopKind::kHold) << at;
+  }
+}
+
 // Half a second is too long to take the walk up again: the plan ends, and balance begins on tiles of different height, where
 // torques that were kept for long tilted the robot.
 TEST(Stalls, AControllerThatStoodStillForLongBalancesWhereThePlanEnds) {

@@ -26,7 +26,7 @@ def falls(bus, since):
 
 
 def controller(bus, stack, checks, rng):
-    """The source holds the last command, then stops 40 to 46 ms after the last accepted one; nobody falls."""
+    """Nothing moves: the source holds the last command, then stops 40 to 46 ms after the last accepted one; nobody falls."""
     before = time.monotonic_ns()
     os.kill(stack.pid("twinbus_controller"), signal.SIGKILL)
     at, state = bus.wait_for("STATE", lambda s: s.stop_kind >= 2, 2.0)
@@ -48,6 +48,18 @@ def controller(bus, stack, checks, rng):
     # A controller that was started again moves nothing until somebody clears the stop.
     _, state = bus.newest("STATE")
     checks.that(state.stop_kind >= 2, "controller killed: the stop stays although a new controller is there")
+
+
+def controller_in_motion(bus, stack, checks, rng):
+    """The source follows the stop plan; the controller that is started anew balances where it has ended."""
+    before = time.monotonic_ns()
+    os.kill(stack.pid("twinbus_controller"), signal.SIGKILL)
+    _, led = bus.wait_for("STATE", lambda s: s.plan_number != 0, 1.0)
+    checks.that(led is not None, "controller killed in motion: the stop plan is followed")
+    _, after = bus.wait_for("STATE", lambda s: s.plan_number == 0, 4.0)
+    checks.that(after is not None and after.stop_kind == 0, "controller killed in motion: another one takes the robot over, nothing latches")
+    time.sleep(0.5)
+    checks.that(not falls(bus, before), "controller killed in motion: nobody falls")
 
 
 def active_source(bus, stack, checks, rng, standby_kind="STATE_BRIDGE"):
@@ -140,9 +152,10 @@ def main():
                     done += 1
                 bus.close()
         print(f"{name}: {done} kills", flush=True)
-    for name, case in (("controller", controller), ("standby", standby), ("active source", active_source)):
+    for name, scene, case in (("controller", "stand", controller), ("controller in motion", "sway", controller_in_motion),
+                              ("standby", "sway", standby), ("active source", "sway", active_source)):
         for _ in range(REPEAT):
-            with Stack("sway", "--stack", "both", "--no-viewer") as stack:
+            with Stack(scene, "--stack", "both", "--no-viewer") as stack:
                 bus = Bus()
                 settle(rng)
                 case(bus, stack, checks, rng)

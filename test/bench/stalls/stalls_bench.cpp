@@ -105,6 +105,7 @@ Result watch(const Model& model, OneProcess& run, const std::string& what) {
     r.tilt = std::max(r.tilt, tilt_of(t));
     fell = t.fell || tilt_of(t) > kFallen;
   }
+  if (std::getenv("VERBOSE") != nullptr && !run.stop_cause().empty()) std::printf("  %s\n", run.stop_cause().c_str());
   const SimTruth& t = run.truth();
   const bool both = t.foot_force[0][2] > kCarries && t.foot_force[1][2] > kCarries;
   const double speed = std::hypot(static_cast<double>(t.com_velocity[0]), static_cast<double>(t.com_velocity[1]));

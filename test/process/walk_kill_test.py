@@ -1,0 +1,81 @@
+#!/usr/bin/env python3
+"""kill -9 of the controller at random instants of a walk, in a simulator and behind the bridge: the source follows the stop plan,
+nobody falls, and the controller that is started anew balances the robot where the plan has ended.
+
+    walk_kill_test.py [sim] [bridge]
+
+KILLS=N says how many of each (TWINBUS_FULL=1: 50, otherwise 2).  The seed is printed; KILL_SEED=N repeats a run.
+"""
+
+import os
+import random
+import signal
+import sys
+import time
+
+import harness
+from harness import Bus, Checks, Stack
+from switch_figures import tilt
+
+SCENES = {"sim": ("walk_forward", "walk_rough", "walk_slope"), "bridge": ("walk_forward",)}
+WALKS, BALANCES = 5, 4  # modes of CONTROLLER_STATUS
+FALLEN = 20.0   # [degrees]
+AFTER = 5.0     # watched after the kill [s]
+UPRIGHT = 8.6   # of one that stands [degrees]
+LOADED = 100.0  # of a foot [N]
+
+
+def one_kill(checks, kind, scene, rng):
+    """A word for the table."""
+    words = [scene, "--no-viewer", "--no-record"] + (["--stack", "bridge"] if kind == "bridge" else [])
+    with Stack(*words) as stack:
+        bus = Bus()
+        what = f"{kind}, {scene}"
+        walking = bus.wait_for("CONTROLLER_STATUS", lambda c: c.mode == WALKS, 30.0)[1]
+        if not checks.that(walking is not None, f"{what}: the robot walks"):
+            return "does not walk"
+        time.sleep(2.5 + 5.0 * rng.random())
+        bus.forget()
+        time.sleep(0.1)
+        killed = time.monotonic_ns()
+        os.kill(stack.pid("twinbus_controller"), signal.SIGKILL)
+        time.sleep(AFTER)
+        states = [s for _, s in bus.messages("STATE", killed)]
+        most = max((tilt(s) for s in states), default=99.0)
+        fell = most > FALLEN or any(t.fell for _, t in bus.messages("TRUTH", killed))
+        led = any(s.plan_number for s in states)
+        last = states[-1] if states else None
+        feet = min(abs(last.wrench[foot][2]) for foot in (0, 1)) if last else 0.0
+        stands = last is not None and tilt(last) < UPRIGHT and feet > LOADED
+        taken = bus.newest("CONTROLLER_STATUS")[1]
+        good = checks.that(not fell, f"{what}: nobody falls, tilt {most:.1f} degrees")
+        good = checks.that(led, f"{what}: the stop plan is followed") and good
+        good = checks.that(stands, f"{what}: it stands on both feet, the lighter one with {feet:.0f} N") and good
+        again = last is not None and last.stop_kind == 0 and taken is not None and taken.mode == BALANCES
+        if not good:
+            print("".join(stack.lines[-6:]) + "\n".join(harness.story_of_a_stop(bus)), flush=True)
+        bus.close()
+        return f"{'good' if good else 'BAD'}, tilt {most:.1f} degrees, {'balances again' if again else 'held'}"
+
+
+def main():
+    harness.require("twinbus", "twinbus_simulator", "twinbus_controller", "twinbus_guard", "twinbus_planner", "twinbus_bridge",
+                    "emulated_robot")
+    seed = int(os.environ.get("KILL_SEED", random.randrange(1 << 30)))
+    print(f"KILL_SEED={seed}", flush=True)
+    rng = random.Random(seed)
+    count = int(os.environ.get("KILLS", 50 if harness.FULL else 2))
+    checks = Checks()
+    for kind in [word for word in sys.argv[1:] if word in SCENES] or list(SCENES):
+        good = 0
+        for number in range(count):
+            scene = SCENES[kind][number % len(SCENES[kind])]
+            word = one_kill(checks, kind, scene, rng)
+            good += word.startswith("good")
+            print(f"{kind} {number}, {scene}: {word}", flush=True)
+        print(f"{kind}: {good} of {count} stand", flush=True)
+    checks.exit()
+
+
+if __name__ == "__main__":
+    main()
