@@ -27,6 +27,7 @@ def falls(bus, since):
 
 def controller(bus, stack, checks, rng):
     """Nothing moves: the source holds the last command, then stops 40 to 46 ms after the last accepted one; nobody falls."""
+    time.sleep(3.0)  # until it has found its place
     before = time.monotonic_ns()
     os.kill(stack.pid("twinbus_controller"), signal.SIGKILL)
     at, state = bus.wait_for("STATE", lambda s: s.stop_kind >= 2, 2.0)
