@@ -70,6 +70,7 @@ constexpr BenchRow kBenches[] = {
     {"control", "pushes", "the largest push a standing robot survives, by direction"},
     {"walking", "any_robot", "humanoids never met: proposed, they stand and walk"},
     {"walking", "walk", "stops, pushes, another robot, time of a tick"},
+    {"walking", "pad_walk", "a long walk with the pad, page open, beside a build"},
     {"walking", "walk_map", "pushes survived on the spot, by direction and phase"},
     {"walking", "walk_switch", "sources switched under a robot that walks"},
     {"walking", "walk_trace", "a walk tick by tick"},
@@ -88,6 +89,7 @@ constexpr BenchRow kBenches[] = {
     {"bus and logs", "switch", "live switches of the source"},
     {"bus and logs", "explorer", "how many states of the protocol a second are explored"},
     {"bus and logs", "stalls", "what a process that stands still does to a robot"},
+    {"bus and logs", "stop_plan", "what stop plans cost controller and source"},
     {"bus and logs", "record", "what recording costs a stack"},
     {"bus and logs", "log", "how fast the log tools are on a long log"},
     {"bus and logs", "viewer", "what the page gives, and what it costs"}};

@@ -72,6 +72,7 @@ class Watch:
         self.begun = time.monotonic()
         self.slowest = 1.0
         self.worst_tilt = 0.0
+        self.stop = 0
         self._place = None
         self._plans = self._missed = None
 
@@ -79,7 +80,7 @@ class Watch:
         """The stop that is in force, else 0."""
         records = list(self.bus.records)
         del self.bus.records[:len(records)]
-        stop, fell = 0, False
+        stop, fell = self.stop, False
         seen = collections.Counter()
         for at, channel, body in records:
             seen[channel] += 1
@@ -106,6 +107,7 @@ class Watch:
             elif channel == "EVENT":
                 text = text_of(harness.type_of(channel).decode(body))
                 self.events.append(text)
+        self.stop = stop
         self.falls += fell
         return 3 if fell else stop
 
@@ -134,7 +136,7 @@ def walk(stack, bus, pad, rng, minutes):
         time.sleep(rng.uniform(1.0, 2.0 * LOOK_S))
         stop = watch.look()
         if stop:
-            print(f"stopped: {'; '.join(line.strip() for line in stack.lines[-4:])}", flush=True)
+            print(f"stopped: {'; '.join(line.strip() for line in stack.lines[-4:])}; {'; '.join(watch.events[-6:])}", flush=True)
             if watch.falls:
                 break
             time.sleep(2.0)
