@@ -147,8 +147,10 @@ class Shell {
   // The world may stand still for somebody who is obeyed.
   bool patient_now() const {
     const SourceStatus& s = source_.status();
-    return options_.patient && !options_.lockstep && !clock_.changed() && s.role == Role::kActive &&
-           s.controller_id != 0 && s.stop_kind <= StopKind::kBalanced;
+    // In a balanced stop the controller is obeyed, too.
+    const bool obeys = s.role == Role::kActive || (s.role == Role::kStopped && s.stop_kind == StopKind::kBalanced);
+    return options_.patient && !options_.lockstep && !clock_.changed() && obeys && s.controller_id != 0 &&
+           s.stop_kind <= StopKind::kBalanced;
   }
 
   void receive(double timeout_s) {

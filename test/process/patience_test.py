@@ -53,6 +53,19 @@ def waits(checks):
         status, said, _ = cli("status")
         checks.that(status == 0 and "waits for late commands" in said, f"the table says so: {said[:300]}")
 
+        # A balanced stop is made by the controller: it is waited for, too.
+        begin = time.monotonic_ns()
+        cli("stop", "balanced")
+        stand_still(stack.pid("twinbus_controller"), 0.12)
+        time.sleep(0.5)
+        states = [s for _, s in bus.messages("STATE", begin)]
+        checks.that(any(s.stop_kind == 1 for s in states), "a balanced stop is made")
+        checks.that(all(s.plan_number == 0 for s in states if s.stop_kind == 1), "and needs no stop plan")
+        time.sleep(3.0)
+        cli("clear")
+        cli("mode", "walk")
+        cli("walk", "0.3", "0", "0", "--for", "3")
+
         os.kill(stack.pid("twinbus_controller"), signal.SIGKILL)
         led = bus.wait_for("STATE", lambda s: s.plan_number != 0, 3.0)[1]
         checks.that(led is not None, "a controller that is gone is not waited for: its stop plan is followed")
