@@ -61,10 +61,11 @@ def one_round(stack, bus, checks, rng, number):
     now = active(bus)
     checks.that(now in (None, holder), f"round {number}: nobody took STATE by himself")
     if now is None or "controller" in names:
-        # A source that lost its controller is stopped until somebody clears it.
+        # A source that lost its controller is stopped until somebody clears it, or follows the stop plan of what moved.
         _, state = bus.newest("STATE")
         if now is not None:
-            checks.that(state.stop_kind >= 2, f"round {number}: without its controller the source stopped")
+            led = any(s.plan_number for _, s in bus.messages("STATE"))
+            checks.that(state.stop_kind >= 2 or led, f"round {number}: without its controller the source stopped")
     return took
 
 
