@@ -177,6 +177,7 @@ class Runner:
             else:
                 result["figures"] = {key: figures[key] for key in FIGURES if figures.get(key) is not None}
             where["path"] = figures.get("simd", "")
+            where["architecture"] = figures.get("architecture", where["architecture"])  # under emulation the program's own
             if figures and task.get("simd", "any") != "any" and where["path"] != task["simd"]:
                 result.update(status="refused", again=True, figures={}, failures=[
                     f"worker {self.machine['host']}: runs path {where['path']}, and the campaign asks for {task['simd']}; "

@@ -134,6 +134,13 @@ void print(const OneProcess& run, const Criteria& asked, const RunVerdict& verdi
 }
 
 constexpr const char* kSimdNames[] = {"baseline", "avx2", "avx512"};
+#if defined(__x86_64__)
+constexpr const char* kArchitecture = "x86_64";
+#elif defined(__aarch64__)
+constexpr const char* kArchitecture = "aarch64";
+#else
+constexpr const char* kArchitecture = "other";
+#endif
 
 // A word that nobody knows would run on whatever path the machine has.
 void check_simd_word() {
@@ -229,6 +236,7 @@ std::string with_own_figures(const std::string& report, double force_error, cons
   };
   auto json = nlohmann::ordered_json::parse(report);
   json["simd"] = kSimdNames[static_cast<std::size_t>(simd())];
+  json["architecture"] = kArchitecture;
   if (!std::isnan(force_error)) json["foot_force_rms_error_n"] = force_error;
   json["sole_tilt_max_deg"] = kDegrees * run.sole_tilt_max();
   json["steps"] = walked.steps();
