@@ -87,6 +87,16 @@ def standby(bus, stack, checks, rng):
     unharmed(bus, checks, "standby killed", before)
 
 
+def stand_in(bus, stack, checks, rng):
+    """The robot that only stands by is gone, and its bridge with it or not: the active source and the launcher go on."""
+    before = time.monotonic_ns()
+    os.kill(stack.pid("emulated_robot"), signal.SIGKILL)
+    time.sleep(0.6)
+    unharmed(bus, checks, "robot of the standby killed", before)
+    time.sleep(1.0)
+    checks.that(stack.process.poll() is None, "robot of the standby killed: the stack goes on")
+
+
 def guard(bus, stack, checks, rng):
     """The arms are masked until a guard is back; the legs keep balance."""
     before = time.monotonic_ns()
@@ -154,7 +164,8 @@ def main():
                 bus.close()
         print(f"{name}: {done} kills", flush=True)
     for name, scene, case in (("controller", "stand", controller), ("controller in motion", "sway", controller_in_motion),
-                              ("standby", "sway", standby), ("active source", "sway", active_source)):
+                              ("standby", "sway", standby), ("robot of the standby", "sway", stand_in),
+                              ("active source", "sway", active_source)):
         for _ in range(REPEAT):
             with Stack(scene, "--stack", "both", "--no-viewer") as stack:
                 bus = Bus()

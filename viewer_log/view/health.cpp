@@ -97,6 +97,8 @@ Health assess(const StackView& view, std::int64_t now_ns) {
             "Press Clear to go on."};
   }
   if (!view.controller().fresh(now_ns, kSenderSilent)) {
+    // At the start of a log, or of a stack.
+    if (view.listened(now_ns) < kSenderSilent) return {HealthLevel::kWaiting, "Just begun: no controller is heard yet."};
     return {HealthLevel::kBad, "No controller is heard: the source will stop by itself."};
   }
   if (view.guard().at_ns != 0 && !view.guard().fresh(now_ns, kSenderSilent)) {

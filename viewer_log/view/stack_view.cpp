@@ -69,6 +69,7 @@ StackView::StackView(const Model& model) : model_(&model), estimator_(model) {}
 void StackView::on_state(const RobotState& state, std::int64_t now_ns) {
   if (state.joint_count != model_->bus_count()) return;
   if (state.run_id != state_.value.run_id) ++anchors_;
+  if (!state_.fresh(now_ns, kStateFresh)) state_since_ns_ = now_ns;
   state_ = {state, now_ns};
   estimator_.update(state);
   const double elapsed = 1e-9 * static_cast<double>(now_ns - factor_since_ns_);

@@ -81,6 +81,8 @@ class StackView {
 
   const Model& model() const { return *model_; }
   const Heard<RobotState>& state() const { return state_; }
+  // How long STATE has been heard without a pause: what was not heard in a shorter time may not be silent. [s]
+  double listened(std::int64_t now_ns) const { return state_.at_ns == 0 ? 0.0 : 1e-9 * double(now_ns - state_since_ns_); }
   const Heard<RobotState>& standby() const { return standby_; }
   const Heard<JointCommand>& command() const { return command_; }
   const ArmPathView& arm_path() const { return arm_path_; }
@@ -132,6 +134,7 @@ class StackView {
   const Model* model_;
   Estimator estimator_;
   Heard<RobotState> state_, standby_;
+  std::int64_t state_since_ns_ = 0;
   Heard<JointCommand> command_;
   Heard<ControllerStatus> controller_;
   ArmPathView arm_path_;
