@@ -46,6 +46,8 @@ constexpr int kHeartbeatEvery = 6;                 // frames: 10 Hz
 constexpr std::size_t kLargestMessage =
     32 * 1024;                        // from who may act: a setup with many pairs [bytes]
 constexpr float kWalkTimeout = 0.3F;  // a page that falls silent stops the walk [s]
+constexpr float kPoseTime = 2.0F;     // at least, to get there [s]
+constexpr double kPoseSpeed = 0.3;    // share of the joint velocity limits, in the mean
 constexpr float kReachSpeed = 0.4F;   // share of the joint velocity limits
 
 enum Slot : int {
@@ -263,6 +265,21 @@ class Viewer {
           mode.amplitude = request.amplitude;
           mode.frequency = request.frequency;
           mode_.start(mode);
+          break;
+        }
+        case PageRequest::What::kPose: {
+          ModeRequest pose = request.pose;
+          pose.run_id = state.run_id;
+          pose.mode = Mode::kPose;
+          pose.duration = kPoseTime;
+          for (int k = 0; k < model_.bus_count(); ++k) {
+            const auto i = static_cast<std::size_t>(k);
+            if ((pose.joint_mask >> k & 1) == 0) continue;
+            const double speed = kPoseSpeed * model_.joints[static_cast<std::size_t>(model_.bus_joints[i])].velocity;
+            if (speed > 0.0)
+              pose.duration = std::max(pose.duration, static_cast<float>(std::abs(pose.q[i] - state.q[i]) / speed));
+          }
+          mode_.start(pose);
           break;
         }
         case PageRequest::What::kSwitch:

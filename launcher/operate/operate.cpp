@@ -14,6 +14,7 @@
 #include "lcmtypes/msg/labels.h"
 #include "lcmtypes/msg/motion_defaults.h"
 #include "robot/description/load.h"
+#include "robot/kinematics/pose_request.h"
 
 namespace twinbus {
 
@@ -257,31 +258,18 @@ namespace {
 
 // JOINT=ANGLE[,JOINT=ANGLE...]: only these joints move.
 void take_angles(const std::string& text, const Model& model, ModeRequest& request) {
-  std::vector<std::string> names;
-  for (const int j : model.bus_joints)
-    names.push_back(model.joints[static_cast<std::size_t>(j)].name);
   for (std::size_t at = 0; at <= text.size();) {
     const std::size_t end = std::min(text.find(',', at), text.size());
     const std::string one = text.substr(at, end - at);
     at = end + 1;
     const std::size_t equals = one.find('=');
-    const std::string name = one.substr(0, equals);
     double angle = 0.0;
-    if (equals == std::string::npos || !parse_numbers(one.substr(equals + 1), &angle, 1))
-      throw UsageError("pose: '" + one + "' is not JOINT=ANGLE, as in " + names.front() + "=0.2");
-    const auto found = std::find(names.begin(), names.end(), name);
-    if (found == names.end())
-      throw UsageError("pose: " + model.name + " moves no joint '" + name + "'" +
-                       suggestion(name, names));
-    const auto k = static_cast<std::size_t>(found - names.begin());
-    const Joint& joint = model.joints[static_cast<std::size_t>(model.bus_joints[k])];
-    if (!(angle >= joint.lower && angle <= joint.upper)) {
-      char limits[80];
-      std::snprintf(limits, sizeof limits, "%.3f to %.3f", joint.lower, joint.upper);
-      throw UsageError("pose: " + one + " is outside the limits of the joint, " + limits);
+    if (equals == std::string::npos || !parse_numbers(one.substr(equals + 1), &angle, 1)) {
+      const Joint& first = model.joints[static_cast<std::size_t>(model.bus_joints.front())];
+      throw UsageError("pose: '" + one + "' is not JOINT=ANGLE, as in " + first.name + "=0.2");
     }
-    request.q[k] = angle;
-    request.joint_mask |= std::int64_t{1} << k;
+    const std::string problem = add_joint(model, one.substr(0, equals), angle, request);
+    if (!problem.empty()) throw UsageError("pose: " + problem);
   }
 }
 

@@ -72,6 +72,23 @@ for key, what, state in (("f", "follow", "!twinbus.stage.follow"), ("c", "forces
     check(page.value(state), f"{key.upper()} switches off: {what}")
     page.key(key, "Key" + key.upper())
 
+# --- links and joints ---
+page.key("q", "KeyQ")
+check(page.wait_for("twinbus.parts.open && twinbus.parts.sliders.filter(Boolean).length === twinbus.robot.joints.length && twinbus.parts.rows.length > 30"), "Q shows the tree of links with a slider for each joint")
+knee = "twinbus.parts.sliders.find((s) => s && s.name.includes('KNEE'))"
+page.value(f"(s => {{ s.input.value = 1.3; s.input.oninput(); }})({knee})")
+check(page.wait_for("twinbus.other.made?.visible"), "what is being chosen is a ghost")
+page.value(f"globalThis.sent = []; twinbus.parts.send = (request) => sent.push(request); {knee}.input.onchange()")
+check(page.value("JSON.stringify(sent)").startswith('[{"do":"pose","joints":{"'), "let go, the joint is asked for: " + page.value("JSON.stringify(sent)"))
+page.value("twinbus.parts.rows[0].box.checked = false; twinbus.parts.rows[0].box.onchange()")
+meshes = "(n => { twinbus.robot.model.traverse((part) => { if (part.isMesh && !part.visible) ++n; }); return n; })(0)"
+hidden, all_meshes = page.value(meshes), page.value("(n => { twinbus.robot.model.traverse((part) => { if (part.isMesh) ++n; }); return n; })(0)")
+check(0 < hidden < all_meshes / 4, f"one link is not drawn, {hidden} of {all_meshes} shapes")
+page.value("document.querySelector('#parts button').onclick()")
+check(page.value(meshes) == 0, "and all of them are again")
+page.key("q", "KeyQ")
+check(page.wait_for("document.getElementById('parts').hidden && !twinbus.other.made?.visible"), "Q again closes it")
+
 # --- plots ---
 page.key("p", "KeyP")
 page.wait_for("twinbus.history.count > 60 && twinbus.plots.plots.length === 3", 40)

@@ -33,11 +33,26 @@ TEST(PageRequest, AStopWithADamagedKindIsStillAStop) {
   }
 }
 
+TEST(PageRequest, APoseIsJointsByName) {
+  PageRequest request;
+  ASSERT_TRUE(read(R"({"do":"pose","joints":{"KNEE":0.5,"ELBOW":-1}})", true, request));
+  EXPECT_EQ(request.what, PageRequest::What::kPose);
+  ASSERT_EQ(request.joints.size(), 2u);
+  for (const char* text : {R"({"do":"pose"})", R"({"do":"pose","joints":{}})", R"({"do":"pose","joints":[1]})",
+                           R"({"do":"pose","joints":{"KNEE":"x"}})", R"({"do":"pose","joints":{"KNEE":1e300}})",
+                           R"({"do":"pose","joints":{"KNEE":null}})"}) {
+    EXPECT_FALSE(read(text, true, request)) << text;
+  }
+  std::string many = R"({"do":"pose","joints":{)";
+  for (int i = 0; i <= kMaxJoints; ++i) many += (i ? ",\"J" : "\"J") + std::to_string(i) + "\":0";
+  EXPECT_FALSE(read(many + "}}", true, request));
+}
+
 TEST(PageRequest, ActingNeedsTheToken) {
   PageRequest request;
   for (const char* text :
        {R"({"do":"clear"})", R"({"do":"switch","run":5})", R"({"do":"mode","mode":"sway"})",
-        R"({"do":"walk","vx":0.1,"vy":0,"wz":0})", R"({"do":"cancel"})",
+        R"({"do":"walk","vx":0.1,"vy":0,"wz":0})", R"({"do":"cancel"})", R"({"do":"pose","joints":{"KNEE":0.5}})",
         R"({"do":"reach","side":"left","at":[0.3,0.2,1]})"}) {
     EXPECT_FALSE(read(text, false, request)) << text;
     EXPECT_TRUE(read(text, true, request)) << text;

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "robot/kinematics/pose_request.h"
 #include "viewer_log/server/page_request.h"
 #include "viewer_log/view/frame.h"
 #include "viewer_log/view/setup_desk.h"
@@ -33,6 +34,12 @@ class PageInbox {
     }
     if (request.sim.action == SimAction::kPush && model.find_link(request.link) < 0)
       return note_frame("push: the robot has no link of that name");
+    if (request.what == PageRequest::What::kPose) {
+      for (const auto& [name, q] : request.joints) {
+        problem = add_joint(model, name, q, request.pose);
+        if (!problem.empty()) return note_frame("pose: " + problem);
+      }
+    }
     const std::lock_guard<std::mutex> lock(mutex_);
     if (request.what == PageRequest::What::kStop) {
       if (request.stop > stop_) stop_ = request.stop;

@@ -12,6 +12,7 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr std::int64_t kLargestId = (std::int64_t{1} << 53) - 1;
+constexpr double kLargestJoint = 1000.0;  // [rad or m]; the robot's own limits are looked at where the robot is known
 constexpr double kFarthestHand =
     1000.0;  // a robot that has walked for long may be far from where it began [m]
 
@@ -100,6 +101,17 @@ bool read_push(const Json& json, PageRequest& request) {
          read_three(json, "point", 10.0, request.sim.point);
 }
 
+bool read_pose(const Json& json, PageRequest& request) {
+  const auto joints = json.find("joints");
+  if (joints == json.end() || !joints->is_object() || joints->empty() || joints->size() > kMaxJoints) return false;
+  for (const auto& [name, value] : joints->items()) {
+    double q = 0.0;
+    if (!read_number(value, kLargestJoint, q)) return false;
+    request.joints.emplace_back(name, q);
+  }
+  return true;
+}
+
 bool read_mode(const std::string& name, PageRequest& request) {
   struct Row {
     const char* name;
@@ -162,6 +174,11 @@ bool read_page_request(const std::string& text, bool trusted, PageRequest& reque
     problem = "mode: one of balance, walk, sway, squat, hold, idle";
     return read_mode(text_member(json, "mode"), request);
   }
+  if (what == "pose") {
+    request.what = PageRequest::What::kPose;
+    problem = "pose: joints must be an object of joint names and numbers, rad or m";
+    return read_pose(json, request);
+  }
   if (what == "walk") {
     request.what = PageRequest::What::kWalk;
     problem = "walk: vx, vy and wz must be numbers of at most 2 m/s, 1 m/s and 2 rad/s";
@@ -208,7 +225,7 @@ bool read_page_request(const std::string& text, bool trusted, PageRequest& reque
     return true;
   }
   problem =
-      "not understood: do must be stop, clear, switch, mode, walk, reach, cancel, setup, reset, sim, push or record";
+      "not understood: do must be stop, clear, switch, mode, pose, walk, reach, cancel, setup, reset, sim, push or record";
   return false;
 }
 

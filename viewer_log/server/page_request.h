@@ -2,6 +2,7 @@
 //
 //   {"do":"stop","kind":1..3}   needs no token: anyone may stop
 //   {"do":"clear"}  {"do":"switch","run":R}  {"do":"mode","mode":"balance|walk|sway|squat|hold|idle"}
+//   {"do":"pose","joints":{"NAME":Q,...}}  the others stay [rad or m]
 //   {"do":"walk","vx":V,"vy":V,"wz":W}  {"do":"reach","side":"left|right","at":[x,y,z]}  {"do":"cancel"}
 //   {"do":"setup","setup":{...}}  see launcher/up/setup.h, which judges it
 //   {"do":"reset"}  the simulated world begins anew
@@ -15,6 +16,8 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "lcmtypes/msg/requests.h"
 #include "lcmtypes/msg/sim_request.h"
@@ -29,6 +32,7 @@ struct PageRequest {
     kClear,
     kSwitch,
     kMode,
+    kPose,
     kWalk,
     kReach,
     kCancel,
@@ -44,6 +48,8 @@ struct PageRequest {
   Motion motion = Motion::kNone;
   float amplitude = 0;           // [m]
   float frequency = 0;           // [Hz]
+  std::vector<std::pair<std::string, double>> joints;  // pose: names and targets [rad or m]
+  ModeRequest pose;            // its joints, once the robot is known
   float vx = 0, vy = 0, wz = 0;  // walk [m/s, m/s, rad/s]
   ArmSide side = ArmSide::kNone;
   std::string setup;           // JSON

@@ -11,6 +11,7 @@ import { Joystick } from './joystick.js';
 import { Keys } from './keys.js';
 import { Link } from './link.js';
 import { Panels } from './panels.js';
+import { Parts } from './parts.js';
 import { beginOnPhone } from './phone.js';
 import { Plots } from './plots.js';
 import { Pusher } from './push.js';
@@ -80,6 +81,7 @@ const link = new Link({
     history.joints = message.joints;
     panels.hello(message);
     joystick.enabled = message.trusted && !timeline.active;
+    parts.allow(joystick.enabled);
     robot.load(message.joints, (model) => {
       const pattern = model.clone();
       for (const ghost of [commanded, standby, other]) ghost.adopt(pattern, message.joints);
@@ -100,7 +102,10 @@ const link = new Link({
     panels.replaying(message);
     newestAt = performance.now();
     panels.connected(true);
-    if (first) joystick.enabled = false;
+    if (first) {
+      joystick.enabled = false;
+      parts.allow(false);
+    }
   },
   marks: (message) => timeline.showMarks(message),
   shelf: (message) => {
@@ -156,6 +161,8 @@ const setup = new Setup($('setup'), {
   send: (request) => link.send(request),
   toast: (text) => panels.toast(text),
 });
+
+const parts = new Parts($('parts'), robot, { send: (request) => link.send(request), toast: (text) => panels.toast(text) });
 
 // --- driving ---
 const joystick = new Joystick($('joystick'), $('speed'), (velocity) => link.send({ do: 'walk', ...velocity }), () => {
@@ -240,7 +247,8 @@ const chips = {
   }),
   other: toggle('show-other', (on) => { other.wanted = on; }),
   panels: toggle('show-panels', (on) => document.body.classList.toggle('no-panels', !on)),
-  setup: toggle('show-setup', (on) => setup.toggle(on)),
+  setup: toggle('show-setup', (on) => { if (on && parts.open) chips.parts(); setup.toggle(on); }),
+  parts: toggle('show-parts', (on) => { if (on && setup.open) chips.setup(); parts.toggle(on); }),
   eye: toggle('show-eye', (on) => eye.toggle(on)),
   record: toggle('record', (on) => {
     $('record').classList.toggle('recording', on);
@@ -321,6 +329,7 @@ const keys = new Keys([
   [',', '', '', live(() => world.step(50))],
   ['x', 'X', 'push the simulated robot: pull at it in the picture', live(() => $('sim-push').onclick())],
   ['s', 'S', 'set up: scene, posture, pushes, checked pairs', chips.setup],
+  ['q', 'Q', 'links and joints: what is drawn, a slider for each joint', chips.parts],
   ['e', 'E', 'what the robot\'s camera sees', chips.eye],
   ['r', 'R', 'record a log, and end it', () => { if (!timeline.active) $('record-log').onclick(); }],
   ['v', 'V', 'record a video of the view', chips.record],
@@ -344,8 +353,9 @@ function draw() {
     }
     commanded.pose(shown.command, shown.base);
     standby.pose(shown.standby?.q, shown.base);
-    other.pose(shown.other?.q ?? setup.posture(hello.joints), shown.other?.base ?? shown.base);
+    other.pose(shown.other?.q ?? setup.posture(hello.joints) ?? parts.posture(hello.joints, shown.q), shown.other?.base ?? shown.base);
     stage.show(shown);
+    parts.tick(shown.q);
     if (now - toldAt >= kTell) {
       toldAt = now;
       panels.live(newest);
@@ -373,4 +383,4 @@ setTimeout(beginDrawing, kPatience);
 link.connect();
 
 // For tests of the page.
-globalThis.twinbus = { figures, link, history, plots, stage, robot, commanded, standby, armPath, joystick, target, timeline, other, setup, eye, chips, panels, pad, pusher };
+globalThis.twinbus = { figures, link, history, plots, stage, robot, commanded, standby, armPath, joystick, target, timeline, other, setup, parts, eye, chips, panels, pad, pusher };

@@ -27,6 +27,8 @@ const kFragment = `
     #include <colorspace_fragment>
   }`;
 
+const kNowhere = new THREE.Matrix4().makeScale(0, 0, 0); // of a shape that is not drawn
+
 const kBall = new THREE.SphereGeometry(1, 10, 7), kCylinder = new THREE.CylinderGeometry(1, 1, 1, 12);
 function coarse(geometry) {
   return geometry.type === 'SphereGeometry' ? kBall : geometry.type === 'CylinderGeometry' ? kCylinder : geometry;
@@ -124,11 +126,13 @@ export function drawAsOne(model, { depthWrite = true } = {}) {
     defines: { PARTS: parts.length }, vertexShader: kVertex, fragmentShader: kFragment, depthWrite,
     uniforms: { onScreen: { value: onScreen }, turned: { value: turned }, tone: { value: tone }, cover: { value: 1 } },
   }));
+  one.drawsAll = true;
   one.frustumCulled = false;
   one.onBeforeRender = (renderer, scene, camera) => {
     seen.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
     parts.forEach(({ material: { color, emissive, emissiveIntensity } }, i) => {
-      onScreen[i].multiplyMatrices(seen, carriers[i].matrixWorld);
+      if (parts[i].visible) onScreen[i].multiplyMatrices(seen, carriers[i].matrixWorld);
+      else onScreen[i].copy(kNowhere);
       turned[i].setFromMatrix4(carriers[i].matrixWorld);
       tone[i].set(color.r, color.g, color.b);
       if (emissive) tone[i].add(glow.set(emissive.r, emissive.g, emissive.b).multiplyScalar(emissiveIntensity));
