@@ -11,6 +11,7 @@ import math
 import statistics
 import sys
 
+import stability_map
 from physics_lab import Lab, call, cost_at, error, median_of, ratio, slope
 
 short_of = []
@@ -153,12 +154,12 @@ def push_of(lab, scene, rounds):
 
 def stability(lab, _rounds):
     for engine in (lab.articulated, lab.articulated2):
-        lines = call(lab.program, "map", engine.method, 1e-4, timeout=900) or []
-        stable = sum(line.endswith(" stable") for line in lines)
+        cells = stability_map.cells(engine.method, 1e-4, "bench physics")
+        stable = sum(cell["result"] == "stable" for cell in cells)
         row("map", f"stable stands of 128 (gain x ground x step), {engine.label}", "128", str(stable), stable == 128, unit="")
-        for line in lines:
-            if not line.endswith(" stable"):
-                print("            ", line)
+        for cell in cells:
+            if cell["result"] != "stable":
+                print("            ", cell)
 
 
 def convergence(lab, _rounds):

@@ -18,6 +18,7 @@ import sys
 
 import paper_figures
 import plot
+import stability_map
 import whole_stack
 from physics_lab import DURATION, ROOT, Lab, call, error
 
@@ -68,9 +69,9 @@ def measure(lab, chart):
 
 def measure_map(lab):
     def lines(engine, label, smallest):
-        for line in call(lab.program, "map", engine.method, smallest, timeout=1800) or []:
-            _, _, gain, ground, h, word = line.split()
-            yield {"engine": label, "gain": gain, "ground_n_per_m": ground, "step_s": h, "result": word}
+        for cell in stability_map.cells(engine.method, smallest, "bench physics"):
+            yield {"engine": label, "gain": f"{cell['gain']:g}", "ground_n_per_m": f"{cell['stiffness']:g}", "step_s": f"{cell['step']:g}",
+                   "result": cell["result"]}
         print(f"map: {label}", flush=True)
     for engine in (lab.articulated, lab.articulated2):
         yield from lines(engine, engine.label, 1e-4)

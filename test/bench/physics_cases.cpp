@@ -5,7 +5,7 @@
 //     physics_cases alone SCENE METHOD H [SECONDS]     the same of steps that had the core to themselves, and their share
 //     physics_cases run   SCENE METHOD H [REPEATS]     CPU ms per simulated s, where all links end
 //     physics_cases brick METHOD H STIFFNESS DEGREES   stopping distance
-//     physics_cases map   METHOD SMALLEST_H            which stands are stable
+//     physics_cases map   METHOD --gain G --stiffness K --step H   how a stand ends; K of a corner [N/m], H in seconds
 //     physics_cases effort METHOD H                    worst excess over limits and stops, thrown
 //     physics_cases hash  SCENE METHOD H [RESTORED]    of the whole trajectory; after that share
 //                                                      of it a new world resumes it
@@ -231,23 +231,15 @@ void stand_on(double stiffness, PhysicsScene& scene) {
     scene.servos[j].tau = standing.tau[static_cast<Eigen::Index>(j)];
 }
 
-void map(const std::string& method, double smallest) {
-  for (const double gain : {0.3, 1.0, 3.0, 10.0}) {
-    PhysicsScene scene = physics_scene("stand", gain);
-    for (const double stiffness : {1e5, 1e6, 1e7, 1e8}) {  // of a corner
-      for (Sole& sole : scene.model.soles) {
-        sole.stiffness = kSoleCorners * stiffness;
-        sole.damping = kSoleCorners * std::sqrt(stiffness * 15.0);
-      }
-      stand_on(stiffness, scene);
-      for (const double h : {2e-2, 1e-2, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4}) {
-        if (h < 0.999 * smallest) continue;
-        std::printf("map %s %g %g %g %s\n", method.c_str(), gain, stiffness, h,
-                    stands(scene, config_of(scene, method, h)));
-        std::fflush(stdout);
-      }
-    }
+// One cell of the map; prints {"result": WORD}.
+void map(const std::string& method, double gain, double stiffness, double h) {
+  PhysicsScene scene = physics_scene("stand", gain);
+  for (Sole& sole : scene.model.soles) {
+    sole.stiffness = kSoleCorners * stiffness;
+    sole.damping = kSoleCorners * std::sqrt(stiffness * 15.0);
   }
+  stand_on(stiffness, scene);
+  std::printf("{\"result\": \"%s\"}\n", stands(scene, config_of(scene, method, h)));
 }
 
 void effort(const std::string& method, double h) {
@@ -424,7 +416,14 @@ int cases(int argc, char** argv) {
   } else if (what == "brick") {
     brick(word(2), number(3, 1e-3), number(4, 1e6), number(5, 0.0));
   } else if (what == "map") {
-    map(word(2), number(3, 1e-4));
+    double gain = 1.0, stiffness = 1e6, h = 1e-3;
+    for (int i = 3; i + 1 < argc; i += 2) {
+      const std::string key = argv[i];
+      double* value = key == "--gain" ? &gain : key == "--stiffness" ? &stiffness : key == "--step" ? &h : nullptr;
+      if (value == nullptr) throw std::runtime_error("map: no option " + key);
+      *value = std::atof(argv[i + 1]);
+    }
+    map(word(2), gain, stiffness, h);
   } else if (what == "effort") {
     effort(word(2), number(3, 1e-3));
   } else if (what == "hash") {

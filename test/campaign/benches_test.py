@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Benches that are campaigns, each with few runs: bench pushes, walk, walk_map and reach; bench robust is tested by walk_scenes_test.py."""
+"""Benches that are campaigns, each with few runs: bench pushes, walk, walk_map, reach and the map of stands; bench robust is tested by walk_scenes_test.py."""
 
 import csv
 import subprocess
@@ -42,6 +42,14 @@ class Benches(unittest.TestCase):
         self.assertIn("24 of 24 held", lines[-1])
         status, out, said = bench("walk", "push", "--phases", "1", "--push", "3")
         self.assertEqual((status, out.count("0 of 1 x standing 3.00: FALLS")), (1, 4), out + said)
+
+    def test_a_map_of_stands(self):
+        sys.path.insert(0, str(ROOT / "test/bench"))
+        import stability_map
+        cells = stability_map.cells("ode", 5e-3, "benches_test")
+        self.assertEqual(len(cells), 4 * 4 * 3)
+        self.assertEqual({cell["result"] for cell in cells}, {"stable"})
+        self.assertEqual([cell["step"] for cell in cells[:3]], [0.02, 0.01, 0.005])
 
     def test_reach(self):
         status, out, said = bench("reach", "--count", "20", "--seed", "3")
