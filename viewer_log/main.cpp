@@ -47,6 +47,7 @@ constexpr std::size_t kLargestMessage =
     32 * 1024;                        // from who may act: a setup with many pairs [bytes]
 constexpr float kWalkTimeout = 0.3F;  // a page that falls silent stops the walk [s]
 constexpr float kPoseTime = 2.0F;     // at least, to get there [s]
+constexpr float kPoseLongest = 60.0F;
 constexpr double kPoseSpeed = 0.3;    // share of the joint velocity limits, in the mean
 constexpr float kReachSpeed = 0.4F;   // share of the joint velocity limits
 
@@ -279,6 +280,7 @@ class Viewer {
             if (speed > 0.0)
               pose.duration = std::max(pose.duration, static_cast<float>(std::abs(pose.q[i] - state.q[i]) / speed));
           }
+          pose.duration = std::min(pose.duration, kPoseLongest);
           mode_.start(pose);
           break;
         }

@@ -101,17 +101,19 @@ void WalkPattern::walk_on(const Eigen::Vector2d& measured_dcm, double omega) noe
   const Eigen::Vector3d now = velocity_;
   Eigen::Vector3d best = now;
   double least = 1e9;
-  for (int k = 0; k <= kSpeeds; ++k) {
-    velocity_ = now + static_cast<double>(k) / kSpeeds * (before_halt_ - now);
+  const auto walk_at = [&](const Eigen::Vector3d& velocity) {
+    velocity_ = velocity;
     if (!single_ || double_ + single_time_ - time_ >= kObeys) target_ = planned_ = after(foot(support_), support_, 0);
+  };
+  for (int k = 0; k <= kSpeeds; ++k) {
+    walk_at(now + static_cast<double>(k) / kSpeeds * (before_halt_ - now));
     (void)plan_pieces(omega);
     const double error = (dcm_ - measured_dcm).norm();
     if (!(error < least)) continue;
     least = error;
     best = velocity_;
   }
-  velocity_ = best;
-  if (!single_ || double_ + single_time_ - time_ >= kObeys) target_ = planned_ = after(foot(support_), support_, 0);
+  walk_at(best);
 }
 
 void WalkPattern::follow(const Foothold* list, int count, int first_support) noexcept {

@@ -27,9 +27,13 @@ constexpr double kRate = 0.5;  // of joint 0 [rad/s]
 
 class StopPlanGate : public ::testing::Test {
  protected:
-  StopPlanGate() : model(small_model()), limits(model), gate(limits, false, 1) {
+  StopPlanGate() : model(small_model()), limits(model), gate(limits, false, 1) { begin(); }
+  // A gate that has obeyed nobody yet.
+  void begin() {
+    gate = CommandGate(limits, false, 1);
     gate.hold_measured(RobotState{});
     gate.open(kRun, kTerm, true, 0.0, now);
+    tick = 100;
   }
   // Joint 0 on its way at a constant rate.
   JointCommand command() const {
@@ -223,11 +227,7 @@ TEST_F(StopPlanGate, OffIsOffAtOnce) {
 TEST_F(StopPlanGate, CountsOnlyWhenWholeWhateverTheOrder) {
   std::mt19937 random(5);
   for (int trial = 0; trial < 300; ++trial) {
-    CommandGate fresh(limits, false, 1);
-    gate = fresh;
-    gate.hold_measured(RobotState{});
-    gate.open(kRun, kTerm, true, 0.0, now);
-    tick = 100;
+    begin();
     walk(20);
     std::vector<int> order;
     unsigned have = 0;
@@ -309,11 +309,7 @@ TEST_F(StopPlanGate, AStreamWithLossFollowsWholePlansOnly) {
   std::mt19937 random(11);
   int followed = 0;
   for (int trial = 0; trial < 200; ++trial) {
-    CommandGate fresh(limits, false, 1);
-    gate = fresh;
-    gate.hold_measured(RobotState{});
-    gate.open(kRun, kTerm, true, 0.0, now);
-    tick = 100;
+    begin();
     walk(5);
     std::vector<StopPlan> made;
     std::vector<StopPlanPiece> on_the_way;
