@@ -31,6 +31,7 @@
 #include "viewer_log/server/replay_request.h"
 #include "viewer_log/view/scene_frame.h"
 #include "viewer_log/view/signals.h"
+#include "viewer_log/server/robot_roots.h"
 #include "viewer_log/server/web_server.h"
 
 using namespace twinbus;
@@ -168,7 +169,8 @@ class LogViewer {
     if (find_file({{"/", arguments_.web}}, "/index.html").empty())
       throw std::runtime_error("no index.html in " + arguments_.web +
                                "; name the page's folder with --web");
-    config.roots = {{"/", arguments_.web}, {"/robot/", model_.folder}};
+    config.roots = robot_roots(model_);
+    config.roots.push_back({"/", arguments_.web});
     config.documents = {{"/robot.urdf", "application/xml", model_.urdf_text}};
     config.on_message = [this](const std::string& text, bool trusted) -> std::string {
       ReplayRequest request;

@@ -34,6 +34,7 @@
 #include "viewer_log/view/signals.h"
 #include "viewer_log/view/stack_view.h"
 #include "viewer_log/view/switch_plan.h"
+#include "viewer_log/server/robot_roots.h"
 #include "viewer_log/server/web_server.h"
 
 using namespace twinbus;
@@ -196,7 +197,8 @@ class Viewer {
     if (find_file({{"/", web}}, "/index.html").empty()) {
       throw std::runtime_error("no index.html in " + web + "; name the page's folder with --web");
     }
-    config.roots = {{"/", web}, {"/robot/", model_.folder}};
+    config.roots = robot_roots(model_);
+    config.roots.push_back({"/", web});
     config.documents = {{"/robot.urdf", "application/xml", model_.urdf_text}};
     config.documents.push_back(
         {"/setup.json", "application/json", setup_choices(model_, config_folder() + "/scenes")});

@@ -9,6 +9,9 @@
 #include <fstream>
 #include <set>
 
+#include "robot/description/load.h"
+#include "viewer_log/server/robot_roots.h"
+
 namespace twinbus {
 namespace {
 
@@ -123,6 +126,27 @@ TEST_F(FindFile, FindsNothingElse) {
   }
   EXPECT_EQ(find_file({}, "/index.html"), "");
   EXPECT_EQ(find_file({{"/", "/no/such/folder"}}, "/index.html"), "");
+}
+
+// A robot that somebody proposed has its meshes elsewhere: package://NAME/ is the folder that its robot.yaml names.
+TEST(RobotRoots, PackagesOfRobotYamlAndOwnNameAreRead) {
+  char name[] = "/tmp/twinbus_roots_XXXXXX";
+  ASSERT_NE(mkdtemp(name), nullptr);
+  const fs::path top = name;
+  fs::create_directories(top / "mine/meshes");
+  fs::create_directories(top / "theirs/meshes");
+  for (const char* file : {"mine/meshes/a.stl", "theirs/meshes/b.obj", "theirs/secret.yaml"}) std::ofstream(top / file) << file;
+  Model model = load_robot("hrp1s");
+  model.folder = (top / "mine").string();
+  model.yaml_text += "\npackages:\n  theirs: ../theirs\n";
+  const std::vector<WebRoot> roots = robot_roots(model);
+  EXPECT_EQ(find_file(roots, "/robot/meshes/a.stl"), fs::canonical(top / "mine/meshes/a.stl"));
+  EXPECT_EQ(find_file(roots, "/robot/package/mine/meshes/a.stl"), fs::canonical(top / "mine/meshes/a.stl"));
+  EXPECT_EQ(find_file(roots, "/robot/package/theirs/meshes/b.obj"), fs::canonical(top / "theirs/meshes/b.obj"));
+  for (const char* path : {"/robot/package/theirs/secret.yaml", "/robot/package/others/meshes/b.obj",
+                           "/robot/package/theirs/../mine/meshes/a.stl"})
+    EXPECT_EQ(find_file(roots, path), "") << path;
+  fs::remove_all(top);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 import * as THREE from 'three';
 import { toCreasedNormals } from 'three/addons/utils/BufferGeometryUtils.js';
+import { OBJLoader } from 'three/addons/loaders/OBJLoader.js';
 import URDFLoader from 'urdf-loader';
 import { withToken } from './link.js';
 import { drawAsOne } from './one_mesh.js';
@@ -35,7 +36,14 @@ async function build() {
   const manager = new THREE.LoadingManager();
   manager.setURLModifier(withToken);
   const loader = new URDFLoader(manager);
-  loader.packages = () => '/robot'; // package://NAME/path is the robot's own folder
+  loader.packages = (name) => `/robot/package/${encodeURIComponent(name)}`; // package://NAME/path: the folder that robot.yaml names
+  loader.loadMeshCb = (path, meshManager, material, done) => {
+    if (!/\.obj$/i.test(path)) { loader.defaultMeshLoader(path, meshManager, material, done); return; }
+    new OBJLoader(meshManager).load(path, (object) => {
+      object.traverse((part) => { if (part.isMesh && material) part.material = material; });
+      done(object);
+    }, undefined, (error) => done(null, error));
+  };
   loader.workingPath = '/robot/';
   const meshes = new Promise((resolve) => { manager.onLoad = resolve; });
   manager.itemStart('urdf'); // so that the end is told though there be no mesh
