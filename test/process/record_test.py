@@ -168,7 +168,9 @@ def of_two_sources(checks, folder):
         bus = Bus()
         _, gap = bus.wait_for("GAP", lambda g: g.joint_count > 20, 8.0)
         checks.that(gap is not None, "GAP says how they differ")
+        bus.forget()
         time.sleep(2.0)
+        checks.at_least(sum(1 for _ in bus.messages("GAP")), 15, "GAP in 2 s")
         bus.close()
     log, plot = harness.newest_run_folder() / "run.log", folder / "gap.svg"
     status, said, problem = cli("log", "compare", log, "--channels", "STATE,STATE_BRIDGE", "--plot", plot)

@@ -39,6 +39,19 @@ TEST(GapMeter, TellsTheDifferenceAtTheSameTick) {
   EXPECT_FALSE(meter.take(gap));
 }
 
+TEST(GapMeter, AStandbyThatIsAheadIsComparedWhenTheActiveStateComes) {
+  GapMeter meter;
+  Gap gap;
+  for (std::int64_t tick = 100; tick < 110; ++tick) {
+    meter.on_other(state(2, tick + 1, Role::kStandbyShadow, 0.3));
+    meter.on_active(state(1, tick, Role::kActive, 0.1));
+    ASSERT_EQ(meter.take(gap), tick > 100) << tick;
+  }
+  EXPECT_EQ(gap.tick, 109);
+  EXPECT_EQ(gap.other_run_id, 2);
+  EXPECT_NEAR(static_cast<double>(gap.q[0]), 0.2, 1e-6);
+}
+
 TEST(GapMeter, ParkedSourcesOtherRobotsAndTicksNotSeenAreNotCompared) {
   GapMeter meter;
   Gap gap;

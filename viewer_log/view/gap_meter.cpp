@@ -39,17 +39,22 @@ Gap gap_between(const RobotState& active, const RobotState& other) noexcept {
 }
 
 void GapMeter::on_active(const RobotState& state) noexcept {
-  active_[static_cast<std::size_t>(state.tick) % kKept] = state;
+  active_[slot_of(state)] = state;
+  compare(state, others_[slot_of(state)]);
 }
 
 void GapMeter::on_other(const RobotState& state) noexcept {
   if (state.role != Role::kStandbyShadow && state.role != Role::kStandbyTrack) return;
-  const RobotState& active = active_[static_cast<std::size_t>(state.tick) % kKept];
-  if (active.run_id == 0 || active.tick != state.tick || active.run_id == state.run_id ||
-      active.model_hash != state.model_hash || active.joint_count != state.joint_count) {
+  others_[slot_of(state)] = state;
+  compare(active_[slot_of(state)], state);
+}
+
+void GapMeter::compare(const RobotState& active, const RobotState& other) noexcept {
+  if (active.run_id == 0 || other.run_id == 0 || active.tick != other.tick || active.run_id == other.run_id ||
+      active.model_hash != other.model_hash || active.joint_count != other.joint_count) {
     return;
   }
-  gap_ = gap_between(active, state);
+  gap_ = gap_between(active, other);
   fresh_ = true;
 }
 

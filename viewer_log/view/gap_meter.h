@@ -22,8 +22,13 @@ class GapMeter {
   bool take(Gap& gap) noexcept;
 
  private:
-  static constexpr std::size_t kKept = 64;  // ticks: how far a standby may be behind
-  std::array<RobotState, kKept> active_{};
+  static constexpr std::size_t kKept = 64;  // ticks: how far one may be behind the other
+
+  static std::size_t slot_of(const RobotState& state) noexcept { return static_cast<std::size_t>(state.tick) % kKept; }
+  void compare(const RobotState& active, const RobotState& other) noexcept;
+
+  // A standby that has heard tick n numbers its next state n + 1 and may send it first, so both are kept.
+  std::array<RobotState, kKept> active_{}, others_{};
   Gap gap_;
   bool fresh_ = false;
 };
