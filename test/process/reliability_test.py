@@ -26,6 +26,8 @@ from stalls import Stalls
 COMMAND_TIMEOUT, STALE = 0.040, 0.025  # [s] config/robots/hrp1s/robot.yaml
 BLOCK = 20.0 if FULL else 4.0  # of undisturbed and disturbed time in turn [s]
 MOST_CHANGE = 0.05  # of p99.9
+# Two short blocks have four ticks above p99.9, which differ from run to run by this much with nothing disturbed [us].
+RESOLVED = 0.0 if FULL else 100.0
 OTHER_BUS = "udpm://239.255.76.67:17698?ttl=0"
 
 
@@ -75,7 +77,8 @@ class Turns:
             # A change that is smaller than what undisturbed blocks differ by among themselves is none, nor is one that
             # any program of that size causes which starts and ends.
             base = max(calm.p999, found[machine[name]].p999) if machine.get(name) in found else calm.p999
-            allowed = max(MOST_CHANGE * base, max(each) - base)
+            alike = each + [Figures(self.loop.ticks, [span], seen).p999 for span in self.on.get(machine.get(name), [])]
+            allowed = max(MOST_CHANGE * base, max(alike) - base, RESOLVED)
             checks.at_most(figures.p999 - base, allowed, f"{name}: change of p99.9 of the loop [us]")
 
 
@@ -187,8 +190,7 @@ def p6(checks):
         killed, elsewhere = "P6 viewer and recorder killed", "the same on another bus"
         while count() < (100 if FULL else 3):
             turns.disturbed(killed, work)
-            if FULL:
-                turns.disturbed(elsewhere, other)
+            turns.disturbed(elsewhere, other)
             bus.forget()
         print(f"P6: {count()} times killed and started", flush=True)
         turns.judge(checks, {killed: elsewhere})
