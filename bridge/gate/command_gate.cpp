@@ -330,7 +330,7 @@ void CommandGate::entered_stop(StopKind before, std::int64_t now_ns) noexcept {
   if (latch_.kind == StopKind::kOff && holds(off_, Rule::kPlanOffEnds)) plan_.forget();
   resumable_ = resumable_ && latch_.kind < StopKind::kHold;
   if (latch_.kind != StopKind::kHold || plan_.running()) return;
-  plan_asked_ = latch_.reason != StopReason::kDevice && plan_ready(tick_ + 1);
+  plan_asked_ = latch_.reason != StopReason::kDevice && plan_ready(tick_ + 1) && plan_.leads_away(effective_);
   if (!plan_asked_) start_hold(true);
 }
 

@@ -7,7 +7,8 @@
 namespace twinbus {
 
 namespace {
-constexpr double kHolds = 1.0;  // the end of a plan, on its feet and with balance [s]
+constexpr double kHolds = 1.0;   // the end of a plan, on its feet and with balance [s]
+constexpr double kStays = 0.01;  // of a joint, from where it is to the end of a plan that leads nowhere [rad or m]
 }
 
 PlanRun::PlanRun(const Model& model) noexcept
@@ -28,6 +29,16 @@ void PlanRun::forget() noexcept {
 
 bool PlanRun::known(std::int64_t tick) const noexcept {
   return running_ || (assembler_.whole() != nullptr && tick - assembler_.whole()->head.tick <= second_);
+}
+
+bool PlanRun::leads_away(const JointCommand& from) const noexcept {
+  const StopPlan& plan = *assembler_.whole();
+  if (plan.head.walks) return true;
+  const auto& last = plan.q[at(plan.head.knot_count - 1)];
+  for (int j = 0; j < plan.head.joint_count; ++j) {
+    if ((plan.head.joints & bit(j)) != 0 && !(std::abs(kPlanPosition * last[at(j)] - from.q[at(j)]) <= kStays)) return true;
+  }
+  return false;
 }
 
 void PlanRun::start(std::int64_t tick, const Estimator* robot) noexcept {

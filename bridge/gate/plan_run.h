@@ -35,6 +35,8 @@ class PlanRun {
   bool running() const noexcept { return running_; }
   std::int32_t number() const noexcept { return running_ ? assembler_.whole()->head.number : 0; }
   std::int64_t since() const noexcept { return running_ ? since_ : 0; }
+  // Whether the whole plan leads anywhere else than these set-points: if not, a hold does as well.
+  bool leads_away(const JointCommand& from) const noexcept;
   std::int64_t joints() const noexcept { return assembler_.whole() != nullptr ? assembler_.whole()->head.joints : 0; }
   bool walks() const noexcept { return running_ && assembler_.whole()->head.walks; }
   // Of the plan that is followed: its last knot is past; and the time after it, too.

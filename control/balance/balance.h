@@ -65,8 +65,6 @@ class Balance {
   bool finite() const noexcept { return finite_; }
   // Standing still on purpose: no motion asked, nothing moves.
   bool resting() const noexcept;
-  // What it is asked for moves it.
-  bool moves() const noexcept { return !motion_.resting(); }
 
   // For the status; ground frame.
   const Eigen::Vector3d& com() const noexcept { return com_; }

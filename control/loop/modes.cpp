@@ -346,16 +346,16 @@ bool Modes::follow_stop(StopKind asked, bool for_switch, bool plan_runs, const M
 
 PlannedMotion Modes::motion(const JointCommand& command) const noexcept {
   const std::int64_t all = model_.bus_count() >= 63 ? ~std::int64_t{0} : bit(model_.bus_count()) - 1;
-  const bool steered = mode_ != Mode::kIdle && mode_ != Mode::kNone && !bracing_ && !held_by_gate_;
-  const bool sways = balancing_ && balance_->moves();
+  const bool moves = walking_ || (balancing_ && !balance_->resting()) || posture_.moving() || arm_.moving();
   return {.walk = walking_ ? walk_.get() : nullptr,
           .posture = posture_,
           .arm = arm_,
           .q_given = q_given_,
           .command = command,
-          .joints = balancing_ && !sways ? all & ~legs_ : all,
-          .follow = sways ? legs_ : 0,
-          .moves = steered && (walking_ || sways || posture_.moving() || arm_.moving())};
+          .joints = all,
+          .follow = balancing_ ? legs_ : 0,
+          .rests = !moves,
+          .steered = mode_ != Mode::kIdle && mode_ != Mode::kNone && !bracing_ && !held_by_gate_};
 }
 
 void Modes::resume_walk(const Walk& foreseen, const Eigen::VectorXd& q, const Eigen::VectorXd& qd) noexcept {

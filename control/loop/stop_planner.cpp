@@ -9,12 +9,14 @@
 namespace twinbus {
 
 namespace {
-constexpr double kEvery = 0.020;    // a plan is begun [s]
+constexpr double kEvery = 0.020;         // a plan is begun [s]
+constexpr double kEveryResting = 0.040;  // of a robot that stands still [s]
 constexpr double kSpacing = 0.040;  // from knot to knot [s]
 constexpr double kStep = 0.010;     // of the walk that is run ahead [s]
 constexpr double kGoesOn = 0.050;   // before it stops [s]
 constexpr int kWalkKnots = 27;      // 1.04 s
 constexpr int kArmKnots = 11;       // 0.4 s
+constexpr int kRestKnots = kPlanKnotsPerPiece;  // 0.16 s
 constexpr double kRateFilter = 0.03;  // of joints that follow what is measured [s]
 constexpr int kKnotsPerTick = 3;
 constexpr int kRounds = 2;        // of the inverse kinematics per knot
@@ -30,6 +32,7 @@ const Foothold& place_of(const WalkPattern& pattern, int foot) noexcept {
 StopPlanner::StopPlanner(const Model& model, const Walk* walk, std::int32_t first_number)
     : model_(model),
       every_(ticks_of(kEvery, model.period())),
+      every_resting_(ticks_of(kEveryResting, model.period())),
       spacing_(ticks_of(kSpacing, model.period())),
       step_(std::min(spacing_, ticks_of(kStep, model.period()))),
       going_on_(ticks_of(kGoesOn, model.period())),
@@ -48,7 +51,7 @@ StopPlanner::StopPlanner(const Model& model, const Walk* walk, std::int32_t firs
   }
   for (Knot& k : knot_) k.q = q_given_;
   for (std::size_t f = 0; f < 2; ++f) wrench_[f].link = model.soles[f].link;
-  age_ = every_;
+  age_ = every_resting_;
   if (walk == nullptr) return;
   for (Begun& begun : begun_) begun.walk = *walk;
   ahead_ = *walk;
@@ -84,7 +87,7 @@ void StopPlanner::begin(const PlannedMotion& motion) noexcept {
   head.joints = motion.joints;
   head.term = command_.term;
   head.number = ++number_;
-  head.knot_count = static_cast<std::int16_t>(begun.walks ? kWalkKnots : kArmKnots);
+  head.knot_count = static_cast<std::int16_t>(begun.walks ? kWalkKnots : motion.rests ? kRestKnots : kArmKnots);
   head.pieces = static_cast<std::int16_t>((head.knot_count + kPlanKnotsPerPiece - 1) / kPlanKnotsPerPiece);
   head.spacing = static_cast<std::int16_t>(spacing_);
   head.joint_count = command_.joint_count;
@@ -244,11 +247,11 @@ void StopPlanner::advance(const PlannedMotion& motion) noexcept {
   const double share = model_.period() / (model_.period() + kRateFilter);
   for (int j = 0; j < model_.bus_count(); ++j)
     rate_[at(j)] += share * (static_cast<double>(motion.command.qd[at(j)]) - rate_[at(j)]);
-  if (!motion.moves) {
+  if (!motion.steered) {
     making_ = false;
     return;
   }
-  if (!making_ && age_ >= every_) begin(motion);
+  if (!making_ && age_ >= (motion.rests ? every_resting_ : every_)) begin(motion);
   if (!making_) return;
   const int count = begun_[now_].plan.head.knot_count;
   for (int i = 0; i < kKnotsPerTick && making_ && knots_ < count; ++i) making_ = make_knot();

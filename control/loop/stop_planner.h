@@ -2,7 +2,8 @@
 //
 // A copy of the motion is run ahead on its own model: it goes on for 50 ms, so that a short silence is not seen, then makes
 // its shortest stop.  A plan is begun every 20 ms and made a few knots a tick, so that no tick costs much; each piece goes
-// out when it is ready.  The walks that the last plans began from are kept: with them a controller that was silent finds out
+// out when it is ready.  Of a robot that stands still a plan says no more than that, is one piece long and begun every 40 ms:
+// with it the source waits for a late controller instead of stopping for good.  The walks that the last plans began from are kept: with them a controller that was silent finds out
 // where its robot has been led meanwhile.
 
 #pragma once
@@ -29,7 +30,8 @@ struct PlannedMotion {
   const JointCommand& command;
   std::int64_t joints = 0;  // bit per joint whose way is known beforehand
   std::int64_t follow = 0;  // those of them that balance and go on as they are measured: they are braked
-  bool moves = false;       // nothing moves: no plan
+  bool rests = false;       // nothing moves: a short plan, to stay there
+  bool steered = false;     // somebody steers the robot; else no plan
 };
 
 class StopPlanner {
@@ -42,7 +44,7 @@ class StopPlanner {
   // The plan under way is not sent any further.
   void drop() noexcept {
     making_ = false;
-    age_ = every_;
+    age_ = every_resting_;
   }
   // Fills a piece that is ready to be sent; false when there is none.
   bool take(StopPlanPiece& out) noexcept;
@@ -76,7 +78,7 @@ class StopPlanner {
   std::size_t find(std::int32_t number) const noexcept;  // kKept: none
 
   const Model& model_;
-  std::int64_t every_, spacing_, step_, going_on_;  // [ticks]
+  std::int64_t every_, every_resting_, spacing_, step_, going_on_;  // [ticks]
   std::array<Begun, kKept> begun_;
   std::size_t now_ = 0;  // the plan that is being made
   std::int32_t number_;

@@ -1,4 +1,4 @@
-// A robot that walks outlives a controller that dies or stands still: few instants of what bench stalls measures with many.
+// A robot that walks, sways or stands outlives a controller that dies or stands still: few instants of what bench stalls measures with many.
 
 #include <gtest/gtest.h>
 
@@ -113,6 +113,47 @@ TEST(Stalls, SwayAndSquatGoOnAfterAStallAndAreTakenOverByAnotherController) {
       EXPECT_EQ(w.run->state().plan_number, 0) << scene << stall;
     }
   }
+}
+
+// Nothing moves, and nothing needs a stop: a controller that was late goes on, one that was started anew takes the robot over.
+TEST(Stalls, ARobotThatStandsWaitsForALateControllerAndIsHeldWhenThereIsNone) {
+  for (const char* scene : {"stand", "reach"}) {
+    for (const double stall : {0.05, 0.1, 0.15, 0.2, 0.5}) {
+      Walked w(scene);
+      ASSERT_TRUE(w.go(2.1));
+      const double before = w.run->truth().base_position[0];
+      w.run->stall_controller(stall);
+      EXPECT_TRUE(w.go(1.5)) << scene << stall;
+      EXPECT_NE(w.led, 0) << scene << stall;
+      EXPECT_TRUE(w.stands()) << scene << stall;
+      EXPECT_NEAR(w.run->truth().base_position[0], before, 0.005) << scene << stall;
+      EXPECT_EQ(w.run->state().stop_kind, StopKind::kNone) << scene << stall;
+      EXPECT_EQ(w.run->state().plan_number, 0) << scene << stall;
+      EXPECT_EQ(w.run->loop().status().mode, Mode::kBalance) << scene << stall;
+    }
+    Walked dies(scene);
+    ASSERT_TRUE(dies.go(2.1));
+    dies.run->stall_controller(-1.0);
+    EXPECT_TRUE(dies.go(1.0)) << scene;
+    EXPECT_EQ(dies.run->state().stop_kind, StopKind::kNone) << scene << ": somebody may come";
+    EXPECT_TRUE(dies.go(1.0)) << scene;
+    EXPECT_TRUE(dies.stands()) << scene;
+    EXPECT_EQ(dies.run->state().stop_kind, StopKind::kHold) << scene;
+    EXPECT_EQ(dies.run->source().status().stop_reason, StopReason::kCommandTimeout) << scene;
+  }
+}
+
+// Of a robot that stands a stop says no more than its plan: it is held at once.
+TEST(Stalls, AHoldThatIsAskedForOfAStandingRobotIsMadeAtOnce) {
+  Walked w("stand");
+  ASSERT_TRUE(w.go(2.1));
+  StopRequest stop;
+  stop.kind = StopKind::kHold;
+  stop.reason = StopReason::kOperator;
+  w.run->say(stop);
+  EXPECT_TRUE(w.go(0.5));
+  EXPECT_EQ(w.led, 0);
+  EXPECT_EQ(w.run->state().stop_kind, StopKind::kHold);
 }
 
 // `stop hold` in a walk: the robot comes to stand along the plan, and is held there.

@@ -61,7 +61,7 @@ def one_round(stack, bus, checks, rng, number):
     now = active(bus)
     checks.that(now in (None, holder), f"round {number}: nobody took STATE by himself")
     if now is None or "controller" in names:
-        # A source that lost its controller is stopped until somebody clears it, or follows the stop plan of what moved.
+        # A source that lost its controller is stopped until somebody clears it, or follows the stop plan until another one takes over.
         _, state = bus.newest("STATE")
         if now is not None:
             led = any(s.plan_number for _, s in bus.messages("STATE"))
