@@ -83,6 +83,7 @@ constexpr BenchRow kBenches[] = {
     {"guard and planner", "planner", "arm paths beside VAMP and OMPL"},
     {"guard and planner", "reach", "a balancing robot reaches among obstacles"},
     {"simulation", "physics", "engines beside their peers, asked and reached"},
+    {"simulation", "accuracy", "errors asked for and reached, against converged references"},
     {"simulation", "manifold", "contact of two sets of triangles beside FCL"},
     {"simulation", "tumble", "bodies of many shapes that fall: energy and penetration"},
     {"bus and logs", "bus", "STATE to COMMAND through another process"},

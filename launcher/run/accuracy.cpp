@@ -26,7 +26,7 @@ void add_this_program(FingerprintMaker& maker) {
 Fingerprint key_of(const Model& model, const Scene& scene, const OneProcessConfig& config,
                    const AccuracyRequest& request) {
   FingerprintMaker maker;
-  maker.add("ladder 1");
+  maker.add("ladder 2");
   add_this_program(maker);
   maker.add(scene.text).add(scene.engine).add(scene.robot).add(model.hash);
   for (const auto* list : {&scene.settings, &config.settings}) {

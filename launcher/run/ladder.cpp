@@ -25,14 +25,6 @@ constexpr int kParts[] = {1, 2, 4, 10, 20};  // of the control period
 
 using Sample = std::vector<Eigen::Vector3d>;
 
-struct Track {
-  std::vector<Sample> at;
-  std::vector<std::string> names;
-  double cost = 0.0;  // CPU of the physics [s]
-  double all = 0.0;   // CPU of everything [s]
-  bool whole = true;
-};
-
 double cpu_seconds() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
@@ -58,41 +50,6 @@ std::vector<std::string> names_of(const OneProcess& run) {
     names.push_back("loose body " + run.loose_name(i));
   for (const auto& robot : run.further_robots()) names.push_back("robot " + robot.name);
   return names;
-}
-
-Track follow(const Model& model, const Scene& scene, const OneProcessConfig& config,
-             double duration) {
-  const double begun = cpu_seconds();
-  OneProcess run(model, scene, config);
-  run.time_physics();
-  Track track;
-  track.names = names_of(run);
-  const std::int64_t ticks = std::llround(duration / model.period());
-  const std::int64_t every = std::max<std::int64_t>(1, std::llround(kEvery / model.period()));
-  while (run.ticks() < ticks && !quit_requested() && run.tick()) {
-    if (run.ticks() % every == 0) track.at.push_back(places(run));
-  }
-  track.whole = run.ticks() >= ticks;
-  track.cost = run.physics_seconds();
-  track.all = cpu_seconds() - begun;
-  return track;
-}
-
-struct Apart {
-  double most = 0.0;  // [m]
-  std::size_t sample = 0, body = 0;
-};
-
-Apart distance(const Track& a, const Track& b) {
-  Apart apart;
-  if (!a.whole || !b.whole || a.at.size() != b.at.size()) return {kInfinity, 0, 0};
-  for (std::size_t i = 0; i < a.at.size(); ++i) {
-    for (std::size_t k = 0; k < a.at[i].size(); ++k) {
-      const double d = (a.at[i][k] - b.at[i][k]).norm();
-      if (!(d <= apart.most)) apart = {d, i, k};
-    }
-  }
-  return apart;
 }
 
 // The same with everything heavier, rougher and farther by one part in 1e12.
@@ -134,6 +91,36 @@ std::vector<Parted> parted_bodies(const Track& a, const Track& b) {
 
 }  // namespace
 
+Track follow(const Model& model, const Scene& scene, const OneProcessConfig& config,
+             double duration) {
+  const double begun = cpu_seconds();
+  OneProcess run(model, scene, config);
+  run.time_physics();
+  Track track;
+  track.names = names_of(run);
+  const std::int64_t ticks = std::llround(duration / model.period());
+  const std::int64_t every = std::max<std::int64_t>(1, std::llround(kEvery / model.period()));
+  while (run.ticks() < ticks && !quit_requested() && run.tick()) {
+    if (run.ticks() % every == 0) track.at.push_back(places(run));
+  }
+  track.whole = run.ticks() >= ticks;
+  track.cost = run.physics_seconds();
+  track.all = cpu_seconds() - begun;
+  return track;
+}
+
+Apart distance(const Track& a, const Track& b) {
+  Apart apart;
+  if (!a.whole || !b.whole || a.at.size() != b.at.size()) return {kInfinity, 0, 0};
+  for (std::size_t i = 0; i < a.at.size(); ++i) {
+    for (std::size_t k = 0; k < a.at[i].size(); ++k) {
+      const double d = (a.at[i][k] - b.at[i][k]).norm();
+      if (!(d <= apart.most)) apart = {d, i, k};
+    }
+  }
+  return apart;
+}
+
 double Ladder::estimate(std::size_t rung) const {
   return rung + 1 == rungs.size() ? agreement : rungs[rung].apart;
 }
@@ -169,6 +156,40 @@ Scene at_rung(const Scene& scene, int order, double step) {
   return changed;
 }
 
+namespace {
+
+// The yardstick stands, and a finer run of a lower order may hold the error for less than what is chosen so far.
+template <class Run>
+void add_cheaper(const LadderRequest& request, const Run& run, double period, const Scene& scene, std::vector<Track>& tracks,
+                 Ladder& ladder) {
+  for (int order = 1; order < ladder.rungs.back().order; ++order) {
+    for (const int parts : kParts) {
+      const double step = period / parts;
+      if (!(step < 0.75 * ladder.rungs.back().step)) continue;
+      const Rung* coarser = nullptr;
+      for (const Rung& rung : ladder.rungs) coarser = rung.order == order ? &rung : coarser;
+      const int chosen = ladder.choose(request.error);
+      const double likely = coarser->cost * coarser->step / step;
+      if (chosen < 0 || ladder.rungs[at(chosen)].order <= order || !(likely < ladder.rungs[at(chosen)].cost) ||
+          quit_requested()) {
+        break;
+      }
+      const Track track = run(at_rung(scene, order, step));
+      const Apart apart = distance(track, tracks.back());
+      const Rung finer{.order = order,
+                       .step = step,
+                       .cost = 1e3 * track.cost / request.duration,
+                       .apart = apart.most,
+                       .at = kEvery * static_cast<double>(apart.sample + 1),
+                       .body = track.names.empty() ? "" : track.names[apart.body],
+                       .whole = track.whole};
+      ladder.rungs.insert(ladder.rungs.end() - 1, finer);
+    }
+  }
+}
+
+}  // namespace
+
 Ladder climb(const Model& model, const Scene& scene, const OneProcessConfig& config,
              const LadderRequest& request) {
   OneProcessConfig quiet = config;
@@ -178,7 +199,8 @@ Ladder climb(const Model& model, const Scene& scene, const OneProcessConfig& con
   Ladder ladder;
   std::vector<Track> tracks;
   const auto run = [&](const Scene& asked) {
-    Track track = follow(model, asked, quiet, request.duration);
+    Track track = request.follow ? request.follow(asked)
+                                 : follow(model, asked, quiet, request.duration);
     ladder.cost += track.all;
     return track;
   };
@@ -224,7 +246,10 @@ Ladder climb(const Model& model, const Scene& scene, const OneProcessConfig& con
     last_top = tracks.size() - 1;
     const bool agreed = have_top && ladder.agreement <= request.error / kAgreement;
     have_top = true;
-    if (agreed && !request.all) break;
+    if (agreed && !request.all) {
+      add_cheaper(request, run, model.period(), scene, tracks, ladder);
+      break;
+    }
   }
   return ladder;
 }

@@ -2,8 +2,9 @@
 //
 // Two runs whose start differs by 1e-12 come first: what parts there has no converged answer, body
 // by body.  Then a ladder of orders 1, 2, 3 at ever finer steps until the finest two of order 3 agree
-// to half the error asked for.  The last is the yardstick; delivered is the cheapest run that lies
-// within the error / 1.3 of it, together with all finer ones of its order.  Richardson's rule is not
+// to half the error asked for.  The last is the yardstick; then come finer steps of lower orders while one may be
+// cheaper than what is chosen so far.  Delivered is the cheapest run that lies
+// within the error / 1.3 of the yardstick, together with all finer ones of its order.  Richardson's rule is not
 // used: where there are events it is wrong.
 //
 // The error is the largest distance of any link origin or loose body from the yardstick, every 20 ms.
@@ -17,6 +18,24 @@
 #include "launcher/run/local_stack.h"
 
 namespace twinbus {
+
+// Where everything of a run was, every 20 ms.
+struct Track {
+  std::vector<std::vector<Eigen::Vector3d>> at;  // world [m]
+  std::vector<std::string> names;                // of the links and bodies
+  double cost = 0.0;                             // CPU of the physics [s]
+  double all = 0.0;                              // CPU of everything [s]
+  bool whole = true;                             // the run did not end early
+};
+
+// Throws std::runtime_error as OneProcess does.
+Track follow(const Model& model, const Scene& scene, const OneProcessConfig& config, double duration);
+
+struct Apart {
+  double most = 0.0;  // [m]; infinite where one of them is not whole
+  std::size_t sample = 0, body = 0;
+};
+Apart distance(const Track& a, const Track& b);
 
 struct Rung {
   int order = 1;
@@ -55,6 +74,7 @@ struct LadderRequest {
   double error = 1e-3;    // asked for [m]
   bool all = false;       // every rung, however soon they agree
   std::function<void(const Ladder&)> progress;  // after each run; may be empty
+  std::function<Track(const Scene&)> follow;    // instead of follow(), if not empty
 };
 
 // The scene's own step and order are not used.  Throws std::runtime_error as OneProcess does.

@@ -1,0 +1,179 @@
+// Whether `run --accuracy` holds what is asked: scenes, each with its own duration, against references converged by two methods.
+//
+//     accuracy_bench SCENE:SECONDS... [--errors 10,1,0.1] [--csv F.csv]
+//
+// Each scene is run at every order and step of the ladder, once, and at orders 2 and 3 with a step of a fortieth of the
+// control period: the references.  For every error the ladder is climbed as `run` climbs it, and its choice is held
+// against the reference of order 3.  The best fixed setting is the cheapest that truly holds the error together with all finer
+// ones of its order.  Where the references differ by more than a quarter of the error, nothing can be said.
+
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "common/math/index.h"
+#include "common/process/arguments.h"
+#include "common/process/process.h"
+#include "robot/description/load.h"
+#include "launcher/run/judge_scene.h"
+#include "launcher/run/ladder.h"
+#include "sim/scene/scene_seed.h"
+
+namespace twinbus {
+namespace {
+
+constexpr int kReferenceParts = 40;  // of the control period
+constexpr double kKnown = 0.25;      // of the error the references may differ by
+
+struct Counts {
+  int cells = 0, answered = 0, held = 0, thrice = 0, estimated = 0, cheap = 0, unknown = 0;
+};
+
+std::vector<double> errors_of(const std::string& list) {
+  std::vector<double> errors;
+  std::istringstream in(list);
+  for (std::string word; std::getline(in, word, ',');) errors.push_back(1e-3 * std::stod(word));
+  return errors;
+}
+
+// A scene of the ladder, whatever else is in it.
+std::string key_of(const Scene& scene) {
+  std::string key = std::to_string(scene.step);
+  for (const auto& [name, value] : scene.settings) key += ' ' + name + '=' + value;
+  return key;
+}
+
+class Case {
+ public:
+  Case(const std::string& name, double seconds)
+      : name_(name), scene_(load_scene(name)), model_(load_robot(scene_.robot)) {
+    fit_scene(scene_, model_);
+    apply_seed(scene_, model_, 1);
+    duration_ = seconds > 0.0 ? seconds : scene_.duration;
+  }
+
+  void judge(const std::vector<double>& errors, Counts& counts, std::FILE* csv) {
+    const double step = model_.period() / kReferenceParts;
+    const Track reference = track_of(at_rung(scene_, 3, step));
+    const double known = distance(track_of(at_rung(scene_, 2, step)), reference).most;
+    const Ladder whole = climb_to(1e-9, true);
+    for (const double error : errors) {
+      ++counts.cells;
+      const Ladder ladder = climb_to(error, false);
+      const int chosen = ladder.choose(error);
+      std::printf("%-16s %6.3g mm  references %.2g mm apart  ", name_.c_str(), 1e3 * error, 1e3 * known);
+      if (!ladder.parted.empty()) {
+        std::printf("said: %s cannot be held\n", ladder.parted.front().body.c_str());
+        continue;
+      }
+      if (chosen < 0) {
+        std::printf("none: the finest two differ by %.3g mm\n", 1e3 * ladder.agreement);
+        continue;
+      }
+      ++counts.answered;
+      const Rung& rung = ladder.rungs[at(chosen)];
+      const double truth = distance(track_of(at_rung(scene_, rung.order, rung.step)), reference).most;
+      const double estimate = ladder.estimate(at(chosen));
+      const double best = best_cost(whole, reference, error);
+      if (!(known <= kKnown * error)) {
+        ++counts.unknown;
+        std::printf("nothing can be said (order %d at %.3g ms: %.3g mm)\n", rung.order, 1e3 * rung.step,
+                    1e3 * truth);
+        continue;
+      }
+      counts.held += truth <= error ? 1 : 0;
+      counts.thrice += truth > 3.0 * error ? 1 : 0;
+      counts.estimated += truth <= 3.0 * estimate && estimate <= 3.0 * truth ? 1 : 0;
+      counts.cheap += cost_of(rung) <= 1.5 * best ? 1 : 0;
+      std::printf("order %d at %.3g ms  %.3g mm, estimated %.3g  %.2f ms/s, best fixed %.2f, choosing %.1f s\n",
+                  rung.order, 1e3 * rung.step, 1e3 * truth, 1e3 * estimate, cost_of(rung), best, ladder.cost);
+      if (csv != nullptr) {
+        std::fprintf(csv, "%s,%g,%g,%d,%g,%g,%g,%g,%g,%g,%g\n", name_.c_str(), duration_, error, rung.order, rung.step,
+                     truth, estimate, known, cost_of(rung), best, ladder.cost);
+      }
+    }
+    std::fflush(stdout);
+  }
+
+ private:
+  const Track& track_of(const Scene& scene) {
+    const std::string key = key_of(scene);
+    const auto known = tracks_.find(key);
+    if (known != tracks_.end()) return known->second;
+    return tracks_.emplace(key, follow(model_, scene, {}, duration_)).first->second;
+  }
+  Ladder climb_to(double error, bool all) {
+    LadderRequest request;
+    request.duration = duration_;
+    request.error = error;
+    request.all = all;
+    request.follow = [this](const Scene& scene) { return track_of(scene); };
+    return climb(model_, scene_, {}, request);
+  }
+  // Of the one run of it: the ladders share it.
+  double cost_of(const Rung& rung) {
+    return 1e3 * track_of(at_rung(scene_, rung.order, rung.step)).cost / duration_;
+  }
+  double best_cost(const Ladder& whole, const Track& reference, double error) {
+    Ladder known = whole;
+    for (Rung& rung : known.rungs)
+      rung.apart = distance(track_of(at_rung(scene_, rung.order, rung.step)), reference).most;
+    double best = std::nan("");
+    for (const Rung& rung : known.rungs) {
+      bool holds = true;
+      for (const Rung& finer : known.rungs) {
+        if (finer.order == rung.order && finer.step <= rung.step) holds = holds && finer.apart <= error;
+      }
+      if (holds && !(best <= cost_of(rung))) best = cost_of(rung);
+    }
+    return best;
+  }
+
+  std::string name_;
+  Scene scene_;
+  Model model_;
+  double duration_ = 0.0;
+  std::map<std::string, Track> tracks_;
+};
+
+int accuracy(int argc, char** argv) {
+  const Arguments arguments({"bench accuracy",
+                             "SCENE:SECONDS...",
+                             "Holds the choices of run --accuracy against converged references; exit status 0 only if "
+                             "95 % hold and none is over three times.",
+                             {{"--errors", "LIST", "[mm]; default 10,1,0.1"}, {"--csv", "F.csv", "one line a choice"}},
+                             1,
+                             100},
+                            std::vector<std::string>(argv + 1, argv + argc));
+  const std::vector<double> errors = errors_of(arguments.text("--errors", "10,1,0.1"));
+  std::FILE* csv = nullptr;
+  if (const std::string file = arguments.text("--csv", ""); !file.empty()) {
+    csv = std::fopen(file.c_str(), "w");
+    if (csv == nullptr) throw std::runtime_error("cannot write " + file);
+    std::fprintf(csv, "scene,duration_s,asked_m,order,step_s,true_m,estimate_m,references_m,cost_ms_per_s,best_ms_per_s,"
+                      "choosing_s\n");
+  }
+  Counts counts;
+  for (std::size_t i = 0; i < arguments.words().size(); ++i) {
+    const std::string word = arguments.word(i);
+    const std::size_t colon = word.find(':');
+    const double seconds = colon == std::string::npos ? 0.0 : std::stod(word.substr(colon + 1));
+    Case(word.substr(0, colon), seconds).judge(errors, counts, csv);
+  }
+  if (csv != nullptr) std::fclose(csv);
+  const int judged = counts.answered - counts.unknown;
+  std::printf("%d cells, %d answered, %d of them unknown; of %d: held %d, over three times %d, estimate within 3 %d, "
+              "at most 1.5 times the best fixed setting %d\n",
+              counts.cells, counts.answered, counts.unknown, judged, counts.held, counts.thrice, counts.estimated,
+              counts.cheap);
+  return judged > 0 && counts.held >= 0.95 * judged && counts.thrice == 0 ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace twinbus
+
+int main(int argc, char** argv) { return twinbus::run_process("bench accuracy", &twinbus::accuracy, argc, argv); }
