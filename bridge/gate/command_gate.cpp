@@ -10,7 +10,7 @@ namespace twinbus {
 
 namespace {
 
-constexpr double kTorqueStep = 0.1;  // largest change per tick, of the effort limit
+constexpr double kRounding = 1e-6;  // of the range of a limit: what is nearer to it was not beyond it
 constexpr double kGainRange = 10.0;  // largest gain, of the model's own
 constexpr std::int64_t kBalancedStopLasts_ns = 2'000'000'000;
 constexpr int kTicksWithoutStopping = 3;
@@ -397,19 +397,27 @@ void CommandGate::brake(JointCommand& command, std::int64_t mask) noexcept {
 }
 
 void CommandGate::limit(JointCommand& command) noexcept {
+  using What = FirstCut::What;
   int cuts = 0;
-  for (int j = 0; j < limits_->joint_count; ++j) {
-    const std::size_t i = at(j);
-    const double tau = static_cast<double>(effective_.tau[i]);
-    const double tau_step = kTorqueStep * limits_->effort[i];
-    cuts += cut(command.q[i], limits_->lower[i], limits_->upper[i]);
-    cuts += cut(command.qd[i], -limits_->velocity[i], limits_->velocity[i]);
-    cuts += cut(command.tau[i], -limits_->effort[i], limits_->effort[i]);
-    cuts += cut(command.kp[i], 0.0, static_cast<double>(limits_->kp_max[i]));
-    cuts += cut(command.kd[i], 0.0, static_cast<double>(limits_->kd_max[i]));
-    cuts +=
-        cut(command.q[i], effective_.q[i] - limits_->step[i], effective_.q[i] + limits_->step[i]);
-    cuts += cut(command.tau[i], tau - tau_step, tau + tau_step);
+  std::size_t i = 0;
+  // Cuts value into [low, high]; from: what a step counts from.
+  const auto within = [&](auto& value, What what, double low, double high, double from = 0.0) {
+    const double asked = static_cast<double>(value);
+    if (cut(value, low, high) == 0 || std::abs(asked - static_cast<double>(value)) <= kRounding * (high - low)) return;
+    ++cuts;
+    if (first_cut_.what != What::kNone) return;
+    first_cut_ = {what, static_cast<std::int16_t>(i), asked - from, static_cast<double>(value) - from};
+  };
+  for (; i < static_cast<std::size_t>(limits_->joint_count); ++i) {
+    const double q = effective_.q[i], tau = static_cast<double>(effective_.tau[i]);
+    const double q_step = limits_->step[i], tau_step = kTorqueStep * limits_->effort[i];
+    within(command.q[i], What::kPosition, limits_->lower[i], limits_->upper[i]);
+    within(command.qd[i], What::kVelocity, -limits_->velocity[i], limits_->velocity[i]);
+    within(command.tau[i], What::kTorque, -limits_->effort[i], limits_->effort[i]);
+    within(command.kp[i], What::kStiffness, 0.0, static_cast<double>(limits_->kp_max[i]));
+    within(command.kd[i], What::kDamping, 0.0, static_cast<double>(limits_->kd_max[i]));
+    within(command.q[i], What::kPositionStep, q - q_step, q + q_step, q);
+    within(command.tau[i], What::kTorqueStep, tau - tau_step, tau + tau_step, tau);
   }
   counters_.clamped += cuts;
 }

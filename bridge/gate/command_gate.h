@@ -63,6 +63,14 @@ struct GateCounters {
   std::int64_t plans_accepted = 0, plans_refused = 0, plans_followed = 0;
 };
 
+// The first number of a command that was cut to a limit, for people.
+struct FirstCut {
+  enum class What : std::int8_t { kNone, kPosition, kVelocity, kTorque, kStiffness, kDamping, kPositionStep, kTorqueStep };
+  What what = What::kNone;
+  std::int16_t joint = -1;  // index on the bus
+  double asked = 0.0, given = 0.0;  // in the unit of what; of steps: the change in one tick
+};
+
 class CommandGate {
  public:
   // limits must outlive the gate.
@@ -110,6 +118,7 @@ class CommandGate {
   const JointCommand& effective() const noexcept { return effective_; }
   const StopLatch& latch() const noexcept { return latch_; }
   const GateCounters& counters() const noexcept { return counters_; }
+  const FirstCut& first_cut() const noexcept { return first_cut_; }
   std::int64_t controller_id() const noexcept { return controller_; }
   std::int64_t last_accepted_ns() const noexcept { return last_accepted_ns_; }
   std::int64_t last_accepted_tick() const noexcept { return last_tick_; }
@@ -171,6 +180,7 @@ class CommandGate {
   PlanRefusal plan_refusal_ = PlanRefusal::kNone;
   StopLatch latch_;
   GateCounters counters_;
+  FirstCut first_cut_;
   JointCommand client_;     // what is asked for, by the client or by our own hold
   JointCommand effective_;  // what was written last
   OffsetBlend blend_;

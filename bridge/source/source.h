@@ -24,6 +24,8 @@
 
 namespace twinbus {
 
+struct FirstCut;
+
 enum class Pace : std::int8_t { kRealTime = 1, kLockStep = 2, kFreeRun = 3, kPaused = 4, kSlowed = 5, kPatient = 6 };
 
 struct SourceConfig {
@@ -74,6 +76,7 @@ class Source {
   bool take_fall(std::array<char, 200>& cause) noexcept;
 
   const SourceStatus& status() const noexcept;
+  const FirstCut& first_cut() const noexcept;  // of a command, by the gate; bridge/gate/command_gate.h
   // The command that was last written to the adaptor.
   const JointCommand& effective_command() const noexcept;
 

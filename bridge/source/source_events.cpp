@@ -3,6 +3,7 @@
 #include <cstdarg>
 #include <cstdio>
 
+#include "common/math/index.h"
 #include "lcmtypes/msg/labels.h"
 #include "lcmtypes/msg/reports.h"
 #include "lcmtypes/msg/requests.h"
@@ -78,7 +79,45 @@ const char* role_sentence(Role before, Role now) noexcept {
 
 }  // namespace
 
-bool next_sentence(SourceStatus& told, const SourceStatus& now, Event& event) noexcept {
+std::array<char, 200> cut_sentence(const FirstCut& cut, const Model& model) noexcept {
+  std::array<char, 200> text{};
+  using What = FirstCut::What;
+  if (cut.what == What::kNone || cut.joint < 0 || cut.joint >= model.bus_count()) return text;
+  const Joint& joint = model.joints[at(model.bus_joints[at(cut.joint)])];
+  const bool slides = joint.kind == JointKind::kPrismatic;
+  const char* const position = slides ? "m" : "rad";
+  const char* const force = slides ? "N" : "N m";
+  struct Words {
+    const char *quantity, *unit;
+  };
+  const auto words = [&]() -> Words {
+    switch (cut.what) {
+      case What::kPosition:
+        return {"position", position};
+      case What::kVelocity:
+        return {"velocity", slides ? "m/s" : "rad/s"};
+      case What::kTorque:
+        return {"torque", force};
+      case What::kStiffness:
+        return {"stiffness kp", ""};
+      case What::kDamping:
+        return {"damping kd", ""};
+      case What::kPositionStep:
+        return {"change of position in one tick", position};
+      case What::kTorqueStep:
+        return {"change of torque in one tick", force};
+      case What::kNone:
+        break;
+    }
+    return {"", ""};
+  }();
+  const char* const space = *words.unit != '\0' ? " " : "";
+  std::snprintf(text.data(), text.size(), "%s: %s %.4g%s%s asked, %.4g given", joint.name.c_str(), words.quantity, cut.asked, space,
+                words.unit, cut.given);
+  return text;
+}
+
+bool next_sentence(SourceStatus& told, const SourceStatus& now, Event& event, const char* cut) noexcept {
   if (told.role != now.role) {
     say(event, 0, "%s (term %d)", role_sentence(told.role, now.role), static_cast<int>(now.term));
     told.role = now.role;
@@ -111,7 +150,7 @@ bool next_sentence(SourceStatus& told, const SourceStatus& now, Event& event) no
   }
   if (told.controller_id != now.controller_id) {
     told.controller_id = now.controller_id;
-    if (now.controller_id == 0) return next_sentence(told, now, event);
+    if (now.controller_id == 0) return next_sentence(told, now, event, cut);
     say(event, 0, "obeys a controller (its controller_id: %lld)",
         static_cast<long long>(now.controller_id));
     return true;
@@ -134,7 +173,8 @@ bool next_sentence(SourceStatus& told, const SourceStatus& now, Event& event) no
   }
   if (told.clamped == 0 && now.clamped > 0) {
     told.clamped = now.clamped;
-    say(event, 1, "a command was beyond a limit: cut and counted");
+    const char* const colon = *cut != '\0' ? ": " : "";
+    say(event, 1, "a command was beyond a limit%s%s; it is cut, and further ones are counted", colon, cut);
     return true;
   }
   return false;

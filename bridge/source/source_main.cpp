@@ -333,7 +333,8 @@ class Shell {
                          status.controller_id != told_.controller_id;
     Event event;
     if (std::array<char, 200> cause; source_.take_fall(cause)) tell(2, cause.data());
-    while (next_sentence(told_, status, event)) send_event(event);
+    const auto cut = told_.clamped == 0 ? cut_sentence(source_.first_cut(), model_) : std::array<char, 200>{};
+    while (next_sentence(told_, status, event, cut.data())) send_event(event);
     if (changed || now - status_ns_ >= kStatusEvery_ns) {
       told_term_ = status.term;
       told_nonce_ = status.stop_nonce;

@@ -6,6 +6,7 @@
 
 #include "common/math/index.h"
 #include "common/simd/vec4.h"
+#include "robot/kinematics/brake.h"
 
 namespace twinbus {
 
@@ -55,6 +56,9 @@ void SetPointLimits::apply(const RobotState& state, const SetPoint* last, double
       const double way = rate_[i] * dt;
       const double near = std::min(std::max(p.q[i], last->q[i] - way), last->q[i] + way);
       p.q[i] = std::min(std::max(near, lower_[i]), upper_[i]);
+      const double step = kTorqueStep * effort_[i];
+      const double tau = static_cast<double>(static_cast<float>(last->tau[i]));  // as it was sent
+      p.tau[i] = std::min(std::max(p.tau[i], tau - step), tau + step);
     }
   }
   for (std::size_t i = 0; i < count_; ++i) {

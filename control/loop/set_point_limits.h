@@ -14,7 +14,7 @@ class SetPointLimits {
   explicit SetPointLimits(const Model& model) noexcept;
 
   // A joint with a number that is not one stays where it was put last (last, else measured), with its
-  // default gains.  Then position, way since last, velocity and torque are clamped to the joint's limits.
+  // default gains.  Then position, way since last, velocity, torque and its change since last are clamped to the joint's limits.
   // last: put out dt > 0 seconds ago; null at the beginning.
   void apply(const RobotState& state, const SetPoint* last, double dt,
              SetPoint& set_point) const noexcept;

@@ -1,5 +1,5 @@
-// How hard a joint is braked when something holds it: the gate, the loop and the guard that looks
-// ahead agree on it here.
+// How hard a joint is braked when something holds it, and how fast its torque may change: the gate, the loop and the guard
+// that looks ahead agree on it here.
 
 #pragma once
 
@@ -13,6 +13,8 @@ namespace twinbus {
 inline constexpr double kBrakeTime = 0.1;  // from full speed to rest [s]
 inline constexpr double kSlowestFull =
     0.5;  // a joint slower than this is braked as if it were so fast [rad/s or m/s]
+
+inline constexpr double kTorqueStep = 0.1;  // largest change of a joint's torque from tick to tick, of its effort
 
 // [rad/s^2 or m/s^2]
 inline double brake_deceleration(const Joint& joint) noexcept {

@@ -158,6 +158,21 @@ TEST_F(Gate, CutsPositionVelocityTorqueGainsAndSteps) {
   EXPECT_GT(gate.counters().clamped, 1000);
 }
 
+TEST_F(Gate, KeepsTheFirstNumberThatItCut) {
+  JointCommand c = command();
+  c.qd[1] = -5.0F;
+  ASSERT_EQ(offer(c), GateVerdict::kAccepted);
+  next();
+  c = command();
+  c.q[0] = 3.0;
+  ASSERT_EQ(offer(c), GateVerdict::kAccepted);
+  next();
+  EXPECT_EQ(gate.first_cut().what, FirstCut::What::kVelocity);
+  EXPECT_EQ(gate.first_cut().joint, 1);
+  EXPECT_EQ(gate.first_cut().asked, -5.0);
+  EXPECT_EQ(gate.first_cut().given, -4.0);
+}
+
 TEST_F(Gate, HoldsWhenNothingIsAcceptedForTheTimeoutAndNotBefore) {
   offer(command());
   const std::int64_t fed = now;

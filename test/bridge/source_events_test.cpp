@@ -5,6 +5,7 @@
 #include <string>
 
 #include "robot/stop_plan/plan_assembler.h"
+#include "test/bridge/small_robot.h"
 
 namespace twinbus {
 namespace {
@@ -54,6 +55,25 @@ TEST(SourceEvents, ARefusalSaysWhatTheRefusalTextSays) {
   now.refusal = Refusal::kPosture;
   now.refusal_sequence = 1;
   EXPECT_NE(first_sentence(told, now).find(refusal_text(Refusal::kPosture)), std::string::npos);
+}
+
+TEST(SourceEvents, ACutNamesJointLimitAndBothNumbers) {
+  Model model = test::small_model();
+  model.joints[1].name = "RLEG_KNEE";
+  FirstCut cut;
+  EXPECT_STREQ(cut_sentence(cut, model).data(), "");
+  cut = {FirstCut::What::kPosition, 1, 2.75, 2.5};
+  EXPECT_STREQ(cut_sentence(cut, model).data(), "RLEG_KNEE: position 2.75 rad asked, 2.5 given");
+  cut = {FirstCut::What::kTorqueStep, 1, -80.0, -30.0};
+  EXPECT_STREQ(cut_sentence(cut, model).data(), "RLEG_KNEE: change of torque in one tick -80 N m asked, -30 given");
+  cut.joint = 2;
+  EXPECT_STREQ(cut_sentence(cut, model).data(), "");
+  SourceStatus told, now;
+  now.clamped = 2;
+  Event event;
+  ASSERT_TRUE(next_sentence(told, now, event, "RLEG_KNEE: position 2.75 rad asked, 2.5 given"));
+  EXPECT_STREQ(event.text.data(),
+               "a command was beyond a limit: RLEG_KNEE: position 2.75 rad asked, 2.5 given; it is cut, and further ones are counted");
 }
 
 TEST(SourceEvents, StopPlansThatAreRefusedOneAfterTheOtherAreToldOnceUntilOneIsTaken) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "robot/kinematics/brake.h"
 #include "test/control/hrp1s.h"
 
 namespace twinbus {
@@ -57,6 +58,14 @@ TEST(SetPointLimits, NoSetPointMovesFasterThanItsJoint) {
   f.limits.apply(f.state, &f.last, kDt, f.point);
   EXPECT_GT(f.point.q[0], 0.0);
   EXPECT_LE(f.point.q[0], f.joint(0).velocity * kDt + 1e-15);
+}
+
+TEST(SetPointLimits, NoTorqueChangesFasterThanTheGateAllows) {
+  Fixture f;
+  f.last.tau[3] = 10.0;
+  f.point.tau[3] = -f.joint(3).effort;
+  f.limits.apply(f.state, &f.last, kDt, f.point);
+  EXPECT_DOUBLE_EQ(f.point.tau[3], 10.0 - kTorqueStep * f.joint(3).effort);
 }
 
 TEST(SetPointLimits, ANumberThatIsNoneLeavesTheJointWhereItWas) {
