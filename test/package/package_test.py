@@ -89,7 +89,9 @@ def main():
         clean = {key: value for key, value in os.environ.items() if not key.startswith("TWINBUS_")}
         clean.update(XDG_DATA_HOME=str(folder / "home"), XDG_CACHE_HOME=str(folder / "cache"))
         for file in [*prefix.rglob("*.cmake"), *prefix.rglob("*.sh"), *prefix.rglob("*.py")]:
-            assert TREE not in file.read_text(), f"{file} points into the source tree"
+            # A whole path, not the end of another: a tree in /twinbus is not meant by share/twinbus.
+            points = re.search(r"((?<![\w.})-])|(?<=-[IL]))" + re.escape(TREE) + r"(?![\w.-])", file.read_text())
+            assert not points, f"{file} points into the source tree"
         programs(prefix, clean)
         outside = folder / "build"
         said = run("cmake", "-S", HERE / "outside", "-B", outside, f"-DCMAKE_PREFIX_PATH={prefix}", "-DCMAKE_BUILD_TYPE=Release")
