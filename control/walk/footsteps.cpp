@@ -92,6 +92,13 @@ Eigen::Vector3d Gait::possible(const Eigen::Vector3d& velocity) const noexcept {
   return share > 1.0 ? Eigen::Vector3d(velocity / share) : velocity;
 }
 
+bool Gait::reaches(const Foothold& from, int foot, const Foothold& next) const noexcept {
+  const Eigen::Vector2d place = from.unturn(next.position - from.position);
+  const double along = place.x() / (place.x() > 0.0 ? max_forward : max_back);
+  const double aside = std::max(0.0, side_of(1 - foot) * place.y() - width) / (max_width - width);
+  return along * along + aside * aside <= 1.0 + 1e-6;
+}
+
 // Seen along the line halfway between both headings, each sole is turned by half the angle.
 double Gait::turning_width(double turning) const noexcept {
   const auto apart = [&](double turned, double reach) {
@@ -167,6 +174,22 @@ Foothold next_foothold(const Foothold& from, int foot, const Eigen::Vector3d& ve
   next.set_yaw(wrap_angle(from.yaw() + turn));
   next.position = from.position + from.turn({velocity.x() * period, out * half + side});
   next.position += next.turn({0.0, out * half});
+  return next;
+}
+
+Foothold kept_apart(const Gait& gait, const Foothold& from, int foot, Foothold next) noexcept {
+  const double out = side_of(1 - foot);  // to the side of the foot that moves
+  const double beyond = gait.min_width - gait.inner;
+  const double turned = std::cos(wrap_angle(next.yaw() - from.yaw()));
+  double missing = 0.0;
+  for (const double x : {-gait.heel, gait.toe}) {
+    const Eigen::Vector2d moves = next.position + next.turn({x, -out * gait.inner});
+    const Eigen::Vector2d stands = from.position + from.turn({x, out * gait.inner});
+    missing = std::max(missing, beyond - out * from.unturn(moves - from.position).y());
+    missing = std::max(missing, (beyond + out * next.unturn(stands - next.position).y()) / std::max(0.5, turned));
+  }
+  const double left = gait.max_width - out * from.unturn(next.position - from.position).y();
+  next.position += from.turn({0.0, out * std::max(0.0, std::min(missing, left))});
   return next;
 }
 

@@ -61,6 +61,9 @@ struct Gait {
   double period() const noexcept { return single_support + double_support; }
   // Between the sole frames, so that feet that turn so far a step [rad] keep heels and toes apart.
   double turning_width(double turning) const noexcept;
+  // Whether the legs reach a foothold while `foot` stands on `from`: forward and to the side at once, what is left of the
+  // one is a share of the other.
+  bool reaches(const Foothold& from, int foot, const Foothold& next) const noexcept;
   // What can be done of a command: all shares of what can be done alone together at most one.
   Eigen::Vector3d possible(const Eigen::Vector3d& velocity) const noexcept;
 };
@@ -75,6 +78,11 @@ inline double side_of(int foot) noexcept { return foot == 0 ? 1.0 : -1.0; }
 // Where the other foot goes while `foot` stands on `from`; period: of a step [s], width: between the feet [m].
 Foothold next_foothold(const Foothold& from, int foot, const Eigen::Vector3d& velocity,
                        double period, double width) noexcept;
+
+// `next`, moved out from `from`, on which `foot` stands, so far that each sole lies with the least gap between two soles beyond the
+// inner edge of the other, as long as that is: then neither foot passes near the other one when it swings, wherever in
+// front of or behind it the step begins and ends.
+Foothold kept_apart(const Gait& gait, const Foothold& from, int foot, Foothold next) noexcept;
 
 // Where the reference ZMP is while `foot` alone carries the robot, world.
 Eigen::Vector2d zmp_on(const Gait& gait, const Foothold& at, int foot) noexcept;

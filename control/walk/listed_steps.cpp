@@ -39,17 +39,13 @@ StepRefusal check_steps(const Gait& gait, const StepList& list) noexcept {
     const int moves = i % 2 == 0 ? first_foot(list) : 1 - first_foot(list);
     const double out = side_of(moves);
     const Foothold step = step_at(list, i);
-    const double x = step.position.x(), y = out * step.position.y();
     if (!(std::abs(step.yaw()) <= gait.max_turn))
       return {i, "a listed footstep turns farther than the hips do; the robot stays where it is"};
     if (!(lies_beside(gait, standing, step, out) || lies_beside(gait, step, standing, -out)))
       return {i,
               "a listed footstep puts one sole on the other or too near it; the robot stays where "
               "it is"};
-    // Forward and to the side at once: what is left of the one is a share of the other.
-    const double along = x / (x > 0.0 ? gait.max_forward : gait.max_back);
-    const double aside = std::max(0.0, y - gait.width) / (gait.max_width - gait.width);
-    if (!(along * along + aside * aside <= 1.0 + 1e-6))
+    if (!gait.reaches(standing, 1 - moves, step))
       return {i, "a listed footstep is farther than the legs reach; the robot stays where it is"};
   }
   return {};

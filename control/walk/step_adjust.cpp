@@ -50,6 +50,7 @@ StepAdjusted adjust_step(const Gait& gait, const StepNow& now, double omega) noe
   StepAdjusted result;
   result.foothold = now.planned;
   result.foothold.position = support.position + support.turn(best_place);
+  if (best_place != planned) result.foothold = kept_apart(gait, support, now.foot, result.foothold);
   result.left = best_left;
   result.moved = (best_place - planned).norm();
   result.cost = best;

@@ -131,9 +131,7 @@ def walk(stack, bus, pad, rng, minutes):
     end = time.monotonic() + 60.0 * minutes
     told = time.monotonic()
     while time.monotonic() < end:
-        # Sharper turns from standing are stopped by the guard, stall or no stall.
-        forward, turn = rng.uniform(-0.2, 0.8), rng.choice((0.0, 0.0, rng.uniform(-0.25, 0.25)))
-        side = rng.choice((0.0, rng.uniform(-0.4, 0.4)))
+        forward, turn, side = rng.uniform(-0.2, 0.8), rng.choice((0.0, 0.0, rng.uniform(-1.0, 1.0))), rng.choice((0.0, rng.uniform(-0.4, 0.4)))
         pad.say(f"axis {FORWARD} {int(-32767 * forward)}", f"axis {TURN} {int(-32767 * turn)}", f"axis {LEFT} {int(-32767 * side)}")
         time.sleep(rng.uniform(1.0, 2.0 * LOOK_S))
         stop = watch.look()

@@ -63,6 +63,50 @@ TEST(Footsteps, SolesNeverComeNearerThanTheyMay) {
   }
 }
 
+// In curves too: striding, stepping aside and turning at once, neither sole lies before, behind or beside the other, nor comes
+// there on its way.
+TEST(Footsteps, SolesKeepOutOfEachOthersWayInCurves) {
+  const Gait g = gait();
+  const double gap = g.min_width - 2.0 * g.inner;
+  EXPECT_NEAR(gap, 0.035, 1e-9);
+  int moved = 0;
+  for (const double vx : {-0.3, 0.0, 0.2, 0.4, 0.55}) {
+    for (const double vy : {-0.15, 0.0, 0.1}) {
+      for (const double wz : {-0.8, -0.3, 0.0, 0.5}) {
+        const Eigen::Vector3d v = g.possible({vx, vy, wz});
+        const double width = g.turning_width(v.z() * g.period());
+        Foothold at[2];
+        at[0].position << 0.0, 0.5 * width;
+        at[1].position << 0.0, -0.5 * width;
+        for (int n = 0; n < 12; ++n) {
+          const int stands = n % 2, moves = 1 - stands;
+          const double out = side_of(moves);
+          const Foothold from = at[moves], stand = at[stands];
+          const Foothold plain = next_foothold(stand, stands, v, g.period(), width);
+          const Foothold to = kept_apart(g, stand, stands, plain);
+          EXPECT_LE(out * stand.unturn(to.position - stand.position).y(), g.max_width + 1e-9);
+          moved += (to.position - plain.position).norm() > 1e-3 ? 1 : 0;
+          for (const double x : {-g.heel, g.toe}) {
+            // The one that stands, seen from where the other lands: the next step leads it past there.
+            const Eigen::Vector2d corner = stand.position + stand.turn({x, out * g.inner});
+            EXPECT_GT(-out * to.unturn(corner - to.position).y(), g.inner + gap - 1e-6) << vx << ' ' << vy << ' ' << wz;
+            for (double s = n == 0 ? 1.0 : 0.0; s <= 1.0; s += 0.125) {
+              Foothold way = from;
+              way.position += s * (to.position - from.position);
+              way.set_yaw(from.yaw() + s * std::remainder(to.yaw() - from.yaw(), 2.0 * M_PI));
+              const Eigen::Vector2d edge = way.position + way.turn({x, -out * g.inner});
+              EXPECT_GT(out * stand.unturn(edge - stand.position).y(), g.inner + 0.7 * gap)
+                  << vx << ' ' << vy << ' ' << wz << " at " << s;
+            }
+          }
+          at[moves] = to;
+        }
+      }
+    }
+  }
+  EXPECT_GT(moved, 50);
+}
+
 // The corners of both soles, seen across the way they stand: 35 mm apart however fast they turn.
 TEST(Footsteps, SolesThatTurnKeepHeelsAndToesApart) {
   const Gait g = gait();
