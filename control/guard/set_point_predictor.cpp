@@ -12,6 +12,7 @@ namespace {
 constexpr double kServoError = 0.1;
 // A set-point of ours that is farther than this from its joint is a wrong guess [rad or m].
 constexpr double kLost = 0.3;
+constexpr std::int64_t kMostLeftOut = 10;  // commands in a row [ticks]
 // A set-point this close to its command is there [rad or m].
 constexpr double kFollows = 1e-9;
 
@@ -51,17 +52,18 @@ void SetPointTrack::start(const RobotState& state, const JointCommand& command) 
     v_[k] = asked_v_[k] = asked_qd_[k] = 0.0;
   }
   held_now_ = fading_ = 0;
+  heard_tick_ = command.tick - 1;
   started_ = true;
 }
 
-// What is asked of every joint, and how that moves.
+// What is asked of every joint, and how that moves.  since: the command before [s].
 TWINBUS_AVX2_CLONES
-void SetPointTrack::hear(const JointCommand& command) noexcept {
+void SetPointTrack::hear(const JointCommand& command, double since) noexcept {
   for (std::size_t k = 0; k < count_; ++k) {
     const double limit = limit_[k], asked = command.q[k];
-    const double asked_v = between((asked - asked_[k]) / period_, -limit, limit);
+    const double asked_v = between((asked - asked_[k]) / since, -limit, limit);
     // What speeds up is taken to go on so, as far as joints can; what slows down may stop slowing.
-    const double gain = between((asked_v - asked_v_[k]) / period_, -brake_[k], brake_[k]);
+    const double gain = between((asked_v - asked_v_[k]) / since, -brake_[k], brake_[k]);
     acceleration_[k] = gain * asked_v > 0.0 ? gain : 0.0;
     asked_[k] = asked;
     asked_v_[k] = asked_v;
@@ -208,7 +210,11 @@ void SetPointTrack::follow(const RobotState& state, const JointCommand& command,
   for (std::size_t i = masks_.size(); i-- > 1;) masks_[i] = masks_[i - 1];
   masks_[0] = mask;
   const std::int64_t in_force = delay_ticks_ > 0 ? masks_[at(delay_ticks_ - 1)] : mask;
-  hear(command);
+  // One that is heard again says nothing new; where commands or looks were left out, the set-point has moved for longer than
+  // a period.
+  const std::int64_t ticks = command.tick - heard_tick_;
+  if (ticks != 0) hear(command, static_cast<double>(std::clamp<std::int64_t>(ticks, 1, kMostLeftOut)) * period_);
+  heard_tick_ = command.tick;
   move_free(state);
   hold(in_force & (bit(static_cast<int>(count_)) - 1));
   const std::int64_t bound = held_now_ | fading_;

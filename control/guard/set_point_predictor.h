@@ -68,7 +68,7 @@ class SetPointTrack {
     double time = 0.0;        // since then [s]
   };
   void start(const RobotState& state, const JointCommand& command) noexcept;
-  void hear(const JointCommand& command) noexcept;
+  void hear(const JointCommand& command, double since) noexcept;
   void move_free(const RobotState& state) noexcept;
   void hold(std::int64_t joints) noexcept;
   void move_bound(std::size_t k, double measured) noexcept;
@@ -86,6 +86,7 @@ class SetPointTrack {
   std::size_t count_;
   int delay_ticks_;
   bool started_ = false;
+  std::int64_t heard_tick_ = 0;  // of the last command
   std::array<std::int64_t, kMostDelay> masks_{};  // on their way, the newest first
   PerJoint<double> limit_{};                      // fastest set-point [rad/s or m/s]
   PerJoint<double> brake_{};

@@ -22,10 +22,15 @@ struct Fixture {
   double brake() const {
     return brake_deceleration(model.joints[static_cast<std::size_t>(model.bus_joints[kJoint])]);
   }
+  void follow(std::int64_t mask) {
+    ++command.tick;
+    track.follow(state, command, mask);
+  }
+  void follow_again() { track.follow(state, command, 0); }
   // One tick: the command is obeyed at once, the joint follows.
   void tick(double q, bool held = false) {
     command.q[kJoint] = q;
-    track.follow(state, command, held ? std::int64_t{1} << kJoint : 0);
+    follow(held ? std::int64_t{1} << kJoint : 0);
     measured = state.q[kJoint];
     state.q[kJoint] = q;
   }
@@ -39,6 +44,22 @@ TEST(SetPointTrack, AJointAtRestComesToRestWhereItIs) {
   for (int i = 0; i < 3; ++i) f.tick(0.02);
   EXPECT_NEAR(f.obeyed(), 0.02, 1e-9);
   EXPECT_NEAR(f.held(), 0.02, 1e-9);
+}
+
+// Ticks that a busy guard left out, or that the controller did not answer: the set-point is as fast as it was on the whole.
+TEST(SetPointTrack, TicksThatWereLeftOutMakeNoJointFaster) {
+  for (const int left_out : {1, 3}) {
+    Fixture f;
+    const double speed = 0.5, step = speed * f.model.period();
+    double q = 0.0;
+    for (int i = 0; i < 50; ++i) f.tick(q += step);
+    for (int i = 0; i < left_out; ++i) f.follow_again();  // the same command, heard again
+    EXPECT_NEAR(f.track.if_obeyed(kJoint).speed, speed, 1e-6) << "it says nothing new";
+    f.command.tick += left_out;
+    f.tick(q += (left_out + 1) * step);
+    EXPECT_LT(f.track.if_obeyed(kJoint).speed, 1.05 * speed) << left_out;
+    EXPECT_GT(f.track.if_obeyed(kJoint).speed, 0.95 * speed) << left_out;
+  }
 }
 
 // look_ahead(v) = v delay + v |v| / (2 deceleration)
@@ -61,7 +82,7 @@ TEST(SetPointTrack, AHeldSetPointStopsAndStays) {
   f.measured = f.state.q[kJoint];
   for (int i = 0; i < 200; ++i) {
     f.command.q[kJoint] = q += 0.001;
-    f.track.follow(f.state, f.command, std::int64_t{1} << kJoint);
+    f.follow(std::int64_t{1} << kJoint);
   }
   EXPECT_LT(f.held(), rest);
   EXPECT_GT(f.obeyed(), f.held()) << "let go it would run after its command";
@@ -89,7 +110,7 @@ TEST(SetPointTrack, RunningAfterACommandNeverLeadsPastIt) {
   f.tick(0.0);
   f.command.q[kJoint] = 0.01;
   for (int i = 0; i < 20; ++i) {
-    f.track.follow(f.state, f.command, 0);
+    f.follow(0);
     if (i > 0) {
       EXPECT_LE(f.obeyed(), 0.01 + 1e-12);
     }
@@ -100,7 +121,7 @@ TEST(SetPointTrack, RunningAfterACommandNeverLeadsPastIt) {
 TEST(SetPointTrack, AFirstCommandFarFromItsJointIsNotTakenForItsSetPoint) {
   Fixture f;
   f.command.q[kJoint] = -1.5;
-  f.track.follow(f.state, f.command, std::int64_t{1} << kJoint);
+  f.follow(std::int64_t{1} << kJoint);
   EXPECT_GT(f.held(), -0.11);
 }
 
@@ -111,12 +132,12 @@ TEST(SetPointTrack, WhatIsLetGoFadesBackAsTheGateLetsIt) {
   f.tick(0.0);
   for (int i = 0; i < 200; ++i) {
     f.command.q[kJoint] = std::min(far, f.command.q[kJoint] + 0.002);
-    f.track.follow(f.state, f.command, std::int64_t{1} << kJoint);
+    f.follow(std::int64_t{1} << kJoint);
   }
   const int ticks = static_cast<int>(std::lround(f.model.blend_s / period));
   double last = f.track.if_held(kJoint).rest();
   for (int i = 0; i <= ticks; ++i) {
-    f.track.follow(f.state, f.command, 0);
+    f.follow(0);
     const Course now = f.track.if_obeyed(kJoint);
     EXPECT_GE(now.rest(), last - 1e-3) << i;
     EXPECT_LE(now.rest(), far + 1e-2) << i;
