@@ -17,6 +17,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
+TEST(WebPath, TheTargetOfARequestIsWhatStandsBetweenTwoSpaces) {
+  EXPECT_EQ(target_of("GET /ws?token=ab HTTP/1.1\r\nHost: x"), "/ws?token=ab");
+  for (const char* request : {"", "GET", "GET ", "GET /ws?token=a"}) EXPECT_EQ(target_of(request), "") << request;
+}
+
 TEST(DecodeTarget, AcceptsPlainPathsAndDropsTheQuery) {
   std::string path;
   ASSERT_TRUE(decode_target("/", path));

@@ -23,6 +23,8 @@ class WebSocket:
                 break
             self.data += chunk
         head, _, self.data = self.data.partition(b"\r\n\r\n")
+        if not head:
+            raise ConnectionError("closed without an answer")
         self.status = int(head.split()[1])
 
     def _take(self, count):

@@ -60,6 +60,12 @@ bool decode_target(std::string_view target, std::string& path) {
   return plain_segments(path);
 }
 
+std::string_view target_of(std::string_view request) noexcept {
+  const std::size_t begin = request.find(' ');
+  const std::size_t end = begin == std::string_view::npos ? begin : request.find(' ', begin + 1);
+  return end == std::string_view::npos ? std::string_view() : request.substr(begin + 1, end - begin - 1);
+}
+
 std::string query_value(std::string_view target, std::string_view key) {
   std::size_t at = target.find('?');
   while (at != std::string_view::npos) {

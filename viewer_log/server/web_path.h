@@ -20,6 +20,9 @@ struct WebRoot {
 // "/a%20b?x=1" -> "/a b".  False for anything that is not a plain absolute path.
 [[nodiscard]] bool decode_target(std::string_view target, std::string& path);
 
+// That of "GET TARGET HTTP/1.1"; empty when it is not whole yet.
+std::string_view target_of(std::string_view request) noexcept;
+
 // Value of one key of the query, not decoded (tokens are hexadecimal); empty when absent.
 std::string query_value(std::string_view target, std::string_view key);
 

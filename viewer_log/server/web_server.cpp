@@ -166,13 +166,11 @@ class Client : public std::enable_shared_from_this<Client> {
 // One connection until it is closed or becomes a Client.
 class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
  public:
-  // own: the address it came to; far: it comes from another machine.
-  HttpConnection(Shared& shared, tcp::socket&& socket, std::string own, std::string from, bool far)
-      : shared_(shared), stream_(std::move(socket)), own_(std::move(own)), far_(far) {
+  // own: the address it came to; far: it comes from another machine; stranger: which has shown no token yet.
+  HttpConnection(Shared& shared, tcp::socket&& socket, std::string own, std::string from, bool far, bool stranger)
+      : shared_(shared), stream_(std::move(socket)), own_(std::move(own)), far_(far), stranger_(stranger) {
     ++shared_.connections;
-    if (far_)
-      place_ = shared_.strangers->take({std::move(from), [this] { close(); }}, shared_.refused);
-    stranger_ = far_;
+    if (stranger) place_ = shared_.strangers->take({std::move(from), [this] { close(); }}, shared_.refused);
   }
   ~HttpConnection() {
     --shared_.connections;
@@ -213,10 +211,8 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
     const std::string_view host = view(request[http::field::host]);
     const std::string_view origin = view(request[http::field::origin]);
     const std::string& as = shared_.config.reached_as;
-    const bool forwarded =
-        far_ && !as.empty() && host == as && (origin.empty() || origin == "http://" + as);
-    if (!forwarded &&
-        (!host_allowed(host, shared_.port, own_) || !origin_allowed(origin, shared_.port, own_))) {
+    const bool forwarded = far_ && !as.empty() && host == as && (origin.empty() || origin == "http://" + as);
+    if (!forwarded && (!host_allowed(host, shared_.port, own_) || !origin_allowed(origin, shared_.port, own_))) {
       return refuse(http::status::forbidden, "foreign host or origin\n");
     }
     if (request.method() != http::verb::get && request.method() != http::verb::head) {
@@ -235,9 +231,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
       return refuse(http::status::forbidden, "from another machine only with the token\n");
     }
     for (const WebDocument& document : shared_.config.documents) {
-      if (document.path == path) {
-        return send_text(http::status::ok, document.type, document.body);
-      }
+      if (document.path == path) return send_text(http::status::ok, document.type, document.body);
     }
     send_file(find_file(shared_.config.roots, path));
   }
@@ -256,8 +250,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
 
   void upgrade(const std::string& path, bool known, bool trusted) {
     if (path != "/ws") return refuse(http::status::not_found, "not found\n");
-    if (!known)
-      return refuse(http::status::forbidden, "from another machine only with the token\n");
+    if (!known) return refuse(http::status::forbidden, "from another machine only with the token\n");
     // Half of the places are for this machine.
     if (shared_.clients.size() >= shared_.config.max_clients / (far_ ? 2 : 1)) {
       return refuse(http::status::service_unavailable, "too many viewers\n");
@@ -320,7 +313,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
   boost::optional<http::request_parser<http::empty_body>> parser_;
   const std::string own_;
   const bool far_;
-  bool stranger_ = false;
+  bool stranger_;
   StrangerSeats::Place place_;
 };
 
@@ -347,8 +340,7 @@ struct WebServer::Impl {
     acceptor.close(error);
     acceptor.open(endpoint.protocol(), error);
     if (!error) acceptor.set_option(tcp::acceptor::reuse_address(true), error);
-    if (!error && endpoint.protocol() == tcp::v6())
-      acceptor.set_option(asio::ip::v6_only(true), error);
+    if (!error && endpoint.protocol() == tcp::v6()) acceptor.set_option(asio::ip::v6_only(true), error);
     if (!error) acceptor.bind(endpoint, error);
     if (!error) acceptor.listen(asio::socket_base::max_listen_connections, error);
     return !error;
@@ -391,6 +383,16 @@ struct WebServer::Impl {
     });
   }
 
+  // A request that has come with its connection shows a token: one without takes a stranger's seat.
+  bool brings_token(tcp::socket& socket) const {
+    std::array<char, 512> head;
+    Error error;
+    socket.non_blocking(true, error);
+    const std::size_t size = socket.receive(asio::buffer(head), asio::socket_base::message_peek, error);
+    const std::string token = error ? "" : query_value(target_of({head.data(), size}), "token");
+    return same_token(token, shared.config.token) || same_token(token, shared.config.watch_token);
+  }
+
   void take_in(tcp::socket&& socket) {
     Error error;
     const tcp::endpoint to = socket.local_endpoint(error);
@@ -404,9 +406,9 @@ struct WebServer::Impl {
       return;
     }
     socket.set_option(tcp::no_delay(true), error);
-    std::make_shared<HttpConnection>(shared, std::move(socket), written(to.address()),
-                                     written(from.address()), far)
-        ->read();
+    const bool stranger = far && !brings_token(socket);
+    std::make_shared<HttpConnection>(shared, std::move(socket), written(to.address()), written(from.address()), far,
+                                     stranger)->read();
   }
 
   void take_published() {
