@@ -275,8 +275,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
     send_text(status, "text/plain; charset=utf-8", text, last);
   }
 
-  void send_text(http::status status, const std::string& type, std::string text,
-                 bool last = false) {
+  void send_text(http::status status, const std::string& type, std::string text, bool last = false) {
     http::response<http::string_body> response{status, 11};
     response.body() = std::move(text);
     send(std::move(response), type.c_str(), last);
