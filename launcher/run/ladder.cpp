@@ -160,8 +160,8 @@ namespace {
 
 // The yardstick stands, and a finer run of a lower order may hold the error for less than what is chosen so far.
 template <class Run>
-void add_cheaper(const LadderRequest& request, const Run& run, double period, const Scene& scene, std::vector<Track>& tracks,
-                 Ladder& ladder) {
+void add_cheaper(const LadderRequest& request, const Run& run, double period, const Scene& scene,
+                 std::vector<Track>& tracks, Ladder& ladder) {
   for (int order = 1; order < ladder.rungs.back().order; ++order) {
     for (const int parts : kParts) {
       const double step = period / parts;
@@ -170,8 +170,8 @@ void add_cheaper(const LadderRequest& request, const Run& run, double period, co
       for (const Rung& rung : ladder.rungs) coarser = rung.order == order ? &rung : coarser;
       const int chosen = ladder.choose(request.error);
       const double likely = coarser->cost * coarser->step / step;
-      if (chosen < 0 || ladder.rungs[at(chosen)].order <= order || !(likely < ladder.rungs[at(chosen)].cost) ||
-          quit_requested()) {
+      if (chosen < 0 || ladder.rungs[at(chosen)].order <= order ||
+          !(likely < ladder.rungs[at(chosen)].cost) || quit_requested()) {
         break;
       }
       const Track track = run(at_rung(scene, order, step));
@@ -199,8 +199,8 @@ Ladder climb(const Model& model, const Scene& scene, const OneProcessConfig& con
   Ladder ladder;
   std::vector<Track> tracks;
   const auto run = [&](const Scene& asked) {
-    Track track = request.follow ? request.follow(asked)
-                                 : follow(model, asked, quiet, request.duration);
+    Track track =
+        request.follow ? request.follow(asked) : follow(model, asked, quiet, request.duration);
     ladder.cost += track.all;
     return track;
   };

@@ -29,7 +29,8 @@ struct Track {
 };
 
 // Throws std::runtime_error as OneProcess does.
-Track follow(const Model& model, const Scene& scene, const OneProcessConfig& config, double duration);
+Track follow(const Model& model, const Scene& scene, const OneProcessConfig& config,
+             double duration);
 
 struct Apart {
   double most = 0.0;  // [m]; infinite where one of them is not whole

@@ -147,9 +147,11 @@ void print_model(const Opened& opened) {
               "inertia, %d with friction or damping), base %s\n",
               model.name.c_str(), model.link_count(), model.joint_count(), locked, follow, rotors,
               rubbing, scene.fixed_base || !model.floating_base ? "fixed" : "free");
-  std::printf("soles        four corners each, springs and dampers; links: %s\n",
-              scene.self_contact ? "touch one another, the ground and obstacles"
-                                 : "touch the ground and obstacles, not one another (self_contact)");
+  std::printf("soles        %s, springs and dampers; links: %s\n",
+              scene.contact == "patch" ? "the area that presses" : "four corners each",
+              scene.self_contact
+                  ? "touch one another, the ground and obstacles"
+                  : "touch the ground and obstacles, not one another (self_contact)");
   std::printf("loose        %zu bodies", scene.loose.size());
   for (const LooseBody& body : scene.loose)
     std::printf(", %s%s", body.name.c_str(), body.mesh != nullptr ? " (triangles)" : "");

@@ -37,8 +37,17 @@ ContactParams shell(double stiffness, double friction) {
 }
 
 ContactParams as_asked(const WorldConfig& config, const ContactParams& params) {
-  if (config.contact != ContactModel::kHuntCrossley) return params;
+  if (!damps_by_depth(config.contact)) return params;
   return hunt_crossley(params, config.dissipation);
+}
+
+ContactParams times(const ContactParams& params, double share) noexcept {
+  ContactParams scaled = params;
+  scaled.stiffness *= share;
+  scaled.damping *= share;
+  scaled.tangent_stiffness *= share;
+  scaled.tangent_damping *= share;
+  return scaled;
 }
 
 Solid solid_of(const Obstacle& obstacle) noexcept {
@@ -71,6 +80,12 @@ GroundContacts::GroundContacts(const Model& model, const WorldConfig& config)
   for (const Obstacle& tile : config.tiles) {
     obstacles_.push_back(tile);
     obstacle_radius_.push_back(bounding_radius(solid_of(tile)));
+  }
+  // Of a side its four corners at each surface, or its patches and the corners.
+  sole_keys_ = kSoleCorners * (static_cast<int>(obstacles_.size()) + 1);
+  if (config.contact == ContactModel::kPatch) {
+    patches_.emplace(model, config);
+    sole_keys_ += patches_->keys();
   }
   for (std::size_t i = 0; i < model.links.size(); ++i) {
     for (const Shape& shape : model.links[i].collision) {
@@ -182,6 +197,10 @@ void GroundContacts::find(const ArticulatedBody& body, double h,
 void GroundContacts::find_corners(const ArticulatedBody& body, double h,
                                   std::vector<Contact>& contacts) const noexcept {
   std::size_t cursor = 0;
+  if (patches_) {
+    find_patches(body, h, cursor, contacts);
+    if (solid_ == 0) return;
+  }
   const int surfaces = static_cast<int>(obstacles_.size()) + 1;
   for (int side = 0; side < 2; ++side) {
     const auto foot = static_cast<std::size_t>(side);
@@ -194,18 +213,52 @@ void GroundContacts::find_corners(const ArticulatedBody& body, double h,
       const Eigen::Vector3d point = body.origin() + found.r;
       const double offset = offset_[foot][at(corner)];
       int deepest = 0;
-      found.depth = ground_height_[foot] - offset - point.z();
+      found.depth = patches_ ? -kHigh : ground_height_[foot] - offset - point.z();
       found.normal = Eigen::Vector3d::UnitZ();
       for (std::size_t i = 0; i < obstacles_.size(); ++i) {
         const Eigen::Vector3d away = obstacles_[i].pose.translation() - point;
         if (!(away.norm() < obstacle_radius_[i] + 1.0)) continue;
+        if (patches_ && (i >= solid_ || patches_->stands_on(i, point))) continue;
         const Distance d = i < solid_ ? distance(i + 1, point) : under_tile(obstacles_[i], point);
         if (!(-d.value - offset > found.depth)) continue;
         deepest = static_cast<int>(i) + 1;
         found.depth = -d.value - offset;
         found.normal = d.normal;
       }
+      if (patches_ && deepest == 0) continue;
       found.key = (side * kSoleCorners + corner) * surfaces + deepest;
+      add(body, link.velocity, found, h, cursor, contacts);
+    }
+  }
+}
+
+void GroundContacts::find_patches(const ArticulatedBody& body, double h, std::size_t& cursor,
+                                  std::vector<Contact>& contacts) const noexcept {
+  SolePatches::Points points;
+  const int first_key = 2 * kSoleCorners * (static_cast<int>(obstacles_.size()) + 1);
+  for (int side = 0; side < 2; ++side) {
+    const auto foot = static_cast<std::size_t>(side);
+    const Sole& sole = soles_[foot];
+    if (sole.link < 0 || (sole.link == 0 && fixed_base_)) continue;
+    const LinkNow link = body.link(sole.link);
+    Eigen::Isometry3d frame;
+    frame.linear() = link.rotation * sole.frame.linear();
+    const Eigen::Vector3d at_frame = link.origin + link.rotation * sole.frame.translation();
+    frame.translation() = body.origin() + at_frame;
+    const int count =
+        patches_->find(foot, frame, at_point(link.velocity, at_frame), angular(link.velocity), h,
+                       ground_height_[foot], offset_[foot], points);
+    for (int i = 0; i < count; ++i) {
+      const SolePoint& point = points[at(i)];
+      const ContactParams params = times(sole_params_[foot], point.weight);
+      const Found found{.link = sole.link,
+                        .sole = side,
+                        .key = first_key + side * patches_->keys() + point.key,
+                        .material = false,
+                        .params = &params,
+                        .r = point.position - body.origin(),
+                        .normal = point.normal,
+                        .depth = point.depth};
       add(body, link.velocity, found, h, cursor, contacts);
     }
   }
@@ -252,7 +305,7 @@ void GroundContacts::find_probes(const ArticulatedBody& body, double h,
         const Distance d = distance(surface, body.origin() + center);
         if (!(probe.radius - d.value > -reach)) continue;
         found.link = shape.link;
-        found.key = static_cast<int>((i + 2 * kSoleCorners) * surfaces + surface);
+        found.key = 2 * sole_keys_ + static_cast<int>(i * surfaces + surface);
         found.material = !(probe.radius > 0.0);
         found.depth = probe.radius - d.value;
         found.normal = d.normal;

@@ -12,9 +12,11 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "sim/contact/contact_solve.h"
+#include "sim/contact/sole_patches.h"
 #include "sim/world/solid.h"
 #include "sim/world/world.h"
 
@@ -30,11 +32,19 @@ ContactParams rubber(double stiffness, double damping, double friction);
 // Of a point of a link, as much damped at any stiffness.
 ContactParams shell(double stiffness, double friction);
 
+// Whether its dampers grow with the depth.
+inline bool damps_by_depth(ContactModel contact) noexcept {
+  return contact == ContactModel::kHuntCrossley || contact == ContactModel::kPatch;
+}
+
 // Damped as the world's contact model asks.
 ContactParams as_asked(const WorldConfig& config, const ContactParams& params);
 
 // Must have a shape.
 Solid solid_of(const Obstacle& obstacle) noexcept;
+
+// Springs and dampers so many times as strong.
+ContactParams times(const ContactParams& params, double share) noexcept;
 
 // Of a point from a tile of uneven ground: all that is below its top is in it, and pushed out
 // upwards.
@@ -94,6 +104,8 @@ class GroundContacts {
   Distance distance(std::size_t surface, const Eigen::Vector3d& point) const noexcept;
   void find_corners(const ArticulatedBody& body, double h,
                     std::vector<Contact>& contacts) const noexcept;
+  void find_patches(const ArticulatedBody& body, double h, std::size_t& cursor,
+                    std::vector<Contact>& contacts) const noexcept;
   void find_probes(const ArticulatedBody& body, double h,
                    std::vector<Contact>& contacts) const noexcept;
   // velocity: of the link that is found to touch.
@@ -105,6 +117,8 @@ class GroundContacts {
   std::array<std::array<Eigen::Vector3d, kSoleCorners>, 2> corner_;  // link frame
   std::array<ContactParams, 2> sole_params_;
   ContactParams shell_params_;
+  std::optional<SolePatches> patches_;  // of contact patch
+  int sole_keys_ = 0;                   // of its surfaces
   std::array<double, 2> ground_height_;
   std::array<std::array<double, kSoleCorners>, 2> offset_{};
   std::vector<Obstacle> obstacles_;  // the solid ones, then the tiles of uneven ground

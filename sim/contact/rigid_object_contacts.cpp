@@ -5,10 +5,11 @@
 #include <limits>
 #include <utility>
 
-#include "geometry/bounds/convex_hull.h"
 #include "common/math/index.h"
+#include "geometry/bounds/convex_hull.h"
 #include "sim/contact/bristle.h"
 #include "sim/contact/ground_contacts.h"
+#include "sim/contact/rigid_object_mesh.h"
 #include "sim/world/link_hull.h"
 
 namespace twinbus {
@@ -57,6 +58,7 @@ ContactParams together(const ContactParams& a, const ContactParams& b) {
 LooseContacts::LooseContacts(const Model& model, const WorldConfig& config)
     : robots_meet_(config.self_contact || !config.robots.empty()),
       self_contact_(config.self_contact),
+      patches_(config.contact == ContactModel::kPatch),
       apart_(1 + config.loose.size() + config.robots.size()),
       ground_(hard(kRigid, kRigid, config.ground_friction)) {
   int system = 0;
@@ -64,10 +66,14 @@ LooseContacts::LooseContacts(const Model& model, const WorldConfig& config)
     Piece piece;
     piece.system = ++system;
     piece.solid = body.solid;
-    piece.mesh = body.mesh;
-    piece.only_mesh = body.mesh != nullptr;
+    piece.mesh = body.mesh != nullptr || !patches_ ? body.mesh : mesh_of(body.solid);
+    piece.only_mesh = piece.mesh != nullptr;
     if (!piece.only_mesh) piece.probes = probes_of(body.solid);
     piece.solid_too = !piece.only_mesh;
+    if (patches_ && body.mesh == nullptr) {
+      piece.ball = body.solid.shape == SolidShape::kSphere;
+      if (body.solid.shape == SolidShape::kBox) piece.box_half = 0.5 * body.solid.size;
+    }
     piece.params = as_asked(config, hard(body.stiffness, body.damping, body.friction));
     add(std::move(piece));
   }
@@ -120,6 +126,7 @@ void LooseContacts::add_robot(const Model& model, const WorldConfig& config, int
     for (int corner = 0; corner < kSoleCorners; ++corner) {
       piece.probes.push_back({sole_corner(sole, corner), 0.0});
     }
+    if (patches_) give_sole_mesh(sole, piece);
     add(std::move(piece));
   }
   for (std::size_t i = 0; i < model.links.size(); ++i) {
@@ -147,6 +154,7 @@ void LooseContacts::add_robot(const Model& model, const WorldConfig& config, int
                       [&](const Probe& p) { return (in_sole * p.center).z() < kSoleSkin; });
         piece.of_foot = true;
       }
+      if (patches_ && piece.of_foot) give_foot_mesh(model, piece);
       add(std::move(piece));
     }
   }
@@ -205,7 +213,11 @@ void LooseContacts::add(Piece piece) {
   }
   piece.thickness = thickness_of(piece.solid_too, piece.tile, piece.solid);
   if (piece.only_mesh) piece.thickness = piece.mesh->box().sizes().minCoeff();
+  if (patches_ && piece.solid_too && piece.solid.shape == SolidShape::kBox && piece.mesh == nullptr)
+    piece.box_half = 0.5 * piece.solid.size;
   thinnest_ = std::min(thinnest_, piece.thickness);
+  if (patches_ && piece.sole < 0)
+    piece.per_area = kSoleCorners / mean_face(piece.solid, piece.mesh.get());
   piece.first_key = next_key_;
   // Two more for the ends of a cylinder that rolls.
   next_key_ += static_cast<int>(piece.probes.size()) + 2;

@@ -6,7 +6,8 @@
 // probes enter.  A sole has its corners for probes and no solid.  Springs and dampers of two pieces
 // act in series, friction is the geometric mean.  Two boxes that overlap while no corner is about as deep
 // in the other, as where edges cross, meet where they overlap (sim/contact/box_overlap.h).  A body of triangles meets
-// the triangles of all else (sim/contact/rigid_object_mesh.h).
+// the triangles of all else (sim/contact/rigid_object_mesh.h).  With contact patch boxes, balls and soles press one another
+// with an area (geometry/mesh_contact/patch.h), everything loose so presses ground and tiles; other pairs keep the manifold's points.
 
 #pragma once
 
@@ -16,6 +17,7 @@
 #include <vector>
 
 #include "geometry/mesh_contact/manifold.h"
+#include "geometry/mesh_contact/patch.h"
 #include "sim/contact/box_overlap.h"
 #include "sim/contact/contact_solve.h"
 #include "sim/world/link_pairs.h"
@@ -67,6 +69,11 @@ class LooseContacts {
     bool only_mesh = false;
     Eigen::Isometry3d in_link = Eigen::Isometry3d::Identity();
     ContactParams params;
+    double per_area = 1.0;  // of contact patch: times the springs of a point [1/m^2]
+    Eigen::Vector3d box_middle =
+        Eigen::Vector3d::Zero();  // of it too: of a mesh that is a box, its own axes
+    bool ball = false;            // and of a loose one
+    Eigen::Vector3d box_half = Eigen::Vector3d::Zero();  // zero: it is none
     std::vector<Probe> probes;  // in the solid's axes
     int first_key = 0;          // of its probes
     double radius = 0.0;        // about its middle [m]
@@ -117,6 +124,21 @@ class LooseContacts {
   void give_meshes();
   // other: -1: the ground.
   void meet_mesh(std::size_t own, int other, Search& search) noexcept;
+  // In sim/contact/rigid_object_patch.cpp.
+  void give_sole_mesh(const Sole& sole, Piece& piece) const;
+  void give_foot_mesh(const Model& model, Piece& piece) const;
+  // False: of such a pair the points of the manifold are taken.
+  bool meet_patch(std::size_t own, int other, Search& search) noexcept;
+  // ahead: at the end of the step, as far as speeds say.
+  bool presses(std::size_t own, int other, const Search& search, bool ahead, Patch& patch) noexcept;
+  bool ball_presses(std::size_t own, int other, const Search& search, bool ahead,
+                    Patch& patch) const noexcept;
+  void press(const Patch& patch, std::size_t own, int other, bool ahead, Search& search) noexcept;
+  // The least depth of two boxes, or how deep a sole is in the top of one.
+  bool box_constraint(const Piece& a, const Piece& b, const Search& search, bool ahead,
+                      Eigen::Vector3d& normal, double& depth) const noexcept;
+  static Eigen::Vector3d up_from(const Piece& box, const Eigen::Vector3d& up) noexcept;
+  Eigen::Isometry3d pose_at(const Piece& piece, const Search& search, bool ahead) const noexcept;
   void meet_probes(std::size_t own, std::size_t other, Search& search) noexcept;
   static bool is_box(const Piece& piece) noexcept;  // and its corners meet others
   // end_a: where the first is at the end of the step.
@@ -134,10 +156,12 @@ class LooseContacts {
   std::vector<Outline> robots_;
   std::vector<char> alone_;  // by system
   bool robots_meet_ = false, self_contact_ = false;
+  bool patches_ = false;          // contact patch
   std::vector<LinkPairs> apart_;  // by system
   ContactParams ground_;
   ManifoldFinder finder_;
   Manifold manifold_;
+  PatchFinder patch_finder_;
   int next_key_ = 0;
   double thinnest_ = std::numeric_limits<double>::infinity();  // of two pieces together [m]
   std::vector<Memory> memory_, saved_;  // in the order of find()

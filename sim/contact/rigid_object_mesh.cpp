@@ -122,6 +122,7 @@ void LooseContacts::meet_mesh(std::size_t own, int other, Search& search) noexce
   const Piece& a = pieces_[own];
   const Piece* b = other >= 0 ? &pieces_[at(other)] : nullptr;
   if (a.mesh == nullptr || (b != nullptr && b->mesh == nullptr)) return;
+  if (patches_ && meet_patch(own, other, search)) return;
   const Eigen::Isometry3d pose_a = pose_of(a.rotation, a.center), end_a = end_of(a, search);
   const Eigen::Isometry3d back = pose_a * end_a.inverse(Eigen::Isometry);
   if (b == nullptr) {

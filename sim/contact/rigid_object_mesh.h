@@ -28,4 +28,7 @@ Eigen::Matrix3d inertia_of(const LooseBody& body) noexcept;
 // Of a simple shape, round ones from outside.
 std::shared_ptr<const ContactMesh> mesh_of(const Solid& solid);
 
+// Of the box around a shape, or around its triangles if it has some [m^2].
+double mean_face(const Solid& solid, const ContactMesh* mesh);
+
 }  // namespace twinbus

@@ -55,6 +55,10 @@ void OdeWorld::Impl::find_sole_contacts(std::size_t index) noexcept {
     const Sole& sole = robot.model.soles[foot];
     if (sole.link < 0 || robot.body(sole.link) == nullptr) continue;
     const Eigen::Isometry3d& link = robot.kinematics.link_in_world(sole.link);
+    if (robot.patches) {
+      press_sole(index, side);
+      continue;
+    }
     for (int corner = 0; corner < kSoleCorners; ++corner) {
       const Eigen::Vector3d point = link * (sole.frame * sole_corner(sole, corner));
       const double raised = robot.offset[foot][static_cast<std::size_t>(corner)];
@@ -77,6 +81,32 @@ void OdeWorld::Impl::find_sole_contacts(std::size_t index) noexcept {
       geom.depth = depth;
       add_contact(geom, index, sole.link, side);
     }
+  }
+}
+
+// With all of its area, as in the other engine.
+void OdeWorld::Impl::press_sole(std::size_t index, int side) noexcept {
+  const OdeRobot& robot = robots[index];
+  const auto foot = static_cast<std::size_t>(side);
+  const Sole& sole = robot.model.soles[foot];
+  const Eigen::Isometry3d frame = robot.kinematics.link_in_world(sole.link) * sole.frame;
+  SolePatches::Points points;
+  const int count = robot.patches->find(
+      foot, frame, robot.kinematics.point_velocity(sole.link, frame.translation()),
+      robot.kinematics.angular_velocity(sole.link), h, robot.config.ground_height[foot],
+      robot.offset[foot], points);
+  const ContactParams whole = together(robot.surface(side), ground);
+  for (int i = 0; i < count && has_room(); ++i) {
+    const SolePoint& point = points[static_cast<std::size_t>(i)];
+    dContactGeom geom{};
+    for (int k = 0; k < 3; ++k) {
+      geom.pos[k] = point.position[k];
+      geom.normal[k] = point.normal[k];
+    }
+    geom.depth = point.depth;
+    const int felt = feel(index, sole.link, side, geom);
+    if (index == 0 && felt < 0) return;
+    add_row(geom, robot.body(sole.link), nullptr, times(whole, point.weight), felt, -1);
   }
 }
 

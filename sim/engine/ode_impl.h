@@ -49,7 +49,7 @@ struct OdeWorld::Impl {
   void meet_fixed(std::size_t index, dGeomID geom) noexcept;
   void meet_loose(std::size_t index, std::size_t other) noexcept;
   void meet_link(std::size_t index, std::size_t robot, const OdeGeom& geom) noexcept;
-  // As damped as that, but for contact hunt_crossley.
+  // As damped as that, but for contacts hunt_crossley and patch.
   void add_loose_row(const dContactGeom& geom, dBodyID own, dBodyID other,
                      const ContactParams& params, int felt_by_other) noexcept;
 
@@ -71,6 +71,7 @@ struct OdeWorld::Impl {
   void add_solid(const Obstacle& obstacle, std::vector<dGeomID>& geoms);
   void find_contacts() noexcept;
   void find_sole_contacts(std::size_t robot) noexcept;
+  void press_sole(std::size_t robot, int side) noexcept;
   void find_link_contacts(std::size_t robot) noexcept;
   // Of a robot with what is fixed.
   void add_contact(const dContactGeom& geom, std::size_t robot, int link, int sole) noexcept;

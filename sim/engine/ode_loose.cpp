@@ -131,9 +131,8 @@ void OdeWorld::Impl::meet_link(std::size_t index, std::size_t robot, const OdeGe
 void OdeWorld::Impl::add_loose_row(const dContactGeom& geom, dBodyID first, dBodyID second,
                                    const ContactParams& params, int felt_by_other) noexcept {
   if (!has_room()) return;
-  const double c = config.contact == ContactModel::kHuntCrossley
-                       ? damping_at(as_asked(config, params), geom.depth)
-                       : params.damping;
+  const double c = damps_by_depth(config.contact) ? damping_at(as_asked(config, params), geom.depth)
+                                                  : params.damping;
   rows.push_back({soft_row(geom, velocity_between(geom, first, second), first, params.stiffness, c,
                            params.friction),
                   first, second, -1, felt_by_other});

@@ -37,6 +37,11 @@ OdeRobot::OdeRobot(const Model& m, const WorldConfig& c)
     : model(m), config(c), never(m), configuration(m), start_of_step(m), kinematics(m) {
   check_links(model, config.fixed_base);
   read_hulls();
+  if (config.contact == ContactModel::kPatch) {
+    WorldConfig ground = config;
+    ground.obstacles.clear();  // a foot meets them with its own geoms
+    patches.emplace(model, ground);
+  }
 }
 
 OdeRobot::~OdeRobot() {

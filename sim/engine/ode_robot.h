@@ -7,12 +7,14 @@
 
 #include <array>
 #include <deque>
+#include <optional>
 #include <vector>
 
 #include "robot/kinematics/kinematics.h"
 #include "sim/contact/contact_law.h"
-#include "sim/world/link_pairs.h"
+#include "sim/contact/sole_patches.h"
 #include "sim/engine/ode_mesh.h"
+#include "sim/world/link_pairs.h"
 #include "sim/world/world.h"
 
 namespace twinbus {
@@ -86,6 +88,7 @@ struct OdeRobot {
   std::vector<OdeGeom> geoms;
   std::array<std::array<double, kSoleCorners>, 2> offset{};
   LinkPairs never;  // touch one another
+  std::optional<SolePatches> patches;  // of contact patch, on ground and tiles
 
   Configuration configuration;
   Configuration start_of_step;

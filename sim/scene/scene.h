@@ -121,7 +121,7 @@ struct Scene {
   std::string name;
   std::string robot = "hrp1s";
   std::string engine = "articulated";     // or ode
-  std::string contact = "spring_damper";  // or hunt_crossley, or rigid, engine ode only
+  std::string contact = "spring_damper";  // or hunt_crossley, patch, or rigid, engine ode only
   double duration = 10.0;                 // [s] of `twinbus run`
   std::string about;                      // one sentence
   double accuracy = 0.0;  // error asked for: `run` finds order and step that hold it [m]; 0: not asked
@@ -161,7 +161,7 @@ void resolve_poses(Scene& scene, const Model& model);
 // name_or_file: a YAML file, or a name under config/scenes.  Throws std::runtime_error naming file,
 // line and the nearest valid key.
 //
-// Keys: about, robot, engine (articulated or ode), contact (spring_damper, hunt_crossley or rigid), duration, step, accuracy (0.001 or 1 mm), start_pose, start_velocity: {JOINT: speed, ...}, base (floating or fixed), ground:
+// Keys: about, robot, engine (articulated or ode), contact (spring_damper, hunt_crossley, patch or rigid), duration, step, accuracy (0.001 or 1 mm), start_pose, start_velocity: {JOINT: speed, ...}, base (floating or fixed), ground:
 // {friction}, obstacles: see scene_obstacle.h, pushes: [link, point, impulse, at,
 // duration], modes: [at, mode, motion, pose, duration, amplitude, frequency], goals: [at, hand,
 // position, reach (from the shoulder, in lengths of the arm), rpy_deg, pose, speed, cancel], walks: [at, for, vx, vy, wz], pads: [at, for, left_x, left_y, right_x],

@@ -62,7 +62,7 @@ const Entry kEntries[] = {
     {"contact.damping_scale", 0.0, 1e3, "damping of the soles times this",
      [](SimSettings& s, double v, double) { s.world.damping_scale = v; }},
     {"contact.dissipation", 0.0, 1e3,
-     "damping of contact hunt_crossley, as much less a bounce [s/m]",
+     "damping of contacts hunt_crossley and patch, as much less a bounce [s/m]",
      [](SimSettings& s, double v, double) { s.world.dissipation = v; }},
     {"contact.friction", 0.0, 10.0, "Coulomb coefficient of the ground",
      [](SimSettings& s, double v, double) { s.world.ground_friction = v; }},
@@ -172,7 +172,7 @@ std::string apply_setting(const std::string& key, const std::string& value, doub
   }
   if (key == "contact") {
     if (contact_of(value, settings.world.contact)) return "";
-    return "setting contact=" + value + ": must be spring_damper, hunt_crossley or rigid";
+    return "setting contact=" + value + ": must be spring_damper, hunt_crossley, rigid or patch";
   }
   const Entry* nearest = kEntries;
   for (const Entry& entry : kEntries) {

@@ -38,8 +38,9 @@ enum class ContactModel {
   kSpringDamper,  // a spring and damper at each point
   kHuntCrossley,  // a spring, and a damper that grows with the depth: section 3.3.2 of the paper
   kRigid,         // no way in: the LCP of engine ode, which alone has it, for comparison
+  kPatch,  // of the area that presses, with a damper as kHuntCrossley: section 3.3 of the paper
 };
-inline constexpr const char* kContactNames[] = {"spring_damper", "hunt_crossley", "rigid"};
+inline constexpr const char* kContactNames[] = {"spring_damper", "hunt_crossley", "rigid", "patch"};
 
 // False: there is no such contact.
 bool contact_of(const std::string& name, ContactModel& contact);
@@ -95,7 +96,7 @@ struct WorldConfig {
   double ground_friction = 0.8;                   // combined with the sole's as geometric mean
   double stiffness_scale = 1.0;                   // of the soles' springs
   double damping_scale = 1.0;                     // of the soles' dampers
-  double dissipation = 2.0;                       // of kHuntCrossley, everywhere [s/m]
+  double dissipation = 2.0;                       // of kHuntCrossley and kPatch, everywhere [s/m]
   std::array<double, 2> ground_height{0.0, 0.0};  // under left and right sole [m]
   double servo_kp_scale = 1.0;
   double servo_kd_scale = 1.0;
@@ -137,8 +138,7 @@ Status check_configuration(std::size_t joints, const Configuration& configuratio
 
 // Whether a loose body may be set to this: kNotFinite, kOutOfRange.
 Status check_loose(const LooseState& state) noexcept;
-// Contacts of a loose body that an engine has room for.
-inline constexpr int kMostLooseContacts = 40;
+inline constexpr int kMostLooseContacts = 40;  // of a body, that an engine has room for
 
 // Joints: below this speed Coulomb friction creeps [rad/s or m/s].
 inline constexpr double kStickSpeed = 0.01;

@@ -18,9 +18,9 @@
 #include "common/math/index.h"
 #include "common/process/arguments.h"
 #include "common/process/process.h"
-#include "robot/description/load.h"
 #include "launcher/run/judge_scene.h"
 #include "launcher/run/ladder.h"
+#include "robot/description/load.h"
 #include "sim/scene/scene_seed.h"
 
 namespace twinbus {
@@ -65,7 +65,8 @@ class Case {
       ++counts.cells;
       const Ladder ladder = climb_to(error, false);
       const int chosen = ladder.choose(error);
-      std::printf("%-16s %6.3g mm  references %.2g mm apart  ", name_.c_str(), 1e3 * error, 1e3 * known);
+      std::printf("%-16s %6.3g mm  references %.2g mm apart  ", name_.c_str(), 1e3 * error,
+                  1e3 * known);
       if (!ladder.parted.empty()) {
         std::printf("said: %s cannot be held\n", ladder.parted.front().body.c_str());
         continue;
@@ -76,24 +77,29 @@ class Case {
       }
       ++counts.answered;
       const Rung& rung = ladder.rungs[at(chosen)];
-      const double truth = distance(track_of(at_rung(scene_, rung.order, rung.step)), reference).most;
+      const double truth =
+          distance(track_of(at_rung(scene_, rung.order, rung.step)), reference).most;
       const double estimate = ladder.estimate(at(chosen));
       const double best = best_cost(whole, reference, error);
       if (!(known <= kKnown * error)) {
         ++counts.unknown;
-        std::printf("nothing can be said (order %d at %.3g ms: %.3g mm)\n", rung.order, 1e3 * rung.step,
-                    1e3 * truth);
+        std::printf("nothing can be said (order %d at %.3g ms: %.3g mm)\n", rung.order,
+                    1e3 * rung.step, 1e3 * truth);
         continue;
       }
       counts.held += truth <= error ? 1 : 0;
       counts.thrice += truth > 3.0 * error ? 1 : 0;
       counts.estimated += truth <= 3.0 * estimate && estimate <= 3.0 * truth ? 1 : 0;
       counts.cheap += cost_of(rung) <= 1.5 * best ? 1 : 0;
-      std::printf("order %d at %.3g ms  %.3g mm, estimated %.3g  %.2f ms/s, best fixed %.2f, choosing %.1f s\n",
-                  rung.order, 1e3 * rung.step, 1e3 * truth, 1e3 * estimate, cost_of(rung), best, ladder.cost);
+      std::printf(
+          "order %d at %.3g ms  %.3g mm, estimated %.3g  %.2f ms/s, best fixed %.2f, choosing %.1f "
+          "s\n",
+          rung.order, 1e3 * rung.step, 1e3 * truth, 1e3 * estimate, cost_of(rung), best,
+          ladder.cost);
       if (csv != nullptr) {
-        std::fprintf(csv, "%s,%g,%g,%d,%g,%g,%g,%g,%g,%g,%g\n", name_.c_str(), duration_, error, rung.order, rung.step,
-                     truth, estimate, known, cost_of(rung), best, ladder.cost);
+        std::fprintf(csv, "%s,%g,%g,%d,%g,%g,%g,%g,%g,%g,%g\n", name_.c_str(), duration_, error,
+                     rung.order, rung.step, truth, estimate, known, cost_of(rung), best,
+                     ladder.cost);
       }
     }
     std::fflush(stdout);
@@ -126,7 +132,8 @@ class Case {
     for (const Rung& rung : known.rungs) {
       bool holds = true;
       for (const Rung& finer : known.rungs) {
-        if (finer.order == rung.order && finer.step <= rung.step) holds = holds && finer.apart <= error;
+        if (finer.order == rung.order && finer.step <= rung.step)
+          holds = holds && finer.apart <= error;
       }
       if (holds && !(best <= cost_of(rung))) best = cost_of(rung);
     }
@@ -141,21 +148,24 @@ class Case {
 };
 
 int accuracy(int argc, char** argv) {
-  const Arguments arguments({"bench accuracy",
-                             "SCENE:SECONDS...",
-                             "Holds the choices of run --accuracy against converged references; exit status 0 only if "
-                             "95 % hold and none is over three times.",
-                             {{"--errors", "LIST", "[mm]; default 10,1,0.1"}, {"--csv", "F.csv", "one line a choice"}},
-                             1,
-                             100},
-                            std::vector<std::string>(argv + 1, argv + argc));
+  const Arguments arguments(
+      {"bench accuracy",
+       "SCENE:SECONDS...",
+       "Holds the choices of run --accuracy against converged references; exit status 0 only if "
+       "95 % hold and none is over three times.",
+       {{"--errors", "LIST", "[mm]; default 10,1,0.1"}, {"--csv", "F.csv", "one line a choice"}},
+       1,
+       100},
+      std::vector<std::string>(argv + 1, argv + argc));
   const std::vector<double> errors = errors_of(arguments.text("--errors", "10,1,0.1"));
   std::FILE* csv = nullptr;
   if (const std::string file = arguments.text("--csv", ""); !file.empty()) {
     csv = std::fopen(file.c_str(), "w");
     if (csv == nullptr) throw std::runtime_error("cannot write " + file);
-    std::fprintf(csv, "scene,duration_s,asked_m,order,step_s,true_m,estimate_m,references_m,cost_ms_per_s,best_ms_per_s,"
-                      "choosing_s\n");
+    std::fprintf(csv,
+                 "scene,duration_s,asked_m,order,step_s,true_m,estimate_m,references_m,cost_ms_per_"
+                 "s,best_ms_per_s,"
+                 "choosing_s\n");
   }
   Counts counts;
   for (std::size_t i = 0; i < arguments.words().size(); ++i) {
@@ -166,14 +176,18 @@ int accuracy(int argc, char** argv) {
   }
   if (csv != nullptr) std::fclose(csv);
   const int judged = counts.answered - counts.unknown;
-  std::printf("%d cells, %d answered, %d of them unknown; of %d: held %d, over three times %d, estimate within 3 %d, "
-              "at most 1.5 times the best fixed setting %d\n",
-              counts.cells, counts.answered, counts.unknown, judged, counts.held, counts.thrice, counts.estimated,
-              counts.cheap);
+  std::printf(
+      "%d cells, %d answered, %d of them unknown; of %d: held %d, over three times %d, estimate "
+      "within 3 %d, "
+      "at most 1.5 times the best fixed setting %d\n",
+      counts.cells, counts.answered, counts.unknown, judged, counts.held, counts.thrice,
+      counts.estimated, counts.cheap);
   return judged > 0 && counts.held >= 0.95 * judged && counts.thrice == 0 ? 0 : 1;
 }
 
 }  // namespace
 }  // namespace twinbus
 
-int main(int argc, char** argv) { return twinbus::run_process("bench accuracy", &twinbus::accuracy, argc, argv); }
+int main(int argc, char** argv) {
+  return twinbus::run_process("bench accuracy", &twinbus::accuracy, argc, argv);
+}

@@ -59,18 +59,16 @@ TEST_P(HeldError, ByTheChoiceOfTheLadder) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Untuned, HeldError,
-                         ::testing::Values(Asked{"stick_slip", 0.3, 1e-2, true},
-                                           Asked{"stick_slip", 0.3, 1e-3, false},
-                                           Asked{"brick_stop", 0.3, 1e-2, true},
-                                           Asked{"brick_stop", 0.3, 1e-4, false},
-                                           Asked{"governor", 0.5, 1e-4, false},
-                                           Asked{"pendulum", 1.0, 1e-3, false},
-                                           Asked{"arm_reach", 0.6, 1e-4, false}),
-                         [](const auto& each) {
-                           return std::string(each.param.scene) + "_" +
-                                  std::to_string(std::lround(1e6 * each.param.error)) + "um";
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Untuned, HeldError,
+    ::testing::Values(Asked{"stick_slip", 0.3, 1e-2, true}, Asked{"stick_slip", 0.3, 1e-3, false},
+                      Asked{"brick_stop", 0.3, 1e-2, true}, Asked{"brick_stop", 0.3, 1e-4, false},
+                      Asked{"governor", 0.5, 1e-4, false}, Asked{"pendulum", 1.0, 1e-3, false},
+                      Asked{"arm_reach", 0.6, 1e-4, false}),
+    [](const auto& each) {
+      return std::string(each.param.scene) + "_" +
+             std::to_string(std::lround(1e6 * each.param.error)) + "um";
+    });
 
 }  // namespace
 }  // namespace twinbus

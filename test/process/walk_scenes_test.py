@@ -92,6 +92,9 @@ def main():
     run(checks, "reach_scan", 1)
     run(checks, "stamp", 1)
     run(checks, "walk_forward", 1, contact="hunt_crossley")
+    for scene in ["stand", "walk_forward", "walk_rough", "walk_slope", "push_walk", "boxes_tumble", "plate_underfoot", "pile_bricks"]:
+        run(checks, scene, 1, contact="patch")
+    run(checks, "stand", 1, contact="patch", engine="ode")
     run(checks, "hook_on_step", 1, engine="ode")
     run(checks, "walk_slope", 1, engine="ode")
     for scene in ROBOTS:
