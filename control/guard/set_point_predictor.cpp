@@ -12,7 +12,7 @@ namespace {
 constexpr double kServoError = 0.1;
 // A set-point of ours that is farther than this from its joint is a wrong guess [rad or m].
 constexpr double kLost = 0.3;
-constexpr std::int64_t kMostLeftOut = 10;  // commands in a row [ticks]
+constexpr std::int64_t kMostLeftOut = 10'000;  // commands or looks in a row [ticks]
 // A set-point this close to its command is there [rad or m].
 constexpr double kFollows = 1e-9;
 
@@ -53,6 +53,7 @@ void SetPointTrack::start(const RobotState& state, const JointCommand& command) 
   }
   held_now_ = fading_ = 0;
   heard_tick_ = command.tick - 1;
+  looked_tick_ = state.tick - 1;
   started_ = true;
 }
 
@@ -155,12 +156,13 @@ void SetPointTrack::look(std::size_t k, double measured) noexcept {
 }
 
 // Joints that nothing holds and that are where they are asked to be: the command speeds up as it does, then a brake comes.
+// since: the look before [s].
 TWINBUS_AVX2_CLONES
-void SetPointTrack::move_free(const RobotState& state) noexcept {
+void SetPointTrack::move_free(const RobotState& state, double since) noexcept {
   const double obeyed_s = delay_ - lag_, held_s = obeyed_s - period_;
   for (std::size_t k = 0; k < count_; ++k) {
     const double limit = limit_[k], measured = state.q[k];
-    const double most = limit * period_;
+    const double most = limit * since;
     const double q =
         between(between(asked_[k], q_[k] - most, q_[k] + most), measured - kLost, measured + kLost);
     const double behind = q - measured, v = asked_v_[k], a = acceleration_[k];
@@ -215,7 +217,10 @@ void SetPointTrack::follow(const RobotState& state, const JointCommand& command,
   const std::int64_t ticks = command.tick - heard_tick_;
   if (ticks != 0) hear(command, static_cast<double>(std::clamp<std::int64_t>(ticks, 1, kMostLeftOut)) * period_);
   heard_tick_ = command.tick;
-  move_free(state);
+  // A guard that stood still has not seen the set-points move.
+  const std::int64_t looks = std::clamp<std::int64_t>(state.tick - looked_tick_, 1, kMostLeftOut);
+  looked_tick_ = state.tick;
+  move_free(state, static_cast<double>(looks) * period_);
   hold(in_force & (bit(static_cast<int>(count_)) - 1));
   const std::int64_t bound = held_now_ | fading_;
   for (std::size_t k = 0; k < count_; ++k) {

@@ -69,7 +69,7 @@ class SetPointTrack {
   };
   void start(const RobotState& state, const JointCommand& command) noexcept;
   void hear(const JointCommand& command, double since) noexcept;
-  void move_free(const RobotState& state) noexcept;
+  void move_free(const RobotState& state, double since) noexcept;
   void hold(std::int64_t joints) noexcept;
   void move_bound(std::size_t k, double measured) noexcept;
   void look(std::size_t k, double measured) noexcept;
@@ -86,7 +86,7 @@ class SetPointTrack {
   std::size_t count_;
   int delay_ticks_;
   bool started_ = false;
-  std::int64_t heard_tick_ = 0;  // of the last command
+  std::int64_t heard_tick_ = 0, looked_tick_ = 0;  // of the last command and state
   std::array<std::int64_t, kMostDelay> masks_{};  // on their way, the newest first
   PerJoint<double> limit_{};                      // fastest set-point [rad/s or m/s]
   PerJoint<double> brake_{};

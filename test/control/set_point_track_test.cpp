@@ -62,6 +62,21 @@ TEST(SetPointTrack, TicksThatWereLeftOutMakeNoJointFaster) {
   }
 }
 
+// A guard that stood still finds a joint far from where it was, and the set-point with it: nothing runs after anything.
+TEST(SetPointTrack, ALookAfterALongPauseSeesTheSpeedThatThereIs) {
+  Fixture f;
+  const double speed = 0.5, step = speed * f.model.period();
+  double q = 0.0;
+  for (int i = 0; i < 50; ++i) f.tick(q += step);
+  f.command.tick += 100;
+  f.state.tick += 101;
+  q += 101 * step;
+  f.state.q[kJoint] = q - step;
+  f.tick(q);
+  EXPECT_LT(f.track.if_obeyed(kJoint).speed, 1.05 * speed);
+  EXPECT_GT(f.track.if_obeyed(kJoint).speed, 0.95 * speed);
+}
+
 // look_ahead(v) = v delay + v |v| / (2 deceleration)
 TEST(SetPointTrack, AMovingJointComesToRestAfterDelayAndBrake) {
   for (const double speed : {0.5, -0.5}) {

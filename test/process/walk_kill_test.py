@@ -1,15 +1,17 @@
 #!/usr/bin/env python3
 """kill -9 of the controller at random instants of a walk, in a simulator and behind the bridge: the source follows the stop plan,
-nobody falls, and the controller that is started anew balances the robot where the plan has ended.
+nobody falls, and the controller that is started anew balances the robot where the plan has ended.  Word `others`: guard, planner,
+viewer and recorder killed and stopped, and the simulator stopped, while the robot walks: it walks on.
 
-    walk_kill_test.py [sim] [bridge]
+    walk_kill_test.py [sim] [bridge] [others]
 
-KILLS=N says how many of each (TWINBUS_FULL=1: 50, otherwise 2).  The seed is printed; KILL_SEED=N repeats a run.
+KILLS=N says how many of each (TWINBUS_FULL=1: 50, otherwise 2; of each of the others a fifth; as a rule four of them once).  The seed is printed; KILL_SEED=N repeats a run.
 """
 
 import os
 import random
 import signal
+import subprocess
 import sys
 import time
 
@@ -23,6 +25,7 @@ FALLEN = 20.0   # [degrees]
 AFTER = 5.0     # watched after the kill [s]
 UPRIGHT = 8.6   # of one that stands [degrees]
 LOADED = 100.0  # of a foot [N]
+OTHERS = ("guard", "planner", "viewer", "recorder")
 DEVICE = 8      # reason of a stop: the robot behind the bridge was not heard for 50 ms
 
 
@@ -60,6 +63,72 @@ def one_kill(checks, kind, scene, rng):
         return f"{'good' if good else 'BAD'}, tilt {most:.1f} degrees, {'balances again' if again else 'held'}"
 
 
+def walks_on(checks, stack, bus, what, fault):
+    """A fault in the middle of a walk; true when it goes on."""
+    bus.forget()
+    time.sleep(0.1)
+    began = time.monotonic_ns()
+    fault()
+    time.sleep(1.5)
+    most = max((tilt(s) for _, s in bus.messages("STATE", began)), default=99.0)
+    fell = most > FALLEN or any(t.fell for _, t in bus.messages("TRUTH", began))
+    state, status = bus.newest("STATE")[1], bus.newest("CONTROLLER_STATUS")[1]
+    good = checks.that(not fell, f"{what}: nobody falls, tilt {most:.1f} degrees")
+    good = checks.that(state is not None and state.stop_kind == 0, f"{what}: nothing is stopped") and good
+    places = [t.base_position[:2] for _, t in bus.messages("TRUTH", time.monotonic_ns() - 1_000_000_000)][::10]
+    way = sum(((a[0] - b[0]) ** 2 + (a[1] - b[1]) ** 2) ** 0.5 for a, b in zip(places, places[1:]))
+    good = checks.that(status is not None and status.mode == WALKS and way > 0.1, f"{what}: it walks on, {way:.2f} m in a second") and good
+    if not good:
+        print("".join(stack.lines[-6:]) + "\n".join(harness.story_of_a_stop(bus)), flush=True)
+    return good
+
+
+def others(checks, count, rng):
+    """Each of them `count` times, a few in each walk: `up` starts a process again at most 5 times."""
+    def stopped(program, ms):
+        pid = stack.pid(program)
+        os.kill(pid, signal.SIGSTOP)
+        time.sleep(1e-3 * ms)
+        os.kill(pid, signal.SIGCONT)
+
+    table = {}
+    for left in range(count, 0, -4):
+        with Stack("stand", "--for", "900") as stack:
+            bus = Bus()
+            time.sleep(3.0)
+            harness.cli("mode", "walk")
+            time.sleep(1.0)
+            for _ in range(min(left, 4)):
+                faults = [(f"{name} killed", lambda name=name: os.kill(stack.pid("twinbus_" + name), signal.SIGKILL))
+                          for name in OTHERS]
+                faults += [(f"{name} stopped for a while", lambda name=name: stopped("twinbus_" + name, rng.choice((20, 50, 200, 1000))))
+                           for name in OTHERS]
+                faults += [(f"simulator stopped for {ms} ms", lambda ms=ms: stopped("twinbus_simulator", ms)) for ms in (20, 50, 100, 200)]
+                rng.shuffle(faults)
+                if not (harness.FULL or "KILLS" in os.environ):
+                    faults = faults[:4]
+                for name, fault in faults:
+                    if not stack.pids("twinbus_recorder"):  # nothing else starts it again
+                        harness.cli("restart", "recorder")
+                    words = ["walk", "0.4", "0", rng.choice(("0.2", "0", "-0.2")), "--for", "20"]
+                    steers = subprocess.Popen([harness.BIN / "twinbus", *words], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+                    time.sleep(2.0 + rng.random())
+                    good = walks_on(checks, stack, bus, name, fault)
+                    steers.kill()
+                    steers.wait()
+                    if not good:
+                        harness.cli("clear")
+                        harness.cli("mode", "balance")
+                        time.sleep(1.0)
+                        harness.cli("mode", "walk")
+                    row = table.setdefault(name, [0, 0])
+                    row[0] += good
+                    row[1] += 1
+            bus.close()
+    for name, (good, of) in sorted(table.items()):
+        print(f"{name}: {good} of {of} walk on", flush=True)
+
+
 def main():
     harness.require("twinbus", "twinbus_simulator", "twinbus_controller", "twinbus_guard", "twinbus_planner", "twinbus_bridge",
                     "emulated_robot")
@@ -68,7 +137,10 @@ def main():
     rng = random.Random(seed)
     count = int(os.environ.get("KILLS", 50 if harness.FULL else 2))
     checks = Checks()
-    for kind in [word for word in sys.argv[1:] if word in SCENES] or list(SCENES):
+    words = sys.argv[1:] or [*SCENES, "others"]
+    if "others" in words:
+        others(checks, max(1, count // 5), rng)
+    for kind in [word for word in words if word in SCENES]:
         good = 0
         for number in range(count):
             scene = SCENES[kind][number % len(SCENES[kind])]
