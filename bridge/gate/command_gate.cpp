@@ -172,7 +172,8 @@ GateVerdict CommandGate::judge(const JointCommand& command, std::int64_t tick) c
     zero += (command.q[i] - command.q[i]) + floats;
   }
   if (!(zero == 0.0)) return GateVerdict::kNotFinite;
-  if (latch_.kind == StopKind::kBalanced && (command.flags & kCommandStopping) == 0) {
+  // The answer to a state that was published before the stop cannot know of it.
+  if (latch_.kind == StopKind::kBalanced && (command.flags & kCommandStopping) == 0 && command.tick > stop_tick_) {
     return GateVerdict::kStopped;
   }
   if (latch_.kind > StopKind::kBalanced && holds(off_, Rule::kStopShutsGate)) {
@@ -323,6 +324,7 @@ void CommandGate::stop(StopKind kind, StopReason reason, std::int64_t now_ns) no
 void CommandGate::entered_stop(StopKind before, std::int64_t now_ns) noexcept {
   if (latch_.kind <= before) return;
   stop_since_ns_ = now_ns;
+  stop_tick_ = published_tick_;
   ticks_without_stopping_ = 0;
   stopping_seen_ = false;
   // A source that follows no controller of its own has nobody who could make a balanced stop.

@@ -108,6 +108,9 @@ class CommandGate {
   void share_nonce(std::int32_t nonce, bool stopped) noexcept { latch_.share(nonce, stopped); }
   void guard(const GuardReport& report, std::int64_t now_ns) noexcept;
 
+  // The state of this tick is out, with the stop that is known by now.
+  void published(std::int64_t tick) noexcept { published_tick_ = tick; }
+
   // Time-outs; before output() and before the role of a tick is decided.
   void watch(std::int64_t now_ns) noexcept;
   // Once per tick: the set-point to write.  walking: the guard may not brake the legs.  robot: its estimate of this tick,
@@ -174,6 +177,7 @@ class CommandGate {
   bool held_after_plan_ = false;
   bool resumable_ = true;          // the plan that is followed has met no stop
   std::int64_t tick_ = -1;         // of the last output
+  std::int64_t published_tick_ = -1, stop_tick_ = -1;  // the newest state that is out, and that was when the stop came
   std::int64_t fed_tick_ = -1;     // of the source, when the last command was accepted
   std::int64_t usual_age_ = 0;     // of that command then [ticks]
   PlanRun plan_;

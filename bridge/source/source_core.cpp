@@ -436,6 +436,7 @@ void SourceCore::begin_tick(std::int64_t now_ns) noexcept {
   watch_for_a_fall(now_ns);
   written_ = false;
   fill_state();
+  gate_.published(state_.tick);
   fill_status();
 }
 

@@ -241,6 +241,18 @@ TEST_F(Gate, ABalancedStopPassesOnlyStoppingCommandsAndAtMostTwoSeconds) {
   EXPECT_EQ(gate.latch().kind, StopKind::kHold);
 }
 
+TEST_F(Gate, TheAnswerToAStateFromBeforeABalancedStopIsObeyed) {
+  offer(command());
+  next();
+  const JointCommand answer = command();
+  gate.published(answer.tick);
+  gate.stop(StopKind::kBalanced, StopReason::kOperator, now);
+  EXPECT_EQ(offer(answer), GateVerdict::kAccepted);
+  next();
+  gate.published(answer.tick + 1);
+  EXPECT_EQ(offer(command()), GateVerdict::kStopped);
+}
+
 TEST_F(Gate, ABalancedStopHoldsAfterThreeTicksWithoutStopping) {
   offer(command());
   next();
