@@ -94,7 +94,8 @@ def main():
             assert not points, f"{file} points into the source tree"
         programs(prefix, clean)
         outside = folder / "build"
-        said = run("cmake", "-S", HERE / "outside", "-B", outside, f"-DCMAKE_PREFIX_PATH={prefix}", "-DCMAKE_BUILD_TYPE=Release")
+        generator = ["-G", "Ninja"] if shutil.which("ninja") else []  # `make` need not be installed
+        said = run("cmake", *generator, "-S", HERE / "outside", "-B", outside, f"-DCMAKE_PREFIX_PATH={prefix}", "-DCMAKE_BUILD_TYPE=Release")
         assert len(re.findall(rf"^-- [A-Z_]+: {re.escape(str(prefix))}/", said, re.M)) == 6, said
         run("cmake", "--build", outside)
         lines = (HERE / "outside/command_joint.cpp").read_text().splitlines()
