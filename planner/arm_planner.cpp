@@ -267,6 +267,7 @@ bool ArmPlanner::find_goals(EdgeCheck& space, Question& question, SplitMix64& ra
   }
   if (question.goals.empty()) {
     plan.status = reached_any ? ArmPathStatus::kGoalInCollision : ArmPathStatus::kUnreachable;
+    plan.oriented = goal.kind == ArmGoalKind::kPose;
     plan.miss = reached_any ? 0.0 : miss_there;
     return false;
   }
@@ -425,8 +426,8 @@ std::string describe(const Model& model, const ArmPlan& plan) {
       return text;
     case ArmPathStatus::kUnreachable:
       std::snprintf(text, sizeof text,
-                    "out of reach by %.3f m: move the goal nearer or give up its orientation",
-                    plan.miss);
+                    "out of reach by %.3f m: move the goal nearer%s", plan.miss,
+                    plan.oriented ? " or give up its orientation" : "");
       return text;
     case ArmPathStatus::kStartInCollision:
       return name(plan.pair.link_a) + " touches " + name(plan.pair.link_b) +

@@ -39,6 +39,7 @@ struct ArmPlan {
   std::string complaint;    // kBadGoal: what is wrong with it
   CollisionPair pair;       // kStartInCollision, kGoalInCollision
   double miss = 0.0;        // kUnreachable: by how much [m]
+  bool oriented = false;    // kUnreachable: the goal has an orientation, too
   std::vector<int> joints;  // model indices of the columns
   TimedPath path;           // kOk
   double clearance = 0.0;   // proved: every posture of the path, between knots too, keeps it [m]

@@ -111,6 +111,10 @@ std::vector<std::string> channel_lines(const std::vector<const SeenProcess*>& pr
       lines.emplace_back(line);
     }
   }
+  lines.emplace_back(
+      "since each process began; lost: numbers that never came, repeated: sent again on purpose,\n"
+      "rejected: of another run or robot, or malformed.  A few of each belong to a start; what matters is\n"
+      "whether they grow (./twinbus status --watch).");
   return lines;
 }
 

@@ -91,7 +91,9 @@ std::vector<std::string> table_lines(const Lookout& seen, CpuShare& shares, std:
   }
   if (seen.controller_statuses().age(now_ns) < 1.0) {
     const ControllerStatus& c = seen.controller();
-    lines.push_back(line_of("robot: mode %s, ZMP margin %.1f mm, guard %s", label(c.mode),
+    const std::string motion = motion_text(c);
+    lines.push_back(line_of("robot: mode %s%s%s, ZMP margin %.1f mm, guard %s", label(c.mode),
+                            motion.empty() ? "" : ", ", motion.c_str(),
                             1e3 * static_cast<double>(c.zmp_margin), guard_word(seen, now_ns)) +
                     pace_text(seen, now_ns));
   }

@@ -172,6 +172,11 @@ bool is_paused(const Lookout& seen, std::int64_t now_ns) {
   return active != nullptr && active->status.pace == kPaused;
 }
 
+std::string motion_text(const ControllerStatus& status) {
+  if (status.mode != Mode::kBalance) return "";
+  return status.motion == Motion::kSway ? "sways" : status.motion == Motion::kSquat ? "moves up and down" : "";
+}
+
 const char* source_name(SourceKind source) {
   return word(static_cast<int>(source), {"none", "simulator", "bridge", "replay"});
 }

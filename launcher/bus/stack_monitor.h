@@ -97,6 +97,8 @@ class Lookout {
 // Words for what messages carry as numbers.
 // Does the active source stand still because somebody asked it to?
 bool is_paused(const Lookout& seen, std::int64_t now_ns);
+// "sways"; empty when it does nothing that has a name.
+std::string motion_text(const ControllerStatus& status);
 const char* source_name(SourceKind source);
 const char* process_name(ProcessKind kind);
 const char* realtime_name(std::int8_t realtime);  // as in Heartbeat

@@ -35,6 +35,16 @@ std::int64_t active_run(BusLink& bus) {
   return active->status.run_id;
 }
 
+void refuse_while_paused(const Lookout& seen) {
+  if (!is_paused(seen, monotonic_ns())) return;
+  throw std::runtime_error("the simulated world is paused: ./twinbus sim go, then ask again");
+}
+
+// While a balanced stop was asked: the stop that came of it.
+const char* kind_text(StopKind asked, StopKind now) {
+  return asked == StopKind::kBalanced && now == StopKind::kHold ? "balanced, and then held" : label(now);
+}
+
 }  // namespace
 
 BusLink open_bus(const Arguments& arguments) {
@@ -45,6 +55,7 @@ BusLink open_bus(const Arguments& arguments) {
 
 bool ask_controller(BusLink& bus, ModeRequest& request) {
   request.run_id = active_run(bus);
+  refuse_while_paused(bus.seen());
   const std::int64_t begin = monotonic_ns();
   std::int64_t asked = 0;
   while (!quit_requested() && seconds_since(begin) < kAnswerTimeout) {
@@ -75,12 +86,12 @@ std::string why_it_stays(BusLink& bus, const ModeRequest& request) {
 
 namespace {
 
-// "the robot sways"
-std::string what_it_does(const ControllerStatus& status) {
-  if (status.mode == Mode::kBalance && status.motion == Motion::kSway) return "the robot sways";
-  if (status.mode == Mode::kBalance && status.motion == Motion::kSquat)
-    return "the robot moves up and down";
-  return std::string("the controller is in mode ") + label(status.mode);
+// "the robot sways (./twinbus mode balance ends that)"
+std::string what_it_does(const ControllerStatus& status, const ModeRequest& request) {
+  const std::string motion = motion_text(status);
+  if (motion.empty()) return std::string("the controller is in mode ") + label(status.mode);
+  if (request.motion != Motion::kNone) return "the robot " + motion + " (./twinbus mode balance ends that)";
+  return std::string("the controller is in mode ") + label(status.mode) + ", what was left of the motion dies away";
 }
 
 bool does(const ControllerStatus& status, const ModeRequest& request) {
@@ -123,7 +134,7 @@ int report_mode(BusLink& bus, const ModeRequest& request, const char* asked) {
     return 1;
   }
   if (request.mode != Mode::kPose) {
-    std::printf("%s: %s\n", asked, what_it_does(bus.seen().controller()).c_str());
+    std::printf("%s: %s\n", asked, what_it_does(bus.seen().controller(), request).c_str());
     return 0;
   }
   if (wait_for_pose(bus, request)) {
@@ -196,7 +207,7 @@ int stop_command(const std::vector<std::string>& words) {
     const SeenSource* active = bus.seen().active(monotonic_ns());
     if (all && active != nullptr && seconds_since(begin) > 0.15) {
       std::printf("stop: %s is stopped (%s); ./twinbus clear lets it go on\n",
-                  describe(*active).c_str(), label(active->status.stop_kind));
+                  describe(*active).c_str(), kind_text(request.kind, active->status.stop_kind));
       return 0;
     }
     bus.send(request);
@@ -313,7 +324,8 @@ int mode_command(const std::vector<std::string>& words) {
                                    Mode::kStop};
   const Arguments arguments(
       {"mode", "idle|hold|balance|walk|stop",
-       "Asks the controller for a mode; it changes without a jump.",
+       "Asks the controller for a mode; it changes without a jump.  ./twinbus pose, sway and squat ask for what the robot\n"
+       "does in modes pose and balance.",
        on_bus({{"--let-go", "", "with idle: also of a standing robot, which falls"}}), 1, 1},
       words);
   if (arguments.has("--let-go")) {

@@ -19,7 +19,9 @@ int squat_command(const std::vector<std::string>& words);
 
 // For these and other commands.
 BusLink open_bus(const Arguments& arguments);
-// Sends request again and again until the controller shows its sequence.  False when it never does.
+// Sends request again and again until the controller shows its sequence.  False when it never does.  Throws
+// std::runtime_error before anything is sent when no source is active or the simulated world is paused: a request that
+// waited would be obeyed when nobody thinks of it any more.
 bool ask_controller(BusLink& bus, ModeRequest& request);
 // After it was asked: why the controller does not do it, and the remedy.
 std::string why_it_stays(BusLink& bus, const ModeRequest& request);

@@ -25,6 +25,7 @@ namespace {
 
 constexpr double kFirstState = 2.0;    // [s] until a robot must be heard
 constexpr double kAskAgain = 0.2;      // [s]
+constexpr std::int8_t kPaused = 4;     // SourceStatus::pace
 constexpr double kPlanTimeout = 15.0;  // [s]
 
 // What one `reach` hears of the stack.
@@ -35,6 +36,7 @@ class Watcher {
     bus_.listen_each<RobotState>(channel::kState, on_state_);
     bus_.listen_each<ArmPathPiece>(channel::kArmPath, on_path_);
     bus_.listen_each<ControllerStatus>(channel::kControllerStatus, on_status_);
+    bus_.listen_each<SourceStatus>(channel::kSourceStatus, on_source_);
   }
 
   void receive(double seconds) {
@@ -69,6 +71,7 @@ class Watcher {
   double duration = 0.0;   // [s] as far as known
   ControllerStatus status;
   std::int64_t statuses = 0;
+  bool paused = false;  // the simulated world
 
  private:
   void hear(const RobotState& state) {
@@ -99,11 +102,16 @@ class Watcher {
     ++statuses;
   }
 
+  void hear(const SourceStatus& source) {
+    if (source.role == Role::kActive || source.role == Role::kStopped) paused = source.pace == kPaused;
+  }
+
   struct On {
     Watcher* w;
     void operator()(const RobotState& m) const { w->hear(m); }
     void operator()(const ArmPathPiece& m) const { w->hear(m); }
     void operator()(const ControllerStatus& m) const { w->hear(m); }
+    void operator()(const SourceStatus& m) const { w->hear(m); }
   };
 
   const Model& model_;
@@ -113,7 +121,7 @@ class Watcher {
   bool other_robot_ = false;
   StopKind stop_kind_ = StopKind::kNone;
   std::int64_t tick_ = 0, states_ = 0;
-  On on_state_{this}, on_path_{this}, on_status_{this};
+  On on_state_{this}, on_path_{this}, on_status_{this}, on_source_{this};
 };
 
 ArmGoal goal_from(const Arguments& arguments, const Model& model) {
@@ -208,6 +216,7 @@ bool go(Watcher& watcher, const Model& model, ArmGoal& goal, bool say) {
   ask(watcher, goal);
   ArmPlan plan;  // as much of it as the message tells
   plan.status = watcher.first.status;
+  plan.oriented = goal.kind == ArmGoalKind::kPose;
   if (plan.status != ArmPathStatus::kOk) {
     plan.pair = {watcher.first.link_a, watcher.first.link_b};
     plan.miss = static_cast<double>(watcher.first.miss);
@@ -259,7 +268,8 @@ int reach_command(const std::vector<std::string>& words) {
     watcher.receive(0.02);
   if (watcher.states() == 0) {
     throw std::runtime_error(
-        watcher.other_robot()
+        watcher.paused ? "the simulated world is paused: ./twinbus sim go, then ask again"
+        : watcher.other_robot()
             ? "the robot on the bus is not " + model.name + "; give its folder with --robot"
             : "no robot is heard on " + options.url + "; start one with ./twinbus up");
   }

@@ -17,7 +17,8 @@ namespace twinbus {
 
 namespace {
 
-constexpr double kLookFor = 1.2;  // two rate windows [s]
+constexpr double kFirstLook = 0.2;  // who is there [s]
+constexpr double kLookFor = 1.2;    // two rate windows [s]
 
 Syntax status_syntax() {
   return {
@@ -100,6 +101,9 @@ int status_command(const std::vector<std::string>& words) {
               arguments.all("--allow"));
   Redraw redraw;
   CpuShare shares;
+  bus.listen(kFirstLook);
+  for (const SeenProcess* process : bus.seen().processes(monotonic_ns()))
+    (void)shares.recent(process->beat.pid, monotonic_ns());  // a share needs two looks
   bus.listen(kLookFor);
   while (arguments.has("--watch") && !quit_requested()) {
     const std::vector<std::string> lines = table_lines(bus.seen(), shares, monotonic_ns());

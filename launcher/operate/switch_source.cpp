@@ -159,6 +159,21 @@ class Switch {
     return gap;
   }
 
+  // ": joint 4 by 0.12 rad now; --align moves the target there first"; counted as on the bus, from 0.
+  std::string farthest_joint() const {
+    const SeenSource* active = bus_.seen().source(active_run_);
+    const SeenSource* target = bus_.seen().source(target_run_);
+    if (active == nullptr || target == nullptr || target->states.received() == 0) return "";
+    std::size_t worst = 0;
+    const auto gap = [&](std::size_t k) { return std::abs(active->state.q[k] - target->state.q[k]); };
+    for (std::size_t k = 1; k < static_cast<std::size_t>(active->state.joint_count); ++k) {
+      if (gap(k) > gap(worst)) worst = k;
+    }
+    char text[100];
+    std::snprintf(text, sizeof text, ": joint %zu by %.2f rad now; --align moves the target there first", worst, gap(worst));
+    return text;
+  }
+
   bool refused(const SourceRequest& request, std::int64_t answering_run) const {
     const SeenSource* source = bus_.seen().source(answering_run);
     return source != nullptr && source->status.refusal != Refusal::kNone &&
@@ -188,8 +203,10 @@ class Switch {
   }
 
   std::string reason(const SourceRequest& request, std::int64_t answering_run) const {
-    if (refused(request, answering_run))
-      return refusal_text(bus_.seen().source(answering_run)->status.refusal);
+    if (refused(request, answering_run)) {
+      const Refusal refusal = bus_.seen().source(answering_run)->status.refusal;
+      return refusal_text(refusal) + (refusal == Refusal::kPosture ? farthest_joint() : std::string());
+    }
     if (quit_requested()) return "interrupted";
     return "no answer in time";
   }

@@ -17,6 +17,7 @@ namespace twinbus {
 
 namespace {
 
+constexpr double kSaidLimit = 0.005;  // of a velocity that is less than it was asked [m/s, rad/s]
 constexpr double kRefusalTime = 0.3;  // in which a controller says that it does not walk so [s]
 constexpr double kRest = 0.02;        // slower the centre of mass rests [m/s]
 constexpr double kRestTime = 0.5;     // [s]
@@ -59,6 +60,18 @@ bool wait_for_rest(BusLink& bus, double least, double most) {
     if (seconds_since(begin) > least && seconds_since(moved) > kRestTime) return true;
   }
   return false;
+}
+
+// All the speeds at their most are more than the legs can do at once.
+void say_if_limited(const Model& model, std::int64_t running_hash, const WalkCommand& command) {
+  if (running_hash != model.hash) return;  // another robot: its limits are not known here
+  const Gait gait = gait_of(model, walking_of(model), WalkGains{}.stabilizer.margin);
+  const Eigen::Vector3d asked = Eigen::Vector3f(command.vx, command.vy, command.wz).cast<double>();
+  const Eigen::Vector3d possible = gait.possible(asked);
+  if ((possible - asked).cwiseAbs().maxCoeff() < kSaidLimit) return;
+  std::printf("walk: limited to %.2f %.2f %.2f, more at once %s does not walk\n", possible.x(), possible.y(), possible.z(),
+              model.name.c_str());
+  std::fflush(stdout);
 }
 
 int walk_steps(const Arguments& arguments) {
@@ -121,10 +134,12 @@ int walk_command(const std::vector<std::string>& words) {
   command.vy = static_cast<float>(arguments.word_number(1, "VY", -1.0, 1.0));
   command.wz = static_cast<float>(arguments.word_number(2, "WZ", -2.0, 2.0));
   command.timeout = 0.3F;
+  const Model model = load_robot(arguments.text("--robot", "hrp1s"));
   const double duration = arguments.number("--for", 2.0, 0.1, 3600.0);
   BusLink bus = open_bus(arguments);
   ModeRequest request;
   if (!enter_walk(bus, request)) return 1;
+  say_if_limited(model, bus.seen().newest_state().model_hash, command);
   command.run_id = request.run_id;
   const std::int64_t begin = monotonic_ns();
   while (!quit_requested() && seconds_since(begin) < duration) {
@@ -136,7 +151,7 @@ int walk_command(const std::vector<std::string>& words) {
   command.sequence = 0;
   command.vx = command.vy = command.wz = 0.0F;
   bus.send(command);
-  std::printf("walk: done\n");
+  std::printf("walk: done; the robot stands in mode walk and steps when it is pushed (./twinbus mode balance ends that)\n");
   return 0;
 }
 

@@ -11,6 +11,9 @@ import harness
 from harness import Bus, Checks, Stack, cli
 
 
+BALANCE = 4  # mode of CONTROLLER_STATUS
+
+
 def states(bus):
     return sum(1 for _ in bus.messages("STATE"))
 
@@ -36,6 +39,9 @@ def main():
         checks.that(states(bus) == before, "no tick while it is paused")
         status, said, _ = cli("status")
         checks.that(status == 0, f"it is there all the same: {said[:200]}")
+        for words in (("walk", "0.3", "0", "0"), ("sway",), ("pose", "CHEST=0.1"), ("mode", "walk"), ("reach", "left", "0.3", "0.2", "0.9")):
+            status, _, problem = cli(*words)
+            checks.that(status == 1 and "is paused: ./twinbus sim go" in problem, f"{words[0]} while it is paused: {problem}")
         checks.that(cli("sim", "step", "25")[0] == 0, "25 ticks")
         time.sleep(0.8)
         checks.that(states(bus) == before + 25, f"they came: {states(bus) - before}")
@@ -44,6 +50,8 @@ def main():
         ticks = [s.tick for _, s in bus.messages("STATE")]
         checks.that(ticks == list(range(ticks[0], ticks[0] + len(ticks))), "no tick is left out")
         checks.that(bus.newest("STATE")[1].stop_kind == 0, "and nothing has stopped the robot")
+        controller = bus.newest("CONTROLLER_STATUS")[1]
+        checks.that(controller.mode == BALANCE and controller.motion == 0, f"nor does it what was asked meanwhile: {controller.mode}")
 
         checks.that(cli("sim", "pace", "0.2")[0] == 0, "five times slower")
         time.sleep(0.3)

@@ -51,8 +51,20 @@ def stop_and_clear(checks):
     checks.that(status == 0 and "hold" in out, f"stop is confirmed: {out}{err}")
     status, out, err = cli("clear")
     checks.that(status == 0, f"clear is confirmed: {out}{err}")
+    status, out, err = cli("sway")
+    checks.that(status == 0 and "the robot sways (./twinbus mode balance ends that)" in out, f"sway says how it ends: {out}{err}")
+    status, out, err = cli("status")
+    checks.that("robot: mode balance, sways" in out and "rejected: of another run" in out, f"status says that it sways: {out}")
+    busy = [line for line in out.splitlines() if re.match(r"  simulator +[0-9.]+ +[0-9]+ +[1-9]", line)]
+    checks.that(len(busy) == 1, f"status says what share of a processor each takes: {out}")
+    status, out, err = cli("mode", "balance")
+    checks.that(status == 0 and "mode balance" in out and "the robot sways" not in out, f"it is ended: {out}{err}")
+    status, out, err = cli("reach", "left", "2", "2", "2")
+    checks.that(status == 1 and "out of reach" in err and "orientation" not in err, f"out of reach, with its true remedy: {err}")
     status, out, err = cli("walk", "0.1", "0", "0", "--for", "0.5")
-    checks.that(status == 0 or "does not walk yet" in err, f"walk walks or says that it cannot: {out}{err}")
+    checks.that(status == 0 and "stands in mode walk" in out and "limited" not in out, f"walk says how the robot is left: {out}{err}")
+    status, out, err = cli("walk", "2", "0", "2", "--for", "0.5")
+    checks.that(status == 0 and "walk: limited to 0." in out, f"what the legs cannot do is said: {out}{err}")
 
 
 def no_process_is_left(checks):
