@@ -88,14 +88,18 @@ class Bus:
         self.wanted.update((self.prefix + channel).encode() for channel in channels)
 
     def receive(self, timeout):
-        """Waits up to timeout seconds, then returns all (channel, body) that have come, oldest first."""
-        messages = []
-        select.select([self.receiver], [], [], timeout)
+        """Waits up to timeout seconds for a channel that is listened to, then returns all (channel, body) that have come,
+        oldest first; none: nothing came in that time."""
+        messages, until = [], time.monotonic() + timeout
         while True:
             try:
                 data = self.receiver.recv(65536)
             except BlockingIOError:
-                return messages
+                left = until - time.monotonic()
+                if messages or left <= 0.0:
+                    return messages
+                select.select([self.receiver], [], [], left)
+                continue
             end = data.find(b'\0', 8, 8 + 64)
             if data[:4] == b'LC02' and end > 0 and data[8:end] in self.wanted:
                 messages.append((data[8 + len(self.prefix):end].decode(), data[end + 1:]))
@@ -175,7 +179,10 @@ def padded(values):
 
 
 def command_for(state, controller_id, q, qd=(), tau=(), kp=(), kd=()):
-    """The command that answers this state: says which tick, run, term and robot it is for."""
+    """The command that answers this state: says which tick, run, term and robot it is for.
+
+    A controller that makes a balanced stop itself (state.stop_kind == 1) says so by command.flags = 1, within three ticks
+    and until it rests; one that does not is held by the source.  command.flags |= 2: the first command is not faded in."""
     command = joint_command_t()  # noqa: F821  (loaded above)
     command.tick, command.run_id, command.term = state.tick, state.run_id, state.term
     command.model_hash, command.joint_count = state.model_hash, state.joint_count

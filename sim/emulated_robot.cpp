@@ -27,7 +27,8 @@ bool finite(const emulated::CommandPacket& packet) noexcept {
 
 std::vector<std::pair<std::string, std::string>> EmulatedRobot::differences() {
   return {{"model.mass_scale", "1.03"},       {"model.friction", "1.0"},
-          {"model.backlash", "0.0005"},       {"servo.delay_ms", "2"},
+          {"model.friction_share", "0.01"},   {"servo.delay_ms", "2"},
+          {"model.backlash", "0.0005"},
           {"contact.stiffness_scale", "0.8"}, {"contact.damping_scale", "1.2"},
           {"contact.friction", "0.7"},        {"sensor.noise.encoder", "1e-5"},
           {"sensor.quantum.encoder", "1e-5"}, {"sensor.noise.velocity", "0.002"},

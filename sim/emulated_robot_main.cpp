@@ -74,7 +74,7 @@ int run(int argc, char** argv) {
   double duration = 0.0;
   std::int64_t seed = 1;
   EmulatedRobotOptions device;
-  std::string differences;
+  std::string differences, start_pose;
   for (const auto& [key, value] : EmulatedRobot::differences())
     differences += "  " + key + "=" + value + "\n";
   Options parser("emulated_robot",
@@ -84,6 +84,7 @@ int run(int argc, char** argv) {
   parser.text("--robot", "NAME_OR_DIR", robot_name, "robot");
   parser.positional("SCENE", scene_name, false,
                     "start pose, obstacles and settings; its motions are ignored");
+  parser.text("--start-pose", "POSE", start_pose, "of the SRDF, in which the robot begins; default the scene's");
   parser.text("--socket", "NAME", name, "abstract Unix socket to listen on");
   parser.settings("--set", device.settings, "key=value, see above");
   parser.number("--watchdog", "S", device.watchdog, 0.001, 10.0,
@@ -98,6 +99,7 @@ int run(int argc, char** argv) {
   Scene scene = load_scene(scene_name);
   if (!parser.given("--robot")) robot_name = scene.robot;
   const Model model = load_robot(robot_name);
+  if (parser.given("--start-pose")) start_in(start_pose, model, scene);
   SimSettings checked;
   for (const auto& [key, value] : device.settings) {
     const std::string complaint = apply_setting(key, value, model.period(), checked);

@@ -28,9 +28,10 @@ int run(int argc, char** argv) {
                  "Simulates a robot in a scene as a source of STATE.\n\nSettings of --set:\n" +
                      settings_help());
   add_common(parser, options.common);
-  std::string engine;
+  std::string engine, start_pose;
   parser.choice("--engine", {kEngineNames[0], kEngineNames[1]}, engine,
                 "physics engine; default the scene's");
+  parser.text("--start-pose", "POSE", start_pose, "of the SRDF, in which the robot begins; default the scene's");
   parser.positional("SCENE", scene_name, false, "a name under config/scenes, or a YAML file");
   parser.settings("--set", config.settings,
                   "key=value, see above; wins over the scene's own settings");
@@ -41,6 +42,7 @@ int run(int argc, char** argv) {
   if (parser.given("--engine")) scene.engine = engine;
   if (!parser.given("--robot")) options.common.robot = scene.robot;
   const Model model = load_robot(options.common.robot);
+  if (parser.given("--start-pose")) start_in(start_pose, model, scene);
   resolve_poses(scene, model);
   apply_seed(scene, model, static_cast<std::uint64_t>(options.seed));
   SimSettings checked;  // a wrong setting is a wrong argument, said before anything opens

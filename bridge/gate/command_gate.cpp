@@ -288,6 +288,8 @@ GateVerdict CommandGate::accept(const JointCommand& command, std::int64_t tick, 
   if ((command.flags & kCommandStopping) != 0) stopping_seen_ = true;
   if (fade_next_) {
     fade_next_ = false;
+    // Nothing jumps without a fade either: a tick changes set-point and torque by their limits at most.
+    if ((command.flags & kCommandNoFade) != 0) next_blend_s_ = next_torque_s_ = 0.0;
     blend_.start(effective_, command, limits_->all, late ? 0.0 : limits_->period, next_blend_s_, next_torque_s_);
   }
   client_ = command;

@@ -4,6 +4,8 @@
 
 #include <cstdint>
 
+#include "lcmtypes/bus/even_steps.h"
+
 namespace twinbus {
 
 class Meter {
@@ -18,7 +20,7 @@ class Meter {
     if (received_ == 0) {
       first_ns_ = window_ns_ = now_ns;
     } else {
-      lost_ += tick - last_tick_ - 1;
+      lost_ += steps_.missing(tick - last_tick_);
     }
     ++received_;
     ++in_window_;
@@ -66,6 +68,7 @@ class Meter {
   std::int64_t last_ns_ = 0;
   std::int64_t window_ns_ = 0;
   std::int64_t in_window_ = 0;
+  EvenSteps steps_;
   double rate_ = 0.0;
 };
 

@@ -46,6 +46,7 @@ Syntax run_syntax() {
           {robot_option(),
            {"--for", "S", "simulated seconds; default: the scene's duration"},
            {"--engine", "E", "articulated or ode; default the scene's"},
+           {"--start-pose", "POSE", "of the robot's SRDF, in which it begins; default the scene's"},
            {"--seed", "N", "of everything random; default 1"},
            {"--set", "KEY=VALUE", "a setting of the simulator; wins over the scene's own"},
            {"--reference", "",
@@ -282,6 +283,7 @@ int run_command(const std::vector<std::string>& words) {
   request.seed = static_cast<std::uint64_t>(arguments.number("--seed", 1.0, 0.0, 1e9));
   const Model model = load_robot(request.robot);
   fit_scene(scene, model);
+  start_in(arguments.text("--start-pose", scene.start_pose), model, scene);
   if (!scene.scaled.empty()) std::printf("%s\n", scene.scaled.c_str());
   apply_seed(scene, model, request.seed);
   request.period = model.period();

@@ -103,6 +103,7 @@ Up::Up(const Arguments& arguments) {
   report_ = arguments.text("--report", "");
   const Model model = load_robot(request_.robot);  // the same error for every process, said once
   fit_scene(scene_, model);
+  start_in(arguments.text("--start-pose", scene_.start_pose), model, scene_);
   request_.contact = scene_.contact;
   request_.period = model.period();
   request_.step_s = scene_.step > 0.0 ? scene_.step : model.period();
@@ -150,6 +151,9 @@ Placeholders Up::placeholders(const Arguments& arguments) const {
   if (!allowed.empty()) bus.insert(bus.end(), {"--allow", allowed});
   values["robot"] = {"--robot", request_.robot};
   values["scene"] = {arguments.word(0, "stand")};
+  values["start"] = arguments.has("--start-pose")
+                        ? std::vector<std::string>{"--start-pose", arguments.text("--start-pose", "")}
+                        : std::vector<std::string>{};
   values["pace"] = pace_words(arguments, request_.patient);
   values["engine"] = {"--engine", request_.engine};
   auto& settings = values["settings"];
@@ -307,6 +311,7 @@ void Up::set_up(const std::string& wish) {
     scene_ = load_scene(setup.scene);
     resolve_poses(scene_, load_robot(setup.robot));
     fill_in(setup, values_);
+    values_["start"].clear();  // the wish names its own
     supervisor_->fit(values_);
     start_anew(stack_, *supervisor_, *bus_);
     activate();

@@ -27,6 +27,7 @@ Syntax up_syntax() {
         "each tick waits for its command: slower or faster than real time, repeatable"},
        {"--rate", "X", "times real time; default 1"},
        {"--for", "S", "seconds; then stops, judges and exits"},
+       {"--start-pose", "POSE", "of the robot's SRDF, in which it begins; default the scene's"},
        {"--seed", "N", "of noise and perturbations"},
        {"--set", "KEY=VALUE",
         "setting of the simulator, as in model.mass_scale=1.03; may be repeated"},

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <type_traits>
 
+#include "lcmtypes/bus/even_steps.h"
 #include "lcmtypes/bus/wire.h"
 
 namespace twinbus {
@@ -50,7 +51,7 @@ struct Latest {
   }
 
   Verdict offer(const T& candidate, std::int64_t now_ns) noexcept {
-    std::int64_t missing = 0;
+    std::int64_t step_on = 0;
     if constexpr (Wire<T>::kCounted) {
       if (received > 0 && Wire<T>::sender(candidate) == Wire<T>::sender(message)) {
         const std::int64_t step = Wire<T>::count(candidate) - Wire<T>::count(message);
@@ -59,11 +60,11 @@ struct Latest {
           return Verdict::kRepeated;
         }
         if (step < 0) return reject();
-        missing = step - 1;
+        step_on = step;
       }
     }
     if (rule_ != nullptr && !rule_(rule_object_, candidate, message)) return reject();
-    lost += missing;
+    lost += steps_.missing(step_on);  // 0: another sender
     message = candidate;
     received_ns = now_ns;
     fresh = true;
@@ -77,6 +78,7 @@ struct Latest {
     return Verdict::kRejected;
   }
 
+  EvenSteps steps_;
   bool (*rule_)(void*, const T&, const T&) noexcept = nullptr;
   void* rule_object_ = nullptr;
 };

@@ -72,6 +72,7 @@ struct RobotState {
 
 // Bits of JointCommand::flags.
 inline constexpr std::int16_t kCommandStopping = 1;
+inline constexpr std::int16_t kCommandNoFade = 2;  // not faded in: begins where the set-point is
 
 // torque = tau + kp (q - q_measured) + kd (qd - qd_measured)
 struct JointCommand {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "sim/world/coulomb_friction.h"
+
 namespace twinbus {
 
 JointLaw::JointLaw(const Joint& joint, const WorldConfig& config)
@@ -11,7 +13,7 @@ JointLaw::JointLaw(const Joint& joint, const WorldConfig& config)
       upper_(std::numeric_limits<double>::infinity()),
       limit_(joint.effort > 0.0 && std::isfinite(joint.effort) ? joint.effort : 0.0),
       damping_(joint.damping * config.friction_scale),
-      friction_(joint.friction * config.friction_scale + config.joint_friction),
+      friction_(coulomb_friction(joint, config)),
       backlash_(config.backlash),
       stick_(friction_ > 0.0 ? kStickSpeed : std::numeric_limits<double>::infinity()),
       stick_gain_(friction_ / kStickSpeed) {

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "sim/engine/ode_robot.h"
+#include "sim/world/coulomb_friction.h"
 
 namespace twinbus {
 
@@ -61,7 +62,7 @@ void OdeRobot::add_joint(int index, dWorldID world) {
   to.limit = from.effort > 0.0 && std::isfinite(from.effort) ? from.effort : 0.0;
   to.rotor = from.rotor_inertia;
   to.damping = from.damping * config.friction_scale;
-  to.friction = from.friction * config.friction_scale + config.joint_friction;
+  to.friction = coulomb_friction(from, config);
 
   const Eigen::Vector3d axis = kinematics.axis_in_world(index);
   const dBodyID child = body(from.child);

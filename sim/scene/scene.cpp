@@ -8,6 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "common/text/closest_name.h"
 #include "common/text/strict_yaml.h"
 #include "robot/description/load.h"
 #include "sim/contact/rigid_object_mesh.h"
@@ -394,6 +395,15 @@ Scene load_scene(const std::string& name_or_file) {
   }
   top.finish();
   return scene;
+}
+
+void start_in(const std::string& pose, const Model& model, Scene& scene) {
+  if (pose != scene.start_pose && model.find_pose(pose) < 0) {
+    std::vector<std::string> names;
+    for (const NamedPose& named : model.poses) names.push_back(named.name);
+    throw std::runtime_error(model.name + " has no pose '" + pose + "'" + suggestion(pose, names) + ", to begin in");
+  }
+  scene.start_pose = pose;
 }
 
 void resolve_poses(Scene& scene, const Model& model) {

@@ -157,6 +157,8 @@ struct Scene {
 // Finds what the scene names by what it is (scene_places.h), and fills q and joint_mask of the modes and goals that name a pose, in bus order.  Throws
 // std::runtime_error if the robot has no such pose.
 void resolve_poses(Scene& scene, const Model& model);
+// Lets the scene begin in another named pose.  Throws std::runtime_error that names the nearest one if the robot has none such.
+void start_in(const std::string& pose, const Model& model, Scene& scene);
 
 // name_or_file: a YAML file, or a name under config/scenes.  Throws std::runtime_error naming file,
 // line and the nearest valid key.

@@ -47,6 +47,8 @@ const Entry kEntries[] = {
      [](SimSettings& s, double v, double) { s.world.mass_scale = v; }},
     {"model.friction", 0.0, 1e3, "Coulomb friction added to every joint [N m]",
      [](SimSettings& s, double v, double) { s.world.joint_friction = v; }},
+    {"model.friction_share", 0.0, 1.0, "of model.friction a joint gets at most this share of its effort limit",
+     [](SimSettings& s, double v, double) { s.world.joint_friction_share = v; }},
     {"model.friction_scale", 0.0, 100.0, "friction and damping of the joints times this",
      [](SimSettings& s, double v, double) { s.world.friction_scale = v; }},
     {"model.backlash", 0.0, 0.1, "play of every joint [rad]",

@@ -91,7 +91,7 @@ struct WorldConfig {
   bool fixed_base = false;
   double mass_scale = 1.0;                        // of every link, inertia too
   double friction_scale = 1.0;                    // of the joints' Coulomb friction and damping
-  double joint_friction = 0.0;                    // Coulomb, added to every joint [N m]
+  double joint_friction = 0.0, joint_friction_share = 1.0;  // added to every joint (coulomb_friction.h)
   double backlash = 0.0;                          // full play between servo and link [rad]
   double ground_friction = 0.8;                   // combined with the sole's as geometric mean
   double stiffness_scale = 1.0;                   // of the soles' springs

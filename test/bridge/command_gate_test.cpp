@@ -264,6 +264,23 @@ TEST_F(Gate, ABalancedStopHoldsAfterThreeTicksWithoutStopping) {
   EXPECT_EQ(gate.latch().kind, StopKind::kHold);
 }
 
+TEST_F(Gate, WhoAsksForNoFadeIsObeyedFromTheFirstTickAndNothingJumps) {
+  gate.blend_again(0.3);
+  JointCommand c = command();
+  c.flags = kCommandNoFade;
+  c.q[0] = 0.005;
+  c.q[1] = 3.0;
+  c.tau[0] = 1000.0F;
+  const double before = gate.effective().q[1];
+  const double torque = static_cast<double>(gate.effective().tau[0]);
+  ASSERT_EQ(offer(c), GateVerdict::kAccepted);
+  const JointCommand& w = next();
+  EXPECT_EQ(w.q[0], 0.005);
+  EXPECT_FLOAT_EQ(w.kp[0], 1000.0F);
+  EXPECT_LE(w.q[1] - before, limits.step[1] + 1e-12);
+  EXPECT_LE(static_cast<double>(w.tau[0]) - torque, 0.1 * limits.effort[0] + 1e-6);
+}
+
 TEST_F(Gate, AfterAClearTheClientIsFadedIn) {
   offer(command());
   next();

@@ -109,9 +109,10 @@ TEST(BusHealth, TheTableNamesProcessAndChannel) {
   Heard heard;
   heard.second(500, 20, 0, 1.0F);
   const std::vector<std::string> lines = channel_lines({&heard.process()});
-  ASSERT_EQ(lines.size(), 2u);
+  ASSERT_EQ(lines.size(), 3u);
   EXPECT_NE(lines[1].find("controller"), std::string::npos);
   EXPECT_NE(lines[1].find("STATE"), std::string::npos);
+  EXPECT_NE(lines[2].find("lost: numbers that never came"), std::string::npos);
 }
 
 // A stranger's heartbeat: counters from one end of their range to the other, back and forth.

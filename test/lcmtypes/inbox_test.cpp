@@ -37,6 +37,14 @@ TEST(Latest, CountsGapsRepetitionsAndMessagesThatComeLate) {
   EXPECT_EQ(latest.message.tick, 14);
 }
 
+TEST(Latest, WhoAnswersEveryTenthTickEvenlyHasLostNothing) {
+  Latest<RobotState> latest;
+  for (int k = 0; k < 100; ++k) latest.offer(state_of(1, 10 * k), k + 1);
+  EXPECT_EQ(latest.lost, 27);  // until it is known that it is even
+  latest.offer(state_of(1, 1000 + 10), 200);
+  EXPECT_EQ(latest.lost, 27 + 19);
+}
+
 TEST(Latest, AnotherSenderStartsItsOwnCount) {
   Latest<RobotState> latest;
   latest.offer(state_of(1, 1000), 1);

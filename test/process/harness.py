@@ -217,8 +217,13 @@ class Stack:
                 found.append(int(stat.split("/")[2]))
         return found
 
-    def pid(self, program):
+    def pid(self, program, wait=0.0):
+        """wait [s]: for one that was killed and is started again."""
+        end = time.monotonic() + wait
         found = self.pids(program)
+        while len(found) != 1 and time.monotonic() < end:
+            time.sleep(0.05)
+            found = self.pids(program)
         if len(found) != 1:
             raise RuntimeError(f"{len(found)} processes run {program}")
         return found[0]

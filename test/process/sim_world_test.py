@@ -4,6 +4,8 @@
 A pause is no silence: nothing stops and nobody alarms, however long it lasts.
 """
 
+import os
+import subprocess
 import sys
 import time
 
@@ -80,6 +82,18 @@ def main():
             status, _, problem = cli(*words)
             checks.that(status == 2 and expected in problem and problem.count("\n") == 1, f"{' '.join(words)}: {problem}")
         bus.close()
+    client = subprocess.Popen([sys.executable, harness.ROOT / "examples/02_command_joints.py"], stdout=subprocess.DEVNULL,
+                              env=dict(os.environ, TWINBUS_PYTHON=str(harness.BIN.parent / "lib/python")))
+    with Stack("stand", "--stack", "client_both", "--start-pose", "zero", "--no-viewer"):
+        bus = Bus()
+        for channel in ("STATE", "STATE_BRIDGE"):
+            _, state = bus.wait_for(channel, lambda s: True, 5.0, start=0)
+            checks.that(state is not None and abs(state.q[3]) < 0.1, f"{channel}: --start-pose zero has straight knees, {state and state.q[3]:.2f} rad")
+        bus.close()
+    client.terminate()
+    client.wait()
+    status, _, problem = cli("up", "stand", "--start-pose", "half_siting", "--no-viewer", "--for", "1")
+    checks.that(status == 1 and "did you mean half_sitting?" in problem, f"a pose that is not there: {problem}")
     with Stack("stand", "--stack", "both", "--no-viewer"):
         time.sleep(1.0)
         checks.that(cli("switch", "bridge", "--policy", "now", timeout=40)[0] == 0, "the robot is active")

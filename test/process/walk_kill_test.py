@@ -26,6 +26,7 @@ AFTER = 5.0     # watched after the kill [s]
 UPRIGHT = 8.6   # of one that stands [degrees]
 LOADED = 100.0  # of a foot [N]
 OTHERS = ("guard", "planner", "viewer", "recorder")
+BACK = 15.0     # a process that was killed is started again within [s]
 DEVICE = 8      # reason of a stop: the robot behind the bridge was not heard for 50 ms
 
 
@@ -86,11 +87,12 @@ def walks_on(checks, stack, bus, what, fault):
 def others(checks, count, rng):
     """Each of them `count` times, a few in each walk: `up` starts a process again at most 5 times."""
     def stopped(program, ms):
-        pid = stack.pid(program)
+        pid = stack.pid(program, BACK)
         os.kill(pid, signal.SIGSTOP)
         time.sleep(1e-3 * ms)
         os.kill(pid, signal.SIGCONT)
 
+    os.environ["TWINBUS_RECORD"] = "1"  # the recorder is one of them
     table = {}
     for left in range(count, 0, -4):
         with Stack("stand", "--for", "900") as stack:
@@ -99,7 +101,7 @@ def others(checks, count, rng):
             harness.cli("mode", "walk")
             time.sleep(1.0)
             for _ in range(min(left, 4)):
-                faults = [(f"{name} killed", lambda name=name: os.kill(stack.pid("twinbus_" + name), signal.SIGKILL))
+                faults = [(f"{name} killed", lambda name=name: os.kill(stack.pid("twinbus_" + name, BACK), signal.SIGKILL))
                           for name in OTHERS]
                 faults += [(f"{name} stopped for a while", lambda name=name: stopped("twinbus_" + name, rng.choice((20, 50, 200, 1000))))
                            for name in OTHERS]

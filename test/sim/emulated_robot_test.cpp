@@ -6,6 +6,8 @@
 #include <limits>
 
 #include "robot/description/load.h"
+#include "sim/scene/settings.h"
+#include "sim/world/coulomb_friction.h"
 
 namespace twinbus {
 namespace {
@@ -52,6 +54,16 @@ class EmulatedRobotTest : public ::testing::Test {
   std::int64_t now_ns = 0;
   std::uint64_t sequence = 0;
 };
+
+TEST_F(EmulatedRobotTest, ItsFrictionIsNoMoreThanAShareOfWhatASmallMotorGives) {
+  SimSettings settings;
+  apply_settings(EmulatedRobot::differences(), model.period(), settings);
+  Joint joint;
+  joint.effort = 400.0;
+  EXPECT_DOUBLE_EQ(coulomb_friction(joint, settings.world), 1.0);
+  joint.effort = 5.0;
+  EXPECT_DOUBLE_EQ(coulomb_friction(joint, settings.world), 0.05);
+}
 
 TEST_F(EmulatedRobotTest, HoldsItsStartPoseWithServosOffUntilCommanded) {
   const NamedPose& pose = model.poses[static_cast<std::size_t>(model.find_pose("half_sitting"))];
