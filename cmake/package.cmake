@@ -74,6 +74,7 @@ if(TARGET twinbus_java)
 endif()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/config DESTINATION ${data_dir} COMPONENT programs
   PATTERN "__pycache__" EXCLUDE PATTERN "packages.txt" EXCLUDE)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/campaign DESTINATION ${data_dir} COMPONENT programs FILES_MATCHING PATTERN "*.py" PATTERN "__pycache__" EXCLUDE)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/lcmtypes DESTINATION ${data_dir} COMPONENT programs FILES_MATCHING PATTERN "*.lcm" PATTERN "README.md")
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/viewer_log/web/dist DESTINATION ${data_dir}/viewer_log/web COMPONENT programs)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples DESTINATION ${data_dir} COMPONENT programs

@@ -26,7 +26,7 @@ def enter(bus, mode):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument('velocity', nargs=3, type=float, metavar=('VX', 'VY', 'WZ'), help='forward, left [m/s], turn left [rad/s]')
+    parser.add_argument('velocity', nargs=3, type=float, metavar='V', help='VX VY WZ: forward, left [m/s], turn left [rad/s]')
     parser.add_argument('--for', dest='duration', type=float, default=4.0, help='seconds to walk')
     arguments = parser.parse_args()
     bus = twinbus.Bus()

@@ -15,8 +15,8 @@ STATUS = {1: 'unreachable', 2: 'the start is in collision', 3: 'the goal is in c
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument('hand', choices=['left', 'right'])
-    parser.add_argument('position', nargs=3, type=float, metavar=('X', 'Y', 'Z'),
-                        help='of the hand [m]; origin midway between the soles, x forward, z up')
+    parser.add_argument('position', nargs=3, type=float, metavar='X',
+                        help='X Y Z of the hand [m]; origin midway between the soles, x forward, z up')
     arguments = parser.parse_args()
     bus = twinbus.Bus()
     bus.listen('STATE', 'ARM_PATH', 'CONTROLLER_STATUS')

@@ -20,6 +20,7 @@ constexpr std::int32_t kJump =
 constexpr std::int32_t kBusy = 50;  // received in that time: it goes on, or something is wrong
 constexpr std::int64_t kMost =
     10'000'000;  // more in that time were never counted: another's counter, or a forged one
+constexpr std::int64_t kAfterPause = 2'000'000'000;  // [ns]
 constexpr float kSilence_ms = 250.0F;
 
 // Since the last look, or -1 when no counter counts so.
@@ -55,6 +56,8 @@ std::vector<std::string> BusHealth::look(const std::vector<const SeenProcess*>& 
                                          std::int64_t now_ns,
                                          bool paused) {
   std::vector<std::string> alarms;
+  if (paused) paused_ns_ = now_ns;
+  paused = paused_ns_ != 0 && now_ns - paused_ns_ < kAfterPause;  // heartbeats still tell of it
   for (const SeenProcess* process : processes) {
     const FullHeartbeat& beat = process->beat;
     for (std::size_t i = 0; i < static_cast<std::size_t>(beat.channels); ++i) {

@@ -27,6 +27,7 @@ class BusHealth {
     bool busy = false, silent = false;
   };
   std::map<std::pair<std::int64_t, int>, Row> rows_;
+  std::int64_t paused_ns_ = 0;  // when the world stood still last
 };
 
 // One line per process and channel that it has heard: age, jitter, gaps, repetitions, refusals.

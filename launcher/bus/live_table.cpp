@@ -89,6 +89,8 @@ std::vector<std::string> table_lines(const Lookout& seen, CpuShare& shares, std:
   for (const SeenProcess* process : seen.processes(now_ns)) {
     lines.push_back(process_line(*process, shares.recent(process->beat.pid, now_ns)));
   }
+  if (is_paused(seen, now_ns)) lines.push_back("the simulated world is paused: ./twinbus sim go");
+  if (seen.figures().fell) lines.push_back("the robot has fallen: ./twinbus sim reset puts a simulated one on its feet");
   if (seen.controller_statuses().age(now_ns) < 1.0) {
     const ControllerStatus& c = seen.controller();
     const std::string motion = motion_text(c);

@@ -112,6 +112,11 @@ int copy(const Arguments& arguments,
              return true;
            });
   writer.close();
+  if (writer.events() == 0) {
+    std::fprintf(stderr, "log: nothing of %s was asked: %s is empty (./twinbus log info %s lists channels and duration)\n", in.c_str(),
+                 out.c_str(), in.c_str());
+    return 1;
+  }
   std::printf("%s: %lld events, %.1f MB\n", out.c_str(), static_cast<long long>(writer.events()),
               1e-6 * static_cast<double>(writer.size()));
   return 0;

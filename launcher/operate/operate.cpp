@@ -22,6 +22,7 @@ namespace {
 
 constexpr double kAskAgain = 0.1;       // [s]
 constexpr double kAnswerTimeout = 2.0;  // [s]
+constexpr double kPausedAnswer = 0.5;   // a world that stands still has heard it by then [s]
 constexpr double kWalkEnds = 6.0;       // a walk is brought to rest by then [s]
 constexpr double kPoseRest = 1.0;       // after the time of a pose, until the joints are there [s]
 constexpr double kPoseNear = 0.03;      // [rad or m]
@@ -210,6 +211,10 @@ int stop_command(const std::vector<std::string>& words) {
                   describe(*active).c_str(), kind_text(request.kind, active->status.stop_kind));
       return 0;
     }
+    if (is_paused(bus.seen(), monotonic_ns()) && seconds_since(begin) > kPausedAnswer) {
+      std::printf("stop: sent; the simulated world is paused and stops with its next tick (./twinbus sim go)\n");
+      return 0;
+    }
     bus.send(request);
   }
   if (bus.seen().active(monotonic_ns()) == nullptr)
@@ -217,6 +222,34 @@ int stop_command(const std::vector<std::string>& words) {
   throw std::runtime_error(
       "sent, but the source does not say that it stopped: use the robot's own emergency stop");
 }
+
+namespace {
+
+// Sources that do not hold STATE and are stopped, as one that was parked when it stopped.
+int clear_standbys(BusLink& bus) {
+  bool some = false;
+  for (int i = 0; i < 10 && !quit_requested(); ++i) {
+    std::string left;
+    for (const SeenSource* source : bus.seen().sources(monotonic_ns())) {
+      if (source->status.stop_kind == StopKind::kNone) continue;
+      some = true;
+      left = describe(*source);
+      StopRequest request;
+      request.kind = StopKind::kNone;
+      request.reason = StopReason::kOperator;
+      request.stop_nonce = source->status.stop_nonce;
+      bus.send(request);
+    }
+    if (left.empty()) {
+      std::printf(some ? "clear: no source is stopped any more\n" : "clear: nothing is stopped\n");
+      return 0;
+    }
+    bus.listen(0.15);
+  }
+  throw std::runtime_error("a source stays stopped: whatever stopped it still asks for it (./twinbus status)");
+}
+
+}  // namespace
 
 int clear_command(const std::vector<std::string>& words) {
   const Arguments arguments({"clear", "",
@@ -227,10 +260,8 @@ int clear_command(const std::vector<std::string>& words) {
                             words);
   BusLink bus = open_bus(arguments);
   const std::int64_t run = active_run(bus);
-  if (bus.seen().source(run)->status.stop_kind == StopKind::kNone) {
-    std::printf("clear: nothing is stopped\n");
-    return 0;
-  }
+  refuse_while_paused(bus.seen());
+  if (bus.seen().source(run)->status.stop_kind == StopKind::kNone) return clear_standbys(bus);
   // The gate stays bound to the controller it knew; when that one is gone and another is there, it is meant.
   bus.listen(0.3);
   std::int64_t controller = 0;
@@ -258,7 +289,11 @@ int clear_command(const std::vector<std::string>& words) {
     const SeenSource* source = bus.seen().source(run);
     if (source->status.stop_kind == StopKind::kNone) {
       std::printf("clear: %s goes on\n", describe(*source).c_str());
-      return 0;
+      if (bus.seen().figures().fell) std::printf("clear: the robot has fallen: ./twinbus sim reset puts it on its feet\n");
+      bus.listen(0.15);  // one that stands by has the same nonce, and clears with it
+      const std::vector<const SeenSource*> all = bus.seen().sources(monotonic_ns());
+      const bool more = std::any_of(all.begin(), all.end(), [](const SeenSource* s) { return s->status.stop_kind != StopKind::kNone; });
+      return more ? clear_standbys(bus) : 0;
     }
   }
   throw std::runtime_error(

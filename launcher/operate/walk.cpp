@@ -11,6 +11,7 @@
 #include "launcher/bus/bus_arguments.h"
 #include "launcher/bus/bus_link.h"
 #include "launcher/operate/operate.h"
+#include "lcmtypes/msg/labels.h"
 #include "robot/description/load.h"
 
 namespace twinbus {
@@ -60,6 +61,18 @@ bool wait_for_rest(BusLink& bus, double least, double most) {
     if (seconds_since(begin) > least && seconds_since(moved) > kRestTime) return true;
   }
   return false;
+}
+
+// Why the robot does not walk any more; empty while it does.
+std::string why_it_ended(BusLink& bus, const ModeRequest& request) {
+  const SeenSource* active = bus.seen().active(monotonic_ns());
+  if (bus.seen().figures().fell) return "the robot fell; ./twinbus sim reset begins anew";
+  if (active != nullptr && active->status.stop_kind != StopKind::kNone) return why_it_stays(bus, request);
+  if (is_paused(bus.seen(), monotonic_ns())) return "";
+  const ControllerStatus& status = bus.seen().controller();
+  if (status.mode == Mode::kWalk || bus.seen().controller_statuses().age(monotonic_ns()) > 0.5) return "";
+  if (status.mode == Mode::kStop) return why_it_stays(bus, request);  // it said why
+  return std::string("something else was asked: the controller is in mode ") + label(status.mode);
 }
 
 // All the speeds at their most are more than the legs can do at once.
@@ -141,8 +154,13 @@ int walk_command(const std::vector<std::string>& words) {
   if (!enter_walk(bus, request)) return 1;
   say_if_limited(model, bus.seen().newest_state().model_hash, command);
   command.run_id = request.run_id;
+  (void)bus.seen().take_events();
   const std::int64_t begin = monotonic_ns();
   while (!quit_requested() && seconds_since(begin) < duration) {
+    if (const std::string why = why_it_ended(bus, request); !why.empty()) {
+      std::fprintf(stderr, "walk: ended after %.1f s: %s\n", seconds_since(begin), why.c_str());
+      return 1;
+    }
     command.sequence = 0;                               // each its own
     command.run_id = bus.seen().newest_state().run_id;  // whichever source it is by now
     bus.send(command);
@@ -151,6 +169,11 @@ int walk_command(const std::vector<std::string>& words) {
   command.sequence = 0;
   command.vx = command.vy = command.wz = 0.0F;
   bus.send(command);
+  bus.listen(0.05);
+  if (const std::string why = why_it_ended(bus, request); !why.empty()) {
+    std::fprintf(stderr, "walk: %s\n", why.c_str());
+    return 1;
+  }
   std::printf("walk: done; the robot stands in mode walk and steps when it is pushed (./twinbus mode balance ends that)\n");
   return 0;
 }

@@ -4,9 +4,11 @@
 
 #include <cmath>
 #include <cstdio>
+#include <stdexcept>
 
 #include "common/file/disk_cache.h"
 #include "common/math/index.h"
+#include "common/process/process.h"
 
 namespace twinbus {
 
@@ -104,6 +106,7 @@ AccuracyChoice choose_accuracy(const Model& model, const Scene& scene,
       };
     }
     choice.ladder = climb(model, scene, config, climbing);
+    if (quit_requested()) throw std::runtime_error("interrupted: nothing was chosen, nothing is kept");
     if (!choice.ladder.rungs.empty()) disk_cache().keep(kKind, key, ladder_text(choice.ladder));
   }
   decide(model, request, choice);

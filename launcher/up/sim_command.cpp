@@ -143,6 +143,8 @@ int sim_command(const std::vector<std::string>& words) {
     request.ticks = arguments.words().size() > 1
                         ? static_cast<std::int32_t>(arguments.word_number(1, "TICKS", 1, 100'000))
                         : 1;
+    if (arguments.words().size() > 1 && arguments.word(1).find_first_not_of("0123456789") != std::string::npos)
+      throw UsageError("sim: TICKS is a whole number, not " + arguments.word(1));
   } else if (what == "pace") {
     if (arguments.words().size() != 2) throw UsageError("sim: pace X, as in pace 0.1");
     request.action = SimAction::kPace;

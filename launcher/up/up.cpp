@@ -36,6 +36,7 @@ namespace twinbus {
 namespace {
 
 constexpr double kListenFirst = 0.4;         // sources and processes speak at 10 Hz [s]
+constexpr double kTellOfWaiting = 1.5;  // [s]
 constexpr double kActivationTimeout = 10.0;  // a source listens 1 s for other terms first [s]
 constexpr double kAskAgain = 0.25, kTableEvery = 0.25;  // table: on a terminal [s]
 constexpr double kLineEvery = 20.0;                     // elsewhere [s]
@@ -273,8 +274,14 @@ void Up::activate() {
 
 void Up::wait_for_first_commands() {
   const std::int64_t begin = monotonic_ns();
+  bool told = false;
   while (!quit_requested() && bus_->seen().command().received() == 0) {
     bus_->receive(0.02);
+    if (!told && seconds(begin, monotonic_ns()) > kTellOfWaiting) {
+      told = true;
+      say("no COMMAND yet: waits up to 10 s for a controller" +
+          std::string(stack_.find("controller") == nullptr ? " of your own, as examples/02_command_joints.py" : ""));
+    }
     supervisor_->watch(monotonic_ns());
     if (supervisor_->broken())
       throw std::runtime_error("a required process ended before the robot was running");

@@ -21,7 +21,7 @@ constexpr const char* kRefusal[] = {
     "the angular velocity of the target differs by more than 0.3 rad/s; wait until both are steady",
     "not the same feet carry load in both sources; put the target on the same feet",
     "the total foot force differs by more than 20 %; lower the target to the ground fully",
-    "the robot would be left while not statically stable; stop walking first, or use policy when_safe",
+    "the robot would be left while not statically stable; stop walking first, or use policy when-safe",
     "another switch is under way or has just ended; ask again in a moment",
     "the target is the active source already",
     "another source is active; switch to the target instead of activating it",

@@ -25,7 +25,7 @@ std::unique_ptr<World> make_world(const Model& model, const WorldConfig& config)
   check_bodies(config.loose);
   if (config.engine == Engine::kOde) return std::make_unique<OdeWorld>(model, config);
   if (config.contact == ContactModel::kRigid) {
-    throw std::runtime_error("contact rigid is of engine ode only; give engine ode too");
+    throw std::runtime_error("contact rigid is of engine ode only; say --engine ode, or engine: ode in the scene");
   }
   return std::make_unique<ArticulatedWorld>(model, config);
 }

@@ -255,7 +255,7 @@ std::string find_scene(const std::string& name_or_file) {
   }
   std::string list;
   for (const std::string& name : scene_names()) list += " " + name;
-  throw std::runtime_error("no scene '" + name_or_file + "': give a file or one of" + list);
+  throw std::runtime_error("no scene '" + name_or_file + "'" + suggestion(name_or_file, scene_names()) + "  Give a file or one of" + list);
 }
 
 std::vector<double> pose_on_bus(const Scene& scene, const Model& model, const std::string& pose) {

@@ -18,7 +18,7 @@ class Heard {
     process_.beat.channel[0] = static_cast<std::int8_t>(channel);
   }
   // So many more messages in a second, of which so many are missing or refused, and the age of the newest at its end.
-  std::vector<std::string> second(int received, int lost, int rejected, float age_ms) {
+  std::vector<std::string> second(int received, int lost, int rejected, float age_ms, bool paused = false) {
     std::vector<std::string> all;
     for (int i = 0; i < 10; ++i) {
       now_ += kStep;
@@ -26,7 +26,7 @@ class Heard {
       process_.beat.channel_lost[0] += lost / 10;
       process_.beat.channel_rejected[0] += rejected / 10;
       process_.beat.channel_age_ms[0] = age_ms;
-      for (std::string& alarm : health_.look({&process_}, now_)) all.push_back(std::move(alarm));
+      for (std::string& alarm : health_.look({&process_}, now_, paused)) all.push_back(std::move(alarm));
     }
     return all;
   }
@@ -41,6 +41,16 @@ class Heard {
 TEST(BusHealth, AHealthyChannelRaisesNoAlarm) {
   Heard heard;
   for (int i = 0; i < 20; ++i) EXPECT_TRUE(heard.second(500, 0, 0, 1.0F).empty());
+}
+
+TEST(BusHealth, WhatAPauseLeftBehindInHeartbeatsIsNoSilence) {
+  Heard heard;
+  for (int i = 0; i < 7; ++i) heard.second(500, 0, 0, 1.0F);
+  for (int i = 0; i < 3; ++i) EXPECT_TRUE(heard.second(0, 0, 0, 900.0F, true).empty());
+  EXPECT_TRUE(heard.second(0, 0, 0, 900.0F).empty());
+  EXPECT_TRUE(heard.second(500, 0, 0, 1.0F).empty());
+  for (int i = 0; i < 2; ++i) heard.second(500, 0, 0, 1.0F);
+  EXPECT_EQ(heard.second(0, 0, 0, 900.0F).size(), 1u);
 }
 
 TEST(BusHealth, MissingAndRefusedMessagesAreSaidOnceInAWhile) {

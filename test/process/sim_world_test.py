@@ -62,6 +62,17 @@ def main():
         checks.that(120 <= states(bus) - before <= 280, f"200 ticks in two seconds: {states(bus) - before}")
         checks.that(cli("sim", "pace", "1")[0] == 0, "real time again")
 
+        checks.that(cli("sim", "pause")[0] == 0, "pause")
+        status, said, problem = cli("stop")
+        checks.that(status == 0 and "stops with its next tick" in said, f"a stop in a pause is taken: {said}{problem}")
+        status, _, problem = cli("clear")
+        checks.that(status == 1 and "is paused" in problem, f"clear in a pause: {problem}")
+        checks.that("is paused: ./twinbus sim go" in cli("status")[1], "status says that it is paused")
+        checks.that(cli("sim", "go")[0] == 0, "it goes on")
+        time.sleep(0.5)
+        checks.that(bus.newest("STATE")[1].stop_kind != 0, "and stops")
+        checks.that(cli("clear")[0] == 0 and cli("mode", "balance")[0] == 0, "it is cleared")
+
         checks.that(cli("push", "CHEST", "900", "0", "0", "--for", "0.4")[0] == 0, "a push that nobody survives")
         checks.that(bus.wait_for("TRUTH", lambda t: t.fell, 6.0, start=0)[1] is not None, "it falls")
         checks.that(bus.wait_for("STATE", lambda s: s.stop_kind == 3, 8.0, start=0)[1] is not None, "and is let go: stop off is latched")
@@ -78,7 +89,7 @@ def main():
         checks.that(stands is not None and not truth.fell and truth.base_position[2] > 0.5, "it stands again")
 
         for words, expected in ((("push", "CHES", "9", "0", "0"), "did you mean CHEST?"), (("sim", "paus"), "did you mean pause?"),
-                                (("push", "CHEST", "9", "0"), "needs LINK FX FY FZ"), (("sim", "pace", "1000"), "X must be"), (("sim", "step", "0"), "TICKS")):
+                                (("push", "CHEST", "9", "0"), "needs LINK FX FY FZ"), (("sim", "pace", "1000"), "X must be"), (("sim", "step", "0"), "TICKS"), (("sim", "step", "1.5"), "whole number")):
             status, _, problem = cli(*words)
             checks.that(status == 2 and expected in problem and problem.count("\n") == 1, f"{' '.join(words)}: {problem}")
         bus.close()

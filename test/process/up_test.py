@@ -63,6 +63,13 @@ def stop_and_clear(checks):
     checks.that(status == 1 and "out of reach" in err and "orientation" not in err, f"out of reach, with its true remedy: {err}")
     status, out, err = cli("walk", "0.1", "0", "0", "--for", "0.5")
     checks.that(status == 0 and "stands in mode walk" in out and "limited" not in out, f"walk says how the robot is left: {out}{err}")
+    walks = subprocess.Popen([harness.BIN / "twinbus", "walk", "0.3", "0", "0", "--for", "20"], stderr=subprocess.PIPE, text=True)
+    time.sleep(2.0)
+    checks.that(cli("stop")[0] == 0, "a balanced stop of a walk")
+    said = walks.communicate(timeout=10)[1]
+    checks.that(walks.returncode == 1 and "the robot is stopped (balanced)" in said, f"walk says that it was stopped: {said}")
+    time.sleep(3.0)
+    cli("clear")
     status, out, err = cli("walk", "2", "0", "2", "--for", "0.5")
     checks.that(status == 0 and "walk: limited to 0." in out, f"what the legs cannot do is said: {out}{err}")
 
@@ -118,6 +125,18 @@ def robot_alone(checks):
         checks.that(stack.process.wait(10) == 0, "^C ends it well")
 
 
+def interrupted_choice(checks):
+    """What Ctrl-C leaves of a search is not kept as its answer."""
+    words = [harness.BIN / "twinbus", "tune", "push_walk", "--error", "0.001mm"]
+    with tempfile.TemporaryDirectory() as cache:
+        for _ in range(2):
+            tune = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, env=dict(os.environ, TWINBUS_CACHE=cache))
+            time.sleep(1.0)
+            tune.send_signal(signal.SIGINT)
+            said = tune.communicate(timeout=20)[0]
+            checks.that(tune.returncode != 0 and "nothing is kept" in said, f"tune, interrupted, ends with {tune.returncode}: {said}")
+
+
 def lists(checks):
     status, said, _ = cli("--version")
     checks.that(status == 0 and said.startswith("twinbus "), f"--version: {said}")
@@ -126,6 +145,8 @@ def lists(checks):
     checks.that(status == 0 and len(groups) == 4 and "  physics " in said, f"bench lists by group, each with a line: {said}")
     checks.that("others" not in said and all(len(line.split(None, 1)) == 2 for line in said.splitlines() if line.startswith("  ")),
                 f"no bench without a line: {said}")
+    status, _, problem = cli("run", "stnad")
+    checks.that(status == 1 and "did you mean stand?" in problem, f"a scene that is not there: {problem[:200]}")
     status, said, _ = cli("scenes")
     groups = [line for line in said.splitlines() if not line.startswith(" ")]
     checks.that(status == 0 and groups == ["standing", "walking", "arms and hands", "bodies and mechanisms"], f"scenes by group: {groups}")
@@ -137,6 +158,7 @@ def main():
     harness.require("twinbus", "twinbus_simulator", "twinbus_bridge", "twinbus_controller", "twinbus_guard", "twinbus_planner", "emulated_robot")
     checks = Checks()
     lists(checks)
+    interrupted_choice(checks)
     runs_and_judges(checks)
     robot_alone(checks)
     no_process_is_left(checks)
