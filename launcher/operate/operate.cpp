@@ -292,7 +292,9 @@ int clear_command(const std::vector<std::string>& words) {
       if (bus.seen().figures().fell) std::printf("clear: the robot has fallen: ./twinbus sim reset puts it on its feet\n");
       bus.listen(0.15);  // one that stands by has the same nonce, and clears with it
       const std::vector<const SeenSource*> all = bus.seen().sources(monotonic_ns());
-      const bool more = std::any_of(all.begin(), all.end(), [](const SeenSource* s) { return s->status.stop_kind != StopKind::kNone; });
+      const bool more = std::any_of(all.begin(), all.end(), [](const SeenSource* one) {
+        return one->status.stop_kind != StopKind::kNone;
+      });
       return more ? clear_standbys(bus) : 0;
     }
   }
