@@ -253,9 +253,8 @@ std::string find_scene(const std::string& name_or_file) {
     const fs::path path = folder / (name_or_file + ".yaml");
     if (fs::is_regular_file(path, ignored)) return path.string();
   }
-  std::string list;
-  for (const std::string& name : scene_names()) list += " " + name;
-  throw std::runtime_error("no scene '" + name_or_file + "'" + suggestion(name_or_file, scene_names()) + "  Give a file or one of" + list);
+  throw std::runtime_error("no scene '" + name_or_file + "'" + suggestion(name_or_file, scene_names()) +
+                           " (./twinbus scenes lists them; or give a file)");
 }
 
 std::vector<double> pose_on_bus(const Scene& scene, const Model& model, const std::string& pose) {
