@@ -4,7 +4,7 @@
 #   P/lib/twinbus/bin         the processes            P/lib/twinbus/lib/adaptors   adaptors of hardware
 #   P/lib/twinbus/lib/python  message types in Python  P/lib/twinbus/share/types.jar  in Java
 #   P/include/twinbus         headers, and message types in C++
-#   P/share/twinbus           config (robots, scenes, stacks), lcmtypes (*.lcm), examples, the viewer's page, doc
+#   P/share/twinbus           config (robots, scenes, stacks), lcmtypes (*.lcm), python, examples, the viewer's page, doc
 #
 # and then, in a project of one's own:
 #
@@ -79,6 +79,7 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/lcmtypes DESTINATION ${data_dir} COMPONE
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/viewer_log/web/dist DESTINATION ${data_dir}/viewer_log/web COMPONENT programs)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples DESTINATION ${data_dir} COMPONENT programs
   PATTERN "__pycache__" EXCLUDE PATTERN "CMakeLists.txt" EXCLUDE)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/python/twinbus DESTINATION ${data_dir}/python COMPONENT programs PATTERN "__pycache__" EXCLUDE)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/doc DESTINATION ${data_dir} COMPONENT programs FILES_MATCHING PATTERN "*.md")
 install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${data_dir} COMPONENT programs)
 install(PROGRAMS ${PROJECT_SOURCE_DIR}/launcher/env.sh ${PROJECT_SOURCE_DIR}/launcher/spy.sh ${PROJECT_SOURCE_DIR}/launcher/named_state.py

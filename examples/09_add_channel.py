@@ -9,10 +9,7 @@ know it like any other. The type is power_t.lcm, beside this file.
 """
 import argparse
 import math
-import os
-import subprocess
-import sys
-import tempfile
+import pathlib
 import time
 
 import twinbus
@@ -20,21 +17,11 @@ import twinbus
 PERIOD = 0.02  # [s]
 
 
-def own_type():
-    """The Python class of power_t, made by lcm-gen."""
-    folder = tempfile.mkdtemp(prefix='power')
-    source = os.path.join(os.path.dirname(os.path.abspath(__file__)), 'power_t.lcm')
-    subprocess.run(['lcm-gen', '-p', '--ppath', folder, source], check=True, stdout=subprocess.DEVNULL)
-    sys.path.insert(0, folder)
-    import example
-    return example.power_t
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument('--for', dest='duration', type=float, default=math.inf, help='seconds to run')
     arguments = parser.parse_args()
-    power_t = own_type()
+    power_t = twinbus.message_type(pathlib.Path(__file__).with_name('power_t.lcm').read_text())
     bus = twinbus.Bus()
     bus.listen('STATE')
     print('add_channel: ready', flush=True)

@@ -33,7 +33,7 @@ def pieces_of(picture, sender):
     for message.piece in range(message.pieces):
         part = picture[message.piece * PIECE:(message.piece + 1) * PIECE]
         message.count = len(part)
-        message.text = struct.unpack(f'{PIECE}b', part + bytes(PIECE - len(part)))
+        message.text = part
         yield message
 
 

@@ -19,4 +19,4 @@ done
 quoted() { printf "'%s'" "$(printf %s "$1" | sed "s/'/'\\\\''/g")"; }
 echo "export LCM_DEFAULT_URL=$(quoted "${LCM_DEFAULT_URL:-udpm://239.255.76.67:17667?ttl=0&recv_buf_size=4194304}")"
 echo "export CLASSPATH=$(quoted "$classes")"
-echo "export PYTHONPATH=$(quoted "$build/lib/python:$root/examples${PYTHONPATH:+:$PYTHONPATH}")"
+echo "export PYTHONPATH=$(quoted "$root/python${PYTHONPATH:+:$PYTHONPATH}")"

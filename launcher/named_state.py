@@ -74,7 +74,7 @@ def make(folder, robot, twinbus):
 def run(folder, url, prefix):
     import math
     robot, *names = (folder / "robot.txt").read_text().split("\n")[:-1]
-    sys.path.insert(0, str(ROOT / "examples"))
+    sys.path.insert(0, str(ROOT / "python"))
     import twinbus
     module = {}
     exec((folder / "python/twinbus" / f"{type_name(robot)}.py").read_text(), module)

@@ -55,7 +55,10 @@ def programs(prefix, clean):
                  env=dict(clean, PYTHONPATH=str(prefix / "lib/twinbus/lib/python")))
     assert int(python) > 1000, python
     said = run(twinbus, "env", env=clean)
-    assert f"{prefix}/lib/twinbus/lib/python" in said and f"{prefix}/share/twinbus/examples" in said, said
+    assert f"{prefix}/share/twinbus/python" in said, said
+    said = run(sys.executable, "-c", "import twinbus; print(twinbus.home.program(), len(twinbus.messages.ALL))",
+               env=dict(clean, PYTHONPATH=str(prefix / "share/twinbus/python")))
+    assert said.startswith(str(prefix / "lib/twinbus/bin/twinbus")), said
     assert (prefix / "lib/twinbus/lib/adaptors/emulated_robot.so").is_file()
     assert (prefix / "share/twinbus/viewer_log/web/dist/index.html").is_file()
     assert (prefix / "share/twinbus/lcmtypes/robot_state_t.lcm").is_file()

@@ -41,8 +41,7 @@ def tilt(state):
 
 
 def holds_through_switches(kind, checks):
-    environment = dict(os.environ, TWINBUS_PYTHON=str(BIN.parent / 'lib/python'),
-                       LCM_DEFAULT_URL='udpm://239.255.76.67:17667?ttl=0&recv_buf_size=4194304')
+    environment = dict(os.environ, LCM_DEFAULT_URL='udpm://239.255.76.67:17667?ttl=0&recv_buf_size=4194304')
     client = subprocess.Popen(client_command(kind), stdout=subprocess.PIPE, text=True, env=environment)
     try:
         client.stdout.readline()  # "ready"

@@ -5,14 +5,11 @@
     hostile_arm.py swing    the elbow to and fro beside the body, for ever
 """
 import math
-import os
 import pathlib
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-if "TWINBUS_BIN" in os.environ:
-    os.environ.setdefault("TWINBUS_PYTHON", str(pathlib.Path(os.environ["TWINBUS_BIN"]).parent / "lib/python"))
-sys.path.insert(0, str(ROOT / "examples"))
+sys.path.insert(0, str(ROOT / "python"))
 import twinbus  # noqa: E402
 
 ROLL, YAW, ELBOW = 20, 21, 22  # of the left arm, bus order

@@ -72,8 +72,7 @@ def main():
 
     # A controller of one's own goes on in the background while the stack runs.
     client = " & ".join(by_kind.pop("test-client", []))
-    background = subprocess.Popen(["bash", "-c", f"exec {client}"], cwd=harness.ROOT, stdin=subprocess.DEVNULL,
-                                  env=dict(os.environ, PYTHONPATH=str(harness.BIN.parent / "lib/python")))
+    background = subprocess.Popen(["bash", "-c", f"exec {client}"], cwd=harness.ROOT, stdin=subprocess.DEVNULL)
     run_all(by_kind.pop("test-up-client", []), checks)
     checks.that(background.poll() is None, f"README: `{client}` goes on")
     background.send_signal(signal.SIGTERM)

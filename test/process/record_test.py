@@ -36,9 +36,8 @@ def events_of(data, channel):
 
 def record_a_run(checks):
     with Stack("stand", "--no-viewer"):
-        environment = dict(os.environ, TWINBUS_PYTHON=str(BIN.parent / "lib/python"))
         plug_in = subprocess.Popen([sys.executable, harness.ROOT / "examples/09_add_channel.py", "--for", "2"],
-                                   env=environment, stdout=subprocess.DEVNULL)
+                                   stdout=subprocess.DEVNULL)
         time.sleep(0.5)
         checks.that(cli("sway")[0] == 0, "sway is asked")
         time.sleep(1.0)
@@ -278,8 +277,7 @@ def named(checks, folder):
     checks.that(made.returncode == 0, f"named_state.py --make: {made.stderr[-300:]}")
     with Stack("stand", "--no-viewer", "--no-record"):
         bus = Bus()
-        environment = dict(os.environ, TWINBUS_PYTHON=str(BIN.parent / "lib/python"))
-        publisher = subprocess.Popen([*script, "--run", folder / "named"], env=environment, stdout=subprocess.DEVNULL)
+        publisher = subprocess.Popen([*script, "--run", folder / "named"], stdout=subprocess.DEVNULL)
         end = time.monotonic() + 10.0
         while time.monotonic() < end and sum(name == "STATE_NAMED" for _, name, _ in bus.records[:]) < 25:
             time.sleep(0.1)

@@ -4,7 +4,6 @@
 A pause is no silence: nothing stops and nobody alarms, however long it lasts.
 """
 
-import os
 import subprocess
 import sys
 import time
@@ -93,8 +92,7 @@ def main():
             status, _, problem = cli(*words)
             checks.that(status == 2 and expected in problem and problem.count("\n") == 1, f"{' '.join(words)}: {problem}")
         bus.close()
-    client = subprocess.Popen([sys.executable, harness.ROOT / "examples/02_command_joints.py"], stdout=subprocess.DEVNULL,
-                              env=dict(os.environ, TWINBUS_PYTHON=str(harness.BIN.parent / "lib/python")))
+    client = subprocess.Popen([sys.executable, harness.ROOT / "examples/02_command_joints.py"], stdout=subprocess.DEVNULL)
     with Stack("stand", "--stack", "client_both", "--start-pose", "zero", "--no-viewer"):
         bus = Bus()
         for channel in ("STATE", "STATE_BRIDGE"):

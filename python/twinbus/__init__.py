@@ -1,0 +1,31 @@
+"""twinbus from Python: the bus and its message types, logs, stacks, and the simulation in this process.
+
+    import twinbus
+    bus = twinbus.Bus()                            # $LCM_DEFAULT_URL, or this project's own port
+    bus.listen('STATE')
+    state = twinbus.newest_state(bus.receive(0.1))
+    bus.send('COMMAND', twinbus.command_for(state, me, state.q, kp=[1000.0] * state.joint_count))
+
+and for operators, whose messages name the run that they are for and count up:
+
+    bus.listen('STATE', 'CONTROLLER_STATUS')
+    state = bus.wait('STATE')
+    request = twinbus.mode_request_t()
+    request.mode = 4                               # balance
+    bus.ask('MODE_REQUEST', request, state)
+    bus.wait('CONTROLLER_STATUS', lambda status: status.mode_sequence == request.sequence)
+
+The bus needs the standard library alone; arrays of messages are numpy arrays where numpy is installed, else lists.
+"""
+from . import messages
+from .bus import JOINTS, Bus, command_for, decode, new_id, newest_state, padded, run, text
+from .channels import TYPES
+from .home import config
+from .lcm_types import Message, message_type
+from .log import Log, read_log
+from .messages import *  # noqa: F401,F403  (the types themselves: twinbus.robot_state_t)
+from .stack import Stack
+
+__version__ = '0.1'
+__all__ = ['JOINTS', 'TYPES', 'Bus', 'Log', 'Message', 'Stack', 'command_for', 'config', 'decode', 'message_type', 'messages', 'new_id',
+           'newest_state', 'padded', 'read_log', 'run', 'text']

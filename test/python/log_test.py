@@ -1,0 +1,82 @@
+#!/usr/bin/env python3
+"""Logs from Python: several parts, a last message that was not finished, damaged bytes, channels as arrays."""
+import pathlib
+import struct
+import tempfile
+import unittest
+
+from package_of_tree import SKIPPED  # noqa: F401
+import twinbus
+
+try:
+    import numpy
+except ImportError:
+    numpy = None
+try:
+    import pandas
+except ImportError:
+    pandas = None
+
+
+def event(number, utime, channel, body):
+    return struct.pack(">IqqII", 0xEDA1DA01, number, utime, len(channel), len(body)) + channel.encode() + body
+
+
+def state(tick):
+    message = twinbus.robot_state_t(tick=tick)
+    message.q[3], message.wrench[1][2] = 0.5 * tick, 100.0 + tick
+    return message.encode()
+
+
+class Logs(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.log = pathlib.Path(self.folder.name) / "run.log"
+        first = b"".join(event(k, 1000000 + 2000 * k, "STATE", state(k)) for k in range(5))
+        other = event(5, 1010000, "STATE", twinbus.stop_t().encode()) + event(6, 1010000, "STOP", twinbus.stop_t(kind=2).encode())
+        self.log.write_bytes(first + other + event(7, 1, "STATE", state(9))[:-1])
+        self.log.with_name("run-0002.log").write_bytes(event(0, 1020000, "STATE", state(5)))
+
+    def tearDown(self):
+        self.folder.cleanup()
+
+    def test_messages_of_all_parts_in_order(self):
+        found = list(twinbus.read_log(self.log))
+        self.assertEqual([channel for _, channel, _ in found], ["STATE"] * 6 + ["STOP", "STATE"])
+        log = twinbus.Log(self.log)
+        self.assertEqual(log.counts, {"STATE": 7, "STOP": 1})
+        self.assertEqual([message.tick for message in log.messages("STATE")], [0, 1, 2, 3, 4, 5])  # that of another type is left out
+        with self.assertRaisesRegex(KeyError, "POWER"):
+            log.messages("POWER")
+
+    @unittest.skipIf(numpy is None, "no numpy")
+    def test_arrays(self):
+        found = twinbus.Log(self.log).arrays("STATE")
+        self.assertEqual((found["q"].shape, found["q"].dtype, found["wrench"].shape), ((6, 48), numpy.float64, (6, 4, 6)))
+        self.assertTrue(found["q"].dtype.isnative)
+        numpy.testing.assert_allclose(found["time"], [0.0, 0.002, 0.004, 0.006, 0.008, 0.02])
+        numpy.testing.assert_array_equal(found["q"][:, 3], 0.5 * found["tick"])
+        numpy.testing.assert_array_equal(found["wrench"][:, 1, 2], [100, 101, 102, 103, 104, 105])
+        self.assertEqual(twinbus.Log(self.log).arrays("GUARD")["tick"].shape, (0,))
+
+    @unittest.skipIf(pandas is None, "no pandas")
+    def test_frame(self):
+        frame = twinbus.Log(self.log).frame("STATE")
+        self.assertEqual(list(frame["wrench[1,2]"]), [100, 101, 102, 103, 104, 105])
+        self.assertEqual(list(frame["q[3]"]), [0, 0.5, 1, 1.5, 2, 2.5])
+        self.assertEqual(frame.index.name, "time")
+
+    def test_damage_is_said_with_its_place(self):
+        whole = self.log.read_bytes()
+        for at, value in ((0, 1), (20, 255), (24, 255)):  # mark, length of the name, of the body
+            bad = bytearray(whole)
+            bad[at] = value
+            self.log.write_bytes(bad)
+            with self.assertRaisesRegex(ValueError, "byte 0: no log, or a damaged one"):
+                twinbus.Log(self.log)
+        self.log.write_bytes(b"")
+        self.assertEqual(twinbus.Log(self.log).counts, {"STATE": 1})
+
+
+if __name__ == "__main__":
+    unittest.main()

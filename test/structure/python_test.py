@@ -1,0 +1,48 @@
+#!/usr/bin/env python3
+"""The Python package says of messages and channels what lcmtypes/ says: messages.pyi, which type checkers read, and the table of
+channels.
+
+    python_test.py [--write]     --write makes python/twinbus/messages.pyi anew
+"""
+
+import pathlib
+import re
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "python"))
+from twinbus import channels, lcm_types  # noqa: E402
+
+STUBS = ROOT / "python/twinbus/messages.pyi"
+
+
+def channel_table():
+    """{channel: type} of lcmtypes/bus."""
+    code = {name: (ROOT / "lcmtypes/bus" / name).read_text() for name in ("channels.h", "wire.cpp", "convert.h")}
+    names = dict(re.findall(r'(k\w+)\[\] = "(\w+)"', code["channels.h"]))
+    type_of = dict(re.findall(r"struct MessageOf<(\w+)> \{\s*using type = (?:::)?(?:twinbus::)?(\w+);", code["convert.h"]))
+    table = {names[constant]: type_of[kind] for kind, constant in re.findall(r"row<(\w+)>\(channel::(k\w+)\)", code["wire.cpp"])}
+    table["LOG_TEXT"] = "model_text_t"  # only in logs, so in no row
+    return table
+
+
+def main():
+    stubs = lcm_types.stubs(lcm_types.read_folder(ROOT / "lcmtypes"))
+    if "--write" in sys.argv:
+        STUBS.write_text(stubs)
+    failed = []
+    if STUBS.read_text() != stubs:
+        failed.append("python/twinbus/messages.pyi is not what lcmtypes/*.lcm say: python3 test/structure/python_test.py --write")
+    there, here = channel_table(), {channel: kind.__name__ for channel, kind in channels.TYPES.items()}
+    assert len(there) > 25, there
+    for channel in sorted(there.keys() | here.keys()):
+        if there.get(channel) != here.get(channel):
+            failed.append(f"python/twinbus/channels.py: {channel} is {here.get(channel)}, in lcmtypes/bus {there.get(channel)}")
+    for problem in failed:
+        print(problem)
+    print(f"{len(there)} channels, {len(failed)} problems")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
