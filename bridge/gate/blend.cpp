@@ -1,5 +1,7 @@
 #include "bridge/gate/blend.h"
 
+#include <algorithm>
+
 #include "common/math/index.h"
 
 namespace twinbus {
@@ -34,6 +36,16 @@ void OffsetBlend::start(const JointCommand& own, const JointCommand& client, std
     torque_s[i] = static_cast<float>(torque_duration > 0.0 ? torque_duration : duration);
     active |= bit(j);
   }
+}
+
+float OffsetBlend::share_of_client() const noexcept {
+  double most = 0.0;
+  for (int j = 0; j < kMaxJoints; ++j) {
+    if ((active & bit(j)) == 0) continue;
+    const auto i = static_cast<std::size_t>(j);
+    most = std::max(most, left_at(static_cast<double>(elapsed[i]) / static_cast<double>(duration_s[i])));
+  }
+  return static_cast<float>(std::clamp(1.0 - most, 0.0, 1.0));
 }
 
 void OffsetBlend::advance_and_apply(double dt, int joint_count, JointCommand& command) noexcept {

@@ -29,6 +29,9 @@ struct OffsetBlend {
   // Forgets every offset.
   void clear() noexcept { active = 0; }
 
+  // Share of the client's position in the set-point, of the joint where it is least: 1 once nothing fades.
+  float share_of_client() const noexcept;
+
   // dt seconds [s] pass; then what is left is added to the first joint_count joints of command.
   void advance_and_apply(double dt, int joint_count, JointCommand& command) noexcept;
 

@@ -130,6 +130,11 @@ class CommandGate {
   bool commanded() const noexcept { return have_client_; }  // a command was accepted since open()
   bool wants_blend() const noexcept { return fade_next_ && next_blend_s_ > 0.0; }
   bool blending() const noexcept { return blend_.active != 0; }
+  // Share of the bound controller in what is obeyed: 0 nobody is obeyed yet, or a hold or a stop plan is .. 1 its commands act
+  // as they are.
+  float faded_in() const noexcept {
+    return have_client_ && !holding_ && !plan_.running() ? blend_.share_of_client() : 0.0f;
+  }
   const PlanRun& plan() const noexcept { return plan_; }
   PlanRefusal plan_refusal() const noexcept { return plan_refusal_; }  // of the last plan refused
   // The hold in force came at the end of a stop plan.

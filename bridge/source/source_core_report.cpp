@@ -43,6 +43,7 @@ void SourceCore::fill_status() noexcept {
   status_.period_ns = model_->period_ns;
   status_.stop_nonce = gate_.latch().nonce;
   status_.refusal_sequence = handover_.refusal_sequence;
+  status_.faded_in = gate_.faded_in();
   status_.refusal = handover_.refusal;
   status_.source = config_.kind;
   status_.role = handover_.role;

@@ -8,6 +8,7 @@
 #include "bridge/source/scene_teller.h"
 #include "bridge/source/sim_obey.h"
 #include "bridge/source/sim_pace.h"
+#include "bridge/source/source_channels_main.h"
 #include "bridge/source/source_events.h"
 #include "bridge/source/wait_count.h"
 #include "lcmtypes/bus/bus.h"
@@ -29,23 +30,6 @@ constexpr double kResendEvery = 0.020;  // lock-step [s]
 constexpr double kPausedWait = 0.02;    // [s]
 constexpr std::int64_t kPatience_ns = 200'000'000;  // of a world that waits for a late command
 constexpr int kLastTicks = 25;          // of a robot that is held before the process ends
-
-const char* own_channel(SourceKind kind) {
-  switch (kind) {
-    case SourceKind::kBridge:
-      return channel::kStateBridge;
-    case SourceKind::kReplay:
-      return channel::kStateReplay;
-    default:
-      return channel::kStateSim;
-  }
-}
-
-const char* channel_of(const ModeRequest&) { return channel::kModeRequest; }
-const char* channel_of(const ArmGoal&) { return channel::kArmGoal; }
-const char* channel_of(const WalkCommand&) { return channel::kWalk; }
-const char* channel_of(const StepList&) { return channel::kSteps; }
-const char* channel_of(const Gamepad&) { return channel::kGamepad; }
 
 class Shell {
  public:
@@ -330,7 +314,8 @@ class Shell {
                          status.refusal != told_.refusal || status.term != told_term_ ||
                          status.refusal_sequence != told_.refusal_sequence ||
                          status.stop_nonce != told_nonce_ || status.pace != told_.pace ||
-                         status.controller_id != told_.controller_id;
+                         status.controller_id != told_.controller_id ||
+                         (status.faded_in < 1.0f) != told_fading_;
     Event event;
     if (std::array<char, 200> cause; source_.take_fall(cause)) tell(2, cause.data());
     const auto cut = told_.clamped == 0 ? cut_sentence(source_.first_cut(), model_) : std::array<char, 200>{};
@@ -339,6 +324,7 @@ class Shell {
       told_term_ = status.term;
       told_nonce_ = status.stop_nonce;
       told_.pace = status.pace;
+      told_fading_ = status.faded_in < 1.0f;
       status_ns_ = now;
       status.utime = wall_us();
       send(channel::kSourceStatus, status);
@@ -445,6 +431,7 @@ class Shell {
                status_ns_ = 0;
   std::int64_t sim_sender_ = 0;
   std::int32_t sim_sequence_ = 0, event_sequence_ = 0, told_term_ = 0, told_nonce_ = 0;
+  bool told_fading_ = true;
   bool bus_gone_ = false;
 
   TellScene tell_scene_{this};

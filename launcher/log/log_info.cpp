@@ -108,7 +108,8 @@ class Gaps {
     constexpr std::tuple<const char*, const char*, const char*> kCounted[] = {
         {"STATE", "tick", "run_id"},   {"COMMAND", "tick", "controller_id"},
         {"GUARD", "tick", "guard_id"}, {"CONTROLLER_STATUS", "tick", "controller_id"},
-        {"TRUTH", "tick", "run_id"},   {"JOURNAL", "page", "process_id"}};
+        {"TRUTH", "tick", "run_id"},   {"ESTIMATE", "tick", "run_id"},
+          {"JOURNAL", "page", "process_id"}};
     for (const auto& [name, count, sender] : kCounted) {
       if (channel != name) continue;
       const MessageSchema* schema = find_schema(find_channel(name)->type);

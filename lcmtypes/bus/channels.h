@@ -15,6 +15,7 @@ inline constexpr char kSourceRequest[] = "SOURCE_REQUEST";
 inline constexpr char kControllerRequest[] = "CONTROLLER_REQUEST";
 inline constexpr char kModeRequest[] = "MODE_REQUEST";
 inline constexpr char kStop[] = "STOP";
+inline constexpr char kEstimate[] = "ESTIMATE";
 inline constexpr char kTruth[] = "TRUTH";
 inline constexpr char kGuard[] = "GUARD";
 inline constexpr char kGamepad[] = "GAMEPAD";

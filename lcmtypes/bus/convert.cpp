@@ -99,6 +99,7 @@ void fields(C& c, M& m, S& s) noexcept {
   c.within(m.period_ns, s.period_ns, 0, 1'000'000'000);
   c(m.stop_nonce, s.stop_nonce);
   c.counter(m.refusal_sequence, s.refusal_sequence);
+  c.within(m.faded_in, s.faded_in, 0.0f, 1.0f);
   c(m.source, s.source);
   c(m.role, s.role);
   c(m.stop_kind, s.stop_kind);

@@ -7,6 +7,7 @@
 
 #pragma once
 
+#include "lcmtypes/msg/estimate.h"
 #include "lcmtypes/msg/full_heartbeat.h"
 #include "lcmtypes/msg/journal.h"
 #include "lcmtypes/msg/pieces.h"
@@ -21,6 +22,7 @@
 #include "twinbus/arm_path_t.hpp"
 #include "twinbus/controller_request_t.hpp"
 #include "twinbus/controller_status_t.hpp"
+#include "twinbus/estimate_t.hpp"
 #include "twinbus/event_t.hpp"
 #include "twinbus/gamepad_t.hpp"
 #include "twinbus/gap_t.hpp"
@@ -114,6 +116,10 @@ struct MessageOf<SimTruth> {
   using type = sim_truth_t;
 };
 template <>
+struct MessageOf<Estimate> {
+  using type = estimate_t;
+};
+template <>
 struct MessageOf<FullHeartbeat> {
   using type = heartbeat_t;
 };
@@ -155,5 +161,9 @@ template <>
 Status to_message<StopPlanPiece>(const StopPlanPiece& value, stop_plan_t& message) noexcept;
 template <>
 Status from_message<StopPlanPiece>(const stop_plan_t& message, StopPlanPiece& value) noexcept;
+template <>
+Status to_message<Estimate>(const Estimate& value, estimate_t& message) noexcept;
+template <>
+Status from_message<Estimate>(const estimate_t& message, Estimate& value) noexcept;
 
 }  // namespace twinbus

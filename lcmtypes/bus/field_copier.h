@@ -1,7 +1,7 @@
 // Copies the fields of a message one way and judges each; convert.cpp lists the fields, this knows
 // the rules.
 //
-// Only convert.cpp and convert_stop_plan.cpp include it.
+// Only convert.cpp, convert_estimate.cpp and convert_stop_plan.cpp include it.
 
 #pragma once
 
@@ -12,6 +12,7 @@
 #include <type_traits>
 
 #include "common/text/printable.h"
+#include "lcmtypes/msg/estimate.h"
 #include "lcmtypes/msg/journal.h"
 #include "lcmtypes/msg/pieces.h"
 #include "lcmtypes/msg/reports.h"
@@ -35,6 +36,8 @@ constexpr int last_of(SourceKind) { return static_cast<int>(SourceKind::kReplay)
 constexpr int last_of(Role) { return static_cast<int>(Role::kStopped); }
 constexpr int last_of(StopKind) { return static_cast<int>(StopKind::kOff); }
 constexpr int last_of(WrenchKind) { return static_cast<int>(WrenchKind::kEstimated); }
+constexpr int last_of(LoadFrom) { return static_cast<int>(LoadFrom::kHeights); }
+constexpr int last_of(VelocityFrom) { return static_cast<int>(VelocityFrom::kFixed); }
 constexpr int last_of(StopReason) { return static_cast<int>(StopReason::kFallen); }
 constexpr int last_of(SourceAction) { return static_cast<int>(SourceAction::kPark); }
 constexpr int last_of(SwitchPolicy) { return static_cast<int>(SwitchPolicy::kWhenSafe); }

@@ -81,6 +81,7 @@ std::span<const ChannelInfo> channel_table() {
       row<ModelTextPiece>(channel::kCamera),
       row<SimRequest>(channel::kSimRequest),
       row<StopPlanPiece>(channel::kStopPlan),
+      row<Estimate>(channel::kEstimate),
   };
   return table;
 }
@@ -112,6 +113,7 @@ TWINBUS_WIRE(ArmPathPiece)
 TWINBUS_WIRE(GuardReport)
 TWINBUS_WIRE(ControllerStatus)
 TWINBUS_WIRE(SimTruth)
+TWINBUS_WIRE(Estimate)
 TWINBUS_WIRE(Heartbeat)
 TWINBUS_WIRE(FullHeartbeat)
 TWINBUS_WIRE(Gap)

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <span>
 
+#include "lcmtypes/msg/estimate.h"
 #include "lcmtypes/msg/full_heartbeat.h"
 #include "lcmtypes/msg/journal.h"
 #include "lcmtypes/msg/pieces.h"
@@ -71,7 +72,7 @@ struct Wire<SourceRequest> : WireBase<47, true> {
   static std::int64_t count(const SourceRequest& x) noexcept { return x.sequence; }
 };
 template <>
-struct Wire<SourceStatus> : WireBase<154, false> {
+struct Wire<SourceStatus> : WireBase<158, false> {
   static std::int64_t sender(const SourceStatus& x) noexcept { return x.run_id; }
 };
 template <>
@@ -127,6 +128,11 @@ template <>
 struct Wire<SimTruth> : WireBase<487, true> {
   static std::int64_t sender(const SimTruth& x) noexcept { return x.run_id; }
   static std::int64_t count(const SimTruth& x) noexcept { return x.tick; }
+};
+template <>
+struct Wire<Estimate> : WireBase<330, true> {
+  static std::int64_t sender(const Estimate& x) noexcept { return x.run_id; }
+  static std::int64_t count(const Estimate& x) noexcept { return x.tick; }
 };
 template <>
 struct Wire<Heartbeat> : WireBase<428, false> {

@@ -29,6 +29,7 @@ struct SourceStatus {
   std::int32_t period_ns = 0;
   std::int32_t stop_nonce = 0;
   std::int32_t refusal_sequence = 0;
+  float faded_in = 0.0f;
   SourceKind source = SourceKind::kNone;
   Role role = Role::kNone;
   StopKind stop_kind = StopKind::kNone;

@@ -88,6 +88,32 @@ class controller_status_t(Message):
 
 
 @dataclass(eq=False)
+class estimate_t(Message):
+    """Where the base is, how it moves and which feet carry it, from what the robot can measure; one per STATE, by the same source. World: z up, z = 0 the ground under the feet, origin and heading where the first STATE stood; goes on across a switch. Deviations are standard deviations along the axes of the world; a large one says: not known."""
+    tick: int = ...  # of the STATE that it belongs to
+    run_id: int = ...  # of that STATE
+    base_position: NDArray[np.float64] = ...  # [3] origin of the base link, world [m]
+    base_attitude: NDArray[np.float64] = ...  # [4] w x y z, base link in world
+    base_velocity: NDArray[np.float32] = ...  # [3] of the origin of the base link, axes of the world [m/s]
+    base_angular_velocity: NDArray[np.float32] = ...  # [3] of the base link, axes of the world [rad/s]
+    velocity_in_base: NDArray[np.float32] = ...  # [3] of the origin of the base link, axes of the base link [m/s]
+    angular_velocity_in_base: NDArray[np.float32] = ...  # [3] of the base link, axes of the base link [rad/s]
+    imu_velocity: NDArray[np.float32] = ...  # [3] of the origin of the IMU's frame, axes of the IMU [m/s]
+    position_deviation: NDArray[np.float32] = ...  # [3] [m]
+    attitude_deviation: NDArray[np.float32] = ...  # [3] rotation about the axes of the world [rad]
+    velocity_deviation: NDArray[np.float32] = ...  # [3] of base_velocity [m/s]
+    angular_velocity_deviation: NDArray[np.float32] = ...  # [3] of base_angular_velocity [rad/s]
+    foot_load: NDArray[np.float32] = ...  # [6] upward force on the foot, share of the robot's weight
+    foot_certainty: NDArray[np.float32] = ...  # [6] that the foot stands: 0 surely not .. 1 surely
+    foot_position: NDArray[np.float32] = ...  # [6, 3] centre of pressure, or of the foot where it is not known, world [m]
+    foot_joint: NDArray[np.int16] = ...  # [6] index in STATE.q of the last joint before the foot; -1 none
+    foot_count: int = ...  # rows in use: left foot, right foot, then the others in the order of the model
+    foot_stands: NDArray[np.int8] = ...  # [6] 1: carries load
+    load_from: int = ...  # 0 not known, 1 force sensors of the feet, 2 joint torques, 3 heights of the feet
+    velocity_from: int = ...  # 0 not known, 1 standing feet and accelerometer, 2 accelerometer alone, 3 standing feet alone, 4 the base is fixed
+
+
+@dataclass(eq=False)
 class event_t(Message):
     """A sentence for people. Control never listens."""
     utime: int = ...  # [us]
@@ -385,6 +411,7 @@ class source_status_t(Message):
     period_ns: int = ...
     stop_nonce: int = ...
     refusal_sequence: int = ...  # sequence of the request the refusal below answers
+    faded_in: float = ...  # share of the commands of controller_id in what the robot obeys: 0 none yet .. 1 they act as they are
     source: int = ...  # as in robot_state_t
     role: int = ...
     stop_kind: int = ...

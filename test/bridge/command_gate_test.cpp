@@ -294,6 +294,25 @@ TEST_F(Gate, AfterAClearTheClientIsFadedIn) {
   EXPECT_LT(std::abs(next().q[0]), 1e-3);
 }
 
+TEST_F(Gate, SaysHowFarAClientIsFadedIn) {
+  EXPECT_EQ(gate.faded_in(), 0.0F);  // nobody has spoken
+  gate.blend_again(0.1);
+  float before = 0.0F;
+  for (int i = 0; i < 60; ++i) {
+    JointCommand c = command();
+    c.q[0] = 0.5;
+    ASSERT_EQ(offer(c), GateVerdict::kAccepted);
+    next();
+    EXPECT_GE(gate.faded_in(), before);
+    if (i == 0) EXPECT_LT(gate.faded_in(), 0.01F);
+    if (i == 24) EXPECT_NEAR(gate.faded_in(), 0.5F, 0.05F);  // 50 of 100 ms
+    before = gate.faded_in();
+  }
+  EXPECT_EQ(before, 1.0F);
+  gate.stop(StopKind::kHold, StopReason::kOperator, now);
+  EXPECT_EQ(gate.faded_in(), 0.0F);  // a hold is obeyed, no client
+}
+
 TEST_F(Gate, TheGuardsMaskBrakesAJointAndLetsTheOthersGo) {
   JointCommand c = command();
   const auto run = [&](int ticks) {

@@ -76,6 +76,27 @@ TEST(Convert, AttitudeMustBeARotationWhereTheImuIsValid) {
   EXPECT_EQ(from_message(message, state), Status::kOk);
 }
 
+TEST(Convert, AnEstimateIsARotationWithDeviationsAndProbabilities) {
+  Estimate estimate;
+  const estimate_t good = message_of(sample<Estimate>());
+  ASSERT_EQ(from_message(good, estimate), Status::kOk);
+  EXPECT_EQ(estimate.foot_position[5][2], sample<Estimate>().foot_position[5][2]);
+  const auto refuses = [&](auto&& spoil) {
+    estimate_t message = good;
+    spoil(message);
+    return from_message(message, estimate) == Status::kOutOfRange;
+  };
+  EXPECT_TRUE(refuses([](estimate_t& m) { m.base_attitude[0] = 2.0; }));
+  EXPECT_TRUE(refuses([](estimate_t& m) { m.velocity_deviation[2] = -0.1f; }));
+  EXPECT_TRUE(refuses([](estimate_t& m) { m.foot_certainty[3] = 1.5f; }));
+  EXPECT_TRUE(refuses([](estimate_t& m) { m.foot_joint[0] = 48; }));
+  EXPECT_TRUE(refuses([](estimate_t& m) { m.foot_stands[1] = 2; }));
+  EXPECT_TRUE(refuses([](estimate_t& m) { m.velocity_from = 5; }));
+  estimate_t message = good;
+  message.foot_count = 7;
+  EXPECT_EQ(from_message(message, estimate), Status::kWrongSize);
+}
+
 TEST(Convert, NegativeGainsAreRefused) {
   JointCommand command;
   joint_command_t message = message_of(sample<JointCommand>());

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 
+#include "lcmtypes/msg/estimate.h"
 #include "lcmtypes/msg/pieces.h"
 #include "lcmtypes/msg/reports.h"
 #include "lcmtypes/msg/requests.h"
@@ -312,6 +313,26 @@ inline SimTruth sample<SimTruth>() {
   return x;
 }
 template <>
+inline Estimate sample<Estimate>() {
+  Estimate x{.tick = 1000, .run_id = 77};
+  count_up(x.base_position);
+  x.base_attitude = {0.5, 0.5, -0.5, 0.5};
+  float first = 0.1f;
+  for (auto* vector : {&x.base_velocity, &x.base_angular_velocity, &x.velocity_in_base, &x.angular_velocity_in_base, &x.imu_velocity,
+                       &x.position_deviation, &x.attitude_deviation, &x.velocity_deviation, &x.angular_velocity_deviation}) {
+    count_up(*vector, first += 0.1f);
+  }
+  count_up(x.foot_load);
+  count_up(x.foot_certainty);
+  count_up_rows(x.foot_position);
+  x.foot_joint = {5, 11, 17, 23, 29, 35};
+  x.foot_count = kMaxFeet;
+  x.foot_stands.fill(true);
+  x.load_from = LoadFrom::kTorques;
+  x.velocity_from = VelocityFrom::kFeetAndAccelerometer;
+  return x;
+}
+template <>
 inline Heartbeat sample<Heartbeat>() {
   Heartbeat x{.utime = 1, .process_id = 5, .messages_received = 10, .messages_rejected = 1};
   x.pid = 4321;
@@ -410,6 +431,7 @@ void for_every_type(F&& f) {
   f.template operator()<GuardReport>();
   f.template operator()<ControllerStatus>();
   f.template operator()<SimTruth>();
+  f.template operator()<Estimate>();
   f.template operator()<Heartbeat>();
   f.template operator()<Gap>();
   f.template operator()<ObstaclesPiece>();

@@ -32,7 +32,7 @@ except ImportError:
 CHANNEL_TYPES = {
     "STATE": "robot_state_t", "STATE_SIM": "robot_state_t", "STATE_BRIDGE": "robot_state_t",
     "STATE_REPLAY": "robot_state_t", "COMMAND": "joint_command_t", "SOURCE_STATUS": "source_status_t",
-    "TRUTH": "sim_truth_t", "GUARD": "guard_report_t", "CONTROLLER_STATUS": "controller_status_t",
+    "ESTIMATE": "estimate_t", "TRUTH": "sim_truth_t", "GUARD": "guard_report_t", "CONTROLLER_STATUS": "controller_status_t",
     "HEARTBEAT": "heartbeat_t", "EVENT": "event_t", "STOP": "stop_t", "SOURCE_REQUEST": "source_request_t",
     "MODE_REQUEST": "mode_request_t", "ARM_GOAL": "arm_goal_t", "ARM_PATH": "arm_path_t",
     "CONTROLLER_REQUEST": "controller_request_t", "GAP": "gap_t",

@@ -91,7 +91,7 @@ class MessageFeed : public LogFeed {
     if (name == channel::kState) return Kind::kState;
     if (name == channel::kCommand) return Kind::kCommand;
     if (name == channel::kGuard) return Kind::kGuard;
-    const bool each_tick = name == channel::kTruth || name == channel::kControllerStatus ||
+    const bool each_tick = name == channel::kTruth || name == channel::kEstimate || name == channel::kControllerStatus ||
                            name == channel::kStateSim || name == channel::kStateBridge ||
                            name == channel::kStateReplay;
     return each_tick ? Kind::kEachTick : Kind::kOther;
