@@ -82,7 +82,7 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples DESTINATION ${data_dir} COMPONE
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/python/twinbus DESTINATION ${data_dir}/python COMPONENT programs PATTERN "__pycache__" EXCLUDE)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/doc DESTINATION ${data_dir} COMPONENT programs FILES_MATCHING PATTERN "*.md")
 install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${data_dir} COMPONENT programs)
-install(PROGRAMS ${PROJECT_SOURCE_DIR}/launcher/env.sh ${PROJECT_SOURCE_DIR}/launcher/spy.sh ${PROJECT_SOURCE_DIR}/launcher/named_state.py
+install(PROGRAMS ${PROJECT_SOURCE_DIR}/launcher/env.sh ${PROJECT_SOURCE_DIR}/launcher/spy.sh ${PROJECT_SOURCE_DIR}/launcher/policy.sh ${PROJECT_SOURCE_DIR}/launcher/named_state.py
   DESTINATION ${data_dir}/launcher COMPONENT programs)
 file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/link)
 file(CREATE_LINK ../${home_dir}/bin/twinbus ${PROJECT_BINARY_DIR}/link/twinbus SYMBOLIC)

@@ -117,6 +117,8 @@ std::string bench_list(const std::vector<std::string>& names) {
 
 int spy_command(const std::vector<std::string>& words) { become(script("spy.sh"), words); }
 
+int policy_command(const std::vector<std::string>& words) { become(script("policy.sh"), words); }
+
 int env_command(const std::vector<std::string>& words) { become(script("env.sh"), words); }
 
 int gamepad_command(const std::vector<std::string>& words) {

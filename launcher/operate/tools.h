@@ -1,4 +1,4 @@
-// Commands that are programs or scripts of their own: spy, env, record, gamepad, bench, campaign.
+// Commands that are programs or scripts of their own: spy, env, policy, record, gamepad, bench, campaign.
 
 #pragma once
 
@@ -8,6 +8,7 @@
 namespace twinbus {
 
 int spy_command(const std::vector<std::string>& words);
+int policy_command(const std::vector<std::string>& words);
 int env_command(const std::vector<std::string>& words);
 int replay_command(const std::vector<std::string>& words);
 int view_command(const std::vector<std::string>& words);

@@ -1,0 +1,14 @@
+import sys
+
+from .arguments import REMEDY, parser
+
+words = parser().parse_args()
+try:
+    import numpy  # noqa: F401
+    import onnxruntime  # type: ignore[import-untyped,import-not-found,unused-ignore]  # noqa: F401
+    import yaml  # type: ignore[import-untyped,unused-ignore]  # noqa: F401
+except ImportError as error:
+    sys.exit(f'policy: {error.name}: {REMEDY}')
+from .command_line import main  # noqa: E402
+
+sys.exit(main(words))

@@ -1,0 +1,148 @@
+"""./twinbus policy MODEL.onnx: runs a learned policy on the bus, proposes its specification, checks it, or maps its answer."""
+from __future__ import annotations
+
+import argparse
+import pathlib
+import sys
+
+from ..bus import Bus
+from . import answer_map, check, find, robot, spec, suspects, trial
+from . import propose as begin
+from .controller import Controller
+from .errors import PolicyError, Refused
+from .network import Network
+from .runner import Options, Runner, Stopped
+
+def run(words: argparse.Namespace) -> int:
+    network = Network(words.model)
+
+    def bind(found: robot.Robot) -> Controller:
+        specification = find.find(network, found, words.spec)
+        controller = Controller(specification, found, network if network_fits(specification, network)
+                                else Network(words.model, specification.input, specification.output))
+        print(f'policy: {specification.source}: {len(specification.joints)} of {len(found.names())} joints of {found.name}, '
+              f'{len(specification.observations)} observations, {1.0 / specification.period:.0f} actions a second', flush=True)
+        for sentence in specification.assumed:
+            print(f'policy: assumed: {sentence}', flush=True)
+        return controller
+    known = robot.from_folder(words.robot) if words.robot else None
+    wait = words.wait if words.wait is not None else 0.0 if words.no_fade else 0.3
+    with Bus(words.url, words.prefix) as bus:
+        runner = Runner(bus, bind, Options(tuple(words.command), wait, not words.no_fade, words.duration), known)
+        print('policy: ready', flush=True)
+        try:
+            runner.run()
+        except Stopped as stop:
+            print(f'policy: stopped the robot: {stop}', file=sys.stderr)
+            return 1
+    print(f'policy: done, {runner.actions} actions in {runner.elapsed:.1f} s', flush=True)
+    return 0
+
+
+def network_fits(specification: spec.Spec, network: Network) -> bool:
+    """Whether the network was opened with the input and output that the specification names."""
+    return specification.input in ('', network.input) and specification.output in ('', network.output)
+
+
+def propose(words: argparse.Namespace) -> int:
+    """Writes what was found as SPEC.yaml, or begins one."""
+    network, known = Network(words.model), robot_of(words)
+    try:
+        found = find.find(network, known, words.spec)
+    except Refused:
+        raise
+    except PolicyError as error:
+        print(f'policy: {error}', file=sys.stderr)
+        print('policy: so this is a guess; look at everything under `assumed`', file=sys.stderr)
+        found = begin.propose(network, known)
+    text = spec.to_text(found)
+    if words.output == '-':
+        print(text, end='')
+        return 0
+    target = pathlib.Path(words.output) if words.output else words.model.with_name(words.model.stem + '.spec.yaml')
+    if target.exists():
+        raise PolicyError(f'{target} is there already; --output says another file, --output - prints it')
+    target.write_text(text)
+    print(f'policy: written: {target} (from {found.source}); next: ./twinbus policy {words.model} --spec {target} --check --robot {words.robot}')
+    return 0
+
+
+def check_it(words: argparse.Namespace) -> int:
+    """Contract by its numbers, then a trial in a simulator; where it falls, the single change that lets it walk."""
+    network, known = Network(words.model), robot_of(words)
+    found = find.find(network, known, words.spec)
+    if not network_fits(found, network):
+        network = Network(words.model, found.input, found.output)
+    print(f'policy: {found.source}: {len(found.joints)} joints, {len(found.observations)} observations, an action every '
+          f'{1e3 * found.period:g} ms', flush=True)
+    faults = check.in_words(check.check(found, known, network), lambda line: print(line, flush=True))
+    pose = trial.posture_of(found, known)
+    if pose is None:
+        print('note  start: no pose of the SRDF is its default posture, so it begins there for 0.3 s while it is faded in; with this pose it '
+              'can begin at once (--start-pose policy):')
+        print('      <group_state name="policy" group="all">' + ''.join(f'<joint name="{joint.name}" value="{joint.default:g}"/>'
+                                                                         for joint in found.joints) + '</group_state>')
+    if faults or words.no_trial:
+        print(f'policy: {faults} faults' + ('; no trial before they are mended' if faults and not words.no_trial else ''))
+        return 1 if faults else 0
+    fast = tuple(words.command) if any(words.command) else (min(0.5, found.commands.get('vx', (0.0, 0.5))[1]), 0.0, 0.0)
+
+    def walks(candidate: spec.Spec) -> list[trial.Outcome]:
+        return trial.run_all([trial.Case(network, candidate, known, words.robot, command, words.seconds, words.seed)
+                              for command in ((0.0, 0.0, 0.0), fast)], words.jobs)
+    outcomes = walks(found)
+    for outcome in outcomes:
+        print(f'trial {trial.in_words(outcome)}', flush=True)
+    if all(trial.is_good(outcome) for outcome in outcomes):
+        print('policy: no faults; it stands and walks in the simulator')
+        return 0
+    print('policy: it does not walk in the simulator; which single change lets it?', flush=True)
+    cases = list(suspects.suspects(found, known))
+    results = trial.run_all([trial.Case(network, changed, known, words.robot, fast, words.seconds, words.seed)
+                             for _, _, changed in cases], words.jobs)
+    good = sorted((trial.error_of(outcome), number) for number, outcome in enumerate(results) if trial.is_good(outcome))
+    for _, number in good[:3]:
+        about, sentence, _ = cases[number]
+        print(f'FAULT {about}: it walks {sentence} ({trial.in_words(results[number])})')
+    if not good:
+        print(f'FAULT trial: it falls, and none of {len(cases)} single changes lets it walk')
+    return 1
+
+
+def map_it(words: argparse.Namespace) -> int:
+    """The answer to velocities, over seeds."""
+    network, known = Network(words.model), robot_of(words)
+    found = find.find(network, known, words.spec)
+    if not network_fits(found, network):
+        network = Network(words.model, found.input, found.output)
+    axes = [answer_map.AXES.index(axis) for axis in words.axes]
+    asked = [tuple(words.command)] if any(words.command) else answer_map.commands(found, axes, words.steps)
+    cases = [trial.Case(network, found, known, words.robot, command, words.seconds, words.seed + number, words.engine)
+             for command in asked for number in range(words.seeds)]
+    outcomes = trial.run_all(cases, words.jobs)
+    answer_map.in_words(outcomes, axes, lambda line: print(line, flush=True))
+    if words.output:
+        pathlib.Path(words.output).write_text(answer_map.svg(outcomes, axes, f'{found.name} on {known.name}: {words.seeds} seeds, '
+                                                             f'{words.seconds:g} s each'))
+        print(f'policy: written: {words.output}')
+    return 1 if any(outcome.fell or outcome.stopped for outcome in outcomes) else 0
+
+
+def robot_of(words: argparse.Namespace) -> robot.Robot:
+    if not words.robot:
+        raise PolicyError('--propose, --check and --map need --robot: a name under config/robots, or a folder')
+    return robot.from_folder(words.robot)
+
+
+def main(words: argparse.Namespace) -> int:
+    """Exit status: 0 done, 1 failed."""
+    try:
+        return propose(words) if words.propose else check_it(words) if words.check else map_it(words) if words.map else run(words)
+    except PolicyError as error:
+        print(f'policy: {error}', file=sys.stderr)
+        return 1
+    except OSError as error:
+        print(f'policy: {error}', file=sys.stderr)
+        return 1
+    except KeyboardInterrupt:
+        return 0

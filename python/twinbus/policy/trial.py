@@ -1,0 +1,162 @@
+"""A policy in a simulator of its own: a stack in lock-step on a bus of its own, and what TRUTH says of it.  No robot moves."""
+from __future__ import annotations
+
+import concurrent.futures
+import json
+import math
+import os
+import pathlib
+import random
+import subprocess
+import tempfile
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .. import home, messages
+from ..bus import Bus
+from .controller import Controller
+from .errors import PolicyError
+from .network import Network
+from .robot import Robot
+from .runner import Options, Runner, Stopped
+from .spec import Spec
+
+Array = NDArray[np.float64]
+SETTLED = 2.0     # of the beginning does not count [s]
+NEAR = 0.05       # of the policy's posture: a start in it needs no fade [rad]
+SILENCE = 60.0    # without STATE, after which the stack is given up [s]
+
+
+@dataclass
+class Outcome:
+    """Of one trial.  Means after the first two seconds, in the heading frame of the base."""
+    command: tuple[float, float, float]
+    seed: int
+    seconds: float = 0.0          # of the robot's time that it lasted
+    velocity: Array = field(default_factory=lambda: np.zeros(3))  # vx, vy [m/s], wz [rad/s]
+    largest_tilt: float = 0.0     # [rad]
+    fell: bool = False
+    stopped: str = ''             # why, when the robot was stopped
+
+
+class _Watch:
+    """Sums up TRUTH."""
+
+    def __init__(self) -> None:
+        self.begin: float | None = None
+        self.sum, self.count = np.zeros(3), 0
+        self.tilt, self.fell, self.fell_at = 0.0, False, math.inf
+
+    def see(self, truth: messages.sim_truth_t) -> None:
+        self.begin = truth.sim_time if self.begin is None else self.begin
+        w, x, y, z = truth.base_attitude
+        self.tilt = max(self.tilt, math.acos(max(-1.0, min(1.0, 1.0 - 2.0 * (x * x + y * y)))))
+        if (truth.fell or self.tilt > 1.0) and not self.fell:
+            self.fell, self.fell_at = True, truth.sim_time - self.begin
+        if self.fell or truth.sim_time - self.begin < SETTLED:
+            return
+        yaw = math.atan2(2.0 * (w * z + x * y), 1.0 - 2.0 * (y * y + z * z))
+        vx, vy = truth.base_velocity[0], truth.base_velocity[1]
+        self.sum += [math.cos(yaw) * vx + math.sin(yaw) * vy, -math.sin(yaw) * vx + math.cos(yaw) * vy, truth.base_angular_velocity[2]]
+        self.count += 1
+
+
+def posture_of(spec: Spec, robot: Robot) -> str | None:
+    """A pose of the SRDF in which the policy begins, or None."""
+    for name, angles in robot.poses.items():
+        if all(abs(angles.get(joint.name, 0.0) - joint.default) < NEAR for joint in spec.joints):
+            return name
+    return None
+
+
+def run(network: Network, spec: Spec, robot: Robot, folder: str, command: tuple[float, float, float], seconds: float, seed: int = 1,
+        engine: str = '', settings: tuple[str, ...] = (), wait: float | None = None) -> Outcome:
+    """folder: of the robot, as behind --robot.  seconds: of the robot's time.  wait: as of the runner, None: 0 where a pose of the SRDF is
+    the policy's posture.
+
+    PolicyError when the stack does not run."""
+    pose = posture_of(spec, robot)
+    wait = (0.3 if pose is None else 0.0) if wait is None else wait
+    outcome, watch = Outcome(command, seed), _Watch()
+    url = f'udpm://239.255.76.67:{random.SystemRandom().randrange(20000, 60000)}?ttl=0'
+    with tempfile.TemporaryDirectory() as work, Bus(url) as bus:
+        runner = Runner(bus, lambda found: Controller(spec, found, network), Options(command, wait, pose is None, seconds, lambda _: None),
+                        replace(robot))
+        runner.on_truth = watch.see
+        words = [str(home.program()), 'up', 'stand_python', '--stack', 'client', '--robot', folder, '--lockstep', '--no-viewer', '--no-record',
+                 '--for', f'{seconds + 0.1:g}', '--seed', str(seed), '--url', url]
+        words += ['--start-pose', pose] if pose is not None else []
+        words += ['--engine', engine] if engine else []
+        for setting in settings:
+            words += ['--set', setting]
+        log = pathlib.Path(work) / 'up.txt'
+        with log.open('w') as out:
+            stack = subprocess.Popen(words, stdout=out, stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL,
+                                     env=dict(os.environ, TWINBUS_RUNS=work))
+        try:
+            quiet = 0.0
+            while runner.elapsed < seconds and not watch.fell:
+                quiet = 0.0 if runner.receive(0.5) else quiet + 0.5
+                if quiet > SILENCE or stack.poll() is not None and quiet > 1.0:
+                    if runner.ticks:
+                        break
+                    raise PolicyError('the trial does not run: ' + ' '.join(log.read_text().splitlines()[-3:])[:400])
+        except Stopped as stop:
+            outcome.stopped = str(stop)
+        finally:
+            stack.terminate()
+            try:
+                stack.wait(20.0)
+            except subprocess.TimeoutExpired:
+                stack.kill()
+    outcome.seconds, outcome.fell, outcome.largest_tilt = min(runner.elapsed, watch.fell_at), watch.fell, watch.tilt
+    outcome.velocity = watch.sum / max(1, watch.count)
+    return outcome
+
+
+@dataclass
+class Case:
+    """What run() takes."""
+    network: Network
+    spec: Spec
+    robot: Robot
+    folder: str
+    command: tuple[float, float, float]
+    seconds: float
+    seed: int = 1
+    engine: str = ''
+
+
+def run_all(cases: list[Case], jobs: int) -> list[Outcome]:
+    """Each with a stack of its own, jobs at once; in the order of the cases."""
+    def one(case: Case) -> Outcome:
+        network = Network(case.network.path, case.network.input, case.network.output)  # a recurrent one has a memory of its own
+        return run(network, case.spec, case.robot, case.folder, case.command, case.seconds, case.seed, case.engine)
+    with concurrent.futures.ThreadPoolExecutor(max(1, jobs)) as pool:
+        return list(pool.map(one, cases))
+
+
+def error_of(outcome: Outcome) -> float:
+    """What it walks beside what it was asked [m/s and rad/s together]."""
+    return float(np.linalg.norm(outcome.velocity - np.array(outcome.command)))
+
+
+def is_good(outcome: Outcome) -> bool:
+    """It neither fell nor was stopped, and walks roughly as it was asked."""
+    return not outcome.fell and not outcome.stopped and error_of(outcome) < max(0.35, 0.6 * float(np.linalg.norm(outcome.command)))
+
+
+def in_words(outcome: Outcome) -> str:
+    asked, walked = ('%.2f %.2f %.2f' % tuple(numbers) for numbers in (outcome.command, outcome.velocity))
+    end = f'fell after {outcome.seconds:.1f} s' if outcome.fell else f'stopped: {outcome.stopped}' if outcome.stopped else \
+        f'{outcome.seconds:.1f} s, tilt {math.degrees(outcome.largest_tilt):.1f} degrees'
+    return f'asked {asked}, walked {walked}: {end}'
+
+
+def as_json(outcome: Outcome) -> str:
+    """One line."""
+    return json.dumps({'command': outcome.command, 'seed': outcome.seed, 'seconds': round(outcome.seconds, 3),
+                       'velocity': [round(float(v), 4) for v in outcome.velocity], 'largest_tilt_deg': round(math.degrees(outcome.largest_tilt), 2),
+                       'fell': outcome.fell, 'stopped': outcome.stopped})
