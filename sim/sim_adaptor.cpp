@@ -7,6 +7,7 @@
 
 #include "robot/dynamics/inverse_dynamics.h"
 #include "common/process/process.h"
+#include "sim/scene/fidelity.h"
 #include "sim/scene/rigid_object_pieces.h"
 #include "sim/scene/scene_robots.h"
 #include "sim/scene/scene_seed.h"
@@ -261,6 +262,7 @@ Status SimAdaptor::open(const Model& nominal, const AdaptorConfig& config) {
     s.settings.world.tiles = s.scene.tiles;
     s.settings.world.loose = s.scene.loose;
     s.settings.world.robots = robots_of(s.scene);
+    apply_fidelity(s.scene, model, s.settings.world);
     s.settings.world.self_contact = s.scene.self_contact;
     s.settings.world.fixed_base = s.scene.fixed_base || !model.floating_base;
     apply_settings(s.scene.settings, model.period(), s.settings);

@@ -2,6 +2,7 @@
 
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <stdexcept>
@@ -9,6 +10,8 @@
 #include "common/file/disk_cache.h"
 #include "common/math/index.h"
 #include "common/process/process.h"
+#include "common/text/closest_name.h"
+#include "sim/scene/fidelity.h"
 
 namespace twinbus {
 
@@ -28,9 +31,13 @@ void add_this_program(FingerprintMaker& maker) {
 Fingerprint key_of(const Model& model, const Scene& scene, const OneProcessConfig& config,
                    const AccuracyRequest& request) {
   FingerprintMaker maker;
-  maker.add("ladder 2");
+  maker.add("ladder 3");
   add_this_program(maker);
   maker.add(scene.text).add(scene.engine).add(scene.robot).add(model.hash);
+  maker.add(scene.fidelity).add(static_cast<std::int64_t>(scene.held.size())).add(static_cast<std::int64_t>(scene.rigid.size()));
+  for (const auto* names : {&scene.held, &scene.rigid}) {
+    for (const std::string& name : *names) maker.add(name);
+  }
   for (const auto* list : {&scene.settings, &config.settings}) {
     for (const auto& [name, value] : *list) maker.add(name).add(value);
   }
@@ -81,6 +88,13 @@ void decide(const Model& model, const AccuracyRequest& request, AccuracyChoice& 
 
 }  // namespace
 
+void choose_fidelity(const Arguments& arguments, Scene& scene) {
+  scene.fidelity = arguments.text("--fidelity", scene.fidelity);
+  const std::vector<std::string> names(std::begin(kFidelityNames), std::end(kFidelityNames));
+  if (std::find(names.begin(), names.end(), scene.fidelity) == names.end())
+    throw UsageError("there is no fidelity '" + scene.fidelity + "'" + suggestion(scene.fidelity, names));
+}
+
 AccuracyChoice choose_accuracy(const Model& model, const Scene& scene,
                                const OneProcessConfig& config, const AccuracyRequest& request) {
   AccuracyChoice choice;
@@ -95,9 +109,15 @@ AccuracyChoice choose_accuracy(const Model& model, const Scene& scene,
     climbing.error = request.error;
     // Within a budget the yardstick is as good as time allows.
     climbing.all = request.all || !(request.error > 0.0);
+    climbing.less = scene.fidelity == "auto" && request.error > 0.0;
     if (request.talk) {
       climbing.progress = [](const Ladder& so_far) {
         const Rung& rung = so_far.rungs.back();
+        if (const auto last = so_far.rungs.end() - 2; so_far.rungs.size() > 1 && !last->less.none()) {
+          std::fprintf(stderr, "fidelity: %s, %.2f ms of physics per second, error %.3g mm\n",
+                       words_of(last->less).c_str(), last->cost, 1e3 * last->apart);
+          return;
+        }
         std::fprintf(stderr, "accuracy: order %d at %.3g ms, %.2f ms of physics per second%s\n",
                      rung.order, 1e3 * rung.step, rung.cost,
                      std::isfinite(so_far.agreement) && rung.order == 3

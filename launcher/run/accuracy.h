@@ -6,9 +6,15 @@
 #include <cstdint>
 #include <string>
 
+#include "common/process/arguments.h"
 #include "launcher/run/ladder.h"
 
 namespace twinbus {
+
+inline constexpr double kAutoError = 1e-3;  // of `fidelity: auto` where no error is asked for [m]
+
+// --fidelity, if given, instead of the scene's.  Throws UsageError for a word that is none.
+void choose_fidelity(const Arguments& arguments, Scene& scene);
 
 struct AccuracyRequest {
   double error = 0.0;   // asked for [m]; 0: the best that the budget gives

@@ -2,6 +2,10 @@
 
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
+#include "robot/dynamics/energy.h"
 #include "robot/kinematics/kinematics.h"
 #include "robot/description/model.h"
 #include "sim/scene/scene.h"
@@ -12,10 +16,21 @@ namespace twinbus {
 class EnergyWatch {
  public:
   // Does nothing for a scene that does not ask.
-  EnergyWatch(const Model& model, const Scene& scene);
+  EnergyWatch(const Model& model, const Scene& scene)
+      : on_(!std::isnan(scene.criteria.energy_drift_j)), kinematics_(model) {}
 
   // Each tick.  From the first on in which no servo has a torque and nothing pushes.
-  void add(bool pushed, const RobotState& state, const World& world);
+  void add(bool pushed, const RobotState& state, const World& world) {
+    if (!on_) return;
+    const bool worked = std::any_of(state.tau.begin(), state.tau.begin() + state.joint_count,
+                                    [](float tau) { return tau != 0.0F; });
+    if (!begun_ && (pushed || worked)) return;
+    kinematics_.update(world.configuration());
+    const double now = mechanical_energy(kinematics_, world.configuration());
+    if (!begun_) first_ = now;
+    begun_ = true;
+    drift_ = std::max(drift_, std::abs(now - first_));
+  }
 
   bool on() const { return on_; }
   bool begun() const { return begun_; }

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <limits>
 #include <sstream>
+#include <stdexcept>
 
 #include "common/math/index.h"
 #include "common/process/process.h"
@@ -98,11 +99,22 @@ Track follow(const Model& model, const Scene& scene, const OneProcessConfig& con
   run.time_physics();
   Track track;
   track.names = names_of(run);
+  const Eigen::VectorXd start = run.world().configuration().q;
+  Eigen::VectorXd moved = Eigen::VectorXd::Zero(start.size());
+  for (const auto& robot : run.further_robots()) track.moved.robots.push_back(robot.name);
+  track.moved.robot_ways.assign(track.moved.robots.size(), 0.0);
   const std::int64_t ticks = std::llround(duration / model.period());
   const std::int64_t every = std::max<std::int64_t>(1, std::llround(kEvery / model.period()));
   while (run.ticks() < ticks && !quit_requested() && run.tick()) {
-    if (run.ticks() % every == 0) track.at.push_back(places(run));
+    if (run.ticks() % every != 0) continue;
+    track.at.push_back(places(run));
+    moved = moved.cwiseMax((run.world().configuration().q - start).cwiseAbs());
+    for (std::size_t i = 0; i < track.moved.robots.size(); ++i) {
+      const Eigen::Vector3d now = run.world().robot_link(static_cast<int>(i), 0).translation();
+      track.moved.robot_ways[i] = std::max(track.moved.robot_ways[i], (now - run.further_robots()[i].start).norm());
+    }
   }
+  track.moved.joints.assign(moved.begin(), moved.end());
   track.whole = run.ticks() >= ticks;
   track.cost = run.physics_seconds();
   track.all = cpu_seconds() - begun;
@@ -131,7 +143,7 @@ int Ladder::choose(double error) const {
   for (std::size_t i = 0; i < rungs.size(); ++i) {
     const Rung& rung = rungs[i];
     const bool holds = std::all_of(rungs.begin(), rungs.end(), [&](const Rung& finer) {
-      if (finer.order != rung.order || finer.step > rung.step) return true;
+      if (finer.order != rung.order || finer.step > rung.step || !(finer.less == rung.less)) return true;
       return finer.whole && finer.apart <= error / kMargin;
     });
     if (holds && (best < 0 || rung.cost < rungs[at(best)].cost)) best = static_cast<int>(i);
@@ -156,7 +168,50 @@ Scene at_rung(const Scene& scene, int order, double step) {
   return changed;
 }
 
+Scene at_rung(const Scene& scene, const Rung& rung) {
+  return without(at_rung(scene, rung.order, rung.step), rung.less);
+}
+
 namespace {
+
+// The last run of `tracks` is the yardstick.
+Rung rung_of(int order, double step, const Track& track, const Track& yardstick, double duration) {
+  const Apart apart = distance(track, yardstick);
+  Rung rung;
+  rung.order = order;
+  rung.step = step;
+  rung.cost = 1e3 * track.cost / duration;
+  rung.apart = apart.most;
+  rung.at = kEvery * static_cast<double>(apart.sample + 1);
+  rung.body = track.names.empty() ? "" : track.names[apart.body];
+  rung.whole = track.whole;
+  return rung;
+}
+
+// Leaves out of the chosen run what hardly moved in the yardstick: the largest set that holds the error and costs less.
+template <class Run>
+void leave_out(const Model& model, const LadderRequest& request, const Run& run, const Scene& scene, const Track& yardstick,
+               Ladder& ladder) {
+  const int chosen = ladder.choose(request.error);
+  if (chosen < 0) return;
+  const Rung whole = ladder.rungs[at(chosen)];
+  for (const Less& less : proposals(model, yardstick.moved, request.error)) {
+    if (quit_requested()) return;
+    Rung wanted = whole;
+    wanted.less = less;
+    Rung rung;
+    try {
+      const Track track = run(at_rung(scene, wanted));
+      rung = rung_of(whole.order, whole.step, track, yardstick, request.duration);
+    } catch (const std::runtime_error&) {
+      continue;  // a loop or grasp needs what would be left out
+    }
+    rung.less = less;
+    ladder.rungs.insert(ladder.rungs.end() - 1, rung);
+    if (request.progress) request.progress(ladder);
+    if (ladder.choose(request.error) != chosen) return;
+  }
+}
 
 // The yardstick stands, and a finer run of a lower order may hold the error for less than what is chosen so far.
 template <class Run>
@@ -175,14 +230,7 @@ void add_cheaper(const LadderRequest& request, const Run& run, double period, co
         break;
       }
       const Track track = run(at_rung(scene, order, step));
-      const Apart apart = distance(track, tracks.back());
-      const Rung finer{.order = order,
-                       .step = step,
-                       .cost = 1e3 * track.cost / request.duration,
-                       .apart = apart.most,
-                       .at = kEvery * static_cast<double>(apart.sample + 1),
-                       .body = track.names.empty() ? "" : track.names[apart.body],
-                       .whole = track.whole};
+      const Rung finer = rung_of(order, step, track, tracks.back(), request.duration);
       ladder.rungs.insert(ladder.rungs.end() - 1, finer);
     }
   }
@@ -219,13 +267,7 @@ Ladder climb(const Model& model, const Scene& scene, const OneProcessConfig& con
     const double step = model.period() / parts;
     for (int order = 1; order <= orders; ++order) {
       tracks.push_back(run(at_rung(scene, order, step)));
-      ladder.rungs.push_back({.order = order,
-                              .step = step,
-                              .cost = 1e3 * tracks.back().cost / request.duration,
-                              .apart = 0.0,
-                              .at = 0.0,
-                              .body = "",
-                              .whole = tracks.back().whole});
+      ladder.rungs.push_back(rung_of(order, step, tracks.back(), tracks.back(), request.duration));
       // Twins of the coarsest run of order 2, or of order 1 where there is no other.
       if (parts == 1 && order == std::min(2, orders)) {
         ladder.parted =
@@ -251,18 +293,22 @@ Ladder climb(const Model& model, const Scene& scene, const OneProcessConfig& con
       break;
     }
   }
+  if (request.less && !tracks.empty()) leave_out(model, request, run, scene, tracks.back(), ladder);
   return ladder;
 }
 
 std::string ladder_text(const Ladder& ladder) {
   std::ostringstream text;
   text.precision(17);
-  text << "ladder 1 " << ladder.rungs.size() << ' ' << ladder.parted.size() << ' '
+  text << "ladder 2 " << ladder.rungs.size() << ' ' << ladder.parted.size() << ' '
        << (std::isfinite(ladder.agreement) ? ladder.agreement : -1.0) << ' ' << ladder.cost << '\n';
   for (const Rung& r : ladder.rungs) {
     text << r.order << ' ' << r.step << ' ' << r.cost << ' '
          << (std::isfinite(r.apart) ? r.apart : -1.0) << ' ' << r.at << ' ' << r.whole << ' '
-         << r.body << '\n';
+         << r.less.held.size() << ' ' << r.less.rigid.size() << ' ' << r.body << '\n';
+    for (const auto* names : {&r.less.held, &r.less.rigid}) {
+      for (const std::string& name : *names) text << name << '\n';
+    }
   }
   for (const Parted& p : ladder.parted)
     text << (std::isfinite(p.apart) ? p.apart : -1.0) << ' ' << p.body << '\n';
@@ -276,18 +322,26 @@ bool read_ladder(const std::string& text, Ladder& ladder) {
   std::size_t rungs = 0, parted = 0;
   Ladder read;
   if (!(in >> word >> version >> rungs >> parted >> read.agreement >> read.cost) ||
-      word != "ladder" || version != 1 || rungs > 1000 || parted > 10000) {
+      word != "ladder" || version != 2 || rungs > 1000 || parted > 10000) {
     return false;
   }
   const auto endless = [](double value) { return value < 0.0 ? kInfinity : value; };
   read.agreement = endless(read.agreement);
   for (std::size_t i = 0; i < rungs; ++i) {
     Rung r;
-    if (!(in >> r.order >> r.step >> r.cost >> r.apart >> r.at >> r.whole)) return false;
-    if (r.order < 1 || r.order > 3 || !(r.step > 0.0)) return false;
+    std::size_t held = 0, rigid = 0;
+    if (!(in >> r.order >> r.step >> r.cost >> r.apart >> r.at >> r.whole >> held >> rigid)) return false;
+    if (r.order < 1 || r.order > 3 || !(r.step > 0.0) || held > 1000 || rigid > 1000) return false;
     r.apart = endless(r.apart);
     std::getline(in, r.body);
     if (!r.body.empty()) r.body.erase(0, 1);
+    r.less.held.resize(held);
+    r.less.rigid.resize(rigid);
+    for (auto* names : {&r.less.held, &r.less.rigid}) {
+      for (std::string& name : *names) {
+        if (!std::getline(in, name)) return false;
+      }
+    }
     read.rungs.push_back(r);
   }
   for (std::size_t i = 0; i < parted; ++i) {
@@ -319,6 +373,7 @@ std::string ladder_table(const Ladder& ladder, int chosen) {
       std::snprintf(line, sizeof line, "%s at %.2f s", r.body.c_str(), r.at);
       table += line;
     }
+    if (!r.less.none()) table += "; " + words_of(r.less);
     table += '\n';
   }
   for (const Parted& p : ladder.parted) {

@@ -7,6 +7,9 @@
 // within the error / 1.3 of the yardstick, together with all finer ones of its order.  Richardson's rule is not
 // used: where there are events it is wrong.
 //
+// With `fidelity: auto` what hardly moved in the yardstick is then left out of the run that was chosen (less.h), the most
+// that still holds the error.
+//
 // The error is the largest distance of any link origin or loose body from the yardstick, every 20 ms.
 
 #pragma once
@@ -15,6 +18,7 @@
 #include <string>
 #include <vector>
 
+#include "launcher/run/less.h"
 #include "launcher/run/local_stack.h"
 
 namespace twinbus {
@@ -23,6 +27,7 @@ namespace twinbus {
 struct Track {
   std::vector<std::vector<Eigen::Vector3d>> at;  // world [m]
   std::vector<std::string> names;                // of the links and bodies
+  Moved moved;
   double cost = 0.0;                             // CPU of the physics [s]
   double all = 0.0;                              // CPU of everything [s]
   bool whole = true;                             // the run did not end early
@@ -46,6 +51,7 @@ struct Rung {
   double at = 0.0;       // where it is farthest [s]
   std::string body;      // and what
   bool whole = true;     // the run did not end early
+  Less less;             // what was left out
   bool operator==(const Rung&) const = default;
 };
 
@@ -74,6 +80,7 @@ struct LadderRequest {
   double duration = 0.0;  // [s]
   double error = 1e-3;    // asked for [m]
   bool all = false;       // every rung, however soon they agree
+  bool less = false;      // leaves out what need not be modelled
   std::function<void(const Ladder&)> progress;  // after each run; may be empty
   std::function<Track(const Scene&)> follow;    // instead of follow(), if not empty
 };
@@ -88,6 +95,7 @@ bool read_ladder(const std::string& text, Ladder& ladder);
 
 // The scene as that rung runs it.
 Scene at_rung(const Scene& scene, int order, double step);
+Scene at_rung(const Scene& scene, const Rung& rung);
 
 // For people: a line for each rung.
 std::string ladder_table(const Ladder& ladder, int chosen);

@@ -55,6 +55,8 @@ Syntax run_syntax() {
            {"--accuracy", "LENGTH",
             "order and step are chosen so that no link or body is farther from the converged answer, "
             "0.001 or 1mm"},
+           {"--fidelity", "WORD",
+            "full, auto (no more is modelled than the accuracy needs; default 1mm), legs or rigid; default the scene's"},
            {"--budget", "MS",
             "CPU time of the physics in a control period: the best accuracy that fits"},
            {"--no-guard", "", "leaves the guard in the controller out"},
@@ -176,6 +178,7 @@ AccuracyRequest accuracy_of(const Arguments& arguments, const Scene& scene) {
                        arguments.text("--accuracy", "") + "'");
   }
   request.budget = 1e-3 * arguments.number("--budget", 0.0, 1e-4, 1e4);
+  if (scene.fidelity == "auto" && !(request.error > 0.0) && !(request.budget > 0.0)) request.error = kAutoError;
   request.talk = true;
   return request;
 }
@@ -195,6 +198,7 @@ void print_choice(const AccuracyChoice& choice, const OneProcess& run,
                 1e3 * choice.ladder.estimate(index));
     if (asked.error > 0.0) std::printf(" of %.3g mm asked", 1e3 * asked.error);
     std::printf(", physics %.2f ms/s; ", cost_of(run));
+    if (!rung.less.none()) std::printf("%s; ", words_of(rung.less).c_str());
   } else {
     std::printf("accuracy: not held, the scene's own order and step; ");
   }
@@ -215,6 +219,8 @@ nlohmann::ordered_json choice_json(const AccuracyChoice& choice, const OneProces
     json["error_estimate_m"] = number(choice.ladder.estimate(index));
     json["order"] = choice.ladder.rungs[index].order;
     json["step_s"] = choice.ladder.rungs[index].step;
+    json["held_joints"] = choice.ladder.rungs[index].less.held;
+    json["rigid_robots"] = choice.ladder.rungs[index].less.rigid;
   } else {
     json["error_estimate_m"] = nullptr;
   }
@@ -278,6 +284,7 @@ int run_command(const std::vector<std::string>& words) {
   if (!engine_of(request.engine, engine))
     throw UsageError("run: there is no engine '" + request.engine + "'; use articulated or ode");
   scene.engine = request.engine;
+  choose_fidelity(arguments, scene);
   request.lockstep = true;
   request.duration = arguments.number("--for", scene.duration, 0.002, 1e6);
   request.seed = static_cast<std::uint64_t>(arguments.number("--seed", 1.0, 0.0, 1e9));
@@ -303,7 +310,7 @@ int run_command(const std::vector<std::string>& words) {
     choice = choose_accuracy(model, scene, config, accuracy);
     if (choice->rung >= 0) {
       const Rung& rung = choice->ladder.rungs[static_cast<std::size_t>(choice->rung)];
-      scene = at_rung(scene, rung.order, rung.step);
+      scene = at_rung(scene, rung);
       std::erase_if(config.settings,
                     [](const auto& each) { return each.first == "solver.order"; });
       request.step_s = rung.step;

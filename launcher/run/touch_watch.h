@@ -2,6 +2,10 @@
 
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
 #include "sim/scene/scene.h"
 #include "sim/world/world.h"
 
@@ -13,7 +17,18 @@ class TouchWatch {
   explicit TouchWatch(const Scene& scene) : asked_(scene.criteria.touch) {}
 
   // Each tick; time: of the scene [s].
-  void add(double time, const World& world);
+  void add(double time, const World& world) {
+    if (!on() || !(time >= asked_.from)) return;
+    begun_ = true;
+    int points = 0;
+    for (const ContactPoint& contact : world.contacts()) {
+      if (contact.tie) continue;
+      ++points;
+      const double off = std::abs(contact.force.z() / asked_.force - 1.0);
+      if (!std::isnan(off_) && !(off <= off_)) off_ = off;
+    }
+    wrong_count_ = std::max(wrong_count_, std::abs(points - asked_.points));
+  }
 
   bool on() const { return asked_.points > 0; }
   bool begun() const { return begun_; }

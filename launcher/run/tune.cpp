@@ -10,6 +10,7 @@
 #include "common/process/arguments.h"
 #include "common/process/process.h"
 #include "launcher/run/accuracy.h"
+#include "launcher/run/judge_scene.h"
 #include "launcher/stack/run_folder.h"
 #include "robot/description/load.h"
 #include "sim/scene/scene_seed.h"
@@ -18,6 +19,7 @@ namespace twinbus {
 
 namespace {
 
+constexpr double kDegrees = 57.29577951308232;
 constexpr double kLook = 1.0;  // of a scene, to see where its time goes [s]
 
 Syntax tune_syntax() {
@@ -31,6 +33,7 @@ Syntax tune_syntax() {
            {"--budget", "MS", "CPU time of the physics in a control period: the best that fits"},
            {"--for", "S", "simulated seconds; default: the scene's duration"},
            {"--seed", "N", "of everything random; default 1"},
+           {"--fidelity", "WORD", "full, auto, legs or rigid, as ./twinbus run; default the scene's"},
            {"--csv", "F.csv", "writes order, step, cost and error of every run"},
            {"--write", "F.yaml", "writes the scene with the settings found, and why"}},
           1,
@@ -45,6 +48,7 @@ Syntax explain_syntax() {
           {robot_option(),
            {"--accuracy", "LENGTH", "0.001 or 1mm; default the scene's"},
            {"--for", "S", "simulated seconds of the ladder; default: the scene's duration"},
+           {"--fidelity", "WORD", "full, auto, legs or rigid, as ./twinbus run; default the scene's"},
            {"--seed", "N", "of everything random; default 1"}},
           1,
           1};
@@ -76,7 +80,8 @@ Opened open(const Arguments& arguments) {
   opened.request.duration = arguments.number("--for", scene.duration, 0.02, 1e6);
   opened.request.talk = true;
   opened.config.seed = opened.request.seed;
-  resolve_poses(scene, opened.model);
+  fit_scene(scene, opened.model);
+  choose_fidelity(arguments, scene);
   apply_seed(scene, opened.model, opened.request.seed);
   return opened;
 }
@@ -84,12 +89,12 @@ Opened open(const Arguments& arguments) {
 std::string csv_of(const Opened& opened, const AccuracyChoice& choice) {
   std::ostringstream csv;
   csv.precision(9);
-  csv << "scene,seed,duration_s,order,step_s,physics_ms_per_s,error_m,where,at_s,chosen\n";
+  csv << "scene,seed,duration_s,order,step_s,physics_ms_per_s,error_m,where,at_s,held_joints,rigid_robots,chosen\n";
   for (std::size_t i = 0; i < choice.ladder.rungs.size(); ++i) {
     const Rung& rung = choice.ladder.rungs[i];
     csv << opened.scene.name << ',' << opened.request.seed << ',' << opened.request.duration << ','
         << rung.order << ',' << rung.step << ',' << rung.cost << ',' << choice.ladder.estimate(i)
-        << ',' << rung.body << ',' << rung.at << ',' << (static_cast<int>(i) == choice.rung)
+        << ',' << rung.body << ',' << rung.at << ',' << rung.less.held.size() << ',' << rung.less.rigid.size() << ',' << (static_cast<int>(i) == choice.rung)
         << '\n';
   }
   return csv.str();
@@ -160,21 +165,77 @@ void print_model(const Opened& opened) {
               scene.grasps.size());
 }
 
+// Line by line: what is modelled, what was left out and why, and what each part of the physics costs.
+void print_less(const Opened& opened, const AccuracyChoice& choice) {
+  const Ladder& ladder = choice.ladder;
+  const Rung* chosen = choice.rung >= 0 ? &ladder.rungs[at(choice.rung)] : nullptr;
+  const Less less = chosen != nullptr ? chosen->less : Less{};
+  std::printf("\nfidelity     auto: what moves less than the error of %.3g mm in this scene may be left out\n",
+              1e3 * opened.request.error);
+  const Track track = follow(opened.model, opened.scene, opened.config, opened.request.duration);
+  const std::vector<double> way = ways(opened.model, track.moved);
+  std::printf("joint                        moves         the links behind it by   modelled\n");
+  for (std::size_t j = 0; j < way.size(); ++j) {
+    const Joint& joint = opened.model.joints[j];
+    const bool slides = joint.kind == JointKind::kPrismatic;
+    const bool held = std::find(less.held.begin(), less.held.end(), joint.name) != less.held.end();
+    std::printf("%-24s %10.4g %s %14.4g mm   %s\n", joint.name.c_str(),
+                track.moved.joints[j] * (slides ? 1e3 : kDegrees), slides ? "mm     " : "degrees", 1e3 * way[j],
+                held ? "held" : way[j] <= opened.request.error ? "yes: with it held the error was not kept" : "yes");
+  }
+  for (std::size_t i = 0; i < track.moved.robots.size(); ++i) {
+    const std::string& name = track.moved.robots[i];
+    const bool rigid = std::find(less.rigid.begin(), less.rigid.end(), name) != less.rigid.end();
+    std::printf("robot %-18s %10.4g mm of its base                  %s\n", name.c_str(),
+                1e3 * track.moved.robot_ways[i], rigid ? "one rigid body" : "yes");
+  }
+  if (chosen == nullptr) return;
+  double whole = 0.0;
+  for (const Rung& rung : ladder.rungs) {
+    if (rung.order == chosen->order && rung.step == chosen->step && rung.less.none()) whole = rung.cost;
+  }
+  std::printf("part                         physics [ms/s]    share\n");
+  std::printf("what is modelled             %14.2f   %5.1f %%\n", chosen->cost, 1e2 * chosen->cost / whole);
+  std::printf("what was left out            %14.2f   %5.1f %%   %s\n", whole - chosen->cost,
+              1e2 * (whole - chosen->cost) / whole, less.none() ? "nothing" : words_of(less).c_str());
+}
+
+// What the scene leaves out itself is left out too.
+Rung with_own(Rung rung, const Scene& scene) {
+  if (rung.less.none()) return rung;
+  const Scene all = without(scene, rung.less);
+  rung.less = {all.held, all.rigid};
+  return rung;
+}
+
+void write_names(std::ostream& out, const char* key, const std::vector<std::string>& names) {
+  if (names.empty()) return;
+  out << key << ": [";
+  for (std::size_t i = 0; i < names.size(); ++i) out << (i > 0 ? ", " : "") << names[i];
+  out << "]\n";
+}
+
 }  // namespace
 
-std::string tuned_text(const std::string& scene, int order, double step, const std::string& why) {
+std::string tuned_text(const std::string& scene, const Rung& rung, const std::string& why) {
   std::istringstream in(scene);
   std::ostringstream out;
   out << "# " << why << "\n";
   char number[40];
-  std::snprintf(number, sizeof number, "%.9g", step);
-  const std::string asked = "solver.order: " + std::to_string(order);
-  bool in_settings = false, has_order = false;
+  std::snprintf(number, sizeof number, "%.9g", rung.step);
+  const std::string asked = "solver.order: " + std::to_string(rung.order);
+  bool in_settings = false, has_order = false, dropped = false;
   std::string body;
   for (std::string line; std::getline(in, line);) {
     const bool top = !line.empty() && line[0] != ' ' && line[0] != '#' && line[0] != '-';
     if (top) in_settings = line.rfind("settings:", 0) == 0;
     if (top && line.rfind("step:", 0) == 0) continue;
+    if (top) {
+      dropped = (line.rfind("held:", 0) == 0 && !rung.less.held.empty()) ||
+                (line.rfind("rigid:", 0) == 0 && !rung.less.rigid.empty()) ||
+                (line.rfind("fidelity:", 0) == 0 && !rung.less.none());
+    }
+    if (dropped) continue;
     const std::size_t at = line.find("solver.order:");
     if (in_settings && at != std::string::npos) {
       const std::size_t end = line.find_first_of(",}#", at);
@@ -191,6 +252,8 @@ std::string tuned_text(const std::string& scene, int order, double step, const s
     body += line + "\n";
   }
   out << "step: " << number << "\n";
+  write_names(out, "held", rung.less.held);
+  write_names(out, "rigid", rung.less.rigid);
   if (!has_order && scene.rfind("settings:", 0) != 0 &&
       scene.find("\nsettings:") == std::string::npos) {
     out << "settings: {" << asked << "}\n";
@@ -222,7 +285,7 @@ int tune_command(const std::vector<std::string>& words) {
   const std::string why = why_of(opened, choice);
   std::printf("order %d at %.4g ms; %s\n", rung.order, 1e3 * rung.step, why.c_str());
   if (const std::string file = arguments.text("--write", ""); !file.empty())
-    write_file(file, tuned_text(opened.scene.text, rung.order, rung.step, why));
+    write_file(file, tuned_text(opened.scene.text, with_own(rung, opened.scene), why));
   return choice.reason.empty() ? 0 : 1;
 }
 
@@ -232,7 +295,9 @@ int explain_command(const std::vector<std::string>& words) {
   Opened opened = open(arguments);
   print_model(opened);
   print_shares(opened);
-  opened.request.error = length_of(arguments, "--accuracy", opened.scene.accuracy);
+  opened.request.error = length_of(arguments, "--accuracy", opened.scene.accuracy > 0.0    ? opened.scene.accuracy
+                                                            : opened.scene.fidelity == "auto" ? kAutoError
+                                                                                              : 0.0);
   if (!(opened.request.error > 0.0)) {
     std::printf("accuracy     not asked for: the scene's own order and step; --accuracy 1mm finds which are "
                 "needed\n");
@@ -242,6 +307,7 @@ int explain_command(const std::vector<std::string>& words) {
       choose_accuracy(opened.model, opened.scene, opened.config, opened.request);
   std::printf("%s", ladder_table(choice.ladder, choice.rung).c_str());
   if (!choice.reason.empty()) std::printf("%s\n", choice.reason.c_str());
+  if (opened.scene.fidelity == "auto") print_less(opened, choice);
   return 0;
 }
 

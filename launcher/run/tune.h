@@ -6,12 +6,15 @@
 #include <string>
 #include <vector>
 
+#include "launcher/run/ladder.h"
+
 namespace twinbus {
 
 int tune_command(const std::vector<std::string>& words);
 int explain_command(const std::vector<std::string>& words);
 
-// The text of a scene with that step and order in place of its own, and a comment above it that says why.
-std::string tuned_text(const std::string& scene, int order, double step, const std::string& why);
+// The text of a scene with the step, order and held parts of that rung in place of its own, and a comment above it that
+// says why.
+std::string tuned_text(const std::string& scene, const Rung& rung, const std::string& why);
 
 }  // namespace twinbus

@@ -1,11 +1,13 @@
 #include "sim/engine/make_world.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <vector>
 
 #include "sim/engine/articulated_world.h"
 #include "sim/engine/ode_world.h"
+#include "sim/engine/welded_world.h"
 
 namespace twinbus {
 
@@ -19,10 +21,16 @@ void check_bodies(const std::vector<LooseBody>& bodies) {
   }
 }
 
+bool less_is_modelled(const WorldConfig& config) {
+  const auto any = [](const std::vector<bool>& flags) { return std::find(flags.begin(), flags.end(), true) != flags.end(); };
+  return any(config.held) || any(config.rigid_robots);
+}
+
 }  // namespace
 
 std::unique_ptr<World> make_world(const Model& model, const WorldConfig& config) {
   check_bodies(config.loose);
+  if (less_is_modelled(config)) return std::make_unique<WeldedWorld>(model, config);
   if (config.engine == Engine::kOde) return std::make_unique<OdeWorld>(model, config);
   if (config.contact == ContactModel::kRigid) {
     throw std::runtime_error("contact rigid is of engine ode only; say --engine ode, or engine: ode in the scene");

@@ -12,6 +12,7 @@
 #include "common/text/strict_yaml.h"
 #include "robot/description/load.h"
 #include "sim/contact/rigid_object_mesh.h"
+#include "sim/scene/fidelity.h"
 #include "sim/scene/scene_obstacle.h"
 #include "sim/scene/scene_places.h"
 #include "sim/scene/scene_scale.h"
@@ -323,6 +324,9 @@ Scene load_scene(const std::string& name_or_file) {
     scene.accuracy = metres_of(top.text("accuracy"));
     if (!(scene.accuracy > 0.0)) top.fail("accuracy", "must be a length such as 0.001 or 1 mm");
   }
+  scene.fidelity = kFidelityNames[top.choice("fidelity", {std::begin(kFidelityNames), std::end(kFidelityNames)}, 0)];
+  scene.held = top.texts("held");
+  scene.rigid = top.texts("rigid");
   scene.start_pose = top.text("start_pose", scene.start_pose);
   if (top.has("start_velocity")) {
     const ConfigNode speeds = top.map("start_velocity");

@@ -125,6 +125,8 @@ struct Scene {
   double duration = 10.0;                 // [s] of `twinbus run`
   std::string about;                      // one sentence
   double accuracy = 0.0;  // error asked for: `run` finds order and step that hold it [m]; 0: not asked
+  std::string fidelity = "full";           // or auto, legs, rigid: sim/scene/fidelity.h
+  std::vector<std::string> held, rigid;    // joints, further robots: the same
   double step = 0.0;  // physics step [s], a whole part of the robot's period; 0: the period
   std::string start_pose = "half_sitting";
   std::vector<std::pair<std::string, double>> start_velocity;  // of joints [rad/s or m/s]
@@ -163,7 +165,8 @@ void start_in(const std::string& pose, const Model& model, Scene& scene);
 // name_or_file: a YAML file, or a name under config/scenes.  Throws std::runtime_error naming file,
 // line and the nearest valid key.
 //
-// Keys: about, robot, engine (articulated or ode), contact (spring_damper, hunt_crossley, patch or rigid), duration, step, accuracy (0.001 or 1 mm), start_pose, start_velocity: {JOINT: speed, ...}, base (floating or fixed), ground:
+// Keys: about, robot, engine (articulated or ode), contact (spring_damper, hunt_crossley, patch or rigid), duration, step, accuracy (0.001 or 1 mm), fidelity, held and rigid as in
+// sim/scene/fidelity.h, start_pose, start_velocity: {JOINT: speed, ...}, base (floating or fixed), ground:
 // {friction}, obstacles: see scene_obstacle.h, pushes: [link, point, impulse, at,
 // duration], modes: [at, mode, motion, pose, duration, amplitude, frequency], goals: [at, hand,
 // position, reach (from the shoulder, in lengths of the arm), rpy_deg, pose, speed, cancel], walks: [at, for, vx, vy, wz], pads: [at, for, left_x, left_y, right_x],

@@ -98,8 +98,7 @@ struct WorldConfig {
   double damping_scale = 1.0;                     // of the soles' dampers
   double dissipation = 2.0;                       // of kHuntCrossley and kPatch, everywhere [s/m]
   std::array<double, 2> ground_height{0.0, 0.0};  // under left and right sole [m]
-  double servo_kp_scale = 1.0;
-  double servo_kd_scale = 1.0;
+  double servo_kp_scale = 1.0, servo_kd_scale = 1.0;
   std::vector<Obstacle> obstacles;
   std::vector<Obstacle> tiles;  // ground that is not flat: to the soles' corners what the ground is
   std::vector<LooseBody> loose;
@@ -107,6 +106,7 @@ struct WorldConfig {
   bool self_contact = false;                // links of a robot touch one another; the same
   double shell_stiffness = kLinkStiffness;  // of a point of a link that is no sole [N/m]
   std::vector<Tie> ties;
+  std::vector<bool> held, rigid_robots;  // joints, further robots: sim/engine/welded_world.h
 };
 
 struct ContactPoint {

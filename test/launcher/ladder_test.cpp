@@ -44,6 +44,20 @@ TEST(Ladder, NothingIsChosenThatTheYardstickDoesNotProve) {
   EXPECT_EQ(l.choose(1e-2), -1);
 }
 
+// A run that leaves something out is judged alone: it is no finer or coarser one of those that model everything.
+TEST(Ladder, ARunThatLeavesSomethingOutIsTakenIfItHoldsAndCostsLess) {
+  Ladder l = ladder();
+  Rung less = l.rungs[1];
+  less.less.held = {"HEAD"};
+  less.cost = 3.0;
+  less.apart = 6e-4;
+  l.rungs.insert(l.rungs.end() - 1, less);
+  EXPECT_EQ(l.choose(1e-3), 5);
+  EXPECT_EQ(l.choose(7e-4), 1);  // with the margin it does not hold that
+  l.rungs[5].cost = 7.0;
+  EXPECT_EQ(l.choose(1e-3), 1);
+}
+
 TEST(Ladder, OfABudgetTheMostAccurateRunIsTaken) {
   const Ladder l = ladder();
   EXPECT_EQ(l.choose_within(1.0), -1);
@@ -57,6 +71,7 @@ TEST(Ladder, TheCacheGivesBackWhatItWasGiven) {
   Ladder l = ladder();
   l.rungs[0].apart = std::numeric_limits<double>::infinity();
   l.rungs[0].whole = false;
+  l.rungs[1].less = {{"HEAD", "L WRIST"}, {"second"}};
   l.parted = {{"robot left one", 0.25}};
   Ladder back;
   ASSERT_TRUE(read_ladder(ladder_text(l), back));

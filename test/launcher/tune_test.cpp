@@ -27,6 +27,13 @@ std::string order_of(const Scene& scene) {
   return order;
 }
 
+Rung rung_of(int order, double step) {
+  Rung rung;
+  rung.order = order;
+  rung.step = step;
+  return rung;
+}
+
 TEST(Tune, StepAndOrderReplaceThoseOfTheSceneAndNothingElseIsLost) {
   const std::string rest = "about: A test.\nduration: 3\nmodes:\n  - {at: 0, mode: balance}\n";
   const std::string texts[] = {rest, rest + "step: 0.001\n",
@@ -36,12 +43,27 @@ TEST(Tune, StepAndOrderReplaceThoseOfTheSceneAndNothingElseIsLost) {
                                rest + "settings:\n  solver.order: 3\n  model.mass_scale: 1.5\n"};
   for (const std::string& text : texts) {
     const Scene before = written(text);
-    const Scene scene = written(tuned_text(text, 2, 0.0005, "because"));
+    const Scene scene = written(tuned_text(text, rung_of(2, 0.0005), "because"));
     EXPECT_EQ(scene.step, 0.0005) << text;
     EXPECT_EQ(order_of(scene), "2") << text;
     EXPECT_EQ(scene.duration, 3.0) << text;
     EXPECT_EQ(scene.modes.size(), 1U) << text;
     EXPECT_EQ(scene.settings.size(), before.settings.size() + (order_of(before).empty() ? 1 : 0)) << text;
+  }
+}
+
+TEST(Tune, WhatWasLeftOutIsListedInPlaceOfTheWordAndOfTheOldList) {
+  const std::string rest = "about: A test.\nmodes:\n  - {at: 0, mode: balance}\n";
+  const std::string texts[] = {rest + "fidelity: auto\n", "held: [A]\n" + rest + "fidelity: auto\n",
+                               "held:\n  - A\nrigid:\n- other\n" + rest};
+  Rung rung = rung_of(2, 0.0005);
+  rung.less = {{"A", "B"}, {"other"}};
+  for (const std::string& text : texts) {
+    const Scene scene = written(tuned_text(text, rung, "because"));
+    EXPECT_EQ(scene.fidelity, "full") << text;
+    EXPECT_EQ(scene.held, rung.less.held) << text;
+    EXPECT_EQ(scene.rigid, rung.less.rigid) << text;
+    EXPECT_EQ(scene.modes.size(), 1U) << text;
   }
 }
 

@@ -19,7 +19,7 @@ PAGE = ROOT / "doc/scenes.md"
 SCHEMA = ROOT / "config/scenes/scene.schema.json"
 SOURCES = sorted(str(file.relative_to(ROOT)) for file in (ROOT / "sim/scene").glob("*.cpp")) + ["robot/description/loops.cpp",
                                                                                             "lcmtypes/msg/step_list.cpp"]
-HEADERS = ["sim/scene/scene.h", "sim/scene/scene_criteria.h", "sim/world/world.h", "robot/description/loops.h", "sim/world/link_hull.h"]
+HEADERS = ["sim/scene/scene.h", "sim/scene/scene_criteria.h", "sim/scene/fidelity.h", "sim/world/world.h", "robot/description/loops.h", "sim/world/link_hull.h"]
 
 # (function, variable) that reads -> maps that it reads. None: any variable of that function.
 READERS = {
@@ -62,6 +62,8 @@ MEANING = {
         "about": "one sentence", "robot": "a name under config/robots, or a folder", "engine": "physics engine", "contact": "how what touches pushes back; patch: soles, boxes and balls with their area (engine ode: soles); rigid: engine ode only",
         "duration": "of `run` and `up --for` [s]", "step": "physics step, a whole part of the control period; 0: the period [s]",
         "accuracy": "error that `run` holds by its choice of order and step, such as 1 mm", "start_pose": "named pose of the SRDF",
+        "fidelity": "how much is modelled; auto: no more than the accuracy needs (`run`), legs: all other joints are held, rigid: all are", "held": "joints that stand still for good, by name",
+        "rigid": "further robots that are one rigid body, by name",
         "start_velocity": "of joints at the start, by name [rad/s or m/s]", "base": "whether the base is free", "self_contact": "links of one robot touch one another",
         "settings": "see Settings; --set wins over them", **{name.split("[")[0]: f"see {name}" for name in (
             "ground", "obstacles[]", "pushes[]", "modes[]", "goals[]", "walks[]", "pads[]", "footsteps[]", "terrain", "push_round", "disturbance",
@@ -182,7 +184,7 @@ def keys():
         for (start, function), (end, _) in zip(starts, starts[1:] + [(len(text), "")]):
             body = text[start:end]
             variables = dict((b, a) for a, b in re.findall(r"\b([A-Z]\w+)&? (\w+)(?:;| =)", body))
-            for call in re.finditer(r'(\w+)\.(number|integer|flag|text|choice|numbers|map|list)\(\s*"(\w+)"|(bounded|point_of)\((\w+), "(\w+)"|\b(rpy)\((\w+)\)', body):
+            for call in re.finditer(r'(\w+)\.(number|integer|flag|text|choice|numbers|texts|map|list)\(\s*"(\w+)"|(bounded|point_of)\((\w+), "(\w+)"|\b(rpy)\((\w+)\)', body):
                 variable, kind, key = (call[1], call[2], call[3]) if call[2] else (call[5], call[4], call[6]) if call[4] else (call[8], "rpy", "rpy_deg")
                 maps = READERS.get((function, variable), READERS.get((function, None)))
                 if maps is None:
@@ -210,7 +212,7 @@ def described(kind, args, variables, known):
         return (f"{args[0]} numbers" if args[0].isdigit() else "numbers"), "required"
     if kind == "bounded":
         return f"3 numbers within {number(args[0], known)}", "required" if args[1] == "nullptr" else "0, 0, 0"
-    return {"point_of": ("3 numbers", "0, 0, 0"), "rpy": ("3 numbers", "0, 0, 0"), "flag": ("true, false", args[0] if args else ""), "map": ("map", ""), "list": ("list of maps", ""),
+    return {"point_of": ("3 numbers", "0, 0, 0"), "rpy": ("3 numbers", "0, 0, 0"), "flag": ("true, false", args[0] if args else ""), "map": ("map", ""), "list": ("list of maps", ""), "texts": ("list of names", ""),
             "text": ("text", default_of(args[0], variables, known) if args else "required")}[kind]
 
 
@@ -263,6 +265,8 @@ def shape_of(name, key, value, default):
         shape = {"type": "array", "items": {"type": "number"}}
         if value[0].isdigit():
             shape.update(minItems=int(value.split()[0]), maxItems=int(value.split()[0]))
+    elif value == "list of names":
+        shape = {"type": "array", "items": {"type": "string"}}
     elif value != "text":
         shape = {"enum": value.split(", ")}
     meaning = MEANING[name].get(key, "")

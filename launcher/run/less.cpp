@@ -1,0 +1,67 @@
+#include "launcher/run/less.h"
+
+#include <algorithm>
+
+#include "common/math/index.h"
+#include "robot/kinematics/kinematics.h"
+
+namespace twinbus {
+
+namespace {
+
+constexpr double kShares[] = {0.7, 0.2, 0.06};  // of the error that a way may be
+constexpr double kLinkSize = 0.1;               // of a link beyond its origin [m]
+
+}  // namespace
+
+std::vector<double> ways(const Model& model, const Moved& moved) {
+  Kinematics kinematics(model);
+  kinematics.update(Configuration(model));
+  std::vector<double> reach(model.joints.size(), 0.0);
+  for (int link = 1; link < model.link_count(); ++link) {
+    const Eigen::Vector3d at_link = kinematics.link_in_world(link).translation();
+    for (int up = link; up > 0; up = model.links[at(up)].parent) {
+      const double far = (at_link - kinematics.link_in_world(up).translation()).norm() + kLinkSize;
+      reach[at(up - 1)] = std::max(reach[at(up - 1)], far);
+    }
+  }
+  std::vector<double> way(model.joints.size());
+  for (std::size_t j = 0; j < way.size(); ++j) {
+    const bool slides = model.joints[j].kind == JointKind::kPrismatic;
+    way[j] = j < moved.joints.size() ? moved.joints[j] * (slides ? 1.0 : reach[j]) : 0.0;
+  }
+  return way;
+}
+
+std::vector<Less> proposals(const Model& model, const Moved& moved, double error) {
+  const std::vector<double> way = ways(model, moved);
+  std::vector<Less> sets;
+  for (const double share : kShares) {
+    Less less;
+    for (std::size_t j = 0; j < way.size(); ++j) {
+      if (way[j] <= share * error) less.held.push_back(model.joints[j].name);
+    }
+    for (std::size_t i = 0; i < moved.robots.size(); ++i) {
+      if (moved.robot_ways[i] <= share * error) less.rigid.push_back(moved.robots[i]);
+    }
+    if (!less.none() && (sets.empty() || !(sets.back() == less))) sets.push_back(less);
+  }
+  return sets;
+}
+
+Scene without(const Scene& scene, const Less& less) {
+  Scene changed = scene;
+  changed.held.insert(changed.held.end(), less.held.begin(), less.held.end());
+  changed.rigid.insert(changed.rigid.end(), less.rigid.begin(), less.rigid.end());
+  return changed;
+}
+
+std::string words_of(const Less& less) {
+  std::string words;
+  if (!less.held.empty())
+    words = std::to_string(less.held.size()) + (less.held.size() == 1 ? " joint held" : " joints held");
+  for (const std::string& robot : less.rigid) words += (words.empty() ? "robot " : ", robot ") + robot + " rigid";
+  return words;
+}
+
+}  // namespace twinbus

@@ -1,0 +1,43 @@
+// What of a scene need not be modelled: joints and further robots that hardly move in it (`fidelity: auto`).
+//
+// What moves is seen in one run of everything.  A held joint errs by about the way that it moves the links behind it, so sets
+// of joints are proposed by that way; whether a set holds an error is decided by a run, never by this guess.
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "robot/description/model.h"
+#include "sim/scene/scene.h"
+
+namespace twinbus {
+
+// What is left out of a run; empty: nothing.
+struct Less {
+  std::vector<std::string> held;   // joints
+  std::vector<std::string> rigid;  // further robots
+  bool none() const { return held.empty() && rigid.empty(); }
+  bool operator==(const Less&) const = default;
+};
+
+// How far everything came from its start in a run.
+struct Moved {
+  std::vector<double> joints;              // [joint_count] [rad or m]
+  std::vector<std::string> robots;         // further ones
+  std::vector<double> robot_ways;          // of their bases [m]
+};
+
+// Sets that may hold the error [m], the largest first; none is empty and no two are equal.
+std::vector<Less> proposals(const Model& model, const Moved& moved, double error);
+
+// The way of the farthest link behind each joint for what the joint moved, all others at 0 [m].
+std::vector<double> ways(const Model& model, const Moved& moved);
+
+// The scene with that left out, beside what it leaves out itself.
+Scene without(const Scene& scene, const Less& less);
+
+// "18 joints held, robot other rigid"; empty for nothing.
+std::string words_of(const Less& less);
+
+}  // namespace twinbus

@@ -1,0 +1,69 @@
+// A world of which less is modelled: joints of the robot that are held for good, further robots as one rigid body each.
+// Seen from outside it is the whole world: all links, joints and robots are there.
+//
+// A held joint stands where set() put it, at rest, whatever its servo is asked; tau() of it is what carried it then.
+
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "sim/world/weld.h"
+#include "sim/world/world.h"
+
+namespace twinbus {
+
+class WeldedWorld final : public World {
+ public:
+  // config.held: [joint_count] or empty, config.rigid_robots: [robots] or empty.  The model must outlive this.  Throws
+  // std::runtime_error as make_world() does, and for a tie both of whose ends would be on one body.
+  WeldedWorld(const Model& model, const WorldConfig& config);
+
+  // kOutOfRange, too: the robot cannot be simulated with its joints held there.
+  Status set(const Configuration& configuration, const Eigen::VectorXd* tau = nullptr) noexcept override;
+  Status set_servo(int joint, const ServoTarget& target) noexcept override;
+  Status push(int link, const Eigen::Vector3d& point, const Eigen::Vector3d& force) noexcept override;
+  void set_corner_offset(int sole, int corner, double offset) noexcept override;
+  double corner_offset(int sole, int corner) const noexcept override;
+  void estimate_contact_forces() noexcept override;
+  Status step() noexcept override;
+
+  const Configuration& configuration() const noexcept override { return now_; }
+  double encoder(int joint) const noexcept override;
+  double tau(int joint) const noexcept override;
+  Eigen::Isometry3d link_in_world(int link) const noexcept override;
+  Eigen::Vector3d point_velocity(int link, const Eigen::Vector3d& point) const noexcept override;
+  Eigen::Vector3d angular_velocity(int link) const noexcept override;
+  double mass() const noexcept override { return world_->mass(); }
+  Eigen::Vector3d com() const noexcept override { return world_->com(); }
+  Eigen::Vector3d com_velocity() const noexcept override { return world_->com_velocity(); }
+  const std::vector<ContactPoint>& contacts() const noexcept override { return contacts_; }
+  int loose_count() const noexcept override { return world_->loose_count(); }
+  LooseState loose(int body) const noexcept override { return world_->loose(body); }
+  Status set_loose(int body, const LooseState& state) noexcept override { return world_->set_loose(body, state); }
+  Eigen::Isometry3d robot_link(int robot, int link) const noexcept override;
+  Status hold(int tie, bool holds) noexcept override { return world_->hold(tie, holds); }
+  double corner_stiffness(int sole) const noexcept override { return world_->corner_stiffness(sole); }
+  double corner_damping(int sole, double force) const noexcept override { return world_->corner_damping(sole, force); }
+  double elastic_energy() const noexcept override { return world_->elastic_energy(); }
+
+ private:
+  void build(const Eigen::VectorXd& q);
+  void look() noexcept;  // what the engine's world is now
+  TieEnd end_of(TieEnd end, const WeldedModel& welded) const;
+  bool is_joint(int joint) const noexcept { return joint >= 0 && joint < static_cast<int>(welded_->joint.size()); }
+  bool is_link(int link) const noexcept { return link >= 0 && link < static_cast<int>(welded_->link.size()); }
+
+  const Model& model_;
+  WorldConfig config_;
+  std::vector<bool> held_;
+  // Owned by pointer: the engine's world keeps references to the model.
+  std::unique_ptr<WeldedModel> welded_;
+  std::vector<std::unique_ptr<WeldedModel>> robots_;  // null: as it is
+  std::unique_ptr<World> world_;
+  Configuration now_, inner_;
+  Eigen::VectorXd held_tau_, inner_tau_;
+  std::vector<ContactPoint> contacts_;
+};
+
+}  // namespace twinbus

@@ -1,0 +1,56 @@
+#include "sim/scene/fidelity.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "common/math/index.h"
+#include "common/text/closest_name.h"
+#include "sim/world/weld.h"
+
+namespace twinbus {
+
+namespace {
+
+[[noreturn]] void not_there(const Scene& scene, const char* key, const std::string& what, const std::string& name,
+                            const std::vector<std::string>& names) {
+  throw std::runtime_error("scene " + scene.name + ": " + key + ": there is no " + what + " '" + name + "'" + suggestion(name, names));
+}
+
+}  // namespace
+
+void apply_fidelity(const Scene& scene, const Model& model, WorldConfig& config) {
+  config.held.clear();
+  config.rigid_robots.clear();
+  if (scene.fidelity == "rigid") config.held.assign(model.joints.size(), true);
+  if (scene.fidelity == "legs") {
+    if (model.leg_joints.empty())
+      throw std::runtime_error("scene " + scene.name + ": fidelity: the robot " + model.name +
+                               " has no legs; list the joints to hold as held: [JOINT, ...]");
+    config.held.assign(model.joints.size(), true);
+    for (const int joint : model.leg_joints) config.held[at(joint)] = false;
+  }
+  for (const std::string& name : scene.held) {
+    const int joint = model.find_joint(name);
+    if (joint < 0) {
+      std::vector<std::string> names;
+      for (const Joint& each : model.joints) names.push_back(each.name);
+      not_there(scene, "held", "joint", name, names);
+    }
+    config.held.resize(model.joints.size(), false);
+    config.held[at(joint)] = true;
+  }
+  if (!config.held.empty()) hold_followers(model, config.held);
+  for (const std::string& name : scene.rigid) {
+    config.rigid_robots.resize(config.robots.size(), false);
+    const auto named = [&](const OtherRobot& robot) { return robot.name == name; };
+    const auto found = std::find_if(config.robots.begin(), config.robots.end(), named);
+    if (found == config.robots.end()) {
+      std::vector<std::string> names;
+      for (const OtherRobot& each : config.robots) names.push_back(each.name);
+      not_there(scene, "rigid", "further robot", name, names);
+    }
+    config.rigid_robots[static_cast<std::size_t>(found - config.robots.begin())] = true;
+  }
+}
+
+}  // namespace twinbus

@@ -1,0 +1,28 @@
+// How much of a scene is modelled.
+//
+//   fidelity: full     everything (the default)
+//   fidelity: auto     no more than the accuracy asked for needs: `run` finds out what (launcher/run/less.h); elsewhere full
+//   fidelity: legs     the joints of the legs move, all others are held in the posture of the start
+//   fidelity: rigid    no joint moves: the robot is one rigid body
+//   held: [JOINT, ...]   these joints are held too, whatever the word says
+//   rigid: [ROBOT, ...]  these further robots are one rigid body each
+//
+// A held joint is at rest where it began, whatever is commanded; what follows it or leads it is held with it.
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "robot/description/model.h"
+#include "sim/scene/scene.h"
+
+namespace twinbus {
+
+inline constexpr const char* kFidelityNames[] = {"full", "auto", "legs", "rigid"};
+
+// Fills config.held and config.rigid_robots; config.robots are those of the scene.  Throws std::runtime_error for a joint
+// or robot that is not there, naming the nearest, and for `legs` of a robot that has none.
+void apply_fidelity(const Scene& scene, const Model& model, WorldConfig& config);
+
+}  // namespace twinbus

@@ -1,0 +1,59 @@
+// Which joints and robots are proposed to be left out of a run.
+
+#include "launcher/run/less.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "robot/description/load.h"
+
+namespace twinbus {
+namespace {
+
+Moved all_at_rest(const Model& model) {
+  Moved moved;
+  moved.joints.assign(model.joints.size(), 0.0);
+  return moved;
+}
+
+TEST(Less, WhatDoesNotMoveIsProposedAsOneSet) {
+  const Model model = load_robot("hrp1s");
+  Moved moved = all_at_rest(model);
+  moved.robots = {"second"};
+  moved.robot_ways = {0.0};
+  const std::vector<Less> sets = proposals(model, moved, 1e-3);
+  ASSERT_EQ(sets.size(), 1U);
+  EXPECT_EQ(sets[0].held.size(), model.joints.size());
+  EXPECT_EQ(sets[0].rigid, std::vector<std::string>{"second"});
+  EXPECT_EQ(words_of(sets[0]), std::to_string(model.joints.size()) + " joints held, robot second rigid");
+}
+
+// A joint of the hip moves the foot by its angle times the length of the leg.
+TEST(Less, AJointIsHeldByTheWayOfWhatIsBehindIt) {
+  const Model model = load_robot("hrp1s");
+  Moved moved = all_at_rest(model);
+  for (const int leg : model.leg_joints) moved.joints[static_cast<std::size_t>(leg)] = 0.2;
+  const int hip = model.leg_joints.front();
+  EXPECT_GT(ways(model, moved)[static_cast<std::size_t>(hip)], 0.2 * 0.5);
+  for (std::size_t j = 0; j < moved.joints.size(); ++j) {
+    const bool leg = std::find(model.leg_joints.begin(), model.leg_joints.end(), static_cast<int>(j)) != model.leg_joints.end();
+    if (!leg) moved.joints[j] = 1e-4;
+  }
+  const std::vector<Less> sets = proposals(model, moved, 1e-3);
+  ASSERT_FALSE(sets.empty());
+  EXPECT_EQ(sets.front().held.size(), model.joints.size() - model.leg_joints.size());
+  for (std::size_t i = 1; i < sets.size(); ++i) EXPECT_LT(sets[i].held.size(), sets[i - 1].held.size());
+  EXPECT_TRUE(proposals(model, moved, 1e-6).empty());
+}
+
+TEST(Less, WhatASceneLeavesOutItselfStaysOut) {
+  Scene scene;
+  scene.held = {"A"};
+  const Scene changed = without(scene, {{"B"}, {"second"}});
+  EXPECT_EQ(changed.held, (std::vector<std::string>{"A", "B"}));
+  EXPECT_EQ(changed.rigid, std::vector<std::string>{"second"});
+}
+
+}  // namespace
+}  // namespace twinbus

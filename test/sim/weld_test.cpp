@@ -1,0 +1,205 @@
+// Robots with joints held: the same body, and a world in which it moves as the whole robot would.
+
+#include "sim/world/weld.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+#include <random>
+#include <stdexcept>
+
+#include "both_engines.h"
+#include "robot/description/load.h"
+#include "robot/dynamics/inverse_dynamics.h"
+#include "sim/engine/welded_world.h"
+#include "sim/scene/fidelity.h"
+#include "test_models.h"
+
+namespace twinbus {
+namespace {
+
+std::vector<bool> all_but_the_legs(const Model& model) {
+  std::vector<bool> held(model.joints.size(), true);
+  for (const int joint : model.leg_joints) held[static_cast<std::size_t>(joint)] = false;
+  return held;
+}
+
+// The equations of motion of what is left are those of the whole robot whose held joints are at rest.
+TEST(Weld, LinksForcesAndTorquesAreThoseOfTheWholeRobot) {
+  const Model model = load_robot("hrp1s");
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> any(-0.8, 0.8);
+  const std::vector<bool> held = all_but_the_legs(model);
+  for (int round = 0; round < 20; ++round) {
+    Configuration whole(model);
+    Eigen::VectorXd whole_qdd(model.joint_count());
+    for (int j = 0; j < model.joint_count(); ++j) {
+      whole.q[j] = any(random);
+      whole.qd[j] = held[static_cast<std::size_t>(j)] ? 0.0 : any(random);
+      whole_qdd[j] = held[static_cast<std::size_t>(j)] ? 0.0 : any(random);
+    }
+    whole.base.translation() = Eigen::Vector3d(any(random), any(random), 1.0);
+    whole.base_velocity = Eigen::Vector3d(any(random), any(random), any(random));
+    whole.base_angular_velocity = Eigen::Vector3d(any(random), any(random), any(random));
+    const Eigen::Vector3d up(any(random), any(random), any(random)), spin(any(random), any(random), any(random));
+
+    const WeldedModel welded = weld(model, held, whole.q);
+    ASSERT_EQ(welded.model.joint_count(), static_cast<int>(model.leg_joints.size()));
+    Configuration less(welded.model);
+    Eigen::VectorXd qdd(welded.model.joint_count());
+    less.base = whole.base;
+    less.base_velocity = whole.base_velocity;
+    less.base_angular_velocity = whole.base_angular_velocity;
+    for (std::size_t j = 0; j < held.size(); ++j) {
+      const int to = welded.joint[j];
+      if (to < 0) continue;
+      less.q[to] = whole.q[static_cast<Eigen::Index>(j)];
+      less.qd[to] = whole.qd[static_cast<Eigen::Index>(j)];
+      qdd[to] = whole_qdd[static_cast<Eigen::Index>(j)];
+    }
+    Kinematics a(model), b(welded.model);
+    a.update(whole);
+    b.update(less);
+    EXPECT_NEAR((a.com() - b.com()).norm(), 0.0, 1e-12);
+    for (int i = 0; i < model.link_count(); ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      EXPECT_TRUE((b.link_in_world(welded.link[at]) * welded.in_link[at]).isApprox(a.link_in_world(i), 1e-12));
+    }
+    for (std::size_t side = 0; side < 2; ++side) {
+      const Sole &sole = model.soles[side], &moved = welded.model.soles[side];
+      EXPECT_TRUE((a.link_in_world(sole.link) * sole.frame).isApprox(b.link_in_world(moved.link) * moved.frame, 1e-12));
+      const Hand &hand = model.hands[side], &kept = welded.model.hands[side];
+      EXPECT_TRUE((a.link_in_world(hand.link) * hand.frame).isApprox(b.link_in_world(kept.link) * kept.frame, 1e-12));
+    }
+    InverseDynamics of_whole(model), of_less(welded.model);
+    Eigen::VectorXd tau_whole(model.joint_count()), tau(welded.model.joint_count());
+    const auto wrench_whole = of_whole.solve(a, whole, whole_qdd, up, spin, {}, tau_whole);
+    const auto wrench = of_less.solve(b, less, qdd, up, spin, {}, tau);
+    EXPECT_NEAR((wrench_whole - wrench).norm(), 0.0, 1e-9 * wrench_whole.norm());
+    for (std::size_t j = 0; j < held.size(); ++j) {
+      if (welded.joint[j] < 0) continue;
+      EXPECT_NEAR(tau[welded.joint[j]], tau_whole[static_cast<Eigen::Index>(j)], 1e-9);
+    }
+  }
+}
+
+TEST(Weld, WhatFollowsAHeldJointIsHeldAndALeaderIsTheSame) {
+  Model model = test::chain(4, false);
+  model.joints[3].mimic = 1;
+  std::vector<bool> held{false, true, false, false};
+  EXPECT_THROW(weld(model, held, Eigen::VectorXd::Zero(4)), std::invalid_argument);
+  hold_followers(model, held);
+  EXPECT_EQ(held, (std::vector<bool>{false, true, false, true}));
+  const WeldedModel welded = weld(model, held, Eigen::VectorXd::Zero(4));
+  EXPECT_EQ(welded.joint, (std::vector<int>{0, -1, 1, -1}));
+  EXPECT_EQ(welded.link, (std::vector<int>{0, 1, 1, 2, 2}));
+  EXPECT_THROW(weld(model, {true}, Eigen::VectorXd::Zero(4)), std::invalid_argument);
+}
+
+TEST(Weld, TwoLinksTouchIfAnyOfTheirPartsMay) {
+  Model model = test::chain(4, true);
+  model.disabled_pairs = {{0, 3}, {1, 3}};
+  // Links 0 and 1 become one; 2 is its neighbour.
+  const WeldedModel both = weld(model, {true, false, false, false}, Eigen::VectorXd::Zero(4));
+  const auto apart = [&](const WeldedModel& welded, int a, int b) {
+    const auto& pairs = welded.model.disabled_pairs;
+    return std::find(pairs.begin(), pairs.end(), std::array<int, 2>{a, b}) != pairs.end();
+  };
+  EXPECT_TRUE(apart(both, 0, 2));   // former 3
+  EXPECT_FALSE(apart(both, 0, 3));  // former 4
+  model.disabled_pairs = {{0, 3}};
+  EXPECT_FALSE(apart(weld(model, {true, false, false, false}, Eigen::VectorXd::Zero(4)), 0, 2));
+}
+
+class Welded : public test::BothEngines {};
+TWINBUS_FOR_BOTH_ENGINES(Welded);
+
+// A chain that swings, one joint held by its servo or for good.
+TEST_P(Welded, AHeldJointIsOneWithAServoThatIsStiff) {
+  const Model model = test::chain(4, false);
+  WorldConfig config;
+  config.fixed_base = true;
+  config.step = 1e-4;
+  const auto whole = make(model, config);
+  config.held = {false, false, true, false};
+  const auto less = make(model, config);
+  Configuration start(model);
+  start.base = Eigen::Isometry3d::Identity();
+  start.q = Eigen::Vector4d(0.3, -0.2, 0.6, 0.1);
+  ASSERT_EQ(whole->set(start), Status::kOk);
+  ASSERT_EQ(less->set(start), Status::kOk);
+  for (World* world : {whole.get(), less.get()}) {
+    ASSERT_EQ(world->set_servo(2, {.q = 0.6, .qd = 0.0, .tau = 0.0, .kp = 1e7, .kd = 1e3}), Status::kOk);
+    for (int i = 0; i < 3000; ++i) ASSERT_EQ(world->step(), Status::kOk);
+  }
+  EXPECT_GT(std::abs(less->configuration().q[0] - 0.3), 0.1);  // it swings
+  EXPECT_EQ(less->configuration().q[2], 0.6);
+  EXPECT_EQ(less->configuration().qd[2], 0.0);
+  EXPECT_EQ(less->encoder(2), 0.6);
+  for (int i = 0; i < model.link_count(); ++i) {
+    EXPECT_NEAR((whole->link_in_world(i).translation() - less->link_in_world(i).translation()).norm(), 0.0, 2e-4);
+    const Eigen::Vector3d there = less->link_in_world(i) * Eigen::Vector3d(0.1, 0.05, 0.0);
+    EXPECT_NEAR((whole->point_velocity(i, there) - less->point_velocity(i, there)).norm(), 0.0, 5e-3);
+  }
+  EXPECT_NEAR(whole->mass(), less->mass(), 1e-12);
+}
+
+TEST_P(Welded, AFurtherRobotThatIsRigidStandsAsOneBody) {
+  const Model model = test::bystander();
+  WorldConfig config;
+  config.step = 1e-3;
+  OtherRobot robot;
+  robot.name = "second";
+  robot.model = std::make_shared<const Model>(test::block());
+  robot.start = Configuration(*robot.model);
+  robot.start.q[0] = 0.4;
+  robot.start.base.translation().z() = -robot.model->total_mass() * kGravity / (2.0 * robot.model->soles[0].stiffness);
+  robot.servos.resize(1);
+  config.robots = {robot};
+  config.rigid_robots = {true};
+  const auto world = make(model, config);
+  ASSERT_EQ(world->set(Configuration(model)), Status::kOk);
+  for (int i = 0; i < 500; ++i) ASSERT_EQ(world->step(), Status::kOk);
+  EXPECT_NEAR((world->robot_link(0, 0).translation() - robot.start.base.translation()).norm(), 0.0, 1e-4);
+  // Its arm has not moved, though no servo holds it.
+  const Eigen::Isometry3d arm = world->robot_link(0, 0).inverse() * world->robot_link(0, 1);
+  EXPECT_NEAR(Eigen::AngleAxisd(arm.linear()).angle(), 0.4, 1e-9);
+}
+
+TEST_P(Welded, ALoopWithinOneBodyIsRefused) {
+  const Model model = test::chain(3, false);
+  WorldConfig config;
+  config.held = {false, true, true};
+  Tie tie;
+  tie.a.link = 1;
+  tie.b.link = 3;
+  config.ties = {tie};
+  EXPECT_THROW(make(model, config), std::runtime_error);
+}
+
+TEST(Fidelity, WordsAndListsSayWhichJointsAreHeld) {
+  const Model model = load_robot("hrp1s");
+  Scene scene;
+  WorldConfig config;
+  apply_fidelity(scene, model, config);
+  EXPECT_TRUE(config.held.empty());
+  scene.fidelity = "legs";
+  apply_fidelity(scene, model, config);
+  EXPECT_EQ(config.held, all_but_the_legs(model));
+  scene.fidelity = "full";
+  scene.held = {model.joints[3].name};
+  apply_fidelity(scene, model, config);
+  EXPECT_EQ(std::count(config.held.begin(), config.held.end(), true), 1);
+  scene.held = {"no such joint"};
+  EXPECT_THROW(apply_fidelity(scene, model, config), std::runtime_error);
+  scene.held = {};
+  scene.rigid = {"nobody"};
+  EXPECT_THROW(apply_fidelity(scene, model, config), std::runtime_error);
+  scene.rigid = {};
+  scene.fidelity = "legs";
+  EXPECT_THROW(apply_fidelity(scene, test::pendulum(), config), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace twinbus
