@@ -1,7 +1,6 @@
 #!/usr/bin/env python3
 """./twinbus campaign: thousands of seeded runs, on this machine or on many."""
 
-import argparse
 import os
 import pathlib
 import signal
@@ -9,6 +8,7 @@ import sys
 import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+from command import NAME, Parser  # noqa: E402
 
 USAGE = """usage: ./twinbus campaign FILE.yaml [OPTION...]     run what is not done yet, write tables and report
        ./twinbus campaign report OUT [--serve]       the report again; --serve opens failing runs in the viewer
@@ -24,11 +24,11 @@ USAGE = """usage: ./twinbus campaign FILE.yaml [OPTION...]     run what is not d
   --dask ADDRESS     on the workers of a Dask scheduler (tcp://HOST:8786), or local:N, which starts N
   --slurm            writes a Slurm array, submits it and gathers its results; --jobs N: so many array tasks
   --limit S          time limit of a task; default: limit: of the file, 600
-Exit status: 0 all passed, 1 some did not or none ran, 2 wrong arguments.  doc/campaign.md shows the file."""
+Exit status: 0 all passed, 1 some did not or none ran, 2 wrong arguments.  doc/campaign.md shows the file.""".replace("./twinbus campaign", NAME)
 
 
 def arguments(words):
-    parser = argparse.ArgumentParser(prog="./twinbus campaign", usage=USAGE, add_help=False)
+    parser = Parser(add_help=False)
     parser.add_argument("file")
     parser.add_argument("--out")
     parser.add_argument("--workers", type=int)
@@ -141,7 +141,7 @@ def say_end(store, parquet, seconds, ran):
         print(f"{len(store.unrun)} tasks were not run ({name}: {sentence})")
     if not parquet:
         print("no results.parquet: pyarrow is not installed; run: python3 -m pip install pyarrow")
-    print(f"{store.out / 'results.csv'}\n{store.out / 'report.html'}   (replays open by: ./twinbus campaign report {store.out} --serve)")
+    print(f"{store.out / 'results.csv'}\n{store.out / 'report.html'}   (replays open by: {NAME} report {store.out} --serve)")
     return 0 if len(pairs) == len(store.tasks) and total["passed"] == len(pairs) else 1
 
 

@@ -8,6 +8,7 @@ import argparse
 import csv
 import pathlib
 
+from command import Parser
 from report import read
 from run_task import FIGURES
 
@@ -56,7 +57,7 @@ def compare(folders):
 
 
 def compare_command(words):
-    parser = argparse.ArgumentParser(prog="./twinbus campaign compare", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = Parser("compare", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("out", nargs="+")
     given = parser.parse_args(words)
     if len(given.out) < 2:

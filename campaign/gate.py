@@ -13,6 +13,7 @@ import pathlib
 import random
 import statistics
 
+from command import Parser
 from errors import CampaignError
 from rates import Sprt, exact_risk, fixed_size, wilson
 
@@ -67,7 +68,7 @@ def sequence(campaign, maker):
 
 
 def gate_command(words):
-    parser = argparse.ArgumentParser(prog="./twinbus campaign gate", description=__doc__,
+    parser = Parser("gate", description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("file")
     parser.add_argument("--out")

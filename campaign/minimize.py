@@ -14,6 +14,7 @@ import pathlib
 
 import yaml
 
+from command import PROGRAM, Parser
 from errors import CampaignError
 from report import read
 
@@ -210,12 +211,12 @@ class Minimizer:
         self.scene["about"] = f"Smallest scene that fails as run {self.task['id']} of {self.task['scene']} did."
         guard = "" if self.task.get("guard", True) else " --no-guard"
         order = ["about", *(key for key in self.scene if key != "about")]
-        return (f"# ./twinbus run {path} --seed {self.seed}{guard}   # {'falls' if self.fell else 'fails'}: exit status 1\n"
+        return (f"# {PROGRAM} run {path} --seed {self.seed}{guard}   # {'falls' if self.fell else 'fails'}: exit status 1\n"
                 + yaml.safe_dump({key: self.scene[key] for key in order}, default_flow_style=None, sort_keys=False, width=120))
 
 
 def minimize_command(words):
-    parser = argparse.ArgumentParser(prog="./twinbus campaign minimize", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = Parser("minimize", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("out")
     parser.add_argument("id", nargs="?", help="default: the worst run that failed")
     parser.add_argument("--workers", type=int, default=os.cpu_count() or 1)

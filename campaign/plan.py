@@ -10,6 +10,8 @@ import argparse
 import heapq
 import random
 
+from command import Parser
+
 # CPU of driver and scheduler for a task [s], measured with batches of 50 (doc/campaign.md), and seconds until the first task runs.
 COST = {"workers": (0.00021, 0.5), "dask": (0.00094, 5.0), "slurm": (0.0, 30.0)}
 BATCH_SECONDS, MOST_BATCH = 0.5, 50
@@ -39,7 +41,7 @@ def simulate(cores, runs, task, engine, seed=1):
 
 
 def plan_command(words):
-    parser = argparse.ArgumentParser(prog="./twinbus campaign plan", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = Parser("plan", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--task", type=float, required=True, help="seconds of CPU of a task")
     parser.add_argument("--runs", type=int, default=1_000_000)
     parser.add_argument("--engine", choices=COST, default="dask")

@@ -3,7 +3,6 @@
 `report OUT --serve` shows the page on 127.0.0.1 and opens a run in the log viewer when its link is followed.
 """
 
-import argparse
 import html
 import http.server
 import pathlib
@@ -13,6 +12,7 @@ import subprocess
 import sys
 import threading
 
+from command import NAME, Parser
 from errors import CampaignError
 from rates import wilson
 from run_task import program_words, whole_lines
@@ -181,12 +181,12 @@ def page(out, pairs, title):
         parts.append("<h2>By setting</h2><div class=plots>" + "".join(plots) + "</div>")
     worst = [pair for pair in sorted(pairs, key=badness) if pair[1]["status"] != "passed"]
     parts.append(f"<h2>Worst runs</h2><p class=hint>{min(len(worst), MOST_WORST)} of {len(worst)} that did not pass. The links work in the page that "
-                 f"<code>./twinbus campaign report {esc(out)} --serve</code> shows; the command opens the same.</p>")
+                 f"<code>{NAME} report {esc(out)} --serve</code> shows; the command opens the same.</p>")
     if worst:
         parts.append("<table><tr><th></th><th>id</th><th>scene</th><th>settings</th><th>seed</th><th>what</th><th>command</th></tr>")
     for task, result in worst[:MOST_WORST]:
         settings = ", ".join(f"{key}={value}" for key, value in task["varied"].items())
-        link, command = f"<a class=replay href='replay/{task['id']}'>replay</a>", f"./twinbus campaign view {out} {task['id']}"
+        link, command = f"<a class=replay href='replay/{task['id']}'>replay</a>", f"{NAME} view {out} {task['id']}"
         if "arguments" in task:  # no run of a scene: there is nothing to see
             link, command = "", " ".join(program_words(task))
         parts.append(f"<tr><td>{link}</td><td>{task['id']}</td><td>{esc(task['scene'])}</td>"
@@ -243,7 +243,7 @@ def viewer(log, task, *options):
     """The log viewer on that log: (process, its address)."""
     program = pathlib.Path(task["program"]).with_name("twinbus_log_viewer")
     if not program.exists():
-        raise CampaignError(f"{program} is not built; run: ./twinbus campaign view OUT ID, which builds it")
+        raise CampaignError(f"{program} is not built; run: {NAME} view OUT ID, which builds it")
     process = subprocess.Popen([str(program), str(log), "--robot", task.get("robot_path") or task["robot"], *options],
                                stdout=subprocess.PIPE, text=True)
     for line in process.stdout:
@@ -256,7 +256,7 @@ def viewer(log, task, *options):
 
 
 def view_command(words):
-    parser = argparse.ArgumentParser(prog="./twinbus campaign view")
+    parser = Parser("view")
     parser.add_argument("out")
     parser.add_argument("id")
     parser.add_argument("--no-open", action="store_true")
@@ -306,7 +306,7 @@ class Pages(http.server.BaseHTTPRequestHandler):
 
 
 def report_command(words):
-    parser = argparse.ArgumentParser(prog="./twinbus campaign report")
+    parser = Parser("report")
     parser.add_argument("out")
     parser.add_argument("--serve", action="store_true")
     parser.add_argument("--port", type=int, default=8060)

@@ -22,6 +22,7 @@ import pathlib
 import random
 import warnings
 
+from command import Parser
 from errors import CampaignError
 from run_task import FIGURES
 from spec import TaskMaker, unique
@@ -469,7 +470,7 @@ def write(out, search):
 
 
 def search_command(words):
-    parser = argparse.ArgumentParser(prog="./twinbus campaign search", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = Parser("search", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("file")
     parser.add_argument("--out")
     parser.add_argument("--workers", type=int, default=os.cpu_count() or 1)

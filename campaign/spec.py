@@ -50,10 +50,11 @@ class Campaign:
 
 
 def find_program():
-    """The program `twinbus`: $TWINBUS_PROGRAM, $TWINBUS_BIN, or the build of this checkout."""
+    """The program `twinbus`: $TWINBUS_PROGRAM, $TWINBUS_BIN, that which started this ($TWINBUS_BUILD), or the build of this checkout."""
     root = pathlib.Path(__file__).resolve().parents[1]
     builds = pathlib.Path(os.environ.get("TWINBUS_BUILDS", root / "build"))
     named = [os.environ.get("TWINBUS_PROGRAM"), os.path.join(os.environ["TWINBUS_BIN"], "twinbus") if "TWINBUS_BIN" in os.environ else None,
+             os.path.join(os.environ["TWINBUS_BUILD"], "bin/twinbus") if "TWINBUS_BUILD" in os.environ else None,
              str(builds / "release/bin/twinbus")]
     for path in named:
         if path and os.access(path, os.X_OK):

@@ -236,6 +236,13 @@ class Output(Rig):
 
 
 class Files(Rig):
+    def test_wrong_arguments_are_one_line_with_the_remedy(self):
+        for words, said in ((("x.yaml", "--jobs", "x"), "campaign: argument --jobs"), (("plan", "--task"), "campaign plan: argument --task"),
+                            (("--out",), "campaign: argument --out"), (("gate",), "campaign gate: ")):
+            done = subprocess.run(self.words(*words), capture_output=True, text=True, env=self.environment)
+            self.assertEqual((done.returncode, done.stdout), (2, ""), done.stderr)
+            self.assertTrue(done.stderr.startswith(said) and done.stderr.count("\n") == 1 and "--help" in done.stderr, done.stderr)
+
     def test_wrong_files_name_line_field_and_remedy(self):
         for text, said in (
                 ("", "is empty"),

@@ -8,6 +8,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -47,10 +48,12 @@ printf '#!/bin/sh\\necho program "$@"\\n' >"$build/bin/twinbus"; chmod +x "$buil
     def packages(self, text):
         (self.root / "config" / "packages.txt").write_text("# comment\n" + text)
 
-    def run_script(self, *words, **settings):
+    def environment(self, **settings):
         ours = {name: value for name, value in os.environ.items() if not name.startswith("TWINBUS_")}  # what CI sets is not for these
-        environment = dict(ours, **{"PATH": f"{self.bin}:{os.environ['PATH']}", **settings})
-        return subprocess.run([self.root / "twinbus", *words], capture_output=True, text=True, env=environment,
+        return dict(ours, **{"PATH": f"{self.bin}:{os.environ['PATH']}", **settings})
+
+    def run_script(self, *words, **settings):
+        return subprocess.run([self.root / "twinbus", *words], capture_output=True, text=True, env=self.environment(**settings),
                               stdin=subprocess.DEVNULL, timeout=60)
 
     def said(self):
@@ -164,10 +167,42 @@ printf '#!/bin/sh\\necho program "$@"\\n' >"$build/bin/twinbus"; chmod +x "$buil
         self.run_script("up")
         self.calls.unlink()
         self.packages("gone  b\n")
-        for word in ("stop", "clear", "status"):
+        for word in ("stop", "clear", "status", "doctor"):
             done = self.run_script(word)
             self.assertEqual(done.stdout, f"program {word}\n")
         self.assertEqual(self.said(), "")
+
+    def test_what_needs_no_build_does_not_wait_for_another_one(self):
+        self.run_script("up")
+        for program in ("twinbus_gamepad", "twinbus_recorder", "twinbus_log_viewer"):
+            executable(self.root / "build/release/bin" / program, "#!/bin/sh\n")
+        with subprocess.Popen(["flock", "--no-fork", self.root / "build/.lock", "sleep", "600"]) as other:
+            time.sleep(0.3)
+            self.calls.unlink()
+            for word in ("walk", "mode", "pose", "reach", "switch", "push", "sim", "restart", "scenes", "log", "env", "record", "view", "gamepad"):
+                done = self.run_script(word, "x")
+                self.assertEqual((done.returncode, done.stdout), (0, f"program {word} x\n"), done.stderr)
+                self.assertIn("another build goes on", done.stderr)
+            self.assertEqual(self.said(), "")
+            (self.root / "build/release/bin/twinbus_gamepad").unlink()  # its first build goes on
+            waits = subprocess.Popen([self.root / "twinbus", "gamepad"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                                     env=self.environment(), stdin=subprocess.DEVNULL)
+            self.assertIn("waits for another build", waits.stderr.readline())
+            other.terminate()
+        self.assertEqual(waits.communicate(timeout=60)[0], "program gamepad\n")
+        self.assertEqual(self.run_script("walk").stdout, "program walk\n")
+        self.assertIn("cmake --build", self.said())
+
+    def test_words_that_are_no_command_build_nothing(self):
+        (self.root / "launcher").mkdir()
+        shutil.copy(ROOT / "launcher" / "main.cpp", self.root / "launcher" / "main.cpp")
+        self.run_script("up")
+        self.calls.unlink()
+        for word in ("wlak", ".", "up x", "u"):
+            done = self.run_script(word)
+            self.assertEqual((done.returncode, done.stdout, self.said()), (0, f"program {word}\n", ""), done.stderr)
+        self.run_script("run", "stand")
+        self.assertIn("cmake --build", self.said())
 
     def test_help_answers_at_once_without_a_build(self):
         (self.root / "launcher").mkdir()
