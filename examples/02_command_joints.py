@@ -27,12 +27,16 @@ def main():
             kp[joint], kd[joint] = stiffness, damping
 
     bus, me = twinbus.Bus(), twinbus.new_id()
-    bus.listen('STATE')
+    bus.listen('STATE', 'SOURCE_STATUS')
+    obedience = twinbus.Obedience(me)
     posture = torque = begin_ns = None
     end = time.monotonic() + arguments.duration
     print('command_joints: ready', flush=True)
     while time.monotonic() < end:
-        state = twinbus.newest_state(bus.receive(0.1))
+        messages = bus.receive(0.1)
+        if problem := obedience.problem(messages):
+            print(f'command_joints: {problem}', flush=True)
+        state = twinbus.newest_state(messages)
         if state is None:
             continue
         if posture is None:

@@ -1,13 +1,14 @@
 #!/bin/sh
 # Prints what a shell needs so that stock LCM tools meet this bus and know its messages:  eval "$(./twinbus env)"
 set -eu
+command=${TWINBUS_COMMAND:-./twinbus env}  # as it was typed
 case "${1:-}" in
   -h | --help)
-    echo "usage: eval \"\$(./twinbus env)\""
+    echo "usage: eval \"\$($command)\""
     echo "Sets LCM_DEFAULT_URL, CLASSPATH (lcm.jar, types.jar) and PYTHONPATH for lcm-logger, lcm-logplayer and clients."
     exit 0 ;;
   "") ;;
-  *) echo "twinbus env: unknown argument $1; see ./twinbus env --help" >&2; exit 2 ;;
+  *) echo "twinbus env: unknown argument $1; see $command --help" >&2; exit 2 ;;
 esac
 root=$(cd "$(dirname "$0")/.." && pwd)
 build=${TWINBUS_BUILD:-$root/build/release}

@@ -1,12 +1,13 @@
 #!/bin/sh
 # lcm-spy on current Java with this project's message types.  The packaged /usr/bin/lcm-spy fails: -Xincgc is gone.
 set -eu
+command=${TWINBUS_COMMAND:-./twinbus spy}  # as it was typed
 check=no
 robot=hrp1s
 while [ $# -gt 0 ]; do
   case $1 in
     -h | --help)
-      echo "usage: ./twinbus spy [--check] [--url URL] [--robot NAME]"
+      echo "usage: $command [--check] [--url URL] [--robot NAME]"
       echo "STATE_NAMED has the joints of the robot (default hrp1s) by their names, 50 times a second."
       echo "Opens lcm-spy; double-click a channel for its fields, a field's line for a plot.  --check only says what is missing."
       exit 0 ;;
@@ -19,7 +20,7 @@ while [ $# -gt 0 ]; do
       [ $# -ge 2 ] || { echo "twinbus spy: --url needs a value" >&2; exit 2; }
       LCM_DEFAULT_URL=$2
       shift ;;
-    *) echo "twinbus spy: unknown argument $1; see ./twinbus spy --help" >&2; exit 2 ;;
+    *) echo "twinbus spy: unknown argument $1; see $command --help" >&2; exit 2 ;;
   esac
   shift
 done

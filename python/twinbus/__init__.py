@@ -18,7 +18,7 @@ and for operators, whose messages name the run that they are for and count up:
 The bus needs the standard library alone; arrays of messages are numpy arrays where numpy is installed, else lists.
 """
 from . import messages
-from .bus import JOINTS, Bus, command_for, decode, new_id, newest_state, padded, run, text
+from .bus import JOINTS, Bus, Obedience, command_for, decode, new_id, newest_state, padded, run, text
 from .channels import TYPES
 from .home import config
 from .lcm_types import Message, message_type
@@ -27,5 +27,5 @@ from .messages import *  # noqa: F401,F403  (the types themselves: twinbus.robot
 from .stack import Stack
 
 __version__ = '0.1'
-__all__ = ['JOINTS', 'TYPES', 'Bus', 'Log', 'Message', 'Stack', 'command_for', 'config', 'decode', 'message_type', 'messages', 'new_id',
-           'newest_state', 'padded', 'read_log', 'run', 'text']
+__all__ = ['JOINTS', 'TYPES', 'Bus', 'Log', 'Message', 'Obedience', 'Stack', 'command_for', 'config', 'decode', 'message_type', 'messages',
+           'new_id', 'newest_state', 'padded', 'read_log', 'run', 'text']

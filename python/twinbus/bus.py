@@ -14,6 +14,7 @@ from typing import Any, Callable, Iterable, Protocol, Sequence
 
 from . import messages
 from .channels import TYPES
+from .home import as_typed
 
 JOINTS = 48  # arrays of a command always have this length
 GROUP = 'udpm://239.255.76.67:17667?ttl=0'
@@ -128,7 +129,7 @@ def run(main: Callable[[], None]) -> None:
     except KeyboardInterrupt:
         pass
     except (OSError, ValueError) as error:
-        sys.exit(f'{os.path.basename(sys.argv[0])}: {error}')
+        sys.exit(as_typed(f'{os.path.basename(sys.argv[0])}: {error}'))
 
 
 def new_id() -> int:
@@ -145,6 +146,25 @@ def newest_state(heard: Sequence[tuple[str, bytes]]) -> messages.robot_state_t |
             except ValueError:
                 continue
     return None
+
+
+class Obedience:
+    """Whether the active source obeys this controller: it obeys the first that it hears, until that one is gone and the operator
+    clears.  Listen to SOURCE_STATUS."""
+
+    def __init__(self, controller_id: int) -> None:
+        self.controller_id, self.bound = controller_id, 0
+
+    def problem(self, heard: Sequence[tuple[str, bytes]]) -> str | None:
+        """A sentence, once, when another controller is obeyed; else None."""
+        for channel, body in heard:
+            status = decode(channel, body) if channel == 'SOURCE_STATUS' else None
+            if status is None or status.role not in (2, 6) or status.controller_id == self.bound:  # active, stopped
+                continue
+            self.bound = status.controller_id
+            if self.bound not in (0, self.controller_id):
+                return as_typed(f'NOT OBEYED, another controller (id {self.bound}) is; end that one, then ./twinbus clear takes this one on')
+        return None
 
 
 def text(values: Iterable[int]) -> str:

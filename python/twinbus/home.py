@@ -23,6 +23,11 @@ def config() -> pathlib.Path:
     return pathlib.Path(said) if said else data() / 'config'
 
 
+def as_typed(sentence: str) -> str:
+    """Where it is installed, the program is called twinbus, not ./twinbus."""
+    return sentence if (PACKAGE.parents[1] / 'twinbus').is_file() else sentence.replace('./twinbus', 'twinbus')
+
+
 def program(name: str = 'twinbus') -> pathlib.Path:
     """A program of twinbus: of $TWINBUS_BIN, of the wheel, of the checkout's release build, of the installation, or of PATH."""
     folders = [INSIDE / 'lib/twinbus/bin', data() / 'build/release/bin', data() / '../../lib/twinbus/bin']
@@ -34,4 +39,4 @@ def program(name: str = 'twinbus') -> pathlib.Path:
     found = shutil.which(name)
     if found and name == 'twinbus':
         return pathlib.Path(found)
-    raise FileNotFoundError(f'no program {name}; build it (./twinbus up) or set TWINBUS_BIN to the folder that holds it')
+    raise FileNotFoundError(f'no program {name}; build it (./twinbus up in a checkout) or set TWINBUS_BIN to the folder that holds it')

@@ -86,6 +86,17 @@ def look_into(checks, log):
             checks.that(os.path.getsize(os.path.join(folder, name)) > 1000, f"15_chart.sh writes {name}")
 
 
+def beside_another_controller(checks):
+    """Whoever is not obeyed is told."""
+    with Stack("stand", "--no-viewer"):
+        time.sleep(1.0)
+        client = subprocess.Popen(python("02_command_joints.py"), env=ENVIRONMENT, stdout=subprocess.PIPE, text=True)
+        time.sleep(1.5)
+        client.send_signal(signal.SIGTERM)
+        said = client.communicate()[0]
+        checks.that(said.count("NOT OBEYED") == 1, f"02_command_joints.py beside our controller says: {said}")
+
+
 def move_a_joint(checks, command, stack, joint):
     """A controller of one's own moves a joint by 0.2 rad."""
     client = subprocess.Popen(command, env=ENVIRONMENT, stdout=subprocess.PIPE, text=True)
@@ -116,6 +127,7 @@ def main():
     lines(checks)
     without_a_stack(checks)
     look_into(checks, operate(checks))
+    beside_another_controller(checks)
     for stack in ("client", str(EXAMPLES / "10_adaptor/stack.yaml")):
         move_a_joint(checks, python("02_command_joints.py") + ["--joint", "9", "--by", "0.2"], stack, 9)
         move_a_joint(checks, [str(BIN / "example_command_joints"), "9", "0.2"], stack, 9)
