@@ -11,6 +11,8 @@ namespace twinbus {
 namespace {
 
 constexpr double kRounding = 1e-6;  // of the range of a limit: what is nearer to it was not beyond it
+constexpr double kSpoken = 0.02;    // of half the range of a limit; a smaller cut is counted only
+constexpr int kMakesUp = 50;        // ticks of cut steps that are put down to a silence before them, at most
 constexpr double kGainRange = 10.0;  // largest gain, of the model's own
 constexpr std::int64_t kBalancedStopLasts_ns = 2'000'000'000;
 constexpr int kTicksWithoutStopping = 3;
@@ -409,8 +411,11 @@ void CommandGate::limit(JointCommand& command) noexcept {
     const double asked = static_cast<double>(value);
     if (cut(value, low, high) == 0 || std::abs(asked - static_cast<double>(value)) <= kRounding * (high - low)) return;
     ++cuts;
-    if (first_cut_.what != What::kNone) return;
-    first_cut_ = {what, static_cast<std::int16_t>(i), asked - from, static_cast<double>(value) - from};
+    const bool step = what == What::kPositionStep || what == What::kTorqueStep;
+    step_cut_ = step_cut_ || step;
+    FirstCut& first = step && silent_ticks_ > 0 ? first_catch_up_ : first_cut_;
+    if (first.what != What::kNone || std::abs(asked - static_cast<double>(value)) <= 0.5 * kSpoken * (high - low)) return;
+    first = {what, static_cast<std::int16_t>(i), asked - from, static_cast<double>(value) - from, step ? silent_ticks_ : 0};
   };
   for (; i < static_cast<std::size_t>(limits_->joint_count); ++i) {
     const double q = effective_.q[i], tau = static_cast<double>(effective_.tau[i]);
@@ -426,6 +431,18 @@ void CommandGate::limit(JointCommand& command) noexcept {
   counters_.clamped += cuts;
 }
 
+// The set-point stands still without commands; the next one asks for the way of all those ticks at once, which the limit
+// of a step spreads over some ticks.
+void CommandGate::count_silence(bool silent) noexcept {
+  if (silent) {
+    ++silent_ticks_;
+    made_up_ = 0;
+  } else if (!step_cut_ || ++made_up_ > kMakesUp) {
+    silent_ticks_ = 0;
+  }
+  step_cut_ = false;
+}
+
 const JointCommand& CommandGate::output(std::int64_t tick, bool walking,
                                         std::int64_t now_ns, const Estimator* robot) noexcept {
   watch(now_ns);
@@ -438,6 +455,7 @@ const JointCommand& CommandGate::output(std::int64_t tick, bool walking,
   if (!holds(off_, Rule::kStopLatches)) latch_.clear(latch_.nonce);
 
   if (open_ && watched_) follow_plan(tick, robot, now_ns);
+  const bool silent = have_client_ && !fed_ && !holding_;
   fed_ = false;
   tick_ = tick;
   JointCommand command;
@@ -460,6 +478,7 @@ const JointCommand& CommandGate::output(std::int64_t tick, bool walking,
     brake(command, mask);
     limit(command);
   }
+  count_silence(silent);
   command.tick = tick;
   command.run_id = run_id_;
   command.term = term_;

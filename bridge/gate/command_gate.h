@@ -63,12 +63,13 @@ struct GateCounters {
   std::int64_t plans_accepted = 0, plans_refused = 0, plans_followed = 0;
 };
 
-// The first number of a command that was cut to a limit, for people.
+// The first number of a command that was cut to a limit by more than a fiftieth of it, for people.
 struct FirstCut {
   enum class What : std::int8_t { kNone, kPosition, kVelocity, kTorque, kStiffness, kDamping, kPositionStep, kTorqueStep };
   What what = What::kNone;
   std::int16_t joint = -1;  // index on the bus
   double asked = 0.0, given = 0.0;  // in the unit of what; of steps: the change in one tick
+  std::int64_t silent = 0;  // ticks without a command before it
 };
 
 class CommandGate {
@@ -122,6 +123,8 @@ class CommandGate {
   const StopLatch& latch() const noexcept { return latch_; }
   const GateCounters& counters() const noexcept { return counters_; }
   const FirstCut& first_cut() const noexcept { return first_cut_; }
+  // The first step of a set-point that had ticks without a command to make up for.
+  const FirstCut& first_catch_up() const noexcept { return first_catch_up_; }
   std::int64_t controller_id() const noexcept { return controller_; }
   std::int64_t last_accepted_ns() const noexcept { return last_accepted_ns_; }
   std::int64_t last_accepted_tick() const noexcept { return last_tick_; }
@@ -153,6 +156,7 @@ class CommandGate {
   void off_command(JointCommand& command) const noexcept;
   void brake(JointCommand& command, std::int64_t mask) noexcept;
   void limit(JointCommand& command) noexcept;
+  void count_silence(bool silent) noexcept;
   std::int64_t mask_in_force(bool walking, std::int64_t now_ns) const noexcept;
 
   const GateLimits* limits_;
@@ -189,7 +193,10 @@ class CommandGate {
   PlanRefusal plan_refusal_ = PlanRefusal::kNone;
   StopLatch latch_;
   GateCounters counters_;
-  FirstCut first_cut_;
+  FirstCut first_cut_, first_catch_up_;
+  std::int64_t silent_ticks_ = 0;  // whose way the set-point has not made up for
+  int made_up_ = 0;                // ticks with cut steps since
+  bool step_cut_ = false;          // in this tick
   JointCommand client_;     // what is asked for, by the client or by our own hold
   JointCommand effective_;  // what was written last
   OffsetBlend blend_;

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 
+#include "lcmtypes/msg/reports.h"
 #include "lcmtypes/msg/requests.h"
 #include "lcmtypes/msg/robot_io.h"
 #include "robot/description/model.h"
@@ -33,6 +34,8 @@ class FallWatch {
 
   // Once per tick that was measured.  True once per fall: at rest on the ground, or a few seconds after it began.
   bool look(const RobotState& state, const FallContext& context) noexcept;
+  // Once per tick, before look(): what a simulator knows of pushes; null: nothing is known.
+  void see_push(const SimTruth* truth) noexcept;
   // The robot is another's now, or somebody else's to watch.
   void forget() noexcept { upright_ = tilts_ = false; }
   // What led to the fall that look() has told; zero-terminated, at most 199 bytes.
@@ -46,6 +49,13 @@ class FallWatch {
   bool tilts_ = false;     // farther than it stands
   double lies_ = 0.0, quiet_ = 0.0;  // [s]
   FallContext context_;    // when it began to tilt
+  struct Push {
+    double force = 0.0;    // the strongest [N]
+    double impulse = 0.0;  // [N s]
+    double age = 0.0;      // since it ended [s]
+  };
+  double mass_;            // [kg]
+  Push push_, led_;        // the last one; the last one when it began to tilt
 };
 
 }  // namespace twinbus

@@ -77,6 +77,7 @@ StopRequest Source::take_stop_to_publish(std::int64_t now_ns) noexcept {
 bool Source::take_fall(std::array<char, 200>& cause) noexcept { return impl_->core.take_fall(cause); }
 const SourceStatus& Source::status() const noexcept { return impl_->core.status(); }
 const FirstCut& Source::first_cut() const noexcept { return impl_->core.gate().first_cut(); }
+const FirstCut& Source::first_catch_up() const noexcept { return impl_->core.gate().first_catch_up(); }
 const JointCommand& Source::effective_command() const noexcept {
   return impl_->core.gate().effective();
 }

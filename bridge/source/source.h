@@ -77,6 +77,7 @@ class Source {
 
   const SourceStatus& status() const noexcept;
   const FirstCut& first_cut() const noexcept;  // of a command, by the gate; bridge/gate/command_gate.h
+  const FirstCut& first_catch_up() const noexcept;
   // The command that was last written to the adaptor.
   const JointCommand& effective_command() const noexcept;
 

@@ -391,6 +391,7 @@ void SourceCore::watch_support(std::int64_t now_ns) noexcept {
 void SourceCore::watch_for_a_fall(std::int64_t now_ns) noexcept {
   FallContext& c = fall_context_;
   const std::int64_t before_ns = std::exchange(began_ns_, now_ns);
+  fall_.see_push(adaptor_->truth());
   if (!handover_.holds_state() || config_.kind == SourceKind::kReplay) return fall_.forget();
   const auto keep_worst = [now_ns](double seconds, double& worst, std::int64_t& at_ns) {
     if (seconds < worst && static_cast<double>(now_ns - at_ns) < kLately * 1e9) return;

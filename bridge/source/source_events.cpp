@@ -2,6 +2,7 @@
 
 #include <cstdarg>
 #include <cstdio>
+#include <cstring>
 
 #include "common/math/index.h"
 #include "lcmtypes/msg/labels.h"
@@ -112,12 +113,36 @@ std::array<char, 200> cut_sentence(const FirstCut& cut, const Model& model) noex
     return {"", ""};
   }();
   const char* const space = *words.unit != '\0' ? " " : "";
-  std::snprintf(text.data(), text.size(), "%s: %s %.4g%s%s asked, %.4g given", joint.name.c_str(), words.quantity, cut.asked, space,
-                words.unit, cut.given);
+  // As many digits as it takes to tell the two apart.
+  std::array<char, 40> asked{}, given{};
+  for (int digits = 4; digits <= 17; ++digits) {
+    std::snprintf(asked.data(), asked.size(), "%.*g", digits, cut.asked);
+    std::snprintf(given.data(), given.size(), "%.*g", digits, cut.given);
+    if (std::strcmp(asked.data(), given.data()) != 0) break;
+  }
+  std::snprintf(text.data(), text.size(), "%s: %s %s%s%s asked, %s given", joint.name.c_str(), words.quantity, asked.data(),
+                space, words.unit, given.data());
   return text;
 }
 
-bool next_sentence(SourceStatus& told, const SourceStatus& now, Event& event, const char* cut) noexcept {
+bool CutTeller::next(const FirstCut& cut, const FirstCut& catch_up, const Model& model, Event& event) noexcept {
+  if (!cut_told_ && cut.what != FirstCut::What::kNone) {
+    cut_told_ = true;
+    say(event, 1, "a command was beyond a limit: %.140s; it is cut, and further ones are counted",
+        cut_sentence(cut, model).data());
+    return true;
+  }
+  if (!catch_up_told_ && catch_up.what != FirstCut::What::kNone) {
+    catch_up_told_ = true;
+    say(event, 0, "after %lld %s without a command the joints catch up within their limits (%.110s); later ones are counted",
+        static_cast<long long>(catch_up.silent), catch_up.silent == 1 ? "tick" : "ticks",
+        cut_sentence(catch_up, model).data());
+    return true;
+  }
+  return false;
+}
+
+bool next_sentence(SourceStatus& told, const SourceStatus& now, Event& event) noexcept {
   if (told.role != now.role) {
     say(event, 0, "%s (term %d)", role_sentence(told.role, now.role), static_cast<int>(now.term));
     told.role = now.role;
@@ -142,15 +167,9 @@ bool next_sentence(SourceStatus& told, const SourceStatus& now, Event& event, co
   }
   told.refusal = now.refusal;
   told.refusal_sequence = now.refusal_sequence;
-  if (told.adaptor_status != now.adaptor_status) {
-    told.adaptor_status = now.adaptor_status;
-    say(event, now.adaptor_status == 0 ? 0 : 1, "device: %s",
-        to_text(static_cast<Status>(now.adaptor_status)));
-    return true;
-  }
   if (told.controller_id != now.controller_id) {
     told.controller_id = now.controller_id;
-    if (now.controller_id == 0) return next_sentence(told, now, event, cut);
+    if (now.controller_id == 0) return next_sentence(told, now, event);
     say(event, 0, "obeys a controller (its controller_id: %lld)",
         static_cast<long long>(now.controller_id));
     return true;
@@ -169,12 +188,6 @@ bool next_sentence(SourceStatus& told, const SourceStatus& now, Event& event, co
     told.plan_refusal = now.plan_refusal;
     say(event, 1, "stop plans are refused: %s; the robot is held where it is if commands fail",
         to_text(static_cast<PlanRefusal>(now.plan_refusal)));
-    return true;
-  }
-  if (told.clamped == 0 && now.clamped > 0) {
-    told.clamped = now.clamped;
-    const char* const colon = *cut != '\0' ? ": " : "";
-    say(event, 1, "a command was beyond a limit%s%s; it is cut, and further ones are counted", colon, cut);
     return true;
   }
   return false;

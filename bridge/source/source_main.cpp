@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "bridge/source/device_teller.h"
 #include "bridge/source/model_text.h"
 #include "bridge/source/scene_teller.h"
 #include "bridge/source/sim_obey.h"
@@ -117,8 +118,7 @@ class Shell {
   bool finished() const {
     if (quit_requested() || bus_gone_) return true;
     if (!(options_.duration > 0.0) || first_tick_ == 0) return false;
-    const double active =
-        model_.period() * static_cast<double>(source_.state().tick - first_tick_ + 1);
+    const double active = model_.period() * static_cast<double>(source_.state().tick - first_tick_ + 1);
     return active >= options_.duration - 1e-9;
   }
 
@@ -160,8 +160,7 @@ class Shell {
     publish_state();
     if (source_.publishes_on_state() && !lockstep_now() && !clock_.changed() && !patient_now() &&
         sent - due > period_ns_ / 2) {
-      missed_.add(1, sent - due - period_ns_ / 2, clock_.real_of(due - 2 * period_ns_),
-                  clock_.real_of(sent));
+      missed_.add(1, sent - due - period_ns_ / 2, clock_.real_of(due - 2 * period_ns_), clock_.real_of(sent));
     }
     const bool has_truth = keep_truth();
     const std::int64_t published = clock_.now();
@@ -208,8 +207,7 @@ class Shell {
   }
 
   void publish_state() {
-    send(source_.publishes_on_state() ? channel::kState : own_channel(options_.kind),
-         source_.state());
+    send(source_.publishes_on_state() ? channel::kState : own_channel(options_.kind), source_.state());
   }
 
   // Lock-step: the state is sent again until it is answered.
@@ -274,8 +272,7 @@ class Shell {
         return next;
       }
       if (source_.publishes_on_state() && !options_.lockstep && !clock_.changed()) {
-        missed_.add((now - next) / period_ns_, now - next - period_ns_,
-                    clock_.real_of(due - period_ns_), clock_.real_of(now));
+        missed_.add((now - next) / period_ns_, now - next - period_ns_, clock_.real_of(due - period_ns_), clock_.real_of(now));
       }
       next += (now - next) / period_ns_ * period_ns_;
     }
@@ -318,8 +315,9 @@ class Shell {
                          (status.faded_in < 1.0f) != told_fading_;
     Event event;
     if (std::array<char, 200> cause; source_.take_fall(cause)) tell(2, cause.data());
-    const auto cut = told_.clamped == 0 ? cut_sentence(source_.first_cut(), model_) : std::array<char, 200>{};
-    while (next_sentence(told_, status, event, cut.data())) send_event(event);
+    while (next_sentence(told_, status, event) || device_.next(static_cast<Status>(status.adaptor_status), now, event) ||
+           cuts_.next(source_.first_cut(), source_.first_catch_up(), model_, event))
+      send_event(event);
     if (changed || now - status_ns_ >= kStatusEvery_ns) {
       told_term_ = status.term;
       told_nonce_ = status.stop_nonce;
@@ -421,6 +419,8 @@ class Shell {
   SceneScript script_;
   SimTruth truth_;
   SourceStatus told_;
+  CutTeller cuts_;
+  DeviceTeller device_;
   MissedTicks missed_;
   SimPace clock_;
   Pulse pulse_;

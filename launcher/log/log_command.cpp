@@ -12,6 +12,7 @@
 #include "common/process/process.h"
 #include "common/text/closest_name.h"
 #include "launcher/bus/stack_monitor.h"
+#include "launcher/log/log_channels.h"
 #include "launcher/log/log_scan.h"
 #include "lcmtypes/bus/channels.h"
 #include "lcmtypes/bus/wire.h"
@@ -171,6 +172,9 @@ int log_rename(const std::vector<std::string>& words) {
       throw UsageError("log rename: wants OLD=NEW, not '" + word + "'");
     names[word.substr(0, equal)] = word.substr(equal + 1);
   }
+  std::vector<std::string> old;
+  for (const auto& [name, new_name] : names) old.push_back(name);
+  require_channels("log rename", old, arguments.word(0));
   return copy(arguments, [&](std::string_view name) {
     const auto found = names.find(name);
     return found != names.end() ? std::string_view(found->second) : name;
@@ -187,6 +191,7 @@ int log_events(const std::vector<std::string>& words) {
                             words);
   catch_quit_signals();
   const std::string file = arguments.word(0), prefix = arguments.text("--prefix", "");
+  require_prefix("log events", prefix, file);
   LogReader first(file);
   const std::int64_t start = first_time(first, file);
   RobotState last;
@@ -201,10 +206,23 @@ int log_events(const std::vector<std::string>& words) {
   const auto who = [&](std::int64_t sender) -> std::string {
     const auto found = senders.find(sender);
     if (found == senders.end()) return "by a command or program";
-    if (found->second == ProcessKind::kSimulator || found->second == ProcessKind::kBridge)
-      return "by the scene";
     if (found->second == ProcessKind::kUser) return "by a command or program";
     return std::string("by the ") + process_name(found->second);
+  };
+  // The script of a scene is said by its source.
+  const auto who_of_a_scene = [&](std::int64_t sender) -> std::string {
+    const auto found = senders.find(sender);
+    const bool source =
+        found != senders.end() && (found->second == ProcessKind::kSimulator || found->second == ProcessKind::kBridge);
+    return source ? "by the scene" : who(sender);
+  };
+  std::map<std::int64_t, std::string> switched;  // who asked a source for a switch, by its run
+  const auto stop_line = [&](const StopRequest& m) -> std::string {
+    if (m.kind == StopKind::kNone) return "clear asked, " + who(m.sender_id);
+    if (m.reason != StopReason::kSwitch) return std::string("stop asked: ") + label(m.kind) + ", " + who(m.sender_id);
+    const auto asker = switched.find(m.sender_id);
+    return "rest asked before a switch, " + who(m.sender_id) +
+           (asker != switched.end() ? "; the switch was asked " + asker->second : std::string());
   };
   const auto first_time_told = [&](const auto& m) {
     return told.emplace(std::pair(m.sender_id, m.sequence), true).second;
@@ -231,21 +249,19 @@ int log_events(const std::vector<std::string>& words) {
                ModeRequest m;
                if (decode(event.data, m) == Status::kOk && first_time_told(m))
                  line(event, last.tick,
-                      std::string("mode asked: ") + what_is_asked(m) + ", " + who(m.sender_id));
+                      std::string("mode asked: ") + what_is_asked(m) + ", " + who_of_a_scene(m.sender_id));
              } else if (name == channel::kStop) {
                StopRequest m;
                if (decode(event.data, m) == Status::kOk && first_time_told(m))
-                 line(
-                     event, last.tick,
-                     (m.kind == StopKind::kNone ? std::string("clear asked")
-                                                : std::string("stop asked: ") + label(m.kind)) +
-                         ", " + who(m.sender_id));
+                 line(event, last.tick, stop_line(m));
              } else if (name == channel::kSourceRequest) {
                SourceRequest m;
-               if (decode(event.data, m) == Status::kOk && first_time_told(m))
+               if (decode(event.data, m) == Status::kOk && first_time_told(m)) {
                  line(event, last.tick,
                       std::string(action_name(m.action)) + " asked for run " +
                           std::to_string(m.target_run_id) + ", " + who(m.sender_id));
+                 if (m.action == SourceAction::kSwitch && switched.size() < kMostSenders) switched[m.run_id] = who(m.sender_id);
+               }
              } else if (name == channel::kHeartbeat) {
                FullHeartbeat m;
                if (decode(event.data, m) == Status::kOk && senders.size() < kMostSenders)

@@ -11,6 +11,7 @@
 #include "common/math/index.h"
 #include "common/process/arguments.h"
 #include "common/process/process.h"
+#include "launcher/log/log_channels.h"
 #include "launcher/log/log_command.h"
 #include "launcher/log/log_plot.h"
 #include "launcher/log/log_robot.h"
@@ -43,12 +44,12 @@ class Stream {
  public:
   Stream(const std::string& file, std::string channel, const Arguments& arguments)
       : file_(file), channel_(std::move(channel)), reader_(file) {
-    const std::int64_t start = first_time(reader_, file);
+    const std::int64_t start = start_ = first_time(reader_, file);
     const double from = arguments.number("--from", 0.0, 0.0, 1e9),
                  to = arguments.number("--to", kWholeLog, 0.0, 1e13);
     if (from > 0.0) reader_.seek(start + std::llround(1e6 * from));
     if (to < kWholeLog) last_utime_ = start + std::llround(1e6 * to);
-    if (!next()) throw std::runtime_error("log " + file + ": nothing on " + channel_);
+    if (!next()) throw std::runtime_error(nothing_on("log compare", channel_, file));
     first_tick_ = state_.tick;
   }
   // False at the end.
@@ -58,7 +59,12 @@ class Stream {
         throw std::runtime_error("ended by the user");
       RobotState state;
       if (event.channel != channel_ || decode(event.data, state) != Status::kOk) continue;
-      if (state.tick <= state_.tick) continue;  // said again
+      if (state.tick <= state_.tick) {  // said again
+        if (!begins_anew(state.tick)) continue;
+        end_s_ = 1e-6 * (static_cast<double>(event.utime) - static_cast<double>(start_));
+        return false;
+      }
+      fallen_tick_ = -1;
       state_ = state;
       return true;
     }
@@ -66,13 +72,28 @@ class Stream {
   }
   const RobotState& state() const { return state_; }
   std::int64_t first_tick() const { return first_tick_; }
+  // Where the stream ended because the world was begun anew, from the first event [s]; -1: it did not.
+  double end_s() const { return end_s_; }
 
  private:
+  // A few ticks one after the other, far below the last: no damaged number and nothing said again.
+  bool begins_anew(std::int64_t tick) {
+    if (tick >= state_.tick - kFar) return false;
+    in_order_ = fallen_tick_ >= 0 && tick > fallen_tick_ && tick <= fallen_tick_ + kFar ? in_order_ + 1 : 1;
+    fallen_tick_ = tick;
+    return in_order_ >= kEnough;
+  }
+
+  static constexpr std::int64_t kFar = 100;  // [ticks]
+  static constexpr int kEnough = 5;
   static constexpr std::int64_t kLookEvery = 1 << 14;
   std::string file_, channel_;
   LogReader reader_;
   RobotState state_{.tick = -1};
-  std::int64_t first_tick_ = -1, events_ = 0,
+  std::int64_t first_tick_ = -1, events_ = 0, start_ = 0, fallen_tick_ = -1;
+  int in_order_ = 0;
+  double end_s_ = -1.0;
+  std::int64_t
                last_utime_ = std::numeric_limits<std::int64_t>::max();
 };
 
@@ -173,6 +194,11 @@ int log_compare(const std::vector<std::string>& words) {
   std::printf("%lld ticks, %.3f s: %s %s against %s %s\n", static_cast<long long>(count),
               period * static_cast<double>(count), file_b.c_str(), name_b.c_str(), file_a.c_str(),
               name_a.c_str());
+  for (const auto& [stream, file] : {std::pair(&a, &file_a), std::pair(&b, &file_b)}) {
+    if (stream->end_s() >= 0.0)
+      std::printf("up to %.3f s of %s, where the world was begun anew; --from %.1f compares what follows\n", stream->end_s(),
+                  file->c_str(), stream->end_s() + 0.1);
+  }
   std::printf("%-24s %12s %12s %10s   %12s %12s\n", "", "rms [mrad]", "most [mrad]", "at [s]",
               "rms [N m]", "most [N m]");
   std::size_t worst = 0;

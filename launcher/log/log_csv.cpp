@@ -7,6 +7,7 @@
 #include "common/process/arguments.h"
 #include "common/process/process.h"
 #include "common/text/closest_name.h"
+#include "launcher/log/log_channels.h"
 #include "launcher/log/log_command.h"
 #include "launcher/log/log_robot.h"
 #include "launcher/log/log_scan.h"
@@ -73,25 +74,25 @@ void drop_unused(std::vector<const MessageField*>& columns, const MessageSchema&
 
 class Output {
  public:
-  explicit Output(const std::string& file)
-      : name_(file.empty() ? "the output" : file),
-        file_(file.empty() ? stdout : std::fopen(file.c_str(), "wb")) {
-    if (file_ == nullptr) throw std::runtime_error("cannot write " + name_);
-  }
+  // Nothing is written, and no file made, before there is something to write.
+  explicit Output(const std::string& file) : name_(file) {}
   ~Output() {
     if (file_ != nullptr && file_ != stdout) std::fclose(file_);
   }
   Output(const Output&) = delete;
   Output& operator=(const Output&) = delete;
   void put(std::string& text) {
+    if (text.empty()) return;
+    if (file_ == nullptr) file_ = name_.empty() ? stdout : std::fopen(name_.c_str(), "wb");
+    if (file_ == nullptr) throw std::runtime_error("cannot write " + name_);
     if (std::fwrite(text.data(), 1, text.size(), file_) != text.size() || std::fflush(file_) != 0)
-      throw std::runtime_error("cannot write " + name_ + ": is the disk full?");
+      throw std::runtime_error("cannot write " + (name_.empty() ? "the output" : name_) + ": is the disk full?");
     text.clear();
   }
 
  private:
   std::string name_;
-  std::FILE* file_;
+  std::FILE* file_ = nullptr;
 };
 
 }  // namespace
@@ -121,8 +122,13 @@ int log_csv(const std::vector<std::string>& words) {
   }
   const std::string type = arguments.text("--type", info != nullptr ? info->type : "");
   const MessageSchema* schema = find_schema(type);
-  if (schema == nullptr)
-    throw UsageError("log csv: of which type is " + channel + "? say --type, as in robot_state_t");
+  if (schema == nullptr) {
+    require_channels("log csv", {channel}, file);
+    std::vector<std::string> known;
+    for (const ChannelInfo& one : channel_table()) known.emplace_back(one.type);
+    throw UsageError(type.empty() ? "log csv: of which type is " + channel + "? say --type, as in robot_state_t"
+                                  : "log csv: there is no type '" + type + "'" + suggestion(type, known));
+  }
   const std::size_t ours = channel.find(info != nullptr ? info->channel : channel.c_str());
   const std::string prefix = ours == std::string::npos ? "" : channel.substr(0, ours);
   const std::optional<Model> model = robot_of_hash(
@@ -158,10 +164,13 @@ int log_csv(const std::vector<std::string>& words) {
              return true;
            });
   output.put(text);
+  if (rows == 0 && strange > 0)
+    throw std::runtime_error("log csv: none of the " + std::to_string(strange) + " messages on " + channel + " is a " + type +
+                             "; say --type");
   if (strange > 0)
     std::fprintf(stderr, "log csv: %lld messages on %s are not of type %s\n",
                  static_cast<long long>(strange), channel.c_str(), type.c_str());
-  if (rows == 0) throw std::runtime_error("log " + file + ": nothing on " + channel);
+  if (rows == 0) throw std::runtime_error(nothing_on("log csv", channel, file));
   return 0;
 }
 

@@ -1,129 +1,21 @@
 #include <algorithm>
 #include <cstdio>
-#include <map>
 #include <optional>
-#include <tuple>
 
 #include "common/process/arguments.h"
 #include "common/process/process.h"
+#include "launcher/log/log_channels.h"
 #include "launcher/log/log_command.h"
+#include "launcher/log/log_gaps.h"
 #include "launcher/log/log_scan.h"
 #include "lcmtypes/bus/wire.h"
 #include "viewer_log/log/log_index.h"
-#include "viewer_log/log/message_schema.h"
 
 namespace twinbus {
 
 namespace {
 
-constexpr std::int64_t kTail = 16 << 20;  // that is searched for the last index [bytes]
-
-constexpr std::int64_t kMostCounted = std::int64_t{1} << 53;  // ticks of a run, pages of a journal
-
-struct Summary {
-  ChannelCounts channels;
-  std::int64_t first_utime = 0, last_utime = 0;
-  bool from_index = false;
-};
-
-void count(const LogEvent& event, ChannelCounts& channels) {
-  auto found = channels.find(event.channel);
-  if (found == channels.end()) found = channels.emplace(event.channel, ChannelCount{}).first;
-  ++found->second.events;
-  found->second.bytes += static_cast<std::int64_t>(event.data.size());
-}
-
-// Adds what the last index of a part says, and what follows it.  False for a part without one, or one that another log
-// was joined to.
-bool add_part_from_index(LogReader& reader, int part, Summary& summary) {
-  const std::int64_t begin = reader.part_begin(part), end = reader.part_end(part);
-  reader.go_to(begin);
-  LogEvent event;
-  if (!reader.next(event)) return false;
-  const std::int64_t first_utime = event.utime;
-  reader.go_to(std::max(begin, end - kTail));
-  bool found = false;
-  ChannelCounts channels;
-  while (reader.offset() < end && reader.next(event) && event.offset < end) {
-    summary.last_utime = std::max(summary.last_utime, event.utime);
-    if (event.channel != kLogIndex) {
-      if (found) count(event, channels);
-      continue;
-    }
-    std::optional<LogIndex> index = decode_index(event.data);
-    found = index.has_value() && index->offset == event.offset_in_part &&
-            index->first_utime == first_utime;
-    if (found) channels = std::move(index->channels);
-  }
-  for (const auto& [name, of_part] : channels) {
-    ChannelCount& sum = summary.channels[name];
-    sum.events += of_part.events;
-    sum.bytes += of_part.bytes;
-  }
-  return found;
-}
-
-std::optional<Summary> from_index(const std::string& file) {
-  LogReader reader(file);
-  Summary summary;
-  summary.first_utime = first_time(reader, file);
-  for (int part = 0; part < reader.parts(); ++part) {
-    if (!add_part_from_index(reader, part, summary)) return {};
-  }
-  summary.from_index = true;
-  return summary;
-}
-
-// Ticks and sequences that a sender of a channel must have sent and the log does not have.
-class Gaps {
- public:
-  void add(const LogEvent& event) {
-    auto found = columns_.find(event.channel);
-    if (found == columns_.end())
-      found = columns_.emplace(event.channel, columns_of(event.channel)).first;
-    const Columns& c = found->second;
-    if (c.schema == nullptr || event.data.size() != c.schema->bytes) return;
-    const std::int64_t count = field_integer(*c.count, event.data);
-    const std::int64_t sender = field_integer(*c.sender, event.data);
-    // So many nobody has sent: a forged or a damaged one says nothing of what is missing.
-    if (count < 0 || count >= kMostCounted) return;
-    const auto [last, is_new] =
-        last_.try_emplace(std::tuple(std::string(event.channel), sender), count);
-    if (!is_new && count > last->second + 1)
-      missing_[std::string(event.channel)] += count - last->second - 1;
-    last->second = std::max(last->second, count);
-  }
-  std::int64_t missing(const std::string& channel) const {
-    const auto found = missing_.find(channel);
-    return found == missing_.end() ? 0 : found->second;
-  }
-
- private:
-  struct Columns {
-    const MessageSchema* schema = nullptr;
-    const MessageField* count = nullptr;
-    const MessageField* sender = nullptr;
-  };
-  static Columns columns_of(std::string_view channel) {
-    constexpr std::tuple<const char*, const char*, const char*> kCounted[] = {
-        {"STATE", "tick", "run_id"},   {"COMMAND", "tick", "controller_id"},
-        {"GUARD", "tick", "guard_id"}, {"CONTROLLER_STATUS", "tick", "controller_id"},
-        {"TRUTH", "tick", "run_id"},   {"ESTIMATE", "tick", "run_id"},
-          {"JOURNAL", "page", "process_id"}};
-    for (const auto& [name, count, sender] : kCounted) {
-      if (channel != name) continue;
-      const MessageSchema* schema = find_schema(find_channel(name)->type);
-      return {schema, &schema->fields[static_cast<std::size_t>(schema->find(count))],
-              &schema->fields[static_cast<std::size_t>(schema->find(sender))]};
-    }
-    return {};
-  }
-  std::map<std::string, Columns, std::less<>> columns_;
-  std::map<std::tuple<std::string, std::int64_t>, std::int64_t> last_;
-  std::map<std::string, std::int64_t> missing_;
-};
-
-void print(const Summary& summary, const Gaps* gaps, const LogReader& log,
+void print(const LogSummary& summary, const LogGaps* gaps, const LogReader& log,
            const std::string& file) {
   const double seconds =
       1e-6 * (static_cast<double>(summary.last_utime) - static_cast<double>(summary.first_utime));
@@ -164,20 +56,20 @@ int log_info(const std::vector<std::string>& words) {
   catch_quit_signals();
   const std::string file = arguments.word(0);
   if (!arguments.has("--check")) {
-    if (const std::optional<Summary> summary = from_index(file)) {
+    if (const std::optional<LogSummary> summary = summary_of_index(file)) {
       print(*summary, nullptr, LogReader(file), file);
       std::printf("counted by the index of the log; damage in between shows with --check, which reads all\n");
       return 0;
     }
   }
-  Summary summary;
+  LogSummary summary;
   LogCheck check;
-  Gaps gaps;
+  LogGaps gaps;
   LogReader reader(file);
   summary.first_utime = first_time(reader, file);
   const bool thorough = arguments.has("--check");
   const LogDamage found = scan_log(file, 0.0, kWholeLog, [&](const LogEvent& event) {
-    count(event, summary.channels);
+    count_event(event, summary.channels);
     summary.last_utime = std::max(summary.last_utime, event.utime);
     if (thorough) {
       check.add(event);

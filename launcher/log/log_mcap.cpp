@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <deque>
@@ -11,6 +12,7 @@
 
 #include "common/process/arguments.h"
 #include "common/process/process.h"
+#include "launcher/log/log_channels.h"
 #include "launcher/log/log_command.h"
 #include "launcher/log/log_robot.h"
 #include "launcher/log/log_scan.h"
@@ -97,6 +99,16 @@ std::string between_commas(const std::string& text) {
   return out;
 }
 
+std::vector<std::string> parts_between_commas(const std::string& text) {
+  std::vector<std::string> parts;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    if (end > begin) parts.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return parts;
+}
+
 void add_message(Part& part, Topic& topic, std::int64_t utime, std::span<const std::uint8_t> data) {
   part.messages.push_back({&topic, topic.sequence++, 1000 * utime, part.bytes.size(), data.size()});
   part.bytes.insert(part.bytes.end(), data.begin(), data.end());
@@ -178,6 +190,8 @@ int log_mcap(const std::vector<std::string>& words) {
   if (in == out)
     throw UsageError("log mcap: " + out + " is the log itself; write into another file");
   const std::string only = between_commas(arguments.text("--channels", ""));
+  require_channels("log mcap", parts_between_commas(only), in);
+  require_prefix("log mcap", prefix, in);
   McapWriter writer(out);
   std::map<std::string, Topic, std::less<>> topics;  // longer there than the works
   std::optional<SceneTopics> scene;

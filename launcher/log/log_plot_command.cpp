@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "common/process/arguments.h"
+#include "launcher/log/log_channels.h"
 #include "launcher/log/log_command.h"
 #include "launcher/log/log_plot.h"
 #include "launcher/log/log_scan.h"
@@ -87,6 +88,7 @@ class PlotReader {
   }
 
   const std::vector<Panel>& panels() const { return panels_; }
+  std::string first_channel() const { return wanted_.empty() ? "" : wanted_.begin()->first; }
 
  private:
   struct Wanted {
@@ -216,8 +218,7 @@ int log_plot(const std::vector<std::string>& words) {
   for (const Panel& panel : reader.panels()) {
     for (const Curve& curve : panel.curves) points += curve.x.size();
   }
-  if (points == 0)
-    throw std::runtime_error("log " + file + ": nothing of what was asked for is in it");
+  if (points == 0) throw std::runtime_error(nothing_on("log plot", reader.first_channel(), file));
   const std::string svg = svg_of(file, reader.panels());
   if (png) {
     write_png(svg, reader.panels().size(), out);

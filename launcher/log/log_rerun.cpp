@@ -2,6 +2,7 @@
 #include <stdexcept>
 
 #include "common/process/arguments.h"
+#include "launcher/log/log_channels.h"
 #include "launcher/log/log_command.h"
 #include "launcher/log/log_scan.h"
 #include "launcher/bus/stack_monitor.h"
@@ -58,6 +59,7 @@ int log_rerun(const std::vector<std::string>& words) {
       words);
   catch_quit_signals();
   const std::string file = arguments.word(0), prefix = arguments.text("--prefix", "");
+  require_prefix("log rerun", prefix, file);
   const LoggedRobot logged = robot_of(file, prefix);
   const Model model =
       load_robot(arguments.text("--robot", logged.name.empty() ? "hrp1s" : logged.name));

@@ -173,6 +173,58 @@ TEST_F(Gate, KeepsTheFirstNumberThatItCut) {
   EXPECT_EQ(gate.first_cut().given, -4.0);
 }
 
+TEST_F(Gate, ACutOfLessThanAFiftiethIsCountedAndNotKept) {
+  JointCommand c = command();
+  c.q[1] = 0.0;
+  c.qd[1] = 4.05F;  // of 4
+  ASSERT_EQ(offer(c), GateVerdict::kAccepted);
+  next();
+  EXPECT_EQ(gate.counters().clamped, 1);
+  EXPECT_EQ(gate.first_cut().what, FirstCut::What::kNone);
+  c = command();
+  c.qd[1] = 4.2F;
+  ASSERT_EQ(offer(c), GateVerdict::kAccepted);
+  next();
+  EXPECT_EQ(gate.counters().clamped, 2);
+  EXPECT_EQ(gate.first_cut().what, FirstCut::What::kVelocity);
+}
+
+// A controller that keeps to 1 rad/s asks for the way of all the ticks in which its commands were lost.
+TEST_F(Gate, AStepThatMakesUpForLostCommandsIsNotAControllerBeyondItsLimit) {
+  JointCommand c = command();
+  const auto go_on = [&](int ticks) {
+    for (int i = 0; i < ticks; ++i) {
+      c.tick = tick;
+      c.q[0] += 0.006;  // of 0.0084 in a tick
+      ASSERT_EQ(offer(c), GateVerdict::kAccepted);
+      next();
+    }
+  };
+  go_on(1);
+  gate.blend_again(0.0);
+  go_on(20);
+  ASSERT_EQ(gate.first_cut().what, FirstCut::What::kNone);
+  ASSERT_EQ(gate.first_catch_up().what, FirstCut::What::kNone);
+  for (int i = 0; i < 2; ++i) {
+    c.q[0] += 0.006;
+    next();
+  }
+  go_on(20);
+  EXPECT_EQ(gate.first_cut().what, FirstCut::What::kNone);
+  EXPECT_EQ(gate.first_catch_up().what, FirstCut::What::kPositionStep);
+  EXPECT_EQ(gate.first_catch_up().silent, 2);
+  EXPECT_NEAR(gate.first_catch_up().asked, 0.018, 1e-9);
+  EXPECT_NEAR(gate.first_catch_up().given, 0.0084, 1e-9);
+  EXPECT_NEAR(gate.effective().q[0], c.q[0], 1e-9) << "it has caught up";
+  for (int i = 0; i < 100; ++i) {  // and then it does go beyond
+    c.tick = tick;
+    c.q[0] -= 0.02;
+    ASSERT_EQ(offer(c), GateVerdict::kAccepted);
+    next();
+  }
+  EXPECT_EQ(gate.first_cut().what, FirstCut::What::kPositionStep);
+}
+
 TEST_F(Gate, HoldsWhenNothingIsAcceptedForTheTimeoutAndNotBefore) {
   offer(command());
   const std::int64_t fed = now;

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
+#include "bridge/source/device_teller.h"
 #include "robot/stop_plan/plan_assembler.h"
 #include "test/bridge/small_robot.h"
 
@@ -31,13 +33,11 @@ TEST(SourceEvents, EveryChangeIsSaidOnceAndThenThereIsSilence) {
   now.refusal = Refusal::kPosture;
   now.refusal_sequence = 3;
   now.controller_id = 7;
-  now.clamped = 5;
   now.terms_ignored = 1;
-  now.adaptor_status = 1;
   Event event;
   int said = 0;
   while (next_sentence(told, now, event)) ASSERT_LT(++said, 20);
-  EXPECT_GE(said, 7);
+  EXPECT_GE(said, 5);
   EXPECT_FALSE(next_sentence(told, now, event));
 }
 
@@ -68,12 +68,56 @@ TEST(SourceEvents, ACutNamesJointLimitAndBothNumbers) {
   EXPECT_STREQ(cut_sentence(cut, model).data(), "RLEG_KNEE: change of torque in one tick -80 N m asked, -30 given");
   cut.joint = 2;
   EXPECT_STREQ(cut_sentence(cut, model).data(), "");
-  SourceStatus told, now;
-  now.clamped = 2;
+  cut = {FirstCut::What::kTorqueStep, 1, 0.4504, 0.45};
+  EXPECT_STREQ(cut_sentence(cut, model).data(), "RLEG_KNEE: change of torque in one tick 0.4504 N m asked, 0.45 given");
+  cut = {FirstCut::What::kTorqueStep, 1, 0.45000401, 0.45};
+  EXPECT_STREQ(cut_sentence(cut, model).data(), "RLEG_KNEE: change of torque in one tick 0.450004 N m asked, 0.45 given")
+      << "as many digits as tell the two apart";
+}
+
+TEST(SourceEvents, ACutIsAnAlarmOnceAndWhatMakesUpForMissingCommandsIsNone) {
+  Model model = test::small_model();
+  model.joints[1].name = "RLEG_KNEE";
+  const FirstCut cut = {FirstCut::What::kPosition, 1, 2.75, 2.5};
+  const FirstCut catch_up = {FirstCut::What::kPositionStep, 1, 0.02023, 0.016, 2};
+  CutTeller teller;
   Event event;
-  ASSERT_TRUE(next_sentence(told, now, event, "RLEG_KNEE: position 2.75 rad asked, 2.5 given"));
+  EXPECT_FALSE(teller.next({}, {}, model, event));
+  ASSERT_TRUE(teller.next({}, catch_up, model, event));
+  EXPECT_EQ(event.severity, 0);
+  EXPECT_STREQ(event.text.data(),
+               "after 2 ticks without a command the joints catch up within their limits (RLEG_KNEE: change of position in one tick "
+               "0.02023 rad asked, 0.016 given); later ones are counted");
+  ASSERT_TRUE(teller.next(cut, catch_up, model, event));
+  EXPECT_EQ(event.severity, 1);
   EXPECT_STREQ(event.text.data(),
                "a command was beyond a limit: RLEG_KNEE: position 2.75 rad asked, 2.5 given; it is cut, and further ones are counted");
+  EXPECT_FALSE(teller.next(cut, catch_up, model, event));
+}
+
+// What DeviceTeller says of a device whose status is bad for `bad` ms of every `period` ms, in `seconds`; 1 kHz.
+std::vector<std::string> said_of(int bad, int period, int seconds) {
+  DeviceTeller teller;
+  std::vector<std::string> said;
+  for (int ms = 0; ms < 1000 * seconds; ++ms) {
+    const Status status = ms % period >= period - bad ? Status::kTimeout : Status::kOk;
+    Event event;
+    if (!teller.next(status, 1'000'000'000 + ms * test::kMs, event)) continue;
+    EXPECT_EQ(event.severity, std::string(event.text.data()) == "device: timeout" ? 1 : 0);
+    said.emplace_back(event.text.data());
+  }
+  return said;
+}
+
+TEST(SourceEvents, ADeviceThatDoesNotAnswerIsToldWhenItLastsAndCountedWhenItIsRiddenOut) {
+  using Lines = std::vector<std::string>;
+  EXPECT_EQ(said_of(0, 100, 10), Lines{});
+  EXPECT_EQ(said_of(2, 100, 2), Lines{}) << "a few of 2 ms each";
+  const Lines many = said_of(3, 100, 150);
+  ASSERT_EQ(many.size(), 3u) << "not by the dozen: 10 a second for 150 s";
+  EXPECT_EQ(many[0], "device: 25 short failures, the longest 3 ms, in the last 2 s; they were ridden out");
+  EXPECT_EQ(many[1].substr(0, 20), "device: 600 short fa");
+  EXPECT_EQ(said_of(100, 1000, 3), (Lines{"device: timeout", "device: ok", "device: timeout", "device: ok", "device: timeout"}));
 }
 
 TEST(SourceEvents, StopPlansThatAreRefusedOneAfterTheOtherAreToldOnceUntilOneIsTaken) {

@@ -77,6 +77,33 @@ TEST(LiveFrame, SupportPolygonIsTheHullOfTheLoadedSoles) {
   }
 }
 
+// Alarm colours belong to what the guard acts on, not to links that are always near.
+TEST(LiveFrame, APairIsAnAlarmWhenTheGuardActsOrLessIsLeftThanItKeeps) {
+  StackView view(model());
+  view.on_state(standing(), kNow);
+  GuardReport report;
+  report.run_id = 11;
+  report.pairs_near = 4;
+  report.distance = {0.004F, 0.008F, 0.028F, 0.045F};
+  report.verdict = GuardVerdict::kNear;
+  const auto levels = [&] {
+    view.on_guard(report, kNow);
+    std::vector<std::string> found;
+    const Json frame = Json::parse(live_frame(view, kNow));
+    for (const Json& pair : frame["pairs"]) found.push_back(pair["level"]);
+    return found;
+  };
+  using Levels = std::vector<std::string>;
+  EXPECT_EQ(levels(), (Levels{"touch", "close", "", ""}));
+  report.hold_mask = 4;
+  report.tick = 1;
+  EXPECT_EQ(levels(), (Levels{"touch", "close", "close", ""}));
+  report.hold_mask = 0;
+  report.verdict = GuardVerdict::kWillCollide;
+  report.tick = 2;
+  EXPECT_EQ(levels(), (Levels{"touch", "close", "close", ""}));
+}
+
 TEST(LiveFrame, WithoutASimulatorFootSensorsAreDrawn) {
   StackView view(model());
   view.on_state(standing(), kNow);

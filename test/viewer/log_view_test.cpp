@@ -229,6 +229,39 @@ TEST(MarkFinder, NamesSwitchStopFallGuardMissedAndMessagesOnce) {
   EXPECT_NEAR(finder.marks().front().seconds, 0.002, 1e-9);
 }
 
+TEST(MarkFinder, AWorldThatIsBegunAnewOrPausedHasMissedNothing) {
+  MarkFinder finder(kStart);
+  RobotState state;
+  state.attitude = {1, 0, 0, 0};
+  state.sensor_flags = kImuValid;
+  state.run_id = 1;
+  std::int64_t at = kStart;
+  const auto say = [&](int count) {
+    for (int i = 0; i < count; ++i) {
+      ++state.tick;
+      finder.on_state(state, at += 2000);
+    }
+  };
+  say(100);
+  SourceStatus status;
+  status.run_id = 1;
+  status.pace = 4;
+  finder.on_source_status(status, at);
+  at += 5'000'000;
+  say(100);
+  at += 3'000'000;
+  state.run_id = 2;
+  state.tick = 0;
+  say(10);
+  at += 60'000;
+  say(10);
+  std::vector<std::string> said;
+  for (const LogMark& mark : finder.marks()) said.push_back(std::string(label(mark.kind)) + ": " + mark.text);
+  EXPECT_EQ(said, (std::vector<std::string>{"switch: none holds STATE, term 0", "message: paused for 5002 ms",
+                                            "message: the world ended; it was begun anew after 3002 ms",
+                                            "switch: none holds STATE, term 0", "missed: no STATE for 62 ms"}));
+}
+
 TEST(MarkFinder, IsBounded) {
   MarkFinder finder(kStart);
   Event event;

@@ -39,12 +39,17 @@ void MarkFinder::add(std::int64_t utime, MarkKind kind, std::string text) {
 }
 
 void MarkFinder::on_state(const RobotState& state, std::int64_t utime) {
+  const bool anew = last_state_utime_ != 0 && state.run_id != last_.run_id && state.tick < last_.tick;
   if (last_state_utime_ != 0 && utime - last_state_utime_ > kSilence) {
-    char text[60];
-    std::snprintf(text, sizeof text, "no STATE for %.0f ms",
-                  1e-3 * static_cast<double>(utime - last_state_utime_));
-    add(last_state_utime_, MarkKind::kMissed, text);
+    // Nothing is missing of a world that stood still because it was asked to, or is another one now.
+    const bool paused = paused_run_ == state.run_id && state.tick == last_.tick + 1;
+    const char* const what = anew ? "the world ended; it was begun anew after" : paused ? "paused for" : "no STATE for";
+    char text[80];
+    std::snprintf(text, sizeof text, "%s %.0f ms", what, 1e-3 * static_cast<double>(utime - last_state_utime_));
+    add(last_state_utime_, anew || paused ? MarkKind::kMessage : MarkKind::kMissed, text);
   }
+  paused_run_ = 0;
+  if (anew) upright_ = true;  // another robot than the one that lay
   if (state.run_id != last_.run_id || state.term != last_.term) {
     std::string text = label(state.source);
     text += " holds STATE, term ";
@@ -91,6 +96,8 @@ void MarkFinder::on_source_status(const SourceStatus& status, std::int64_t utime
     add(utime, MarkKind::kMissed, std::move(text));
   }
   known->second = status.ticks_missed;
+  constexpr std::int8_t kPaused = 4;  // of SourceStatus::pace
+  if (status.pace == kPaused) paused_run_ = status.run_id;
   if (missed_.size() > kMostSenders) missed_.erase(missed_.begin());
 }
 

@@ -45,6 +45,7 @@ class MarkFinder {
   std::int64_t left_out_ = 0;
   RobotState last_;
   std::int64_t last_state_utime_ = 0, quiet_since_ = 0;
+  std::int64_t paused_run_ = 0;  // has said so since the last state
   bool holding_ = false, upright_ = true;
   std::map<std::int64_t, std::int64_t> missed_;              // per run
   std::vector<std::pair<std::int64_t, std::int32_t>> told_;  // newest per sender

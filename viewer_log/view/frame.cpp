@@ -15,6 +15,8 @@ namespace {
 
 constexpr double kSenderFresh = 0.5;    // [s]
 constexpr double kMinShownForce = 1.0;  // [N]
+constexpr double kGuardKeeps = 0.010;   // GuardConfig::margin [m]
+constexpr double kActedOn = 0.030;      // a pair that the guard acts on may be so far apart when it brakes [m]
 
 Json age_ms(double age) { return age > 1e6 ? Json(nullptr) : number(1e3 * age, 1); }
 
@@ -135,6 +137,13 @@ void add_balance(const StackView& view, std::int64_t now_ns, Json& frame) {
   }
 }
 
+// "" for a pair that is only near, as many are in every posture of a robot; "close" when the guard acts on it or its gap is
+// less than the guard keeps; "touch" when half of that is gone, below which the guard lets nothing come.
+const char* pair_level(double distance, bool guard_acts) {
+  if (!(distance >= 0.5 * kGuardKeeps)) return "touch";
+  return distance < kGuardKeeps || (guard_acts && distance < kActedOn) ? "close" : "";
+}
+
 void add_pairs(const StackView& view, std::int64_t now_ns, Json& frame) {
   Json pairs = Json::array();
   if (view.guard().fresh(now_ns, kSenderFresh)) {
@@ -146,8 +155,10 @@ void add_pairs(const StackView& view, std::int64_t now_ns, Json& frame) {
                  ? view.model().links[static_cast<std::size_t>(link)].name
                  : "?";
     };
+    const bool acts = report.hold_mask != 0 || report.stop_asked || report.verdict >= GuardVerdict::kWillCollide;
     for (std::size_t i = 0; i < rows; ++i) {
       pairs.push_back({{"a", name(report.link_a[i])},
+                       {"level", pair_level(static_cast<double>(report.distance[i]), acts)},
                        {"b", name(report.link_b[i])},
                        {"mm", number(1e3 * static_cast<double>(report.distance[i]), 1)},
                        {"s", number(static_cast<double>(report.time_to_contact[i]), 2)},

@@ -2,6 +2,7 @@
 
 const $ = (id) => document.getElementById(id);
 const kVerdicts = { clear: '✓', near: '•', 'will collide': '▲', 'in collision': '✖' }; // not by colour alone
+const kLevels = { close: '▲ ', touch: '✖ ' }; // of a pair of links
 const kSeverities = ['', '▲ ', '✖ '];
 const kNames = { simulator: 'SIMULATOR', robot: 'ROBOT', replay: 'REPLAY', none: 'NO SOURCE' };
 
@@ -110,10 +111,10 @@ export class Panels {
   }
 
   pairs(pairs) {
-    this.close = pairs.some((pair) => pair.mm < 30);
+    this.close = pairs.some((pair) => pair.level);
     const rows = pairs.slice(0, 4).map((pair) => element('div', {
-      className: `pair ${pair.mm < 5 ? 'touch' : pair.mm < 30 ? 'close' : ''}`,
-    }, [element('span', { textContent: `${pair.a} – ${pair.b}` }), element('b', { textContent: `${pair.mm < 5 ? '✖ ' : pair.mm < 30 ? '▲ ' : ''}${pair.mm.toFixed(0)} mm` })]));
+      className: `pair ${pair.level}`,
+    }, [element('span', { textContent: `${pair.a} – ${pair.b}` }), element('b', { textContent: `${kLevels[pair.level] ?? ''}${pair.mm.toFixed(0)} mm` })]));
     $('pairs').replaceChildren(...rows);
   }
 

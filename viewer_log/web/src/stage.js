@@ -145,7 +145,8 @@ export class Stage {
     this.shapes.move(live);
     const near = live.pairs.filter((pair) => pair.mm < kShownPair);
     setPoints(this.pairs, near.flatMap((pair) => [pair.from, pair.to]));
-    this.pairs.material.color.set(near.some((pair) => pair.mm < 20) ? 0xff4d4d : 0xffb020);
+    const worst = near.some((pair) => pair.level === 'touch') ? 0xff4d4d : near.some((pair) => pair.level) ? 0xffb020 : 0x8fb3d9;
+    this.pairs.material.color.set(worst);
     if (this.follow) this.followTo(live.base);
   }
 

@@ -1,6 +1,5 @@
 // Colours on the robot that say where it is in trouble: links about to touch each other, joints near the end of their range.
 
-const kTouch = 10, kClose = 25; // [mm]
 const kNearLimit = 3 * Math.PI / 180;
 const kRed = 0xff2d2d, kOrange = 0xff9d1f, kViolet = 0xa855f7;
 
@@ -24,10 +23,10 @@ export class Tint {
     const wanted = new Map();
     for (const limit of limits) wanted.set(limit.link, kViolet);
     for (const pair of pairs) {
-      if (!(pair.mm < kClose)) continue;
+      if (!pair.level) continue; // only near, as it is in every posture
       for (const name of [pair.a, pair.b]) {
         const link = model.links[name];
-        if (link && wanted.get(link) !== kRed) wanted.set(link, pair.mm < kTouch ? kRed : kOrange);
+        if (link && wanted.get(link) !== kRed) wanted.set(link, pair.level === 'touch' ? kRed : kOrange);
       }
     }
     for (const [part, color] of this.shown) if (wanted.get(part) !== color) this.paint(part, null);
