@@ -356,8 +356,8 @@ TEST_F(Gate, SaysHowFarAClientIsFadedIn) {
     ASSERT_EQ(offer(c), GateVerdict::kAccepted);
     next();
     EXPECT_GE(gate.faded_in(), before);
-    if (i == 0) EXPECT_LT(gate.faded_in(), 0.01F);
-    if (i == 24) EXPECT_NEAR(gate.faded_in(), 0.5F, 0.05F);  // 50 of 100 ms
+    if (i == 0) { EXPECT_LT(gate.faded_in(), 0.01F); }
+    if (i == 24) { EXPECT_NEAR(gate.faded_in(), 0.5F, 0.05F); }  // 50 of 100 ms
     before = gate.faded_in();
   }
   EXPECT_EQ(before, 1.0F);
