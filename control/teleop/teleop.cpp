@@ -115,6 +115,12 @@ constexpr double kFullRaw = 32767.0;
 
 double unit(std::int16_t raw) { return std::max<int>(raw, kMinRaw) / kFullRaw; }
 
+// In another mode the same axes mean something else: a lean must not become a walk.
+bool changes_mode(TeleopAction action) {
+  ModeRequest request;
+  return to_mode_request(action, request);
+}
+
 bool centred(const PadInput& input) {
   return std::all_of(kAxes.begin(), kAxes.end(), [&](const AxisRow& row) {
     return std::abs(unit(input.axes[row.axis])) <= kStickDeadZone;
@@ -157,6 +163,7 @@ Teleop::Teleop(std::int64_t sender_id, bool keyboard) : keyboard_(keyboard) {
 void Teleop::release() noexcept {
   armed_ = false;
   seen_released_ = false;
+  centre_first_ = false;
   gamepad_.deadman = false;
   hand_move_ = {};
   zero_axes(gamepad_);
@@ -210,6 +217,8 @@ void Teleop::on_pad(const PadInput& input) noexcept {
     }
     return;
   }
+  centre_first_ = centre_first_ && !centred(input);
+  if (centre_first_) return;
   for (const AxisRow& row : kAxes) {
     gamepad_.*row.field = stick_value(input.axes[row.axis], row.sign);
   }
@@ -265,6 +274,10 @@ void Teleop::act(TeleopAction action) noexcept {
   if (action == TeleopAction::kCentre) {
     zero_axes(gamepad_);
     hand_move_ = {};
+  }
+  if (changes_mode(action)) {
+    zero_axes(gamepad_);
+    centre_first_ = true;
   }
   if (action == TeleopAction::kOtherHand)
     hand_ = hand_ == ArmSide::kLeft ? ArmSide::kRight : ArmSide::kLeft;
@@ -326,8 +339,8 @@ std::string cheat_sheet(bool keyboard) {
   if (keyboard) {
     text +=
         "keyboard: each key moves a set point by a tenth; there is no dead-man key: the set points "
-        "stay until x, space, or\n"
-        "30 s without a key\n";
+        "stay until x, space,\n"
+        "another mode (1 to 5), or 30 s without a key\n";
     for (const KeyRow& row : kKeys) append_row(text, row.control, row.effect);
     append_row(text, "W S A D, with shift",
                "hand 20 mm forward, back, left, right, around everything");
@@ -343,7 +356,8 @@ std::string cheat_sheet(bool keyboard) {
   append_row(text, "right bumper (RB), held too",
              "sticks move the hand: left stick along the ground,");
   append_row(text, "", "right stick up / down; the planner finds the way");
-  text += "  take hold with centred sticks; letting go of LB or unplugging sends zeros\n";
+  text += "  take hold with centred sticks; letting go of LB or unplugging sends zeros; after a change of mode the sticks\n"
+          "  count again once they were centred\n";
   return text;
 }
 

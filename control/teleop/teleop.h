@@ -93,6 +93,7 @@ class Teleop {
   bool keyboard_;
   bool armed_ = false;          // the dead-man button is held and the sticks have been centred
   bool seen_released_ = false;  // since the last release(): a button held all along does not arm
+  bool centre_first_ = false;   // the mode has just been changed: sticks that were pushed for the old one count once centred
   bool stop_latched_ = false;
   bool stop_seen_ = false;  // the source has shown our stop
   std::int32_t last_buttons_ = 0;

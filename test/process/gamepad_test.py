@@ -21,7 +21,7 @@ import harness
 from harness import BIN, Bus, Checks, Stack
 from stalls import Stalls
 
-BALANCE, HOLD = 4, 2  # modes of controller_status_t
+BALANCE, WALK, HOLD = 4, 5, 2  # modes of controller_status_t
 SWAY, SQUAT = 1, 2    # motions
 SPOILS_MS = 8.0       # so long a stall of the machine may cost a tick or a stop
 TRIES = 4
@@ -100,6 +100,23 @@ def leaning(checks, bus, keys):
     checks.that(pad is not None, "arrow keys do the same")
     pad = keys.press_for("sss", bus, "GAMEPAD", lambda g: g.left_y == 0.0)
     checks.that(pad is not None, "as many steps back give exactly zero")
+
+
+def lean_then_walk(checks, bus, keys):
+    """A lean is no walk: the robot walks on the spot until a key says where to, and 1 stands without a lean."""
+    home = com(bus)
+    keys.press(5 * "w")
+    time.sleep(1.6)
+    walks = keys.press_for("5", bus, "CONTROLLER_STATUS", lambda s: s.mode == WALK)
+    checks.that(walks is not None, "5: mode walk")
+    time.sleep(3.0)
+    checks.at_most(abs(com(bus)[0] - home[0]), 0.05, "5 after a lean: the robot stays where it was [m]")
+    keys.press(5 * "w")
+    time.sleep(3.0)
+    checks.at_least(com(bus)[0] - home[0], 0.1, "w: now it walks [m]")
+    pad = keys.press_for("1", bus, "GAMEPAD", lambda g: g.left_y == 0.0)
+    checks.that(pad is not None, "1: stands without a lean")
+    bus.wait_for("CONTROLLER_STATUS", lambda s: s.mode == BALANCE, 6)
 
 
 def stopping(checks, bus, keys):
@@ -207,7 +224,7 @@ def main():
     harness.require("twinbus", "twinbus_simulator", "twinbus_controller", "twinbus_guard", "twinbus_gamepad")
     harness.CHANNEL_TYPES.setdefault("GAMEPAD", "gamepad_t")
     checks, stalls = Checks(), Stalls()
-    for part in (cheat_sheet, modes, leaning, hands, stopping, letting_go):
+    for part in (cheat_sheet, modes, leaning, lean_then_walk, hands, stopping, letting_go):
         for tries in range(1, TRIES + 1):
             since, attempt = time.monotonic_ns(), checks.tentative()
             one_try(attempt, part)

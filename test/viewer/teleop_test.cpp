@@ -198,6 +198,42 @@ TEST(Keyboard, KeysMoveSetPointsAndComeBackToExactlyZero) {
   EXPECT_EQ(teleop.message(0, 0).left_x, 0.0f);
 }
 
+TEST(Keyboard, AnotherModeBeginsWithSetPointsAtZero) {
+  for (const int key : {'1', '2', '3', '4', '5'}) {
+    Teleop teleop(7, true);
+    for (const int moves : {'w', 'w', 'w', 'a', 'k', 'j'}) teleop.on_key(moves, 0);
+    ASSERT_FLOAT_EQ(teleop.message(0, 0).left_y, 0.3f);
+    teleop.on_key(key, 0);
+    Gamepad pad = teleop.message(0, 0);
+    EXPECT_TRUE(pad.deadman);
+    for (const float axis : {pad.left_x, pad.left_y, pad.right_x, pad.right_y}) EXPECT_EQ(axis, 0.0f) << key;
+    teleop.on_key('w', 0);
+    EXPECT_FLOAT_EQ(teleop.message(0, 0).left_y, 0.1f);
+  }
+}
+
+TEST(Teleop, SticksPushedInOneModeCountInAnotherOnceCentred) {
+  for (const std::int32_t button : {kPadUp, kPadA, kPadX, kPadY, kPadDown}) {
+    Teleop teleop = armed();
+    PadInput input = held();
+    input.axes[1] = -32767;
+    teleop.on_pad(input);
+    ASSERT_FLOAT_EQ(teleop.message(0, 0).left_y, 1.0f);
+    input.buttons |= button;
+    for (int i = 0; i < 3; ++i) {
+      teleop.on_pad(input);
+      EXPECT_EQ(teleop.message(0, 0).left_y, 0.0f) << button;
+      EXPECT_TRUE(teleop.message(0, 0).deadman);
+    }
+    input.buttons = kPadLeftShoulder;
+    teleop.on_pad(input);
+    EXPECT_EQ(teleop.message(0, 0).left_y, 0.0f);
+    teleop.on_pad(held());
+    teleop.on_pad(input);
+    EXPECT_FLOAT_EQ(teleop.message(0, 0).left_y, 1.0f);
+  }
+}
+
 TEST(Keyboard, SpaceStopsAndKeysDoNothingUntilCleared) {
   Teleop teleop(7, true);
   teleop.on_key('w', 0);
