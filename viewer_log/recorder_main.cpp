@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
@@ -18,6 +19,7 @@
 #include "lcmtypes/bus/bus.h"
 #include "lcmtypes/bus/channels.h"
 #include "lcmtypes/node/pulse.h"
+#include "viewer_log/log/log_reader.h"
 #include "viewer_log/log/message_schema.h"
 #include "viewer_log/log/recorder.h"
 #include "viewer_log/view/gap_meter.h"
@@ -39,6 +41,7 @@ struct Arguments {
   CommonOptions common;
   std::string file, output, channels = ".*", split = kSplit, folder;
   double quota_gb = kQuota, keep_min = kKeep;
+  bool force = false;
 };
 
 Arguments parse(int argc, char** argv) {
@@ -56,7 +59,9 @@ Arguments parse(int argc, char** argv) {
                  "of all parts: removes the oldest; default 10, 0: none");
   options.number("--keep", "MIN", a.keep_min, 0.0, 1e6,
                  "the last minutes stay whatever the quota says; default 30, 0 with a --quota");
-  options.text("--run-folder", "DIR", a.folder, "whose stack.yaml and commit go into the log");
+  options.flag("--force", a.force, "writes over a log that is there, with its parts");
+  options.text("--run-folder", "DIR", a.folder,
+               "whose stack.yaml and commit go into the log; one that is there goes on, in a new part");
   add_common(options, a.common);
   options.parse(argc, argv);
   if (options.given("--quota") && !options.given("--keep")) a.keep_min = 0.0;
@@ -98,7 +103,17 @@ RecorderConfig config_of(const Arguments& a) {
   read_split(a.split, config);
   config.quota_bytes = static_cast<std::int64_t>(1e9 * a.quota_gb);
   config.keep_seconds = 60.0 * a.keep_min;
+  config.goes_on = !a.folder.empty() && !a.force;
   return config;
+}
+
+// Nobody's log is lost to a name that was used before.
+void refuse_if_there(const Arguments& a, const std::string& file) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  if (a.force || !a.folder.empty() || (!fs::exists(file, ignored) && log_parts(file).size() == 1)) return;
+  if (fs::exists(file, ignored) && !fs::is_regular_file(file, ignored)) return;  // as /dev/null
+  throw std::runtime_error(file + " or a part of it is there already: name another file, or write over it with --force");
 }
 
 // "at most 10 GB, and at least the last 30 minutes"
@@ -160,6 +175,8 @@ class RecorderProcess {
     }
     dropped_before_ = bus_.dropped_datagrams();  // what came before it listened is not lost
   }
+
+  const std::string& file() const { return recorder_.first_file(); }
 
   void run() {
     while (!quit_requested()) {
@@ -262,8 +279,9 @@ int run(int argc, char** argv) {
   give_way();  // without FIFO priority it is the first that waits
   go_ahead_of_ordinary_programs();
   const RecorderConfig config = config_of(a);
+  refuse_if_there(a, config.file);
   RecorderProcess process(a, config);
-  std::printf("recorder ready: %s (%s)\n", config.file.c_str(), limits_text(config).c_str());
+  std::printf("recorder ready: %s (%s)\n", process.file().c_str(), limits_text(config).c_str());
   std::fflush(stdout);
   process.run();
   return 0;

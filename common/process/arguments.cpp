@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "common/process/command_word.h"
 #include "common/text/closest_name.h"
 
 namespace twinbus {
@@ -51,7 +52,7 @@ std::string help_text(const Syntax& syntax) {
     left.resize(std::max<std::size_t>(left.size() + 2, 24), ' ');
     text += left + option.about + "\n";
   }
-  return text + "Exit status: 0 done, 1 failed, 2 wrong arguments.\n";
+  return as_typed(text + "Exit status: 0 done, 1 failed, 2 wrong arguments.\n");
 }
 
 Arguments::Arguments(const Syntax& syntax, const std::vector<std::string>& given)
@@ -59,6 +60,7 @@ Arguments::Arguments(const Syntax& syntax, const std::vector<std::string>& given
   std::vector<std::string> names = {"--help"};
   for (const OptionSpec& option : syntax.options) names.push_back(option.name);
   bool only_words = false;
+  std::string last;  // the option that took the last word as its value
   for (std::size_t i = 0; i < given.size(); ++i) {
     std::string word = given[i];
     if (only_words || !looks_like_option(word)) {
@@ -91,14 +93,16 @@ Arguments::Arguments(const Syntax& syntax, const std::vector<std::string>& given
     if (option->value.empty() && has_value)
       throw UsageError(command_ + ": " + word + " takes no value");
     if (!option->value.empty() && !has_value) {
-      if (i + 1 >= given.size())
-        throw UsageError(command_ + ": " + word + " needs a value, " + option->about);
+      // Another option is no value: who means it writes --option=--value.
+      if (i + 1 >= given.size() || given[i + 1].starts_with("--"))
+        throw UsageError(command_ + ": " + word + " needs a value, " + word + " " + option->value + ": " + option->about);
       value = given[++i];
+      if (i + 1 == given.size()) last = word + " has taken '" + value + "' as its " + option->value + "; ";
     }
     values_[word].push_back(value);
   }
   if (words_.size() < syntax.least_words) {
-    throw UsageError(command_ + ": needs " + syntax.positional + " (see --help)");
+    throw UsageError(command_ + ": " + last + "needs " + syntax.positional + " (see --help)");
   }
   if (words_.size() > syntax.most_words) {
     throw UsageError(command_ + ": does not understand '" + words_[syntax.most_words] +

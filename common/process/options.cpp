@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <sstream>
 
+#include "common/process/command_word.h"
 #include "common/text/closest_name.h"
 #include "common/text/xml.h"
 
@@ -222,7 +223,7 @@ bool Options::try_parse(const std::vector<std::string>& arguments, std::string& 
       }
       value = argument.substr(equals + 1);
     } else if (entry->kind != Kind::kFlag) {
-      if (i + 1 >= arguments.size()) {
+      if (i + 1 >= arguments.size() || arguments[i + 1].starts_with("--")) {  // another option is no value
         error = "option " + name + " needs a value, " + entry->value_name;
         return false;
       }
@@ -272,7 +273,7 @@ std::string Options::help() const {
   for (const Entry& entry : options_) {
     line(entry, entry.name + (entry.value_name.empty() ? "" : " " + entry.value_name));
   }
-  return text + "Exit status: 0 done, 1 failed, 2 wrong arguments.\n";
+  return as_typed(text + "Exit status: 0 done, 1 failed, 2 wrong arguments.\n");
 }
 
 namespace {

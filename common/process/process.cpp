@@ -18,6 +18,7 @@
 #include <random>
 
 #include "common/file/disk_cache.h"
+#include "common/process/command_word.h"
 #include "common/text/printable.h"
 
 namespace twinbus {
@@ -98,7 +99,7 @@ int run_process(const char* name, int (*run)(int, char**), int argc, char** argv
     use_user_cache();
     return run(argc, argv);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s: %s\n", name, printable(error.what(), kLongestError, true).c_str());
+    print_typed(stderr, "%s: %s\n", name, printable(error.what(), kLongestError, true).c_str());
     return 1;
   }
 }

@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <vector>
+
+#include "common/process/command_word.h"
+
 namespace twinbus {
 namespace {
 
@@ -36,6 +41,38 @@ TEST(Arguments, MistakesAreUsageErrorsThatNameTheNearestOption) {
   } catch (const UsageError& error) {
     EXPECT_NE(std::string(error.what()).find("--lockstep"), std::string::npos) << error.what();
   }
+}
+
+std::string problem_of(const std::vector<std::string>& words) {
+  Syntax one = syntax();
+  one.least_words = 1;
+  try {
+    Arguments arguments(one, words);
+  } catch (const UsageError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+// check --propose robot.urdf: the robot became the folder.
+TEST(Arguments, AnOptionThatTookTheWordIsNamed) {
+  EXPECT_EQ(problem_of({"--for", "stand"}), "up: --for has taken 'stand' as its S; needs [SCENE] (see --help)");
+  EXPECT_EQ(problem_of({"--for", "5", "--lockstep"}), "up: needs [SCENE] (see --help)");
+}
+
+TEST(Arguments, AnOptionIsNoValueOfAnother) {
+  EXPECT_EQ(problem_of({"stand", "--for", "--lockstep"}), "up: --for needs a value, --for S: seconds");
+  EXPECT_EQ(problem_of({"stand", "--set=--a=1"}), "");
+  EXPECT_EQ(problem_of({"stand", "--for", "-1"}), "");
+}
+
+TEST(CommandWord, IsWhatIsTypedHere) {
+  const std::string text = "see ./twinbus status; `./twinbus clear` (./twinbus sim go).";
+  EXPECT_EQ(as_typed(text, false), text);
+  EXPECT_EQ(as_typed(text, true), "see twinbus status; `twinbus clear` (twinbus sim go).");
+  EXPECT_EQ(as_typed("./twinbus", true), "twinbus");
+  const std::string other = "../twinbus a/./twinbus ./twinbus/x ./twinbus-1 ./twinbus_x";
+  EXPECT_EQ(as_typed(other, true), other);
 }
 
 TEST(Arguments, NumbersMustBeWholeFiniteAndInRange) {

@@ -87,19 +87,21 @@ def look_into(checks, log):
 
 
 def beside_another_controller(checks):
-    """Whoever is not obeyed is told."""
+    """Whoever is not obeyed is told, in each language."""
     with Stack("stand", "--no-viewer"):
         time.sleep(1.0)
-        client = subprocess.Popen(python("02_command_joints.py"), env=ENVIRONMENT, stdout=subprocess.PIPE, text=True)
-        time.sleep(1.5)
-        client.send_signal(signal.SIGTERM)
-        said = client.communicate()[0]
-        checks.that(said.count("NOT OBEYED") == 1, f"02_command_joints.py beside our controller says: {said}")
+        for command in (python("02_command_joints.py"), [str(BIN / "example_command_joints")]):
+            client = subprocess.Popen(command, env=ENVIRONMENT, stdout=subprocess.PIPE, text=True)
+            time.sleep(1.5)
+            client.send_signal(signal.SIGTERM)
+            said = client.communicate()[0]
+            checks.that(said.count("NOT OBEYED") == 1, f"{os.path.basename(command[-1])} beside our controller says: {said}")
 
 
 def move_a_joint(checks, command, stack, joint):
     """A controller of one's own moves a joint by 0.2 rad."""
     client = subprocess.Popen(command, env=ENVIRONMENT, stdout=subprocess.PIPE, text=True)
+    said = ""
     try:
         client.stdout.readline()
         bus = Bus()
@@ -116,7 +118,8 @@ def move_a_joint(checks, command, stack, joint):
         print(f"{name} on {stack}: {max(q) - min(q):.3f} rad", flush=True)
     finally:
         client.send_signal(signal.SIGTERM)
-        client.communicate()
+        said = client.communicate()[0]
+    checks.that("NOT OBEYED" not in said, f"it is obeyed, and says nothing else: {said}")
 
 
 def main():

@@ -126,6 +126,31 @@ def killed(checks, folder):
         checks.that(done.returncode == 0, f"lcm-logplayer plays it: {done.stderr[-200:]}")
 
 
+def a_log_that_is_there(checks, folder):
+    """Is not written over unasked; a recorder of a stack that is started again goes on in a new part."""
+    log = folder / "killed.log"
+    before = log.read_bytes()
+    for words in ((log,), ("--output", log)):
+        status, said, problem = cli("record", *words)
+        checks.that(status == 1 and "there already" in problem and "--force" in problem and problem.count("\n") == 1 and not said,
+                    f"record {words}: {said}{problem}")
+    checks.that(log.read_bytes() == before, "and it is as it was")
+    with Stack("stand", "--no-viewer"):
+        time.sleep(1.5)
+        checks.that(cli("restart", "recorder")[0] == 0, "the recorder of a stack is started anew")
+        time.sleep(2.0)
+        run = harness.newest_run_folder() / "run.log"
+    status, said, problem = cli("log", "info", run, "--check")
+    checks.that(status == 0 and (run.parent / "run-0002.log").exists() and "2 parts" in said, f"its log has two parts: {said[:400]}{problem}")
+    first = next(events_of(run.read_bytes(), "STATE"), None)
+    checks.that(first is not None, "the first of which is what was recorded before")
+    recorder = subprocess.Popen([BIN / "twinbus", "record", log, "--force"], stdout=subprocess.PIPE, text=True)
+    checks.that("ready" in recorder.stdout.readline(), "--force writes over it")
+    recorder.send_signal(signal.SIGINT)
+    recorder.wait(10)
+    checks.that(len(log.read_bytes()) < len(before), "and it is new")
+
+
 def in_parts(checks, folder):
     """Only some channels, in files of a megabyte, not more of them than the quota allows: the oldest go."""
     parts = folder / "parts"
@@ -305,6 +330,7 @@ def main():
         computed_again(checks, log, folder)
         tools(checks, log, folder)
         killed(checks, folder)
+        a_log_that_is_there(checks, folder)
         in_parts(checks, folder)
         of_two_sources(checks, folder)
         replayed(checks, log)

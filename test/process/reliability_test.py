@@ -93,7 +93,7 @@ def kill_watchers(folder, checks, url=None):
         nonlocal count
         while time.monotonic() < until:
             log = folder / "killed.log"
-            recorder = subprocess.Popen([BIN / "twinbus_recorder", log, *bus], stdout=subprocess.PIPE, text=True)
+            recorder = subprocess.Popen([BIN / "twinbus_recorder", log, "--force", *bus], stdout=subprocess.PIPE, text=True)
             viewer = subprocess.Popen([BIN / "twinbus_viewer", "--port", "0", *bus], stdout=subprocess.DEVNULL,
                                       stderr=subprocess.DEVNULL) if (BIN / "twinbus_viewer").exists() else None
             recorder.stdout.readline()

@@ -4,10 +4,13 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <utility>
 
 #include "viewer_log/log/log_reader.h"
@@ -31,13 +34,29 @@ std::int64_t events_in(std::span<const std::uint8_t> bytes) {
 
 std::int64_t utime_of(std::span<const std::uint8_t> event) { return read_i64(event.data() + 12); }
 
+// 0 of one without a whole head [us].
+std::int64_t first_utime_of(const std::string& file) {
+  std::array<std::uint8_t, kEventHead> head{};
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(reinterpret_cast<char*>(head.data()), static_cast<std::streamsize>(head.size()));
+  return stream ? utime_of(head) : 0;
+}
+
+// The number in a name that log_parts() gave.
+int part_number(const std::string& part) {
+  const std::string stem = std::filesystem::path(part).stem().string();
+  return std::atoi(stem.c_str() + stem.rfind('-') + 1);
+}
+
 }  // namespace
 
 Recorder::Recorder(const RecorderConfig& config) : config_(config) {
+  if (config_.goes_on) go_on();
   next_part();
+  first_file_ = part_file_;
   // Parts of a recording that had this name before: its first part has just been emptied.
   const std::vector<std::string> left = log_parts(config_.file);
-  for (std::size_t i = 1; i < left.size(); ++i) (void)::unlink(left[i].c_str());
+  for (std::size_t i = 1; i < left.size() && !config_.goes_on; ++i) (void)::unlink(left[i].c_str());
   thread_ = std::thread([this] { work(); });
 }
 
@@ -85,6 +104,19 @@ std::string Recorder::take_news() {
 void Recorder::say(const std::string& sentence) {
   const std::lock_guard lock(mutex_);
   news_ = sentence;
+}
+
+// Of a recorder that ended before its run did.
+void Recorder::go_on() {
+  const std::vector<std::string> there = log_parts(config_.file);
+  std::error_code error;
+  if (there.size() == 1 && !std::filesystem::exists(there.front(), error)) return;
+  for (const std::string& file : there) {
+    const auto bytes = std::filesystem::file_size(file, error);
+    parts_.push_back({file, error ? 0 : static_cast<std::int64_t>(bytes), first_utime_of(file)});
+  }
+  // The oldest that the quota left has the name of the whole; numbers never come again.
+  part_ = there.size() == 1 ? 1 : part_number(there.back());
 }
 
 void Recorder::next_part() {

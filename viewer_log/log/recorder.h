@@ -27,6 +27,7 @@ struct RecorderConfig {
   double split_seconds = 0.0;         // a new part after so long; 0: never
   std::int64_t quota_bytes = 0;       // of all parts: then the oldest is removed; 0: no quota
   double keep_seconds = 0.0;          // the newest so many stay whatever the quota says
+  bool goes_on = false;               // after the parts that are there; else they are replaced
   std::int64_t keep_free = 64 << 20;  // left on the disk for others [bytes], at most a tenth of it
 };
 
@@ -39,7 +40,7 @@ struct RecorderFigures {
 
 class Recorder {
  public:
-  // Makes the first file.  Throws std::runtime_error naming it.
+  // Makes the first file, or the next one.  Throws std::runtime_error naming it.
   explicit Recorder(const RecorderConfig& config);
   // Writes what there is and ends.
   ~Recorder();
@@ -51,11 +52,13 @@ class Recorder {
   // Written at the head of each part and once a second: what a log needs to explain itself.
   void describe(std::string_view channel, std::vector<std::vector<std::uint8_t>> messages);
 
+  const std::string& first_file() const { return first_file_; }  // that it made
   RecorderFigures figures() const;
   // A sentence when the disk begins to fail, or when it works again; empty when there is nothing new.
   std::string take_news();
 
  private:
+  void go_on();
   void work();
   void write_out(std::vector<std::uint8_t>& events);
   bool room() const;
@@ -65,6 +68,7 @@ class Recorder {
   void say(const std::string& sentence);
 
   const RecorderConfig config_;
+  std::string first_file_;
   mutable std::mutex mutex_;
   std::condition_variable wake_;
   // Shared, under the mutex.
