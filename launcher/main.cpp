@@ -56,6 +56,7 @@ constexpr Command kCommands[] = {
     {"reach", "bring a hand to a point around obstacles", &reach_command},
     {"gamepad", "drive with a gamepad or the keyboard", &gamepad_command},
     {"policy", "run a learned policy (ONNX) as the controller, check it, map it", &policy_command},
+    {"face", "answer as a Unitree robot on DDS, for programs written for it", &face_command},
     {"push", "push the simulated robot", &push_command},
     {"sim", "pause, single steps, slow motion, reset of the simulated world", &sim_command},
     {"replay", "play a log as a source of STATE", &replay_command},

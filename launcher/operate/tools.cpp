@@ -13,6 +13,7 @@
 
 #include "common/process/arguments.h"
 #include "common/text/closest_name.h"
+#include "launcher/stack/face_program.h"
 #include "launcher/stack/run_folder.h"
 
 namespace twinbus {
@@ -124,6 +125,8 @@ int env_command(const std::vector<std::string>& words) { become(script("env.sh")
 int gamepad_command(const std::vector<std::string>& words) {
   become(program_folder() + "/twinbus_gamepad", words, "./twinbus gamepad");
 }
+
+int face_command(const std::vector<std::string>& words) { become(face_program(), words, "./twinbus face"); }
 
 int replay_command(const std::vector<std::string>& words) {
   become(program_folder() + "/twinbus_replay", words, "./twinbus replay");

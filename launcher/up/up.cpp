@@ -17,6 +17,7 @@
 #include "launcher/run/judge_scene.h"
 #include "launcher/run/state_hash.h"
 #include "launcher/run/verdict.h"
+#include "launcher/stack/face_program.h"
 #include "launcher/stack/run_folder.h"
 #include "launcher/stack/stack.h"
 #include "launcher/stack/supervisor.h"
@@ -112,7 +113,8 @@ Up::Up(const Arguments& arguments) {
   go_ahead_of_ordinary_programs();
   // Lock-step goes as fast as it can: with real-time priority it would leave those who watch no time.
   if (request_.lockstep) setenv("TWINBUS_FIFO", "0", 1);
-  stack_ = load_stack(arguments.text("--stack", "sim"));
+  stack_ = load_stack(arguments.text("--stack", arguments.has("--face") ? "client" : "sim"));
+  if (arguments.has("--face")) add_face(stack_, arguments.text("--face", ""), arguments.text("--interface", "lo"));
   request_.patient = waits_for_late_commands(arguments, stack_);
   refuse_without_log(arguments, stack_);
   if (arguments.has("--no-viewer")) {

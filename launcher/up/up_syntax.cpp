@@ -31,6 +31,9 @@ Syntax up_syntax() {
        {"--seed", "N", "of noise and perturbations"},
        {"--set", "KEY=VALUE",
         "setting of the simulator, as in model.mass_scale=1.03; may be repeated"},
+       {"--face", "KIND",
+        "answers on DDS as a Unitree robot (unitree_hg, unitree_go), so that programs written for it drive; stack default client"},
+       {"--interface", "NAME", "network interface of --face; default lo"},
        {"--no-viewer", "", "without the page in the browser"},
        {"--listen", "ADDR",
         "an address of this machine on which a phone may watch and stop, with the token that is "

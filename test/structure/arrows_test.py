@@ -33,6 +33,7 @@ DOORS = {
     r"SDL": r"control/teleop/sdl_pad\.cpp",
     r"boost/beast|boost/asio": r"viewer_log/server/web_server\.cpp",
     r"lcm/": r"lcmtypes/bus/[a-z_]+\.(cpp|h)",
+    r"dds/|unitree_(hg|go|api)\.h": r"bridge/adaptors/unitree_dds/unitree_dds\.cpp",
 }
 
 # "About 200" and "about 450": a tenth more is still about.
