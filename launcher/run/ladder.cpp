@@ -137,16 +137,26 @@ double Ladder::estimate(std::size_t rung) const {
   return rung + 1 == rungs.size() ? agreement : rungs[rung].apart;
 }
 
+namespace {
+bool same_method(const Rung& a, const Rung& b) { return a.order == b.order && a.less == b.less; }
+}  // namespace
+
 int Ladder::choose(double error) const {
   if (!parted.empty() || !(agreement <= error / kAgreement)) return -1;
   int best = -1;
-  for (std::size_t i = 0; i < rungs.size(); ++i) {
-    const Rung& rung = rungs[i];
-    const bool holds = std::all_of(rungs.begin(), rungs.end(), [&](const Rung& finer) {
-      if (finer.order != rung.order || finer.step > rung.step || !(finer.less == rung.less)) return true;
+  const auto holds = [&](const Rung& rung) {
+    return std::all_of(rungs.begin(), rungs.end(), [&](const Rung& finer) {
+      if (!same_method(finer, rung) || finer.step > rung.step) return true;
       return finer.whole && finer.apart <= error / kMargin;
     });
-    if (holds && (best < 0 || rung.cost < rungs[at(best)].cost)) best = static_cast<int>(i);
+  };
+  for (std::size_t i = 0; i < rungs.size(); ++i) {
+    const Rung& rung = rungs[i];
+    // A finer step of the same method is more work, whatever a busy machine measured.
+    const bool coarsest = std::none_of(rungs.begin(), rungs.end(), [&](const Rung& other) {
+      return same_method(other, rung) && other.step > rung.step && holds(other);
+    });
+    if (coarsest && holds(rung) && (best < 0 || rung.cost < rungs[at(best)].cost)) best = static_cast<int>(i);
   }
   return best;
 }

@@ -34,6 +34,12 @@ TEST(Ladder, TheCheapestIsTakenThatHoldsTogetherWithAllFinerOnes) {
   EXPECT_EQ(l.choose(2e-4), 2);   // order 2 at 2 ms does not; order 3 costs as much as the finer one of 2 does
 }
 
+TEST(Ladder, AFinerStepOfTheSameOrderIsNeverTakenForItsMeasuredTime) {
+  Ladder l = ladder();
+  l.rungs[4].cost = 5.0;  // order 2 at 1 ms, on a busy machine
+  EXPECT_EQ(l.choose(1e-3), 1);
+}
+
 TEST(Ladder, NothingIsChosenThatTheYardstickDoesNotProve) {
   Ladder l = ladder();
   EXPECT_EQ(l.choose(1e-5), -1);
