@@ -84,6 +84,14 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/doc DESTINATION ${data_dir} COMPONENT pr
 install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${data_dir} COMPONENT programs)
 install(PROGRAMS ${PROJECT_SOURCE_DIR}/launcher/env.sh ${PROJECT_SOURCE_DIR}/launcher/spy.sh ${PROJECT_SOURCE_DIR}/launcher/policy.sh ${PROJECT_SOURCE_DIR}/launcher/named_state.py
   DESTINATION ${data_dir}/launcher COMPONENT programs)
+# The commit that `twinbus --version` shows and that is written into logs.
+install(CODE "
+  execute_process(COMMAND git -C \"${PROJECT_SOURCE_DIR}\" rev-parse HEAD OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE
+    RESULT_VARIABLE failed ERROR_QUIET)
+  if(failed)
+    set(commit unknown)
+  endif()
+  file(WRITE \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${data_dir}/commit\" \"\${commit}\\n\")" COMPONENT programs)
 file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/link)
 file(CREATE_LINK ../${home_dir}/bin/twinbus ${PROJECT_BINARY_DIR}/link/twinbus SYMBOLIC)
 install(FILES ${PROJECT_BINARY_DIR}/link/twinbus DESTINATION bin COMPONENT programs)

@@ -12,6 +12,7 @@
 #include <memory>
 #include <string>
 
+#include "common/process/command_word.h"
 #include "common/process/options.h"
 #include "common/process/process.h"
 #include "control/teleop/hand_target.h"
@@ -321,7 +322,7 @@ int map_a_pad(const Arguments& arguments) {
   file << mapper.line(pad.guid(), pad.name()) << '\n';
   file.close();
   if (!file) throw std::runtime_error("cannot write " + arguments.mappings);
-  std::printf("kept in %s; ./twinbus gamepad knows this pad now\n", arguments.mappings.c_str());
+  print_typed(stdout, "kept in %s; ./twinbus gamepad knows this pad now\n", arguments.mappings.c_str());
   return 0;
 }
 
@@ -444,6 +445,6 @@ int main(int argc, char** argv) try {
   run(arguments);
   return 0;
 } catch (const std::exception& error) {
-  std::fprintf(stderr, "twinbus_gamepad: %s\n", error.what());
+  print_typed(stderr, "twinbus_gamepad: %s\n", error.what());
   return 1;
 }

@@ -5,8 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "common/file/beside_program.h"
 #include "common/file/disk_cache.h"
 #include "common/process/arguments.h"
+#include "common/process/command_word.h"
 #include "common/text/closest_name.h"
 #include "common/text/printable.h"
 #include "launcher/check/check.h"
@@ -71,11 +73,21 @@ constexpr Command kCommands[] = {
     {"chart", "draw what was measured: SVG, PNG, CSV", &chart_command},
 };
 
+bool is_left_out(const Command& command) { return command.run == &bench_command || command.run == &chart_command; }
+
 void print_help() {
-  std::printf("usage: ./twinbus COMMAND [ARGUMENT...]\n\n");
-  for (const Command& command : kCommands) std::printf("  %-9s %s\n", command.name, command.about);
-  std::printf("  %-9s %s\n", "test", "build and run the tests");
-  std::printf(
+  const bool installed = program_is_installed();
+  print_typed(stdout, "usage: ./twinbus COMMAND [ARGUMENT...]\n\n");
+  for (const Command& command : kCommands) {
+    if (!installed || !is_left_out(command)) print_typed(stdout, "  %-9s %s\n", command.name, command.about);
+  }
+  if (installed) {
+    std::printf("\nAn installation leaves out what the source tree builds: bench, chart, test.\n");
+  } else {
+    std::printf("  %-9s %s\n", "test", "build and run the tests");
+  }
+  print_typed(
+      stdout,
       "\n./twinbus COMMAND --help says more, ./twinbus --version which this is.  Exit status: 0 done, 1 failed, 2 wrong arguments.\n");
 }
 
@@ -99,11 +111,10 @@ int main(int argc, char** argv) {
       use_user_cache();
       return command.run({argv + 2, argv + argc});
     } catch (const UsageError& error) {
-      std::fprintf(stderr, "%s\n", printable(error.what(), kLongestError, true).c_str());
+      print_typed(stderr, "%s\n", printable(error.what(), kLongestError, true).c_str());
       return 2;
     } catch (const std::exception& error) {
-      std::fprintf(stderr, "%s: %s\n", name.c_str(),
-                   printable(error.what(), kLongestError, true).c_str());
+      print_typed(stderr, "%s: %s\n", name.c_str(), printable(error.what(), kLongestError, true).c_str());
       return 1;
     }
   }

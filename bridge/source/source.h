@@ -17,6 +17,7 @@
 
 #include "bridge/adaptor/adaptor.h"
 #include "robot/description/model.h"
+#include "lcmtypes/msg/pace.h"
 #include "lcmtypes/msg/reports.h"
 #include "lcmtypes/msg/requests.h"
 #include "lcmtypes/msg/robot_io.h"
@@ -25,8 +26,6 @@
 namespace twinbus {
 
 struct FirstCut;
-
-enum class Pace : std::int8_t { kRealTime = 1, kLockStep = 2, kFreeRun = 3, kPaused = 4, kSlowed = 5, kPatient = 6 };
 
 struct SourceConfig {
   std::int64_t run_id = 1;  // random, below 2^53

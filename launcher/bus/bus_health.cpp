@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <cstring>
 
+#include "common/process/command_word.h"
 #include "lcmtypes/bus/wire.h"
 
 namespace twinbus {
@@ -20,7 +21,7 @@ constexpr std::int32_t kJump =
 constexpr std::int32_t kBusy = 50;  // received in that time: it goes on, or something is wrong
 constexpr std::int64_t kMost =
     10'000'000;  // more in that time were never counted: another's counter, or a forged one
-constexpr std::int64_t kAfterPause = 2'000'000'000;  // [ns]
+constexpr std::int64_t kAfterOwnClock = 2'000'000'000;  // heartbeats still tell of it [ns]
 constexpr float kSilence_ms = 250.0F;
 
 // Since the last look, or -1 when no counter counts so.
@@ -53,11 +54,10 @@ const char* heard_channel(const FullHeartbeat& beat, std::size_t row) {
 }
 
 std::vector<std::string> BusHealth::look(const std::vector<const SeenProcess*>& processes,
-                                         std::int64_t now_ns,
-                                         bool paused) {
+                                         std::int64_t now_ns, bool own_clock) {
   std::vector<std::string> alarms;
-  if (paused) paused_ns_ = now_ns;
-  paused = paused_ns_ != 0 && now_ns - paused_ns_ < kAfterPause;  // heartbeats still tell of it
+  if (own_clock) own_clock_ns_ = now_ns;
+  own_clock = own_clock_ns_ != 0 && now_ns - own_clock_ns_ < kAfterOwnClock;
   for (const SeenProcess* process : processes) {
     const FullHeartbeat& beat = process->beat;
     for (std::size_t i = 0; i < static_cast<std::size_t>(beat.channels); ++i) {
@@ -67,7 +67,7 @@ std::vector<std::string> BusHealth::look(const std::vector<const SeenProcess*>& 
       const bool may_tell = row.told_ns == 0 || now_ns - row.told_ns > kQuiet;
       const std::size_t before = alarms.size();
       const bool silent =
-          !paused && row.busy && beat.channel_age_ms[i] > kSilence_ms && never_ends(heard_channel(beat, i));
+          !own_clock && row.busy && beat.channel_age_ms[i] > kSilence_ms && never_ends(heard_channel(beat, i));
       if (silent && !row.silent && may_tell) {
         char text[160];
         std::snprintf(text, sizeof text, "%s (pid %d) hears nothing on %s any more",
@@ -81,7 +81,7 @@ std::vector<std::string> BusHealth::look(const std::vector<const SeenProcess*>& 
         const std::int64_t rejected = since(beat.channel_rejected[i], row.rejected);
         const std::int64_t received = since(beat.channel_received[i], row.received);
         // Only the loop's own channels: what a standby source misses, nobody acts on.
-        const bool concerns = !first && settled && may_tell && never_ends(heard_channel(beat, i));
+        const bool concerns = !first && settled && may_tell && !own_clock && never_ends(heard_channel(beat, i));
         if (concerns && lost >= kMany && lost <= kJump * std::max<std::int64_t>(received, 1))
           alarms.push_back(sentence(beat, i, lost, "are missing"));
         if (concerns && rejected >= kMany)
@@ -114,10 +114,10 @@ std::vector<std::string> channel_lines(const std::vector<const SeenProcess*>& pr
       lines.emplace_back(line);
     }
   }
-  lines.emplace_back(
-      "since each process began; lost: numbers that never came, repeated: sent again on purpose,\n"
-      "rejected: of another run or robot, or malformed.  A few of each belong to a start; what matters is\n"
-      "whether they grow (./twinbus status --watch).");
+  for (const char* line : {"since each process began; lost: numbers that never came, repeated: sent again on purpose,",
+                           "rejected: of another run or robot, or malformed.  A few of each belong to a start; what matters is",
+                           "whether they grow (./twinbus status --all again)."})
+    lines.push_back(as_typed(line));
   return lines;
 }
 

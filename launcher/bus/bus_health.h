@@ -16,9 +16,10 @@ namespace twinbus {
 
 class BusHealth {
  public:
-  // The newest heartbeats, a few times a second; new alarms, as sentences.
+  // The newest heartbeats, a few times a second; new alarms, as sentences.  own_clock: the world is paused, slowed or hurried;
+  // then nobody is asked to keep up, and silence says nothing.
   std::vector<std::string> look(const std::vector<const SeenProcess*>& processes,
-                                std::int64_t now_ns, bool paused = false);
+                                std::int64_t now_ns, bool own_clock = false);
 
  private:
   struct Row {  // one channel of one process, a second ago
@@ -27,7 +28,7 @@ class BusHealth {
     bool busy = false, silent = false;
   };
   std::map<std::pair<std::int64_t, int>, Row> rows_;
-  std::int64_t paused_ns_ = 0;  // when the world stood still last
+  std::int64_t own_clock_ns_ = 0;  // when the world kept no real time last
 };
 
 // One line per process and channel that it has heard: age, jitter, gaps, repetitions, refusals.

@@ -2,15 +2,16 @@
 
 #include <cstdarg>
 #include <cstdio>
+#include <utility>
 
+#include "common/process/command_word.h"
 #include "lcmtypes/msg/labels.h"
+#include "lcmtypes/msg/pace.h"
 #include "lcmtypes/msg/status.h"
 
 namespace twinbus {
 
 namespace {
-
-constexpr std::int8_t kPatient = 6;  // SourceStatus::pace
 
 __attribute__((format(printf, 1, 2))) std::string line_of(const char* format, ...) {
   char text[160];
@@ -37,7 +38,7 @@ std::string source_line(const SeenSource& source, std::int64_t now_ns) {
       "  %-10s %7.1f %9s %5d %8lld %6lld %9lld", source_name(s.source), source.states.rate(now_ns),
       label(s.role), s.term, static_cast<long long>(s.ticks_missed),
       static_cast<long long>(s.commands_late), static_cast<long long>(s.commands_rejected));
-  if (s.pace == kPatient) line += "  waits for late commands";
+  if (has_pace(s, Pace::kPatient)) line += "  waits for late commands";
   if (s.stop_kind != StopKind::kNone) line += std::string("  STOP ") + label(s.stop_kind);
   if (s.adaptor_status != 0)
     line += std::string("  ") + to_text(static_cast<Status>(s.adaptor_status));
@@ -70,38 +71,44 @@ const char* guard_word(const Lookout& seen, std::int64_t now_ns) {
 // What a world that waits costs; empty for every other.
 std::string pace_text(const Lookout& seen, std::int64_t now_ns) {
   const SeenSource* active = seen.active(now_ns);
-  if (active == nullptr || active->status.pace != kPatient || !(seen.figures().realtime_factor > 0.0)) return "";
+  if (active == nullptr || !has_pace(active->status, Pace::kPatient) || !(seen.figures().realtime_factor > 0.0)) return "";
   return line_of(", %.2f times real time", seen.figures().realtime_factor);
 }
 
-}  // namespace
+using Lines = std::vector<std::string>;
 
-std::vector<std::string> table_lines(const Lookout& seen, CpuShare& shares, std::int64_t now_ns) {
-  std::vector<std::string> lines;
+void add_sources(const Lookout& seen, std::int64_t now_ns, Lines& lines) {
   lines.push_back("source            Hz      role  term   missed   late  rejected");
-  for (const SeenSource* source : seen.sources(now_ns))
-    lines.push_back(source_line(*source, now_ns));
+  for (const SeenSource* source : seen.sources(now_ns)) lines.push_back(source_line(*source, now_ns));
+}
+
+void add_streams(const Lookout& seen, std::int64_t now_ns, Lines& lines) {
   lines.push_back("stream            Hz       age    lost");
   lines.push_back(stream_line("STATE", seen.state(), now_ns));
   lines.push_back(stream_line("COMMAND", seen.command(), now_ns));
   if (seen.guard().received() > 0) lines.push_back(stream_line("GUARD", seen.guard(), now_ns));
+}
+
+void add_processes(const Lookout& seen, CpuShare& shares, std::int64_t now_ns, Lines& lines) {
   lines.push_back("process           Hz       pid cpu %   missed    p50    p99 max us alloc");
-  for (const SeenProcess* process : seen.processes(now_ns)) {
+  for (const SeenProcess* process : seen.processes(now_ns))
     lines.push_back(process_line(*process, shares.recent(process->beat.pid, now_ns)));
-  }
-  if (is_paused(seen, now_ns)) lines.push_back("the simulated world is paused: ./twinbus sim go");
-  if (seen.figures().fell) lines.push_back("the robot has fallen: ./twinbus sim reset puts a simulated one on its feet");
-  if (seen.controller_statuses().age(now_ns) < 1.0) {
-    const ControllerStatus& c = seen.controller();
-    const std::string motion = motion_text(c);
-    lines.push_back(line_of("robot: mode %s%s%s, ZMP margin %.1f mm, guard %s", label(c.mode),
-                            motion.empty() ? "" : ", ", motion.c_str(),
-                            1e3 * static_cast<double>(c.zmp_margin), guard_word(seen, now_ns)) +
-                    pace_text(seen, now_ns));
-  }
+}
+
+void add_robot(const Lookout& seen, std::int64_t now_ns, Lines& lines) {
+  if (!(seen.controller_statuses().age(now_ns) < 1.0)) return;
+  const ControllerStatus& c = seen.controller();
+  const std::string motion = motion_text(c);
+  lines.push_back(line_of("robot: mode %s%s%s, ZMP margin %.1f mm, guard %s", label(c.mode),
+                          motion.empty() ? "" : ", ", motion.c_str(),
+                          1e3 * static_cast<double>(c.zmp_margin), guard_word(seen, now_ns)) +
+                  pace_text(seen, now_ns));
+}
+
+void add_timing(const Lookout& seen, std::int64_t now_ns, Lines& lines) {
+  const SeenSource* active = seen.active(now_ns);
   for (const SeenProcess* process : seen.processes(now_ns)) {
     const Heartbeat& b = process->beat;
-    const SeenSource* active = seen.active(now_ns);
     if (active == nullptr || active->status.run_id != b.process_id || !(b.age_us > 0.0F)) continue;
     lines.push_back(
         line_of("STATE to COMMAND: median %.0f us, 99 %% within %.0f us; machine stood still for "
@@ -109,6 +116,61 @@ std::vector<std::string> table_lines(const Lookout& seen, CpuShare& shares, std:
                 static_cast<double>(b.age_us), static_cast<double>(b.age_p99_us),
                 static_cast<long long>(b.ticks_stalled)));
   }
+}
+
+}  // namespace
+
+std::vector<std::string> acting_lines(const Lookout& seen, std::int64_t now_ns) {
+  Lines lines;
+  const std::vector<const SeenSource*> sources = seen.sources(now_ns);
+  const SeenSource* active = seen.active(now_ns);
+  if (active == nullptr && !sources.empty()) {
+    std::string names;
+    for (const SeenSource* source : sources) {
+      if (names.find(source_name(source->status.source)) != std::string::npos) continue;
+      names += (names.empty() ? "" : ", ") + std::string(source_name(source->status.source));
+    }
+    lines.push_back("no source is active (" + names + "): ./twinbus switch sim, bridge or replay makes one active");
+  }
+  if (is_paused(seen, now_ns)) lines.push_back("the simulated world is paused: ./twinbus sim go");
+  const bool fell = seen.figures().fell;
+  if (fell) lines.push_back("the robot has fallen: ./twinbus sim reset puts a simulated one on its feet");
+  for (const SeenSource* source : sources) {
+    const SourceStatus& s = source->status;
+    if (s.stop_kind != StopKind::kNone && !fell)
+      lines.push_back(line_of("%s is stopped (%s) by %s: ./twinbus clear ends that",
+                              source == active ? "the robot" : source_name(s.source), label(s.stop_kind),
+                              label(s.stop_reason)));
+    if (s.adaptor_status != 0)
+      lines.push_back(line_of("the device of the %s fails: %s", source_name(s.source),
+                              to_text(static_cast<Status>(s.adaptor_status))));
+  }
+  if (active != nullptr && !has_own_clock(seen, now_ns) && seen.command().age(now_ns) > 1.0)
+    lines.push_back("nobody commands the robot: ./twinbus restart controller, or start one of your own");
+  if (active != nullptr && !has_own_clock(seen, now_ns) && seen.guard().received() > 0 && seen.guard().age(now_ns) > 1.0)
+    lines.push_back("the guard is silent: ./twinbus restart guard");
+  for (std::string& line : lines) line = as_typed(std::move(line));
+  return lines;
+}
+
+std::vector<std::string> table_lines(const Lookout& seen, CpuShare& shares, std::int64_t now_ns) {
+  Lines lines;
+  add_sources(seen, now_ns, lines);
+  add_streams(seen, now_ns, lines);
+  add_processes(seen, shares, now_ns, lines);
+  for (std::string& line : acting_lines(seen, now_ns)) lines.push_back(std::move(line));
+  add_robot(seen, now_ns, lines);
+  add_timing(seen, now_ns, lines);
+  return lines;
+}
+
+std::vector<std::string> short_lines(const Lookout& seen, CpuShare& shares, std::int64_t now_ns) {
+  Lines lines = acting_lines(seen, now_ns);
+  for (std::string& line : lines) line = "ACT: " + line;
+  if (lines.empty() && !seen.sources(now_ns).empty()) lines.push_back("nothing needs acting on");
+  add_robot(seen, now_ns, lines);
+  add_sources(seen, now_ns, lines);
+  add_processes(seen, shares, now_ns, lines);
   return lines;
 }
 

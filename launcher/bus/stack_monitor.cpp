@@ -4,9 +4,11 @@
 #include <cmath>
 #include <cstring>
 #include <initializer_list>
+#include <stdexcept>
 #include <utility>
 
 #include "common/text/printable.h"
+#include "lcmtypes/msg/pace.h"
 
 namespace twinbus {
 
@@ -167,9 +169,17 @@ void Lookout::restart_counts() {
 }
 
 bool is_paused(const Lookout& seen, std::int64_t now_ns) {
-  constexpr std::int8_t kPaused = 4;  // SourceStatus::pace
   const SeenSource* active = seen.active(now_ns);
-  return active != nullptr && active->status.pace == kPaused;
+  return active != nullptr && has_pace(active->status, Pace::kPaused);
+}
+
+bool has_own_clock(const Lookout& seen, std::int64_t now_ns) {
+  const SeenSource* active = seen.active(now_ns);
+  return active != nullptr && (has_pace(active->status, Pace::kPaused) || has_pace(active->status, Pace::kSlowed));
+}
+
+void refuse_while_paused(const Lookout& seen, std::int64_t now_ns) {
+  if (is_paused(seen, now_ns)) throw std::runtime_error("the simulated world is paused: ./twinbus sim go, then ask again");
 }
 
 std::string motion_text(const ControllerStatus& status) {

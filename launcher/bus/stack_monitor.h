@@ -97,6 +97,11 @@ class Lookout {
 // Words for what messages carry as numbers.
 // Does the active source stand still because somebody asked it to?
 bool is_paused(const Lookout& seen, std::int64_t now_ns);
+// Does its clock run otherwise than time does: paused, slowed or hurried?
+bool has_own_clock(const Lookout& seen, std::int64_t now_ns);
+// Throws std::runtime_error with the remedy: what is sent to a world that stands still is obeyed when nobody thinks of it any
+// more.
+void refuse_while_paused(const Lookout& seen, std::int64_t now_ns);
 // "sways"; empty when it does nothing that has a name.
 std::string motion_text(const ControllerStatus& status);
 const char* source_name(SourceKind source);

@@ -10,6 +10,7 @@
 
 #include "common/math/index.h"
 #include "common/process/arguments.h"
+#include "common/process/command_word.h"
 #include "common/text/xml.h"
 #include "geometry/bounds/coarse_mesh.h"
 #include "launcher/check/check_cells.h"
@@ -463,7 +464,7 @@ int check_command(const std::vector<std::string>& words) {
   print(trial);
   print(walk);
   if (proposal && !folder.empty() && trial.stood)
-    std::printf("next: ./twinbus run stand --robot %s\n", folder.c_str());
+    print_typed(stdout, "next: ./twinbus run stand --robot %s\n", folder.c_str());
   if (!trial.refusal.empty())
     throw std::runtime_error(arguments.word(0) + " cannot be simulated: " + trial.refusal);
   return good ? 0 : 1;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "common/process/arguments.h"
+#include "common/process/command_word.h"
 #include "common/process/process.h"
 #include "common/text/closest_name.h"
 #include "launcher/bus/stack_monitor.h"
@@ -114,8 +115,8 @@ int copy(const Arguments& arguments,
            });
   writer.close();
   if (writer.events() == 0) {
-    std::fprintf(stderr, "log: nothing of %s was asked: %s is empty (./twinbus log info %s lists channels and duration)\n", in.c_str(),
-                 out.c_str(), in.c_str());
+    print_typed(stderr, "log: nothing of %s was asked: %s is empty (./twinbus log info %s lists channels and duration)\n",
+                in.c_str(), out.c_str(), in.c_str());
     return 1;
   }
   std::printf("%s: %lld events, %.1f MB\n", out.c_str(), static_cast<long long>(writer.events()),
@@ -283,7 +284,7 @@ int log_command(const std::vector<std::string>& words) {
   }
   if (words.empty()) throw UsageError("log: which tool? ./twinbus log --help lists them");
   if (words[0] == "--help" || words[0] == "-h") {
-    std::printf("%s\n./twinbus log TOOL --help says more.\n", help.c_str());
+    print_typed(stdout, "%s\n./twinbus log TOOL --help says more.\n", help.c_str());
     return 0;
   }
   for (const Tool& tool : kTools) {

@@ -12,8 +12,11 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <utility>
 
+#include "common/file/beside_program.h"
 #include "common/process/arguments.h"
+#include "common/process/command_word.h"
 #include "common/process/priority.h"
 #include "common/process/process.h"
 #include "launcher/bus/bus_link.h"
@@ -37,9 +40,9 @@ class Report {
     const char* mark = health == Health::kGood    ? "ok     "
                        : health == Health::kCould ? "better "
                                                   : "MISSING";
-    std::printf("%s  %s\n", mark, what.c_str());
+    print_typed(stdout, "%s  %s\n", mark, what.c_str());
     if (!remedy.empty() && health != Health::kGood)
-      std::printf("         mend: %s\n", remedy.c_str());
+      print_typed(stdout, "         mend: %s\n", remedy.c_str());
     bad_ += health == Health::kBad;
   }
   int bad() const { return bad_; }
@@ -113,18 +116,21 @@ void check_java(Report& report) {
   report.add(java.empty() ? Health::kCould : Health::kGood,
              java.empty() ? "no java: ./twinbus spy needs it" : "java: " + java,
              "sudo apt-get install default-jre");
-  bool jar = false;
-  for (const char* file : {"/usr/share/java/lcm.jar", "/usr/local/share/java/lcm.jar"})
-    jar = jar || fs::exists(file);
-  report.add(jar ? Health::kGood : Health::kCould,
-             jar ? "lcm.jar for lcm-spy" : "no lcm.jar: ./twinbus spy needs it",
-             "sudo apt-get install liblcm-java");
+  for (const auto& [jar, package] : {std::pair("lcm.jar", "liblcm-java"), std::pair("jchart2d.jar", "libjchart2d-java")}) {
+    bool there = false;
+    for (const char* folder : {"/usr/share/java/", "/usr/local/share/java/"})
+      there = there || fs::exists(std::string(folder) + jar);
+    report.add(there ? Health::kGood : Health::kCould,
+               there ? std::string(jar) + " for lcm-spy" : std::string("no ") + jar + ": ./twinbus spy needs it",
+               std::string("sudo apt-get install ") + package);
+  }
   const std::string types = fs::path(program_folder()).parent_path().string() + "/share/types.jar";
   report.add(fs::exists(types) ? Health::kGood : Health::kCould,
              fs::exists(types) ? "types for lcm-spy: " + types
                                : "no " + types + ": lcm-spy would not decode",
-             "sudo apt-get install default-jdk-headless liblcm-java && rm -r build/release && "
-             "./twinbus status");
+             program_is_installed() ? "make the package anew where default-jdk-headless and liblcm-java are installed"
+                                    : "sudo apt-get install default-jdk-headless liblcm-java && rm -r build/release && "
+                                      "./twinbus status");
 }
 
 // What Docker and Podman leave for whoever is inside.

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <set>
 #include <stdexcept>
 
 #include "common/process/arguments.h"
+#include "common/process/command_word.h"
 #include "common/process/process.h"
 #include "common/text/closest_name.h"
 #include "common/text/xml.h"
@@ -36,11 +38,6 @@ std::int64_t active_run(BusLink& bus) {
   return active->status.run_id;
 }
 
-void refuse_while_paused(const Lookout& seen) {
-  if (!is_paused(seen, monotonic_ns())) return;
-  throw std::runtime_error("the simulated world is paused: ./twinbus sim go, then ask again");
-}
-
 // While a balanced stop was asked: the stop that came of it.
 const char* kind_text(StopKind asked, StopKind now) {
   return asked == StopKind::kBalanced && now == StopKind::kHold ? "balanced, and then held" : label(now);
@@ -56,7 +53,7 @@ BusLink open_bus(const Arguments& arguments) {
 
 bool ask_controller(BusLink& bus, ModeRequest& request) {
   request.run_id = active_run(bus);
-  refuse_while_paused(bus.seen());
+  refuse_while_paused(bus.seen(), monotonic_ns());
   const std::int64_t begin = monotonic_ns();
   std::int64_t asked = 0;
   while (!quit_requested() && seconds_since(begin) < kAnswerTimeout) {
@@ -131,18 +128,18 @@ int report_mode(BusLink& bus, const ModeRequest& request, const char* asked) {
   }
   bus.listen(0.05);
   if (!does(bus.seen().controller(), request)) {
-    std::fprintf(stderr, "%s: %s\n", asked, why_it_stays(bus, request).c_str());
+    print_typed(stderr, "%s: %s\n", asked, why_it_stays(bus, request).c_str());
     return 1;
   }
   if (request.mode != Mode::kPose) {
-    std::printf("%s: %s\n", asked, what_it_does(bus.seen().controller(), request).c_str());
+    print_typed(stdout, "%s: %s\n", asked, what_it_does(bus.seen().controller(), request).c_str());
     return 0;
   }
   if (wait_for_pose(bus, request)) {
-    std::printf("%s: the robot is in the pose\n", asked);
+    print_typed(stdout, "%s: the robot is in the pose\n", asked);
     return 0;
   }
-  std::fprintf(stderr, "%s: the robot did not get there: %s\n", asked,
+  print_typed(stderr, "%s: the robot did not get there: %s\n", asked,
                bus.seen().controller().mode == Mode::kPose
                    ? "a joint is held or blocked (./twinbus status)"
                    : why_it_stays(bus, request).c_str());
@@ -207,12 +204,12 @@ int stop_command(const std::vector<std::string>& words) {
         });
     const SeenSource* active = bus.seen().active(monotonic_ns());
     if (all && active != nullptr && seconds_since(begin) > 0.15) {
-      std::printf("stop: %s is stopped (%s); ./twinbus clear lets it go on\n",
+      print_typed(stdout, "stop: %s is stopped (%s); ./twinbus clear lets it go on\n",
                   describe(*active).c_str(), kind_text(request.kind, active->status.stop_kind));
       return 0;
     }
     if (is_paused(bus.seen(), monotonic_ns()) && seconds_since(begin) > kPausedAnswer) {
-      std::printf("stop: sent; the simulated world is paused and stops with its next tick (./twinbus sim go)\n");
+      print_typed(stdout, "stop: sent; the simulated world is paused and stops with its next tick (./twinbus sim go)\n");
       return 0;
     }
     bus.send(request);
@@ -225,14 +222,34 @@ int stop_command(const std::vector<std::string>& words) {
 
 namespace {
 
-// Sources that do not hold STATE and are stopped, as one that was parked when it stopped.
-int clear_standbys(BusLink& bus) {
-  bool some = false;
-  for (int i = 0; i < 10 && !quit_requested(); ++i) {
-    std::string left;
+// The gate stays bound to the controller it knew; when that one is gone and another is there, it is meant.
+void bind_to_new_controller(BusLink& bus, std::int64_t run) {
+  bus.listen(0.3);
+  std::int64_t controller = 0;
+  bool bound_alive = false;
+  for (const SeenProcess* process : bus.seen().processes(monotonic_ns())) {
+    if (process->beat.kind != ProcessKind::kController) continue;
+    controller = process->beat.process_id;
+    bound_alive = bound_alive || controller == bus.seen().source(run)->status.controller_id;
+  }
+  if (controller == 0 || bound_alive) return;
+  ControllerRequest request;
+  request.run_id = run;
+  request.controller_id = controller;
+  for (int i = 0; i < 3; ++i) bus.send(request);
+  bus.listen(0.2);
+}
+
+// Every source that is stopped, each with its nonce: those that stand by, and one that was parked when it stopped, too.  How
+// many there were; throws std::runtime_error naming the one that stays stopped.
+std::size_t clear_all(BusLink& bus) {
+  std::set<std::int64_t> cleared;
+  std::string left;
+  for (const std::int64_t begin = monotonic_ns(); !quit_requested() && seconds_since(begin) < kAnswerTimeout;) {
+    left.clear();
     for (const SeenSource* source : bus.seen().sources(monotonic_ns())) {
       if (source->status.stop_kind == StopKind::kNone) continue;
-      some = true;
+      cleared.insert(source->status.run_id);
       left = describe(*source);
       StopRequest request;
       request.kind = StopKind::kNone;
@@ -240,13 +257,10 @@ int clear_standbys(BusLink& bus) {
       request.stop_nonce = source->status.stop_nonce;
       bus.send(request);
     }
-    if (left.empty()) {
-      std::printf(some ? "clear: no source is stopped any more\n" : "clear: nothing is stopped\n");
-      return 0;
-    }
+    if (left.empty()) return cleared.size();
     bus.listen(0.15);
   }
-  throw std::runtime_error("a source stays stopped: whatever stopped it still asks for it (./twinbus status)");
+  throw std::runtime_error(left + " stays stopped: whatever stopped it still asks for it (./twinbus status)");
 }
 
 }  // namespace
@@ -260,46 +274,18 @@ int clear_command(const std::vector<std::string>& words) {
                             words);
   BusLink bus = open_bus(arguments);
   const std::int64_t run = active_run(bus);
-  refuse_while_paused(bus.seen());
-  if (bus.seen().source(run)->status.stop_kind == StopKind::kNone) return clear_standbys(bus);
-  // The gate stays bound to the controller it knew; when that one is gone and another is there, it is meant.
-  bus.listen(0.3);
-  std::int64_t controller = 0;
-  bool bound_alive = false;
-  for (const SeenProcess* process : bus.seen().processes(monotonic_ns())) {
-    if (process->beat.kind != ProcessKind::kController) continue;
-    controller = process->beat.process_id;
-    bound_alive = bound_alive || controller == bus.seen().source(run)->status.controller_id;
+  refuse_while_paused(bus.seen(), monotonic_ns());
+  const bool was_stopped = bus.seen().source(run)->status.stop_kind != StopKind::kNone;
+  if (was_stopped) bind_to_new_controller(bus, run);
+  const std::size_t cleared = clear_all(bus);
+  if (was_stopped) {
+    print_typed(stdout, "clear: %s goes on\n", describe(*bus.seen().source(run)).c_str());
+  } else {
+    print_typed(stdout, cleared > 0 ? "clear: no source is stopped any more\n" : "clear: nothing is stopped\n");
   }
-  if (controller != 0 && !bound_alive) {
-    ControllerRequest request;
-    request.run_id = run;
-    request.controller_id = controller;
-    for (int i = 0; i < 3; ++i) bus.send(request);
-    bus.listen(0.2);
-  }
-  StopRequest request;
-  request.kind = StopKind::kNone;
-  request.reason = StopReason::kOperator;
-  const std::int64_t begin = monotonic_ns();
-  while (!quit_requested() && seconds_since(begin) < kAnswerTimeout) {
-    request.stop_nonce = bus.seen().source(run)->status.stop_nonce;
-    bus.send(request);
-    bus.listen(0.15);
-    const SeenSource* source = bus.seen().source(run);
-    if (source->status.stop_kind == StopKind::kNone) {
-      std::printf("clear: %s goes on\n", describe(*source).c_str());
-      if (bus.seen().figures().fell) std::printf("clear: the robot has fallen: ./twinbus sim reset puts it on its feet\n");
-      bus.listen(0.15);  // one that stands by has the same nonce, and clears with it
-      const std::vector<const SeenSource*> all = bus.seen().sources(monotonic_ns());
-      const bool more = std::any_of(all.begin(), all.end(), [](const SeenSource* one) {
-        return one->status.stop_kind != StopKind::kNone;
-      });
-      return more ? clear_standbys(bus) : 0;
-    }
-  }
-  throw std::runtime_error(
-      "the source stays stopped: whatever stopped it still asks for it (./twinbus status)");
+  if (was_stopped && bus.seen().figures().fell)
+    print_typed(stdout, "clear: the robot has fallen: ./twinbus sim reset puts it on its feet\n");
+  return 0;
 }
 
 namespace {

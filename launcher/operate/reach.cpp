@@ -9,11 +9,14 @@
 #include <stdexcept>
 
 #include "common/process/arguments.h"
+#include "common/process/command_word.h"
 #include "common/process/process.h"
 #include "launcher/bus/bus_arguments.h"
 #include "launcher/operate/reach_progress.h"
 #include "lcmtypes/bus/bus.h"
 #include "lcmtypes/bus/channels.h"
+#include "lcmtypes/msg/labels.h"
+#include "lcmtypes/msg/pace.h"
 #include "lcmtypes/msg/state_admission.h"
 #include "planner/arm_planner.h"
 #include "robot/description/load.h"
@@ -25,7 +28,6 @@ namespace {
 
 constexpr double kFirstState = 2.0;    // [s] until a robot must be heard
 constexpr double kAskAgain = 0.2;      // [s]
-constexpr std::int8_t kPaused = 4;     // SourceStatus::pace
 constexpr double kPlanTimeout = 15.0;  // [s]
 
 // What one `reach` hears of the stack.
@@ -37,6 +39,7 @@ class Watcher {
     bus_.listen_each<ArmPathPiece>(channel::kArmPath, on_path_);
     bus_.listen_each<ControllerStatus>(channel::kControllerStatus, on_status_);
     bus_.listen_each<SourceStatus>(channel::kSourceStatus, on_source_);
+    bus_.listen_each<SimTruth>(channel::kTruth, on_truth_);
   }
 
   void receive(double seconds) {
@@ -62,6 +65,7 @@ class Watcher {
   std::int64_t run_id() const { return states_ > 0 ? admission_.run_id() : 0; }
   bool other_robot() const { return other_robot_; }
   StopKind stop_kind() const { return stop_kind_; }
+  bool fell() const { return fell_; }  // a simulated robot
   std::int64_t states() const { return states_; }
 
   std::int64_t goal_id = 0;  // whose path is waited for
@@ -103,7 +107,11 @@ class Watcher {
   }
 
   void hear(const SourceStatus& source) {
-    if (source.role == Role::kActive || source.role == Role::kStopped) paused = source.pace == kPaused;
+    if (source.role == Role::kActive || source.role == Role::kStopped) paused = has_pace(source, Pace::kPaused);
+  }
+
+  void hear(const SimTruth& truth) {
+    if (truth.run_id == run_id()) fell_ = truth.fell;
   }
 
   struct On {
@@ -112,16 +120,17 @@ class Watcher {
     void operator()(const ArmPathPiece& m) const { w->hear(m); }
     void operator()(const ControllerStatus& m) const { w->hear(m); }
     void operator()(const SourceStatus& m) const { w->hear(m); }
+    void operator()(const SimTruth& m) const { w->hear(m); }
   };
 
   const Model& model_;
   Bus bus_;
   Estimator estimator_;
   StateAdmission admission_;
-  bool other_robot_ = false;
+  bool other_robot_ = false, fell_ = false;
   StopKind stop_kind_ = StopKind::kNone;
   std::int64_t tick_ = 0, states_ = 0;
-  On on_state_{this}, on_path_{this}, on_status_{this}, on_source_{this};
+  On on_state_{this}, on_path_{this}, on_status_{this}, on_source_{this}, on_truth_{this};
 };
 
 ArmGoal goal_from(const Arguments& arguments, const Model& model) {
@@ -153,6 +162,14 @@ ArmGoal goal_from(const Arguments& arguments, const Model& model) {
   return goal;
 }
 
+// Nothing is planned for a robot that cannot move its arm.  A fall comes first: it has stopped the robot as well.
+void refuse_unless_it_stands(const Watcher& watcher) {
+  if (watcher.fell()) throw std::runtime_error("the robot has fallen: ./twinbus sim reset puts it on its feet, then ask again");
+  if (watcher.stop_kind() == StopKind::kNone) return;
+  throw std::runtime_error(std::string("the robot is stopped (") + label(watcher.stop_kind()) +
+                           "): ./twinbus clear ends that, then ask again");
+}
+
 void ask(Watcher& watcher, ArmGoal& goal) {
   goal.run_id = watcher.run_id();
   const std::int64_t begin = monotonic_ns();
@@ -177,7 +194,7 @@ void cancel(Watcher& watcher, ArmGoal goal) {
   goal.utime = wall_us();
   ++goal.sequence;
   if (!watcher.bus().send(channel::kArmGoal, goal))
-    std::fprintf(stderr, "reach: the cancel could not be sent\n");
+    print_typed(stderr, "reach: the cancel could not be sent\n");
 }
 
 // Until the controller says done; false with a sentence when it does not come to that.
@@ -186,7 +203,7 @@ bool follow(Watcher& watcher, const ArmGoal& goal) {
   const bool terminal = ::isatty(STDOUT_FILENO) != 0;
   ReachProgress progress(watcher.first.path_id, watcher.duration);
   const auto fail = [&](const char* sentence) {
-    std::fprintf(stderr, "%sreach: %s\n", terminal && progress.moving() ? "\n" : "", sentence);
+    print_typed(stderr, "%sreach: %s\n", terminal && progress.moving() ? "\n" : "", sentence);
     return false;
   };
   std::int64_t shown = 0;
@@ -198,14 +215,14 @@ bool follow(Watcher& watcher, const ArmGoal& goal) {
     watcher.receive(0.02);
     if (terminal && progress.moving() && seconds_since(shown) > 0.2) {
       shown = monotonic_ns();
-      std::printf("\r  %3.0f %%", 100.0 * progress.share(seconds_since(begin)));
+      print_typed(stdout, "\r  %3.0f %%", 100.0 * progress.share(seconds_since(begin)));
       std::fflush(stdout);
     }
   } while (progress.goes_on(seconds_since(begin), watcher.stop_kind(),
                             watcher.statuses > 0 ? &watcher.status : nullptr));
   if (progress.must_cancel()) cancel(watcher, goal);
   if (!progress.arrived()) return fail(progress.failure());
-  if (terminal) std::printf("\r  arrived after %.1f s      \n", seconds_since(begin));
+  if (terminal) print_typed(stdout, "\r  arrived after %.1f s      \n", seconds_since(begin));
   return true;
 }
 
@@ -221,7 +238,7 @@ bool go(Watcher& watcher, const Model& model, ArmGoal& goal, bool say) {
     plan.pair = {watcher.first.link_a, watcher.first.link_b};
     plan.miss = static_cast<double>(watcher.first.miss);
     plan.complaint = "the planner's event says why";
-    std::fprintf(stderr, "reach: %s\n", describe(model, plan).c_str());
+    print_typed(stderr, "reach: %s\n", describe(model, plan).c_str());
     return false;
   }
   const std::uint64_t all = ~std::uint64_t{0} >> (64 - watcher.first.pieces);
@@ -229,8 +246,8 @@ bool go(Watcher& watcher, const Model& model, ArmGoal& goal, bool say) {
        watcher.have != all && seconds_since(start) < 1.0;)
     watcher.receive(0.02);
   if (say) {
-    std::printf(
-        "path of %.1f s in %d pieces, proved to keep %.0f mm from the body and all obstacles\n",
+    print_typed(
+        stdout, "path of %.1f s in %d pieces, proved to keep %.0f mm from the body and all obstacles\n",
         watcher.duration, static_cast<int>(watcher.first.pieces),
         1e3 * static_cast<double>(watcher.first.clearance));
     std::fflush(stdout);
@@ -274,6 +291,7 @@ int reach_command(const std::vector<std::string>& words) {
             : "no robot is heard on " + options.url + "; start one with ./twinbus up");
   }
 
+  refuse_unless_it_stands(watcher);
   const Eigen::Vector3d target(goal.position[0], goal.position[1], goal.position[2]);
   double miss = 0.0;
   for (int attempt = 0; attempt <= kReachCorrections; ++attempt) {
@@ -283,17 +301,17 @@ int reach_command(const std::vector<std::string>& words) {
   }
   const Eigen::Isometry3d hand = watcher.hand_in_ground(goal.side);
   const Eigen::Vector3d at = hand.translation();
-  std::printf("%s hand at %.3f %.3f %.3f m, %.1f mm from the goal", arguments.word(0).c_str(),
+  print_typed(stdout, "%s hand at %.3f %.3f %.3f m, %.1f mm from the goal", arguments.word(0).c_str(),
               at.x(), at.y(), at.z(), 1e3 * miss);
   if (goal.kind == ArmGoalKind::kPose) {
     const auto& o = goal.orientation;
     const double angle = Eigen::Quaterniond(hand.linear())
                              .angularDistance(Eigen::Quaterniond(o[0], o[1], o[2], o[3]));
-    std::printf(", turned %.1f degrees from it", angle * 180.0 / M_PI);
+    print_typed(stdout, ", turned %.1f degrees from it", angle * 180.0 / M_PI);
   }
-  std::printf("\n");
+  print_typed(stdout, "\n");
   if (!(miss <= kReachFar)) {
-    std::fprintf(stderr,
+    print_typed(stderr,
                  "reach: the hand came no nearer than %.0f mm; does the robot stand still?\n",
                  1e3 * miss);
     return 1;

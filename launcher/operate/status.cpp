@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "common/process/arguments.h"
+#include "common/process/command_word.h"
 #include "common/process/process.h"
 #include "launcher/bus/bus_arguments.h"
 #include "launcher/bus/bus_health.h"
@@ -24,11 +25,14 @@ Syntax status_syntax() {
   return {
       "status",
       "",
-      "Shows sources with role, term and rate, streams with rate and age, the timing of each "
-      "process's loop,\nand how every channel that it hears does: age, jitter, gaps, "
-      "repetitions, refusals.\n"
+      "Shows what somebody has to act on, what the robot does, sources with role, term and rate, and the timing of each "
+      "process's loop.\n"
       "Exit status 1 if no source is heard.",
-      on_bus({{"--watch", "", "again and again, until Ctrl-C"}, {"--json", "", "for programs"}}),
+      on_bus({{"--all", "",
+               "also streams with rate and age, and how every channel that a process hears does: age, jitter, gaps, "
+               "repetitions, refusals"},
+              {"--watch", "", "again and again, until Ctrl-C"},
+              {"--json", "", "for programs"}}),
       0,
       0};
 }
@@ -92,6 +96,10 @@ nlohmann::ordered_json as_json(const Lookout& seen, std::int64_t now_ns) {
   return all;
 }
 
+void print_lines(const std::vector<std::string>& lines) {
+  for (const std::string& line : lines) std::printf("%s\n", line.c_str());
+}
+
 }  // namespace
 
 int status_command(const std::vector<std::string>& words) {
@@ -118,15 +126,15 @@ int status_command(const std::vector<std::string>& words) {
   const std::int64_t now = monotonic_ns();
   if (arguments.has("--json")) {
     std::printf("%s\n", as_json(bus.seen(), now).dump(2).c_str());
+  } else if (arguments.has("--all") && !arguments.has("--watch")) {
+    print_lines(table_lines(bus.seen(), shares, now));
+    print_lines(channel_lines(bus.seen().processes(now)));
   } else if (!arguments.has("--watch")) {
-    for (const std::string& line : table_lines(bus.seen(), shares, now))
-      std::printf("%s\n", line.c_str());
-    for (const std::string& line : channel_lines(bus.seen().processes(now)))
-      std::printf("%s\n", line.c_str());
+    print_lines(short_lines(bus.seen(), shares, now));
   }
   if (!bus.seen().sources(now).empty()) return 0;
   if (!arguments.has("--watch")) {
-    std::fprintf(stderr, "status: no source is heard on %s; start one with ./twinbus up\n",
+    print_typed(stderr, "status: no source is heard on %s; start one with ./twinbus up\n",
                  bus.url().c_str());
   }
   return 1;

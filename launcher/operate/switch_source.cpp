@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "common/process/arguments.h"
+#include "common/process/command_word.h"
 #include "common/process/process.h"
 #include "launcher/bus/bus_arguments.h"
 #include "launcher/bus/bus_link.h"
@@ -17,6 +18,7 @@ namespace {
 
 constexpr double kActivation = 5.0;      // a source listens for others first [s]
 constexpr double kAskSwitchAgain = 0.2;  // a lost request is sent again, with its own sequence [s]
+constexpr double kAfterRefusal = 0.6;    // a refused one is asked anew: every refusal is an event [s]
 constexpr double kStandbyTimeout = 6.0;  // a shadow needs a fresh anchor [s]
 constexpr double kFollowTimeout = 4.0;   // for a shadow to get there [s]
 constexpr double kFollowing = 1.0;  // it has faded in and swings with the active source by then [s]
@@ -133,7 +135,7 @@ class Switch {
       // The switch before has just ended: the source takes the next one in a moment, and so does whoever asked.
       if (!refused_as(Refusal::kBusy, request, active_run_) || seconds_since(begin) > kBusyTimeout)
         break;
-      bus_.listen(kAskSwitchAgain);
+      bus_.listen(kAfterRefusal);
       request.sequence = 0;  // a refusal answers one sequence
     }
     why = reason(request, active_run_);
@@ -228,18 +230,21 @@ int activate(BusLink& bus, SourceKind kind, std::int64_t wanted_run) {
   request.run_id = request.target_run_id = target.status.run_id;
   const std::int64_t begin = monotonic_ns();
   while (!quit_requested() && seconds_since(begin) < kActivation) {
-    request.sequence =
-        0;  // a new one: a refusal answers one sequence, and its reason may have gone since
     bus.send(request);
     bus.listen(kAskSwitchAgain);
     const SeenSource* source = bus.seen().source(target.status.run_id);
-    if (source == nullptr || source->status.role != Role::kActive) continue;
-    std::printf("switch: nobody was active; %s is now\n", describe(*source).c_str());
+    if (source == nullptr) continue;
+    if (source->status.refusal != Refusal::kNone && source->status.refusal_sequence == request.sequence) {
+      request.sequence = 0;  // a new one: a refusal answers one sequence, and its reason may have gone since
+      bus.listen(kAfterRefusal);
+    }
+    if (source->status.role != Role::kActive) continue;
+    print_typed(stdout, "switch: nobody was active; %s is now\n", describe(*source).c_str());
     return 0;
   }
   const SeenSource* source = bus.seen().source(target.status.run_id);
   const Refusal why = source != nullptr ? source->status.refusal : Refusal::kNone;
-  std::fprintf(stderr, "switch: refused: %s\n",
+  print_typed(stderr, "switch: refused: %s\n",
                why != Refusal::kNone ? refusal_text(why) : "no answer in time");
   return 1;
 }
@@ -278,11 +283,11 @@ int switch_command(const std::vector<std::string>& words) {
   std::string why;
   if (!change.hand_over(policy == "now" ? SwitchPolicy::kNow : SwitchPolicy::kWhenSafe,
                         arguments.has("--align"), why)) {
-    std::fprintf(stderr, "switch: refused: %s\n", why.c_str());
+    print_typed(stderr, "switch: refused: %s\n", why.c_str());
     return 1;
   }
   const SeenSource* now_active = bus.seen().source(target.status.run_id);
-  std::printf("switch: %s took over from %s after %.0f ms, at tick %lld\n",
+  print_typed(stdout, "switch: %s took over from %s after %.0f ms, at tick %lld\n",
               describe(*now_active).c_str(), describe(from).c_str(), 1e3 * seconds_since(begin),
               static_cast<long long>(bus.seen().newest_state().tick));
   return 0;

@@ -11,7 +11,9 @@
 #include <map>
 #include <stdexcept>
 
+#include "common/file/beside_program.h"
 #include "common/process/arguments.h"
+#include "common/process/command_word.h"
 #include "common/text/closest_name.h"
 #include "launcher/stack/face_program.h"
 #include "launcher/stack/run_folder.h"
@@ -25,7 +27,7 @@ namespace fs = std::filesystem;
 // Becomes the program; command: how its --help calls it.
 [[noreturn]] void become(const std::string& program, const std::vector<std::string>& words,
                          const char* command = nullptr) {
-  if (command != nullptr) setenv("TWINBUS_COMMAND", command, 1);
+  if (command != nullptr) setenv("TWINBUS_COMMAND", as_typed(command).c_str(), 1);
   setenv("TWINBUS_BUILD", fs::path(program_folder()).parent_path().c_str(), 0);  // for scripts: types, programs
   std::vector<std::string> copy = words;
   std::string name = program;
@@ -114,13 +116,20 @@ std::string bench_list(const std::vector<std::string>& names) {
   return text;
 }
 
+// An installation has neither the programs that measure nor what they are built of.
+void refuse_if_installed(const std::string& command) {
+  if (program_is_installed())
+    throw std::runtime_error("an installation leaves out what measures and draws: ask for " + command +
+                             " in a checkout of the source tree");
+}
+
 }  // namespace
 
-int spy_command(const std::vector<std::string>& words) { become(script("spy.sh"), words); }
+int spy_command(const std::vector<std::string>& words) { become(script("spy.sh"), words, "./twinbus spy"); }
 
-int policy_command(const std::vector<std::string>& words) { become(script("policy.sh"), words); }
+int policy_command(const std::vector<std::string>& words) { become(script("policy.sh"), words, "./twinbus policy"); }
 
-int env_command(const std::vector<std::string>& words) { become(script("env.sh"), words); }
+int env_command(const std::vector<std::string>& words) { become(script("env.sh"), words, "./twinbus env"); }
 
 int gamepad_command(const std::vector<std::string>& words) {
   become(program_folder() + "/twinbus_gamepad", words, "./twinbus gamepad");
@@ -146,11 +155,13 @@ int record_command(const std::vector<std::string>& words) {
 }
 
 int bench_command(const std::vector<std::string>& words) {
+  refuse_if_installed("bench");
   const std::map<std::string, std::string> known = benches();
   std::vector<std::string> names;
   for (const auto& [name, program] : known) names.push_back(name);
   if (words.empty() || words[0] == "--help" || words[0] == "-h") {
-    std::printf(
+    print_typed(
+        stdout,
         "usage: ./twinbus bench [NAME] [OPTION...]\n"
         "Measures and prints median, 99th and 99.9th percentile and worst; without NAME lists what "
         "there is.\n"
@@ -171,6 +182,7 @@ int campaign_command(const std::vector<std::string>& words) {
 }
 
 int chart_command(const std::vector<std::string>& words) {
+  refuse_if_installed("chart");
   std::vector<std::string> names;
   std::string all;
   std::error_code ignored;
@@ -182,7 +194,8 @@ int chart_command(const std::vector<std::string>& words) {
     all += " " + names.back();
   }
   if (words.empty() || words[0] == "--help" || words[0] == "-h") {
-    std::printf(
+    print_typed(
+        stdout,
         "usage: ./twinbus chart NAME [--out DIR] [OPTION...]\n"
         "Measures and draws.  Other options are the chart's own: ./twinbus chart NAME --help.  "
         "There "

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "common/process/arguments.h"
+#include "common/process/command_word.h"
 #include "common/process/process.h"
 #include "control/walk/listed_steps.h"
 #include "control/walk/walk_gains.h"
@@ -43,7 +44,7 @@ bool enter_walk(BusLink& bus, ModeRequest& request) {
   if (bus.seen().controller_statuses().received() == 0)
     throw std::runtime_error("no controller is running");
   if (bus.seen().controller().mode == Mode::kWalk) return true;
-  std::fprintf(stderr, "walk: %s\n", why_it_stays(bus, request).c_str());
+  print_typed(stderr, "walk: %s\n", why_it_stays(bus, request).c_str());
   return false;
 }
 
@@ -82,8 +83,8 @@ void say_if_limited(const Model& model, std::int64_t running_hash, const WalkCom
   const Eigen::Vector3d asked = Eigen::Vector3f(command.vx, command.vy, command.wz).cast<double>();
   const Eigen::Vector3d possible = gait.possible(asked);
   if ((possible - asked).cwiseAbs().maxCoeff() < kSaidLimit) return;
-  std::printf("walk: limited to %.2f %.2f %.2f, more at once %s does not walk\n", possible.x(), possible.y(), possible.z(),
-              model.name.c_str());
+  print_typed(stdout, "walk: limited to %.2f %.2f %.2f, more at once %s does not walk\n", possible.x(), possible.y(),
+              possible.z(), model.name.c_str());
   std::fflush(stdout);
 }
 
@@ -104,16 +105,16 @@ int walk_steps(const Arguments& arguments) {
   }
   for (const std::string& event : bus.seen().take_events()) {
     if (event.find("footstep") == std::string::npos) continue;
-    std::fprintf(stderr, "walk: %s\n", event.c_str());
+    print_typed(stderr, "walk: %s\n", event.c_str());
     return 1;
   }
   const double time = gait.first_double + list.count * gait.period();
   if (!wait_for_rest(bus, time, 2.0 * time + 10.0)) {
-    std::fprintf(stderr, "walk: the robot was kept from walking its %d steps to the end\n",
+    print_typed(stderr, "walk: the robot was kept from walking its %d steps to the end\n",
                  static_cast<int>(list.count));
     return 1;
   }
-  std::printf("walk: done, %d steps\n", static_cast<int>(list.count));
+  print_typed(stdout, "walk: done, %d steps\n", static_cast<int>(list.count));
   return 0;
 }
 
@@ -158,7 +159,7 @@ int walk_command(const std::vector<std::string>& words) {
   const std::int64_t begin = monotonic_ns();
   while (!quit_requested() && seconds_since(begin) < duration) {
     if (const std::string why = why_it_ended(bus, request); !why.empty()) {
-      std::fprintf(stderr, "walk: ended after %.1f s: %s\n", seconds_since(begin), why.c_str());
+      print_typed(stderr, "walk: ended after %.1f s: %s\n", seconds_since(begin), why.c_str());
       return 1;
     }
     command.sequence = 0;                               // each its own
@@ -171,10 +172,11 @@ int walk_command(const std::vector<std::string>& words) {
   bus.send(command);
   bus.listen(0.05);
   if (const std::string why = why_it_ended(bus, request); !why.empty()) {
-    std::fprintf(stderr, "walk: %s\n", why.c_str());
+    print_typed(stderr, "walk: %s\n", why.c_str());
     return 1;
   }
-  std::printf("walk: done; the robot stands in mode walk and steps when it is pushed (./twinbus mode balance ends that)\n");
+  print_typed(stdout,
+              "walk: done; the robot stands in mode walk and steps when it is pushed (./twinbus mode balance ends that)\n");
   return 0;
 }
 

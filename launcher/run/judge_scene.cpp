@@ -197,10 +197,35 @@ Criteria for_robot(Criteria criteria, const Model& model, bool walks) {
   return criteria;
 }
 
-RunVerdict judge_scene(const OneProcess& run, const Criteria& asked, std::int64_t ticks) {
+namespace {
+
+// What is asked of a scene's end is not asked before.
+Criteria without_the_end(Criteria criteria, std::vector<std::string>& left_out) {
+  const auto leave_out = [&](bool asked, const std::string& what) {
+    if (asked) left_out.push_back(what);
+  };
+  leave_out(!std::isnan(criteria.travel_min_m) || !std::isnan(criteria.drift_max_m), "how far the robot ends from its start");
+  criteria.travel_min_m = criteria.drift_max_m = std::nan("");
+  for (const LooseEnd& end : criteria.loose) leave_out(true, "where loose body '" + end.name + "' ends");
+  for (const RobotEnd& end : criteria.robots) leave_out(true, "where robot '" + end.name + "' ends");
+  for (const JointEnd& end : criteria.joints) leave_out(true, "where joint " + end.name + " ends");
+  criteria.loose.clear();
+  criteria.robots.clear();
+  criteria.joints.clear();
+  for (SpinAsked& spin : criteria.spins) {
+    leave_out(spin.flips >= 0, "how often loose body '" + spin.name + "' flips");
+    spin.flips = -1;
+  }
+  return criteria;
+}
+
+}  // namespace
+
+RunVerdict judge_scene(const OneProcess& run, const Criteria& whole, std::int64_t ticks, bool part) {
   const RunFigures& f = run.seen().figures();
   const WalkFigures& w = run.walked();
   RunVerdict verdict;
+  const Criteria asked = part ? without_the_end(whole, verdict.left_out) : whole;
   verdict.ticks = run.ticks();
   verdict.source_missed = run.source().status().ticks_missed;
   verdict.controller_missed = run.seen().command().lost();
@@ -214,14 +239,14 @@ RunVerdict judge_scene(const OneProcess& run, const Criteria& asked, std::int64_
     failures.push_back("the robot touched itself or an obstacle in " +
                        std::to_string(f.self_collision_ticks) + " ticks" + run.first_touch());
   }
-  // NaN: not asked; a figure that is none fails.
+  // NaN: not asked; a figure that is none fails, or is left out of a part.
   const auto at_most = [&](double reached, double most, const char* format) {
     if (!std::isnan(most) && !(reached <= most))
-      failures.push_back(sentence(format, reached, most));
+      (part && !std::isfinite(reached) ? verdict.left_out : failures).push_back(sentence(format, reached, most));
   };
   const auto at_least = [&](double reached, double least, const char* format) {
     if (!std::isnan(least) && !(reached >= least))
-      failures.push_back(sentence(format, reached, least));
+      (part && !std::isfinite(reached) ? verdict.left_out : failures).push_back(sentence(format, reached, least));
   };
   at_most(kDegrees * f.max_tilt, asked.max_tilt_deg,
           "the base tilted %.2f degrees, at most %.2f were asked");
@@ -279,13 +304,25 @@ RunVerdict judge_scene(const OneProcess& run, const Criteria& asked, std::int64_
   at_most(static_cast<double>(run.trust().doubted), asked.max_doubted_steps,
           "the engine does not trust %.0f of its steps, at most %.0f were asked");
   if (run.energy().on() && !run.energy().begun())
-    failures.push_back("the servos worked all the time: of energy nothing can be said");
+    (part ? verdict.left_out : failures).push_back("the servos worked all the time: of energy nothing can be said");
   at_most(run.energy().drift(), asked.energy_drift_j,
           "the robot's energy was %.3g J off, at most %.3g J were asked");
   for (const JointEnd& end : asked.joints) judge_joint(run, end, failures);
   judge_loose(run.loose(), asked, failures);
-  if (run.touch().on()) judge_touch(run.touch(), asked.touch, failures);
-  if (run.swing().on()) judge_swing(run.swing(), asked.swing, failures);
+  if (run.touch().on()) {
+    if (part && !run.touch().begun()) {
+      verdict.left_out.push_back("the points at which the robot is touched");
+    } else {
+      judge_touch(run.touch(), asked.touch, failures);
+    }
+  }
+  if (run.swing().on()) {
+    if (part && !run.swing().seen()) {
+      verdict.left_out.push_back("the swing of joint " + asked.swing.joint);
+    } else {
+      judge_swing(run.swing(), asked.swing, failures);
+    }
+  }
   if (run.state().role == Role::kStopped) {
     const std::string cause = run.stop_cause();
     failures.push_back(std::string("the source is stopped (") + label(run.state().stop_kind) + ") by " +

@@ -15,7 +15,9 @@ namespace twinbus {
 // can give; of a robot that walks, and so stands on one foot, in proportion to soles narrower than 130 mm or shorter than 220.
 Criteria for_robot(Criteria criteria, const Model& model, bool walks = false);
 
-RunVerdict judge_scene(const OneProcess& run, const Criteria& asked, std::int64_t ticks);
+// part: only the beginning of the scene was run.  What is asked of its end, or was not measured by then, is left out and named
+// in left_out.
+RunVerdict judge_scene(const OneProcess& run, const Criteria& asked, std::int64_t ticks, bool part = false);
 
 // Lines for people: how it stood and, if it did, how it walked.
 std::string scene_figures(const OneProcess& run, const Criteria& asked);

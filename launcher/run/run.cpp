@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "common/process/arguments.h"
+#include "common/process/command_word.h"
 #include "launcher/run/accuracy.h"
 #include "launcher/run/judge_scene.h"
 #include "launcher/run/local_stack.h"
@@ -37,7 +38,8 @@ Syntax run_syntax() {
   return {"run",
           "SCENE",
           "Runs a scene in one process, without a bus, as fast as it goes, and judges it by the "
-          "scene's own criteria.\n"
+          "scene's own criteria;\n"
+          "shorter than the scene (--for) by what can be judged by then, and what is left out is said.\n"
           "SCENE is a name in config/scenes or a file.  Exit status 0 only if all of them hold.  "
           "The same line gives the\n"
           "same state_hash, which is also that of ./twinbus up SCENE --lockstep.  Settings of "
@@ -131,8 +133,17 @@ void print(const OneProcess& run, const Criteria& asked, const RunVerdict& verdi
   std::printf("state_hash %s\n", run.state_hash().c_str());
   for (const std::string& failure : verdict.failures) std::printf("FAILED: %s\n", failure.c_str());
   if (verdict.fell && std::filesystem::exists(robot))
-    std::printf("why: ./twinbus check %s names joints that are too weak and what looks wrong\n",
+    print_typed(stdout, "why: ./twinbus check %s names joints that are too weak and what looks wrong\n",
                 robot.c_str());
+  if (!verdict.left_out.empty()) {
+    std::printf("not judged, for this is only a part of the scene:");
+    const char* between = "";
+    for (const std::string& what : verdict.left_out) {
+      std::printf("%s %s", between, what.c_str());
+      between = ";";
+    }
+    std::printf("\n");
+  }
   if (verdict.passed) std::printf("passed\n");
 }
 
@@ -172,10 +183,8 @@ AccuracyRequest accuracy_of(const Arguments& arguments, const Scene& scene) {
   AccuracyRequest request;
   request.error = scene.accuracy;
   if (arguments.has("--accuracy")) {
-    request.error = metres_of(arguments.text("--accuracy", ""));
-    if (!(request.error > 0.0))
-      throw UsageError("run: --accuracy wants a length such as 0.001 or 1mm, not '" +
-                       arguments.text("--accuracy", "") + "'");
+    const std::string problem = read_accuracy(arguments.text("--accuracy", ""), request.error);
+    if (!problem.empty()) throw UsageError("run: --accuracy " + problem);
   }
   request.budget = 1e-3 * arguments.number("--budget", 0.0, 1e-4, 1e4);
   if (scene.fidelity == "auto" && !(request.error > 0.0) && !(request.budget > 0.0)) request.error = kAutoError;
@@ -337,7 +346,8 @@ int run_command(const std::vector<std::string>& words) {
     OneProcess reference(model, finer, config);
     force_error = rms_difference(forces, go(reference, ticks, false));
   }
-  RunVerdict verdict = judge_scene(run, scene.criteria, ticks);
+  const bool part = ticks < std::llround(scene.duration / model.period());
+  RunVerdict verdict = judge_scene(run, scene.criteria, ticks, part);
   if (choice && !choice->reason.empty()) {
     verdict.failures.push_back(choice->reason);
     verdict.passed = false;

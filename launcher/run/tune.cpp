@@ -63,10 +63,9 @@ struct Opened {
 
 double length_of(const Arguments& arguments, const std::string& option, double otherwise) {
   if (!arguments.has(option)) return otherwise;
-  const double length = metres_of(arguments.text(option, ""));
-  if (!(length > 0.0))
-    throw UsageError(option + " wants a length such as 0.001 or 1mm, not '" +
-                     arguments.text(option, "") + "'");
+  double length = 0.0;
+  const std::string problem = read_accuracy(arguments.text(option, ""), length);
+  if (!problem.empty()) throw UsageError(option + " " + problem);
   return length;
 }
 

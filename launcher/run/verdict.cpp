@@ -226,6 +226,7 @@ std::string report_json(const RunVerdict& verdict, const RunRequest& request, co
   report["lockstep"] = request.lockstep;
   report["waits_for_late_commands"] = request.patient;
   report["failures"] = verdict.failures;
+  report["left_out"] = verdict.left_out;
   return report.dump(2) + "\n";
 }
 

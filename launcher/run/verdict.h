@@ -54,6 +54,7 @@ struct RunVerdict {
   bool fell = false;
   bool passed = false;
   std::vector<std::string> failures;  // one sentence each
+  std::vector<std::string> left_out;  // what was asked and could not be judged: the run is only a part of its scene
 };
 
 MissedCounts missed_so_far(const Lookout& seen, std::int64_t now_ns);

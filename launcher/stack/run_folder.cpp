@@ -55,17 +55,46 @@ void write_file(const std::string& file, const std::string& text) {
   if (!stream) throw std::runtime_error("cannot write " + file);
 }
 
-std::string commit_of_program() {
-  // .git is read directly: git may not be installed where the program runs.
-  const fs::path git = fs::path(install_folder()) / ".git";
-  std::ifstream head(git / "HEAD");
+namespace {
+
+std::string first_line_of(const fs::path& file) {
+  std::ifstream stream(file);
   std::string line;
-  if (!std::getline(head, line)) return "unknown";
-  if (line.starts_with("ref: ")) {
-    std::ifstream reference(git / line.substr(5));
-    if (!std::getline(reference, line)) return "unknown";
-  }
+  std::getline(stream, line);
   return line;
+}
+
+// What a branch points at: a file of its own, or a line of packed-refs.
+std::string commit_of_branch(const fs::path& git, const std::string& name) {
+  if (const std::string loose = first_line_of(git / name); !loose.empty()) return loose;
+  std::ifstream packed(git / "packed-refs");
+  for (std::string line; std::getline(packed, line);) {
+    const std::size_t space = line.find(' ');
+    if (space != std::string::npos && line.substr(space + 1) == name) return line.substr(0, space);
+  }
+  return "unknown";
+}
+
+}  // namespace
+
+std::string commit_of_tree(const std::string& tree) {
+  // .git is read directly: git may not be installed where the program runs.
+  fs::path git = fs::path(tree) / ".git";
+  std::error_code ignored;
+  if (fs::is_regular_file(git, ignored)) {  // of a worktree: "gitdir: PATH"
+    const std::string line = first_line_of(git);
+    git = line.starts_with("gitdir: ") ? fs::path(tree) / line.substr(8) : fs::path();
+  }
+  const std::string head = first_line_of(git / "HEAD");
+  if (head.empty()) return "unknown";
+  if (!head.starts_with("ref: ")) return head;
+  const std::string common = first_line_of(git / "commondir");  // where a worktree's branches are
+  return commit_of_branch(common.empty() ? git : git / common, head.substr(5));
+}
+
+std::string commit_of_program() {
+  const std::string installed = first_line_of(fs::path(install_folder()) / "commit");
+  return program_is_installed() && !installed.empty() ? installed : commit_of_tree(install_folder());
 }
 
 }  // namespace twinbus

@@ -23,7 +23,9 @@ void write_file(const std::string& file, const std::string& text);
 std::string program_folder();
 std::string install_folder();
 
-// Of the source tree, or "unknown".
+// Of the source tree; of an installation, of the tree that it was made of; "unknown" where neither can be read.
 std::string commit_of_program();
+// Of a checkout or a worktree of git; "unknown" where it is none.
+std::string commit_of_tree(const std::string& tree);
 
 }  // namespace twinbus

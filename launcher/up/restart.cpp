@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "common/process/arguments.h"
+#include "common/process/command_word.h"
 #include "common/process/process.h"
 #include "launcher/stack/run_folder.h"
 
@@ -121,7 +122,7 @@ int restart_command(const std::vector<std::string>& words) {
     if (said.empty()) continue;
     ::unlink(answer.c_str());
     if (said != "ok" && !said.starts_with("ok ")) throw std::runtime_error(said);
-    std::printf("%s is started anew%s%s%s\n", arguments.word(0).c_str(),
+    print_typed(stdout, "%s is started anew%s%s%s\n", arguments.word(0).c_str(),
                 said == "ok" ? "" : "; it is parked and moves nothing until ./twinbus switch ",
                 said == "ok" ? "" : said.substr(3).c_str(), said == "ok" ? "" : " makes it active");
     return 0;

@@ -100,4 +100,14 @@ void start_anew(const Stack& stack, Supervisor& supervisor, BusLink& bus) {
   }
 }
 
+void drop_events_of_the_loop(std::vector<std::string>& events) {
+  constexpr std::array kKinds = {ProcessKind::kSimulator, ProcessKind::kBridge, ProcessKind::kReplay,
+                                 ProcessKind::kController, ProcessKind::kGuard, ProcessKind::kPlanner};
+  std::erase_if(events, [&](const std::string& event) {
+    return std::any_of(kKinds.begin(), kKinds.end(), [&](ProcessKind kind) {
+      return event.starts_with(std::string(process_name(kind)) + ": ");
+    });
+  });
+}
+
 }  // namespace twinbus

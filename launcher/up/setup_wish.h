@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "launcher/bus/bus_link.h"
 #include "launcher/up/setup.h"
@@ -42,5 +43,8 @@ void fill_in(const Setup& setup, Placeholders& values);
 // Starts simulator, controller, guard and planner of the stack anew and waits until the new simulator is heard.  Throws
 // std::runtime_error when it is not within 10 s.
 void start_anew(const Stack& stack, Supervisor& supervisor, BusLink& bus);
+
+// Takes out what sources, controller, guard and planner say of themselves when they begin anew.
+void drop_events_of_the_loop(std::vector<std::string>& events);
 
 }  // namespace twinbus

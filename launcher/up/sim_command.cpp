@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "common/process/arguments.h"
+#include "common/process/command_word.h"
 #include "common/process/process.h"
 #include "common/text/closest_name.h"
 #include "launcher/bus/bus_arguments.h"
@@ -38,6 +39,7 @@ int ask_simulator(const Arguments& arguments, SimRequest& request) {
     throw std::runtime_error("the active source is a " +
                              std::string(source_name(active->status.source)) +
                              ", not a simulator; ./twinbus switch sim makes one active");
+  if (request.action == SimAction::kPush) refuse_while_paused(bus.seen(), monotonic_ns());
   request.run_id = active->status.run_id;
   if (request.action == SimAction::kPush && active->status.model_hash != request.model_hash)
     throw std::runtime_error("the robot that runs is another one: say --robot");
@@ -52,7 +54,7 @@ int ask_simulator(const Arguments& arguments, SimRequest& request) {
     for (const std::string& event : bus.seen().take_events()) {
       if (!event.starts_with("simulator: ")) continue;
       const bool refused = event.find("refused") != std::string::npos;
-      std::fprintf(refused ? stderr : stdout, "%s\n", event.c_str());
+      print_typed(refused ? stderr : stdout, "%s\n", event.c_str());
       return refused ? 1 : 0;
     }
   }
@@ -71,7 +73,7 @@ int reset_world() {
     std::string line;
     if (!std::getline(stream, line)) continue;
     if (!line.starts_with("ok ")) throw std::runtime_error(line.substr(3));
-    std::printf("sim: %s\n", line.substr(3).c_str());
+    print_typed(stdout, "sim: %s\n", line.substr(3).c_str());
     return 0;
   }
   throw std::runtime_error("the stack does not answer");

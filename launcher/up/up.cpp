@@ -9,6 +9,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "common/process/command_word.h"
 #include "common/process/process.h"
 #include "launcher/bus/bus_health.h"
 #include "launcher/bus/bus_link.h"
@@ -81,6 +82,7 @@ class Up {
   std::unique_ptr<SetupWishes> wishes_;
   Placeholders values_;
   Redraw redraw_;
+  std::vector<std::string>* held_back_ = nullptr;  // while the run begins anew: what is said only if that fails
   CpuShare shares_;
   BusHealth health_;
   EventGroups groups_;
@@ -175,8 +177,9 @@ Placeholders Up::placeholders(const Arguments& arguments) const {
 }
 
 void Up::say(const std::string& line) {
+  if (held_back_ != nullptr) return held_back_->push_back(line);
   redraw_.clear();
-  std::printf("up: %s\n", line.c_str());
+  print_typed(stdout, "up: %s\n", line.c_str());
   std::fflush(stdout);
 }
 
@@ -315,6 +318,8 @@ void Up::wait_for_first_commands() {
 // As if it had been started so: the run begins anew, its log goes on.
 void Up::set_up(const std::string& wish) {
   std::string problem;
+  std::vector<std::string> lines;
+  held_back_ = &lines;
   try {
     const Setup setup = wishes_->prepare(wish, request_.robot, stack_, bus_->seen());
     scene_ = load_scene(setup.scene);
@@ -328,6 +333,16 @@ void Up::set_up(const std::string& wish) {
   } catch (const std::exception& error) {
     problem = error.what();
   }
+  held_back_ = nullptr;
+  std::vector<std::string> events = bus_->seen().take_events();
+  // That everything ended and started is what was asked; only where it failed it is told how far it came.
+  if (problem.empty()) {
+    lines.clear();
+    drop_events_of_the_loop(events);
+  }
+  for (const std::string& line : groups_.take(events, monotonic_ns())) lines.push_back(line);
+  for (const std::string& line : lines) say(line);
+  health_ = BusHealth();  // everybody counts from another tick on
   // It comes back as an event and is said then.
   bus_->tell(wishes_->answer(wish, problem), problem.empty() ? 0 : 2);
 }
@@ -354,7 +369,7 @@ bool Up::is_over(std::int64_t now_ns) {
 void Up::show(std::int64_t now_ns) {
   for (const std::string& line : groups_.take(bus_->seen().take_events(), now_ns)) say(line);
   for (const std::string& alarm :
-       health_.look(bus_->seen().processes(now_ns), now_ns, is_paused(bus_->seen(), now_ns)))
+       health_.look(bus_->seen().processes(now_ns), now_ns, has_own_clock(bus_->seen(), now_ns)))
     bus_->alarm(alarm);  // it comes back as an event and is said then
   const std::int64_t last = shown_ns_ == 0 && !terminal_ ? start_ns_ : shown_ns_;
   if (last != 0 && seconds(last, now_ns) < (terminal_ ? kTableEvery : kLineEvery)) return;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -24,6 +25,7 @@ namespace twinbus {
 namespace {
 
 constexpr double kDay = 86400.0;
+constexpr double kLeastAccuracy = 1e-9, kMostAccuracy = 0.1;  // [m]
 constexpr std::size_t kMaxObstacles = 200;
 // Planner and guard leave none of a scene's out.
 static_assert(kMaxObstacles <= static_cast<std::size_t>(Collision::kMaxObstacles));
@@ -290,6 +292,16 @@ double metres_of(const std::string& text) {
   return end != text.c_str() && std::isfinite(metres) && metres > 0.0 ? metres : 0.0;
 }
 
+std::string read_accuracy(const std::string& text, double& metres) {
+  metres = metres_of(text);
+  if (!(metres > 0.0)) return "must be a length such as 0.001 or 1mm, not '" + text + "'";
+  if (metres >= kLeastAccuracy && metres <= kMostAccuracy) return "";
+  char problem[160];
+  std::snprintf(problem, sizeof problem, "is %g m, and must be from 1e-9 to 0.1 m; millimetres are written %gmm", metres,
+                std::strtod(text.c_str(), nullptr));
+  return problem;
+}
+
 std::vector<std::string> scene_names() {
   namespace fs = std::filesystem;
   std::error_code ignored;
@@ -321,8 +333,8 @@ Scene load_scene(const std::string& name_or_file) {
   scene.duration = top.number("duration", 0.01, kDay, scene.duration);
   scene.step = top.number("step", 1e-5, 0.1, scene.step);
   if (top.has("accuracy")) {
-    scene.accuracy = metres_of(top.text("accuracy"));
-    if (!(scene.accuracy > 0.0)) top.fail("accuracy", "must be a length such as 0.001 or 1 mm");
+    const std::string problem = read_accuracy(top.text("accuracy"), scene.accuracy);
+    if (!problem.empty()) top.fail("accuracy", problem);
   }
   scene.fidelity = kFidelityNames[top.choice("fidelity", {std::begin(kFidelityNames), std::end(kFidelityNames)}, 0)];
   scene.held = top.texts("held");

@@ -182,6 +182,8 @@ Scene load_scene(const std::string& name_or_file);
 
 // "0.001", "1 mm", "0.1mm", "20 um" as metres; 0 if it is none of these or not positive.
 double metres_of(const std::string& text);
+// The same of an accuracy.  What is wrong with it, to be read after its key, or empty: a plain 1 is a metre, which nobody means.
+std::string read_accuracy(const std::string& text, double& metres);
 
 // Of config/scenes, by alphabet.
 std::vector<std::string> scene_names();

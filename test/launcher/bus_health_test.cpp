@@ -53,6 +53,18 @@ TEST(BusHealth, WhatAPauseLeftBehindInHeartbeatsIsNoSilence) {
   EXPECT_EQ(heard.second(0, 0, 0, 900.0F).size(), 1u);
 }
 
+// sim pace 5: the guard looks at the newest state, as fast as it can.
+TEST(BusHealth, WhoeverDoesNotKeepUpWithAHurriedWorldIsNoAlarm) {
+  Heard heard;
+  for (int i = 0; i < 7; ++i) heard.second(500, 0, 0, 1.0F);
+  for (int i = 0; i < 5; ++i) EXPECT_TRUE(heard.second(1500, 1000, 0, 1.0F, true).empty());
+  EXPECT_TRUE(heard.second(500, 100, 0, 1.0F).empty());  // what its last heartbeat tells
+  for (int i = 0; i < 2; ++i) heard.second(500, 0, 0, 1.0F);
+  std::size_t alarms = 0;
+  for (int i = 0; i < 2; ++i) alarms += heard.second(400, 100, 0, 1.0F).size();
+  EXPECT_EQ(alarms, 1u);
+}
+
 TEST(BusHealth, MissingAndRefusedMessagesAreSaidOnceInAWhile) {
   Heard heard;
   heard.second(500, 0, 0, 1.0F);
@@ -119,7 +131,8 @@ TEST(BusHealth, TheTableNamesProcessAndChannel) {
   Heard heard;
   heard.second(500, 20, 0, 1.0F);
   const std::vector<std::string> lines = channel_lines({&heard.process()});
-  ASSERT_EQ(lines.size(), 3u);
+  ASSERT_EQ(lines.size(), 5u);
+  for (const std::string& line : lines) EXPECT_EQ(line.find('\n'), std::string::npos) << line;
   EXPECT_NE(lines[1].find("controller"), std::string::npos);
   EXPECT_NE(lines[1].find("STATE"), std::string::npos);
   EXPECT_NE(lines[2].find("lost: numbers that never came"), std::string::npos);

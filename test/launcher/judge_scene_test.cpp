@@ -2,9 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
+#include "launcher/run/local_stack.h"
 #include "robot/description/load.h"
+#include "sim/scene/scene_seed.h"
 
 namespace twinbus {
 namespace {
@@ -54,6 +59,41 @@ TEST(SceneFit, MarginsAreThoseOfTheSoles) {
   model.soles = {};
   const Criteria none = for_robot(asked, model);
   EXPECT_TRUE(std::isnan(none.zmp_margin_p5_mm) && std::isnan(none.zmp_margin_min_mm) && std::isnan(none.slip_max_mm));
+}
+
+RunVerdict judged(const char* name, double seconds, bool part, double max_tilt_deg = std::nan("")) {
+  Scene scene = load_scene(name);
+  const Model model = load_robot(scene.robot);
+  fit_scene(scene, model);
+  apply_seed(scene, model, 1);
+  if (!std::isnan(max_tilt_deg)) scene.criteria.max_tilt_deg = max_tilt_deg;
+  OneProcess process(model, scene, {});
+  const std::int64_t ticks = std::llround(seconds / model.period());
+  while (process.ticks() < ticks && process.tick()) {
+  }
+  return judge_scene(process, scene.criteria, ticks, part);
+}
+
+bool has(const std::vector<std::string>& lines, const char* words) {
+  return std::any_of(lines.begin(), lines.end(), [&](const std::string& line) { return line.find(words) != std::string::npos; });
+}
+
+TEST(PartOfAScene, IsJudgedByWhatCanBeJudgedAndTheRestIsNamed) {
+  const RunVerdict whole = judged("walk_forward", 0.6, false);
+  EXPECT_TRUE(has(whole.failures, "m from its start, at least 5.00 m")) << testing::PrintToString(whole.failures);
+  const RunVerdict part = judged("walk_forward", 0.6, true);
+  EXPECT_TRUE(part.passed) << testing::PrintToString(part.failures);
+  EXPECT_TRUE(has(part.left_out, "how far the robot ends")) << testing::PrintToString(part.left_out);
+  EXPECT_TRUE(has(part.left_out, "the velocity was")) << testing::PrintToString(part.left_out);
+  const RunVerdict tilted = judged("walk_forward", 0.6, true, 0.0);
+  EXPECT_FALSE(tilted.passed);
+  EXPECT_TRUE(has(tilted.failures, "the base tilted"));
+}
+
+TEST(PartOfAScene, WhereLooseBodiesEndIsLeftOut) {
+  const RunVerdict part = judged("bounce_wall", 0.02, true);
+  EXPECT_TRUE(part.passed) << testing::PrintToString(part.failures);
+  EXPECT_TRUE(has(part.left_out, "ends")) << testing::PrintToString(part.left_out);
 }
 
 }  // namespace

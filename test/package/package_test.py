@@ -44,6 +44,26 @@ def install(build, folder):
     return folder / "installed"
 
 
+def words(prefix, clean):
+    """An installation speaks of `twinbus`, says what it leaves out, and knows its commit."""
+    twinbus = prefix / "bin" / "twinbus"
+    commit = subprocess.run(["git", "-C", TREE, "rev-parse", "HEAD"], capture_output=True, text=True).stdout.strip() or "unknown"
+    assert f"commit {commit}" in run(twinbus, "--version", env=clean), commit
+    said = run(twinbus, "--help", env=clean)
+    commands = re.findall(r"^  ([a-z]+) +\S", said, re.M)
+    assert len(commands) > 25 and not {"bench", "chart", "test"} & set(commands) and "leaves out" in said, said
+    tries = [[command, "--help"] for command in commands] + [[command] for command in ("bench", "chart", "run", "check", "log", "campaign")]
+    tries += [["walk", "0.3", "0", "0"], ["stop"], ["clear"], ["status"], ["reach", "left", "0", "0", "0"], ["sim", "go"], ["sim", "reset"],
+              ["up", "--stack", "replay"], ["run", "no_such_scene"], ["restart", "guard"], ["switch", "sim"], ["doctor"], ["spy", "--no"],
+              ["env", "--no"], ["campaign", "--out"], ["log", "--help"], ["scenes", "no", "such", "words"]]
+    for line in tries:
+        done = subprocess.run([twinbus, *line], env=clean, capture_output=True, text=True, timeout=60, stdin=subprocess.DEVNULL)
+        assert "./twinbus" not in done.stdout + done.stderr, f"{line}: {done.stdout}{done.stderr}"
+    for command in ("bench", "chart"):
+        done = subprocess.run([twinbus, command], env=clean, capture_output=True, text=True)
+        assert done.returncode == 1 and "checkout of the source tree" in done.stderr, done.stderr
+
+
 def programs(prefix, clean):
     twinbus = prefix / "bin" / "twinbus"
     assert "up" in run(twinbus, "--help", env=clean)
@@ -96,6 +116,7 @@ def main():
             points = re.search(r"((?<![\w.})-])|(?<=-[IL]))" + re.escape(TREE) + r"(?![\w.-])", file.read_text())
             assert not points, f"{file} points into the source tree"
         programs(prefix, clean)
+        words(prefix, clean)
         outside = folder / "build"
         generator = ["-G", "Ninja"] if shutil.which("ninja") else []  # `make` need not be installed
         said = run("cmake", *generator, "-S", HERE / "outside", "-B", outside, f"-DCMAKE_PREFIX_PATH={prefix}", "-DCMAKE_BUILD_TYPE=Release")

@@ -19,6 +19,14 @@ def states(bus):
     return sum(1 for _ in bus.messages("STATE"))
 
 
+def refused(checks, bus, *expected):
+    """A reach that cannot be: nothing is asked of the planner."""
+    start = len(bus.records)
+    status, _, problem = cli("reach", "left", "0.35", "0.25", "0.75")
+    asked = sum(1 for _ in bus.messages("ARM_GOAL", start=start))
+    checks.that(status == 1 and asked == 0 and all(words in problem for words in expected), f"reach: {problem}, {asked} goals")
+
+
 def main():
     harness.require("twinbus", "twinbus_simulator", "twinbus_controller", "twinbus_guard")
     checks = Checks()
@@ -40,7 +48,8 @@ def main():
         checks.that(states(bus) == before, "no tick while it is paused")
         status, said, _ = cli("status")
         checks.that(status == 0, f"it is there all the same: {said[:200]}")
-        for words in (("walk", "0.3", "0", "0"), ("sway",), ("pose", "CHEST=0.1"), ("mode", "walk"), ("reach", "left", "0.3", "0.2", "0.9")):
+        for words in (("walk", "0.3", "0", "0"), ("sway",), ("pose", "CHEST=0.1"), ("mode", "walk"), ("reach", "left", "0.3", "0.2", "0.9"),
+                      ("push", "CHEST", "40", "0", "0")):
             status, _, problem = cli(*words)
             checks.that(status == 1 and "is paused: ./twinbus sim go" in problem, f"{words[0]} while it is paused: {problem}")
         checks.that(cli("sim", "step", "25")[0] == 0, "25 ticks")
@@ -51,6 +60,8 @@ def main():
         ticks = [s.tick for _, s in bus.messages("STATE")]
         checks.that(ticks == list(range(ticks[0], ticks[0] + len(ticks))), "no tick is left out")
         checks.that(bus.newest("STATE")[1].stop_kind == 0, "and nothing has stopped the robot")
+        late = [t for _, t in bus.messages("TRUTH", time.monotonic_ns() - 900_000_000) if t.push_force[0] > 1]
+        checks.that(not late, f"nor is it pushed later: {len(late)} ticks")
         controller = bus.newest("CONTROLLER_STATUS")[1]
         checks.that(controller.mode == BALANCE and controller.motion == 0, f"nor does it what was asked meanwhile: {controller.mode}")
 
@@ -59,7 +70,15 @@ def main():
         before = states(bus)
         time.sleep(2.0)
         checks.that(120 <= states(bus) - before <= 280, f"200 ticks in two seconds: {states(bus) - before}")
+        heard = len(stack.lines)
+        checks.that(cli("sim", "pace", "5")[0] == 0, "five times faster")
+        time.sleep(8.0)  # a process and its channels are watched after five seconds
+        alarms = [line for line in stack.lines[heard:] if "are missing" in line or "hears nothing" in line]
+        checks.that(not alarms, f"nobody is blamed for not keeping up: {''.join(alarms)}")
         checks.that(cli("sim", "pace", "1")[0] == 0, "real time again")
+        time.sleep(3.0)
+        alarms = [line for line in stack.lines[heard:] if "are missing" in line or "hears nothing" in line]
+        checks.that(not alarms, f"nor for what was before: {''.join(alarms)}")
 
         checks.that(cli("sim", "pause")[0] == 0, "pause")
         status, said, problem = cli("stop")
@@ -70,6 +89,7 @@ def main():
         checks.that(cli("sim", "go")[0] == 0, "it goes on")
         time.sleep(0.5)
         checks.that(bus.newest("STATE")[1].stop_kind != 0, "and stops")
+        refused(checks, bus, "is stopped (", "clear ends that")
         checks.that(cli("clear")[0] == 0 and cli("mode", "balance")[0] == 0, "it is cleared")
 
         checks.that(cli("push", "CHEST", "900", "0", "0", "--for", "0.4")[0] == 0, "a push that nobody survives")
@@ -80,12 +100,16 @@ def main():
         checks.that(source.stop_reason == 10, f"with a reason of its own, fallen: {source.stop_reason}")
         told = [harness.text_of(e) for _, e in bus.messages("EVENT") if "the robot has fallen: " in harness.text_of(e)]
         checks.that(any("in mode balance" in t or "no time on its processor" in t for t in told), f"what led to it is said: {told}")
+        refused(checks, bus, "has fallen: ./twinbus sim reset")
+        heard = len(stack.lines)
         status, said, problem = cli("sim", "reset", timeout=60)
         checks.that(status == 0, f"reset: {said}{problem}")
         _, stands = bus.wait_for("STATE", lambda s: s.role == 2 and s.stop_kind == 0, 10.0)
         time.sleep(1.0)
         truth = bus.newest("TRUTH")[1]
         checks.that(stands is not None and not truth.fell and truth.base_position[2] > 0.5, "it stands again")
+        told = [line for line in stack.lines[heard:] if " s  STATE" not in line]
+        checks.that(len(told) <= 2 and any("has begun anew" in line for line in told), f"and that is said in a line: {''.join(told)}")
 
         for words, expected in ((("push", "CHES", "9", "0", "0"), "did you mean CHEST?"), (("sim", "paus"), "did you mean pause?"),
                                 (("push", "CHEST", "9", "0"), "needs LINK FX FY FZ"), (("sim", "pace", "1000"), "X must be"), (("sim", "step", "0"), "TICKS"), (("sim", "step", "1.5"), "whole number")):

@@ -49,12 +49,17 @@ def refuses_a_second_one(checks, stack):
 def stop_and_clear(checks):
     status, out, err = cli("stop", "hold")
     checks.that(status == 0 and "hold" in out, f"stop is confirmed: {out}{err}")
+    out = cli("status")[1]
+    checks.that(out.startswith("ACT: the robot is stopped (hold) by the operator: ./twinbus clear"), f"status says first what has to be done: {out}")
     status, out, err = cli("clear")
     checks.that(status == 0, f"clear is confirmed: {out}{err}")
     status, out, err = cli("sway")
     checks.that(status == 0 and "the robot sways (./twinbus mode balance ends that)" in out, f"sway says how it ends: {out}{err}")
     status, out, err = cli("status")
-    checks.that("robot: mode balance, sways" in out and "rejected: of another run" in out, f"status says that it sways: {out}")
+    checks.that("robot: mode balance, sways" in out, f"status says that it sways: {out}")
+    checks.that(out.startswith("nothing needs acting on\n") and len(out.splitlines()) <= 16, f"status is short: {out}")
+    whole = cli("status", "--all")[1]
+    checks.that("rejected: of another run" in whole and re.search(r"guard +STATE +[0-9]+ ", whole) is not None, f"--all has the channels: {whole}")
     busy = [line for line in out.splitlines() if re.match(r"  simulator +[0-9.]+ +[0-9]+ +[1-9]", line)]
     checks.that(len(busy) == 1, f"status says what share of a processor each takes: {out}")
     status, out, err = cli("mode", "balance")

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <utility>
 
 #include "robot/description/load.h"
 #include "sim/scene/scene_ties.h"
@@ -229,6 +230,20 @@ TEST(Scene, ARobotWithOneHandUsesItForEitherAndAFixedOneHolds) {
   EXPECT_EQ(scene.goals[0].goal.side, ArmSide::kRight);
   EXPECT_NE(scene.goals[0].goal.joint_mask, 0);
   EXPECT_EQ(scene.modes[0].request.mode, Mode::kHold);
+}
+
+TEST(Accuracy, IsALengthWithItsUnitAndAPlainOneIsNotTakenForAMillimetre) {
+  double metres = 0.0;
+  for (const auto& [text, asked] : {std::pair("0.001", 1e-3), std::pair("1mm", 1e-3), std::pair("0.1 mm", 1e-4),
+                                    std::pair("20 um", 2e-5), std::pair("1cm", 1e-2), std::pair("0.1", 0.1)}) {
+    EXPECT_EQ(read_accuracy(text, metres), "") << text;
+    EXPECT_DOUBLE_EQ(metres, asked) << text;
+  }
+  for (const char* text : {"1", "1m", "0.11", "1e-10", "20"})
+    EXPECT_NE(read_accuracy(text, metres).find("from 1e-9 to 0.1 m"), std::string::npos) << text;
+  EXPECT_EQ(read_accuracy("1", metres), "is 1 m, and must be from 1e-9 to 0.1 m; millimetres are written 1mm");
+  for (const char* text : {"", "mm", "-1mm", "0", "1 inch", "nan", "inf", "1e400", "0x"})
+    EXPECT_NE(read_accuracy(text, metres).find("must be a length"), std::string::npos) << text;
 }
 
 }  // namespace

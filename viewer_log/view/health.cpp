@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "lcmtypes/msg/labels.h"
+#include "lcmtypes/msg/pace.h"
 #include "lcmtypes/msg/reports.h"
 #include "lcmtypes/msg/requests.h"
 
@@ -36,19 +37,17 @@ bool any_source(const StackView& view, std::int64_t now_ns) {
   return false;
 }
 
-constexpr std::int8_t kPaused = 4, kSlowed = 5, kPatient = 6;  // SourceStatus::pace
-
-// Of the source that is shown; 0 when it is not heard.
-std::int8_t pace_of(const StackView& view, std::int64_t now_ns) {
+// Of the source that is shown; none of these when it is not heard.
+Pace pace_of(const StackView& view, std::int64_t now_ns) {
   for (const auto& source : view.sources()) {
     if (source.value.run_id == view.state().value.run_id && source.fresh(now_ns, kSourceSilent))
-      return source.value.pace;
+      return static_cast<Pace>(source.value.pace);
   }
-  return 0;
+  return Pace{};
 }
 
 Health without_state(const StackView& view, std::int64_t now_ns) {
-  if (view.state().at_ns != 0 && pace_of(view, now_ns) == kPaused)
+  if (view.state().at_ns != 0 && pace_of(view, now_ns) == Pace::kPaused)
     return {HealthLevel::kWaiting, "The simulated world is paused.",
             "Go on, or one tick at a time."};
   if (any_source(view, now_ns)) {
@@ -64,8 +63,8 @@ Health without_state(const StackView& view, std::int64_t now_ns) {
 
 // The real-time factor says something only where time is meant to be real.
 bool paced(const StackView& view, std::int64_t now_ns) {
-  const std::int8_t pace = pace_of(view, now_ns);
-  return pace == 1 || pace == kPatient;
+  const Pace pace = pace_of(view, now_ns);
+  return pace == Pace::kRealTime || pace == Pace::kPatient;
 }
 
 }  // namespace
@@ -118,9 +117,9 @@ Health assess(const StackView& view, std::int64_t now_ns) {
   if (paced(view, now_ns) && view.realtime_factor() > 0.0 && view.realtime_factor() < kSlow) {
     return {HealthLevel::kWarning,
             "Slower than real time: factor " + two_decimals(view.realtime_factor()) +
-                (pace_of(view, now_ns) == kPatient ? ": the simulated world waits for late commands." : ".")};
+                (pace_of(view, now_ns) == Pace::kPatient ? ": the simulated world waits for late commands." : ".")};
   }
-  if (pace_of(view, now_ns) == kSlowed) {
+  if (pace_of(view, now_ns) == Pace::kSlowed) {
     return {HealthLevel::kGood, "Slowed down on purpose: " + two_decimals(view.realtime_factor()) +
                                     " times real time."};
   }

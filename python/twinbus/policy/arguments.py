@@ -4,6 +4,8 @@ from __future__ import annotations
 import argparse
 import pathlib
 
+from ..home import as_typed
+
 REMEDY = ('onnxruntime, numpy or PyYAML is missing: python3 -m venv ~/twinbus-policy && ~/twinbus-policy/bin/pip install onnxruntime pyyaml, '
           'then TWINBUS_POLICY_PYTHON=~/twinbus-policy/bin/python3 ./twinbus policy ...')
 ABOUT = '''Runs a learned policy (ONNX) as the controller: STATE in, COMMAND out.  Start it first, then the stack:
@@ -16,7 +18,7 @@ What it reads and moves is said by, in this order: --spec FILE, MODEL.spec.yaml 
 
 
 def parser() -> argparse.ArgumentParser:
-    made = argparse.ArgumentParser(prog='./twinbus policy', description=ABOUT, formatter_class=argparse.RawDescriptionHelpFormatter)
+    made = argparse.ArgumentParser(prog=as_typed('./twinbus policy'), description=as_typed(ABOUT), formatter_class=argparse.RawDescriptionHelpFormatter)
     made.add_argument('model', metavar='MODEL.onnx', type=pathlib.Path)
     made.add_argument('--spec', default='', metavar='FILE', help='SPEC.yaml, deploy.yaml or env.yaml')
     made.add_argument('--robot', default='', metavar='ROBOT', help='a name under config/robots or a folder; default: the robot on the bus')

@@ -6,6 +6,7 @@ import pathlib
 import sys
 
 from ..bus import Bus
+from ..home import as_typed
 from . import answer_map, check, find, robot, spec, suspects, trial
 from . import propose as begin
 from .controller import Controller
@@ -52,7 +53,7 @@ def propose(words: argparse.Namespace) -> int:
     except Refused:
         raise
     except PolicyError as error:
-        print(f'policy: {error}', file=sys.stderr)
+        print(as_typed(f'policy: {error}'), file=sys.stderr)
         print('policy: so this is a guess; look at everything under `assumed`', file=sys.stderr)
         found = begin.propose(network, known)
     text = spec.to_text(found)
@@ -63,7 +64,8 @@ def propose(words: argparse.Namespace) -> int:
     if target.exists():
         raise PolicyError(f'{target} is there already; --output says another file, --output - prints it')
     target.write_text(text)
-    print(f'policy: written: {target} (from {found.source}); next: ./twinbus policy {words.model} --spec {target} --check --robot {words.robot}')
+    print(as_typed(f'policy: written: {target} (from {found.source}); next: ./twinbus policy {words.model} --spec {target} --check '
+                   f'--robot {words.robot}'))
     return 0
 
 
@@ -139,10 +141,10 @@ def main(words: argparse.Namespace) -> int:
     try:
         return propose(words) if words.propose else check_it(words) if words.check else map_it(words) if words.map else run(words)
     except PolicyError as error:
-        print(f'policy: {error}', file=sys.stderr)
+        print(as_typed(f'policy: {error}'), file=sys.stderr)
         return 1
     except OSError as error:
-        print(f'policy: {error}', file=sys.stderr)
+        print(as_typed(f'policy: {error}'), file=sys.stderr)
         return 1
     except KeyboardInterrupt:
         return 0

@@ -1,0 +1,98 @@
+#include "launcher/bus/live_table.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "lcmtypes/msg/pace.h"
+
+namespace twinbus {
+namespace {
+
+constexpr std::int64_t kNow = 10'000'000'000;  // [ns]
+
+SourceStatus source_of(SourceKind kind, Role role, std::int64_t run) {
+  SourceStatus status;
+  status.source = kind;
+  status.role = role;
+  status.run_id = run;
+  status.term = 1;
+  status.pace = static_cast<std::int8_t>(Pace::kRealTime);
+  return status;
+}
+
+// A simulator that stands by nothing, and a controller, both heard a moment ago.
+Lookout healthy(const SourceStatus& status = source_of(SourceKind::kSimulator, Role::kActive, 7)) {
+  Lookout seen;
+  seen.on_source_status(status, kNow);
+  FullHeartbeat beat;
+  beat.process_id = 8;
+  beat.pid = -1;
+  beat.kind = ProcessKind::kController;
+  beat.channels = 1;
+  beat.channel[0] = 1;
+  beat.channel_received[0] = 500;
+  seen.on_heartbeat(beat, kNow);
+  seen.on_command({}, kNow);
+  seen.on_controller_status({}, kNow);
+  return seen;
+}
+
+bool has(const std::vector<std::string>& lines, const std::string& words) {
+  return std::any_of(lines.begin(), lines.end(), [&](const std::string& line) { return line.find(words) != std::string::npos; });
+}
+
+TEST(ActingLines, AreNoneWhileAllIsWell) { EXPECT_TRUE(acting_lines(healthy(), kNow).empty()); }
+
+TEST(ActingLines, NameWhatIsWrongWithItsRemedy) {
+  SourceStatus stopped = source_of(SourceKind::kSimulator, Role::kStopped, 7);
+  stopped.stop_kind = StopKind::kHold;
+  stopped.stop_reason = StopReason::kOperator;
+  EXPECT_TRUE(has(acting_lines(healthy(stopped), kNow), "the robot is stopped (hold) by the operator: ./twinbus clear"));
+
+  Lookout standby = healthy();
+  SourceStatus bridge = source_of(SourceKind::kBridge, Role::kParked, 9);
+  bridge.stop_kind = StopKind::kOff;
+  standby.on_source_status(bridge, kNow);
+  EXPECT_TRUE(has(acting_lines(standby, kNow), "bridge is stopped (off)"));
+
+  SourceStatus paused = source_of(SourceKind::kSimulator, Role::kActive, 7);
+  paused.pace = static_cast<std::int8_t>(Pace::kPaused);
+  Lookout still = healthy(paused);
+  EXPECT_TRUE(has(acting_lines(still, kNow), "./twinbus sim go"));
+
+  const Lookout parked = healthy(source_of(SourceKind::kBridge, Role::kParked, 7));
+  EXPECT_TRUE(has(acting_lines(parked, kNow), "no source is active (bridge): ./twinbus switch"));
+
+  Lookout alone;
+  alone.on_source_status(source_of(SourceKind::kSimulator, Role::kActive, 7), kNow);
+  EXPECT_TRUE(has(acting_lines(alone, kNow), "nobody commands the robot"));
+
+  Lookout unguarded = healthy();
+  unguarded.on_guard({}, kNow - 3'000'000'000);
+  EXPECT_TRUE(has(acting_lines(unguarded, kNow), "the guard is silent: ./twinbus restart guard"));
+
+  Lookout fallen = healthy(stopped);
+  SimTruth truth;
+  truth.fell = true;
+  fallen.on_truth(truth, kNow);
+  EXPECT_TRUE(has(acting_lines(fallen, kNow), "the robot has fallen: ./twinbus sim reset"));
+  EXPECT_FALSE(has(acting_lines(fallen, kNow), "is stopped"));  // of it, and reset ends that too
+}
+
+TEST(ShortLines, BeginWithWhatHasToBeDoneAndLeaveStreamsOut) {
+  CpuShare shares;
+  const std::vector<std::string> well = short_lines(healthy(), shares, kNow);
+  EXPECT_EQ(well.front(), "nothing needs acting on");
+  EXPECT_FALSE(has(well, "stream"));
+  EXPECT_TRUE(has(well, "robot: mode") && has(well, "controller") && has(well, "simulator"));
+  EXPECT_TRUE(has(table_lines(healthy(), shares, kNow), "stream"));
+  const Lookout parked = healthy(source_of(SourceKind::kBridge, Role::kParked, 7));
+  EXPECT_EQ(short_lines(parked, shares, kNow).front().find("ACT: no source is active"), 0u);
+  EXPECT_TRUE(short_lines(Lookout(), shares, kNow).front() != "nothing needs acting on");
+}
+
+}  // namespace
+}  // namespace twinbus
