@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "bridge/source/device_teller.h"
+#include "bridge/source/estimate_teller.h"
 #include "bridge/source/model_text.h"
 #include "bridge/source/scene_teller.h"
 #include "bridge/source/sim_obey.h"
@@ -44,6 +45,7 @@ class Shell {
               .prefix = options.common.prefix,
               .allow = {options.common.allow}}),
         source_(model, adaptor, config()),
+        estimate_(model),
         scene_(model_text_pieces(model, options.scene_text, run_id_), options.obstacles,
                options.terrain, run_id_),
         script_(options.requests, model.period(), run_id_),
@@ -105,6 +107,7 @@ class Shell {
     bus_.listen_each<ControllerStatus>(channel::kControllerStatus, on_controller_status_);
     if (!adaptor_.is_hardware() && adaptor_.can_be_set())
       bus_.listen_each<SimRequest>(channel::kSimRequest, on_sim_request_);
+    bus_.listen_each<Estimate>(channel::kEstimate, estimate_);  // last: HEARTBEAT has rows for twelve
   }
 
   // Once per sequence: the same request is sent several times.
@@ -207,7 +210,10 @@ class Shell {
   }
 
   void publish_state() {
-    send(source_.publishes_on_state() ? channel::kState : own_channel(options_.kind), source_.state());
+    const bool active = source_.publishes_on_state();
+    send(active ? channel::kState : own_channel(options_.kind), source_.state());
+    if (!active) return estimate_.rest();
+    send(channel::kEstimate, estimate_.of(source_.state()));  // after STATE, which it would delay
   }
 
   // Lock-step: the state is sent again until it is answered.
@@ -404,6 +410,13 @@ class Shell {
     Shell* s;
     void operator()(const T& m) const noexcept { (s->source_.*On)(m, s->clock_.now()); }
   };
+  struct OnState {
+    Shell* s;
+    void operator()(const RobotState& m) const noexcept {
+      s->estimate_.heard(m);
+      s->source_.on_state(m, s->clock_.now());
+    }
+  };
   struct OnSimRequest {
     Shell* s;
     void operator()(const SimRequest& m) const noexcept { s->obey(m); }
@@ -415,6 +428,7 @@ class Shell {
   std::int64_t run_id_;
   Bus bus_;
   Source source_;
+  EstimateTeller estimate_;
   SceneTeller scene_;
   SceneScript script_;
   SimTruth truth_;
@@ -431,11 +445,10 @@ class Shell {
                status_ns_ = 0;
   std::int64_t sim_sender_ = 0;
   std::int32_t sim_sequence_ = 0, event_sequence_ = 0, told_term_ = 0, told_nonce_ = 0;
-  bool told_fading_ = true;
-  bool bus_gone_ = false;
+  bool told_fading_ = true, bus_gone_ = false;
 
   TellScene tell_scene_{this};
-  ToSource<RobotState, &Source::on_state> on_state_{this};
+  OnState on_state_{this};
   ToSource<RobotState, &Source::on_standby_state> on_standby_{this};
   ToSource<JointCommand, &Source::on_command> on_command_{this};
   ToSource<StopPlanPiece, &Source::on_stop_plan> on_plan_{this};
