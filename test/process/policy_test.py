@@ -107,6 +107,19 @@ def stops(folder, name, model, said, reason, checks, kill=False):
         checks.that(said in output and policy.process.returncode == 1, f'{name}: it says why and exits with 1: {output}')
 
 
+def example(folder, checks):
+    """examples/16_policy.py: the same in a program of one's own."""
+    process = subprocess.Popen([PYTHON, str(ROOT / 'examples/16_policy.py'), str(folder / 'stand.onnx'), '--for', '1'], stdout=subprocess.PIPE,
+                               stderr=subprocess.STDOUT, text=True)
+    try:
+        process.stdout.readline()  # "ready"
+        with Stack('stand_python', '--stack', 'client', '--no-viewer', '--no-record'):
+            said = process.communicate(timeout=30)[0]
+        checks.that(process.returncode == 0 and 'actions in 1.0 s' in said, f'example: {process.returncode}, {said}')
+    finally:
+        process.kill()
+
+
 def main():
     harness.require('twinbus', 'twinbus_simulator')
     there = subprocess.run([PYTHON, '-c', 'import numpy, yaml, onnxruntime'], capture_output=True, text=True)
@@ -121,6 +134,7 @@ def main():
         folder = pathlib.Path(work)
         (folder / 'SPEC.yaml').write_text(specification())
         stands(folder, checks)
+        example(folder, checks)
         reads = 9 + JOINTS
         stops(folder, 'nan', tiny_onnx.linear(folder / 'nan.onnx', reads, JOINTS, math.nan), 'is not a finite number', BY_CONTROLLER, checks)
         stops(folder, 'late', tiny_onnx.linear(folder / 'late.onnx', reads, JOINTS, slow=200), 'a new action every 20 ms', BY_CONTROLLER, checks)

@@ -8,6 +8,8 @@ import os
 import pathlib
 import sys
 import tempfile
+import threading
+import time
 import unittest
 from types import SimpleNamespace
 
@@ -29,8 +31,10 @@ except ImportError:
     RUNS = False
 
 import tiny_onnx  # noqa: E402
-from twinbus.policy import (answer_map, check, deploy_yaml, env_yaml, find, metadata, mirror, model_text, robot, spec,  # noqa: E402
-                            suspects, trial)
+import twinbus  # noqa: E402
+from twinbus import messages  # noqa: E402
+from twinbus.policy import (answer_map, check, controller, deploy_yaml, env_yaml, find, metadata, mirror, model_text, robot,  # noqa: E402
+                            runner, spec, suspects, trial)
 from twinbus.policy.errors import PolicyError, Refused  # noqa: E402
 from twinbus.policy.observation import Measured, Observation  # noqa: E402
 from twinbus.policy.operator import Operator  # noqa: E402
@@ -415,6 +419,210 @@ class Operators(unittest.TestCase):
         self.assertIn('walk and balance', one.complaint)
 
 
+class FakeBus:
+    """Gives the runner what a test says; keeps what it sends.  states: so many at once are never given."""
+
+    def __init__(self):
+        self.script, self.sent = [], []
+
+    def listen(self, *channels):
+        self.channels = channels
+
+    def receive(self, timeout):
+        if not self.script:
+            time.sleep(timeout)
+        return [self.script.pop(0)] if self.script else []
+
+    def send(self, channel, message):
+        self.sent.append((channel, message))
+
+    def say(self, channel, message):
+        self.script.append((channel, message.encode()))
+
+    def of(self, channel):
+        return [message for name, message in self.sent if name == channel]
+
+
+class FakeNetwork:
+    observation_size, action_size = 45, 12
+
+    def __init__(self, answer=0.0):
+        self.answer, self.seen, self.resets = answer, [], 0
+
+    def reset(self):
+        self.resets += 1
+
+    def run(self, observation):
+        self.seen.append(np.array(observation))
+        return self.answer() if callable(self.answer) else np.full(12, self.answer)
+
+
+class Running(unittest.TestCase):
+    """The loop on a bus of its own imagination: STATE by STATE, by the robot's time."""
+
+    def start(self, network=None, pace=runner.LOCK_STEP, one=None, **options):
+        self.bus, self.network, self.said = FakeBus(), network or FakeNetwork(), []
+        one = one or trot()
+        self.network.observation_size = one.observation_size()
+        self.made = runner.Runner(self.bus, lambda dog: controller.Controller(one, dog, self.network),
+                                  runner.Options(say=self.said.append, **options), quadruped())
+        self.tick, self.pace, self.period_ns = 100, pace, 2_000_000
+        self.time_ns = 0
+
+    def state(self, **values):
+        state = messages.robot_state_t()
+        self.tick += 1
+        self.time_ns += self.period_ns
+        state.tick, state.time_ns, state.run_id, state.term, state.model_hash = self.tick, self.time_ns, 7, 3, 99
+        state.period_ns, state.joint_count, state.role, state.source = self.period_ns, 12, 2, 1
+        state.attitude[0] = 1.0
+        for key, value in values.items():
+            setattr(state, key, value)
+        return state
+
+    def go(self, count, sleep=0.0, **values):
+        """So many ticks; gives the commands that they brought."""
+        before = len(self.bus.of('COMMAND'))
+        for _ in range(count):
+            if self.made._state is not None:
+                status = messages.source_status_t()
+                status.run_id, status.pace = 7, self.pace
+                self.bus.say('SOURCE_STATUS', status)
+                self.made.receive(0.0)
+            self.bus.say('STATE', self.state(**values))
+            self.made.receive(0.0)
+            time.sleep(sleep)
+        return self.bus.of('COMMAND')[before:]
+
+    def test_it_answers_every_state_and_acts_every_period(self):
+        self.start(FakeNetwork(1.0), wait=0.1)
+        commands = self.go(100)
+        self.assertEqual([command.tick for command in commands], list(range(101, 201)))
+        one = commands[0]
+        self.assertEqual((one.run_id, one.term, one.model_hash, one.joint_count, one.flags), (7, 3, 99, 12, 0))
+        default = [joint.default for joint in trot().joints]
+        self.assertTrue(np.allclose(commands[49].q[:12], default))              # 0.1 s in the default posture
+        self.assertTrue(np.allclose(commands[50].q[:12], np.array(default) + 0.25))
+        self.assertTrue(np.allclose([one.kp[0], one.kd[0], one.kp[12]], [35.0, 0.5, 0.0]))
+        self.assertEqual(len(self.network.seen), 5)                             # every 10 ticks
+
+    def test_not_faded_in(self):
+        self.start(wait=0.0, fade=False)
+        self.assertEqual({command.flags for command in self.go(10)}, {runner.NOT_FADED})
+
+    def test_walk_is_obeyed(self):
+        self.start(wait=0.0)
+        self.go(1)
+        walk = messages.walk_command_t()
+        walk.run_id, walk.sender_id, walk.sequence, walk.vx, walk.wz, walk.timeout = 7, 5, 1, 0.5, -9.0, 10.0
+        self.bus.say('WALK', walk)
+        self.made.receive(0.0)
+        self.go(10)
+        self.assertTrue(np.allclose(self.network.seen[-1][6:9], [0.5, 0.0, -1.0]))  # cut to what it was trained for
+
+    def test_a_balanced_stop_and_what_follows(self):
+        self.start(wait=0.0, command=(0.5, 0.0, 0.0))
+        self.period_ns = 20_000_000
+        self.go(10)
+        commands = self.go(120, stop_kind=1)
+        self.assertTrue(all(command.flags & runner.STOPPING for command in commands))
+        self.assertTrue(np.allclose(self.network.seen[-1][6:9], 0.0))
+        self.assertTrue(93 <= len(commands) <= 98, len(commands))  # 1.9 s, for nobody says that it rests
+        self.assertEqual(self.go(20, stop_kind=2), [])
+        resets = self.network.resets
+        self.assertEqual(len(self.go(10)), 10)  # cleared
+        self.assertEqual(self.network.resets, resets + 1)
+
+    def test_a_balanced_stop_ends_when_it_rests(self):
+        self.start(wait=0.0)
+        self.period_ns = 20_000_000
+        self.go(10)
+        estimate = messages.estimate_t()
+        estimate.run_id, estimate.velocity_from, estimate.foot_count = 7, 1, 2
+        estimate.foot_stands[:2] = [1, 1]
+        estimate.tick = self.tick + 1000
+        self.bus.say('ESTIMATE', estimate)
+        self.made.receive(0.0)
+        commands = self.go(40, stop_kind=1)
+        self.assertTrue(14 <= len(commands) <= 18, len(commands))  # 0.3 s
+
+    def fails(self, said, network, pace=runner.LOCK_STEP, ticks=30, sleep=0.0):
+        self.start(network, pace, wait=0.0)
+        with self.assertRaisesRegex(runner.Stopped, said):
+            self.go(ticks, sleep)
+        stops, events = self.bus.of('STOP'), self.bus.of('EVENT')
+        self.assertEqual({(stop.kind, stop.reason, stop.sequence) for stop in stops}, {(2, 6, 1)})
+        self.assertRegex(twinbus.text(events[-1].text), said)
+        self.assertEqual((events[-1].severity, events[-1].run_id), (2, 7))
+
+    def test_an_action_that_is_no_number_stops_the_robot(self):
+        self.fails('the action of FR_hip_joint is not a finite number', FakeNetwork(math.nan))
+
+    def test_a_wrong_number_of_actions_stops_the_robot(self):
+        self.fails('gave 11 numbers, 12 joints', FakeNetwork(lambda: np.zeros(11)))
+
+    def test_an_inference_that_fails_stops_the_robot(self):
+        def fail():
+            raise PolicyError('the inference failed: no memory')
+        self.fails('no memory', FakeNetwork(fail))
+
+    def test_a_late_inference_stops_the_robot(self):
+        first, released = iter([True]), threading.Event()
+
+        def late():  # the second one does not come out before the test ends
+            if not next(first, False):
+                released.wait(60.0)
+            return np.zeros(12)
+        try:
+            self.fails('a new action every 20 ms', FakeNetwork(late), pace=1, ticks=60)
+        finally:
+            released.set()
+        self.assertEqual(len(self.bus.of('COMMAND')), 20)  # they went on for the ten ticks in which it had to come
+
+    def test_in_lock_step_the_world_waits_for_an_inference(self):
+        def slow():
+            time.sleep(0.03)
+            return np.ones(12)
+        self.start(FakeNetwork(slow), wait=0.0)
+        commands = self.go(25)
+        self.assertAlmostEqual(commands[0].q[1], 0.9 + 0.25)
+        self.assertEqual(self.made.actions, 3)
+
+    def test_velocity_is_that_of_estimate_and_only_else_of_truth(self):
+        one = trot()
+        one.observations.insert(0, spec.Term('base_linear_velocity'))
+        self.start(FakeNetwork(), wait=0.0, one=one)
+        self.go(1)
+        self.assertEqual(self.network.seen, [])  # nobody has said it yet
+        truth = messages.sim_truth_t()
+        truth.run_id, truth.tick, truth.base_attitude[0], truth.base_velocity[0] = 7, self.tick, 1.0, 0.25
+        self.bus.say('TRUTH', truth)
+        self.made.receive(0.0)
+        self.go(10)
+        self.assertAlmostEqual(self.network.seen[-1][0], 0.25)
+        self.assertTrue(any('TRUTH' in sentence for sentence in self.said))
+        estimate = messages.estimate_t()
+        estimate.run_id, estimate.velocity_from, estimate.velocity_in_base[0], estimate.tick = 7, 1, 0.5, self.tick + 20
+        self.bus.say('ESTIMATE', estimate)
+        self.made.receive(0.0)
+        self.go(10)
+        self.assertAlmostEqual(self.network.seen[-1][0], 0.5)
+        self.go(10, run_id=8, term=4)  # another source took over, and its first estimate is still to come
+        self.assertAlmostEqual(self.network.seen[-1][0], 0.5)
+
+    def test_without_any_velocity_the_robot_is_stopped(self):
+        one = trot()
+        one.observations.insert(0, spec.Term('base_linear_velocity'))
+        self.start(FakeNetwork(), wait=0.0, one=one)
+        with self.assertRaisesRegex(runner.Stopped, 'neither ESTIMATE nor TRUTH'):
+            self.go(60)
+
+    def test_another_robot(self):
+        self.start(wait=0.0)
+        with self.assertRaisesRegex(runner.Stopped, 'STATE has 11 joints'):
+            self.go(1, joint_count=11)
+
+
 class Others(unittest.TestCase):
     def test_model_text(self):
         texts, urdf = model_text.ModelText(), b'<robot name="r"><link name="a"/><link name="b"/><joint name="j" type="revolute">' \
@@ -443,21 +651,20 @@ class Others(unittest.TestCase):
 
     @unittest.skipUnless(RUNS, 'onnxruntime is missing')
     def test_network(self):
-        from twinbus.policy.controller import Controller
         from twinbus.policy.network import Network
         with tempfile.TemporaryDirectory() as folder:
             here = pathlib.Path(folder)
             made = Network(tiny_onnx.linear(here / 'm.onnx', 45, 12, 0.5))
-            controller = Controller(trot(), quadruped(), made)
-            target = controller.step(still(), np.zeros(3))
+            whole = controller.Controller(trot(), quadruped(), made)
+            target = whole.step(still(), np.zeros(3))
             self.assertTrue(np.allclose(target, [joint.default + 0.125 for joint in trot().joints]))
             with self.assertRaisesRegex(PolicyError, 'the action of FR_hip_joint is not a finite number'):
-                Controller(trot(), quadruped(), Network(tiny_onnx.linear(here / 'nan.onnx', 45, 12, math.nan))).step(still(), np.zeros(3))
+                controller.Controller(trot(), quadruped(), Network(tiny_onnx.linear(here / 'nan.onnx', 45, 12, math.nan))).step(still(), np.zeros(3))
             with self.assertRaisesRegex(PolicyError, 'observation is not finite'):
-                controller.step(still(q=np.full(12, math.nan)), np.zeros(3))
+                whole.step(still(q=np.full(12, math.nan)), np.zeros(3))
             for reads, moves, said in ((46, 12, 'are 45 numbers'), (45, 11, 'the network moves 11')):
                 with self.assertRaisesRegex(PolicyError, said):
-                    Controller(trot(), quadruped(), Network(tiny_onnx.linear(here / 'other.onnx', reads, moves)))
+                    controller.Controller(trot(), quadruped(), Network(tiny_onnx.linear(here / 'other.onnx', reads, moves)))
             with self.assertRaisesRegex(Refused, 'time_step'):
                 Network(tiny_onnx.linear(here / 'motion.onnx', 45, 12, inputs=[('time_step', [1, 1])]))
             (here / 'junk.onnx').write_bytes(b'\x08junk' * 20)

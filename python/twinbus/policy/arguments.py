@@ -42,6 +42,7 @@ def parser() -> argparse.ArgumentParser:
     run.add_argument('--wait', type=float, metavar='S', help='hold its default posture for so long at first; default 0.3, with --no-fade 0')
     run.add_argument('--no-fade', action='store_true', help='its commands are not faded in (flag 2): for a start in its own posture')
     run.add_argument('--for', dest='duration', type=float, default=float('inf'), metavar='S', help='seconds of the robot, then it ends')
+    run.add_argument('--no-fifo', action='store_true', help='ordinary priority, also where FIFO is allowed')
     run.add_argument('--url', default=None, help='of the bus')
     run.add_argument('--prefix', default='', help='before the name of every channel')
     return made

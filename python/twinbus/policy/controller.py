@@ -31,7 +31,6 @@ class Controller:
         self._offset = np.array([joint.default if joint.offset is None else joint.offset for joint in joints])
         self._low = np.array([-np.inf if joint.clip is None else joint.clip[0] for joint in joints])
         self._high = np.array([np.inf if joint.clip is None else joint.clip[1] for joint in joints])
-        self.every = max(1, round(spec.period / robot.period))  # ticks of the robot between two actions
         count = len(robot.names())
         self.kp, self.kd = np.zeros(count), np.zeros(count)  # per joint on the bus
         for number, joint in enumerate(robot.bus):

@@ -51,6 +51,8 @@ class Network:
             raise PolicyError(f'{path}: {self.input} is {inputs[self.input].type}, not float32')
         self._now: dict[str, Any] = {}
         self.reset()
+        self.run(np.zeros(self.observation_size))  # the first run takes longest
+        self.reset()
 
     def _choose(self, there: dict[str, Any], wanted: str, what: str) -> str:
         if wanted:

@@ -8,7 +8,7 @@ from __future__ import annotations
 import os
 import time
 from dataclasses import dataclass, field
-from typing import Any, Callable
+from typing import Any, Callable, NoReturn
 
 import numpy as np
 from numpy.typing import NDArray
@@ -31,6 +31,7 @@ CONTROLLER, ALARM, NOTE = 4, 2, 0  # kind of a process, severities
 LOCK_STEP, FREE_RUN, PAUSED = 2, 3, 4  # paces of SOURCE_STATUS
 STOP_TIME = 1.9                  # longest time in which a balanced stop is answered [s]
 AT_REST = 0.05                   # slower the base rests [m/s]
+RECENT = 50                      # ticks after which a velocity is nobody's
 FIRST_ESTIMATE = 0.1             # in which the velocity of the base must have come for the first time [s]
 PATIENCE = 2.0                   # for an inference while the robot's time stands still [s]
 LISTENED = ('STATE', 'SOURCE_STATUS', 'MODEL_TEXT', 'WALK', 'GAMEPAD', 'MODE_REQUEST', 'ESTIMATE', 'TRUTH')
@@ -47,6 +48,7 @@ class Options:
     wait: float = 0.3            # in which the default posture is held at the beginning [s]
     fade: bool = True            # False: flag 2, the first command is not faded in
     duration: float = float('inf')  # of the robot's time [s]
+    fifo: bool = False           # has FIFO priority; HEARTBEAT tells
     say: Callable[[str], None] = field(default=lambda sentence: print(f'policy: {sentence}', flush=True))
 
 
@@ -73,7 +75,7 @@ class Runner:
         self._balanced_ns: int | None = None     # since when a balanced stop is asked
         self._rested = False
         self._said_truth = False
-        self._sequence = self._event_sequence = 0
+        self._event_sequence = 0
         self._beat = 0.0
         self._operator = Operator(np.array(options.command), -np.ones(3), np.ones(3))
         bus.listen(*[channel for channel in LISTENED if channel in TYPES])
@@ -103,6 +105,8 @@ class Runner:
         return bool(heard)
 
     def _hear(self, channel: str, message: Any) -> None:
+        if channel in ('ESTIMATE', 'TRUTH') and self._state is not None and message.run_id != self._state.run_id:
+            return  # of a source that stands by
         if channel == 'ESTIMATE':
             self._estimate = message
         elif channel == 'TRUTH':
@@ -255,12 +259,12 @@ class Runner:
                     self._hear(channel, message)
 
     def _velocity(self, state: messages.robot_state_t) -> Array | None:
-        """Of the origin of the base link, in its axes [m/s]."""
+        """Of the origin of the base link, in its axes [m/s]; ticks go on across a switch, so the last of the old source still counts."""
         estimate = self._estimate
-        if estimate is not None and estimate.run_id == state.run_id and state.tick - estimate.tick <= 10 and estimate.velocity_from != 0:
+        if estimate is not None and state.tick - estimate.tick <= RECENT and estimate.velocity_from != 0:
             return np.array(estimate.velocity_in_base, dtype=np.float64)
         truth = self.truth
-        if truth is None or truth.run_id != state.run_id:
+        if truth is None or state.tick - truth.tick > RECENT:
             return None
         if not self._said_truth:
             self._said_truth = True
@@ -304,6 +308,7 @@ class Runner:
         beat.utime, beat.process_id, beat.pid, beat.kind, beat.state = time.time_ns() // 1000, self.id, os.getpid(), CONTROLLER, 2
         beat.ticks = beat.messages_received = self.ticks
         beat.timer_missed = beat.allocations = -1
+        beat.realtime = 1 if self.options.fifo else 0
         beat.rate = 1e9 / max(1, state.period_ns)
         beat.tick_median_us, beat.tick_p99_us = 1e6 * times[len(times) // 2], 1e6 * times[(99 * len(times)) // 100]
         beat.tick_max_us = 1e6 * times[-1]
@@ -322,15 +327,13 @@ class Runner:
         message.text[:len(data)] = np.frombuffer(data, dtype=np.int8)
         self.bus.send('EVENT', message)
 
-    def stop(self, reason: str) -> None:
+    def stop(self, reason: str) -> NoReturn:
         """Stops the robot (hold) and says why, until STATE shows the stop; then throws Stopped."""
         self.event(f'policy: {reason}: stop', ALARM)
-        end = time.monotonic() + 1.0
+        message, end = messages.stop_t(), time.monotonic() + 1.0
+        message.utime, message.sender_id, message.sequence = time.time_ns() // 1000, self.id, 1  # the same stop, however often it is sent
+        message.kind, message.reason = HOLD, BY_CONTROLLER
         while time.monotonic() < end:
-            message = messages.stop_t()
-            self._sequence += 1
-            message.utime, message.sender_id, message.sequence = time.time_ns() // 1000, self.id, self._sequence
-            message.kind, message.reason = HOLD, BY_CONTROLLER
             self.bus.send('STOP', message)
             for channel, body in self.bus.receive(0.02):
                 state = decode(channel, body) if channel == 'STATE' else None

@@ -82,7 +82,7 @@ def run(network: Network, spec: Spec, robot: Robot, folder: str, command: tuple[
     outcome, watch = Outcome(command, seed), _Watch()
     url = f'udpm://239.255.76.67:{random.SystemRandom().randrange(20000, 60000)}?ttl=0'
     with tempfile.TemporaryDirectory() as work, Bus(url) as bus:
-        runner = Runner(bus, lambda found: Controller(spec, found, network), Options(command, wait, pose is None, seconds, lambda _: None),
+        runner = Runner(bus, lambda found: Controller(spec, found, network), Options(command, wait, pose is None, seconds, say=lambda _: None),
                         replace(robot))
         runner.on_truth = watch.see
         words = [str(home.program()), 'up', 'stand_python', '--stack', 'client', '--robot', folder, '--lockstep', '--no-viewer', '--no-record',
