@@ -41,7 +41,7 @@ set_property(TARGET twinbus_lcmtypes APPEND PROPERTY
 get_property(libraries GLOBAL PROPERTY TWINBUS_FOLDERS)
 set(exported)
 foreach(name ${libraries} twinbus_flags twinbus_messages)
-  if(name MATCHES "^twinbus_(control|launcher|viewer_log)")
+  if(name MATCHES "^twinbus_(control|launcher|viewer_log|python)")
     continue()
   endif()
   string(REGEX REPLACE "^twinbus_" "" short ${name})
@@ -77,9 +77,18 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/config DESTINATION ${data_dir} COMPONENT
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/campaign DESTINATION ${data_dir} COMPONENT programs FILES_MATCHING PATTERN "*.py" PATTERN "__pycache__" EXCLUDE)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/lcmtypes DESTINATION ${data_dir} COMPONENT programs FILES_MATCHING PATTERN "*.lcm" PATTERN "README.md")
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/viewer_log/web/dist DESTINATION ${data_dir}/viewer_log/web COMPONENT programs)
+# In a wheel the package is around all this, and zip files have no links.
+if(SKBUILD)
+  set(links PATTERN "examples/twinbus" EXCLUDE)
+else()
+  set(links)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/python/twinbus DESTINATION ${data_dir}/python COMPONENT programs PATTERN "__pycache__" EXCLUDE)
+  file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/link)
+  file(CREATE_LINK ../${home_dir}/bin/twinbus ${PROJECT_BINARY_DIR}/link/twinbus SYMBOLIC)
+  install(FILES ${PROJECT_BINARY_DIR}/link/twinbus DESTINATION bin COMPONENT programs)
+endif()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples DESTINATION ${data_dir} COMPONENT programs
-  PATTERN "__pycache__" EXCLUDE PATTERN "CMakeLists.txt" EXCLUDE)
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/python/twinbus DESTINATION ${data_dir}/python COMPONENT programs PATTERN "__pycache__" EXCLUDE)
+  PATTERN "__pycache__" EXCLUDE PATTERN "CMakeLists.txt" EXCLUDE ${links})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/doc DESTINATION ${data_dir} COMPONENT programs FILES_MATCHING PATTERN "*.md")
 install(FILES ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${data_dir} COMPONENT programs)
 install(PROGRAMS ${PROJECT_SOURCE_DIR}/launcher/env.sh ${PROJECT_SOURCE_DIR}/launcher/spy.sh ${PROJECT_SOURCE_DIR}/launcher/policy.sh ${PROJECT_SOURCE_DIR}/launcher/named_state.py
@@ -92,9 +101,6 @@ install(CODE "
     set(commit unknown)
   endif()
   file(WRITE \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${data_dir}/commit\" \"\${commit}\\n\")" COMPONENT programs)
-file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/link)
-file(CREATE_LINK ../${home_dir}/bin/twinbus ${PROJECT_BINARY_DIR}/link/twinbus SYMBOLIC)
-install(FILES ${PROJECT_BINARY_DIR}/link/twinbus DESTINATION bin COMPONENT programs)
 
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/twinbusConfig.cmake.in
   ${PROJECT_BINARY_DIR}/twinbusConfig.cmake INSTALL_DESTINATION ${package_dir} PATH_VARS home_dir data_dir)

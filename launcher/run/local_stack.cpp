@@ -119,7 +119,8 @@ OneProcess::OneProcess(const Model& model, const Scene& scene, const OneProcessC
       journal_(ProcessKind::kController, config.control.controller_id,
                {static_cast<double>(config.control.first_mode),
                 config.control.guard_in_loop ? 1.0 : 0.0},
-               SendPage{this}) {
+               SendPage{this}),
+      controller_(config.controller) {
   shown_obstacles_ = obstacle_pieces(scene.obstacles, 1);
   if (!scene.tiles.empty()) shown_terrain_ = obstacle_pieces(scene.tiles, kRunId);
   for (const LooseBody& body : scene.loose) loose_names_.push_back(body.name);
@@ -202,7 +203,7 @@ void OneProcess::activate() {
                            refusal_text(source_.status().refusal));
 }
 
-bool OneProcess::tick() {
+bool OneProcess::observe() {
   if (!failure_.empty()) return false;
   if (ticks_ > 0) {
     now_ns_ += model_.period_ns;
@@ -213,7 +214,15 @@ bool OneProcess::tick() {
     return false;
   }
   ++ticks_;
-  control();
+  return true;
+}
+
+bool OneProcess::act() {
+  if (controller_) {
+    control();
+  } else {
+    obey();
+  }
   watch();  // before the simulator moves on
   source_.end_tick(now_ns_);
   say_script();
@@ -233,6 +242,17 @@ void OneProcess::control() {
   for (const RobotState& state : missed_) answer(state);
   missed_.clear();
   answer(heard_);
+}
+
+// The command of somebody else, who needs no stop plan and no guard.
+void OneProcess::obey() {
+  own_command_.tick = heard_.tick;
+  own_command_.run_id = kRunId;
+  own_command_.term = heard_.term;
+  own_command_.model_hash = model_.hash;
+  own_command_.controller_id = control_.controller_id;
+  own_command_.joint_count = heard_.joint_count;
+  if (over_the_bus(channel::kCommand, own_command_, command_)) source_.on_command(command_, now_ns_);
 }
 
 void OneProcess::stall_controller(double seconds) {
@@ -287,6 +307,14 @@ void OneProcess::say(ModeRequest request) {
   request.sequence = ++sequence_;
   ModeRequest received;
   if (over_the_bus(channel::kModeRequest, request, received)) loop_->on_mode_request(received);
+}
+
+void OneProcess::say(WalkCommand command) {
+  command.sender_id = kOperatorId;
+  command.run_id = kRunId;
+  command.sequence = ++sequence_;
+  WalkCommand received;
+  if (over_the_bus(channel::kWalk, command, received)) loop_->on_walk_command(received, now_ns_);
 }
 
 void OneProcess::say(StopRequest stop) {

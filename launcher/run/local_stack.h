@@ -43,7 +43,8 @@ struct OneProcessConfig {
   std::vector<std::pair<std::string, std::string>> settings;  // as --set; they win over the scene's
   std::uint64_t seed = 1;
   ControlConfig control;
-  BusListener listener;  // may be empty
+  bool controller = true;  // false: whoever calls act() gives the command, own_command()
+  BusListener listener;    // may be empty
 };
 
 class OneProcess {
@@ -52,12 +53,23 @@ class OneProcess {
   OneProcess(const Model& model, const Scene& scene, const OneProcessConfig& config);
 
   // STATE, COMMAND, physics: one period.  False when the simulation gave up; failure() says why.
-  bool tick();
+  bool tick() { return observe() && act(); }
   const std::string& failure() const { return failure_; }
+  // The two halves of a tick: the next STATE, then what answers it and the physics that follows.
+  bool observe();
+  bool act();
+  // Without our controller: what the next act() commands; tick, run, term, model and sender are filled in.  A command that is
+  // not finite is not obeyed.
+  JointCommand& own_command() { return own_command_; }
 
   // Said on the bus before the next tick.
   void say(ModeRequest request);
   void say(StopRequest stop);
+  void say(WalkCommand command);
+  // A force on a link for a while from now on; force: world [N], point: in the frame of the link [m].
+  Status push(int link, const Eigen::Vector3d& force, const Eigen::Vector3d& point, double seconds) {
+    return sim_.push(link, force, point, seconds);
+  }
   // The planner answers at once: see arm_answer().
   void say(ArmGoal goal);
   // What went out on ARM_PATH for the last goal.
@@ -117,6 +129,7 @@ class OneProcess {
   void show(const char* channel, T message);
   void show_scene();
   void control();
+  void obey();
   void answer(const RobotState& state);
   void plan(const ArmGoal& goal);
   void say_script();
@@ -146,7 +159,8 @@ class OneProcess {
   JournalWriter<SendPage> journal_;
 
   RobotState heard_;
-  JointCommand command_;
+  JointCommand command_, own_command_;
+  bool controller_;
   std::int64_t now_ns_ = 0;  // simulated
   std::int64_t silent_until_ = 0;       // the controller stands still before this tick
   std::vector<RobotState> missed_;      // its first ones since

@@ -15,8 +15,16 @@ and for operators, whose messages name the run that they are for and count up:
     bus.ask('MODE_REQUEST', request, state)
     bus.wait('CONTROLLER_STATUS', lambda status: status.mode_sequence == request.sequence)
 
+and in this process, without a bus, a simulation (see twinbus.simulation), many of them, and questions to a robot:
+
+    simulation = twinbus.Simulation('walk_forward')
+    simulation.step(500)
+    twinbus.Robot('hrp1s').nearest(simulation.state.q)
+
 The bus needs the standard library alone; arrays of messages are numpy arrays where numpy is installed, else lists.
 """
+from typing import TYPE_CHECKING, Any
+
 from . import messages
 from .bus import JOINTS, Bus, Obedience, command_for, decode, new_id, newest_state, padded, run, text
 from .channels import TYPES
@@ -25,6 +33,21 @@ from .lcm_types import Message, message_type
 from .log import Log, read_log
 from .messages import *  # noqa: F401,F403  (the types themselves: twinbus.robot_state_t)
 from .stack import Stack
+
+if TYPE_CHECKING:
+    from .robot import ArmPath as ArmPath, Robot as Robot
+    from .simulation import RobotInfo as RobotInfo, Simulation as Simulation, Worlds as Worlds
+
+_COMPILED = {'Simulation': 'simulation', 'Worlds': 'simulation', 'RobotInfo': 'simulation', 'Robot': 'robot', 'ArmPath': 'robot'}
+
+
+def __getattr__(name: str) -> Any:
+    """What needs numpy is loaded when it is asked for: the bus does without."""
+    if name not in _COMPILED:
+        raise AttributeError(f'module {__name__!r} has no attribute {name!r}')
+    import importlib
+    return getattr(importlib.import_module(f'{__name__}.{_COMPILED[name]}'), name)
+
 
 __version__ = '0.1'
 __all__ = ['JOINTS', 'TYPES', 'Bus', 'Log', 'Message', 'Obedience', 'Stack', 'command_for', 'config', 'decode', 'message_type', 'messages',

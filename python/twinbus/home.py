@@ -1,9 +1,12 @@
 """Where the rest of twinbus lies: in a checkout, in an installation (.deb, cmake --install), or inside the wheel."""
 from __future__ import annotations
 
+import importlib.util
 import os
 import pathlib
 import shutil
+import sys
+from types import ModuleType
 
 PACKAGE = pathlib.Path(__file__).resolve().parent
 INSIDE = PACKAGE / 'home'  # of a wheel: an installation of its own
@@ -40,3 +43,42 @@ def program(name: str = 'twinbus') -> pathlib.Path:
     if found and name == 'twinbus':
         return pathlib.Path(found)
     raise FileNotFoundError(f'no program {name}; build it (./twinbus up in a checkout) or set TWINBUS_BIN to the folder that holds it')
+
+
+def _modules() -> list[pathlib.Path]:
+    """Where the compiled module may lie: beside this file's home, or in an installed package while this one is of a checkout."""
+    build = pathlib.Path(os.environ.get('TWINBUS_BUILD') or data() / 'build/release')
+    folders = [INSIDE.joinpath('lib', 'twinbus', 'lib', 'native'), build / 'lib/native', data() / '../../lib/twinbus/lib/native']
+    if os.environ.get('TWINBUS_BIN'):
+        folders.insert(1, pathlib.Path(os.environ['TWINBUS_BIN']).parent / 'lib/native')
+    folders += [pathlib.Path(folder or '.') / 'twinbus' / INSIDE.name / 'lib/twinbus/lib/native' for folder in sys.path]
+    return [file for folder in folders for file in sorted(folder.glob('_native*.so'))]
+
+
+def native() -> ModuleType:
+    """The compiled module, twinbus._native.  ImportError with what to do when there is none for this Python."""
+    name = f'{__package__}._native'
+    if name in sys.modules:
+        return sys.modules[name]
+    problems: list[str] = []
+    for file in _modules():
+        spec = importlib.util.spec_from_file_location(name, file)
+        if spec is None or spec.loader is None:
+            continue
+        try:
+            module = importlib.util.module_from_spec(spec)
+            spec.loader.exec_module(module)
+        except ImportError as error:
+            problems.append(f'{file}: {error}')
+            continue
+        module.set_config_folder(str(config()))
+        sys.modules[name] = module
+        return module
+    raise ImportError('the compiled part of twinbus is not there for this Python: pip install ./python in a checkout'
+                      + ''.join(f'\n  {problem}' for problem in problems))
+
+
+def main() -> None:
+    """The command `twinbus` of an installed wheel."""
+    where = str(program())
+    os.execv(where, [where, *sys.argv[1:]])

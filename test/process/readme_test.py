@@ -22,6 +22,8 @@ KNOWN = {
     "./twinbus up": "never ends by itself; up_test.py runs it",
     "./twinbus test": "runs this test",
     "cmake --preset release && cmake --build --preset release && ctest --preset release": "what ./twinbus test does",
+    "pip install ./python": "test/python/wheel_test.py does it in an environment of its own",
+    "python3 examples/17_simulation.py": "needs that; test/python/wheel_test.py and examples_test.py run it",
     "ninja -C build/release installable": "package_test.py needs all of it",
     "cpack --config build/release/CPackConfig.cmake -B build/package": "package_test.py makes the package",
     "cmake --install build/release --prefix $HOME/twinbus": "package_test.py installs to a prefix of its own",

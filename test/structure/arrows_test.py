@@ -14,7 +14,7 @@ import re
 import subprocess
 import sys
 
-ROOMS = ["common", "geometry", "lcmtypes", "robot", "bridge", "sim", "control", "planner", "viewer_log", "launcher"]
+ROOMS = ["common", "geometry", "lcmtypes", "robot", "bridge", "sim", "control", "planner", "viewer_log", "launcher", "python"]
 
 # Mains tie rooms together: main.cpp, *_main.cpp, *_main.h.  Adaptors are shared objects of their own.
 MAIN = re.compile(r"(^|[/_])main\.(cpp|h)$")
@@ -32,6 +32,7 @@ DOORS = {
     r"expat": r"common/text/xml\.cpp",
     r"SDL": r"control/teleop/sdl_pad\.cpp",
     r"boost/beast|boost/asio": r"viewer_log/server/web_server\.cpp",
+    r"nanobind/": r"python/native_main\.cpp",
     r"lcm/": r"lcmtypes/bus/[a-z_]+\.(cpp|h)",
     r"dds/|unitree_(hg|go|api)\.h": r"bridge/adaptors/unitree_dds/unitree_dds\.cpp",
 }

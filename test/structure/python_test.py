@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""The Python package says of messages and channels what lcmtypes/ says: messages.pyi, which type checkers read, and the table of
-channels.
+"""The Python package says of messages and channels what lcmtypes/ says: messages.pyi, which type checkers read, the table of
+channels, and the version.
 
     python_test.py [--write]     --write makes python/twinbus/messages.pyi anew
 """
@@ -13,6 +13,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "python"))
 from twinbus import channels, lcm_types  # noqa: E402
 
+VERSIONS = {"CMakeLists.txt": r"project\(twinbus VERSION ([0-9.]+)", "python/pyproject.toml": r'(?m)^version = "([0-9.]+)"',
+            "python/twinbus/__init__.py": r"(?m)^__version__ = '([0-9.]+)'"}
 STUBS = ROOT / "python/twinbus/messages.pyi"
 
 
@@ -38,6 +40,9 @@ def main():
     for channel in sorted(there.keys() | here.keys()):
         if there.get(channel) != here.get(channel):
             failed.append(f"python/twinbus/channels.py: {channel} is {here.get(channel)}, in lcmtypes/bus {there.get(channel)}")
+    said = {file: re.search(pattern, (ROOT / file).read_text())[1] for file, pattern in VERSIONS.items()}
+    if len(set(said.values())) != 1:
+        failed.append(f"versions differ: {said}")
     for problem in failed:
         print(problem)
     print(f"{len(there)} channels, {len(failed)} problems")

@@ -13,7 +13,7 @@ LARGEST = 4 << 20  # [bytes] of a file
 
 def _loader() -> Any:
     try:
-        import yaml
+        import yaml  # type: ignore[import-untyped,unused-ignore]
     except ImportError:
         raise PolicyError(REMEDY) from None
 
