@@ -12,6 +12,7 @@
 #include "common/text/closest_name.h"
 #include "common/text/printable.h"
 #include "launcher/check/check.h"
+#include "launcher/export/export.h"
 #include "launcher/log/log_command.h"
 #include "launcher/operate/doctor.h"
 #include "launcher/operate/operate.h"
@@ -68,6 +69,7 @@ constexpr Command kCommands[] = {
     {"spy", "lcm-spy that knows the messages", &spy_command},
     {"env", "shell variables for stock LCM tools: eval \"$(./twinbus env)\"", &env_command},
     {"check", "load a robot's folder and print what it is", &check_command},
+    {"export", "a scene for MuJoCo (MJCF) or Drake (URDF)", &export_command},
     {"doctor", "is this machine ready", &doctor_command},
     {"bench", "measure", &bench_command},
     {"chart", "draw what was measured: SVG, PNG, CSV", &chart_command},

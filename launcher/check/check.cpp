@@ -11,18 +11,16 @@
 #include "common/math/index.h"
 #include "common/process/arguments.h"
 #include "common/process/command_word.h"
-#include "common/text/xml.h"
 #include "geometry/bounds/coarse_mesh.h"
 #include "launcher/check/check_cells.h"
 #include "launcher/check/check_pairs.h"
+#include "launcher/check/subject.h"
 #include "launcher/check/trial.h"
 #include "launcher/check/walk_trial.h"
 #include "robot/collision/loop_joints.h"
 #include "robot/description/link_points.h"
 #include "robot/description/load.h"
-#include "robot/description/urdf.h"
 #include "robot/kinematics/kinematics.h"
-#include "robot/onboarding/base_turn.h"
 #include "robot/onboarding/model_lint.h"
 #include "robot/onboarding/proposal.h"
 
@@ -39,93 +37,6 @@ const char* kind_name(JointKind kind) {
   return kind == JointKind::kPrismatic    ? "prismatic"
          : kind == JointKind::kContinuous ? "continuous"
                                           : "revolute";
-}
-
-// What is to be checked: a folder with robot.yaml, or a URDF that has none.
-struct Subject {
-  Model model;
-  std::string urdf;  // file, when there is no robot.yaml
-  std::string text;  // of the URDF as it is proposed
-  ProposalSource source;
-  Model repaired;  // what the proposal is made of
-};
-
-std::string only_urdf(const std::string& folder) {
-  std::vector<std::string> found;
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    if (entry.path().extension() == ".urdf") found.push_back(entry.path().string());
-  }
-  if (found.size() == 1) return found.front();
-  throw std::runtime_error(folder + ": has neither robot.yaml nor one .urdf, but " +
-                           std::to_string(found.size()) + "; name the file");
-}
-
-Subject load_subject(const std::string& name) {
-  Subject subject;
-  std::error_code error;
-  if (fs::is_regular_file(name, error)) {
-    subject.urdf = name;
-  } else {
-    const std::string folder = robot_folder(name);
-    if (fs::exists(folder + "/robot.yaml", error)) {
-      subject.model = load_robot(name);
-      return subject;
-    }
-    subject.urdf = only_urdf(folder);
-  }
-  ProposalSource& source = subject.source;
-  source.packages = find_packages(subject.urdf);
-  subject.text = with_packages(read_text_file(subject.urdf), subject.urdf, source.packages);
-  subject.repaired =
-      load_repaired_urdf(subject.text, subject.urdf, source.packages, source.repairs);
-  const Eigen::Matrix3d turn = find_base_turn(subject.repaired);
-  if (!turn.isIdentity(1e-9)) {
-    subject.text = with_upright_base(subject.text, subject.repaired.links.front().name, turn);
-    subject.repaired =
-        load_repaired_urdf(subject.text, subject.urdf, source.packages, source.repairs);
-    source.notes.push_back(
-        "the base of the file does not have z up and x forward: the copy of the URDF has a link "
-        "upright_base above it that has");
-  }
-  source.urdf_name = fs::path(subject.urdf).filename().string();
-  source.srdf_file = find_srdf(subject.urdf);
-  if (!source.srdf_file.empty()) source.srdf_text = read_text_file(source.srdf_file);
-  // The robot as its file says it, if that is a robot without repairs.
-  try {
-    subject.model = load_urdf(subject.urdf, source.packages);
-  } catch (const std::runtime_error&) {
-    subject.model = subject.repaired;
-  }
-  return subject;
-}
-
-// Of the user's file, what is most likely wrong when nothing can be made of its numbers.
-std::string farthest_origin(const Subject& subject) {
-  const UrdfTree tree = parse_urdf(read_text_file(subject.urdf), subject.urdf,
-                                   {.folder = fs::path(subject.urdf).parent_path().string(),
-                                    .packages = subject.source.packages});
-  const UrdfJoint* farthest = nullptr;
-  for (const UrdfJoint& joint : tree.joints) {
-    if (farthest == nullptr ||
-        joint.origin.translation().norm() > farthest->origin.translation().norm())
-      farthest = &joint;
-  }
-  if (farthest == nullptr) return "";
-  char metres[40];
-  std::snprintf(metres, sizeof metres, "%.3g m", farthest->origin.translation().norm());
-  return "; look at " + subject.urdf + ":" + std::to_string(farthest->line) + ": joint " +
-         farthest->name + " is the farthest from its parent, " + metres;
-}
-
-// The robot that the proposal makes, as `run` will load it.  What is wrong with it is said of the user's file.
-Model load_proposed(const Proposal& proposal, const Subject& subject) try {
-  return load_robot_texts({.folder = fs::path(subject.urdf).parent_path().string(),
-                           .yaml = proposal.yaml,
-                           .urdf = subject.text,
-                           .srdf = proposal.srdf});
-} catch (const std::runtime_error& error) {
-  throw std::runtime_error(subject.urdf + ": no robot can be proposed: " + error.what() +
-                           farthest_origin(subject));
 }
 
 struct Extent {
@@ -352,6 +263,26 @@ void print(const char* title, const std::vector<Suspicion>& all) {
     std::printf("  %s: %s; %s\n", s.about.c_str(), s.what.c_str(), s.remedy.c_str());
 }
 
+Proposal propose_for(const CheckSubject& subject) {
+  Proposal proposal = propose(subject.repaired, subject.source);
+  exempt_at_rest(load_proposed(proposal, subject), proposal);
+  return proposal;
+}
+
+// A robot that has the legs and falls with the gains of its file, but not with those by weight and lever arms, gets these.
+// The gains of a model that a policy was trained with are often too soft for a controller that commands positions.
+bool own_gains_stand(CheckSubject& subject, const Trial& trial, Proposal& proposal) {
+  if (trial.stood || !trial.cannot_balance.empty() || subject.source.servos.empty()) return false;
+  subject.source.servos_apply = false;
+  Proposal other = propose_for(subject);
+  if (!try_to_stand(load_proposed(other, subject)).stood) return false;
+  other.doubts.push_back("with the gains of " + subject.source.srdf_origin +
+                         " our own balance falls: gains from weight and lever arms are proposed, those of the file stand "
+                         "beside them; a policy sends its own with every command");
+  proposal = std::move(other);
+  return true;
+}
+
 void write_file(const fs::path& path, const std::string& text) {
   if (fs::exists(path)) throw std::runtime_error(path.string() + ": exists; name a new folder");
   std::ofstream stream(path, std::ios::binary);
@@ -366,11 +297,11 @@ int check_command(const std::vector<std::string>& words) {
   const Arguments arguments(
       {"check",
        "ROBOT",
-       "Loads a robot (a name in config/robots, a folder, or a URDF file) with every check of its "
+       "Loads a robot (a name in config/robots, a folder, a URDF file, or an .xml of MuJoCo) with every check of its "
        "files.\n"
        "Prints mass, size, joints, sensors, what is suspicious and what robot.yaml lacks; for a "
        "URDF without\n"
-       "robot.yaml also proposes one, with a gait found by walking in the simulator.  The robot, or what is proposed, stands for two seconds "
+       "robot.yaml, and for a MuJoCo model (MJCF), also proposes one, with a gait found by walking in the simulator.  The robot, or what is proposed, stands for two seconds "
        "in the "
        "simulator.\n"
        "Exit status 1 if it is refused, with one line naming file and remedy, or does not stand "
@@ -386,11 +317,11 @@ int check_command(const std::vector<std::string>& words) {
          "user's cache (seconds; makes the exact check of all pairs faster)"},
         {"--write", "FILE", "with --pairs: writes the SRDF with all proved pairs and reasons"},
         {"--propose", "FOLDER",
-         "writes the proposed robot.yaml and SRDF with a copy of the URDF into FOLDER"}},
+         "writes the proposed robot.yaml and SRDF with a copy of the URDF, or the URDF made of an MJCF model, into FOLDER"}},
        1,
        1},
       words);
-  const Subject subject = load_subject(arguments.word(0));
+  CheckSubject subject = load_subject(arguments.word(0));
   const Model& model = subject.model;
   if (arguments.has("--pairs")) return check_pairs(model, arguments.text("--write", ""));
   if (arguments.has("--cells")) return check_cells(model);
@@ -399,16 +330,19 @@ int check_command(const std::vector<std::string>& words) {
   std::vector<Suspicion> missing = find_missing(model);
   const std::string folder = arguments.text("--propose", "");
   if (subject.urdf.empty() && !folder.empty())
-    throw UsageError("check: --propose wants a URDF file; " + arguments.word(0) +
+    throw UsageError("check: --propose wants a URDF or MJCF file; " + arguments.word(0) +
                      " has a robot.yaml already");
   std::optional<Proposal> proposal;
   if (!subject.urdf.empty()) {
-    proposal = propose(subject.repaired, subject.source);
-    exempt_at_rest(load_proposed(*proposal, subject), *proposal);
+    proposal = propose_for(subject);
   }
   // Loaded before anything is written: a proposal that is none leaves no folder.
   Model proposed = proposal ? load_proposed(*proposal, subject) : Model();
-  const Trial trial = try_to_stand(proposal ? proposed : model);
+  Trial trial = try_to_stand(proposal ? proposed : model);
+  if (proposal && own_gains_stand(subject, trial, *proposal)) {
+    proposed = load_proposed(*proposal, subject);
+    trial = try_to_stand(proposed);
+  }
   WalkTrial walk;
   if (proposal && trial.stood && trial.cannot_balance.empty()) {
     walk = find_walk(proposed, kWalkPatience);

@@ -24,7 +24,7 @@ bool is_frame(const Model& model, const std::string& name) {
                      [&](const Frame& frame) { return frame.name == name; });
 }
 
-void take_pose(const Model& model, const SrdfPose& from, KnownSrdf& known) {
+void take_pose(const Model& model, const SrdfPose& from, const std::string& origin, KnownSrdf& known) {
   NamedPose pose;
   pose.name = from.name;
   const Eigen::VectorXd neutral = neutral_posture(model);
@@ -43,13 +43,13 @@ void take_pose(const Model& model, const SrdfPose& from, KnownSrdf& known) {
       std::snprintf(text, sizeof(text), " at %.4g; its limits are %.4g to %.4g", value, joint.lower,
                     joint.upper);
       known.doubts.push_back("pose " + from.name +
-                             " of the SRDF that was there is not used: joint " + name + text);
+                             " of " + origin + " is not used: joint " + name + text);
       return;
     }
     pose.q[at(j)] = std::clamp(value, joint.lower, joint.upper);
   }
   if (unknown > 0) {
-    known.doubts.push_back("pose " + from.name + " of the SRDF that was there names " +
+    known.doubts.push_back("pose " + from.name + " of " + origin + " names " +
                            std::to_string(unknown) + " joints that do not move here, the first " +
                            first + ": left out");
   }
@@ -58,18 +58,18 @@ void take_pose(const Model& model, const SrdfPose& from, KnownSrdf& known) {
 
 }  // namespace
 
-KnownSrdf fit_srdf(const Model& model, const std::string& text, const std::string& file) {
+KnownSrdf fit_srdf(const Model& model, const std::string& text, const std::string& file, const std::string& origin) {
   KnownSrdf known;
   if (text.empty()) return known;
   Srdf srdf;
   try {
     srdf = parse_srdf(text, file);
   } catch (const std::runtime_error& error) {
-    known.doubts.push_back(std::string("the SRDF that was there is not used: ") + error.what());
+    known.doubts.push_back(origin + " is not used: " + error.what());
     return known;
   }
   known.feet = srdf.feet;
-  for (const SrdfPose& pose : srdf.poses) take_pose(model, pose, known);
+  for (const SrdfPose& pose : srdf.poses) take_pose(model, pose, origin, known);
   for (const SrdfPair& pair : srdf.disabled) {
     if (is_frame(model, pair.link_a) && is_frame(model, pair.link_b))
       known.disabled.emplace_back(pair.link_a, pair.link_b);

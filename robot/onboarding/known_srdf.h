@@ -20,8 +20,9 @@ struct KnownSrdf {
   std::vector<std::string> doubts;  // what was left out, and why
 };
 
-// Nothing throws: an SRDF that cannot be read is a doubt.  An empty text is no SRDF.
-KnownSrdf fit_srdf(const Model& model, const std::string& text, const std::string& file);
+// Nothing throws: an SRDF that cannot be read is a doubt.  An empty text is no SRDF.  origin: what it is, for doubts.
+KnownSrdf fit_srdf(const Model& model, const std::string& text, const std::string& file,
+                   const std::string& origin = "the SRDF that was there");
 
 // Whether the robot stands in a posture [joint_count]: soles flat and level, base upright, centre of
 // mass well above them.  Empty, or why not.

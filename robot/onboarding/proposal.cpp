@@ -27,6 +27,7 @@ constexpr double kLegDamping = 0.02, kLightDamping = 0.007;
 constexpr double kLegsApart = 0.02;  // in half_sitting, at least [m]
 constexpr double kSoleStiffness = 1.0e6;  // [N/m]
 constexpr double kSoleDamping = 2.0e3;    // [N s/m]
+constexpr double kSoleFriction = 0.8;
 constexpr double kLeastStiffness = 1.0;   // [N m/rad]
 // Turning stiffness of one sole against the weight times the height of the hips.
 constexpr double kTipping = 6.0;
@@ -78,8 +79,8 @@ std::string disabled(const Model& model, const RestPair& pair) {
 
 class Writer {
  public:
-  Writer(const Model& model, const Anatomy& anatomy, const KnownSrdf& known)
-      : model_(model), anatomy_(anatomy), known_(known) {
+  Writer(const Model& model, const Anatomy& anatomy, const KnownSrdf& known, const ProposalSource& source)
+      : model_(model), anatomy_(anatomy), known_(known), source_(source) {
     model_.soles = anatomy.soles;
     for (const auto& [a, b] : known.disabled) {
       const int link_a = link_of(a);
@@ -96,7 +97,8 @@ class Writer {
     }
   }
 
-  std::string yaml(const ProposalSource& source, const std::string& srdf_name) {
+  std::string yaml(const std::string& srdf_name) {
+    const ProposalSource& source = source_;
     std::string out =
         "# Proposed by `twinbus check`: a beginning.  Measure soles and gains before a real robot "
         "moves.\n";
@@ -122,7 +124,7 @@ class Writer {
       out += "# The URDF gives these no inertia: that of a box around the geometry is taken.\n";
       out += "inertia_from_shape: " + list(filled) + "\n";
     }
-    out += "period: 0.002  # [s]\noff: damp\n\nimu: " + anatomy_.imu_frame + "\n";
+    out += "period: 0.002  # [s]\noff: damp\n\nimu: " + (source.imu.empty() ? anatomy_.imu_frame : source.imu) + "\n";
     soles(out);
     hands(out);
     if (!anatomy_.leg_joints.empty())
@@ -132,7 +134,10 @@ class Writer {
       if (!is_finger(j)) servo(j, servos);
     }
     if (servos.empty()) return out;
-    return out + "\n# From weight and lever arms [N m/rad, N m s/rad].\nservos:\n" + servos;
+    const bool of_file = source.servos_apply && !source.servos.empty();
+    return out + (of_file ? "\n# Of the actuators of the file, the others from weight and lever arms"
+                          : "\n# From weight and lever arms") +
+           " [N m/rad, N m s/rad].\nservos:\n" + servos;
   }
 
   std::string srdf() {
@@ -153,7 +158,7 @@ class Writer {
     if (!known_.rotors.empty()) out += "  </rotor_params>\n";
     for (const auto& [a, b] : known_.disabled) {
       out += "  <disable_collisions link1=\"" + escaped(a) + "\" link2=\"" + escaped(b) +
-             "\" reason=\"said by the SRDF that was there\"/>\n";
+             "\" reason=\"said by " + escaped(source_.srdf_origin) + "\"/>\n";
     }
     const std::vector<RestPair> pairs = pairs_at_rest(model_, {neutral_posture(model_), posture_});
     disabled_ = pairs.size();
@@ -172,7 +177,8 @@ class Writer {
   }
 
  private:
-  bool floating() const { return model_.soles[0].link >= 0; }
+  bool has_soles() const { return model_.soles[0].link >= 0; }
+  bool floating() const { return source_.floating.value_or(has_soles()); }
 
   int link_of(const std::string& frame_name) const {
     for (const Frame& frame : model_.frames) {
@@ -194,9 +200,10 @@ class Writer {
 
   // half_sitting of the SRDF that was there, if the robot stands in it; else one that is computed.
   void choose_posture() {
-    if (!floating()) return;
     for (const NamedPose& pose : known_.poses) {
       if (pose.name != "half_sitting") continue;
+      if (!has_soles()) posture_ = to_vector(pose);
+      if (!has_soles()) return;
       std::string why = why_it_falls(model_, to_vector(pose));
       if (const double apart = leg_to_leg(model_, anatomy_, to_vector(pose)); why.empty() && apart < kLegsApart) {
         char text[100];
@@ -208,8 +215,9 @@ class Writer {
         posture_ = to_vector(pose);
         return;
       }
-      doubts_.push_back("half_sitting of the SRDF that was there is not used: " + why);
+      doubts_.push_back("half_sitting of " + source_.srdf_origin + " is not used: " + why);
     }
+    if (!has_soles()) return;
     if (find_standing_posture(model_, posture_)) {
       const double turned = hold_arms_out(model_, anatomy_, posture_);
       if (!(turned > 0.0)) return;
@@ -263,8 +271,16 @@ class Writer {
              ", back: " + fixed(sole.back) + ", left: " + fixed(sole.left) +
              ", right: " + fixed(sole.right) + ",\n     stiffness: " + rough(stiffness) +
              ", damping: " + rough(kSoleDamping / kSoleStiffness * stiffness) +
-             ", friction: 0.8}\n";
+             ", friction: " + rough(friction_of(sole.link)) + "}\n";
     }
+  }
+
+  double friction_of(int link) const {
+    double friction = -1.0;
+    for (const auto& [frame, value] : source_.friction) {
+      if (link_of(frame) == link) friction = std::max(friction, value);
+    }
+    return friction >= 0.0 ? friction : kSoleFriction;
   }
 
   void hands(std::string& out) const {
@@ -320,12 +336,24 @@ class Writer {
       kp = kLegStiffness * model_.total_mass() * kGravity * std::max(anatomy_.hip_height, 0.1);
       kd = (joint.rotor_inertia > 0.0 ? kLegDamping : kLightDamping) * kp;
     }
-    out += "  - {joints: [" + joint.name + "], kp: " + rough(kp) + ", kd: " + rough(kd) + "}\n";
+    std::string remark;
+    for (const KnownServo& known : source_.servos) {
+      if (known.joint != joint.name) continue;
+      const double known_kd = known.kd > 0.0 ? known.kd : 1.4 * std::sqrt(known.kp * inertia);
+      if (source_.servos_apply) {
+        kp = known.kp;
+        kd = known_kd;
+      } else {
+        remark = "  # of the file: kp " + rough(known.kp) + ", kd " + rough(known.kd);
+      }
+    }
+    out += "  - {joints: [" + joint.name + "], kp: " + rough(kp) + ", kd: " + rough(kd) + "}" + remark + "\n";
   }
 
   Model model_;
   const Anatomy& anatomy_;
   const KnownSrdf& known_;
+  const ProposalSource& source_;
   std::vector<std::string> doubts_;
   Eigen::VectorXd posture_;
   std::vector<int> fingers_;  // joints behind the hands
@@ -335,15 +363,15 @@ class Writer {
 }  // namespace
 
 Proposal propose(const Model& model, const ProposalSource& source) {
-  const KnownSrdf known = fit_srdf(model, source.srdf_text, source.srdf_file);
+  const KnownSrdf known = fit_srdf(model, source.srdf_text, source.srdf_file, source.srdf_origin);
   const Anatomy anatomy = find_anatomy(model, known.feet);
-  Writer writer(model, anatomy, known);
+  Writer writer(model, anatomy, known, source);
   Proposal proposal;
   proposal.doubts = source.notes;
   proposal.doubts.insert(proposal.doubts.end(), anatomy.doubts.begin(), anatomy.doubts.end());
   proposal.doubts.insert(proposal.doubts.end(), known.doubts.begin(), known.doubts.end());
   const std::string stem = fs::path(source.urdf_name).stem().string();
-  proposal.yaml = writer.yaml(source, stem + ".srdf");
+  proposal.yaml = writer.yaml(stem + ".srdf");
   proposal.srdf = writer.srdf();
   writer.tell(proposal.doubts);
   return proposal;

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,6 +18,12 @@ struct Proposal {
   std::vector<std::string> doubts;  // what people must look at
 };
 
+// Gains that the robot's description gives a joint.
+struct KnownServo {
+  std::string joint;
+  double kp = 0.0, kd = 0.0;  // [N m/rad], [N m s/rad]; a kd of 0 is proposed
+};
+
 // What is known of the robot besides its model.
 struct ProposalSource {
   std::string urdf_name;                                      // file name beside robot.yaml
@@ -24,6 +31,13 @@ struct ProposalSource {
   UrdfRepairs repairs;                                        // made when it was loaded
   std::string srdf_text, srdf_file;  // an SRDF that is there already; both may be empty
   std::vector<std::string> notes;    // what else was done to the URDF
+  // What an MJCF model says and a URDF cannot.
+  std::string srdf_origin = "the SRDF that was there";    // what srdf_text is, for messages
+  std::optional<bool> floating;                           // else a robot with soles floats
+  std::string imu;                                        // frame; empty: one of the trunk
+  std::vector<KnownServo> servos;
+  bool servos_apply = true;                               // else they are a remark beside the proposed ones
+  std::vector<std::pair<std::string, double>> friction;   // frame and coefficient
 };
 
 // model: as load_repaired_urdf made it.  Of an SRDF that is there, poses, disabled pairs and rotors

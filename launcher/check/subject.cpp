@@ -1,0 +1,122 @@
+#include "launcher/check/subject.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <stdexcept>
+
+#include "common/text/xml.h"
+#include "robot/description/load.h"
+#include "robot/description/urdf.h"
+#include "robot/mjcf/mjcf_document.h"
+#include "robot/mjcf/mjcf_to_urdf.h"
+#include "robot/onboarding/base_turn.h"
+
+namespace twinbus {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string only_urdf(const std::string& folder) {
+  std::vector<std::string> found;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (entry.path().extension() == ".urdf") found.push_back(entry.path().string());
+  }
+  if (found.size() == 1) return found.front();
+  throw std::runtime_error(folder + ": has neither robot.yaml nor one .urdf, but " +
+                           std::to_string(found.size()) + "; name the file");
+}
+
+// The URDF of an MJCF file, and in source what a URDF cannot say.
+std::string urdf_of_mjcf(const std::string& file, ProposalSource& source) {
+  const MjcfRobot robot = import_mjcf(file);
+  source.srdf_text = robot.srdf;
+  source.srdf_file = file;
+  source.srdf_origin = "the MJCF";
+  source.floating = robot.floating;
+  source.imu = robot.imu;
+  for (const MjcfServo& servo : robot.servos) source.servos.push_back({servo.joint, servo.kp, servo.kd});
+  source.friction = robot.friction;
+  source.notes = robot.notes;
+  return robot.urdf;
+}
+
+// Of the user's file, what is most likely wrong when nothing can be made of its numbers.
+std::string farthest_origin(const CheckSubject& subject) {
+  const UrdfTree tree = parse_urdf(subject.mjcf ? subject.text : read_text_file(subject.urdf), subject.urdf,
+                                   {.folder = fs::path(subject.urdf).parent_path().string(),
+                                    .packages = subject.source.packages});
+  const UrdfJoint* farthest = nullptr;
+  for (const UrdfJoint& joint : tree.joints) {
+    if (farthest == nullptr ||
+        joint.origin.translation().norm() > farthest->origin.translation().norm())
+      farthest = &joint;
+  }
+  if (farthest == nullptr) return "";
+  char metres[40];
+  std::snprintf(metres, sizeof metres, "%.3g m", farthest->origin.translation().norm());
+  const std::string line = subject.mjcf ? "" : ":" + std::to_string(farthest->line);
+  return "; look at " + subject.urdf + line + ": joint " + farthest->name + " is the farthest from its parent, " +
+         metres;
+}
+
+}  // namespace
+
+CheckSubject load_subject(const std::string& name) {
+  CheckSubject subject;
+  std::error_code error;
+  if (fs::is_regular_file(name, error)) {
+    subject.urdf = name;
+    subject.mjcf = is_mjcf_name(name);
+  } else {
+    const std::string folder = robot_folder(name);
+    if (fs::exists(folder + "/robot.yaml", error)) {
+      subject.model = load_robot(name);
+      return subject;
+    }
+    subject.urdf = only_urdf(folder);
+  }
+  ProposalSource& source = subject.source;
+  const std::string read = subject.mjcf ? urdf_of_mjcf(subject.urdf, source) : read_text_file(subject.urdf);
+  if (!subject.mjcf) source.packages = find_packages(subject.urdf);
+  subject.text = with_packages(read, subject.urdf, source.packages);
+  subject.repaired =
+      load_repaired_urdf(subject.text, subject.urdf, source.packages, source.repairs);
+  const Eigen::Matrix3d turn =
+      source.floating.value_or(true) ? find_base_turn(subject.repaired) : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
+  if (!turn.isIdentity(1e-9)) {
+    subject.text = with_upright_base(subject.text, subject.repaired.links.front().name, turn);
+    subject.repaired =
+        load_repaired_urdf(subject.text, subject.urdf, source.packages, source.repairs);
+    source.notes.push_back(
+        "the base of the file does not have z up and x forward: the copy of the URDF has a link "
+        "upright_base above it that has");
+  }
+  if (subject.mjcf) {
+    source.urdf_name = fs::path(subject.urdf).stem().string() + ".urdf";
+    subject.model = subject.repaired;
+    return subject;
+  }
+  source.urdf_name = fs::path(subject.urdf).filename().string();
+  source.srdf_file = find_srdf(subject.urdf);
+  if (!source.srdf_file.empty()) source.srdf_text = read_text_file(source.srdf_file);
+  // The robot as its file says it, if that is a robot without repairs.
+  try {
+    subject.model = load_urdf(subject.urdf, source.packages);
+  } catch (const std::runtime_error&) {
+    subject.model = subject.repaired;
+  }
+  return subject;
+}
+
+Model load_proposed(const Proposal& proposal, const CheckSubject& subject) try {
+  return load_robot_texts({.folder = fs::path(subject.urdf).parent_path().string(),
+                           .yaml = proposal.yaml,
+                           .urdf = subject.text,
+                           .srdf = proposal.srdf});
+} catch (const std::runtime_error& error) {
+  throw std::runtime_error(subject.urdf + ": no robot can be proposed: " + error.what() +
+                           farthest_origin(subject));
+}
+
+}  // namespace twinbus

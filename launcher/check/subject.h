@@ -1,0 +1,26 @@
+// What `twinbus check` is asked about: a folder with robot.yaml, or a URDF or MJCF file that has none.
+
+#pragma once
+
+#include <string>
+
+#include "robot/onboarding/proposal.h"
+
+namespace twinbus {
+
+struct CheckSubject {
+  Model model;
+  std::string urdf;  // file, when there is no robot.yaml; an MJCF file stands for the URDF made of it
+  std::string text;  // of the URDF as it is proposed
+  bool mjcf = false;
+  ProposalSource source;
+  Model repaired;  // what the proposal is made of
+};
+
+// name: a robot of config/robots, a folder, a .urdf, or an .xml of MuJoCo.  Throws std::runtime_error, one line.
+CheckSubject load_subject(const std::string& name);
+
+// The robot that the proposal makes, as `run` will load it.  What is wrong with it is said of the user's file.
+Model load_proposed(const Proposal& proposal, const CheckSubject& subject);
+
+}  // namespace twinbus
