@@ -211,14 +211,4 @@ void UnitreeDds::serve() noexcept {
   }
 }
 
-int UnitreeDds::readers() const noexcept {
-  dds_publication_matched_status_t status;
-  return dds_get_publication_matched_status(writer_, &status) == DDS_RETCODE_OK ? static_cast<int>(status.current_count) : 0;
-}
-
-int UnitreeDds::writers() const noexcept {
-  dds_subscription_matched_status_t status;
-  return dds_get_subscription_matched_status(reader_, &status) == DDS_RETCODE_OK ? static_cast<int>(status.current_count) : 0;
-}
-
 }  // namespace twinbus

@@ -55,9 +55,6 @@ class UnitreeDds {
   // kRobot: answers the calls of the vendor's motion service that have come, as released.
   void serve() noexcept;
 
-  int readers() const noexcept;  // of the topic that is written
-  int writers() const noexcept;  // of the topic that is read
-
  private:
   void open_frames(UnitreeFamily family);
   void open_service();
