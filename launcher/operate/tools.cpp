@@ -78,6 +78,7 @@ constexpr BenchRow kBenches[] = {
     {"walking", "walk_switch", "sources switched under a robot that walks"},
     {"walking", "walk_trace", "a walk tick by tick"},
     {"walking", "robust", "other masses, trunk, soles, delay, noise"},
+    {"walking", "estimate", "velocity of the base as ESTIMATE says it, against TRUTH of a log"},
     {"guard and planner", "guard", "a tick of the guard beside FCL"},
     {"guard and planner", "guard_drive", "random motions into self-collision"},
     {"guard and planner", "guard_walk", "what watching all pairs costs while it walks"},

@@ -9,13 +9,13 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <exception>
 #include <map>
 #include <string>
-#include <string_view>
+#include <vector>
 
 #include "common/math/pose_math.h"
+#include "common/process/arguments.h"
+#include "common/process/process.h"
 #include "lcmtypes/bus/channels.h"
 #include "lcmtypes/bus/wire.h"
 #include "lcmtypes/msg/estimate.h"
@@ -121,30 +121,23 @@ int run(const std::string& robot, const std::string& file, bool forces, double f
   return 0;
 }
 
+int estimate(int argc, char** argv) {
+  const Arguments arguments({"bench estimate",
+                             "ROBOT LOG",
+                             "Holds the velocity of the base that ESTIMATE says against TRUTH of a log: root of the mean square and largest\n"
+                             "error [m/s], forward, left, up, beside the controller's own estimator.",
+                             {{"--no-forces", "", "the robot has no force sensors at its feet"},
+                              {"--from", "S", "of the log; default 1"},
+                              {"--to", "S", "of the log; default its end"}},
+                             2,
+                             2},
+                            std::vector<std::string>(argv + 1, argv + argc));
+  return run(arguments.word(0), arguments.word(1), !arguments.has("--no-forces"), arguments.number("--from", 1.0, 0.0, 1e9),
+             arguments.number("--to", 1e9, 0.0, 1e9));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::string robot, file;
-  bool forces = true;
-  double from = 1.0, to = 1e9;
-  for (int i = 1; i < argc; ++i) {
-    const std::string_view word = argv[i];
-    if (word == "--no-forces") {
-      forces = false;
-    } else if ((word == "--from" || word == "--to") && i + 1 < argc) {
-      (word == "--from" ? from : to) = std::strtod(argv[++i], nullptr);
-    } else {
-      (robot.empty() ? robot : file) = word;
-    }
-  }
-  if (file.empty()) {
-    std::fprintf(stderr, "usage: estimate_bench ROBOT LOG [--no-forces] [--from S] [--to S]\n");
-    return 2;
-  }
-  try {
-    return run(robot, file, forces, from, to);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "estimate_bench: %s\n", error.what());
-    return 1;
-  }
+  return twinbus::run_process("bench estimate", &estimate, argc, argv);
 }
