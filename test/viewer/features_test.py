@@ -59,7 +59,9 @@ page.value("twinbus.eye.cameAt = -1e9; twinbus.eye.picture = () => {}")
 check(page.wait_for("document.querySelector('#eye figcaption').textContent.includes('CAMERA')"), "without one the scene is drawn from there: " + str(page.value("document.querySelector('#eye figcaption').textContent")))
 check(page.wait_for("(c => new Set(c.getContext('2d').getImageData(0, 0, 320, 240).data).size)(document.querySelector('#eye canvas')) > 20"), "with something in it")
 page.key("e", "KeyE")
-check(page.value("(twinbus.robot.warn(twinbus.robot.joints.map((joint) => joint.limit.upper), [{ a: 'RLEG_HIP_R', b: 'WAIST', mm: 8 }]), new Set(twinbus.robot.tint.shown.values()).size)") == 2, "links that nearly touch, and joints at their limits, are coloured")
+TINTS = "(twinbus.robot.warn(twinbus.robot.joints.map((joint) => joint.limit.upper), [{ a: 'RLEG_HIP_R', b: 'WAIST', mm: %d, level: '%s' }]), new Set(twinbus.robot.tint.shown.values()).size)"
+check(page.value(TINTS % (8, "close")) == 2, "links that nearly touch, and joints at their limits, are coloured")
+check(page.value(TINTS % (28, "")) == 1, "links that are as near in every posture are not")
 arrows = "twinbus.stage.forces.shafts.count"
 check(page.wait_for(f"{arrows} >= 2"), "forces are arrows")
 page.value("(s => { s.value = 200; s.oninput(); twinbus.stage.leastForce = 1e5; })(document.querySelectorAll('#arrow-scale input')[1])")
