@@ -317,10 +317,10 @@ inline Estimate sample<Estimate>() {
   Estimate x{.tick = 1000, .run_id = 77};
   count_up(x.base_position);
   x.base_attitude = {0.5, 0.5, -0.5, 0.5};
-  float first = 0.1f;
+  double first = 0.1;
   for (auto* vector : {&x.base_velocity, &x.base_angular_velocity, &x.velocity_in_base, &x.angular_velocity_in_base, &x.imu_velocity,
                        &x.position_deviation, &x.attitude_deviation, &x.velocity_deviation, &x.angular_velocity_deviation}) {
-    count_up(*vector, first += 0.1f);
+    count_up(*vector, first += 0.1);
   }
   count_up(x.foot_load);
   count_up(x.foot_certainty);

@@ -13,6 +13,7 @@ class Inference:
         self._call: Callable[[], Any] | None = None
         self._result: Any = None
         self._error: BaseException | None = None
+        self._ended = False
         self._thread = threading.Thread(target=self._work, daemon=True, name='inference')
         self._thread.start()
 
@@ -27,6 +28,12 @@ class Inference:
         self._done.clear()
         self._call = call
         self._ready.set()
+
+    def close(self) -> None:
+        """Ends the thread after what it computes now: Python must not end under a call into a library."""
+        self._ended = True
+        self._ready.set()
+        self._thread.join(1.0)
 
     def wait(self, timeout: float) -> bool:
         """True when it is done; timeout [s]."""
@@ -44,6 +51,8 @@ class Inference:
         while True:
             self._ready.wait()
             self._ready.clear()
+            if self._ended:
+                return
             call = self._call
             try:
                 self._result = call() if call is not None else None

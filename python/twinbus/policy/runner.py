@@ -84,8 +84,11 @@ class Runner:
 
     def run(self) -> None:
         """Until options.duration or Ctrl-C.  Stopped when the policy had to stop the robot."""
-        while self.elapsed < self.options.duration:
-            self.receive(0.1)
+        try:
+            while self.elapsed < self.options.duration:
+                self.receive(0.1)
+        finally:
+            self._inference.close()
 
     def receive(self, timeout: float) -> bool:
         """Handles what came within timeout [s]; answers the newest STATE.  False: nothing came."""
