@@ -56,6 +56,8 @@ foreach(room common geometry lcmtypes robot bridge sim planner)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${room} DESTINATION ${header_dir} COMPONENT development
     FILES_MATCHING PATTERN "*.h")
 endforeach()
+install(DIRECTORY ${TWINBUS_MADE_MESSAGES}/lcmtypes DESTINATION ${header_dir} COMPONENT development
+  FILES_MATCHING PATTERN "message_samples.h" EXCLUDE PATTERN "message_fields.h" EXCLUDE PATTERN "*.h")
 install(DIRECTORY ${generated}/twinbus DESTINATION ${header_dir} COMPONENT development FILES_MATCHING PATTERN "*.hpp")
 
 # What runs: programs, adaptors, and what they read.

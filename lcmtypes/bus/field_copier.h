@@ -1,7 +1,6 @@
-// Copies the fields of a message one way and judges each; convert.cpp lists the fields, this knows
-// the rules.
+// Copies the fields of a message one way and judges each; the .lcm files list the fields, this knows the rules.
 //
-// Only convert.cpp, convert_estimate.cpp and convert_stop_plan.cpp include it.
+// Only convert.cpp includes it.
 
 #pragma once
 
@@ -12,16 +11,7 @@
 #include <type_traits>
 
 #include "common/text/printable.h"
-#include "lcmtypes/msg/estimate.h"
-#include "lcmtypes/msg/journal.h"
-#include "lcmtypes/msg/pieces.h"
-#include "lcmtypes/msg/reports.h"
-#include "lcmtypes/msg/requests.h"
-#include "lcmtypes/msg/robot_io.h"
-#include "lcmtypes/msg/sim_request.h"
-#include "lcmtypes/msg/status.h"
-#include "lcmtypes/msg/step_list.h"
-#include "lcmtypes/msg/stop_plan.h"
+#include "lcmtypes/msg/messages.h"
 
 namespace twinbus {
 
@@ -80,11 +70,19 @@ class Copier {
     }
   }
 
-  // An integer or number that must lie in low .. high.
-  template <class M, class S, class Limit>
-  void within(M& m, S& s, Limit low, Limit high) noexcept {
-    if (!(m_value(m, s) >= low && m_value(m, s) <= high)) refuse(Status::kOutOfRange);
+  // A number, or an array of them, that must lie in low .. high.
+  template <class M, class S, class Low, class High>
+  void within(M& m, S& s, Low low, High high) noexcept {
     (*this)(m, s);
+    judge(s, low, high);
+  }
+  template <class S, class Low, class High>
+  void judge(const S& s, Low low, High high) noexcept {
+    if constexpr (std::is_arithmetic_v<S>) {
+      if (!(s >= low && s <= high)) refuse(Status::kOutOfRange);
+    } else {
+      for (const auto& x : s) judge(x, low, high);
+    }
   }
   template <class M, class S>
   void id(M& m, S& s) noexcept {
@@ -130,17 +128,15 @@ class Copier {
     }
   }
   template <class M, class S>
-  void rotation(M& m, S& s, bool needed) noexcept {
+  void rotation(M& m, S& s) noexcept {
     (*this)(m, s);
-    double square = 0;
-    for (const auto x : s) square += static_cast<double>(x) * static_cast<double>(x);
-    if (needed && !(std::abs(square - 1.0) <= 0.01)) refuse(Status::kOutOfRange);
+    require_rotation(s);
   }
-  // Piece number and number of pieces.
-  template <class M, class S>
-  void pieces(M& m, S& s) noexcept {
-    within(m.pieces, s.pieces, 0, 16000);
-    within(m.piece, s.piece, 0, s.pieces > 0 ? s.pieces - 1 : 0);
+  template <class S>
+  void require_rotation(const S& quaternion) noexcept {
+    double square = 0;
+    for (const auto x : quaternion) square += static_cast<double>(x) * static_cast<double>(x);
+    require(std::abs(square - 1.0) <= 0.01);
   }
   // Zero-terminated, for people: what is not printable becomes '?', so that no text can drive a terminal.
   template <class M, class S>

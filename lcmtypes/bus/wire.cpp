@@ -96,31 +96,7 @@ const ChannelInfo* find_channel(const char* channel) noexcept {
 #define TWINBUS_WIRE(T)                                               \
   template int encode<T>(const T&, std::span<std::uint8_t>) noexcept; \
   template Status decode<T>(std::span<const std::uint8_t>, T&) noexcept;
-TWINBUS_WIRE(RobotState)
-TWINBUS_WIRE(JointCommand)
-TWINBUS_WIRE(StopPlanPiece)
-TWINBUS_WIRE(StopRequest)
-TWINBUS_WIRE(SourceRequest)
-TWINBUS_WIRE(SourceStatus)
-TWINBUS_WIRE(ControllerRequest)
-TWINBUS_WIRE(ModeRequest)
-TWINBUS_WIRE(WalkCommand)
-TWINBUS_WIRE(StepList)
-TWINBUS_WIRE(SimRequest)
-TWINBUS_WIRE(Gamepad)
-TWINBUS_WIRE(ArmGoal)
-TWINBUS_WIRE(ArmPathPiece)
-TWINBUS_WIRE(GuardReport)
-TWINBUS_WIRE(ControllerStatus)
-TWINBUS_WIRE(SimTruth)
-TWINBUS_WIRE(Estimate)
-TWINBUS_WIRE(Heartbeat)
-TWINBUS_WIRE(FullHeartbeat)
-TWINBUS_WIRE(Gap)
-TWINBUS_WIRE(ObstaclesPiece)
-TWINBUS_WIRE(ModelTextPiece)
-TWINBUS_WIRE(Event)
-TWINBUS_WIRE(JournalPage)
+TWINBUS_MESSAGES(TWINBUS_WIRE)
 #undef TWINBUS_WIRE
 
 }  // namespace twinbus

@@ -26,6 +26,7 @@ KINDS = {'int8_t': ('b', 'i1', 1, 'int'), 'int16_t': ('h', 'i2', 2, 'int'), 'int
          'int64_t': ('q', 'i8', 8, 'int'), 'byte': ('B', 'u1', 1, 'int'), 'float': ('f', 'f4', 4, 'float'),
          'double': ('d', 'f8', 8, 'float'), 'boolean': ('?', '?', 1, 'bool')}
 MOST_BYTES = 65000  # of a message: one datagram
+RULE = re.compile(r'\s*\{([^{}]*)\}$')  # at the end of a comment: for generators of code, not for readers
 TOKEN = re.compile(r'//(?P<line>[^\n]*)|/\*(?P<block>.*?)\*/|(?P<word>[A-Za-z_][\w.]*|-?\d[\w.]*)|(?P<mark>[{}\[\];,=])|(?P<blank>\s+)|(?P<other>.)',
                    re.DOTALL)
 M = TypeVar('M', bound='Message')
@@ -33,11 +34,13 @@ M = TypeVar('M', bound='Message')
 
 @dataclasses.dataclass(frozen=True)
 class Field:
-    """A field of a message: name, type of LCM, shape (() for one number), the comment behind it."""
+    """A field of a message: name, type of LCM, shape (() for one number), the comment behind it, and its rule: what that ended with
+    in braces."""
     name: str
     kind: str
     shape: tuple[int, ...] = ()
     about: str = ''
+    rule: str = ''
 
     @property
     def count(self) -> int:
@@ -47,11 +50,12 @@ class Field:
 
 @dataclasses.dataclass(frozen=True)
 class Struct:
-    """A message type as its .lcm file says it."""
+    """A message type as its .lcm file says it; rule: what its comment ended with in braces."""
     package: str
     name: str
     about: str
     fields: tuple[Field, ...]
+    rule: str = ''
 
     def fingerprint(self) -> int:
         """The hash of names, types and dimensions that begins every encoded message; lcm-gen's."""
@@ -186,6 +190,11 @@ def parse(text: str, name: str = '.lcm') -> list[Struct]:
     return _Parser(tokens, comments, name, line).structs()
 
 
+def _without_rule(about: str) -> tuple[str, str]:
+    found = RULE.search(about)
+    return (about[:found.start()], found[1]) if found else (about, '')
+
+
 class _Parser:
     def __init__(self, tokens: list[tuple[str, int]], comments: dict[int, tuple[str, bool]], name: str, last: int) -> None:
         self.tokens, self.comments, self.name, self.at = tokens + [('', last)], comments, name, 0
@@ -236,7 +245,8 @@ class _Parser:
         size = 8 + sum(KINDS[field.kind][2] * field.count for field in fields)
         if size > MOST_BYTES:
             raise self.fail(f'{name}: {size} bytes, at most {MOST_BYTES} fit into a datagram')
-        return Struct(package, name, about, tuple(fields))
+        said, rule = _without_rule(about)
+        return Struct(package, name, said, tuple(fields), rule)
 
     def constants(self, constants: dict[str, int]) -> None:
         self.take('const')
@@ -272,8 +282,8 @@ class _Parser:
             if self.take(',', ';') == ';':
                 break
         said, alone = self.comments.get(self.tokens[self.at - 1][1], ('', True))
-        about = self.above(line) if alone else said
-        return [Field(name, kind, shape, about) for name, shape in found]
+        about, rule = _without_rule(self.above(line) if alone else said)
+        return [Field(name, kind, shape, about, rule) for name, shape in found]
 
 
 def make_type(said: Struct, module: str = __name__) -> type[Message]:

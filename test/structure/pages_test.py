@@ -11,6 +11,8 @@ import re
 import subprocess
 import sys
 
+import lcm_channels
+
 PAGES = re.compile(r"(README\.md|doc/[^/]+\.md|examples/[^/]+\.md|[a-z_]+/README\.md|config/robots/README\.md)")
 LINK = re.compile(r"\]\(([^)#\s]+)(?:#[^)]*)?\)")
 HOLE = re.compile(r"(^|[/_])[A-Z]{3,}([/_.]|$)")  # test/ROOM, lcmtypes/NAME_t.lcm: for the reader to fill in
@@ -22,15 +24,9 @@ PATH = re.compile(r"(?<![\w./{}~$-])((?:[A-Za-z0-9_]+/)+[A-Za-z0-9_.-]*[A-Za-z0-
 def check_protocol(root, problems):
     """The table of channels in doc/protocol.md has every channel, with the type and size of lcmtypes/bus."""
     page = (root / "doc/protocol.md").read_text()
-    code = {name: (root / "lcmtypes/bus" / name).read_text() for name in ("channels.h", "wire.h", "wire.cpp", "convert.h")}
-    names = dict(re.findall(r'(k\w+)\[\] = "(\w+)"', code["channels.h"]))
-    bytes_of = dict(re.findall(r"struct Wire<(\w+)> : WireBase<(\d+)", code["wire.h"]))
-    type_of = dict(re.findall(r"struct MessageOf<(\w+)> \{\s*using type = (\w+);", code["convert.h"]))
-    for struct, constant in re.findall(r"row<(\w+)>\(channel::(k\w+)\)", code["wire.cpp"]):
-        row = rf"^\| [^|]*`{names[constant]}`[^|]* \| `{type_of[struct]}` \| {bytes_of[struct]} \|"
-        if not re.search(row, page, re.MULTILINE):
-            problems.append(f"doc/protocol.md: the table of channels in section 2 lacks {names[constant]}, {type_of[struct]}, "
-                            f"{bytes_of[struct]} bytes: write that row")
+    for channel, (kind, size) in lcm_channels.channels(root).items():
+        if not re.search(rf"^\| [^|]*`{channel}`[^|]* \| `{kind}` \| {size} \|", page, re.MULTILINE):
+            problems.append(f"doc/protocol.md: the table of channels in section 2 lacks {channel}, {kind}, {size} bytes: write that row")
 
 
 def check(root):

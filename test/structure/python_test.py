@@ -13,6 +13,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "python"))
 from twinbus import channels, lcm_types  # noqa: E402
 
+import lcm_channels  # noqa: E402
+
 VERSIONS = {"CMakeLists.txt": r"project\(twinbus VERSION ([0-9.]+)", "python/pyproject.toml": r'(?m)^version = "([0-9.]+)"',
             "python/twinbus/__init__.py": r"(?m)^__version__ = '([0-9.]+)'"}
 STUBS = ROOT / "python/twinbus/messages.pyi"
@@ -20,12 +22,7 @@ STUBS = ROOT / "python/twinbus/messages.pyi"
 
 def channel_table():
     """{channel: type} of lcmtypes/bus."""
-    code = {name: (ROOT / "lcmtypes/bus" / name).read_text() for name in ("channels.h", "wire.cpp", "convert.h")}
-    names = dict(re.findall(r'(k\w+)\[\] = "(\w+)"', code["channels.h"]))
-    type_of = dict(re.findall(r"struct MessageOf<(\w+)> \{\s*using type = (?:::)?(?:twinbus::)?(\w+);", code["convert.h"]))
-    table = {names[constant]: type_of[kind] for kind, constant in re.findall(r"row<(\w+)>\(channel::(k\w+)\)", code["wire.cpp"])}
-    table["LOG_TEXT"] = "model_text_t"  # only in logs, so in no row
-    return table
+    return {channel: kind for channel, (kind, _) in lcm_channels.channels(ROOT).items()} | {"LOG_TEXT": "model_text_t"}
 
 
 def main():
