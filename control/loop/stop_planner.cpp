@@ -9,12 +9,12 @@
 namespace twinbus {
 
 namespace {
-constexpr double kEvery = 0.020;         // a plan is begun [s]
+constexpr double kEvery = 0.030;         // a plan is begun [s]
 constexpr double kEveryResting = 0.040;  // of a robot that stands still [s]
 constexpr double kSpacing = 0.040;  // from knot to knot [s]
 constexpr double kStep = 0.010;     // of the walk that is run ahead [s]
 constexpr double kGoesOn = 0.050;   // before it stops [s]
-constexpr int kWalkKnots = 27;      // 1.04 s
+constexpr int kWalkKnots = 39;      // 1.52 s: stands after at most 0.9 s, and then shares its weight
 constexpr int kArmKnots = 11;       // 0.4 s
 constexpr int kRestKnots = kPlanKnotsPerPiece;  // 0.16 s
 constexpr double kRateFilter = 0.03;  // of joints that follow what is measured [s]

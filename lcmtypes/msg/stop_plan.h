@@ -12,7 +12,7 @@
 namespace twinbus {
 
 inline constexpr int kPlanKnotsPerPiece = 5;
-inline constexpr int kMostPlanPieces = 6;
+inline constexpr int kMostPlanPieces = 8;
 inline constexpr int kMostPlanKnots = kPlanKnotsPerPiece * kMostPlanPieces;
 inline constexpr double kPlanPosition = 2e-4;  // [rad or m] per unit of q
 inline constexpr double kPlanTorque = 0.05;    // [N m or N] per unit of tau

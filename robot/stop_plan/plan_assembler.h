@@ -50,7 +50,7 @@ struct PlanContext {
 class PlanAssembler {
  public:
   static constexpr double kOldest = 0.2;   // [s] from knot 0 to the tick from which it is followed
-  static constexpr double kLongest = 1.3;  // [s] from the first knot to the last
+  static constexpr double kLongest = 1.6;  // [s] from the first knot to the last
 
   // model must outlive this.
   explicit PlanAssembler(const Model& model) noexcept : model_(&model) {}
