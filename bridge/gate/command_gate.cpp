@@ -13,24 +13,16 @@ namespace {
 constexpr double kRounding = 1e-6;  // of the range of a limit: what is nearer to it was not beyond it
 constexpr double kSpoken = 0.02;    // of half the range of a limit; a smaller cut is counted only
 constexpr int kMakesUp = 50;        // ticks of cut steps that are put down to a silence before them, at most
-constexpr double kGainRange = 10.0;  // largest gain, of the model's own
 constexpr std::int64_t kBalancedStopLasts_ns = 2'000'000'000;
 constexpr int kTicksWithoutStopping = 3;
 constexpr double kTakeOver = 0.10;  // in which a stop plan takes the set-points over [s]
+constexpr double kSoftTakeOver = 0.25;  // and from soft servos, which are far from it; not before the command timeout [s]
+constexpr double kSoftReach = 1.0;      // from where the joints are [rad or m]
 constexpr double kTakeBack = 0.15;  // and a controller again [s]
 constexpr double kTorqueBack = 0.04;  // and its torques: what is kept of them longer tilts a robot that balances [s]
 // Of its last command, within which the controller may go on; the controller itself gives up a little before.
 constexpr double kResumesWithin = 0.21;  // [s]
 constexpr std::int64_t kLater = 2;  // that a command may be late beyond what is usual, to end a stop plan [ticks]
-
-std::int64_t bits_of(const Model& model, const std::vector<int>& joints) {
-  std::int64_t mask = 0;
-  for (int k = 0; k < model.bus_count(); ++k) {
-    if (std::find(joints.begin(), joints.end(), model.bus_joints[at(k)]) != joints.end())
-      mask |= bit(k);
-  }
-  return mask;
-}
 
 // The checks of plans that a test has switched off.
 std::uint8_t left_out(RuleSet off) noexcept {
@@ -58,36 +50,6 @@ int cut(T& value, double low, double high) noexcept {
 }
 
 }  // namespace
-
-GateLimits::GateLimits(const Model& model) : robot(&model) {
-  joint_count = model.bus_count();
-  model_hash = model.hash;
-  legs = bits_of(model, model.leg_joints);
-  for (const Hand& hand : model.hands) arms |= bits_of(model, hand.joints);
-  all = joint_count >= 63 ? ~std::int64_t{0} : bit(joint_count) - 1;
-  period = model.period();
-  period_ns = model.period_ns;
-  command_timeout_ns = std::llround(1e9 * model.command_timeout);
-  guard_timeout_ns = std::llround(1e9 * model.guard_timeout);
-  blend_s = model.blend_s;
-  damp_when_off = model.off_action == OffAction::kDamp;
-  for (int k = 0; k < joint_count; ++k) {
-    const Joint& joint = model.joints[at(model.bus_joints[at(k)])];
-    const std::size_t i = at(k);
-    lower[i] = joint.lower;
-    upper[i] = joint.upper;
-    velocity[i] = joint.velocity;
-    effort[i] = joint.effort;
-    step[i] = (joint.rate > 0.0 ? joint.rate : 1.05 * joint.velocity) * period;
-    brake[i] = brake_deceleration(joint);
-    kp[i] = static_cast<float>(joint.kp);
-    kd[i] = static_cast<float>(joint.kd);
-    kp_max[i] = static_cast<float>(joint.kp > 0.0 ? kGainRange * joint.kp : 1e6);
-    kd_max[i] = static_cast<float>(joint.kd > 0.0 ? kGainRange * joint.kd : 1e5);
-    stop_kp[i] = static_cast<float>(joint.stop_kp > 0.0 ? joint.stop_kp : joint.kp);
-    stop_kd[i] = static_cast<float>(joint.stop_kd > 0.0 ? joint.stop_kd : joint.kd);
-  }
-}
 
 CommandGate::CommandGate(const GateLimits& limits, bool guard_required, std::uint64_t seed,
                          RuleSet off) noexcept
@@ -127,6 +89,7 @@ void CommandGate::open(std::int64_t run_id, std::int32_t term, bool watched, dou
   last_accepted_ns_ = guard_ns_ = now_ns;
   guard_tick_ = -1;
   have_client_ = fed_ = false;
+  soft_ = 0;
   plan_.forget();
   blend_again(blend_s);
 }
@@ -197,7 +160,9 @@ GateVerdict CommandGate::judge_resume(const JointCommand& command, std::int64_t 
 }
 
 PlanContext CommandGate::plan_context(std::int64_t tick) const noexcept {
-  return {.run_id = run_id_, .controller_id = controller_, .tick = tick, .term = term_, .set_point = &effective_,
+  const bool soft = soft_ != 0 && measured_.known;
+  return {.run_id = run_id_, .controller_id = controller_, .tick = tick, .term = term_,
+          .from = soft ? &measured_.q : &effective_.q, .reach = soft ? kSoftReach : PlanAssembler::kReach,
           .left_out = left_out(off_)};
 }
 
@@ -228,11 +193,12 @@ void CommandGate::end_plan() noexcept {
 void CommandGate::follow_plan(std::int64_t tick, const Estimator* robot, std::int64_t now_ns) noexcept {
   const bool silent = have_client_ && !fed_ && !holding_ && latch_.kind <= StopKind::kBalanced;
   const bool soon = (tick - fed_tick_) * limits_->period_ns <= limits_->command_timeout_ns;
-  const bool waits = soon && !plan_asked_ && !holds(off_, Rule::kPlanAtOnce);
+  const bool waits = soon && !plan_asked_ && (soft_ != 0 || !holds(off_, Rule::kPlanAtOnce));
   bool starts = false;
   if (!plan_.running() && (silent || plan_asked_) && !waits && plan_ready(tick)) {
     starts = true;
     if (!holds(off_, Rule::kPlanOtherWaits)) controller_ = 0;
+    follow_stiffly();
     plan_.start(tick, robot);
     resumable_ = !plan_asked_;
     holding_ = false;
@@ -252,7 +218,8 @@ void CommandGate::follow_plan(std::int64_t tick, const Estimator* robot, std::in
   }
   if (plan_.ended(tick)) controller_ = next_controller_ = 0;  // the first that speaks now
   plan_.set_points(tick, robot, client_);
-  if (starts) blend_.start(effective_, client_, plan_.joints() & limits_->all, limits_->period, kTakeOver);
+  const double take_over = soft_ != 0 ? kSoftTakeOver : kTakeOver;
+  if (starts) blend_.start(effective_, client_, plan_.joints() & limits_->all, limits_->period, take_over);
   // Joints that the plan does not move go on as they were commanded last, and are held from the time-out on.
   const std::int64_t others = limits_->all & ~plan_.joints();
   if (others == 0 || (tick - plan_.since()) * limits_->period_ns < limits_->command_timeout_ns) return;
@@ -263,6 +230,15 @@ void CommandGate::follow_plan(std::int64_t tick, const Estimator* robot, std::in
     client_.kd[i] = limits_->stop_kd[i];
     brake_step(limits_->brake[i], limits_->period, client_.q[i], client_.qd[i]);
   }
+}
+
+void CommandGate::measured(const RobotState& state) noexcept { measured_ = {true, state.q, state.qd}; }
+
+// Nobody balances by soft servos any more: those of a stop, from where the joints are.
+void CommandGate::follow_stiffly() noexcept {
+  if (soft_ == 0 || !measured_.known) return;
+  stiffen(measured_, limits_->stop_kp, limits_->stop_kd, soft_, effective_);
+  client_ = effective_;
 }
 
 GateVerdict CommandGate::accept(const JointCommand& command, std::int64_t tick, bool late,
@@ -295,6 +271,7 @@ GateVerdict CommandGate::accept(const JointCommand& command, std::int64_t tick, 
     blend_.start(effective_, command, limits_->all, late ? 0.0 : limits_->period, next_blend_s_, next_torque_s_);
   }
   client_ = command;
+  soft_ = soft_joints(command, limits_->stop_kp, limits_->joint_count);
   have_client_ = true;
   holding_ = false;
   return verdict;
@@ -304,6 +281,10 @@ GateVerdict CommandGate::accept(const JointCommand& command, std::int64_t tick, 
 // of a stop.
 void CommandGate::start_hold(bool stop_gains) noexcept {
   blend_.clear();
+  if (stop_gains) {
+    const std::int64_t soft = soft_joints(effective_, limits_->stop_kp, limits_->joint_count);
+    stiffen(measured_, limits_->stop_kp, limits_->stop_kd, soft, effective_);
+  }
   client_ = effective_;
   client_.flags = 0;
   holding_ = true;

@@ -10,37 +10,16 @@
 #include <cstdint>
 
 #include "bridge/gate/blend.h"
+#include "bridge/gate/gate_limits.h"
 #include "bridge/gate/plan_run.h"
+#include "bridge/gate/soft_servos.h"
 #include "bridge/handover/rules.h"
 #include "bridge/gate/stop_latch.h"
-#include "robot/description/model.h"
 #include "lcmtypes/msg/reports.h"
 #include "lcmtypes/msg/requests.h"
 #include "lcmtypes/msg/robot_io.h"
 
 namespace twinbus {
-
-// What the gate needs of the model, per joint on the bus.
-struct GateLimits {
-  explicit GateLimits(const Model& model);  // the model must outlive this
-  const Model* robot;
-  int joint_count = 0;
-  std::int64_t model_hash = 0;
-  std::int64_t arms = 0;  // bit per joint
-  std::int64_t legs = 0;
-  std::int64_t all = 0;
-  double period = 0.0;  // [s]
-  std::int64_t period_ns = 0;
-  std::int64_t command_timeout_ns = 0;
-  std::int64_t guard_timeout_ns = 0;
-  double blend_s = 0.0;
-  bool damp_when_off = true;
-  PerJoint<double> lower{}, upper{};      // [rad or m]
-  PerJoint<double> velocity{}, effort{};  // [rad/s or m/s], [N m or N]
-  PerJoint<double> step{};                // largest change of a position in one period [rad or m]
-  PerJoint<double> brake{};  // deceleration of a joint brought to rest [rad/s^2 or m/s^2]
-  PerJoint<float> kp{}, kd{}, kp_max{}, kd_max{}, stop_kp{}, stop_kd{};
-};
 
 enum class GateVerdict : std::int8_t {
   kAccepted = 0,
@@ -109,6 +88,8 @@ class CommandGate {
   void share_nonce(std::int32_t nonce, bool stopped) noexcept { latch_.share(nonce, stopped); }
   void guard(const GuardReport& report, std::int64_t now_ns) noexcept;
 
+  // What the robot measures in this tick; holds and stop plans of soft servos begin there.
+  void measured(const RobotState& state) noexcept;
   // The state of this tick is out, with the stop that is known by now.
   void published(std::int64_t tick) noexcept { published_tick_ = tick; }
 
@@ -153,6 +134,7 @@ class CommandGate {
   void follow_plan(std::int64_t tick, const Estimator* robot, std::int64_t now_ns) noexcept;
   void entered_stop(StopKind before, std::int64_t now_ns) noexcept;
   void start_hold(bool stop_gains) noexcept;
+  void follow_stiffly() noexcept;
   void off_command(JointCommand& command) const noexcept;
   void brake(JointCommand& command, std::int64_t mask) noexcept;
   void limit(JointCommand& command) noexcept;
@@ -200,6 +182,8 @@ class CommandGate {
   JointCommand client_;     // what is asked for, by the client or by our own hold
   JointCommand effective_;  // what was written last
   OffsetBlend blend_;
+  MeasuredJoints measured_;
+  std::int64_t soft_ = 0;   // bit per joint whose servo the obeyed controller wants far softer than that of a stop
 };
 
 }  // namespace twinbus

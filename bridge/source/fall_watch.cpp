@@ -67,7 +67,9 @@ bool FallWatch::look(const RobotState& state, const FallContext& context) noexce
   double rate = 0.0;
   for (const float g : state.gyro) rate += static_cast<double>(g) * static_cast<double>(g);
   quiet_ = rate < kStill * kStill ? quiet_ + period_ : 0.0;
-  if (quiet_ < kQuiet && lies_ < kLongest) return false;
+  // Nobody catches it or braces it: a stiff robot would only hit harder.
+  const bool alone = context.stop == StopKind::kHold || context.plan_runs;
+  if (!alone && quiet_ < kQuiet && lies_ < kLongest) return false;
   upright_ = tilts_ = false;
   lies_ = quiet_ = 0.0;
   return true;

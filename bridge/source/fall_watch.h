@@ -32,7 +32,8 @@ class FallWatch {
   // Watches robots with a free base only.
   explicit FallWatch(const Model& model);
 
-  // Once per tick that was measured.  True once per fall: at rest on the ground, or a few seconds after it began.
+  // Once per tick that was measured.  True once per fall: at rest on the ground, or a few seconds after it began; as soon as
+  // it is seen in a hold and in a stop plan, which nobody steers.
   bool look(const RobotState& state, const FallContext& context) noexcept;
   // Once per tick, before look(): what a simulator knows of pushes; null: nothing is known.
   void see_push(const SimTruth* truth) noexcept;

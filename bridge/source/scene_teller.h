@@ -1,5 +1,6 @@
 // What a source tells of itself and its scene again and again, for whoever comes late: robot description, obstacles,
-// terrain once a second, loose bodies 50 times; spread so that no tick sends many.
+// terrain once a second, loose bodies 50 times; spread so that no tick sends many.  The first round is one message a tick: a
+// controller that is there before knows the robot before the first STATE.
 
 #pragma once
 
@@ -30,7 +31,8 @@ class SceneTeller {
   void repeat(std::int64_t now_ns, On& on) noexcept {
     const std::size_t total = texts_.size() + obstacles_.size() + terrain_.size();
     if (total == 0 || now_ns < next_ns_) return;
-    next_ns_ = now_ns + kSecond_ns / static_cast<std::int64_t>(total);
+    if (told_ < total) ++told_;
+    next_ns_ = told_ < total ? now_ns : now_ns + kSecond_ns / static_cast<std::int64_t>(total);
     next_ = (next_ + 1) % total;
     std::size_t i = next_;
     if (i < texts_.size()) return on.text(texts_[i]);
@@ -58,7 +60,7 @@ class SceneTeller {
   std::vector<ObstaclesPiece> obstacles_, terrain_;
   std::int64_t run_id_;
   std::int64_t next_ns_ = 0, next_loose_ns_ = 0;
-  std::size_t next_ = 0;
+  std::size_t next_ = 0, told_ = 0;
   ObstaclesPiece loose_;
   int loose_piece_ = 0, loose_pieces_ = 0;
 };

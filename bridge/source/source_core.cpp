@@ -342,6 +342,7 @@ void SourceCore::read_adaptor(std::int64_t now_ns) noexcept {
                                                                           : Status::kNotFinite);
   if (good) {
     state_ = measured;
+    gate_.measured(state_);
     good_read_ns_ = now_ns;
     device_ok_ = true;
     return;

@@ -11,7 +11,6 @@ namespace {
 
 constexpr double kLimitSlack = 2e-3;  // [rad or m] of a position, for rounding and the cubics
 constexpr double kSpeedSlack = 1.1;   // of a velocity limit, from knot to knot
-constexpr double kReach = 0.15;       // [rad or m] between the first set-point followed and the last one written
 constexpr double kLightest = 0.5, kHeaviest = 2.0;  // of the robot's own mass
 constexpr float kSlowest = 1.0F, kQuickest = 12.0F;  // pendulum [1/s]
 constexpr float kLargestSole = 0.5F;                 // [m]
@@ -112,12 +111,12 @@ PlanRefusal PlanAssembler::judge_whole(const StopPlan& plan) const noexcept {
 
 PlanRefusal PlanAssembler::judge_now(const StopPlan& plan, const PlanContext& context) const noexcept {
   const PlanRefusal head = judge_head(plan.head, context);
-  if (head != PlanRefusal::kNone || context.set_point == nullptr) return head;
+  if (head != PlanRefusal::kNone || context.from == nullptr) return head;
   PlanJoints joints;
   joints_at(plan, context.tick, model_->period(), joints);
   for (int j = 0; j < plan.head.joint_count; ++j) {
     if ((plan.head.joints & bit(j)) == 0) continue;
-    if (!(std::abs(joints.q[at(j)] - context.set_point->q[at(j)]) <= kReach)) return PlanRefusal::kOutOfReach;
+    if (!(std::abs(joints.q[at(j)] - (*context.from)[at(j)]) <= context.reach)) return PlanRefusal::kOutOfReach;
   }
   return PlanRefusal::kNone;
 }

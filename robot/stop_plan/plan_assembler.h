@@ -42,7 +42,8 @@ struct PlanContext {
   std::int64_t controller_id = 0;  // 0: nobody is obeyed yet
   std::int64_t tick = 0;           // the present one
   std::int32_t term = 0;
-  const JointCommand* set_point = nullptr;  // written last
+  const PerJoint<double>* from = nullptr;   // set-points written last, or where the joints are [rad or m]
+  double reach = 0.15;                      // the first set-point followed is nearer to them [rad or m]
   std::uint8_t left_out = 0;                // PlanCheck bits, none outside of test/protocol
   bool checks(PlanCheck check) const noexcept { return (left_out & check) == 0; }
 };
@@ -51,6 +52,7 @@ class PlanAssembler {
  public:
   static constexpr double kOldest = 0.2;   // [s] from knot 0 to the tick from which it is followed
   static constexpr double kLongest = 1.6;  // [s] from the first knot to the last
+  static constexpr double kReach = 0.15;   // [rad or m] between the first set-point followed and the last one written
 
   // model must outlive this.
   explicit PlanAssembler(const Model& model) noexcept : model_(&model) {}

@@ -76,6 +76,15 @@ TEST(FallWatch, AnImuThatIsMountedTiltedSeesTheSame) {
   EXPECT_LT(ticks, 250);
 }
 
+TEST(FallWatch, ARobotThatNobodySteersHasFallenAsSoonAsItTiltsTooFar) {
+  const Model model = floating();
+  FallWatch watch(model);
+  EXPECT_EQ(ticks_to_fall(watch, 0.8, 3.0F, {.stop = StopKind::kHold, .reason = StopReason::kCommandTimeout}), 0);
+  EXPECT_EQ(ticks_to_fall(watch, 0.8, 3.0F, {.plan_runs = true}), 0);
+  EXPECT_EQ(ticks_to_fall(watch, 0.6, 3.0F, {.stop = StopKind::kHold}), -1);
+  EXPECT_GT(ticks_to_fall(watch, 0.8, 3.0F, {.stop = StopKind::kBalanced}), 1000) << "its controller braces it";
+}
+
 TEST(FallWatch, TheCauseIsWhatWasSoWhenItBeganToTilt) {
   const Model model = floating();
   const auto cause = [&](const FallContext& context) {

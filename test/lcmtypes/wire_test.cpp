@@ -103,6 +103,25 @@ TEST(Wire, NoOtherSizeAndNoOtherTypeIsAccepted) {
   });
 }
 
+// source_status_t had no faded_in then: 154 bytes, with the fingerprint that lcm-gen gave that type.
+TEST(Wire, SourceStatusOfOlderLogsIsReadAndItsControllerIsFadedIn) {
+  SourceStatus status = sample<SourceStatus>();
+  status.faded_in = 0.25F;
+  auto bytes = bytes_of(status);
+  bytes.erase(bytes.begin() + 144, bytes.begin() + 148);
+  put(bytes, 0, 0xa10fffc4d8b72360U, 8);
+  ASSERT_EQ(bytes.size(), 154U);
+  SourceStatus read;
+  ASSERT_EQ(decode(bytes, read), Status::kOk);
+  status.faded_in = 1.0F;
+  EXPECT_EQ(bytes_of(read), bytes_of(status));
+  ++bytes[7];
+  EXPECT_EQ(decode(bytes, read), Status::kWrongSize) << "another fingerprint";
+  --bytes[7];
+  bytes.push_back(0);
+  EXPECT_EQ(decode(bytes, read), Status::kWrongSize);
+}
+
 // Exhaustive: every number of every message.
 TEST(Wire, NotFiniteOrAbsurdNumbersRefuseTheWholeMessageInEveryField) {
   constexpr double kInf = std::numeric_limits<double>::infinity();

@@ -19,7 +19,7 @@ import tiny_onnx  # noqa: E402
 
 PYTHON = os.environ.get('TWINBUS_POLICY_PYTHON', 'python3')
 JOINTS = 29
-BY_CONTROLLER, COMMAND_TIMEOUT = 6, 7  # stop_t.reason
+BY_CONTROLLER, COMMAND_TIMEOUT, FALLEN = 6, 7, 10  # stop_t.reason
 
 
 def specification():
@@ -43,9 +43,11 @@ class Policy:
     def __init__(self, model, *words):
         self.process = subprocess.Popen([str(BIN / 'twinbus'), 'policy', str(model), *words], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                                         text=True, env=dict(os.environ, TWINBUS_POLICY_PYTHON=PYTHON))
-        line = self.process.stdout.readline()
-        if 'ready' not in line:
-            raise RuntimeError('policy does not start: ' + line + self.process.communicate(timeout=20)[0])
+        self.before = []  # with --robot it says first what it is bound to
+        while 'ready' not in (line := self.process.stdout.readline()):
+            self.before.append(line)
+            if not line:
+                raise RuntimeError('policy does not start: ' + ''.join(self.before) + self.process.communicate(timeout=20)[0])
 
     def end(self):
         if self.process.poll() is None:
@@ -82,11 +84,29 @@ def stands(folder, checks):
     checks.that('29 of 29 joints of' in said, 'stands: what it is bound to is said: ' + said[:300])
 
 
+def ends_in_order(folder, checks):
+    """SIGTERM is a balanced stop, then the end; with the robot named beforehand, too."""
+    policy = Policy(folder / 'stand.onnx', '--robot', 'hrp1s')
+    with Stack('stand_python', '--stack', 'client', '--no-viewer', '--no-record'):
+        bus = Bus()
+        checks.that(bus.wait_for('COMMAND', timeout=20)[1] is not None, 'SIGTERM: it commands')
+        begin = time.monotonic()
+        policy.process.terminate()
+        stopping = bus.wait_for('COMMAND', lambda c: c.flags & 1, timeout=5, start=0)[1]
+        checks.that(stopping is not None, 'SIGTERM: it says that it is stopping')
+        held = bus.wait_for('STATE', lambda s: s.stop_kind == 2, timeout=10, start=0)[1]
+        checks.that(held is not None, 'SIGTERM: the robot is held')
+        said = policy.process.communicate(timeout=20)[0]
+        checks.at_most(time.monotonic() - begin, 8.0, f'SIGTERM: it has ended [s]: {said}')
+        checks.that(policy.process.returncode == 0, f'SIGTERM: exit status {policy.process.returncode}: {said}')
+        bus.close()
+
+
 def stops(folder, name, model, said, reason, checks, kill=False):
     policy = Policy(model)
+    bus = Bus()  # before the stack: it may be stopped before that is said to run
     try:
         with Stack('stand_python', '--stack', 'client', '--no-viewer', '--no-record'):
-            bus = Bus()
             if kill:
                 bus.wait_for('CONTROLLER_STATUS', timeout=20)
                 policy.process.kill()
@@ -96,15 +116,78 @@ def stops(folder, name, model, said, reason, checks, kill=False):
             checks.that(status is not None and status.stop_reason == reason, f'{name}: reason {status and status.stop_reason}, {reason} asked')
             time.sleep(1.0)
             states = [s for _, s in bus.messages('STATE')][-1:]
-            w, x, y, z = states[0].attitude
-            checks.at_most(math.degrees(math.acos(max(-1.0, 1.0 - 2.0 * (x * x + y * y)))), 5.0, f'{name}: tilt afterwards [degrees]')
+            checks.at_most(tilt_of(states[0]), 5.0, f'{name}: tilt afterwards [degrees]')
             told = [text_of(e) for _, e in bus.messages('EVENT')]
             checks.that(kill or any(said in line for line in told), f'{name}: EVENT says why: {told}')
-            bus.close()
     finally:
+        bus.close()
         output = policy.end()
     if not kill:
         checks.that(said in output and policy.process.returncode == 1, f'{name}: it says why and exits with 1: {output}')
+
+
+def tilt_of(state):
+    """Of the IMU [degrees]."""
+    _, x, y, _ = state.attitude
+    return math.degrees(math.acos(max(-1.0, min(1.0, 1.0 - 2.0 * (x * x + y * y)))))
+
+
+FAULTS = {'late': (BY_CONTROLLER, 'wants a new action every 20 ms'), 'nan': (BY_CONTROLLER, 'is not a finite number'),
+          'die': (COMMAND_TIMEOUT, 'no command'), 'hang': (BY_CONTROLLER, 'wants a new action every 20 ms'),
+          'throw': (BY_CONTROLLER, 'out of memory')}
+
+
+def fails_in_mid_step(robot, model, spec, vx, fault, after, name, checks):
+    """The robot stands afterwards, or has been let go and is damped; the first reason is the true one, and EVENT says it."""
+    reason, said = FAULTS[fault]
+    words = [PYTHON, str(ROOT / 'test/process/failing_policy.py'), str(model), '--fault', fault, '--after', str(after), '--vx', str(vx)]
+    policy = subprocess.Popen(words + (['--spec', str(spec)] if spec else []), stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+    attempt = checks.tentative()
+    end, bus = 'none', Bus()
+    try:
+        policy.stdout.readline()
+        with Stack('stand_python', '--stack', 'client', '--robot', robot, '--no-viewer', '--no-record'):
+            stopped = bus.wait_for('SOURCE_STATUS', lambda s: s.stop_kind >= 2, timeout=20 + 0.02 * after, start=0)[1]
+            time.sleep(5.0)
+            states = [s for _, s in bus.messages('STATE')][-500:]
+            told = [text_of(e) for _, e in bus.messages('EVENT')]
+            commanded = [s.stop_reason for _, s in bus.messages('SOURCE_STATUS') if s.stop_kind >= 1]
+            largest = max(tilt_of(state) for state in states)
+            turning = max(float(abs(rate)) for state in states for rate in state.qd[:state.joint_count])
+            end = 'stands' if largest < 20.0 and states[-1].stop_kind == 2 else 'damped' if states[-1].stop_kind == 3 else 'stiff'
+            attempt.that(end in ('stands', 'damped'), f'{name}: it {end}, tilt {largest:.1f} degrees')
+            attempt.at_most(turning, 1.0, f'{name}: fastest joint in the last second [rad/s]')
+            fell_first = stopped is not None and stopped.stop_reason == FALLEN
+            true = any(kind == reason for kind in commanded[:1]) or fell_first and fault == 'die'
+            attempt.that(true and any(said in line for line in told), f'{name}: reasons {commanded[:3]}, {reason} asked; EVENT: {told[-6:]}')
+    finally:
+        bus.close()
+        policy.kill()
+        output = policy.communicate(timeout=20)[0]
+    if fault != 'die':
+        attempt.that(said in output, f'{name}: it says why: {output[-300:]}')
+    checks.adopt(attempt)
+    return end if attempt.failed == 0 else 'failed'
+
+
+def mid_step(folder, checks):
+    """A policy that walks where the data of others are there (TWINBUS_DATA), else one that stands; TWINBUS_FULL: twenty of them."""
+    data = pathlib.Path(os.environ.get('TWINBUS_DATA', ''))
+    robot, model, spec, speeds = 'hrp1s', folder / 'stand.onnx', '', (0.0,)
+    if (data / 'policies/g1_policy.onnx').is_file():
+        robot, model, speeds = folder / 'g1', data / 'policies/g1_policy.onnx', (0.0, 0.5)
+        spec = ROOT / 'test/python/policies/g1_playground.spec.yaml'
+        status, out, err = cli('check', data / 'robots/g1/g1_29dof_rev_1_0.urdf', '--propose', robot, timeout=300)
+        checks.that(status == 0, f'mid-step: proposal: {out[-300:]}{err[-300:]}')
+    faults, ends = list(FAULTS), {}
+    count = int(os.environ.get('TWINBUS_POLICY_FAULTS', 20 if harness.FULL else 3))
+    for number in range(count):
+        fault, vx = faults[number % 3 if not harness.FULL else number % len(faults)], speeds[number // 3 % len(speeds)]
+        end = fails_in_mid_step(str(robot), model, spec, vx, fault, 110 + 7 * number, f'{fault} at {vx} m/s, {number}', checks)
+        ends.setdefault((fault, vx), []).append(end)
+        print(f'mid-step {number + 1}: {fault}, {vx} m/s: {end}', flush=True)
+    good = sum(end != 'failed' for several in ends.values() for end in several)
+    print(f'in mid-step: {good} of {count}; ' + '; '.join(f'{fault} at {vx}: {", ".join(several)}' for (fault, vx), several in ends.items()))
 
 
 def example(folder, checks):
@@ -134,11 +217,13 @@ def main():
         folder = pathlib.Path(work)
         (folder / 'SPEC.yaml').write_text(specification())
         stands(folder, checks)
+        ends_in_order(folder, checks)
         example(folder, checks)
         reads = 9 + JOINTS
         stops(folder, 'nan', tiny_onnx.linear(folder / 'nan.onnx', reads, JOINTS, math.nan), 'is not a finite number', BY_CONTROLLER, checks)
         stops(folder, 'late', tiny_onnx.linear(folder / 'late.onnx', reads, JOINTS, slow=200), 'a new action every 20 ms', BY_CONTROLLER, checks)
         stops(folder, 'dead', folder / 'stand.onnx', '', COMMAND_TIMEOUT, checks, kill=True)
+        mid_step(folder, checks)
     checks.exit()
 
 

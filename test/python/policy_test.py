@@ -546,12 +546,12 @@ class Running(unittest.TestCase):
         commands = self.go(40, stop_kind=1)
         self.assertTrue(14 <= len(commands) <= 18, len(commands))  # 0.3 s
 
-    def fails(self, said, network, pace=runner.LOCK_STEP, ticks=30, sleep=0.0):
+    def fails(self, said, network, pace=runner.LOCK_STEP, ticks=30, sleep=0.0, kinds=(2,)):
         self.start(network, pace, wait=0.0)
         with self.assertRaisesRegex(runner.Stopped, said):
             self.go(ticks, sleep)
         stops, events = self.bus.of('STOP'), self.bus.of('EVENT')
-        self.assertEqual({(stop.kind, stop.reason, stop.sequence) for stop in stops}, {(2, 6, 1)})
+        self.assertEqual({(stop.kind, stop.reason, stop.sequence) for stop in stops}, {(kind, 6, kind) for kind in kinds})
         self.assertRegex(twinbus.text(events[-1].text), said)
         self.assertEqual((events[-1].severity, events[-1].run_id), (2, 7))
 
@@ -574,10 +574,120 @@ class Running(unittest.TestCase):
                 released.wait(60.0)
             return np.zeros(12)
         try:
-            self.fails('a new action every 20 ms', FakeNetwork(late), pace=1, ticks=60)
+            self.fails('a new action every 20 ms', FakeNetwork(late), pace=1, ticks=80, kinds=(1, 2))
         finally:
             released.set()
-        self.assertEqual(len(self.bus.of('COMMAND')), 20)  # they went on for the ten ticks in which it had to come
+        self.assertEqual(len(self.bus.of('COMMAND')), 60)  # they went on for 0.1 s after it was submitted
+        self.assertEqual([twinbus.text(event.text)[-8:] for event in self.bus.of('EVENT')], ['ced stop', 'ms: stop'])
+
+    def test_an_inference_that_is_late_by_less_makes_a_balanced_stop(self):
+        calls, released = iter(range(1000)), threading.Event()
+
+        def late():
+            if next(calls) >= 2:
+                released.wait(20.0)
+                released.clear()
+            return np.zeros(12)
+
+        def slowly(ticks, **values):
+            commands = []
+            for tick in range(ticks):
+                commands += self.go(1, **values)
+                if tick % 15 == 14:  # 30 ms
+                    released.set()
+                    time.sleep(0.02)
+            return commands
+        network = FakeNetwork(late)
+        self.start(network, pace=1, wait=0.0, command=(0.5, 0.0, 0.0))
+        slowly(75)
+        self.assertEqual({(stop.kind, stop.reason) for stop in self.bus.of('STOP')}, {(1, 6)})
+        self.assertEqual(len(self.bus.of('EVENT')), 1)
+        commands = slowly(60, stop_kind=1)
+        self.assertTrue(len(commands) == 60 and all(command.flags & runner.STOPPING for command in commands))
+        self.assertTrue(np.allclose(network.seen[-1][6:9], 0.0))
+        released.set()
+        with self.assertRaisesRegex(runner.Stopped, 'a new action every 20 ms'):
+            self.go(1, stop_kind=2)
+
+    def test_a_run_ends_with_a_balanced_stop(self):
+        self.start(wait=0.0, duration=0.02, command=(0.5, 0.0, 0.0))
+        for _ in range(20):
+            self.bus.say('STATE', self.state())
+        for _ in range(5):
+            self.bus.say('STATE', self.state(stop_kind=1))
+        self.bus.say('STATE', self.state(stop_kind=2))
+        self.made.run()
+        self.assertEqual({(stop.kind, stop.reason) for stop in self.bus.of('STOP')}, {(1, 6)})
+        self.assertTrue(all(command.flags & runner.STOPPING for command in self.bus.of('COMMAND')[-5:]))
+
+    def plans(self, **joints):
+        one = trot()
+        for joint in one.joints:
+            for key, value in joints.items():
+                setattr(joint, key, value)
+        self.start(FakeNetwork(1.0), wait=0.0, one=one)
+        self.go(100)
+        return self.bus.of('STOP_PLAN')
+
+    def test_beside_commands_goes_a_stop_plan_to_its_posture(self):
+        plans = self.plans()
+        self.assertEqual([plan.number for plan in plans], list(range(1, len(plans) + 1)))
+        self.assertTrue(4 <= len(plans) <= 5, len(plans))  # every 40 ms of 0.2 s
+        plan = plans[-1]
+        self.assertEqual((plan.run_id, plan.term, plan.model_hash, plan.joints, plan.walks), (7, 3, 99, 0xFFF, 0))
+        self.assertEqual((plan.piece, plan.pieces, plan.knot_count, plan.controller_id), (0, 1, 2, self.bus.of('COMMAND')[0].controller_id))
+        for knot in range(2):
+            self.assertTrue(np.allclose(2e-4 * np.array(plan.q[knot][:12]), [joint.default for joint in trot().joints], atol=1e-4))
+
+    def test_a_stiff_policy_has_a_stop_plan_only_near_its_posture(self):
+        self.assertEqual(self.plans(kp=100.0), [])  # its targets are 0.25 rad away
+        self.assertEqual(len(self.plans(kp=100.0, scale=0.1)), 5)
+
+    def test_a_robot_that_is_not_known_yet_is_held(self):
+        released, one = threading.Event(), trot()
+        self.start(wait=0.0)
+        self.made = runner.Runner(self.bus, lambda dog: (released.wait(20.0), controller.Controller(one, dog, self.network))[1],
+                                  runner.Options(say=self.said.append, wait=0.0))
+        q = np.zeros(48)
+        q[:12] = 0.3
+        self.assertEqual(self.go(3, q=q), [])  # nothing is known
+        urdf = ''.join(f'<joint name="{leg}_{part}_joint" type="revolute"><parent link="{"trunk" if part == "hip" else leg}"/><child link="{leg}'
+                       f'{"" if part == "hip" else part}"/></joint>' for leg in LEGS for part in ('hip', 'thigh', 'calf'))
+        names = ', '.join(f'{leg}_{part}_joint' for leg in LEGS for part in ('hip', 'thigh', 'calf'))
+        for kind, text in ((1, f'<robot name="dog"><link name="trunk"/>{urdf}</robot>'), (3, f'servos: [{{joints: [{names}], kp: 100, kd: 4}}]')):
+            data = text.encode()
+            for number in range(0, len(data), 1000):
+                piece = messages.model_text_t()
+                part = data[number:number + 1000]
+                piece.model_hash, piece.kind, piece.size, piece.count = 99, kind, len(data), len(part)
+                piece.piece, piece.pieces = number // 1000, (len(data) + 999) // 1000
+                piece.text[:len(part)] = np.frombuffer(part, dtype=np.int8)
+                self.bus.say('MODEL_TEXT', piece)
+                self.made.receive(0.0)
+        end = time.monotonic() + 10.0
+        while not (held := self.go(1, q=q)) and time.monotonic() < end:
+            time.sleep(0.01)
+        self.assertTrue(np.allclose(held[0].q[:12], 0.3))
+        self.assertTrue(np.allclose([held[0].kp[0], held[0].kd[11], held[0].kp[12]], [100.0, 4.0, 0.0]))
+        self.assertEqual((self.network.seen, self.bus.of('STOP_PLAN')), ([], []))
+        released.set()
+        self.made._binding.join(10.0)
+        commands = self.go(200)  # 0.4 s
+        self.assertTrue(np.allclose([commands[0].q[0], commands[0].kp[0]], [0.3, 100.0]))  # from there it goes to its own in 0.3 s
+        self.assertTrue(99.0 > commands[75].kp[0] > 36.0)
+        self.assertTrue(np.allclose([commands[160].q[1], commands[160].kp[0]], [0.9, 35.0]))
+        self.assertLess(max(abs(float(b.q[1] - a.q[1])) for a, b in zip(commands, commands[1:])), 0.01)
+
+    def test_a_stop_that_was_there_before_is_told(self):
+        self.start(wait=0.0)
+        self.assertEqual(self.go(3, stop_kind=2), [])
+        for _ in range(2):
+            status = messages.source_status_t()
+            status.run_id, status.stop_kind, status.stop_reason = 7, 2, 7
+            self.bus.say('SOURCE_STATUS', status)
+            self.made.receive(0.0)
+        self.assertEqual(len(self.said), 1)
+        self.assertIn('clear lets the policy begin', self.said[0])
 
     def test_in_lock_step_the_world_waits_for_an_inference(self):
         def slow():

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """`pip install ./python` as a stranger does it: the wheel is built and installed into a virtual environment of its own, and everything is
-asked of it outside the tree: simulations, environments, types (mypy --strict), the examples that need it, and the programs.
+asked of it outside the tree: simulations, environments, types (mypy --strict), the examples that need it, the programs, the commands of
+README.md and every block of doc/python.md, in its order.
 
     wheel_test.py WERROR [MORE WORDS FOR PIP]
 
@@ -8,6 +9,7 @@ Skipped where there is no pip, no venv or no way to the packages it needs.
 """
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -30,6 +32,31 @@ def run(*words, **options):
     return done.stdout
 
 
+def blocks(page, language):
+    return re.findall(rf"^```{language}\n(.*?)^```", (ROOT / page).read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL)
+
+
+def pages(folder, clean):
+    """What README.md and doc/python.md say, word by word; ~ is a folder of its own, and its python the one of the page."""
+    home = folder / "stranger"
+    home.mkdir()
+    there = dict(clean, HOME=str(home), XDG_DATA_HOME=str(folder / "home"), MPLBACKEND="Agg")
+    words, = blocks("doc/python.md", "sh")
+    run("bash", "-e", "-c", words, cwd=ROOT, env=there)
+    installed = home / "twinbus-python/bin"
+    readme, = (block for block in blocks("README.md", "sh") if "pip install ./python" in block)
+    said = run("bash", "-e", "-c", readme, cwd=ROOT, env=dict(there, PATH=f"{installed}:{clean['PATH']}"))
+    assert "10.0 seconds without a fall" in said, f"README.md: {said}"
+    work = folder / "notebook"
+    work.mkdir()
+    cells = blocks("doc/python.md", "python")
+    assert len(cells) > 5, cells
+    (work / "cells.py").write_text("\n".join(cells))
+    print(run(installed / "python", "cells.py", cwd=work, env=there), flush=True)
+    for picture in ("push.png", "log.png"):
+        assert (work / picture).stat().st_size > 5000, picture
+
+
 def main():
     werror = sys.argv[1]
     with tempfile.TemporaryDirectory() as name:
@@ -44,7 +71,7 @@ def main():
             skip(f"no way to the packages {', '.join(NEEDED)}: {got.stderr.strip().splitlines()[-1:]}")
         clean = {key: value for key, value in os.environ.items() if not key.startswith("TWINBUS_") and key != "PYTHONPATH"}
         # The compiler cache has the rooms from the build beside this test when warnings are treated alike.
-        clean["CMAKE_BUILD_PARALLEL_LEVEL"] = str(os.cpu_count() or 1)
+        clean["CMAKE_BUILD_PARALLEL_LEVEL"] = os.environ.get("CMAKE_BUILD_PARALLEL_LEVEL", str(os.cpu_count() or 1))
         run(*pip, "wheel", "--no-deps", "--no-build-isolation", "-w", folder / "wheels", f"-Ccmake.define.TWINBUS_WERROR={werror}",
             *sys.argv[2:], ROOT / "python", env=dict(clean, PATH=f"{folder / 'venv/bin'}:{clean['PATH']}"))
         wheel, = (folder / "wheels").glob("twinbus-*.whl")
@@ -75,6 +102,7 @@ def main():
         said = run(python, examples / "17_simulation.py", **asked)
         assert "10.0 seconds without a fall" in said, f"17_simulation.py says {said}"
         print(f"17_simulation.py: {said.strip().splitlines()[-1]}", flush=True)
+        pages(folder, clean)
 
 
 main()

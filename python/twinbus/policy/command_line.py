@@ -5,6 +5,7 @@ import argparse
 import gc
 import os
 import pathlib
+import signal
 import sys
 
 from ..bus import Bus
@@ -48,6 +49,7 @@ def run(words: argparse.Namespace) -> int:
     wait = words.wait if words.wait is not None else 0.0 if words.no_fade else 0.3
     with Bus(words.url, words.prefix) as bus:
         runner = Runner(bus, bind, Options(tuple(words.command), wait, not words.no_fade, words.duration, fifo), known)
+        signal.signal(signal.SIGTERM, signal.default_int_handler)  # as Ctrl-C: an orderly end
         print('policy: ready', flush=True)
         try:
             runner.run()

@@ -31,10 +31,18 @@ class ModelText:
             self._count[key], self._pieces[key] = (piece.pieces, piece.size), {}
         self._pieces[key][piece.piece] = bytes(int(value) & 0xFF for value in piece.text[:piece.count])
 
+    def whole(self, model_hash: int) -> bool:
+        """Whether URDF and robot.yaml have come, and the SRDF where a piece of one has."""
+        return all(self._is_whole((model_hash, kind)) for kind in (URDF, ROBOT_YAML)) and \
+            ((model_hash, SRDF) not in self._count or self._is_whole((model_hash, SRDF)))
+
+    def _is_whole(self, key: tuple[int, int]) -> bool:
+        return key in self._count and len(self._pieces[key]) >= self._count[key][0]
+
     def text(self, model_hash: int, kind: int) -> str | None:
         """None until every piece has come."""
         key = (model_hash, kind)
-        if key not in self._count or len(self._pieces[key]) < self._count[key][0]:
+        if not self._is_whole(key):
             return None
         data = b''.join(self._pieces[key][number] for number in range(self._count[key][0]))
         return data.decode('utf-8', 'replace') if len(data) == self._count[key][1] else None

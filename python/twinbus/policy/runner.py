@@ -2,7 +2,8 @@
 
 It answers every STATE; a new action comes every period of the policy, and until then the last target holds.  A balanced stop brings the
 velocity to zero, says "stopping" (flag 1) until the robot rests, 2 s at most, and then falls silent, so that the source holds.  An action
-that is no number, the wrong number of them, an inference that fails or is late: the robot is stopped, with that reason."""
+that is no number, the wrong number of them, an inference that fails: the robot is stopped (hold), with that reason.  An inference that is
+late still balances: the stop is a balanced one, until it takes too long for that.  Beside commands goes a stop plan (stop_plan.py)."""
 from __future__ import annotations
 
 import os
@@ -16,29 +17,38 @@ from numpy.typing import NDArray
 from .. import messages
 from ..bus import Bus, decode, new_id
 from ..channels import TYPES
+from .binding import Binding
 from .controller import Controller
 from .errors import PolicyError
 from .inference import Inference
-from .model_text import ModelText
 from .observation import Measured
 from .operator import Operator
 from .robot import Robot
+from .stop_plan import StopPlan
 
 Array = NDArray[np.float64]
 STOPPING, NOT_FADED = 1, 2       # flags of joint_command_t
-HOLD, BY_CONTROLLER = 2, 6       # kind and reason of stop_t
+BALANCED, HOLD = 1, 2            # kinds of stop_t
+BY_CONTROLLER, COMMAND_TIMEOUT = 6, 7  # reasons of it
 CONTROLLER, ALARM, NOTE = 4, 2, 0  # kind of a process, severities
 LOCK_STEP, FREE_RUN, PAUSED = 2, 3, 4  # paces of SOURCE_STATUS
 STOP_TIME = 1.9                  # longest time in which a balanced stop is answered [s]
 AT_REST = 0.05                   # slower the base rests [m/s]
 RECENT = 50                      # ticks after which a velocity is nobody's
+FADE = 0.3                       # from a posture that was held before the policy was known to the policy's own [s]
 FIRST_ESTIMATE = 0.1             # in which the velocity of the base must have come for the first time [s]
+TOO_LATE = 0.1                   # an inference that balances nothing any more [s]
+ASKS_EVERY = 0.02                # a stop, until STATE shows it [s]
 PATIENCE = 2.0                   # for an inference while the robot's time stands still [s]
 LISTENED = ('STATE', 'SOURCE_STATUS', 'MODEL_TEXT', 'WALK', 'GAMEPAD', 'MODE_REQUEST', 'ESTIMATE', 'TRUTH')
 
 
 class Stopped(Exception):
     """The policy itself asked for the stop: why."""
+
+
+class Ended(Exception):
+    """The stop that ends an orderly run has come to its end."""
 
 
 @dataclass
@@ -53,17 +63,25 @@ class Options:
 
 
 class Runner:
-    """bind: makes the controller for a robot; called once, when the robot is known.  robot: known before, else it comes from the bus."""
+    """bind: makes the controller for a robot; called when the robot is known.  robot: known before; else it comes from the bus, and bind is
+    called in a thread (binding.py).  A STATE that comes between is answered by the posture that it found, with the robot's own gains."""
 
     def __init__(self, bus: Bus, bind: Callable[[Robot], Controller], options: Options, robot: Robot | None = None) -> None:
-        self.bus, self._bind, self.options, self.id = bus, bind, options, new_id()
+        self.bus, self.options, self.id = bus, options, new_id()
         self.controller = bind(robot) if robot is not None else None
         self.truth: messages.sim_truth_t | None = None
         self.on_truth: Callable[[messages.sim_truth_t], None] | None = None
         self.on_state: Callable[[messages.robot_state_t], None] | None = None
         self.ticks, self.actions, self.elapsed = 0, 0, 0.0
         self.inference_times: list[float] = []   # of the last second [s]
-        self._texts, self._inference = ModelText(), Inference()
+        self._binding, self._inference = Binding(bind), Inference()
+        self._held: tuple[Array, Array, Array] | None = None  # posture, kp, kd, held before the policy was known
+        self._fade_ns: int | None = None         # since when it goes from there to its own
+        self._told_stopped = False
+        self._failing = ''                       # why a balanced stop was asked here
+        self._ending = False                     # it is the end of an orderly run
+        self._asked_at = 0.0                     # the stop, the last time
+        self._plan: StopPlan | None = None
         self._estimate: Any = None
         self._state: messages.robot_state_t | None = None
         self._pace = 0
@@ -83,12 +101,29 @@ class Runner:
     # -- what comes in -------------------------------------------------------------------------------------------------
 
     def run(self) -> None:
-        """Until options.duration or Ctrl-C.  Stopped when the policy had to stop the robot."""
+        """Until options.duration or Ctrl-C, then a balanced stop.  Stopped when the policy had to stop the robot."""
         try:
-            while self.elapsed < self.options.duration:
-                self.receive(0.1)
+            try:
+                while self.elapsed < self.options.duration:
+                    self.receive(0.1)
+            except KeyboardInterrupt:
+                pass
+            self._end()
         finally:
             self._inference.close()
+
+    def _end(self) -> None:
+        """A robot that is obeyed is brought to rest; a second Ctrl-C leaves it to the source at once."""
+        if self._begin_ns is None or self._state is None or self._rested:
+            return
+        self._failing, self._ending = self._failing or 'the policy ends', True
+        quiet_at = time.monotonic() + 1.0
+        try:
+            while time.monotonic() < quiet_at:
+                if self.receive(0.1):
+                    quiet_at = time.monotonic() + 1.0
+        except (Ended, KeyboardInterrupt):
+            pass
 
     def receive(self, timeout: float) -> bool:
         """Handles what came within timeout [s]; answers the newest STATE.  False: nothing came."""
@@ -118,10 +153,12 @@ class Runner:
                 self.on_truth(message)
         elif channel == 'MODEL_TEXT':
             if self.controller is None:
-                self._texts.hear(message)
+                self._binding.hear(message)
         elif channel == 'SOURCE_STATUS':
             if self._state is not None and message.run_id == self._state.run_id:
                 self._pace = message.pace
+                if message.stop_kind >= HOLD:
+                    self._tell_of_stop(message)
         elif self._state is not None:
             self._operator.hear(channel, message, self._state.run_id)
             if self._operator.complaint:
@@ -135,6 +172,7 @@ class Runner:
         if self.on_state is not None:
             self.on_state(state)
         if self.controller is None and not self._bind_from_bus(state):
+            self._hold(state)
             return
         assert self.controller is not None
         if state.joint_count != len(self.controller.robot.names()):
@@ -142,14 +180,21 @@ class Runner:
                       'another robot runs; --robot says which')
         if state.stop_kind >= HOLD:  # obeys nobody until it is cleared; then everything begins anew
             self._begin_ns = None
+            if self._ending:
+                raise Ended
+            if self._failing:
+                raise Stopped(self._failing)
             return
+        if self._failing and state.stop_kind == 0:
+            self._ask_for_stop(BALANCED)
         if previous is not None and previous.run_id == state.run_id and state.tick < previous.tick:
             self._begin_ns = None    # the world was reset
         if self._begin_ns is None:
             self._begin(state)
         assert self._begin_ns is not None and self._first_ns is not None
         self.ticks += 1
-        self.elapsed = 1e-9 * (state.time_ns - self._first_ns)
+        if not self._ending:
+            self.elapsed = 1e-9 * (state.time_ns - self._first_ns)
         stopping = self._follow_balanced_stop(state)
         if self._rested:
             return
@@ -157,14 +202,30 @@ class Runner:
         blind = self.controller.observation.needs_velocity and self._velocity(state) is None and since < FIRST_ESTIMATE
         if since >= 0.0 and not blind:
             self._think(state, stopping)
-        self._send(state, stopping)
+        self._send(state, stopping, *self._faded(state))
 
     def _bind_from_bus(self, state: messages.robot_state_t) -> bool:
-        robot = self._texts.robot(state.model_hash)
-        if robot is None:
-            return False
-        self.controller = self._bind(robot)
-        return True
+        self.controller = self._binding.look(state.model_hash)[1]
+        return self.controller is not None
+
+    def _hold(self, state: messages.robot_state_t) -> None:
+        """The posture that was found, until the policy is known; silence for the command timeout would be a stop."""
+        robot = self._binding.look(state.model_hash)[0]
+        if robot is None or state.stop_kind >= HOLD or state.joint_count != len(robot.bus):
+            self._held = None
+            return
+        if self._held is None:
+            self._held = (np.array(state.q[:state.joint_count], dtype=np.float64), np.array([joint.kp for joint in robot.bus]),
+                          np.array([joint.kd for joint in robot.bus]))
+        self._send(state, False, *self._held)
+
+    def _tell_of_stop(self, status: messages.source_status_t) -> None:
+        """A stop that was there before this policy: nobody obeys it, and it says so once."""
+        if self._told_stopped or self._first_ns is not None:
+            return
+        self._told_stopped = True
+        why = 'no command came for the command timeout' if status.stop_reason == COMMAND_TIMEOUT else 'status says why'
+        self.options.say(f'the robot is stopped already ({why}); ./twinbus clear lets the policy begin')
 
     def _begin(self, state: messages.robot_state_t) -> None:
         assert self.controller is not None
@@ -175,8 +236,10 @@ class Runner:
         if self._inference.running and self._inference.wait(PATIENCE):
             self._inference.take()
         self.controller.reset()
+        self._plan = StopPlan(self.controller)
         q = np.array(state.q[:state.joint_count], dtype=np.float64)
         self._target = self.controller.posture(q)
+        self._fade_ns = state.time_ns if self._held is not None else None
         most = self.controller.limited(np.full(3, 1e3))
         self._operator.least, self._operator.most = self.controller.limited(np.full(3, -1e3)), most
         off = np.abs(self._target - q)
@@ -220,8 +283,8 @@ class Runner:
             took = 1e-9 * (state.time_ns - self._submitted_ns)
             if world_waits or took >= controller.spec.period and not self._inference.wait(0.002):
                 spent = 1e3 * (time.monotonic() - self._submitted_at)
-                self.stop(f'the inference takes longer than {spent:.0f} ms; the policy wants a new action every '
-                          f'{1e3 * controller.spec.period:.0f} ms')
+                self._late(f'the inference takes longer than {spent:.0f} ms; the policy wants a new action every '
+                           f'{1e3 * controller.spec.period:.0f} ms', world_waits or took >= TOO_LATE)
             if not self._inference.wait(0.0):
                 return
         spent = 1e-9 * (state.time_ns - self._submitted_ns)
@@ -230,9 +293,17 @@ class Runner:
         except PolicyError as error:
             self.stop(str(error))
         if not world_waits and spent > controller.spec.period:
-            self.stop(f'the inference took {1e3 * spent:.0f} ms; the policy wants a new action every {1e3 * controller.spec.period:.0f} ms')
+            self._late(f'the inference took {1e3 * spent:.0f} ms; the policy wants a new action every {1e3 * controller.spec.period:.0f} ms', False)
         self._target[controller.observation.index] = targets
         self.actions += 1
+
+    def _late(self, reason: str, lost: bool) -> None:
+        """lost: so late that it balances nothing any more."""
+        if lost:
+            self.stop(reason)
+        if not self._failing:
+            self._failing = reason
+            self.event(f'policy: {reason}: balanced stop', ALARM)
 
     def _step(self, controller: Controller, measured: Measured, command: Array) -> Array:
         begin = time.perf_counter()
@@ -278,16 +349,28 @@ class Runner:
 
     # -- what goes out -------------------------------------------------------------------------------------------------
 
-    def _send(self, state: messages.robot_state_t, stopping: bool) -> None:
+    def _faded(self, state: messages.robot_state_t) -> tuple[Array, Array, Array]:
+        """Posture and gains of this tick.  The source fades in what it obeys first; where that was a posture held, the policy fades in here."""
         controller = self.controller
         assert controller is not None
+        share = 1.0 if self._fade_ns is None else 1e-9 * (state.time_ns - self._fade_ns) / FADE
+        if self._held is None or share >= 1.0:
+            self._held = self._fade_ns = None
+            return self._target, controller.kp, controller.kd
+        share = share * share * (3.0 - 2.0 * share)
+        q, kp, kd = ((1.0 - share) * held + share * own for held, own in zip(self._held, (self._target, controller.kp, controller.kd)))
+        return q, kp, kd
+
+    def _send(self, state: messages.robot_state_t, stopping: bool, q: Array, kp: Array, kd: Array) -> None:
         count = state.joint_count
         command = messages.joint_command_t()
         command.tick, command.run_id, command.term = state.tick, state.run_id, state.term
         command.model_hash, command.joint_count, command.controller_id = state.model_hash, count, self.id
         command.flags = (STOPPING if stopping else 0) | (0 if self.options.fade else NOT_FADED)
-        command.q[:count], command.kp[:count], command.kd[:count] = self._target, controller.kp, controller.kd
+        command.q[:count], command.kp[:count], command.kd[:count] = q, kp, kd
         self.bus.send('COMMAND', command)
+        if self._plan is not None and self._plan.due(state.time_ns, q):
+            self.bus.send('STOP_PLAN', self._plan.message(command))
         if self.ticks % 5 == 0:
             self._tell_status(state, stopping)
         if time.monotonic() - self._beat >= 0.1:
@@ -333,13 +416,21 @@ class Runner:
     def stop(self, reason: str) -> NoReturn:
         """Stops the robot (hold) and says why, until STATE shows the stop; then throws Stopped."""
         self.event(f'policy: {reason}: stop', ALARM)
-        message, end = messages.stop_t(), time.monotonic() + 1.0
-        message.utime, message.sender_id, message.sequence = time.time_ns() // 1000, self.id, 1  # the same stop, however often it is sent
-        message.kind, message.reason = HOLD, BY_CONTROLLER
+        end = time.monotonic() + 1.0
         while time.monotonic() < end:
-            self.bus.send('STOP', message)
+            self._ask_for_stop(HOLD)
             for channel, body in self.bus.receive(0.02):
                 state = decode(channel, body) if channel == 'STATE' else None
                 if state is not None and state.stop_kind >= HOLD:
                     raise Stopped(reason)
         raise Stopped(f'{reason} (no STATE showed the stop within a second)')
+
+    def _ask_for_stop(self, kind: int) -> None:
+        now = time.monotonic()
+        if now - self._asked_at < ASKS_EVERY:
+            return
+        self._asked_at = now
+        message = messages.stop_t()
+        message.utime, message.sender_id, message.sequence = time.time_ns() // 1000, self.id, kind  # the same stop, however often it is sent
+        message.kind, message.reason = kind, BY_CONTROLLER
+        self.bus.send('STOP', message)

@@ -17,7 +17,7 @@ def _loader() -> Any:
     except ImportError:
         raise PolicyError(REMEDY) from None
 
-    class Plain(yaml.SafeLoader):  # type: ignore[misc,name-defined,unused-ignore]
+    class Plain(getattr(yaml, 'CSafeLoader', yaml.SafeLoader)):  # type: ignore[misc,name-defined,unused-ignore]
         pass
 
     def plain(loader: Any, tag: str, node: Any) -> Any:
@@ -35,7 +35,7 @@ def parse(text: str, name: str) -> dict[str, Any]:
     """The map that a text is.  PolicyError names file and line."""
     yaml, loader = _loader()
     try:
-        for token in yaml.scan(text):
+        for token in yaml.scan(text, Loader=loader):
             if isinstance(token, yaml.AliasToken):
                 raise PolicyError(f'{name}:{token.start_mark.line + 1}: references (*NAME) are not read; write the values out')
         found = yaml.load(text, Loader=loader)
