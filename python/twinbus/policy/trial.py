@@ -10,6 +10,7 @@ import random
 import subprocess
 import tempfile
 from dataclasses import dataclass, field, replace
+from typing import Callable
 
 import numpy as np
 from numpy.typing import NDArray
@@ -72,9 +73,10 @@ def posture_of(spec: Spec, robot: Robot) -> str | None:
 
 
 def run(network: Network, spec: Spec, robot: Robot, folder: str, command: tuple[float, float, float], seconds: float, seed: int = 1,
-        engine: str = '', settings: tuple[str, ...] = (), wait: float | None = None) -> Outcome:
+        engine: str = '', settings: tuple[str, ...] = (), wait: float | None = None, scene: str = 'stand_python',
+        look: Callable[[Runner, messages.sim_truth_t], None] | None = None) -> Outcome:
     """folder: of the robot, as behind --robot.  seconds: of the robot's time.  wait: as of the runner, None: 0 where a pose of the SRDF is
-    the policy's posture.
+    the policy's posture.  scene: a name or a file.  look: called with every TRUTH.
 
     PolicyError when the stack does not run."""
     pose = posture_of(spec, robot)
@@ -84,8 +86,13 @@ def run(network: Network, spec: Spec, robot: Robot, folder: str, command: tuple[
     with tempfile.TemporaryDirectory() as work, Bus(url) as bus:
         runner = Runner(bus, lambda found: Controller(spec, found, network), Options(command, wait, pose is None, seconds, say=lambda _: None),
                         replace(robot))
-        runner.on_truth = watch.see
-        words = [str(home.program()), 'up', 'stand_python', '--stack', 'client', '--robot', folder, '--lockstep', '--no-viewer', '--no-record',
+
+        def see(truth: messages.sim_truth_t) -> None:
+            watch.see(truth)
+            if look is not None:
+                look(runner, truth)
+        runner.on_truth = see
+        words = [str(home.program()), 'up', scene, '--stack', 'client', '--robot', folder, '--lockstep', '--no-viewer', '--no-record',
                  '--for', f'{seconds + 0.1:g}', '--seed', str(seed), '--url', url]
         words += ['--start-pose', pose] if pose is not None else []
         words += ['--engine', engine] if engine else []

@@ -1,0 +1,168 @@
+#!/usr/bin/env python3
+"""Policies that others trained, on robots as `./twinbus check --propose` writes them, unedited: starts, walks, and the estimate of the base.
+
+    bench_policy.py starts [--count 30]                  real time, --wait 0: falls within 4 s of the start, per velocity
+    bench_policy.py walks [--seconds 60] [--seeds 3]     lock-step, ESTIMATE and no TRUTH: falls, mean velocities, error of the estimate
+    bench_policy.py estimate [--seconds 20] [--seeds 3]  the same, pushed and on tiles of 30 mm
+
+Needs $TWINBUS_DATA (policies/g1_policy.onnx, policies/go1_policy.onnx, robots/g1, robots/go1) and a Python with onnxruntime: this one, or
+$TWINBUS_POLICY_PYTHON.  Starts and stacks share the bus of the machine: under test/tools/private_bus.sh."""
+import argparse
+import math
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import time
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+other = os.environ.get('TWINBUS_POLICY_PYTHON')
+if other and not os.environ.get('TWINBUS_POLICY_RUNS'):
+    os.execve(other, [other, *sys.argv], dict(os.environ, TWINBUS_POLICY_RUNS='1'))
+sys.path[:0] = [str(ROOT / 'python'), str(ROOT / 'test/process')]
+SKIPPED = 77
+try:
+    import numpy as np
+    import onnxruntime  # noqa: F401
+    from twinbus.policy import find, network, robot, trial
+    from twinbus.policy.observation import rotation_of
+except ImportError as error:
+    print(f'skipped: {error.name} is missing; set TWINBUS_POLICY_PYTHON')
+    sys.exit(SKIPPED)
+import harness  # noqa: E402
+
+DATA = pathlib.Path(os.environ.get('TWINBUS_DATA', ''))
+ROBOTS = {'g1': ('robots/g1/g1_29dof_rev_1_0.urdf', 'policies/g1_policy.onnx', 'g1_playground.spec.yaml'),
+          'go1': ('robots/go1/go1.urdf', 'policies/go1_policy.onnx', 'go1_playground.spec.yaml')}
+COMMANDS = {'g1': [(0.0, 0.0, 0.0), (0.5, 0.0, 0.0), (1.0, 0.0, 0.0)],
+            'go1': [(0.0, 0.0, 0.0), (0.5, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, 0.0, 1.0)]}
+PUSHED = 'duration: 600\npush_round: {at: 3, every: 2, count: 8, phase: 0.6, forward: 0.3, back: 0.3, sideways: 0.2}\n'
+TILES = 'duration: 600\nterrain: {tile: 0.3, height: 0.03, slope_deg: 0, from: 0.6, length: 12, width: 4}\n'
+
+
+class Policy:
+    """A policy with its proposed robot."""
+
+    def __init__(self, name, folder):
+        urdf, model, spec = ROBOTS[name]
+        self.name, self.folder, self.model, self.spec_file = name, folder / name, DATA / model, ROOT / 'test/python/policies' / spec
+        status, out, err = harness.cli('check', DATA / urdf, '--propose', self.folder, timeout=600)
+        assert self.folder.is_dir(), f'{status}: {out[-400:]}{err[-400:]}'
+        self.robot = robot.from_folder(str(self.folder))
+        self.network = network.Network(self.model)
+        self.spec = find.find(self.network, self.robot, str(self.spec_file))
+
+
+class Error:
+    """Of the velocity in ESTIMATE beside that of TRUTH, base axes, after two seconds."""
+
+    def __init__(self):
+        self.squares, self.count, self.largest, self.begin, self.from_truth = np.zeros(3), 0, 0.0, None, False
+        self._truths = {}
+
+    def look(self, runner, truth):
+        self.begin = truth.sim_time if self.begin is None else self.begin
+        self.from_truth = self.from_truth or runner._said_truth
+        estimate = runner._estimate
+        self._truths[truth.tick] = rotation_of(np.array(truth.base_attitude)).T @ np.array(truth.base_velocity)
+        while len(self._truths) > 8:
+            self._truths.pop(next(iter(self._truths)))
+        if estimate is None or estimate.tick not in self._truths or truth.sim_time - self.begin < 2.0:
+            return
+        error = np.array(estimate.velocity_in_base) - self._truths.pop(estimate.tick)
+        self.squares += error * error
+        self.count += 1
+        self.largest = max(self.largest, float(np.linalg.norm(error)))
+
+    def rms(self):
+        return np.sqrt(self.squares / max(1, self.count))
+
+
+def walk(policy, command, seconds, seed, scene='stand_python'):
+    error = Error()
+    outcome = trial.run(policy.network, policy.spec, policy.robot, str(policy.folder), command, seconds, seed, scene=scene, look=error.look)
+    assert not error.from_truth, 'the velocity of the base was that of TRUTH'
+    rms = error.rms()
+    print(f'{policy.name:4} {trial.in_words(outcome)}; estimate off by {rms[0]:.3f} {rms[1]:.3f} {rms[2]:.3f} m/s rms, {error.largest:.2f} at most '
+          f'({error.count} ticks), seed {seed}', flush=True)
+    return outcome, rms
+
+
+def table(policy, cases, seconds, seeds, scene='stand_python', about=''):
+    falls = 0
+    for command in cases:
+        rows = [walk(policy, command, seconds, seed, scene) for seed in range(1, seeds + 1)]
+        fell = sum(outcome.fell or bool(outcome.stopped) for outcome, _ in rows)
+        mean = np.mean([outcome.velocity for outcome, _ in rows], axis=0)
+        rms = np.sqrt(np.mean([error * error for _, error in rows], axis=0))
+        print(f'| {policy.name} | {about} | {command[0]:g} {command[1]:g} {command[2]:g} | {fell} of {len(rows)} fell | {mean[0]:.3f} {mean[1]:.3f} '
+              f'{mean[2]:.3f} | {rms[0]:.3f} {rms[1]:.3f} {rms[2]:.3f} |', flush=True)
+        falls += fell
+    return falls
+
+
+def start(policy, vx):
+    """One start in real time; what it did: '' or how it ended."""
+    pose = trial.posture_of(policy.spec, policy.robot)
+    words = [str(harness.BIN / 'twinbus'), 'policy', str(policy.model), '--spec', str(policy.spec_file), '--command', str(vx), '0', '0', '--wait', '0']
+    process = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                               env=dict(os.environ, TWINBUS_POLICY_PYTHON=sys.executable))
+    bus = harness.Bus()
+    try:
+        while 'ready' not in (line := process.stdout.readline()):
+            assert line, process.communicate()[0]
+        with harness.Stack('stand_python', '--stack', 'client', '--robot', policy.folder, '--no-viewer', '--no-record',
+                           *(['--start-pose', pose] if pose else [])):
+            time.sleep(4.0)
+            states = [state for _, state in bus.messages('STATE')]
+    finally:
+        bus.close()
+        process.kill()
+        process.communicate()
+    tilts = [math.degrees(2.0 * math.asin(min(1.0, math.hypot(state.attitude[1], state.attitude[2])))) for state in states]
+    if max(tilts) > 40.0:
+        return f'fell after {0.002 * next(k for k, tilt in enumerate(tilts) if tilt > 40.0):.1f} s'
+    return '' if states[-1].stop_kind == 0 else f'stopped, kind {states[-1].stop_kind}'
+
+
+def starts(policy, count):
+    failed = 0
+    for command in COMMANDS[policy.name]:
+        ends = [end for end in (start(policy, command[0]) for _ in range(count)) if end]
+        failed += len(ends)
+        print(f'{policy.name} {command[0]:g} m/s: {len(ends)} of {count} starts failed {ends}', flush=True)
+    return failed
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument('what', choices=('starts', 'walks', 'estimate'))
+    parser.add_argument('--count', type=int, default=30)
+    parser.add_argument('--seconds', type=float)
+    parser.add_argument('--seeds', type=int, default=3)
+    parser.add_argument('--robots', nargs='+', choices=ROBOTS, default=list(ROBOTS))
+    words = parser.parse_args()
+    missing = [name for name in words.robots for path in ROBOTS[name][:2] if not (DATA / path).is_file()]
+    if missing or not str(DATA):
+        print(f'skipped: $TWINBUS_DATA has not what {", ".join(sorted(set(missing)))} needs')
+        sys.exit(SKIPPED)
+    falls = 0
+    with tempfile.TemporaryDirectory() as work:
+        folder = pathlib.Path(work)
+        (folder / 'pushed.yaml').write_text('about: Pushed all round.\n' + PUSHED)
+        (folder / 'tiles.yaml').write_text('about: Tiles.\n' + TILES)
+        for name in words.robots:
+            policy = Policy(name, folder)
+            if words.what == 'starts':
+                falls += starts(policy, words.count)
+            elif words.what == 'walks':
+                falls += table(policy, COMMANDS[name], words.seconds or 60.0, words.seeds, about='flat')
+            else:
+                falls += table(policy, [(0.5, 0.0, 0.0)], words.seconds or 20.0, words.seeds, str(folder / 'pushed.yaml'), 'pushed')
+                falls += table(policy, [(0.5, 0.0, 0.0)], words.seconds or 20.0, words.seeds, str(folder / 'tiles.yaml'), 'tiles')
+    sys.exit(1 if falls else 0)
+
+
+if __name__ == '__main__':
+    main()
