@@ -190,6 +190,14 @@ def mid_step(folder, checks):
     print(f'in mid-step: {good} of {count}; ' + '; '.join(f'{fault} at {vx}: {", ".join(several)}' for (fault, vx), several in ends.items()))
 
 
+def starts(checks):
+    """G1 on the robot as proposed begins to walk at once, at three velocities (test/bench/bench_policy.py)."""
+    done = subprocess.run([PYTHON, str(ROOT / 'test/bench/bench_policy.py'), 'starts', '--robots', 'g1', '--count', '30' if harness.FULL else '1'],
+                          capture_output=True, text=True, env=dict(os.environ, TWINBUS_POLICY_PYTHON=PYTHON, TWINBUS_POLICY_RUNS='1'))
+    print(done.stdout, end='')
+    checks.that(done.returncode in (0, harness.SKIPPED), f'starts: {done.stdout[-600:]}{done.stderr[-600:]}')
+
+
 def example(folder, checks):
     """examples/16_policy.py: the same in a program of one's own."""
     process = subprocess.Popen([PYTHON, str(ROOT / 'examples/16_policy.py'), str(folder / 'stand.onnx'), '--for', '1'], stdout=subprocess.PIPE,
@@ -224,6 +232,7 @@ def main():
         stops(folder, 'late', tiny_onnx.linear(folder / 'late.onnx', reads, JOINTS, slow=200), 'a new action every 20 ms', BY_CONTROLLER, checks)
         stops(folder, 'dead', folder / 'stand.onnx', '', COMMAND_TIMEOUT, checks, kill=True)
         mid_step(folder, checks)
+        starts(checks)
     checks.exit()
 
 
