@@ -27,7 +27,8 @@ def write_robot(folder, kind):
                      '<axis xyz="0 1 0"/><limit lower="-2.5" upper="2.5" effort="80" velocity="20"/></joint>')
     lines.append("</robot>\n")
     (folder / f"{name}.urdf").write_text("\n".join(lines))
-    (folder / f"{name}.srdf").write_text(f'<robot name="{name}"/>\n')
+    pose = "".join(f'<joint name="{joint}" value="0"/>' for joint in JOINTS[kind])
+    (folder / f"{name}.srdf").write_text(f'<robot name="{name}"><group_state name="half_sitting" group="all">{pose}</group_state></robot>\n')
     (folder / "robot.yaml").write_text(f"urdf: {name}.urdf\nsrdf: {name}.srdf\nbase: fixed\nperiod: 0.002\n"
                                        f"servos:\n  - joints: [{', '.join(JOINTS[kind])}]\n    kp: 60\n    kd: 2\n")
     return folder
