@@ -31,8 +31,17 @@ def skip(why):
     sys.exit(harness.SKIPPED)
 
 
+def go_ahead():
+    """FIFO priority as our own loops have, where it is allowed: a program that drives a robot beside a busy machine needs it."""
+    try:
+        os.sched_setscheduler(0, os.SCHED_FIFO, os.sched_param(20))
+    except OSError:
+        pass
+
+
 def peer(*words, **options):
-    return subprocess.Popen([PYTHON, str(PEER), *map(str, words)], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, **options)
+    return subprocess.Popen([PYTHON, str(PEER), *map(str, words)], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                            preexec_fn=go_ahead, **options)
 
 
 def output_of(process, timeout):
@@ -49,7 +58,7 @@ def frames(checks):
         begin = time.monotonic()
         other = peer("frames", kind, FRAMES, "lo", 3)
         ours = subprocess.Popen([BIN / "unitree_probe", kind, str(FRAMES), "lo", "3"], stdout=subprocess.PIPE, text=True)
-        here, there = output_of(ours, 400), output_of(other, 60)
+        here, there = output_of(ours, 120 + 0.1 * FRAMES), output_of(other, 60)
         print(f"{kind}: {here}; {there}; {time.monotonic() - begin:.1f} s", flush=True)
         checks.that(ours.returncode == 0, f"{kind}: every command is byte for byte the one expected: {here}")
         checks.that(other.returncode == 0, f"{kind}: every state has the fields and the CRC expected: {there}")
