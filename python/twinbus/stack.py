@@ -65,7 +65,7 @@ class Stack:
         for line in self.lines:
             for word in line.split():
                 folder = pathlib.Path(word.rstrip('.,:'))
-                if 'runs' in folder.parts and (folder / 'run.log').is_file():
+                if folder.is_absolute() and (folder / 'run.log').is_file():
                     return folder / 'run.log'
         return None
 

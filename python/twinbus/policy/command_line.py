@@ -48,7 +48,9 @@ def run(words: argparse.Namespace) -> int:
     fifo = not words.no_fifo and go_ahead()
     wait = words.wait if words.wait is not None else 0.0 if words.no_fade else 0.3
     with Bus(words.url, words.prefix) as bus:
-        runner = Runner(bus, bind, Options(tuple(words.command), wait, not words.no_fade, words.duration, fifo), known)
+        # A policy that moves at once is not faded in: half obeyed it falls.
+        fade = not words.no_fade and wait > 0.0
+        runner = Runner(bus, bind, Options(tuple(words.command), wait, fade, words.duration, fifo), known)
         signal.signal(signal.SIGTERM, signal.default_int_handler)  # as Ctrl-C: an orderly end
         print('policy: ready', flush=True)
         try:
