@@ -370,19 +370,6 @@ void CommandGate::off_command(JointCommand& command) const noexcept {
   if (limits_->damp_when_off) command.kd = limits_->stop_kd;
 }
 
-void CommandGate::brake(JointCommand& command, std::int64_t mask) noexcept {
-  for (int j = 0; j < limits_->joint_count; ++j) {
-    if ((mask & bit(j)) == 0) continue;
-    const std::size_t i = at(j);
-    command.q[i] = effective_.q[i];
-    command.qd[i] = effective_.qd[i];
-    brake_step(limits_->brake[i], limits_->period, command.q[i], command.qd[i]);
-    command.tau[i] = effective_.tau[i];
-    command.kp[i] = effective_.kp[i];
-    command.kd[i] = effective_.kd[i];
-  }
-}
-
 void CommandGate::limit(JointCommand& command) noexcept {
   using What = FirstCut::What;
   int cuts = 0;
@@ -449,14 +436,12 @@ const JointCommand& CommandGate::output(std::int64_t tick, bool walking,
       }
     }
     const std::int64_t mask = holding_ ? 0 : mask_in_force(walking || plan_.walks(), now_ns);
-    const std::int64_t released = braking_ & ~mask;
-    if (released != 0) {
-      blend_.start(effective_, client_, released, limits_->period, limits_->blend_s);
-    }
+    const MaskedBrake::Released released = brake_.hold(mask, *limits_, client_, measured_, effective_);
+    blend_.active &= ~released.at_once;
+    if (released.faded != 0) blend_.start(effective_, client_, released.faded, limits_->period, limits_->blend_s);
     command = client_;
     blend_.advance_and_apply(limits_->period, limits_->joint_count, command);
-    braking_ = mask;
-    brake(command, mask);
+    brake_.apply(*limits_, effective_, command);
     limit(command);
   }
   count_silence(silent);

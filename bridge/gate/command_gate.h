@@ -11,6 +11,7 @@
 
 #include "bridge/gate/blend.h"
 #include "bridge/gate/gate_limits.h"
+#include "bridge/gate/masked_brake.h"
 #include "bridge/gate/plan_run.h"
 #include "bridge/gate/soft_servos.h"
 #include "bridge/handover/rules.h"
@@ -88,7 +89,7 @@ class CommandGate {
   void share_nonce(std::int32_t nonce, bool stopped) noexcept { latch_.share(nonce, stopped); }
   void guard(const GuardReport& report, std::int64_t now_ns) noexcept;
 
-  // What the robot measures in this tick; holds and stop plans of soft servos begin there.
+  // What the robot measures in this tick; holds, brakes and stop plans of soft servos begin there.
   void measured(const RobotState& state) noexcept;
   // The state of this tick is out, with the stop that is known by now.
   void published(std::int64_t tick) noexcept { published_tick_ = tick; }
@@ -109,7 +110,7 @@ class CommandGate {
   std::int64_t controller_id() const noexcept { return controller_; }
   std::int64_t last_accepted_ns() const noexcept { return last_accepted_ns_; }
   std::int64_t last_accepted_tick() const noexcept { return last_tick_; }
-  std::int64_t masked() const noexcept { return braking_; }  // bit per joint
+  std::int64_t masked() const noexcept { return brake_.joints(); }  // bit per joint
   bool is_open() const noexcept { return open_; }
   bool commanded() const noexcept { return have_client_; }  // a command was accepted since open()
   bool wants_blend() const noexcept { return fade_next_ && next_blend_s_ > 0.0; }
@@ -136,7 +137,6 @@ class CommandGate {
   void start_hold(bool stop_gains) noexcept;
   void follow_stiffly() noexcept;
   void off_command(JointCommand& command) const noexcept;
-  void brake(JointCommand& command, std::int64_t mask) noexcept;
   void limit(JointCommand& command) noexcept;
   void count_silence(bool silent) noexcept;
   std::int64_t mask_in_force(bool walking, std::int64_t now_ns) const noexcept;
@@ -159,7 +159,6 @@ class CommandGate {
   std::int64_t guard_ns_ = 0;  // of the last report, or of open()
   std::int64_t guard_tick_ = -1;
   std::int64_t guard_mask_ = 0;
-  std::int64_t braking_ = 0;
   std::int32_t term_ = 0;
   std::int32_t ticks_without_stopping_ = 0;
   bool stopping_seen_ = false;  // this tick
@@ -184,6 +183,7 @@ class CommandGate {
   OffsetBlend blend_;
   MeasuredJoints measured_;
   std::int64_t soft_ = 0;   // bit per joint whose servo the obeyed controller wants far softer than that of a stop
+  MaskedBrake brake_;
 };
 
 }  // namespace twinbus

@@ -30,6 +30,7 @@ Guard::Impl::Impl(const Model& robot, const GuardConfig& wanted)
       config(wanted),
       collision(robot),
       track(robot, wanted.delay_ticks, wanted.servo_lag),
+      servos(robot, wanted.delay_ticks, wanted.servo_lag),
       own_kinematics(robot),
       then_kinematics(robot),
       now(robot),
@@ -67,12 +68,16 @@ Guard::Impl::Impl(const Model& robot, const GuardConfig& wanted)
 }
 
 void Guard::Impl::predict(const RobotState& state, const JointCommand* command) noexcept {
-  if (command != nullptr) track.follow(state, *command, report.hold_mask);
+  if (command != nullptr) {
+    track.follow(state, *command, report.hold_mask & ~servos.soft());
+    servos.follow(state, *command, report.hold_mask, *now_kinematics, now);
+  }
   const int count = std::min({model->bus_count(), kMaxJoints, static_cast<int>(state.joint_count)});
   for (int k = 0; k < count; ++k) {
     const auto joint = at(model->bus_joints[at(k)]);
     braked[joint] = track.if_braked(at(k), static_cast<double>(state.qd[at(k)]));
     obeyed[joint] = command != nullptr ? track.if_obeyed(at(k)) : braked[joint];
+    if (command != nullptr && servos.is_soft(at(k))) obeyed[joint] = braked[joint] = servos.if_obeyed(at(k));
   }
   spread_to_mimics(*model, braked);
   spread_to_mimics(*model, obeyed);
@@ -81,8 +86,14 @@ void Guard::Impl::predict(const RobotState& state, const JointCommand* command) 
 // What is held braked, the others obeyed: what will happen with this mask.
 void Guard::Impl::predict_masked(std::int64_t held) noexcept {
   masked = obeyed;
+  if (servos.soft() != 0) servos.look_masked(held);
   for (int k = 0; k < std::min(model->bus_count(), kMaxJoints); ++k) {
-    if ((held & bit(k)) != 0) masked[at(model->bus_joints[at(k)])] = track.if_held(at(k));
+    Course& course = masked[at(model->bus_joints[at(k)])];
+    if (servos.is_soft(at(k))) {
+      course = servos.if_masked(at(k));
+    } else if ((held & bit(k)) != 0) {
+      course = track.if_held(at(k));
+    }
   }
   spread_to_mimics(*model, masked);
 }
@@ -112,7 +123,7 @@ void Guard::Impl::bound_moves() noexcept {
     farthest[static_cast<Eigen::Index>(j)] = longer(longer(0.0, obeyed[j]), braked[j]);
   for (int k = 0; k < std::min(model->bus_count(), kMaxJoints); ++k) {
     double& most = farthest[model->bus_joints[at(k)]];
-    most = longer(most, track.if_held(at(k)));
+    most = longer(most, if_held(k));
   }
   for (int j = 0; j < model->joint_count(); ++j) {
     const Joint& joint = model->joints[at(j)];
@@ -189,6 +200,7 @@ void Guard::set_obstacles(const std::vector<Obstacle>& obstacles) {
 
 void Guard::Impl::forget() noexcept {
   track.reset();
+  servos.reset();
   keep.fill(0);
   report = GuardReport{};
   cause = GuardCause{};
@@ -209,8 +221,7 @@ const GuardReport& Guard::check(const RobotState& state, const JointCommand* com
 const GuardReport& Guard::check(const RobotState& state, const JointCommand* command,
                                 const Estimator& seen) noexcept {
   Impl& i = *impl_;
-  i.now.base = seen.configuration().base;
-  i.now.q = seen.configuration().q;
+  i.now = seen.configuration();
   i.now_kinematics = &seen.kinematics();
   return i.check(state, command);
 }
@@ -236,7 +247,9 @@ const GuardReport& Guard::Impl::check(const RobotState& state,
   if (other_way) look_along(braked);
   if (command != nullptr) prove_mask();
   for (std::size_t k = 0; k < at(kMaxJoints); ++k) {
-    const bool caused = ((mask >> k) & 1) != 0;
+    // Soft servos are let go together, once none of them leads into anything: what is let go while others are held moves them.
+    const bool stays = danger && keep[k] > 0 && servos.is_soft(k);
+    const bool caused = ((mask >> k) & 1) != 0 || stays;
     keep[k] = caused ? kKeepTicks : std::max(0, keep[k] - 1);
     if (keep[k] > 0) mask |= std::int64_t{1} << k;
   }

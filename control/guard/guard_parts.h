@@ -9,6 +9,7 @@
 
 #include "control/guard/braking_path.h"
 #include "control/guard/guard.h"
+#include "control/guard/servo_predictor.h"
 #include "control/guard/set_point_predictor.h"
 #include "common/math/index.h"
 
@@ -26,6 +27,7 @@ struct Guard::Impl {
   GuardConfig config;
   Collision collision;
   SetPointTrack track;
+  ServoPredictor servos;  // of joints that are too soft to follow their set-points
   Kinematics own_kinematics, then_kinematics;
   const Kinematics* now_kinematics = &own_kinematics;  // or the estimator's, of the same joints
   Configuration now, then;
@@ -60,6 +62,8 @@ struct Guard::Impl {
     return link < model->link_count() && moves[at(link * model->joint_count() + joint)] != 0;
   }
 
+  const Course& if_held(int k) const noexcept { return servos.is_soft(at(k)) ? servos.if_held(at(k)) : track.if_held(at(k)); }
+  std::int64_t on_hold() const noexcept { return track.on_hold() | servos.on_hold(); }
   void forget() noexcept;
   // What is now is known.
   const GuardReport& check(const RobotState& state, const JointCommand* command) noexcept;

@@ -16,6 +16,18 @@ inline constexpr double kSlowestFull =
 
 inline constexpr double kTorqueStep = 0.1;  // largest change of a joint's torque from tick to tick, of its effort
 
+// Gains of a hold.
+inline double hold_kp(const Joint& joint) noexcept { return joint.stop_kp > 0.0 ? joint.stop_kp : joint.kp; }
+inline double hold_kd(const Joint& joint) noexcept { return joint.stop_kd > 0.0 ? joint.stop_kd : joint.kd; }
+
+// A servo with less than this share of the stiffness of a hold does not go where its set-point is.  Nor does a set-point that
+// is farther than this from its joint say where a brake ends: both are braked from where the joint is, with the gains of a hold
+// and no other torque.
+inline constexpr double kSoftShare = 0.9;
+inline constexpr double kFarSetPoint = 0.03;  // [rad or m]
+
+inline bool is_soft(double kp, const Joint& joint) noexcept { return kp < kSoftShare * std::min(joint.kp, hold_kp(joint)); }
+
 // [rad/s^2 or m/s^2]
 inline double brake_deceleration(const Joint& joint) noexcept {
   return std::max(joint.velocity, kSlowestFull) / kBrakeTime;

@@ -182,6 +182,10 @@ Row measure_guard(const Model& model, std::int64_t calls, long& allocations) {
   JointCommand command;
   state.run_id = command.run_id = 1;
   state.joint_count = command.joint_count = static_cast<std::int16_t>(model.bus_count());
+  for (std::size_t k = 0; k < model.bus_joints.size(); ++k) {  // servos as stiff as our controller's
+    command.kp[k] = static_cast<float>(model.joints[at(model.bus_joints[k])].kp);
+    command.kd[k] = static_cast<float>(model.joints[at(model.bus_joints[k])].kd);
+  }
   for (std::int64_t tick = 1; tick <= calls; ++tick) {
     state.tick = command.tick = tick;
     const double t = model.period() * static_cast<double>(tick);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "robot/kinematics/brake.h"
 #include "test/bridge/small_robot.h"
 #include "test/no_alloc.h"
 
@@ -392,6 +393,50 @@ TEST_F(Gate, TheGuardsMaskBrakesAJointAndLetsTheOthersGo) {
   EXPECT_NEAR(gate.effective().q[1], c.q[1], 1e-9);
   run(200);  // the guard is silent and not required: faded back
   EXPECT_NEAR(gate.effective().q[0], c.q[0], 1e-6);
+}
+
+// A policy's set-point lies far from its joint on purpose: held, it would pull the joint there.
+TEST_F(Gate, ASoftJointIsBrakedFromWhereItIsWithTheGainsOfAHold) {
+  JointCommand c = command();
+  c.kp[0] = 30.0F;
+  c.kd[0] = 1.0F;
+  c.q[0] = 0.6;
+  c.tau[0] = 5.0F;
+  RobotState state;
+  state.q[0] = 0.1;
+  state.qd[0] = 0.8F;
+  GuardReport report;
+  report.run_id = kRun;
+  const auto run = [&](int ticks, std::int64_t mask) {
+    for (int i = 0; i < ticks; ++i) {
+      c.tick = state.tick = report.tick = tick;
+      report.hold_mask = mask;
+      gate.measured(state);
+      gate.guard(report, now);
+      ASSERT_EQ(offer(c), GateVerdict::kAccepted);
+      next();
+    }
+  };
+  run(100, 0);
+  EXPECT_EQ(gate.effective().q[0], 0.6);
+  const std::int64_t clamped = gate.counters().clamped;
+  run(1, 1);
+  double q = 0.1;
+  float qd = 0.8F;
+  brake_step(limits.brake[0], limits.period, q, qd);
+  EXPECT_NEAR(gate.effective().q[0], q, 1e-9);
+  EXPECT_EQ(gate.effective().qd[0], qd);
+  EXPECT_EQ(gate.effective().kp[0], limits.stop_kp[0]);
+  EXPECT_EQ(gate.effective().kd[0], limits.stop_kd[0]);
+  EXPECT_EQ(gate.effective().tau[0], 0.0F);
+  EXPECT_EQ(gate.counters().clamped, clamped) << "a brake is no jump of a client";
+  run(60, 1);
+  EXPECT_EQ(gate.effective().qd[0], 0.0F);
+  EXPECT_LT(gate.effective().q[0], 0.12);
+  const double held = gate.effective().q[0];
+  run(1, 0);  // at once, as fast as a set-point may move
+  EXPECT_EQ(gate.effective().kp[0], 30.0F);
+  EXPECT_NEAR(gate.effective().q[0], held + limits.step[0], 1e-9);
 }
 
 TEST(GuardedGate, BrakesTheArmsWhenARequiredGuardFallsSilentButNeverWalkingLegs) {

@@ -93,6 +93,7 @@ class GuardRig {
     reports_[static_cast<std::size_t>(state.tick) % reports_.size()] = report;
     const GuardReport& late = reports_[static_cast<std::size_t>(state.tick + 1) % reports_.size()];
     if (late.tick > 0) gate_.guard(late, now_ns);
+    gate_.measured(state);
     accepted = gate_.accept(command, state.tick, false, now_ns);
     const JointCommand& effective = gate_.output(state.tick, false, now_ns);
     for (std::size_t k = 0; k < model_.bus_joints.size(); ++k) {

@@ -1,0 +1,332 @@
+#include "control/guard/servo_predictor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "robot/kinematics/brake.h"
+#include "common/math/index.h"
+
+namespace twinbus {
+
+namespace {
+
+constexpr double kFollows = 20.0;      // natural frequency of a servo that follows its set-point, at least [rad/s]
+constexpr int kPartsOfTick = 2;         // steps until the brake comes
+constexpr double kBrakeStep = 0.005;   // of the look along a brake [s]
+constexpr int kMostBrakeSteps = 60;
+constexpr double kRests = 0.02;        // [rad/s or m/s]
+constexpr double kLeastBrake = 1.0;    // [rad/s^2 or m/s^2]
+constexpr std::int64_t kMostLeftOut = 10'000;
+
+// h0 of bridge/gate/blend.h.
+double left_of_fade(double s) noexcept {
+  return s < 1.0 ? 1.0 - s * s * s * (10.0 - 15.0 * s + 6.0 * s * s) : 0.0;
+}
+
+// The smaller of two that agree on where to go, or zero.
+double agreed(double a, double b) noexcept { return a * b > 0.0 ? (std::abs(a) < std::abs(b) ? a : b) : 0.0; }
+
+// A course that ends `rest` behind its first part, and is as fast as it can then.
+Course ends_at(double first, double speed, double rest, double brake) noexcept {
+  const double needed = 0.5 * speed * speed / std::max(std::abs(rest), 1e-9);
+  if (rest * speed >= 0.0 && needed > kLeastBrake) return {first, speed, needed};
+  return {first, std::copysign(std::sqrt(2.0 * brake * std::abs(rest)), rest), brake};
+}
+
+}  // namespace
+
+ServoPredictor::ServoPredictor(const Model& model, int delay_ticks, double lag)
+    : model_(&model),
+      period_(model.period()),
+      lag_(lag),
+      delay_((std::clamp(delay_ticks, 0, SetPointTrack::kMostDelay) + 1) * model.period() + lag),
+      fade_s_(model.blend_s),
+      count_(std::min(model.bus_count(), kMaxJoints)),
+      delay_ticks_(std::clamp(delay_ticks, 0, SetPointTrack::kMostDelay)),
+      inertia_(model),
+      dynamics_(model),
+      no_acceleration_(Eigen::VectorXd::Zero(model.joint_count())),
+      torque_(no_acceleration_) {
+  for (int k = 0; k < count_; ++k) {
+    const int j = model.bus_joints[at(k)];
+    const Joint& joint = model.joints[at(j)];
+    Servo& s = servos_[at(k)];
+    s.joint = j;
+    s.of = &joint;
+    s.effort = joint.effort;
+    s.most_speed = joint.velocity;
+    s.rate = joint.rate > 0.0 ? joint.rate : 1.05 * joint.velocity;  // as the gate's
+    s.brake = brake_deceleration(joint);
+    s.damping = joint.damping;
+    s.lower = joint.lower;
+    s.upper = joint.upper;
+    s.hold_kp = hold_kp(joint);
+    s.hold_kd = hold_kd(joint);
+    s.leg = std::find(model.leg_joints.begin(), model.leg_joints.end(), j) != model.leg_joints.end();
+    order_[at(k)] = k;
+  }
+  std::sort(order_.begin(), order_.begin() + count_,
+            [&](int a, int b) { return servos_[at(a)].joint < servos_[at(b)].joint; });
+  for (int n = 0; n < count_; ++n) joints_[at(n)] = servos_[at(order_[at(n)])].joint;
+  Kinematics kinematics(model);
+  kinematics.update(Configuration(model));
+  inertia_.update(kinematics, std::span(joints_).first(at(count_)));
+  for (int n = 0; n < count_; ++n) servos_[at(order_[at(n)])].follows_kp = kFollows * kFollows * inertia_(n, n);
+}
+
+void ServoPredictor::reset() noexcept {
+  started_ = false;
+  soft_ = held_now_ = 0;
+  masks_.fill(0);
+}
+
+std::int64_t ServoPredictor::on_hold() const noexcept {
+  std::int64_t held = masks_[0];
+  for (int i = 1; i < delay_ticks_; ++i) held |= masks_[at(i)];
+  return held & soft_;
+}
+
+// A client begins where the source held the robot, or where the client before it was, unless it will have no fade.
+void ServoPredictor::hear(const RobotState& state, const JointCommand& command) noexcept {
+  if (started_ && command.controller_id == controller_) return;
+  for (int k = 0; k < count_; ++k) {
+    const auto i = at(k);
+    Servo& s = servos_[i];
+    if (!started_) {
+      s.q = s.asked = state.q[i];
+      s.kp = s.of->kp;
+      s.kd = s.of->kd;
+      s.speed = s.step = 0.0;
+    }
+    s.from_q = s.q - command.q[i];
+    s.from_kp = s.kp - static_cast<double>(command.kp[i]);
+    s.from_kd = s.kd - static_cast<double>(command.kd[i]);
+    s.faded = (command.flags & kCommandNoFade) != 0 ? fade_s_ : 0.0;
+  }
+  controller_ = command.controller_id;
+  if (!started_) {
+    heard_tick_ = command.tick - 1;
+    looked_tick_ = state.tick - 1;
+  }
+  started_ = true;
+}
+
+bool ServoPredictor::brakes_anew(const Servo& servo, double off) noexcept {
+  return twinbus::is_soft(servo.kp, *servo.of) || std::abs(off) > kFarSetPoint;
+}
+
+// A mask begins or ends, as in the gate (bridge/gate/masked_brake.h).
+void ServoPredictor::hold(const RobotState& state, const JointCommand& command) noexcept {
+  const std::int64_t in_force = delay_ticks_ > 0 ? masks_[at(delay_ticks_ - 1)] : masks_[0];
+  const std::int64_t begin = in_force & ~held_now_, end = held_now_ & ~in_force;
+  held_now_ = in_force;
+  for (int k = 0; k < count_ && (begin | end) != 0; ++k) {
+    const auto i = at(k);
+    Servo& s = servos_[i];
+    if ((begin & bit(k)) != 0) {
+      if (brakes_anew(s, s.q - state.q[i])) {
+        s.q = state.q[i];
+        s.held_v = static_cast<double>(state.qd[i]);
+      } else {
+        s.held_v = s.qd;
+      }
+      s.held_v = std::clamp(s.held_v, -s.most_speed, s.most_speed);
+    } else if ((end & bit(k)) != 0 && twinbus::is_soft(static_cast<double>(command.kp[i]), *s.of)) {
+      s.faded = fade_s_;
+    } else if ((end & bit(k)) != 0) {
+      s.from_q = s.q - command.q[i];
+      s.from_kp = std::max(s.kp, s.hold_kp) - static_cast<double>(command.kp[i]);
+      s.from_kd = std::max(s.kd, s.hold_kd) - static_cast<double>(command.kd[i]);
+      s.faded = 0.0;
+    }
+  }
+}
+
+void ServoPredictor::move_set_points(const RobotState& state, const JointCommand& command) noexcept {
+  const auto passed = [](std::int64_t since, std::int64_t tick, std::int64_t least) {
+    return static_cast<double>(std::clamp<std::int64_t>(tick - since, least, kMostLeftOut));
+  };
+  const double looks = passed(looked_tick_, state.tick, 1), commands = passed(heard_tick_, command.tick, 0);
+  looked_tick_ = state.tick;
+  heard_tick_ = command.tick;
+  for (int k = 0; k < count_; ++k) {
+    const auto i = at(k);
+    Servo& s = servos_[i];
+    s.faded += looks * period_;
+    const double left = s.faded < fade_s_ ? left_of_fade(s.faded / fade_s_) : 0.0;
+    const double asked = std::clamp(command.q[i] + left * s.from_q, s.lower, s.upper);
+    if (commands > 0.0) {
+      const double moved = (asked - s.asked) / (commands * period_);
+      s.speed = agreed(moved, s.step);  // a step of a policy is none
+      s.step = moved;
+    }
+    s.asked = asked;
+    s.qd = static_cast<double>(command.qd[i]);
+    s.tau = static_cast<double>(command.tau[i]);
+    s.kp = static_cast<double>(command.kp[i]) + left * s.from_kp;
+    s.kd = static_cast<double>(command.kd[i]) + left * s.from_kd;
+    if ((held_now_ & bit_of(i)) != 0) {
+      brake_step(s.brake, looks * period_, s.q, s.held_v);
+      s.q = std::clamp(s.q, s.lower, s.upper);
+    } else {
+      s.q = std::clamp(asked, s.q - s.rate * looks * period_, s.q + s.rate * looks * period_);
+    }
+  }
+}
+
+// Which joints are soft: by the gate's rule, and servos that move their joints slowly, as robot.yaml itself may say.
+void ServoPredictor::gather() noexcept {
+  std::int64_t soft = held_now_ & soft_, legs = 0;
+  for (int k = 0; k < count_; ++k) {
+    const auto i = at(k);
+    const Servo& s = servos_[i];
+    if (s.leg) legs |= bit_of(i);
+    if (twinbus::is_soft(s.kp, *s.of) || s.kp < s.follows_kp) soft |= bit_of(i);
+  }
+  soft_ = soft & legs;
+  if ((soft & ~legs) != 0) soft_ |= (bit(count_) - 1) & ~legs;
+  moving_ = 0;
+  for (int n = 0; n < count_; ++n) {
+    const int k = order_[at(n)];
+    if ((soft_ & bit_of(at(k))) == 0 || servos_[at(k)].leg) continue;
+    of_bus_[at(moving_)] = k;
+    joints_[at(moving_)] = servos_[at(k)].joint;
+    ++moving_;
+  }
+}
+
+// One implicit step: the torque of the end of the step, or the limit where that of its beginning is beyond it.
+void ServoPredictor::step(double h) noexcept {
+  bool same = has_factor_;
+  for (int i = 0; i < moving_; ++i) velocity_[at(i)] = motion_[at(i)].v;
+  inertia_.times(velocity_.data(), right_.data());
+  for (int n = 0; n < moving_; ++n) {
+    const auto i = at(n);
+    const Servo& s = servos_[at(of_bus_[i])];
+    Motion& m = motion_[i];
+    if (m.braked) {
+      brake_step(s.brake, h, m.set, m.set_v);
+    } else {
+      m.asked += s.speed * h;
+      m.set = std::clamp(m.asked, m.set - s.rate * h, m.set + s.rate * h);
+    }
+    m.set = std::clamp(m.set, m.lower, m.upper);
+    const bool hold = m.braked && m.anew;
+    const double kp = hold ? std::max(s.kp, s.hold_kp) : s.kp, kd = hold ? std::max(s.kd, s.hold_kd) : s.kd;
+    const double qd = m.braked ? m.set_v : s.qd, tau = hold ? 0.0 : s.tau;
+    const double asked = kp * (m.set - m.q) + kd * qd + tau;
+    const double now = asked - (h * kp + kd) * m.v;
+    const bool limited = s.effort > 0.0 && std::abs(now) > s.effort;
+    const double added = h * s.damping + (limited ? 0.0 : h * kd + h * h * kp);
+    same = same && added == added_[i];
+    added_[i] = added;
+    right_[i] += h * ((limited ? std::copysign(s.effort, now) : asked) - bias_[i]);
+  }
+  if (!same) inertia_.factor(added_.data());
+  has_factor_ = true;
+  inertia_.solve(right_.data());
+  for (int n = 0; n < moving_; ++n) {
+    Motion& m = motion_[at(n)];
+    const double q = m.q + h * right_[at(n)];
+    m.q = std::clamp(q, m.lower, m.upper);
+    m.v = m.q == q ? right_[at(n)] : 0.0;  // at a stop
+  }
+}
+
+void ServoPredictor::brake(Motion& m, const Servo& s) const noexcept {
+  m.braked = true;
+  m.anew = brakes_anew(s, m.set - m.q);
+  if (m.anew) m.set = m.q;
+  m.set_v = std::clamp(m.anew ? m.v : s.qd, -s.most_speed, s.most_speed);
+}
+
+// mask: what is held of these stays so, of others the brake comes a tick sooner.
+void ServoPredictor::run(std::int64_t mask, PerJoint<Course>& courses) noexcept {
+  for (int n = 0; n < moving_; ++n) {
+    const auto k = at(of_bus_[at(n)]);
+    const Servo& s = servos_[k];
+    Motion& m = motion_[at(n)];
+    m = {};
+    m.v = v_[k];
+    m.set = s.q - q_[k];
+    m.asked = s.asked - q_[k];
+    m.lower = std::min(s.lower - q_[k], 0.0);
+    m.upper = std::max(s.upper - q_[k], 0.0);
+    m.braked = m.anew = (mask & held_now_ & bit_of(k)) != 0;
+    if (m.braked) m.set_v = s.held_v;
+  }
+  const auto brake_those = [&](std::int64_t joints) {
+    for (int n = 0; n < moving_; ++n) {
+      const int k = of_bus_[at(n)];
+      if ((joints & bit(k)) != 0 && !motion_[at(n)].braked) brake(motion_[at(n)], servos_[at(k)]);
+    }
+    has_factor_ = false;
+  };
+  has_factor_ = false;
+  for (int tick = 0; tick <= delay_ticks_; ++tick) {
+    if (tick == delay_ticks_) brake_those(mask);
+    for (int part = 0; part < kPartsOfTick; ++part) step(period_ / kPartsOfTick);
+  }
+  brake_those(~std::int64_t{0});
+  for (int part = 0; part < 2 && lag_ > 0.0; ++part) {
+    if (part == 0) has_factor_ = false;
+    step(0.5 * lag_);
+  }
+  for (int n = 0; n < moving_; ++n) {
+    Motion& m = motion_[at(n)];
+    m.first = m.least = m.most = m.q;
+    m.speed = m.v;
+  }
+  has_factor_ = false;
+  bool moves = true;
+  for (int part = 0; part < kMostBrakeSteps && moves; ++part) {
+    step(kBrakeStep);
+    moves = false;
+    for (int n = 0; n < moving_; ++n) {
+      Motion& m = motion_[at(n)];
+      m.least = std::min(m.least, m.q);
+      m.most = std::max(m.most, m.q);
+      moves = moves || (m.v * m.speed > 0.0 && std::abs(m.v) > kRests);
+    }
+  }
+  for (int n = 0; n < moving_; ++n) {
+    const auto k = at(of_bus_[at(n)]);
+    const Motion& m = motion_[at(n)];
+    const double rest = m.most - m.first > m.first - m.least ? m.most - m.first : m.least - m.first;
+    courses[k] = ends_at(m.first, m.speed, rest, servos_[k].brake);
+  }
+}
+
+void ServoPredictor::look(const RobotState& state, const Kinematics& kinematics, const Configuration& configuration) noexcept {
+  for (int k = 0; k < count_; ++k) {
+    const Servo& s = servos_[at(k)];
+    if (!is_soft(at(k)) || !s.leg) continue;
+    const double speed = static_cast<double>(state.qd[at(k)]);
+    obeyed_[at(k)] = held_[at(k)] = masked_[at(k)] = {speed * delay_, speed, s.brake};
+  }
+  if (moving_ == 0) return;
+  q_ = state.q;
+  for (int k = 0; k < count_; ++k) v_[at(k)] = static_cast<double>(state.qd[at(k)]);
+  inertia_.update(kinematics, std::span(joints_).first(at(moving_)));
+  dynamics_.solve(kinematics, configuration, no_acceleration_, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), nothing_,
+                  torque_);
+  for (int n = 0; n < moving_; ++n) bias_[at(n)] = torque_[joints_[at(n)]];
+  run(0, obeyed_);
+  run(~std::int64_t{0}, held_);
+}
+
+void ServoPredictor::follow(const RobotState& state, const JointCommand& command, std::int64_t mask,
+                            const Kinematics& kinematics, const Configuration& configuration) noexcept {
+  if (state.stop_kind > StopKind::kBalanced) return reset();  // the source holds the robot, and begins anew from there
+  hear(state, command);
+  for (std::size_t i = masks_.size(); i-- > 1;) masks_[i] = masks_[i - 1];
+  masks_[0] = mask;
+  hold(state, command);
+  move_set_points(state, command);
+  gather();
+  if (soft_ == 0) return;
+  look(state, kinematics, configuration);
+}
+
+}  // namespace twinbus

@@ -1,0 +1,102 @@
+// Where joints go when servos are too soft to follow their set-points, as the guard sees it: a learned policy puts
+// set-points far from the joints on purpose, and the torque is what it means.
+//
+// The motion follows from the measured joint, the gains and the set-point of the command, the effort limit and the robot's
+// inertia (robot/dynamics/joint_inertia), the base and all other joints standing still:
+//
+//     H qdd + bias = clamp(kp (q_ref - q) + kd (qd_ref - qd) + tau, +-effort)
+//
+// the set-point as the gate lets it move, implicit in q and qd over steps of a tick, until a brake comes.  The brake of the
+// gate (bridge/gate/masked_brake.h) is the same equation with the gains of a hold.  Where one joint is soft all but the legs
+// are foretold so, since they move one another.  Legs bear on the ground, which is not in the equation: soft ones go on as they
+// are measured.
+
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "control/guard/set_point_predictor.h"
+#include "robot/dynamics/inverse_dynamics.h"
+#include "robot/dynamics/joint_inertia.h"
+
+namespace twinbus {
+
+class ServoPredictor {
+ public:
+  // As SetPointTrack.
+  ServoPredictor(const Model& model, int delay_ticks, double lag);
+
+  void reset() noexcept;
+  // One tick; says which joints are soft, and of these where they go.  mask: bit per joint that the last look held.
+  // kinematics: of this configuration, of which the position of the base is not used.
+  void follow(const RobotState& state, const JointCommand& command, std::int64_t mask, const Kinematics& kinematics,
+              const Configuration& configuration) noexcept;
+
+  std::int64_t soft() const noexcept { return soft_; }  // bit per joint of the bus
+  bool is_soft(std::size_t k) const noexcept { return (soft_ & bit_of(k)) != 0; }
+  // As those of SetPointTrack, of soft joints.
+  std::int64_t on_hold() const noexcept;
+  const Course& if_obeyed(std::size_t k) const noexcept { return obeyed_[k]; }
+  const Course& if_held(std::size_t k) const noexcept { return held_[k]; }
+  // Looks what becomes of all when these are held from this look on and the others obey until the brake of the next one.
+  void look_masked(std::int64_t mask) noexcept { run(mask, masked_); }
+  const Course& if_masked(std::size_t k) const noexcept { return masked_[k]; }
+
+ private:
+  static constexpr std::int64_t bit_of(std::size_t k) noexcept { return std::int64_t{1} << k; }
+  struct Servo {  // of a joint of the bus
+    // of the robot
+    int joint = 0;  // of the model
+    double effort = 0.0, rate = 0.0, most_speed = 0.0, brake = 1.0, damping = 0.0, lower = 0.0, upper = 0.0;
+    double hold_kp = 0.0, hold_kd = 0.0, follows_kp = 0.0;
+    bool leg = false;
+    const Joint* of = nullptr;
+    // as commanded
+    double q = 0.0, held_v = 0.0;                    // as the gate has it, and its speed while it is held
+    double kp = 0.0, kd = 0.0, qd = 0.0, tau = 0.0;  // as the gate lets them through
+    double asked = 0.0, speed = 0.0, step = 0.0;     // what it is asked to be, how that moves, and moved last
+    // A fade's, minus the client's, and since when [s].
+    double from_q = 0.0, from_kp = 0.0, from_kd = 0.0, faded = 0.0;
+  };
+  struct Motion {  // of a joint, from where it is measured
+    bool braked = false, anew = false;  // anew: the brake begins where the joint is, not at its set-point
+    double q = 0.0, v = 0.0, set = 0.0, set_v = 0.0, asked = 0.0;
+    double lower = 0.0, upper = 0.0;        // stops
+    double first = 0.0, speed = 0.0;        // when it has come
+    double least = 0.0, most = 0.0;         // since then
+  };
+  void hear(const RobotState& state, const JointCommand& command) noexcept;
+  void hold(const RobotState& state, const JointCommand& command) noexcept;
+  static bool brakes_anew(const Servo& servo, double off) noexcept;
+  void move_set_points(const RobotState& state, const JointCommand& command) noexcept;
+  void gather() noexcept;
+  void look(const RobotState& state, const Kinematics& kinematics, const Configuration& configuration) noexcept;
+  void run(std::int64_t mask, PerJoint<Course>& courses) noexcept;
+  void step(double h) noexcept;
+  void brake(Motion& motion, const Servo& servo) const noexcept;
+
+  const Model* model_;
+  double period_, lag_, delay_, fade_s_;  // [s]
+  int count_, delay_ticks_;
+  bool started_ = false;
+  std::int64_t controller_ = 0, heard_tick_ = 0, looked_tick_ = 0;
+  std::int64_t soft_ = 0, held_now_ = 0;
+  std::array<std::int64_t, SetPointTrack::kMostDelay> masks_{};  // on their way, the newest first
+  PerJoint<Servo> servos_{};
+  std::array<int, kMaxJoints> order_{};  // joints of the bus, parents first
+  // Those that follow the equation, in the order of the tree.
+  int moving_ = 0;
+  std::array<int, kMaxJoints> of_bus_{}, joints_{};
+  PerJoint<Motion> motion_{};
+  PerJoint<double> bias_{}, right_{}, added_{}, velocity_{};
+  bool has_factor_ = false;
+  JointInertia inertia_;
+  InverseDynamics dynamics_;
+  Eigen::VectorXd no_acceleration_, torque_;
+  const std::vector<ExternalWrench> nothing_;
+  PerJoint<double> q_{}, v_{};  // measured
+  PerJoint<Course> obeyed_{}, held_{}, masked_{};
+};
+
+}  // namespace twinbus

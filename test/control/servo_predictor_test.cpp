@@ -1,0 +1,234 @@
+#include "control/guard/servo_predictor.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "robot/dynamics/inverse_dynamics.h"
+#include "robot/dynamics/joint_inertia.h"
+#include "robot/kinematics/brake.h"
+#include "test/control/hrp1s.h"
+
+namespace twinbus {
+namespace {
+
+constexpr int kDelayTicks = 2;
+constexpr double kLag = 0.005;  // [s]
+
+std::size_t bus(const std::string& name) {
+  const Model& model = test::hrp1s();
+  return static_cast<std::size_t>(model.bus_index[static_cast<std::size_t>(model.find_joint(name))]);
+}
+
+// A robot whose base stands and whose joints follow the equation of the header, in small explicit steps: the other way to
+// compute what the predictor says.
+struct Fixture {
+  const Model& model = test::hrp1s();
+  ServoPredictor servos;
+  Configuration now{model};
+  Kinematics kinematics{model};
+  RobotState state;
+  JointCommand command;
+
+  explicit Fixture(double lag = kLag) : servos(model, kDelayTicks, lag) {
+    command.flags = kCommandNoFade;
+    command.joint_count = state.joint_count = static_cast<std::int16_t>(model.bus_count());
+    for (std::size_t k = 0; k < count(); ++k) {
+      command.kp[k] = static_cast<float>(joint(k).kp);
+      command.kd[k] = static_cast<float>(joint(k).kd);
+    }
+    const std::vector<double>& pose = model.poses[static_cast<std::size_t>(model.find_pose("half_sitting"))].q;
+    for (std::size_t k = 0; k < count(); ++k) command.q[k] = state.q[k] = pose[static_cast<std::size_t>(model.bus_joints[k])];
+  }
+  std::size_t count() const { return static_cast<std::size_t>(model.bus_count()); }
+  const Joint& joint(std::size_t k) const { return model.joints[static_cast<std::size_t>(model.bus_joints[k])]; }
+  void look(std::int64_t mask = 0) {
+    ++state.tick;
+    ++command.tick;
+    set_joints(model, state, now);
+    kinematics.update(now);
+    servos.follow(state, command, mask, kinematics, now);
+  }
+  void soften(std::size_t k, float kp, float kd) {
+    command.kp[k] = kp;
+    command.kd[k] = kd;
+  }
+
+  // Where these joints are `time` from now, from where they are.
+  std::vector<double> integrate(const std::vector<std::size_t>& joints, double time) const {
+    constexpr double h = 2e-6;
+    std::vector<int> of_model;
+    for (const std::size_t k : joints) of_model.push_back(model.bus_joints[k]);
+    JointInertia inertia(model);
+    inertia.update(kinematics, of_model);
+    InverseDynamics dynamics(model);
+    Eigen::VectorXd none = Eigen::VectorXd::Zero(model.joint_count()), bias(model.joint_count());
+    dynamics.solve(kinematics, now, none, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), {}, bias);
+    const std::size_t n = joints.size();
+    std::vector<double> moved(n, 0.0), v(n), nothing(n, 0.0), a(n);
+    for (std::size_t i = 0; i < n; ++i) v[i] = static_cast<double>(state.qd[joints[i]]);
+    inertia.factor(nothing.data());
+    for (double t = 0.0; t < time - 0.5 * h; t += h) {
+      for (std::size_t i = 0; i < n; ++i) {
+        const std::size_t k = joints[i];
+        const double tau = static_cast<double>(command.kp[k]) * (command.q[k] - state.q[k] - moved[i]) +
+                           static_cast<double>(command.kd[k]) * (static_cast<double>(command.qd[k]) - v[i]) +
+                           static_cast<double>(command.tau[k]);
+        a[i] = std::clamp(tau, -joint(k).effort, joint(k).effort) - joint(k).damping * v[i] - bias[of_model[i]];
+      }
+      inertia.solve(a.data());
+      for (std::size_t i = 0; i < n; ++i) {
+        v[i] += h * a[i];
+        moved[i] += h * v[i];
+      }
+    }
+    return moved;
+  }
+  double brake_comes() const { return (kDelayTicks + 1) * model.period(); }
+};
+
+TEST(ServoPredictor, AStiffServoNearItsSetPointIsLeftToItsSetPoint) {
+  Fixture f;
+  for (std::size_t k = 0; k < f.count(); ++k) f.command.q[k] += 0.01;
+  f.look();
+  EXPECT_EQ(f.servos.soft(), 0);
+}
+
+TEST(ServoPredictor, TheServosOfOurRobotsAreStiff) {
+  for (const char* name : {"hrp1s", "hrp2p", "biped12"}) {
+    const Model model = load_robot(name);
+    ServoPredictor servos(model, kDelayTicks, kLag);
+    const Configuration now(model);
+    Kinematics kinematics(model);
+    kinematics.update(now);
+    RobotState state;
+    JointCommand command;
+    for (std::size_t k = 0; k < model.bus_joints.size(); ++k)
+      command.kp[k] = static_cast<float>(model.joints[static_cast<std::size_t>(model.bus_joints[k])].kp);
+    for (int i = 0; i < 3; ++i) {
+      state.tick = ++command.tick;
+      servos.follow(state, command, 0, kinematics, now);
+    }
+    EXPECT_EQ(servos.soft(), 0) << name;
+  }
+}
+
+TEST(ServoPredictor, OneSoftServoTakesAllButTheLegsWithIt) {
+  Fixture f;
+  f.soften(bus("LARM_ELBOW"), 20.0F, 1.0F);
+  f.look();
+  EXPECT_TRUE(f.servos.is_soft(bus("LARM_ELBOW")));
+  EXPECT_TRUE(f.servos.is_soft(bus("RARM_SHOULDER_P")));
+  EXPECT_FALSE(f.servos.is_soft(bus("LLEG_KNEE")));
+}
+
+// Gains of all sizes, joints that move one another, at the limit of effort and below it: until the brake comes.
+TEST(ServoPredictor, GoesWhereTheEquationLeads) {
+  for (const float kp : {5.0F, 40.0F, 150.0F, 400.0F}) {
+    for (const double speed : {0.0, 1.5, -3.0}) {
+      Fixture f(0.0);
+      const std::vector<std::size_t> arm{bus("LARM_SHOULDER_P"), bus("LARM_SHOULDER_Y"), bus("LARM_ELBOW")};
+      for (std::size_t i = 0; i < arm.size(); ++i) {
+        f.soften(arm[i], kp, 0.02F * kp);
+        f.command.q[arm[i]] += i % 2 == 0 ? -0.3 : 0.3;
+      }
+      for (int i = 0; i < 200; ++i) f.look();  // the set-point has arrived at what is asked
+      for (std::size_t i = 0; i < arm.size(); ++i) f.state.qd[arm[i]] = static_cast<float>(i % 2 == 0 ? -speed : speed);
+      f.look();
+      std::vector<std::size_t> all;  // they move one another
+      for (std::size_t k = 0; k < f.count(); ++k) {
+        if (f.servos.is_soft(k)) all.push_back(k);
+      }
+      std::sort(all.begin(), all.end(), [&](std::size_t a, std::size_t b) { return f.model.bus_joints[a] < f.model.bus_joints[b]; });
+      const std::vector<double> moved = f.integrate(all, f.brake_comes());
+      for (const std::size_t k : arm) {
+        const auto place = static_cast<std::size_t>(std::find(all.begin(), all.end(), k) - all.begin());
+        ASSERT_LT(place, all.size());
+        EXPECT_NEAR(f.servos.if_obeyed(k).first, moved[place], 0.1 * std::abs(moved[place]) + 3e-3)
+            << "kp " << kp << " speed " << speed << " " << f.joint(k).name;
+      }
+    }
+  }
+}
+
+TEST(ServoPredictor, FeedForwardAloneMovesAJoint) {
+  Fixture f;
+  const std::size_t elbow = bus("LARM_ELBOW");
+  f.soften(elbow, 0.0F, 0.0F);
+  f.command.tau[elbow] = 15.0F;
+  f.look();
+  const double along = f.servos.if_obeyed(elbow).rest();
+  f.command.tau[elbow] = -15.0F;
+  f.look();
+  EXPECT_GT(along, 1e-3);
+  EXPECT_LT(f.servos.if_obeyed(elbow).rest(), -1e-3);
+}
+
+// A set-point as far as a policy puts it moves the joint by what its torque does until the brake, and no more.
+TEST(ServoPredictor, AFarSetPointOfASoftJointIsNotTheWayOfTheJoint) {
+  Fixture f;
+  const std::size_t elbow = bus("LARM_ELBOW");
+  f.soften(elbow, 10.0F, 1.0F);
+  f.command.q[elbow] += 0.86;
+  for (int i = 0; i < 200; ++i) f.look();
+  EXPECT_LT(std::abs(f.servos.if_obeyed(elbow).rest()), 0.05);
+}
+
+// The set-point moves as the gate lets it: a command that turns round does not turn the torque at once.
+TEST(ServoPredictor, ASetPointTakesItsTime) {
+  Fixture f;
+  const std::size_t elbow = bus("LARM_ELBOW");
+  const double start = f.state.q[elbow];
+  f.soften(elbow, 60.0F, 1.0F);
+  f.command.q[elbow] = start - 0.6;
+  for (int i = 0; i < 200; ++i) f.look();
+  const double before = f.servos.if_obeyed(elbow).rest();
+  EXPECT_LT(before, -1e-3);
+  f.command.q[elbow] = start + 0.4;
+  f.look();
+  EXPECT_LT(f.servos.if_obeyed(elbow).rest(), 0.3 * before);
+  for (int i = 0; i < 400; ++i) f.look();
+  EXPECT_GT(f.servos.if_obeyed(elbow).rest(), 1e-3);
+}
+
+TEST(ServoPredictor, AHeldJointRestsSoonerAndStaysSoftWhileItIsHeld) {
+  Fixture f;
+  const std::size_t elbow = bus("LARM_ELBOW");
+  const std::int64_t mask = std::int64_t{1} << elbow;
+  f.soften(elbow, 60.0F, 1.0F);
+  f.command.q[elbow] -= 0.7;
+  for (int i = 0; i < 200; ++i) f.look();
+  f.state.qd[elbow] = -2.0F;
+  f.look();
+  EXPECT_GT(f.servos.if_held(elbow).rest(), f.servos.if_obeyed(elbow).rest());
+  f.look(mask);
+  EXPECT_EQ(f.servos.on_hold(), mask);
+  f.look(mask);
+  const double rest = f.servos.if_held(elbow).rest();
+  EXPECT_LT(rest, 0.0);
+  EXPECT_GT(rest, f.servos.if_obeyed(elbow).rest());
+  f.servos.look_masked(mask);
+  EXPECT_NEAR(f.servos.if_masked(elbow).rest(), rest, 0.1 * std::abs(rest));
+  f.state.qd[elbow] = 0.0F;
+  for (int i = 0; i < 20; ++i) f.look(mask);
+  EXPECT_LT(std::abs(f.servos.if_held(elbow).rest()), 0.05);
+  EXPECT_TRUE(f.servos.is_soft(elbow));
+}
+
+TEST(ServoPredictor, LegsGoOnAsTheyAreMeasured) {
+  Fixture f;
+  const std::size_t knee = bus("LLEG_KNEE");
+  f.soften(knee, 50.0F, 1.0F);
+  f.command.q[knee] += 0.6;
+  f.state.qd[knee] = -0.5F;
+  f.look();
+  const Course& course = f.servos.if_obeyed(knee);
+  EXPECT_DOUBLE_EQ(course.speed, -0.5);
+  EXPECT_DOUBLE_EQ(course.brake, brake_deceleration(f.joint(knee)));
+}
+
+}  // namespace
+}  // namespace twinbus
