@@ -38,7 +38,7 @@ ROBOTS = {'g1': ('robots/g1/g1_29dof_rev_1_0.urdf', 'policies/g1_policy.onnx', '
 COMMANDS = {'g1': [(0.0, 0.0, 0.0), (0.5, 0.0, 0.0), (1.0, 0.0, 0.0)],
             'go1': [(0.0, 0.0, 0.0), (0.5, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, 0.0, 1.0)]}
 PUSHED = 'duration: 600\npush_round: {at: 3, every: 2, count: 8, phase: 0.6, forward: 0.3, back: 0.3, sideways: 0.2}\n'
-TILES = 'duration: 600\nterrain: {tile: 0.3, height: 0.03, slope_deg: 0, from: 0.6, length: 12, width: 4}\n'
+TILES = 'duration: 600\nterrain: {tile: 0.3, height: 0.03, slope_deg: 0, from: 0.6, length: 6, width: 2.4}\n'
 
 
 class Policy:
@@ -160,7 +160,7 @@ def main():
                 falls += table(policy, COMMANDS[name], words.seconds or 60.0, words.seeds, about='flat')
             else:
                 falls += table(policy, [(0.5, 0.0, 0.0)], words.seconds or 20.0, words.seeds, str(folder / 'pushed.yaml'), 'pushed')
-                falls += table(policy, [(0.5, 0.0, 0.0)], words.seconds or 20.0, words.seeds, str(folder / 'tiles.yaml'), 'tiles')
+                falls += table(policy, [(0.5, 0.0, 0.0)], min(words.seconds or 12.0, 12.0), words.seeds, str(folder / 'tiles.yaml'), 'tiles')
     sys.exit(1 if falls else 0)
 
 
