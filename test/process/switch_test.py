@@ -38,11 +38,8 @@ def switch_once(bus, word, efforts, policy="now"):
     status, out, err = cli("switch", word, "--policy", policy, timeout=40)
     if status != 0:
         return status, out + err, None
-    at = state = None
-    end = time.monotonic() + 2.0
-    while state is None and time.monotonic() < end:  # on a busy machine it is read late here
-        time.sleep(0.02)
-        at, state = next(((at, s) for at, s in bus.messages("STATE") if s.run_id != old), (None, None))
+    # On a busy machine it is read late here: each STATE is looked at once, and what counts is when it came.
+    at, state = bus.wait_for("STATE", lambda s: s.run_id != old, timeout=10.0, start=0)
     if state is None:
         return status, "no STATE of a new source", None
     time.sleep(0.55)
