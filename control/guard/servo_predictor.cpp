@@ -24,6 +24,9 @@ double left_of_fade(double s) noexcept {
   return s < 1.0 ? 1.0 - s * s * s * (10.0 - 15.0 * s + 6.0 * s * s) : 0.0;
 }
 
+// Its change per unit of s.
+double fade_rate(double s) noexcept { return s < 1.0 ? -30.0 * s * s * (1.0 - s) * (1.0 - s) : 0.0; }
+
 // The smaller of two that agree on where to go, or zero.
 double agreed(double a, double b) noexcept { return a * b > 0.0 ? (std::abs(a) < std::abs(b) ? a : b) : 0.0; }
 
@@ -163,6 +166,7 @@ void ServoPredictor::move_set_points(const RobotState& state, const JointCommand
     }
     s.asked = asked;
     s.qd = static_cast<double>(command.qd[i]);
+    if (s.faded < fade_s_) s.qd += s.from_q * fade_rate(s.faded / fade_s_) / fade_s_;  // as the gate says it to the servo
     s.tau = static_cast<double>(command.tau[i]);
     s.kp = static_cast<double>(command.kp[i]) + left * s.from_kp;
     s.kd = static_cast<double>(command.kd[i]) + left * s.from_kd;
