@@ -212,7 +212,7 @@ def example(folder, checks):
 
 
 def main():
-    harness.require('twinbus', 'twinbus_simulator')
+    harness.require('twinbus', 'twinbus_simulator', 'twinbus_guard')
     there = subprocess.run([PYTHON, '-c', 'import numpy, yaml, onnxruntime'], capture_output=True, text=True)
     if there.returncode != 0:
         line = subprocess.run([str(BIN / 'twinbus'), 'policy', 'none.onnx'], capture_output=True, text=True,
