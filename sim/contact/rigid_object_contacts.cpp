@@ -16,7 +16,7 @@ namespace twinbus {
 
 namespace {
 
-constexpr double kFlat = 0.05;   // a cylinder whose cap is this level stands on its rim
+constexpr double kAlong = 0.999;  // of a face's normal along the way out
 constexpr double kFacing = 0.5;  // of a face's normal along a sole's
 constexpr double kRigid = std::numeric_limits<double>::infinity();
 
@@ -32,6 +32,21 @@ double thickness_of(bool solid, bool tile, const Solid& shape) {
       return std::min(2.0 * shape.size.x(), shape.size.y());
   }
   return kRigid;
+}
+
+// How far a point is beyond the edges of a face of a box, in its axes; below 0: it is over the face.
+double beside(const Eigen::Vector3d& point, const Eigen::Vector3d& size, int face) noexcept {
+  Eigen::Vector3d beyond = point.cwiseAbs() - 0.5 * size;
+  beyond[face / 2] = 0.0;
+  return beyond.maxCoeff();
+}
+
+// The face whose normal this is; -1: of none, at an edge.
+int face_along(const Eigen::Vector3d& normal) noexcept {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::abs(normal[axis]) > kAlong) return 2 * axis + (normal[axis] > 0.0 ? 0 : 1);
+  }
+  return -1;
 }
 
 ContactParams hard(double stiffness, double damping, double friction) {
@@ -59,6 +74,7 @@ LooseContacts::LooseContacts(const Model& model, const WorldConfig& config)
     : robots_meet_(config.self_contact || !config.robots.empty()),
       self_contact_(config.self_contact),
       patches_(config.contact == ContactModel::kPatch),
+      continuous_(config.continuous),
       apart_(1 + config.loose.size() + config.robots.size()),
       ground_(hard(kRigid, kRigid, config.ground_friction)) {
   int system = 0;
@@ -105,6 +121,7 @@ LooseContacts::LooseContacts(const Model& model, const WorldConfig& config)
   const std::size_t most = active() ? robots * kMostContacts + loose_ * kMostLooseContacts : 0;
   memory_.reserve(most);
   saved_.reserve(most);
+  if (continuous_) faces_.reserve(most);
 }
 
 void LooseContacts::add_robot(const Model& model, const WorldConfig& config, int system) {
@@ -243,6 +260,7 @@ void LooseContacts::find(const std::vector<ArticulatedBody*>& systems, double h,
                          std::vector<Contact>& contacts) noexcept {
   for (std::size_t i = 0; i < moving_; ++i) place(pieces_[i], systems);
   Search search{systems, h, contacts};
+  if (continuous_) faces_.begin_search();
   for (std::size_t i = 0; i < loose_; ++i) {
     const Piece& own = pieces_[i];
     if (own.center.z() < own.radius + reach_of(own.speed, h)) meet_ground(own, search);
@@ -311,58 +329,6 @@ void LooseContacts::sort_spans(double h) noexcept {
   }
 }
 
-void LooseContacts::meet_ground(const Piece& own, Search& search) noexcept {
-  if (own.only_mesh) {
-    meet_mesh(static_cast<std::size_t>(&own - pieces_.data()), -1, search);
-    return;
-  }
-  if (own.solid.shape == SolidShape::kCylinder) {
-    meet_cylinder(own, search);
-    return;
-  }
-  Contact found;
-  found.system = own.system;
-  found.normal = Eigen::Vector3d::UnitZ();
-  found.params = together(own.params, ground_);
-  const auto targets = static_cast<int>(pieces_.size()) + 1;
-  for (std::size_t i = 0; i < own.probes.size(); ++i) {
-    const Probe& probe = own.probes[i];
-    found.point = own.center + own.rotation * probe.center;
-    found.point.z() -= probe.radius;
-    found.depth = -found.point.z();
-    found.material = !(probe.radius > 0.0);
-    found.key = kFirstKey + (own.first_key + static_cast<int>(i)) * targets;
-    consider(found, search);
-  }
-}
-
-// On the points of its rims if it stands, else on the lowest point of each rim.
-void LooseContacts::meet_cylinder(const Piece& own, Search& search) noexcept {
-  Contact found;
-  found.system = own.system;
-  found.normal = Eigen::Vector3d::UnitZ();
-  found.params = together(own.params, ground_);
-  const auto targets = static_cast<int>(pieces_.size()) + 1;
-  const Eigen::Vector3d axis = own.rotation.col(2);
-  const Eigen::Vector3d across = axis * axis.z() - Eigen::Vector3d::UnitZ();
-  const auto count = static_cast<int>(own.probes.size());
-  found.material = across.norm() < kFlat;
-  const int first = found.material ? 0 : count, end = found.material ? count : count + 2;
-  for (int i = first; i < end; ++i) {
-    if (found.material) {
-      if (own.probes[at(i)].radius > 0.0) continue;
-      found.point = own.center + own.rotation * own.probes[at(i)].center;
-    } else {
-      const double side = i == first ? 0.5 : -0.5;
-      found.point =
-          own.center + side * own.solid.size.y() * axis + own.solid.size.x() * across.normalized();
-    }
-    found.depth = -found.point.z();
-    found.key = kFirstKey + (own.first_key + i) * targets;
-    consider(found, search);
-  }
-}
-
 // Point by point a corner on the edge of a box could be pushed out sideways.
 int LooseContacts::face_between(const Piece& points, const Piece& box) const noexcept {
   if (box.solid.shape != SolidShape::kBox || box.tile || points.probes.size() < 4) return -1;
@@ -399,11 +365,19 @@ void LooseContacts::meet(const Piece& from, std::size_t into, bool turned,
   found.link = turned ? solid.link : from.link;
   found.other_system = turned ? -1 : solid.system;
   found.other = turned ? -1 : solid.link;
-  const int face = face_between(from, solid);
+  const int together_by = face_between(from, solid);
+  const bool keeps = continuous_ && solid.solid.shape == SolidShape::kBox && !solid.tile;
   for (std::size_t i = 0; i < from.probes.size(); ++i) {
     const Probe& probe = from.probes[i];
     const Eigen::Vector3d center = from.center + from.rotation * probe.center;
     const Eigen::Vector3d inside = solid.rotation.transpose() * (center - solid.center);
+    found.key =
+        kFirstKey + (from.first_key + static_cast<int>(i)) * targets + static_cast<int>(into) + 1;
+    int face = together_by;
+    if (keeps) {
+      const int kept = faces_.of(found.key);
+      if (kept >= 0 && beside(inside, solid.solid.size, kept) < kMargin) face = kept;
+    }
     Distance d;
     if (solid.tile) {
       const bool over = std::abs(inside.x()) <= 0.5 * solid.solid.size.x() &&
@@ -412,9 +386,7 @@ void LooseContacts::meet(const Piece& from, std::size_t into, bool turned,
     } else if (face >= 0) {
       const int axis = face / 2;
       const double sign = face % 2 == 0 ? 1.0 : -1.0;
-      Eigen::Vector3d beyond = inside.cwiseAbs() - 0.5 * solid.solid.size;
-      beyond[axis] = 0.0;
-      if (!(beyond.maxCoeff() < kMargin)) continue;
+      if (!(beside(inside, solid.solid.size, face) < kMargin)) continue;
       d = {sign * inside[axis] - 0.5 * solid.solid.size[axis], sign * Eigen::Vector3d::Unit(axis)};
     } else {
       d = distance_to(solid.solid, inside);
@@ -424,13 +396,13 @@ void LooseContacts::meet(const Piece& from, std::size_t into, bool turned,
     found.depth = probe.radius - d.value;
     found.material = !turned && !(probe.radius > 0.0);
     found.point = center - probe.radius * out;
-    found.key =
-        kFirstKey + (from.first_key + static_cast<int>(i)) * targets + static_cast<int>(into) + 1;
-    consider(found, search);
+    if (consider(found, search) && keeps && (face >= 0 || (face = face_along(d.normal)) >= 0)) {
+      faces_.found(found.key, face);
+    }
   }
 }
 
-void LooseContacts::consider(Contact& c, Search& search) noexcept {
+bool LooseContacts::consider(Contact& c, Search& search) noexcept {
   const ArticulatedBody& body = *search.systems[at(c.system)];
   if (c.link < 0) c.link = 0;
   c.r = c.point - body.origin();
@@ -442,7 +414,7 @@ void LooseContacts::consider(Contact& c, Search& search) noexcept {
   }
   if (!(c.depth > -reach_of(c.v0.norm(), search.h)) ||
       search.contacts.size() >= search.contacts.capacity()) {
-    return;
+    return false;
   }
   search.contacts.push_back(c);
   Contact& added = search.contacts.back();
@@ -455,7 +427,7 @@ void LooseContacts::consider(Contact& c, Search& search) noexcept {
   if (seen == memory_.size()) {
     added.guess.setZero();
     added.stretch = planted(added, search.h);
-    return;
+    return true;
   }
   const Memory& memory = memory_[search.cursor++ % memory_.size()];
   Eigen::Vector3d bristle = memory.bristle;
@@ -467,11 +439,13 @@ void LooseContacts::consider(Contact& c, Search& search) noexcept {
   added.stretch = c.material ? Eigen::Vector3d(c.point - bristle) : bristle;
   added.stretch -= c.normal * c.normal.dot(added.stretch);
   added.guess = memory.force;
+  return true;
 }
 
 void LooseContacts::remember(const std::vector<ArticulatedBody*>& systems,
                              const std::vector<Contact>& contacts, double h) noexcept {
   memory_.clear();
+  if (continuous_) faces_.remember();
   for (const Contact& c : contacts) {
     if (c.key < kFirstKey || c.now.mode == ContactMode::kOpen) continue;
     const Bristle bristle = bristle_after(c, h);

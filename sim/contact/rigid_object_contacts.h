@@ -20,6 +20,7 @@
 #include "geometry/mesh_contact/patch.h"
 #include "sim/contact/box_overlap.h"
 #include "sim/contact/contact_solve.h"
+#include "sim/contact/entry_faces.h"
 #include "sim/world/link_pairs.h"
 #include "sim/world/solid.h"
 #include "sim/world/world.h"
@@ -43,12 +44,21 @@ class LooseContacts {
   // After the solve of a step h, the systems still as they were at its start.
   void remember(const std::vector<ArticulatedBody*>& systems, const std::vector<Contact>& contacts,
                 double h) noexcept;
-  void forget() noexcept { memory_.clear(); }
+  void forget() noexcept {
+    memory_.clear();
+    faces_.forget();
+  }
   // So deep that the middle of one has nearly passed that of the other, which turns the normal round.
   bool may_come_through(const Contact& contact, double depth) const noexcept;
   // The bristles as they are, for a step that is taken again.
-  void save() noexcept { saved_ = memory_; }
-  void restore() noexcept { memory_ = saved_; }
+  void save() noexcept {
+    saved_ = memory_;
+    faces_.save();
+  }
+  void restore() noexcept {
+    memory_ = saved_;
+    faces_.restore();
+  }
 
   // Loose contacts have keys from here on.
   static constexpr int kFirstKey = 1 << 24;
@@ -147,7 +157,7 @@ class LooseContacts {
   Eigen::Isometry3d end_of(const Piece& piece, const Search& search) const noexcept;
   // Of a box, the face that bare points are nearest to being out of; -1: ask point by point.
   int face_between(const Piece& points, const Piece& box) const noexcept;
-  void consider(Contact& found, Search& search) noexcept;
+  bool consider(Contact& found, Search& search) noexcept;  // true: it was added
 
   std::vector<Piece> pieces_;  // the loose bodies, the robot's, the fixed ones
   std::vector<Span> spans_;    // of all pieces, by where they begin
@@ -157,6 +167,8 @@ class LooseContacts {
   std::vector<char> alone_;  // by system
   bool robots_meet_ = false, self_contact_ = false;
   bool patches_ = false;          // contact patch
+  bool continuous_ = false;       // pushed out by the face of entry
+  EntryFaces faces_;
   std::vector<LinkPairs> apart_;  // by system
   ContactParams ground_;
   ManifoldFinder finder_;

@@ -98,6 +98,7 @@ bool LooseContacts::may_come_through(const Contact& c, double depth) const noexc
       ++one;
   }
   if (one < 0 || other < 0) return false;
+  if (continuous_ && c.key < kFirstMeshKey && pieces_[at(other)].solid.shape == SolidShape::kBox) return false;
   return depth > 0.5 * kPassed * (pieces_[at(one)].thickness + pieces_[at(other)].thickness);
 }
 

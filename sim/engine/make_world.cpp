@@ -31,6 +31,9 @@ bool less_is_modelled(const WorldConfig& config) {
 std::unique_ptr<World> make_world(const Model& model, const WorldConfig& config) {
   check_bodies(config.loose);
   if (less_is_modelled(config)) return std::make_unique<WeldedWorld>(model, config);
+  if (config.engine == Engine::kOde && config.continuous) {
+    throw std::runtime_error("contact.continuous is of engine articulated only; leave it out, or say --engine articulated");
+  }
   if (config.engine == Engine::kOde) return std::make_unique<OdeWorld>(model, config);
   if (config.contact == ContactModel::kRigid) {
     throw std::runtime_error("contact rigid is of engine ode only; say --engine ode, or engine: ode in the scene");

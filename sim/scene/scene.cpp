@@ -326,7 +326,7 @@ Scene load_scene(const std::string& name_or_file) {
   scene.text = text.str();
   scene.about = top.text("about", "");
   scene.robot = top.text("robot", scene.robot);
-  const int engine = top.choice("engine", {kEngineNames[0], kEngineNames[1]}, 0);
+  const int engine = top.choice("engine", {std::begin(kEngineNames), std::end(kEngineNames)}, 0);
   scene.engine = kEngineNames[engine];
   scene.contact =
       kContactNames[top.choice("contact", {std::begin(kContactNames), std::end(kContactNames)}, 0)];

@@ -2,8 +2,7 @@
 //
 // Servo, joint friction, stops and contacts are part of the engine's implicit solve, never forces
 // applied from outside: set_servo() says what law holds, step() solves it at the end of the step.
-// No engine is handed a number that is not finite, and none ends the process: what goes wrong
-// freezes the world and is returned as Status::kDiverged.
+// No engine is handed a number that is not finite, and none ends the process: what goes wrong freezes the world (kDiverged).
 
 #pragma once
 
@@ -104,6 +103,7 @@ struct WorldConfig {
   std::vector<LooseBody> loose;
   std::vector<OtherRobot> robots;           // further ones, beside the one commanded
   bool self_contact = false;                // links of a robot touch one another; the same
+  bool continuous = false;                  // sim/contact/entry_faces.h
   double shell_stiffness = kLinkStiffness;  // of a point of a link that is no sole [N/m]
   std::vector<Tie> ties;
   std::vector<bool> held, rigid_robots;  // joints, further robots: sim/engine/welded_world.h
