@@ -4,8 +4,9 @@
 Charts: flight arm stand push landing slide (error against CPU time of one thread per simulated second, one curve for each
 engine and method, the points are step sizes; of GAUSS8 in parts the errors it is asked for), map (which stands are stable), size (cost against the number of joints), robots
 (against the number of robots), system (a standing and swaying robot with its controller: error against time for choices of the whole stack: engine, contact, step,
-control rate, sensors), release sway stamp (Figs. 12 to 14 of the paper: a damped oscillation beside its linear model, and
-the normal force of a foot on soft soles and in rigid contact).  Each is written as SVG, PNG and CSV to DIR (default test/charts/physics); --redraw draws from the CSV
+control rate, sensors), hyperbola (Fig. 10 of the paper: the walking pendulum, closed form beside simulation), release sway stamp walk_rough
+(Figs. 12 to 15: a damped oscillation beside its linear model, the normal force of a foot on soft soles and in rigid contact, and on rough ground
+with the paper's own contact force).  Each is written as SVG, PNG and CSV to DIR (default test/charts/physics); --redraw draws from the CSV
 that is there.  Peers that are installed are beside ours: MuJoCo, and in flight, arm and size Bullet (its rk4 is of order 1 on a
 floating base), DART and Simbody.  An engine's error is measured against a common reference where nothing touches, else against its own finest run:
 contact laws differ.
@@ -17,6 +18,7 @@ import pathlib
 import sys
 
 import paper_figures
+import pendulum_figure
 import plot
 import stability_map
 import whole_stack
@@ -153,8 +155,9 @@ def draw_system(rows, folder):
                                                          "time of the loop, ms per simulated second", "error [m]", curves, ((1e-3, "1 mm"), (1e-4, "0.1 mm"))))
 
 
-MEASURE = {"map": measure_map, "size": measure_size, "robots": measure_robots, "system": whole_stack.measure, **paper_figures.MEASURE}
-DRAW = {"map": draw_map, "size": draw_size, "robots": draw_robots, "system": draw_system, **paper_figures.DRAW}
+MEASURE = {"map": measure_map, "size": measure_size, "robots": measure_robots, "system": whole_stack.measure, "hyperbola": pendulum_figure.measure,
+           **paper_figures.MEASURE}
+DRAW = {"map": draw_map, "size": draw_size, "robots": draw_robots, "system": draw_system, "hyperbola": pendulum_figure.draw, **paper_figures.DRAW}
 NAMES = (*ABOUT, *MEASURE)
 
 

@@ -1,5 +1,5 @@
-"""Figs. 12, 13 and 14 of the paper on hrp1s, drawn by chart_physics.py: a damped oscillation beside its linear model, and the
-normal force of a foot on soft soles and in rigid contact."""
+"""Figs. 12, 13, 14 and 15 of the paper on hrp1s, drawn by chart_physics.py: a damped oscillation beside its linear model, the normal
+force of a foot on soft soles and in rigid contact, and on rough ground with the paper's own contact force."""
 
 import csv
 import json
@@ -63,8 +63,8 @@ def draw_release(rows, folder):
                                                          curves))
 
 
-def measure_feet(lab, scene, begin, end):
-    for engine, contact, name in CONTACTS:
+def measure_feet(lab, scene, begin, end, contacts=CONTACTS):
+    for engine, contact, name in contacts:
         rows, _ = recorded(lab, "TRUTH", "foot_force", scene, "--engine", engine, "--set", f"contact={contact}", "--for", end)
         start = float(rows[0]["utime"])
         for row in rows:
@@ -85,7 +85,11 @@ def draw_feet(rows, folder, scene, title):
                                                           "force [N]", curves))
 
 
+ROUGH = (("articulated", "spring_damper", "springs at the corners"), ("articulated", "patch", "the paper's section 3.3 (patch)"))
+
+
 MEASURE = {"release": measure_release, "sway": lambda lab: measure_feet(lab, "sway", 2.0, 5.0),
-           "stamp": lambda lab: measure_feet(lab, "stamp", 1.0, 4.0)}
+           "stamp": lambda lab: measure_feet(lab, "stamp", 1.0, 4.0), "walk_rough": lambda lab: measure_feet(lab, "walk_rough", 4.0, 8.0, ROUGH)}
 DRAW = {"release": draw_release, "sway": lambda rows, folder: draw_feet(rows, folder, "sway", "Normal force of the left foot, swaying"),
-        "stamp": lambda rows, folder: draw_feet(rows, folder, "stamp", "Normal force of the left foot, stepping on the spot")}
+        "stamp": lambda rows, folder: draw_feet(rows, folder, "stamp", "Normal force of the left foot, stepping on the spot"),
+        "walk_rough": lambda rows, folder: draw_feet(rows, folder, "walk_rough", "Fig. 15: normal force of the left foot on tiles of 30 mm")}
