@@ -122,5 +122,9 @@ class Browser:
         self.socket.close()
         self.child.terminate()
         self.child.wait(10)
-        self.drain.wait(5)
+        try:  # ends when the last of Chromium's processes has closed its output, which may take long beside other work
+            self.drain.wait(5)
+        except subprocess.TimeoutExpired:
+            self.drain.kill()
+            self.drain.wait()
         shutil.rmtree(self.folder, ignore_errors=True)
