@@ -29,7 +29,7 @@ int run(int argc, char** argv) {
                      settings_help());
   add_common(parser, options.common);
   std::string engine, start_pose;
-  parser.choice("--engine", {kEngineNames[0], kEngineNames[1]}, engine,
+  parser.choice("--engine", {std::begin(kEngineNames), std::end(kEngineNames)}, engine,
                 "physics engine; default the scene's");
   parser.text("--start-pose", "POSE", start_pose, "of the SRDF, in which the robot begins; default the scene's");
   parser.positional("SCENE", scene_name, false, "a name under config/scenes, or a YAML file");

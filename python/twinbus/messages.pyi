@@ -121,7 +121,7 @@ class event_t(Message):
     run_id: int = ...
     tick: int = ...
     sequence: int = ...
-    code: int = ...  # robot/protocol.h, for programs
+    code: int = ...  # for programs; 0 none
     severity: int = ...  # 0 information, 1 warning, 2 alarm
     kind: int = ...  # sender, as in heartbeat_t
     text: NDArray[np.int8] = ...  # [200] zero-terminated UTF-8
@@ -421,7 +421,7 @@ class source_status_t(Message):
     can_be_set: int = ...  # 1: a state can be imposed (simulators)
     hardware: int = ...  # 1: moves a real robot
     plan_refusal: int = ...  # why the last refused stop plan was; 0 none: robot/stop_plan/plan_assembler.h
-    refusal: int = ...  # last refusal, 0 none: robot/protocol.h
+    refusal: int = ...  # last refusal, 0 none: lcmtypes/msg/requests.h
 
 
 @dataclass(eq=False)
