@@ -225,6 +225,7 @@ class Runner:
             if len(list(folder.glob("*.log"))) >= most:
                 return
             part = folder / f"{task['id']}.part"
+            part.unlink(missing_ok=True)  # of a campaign that was ended
             self.start(task, self.words(task, self.folder / "again.json") + ["--log", str(part)], self.folder / "again.json")
             part.rename(folder / f"{task['id']}.log")
         except OSError as error:

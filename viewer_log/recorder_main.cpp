@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
@@ -19,7 +18,7 @@
 #include "lcmtypes/bus/bus.h"
 #include "lcmtypes/bus/channels.h"
 #include "lcmtypes/node/pulse.h"
-#include "viewer_log/log/log_reader.h"
+#include "viewer_log/log/log_writer.h"
 #include "viewer_log/log/message_schema.h"
 #include "viewer_log/log/recorder.h"
 #include "viewer_log/view/gap_meter.h"
@@ -105,15 +104,6 @@ RecorderConfig config_of(const Arguments& a) {
   config.keep_seconds = 60.0 * a.keep_min;
   config.goes_on = !a.folder.empty() && !a.force;
   return config;
-}
-
-// Nobody's log is lost to a name that was used before.
-void refuse_if_there(const Arguments& a, const std::string& file) {
-  namespace fs = std::filesystem;
-  std::error_code ignored;
-  if (a.force || !a.folder.empty() || (!fs::exists(file, ignored) && log_parts(file).size() == 1)) return;
-  if (fs::exists(file, ignored) && !fs::is_regular_file(file, ignored)) return;  // as /dev/null
-  throw std::runtime_error(file + " or a part of it is there already: name another file, or write over it with --force");
 }
 
 // "at most 10 GB, and at least the last 30 minutes"
@@ -279,7 +269,7 @@ int run(int argc, char** argv) {
   give_way();  // without FIFO priority it is the first that waits
   go_ahead_of_ordinary_programs();
   const RecorderConfig config = config_of(a);
-  refuse_if_there(a, config.file);
+  if (!a.force && a.folder.empty()) refuse_if_there(config.file);
   RecorderProcess process(a, config);
   std::printf("recorder ready: %s (%s)\n", process.file().c_str(), limits_text(config).c_str());
   std::fflush(stdout);

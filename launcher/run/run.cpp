@@ -63,6 +63,7 @@ Syntax run_syntax() {
             "CPU time of the physics in a control period: the best accuracy that fits"},
            {"--no-guard", "", "leaves the guard in the controller out"},
            {"--log", "F.log", "records every message, for ./twinbus log; times are simulated"},
+           {"--force", "", "writes over a log that is there, with its parts"},
            {"--report", "F.json", "writes the figures"}},
           1,
           1};
@@ -284,6 +285,8 @@ int run_command(const std::vector<std::string>& words) {
   const Arguments arguments(run_syntax(), words);
   check_simd_word();
   catch_quit_signals();
+  const std::string log_file = arguments.text("--log", "");
+  if (!log_file.empty() && !arguments.has("--force")) refuse_if_there(log_file);
   Scene scene = load_scene(arguments.word(0));
   RunRequest request;
   request.scene = scene.name;
@@ -327,8 +330,9 @@ int run_command(const std::vector<std::string>& words) {
   }
 
   std::unique_ptr<LogWriter> log;
-  if (const std::string file = arguments.text("--log", ""); !file.empty()) {
-    log = std::make_unique<LogWriter>(file);
+  if (!log_file.empty()) {
+    log = std::make_unique<LogWriter>(log_file);
+    remove_later_parts(log_file);
     config.listener = [&log](const char* name, std::span<const std::uint8_t> bytes,
                              std::int64_t now_ns) { log->add(now_ns / 1000, name, bytes); };
   }

@@ -134,7 +134,16 @@ def a_log_that_is_there(checks, folder):
         status, said, problem = cli("record", *words)
         checks.that(status == 1 and "there already" in problem and "--force" in problem and problem.count("\n") == 1 and not said,
                     f"record {words}: {said}{problem}")
+    status, said, problem = cli("run", "stand", "--for", "0.1", "--log", log)
+    checks.that(status == 1 and "there already" in problem and "--force" in problem and problem.count("\n") == 1 and not said,
+                f"run --log: {said}{problem}")
     checks.that(log.read_bytes() == before, "and it is as it was")
+    short = folder / "short.log"
+    for name in ("short.log", "short-0002.log"):
+        (folder / name).write_bytes(before)
+    status, said, problem = cli("run", "stand", "--for", "0.1", "--log", short, "--force")
+    checks.that("there already" not in problem and b"STATE" in short.read_bytes() and len(short.read_bytes()) < len(before)
+                and not (folder / "short-0002.log").exists(), f"run --log --force writes over it and removes its parts: {problem}")
     with Stack("stand", "--no-viewer"):
         time.sleep(1.5)
         checks.that(cli("restart", "recorder")[0] == 0, "the recorder of a stack is started anew")

@@ -111,6 +111,22 @@ TEST_F(LogWriterTest, AFullDiskTakesNothingAndSaysWhy) {
   EXPECT_THROW(LogWriter("/nonexistent/x.log"), std::runtime_error);
 }
 
+// Of a log, of what is left of one whose first file is gone, and of what is no file.
+TEST_F(LogWriterTest, ANameThatIsUsedIsRefusedAndItsLaterPartsCanBeRemoved) {
+  EXPECT_NO_THROW(refuse_if_there(file_));
+  EXPECT_NO_THROW(refuse_if_there("/dev/null"));
+  write(1);
+  EXPECT_THROW(refuse_if_there(file_), std::runtime_error);
+  const std::string part = log_part_name(file_, 3);
+  std::filesystem::copy_file(file_, part);
+  std::filesystem::remove(file_);
+  EXPECT_THROW(refuse_if_there(file_), std::runtime_error);
+  write(1);
+  remove_later_parts(file_);
+  EXPECT_TRUE(std::filesystem::exists(file_));
+  EXPECT_FALSE(std::filesystem::exists(part));
+}
+
 TEST(LogIndex, BytesThatAreNoIndexAreNone) {
   LogIndex index;
   index.sums = {1, 2, 3};

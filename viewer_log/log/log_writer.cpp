@@ -5,7 +5,11 @@
 
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <stdexcept>
+#include <system_error>
+
+#include "viewer_log/log/log_reader.h"
 
 namespace twinbus {
 
@@ -45,6 +49,19 @@ void append_event(std::vector<std::uint8_t>& bytes, std::int64_t utime, std::str
   write_u32(p + 24, static_cast<std::uint32_t>(data.size()));
   std::memcpy(p + kEventHead, channel.data(), channel.size());
   if (!data.empty()) std::memcpy(p + kEventHead + channel.size(), data.data(), data.size());
+}
+
+void refuse_if_there(const std::string& file) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  if (!fs::exists(file, ignored) && log_parts(file).size() == 1) return;
+  if (fs::exists(file, ignored) && !fs::is_regular_file(file, ignored)) return;  // as /dev/null
+  throw std::runtime_error(file + " or a part of it is there already: name another file, or write over it with --force");
+}
+
+void remove_later_parts(const std::string& file) {
+  const std::vector<std::string> parts = log_parts(file);
+  for (std::size_t i = 1; i < parts.size(); ++i) (void)::unlink(parts[i].c_str());
 }
 
 LogWriter::LogWriter(const std::string& file) : file_(file) {

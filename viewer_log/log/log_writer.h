@@ -16,6 +16,12 @@ namespace twinbus {
 void append_event(std::vector<std::uint8_t>& bytes, std::int64_t utime, std::string_view channel,
                   std::span<const std::uint8_t> data);
 
+// Nobody's log is lost to a name that was used before.  Throws std::runtime_error when a log of that name, or a part of one,
+// is there.
+void refuse_if_there(const std::string& file);
+// Of a log whose first file is written anew: the parts of the one before, which would be read as its own.
+void remove_later_parts(const std::string& file);
+
 class LogWriter {
  public:
   // Makes the file, or empties it.  Throws std::runtime_error naming it.

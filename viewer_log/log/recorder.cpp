@@ -1,7 +1,6 @@
 #include "viewer_log/log/recorder.h"
 
 #include <sys/statvfs.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -54,9 +53,7 @@ Recorder::Recorder(const RecorderConfig& config) : config_(config) {
   if (config_.goes_on) go_on();
   next_part();
   first_file_ = part_file_;
-  // Parts of a recording that had this name before: its first part has just been emptied.
-  const std::vector<std::string> left = log_parts(config_.file);
-  for (std::size_t i = 1; i < left.size() && !config_.goes_on; ++i) (void)::unlink(left[i].c_str());
+  if (!config_.goes_on) remove_later_parts(config_.file);
   thread_ = std::thread([this] { work(); });
 }
 
