@@ -17,6 +17,7 @@
 #include "control/guard/guard_watch.h"
 #include "lcmtypes/bus/bus.h"
 #include "lcmtypes/bus/channels.h"
+#include "lcmtypes/msg/guard_defaults.h"
 #include "lcmtypes/msg/journal.h"
 #include "lcmtypes/msg/state_admission.h"
 #include "lcmtypes/node/pulse.h"
@@ -37,7 +38,7 @@ constexpr std::int64_t kQuietSameNs = 10 * kQuietNs;
 
 struct Arguments {
   CommonOptions common;
-  double margin_mm = 6.0;
+  double margin_mm = 1e3 * GuardDefaults::kSecondOpinion;
 };
 
 Arguments parse(int argc, char** argv) {

@@ -22,6 +22,7 @@
 #include "robot/estimation/estimator.h"
 #include "robot/kinematics/kinematics.h"
 #include "robot/description/model.h"
+#include "lcmtypes/msg/guard_defaults.h"
 #include "lcmtypes/msg/reports.h"
 #include "lcmtypes/msg/robot_io.h"
 
@@ -29,7 +30,7 @@ namespace twinbus {
 
 struct GuardConfig {
   std::int64_t guard_id = 1;
-  double margin = 0.010;     // distance that is left when everything has come to rest [m]
+  double margin = GuardDefaults::kInController;  // distance that is left when everything has come to rest [m]
   double near = 0.050;       // pairs nearer than this are reported [m]
   int delay_ticks = 2;       // from the state that shows a danger to the brake that answers it
   double servo_lag = 0.005;  // by which a joint runs on behind a set-point that is braked [s]

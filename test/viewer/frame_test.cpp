@@ -6,6 +6,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "lcmtypes/msg/guard_defaults.h"
 #include "robot/description/load.h"
 #include "viewer_log/view/signals.h"
 
@@ -84,7 +85,8 @@ TEST(LiveFrame, APairIsAnAlarmWhenTheGuardActsOrLessIsLeftThanItKeeps) {
   GuardReport report;
   report.run_id = 11;
   report.pairs_near = 4;
-  report.distance = {0.004F, 0.008F, 0.028F, 0.045F};
+  constexpr auto kKeeps = static_cast<float>(GuardDefaults::kInController);
+  report.distance = {0.49F * kKeeps, 0.99F * kKeeps, 1.01F * kKeeps, 4.5F * kKeeps};
   report.verdict = GuardVerdict::kNear;
   const auto levels = [&] {
     view.on_guard(report, kNow);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "viewer_log/view/frame_number.h"
+#include "lcmtypes/msg/guard_defaults.h"
 #include "lcmtypes/msg/labels.h"
 #include "viewer_log/view/health.h"
 #include "viewer_log/view/scene_frame.h"
@@ -15,8 +16,8 @@ namespace {
 
 constexpr double kSenderFresh = 0.5;    // [s]
 constexpr double kMinShownForce = 1.0;  // [N]
-constexpr double kGuardKeeps = 0.010;   // GuardConfig::margin [m]
-constexpr double kActedOn = 0.030;      // a pair that the guard acts on may be so far apart when it brakes [m]
+constexpr double kGuardKeeps = GuardDefaults::kInController;
+constexpr double kActedOn = 0.030;  // a pair that the guard acts on may be so far apart when it brakes [m]
 
 Json age_ms(double age) { return age > 1e6 ? Json(nullptr) : number(1e3 * age, 1); }
 
