@@ -26,6 +26,7 @@
 #include "viewer_log/log/log_library.h"
 #include "viewer_log/view/log_view.h"
 #include "viewer_log/log/mark_scan.h"
+#include "viewer_log/server/page_document.h"
 #include "viewer_log/server/page_request.h"
 #include "viewer_log/view/replay_frame.h"
 #include "viewer_log/server/replay_request.h"
@@ -166,12 +167,10 @@ class LogViewer {
         throw std::runtime_error("TWINBUS_VIEWER_TOKEN: at least 16 characters are needed");
       config.token = token;
     }
-    if (find_file({{"/", arguments_.web}}, "/index.html").empty())
-      throw std::runtime_error("no index.html in " + arguments_.web +
-                               "; name the page's folder with --web");
+    config.documents.push_back(page_document(arguments_.web));
     config.roots = robot_roots(model_);
     config.roots.push_back({"/", arguments_.web});
-    config.documents = {{"/robot.urdf", "application/xml", model_.urdf_text}};
+    config.documents.push_back({"/robot.urdf", "application/xml", model_.urdf_text});
     config.on_message = [this](const std::string& text, bool trusted) -> std::string {
       ReplayRequest request;
       std::string problem;

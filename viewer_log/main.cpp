@@ -28,6 +28,7 @@
 #include "viewer_log/view/frame.h"
 #include "viewer_log/view/log_button.h"
 #include "viewer_log/view/outgoing_main.h"
+#include "viewer_log/server/page_document.h"
 #include "viewer_log/server/page_inbox.h"
 #include "viewer_log/view/scene_frame.h"
 #include "viewer_log/view/setup_desk.h"
@@ -194,12 +195,10 @@ class Viewer {
     config.token = token_of("TWINBUS_VIEWER_TOKEN");
     config.watch_token = token_of("TWINBUS_VIEWER_WATCH_TOKEN");
     const std::string& web = arguments_.web;
-    if (find_file({{"/", web}}, "/index.html").empty()) {
-      throw std::runtime_error("no index.html in " + web + "; name the page's folder with --web");
-    }
+    config.documents.push_back(page_document(web));
     config.roots = robot_roots(model_);
     config.roots.push_back({"/", web});
-    config.documents = {{"/robot.urdf", "application/xml", model_.urdf_text}};
+    config.documents.push_back({"/robot.urdf", "application/xml", model_.urdf_text});
     config.documents.push_back(
         {"/setup.json", "application/json", setup_choices(model_, config_folder() + "/scenes")});
     if (!arguments_.run_folder.empty())

@@ -14,6 +14,7 @@ import subprocess
 import sys
 import tempfile
 import time
+import urllib.request
 
 HERE = pathlib.Path(__file__).resolve().parent
 TREE = str(HERE.parents[1])
@@ -84,6 +85,20 @@ def programs(prefix, clean):
     assert (prefix / "share/twinbus/lcmtypes/robot_state_t.lcm").is_file()
 
 
+def page(prefix, clean):
+    """So does the page, and gives it to who has no token yet."""
+    viewer = subprocess.Popen([prefix / "lib/twinbus/bin/twinbus_viewer", "--port", "0", "--no-open"], env=clean, stdout=subprocess.PIPE, text=True)
+    try:
+        port = next(found for found in (re.search(r"ready at http://127.0.0.1:(\d+)/", line) for line in viewer.stdout) if found)[1]
+        for path in ("", "index.html"):
+            with urllib.request.urlopen(f"http://127.0.0.1:{port}/{path}", timeout=10) as answer:
+                html = answer.read().decode()
+            assert 'data-command="twinbus"' in html and "./twinbus" not in html, html[:300]
+    finally:
+        viewer.terminate()
+        viewer.wait(10)
+
+
 def command_a_joint(prefix, program, clean):
     """The installed stack without a controller, and the program outside as one."""
     client = subprocess.Popen([program], env=clean)
@@ -117,6 +132,7 @@ def main():
             assert not points, f"{file} points into the source tree"
         programs(prefix, clean)
         words(prefix, clean)
+        page(prefix, clean)
         outside = folder / "build"
         generator = ["-G", "Ninja"] if shutil.which("ninja") else []  # `make` need not be installed
         said = run("cmake", *generator, "-S", HERE / "outside", "-B", outside, f"-DCMAKE_PREFIX_PATH={prefix}", "-DCMAKE_BUILD_TYPE=Release")

@@ -10,6 +10,8 @@
 #include <set>
 
 #include "robot/description/load.h"
+#include "test/temporary_folder.h"
+#include "viewer_log/server/page_document.h"
 #include "viewer_log/server/robot_roots.h"
 
 namespace twinbus {
@@ -152,6 +154,23 @@ TEST(RobotRoots, PackagesOfRobotYamlAndOwnNameAreRead) {
                            "/robot/package/theirs/../mine/meshes/a.stl"})
     EXPECT_EQ(find_file(roots, path), "") << path;
   fs::remove_all(top);
+}
+
+TEST(PageDocument, SaysHowTheProgramIsTyped) {
+  const test::TemporaryFolder folder;
+  EXPECT_THROW((void)page_document(folder.path()), std::runtime_error);
+  const std::string page = "<html data-command=\"./twinbus\">";
+  folder.write("index.html", page);
+  const WebDocument here = page_document(folder.path(), false), installed = page_document(folder.path(), true);
+  EXPECT_EQ(here.body, page);
+  EXPECT_EQ(installed.body, "<html data-command=\"twinbus\">");
+  EXPECT_EQ(installed.path, "/index.html");
+  EXPECT_TRUE(installed.of_page);
+  const std::vector<WebDocument> documents = {{"/robot.urdf", "application/xml", "<robot/>"}, installed};
+  EXPECT_EQ(find_document(documents, "/"), &documents[1]);
+  EXPECT_EQ(find_document(documents, "/index.html"), &documents[1]);
+  EXPECT_FALSE(find_document(documents, "/robot.urdf")->of_page);
+  EXPECT_EQ(find_document(documents, "/app.js"), nullptr);
 }
 
 }  // namespace

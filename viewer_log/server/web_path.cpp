@@ -102,6 +102,14 @@ std::string find_file(const std::vector<WebRoot>& roots, const std::string& path
   return file.string();
 }
 
+const WebDocument* find_document(const std::vector<WebDocument>& documents, std::string_view path) noexcept {
+  if (path == "/") path = "/index.html";
+  for (const WebDocument& document : documents) {
+    if (document.path == path) return &document;
+  }
+  return nullptr;
+}
+
 const char* content_type(std::string_view path) noexcept {
   static constexpr std::array<std::pair<std::string_view, const char*>, 13> kTypes{{
       {".html", "text/html; charset=utf-8"},

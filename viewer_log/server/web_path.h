@@ -17,6 +17,13 @@ struct WebRoot {
   std::string folder;
 };
 
+struct WebDocument {  // served from memory
+  std::string path;   // "/robot.urdf"; that of "/" is "/index.html"
+  std::string type;
+  std::string body;
+  bool of_page = false;  // the same for everybody, given without a token
+};
+
 // "/a%20b?x=1" -> "/a b".  False for anything that is not a plain absolute path.
 [[nodiscard]] bool decode_target(std::string_view target, std::string& path);
 
@@ -29,6 +36,9 @@ std::string query_value(std::string_view target, std::string_view key);
 // The file behind a decoded path (the longest matching prefix wins, "/" of a root is its
 // index.html), as an absolute name, or empty when there is none that may be served.
 std::string find_file(const std::vector<WebRoot>& roots, const std::string& path);
+
+// The document of a decoded path; nullptr when there is none.
+const WebDocument* find_document(const std::vector<WebDocument>& documents, std::string_view path) noexcept;
 
 // MIME type by extension; nullptr for types that are not served.
 const char* content_type(std::string_view path) noexcept;

@@ -230,18 +230,15 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
     if (!known && !is_page(path)) {
       return refuse(http::status::forbidden, "from another machine only with the token\n");
     }
-    for (const WebDocument& document : shared_.config.documents) {
-      if (document.path == path) return send_text(http::status::ok, document.type, document.body);
-    }
+    const WebDocument* document = find_document(shared_.config.documents, path);
+    if (document != nullptr) return send_text(http::status::ok, document->type, document->body);
     send_file(find_file(shared_.config.roots, path));
   }
 
   // The page itself is the same for everybody; what is of this robot lies in documents and in the
   // other roots.
   bool is_page(const std::string& path) const {
-    for (const WebDocument& document : shared_.config.documents) {
-      if (document.path == path) return false;
-    }
+    if (const WebDocument* document = find_document(shared_.config.documents, path)) return document->of_page;
     for (const WebRoot& root : shared_.config.roots) {
       if (root.prefix != "/" && path.compare(0, root.prefix.size(), root.prefix) == 0) return false;
     }

@@ -23,12 +23,6 @@ namespace twinbus {
 
 inline constexpr int kWebSlots = 10;
 
-struct WebDocument {  // served from memory
-  std::string path;   // "/robot.urdf"
-  std::string type;
-  std::string body;
-};
-
 struct WebConfig {
   int port = 8040;          // the first one tried; 0: any free one
   int ports_to_try = 20;    // when it is taken, the next ones

@@ -1,5 +1,7 @@
 // Everything around the 3D view: badge, health, rates, sources, balance map, guard, processes, messages.
 
+import { typed } from './typed.js';
+
 const $ = (id) => document.getElementById(id);
 const kVerdicts = { clear: '✓', near: '•', 'will collide': '▲', 'in collision': '✖' }; // not by colour alone
 const kLevels = { close: '▲ ', touch: '✖ ' }; // of a pair of links
@@ -17,7 +19,7 @@ function element(tag, properties = {}, children = []) {
   return node;
 }
 
-const kWrongToken = 'The token of this address is wrong or of an earlier run: open the address that ./twinbus up prints now.';
+const kWrongToken = typed('The token of this address is wrong or of an earlier run: open the address that ./twinbus up prints now.');
 const hertz = (value) => (value > 0 ? `${value.toFixed(0)} Hz` : '–');
 const age = (ms) => (ms === null ? 'never' : ms < 1000 ? `${Math.round(ms)} ms` : `${(ms / 1000).toFixed(1)} s`);
 const clock = (utime) => new Date(utime / 1000).toTimeString().slice(0, 8);
@@ -133,7 +135,7 @@ export class Panels {
     if (remedy) sentence += ` ${this.trusted || this.recording ? remedy : 'It is ended at the computer where it runs.'}`;
     if (this.recording) sentence = sentence.replace(/ ?Press (Clear|STOP).*$/, '');
     if ($('health').className !== level) $('health').className = level;
-    text('health-text', sentence);
+    text('health-text', typed(sentence));
     document.body.classList.toggle('stopped', stopped);
     document.body.classList.toggle('bad', level === 'bad');
     $('clear').hidden = !stopped || !this.trusted;
@@ -163,7 +165,7 @@ export class Panels {
 
   sources(list) {
     if (list.length === 0) {
-      $('sources').replaceChildren(element('p', { className: 'hint', textContent: this.recording ? 'None is told of here.' : 'None heard. Start the stack with ./twinbus up.' }));
+      $('sources').replaceChildren(element('p', { className: 'hint', textContent: this.recording ? 'None is told of here.' : typed('None heard. Start the stack with ./twinbus up.') }));
       return;
     }
     // Buttons stay the same nodes while the list does, so that a click is never lost to a redraw.
@@ -210,7 +212,7 @@ export class Panels {
     if (last === this.lastEvent) return;
     this.lastEvent = last;
     $('events').replaceChildren(...[...list].reverse().map((event) => element('li', { className: `s${event.severity}` },
-      [element('small', { textContent: `${clock(event.utime)} ${event.from}` }), `${kSeverities[event.severity] ?? ''}${event.text}${event.count > 1 ? ` (×${event.count})` : ''}`])));
+      [element('small', { textContent: `${clock(event.utime)} ${event.from}` }), `${kSeverities[event.severity] ?? ''}${typed(event.text)}${event.count > 1 ? ` (×${event.count})` : ''}`])));
   }
 
   connected(yes) {
@@ -231,7 +233,7 @@ export class Panels {
   }
 
   toast(message) {
-    $('toast').textContent = message;
+    $('toast').textContent = typed(message);
     $('toast').hidden = false;
     clearTimeout(this.toastTimer);
     this.toastTimer = setTimeout(() => { $('toast').hidden = true; }, 5000);
