@@ -64,8 +64,8 @@ void WalkFigures::add(const SimTruth& truth, Mode mode, const std::array<double,
   }
   if (walking) {
     ++counted_;
-    const int mm = static_cast<int>(std::floor(1e3 * static_cast<double>(truth.zmp_margin)));
-    ++margins_[static_cast<std::size_t>(std::clamp(mm, kLowest, kHighest) - kLowest)];
+    const double mm = std::floor(1e3 * static_cast<double>(truth.zmp_margin));
+    ++margins_[mm > kLowest ? static_cast<std::size_t>(std::min<double>(mm, kHighest) - kLowest) : 0];  // one that is none: the worst
   }
   if (last_time_ >= 0.0) {
     const double turned = std::remainder(yaw - last_[2], 6.283185307179586);

@@ -8,6 +8,7 @@ namespace twinbus {
 namespace {
 
 constexpr int kMostSweeps = 50;
+constexpr double kMostParts = 1000.0;
 constexpr double kOuter = 1.3512071919596578;  // 1 / (2 - 2^(1/3))
 
 }  // namespace
@@ -18,7 +19,7 @@ void turn_freely(const Eigen::Vector3d& inertia, double h, Eigen::Matrix3d& rota
   const Eigen::Vector3d in_world =
       rotation * inertia.cwiseProduct(rotation.transpose() * spin);  // momentum, kept to the bit
   const double fastest = spin.norm() * inertia.maxCoeff() / inertia.minCoeff();
-  const int parts = std::min(1000, 1 + static_cast<int>(4.0 * h * fastest));
+  const int parts = 1 + static_cast<int>(std::min(kMostParts - 1.0, 4.0 * h * fastest));  // of a needle no int holds it
   Eigen::Quaterniond attitude(rotation);
   for (int i = 0; i < 3 * parts; ++i) {
     const double part = h / parts * (i % 3 == 1 ? 1.0 - 2.0 * kOuter : kOuter);

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
 #include "launcher/run/local_stack.h"
+#include "launcher/run/walk_figures.h"
 #include "robot/description/load.h"
 #include "sim/scene/scene_seed.h"
 
@@ -94,6 +96,24 @@ TEST(PartOfAScene, WhereLooseBodiesEndIsLeftOut) {
   const RunVerdict part = judged("bounce_wall", 0.02, true);
   EXPECT_TRUE(part.passed) << testing::PrintToString(part.failures);
   EXPECT_TRUE(has(part.left_out, "ends")) << testing::PrintToString(part.left_out);
+}
+
+// Of a robot that flew away, or of a world that is broken.
+TEST(WalkFigures, AMarginThatNoMillimetresHoldIsTheFirstOrTheLast) {
+  const Model model = load_robot("hrp1s");
+  const Scene scene = resolved("walk_forward", model);
+  const auto margin_of = [&](float margin) {
+    WalkFigures figures(model, scene);
+    SimTruth truth;
+    truth.zmp_margin = margin;
+    figures.add(truth, Mode::kWalk, {0.0, 0.0}, 0.0);
+    return figures.margin_percentile(0.5);
+  };
+  EXPECT_NEAR(margin_of(0.0205F), 0.020, 1e-9);
+  EXPECT_NEAR(margin_of(-0.0205F), -0.021, 1e-9);
+  EXPECT_NEAR(margin_of(1e30F), 0.5, 1e-9);
+  EXPECT_NEAR(margin_of(-1e30F), -0.5, 1e-9);
+  EXPECT_NEAR(margin_of(std::numeric_limits<float>::quiet_NaN()), -0.5, 1e-9);
 }
 
 }  // namespace

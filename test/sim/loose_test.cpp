@@ -369,5 +369,17 @@ TEST(FreeTurn, ABodyTurnsOverElevenTimesAndKeepsEnergyAndMomentum) {
   }
 }
 
+// A needle: what its spin about the short axis is in terms of the long one is more than an int holds.
+TEST(FreeTurn, ANeedleTurnsAsFarAsAnythingElse) {
+  for (const double thin : {1e-2, 1e-6, 1e-10, 1e-14}) {
+    const Eigen::Vector3d inertia(1.0, 1.0, thin);
+    Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+    Eigen::Vector3d spin(100.0, 0.0, 0.0);
+    for (int i = 0; i < 5; ++i) turn_freely(inertia, 0.002, rotation, spin);
+    EXPECT_NEAR(std::atan2(rotation(2, 1), rotation(1, 1)), 1.0, 1e-3) << thin;
+    EXPECT_NEAR(spin.x(), 100.0, 1e-9) << thin;
+  }
+}
+
 }  // namespace
 }  // namespace twinbus
