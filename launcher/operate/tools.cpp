@@ -81,6 +81,7 @@ constexpr BenchRow kBenches[] = {
     {"walking", "robust", "other masses, trunk, soles, delay, noise"},
     {"walking", "estimate", "velocity of the base as ESTIMATE says it, against TRUTH of a log"},
     {"guard and planner", "guard", "a tick of the guard beside FCL"},
+    {"guard and planner", "guard_soft", "arms of soft servos swung into the robot: how many the guard brakes before they touch"},
     {"guard and planner", "guard_drive", "random motions into self-collision"},
     {"guard and planner", "guard_walk", "what watching all pairs costs while it walks"},
     {"guard and planner", "collision", "the exact check beside FCL, every verdict compared"},
