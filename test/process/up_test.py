@@ -148,7 +148,7 @@ def lists(checks):
     status, said, _ = cli("bench")
     groups = [line for line in said.splitlines() if line in ("walking", "guard and planner", "simulation", "bus and logs")]
     checks.that(status == 0 and len(groups) == 4 and "  physics " in said, f"bench lists by group, each with a line: {said}")
-    checks.that("others" not in said and all(len(line.split(None, 1)) == 2 for line in said.splitlines() if line.startswith("  ")),
+    checks.that("others" not in said.splitlines() and all(len(line.split(None, 1)) == 2 for line in said.splitlines() if line.startswith("  ")),
                 f"no bench without a line: {said}")
     status, _, problem = cli("run", "stnad")
     checks.that(status == 1 and "did you mean stand?" in problem, f"a scene that is not there: {problem[:200]}")
