@@ -43,14 +43,14 @@ GateLimits::GateLimits(const Model& model) : robot(&model) {
     upper[i] = joint.upper;
     velocity[i] = joint.velocity;
     effort[i] = joint.effort;
-    step[i] = (joint.rate > 0.0 ? joint.rate : 1.05 * joint.velocity) * period;
+    step[i] = set_point_rate(joint) * period;
     brake[i] = brake_deceleration(joint);
     kp[i] = static_cast<float>(joint.kp);
     kd[i] = static_cast<float>(joint.kd);
     kp_max[i] = static_cast<float>(joint.kp > 0.0 ? kGainRange * joint.kp : 1e6);
     kd_max[i] = static_cast<float>(joint.kd > 0.0 ? kGainRange * joint.kd : 1e5);
-    stop_kp[i] = static_cast<float>(joint.stop_kp > 0.0 ? joint.stop_kp : joint.kp);
-    stop_kd[i] = static_cast<float>(joint.stop_kd > 0.0 ? joint.stop_kd : joint.kd);
+    stop_kp[i] = static_cast<float>(hold_kp(joint));
+    stop_kd[i] = static_cast<float>(hold_kd(joint));
   }
 }
 

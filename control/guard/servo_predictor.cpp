@@ -59,7 +59,7 @@ ServoPredictor::ServoPredictor(const Model& model, int delay_ticks, double lag)
     s.of = &joint;
     s.effort = joint.effort;
     s.most_speed = joint.velocity;
-    s.rate = joint.rate > 0.0 ? joint.rate : 1.05 * joint.velocity;  // as the gate's
+    s.rate = set_point_rate(joint);
     s.brake = brake_deceleration(joint);
     s.damping = joint.damping;
     s.lower = joint.lower;

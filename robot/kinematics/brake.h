@@ -20,6 +20,9 @@ inline constexpr double kTorqueStep = 0.1;  // largest change of a joint's torqu
 inline double hold_kp(const Joint& joint) noexcept { return joint.stop_kp > 0.0 ? joint.stop_kp : joint.kp; }
 inline double hold_kd(const Joint& joint) noexcept { return joint.stop_kd > 0.0 ? joint.stop_kd : joint.kd; }
 
+// How fast a set-point may move [rad/s or m/s].
+inline double set_point_rate(const Joint& joint) noexcept { return joint.rate > 0.0 ? joint.rate : 1.05 * joint.velocity; }
+
 // A servo with less than this share of the stiffness of a hold does not go where its set-point is.  Nor does a set-point that
 // is farther than this from its joint say where a brake ends: both are braked from where the joint is, with the gains of a hold
 // and no other torque.
