@@ -1,9 +1,9 @@
 #include "launcher/log/log_command.h"
 
 #include <regex.h>
+#include <unistd.h>
 
 #include <cstdio>
-#include <filesystem>
 #include <map>
 #include <stdexcept>
 #include <utility>
@@ -14,6 +14,7 @@
 #include "common/text/closest_name.h"
 #include "launcher/bus/stack_monitor.h"
 #include "launcher/log/log_channels.h"
+#include "launcher/log/log_output.h"
 #include "launcher/log/log_scan.h"
 #include "lcmtypes/bus/channels.h"
 #include "lcmtypes/bus/wire.h"
@@ -95,18 +96,12 @@ const char* action_name(SourceAction action) {
   }
 }
 
-void refuse_same_file(const std::string& in, const std::string& out) {
-  std::error_code ignored;
-  if (std::filesystem::equivalent(in, out, ignored))
-    throw UsageError("log: " + out + " is the log itself; write into another file");
-}
-
 int copy(const Arguments& arguments,
          const std::function<std::string_view(std::string_view)>& name_now) {
   catch_quit_signals();
-  const std::string in = arguments.word(0), out = arguments.word(1);
-  refuse_same_file(in, out);
+  const std::string in = arguments.word(0), out = log_output(arguments, in);
   LogWriter writer(out);
+  remove_later_parts(out);
   scan_log(in, arguments.number("--from", 0.0, 0.0, 1e9),
            arguments.number("--to", kWholeLog, 0.0, 1e13), [&](const LogEvent& event) {
              const std::string_view name = name_now(event.channel);
@@ -115,7 +110,8 @@ int copy(const Arguments& arguments,
            });
   writer.close();
   if (writer.events() == 0) {
-    print_typed(stderr, "log: nothing of %s was asked: %s is empty (./twinbus log info %s lists channels and duration)\n",
+    (void)::unlink(out.c_str());
+    print_typed(stderr, "log: nothing of %s was asked: %s is not written (./twinbus log info %s lists channels and duration)\n",
                 in.c_str(), out.c_str(), in.c_str());
     return 1;
   }
@@ -130,7 +126,7 @@ int log_cut(const std::vector<std::string>& words) {
   const Arguments arguments({"log cut",
                              "IN OUT",
                              "Copies the part of a log between two times.",
-                             {from_option(), to_option()},
+                             {from_option(), to_option(), force_option()},
                              2,
                              2},
                             words);
@@ -145,7 +141,8 @@ int log_filter(const std::vector<std::string>& words) {
        {{"--channels", "RE", "those that match this regular expression; default all"},
         {"--not", "RE", "without those that match this one"},
         from_option(),
-        to_option()},
+        to_option(),
+        force_option()},
        2,
        2},
       words);
@@ -160,7 +157,7 @@ int log_rename(const std::vector<std::string>& words) {
       {"log rename",
        "IN OUT OLD=NEW...",
        "Copies a log with channels under other names, as in STATE=STATE_YESTERDAY.",
-       {},
+       {force_option()},
        3,
        64},
       words);

@@ -9,6 +9,7 @@
 #include "common/text/closest_name.h"
 #include "launcher/log/log_channels.h"
 #include "launcher/log/log_command.h"
+#include "launcher/log/log_output.h"
 #include "launcher/log/log_robot.h"
 #include "launcher/log/log_scan.h"
 #include "lcmtypes/bus/channels.h"
@@ -115,6 +116,7 @@ int log_csv(const std::vector<std::string>& words) {
       words);
   catch_quit_signals();
   const std::string file = arguments.word(0), channel = arguments.word(1);
+  refuse_same_file(file, arguments.word(2));
   const ChannelInfo* info = find_channel(channel.c_str());
   for (std::size_t at = 1; info == nullptr && at < channel.size(); ++at) {
     if (channel[at - 1] == '_')

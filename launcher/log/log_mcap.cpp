@@ -1,3 +1,5 @@
+#include <unistd.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -14,6 +16,7 @@
 #include "common/process/process.h"
 #include "launcher/log/log_channels.h"
 #include "launcher/log/log_command.h"
+#include "launcher/log/log_output.h"
 #include "launcher/log/log_robot.h"
 #include "launcher/log/log_scan.h"
 #include "lcmtypes/bus/channels.h"
@@ -180,15 +183,13 @@ int log_mcap(const std::vector<std::string>& words) {
         {"--to", "S", "seconds from the first event"},
         {"--robot", "NAME", "of config/robots, or a folder; default the one whose log it is"},
         {"--no-scene", "", "without /tf and /scene"},
+        force_option(),
         prefix_option()},
        2,
        2},
       words);
   catch_quit_signals();
-  const std::string in = arguments.word(0), out = arguments.word(1),
-                    prefix = arguments.text("--prefix", "");
-  if (in == out)
-    throw UsageError("log mcap: " + out + " is the log itself; write into another file");
+  const std::string in = arguments.word(0), out = log_output(arguments, in), prefix = arguments.text("--prefix", "");
   const std::string only = between_commas(arguments.text("--channels", ""));
   require_channels("log mcap", parts_between_commas(only), in);
   require_prefix("log mcap", prefix, in);
@@ -254,7 +255,10 @@ int log_mcap(const std::vector<std::string>& words) {
     std::printf("; %lld events are not of the project's types or were not asked for",
                 static_cast<long long>(unknown));
   std::printf("\n");
-  if (writer.messages() == 0) throw std::runtime_error("log " + in + ": nothing to write");
+  if (writer.messages() == 0) {
+    (void)::unlink(out.c_str());
+    throw std::runtime_error("log " + in + ": nothing to write");
+  }
   return 0;
 }
 

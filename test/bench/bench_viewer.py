@@ -216,7 +216,7 @@ def log(checks, hours, given):
         os.sync()  # the log itself, if it was just made
         exported, written, alone = [], [], []
         for _ in range(3):
-            done = subprocess.run([BIN / "twinbus", "log", "mcap", long, folder / "out.mcap", "--to", str(part)], capture_output=True, text=True)
+            done = subprocess.run([BIN / "twinbus", "log", "mcap", long, folder / "out.mcap", "--to", str(part), "--force"], capture_output=True, text=True)
             print(done.stdout.strip() + done.stderr.strip(), flush=True)
             speeds = re.search(r"(\d+) MB/s of log, (\d+) MB/s written", done.stdout)
             exported.append(float(speeds[1]))

@@ -105,6 +105,15 @@ def tools(checks, log, folder):
     checks.that(status == 0 and (folder / "same.svg").stat().st_size > 1000, f"log compare: {problems}{said[-300:]}")
     status, _, said = cli("log", "cut", log, log)
     checks.that(status == 2 and "itself" in said, "a log is not copied onto itself")
+    status, _, said = cli("log", "csv", part, "STATE", part)
+    checks.that(status == 2 and "itself" in said, "nor is a table written over it")
+    before = renamed.read_bytes()
+    for words in (("cut", log, renamed), ("filter", log, renamed), ("rename", log, renamed, "STATE=OTHER"), ("mcap", log, renamed)):
+        status, _, said = cli("log", *words)
+        checks.that(status == 1 and "--force" in said and renamed.read_bytes() == before, f"log {words[0]} writes over no file unasked: {said}")
+    checks.that(cli("log", "cut", part, renamed, "--to", "0.5", "--force")[0] == 0 and renamed.read_bytes() != before, "with --force it does")
+    status, _, said = cli("log", "filter", part, folder / "none.log", "--channels", "NOBODY")
+    checks.that(status == 1 and not (folder / "none.log").exists(), f"a copy of nothing leaves no file: {said}")
 
 
 def killed(checks, folder):
