@@ -11,8 +11,6 @@ namespace twinbus {
 
 namespace {
 
-constexpr double kGainRange = 10.0;  // largest gain, of the model's own
-
 std::int64_t bits_of(const Model& model, const std::vector<int>& joints) {
   std::int64_t mask = 0;
   for (int k = 0; k < model.bus_count(); ++k) {
@@ -47,8 +45,8 @@ GateLimits::GateLimits(const Model& model) : robot(&model) {
     brake[i] = brake_deceleration(joint);
     kp[i] = static_cast<float>(joint.kp);
     kd[i] = static_cast<float>(joint.kd);
-    kp_max[i] = static_cast<float>(joint.kp > 0.0 ? kGainRange * joint.kp : 1e6);
-    kd_max[i] = static_cast<float>(joint.kd > 0.0 ? kGainRange * joint.kd : 1e5);
+    kp_max[i] = static_cast<float>(most_kp(joint));
+    kd_max[i] = static_cast<float>(most_kd(joint));
     stop_kp[i] = static_cast<float>(hold_kp(joint));
     stop_kd[i] = static_cast<float>(hold_kd(joint));
   }

@@ -167,9 +167,10 @@ void ServoPredictor::move_set_points(const RobotState& state, const JointCommand
     s.asked = asked;
     s.qd = static_cast<double>(command.qd[i]);
     if (s.faded < fade_s_) s.qd += s.from_q * fade_rate(s.faded / fade_s_) / fade_s_;  // as the gate says it to the servo
-    s.tau = static_cast<double>(command.tau[i]);
-    s.kp = static_cast<double>(command.kp[i]) + left * s.from_kp;
-    s.kd = static_cast<double>(command.kd[i]) + left * s.from_kd;
+    s.qd = std::clamp(s.qd, -s.most_speed, s.most_speed);
+    s.tau = std::clamp(static_cast<double>(command.tau[i]), -s.effort, s.effort);
+    s.kp = std::clamp(static_cast<double>(command.kp[i]) + left * s.from_kp, 0.0, most_kp(*s.of));
+    s.kd = std::clamp(static_cast<double>(command.kd[i]) + left * s.from_kd, 0.0, most_kd(*s.of));
     if ((held_now_ & bit_of(i)) != 0) {
       brake_step(s.brake, looks * period_, s.q, s.held_v);
       s.q = std::clamp(s.q, s.lower, s.upper);

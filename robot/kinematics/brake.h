@@ -20,6 +20,11 @@ inline constexpr double kTorqueStep = 0.1;  // largest change of a joint's torqu
 inline double hold_kp(const Joint& joint) noexcept { return joint.stop_kp > 0.0 ? joint.stop_kp : joint.kp; }
 inline double hold_kd(const Joint& joint) noexcept { return joint.stop_kd > 0.0 ? joint.stop_kd : joint.kd; }
 
+// The largest gains that the gate lets through.
+inline constexpr double kGainRange = 10.0;  // of the joint's own
+inline double most_kp(const Joint& joint) noexcept { return joint.kp > 0.0 ? kGainRange * joint.kp : 1e6; }
+inline double most_kd(const Joint& joint) noexcept { return joint.kd > 0.0 ? kGainRange * joint.kd : 1e5; }
+
 // How fast a set-point may move [rad/s or m/s].
 inline double set_point_rate(const Joint& joint) noexcept { return joint.rate > 0.0 ? joint.rate : 1.05 * joint.velocity; }
 
