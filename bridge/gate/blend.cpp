@@ -3,17 +3,9 @@
 #include <algorithm>
 
 #include "common/math/index.h"
+#include "common/math/quintic_fade.h"
 
 namespace twinbus {
-
-namespace {
-// h0 of the header at s = t / T.
-double left_at(double s) noexcept {
-  const double s2 = s * s;
-  const double s3 = s2 * s;
-  return s < 1.0 ? 1.0 - s3 * (10.0 - 15.0 * s + 6.0 * s2) : 0.0;
-}
-}  // namespace
 
 void OffsetBlend::start(const JointCommand& own, const JointCommand& client, std::int64_t mask,
                         double dt, double duration, double torque_duration) noexcept {
@@ -43,7 +35,7 @@ float OffsetBlend::share_of_client() const noexcept {
   for (int j = 0; j < kMaxJoints; ++j) {
     if ((active & bit(j)) == 0) continue;
     const auto i = static_cast<std::size_t>(j);
-    most = std::max(most, left_at(static_cast<double>(elapsed[i]) / static_cast<double>(duration_s[i])));
+    most = std::max(most, fade_left(static_cast<double>(elapsed[i]) / static_cast<double>(duration_s[i])));
   }
   return static_cast<float>(std::clamp(1.0 - most, 0.0, 1.0));
 }
@@ -60,18 +52,12 @@ void OffsetBlend::advance_and_apply(double dt, int joint_count, JointCommand& co
       active &= ~bit(j);
       continue;
     }
-    const double s2 = s * s;
-    const double s3 = s2 * s;
-    const double s4 = s3 * s;
-    const double h0 = left_at(s);
-    const double h1 = s - s3 * (6.0 - 8.0 * s + 3.0 * s2);
-    const double h0_rate = (-30.0 * s2 + 60.0 * s3 - 30.0 * s4) / total;  // d h0 / dt
-    const double h1_rate = 1.0 - 18.0 * s2 + 32.0 * s3 - 15.0 * s4;       // T d h1 / dt
-    const auto left = static_cast<float>(h0);
-    command.q[i] += q[i] * h0 + qd[i] * total * h1;
-    command.qd[i] += static_cast<float>(q[i] * h0_rate + qd[i] * h1_rate);
+    const QuinticFade fade = quintic_fade(s);
+    const auto left = static_cast<float>(fade.h0);
+    command.q[i] += q[i] * fade.h0 + qd[i] * total * fade.h1;
+    command.qd[i] += static_cast<float>(q[i] * (fade.h0_rate / total) + qd[i] * fade.h1_rate);
     const double torque_at = static_cast<double>(elapsed[i]) / static_cast<double>(torque_s[i]);
-    command.tau[i] += tau[i] * static_cast<float>(left_at(torque_at));
+    command.tau[i] += tau[i] * static_cast<float>(fade_left(torque_at));
     command.kp[i] += kp[i] * left;
     command.kd[i] += kd[i] * left;
   }

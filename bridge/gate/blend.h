@@ -1,14 +1,9 @@
 // Fades one set-point into another without a jump: what is left of the difference decays per joint
 // over a fixed time.
 //
-// At the start e = own - client, in position and velocity.  The offset added to the client's
-// position is the quintic
-//
-//     o(t) = e_q h0(s) + e_qd T h1(s),   s = t / T,   h0 = 1 - 10 s^3 + 15 s^4 - 6 s^5,   h1 = s -
-//     6 s^3 + 8 s^4 - 3 s^5
-//
-// with o(0) = e_q, o'(0) = e_qd, and o, o', o'' zero at T: position and velocity go on as they were
-// and end at the client's.  Torque and gains fade with h0, torque in a time of its own where that is said.  A joint may start again at any instant,
+// At the start e = own - client, in position and velocity.  The offset added to the client's position is the quintic of
+// common/math/quintic_fade.h: position and velocity go on as they were and end at the client's.
+// Torque and gains fade with h0, torque in a time of its own where that is said.  A joint may start again at any instant,
 // in the middle of a fade too, because the own set-point already contains what is left of the last
 // fade.
 

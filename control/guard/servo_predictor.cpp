@@ -6,6 +6,7 @@
 
 #include "robot/kinematics/brake.h"
 #include "common/math/index.h"
+#include "common/math/quintic_fade.h"
 
 namespace twinbus {
 
@@ -18,14 +19,6 @@ constexpr int kMostBrakeSteps = 60;
 constexpr double kRests = 0.02;        // [rad/s or m/s]
 constexpr double kLeastBrake = 1.0;    // [rad/s^2 or m/s^2]
 constexpr std::int64_t kMostLeftOut = 10'000;
-
-// h0 of bridge/gate/blend.h.
-double left_of_fade(double s) noexcept {
-  return s < 1.0 ? 1.0 - s * s * s * (10.0 - 15.0 * s + 6.0 * s * s) : 0.0;
-}
-
-// Its change per unit of s.
-double fade_rate(double s) noexcept { return s < 1.0 ? -30.0 * s * s * (1.0 - s) * (1.0 - s) : 0.0; }
 
 // The smaller of two that agree on where to go, or zero.
 double agreed(double a, double b) noexcept { return a * b > 0.0 ? (std::abs(a) < std::abs(b) ? a : b) : 0.0; }
@@ -100,9 +93,10 @@ void ServoPredictor::hear(const RobotState& state, const JointCommand& command) 
       s.q = s.asked = state.q[i];
       s.kp = s.of->kp;
       s.kd = s.of->kd;
-      s.speed = s.step = 0.0;
+      s.speed = s.step = s.qd = 0.0;
     }
     s.from_q = s.q - command.q[i];
+    s.from_v = s.qd - static_cast<double>(command.qd[i]);
     s.from_kp = s.kp - static_cast<double>(command.kp[i]);
     s.from_kd = s.kd - static_cast<double>(command.kd[i]);
     s.faded = (command.flags & kCommandNoFade) != 0 ? fade_s_ : 0.0;
@@ -139,6 +133,7 @@ void ServoPredictor::hold(const RobotState& state, const JointCommand& command) 
       s.faded = fade_s_;
     } else if ((end & bit(k)) != 0) {
       s.from_q = s.q - command.q[i];
+      s.from_v = s.held_v - static_cast<double>(command.qd[i]);
       s.from_kp = std::max(s.kp, s.hold_kp) - static_cast<double>(command.kp[i]);
       s.from_kd = std::max(s.kd, s.hold_kd) - static_cast<double>(command.kd[i]);
       s.faded = 0.0;
@@ -157,20 +152,19 @@ void ServoPredictor::move_set_points(const RobotState& state, const JointCommand
     const auto i = at(k);
     Servo& s = servos_[i];
     s.faded += looks * period_;
-    const double left = s.faded < fade_s_ ? left_of_fade(s.faded / fade_s_) : 0.0;
-    const double asked = std::clamp(command.q[i] + left * s.from_q, s.lower, s.upper);
+    const QuinticFade fade = s.faded < fade_s_ ? quintic_fade(s.faded / fade_s_) : QuinticFade{};
+    const double asked = std::clamp(command.q[i] + fade.h0 * s.from_q + fade.h1 * fade_s_ * s.from_v, s.lower, s.upper);
     if (commands > 0.0) {
       const double moved = (asked - s.asked) / (commands * period_);
       s.speed = agreed(moved, s.step);  // a step of a policy is none
       s.step = moved;
     }
     s.asked = asked;
-    s.qd = static_cast<double>(command.qd[i]);
-    if (s.faded < fade_s_) s.qd += s.from_q * fade_rate(s.faded / fade_s_) / fade_s_;  // as the gate says it to the servo
+    s.qd = static_cast<double>(command.qd[i]) + s.from_q * fade.h0_rate / fade_s_ + s.from_v * fade.h1_rate;
     s.qd = std::clamp(s.qd, -s.most_speed, s.most_speed);
     s.tau = std::clamp(static_cast<double>(command.tau[i]), -s.effort, s.effort);
-    s.kp = std::clamp(static_cast<double>(command.kp[i]) + left * s.from_kp, 0.0, most_kp(*s.of));
-    s.kd = std::clamp(static_cast<double>(command.kd[i]) + left * s.from_kd, 0.0, most_kd(*s.of));
+    s.kp = std::clamp(static_cast<double>(command.kp[i]) + fade.h0 * s.from_kp, 0.0, most_kp(*s.of));
+    s.kd = std::clamp(static_cast<double>(command.kd[i]) + fade.h0 * s.from_kd, 0.0, most_kd(*s.of));
     if ((held_now_ & bit_of(i)) != 0) {
       brake_step(s.brake, looks * period_, s.q, s.held_v);
       s.q = std::clamp(s.q, s.lower, s.upper);

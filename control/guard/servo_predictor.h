@@ -57,7 +57,7 @@ class ServoPredictor {
     double kp = 0.0, kd = 0.0, qd = 0.0, tau = 0.0;  // as the gate lets them through
     double asked = 0.0, speed = 0.0, step = 0.0;     // what it is asked to be, how that moves, and moved last
     // A fade's, minus the client's, and since when [s].
-    double from_q = 0.0, from_kp = 0.0, from_kd = 0.0, faded = 0.0;
+    double from_q = 0.0, from_v = 0.0, from_kp = 0.0, from_kd = 0.0, faded = 0.0;
   };
   struct Motion {  // of a joint, from where it is measured
     bool braked = false, anew = false;  // anew: the brake begins where the joint is, not at its set-point
