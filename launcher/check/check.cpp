@@ -219,15 +219,13 @@ void print(const Trial& trial) {
   if (!trial.refusal.empty()) return;  // said as the error
   if (!trial.cannot_balance.empty()) {
     if (trial.free) {
-      std::printf("%s while its servos hold half_sitting, and cannot balance or walk: %s\n",
+      std::printf("%s while its servos hold half_sitting; our controller cannot balance it or walk with it: %s.  A controller of "
+                  "its own can: ./twinbus policy MODEL.onnx (doc/policy.md), or any program that sends COMMAND (examples/)\n",
                   trial.stood ? "stands only" : "falls", trial.cannot_balance.c_str());
       return;
     }
-    std::printf(
-        "does not stand: %s.  Balance wants a free base and two legs of six joints, each with a "
-        "sole: "
-        "scenes in which a robot stands are not for this one\n",
-        trial.cannot_balance.c_str());
+    std::printf("does not stand: %s.  Balance wants a free base and two legs of six joints, each with a sole%s\n",
+                trial.cannot_balance.c_str(), trial.arm ? ": this is an arm, and arm_hold and arm_reach are its scenes" : "");
     return;
   }
   if (trial.stood) {
@@ -398,7 +396,7 @@ int check_command(const std::vector<std::string>& words) {
   print(trial);
   print(walk);
   if (proposal && !folder.empty() && trial.stood)
-    print_typed(stdout, "next: ./twinbus run stand --robot %s\n", folder.c_str());
+    print_typed(stdout, "next: ./twinbus run %s --robot %s\n", trial.arm ? "arm_reach" : "stand", folder.c_str());
   if (!trial.refusal.empty())
     throw std::runtime_error(arguments.word(0) + " cannot be simulated: " + trial.refusal);
   return good ? 0 : 1;

@@ -1,5 +1,6 @@
 #include "launcher/check/trial.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <stdexcept>
@@ -51,6 +52,8 @@ Trial try_to_stand(const Model& model) {
   Trial trial;
   if (const char* why = Balance::why_not(model)) trial.cannot_balance = why;
   trial.free = model.floating_base;
+  trial.arm = !model.floating_base &&
+              std::any_of(model.hands.begin(), model.hands.end(), [](const Hand& hand) { return hand.link >= 0; });
   try {
     for (const Engine engine : {Engine::kArticulated, Engine::kOde}) {
       WorldConfig world;

@@ -80,6 +80,11 @@ def main():
         if (DATA / "jvrc1/jvrc1.urdf").is_file():
             stands(checks, DATA / "jvrc1/jvrc1.urdf", scratch, walks=True)
         refusals(checks, scratch)
+        for name, file, words in (("panda", "panda.urdf", ("arm_reach are its scenes", "next: ./twinbus run arm_reach")),
+                                  ("go1", "go1.urdf", ("./twinbus policy MODEL.onnx",))):
+            if (DATA / name / file).is_file():
+                _, out, err = cli("check", str(DATA / name / file), "--propose", os.path.join(scratch, name), timeout=120)
+                checks.that(all(one in out for one in words), f"{name} is told what can be done with it: {out[-600:]}{err}")
     cells(checks)
     checks.exit()
 
