@@ -49,6 +49,14 @@ class Logs(unittest.TestCase):
         with self.assertRaisesRegex(KeyError, "POWER"):
             log.messages("POWER")
 
+    def test_an_older_status_is_read(self):
+        now = twinbus.source_status_t(run_id=7, faded_in=0.25).encode()
+        older = bytes.fromhex("a10fffc4d8b72360") + now[8:144] + now[148:]
+        self.log.write_bytes(event(0, 5, "SOURCE_STATUS", older) + event(1, 6, "SOURCE_STATUS", now) + event(2, 7, "SOURCE_STATUS", older[:-1]))
+        self.log.with_name("run-0002.log").unlink()
+        found = twinbus.Log(self.log).messages("SOURCE_STATUS")
+        self.assertEqual([(message.run_id, message.faded_in) for message in found], [(7, 1.0), (7, 0.25)])
+
     @unittest.skipIf(numpy is None, "no numpy")
     def test_arrays(self):
         found = twinbus.Log(self.log).arrays("STATE")
