@@ -219,7 +219,7 @@ void print(const Trial& trial) {
   if (!trial.refusal.empty()) return;  // said as the error
   if (!trial.cannot_balance.empty()) {
     if (trial.free) {
-      std::printf("%s while its servos hold half_sitting; our controller cannot balance it or walk with it: %s.  A controller of "
+      print_typed(stdout, "%s while its servos hold half_sitting; our controller cannot balance it or walk with it: %s.  A controller of "
                   "its own can: ./twinbus policy MODEL.onnx (doc/policy.md), or any program that sends COMMAND (examples/)\n",
                   trial.stood ? "stands only" : "falls", trial.cannot_balance.c_str());
       return;
