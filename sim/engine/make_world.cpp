@@ -7,6 +7,7 @@
 
 #include "sim/engine/articulated_world.h"
 #include "sim/engine/ode_world.h"
+#include "sim/engine/twinned_world.h"
 #include "sim/engine/welded_world.h"
 
 namespace twinbus {
@@ -30,6 +31,7 @@ bool less_is_modelled(const WorldConfig& config) {
 
 std::unique_ptr<World> make_world(const Model& model, const WorldConfig& config) {
   check_bodies(config.loose);
+  if (config.twin) return std::make_unique<TwinnedWorld>(model, config);
   if (less_is_modelled(config)) return std::make_unique<WeldedWorld>(model, config);
   if (config.engine == Engine::kOde && config.continuous) {
     throw std::runtime_error("contact.continuous is of engine articulated only; leave it out, or say --engine articulated");

@@ -43,6 +43,9 @@ const Entry kEntries[] = {
      "flight 4 takes a step in parts, each of which makes no speed wrong by more [rad/s], [m/s]; "
      "0: whole",
      [](SimSettings& s, double v, double) { s.world.flight_error = v; }},
+    {"solver.twin", 0.0, 1.0,
+     "1: a twin of twice the step runs beside it, half as much work again; where they part the step is doubted",
+     [](SimSettings& s, double v, double) { s.world.twin = v != 0.0; }},
     {"model.mass_scale", 0.1, 10.0, "masses and inertias times this",
      [](SimSettings& s, double v, double) { s.world.mass_scale = v; }},
     {"model.friction", 0.0, 1e3, "Coulomb friction added to every joint [N m]",

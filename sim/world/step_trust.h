@@ -17,10 +17,11 @@ enum class Doubt {
   kEnergy,       // there is more energy than servos, pushes and springs have given
   kDeep,         // a contact was first seen deeper than its speed explains
   kThrough,      // a contact is deeper than half of what it touches: it may come out behind it
+  kCoarse,       // with twice the step it would be elsewhere: sim/engine/twinned_world.h
 };
-inline constexpr std::size_t kDoubts = 5;
+inline constexpr std::size_t kDoubts = 6;
 inline constexpr const char* kDoubtNames[kDoubts] = {"unconverged", "unsettled", "energy_gained",
-                                                     "first_seen_deep", "tunnelling"};
+                                                     "first_seen_deep", "tunnelling", "step_too_coarse"};
 
 // A contact that nothing says why it is deeper when it is first seen is doubted [m].
 inline constexpr double kFirstDepth = 2e-3;

@@ -103,7 +103,7 @@ struct WorldConfig {
   std::vector<LooseBody> loose;
   std::vector<OtherRobot> robots;           // further ones, beside the one commanded
   bool self_contact = false;                // links of a robot touch one another; the same
-  bool continuous = false;                  // sim/contact/entry_faces.h
+  bool continuous = false, twin = false;    // sim/contact/entry_faces.h; sim/engine/twinned_world.h
   double shell_stiffness = kLinkStiffness;  // of a point of a link that is no sole [N/m]
   std::vector<Tie> ties;
   std::vector<bool> held, rigid_robots;  // joints, further robots: sim/engine/welded_world.h

@@ -221,9 +221,7 @@ PhysicsScene physics_scene(const std::string& name, double gain) {
   return scene;
 }
 
-namespace {
-
-std::string numbers(std::initializer_list<double> values) {
+std::string mjcf_numbers(std::initializer_list<double> values) {
   std::string text;
   char word[40];
   for (const double value : values) {
@@ -233,11 +231,13 @@ std::string numbers(std::initializer_list<double> values) {
   return text;
 }
 
-std::string vec(const Eigen::Vector3d& v) { return numbers({v.x(), v.y(), v.z()}); }
+namespace {
+
+std::string vec(const Eigen::Vector3d& v) { return mjcf_numbers({v.x(), v.y(), v.z()}); }
 
 std::string quat(const Eigen::Matrix3d& turn) {
   const Eigen::Quaterniond q(turn);
-  return numbers({q.w(), q.x(), q.y(), q.z()});
+  return mjcf_numbers({q.w(), q.x(), q.y(), q.z()});
 }
 
 class Writer {
@@ -293,23 +293,23 @@ class Writer {
     const auto index = static_cast<Eigen::Index>(j);
     out += "<joint name='j" + std::to_string(j) + "' type='";
     out += joint.kind == JointKind::kPrismatic ? "slide" : "hinge";
-    out += "' axis='" + vec(joint.axis) + "' armature='" + numbers({joint.rotor_inertia});
-    out += "' damping='" + numbers({joint.damping}) + "' frictionloss='" +
-           numbers({joint.friction}) + "'";
+    out += "' axis='" + vec(joint.axis) + "' armature='" + mjcf_numbers({joint.rotor_inertia});
+    out += "' damping='" + mjcf_numbers({joint.damping}) + "' frictionloss='" +
+           mjcf_numbers({joint.friction}) + "'";
     if (joint.kind != JointKind::kContinuous) {
-      out += " limited='true' range='" + numbers({joint.lower, joint.upper}) + "'";
+      out += " limited='true' range='" + mjcf_numbers({joint.lower, joint.upper}) + "'";
     }
     out += "/>";
-    append(qpos_, numbers({s_.start.q[index]}));
-    append(qvel_, numbers({s_.start.qd[index]}));
+    append(qpos_, mjcf_numbers({s_.start.q[index]}));
+    append(qvel_, mjcf_numbers({s_.start.qd[index]}));
     const ServoTarget& t = s_.servos[j];
     if (!(t.kp > 0.0)) return;
     // Its force is kp ctrl - kp q - kd qd: the feed-forward torque moves the reference.
-    actuators_ += "<general joint='j" + std::to_string(j) + "' gainprm='" + numbers({t.kp}) +
-                  "' biastype='affine' biasprm='0 " + numbers({-t.kp, -t.kd}) +
-                  "' forcelimited='true' forcerange='" + numbers({-joint.effort, joint.effort}) +
+    actuators_ += "<general joint='j" + std::to_string(j) + "' gainprm='" + mjcf_numbers({t.kp}) +
+                  "' biastype='affine' biasprm='0 " + mjcf_numbers({-t.kp, -t.kd}) +
+                  "' forcelimited='true' forcerange='" + mjcf_numbers({-joint.effort, joint.effort}) +
                   "'/>\n";
-    append(ctrl_, numbers({t.q + t.tau / t.kp}));
+    append(ctrl_, mjcf_numbers({t.q + t.tau / t.kp}));
   }
 
   void shapes(std::size_t i, std::string& out) const {
@@ -320,7 +320,7 @@ class Writer {
       const Eigen::Vector3d middle(0.5 * (sole.front - sole.back), 0.5 * (sole.left - sole.right),
                                    thick);
       out += "<geom type='box' size='" +
-             numbers({0.5 * (sole.front + sole.back), 0.5 * (sole.left + sole.right), thick});
+             mjcf_numbers({0.5 * (sole.front + sole.back), 0.5 * (sole.left + sole.right), thick});
       out += "' pos='" + vec(sole.frame * middle) + "' quat='" + quat(sole.frame.linear()) + "'";
       out += rest;
     }
@@ -332,9 +332,9 @@ class Writer {
       if (shape.kind == ShapeKind::kBox) {
         out += "box' size='" + vec(0.5 * shape.size);
       } else if (shape.kind == ShapeKind::kSphere) {
-        out += "sphere' size='" + numbers({shape.size.x()});
+        out += "sphere' size='" + mjcf_numbers({shape.size.x()});
       } else {
-        out += "cylinder' size='" + numbers({shape.size.x(), 0.5 * shape.size.y()});
+        out += "cylinder' size='" + mjcf_numbers({shape.size.x(), 0.5 * shape.size.y()});
       }
       out +=
           "' pos='" + vec(shape.pose.translation()) + "' quat='" + quat(shape.pose.linear()) + "'";
@@ -353,8 +353,8 @@ class Writer {
       hinge(i - 1, out);
     }
     const Eigen::Matrix3d& I = link.inertia;
-    out += "<inertial pos='" + vec(link.com) + "' mass='" + numbers({link.mass}) +
-           "' fullinertia='" + numbers({I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2)}) +
+    out += "<inertial pos='" + vec(link.com) + "' mass='" + mjcf_numbers({link.mass}) +
+           "' fullinertia='" + mjcf_numbers({I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2)}) +
            "'/>";
     if (s_.ground) shapes(i, out);
     out += "\n";

@@ -4,6 +4,7 @@
 
 #pragma once
 
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -35,5 +36,7 @@ PhysicsScene physics_scene(const std::string& name, double gain = 1.0);
 
 // The scene for MuJoCo, its start as keyframe 0.  Bodies are named link0, link1, ...
 std::string mjcf(const PhysicsScene& scene);
+// Of one of its attributes, to the last bit.
+std::string mjcf_numbers(std::initializer_list<double> values);
 
 }  // namespace twinbus

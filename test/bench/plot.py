@@ -12,7 +12,7 @@ WIDTH, HEIGHT = 900, 560
 LEFT, RIGHT, TOP, BOTTOM = 82, 250, 62, 62
 
 
-def _text(x, y, words, size=13, anchor="start", color="#222", weight="normal", turn=None):
+def text(x, y, words, size=13, anchor="start", color="#222", weight="normal", turn=None):
     rotate = f" transform='rotate({turn} {x:.1f} {y:.1f})'" if turn else ""
     return (f"<text x='{x:.1f}' y='{y:.1f}' font-size='{size}' text-anchor='{anchor}' fill='{color}' font-weight='{weight}' "
             f"{FONT}{rotate}>{html.escape(words)}</text>")
@@ -23,10 +23,10 @@ def _power(value):
     return f"{value:g}" if -3 <= exponent <= 4 else f"1e{exponent}"
 
 
-def _frame(title, subtitle, width=WIDTH, height=HEIGHT):
+def frame(title, subtitle, width=WIDTH, height=HEIGHT):
     return [f"<svg xmlns='http://www.w3.org/2000/svg' width='{width}' height='{height}' viewBox='0 0 {width} {height}'>",
-            f"<rect width='{width}' height='{height}' fill='white'/>", _text(LEFT, 26, title, 17, weight="bold"),
-            _text(LEFT, 46, subtitle, 12, color="#555")]
+            f"<rect width='{width}' height='{height}' fill='white'/>", text(LEFT, 26, title, 17, weight="bold"),
+            text(LEFT, 46, subtitle, 12, color="#555")]
 
 
 def loglog(title, subtitle, x_name, y_name, curves, marks=()):
@@ -44,25 +44,25 @@ def loglog(title, subtitle, x_name, y_name, curves, marks=()):
 
     def py(y):
         return HEIGHT - BOTTOM - (math.log10(y) - y0) / (y1 - y0) * (HEIGHT - TOP - BOTTOM)
-    out = _frame(title, subtitle)
+    out = frame(title, subtitle)
     bottom, right = HEIGHT - BOTTOM, WIDTH - RIGHT
     for e in range(math.ceil(x0), math.floor(x1) + 1):
         x = px(10.0 ** e)
         out.append(f"<line x1='{x:.1f}' y1='{TOP}' x2='{x:.1f}' y2='{bottom}' stroke='#ddd'/>")
-        out.append(_text(x, bottom + 18, _power(10.0 ** e), 12, "middle"))
+        out.append(text(x, bottom + 18, _power(10.0 ** e), 12, "middle"))
     step = 1 if y1 - y0 <= 10 else 2
     for e in range(y0, y1 + 1, step):
         y = py(10.0 ** e)
         out.append(f"<line x1='{LEFT}' y1='{y:.1f}' x2='{right}' y2='{y:.1f}' stroke='#ddd'/>")
-        out.append(_text(LEFT - 8, y + 4, _power(10.0 ** e), 12, "end"))
+        out.append(text(LEFT - 8, y + 4, _power(10.0 ** e), 12, "end"))
     for value, words in marks:
         if y0 <= math.log10(value) <= y1:
             out.append(f"<line x1='{LEFT}' y1='{py(value):.1f}' x2='{right}' y2='{py(value):.1f}' stroke='#999' "
                        "stroke-dasharray='2 4'/>")
-            out.append(_text(right - 4, py(value) - 4, words, 11, "end", "#777"))
+            out.append(text(right - 4, py(value) - 4, words, 11, "end", "#777"))
     out.append(f"<rect x='{LEFT}' y='{TOP}' width='{right - LEFT}' height='{bottom - TOP}' fill='none' stroke='#444'/>")
-    out.append(_text((LEFT + right) / 2, HEIGHT - 20, x_name, 13, "middle"))
-    out.append(_text(24, (TOP + bottom) / 2, y_name, 13, "middle", turn=-90))
+    out.append(text((LEFT + right) / 2, HEIGHT - 20, x_name, 13, "middle"))
+    out.append(text(24, (TOP + bottom) / 2, y_name, 13, "middle", turn=-90))
     for k, (label, points, dashed) in enumerate(curves):
         color, dash = COLORS[k % len(COLORS)], " stroke-dasharray='6 4'" if dashed else ""
         way = " ".join(f"{px(x):.1f},{py(y):.1f}" for x, y in points)
@@ -70,7 +70,7 @@ def loglog(title, subtitle, x_name, y_name, curves, marks=()):
         out += [f"<circle cx='{px(x):.1f}' cy='{py(y):.1f}' r='3.4' fill='{color}'/>" for x, y in points]
         y = TOP + 12 + 21 * k
         out.append(f"<line x1='{right + 14}' y1='{y}' x2='{right + 40}' y2='{y}' stroke='{color}' stroke-width='2.2'{dash}/>")
-        out.append(_text(right + 46, y + 4, label, 12))
+        out.append(text(right + 46, y + 4, label, 12))
     out.append("</svg>")
     return "\n".join(out)
 
@@ -90,23 +90,23 @@ def scatter(title, subtitle, x_name, y_name, clouds, size=3.0):
 
     def py(y):
         return bottom - y / y1 * (bottom - TOP)
-    out = _frame(title, subtitle)
+    out = frame(title, subtitle)
     for e in range(x0, x1 + 1):
         x = px(10.0 ** e)
         out.append(f"<line x1='{x:.1f}' y1='{TOP}' x2='{x:.1f}' y2='{bottom}' stroke='#ddd'/>")
-        out.append(_text(x, bottom + 18, _power(10.0 ** e), 12, "middle"))
+        out.append(text(x, bottom + 18, _power(10.0 ** e), 12, "middle"))
     for i in range(round(y1 / step) + 1):
         y = py(i * step)
         out.append(f"<line x1='{LEFT}' y1='{y:.1f}' x2='{right}' y2='{y:.1f}' stroke='#ddd'/>")
-        out.append(_text(LEFT - 8, y + 4, f"{i * step:g}", 12, "end"))
+        out.append(text(LEFT - 8, y + 4, f"{i * step:g}", 12, "end"))
     out.append(f"<rect x='{LEFT}' y='{TOP}' width='{right - LEFT}' height='{bottom - TOP}' fill='none' stroke='#444'/>")
-    out.append(_text((LEFT + right) / 2, HEIGHT - 20, x_name, 13, "middle"))
-    out.append(_text(24, (TOP + bottom) / 2, y_name, 13, "middle", turn=-90))
+    out.append(text((LEFT + right) / 2, HEIGHT - 20, x_name, 13, "middle"))
+    out.append(text(24, (TOP + bottom) / 2, y_name, 13, "middle", turn=-90))
     for k, (label, points) in enumerate(clouds):
         color, y = COLORS[k % len(COLORS)], TOP + 12 + 21 * k
         out += [f"<circle cx='{px(x):.1f}' cy='{py(v):.1f}' r='{size}' fill='{color}' fill-opacity='0.6'/>" for x, v in points]
         out.append(f"<circle cx='{right + 24}' cy='{y}' r='5' fill='{color}'/>")
-        out.append(_text(right + 36, y + 4, label, 12))
+        out.append(text(right + 36, y + 4, label, 12))
     out.append("</svg>")
     return "\n".join(out)
 
@@ -119,27 +119,27 @@ def table_map(title, subtitle, panels, rows, columns, row_name, column_name, col
     lines = math.ceil(len(panels) / per_line)
     width = max(LEFT + per_line * (panel_w + gap), 700)
     height = TOP + 30 + lines * (panel_h + gap)
-    out = _frame(title, subtitle, width, height)
+    out = frame(title, subtitle, width, height)
     x = LEFT
     for word, meaning in legend:
         out.append(f"<rect x='{x}' y='56' width='14' height='14' fill='{colors[word]}' stroke='#444' stroke-width='.5'/>")
-        out.append(_text(x + 19, 68, meaning, 12))
+        out.append(text(x + 19, 68, meaning, 12))
         x += 32 + 7 * len(meaning)
     for k, (name, cells) in enumerate(panels):
         left, top = 20 + (k % per_line) * (panel_w + gap) + 82, TOP + 44 + (k // per_line) * (panel_h + gap)
         own = [r for r in rows if any((r, c) in cells for c in columns)]
-        out.append(_text(left, top - 8, name, 13, weight="bold"))
+        out.append(text(left, top - 8, name, 13, weight="bold"))
         for i, r in enumerate(own):
-            out.append(_text(left - 6, top + cell_h * i + 16, str(r), 11, "end"))
+            out.append(text(left - 6, top + cell_h * i + 16, str(r), 11, "end"))
             for j, c in enumerate(columns):
                 color = colors.get(cells.get((r, c)), "#f2f2f2")
                 out.append(f"<rect x='{left + cell_w * j}' y='{top + cell_h * i}' width='{cell_w}' height='{cell_h}' "
                            f"fill='{color}' stroke='white'/>")
         bottom = top + cell_h * len(own)
         for j, c in enumerate(columns):
-            out.append(_text(left + cell_w * (j + 0.5), bottom + 14, str(c), 11, "middle"))
-        out.append(_text(left + cell_w * len(columns) / 2, bottom + 30, column_name, 11, "middle", "#555"))
-        out.append(_text(left - 72, top + cell_h * len(own) / 2, row_name if len(own) > 6 else "", 11, "middle", "#555", turn=-90))
+            out.append(text(left + cell_w * (j + 0.5), bottom + 14, str(c), 11, "middle"))
+        out.append(text(left + cell_w * len(columns) / 2, bottom + 30, column_name, 11, "middle", "#555"))
+        out.append(text(left - 72, top + cell_h * len(own) / 2, row_name if len(own) > 6 else "", 11, "middle", "#555", turn=-90))
     out.append("</svg>")
     return "\n".join(out)
 
@@ -180,24 +180,24 @@ def lines(title, subtitle, x_name, y_name, curves, outlines=(), alike=False):
     def at(point):
         return LEFT + (point[0] - x0) / (x1 - x0) * wide, bottom - (point[1] - y0) / (y1 - y0) * high
 
-    out = _frame(title, subtitle)
+    out = frame(title, subtitle)
     for value in _ticks(x0, x1):
         x, _ = at((value, y0))
-        out.append(f"<line x1='{x:.1f}' y1='{TOP}' x2='{x:.1f}' y2='{bottom}' stroke='#ddd'/>" + _text(x, bottom + 18, f"{value:.5g}", 12, "middle"))
+        out.append(f"<line x1='{x:.1f}' y1='{TOP}' x2='{x:.1f}' y2='{bottom}' stroke='#ddd'/>" + text(x, bottom + 18, f"{value:.5g}", 12, "middle"))
     for value in _ticks(y0, y1):
         _, y = at((x0, value))
-        out.append(f"<line x1='{LEFT}' y1='{y:.1f}' x2='{right}' y2='{y:.1f}' stroke='#ddd'/>" + _text(LEFT - 8, y + 4, f"{value:.5g}", 12, "end"))
+        out.append(f"<line x1='{LEFT}' y1='{y:.1f}' x2='{right}' y2='{y:.1f}' stroke='#ddd'/>" + text(LEFT - 8, y + 4, f"{value:.5g}", 12, "end"))
     for outline in outlines:
         corners = " ".join("{:.1f},{:.1f}".format(*at(point)) for point in outline)
         out.append(f"<polygon points='{corners}' fill='#eef2f6' stroke='#888'/>")
     out.append(f"<rect x='{LEFT}' y='{TOP}' width='{right - LEFT}' height='{bottom - TOP}' fill='none' stroke='#444'/>")
-    out.append(_text((LEFT + right) / 2, HEIGHT - 20, x_name, 13, "middle"))
-    out.append(_text(24, (TOP + bottom) / 2, y_name, 13, "middle", turn=-90))
+    out.append(text((LEFT + right) / 2, HEIGHT - 20, x_name, 13, "middle"))
+    out.append(text(24, (TOP + bottom) / 2, y_name, 13, "middle", turn=-90))
     for k, (label, points) in enumerate(curves):
         color, y = COLORS[k % len(COLORS)], TOP + 12 + 21 * k
         way = " ".join("{:.1f},{:.1f}".format(*at(point)) for point in points)
         out.append(f"<polyline points='{way}' fill='none' stroke='{color}' stroke-width='1.6'/>")
-        out.append(f"<line x1='{right + 14}' y1='{y}' x2='{right + 40}' y2='{y}' stroke='{color}' stroke-width='2.2'/>" + _text(right + 46, y + 4, label, 12))
+        out.append(f"<line x1='{right + 14}' y1='{y}' x2='{right + 40}' y2='{y}' stroke='{color}' stroke-width='2.2'/>" + text(right + 46, y + 4, label, 12))
     out.append("</svg>")
     return "\n".join(out)
 
@@ -213,13 +213,13 @@ def panels(title, subtitle, x_name, labels, rows, high=104):
     [[(x, y)]])]."""
     gap, right_edge = 30, WIDTH - 30
     height = TOP + 22 + len(rows) * (high + gap) + BOTTOM - gap
-    out = _frame(title, subtitle, WIDTH, height)
+    out = frame(title, subtitle, WIDTH, height)
     every = [x for _, _, curves in rows for points in curves for x, _ in points]
     x0, x1 = min(every), max(every)
     at = LEFT
     for k, label in enumerate(labels):
         out.append(f"<line x1='{at}' y1='{TOP}' x2='{at + 26}' y2='{TOP}' stroke='{COLORS[k]}' stroke-width='2.2'/>")
-        out.append(_text(at + 32, TOP + 4, label, 12))
+        out.append(text(at + 32, TOP + 4, label, 12))
         at += 60 + 7 * len(label)
     for i, (name, words, curves) in enumerate(rows):
         top = TOP + 36 + i * (high + gap)
@@ -234,16 +234,16 @@ def panels(title, subtitle, x_name, labels, rows, high=104):
             x, _ = place((value, y0))
             out.append(f"<line x1='{x:.1f}' y1='{top}' x2='{x:.1f}' y2='{bottom}' stroke='#ddd'/>")
             if i == len(rows) - 1:
-                out.append(_text(x, bottom + 18, f"{value:.5g}", 12, "middle"))
+                out.append(text(x, bottom + 18, f"{value:.5g}", 12, "middle"))
         for value in _ticks(y0, y1, 4):
             _, y = place((x0, value))
-            out.append(f"<line x1='{LEFT}' y1='{y:.1f}' x2='{right_edge}' y2='{y:.1f}' stroke='#ddd'/>" + _text(LEFT - 8, y + 4, f"{value:.5g}", 11, "end"))
+            out.append(f"<line x1='{LEFT}' y1='{y:.1f}' x2='{right_edge}' y2='{y:.1f}' stroke='#ddd'/>" + text(LEFT - 8, y + 4, f"{value:.5g}", 11, "end"))
         out.append(f"<rect x='{LEFT}' y='{top}' width='{right_edge - LEFT}' height='{high}' fill='none' stroke='#444'/>")
-        out.append(_text(LEFT, top - 5, name, 12, weight="bold") + _text(right_edge, top - 5, words, 12, "end", "#555"))
+        out.append(text(LEFT, top - 5, name, 12, weight="bold") + text(right_edge, top - 5, words, 12, "end", "#555"))
         for k, points in enumerate(curves):
             way = " ".join("{:.1f},{:.1f}".format(*place(point)) for point in points)
             out.append(f"<polyline points='{way}' fill='none' stroke='{COLORS[k]}' stroke-width='1.4'/>")
-    out.append(_text((LEFT + right_edge) / 2, height - 16, x_name, 13, "middle"))
+    out.append(text((LEFT + right_edge) / 2, height - 16, x_name, 13, "middle"))
     out.append("</svg>")
     return "\n".join(out)
 
@@ -254,15 +254,15 @@ def film(title, subtitle, strips, cell):
     side = LEFT
     count = max(len(pictures) for _, pictures in strips)
     width, height = side + wide * count + 24, TOP + len(strips) * (high + 54) + 10
-    out = _frame(title, subtitle, width, height)
+    out = frame(title, subtitle, width, height)
     for i, (name, pictures) in enumerate(strips):
         top = TOP + 26 + i * (high + 54)
-        out.append(_text(side, top - 8, name, 13, weight="bold"))
+        out.append(text(side, top - 8, name, 13, weight="bold"))
         for k, (words, draw) in enumerate(pictures):
             left = side + wide * k
             out.append(f"<svg x='{left}' y='{top}' width='{wide}' height='{high}'><rect width='{wide}' height='{high}' fill='#f6f8fa'/>")
             out += draw(0.0, high - 30.0)
             out.append(f"</svg><rect x='{left}' y='{top}' width='{wide}' height='{high}' fill='none' stroke='#ccd'/>")
-            out.append(_text(left + wide / 2, top + high + 16, words, 11, "middle", "#555"))
+            out.append(text(left + wide / 2, top + high + 16, words, 11, "middle", "#555"))
     out.append("</svg>")
     return "\n".join(out)

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "both_engines.h"
+#include "robot/dynamics/inverse_dynamics.h"
 #include "sim/engine/energy_balance.h"
 #include "test_models.h"
 
@@ -114,6 +115,70 @@ TEST(StepTrust, AChainThatGainsEnergyIsDoubtedBeforeItDiverges) {
   }
   EXPECT_GT(most, 10.0);  // [J]
   EXPECT_GT(doubted, 0);
+}
+
+// A box slides at 2 m/s and is stopped by friction: of a step h it comes to rest h / 2 times its speed off.
+WorldConfig sliding(double step) {
+  WorldConfig config;
+  config.step = step;
+  config.twin = true;
+  config.fixed_base = true;
+  config.ground_friction = 0.8;
+  LooseBody box;
+  box.name = "box";
+  box.solid.size << 0.4, 0.4, 0.02;
+  box.friction = 0.8;
+  box.stiffness = 1e6;
+  box.damping = 1e3;
+  box.start.pose.translation().z() = 0.01;
+  box.start.velocity.x() = 2.0;
+  config.loose = {box};
+  return config;
+}
+
+TEST_P(StepTrustTest, ATwinOfTwiceTheStepDoubtsACoarseStepBeforeItIsWrong) {
+  const Model model = test::bystander();
+  for (const double step : {1e-3, 0.02}) {
+    const auto world = make(model, sliding(step));
+    ASSERT_EQ(world->set(Configuration(model)), Status::kOk);
+    double wrong_at = 2.0, said_at = 2.0;
+    for (double t = step; t < 0.5; t += step) {
+      ASSERT_EQ(world->step(), Status::kOk);
+      const double brake = 0.8 * kGravity, until = std::min(t, 2.0 / brake);
+      const double off = world->loose(0).pose.translation().x() - (2.0 * until - 0.5 * brake * until * until);
+      if (std::abs(off) > 5e-3) wrong_at = std::min(wrong_at, t);
+      if (world->trust()[Doubt::kCoarse]) said_at = std::min(said_at, t);
+    }
+    EXPECT_EQ(wrong_at < 1.0, step > 0.01);
+    EXPECT_EQ(said_at < 1.0, step > 0.01);
+    EXPECT_LE(said_at, wrong_at);
+  }
+}
+
+TEST(StepTrust, ATwinChangesNothingOfTheWorldAndIsSilentOnceItIsDriven) {
+  const Model model = test::chain(3, false);
+  WorldConfig config;
+  config.fixed_base = true;
+  config.step = 0.01;
+  const auto alone = make_world(model, config);
+  config.twin = true;
+  const auto twinned = make_world(model, config);
+  Configuration start(model);
+  start.q[0] = 1.0;
+  for (World* world : {alone.get(), twinned.get()}) ASSERT_EQ(world->set(start), Status::kOk);
+  long doubted = 0;
+  for (int i = 0; i < 200; ++i) {
+    ASSERT_EQ(alone->step(), Status::kOk);
+    ASSERT_EQ(twinned->step(), Status::kOk);
+    ASSERT_EQ(alone->configuration().q[0], twinned->configuration().q[0]);
+    doubted += twinned->trust()[Doubt::kCoarse] ? 1 : 0;
+  }
+  EXPECT_GT(doubted, 0);  // order 1 at 10 ms loses a swing of 1 rad
+  ASSERT_EQ(twinned->set_servo(0, {.q = 0.5, .kp = 10.0, .kd = 1.0}), Status::kOk);
+  for (int i = 0; i < 200; ++i) {
+    ASSERT_EQ(twinned->step(), Status::kOk);
+    EXPECT_FALSE(twinned->trust()[Doubt::kCoarse]);
+  }
 }
 
 TEST(StepTrust, CountsSayHowOftenAndWhatCameFirst) {

@@ -1,0 +1,264 @@
+#!/usr/bin/env python3
+"""./twinbus bench maps [MAP...] [--quick] [--engine E] [--csv F]: where each engine fails, how, and whether it said so.
+
+Scenes are made worse until they fail: step to 100 ms, gains x100, ground 1e4 to 1e10 N/m a corner, friction 0 to 3, bodies to 50 m/s,
+thin plates, edges, mass ratios to 1e6, stacks to 200, chains to 1000, loops in their singular posture, and a walk with late servos, a
+slow loop and noise.  Ours at orders 1 and 2, ODE, and MuJoCo where its Python package is (pip install mujoco).
+
+Ours and ODE have a twin of twice the step beside them (setting solver.twin).  Wrong: more than 5 mm from a converged run or a closed form, 5 % of energy gained (or lost where nothing takes any), through or below
+what should stop it, diverged.  Said: the engine doubted a step (report: doubted_steps) up to the moment at which it was wrong.
+Maps: stand slide throw plate edge ratio stack chain loop delay rate noise (default: all; about ten minutes).  --quick: a few cells of
+each, seconds.  Exit status 1 if one of our cells is wrong and did not say so, or if an engine is never right or never wrong.
+"""
+
+import csv
+import json
+import math
+import subprocess
+import sys
+import time
+
+import programs
+from failure_cells import ENGINES, MAPS, QUICK
+from peers import mujoco_maps
+
+WRONG = 5e-3  # [m]
+PARTED = 1e-3  # references that are so far apart say nothing more [m]
+FIELDS = ("map", "row", "column", "engine", "result", "said", "wrong_at_s", "said_at_s", "error_mm", "gain_percent", "cpu_s")
+HOW = {"diverges": "D", "tunnels": "T", "sinks": "S", "gains energy": "G", "loses energy": "L", "falls": "F", "slips": "P",
+       "chatters": "C", "off": "O", "slow": "-", "cannot": "-", "doubted": "u", "right": ""}
+OURS = ("articulated1", "articulated2")
+# How a map's places are judged: settings of the common reference and its check, or of the engine's own finest run.
+COMMON = {"chain": ({"engine": "rkf78", "step": 5e-4}, {"engine": "rkf78", "step": 1e-3}),
+          "loop": ({"engine": "articulated3", "step": 2e-4}, {"engine": "articulated3", "step": 4e-4})}
+OWN = {"articulated1": ({"engine": "articulated2", "step": 5e-4}, {"engine": "articulated2", "step": 1e-3}),
+       "articulated2": ({"engine": "articulated2", "step": 5e-4}, {"engine": "articulated2", "step": 1e-3}),
+       "ode": ({"engine": "ode", "step": 1e-3}, {"engine": "ode", "step": 2e-3}),
+       "mujoco": ({"engine": "mujoco", "step": 5e-4}, {"engine": "mujoco", "step": 1e-3})}
+
+
+class Rig:
+    def __init__(self, who):
+        folder = programs.folder_of("failure_maps", who)
+        self.mujoco = mujoco_maps.loaded()
+        words = [[folder / "failure_maps"]] + [[folder / "failure_maps", "mujoco"]] * bool(self.mujoco)
+        self.running = [subprocess.Popen(word, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) for word in words]
+        self.references = {}
+
+    def ask(self, program, cell):
+        program.stdin.write(json.dumps(cell) + "\n")
+        program.stdin.flush()
+        line = program.stdout.readline()
+        if not line:
+            raise RuntimeError(f"failure_maps ended on {cell}")
+        return json.loads(line)
+
+    def run(self, cell):
+        """What became of each scene of a cell, or {"error": WHY}."""
+        if cell["engine"] != "mujoco":
+            return self.ask(self.running[0], cell)
+        scenes = self.ask(self.running[1], {**cell, "engine": "articulated1"})
+        try:
+            return [mujoco_maps.run(self.mujoco, scene, cell) for scene in scenes]
+        except (ValueError, self.mujoco.FatalError) as error:  # a tree that is too deep
+            return {"error": str(error)}
+
+    def reference(self, cell):
+        """({time: places}, up to when it holds [0.1 ms])"""
+        pair = COMMON.get(cell["map"]) or OWN[cell["engine"]]
+        physics = {key: value for key, value in cell.items() if key not in ("engine", "step")}
+        key = json.dumps([physics, pair[0]])
+        if key not in self.references:
+            fine, check = (self.run({**physics, **settings}) for settings in pair)
+            at, until = {}, -1
+            if isinstance(fine, list) and isinstance(check, list):
+                at = fine[0]["at"]
+                for when in sorted(set(at) & set(check[0]["at"]), key=int):
+                    if apart(at[when], check[0]["at"][when])[0] > PARTED:
+                        break
+                    until = int(when)
+            self.references[key] = at, until
+        return self.references[key]
+
+    def close(self):
+        for program in self.running:
+            program.stdin.close()
+            program.wait()
+
+
+def apart(a, b):
+    """The largest distance of two lists of places, and its horizontal part [m]."""
+    worst = (0.0, 0.0)
+    for i in range(0, len(a), 3):
+        d = [x - y for x, y in zip(a[i:i + 3], b[i:i + 3])]
+        if not math.hypot(*d) <= worst[0]:
+            worst = math.hypot(*d), math.hypot(d[0], d[1])
+    return worst
+
+
+def slid(cell, when):
+    """Where the sliding box should be: x = v t - mu g t^2 / 2 until it stands."""
+    speed, slowing = 2.0, cell["friction"] * 9.81
+    t = min(1e-4 * when, speed / slowing)
+    return speed * t - 0.5 * slowing * t * t
+
+
+def error_at(rig, cell, when, places):
+    """Largest distance from where everything should be, and its horizontal part [m]; None: nobody knows."""
+    if cell["map"] == "slide":
+        off = math.hypot(places[0] - slid(cell, int(when)), places[1])
+        return off, off
+    if cell["map"] == "stack" and cell["count"] > 2:  # straight up; how far its springs are pressed is no failure
+        off = max(math.hypot(*places[i:i + 2]) for i in range(0, len(places), 3))
+        return off, off
+    at, until = rig.reference(cell)
+    return apart(places, at[when]) if int(when) <= until and when in at else None
+
+
+def judged(rig, cell, found):
+    """(how, wrong at, said at, what it said, error [m]) of a scene."""
+    events, error = [], 0.0
+    name = cell["map"]
+    for when in sorted(found["at"], key=int):
+        off = error_at(rig, cell, when, found["at"][when])
+        if off is None:
+            continue
+        error = max(error, off[0]) if off[0] == off[0] else math.inf
+        if not off[0] <= WRONG:
+            events.append((1e-4 * int(when), "slips" if name in ("slide", "stand", "stack") and off[1] > 0.7 * off[0] else "off"))
+    if found["energy_at"] is not None:
+        events.append((found["energy_at"], "gains energy" if found["gain"] > 0.05 else "loses energy"))
+    if found["through_at"] is not None:
+        events.append((found["through_at"], "tunnels" if name in ("plate", "edge") else "sinks"))
+    said_at = found["said_at"]
+    if found["status"] == "diverged":
+        events.append((found["ended"], "diverges"))
+        said_at = events[-1][0] if said_at is None else said_at
+    if found["status"] == "ok" and name in ("stand", "stack"):
+        if found["upright"] < 0.9:
+            events.append((math.inf, "falls"))
+        elif events and found["speed"] > 0.5:
+            events.append((math.inf, "chatters"))
+    if not events:
+        return ("slow" if found["status"] == "slow" else "doubted" if said_at is not None else "right"), None, said_at, found.get("said", ""), error
+    first = min(when for when, _ in events)
+    order = list(HOW)
+    how = min((word for _, word in events), key=order.index)
+    return how, first, said_at, found.get("said", "diverged"), error
+
+
+def measure(rig, map_, engine, row, column, cell):
+    """A row of the table."""
+    line = dict.fromkeys(FIELDS, "")
+    line.update({"map": map_.name, "row": row, "column": column, "engine": engine, "result": "cannot"})
+    if map_.left_out(engine, cell):
+        return {**line, "result": "slow"}
+    begun = time.monotonic()
+    cell = {**cell, "engine": engine}
+    found = rig.run({**cell, "twin": True})
+    line["cpu_s"] = f"{time.monotonic() - begun:.2f}"
+    if isinstance(found, dict):
+        if "held" in found:  # a walk: the robot may fall, whatever the engine
+            return {**line, "result": "right" if found["held"] else "falls", "said": "walk"}
+        return {**line, "said": found["error"].splitlines()[0][:60]}
+    every = [judged(rig, cell, scene) for scene in found]
+    wrong = [scene for scene in every if scene[1] is not None]
+    silent = [scene for scene in wrong if scene[2] is None or scene[2] > scene[1] + 1e-9]
+    order = list(HOW)
+    how, wrong_at, said_at, said, _ = min(silent or wrong or every, key=lambda scene: order.index(scene[0]))
+    error = max(scene[4] for scene in every)
+    line.update({"result": how, "said_at_s": "" if said_at is None else f"{said_at:g}",
+                 "error_mm": f"{1e3 * error:.3g}" if any(scene["at"] for scene in found) else "",
+                 "gain_percent": f"{100 * max(scene['gain'] for scene in found):.3g}"})
+    if wrong:
+        state = "silent" if any(scene[2] is None for scene in silent) else "late" if silent else "said"
+        line.update({"said": f"{state}: {said}" if said_at is not None else state, "wrong_at_s": f"{wrong_at:g}"})
+    elif said_at is not None:
+        line["said"] = said
+    return line
+
+
+def measured(who, maps, quick, engines):
+    """Every line, with progress on the standard error."""
+    rig = Rig(who)
+    if rig.mujoco is None and "mujoco" in engines:
+        print("MuJoCo: not installed, left out (pip install mujoco)")
+    for map_ in maps:
+        for engine in map_.engines:
+            if engine not in engines or (engine == "mujoco" and rig.mujoco is None):
+                continue
+            chosen = [each for each in map_.cells() if not quick or (map_.name, each[0], each[1]) in QUICK]
+            for number, (row, column, cell) in enumerate(chosen):
+                if sys.stderr.isatty():
+                    print(f"\r{map_.name} {ENGINES[engine]}: {number + 1} of {len(chosen)}   ", end="", file=sys.stderr)
+                yield measure(rig, map_, engine, row, column, cell)
+            if sys.stderr.isatty():
+                print("\r" + 60 * " ", end="\r", file=sys.stderr)
+    rig.close()
+
+
+def write(file, lines):
+    with open(file, "w", newline="") as out:
+        writer = csv.DictWriter(out, FIELDS)
+        writer.writeheader()
+        writer.writerows(lines)
+
+
+def is_wrong(line):
+    return line["result"] not in ("right", "doubted", "slow", "cannot")
+
+
+def is_silent(line):
+    return line["engine"] in OURS and line["said"].startswith(("silent", "late"))
+
+
+def summary(lines):
+    """Prints a row for each map and engine; True: none of ours was silently wrong."""
+    print(f"{'map':8s} {'engine':22s} {'cells':>6s} {'right':>6s} {'doubted':>8s} {'wrong':>6s} {'unsaid':>7s}  how")
+    for name, engine in dict.fromkeys((line["map"], line["engine"]) for line in lines):
+        own = [line for line in lines if (line["map"], line["engine"]) == (name, engine)]
+        wrong = [line for line in own if is_wrong(line)]
+        how = {word: sum(line["result"] == word for line in own) for word in HOW if word not in ("right", "doubted")}
+        print(f"{name:8s} {ENGINES[engine]:22s} {len(own):6d} {sum(line['result'] == 'right' for line in own):6d} "
+              f"{sum(line['result'] == 'doubted' for line in own):8d} {len(wrong):6d} "
+              f"{sum(line['said'].startswith(('silent', 'late')) for line in own):7d}  "
+              + ", ".join(f"{count} {word}" for word, count in how.items() if count))
+    unsaid = [line for line in lines if is_silent(line)]
+    for line in unsaid:
+        print(f"not said: {line['map']}, {line['row']}, {line['column']}, {ENGINES[line['engine']]}: {line['result']} "
+              f"(off {line['error_mm'] or 0} mm, gains {line['gain_percent'] or 0} %), {line['said']}")
+    return not unsaid
+
+
+def main(words):
+    if "--help" in words or "-h" in words:
+        print(__doc__.strip())
+        return 0
+    known = {map_.name: map_ for map_ in MAPS}
+    quick, file, names, engines = False, None, [], []
+    while words:
+        word = words.pop(0)
+        if word == "--quick":
+            quick = True
+        elif word == "--csv" and words:
+            file = words.pop(0)
+        elif word == "--engine" and words and words[0] in ENGINES:
+            engines.append(words.pop(0))
+        elif word in known:
+            names.append(word)
+        else:
+            print(f"bench maps: no map or option '{word}'; there are {' '.join(known)} --quick --csv --engine ({' '.join(ENGINES)})", file=sys.stderr)
+            return 2
+    lines = list(measured("bench maps", [known[name] for name in names or known], quick, engines or list(ENGINES)))
+    good = summary(lines)
+    if file:
+        write(file, lines)
+    if not quick and not names:
+        for engine in dict.fromkeys(line["engine"] for line in lines):
+            own = [is_wrong(line) for line in lines if line["engine"] == engine and line["result"] not in ("slow", "cannot")]
+            good = good and any(own) and not all(own)
+    return 0 if good else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
