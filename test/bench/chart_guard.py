@@ -7,12 +7,12 @@ with FCL's (robot.yaml, collision: fcl).  Written as SVG, PNG and CSV to DIR (de
 CSV that is there.
 """
 
-import csv
 import pathlib
 import subprocess
 import sys
 import tempfile
 
+import charts
 import chart_walk
 import plot
 
@@ -20,18 +20,17 @@ CURVES = (("fcl_us", "guard tick, collision: fcl"), ("guard_us", "guard tick"), 
 PERIOD = 0.002  # [s]
 
 
-def measure(file):
+def measure():
     program = chart_walk.twinbus()
     with tempfile.TemporaryDirectory() as folder:
-        log, states = pathlib.Path(folder) / "walk.log", pathlib.Path(folder) / "walk.csv"
+        log, states, file = (pathlib.Path(folder) / name for name in ("walk.log", "walk.csv", "guard.csv"))
         subprocess.run([program, "run", "walk_forward", "--for", "8", "--log", log], capture_output=True, check=False)
         subprocess.run([program, "log", "csv", log, "STATE", states, "--fields", "q", "--numbers"], capture_output=True, check=True)
         subprocess.run([program.parent / "guard_walk_bench", "--states", states, "--csv", file], check=True)
+        return charts.read(file)
 
 
-def draw(file, folder):
-    with open(file, newline="") as source:
-        rows = list(csv.DictReader(source))
+def draw(rows, folder):
     curves, words = [], []
     for key, name in CURVES:
         values = [float(row[key]) for row in rows]
@@ -40,25 +39,17 @@ def draw(file, folder):
         curves.append((name, [(PERIOD * i, sorted(values[i:i + 20])[len(values[i:i + 20]) // 2]) for i in range(0, len(values), 20)]))
     words = "medians in us: " + ", ".join(words)
     print(words, flush=True)
-    one = plot.write(folder / "guard.svg", plot.lines("Self-collision while walking at 0.55 m/s, hrp1s", words, "time [s]", "time of a tick [us]", curves[1:]))
-    two = plot.write(folder / "fcl.svg", plot.lines("The same guard with FCL's distances", words, "time [s]", "time of a tick [us]", curves[:2]))
-    for missing in {one, two} - {None}:
-        print(missing)
+    charts.drawn(folder / "guard.svg", plot.write(folder / "guard.svg", plot.lines("Self-collision while walking at 0.55 m/s, hrp1s", words, "time [s]", "time of a tick [us]", curves[1:])))
+    charts.drawn(folder / "fcl.svg", plot.write(folder / "fcl.svg", plot.lines("The same guard with FCL's distances", words, "time [s]", "time of a tick [us]", curves[:2])))
 
 
 def main(words):
-    if "--help" in words or "-h" in words:
-        print(__doc__)
-        return 0
-    folder = pathlib.Path(words[words.index("--out") + 1] if "--out" in words else chart_walk.ROOT / "test/charts/guard")
-    folder.mkdir(parents=True, exist_ok=True)
-    file = folder / "guard.csv"
-    if "--redraw" not in words:
-        measure(file)
-    draw(file, folder)
-    print(f"in {folder}")
+    what = charts.asked("chart guard", __doc__, words)
+    if isinstance(what, int):
+        return what
+    draw(charts.table(what, "guard.csv", measure), what.folder)
     return 0
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(charts.run(main))

@@ -12,17 +12,16 @@ floating base), DART and Simbody.  An engine's error is measured against a commo
 contact laws differ.
 """
 
-import csv
 import math
-import pathlib
 import sys
 
+import charts
 import paper_figures
 import pendulum_figure
 import plot
 import stability_map
 import whole_stack
-from physics_lab import DURATION, ROOT, Lab, call, error
+from physics_lab import DURATION, Lab, call, error
 
 STEPS = (2e-2, 1e-2, 5e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4)
 GAINS, GROUNDS = (0.3, 1.0, 3.0, 10.0), (1e5, 1e6, 1e7, 1e8)
@@ -162,40 +161,15 @@ NAMES = (*ABOUT, *MEASURE)
 
 
 def main(words):
-    if "--help" in words or "-h" in words:
-        print(__doc__.strip())
-        return 0
-    folder, names, redraw = ROOT / "test/charts/physics", [], False
-    while words:
-        word = words.pop(0)
-        if word == "--out" and words:
-            folder = pathlib.Path(words.pop(0))
-        elif word == "--redraw":
-            redraw = True
-        elif word in NAMES:
-            names.append(word)
-        else:
-            print(f"chart physics: no chart or option '{word}'; there are {' '.join(NAMES)} --out --redraw", file=sys.stderr)
-            return 2
-    folder.mkdir(parents=True, exist_ok=True)
-    lab = None if redraw else Lab("chart physics")
-    for name in names or NAMES:
-        file = folder / f"{name}.csv"
-        if not redraw:
-            rows = list(MEASURE.get(name, lambda lab, n=name: measure(lab, n))(lab))
-            with open(file, "w", newline="") as out:
-                writer = csv.DictWriter(out, rows[0].keys())
-                writer.writeheader()
-                writer.writerows(rows)
-        if not file.exists():
-            print(f"chart physics: {file} is not there; run without --redraw", file=sys.stderr)
-            return 1
-        with open(file, newline="") as source:
-            rows = list(csv.DictReader(source))
-        missing = DRAW.get(name, lambda r, f, n=name: draw_curves(n, r, f))(rows, folder)
-        print(f"{folder / name}.svg" + (f" ({missing})" if missing else ", .png, .csv"))
+    what = charts.asked("chart physics", __doc__, words, NAMES)
+    if isinstance(what, int):
+        return what
+    lab = None if what.redraw else Lab("chart physics")
+    for name in what.names or NAMES:
+        rows = charts.table(what, f"{name}.csv", lambda n=name: MEASURE.get(n, lambda lab: measure(lab, n))(lab))
+        charts.drawn(what.folder / f"{name}.svg", DRAW.get(name, lambda r, f, n=name: draw_curves(n, r, f))(rows, what.folder))
     return 0
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(charts.run(main))

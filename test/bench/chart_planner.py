@@ -7,13 +7,13 @@ Planners: ours asking what VAMP asks, ours with every line proved, and VAMP wher
 Written as SVG, PNG and CSV to DIR (default test/charts/planner); --redraw draws from the CSV that is there.
 """
 
-import csv
 import os
 import pathlib
 import statistics
 import sys
 
 import bench_planner
+import charts
 import plot
 import programs
 
@@ -75,41 +75,14 @@ def draw_meshes(rows, folder):
 
 
 def main(words):
-    if "--help" in words or "-h" in words:
-        print(__doc__.strip())
-        return 0
-    folder, names, redraw, vamp = bench_planner.ROOT / "test/charts/planner", [], False, os.environ.get("TWINBUS_VAMP")
-    while words:
-        word = words.pop(0)
-        if word == "--out" and words:
-            folder = pathlib.Path(words.pop(0))
-        elif word == "--vamp" and words:
-            vamp = words.pop(0)
-        elif word == "--redraw":
-            redraw = True
-        elif word in CHARTS:
-            names.append(word)
-        else:
-            print(f"chart planner: no chart or option '{word}'; there are {' '.join(CHARTS)} --out --vamp --redraw", file=sys.stderr)
-            return 2
-    folder.mkdir(parents=True, exist_ok=True)
-    file = folder / "paths.csv"
-    if not redraw:
-        rows = list(measure(vamp))
-        with open(file, "w", newline="") as out:
-            writer = csv.DictWriter(out, rows[0].keys())
-            writer.writeheader()
-            writer.writerows(rows)
-    if not file.exists():
-        print(f"chart planner: {file} is not there; run without --redraw", file=sys.stderr)
-        return 1
-    with open(file, newline="") as source:
-        rows = list(csv.DictReader(source))
-    for name in names or CHARTS:
-        missing = globals()[f"draw_{name}"](rows, folder)
-        print(f"{folder / name}.svg" + (f" ({missing})" if missing else ", .png"))
+    what = charts.asked("chart planner", __doc__, words, CHARTS, ["--vamp"])
+    if isinstance(what, int):
+        return what
+    rows = charts.table(what, "paths.csv", lambda: measure(what.options.get("--vamp", os.environ.get("TWINBUS_VAMP"))))
+    for name in what.names or CHARTS:
+        charts.drawn(what.folder / f"{name}.svg", globals()[f"draw_{name}"](rows, what.folder))
     return 0
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(charts.run(main))

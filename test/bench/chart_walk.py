@@ -15,13 +15,13 @@ CSV that is there.
 import csv
 import json
 import math
-import os
 import pathlib
 import resource
 import subprocess
 import sys
 import tempfile
 
+import charts
 import plot
 import programs
 import twin_figures
@@ -233,39 +233,14 @@ def draw_map(rows, folder):
 
 
 def main(words):
-    if "--help" in words or "-h" in words:
-        print(__doc__.strip())
-        return 0
-    folder, names, redraw = ROOT / "test/charts/walk", [], False
-    while words:
-        word = words.pop(0)
-        if word == "--out" and words:
-            folder = pathlib.Path(words.pop(0))
-        elif word == "--redraw":
-            redraw = True
-        elif word in CHARTS:
-            names.append(word)
-        else:
-            print(f"chart walk: no chart or option '{word}'; there are {' '.join(CHARTS)} --out --redraw", file=sys.stderr)
-            return 2
-    folder.mkdir(parents=True, exist_ok=True)
-    for name in names or CHARTS:
-        file = folder / f"{name}.csv"
-        if not redraw:
-            rows = list(globals()[f"measure_{name}"]())
-            with open(file, "w", newline="") as out:
-                writer = csv.DictWriter(out, rows[0].keys())
-                writer.writeheader()
-                writer.writerows(rows)
-        if not file.exists():
-            print(f"chart walk: {file} is not there; run without --redraw", file=sys.stderr)
-            return 1
-        with open(file, newline="") as source:
-            rows = list(csv.DictReader(source))
-        missing = globals()[f"draw_{name}"](rows, folder)
-        print(f"{folder / name}.svg" + (f" ({missing})" if missing else ", .png, .csv"))
+    what = charts.asked("chart walk", __doc__, words, CHARTS)
+    if isinstance(what, int):
+        return what
+    for name in what.names or CHARTS:
+        rows = charts.table(what, f"{name}.csv", globals()[f"measure_{name}"])
+        charts.drawn(what.folder / f"{name}.svg", globals()[f"draw_{name}"](rows, what.folder))
     return 0
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(charts.run(main))
