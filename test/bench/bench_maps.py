@@ -1,30 +1,33 @@
 #!/usr/bin/env python3
-"""./twinbus bench maps [MAP...] [--quick] [--engine E] [--csv F]: where each engine fails, how, and whether it said so.
+"""./twinbus bench maps [MAP...] [--quick] [--no-twin] [--engine E] [--csv F]: where each engine fails, how, and whether it said so.
 
 Scenes are made worse until they fail: step to 100 ms, gains x100, ground 1e4 to 1e10 N/m a corner, friction 0 to 3, bodies to 50 m/s,
 thin plates, edges, mass ratios to 1e6, stacks to 200, chains to 1000, loops in their singular posture, and a walk with late servos, a
 slow loop and noise.  Ours at orders 1 and 2, ODE, and MuJoCo where its Python package is (pip install mujoco).
 
-Ours and ODE have a twin of twice the step beside them (setting solver.twin).  Wrong: more than 5 mm from a converged run or a closed form, 5 % of energy gained (or lost where nothing takes any), through or below
-what should stop it, diverged.  Said: the engine doubted a step (report: doubted_steps) up to the moment at which it was wrong.
+Ours and ODE have a twin of twice the step beside them (setting solver.twin, which is off unless asked for); --no-twin: as they are without.
+MuJoCo has its own warnings.  Wrong: more than 5 mm from a converged run or a closed form (throw, plate and edge have none for places),
+5 % of energy gained (or lost where nothing takes any), through or below what should stop it, diverged.  Said: the engine doubted a step
+(report: doubted_steps) up to the moment at which it was wrong; in_step: one of the steps since the look before.
 Maps: stand slide throw plate edge ratio stack chain loop delay rate noise (default: all; about ten minutes).  --quick: a few cells of
 each, seconds.  Exit status 1 if one of our cells is wrong and did not say so, or if an engine is never right or never wrong.
 """
 
-import csv
+import dataclasses
 import json
 import math
 import subprocess
 import sys
 import time
 
+import charts
 import programs
 from failure_cells import ENGINES, MAPS, QUICK
 from peers import mujoco_maps
 
 WRONG = 5e-3  # [m]
 PARTED = 1e-3  # references that are so far apart say nothing more [m]
-FIELDS = ("map", "row", "column", "engine", "result", "said", "wrong_at_s", "said_at_s", "error_mm", "gain_percent", "cpu_s")
+FIELDS = ("map", "row", "column", "engine", "result", "said", "wrong_at_s", "said_at_s", "in_step", "error_mm", "gain_percent", "cpu_s")
 HOW = {"diverges": "D", "tunnels": "T", "sinks": "S", "gains energy": "G", "loses energy": "L", "falls": "F", "slips": "P",
        "chatters": "C", "off": "O", "slow": "-", "cannot": "-", "doubted": "u", "right": ""}
 OURS = ("articulated1", "articulated2")
@@ -38,7 +41,8 @@ OWN = {"articulated1": ({"engine": "articulated2", "step": 5e-4}, {"engine": "ar
 
 
 class Rig:
-    def __init__(self, who):
+    def __init__(self, who, twin=True):
+        self.twin = twin
         folder = programs.folder_of("failure_maps", who)
         self.mujoco = mujoco_maps.loaded()
         words = [[folder / "failure_maps"]] + [[folder / "failure_maps", "mujoco"]] * bool(self.mujoco)
@@ -115,36 +119,52 @@ def error_at(rig, cell, when, places):
     return apart(places, at[when]) if int(when) <= until and when in at else None
 
 
+@dataclasses.dataclass
+class Verdict:
+    """Of one scene; times in s, None: never."""
+    how: str
+    said: str
+    said_at: float | None
+    error: float  # [m]
+    wrong_at: float | None = None
+    in_step: bool = False  # doubted in a step since the look before it was wrong
+
+    def is_silent(self):
+        return self.wrong_at is not None and (self.said_at is None or self.said_at > self.wrong_at + 1e-9)
+
+
 def judged(rig, cell, found):
-    """(how, wrong at, said at, what it said, error [m]) of a scene."""
-    events, error = [], 0.0
-    name = cell["map"]
+    """The Verdict on a scene of a cell."""
+    events, error, before = [], 0.0, 0.0  # (when, how, since when a doubt is of that step)
+    name, h = cell["map"], cell["step"]
     for when in sorted(found["at"], key=int):
-        off = error_at(rig, cell, when, found["at"][when])
+        off, now = error_at(rig, cell, when, found["at"][when]), 1e-4 * int(when)
         if off is None:
             continue
         error = max(error, off[0]) if off[0] == off[0] else math.inf
         if not off[0] <= WRONG:
-            events.append((1e-4 * int(when), "slips" if name in ("slide", "stand", "stack") and off[1] > 0.7 * off[0] else "off"))
-    if found["energy_at"] is not None:
-        events.append((found["energy_at"], "gains energy" if found["gain"] > 0.05 else "loses energy"))
-    if found["through_at"] is not None:
-        events.append((found["through_at"], "tunnels" if name in ("plate", "edge") else "sinks"))
+            events.append((now, "slips" if name in ("slide", "stand", "stack") and off[1] > 0.7 * off[0] else "off", before))
+        before = now
+    for key, how in (("energy_at", "gains energy" if found["gain"] > 0.05 else "loses energy"),
+                     ("through_at", "tunnels" if name in ("plate", "edge") else "sinks")):
+        if found[key] is not None:
+            events.append((found[key], how, found[key] - h))
     said_at = found["said_at"]
     if found["status"] == "diverged":
-        events.append((found["ended"], "diverges"))
+        events.append((found["ended"], "diverges", -math.inf))
         said_at = events[-1][0] if said_at is None else said_at
     if found["status"] == "ok" and name in ("stand", "stack"):
         if found["upright"] < 0.9:
-            events.append((math.inf, "falls"))
+            events.append((math.inf, "falls", 0.0))
         elif events and found["speed"] > 0.5:
-            events.append((math.inf, "chatters"))
+            events.append((math.inf, "chatters", 0.0))
     if not events:
-        return ("slow" if found["status"] == "slow" else "doubted" if said_at is not None else "right"), None, said_at, found.get("said", ""), error
-    first = min(when for when, _ in events)
-    order = list(HOW)
-    how = min((word for _, word in events), key=order.index)
-    return how, first, said_at, found.get("said", "diverged"), error
+        how = "slow" if found["status"] == "slow" else "doubted" if said_at is not None else "right"
+        return Verdict(how, found.get("said", ""), said_at, error)
+    first, kind, since = min(events, key=lambda event: event[0])
+    in_step = kind == "diverges" or any(a <= first + 1e-9 and b > since - 1e-9 for a, b in found["doubts_at"])
+    how = min((event[1] for event in events), key=list(HOW).index)
+    return Verdict(how, found.get("said", "diverged"), said_at, error, first, in_step)
 
 
 def measure(rig, map_, engine, row, column, cell):
@@ -155,32 +175,31 @@ def measure(rig, map_, engine, row, column, cell):
         return {**line, "result": "slow"}
     begun = time.monotonic()
     cell = {**cell, "engine": engine}
-    found = rig.run({**cell, "twin": True})
+    found = rig.run({**cell, "twin": rig.twin})
     line["cpu_s"] = f"{time.monotonic() - begun:.2f}"
     if isinstance(found, dict):
         if "held" in found:  # a walk: the robot may fall, whatever the engine
             return {**line, "result": "right" if found["held"] else "falls", "said": "walk"}
         return {**line, "said": found["error"].splitlines()[0][:60]}
     every = [judged(rig, cell, scene) for scene in found]
-    wrong = [scene for scene in every if scene[1] is not None]
-    silent = [scene for scene in wrong if scene[2] is None or scene[2] > scene[1] + 1e-9]
-    order = list(HOW)
-    how, wrong_at, said_at, said, _ = min(silent or wrong or every, key=lambda scene: order.index(scene[0]))
-    error = max(scene[4] for scene in every)
-    line.update({"result": how, "said_at_s": "" if said_at is None else f"{said_at:g}",
-                 "error_mm": f"{1e3 * error:.3g}" if any(scene["at"] for scene in found) else "",
+    wrong = [verdict for verdict in every if verdict.wrong_at is not None]
+    silent = [verdict for verdict in wrong if verdict.is_silent()]
+    worst = min(silent or wrong or every, key=lambda verdict: list(HOW).index(verdict.how))
+    line.update({"result": worst.how, "said_at_s": "" if worst.said_at is None else f"{worst.said_at:g}",
+                 "error_mm": f"{1e3 * max(verdict.error for verdict in every):.3g}" if any(scene["at"] for scene in found) else "",
                  "gain_percent": f"{100 * max(scene['gain'] for scene in found):.3g}"})
     if wrong:
-        state = "silent" if any(scene[2] is None for scene in silent) else "late" if silent else "said"
-        line.update({"said": f"{state}: {said}" if said_at is not None else state, "wrong_at_s": f"{wrong_at:g}"})
-    elif said_at is not None:
-        line["said"] = said
+        state = "silent" if any(verdict.said_at is None for verdict in silent) else "late" if silent else "said"
+        line.update({"said": f"{state}: {worst.said}" if worst.said_at is not None else state, "wrong_at_s": f"{worst.wrong_at:g}",
+                     "in_step": "yes" if all(verdict.in_step for verdict in wrong) else "no"})
+    elif worst.said_at is not None:
+        line["said"] = worst.said
     return line
 
 
-def measured(who, maps, quick, engines):
+def measured(who, maps, engines, quick=False, twin=True):
     """Every line, with progress on the standard error."""
-    rig = Rig(who)
+    rig = Rig(who, twin)
     if rig.mujoco is None and "mujoco" in engines:
         print("MuJoCo: not installed, left out (pip install mujoco)")
     for map_ in maps:
@@ -197,19 +216,20 @@ def measured(who, maps, quick, engines):
     rig.close()
 
 
-def write(file, lines):
-    with open(file, "w", newline="") as out:
-        writer = csv.DictWriter(out, FIELDS)
-        writer.writeheader()
-        writer.writerows(lines)
-
-
 def is_wrong(line):
     return line["result"] not in ("right", "doubted", "slow", "cannot")
 
 
 def is_silent(line):
     return line["engine"] in OURS and line["said"].startswith(("silent", "late"))
+
+
+def total(name, lines):
+    wrong = [line for line in lines if is_wrong(line) and line["said"] != "walk"]
+    print(f"{name}: {len(lines)} cells, {len(wrong)} wrong, of these {sum(line['said'] in ('', 'silent') for line in wrong)} unsaid, "
+          f"{sum(line['said'].startswith('late') for line in wrong)} said late, {sum(line['in_step'] == 'yes' for line in wrong)} said in that step; "
+          f"{sum(line['result'] == 'doubted' for line in lines)} right but doubted; {sum(line['result'] == 'falls' and line['said'] == 'walk' for line in lines)} "
+          f"walks fell; {sum(line['result'] in ('slow', 'cannot') for line in lines)} left out")
 
 
 def summary(lines):
@@ -223,6 +243,9 @@ def summary(lines):
               f"{sum(line['result'] == 'doubted' for line in own):8d} {len(wrong):6d} "
               f"{sum(line['said'].startswith(('silent', 'late')) for line in own):7d}  "
               + ", ".join(f"{count} {word}" for word, count in how.items() if count))
+    for engine in dict.fromkeys(line["engine"] for line in lines):
+        total(ENGINES[engine], [line for line in lines if line["engine"] == engine])
+    total("ours together", [line for line in lines if line["engine"] in OURS])
     unsaid = [line for line in lines if is_silent(line)]
     for line in unsaid:
         print(f"not said: {line['map']}, {line['row']}, {line['column']}, {ENGINES[line['engine']]}: {line['result']} "
@@ -235,11 +258,13 @@ def main(words):
         print(__doc__.strip())
         return 0
     known = {map_.name: map_ for map_ in MAPS}
-    quick, file, names, engines = False, None, [], []
+    quick, twin, file, names, engines = False, True, None, [], []
     while words:
         word = words.pop(0)
         if word == "--quick":
             quick = True
+        elif word == "--no-twin":
+            twin = False
         elif word == "--csv" and words:
             file = words.pop(0)
         elif word == "--engine" and words and words[0] in ENGINES:
@@ -247,13 +272,13 @@ def main(words):
         elif word in known:
             names.append(word)
         else:
-            print(f"bench maps: no map or option '{word}'; there are {' '.join(known)} --quick --csv --engine ({' '.join(ENGINES)})", file=sys.stderr)
+            print(f"bench maps: no map or option '{word}'; there are {' '.join(known)} --quick --no-twin --csv --engine ({' '.join(ENGINES)})", file=sys.stderr)
             return 2
-    lines = list(measured("bench maps", [known[name] for name in names or known], quick, engines or list(ENGINES)))
+    lines = list(measured("bench maps", [known[name] for name in names or known], engines or list(ENGINES), quick, twin))
     good = summary(lines)
     if file:
-        write(file, lines)
-    if not quick and not names:
+        charts.write(file, lines, FIELDS)
+    if not quick and not names and not engines:
         for engine in dict.fromkeys(line["engine"] for line in lines):
             own = [is_wrong(line) for line in lines if line["engine"] == engine and line["result"] not in ("slow", "cannot")]
             good = good and any(own) and not all(own)

@@ -6,11 +6,10 @@ how it fails, and its shade whether the engine said so.  Written as SVG, PNG and
 from the CSV that is there.  About ten minutes.
 """
 
-import csv
-import pathlib
 import sys
 
 import bench_maps
+import charts
 import plot
 from failure_cells import ENGINES, MAPS
 
@@ -73,7 +72,8 @@ def draw(lines, file):
             more, bottom = table(lines, map_, engine, side + wide * k, y)
             out += more
         y = bottom + 22
-    head = plot.frame("Where each engine fails", "more than 5 mm or 5 % of energy off, through or below what should stop it, or diverged", width, y)
+    head = plot.frame("Where each engine fails", "more than 5 mm or 5 % of energy off, through or below what should stop it, or diverged; ours and ODE with a twin of twice the step; "
+                      "throw, plate and edge have no reference for places", width, y)
     x = 12
     for key, meaning in WORDS:
         fill, ink = SHADES[key]
@@ -88,37 +88,16 @@ def draw(lines, file):
 
 
 def main(words):
-    if "--help" in words or "-h" in words:
-        print(__doc__.strip())
-        return 0
     known = {map_.name: map_ for map_ in MAPS}
-    folder, names, redraw = bench_maps.programs.ROOT / "test/charts/maps", [], False
-    while words:
-        word = words.pop(0)
-        if word == "--out" and words:
-            folder = pathlib.Path(words.pop(0))
-        elif word == "--redraw":
-            redraw = True
-        elif word in known:
-            names.append(word)
-        else:
-            print(f"chart maps: no map or option '{word}'; there are {' '.join(known)} --out --redraw", file=sys.stderr)
-            return 2
-    folder.mkdir(parents=True, exist_ok=True)
-    file = folder / "maps.csv"
-    if not redraw:
-        lines = list(bench_maps.measured("chart maps", [known[name] for name in names or known], False, list(ENGINES)))
-        bench_maps.write(file, lines)
-    if not file.exists():
-        print(f"chart maps: {file} is not there; run without --redraw", file=sys.stderr)
-        return 1
-    with open(file, newline="") as source:
-        lines = list(csv.DictReader(source))
+    what = charts.asked("chart maps", __doc__, words, list(known))
+    if isinstance(what, int):
+        return what
+    chosen = [known[name] for name in what.names or known]
+    lines = charts.table(what, "maps.csv", lambda: bench_maps.measured("chart maps", chosen, list(ENGINES)), bench_maps.FIELDS)
     bench_maps.summary(lines)
-    missing = draw(lines, folder / "maps.svg")
-    print(f"{folder / 'maps'}.svg" + (f" ({missing})" if missing else ", .png, .csv"))
+    charts.drawn(what.folder / "maps.svg", draw(lines, what.folder / "maps.svg"))
     return 0
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1:]))
+    sys.exit(charts.run(main))

@@ -68,11 +68,7 @@ LooseBody box(double mass, const Vector3d& size, double stiffness, double fricti
 
 double energy_at_start(const WorldConfig& config) {
   double sum = 0.0;
-  for (const LooseBody& body : config.loose) {
-    const Vector3d spin = body.start.pose.linear().transpose() * body.start.angular_velocity;
-    sum += 0.5 * body.mass * body.start.velocity.squaredNorm() + 0.5 * spin.dot(inertia_of(body.solid, body.mass) * spin) +
-           body.mass * kGravity * body.start.pose.translation().z();
-  }
+  for (const LooseBody& body : config.loose) sum += energy_of(body, body.start);
   return sum;
 }
 
@@ -290,6 +286,12 @@ std::vector<FailureScene> loops(const Json& cell) {
 }
 
 }  // namespace
+
+double energy_of(const LooseBody& body, const LooseState& state) {
+  const Vector3d spin = state.pose.linear().transpose() * state.angular_velocity;
+  return 0.5 * body.mass * state.velocity.squaredNorm() + 0.5 * spin.dot(inertia_of(body.solid, body.mass) * spin) +
+         body.mass * kGravity * state.pose.translation().z();
+}
 
 std::vector<FailureScene> failure_scenes(const Json& cell) {
   using Maker = std::vector<FailureScene> (*)(const Json&);

@@ -31,13 +31,17 @@ struct FailureScene {
 // the key that is missing.
 std::vector<FailureScene> failure_scenes(const nlohmann::json& cell);
 
-// What became of it: {"status", "said_at", "said", "energy_at", "gain", "loss", "through_at", "low", "speed", "upright", "at"}.
+// Kinetic and potential, from z = 0 of the world [J].
+double energy_of(const LooseBody& body, const LooseState& state);
+
+// What became of it: {"status", "ended", "said_at", "said", "doubts_at", "energy_at", "gain", "through_at", "speed", "upright", "at",
+// "cpu"}; doubts_at: first and last time of doubted steps in a row [s].
 nlohmann::json run_scene(const FailureScene& scene);
 
 // The scene for MuJoCo, but for the speeds at its start: {"xml", "loose": [velocities], ...}.
 nlohmann::json mujoco_scene(const FailureScene& scene);
 
-// A robot of `cell` walks; {"held", "guard_stops", "tilt_deg"}.
+// A robot of `cell` walks; {"held"}.
 nlohmann::json run_walk(const nlohmann::json& cell);
 
 }  // namespace twinbus

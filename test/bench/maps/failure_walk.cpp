@@ -35,16 +35,14 @@ nlohmann::json run_walk(const nlohmann::json& cell) {
   command.timeout = 0.2F;
   const auto ticks = static_cast<int>(std::lround(kSeconds / model.period()));
   const int each = std::max(1, static_cast<int>(std::lround(0.02 / model.period())));
-  double walked = 0.0;
   for (int i = 0; i < ticks && held; ++i) {
     if (i % each == 0) {
       command.sequence = i + 1;
       rig.loop().on_walk_command(command, rig.state().time_ns);
     }
     held = rig.tick() && !rig.record().fell;
-    walked = rig.truth().base_position[0];
   }
-  return {{"held", held}, {"walked", walked}, {"tilt_deg", 57.29578 * rig.record().base_tilt_max}};
+  return {{"held", held}};
 }
 
 }  // namespace twinbus

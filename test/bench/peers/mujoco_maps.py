@@ -18,7 +18,7 @@ def loaded():
     return mujoco
 
 
-def through_of(name, cell):
+def through_of(name):
     """What asks whether something is behind what stopped it, of the bodies' places."""
     if name == "plate":
         return lambda x: x[0][0] > (x[1][0] if len(x) > 1 else 1.0)
@@ -55,25 +55,25 @@ def run(mujoco, scene, cell):
     first, begun = data.energy.sum(), time.process_time()
     bodies = range(1, model.nbody)
     steps, look = round(scene["duration"] / h), max(1, round(scene["every"] / h)) if scene["every"] > 0 else 0
-    found = {"status": "ok", "said_at": None, "energy_at": None, "through_at": None, "gain": 0.0, "loss": 0.0, "at": {}}
-    low, through = math.inf, through_of(cell["map"], cell)
+    found = {"status": "ok", "said_at": None, "energy_at": None, "through_at": None, "gain": 0.0, "doubts_at": [], "at": {}}
+    through = through_of(cell["map"])
     for i in range(1, steps + 1):
         now = i * h
         mujoco.mj_step(model, data)
         bad = any(data.warning[k].number for k in range(len(data.warning)))
-        if found["said_at"] is None and (bad or max(data.solver_niter) >= model.opt.iterations):
-            found["said_at"], found["said"] = now, "warning" if bad else "unconverged"
+        if bad or max(data.solver_niter) >= model.opt.iterations:
+            found["doubts_at"].append((now, now))
+            if found["said_at"] is None:
+                found["said_at"], found["said"] = now, "warning" if bad else "unconverged"
         if bad or not math.isfinite(data.qpos.sum()) or abs(data.qvel).max() > 1e4:
             found["status"], found["ended"] = "diverged", now
             break
         if scene["scale"] > 0.0:  # of before the step
             change = (data.energy.sum() - first) / scene["scale"]
-            found["gain"], found["loss"] = max(found["gain"], change), max(found["loss"], -change)
+            found["gain"] = max(found["gain"], change)
             if found["energy_at"] is None and (change > WRONG_ENERGY or (scene["conservative"] and change < -WRONG_ENERGY)):
                 found["energy_at"] = now
         places = data.xipos[1:]
-        if scene["loose"]:
-            low = min(low, places[:, 2].min())
         if found["through_at"] is None:
             if through and through(places):
                 found["through_at"] = now
@@ -89,6 +89,4 @@ def run(mujoco, scene, cell):
     found["cpu"] = time.process_time() - begun
     found["speed"] = max(float(abs(data.cvel[b][3:]).max()) for b in bodies) if found["status"] == "ok" else math.inf
     found["upright"] = min(float(data.xmat[b][8]) for b in (bodies if scene["loose"] else [1]))
-    if math.isfinite(low):
-        found["low"] = float(low)
     return found
