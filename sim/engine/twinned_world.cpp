@@ -24,16 +24,21 @@ bool same(const ServoTarget& a, const ServoTarget& b) noexcept {
 TwinnedWorld::TwinnedWorld(const Model& model, const WorldConfig& config)
     : world_(make_world(model, without_twin(config, 1.0))),
       twin_(make_world(model, without_twin(config, 2.0))),
-      links_(model.link_count()),
       step_(config.step),
-      before_(at(links_) + config.loose.size()),
+      before_(model.links.size() + config.loose.size()),
       after_(before_.size()),
       points_(before_.size()),
-      targets_(model.joints.size()) {}
+      targets_(model.joints.size()) {
+  for (const Link& link : model.links) coms_.push_back(link.com);
+}
 
 Status TwinnedWorld::set(const Configuration& configuration, const Eigen::VectorXd* tau) noexcept {
   const Status status = world_->set(configuration, tau);
   if (status != Status::kOk) return status;
+  if (!watched_) {  // it stood still meanwhile
+    for (std::size_t j = 0; j < targets_.size(); ++j) (void)twin_->set_servo(static_cast<int>(j), targets_[j]);
+    for (int i = 0; i < world_->loose_count(); ++i) (void)twin_->set_loose(i, world_->loose(i));
+  }
   watched_ = twin_->set(configuration, tau) == Status::kOk;
   halfway_ = stepped_ = false;
   return status;
@@ -42,16 +47,16 @@ Status TwinnedWorld::set(const Configuration& configuration, const Eigen::Vector
 Status TwinnedWorld::set_servo(int joint, const ServoTarget& target) noexcept {
   const Status status = world_->set_servo(joint, target);
   if (status != Status::kOk) return status;
-  (void)twin_->set_servo(joint, target);
   if (stepped_ && !same(target, targets_[at(joint)])) watched_ = false;
   targets_[at(joint)] = target;
+  if (watched_) (void)twin_->set_servo(joint, target);
   return status;
 }
 
 // Of one step of the world, which is half of one of the twin.
 Status TwinnedWorld::push(int link, const Eigen::Vector3d& point, const Eigen::Vector3d& force) noexcept {
   const Status status = world_->push(link, point, force);
-  if (status == Status::kOk) (void)twin_->push(link, point, 0.5 * force);
+  if (status == Status::kOk && watched_) (void)twin_->push(link, point, 0.5 * force);
   return status;
 }
 
@@ -94,13 +99,14 @@ Status TwinnedWorld::step() noexcept {
 }
 
 void TwinnedWorld::look(const World& world, std::vector<Point>& points) const noexcept {
-  for (int i = 0; i < links_; ++i) {
-    const Eigen::Vector3d place = world.link_in_world(i).translation();
+  const int links = static_cast<int>(coms_.size());
+  for (int i = 0; i < links; ++i) {
+    const Eigen::Vector3d place = world.link_in_world(i) * coms_[at(i)];
     points[at(i)] = {place, world.point_velocity(i, place)};
   }
   for (int i = 0; i < world.loose_count(); ++i) {
     const LooseState body = world.loose(i);
-    points[at(links_ + i)] = {body.pose.translation(), body.velocity};
+    points[at(links + i)] = {body.pose.translation(), body.velocity};
   }
 }
 

@@ -1,8 +1,9 @@
 // A world with a twin of twice its step beside it: what the two do not agree on is doubted (Doubt::kCoarse), in that step.
+// Compared are the centres of mass of links and loose bodies: the origin of a link that hangs on the wall never moves.
 //
 // Of a method of order 1 the distance of the two is the error of the finer one, of order 2 three times that: dynamics that magnify
 // an error magnify it in the twin as well.  It costs half as much again.  A controller that looks at one of them would drive the
-// other where it should not go: once a servo is given another target, nothing more is said.
+// other where it should not go: once a servo is given another target, nothing more is said and the twin stands still.
 
 #pragma once
 
@@ -57,7 +58,7 @@ class TwinnedWorld final : public World {
   double apart() const noexcept;
 
   std::unique_ptr<World> world_, twin_;
-  int links_;
+  std::vector<Eigen::Vector3d> coms_;           // of links, in the link's axes
   double step_;                                 // of the world [s]
   std::vector<Point> before_, after_, points_;  // the twin's at both ends of its step, the world's
   std::vector<ServoTarget> targets_;
