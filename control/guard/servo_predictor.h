@@ -34,6 +34,7 @@ class ServoPredictor {
               const Configuration& configuration) noexcept;
 
   std::int64_t soft() const noexcept { return soft_; }  // bit per joint of the bus
+  double set_point(std::size_t k) const noexcept { return servos_[k].q; }  // as the gate has it, of any joint [rad or m]
   bool is_soft(std::size_t k) const noexcept { return (soft_ & bit_of(k)) != 0; }
   // As those of SetPointTrack, of soft joints.
   std::int64_t on_hold() const noexcept;

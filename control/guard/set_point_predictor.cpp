@@ -2,6 +2,7 @@
 
 #include "robot/kinematics/brake.h"
 #include "common/math/index.h"
+#include "common/math/quintic_fade.h"
 #include "common/simd/vec4.h"
 
 namespace twinbus {
@@ -77,11 +78,9 @@ void SetPointTrack::faded(std::size_t k, double t, double& q, double& v) const n
   const Fade& p = fade_[k];
   const double s = (p.time + t) / fade_s_;
   if (!(s < 1.0)) return;
-  const double s2 = s * s, s3 = s2 * s;
-  q = p.q * (1.0 - s3 * (10.0 - 15.0 * s + 6.0 * s2)) +
-      p.v * fade_s_ * (s - s3 * (6.0 - 8.0 * s + 3.0 * s2));
-  v = p.q * (-30.0 * s2 + 60.0 * s3 - 30.0 * s2 * s2) / fade_s_ +
-      p.v * (1.0 - 18.0 * s2 + 32.0 * s3 - 15.0 * s2 * s2);
+  const QuinticFade fade = quintic_fade(s);
+  q = p.q * fade.h0 + p.v * fade_s_ * fade.h1;
+  v = p.q * fade.h0_rate / fade_s_ + p.v * fade.h1_rate;
 }
 
 double SetPointTrack::farthest(std::size_t k) const noexcept {
