@@ -60,13 +60,14 @@ int main(int argc, char** argv) try {
   SoftSwings clients(model, seed);
   const GuardConfig config{.margin = 1e-3 * margin_mm};
   const std::int64_t begin = only >= 0 ? only : first, end = only >= 0 ? only + 1 : first + swings;
-  long braked = 0;
+  long braked = 0, fallen = 0;
   std::vector<double> nearest;
   for (std::int64_t n = begin; n < end; ++n) {
     const SoftSwing swing = clients.draw(n);
     if (only >= 0) clients.tell = story;
     const SwingResult result = clients.run(swing, &config);
     if (!result.touched) ++braked;
+    if (result.fell) ++fallen;
     nearest.push_back(result.nearest);
     if (!result.touched && only < 0) continue;
     const std::size_t k = swing.moved.front();
@@ -85,6 +86,7 @@ int main(int argc, char** argv) try {
   std::printf("%s: %ld of %lld swings into the robot braked before touch (%ld drawn); they came to %.1f mm, median %.1f mm\n",
               model.name.c_str(), braked, static_cast<long long>(end - begin), clients.drawn, 1e3 * nearest.front(),
               1e3 * share(nearest, 0.5));
+  if (fallen > 0) std::printf("%ld of them ended by a fall of the robot, untouched until then\n", fallen);
   std::printf("guard per tick: median %.1f us, p99 %.1f us, worst %.1f us\n",
               1e-3 * static_cast<double>(share(clients.costs, 0.5)), 1e-3 * static_cast<double>(share(clients.costs, 0.99)),
               1e-3 * static_cast<double>(clients.costs.back()));

@@ -44,6 +44,7 @@ struct SoftSwing {
 
 struct SwingResult {
   bool touched = false, held = false;
+  bool fell = false;         // which ended the swing
   double nearest = 1.0;      // that the guard saw [m]
   double touched_at = 0.0;   // [s]
   double stays = 0.0;        // speed of the fastest joint at the end [rad/s]
@@ -116,7 +117,10 @@ class SoftSwings {
       gate.measured(state);
       say(swing, tick, command);
       now.q = sim.world()->configuration().q;
-      if (swing.stands && sim.world()->configuration().base.linear()(2, 2) < kUpright) break;
+      if (swing.stands && sim.world()->configuration().base.linear()(2, 2) < kUpright) {
+        result.fell = true;
+        break;
+      }
       if (watch != nullptr) {
         watch->on_command(swing.late_command && tick > 1 ? before : command);
         const std::int64_t begin = cpu_ns();
