@@ -26,7 +26,7 @@ struct RobotEnd {
 };
 
 // A joint's torque, after the scene's one push, is to swing as the linear model of the standing robot
-// does: launcher/run/swing.h.
+// does: launcher/figures/swing.h.
 struct SwingAsked {
   std::string joint;            // empty: not asked
   double period_percent = 3.0;  // within this of the model's

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "launcher/run/local_stack.h"
-#include "launcher/run/walk_figures.h"
+#include "launcher/figures/walk_figures.h"
 #include "robot/description/load.h"
 #include "sim/scene/scene_seed.h"
 

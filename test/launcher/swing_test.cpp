@@ -1,4 +1,4 @@
-#include "launcher/run/swing.h"
+#include "launcher/figures/swing.h"
 
 #include <gtest/gtest.h>
 

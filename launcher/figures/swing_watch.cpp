@@ -1,4 +1,4 @@
-#include "launcher/run/swing_watch.h"
+#include "launcher/figures/swing_watch.h"
 
 #include <stdexcept>
 

@@ -7,7 +7,7 @@
 
 #include "robot/description/model.h"
 #include "sim/scene/scene.h"
-#include "launcher/run/swing.h"
+#include "launcher/figures/swing.h"
 #include "sim/world/world.h"
 
 namespace twinbus {

@@ -1,4 +1,4 @@
-#include "launcher/run/walk_figures.h"
+#include "launcher/figures/walk_figures.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "launcher/run/loose_watch.h"
+#include "launcher/figures/loose_watch.h"
 
 #include <algorithm>
 #include <cmath>
