@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -16,6 +17,7 @@
 #include "launcher/run/accuracy.h"
 #include "launcher/run/judge_scene.h"
 #include "launcher/run/local_stack.h"
+#include "launcher/run/seeds.h"
 #include "launcher/stack/run_folder.h"
 #include "launcher/run/verdict.h"
 #include "robot/description/load.h"
@@ -50,6 +52,8 @@ Syntax run_syntax() {
            {"--engine", "E", "articulated or ode; default the scene's"},
            {"--start-pose", "POSE", "of the robot's SRDF, in which it begins; default the scene's"},
            {"--seed", "N", "of everything random; default 1"},
+           {"--seeds", "A..B", "the scene once for each of these seeds, one at a time on each processor"},
+           {"--jobs", "N", "with --seeds: so many at a time"},
            {"--set", "KEY=VALUE", "a setting of the simulator; wins over the scene's own"},
            {"--reference", "",
             "runs the scene again with eight physics steps in one: error of the foot forces "
@@ -279,6 +283,43 @@ std::string with_own_figures(const std::string& report, double force_error, cons
   return json.dump(2) + "\n";
 }
 
+// Nothing when one seed is run.
+std::optional<SeedsRequest> seeds_of(const Arguments& arguments) {
+  if (!arguments.has("--seeds")) {
+    if (arguments.has("--jobs")) throw UsageError("run: --jobs goes with --seeds");
+    return std::nullopt;
+  }
+  for (const char* other : {"--seed", "--log", "--reference"}) {
+    if (arguments.has(other)) throw UsageError(std::string("run: --seeds goes without ") + other);
+  }
+  SeedsRequest request;
+  const std::string word = arguments.text("--seeds", "");
+  if (!read_seeds(word, request.seeds))
+    throw UsageError("run: --seeds wants FIRST..LAST, such as 1..256, at most a million, not '" + word + "'");
+  request.jobs = static_cast<int>(arguments.number("--jobs", 0.0, 1.0, 1024.0));
+  request.talk = true;
+  return request;
+}
+
+// The scene once for each seed; undrawn: before a seed has drawn anything in it.
+int run_many(SeedsRequest seeds, const Model& model, const Scene& undrawn, const OneProcessConfig& config,
+             const RunRequest& request, const std::string& report) {
+  seeds.ticks = std::llround(request.duration / model.period());
+  seeds.part = seeds.ticks < std::llround(undrawn.duration / model.period());
+  const std::int64_t begin = monotonic_ns();
+  const std::vector<SeedResult> results = run_seeds(model, seeds, [&](std::uint64_t seed) {
+    SeededRun ready{undrawn, config};
+    ready.config.seed = seed;
+    apply_seed(ready.scene, model, seed);
+    return ready;
+  });
+  const double wall_s = 1e-9 * static_cast<double>(monotonic_ns() - begin);
+  std::printf("%s", seeds_text(results, seeds, model.period(), wall_s).c_str());
+  if (!report.empty()) write_file(report, seeds_json(results, request, wall_s));
+  const bool all = results.size() == seeds.seeds.last - seeds.seeds.first + 1;
+  return all && std::all_of(results.begin(), results.end(), [](const SeedResult& each) { return each.verdict.passed; }) ? 0 : 1;
+}
+
 }  // namespace
 
 int run_command(const std::vector<std::string>& words) {
@@ -300,10 +341,13 @@ int run_command(const std::vector<std::string>& words) {
   request.lockstep = true;
   request.duration = arguments.number("--for", scene.duration, 0.002, 1e6);
   request.seed = static_cast<std::uint64_t>(arguments.number("--seed", 1.0, 0.0, 1e9));
+  const std::optional<SeedsRequest> many = seeds_of(arguments);
+  if (many) request.seed = many->seeds.first;
   const Model model = load_robot(request.robot);
   fit_scene(scene, model);
   start_in(arguments.text("--start-pose", scene.start_pose), model, scene);
   if (!scene.scaled.empty()) std::printf("%s\n", scene.scaled.c_str());
+  Scene undrawn = scene;
   apply_seed(scene, model, request.seed);
   request.period = model.period();
   request.step_s = scene.step > 0.0 ? scene.step : model.period();
@@ -323,11 +367,14 @@ int run_command(const std::vector<std::string>& words) {
     if (choice->rung >= 0) {
       const Rung& rung = choice->ladder.rungs[static_cast<std::size_t>(choice->rung)];
       scene = at_rung(scene, rung);
+      undrawn = at_rung(undrawn, rung);
       std::erase_if(config.settings,
                     [](const auto& each) { return each.first == "solver.order"; });
       request.step_s = rung.step;
     }
   }
+
+  if (many) return run_many(*many, model, undrawn, config, request, arguments.text("--report", ""));
 
   std::unique_ptr<LogWriter> log;
   if (!log_file.empty()) {

@@ -1,0 +1,168 @@
+#include "launcher/run/seeds.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <charconv>
+#include <cstdio>
+#include <map>
+#include <mutex>
+#include <thread>
+
+#include <nlohmann/json.hpp>
+
+#include "common/process/process.h"
+#include "launcher/run/judge_scene.h"
+
+namespace twinbus {
+
+namespace {
+
+constexpr std::uint64_t kMostSeeds = 1'000'000;
+constexpr std::int64_t kProgressEvery = 500'000'000;  // [ns]
+constexpr std::size_t kMostListed = 20;               // of seeds that failed for one cause
+
+bool number(const std::string& word, std::uint64_t& value) {
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  return error == std::errc() && end == word.data() + word.size() && value <= 1'000'000'000;
+}
+
+SeedResult run_one(const Model& model, const SeedsRequest& request, std::uint64_t seed,
+                   const std::function<SeededRun(std::uint64_t)>& prepare) try {
+  SeedResult result;
+  result.seed = seed;
+  const SeededRun ready = prepare(seed);
+  OneProcess run(model, ready.scene, ready.config);
+  while (run.ticks() < request.ticks && !quit_requested() && run.tick()) run.take_sentences();
+  result.ticks = run.ticks();
+  result.verdict = judge_scene(run, ready.scene.criteria, request.ticks, request.part);
+  result.state_hash = run.state_hash();
+  return result;
+} catch (const std::exception& error) {
+  SeedResult result;
+  result.seed = seed;
+  result.error = error.what();
+  return result;
+}
+
+// A cause without its numbers, so that seeds which fail alike are counted together.
+std::string kind_of(const std::string& failure) {
+  std::string kind;
+  for (std::size_t i = 0; i < failure.size(); ++i) {
+    const bool digit = failure[i] >= '0' && failure[i] <= '9';
+    const bool in_name = i > 0 && (std::isalpha(static_cast<unsigned char>(failure[i - 1])) != 0 || failure[i - 1] == '_');
+    if (digit && !in_name) {
+      while (i + 1 < failure.size() && ((failure[i + 1] >= '0' && failure[i + 1] <= '9') || failure[i + 1] == '.')) ++i;
+      if (kind.size() < 2 || kind.compare(kind.size() - 2, 2, "..") != 0) kind += "..";
+    } else {
+      kind += failure[i];
+    }
+  }
+  return kind;
+}
+
+std::string cause_of(const SeedResult& result) {
+  if (!result.error.empty()) return result.error;
+  return result.verdict.passed ? "" : result.verdict.failures.empty() ? "it was not finished" : result.verdict.failures.front();
+}
+
+}  // namespace
+
+bool read_seeds(const std::string& word, SeedRange& seeds) {
+  const std::size_t dots = word.find("..");
+  SeedRange found;
+  if (!number(word.substr(0, dots), found.first)) return false;
+  if (!number(dots == std::string::npos ? word : word.substr(dots + 2), found.last)) return false;
+  if (found.last < found.first || found.last - found.first >= kMostSeeds) return false;
+  seeds = found;
+  return true;
+}
+
+std::vector<SeedResult> run_seeds(const Model& model, const SeedsRequest& request,
+                                  const std::function<SeededRun(std::uint64_t)>& prepare) {
+  const std::uint64_t count = request.seeds.last - request.seeds.first + 1;
+  const auto processors = std::max(1U, std::thread::hardware_concurrency());
+  const auto jobs = std::min<std::uint64_t>(count, request.jobs > 0 ? static_cast<std::uint64_t>(request.jobs) : processors);
+  std::vector<SeedResult> results(count);
+  std::vector<char> done(count, 0);
+  std::atomic<std::uint64_t> next{0}, finished{0};
+  std::mutex output;
+  std::int64_t shown_ns = monotonic_ns();
+  const bool terminal = isatty(STDERR_FILENO) == 1;
+  const auto work = [&] {
+    for (std::uint64_t i = next++; i < count && !quit_requested(); i = next++) {
+      results[i] = run_one(model, request, request.seeds.first + i, prepare);
+      done[i] = quit_requested() ? 0 : 1;
+      ++finished;
+      if (!request.talk) continue;
+      const std::scoped_lock lock(output);
+      const std::string cause = cause_of(results[i]);
+      if (!cause.empty() && done[i] != 0) {
+        if (terminal) std::fprintf(stderr, "\r                    \r");
+        std::printf("seed %llu: %s\n", static_cast<unsigned long long>(results[i].seed), cause.c_str());
+        std::fflush(stdout);
+      }
+      if (!terminal || monotonic_ns() - shown_ns < kProgressEvery) continue;
+      shown_ns = monotonic_ns();
+      std::fprintf(stderr, "\r%llu of %llu seeds ", static_cast<unsigned long long>(finished.load()), static_cast<unsigned long long>(count));
+    }
+  };
+  {
+    std::vector<std::jthread> threads;
+    for (std::uint64_t j = 1; j < jobs; ++j) threads.emplace_back(work);
+    work();
+  }
+  if (request.talk && terminal) std::fprintf(stderr, "\r                    \r");
+  std::vector<SeedResult> kept;
+  for (std::uint64_t i = 0; i < count; ++i) {
+    if (done[i] != 0) kept.push_back(std::move(results[i]));
+  }
+  return kept;
+}
+
+std::string seeds_text(const std::vector<SeedResult>& results, const SeedsRequest& request, double period, double wall_s) {
+  std::size_t passed = 0;
+  std::int64_t ticks = 0;
+  std::map<std::string, std::vector<std::uint64_t>> causes;
+  for (const SeedResult& result : results) {
+    ticks += result.ticks;
+    const std::string cause = cause_of(result);
+    if (cause.empty()) {
+      ++passed;
+    } else {
+      causes[kind_of(cause)].push_back(result.seed);
+    }
+  }
+  std::string text;
+  for (const auto& [cause, seeds] : causes) {
+    text += std::to_string(seeds.size()) + " of " + std::to_string(results.size()) + ": " + cause + " (seed" + (seeds.size() > 1 ? "s" : "");
+    for (std::size_t i = 0; i < std::min(seeds.size(), kMostListed); ++i) text += " " + std::to_string(seeds[i]);
+    text += seeds.size() > kMostListed ? " ...)\n" : ")\n";
+  }
+  const std::uint64_t asked = request.seeds.last - request.seeds.first + 1;
+  char line[200];
+  std::snprintf(line, sizeof line, "%zu of %zu seeds passed; %.1f s simulated in %.2f s, %.0f ticks a second\n", passed, results.size(),
+                period * static_cast<double>(ticks), wall_s, static_cast<double>(ticks) / std::max(wall_s, 1e-9));
+  text += line;
+  if (results.size() < asked) text += "stopped: " + std::to_string(asked - results.size()) + " seeds were not run\n";
+  return text;
+}
+
+std::string seeds_json(const std::vector<SeedResult>& results, const RunRequest& request, double wall_s) {
+  nlohmann::ordered_json json = {{"scene", request.scene}, {"robot", request.robot}, {"engine", request.engine},
+                                 {"step_s", request.step_s}, {"duration_s", request.duration}, {"wall_s", wall_s}};
+  std::size_t passed = 0;
+  auto& list = json["seeds"] = nlohmann::ordered_json::array();
+  for (const SeedResult& result : results) {
+    const bool good = cause_of(result).empty();
+    passed += good ? 1 : 0;
+    list.push_back({{"seed", result.seed}, {"passed", good}, {"ticks", result.ticks}, {"state_hash", result.state_hash},
+                    {"failures", result.error.empty() ? result.verdict.failures : std::vector<std::string>{result.error}}});
+  }
+  json["passed"] = passed;
+  json["run"] = results.size();
+  return json.dump(2) + "\n";
+}
+
+}  // namespace twinbus
