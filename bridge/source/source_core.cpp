@@ -8,6 +8,7 @@
 #include "common/math/index.h"
 #include "lcmtypes/msg/reports.h"
 #include "lcmtypes/msg/requests.h"
+#include "robot/estimation/point_legs.h"
 
 namespace twinbus {
 
@@ -67,7 +68,7 @@ SourceCore::SourceCore(const Model& model, const GateLimits& limits, RobotAdapto
       gate_(limits, config.guard_required, config.seed ^ static_cast<std::uint64_t>(config.run_id),
             handover.off),
       fall_(model) {
-  if (model.floating_base && model.soles[0].link >= 0 && model.soles[1].link >= 0) {
+  if (stands_on_points(model) || (model.floating_base && model.soles[0].link >= 0 && model.soles[1].link >= 0)) {
     if (handover.can_be_set) holder_estimate_.emplace(model);
     own_estimate_.emplace(model);
   }

@@ -197,10 +197,9 @@ Eigen::Vector3d ControlLoop::Impl::walk_velocity(std::int64_t now_ns) const noex
     return Eigen::Vector3d(static_cast<double>(walk.vx), static_cast<double>(walk.vy),
                            static_cast<double>(walk.wz));
   }
-  const Walk* walking = modes.walk();
-  if (walking == nullptr || !pad_speaks(now_ns)) return Eigen::Vector3d::Zero();
+  if (!pad_speaks(now_ns)) return Eigen::Vector3d::Zero();
   const Eigen::Vector3d share(axis(gamepad.left_y), axis(gamepad.left_x), axis(gamepad.right_x));
-  return kPadShare * share.cwiseProduct(walking->gait().most_velocity);
+  return kPadShare * share.cwiseProduct(modes.most_velocity());
 }
 
 void ControlLoop::Impl::guard_and_mask(std::int64_t now_ns, double dt) noexcept {
@@ -323,7 +322,7 @@ void ControlLoop::Impl::compute(std::int64_t now_ns, double dt, bool same_source
 // A tick that the last source has published already, of another robot.  Steps go on as they are; legs that balance are
 // where they are measured: told to be where the other robot's are, they would pull this one over while its gate fades.
 void ControlLoop::Impl::look_again(std::int64_t now_ns) noexcept {
-  if (modes.walk() != nullptr || !have_output || !check.is_sane(state)) return;
+  if (modes.walk() != nullptr || modes.quadruped() != nullptr || !have_output || !check.is_sane(state)) return;
   next_state(std::exchange(looked_run, state.run_id) == state.run_id, true);
   modes.want(now(), mask, 0.0, want);
   blend.apply(want, 0.0);

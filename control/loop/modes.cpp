@@ -41,8 +41,11 @@ Modes::Modes(const Model& model, const BalanceGains& gains, const WalkGains& wal
   for (int j = 0; j < model.joint_count(); ++j) {
     if (model.joints[at(j)].mimic >= 0) followers_.push_back(j);
   }
-  no_walk_ = "this robot cannot walk: it needs a free base and two six-joint legs with soles";
-  if (Balance::why_not(model) != nullptr) return;
+  no_walk_ = "this robot cannot walk: it needs a free base, and two six-joint legs with soles or four legs with point feet";
+  if (Balance::why_not(model) != nullptr) {
+    find_four_legs();
+    return;
+  }
   balance_ = std::make_unique<Balance>(model, gains);
   for (int k = 0; k < model.bus_count(); ++k) {
     if (balance_->is_leg(model.bus_joints[at(k)])) legs_ |= std::int64_t{1} << k;
@@ -57,23 +60,28 @@ Modes::Modes(const Model& model, const BalanceGains& gains, const WalkGains& wal
 }
 
 bool Modes::may_balance(const Moment& now) const noexcept {
+  if (quadruped_ != nullptr) return Quadruped::may_start(now.estimator);
   return balance_ != nullptr && tilt(now.estimator) < kBalanceTilt && now.estimator.loaded(0) &&
          now.estimator.loaded(1);
 }
 
 // Upright, and carried by a foot: not in a hoist, not on the ground.
 bool Modes::stands(const Moment& now) const noexcept {
+  if (quadruped_ != nullptr) return tilt(now.estimator) < kFallenTilt && Quadruped::stands(now.estimator);
   return balance_ != nullptr && tilt(now.estimator) < kFallenTilt &&
          (now.estimator.loaded(0) || now.estimator.loaded(1));
 }
 
 void Modes::begin_balance(const Moment& now) noexcept {
-  balance_->start(now.estimator);
-  balancing_ = true;
-  walking_ = leaving_ = false;
+  let_legs_go();
+  on_four_ = quadruped_ != nullptr;
+  balancing_ = !on_four_;
+  if (on_four_) quadruped_->start(now.estimator);
+  if (balancing_) balance_->start(now.estimator);
 }
 
 void Modes::enter_walk(const Moment& now) noexcept {
+  if (quadruped_ != nullptr) return enter_trot(now);
   if (walk_ == nullptr) {
     sentence_ = no_walk_.c_str();
     return;
@@ -102,9 +110,14 @@ void Modes::enter_walk(const Moment& now) noexcept {
 }
 
 void Modes::leave_walk(const ModeRequest& next, bool at_once, bool tidy) noexcept {
-  if (at_once && !(leaving_ && tidy)) walk_->halt();
-  walk_->want(Eigen::Vector3d::Zero());
-  if (tidy && !leaving_) walk_->square();
+  if (on_four_) {
+    quadruped_->walk(false);
+    if (at_once) quadruped_->halt();
+  } else {
+    if (at_once && !(leaving_ && tidy)) walk_->halt();
+    walk_->want(Eigen::Vector3d::Zero());
+    if (tidy && !leaving_) walk_->square();
+  }
   next_ = next;
   leaving_ = true;
 }
@@ -113,7 +126,7 @@ void Modes::start(Mode first, const Moment& now) noexcept {
   mode_ = Mode::kNone;
   forget_pose();
   bracing_ = false;
-  balancing_ = walking_ = leaving_ = false;
+  let_legs_go();
   if (balance_ != nullptr) balance_->forget();
   enter(first, now);
 }
@@ -121,11 +134,12 @@ void Modes::start(Mode first, const Moment& now) noexcept {
 void Modes::rebase() noexcept {
   if (balancing_) balance_->rebase();
   if (walking_) walk_->rebase();
+  if (on_four_) quadruped_->rebase();
 }
 
 // Hold keeps the set-points, brought to rest; at_measured starts from where the joints are instead.
 void Modes::enter_hold(const Moment& now, bool at_measured) noexcept {
-  balancing_ = walking_ = leaving_ = false;
+  let_legs_go();
   if (at_measured || now.last == nullptr) {
     posture_.rest(now.state.q);
   } else {
@@ -136,14 +150,14 @@ void Modes::enter_hold(const Moment& now, bool at_measured) noexcept {
 void Modes::enter_balance(const Moment& now) noexcept {
   if (!may_balance(now)) {
     sentence_ =
-        balance_ == nullptr
-            ? "this robot cannot balance: it needs a free base and two six-joint legs with soles"
-            : "balance needs an upright robot with both soles on the ground; holding instead";
+        balance_ == nullptr && quadruped_ == nullptr
+            ? "this robot cannot balance: it needs a free base, and two six-joint legs with soles or four legs with point feet"
+            : "balance needs an upright robot with its feet on the ground; holding instead";
     enter_hold(now, false);
     mode_ = Mode::kHold;
     return;
   }
-  if (!balancing_) {
+  if (!balancing_ && !on_four_) {
     if (mode_ == Mode::kIdle || mode_ == Mode::kNone || now.last == nullptr)
       posture_.rest(now.state.q);
     begin_balance(now);
@@ -156,7 +170,7 @@ void Modes::enter(Mode next, const Moment& now) noexcept {
   switch (next) {
     case Mode::kIdle:
       arm_.drop();
-      balancing_ = walking_ = leaving_ = false;
+      let_legs_go();
       mode_ = Mode::kIdle;
       break;
     case Mode::kBalance:
@@ -171,7 +185,7 @@ void Modes::enter(Mode next, const Moment& now) noexcept {
 
 // Of a robot on its feet: the legs are told where to be, or nothing balances what the other joints do.
 const char* Modes::why_no_pose(const ModeRequest& request, const Moment& now) noexcept {
-  const bool balanced = (request.joint_mask & legs_) == 0 && (balancing_ || may_balance(now));
+  const bool balanced = (request.joint_mask & legs_) == 0 && (balancing_ || on_four_ || may_balance(now));
   if (pose_ == nullptr || !stands(now) || balanced) return nullptr;
   return pose_->why_not(now.estimator, now.last != nullptr ? now.last->q : now.state.q, request.q, request.joint_mask);
 }
@@ -197,9 +211,9 @@ void Modes::enter_pose(const ModeRequest& request, const Moment& now) noexcept {
   arm_.cancel();
   // Without legs in it, the legs balance what the others do, from hold too.
   const bool without_legs = (request.joint_mask & legs_) == 0;
-  if (!without_legs || !(balancing_ || may_balance(now))) {
+  if (!without_legs || !(balancing_ || on_four_ || may_balance(now))) {
     enter(Mode::kHold, now);
-  } else if (!balancing_) {
+  } else if (!balancing_ && !on_four_) {
     enter(Mode::kBalance, now);
   }
   mode_ = Mode::kPose;
@@ -209,6 +223,7 @@ void Modes::enter_pose(const ModeRequest& request, const Moment& now) noexcept {
 void Modes::request_motion(const ModeRequest& request, const Moment& now) noexcept {
   const auto amplitude = static_cast<double>(request.amplitude);
   const auto frequency = static_cast<double>(request.frequency);
+  if (on_four_) return quadruped_->request(request.motion, amplitude, frequency);
   // One that squats already was asked before, from where it stood.
   const bool from_standing = balance_->motion() == Motion::kNone && squat_ != nullptr;
   if (request.motion == Motion::kSquat && from_standing) {
@@ -247,7 +262,7 @@ void Modes::obey(const ModeRequest& request, const Moment& now) noexcept {
     }
     return;
   }
-  if (request.mode == Mode::kPose && !walking_) {
+  if (request.mode == Mode::kPose && !walks()) {
     if (const char* why = why_no_pose(request, now)) {
       sentence_ = why;
       return;
@@ -255,7 +270,7 @@ void Modes::obey(const ModeRequest& request, const Moment& now) noexcept {
   }
   const bool stand_first = request.mode == Mode::kHold || request.mode == Mode::kPose ||
                            request.mode == Mode::kBalance || request.mode == Mode::kStop;
-  if (walking_ && stand_first) {
+  if (walks() && stand_first) {
     const bool stop = request.mode == Mode::kStop;
     if (stop) arm_.cancel();
     return leave_walk(request, stop, !stop);
@@ -274,18 +289,21 @@ void Modes::obey(const ModeRequest& request, const Moment& now) noexcept {
       break;
     case Mode::kBalance:
       if (mode_ != Mode::kBalance) enter(Mode::kBalance, now);
-      if (balancing_) request_motion(request, now);
+      if (balancing_ || on_four_) request_motion(request, now);
       break;
     case Mode::kWalk:
-      if (!walking_) {
+      if (!walks()) {
         enter_walk(now);
       } else if (!stopping_) {
         leaving_ = false;
+        if (on_four_) quadruped_->walk(true);
       }
       break;
     case Mode::kStop:
       arm_.cancel();
-      if (balancing_) {
+      if (on_four_) {
+        quadruped_->stop_motion(kStopTime);
+      } else if (balancing_) {
         balance_->stop_motion(kStopTime);
       } else if (mode_ != Mode::kIdle) {
         enter(Mode::kHold, now);
@@ -306,8 +324,10 @@ bool Modes::follow_stop(StopKind asked, bool for_switch, bool plan_runs, const M
   if (balanced && !stopping_) {
     arm_.cancel();
     forget_pose();
-    if (walking_) {
+    if (walks()) {
       leave_walk({}, true, for_switch);
+    } else if (on_four_) {
+      quadruped_->stop_motion(kStopTime);
     } else if (balancing_) {
       balance_->stop_motion(kStopTime);
     } else if (mode_ != Mode::kIdle && !bracing_) {
@@ -317,7 +337,7 @@ bool Modes::follow_stop(StopKind asked, bool for_switch, bool plan_runs, const M
   }
   if (state.stop_kind != StopKind::kBalanced) {
     stopping_ = false;
-  } else if (balancing_ && balance_->resting() &&
+  } else if (on_four_ ? quadruped_->resting() : balancing_ && balance_->resting() &&
              now.estimator.support_margin(now.estimator.zmp()) > kSettledZmp) {
     stopping_ = false;
   }
@@ -332,28 +352,28 @@ bool Modes::follow_stop(StopKind asked, bool for_switch, bool plan_runs, const M
   // Nobody listens: follow the robot, so that the first command after the clear is where it is.
   posture_.rest(state.q);
   changed_ = false;
-  walking_ = leaving_ = false;
-  balancing_ = may_balance(now);
-  if (balancing_) balance_->start(now.estimator);
+  let_legs_go();
+  const bool balances = may_balance(now);
+  if (balances) begin_balance(now);
   if (!held_by_gate_) {
     mode_ = mode_before_stop_ == Mode::kIdle ? Mode::kIdle
-            : balancing_                     ? Mode::kBalance
+            : balances                       ? Mode::kBalance
                                              : Mode::kHold;
-    if (mode_ == Mode::kIdle) balancing_ = false;
+    if (mode_ == Mode::kIdle) let_legs_go();
   }
   return true;
 }
 
 PlannedMotion Modes::motion(const JointCommand& command) const noexcept {
   const std::int64_t all = model_.bus_count() >= 63 ? ~std::int64_t{0} : bit(model_.bus_count()) - 1;
-  const bool moves = walking_ || (balancing_ && !balance_->resting()) || posture_.moving() || arm_.moving();
+  const bool moves = walking_ || (balancing_ && !balance_->resting()) || (on_four_ && !quadruped_->resting()) || posture_.moving() || arm_.moving();
   return {.walk = walking_ ? walk_.get() : nullptr,
           .posture = posture_,
           .arm = arm_,
           .q_given = q_given_,
           .command = command,
           .joints = all,
-          .follow = balancing_ ? legs_ : 0,
+          .follow = measured(),
           .rests = !moves,
           .steered = mode_ != Mode::kIdle && mode_ != Mode::kNone && !bracing_ && !held_by_gate_};
 }
@@ -368,7 +388,7 @@ void Modes::watch_for_a_fall(const Moment& now) noexcept {
     if (brace_.over()) end_brace(now);
     return;
   }
-  if (!(balancing_ || walking_)) return;
+  if (!(balancing_ || walking_ || on_four_)) return;
   if (tilt(now.estimator) >= kFallenTilt) {
     looks_ahead_ = false;
     sentence_ = kHasFallen;
@@ -376,7 +396,8 @@ void Modes::watch_for_a_fall(const Moment& now) noexcept {
   } else if (Brace::is_lost(now.estimator)) {
     sentence_ = "the robot falls: it bends its knees, brings its arms before it and gives way";
     arm_.drop();
-    balancing_ = walking_ = leaving_ = looks_ahead_ = false;
+    let_legs_go();
+    looks_ahead_ = false;
     bracing_ = true;
     changed_ = false;  // a fall leaves no time to blend
     mode_ = Mode::kStop;
@@ -390,21 +411,6 @@ void Modes::end_brace(const Moment& now) noexcept {
   const bool stands = may_balance(now);
   sentence_ = stands ? "the robot did not fall: it balances again" : kHasFallen;
   enter(stands ? Mode::kBalance : Mode::kIdle, now);
-}
-
-void Modes::walk_steps(const StepList& list) noexcept {
-  if (!walking_ || leaving_ || stopping_) {
-    sentence_ = "footsteps are walked in mode walk; the robot stays where it is";
-    return;
-  }
-  if (const char* why = walk_->follow(list)) sentence_ = why;
-}
-
-void Modes::add_path(const ArmPathPiece& piece) noexcept {
-  const bool may_follow =
-      !(held_by_gate_ || stopping_ || bracing_ || mode_ == Mode::kIdle || mode_ == Mode::kNone);
-  if (!may_follow) return arm_.refuse(piece);
-  arm_.add(piece);
 }
 
 void Modes::damp(const RobotState& state, SetPoint& set_point) const noexcept {
@@ -429,7 +435,8 @@ void Modes::want(const Moment& now, std::int64_t mask, double dt, SetPoint& set_
   arm_refusal_ = arm_.refusal();
   if (mode_ == Mode::kIdle) return damp(now.state, set_point);
   if (bracing_) return brace_.update(now.estimator, posture_, dt, set_point);
-  if (leaving_ && walk_->resting()) {
+  if (leaving_ && (on_four_ ? quadruped_->resting() : walk_->resting())) {
+    leaving_ = false;
     const ModeRequest next = next_;
     enter(Mode::kBalance, now);
     obey(next, now);
@@ -443,7 +450,7 @@ void Modes::want(const Moment& now, std::int64_t mask, double dt, SetPoint& set_
     q_given_[j] = follower.mimic_multiplier * q_given_[follower.mimic] + follower.mimic_offset;
   }
   move_legs(now, dt);
-  const Eigen::VectorXd& tau = walking_ ? walk_->tau() : balancing_ ? balance_->tau() : tau_;
+  const Eigen::VectorXd& tau = walking_ ? walk_->tau() : balancing_ ? balance_->tau() : on_four_ ? quadruped_->tau() : tau_;
   set_point.kp = kp_;
   set_point.kd = kd_;
   for (int k = 0; k < n; ++k) {
@@ -451,45 +458,7 @@ void Modes::want(const Moment& now, std::int64_t mask, double dt, SetPoint& set_
     set_point.qd[at(k)] = posture_.qd(k);
     set_point.tau[at(k)] = tau[model_.bus_joints[at(k)]];
   }
-  for (int k = 0; k < n && (walking_ || balancing_); ++k) {
-    const auto i = at(k);
-    const int j = model_.bus_joints[i];
-    const bool leg = ((legs_ >> k) & 1) != 0;
-    if (leg) {
-      set_point.q[i] = walking_ ? walk_->q()[j] : balance_->q()[j];
-      set_point.qd[i] = walking_ ? walk_->qd()[j] : balance_->qd()[j];
-    }
-    if (!balancing_) continue;
-    if (leg) {
-      set_point.kp[i] = balance_->kp(j);
-      set_point.kd[i] = balance_->kd(j);
-    } else {
-      set_point.q[i] += balance_->offset(j);
-      set_point.qd[i] += balance_->offset_rate(j);
-    }
-  }
-}
-
-void Modes::move_legs(const Moment& now, double dt) noexcept {
-  if (walking_) {
-    const bool went_on = !walk_->stopped_by_ground();
-    walk_->update(now.estimator, q_given_, dt);
-    if (went_on && walk_->stopped_by_ground())
-      sentence_ = "the ground is not flat, and feet without force sensors do not turn with it: the robot stops";
-    if (walk_->finite()) return;
-    sentence_ = "the walking controller met a number that is not one; the robot stands";
-    enter(Mode::kBalance, now);
-  }
-  if (balancing_) {
-    balance_->update(now.estimator, dt);
-    if (balance_->finite()) return;
-    sentence_ = "the balance controller met a number that is not one; it starts again";
-    balance_->forget();
-    balance_->start(now.estimator);
-    balance_->update(now.estimator, dt);
-  } else {
-    static_torque_.solve(now.estimator, q_given_, tau_);
-  }
+  for (int k = 0; k < n && (walking_ || balancing_ || on_four_); ++k) set_legs(k, set_point);
 }
 
 }  // namespace twinbus

@@ -24,6 +24,8 @@
 #include "control/loop/fall_protection.h"
 #include "control/loop/pose_way.h"
 #include "control/loop/stop_planner.h"
+#include "control/quadruped/quadruped.h"
+#include "control/quadruped/quadruped_body.h"
 #include "control/walk/walk.h"
 #include "lcmtypes/msg/pieces.h"
 #include "lcmtypes/msg/requests.h"
@@ -60,10 +62,12 @@ class Modes {
   // Of the centre of mass, while balancing [m].
   void lean(const Eigen::Vector3d& offset) noexcept {
     if (balancing_) balance_->lean(offset);
+    if (on_four_) quadruped_->lean(offset);
   }
   // Velocity to walk at, while in mode walk: vx, vy, wz [m/s, m/s, rad/s].
   void walk(const Eigen::Vector3d& velocity) noexcept {
     if (walking_ && !leaving_ && !stopping_) walk_->want(velocity);
+    if (on_four_ && mode_ == Mode::kWalk && !leaving_ && !stopping_) quadruped_->want(velocity);
   }
   // Footsteps instead of a velocity; refused with a sentence.
   void walk_steps(const StepList& list) noexcept;
@@ -82,6 +86,13 @@ class Modes {
   const ArmFollow& arm() const noexcept { return arm_; }
   const Balance* balance() const noexcept { return balancing_ ? balance_.get() : nullptr; }
   const Walk* walk() const noexcept { return walking_ ? walk_.get() : nullptr; }
+  // Of a robot that stands on four point feet and is balanced; it may trot.
+  const Quadruped* quadruped() const noexcept { return on_four_ ? quadruped_.get() : nullptr; }
+  // What a walk that goes on may be asked for: vx, vy, wz; zero when there is none.
+  Eigen::Vector3d most_velocity() const noexcept {
+    if (walking_) return walk_->gait().most_velocity;
+    return on_four_ && mode_ == Mode::kWalk ? quadruped_->most_velocity() : Eigen::Vector3d::Zero();
+  }
   // Any walk of this robot, walking or not; null when it cannot.
   const Walk* any_walk() const noexcept { return walk_.get(); }
   // What moves the robot, for the stop plan behind a command.
@@ -95,7 +106,7 @@ class Modes {
   }
   bool stopping() const noexcept { return stopping_; }  // commands carry the flag
   // Bit per joint whose set-point is where it is measured.
-  std::int64_t measured() const noexcept { return balancing_ ? legs_ : 0; }
+  std::int64_t measured() const noexcept { return balancing_ || on_four_ ? legs_ : 0; }
 
  private:
   bool may_balance(const Moment& now) const noexcept;
@@ -111,6 +122,12 @@ class Modes {
   // Walks no more: once the robot stands, `next` is obeyed.  at_once: the shortest stop; tidy: the feet side by side.
   void leave_walk(const ModeRequest& next, bool at_once, bool tidy) noexcept;
   void begin_balance(const Moment& now) noexcept;
+  void find_four_legs();
+  void enter_trot(const Moment& now) noexcept;
+  bool walks() const noexcept { return walking_ || (on_four_ && mode_ == Mode::kWalk); }
+  // Neither balances nor walks.
+  void let_legs_go() noexcept { balancing_ = walking_ = on_four_ = leaving_ = false; }
+  void set_legs(int bus_joint, SetPoint& set_point) const noexcept;
   void request_motion(const ModeRequest& request, const Moment& now) noexcept;
   void end_brace(const Moment& now) noexcept;
   void move_legs(const Moment& now, double dt) noexcept;
@@ -124,6 +141,7 @@ class Modes {
   bool looks_ahead_ = false;  // along the way to asked_pose_, which begins when it is free
   ModeRequest asked_pose_;
   std::unique_ptr<Walk> walk_;         // null when the robot cannot
+  std::unique_ptr<Quadruped> quadruped_;  // null when the robot has no four legs with point feet
   std::string no_walk_;                // why not
   ModeRequest next_;                   // while leaving
   Posture posture_;
@@ -131,7 +149,7 @@ class Modes {
   Brace brace_;
   StaticTorque static_torque_;
   Mode mode_ = Mode::kNone, mode_before_stop_ = Mode::kNone;
-  bool balancing_ = false, walking_ = false, leaving_ = false, changed_ = false;
+  bool balancing_ = false, walking_ = false, on_four_ = false, leaving_ = false, changed_ = false;
   bool stopping_ = false, held_by_gate_ = false, bracing_ = false;
   std::int64_t legs_ = 0;          // bit per bus joint that balance and walking move
   std::vector<int> followers_;     // joints that mimic another

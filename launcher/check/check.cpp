@@ -17,6 +17,7 @@
 #include "launcher/check/subject.h"
 #include "launcher/check/trial.h"
 #include "launcher/check/walk_trial.h"
+#include "robot/estimation/point_legs.h"
 #include "robot/collision/loop_joints.h"
 #include "robot/description/link_points.h"
 #include "robot/description/load.h"
@@ -159,6 +160,12 @@ void print_limbs(const Model& model) {
                   model.links[at(hand.link)].name.c_str(), hand.joints.size());
     }
   }
+  if (stands_on_points(model)) {
+    const StandingFeet feet(model);
+    std::string names;
+    for (int foot = 0; foot < feet.count(); ++foot) names += (foot == 0 ? "" : ", ") + model.links[at(feet.link(foot))].name;
+    if (feet.count() > 0) std::printf("point feet: %s\n", names.c_str());
+  }
   for (const std::string& sensor : sensors(model)) std::printf("sensor: %s\n", sensor.c_str());
 }
 
@@ -224,7 +231,7 @@ void print(const Trial& trial) {
                   trial.stood ? "stands only" : "falls", trial.cannot_balance.c_str());
       return;
     }
-    std::printf("does not stand: %s.  Balance wants a free base and two legs of six joints, each with a sole%s\n",
+    std::printf("does not stand: %s.  Balance wants a free base, and two legs of six joints, each with a sole, or four legs of three%s\n",
                 trial.cannot_balance.c_str(), trial.arm ? ": this is an arm, and arm_hold and arm_reach are its scenes" : "");
     return;
   }
@@ -251,8 +258,8 @@ void print(const WalkTrial& walk) {
     std::printf("does not walk: %s\n", walk.why_not.c_str());
     return;
   }
-  std::printf("walks: %.2f m/s forward, steps of %.2f m, legs of %.2f m (%d walks in %.1f s)%s%s\n", walk.fastest,
-              walk.step, walk.leg, walk.runs, walk.cpu_s, walk.limit.empty() ? "" : "; faster: ", walk.limit.c_str());
+  std::printf("%s: %.2f m/s forward, steps of %.2f m, legs of %.2f m (%d walks in %.1f s)%s%s\n", walk.trots ? "trots" : "walks",
+              walk.fastest, walk.step, walk.leg, walk.runs, walk.cpu_s, walk.limit.empty() ? "" : "; faster: ", walk.limit.c_str());
 }
 
 void print(const char* title, const std::vector<Suspicion>& all) {

@@ -10,6 +10,7 @@
 #include "common/math/index.h"
 #include "control/balance/balance.h"
 #include "control/legs/leg_reach.h"
+#include "control/quadruped/trot_gait.h"
 #include "control/walk/footsteps.h"
 #include "launcher/run/judge_scene.h"
 #include "launcher/run/local_stack.h"
@@ -256,10 +257,36 @@ GaitChoice tuned(Search& search, const Gait& usual, double leg, double start, do
   return best;
 }
 
+WalkTrial find_trot(const Model& model, double patience) {
+  WalkTrial trial;
+  const double begin = cpu_seconds();
+  const QuadrupedBody body(model);
+  const TrotGait gait(body);
+  trial.leg = body.reach;
+  Search search(model, patience);
+  Found found = largest(search, {}, gait.most_velocity().x(), kShort);
+  const double speed = found.speed > 0.0 ? verified(search, {}, found.speed) : 0.0;
+  trial.runs = search.runs();
+  trial.cpu_s = cpu_seconds() - begin;
+  trial.limit = found.limit.empty() ? found.failure : found.failure + "; " + found.limit;
+  if (!(speed > 0.0)) {
+    trial.why_not = trial.limit.empty() ? "it does not trot at any speed" : trial.limit;
+    return trial;
+  }
+  trial.trots = true;
+  trial.fastest = std::floor(1e3 * kShare * speed) / 1e3;
+  trial.step = 0.5 * trial.fastest * gait.period();
+  GaitChoice choice;
+  choice.fastest = trial.fastest;
+  trial.walking = choice.text();
+  return trial;
+}
+
 }  // namespace
 
 WalkTrial find_walk(const Model& model, double patience) {
   WalkTrial trial;
+  if (why_no_quadruped(model) == nullptr) return find_trot(model, patience);
   if (const char* why = Balance::why_not(model)) {
     trial.why_not = why;
     return trial;

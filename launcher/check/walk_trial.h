@@ -15,10 +15,12 @@ struct WalkTrial {
   double step = 0.0;      // length of a step then [m]
   std::string limit;      // what ends it above that, in words
   std::string walking;    // entries of the map `walking` of robot.yaml that the search found, and `fastest`
+  bool trots = false;     // on four point feet
   int runs = 0;
   double cpu_s = 0.0;     // that all walks took [s]
 };
 
+// Four-legged robots trot, with one gait.  Others:
 // Walks forward at speeds found by bisection (5 s each), tries other gaits (step time, place of the zero-moment point, height),
 // walks 10 s with the better of the two and takes 85 % of that.  The robot's robot.yaml must have no `walking` of its own.
 // Tries nothing more after `patience` [s] of the processor's time.

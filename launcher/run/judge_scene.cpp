@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "control/balance/balance.h"
+#include "control/quadruped/quadruped_body.h"
 #include "lcmtypes/msg/labels.h"
 
 namespace twinbus {
@@ -15,6 +16,7 @@ namespace {
 
 constexpr double kDegrees = 57.29577951308232;
 constexpr double kEdgeShare = 0.25;                      // of a sole's length, from its edge
+constexpr double kTrotTilt = 6.0;                        // on four legs, at least [degrees]
 constexpr double kSoleLength = 220.0, kSoleWidth = 130.0;  // on which a margin is asked as the scene says [mm]
 
 std::string sentence(const char* format, double reached, double asked) {
@@ -145,8 +147,11 @@ bool walks(const Scene& scene) {
 
 std::string why_not_for(const Scene& scene, const Model& model) {
   if (walks(scene)) {
-    if (const char* why = Balance::why_not(model))
-      return std::string("it walks, which needs a free base and two legs of six joints with soles, and ") + why;
+    const char* why = Balance::why_not(model);
+    const bool four = why != nullptr && why_no_quadruped(model) == nullptr;
+    if (why != nullptr && !four)
+      return std::string("it walks, which needs a free base, and two legs of six joints with soles or four legs of three, and ") + why;
+    if (four && !scene.steps.empty()) return "it places the footsteps of two legs, and the robot has four";
   }
   for (const TimedGoal& timed : scene.goals) {
     const bool left = timed.goal.side == ArmSide::kLeft;
@@ -180,8 +185,11 @@ Criteria for_robot(Criteria criteria, const Model& model, bool walks) {
   if (model.soles[0].link < 0 && model.soles[1].link < 0) {  // nothing stands, so nothing of standing is asked
     for (double* asked :
          {&criteria.zmp_margin_min_mm, &criteria.slip_max_mm, &criteria.sole_tilt_max_deg, &criteria.zmp_margin_p5_mm,
-          &criteria.step_slip_max_mm, &criteria.force_rms_percent, &criteria.velocity_error_percent})
+          &criteria.step_slip_max_mm, &criteria.force_rms_percent})
       *asked = std::nan("");
+    if (!model.floating_base) criteria.velocity_error_percent = std::nan("");
+    // The trunk of a trotting robot rolls about the line of the two feet that stand.
+    if (model.floating_base && walks && criteria.max_tilt_deg < kTrotTilt) criteria.max_tilt_deg = kTrotTilt;
   }
   for (const Sole& sole : model.soles) {
     if (sole.link < 0) continue;
@@ -398,6 +406,10 @@ std::string scene_figures(const OneProcess& run, const Criteria& asked) {
                   "swings with a period of %.4f s and a decay of %.3f /s; the linear model says "
                   "%.4f s and %.3f /s\n",
                   seen->period, seen->decay, expected.period, expected.decay);
+    lines += text;
+  }
+  if (w.steps() == 0 && std::isfinite(w.velocity_error())) {  // on points: no sole lands
+    std::snprintf(text, sizeof text, "velocity error %.1f %%, ended %.2f m from its start\n", 1e2 * w.velocity_error(), w.travel());
     lines += text;
   }
   if (w.steps() == 0) return lines;

@@ -8,6 +8,7 @@
 #include "robot/dynamics/inverse_dynamics.h"
 #include "common/math/index.h"
 #include "common/math/pose_math.h"
+#include "robot/estimation/point_legs.h"
 #include "robot/estimation/sole_contact.h"
 
 namespace twinbus {
@@ -44,11 +45,13 @@ Estimator::Estimator(const Model& model)
   for (std::size_t j = 0; j < needed.size(); ++j) {
     if (needed[j]) seen_joints_.push_back(static_cast<int>(j));
   }
+  if (stands_on_points(model)) odometry_.emplace(model);
   reset();
 }
 
 void Estimator::reset() noexcept {
   started_ = resumed_ = false;
+  if (odometry_) odometry_->reset();
   attitude_.reset();
   imu_velocity_.setZero();
   loaded_ = {};
@@ -77,6 +80,7 @@ void Estimator::resume(const std::array<bool, 2>& stands, const std::array<Eigen
 }
 
 void Estimator::update(const RobotState& state, bool again) noexcept {
+  if (odometry_) return follow_points(state, again);
   const bool start = !started_;
   const bool switched = started_ && state.run_id != run_id_;
   run_id_ = state.run_id;
@@ -343,6 +347,40 @@ void Estimator::finish() noexcept {
     ground_.translation() = 0.5 * (sole_[0].translation() + sole_[1].translation());
     ground_.translation().z() = 0.0;
   }
+}
+
+// Where the feet that stand are at rest.  A tick that was seen, of another robot, tells of its joints alone.
+void Estimator::follow_points(const RobotState& state, bool again) noexcept {
+  if (!again) odometry_->update(state);
+  set_joints(*model_, state, configuration_);
+  const Estimate& e = odometry_->estimate();
+  configuration_.base.linear() = quaternion_from_array(e.base_attitude).toRotationMatrix();
+  configuration_.base.translation() << e.base_position[0], e.base_position[1], e.base_position[2];
+  configuration_.base_velocity = vector_from_array(e.base_velocity);
+  configuration_.base_angular_velocity = vector_from_array(e.base_angular_velocity);
+  kinematics_.update(configuration_);
+  support_.clear();
+  const StandingFeet& feet = odometry_->feet();
+  double load = 0.0;
+  Eigen::Vector2d pressed = Eigen::Vector2d::Zero();
+  bool any = false;
+  for (int foot = 0; foot < feet.count(); ++foot) {
+    if (!feet.stands(foot)) continue;
+    const Eigen::Vector2d place = (configuration_.base * feet.point(foot)).head<2>();
+    support_.add(place);
+    any = true;
+    load += std::max(0.0, feet.load(foot));
+    pressed += std::max(0.0, feet.load(foot)) * place;
+  }
+  support_.finish();
+  loaded_ = {any, any};
+  zmp_ << (load > 0.0 ? Eigen::Vector2d(pressed / load) : Eigen::Vector2d(kinematics_.com().head<2>())), 0.0;
+  ground_ = upright(configuration_.base);
+  ground_.translation().z() = 0.0;
+  const double period = model_->period();
+  dt_ = period;
+  started_ = true;
+  follow_dcm();
 }
 
 // Begins at rest, for one reading of the joints is noise.  Another source goes on with it: its robot moves as the last

@@ -8,8 +8,10 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <optional>
 
 #include "robot/estimation/attitude_filter.h"
+#include "robot/estimation/inertial_leg_odometry.h"
 #include "robot/kinematics/kinematics.h"
 #include "robot/description/model.h"
 #include "lcmtypes/msg/robot_io.h"
@@ -47,6 +49,9 @@ class Estimator {
     return sole_[static_cast<std::size_t>(foot)];
   }
   const Eigen::Isometry3d& ground_in_world() const noexcept { return ground_; }
+  // The feet of a robot that stands on points (point_legs.h); null: on soles.  Its base is where inertial_leg_odometry says, the
+  // ground frame is below the base, and both sides count as loaded while any foot stands.
+  const StandingFeet* feet() const noexcept { return odometry_ ? &odometry_->feet() : nullptr; }
   // Force and torque on a sole about its sole frame's origin, in world [N, N m]; zero when not
   // measured.
   const Eigen::Vector3d& sole_force(int foot) const noexcept {
@@ -95,9 +100,11 @@ class Estimator {
   void place_base(bool start, bool switched) noexcept;
   void move_base() noexcept;
   void finish() noexcept;
+  void follow_points(const RobotState& state, bool again) noexcept;
   void follow_dcm() noexcept;
 
   const Model* model_;
+  std::optional<InertialLegOdometry> odometry_;  // of a robot that stands on points
   double weight_force_;  // of the whole robot [N]
   Configuration configuration_;
   Kinematics kinematics_;

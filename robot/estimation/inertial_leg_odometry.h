@@ -36,6 +36,7 @@ class InertialLegOdometry {
   void update(const RobotState& state) noexcept;
 
   const Estimate& estimate() const noexcept { return estimate_; }  // of the last state
+  const StandingFeet& feet() const noexcept { return feet_; }
 
  private:
   void look(const RobotState& state) noexcept;

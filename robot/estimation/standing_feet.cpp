@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 #include "common/math/index.h"
 #include "common/math/pose_math.h"
+#include "robot/description/link_points.h"
 #include "robot/dynamics/inverse_dynamics.h"
 
 namespace twinbus {
@@ -28,6 +30,7 @@ constexpr double kSameHeight = 0.005;    // of feet that stand, without forces a
 constexpr double kAsLow = 0.15;          // a limb is a leg if it reaches as low as the soles but for this share of their depth
 constexpr double kNoTorque = 1e-6;       // of the weight times a metre: nothing measures torques
 constexpr double kMomentArm = 0.1;       // of the moment on a sole, as likely as its force at that arm [m]
+constexpr int kDirections = 64;          // in which corners of a mesh are sought
 constexpr std::size_t kMostChain = 12;   // joints of a limb that are looked at
 
 double ramp(double x, const Shares& s) noexcept { return std::clamp((x - s.nothing) / (s.sure - s.nothing), 0.0, 1.0); }
@@ -101,6 +104,8 @@ void StandingFeet::add_foot(const Model& model, int link, int limb) {
       } else if (shape.kind == ShapeKind::kCylinder) {
         const double half = std::max(0.0, 0.5 * size.y() - size.x());
         for (const double z : {half, -half}) foot.balls.push_back({shape.pose * Eigen::Vector3d(0.0, 0.0, z), size.x()});
+      } else if (model.soles[0].link < 0 && model.soles[1].link < 0) {
+        add_corners(shape, foot);
       }
     }
   }
@@ -109,6 +114,28 @@ void StandingFeet::add_foot(const Model& model, int link, int limb) {
     if (foot.bus_joint < 0) foot.bus_joint = model.bus_index[at(l - 1)];
   }
   feet_.push_back(foot);
+}
+
+// Of a mesh, those that are farthest out in any direction.
+void StandingFeet::add_corners(const Shape& shape, Foot& foot) {
+  std::vector<Eigen::Vector3d> points;
+  try {
+    add_points(shape, points);
+  } catch (const std::runtime_error&) {  // check says so
+    return;
+  }
+  std::vector<std::size_t> taken;
+  for (int i = 0; i < kDirections && !points.empty(); ++i) {
+    // Evenly over the sphere, along a spiral.
+    const double z = 1.0 - (2.0 * i + 1.0) / kDirections, angle = 2.399963229728653 * i;
+    const double r = std::sqrt(1.0 - z * z);
+    const Eigen::Vector3d way(r * std::cos(angle), r * std::sin(angle), z);
+    std::size_t best = 0;
+    for (std::size_t k = 1; k < points.size(); ++k) best = way.dot(points[k]) > way.dot(points[best]) ? k : best;
+    if (std::find(taken.begin(), taken.end(), best) != taken.end()) continue;
+    taken.push_back(best);
+    foot.balls.push_back({points[best], 0.0});
+  }
 }
 
 void StandingFeet::reset() noexcept {
@@ -124,7 +151,12 @@ void StandingFeet::find_point(const Kinematics& kinematics, const Eigen::Matrix3
   const Eigen::Isometry3d& pose = kinematics.link_in_world(foot.link);
   const Eigen::Vector3d up = base.row(2).transpose();
   foot.lowest = std::numeric_limits<double>::infinity();
-  for (const Ball& ball : foot.balls) foot.lowest = std::min(foot.lowest, up.dot(pose * ball.centre) - ball.radius);
+  for (const Ball& ball : foot.balls) {
+    const double low = up.dot(pose * ball.centre) - ball.radius;
+    if (!(low < foot.lowest)) continue;
+    foot.lowest = low;
+    foot.radius = ball.radius;
+  }
   if (foot.balls.empty()) foot.lowest = 0.0;
   double sum = 0.0;
   foot.point.setZero();
@@ -192,6 +224,10 @@ void StandingFeet::weigh(const RobotState& state, const Kinematics& kinematics, 
   if (!found.allFinite()) return;
   const double load = base.row(2).dot(found.head<3>()) / weight_force_;
   foot.load += dt / (dt + kTorqueFilter) * (load - foot.load);
+}
+
+void StandingFeet::place(const Kinematics& kinematics, const Eigen::Matrix3d& base) noexcept {
+  for (Foot& foot : feet_) find_point(kinematics, base, foot);
 }
 
 void StandingFeet::update(const RobotState& state, const Kinematics& kinematics, const Eigen::Matrix3d& base,

@@ -30,12 +30,19 @@ class StandingFeet {
   void update(const RobotState& state, const Kinematics& kinematics, const Eigen::Matrix3d& base, const Eigen::Vector3d& felt,
               double dt) noexcept;
 
+  // Points and heights alone, of any posture and any placing of the base; loads stay as they are.
+  void place(const Kinematics& kinematics, const Eigen::Matrix3d& base) noexcept;
+
   int count() const noexcept { return static_cast<int>(feet_.size()); }
   int link(int foot) const noexcept { return feet_[static_cast<std::size_t>(foot)].link; }
   // Index on the bus of the last joint before the foot; -1 none.
   int bus_joint(int foot) const noexcept { return feet_[static_cast<std::size_t>(foot)].bus_joint; }
   // Where the ground presses, axes of the base, from its origin [m].
   const Eigen::Vector3d& point(int foot) const noexcept { return feet_[static_cast<std::size_t>(foot)].point; }
+  // Of the ball that touches there, 0: a corner [m].  The ball rolls: its centre, as much above the point, stays in the link.
+  double radius(int foot) const noexcept { return feet_[static_cast<std::size_t>(foot)].radius; }
+  // Joints between the base and the foot, the last first.
+  const std::vector<int>& chain(int foot) const noexcept { return feet_[static_cast<std::size_t>(foot)].chain; }
   double load(int foot) const noexcept { return feet_[static_cast<std::size_t>(foot)].load; }  // share of the weight
   double certainty(int foot) const noexcept { return feet_[static_cast<std::size_t>(foot)].certainty; }
   bool stands(int foot) const noexcept { return feet_[static_cast<std::size_t>(foot)].stands; }
@@ -55,12 +62,14 @@ class StandingFeet {
     std::vector<Ball> balls;  // what can touch the ground
     std::vector<int> chain;   // joints before it, the last first
     Eigen::Vector3d point = Eigen::Vector3d::Zero();
+    double radius = 0.0;  // of the lowest ball [m]
     double lowest = 0.0;  // of it, in the frame with z up [m]
     double load = 0.0, certainty = 0.0;
     bool stands = false;
   };
 
   void add_foot(const Model& model, int link, int limb);
+  static void add_corners(const Shape& shape, Foot& foot);
   void find_point(const Kinematics& kinematics, const Eigen::Matrix3d& base, Foot& foot) const noexcept;
   bool measure(const RobotState& state, const Kinematics& kinematics, const Eigen::Matrix3d& base, Foot& foot) const noexcept;
   void weigh(const RobotState& state, const Kinematics& kinematics, const Eigen::Matrix3d& base, const Eigen::Vector3d& felt,

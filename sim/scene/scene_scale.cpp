@@ -7,6 +7,7 @@
 #include "common/math/index.h"
 #include "robot/description/load.h"
 #include "robot/description/walking_config.h"
+#include "robot/estimation/point_legs.h"
 #include "robot/kinematics/kinematics.h"
 
 namespace twinbus {
@@ -34,6 +35,11 @@ void scale_steps(Scene& scene, const Model& model, double length) {
 }  // namespace
 
 double leg_length_of(const Model& model) {
+  if (stands_on_points(model)) {
+    const StandingFeet feet(model);
+    const std::optional<FourLegs> legs = four_legs(model, feet);
+    return legs ? leg_length(model, legs->front(), feet) : 0.0;
+  }
   if (model.soles[0].link < 0 || model.soles[1].link < 0) return 0.0;
   Configuration c(model);
   Kinematics k(model);
@@ -54,7 +60,8 @@ void scale_between(Scene& scene, const Model& own, const Model& model) {
   const double fastest = walking_of(model).fastest;
   if (fastest > 0.0 && most > 0.0) speed = std::min(speed, kOfFastest * fastest / most);
   const double mass = std::min(1.0, model.total_mass() / own.total_mass());
-  const double support = std::min({1.0, std::sqrt(length), sole_length(model) / sole_length(own) / std::sqrt(length)});
+  double support = std::min(1.0, std::sqrt(length));  // four feet stand farther apart than soles are long
+  if (!stands_on_points(model)) support = std::min(support, sole_length(model) / sole_length(own) / std::sqrt(length));
   for (TimedWalk& walk : scene.walks) {
     walk.command.vx *= static_cast<float>(speed);
     walk.command.vy *= static_cast<float>(speed);

@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <cmath>
 
+#include "robot/estimation/point_legs.h"
 #include "robot/dynamics/inverse_dynamics.h"
 #include "sim/world/world.h"
 
@@ -67,9 +68,16 @@ void place_on_ground(const Model& model, Kinematics& kinematics, Configuration& 
 }
 
 // Torques that hold the links against gravity and the normal forces at the corners.
+struct PointLoad {
+  int link;
+  Eigen::Vector3d point;  // world [m]
+  double normal;          // [N]
+};
+
 Eigen::VectorXd static_torques(const Model& model, const Kinematics& kinematics, double mass_scale,
                                const Corners& corners,
-                               const std::array<std::array<double, 4>, 2>& force) {
+                               const std::array<std::array<double, 4>, 2>& force,
+                               const std::vector<PointLoad>& points) {
   const auto links = model.links.size();
   std::vector<Eigen::Vector3d> sum(links),
       moment(links);  // on the link and all beyond it, about the world origin
@@ -86,6 +94,12 @@ Eigen::VectorXd static_torques(const Model& model, const Kinematics& kinematics,
         moment[i] += corners[side][c].cross(f);
       }
     }
+    for (const PointLoad& load : points) {
+      if (load.link != static_cast<int>(i)) continue;
+      const Eigen::Vector3d f(0.0, 0.0, load.normal);
+      sum[i] += f;
+      moment[i] += load.point.cross(f);
+    }
   }
   Eigen::VectorXd tau = Eigen::VectorXd::Zero(model.joint_count());
   for (std::size_t i = links; i-- > 1;) {
@@ -99,6 +113,46 @@ Eigen::VectorXd static_torques(const Model& model, const Kinematics& kinematics,
     moment[static_cast<std::size_t>(joint.parent)] += moment[i];
   }
   return tau;
+}
+
+// Of a robot that stands on points: they come to lie on the ground, as deep as their share of the weight presses them in, their
+// middle at the origin.  Normal forces are the smallest that carry the weight; empty when it stands on fewer than three, or the
+// centre of mass is not above them.
+std::vector<PointLoad> place_on_points(const Model& model, double weight, Kinematics& kinematics, Configuration& configuration) {
+  StandingFeet feet(model);
+  const auto count = static_cast<Eigen::Index>(feet.count());
+  if (count < 3) return {};
+  configuration.base = Eigen::Isometry3d::Identity();
+  Eigen::Matrix<double, 3, Eigen::Dynamic> point(3, count);
+  for (int pass = 0; pass < 5; ++pass) {  // a ball that turns touches elsewhere
+    kinematics.update(configuration);
+    Eigen::Isometry3d still = Eigen::Isometry3d::Identity();
+    feet.place(kinematics, still.linear());
+    for (Eigen::Index i = 0; i < count; ++i) point.col(i) = feet.point(static_cast<int>(i));
+    const Eigen::Vector3d middle = point.rowwise().mean();
+    const Eigen::Matrix3d spread = (point.colwise() - middle) * (point.colwise() - middle).transpose();
+    Eigen::Vector3d up = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors().col(0);
+    if (up.z() < 0.0) up = -up;
+    configuration.base.prerotate(Eigen::Quaterniond::FromTwoVectors(up, Eigen::Vector3d::UnitZ()));
+  }
+  kinematics.update(configuration);
+  feet.place(kinematics, Eigen::Matrix3d::Identity());
+  for (Eigen::Index i = 0; i < count; ++i) point.col(i) = feet.point(static_cast<int>(i));
+  const Eigen::Vector3d middle = point.rowwise().mean();
+  Eigen::Matrix<double, 3, Eigen::Dynamic> arm(3, count);
+  for (Eigen::Index i = 0; i < count; ++i) arm.col(i) << 1.0, point(0, i) - kinematics.com().x(), point(1, i) - kinematics.com().y();
+  const Eigen::Matrix3d square = arm * arm.transpose();
+  const Eigen::VectorXd normal = arm.transpose() * square.ldlt().solve(Eigen::Vector3d(weight, 0.0, 0.0));
+  const double depth = weight / (static_cast<double>(count) * kLinkStiffness);
+  configuration.base.pretranslate(Eigen::Vector3d(-middle.x(), -middle.y(), -middle.z() - depth));
+  kinematics.update(configuration);
+  std::vector<PointLoad> loads;
+  if (!normal.allFinite() || normal.minCoeff() < 0.0) return loads;
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Eigen::Vector3d placed = point.col(i) + Eigen::Vector3d(-middle.x(), -middle.y(), -middle.z() - depth);
+    loads.push_back({feet.link(static_cast<int>(i)), placed, normal[i]});
+  }
+  return loads;
 }
 
 }  // namespace
@@ -116,7 +170,11 @@ Standing stand(const Model& model, const Eigen::VectorXd& q, double mass_scale,
   const bool has_feet = model.soles[0].link >= 0 || model.soles[1].link >= 0;
   const double weight = mass_scale * kinematics.mass() * kGravity;
 
-  if (fixed_base || !has_feet) {
+  std::vector<PointLoad> points;
+  if (!fixed_base && !has_feet && stands_on_points(model)) points = place_on_points(model, weight, kinematics, configuration);
+  if (!points.empty()) {
+    result.balanced = true;
+  } else if (fixed_base || !has_feet) {
     if (has_feet) configuration.base.pretranslate(Eigen::Vector3d(0.0, 0.0, kHang));
     kinematics.update(configuration);
     result.balanced = fixed_base;
@@ -167,7 +225,7 @@ Standing stand(const Model& model, const Eigen::VectorXd& q, double mass_scale,
       }
     }
   }
-  result.tau = static_torques(model, kinematics, mass_scale, corners, result.corner_force);
+  result.tau = static_torques(model, kinematics, mass_scale, corners, result.corner_force, points);
   result.needed = result.tau;
   for (Eigen::Index j = 0; j < result.tau.size(); ++j) {
     const double limit = model.joints[static_cast<std::size_t>(j)].effort;

@@ -1,0 +1,85 @@
+#include "control/quadruped/point_force_share.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+
+#include "common/math/pose_math.h"
+
+namespace twinbus {
+
+namespace {
+// How much a share of the weight that is missing costs, level and upright, and a moment likewise about x and y, and about z.
+constexpr double kLevel = 1.0, kUp = 4.0, kTilt = 6.0, kTurn = 1.0;
+constexpr double kEffort = 2e-3;  // of the forces themselves
+constexpr double kPenalty = 0.3;  // of ADMM
+}  // namespace
+
+Eigen::Vector3d within_cone(const Eigen::Vector3d& force, double friction, double most) noexcept {
+  if (!(most > 0.0)) return Eigen::Vector3d::Zero();
+  const double across = force.head<2>().norm();
+  Eigen::Vector3d inside = force;
+  if (across > friction * force.z()) {
+    if (friction * across <= -force.z()) return Eigen::Vector3d::Zero();
+    const double up = (force.z() + friction * across) / (1.0 + friction * friction);
+    inside.z() = up;
+    inside.head<2>() *= friction * up / across;
+  }
+  if (inside.z() > most) {
+    inside.z() = most;
+    const double left = force.head<2>().norm();
+    inside.head<2>() = left > friction * most ? Eigen::Vector2d(force.head<2>() * (friction * most / left)) : Eigen::Vector2d(force.head<2>());
+  }
+  return inside;
+}
+
+PointForceShare::PointForceShare(double weight, double length, double friction) noexcept
+    : weight_(weight), length_(length), friction_(friction) {
+  reset();
+}
+
+void PointForceShare::reset() noexcept {
+  shared_.setZero();
+  price_.setZero();
+  force_.fill(Eigen::Vector3d::Zero());
+}
+
+const PointForces& PointForceShare::solve(const std::array<PointFoot, kPointFeet>& feet, const TrunkWrench& wanted,
+                                          int rounds) noexcept {
+  Eigen::Matrix<double, 6, 3 * kPointFeet> map;
+  for (std::size_t i = 0; i < kPointFeet; ++i) {
+    const auto column = static_cast<Eigen::Index>(3 * i);
+    map.block<3, 3>(0, column).setIdentity();
+    map.block<3, 3>(3, column) = skew(feet[i].arm / length_);
+  }
+  Eigen::Matrix<double, 6, 1> cost, asked;
+  cost << kLevel, kLevel, kUp, kTilt, kTilt, kTurn;
+  asked << wanted.force / weight_, wanted.moment / (weight_ * length_);
+  Eigen::Matrix<double, 12, 12> system = map.transpose() * cost.asDiagonal() * map;
+  system.diagonal().array() += kEffort + kPenalty;
+  const Eigen::LLT<Eigen::Matrix<double, 12, 12>> solver(system);
+  const Vector12 pull = map.transpose() * cost.cwiseProduct(asked);
+  for (int round = 0; round < rounds; ++round) {
+    const Vector12 free = solver.solve(pull + kPenalty * (shared_ - price_));
+    for (std::size_t i = 0; i < kPointFeet; ++i) {
+      const auto row = static_cast<Eigen::Index>(3 * i);
+      const Eigen::Vector3d wish = free.segment<3>(row) + price_.segment<3>(row);
+      const Eigen::Vector3d inside = within_cone(wish, friction_, feet[i].most / weight_);
+      shared_.segment<3>(row) = inside;
+      price_.segment<3>(row) = wish - inside;
+    }
+  }
+  if (!shared_.allFinite() || !price_.allFinite()) reset();
+  for (std::size_t i = 0; i < kPointFeet; ++i) force_[i] = weight_ * shared_.segment<3>(static_cast<Eigen::Index>(3 * i));
+  return force_;
+}
+
+TrunkWrench PointForceShare::reached(const std::array<PointFoot, kPointFeet>& feet) const noexcept {
+  TrunkWrench sum;
+  for (std::size_t i = 0; i < kPointFeet; ++i) {
+    sum.force += force_[i];
+    sum.moment += feet[i].arm.cross(force_[i]);
+  }
+  return sum;
+}
+
+}  // namespace twinbus

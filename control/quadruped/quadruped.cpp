@@ -1,0 +1,369 @@
+#include "control/quadruped/quadruped.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+
+#include "common/math/index.h"
+#include "common/math/pose_math.h"
+
+namespace twinbus {
+
+namespace {
+// Natural frequencies in those of the pendulum, damping ratios.
+constexpr double kUp = 2.2, kUpDamping = 0.9;
+constexpr double kTurn = 2.6, kTurnDamping = 0.8;
+constexpr double kLevel = 1.3, kLevelDamping = 0.9;
+constexpr double kTrotLevel = 0.5, kTrotRate = 2.0;  // the second: of the velocity alone, in frequencies of the pendulum
+constexpr double kFriction = 0.5;     // that feet count on
+constexpr double kMostForce = 1.2;    // of a foot, in weights
+constexpr double kRamp = 0.03;        // of the force of a foot that has come down or is about to leave [s]
+constexpr double kStanceKp = 0.15, kStanceKd = 0.4, kSwingKp = 1.0, kSwingKd = 1.0;  // of the gains of robot.yaml
+constexpr double kOmegaFilter = 0.004;  // [s]
+constexpr double kFollowStep = 0.2, kFollowStand = 2.0;  // an anchor follows its foot in so long [s]
+constexpr double kSettle = 0.6;       // from where it is to where it stands [s]
+constexpr double kSpeedUp = 0.12, kBrake = 0.3;  // of g
+constexpr double kLeash = 0.15;       // of the height: so far is the reference of a walk from the robot
+constexpr double kCaught = 0.85;      // of the half length and width: the capture point is beyond, it steps
+constexpr double kBelow = 0.02;       // of the height: a foot is sent so far below the ground, to meet it
+constexpr double kNear = 0.12;        // of the height: feet that are so near to their stance may rest
+constexpr double kSlow = 0.12;        // of sqrt(g h): so slow it may rest
+constexpr int kLastPeriods = 8;       // after which it rests all the same
+constexpr int kRounds = 40;           // of the force share
+constexpr double kDampedLeg = 0.03;   // of the reach: legs that are stretched are moved no faster than this
+constexpr double kFarthestWay = 0.12; // of a foot from its set-point [m]
+constexpr double kMayTilt = 0.35;     // [rad]
+constexpr double kRestSpeed = 0.03;   // [m/s]
+constexpr int kRestFeet = 3;
+
+int standing_feet(const Estimator& estimator) noexcept {
+  const StandingFeet* feet = estimator.feet();
+  int count = 0;
+  for (int foot = 0; feet != nullptr && foot < feet->count(); ++foot) count += feet->stands(foot) ? 1 : 0;
+  return count;
+}
+
+double smooth(double t) noexcept { return t * t * t * (10.0 + t * (-15.0 + 6.0 * t)); }
+double smooth_rate(double t) noexcept { return 30.0 * t * t * (1.0 - t) * (1.0 - t); }
+}  // namespace
+
+Quadruped::Quadruped(const Model& model)
+    : model_(&model),
+      body_(model),
+      gait_(body_),
+      share_(body_.mass * kGravity, 0.5 * (body_.length + body_.width), kFriction),
+      dynamics_(model),
+      most_(gait_.most_velocity()),
+      q_(Eigen::VectorXd::Zero(model.joint_count())),
+      qd_(q_),
+      qdd_(q_),
+      tau_(q_),
+      kp_(q_),
+      kd_(q_),
+      leg_kp_(q_),
+      leg_kd_(q_),
+      leg_(model.joints.size(), false),
+      wrench_(4) {
+  forces_.fill(Eigen::Vector3d::Zero());
+  for (std::size_t i = 0; i < 4; ++i) {
+    wrench_[i].link = body_.legs[i].link;
+    for (const int j : body_.legs[i].joints) {
+      leg_[at(j)] = true;
+      leg_kp_[j] = model.joints[at(j)].kp;
+      leg_kd_[j] = model.joints[at(j)].kd;
+    }
+  }
+}
+
+bool Quadruped::may_start(const Estimator& estimator) noexcept {
+  return standing_feet(estimator) >= kRestFeet &&
+         std::acos(std::clamp(estimator.configuration().base.linear()(2, 2), -1.0, 1.0)) < kMayTilt;
+}
+
+bool Quadruped::stands(const Estimator& estimator) noexcept { return standing_feet(estimator) > 0; }
+
+void Quadruped::limit(double fastest) noexcept {
+  if (!(fastest > 0.0)) return;
+  most_ = gait_.most_velocity();
+  const double share = fastest / most_.x();
+  most_.x() = fastest;
+  most_.y() *= std::min(1.0, share);
+  most_.z() *= std::min(1.0, share);
+}
+
+void Quadruped::start(const Estimator& estimator) noexcept {
+  fresh_ = true;
+  measure(estimator, 0.0);
+  walks_ = halts_ = false;
+  wanted_.setZero();
+  velocity_wanted_.setZero();
+  gait_.rest();
+  share_.reset();
+  for (Leg& leg : legs_) {
+    leg.anchor = leg.target = leg.point;
+    leg.swings = false;
+  }
+  yaw_reference_ = yaw_;
+  stand_still();
+  first_turn_ = rotation_vector(rotation_z(-yaw_) * base_);
+  first_turn_.z() = 0.0;
+  first_.rest(1.0);
+  first_.aim(0.0, kSettle);
+  finite_ = true;
+}
+
+// Where the centre of mass belongs above feet as they stand, on the ground, and their heading.
+Eigen::Vector3d Quadruped::home(double& yaw) const noexcept {
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  Eigen::Vector2d stance = Eigen::Vector2d::Zero();
+  double along = 0.0, across = 0.0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    middle += 0.25 * legs_[i].anchor;
+    stance += 0.25 * body_.stance[i];
+  }
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Eigen::Vector2d a = body_.stance[i] - stance;
+    const Eigen::Vector2d b = (legs_[i].anchor - middle).head<2>();
+    along += a.dot(b);
+    across += a.x() * b.y() - a.y() * b.x();
+  }
+  yaw = std::atan2(across, along);
+  middle.head<2>() -= Eigen::Rotation2Dd(yaw) * stance;
+  return middle;
+}
+
+// Its feet stay where they are: from here the centre of mass goes home.
+void Quadruped::stand_still() noexcept {
+  double yaw = 0.0;
+  const Eigen::Vector3d middle = home(yaw);
+  const Eigen::Matrix3d to_feet = rotation_z(-yaw);
+  motion_.start({0.0, 0.0, body_.height}, to_feet * (com_ - middle), to_feet * velocity_, kSettle);
+  height_.rest(com_.z() - middle.z());
+}
+
+void Quadruped::walk(bool on) noexcept {
+  walks_ = on;
+  if (on) halts_ = false;
+  if (!on) wanted_.setZero();
+}
+
+void Quadruped::want(const Eigen::Vector3d& velocity) noexcept {
+  if (!walks_ || halts_ || !velocity.allFinite()) return;
+  // Within an ellipse: all at once is slower in each.
+  const double share = velocity.cwiseQuotient(most_).norm();
+  wanted_ = share > 1.0 ? Eigen::Vector3d(velocity / share) : velocity;
+}
+
+void Quadruped::halt() noexcept {
+  halts_ = true;
+  wanted_.setZero();
+  motion_.stop(kSettle);
+}
+
+bool Quadruped::resting() const noexcept {
+  return !gait_.steps() && motion_.resting() && velocity_.head<2>().norm() < kRestSpeed;
+}
+
+void Quadruped::measure(const Estimator& estimator, double dt) noexcept {
+  const Configuration& now = estimator.configuration();
+  base_ = now.base.linear();
+  yaw_ = yaw_of(base_);
+  com_ = estimator.kinematics().com();
+  const double share = fresh_ ? 1.0 : dt / (dt + kOmegaFilter);
+  omega_ += share * (now.base_angular_velocity - omega_);
+  velocity_ = now.base_velocity + omega_.cross(com_ - now.base.translation());
+  fresh_ = false;
+  for (std::size_t i = 0; i < 4; ++i) {
+    legs_[i].point = estimator.kinematics().link_in_world(body_.legs[i].link) * body_.centre[i];
+    legs_[i].point.z() -= body_.radius[i];
+  }
+}
+
+// Whether it steps.
+void Quadruped::decide(double dt) noexcept {
+  const bool asked = walks_ && !halts_ && (wanted_.head<2>().norm() > 0.0 || wanted_.z() != 0.0);
+  quiet_ = asked ? 0.0 : quiet_ + dt;
+  double yaw = 0.0;
+  const Eigen::Vector3d middle = home(yaw);
+  const Eigen::Vector2d capture = (rotation_z(-yaw) * (com_ + velocity_ / gait_.omega() - middle)).head<2>();
+  const bool lost = std::abs(capture.x()) > kCaught * body_.length || std::abs(capture.y()) > kCaught * body_.width;
+  if (!gait_.steps()) {
+    if (!asked && !lost) return;
+    height_.aim_from(motion_.position().z(), motion_.velocity().z(), 0.0, body_.height, kSettle);
+    reference_.head<2>() = com_.head<2>();
+    yaw_reference_ = yaw_;
+    gait_.begin();
+    quiet_ = 0.0;
+    return;
+  }
+  if (asked) return gait_.go_on();
+  double far = 0.0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Eigen::Vector2d place = (rotation_z(-yaw_) * (legs_[i].anchor - com_)).head<2>();
+    far = std::max(far, (place - body_.stance[i]).norm());
+  }
+  const bool slow = velocity_.head<2>().norm() < kSlow * body_.height * gait_.omega();
+  const bool near = far < kNear * body_.height && slow && velocity_wanted_.norm() < 1e-3;
+  if (quiet_ > gait_.period() && !lost && (near || quiet_ > kLastPeriods * gait_.period())) {
+    gait_.end();
+  } else {
+    gait_.go_on();
+  }
+}
+
+// Where the trunk is to be.
+void Quadruped::move_reference(double dt) noexcept {
+  const double most = dt * kGravity * (halts_ ? kBrake : kSpeedUp);
+  const Eigen::Vector3d off = wanted_ - velocity_wanted_;
+  const double level = off.head<2>().norm(), turn = std::abs(off.z()) * body_.height;
+  velocity_wanted_.head<2>() += off.head<2>() * (level > most ? most / level : 1.0);
+  velocity_wanted_.z() += off.z() * (turn > most ? most / turn : 1.0);
+  if (gait_.steps()) {
+    height_.advance(dt);
+    yaw_reference_ += dt * velocity_wanted_.z();
+    yaw_reference_ = yaw_ + std::clamp(wrap_angle(yaw_reference_ - yaw_), -0.3, 0.3);
+    const Eigen::Vector3d velocity = rotation_z(yaw_reference_) * Eigen::Vector3d(velocity_wanted_.x(), velocity_wanted_.y(), 0.0);
+    reference_ += dt * velocity;
+    const Eigen::Vector2d lead = (reference_ - com_).head<2>();
+    const double leash = kLeash * body_.height;
+    if (lead.norm() > leash) reference_.head<2>() = com_.head<2>() + lead * (leash / lead.norm());
+    reference_.z() = ground_ + height_.position();
+    reference_velocity_ = velocity + height_.velocity() * Eigen::Vector3d::UnitZ();
+    reference_acceleration_ = height_.acceleration() * Eigen::Vector3d::UnitZ();
+  } else {
+    motion_.advance(dt);
+    double yaw = 0.0;
+    const Eigen::Vector3d middle = home(yaw);
+    const Eigen::Matrix3d turned = rotation_z(yaw);
+    reference_ = middle + turned * motion_.position();
+    reference_velocity_ = turned * motion_.velocity();
+    reference_acceleration_ = turned * motion_.acceleration();
+    yaw_reference_ += std::min(1.0, dt / kSettle) * wrap_angle(yaw - yaw_reference_);
+  }
+  base_reference_ = rotation_z(yaw_reference_) * rotation_of(first_.position() * first_turn_);
+}
+
+void Quadruped::place_feet(double dt) noexcept {
+  const bool stepped = gait_.steps();
+  gait_.advance(dt);
+  if (stepped && !gait_.steps()) stand_still();
+  double ground = 0.0, feet = 0.0;
+  const Eigen::Matrix3d heading = rotation_z(yaw_);
+  const Eigen::Vector3d asked = heading * Eigen::Vector3d(velocity_wanted_.x(), velocity_wanted_.y(), 0.0);
+  for (std::size_t i = 0; i < 4; ++i) {
+    Leg& leg = legs_[i];
+    const bool swings = gait_.swings(static_cast<int>(i));
+    if (swings != leg.swings) leg.anchor = leg.point;  // it leaves from here, or stands here
+    leg.swings = swings;
+    if (!swings) {
+      leg.anchor += std::min(1.0, dt / (gait_.steps() ? kFollowStep : kFollowStand)) * (leg.point - leg.anchor);
+      ground += leg.anchor.z();
+      feet += 1.0;
+      continue;
+    }
+    const double left = (1.0 - gait_.swing_done(static_cast<int>(i))) * gait_.swing_time();
+    const double turn = velocity_wanted_.z() * (left + 0.5 * gait_.stance_time());
+    const Eigen::Vector3d hip = heading * rotation_z(turn) * Eigen::Vector3d(body_.stance[i].x(), body_.stance[i].y(), 0.0);
+    Eigen::Vector2d step = (0.5 * gait_.stance_time() * asked + (velocity_ - asked) / gait_.omega()).head<2>();
+    if (step.norm() > gait_.farthest()) step *= gait_.farthest() / step.norm();
+    leg.target.head<2>() = (com_ + left * velocity_ + hip).head<2>() + step;
+  }
+  if (feet > 0.0) ground_ = ground / feet;
+  for (Leg& leg : legs_) leg.target.z() = ground_ - kBelow * body_.height;
+}
+
+// Forces of the feet, and torques of all joints with them.
+void Quadruped::push(const Estimator& estimator) noexcept {
+  const double w = gait_.omega();
+  TrunkWrench wanted;
+  const bool steps = gait_.steps();
+  const double level = steps ? kTrotLevel * w : kLevel * w;
+  const double rate = steps ? kTrotRate * w : 2.0 * kLevelDamping * kLevel * w;
+  const Eigen::Vector3d off = reference_ - com_, drift = reference_velocity_ - velocity_;
+  wanted.force.head<2>() = body_.mass * (level * level * off + rate * drift + reference_acceleration_).head<2>();
+  wanted.force.z() = body_.mass * std::max(0.0, kGravity + kUp * kUp * w * w * off.z() + 2.0 * kUpDamping * kUp * w * drift.z() +
+                                                    reference_acceleration_.z());
+  const Eigen::Vector3d turn = rotation_vector(base_reference_ * base_.transpose());
+  const Eigen::Vector3d spin = velocity_wanted_.z() * Eigen::Vector3d::UnitZ() - omega_;
+  wanted.moment = base_ * body_.inertia * base_.transpose() * (kTurn * kTurn * w * w * turn + 2.0 * kTurnDamping * kTurn * w * spin);
+  std::array<PointFoot, kPointFeet> feet;
+  for (std::size_t i = 0; i < 4; ++i) {
+    feet[i].arm = legs_[i].point - com_;
+    const double done = gait_.stance_done(static_cast<int>(i));
+    double share = legs_[i].swings ? 0.0 : 1.0;
+    if (steps) share *= std::clamp(std::min(done, 1.0 - done) * gait_.stance_time() / kRamp, 0.0, 1.0);
+    feet[i].most = share * kMostForce * body_.mass * kGravity;
+  }
+  forces_ = share_.solve(feet, wanted, kRounds);
+  for (std::size_t i = 0; i < 4; ++i) {
+    wrench_[i].point = legs_[i].point;
+    wrench_[i].force = forces_[i];
+  }
+  qdd_.setZero();
+  (void)dynamics_.solve(estimator.kinematics(), estimator.configuration(), qdd_, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(),
+                        wrench_, tau_);
+}
+
+// Set-points of a leg whose foot is to go a way, at a rate, both seen from the base, world axes.
+void Quadruped::lead(const Estimator& estimator, std::size_t i, const Eigen::Vector3d& way, const Eigen::Vector3d& rate) noexcept {
+  const Kinematics& k = estimator.kinematics();
+  const std::vector<int>& joints = body_.legs[i].joints;
+  const auto column = [&](int j) -> Eigen::Vector3d {
+    const Eigen::Vector3d& axis = k.axis_in_world(j);
+    if (model_->joints[at(j)].kind == JointKind::kPrismatic) return axis;
+    return axis.cross(legs_[i].point - k.link_in_world(j + 1).translation());
+  };
+  Eigen::Matrix3d square = std::pow(kDampedLeg * body_.reach, 2) * Eigen::Matrix3d::Identity();
+  for (const int j : joints) square += column(j) * column(j).transpose();
+  const Eigen::LDLT<Eigen::Matrix3d> solver(square);
+  const double far = way.norm();
+  const Eigen::Vector3d w = solver.solve(far > kFarthestWay ? Eigen::Vector3d(way * (kFarthestWay / far)) : way);
+  const Eigen::Vector3d r = solver.solve(rate);
+  for (const int j : joints) {
+    q_[j] = estimator.configuration().q[j] + column(j).dot(w);
+    qd_[j] = column(j).dot(r);
+  }
+}
+
+void Quadruped::lead_legs(const Estimator& estimator) noexcept {
+  const Configuration& now = estimator.configuration();
+  q_ = now.q;
+  qd_.setZero();
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Leg& leg = legs_[i];
+    Eigen::Vector3d way, rate;
+    if (leg.swings) {
+      const double t = std::clamp(gait_.swing_done(static_cast<int>(i)), 0.0, 1.0), per_s = 1.0 / gait_.swing_time();
+      const Eigen::Vector3d whole = leg.target - leg.anchor;
+      const double bump = 16.0 * t * t * (1.0 - t) * (1.0 - t);
+      const double bump_rate = 32.0 * t * (1.0 - t) * (1.0 - 2.0 * t) * per_s;
+      const Eigen::Vector3d place = leg.anchor + smooth(t) * whole + bump * gait_.lift() * Eigen::Vector3d::UnitZ();
+      way = place - leg.point;
+      rate = smooth_rate(t) * per_s * whole + bump_rate * gait_.lift() * Eigen::Vector3d::UnitZ() - now.base_velocity -
+             now.base_angular_velocity.cross(leg.point - now.base.translation());
+    } else {
+      // The ground is where it stands; the trunk goes to its reference.
+      const Eigen::Matrix3d turn = base_ * base_reference_.transpose();
+      way = turn * (leg.anchor - reference_) - (leg.point - com_);
+      rate = -reference_velocity_ - velocity_wanted_.z() * Eigen::Vector3d::UnitZ().cross(leg.point - com_);
+    }
+    lead(estimator, i, way, rate);
+    for (const int j : body_.legs[i].joints) {
+      kp_[j] = leg_kp_[j] * (leg.swings ? kSwingKp : kStanceKp);
+      kd_[j] = leg_kd_[j] * (leg.swings ? kSwingKd : kStanceKd);
+    }
+  }
+}
+
+void Quadruped::update(const Estimator& estimator, double dt) noexcept {
+  measure(estimator, dt);
+  first_.advance(dt);
+  decide(dt);
+  place_feet(dt);
+  move_reference(dt);
+  push(estimator);
+  lead_legs(estimator);
+  finite_ = q_.allFinite() && qd_.allFinite() && tau_.allFinite();
+}
+
+}  // namespace twinbus

@@ -1,0 +1,115 @@
+// Standing and trotting on four point feet: one tick from the estimate to set-points and torques of all joints.
+//
+// The trunk is pushed to where it is to be by a force and a moment about its centre of mass,
+//     F = m (g + kp (p_ref - p) + kd (v_ref - v)),     M = I (kp e + kd (w_ref - w)),
+// which the feet that stand share (point_force_share); torques are those of recursive Newton-Euler with these forces.  Servos
+// hold standing feet where they stand with a share of their gains, and lead a foot in the air to its foothold (trot_gait).
+// All in the estimator's world, z up.  Standing, it sways and squats as others do (com_motion); pushed too hard it steps until
+// it stands again.
+
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <vector>
+
+#include "control/balance/com_motion.h"
+#include "control/quadruped/point_force_share.h"
+#include "control/quadruped/quadruped_body.h"
+#include "control/quadruped/trot_gait.h"
+#include "robot/description/model.h"
+#include "robot/dynamics/inverse_dynamics.h"
+#include "robot/estimation/estimator.h"
+
+namespace twinbus {
+
+class Quadruped {
+ public:
+  // Throws std::runtime_error with one sentence (why_no_quadruped).
+  explicit Quadruped(const Model& model);
+
+  // Upright, and at least three feet stand; any foot stands.
+  static bool may_start(const Estimator& estimator) noexcept;
+  static bool stands(const Estimator& estimator) noexcept;
+
+  // Begins where the robot is, with its velocity, on all four feet.
+  void start(const Estimator& estimator) noexcept;
+  // Another source, or a start before: filters begin anew.
+  void rebase() noexcept { fresh_ = true; }
+
+  // In a walk it steps as long as a velocity is asked; else it stands, and steps only so as not to fall.
+  void walk(bool on) noexcept;
+  // vx, vy, wz [m/s, m/s, rad/s]; cut to what the robot can.
+  void want(const Eigen::Vector3d& velocity) noexcept;
+  void halt() noexcept;
+  void request(Motion motion, double amplitude, double frequency) noexcept { motion_.request(motion, amplitude, frequency); }
+  void stop_motion(double duration) noexcept { motion_.stop(duration); }
+  void lean(const Eigen::Vector3d& offset) noexcept { motion_.lean(offset); }
+
+  void update(const Estimator& estimator, double dt) noexcept;
+
+  // [joint_count]; q, qd, kp and kd count for leg joints alone.
+  const Eigen::VectorXd& q() const noexcept { return q_; }
+  const Eigen::VectorXd& qd() const noexcept { return qd_; }
+  const Eigen::VectorXd& tau() const noexcept { return tau_; }
+  const Eigen::VectorXd& kp() const noexcept { return kp_; }
+  const Eigen::VectorXd& kd() const noexcept { return kd_; }
+  bool is_leg(int joint) const noexcept { return leg_[static_cast<std::size_t>(joint)]; }
+  bool finite() const noexcept { return finite_; }
+  // On all four feet, and nothing moves.
+  bool resting() const noexcept;
+  bool stepping() const noexcept { return gait_.steps(); }
+
+  const QuadrupedBody& body() const noexcept { return body_; }
+  const TrotGait& gait() const noexcept { return gait_; }
+  Motion motion() const noexcept { return motion_.motion(); }
+  const Eigen::Vector3d& com() const noexcept { return com_; }  // world
+  const Eigen::Vector3d& com_velocity() const noexcept { return velocity_; }
+  const Eigen::Vector3d& com_reference() const noexcept { return reference_; }
+  const PointForces& forces() const noexcept { return forces_; }
+  // Lowers what may be asked, of a robot whose robot.yaml says how fast it walks [m/s].
+  void limit(double fastest) noexcept;
+  const Eigen::Vector3d& most_velocity() const noexcept { return most_; }  // vx, vy, wz
+
+ private:
+  struct Leg {
+    Eigen::Vector3d point = Eigen::Vector3d::Zero();   // of the ground that it presses, measured, world [m]
+    Eigen::Vector3d anchor = Eigen::Vector3d::Zero();  // where it stands, or left the ground
+    Eigen::Vector3d target = Eigen::Vector3d::Zero();  // where it is to come down
+    bool swings = false;
+  };
+
+  void measure(const Estimator& estimator, double dt) noexcept;
+  void decide(double dt) noexcept;
+  void move_reference(double dt) noexcept;
+  void stand_still() noexcept;
+  Eigen::Vector3d home(double& yaw) const noexcept;
+  void place_feet(double dt) noexcept;
+  void push(const Estimator& estimator) noexcept;
+  void lead_legs(const Estimator& estimator) noexcept;
+  void lead(const Estimator& estimator, std::size_t leg, const Eigen::Vector3d& way, const Eigen::Vector3d& rate) noexcept;
+
+  const Model* model_;
+  QuadrupedBody body_;
+  TrotGait gait_;
+  PointForceShare share_;
+  InverseDynamics dynamics_;
+  ComMotion motion_;  // of the centre of mass, from home, heading of the feet
+  std::array<Leg, 4> legs_;
+  Eigen::Vector3d most_, wanted_ = Eigen::Vector3d::Zero(), velocity_wanted_ = Eigen::Vector3d::Zero();  // vx, vy, wz
+  Eigen::Vector3d reference_ = Eigen::Vector3d::Zero(), reference_velocity_ = Eigen::Vector3d::Zero(),
+                  reference_acceleration_ = Eigen::Vector3d::Zero();  // of the centre of mass, world
+  MinJerk height_, first_;  // while it steps; 1 -> 0: share of the first tilt still held
+  Eigen::Vector3d first_turn_ = Eigen::Vector3d::Zero();
+  double yaw_reference_ = 0.0, yaw_ = 0.0, ground_ = 0.0;
+  Eigen::Vector3d com_ = Eigen::Vector3d::Zero(), velocity_ = Eigen::Vector3d::Zero(), omega_ = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d base_ = Eigen::Matrix3d::Identity(), base_reference_ = Eigen::Matrix3d::Identity();
+  PointForces forces_;
+  bool walks_ = false, halts_ = false, fresh_ = true, finite_ = true;
+  double quiet_ = 0.0;  // the asked velocity is zero for so long [s]
+  Eigen::VectorXd q_, qd_, qdd_, tau_, kp_, kd_, leg_kp_, leg_kd_;
+  std::vector<bool> leg_;
+  std::vector<ExternalWrench> wrench_;
+};
+
+}  // namespace twinbus

@@ -1,0 +1,81 @@
+#include "control/quadruped/quadruped_body.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "common/math/index.h"
+#include "common/math/pose_math.h"
+
+namespace twinbus {
+
+namespace {
+constexpr double kLevel = 0.15;  // of the plane of the feet [rad]
+constexpr double kInside = 0.15; // the centre of mass, from the middle, in shares of the half length at most 1 - this
+
+Eigen::Matrix3d inertia_about_com(const Model& model, const Kinematics& k) {
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  for (int i = 0; i < model.link_count(); ++i) {
+    const Link& link = model.links[at(i)];
+    const Eigen::Matrix3d r = k.link_in_world(i).linear();
+    const Eigen::Vector3d d = k.com_of_link(i) - k.com();
+    sum += r * link.inertia * r.transpose() + link.mass * (d.squaredNorm() * Eigen::Matrix3d::Identity() - d * d.transpose());
+  }
+  return sum;
+}
+}  // namespace
+
+QuadrupedBody::QuadrupedBody(const Model& model) {
+  if (!stands_on_points(model)) throw std::runtime_error("its base is fixed, or it has soles");
+  StandingFeet feet(model);
+  const char* why = nullptr;
+  const std::optional<FourLegs> found = four_legs(model, feet, &why);
+  if (!found) throw std::runtime_error(why);
+  legs = *found;
+  Configuration c(model);
+  for (int j = 0; j < model.joint_count(); ++j) c.q[j] = std::clamp(0.0, model.joints[at(j)].lower, model.joints[at(j)].upper);
+  const int pose = model.find_pose("half_sitting");
+  if (pose >= 0) {
+    for (int j = 0; j < model.joint_count(); ++j) c.q[j] = model.poses[at(pose)].q[at(j)];
+  }
+  Kinematics k(model);
+  k.update(c);
+  feet.place(k, Eigen::Matrix3d::Identity());
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Eigen::Vector3d point = feet.point(legs[i].foot);
+    radius[i] = feet.radius(legs[i].foot);
+    centre[i] = k.link_in_world(legs[i].link).inverse() * (point + radius[i] * Eigen::Vector3d::UnitZ());
+    stance[i] = (point - k.com()).head<2>();
+    middle += 0.25 * point;
+    reach = std::max(reach, leg_length(model, legs[i], feet));
+  }
+  length = 0.25 * (stance[0] + stance[1] - stance[2] - stance[3]).x();
+  width = 0.25 * (stance[0] - stance[1] + stance[2] - stance[3]).y();
+  com_in_base = k.com();
+  height = k.com().z() - middle.z();
+  mass = model.total_mass();
+  inertia = inertia_about_com(model, k);
+  if (!(length > 0.0 && width > 0.0 && height > 0.0))
+    throw std::runtime_error("in half_sitting its feet are not below it, two before and two behind");
+  for (std::size_t i = 0; i < 4; ++i) {
+    if (std::abs(feet.point(legs[i].foot).z() - middle.z()) > std::tan(kLevel) * length)
+      throw std::runtime_error("in half_sitting its feet are not on one plane below a level trunk");
+  }
+  if (std::abs((middle - k.com()).x()) > (1.0 - kInside) * length || std::abs((middle - k.com()).y()) > (1.0 - kInside) * width)
+    throw std::runtime_error("in half_sitting its centre of mass is not above its feet");
+}
+
+const char* why_no_quadruped(const Model& model) noexcept {
+  try {
+    const QuadrupedBody body(model);
+    return nullptr;
+  } catch (const std::exception& error) {
+    static thread_local std::string said;
+    said = error.what();
+    return said.c_str();
+  }
+}
+
+}  // namespace twinbus

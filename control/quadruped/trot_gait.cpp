@@ -1,0 +1,61 @@
+#include "control/quadruped/trot_gait.h"
+
+#include <cmath>
+
+#include "robot/dynamics/inverse_dynamics.h"
+
+namespace twinbus {
+
+namespace {
+constexpr double kPeriod = 2.5;     // times sqrt(h / g)
+constexpr double kLift = 0.2;       // of the height
+constexpr double kFroude = 0.5;     // fastest, of sqrt(g h)
+constexpr double kSideways = 0.5;   // of it
+constexpr double kTurn = 0.2;       // of sqrt(g / h)
+constexpr double kFarthest = 0.45;  // of the height
+}  // namespace
+
+TrotGait::TrotGait(const QuadrupedBody& body) noexcept
+    : omega_(std::sqrt(kGravity / body.height)),
+      period_(kPeriod / omega_),
+      lift_(kLift * body.height),
+      farthest_(kFarthest * body.height) {
+  const double fastest = kFroude * std::sqrt(kGravity * body.height);
+  most_ << fastest, kSideways * fastest, kTurn * omega_;
+}
+
+void TrotGait::begin() noexcept {
+  steps_ = true;
+  ends_ = false;
+  phase_ = 0.0;
+  periods_ = 0;
+}
+
+// Pair 0 (front left, hind right) is in the air first.
+double TrotGait::phase_of(int leg) const noexcept {
+  const bool other = leg == 1 || leg == 2;
+  const double p = phase_ + (other ? 0.5 : 0.0);
+  return p - std::floor(p);
+}
+
+bool TrotGait::swings(int leg) const noexcept { return steps_ && phase_of(leg) < 1.0 - kDuty; }
+
+double TrotGait::swing_done(int leg) const noexcept { return phase_of(leg) / (1.0 - kDuty); }
+
+double TrotGait::stance_done(int leg) const noexcept { return steps_ ? (phase_of(leg) - (1.0 - kDuty)) / kDuty : 0.5; }
+
+void TrotGait::advance(double dt) noexcept {
+  if (!steps_) return;
+  const bool stood = !swings(0) && !swings(1);
+  if (ends_ && stood) {
+    rest();
+    return;
+  }
+  phase_ += dt / period_;
+  if (phase_ >= 1.0) {
+    phase_ -= 1.0;
+    ++periods_;
+  }
+}
+
+}  // namespace twinbus

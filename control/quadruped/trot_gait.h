@@ -1,0 +1,55 @@
+// When which foot of a trot is in the air, and where it comes down.
+//
+// Diagonal pairs step in turn; between two steps all four feet stand.  A foot comes down (Raibert, 1986) where, seen from the
+// hip, half of the way of a stance and the capture point say:
+//
+//     p = hip + v_asked T_stance / 2 + (v - v_asked) / omega,      omega = sqrt(g / h)
+//
+// The period is that of a pendulum as long as the robot is high, times a constant.
+
+#pragma once
+
+#include <array>
+
+#include "control/quadruped/quadruped_body.h"
+
+namespace twinbus {
+
+class TrotGait {
+ public:
+  explicit TrotGait(const QuadrupedBody& body) noexcept;
+
+  double omega() const noexcept { return omega_; }  // [1/s]
+  double period() const noexcept { return period_; }
+  double stance_time() const noexcept { return kDuty * period_; }
+  double swing_time() const noexcept { return (1.0 - kDuty) * period_; }
+  double lift() const noexcept { return lift_; }            // of a foot [m]
+  Eigen::Vector3d most_velocity() const noexcept { return most_; }  // vx, vy, wz
+  double farthest() const noexcept { return farthest_; }    // of a foothold from below its hip [m]
+
+  bool steps() const noexcept { return steps_; }
+  void begin() noexcept;
+  // Stops as soon as all feet stand.
+  void end() noexcept { ends_ = true; }
+  void go_on() noexcept { ends_ = false; }
+  bool ends() const noexcept { return ends_; }
+  void rest() noexcept { steps_ = ends_ = false; }
+  void advance(double dt) noexcept;
+
+  bool swings(int leg) const noexcept;
+  double swing_done(int leg) const noexcept;   // 0 to 1, of a foot in the air
+  double stance_done(int leg) const noexcept;  // 0 to 1, of one that stands
+  int periods() const noexcept { return periods_; }  // begun since begin()
+
+ private:
+  static constexpr double kDuty = 0.58;
+  double phase_of(int leg) const noexcept;
+
+  double omega_, period_, lift_, farthest_;
+  Eigen::Vector3d most_;
+  bool steps_ = false, ends_ = false;
+  double phase_ = 0.0;
+  int periods_ = 0;
+};
+
+}  // namespace twinbus

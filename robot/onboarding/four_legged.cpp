@@ -1,0 +1,152 @@
+#include "robot/onboarding/four_legged.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "common/math/index.h"
+#include "robot/kinematics/kinematics.h"
+
+namespace twinbus {
+
+namespace {
+
+constexpr double kBent = 0.72;      // of the length of a leg: from the joint that swings it down to the ground
+constexpr double kReached = 1e-4;   // [m]
+constexpr double kReserve = 0.05;   // to the end of a joint's range [rad]
+constexpr int kRounds = 60, kShifts = 12;
+constexpr std::array<double, 3> kHips{-0.8, 0.0, 0.8};
+constexpr std::array<double, 4> kKnees{-1.5, -0.8, 0.8, 1.5};
+
+class LegSolver {
+ public:
+  LegSolver(const Model& model, const PointLeg& leg) : model_(model), leg_(leg), feet_(model), k_(model) {}
+
+  // Moves the joints of the leg in c until its foot is at target; how far it is from there [m].
+  double solve(const Eigen::Vector3d& target, Configuration& c) {
+    double off = look(target, c).norm();
+    for (int round = 0; round < kRounds && off > 0.1 * kReached; ++round) {
+      const Eigen::Vector3d error = look(target, c);
+      Eigen::Matrix3d square = 1e-6 * Eigen::Matrix3d::Identity();
+      for (const int j : leg_.joints) square += column(j) * column(j).transpose();
+      const Eigen::Vector3d w = square.ldlt().solve(error);
+      for (const int j : leg_.joints) {
+        const Joint& joint = model_.joints[at(j)];
+        const double low = joint.lower + kReserve, high = joint.upper - kReserve;
+        c.q[j] = std::clamp(c.q[j] + std::clamp(column(j).dot(w), -0.3, 0.3), std::min(low, high), std::max(low, high));
+      }
+      off = look(target, c).norm();
+    }
+    return off;
+  }
+
+  // How far the knee is before the line from hip to foot [m].
+  double knee_forward() const {
+    const Eigen::Vector3d hip = k_.link_in_world(leg_.joints[1] + 1).translation();
+    const Eigen::Vector3d knee = k_.link_in_world(leg_.joints[2] + 1).translation();
+    return knee.x() - 0.5 * (hip.x() + feet_.point(leg_.foot).x());
+  }
+
+ private:
+  Eigen::Vector3d look(const Eigen::Vector3d& target, const Configuration& c) {
+    k_.update(c);
+    feet_.place(k_, Eigen::Matrix3d::Identity());
+    return target - feet_.point(leg_.foot);
+  }
+  Eigen::Vector3d column(int j) const {
+    const Eigen::Vector3d& axis = k_.axis_in_world(j);
+    if (model_.joints[at(j)].kind == JointKind::kPrismatic) return axis;
+    return axis.cross(feet_.point(leg_.foot) - k_.link_in_world(j + 1).translation());
+  }
+
+  const Model& model_;
+  const PointLeg& leg_;
+  StandingFeet feet_;
+  Kinematics k_;
+};
+
+// The best of what the leg ends in from several bends.
+bool bend_to(const Model& model, const PointLeg& leg, const Eigen::Vector3d& target, const Eigen::VectorXd& neutral, Configuration& c) {
+  LegSolver solver(model, leg);
+  Configuration best = c;
+  double behind = 1e300;
+  for (const double hip : kHips) {
+    for (const double knee : kKnees) {
+      Configuration tried = c;
+      for (const int j : leg.joints) tried.q[j] = neutral[j];
+      const auto bend = [&](int j, double angle) {
+        tried.q[j] = std::clamp(angle, model.joints[at(j)].lower, model.joints[at(j)].upper);
+      };
+      bend(leg.joints[1], hip);
+      bend(leg.joints[2], knee);
+      if (!(solver.solve(target, tried) < kReached)) continue;
+      const double forward = solver.knee_forward();
+      if (!(forward < behind - 1e-3)) continue;
+      behind = forward;
+      best = tried;
+    }
+  }
+  if (behind > 1e299) return false;
+  c = best;
+  return true;
+}
+
+}  // namespace
+
+std::optional<FourLegs> find_four_legs(const Model& model, Anatomy& anatomy) {
+  Model bare = model;
+  bare.soles = {};
+  bare.floating_base = true;
+  const StandingFeet feet(bare);
+  std::optional<FourLegs> legs = four_legs(bare, feet);
+  if (!legs) return legs;
+  anatomy.soles = {};
+  anatomy.sole_sensor = {};
+  anatomy.leg_joints.clear();
+  for (const PointLeg& leg : *legs) {
+    anatomy.leg_joints.insert(anatomy.leg_joints.end(), leg.joints.begin(), leg.joints.end());
+  }
+  std::erase_if(anatomy.doubts, [](const std::string& doubt) {
+    return doubt.find("imb") != std::string::npos || doubt.find("sole") != std::string::npos || doubt.find("arms") != std::string::npos;
+  });
+  std::string names;
+  for (const PointLeg& leg : *legs) names += (names.empty() ? "" : ", ") + model.links[at(leg.link)].name;
+  anatomy.doubts.push_back("it is taken for a robot on four point feet: " + names);
+  return legs;
+}
+
+bool find_four_legged_posture(const Model& model, const FourLegs& legs, Eigen::VectorXd& q) {
+  Configuration c(model);
+  const Eigen::VectorXd neutral = neutral_posture(model);
+  c.q = q.size() == model.joint_count() ? q : neutral;
+  Kinematics k(model);
+  k.update(c);
+  StandingFeet feet(model);
+  feet.place(k, Eigen::Matrix3d::Identity());
+  std::array<Eigen::Vector3d, 4> target;
+  double shortest = 1e300, level = 0.0;
+  for (const PointLeg& leg : legs) {
+    shortest = std::min(shortest, leg_length(model, leg, feet));
+    level += 0.25 * k.link_in_world(leg.joints[1] + 1).translation().z();
+  }
+  for (std::size_t i = 0; i < 4; ++i) {
+    target[i] << k.link_in_world(legs[i].joints[1] + 1).translation().x(), feet.point(legs[i].foot).y(), level - kBent * shortest;
+  }
+  for (int shift = 0; shift < kShifts; ++shift) {
+    double middle = 0.0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (shift == 0 ? !bend_to(model, legs[i], target[i], neutral, c) : !(LegSolver(model, legs[i]).solve(target[i], c) < kReached))
+        return false;
+      middle += 0.25 * target[i].x();
+    }
+    k.update(c);
+    const double off = k.com().x() - middle;
+    if (std::abs(off) < 1e-4) break;
+    for (Eigen::Vector3d& t : target) t.x() += off;
+  }
+  q = c.q;
+  return true;
+}
+
+}  // namespace twinbus

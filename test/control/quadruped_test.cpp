@@ -1,0 +1,168 @@
+// Four-legged robots of two sizes, proposed and never tuned: stand, are pushed, trot, stop.
+
+#include "control/quadruped/quadruped.h"
+
+#include <gtest/gtest.h>
+
+#include "test/control/four_legged.h"
+#include "test/control/sim_rig.h"
+#include "test/no_alloc.h"
+
+namespace twinbus {
+namespace {
+
+const Settings kNoisy = {{"sensor.noise.encoder", "1e-5"},
+                         {"sensor.noise.velocity", "0.002"},
+                         {"sensor.noise.attitude", "1e-4"},
+                         {"sensor.noise.gyro", "0.001"}};
+
+Scene flat() {
+  Scene scene;
+  scene.name = "flat";
+  return scene;
+}
+
+void say_walk(SimRig& rig, double vx, double vy, double wz) {
+  WalkCommand walk;
+  walk.run_id = rig.state().run_id;
+  walk.sender_id = 12;
+  walk.sequence = static_cast<std::int32_t>(rig.ticks());
+  walk.vx = static_cast<float>(vx);
+  walk.vy = static_cast<float>(vy);
+  walk.wz = static_cast<float>(wz);
+  walk.timeout = 0.1F;
+  rig.loop().on_walk_command(walk, rig.state().time_ns);
+}
+
+bool trot(SimRig& rig, double seconds, double vx, double vy, double wz) {
+  const auto ticks = static_cast<int>(seconds / 0.002);
+  for (int i = 0; i < ticks; ++i) {
+    if (i % 10 == 0) say_walk(rig, vx, vy, wz);
+    if (!rig.tick()) return false;
+  }
+  return true;
+}
+
+TEST(QuadrupedBody, StandsOnFourFeetBelowItsCentreOfMass) {
+  for (const double size : {1.0, 2.0}) {
+    const Model& model = test::four_legged(size);
+    EXPECT_EQ(why_no_quadruped(model), nullptr);
+    const QuadrupedBody body(model);
+    EXPECT_NEAR(body.length, 0.19 * size, 0.01 * size);
+    EXPECT_NEAR(body.width, 0.14 * size, 0.01 * size);
+    EXPECT_NEAR(body.reach, 0.42 * size, 0.01 * size);
+    EXPECT_NEAR((body.stance[0] + body.stance[1] + body.stance[2] + body.stance[3]).norm(), 0.0, 0.005 * size);
+    EXPECT_GT(body.height, 0.6 * body.reach);
+    EXPECT_LT(body.height, 0.85 * body.reach);
+  }
+}
+
+TEST(QuadrupedBody, AHumanoidAndAnArmAreNone) {
+  EXPECT_NE(why_no_quadruped(load_robot("hrp1s")), nullptr);
+  Model fixed = test::four_legged(1.0);
+  fixed.floating_base = false;
+  EXPECT_NE(why_no_quadruped(fixed), nullptr);
+}
+
+TEST(TrotGait, DiagonalPairsStepInTurnAndBothStandBetween) {
+  const QuadrupedBody body(test::four_legged(1.0));
+  TrotGait gait(body);
+  gait.begin();
+  int both = 0, none = 0;
+  for (int i = 0; i < 1000; ++i) {
+    gait.advance(0.001);
+    EXPECT_EQ(gait.swings(0), gait.swings(3));
+    EXPECT_EQ(gait.swings(1), gait.swings(2));
+    both += gait.swings(0) && gait.swings(1) ? 1 : 0;
+    none += !gait.swings(0) && !gait.swings(1) ? 1 : 0;
+  }
+  EXPECT_EQ(both, 0);
+  EXPECT_GT(none, 50);
+  gait.end();
+  for (int i = 0; i < 1000 && gait.steps(); ++i) gait.advance(0.001);
+  EXPECT_FALSE(gait.steps());
+}
+
+TEST(Quadruped, StandsAndIsPushed) {
+  for (const double size : {1.0, 2.0}) {
+    const Model& model = test::four_legged(size);
+    for (const double way : {1.0, -1.0}) {
+      Scene scene = flat();
+      const double velocity = 0.5 * std::sqrt(size) * model.total_mass();
+      scene.pushes.push_back({.link = "trunk", .point = {0, 0, 0}, .impulse = {0.8 * way * velocity, 0.6 * velocity, 0}, .at = 1.0, .duration = 0.1});
+      SimRig rig(model, scene, kNoisy, {});
+      EXPECT_TRUE(rig.run(4.0));
+      EXPECT_EQ(rig.loop().status().mode, Mode::kBalance);
+      EXPECT_FALSE(rig.record().fell) << size;
+      EXPECT_LT(rig.record().base_tilt_max, 0.2) << size;
+      const auto& v = rig.truth().base_velocity;
+      EXPECT_LT(std::hypot(static_cast<double>(v[0]), static_cast<double>(v[1])), 0.05) << "it stands again";
+    }
+  }
+}
+
+TEST(Quadruped, TrotsWhereItIsToldAndStandsAgain) {
+  for (const double size : {1.0, 2.0}) {
+    const Model& model = test::four_legged(size);
+    SimRig rig(model, flat(), kNoisy, {});
+    EXPECT_TRUE(rig.run(0.5));
+    rig.ask(Mode::kWalk);
+    const double v = 0.5 * std::sqrt(size);
+    EXPECT_TRUE(trot(rig, 1.0, v, 0.0, 0.0));
+    const double from = rig.truth().base_position[0];
+    EXPECT_TRUE(trot(rig, 2.0, v, 0.0, 0.0));
+    EXPECT_EQ(rig.loop().status().mode, Mode::kWalk);
+    EXPECT_NEAR((rig.truth().base_position[0] - from) / 2.0, v, 0.15 * v) << size;
+    EXPECT_TRUE(trot(rig, 1.5, 0.0, 0.0, 0.8 / std::sqrt(size)));
+    const auto& q = rig.truth().base_attitude;
+    EXPECT_GT(2.0 * std::atan2(q[3], q[0]), 0.5 / std::sqrt(size)) << "turned to the left";
+    rig.ask(Mode::kBalance);
+    EXPECT_TRUE(rig.run(2.5));
+    EXPECT_EQ(rig.loop().status().mode, Mode::kBalance);
+    EXPECT_FALSE(rig.record().fell);
+    EXPECT_LT(rig.record().base_tilt_max, 0.15) << size;
+  }
+}
+
+TEST(Quadruped, ABalancedStopInATrotEndsStanding) {
+  SimRig rig(test::four_legged(1.0), flat(), {}, {});
+  EXPECT_TRUE(rig.run(0.3));
+  rig.ask(Mode::kWalk);
+  EXPECT_TRUE(trot(rig, 1.5, 0.5, 0.0, 0.0));
+  rig.state().stop_kind = StopKind::kBalanced;
+  EXPECT_TRUE(trot(rig, 2.5, 0.5, 0.0, 0.0));  // nobody listens to the velocity
+  EXPECT_FALSE(rig.record().fell);
+  EXPECT_FALSE(rig.loop().status().mode == Mode::kWalk);
+  EXPECT_EQ(rig.command().flags & kCommandStopping, 0) << "it stands: the stop has ended";
+  const auto& v = rig.truth().base_velocity;
+  EXPECT_LT(std::hypot(static_cast<double>(v[0]), static_cast<double>(v[1])), 0.05);
+}
+
+TEST(Quadruped, SwaysAndSquats) {
+  SimRig rig(test::four_legged(1.0), flat(), {}, {});
+  EXPECT_TRUE(rig.run(1.0));
+  rig.ask(Mode::kBalance, Motion::kSway, 0.03, 0.5);
+  double left = 0.0, right = 0.0;
+  for (int i = 0; i < 1500; ++i) {
+    ASSERT_TRUE(rig.tick());
+    left = std::max(left, rig.truth().base_position[1]);
+    right = std::min(right, rig.truth().base_position[1]);
+  }
+  EXPECT_GT(left, 0.02);
+  EXPECT_LT(right, -0.02);
+  EXPECT_LT(rig.record().base_tilt_max, 0.05);
+}
+
+TEST(Quadruped, ATickAllocatesNothing) {
+  if (!allocations_counted()) GTEST_SKIP() << "not counted in this build";
+  SimRig rig(test::four_legged(1.0), flat(), {}, {});
+  EXPECT_TRUE(rig.run(0.3));
+  rig.ask(Mode::kWalk);
+  EXPECT_TRUE(trot(rig, 0.5, 0.3, 0.0, 0.0));
+  NoAlloc no_alloc;
+  EXPECT_TRUE(trot(rig, 0.2, 0.3, 0.0, 0.0));
+  EXPECT_EQ(no_alloc.count(), 0);
+}
+
+}  // namespace
+}  // namespace twinbus
