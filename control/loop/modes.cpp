@@ -366,7 +366,8 @@ bool Modes::follow_stop(StopKind asked, bool for_switch, bool plan_runs, const M
 
 PlannedMotion Modes::motion(const JointCommand& command) const noexcept {
   const std::int64_t all = model_.bus_count() >= 63 ? ~std::int64_t{0} : bit(model_.bus_count()) - 1;
-  const bool moves = walking_ || (balancing_ && !balance_->resting()) || (on_four_ && !quadruped_->resting()) || posture_.moving() || arm_.moving();
+  const bool legs_move = walking_ || (balancing_ && !balance_->resting()) || (on_four_ && !quadruped_->resting());
+  const bool moves = legs_move || posture_.moving() || arm_.moving();
   return {.walk = walking_ ? walk_.get() : nullptr,
           .posture = posture_,
           .arm = arm_,

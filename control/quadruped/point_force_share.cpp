@@ -26,8 +26,8 @@ Eigen::Vector3d within_cone(const Eigen::Vector3d& force, double friction, doubl
   }
   if (inside.z() > most) {
     inside.z() = most;
-    const double left = force.head<2>().norm();
-    inside.head<2>() = left > friction * most ? Eigen::Vector2d(force.head<2>() * (friction * most / left)) : Eigen::Vector2d(force.head<2>());
+    inside.head<2>() = force.head<2>();
+    if (across > friction * most) inside.head<2>() *= friction * most / across;
   }
   return inside;
 }

@@ -14,16 +14,17 @@ namespace {
 constexpr double kUp = 2.2, kUpDamping = 0.9;
 constexpr double kTurn = 2.6, kTurnDamping = 0.8;
 constexpr double kLevel = 1.3, kLevelDamping = 0.9;
-constexpr double kTrotLevel = 0.5, kTrotRate = 2.0;  // the second: of the velocity alone, in frequencies of the pendulum
+constexpr double kTrotLevel = 0.9, kTrotRate = 2.0;  // the second: of the velocity alone, in frequencies of the pendulum
 constexpr double kFriction = 0.5;     // that feet count on
 constexpr double kMostForce = 1.2;    // of a foot, in weights
 constexpr double kRamp = 0.03;        // of the force of a foot that has come down or is about to leave [s]
 constexpr double kStanceKp = 0.15, kStanceKd = 0.4, kSwingKp = 1.0, kSwingKd = 1.0;  // of the gains of robot.yaml
 constexpr double kOmegaFilter = 0.004;  // [s]
 constexpr double kFollowStep = 0.2, kFollowStand = 2.0;  // an anchor follows its foot in so long [s]
+constexpr double kFade = 0.03;        // of what a foot is off its set-point as it lands or leaves [s]
 constexpr double kSettle = 0.6;       // from where it is to where it stands [s]
 constexpr double kSpeedUp = 0.12, kBrake = 0.3;  // of g
-constexpr double kLeash = 0.15;       // of the height: so far is the reference of a walk from the robot
+constexpr double kLeash = 0.25;       // of the height: so far is the reference of a walk from the robot
 constexpr double kCaught = 0.85;      // of the half length and width: the capture point is beyond, it steps
 constexpr double kBelow = 0.02;       // of the height: a foot is sent so far below the ground, to meet it
 constexpr double kNear = 0.12;        // of the height: feet that are so near to their stance may rest
@@ -101,9 +102,12 @@ void Quadruped::start(const Estimator& estimator) noexcept {
   share_.reset();
   for (Leg& leg : legs_) {
     leg.anchor = leg.target = leg.point;
-    leg.swings = false;
+    leg.swings = leg.led = false;
+    leg.way.setZero();
+    leg.fading.setZero();
   }
   yaw_reference_ = yaw_;
+  velocity_.setZero();  // of one tick it is noise
   stand_still();
   first_turn_ = rotation_vector(rotation_z(-yaw_) * base_);
   first_turn_.z() = 0.0;
@@ -222,7 +226,8 @@ void Quadruped::move_reference(double dt) noexcept {
     height_.advance(dt);
     yaw_reference_ += dt * velocity_wanted_.z();
     yaw_reference_ = yaw_ + std::clamp(wrap_angle(yaw_reference_ - yaw_), -0.3, 0.3);
-    const Eigen::Vector3d velocity = rotation_z(yaw_reference_) * Eigen::Vector3d(velocity_wanted_.x(), velocity_wanted_.y(), 0.0);
+    const Eigen::Vector3d level_velocity(velocity_wanted_.x(), velocity_wanted_.y(), 0.0);
+    const Eigen::Vector3d velocity = rotation_z(yaw_reference_) * level_velocity;
     reference_ += dt * velocity;
     const Eigen::Vector2d lead = (reference_ - com_).head<2>();
     const double leash = kLeash * body_.height;
@@ -285,7 +290,8 @@ void Quadruped::push(const Estimator& estimator) noexcept {
                                                     reference_acceleration_.z());
   const Eigen::Vector3d turn = rotation_vector(base_reference_ * base_.transpose());
   const Eigen::Vector3d spin = velocity_wanted_.z() * Eigen::Vector3d::UnitZ() - omega_;
-  wanted.moment = base_ * body_.inertia * base_.transpose() * (kTurn * kTurn * w * w * turn + 2.0 * kTurnDamping * kTurn * w * spin);
+  const Eigen::Matrix3d inertia = base_ * body_.inertia * base_.transpose();
+  wanted.moment = inertia * (kTurn * kTurn * w * w * turn + 2.0 * kTurnDamping * kTurn * w * spin);
   std::array<PointFoot, kPointFeet> feet;
   for (std::size_t i = 0; i < 4; ++i) {
     feet[i].arm = legs_[i].point - com_;
@@ -305,7 +311,8 @@ void Quadruped::push(const Estimator& estimator) noexcept {
 }
 
 // Set-points of a leg whose foot is to go a way, at a rate, both seen from the base, world axes.
-void Quadruped::lead(const Estimator& estimator, std::size_t i, const Eigen::Vector3d& way, const Eigen::Vector3d& rate) noexcept {
+void Quadruped::lead(const Estimator& estimator, std::size_t i, const Eigen::Vector3d& way,
+                     const Eigen::Vector3d& rate) noexcept {
   const Kinematics& k = estimator.kinematics();
   const std::vector<int>& joints = body_.legs[i].joints;
   const auto column = [&](int j) -> Eigen::Vector3d {
@@ -325,12 +332,12 @@ void Quadruped::lead(const Estimator& estimator, std::size_t i, const Eigen::Vec
   }
 }
 
-void Quadruped::lead_legs(const Estimator& estimator) noexcept {
+void Quadruped::lead_legs(const Estimator& estimator, double dt) noexcept {
   const Configuration& now = estimator.configuration();
   q_ = now.q;
   qd_.setZero();
   for (std::size_t i = 0; i < 4; ++i) {
-    const Leg& leg = legs_[i];
+    Leg& leg = legs_[i];
     Eigen::Vector3d way, rate;
     if (leg.swings) {
       const double t = std::clamp(gait_.swing_done(static_cast<int>(i)), 0.0, 1.0), per_s = 1.0 / gait_.swing_time();
@@ -342,12 +349,15 @@ void Quadruped::lead_legs(const Estimator& estimator) noexcept {
       rate = smooth_rate(t) * per_s * whole + bump_rate * gait_.lift() * Eigen::Vector3d::UnitZ() - now.base_velocity -
              now.base_angular_velocity.cross(leg.point - now.base.translation());
     } else {
-      // The ground is where it stands; the trunk goes to its reference.
-      const Eigen::Matrix3d turn = base_ * base_reference_.transpose();
-      way = turn * (leg.anchor - reference_) - (leg.point - com_);
+      way = leg.anchor - leg.point;
       rate = -reference_velocity_ - velocity_wanted_.z() * Eigen::Vector3d::UnitZ().cross(leg.point - com_);
     }
-    lead(estimator, i, way, rate);
+    // A set-point that jumps is a speed to whoever looks ahead.
+    if (leg.swings != leg.led) leg.fading = leg.way - way;
+    leg.led = leg.swings;
+    leg.fading -= std::min(1.0, dt / kFade) * leg.fading;
+    leg.way = way + leg.fading;
+    lead(estimator, i, leg.way, rate);
     for (const int j : body_.legs[i].joints) {
       kp_[j] = leg_kp_[j] * (leg.swings ? kSwingKp : kStanceKp);
       kd_[j] = leg_kd_[j] * (leg.swings ? kSwingKd : kStanceKd);
@@ -362,7 +372,7 @@ void Quadruped::update(const Estimator& estimator, double dt) noexcept {
   place_feet(dt);
   move_reference(dt);
   push(estimator);
-  lead_legs(estimator);
+  lead_legs(estimator, dt);
   finite_ = q_.allFinite() && qd_.allFinite() && tau_.allFinite();
 }
 

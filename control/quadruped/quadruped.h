@@ -76,7 +76,9 @@ class Quadruped {
     Eigen::Vector3d point = Eigen::Vector3d::Zero();   // of the ground that it presses, measured, world [m]
     Eigen::Vector3d anchor = Eigen::Vector3d::Zero();  // where it stands, or left the ground
     Eigen::Vector3d target = Eigen::Vector3d::Zero();  // where it is to come down
-    bool swings = false;
+    Eigen::Vector3d way = Eigen::Vector3d::Zero();     // from where it is to its set-point, and
+    Eigen::Vector3d fading = Eigen::Vector3d::Zero();  // how much of it is left of the phase before
+    bool swings = false, led = false;                  // now; a tick ago
   };
 
   void measure(const Estimator& estimator, double dt) noexcept;
@@ -86,7 +88,7 @@ class Quadruped {
   Eigen::Vector3d home(double& yaw) const noexcept;
   void place_feet(double dt) noexcept;
   void push(const Estimator& estimator) noexcept;
-  void lead_legs(const Estimator& estimator) noexcept;
+  void lead_legs(const Estimator& estimator, double dt) noexcept;
   void lead(const Estimator& estimator, std::size_t leg, const Eigen::Vector3d& way, const Eigen::Vector3d& rate) noexcept;
 
   const Model* model_;

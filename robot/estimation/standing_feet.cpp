@@ -26,11 +26,12 @@ constexpr double kStandsAbove = 0.5;     // of certainty
 constexpr double kLands = 0.020;         // a foot that has come down rolls and slips for so long [s]
 constexpr double kTorqueFilter = 0.004;  // of load that torques tell [s]
 constexpr double kSoft = 0.003;          // points this much higher than the lowest press 1/e as much [m]
+constexpr double kNothing = -20.0;       // in those: presses nothing
 constexpr double kSameHeight = 0.005;    // of feet that stand, without forces and torques [m]
 constexpr double kAsLow = 0.15;          // a limb is a leg if it reaches as low as the soles but for this share of their depth
 constexpr double kNoTorque = 1e-6;       // of the weight times a metre: nothing measures torques
 constexpr double kMomentArm = 0.1;       // of the moment on a sole, as likely as its force at that arm [m]
-constexpr int kDirections = 64;          // in which corners of a mesh are sought
+constexpr int kDirections = 256;         // in which corners of a mesh are sought
 constexpr std::size_t kMostChain = 12;   // joints of a limb that are looked at
 
 double ramp(double x, const Shares& s) noexcept { return std::clamp((x - s.nothing) / (s.sure - s.nothing), 0.0, 1.0); }
@@ -162,7 +163,9 @@ void StandingFeet::find_point(const Kinematics& kinematics, const Eigen::Matrix3
   foot.point.setZero();
   for (const Ball& ball : foot.balls) {
     const Eigen::Vector3d p = pose * ball.centre - ball.radius * up;
-    const double share = std::exp((foot.lowest - up.dot(p)) / kSoft);
+    const double off = (foot.lowest - up.dot(p)) / kSoft;
+    if (off < kNothing) continue;
+    const double share = std::exp(off);
     sum += share;
     foot.point += share * p;
   }

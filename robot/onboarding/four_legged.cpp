@@ -67,7 +67,8 @@ class LegSolver {
 };
 
 // The best of what the leg ends in from several bends.
-bool bend_to(const Model& model, const PointLeg& leg, const Eigen::Vector3d& target, const Eigen::VectorXd& neutral, Configuration& c) {
+bool bend_to(const Model& model, const PointLeg& leg, const Eigen::Vector3d& target, const Eigen::VectorXd& neutral,
+             Configuration& c) {
   LegSolver solver(model, leg);
   Configuration best = c;
   double behind = 1e300;
@@ -131,13 +132,15 @@ bool find_four_legged_posture(const Model& model, const FourLegs& legs, Eigen::V
     level += 0.25 * k.link_in_world(leg.joints[1] + 1).translation().z();
   }
   for (std::size_t i = 0; i < 4; ++i) {
-    target[i] << k.link_in_world(legs[i].joints[1] + 1).translation().x(), feet.point(legs[i].foot).y(), level - kBent * shortest;
+    const double x = k.link_in_world(legs[i].joints[1] + 1).translation().x();
+    target[i] << x, feet.point(legs[i].foot).y(), level - kBent * shortest;
   }
   for (int shift = 0; shift < kShifts; ++shift) {
     double middle = 0.0;
     for (std::size_t i = 0; i < 4; ++i) {
-      if (shift == 0 ? !bend_to(model, legs[i], target[i], neutral, c) : !(LegSolver(model, legs[i]).solve(target[i], c) < kReached))
-        return false;
+      const bool bent = shift == 0 ? bend_to(model, legs[i], target[i], neutral, c)
+                                   : LegSolver(model, legs[i]).solve(target[i], c) < kReached;
+      if (!bent) return false;
       middle += 0.25 * target[i].x();
     }
     k.update(c);

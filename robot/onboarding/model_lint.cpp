@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "robot/estimation/point_legs.h"
 #include "robot/description/link_points.h"
 #include "geometry/mesh/mesh_file.h"
 
@@ -242,7 +243,8 @@ std::vector<Suspicion> find_missing(const Model& model) {
     missing.push_back({about, what, remedy});
   };
   if (model.yaml_text.empty()) add("robot.yaml", "is not there", "take the proposal below");
-  if (model.floating_base && (model.soles[0].link < 0 || model.soles[1].link < 0)) {
+  const bool four = stands_on_points(model) && four_legs(model, StandingFeet(model)).has_value();
+  if (model.floating_base && !four && (model.soles[0].link < 0 || model.soles[1].link < 0)) {
     add("robot.yaml", "says no soles: the robot cannot balance, nor can its base be estimated",
         "add soles");
   }

@@ -126,8 +126,7 @@ std::vector<PointLoad> place_on_points(const Model& model, double weight, Kinema
   Eigen::Matrix<double, 3, Eigen::Dynamic> point(3, count);
   for (int pass = 0; pass < 5; ++pass) {  // a ball that turns touches elsewhere
     kinematics.update(configuration);
-    Eigen::Isometry3d still = Eigen::Isometry3d::Identity();
-    feet.place(kinematics, still.linear());
+    feet.place(kinematics, Eigen::Matrix3d::Identity());
     for (Eigen::Index i = 0; i < count; ++i) point.col(i) = feet.point(static_cast<int>(i));
     const Eigen::Vector3d middle = point.rowwise().mean();
     const Eigen::Matrix3d spread = (point.colwise() - middle) * (point.colwise() - middle).transpose();
@@ -140,7 +139,8 @@ std::vector<PointLoad> place_on_points(const Model& model, double weight, Kinema
   for (Eigen::Index i = 0; i < count; ++i) point.col(i) = feet.point(static_cast<int>(i));
   const Eigen::Vector3d middle = point.rowwise().mean();
   Eigen::Matrix<double, 3, Eigen::Dynamic> arm(3, count);
-  for (Eigen::Index i = 0; i < count; ++i) arm.col(i) << 1.0, point(0, i) - kinematics.com().x(), point(1, i) - kinematics.com().y();
+  const Eigen::Vector3d com = kinematics.com();
+  for (Eigen::Index i = 0; i < count; ++i) arm.col(i) << 1.0, point(0, i) - com.x(), point(1, i) - com.y();
   const Eigen::Matrix3d square = arm * arm.transpose();
   const Eigen::VectorXd normal = arm.transpose() * square.ldlt().solve(Eigen::Vector3d(weight, 0.0, 0.0));
   const double depth = weight / (static_cast<double>(count) * kLinkStiffness);

@@ -81,7 +81,7 @@ def main():
             stands(checks, DATA / "jvrc1/jvrc1.urdf", scratch, walks=True)
         refusals(checks, scratch)
         for name, file, words in (("panda", "panda.urdf", ("arm_reach are its scenes", "next: ./twinbus run arm_reach")),
-                                  ("go1", "go1.urdf", ("./twinbus policy MODEL.onnx",))):
+                                  ("go1", "go1.urdf", ("point feet: ", "stands: ", "trots: ", "next: ./twinbus run stand"))):
             if (DATA / name / file).is_file():
                 _, out, err = cli("check", str(DATA / name / file), "--propose", os.path.join(scratch, name), timeout=120)
                 checks.that(all(one in out for one in words), f"{name} is told what can be done with it: {out[-600:]}{err}")
