@@ -26,6 +26,7 @@ constexpr double kSettle = 0.6;       // from where it is to where it stands [s]
 constexpr double kSpeedUp = 0.12, kBrake = 0.3;  // of g
 constexpr double kLeash = 0.25;       // of the height: so far is the reference of a walk from the robot
 constexpr double kCaught = 0.85;      // of the half length and width: the capture point is beyond, it steps
+constexpr double kInwards = 0.7;      // of the half width: a foot may come down so far towards the other side
 constexpr double kBelow = 0.02;       // of the height: a foot is sent so far below the ground, to meet it
 constexpr double kNear = 0.12;        // of the height: feet that are so near to their stance may rest
 constexpr double kSlow = 0.12;        // of sqrt(g h): so slow it may rest
@@ -271,6 +272,9 @@ void Quadruped::place_feet(double dt) noexcept {
     const Eigen::Vector3d hip = heading * rotation_z(turn) * Eigen::Vector3d(body_.stance[i].x(), body_.stance[i].y(), 0.0);
     Eigen::Vector2d step = (0.5 * gait_.stance_time() * asked + (velocity_ - asked) / gait_.omega()).head<2>();
     if (step.norm() > gait_.farthest()) step *= gait_.farthest() / step.norm();
+    // Towards the other side no farther than leaves room below the trunk.
+    const Eigen::Vector2d aside = (heading * Eigen::Vector3d(0.0, body_.stance[i].y() > 0.0 ? 1.0 : -1.0, 0.0)).head<2>();
+    step += std::max(0.0, -kInwards * body_.width - aside.dot(step)) * aside;
     leg.target.head<2>() = (com_ + left * velocity_ + hip).head<2>() + step;
   }
   if (feet > 0.0) ground_ = ground / feet;

@@ -1,6 +1,7 @@
 #include "robot/estimation/inertial_leg_odometry.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "common/math/index.h"
@@ -16,6 +17,7 @@ constexpr double kFootNoise = 0.08 * 0.08 * 0.02;   // r: 0.08 m/s that changes 
 constexpr double kAccelNoise = kFootNoise / (kPull * kPull);  // q [m^2/s^3]
 constexpr double kUnknownAccel = 9.0 * 0.05;        // q without accelerometer: 3 m/s^2 for 50 ms
 constexpr double kHuber = 2.5;                      // standard deviations
+constexpr double kAgrees = 0.1, kMoves = 0.25;      // a foot at rest; one that is not [m/s]
 constexpr double kFirst = 1.0;                      // deviation at the beginning [m/s]
 constexpr double kNewSource = 0.05;                 // of another robot that goes on [m/s]
 constexpr double kGap_s = 0.1;                      // states that are missing for longer: as at the beginning
@@ -132,14 +134,21 @@ void InertialLegOdometry::predict(bool imu, double dt) noexcept {
 
 // Each standing foot says how fast the IMU's origin is: it is at rest where the ground presses it.
 void InertialLegOdometry::correct(double dt) noexcept {
-  bool any = false;
+  bool any = false, agreed = false;
+  std::array<Eigen::Vector3d, kMaxFeet> says;
+  for (int foot = 0; foot < feet_.count(); ++foot) {
+    const Eigen::Vector3d& point = feet_.point(foot);
+    const Eigen::Vector3d by_joints = imu_drift_ - kinematics_.point_velocity(feet_.link(foot), point);
+    says[at(foot)] = base_ * (omega_.cross(imu_place_ - point) + by_joints);
+    agreed = agreed || (feet_.stands(foot) && (says[at(foot)] - velocity_).norm() < kAgrees);
+  }
   for (int foot = 0; foot < feet_.count(); ++foot) {
     const double sure = feet_.certainty(foot);
     if (!(sure > 0.0)) continue;
     any = any || feet_.stands(foot);
-    const Eigen::Vector3d& point = feet_.point(foot);
-    const Eigen::Vector3d by_joints = imu_drift_ - kinematics_.point_velocity(feet_.link(foot), point);
-    const Eigen::Vector3d seen = base_ * (omega_.cross(imu_place_ - point) + by_joints);
+    const Eigen::Vector3d& seen = says[at(foot)];
+    // Torques swing a heavy leg too: while another foot agrees with what was known, one that moves is in the air.
+    if (agreed && (seen - velocity_).norm() > kMoves) continue;
     for (int axis = 0; axis < 3; ++axis) {
       const double off = seen[axis] - velocity_[axis];
       double noise = kFootNoise / (sure * dt);
