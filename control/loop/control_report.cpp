@@ -23,7 +23,8 @@ void report_tick(const Modes& modes, const Moment& now, ControllerStatus& s) noe
   s.arm_path_id = modes.arm().path_id();
   s.term = state.term;
   s.mode = modes.mode();
-  s.motion = balance != nullptr ? balance->motion() : Motion::kNone;
+  const Quadruped* quadruped = modes.quadruped();
+  s.motion = balance != nullptr ? balance->motion() : quadruped != nullptr ? quadruped->motion() : Motion::kNone;
   s.stopping = state.stop_kind;
   s.arm_state = static_cast<std::int8_t>(modes.arm().state());
   const Eigen::Isometry3d world_in_ground = estimator.ground_in_world().inverse();
@@ -43,6 +44,14 @@ void report_tick(const Modes& modes, const Moment& now, ControllerStatus& s) noe
     s.com_reference = to_floats<3>(world_in_ground * walk->com_reference());
     s.dcm = flat(walk->dcm());
     s.zmp_reference = flat(walk->stabilizer().zmp_wanted());
+  } else if (quadruped != nullptr) {
+    const Eigen::Vector3d com = world_in_ground * quadruped->com();
+    const Eigen::Vector3d velocity = world_in_ground.linear() * quadruped->com_velocity();
+    s.com = to_floats<3>(com);
+    s.com_velocity = to_floats<3>(velocity);
+    s.com_reference = to_floats<3>(world_in_ground * quadruped->com_reference());
+    s.dcm = to_floats<2>(com.head<2>() + velocity.head<2>() / quadruped->gait().omega());
+    s.zmp_reference = to_floats<2>(zmp.head<2>());
   } else {
     s.com = to_floats<3>(world_in_ground * estimator.kinematics().com());
     s.com_velocity = to_floats<3>(world_in_ground.linear() * estimator.com_velocity());

@@ -62,7 +62,7 @@ class Modes {
   // Of the centre of mass, while balancing [m].
   void lean(const Eigen::Vector3d& offset) noexcept {
     if (balancing_) balance_->lean(offset);
-    if (on_four_) quadruped_->lean(offset);
+    if (on_four_) quadruped_->lean(mode_ == Mode::kWalk ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : offset);
   }
   // Velocity to walk at, while in mode walk: vx, vy, wz [m/s, m/s, rad/s].
   void walk(const Eigen::Vector3d& velocity) noexcept {
@@ -91,7 +91,7 @@ class Modes {
   // What a walk that goes on may be asked for: vx, vy, wz; zero when there is none.
   Eigen::Vector3d most_velocity() const noexcept {
     if (walking_) return walk_->gait().most_velocity;
-    return on_four_ && mode_ == Mode::kWalk ? quadruped_->most_velocity() : Eigen::Vector3d::Zero();
+    return on_four_ && mode_ == Mode::kWalk ? quadruped_->gait().most_velocity() : Eigen::Vector3d::Zero();
   }
   // Any walk of this robot, walking or not; null when it cannot.
   const Walk* any_walk() const noexcept { return walk_.get(); }

@@ -55,7 +55,6 @@ Quadruped::Quadruped(const Model& model)
       gait_(body_),
       share_(body_.mass * kGravity, 0.5 * (body_.length + body_.width), kFriction),
       dynamics_(model),
-      most_(gait_.most_velocity()),
       q_(Eigen::VectorXd::Zero(model.joint_count())),
       qd_(q_),
       qdd_(q_),
@@ -83,15 +82,6 @@ bool Quadruped::may_start(const Estimator& estimator) noexcept {
 }
 
 bool Quadruped::stands(const Estimator& estimator) noexcept { return standing_feet(estimator) > 0; }
-
-void Quadruped::limit(double fastest) noexcept {
-  if (!(fastest > 0.0)) return;
-  most_ = gait_.most_velocity();
-  const double share = fastest / most_.x();
-  most_.x() = fastest;
-  most_.y() *= std::min(1.0, share);
-  most_.z() *= std::min(1.0, share);
-}
 
 void Quadruped::start(const Estimator& estimator) noexcept {
   fresh_ = true;
@@ -154,9 +144,7 @@ void Quadruped::walk(bool on) noexcept {
 
 void Quadruped::want(const Eigen::Vector3d& velocity) noexcept {
   if (!walks_ || halts_ || !velocity.allFinite()) return;
-  // Within an ellipse: all at once is slower in each.
-  const double share = velocity.cwiseQuotient(most_).norm();
-  wanted_ = share > 1.0 ? Eigen::Vector3d(velocity / share) : velocity;
+  wanted_ = gait_.possible(velocity);
 }
 
 void Quadruped::halt() noexcept {

@@ -67,9 +67,7 @@ class Quadruped {
   const Eigen::Vector3d& com_velocity() const noexcept { return velocity_; }
   const Eigen::Vector3d& com_reference() const noexcept { return reference_; }
   const PointForces& forces() const noexcept { return forces_; }
-  // Lowers what may be asked, of a robot whose robot.yaml says how fast it walks [m/s].
-  void limit(double fastest) noexcept;
-  const Eigen::Vector3d& most_velocity() const noexcept { return most_; }  // vx, vy, wz
+  void limit(double fastest) noexcept { gait_.limit(fastest); }
 
  private:
   struct Leg {
@@ -98,7 +96,7 @@ class Quadruped {
   InverseDynamics dynamics_;
   ComMotion motion_;  // of the centre of mass, from home, heading of the feet
   std::array<Leg, 4> legs_;
-  Eigen::Vector3d most_, wanted_ = Eigen::Vector3d::Zero(), velocity_wanted_ = Eigen::Vector3d::Zero();  // vx, vy, wz
+  Eigen::Vector3d wanted_ = Eigen::Vector3d::Zero(), velocity_wanted_ = Eigen::Vector3d::Zero();  // vx, vy, wz
   Eigen::Vector3d reference_ = Eigen::Vector3d::Zero(), reference_velocity_ = Eigen::Vector3d::Zero(),
                   reference_acceleration_ = Eigen::Vector3d::Zero();  // of the centre of mass, world
   MinJerk height_, first_;  // while it steps; 1 -> 0: share of the first tilt still held

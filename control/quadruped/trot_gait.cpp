@@ -1,5 +1,6 @@
 #include "control/quadruped/trot_gait.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "robot/dynamics/inverse_dynamics.h"
@@ -22,6 +23,17 @@ TrotGait::TrotGait(const QuadrupedBody& body) noexcept
       farthest_(kFarthest * body.height) {
   const double fastest = kFroude * std::sqrt(kGravity * body.height);
   most_ << fastest, kSideways * fastest, kTurn * omega_;
+}
+
+Eigen::Vector3d TrotGait::possible(const Eigen::Vector3d& velocity) const noexcept {
+  const double share = velocity.cwiseQuotient(most_).norm();
+  return share > 1.0 ? Eigen::Vector3d(velocity / share) : velocity;
+}
+
+void TrotGait::limit(double fastest) noexcept {
+  if (!(fastest > 0.0)) return;
+  const double share = std::min(1.0, fastest / most_.x());
+  most_ << fastest, share * most_.y(), share * most_.z();
 }
 
 void TrotGait::begin() noexcept {

@@ -24,7 +24,11 @@ class TrotGait {
   double stance_time() const noexcept { return kDuty * period_; }
   double swing_time() const noexcept { return (1.0 - kDuty) * period_; }
   double lift() const noexcept { return lift_; }            // of a foot [m]
-  Eigen::Vector3d most_velocity() const noexcept { return most_; }  // vx, vy, wz
+  const Eigen::Vector3d& most_velocity() const noexcept { return most_; }  // vx, vy, wz, each alone
+  // Of what is asked, all at once: within an ellipsoid of these.
+  Eigen::Vector3d possible(const Eigen::Vector3d& velocity) const noexcept;
+  // Lowers them, of a robot whose robot.yaml says how fast it walks forward; 0: it does not [m/s].
+  void limit(double fastest) noexcept;
   double farthest() const noexcept { return farthest_; }    // of a foothold from below its hip [m]
 
   bool steps() const noexcept { return steps_; }

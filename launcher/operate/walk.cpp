@@ -7,6 +7,7 @@
 #include "common/process/arguments.h"
 #include "common/process/command_word.h"
 #include "common/process/process.h"
+#include "control/quadruped/trot_gait.h"
 #include "control/walk/listed_steps.h"
 #include "control/walk/walk_gains.h"
 #include "launcher/bus/bus_arguments.h"
@@ -76,12 +77,19 @@ std::string why_it_ended(BusLink& bus, const ModeRequest& request) {
   return std::string("something else was asked: the controller is in mode ") + label(status.mode);
 }
 
+Eigen::Vector3d possible_of(const Model& model, const Eigen::Vector3d& asked) {
+  const Walking walking = walking_of(model);
+  if (why_no_quadruped(model) != nullptr) return gait_of(model, walking, WalkGains{}.stabilizer.margin).possible(asked);
+  TrotGait trot{QuadrupedBody(model)};
+  trot.limit(walking.fastest);
+  return trot.possible(asked);
+}
+
 // All the speeds at their most are more than the legs can do at once.
 void say_if_limited(const Model& model, std::int64_t running_hash, const WalkCommand& command) {
   if (running_hash != model.hash) return;  // another robot: its limits are not known here
-  const Gait gait = gait_of(model, walking_of(model), WalkGains{}.stabilizer.margin);
   const Eigen::Vector3d asked = Eigen::Vector3f(command.vx, command.vy, command.wz).cast<double>();
-  const Eigen::Vector3d possible = gait.possible(asked);
+  const Eigen::Vector3d possible = possible_of(model, asked);
   if ((possible - asked).cwiseAbs().maxCoeff() < kSaidLimit) return;
   print_typed(stdout, "walk: limited to %.2f %.2f %.2f, more at once %s does not walk\n", possible.x(), possible.y(),
               possible.z(), model.name.c_str());

@@ -346,7 +346,8 @@ std::string scene_figures(const OneProcess& run, const Criteria& asked) {
   char text[400];
   const bool feet = run.model().soles[0].link >= 0 || run.model().soles[1].link >= 0;
   if (!feet)
-    std::snprintf(text, sizeof text, "tilt %.2f degrees, no feet\n", kDegrees * f.max_tilt);
+    std::snprintf(text, sizeof text, "tilt %.2f degrees, %s\n", kDegrees * f.max_tilt,
+                  why_no_quadruped(run.model()) == nullptr ? "on four point feet: nothing is asked of soles" : "no feet");
   else
     std::snprintf(text, sizeof text,
                 "tilt %.2f degrees, ZMP margin %.1f mm, slip %.2f mm, penetration %.2f mm, sole "

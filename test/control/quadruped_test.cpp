@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "test/bench/two_sources.h"
 #include "test/control/four_legged.h"
 #include "test/control/sim_rig.h"
 #include "test/no_alloc.h"
@@ -151,6 +152,50 @@ TEST(Quadruped, SwaysAndSquats) {
   EXPECT_GT(left, 0.02);
   EXPECT_LT(right, -0.02);
   EXPECT_LT(rig.record().base_tilt_max, 0.05);
+}
+
+double tilt_of(const SimTruth& truth) {
+  const auto& q = truth.base_attitude;
+  return std::acos(std::clamp(1.0 - 2.0 * (q[1] * q[1] + q[2] * q[2]), -1.0, 1.0));
+}
+
+// To the other engine, where the robot is heavier and the ground softer, and back: standing, then in phases of the trot.
+TEST(Quadruped, GoesOnWhileAnotherSimulatorTakesOver) {
+  const Model& model = test::four_legged(1.0);
+  TwoSources rig(model, flat(), {}, std::make_unique<SimAdaptor>(flat()),
+                 {{{"engine", "ode"}, {"model.mass_scale", "1.03"}, {"contact.stiffness_scale", "0.8"}}});
+  double worst = 0.0;
+  int said = 0, switches = 0;
+  const auto run = [&](double seconds, double speed) {
+    for (int i = 0; i < static_cast<int>(seconds / model.period()); ++i) {
+      if (speed > 0.0 && ++said % 10 == 0) rig.want(speed, 0.0, 0.0);
+      rig.tick();
+      if (rig.active() >= 0) worst = std::max(worst, tilt_of(rig.truth(rig.active())));
+    }
+  };
+  const auto change = [&](double speed) {
+    const int from = rig.active();
+    rig.request(SourceAction::kSwitch, TwoSources::run_of(1 - from), SwitchPolicy::kNow);
+    run(0.1, speed);
+    switches += rig.active() == 1 - from ? 1 : 0;
+    run(1.0, speed);
+    EXPECT_EQ(rig.source(rig.active()).state().stop_kind, StopKind::kNone);
+  };
+  run(1.5, 0.0);
+  for (int i = 0; i < 4; ++i) change(0.0);
+  EXPECT_EQ(switches, 4);
+  EXPECT_EQ(rig.loop().status().mode, Mode::kBalance);
+  EXPECT_LT(worst, 0.05) << "standing";
+  rig.ask(Mode::kWalk);
+  run(1.5, 0.5);
+  for (int i = 0; i < 8; ++i) {
+    run(0.05 * i, 0.5);
+    change(0.5);
+  }
+  EXPECT_EQ(switches, 12);
+  EXPECT_EQ(rig.loop().status().mode, Mode::kWalk);
+  EXPECT_LT(worst, 0.2) << "trotting";
+  EXPECT_EQ(rig.unanswered(), 0);
 }
 
 TEST(Quadruped, ATickAllocatesNothing) {
