@@ -258,7 +258,14 @@ bool ControlLoop::Impl::resume() noexcept {
   const StopPlan* plan = planner.plan(state.plan_number);
   const auto silent = static_cast<double>(state.tick - state.plan_tick) * model.period();
   if (plan == nullptr || !(silent <= kResumesWithin) || state.stop_kind != StopKind::kNone) return false;
-  if (!plan->head.walks) return true;
+  if (!plan->head.walks) {
+    if (modes.quadruped() != nullptr) {  // its feet are not where it left them
+      have_output = false;
+      blend.cancel();
+      modes.rebase_feet();
+    }
+    return true;
+  }
   const Walk* foreseen = modes.walk() != nullptr ? planner.walk_at(state.plan_number, state.tick - 1) : nullptr;
   if (foreseen == nullptr) return false;
   // What the source wrote last is not heard, but the servos' torques show it.

@@ -375,6 +375,8 @@ PlannedMotion Modes::motion(const JointCommand& command) const noexcept {
           .command = command,
           .joints = all,
           .follow = measured(),
+          .down = on_four_ && quadruped_->stepping() ? &quadruped_->stance() : nullptr,
+          .down_torque = on_four_ ? &quadruped_->stance_torque() : nullptr,
           .rests = !moves,
           .steered = mode_ != Mode::kIdle && mode_ != Mode::kNone && !bracing_ && !held_by_gate_};
 }

@@ -51,6 +51,10 @@ class Modes {
   void start(Mode first, const Moment& now) noexcept;
   // The same robot speaks through another source.
   void rebase() noexcept;
+  // Four feet were moved by somebody else: they are stood on, or stepped with, from where they are.
+  void rebase_feet() noexcept {
+    if (on_four_) quadruped_->resume();
+  }
   // A robot that cannot be caught any more braces itself; one that lies on the ground is let go.
   void watch_for_a_fall(const Moment& now) noexcept;
   // asked: the highest stop heard since the last tick.  True while the gate obeys nobody, and at the

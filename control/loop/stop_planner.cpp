@@ -17,6 +17,7 @@ constexpr double kGoesOn = 0.050;   // before it stops [s]
 constexpr int kWalkKnots = 39;      // 1.52 s: stands after at most 0.9 s, and then shares its weight
 constexpr int kArmKnots = 11;       // 0.4 s
 constexpr int kRestKnots = kPlanKnotsPerPiece;  // 0.16 s
+constexpr double kDown = 0.16;   // in which feet in the air come down [s]
 constexpr double kRateFilter = 0.03;  // of joints that follow what is measured [s]
 constexpr int kKnotsPerTick = 3;
 constexpr int kRounds = 2;        // of the inverse kinematics per knot
@@ -38,6 +39,8 @@ StopPlanner::StopPlanner(const Model& model, const Walk* walk, std::int32_t firs
       going_on_(ticks_of(kGoesOn, model.period())),
       number_(first_number),
       arm_(model),
+      down_q_(Eigen::VectorXd::Zero(model.joint_count())),
+      down_torque_(down_q_),
       q_given_(Eigen::VectorXd::Zero(model.joint_count())),
       qdd_(q_given_),
       tau_(q_given_),
@@ -77,6 +80,11 @@ void StopPlanner::begin(const PlannedMotion& motion) noexcept {
   begun.q_given = q_given_ = motion.q_given;
   command_ = motion.command;
   follow_ = motion.follow;
+  down_ = motion.down != nullptr && motion.down_torque != nullptr;
+  if (down_) {
+    down_q_ = *motion.down;
+    down_torque_ = *motion.down_torque;
+  }
   arm_.start(motion.posture, motion.arm);
   for (int j = 0; j < model_.bus_count(); ++j) started_[at(j)] = motion.posture.q(j);
   StopPlanHead& head = begun.plan.head;
@@ -136,9 +144,18 @@ bool StopPlanner::write_joints(int k) noexcept {
     const bool leg = begun.walks && ahead_->is_leg(joint);
     double q = command_.q[at(j)] + arm_.posture().q(j) - started_[at(j)];
     if (leg) q = knot(k).q[joint];
-    if ((follow_ & bit(j)) != 0) q = command_.q[at(j)] + rate_[at(j)] * arm_.gone();
+    double tau = static_cast<double>(command_.tau[at(j)]);
+    if ((follow_ & bit(j)) != 0) {
+      q = command_.q[at(j)] + rate_[at(j)] * arm_.gone();
+      if (down_ && k > 0) {
+        const double done = std::min(1.0, static_cast<double>((k - 1) * spacing_) * model_.period() / kDown);
+        const double share = done * done * (3.0 - 2.0 * done);
+        q += share * (down_q_[joint] - q);
+        tau += share * (down_torque_[joint] - tau);
+      }
+    }
     fits = to_plan(q, kPlanPosition, plan.q[at(k)][at(j)]) && fits;
-    fits = to_plan(static_cast<double>(command_.tau[at(j)]), kPlanTorque, plan.tau[at(k)][at(j)]) && fits;
+    fits = to_plan(tau, kPlanTorque, plan.tau[at(k)][at(j)]) && fits;
     if (!leg) q_given_[joint] = arm_.posture().q(j);
   }
   return fits;

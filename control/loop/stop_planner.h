@@ -30,6 +30,9 @@ struct PlannedMotion {
   const JointCommand& command;
   std::int64_t joints = 0;  // bit per joint whose way is known beforehand
   std::int64_t follow = 0;  // those of them that balance and go on as they are measured: they are braked
+  // To where, and with which torques, those that follow are led instead, [joint_count]: feet in the air come down.  Null: nowhere.
+  const Eigen::VectorXd* down = nullptr;
+  const Eigen::VectorXd* down_torque = nullptr;
   bool rests = false;       // nothing moves: a short plan, to stay there
   bool steered = false;     // somebody steers the robot; else no plan
 };
@@ -93,6 +96,8 @@ class StopPlanner {
   PerJoint<double> started_{};  // the posture then
   PerJoint<double> rate_{};     // of the commands, smoothed [rad/s]
   std::int64_t follow_ = 0;
+  bool down_ = false;
+  Eigen::VectorXd down_q_, down_torque_;  // [joint_count]
   Eigen::Vector2d origin_ = Eigen::Vector2d::Zero();  // of the plan's frame
   double heading_ = 0.0, cosine_ = 1.0, sine_ = 0.0;
   std::array<Knot, 3> knot_;

@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "common/math/index.h"
 #include "common/math/pose_math.h"
@@ -63,6 +64,8 @@ Quadruped::Quadruped(const Model& model)
       kd_(q_),
       leg_kp_(q_),
       leg_kd_(q_),
+      stance_(body_.posture),
+      stance_torque_(q_),
       leg_(model.joints.size(), false),
       wrench_(4) {
   forces_.fill(Eigen::Vector3d::Zero());
@@ -74,6 +77,15 @@ Quadruped::Quadruped(const Model& model)
       leg_kd_[j] = model.joints[at(j)].kd;
     }
   }
+  Configuration c(model);
+  c.q = stance_;
+  Kinematics k(model);
+  k.update(c);
+  for (std::size_t i = 0; i < 4; ++i) {
+    wrench_[i].point = k.link_in_world(body_.legs[i].link) * body_.centre[i];
+    wrench_[i].force << 0.0, 0.0, 0.25 * body_.mass * kGravity;
+  }
+  (void)dynamics_.solve(k, c, qdd_, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), wrench_, stance_torque_);
 }
 
 bool Quadruped::may_start(const Estimator& estimator) noexcept {
@@ -358,6 +370,11 @@ void Quadruped::lead_legs(const Estimator& estimator, double dt) noexcept {
 }
 
 void Quadruped::update(const Estimator& estimator, double dt) noexcept {
+  if (std::exchange(resumes_, false)) {
+    const bool walks = walks_;
+    start(estimator);
+    walks_ = walks;
+  }
   measure(estimator, dt);
   first_.advance(dt);
   decide(dt);

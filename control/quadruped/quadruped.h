@@ -37,6 +37,9 @@ class Quadruped {
   // Another source, or a start before: filters begin anew.
   void rebase() noexcept { fresh_ = true; }
 
+  // The same at the next update, with what was asked of it: it was led by somebody else meanwhile.
+  void resume() noexcept { resumes_ = true; }
+
   // In a walk it steps as long as a velocity is asked; else it stands, and steps only so as not to fall.
   void walk(bool on) noexcept;
   // vx, vy, wz [m/s, m/s, rad/s]; cut to what the robot can.
@@ -59,6 +62,10 @@ class Quadruped {
   // On all four feet, and nothing moves.
   bool resting() const noexcept;
   bool stepping() const noexcept { return gait_.steps(); }
+
+  // Joints and torques of the nominal stance, [joint_count].
+  const Eigen::VectorXd& stance() const noexcept { return stance_; }
+  const Eigen::VectorXd& stance_torque() const noexcept { return stance_torque_; }
 
   const QuadrupedBody& body() const noexcept { return body_; }
   const TrotGait& gait() const noexcept { return gait_; }
@@ -105,9 +112,9 @@ class Quadruped {
   Eigen::Vector3d com_ = Eigen::Vector3d::Zero(), velocity_ = Eigen::Vector3d::Zero(), omega_ = Eigen::Vector3d::Zero();
   Eigen::Matrix3d base_ = Eigen::Matrix3d::Identity(), base_reference_ = Eigen::Matrix3d::Identity();
   PointForces forces_;
-  bool walks_ = false, halts_ = false, fresh_ = true, finite_ = true;
+  bool walks_ = false, halts_ = false, fresh_ = true, finite_ = true, resumes_ = false;
   double quiet_ = 0.0;  // the asked velocity is zero for so long [s]
-  Eigen::VectorXd q_, qd_, qdd_, tau_, kp_, kd_, leg_kp_, leg_kd_;
+  Eigen::VectorXd q_, qd_, qdd_, tau_, kp_, kd_, leg_kp_, leg_kd_, stance_, stance_torque_;
   std::vector<bool> leg_;
   std::vector<ExternalWrench> wrench_;
 };

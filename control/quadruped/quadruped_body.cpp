@@ -53,6 +53,7 @@ QuadrupedBody::QuadrupedBody(const Model& model) {
   }
   length = 0.25 * (stance[0] + stance[1] - stance[2] - stance[3]).x();
   width = 0.25 * (stance[0] - stance[1] + stance[2] - stance[3]).y();
+  posture = c.q;
   com_in_base = k.com();
   height = k.com().z() - middle.z();
   mass = model.total_mass();

@@ -21,6 +21,7 @@ struct QuadrupedBody {
   std::array<Eigen::Vector3d, 4> centre;      // of the ball that rolls on the ground, in the foot's link [m]
   std::array<double, 4> radius{};             // of that ball [m]
   std::array<Eigen::Vector2d, 4> stance;      // of a foot from the centre of mass, seen from above, trunk level [m]
+  Eigen::VectorXd posture;                    // of the stance [joint_count]
   Eigen::Vector3d com_in_base;                // in the stance [m]
   double height = 0.0;                        // of the centre of mass above the ground [m]
   double reach = 0.0;                         // of a stretched leg [m]
