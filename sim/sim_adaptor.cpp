@@ -254,7 +254,7 @@ Status SimAdaptor::open(const Model& nominal, const AdaptorConfig& config) {
     s.settings = SimSettings{};
     if (!engine_of(s.scene.engine, s.settings.world.engine)) {
       throw std::runtime_error("scene " + s.scene.name + ": there is no engine '" + s.scene.engine +
-                               "'; use articulated or ode");
+                               "'; use articulated, ode or mujoco");
     }
     (void)contact_of(s.scene.contact, s.settings.world.contact);
     s.settings.world.ground_friction = s.scene.ground_friction;

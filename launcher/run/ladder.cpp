@@ -253,7 +253,7 @@ Ladder climb(const Model& model, const Scene& scene, const OneProcessConfig& con
   OneProcessConfig quiet = config;
   quiet.listener = nullptr;
   std::erase_if(quiet.settings, [](const auto& each) { return each.first == "solver.order"; });
-  const int orders = scene.engine == "ode" ? 1 : 3;
+  const int orders = scene.engine == "articulated" ? 3 : 1;
   Ladder ladder;
   std::vector<Track> tracks;
   const auto run = [&](const Scene& asked) {

@@ -49,7 +49,7 @@ Syntax run_syntax() {
               settings_help(),
           {robot_option(),
            {"--for", "S", "simulated seconds; default: the scene's duration"},
-           {"--engine", "E", "articulated or ode; default the scene's"},
+           {"--engine", "E", "articulated, ode or mujoco; default the scene's"},
            {"--start-pose", "POSE", "of the robot's SRDF, in which it begins; default the scene's"},
            {"--seed", "N", "of everything random; default 1"},
            {"--seeds", "A..B", "the scene once for each of these seeds, one at a time on each processor"},
@@ -335,7 +335,7 @@ int run_command(const std::vector<std::string>& words) {
   request.engine = arguments.text("--engine", scene.engine);
   Engine engine;
   if (!engine_of(request.engine, engine))
-    throw UsageError("run: there is no engine '" + request.engine + "'; use articulated or ode");
+    throw UsageError("run: there is no engine '" + request.engine + "'; use articulated, ode or mujoco");
   scene.engine = request.engine;
   choose_fidelity(arguments, scene);
   request.lockstep = true;

@@ -187,7 +187,7 @@ Setup write_setup(const std::string& wish_text, const std::string& robot,
       .scene = folder + "/scene.yaml", .robot = robot, .engine = text_member(wish, "engine")};
   Engine engine;
   if (!setup.engine.empty() && !engine_of(setup.engine, engine))
-    refuse("there is no engine '" + setup.engine + "'; use articulated or ode");
+    refuse("there is no engine '" + setup.engine + "'; use articulated, ode or mujoco");
   const std::string from = robot_folder(robot);
   const Model model = load_robot(from);
   const std::vector<std::pair<std::string, double>> joints = page_posture(wish, model);

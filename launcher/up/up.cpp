@@ -99,7 +99,7 @@ Up::Up(const Arguments& arguments) {
   request_.engine = arguments.text("--engine", scene_.engine);
   Engine engine;
   if (!engine_of(request_.engine, engine))
-    throw UsageError("up: there is no engine '" + request_.engine + "'; use articulated or ode");
+    throw UsageError("up: there is no engine '" + request_.engine + "'; use articulated, ode or mujoco");
   request_.lockstep = arguments.has("--lockstep");
   request_.rate = arguments.number("--rate", 1.0, 0.01, 100.0);
   request_.duration = arguments.number("--for", 0.0, 0.1, 1e6);

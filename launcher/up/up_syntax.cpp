@@ -22,7 +22,7 @@ Syntax up_syntax() {
       "held against the stack.",
       {robot_option(),
        {"--stack", "NAME", "of config/stacks (" + stacks + "), or a file; default sim"},
-       {"--engine", "E", "articulated or ode; default the scene's"},
+       {"--engine", "E", "articulated, ode or mujoco; default the scene's"},
        {"--lockstep", "",
         "each tick waits for its command: slower or faster than real time, repeatable"},
        {"--rate", "X", "times real time; default 1"},

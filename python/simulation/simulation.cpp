@@ -18,7 +18,7 @@ SceneAndRobot load(const SimulationConfig& config) {
   if (!config.engine.empty()) scene.engine = config.engine;
   Engine engine;
   if (!engine_of(scene.engine, engine))
-    throw std::runtime_error("there is no engine '" + scene.engine + "'; use articulated or ode");
+    throw std::runtime_error("there is no engine '" + scene.engine + "'; use articulated, ode or mujoco");
   loaded.model = std::make_unique<Model>(load_robot(scene.robot));
   fit_scene(scene, *loaded.model);
   start_in(config.start_pose.empty() ? scene.start_pose : config.start_pose, *loaded.model, scene);

@@ -19,7 +19,7 @@ namespace twinbus {
 struct SimulationConfig {
   std::string scene = "stand";  // a name in config/scenes or a file
   std::string robot;            // a name in config/robots or a folder; empty: the scene's
-  std::string engine;           // articulated or ode; empty: the scene's
+  std::string engine;           // articulated, ode or mujoco; empty: the scene's
   std::string start_pose;       // empty: the scene's
   std::uint64_t seed = 1;       // of everything random
   bool controller = true;       // ours; false: command() is obeyed

@@ -19,8 +19,8 @@ constexpr double kLeastMass = 1e-9;  // of a link without mass that cannot be jo
 // What MuJoCo gives one body: a link with mass and the massless ones before it, whose joints it has too.
 class BodyWriter {
  public:
-  BodyWriter(const Model& model, const MjcfContact& contact, ExportedMeshes& meshes)
-      : model_(model), contact_(contact), meshes_(meshes), children_(model.links.size()) {
+  BodyWriter(const Model& model, const MjcfContact& contact, const MjcfParts& parts, ExportedMeshes& meshes)
+      : model_(model), contact_(contact), parts_(parts), meshes_(meshes), children_(model.links.size()) {
     for (int i = 1; i < model.link_count(); ++i) children_[at(model.links[at(i)].parent)].push_back(i);
   }
 
@@ -34,9 +34,10 @@ class BodyWriter {
       joints.emplace_back(link - 1, frame);
     }
     const Link& body = model_.links[at(link)];
-    out += indent + "<body name=\"" + xml_escaped(body.name) + "\" " + mjcf_place(frame) + ">\n";
+    out += indent + "<body name=\"" + xml_escaped(body.name) + "\" " +
+           (link == 0 && !model_.floating_base && parts_.placeable ? "mocap=\"true\" " : "") + mjcf_place(frame) + ">\n";
     const std::string inner = indent + "  ";
-    if (link == 0 && model_.floating_base) out += inner + "<freejoint/>\n";
+    if (link == 0 && model_.floating_base) out += inner + "<freejoint name=\"" + kMjcfBase + "\"/>\n";
     for (const auto& [joint, joint_frame] : joints) write_joint(joint, frame.inverse() * joint_frame, inner, out);
     write_inertial(body, link == 0 && !model_.floating_base, inner, out);
     write_geoms(link, inner, out);
@@ -49,6 +50,7 @@ class BodyWriter {
       write(child, model_.joints[at(child - 1)].placement, inner, out);
     out += indent + "</body>\n";
   }
+  const std::map<std::string, MjcfText::Geom>& geoms() const { return geoms_; }
 
  private:
   // A link that only stands between two joints.
@@ -65,9 +67,9 @@ class BodyWriter {
     if (std::isfinite(joint.lower) && std::isfinite(joint.upper) && joint.lower < joint.upper)
       out += " range=\"" + exact_number(joint.lower) + " " + exact_number(joint.upper) + "\"";
     if (joint.rotor_inertia > 0.0) out += " armature=\"" + exact_number(joint.rotor_inertia) + "\"";
-    if (joint.damping > 0.0) out += " damping=\"" + exact_number(joint.damping) + "\"";
+    if (joint.damping > 0.0 && parts_.drives) out += " damping=\"" + exact_number(joint.damping) + "\"";
     if (joint.friction > 0.0) out += " frictionloss=\"" + exact_number(joint.friction) + "\"";
-    if (joint.effort > 0.0 && joint.effort < 1e9)
+    if (joint.effort > 0.0 && joint.effort < 1e9 && parts_.drives)
       out += " actuatorfrcrange=\"" + exact_number(-joint.effort) + " " + exact_number(joint.effort) + "\"";
     out += "/>\n";
   }
@@ -83,15 +85,25 @@ class BodyWriter {
     }
   }
 
-  std::string friction(double own) const {
-    return "friction=\"" + exact_number(std::sqrt(own * contact_.ground_friction)) + " 0.005 0.0001\"";
+  std::string touching(const std::string& name, double friction, const std::string& bits) const {
+    return "name=\"" + xml_escaped(name) + "\" class=\"collision\" friction=\"" +
+           exact_number(std::sqrt(friction * contact_.ground_friction)) + " 0.005 0.0001\"" +
+           (bits.empty() ? "" : " " + bits);
   }
 
-  void write_geoms(int link, const std::string& indent, std::string& out) const {
+  void write_geoms(int link, const std::string& indent, std::string& out) {
     const Link& body = model_.links[at(link)];
-    for (const Shape& shape : body.collision)
-      out += indent + mjcf_geom(shape, "class=\"collision\" " + friction(contact_.link_friction), meshes_) + "\n";
-    for (const Shape& shape : body.visual) out += indent + mjcf_geom(shape, "class=\"visual\"", meshes_) + "\n";
+    const bool has_sole = link == model_.soles[0].link || link == model_.soles[1].link;
+    const std::string& bits = has_sole ? contact_.foot_bits : contact_.robot_bits;
+    int index = 0;
+    for (const Shape& shape : body.collision) {
+      const std::string name = body.name + "/" + std::to_string(index++);
+      geoms_[name] = {link, -1};
+      out += indent + mjcf_geom(shape, touching(name, contact_.link_friction, bits), meshes_) + "\n";
+    }
+    if (parts_.visual) {
+      for (const Shape& shape : body.visual) out += indent + mjcf_geom(shape, "class=\"visual\"", meshes_) + "\n";
+    }
     for (std::size_t side = 0; side < 2; ++side) {
       const Sole& sole = model_.soles[side];
       if (sole.link != link) continue;
@@ -99,15 +111,18 @@ class BodyWriter {
       box.kind = ShapeKind::kBox;
       box.size << sole.front + sole.back, sole.left + sole.right, 2.0 * kSoleHalf;
       box.pose = sole.frame * Eigen::Translation3d(0.5 * (sole.front - sole.back), 0.5 * (sole.left - sole.right), kSoleHalf);
-      out += indent + mjcf_geom(box, std::string("name=\"") + (side == 0 ? "left" : "right") + "_sole\" class=\"collision\" " +
-                                         friction(sole.friction), meshes_) + "\n";
+      const std::string name = side == 0 ? "left_sole" : "right_sole";
+      geoms_[name] = {link, static_cast<int>(side)};
+      out += indent + mjcf_geom(box, touching(name, sole.friction, contact_.robot_bits), meshes_) + "\n";
     }
   }
 
   const Model& model_;
   const MjcfContact& contact_;
+  const MjcfParts& parts_;
   ExportedMeshes& meshes_;
   std::vector<std::vector<int>> children_;
+  std::map<std::string, MjcfText::Geom> geoms_;
 };
 
 std::string servo_of(const Joint& joint) {
@@ -183,9 +198,11 @@ std::string mjcf_geom(const Shape& shape, const std::string& attributes, Exporte
 }
 
 MjcfText mjcf_of_model(const Model& model, const Eigen::Isometry3d& base, const MjcfContact& contact,
-                       ExportedMeshes& meshes) {
+                       ExportedMeshes& meshes, const MjcfParts& parts) {
   MjcfText text;
-  BodyWriter(model, contact, meshes).write(0, base, "    ", text.body);
+  BodyWriter writer(model, contact, parts, meshes);
+  writer.write(0, base, "    ", text.body);
+  text.geoms = writer.geoms();
   for (const auto& [a, b] : model.disabled_pairs) {
     if (!(model.links[at(a)].mass > 0.0 && model.links[at(b)].mass > 0.0)) continue;  // may be part of the next body
     text.contact += "    <exclude body1=\"" + xml_escaped(model.links[at(a)].name) + "\" body2=\"" +
@@ -197,7 +214,9 @@ MjcfText mjcf_of_model(const Model& model, const Eigen::Isometry3d& base, const 
                      xml_escaped(model.joints[at(joint.mimic)].name) + "\" polycoef=\"" + exact_number(joint.mimic_offset) +
                      " " + exact_number(joint.mimic_multiplier) + " 0 0 0\"/>\n";
   }
-  for (const int j : model.bus_joints) text.actuator += servo_of(model.joints[at(j)]);
+  for (const int j : model.bus_joints) {
+    if (parts.drives) text.actuator += servo_of(model.joints[at(j)]);
+  }
   for (const char* sensor : {"gyro", "accelerometer"})
     text.sensor += std::string("    <") + sensor + " site=\"imu_sensor\" name=\"imu_" + sensor + "\"/>\n";
   text.sensor += "    <framequat objtype=\"site\" objname=\"imu_sensor\" name=\"imu_attitude\"/>\n";

@@ -29,6 +29,15 @@ class ExportedMeshes {
 struct MjcfContact {
   double ground_friction = 0.8;
   double link_friction = 0.6;  // of links that are no soles
+  std::string robot_bits;      // contype and conaffinity of its geoms; empty: MuJoCo's own
+  std::string foot_bits;       // of shapes of links that have a sole, beside it
+};
+
+// What of it is written.
+struct MjcfParts {
+  bool visual = true;      // shapes that touch nothing
+  bool placeable = false;  // a robot without a floating base can be put elsewhere: its base is a mocap body
+  bool drives = true;      // damping of joints, limits of their efforts, servos
 };
 
 struct MjcfText {
@@ -37,10 +46,19 @@ struct MjcfText {
   std::string equality;  // of joints that follow others
   std::string actuator;  // position servos with the gains of robot.yaml, motors where there are none
   std::string sensor;    // gyro, accelerometer, framequat at the IMU
+  // Geoms that touch: name and whose they are.
+  struct Geom {
+    int link;
+    int sole;  // 0 left, 1 right, -1 none
+  };
+  std::map<std::string, Geom> geoms;
 };
 
+inline constexpr const char* kMjcfBase = "floating_base";  // name of the free joint
+
 // base: of link 0 in the world.  indent: of the body.
-MjcfText mjcf_of_model(const Model& model, const Eigen::Isometry3d& base, const MjcfContact& contact, ExportedMeshes& meshes);
+MjcfText mjcf_of_model(const Model& model, const Eigen::Isometry3d& base, const MjcfContact& contact, ExportedMeshes& meshes,
+                       const MjcfParts& parts = {});
 
 // One geom; friction as MuJoCo is to have it.  attributes: further ones.
 std::string mjcf_geom(const Shape& shape, const std::string& attributes, ExportedMeshes& meshes);

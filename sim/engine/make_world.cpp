@@ -9,6 +9,7 @@
 #include "sim/engine/ode_world.h"
 #include "sim/engine/twinned_world.h"
 #include "sim/engine/welded_world.h"
+#include "sim/mujoco/mujoco_world.h"
 
 namespace twinbus {
 
@@ -33,6 +34,7 @@ std::unique_ptr<World> make_world(const Model& model, const WorldConfig& config)
   check_bodies(config.loose);
   if (config.twin) return std::make_unique<TwinnedWorld>(model, config);
   if (less_is_modelled(config)) return std::make_unique<WeldedWorld>(model, config);
+  if (config.engine == Engine::kMujoco) return std::make_unique<MujocoWorld>(model, config);
   if (config.engine == Engine::kOde && config.continuous) {
     throw std::runtime_error("contact.continuous is of engine articulated only; leave it out, or say --engine articulated");
   }

@@ -120,7 +120,7 @@ struct SceneRobot {
 struct Scene {
   std::string name;
   std::string robot = "hrp1s";
-  std::string engine = "articulated";     // or ode
+  std::string engine = "articulated";     // or ode, mujoco
   std::string contact = "spring_damper";  // or hunt_crossley, patch, or rigid, engine ode only
   double duration = 10.0;                 // [s] of `twinbus run`
   std::string about;                      // one sentence
@@ -165,7 +165,7 @@ void start_in(const std::string& pose, const Model& model, Scene& scene);
 // name_or_file: a YAML file, or a name under config/scenes.  Throws std::runtime_error naming file,
 // line and the nearest valid key.
 //
-// Keys: about, robot, engine (articulated or ode), contact (spring_damper, hunt_crossley, patch or rigid), duration, step, accuracy (0.001 or 1 mm), fidelity, held and rigid as in
+// Keys: about, robot, engine (articulated, ode or mujoco), contact (spring_damper, hunt_crossley, patch or rigid), duration, step, accuracy (0.001 or 1 mm), fidelity, held and rigid as in
 // sim/scene/fidelity.h, start_pose, start_velocity: {JOINT: speed, ...}, base (floating or fixed), ground:
 // {friction}, obstacles: see scene_obstacle.h, pushes: [link, point, impulse, at,
 // duration], modes: [at, mode, motion, pose, duration, amplitude, frequency], goals: [at, hand,

@@ -176,7 +176,7 @@ std::string apply_setting(const std::string& key, const std::string& value, doub
                           SimSettings& settings) {
   if (key == "engine") {
     if (engine_of(value, settings.world.engine)) return "";
-    return "setting engine=" + value + ": must be articulated or ode";
+    return "setting engine=" + value + ": must be articulated, ode or mujoco";
   }
   if (key == "contact") {
     if (contact_of(value, settings.world.contact)) return "";
@@ -209,10 +209,11 @@ void apply_settings(const std::vector<std::pair<std::string, std::string>>& list
 
 std::string settings_help() {
   std::string help =
-      "  engine                      articulated | ode    physics engine: articulated (default) "
+      "  engine                      articulated | ode | mujoco    physics engine: articulated (default) "
       "takes microseconds a step,\n"
       "                              ode about a millisecond: for machines with a fast core for "
-      "each simulated robot\n"
+      "each simulated robot;\n"
+      "                              mujoco: where MuJoCo is installed\n"
       "  contact                     spring_damper | rigid    what touches: springs and dampers "
       "(default), or the LCP of\n"
       "                              engine ode, for comparison\n";

@@ -25,9 +25,9 @@ namespace twinbus {
 
 enum class Engine {
   kArticulated,  // sim/engine/articulated_world.h
-  kOde,          // sim/engine/ode_world.h
+  kOde, kMujoco  // sim/engine/ode_world.h, sim/mujoco/mujoco_world.h
 };
-inline constexpr const char* kEngineNames[] = {"articulated", "ode"};
+inline constexpr const char* kEngineNames[] = {"articulated", "ode", "mujoco"};
 
 // False: there is no such engine.
 bool engine_of(const std::string& name, Engine& engine);

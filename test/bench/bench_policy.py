@@ -2,7 +2,7 @@
 """Policies that others trained, on robots as `./twinbus check --propose` writes them, unedited: starts, walks, and the estimate of the base.
 
     bench_policy.py starts [--count 30]                  real time, --wait 0: falls within 4 s of the start, per velocity
-    bench_policy.py walks [--seconds 60] [--seeds 3]     lock-step, ESTIMATE and no TRUTH: falls, mean velocities, error of the estimate
+    bench_policy.py walks [--seconds 60] [--seeds 3] [--engine mujoco]   lock-step, ESTIMATE and no TRUTH: falls, mean velocities, error of the estimate
     bench_policy.py estimate [--seconds 20] [--seeds 3]  the same, pushed and on tiles of 30 mm
 
 Needs $TWINBUS_DATA (policies/g1_policy.onnx, policies/go1_policy.onnx, robots/g1, robots/go1) and a Python with onnxruntime: this one, or
@@ -79,9 +79,9 @@ class Error:
         return np.sqrt(self.squares / max(1, self.count))
 
 
-def walk(policy, command, seconds, seed, scene='stand_python'):
+def walk(policy, command, seconds, seed, scene='stand_python', engine=''):
     error = Error()
-    outcome = trial.run(policy.network, policy.spec, policy.robot, str(policy.folder), command, seconds, seed, scene=scene, look=error.look)
+    outcome = trial.run(policy.network, policy.spec, policy.robot, str(policy.folder), command, seconds, seed, engine, scene=scene, look=error.look)
     assert not error.from_truth, 'the velocity of the base was that of TRUTH'
     rms = error.rms()
     print(f'{policy.name:4} {trial.in_words(outcome)}; estimate off by {rms[0]:.3f} {rms[1]:.3f} {rms[2]:.3f} m/s rms, {error.largest:.2f} at most '
@@ -89,10 +89,10 @@ def walk(policy, command, seconds, seed, scene='stand_python'):
     return outcome, rms
 
 
-def table(policy, cases, seconds, seeds, scene='stand_python', about=''):
+def table(policy, cases, seconds, seeds, scene='stand_python', about='', engine=''):
     falls = 0
     for command in cases:
-        rows = [walk(policy, command, seconds, seed, scene) for seed in range(1, seeds + 1)]
+        rows = [walk(policy, command, seconds, seed, scene, engine) for seed in range(1, seeds + 1)]
         fell = sum(outcome.fell or bool(outcome.stopped) for outcome, _ in rows)
         mean = np.mean([outcome.velocity for outcome, _ in rows], axis=0)
         rms = np.sqrt(np.mean([error * error for _, error in rows], axis=0))
@@ -141,6 +141,7 @@ def main():
     parser.add_argument('--count', type=int, default=30)
     parser.add_argument('--seconds', type=float)
     parser.add_argument('--seeds', type=int, default=3)
+    parser.add_argument('--engine', default='', help="of walks and estimate; default the scene's")
     parser.add_argument('--robots', nargs='+', choices=ROBOTS, default=list(ROBOTS))
     words = parser.parse_args()
     missing = [name for name in words.robots for path in ROBOTS[name][:2] if not (DATA / path).is_file()]
@@ -157,10 +158,10 @@ def main():
             if words.what == 'starts':
                 falls += starts(policy, words.count)
             elif words.what == 'walks':
-                falls += table(policy, COMMANDS[name], words.seconds or 60.0, words.seeds, about='flat')
+                falls += table(policy, COMMANDS[name], words.seconds or 60.0, words.seeds, about='flat', engine=words.engine)
             else:
-                falls += table(policy, [(0.5, 0.0, 0.0)], words.seconds or 20.0, words.seeds, str(folder / 'pushed.yaml'), 'pushed')
-                falls += table(policy, [(0.5, 0.0, 0.0)], min(words.seconds or 12.0, 12.0), words.seeds, str(folder / 'tiles.yaml'), 'tiles')
+                falls += table(policy, [(0.5, 0.0, 0.0)], words.seconds or 20.0, words.seeds, str(folder / 'pushed.yaml'), 'pushed', words.engine)
+                falls += table(policy, [(0.5, 0.0, 0.0)], min(words.seconds or 12.0, 12.0), words.seeds, str(folder / 'tiles.yaml'), 'tiles', words.engine)
     sys.exit(1 if falls else 0)
 
 

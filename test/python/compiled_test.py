@@ -85,7 +85,7 @@ class Simulations(unittest.TestCase):
 
     def test_what_is_wrong_is_said(self):
         for call, said in ((lambda: twinbus.Simulation("stnd"), "stand"), (lambda: twinbus.Simulation("stand", "hrp9"), "hrp"),
-                           (lambda: twinbus.Simulation(control="mine"), "'builtin' or None"), (lambda: twinbus.Simulation(engine="bullet"), "articulated or ode"),
+                           (lambda: twinbus.Simulation(control="mine"), "'builtin' or None"), (lambda: twinbus.Simulation(engine="bullet"), "articulated, ode or mujoco"),
                            (lambda: twinbus.Worlds(count=0), "worlds: 1 to"), (lambda: twinbus.Robot("hrp9"), "hrp")):
             with self.assertRaisesRegex(ValueError, said):
                 call()

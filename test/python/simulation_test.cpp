@@ -108,7 +108,7 @@ TEST(Simulation, SaysWhatCannotBeLoaded) {
   EXPECT_NE(said([] { Simulation(scene("stnd")); }).find("stand"), std::string::npos);
   SimulationConfig config = scene("stand");
   config.engine = "bullet";
-  EXPECT_NE(said([&] { Simulation{config}; }).find("use articulated or ode"), std::string::npos);
+  EXPECT_NE(said([&] { Simulation{config}; }).find("use articulated, ode or mujoco"), std::string::npos);
   config = scene("stand");
   config.settings = {{"sensor.nois", "1"}};
   EXPECT_NE(said([&] { Simulation{config}; }).find("sensor.nois"), std::string::npos);

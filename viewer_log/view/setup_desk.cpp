@@ -43,7 +43,7 @@ double to_micro(double value) { return std::round(1e6 * value) / 1e6; }
 }  // namespace
 
 std::string setup_choices(const Model& model, const std::string& scenes_folder) {
-  Json json = {{"scenes", scene_list(scenes_folder)}, {"engines", {"articulated", "ode"}}};
+  Json json = {{"scenes", scene_list(scenes_folder)}, {"engines", {"articulated", "ode", "mujoco"}}};
   json["poses"] = Json::object();
   json["joints"] = Json::array();
   json["links"] = Json::array();
