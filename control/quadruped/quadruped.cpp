@@ -20,7 +20,7 @@ constexpr double kFriction = 0.5;     // that feet count on
 constexpr double kMostForce = 1.2;    // of a foot, in weights
 constexpr double kRamp = 0.03;        // of the force of a foot that has come down or is about to leave [s]
 constexpr double kStanceKp = 0.15, kStanceKd = 0.4, kSwingKp = 1.0, kSwingKd = 1.0;  // of the gains of robot.yaml
-constexpr double kOmegaFilter = 0.004;  // [s]
+constexpr double kOmegaFilter = 0.004, kBaseFilter = 0.03;  // [s]
 constexpr double kFollowStep = 0.2, kFollowStand = 2.0;  // an anchor follows its foot in so long [s]
 constexpr double kFade = 0.03;        // of what a foot is off its set-point as it lands or leaves [s]
 constexpr double kSettle = 0.6;       // from where it is to where it stands [s]
@@ -171,11 +171,13 @@ bool Quadruped::resting() const noexcept {
 
 void Quadruped::measure(const Estimator& estimator, double dt) noexcept {
   const Configuration& now = estimator.configuration();
-  base_ = now.base.linear();
-  yaw_ = yaw_of(base_);
   com_ = estimator.kinematics().com();
   const double share = fresh_ ? 1.0 : dt / (dt + kOmegaFilter);
   omega_ += share * (now.base_angular_velocity - omega_);
+  // Turned on by its rate, and pulled to what is measured, which is noisier.
+  base_ = fresh_ ? Eigen::Matrix3d(now.base.linear()) : Eigen::Matrix3d(rotation_of(dt * omega_) * base_);
+  base_ = rotation_of(dt / (dt + kBaseFilter) * rotation_vector(now.base.linear() * base_.transpose())) * base_;
+  yaw_ = yaw_of(base_);
   velocity_ = now.base_velocity + omega_.cross(com_ - now.base.translation());
   fresh_ = false;
   for (std::size_t i = 0; i < 4; ++i) {
@@ -349,7 +351,7 @@ void Quadruped::lead_legs(const Estimator& estimator, double dt) noexcept {
       const double bump = 16.0 * t * t * (1.0 - t) * (1.0 - t);
       const double bump_rate = 32.0 * t * (1.0 - t) * (1.0 - 2.0 * t) * per_s;
       const Eigen::Vector3d place = leg.anchor + smooth(t) * whole + bump * gait_.lift() * Eigen::Vector3d::UnitZ();
-      way = place - leg.point;
+      way = now.base.linear() * base_.transpose() * (place - com_) - (leg.point - com_);
       rate = smooth_rate(t) * per_s * whole + bump_rate * gait_.lift() * Eigen::Vector3d::UnitZ() - now.base_velocity -
              now.base_angular_velocity.cross(leg.point - now.base.translation());
     } else {

@@ -10,7 +10,7 @@ namespace twinbus {
 namespace {
 constexpr double kPeriod = 2.5;     // times sqrt(h / g)
 constexpr double kLift = 0.2;       // of the height
-constexpr double kFroude = 0.5;     // fastest, of sqrt(g h)
+constexpr double kFroude = 0.9;     // fastest, of sqrt(g h)
 constexpr double kSideways = 0.5;   // of it
 constexpr double kTurn = 0.2;       // of sqrt(g / h)
 constexpr double kFarthest = 0.45;  // of the height

@@ -100,8 +100,13 @@ std::optional<FourLegs> find_four_legs(const Model& model, Anatomy& anatomy) {
   bare.soles = {};
   bare.floating_base = true;
   const StandingFeet feet(bare);
-  std::optional<FourLegs> legs = four_legs(bare, feet);
-  if (!legs) return legs;
+  const char* why = "";
+  std::optional<FourLegs> legs = four_legs(bare, feet, &why);
+  if (!legs) {
+    if (feet.count() == 4 && anatomy.soles[0].link < 0)
+      anatomy.doubts.push_back(std::string("four limbs reach the ground, but it is not taken for a quadruped that stands and trots: ") + why);
+    return legs;
+  }
   anatomy.soles = {};
   anatomy.sole_sensor = {};
   anatomy.leg_joints.clear();
