@@ -3,6 +3,7 @@
 
     bench_policy.py starts [--count 30]                  real time, --wait 0: falls within 4 s of the start, per velocity
     bench_policy.py walks [--seconds 60] [--seeds 3] [--engine mujoco]   lock-step, ESTIMATE and no TRUTH: falls, mean velocities, error of the estimate
+    bench_policy.py switches [--count 20]                real time: from our engine to mujoco and back while it walks (stack client_mujoco)
     bench_policy.py estimate [--seconds 20] [--seeds 3]  the same, pushed and on tiles of 30 mm
 
 Needs $TWINBUS_DATA (policies/g1_policy.onnx, policies/go1_policy.onnx, robots/g1, robots/go1) and a Python with onnxruntime: this one, or
@@ -135,12 +136,46 @@ def starts(policy, count):
     return failed
 
 
+def switches(policy, count, name, vx=0.5):
+    """While it walks, a switch a second between our engine and MuJoCo; how many failed."""
+    pose = trial.posture_of(policy.spec, policy.robot)
+    words = [str(harness.BIN / 'twinbus'), 'policy', str(policy.model), '--spec', str(policy.spec_file), '--command', str(vx), '0', '0']
+    process = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                               env=dict(os.environ, TWINBUS_POLICY_PYTHON=sys.executable))
+    bus, done, runs = harness.Bus(), 0, set()
+    try:
+        while 'ready' not in (line := process.stdout.readline()):
+            assert line, process.communicate()[0]
+        with harness.Stack('stand_python', '--stack', name, '--robot', policy.folder, '--no-viewer', '--no-record',
+                           *(['--start-pose', pose] if pose else [])) as stack:
+            time.sleep(3.0)
+            for number in range(count):
+                status, out, err = harness.cli('switch', 'sim', '--policy', 'now', timeout=40)
+                time.sleep(1.0)
+                states = [state for _, state in bus.messages('STATE')]
+                runs.update(state.run_id for state in states)
+                most = max((2.0 * math.asin(min(1.0, math.hypot(state.attitude[1], state.attitude[2]))) for state in states), default=9.0)
+                if status != 0 or not states or states[-1].stop_kind != 0 or most > math.radians(40.0):
+                    print(f'{policy.name}: switch {number}: exit status {status}, {(out + err).strip()}, tilt {math.degrees(most):.0f} degrees, '
+                          f'stop {states[-1].stop_kind if states else "unknown"}', *stack.lines[-4:], sep='\n', flush=True)
+                    break
+                bus.forget()
+                done += 1
+    finally:
+        bus.close()
+        process.kill()
+        process.communicate()
+    print(f'{policy.name} {vx:g} m/s: {done} of {count} switches between two engines while it walks, {len(runs)} sources heard', flush=True)
+    return count - done
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument('what', choices=('starts', 'walks', 'estimate'))
-    parser.add_argument('--count', type=int, default=30)
+    parser.add_argument('what', choices=('starts', 'walks', 'switches', 'estimate'))
+    parser.add_argument('--count', type=int, help='of starts, 30, or switches, 20')
     parser.add_argument('--seconds', type=float)
     parser.add_argument('--seeds', type=int, default=3)
+    parser.add_argument('--stack', default='client_mujoco', help='of switches: a name or a file')
     parser.add_argument('--engine', default='', help="of walks and estimate; default the scene's")
     parser.add_argument('--robots', nargs='+', choices=ROBOTS, default=list(ROBOTS))
     words = parser.parse_args()
@@ -156,7 +191,9 @@ def main():
         for name in words.robots:
             policy = Policy(name, folder)
             if words.what == 'starts':
-                falls += starts(policy, words.count)
+                falls += starts(policy, words.count or 30)
+            elif words.what == 'switches':
+                falls += switches(policy, words.count or 20, words.stack)
             elif words.what == 'walks':
                 falls += table(policy, COMMANDS[name], words.seconds or 60.0, words.seeds, about='flat', engine=words.engine)
             else:
