@@ -150,6 +150,8 @@ class LooseContacts {
   static Eigen::Vector3d up_from(const Piece& box, const Eigen::Vector3d& up) noexcept;
   Eigen::Isometry3d pose_at(const Piece& piece, const Search& search, bool ahead) const noexcept;
   void meet_probes(std::size_t own, std::size_t other, Search& search) noexcept;
+  // Contacts of a pair of boxes from `before` on that will be deeper than the boxes overlap then [m].
+  static void drop_false(std::size_t before, double overlap, Search& search) noexcept;
   static bool is_box(const Piece& piece) noexcept;  // and its corners meet others
   // end_a: where the first is at the end of the step.
   void meet_boxes(std::size_t own, std::size_t other, const Eigen::Isometry3d& end_a,

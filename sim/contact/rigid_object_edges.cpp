@@ -11,8 +11,18 @@ namespace twinbus {
 namespace {
 constexpr double kOverlap = 1e-6;  // of boxes, from which their corners are compared with it [m]
 constexpr double kCorner = 2.0;    // a corner's depth and the overlap differ by less, or edges cross
+constexpr double kFalse = 1e-4;  // so deep and deeper than the boxes overlap, a corner is pushed out the wrong way [m]
 constexpr double kPassed = 0.8;  // of the way to the middle: it may come through
 }  // namespace
+
+// A face chosen by all corners of a box at once may be a wrong one for those that are in the other box: a corner that has slid into
+// the rim of a thin plate would be pushed out along the plate, through half of it.
+void LooseContacts::drop_false(std::size_t before, double overlap, Search& search) noexcept {
+  const double most = kFalse + kCorner * std::max(0.0, overlap);
+  const auto is_false = [&](const Contact& c) { return c.depth - search.h * c.normal.dot(c.v0) > most; };
+  const auto first = search.contacts.begin() + static_cast<std::ptrdiff_t>(before);
+  search.contacts.erase(std::remove_if(first, search.contacts.end(), is_false), search.contacts.end());
+}
 
 // Corners alone do not see two edges that cross, nor the edge of one below a face of the other: a
 // corner that comes in then may be far too deep at once.
@@ -27,7 +37,7 @@ void LooseContacts::meet_probes(std::size_t own, std::size_t other, Search& sear
   const Eigen::Isometry3d end_a = end_of(a, search), end_b = end_of(b, search);
   const Eigen::Vector3d half_a = 0.5 * a.solid.size, half_b = 0.5 * b.solid.size;
   BoxOverlap overlap = box_overlap(end_a, half_a, end_b, half_b);
-  if (!(overlap.depth > kOverlap)) return;
+  if (!(overlap.depth > kOverlap)) return drop_false(before, overlap.depth, search);
   double deepest = 0.0;
   for (std::size_t i = before; i < search.contacts.size(); ++i) {
     const Contact& c = search.contacts[i];
@@ -35,7 +45,7 @@ void LooseContacts::meet_probes(std::size_t own, std::size_t other, Search& sear
   }
   if (deepest * kCorner > overlap.depth && deepest < kCorner * overlap.depth) return;
   box_contact(end_a, half_a, end_b, half_b, overlap);
-  if (overlap.count == 0) return;
+  if (overlap.count == 0) return drop_false(before, overlap.depth, search);
   search.contacts.resize(before);
   meet_boxes(own, other, end_a, overlap, search);
 }

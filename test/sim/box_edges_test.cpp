@@ -10,6 +10,7 @@
 #include "robot/dynamics/inverse_dynamics.h"
 #include "sim/contact/box_overlap.h"
 #include "sim/engine/articulated_world.h"
+#include "sim/engine/energy_balance.h"
 #include "sim/scene/scene.h"
 #include "sim/scene/scene_seed.h"
 #include "test/no_alloc.h"
@@ -182,6 +183,33 @@ TEST(LyingStill, ABrickThatHoldsOnASlopeDoesNotCreepAtAnyOrder) {
     const Eigen::Vector3d way = world.loose(0).pose.translation() - brick.start.pose.translation();
     EXPECT_LT(std::abs(slope.linear().col(0).dot(way)), 2e-6) << order;
     EXPECT_LT(world.loose(0).velocity.norm(), 1e-8) << order;
+  }
+}
+
+// A corner in the rim of a thin plate was pushed out along the plate, through half of it: with up to 120 J in a step.
+TEST(BoxEdges, PlatesThatFallOnOneAnotherAreNotFlung) {
+  const Model model = test::bystander();
+  for (const std::uint64_t seed : {120U, 260U, 297U, 740U}) {
+    Scene scene = load_scene("pile_plates");
+    apply_seed(scene, model, seed);
+    WorldConfig config;
+    config.step = 1e-3;
+    config.fixed_base = true;
+    config.ground_friction = scene.ground_friction;
+    config.loose = scene.loose;
+    const auto world = make_world(model, config);
+    ASSERT_EQ(world->set(Configuration(model)), Status::kOk);
+    EnergyBalance balance(model, config);
+    balance.begin(*world);
+    double highest = 0.0, gained = 0.0;
+    for (int i = 0; i < 1000; ++i) {
+      ASSERT_EQ(world->step(), Status::kOk);
+      (void)balance.add(*world, 0.0);
+      gained = std::max(gained, balance.gain());
+      for (int b = 0; b < world->loose_count(); ++b) highest = std::max(highest, world->loose(b).pose.translation().z());
+    }
+    EXPECT_LT(highest, 1.5) << seed;  // from where the highest falls
+    EXPECT_LT(gained, 1.0) << seed;
   }
 }
 
