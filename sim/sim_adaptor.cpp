@@ -162,6 +162,7 @@ void SimAdaptor::Impl::drive_servos() noexcept {
   if (writes > delay) {
     const auto slot = static_cast<std::size_t>((writes - 1 - delay) % kMaxDelay);
     if (line_used[slot]) {
+      watch->driven_by(line[slot], command);
       command = line[slot];
       commanded = true;
     }

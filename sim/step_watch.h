@@ -4,9 +4,12 @@
 
 #include <time.h>
 
+#include <algorithm>
 #include <vector>
 
+#include "lcmtypes/msg/robot_io.h"
 #include "sim/engine/energy_balance.h"
+#include "sim/engine/local_error.h"
 #include "sim/world/step_trust.h"
 #include "sim/world/world.h"
 
@@ -15,11 +18,18 @@ namespace twinbus {
 class StepWatch {
  public:
   StepWatch(const Model& model, const WorldConfig& config, std::size_t most_pushes)
-      : balance_(model, config) {
+      : balance_(model, config), error_(model.links.size(), config.loose.size(), config) {
     pushes_.reserve(most_pushes);
   }
   // After a jump of the world.
-  void begin(const World& world) noexcept { balance_.begin(world); }
+  void begin(const World& world) noexcept {
+    balance_.begin(world);
+    error_.begin(balance_.velocities(), balance_.own_velocities());
+  }
+  // A command that comes into force, and the one before.
+  void driven_by(const JointCommand& to, const JointCommand& from) noexcept {
+    if (to.q != from.q || to.qd != from.qd || to.tau != from.tau || to.kp != from.kp || to.kd != from.kd) error_.driven();
+  }
   // A force on a point of a link acts in the next step; point: link frame, force: world [N].
   void push(const World& world, int link, const Eigen::Vector3d& point, const Eigen::Vector3d& force) noexcept {
     if (pushes_.size() < pushes_.capacity()) pushes_.push_back({link, point, world.link_in_world(link) * point, force});
@@ -35,6 +45,8 @@ class StepWatch {
     pushes_.clear();
     StepTrust trust = world.trust();
     trust[Doubt::kEnergy] = balance_.add(world, work);
+    if (balance_.looks() && error_.add(balance_.velocities(), balance_.own_velocities(), touched(world)))
+      trust[Doubt::kCoarse] = true;
     counts_.add(trust, balance_.gain(), time);
     return status;
   }
@@ -48,6 +60,9 @@ class StepWatch {
     int link;
     Eigen::Vector3d local, from, force;
   };
+  static bool touched(const World& world) noexcept {
+    return std::any_of(world.contacts().begin(), world.contacts().end(), [](const ContactPoint& c) { return !c.tie; });
+  }
   static double cpu_seconds() noexcept {
     timespec now{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
@@ -55,6 +70,7 @@ class StepWatch {
   }
 
   EnergyBalance balance_;
+  LocalError error_;
   TrustCounts counts_;
   std::vector<Push> pushes_;
   bool timed_ = false;

@@ -20,6 +20,8 @@ EnergyBalance::EnergyBalance(const Model& model, const WorldConfig& config)
     : model_(model),
       silent_(!config.robots.empty()),
       mass_scale_(config.mass_scale),
+      velocity_(model.links.size() + config.loose.size()),
+      own_velocity_(model.links.size()),
       q_(model.joints.size()),
       tau_(model.joints.size()) {
   for (const LooseBody& body : config.loose) {
@@ -28,7 +30,7 @@ EnergyBalance::EnergyBalance(const Model& model, const WorldConfig& config)
   }
 }
 
-EnergyBalance::Energy EnergyBalance::of(const World& world) const noexcept {
+EnergyBalance::Energy EnergyBalance::of(const World& world) noexcept {
   Energy energy;
   for (int i = 0; i < model_.link_count(); ++i) {
     const Link& link = model_.links[at(i)];
@@ -36,6 +38,8 @@ EnergyBalance::Energy EnergyBalance::of(const World& world) const noexcept {
     const Eigen::Vector3d com = pose * link.com;
     const Eigen::Vector3d velocity = world.point_velocity(i, com);
     const Eigen::Vector3d spin = pose.linear().transpose() * world.angular_velocity(i);
+    velocity_[at(i)] = velocity;
+    own_velocity_[at(i)] = pose.linear().transpose() * velocity;
     energy.kinetic += 0.5 * mass_scale_ *
                       (link.mass * velocity.squaredNorm() + spin.dot(link.inertia * spin));
     energy.potential += mass_scale_ * link.mass * kGravity * com.z();
@@ -46,6 +50,7 @@ EnergyBalance::Energy EnergyBalance::of(const World& world) const noexcept {
   for (std::size_t i = 0; i < loose_mass_.size(); ++i) {
     const LooseState body = world.loose(static_cast<int>(i));
     const Eigen::Vector3d spin = body.pose.linear().transpose() * body.angular_velocity;
+    velocity_[model_.links.size() + i] = body.velocity;
     energy.kinetic += 0.5 * (loose_mass_[i] * body.velocity.squaredNorm() +
                              spin.dot(loose_inertia_[i] * spin));
     energy.potential += loose_mass_[i] * kGravity * body.pose.translation().z();

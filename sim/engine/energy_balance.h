@@ -26,6 +26,12 @@ class EnergyBalance {
   // After a step; pushed: work of pushes in it [J].  True: it is to be doubted.
   bool add(const World& world, double pushed) noexcept;
 
+  // Of all links, then of loose bodies, as of the last call: of their centres of mass, in world, and of links in their own axes
+  // too [m/s].  False: nothing is said of this world.
+  bool looks() const noexcept { return !silent_; }
+  const std::vector<Eigen::Vector3d>& velocities() const noexcept { return velocity_; }
+  const std::vector<Eigen::Vector3d>& own_velocities() const noexcept { return own_velocity_; }
+
   double gain() const noexcept { return gain_; }  // of the last step; below zero: lost [J]
 
  private:
@@ -33,7 +39,7 @@ class EnergyBalance {
     double kinetic = 0.0, potential = 0.0, elastic = 0.0;
     double all() const noexcept { return kinetic + potential + elastic; }
   };
-  Energy of(const World& world) const noexcept;
+  Energy of(const World& world) noexcept;
 
   const Model& model_;
   bool silent_ = false;
@@ -41,6 +47,7 @@ class EnergyBalance {
   std::vector<Eigen::Matrix3d> loose_inertia_;  // about the centre, the body's axes [kg m^2]
   std::vector<double> loose_mass_;              // [kg]
   Energy before_;
+  std::vector<Eigen::Vector3d> velocity_, own_velocity_;
   std::vector<double> q_, tau_;  // of the joints, before
   double gain_ = 0.0;
   double sum_ = 0.0, lowest_ = 0.0;  // of all gains since begin(), and the least it was [J]

@@ -1,0 +1,62 @@
+#include "sim/engine/local_error.h"
+
+#include <algorithm>
+
+#include "common/math/index.h"
+
+namespace twinbus {
+
+namespace {
+
+constexpr std::array<double, 3> kShare = {1.0 / 2.0, 1.0 / 6.0, 1.0 / 24.0};
+
+void keep(const Eigen::Vector3d& now, auto& past) noexcept {
+  for (std::size_t i = past.size() - 1; i > 0; --i) past[i] = past[i - 1];
+  past[0] = now;
+}
+
+}  // namespace
+
+LocalError::LocalError(std::size_t links, std::size_t others, const WorldConfig& config)
+    : order_(config.engine == Engine::kArticulated ? std::clamp(config.order, 1, kMostOrder) : 1),
+      scale_(config.flight == Flight::kImplicit ? kShare[at(order_ - 1)] * config.step : 0.0),
+      world_(links + others),
+      own_(links),
+      sum_(links + others, 0.0) {}
+
+void LocalError::begin(const std::vector<Eigen::Vector3d>& world, const std::vector<Eigen::Vector3d>& own) noexcept {
+  for (std::size_t i = 0; i < world_.size(); ++i) world_[i].fill(world[i]);
+  for (std::size_t i = 0; i < own_.size(); ++i) own_[i].fill(own[i]);
+  driven();
+}
+
+void LocalError::driven() noexcept {
+  std::fill(sum_.begin(), sum_.end(), 0.0);
+  most_of_links_ = most_of_others_ = 0.0;
+}
+
+double LocalError::change(const Past& past, const Eigen::Vector3d& now) const noexcept {
+  if (order_ == 1) return (now - past[0]).norm();
+  if (order_ == 2) return (now - 2.0 * past[0] + past[1]).norm();
+  return (now - 3.0 * past[0] + 3.0 * past[1] - past[2]).norm();
+}
+
+bool LocalError::add(const std::vector<Eigen::Vector3d>& world, const std::vector<Eigen::Vector3d>& own,
+                     bool touched) noexcept {
+  if (!(scale_ > 0.0)) return false;
+  for (std::size_t i = 0; i < world_.size(); ++i) {
+    double changed = change(world_[i], world[i]);
+    keep(world[i], world_[i]);
+    if (i < own_.size()) {
+      changed = std::min(changed, change(own_[i], own[i]));
+      keep(own[i], own_[i]);
+    }
+    sum_[i] += scale_ * changed;
+    double& most = i < own_.size() ? most_of_links_ : most_of_others_;
+    if (!(sum_[i] <= most)) most = sum_[i];
+  }
+  const double free = kMostOff / static_cast<double>(std::max<std::size_t>(kLeastLinks, own_.size()));
+  return !(most() <= kMostOff) || (order_ > 1 && !touched && !(most_of_links_ <= free));
+}
+
+}  // namespace twinbus

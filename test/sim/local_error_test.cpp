@@ -1,0 +1,138 @@
+// What steps are off is said in the step in which it becomes too much, and nothing is said of what is right.
+
+#include "sim/engine/local_error.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "both_engines.h"
+#include "robot/dynamics/inverse_dynamics.h"
+#include "sim/step_watch.h"
+#include "test_models.h"
+
+namespace twinbus {
+namespace {
+
+class LocalErrorTest : public test::BothEngines {};
+TWINBUS_FOR_BOTH_ENGINES(LocalErrorTest);
+
+// A box slides at 2 m/s until friction stops it: of a step h it comes to rest h / 2 times its speed off.
+WorldConfig sliding(double step, double friction) {
+  WorldConfig config;
+  config.step = step;
+  config.fixed_base = true;
+  config.ground_friction = friction;
+  LooseBody box;
+  box.name = "box";
+  box.solid.size << 0.4, 0.4, 0.02;
+  box.friction = friction;
+  box.stiffness = 1e6;
+  box.damping = 1e3;
+  box.start.pose.translation().z() = 0.01 - kGravity / 4e6;
+  box.start.velocity.x() = 2.0;
+  config.loose = {box};
+  return config;
+}
+
+// Until which step nothing was wrong by 5 mm, and until which nothing was said; the steps of half a second if it never was.
+struct Slide {
+  int wrong, said;
+  double most;  // error at the end [m]
+};
+Slide slide(const Model& model, const WorldConfig& config) {
+  const auto world = make_world(model, config);
+  EXPECT_EQ(world->set(Configuration(model)), Status::kOk);
+  StepWatch watch(model, config, 0);
+  watch.begin(*world);
+  const int steps = static_cast<int>(std::lround(0.5 / config.step));
+  const double brake = config.ground_friction * kGravity;
+  Slide found{steps, steps, 0.0};
+  for (int i = 0; i < steps; ++i) {
+    const double t = config.step * (i + 1), until = std::min(t, 2.0 / brake);
+    EXPECT_EQ(watch.step(*world, t), Status::kOk);
+    found.most = std::abs(world->loose(0).pose.translation().x() - (2.0 * until - 0.5 * brake * until * until));
+    if (found.wrong == steps && found.most > 5e-3) found.wrong = i;
+    if (found.said == steps && watch.counts().steps[static_cast<std::size_t>(Doubt::kCoarse)] > 0) found.said = i;
+  }
+  return found;
+}
+
+TEST_P(LocalErrorTest, ACoarseStepIsDoubtedInTheStepThatMakesItWrongAndAFineOneNever) {
+  const Model model = test::bystander();
+  for (const double friction : {0.8, 3.0}) {
+    for (const double step : {5e-4, 0.02, 0.05}) {
+      WorldConfig config = sliding(step, friction);
+      config.engine = GetParam();
+      const Slide found = slide(model, config);
+      const int steps = static_cast<int>(std::lround(0.5 / step));
+      EXPECT_EQ(found.wrong < steps, step > 0.01) << friction << " " << step << " " << found.most;
+      EXPECT_EQ(found.said < steps, step > 0.01) << friction << " " << step;
+      EXPECT_LE(found.said, found.wrong) << friction << " " << step;
+    }
+  }
+}
+
+TEST(LocalError, OfAHigherOrderLessIsOff) {
+  const Model model = test::bystander();
+  WorldConfig config = sliding(0.01, 0.8);
+  EXPECT_LT(slide(model, config).said, 50);
+  config.order = 2;
+  const Slide found = slide(model, config);
+  EXPECT_EQ(found.said, 50);
+  EXPECT_LT(found.most, 2e-3);
+}
+
+TEST(LocalError, AWheelThatTurnsEvenlyIsNotOff) {
+  LocalError error(1, 0, WorldConfig{});
+  const auto at = [](double angle) { return std::vector<Eigen::Vector3d>{{3.0 * std::cos(angle), 3.0 * std::sin(angle), 0.0}}; };
+  const std::vector<Eigen::Vector3d> own{{3.0, 0.0, 0.0}};
+  error.begin(at(0.0), own);
+  for (int i = 1; i < 1000; ++i) EXPECT_FALSE(error.add(at(0.1 * i), own, false));
+  EXPECT_LT(error.most(), 1e-12);
+  EXPECT_TRUE(error.add({{0.0, 3.0, 0.0}}, {{0.0, 3.0, 0.0}}, false));  // 4 m/s in a step of 2 ms
+}
+
+// Of order 2 a long free chain is wrong by 50 mm where the sums are a fiftieth of one.
+TEST(LocalError, AMechanismThatNothingTouchesIsAllowedLessTheLongerItIs) {
+  for (const int links : {2, 10, 100}) {
+    WorldConfig config;
+    config.order = 2;
+    config.step = 0.006;
+    const auto n = static_cast<std::size_t>(links);
+    for (const bool touched : {true, false}) {
+      LocalError error(n, 0, config);
+      std::vector<Eigen::Vector3d> v(n, Eigen::Vector3d::Zero());
+      error.begin(v, v);
+      bool said = false;
+      for (int i = 1; i < 100000 && !said; ++i) {
+        v[0].x() = i % 2 == 0 ? 1e-4 : 0.0;
+        said = error.add(v, v, touched);
+      }
+      ASSERT_TRUE(said);
+      EXPECT_NEAR(error.most(), touched ? LocalError::kMostOff : LocalError::kMostOff / std::max(10, links), 1e-6);
+    }
+  }
+}
+
+TEST(LocalError, ASumBeginsAnewWhenSomebodyDrives) {
+  WorldConfig config;
+  config.step = 0.01;
+  LocalError error(0, 1, config);
+  double v = 0.0;
+  error.begin({{v, 0.0, 0.0}}, {});
+  for (int i = 0; i < 100; ++i) {
+    v += 0.1;  // half a millimetre a step
+    if (i % 3 == 0) error.driven();
+    EXPECT_FALSE(error.add({{v, 0.0, 0.0}}, {}, false));
+  }
+  int steps = 0;
+  error.driven();
+  while (!error.add({{v += 0.1, 0.0, 0.0}}, {}, false)) ++steps;
+  EXPECT_NEAR(error.most(), LocalError::kMostOff, 6e-4);
+  EXPECT_NEAR(steps, 4, 1);
+}
+
+}  // namespace
+}  // namespace twinbus
