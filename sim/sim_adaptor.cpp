@@ -16,6 +16,7 @@
 #include "sim/scene/settings.h"
 #include "sim/world/static_equilibrium.h"
 #include "sim/world/truth.h"
+#include "sim/world/world_origin.h"
 #include "sim/engine/make_world.h"
 #include "sim/live_pushes.h"
 #include "sim/world/world.h"
@@ -96,6 +97,7 @@ struct SimAdaptor::Impl {
   bool imposed_corner_forces(const ImposedState& imposed,
                              std::array<std::array<double, 4>, 2>& force) const noexcept;
   void time_pace() noexcept;
+  Eigen::Vector3d origin() const { return {scene.origin.x(), scene.origin.y(), 0.0}; }
   void start();
   void drive_servos() noexcept;
   void apply_pushes() noexcept;
@@ -131,6 +133,7 @@ void SimAdaptor::Impl::start() {
     standing.configuration.qd[joint] = speed;
   }
   standing_height = standing.configuration.base.translation().z();
+  standing.configuration.base.translation() += origin();
   hold.resize(model->joints.size());
   imposed_to = standing.configuration;
   imposed_tau = standing.tau;
@@ -293,6 +296,7 @@ Status SimAdaptor::open(const Model& nominal, const AdaptorConfig& config) {
     }
     s.ties = SceneTies(model, s.settings.world.robots, s.scene);
     s.settings.world.ties = s.ties.ties();
+    move_everything(s.origin(), s.settings.world);
     s.world = make_world(model, s.settings.world);
     s.loose = LoosePieces(s.settings.world);
     s.sensors.emplace(model, s.settings.sensors);

@@ -280,7 +280,7 @@ RunVerdict judge_scene(const OneProcess& run, const Criteria& whole, std::int64_
     const int body = run.find_loose(end.name);
     if (body < 0) continue;
     const LooseState now = run.world().loose(body);
-    const double off = (now.pose.translation() - end.position).norm();
+    const double off = (now.pose.translation() - run.origin() - end.position).norm();
     const double speed = now.velocity.norm();
     const std::string who = "loose body '" + end.name + "' ";
     if (!(off <= end.within)) {
@@ -357,7 +357,7 @@ std::string scene_figures(const OneProcess& run, const Criteria& asked) {
   std::string lines = text;
   for (int i = 0; i < run.world().loose_count(); ++i) {
     const LooseState now = run.world().loose(i);
-    const Eigen::Vector3d& p = now.pose.translation();
+    const Eigen::Vector3d p = now.pose.translation() - run.origin();
     std::snprintf(text, sizeof text, "loose body %s ended at %.4f %.4f %.4f m, %.1f mm/s\n",
                   run.loose_name(i).c_str(), p.x(), p.y(), p.z(), 1e3 * now.velocity.norm());
     lines += text;

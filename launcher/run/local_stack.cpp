@@ -105,6 +105,7 @@ void OneProcess::SendPage::operator()(const JournalPage& page) const noexcept {
 OneProcess::OneProcess(const Model& model, const Scene& scene, const OneProcessConfig& config)
     : model_(model),
       sim_(scene),
+      origin_(scene.origin.x(), scene.origin.y(), 0.0),
       source_(model, opened(sim_, model, config), source_config(config)),
       control_(config.control),
       loop_(std::make_unique<ControlLoop>(model, config.control)),

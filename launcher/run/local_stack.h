@@ -91,6 +91,7 @@ class OneProcess {
   const std::string& loose_name(int body) const {
     return loose_names_[static_cast<std::size_t>(body)];
   }
+  const Eigen::Vector3d& origin() const { return origin_; }  // of the scene, world [m]
   int find_loose(const std::string& name) const;  // -1: there is none
   struct FurtherRobot {
     std::string name;
@@ -138,6 +139,7 @@ class OneProcess {
 
   const Model& model_;
   SimAdaptor sim_;
+  Eigen::Vector3d origin_;
   std::vector<std::string> loose_names_;
   std::vector<FurtherRobot> further_robots_;
   Source source_;

@@ -19,6 +19,7 @@
 #include "sim/scene/scene_scale.h"
 #include "sim/scene/scene_vectors.h"
 #include "sim/scene/settings.h"
+#include "sim/world/world_origin.h"
 
 namespace twinbus {
 
@@ -345,6 +346,13 @@ Scene load_scene(const std::string& name_or_file) {
     for (const std::string& joint : speeds.keys())
       scene.start_velocity.emplace_back(joint, speeds.number(joint, -kMaxSpeed, kMaxSpeed));
     speeds.finish();
+  }
+  if (top.has("origin")) {
+    const std::vector<double> origin = top.numbers("origin", 2);
+    for (std::size_t i = 0; i < 2; ++i) {
+      if (!(std::abs(origin[i]) <= kMostOrigin)) top.fail("origin", "must be within 100000 m");
+      scene.origin[static_cast<Eigen::Index>(i)] = origin[i];
+    }
   }
   scene.fixed_base = top.choice("base", {"floating", "fixed"}, 0) == 1;
   if (top.has("ground")) {

@@ -130,7 +130,7 @@ Eigen::Vector3d sole_corner(const Sole& sole, int corner) noexcept;
 
 // Bounds of what an engine takes and of what it calls a sane result.
 inline constexpr double kMaxSpeed = 1e3;     // [m/s] and [rad/s]; beyond it the run has diverged
-inline constexpr double kMaxDistance = 1e4;  // [m]
+inline constexpr double kMaxDistance = 1e6;  // [m]
 inline constexpr double kMaxPush = 1e6;      // [N]
 
 // Whether a world may be set to this: kWrongSize, kNotFinite, kOutOfRange.

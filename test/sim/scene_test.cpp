@@ -97,6 +97,12 @@ TEST(Scene, ReadsLooseBodies) {
             std::string::npos);
 }
 
+TEST(Scene, MayBeginFarFromTheOriginButNotBeyondWhatEnginesTake) {
+  EXPECT_EQ(from_text("origin: [10000, -5]\n").origin, Eigen::Vector2d(10000, -5));
+  EXPECT_NE(complaint("origin: [1e6, 0]\n").find("within 100000 m"), std::string::npos);
+  EXPECT_NE(complaint("origin: [1]\n"), "");
+}
+
 TEST(Scene, ReadsFurtherRobots) {
   const Scene scene = from_text(
       "self_contact: true\nrobots:\n  - {name: second, position: [1, 2], yaw_deg: 90}\n"

@@ -156,6 +156,26 @@ TEST_F(SimAdaptorTest, NoJointExceedsItsEffortWhateverIsAsked) {
   }
 }
 
+TEST_F(SimAdaptorTest, FarFromTheOriginItMeasuresTheSame) {
+  Scene far = scene;
+  far.origin << 1e4, -1e4;
+  SimAdaptor here(scene), there(far);
+  ASSERT_EQ(here.open(model, {}), Status::kOk);
+  ASSERT_EQ(there.open(model, {}), Status::kOk);
+  RobotState a, b;
+  ASSERT_EQ(here.read(a, 0.0), Status::kOk);
+  ASSERT_EQ(there.read(b, 0.0), Status::kOk);
+  const JointCommand command = hold(a);
+  for (int i = 0; i < 200; ++i) {
+    for (SimAdaptor* robot : {&here, &there}) ASSERT_EQ(robot->write(command), Status::kOk);
+    ASSERT_EQ(here.read(a, 0.0), Status::kOk);
+    ASSERT_EQ(there.read(b, 0.0), Status::kOk);
+  }
+  EXPECT_NEAR(there.truth()->base_position[0] - 1e4, here.truth()->base_position[0], 1e-7);
+  EXPECT_NEAR(there.truth()->base_position[1] + 1e4, here.truth()->base_position[1], 1e-7);
+  for (std::size_t k = 0; k < static_cast<std::size_t>(model.bus_count()); ++k) EXPECT_NEAR(a.q[k], b.q[k], 1e-6);
+}
+
 TEST_F(SimAdaptorTest, APushGivesItsImpulse) {
   Scene pushed = scene;
   pushed.start_pose = "half_sitting";

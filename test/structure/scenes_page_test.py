@@ -64,7 +64,7 @@ MEANING = {
         "accuracy": "error that `run` holds by its choice of order and step, such as 1 mm", "start_pose": "named pose of the SRDF",
         "fidelity": "how much is modelled; auto: no more than the accuracy needs (`run`), legs: all other joints are held, rigid: all are", "held": "joints that stand still for good, by name",
         "rigid": "further robots that are one rigid body, by name",
-        "start_velocity": "of joints at the start, by name [rad/s or m/s]", "base": "whether the base is free", "self_contact": "links of one robot touch one another",
+        "start_velocity": "of joints at the start, by name [rad/s or m/s]", "origin": "where in the simulated world all of the scene begins, x and y [m]", "base": "whether the base is free", "self_contact": "links of one robot touch one another",
         "settings": "see Settings; --set wins over them", **{name.split("[")[0]: f"see {name}" for name in (
             "ground", "obstacles[]", "pushes[]", "modes[]", "goals[]", "walks[]", "pads[]", "footsteps[]", "terrain", "push_round", "disturbance",
             "bodies[]", "loose[]", "robots[]", "loops[]", "grasps[]", "criteria")}},
@@ -101,7 +101,7 @@ MEANING = {
                  "loose_energy_drift_j": "of all loose bodies together, at most [J]", "loose_energy_gain_j": "the same, upward only [J]",
                  "max_doubted_steps": "physics steps that the engine does not trust, at most", "no_fall": "a fall fails the run", "no_self_collision": "links that touch fail the run",
                  "loose": "see criteria.loose[]", "robots": "see criteria.robots[]", "joints": "see criteria.joints[]", "spins": "see criteria.spins[]", "touch": "see criteria.touch", "swing": "see criteria.swing"},
-    "criteria.loose[]": {"name": "of the body", "position": "of its middle, world [m]", "within_m": "of that [m]", "speed_m_s": "at most [m/s]"},
+    "criteria.loose[]": {"name": "of the body", "position": "of its middle, from the scene's origin [m]", "within_m": "of that [m]", "speed_m_s": "at most [m/s]"},
     "criteria.robots[]": {"name": "of the robot", "within_m": "of where its base began, level [m]", "max_tilt_deg": "of its base [degrees]"},
     "criteria.joints[]": {"name": "of the joint", "position": "[rad or m]", "within": "of that [rad or m]", "speed": "[rad/s or m/s]", "speed_within": "of that [rad/s or m/s]"},
     "criteria.spins[]": {"name": "of the body", "energy_drift": "of turning, at most, relative", "momentum_drift": "angular, in world, at most, relative",
