@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """./twinbus bench physics [CASE...] [--csv F] [--rounds N]: our engines beside their peers, row by row asked and reached.
 
-Cases: free flight arm stand push map convergence brick tumble piles loops robots manifold effort determinism (default: all).  Costs are CPU time of one
+Cases: free flight arm stand push accuracy map convergence brick tumble piles loops robots manifold effort determinism (default: all).  Costs are CPU time of one
 thread; ours and the peers take turns, and a ratio is the median over rounds (default 5).  An engine's error is measured
 against a converged run: one reference where there is no contact, each engine's own finest run where contact laws differ.
 "asked" is for machines with AVX2; peers that are not installed are said and left out.  Exit status 1 if a row falls short.
@@ -150,6 +150,80 @@ def push_of(lab, scene, rounds):
     for peer, _, _, asked in peers:
         for wanted, least in asked.items():
             cheaper(scene, wanted, least, peer, found)
+
+
+# As the ladder of `accuracy` (launcher/run/ladder.h): margin of the error asked for, and to what part of it the finest two runs agree.
+MARGIN, AGREEMENT = 1.3, 2.0
+RUNGS = (2e-2, 1e-2, 4e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4)  # [s]
+
+
+def chosen_by_accuracy(orders, scene, wanted, read):
+    """(engine, step, distance from the yardstick) that the ladder delivers for an error [m], or None.  orders: engines of order 1, 2, 3; read(engine,
+    step) is what a run ends with."""
+    ladder, last = {engine: [] for engine in orders}, None
+    for step in RUNGS:
+        for engine in orders:
+            ladder[engine].append((step, read(engine, step)))
+        top = ladder[orders[-1]][-1][1]
+        if last and top and error(last, top) <= wanted / AGREEMENT:
+            break
+        last = top
+    else:
+        return None
+    best = None
+    for engine in orders:
+        held = None
+        for step, run in reversed(ladder[engine]):  # together with all finer ones
+            if not run or error(run, top) > wanted / MARGIN:
+                break
+            held = (run["cost"], engine, step, error(run, top))
+        if held and (not best or held[0] < best[0]):
+            best = held
+    return best and best[1:]
+
+
+def accuracy(lab, rounds):
+    """A push of which an error is asked: the order and step that the ladder chooses beside MuJoCo with its best integrator and step."""
+    if not lab.current():
+        return
+    for scene in ("push", "push_soft"):
+        orders = (lab.articulated, lab.articulated2, lab.articulated3)
+        finest, check = lab.articulated3.run(scene, 5e-5, 1), lab.articulated2.run(scene, 2e-5, 1)
+        print(f"{'accuracy':12s} {scene}: the references of orders 2 and 3 are {1e3 * error(check, finest):.1e} mm apart")
+        known = {}
+        peers = [lab.mujoco(lab.current(), name) for name in ("euler", "rk4", "implicit", "implicitfast")]
+        limits = {peer: peer.run(scene, 1e-5, 1) for peer in peers}
+        print(f"{'accuracy':12s} {scene}: limits of MuJoCo and ours are " + ", ".join(
+            f"{1e3 * error(limit, finest):.2g} mm ({peer.method})" for peer, limit in limits.items() if limit) + " apart")
+        found = []
+        for number in range(rounds):
+            curves = {peer: curve(peer, scene, (5e-3, 2e-3, 1e-3, 5e-4, 2e-4, 1e-4, 5e-5, 2e-5), limits[peer], 1) for peer in peers if limits[peer]}
+            if number == 0:
+                for peer, points in curves.items():
+                    print(f"{'accuracy':12s} {peer.label}: " + ", ".join(f"{1e3 * h:g} ms {1e3 * e:.2g} mm {c:.3g} ms/s" for h, e, c in points))
+            costs = {}
+            for wanted in (1e-3, 1e-4):
+                if wanted not in known:
+                    known[wanted] = chosen_by_accuracy(orders, scene, wanted, lambda engine, step, scene=scene: engine.run(scene, step, 3))
+                if not known[wanted]:
+                    continue
+                engine, step, _ = known[wanted]
+                theirs = [(cost_at([(e, c) for _, e, c in points], wanted), peer) for peer, points in curves.items()]
+                (cost, far), peer = min(((c, p) for c, p in theirs if c[0]), key=lambda each: each[0][0])
+                costs[wanted] = engine.run(scene, step, 3)["cost"], cost, far, peer
+            found.append(costs)
+        for wanted, asked in ((1e-3, 55), (1e-4, 550)):
+            if not known.get(wanted):
+                row("accuracy", f"{scene} at {1e3 * wanted:g} mm", "chosen", "none", False)
+                continue
+            engine, step, distance = known[wanted]
+            true = error(engine.run(scene, step, 1), finest)
+            _, _, far, peer = found[0][wanted]
+            what = f"{scene} at {1e3 * wanted:g} mm: {engine.method} at {1e3 * step:g} ms"
+            at_most("accuracy", f"{what}, true error [mm]", 1e3 * wanted, 1e3 * true, unit="mm")
+            at_least("accuracy", f"{what}, times cheaper than {peer.label}{', its curve extended' if far else ''}", asked,
+                     statistics.median(costs[wanted][1] / costs[wanted][0] for costs in found), peer=peer.label,
+                     ours=statistics.median(costs[wanted][0] for costs in found), theirs=statistics.median(costs[wanted][1] for costs in found))
 
 
 def stability(lab, _rounds):
@@ -321,7 +395,7 @@ def determinism(lab, _rounds):
 
 
 CASES = {"free": free, "flight": lambda lab, rounds: smooth(lab, "flight", ((1e-8, 42),), rounds),
-         "arm": lambda lab, rounds: smooth(lab, "arm", ((1e-3, 3.5), (1e-8, 14)), rounds), "stand": stand, "push": push, "map": stability,
+         "arm": lambda lab, rounds: smooth(lab, "arm", ((1e-3, 3.5), (1e-8, 14)), rounds), "stand": stand, "push": push, "accuracy": accuracy, "map": stability,
          "convergence": convergence, "brick": brick, "tumble": tumble,
          "piles": piles, "loops": loops, "robots": robots, "manifold": manifold, "effort": effort, "determinism": determinism}
 
