@@ -355,6 +355,12 @@ std::string scene_figures(const OneProcess& run, const Criteria& asked) {
                 kDegrees * f.max_tilt, 1e3 * f.zmp_margin_min, 1e3 * f.slip_max,
                 1e3 * f.penetration_max, kDegrees * run.sole_tilt_max());
   std::string lines = text;
+  if (const auto far = static_cast<float>(run.origin().lpNorm<Eigen::Infinity>()); far > 0.0F) {
+    std::snprintf(text, sizeof text,
+                  "begun %g m from the origin: TRUTH rounds where feet are to %.1g mm, and slip in a step with it\n",
+                  static_cast<double>(far), 1e3 * static_cast<double>(std::nextafter(far, 2.0F * far) - far));
+    lines += text;
+  }
   for (int i = 0; i < run.world().loose_count(); ++i) {
     const LooseState now = run.world().loose(i);
     const Eigen::Vector3d p = now.pose.translation() - run.origin();
