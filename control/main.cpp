@@ -101,6 +101,7 @@ class Controller {
     bus_.listen_each<ModeRequest>(channel::kModeRequest, on_mode_);
     bus_.listen_each<WalkCommand>(channel::kWalk, on_walk_);
     bus_.listen_each<StepList>(channel::kSteps, on_steps_);
+    bus_.listen_each<MotionPiece>(channel::kMotion, on_motion_);
     bus_.listen_each<Gamepad>(channel::kGamepad, on_gamepad_);
     bus_.listen_each<ArmPathPiece>(channel::kArmPath, on_path_);
     bus_.listen_each<ArmGoal>(channel::kArmGoal, on_goal_);
@@ -271,6 +272,13 @@ class Controller {
       c->loop_.on_step_list(m);
     }
   };
+  struct OnMotion {
+    Controller* c;
+    void operator()(const MotionPiece& m, Bytes bytes) {
+      c->journal_.consumed(JournalInput::kMotion, bytes, monotonic_ns());
+      c->loop_.on_motion(m);
+    }
+  };
   struct OnGamepad {
     Controller* c;
     void operator()(const Gamepad& m, Bytes bytes) {
@@ -341,6 +349,7 @@ class Controller {
   OnMode on_mode_{this};
   OnWalk on_walk_{this};
   OnSteps on_steps_{this};
+  OnMotion on_motion_{this};
   OnGamepad on_gamepad_{this};
   OnPath on_path_{this};
   OnGoal on_goal_{this};

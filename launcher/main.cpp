@@ -14,6 +14,7 @@
 #include "launcher/check/check.h"
 #include "launcher/export/export.h"
 #include "launcher/log/log_command.h"
+#include "launcher/motion/motion_command.h"
 #include "launcher/operate/doctor.h"
 #include "launcher/operate/operate.h"
 #include "launcher/operate/reach.h"
@@ -56,6 +57,7 @@ constexpr Command kCommands[] = {
     {"sway", "sway from side to side", &sway_command},
     {"squat", "move up and down", &squat_command},
     {"walk", "walk at a velocity, or footsteps of a file", &walk_command},
+    {"motion", "check a recorded motion before it plays, and play it", &motion_file_command},
     {"reach", "bring a hand to a point around obstacles", &reach_command},
     {"gamepad", "drive with a gamepad or the keyboard", &gamepad_command},
     {"policy", "run a learned policy (ONNX) as the controller, check it, map it", &policy_command},

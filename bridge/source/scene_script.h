@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "lcmtypes/msg/motion_piece.h"
 #include "lcmtypes/msg/requests.h"
 #include "lcmtypes/msg/step_list.h"
 
@@ -27,6 +28,7 @@ struct SceneRequests {
   std::vector<Scripted<WalkCommand>> walks;
   std::vector<Scripted<Gamepad>> pads;
   std::vector<Scripted<StepList>> steps;
+  std::vector<Scripted<MotionPiece>> motions;
 };
 
 class SceneScript {
@@ -48,6 +50,8 @@ class SceneScript {
     address(requests_.goals);
     for (Scripted<ArmGoal>& scripted : requests_.goals) scripted.request.goal_id = scripted.request.sequence;
     address(requests_.steps);
+    address(requests_.motions);
+    for (Scripted<MotionPiece>& scripted : requests_.motions) scripted.request.motion_id += run_id % kMostRuns * kMostMotions;
     address(requests_.walks);  // numbered when they are said
     address(requests_.pads);
   }
@@ -65,6 +69,7 @@ class SceneScript {
     }
     say_once(requests_.goals, tick, first_tick, say);
     say_once(requests_.steps, tick, first_tick, say);
+    say_once(requests_.motions, tick, first_tick, say);
     if (tick % kRepeat != 0) return;
     say_on(requests_.walks, tick, first_tick, say);
     say_on(requests_.pads, tick, first_tick, say);
@@ -93,6 +98,8 @@ class SceneScript {
     }
   }
 
+  // A motion is played once: each has a number of its own in each run.
+  static constexpr std::int64_t kMostMotions = 1000, kMostRuns = std::int64_t{1} << 42;
   static constexpr std::int64_t kAhead = 25;  // [ticks]
   static constexpr std::int64_t kEvery = 5;
   static constexpr std::int64_t kRepeat = 10;  // of velocities and pads [ticks]

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "lcmtypes/bus/channels.h"
+#include "lcmtypes/msg/motion_piece.h"
 #include "lcmtypes/msg/requests.h"
 #include "lcmtypes/msg/robot_io.h"
 #include "lcmtypes/msg/step_list.h"
@@ -24,6 +25,7 @@ inline const char* channel_of(const ModeRequest&) { return channel::kModeRequest
 inline const char* channel_of(const ArmGoal&) { return channel::kArmGoal; }
 inline const char* channel_of(const WalkCommand&) { return channel::kWalk; }
 inline const char* channel_of(const StepList&) { return channel::kSteps; }
+inline const char* channel_of(const MotionPiece&) { return channel::kMotion; }
 inline const char* channel_of(const Gamepad&) { return channel::kGamepad; }
 
 }  // namespace twinbus

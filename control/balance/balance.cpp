@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "robot/kinematics/leg_chain.h"
 #include "common/math/pose_math.h"
@@ -11,6 +12,8 @@
 namespace twinbus {
 
 namespace {
+
+constexpr double kUpright = 0.3;  // from a lean that is given no more [s]
 
 Eigen::Vector3d turn_vector(const Eigen::Matrix3d& r) noexcept {
   const Eigen::AngleAxisd a(r);
@@ -170,6 +173,9 @@ void Balance::start(const Estimator& estimator) noexcept {
   motion_.start(com_, com_, Eigen::Vector3d::Zero(), 0.001);  // so that omega() knows the height
   measure(estimator);
   first_turn_ = turn_;
+  lean_wanted_.setZero();
+  lean_rate_wanted_.setZero();
+  lean_given_ = false;
   first_.rest(1.0);
   first_.aim(0.0, gains_.settle);
   home_ << 0.5 * (soles_[0].centre() + soles_[1].centre()), com_.z();
@@ -325,13 +331,17 @@ void Balance::update(const Estimator& estimator, double dt) noexcept {
   measure(estimator);
   take_soles(estimator, std::min(1.0, dt * gains_.follow_feet));
   const double height = std::max(0.2, com_.z());
-  const Eigen::Vector2d tilt = turn_.head<2>() - first_.position() * first_turn_.head<2>();
+  if (!std::exchange(lean_given_, false)) {
+    lean_rate_wanted_ = -lean_wanted_ / kUpright;
+    lean_wanted_ += dt * lean_rate_wanted_;
+  }
+  const Eigen::Vector2d tilt = turn_.head<2>() - first_.position() * first_turn_.head<2>() - lean_wanted_;
   const Eigen::Vector2d lean = trunk_.lean(tilt, height);
   const ComPlan plan{.position = motion_.position().head<2>(),
                      .velocity = motion_.velocity().head<2>(),
                      .acceleration = motion_.acceleration().head<2>()};
   stabilizer_.update(plan, dcm_ + lean, lean, soles_, omega(), dt);
-  trunk_.update(stabilizer_.lean_wanted(), tilt, turn_rate_.head<2>(), height, dt);
+  trunk_.update(stabilizer_.lean_wanted(), tilt, turn_rate_.head<2>() - lean_rate_wanted_, height, dt);
   arms_.update(-trunk_.target().x() - trunk_.waist().x(), dt);  // to the left
   push_soles(estimator, dt);
   feed_forward(estimator);

@@ -49,6 +49,16 @@ class Balance {
   void stop_motion(double duration) noexcept { motion_.stop(duration); }
   void lean(const Eigen::Vector3d& offset) noexcept { motion_.lean(offset); }
 
+  // For the next update, besides what else is asked: a way of the centre of mass from home (as ComMotion::follow), and a lean
+  // of the base, roll and pitch [rad, rad/s].
+  void follow(const Eigen::Vector3d& com, const Eigen::Vector3d& velocity, const Eigen::Vector3d& acceleration,
+              const Eigen::Vector2d& lean, const Eigen::Vector2d& lean_rate) noexcept {
+    motion_.follow(com, velocity, acceleration);
+    lean_wanted_ = lean;
+    lean_rate_wanted_ = lean_rate;
+    lean_given_ = true;
+  }
+
   void update(const Estimator& estimator, double dt) noexcept;
 
   // Set-points of the legs and torques of all joints, [joint_count].
@@ -101,6 +111,8 @@ class Balance {
   MinJerk first_;  // 1 -> 0: how much of what was found at the start is still held
   Eigen::Vector3d first_turn_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d home_ = Eigen::Vector3d::Zero();
+  Eigen::Vector2d lean_wanted_ = Eigen::Vector2d::Zero(), lean_rate_wanted_ = Eigen::Vector2d::Zero();
+  bool lean_given_ = false;
 
   Eigen::Vector3d com_ = Eigen::Vector3d::Zero(), com_velocity_ = Eigen::Vector3d::Zero();
   Eigen::Vector2d dcm_ = Eigen::Vector2d::Zero(), spun_velocity_ = Eigen::Vector2d::Zero();

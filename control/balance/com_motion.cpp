@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace twinbus {
 
@@ -13,6 +14,7 @@ constexpr double kRamp = 1.5;              // [s] to the amplitude asked
 constexpr double kLeanRate = 5.0;          // [rad/s] of the critically damped follower
 // A stick that is thrown over asks for this at most: no foot may become so light that it slips.
 constexpr double kLeanSpeed = 0.15;  // [m/s]
+constexpr double kBack = 1.0;  // from a way that is given no more [s]
 constexpr double kTwoPi = 6.283185307179586;
 
 double sensible(double frequency) noexcept {
@@ -33,6 +35,11 @@ void ComMotion::start(const Eigen::Vector3d& home, const Eigen::Vector3d& positi
   lean_rate_.setZero();
   lean_target_.setZero();
   lean_wanted_.setZero();
+  given_.setZero();
+  given_rate_.setZero();
+  given_acceleration_.setZero();
+  back_ = {};
+  is_given_ = was_given_ = false;
   evaluate();
 }
 
@@ -99,16 +106,31 @@ void ComMotion::advance(double dt) noexcept {
       kLeanRate * kLeanRate * (lean_wanted_ - lean_) - 2.0 * kLeanRate * lean_rate_;
   lean_rate_ += dt * lean_acceleration_;
   lean_ += dt * lean_rate_;
+  lead_back(dt);
   evaluate();
+}
+
+// Nobody gives a way any more: back to home from where it was left.
+void ComMotion::lead_back(double dt) noexcept {
+  const bool was_given = std::exchange(was_given_, std::exchange(is_given_, false));
+  if (was_given_) return;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto d = static_cast<Eigen::Index>(i);
+    if (was_given) back_[i].aim_from(given_[d], given_rate_[d], given_acceleration_[d], 0.0, kBack);
+    back_[i].advance(dt);
+    given_[d] = back_[i].position();
+    given_rate_[d] = back_[i].velocity();
+    given_acceleration_[d] = back_[i].acceleration();
+  }
 }
 
 void ComMotion::evaluate() noexcept {
   position_ = {way_x_.position(), way_y_.position(), way_z_.position()};
   velocity_ = {way_x_.velocity(), way_y_.velocity(), way_z_.velocity()};
   acceleration_ = {way_x_.acceleration(), way_y_.acceleration(), way_z_.acceleration()};
-  position_ += lean_;
-  velocity_ += lean_rate_;
-  acceleration_ += lean_acceleration_;
+  position_ += lean_ + given_;
+  velocity_ += lean_rate_ + given_rate_;
+  acceleration_ += lean_acceleration_ + given_acceleration_;
   const double w = kTwoPi * frequency_.position();
   const double wd = kTwoPi * frequency_.velocity();
   const double s = std::sin(phase_);
@@ -130,7 +152,7 @@ void ComMotion::evaluate() noexcept {
 
 bool ComMotion::resting() const noexcept {
   return motion_ == Motion::kNone && !way_x_.moving() && !way_y_.moving() && !way_z_.moving() &&
-         lean_rate_.norm() < 1e-3;
+         lean_rate_.norm() < 1e-3 && given_rate_.norm() < 1e-3 && !is_given_ && !was_given_;
 }
 
 }  // namespace twinbus

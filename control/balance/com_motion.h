@@ -11,6 +11,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 
 #include "control/joint/min_jerk.h"
 #include "lcmtypes/msg/requests.h"
@@ -31,6 +32,15 @@ class ComMotion {
   // Lean away from home [m], followed with a bounded speed and a smooth lag.
   void lean(const Eigen::Vector3d& offset) noexcept { lean_target_ = offset; }
 
+  // A way besides all that, from home, given anew for every advance; who stops giving it is led back smoothly.
+  void follow(const Eigen::Vector3d& position, const Eigen::Vector3d& velocity,
+              const Eigen::Vector3d& acceleration) noexcept {
+    given_ = position;
+    given_rate_ = velocity;
+    given_acceleration_ = acceleration;
+    is_given_ = true;
+  }
+
   void advance(double dt) noexcept;
 
   const Eigen::Vector3d& position() const noexcept { return position_; }
@@ -41,6 +51,7 @@ class ComMotion {
 
  private:
   void evaluate() noexcept;
+  void lead_back(double dt) noexcept;
 
   Motion motion_ = Motion::kNone, next_motion_ = Motion::kNone;
   double next_amplitude_ = 0.0, next_frequency_ = 0.0;
@@ -51,6 +62,10 @@ class ComMotion {
   Eigen::Vector3d lean_ = Eigen::Vector3d::Zero(), lean_rate_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d lean_target_ = Eigen::Vector3d::Zero(), lean_wanted_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d lean_acceleration_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d given_ = Eigen::Vector3d::Zero(), given_rate_ = Eigen::Vector3d::Zero();
+  Eigen::Vector3d given_acceleration_ = Eigen::Vector3d::Zero();
+  std::array<MinJerk, 3> back_;
+  bool is_given_ = false, was_given_ = false;
   Eigen::Vector3d position_ = Eigen::Vector3d::Zero(), velocity_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d acceleration_ = Eigen::Vector3d::Zero();
 };

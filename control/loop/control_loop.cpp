@@ -433,6 +433,12 @@ void ControlLoop::on_arm_path(const ArmPathPiece& piece) noexcept {
   impl_->modes.add_path(piece);
 }
 
+void ControlLoop::on_motion(const MotionPiece& piece) noexcept {
+  const Impl& i = *impl_;
+  if (!i.have_state || (piece.run_id != i.state.run_id && piece.run_id != i.previous_run)) return;
+  impl_->modes.add_motion(piece);
+}
+
 void ControlLoop::on_arm_goal(const ArmGoal& goal) noexcept {
   if (goal.kind == ArmGoalKind::kCancel && impl_->have_state && goal.run_id == impl_->state.run_id)
     impl_->modes.cancel_path();

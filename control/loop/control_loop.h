@@ -15,6 +15,7 @@
 #include "control/balance/balance_gains.h"
 #include "robot/collision/collision.h"
 #include "robot/description/model.h"
+#include "lcmtypes/msg/motion_piece.h"
 #include "lcmtypes/msg/pieces.h"
 #include "lcmtypes/msg/reports.h"
 #include "lcmtypes/msg/requests.h"
@@ -47,6 +48,7 @@ class ControlLoop {
   void on_step_list(const StepList& list) noexcept;
   void on_gamepad(const Gamepad& gamepad, std::int64_t now_ns) noexcept;
   void on_arm_path(const ArmPathPiece& piece) noexcept;
+  void on_motion(const MotionPiece& piece) noexcept;
   void on_arm_goal(const ArmGoal& goal) noexcept;  // only to cancel the path being followed
   void on_stop(const StopRequest& stop) noexcept;
   void on_guard(const GuardReport& report, std::int64_t now_ns) noexcept;

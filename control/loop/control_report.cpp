@@ -25,6 +25,7 @@ void report_tick(const Modes& modes, const Moment& now, ControllerStatus& s) noe
   s.mode = modes.mode();
   const Quadruped* quadruped = modes.quadruped();
   s.motion = balance != nullptr ? balance->motion() : quadruped != nullptr ? quadruped->motion() : Motion::kNone;
+  if (modes.plays()) s.motion = Motion::kPlayed;
   s.stopping = state.stop_kind;
   s.arm_state = static_cast<std::int8_t>(modes.arm().state());
   const Eigen::Isometry3d world_in_ground = estimator.ground_in_world().inverse();

@@ -29,6 +29,8 @@ Modes::Modes(const Model& model, const BalanceGains& gains, const WalkGains& wal
       way_(model),
       posture_(model),
       arm_(model),
+      motion_(model),
+      braked_(model),
       brace_(model),
       static_torque_(model),
       q_given_(Eigen::VectorXd::Zero(model.joint_count())),
@@ -125,6 +127,8 @@ void Modes::leave_walk(const ModeRequest& next, bool at_once, bool tidy) noexcep
 void Modes::start(Mode first, const Moment& now) noexcept {
   mode_ = Mode::kNone;
   forget_pose();
+  motion_.forget();
+  after_motion_ = {};
   bracing_ = false;
   let_legs_go();
   if (balance_ != nullptr) balance_->forget();
@@ -170,6 +174,7 @@ void Modes::enter(Mode next, const Moment& now) noexcept {
   switch (next) {
     case Mode::kIdle:
       arm_.drop();
+      motion_.drop();
       let_legs_go();
       mode_ = Mode::kIdle;
       break;
@@ -181,59 +186,6 @@ void Modes::enter(Mode next, const Moment& now) noexcept {
       mode_ = next;
       break;
   }
-}
-
-// Of a robot on its feet: the legs are told where to be, or nothing balances what the other joints do.
-const char* Modes::why_no_pose(const ModeRequest& request, const Moment& now) noexcept {
-  const bool balanced = (request.joint_mask & legs_) == 0 && (balancing_ || on_four_ || may_balance(now));
-  if (pose_ == nullptr || !stands(now) || balanced) return nullptr;
-  return pose_->why_not(now.estimator, now.last != nullptr ? now.last->q : now.state.q, request.q, request.joint_mask);
-}
-
-// What was asked is told of, though something came before it began.
-void Modes::forget_pose() noexcept {
-  if (std::exchange(looks_ahead_, false)) sentence_ = "the pose is not begun: the robot was stopped meanwhile; ask again once it stands";
-}
-
-void Modes::look_ahead(const Moment& now) noexcept {
-  if (!looks_ahead_) return;
-  const PoseWay::Verdict verdict = way_.look();
-  if (verdict == PoseWay::Verdict::kLooks) return;
-  looks_ahead_ = false;
-  if (verdict == PoseWay::Verdict::kTouches) {
-    sentence_ = way_.why();
-  } else {
-    enter_pose(asked_pose_, now);
-  }
-}
-
-void Modes::enter_pose(const ModeRequest& request, const Moment& now) noexcept {
-  arm_.cancel();
-  // Without legs in it, the legs balance what the others do, from hold too.
-  const bool without_legs = (request.joint_mask & legs_) == 0;
-  if (!without_legs || !(balancing_ || on_four_ || may_balance(now))) {
-    enter(Mode::kHold, now);
-  } else if (!balancing_ && !on_four_) {
-    enter(Mode::kBalance, now);
-  }
-  mode_ = Mode::kPose;
-  posture_.move(request.q, request.joint_mask, static_cast<double>(request.duration));
-}
-
-void Modes::request_motion(const ModeRequest& request, const Moment& now) noexcept {
-  const auto amplitude = static_cast<double>(request.amplitude);
-  const auto frequency = static_cast<double>(request.frequency);
-  if (on_four_) return quadruped_->request(request.motion, amplitude, frequency);
-  // One that squats already was asked before, from where it stood.
-  const bool from_standing = balance_->motion() == Motion::kNone && squat_ != nullptr;
-  if (request.motion == Motion::kSquat && from_standing) {
-    const double depth = 2.0 * ComMotion::possible(amplitude, frequency);
-    if (const char* why = squat_->why_not(now.estimator, depth)) {
-      sentence_ = why;
-      return;
-    }
-  }
-  balance_->request(request.motion, amplitude, frequency);
 }
 
 void Modes::obey(const ModeRequest& request, const Moment& now) noexcept {
@@ -262,6 +214,7 @@ void Modes::obey(const ModeRequest& request, const Moment& now) noexcept {
     }
     return;
   }
+  if (put_off(request)) return;
   if (request.mode == Mode::kPose && !walks()) {
     if (const char* why = why_no_pose(request, now)) {
       sentence_ = why;
@@ -301,6 +254,7 @@ void Modes::obey(const ModeRequest& request, const Moment& now) noexcept {
       break;
     case Mode::kStop:
       arm_.cancel();
+      stop_playing();
       if (on_four_) {
         quadruped_->stop_motion(kStopTime);
       } else if (balancing_) {
@@ -323,6 +277,7 @@ bool Modes::follow_stop(StopKind asked, bool for_switch, bool plan_runs, const M
   const bool balanced = state.stop_kind == StopKind::kBalanced || asked == StopKind::kBalanced;
   if (balanced && !stopping_) {
     arm_.cancel();
+    stop_playing();
     forget_pose();
     if (walks()) {
       leave_walk({}, true, for_switch);
@@ -347,6 +302,7 @@ bool Modes::follow_stop(StopKind asked, bool for_switch, bool plan_runs, const M
     mode_before_stop_ = mode_;
     mode_ = Mode::kStop;
     arm_.drop();
+    motion_.drop();
   }
   bracing_ = false;
   // Nobody listens: follow the robot, so that the first command after the clear is where it is.
@@ -367,9 +323,9 @@ bool Modes::follow_stop(StopKind asked, bool for_switch, bool plan_runs, const M
 PlannedMotion Modes::motion(const JointCommand& command) const noexcept {
   const std::int64_t all = model_.bus_count() >= 63 ? ~std::int64_t{0} : bit(model_.bus_count()) - 1;
   const bool legs_move = walking_ || (balancing_ && !balance_->resting()) || (on_four_ && !quadruped_->resting());
-  const bool moves = legs_move || posture_.moving() || arm_.moving();
+  const bool moves = legs_move || posture_.moving() || arm_.moving() || motion_.active();
   return {.walk = walking_ ? walk_.get() : nullptr,
-          .posture = posture_,
+          .posture = motion_.stage() == MotionFollow::Stage::kPlays ? braked_ : posture_,
           .arm = arm_,
           .q_given = q_given_,
           .command = command,
@@ -399,6 +355,7 @@ void Modes::watch_for_a_fall(const Moment& now) noexcept {
   } else if (Brace::is_lost(now.estimator)) {
     sentence_ = "the robot falls: it bends its knees, brings its arms before it and gives way";
     arm_.drop();
+    motion_.drop();
     let_legs_go();
     looks_ahead_ = false;
     bracing_ = true;
@@ -436,6 +393,7 @@ void Modes::want(const Moment& now, std::int64_t mask, double dt, SetPoint& set_
   arm_.update(posture_, mask, dt);
   if (arm_.refusal() != nullptr && arm_.refusal() != arm_refusal_) sentence_ = arm_.refusal();
   arm_refusal_ = arm_.refusal();
+  if (dt > 0.0) play(now, mask, dt);
   if (mode_ == Mode::kIdle) return damp(now.state, set_point);
   if (bracing_) return brace_.update(now.estimator, posture_, dt, set_point);
   if (leaving_ && (on_four_ ? quadruped_->resting() : walk_->resting())) {

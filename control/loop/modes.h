@@ -22,6 +22,7 @@
 #include "control/legs/static_torque.h"
 #include "control/loop/arm_follow.h"
 #include "control/loop/fall_protection.h"
+#include "control/motion/motion_follow.h"
 #include "control/loop/pose_way.h"
 #include "control/loop/stop_planner.h"
 #include "control/quadruped/quadruped.h"
@@ -78,6 +79,9 @@ class Modes {
   // A path while there is nothing to move with is not taken.
   void add_path(const ArmPathPiece& piece) noexcept;
   void cancel_path() noexcept { arm_.cancel(); }
+  // A motion begins when its first frames are there, once the robot stands; refused with a sentence.
+  void add_motion(const MotionPiece& piece) noexcept { motion_.add(piece); }
+  bool plays() const noexcept { return motion_.active(); }
 
   // What the mode asks of every joint.  mask: bit per joint that the guard held a tick ago.
   void want(const Moment& now, std::int64_t mask, double dt, SetPoint& set_point) noexcept;
@@ -134,6 +138,17 @@ class Modes {
   void set_legs(int bus_joint, SetPoint& set_point) const noexcept;
   void request_motion(const ModeRequest& request, const Moment& now) noexcept;
   void end_brace(const Moment& now) noexcept;
+  const char* why_no_motion(const Moment& now) noexcept;
+  void play(const Moment& now, std::int64_t mask, double dt) noexcept;
+  void begin_motion(const Moment& now) noexcept;
+  void look_along(const Moment& now) noexcept;
+  void go_back() noexcept;
+  void end_motion(const Moment& now) noexcept;
+  void stop_playing() noexcept;
+  void follow_body() noexcept;
+  bool put_off(const ModeRequest& request) noexcept;
+  PerJoint<double> joints_of(const Posture& posture) const noexcept;
+  void brake(Posture& posture, double duration) const noexcept;
   void move_legs(const Moment& now, double dt) noexcept;
   void damp(const RobotState& state, SetPoint& set_point) const noexcept;
 
@@ -150,6 +165,10 @@ class Modes {
   ModeRequest next_;                   // while leaving
   Posture posture_;
   ArmFollow arm_;
+  MotionFollow motion_;
+  PerJoint<double> stood_{};   // before the motion, bus order
+  ModeRequest after_motion_;   // obeyed when it has ended
+  Posture braked_;             // how the joints would come to rest, while it plays
   Brace brace_;
   StaticTorque static_torque_;
   Mode mode_ = Mode::kNone, mode_before_stop_ = Mode::kNone;

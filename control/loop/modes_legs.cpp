@@ -46,7 +46,7 @@ void Modes::walk_steps(const StepList& list) noexcept {
 }
 
 void Modes::add_path(const ArmPathPiece& piece) noexcept {
-  const bool may_follow =
+  const bool may_follow = !motion_.active() &&
       !(held_by_gate_ || stopping_ || bracing_ || mode_ == Mode::kIdle || mode_ == Mode::kNone);
   if (!may_follow) return arm_.refuse(piece);
   arm_.add(piece);
@@ -87,8 +87,10 @@ void Modes::move_legs(const Moment& now, double dt) noexcept {
     quadruped_->start(now.estimator);
     quadruped_->update(now.estimator, dt);
   } else if (balancing_) {
+    if (motion_.moves_body()) follow_body();
     balance_->update(now.estimator, dt);
     if (balance_->finite()) return;
+    motion_.drop();
     sentence_ = "the balance controller met a number that is not one; it starts again";
     balance_->forget();
     balance_->start(now.estimator);

@@ -128,6 +128,7 @@ void BusLink::send(ModeRequest& request) { send_stamped(channel::kModeRequest, r
 void BusLink::send(StopRequest& request) { send_stamped(channel::kStop, request); }
 void BusLink::send(WalkCommand& command) { send_stamped(channel::kWalk, command); }
 void BusLink::send(StepList& list) { send_stamped(channel::kSteps, list); }
+void BusLink::send(MotionPiece& piece) { send_stamped(channel::kMotion, piece); }
 void BusLink::send(SimRequest& request) { send_stamped(channel::kSimRequest, request); }
 void BusLink::send(ArmGoal& goal) { send_stamped(channel::kArmGoal, goal); }
 void BusLink::send(Gamepad& pad) { send_stamped(channel::kGamepad, pad); }

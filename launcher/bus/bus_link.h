@@ -11,6 +11,7 @@
 
 #include "common/process/arguments.h"
 #include "launcher/bus/stack_monitor.h"
+#include "lcmtypes/msg/motion_piece.h"
 #include "lcmtypes/msg/reports.h"
 #include "lcmtypes/msg/requests.h"
 #include "lcmtypes/msg/sim_request.h"
@@ -45,6 +46,7 @@ class BusLink {
   void send(StopRequest& request);
   void send(WalkCommand& command);
   void send(StepList& list);
+  void send(MotionPiece& piece);
   void send(SimRequest& request);
   void send(ArmGoal& goal);
   void send(Gamepad& pad);

@@ -184,7 +184,16 @@ void refuse_while_paused(const Lookout& seen, std::int64_t now_ns) {
 
 std::string motion_text(const ControllerStatus& status) {
   if (status.mode != Mode::kBalance) return "";
-  return status.motion == Motion::kSway ? "sways" : status.motion == Motion::kSquat ? "moves up and down" : "";
+  switch (status.motion) {
+    case Motion::kSway:
+      return "sways";
+    case Motion::kSquat:
+      return "moves up and down";
+    case Motion::kPlayed:
+      return "plays a motion";
+    default:
+      return "";
+  }
 }
 
 const char* source_name(SourceKind source) {

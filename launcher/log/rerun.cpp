@@ -26,7 +26,7 @@ constexpr int kMostMends = 40;         // of messages that the log does not have
 constexpr int kMostCandidates = 1000;  // messages that are tried for a flipped bit
 
 // Channels of inputs, by JournalInput.
-constexpr std::array<const char*, 12> kChannels = {"",
+constexpr std::array<const char*, 13> kChannels = {"",
                                                    channel::kModeRequest,
                                                    channel::kWalk,
                                                    channel::kGamepad,
@@ -37,7 +37,8 @@ constexpr std::array<const char*, 12> kChannels = {"",
                                                    channel::kObstacles,
                                                    "",
                                                    channel::kCommand,
-                                                   channel::kSteps};
+                                                   channel::kSteps,
+                                                   channel::kMotion};
 
 template <class T>
 std::vector<std::uint8_t> encoded(const T& value) {
@@ -194,6 +195,8 @@ void Rerun::consume(Process& process, const JournalPage& page, std::size_t i) {
       return give(WalkCommand{}, [&](const auto& m) { loop.on_walk_command(m, now); });
     case JournalInput::kSteps:
       return give(StepList{}, [&](const auto& m) { loop.on_step_list(m); });
+    case JournalInput::kMotion:
+      return give(MotionPiece{}, [&](const auto& m) { loop.on_motion(m); });
     case JournalInput::kGamepad:
       return give(Gamepad{}, [&](const auto& m) { loop.on_gamepad(m, now); });
     case JournalInput::kPath:

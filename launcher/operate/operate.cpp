@@ -94,7 +94,7 @@ std::string what_it_does(const ControllerStatus& status, const ModeRequest& requ
 
 bool does(const ControllerStatus& status, const ModeRequest& request) {
   // A motion that was ended dies away for a while.
-  return status.mode == request.mode &&
+  return status.mode == request.mode && status.motion != Motion::kPlayed &&
          (request.motion == Motion::kNone || status.motion == request.motion);
 }
 
@@ -120,9 +120,13 @@ bool wait_for_pose(BusLink& bus, const ModeRequest& request) {
 int report_mode(BusLink& bus, const ModeRequest& request, const char* asked) {
   if (bus.seen().controller_statuses().received() == 0)
     throw std::runtime_error("no controller is running");
-  // A walk is brought to rest first.
+  // A walk is brought to rest first, a motion ended.
   const std::int64_t begin = monotonic_ns();
-  while (!quit_requested() && bus.seen().controller().mode == Mode::kWalk &&
+  const auto busy = [&] {
+    const ControllerStatus& now = bus.seen().controller();
+    return now.mode == Mode::kWalk || now.motion == Motion::kPlayed;
+  };
+  while (!quit_requested() && busy() &&
          !does(bus.seen().controller(), request) && seconds_since(begin) < kWalkEnds) {
     bus.listen(0.05);
   }

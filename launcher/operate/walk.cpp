@@ -24,6 +24,7 @@ constexpr double kSaidLimit = 0.005;  // of a velocity that is less than it was 
 constexpr double kRefusalTime = 0.3;  // in which a controller says that it does not walk so [s]
 constexpr double kRest = 0.02;        // slower the centre of mass rests [m/s]
 constexpr double kRestTime = 0.5;     // [s]
+constexpr double kMotionEnds = 10.0;  // a motion that is played has been ended by then [s]
 constexpr int kRepeats = 3;           // of a list, in case one is lost
 
 // A robot that cannot do them is not asked.
@@ -44,6 +45,11 @@ bool enter_walk(BusLink& bus, ModeRequest& request) {
   bus.listen(0.1);
   if (bus.seen().controller_statuses().received() == 0)
     throw std::runtime_error("no controller is running");
+  // A motion is ended first, and the robot goes back to where it stood.
+  const std::int64_t begin = monotonic_ns();
+  while (!quit_requested() && bus.seen().controller().motion == Motion::kPlayed && seconds_since(begin) < kMotionEnds)
+    bus.listen(0.05);
+  bus.listen(0.05);
   if (bus.seen().controller().mode == Mode::kWalk) return true;
   print_typed(stderr, "walk: %s\n", why_it_stays(bus, request).c_str());
   return false;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "control/balance/balance.h"
+#include "control/motion/motion_check.h"
 #include "control/quadruped/quadruped_body.h"
 #include "lcmtypes/msg/labels.h"
 
@@ -171,9 +172,23 @@ std::string why_not_for(const Scene& scene, const Model& model) {
   return "";
 }
 
+void check_motions(const Scene& scene, const Model& model) {
+  for (const TimedMotion& timed : scene.motions) {
+    const MotionVerdict verdict = check_motion(model, clip_of(timed, scene, model), {});
+    if (verdict.passed()) continue;
+    const MotionFault& fault = verdict.faults.front();
+    char text[200];
+    std::snprintf(text, sizeof text, "%s of %.60s is %.4g, and the limit %.4g, at %.3f s", label(fault.kind), fault.what.c_str(),
+                  fault.value, fault.limit, static_cast<double>(std::max<std::int64_t>(0, fault.tick)) * model.period());
+    throw std::runtime_error("scene " + scene.name + ": the motion " + timed.file + " is refused: " + text + "; ./twinbus motion " +
+                             timed.file + " --check lists all");
+  }
+}
+
 void fit_scene(Scene& scene, const Model& model) {
   resolve_poses(scene, model);
   scene.criteria = for_robot(scene.criteria, model, walks(scene));
+  check_motions(scene, model);
   const std::string why = why_not_for(scene, model);
   if (why.empty()) return;
   throw std::runtime_error("scene " + scene.name + " does not apply to the robot " + model.name + ": " + why +

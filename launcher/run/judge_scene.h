@@ -26,7 +26,10 @@ std::string scene_figures(const OneProcess& run, const Criteria& asked);
 // scene must have been resolved (resolve_poses).
 std::string why_not_for(const Scene& scene, const Model& model);
 
-// Names resolved and criteria as this robot's soles make them.  Throws std::runtime_error with that sentence.
+// Throws std::runtime_error when a motion of the scene is not fit to be played (control/motion/motion_check.h): the first fault.
+void check_motions(const Scene& scene, const Model& model);
+
+// Names resolved, motions checked and criteria as this robot's soles make them.  Throws std::runtime_error with that sentence.
 void fit_scene(Scene& scene, const Model& model);
 
 }  // namespace twinbus

@@ -30,6 +30,7 @@ constexpr int kActivationTicks = 100'000;
 const char* channel_of(const ModeRequest&) { return channel::kModeRequest; }
 const char* channel_of(const WalkCommand&) { return channel::kWalk; }
 const char* channel_of(const StepList&) { return channel::kSteps; }
+const char* channel_of(const MotionPiece&) { return channel::kMotion; }
 const char* channel_of(const Gamepad&) { return channel::kGamepad; }
 const char* channel_of(const ArmGoal&) { return channel::kArmGoal; }
 
@@ -42,6 +43,8 @@ template <>
 constexpr JournalInput kJournalKind<WalkCommand> = JournalInput::kWalk;
 template <>
 constexpr JournalInput kJournalKind<StepList> = JournalInput::kSteps;
+template <>
+constexpr JournalInput kJournalKind<MotionPiece> = JournalInput::kMotion;
 template <>
 constexpr JournalInput kJournalKind<Gamepad> = JournalInput::kGamepad;
 template <>
@@ -347,6 +350,8 @@ void OneProcess::say_script() {
       loop_->on_walk_command(received, now_ns_);
     } else if constexpr (std::is_same_v<decltype(received), StepList>) {
       loop_->on_step_list(received);
+    } else if constexpr (std::is_same_v<decltype(received), MotionPiece>) {
+      loop_->on_motion(received);
     } else if constexpr (std::is_same_v<decltype(received), Gamepad>) {
       loop_->on_gamepad(received, now_ns_);
     } else {

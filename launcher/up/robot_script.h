@@ -30,6 +30,7 @@ class RobotScript {
         auto request = due;
         request.run_id = state.run_id;  // whoever is the source by now
         request.sequence += base_;      // larger than those of a scene before
+        if constexpr (requires { request.motion_id; }) request.motion_id += base_;
         if constexpr (requires { request.goal_id; }) request.goal_id += base_;  // a planner obeys a number once
         send(request);
       });

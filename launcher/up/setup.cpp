@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "launcher/run/judge_scene.h"
 #include "launcher/stack/run_folder.h"
 #include "robot/description/load.h"
 #include "sim/scene/scene.h"
@@ -207,6 +208,7 @@ Setup write_setup(const std::string& wish_text, const std::string& robot,
   if (setup.engine.empty()) setup.engine = scene.engine;
   scene.engine = setup.engine;
   resolve_poses(scene, changed);
+  check_motions(scene, changed);
   // A simulator that cannot begin would end the whole stack.
   SimAdaptor trial(scene);
   if (trial.open(changed, {}) != Status::kOk)

@@ -21,6 +21,7 @@ inline constexpr char kGuard[] = "GUARD";
 inline constexpr char kGamepad[] = "GAMEPAD";
 inline constexpr char kWalk[] = "WALK";
 inline constexpr char kSteps[] = "STEPS";
+inline constexpr char kMotion[] = "MOTION";
 inline constexpr char kSimRequest[] = "SIM_REQUEST";
 inline constexpr char kArmGoal[] = "ARM_GOAL";
 inline constexpr char kArmPath[] = "ARM_PATH";

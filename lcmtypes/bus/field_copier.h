@@ -33,7 +33,7 @@ constexpr int last_of(SourceAction) { return static_cast<int>(SourceAction::kPar
 constexpr int last_of(SwitchPolicy) { return static_cast<int>(SwitchPolicy::kWhenSafe); }
 constexpr int last_of(Refusal) { return 127; }  // programs print the unknown ones as numbers
 constexpr int last_of(Mode) { return static_cast<int>(Mode::kStop); }
-constexpr int last_of(Motion) { return static_cast<int>(Motion::kSquat); }
+constexpr int last_of(Motion) { return static_cast<int>(Motion::kPlayed); }
 constexpr int last_of(SimAction) { return static_cast<int>(SimAction::kPush); }
 constexpr int last_of(FootSide) { return static_cast<int>(FootSide::kRight); }
 constexpr int last_of(ArmSide) { return static_cast<int>(ArmSide::kRight); }
@@ -41,7 +41,7 @@ constexpr int last_of(ArmGoalKind) { return static_cast<int>(ArmGoalKind::kPose)
 constexpr int last_of(ArmPathStatus) { return static_cast<int>(ArmPathStatus::kBadGoal); }
 constexpr int last_of(GuardVerdict) { return static_cast<int>(GuardVerdict::kInCollision); }
 constexpr int last_of(ProcessKind) { return static_cast<int>(ProcessKind::kUser); }
-constexpr int last_of(JournalInput) { return static_cast<int>(JournalInput::kSteps); }
+constexpr int last_of(JournalInput) { return static_cast<int>(JournalInput::kMotion); }
 constexpr int last_of(ObstacleShape) { return static_cast<int>(ObstacleShape::kCylinder); }
 
 // Copies fields one way and judges what it copied.  The first objection stays.

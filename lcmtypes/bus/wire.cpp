@@ -111,6 +111,7 @@ std::span<const ChannelInfo> channel_table() {
       row<SimRequest>(channel::kSimRequest),
       row<StopPlanPiece>(channel::kStopPlan),
       row<Estimate>(channel::kEstimate),
+      row<MotionPiece>(channel::kMotion),
   };
   return table;
 }

@@ -60,7 +60,8 @@ enum class JournalInput : std::int8_t {
   kObstacles = 8,
   kTakeObstacles = 9,  // no message: the collected obstacles become those of the guard
   kCommand = 10,
-  kSteps = 11
+  kSteps = 11,
+  kMotion = 12
 };
 
 inline constexpr std::size_t kJournalInputs = 24;

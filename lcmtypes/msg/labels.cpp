@@ -11,7 +11,7 @@ constexpr const char* kStopReason[] = {"none",         "the operator",   "the ga
                                        "the launcher", "the controller", "missing commands", "a device error", "a switch",
                                        "a fall"};  // StopReason::kFallen
 constexpr const char* kMode[] = {"none", "idle", "hold", "pose", "balance", "walk", "stop"};
-constexpr const char* kMotion[] = {"none", "sway", "squat"};
+constexpr const char* kMotion[] = {"none", "sway", "squat", "played"};
 constexpr const char* kProcessKind[] = {"unknown", "simulator", "bridge",  "replay", "controller", "guard",
                                         "planner", "viewer",    "gamepad", "log",    "launcher",   "user"};
 constexpr const char* kGuardVerdict[] = {"clear", "near", "will collide", "in collision"};

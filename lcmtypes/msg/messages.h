@@ -5,6 +5,7 @@
 #include "lcmtypes/msg/estimate.h"
 #include "lcmtypes/msg/full_heartbeat.h"
 #include "lcmtypes/msg/journal.h"
+#include "lcmtypes/msg/motion_piece.h"
 #include "lcmtypes/msg/pieces.h"
 #include "lcmtypes/msg/reports.h"
 #include "lcmtypes/msg/requests.h"

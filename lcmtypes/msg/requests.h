@@ -100,7 +100,7 @@ enum class Mode : std::int8_t {
   kWalk = 5,
   kStop = 6
 };
-enum class Motion : std::int8_t { kNone = 0, kSway = 1, kSquat = 2 };
+enum class Motion : std::int8_t { kNone = 0, kSway = 1, kSquat = 2, kPlayed = 3 };
 
 struct ModeRequest {
   std::int64_t utime = 0;

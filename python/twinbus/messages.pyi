@@ -265,7 +265,7 @@ class mode_request_t(Message):
     joint_mask: int = ...  # pose: bit per joint that q is for
     sequence: int = ...
     mode: int = ...  # 1 idle, 2 hold, 3 pose, 4 balance, 5 walk, 6 stop
-    motion: int = ...  # balance: 0 none, 1 sway, 2 squat
+    motion: int = ...  # balance: 0 none, 1 sway, 2 squat; 3 is only reported: a motion is played
     duration: float = ...  # pose: time to get there [s]
     amplitude: float = ...  # sway, squat [m]
     frequency: float = ...  # sway, squat [Hz]
@@ -284,6 +284,26 @@ class model_text_t(Message):
     count: int = ...  # bytes of this piece in use
     kind: int = ...  # 1 URDF, 2 SRDF, 3 robot.yaml, 4 scene
     text: NDArray[np.int8] = ...  # [1300]
+
+
+@dataclass(eq=False)
+class motion_t(Message):
+    """Some frames of a motion, said a little before they are played; a cubic B-spline goes through them. The joints of joint_mask follow it, the legs of a balancing robot carry its centre of mass as com says. Begins with frame 0, from wherever the robot stands."""
+    utime: int = ...  # [us]
+    sender_id: int = ...
+    run_id: int = ...
+    motion_id: int = ...  # random, one per motion
+    joint_mask: int = ...  # bit per joint on the bus that moves; never a leg's of a robot that balances
+    sequence: int = ...
+    frames: int = ...  # of the whole motion
+    first: int = ...  # number of the first frame here
+    joint_count: int = ...  # columns in use
+    count: int = ...  # rows in use
+    period: float = ...  # between frames, at least 0.005 [s]
+    depth: float = ...  # the deepest that com goes below standing, in the whole motion [m]
+    com: NDArray[np.float32] = ...  # [6, 3] of the centre of mass, from where it stands, ground frame [m]
+    tilt: NDArray[np.float32] = ...  # [6, 2] of the base, roll and pitch, from upright [rad]
+    q: NDArray[np.float32] = ...  # [6, 48] [rad or m]
 
 
 @dataclass(eq=False)

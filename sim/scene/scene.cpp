@@ -12,6 +12,7 @@
 #include "common/text/closest_name.h"
 #include "common/text/strict_yaml.h"
 #include "robot/description/load.h"
+#include "robot/motion/motion_file.h"
 #include "sim/contact/rigid_object_mesh.h"
 #include "sim/scene/fidelity.h"
 #include "sim/scene/scene_obstacle.h"
@@ -188,6 +189,26 @@ TimedSteps read_timed_steps(const ConfigNode& node) {
   TimedSteps timed;
   timed.at = node.number("at", 0.0, kDay);
   timed.list = read_steps(node);
+  node.finish();
+  return timed;
+}
+
+// file: beside the scene, or as it is.
+TimedMotion read_timed_motion(const ConfigNode& node, const std::filesystem::path& folder) {
+  TimedMotion timed;
+  timed.at = node.number("at", 0.0, kDay);
+  const auto beside = [&](const std::string& name) {
+    std::error_code ignored;
+    return std::filesystem::is_regular_file(folder / name, ignored) ? (folder / name).string() : name;
+  };
+  timed.file = beside(node.text("file"));
+  timed.columns = node.text("columns", "");
+  if (!timed.columns.empty()) timed.columns = beside(timed.columns);
+  timed.rate = node.number("rate", 1.0, 10'000.0, 0.0);
+  timed.speed = node.number("speed", 0.05, 1.0, 1.0);
+  timed.from = node.number("from", 0.0, 1e6, 0.0);
+  timed.until = node.number("until", 0.0, 1e6, 0.0);
+  timed.upper_only = node.flag("upper", false);
   node.finish();
   return timed;
 }
@@ -372,6 +393,8 @@ Scene load_scene(const std::string& name_or_file) {
   for (const ConfigNode& node : top.list("pads")) scene.pads.push_back(read_pad(node));
   for (const ConfigNode& node : top.list("footsteps"))
     scene.steps.push_back(read_timed_steps(node));
+  for (const ConfigNode& node : top.list("motions"))
+    scene.motions.push_back(read_timed_motion(node, std::filesystem::path(file).parent_path()));
   for (const ConfigNode& node : top.list("bodies")) scene.bodies.push_back(read_body(node));
   for (const ConfigNode& node : top.list("loose")) {
     scene.loose.push_back(read_loose(node));
@@ -429,7 +452,22 @@ void start_in(const std::string& pose, const Model& model, Scene& scene) {
   scene.start_pose = pose;
 }
 
+MotionClip clip_of(const TimedMotion& timed, const Scene& scene, const Model& model) {
+  MotionFormat format;
+  format.rate = timed.rate;
+  if (!timed.columns.empty()) format.columns = motion_columns(timed.columns);
+  format.from = timed.from;
+  format.until = timed.until;
+  const MotionOptions options{.speed = timed.speed, .stand = scene.start_pose, .upper_only = timed.upper_only};
+  return {model, read_motion(timed.file, format), options};
+}
+
 void resolve_poses(Scene& scene, const Model& model) {
+  for (TimedMotion& timed : scene.motions) {
+    const MotionClip clip = clip_of(timed, scene, model);
+    timed.period = clip.period();
+    timed.pieces = clip.pieces(1);
+  }
   scale_to(scene, model);
   name_places(scene, model);
   for (TimedMode& timed : scene.modes) {

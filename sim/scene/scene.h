@@ -11,6 +11,8 @@
 #include "robot/collision/collision.h"
 #include "robot/description/loops.h"
 #include "robot/description/model.h"
+#include "robot/motion/motion_clip.h"
+#include "lcmtypes/msg/motion_piece.h"
 #include "lcmtypes/msg/requests.h"
 #include "lcmtypes/msg/step_list.h"
 #include "sim/scene/scene_criteria.h"
@@ -55,6 +57,16 @@ struct TimedPad {
 struct TimedSteps {
   double at = 0.0;  // [s]
   StepList list;
+};
+
+// A motion file that is played; resolve_poses makes the pieces of it.
+struct TimedMotion {
+  double at = 0.0;  // [s]
+  std::string file, columns;
+  double rate = 0.0, speed = 1.0, from = 0.0, until = 0.0;  // as in robot/motion/motion_file.h
+  bool upper_only = false;
+  double period = 0.0;  // between frames [s]
+  std::vector<MotionPiece> pieces;
 };
 
 // Uneven ground: square tiles of random height and slope from x = from on; see scene_seed.
@@ -140,6 +152,7 @@ struct Scene {
   std::vector<TimedWalk> walks;
   std::vector<TimedPad> pads;
   std::vector<TimedSteps> steps;
+  std::vector<TimedMotion> motions;
   Terrain terrain;
   std::vector<Obstacle> tiles;  // of the terrain: ground to the soles, unknown to planner and guard
   PushRound push_round;
@@ -160,6 +173,8 @@ struct Scene {
 // Finds what the scene names by what it is (scene_places.h), and fills q and joint_mask of the modes and goals that name a pose, in bus order.  Throws
 // std::runtime_error if the robot has no such pose.
 void resolve_poses(Scene& scene, const Model& model);
+// The motion of the robot that begins in the scene's start_pose.  Throws std::runtime_error.
+MotionClip clip_of(const TimedMotion& timed, const Scene& scene, const Model& model);
 // Lets the scene begin in another named pose.  Throws std::runtime_error that names the nearest one if the robot has none such.
 void start_in(const std::string& pose, const Model& model, Scene& scene);
 
@@ -171,7 +186,7 @@ void start_in(const std::string& pose, const Model& model, Scene& scene);
 // {friction}, obstacles: see scene_obstacle.h, pushes: [link, point, impulse, at,
 // duration], modes: [at, mode, motion, pose, duration, amplitude, frequency], goals: [at, hand,
 // position, reach (from the shoulder, in lengths of the arm), rpy_deg, pose, speed, cancel], walks: [at, for, vx, vy, wz], pads: [at, for, left_x, left_y, right_x],
-// footsteps: [at, steps: [foot, x, y, yaw]],
+// footsteps: [at, steps: [foot, x, y, yaw]], motions: [at, file, columns, rate, speed, from, until, upper],
 // terrain: {tile, height, slope_deg, ramp_deg, from, length, width}, push_round: {link, at, every, count, phase, forward, back,
 // sideways, duration}, disturbance: {position, angle_deg, velocity, spin, mass, friction, joints}, bodies: [link, mass, at, shift], loose: [name, shape (box, sphere, cylinder,
 // capsule, mesh), size (of a mesh: file beside the scene, scale), mass, position, rpy_deg, velocity,

@@ -68,7 +68,7 @@ TEST(Wire, EveryChannelHasOneRowAndEveryTypeItsOwnFingerprint) {
     fingerprints.insert(info.fingerprint);
     EXPECT_EQ(find_channel(info.channel), &info);
   }
-  EXPECT_EQ(types.size(), 24u);
+  EXPECT_EQ(types.size(), 25u);
   EXPECT_EQ(fingerprints.size(), types.size());
   EXPECT_EQ(find_channel("NO_SUCH_CHANNEL"), nullptr);
 }

@@ -64,7 +64,8 @@ def operate(checks):
         sway = example(checks, python("03_squat.py") + ["--sway"], r"moved (\d+) mm up and down, (\d+) mm from side")
         if sway:
             checks.that(40 <= int(sway[2]) <= 80, f"sway: {sway[2]} mm")
-        time.sleep(2.0)
+        example(checks, python("18_motion.py") + ["--twinbus", BIN / "twinbus"], r"motion: passed\n(.*\n)*motion: done")
+        time.sleep(1.0)
         example(checks, python("05_reach.py") + ["left", "0.35", "0.25", "0.75"], r"the hand is there")
         example(checks, python("06_stop_and_clear.py"), r"stopped at tick \d+, nonce \d+\ngoes on at tick \d+")
         checks.that(cli("mode", "balance")[0] == 0, "balance after the stop")

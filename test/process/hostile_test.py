@@ -18,9 +18,9 @@ import harness
 from harness import Bus, Checks, Stack, alive, cli, twinbus
 
 URL = f"udpm://{harness.GROUP}:{harness.PORT}?ttl=0&recv_buf_size=4194304"
-CONSUMED = ("STATE", "COMMAND", "SOURCE_REQUEST", "CONTROLLER_REQUEST", "MODE_REQUEST", "ARM_GOAL", "STOP", "GUARD", "WALK", "STEPS",
+CONSUMED = ("STATE", "COMMAND", "SOURCE_REQUEST", "CONTROLLER_REQUEST", "MODE_REQUEST", "ARM_GOAL", "STOP", "GUARD", "WALK", "STEPS", "MOTION",
             "GAMEPAD", "ARM_PATH", "OBSTACLES", "CONTROLLER_STATUS")
-TYPES = dict(harness.CHANNEL_TYPES, WALK="walk_command_t", STEPS="step_list_t", GAMEPAD="gamepad_t", OBSTACLES="obstacles_t")
+TYPES = dict(harness.CHANNEL_TYPES, WALK="walk_command_t", STEPS="step_list_t", MOTION="motion_t", GAMEPAD="gamepad_t", OBSTACLES="obstacles_t")
 PROGRAMS = ("twinbus_simulator", "twinbus_bridge", "twinbus_controller", "twinbus_guard", "twinbus_planner")
 LARGEST_TILT = math.radians(3)
 
