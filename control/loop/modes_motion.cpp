@@ -81,8 +81,8 @@ const char* Modes::why_no_motion(const Moment& now) noexcept {
   const bool balances = balancing_ || on_four_ || may_balance(now);
   if (!balances)
     return stands(now) ? "a motion begins on an upright robot with both soles on the ground; it is not played" : nullptr;
-  if (motion_.depth() > kLevel && squat_ != nullptr && balance_ != nullptr) return squat_->why_not(now.estimator, motion_.depth());
-  return nullptr;
+  if (balance_ == nullptr || squat_ == nullptr || motion_.depth() <= kLevel) return nullptr;
+  return squat_->why_not(now.estimator, motion_.depth());
 }
 
 // One that is asked while the robot walks waits until it stands.
