@@ -174,7 +174,7 @@ int motion_file_command(const std::vector<std::string>& words) {
   print_summary(clip, file, verdict, model, config.as_recorded);
   if (arguments.has("--csv")) write_csv(arguments.text("--csv", ""), verdict.faults, model);
   if (!verdict.passed()) {
-    std::printf("motion: refused: %zu faults\n", verdict.faults.size());
+    std::printf("motion: refused: %zu fault%s\n", verdict.faults.size(), verdict.faults.size() == 1 ? "" : "s");
     return 1;
   }
   std::printf("motion: passed\n");
