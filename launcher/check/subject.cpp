@@ -10,6 +10,7 @@
 #include "robot/mjcf/mjcf_document.h"
 #include "robot/mjcf/mjcf_to_urdf.h"
 #include "robot/onboarding/base_turn.h"
+#include "robot/onboarding/mesh_axis.h"
 
 namespace twinbus {
 
@@ -82,6 +83,12 @@ CheckSubject load_subject(const std::string& name) {
   subject.text = with_packages(read, subject.urdf, source.packages);
   subject.repaired =
       load_repaired_urdf(subject.text, subject.urdf, source.packages, source.repairs);
+  if (const std::vector<std::string> meshes = meshes_to_turn(subject.repaired); !meshes.empty()) {
+    subject.text = with_turned_meshes(subject.text, meshes);
+    subject.repaired = load_repaired_urdf(subject.text, subject.urdf, source.packages, source.repairs);
+    source.notes.push_back("the centres of mass lie in the geometry only if its COLLADA meshes, which say Y_UP, are turned to Z up: the copy "
+                           "of the URDF has that turn in the <origin> of " + std::to_string(meshes.size()) + " meshes");
+  }
   const Eigen::Matrix3d turn =
       source.floating.value_or(true) ? find_base_turn(subject.repaired) : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
   if (!turn.isIdentity(1e-9)) {
