@@ -14,11 +14,10 @@
 #include "bridge/adaptors/unitree_dds/unitree_dds.h"
 #include "bridge/unitree/face.h"
 #include "common/process/options.h"
+#include "common/process/priority.h"
 #include "common/process/process.h"
-#include "lcmtypes/bus/bus.h"
-#include "lcmtypes/bus/channels.h"
+#include "lcmtypes/bus/node.h"
 #include "lcmtypes/msg/state_admission.h"
-#include "lcmtypes/node/pulse.h"
 #include "robot/description/load.h"
 
 namespace twinbus {
@@ -74,24 +73,23 @@ class FaceProcess {
  public:
   FaceProcess(const Arguments& a, const Model& model, RealTime real_time)
       : family_(a.face.family),
-        id_(a.common.id != 0 ? a.common.id : random_id()),
         face_(model, a.face),
-        bus_({.url = a.common.url, .prefix = a.common.prefix, .allow = {a.common.allow}}),
-        dds_(a.face.family, UnitreeDds::Side::kRobot, a.dds),
-        pulse_(ProcessKind::kUser, id_, real_time) {
-    bus_.listen_each<RobotState>(channel::kState, on_state_);
-    bus_.listen_each<JointCommand>(channel::kCommand, on_command_);
-    bus_.listen_each<SourceStatus>(channel::kSourceStatus, on_source_);
-    bus_.listen_each<Gamepad>(channel::kGamepad, on_gamepad_);
+        node_(a.common, ProcessKind::kUser, real_time),
+        dds_(a.face.family, UnitreeDds::Side::kRobot, a.dds) {
+    Bus& bus = node_.bus();
+    bus.listen_each<&FaceProcess::hear_state>(channel::kState, *this);
+    bus.listen_each<&FaceProcess::hear_command>(channel::kCommand, *this);
+    bus.listen_each<&Face::on_source>(channel::kSourceStatus, face_);
+    bus.listen_each<&FaceProcess::hear_gamepad>(channel::kGamepad, *this);
   }
 
   const Face& face() const { return face_; }
 
   void run() {
     while (!quit_requested()) {
-      std::array<pollfd, 2> waits = {pollfd{bus_.fileno(), POLLIN, 0}, pollfd{dds_.fileno(), POLLIN, 0}};
+      std::array<pollfd, 2> waits = {pollfd{node_.bus().fileno(), POLLIN, 0}, pollfd{dds_.fileno(), POLLIN, 0}};
       if (!more_) ::poll(waits.data(), waits.size(), kWait_ms);
-      if (bus_.receive(0.0) < 0) throw std::runtime_error("the bus is gone");
+      node_.receive(0.0);
       hear_dds();
       answer();
       tell();
@@ -107,10 +105,13 @@ class FaceProcess {
     face_.on_state(state, now);
     if (face_.reading_due()) {
       encode(face_.reading(now), family_, frame_);
-      if (!dds_.write(std::span(frame_).first(state_bytes(family_)))) ++send_failures_;
+      if (!dds_.write(std::span(frame_).first(state_bytes(family_)))) ++frames_lost_;
     }
     answer();
   }
+
+  void hear_command(const JointCommand& command) noexcept { face_.on_command(command.controller_id, monotonic_ns()); }
+  void hear_gamepad(const Gamepad& pad) noexcept { face_.on_gamepad(pad, monotonic_ns()); }
 
   void hear_dds() noexcept {
     dds_.quiet();
@@ -129,13 +130,13 @@ class FaceProcess {
     ControllerRequest request;
     if (face_.take_request(request, now)) {
       request.utime = wall_us();
-      request.sender_id = id_;
+      request.sender_id = node_.id();
       request.sequence = ++request_sequence_;
-      if (!bus_.send(channel::kControllerRequest, request)) ++send_failures_;
+      node_.send(channel::kControllerRequest, request);
     }
     JointCommand command;
     if (!face_.take_command(command, now)) return;
-    if (!bus_.send(channel::kCommand, command)) ++send_failures_;
+    node_.send(channel::kCommand, command);
     const std::int64_t end = monotonic_ns();
     pulse_.tick(end, end - now);
     pulse_.answered(end - heard_ns_);
@@ -147,60 +148,31 @@ class FaceProcess {
       std::fprintf(line.severity > 0 ? stderr : stdout, "face: %s\n", line.text.data());
       std::fflush(stdout);
       Event event;
-      event.utime = wall_us();
-      event.sender_id = id_;
       event.run_id = admission_.run_id();
-      event.sequence = ++event_sequence_;
       event.severity = static_cast<std::int8_t>(line.severity);
-      event.kind = ProcessKind::kUser;
       std::snprintf(event.text.data(), event.text.size(), "face: %s", line.text.data());
-      if (!bus_.send(channel::kEvent, event)) ++send_failures_;
+      node_.tell(event);
     }
   }
 
   void send_heartbeat() noexcept {
-    Heartbeat& beat = pulse_.beat(monotonic_ns());
-    const BusCounters& c = bus_.counters();
-    beat.messages_received = c.received + face_.frames_taken();
-    beat.messages_rejected = c.rejected + admission_.ignored() + face_.frames_refused();
-    beat.messages_lost = c.lost;
-    beat.send_failures = static_cast<std::int32_t>(std::min<std::int64_t>(send_failures_, INT32_MAX));
-    if (!bus_.send_heartbeat(beat)) ++send_failures_;
+    Heartbeat& beat = node_.beat();
+    beat.messages_received += face_.frames_taken();
+    beat.messages_rejected += admission_.ignored() + face_.frames_refused();
+    beat.send_failures = static_cast<std::int32_t>(std::min<std::int64_t>(beat.send_failures + frames_lost_, INT32_MAX));
+    node_.send_heartbeat(beat);
   }
 
-  struct OnState {
-    FaceProcess* p;
-    void operator()(const RobotState& m) const noexcept { p->hear_state(m); }
-  };
-  struct OnCommand {
-    FaceProcess* p;
-    void operator()(const JointCommand& m) const noexcept { p->face_.on_command(m.controller_id, monotonic_ns()); }
-  };
-  struct OnSource {
-    FaceProcess* p;
-    void operator()(const SourceStatus& m) const noexcept { p->face_.on_source(m); }
-  };
-  struct OnGamepad {
-    FaceProcess* p;
-    void operator()(const Gamepad& m) const noexcept { p->face_.on_gamepad(m, monotonic_ns()); }
-  };
-
   UnitreeFamily family_;
-  std::int64_t id_;
   Face face_;
-  Bus bus_;
+  Node node_;
   UnitreeDds dds_;
   StateAdmission admission_;
-  Pulse pulse_;
+  Pulse& pulse_ = node_.pulse();
   std::array<std::byte, kLargestFrame> frame_{};
   bool more_ = false;  // frames that were not taken in one look
-  std::int64_t heard_ns_ = 0, send_failures_ = 0;
-  std::int32_t request_sequence_ = 0, event_sequence_ = 0;
-
-  OnState on_state_{this};
-  OnCommand on_command_{this};
-  OnSource on_source_{this};
-  OnGamepad on_gamepad_{this};
+  std::int64_t heard_ns_ = 0, frames_lost_ = 0;  // frames that DDS did not take
+  std::int32_t request_sequence_ = 0;
 };
 
 std::string absent_motors(const MotorOrder& order) {
@@ -214,9 +186,7 @@ int run(int argc, char** argv) {
   const Arguments a = parse(argc, argv);
   catch_quit_signals();
   const Model model = load_robot(a.common.robot);
-  std::string why;
-  const RealTime real_time = enter_real_time(kPriority, &why);
-  if (!why.empty()) std::fprintf(stderr, "face: %s\n", why.c_str());
+  const RealTime real_time = enter_real_time(kPriority, "face");
   FaceProcess process(a, model, real_time);
   const MotorOrder& order = process.face().order();
   std::printf("face ready: %s answers as %s (%s) on %s, domain %d: rt/lowstate %.0f times a second, rt/lowcmd%s\n", model.name.c_str(),

@@ -14,10 +14,7 @@ namespace twinbus {
 namespace {
 
 int run(int argc, char** argv) {
-  SourceMainOptions options;
-  options.program = "bridge";
-  options.kind = SourceKind::kBridge;
-  options.process = ProcessKind::kBridge;
+  SourceMainOptions options = source_main_options("bridge", SourceKind::kBridge, ProcessKind::kBridge);
   std::string name = "emulated_robot";
   AdaptorConfig config;
   Options parser("twinbus_bridge", "Runs a robot, through its adaptor, as a source of STATE.");

@@ -19,8 +19,7 @@
 #include "control/teleop/raw_terminal.h"
 #include "control/teleop/sdl_pad.h"
 #include "control/teleop/teleop.h"
-#include "lcmtypes/bus/bus.h"
-#include "lcmtypes/bus/channels.h"
+#include "lcmtypes/bus/node.h"
 #include "lcmtypes/msg/state_admission.h"
 #include "robot/description/load.h"
 #include "robot/estimation/estimator.h"
@@ -157,9 +156,9 @@ class Arm {
   Arm(const Model& model, std::int64_t id) : model_(model), estimator_(model), id_(id) {}
 
   void listen(Bus& bus) {
-    bus.listen_each<ArmPathPiece>(channel::kArmPath, on_path_);
-    bus.listen_each<ControllerStatus>(channel::kControllerStatus, on_status_);
-    bus.listen_each<Gamepad>(channel::kGamepad, on_gamepad_);
+    bus.listen_each<&HandTarget::on_path>(channel::kArmPath, target_);
+    bus.listen_each<&Arm::hear_status>(channel::kControllerStatus, *this);
+    bus.listen_each<&Arm::hear_gamepad>(channel::kGamepad, *this);
   }
   // Once per cycle, with the newest state.
   void update(const RobotState& state, bool fresh, Teleop& teleop) {
@@ -214,23 +213,13 @@ class Arm {
  private:
   static constexpr double kOtherHolds = 0.2;  // [s] since the other was heard holding on
 
-  struct OnPath {
-    Arm* a;
-    void operator()(const ArmPathPiece& m) const { a->target_.on_path(m); }
-  };
-  struct OnStatus {
-    Arm* a;
-    void operator()(const ControllerStatus& m) const {
-      a->target_.on_status(m);
-      a->mode_ = m.mode;
-    }
-  };
-  struct OnGamepad {
-    Arm* a;
-    void operator()(const Gamepad& m) const {
-      if (m.sender_id != a->id_ && m.deadman) a->other_ns_ = monotonic_ns();
-    }
-  };
+  void hear_status(const ControllerStatus& status) {
+    target_.on_status(status);
+    mode_ = status.mode;
+  }
+  void hear_gamepad(const Gamepad& pad) {
+    if (pad.sender_id != id_ && pad.deadman) other_ns_ = monotonic_ns();
+  }
 
   const Model& model_;
   Estimator estimator_;
@@ -239,9 +228,6 @@ class Arm {
   bool heard_ = false, known_ = false, held_ = false, drives_ = false;
   std::int64_t other_ns_ = 0;
   Mode mode_ = Mode::kNone;
-  OnPath on_path_{this};
-  OnStatus on_status_{this};
-  OnGamepad on_gamepad_{this};
 };
 
 // One line that is written over, on a terminal only.
@@ -264,21 +250,12 @@ void show(const Teleop& teleop, const Gamepad& pad, const RobotState& state, boo
   std::fflush(stdout);
 }
 
-Heartbeat heartbeat(const Bus& bus, std::int64_t id, std::int64_t cycles, bool ready) {
-  static const int pid = static_cast<int>(getpid());
-  Heartbeat beat;
-  beat.utime = wall_us();
-  beat.process_id = id;
-  beat.pid = pid;
-  beat.kind = ProcessKind::kGamepad;
-  beat.messages_received = bus.counters().received;
-  beat.messages_rejected = bus.counters().rejected;
-  beat.messages_lost = bus.counters().lost;
-  beat.send_failures = static_cast<std::int32_t>(bus.counters().send_failures);
+void send_heartbeat(Node& node, std::int64_t cycles, bool ready) {
+  Heartbeat& beat = node.beat();
   beat.ticks = cycles;
   beat.rate = 100.0f;
   beat.state = ready ? 2 : 1;
-  return beat;
+  node.send_heartbeat(beat);
 }
 
 // Asks for one control after another and keeps what it learned.
@@ -328,11 +305,10 @@ int map_a_pad(const Arguments& arguments) {
 
 void run(const Arguments& options) {
   go_ahead_of_ordinary_programs();  // letting go must not wait for somebody's compiler
-  const std::int64_t id = options.common.id > 0 ? options.common.id : random_id();
-  BusOptions bus_options{
-      .url = options.common.url, .prefix = options.common.prefix, .allow = {options.common.allow}};
   const Model model = load_robot(options.common.robot);
-  Bus bus(bus_options);
+  Node node(options.common, ProcessKind::kGamepad);
+  const std::int64_t id = node.id();
+  Bus& bus = node.bus();
   Arm arm(model, id);
   arm.listen(bus);
   StateAdmission believed;
@@ -418,15 +394,14 @@ void run(const Arguments& options) {
     }
     const std::int64_t utime = wall_us();
     const Gamepad message = teleop.message(utime, now);
-    bool sent = bus.send(channel::kGamepad, message);
+    node.send(channel::kGamepad, message);
     requests.send(bus, utime);
     arm.update(state, fresh, teleop);
     arm.send(bus, state, utime, monotonic_ns());
     if (cycle % kHeartbeatEvery == 0) {
-      sent = bus.send_heartbeat(heartbeat(bus, id, cycle, message.connected)) && sent;
+      send_heartbeat(node, cycle, message.connected);
       if (show_line) show(teleop, message, state, fresh, arm.walks(), arm.words());
     }
-    static_cast<void>(sent);  // counted by the bus
   }
   if (show_line) std::printf("\n");
   std::printf("twinbus_gamepad: let go\n");

@@ -9,18 +9,15 @@
 #include <array>
 #include <cstdio>
 #include <span>
-#include <stdexcept>
 #include <string>
 
 #include "common/process/options.h"
-#include "common/process/process.h"
+#include "common/process/priority.h"
 #include "control/guard/guard_watch.h"
-#include "lcmtypes/bus/bus.h"
-#include "lcmtypes/bus/channels.h"
+#include "lcmtypes/bus/node.h"
 #include "lcmtypes/msg/guard_defaults.h"
 #include "lcmtypes/msg/journal.h"
 #include "lcmtypes/msg/state_admission.h"
-#include "lcmtypes/node/pulse.h"
 #include "robot/collision/loop_joints.h"
 #include "robot/collision/obstacle_collector.h"
 #include "robot/description/load.h"
@@ -57,21 +54,20 @@ class GuardProcess {
  public:
   GuardProcess(const Arguments& a, const Model& model, RealTime real_time)
       : model_(model),
-        id_(a.common.id != 0 ? a.common.id : random_id()),
-        bus_({.url = a.common.url, .prefix = a.common.prefix, .allow = {a.common.allow}}),
-        watch_(model, {.guard_id = id_, .margin = 1e-3 * a.margin_mm}),
-        pulse_(ProcessKind::kGuard, id_, real_time),
-        journal_(ProcessKind::kGuard, id_, {1e-3 * a.margin_mm}, SendPage{this}) {
-    bus_.listen_each<RobotState>(channel::kState, on_state_);
-    bus_.listen_each<JointCommand>(channel::kCommand, on_command_);
-    bus_.listen_each<ObstaclesPiece>(channel::kObstacles, on_obstacles_);
-    bus_.listen_each<SourceStatus>(channel::kSourceStatus, on_source_);
+        node_(a.common, ProcessKind::kGuard, real_time),
+        watch_(model, {.guard_id = node_.id(), .margin = 1e-3 * a.margin_mm}),
+        journal_(ProcessKind::kGuard, node_.id(), {1e-3 * a.margin_mm}, SendPage{this}) {
+    Bus& bus = node_.bus();
+    bus.listen_each<&GuardProcess::hear_state>(channel::kState, *this);
+    bus.listen_each<&GuardProcess::hear_command>(channel::kCommand, *this);
+    bus.listen_each<&GuardProcess::hear_obstacles>(channel::kObstacles, *this);
+    bus.listen_each<&GuardProcess::hear_source>(channel::kSourceStatus, *this);
   }
 
   void run() {
     while (!quit_requested()) {
       NoAlloc no_alloc;
-      if (bus_.receive(kWait) < 0) throw std::runtime_error("the bus is gone");
+      node_.receive(kWait);
       if (fresh_) judge();
       if (pulse_.due(monotonic_ns())) send_heartbeat();
       if (pulse_.ticks() > kWarmUp) allocations_ += no_alloc.count();
@@ -102,6 +98,11 @@ class GuardProcess {
     fresh_ = true;
   }
 
+  void hear_obstacles(const ObstaclesPiece& piece, Bytes bytes) noexcept {
+    journal_.consumed(JournalInput::kObstacles, bytes, monotonic_ns());
+    new_obstacles_ = obstacles_.add(piece) || new_obstacles_;
+  }
+
   // Whom the source obeys.
   void hear_source(const SourceStatus& status) noexcept {
     if (status.run_id == admission_.run_id() && status.term == admission_.term())
@@ -126,7 +127,7 @@ class GuardProcess {
     const std::int64_t end = monotonic_ns();
     const std::int64_t answer_hash = hash_of(report);
     report.compute_ns = static_cast<std::int32_t>(std::min<std::int64_t>(end - begin, INT32_MAX));
-    if (!bus_.send(channel::kGuard, report)) ++send_failures_;
+    node_.send(channel::kGuard, report);
     journal_.stepped(state_, state_hash_, begin, answer_hash, 0);
     pulse_.tick(end, end - begin);
     pulse_.answered(end - heard_ns_);
@@ -144,13 +145,7 @@ class GuardProcess {
     const std::int64_t since = state_.tick - stop_tick_;
     if (stop_tick_ != 0 && since >= 0 && since < kStopEvery) return;
     stop_tick_ = state_.tick;
-    StopRequest stop;
-    stop.utime = wall_us();
-    stop.sender_id = id_;
-    stop.sequence = ++stop_sequence_;
-    stop.kind = StopKind::kBalanced;
-    stop.reason = StopReason::kGuard;
-    if (!bus_.send(channel::kStop, stop)) ++send_failures_;
+    node_.ask_for_a_stop(StopReason::kGuard);
   }
 
   // Who comes too near whom, at most once a second; while it stays the same two, seldom.
@@ -165,95 +160,54 @@ class GuardProcess {
     told_pair_ = pair;
     told_stop_ = report.stop_asked;
     Event event;
-    event.utime = wall_us();
-    event.sender_id = id_;
     event.run_id = state_.run_id;
     event.tick = state_.tick;
-    event.sequence = ++event_sequence_;
     event.severity = 1;
-    event.kind = ProcessKind::kGuard;
     const int used = std::snprintf(event.text.data(), event.text.size(), "%s: ",
                                    report.stop_asked ? "guard asks for a stop" : "guard holds joints");
     describe(model_, cause, watch_.margin(), std::span(event.text).subspan(static_cast<std::size_t>(used)));
-    if (!bus_.send(channel::kEvent, event)) ++send_failures_;
+    node_.tell(event);
   }
 
   void send_heartbeat() {
-    Heartbeat& beat = pulse_.beat(monotonic_ns());
-    const BusCounters& c = bus_.counters();
-    beat.messages_received = c.received;
-    beat.messages_rejected = c.rejected + rejected_ + admission_.ignored();
+    Heartbeat& beat = node_.beat();
+    beat.messages_rejected += rejected_ + admission_.ignored();
     beat.messages_lost = missed_;
     beat.ticks_missed = missed_;
     beat.allocations = allocations_counted() ? allocations_ : -1;
-    beat.send_failures =
-        static_cast<std::int32_t>(std::min<std::int64_t>(send_failures_, INT32_MAX));
-    if (!bus_.send_heartbeat(beat)) ++send_failures_;
+    node_.send_heartbeat(beat);
   }
 
   struct SendPage {
     GuardProcess* p;
-    void operator()(const JournalPage& page) const noexcept {
-      if (!p->bus_.send(channel::kJournal, page)) ++p->send_failures_;
-    }
-  };
-  struct OnState {
-    GuardProcess* p;
-    void operator()(const RobotState& m, Bytes bytes) const noexcept { p->hear_state(m, bytes); }
-  };
-  struct OnSource {
-    GuardProcess* p;
-    void operator()(const SourceStatus& m, Bytes) const noexcept { p->hear_source(m); }
-  };
-  struct OnCommand {
-    GuardProcess* p;
-    void operator()(const JointCommand& m, Bytes bytes) const noexcept {
-      p->hear_command(m, bytes);
-    }
-  };
-  struct OnObstacles {
-    GuardProcess* p;
-    void operator()(const ObstaclesPiece& m, Bytes bytes) const noexcept {
-      p->journal_.consumed(JournalInput::kObstacles, bytes, monotonic_ns());
-      p->new_obstacles_ = p->obstacles_.add(m) || p->new_obstacles_;
-    }
+    void operator()(const JournalPage& page) const noexcept { p->node_.send(channel::kJournal, page); }
   };
 
   const Model& model_;
-  std::int64_t id_;
-  Bus bus_;
+  Node node_;
+  Pulse& pulse_ = node_.pulse();
   GuardWatch watch_;
   std::int64_t controller_ = 0;  // that the source obeys; 0 not known
   StateAdmission admission_;
   ObstacleCollector obstacles_;
   RobotState state_;
   bool fresh_ = false, new_obstacles_ = false;
-  Pulse pulse_;
   JournalWriter<SendPage> journal_;
   std::int64_t heard_ns_ = 0, told_ns_ = 0, held_ns_ = 0, stop_tick_ = 0, state_hash_ = 0;
   std::array<int, 2> told_pair_{-1, -1};
   bool told_stop_ = false;
-  std::int64_t missed_ = 0, rejected_ = 0, allocations_ = 0, send_failures_ = 0;
-  std::int32_t stop_sequence_ = 0, event_sequence_ = 0;
-
-  OnState on_state_{this};
-  OnSource on_source_{this};
-  OnCommand on_command_{this};
-  OnObstacles on_obstacles_{this};
+  std::int64_t missed_ = 0, rejected_ = 0, allocations_ = 0;
 };
 
 int run(int argc, char** argv) {
   const Arguments a = parse(argc, argv);
   catch_quit_signals();
   const Model model = load_robot(a.common.robot);
-  std::string why;
-  const RealTime real_time = enter_real_time(kPriority, &why);
-  if (!why.empty()) std::fprintf(stderr, "guard: %s\n", why.c_str());
+  const RealTime real_time = enter_real_time(kPriority, "guard");
   GuardProcess guard(a, model, real_time);
-  const std::string loops = loops_sentence(model);
-  if (!loops.empty()) std::fprintf(stderr, "guard: %s\n", loops.c_str());
+  print_loops(model, "guard");
   std::printf("guard ready: %s, margin %.0f mm, %s\n", model.name.c_str(), a.margin_mm,
-              real_time == RealTime::kNone ? "no real-time priority" : "FIFO priority");
+              to_text(real_time));
   std::fflush(stdout);
   guard.run();
   return 0;

@@ -7,23 +7,20 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <cstring>
 #include <span>
 #include <string>
-#include <vector>
+#include <type_traits>
 
-#include "control/loop/control_loop.h"
-#include "lcmtypes/bus/bus.h"
-#include "lcmtypes/bus/channels.h"
-#include "lcmtypes/msg/journal.h"
-#include "robot/description/load.h"
-#include "robot/collision/loop_joints.h"
-#include "lcmtypes/node/missed_ticks.h"
-#include "robot/collision/obstacle_collector.h"
 #include "common/process/options.h"
-#include "common/process/process.h"
-#include "lcmtypes/node/pulse.h"
+#include "common/process/priority.h"
+#include "control/loop/control_loop.h"
+#include "lcmtypes/bus/node.h"
+#include "lcmtypes/msg/journal.h"
 #include "lcmtypes/msg/state_admission.h"
+#include "lcmtypes/node/missed_ticks.h"
+#include "robot/collision/loop_joints.h"
+#include "robot/collision/obstacle_collector.h"
+#include "robot/description/load.h"
 #include "test/no_alloc.h"
 
 namespace twinbus {
@@ -58,11 +55,9 @@ class Controller {
  public:
   Controller(const Arguments& a, const Model& model, RealTime real_time)
       : model_(model),
-        id_(a.common.id != 0 ? a.common.id : random_id()),
-        bus_({.url = a.common.url, .prefix = a.common.prefix, .allow = {a.common.allow}}),
+        node_(a.common, ProcessKind::kController, real_time),
         loop_(model, config(a)),
-        pulse_(ProcessKind::kController, id_, real_time),
-        journal_(ProcessKind::kController, id_,
+        journal_(ProcessKind::kController, node_.id(),
                  {static_cast<double>(config(a).first_mode), a.no_guard ? 0.0 : 1.0},
                  SendPage{this}) {
     missed_.watch(model.period_ns);
@@ -73,7 +68,7 @@ class Controller {
     while (!quit_requested()) {
       NoAlloc no_alloc;
       caught_up_ = 0;
-      if (bus_.receive(kWait) < 0) throw std::runtime_error("the bus is gone");
+      node_.receive(kWait);
       if (fresh_) answer();
       if (pulse_.due(monotonic_ns())) send_heartbeat();
       allocations_ += no_alloc.count();
@@ -86,9 +81,11 @@ class Controller {
   }
 
  private:
+  using Bytes = std::span<const std::uint8_t>;
+
   ControlConfig config(const Arguments& a) const {
     ControlConfig c;
-    c.controller_id = id_;
+    c.controller_id = node_.id();
     c.first_mode = a.first_mode == "idle"   ? Mode::kIdle
                    : a.first_mode == "hold" ? Mode::kHold
                                             : Mode::kBalance;
@@ -97,20 +94,41 @@ class Controller {
   }
 
   void listen() {
-    bus_.listen_each<RobotState>(channel::kState, on_state_);
-    bus_.listen_each<ModeRequest>(channel::kModeRequest, on_mode_);
-    bus_.listen_each<WalkCommand>(channel::kWalk, on_walk_);
-    bus_.listen_each<StepList>(channel::kSteps, on_steps_);
-    bus_.listen_each<MotionPiece>(channel::kMotion, on_motion_);
-    bus_.listen_each<Gamepad>(channel::kGamepad, on_gamepad_);
-    bus_.listen_each<ArmPathPiece>(channel::kArmPath, on_path_);
-    bus_.listen_each<ArmGoal>(channel::kArmGoal, on_goal_);
-    bus_.listen_each<StopRequest>(channel::kStop, on_stop_);
-    bus_.listen_each<GuardReport>(channel::kGuard, on_guard_);
-    bus_.listen_each<ObstaclesPiece>(channel::kObstacles, on_obstacles_);
+    node_.bus().listen_each<&Controller::hear_state>(channel::kState, *this);
+    pass_on<&ControlLoop::on_mode_request>(channel::kModeRequest);
+    pass_on<&ControlLoop::on_walk_command>(channel::kWalk);
+    pass_on<&ControlLoop::on_step_list>(channel::kSteps);
+    pass_on<&ControlLoop::on_motion>(channel::kMotion);
+    pass_on<&ControlLoop::on_gamepad>(channel::kGamepad);
+    pass_on<&ControlLoop::on_arm_path>(channel::kArmPath);
+    pass_on<&ControlLoop::on_arm_goal>(channel::kArmGoal);
+    pass_on<&ControlLoop::on_stop>(channel::kStop);
+    pass_on<&ControlLoop::on_guard>(channel::kGuard);
+    node_.bus().listen_each<&Controller::hear_obstacles>(channel::kObstacles, *this);
   }
 
-  void hear_state(const RobotState& state, std::span<const std::uint8_t> bytes) {
+  // What comes on the channel goes into the journal, then into the loop.
+  template <auto kOn>
+  void pass_on(const char* name) {
+    node_.bus().listen_each<&Controller::hear<kOn>>(name, *this);
+  }
+  template <auto kOn>
+  void hear(const MessageOf<kOn>& message, Bytes bytes) {
+    const std::int64_t now = monotonic_ns();
+    journal_.consumed(journal_input(message), bytes, now);
+    if constexpr (std::is_invocable_v<decltype(kOn), ControlLoop&, const MessageOf<kOn>&, std::int64_t>) {
+      (loop_.*kOn)(message, now);
+    } else {
+      (loop_.*kOn)(message);
+    }
+  }
+
+  void hear_obstacles(const ObstaclesPiece& piece, Bytes bytes) {
+    journal_.consumed(JournalInput::kObstacles, bytes, monotonic_ns());
+    new_obstacles_ = obstacles_.add(piece) || new_obstacles_;
+  }
+
+  void hear_state(const RobotState& state, Bytes bytes) {
     if (state.joint_count != model_.bus_count() || state.model_hash != model_.hash) {
       if (rejected_++ == 0) {
         std::fprintf(stderr,
@@ -153,15 +171,13 @@ class Controller {
     std::int64_t answer_hash = 0, report_hash = 0;
     if (has_answer) {
       answer_hash = send_answer();
-      while (loop_.take_plan(plan_)) {
-        if (!bus_.send(channel::kStopPlan, plan_)) ++send_failures_;
-      }
+      while (loop_.take_plan(plan_)) node_.send(channel::kStopPlan, plan_);
       pulse_.answered(monotonic_ns() - heard_ns_);
       pulse_.tick(end, end - begin);
       ControllerStatus status = loop_.status();
       report_hash = hash_of(status);
       status.compute_ns = static_cast<std::int32_t>(std::min<std::int64_t>(end - begin, INT32_MAX));
-      if (!bus_.send(channel::kControllerStatus, status)) ++send_failures_;
+      node_.send(channel::kControllerStatus, status);
       if (state_.tick - footsteps_tick_ >= kFootstepsEvery || state_.tick < footsteps_tick_)
         send_footsteps();
     }
@@ -175,7 +191,7 @@ class Controller {
     std::array<std::uint8_t, kLargestMessage> bytes;
     const auto size = static_cast<std::size_t>(encode(command_, bytes));
     const auto message = std::span<const std::uint8_t>(bytes).first(size);
-    if (!bus_.send_raw(channel::kCommand, message)) ++send_failures_;
+    static_cast<void>(node_.bus().send_raw(channel::kCommand, message));  // counted by the bus
     return content_hash(message);
   }
 
@@ -187,7 +203,7 @@ class Controller {
     if (footsteps_.count == 0 && !walked) return;
     footsteps_.utime = wall_us();
     footsteps_.scene_id = state_.run_id;
-    if (!bus_.send(channel::kFootsteps, footsteps_)) ++send_failures_;
+    node_.send(channel::kFootsteps, footsteps_);
   }
 
   static std::int64_t hash_of(ControllerStatus status) {
@@ -200,13 +216,7 @@ class Controller {
   void ask_for_a_stop() {
     if (state_.tick < next_stop_tick_ && next_stop_tick_ - state_.tick <= kStoppedEvery) return;
     next_stop_tick_ = state_.tick + kStoppedEvery;
-    StopRequest stop;
-    stop.utime = wall_us();
-    stop.sender_id = id_;
-    stop.sequence = ++sequence_;
-    stop.kind = StopKind::kBalanced;
-    stop.reason = StopReason::kGuard;
-    if (!bus_.send(channel::kStop, stop)) ++send_failures_;
+    node_.ask_for_a_stop(StopReason::kGuard);
   }
 
   void tell(const char* sentence) {
@@ -214,119 +224,26 @@ class Controller {
     if (sentence == last_sentence_ && now - told_ns_ < kQuietNs) return;
     last_sentence_ = sentence;
     told_ns_ = now;
-    Event event;
-    event.utime = wall_us();
-    event.sender_id = id_;
-    event.run_id = state_.run_id;
-    event.tick = state_.tick;
-    event.sequence = ++event_sequence_;
-    event.severity = 1;
-    event.kind = ProcessKind::kController;
-    std::strncpy(event.text.data(), sentence, event.text.size() - 1);
-    if (!bus_.send(channel::kEvent, event)) ++send_failures_;
+    node_.tell(1, sentence, state_.run_id, state_.tick);
   }
 
   void send_heartbeat() {
-    Heartbeat& beat = pulse_.beat(monotonic_ns());
-    const BusCounters& c = bus_.counters();
-    beat.messages_received = c.received;
-    beat.messages_rejected = c.rejected + rejected_ + admission_.ignored();
+    Heartbeat& beat = node_.beat();
+    beat.messages_rejected += rejected_ + admission_.ignored();
     beat.messages_lost = missed_.count();
     missed_.tell(beat);
     beat.allocations = allocations_counted() ? allocations_ : -1;
-    beat.send_failures =
-        static_cast<std::int32_t>(std::min<std::int64_t>(c.send_failures, INT32_MAX));
-    if (!bus_.send_heartbeat(beat)) ++send_failures_;
+    node_.send_heartbeat(beat);
   }
 
-  using Bytes = std::span<const std::uint8_t>;
   struct SendPage {
     Controller* c;
-    void operator()(const JournalPage& page) const noexcept {
-      if (!c->bus_.send(channel::kJournal, page)) ++c->send_failures_;
-    }
-  };
-  struct OnState {
-    Controller* c;
-    void operator()(const RobotState& m, Bytes bytes) { c->hear_state(m, bytes); }
-  };
-  struct OnMode {
-    Controller* c;
-    void operator()(const ModeRequest& m, Bytes bytes) {
-      c->journal_.consumed(JournalInput::kMode, bytes, monotonic_ns());
-      c->loop_.on_mode_request(m);
-    }
-  };
-  struct OnWalk {
-    Controller* c;
-    void operator()(const WalkCommand& m, Bytes bytes) {
-      const std::int64_t now = monotonic_ns();
-      c->journal_.consumed(JournalInput::kWalk, bytes, now);
-      c->loop_.on_walk_command(m, now);
-    }
-  };
-  struct OnSteps {
-    Controller* c;
-    void operator()(const StepList& m, Bytes bytes) {
-      c->journal_.consumed(JournalInput::kSteps, bytes, monotonic_ns());
-      c->loop_.on_step_list(m);
-    }
-  };
-  struct OnMotion {
-    Controller* c;
-    void operator()(const MotionPiece& m, Bytes bytes) {
-      c->journal_.consumed(JournalInput::kMotion, bytes, monotonic_ns());
-      c->loop_.on_motion(m);
-    }
-  };
-  struct OnGamepad {
-    Controller* c;
-    void operator()(const Gamepad& m, Bytes bytes) {
-      const std::int64_t now = monotonic_ns();
-      c->journal_.consumed(JournalInput::kGamepad, bytes, now);
-      c->loop_.on_gamepad(m, now);
-    }
-  };
-  struct OnPath {
-    Controller* c;
-    void operator()(const ArmPathPiece& m, Bytes bytes) {
-      c->journal_.consumed(JournalInput::kPath, bytes, monotonic_ns());
-      c->loop_.on_arm_path(m);
-    }
-  };
-  struct OnGoal {
-    Controller* c;
-    void operator()(const ArmGoal& m, Bytes bytes) {
-      c->journal_.consumed(JournalInput::kGoal, bytes, monotonic_ns());
-      c->loop_.on_arm_goal(m);
-    }
-  };
-  struct OnStop {
-    Controller* c;
-    void operator()(const StopRequest& m, Bytes bytes) {
-      c->journal_.consumed(JournalInput::kStop, bytes, monotonic_ns());
-      c->loop_.on_stop(m);
-    }
-  };
-  struct OnGuard {
-    Controller* c;
-    void operator()(const GuardReport& m, Bytes bytes) {
-      const std::int64_t now = monotonic_ns();
-      c->journal_.consumed(JournalInput::kGuard, bytes, now);
-      c->loop_.on_guard(m, now);
-    }
-  };
-  struct OnObstacles {
-    Controller* c;
-    void operator()(const ObstaclesPiece& m, Bytes bytes) {
-      c->journal_.consumed(JournalInput::kObstacles, bytes, monotonic_ns());
-      c->new_obstacles_ = c->obstacles_.add(m) || c->new_obstacles_;
-    }
+    void operator()(const JournalPage& page) const noexcept { c->node_.send(channel::kJournal, page); }
   };
 
   const Model& model_;
-  std::int64_t id_;
-  Bus bus_;
+  Node node_;
+  Pulse& pulse_ = node_.pulse();
   ControlLoop loop_;
   StateAdmission admission_;
   ObstacleCollector obstacles_;
@@ -337,39 +254,22 @@ class Controller {
   StopPlanPiece plan_;
   ObstaclesPiece footsteps_;
   std::int64_t footsteps_tick_ = 0;
-  Pulse pulse_;
   MissedTicks missed_;
   JournalWriter<SendPage> journal_;
   std::int64_t heard_ns_ = 0, told_ns_ = 0, state_hash_ = 0;
-  std::int64_t rejected_ = 0, allocations_ = 0, send_failures_ = 0, next_stop_tick_ = 0;
-  std::int32_t sequence_ = 0, event_sequence_ = 0;
+  std::int64_t rejected_ = 0, allocations_ = 0, next_stop_tick_ = 0;
   const char* last_sentence_ = nullptr;
-
-  OnState on_state_{this};
-  OnMode on_mode_{this};
-  OnWalk on_walk_{this};
-  OnSteps on_steps_{this};
-  OnMotion on_motion_{this};
-  OnGamepad on_gamepad_{this};
-  OnPath on_path_{this};
-  OnGoal on_goal_{this};
-  OnStop on_stop_{this};
-  OnGuard on_guard_{this};
-  OnObstacles on_obstacles_{this};
 };
 
 int run(int argc, char** argv) {
   const Arguments a = parse(argc, argv);
   catch_quit_signals();
   const Model model = load_robot(a.common.robot);
-  std::string why;
-  const RealTime real_time = enter_real_time(kPriority, &why);
-  if (!why.empty()) std::fprintf(stderr, "controller: %s\n", why.c_str());
+  const RealTime real_time = enter_real_time(kPriority, "controller");
   Controller controller(a, model, real_time);
-  const std::string loops = loops_sentence(model);
-  if (!loops.empty()) std::fprintf(stderr, "controller: %s\n", loops.c_str());
+  print_loops(model, "controller");
   std::printf("controller ready: %s, %d joints, %s\n", model.name.c_str(), model.bus_count(),
-              real_time == RealTime::kNone ? "no real-time priority" : "FIFO priority");
+              to_text(real_time));
   std::fflush(stdout);
   controller.run();
   return 0;

@@ -7,18 +7,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "common/process/options.h"
 #include "common/process/priority.h"
 #include "common/process/process.h"
-#include "lcmtypes/bus/bus.h"
-#include "lcmtypes/bus/channels.h"
+#include "lcmtypes/bus/node.h"
 #include "lcmtypes/msg/obeyed_once.h"
 #include "lcmtypes/msg/state_admission.h"
-#include "lcmtypes/node/pulse.h"
 #include "planner/arm_path_pieces.h"
 #include "planner/plan_start.h"
 #include "planner/plan_worker.h"
@@ -41,22 +38,21 @@ class PlannerProcess {
  public:
   PlannerProcess(const CommonOptions& common, const Model& model)
       : model_(model),
-        id_(common.id != 0 ? common.id : random_id()),
-        bus_({.url = common.url, .prefix = common.prefix, .allow = {common.allow}}),
+        node_(common, ProcessKind::kPlanner),
         estimator_(model),
-        pulse_(ProcessKind::kPlanner, id_),
         worker_(model) {
-    bus_.listen_each<RobotState>(channel::kState, on_state_);
-    bus_.listen_each<JointCommand>(channel::kCommand, on_command_);
-    bus_.listen_each<ControllerStatus>(channel::kControllerStatus, on_controller_);
-    bus_.listen_each<ArmGoal>(channel::kArmGoal, on_goal_);
-    bus_.listen_each<ObstaclesPiece>(channel::kObstacles, on_obstacles_);
+    Bus& bus = node_.bus();
+    bus.listen_each<&PlannerProcess::hear_state>(channel::kState, *this);
+    bus.listen_each<&PlannerProcess::hear_command>(channel::kCommand, *this);
+    bus.listen_each<&PlannerProcess::hear_controller>(channel::kControllerStatus, *this);
+    bus.listen_each<&PlannerProcess::hear_goal>(channel::kArmGoal, *this);
+    bus.listen_each<&PlannerProcess::hear_obstacles>(channel::kObstacles, *this);
   }
 
   void run() {
     while (!quit_requested()) {
       NoAlloc no_alloc;
-      if (bus_.receive(kWait) < 0) throw std::runtime_error("the bus is gone");
+      node_.receive(kWait);
       if (fresh_) {
         fresh_ = false;
         const std::int64_t begin = monotonic_ns();
@@ -92,6 +88,9 @@ class PlannerProcess {
       command_ = command;
     }
   }
+
+  void hear_controller(const ControllerStatus& status) noexcept { mode_ = status.mode; }
+  void hear_obstacles(const ObstaclesPiece& piece) noexcept { obstacles_.add(piece); }
 
   void hear_goal(const ArmGoal& goal) noexcept {
     if (goal.run_id != admission_.run_id() || heard_ns_ == 0) {
@@ -130,7 +129,7 @@ class PlannerProcess {
   void finish_plan(const PlanAnswer& answer) {
     if (answer.goal.goal_id != goal_.goal_id || answer.plan.status == ArmPathStatus::kCancelled)
       return;
-    pieces_ = to_pieces(answer.plan, {id_, answer.goal.run_id, answer.goal.goal_id, random_id()});
+    pieces_ = to_pieces(answer.plan, {node_.id(), answer.goal.run_id, answer.goal.goal_id, random_id()});
     sends_left_ = kSends;
     send_pieces();
     char sentence[200];
@@ -146,59 +145,22 @@ class PlannerProcess {
     --sends_left_;
     for (ArmPathPiece& piece : pieces_) {
       piece.utime = wall_us();
-      if (!bus_.send(channel::kArmPath, piece)) ++send_failures_;
+      node_.send(channel::kArmPath, piece);
     }
   }
 
-  void tell(const char* sentence, int severity) {
-    Event event;
-    event.utime = wall_us();
-    event.sender_id = id_;
-    event.run_id = state_.run_id;
-    event.tick = state_.tick;
-    event.sequence = ++event_sequence_;
-    event.severity = static_cast<std::int8_t>(severity);
-    event.kind = ProcessKind::kPlanner;
-    std::snprintf(event.text.data(), event.text.size(), "%s", sentence);
-    if (!bus_.send(channel::kEvent, event)) ++send_failures_;
-  }
+  void tell(const char* sentence, int severity) { node_.tell(severity, sentence, state_.run_id, state_.tick); }
 
   void send_heartbeat() {
-    Heartbeat& beat = pulse_.beat(monotonic_ns());
-    const BusCounters& c = bus_.counters();
-    beat.messages_received = c.received;
-    beat.messages_rejected = c.rejected + rejected_ + admission_.ignored();
-    beat.messages_lost = c.lost;
+    Heartbeat& beat = node_.beat();
+    beat.messages_rejected += rejected_ + admission_.ignored();
     beat.allocations = allocations_counted() ? allocations_ : -1;
-    beat.send_failures =
-        static_cast<std::int32_t>(std::min<std::int64_t>(send_failures_, INT32_MAX));
-    if (!bus_.send_heartbeat(beat)) ++send_failures_;
+    node_.send_heartbeat(beat);
   }
 
-  struct OnState {
-    PlannerProcess* p;
-    void operator()(const RobotState& m) const noexcept { p->hear_state(m); }
-  };
-  struct OnCommand {
-    PlannerProcess* p;
-    void operator()(const JointCommand& m) const noexcept { p->hear_command(m); }
-  };
-  struct OnController {
-    PlannerProcess* p;
-    void operator()(const ControllerStatus& m) const noexcept { p->mode_ = m.mode; }
-  };
-  struct OnGoal {
-    PlannerProcess* p;
-    void operator()(const ArmGoal& m) const noexcept { p->hear_goal(m); }
-  };
-  struct OnObstacles {
-    PlannerProcess* p;
-    void operator()(const ObstaclesPiece& m) const noexcept { p->obstacles_.add(m); }
-  };
-
   const Model& model_;
-  std::int64_t id_;
-  Bus bus_;
+  Node node_;
+  Pulse& pulse_ = node_.pulse();
   Estimator estimator_;
   StateAdmission admission_;
   ObstacleCollector obstacles_;
@@ -210,16 +172,8 @@ class PlannerProcess {
   bool fresh_ = false, new_goal_ = false;
   std::vector<ArmPathPiece> pieces_;
   int sends_left_ = 0;
-  Pulse pulse_;
   std::int64_t heard_ns_ = 0, sent_ns_ = 0;
-  std::int64_t rejected_ = 0, allocations_ = 0, send_failures_ = 0;
-  std::int32_t event_sequence_ = 0;
-
-  OnState on_state_{this};
-  OnCommand on_command_{this};
-  OnController on_controller_{this};
-  OnGoal on_goal_{this};
-  OnObstacles on_obstacles_{this};
+  std::int64_t rejected_ = 0, allocations_ = 0;
   PlanWorker worker_;  // last: its thread ends before anything else does
 };
 
@@ -233,8 +187,7 @@ int run(int argc, char** argv) {
   give_way();
   const Model model = load_robot(common.robot);
   PlannerProcess planner(common, model);
-  const std::string loops = loops_sentence(model);
-  if (!loops.empty()) std::fprintf(stderr, "planner: %s\n", loops.c_str());
+  print_loops(model, "planner");
   std::printf("planner ready: %s\n", model.name.c_str());
   std::fflush(stdout);
   planner.run();

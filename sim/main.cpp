@@ -18,10 +18,7 @@ namespace twinbus {
 namespace {
 
 int run(int argc, char** argv) {
-  SourceMainOptions options;
-  options.program = "simulator";
-  options.kind = SourceKind::kSimulator;
-  options.process = ProcessKind::kSimulator;
+  SourceMainOptions options = source_main_options("simulator", SourceKind::kSimulator, ProcessKind::kSimulator);
   std::string scene_name = "stand";
   AdaptorConfig config;
   Options parser("twinbus_simulator",

@@ -2,11 +2,10 @@
 
 #pragma once
 
-#include <time.h>
-
 #include <algorithm>
 #include <vector>
 
+#include "common/time/cpu_time.h"
 #include "lcmtypes/msg/robot_io.h"
 #include "sim/engine/energy_balance.h"
 #include "sim/engine/local_error.h"
@@ -36,9 +35,9 @@ class StepWatch {
   }
   // Steps the world; time: at its end [s].
   Status step(World& world, double time) noexcept {
-    const double begun = timed_ ? cpu_seconds() : 0.0;
+    const double begun = timed_ ? thread_cpu_seconds() : 0.0;
     const Status status = world.step();
-    if (timed_) seconds_ += cpu_seconds() - begun;
+    if (timed_) seconds_ += thread_cpu_seconds() - begun;
     if (status != Status::kOk) return status;
     double work = 0.0;
     for (const Push& push : pushes_) work += push.force.dot(world.link_in_world(push.link) * push.local - push.from);
@@ -62,11 +61,6 @@ class StepWatch {
   };
   static bool touched(const World& world) noexcept {
     return std::any_of(world.contacts().begin(), world.contacts().end(), [](const ContactPoint& c) { return !c.tie; });
-  }
-  static double cpu_seconds() noexcept {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
   }
 
   EnergyBalance balance_;

@@ -2,8 +2,6 @@
 //
 // It opens no bus, so nothing that a page asks for can reach a robot.
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -26,6 +24,7 @@
 #include "viewer_log/log/log_library.h"
 #include "viewer_log/view/log_view.h"
 #include "viewer_log/log/mark_scan.h"
+#include "viewer_log/server/open_browser.h"
 #include "viewer_log/server/page_document.h"
 #include "viewer_log/server/page_request.h"
 #include "viewer_log/view/replay_frame.h"
@@ -50,18 +49,7 @@ constexpr double kFillRows = 400.0;        // at most, of what is sent for plots
 constexpr double kFillStep = 1.0 / 30.0;   // [s]
 constexpr std::int64_t kFillSlice = 8'000'000;  // [ns] of one frame
 
-enum Slot : int {
-  kLive = 0,
-  kStatus = 1,
-  kScene = 2,
-  kSignals = 3,
-  kPath = 4,
-  kReplay = 5,
-  kMarks = 6,
-  kPast = 7,
-  kShelf = 8,
-  kCamera = 9
-};
+enum Slot : int { kLive, kStatus, kScene, kSignals, kPath, kReplay, kMarks, kPast, kShelf, kCamera };
 
 struct Arguments {
   std::string log, beside, robot = "hrp1s", runs, recorded_prefix;
@@ -192,13 +180,7 @@ class LogViewer {
     std::printf("twinbus_log_viewer: %s, %.1f s; ready at %s\n", log_->file().c_str(),
                 log_->duration(), address.c_str());
     std::fflush(stdout);
-    const bool display =
-        std::getenv("DISPLAY") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr;
-    if (!arguments_.no_open && display && isatty(1) == 1 && fork() == 0) {
-      setsid();
-      execlp("xdg-open", "xdg-open", address.c_str(), nullptr);
-      _exit(1);
-    }
+    if (!arguments_.no_open) open_browser(address);
   }
 
   // Throws like LogView, and then all stays as it was.

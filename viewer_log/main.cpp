@@ -4,8 +4,6 @@
 // It runs at the lowest priority and never slows anybody: it only reads the newest of what it
 // hears, 60 times a second.
 
-#include <unistd.h>
-
 #include <array>
 #include <cstdio>
 #include <cstdlib>
@@ -14,10 +12,10 @@
 #include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <vector>
 
-#include "lcmtypes/bus/bus.h"
-#include "lcmtypes/bus/channels.h"
+#include "lcmtypes/bus/node.h"
 #include "robot/description/load.h"
 #include "common/file/beside_program.h"
 #include "common/process/oom_priority.h"
@@ -28,6 +26,7 @@
 #include "viewer_log/view/frame.h"
 #include "viewer_log/view/log_button.h"
 #include "viewer_log/view/outgoing_main.h"
+#include "viewer_log/server/open_browser.h"
 #include "viewer_log/server/page_document.h"
 #include "viewer_log/server/page_inbox.h"
 #include "viewer_log/view/scene_frame.h"
@@ -53,15 +52,7 @@ constexpr float kPoseLongest = 60.0F;
 constexpr double kPoseSpeed = 0.3;    // share of the joint velocity limits, in the mean
 constexpr float kReachSpeed = 0.4F;   // share of the joint velocity limits
 
-enum Slot : int {
-  kLive = 0,
-  kStatus = 1,
-  kScene = 2,
-  kSignals = 3,
-  kPath = 4,
-  kCamera = 5,
-  kRecording = 6
-};
+enum Slot : int { kLive, kStatus, kScene, kSignals, kPath, kCamera, kRecording };
 
 struct Arguments {
   CommonOptions common;
@@ -93,11 +84,6 @@ Arguments parse(int argc, char** argv) {
   return a;
 }
 
-BusOptions bus_options(const Arguments& a) {
-  BusOptions options{.url = a.common.url, .prefix = a.common.prefix, .allow = {a.common.allow}};
-  return options;
-}
-
 // Beside the run that `up` records; where it is started, without one.
 std::string logs_folder(const Arguments& a) {
   if (a.run_folder.empty()) return "runs";
@@ -121,17 +107,16 @@ class Viewer {
   explicit Viewer(const Arguments& arguments)
       : arguments_(arguments),
         model_(load_robot(arguments.common.robot)),
-        id_(arguments.common.id > 0 ? arguments.common.id : random_id()),
         view_(model_),
         log_button_(logs_folder(arguments), recorder_words(arguments)),
-        bus_(bus_options(arguments)),
+        node_(arguments.common, ProcessKind::kViewer),
         server_(web_config()) {
-    stop_.message.sender_id = id_;
-    switch_.message.sender_id = id_;
-    mode_.message.sender_id = id_;
-    walk_.message.sender_id = id_;
-    sim_.message.sender_id = id_;
-    goal_.message.sender_id = id_;
+    stop_.message.sender_id = node_.id();
+    switch_.message.sender_id = node_.id();
+    mode_.message.sender_id = node_.id();
+    walk_.message.sender_id = node_.id();
+    sim_.message.sender_id = node_.id();
+    goal_.message.sender_id = node_.id();
     state_.admit_by(admit_);
     bus_.listen(channel::kState, state_);
     bus_.listen(channel::kCommand, command_);
@@ -141,15 +126,15 @@ class Viewer {
     bus_.listen(channel::kStateSim, standby_[0]);
     bus_.listen(channel::kStateBridge, standby_[1]);
     bus_.listen(channel::kStateReplay, standby_[2]);
-    bus_.listen_each<SourceStatus>(channel::kSourceStatus, on_source_status_);
-    bus_.listen_each<Heartbeat>(channel::kHeartbeat, on_heartbeat_);
-    bus_.listen_each<Event>(channel::kEvent, on_event_);
-    bus_.listen_each<ObstaclesPiece>(channel::kObstacles, on_obstacles_);
-    bus_.listen_each<ObstaclesPiece>(channel::kTerrain, on_terrain_);
-    bus_.listen_each<ObstaclesPiece>(channel::kLoose, on_loose_);
-    bus_.listen_each<ObstaclesPiece>(channel::kFootsteps, on_footsteps_);
-    bus_.listen_each<ArmPathPiece>(channel::kArmPath, on_arm_path_);
-    bus_.listen_each<ModelTextPiece>(channel::kCamera, on_camera_);
+    to_view<&StackView::on_source_status>(channel::kSourceStatus);
+    to_view<&StackView::on_heartbeat>(channel::kHeartbeat);
+    to_view<&StackView::on_event>(channel::kEvent);
+    to_view<&StackView::on_obstacles>(channel::kObstacles);
+    to_view<&StackView::on_terrain>(channel::kTerrain);
+    to_view<&StackView::on_loose>(channel::kLoose);
+    to_view<&StackView::on_footsteps>(channel::kFootsteps);
+    to_view<&StackView::on_arm_path>(channel::kArmPath);
+    to_view<&StackView::on_camera>(channel::kCamera);
   }
 
   void run() {
@@ -173,6 +158,20 @@ class Viewer {
   }
 
  private:
+  // Hands every message of a channel to the view.
+  template <auto kTake>
+  void to_view(const char* name) {
+    bus_.listen_each<&Viewer::show<kTake>>(name, *this);
+  }
+  template <auto kTake>
+  void show(const MessageOf<kTake>& message) {
+    if constexpr (std::is_invocable_v<decltype(kTake), StackView&, const MessageOf<kTake>&, std::int64_t>) {
+      (view_.*kTake)(message, monotonic_ns());
+    } else {
+      (view_.*kTake)(message);
+    }
+  }
+
   // Empty when it is not given: a random one is drawn.
   static std::string token_of(const char* name) {
     const char* token = std::getenv(name);
@@ -217,13 +216,7 @@ class Viewer {
       std::printf("twinbus_viewer: watch and stop from elsewhere: %s\n", others.c_str());
     std::printf("twinbus_viewer: ready at %s\n", address.c_str());
     std::fflush(stdout);
-    const bool display =
-        std::getenv("DISPLAY") != nullptr || std::getenv("WAYLAND_DISPLAY") != nullptr;
-    if (!arguments_.no_open && display && isatty(1) == 1 && fork() == 0) {
-      setsid();
-      execlp("xdg-open", "xdg-open", address.c_str(), nullptr);
-      _exit(1);
-    }
+    if (!arguments_.no_open) open_browser(address);
   }
 
   void collect(std::int64_t now) {
@@ -252,23 +245,13 @@ class Viewer {
     const RobotState& state = view_.state().value;
     for (const PageRequest& request : asked_) {
       switch (request.what) {
-        case PageRequest::What::kClear: {
-          StopRequest clear;
-          clear.stop_nonce = state.stop_nonce;
-          clear.reason = StopReason::kViewer;
-          stop_.start(clear);
+        case PageRequest::What::kClear:
+          stop_.start({.stop_nonce = state.stop_nonce, .reason = StopReason::kViewer});
           break;
-        }
-        case PageRequest::What::kMode: {
-          ModeRequest mode;
-          mode.run_id = state.run_id;
-          mode.mode = request.mode;
-          mode.motion = request.motion;
-          mode.amplitude = request.amplitude;
-          mode.frequency = request.frequency;
-          mode_.start(mode);
+        case PageRequest::What::kMode:
+          mode_.start({.run_id = state.run_id, .mode = request.mode, .motion = request.motion, .amplitude = request.amplitude,
+                       .frequency = request.frequency});
           break;
-        }
         case PageRequest::What::kPose: {
           ModeRequest pose = request.pose;
           pose.run_id = state.run_id;
@@ -288,16 +271,9 @@ class Viewer {
         case PageRequest::What::kSwitch:
           switch_plan_.start(request.run_id, now);
           break;
-        case PageRequest::What::kWalk: {
-          WalkCommand walk;
-          walk.run_id = state.run_id;
-          walk.vx = request.vx;
-          walk.vy = request.vy;
-          walk.wz = request.wz;
-          walk.timeout = kWalkTimeout;
-          walk_.start(walk);
+        case PageRequest::What::kWalk:
+          walk_.start({.run_id = state.run_id, .vx = request.vx, .vy = request.vy, .wz = request.wz, .timeout = kWalkTimeout});
           break;
-        }
         case PageRequest::What::kSim: {
           SimRequest sim = request.sim;
           sim.run_id = state.run_id;
@@ -325,10 +301,7 @@ class Viewer {
     // After the rest, so that a stop in the same batch as a clear wins.
     if (stop != StopKind::kNone) {
       walk_.left = 0;
-      StopRequest request;
-      request.kind = stop;
-      request.reason = StopReason::kViewer;
-      stop_.start(request);
+      stop_.start({.kind = stop, .reason = StopReason::kViewer});
     }
     SourceRequest change;
     if (switch_plan_.next(view_, now, change)) switch_.start(change);
@@ -385,25 +358,16 @@ class Viewer {
   }
 
   void beat(std::int64_t frame) {
-    Heartbeat beat;
-    beat.utime = wall_us();
-    beat.process_id = id_;
-    beat.pid = static_cast<std::int32_t>(getpid());
-    beat.kind = ProcessKind::kViewer;
+    Heartbeat& beat = node_.beat();
     beat.state = view_.state().at_ns != 0 ? 2 : 1;
-    beat.messages_received = bus_.counters().received;
-    beat.messages_rejected = bus_.counters().rejected;
-    beat.messages_lost = bus_.counters().lost;
-    beat.send_failures = static_cast<std::int32_t>(bus_.counters().send_failures);
     beat.ticks = frame;
     beat.rate = 60.0f;
     beat.tick_median_us = static_cast<float>(busy_us_);
-    if (!bus_.send_heartbeat(beat)) return;  // the bus counts it
+    node_.send_heartbeat(beat);
   }
 
   const Arguments arguments_;
   const Model model_;
-  const std::int64_t id_;
   StackView view_;
   PageInbox inbox_;
   StateAdmission believed_;
@@ -434,16 +398,8 @@ class Viewer {
       return believed.admit(state, monotonic_ns());
     }
   } admit_{believed_};
-  ToView<SourceStatus, &StackView::on_source_status> on_source_status_{view_};
-  ToView<Heartbeat, &StackView::on_heartbeat> on_heartbeat_{view_};
-  ToView<Event, &StackView::on_event> on_event_{view_};
-  ToView<ObstaclesPiece, &StackView::on_obstacles> on_obstacles_{view_};
-  ToView<ObstaclesPiece, &StackView::on_terrain> on_terrain_{view_};
-  ToView<ObstaclesPiece, &StackView::on_loose> on_loose_{view_};
-  ToView<ObstaclesPiece, &StackView::on_footsteps> on_footsteps_{view_};
-  ToView<ArmPathPiece, &StackView::on_arm_path> on_arm_path_{view_};
-  ToView<ModelTextPiece, &StackView::on_camera> on_camera_{view_};
-  Bus bus_;           // after what it fills
+  Node node_;         // after what it fills
+  Bus& bus_ = node_.bus();
   WebServer server_;  // last: its thread uses the members above
 };
 

@@ -15,9 +15,7 @@
 #include "common/process/priority.h"
 #include "common/process/process.h"
 #include "common/time/time_name.h"
-#include "lcmtypes/bus/bus.h"
-#include "lcmtypes/bus/channels.h"
-#include "lcmtypes/node/pulse.h"
+#include "lcmtypes/bus/node.h"
 #include "viewer_log/log/log_writer.h"
 #include "viewer_log/log/message_schema.h"
 #include "viewer_log/log/recorder.h"
@@ -133,9 +131,7 @@ void add_pieces(std::string_view text, std::int8_t kind,
     const std::string_view part = text.substr(i * kModelTextBytes, kModelTextBytes);
     piece.count = static_cast<std::int16_t>(part.size());
     std::copy(part.begin(), part.end(), piece.text.begin());
-    std::vector<std::uint8_t> bytes(kLargestMessage);
-    bytes.resize(static_cast<std::size_t>(encode(piece, bytes)));
-    messages.push_back(std::move(bytes));
+    messages.push_back(encoded(piece));
   }
 }
 
@@ -143,11 +139,9 @@ class RecorderProcess {
  public:
   RecorderProcess(const Arguments& a, const RecorderConfig& config)
       : prefix_(a.common.prefix),
-        id_(a.common.id != 0 ? a.common.id : random_id()),
         all_channels_(a.channels == ".*"),
         recorder_(config),
-        bus_({.url = a.common.url, .prefix = a.common.prefix, .allow = {a.common.allow}}),
-        pulse_(ProcessKind::kLog, id_) {
+        node_(a.common, ProcessKind::kLog) {
     std::vector<std::vector<std::uint8_t>> messages;
     std::string commit = text_of_file(a.folder + "/commit");
     if (commit.empty()) commit = "unknown\n";
@@ -159,9 +153,9 @@ class RecorderProcess {
     add_pieces(schema_texts(), kSchemaText, messages);
     recorder_.describe(prefix_ + channel::kLogText, std::move(messages));
     bus_.listen_raw(("(" + a.channels + ")").c_str(), on_message_, kQueue);
-    bus_.listen_each<RobotState>(channel::kState, on_state_);
+    bus_.listen_each<&GapMeter::on_active>(channel::kState, meter_);
     for (const char* name : {channel::kStateSim, channel::kStateBridge, channel::kStateReplay}) {
-      bus_.listen_each<RobotState>(name, on_other_);
+      bus_.listen_each<&GapMeter::on_other>(name, meter_);
     }
     dropped_before_ = bus_.dropped_datagrams();  // what came before it listened is not lost
   }
@@ -170,14 +164,14 @@ class RecorderProcess {
 
   void run() {
     while (!quit_requested()) {
-      if (bus_.receive(kWait) < 0) throw std::runtime_error("the bus is gone");
+      node_.receive(kWait);
       const std::int64_t now = monotonic_ns();
       if (now - gap_ns_ >= kGapEvery && meter_.take(gap_)) {
         gap_ns_ = now;
         gap_.utime = wall_us();
-        if (!bus_.send(channel::kGap, gap_)) ++send_failures_;
+        node_.send(channel::kGap, gap_);
       }
-      if (pulse_.due(now)) send_heartbeat(now);
+      if (node_.pulse().due(now)) send_heartbeat();
     }
     const RecorderFigures f = recorder_.figures();
     std::printf("recorder: %lld events, %.1f MB in %d parts, %lld dropped\n",
@@ -204,30 +198,20 @@ class RecorderProcess {
     name_.assign(prefix_);
     name_ += channel;
     recorder_.add(log_time(wall_time_us), name_, bytes);
-    pulse_.tick(monotonic_ns(), 0);
+    node_.pulse().tick(monotonic_ns(), 0);
   }
 
-  void send_heartbeat(std::int64_t now) {
-    Heartbeat& beat = pulse_.beat(now);
-    beat.messages_received = bus_.counters().received;
-    beat.messages_rejected = bus_.counters().rejected;
+  void send_heartbeat() {
+    Heartbeat& beat = node_.beat();
     beat.messages_lost = lost();
-    beat.send_failures = send_failures_;
-    if (!bus_.send_heartbeat(beat)) ++send_failures_;
+    node_.send_heartbeat(beat);
     const std::string news = recorder_.take_news();
     if (!news.empty()) tell(news);
   }
 
   void tell(const std::string& sentence) {
     std::fprintf(stderr, "recorder: %s\n", sentence.c_str());
-    Event event;
-    event.utime = wall_us();
-    event.sender_id = id_;
-    event.sequence = ++event_sequence_;
-    event.severity = 2;
-    event.kind = ProcessKind::kLog;
-    std::snprintf(event.text.data(), event.text.size(), "%s", sentence.c_str());
-    if (!bus_.send(channel::kEvent, event)) ++send_failures_;
+    node_.tell(2, sentence.c_str());
   }
 
   struct OnMessage {
@@ -237,29 +221,17 @@ class RecorderProcess {
       p->hear(channel, bytes, at);
     }
   };
-  struct OnState {
-    RecorderProcess* p;
-    void operator()(const RobotState& m) const noexcept { p->meter_.on_active(m); }
-  };
-  struct OnOther {
-    RecorderProcess* p;
-    void operator()(const RobotState& m) const noexcept { p->meter_.on_other(m); }
-  };
 
   std::string prefix_, name_;
-  std::int64_t id_;
   bool all_channels_;
   Recorder recorder_;
-  Bus bus_;
-  Pulse pulse_;
+  Node node_;
+  Bus& bus_ = node_.bus();
   GapMeter meter_;
   Gap gap_;
   const std::int64_t start_us_ = wall_us(), start_ns_ = monotonic_ns();
   std::int64_t newest_us_ = 0, gap_ns_ = 0, dropped_before_ = 0;
-  std::int32_t send_failures_ = 0, event_sequence_ = 0;
   OnMessage on_message_{this};
-  OnState on_state_{this};
-  OnOther on_other_{this};
 };
 
 int run(int argc, char** argv) {

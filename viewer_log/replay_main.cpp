@@ -182,9 +182,7 @@ class RecordedRobot : public RobotAdaptor {
 
 int run(int argc, char** argv) {
   Arguments a;
-  a.source.program = "replay";
-  a.source.kind = SourceKind::kReplay;
-  a.source.process = ProcessKind::kReplay;
+  a.source = source_main_options("replay", SourceKind::kReplay, ProcessKind::kReplay);
   Options options("twinbus_replay",
                   "Plays a log as a source of STATE; the rest of it appears under REPLAY_.\n"
                   "Standard input: pause, play, seek S, speed X, loop on, loop off, where, quit.");

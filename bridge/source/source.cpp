@@ -1,8 +1,8 @@
+// What a source is made of, and what it says of itself: STATE less what is measured, and SOURCE_STATUS.
+
 #include "bridge/source/source.h"
 
 #include <cmath>
-
-#include "bridge/source/source_core.h"
 
 namespace twinbus {
 
@@ -24,62 +24,57 @@ HandoverConfig handover_config(const Model& model, const RobotAdaptor& adaptor,
 
 }  // namespace
 
-struct Source::Impl {
-  Impl(const Model& model, RobotAdaptor& adaptor, const SourceConfig& config)
-      : limits(model),
-        core(model, limits, adaptor, config, handover_config(model, adaptor, config)) {}
-  GateLimits limits;
-  SourceCore core;
-};
-
 Source::Source(const Model& model, RobotAdaptor& adaptor, const SourceConfig& config)
-    : impl_(std::make_unique<Impl>(model, adaptor, config)) {}
-Source::~Source() = default;
+    : Source(model, std::make_shared<const GateLimits>(model), adaptor, config, handover_config(model, adaptor, config)) {}
 
-void Source::on_state(const RobotState& state, std::int64_t now_ns) noexcept {
-  impl_->core.on_state(state, now_ns);
+void Source::fill_state() noexcept {
+  state_.tick = handover_.tick;
+  state_.time_ns = handover_.time_ns;
+  state_.run_id = config_.run_id;
+  state_.model_hash = model_->hash;
+  state_.grant_run_id = handover_.successor;
+  state_.grant_tick = handover_.successor != 0 ? handover_.grant_tick : 0;
+  state_.term = handover_.term;
+  state_.period_ns = model_->period_ns;
+  state_.plan_number = gate_.plan().number();
+  state_.plan_tick = gate_.plan().since();
+  state_.stop_nonce = gate_.latch().nonce;
+  state_.joint_count = static_cast<std::int16_t>(limits_->joint_count);
+  state_.source = config_.kind;
+  state_.role = handover_.role;
+  state_.stop_kind = gate_.latch().kind;
+  if (!device_ok_) state_.sensor_flags &= ~kEncodersValid;
 }
-void Source::on_standby_state(const RobotState& state, std::int64_t now_ns) noexcept {
-  impl_->core.on_standby_state(state, now_ns);
-}
-void Source::on_command(const JointCommand& command, std::int64_t now_ns) noexcept {
-  impl_->core.on_command(command, now_ns);
-}
-void Source::on_stop_plan(const StopPlanPiece& piece, std::int64_t now_ns) noexcept {
-  impl_->core.on_stop_plan(piece, now_ns);
-}
-void Source::on_source_request(const SourceRequest& request, std::int64_t now_ns) noexcept {
-  impl_->core.on_source_request(request, now_ns);
-}
-void Source::on_controller_request(const ControllerRequest& request, std::int64_t now_ns) noexcept {
-  impl_->core.on_controller_request(request, now_ns);
-}
-void Source::on_stop(const StopRequest& stop, std::int64_t now_ns) noexcept {
-  impl_->core.on_stop(stop, now_ns);
-}
-void Source::on_guard(const GuardReport& report, std::int64_t now_ns) noexcept {
-  impl_->core.on_guard(report, now_ns);
-}
-void Source::on_controller_status(const ControllerStatus& status, std::int64_t now_ns) noexcept {
-  impl_->core.on_controller_status(status, now_ns);
-}
-void Source::begin_tick(std::int64_t now_ns) noexcept { impl_->core.begin_tick(now_ns); }
-void Source::end_tick(std::int64_t now_ns) noexcept { impl_->core.end_tick(now_ns); }
-const RobotState& Source::state() const noexcept { return impl_->core.state(); }
-bool Source::publishes_on_state() const noexcept { return impl_->core.handover().holds_state(); }
-bool Source::command_ready() const noexcept { return impl_->core.command_ready(); }
-std::int64_t Source::next_tick_due_ns(std::int64_t last_due_ns) const noexcept {
-  return impl_->core.next_tick_due_ns(last_due_ns);
-}
-StopRequest Source::take_stop_to_publish(std::int64_t now_ns) noexcept {
-  return impl_->core.take_stop_to_publish(now_ns);
-}
-bool Source::take_fall(std::array<char, 200>& cause) noexcept { return impl_->core.take_fall(cause); }
-const SourceStatus& Source::status() const noexcept { return impl_->core.status(); }
-const FirstCut& Source::first_cut() const noexcept { return impl_->core.gate().first_cut(); }
-const FirstCut& Source::first_catch_up() const noexcept { return impl_->core.gate().first_catch_up(); }
-const JointCommand& Source::effective_command() const noexcept {
-  return impl_->core.gate().effective();
+
+void Source::fill_status() noexcept {
+  const GateCounters& counters = gate_.counters();
+  status_.run_id = config_.run_id;
+  status_.model_hash = model_->hash;
+  status_.tick = state_.tick;
+  status_.controller_id = gate_.controller_id();
+  status_.successor_run_id = handover_.successor;
+  status_.commands_accepted = counters.accepted;
+  status_.commands_rejected = counters.rejected;
+  status_.commands_late = counters.late;
+  status_.clamped = counters.clamped;
+  status_.plans_accepted = counters.plans_accepted;
+  status_.plans_refused = counters.plans_refused;
+  status_.plans_followed = counters.plans_followed;
+  status_.plan_refusal = static_cast<std::int8_t>(gate_.plan_refusal());
+  status_.terms_ignored = handover_.terms_ignored;
+  status_.term = handover_.term;
+  status_.period_ns = model_->period_ns;
+  status_.stop_nonce = gate_.latch().nonce;
+  status_.refusal_sequence = handover_.refusal_sequence;
+  status_.faded_in = gate_.faded_in();
+  status_.refusal = handover_.refusal;
+  status_.source = config_.kind;
+  status_.role = handover_.role;
+  status_.stop_kind = gate_.latch().kind;
+  status_.stop_reason = gate_.latch().reason;
+  status_.pace = static_cast<std::int8_t>(config_.pace);
+  status_.can_be_set = handover_.config.can_be_set;
+  status_.hardware = handover_.config.hardware;
 }
 
 }  // namespace twinbus

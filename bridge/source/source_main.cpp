@@ -13,11 +13,9 @@
 #include "bridge/source/source_channels_main.h"
 #include "bridge/source/source_events.h"
 #include "bridge/source/wait_count.h"
-#include "lcmtypes/bus/bus.h"
-#include "lcmtypes/bus/channels.h"
+#include "common/process/priority.h"
+#include "lcmtypes/bus/node.h"
 #include "lcmtypes/node/missed_ticks.h"
-#include "common/process/process.h"
-#include "lcmtypes/node/pulse.h"
 #include "common/time/latency_histogram.h"
 #include "test/no_alloc.h"
 
@@ -40,16 +38,13 @@ class Shell {
       : options_(options),
         model_(model),
         adaptor_(adaptor),
-        run_id_(options.common.id != 0 ? options.common.id : random_id()),
-        bus_({.url = options.common.url,
-              .prefix = options.common.prefix,
-              .allow = {options.common.allow}}),
+        node_(options.common, options.process, real_time),
+        run_id_(node_.id()),
         source_(model, adaptor, config()),
         estimate_(model),
         scene_(model_text_pieces(model, options.scene_text, run_id_), options.obstacles,
                options.terrain, run_id_),
-        script_(options.requests, model.period(), run_id_),
-        pulse_(options.process, run_id_, real_time) {
+        script_(options.requests, model.period(), run_id_) {
     period_ns_ = std::llround(model.period_ns / options.rate);
     told_ = source_.status();
     told_.role = Role::kNone;
@@ -94,20 +89,36 @@ class Shell {
   }
 
   void listen() {
-    bus_.listen_each<RobotState>(channel::kState, on_state_);
+    Bus& bus = node_.bus();
+    bus.listen_each<&Shell::hear_state>(channel::kState, *this);
     for (const char* name : {channel::kStateSim, channel::kStateBridge, channel::kStateReplay}) {
-      bus_.listen_each<RobotState>(name, on_standby_);
+      to_source<&Source::on_standby_state>(name);
     }
-    bus_.listen_each<JointCommand>(channel::kCommand, on_command_);
-    bus_.listen_each<StopPlanPiece>(channel::kStopPlan, on_plan_);
-    bus_.listen_each<SourceRequest>(channel::kSourceRequest, on_request_);
-    bus_.listen_each<ControllerRequest>(channel::kControllerRequest, on_controller_);
-    bus_.listen_each<StopRequest>(channel::kStop, on_stop_);
-    bus_.listen_each<GuardReport>(channel::kGuard, on_guard_);
-    bus_.listen_each<ControllerStatus>(channel::kControllerStatus, on_controller_status_);
+    to_source<&Source::on_command>(channel::kCommand);
+    to_source<&Source::on_stop_plan>(channel::kStopPlan);
+    to_source<&Source::on_source_request>(channel::kSourceRequest);
+    to_source<&Source::on_controller_request>(channel::kControllerRequest);
+    to_source<&Source::on_stop>(channel::kStop);
+    to_source<&Source::on_guard>(channel::kGuard);
+    to_source<&Source::on_controller_status>(channel::kControllerStatus);
     if (!adaptor_.is_hardware() && adaptor_.can_be_set())
-      bus_.listen_each<SimRequest>(channel::kSimRequest, on_sim_request_);
-    bus_.listen_each<Estimate>(channel::kEstimate, estimate_);  // last: HEARTBEAT has rows for twelve
+      bus.listen_each<&Shell::obey>(channel::kSimRequest, *this);
+    bus.listen_each<Estimate>(channel::kEstimate, estimate_);  // last: HEARTBEAT has rows for twelve
+  }
+
+  // What comes on the channel goes to the source, at the time of its clock.
+  template <auto kOn>
+  void to_source(const char* name) {
+    node_.bus().listen_each<&Shell::hear<kOn>>(name, *this);
+  }
+  template <auto kOn>
+  void hear(const MessageOf<kOn>& message) noexcept {
+    (source_.*kOn)(message, clock_.now());
+  }
+
+  void hear_state(const RobotState& state) noexcept {
+    estimate_.heard(state);
+    source_.on_state(state, clock_.now());
   }
 
   // Once per sequence: the same request is sent several times.
@@ -141,7 +152,7 @@ class Shell {
   }
 
   void receive(double timeout_s) {
-    if (bus_.receive(timeout_s) < 0) bus_gone_ = true;
+    if (node_.bus().receive(timeout_s) < 0) bus_gone_ = true;
   }
 
   void wait_until(std::int64_t due) {
@@ -287,24 +298,15 @@ class Shell {
 
   template <class T>
   void send(const char* name, const T& value) {
-    if (!bus_.send(name, value)) ++send_failures_;
+    node_.send(name, value);
   }
 
-  void tell(int severity, const char* text) {
-    Event event;
-    event.severity = static_cast<std::int8_t>(severity);
-    std::snprintf(event.text.data(), event.text.size(), "%s", text);
-    send_event(event);
-  }
+  void tell(int severity, const char* text) { node_.tell(severity, text, run_id_, source_.state().tick); }
 
   void send_event(Event& event) {
-    event.utime = wall_us();
-    event.sender_id = run_id_;
     event.run_id = run_id_;
     event.tick = source_.state().tick;
-    event.sequence = ++event_sequence_;
-    event.kind = options_.process;
-    send(channel::kEvent, event);
+    node_.tell(event);
   }
 
   void report() {
@@ -338,24 +340,20 @@ class Shell {
       stop.utime = wall_us();
       send(channel::kStop, stop);
     }
-    if (pulse_.due(now)) send_heartbeat(now);
+    if (pulse_.due(now)) send_heartbeat();
     scene_.repeat(now, tell_scene_);
     send_script();
   }
 
-  void send_heartbeat(std::int64_t now) {
-    Heartbeat& beat = pulse_.beat(now);
-    const BusCounters& counters = bus_.counters();
+  void send_heartbeat() {
+    Heartbeat& beat = node_.beat();
     const SourceStatus& status = source_.status();
-    beat.messages_received = counters.received;
-    beat.messages_rejected = counters.rejected + status.commands_rejected + status.terms_ignored;
-    beat.messages_lost = counters.lost;
+    beat.messages_rejected += status.commands_rejected + status.terms_ignored;
     missed_.tell(beat);
     beat.allocations = allocations_counted() ? allocations_ : -1;
-    beat.send_failures = static_cast<std::int32_t>(send_failures_);
     beat.wake_p99_us = static_cast<float>(1e-3 * wake_.p99_ns());
     beat.state = source_.publishes_on_state() ? std::int8_t{2} : std::int8_t{1};
-    if (!bus_.send_heartbeat(beat)) ++send_failures_;
+    node_.send_heartbeat(beat);
   }
 
   void send_script() {
@@ -404,29 +402,13 @@ class Shell {
       s->send(name, piece);
     }
   };
-  // A message to the source, at the time of its clock.
-  template <class T, void (Source::*On)(const T&, std::int64_t) noexcept>
-  struct ToSource {
-    Shell* s;
-    void operator()(const T& m) const noexcept { (s->source_.*On)(m, s->clock_.now()); }
-  };
-  struct OnState {
-    Shell* s;
-    void operator()(const RobotState& m) const noexcept {
-      s->estimate_.heard(m);
-      s->source_.on_state(m, s->clock_.now());
-    }
-  };
-  struct OnSimRequest {
-    Shell* s;
-    void operator()(const SimRequest& m) const noexcept { s->obey(m); }
-  };
 
   const SourceMainOptions& options_;
   const Model& model_;
   RobotAdaptor& adaptor_;
+  Node node_;
+  Pulse& pulse_ = node_.pulse();
   std::int64_t run_id_;
-  Bus bus_;
   Source source_;
   EstimateTeller estimate_;
   SceneTeller scene_;
@@ -437,27 +419,15 @@ class Shell {
   DeviceTeller device_;
   MissedTicks missed_;
   SimPace clock_;
-  Pulse pulse_;
   RateStats wake_;
   WaitCount waits_;
   bool gave_up_ = false;  // of waiting, until a command comes
-  std::int64_t period_ns_ = 0, first_tick_ = 0, send_failures_ = 0, allocations_ = 0,
-               status_ns_ = 0;
+  std::int64_t period_ns_ = 0, first_tick_ = 0, allocations_ = 0, status_ns_ = 0;
   std::int64_t sim_sender_ = 0;
-  std::int32_t sim_sequence_ = 0, event_sequence_ = 0, told_term_ = 0, told_nonce_ = 0;
+  std::int32_t sim_sequence_ = 0, told_term_ = 0, told_nonce_ = 0;
   bool told_fading_ = true, bus_gone_ = false;
 
   TellScene tell_scene_{this};
-  OnState on_state_{this};
-  ToSource<RobotState, &Source::on_standby_state> on_standby_{this};
-  ToSource<JointCommand, &Source::on_command> on_command_{this};
-  ToSource<StopPlanPiece, &Source::on_stop_plan> on_plan_{this};
-  ToSource<SourceRequest, &Source::on_source_request> on_request_{this};
-  ToSource<ControllerRequest, &Source::on_controller_request> on_controller_{this};
-  ToSource<StopRequest, &Source::on_stop> on_stop_{this};
-  ToSource<GuardReport, &Source::on_guard> on_guard_{this};
-  ToSource<ControllerStatus, &Source::on_controller_status> on_controller_status_{this};
-  OnSimRequest on_sim_request_{this};
 };
 
 }  // namespace
@@ -478,16 +448,14 @@ void add_source_options(Options& parser, SourceMainOptions& options, bool simula
 
 int run_source_main(const SourceMainOptions& options, const Model& model, RobotAdaptor& adaptor) {
   catch_quit_signals();
-  std::string why;
-  const RealTime real_time = enter_real_time(options.priority, &why);
-  if (!why.empty()) std::fprintf(stderr, "%s: %s\n", options.program.c_str(), why.c_str());
+  const RealTime real_time = enter_real_time(options.priority, options.program.c_str());
   Shell shell(options, model, adaptor, real_time);
   std::printf("%s ready: %s, %d joints, run %lld, %s, %s\n", options.program.c_str(),
               model.name.c_str(), model.bus_count(), static_cast<long long>(shell.run_id()),
               options.lockstep  ? "lock-step"
               : options.patient ? "real time, but waits for late commands"
                                 : "real time",
-              real_time == RealTime::kNone ? "no real-time priority" : "FIFO priority");
+              to_text(real_time));
   std::fflush(stdout);
   return shell.run();
 }

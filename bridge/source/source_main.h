@@ -40,6 +40,14 @@ struct SourceMainOptions {
   SceneRequests requests;
 };
 
+inline SourceMainOptions source_main_options(const char* program, SourceKind kind, ProcessKind process) {
+  SourceMainOptions options;
+  options.program = program;
+  options.kind = kind;
+  options.process = process;
+  return options;
+}
+
 // --guard-required and --for; a simulator's also --lockstep, --patient, --rate and --seed.
 void add_source_options(Options& parser, SourceMainOptions& options, bool simulator);
 

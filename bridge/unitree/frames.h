@@ -30,10 +30,11 @@ struct HgLowCmd {
   std::uint32_t crc;
 };
 
-struct HgImuState {
+template <class Temperature>
+struct ImuState {
   std::array<float, 4> quaternion;  // w x y z
   std::array<float, 3> gyroscope, accelerometer, rpy;
-  std::int16_t temperature;  // [Celsius]
+  Temperature temperature;  // [Celsius]
 };
 
 struct HgMotorState {
@@ -50,7 +51,7 @@ struct HgLowState {
   std::array<std::uint32_t, 2> version;
   std::uint8_t mode_pr, mode_machine;
   std::uint32_t tick;  // [ms]
-  HgImuState imu_state;
+  ImuState<std::int16_t> imu_state;
   std::array<HgMotorState, kHgMotors> motor_state;
   std::array<std::uint8_t, kRemoteBytes> wireless_remote;
   std::array<std::uint32_t, 4> reserve;
@@ -84,12 +85,6 @@ struct GoLowCmd {
   std::uint32_t crc;
 };
 
-struct GoImuState {
-  std::array<float, 4> quaternion;  // w x y z
-  std::array<float, 3> gyroscope, accelerometer, rpy;
-  std::uint8_t temperature;  // [Celsius]
-};
-
 struct GoMotorState {
   std::uint8_t mode;
   float q, dq, ddq, tau_est, q_raw, dq_raw, ddq_raw;
@@ -112,7 +107,7 @@ struct GoLowState {
   std::uint8_t frame_reserve;
   std::array<std::uint32_t, 2> sn, version;
   std::uint16_t bandwidth;
-  GoImuState imu_state;
+  ImuState<std::uint8_t> imu_state;
   std::array<GoMotorState, kGoMotors> motor_state;
   GoBmsState bms_state;
   std::array<std::int16_t, 4> foot_force, foot_force_est;  // front right, front left, rear right, rear left

@@ -80,26 +80,25 @@ void Options::choice(const std::string& name, const std::vector<std::string>& ch
 
 void Options::alias(const std::string& name) { options_.back().aliases.push_back(name); }
 
-void Options::positional(const std::string& value_name, std::string& variable, bool required,
-                         const std::string& help) {
-  Entry entry;
-  entry.kind = Kind::kText;
+Options::Entry& Options::add_positional(Kind kind, const std::string& value_name, void* variable, const std::string& help) {
+  Entry& entry = positionals_.emplace_back();
+  entry.kind = kind;
   entry.value_name = value_name;
   entry.help = help;
-  entry.variable = &variable;
+  entry.variable = variable;
+  return entry;
+}
+
+void Options::positional(const std::string& value_name, std::string& variable, bool required,
+                         const std::string& help) {
+  Entry& entry = add_positional(Kind::kText, value_name, &variable, help);
   entry.fallback = variable;
   entry.required = required;
-  positionals_.push_back(std::move(entry));
 }
 
 void Options::rest(const std::string& value_name, std::vector<std::string>& variable,
                    const std::string& help) {
-  Entry entry;
-  entry.kind = Kind::kRest;
-  entry.value_name = value_name;
-  entry.help = help;
-  entry.variable = &variable;
-  positionals_.push_back(std::move(entry));
+  add_positional(Kind::kRest, value_name, &variable, help);
 }
 
 Options::Entry* Options::find(const std::string& name) {

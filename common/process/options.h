@@ -68,6 +68,7 @@ class Options {
   static bool assign(Entry& entry, const std::string& value, std::string& error);
   Entry& add(Kind kind, const std::string& name, const std::string& value_name, void* variable,
              const std::string& help);
+  Entry& add_positional(Kind kind, const std::string& value_name, void* variable, const std::string& help);
 
   std::string program_, summary_;
   std::vector<Entry> options_, positionals_;

@@ -4,8 +4,10 @@
 #include <sched.h>
 #include <sys/resource.h>
 
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <string>
 
 namespace twinbus {
 
@@ -27,5 +29,16 @@ bool may_enter_real_time() noexcept {
 }
 
 void give_way() noexcept { (void)setpriority(PRIO_PROCESS, 0, kNice); }
+
+RealTime enter_real_time(int priority, const char* program) {
+  std::string why;
+  const RealTime real_time = enter_real_time(priority, &why);
+  if (!why.empty()) std::fprintf(stderr, "%s: %s\n", program, why.c_str());
+  return real_time;
+}
+
+const char* to_text(RealTime real_time) noexcept {
+  return real_time == RealTime::kNone ? "no real-time priority" : "FIFO priority";
+}
 
 }  // namespace twinbus

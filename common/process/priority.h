@@ -2,6 +2,8 @@
 
 #pragma once
 
+#include "common/process/process.h"
+
 namespace twinbus {
 
 // Whether this process may have the FIFO priority of a stack's loops, and so keep a hard clock; TWINBUS_FIFO=0 says no.
@@ -9,5 +11,9 @@ bool may_enter_real_time() noexcept;
 
 // For who can wait: gets a small share of CPU time beside ordinary programs.
 void give_way() noexcept;
+
+// enter_real_time(), and what was not allowed is printed behind the program's name.
+RealTime enter_real_time(int priority, const char* program);
+const char* to_text(RealTime real_time) noexcept;
 
 }  // namespace twinbus

@@ -192,6 +192,16 @@ void Walk::start(const Estimator& estimator) noexcept {
 }
 
 // The wrench of each sole, world, about its frame; and the same in sole axes for the feet.
+void Walk::load_feet(const Eigen::Isometry3d* measured_base, double dt) noexcept {
+  share_load();
+  const double left = stabilizer_.share().left;
+  BaseError base;
+  base.asked = ik_.configuration().base;
+  base.asked.linear() = attitude();
+  base.measured = measured_base != nullptr ? *measured_base : base.asked;
+  feet_.update(pattern_, wanted_, measured_, {left, 1.0 - left}, base, dt);
+}
+
 void Walk::share_load() noexcept {
   const ZmpShare& share = stabilizer_.share();
   const double mass = load_ * mass_;
@@ -248,14 +258,9 @@ void Walk::update(const Estimator& estimator, const Eigen::VectorXd& q_given, do
   if (stabilizer_.excess().norm() > gains_.step_when) pattern_.capture(dcm_, w);
   heading_ += wrap_angle(pattern_.heading() - heading_) * std::min(1.0, dt / gains_.turn);
 
-  share_load();
-  const double left = stabilizer_.share().left;
-  BaseError base;
-  base.asked = ik_.configuration().base;
-  base.asked.linear() = attitude();
-  base.measured = estimator.configuration().base;
-  base.measured.translation().z() += shift_;
-  feet_.update(pattern_, wanted_, measured_, {left, 1.0 - left}, base, dt);
+  Eigen::Isometry3d base = estimator.configuration().base;
+  base.translation().z() += shift_;
+  load_feet(&base, dt);
   ik_.solve(com_reference(), attitude(), feet_.target(), q_given, gains_.rounds);
   feed_forward(dt);
   fresh_ = false;

@@ -92,6 +92,8 @@ class Walk {
   std::array<bool, 2> touching(const Estimator& estimator) const noexcept;
   void watch_ground(double dt) noexcept;
   void share_load() noexcept;
+  // Shares the load, then moves the feet; measured_base: null when it is where it was asked to be.
+  void load_feet(const Eigen::Isometry3d* measured_base, double dt) noexcept;
   void feed_forward(double dt) noexcept;
   double vertical_acceleration() const noexcept {
     return height_.acceleration() + ground_.acceleration();

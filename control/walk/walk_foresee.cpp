@@ -35,13 +35,7 @@ void Walk::foresee(double dt) noexcept {
   pattern_.plan(dcm_, w);
   stabilizer_.update(pattern_, com_.head<2>(), dcm_, w, dt);
   heading_ += wrap_angle(pattern_.heading() - heading_) * std::min(1.0, dt / gains_.turn);
-  share_load();
-  const double left = stabilizer_.share().left;
-  BaseError base;
-  base.asked = ik_.configuration().base;
-  base.asked.linear() = attitude();
-  base.measured = base.asked;
-  feet_.update(pattern_, wanted_, measured_, {left, 1.0 - left}, base, dt);
+  load_feet(nullptr, dt);
 }
 
 void Walk::foresee_joints(const Eigen::VectorXd& q_given, int rounds) noexcept {

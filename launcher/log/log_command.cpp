@@ -12,6 +12,7 @@
 #include "common/process/command_word.h"
 #include "common/process/process.h"
 #include "common/text/closest_name.h"
+#include "common/text/name_of.h"
 #include "launcher/bus/stack_monitor.h"
 #include "launcher/log/log_channels.h"
 #include "launcher/log/log_output.h"
@@ -46,9 +47,6 @@ constexpr Tool kTools[] = {
     {"rerun", "controller, guard and estimator again, bit for bit", &log_rerun},
 };
 
-OptionSpec from_option() { return {"--from", "S", "seconds from the first event"}; }
-OptionSpec to_option() { return {"--to", "S", "seconds from the first event"}; }
-
 // A whole name against an extended regular expression.
 class NamePattern {
  public:
@@ -80,20 +78,9 @@ const char* what_is_asked(const ModeRequest& request) {
 }
 
 const char* action_name(SourceAction action) {
-  switch (action) {
-    case SourceAction::kActivate:
-      return "activation";
-    case SourceAction::kSwitch:
-      return "switch";
-    case SourceAction::kStandbyTrack:
-      return "standby (track)";
-    case SourceAction::kStandbyShadow:
-      return "standby (shadow)";
-    case SourceAction::kPark:
-      return "parking";
-    default:
-      return "something unknown";
-  }
+  static constexpr const char* kUnknown = "something unknown";
+  static constexpr const char* kNames[] = {kUnknown, "activation", "switch", "standby (track)", "standby (shadow)", "parking"};
+  return name_of(action, kNames, kUnknown);
 }
 
 int copy(const Arguments& arguments,

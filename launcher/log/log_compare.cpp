@@ -13,6 +13,7 @@
 #include "common/process/process.h"
 #include "launcher/log/log_channels.h"
 #include "launcher/log/log_command.h"
+#include "launcher/log/log_output.h"
 #include "launcher/log/log_plot.h"
 #include "launcher/log/log_robot.h"
 #include "launcher/log/log_scan.h"
@@ -142,8 +143,7 @@ int log_compare(const std::vector<std::string>& words) {
        {{"--channels", "A,B", "default STATE,STATE; for one log, as in STATE,STATE_BRIDGE"},
         {"--shift", "TICKS", "B is this many ticks later"},
         {"--plot", "F.svg", "foot forces, the joint that differs most, and its residual"},
-        {"--from", "S", "seconds from the first event"},
-        {"--to", "S", "seconds from the first event"},
+        from_option(), to_option(),
         {"--most-mrad", "X", "exit status 1 if a joint differs by more (root mean square)"},
         robot_option()},
        1,

@@ -179,8 +179,7 @@ int log_mcap(const std::vector<std::string>& words) {
        "/scene.\n"
        "Channels whose type is not the project's are left out and counted.",
        {{"--channels", "A,B", "only these; default all"},
-        {"--from", "S", "seconds from the first event"},
-        {"--to", "S", "seconds from the first event"},
+        from_option(), to_option(),
         {"--robot", "NAME", "of config/robots, or a folder; default the one whose log it is"},
         {"--no-scene", "", "without /tf and /scene"},
         force_option(),

@@ -8,6 +8,8 @@
 
 namespace twinbus {
 
+OptionSpec from_option();
+OptionSpec to_option();
 OptionSpec force_option();
 
 // The second word of the command, where in is what it reads.  Throws UsageError when both are one file, std::runtime_error

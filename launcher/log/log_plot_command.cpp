@@ -11,6 +11,7 @@
 #include "common/process/arguments.h"
 #include "launcher/log/log_channels.h"
 #include "launcher/log/log_command.h"
+#include "launcher/log/log_output.h"
 #include "launcher/log/log_plot.h"
 #include "launcher/log/log_scan.h"
 #include "launcher/stack/run_folder.h"
@@ -192,8 +193,7 @@ int log_plot(const std::vector<std::string>& words) {
        "with commas,\n"
        "as in STATE.q.LLEG_KNEE,COMMAND.q.LLEG_KNEE; an array by its name draws its first eight.",
        {{"--out", "F.svg|F.png", "default plot.svg"},
-        {"--from", "S", "seconds from the first event"},
-        {"--to", "S", "seconds from the first event"},
+        from_option(), to_option(),
         robot_option(),
         prefix_option()},
        2,

@@ -40,13 +40,6 @@ constexpr std::array<const char*, 13> kChannels = {"",
                                                    channel::kSteps,
                                                    channel::kMotion};
 
-template <class T>
-std::vector<std::uint8_t> encoded(const T& value) {
-  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(kLargestMessage));
-  bytes.resize(static_cast<std::size_t>(encode(value, bytes)));
-  return bytes;
-}
-
 bool is_needed(std::string_view name) {
   for (const char* channel : kChannels) {
     if (name == channel) return true;

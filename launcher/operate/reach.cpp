@@ -35,11 +35,11 @@ class Watcher {
  public:
   Watcher(const Model& model, const BusOptions& options)
       : model_(model), bus_(options), estimator_(model) {
-    bus_.listen_each<RobotState>(channel::kState, on_state_);
-    bus_.listen_each<ArmPathPiece>(channel::kArmPath, on_path_);
-    bus_.listen_each<ControllerStatus>(channel::kControllerStatus, on_status_);
-    bus_.listen_each<SourceStatus>(channel::kSourceStatus, on_source_);
-    bus_.listen_each<SimTruth>(channel::kTruth, on_truth_);
+    bus_.listen_each<&Watcher::hear_state>(channel::kState, *this);
+    bus_.listen_each<&Watcher::hear_path>(channel::kArmPath, *this);
+    bus_.listen_each<&Watcher::hear_controller>(channel::kControllerStatus, *this);
+    bus_.listen_each<&Watcher::hear_source>(channel::kSourceStatus, *this);
+    bus_.listen_each<&Watcher::hear_truth>(channel::kTruth, *this);
   }
 
   void receive(double seconds) {
@@ -78,7 +78,7 @@ class Watcher {
   bool paused = false;  // the simulated world
 
  private:
-  void hear(const RobotState& state) {
+  void hear_state(const RobotState& state) {
     if (state.model_hash != model_.hash || state.joint_count != model_.bus_count()) {
       other_robot_ = true;
       return;
@@ -89,7 +89,7 @@ class Watcher {
     ++states_;
     estimator_.update(state);
   }
-  void hear(const ArmPathPiece& piece) {
+  void hear_path(const ArmPathPiece& piece) {
     if (goal_id == 0 || piece.goal_id != goal_id || (answered && piece.path_id != first.path_id))
       return;
     answered = true;
@@ -101,27 +101,18 @@ class Watcher {
     have |= bit;
     duration = std::max(duration, piece.time[static_cast<std::size_t>(piece.knot_count) - 1]);
   }
-  void hear(const ControllerStatus& heard) {
+  void hear_controller(const ControllerStatus& heard) {
     status = heard;
     ++statuses;
   }
 
-  void hear(const SourceStatus& source) {
+  void hear_source(const SourceStatus& source) {
     if (source.role == Role::kActive || source.role == Role::kStopped) paused = has_pace(source, Pace::kPaused);
   }
 
-  void hear(const SimTruth& truth) {
+  void hear_truth(const SimTruth& truth) {
     if (truth.run_id == run_id()) fell_ = truth.fell;
   }
-
-  struct On {
-    Watcher* w;
-    void operator()(const RobotState& m) const { w->hear(m); }
-    void operator()(const ArmPathPiece& m) const { w->hear(m); }
-    void operator()(const ControllerStatus& m) const { w->hear(m); }
-    void operator()(const SourceStatus& m) const { w->hear(m); }
-    void operator()(const SimTruth& m) const { w->hear(m); }
-  };
 
   const Model& model_;
   Bus bus_;
@@ -130,7 +121,6 @@ class Watcher {
   bool other_robot_ = false, fell_ = false;
   StopKind stop_kind_ = StopKind::kNone;
   std::int64_t tick_ = 0, states_ = 0;
-  On on_state_{this}, on_path_{this}, on_status_{this}, on_source_{this}, on_truth_{this};
 };
 
 ArmGoal goal_from(const Arguments& arguments, const Model& model) {

@@ -146,6 +146,18 @@ bool walks(const Scene& scene) {
 
 }  // namespace
 
+RunRequest request_of(const std::string& command, const Arguments& arguments, const Scene& scene) {
+  RunRequest request;
+  request.scene = scene.name;
+  request.robot = arguments.text("--robot", scene.robot);
+  request.engine = arguments.text("--engine", scene.engine);
+  request.seed = static_cast<std::uint64_t>(arguments.number("--seed", 1.0, 0.0, 1e9));
+  Engine engine;
+  if (!engine_of(request.engine, engine))
+    throw UsageError(command + ": there is no engine '" + request.engine + "'; use articulated, ode or mujoco");
+  return request;
+}
+
 std::string why_not_for(const Scene& scene, const Model& model) {
   if (walks(scene)) {
     const char* why = Balance::why_not(model);

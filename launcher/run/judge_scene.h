@@ -5,11 +5,16 @@
 #include <cstdint>
 #include <string>
 
+#include "common/process/arguments.h"
 #include "launcher/run/local_stack.h"
 #include "launcher/run/verdict.h"
 #include "sim/scene/scene.h"
 
 namespace twinbus {
+
+// What `command` is asked for on this scene: its name, --robot, --engine and --seed.  Throws UsageError for an engine that
+// there is not.
+RunRequest request_of(const std::string& command, const Arguments& arguments, const Scene& scene);
 
 // Criteria as they are asked of this robot: of the ZMP's margin no more than half of what its soles
 // can give; of a robot that walks, and so stands on one foot, in proportion to soles narrower than 130 mm or shorter than 220.

@@ -1,7 +1,5 @@
 #include "launcher/run/ladder.h"
 
-#include <time.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -11,6 +9,7 @@
 
 #include "common/math/index.h"
 #include "common/process/process.h"
+#include "common/time/cpu_time.h"
 
 namespace twinbus {
 
@@ -25,12 +24,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kParts[] = {1, 2, 4, 10, 20};  // of the control period
 
 using Sample = std::vector<Eigen::Vector3d>;
-
-double cpu_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 Sample places(const OneProcess& run) {
   Sample sample;
@@ -94,7 +87,7 @@ std::vector<Parted> parted_bodies(const Track& a, const Track& b) {
 
 Track follow(const Model& model, const Scene& scene, const OneProcessConfig& config,
              double duration) {
-  const double begun = cpu_seconds();
+  const double begun = thread_cpu_seconds();
   OneProcess run(model, scene, config);
   run.time_physics();
   Track track;
@@ -117,7 +110,7 @@ Track follow(const Model& model, const Scene& scene, const OneProcessConfig& con
   track.moved.joints.assign(moved.begin(), moved.end());
   track.whole = run.ticks() >= ticks;
   track.cost = run.physics_seconds();
-  track.all = cpu_seconds() - begun;
+  track.all = thread_cpu_seconds() - begun;
   return track;
 }
 

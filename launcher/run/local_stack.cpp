@@ -34,28 +34,6 @@ const char* channel_of(const MotionPiece&) { return channel::kMotion; }
 const char* channel_of(const Gamepad&) { return channel::kGamepad; }
 const char* channel_of(const ArmGoal&) { return channel::kArmGoal; }
 
-// What the controller's journal says of a message that is for it.
-template <class T>
-constexpr JournalInput kJournalKind = JournalInput::kNone;
-template <>
-constexpr JournalInput kJournalKind<ModeRequest> = JournalInput::kMode;
-template <>
-constexpr JournalInput kJournalKind<WalkCommand> = JournalInput::kWalk;
-template <>
-constexpr JournalInput kJournalKind<StepList> = JournalInput::kSteps;
-template <>
-constexpr JournalInput kJournalKind<MotionPiece> = JournalInput::kMotion;
-template <>
-constexpr JournalInput kJournalKind<Gamepad> = JournalInput::kGamepad;
-template <>
-constexpr JournalInput kJournalKind<StopRequest> = JournalInput::kStop;
-template <>
-constexpr JournalInput kJournalKind<ArmGoal> = JournalInput::kGoal;
-template <>
-constexpr JournalInput kJournalKind<ArmPathPiece> = JournalInput::kPath;
-template <>
-constexpr JournalInput kJournalKind<ObstaclesPiece> = JournalInput::kObstacles;
-
 // The adaptor must be open before a source is built around it.
 SimAdaptor& opened(SimAdaptor& sim, const Model& model, const OneProcessConfig& config) {
   AdaptorConfig adaptor{config.settings};
@@ -92,8 +70,7 @@ bool OneProcess::over_the_bus(const char* channel, const T& sent, T& received, S
   if (listener_) {
     listener_(channel, encoded, now_ns_);
     if (content != nullptr) *content = content_hash(encoded);
-    if constexpr (kJournalKind<T> != JournalInput::kNone)
-      journal_.consumed(kJournalKind<T>, encoded, now_or_one(now_ns_));
+    if constexpr (requires { journal_input(sent); }) journal_.consumed(journal_input(sent), encoded, now_or_one(now_ns_));
   }
   return decode(encoded, received) == Status::kOk;
 }

@@ -329,18 +329,11 @@ int run_command(const std::vector<std::string>& words) {
   const std::string log_file = arguments.text("--log", "");
   if (!log_file.empty() && !arguments.has("--force")) refuse_if_there(log_file);
   Scene scene = load_scene(arguments.word(0));
-  RunRequest request;
-  request.scene = scene.name;
-  request.robot = arguments.text("--robot", scene.robot);
-  request.engine = arguments.text("--engine", scene.engine);
-  Engine engine;
-  if (!engine_of(request.engine, engine))
-    throw UsageError("run: there is no engine '" + request.engine + "'; use articulated, ode or mujoco");
+  RunRequest request = request_of("run", arguments, scene);
   scene.engine = request.engine;
   choose_fidelity(arguments, scene);
   request.lockstep = true;
   request.duration = arguments.number("--for", scene.duration, 0.002, 1e6);
-  request.seed = static_cast<std::uint64_t>(arguments.number("--seed", 1.0, 0.0, 1e9));
   const std::optional<SeedsRequest> many = seeds_of(arguments);
   if (many) request.seed = many->seeds.first;
   const Model model = load_robot(request.robot);

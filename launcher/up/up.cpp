@@ -94,16 +94,10 @@ class Up {
 
 Up::Up(const Arguments& arguments) {
   scene_ = load_scene(arguments.word(0, "stand"));
-  request_.scene = scene_.name;
-  request_.robot = arguments.text("--robot", scene_.robot);
-  request_.engine = arguments.text("--engine", scene_.engine);
-  Engine engine;
-  if (!engine_of(request_.engine, engine))
-    throw UsageError("up: there is no engine '" + request_.engine + "'; use articulated, ode or mujoco");
+  request_ = request_of("up", arguments, scene_);
   request_.lockstep = arguments.has("--lockstep");
   request_.rate = arguments.number("--rate", 1.0, 0.01, 100.0);
   request_.duration = arguments.number("--for", 0.0, 0.1, 1e6);
-  request_.seed = static_cast<std::uint64_t>(arguments.number("--seed", 1.0, 0.0, 1e9));
   report_ = arguments.text("--report", "");
   const Model model = load_robot(request_.robot);  // the same error for every process, said once
   fit_scene(scene_, model);

@@ -14,6 +14,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -21,6 +22,7 @@
 #include <vector>
 
 #include "lcmtypes/bus/channel_health.h"
+#include "lcmtypes/bus/handler.h"
 #include "lcmtypes/bus/inbox.h"
 #include "lcmtypes/bus/wire.h"
 
@@ -73,9 +75,13 @@ class Bus {
   // called inside receive().
   template <class T, class Handler>
   void listen_each(const char* channel, Handler& handler) {
-    static_assert(std::is_invocable_v<Handler&, const T&> || kWantsBytes<T, Handler>);
     subscribe(channel, kLongQueue, const_cast<std::remove_const_t<Handler>*>(&handler),
-              &on_each<T, Handler>);
+              &on_each<T, CallItself{}, Handler>);
+  }
+  // The same to a method: listen_each<&Guard::hear_state>(channel::kState, *this).
+  template <auto kMethod, class Owner>
+  void listen_each(const char* channel, Owner& owner) {
+    subscribe(channel, kLongQueue, &owner, &on_each<MessageOf<kMethod>, kMethod, Owner>);
   }
   // For tools: everything on channels that match a regular expression, with the prefix taken off
   // and unchecked: handler(const char* channel, std::span<const std::uint8_t> bytes, std::int64_t
@@ -114,9 +120,6 @@ class Bus {
 
  private:
   static constexpr int kQueue = 64;  // memq and logs: LCM drops the newest when full
-  template <class T, class Handler>
-  static constexpr bool kWantsBytes =
-      std::is_invocable_v<Handler&, const T&, std::span<const std::uint8_t>>;
   static constexpr int kLongQueue = 1024;  // channels on which no message replaces another
 
   struct Incoming {
@@ -171,17 +174,18 @@ class Bus {
     }
     tally(slots.offer(value, in.now_ns), 0, counters);
   }
-  template <class T, class Handler>
+  template <class T, auto kCall, class Target>
   static void on_each(void* target, const Incoming& in, ChannelHealth& health) noexcept {
     BusCounters& counters = health.counters;
     T value;
     if (!decode_or_count(in, value, counters)) return;
     ++counters.received;
     if constexpr (Wire<T>::kCounted) health.follow(Wire<T>::sender(value), Wire<T>::count(value));
-    if constexpr (kWantsBytes<T, Handler>) {
-      (*static_cast<Handler*>(target))(value, in.bytes);
+    auto& called = *static_cast<Target*>(target);
+    if constexpr (std::is_invocable_v<decltype(kCall), Target&, const T&, decltype(in.bytes)>) {
+      std::invoke(kCall, called, value, in.bytes);
     } else {
-      (*static_cast<Handler*>(target))(value);
+      std::invoke(kCall, called, value);
     }
   }
   template <class Handler>

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "lcmtypes/bus/wire_table.h"  // made by lcmtypes/generate.py
 #include "lcmtypes/msg/messages.h"
@@ -29,6 +30,14 @@ Status decode(std::span<const std::uint8_t> bytes, T& value) noexcept;
 //   kBytes        encoded size
 //   sender(x)     who sent it: one slot per sender
 //   kCounted      whether count(x) goes up by one per message of one sender (ticks, sequences)
+
+// The bytes of a message, for who keeps them; none when it is not fit to send.
+template <class T>
+std::vector<std::uint8_t> encoded(const T& value) {
+  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(kLargestMessage));
+  bytes.resize(static_cast<std::size_t>(encode(value, bytes)));
+  return bytes;
+}
 
 // Every channel with its type, for tools that take whatever comes (status, viewer, logs).
 struct ChannelInfo {

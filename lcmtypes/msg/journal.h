@@ -10,7 +10,11 @@
 #include <cstring>
 #include <span>
 
+#include "lcmtypes/msg/motion_piece.h"
+#include "lcmtypes/msg/pieces.h"
 #include "lcmtypes/msg/reports.h"
+#include "lcmtypes/msg/requests.h"
+#include "lcmtypes/msg/step_list.h"
 
 namespace twinbus {
 
@@ -63,6 +67,18 @@ enum class JournalInput : std::int8_t {
   kSteps = 11,
   kMotion = 12
 };
+
+// As what the controller's journal counts a message that is for it.
+constexpr JournalInput journal_input(const ModeRequest&) { return JournalInput::kMode; }
+constexpr JournalInput journal_input(const WalkCommand&) { return JournalInput::kWalk; }
+constexpr JournalInput journal_input(const StepList&) { return JournalInput::kSteps; }
+constexpr JournalInput journal_input(const MotionPiece&) { return JournalInput::kMotion; }
+constexpr JournalInput journal_input(const Gamepad&) { return JournalInput::kGamepad; }
+constexpr JournalInput journal_input(const ArmPathPiece&) { return JournalInput::kPath; }
+constexpr JournalInput journal_input(const ArmGoal&) { return JournalInput::kGoal; }
+constexpr JournalInput journal_input(const StopRequest&) { return JournalInput::kStop; }
+constexpr JournalInput journal_input(const GuardReport&) { return JournalInput::kGuard; }
+constexpr JournalInput journal_input(const ObstaclesPiece&) { return JournalInput::kObstacles; }
 
 inline constexpr std::size_t kJournalInputs = 24;
 

@@ -2,21 +2,12 @@
 
 #pragma once
 
-#include <cstddef>
-
+#include "common/text/name_of.h"
 #include "lcmtypes/msg/reports.h"
 #include "lcmtypes/msg/requests.h"
 #include "lcmtypes/msg/robot_io.h"
 
 namespace twinbus {
-
-// names[i] of the enumerator with value i; otherwise for a value that this version does not know.
-template <class E, std::size_t N>
-constexpr const char* name_of(E value, const char* const (&names)[N],
-                              const char* otherwise = "unknown") noexcept {
-  const auto i = static_cast<std::size_t>(value);
-  return i < N ? names[i] : otherwise;
-}
 
 const char* label(SourceKind kind) noexcept;
 const char* label(Role role) noexcept;

@@ -1,6 +1,7 @@
 #include "robot/collision/loop_joints.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <stdexcept>
 
 #include "robot/collision/collision_pairs.h"
@@ -52,6 +53,11 @@ std::string loops_sentence(const Model& model) {
          ": the simulator knows it; the planner refuses goals for them, and balance, walking and "
          "the guard's look ahead "
          "take them for free";
+}
+
+void print_loops(const Model& model, const char* program) {
+  const std::string sentence = loops_sentence(model);
+  if (!sentence.empty()) std::fprintf(stderr, "%s: %s\n", program, sentence.c_str());
 }
 
 }  // namespace twinbus

@@ -26,5 +26,7 @@ std::vector<int> joints_in_loops(const Model& model);
 
 // For people: "" without such joints, else their names and what goes on as if they were free.
 std::string loops_sentence(const Model& model);
+// Prints it, if there is one, behind the program's name on the standard error.
+void print_loops(const Model& model, const char* program);
 
 }  // namespace twinbus

@@ -62,6 +62,18 @@ void apply_servos(const RobotYaml& yaml, Model& model) {
   }
 }
 
+// Where a sole or hand is, and what it feels with.
+template <class Limb>
+void place_limb(const LimbEntry& entry, const ModelBuilder& builder, const std::string& where, Limb& limb) {
+  const Frame frame = builder.frame(entry.frame, where);
+  const Frame sensor = builder.frame(entry.sensor, where);
+  if (frame.link != sensor.link)
+    throw std::runtime_error(where + ": " + entry.frame + " and " + entry.sensor + " are on different links");
+  limb.link = frame.link;
+  limb.frame = frame.in_link * entry.offset;
+  limb.sensor = entry.sensor == entry.frame ? limb.frame : sensor.in_link;
+}
+
 void apply_yaml(const RobotYaml& yaml, const ModelBuilder& builder, const std::string& file,
                 Model& model) {
   model.period_ns = yaml.timing.period_ns;
@@ -79,31 +91,12 @@ void apply_yaml(const RobotYaml& yaml, const ModelBuilder& builder, const std::s
   for (std::size_t side = 0; side < 2; ++side) {
     const std::string name = side == 0 ? "left" : "right";
     if (const SoleEntry& entry = yaml.soles[side]; entry.present) {
-      const std::string where = file + ": soles: " + name;
-      const Frame frame = builder.frame(entry.frame, where);
-      const Frame sensor = builder.frame(entry.sensor, where);
-      if (frame.link != sensor.link) {
-        throw std::runtime_error(where + ": " + entry.frame + " and " + entry.sensor +
-                                 " are on different links");
-      }
       model.soles[side] = entry.sole;
-      model.soles[side].link = frame.link;
-      model.soles[side].frame = frame.in_link * entry.offset;
-      model.soles[side].sensor =
-          entry.sensor == entry.frame ? model.soles[side].frame : sensor.in_link;
+      place_limb(entry, builder, file + ": soles: " + name, model.soles[side]);
     }
     if (const HandEntry& entry = yaml.hands[side]; entry.present) {
       const std::string where = file + ": hands: " + name;
-      const Frame frame = builder.frame(entry.frame, where);
-      const Frame sensor = builder.frame(entry.sensor, where);
-      if (frame.link != sensor.link) {
-        throw std::runtime_error(where + ": " + entry.frame + " and " + entry.sensor +
-                                 " are on different links");
-      }
-      model.hands[side].link = frame.link;
-      model.hands[side].frame = frame.in_link * entry.offset;
-      model.hands[side].sensor =
-          entry.sensor == entry.frame ? model.hands[side].frame : sensor.in_link;
+      place_limb(entry, builder, where, model.hands[side]);
       for (const std::string& joint : entry.joints) {
         model.hands[side].joints.push_back(need_joint(model, joint, where));
       }

@@ -29,12 +29,16 @@ Eigen::Isometry3d read_offset(const ConfigNode& node) {
   return offset;
 }
 
-SoleEntry read_sole(const ConfigNode& node) {
-  SoleEntry entry;
+void read_limb(const ConfigNode& node, LimbEntry& entry) {
   entry.present = true;
   entry.frame = node.text("frame");
   entry.sensor = node.text("sensor", entry.frame);
   entry.offset = read_offset(node);
+}
+
+SoleEntry read_sole(const ConfigNode& node) {
+  SoleEntry entry;
+  read_limb(node, entry);
   entry.sole.front = node.number("front", 1e-3, 1.0);
   entry.sole.back = node.number("back", 1e-3, 1.0);
   entry.sole.left = node.number("left", 1e-3, 1.0);
@@ -48,10 +52,7 @@ SoleEntry read_sole(const ConfigNode& node) {
 
 HandEntry read_hand(const ConfigNode& node) {
   HandEntry entry;
-  entry.present = true;
-  entry.frame = node.text("frame");
-  entry.sensor = node.text("sensor", entry.frame);
-  entry.offset = read_offset(node);
+  read_limb(node, entry);
   entry.joints = node.texts("joints");
   node.finish();
   return entry;

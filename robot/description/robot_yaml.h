@@ -19,17 +19,18 @@ struct ServoEntry {
   ConfigNode node;
 };
 
-struct SoleEntry {
+// What soles and hands have.
+struct LimbEntry {
   bool present = false;
   std::string frame, sensor;
-  Eigen::Isometry3d offset = Eigen::Isometry3d::Identity();  // of the sole's frame in that link
+  Eigen::Isometry3d offset = Eigen::Isometry3d::Identity();  // of the sole's or hand's frame in that link
+};
+
+struct SoleEntry : LimbEntry {
   Sole sole;  // sizes and spring only
 };
 
-struct HandEntry {
-  bool present = false;
-  std::string frame, sensor;
-  Eigen::Isometry3d offset = Eigen::Isometry3d::Identity();
+struct HandEntry : LimbEntry {
   std::vector<std::string> joints;
 };
 

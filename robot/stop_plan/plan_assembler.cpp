@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "common/math/index.h"
+#include "common/text/name_of.h"
 
 namespace twinbus {
 
@@ -26,29 +27,17 @@ bool ordered(const std::array<float, 2>& low, const std::array<float, 2>& high) 
 }  // namespace
 
 const char* to_text(PlanRefusal refusal) noexcept {
-  switch (refusal) {
-    case PlanRefusal::kNone:
-      return "none";
-    case PlanRefusal::kOtherSource:
-      return "it is for another run, term or robot";
-    case PlanRefusal::kOtherController:
-      return "it is of a controller that is not obeyed";
-    case PlanRefusal::kOldNumber:
-      return "a newer one has come before it";
-    case PlanRefusal::kMixed:
-      return "its pieces contradict each other";
-    case PlanRefusal::kWrongSize:
-      return "its counts, spacing or length are none that a plan may have";
-    case PlanRefusal::kWrongTime:
-      return "it begins in the future or too long ago";
-    case PlanRefusal::kBeyondLimits:
-      return "a number of it is beyond the robot's limits";
-    case PlanRefusal::kTooFast:
-      return "a joint would be too fast from knot to knot";
-    case PlanRefusal::kOutOfReach:
-      return "it does not begin at the present set-point";
-  }
-  return "unknown";
+  static constexpr const char* kTexts[] = {"none",
+                                           "it is for another run, term or robot",
+                                           "it is of a controller that is not obeyed",
+                                           "a newer one has come before it",
+                                           "its pieces contradict each other",
+                                           "its counts, spacing or length are none that a plan may have",
+                                           "it begins in the future or too long ago",
+                                           "a number of it is beyond the robot's limits",
+                                           "a joint would be too fast from knot to knot",
+                                           "it does not begin at the present set-point"};
+  return name_of(refusal, kTexts);
 }
 
 void PlanAssembler::clear() noexcept {

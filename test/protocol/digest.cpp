@@ -90,7 +90,7 @@ struct ProtocolProbe {
     h.add(x.plan_asked_);
     h.add(x.have_client_);
   }
-  static void hash(Hash& h, const SourceCore& x) {
+  static void hash(Hash& h, const Source& x) {
     hash(h, x.handover_);
     hash(h, x.gate_);
     h.add(x.holder_new_);

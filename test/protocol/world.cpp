@@ -35,7 +35,7 @@ Model small_model() {
 }  // namespace
 
 Setting::Setting(int n, bool target_is_hardware, double target_q, RuleSet rules_off, bool sends_plans)
-    : sources(n), off(rules_off), plans(sends_plans), model(small_model()), limits(model) {
+    : sources(n), off(rules_off), plans(sends_plans), model(small_model()), limits(std::make_shared<const GateLimits>(model)) {
   for (int i = 0; i < n; ++i) {
     const bool hardware = i == 1 && target_is_hardware;
     robots.emplace_back(!hardware, i == 1 ? target_q : 0.0);
@@ -76,8 +76,8 @@ World::World(const Setting& setting) : setting_(&setting) {
 void World::add_node(int i) {
   const std::int64_t run = ++next_run_;
   auto& robot = const_cast<StillRobot&>(setting_->robots[static_cast<std::size_t>(i)]);
-  Node node(SourceCore(setting_->model, setting_->limits, robot, setting_->source_config(i, run),
-                       setting_->handover_config(i, run)));
+  Node node(Source(setting_->model, setting_->limits, robot, setting_->source_config(i, run),
+                   setting_->handover_config(i, run)));
   node.run_id = run;
   node.born_ns = now_ns_;
   if (static_cast<std::size_t>(i) < nodes_.size()) {

@@ -1,4 +1,4 @@
-// A small world for the explorer: two or three real SourceCores, one controller, an operator, and a
+// A small world for the explorer: two or three real Sources, one controller, an operator, and a
 // network that may lose, double or delay.  Copyable, so that the explorer can try every
 // continuation of a state.
 //
@@ -9,10 +9,11 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
-#include "bridge/source/source_core.h"
+#include "bridge/source/source.h"
 #include "lcmtypes/msg/stop_plan.h"
 #include "lcmtypes/msg/state_admission.h"
 
@@ -55,7 +56,7 @@ struct Setting {
   RuleSet off;
   bool plans = false;  // the controller sends a stop plan behind every command
   Model model;
-  GateLimits limits;
+  std::shared_ptr<const GateLimits> limits;
   std::vector<StillRobot> robots;
   HandoverConfig handover_config(int source, std::int64_t run_id) const;
   SourceConfig source_config(int source, std::int64_t run_id) const;
@@ -121,7 +122,7 @@ class World {
   std::string describe() const;
 
   int holders() const;
-  const SourceCore& source(int i) const { return nodes_[static_cast<std::size_t>(i)].core; }
+  const Source& source(int i) const { return nodes_[static_cast<std::size_t>(i)].core; }
   bool alive(int i) const { return nodes_[static_cast<std::size_t>(i)].alive; }
   bool controller_alive() const { return controller_alive_; }
   int message_faults = 0;
@@ -129,8 +130,8 @@ class World {
 
  private:
   struct Node {
-    explicit Node(SourceCore c) : core(std::move(c)) {}
-    SourceCore core;
+    explicit Node(Source c) : core(std::move(c)) {}
+    Source core;
     bool alive = true;
     std::int64_t run_id = 0;
     // ghosts

@@ -23,8 +23,7 @@ KEPT = {
         InverseDynamics::point_acceleration InverseKinematics::hold InverseKinematics::pose JointReach::between
         LogReader::look_for_more SupportPolygon::centre excess_over_hull fastest_time field_at sort_pairs take_bus_option""",
     "stall tests and benches play operator and machine with them": """
-        OneProcess::restart_controller OneProcess::say OneProcess::stall_controller Source::effective_command
-        SourceCore::effective_command""",
+        OneProcess::restart_controller OneProcess::say OneProcess::stall_controller Source::effective_command""",
     "the exact check of all pairs is for tools of one's own; tests and bench collision hold it": """
         SelfCollision::any_touching SelfCollision::enable SelfCollision::lower_bound SelfCollision::lower_bounds
         SelfCollision::surfaces_cross SelfCollision::use SelfCollision::work""",

@@ -1,5 +1,7 @@
 #include "viewer_log/view/arm_path_view.h"
 
+#include "common/text/name_of.h"
+
 namespace twinbus {
 
 namespace {
@@ -52,23 +54,14 @@ void ArmPathView::finish() {
 }
 
 const char* ArmPathView::status_text() const {
-  switch (status_) {
-    case ArmPathStatus::kOk:
-      return "ok";
-    case ArmPathStatus::kUnreachable:
-      return "the hand cannot get there";
-    case ArmPathStatus::kStartInCollision:
-      return "the arm touches something already";
-    case ArmPathStatus::kGoalInCollision:
-      return "the arm would touch something there";
-    case ArmPathStatus::kTimeLimit:
-      return "no way found in time";
-    case ArmPathStatus::kCancelled:
-      return "cancelled";
-    case ArmPathStatus::kBadGoal:
-      return "not a goal for this robot";
-  }
-  return "unknown";
+  static constexpr const char* kTexts[] = {"ok",
+                                           "the hand cannot get there",
+                                           "the arm touches something already",
+                                           "the arm would touch something there",
+                                           "no way found in time",
+                                           "cancelled",
+                                           "not a goal for this robot"};
+  return name_of(status_, kTexts);
 }
 
 }  // namespace twinbus

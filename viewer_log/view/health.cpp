@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "common/text/name_of.h"
 #include "lcmtypes/msg/labels.h"
 #include "lcmtypes/msg/pace.h"
 #include "lcmtypes/msg/reports.h"
@@ -129,19 +130,8 @@ Health assess(const StackView& view, std::int64_t now_ns) {
 }
 
 const char* label(HealthLevel level) noexcept {
-  switch (level) {
-    case HealthLevel::kWaiting:
-      return "waiting";
-    case HealthLevel::kGood:
-      return "good";
-    case HealthLevel::kWarning:
-      return "warning";
-    case HealthLevel::kStopped:
-      return "stopped";
-    case HealthLevel::kBad:
-      return "bad";
-  }
-  return "bad";
+  static constexpr const char* kLabels[] = {"waiting", "good", "warning", "stopped", "bad"};
+  return name_of(level, kLabels, "bad");
 }
 
 }  // namespace twinbus

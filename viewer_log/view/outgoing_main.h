@@ -1,13 +1,11 @@
-// Between a bus and the viewer: requests that are sent several times, and messages that go to the view.  For mains only.
+// Requests of the viewer, which are sent several times.  For mains only.
 
 #pragma once
 
 #include <cstdint>
-#include <type_traits>
 
 #include "lcmtypes/bus/bus.h"
 #include "common/process/process.h"
-#include "viewer_log/view/stack_view.h"
 
 namespace twinbus {
 
@@ -30,19 +28,6 @@ struct Outgoing {
     --left;
     message.utime = wall_us();
     if (!bus.send(channel, message)) ++left;  // no room now: once more with the next frame
-  }
-};
-
-// Hands every message of a channel to the view.
-template <class T, auto kTake>
-struct ToView {
-  StackView& view;
-  void operator()(const T& message) {
-    if constexpr (std::is_invocable_v<decltype(kTake), StackView&, const T&, std::int64_t>) {
-      (view.*kTake)(message, monotonic_ns());
-    } else {
-      (view.*kTake)(message);
-    }
   }
 };
 

@@ -91,12 +91,18 @@ def propose(words: argparse.Namespace) -> int:
     return 0
 
 
-def check_it(words: argparse.Namespace) -> int:
-    """Contract by its numbers, then a trial in a simulator; where it falls, the single change that lets it walk."""
+def policy_of(words: argparse.Namespace) -> tuple[Network, robot.Robot, spec.Spec]:
+    """The network, the robot that runs it, and the contract between them."""
     network, known = Network(words.model), robot_of(words)
     found = find.find(network, known, words.spec)
     if not network_fits(found, network):
         network = Network(words.model, found.input, found.output)
+    return network, known, found
+
+
+def check_it(words: argparse.Namespace) -> int:
+    """Contract by its numbers, then a trial in a simulator; where it falls, the single change that lets it walk."""
+    network, known, found = policy_of(words)
     print(f'policy: {found.source}: {len(found.joints)} joints, {len(found.observations)} observations, an action every '
           f'{1e3 * found.period:g} ms', flush=True)
     faults = check.in_words(check.check(found, known, network), lambda line: print(line, flush=True))
@@ -135,10 +141,7 @@ def check_it(words: argparse.Namespace) -> int:
 
 def map_it(words: argparse.Namespace) -> int:
     """The answer to velocities, over seeds."""
-    network, known = Network(words.model), robot_of(words)
-    found = find.find(network, known, words.spec)
-    if not network_fits(found, network):
-        network = Network(words.model, found.input, found.output)
+    network, known, found = policy_of(words)
     axes = [answer_map.AXES.index(axis) for axis in words.axes]
     asked = [tuple(words.command)] if any(words.command) else answer_map.commands(found, axes, words.steps)
     cases = [trial.Case(network, found, known, words.robot, command, words.seconds, words.seed + number, words.engine)

@@ -8,6 +8,7 @@
 #include "robot/collision/collision_pairs.h"
 #include "geometry/distance/gjk.h"
 #include "common/math/index.h"
+#include "common/text/name_of.h"
 #include "robot/kinematics/kinematics.h"
 #include "robot/collision/exact/self_collision.h"
 
@@ -144,19 +145,8 @@ class Prover {
 }  // namespace
 
 const char* name(PairKind kind) noexcept {
-  switch (kind) {
-    case PairKind::kNeighbours:
-      return "neighbours";
-    case PairKind::kNever:
-      return "never (proved)";
-    case PairKind::kTouches:
-      return "touches";
-    case PairKind::kAlwaysSeen:
-      return "touches in every sample";
-    case PairKind::kUnproved:
-      break;
-  }
-  return "not seen touching, not proved";
+  static constexpr const char* kNames[] = {"neighbours", "never (proved)", "touches", "touches in every sample"};
+  return name_of(kind, kNames, "not seen touching, not proved");
 }
 
 std::vector<PairVerdict> judge_pairs(const Model& model, const RobotGeometry& geometry,

@@ -1,4 +1,4 @@
-#include "bridge/source/source_core.h"
+#include "bridge/source/source.h"
 
 #include <algorithm>
 #include <cmath>
@@ -58,25 +58,25 @@ bool stands_on_one_foot(const RobotState& state) noexcept {
 
 }  // namespace
 
-SourceCore::SourceCore(const Model& model, const GateLimits& limits, RobotAdaptor& adaptor,
-                       const SourceConfig& config, const HandoverConfig& handover)
+Source::Source(const Model& model, std::shared_ptr<const GateLimits> limits, RobotAdaptor& adaptor, const SourceConfig& config,
+               const HandoverConfig& handover)
     : model_(&model),
-      limits_(&limits),
+      limits_(std::move(limits)),
       adaptor_(&adaptor),
       config_(config),
       handover_(handover),
-      gate_(limits, config.guard_required, config.seed ^ static_cast<std::uint64_t>(config.run_id),
+      gate_(*limits_, config.guard_required, config.seed ^ static_cast<std::uint64_t>(config.run_id),
             handover.off),
       fall_(model) {
   if (stands_on_points(model) || (model.floating_base && model.soles[0].link >= 0 && model.soles[1].link >= 0)) {
     if (handover.can_be_set) holder_estimate_.emplace(model);
     own_estimate_.emplace(model);
   }
-  state_.joint_count = static_cast<std::int16_t>(limits.joint_count);
+  state_.joint_count = static_cast<std::int16_t>(limits_->joint_count);
   // A simulator that is not active stands still in time, so that its first active tick is the same
   // whenever it comes.
   device_ok_ = adaptor_->read(state_, model.device_timeout) == Status::kOk &&
-               finite(state_, limits.joint_count);
+               finite(state_, limits_->joint_count);
   if (device_ok_) gate_.hold_measured(state_);
   fill_state();
   fill_status();
@@ -84,11 +84,11 @@ SourceCore::SourceCore(const Model& model, const GateLimits& limits, RobotAdapto
 
 // Time-outs of the gate follow the steady clock; without a clock of its own (lock-step, free run)
 // the state's time.
-std::int64_t SourceCore::gate_clock(std::int64_t now_ns) const noexcept {
+std::int64_t Source::gate_clock(std::int64_t now_ns) const noexcept {
   return config_.pace == Pace::kRealTime ? now_ns : handover_.time_ns;
 }
 
-HandoverInput SourceCore::handover_input(std::int64_t now_ns) const noexcept {
+HandoverInput Source::handover_input(std::int64_t now_ns) const noexcept {
   const StopLatch& latch = gate_.latch();
   return {.measured = &state_,
           .stop_kind = latch.kind,
@@ -98,13 +98,13 @@ HandoverInput SourceCore::handover_input(std::int64_t now_ns) const noexcept {
           .walking = walking(now_ns)};
 }
 
-bool SourceCore::walking(std::int64_t now_ns) const noexcept {
+bool Source::walking(std::int64_t now_ns) const noexcept {
   return controller_.mode == Mode::kWalk && controller_.run_id == config_.run_id &&
          now_ns - controller_ns_ <= 4 * kControllerFresh_ns;
 }
 
 // Its controller says so, or a foot of it is in the air while this robot's both stand.
-bool SourceCore::holder_walks(std::int64_t now_ns) const noexcept {
+bool Source::holder_walks(std::int64_t now_ns) const noexcept {
   if (controller_.run_id == handover_.holder && controller_.mode == Mode::kWalk &&
       now_ns - controller_ns_ <= 4 * kControllerFresh_ns)
     return true;
@@ -112,7 +112,7 @@ bool SourceCore::holder_walks(std::int64_t now_ns) const noexcept {
          !stands_on_one_foot(state_);
 }
 
-void SourceCore::on_state(const RobotState& state, std::int64_t now_ns) noexcept {
+void Source::on_state(const RobotState& state, std::int64_t now_ns) noexcept {
   const std::int64_t tick_before = handover_.holder_tick;
   const std::int64_t holder_before = handover_.holder;
   handover_.heard_state(state, now_ns);
@@ -124,11 +124,11 @@ void SourceCore::on_state(const RobotState& state, std::int64_t now_ns) noexcept
   gate_.share_nonce(state.stop_nonce, state.stop_kind != StopKind::kNone);
 }
 
-void SourceCore::on_standby_state(const RobotState& state, std::int64_t now_ns) noexcept {
+void Source::on_standby_state(const RobotState& state, std::int64_t now_ns) noexcept {
   handover_.heard_standby(state, now_ns);
 }
 
-void SourceCore::on_command(const JointCommand& command, std::int64_t now_ns) noexcept {
+void Source::on_command(const JointCommand& command, std::int64_t now_ns) noexcept {
   if (handover_.role == Role::kStandbyTrack || handover_.role == Role::kParked) {
     if (command.run_id != handover_.holder || command.term != handover_.term) return;
     if (command.joint_count != limits_->joint_count || command.model_hash != limits_->model_hash)
@@ -145,21 +145,21 @@ void SourceCore::on_command(const JointCommand& command, std::int64_t now_ns) no
   verdict_ = gate_.accept(command, tick, late, gate_clock(now_ns));
 }
 
-void SourceCore::on_stop_plan(const StopPlanPiece& piece, std::int64_t) noexcept {
+void Source::on_stop_plan(const StopPlanPiece& piece, std::int64_t) noexcept {
   if (handover_.holds_state()) gate_.add_plan(piece, state_.tick);
 }
 
-void SourceCore::on_source_request(const SourceRequest& request, std::int64_t now_ns) noexcept {
+void Source::on_source_request(const SourceRequest& request, std::int64_t now_ns) noexcept {
   handover_.request(request, handover_input(now_ns), now_ns);
 }
 
-void SourceCore::on_controller_request(const ControllerRequest& request, std::int64_t) noexcept {
+void Source::on_controller_request(const ControllerRequest& request, std::int64_t) noexcept {
   if (request.run_id != config_.run_id || request.controller_id == 0 || !handover_.holds_state())
     return;
   gate_.rebind(request.controller_id);
 }
 
-void SourceCore::on_stop(const StopRequest& stop, std::int64_t now_ns) noexcept {
+void Source::on_stop(const StopRequest& stop, std::int64_t now_ns) noexcept {
   if (stop.kind == StopKind::kNone) {
     const StopKind before = gate_.latch().kind;
     if (!gate_.clear(stop.stop_nonce, gate_clock(now_ns))) return;
@@ -173,11 +173,11 @@ void SourceCore::on_stop(const StopRequest& stop, std::int64_t now_ns) noexcept 
   if (!for_switch) gate_.stop(stop, gate_clock(now_ns));
 }
 
-void SourceCore::on_guard(const GuardReport& report, std::int64_t now_ns) noexcept {
+void Source::on_guard(const GuardReport& report, std::int64_t now_ns) noexcept {
   gate_.guard(report, gate_clock(now_ns));
 }
 
-void SourceCore::on_controller_status(const ControllerStatus& status,
+void Source::on_controller_status(const ControllerStatus& status,
                                       std::int64_t now_ns) noexcept {
   const bool mine =
       status.run_id == config_.run_id && status.controller_id == gate_.controller_id();
@@ -187,13 +187,13 @@ void SourceCore::on_controller_status(const ControllerStatus& status,
   controller_ns_ = now_ns;
 }
 
-bool SourceCore::command_ready() const noexcept {
+bool Source::command_ready() const noexcept {
   if (!gate_.is_open() || gate_.latch().kind > StopKind::kBalanced) return true;
   return gate_.last_accepted_tick() >= state_.tick;
 }
 
 // A settable standby takes the active source's state as it is.
-void SourceCore::impose_holder() noexcept {
+void Source::impose_holder() noexcept {
   ImposedState imposed;
   if (holder_estimate_.has_value()) {
     holder_estimate_->update(holder_state_);
@@ -215,7 +215,7 @@ void SourceCore::impose_holder() noexcept {
 
 // The set-point that goes with an imposed state: the client's, with the torque that makes the sum
 // what was measured.
-void SourceCore::adopt_imposed() noexcept {
+void Source::adopt_imposed() noexcept {
   if (!have_holder_command_ || holder_command_.run_id != holder_state_.run_id) {
     gate_.hold_measured(holder_state_);
     return;
@@ -236,7 +236,7 @@ void SourceCore::adopt_imposed() noexcept {
 }
 
 // What the gate obeys in the role the source has now.
-void SourceCore::follow_role(std::int64_t now_ns) noexcept {
+void Source::follow_role(std::int64_t now_ns) noexcept {
   if (handover_.role == Role::kStandbyShadow && handover_.holder != 0 && !aside_) {
     gate_.open(handover_.holder, handover_.term, false, limits_->blend_s, gate_clock(now_ns));
   } else {
@@ -244,7 +244,7 @@ void SourceCore::follow_role(std::int64_t now_ns) noexcept {
   }
 }
 
-void SourceCore::apply(Transition transition, std::int64_t now_ns) noexcept {
+void Source::apply(Transition transition, std::int64_t now_ns) noexcept {
   switch (transition) {
     case Transition::kNone:
     case Transition::kGranted:
@@ -280,7 +280,7 @@ void SourceCore::apply(Transition transition, std::int64_t now_ns) noexcept {
 }
 
 // A simulator stands still while it is parked, and while nothing is heard of the source it tracks.
-bool SourceCore::frozen(std::int64_t now_ns) const noexcept {
+bool Source::frozen(std::int64_t now_ns) const noexcept {
   if (!handover_.config.can_be_set) return false;
   if (handover_.role == Role::kParked) return true;
   return handover_.role == Role::kStandbyTrack && !handover_.holder_fresh(now_ns);
@@ -288,7 +288,7 @@ bool SourceCore::frozen(std::int64_t now_ns) const noexcept {
 
 // Steps are feedback on feet that are another's: a robot that copied them would fall.  It holds its posture, and
 // follows again when the holder stands as it stands itself.
-void SourceCore::stand_aside(std::int64_t now_ns) noexcept {
+void Source::stand_aside(std::int64_t now_ns) noexcept {
   if (handover_.role != Role::kStandbyShadow || handover_.config.can_be_set) {
     aside_ = false;
     return;
@@ -306,7 +306,7 @@ void SourceCore::stand_aside(std::int64_t now_ns) noexcept {
 
 // A shadow that can be set is set to what it shadows from time to time; one that cannot fades from
 // where it is.
-void SourceCore::anchor(std::int64_t now_ns) noexcept {
+void Source::anchor(std::int64_t now_ns) noexcept {
   if (!holder_new_ || !handover_.holder_fresh(now_ns)) return;
   double gap = 0.0;
   for (int j = 0; j < limits_->joint_count; ++j) {
@@ -325,7 +325,7 @@ void SourceCore::anchor(std::int64_t now_ns) noexcept {
   }
 }
 
-void SourceCore::read_adaptor(std::int64_t now_ns) noexcept {
+void Source::read_adaptor(std::int64_t now_ns) noexcept {
   if (frozen(now_ns)) return;
   if (handover_.role == Role::kStandbyTrack && holder_new_) impose_holder();
   if (handover_.role == Role::kStandbyShadow) {
@@ -353,7 +353,7 @@ void SourceCore::read_adaptor(std::int64_t now_ns) noexcept {
   gate_.stop(StopKind::kHold, StopReason::kDevice, gate_clock(now_ns));
 }
 
-bool SourceCore::estimate() noexcept {
+bool Source::estimate() noexcept {
   if (!handover_.config.hardware && !handover_.pending_switch && !gate_.plan().known(state_.tick)) return false;
   if (handover_.tick != estimated_tick_ + 1) own_estimate_->reset();
   estimated_tick_ = handover_.tick;
@@ -363,7 +363,7 @@ bool SourceCore::estimate() noexcept {
 
 // Hardware may be left, and hardware may take over from a walk that has ended, when the active source stands on both
 // feet, ZMP well inside, CoM at rest.
-void SourceCore::watch_support(std::int64_t now_ns) noexcept {
+void Source::watch_support(std::int64_t now_ns) noexcept {
   if (!own_estimate_.has_value() || !handover_.holds_state()) return;
   const bool estimated = estimate();
   if (!estimated || (!handover_.config.hardware && !handover_.pending_switch)) {
@@ -390,7 +390,7 @@ void SourceCore::watch_support(std::int64_t now_ns) noexcept {
 }
 
 // A robot that lies is let go, whatever its controller does, and obeys again when somebody has looked at it.
-void SourceCore::watch_for_a_fall(std::int64_t now_ns) noexcept {
+void Source::watch_for_a_fall(std::int64_t now_ns) noexcept {
   FallContext& c = fall_context_;
   const std::int64_t before_ns = std::exchange(began_ns_, now_ns);
   fall_.see_push(adaptor_->truth());
@@ -421,13 +421,13 @@ void SourceCore::watch_for_a_fall(std::int64_t now_ns) noexcept {
   gate_.stop(StopKind::kOff, StopReason::kFallen, gate_clock(now_ns));
 }
 
-bool SourceCore::take_fall(std::array<char, 200>& cause) noexcept {
+bool Source::take_fall(std::array<char, 200>& cause) noexcept {
   if (!std::exchange(fallen_, false)) return false;
   cause = fall_.cause();
   return true;
 }
 
-void SourceCore::begin_tick(std::int64_t now_ns) noexcept {
+void Source::begin_tick(std::int64_t now_ns) noexcept {
   if (!written_ && handover_.holds_state()) ++status_.ticks_missed;
   gate_.watch(gate_clock(now_ns));
   transition_ = handover_.begin_tick(handover_input(now_ns), now_ns);
@@ -443,7 +443,7 @@ void SourceCore::begin_tick(std::int64_t now_ns) noexcept {
   fill_status();
 }
 
-void SourceCore::end_tick(std::int64_t now_ns) noexcept {
+void Source::end_tick(std::int64_t now_ns) noexcept {
   if (written_) return;
   written_ = true;
   if (frozen(now_ns) || handover_.role == Role::kStandbyTrack || limp_) return;
@@ -469,7 +469,7 @@ void SourceCore::end_tick(std::int64_t now_ns) noexcept {
   }
 }
 
-std::int64_t SourceCore::next_tick_due_ns(std::int64_t last_due_ns) const noexcept {
+std::int64_t Source::next_tick_due_ns(std::int64_t last_due_ns) const noexcept {
   const std::int64_t next = last_due_ns + model_->period_ns;
   if (handover_.holds_state() || config_.pace != Pace::kRealTime) return next;
   if (!handover_.holder_fresh(last_due_ns)) return next;
@@ -480,7 +480,7 @@ std::int64_t SourceCore::next_tick_due_ns(std::int64_t last_due_ns) const noexce
          std::llround(std::clamp(kPhaseGain * error, -kPhaseStep * period, kPhaseStep * period));
 }
 
-StopRequest SourceCore::take_stop_to_publish(std::int64_t now_ns) noexcept {
+StopRequest Source::take_stop_to_publish(std::int64_t now_ns) noexcept {
   StopRequest stop;
   if (!handover_.wants_rest || now_ns - rest_asked_ns_ < kRestRepeat_ns) return stop;
   rest_asked_ns_ = now_ns;

@@ -1,0 +1,12 @@
+// Shows a page in the user's browser.
+
+#pragma once
+
+#include <string>
+
+namespace twinbus {
+
+// Only where there is a display and the standard output is a terminal; the browser goes on without us.
+void open_browser(const std::string& address);
+
+}  // namespace twinbus
