@@ -20,10 +20,7 @@ import time
 import programs
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-if "TWINBUS_BIN" not in os.environ and not {"-h", "--help"} & set(sys.argv):
-    # `twinbus bench` became this script; the programs are those of the newest build, the bus is one of its own.
-    os.environ["TWINBUS_BIN"] = str(programs.folder_of("twinbus", "bench log"))
-    os.execv(ROOT / "test/tools/private_bus.sh", ["private_bus.sh", sys.executable, __file__, *sys.argv[1:]])
+programs.on_own_bus(__file__, "bench log")
 sys.path.insert(0, str(ROOT / "test/process"))
 import harness  # noqa: E402
 from harness import BIN, Stack  # noqa: E402

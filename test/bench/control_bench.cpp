@@ -25,6 +25,7 @@
 #include "common/time/latency_histogram.h"
 #include "sim/scene/scene.h"
 #include "sim/sim_adaptor.h"
+#include "test/activate.h"
 #include "test/no_alloc.h"
 
 namespace twinbus {
@@ -124,21 +125,6 @@ void say(const Case& c, int n, const Heard& heard, const std::vector<ArmPathPiec
   }
 }
 
-void activate(Source& source, const Model& model, std::int64_t& now_ns) {
-  SourceRequest request;
-  request.action = SourceAction::kActivate;
-  request.policy = SwitchPolicy::kNow;
-  request.run_id = request.target_run_id = kRunId;
-  for (int i = 1; i < 10000 && !source.publishes_on_state(); ++i) {
-    now_ns += model.period_ns;
-    request.sequence = i;
-    source.on_source_request(request, now_ns);
-    source.begin_tick(now_ns);
-    if (!source.publishes_on_state()) source.end_tick(now_ns);
-  }
-  if (!source.publishes_on_state()) throw std::runtime_error("the source does not become active");
-}
-
 // Simulator and controller; fills what was heard.
 std::vector<Heard> record(const Model& model, const Scene& scene, const Case& c, int ticks,
                           RateStats& beside, std::vector<ArmPathPiece>& path,
@@ -151,7 +137,7 @@ std::vector<Heard> record(const Model& model, const Scene& scene, const Case& c,
   Source source(model, sim, config);
   ControlLoop loop(model, control_config(c));
   std::int64_t now_ns = 0;
-  activate(source, model, now_ns);
+  test::activate(source, kRunId, model.period_ns, now_ns);
   std::vector<Heard> all(static_cast<std::size_t>(ticks));
   for (int n = 0; n < ticks; ++n) {
     Heard& heard = all[static_cast<std::size_t>(n)];

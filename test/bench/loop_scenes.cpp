@@ -8,6 +8,7 @@
 #include "common/math/index.h"
 #include "robot/description/load.h"
 #include "sim/world/static_equilibrium.h"
+#include "test/sim/test_models.h"
 
 namespace twinbus {
 
@@ -23,12 +24,6 @@ int add_link(LoopScene& scene, int parent, const Vector3d& at_parent, const Vect
   const int index = model.link_count();
   std::string name = "link";
   name += std::to_string(index);
-  Link link;
-  link.name = name;
-  link.parent = parent;
-  link.mass = mass;
-  link.com = com;
-  link.inertia = inertia.asDiagonal();
   Joint joint;
   joint.name = "joint_of_" + name;
   joint.kind = JointKind::kContinuous;
@@ -39,7 +34,7 @@ int add_link(LoopScene& scene, int parent, const Vector3d& at_parent, const Vect
   joint.lower = -std::numeric_limits<double>::infinity();
   joint.upper = std::numeric_limits<double>::infinity();
   joint.effort = 1e3;
-  model.links.push_back(link);
+  model.links.push_back(test::make_link(name, parent, mass, com, inertia));
   model.bus_joints.push_back(model.joint_count());
   model.joints.push_back(joint);
   return index;

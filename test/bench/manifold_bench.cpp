@@ -9,8 +9,6 @@
 #include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/math/bv/OBBRSS.h>
 #include <fcl/narrowphase/collision.h>
-#include <time.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -19,6 +17,7 @@
 #include <string>
 #include <vector>
 
+#include "common/time/cpu_time.h"
 #include "geometry/mesh_contact/manifold.h"
 #include "test/contact_shapes.h"
 
@@ -29,12 +28,6 @@ using FclMesh = fcl::BVHModel<fcl::OBBRSSd>;
 
 constexpr double kDepth = 0.005;  // [m]
 constexpr double kDegree = std::numbers::pi / 180.0;
-
-double cpu_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 struct Found {
   std::vector<ManifoldPoint> points;
@@ -146,9 +139,9 @@ void report(const Case& c, const char* library, const Found& found, std::vector<
 template <typename Library>
 void time_batch(Library& library, std::vector<double>& us) {
   constexpr int kBatch = 20;
-  const double begun = cpu_seconds();
+  const double begun = thread_cpu_seconds();
   for (int i = 0; i < kBatch; ++i) library.run();
-  us.push_back(1e6 * (cpu_seconds() - begun) / kBatch);
+  us.push_back(1e6 * (thread_cpu_seconds() - begun) / kBatch);
 }
 
 int main_of(double seconds) {
@@ -156,8 +149,8 @@ int main_of(double seconds) {
     Ours ours(c);
     Fcl peer(c);
     std::vector<double> own_us, peer_us;
-    const double begun = cpu_seconds();
-    while (cpu_seconds() - begun < seconds) {
+    const double begun = thread_cpu_seconds();
+    while (thread_cpu_seconds() - begun < seconds) {
       time_batch(ours, own_us);
       time_batch(peer, peer_us);
     }

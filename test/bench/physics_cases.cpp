@@ -15,8 +15,6 @@
 // METHOD: articulated, articulated2 and articulated3 (orders 2, 3), ode, or articulated-ab4, -rk4, -rkf78, -gauss8 in flight;
 // -gauss8-1e-7: in parts that are right to 1e-7 rad/s.
 
-#include <time.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -34,22 +32,11 @@
 #include "common/math/random.h"
 #include "sim/world/static_equilibrium.h"
 #include "test/bench/core_alone.h"
+#include "test/measure.h"
 #include "test/bench/physics_scenes.h"
 
 namespace twinbus {
 namespace {
-
-double cpu_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 const std::string kGauss8 = "articulated-gauss8";
 
@@ -92,17 +79,17 @@ void time_steps(const std::string& name, const std::string& method, double h, do
   const PhysicsScene scene = physics_scene(name);
   const auto world = make_world(scene.model, config_of(scene, method, h));
   begin(*world, scene);
-  const double begun = cpu_seconds();
+  const double begun = thread_cpu_seconds();
   std::vector<double> batches;
   const long most = steps_of(scene.duration, h);
   long done = 0;
-  while (cpu_seconds() - begun < seconds) {
+  while (thread_cpu_seconds() - begun < seconds) {
     constexpr int kBatch = 32;
-    const double t = cpu_seconds();
+    const double t = thread_cpu_seconds();
     for (int i = 0; i < kBatch; ++i) {
       if (world->step() != Status::kOk) throw std::runtime_error("diverged");
     }
-    batches.push_back(1e6 * (cpu_seconds() - t) / kBatch);
+    batches.push_back(1e6 * (thread_cpu_seconds() - t) / kBatch);
     done += kBatch;
     if (done + kBatch > most) {
       begin(*world, scene);
@@ -119,8 +106,8 @@ void time_steps_alone(const std::string& name, const std::string& method, double
   test::CoreAlone core;
   test::SharedTimes times;
   const long most = steps_of(scene.duration, h);
-  const double begun = cpu_seconds();
-  while (cpu_seconds() - begun < seconds) {
+  const double begun = thread_cpu_seconds();
+  while (thread_cpu_seconds() - begun < seconds) {
     begin(*world, scene);
     bool before = core.alone();
     for (long i = 0; i < most; ++i) {
@@ -144,7 +131,7 @@ void run(const std::string& name, const std::string& method, double h, int repea
   double total = 0.0;
   for (int r = 0; r < repeats || (total < 0.02 && r < 50 * repeats); ++r) {
     begin(*world, scene);
-    const double t = cpu_seconds();
+    const double t = thread_cpu_seconds();
     for (long i = 0; i < steps; ++i) {
       if (world->step() != Status::kOk) {
         std::printf("run %s %s %g failed %g\n", name.c_str(), method.c_str(), h,
@@ -152,8 +139,8 @@ void run(const std::string& name, const std::string& method, double h, int repea
         return;
       }
     }
-    costs.push_back(1e3 * (cpu_seconds() - t) / scene.duration);
-    total += cpu_seconds() - t;
+    costs.push_back(1e3 * (thread_cpu_seconds() - t) / scene.duration);
+    total += thread_cpu_seconds() - t;
   }
   std::printf("run %s %s %g ms_per_s %.6f at", name.c_str(), method.c_str(), h, median(costs));
   for (int i = 0; i < scene.model.link_count(); ++i) {
@@ -378,11 +365,11 @@ void time_boxes(const std::string& shape, const std::string& method, double h, i
   const auto world = make_world(scene.model, config);
   begin(*world, scene);
   std::vector<double> costs;
-  const double begun = cpu_seconds();
-  for (long i = 0; i < 100 || cpu_seconds() - begun < seconds; ++i) {
-    const double t = cpu_seconds();
+  const double begun = thread_cpu_seconds();
+  for (long i = 0; i < 100 || thread_cpu_seconds() - begun < seconds; ++i) {
+    const double t = thread_cpu_seconds();
     if (world->step() != Status::kOk) throw std::runtime_error("diverged");
-    if (i >= 50 || t - begun > 2.0) costs.push_back(1e6 * (cpu_seconds() - t));
+    if (i >= 50 || t - begun > 2.0) costs.push_back(1e6 * (thread_cpu_seconds() - t));
     if (i >= 5 && t - begun > 20.0) break;  // an engine that takes for ever
   }
   const LooseState top = world->loose(count - 1);

@@ -209,7 +209,7 @@ def build(source, program, *words):
         return True
     program.parent.mkdir(parents=True, exist_ok=True)
     compiler = os.environ.get("CXX", "g++")
-    done = subprocess.run([compiler, "-std=c++17", "-O3", "-DNDEBUG", "-w", str(source), "-o", str(program), *map(str, words)],
+    done = subprocess.run([compiler, "-std=c++17", "-O3", "-DNDEBUG", "-w", f"-I{ROOT}", str(source), "-o", str(program), *map(str, words)],
                           capture_output=True, text=True)
     if done.returncode != 0:
         print(f"{program.name}: does not build, left out: {done.stderr.strip().splitlines()[0] if done.stderr else ''}")

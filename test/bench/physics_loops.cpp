@@ -11,25 +11,15 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <exception>
 #include <string>
 
 #include "loop_scenes.h"
 #include "robot/dynamics/energy.h"
 #include "common/math/index.h"
+#include "common/time/cpu_time.h"
 #include "sim/engine/make_world.h"
 #include "sim/engine/articulated_world.h"
-
-namespace {
-
-double cpu_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-}  // namespace
 
 int main(int argc, char** argv) try {
   using namespace twinbus;
@@ -105,12 +95,12 @@ int main(int argc, char** argv) try {
   double cost = 0.0;
   const long look = std::max(1L, std::lround(1e-3 * scene.duration / scene.config.step));
   for (long i = 0; i < steps; ++i) {
-    const double begin = cpu_seconds();
+    const double begin = thread_cpu_seconds();
     if (world->step() != Status::kOk) {
       std::printf("diverged at %g s\n", scene.config.step * static_cast<double>(i));
       return 1;
     }
-    cost += cpu_seconds() - begin;
+    cost += thread_cpu_seconds() - begin;
     if (i % look != 0 && i + 1 != steps) continue;
     drift = std::max(drift, std::abs(energy() - first));
     apart = std::max(apart, gap());

@@ -12,13 +12,13 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <exception>
 #include <memory>
 #include <stdexcept>
 #include <string>
 
 #include "common/math/index.h"
+#include "common/time/cpu_time.h"
 #include "robot/description/load.h"
 #include "sim/engine/articulated_world.h"
 #include "sim/world/other_robot.h"
@@ -31,12 +31,6 @@ constexpr double kBump = 0.30;     // from one middle of the soles to the other'
 constexpr double kFacing = 0.80;   // [m]
 constexpr double kSpacing = 2.0;   // [m]
 constexpr double kBumpSpeed = 0.3; // [m/s]
-
-double cpu_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 struct RobotsScene {
   std::shared_ptr<const Model> model;
@@ -143,12 +137,12 @@ int run(int argc, char** argv) {
     for (int r = -1; i + 1 == steps && r < others; ++r) {
       for (int k = 0; k < links; ++k) before.push_back(link(r, k).translation());
     }
-    const double begin = cpu_seconds();
+    const double begin = thread_cpu_seconds();
     if (world.step() != Status::kOk) {
       std::printf("diverged at %g s\n", scene.config.step * static_cast<double>(i));
       return 1;
     }
-    cost += cpu_seconds() - begin;
+    cost += thread_cpu_seconds() - begin;
     touched += std::any_of(world.solved().begin(), world.solved().end(), among_robots) ? 1 : 0;
     for (int r = -1; r < others; ++r) tilt = std::max(tilt, tilt_degrees(link(r, 0)));
     for (const Tie& tie : scene.config.ties) {

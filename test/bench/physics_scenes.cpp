@@ -9,6 +9,7 @@
 #include "robot/dynamics/inverse_dynamics.h"
 #include "robot/description/load.h"
 #include "sim/world/static_equilibrium.h"
+#include "test/sim/test_models.h"
 
 namespace twinbus {
 
@@ -73,17 +74,7 @@ Model brick() {
   model.joints = {axle};
   model.bus_joints = {0};
   bare(model);
-  for (int side = 0; side < 2; ++side) {
-    Sole& sole = model.soles[static_cast<std::size_t>(side)];
-    sole.link = 0;
-    sole.frame.translation() = Eigen::Vector3d(0, side == 0 ? 0.05 : -0.05, 0);
-    sole.sensor = sole.frame;
-    sole.front = sole.back = 0.1;
-    sole.left = sole.right = 0.025;
-    sole.stiffness = 1e6;
-    sole.damping = 2e3;
-    sole.friction = 0.8;
-  }
+  test::put_soles(model, 0.05, 0.025, 1e6, 2e3);
   return model;
 }
 

@@ -16,3 +16,20 @@ def folder_of(program, who):
         how = "./twinbus up" if program == "twinbus" else "./twinbus bench"
         sys.exit(f"{who}: {program} is not built; run {how} once")
     return builds[-1].parent
+
+
+HELP_ASKED = bool({"-h", "--help"} & set(sys.argv))
+
+
+def on_own_bus(script, who):
+    """`twinbus bench` became the script: it goes on with the programs of the newest build, on a bus of its own."""
+    if "TWINBUS_BIN" not in os.environ and not HELP_ASKED:
+        os.environ["TWINBUS_BIN"] = str(folder_of("twinbus", who))
+        os.execv(ROOT / "test/tools/private_bus.sh", ["private_bus.sh", sys.executable, script, *sys.argv[1:]])
+
+
+def help_is(doc):
+    """Where --help is asked for, before what only a build has is imported."""
+    if HELP_ASKED:
+        print(doc.strip())
+        sys.exit(0)

@@ -51,12 +51,7 @@ struct Walker : SimRig {
     return control;
   }
   bool walk(const Model& model, double vx, double vy, double seconds) {
-    WalkCommand command;
-    command.run_id = state().run_id;
-    command.vx = static_cast<float>(vx);
-    command.vy = static_cast<float>(vy);
-    command.wz = static_cast<float>(turn);
-    command.timeout = 0.1F;
+    WalkCommand command = walk_command(state().run_id, vx, vy, turn);
     const auto count = static_cast<int>(std::lround(seconds / model.period()));
     for (int i = 0; i < count; ++i) {
       if (i % 10 == 0) {

@@ -46,16 +46,23 @@ class OneSource : public ::testing::Test {
     return c;
   }
   SourceRequest request(SourceAction action, std::int64_t target, std::int64_t run = kMe) {
-    SourceRequest r;
-    r.sender_id = kOperator;
-    r.sequence = ++sequence;
-    r.action = action;
-    r.target_run_id = target;
-    r.run_id = run;
-    r.policy = SwitchPolicy::kNow;
-    return r;
+    return {.sender_id = kOperator, .run_id = run, .target_run_id = target, .sequence = ++sequence, .action = action,
+            .policy = SwitchPolicy::kNow};
   }
   void ask(const SourceRequest& r) { handover.request(r, input, now); }
+  void ask_to_switch_when_safe() {
+    SourceRequest r = request(SourceAction::kSwitch, kTarget);
+    r.policy = SwitchPolicy::kWhenSafe;
+    hear_target(standing(kTarget));
+    ask(r);
+  }
+  // One that holds STATE.
+  static RobotState holder(std::int64_t run, std::int32_t term) {
+    RobotState s = standing(run);
+    s.role = Role::kActive;
+    s.term = term;
+    return s;
+  }
   Transition step() {
     now += kPeriodNs;
     return handover.begin_tick(input, now);
@@ -160,9 +167,7 @@ TEST_F(OneSource, OneForgedDatagramDeposesNobody) {
 
 TEST_F(OneSource, ASourceThatObeysIsNotDeposedByAnOldLogEither) {
   activate();
-  RobotState old = standing(999);
-  old.role = Role::kActive;
-  old.term = 50;
+  RobotState old = holder(999, 50);
   for (int i = 0; i < 2000; ++i) {
     old.tick = 10'000 + i;
     handover.heard_state(old, now);
@@ -308,9 +313,7 @@ TEST_F(OneSource, WhoHasTakenOverDoesNotGrantAtOnce) {
 
 TEST_F(OneSource, ASecondActivationIsRefusedWhileAnotherSourceIsHeard) {
   step();
-  RobotState other = standing(9);
-  other.role = Role::kActive;
-  other.term = 1;
+  RobotState other = holder(9, 1);
   for (int i = 0; i < 600; ++i) {
     other.tick = i + 1;
     handover.heard_state(other, now);
@@ -333,10 +336,7 @@ TEST_F(OneSource, TrackNeedsARobotThatCanBeSet) {
 TEST_F(OneSource, AnUnstableRobotIsLeftAsSoonAsItStandsWhenThePolicySaysSo) {
   activate();
   input.stable = false;
-  SourceRequest r = request(SourceAction::kSwitch, kTarget);
-  r.policy = SwitchPolicy::kWhenSafe;
-  hear_target(standing(kTarget));
-  ask(r);
+  ask_to_switch_when_safe();
   for (int i = 0; i < 100; ++i) {
     hear_target(standing(kTarget));
     ASSERT_EQ(step(), Transition::kNone);
@@ -365,10 +365,7 @@ TEST_F(OneSource, AWalkingSimulatorComesToRestBeforeARobotThatStandsTakesOver) {
   in_step.q[0] += 0.3;
   input.measured = &in_step;
   input.walking = true;
-  SourceRequest r = request(SourceAction::kSwitch, kTarget);
-  r.policy = SwitchPolicy::kWhenSafe;
-  hear_target(standing(kTarget));
-  ask(r);
+  ask_to_switch_when_safe();
   for (int i = 0; i < 100; ++i) {
     hear_target(standing(kTarget));
     input.walking = i < 50;  // it stands, but not yet as the robot does

@@ -28,7 +28,7 @@ inline Model small_model() {
     joint.stop_kd = 40.0;
     model.joints.push_back(joint);
   }
-  model.bus_joints = {0, 1};
+  model.bus_joints = model.bus_index = {0, 1};
   model.floating_base = false;
   model.period_ns = static_cast<std::int32_t>(kPeriodNs);
   model.hash = 4711;

@@ -199,10 +199,7 @@ TEST_F(StopPlanGate, ItsOwnControllerTooWaitsForTheEndAfterTwoTenthsOfASecond) {
 TEST_F(StopPlanGate, AHoldGoesAlongThePlanAndStaysLatched) {
   walk(20);
   send(plan(1));
-  StopRequest stop;
-  stop.kind = StopKind::kHold;
-  stop.sequence = 1;
-  gate.stop(stop, now);
+  gate.stop({.sequence = 1, .kind = StopKind::kHold}, now);
   EXPECT_EQ(gate.latch().kind, StopKind::kHold);
   EXPECT_EQ(offer(command()), GateVerdict::kStopped);
   ASSERT_TRUE(follows_next());
@@ -215,10 +212,7 @@ TEST_F(StopPlanGate, AHoldGoesAlongThePlanAndStaysLatched) {
 TEST_F(StopPlanGate, OffIsOffAtOnce) {
   walk(20);
   send(plan(1));
-  StopRequest stop;
-  stop.kind = StopKind::kOff;
-  stop.sequence = 1;
-  gate.stop(stop, now);
+  gate.stop({.sequence = 1, .kind = StopKind::kOff}, now);
   EXPECT_FALSE(follows_next());
   EXPECT_EQ(gate.effective().kp[0], 0.0F);
 }

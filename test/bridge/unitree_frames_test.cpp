@@ -104,6 +104,19 @@ TEST(UnitreeCrc, OfWholeFramesEqualsThatOfTheVendorsSdk) {
   EXPECT_EQ(sealed_with(reading, UnitreeFamily::kGo, sizeof(GoLowState)), kGoState);
 }
 
+template <class Thing, class... Field>
+void expect_same(const Thing& back, const Thing& sent, Field... fields) {
+  const auto same = [&](auto field) { EXPECT_EQ(back.*field, sent.*field); };
+  (same(fields), ...);
+}
+
+template <class Frame, class... Field>
+void expect_same_motors(const Frame& back, const Frame& sent, UnitreeFamily family, Field... fields) {
+  for (std::size_t m = 0; m < static_cast<std::size_t>(motor_count(family)); ++m) {
+    expect_same(back.motor[m], sent.motor[m], fields...);
+  }
+}
+
 TEST(UnitreeFrames, ACommandComesBackAsItWasSent) {
   std::mt19937 random(2);
   for (const UnitreeFamily family : kFamilies) {
@@ -114,14 +127,8 @@ TEST(UnitreeFrames, ACommandComesBackAsItWasSent) {
       LowCommand back;
       ASSERT_EQ(decode(frame, family, back).fault, FrameFault::kNone);
       EXPECT_EQ(back.mode_machine, sent.mode_machine);
-      for (std::size_t m = 0; m < static_cast<std::size_t>(motor_count(family)); ++m) {
-        EXPECT_EQ(back.motor[m].on, sent.motor[m].on);
-        EXPECT_EQ(back.motor[m].q, sent.motor[m].q);
-        EXPECT_EQ(back.motor[m].dq, sent.motor[m].dq);
-        EXPECT_EQ(back.motor[m].tau, sent.motor[m].tau);
-        EXPECT_EQ(back.motor[m].kp, sent.motor[m].kp);
-        EXPECT_EQ(back.motor[m].kd, sent.motor[m].kd);
-      }
+      using Motor = std::decay_t<decltype(sent.motor[0])>;
+      expect_same_motors(back, sent, family, &Motor::on, &Motor::q, &Motor::dq, &Motor::tau, &Motor::kp, &Motor::kd);
     }
   }
 }
@@ -147,21 +154,10 @@ TEST(UnitreeFrames, AStateComesBackAsItWasSent) {
     encode(sent, family, frame);
     LowReading back;
     ASSERT_EQ(decode(frame, family, back).fault, FrameFault::kNone);
-    EXPECT_EQ(back.mode_machine, sent.mode_machine);
-    EXPECT_EQ(back.tick, sent.tick);
-    EXPECT_EQ(back.quaternion, sent.quaternion);
-    EXPECT_EQ(back.gyro, sent.gyro);
-    EXPECT_EQ(back.accel, sent.accel);
-    EXPECT_EQ(back.remote, sent.remote);
-    EXPECT_EQ(back.foot_force, sent.foot_force);
-    EXPECT_EQ(back.volts, sent.volts);
-    for (std::size_t m = 0; m < static_cast<std::size_t>(motor_count(family)); ++m) {
-      EXPECT_EQ(back.motor[m].q, sent.motor[m].q);
-      EXPECT_EQ(back.motor[m].dq, sent.motor[m].dq);
-      EXPECT_EQ(back.motor[m].tau, sent.motor[m].tau);
-      EXPECT_EQ(back.motor[m].celsius, sent.motor[m].celsius);
-      EXPECT_EQ(back.motor[m].volts, sent.motor[m].volts);
-    }
+    using L = LowReading;
+    expect_same(back, sent, &L::mode_machine, &L::tick, &L::quaternion, &L::gyro, &L::accel, &L::remote, &L::foot_force, &L::volts);
+    using Motor = std::decay_t<decltype(sent.motor[0])>;
+    expect_same_motors(back, sent, family, &Motor::q, &Motor::dq, &Motor::tau, &Motor::celsius, &Motor::volts);
   }
 }
 

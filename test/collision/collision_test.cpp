@@ -14,6 +14,7 @@
 #include "common/math/index.h"
 #include "test/collision/postures.h"
 #include "test/no_alloc.h"
+#include "test/obstacles.h"
 
 namespace twinbus {
 namespace {
@@ -188,10 +189,7 @@ TEST(Collision, NothingThatComesNearOnAWayIsLeftOut) {
   constexpr int kPlaces = SweptShapes::kPlaces;
   const Model& model = hrp1s();
   Collision collision(model), fresh(model);
-  Obstacle box;
-  box.shape = ObstacleShape::kBox;
-  box.size = Eigen::Vector3d::Constant(0.3);
-  box.pose.translation() = Eigen::Vector3d(0.35, 0.2, 0.2);
+  const Obstacle box = test::box_at({0.35, 0.2, 0.2}, Eigen::Vector3d::Constant(0.3));
   collision.set_obstacles({box});
   fresh.set_obstacles({box});
   Kinematics now(model), then(model);
@@ -342,10 +340,7 @@ TEST(Collision, WhatStaysApartIsNotBelievedTooLong) {
 TEST(Collision, QueriesOnPrimitivesAllocateNothing) {
   const Model& model = hrp1s();
   Collision collision(model);
-  Obstacle shelf;
-  shelf.shape = ObstacleShape::kBox;
-  shelf.size = Eigen::Vector3d(0.3, 0.8, 0.04);
-  shelf.pose.translation() = Eigen::Vector3d(0.4, 0.0, 0.2);
+  const Obstacle shelf = test::box_at({0.4, 0.0, 0.2}, {0.3, 0.8, 0.04});
   collision.set_obstacles({shelf});
   Kinematics kinematics(model);
   std::mt19937_64 random(kSeed + 3);

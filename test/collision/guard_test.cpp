@@ -10,6 +10,7 @@
 #include "test/collision/guard_rig.h"
 #include "test/collision/rated_drive.h"
 #include "test/no_alloc.h"
+#include "test/obstacles.h"
 
 namespace twinbus {
 namespace {
@@ -185,10 +186,7 @@ TEST(Guard, AnObstacleStopsTheArm) {
   const Model& model = hrp1s();
   Guard guard(model, {});
   Watch watch(model);
-  Obstacle shelf;
-  shelf.shape = ObstacleShape::kBox;
-  shelf.size = Eigen::Vector3d(0.3, 1.0, 0.04);
-  shelf.pose.translation() = Eigen::Vector3d(0.45, 0.0, 0.35);
+  const Obstacle shelf = test::box_at({0.45, 0.0, 0.35}, {0.3, 1.0, 0.04});
   guard.set_obstacles({shelf});
   watch.collision.set_obstacles({shelf});
   GuardRig rig(model, named_posture(model, "half_sitting"));

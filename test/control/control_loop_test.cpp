@@ -15,15 +15,13 @@
 namespace twinbus {
 namespace {
 
-Scene flat() {
-  Scene scene;
-  scene.name = "flat";
-  return scene;
-}
-
 struct Rig : SimRig {
-  explicit Rig(ControlConfig config = {}) : SimRig(test::hrp1s(), flat(), {}, config) {}
+  explicit Rig(ControlConfig config = {}) : SimRig(test::hrp1s(), flat_scene(), {}, config) {}
 };
+
+ModeRequest pose_request(Rig& rig, float duration) {
+  return {.sender_id = 99, .run_id = rig.state().run_id, .sequence = 1, .mode = Mode::kPose, .duration = duration};
+}
 
 // The torque that the servo law gives at what was measured [N m].
 double law(const JointCommand& c, const RobotState& s, std::size_t k) {
@@ -121,12 +119,7 @@ TEST(ControlLoop, ABalancingRobotMovesItsArmsToAPoseAndGoesOnBalancing) {
   const Model& model = test::hrp1s();
   Rig rig;
   ASSERT_TRUE(rig.run(0.1));
-  ModeRequest request;
-  request.sender_id = 99;
-  request.run_id = rig.state().run_id;
-  request.sequence = 1;
-  request.mode = Mode::kPose;
-  request.duration = 0.5F;
+  ModeRequest request = pose_request(rig, 0.5F);
   std::size_t moved = 0;
   for (std::size_t k = 0; k < model.bus_joints.size(); ++k) {
     if (model.bus_joints[k] == model.hands[0].joints.front()) moved = k;
@@ -254,12 +247,7 @@ TEST(ControlLoop, AGuardHoldsArmsButNeverLegsAndOnlyWhileItSpeaks) {
     if (model.bus_joints[k] == model.hands[0].joints.front()) arm = k;
     if (model.bus_joints[k] == model.leg_joints.front()) leg = k;
   }
-  ModeRequest request;
-  request.sender_id = 99;
-  request.run_id = rig.state().run_id;
-  request.sequence = 1;
-  request.mode = Mode::kPose;
-  request.duration = 1.0F;
+  ModeRequest request = pose_request(rig, 1.0F);
   request.joint_mask = std::int64_t{1} << arm;
   request.q[arm] = rig.command().q[arm] - 0.4;
   rig.loop().on_mode_request(request);
@@ -387,14 +375,20 @@ TEST(ControlLoop, ATickThatBothSourcesOfASwitchPublishIsComputedOnce) {
   EXPECT_EQ(rig.loop().status().motion, Motion::kSway) << "the motion goes on";
 }
 
-TEST(ControlLoop, TheLegsOfAnotherRobotAreTakenWhereTheyAre) {
-  Rig rig;
-  ASSERT_TRUE(rig.run(0.3));
+// That takes over, its left hip elsewhere by so much [rad].
+RobotState another_robot(Rig& rig, double hip) {
   RobotState other = rig.state();
   other.run_id = 8;
   other.term = 2;
+  other.q[13] += hip;
+  return other;
+}
+
+TEST(ControlLoop, TheLegsOfAnotherRobotAreTakenWhereTheyAre) {
+  Rig rig;
+  ASSERT_TRUE(rig.run(0.3));
+  RobotState other = another_robot(rig, 0.04);
   ++other.tick;
-  other.q[13] += 0.04;  // the left hip
   rig.loop().on_state(other, 0);
   JointCommand command;
   ASSERT_TRUE(rig.loop().step(0, command));
@@ -406,10 +400,7 @@ TEST(ControlLoop, TheLegsOfAnotherRobotAreTakenWhereTheyAre) {
 TEST(ControlLoop, TheLegsOfAnotherRobotThatComesLateAreTakenWhereTheyAreToo) {
   Rig rig;
   ASSERT_TRUE(rig.run(0.3));
-  RobotState other = rig.state();
-  other.run_id = 8;
-  other.term = 2;
-  other.q[13] += 0.02;  // the left hip
+  RobotState other = another_robot(rig, 0.02);
   const double effort = test::hrp1s().joints[at(test::hrp1s().bus_joints[13])].effort;
   JointCommand command;
   double last = 0.0;
@@ -466,7 +457,7 @@ TEST(ControlLoop, AFallIsSeenEarlyAndTheRobotBracesItself) {
   for (const Eigen::Vector3d& impulse :
        {Eigen::Vector3d(0.0, 130.0, 0.0), Eigen::Vector3d(150.0, 0.0, 0.0),
         Eigen::Vector3d(-130.0, 0.0, 0.0)}) {
-    Scene scene = flat();
+    Scene scene = flat_scene();
     scene.pushes.push_back({.link = "CHEST", .impulse = impulse, .at = 0.5, .duration = 0.1});
     SimRig rig(model, scene, {}, {});
     double said = -1.0, tilted = -1.0, softest = 1.0, knee = 0.0;

@@ -8,11 +8,7 @@ namespace {
 constexpr std::int64_t kTick = 10'000'000;  // [ns]
 
 Gamepad pad(std::int64_t sender, bool deadman) {
-  Gamepad g;
-  g.sender_id = sender;
-  g.connected = true;
-  g.deadman = deadman;
-  return g;
+  return {.sender_id = sender, .connected = true, .deadman = deadman};
 }
 
 TEST(DriverToken, TheFirstWhoHoldsTheButtonDrivesUntilItLetsGo) {

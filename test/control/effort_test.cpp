@@ -12,6 +12,7 @@
 #include "control/loop/control_loop.h"
 #include "sim/scene/scene.h"
 #include "sim/sim_adaptor.h"
+#include "test/activate.h"
 #include "test/control/hrp1s.h"
 
 namespace twinbus {
@@ -25,18 +26,7 @@ class Stack {
  public:
   explicit Stack(const Scene& scene)
       : sim_(scene), source_(model_, opened(), {.run_id = kRun, .pace = Pace::kFreeRun}) {
-    SourceRequest request;
-    request.action = SourceAction::kActivate;
-    request.policy = SwitchPolicy::kNow;
-    request.run_id = request.target_run_id = kRun;
-    for (int i = 1; i < 5000 && !source_.publishes_on_state(); ++i) {
-      now_ns_ += model_.period_ns;
-      request.sequence = i;
-      source_.on_source_request(request, now_ns_);
-      source_.begin_tick(now_ns_);
-      if (!source_.publishes_on_state()) source_.end_tick(now_ns_);
-    }
-    if (!source_.publishes_on_state()) throw std::runtime_error("not active");
+    test::activate(source_, kRun, model_.period_ns, now_ns_);
     watch();
   }
   const RobotState& state() const { return source_.state(); }

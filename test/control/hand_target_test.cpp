@@ -25,6 +25,13 @@ ControllerStatus follows(std::int64_t path) {
   return status;
 }
 
+// A way of 20 mm that was asked for as goal 100, and its answer.
+void answered(HandTarget& target, ArmGoal& goal, ArmPathStatus status, std::int64_t path) {
+  target.move({0.02, 0.0, 0.0}, kHand);
+  ASSERT_TRUE(target.next(kMs, 5, 100, goal));
+  target.on_path(answer(goal, status, path));
+}
+
 TEST(HandTarget, StepsAreAskedForWhereTheHandIs) {
   HandTarget target;
   ArmGoal goal;
@@ -48,9 +55,7 @@ TEST(HandTarget, StepsAreAskedForWhereTheHandIs) {
 TEST(HandTarget, TheNextWayIsAskedForWhenTheLastIsGone) {
   HandTarget target;
   ArmGoal goal;
-  target.move({0.02, 0.0, 0.0}, kHand);
-  ASSERT_TRUE(target.next(kMs, 5, 100, goal));
-  target.on_path(answer(goal, ArmPathStatus::kOk, 9));
+  answered(target, goal, ArmPathStatus::kOk, 9);
   EXPECT_EQ(target.phase(), Phase::kGoing);
   target.move({0.02, 0.0, 0.0}, kHand);
   target.on_status(follows(0));  // not yet begun
@@ -66,9 +71,7 @@ TEST(HandTarget, TheNextWayIsAskedForWhenTheLastIsGone) {
 TEST(HandTarget, WhereThereIsNoWayTheWishFallsBack) {
   HandTarget target;
   ArmGoal goal;
-  target.move({0.02, 0.0, 0.0}, kHand);
-  ASSERT_TRUE(target.next(kMs, 5, 100, goal));
-  target.on_path(answer(goal, ArmPathStatus::kUnreachable, 0));
+  answered(target, goal, ArmPathStatus::kUnreachable, 0);
   EXPECT_EQ(target.phase(), Phase::kRefused);
   EXPECT_FALSE(target.next(2 * kMs, 5, 101, goal));
   target.move({0.0, 0.0, 0.02}, kHand);

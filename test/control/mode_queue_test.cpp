@@ -9,12 +9,7 @@ constexpr std::int64_t kRun = 5;
 
 ModeRequest request(std::int32_t sequence, std::int64_t at_tick, std::int64_t run = kRun,
                     std::int64_t sender = 1) {
-  ModeRequest r;
-  r.sender_id = sender;
-  r.run_id = run;
-  r.sequence = sequence;
-  r.at_tick = at_tick;
-  return r;
+  return {.sender_id = sender, .run_id = run, .at_tick = at_tick, .sequence = sequence};
 }
 
 TEST(ModeQueue, ARequestWaitsForItsTickAndComesOnce) {

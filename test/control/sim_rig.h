@@ -18,6 +18,21 @@ namespace twinbus {
 
 using Settings = std::vector<std::pair<std::string, std::string>>;
 
+inline Scene flat_scene() {
+  Scene scene;
+  scene.name = "flat";
+  return scene;
+}
+
+// For a tenth of a second; the sequence is the sender's.
+inline WalkCommand walk_command(std::int64_t run_id, double vx, double vy, double wz) {
+  return {.run_id = run_id,
+          .vx = static_cast<float>(vx),
+          .vy = static_cast<float>(vy),
+          .wz = static_cast<float>(wz),
+          .timeout = 0.1F};
+}
+
 // The worst of what only the simulator knows.
 struct RigRecord {
   bool fell = false;

@@ -15,14 +15,13 @@
 namespace twinbus {
 namespace {
 
-Scene flat() {
-  Scene scene;
-  scene.name = "flat";
-  return scene;
-}
-
 struct Rig : SimRig {
-  Rig() : SimRig(test::hrp1s(), flat(), {}, {}) {}
+  Rig() : SimRig(test::hrp1s(), flat_scene(), {}, {}) {}
+  // What STATE shows of the gate from now on.
+  void stopped(StopKind kind) {
+    state().stop_kind = kind;
+    state().role = kind == StopKind::kNone ? Role::kActive : Role::kStopped;
+  }
 };
 
 ModeRequest pose_request(Rig& rig) {
@@ -41,8 +40,7 @@ TEST(Stop, ABalancedStopEndsTheMotionStandingAndThenDropsItsFlag) {
   StopRequest stop;
   stop.kind = StopKind::kBalanced;
   rig.loop().on_stop(stop);
-  rig.state().stop_kind = StopKind::kBalanced;
-  rig.state().role = Role::kStopped;
+  rig.stopped(StopKind::kBalanced);
   ASSERT_TRUE(rig.tick());
   EXPECT_EQ(rig.command().flags & kCommandStopping, kCommandStopping);
   int ticks = 1;
@@ -60,8 +58,7 @@ TEST(Stop, WhileTheGateHoldsTheSetPointsFollowTheRobotAndNoModeIsTaken) {
   for (const StopKind kind : {StopKind::kHold, StopKind::kOff}) {
     Rig rig;
     ASSERT_TRUE(rig.run(0.2));
-    rig.state().stop_kind = kind;
-    rig.state().role = Role::kStopped;
+    rig.stopped(kind);
     rig.ask(Mode::kHold);
     ASSERT_TRUE(rig.tick());
     EXPECT_EQ(rig.loop().status().mode, Mode::kStop);
@@ -88,14 +85,12 @@ TEST(Stop, WhileTheGateHoldsTheSetPointsFollowTheRobotAndNoModeIsTaken) {
 TEST(Stop, IdleAskedOfAStandingRobotDuringAStopIsRefused) {
   Rig rig;
   ASSERT_TRUE(rig.run(0.1));
-  rig.state().stop_kind = StopKind::kHold;
-  rig.state().role = Role::kStopped;
+  rig.stopped(StopKind::kHold);
   ASSERT_TRUE(rig.tick());
   rig.ask(Mode::kIdle);
   ASSERT_TRUE(rig.run(0.02));
   EXPECT_EQ(rig.loop().status().mode, Mode::kStop);
-  rig.state().stop_kind = StopKind::kNone;
-  rig.state().role = Role::kActive;
+  rig.stopped(StopKind::kNone);
   ASSERT_TRUE(rig.tick());
   EXPECT_EQ(rig.loop().status().mode, Mode::kBalance);
   EXPECT_GT(rig.command().kp[3], 0.0F);
@@ -104,8 +99,7 @@ TEST(Stop, IdleAskedOfAStandingRobotDuringAStopIsRefused) {
 TEST(Stop, AnArmPathIsNotTakenDuringAStop) {
   Rig rig;
   ASSERT_TRUE(rig.run(0.1));
-  rig.state().stop_kind = StopKind::kHold;
-  rig.state().role = Role::kStopped;
+  rig.stopped(StopKind::kHold);
   ASSERT_TRUE(rig.tick());
   ArmPathPiece piece;
   piece.run_id = rig.state().run_id;
@@ -113,8 +107,7 @@ TEST(Stop, AnArmPathIsNotTakenDuringAStop) {
   piece.pieces = piece.joint_count = piece.knot_count = 1;
   piece.joint[0] = static_cast<std::int16_t>(test::hrp1s().hands[0].joints.front());
   rig.loop().on_arm_path(piece);
-  rig.state().stop_kind = StopKind::kNone;
-  rig.state().role = Role::kActive;
+  rig.stopped(StopKind::kNone);
   ASSERT_TRUE(rig.run(0.02));
   EXPECT_EQ(rig.loop().status().arm_path_id, 0);
 }
@@ -186,8 +179,7 @@ TEST(Stop, APoseThatAStopPreventsIsToldOf) {
   pose.q = rig.state().q;
   rig.loop().on_mode_request(pose);
   ASSERT_TRUE(rig.tick());
-  rig.state().stop_kind = StopKind::kHold;
-  rig.state().role = Role::kStopped;
+  rig.stopped(StopKind::kHold);
   ASSERT_TRUE(rig.tick());
   const char* why = rig.loop().take_sentence();
   ASSERT_NE(why, nullptr);

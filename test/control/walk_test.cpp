@@ -17,15 +17,16 @@ namespace {
 struct Walker : SimRig {
   explicit Walker(const Model& model = test::hrp1s()) : SimRig(model, Scene{}, {}, {}) {}
 
+  // Asked to walk once it stands.
+  bool set_off() {
+    const bool stands = run(0.3);
+    ask(Mode::kWalk);
+    return stands;
+  }
   // Walks so for some seconds; false when the robot fell.
   bool walk(double vx, double vy, double wz, double seconds) {
     const auto ticks = static_cast<int>(std::lround(seconds / test::hrp1s().period()));
-    WalkCommand command;
-    command.run_id = state().run_id;
-    command.vx = static_cast<float>(vx);
-    command.vy = static_cast<float>(vy);
-    command.wz = static_cast<float>(wz);
-    command.timeout = 0.1F;
+    WalkCommand command = walk_command(state().run_id, vx, vy, wz);
     for (int i = 0; i < ticks; ++i) {
       if (i % 10 == 0) {
         command.sequence = ++sequence;
@@ -48,8 +49,7 @@ TEST(Walk, WalksForwardSidewaysAndTurnsAtTheVelocityAskedAndComesToStand) {
   };
   for (const Case c : {Case{0.4, 0.0, 0.0}, Case{0.0, 0.12, 0.0}, Case{0.0, 0.0, 0.4}}) {
     Walker robot;
-    ASSERT_TRUE(robot.run(0.3));
-    robot.ask(Mode::kWalk);
+    ASSERT_TRUE(robot.set_off());
     ASSERT_TRUE(robot.walk(c.vx, c.vy, c.wz, 3.0));
     const SimTruth from = robot.truth();
     const double heading = robot.heading();
@@ -73,8 +73,7 @@ TEST(Walk, WithAReferenceOfPreviewControlItWalksTurnsAndComesToStandToo) {
   ASSERT_TRUE(walking_of(model).preview);
   Walker robot(model), closed;
   for (Walker* each : {&robot, &closed}) {
-    ASSERT_TRUE(each->run(0.3));
-    each->ask(Mode::kWalk);
+    ASSERT_TRUE(each->set_off());
     ASSERT_TRUE(each->walk(0.3, 0.05, 0.2, 5.0));
     EXPECT_GT(std::hypot(each->truth().base_position[0], each->truth().base_position[1]), 0.7);
     EXPECT_LT(each->record().base_tilt_max, 0.035);
@@ -90,8 +89,7 @@ TEST(Walk, WithAReferenceOfPreviewControlItWalksTurnsAndComesToStandToo) {
 // Each where the foot that stood then said; the robot stands where the last two led.
 TEST(Walk, WalksAListOfFootstepsAndStands) {
   Walker robot;
-  ASSERT_TRUE(robot.run(0.3));
-  robot.ask(Mode::kWalk);
+  ASSERT_TRUE(robot.set_off());
   ASSERT_TRUE(robot.run(0.1));
   StepList list;
   list.run_id = robot.state().run_id;
@@ -151,8 +149,7 @@ TEST(Walk, AListThatCannotBeWalkedIsRefusedAndNothingMoves) {
 
 TEST(Walk, ACommandThatIsNotRepeatedEnds) {
   Walker robot;
-  ASSERT_TRUE(robot.run(0.3));
-  robot.ask(Mode::kWalk);
+  ASSERT_TRUE(robot.set_off());
   ASSERT_TRUE(robot.walk(0.3, 0.0, 0.0, 3.0));
   ASSERT_TRUE(robot.run(3.5));
   const double x = robot.truth().base_position[0];
@@ -165,8 +162,7 @@ TEST(Walk, ACommandThatIsNotRepeatedEnds) {
 TEST(Walk, ABalancedStopInAnyPhaseEndsStanding) {
   for (int phase = 0; phase < 4; ++phase) {
     Walker robot;
-    ASSERT_TRUE(robot.run(0.3));
-    robot.ask(Mode::kWalk);
+    ASSERT_TRUE(robot.set_off());
     ASSERT_TRUE(robot.walk(0.4, 0.0, 0.0, 3.0 + 0.15 * phase));
     robot.state().stop_kind = StopKind::kBalanced;
     ASSERT_TRUE(robot.run(0.1));
@@ -179,8 +175,7 @@ TEST(Walk, ABalancedStopInAnyPhaseEndsStanding) {
 
 TEST(Walk, TheGamepadsSticksWalk) {
   Walker robot;
-  ASSERT_TRUE(robot.run(0.3));
-  robot.ask(Mode::kWalk);
+  ASSERT_TRUE(robot.set_off());
   Gamepad pad;
   pad.connected = pad.deadman = true;
   pad.run_id = robot.state().run_id;

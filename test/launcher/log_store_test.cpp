@@ -9,13 +9,6 @@
 namespace twinbus {
 namespace {
 
-template <class T>
-std::vector<std::uint8_t> encoded(const T& value) {
-  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(kLargestMessage));
-  bytes.resize(static_cast<std::size_t>(encode(value, bytes)));
-  return bytes;
-}
-
 RobotState state(std::int64_t tick) {
   RobotState s;
   s.tick = tick;

@@ -34,9 +34,7 @@ class LogTools : public ::testing::Test {
 
   template <class Message>
   void write(const char* channel, const Message& message) {
-    std::vector<std::uint8_t> bytes(static_cast<std::size_t>(kLargestMessage));
-    bytes.resize(static_cast<std::size_t>(encode(message, bytes)));
-    writer_->add(utime_ += 500, channel, bytes);
+    writer_->add(utime_ += 500, channel, encoded(message));
   }
   // Ticks `from` to `to` of a source that holds STATE, each answered by controller 7 and judged by guard 8.
   void ticks(std::int64_t run, std::int32_t term, std::int64_t from, std::int64_t to) {
@@ -50,13 +48,7 @@ class LogTools : public ::testing::Test {
       state.attitude = {1, 0, 0, 0};
       state.q[0] = 1e-3 * static_cast<double>(tick) + static_cast<double>(run);
       write("STATE", state);
-      JointCommand command;
-      command.tick = tick;
-      command.run_id = run;
-      command.term = term;
-      command.controller_id = 7;
-      command.joint_count = 2;
-      write("COMMAND", command);
+      write("COMMAND", JointCommand{.tick = tick, .run_id = run, .controller_id = 7, .term = term, .joint_count = 2});
       GuardReport guard;
       guard.tick = tick;
       guard.run_id = run;
@@ -152,31 +144,11 @@ TEST_F(LogTools, EventsOfASwitchNameWhoAskedForIt) {
   beat(1, ProcessKind::kSimulator);
   beat(5, ProcessKind::kViewer);
   ticks(1, 1, 1, 5);
-  SourceRequest request;
-  request.sender_id = 5;
-  request.sequence = 1;
-  request.run_id = 1;
-  request.target_run_id = 2;
-  request.action = SourceAction::kSwitch;
-  request.policy = SwitchPolicy::kWhenSafe;
-  write("SOURCE_REQUEST", request);
-  StopRequest rest;
-  rest.sender_id = 1;
-  rest.sequence = 1;
-  rest.kind = StopKind::kBalanced;
-  rest.reason = StopReason::kSwitch;
-  write("STOP", rest);
-  StopRequest stop;
-  stop.sender_id = 99;
-  stop.sequence = 1;
-  stop.kind = StopKind::kHold;
-  stop.reason = StopReason::kOperator;
-  write("STOP", stop);
-  ModeRequest scripted;
-  scripted.sender_id = 1;
-  scripted.sequence = 9;
-  scripted.mode = Mode::kBalance;
-  write("MODE_REQUEST", scripted);
+  write("SOURCE_REQUEST", SourceRequest{.sender_id = 5, .run_id = 1, .target_run_id = 2, .sequence = 1,
+                                        .action = SourceAction::kSwitch, .policy = SwitchPolicy::kWhenSafe});
+  write("STOP", StopRequest{.sender_id = 1, .sequence = 1, .kind = StopKind::kBalanced, .reason = StopReason::kSwitch});
+  write("STOP", StopRequest{.sender_id = 99, .sequence = 1, .kind = StopKind::kHold, .reason = StopReason::kOperator});
+  write("MODE_REQUEST", ModeRequest{.sender_id = 1, .sequence = 9, .mode = Mode::kBalance});
   writer_->close();
   ASSERT_EQ(run(&log_events, {file_}), 0) << said_;
   EXPECT_TRUE(says("switch asked for run 2, by the viewer")) << said_;

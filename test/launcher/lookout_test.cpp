@@ -9,11 +9,7 @@ namespace twinbus {
 namespace {
 
 SourceStatus status_of(std::int64_t run, Role role, int term) {
-  SourceStatus status;
-  status.run_id = run;
-  status.role = role;
-  status.term = term;
-  return status;
+  return {.run_id = run, .term = term, .role = role};
 }
 
 TEST(Lookout, TheActiveSourceIsTheHolderOfTheHighestTerm) {

@@ -122,6 +122,14 @@ TEST(Wire, SourceStatusOfOlderLogsIsReadAndItsControllerIsFadedIn) {
   EXPECT_EQ(decode(bytes, read), Status::kWrongSize);
 }
 
+// What is said of a good message with another number in this place.
+template <class T>
+Status decoded_with(std::vector<std::uint8_t> bytes, const FieldElement& element, double number) {
+  put_number(bytes, element, number);
+  T value;
+  return decode(bytes, value);
+}
+
 // Exhaustive: every number of every message.
 TEST(Wire, NotFiniteOrAbsurdNumbersRefuseTheWholeMessageInEveryField) {
   constexpr double kInf = std::numeric_limits<double>::infinity();
@@ -133,12 +141,7 @@ TEST(Wire, NotFiniteOrAbsurdNumbersRefuseTheWholeMessageInEveryField) {
       for (const double bad :
            {std::numeric_limits<double>::quiet_NaN(), -std::numeric_limits<double>::quiet_NaN(),
             kInf, -kInf, element.size == 8 ? 1e300 : 3e38, element.size == 8 ? -1e300 : -3e38}) {
-        auto bytes = good;
-        put_number(bytes, element, bad);
-        T value;
-        EXPECT_NE(decode(bytes, value), Status::kOk)
-            << Message<T>::getTypeName() << "." << element.field << "[" << element.index
-            << "] = " << bad;
+        EXPECT_NE(decoded_with<T>(good, element, bad), Status::kOk) << Message<T>::getTypeName() << "." << element.field << "[" << element.index << "] = " << bad;
         ++tried;
       }
     }
@@ -157,12 +160,7 @@ TEST(Wire, NegativeZeroAndDenormalNumbersAreAcceptedInEveryField) {
                          (element.field == "time" && element.index > 0);
       if (bound && element.field != "foot_attitude") continue;
       for (const double odd : {-0.0, element.size == 8 ? 5e-324 : 1e-45}) {
-        auto bytes = good;
-        put_number(bytes, element, odd);
-        T value;
-        EXPECT_EQ(decode(bytes, value), Status::kOk)
-            << Message<T>::getTypeName() << "." << element.field << "[" << element.index
-            << "] = " << odd;
+        EXPECT_EQ(decoded_with<T>(good, element, odd), Status::kOk) << Message<T>::getTypeName() << "." << element.field << "[" << element.index << "] = " << odd;
       }
     }
   });

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <utility>
 
 #include "robot/mjcf/mjcf_to_urdf.h"
 #include "test/temporary_folder.h"
@@ -33,18 +34,21 @@ void expect(const std::string& text, const std::string& start, const std::string
 }
 
 TEST(MjcfRefuse, NumbersThatAreNone) {
-  expect(body("<joint axis='0 0 nan'/>"), "t.xml:4: ", "finite number");
-  expect(body("<joint axis='0 0 0'/>"), "t.xml:4: ", "no length");
-  expect(body("<joint damping='1e308'/>"), "t.xml:4: ", "damping");
-  expect(body("<joint armature='-1'/>"), "t.xml:4: ", "armature");
-  expect(body("<joint range='2 1'/>"), "t.xml:4: ", "upside down");
-  expect(body("<joint limited='true'/>"), "t.xml:4: ", "range");
-  expect(body("<joint/><geom size='0'/>"), "t.xml:4: ", "positive");
-  expect(body("<joint/><geom size='0.1 0.1 0.1 0.1'/>"), "t.xml:4: ", "4 numbers");
-  expect(body("<joint/><geom size='0.1' pos='1e308 0 0'/>"), "t.xml:4: ", "pos");
-  expect(body("<joint/><geom size='0.1' quat='0 0 0 0'/>"), "t.xml:4: ", "quat");
-  expect(body("<joint/><inertial pos='0 0 0' mass='1' diaginertia='1 1 -1'/>"), "t.xml:4: ", "negative");
-  expect(body("<joint/><inertial pos='0 0 0' mass='inf'/>"), "t.xml:4: ", "finite");
+  const std::pair<const char*, const char*> inside_and_complaint[] = {
+      {"<joint axis='0 0 nan'/>", "finite number"},
+      {"<joint axis='0 0 0'/>", "no length"},
+      {"<joint damping='1e308'/>", "damping"},
+      {"<joint armature='-1'/>", "armature"},
+      {"<joint range='2 1'/>", "upside down"},
+      {"<joint limited='true'/>", "range"},
+      {"<joint/><geom size='0'/>", "positive"},
+      {"<joint/><geom size='0.1 0.1 0.1 0.1'/>", "4 numbers"},
+      {"<joint/><geom size='0.1' pos='1e308 0 0'/>", "pos"},
+      {"<joint/><geom size='0.1' quat='0 0 0 0'/>", "quat"},
+      {"<joint/><inertial pos='0 0 0' mass='1' diaginertia='1 1 -1'/>", "negative"},
+      {"<joint/><inertial pos='0 0 0' mass='inf'/>", "finite"},
+  };
+  for (const auto& [inside, complaint] : inside_and_complaint) expect(body(inside), "t.xml:4: ", complaint);
 }
 
 TEST(MjcfRefuse, ADefaultIsBlamedWhereItStands) {

@@ -105,11 +105,17 @@ std::vector<float> random_point(SplitMix64& random, int joints) {
   return q;
 }
 
+// A chain of six joints among the obstacles.
+struct SixJoints {
+  Chain chain{6};
+  BlockRobot robot = chain.compiled();
+  BlockScene scene{obstacles()};
+  BlockCheck check{robot, scene};
+};
+
 TEST(BlockCheck, APostureIsFreeWhenTheBallsAreClearInDoublePrecision) {
-  const Chain chain(6);
-  const BlockRobot robot = chain.compiled();
-  const BlockScene scene(obstacles());
-  BlockCheck check(robot, scene);
+  SixJoints six;
+  auto& [chain, robot, scene, check] = six;
   SplitMix64 random(1);
   int free = 0;
   for (int i = 0; i < 3000; ++i) {
@@ -125,10 +131,8 @@ TEST(BlockCheck, APostureIsFreeWhenTheBallsAreClearInDoublePrecision) {
 }
 
 TEST(BlockCheck, WhatIsLeftOutAlongALineIsFarAway) {
-  const Chain chain(6);
-  const BlockRobot robot = chain.compiled();
-  const BlockScene scene(obstacles());
-  BlockCheck check(robot, scene);
+  SixJoints six;
+  auto& [chain, robot, scene, check] = six;
   SplitMix64 random(2);
   int free = 0;
   for (int i = 0; i < 2000; ++i) {
@@ -156,10 +160,8 @@ TEST(BlockCheck, WhatIsLeftOutAlongALineIsFarAway) {
 }
 
 TEST(BlockCheck, AProvedLineIsFreeAtEveryFinePosture) {
-  const Chain chain(6);
-  const BlockRobot robot = chain.compiled();
-  const BlockScene scene(obstacles());
-  BlockCheck check(robot, scene);
+  SixJoints six;
+  auto& [chain, robot, scene, check] = six;
   SplitMix64 random(5);
   int proved = 0, free = 0;
   for (int i = 0; i < 300; ++i) {

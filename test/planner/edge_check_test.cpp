@@ -28,12 +28,23 @@ JointPoint random_arm(std::mt19937_64& random) {
   return q;
 }
 
+// The left arm before a post and a shelf.
+struct Shelf {
+  Configuration start = standing();
+  Collision collision{hrp1s()};
+  EdgeCheck space{hrp1s(), with_obstacles(collision), start, left_arm(), 0.005};
+
+ private:
+  static Collision& with_obstacles(Collision& collision) {
+    collision.set_obstacles({post(0.30, 0.30), box(0.4, 0.2, 0.7, 0.3, 0.6, 0.01)});
+    return collision;
+  }
+};
+
 // The claim of the file: a line that is called free touches nowhere, also between the samples.
 TEST(EdgeCheck, AFreeLineIsFreeEverywhere) {
-  const Configuration start = standing();
-  Collision collision(hrp1s());
-  collision.set_obstacles({post(0.30, 0.30), box(0.4, 0.2, 0.7, 0.3, 0.6, 0.01)});
-  EdgeCheck space(hrp1s(), collision, start, left_arm(), 0.005);
+  Shelf shelf;
+  auto& [start, collision, space] = shelf;
   std::mt19937_64 random(11);
   int free = 0;
   for (int i = 0; i < 400; ++i) {
@@ -51,10 +62,8 @@ TEST(EdgeCheck, AFreeLineIsFreeEverywhere) {
 
 // And so does a cubic, which keeps the clearance at every instant.
 TEST(EdgeCheck, AFreeCurveKeepsItsClearanceEverywhere) {
-  const Configuration start = standing();
-  Collision collision(hrp1s());
-  collision.set_obstacles({post(0.30, 0.30), box(0.4, 0.2, 0.7, 0.3, 0.6, 0.01)});
-  EdgeCheck space(hrp1s(), collision, start, left_arm(), 0.005);
+  Shelf shelf;
+  auto& [start, collision, space] = shelf;
   std::mt19937_64 random(12);
   int free = 0, blocked = 0;
   for (int i = 0; i < 200; ++i) {

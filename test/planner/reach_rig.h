@@ -11,6 +11,7 @@
 #include "planner/arm_planner.h"
 #include "robot/description/load.h"
 #include "test/collision/postures.h"
+#include "test/obstacles.h"
 
 namespace twinbus {
 
@@ -27,11 +28,7 @@ inline Configuration standing() {
 }
 
 inline Obstacle box(double x, double y, double z, double dx, double dy, double dz) {
-  Obstacle obstacle;
-  obstacle.shape = ObstacleShape::kBox;
-  obstacle.size = Eigen::Vector3d(dx, dy, dz);
-  obstacle.pose.translation() = Eigen::Vector3d(x, y, z);
-  return obstacle;
+  return test::box_at({x, y, z}, {dx, dy, dz});
 }
 
 inline Obstacle post(double x, double y) {
@@ -52,16 +49,20 @@ inline ArmGoal hand_to(ArmSide side, double x, double y, double z) {
   return goal;
 }
 
-inline Eigen::Vector3d hand_at(const ArmPlan& plan, const Configuration& start, ArmSide side,
-                               double time) {
-  const Model& model = hrp1s();
+inline Configuration posture_at(const ArmPlan& plan, const Configuration& start, double time) {
   Configuration posture = start;
   JointPoint q, qd, qdd;
   sample(plan.path, time, q, qd, qdd);
   for (std::size_t k = 0; k < plan.joints.size(); ++k)
     posture.q[plan.joints[k]] = q[static_cast<int>(k)];
+  return posture;
+}
+
+inline Eigen::Vector3d hand_at(const ArmPlan& plan, const Configuration& start, ArmSide side,
+                               double time) {
+  const Model& model = hrp1s();
   Kinematics kinematics(model);
-  kinematics.update(posture);
+  kinematics.update(posture_at(plan, start, time));
   const Hand& hand = model.hands[side == ArmSide::kLeft ? 0 : 1];
   return (kinematics.link_in_world(hand.link) * hand.frame).translation();
 }
@@ -74,12 +75,7 @@ inline double nearest_to_obstacles(const std::vector<Obstacle>& obstacles, const
   Kinematics kinematics(hrp1s());
   double nearest = 1.0;
   for (double t = 0.0; t <= plan.duration(); t += 0.002) {
-    Configuration posture = start;
-    JointPoint q, qd, qdd;
-    sample(plan.path, t, q, qd, qdd);
-    for (std::size_t k = 0; k < plan.joints.size(); ++k)
-      posture.q[plan.joints[k]] = q[static_cast<int>(k)];
-    kinematics.update(posture);
+    kinematics.update(posture_at(plan, start, t));
     for (int link = 0; link < hrp1s().link_count(); ++link) {
       for (int o = 0; o < static_cast<int>(obstacles.size()); ++o) {
         PairDistance pair;
@@ -107,7 +103,7 @@ class SecondOpinion {
   int touching(const ArmPlan& plan, const Configuration& start, double every) {
     int hits = 0;
     for (double t = 0.0; t < plan.duration() + every; t += every) {
-      place(plan, start, t);
+      kinematics_.update(posture_at(plan, start, t));
       for (const CollisionPair& pair : pairs_)
         hits += collision_.touches_by_fcl(kinematics_, pair) ? 1 : 0;
     }
@@ -118,7 +114,7 @@ class SecondOpinion {
     double nearest = far;
     collision_.check_only_moved_by(plan.joints);
     for (double t = 0.0; t < plan.duration() + every; t += every) {
-      place(plan, start, t);
+      kinematics_.update(posture_at(plan, start, t));
       PairDistance pair;
       if (collision_.near_pairs(kinematics_, far, &pair, 1) > 0)
         nearest = std::min(nearest, pair.distance);
@@ -127,15 +123,6 @@ class SecondOpinion {
   }
 
  private:
-  void place(const ArmPlan& plan, const Configuration& start, double t) {
-    Configuration posture = start;
-    JointPoint q, qd, qdd;
-    sample(plan.path, t, q, qd, qdd);
-    for (std::size_t k = 0; k < plan.joints.size(); ++k)
-      posture.q[plan.joints[k]] = q[static_cast<int>(k)];
-    kinematics_.update(posture);
-  }
-
   Collision collision_;
   Kinematics kinematics_;
   std::vector<CollisionPair> pairs_;

@@ -128,7 +128,7 @@ def move_a_joint(checks, command, stack, joint):
 
 
 def main():
-    harness.require("twinbus", "twinbus_simulator", "twinbus_controller", "twinbus_guard", "twinbus_planner", "twinbus_bridge",
+    harness.require(*harness.STACK, "twinbus_bridge",
                     "emulated_robot", "twinbus_recorder", "example_listen", "example_command_joints")
     os.environ["TWINBUS_RECORD"] = "1"
     checks = Checks()

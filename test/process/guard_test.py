@@ -162,7 +162,7 @@ def guard_killed(checks, stack_file):
 
 
 def main():
-    harness.require("twinbus", "twinbus_simulator", "twinbus_controller", "twinbus_guard", "twinbus_planner", "posture_probe")
+    harness.require(*harness.STACK, "posture_probe")
     checks = Checks()
     arm_path_into_the_body(checks)
     with tempfile.TemporaryDirectory() as folder:

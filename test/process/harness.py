@@ -306,6 +306,9 @@ def newest_run_folder():
     return max(runs.glob("*"), key=lambda folder: folder.stat().st_mtime)
 
 
+STACK = ("twinbus", "twinbus_simulator", "twinbus_controller", "twinbus_guard", "twinbus_planner")  # the programs of `up`
+
+
 def require(*programs):
     """Skips the test while a program of the stack is not there."""
     for program in programs:

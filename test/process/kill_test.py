@@ -79,47 +79,40 @@ def active_source(bus, stack, checks, rng, standby_kind="STATE_BRIDGE"):
     checks.that(before > 0, "")
 
 
-def standby(bus, stack, checks, rng):
-    """Nothing happens to the active one."""
+def kill(bus, stack, checks, program, what, wait=0.6):
+    """Nothing happens to the active one; gives when it was [ns]."""
     before = time.monotonic_ns()
-    os.kill(stack.pid("twinbus_bridge"), signal.SIGKILL)
-    time.sleep(0.6)
-    unharmed(bus, checks, "standby killed", before)
+    os.kill(stack.pid(program), signal.SIGKILL)
+    time.sleep(wait)
+    unharmed(bus, checks, f"{what} killed", before)
+    return before
+
+
+def standby(bus, stack, checks, rng):
+    kill(bus, stack, checks, "twinbus_bridge", "standby")
 
 
 def stand_in(bus, stack, checks, rng):
     """The robot that only stands by is gone, and its bridge with it or not: the active source and the launcher go on."""
-    before = time.monotonic_ns()
-    os.kill(stack.pid("emulated_robot"), signal.SIGKILL)
-    time.sleep(0.6)
-    unharmed(bus, checks, "robot of the standby killed", before)
+    kill(bus, stack, checks, "emulated_robot", "robot of the standby")
     time.sleep(1.0)
     checks.that(stack.process.poll() is None, "robot of the standby killed: the stack goes on")
 
 
 def guard(bus, stack, checks, rng):
     """The arms are masked until a guard is back; the legs keep balance."""
-    before = time.monotonic_ns()
-    os.kill(stack.pid("twinbus_guard"), signal.SIGKILL)
-    time.sleep(0.8)
-    unharmed(bus, checks, "guard killed", before)
+    before = kill(bus, stack, checks, "twinbus_guard", "guard", wait=0.8)
     gap = [at for at, _ in bus.messages("GUARD", before - 100_000_000)]
     silence = max((b - a for a, b in zip(gap, gap[1:])), default=0)
     print(f"  guard silent for {1e-6 * silence:.0f} ms, then back")
 
 
 def planner(bus, stack, checks, rng):
-    before = time.monotonic_ns()
-    os.kill(stack.pid("twinbus_planner"), signal.SIGKILL)
-    time.sleep(0.6)
-    unharmed(bus, checks, "planner killed", before)
+    kill(bus, stack, checks, "twinbus_planner", "planner")
 
 
 def viewer(bus, stack, checks, rng):
-    before = time.monotonic_ns()
-    os.kill(stack.pid("twinbus_viewer"), signal.SIGKILL)
-    time.sleep(0.6)
-    unharmed(bus, checks, "viewer killed", before)
+    kill(bus, stack, checks, "twinbus_viewer", "viewer")
 
 
 def unharmed(bus, checks, what, since):
@@ -139,8 +132,7 @@ def unharmed(bus, checks, what, since):
 
 
 def main():
-    harness.require("twinbus", "twinbus_simulator", "twinbus_controller", "twinbus_guard", "twinbus_planner",
-                    "twinbus_bridge", "emulated_robot")
+    harness.require(*harness.STACK, "twinbus_bridge", "emulated_robot")
     seed = int(os.environ.get("KILL_SEED", random.randrange(1 << 30)))
     print(f"KILL_SEED={seed}")
     rng = random.Random(seed)

@@ -33,7 +33,7 @@ def hash_of_run(checks):
 
 
 def main():
-    harness.require("twinbus", "twinbus_simulator", "twinbus_controller", "twinbus_guard", "twinbus_planner")
+    harness.require(*harness.STACK)
     checks = Checks()
     ups = [hash_of_up(checks) for _ in range(2)]
     runs = [hash_of_run(checks) for _ in range(2)]

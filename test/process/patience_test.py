@@ -87,7 +87,7 @@ def strict(checks):
 
 
 def main():
-    harness.require("twinbus", "twinbus_simulator", "twinbus_controller", "twinbus_guard", "twinbus_planner")
+    harness.require(*harness.STACK)
     checks = Checks()
     waits(checks)
     strict(checks)

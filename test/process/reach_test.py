@@ -107,7 +107,7 @@ def during_a_switch(checks, scene):
 
 
 def main():
-    harness.require("twinbus", "twinbus_simulator", "twinbus_controller", "twinbus_guard", "twinbus_planner", "posture_probe")
+    harness.require(*harness.STACK, "posture_probe")
     checks = Checks()
     nobody_there(checks)
     with tempfile.TemporaryDirectory() as folder:

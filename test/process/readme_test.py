@@ -52,8 +52,7 @@ def run_all(lines, checks, **how):
 
 
 def main():
-    harness.require("twinbus", "twinbus_simulator", "twinbus_controller", "twinbus_guard", "twinbus_planner",
-                    "twinbus_bridge", "emulated_robot")
+    harness.require(*harness.STACK, "twinbus_bridge", "emulated_robot")
     checks = Checks()
     by_kind = {}
     for kind, lines in blocks():

@@ -338,8 +338,7 @@ def named(checks, folder):
 
 
 def main():
-    harness.require("twinbus", "twinbus_simulator", "twinbus_controller", "twinbus_guard", "twinbus_planner",
-                    "twinbus_recorder", "twinbus_replay")
+    harness.require(*harness.STACK, "twinbus_recorder", "twinbus_replay")
     checks = Checks()
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)

@@ -538,7 +538,7 @@ CASES = {"P6": p6, "P7": p7, "D4": d4, "D5": d5, "D6": d6, "D8": d8, "T3": t3, "
 
 
 def main():
-    harness.require("twinbus", "twinbus_simulator", "twinbus_controller", "twinbus_guard", "twinbus_planner", "twinbus_recorder")
+    harness.require(*harness.STACK, "twinbus_recorder")
     seed = int(os.environ.get("RELIABILITY_SEED", random.randrange(1 << 30)))
     random.seed(seed)
     print(f"RELIABILITY_SEED={seed}")

@@ -202,8 +202,7 @@ def table(all_figures, csv):
 
 
 def main():
-    harness.require("twinbus", "twinbus_simulator", "twinbus_controller", "twinbus_guard", "twinbus_planner",
-                    "twinbus_bridge", "emulated_robot")
+    harness.require(*harness.STACK, "twinbus_bridge", "emulated_robot")
     seed = random.randrange(1 << 30)
     print(f"seed {seed}")
     rng = random.Random(seed)

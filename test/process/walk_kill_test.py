@@ -132,7 +132,7 @@ def others(checks, count, rng):
 
 
 def main():
-    harness.require("twinbus", "twinbus_simulator", "twinbus_controller", "twinbus_guard", "twinbus_planner", "twinbus_bridge",
+    harness.require(*harness.STACK, "twinbus_bridge",
                     "emulated_robot")
     seed = int(os.environ.get("KILL_SEED", random.randrange(1 << 30)))
     print(f"KILL_SEED={seed}", flush=True)

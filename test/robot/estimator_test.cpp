@@ -39,6 +39,14 @@ class Stand {
     }
   }
 
+  // Placed there, upright and standing on both feet, and seen once.
+  Estimator estimated(const Eigen::Vector3d& position) {
+    place(position, {0, 0, 0});
+    Estimator estimator(model_);
+    estimator.update(state(0.0, kHalf, kHalf));
+    return estimator;
+  }
+
   // What the robot measures; the IMU believes in a heading of its own.  force: normal, of each foot
   // [N].
   RobotState state(double imu_yaw, double force_left, double force_right) {
@@ -177,9 +185,7 @@ TEST(Estimator, VelocityIsTheDerivativeOfThePosition) {
 
 TEST(Estimator, ASwitchKeepsTheGroundFrame) {
   Stand stand;
-  stand.place({0.02, 0, 0}, {0, 0, 0.0});
-  Estimator estimator(stand.model_);
-  estimator.update(stand.state(0.0, Stand::kHalf, Stand::kHalf));
+  Estimator estimator = stand.estimated({0.02, 0, 0});
   // Walk the estimate away from the origin: a foot is lifted and set down elsewhere.
   stand.sole[0].translation() += Eigen::Vector3d(0.1, 0.02, 0.0);
   for (int i = 0; i <= 50; ++i) {
@@ -209,9 +215,7 @@ TEST(Estimator, ASwitchKeepsTheGroundFrame) {
 
 TEST(Estimator, ALiftedFootMovesFreely) {
   Stand stand;
-  stand.place({0, 0, 0}, {0, 0, 0});
-  Estimator estimator(stand.model_);
-  estimator.update(stand.state(0, Stand::kHalf, Stand::kHalf));
+  Estimator estimator = stand.estimated({0, 0, 0});
   stand.sole[0].translation() += Eigen::Vector3d(0.05, 0.01, 0.04);
   stand.place({0, -0.02, 0}, {0, 0, 0});
   stand.truth.base.translation().z() -= Stand::kHalf / 1e6;  // the other sole carries all

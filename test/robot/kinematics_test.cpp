@@ -10,6 +10,12 @@ namespace {
 
 constexpr double kStep = 1e-6;  // [s]
 
+Kinematics updated(const Model& model, const Configuration& configuration) {
+  Kinematics kinematics(model);
+  kinematics.update(configuration);
+  return kinematics;
+}
+
 TEST(Kinematics, VelocitiesAreDerivativesOfPoses) {
   const Model model = robot_with_every_joint();
   const Motion motion(model);
@@ -58,10 +64,8 @@ TEST(Kinematics, SomeJointsMoveTheirLinksAlone) {
 
 TEST(Kinematics, JacobiansTimesSpeedsAreVelocities) {
   const Model model = robot_with_every_joint();
-  const Motion motion(model, 11);
-  const Configuration c = motion.configuration(0.4);
-  Kinematics kinematics(model);
-  kinematics.update(c);
+  const Configuration c = Motion(model, 11).configuration(0.4);
+  const Kinematics kinematics = updated(model, c);
   Eigen::VectorXd speeds(6 + model.joint_count());
   speeds << c.base_velocity, c.base_angular_velocity, c.qd;
   Eigen::MatrixXd jacobian(6, 6 + model.joint_count());
@@ -79,10 +83,8 @@ TEST(Kinematics, JacobiansTimesSpeedsAreVelocities) {
 
 TEST(Kinematics, JacobianColumnsAreFiniteDifferences) {
   const Model model = robot_with_every_joint();
-  const Motion motion(model, 3);
-  const Configuration c = motion.configuration(1.2);
-  Kinematics kinematics(model);
-  kinematics.update(c);
+  const Configuration c = Motion(model, 3).configuration(1.2);
+  const Kinematics kinematics = updated(model, c);
   const int link = model.hands[0].link;
   const Eigen::Vector3d local(0.02, 0.03, -0.09);
   Eigen::MatrixXd jacobian(6, 6 + model.joint_count()), com_jacobian(3, 6 + model.joint_count());

@@ -16,7 +16,9 @@
 #include "common/math/random.h"
 #include "sim/world/static_equilibrium.h"
 #include "test/no_alloc.h"
+#include "test/obstacles.h"
 #include "test_models.h"
+#include "world_helpers.h"
 
 namespace twinbus {
 namespace {
@@ -273,10 +275,7 @@ TEST(ArticulatedWorld, StopsHoldAgainstServosOfAnyStrengthAtAnyStep) {
   const auto pose = static_cast<std::size_t>(model.find_pose("half_sitting"));
   for (const int order : {1, 2, 3}) {
     for (const double step : {2e-2, 1e-2, 1e-3}) {
-      WorldConfig config;
-      config.step = step;
-      config.order = order;
-      ArticulatedWorld world(model, config);
+      ArticulatedWorld world(model, test::stepped(step, order));
       Configuration start(model);
       start.base.translation().z() = 10.0;
       start.base_angular_velocity = {1.0, 2.0, 0.5};
@@ -319,10 +318,7 @@ std::vector<Eigen::Vector3d> landed_humanoid(const std::shared_ptr<const Model>&
   above.translation().z() = 0.01;
   OtherRobot robot = standing_robot("humanoid", model, q, above);
   robot.start.base_velocity.x() = 0.2;
-  WorldConfig config;
-  config.step = step;
-  config.order = order;
-  ArticulatedWorld world(*model, config);
+  ArticulatedWorld world(*model, test::stepped(step, order));
   EXPECT_EQ(world.set(robot.start), Status::kOk);
   for (int j = 0; j < q.size(); ++j) {
     EXPECT_EQ(world.set_servo(j, robot.servos[static_cast<std::size_t>(j)]), Status::kOk);
@@ -346,10 +342,7 @@ TEST(ArticulatedWorld, AtOrder2AHumanoidLandsWithinAFiftiethOfAMillimetre) {
 // A block that lands on its soles while it moves along.
 Eigen::Vector3d dropped_block(double step, int order) {
   const Model model = test::block();
-  WorldConfig config;
-  config.step = step;
-  config.order = order;
-  ArticulatedWorld world(model, config);
+  ArticulatedWorld world(model, test::stepped(step, order));
   Configuration start(model);
   start.base.translation().z() = 0.01;
   start.base_velocity.x() = 0.2;
@@ -386,20 +379,6 @@ TEST(ArticulatedWorld, OrderTwoIsBetterThanATenthOfTheStep) {
   EXPECT_LT(second, first);
 }
 
-double energy(const Model& model, const World& world, Kinematics& kinematics) {
-  kinematics.update(world.configuration());
-  double e = 0.0;
-  for (int i = 0; i < model.link_count(); ++i) {
-    const Link& link = model.links[static_cast<std::size_t>(i)];
-    const Eigen::Vector3d at = kinematics.link_in_world(i) * link.com;
-    const Eigen::Matrix3d& r = kinematics.link_in_world(i).linear();
-    const Eigen::Vector3d w = r.transpose() * kinematics.angular_velocity(i);
-    e += link.mass * (0.5 * kinematics.point_velocity(i, at).squaredNorm() + kGravity * at.z());
-    e += 0.5 * w.dot(link.inertia * w);
-  }
-  return e;
-}
-
 TEST(ArticulatedWorld, InFlightMomentumIsKeptAndEnergyAtTheOrderOfTheStep) {
   const Model model = test::chain(6, true);
   Kinematics kinematics(model);
@@ -416,14 +395,14 @@ TEST(ArticulatedWorld, InFlightMomentumIsKeptAndEnergyAtTheOrderOfTheStep) {
       start.base_angular_velocity = {1.0, -0.5, 0.7};
       start.qd << 0.5, -1.0, 0.3, 0.8, -0.2, 0.4;
       ASSERT_EQ(world.set(start), Status::kOk);
-      const double before = energy(model, world, kinematics);
+      const double before = test::energy(model, world, kinematics);
       const Eigen::Vector3d spin = kinematics.angular_momentum();
       const Eigen::Vector3d velocity = kinematics.com_velocity();
       const int steps = 512 * (1 << k) / coarser;
       for (int i = 0; i < steps; ++i) ASSERT_EQ(world.step(), Status::kOk);
       // The centre of mass itself falls half a step's speed too far at order 1.
       const double fall = order == 1 ? 0.5 * config.step * kGravity * kGravity * 0.512 : 0.0;
-      drift[k] = std::abs(energy(model, world, kinematics) - before + world.mass() * fall);
+      drift[k] = std::abs(test::energy(model, world, kinematics) - before + world.mass() * fall);
       EXPECT_LT((kinematics.angular_momentum() - spin).norm(), 1e-10);
       EXPECT_NEAR((kinematics.com_velocity() - velocity).head<2>().norm(), 0.0, 1e-11);
     }
@@ -468,17 +447,13 @@ TEST(ArticulatedWorld, FrictionHasNoFavouriteDirection) {
 TEST(ArticulatedWorld, ObstaclesCarry) {
   const Model model = test::block();
   WorldConfig config;
-  Obstacle box;
-  box.shape = ObstacleShape::kBox;
-  box.size = {1.0, 1.0, 0.3};
-  box.pose.translation() = Eigen::Vector3d(0.0, 0.0, 0.15);
+  const Obstacle box = test::box_at({0.0, 0.0, 0.15}, {1.0, 1.0, 0.3});
   config.obstacles = {box};
   ArticulatedWorld world(model, config);
   Configuration start(model);
   start.base.translation().z() = 0.32;
   ASSERT_EQ(world.set(start), Status::kOk);
-  ASSERT_EQ(world.set_servo(0, {.q = 0, .qd = 0, .tau = 0, .kp = 100, .kd = 10}), Status::kOk);
-  for (int i = 0; i < 2000; ++i) ASSERT_EQ(world.step(), Status::kOk);
+  test::settle_block(world);
   EXPECT_NEAR(world.configuration().base.translation().z(), 0.3, 1e-3);
   EXPECT_LT(world.configuration().base_velocity.norm(), 1e-6);
 }

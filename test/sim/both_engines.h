@@ -22,6 +22,17 @@ class BothEngines : public ::testing::TestWithParam<Engine> {
     config.engine = GetParam();
     return make_world(model, config);
   }
+  // In this configuration.
+  static std::unique_ptr<World> make_at(const Configuration& start, const Model& model, const WorldConfig& config = {}) {
+    auto world = make(model, config);
+    EXPECT_EQ(world->set(start), Status::kOk);
+    return world;
+  }
+  // On a fixed base, all joints at zero.
+  static std::unique_ptr<World> make_hung(const Model& model, WorldConfig config = {}) {
+    config.fixed_base = true;
+    return make_at(Configuration(model), model, config);
+  }
   static bool is_ode() { return GetParam() == Engine::kOde; }
 };
 

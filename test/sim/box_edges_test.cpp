@@ -15,6 +15,7 @@
 #include "sim/scene/scene_seed.h"
 #include "test/no_alloc.h"
 #include "test_models.h"
+#include "world_helpers.h"
 
 namespace twinbus {
 namespace {
@@ -28,14 +29,16 @@ Eigen::Isometry3d placed(const Eigen::Vector3d& at, double turn, const Eigen::Ve
 
 LooseBody box(const std::string& name, double mass, const Eigen::Vector3d& size,
               const Eigen::Isometry3d& pose, double stiffness = 1e6) {
-  LooseBody body;
-  body.name = name;
-  body.solid = {SolidShape::kBox, size};
-  body.mass = mass;
-  body.start.pose = pose;
-  body.stiffness = stiffness;
-  body.damping = std::sqrt(0.25 * stiffness * mass);
-  return body;
+  return test::loose_box(name, mass, size, pose, stiffness, std::sqrt(0.25 * stiffness * mass));
+}
+
+// A beam 0.1 m thick on the ground, and another across it at this height of its middle [m] and turn [rad].
+WorldConfig crossed_beams(double height, double turn) {
+  WorldConfig config;
+  config.step = 1e-3;
+  config.loose = {box("low", 2.0, {1.0, 0.1, 0.1}, placed({0, 0, 0.05}, 0, {0, 0, 1})),
+                  box("high", 1.0, {0.1, 1.0, 0.1}, placed({0, 0, height}, turn, {0, 0, 1}))};
+  return config;
 }
 
 TEST(BoxOverlap, IsTheLeastOfFacesAndCrossedEdges) {
@@ -83,12 +86,7 @@ TWINBUS_FOR_BOTH_ENGINES(BoxEdges);
 // No corner of either is in the other.
 TEST_P(BoxEdges, ABeamLiesAcrossABeam) {
   const Model model = test::bystander();
-  WorldConfig config;
-  config.step = 1e-3;
-  config.loose = {box("low", 2.0, {1.0, 0.1, 0.1}, placed({0, 0, 0.05}, 0, {0, 0, 1})),
-                  box("high", 1.0, {0.1, 1.0, 0.1}, placed({0, 0, 0.151}, 0, {0, 0, 1}))};
-  const auto world = make(model, config);
-  ASSERT_EQ(world->set(Configuration(model)), Status::kOk);
+  const auto world = make_at(Configuration(model), model, crossed_beams(0.151, 0));
   for (int i = 0; i < 1000; ++i) ASSERT_EQ(world->step(), Status::kOk);
   EXPECT_NEAR(world->loose(1).pose.translation().z(), 0.15, 2e-4);
   EXPECT_LT(world->loose(1).velocity.norm(), 2e-3);
@@ -123,11 +121,7 @@ TEST_P(BoxEdges, AnEdgeThatFallsOnAnEdgeGainsNothing) {
 
 TEST(BoxEdgesOfOurs, MeetingAllocatesNothing) {
   const Model model = test::bystander();
-  WorldConfig config;
-  config.step = 1e-3;
-  config.loose = {box("low", 2.0, {1.0, 0.1, 0.1}, placed({0, 0, 0.05}, 0, {0, 0, 1})),
-                  box("high", 1.0, {0.1, 1.0, 0.1}, placed({0, 0, 0.16}, 0.3, {0, 0, 1}))};
-  ArticulatedWorld world(model, config);
+  ArticulatedWorld world(model, crossed_beams(0.16, 0.3));
   ASSERT_EQ(world.set(Configuration(model)), Status::kOk);
   const NoAlloc guard;
   for (int i = 0; i < 300; ++i) ASSERT_EQ(world.step(), Status::kOk);

@@ -10,6 +10,7 @@
 #include "sim/engine/articulated_world.h"
 #include "sim/engine/make_world.h"
 #include "test/no_alloc.h"
+#include "test/obstacles.h"
 #include "test_models.h"
 
 namespace twinbus {
@@ -31,11 +32,7 @@ WorldConfig shot(std::uint64_t seed, double stiffness, double step, int order) {
   config.step = step;
   config.order = order;
   config.continuous = true;
-  Obstacle plate;
-  plate.shape = ObstacleShape::kBox;
-  plate.size << kPlate, 1, 1;
-  plate.pose.translation() = Eigen::Vector3d(1, 0, 1);
-  config.obstacles = {plate};
+  config.obstacles = {test::box_at({1, 0, 1}, {kPlate, 1, 1})};
   LooseBody ball;
   ball.name = "ball";
   ball.mass = 0.03;

@@ -16,20 +16,15 @@
 #include "sim/world/static_equilibrium.h"
 #include "test/no_alloc.h"
 #include "test_models.h"
+#include "world_helpers.h"
 
 namespace twinbus {
 namespace {
 
 LooseBody box(const std::string& name, double mass, const Eigen::Vector3d& size,
               const Eigen::Vector3d& position, double stiffness = 1e6) {
-  LooseBody body;
-  body.name = name;
-  body.solid = {SolidShape::kBox, size};
-  body.mass = mass;
-  body.start.pose.translation() = position;
-  body.stiffness = stiffness;
-  body.damping = std::sqrt(15.0 * stiffness);
-  return body;
+  const Eigen::Isometry3d pose(Eigen::Translation3d{position});
+  return test::loose_box(name, mass, size, pose, stiffness, std::sqrt(15.0 * stiffness));
 }
 
 class LooseTest : public test::BothEngines {};

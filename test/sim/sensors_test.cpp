@@ -7,6 +7,7 @@
 #include "both_engines.h"
 #include "robot/dynamics/inverse_dynamics.h"
 #include "test_models.h"
+#include "world_helpers.h"
 
 namespace twinbus {
 namespace {
@@ -16,11 +17,8 @@ TWINBUS_FOR_BOTH_ENGINES(SensorsTest);
 
 TEST_P(SensorsTest, AtRestTheAccelerometerFeelsGravityUpwards) {
   const Model model = test::pendulum();
-  WorldConfig config;
-  config.fixed_base = true;
-  const auto world_owner = make(model, config);
+  const auto world_owner = make_hung(model);
   World& world = *world_owner;
-  ASSERT_EQ(world.set(Configuration(model)), Status::kOk);
   Sensors sensors(model, {});
   RobotState state;
   for (int i = 0; i < 3; ++i) {
@@ -72,11 +70,8 @@ TEST_P(SensorsTest, AttitudeAndGyroAreThoseOfTheImuFrame) {
 
 TEST_P(SensorsTest, FootWrenchIsThatOfTheContactsInTheSensorFrame) {
   Model model = test::block();
-  const auto world_owner = make(model);
+  const auto world_owner = make_at(test::standing_block(model), model);
   World& world = *world_owner;
-  Configuration at(model);
-  at.base.translation().z() = -world.mass() * kGravity / 2e5;
-  ASSERT_EQ(world.set(at), Status::kOk);
   ASSERT_EQ(world.step(), Status::kOk);
   Sensors sensors(model, {});
   RobotState state;
@@ -91,11 +86,8 @@ TEST_P(SensorsTest, FootWrenchIsThatOfTheContactsInTheSensorFrame) {
 
 TEST_P(SensorsTest, NoiseBiasAndCountsAreAsAsked) {
   const Model model = test::pendulum();
-  WorldConfig config;
-  config.fixed_base = true;
-  const auto world_owner = make(model, config);
+  const auto world_owner = make_hung(model);
   World& world = *world_owner;
-  ASSERT_EQ(world.set(Configuration(model)), Status::kOk);
   SensorOptions options;
   options.encoder.noise = 1e-3;
   options.gyro.noise = 0.02;
@@ -149,9 +141,7 @@ TEST(ImperfectionTest, ReadsWithBiasSaturationAndCounts) {
 TEST_P(SensorsTest, ASlowSensorHoldsItsLastSample) {
   Model model = test::pendulum();
   model.imu_link = 1;  // on what swings
-  WorldConfig config;
-  config.fixed_base = true;
-  const auto world_owner = make(model, config);
+  const auto world_owner = make_hung(model);
   World& world = *world_owner;
   SensorOptions options;
   options.encoder_rate = 100.0;  // every fifth tick
@@ -196,11 +186,8 @@ TEST_P(SensorsTest, AnInclinationSensorReadsNoFurtherThanItsRange) {
 
 TEST_P(SensorsTest, SameSeedSameNoise) {
   const Model model = test::pendulum();
-  WorldConfig config;
-  config.fixed_base = true;
-  const auto world_owner = make(model, config);
+  const auto world_owner = make_hung(model);
   World& world = *world_owner;
-  ASSERT_EQ(world.set(Configuration(model)), Status::kOk);
   SensorOptions options;
   options.encoder.noise = 1e-3;
   Sensors one(model, options), two(model, options);
@@ -218,9 +205,7 @@ TEST_P(SensorsTest, SameSeedSameNoise) {
 
 TEST_P(SensorsTest, DelayHandsOutThePast) {
   const Model model = test::pendulum();
-  WorldConfig config;
-  config.fixed_base = true;
-  const auto world_owner = make(model, config);
+  const auto world_owner = make_hung(model);
   World& world = *world_owner;
   SensorOptions options;
   options.delay_ticks = 3;

@@ -9,6 +9,7 @@
 #include "both_engines.h"
 #include "robot/dynamics/inverse_dynamics.h"
 #include "sim/engine/energy_balance.h"
+#include "test/obstacles.h"
 #include "test_models.h"
 
 namespace twinbus {
@@ -18,11 +19,7 @@ namespace {
 WorldConfig shot(double speed, double stiffness, double step) {
   WorldConfig config;
   config.step = step;
-  Obstacle plate;
-  plate.shape = ObstacleShape::kBox;
-  plate.size << 0.002, 1, 1;
-  plate.pose.translation() = Eigen::Vector3d(1, 0, 1);
-  config.obstacles = {plate};
+  config.obstacles = {test::box_at({1, 0, 1}, {0.002, 1, 1})};
   LooseBody ball;
   ball.name = "ball";
   ball.mass = 0.03;

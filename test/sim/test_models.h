@@ -37,6 +37,21 @@ inline Joint make_joint(const std::string& name, int parent, int child, const Ei
   return joint;
 }
 
+// Two soles of 0.2 m under link 0, this far left and right of its middle [m].
+inline void put_soles(Model& model, double apart, double half_width, double stiffness, double damping) {
+  for (int side = 0; side < 2; ++side) {
+    Sole& sole = model.soles[static_cast<std::size_t>(side)];
+    sole.link = 0;
+    sole.frame.translation() = Eigen::Vector3d(0, side == 0 ? apart : -apart, 0);
+    sole.sensor = sole.frame;
+    sole.front = sole.back = 0.1;
+    sole.left = sole.right = half_width;
+    sole.stiffness = stiffness;
+    sole.damping = damping;
+    sole.friction = 0.8;
+  }
+}
+
 // A fixed base and one link of mass 2 kg, 0.5 m off a horizontal hinge along y.
 inline Model pendulum(double effort = 1000.0) {
   Model model;
@@ -99,17 +114,7 @@ inline Model block() {
   model.links[0].collision = {box};
   model.links[1] = make_link("arm", 0, 0.5, {0, 0, 0}, {0.01, 0.01, 0.01});
   model.joints[0].placement.translation() = Eigen::Vector3d(0, 0, 0.2);
-  for (int side = 0; side < 2; ++side) {
-    Sole& sole = model.soles[static_cast<std::size_t>(side)];
-    sole.link = 0;
-    sole.frame.translation() = Eigen::Vector3d(0, side == 0 ? 0.15 : -0.15, 0);
-    sole.sensor = sole.frame;
-    sole.front = sole.back = 0.1;
-    sole.left = sole.right = 0.05;
-    sole.stiffness = 1e5;
-    sole.damping = 500.0;
-    sole.friction = 0.8;
-  }
+  put_soles(model, 0.15, 0.05, 1e5, 500.0);
   return model;
 }
 

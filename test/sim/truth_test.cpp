@@ -5,6 +5,7 @@
 #include "both_engines.h"
 #include "robot/dynamics/inverse_dynamics.h"
 #include "test_models.h"
+#include "world_helpers.h"
 
 namespace twinbus {
 namespace {
@@ -14,11 +15,9 @@ TWINBUS_FOR_BOTH_ENGINES(TruthTest);
 
 TEST_P(TruthTest, SaysWhatCarriesTheBodyAndWhenItFell) {
   const Model model = test::block();
-  const auto world_owner = make(model);
+  Configuration at = test::standing_block(model);
+  const auto world_owner = make_at(at, model);
   World& world = *world_owner;
-  Configuration at(model);
-  at.base.translation().z() = -world.mass() * kGravity / 2e5;
-  ASSERT_EQ(world.set(at), Status::kOk);
   ASSERT_EQ(world.step(), Status::kOk);
   SimTruth truth;
   fill_truth(model, world, 0.0, truth);

@@ -8,7 +8,9 @@
 #include "robot/dynamics/inverse_dynamics.h"
 #include "sim/engine/make_world.h"
 #include "sim/world/world.h"
+#include "test/obstacles.h"
 #include "test_models.h"
+#include "world_helpers.h"
 
 namespace twinbus {
 namespace {
@@ -24,12 +26,9 @@ TWINBUS_FOR_BOTH_ENGINES(ContactTest);
 
 TEST_P(ContactTest, SolesSinkByWeightOverStiffness) {
   const Model model = test::block();
-  const auto world_owner = make(model);
+  const auto world_owner = make_at(Configuration(model), model);
   World& world = *world_owner;
-  Configuration start(model);
-  ASSERT_EQ(world.set(start), Status::kOk);
-  ASSERT_EQ(world.set_servo(0, {.q = 0, .qd = 0, .tau = 0, .kp = 100, .kd = 10}), Status::kOk);
-  for (int i = 0; i < 2000; ++i) ASSERT_EQ(world.step(), Status::kOk);
+  test::settle_block(world);
   const double weight = world.mass() * kGravity;
   EXPECT_NEAR(world.configuration().base.translation().z(), -weight / 2e5, 1e-7);
   EXPECT_NEAR(vertical_force(world), weight, 1e-3);
@@ -39,12 +38,11 @@ TEST_P(ContactTest, SolesSinkByWeightOverStiffness) {
 
 TEST_P(ContactTest, NeverPulls) {
   const Model model = test::block();
-  const auto world_owner = make(model);
-  World& world = *world_owner;
   Configuration start(model);
   start.base.translation().z() = 0.2;
   start.base_velocity.x() = 0.3;
-  ASSERT_EQ(world.set(start), Status::kOk);
+  const auto world_owner = make_at(start, model);
+  World& world = *world_owner;
   bool flew = false, touched = false;
   for (int i = 0; i < 500; ++i) {
     ASSERT_EQ(world.step(), Status::kOk);
@@ -64,12 +62,10 @@ TEST_P(ContactTest, FrictionIsTheSameInEveryDirection) {
     for (Link& link : model.links) link.collision.clear();
     WorldConfig config;
     config.ground_friction = 0.4;
-    const auto world_owner = make(model, config);
-    World& world = *world_owner;
-    Configuration start(model);
-    start.base.translation().z() = -world.mass() * kGravity / 2e5;
+    Configuration start = test::standing_block(model);
     start.base_velocity = {1.0 * std::cos(angle), 1.0 * std::sin(angle), 0.0};
-    ASSERT_EQ(world.set(start), Status::kOk);
+    const auto world_owner = make_at(start, model, config);
+    World& world = *world_owner;
     ASSERT_EQ(world.set_servo(0, {.q = 0, .qd = 0, .tau = 0, .kp = 1000, .kd = 10}), Status::kOk);
     for (int i = 0; i < 1000; ++i) ASSERT_EQ(world.step(), Status::kOk);
     const double expected = 1.0 / (2.0 * 0.4 * kGravity);
@@ -84,25 +80,21 @@ TEST_P(ContactTest, AHigherGroundUnderOneSoleTiltsTheBody) {
   const Model model = test::block();
   WorldConfig config;
   config.ground_height = {0.003, 0.0};
-  const auto world_owner = make(model, config);
+  const auto world_owner = make_at(Configuration(model), model, config);
   World& world = *world_owner;
-  ASSERT_EQ(world.set(Configuration(model)), Status::kOk);
-  ASSERT_EQ(world.set_servo(0, {.q = 0, .qd = 0, .tau = 0, .kp = 100, .kd = 10}), Status::kOk);
-  for (int i = 0; i < 2000; ++i) ASSERT_EQ(world.step(), Status::kOk);
+  test::settle_block(world);
   const double roll = std::asin(world.configuration().base.linear()(2, 1));
   EXPECT_NEAR(roll, 0.003 / 0.3, 0.002);
 }
 
 TEST_P(ContactTest, ABodyOnItsSideLiesOnTheGround) {
   const Model model = test::block();
-  const auto world_owner = make(model);
-  World& world = *world_owner;
   Configuration start(model);
   start.base.translation().z() = 0.3;
   start.base.linear() = Eigen::AngleAxisd(1.45, Eigen::Vector3d::UnitX()).toRotationMatrix();
-  ASSERT_EQ(world.set(start), Status::kOk);
-  ASSERT_EQ(world.set_servo(0, {.q = 0, .qd = 0, .tau = 0, .kp = 100, .kd = 10}), Status::kOk);
-  for (int i = 0; i < 2000; ++i) ASSERT_EQ(world.step(), Status::kOk);
+  const auto world_owner = make_at(start, model);
+  World& world = *world_owner;
+  test::settle_block(world);
   EXPECT_NEAR(world.configuration().base.translation().z(), 0.2, 0.01);
   EXPECT_LT(world.configuration().base_velocity.norm(), 1e-2);
   EXPECT_NEAR(vertical_force(world), world.mass() * kGravity, 1.0);
@@ -111,18 +103,13 @@ TEST_P(ContactTest, ABodyOnItsSideLiesOnTheGround) {
 TEST_P(ContactTest, AnObstacleIsInTheWay) {
   Model model = test::block();
   WorldConfig config;
-  Obstacle wall;
-  wall.shape = ObstacleShape::kBox;
-  wall.size = {0.1, 2.0, 1.0};
-  wall.pose.translation() = Eigen::Vector3d(0.4, 0, 0.5);
+  const Obstacle wall = test::box_at({0.4, 0, 0.5}, {0.1, 2.0, 1.0});
   config.obstacles = {wall};
   config.ground_friction = 0.0;
-  const auto world_owner = make(model, config);
-  World& world = *world_owner;
-  Configuration start(model);
-  start.base.translation().z() = -world.mass() * kGravity / 2e5;
+  Configuration start = test::standing_block(model);
   start.base_velocity.x() = 1.0;
-  ASSERT_EQ(world.set(start), Status::kOk);
+  const auto world_owner = make_at(start, model, config);
+  World& world = *world_owner;
   for (int i = 0; i < 500; ++i) ASSERT_EQ(world.step(), Status::kOk);
   EXPECT_LT(world.configuration().base.translation().x(), 0.17);
 }
@@ -136,8 +123,7 @@ TEST_P(ContactTest, ACornerOffsetLowersTheGroundThere) {
     for (int corner = 0; corner < kSoleCorners; ++corner)
       world.set_corner_offset(side, corner, 0.001);
   }
-  ASSERT_EQ(world.set_servo(0, {.q = 0, .qd = 0, .tau = 0, .kp = 100, .kd = 10}), Status::kOk);
-  for (int i = 0; i < 2000; ++i) ASSERT_EQ(world.step(), Status::kOk);
+  test::settle_block(world);
   EXPECT_NEAR(world.configuration().base.translation().z(), -0.001 - world.mass() * kGravity / 2e5,
               1e-6);
 }

@@ -19,6 +19,7 @@ namespace {
 using test::kPendulumInertia;
 
 constexpr double kStep = 0.002;  // [s]
+constexpr ServoTarget kTarget{.q = 1.0, .qd = 0.5, .tau = 3.0, .kp = 4000.0, .kd = 50.0};
 
 WorldConfig fixed() {
   WorldConfig config;
@@ -33,6 +34,11 @@ double implicit_speed(double q, double qd, const ServoTarget& t, double rotor) {
   const double inertia = kPendulumInertia + rotor;
   const double servo = t.kp * (t.q - q) + t.kd * t.qd + t.tau;
   return (inertia * qd + kStep * (gravity + servo)) / (inertia + kStep * (t.kd + kStep * t.kp));
+}
+
+// The law of kTarget at the end of a step that begins at q and ends with this speed.
+double end_law(double q, double next) {
+  return kTarget.kp * (kTarget.q - q - kStep * next) + kTarget.kd * (kTarget.qd - next) + kTarget.tau;
 }
 
 // Angular momentum of the arm about the hinge, with the lever that the arm has at that attitude [N
@@ -51,27 +57,32 @@ class Servo : public ::testing::TestWithParam<std::tuple<Engine, double>> {  // 
     config.engine = std::get<0>(GetParam());
     return make_world(model, config);
   }
+  // A pendulum with this rotor that starts at q [rad] and -0.7 rad/s, with its servo on the way to kTarget.
+  std::unique_ptr<World> on_the_way(double q) {
+    model_.joints[0].rotor_inertia = rotor();
+    auto world = make(model_, fixed());
+    Configuration start(model_);
+    start.q[0] = q;
+    start.qd[0] = -0.7;
+    EXPECT_EQ(world->set(start), Status::kOk);
+    EXPECT_EQ(world->set_servo(0, kTarget), Status::kOk);
+    return world;
+  }
+
+ private:
+  Model model_ = test::pendulum(1e5);
 };
 
 // At the speeds of robots the joint alone tells the whole story.
 TEST_P(Servo, IsBackwardEulerOfThePendulum) {
-  Model model = test::pendulum(1e5);
-  model.joints[0].rotor_inertia = rotor();
-  const auto world_owner = make(model, fixed());
+  const auto world_owner = on_the_way(0.95);
   World& world = *world_owner;
-  Configuration start(model);
-  start.q[0] = 0.95;
-  start.qd[0] = -0.7;
-  ASSERT_EQ(world.set(start), Status::kOk);
-  const ServoTarget target{.q = 1.0, .qd = 0.5, .tau = 3.0, .kp = 4000.0, .kd = 50.0};
-  ASSERT_EQ(world.set_servo(0, target), Status::kOk);
   double q = 0.95, qd = -0.7;
   for (int i = 0; i < 200; ++i) {
-    const double next = implicit_speed(q, qd, target, rotor());
+    const double next = implicit_speed(q, qd, kTarget, rotor());
     ASSERT_EQ(world.step(), Status::kOk);
     // The torque it reports is the law at the end of the step.
-    const double tau =
-        target.kp * (target.q - q - kStep * next) + target.kd * (target.qd - next) + target.tau;
+    const double tau = end_law(q, next);
     ASSERT_NEAR(world.configuration().qd[0], next, 1e-4 * (1.0 + std::abs(next))) << i;
     EXPECT_NEAR(world.tau(0), tau, 1e-3 * (1.0 + std::abs(tau))) << i;
     q = world.configuration().q[0];
@@ -82,16 +93,8 @@ TEST_P(Servo, IsBackwardEulerOfThePendulum) {
 // At any speed: over a step the momentum about the hinge changes by gravity at its start and by the
 // law at its end, and the rotor takes its share.
 TEST_P(Servo, IsExactlyBackwardEuler) {
-  Model model = test::pendulum(1e5);
-  model.joints[0].rotor_inertia = rotor();
-  const auto world_owner = make(model, fixed());
+  const auto world_owner = on_the_way(0.4);
   World& world = *world_owner;
-  Configuration start(model);
-  start.q[0] = 0.4;
-  start.qd[0] = -0.7;
-  ASSERT_EQ(world.set(start), Status::kOk);
-  const ServoTarget target{.q = 1.0, .qd = 0.5, .tau = 3.0, .kp = 4000.0, .kd = 50.0};
-  ASSERT_EQ(world.set_servo(0, target), Status::kOk);
   double fastest = 0.0;
   for (int i = 0; i < 200; ++i) {
     const double q = world.configuration().q[0], qd = world.configuration().qd[0];
@@ -102,8 +105,7 @@ TEST_P(Servo, IsExactlyBackwardEuler) {
     const double after =
         is_ode() ? momentum_about_hinge(world, lever) + rotor() * next
                  : before + (kPendulumInertia + rotor()) * (next - qd);  // joints are its state
-    const double law =
-        target.kp * (target.q - q - kStep * next) + target.kd * (target.qd - next) + target.tau;
+    const double law = end_law(q, next);
     const double gravity = -2.0 * kGravity * 0.5 * std::sin(q);
     ASSERT_NEAR(after - before, kStep * (gravity + law), 1e-6 * (1.0 + std::abs(kStep * law))) << i;
     EXPECT_NEAR(world.tau(0), law, 1e-6 * (1.0 + std::abs(law))) << i;
@@ -115,7 +117,17 @@ INSTANTIATE_TEST_SUITE_P(RotorInertia, Servo,
                          ::testing::Combine(::testing::Values(Engine::kArticulated, Engine::kOde),
                                             ::testing::Values(0.0, 0.5, 12.0)));
 
-class ServoTest : public test::BothEngines {};
+class ServoTest : public test::BothEngines {
+ protected:
+  // At rest where its servo wants it.
+  static std::unique_ptr<World> held(const Model& model, const WorldConfig& config, const ServoTarget& target) {
+    Configuration start(model);
+    start.q[0] = target.q;
+    auto world = make_at(start, model, config);
+    EXPECT_EQ(world->set_servo(0, target), Status::kOk);
+    return world;
+  }
+};
 TWINBUS_FOR_BOTH_ENGINES(ServoTest);
 
 TEST_P(ServoTest, TorqueWithoutGainsAcceleratesByTauOverInertia) {
@@ -136,13 +148,8 @@ TEST_P(ServoTest, NeverExceedsItsEffortAndStillPullsWithAllOfIt) {
   for (const double rotor : {0.0, 1.0}) {
     Model model = test::pendulum(8.0);  // gravity asks for up to 9.81 N m
     model.joints[0].rotor_inertia = rotor;
-    const auto world_owner = make(model, fixed());
+    const auto world_owner = held(model, fixed(), {.q = 1.5, .qd = 0, .tau = 0, .kp = 5000.0, .kd = 10.0});
     World& world = *world_owner;
-    Configuration start(model);
-    start.q[0] = 1.5;
-    ASSERT_EQ(world.set(start), Status::kOk);
-    ASSERT_EQ(world.set_servo(0, {.q = 1.5, .qd = 0, .tau = 0, .kp = 5000.0, .kd = 10.0}),
-              Status::kOk);
     double qd = 0.0, q = 1.5;
     ASSERT_EQ(world.step(), Status::kOk);
     for (int i = 0; i < 400; ++i) {
@@ -246,13 +253,8 @@ TEST_P(ServoTest, PlayLetsTheServoSideLeadByHalfOfIt) {
   const Model model = test::pendulum();
   WorldConfig config = fixed();
   config.backlash = 0.002;
-  const auto world_owner = make(model, config);
+  const auto world_owner = held(model, config, {.q = 0.8, .qd = 0, .tau = 0, .kp = 10000.0, .kd = 200.0});
   World& world = *world_owner;
-  Configuration start(model);
-  start.q[0] = 0.8;
-  ASSERT_EQ(world.set(start), Status::kOk);
-  ASSERT_EQ(world.set_servo(0, {.q = 0.8, .qd = 0, .tau = 0, .kp = 10000.0, .kd = 200.0}),
-            Status::kOk);
   for (int i = 0; i < 1000; ++i) ASSERT_EQ(world.step(), Status::kOk);
   EXPECT_GT(world.tau(0), 2.0);
   EXPECT_NEAR(world.encoder(0) - world.configuration().q[0], 0.001, 1e-5);

@@ -9,6 +9,7 @@
 #include "robot/dynamics/inverse_dynamics.h"
 #include "robot/description/load.h"
 #include "test_models.h"
+#include "world_helpers.h"
 
 namespace twinbus {
 namespace {
@@ -18,14 +19,18 @@ constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 class WorldTest : public test::BothEngines {};
 TWINBUS_FOR_BOTH_ENGINES(WorldTest);
 
-TEST_P(WorldTest, AFreeRobotFallsWithG) {
-  const Model model = test::chain(6, true);
-  const auto world_owner = make(model);
-  World& world = *world_owner;
+Configuration high_up(const Model& model) {
   Configuration start(model);
   start.base.translation().z() = 50.0;
+  return start;
+}
+
+TEST_P(WorldTest, AFreeRobotFallsWithG) {
+  const Model model = test::chain(6, true);
+  Configuration start = high_up(model);
   start.qd << 0.5, -1.0, 0.3, 0.8, -0.2, 0.4;
-  ASSERT_EQ(world.set(start), Status::kOk);
+  const auto world_owner = make_at(start, model);
+  World& world = *world_owner;
   const Eigen::Vector3d com = world.com();
   const Eigen::Vector3d velocity = world.com_velocity();
   const int steps = 500;
@@ -39,11 +44,8 @@ TEST_P(WorldTest, AFreeRobotFallsWithG) {
 
 TEST_P(WorldTest, ServosCannotChangeMomentum) {
   const Model model = test::chain(6, true);
-  const auto world_owner = make(model);
+  const auto world_owner = make_at(high_up(model), model);
   World& world = *world_owner;
-  Configuration start(model);
-  start.base.translation().z() = 50.0;
-  ASSERT_EQ(world.set(start), Status::kOk);
   Kinematics kinematics(model);
   for (int i = 0; i < 300; ++i) {
     for (int j = 0; j < 6; ++j) {
@@ -63,28 +65,13 @@ TEST_P(WorldTest, ServosCannotChangeMomentum) {
 TEST_P(WorldTest, WorkOfTheServosIsTheGainInEnergy) {
   const Model model = test::chain(4, false);
   WorldConfig config;
-  config.fixed_base = true;
   config.step = 1e-4;
-  const auto world_owner = make(model, config);
+  const auto world_owner = make_hung(model, config);
   World& world = *world_owner;
-  ASSERT_EQ(world.set(Configuration(model)), Status::kOk);
   Kinematics kinematics(model);
   InverseDynamics dynamics(model);
   Eigen::VectorXd tau(4), before(4);
-  const auto energy = [&] {
-    kinematics.update(world.configuration());
-    double e = 0.0;
-    for (int i = 0; i < model.link_count(); ++i) {
-      const Link& link = model.links[static_cast<std::size_t>(i)];
-      const Eigen::Vector3d at = kinematics.link_in_world(i) * link.com;
-      const Eigen::Matrix3d& r = kinematics.link_in_world(i).linear();
-      const Eigen::Vector3d w = r.transpose() * kinematics.angular_velocity(i);
-      e += link.mass * (0.5 * kinematics.point_velocity(i, at).squaredNorm() + kGravity * at.z());
-      e += 0.5 * w.dot(link.inertia * w);
-    }
-    return e;
-  };
-  const double start = energy();
+  const double start = test::energy(model, world, kinematics);
   double work = 0.0;
   for (int i = 0; i < 3000; ++i) {
     before = world.configuration().qd;
@@ -106,7 +93,7 @@ TEST_P(WorldTest, WorkOfTheServosIsTheGainInEnergy) {
         EXPECT_NEAR(tau[j], world.tau(j), 0.02 * (1.0 + std::abs(world.tau(j)))) << i << j;
     }
   }
-  EXPECT_NEAR(energy() - start, work, 0.01 * std::abs(work) + 0.02);
+  EXPECT_NEAR(test::energy(model, world, kinematics) - start, work, 0.01 * std::abs(work) + 0.02);
 }
 
 TEST_P(WorldTest, JointsStayTogether) {
@@ -130,11 +117,8 @@ TEST_P(WorldTest, JointsStayTogether) {
 
 TEST_P(WorldTest, RefusesWhatIsNotANumberAndGoesOn) {
   const Model model = test::pendulum();
-  WorldConfig config;
-  config.fixed_base = true;
-  const auto world_owner = make(model, config);
+  const auto world_owner = make_hung(model);
   World& world = *world_owner;
-  ASSERT_EQ(world.set(Configuration(model)), Status::kOk);
   for (int field = 0; field < 5; ++field) {
     for (const double bad : {kNotANumber, std::numeric_limits<double>::infinity(), 1e300}) {
       double n[5] = {0, 0, 0, 10, 1};
@@ -158,11 +142,8 @@ TEST_P(WorldTest, RefusesWhatIsNotANumberAndGoesOn) {
 
 TEST_P(WorldTest, FreezesInsteadOfEndingTheProcess) {
   const Model model = test::pendulum(1e9);
-  WorldConfig config;
-  config.fixed_base = true;
-  const auto world_owner = make(model, config);
+  const auto world_owner = make_hung(model);
   World& world = *world_owner;
-  ASSERT_EQ(world.set(Configuration(model)), Status::kOk);
   ASSERT_EQ(world.set_servo(0, {.q = 0, .qd = 0, .tau = 9e8, .kp = 0, .kd = 0}), Status::kOk);
   Status status = Status::kOk;
   for (int i = 0; i < 100 && status == Status::kOk; ++i) status = world.step();

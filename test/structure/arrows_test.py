@@ -14,6 +14,8 @@ import re
 import subprocess
 import sys
 
+from report import report
+
 ROOMS = ["common", "geometry", "lcmtypes", "robot", "bridge", "sim", "control", "planner", "viewer_log", "launcher", "python"]
 
 # Mains tie rooms together: main.cpp, *_main.cpp, *_main.h.  Adaptors are shared objects of their own.
@@ -232,11 +234,7 @@ def check(root):
 
 def main():
     root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).parents[2]).resolve()
-    problems = check(root)
-    for problem in problems:
-        print(problem)
-    print(f"{len(problems)} problems")
-    return 1 if problems else 0
+    return report(check(root))
 
 
 if __name__ == "__main__":

@@ -10,6 +10,8 @@ import re
 import subprocess
 import sys
 
+from report import report
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SKIPPED = 77
 NAME = re.compile(r"[\w./-]+\.(?:cpp|c|in|py|sh|java|lcm|cmake|yaml)")
@@ -75,10 +77,7 @@ def main():
         for source, name_from_root in named_sources(posixpath.dirname(path), texts[path]):
             if source not in commit and name_from_root not in commit:
                 problems.append(f"HEAD: {path}: names {source}, which is not in the commit")
-    for problem in problems:
-        print(problem)
-    print(f"{len(problems)} problems in {len(on_disk)} files")
-    return 1 if problems else 0
+    return report(problems, f" in {len(on_disk)} files")
 
 
 if __name__ == "__main__":

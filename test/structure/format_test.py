@@ -9,6 +9,8 @@ import re
 import subprocess
 import sys
 
+from report import report
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 WIDEST = 130  # columns of the product
 RULES = [
@@ -58,10 +60,7 @@ def main():
     names = listed.stdout.splitlines() or [str(p.relative_to(ROOT)) for p in ROOT.rglob("*.[ch]*")
                                            if p.suffix in (".h", ".cpp") and not p.is_relative_to(ROOT / "build")]
     problems = [p for name in names if (ROOT / name).is_file() for p in problems_of(name, (ROOT / name).read_text())]
-    for problem in problems[:200]:
-        print(problem)
-    print(f"{len(problems)} problems in {len(names)} files")
-    return 1 if problems else 0
+    return report(problems, f" in {len(names)} files", most=200)
 
 
 if __name__ == "__main__":

@@ -13,6 +13,8 @@ import sys
 
 import lcm_channels
 
+from report import report
+
 PAGES = re.compile(r"(README\.md|doc/[^/]+\.md|examples/[^/]+\.md|[a-z_]+/README\.md|config/robots/README\.md)")
 LINK = re.compile(r"\]\(([^)#\s]+)(?:#[^)]*)?\)")
 HOLE = re.compile(r"(^|[/_])[A-Z]{3,}([/_.]|$)")  # test/ROOM, lcmtypes/NAME_t.lcm: for the reader to fill in
@@ -60,9 +62,7 @@ def main():
     if not (root / ".git").exists():
         print("skipped: no git here")
         return 77
-    problems = check(root)
-    print("\n".join(problems + [f"{len(problems)} problems"]))
-    return 1 if problems else 0
+    return report(check(root))
 
 
 if __name__ == "__main__":

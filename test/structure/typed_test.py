@@ -7,6 +7,8 @@ import re
 import subprocess
 import sys
 
+from report import report
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 # A call that prints at once, up to its semicolon.
 PRINT = re.compile(r"std::(?:printf|fprintf|puts|fputs)\((?:[^;\"]|\"(?:[^\"\\]|\\.)*\")*;")
@@ -24,8 +26,7 @@ def main():
     wrong = [f"{file}:{line}: print_typed() of common/process/command_word.h prints what is typed here"
              for file in files if not file.startswith(("test/", "examples/")) and (ROOT / file).is_file()
              for line in untyped((ROOT / file).read_text())]
-    print("\n".join(wrong + [f"{len(wrong)} problems"]))
-    return 1 if wrong else 0
+    return report(wrong)
 
 
 if __name__ == "__main__":

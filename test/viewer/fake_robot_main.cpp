@@ -56,12 +56,12 @@ class FakeStack {
                           WrenchKind::kAbsent};
     state_.stop_nonce = 77;
     pose_ = model.find_pose("half_sitting");
-    bus_.listen_each<StopRequest>(channel::kStop, on_stop_);
-    bus_.listen_each<ModeRequest>(channel::kModeRequest, on_mode_);
-    bus_.listen_each<SourceRequest>(channel::kSourceRequest, on_source_);
-    bus_.listen_each<Gamepad>(channel::kGamepad, on_gamepad_);
-    bus_.listen_each<WalkCommand>(channel::kWalk, on_walk_);
-    bus_.listen_each<ArmGoal>(channel::kArmGoal, on_goal_);
+    bus_.listen_each<&FakeStack::hear_stop>(channel::kStop, *this);
+    bus_.listen_each<&FakeStack::hear_mode>(channel::kModeRequest, *this);
+    bus_.listen_each<&FakeStack::hear_source>(channel::kSourceRequest, *this);
+    bus_.listen_each<&FakeStack::hear_gamepad>(channel::kGamepad, *this);
+    bus_.listen_each<&FakeStack::hear_walk>(channel::kWalk, *this);
+    bus_.listen_each<&FakeStack::hear_goal>(channel::kArmGoal, *this);
   }
 
   void tick() {
@@ -70,11 +70,7 @@ class FakeStack {
     state_.source_time_ns = state_.time_ns;
     posture(1e-9 * static_cast<double>(state_.time_ns));
     bool sent = bus_.send(channel::kState, state_);
-    JointCommand command;
-    command.tick = state_.tick;
-    command.run_id = kRun;
-    command.controller_id = kController;
-    command.joint_count = state_.joint_count;
+    JointCommand command{.tick = state_.tick, .run_id = kRun, .controller_id = kController, .joint_count = state_.joint_count};
     command.q = state_.q;
     command.q[0] += 0.02;  // a tracking error that can be seen
     sent = bus_.send(channel::kCommand, command) && sent;
@@ -271,66 +267,51 @@ class FakeStack {
     return std::exchange(last, key) == key;
   }
 
-  struct OnStop {
-    FakeStack& me;
-    void operator()(const StopRequest& stop) {
-      if (me.repeated(stop, me.last_stop_)) return;
-      me.print(stop.kind == StopKind::kNone ? "clear" : "stop",
-               stop.kind == StopKind::kNone ? stop.stop_nonce : static_cast<long>(stop.kind), 0);
-      const bool clears = stop.kind == StopKind::kNone && stop.stop_nonce == me.state_.stop_nonce;
-      if (stop.kind != StopKind::kNone) {
-        me.state_.stop_kind = stop.kind;
-        me.state_.role = Role::kStopped;
-        me.say("Stopped by request.", 2);
-      } else if (clears) {
-        me.state_.stop_kind = StopKind::kNone;
-        me.state_.role = Role::kActive;
-        ++me.state_.stop_nonce;
-        me.say("The stop is cleared.", 0);
-      }
+  void hear_stop(const StopRequest& stop) {
+    if (repeated(stop, last_stop_)) return;
+    print(stop.kind == StopKind::kNone ? "clear" : "stop",
+          stop.kind == StopKind::kNone ? stop.stop_nonce : static_cast<long>(stop.kind), 0);
+    const bool clears = stop.kind == StopKind::kNone && stop.stop_nonce == state_.stop_nonce;
+    if (stop.kind != StopKind::kNone) {
+      state_.stop_kind = stop.kind;
+      state_.role = Role::kStopped;
+      say("Stopped by request.", 2);
+    } else if (clears) {
+      state_.stop_kind = StopKind::kNone;
+      state_.role = Role::kActive;
+      ++state_.stop_nonce;
+      say("The stop is cleared.", 0);
     }
-  };
-  struct OnMode {
-    FakeStack& me;
-    void operator()(const ModeRequest& mode) {
-      if (me.repeated(mode, me.last_mode_)) return;
-      me.mode_ = mode;
-      me.print("mode", 10 * static_cast<long>(mode.mode) + static_cast<long>(mode.motion),
-               mode.run_id);
-    }
-  };
-  struct OnSource {
-    FakeStack& me;
-    void operator()(const SourceRequest& request) {
-      if (me.repeated(request, me.last_source_)) return;
-      me.print("source", static_cast<long>(request.action), request.target_run_id);
-      if (request.action == SourceAction::kStandbyShadow) me.other_role_ = Role::kStandbyShadow;
-    }
-  };
+  }
+  void hear_mode(const ModeRequest& mode) {
+    if (repeated(mode, last_mode_)) return;
+    mode_ = mode;
+    print("mode", 10 * static_cast<long>(mode.mode) + static_cast<long>(mode.motion),
+          mode.run_id);
+  }
+  void hear_source(const SourceRequest& request) {
+    if (repeated(request, last_source_)) return;
+    print("source", static_cast<long>(request.action), request.target_run_id);
+    if (request.action == SourceAction::kStandbyShadow) other_role_ = Role::kStandbyShadow;
+  }
   // A line whenever the velocity changes.
-  struct OnWalk {
-    FakeStack& me;
-    void operator()(const WalkCommand& walk) {
-      char line[96];
-      std::snprintf(line, sizeof line, "walk %.2f %.2f %.2f run %ld", static_cast<double>(walk.vx),
-                    static_cast<double>(walk.vy), static_cast<double>(walk.wz), static_cast<long>(walk.run_id));
-      if (me.last_walk_ == line) return;
-      me.last_walk_ = line;
-      std::printf("%s\n", line);
-      std::fflush(stdout);
-    }
-  };
-  struct OnGoal {
-    FakeStack& me;
-    void operator()(const ArmGoal& goal) {
-      if (me.repeated(goal, me.last_goal_)) return;
-      std::printf("goal %d side %d at %.3f %.3f %.3f run %ld\n", static_cast<int>(goal.kind),
-                  static_cast<int>(goal.side), goal.position[0], goal.position[1], goal.position[2],
-                  static_cast<long>(goal.run_id));
-      std::fflush(stdout);
-      me.send_path(goal);
-    }
-  };
+  void hear_walk(const WalkCommand& walk) {
+    char line[96];
+    std::snprintf(line, sizeof line, "walk %.2f %.2f %.2f run %ld", static_cast<double>(walk.vx),
+                  static_cast<double>(walk.vy), static_cast<double>(walk.wz), static_cast<long>(walk.run_id));
+    if (last_walk_ == line) return;
+    last_walk_ = line;
+    std::printf("%s\n", line);
+    std::fflush(stdout);
+  }
+  void hear_goal(const ArmGoal& goal) {
+    if (repeated(goal, last_goal_)) return;
+    std::printf("goal %d side %d at %.3f %.3f %.3f run %ld\n", static_cast<int>(goal.kind),
+                static_cast<int>(goal.side), goal.position[0], goal.position[1], goal.position[2],
+                static_cast<long>(goal.run_id));
+    std::fflush(stdout);
+    send_path(goal);
+  }
 
   // The arm's first joints swing a little, so that there is a path to be drawn.
   void send_path(const ArmGoal& goal) {
@@ -353,22 +334,19 @@ class FakeStack {
     if (!bus_.send(channel::kArmPath, piece)) std::fprintf(stderr, "fake_robot: no path\n");
   }
   // A line whenever what the pad says changes, with how many messages came since.
-  struct OnGamepad {
-    FakeStack& me;
-    void operator()(const Gamepad& pad) {
-      char line[160];
-      std::snprintf(
-          line, sizeof line,
-          "pad connected %d deadman %d stop %d lx %.2f ly %.2f rx %.2f ry %.2f buttons %d run %ld",
-          pad.connected, pad.deadman, pad.stop, static_cast<double>(pad.left_x), static_cast<double>(pad.left_y),
-          static_cast<double>(pad.right_x), static_cast<double>(pad.right_y), pad.buttons, static_cast<long>(pad.run_id));
-      ++me.pads_;
-      if (me.last_pad_ == line) return;
-      me.last_pad_ = line;
-      std::printf("%s after %d\n", line, std::exchange(me.pads_, 0));
-      std::fflush(stdout);
-    }
-  };
+  void hear_gamepad(const Gamepad& pad) {
+    char line[160];
+    std::snprintf(
+        line, sizeof line,
+        "pad connected %d deadman %d stop %d lx %.2f ly %.2f rx %.2f ry %.2f buttons %d run %ld",
+        pad.connected, pad.deadman, pad.stop, static_cast<double>(pad.left_x), static_cast<double>(pad.left_y),
+        static_cast<double>(pad.right_x), static_cast<double>(pad.right_y), pad.buttons, static_cast<long>(pad.run_id));
+    ++pads_;
+    if (last_pad_ == line) return;
+    last_pad_ = line;
+    std::printf("%s after %d\n", line, std::exchange(pads_, 0));
+    std::fflush(stdout);
+  }
 
   const Model& model_;
   RobotState state_;
@@ -380,12 +358,6 @@ class FakeStack {
   std::string last_walk_;
   std::string last_pad_;
   int pads_ = 0;
-  OnStop on_stop_{*this};
-  OnMode on_mode_{*this};
-  OnSource on_source_{*this};
-  OnGamepad on_gamepad_{*this};
-  OnWalk on_walk_{*this};
-  OnGoal on_goal_{*this};
   Bus bus_;
 };
 

@@ -8,6 +8,7 @@
 
 #include "lcmtypes/msg/guard_defaults.h"
 #include "robot/description/load.h"
+#include "test/viewer/standing.h"
 #include "viewer_log/view/signals.h"
 
 namespace twinbus {
@@ -16,28 +17,8 @@ namespace {
 using Json = nlohmann::json;
 constexpr std::int64_t kNow = 1'000'000'000;
 
-const Model& model() {
-  static const Model kModel = load_robot("hrp1s");
-  return kModel;
-}
-
-RobotState standing() {
-  RobotState state;
-  state.tick = 7;
-  state.run_id = 11;
-  state.term = 3;
-  state.model_hash = model().hash;
-  state.joint_count = static_cast<std::int16_t>(model().bus_count());
-  state.source = SourceKind::kBridge;
-  state.role = Role::kActive;
-  state.sensor_flags =
-      kEncodersValid | kImuValid | wrench_valid(kLeftFoot) | wrench_valid(kRightFoot);
-  state.wrench_kind = {WrenchKind::kMeasured, WrenchKind::kMeasured, WrenchKind::kAbsent,
-                       WrenchKind::kAbsent};
-  state.wrench[kLeftFoot][2] = 640;
-  state.wrench[kRightFoot][2] = 640;
-  return state;
-}
+using test::model;
+using test::standing;
 
 TEST(LiveFrame, NamesTheSourceAndCarriesThePosture) {
   StackView view(model());

@@ -7,24 +7,18 @@ import json
 import os
 import re
 import socket
-import subprocess
 import sys
 import time
 
 from browser import Browser, find_browser
 from pictures import compare
-from process_tools import Checks, Process, binary
+from process_tools import FAR, Checks, Process, binary, fake_robot_seen_from_afar
 from web_socket import WebSocket
 
-FAR = "10.77.77.1"  # an address of this machine that is not loopback: who comes there is taken for a stranger
 ACTS = ("clear", "source", "mode", "walk", "goal")
 check = Checks()
 bin_folder = sys.argv[1]
-if subprocess.run(["ip", "addr", "add", f"{FAR}/32", "dev", "lo"]).returncode != 0:
-    print("no address can be added: skipped")
-    sys.exit(77)
-fake = Process(binary(bin_folder, "fake_robot"))
-fake.wait_for("ready")
+fake = fake_robot_seen_from_afar(bin_folder)
 
 
 def status(port, target, host=None, extra="", to=FAR):

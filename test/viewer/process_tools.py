@@ -7,6 +7,8 @@ import sys
 import threading
 import time
 
+FAR = "10.77.77.1"  # an address of this machine that is not loopback: who comes there is taken for a stranger
+
 
 class Process:
     def __init__(self, *command, **options):
@@ -73,3 +75,13 @@ def binary(folder, name):
         print(f"{path} is not built: skipped")
         sys.exit(77)
     return path
+
+
+def fake_robot_seen_from_afar(bin_folder):
+    """A fake robot, with FAR as an address of this machine; without the right to add one the test is skipped."""
+    if subprocess.run(["ip", "addr", "add", f"{FAR}/32", "dev", "lo"]).returncode != 0:
+        print("no address can be added: skipped")
+        sys.exit(77)
+    fake = Process(binary(bin_folder, "fake_robot"))
+    fake.wait_for("ready")
+    return fake

@@ -39,16 +39,21 @@ TEST(SdlPad, HotPlugAxesAndButtonsArriveAndUnpluggingIsSeen) {
   EXPECT_EQ(input.buttons, 0);
 }
 
-TEST(SdlPad, UnpluggingWhileHeldLetsGo) {
+// From the pad to GAMEPAD.
+struct Cycle {
   SdlPad pad;
-  VirtualPad device;
-  Teleop teleop(1, false);
+  Teleop teleop{1, false};
   PadInput input;
-  const auto cycle = [&] {
+  Gamepad operator()() {
     pad.poll(input);
     teleop.on_pad(input);
     return teleop.message(0, 0);
-  };
+  }
+};
+
+TEST(SdlPad, UnpluggingWhileHeldLetsGo) {
+  VirtualPad device;
+  Cycle cycle;
   ASSERT_TRUE(device.plug());
   cycle();
   device.set_button(kPadLeftShoulder, true);
@@ -64,15 +69,8 @@ TEST(SdlPad, UnpluggingWhileHeldLetsGo) {
 
 // Whoever holds the button of a second pad has not taken hold of the robot.
 TEST(SdlPad, AnotherPadDoesNotGoOnWhereOneVanished) {
-  SdlPad pad;
   VirtualPad first, second;
-  Teleop teleop(1, false);
-  PadInput input;
-  const auto cycle = [&] {
-    pad.poll(input);
-    teleop.on_pad(input);
-    return teleop.message(0, 0);
-  };
+  Cycle cycle;
   ASSERT_TRUE(first.plug());
   cycle();
   ASSERT_TRUE(second.plug());
@@ -82,7 +80,7 @@ TEST(SdlPad, AnotherPadDoesNotGoOnWhereOneVanished) {
   first.unplug();
   EXPECT_FALSE(cycle().connected);
   EXPECT_FALSE(cycle().deadman);
-  EXPECT_TRUE(input.connected);
+  EXPECT_TRUE(cycle.input.connected);
 }
 
 TEST(SdlPad, ItIsShaken) {

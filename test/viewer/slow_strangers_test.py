@@ -8,23 +8,17 @@ import multiprocessing
 import re
 import selectors
 import socket
-import subprocess
 import sys
 import time
 
-from process_tools import Checks, Process, binary
+from process_tools import FAR, Checks, Process, binary, fake_robot_seen_from_afar
 from web_socket import WebSocket
 
-FAR = "10.77.77.1"  # an address of this machine that is not loopback: who comes there is taken for a stranger
 MANY = int(sys.argv[2]) if len(sys.argv) > 2 else 500
 STOPS = 100
 check = Checks()
 bin_folder = sys.argv[1]
-if subprocess.run(["ip", "addr", "add", f"{FAR}/32", "dev", "lo"]).returncode != 0:
-    print("no address can be added: skipped")
-    sys.exit(77)
-fake = Process(binary(bin_folder, "fake_robot"))
-fake.wait_for("ready")
+fake = fake_robot_seen_from_afar(bin_folder)
 viewer = Process(binary(bin_folder, "twinbus_viewer"), "--port", "0", "--no-open", "--listen", "0.0.0.0")
 watch = re.search(r"/#token=(\w+)", viewer.wait_for("watch and stop"))[1]
 port = int(re.search(r":(\d+)/#token", viewer.wait_for("ready at "))[1])

@@ -9,6 +9,7 @@
 #include "lcmtypes/msg/pieces.h"
 #include "lcmtypes/msg/reports.h"
 #include "lcmtypes/msg/requests.h"
+#include "test/viewer/standing.h"
 #include "viewer_log/view/health.h"
 
 namespace twinbus {
@@ -17,25 +18,14 @@ namespace {
 constexpr std::int64_t kMs = 1'000'000;
 constexpr std::int64_t kStart = 1000 * kMs;  // the steady clock does not begin at 0
 
-const Model& model() {
-  static const Model kModel = load_robot("hrp1s");
-  return kModel;
-}
+using test::model;
 
+// A simulator's first tick.
 RobotState standing(std::int64_t run = 11) {
-  RobotState state;
+  RobotState state = test::standing(run);
   state.tick = 1;
-  state.run_id = run;
-  state.model_hash = model().hash;
-  state.joint_count = static_cast<std::int16_t>(model().bus_count());
+  state.term = 0;
   state.source = SourceKind::kSimulator;
-  state.role = Role::kActive;
-  state.sensor_flags =
-      kEncodersValid | kImuValid | wrench_valid(kLeftFoot) | wrench_valid(kRightFoot);
-  state.wrench_kind = {WrenchKind::kMeasured, WrenchKind::kMeasured, WrenchKind::kAbsent,
-                       WrenchKind::kAbsent};
-  state.wrench[kLeftFoot][2] = 640;
-  state.wrench[kRightFoot][2] = 640;
   return state;
 }
 

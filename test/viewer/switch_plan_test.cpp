@@ -2,17 +2,14 @@
 
 #include <gtest/gtest.h>
 
-#include "robot/description/load.h"
+#include "test/viewer/standing.h"
 
 namespace twinbus {
 namespace {
 
 constexpr std::int64_t kMs = 1'000'000;
 
-const Model& model() {
-  static const Model kModel = load_robot("hrp1s");
-  return kModel;
-}
+using test::model;
 
 RobotState state_of(std::int64_t run, Role role) {
   RobotState state;

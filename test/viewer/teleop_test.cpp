@@ -24,6 +24,12 @@ PadInput released() {
   return input;
 }
 
+PadInput pressed(int buttons) {
+  PadInput input = released();
+  input.buttons = buttons;
+  return input;
+}
+
 bool all_zero(const Gamepad& pad) {
   return pad.left_x == 0 && pad.left_y == 0 && pad.right_x == 0 && pad.right_y == 0 &&
          pad.left_trigger == 0 && pad.right_trigger == 0 && !pad.deadman;
@@ -142,9 +148,7 @@ TEST(Teleop, StopWorksWithoutTheDeadmanAndLatches) {
 
 TEST(Teleop, AStopClearedBySomebodyElseUnlatches) {
   Teleop teleop = armed();
-  PadInput input = released();
-  input.buttons = kPadB;
-  teleop.on_pad(input);
+  teleop.on_pad(pressed(kPadB));
   teleop.on_source(kRun, false);  // our stop has not reached the source yet
   EXPECT_TRUE(teleop.stop_latched());
   teleop.on_source(kRun, true);
@@ -156,8 +160,7 @@ TEST(Teleop, AStopClearedBySomebodyElseUnlatches) {
 
 TEST(Teleop, ModeButtonsNeedTheDeadman) {
   Teleop teleop = armed();
-  PadInput input = released();
-  input.buttons = kPadX;
+  PadInput input = pressed(kPadX);
   teleop.on_pad(input);
   EXPECT_EQ(teleop.take_action(), TeleopAction::kNone);
   teleop.on_pad(released());

@@ -9,7 +9,6 @@
 // test/bench/bench_physics.py against every MuJoCo it finds; nothing else of the project needs it.
 
 #include <mujoco/mujoco.h>
-#include <time.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,19 +18,12 @@
 #include <string>
 #include <vector>
 
+#include "test/measure.h"
+
 namespace {
 
-double cpu_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
+using twinbus::thread_cpu_seconds;
+using twinbus::median;
 
 bool choose(mjModel* model, const std::string& method) {
   if (method == "euler") {
@@ -66,17 +58,17 @@ int bodies(const mjModel* model) {
 void step(const mjModel* model, mjData* data, double seconds, double duration) {
   const long most = std::lround(duration / model->opt.timestep);
   std::vector<double> batches;
-  const double begun = cpu_seconds();
+  const double begun = thread_cpu_seconds();
   long done = most;
-  while (cpu_seconds() - begun < seconds) {
+  while (thread_cpu_seconds() - begun < seconds) {
     constexpr int kBatch = 32;
     if (done + kBatch > most) {
       mj_resetDataKeyframe(model, data, 0);
       done = 0;
     }
-    const double t = cpu_seconds();
+    const double t = thread_cpu_seconds();
     for (int i = 0; i < kBatch; ++i) mj_step(model, data);
-    batches.push_back(1e6 * (cpu_seconds() - t) / kBatch);
+    batches.push_back(1e6 * (thread_cpu_seconds() - t) / kBatch);
     done += kBatch;
   }
   std::printf("us %.4f\n", median(batches));
@@ -88,10 +80,10 @@ void run(const mjModel* model, mjData* data, double duration, int repeats) {
   double total = 0.0;
   for (int r = 0; r < repeats || (total < 0.02 && r < 50 * repeats); ++r) {
     mj_resetDataKeyframe(model, data, 0);
-    const double t = cpu_seconds();
+    const double t = thread_cpu_seconds();
     for (long i = 0; i < steps; ++i) mj_step(model, data);
-    costs.push_back(1e3 * (cpu_seconds() - t) / duration);
-    total += cpu_seconds() - t;
+    costs.push_back(1e3 * (thread_cpu_seconds() - t) / duration);
+    total += thread_cpu_seconds() - t;
     if (!sane(model, data)) {
       std::printf("failed\n");
       return;

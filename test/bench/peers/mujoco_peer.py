@@ -24,7 +24,7 @@ except ImportError:
     print("mujoco: not installed, nothing compared (pip install mujoco)")
     sys.exit(0)
 
-LIMIT = 1e-10
+from kinematics_blocks import LIMIT, blocks  # noqa: E402
 
 
 def peer_model(urdf):
@@ -52,17 +52,6 @@ def peer_model(urdf):
     model.dof_armature[:] = 0.0
     model.dof_damping[:] = 0.0
     return model
-
-
-def blocks(text):
-    block = {}
-    for line in text.splitlines():
-        name, *values = line.split()
-        if name == "end":
-            yield block
-            block = {k: block[k] for k in ("joints", "link")}
-        else:
-            block[name] = values if name in ("joints", "link") else numpy.array([float(v) for v in values])
 
 
 def agreement(model, data, block):

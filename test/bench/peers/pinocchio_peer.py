@@ -23,18 +23,7 @@ except ImportError:
     print("pinocchio: not installed, nothing compared (pip install pin)")
     sys.exit(0)
 
-LIMIT = 1e-10
-
-
-def blocks(text):
-    block = {}
-    for line in text.splitlines():
-        name, *values = line.split()
-        if name == "end":
-            yield block
-            block = {k: block[k] for k in ("joints", "link")}
-        else:
-            block[name] = values if name in ("joints", "link") else numpy.array([float(v) for v in values])
+from kinematics_blocks import LIMIT, blocks  # noqa: E402
 
 
 def to_peer(model, block):

@@ -9,8 +9,6 @@
 
 #pragma once
 
-#include <time.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -22,6 +20,8 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "test/measure.h"
 
 struct TreeLink {
   int parent = -1;
@@ -80,17 +80,8 @@ inline Tree read_tree(const std::string& file) {
   return tree;
 }
 
-inline double cpu_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-inline double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
+using twinbus::thread_cpu_seconds;
+using twinbus::median;
 
 template <class Engine>
 void time_steps(const Tree& tree, const std::string& method, double h, double seconds) {
@@ -98,15 +89,15 @@ void time_steps(const Tree& tree, const std::string& method, double h, double se
   const long most = std::lround(1.0 / h);  // then it begins again
   std::unique_ptr<Engine> engine;
   std::vector<double> batches;
-  const double begun = cpu_seconds();
-  for (long done = most; batches.empty() || cpu_seconds() - begun < seconds; done += kBatch) {
+  const double begun = thread_cpu_seconds();
+  for (long done = most; batches.empty() || thread_cpu_seconds() - begun < seconds; done += kBatch) {
     if (done + kBatch > most) {
       engine = std::make_unique<Engine>(tree, method, h);
       done = 0;
     }
-    const double t = cpu_seconds();
+    const double t = thread_cpu_seconds();
     for (int i = 0; i < kBatch; ++i) engine->step();
-    batches.push_back(1e6 * (cpu_seconds() - t) / kBatch);
+    batches.push_back(1e6 * (thread_cpu_seconds() - t) / kBatch);
   }
   std::printf("us %.4f\n", median(batches));
 }
@@ -119,10 +110,10 @@ void run(const Tree& tree, const std::string& method, double h, double duration,
   double total = 0.0;
   for (int r = 0; r < repeats || (total < 0.02 && r < 50 * repeats); ++r) {
     engine = std::make_unique<Engine>(tree, method, h);
-    const double t = cpu_seconds();
+    const double t = thread_cpu_seconds();
     for (long i = 0; i < steps; ++i) engine->step();
-    costs.push_back(1e3 * (cpu_seconds() - t) / duration);
-    total += cpu_seconds() - t;
+    costs.push_back(1e3 * (thread_cpu_seconds() - t) / duration);
+    total += thread_cpu_seconds() - t;
   }
   std::printf("ms_per_s %.6f at", median(costs));
   for (int i = 0; i < static_cast<int>(tree.links.size()); ++i) {

@@ -1,0 +1,62 @@
+// What tests of worlds do again and again: a standing block, a loose box, settling, the energy of a robot.
+
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "robot/dynamics/inverse_dynamics.h"
+#include "robot/kinematics/kinematics.h"
+#include "sim/world/world.h"
+
+namespace twinbus::test {
+
+inline WorldConfig stepped(double step, int order) {
+  WorldConfig config;
+  config.step = step;
+  config.order = order;
+  return config;
+}
+
+// test::block() sunk so far into the ground that its soles carry it.
+inline Configuration standing_block(const Model& block) {
+  Configuration at(block);
+  at.base.translation().z() = -block.total_mass() * kGravity / 2e5;
+  return at;
+}
+
+// Its arm held, four seconds go by.
+inline void settle_block(World& world) {
+  ASSERT_EQ(world.set_servo(0, {.q = 0, .qd = 0, .tau = 0, .kp = 100, .kd = 10}), Status::kOk);
+  for (int i = 0; i < 2000; ++i) ASSERT_EQ(world.step(), Status::kOk);
+}
+
+inline LooseBody loose_box(const std::string& name, double mass, const Eigen::Vector3d& size, const Eigen::Isometry3d& pose,
+                           double stiffness, double damping) {
+  LooseBody body;
+  body.name = name;
+  body.solid = {SolidShape::kBox, size};
+  body.mass = mass;
+  body.start.pose = pose;
+  body.stiffness = stiffness;
+  body.damping = damping;
+  return body;
+}
+
+// Kinetic and potential [J].
+inline double energy(const Model& model, const World& world, Kinematics& kinematics) {
+  kinematics.update(world.configuration());
+  double e = 0.0;
+  for (int i = 0; i < model.link_count(); ++i) {
+    const Link& link = model.links[static_cast<std::size_t>(i)];
+    const Eigen::Vector3d at = kinematics.link_in_world(i) * link.com;
+    const Eigen::Matrix3d& r = kinematics.link_in_world(i).linear();
+    const Eigen::Vector3d w = r.transpose() * kinematics.angular_velocity(i);
+    e += link.mass * (0.5 * kinematics.point_velocity(i, at).squaredNorm() + kGravity * at.z());
+    e += 0.5 * w.dot(link.inertia * w);
+  }
+  return e;
+}
+
+}  // namespace twinbus::test
