@@ -1,7 +1,6 @@
 # Everything of others that building and testing twinbus needs: its libraries', and what only its programs and tests use.
 include(libraries)
 twinbus_package(nlohmann-json3-dev nlohmann_json 3.10)
-twinbus_package(zlib1g-dev ZLIB)
 twinbus_pkg_config(zstd libzstd libzstd-dev)
 twinbus_package(libboost-dev Boost 1.71)  # headers only: Asio and Beast
 twinbus_pkg_config(sdl2 sdl2 libsdl2-dev)

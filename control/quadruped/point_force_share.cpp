@@ -73,13 +73,4 @@ const PointForces& PointForceShare::solve(const std::array<PointFoot, kPointFeet
   return force_;
 }
 
-TrunkWrench PointForceShare::reached(const std::array<PointFoot, kPointFeet>& feet) const noexcept {
-  TrunkWrench sum;
-  for (std::size_t i = 0; i < kPointFeet; ++i) {
-    sum.force += force_[i];
-    sum.moment += feet[i].arm.cross(force_[i]);
-  }
-  return sum;
-}
-
 }  // namespace twinbus

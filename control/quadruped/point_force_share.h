@@ -35,8 +35,6 @@ class PointForceShare {
   void reset() noexcept;
   // Forces on the robot, world.
   const PointForces& solve(const std::array<PointFoot, kPointFeet>& feet, const TrunkWrench& wanted, int rounds) noexcept;
-  // What they add up to.
-  TrunkWrench reached(const std::array<PointFoot, kPointFeet>& feet) const noexcept;
 
  private:
   using Vector12 = Eigen::Matrix<double, 3 * kPointFeet, 1>;
