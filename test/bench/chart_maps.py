@@ -72,7 +72,7 @@ def draw(lines, file):
             more, bottom = table(lines, map_, engine, side + wide * k, y)
             out += more
         y = bottom + 22
-    head = plot.frame("Where each engine fails", "more than 5 mm or 5 % of energy off, through or below what should stop it, or diverged; ours and ODE with a twin of twice the step; "
+    head = plot.frame("Where each engine fails", "more than 5 mm or 5 % of energy off, through or below what should stop it, or diverged; "
                       "throw, plate and edge have no reference for places", width, y)
     x = 12
     for key, meaning in WORDS:

@@ -15,7 +15,7 @@ KNOWN = {map_.name: map_ for map_ in MAPS}
 class Cells(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.rig = bench_maps.Rig("cells_test")
+        cls.rig = bench_maps.Rig("cells_test", twin=True)
 
     @classmethod
     def tearDownClass(cls):
