@@ -99,6 +99,15 @@ CheckSubject load_subject(const std::string& name) {
         "the base of the file does not have z up and x forward: the copy of the URDF has a link "
         "upright_base above it that has");
   }
+  const std::vector<std::string> waist = joints_above_legs(subject.repaired);
+  if (!waist.empty() && source.floating.value_or(true)) {
+    std::string names;
+    for (const std::string& joint : waist) names += (names.empty() ? "" : ", ") + joint;
+    source.repairs.fixed_joints.insert(source.repairs.fixed_joints.end(), waist.begin(), waist.end());
+    subject.repaired = load_repaired_urdf(subject.text, subject.urdf, source.packages, source.repairs);
+    source.notes.push_back(names + (waist.size() > 1 ? " lie" : " lies") + " between the base and the legs, and our controller balances legs that " +
+                           "hang on the base: fixed in the proposal (fixed_joints), for another controller take it out there");
+  }
   if (subject.mjcf) {
     source.urdf_name = fs::path(subject.urdf).stem().string() + ".urdf";
     subject.model = subject.repaired;

@@ -248,7 +248,9 @@ Model load_repaired_urdf(const std::string& text, const std::string& file,
   model.urdf_text = text;
   ModelBuilder builder(parse_urdf(text, file, {.folder = model.folder, .packages = packages}),
                        file);
-  repairs.fixed_joints = builder.fix_weightless();
+  builder.fix_joints(repairs.fixed_joints, file);
+  for (const std::string& name : builder.fix_weightless()) repairs.fixed_joints.push_back(name);
+  repairs.inertia_from_shape.clear();
   builder.build(model, false);
   for (Link& link : model.links) {
     if (!lacks_inertia(link)) continue;

@@ -29,13 +29,13 @@ Model load_urdf(const std::string& urdf_file,
 
 // What a URDF needs before a robot can be simulated, in the words of robot.yaml.
 struct UrdfRepairs {
-  std::vector<std::string> fixed_joints;        // nothing behind them has mass
+  std::vector<std::string> fixed_joints;        // nothing behind them has mass, or they are to be fixed
   std::vector<std::string> inertia_from_shape;  // links without mass or inertia
 };
 
 // As load_urdf, of a URDF that is already read, and for a robot.yaml that is still to be proposed:
 // repairs are made and said instead of refusing the file, and there may be more joints than the bus
-// carries.  file: for messages and relative names.
+// carries.  repairs: fixed_joints that are there already are fixed too.  file: for messages and relative names.
 Model load_repaired_urdf(const std::string& text, const std::string& file,
                          const std::vector<std::pair<std::string, std::string>>& packages,
                          UrdfRepairs& repairs);

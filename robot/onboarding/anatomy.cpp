@@ -211,7 +211,9 @@ class Finder {
     }
     // The foot itself may have no geometry: then it is what hangs on the ankle.
     const std::size_t sixth = std::min(links.size(), at(kLegJoints)) - 1;
-    if (points_[at(links[sixth])].empty()) foot = links[sixth];
+    // What is above the ankle's last joint may reach as low as the sole.
+    const bool above = std::find(links.begin(), links.end(), foot) - links.begin() < static_cast<std::ptrdiff_t>(sixth);
+    if (points_[at(links[sixth])].empty() || (above && lowest(links[sixth]) <= limb.lowest + kFlat)) foot = links[sixth];
     Sole& sole = result_.soles[side];
     sole.link = foot;
     const Eigen::Isometry3d& pose = kinematics_.link_in_world(foot);
@@ -390,6 +392,21 @@ Eigen::VectorXd neutral_posture(const Model& model) {
 Anatomy find_anatomy(const Model& model, const std::array<SrdfFoot, 2>& feet,
                      const Eigen::Matrix3d& turn) {
   return Finder(model, feet, turn).find();
+}
+
+std::vector<std::string> joints_above_legs(const Model& model) {
+  const Anatomy found = find_anatomy(model);
+  std::array<std::vector<int>, 2> chains;  // links below the base, from the base on
+  for (std::size_t side = 0; side < 2; ++side) {
+    std::vector<int>& chain = chains[side];
+    for (int link = found.soles[side].link; link > 0; link = model.links[at(link)].parent) chain.insert(chain.begin(), link);
+  }
+  std::size_t shared = 0;
+  while (shared < chains[0].size() && shared < chains[1].size() && chains[0][shared] == chains[1][shared]) ++shared;
+  std::vector<std::string> names;
+  if (chains[0].size() != shared + at(kLegJoints) || chains[1].size() != shared + at(kLegJoints)) return names;
+  for (std::size_t i = 0; i < shared; ++i) names.push_back(model.joints[at(chains[0][i] - 1)].name);
+  return names;
 }
 
 }  // namespace twinbus

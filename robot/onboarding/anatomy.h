@@ -34,6 +34,10 @@ struct Anatomy {
 Anatomy find_anatomy(const Model& model, const std::array<SrdfFoot, 2>& feet = {},
                      const Eigen::Matrix3d& turn = Eigen::Matrix3d::Identity());
 
+// Joints between the base and legs of six joints, from the base on: of a robot whose base is above its waist.  Our controller
+// balances legs that hang on the base.
+std::vector<std::string> joints_above_legs(const Model& model);
+
 // The posture nearest to zero within the limits [joint_count].
 Eigen::VectorXd neutral_posture(const Model& model);
 

@@ -116,7 +116,7 @@ class Writer {
     std::vector<std::string> fixed = source.repairs.fixed_joints;
     for (const int j : fingers_) fixed.push_back(model_.joints[at(j)].name);
     if (!fixed.empty()) {
-      out += "# Fingers, and what has no mass; take those out that a controller moves.\n";
+      out += "# Fingers, what has no mass, what is between base and legs; take those out that a controller moves.\n";
       out += "fixed_joints: " + list(fixed) + "\n";
     }
     std::vector<std::string> filled;

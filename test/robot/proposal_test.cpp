@@ -144,6 +144,29 @@ TEST(BaseTurn, ABaseThatLiesOrLooksBackIsSetUpright) {
   }
 }
 
+// The legs hang below a waist of the base: a link above them all, and a joint between.
+TEST(Anatomy, JointsBetweenTheBaseAndTheLegsAreNamedAndFixedOnRequest) {
+  const Model straight = bare_hrp1s();
+  EXPECT_TRUE(joints_above_legs(straight).empty());
+  std::string text = straight.urdf_text;
+  text.insert(text.rfind("</robot>"),
+              "<link name='top'><inertial><mass value='5'/><inertia ixx='0.1' iyy='0.1' izz='0.1' ixy='0' ixz='0' iyz='0'/></inertial></link>"
+              "<joint name='waist_turn' type='revolute'><parent link='top'/><child link='" + straight.links.front().name +
+              "'/><axis xyz='0 0 1'/><limit lower='-1' upper='1' effort='100' velocity='5'/></joint>");
+  UrdfRepairs repairs;
+  const std::string file = straight.folder + "/hrp1s.urdf";
+  const Model model = load_repaired_urdf(text, file, {}, repairs);
+  EXPECT_EQ(model.joint_count(), straight.joint_count() + 1);
+  const std::vector<std::string> above = joints_above_legs(model);
+  ASSERT_EQ(above, std::vector<std::string>{"waist_turn"});
+  repairs.fixed_joints = above;
+  const Model fixed = load_repaired_urdf(text, file, {}, repairs);
+  EXPECT_EQ(repairs.fixed_joints, above);  // once
+  EXPECT_EQ(fixed.joint_count(), straight.joint_count());
+  EXPECT_NEAR(fixed.total_mass(), straight.total_mass() + 5.0, 1e-9);
+  EXPECT_TRUE(joints_above_legs(fixed).empty());
+}
+
 TEST(Proposal, KeepsWhatFitsOfAnSrdfThatIsThere) {
   const Model bare = bare_hrp1s();
   ProposalSource source;
