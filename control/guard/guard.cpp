@@ -20,6 +20,8 @@ using Eigen::Vector3d;
 
 // A joint that runs on this much farther than its set-point says is looked at as it is measured.
 constexpr double kRunsOn = 0.01;  // [rad or m]
+constexpr std::int64_t kHandoverTicks = 5;  // between the states of two sources, at most
+constexpr double kHandoverStep = 0.1;       // of a joint between them, at most [rad or m]
 constexpr int kKeepTicks = 5;     // a mask outlives its cause by this, against flicker
 constexpr double kNever = 1e3;    // time to contact of a pair that parts [s]
 
@@ -206,6 +208,16 @@ void Guard::Impl::forget() noexcept {
   cause = GuardCause{};
 }
 
+// Of another source: whether it took over in mid-motion, from where the last one was, and with its set-points.
+bool Guard::Impl::goes_on(const RobotState& state) const noexcept {
+  const std::int64_t passed = state.tick - seen_tick;
+  if (!(passed >= 1 && passed <= kHandoverTicks)) return false;
+  for (std::size_t k = 0; k < at(std::min(model->bus_count(), kMaxJoints)); ++k) {
+    if (!(std::abs(state.q[k] - seen_q[k]) < kHandoverStep)) return false;
+  }
+  return true;
+}
+
 void Guard::reset() noexcept { impl_->forget(); }
 
 const GuardReport& Guard::check(const RobotState& state, const JointCommand* command,
@@ -228,8 +240,10 @@ const GuardReport& Guard::check(const RobotState& state, const JointCommand* com
 
 const GuardReport& Guard::Impl::check(const RobotState& state,
                                       const JointCommand* command) noexcept {
-  if (state.run_id != run_id) forget();  // another source: its set-points are not ours
+  if (state.run_id != run_id && !goes_on(state)) forget();  // another source: its set-points are not ours
   run_id = state.run_id;
+  seen_tick = state.tick;
+  seen_q = state.q;
   predict(state, command);
   bound_moves();
   ahead_of_now.q = now.q;

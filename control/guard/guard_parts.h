@@ -53,7 +53,8 @@ struct Guard::Impl {
   double least_share = kShare;
   std::int64_t all_but_legs = 0;
   std::array<int, kMaxJoints> keep{};  // ticks left of a mask
-  std::int64_t run_id = 0;
+  std::int64_t run_id = 0, seen_tick = 0;
+  PerJoint<double> seen_q{};
   GuardReport report;
   GuardCause cause;
 
@@ -65,6 +66,7 @@ struct Guard::Impl {
   const Course& if_held(int k) const noexcept { return servos.is_soft(at(k)) ? servos.if_held(at(k)) : track.if_held(at(k)); }
   std::int64_t on_hold() const noexcept { return track.on_hold() | servos.on_hold(); }
   void forget() noexcept;
+  bool goes_on(const RobotState& state) const noexcept;
   // What is now is known.
   const GuardReport& check(const RobotState& state, const JointCommand* command) noexcept;
   void predict(const RobotState& state, const JointCommand* command) noexcept;

@@ -4,6 +4,8 @@
 
 #pragma once
 
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "control/guard/guard.h"
@@ -26,8 +28,10 @@ class GuardWatch {
 
   GuardReport judge(const RobotState& state) noexcept {
     estimator_.update(state);
-    const bool answered = has_command_ && command_.run_id == state.run_id &&
-                          command_.tick <= state.tick && state.tick - command_.tick <= kOldCommand;
+    if (state.run_id != run_id_) last_run_id_ = std::exchange(run_id_, state.run_id);
+    // A source that takes over obeys what the one before it was told last, until it is told something itself.
+    const bool for_it = command_.run_id == state.run_id || command_.run_id == last_run_id_;
+    const bool answered = has_command_ && for_it && command_.tick <= state.tick && state.tick - command_.tick <= kOldCommand;
     GuardReport report = guard_.check(state, answered ? &command_ : nullptr, estimator_);
     report.compute_ns = 0;
     if (state.stop_kind != StopKind::kNone)
@@ -49,6 +53,7 @@ class GuardWatch {
   Estimator estimator_;
   JointCommand command_;
   bool has_command_ = false;
+  std::int64_t run_id_ = 0, last_run_id_ = 0;  // of the states
 };
 
 }  // namespace twinbus

@@ -1,4 +1,5 @@
 #include "control/guard/guard.h"
+#include "control/guard/guard_watch.h"
 
 #include <gtest/gtest.h>
 
@@ -102,6 +103,34 @@ TEST(Guard, AnArmCommandedIntoTheBodyStopsBeforeIt) {
       fastest = std::max(fastest, std::abs(static_cast<double>(rig.state.qd[k])));
     EXPECT_LT(fastest, 1e-3);
   }
+}
+
+// Another source takes over in mid-motion: until it is told something itself, it obeys what the one before it was told, and the
+// guard goes on as it was.  One that stands elsewhere, or later, is looked at anew.
+TEST(Guard, GoesOnAsItWasWhenASourceTakesOverInMidMotion) {
+  const Model& model = hrp1s();
+  GuardWatch watch(model, {});
+  GuardRig rig(model, named_posture(model, "half_sitting"));
+  GuardReport report;
+  for (int i = 0; i < 600; ++i) {
+    const double step = 2.0 * model.period();
+    rig.command.q[bus("LARM_SHOULDER_R")] = std::max(-0.26, rig.command.q[bus("LARM_SHOULDER_R")] - step);
+    rig.command.q[bus("LARM_SHOULDER_Y")] = std::max(-1.5, rig.command.q[bus("LARM_SHOULDER_Y")] - step);
+    rig.command.q[bus("LARM_ELBOW")] = std::max(-1.8, rig.command.q[bus("LARM_ELBOW")] - step);
+    rig.command.tick = rig.state.tick;
+    watch.on_command(rig.command);
+    report = watch.judge(rig.state);
+    rig.tick(report);
+  }
+  ASSERT_NE(report.hold_mask & arm_mask(), 0);  // it is still asked to go deeper
+  rig.state.run_id = 2;
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_EQ(watch.judge(rig.state).hold_mask, report.hold_mask) << i;
+    ++rig.state.tick;
+  }
+  rig.state.run_id = 3;
+  rig.state.tick += 100;
+  EXPECT_EQ(watch.judge(rig.state).hold_mask, 0);  // nobody has told it anything
 }
 
 // A robot that is in contact, or inside its margin, may move every joint that takes it apart and
