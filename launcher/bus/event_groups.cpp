@@ -7,6 +7,8 @@ namespace {
 constexpr std::int64_t kWhile = 60'000'000'000;  // [ns]
 constexpr std::size_t kMostGroups = 500;  // a flood of invented sentences must not grow the map
 
+}  // namespace
+
 std::string without_numbers(const std::string& text) {
   std::string out;
   for (const char c : text) {
@@ -19,8 +21,6 @@ std::string without_numbers(const std::string& text) {
   }
   return out;
 }
-
-}  // namespace
 
 std::vector<std::string> EventGroups::take(const std::vector<std::string>& events,
                                            std::int64_t now_ns) {

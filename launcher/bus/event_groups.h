@@ -11,6 +11,9 @@
 
 namespace twinbus {
 
+// With # for every number, so that sentences which differ by numbers alone are the same.
+std::string without_numbers(const std::string& text);
+
 class EventGroups {
  public:
   // The lines to print now: new sentences at once, and "SENTENCE (12 times more in a minute)" of those that came again.

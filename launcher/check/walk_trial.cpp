@@ -257,6 +257,16 @@ GaitChoice tuned(Search& search, const Gait& usual, double leg, double start, do
   return best;
 }
 
+// What the search took, and whether it found a speed; verb: what the robot does not do at any otherwise.
+bool judged(const Search& search, const Found& found, double begin, double speed, const char* verb, WalkTrial& trial) {
+  trial.runs = search.runs();
+  trial.cpu_s = cpu_seconds() - begin;
+  trial.limit = found.limit.empty() ? found.failure : found.failure + "; " + found.limit;
+  if (speed > 0.0) return true;
+  trial.why_not = trial.limit.empty() ? std::string("it does not ") + verb + " at any speed" : trial.limit;
+  return false;
+}
+
 WalkTrial find_trot(const Model& model, double patience) {
   WalkTrial trial;
   const double begin = cpu_seconds();
@@ -266,13 +276,7 @@ WalkTrial find_trot(const Model& model, double patience) {
   Search search(model, patience);
   Found found = largest(search, {}, gait.most_velocity().x(), kShort);
   const double speed = found.speed > 0.0 ? verified(search, {}, found.speed) : 0.0;
-  trial.runs = search.runs();
-  trial.cpu_s = cpu_seconds() - begin;
-  trial.limit = found.limit.empty() ? found.failure : found.failure + "; " + found.limit;
-  if (!(speed > 0.0)) {
-    trial.why_not = trial.limit.empty() ? "it does not trot at any speed" : trial.limit;
-    return trial;
-  }
+  if (!judged(search, found, begin, speed, "trot", trial)) return trial;
   trial.trots = true;
   trial.fastest = std::floor(1e3 * kShare * speed) / 1e3;
   trial.step = 0.5 * trial.fastest * gait.period();
@@ -318,13 +322,7 @@ WalkTrial find_walk(const Model& model, double patience) {
       }
     }
   }
-  trial.runs = search.runs();
-  trial.cpu_s = cpu_seconds() - begin;
-  trial.limit = found.limit.empty() ? found.failure : found.failure + "; " + found.limit;
-  if (!(start > 0.0)) {
-    trial.why_not = trial.limit.empty() ? "it does not walk at any speed" : trial.limit;
-    return trial;
-  }
+  if (!judged(search, found, begin, start, "walk", trial)) return trial;
   trial.fastest = kShare * start;
   const Walking walking = walking_of(model);
   const double single = std::isnan(choice.single_support) ? walking.single_support : choice.single_support;

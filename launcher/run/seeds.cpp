@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "common/process/process.h"
+#include "launcher/bus/event_groups.h"
 #include "launcher/run/judge_scene.h"
 
 namespace twinbus {
@@ -44,22 +45,6 @@ SeedResult run_one(const Model& model, const SeedsRequest& request, std::uint64_
   result.seed = seed;
   result.error = error.what();
   return result;
-}
-
-// A cause without its numbers, so that seeds which fail alike are counted together.
-std::string kind_of(const std::string& failure) {
-  std::string kind;
-  for (std::size_t i = 0; i < failure.size(); ++i) {
-    const bool digit = failure[i] >= '0' && failure[i] <= '9';
-    const bool in_name = i > 0 && (std::isalpha(static_cast<unsigned char>(failure[i - 1])) != 0 || failure[i - 1] == '_');
-    if (digit && !in_name) {
-      while (i + 1 < failure.size() && ((failure[i + 1] >= '0' && failure[i + 1] <= '9') || failure[i + 1] == '.')) ++i;
-      if (kind.size() < 2 || kind.compare(kind.size() - 2, 2, "..") != 0) kind += "..";
-    } else {
-      kind += failure[i];
-    }
-  }
-  return kind;
 }
 
 std::string cause_of(const SeedResult& result) {
@@ -131,7 +116,7 @@ std::string seeds_text(const std::vector<SeedResult>& results, const SeedsReques
     if (cause.empty()) {
       ++passed;
     } else {
-      causes[kind_of(cause)].push_back(result.seed);
+      causes[without_numbers(cause)].push_back(result.seed);
     }
   }
   std::string text;

@@ -203,18 +203,43 @@ def arms(files, count, keep, scratch, binary):
     return 1 if failed or not looked else 0
 
 
-def main(words):
-    options = {"--wheel": "", "--arms": "", "--seeds": "3", "--only": "", "--keep": "", "--csv": ""}
-    files = []
+def asked(words, about, defaults):
+    """(options, files) of a command line, or None after --help.  defaults: of every option."""
+    options, files, words = dict(defaults), [], list(words)
     while words:
         word = words.pop(0)
         if word in ("--help", "-h"):
-            print(__doc__)
-            return 0
-        if word in options:
+            print(about)
+            return None
+        if word in options and words:
             options[word] = words.pop(0)
         else:
             files.append(pathlib.Path(word))
+    return options, files
+
+
+def proposed(kind, files, keep, binary):
+    """A robot of each file, proposed; those that are refused are printed."""
+    keep.mkdir(parents=True, exist_ok=True)
+    for number, file in enumerate(files):
+        robot = kind(file, keep / f"{number:02d}_{file.stem}", binary, dict(os.environ))
+        robot.propose()
+        if robot.refused:
+            print(f"{robot.name:28} refused: {robot.refused}", flush=True)
+        else:
+            yield robot
+
+
+def write_rows(file, columns, rows):
+    with open(file, "w", newline="") as stream:
+        csv.writer(stream).writerows([columns, *rows])
+
+
+def main(words):
+    command = asked(words, __doc__, {"--wheel": "", "--arms": "", "--seeds": "3", "--only": "", "--keep": "", "--csv": ""})
+    if command is None:
+        return 0
+    options, files = command
     seeds = int(options["--seeds"])
     binary = str(programs.folder_of("twinbus", "bench any_robot") / "twinbus")
     files = [f for f in files or descriptions(options["--wheel"], ARMS if options["--arms"] else HUMANOIDS) if options["--only"] in str(f)]
@@ -226,14 +251,7 @@ def main(words):
     stand = walk = legs = walkers = 0
     rows = []
     with tempfile.TemporaryDirectory() as scratch:
-        keep = pathlib.Path(options["--keep"] or scratch)
-        keep.mkdir(parents=True, exist_ok=True)
-        for number, file in enumerate(files):
-            robot = Robot(file, keep / f"{number:02d}_{file.stem}", binary, dict(os.environ))
-            robot.propose()
-            if robot.refused:
-                print(f"{robot.name:28} refused: {robot.refused}", flush=True)
-                continue
+        for robot in proposed(Robot, files, pathlib.Path(options["--keep"] or scratch), binary):
             legs += 1
             robot.try_all(seeds, pathlib.Path(scratch))
             walkers += not robot.no_walk
@@ -251,10 +269,7 @@ def main(words):
     print(f"{legs} that check takes: {stand} stand (asked {math.ceil(0.9 * legs)}); {walkers} that it does not refuse to walk: {walk} walk "
           f"(asked {math.ceil(0.8 * walkers)})")
     if options["--csv"]:
-        with open(options["--csv"], "w", newline="") as stream:
-            out = csv.writer(stream)
-            out.writerow(["bench", "case", "metric", "unit", "value", "stood", "walked"])
-            out.writerows(rows)
+        write_rows(options["--csv"], ["bench", "case", "metric", "unit", "value", "stood", "walked"], rows)
     return 0 if good else 1
 
 

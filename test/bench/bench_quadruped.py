@@ -9,16 +9,14 @@ once a seed (default 3).  A trot counts when the robot does not fall, is not sto
 velocity within 10 %.  Exit status 1 if a run fails.
 """
 
-import csv
 import json
 import math
-import os
 import pathlib
 import sys
 import tempfile
 
 import programs
-from bench_any_robot import Robot, descriptions
+from bench_any_robot import Robot, asked, descriptions, proposed, write_rows
 
 QUADRUPEDS = ("go1", "go2", "a1", "b1", "laikago", "anymal_b_simple", "anymal_c_simple", "hyq", "solo")
 SPEED, PUSH = 0.5, 0.5  # [m/s]
@@ -41,6 +39,8 @@ criteria: {{max_tilt_deg: 6, velocity_error_percent: 10}}
 class Quadruped(Robot):
     def propose(self):
         super().propose()
+        if not self.refused and not self.speed > 0.0 and self.causes:
+            self.refused = self.causes[0]
         described = self.twinbus("check", self.folder, "--json")
         self.mass = json.loads(described.stdout)["mass_kg"] if described.stdout.startswith("{") else float("nan")
 
@@ -67,32 +67,16 @@ class Quadruped(Robot):
 
 
 def main(words):
-    options = {"--wheel": "", "--seeds": "3", "--only": "", "--keep": "", "--csv": ""}
-    files = []
-    while words:
-        word = words.pop(0)
-        if word in ("--help", "-h"):
-            print(__doc__)
-            return 0
-        if word in options:
-            options[word] = words.pop(0)
-        else:
-            files.append(pathlib.Path(word))
+    command = asked(words, __doc__, {"--wheel": "", "--seeds": "3", "--only": "", "--keep": "", "--csv": ""})
+    if command is None:
+        return 0
+    options, files = command
     seeds = int(options["--seeds"])
     binary = str(programs.folder_of("twinbus", "bench quadruped") / "twinbus")
     files = [f for f in files or descriptions(options["--wheel"], QUADRUPEDS) if options["--only"] in str(f)]
     rows, bad, looked = [], 0, 0
     with tempfile.TemporaryDirectory() as scratch:
-        keep = pathlib.Path(options["--keep"] or scratch).absolute()
-        keep.mkdir(parents=True, exist_ok=True)
-        for number, file in enumerate(files):
-            robot = Quadruped(file, keep / f"{number:02d}_{file.stem}", binary, dict(os.environ))
-            robot.propose()
-            if not robot.refused and not robot.speed > 0.0 and robot.causes:
-                robot.refused = robot.causes[0]
-            if robot.refused:
-                print(f"{robot.name:28} refused: {robot.refused}", flush=True)
-                continue
+        for robot in proposed(Quadruped, files, pathlib.Path(options["--keep"] or scratch).absolute(), binary):
             looked += 1
             found = robot.rows(seeds, pathlib.Path(scratch))
             print(f"{robot.name:20} {robot.mass:5.1f} kg, legs {robot.leg:.2f} m, check {robot.seconds:.1f} s: "
@@ -104,10 +88,7 @@ def main(words):
                 bad += seeds - passed
                 rows.append(["quadruped", robot.name, what, "degrees", f"{tilt:.3f}", passed])
     if options["--csv"]:
-        with open(options["--csv"], "w", newline="") as stream:
-            out = csv.writer(stream)
-            out.writerow(["bench", "case", "metric", "unit", "value", "passed"])
-            out.writerows(rows)
+        write_rows(options["--csv"], ["bench", "case", "metric", "unit", "value", "passed"], rows)
     if not looked:
         print("no description with four legs was found")
     else:
