@@ -19,6 +19,7 @@ constexpr double kLeast = 1e-3;  // [J]
 EnergyBalance::EnergyBalance(const Model& model, const WorldConfig& config)
     : model_(model),
       silent_(!config.robots.empty()),
+      estimated_(config.engine == Engine::kMujoco),
       mass_scale_(config.mass_scale),
       velocity_(model.links.size() + config.loose.size()),
       own_velocity_(model.links.size()),
@@ -87,7 +88,7 @@ bool EnergyBalance::add(const World& world, double pushed) noexcept {
   lowest_ = std::min(lowest_, sum_);
   const bool risen = sum_ - lowest_ > kRise * scale + kLeast;
   if (risen) lowest_ = sum_;  // said once
-  return risen || !(gain_ <= kShare * scale + kLeast);
+  return !estimated_ && (risen || !(gain_ <= kShare * scale + kLeast));
 }
 
 }  // namespace twinbus

@@ -43,6 +43,7 @@ class EnergyBalance {
 
   const Model& model_;
   bool silent_ = false;
+  bool estimated_ = false;  // what contacts store: a gain says nothing then
   double mass_scale_ = 1.0;
   std::vector<Eigen::Matrix3d> loose_inertia_;  // about the centre, the body's axes [kg m^2]
   std::vector<double> loose_mass_;              // [kg]
