@@ -444,12 +444,7 @@ Status SimAdaptor::set_state(const ImposedState& imposed) {
     to.qd[model.bus_joints[i]] = imposed.qd[i];
     if (imposed.forces_known) tau[model.bus_joints[i]] = static_cast<double>(imposed.tau[i]);
   }
-  for (int j = 0; j < model.joint_count(); ++j) {
-    const Joint& joint = model.joints[static_cast<std::size_t>(j)];
-    if (joint.mimic < 0) continue;
-    to.q[j] = joint.mimic_multiplier * to.q[joint.mimic] + joint.mimic_offset;
-    to.qd[j] = joint.mimic_multiplier * to.qd[joint.mimic];
-  }
+  set_mimics(model, to);
   std::array<std::array<double, 4>, 2> force;
   if (!to.base.matrix().allFinite() || !to.q.allFinite() || !tau.allFinite() ||
       !s.imposed_corner_forces(imposed, force)) {

@@ -46,16 +46,8 @@ const char* PoseCheck::why_not(const Estimator& estimator, const PerJoint<double
     // Seen from above, in the left sole, which stays where it is.
     SupportPolygon polygon;
     polygon.clear();
-    for (const auto& [sole, frame] :
-         {std::pair(&left, Eigen::Isometry3d::Identity().matrix().eval()),
-          std::pair(&right, right_in_left.matrix().eval())}) {
-      for (const double x : {sole->front, -sole->back}) {
-        for (const double y : {sole->left, -sole->right}) {
-          const Eigen::Vector4d corner = frame * Eigen::Vector4d(x, y, 0.0, 1.0);
-          polygon.add(corner.head<2>());
-        }
-      }
-    }
+    polygon.add(left, Eigen::Isometry3d::Identity());
+    polygon.add(right, right_in_left);
     polygon.finish();
     const Eigen::Vector3d com = left_sole.inverse() * kinematics_.com();
     if (!(polygon.margin(com.head<2>()) > kInside)) return kBalance;

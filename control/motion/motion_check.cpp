@@ -8,6 +8,7 @@
 #include "common/math/index.h"
 #include "common/math/pose_math.h"
 #include "control/legs/whole_body_ik.h"
+#include "control/legs/wrench_share.h"
 #include "robot/collision/collision.h"
 #include "robot/dynamics/inverse_dynamics.h"
 #include "robot/estimation/support_polygon.h"
@@ -81,9 +82,6 @@ class Check {
         dynamics_(model),
         tau_(Eigen::VectorXd::Zero(model.joint_count())),
         qdd_(tau_) {
-    for (int j = 0; j < model.joint_count(); ++j) {
-      if (model.joints[at(j)].mimic >= 0) followers_.push_back(j);
-    }
     stands_ = model.floating_base && model.soles[0].link >= 0 && model.soles[1].link >= 0;
     const bool legs = stands_ && leg_chain(model, 0).count == 6 && leg_chain(model, 1).count == 6;
     if (legs && !config.as_recorded) ik_.emplace(model);
@@ -161,13 +159,6 @@ class Check {
     }
   }
 
-  void follow(Configuration& c) const {
-    for (const int j : followers_) {
-      const Joint& joint = model_.joints[at(j)];
-      c.q[j] = joint.mimic_multiplier * c.q[joint.mimic] + joint.mimic_offset;
-    }
-  }
-
   // The whole robot at a tick.
   Configuration configuration(std::int64_t tick) {
     const double time = static_cast<double>(tick) * model_.period();
@@ -178,7 +169,7 @@ class Check {
     }
     const MotionPoint point = motion_.at_time(time);
     for (int k = 0; k < model_.bus_count(); ++k) c.q[model_.bus_joints[at(k)]] = point.q[at(k)];
-    follow(c);
+    set_mimics(model_, c);
     if (!ik_) return c;
     const Eigen::Matrix3d base = rotation_of(Eigen::Vector3d(point.tilt.x(), point.tilt.y(), 0.0)) *
                                  motion_.standing().base.linear();
@@ -225,7 +216,7 @@ class Check {
       for (int k = 0; k < model_.bus_count(); ++k)
         c.q[model_.bus_joints[at(k)]] =
             motion_.stand()[at(k)] + share * (to[at(k)] - motion_.stand()[at(k)]);
-      follow(c);
+      set_mimics(model_, c);
       look_at_links(c, -1);
     }
   }
@@ -244,10 +235,7 @@ class Check {
       const Eigen::Isometry3d sole = frame(f);
       const bool flat = sole.linear()(2, 2) > std::cos(kNearlyFlat);
       if (config_.as_recorded && !(sole.translation().z() < lowest + kOnGround && flat)) continue;
-      for (const double x : {model_.soles[f].front, -model_.soles[f].back}) {
-        for (const double y : {model_.soles[f].left, -model_.soles[f].right})
-          polygon.add((sole * Eigen::Vector3d(x, y, 0.0)).head<2>());
-      }
+      polygon.add(model_.soles[f], sole);
     }
     polygon.finish();
     return polygon.count() >= 3;
@@ -313,27 +301,28 @@ class Check {
     }
   }
 
-  // Each sole as much as it is near, each as far from its middle.
+  // As the balance controller shares it.
   void share_wrench(const Configuration& now, const Eigen::Vector3d& a,
                     const Eigen::Vector3d& alpha, const Eigen::Vector2d& zmp,
                     const Eigen::Vector3d& force) {
-    std::array<Eigen::Vector3d, 2> middle;
+    std::array<SoleOnGround, 2> soles;
+    std::array<Eigen::Isometry3d, 2> frame;
     for (std::size_t f = 0; f < 2; ++f) {
       const Sole& sole = model_.soles[f];
-      middle[f] =
-          kinematics_.link_in_world(sole.link) * sole.frame *
-          Eigen::Vector3d(0.5 * (sole.front - sole.back), 0.5 * (sole.left - sole.right), 0.0);
+      frame[f] = kinematics_.link_in_world(sole.link) * sole.frame;
+      soles[f] = {.position = frame[f].translation().head<2>(),
+                  .yaw = yaw_of(frame[f].linear()),
+                  .front = sole.front,
+                  .back = sole.back,
+                  .left = sole.left,
+                  .right = sole.right};
     }
-    const Eigen::Vector2d line = (middle[0] - middle[1]).head<2>();
-    const double left = std::clamp(
-        line.dot(zmp - middle[1].head<2>()) / std::max(1e-6, line.squaredNorm()), 0.0, 1.0);
-    const Eigen::Vector2d off = zmp - (left * middle[0] + (1.0 - left) * middle[1]).head<2>();
+    const ZmpShare share = share_zmp(soles, zmp, 0.0, 0.0);
     std::vector<ExternalWrench> wrench(2);
     for (std::size_t f = 0; f < 2; ++f) {
       wrench[f].link = model_.soles[f].link;
-      wrench[f].point = middle[f];
-      wrench[f].point.head<2>() += off;
-      wrench[f].force = (f == 0 ? left : 1.0 - left) * force;
+      wrench[f].point = frame[f] * Eigen::Vector3d(share.cop[f].x(), share.cop[f].y(), 0.0);
+      wrench[f].force = (f == 0 ? share.left : 1.0 - share.left) * force;
     }
     (void)dynamics_.solve(kinematics_, now, qdd_, a, alpha, wrench, tau_);
   }
@@ -348,7 +337,6 @@ class Check {
   InverseDynamics dynamics_;
   std::optional<WholeBodyIk> ik_;
   Eigen::VectorXd tau_, qdd_;
-  std::vector<int> followers_;
   bool stands_ = false;
   Eigen::Vector3d home_ = Eigen::Vector3d::Zero();
   std::array<Eigen::Isometry3d, 2> soles_{Eigen::Isometry3d::Identity(),

@@ -7,6 +7,7 @@
 
 #include "common/math/index.h"
 #include "common/math/pose_math.h"
+#include "common/math/quintic_fade.h"
 
 namespace twinbus {
 
@@ -45,9 +46,6 @@ int standing_feet(const Estimator& estimator) noexcept {
   for (int foot = 0; feet != nullptr && foot < feet->count(); ++foot) count += feet->stands(foot) ? 1 : 0;
   return count;
 }
-
-double smooth(double t) noexcept { return t * t * t * (10.0 + t * (-15.0 + 6.0 * t)); }
-double smooth_rate(double t) noexcept { return 30.0 * t * t * (1.0 - t) * (1.0 - t); }
 }  // namespace
 
 Quadruped::Quadruped(const Model& model)
@@ -348,11 +346,12 @@ void Quadruped::lead_legs(const Estimator& estimator, double dt) noexcept {
     if (leg.swings) {
       const double t = std::clamp(gait_.swing_done(static_cast<int>(i)), 0.0, 1.0), per_s = 1.0 / gait_.swing_time();
       const Eigen::Vector3d whole = leg.target - leg.anchor;
+      const QuinticFade left = quintic_fade(t);
       const double bump = 16.0 * t * t * (1.0 - t) * (1.0 - t);
       const double bump_rate = 32.0 * t * (1.0 - t) * (1.0 - 2.0 * t) * per_s;
-      const Eigen::Vector3d place = leg.anchor + smooth(t) * whole + bump * gait_.lift() * Eigen::Vector3d::UnitZ();
+      const Eigen::Vector3d place = leg.anchor + (1.0 - left.h0) * whole + bump * gait_.lift() * Eigen::Vector3d::UnitZ();
       way = now.base.linear() * base_.transpose() * (place - com_) - (leg.point - com_);
-      rate = smooth_rate(t) * per_s * whole + bump_rate * gait_.lift() * Eigen::Vector3d::UnitZ() - now.base_velocity -
+      rate = -left.h0_rate * per_s * whole + bump_rate * gait_.lift() * Eigen::Vector3d::UnitZ() - now.base_velocity -
              now.base_angular_velocity.cross(leg.point - now.base.translation());
     } else {
       way = leg.anchor - leg.point;

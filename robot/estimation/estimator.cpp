@@ -323,11 +323,7 @@ void Estimator::finish() noexcept {
     if (!loaded_[foot]) continue;
     moment += torque_[foot] + sole_[foot].translation().cross(force_[foot]);
     force_z += force_[foot].z();
-    for (const double x : {sole.front, -sole.back}) {
-      for (const double y : {sole.left, -sole.right}) {
-        support_.add((sole_[foot] * Eigen::Vector3d(x, y, 0.0)).head<2>());
-      }
-    }
+    support_.add(sole, sole_[foot]);
   }
   support_.finish();
   if (own_attitude_) {

@@ -18,6 +18,12 @@ void SupportPolygon::add(const Eigen::Vector2d& point) noexcept {
 }
 
 // Andrew's monotone chain.
+void SupportPolygon::add(const Sole& sole, const Eigen::Isometry3d& frame) noexcept {
+  for (const double x : {sole.front, -sole.back}) {
+    for (const double y : {sole.left, -sole.right}) add((frame * Eigen::Vector3d(x, y, 0.0)).head<2>());
+  }
+}
+
 void SupportPolygon::finish() noexcept {
   if (count_ < 3) return;
   std::array<Eigen::Vector2d, kCapacity> sorted;

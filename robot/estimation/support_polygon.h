@@ -2,8 +2,10 @@
 
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <array>
+
+#include "robot/description/model.h"
 
 namespace twinbus {
 
@@ -14,6 +16,8 @@ class SupportPolygon {
   void clear() noexcept { count_ = 0; }
   // A corner of a sole, seen from above [m].  More than kCapacity are ignored.
   void add(const Eigen::Vector2d& point) noexcept;
+  // The corners of a sole whose frame lies so.
+  void add(const Sole& sole, const Eigen::Isometry3d& frame) noexcept;
   // After the last add and before margin.
   void finish() noexcept;
 

@@ -17,6 +17,10 @@ void set_joints(const Model& model, const RobotState& state,
     configuration.q[model.bus_joints[k]] = state.q[k];
     configuration.qd[model.bus_joints[k]] = static_cast<double>(state.qd[k]);
   }
+  set_mimics(model, configuration);
+}
+
+void set_mimics(const Model& model, Configuration& configuration) noexcept {
   for (int j = 0; j < model.joint_count(); ++j) {
     const Joint& joint = model.joints[at(j)];
     if (joint.mimic < 0) continue;

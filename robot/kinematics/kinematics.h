@@ -27,6 +27,8 @@ struct Configuration {
 // Fills q and qd from bus arrays, mimic joints from the joints they follow.  The base is left
 // alone.
 void set_joints(const Model& model, const RobotState& state, Configuration& configuration) noexcept;
+// Mimic joints from the joints they follow, q and qd.
+void set_mimics(const Model& model, Configuration& configuration) noexcept;
 
 // A link as it is now, in world axes, so that kernels read it four numbers at a time.
 struct alignas(64) LinkState {

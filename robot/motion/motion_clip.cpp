@@ -8,6 +8,7 @@
 #include "common/math/pose_math.h"
 #include "common/text/closest_name.h"
 #include "common/text/printable.h"
+#include "robot/dynamics/inverse_dynamics.h"
 #include "robot/estimation/support_polygon.h"
 #include "robot/kinematics/leg_chain.h"
 #include "robot/motion/motion_spline.h"
@@ -21,7 +22,6 @@ constexpr double kShortest = 0.1;      // of a motion [s]
 constexpr double kDeepest = 0.2;       // of the centre of mass, as a squat's [m]
 constexpr double kMostTilt = 0.3;      // of the base: balance does not begin beyond 0.35 [rad]
 constexpr double kInside = 0.02;       // of the zero-moment point, from the edge of the soles [m]
-constexpr double kGravityHere = 9.81;  // [m/s^2]
 constexpr double kSmooth = 0.1;        // of what the legs do, as long as half a frame of 5 Hz [s]
 
 // A cubic through four neighbouring frames at times of their own (Catmull-Rom with uneven times).
@@ -181,12 +181,7 @@ void MotionClip::as_recorded(double time, Configuration& configuration) const {
   for (int j = 0; j < model_->bus_count(); ++j)
     configuration.q[model_->bus_joints[at(j)]] =
         (1.0 - s) * recorded_[k][at(j)] + s * recorded_[next][at(j)];
-  for (int j = 0; j < model_->joint_count(); ++j) {
-    const Joint& joint = model_->joints[at(j)];
-    if (joint.mimic >= 0)
-      configuration.q[j] =
-          joint.mimic_multiplier * configuration.q[joint.mimic] + joint.mimic_offset;
-  }
+  set_mimics(*model_, configuration);
   configuration.base = standing_.base;
   if (!has_root_) return;
   configuration.base.linear() = Eigen::Quaterniond(root_[k].linear())
@@ -228,16 +223,10 @@ void MotionClip::project_legs(const Model& model) {
   // Where the soles are, of the standing robot.
   SupportPolygon polygon;
   kinematics.update(standing_);
-  for (const Sole& sole : model.soles) {
-    const Eigen::Isometry3d frame = kinematics.link_in_world(sole.link) * sole.frame;
-    for (const double x : {sole.front, -sole.back}) {
-      for (const double y : {sole.left, -sole.right})
-        polygon.add((frame * Eigen::Vector3d(x, y, 0.0)).head<2>());
-    }
-  }
+  for (const Sole& sole : model.soles) polygon.add(sole, kinematics.link_in_world(sole.link) * sole.frame);
   polygon.finish();
   // The zero-moment point of a point mass at home + share * (x, y): inside, with the largest share.
-  const double omega2 = kGravityHere / std::max(0.1, home.z());
+  const double omega2 = kGravity / std::max(0.1, home.z());
   const auto fits = [&](double share) {
     for (int i = 0; i < frames(); ++i) {
       const Eigen::Vector3d &a = com[at(std::max(0, i - 1))], &b = com[at(i)],
