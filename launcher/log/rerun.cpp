@@ -223,6 +223,9 @@ void Rerun::step(Process& process, const JournalPage& page) {
     JointCommand command;
     const bool answered = loop.step(page.now_ns, command);
     (void)loop.take_sentence();
+    // As the process does: the next stop plan is not begun before the last piece of this one is taken.
+    for (StopPlanPiece piece; answered && loop.take_plan(piece);) {
+    }
     if (answered != (page.answer_hash != 0)) {
       ++process.figures.different;
       say(process, page,
