@@ -14,6 +14,7 @@ namespace twinbus {
 namespace {
 
 constexpr double kUpright = 0.3;  // from a lean that is given no more [s]
+constexpr double kSettledZmp = 0.02;  // [m] inside the support polygon: a stop may end
 
 Eigen::Vector3d turn_vector(const Eigen::Matrix3d& r) noexcept {
   const Eigen::AngleAxisd a(r);
@@ -48,7 +49,8 @@ const char* Balance::why_not(const Model& model) noexcept {
 }
 
 Balance::Balance(const Model& model, const BalanceGains& gains)
-    : model_(&model),
+    : Behavior(model),
+      model_(&model),
       gains_(gains),
       stabilizer_(gains.stabilizer),
       trunk_(gains.trunk),
@@ -57,23 +59,12 @@ Balance::Balance(const Model& model, const BalanceGains& gains)
       standing_(model),
       dynamics_(model),
       mass_(model.total_mass()),
-      q_(Eigen::VectorXd::Zero(model.joint_count())),
-      qd_(q_),
       rates_(q_),
-      qdd_(q_),
-      tau_(q_),
-      kp_(q_),
-      kd_(q_),
       offset_(q_),
-      offset_rate_(q_),
-      leg_(model.joints.size(), false),
-      wrench_(2) {
+      offset_rate_(q_) {
+  wrench_.resize(2);
   if (const char* why = why_not(model))
     throw std::runtime_error("robot " + model.name + " cannot balance: " + why);
-  for (int j = 0; j < model.joint_count(); ++j) {
-    kp_[j] = model.joints[static_cast<std::size_t>(j)].kp;
-    kd_[j] = model.joints[static_cast<std::size_t>(j)].kd;
-  }
   for (int foot = 0; foot < 2; ++foot) {
     const LegChain leg = leg_chain(model, foot);
     for (int k = 0; k < leg.count; ++k) {
@@ -239,6 +230,14 @@ bool Balance::resting() const noexcept {
   return motion_.resting() && com_velocity_.head<2>().norm() < 0.02;
 }
 
+bool Balance::stopped(const Estimator& estimator) const noexcept {
+  return resting() && estimator.support_margin(estimator.zmp()) > kSettledZmp;
+}
+
+BehaviorReport Balance::report(const Estimator&) const noexcept {
+  return {com_, com_velocity_, motion_.position(), dcm_, stabilizer_.zmp_wanted()};
+}
+
 // The wrench on each sole, in the ground frame.
 void Balance::push_soles(const Estimator& estimator, double dt) noexcept {
   const ZmpShare& share = stabilizer_.share();
@@ -325,7 +324,7 @@ void Balance::feed_forward(const Estimator& estimator) noexcept {
   q_ = now.q + lead * qd_;
 }
 
-void Balance::update(const Estimator& estimator, double dt) noexcept {
+void Balance::update(const Estimator& estimator, const Eigen::VectorXd&, double dt) noexcept {
   motion_.advance(dt);
   first_.advance(dt);
   measure(estimator);
@@ -345,7 +344,7 @@ void Balance::update(const Estimator& estimator, double dt) noexcept {
   arms_.update(-trunk_.target().x() - trunk_.waist().x(), dt);  // to the left
   push_soles(estimator, dt);
   feed_forward(estimator);
-  finite_ = q_.allFinite() && qd_.allFinite() && tau_.allFinite();
+  look_for_nan();
 }
 
 }  // namespace twinbus

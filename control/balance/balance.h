@@ -15,17 +15,17 @@
 #include "control/balance/arm_clearance.h"
 #include "control/balance/balance_gains.h"
 #include "control/balance/com_motion.h"
+#include "control/legs/behavior.h"
 #include "control/legs/foot_compliance.h"
 #include "control/balance/stabilizer.h"
 #include "control/balance/standing_motion.h"
 #include "control/balance/angular_momentum_lean.h"
-#include "robot/dynamics/inverse_dynamics.h"
 #include "robot/estimation/estimator.h"
 #include "robot/description/model.h"
 
 namespace twinbus {
 
-class Balance {
+class Balance final : public Behavior {
  public:
   // Why this robot cannot balance, or null.
   static const char* why_not(const Model& model) noexcept;
@@ -35,19 +35,15 @@ class Balance {
   // One call per tick in whatever mode, before update: velocities are low-passed all the time, for of one sample they
   // are noise, which a start would keep and whoever fades to these set-points would take for a motion.
   void watch(const Estimator& estimator, double dt) noexcept;
-  // Another robot may be watched from now on.
-  void forget() noexcept;
-  // Begins where the robot is, with its velocity; motion is forgotten.
-  void start(const Estimator& estimator) noexcept;
-  // The same robot through another source: references and motion go on, filters and errors are
-  // re-based.
-  void rebase() noexcept;
+  void forget() noexcept override;
+  void start(const Estimator& estimator) noexcept override;
+  void rebase() noexcept override;
 
-  void request(Motion motion, double amplitude, double frequency) noexcept {
+  void request(Motion motion, double amplitude, double frequency) noexcept override {
     motion_.request(motion, amplitude, frequency);
   }
-  void stop_motion(double duration) noexcept { motion_.stop(duration); }
-  void lean(const Eigen::Vector3d& offset) noexcept { motion_.lean(offset); }
+  void stop_motion(double duration) noexcept override { motion_.stop(duration); }
+  void lean(const Eigen::Vector3d& offset) noexcept override { motion_.lean(offset); }
 
   // For the next update, besides what else is asked: a way of the centre of mass from home (as ComMotion::follow), and a lean
   // of the base, roll and pitch [rad, rad/s].
@@ -59,32 +55,19 @@ class Balance {
     lean_given_ = true;
   }
 
-  void update(const Estimator& estimator, double dt) noexcept;
+  void update(const Estimator& estimator, const Eigen::VectorXd& q_given, double dt) noexcept override;
 
-  // Set-points of the legs and torques of all joints, [joint_count].
-  const Eigen::VectorXd& q() const noexcept { return q_; }
-  const Eigen::VectorXd& qd() const noexcept { return qd_; }
-  const Eigen::VectorXd& tau() const noexcept { return tau_; }
-  // Of a joint that is not of a leg: what balance adds to its set-point [rad], [rad/s].
-  double offset(int joint) const noexcept { return offset_[joint]; }
-  double offset_rate(int joint) const noexcept { return offset_rate_[joint]; }
-  bool is_leg(int joint) const noexcept { return leg_[static_cast<std::size_t>(joint)]; }
-  // Servo gains of a joint.
-  double kp(int joint) const noexcept { return kp_[joint]; }
-  double kd(int joint) const noexcept { return kd_[joint]; }
-  bool finite() const noexcept { return finite_; }
-  // Standing still on purpose: no motion asked, nothing moves.
-  bool resting() const noexcept;
+  void offset(int joint, double& q, double& qd) const noexcept override {
+    q += offset_[joint];
+    qd += offset_rate_[joint];
+  }
+  bool resting() const noexcept override;
+  // With the ZMP well inside the support polygon.
+  bool stopped(const Estimator& estimator) const noexcept override;
 
-  // For the status; ground frame.
-  const Eigen::Vector3d& com() const noexcept { return com_; }
-  const Eigen::Vector3d& com_velocity() const noexcept { return com_velocity_; }
-  Eigen::Vector3d com_reference() const noexcept { return motion_.position(); }
-  const Eigen::Vector2d& dcm() const noexcept { return dcm_; }
-  const Stabilizer& stabilizer() const noexcept { return stabilizer_; }
-  // Normal force asked of each sole [N].
-  std::array<double, 2> foot_forces() const noexcept { return foot_forces_; }
-  Motion motion() const noexcept { return motion_.motion(); }
+  std::array<double, 2> foot_forces() const noexcept override { return foot_forces_; }
+  Motion motion() const noexcept override { return motion_.motion(); }
+  BehaviorReport report(const Estimator& estimator) const noexcept override;
 
  private:
   void measure(const Estimator& estimator) noexcept;
@@ -121,13 +104,10 @@ class Balance {
                   angular_acceleration_ = Eigen::Vector3d::Zero();
   double mass_;
   std::array<double, 2> foot_forces_{};
-  bool finite_ = true;
-  Eigen::VectorXd q_, qd_, rates_, qdd_, tau_, kp_, kd_, offset_, offset_rate_;
+  Eigen::VectorXd rates_, offset_, offset_rate_;
   std::array<int, 2> waist_{-1, -1};  // joint that rolls, joint that pitches the trunk
   std::array<double, 2> waist_sign_{1.0, 1.0};
   std::vector<ExternalWrench> no_wrench_;
-  std::vector<bool> leg_;
-  std::vector<ExternalWrench> wrench_;
 };
 
 }  // namespace twinbus

@@ -262,7 +262,7 @@ bool ControlLoop::Impl::resume() noexcept {
     if (modes.quadruped() != nullptr) {  // its feet are not where it left them
       have_output = false;
       blend.cancel();
-      modes.rebase_feet();
+      modes.resume();
     }
     return true;
   }

@@ -17,42 +17,25 @@ std::array<float, N> to_floats(const Eigen::Matrix<double, static_cast<int>(N), 
 void report_tick(const Modes& modes, const Moment& now, ControllerStatus& s) noexcept {
   const RobotState& state = now.state;
   const Estimator& estimator = now.estimator;
-  const Balance* balance = modes.balance();
+  const Behavior* behavior = modes.behavior();
   s.tick = state.tick;
   s.run_id = state.run_id;
   s.arm_path_id = modes.arm().path_id();
   s.term = state.term;
   s.mode = modes.mode();
-  const Quadruped* quadruped = modes.quadruped();
-  s.motion = balance != nullptr ? balance->motion() : quadruped != nullptr ? quadruped->motion() : Motion::kNone;
+  s.motion = behavior != nullptr ? behavior->motion() : Motion::kNone;
   if (modes.plays()) s.motion = Motion::kPlayed;
   s.stopping = state.stop_kind;
   s.arm_state = static_cast<std::int8_t>(modes.arm().state());
   const Eigen::Isometry3d world_in_ground = estimator.ground_in_world().inverse();
   const Eigen::Vector3d zmp = world_in_ground * estimator.zmp();
-  if (balance != nullptr) {
-    s.com = to_floats<3>(balance->com());
-    s.com_velocity = to_floats<3>(balance->com_velocity());
-    s.com_reference = to_floats<3>(balance->com_reference());
-    s.dcm = to_floats<2>(balance->dcm());
-    s.zmp_reference = to_floats<2>(balance->stabilizer().zmp_wanted());
-  } else if (const Walk* walk = modes.walk()) {
-    const auto flat = [&](const Eigen::Vector2d& p) {
-      return to_floats<2>((world_in_ground * Eigen::Vector3d(p.x(), p.y(), 0.0)).head<2>());
-    };
-    s.com = to_floats<3>(world_in_ground * walk->com());
-    s.com_velocity = to_floats<3>(world_in_ground.linear() * walk->com_velocity());
-    s.com_reference = to_floats<3>(world_in_ground * walk->com_reference());
-    s.dcm = flat(walk->dcm());
-    s.zmp_reference = flat(walk->stabilizer().zmp_wanted());
-  } else if (quadruped != nullptr) {
-    const Eigen::Vector3d com = world_in_ground * quadruped->com();
-    const Eigen::Vector3d velocity = world_in_ground.linear() * quadruped->com_velocity();
-    s.com = to_floats<3>(com);
-    s.com_velocity = to_floats<3>(velocity);
-    s.com_reference = to_floats<3>(world_in_ground * quadruped->com_reference());
-    s.dcm = to_floats<2>(com.head<2>() + velocity.head<2>() / quadruped->gait().omega());
-    s.zmp_reference = to_floats<2>(zmp.head<2>());
+  if (behavior != nullptr) {
+    const BehaviorReport report = behavior->report(estimator);
+    s.com = to_floats<3>(report.com);
+    s.com_velocity = to_floats<3>(report.com_velocity);
+    s.com_reference = to_floats<3>(report.com_reference);
+    s.dcm = to_floats<2>(report.dcm);
+    s.zmp_reference = to_floats<2>(report.zmp_reference);
   } else {
     s.com = to_floats<3>(world_in_ground * estimator.kinematics().com());
     s.com_velocity = to_floats<3>(world_in_ground.linear() * estimator.com_velocity());

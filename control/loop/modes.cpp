@@ -1,10 +1,9 @@
 #include "control/loop/modes.h"
 
-#include <algorithm>
-#include <cmath>
 #include <stdexcept>
 
 #include "common/math/index.h"
+#include "robot/description/walking_config.h"
 
 namespace twinbus {
 
@@ -12,16 +11,9 @@ namespace {
 constexpr double kBrake = 0.3;         // [s] in which hold brings a moving joint to rest
 constexpr double kStopTime = 0.4;      // [s] in which a balanced stop ends a motion
 constexpr double kFallenTilt = 0.7;    // [rad]
-constexpr double kBalanceTilt = 0.35;  // [rad] from which balance still begins
 constexpr double kIdleDamping = 0.1;   // share of kd
-constexpr double kSettledZmp = 0.02;   // [m] inside the support polygon: a stop may end
 constexpr const char* kHasFallen =
     "the robot has fallen: the joints are damped; put it on its feet, clear the stop and ask for balance";
-
-double tilt(const Estimator& estimator) noexcept {
-  const double up = estimator.configuration().base.linear()(2, 2);
-  return std::acos(std::clamp(up, -1.0, 1.0));
-}
 }  // namespace
 
 Modes::Modes(const Model& model, const BalanceGains& gains, const WalkGains& walk)
@@ -44,84 +36,66 @@ Modes::Modes(const Model& model, const BalanceGains& gains, const WalkGains& wal
     if (model.joints[at(j)].mimic >= 0) followers_.push_back(j);
   }
   no_walk_ = "this robot cannot walk: it needs a free base, and two six-joint legs with soles or four legs with point feet";
-  if (Balance::why_not(model) != nullptr) {
-    find_four_legs();
-    return;
+  if (Balance::why_not(model) == nullptr) {
+    standing_ = (balance_ = std::make_unique<Balance>(model, gains)).get();
+  } else if (why_no_quadruped(model) == nullptr) {
+    quadruped_ = std::make_unique<Quadruped>(model);
+    quadruped_->limit(walking_of(model).fastest);
+    standing_ = walker_ = quadruped_.get();
   }
-  balance_ = std::make_unique<Balance>(model, gains);
-  for (int k = 0; k < model.bus_count(); ++k) {
-    if (balance_->is_leg(model.bus_joints[at(k)])) legs_ |= std::int64_t{1} << k;
+  for (int k = 0; standing_ != nullptr && k < model.bus_count(); ++k) {
+    if (standing_->is_leg(model.bus_joints[at(k)])) legs_ |= bit(k);
   }
+  if (balance_ == nullptr) return;
   try {
     pose_ = std::make_unique<PoseCheck>(model);
     squat_ = std::make_unique<SquatCheck>(model);
-    walk_ = std::make_unique<Walk>(model, walk);
+    walker_ = (walk_ = std::make_unique<Walk>(model, walk)).get();
   } catch (const std::runtime_error& error) {
     no_walk_ = std::string(error.what()) + "; the mode stays as it is";
   }
 }
 
-bool Modes::may_balance(const Moment& now) const noexcept {
-  if (quadruped_ != nullptr) return Quadruped::may_start(now.estimator);
-  return balance_ != nullptr && tilt(now.estimator) < kBalanceTilt && now.estimator.loaded(0) &&
-         now.estimator.loaded(1);
-}
+bool Modes::may_balance(const Moment& now) const noexcept { return standing_ != nullptr && standing_->may_start(now.estimator); }
 
 // Upright, and carried by a foot: not in a hoist, not on the ground.
 bool Modes::stands(const Moment& now) const noexcept {
-  if (quadruped_ != nullptr) return tilt(now.estimator) < kFallenTilt && Quadruped::stands(now.estimator);
-  return balance_ != nullptr && tilt(now.estimator) < kFallenTilt &&
-         (now.estimator.loaded(0) || now.estimator.loaded(1));
+  return standing_ != nullptr && now.estimator.tilt() < kFallenTilt && standing_->stands(now.estimator);
 }
 
-void Modes::begin_balance(const Moment& now) noexcept {
+void Modes::begin(Behavior* behavior, const Moment& now) noexcept {
+  if (mode_ == Mode::kIdle || mode_ == Mode::kNone || now.last == nullptr) posture_.rest(now.state.q);
   let_legs_go();
-  on_four_ = quadruped_ != nullptr;
-  balancing_ = !on_four_;
-  if (on_four_) quadruped_->start(now.estimator);
-  if (balancing_) balance_->start(now.estimator);
+  active_ = behavior;
+  active_->start(now.estimator);
 }
 
 void Modes::enter_walk(const Moment& now) noexcept {
-  if (quadruped_ != nullptr) return enter_trot(now);
-  if (walk_ == nullptr) {
+  if (walker_ == nullptr) {
     sentence_ = no_walk_.c_str();
     return;
   }
-  if (!may_balance(now)) {
-    sentence_ =
-        "walking begins on an upright robot with both soles on the ground; the mode stays as it is";
-    return;
-  }
-  if (!Walk::feels(now.estimator)) {
-    if (!Walk::stands_flat(now.estimator)) {
-      sentence_ =
-          "without force sensors at its feet the robot walks on flat ground only, and here it is not; the mode stays as it "
-          "is";
+  if (active_ != walker_) {
+    if (!may_balance(now)) {
+      sentence_ = "walking begins on an upright robot with its feet on the ground; the mode stays as it is";
       return;
     }
-    sentence_ = "the feet have no force sensors: it walks at two fifths of its fastest at most, and stops where the ground is not flat";
+    if (const char* why = walker_->why_no_walk(now.estimator)) {
+      sentence_ = why;
+      return;
+    }
+    if (const char* caution = walker_->caution(now.estimator)) sentence_ = caution;
+    changed_ = true;
+    begin(walker_, now);
   }
-  changed_ = true;
-  if (mode_ == Mode::kIdle || mode_ == Mode::kNone || now.last == nullptr)
-    posture_.rest(now.state.q);
-  walk_->start(now.estimator);
-  walking_ = true;
-  balancing_ = leaving_ = false;
+  active_->walk(true);
+  after_rest_.reset();
   mode_ = Mode::kWalk;
 }
 
 void Modes::leave_walk(const ModeRequest& next, bool at_once, bool tidy) noexcept {
-  if (on_four_) {
-    quadruped_->walk(false);
-    if (at_once) quadruped_->halt();
-  } else {
-    if (at_once && !(leaving_ && tidy)) walk_->halt();
-    walk_->want(Eigen::Vector3d::Zero());
-    if (tidy && !leaving_) walk_->square();
-  }
-  next_ = next;
-  leaving_ = true;
+  active_->leave_walk(at_once, tidy, after_rest_.has_value());
+  after_rest_ = next;
 }
 
 void Modes::start(Mode first, const Moment& now) noexcept {
@@ -131,14 +105,12 @@ void Modes::start(Mode first, const Moment& now) noexcept {
   after_motion_ = {};
   bracing_ = false;
   let_legs_go();
-  if (balance_ != nullptr) balance_->forget();
+  if (standing_ != nullptr) standing_->forget();
   enter(first, now);
 }
 
 void Modes::rebase() noexcept {
-  if (balancing_) balance_->rebase();
-  if (walking_) walk_->rebase();
-  if (on_four_) quadruped_->rebase();
+  if (active_ != nullptr) active_->rebase();
 }
 
 // Hold keeps the set-points, brought to rest; at_measured starts from where the joints are instead.
@@ -154,18 +126,14 @@ void Modes::enter_hold(const Moment& now, bool at_measured) noexcept {
 void Modes::enter_balance(const Moment& now) noexcept {
   if (!may_balance(now)) {
     sentence_ =
-        balance_ == nullptr && quadruped_ == nullptr
+        standing_ == nullptr
             ? "this robot cannot balance: it needs a free base, and two six-joint legs with soles or four legs with point feet"
             : "balance needs an upright robot with its feet on the ground; holding instead";
     enter_hold(now, false);
     mode_ = Mode::kHold;
     return;
   }
-  if (!balancing_ && !on_four_) {
-    if (mode_ == Mode::kIdle || mode_ == Mode::kNone || now.last == nullptr)
-      posture_.rest(now.state.q);
-    begin_balance(now);
-  }
+  if (active_ != standing_) begin(standing_, now);
   mode_ = Mode::kBalance;
 }
 
@@ -242,23 +210,21 @@ void Modes::obey(const ModeRequest& request, const Moment& now) noexcept {
       break;
     case Mode::kBalance:
       if (mode_ != Mode::kBalance) enter(Mode::kBalance, now);
-      if (balancing_ || on_four_) request_motion(request, now);
+      if (active_ != nullptr) request_motion(request, now);
       break;
     case Mode::kWalk:
       if (!walks()) {
         enter_walk(now);
       } else if (!stopping_) {
-        leaving_ = false;
-        if (on_four_) quadruped_->walk(true);
+        after_rest_.reset();
+        active_->walk(true);
       }
       break;
     case Mode::kStop:
       arm_.cancel();
       stop_playing();
-      if (on_four_) {
-        quadruped_->stop_motion(kStopTime);
-      } else if (balancing_) {
-        balance_->stop_motion(kStopTime);
+      if (active_ != nullptr) {
+        active_->stop_motion(kStopTime);
       } else if (mode_ != Mode::kIdle) {
         enter(Mode::kHold, now);
       }
@@ -281,10 +247,8 @@ bool Modes::follow_stop(StopKind asked, bool for_switch, bool plan_runs, const M
     forget_pose();
     if (walks()) {
       leave_walk({}, true, for_switch);
-    } else if (on_four_) {
-      quadruped_->stop_motion(kStopTime);
-    } else if (balancing_) {
-      balance_->stop_motion(kStopTime);
+    } else if (active_ != nullptr) {
+      active_->stop_motion(kStopTime);
     } else if (mode_ != Mode::kIdle && !bracing_) {
       enter_hold(now, false);
     }
@@ -292,8 +256,7 @@ bool Modes::follow_stop(StopKind asked, bool for_switch, bool plan_runs, const M
   }
   if (state.stop_kind != StopKind::kBalanced) {
     stopping_ = false;
-  } else if (on_four_ ? quadruped_->resting() : balancing_ && balance_->resting() &&
-             now.estimator.support_margin(now.estimator.zmp()) > kSettledZmp) {
+  } else if (active_ != nullptr && active_->stopped(now.estimator)) {
     stopping_ = false;
   }
   if (!held_by_gate_ && !was_held) return false;
@@ -310,7 +273,7 @@ bool Modes::follow_stop(StopKind asked, bool for_switch, bool plan_runs, const M
   changed_ = false;
   let_legs_go();
   const bool balances = may_balance(now);
-  if (balances) begin_balance(now);
+  if (balances) begin(standing_, now);
   if (!held_by_gate_) {
     mode_ = mode_before_stop_ == Mode::kIdle ? Mode::kIdle
             : balances                       ? Mode::kBalance
@@ -322,17 +285,18 @@ bool Modes::follow_stop(StopKind asked, bool for_switch, bool plan_runs, const M
 
 PlannedMotion Modes::motion(const JointCommand& command) const noexcept {
   const std::int64_t all = model_.bus_count() >= 63 ? ~std::int64_t{0} : bit(model_.bus_count()) - 1;
-  const bool legs_move = walking_ || (balancing_ && !balance_->resting()) || (on_four_ && !quadruped_->resting());
+  const bool legs_move = active_ != nullptr && active_->moves();
+  const Quadruped* four = quadruped();
   const bool moves = legs_move || posture_.moving() || arm_.moving() || motion_.active();
-  return {.walk = walking_ ? walk_.get() : nullptr,
+  return {.walk = walk(),
           .posture = motion_.stage() == MotionFollow::Stage::kPlays ? braked_ : posture_,
           .arm = arm_,
           .q_given = q_given_,
           .command = command,
           .joints = all,
           .follow = measured(),
-          .down = on_four_ && quadruped_->stepping() ? &quadruped_->stance() : nullptr,
-          .down_torque = on_four_ ? &quadruped_->stance_torque() : nullptr,
+          .down = four != nullptr && four->stepping() ? &four->stance() : nullptr,
+          .down_torque = four != nullptr ? &four->stance_torque() : nullptr,
           .rests = !moves,
           .steered = mode_ != Mode::kIdle && mode_ != Mode::kNone && !bracing_ && !held_by_gate_};
 }
@@ -347,8 +311,8 @@ void Modes::watch_for_a_fall(const Moment& now) noexcept {
     if (brace_.over()) end_brace(now);
     return;
   }
-  if (!(balancing_ || walking_ || on_four_)) return;
-  if (tilt(now.estimator) >= kFallenTilt) {
+  if (active_ == nullptr) return;
+  if (now.estimator.tilt() >= kFallenTilt) {
     looks_ahead_ = false;
     sentence_ = kHasFallen;
     enter(Mode::kIdle, now);
@@ -396,9 +360,8 @@ void Modes::want(const Moment& now, std::int64_t mask, double dt, SetPoint& set_
   if (dt > 0.0) play(now, mask, dt);
   if (mode_ == Mode::kIdle) return damp(now.state, set_point);
   if (bracing_) return brace_.update(now.estimator, posture_, dt, set_point);
-  if (leaving_ && (on_four_ ? quadruped_->resting() : walk_->resting())) {
-    leaving_ = false;
-    const ModeRequest next = next_;
+  if (after_rest_ && active_->resting()) {
+    const ModeRequest next = *std::exchange(after_rest_, std::nullopt);
     enter(Mode::kBalance, now);
     obey(next, now);
   }
@@ -411,7 +374,7 @@ void Modes::want(const Moment& now, std::int64_t mask, double dt, SetPoint& set_
     q_given_[j] = follower.mimic_multiplier * q_given_[follower.mimic] + follower.mimic_offset;
   }
   move_legs(now, dt);
-  const Eigen::VectorXd& tau = walking_ ? walk_->tau() : balancing_ ? balance_->tau() : on_four_ ? quadruped_->tau() : tau_;
+  const Eigen::VectorXd& tau = active_ != nullptr ? active_->tau() : tau_;
   set_point.kp = kp_;
   set_point.kd = kd_;
   for (int k = 0; k < n; ++k) {
@@ -419,7 +382,7 @@ void Modes::want(const Moment& now, std::int64_t mask, double dt, SetPoint& set_
     set_point.qd[at(k)] = posture_.qd(k);
     set_point.tau[at(k)] = tau[model_.bus_joints[at(k)]];
   }
-  for (int k = 0; k < n && (walking_ || balancing_ || on_four_); ++k) set_legs(k, set_point);
+  for (int k = 0; k < n && active_ != nullptr; ++k) set_legs(k, set_point);
 }
 
 }  // namespace twinbus

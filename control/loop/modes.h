@@ -10,6 +10,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,6 +20,7 @@
 #include "control/balance/squat_check.h"
 #include "control/joint/posture.h"
 #include "control/joint/set_point.h"
+#include "control/legs/behavior.h"
 #include "control/legs/static_torque.h"
 #include "control/loop/arm_follow.h"
 #include "control/loop/fall_protection.h"
@@ -52,9 +54,9 @@ class Modes {
   void start(Mode first, const Moment& now) noexcept;
   // The same robot speaks through another source.
   void rebase() noexcept;
-  // Four feet were moved by somebody else: they are stood on, or stepped with, from where they are.
-  void rebase_feet() noexcept {
-    if (on_four_) quadruped_->resume();
+  // The robot was led by somebody else: its legs go on from where they are.
+  void resume() noexcept {
+    if (active_ != nullptr) active_->resume();
   }
   // A robot that cannot be caught any more braces itself; one that lies on the ground is let go.
   void watch_for_a_fall(const Moment& now) noexcept;
@@ -66,13 +68,11 @@ class Modes {
   void obey(const ModeRequest& request, const Moment& now) noexcept;
   // Of the centre of mass, while balancing [m].
   void lean(const Eigen::Vector3d& offset) noexcept {
-    if (balancing_) balance_->lean(offset);
-    if (on_four_) quadruped_->lean(mode_ == Mode::kWalk ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : offset);
+    if (active_ != nullptr) active_->lean(mode_ == Mode::kWalk ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : offset);
   }
   // Velocity to walk at, while in mode walk: vx, vy, wz [m/s, m/s, rad/s].
   void walk(const Eigen::Vector3d& velocity) noexcept {
-    if (walking_ && !leaving_ && !stopping_) walk_->want(velocity);
-    if (on_four_ && mode_ == Mode::kWalk && !leaving_ && !stopping_) quadruped_->want(velocity);
+    if (walks() && !after_rest_ && !stopping_) active_->want(velocity);
   }
   // Footsteps instead of a velocity; refused with a sentence.
   void walk_steps(const StepList& list) noexcept;
@@ -92,14 +92,13 @@ class Modes {
 
   Mode mode() const noexcept { return mode_; }
   const ArmFollow& arm() const noexcept { return arm_; }
-  const Balance* balance() const noexcept { return balancing_ ? balance_.get() : nullptr; }
-  const Walk* walk() const noexcept { return walking_ ? walk_.get() : nullptr; }
-  // Of a robot that stands on four point feet and is balanced; it may trot.
-  const Quadruped* quadruped() const noexcept { return on_four_ ? quadruped_.get() : nullptr; }
+  // What moves the legs, or null; the next two: where it is of that kind.
+  const Behavior* behavior() const noexcept { return active_; }
+  const Walk* walk() const noexcept { return active_ == walk_.get() ? walk_.get() : nullptr; }
+  const Quadruped* quadruped() const noexcept { return active_ == quadruped_.get() ? quadruped_.get() : nullptr; }
   // What a walk that goes on may be asked for: vx, vy, wz; zero when there is none.
   Eigen::Vector3d most_velocity() const noexcept {
-    if (walking_) return walk_->gait().most_velocity;
-    return on_four_ && mode_ == Mode::kWalk ? quadruped_->gait().most_velocity() : Eigen::Vector3d::Zero();
+    return walks() ? active_->most_velocity() : Eigen::Vector3d(Eigen::Vector3d::Zero());
   }
   // Any walk of this robot, walking or not; null when it cannot.
   const Walk* any_walk() const noexcept { return walk_.get(); }
@@ -109,12 +108,11 @@ class Modes {
   void resume_walk(const Walk& foreseen, const Eigen::VectorXd& q, const Eigen::VectorXd& qd) noexcept;
   // Normal force asked of each foot, left and right [N].
   std::array<double, 2> foot_forces() const noexcept {
-    if (walking_) return walk_->foot_forces();
-    return balancing_ ? balance_->foot_forces() : std::array<double, 2>{};
+    return active_ != nullptr ? active_->foot_forces() : std::array<double, 2>{};
   }
   bool stopping() const noexcept { return stopping_; }  // commands carry the flag
   // Bit per joint whose set-point is where it is measured.
-  std::int64_t measured() const noexcept { return balancing_ || on_four_ ? legs_ : 0; }
+  std::int64_t measured() const noexcept { return active_ != nullptr && active_->follows_measured() ? legs_ : 0; }
 
  private:
   bool may_balance(const Moment& now) const noexcept;
@@ -129,12 +127,14 @@ class Modes {
   void enter_walk(const Moment& now) noexcept;
   // Walks no more: once the robot stands, `next` is obeyed.  at_once: the shortest stop; tidy: the feet side by side.
   void leave_walk(const ModeRequest& next, bool at_once, bool tidy) noexcept;
-  void begin_balance(const Moment& now) noexcept;
-  void find_four_legs();
-  void enter_trot(const Moment& now) noexcept;
-  bool walks() const noexcept { return walking_ || (on_four_ && mode_ == Mode::kWalk); }
-  // Neither balances nor walks.
-  void let_legs_go() noexcept { balancing_ = walking_ = on_four_ = leaving_ = false; }
+  // A behavior takes the legs; from joints that were let go, the posture is where they are.
+  void begin(Behavior* behavior, const Moment& now) noexcept;
+  bool walks() const noexcept { return active_ != nullptr && mode_ == Mode::kWalk; }
+  // Nothing moves the legs.
+  void let_legs_go() noexcept {
+    active_ = nullptr;
+    after_rest_.reset();
+  }
   void set_legs(int bus_joint, SetPoint& set_point) const noexcept;
   void request_motion(const ModeRequest& request, const Moment& now) noexcept;
   void end_brace(const Moment& now) noexcept;
@@ -153,16 +153,19 @@ class Modes {
   void damp(const RobotState& state, SetPoint& set_point) const noexcept;
 
   const Model& model_;
-  std::unique_ptr<Balance> balance_;   // null when the robot cannot
-  std::unique_ptr<SquatCheck> squat_;  // as balance_
-  std::unique_ptr<PoseCheck> pose_;    // as balance_
+  std::unique_ptr<Balance> balance_;      // null when the robot cannot, as those below
+  std::unique_ptr<Walk> walk_;
+  std::unique_ptr<Quadruped> quadruped_;  // of a robot with four legs and point feet
+  Behavior* standing_ = nullptr;          // balance_ or quadruped_
+  Behavior* walker_ = nullptr;            // walk_ or quadruped_
+  Behavior* active_ = nullptr;            // moves the legs; null: nothing does
+  std::optional<ModeRequest> after_rest_; // it walks no more: obeyed once it rests
+  std::unique_ptr<SquatCheck> squat_;     // as balance_
+  std::unique_ptr<PoseCheck> pose_;       // as balance_
   PoseWay way_;
   bool looks_ahead_ = false;  // along the way to asked_pose_, which begins when it is free
   ModeRequest asked_pose_;
-  std::unique_ptr<Walk> walk_;         // null when the robot cannot
-  std::unique_ptr<Quadruped> quadruped_;  // null when the robot has no four legs with point feet
   std::string no_walk_;                // why not
-  ModeRequest next_;                   // while leaving
   Posture posture_;
   ArmFollow arm_;
   MotionFollow motion_;
@@ -172,8 +175,7 @@ class Modes {
   Brace brace_;
   StaticTorque static_torque_;
   Mode mode_ = Mode::kNone, mode_before_stop_ = Mode::kNone;
-  bool balancing_ = false, walking_ = false, on_four_ = false, leaving_ = false, changed_ = false;
-  bool stopping_ = false, held_by_gate_ = false, bracing_ = false;
+  bool changed_ = false, stopping_ = false, held_by_gate_ = false, bracing_ = false;
   std::int64_t legs_ = 0;          // bit per bus joint that balance and walking move
   std::vector<int> followers_;     // joints that mimic another
   PerJoint<double> kp_{}, kd_{};   // of joints that nothing else is asked of

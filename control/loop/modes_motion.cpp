@@ -17,7 +17,7 @@ constexpr double kLevel = 0.005;     // a motion that is no deeper asks nothing 
 
 // Of a robot on its feet: the legs are told where to be, or nothing balances what the other joints do.
 const char* Modes::why_no_pose(const ModeRequest& request, const Moment& now) noexcept {
-  const bool balanced = (request.joint_mask & legs_) == 0 && (balancing_ || on_four_ || may_balance(now));
+  const bool balanced = (request.joint_mask & legs_) == 0 && (active_ != nullptr || may_balance(now));
   if (pose_ == nullptr || !stands(now) || balanced) return nullptr;
   return pose_->why_not(now.estimator, now.last != nullptr ? now.last->q : now.state.q, request.q, request.joint_mask);
 }
@@ -43,9 +43,9 @@ void Modes::enter_pose(const ModeRequest& request, const Moment& now) noexcept {
   arm_.cancel();
   // Without legs in it, the legs balance what the others do, from hold too.
   const bool without_legs = (request.joint_mask & legs_) == 0;
-  if (!without_legs || !(balancing_ || on_four_ || may_balance(now))) {
+  if (!without_legs || !(active_ != nullptr || may_balance(now))) {
     enter(Mode::kHold, now);
-  } else if (!balancing_ && !on_four_) {
+  } else if (active_ == nullptr) {
     enter(Mode::kBalance, now);
   }
   mode_ = Mode::kPose;
@@ -59,9 +59,8 @@ void Modes::request_motion(const ModeRequest& request, const Moment& now) noexce
     sentence_ = "a motion is played by ./twinbus motion FILE --play; the mode stays as it is";
     return;
   }
-  if (on_four_) return quadruped_->request(request.motion, amplitude, frequency);
   // One that squats already was asked before, from where it stood.
-  const bool from_standing = balance_->motion() == Motion::kNone && squat_ != nullptr;
+  const bool from_standing = squat_ != nullptr && active_->motion() == Motion::kNone;
   if (request.motion == Motion::kSquat && from_standing) {
     const double depth = 2.0 * ComMotion::possible(amplitude, frequency);
     if (const char* why = squat_->why_not(now.estimator, depth)) {
@@ -69,7 +68,7 @@ void Modes::request_motion(const ModeRequest& request, const Moment& now) noexce
       return;
     }
   }
-  balance_->request(request.motion, amplitude, frequency);
+  active_->request(request.motion, amplitude, frequency);
 }
 
 const char* Modes::why_no_motion(const Moment& now) noexcept {
@@ -77,18 +76,18 @@ const char* Modes::why_no_motion(const Moment& now) noexcept {
   if (bracing_) return "the robot falls; the motion is not played";
   if (mode_ == Mode::kIdle || mode_ == Mode::kNone)
     return "the joints are let go: ./twinbus mode balance first; the motion is not played";
-  if (balance_ == nullptr && quadruped_ == nullptr) return nullptr;
-  const bool balances = balancing_ || on_four_ || may_balance(now);
+  if (standing_ == nullptr) return nullptr;
+  const bool balances = active_ != nullptr || may_balance(now);
   if (!balances)
     return stands(now) ? "a motion begins on an upright robot with both soles on the ground; it is not played" : nullptr;
-  if (balance_ == nullptr || squat_ == nullptr || motion_.depth() <= kLevel) return nullptr;
+  if (squat_ == nullptr || motion_.depth() <= kLevel) return nullptr;
   return squat_->why_not(now.estimator, motion_.depth());
 }
 
 // One that is asked while the robot walks waits until it stands.
 void Modes::begin_motion(const Moment& now) noexcept {
   if (walks()) {
-    if (leaving_) return;
+    if (after_rest_) return;
     sentence_ = "the robot walks: it stops first, and plays the motion once it stands";
     return leave_walk({}, false, true);
   }
@@ -98,11 +97,10 @@ void Modes::begin_motion(const Moment& now) noexcept {
   }
   arm_.cancel();
   forget_pose();
-  if (!balancing_ && !on_four_ && may_balance(now)) enter(Mode::kBalance, now);
-  if (balancing_ || on_four_) {
+  if (active_ == nullptr && may_balance(now)) enter(Mode::kBalance, now);
+  if (active_ != nullptr) {
     motion_.keep_off(legs_);
-    if (balancing_) balance_->stop_motion(kStopTime);
-    if (on_four_) quadruped_->stop_motion(kStopTime);
+    active_->stop_motion(kStopTime);
     mode_ = Mode::kBalance;
   }
   stood_ = joints_of(posture_);

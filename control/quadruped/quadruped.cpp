@@ -36,7 +36,6 @@ constexpr int kLastPeriods = 8;       // after which it rests all the same
 constexpr int kRounds = 40;           // of the force share
 constexpr double kDampedLeg = 0.03;   // of the reach: legs that are stretched are moved no faster than this
 constexpr double kFarthestWay = 0.12; // of a foot from its set-point [m]
-constexpr double kMayTilt = 0.35;     // [rad]
 constexpr double kRestSpeed = 0.03;   // [m/s]
 constexpr int kRestFeet = 3;
 
@@ -49,31 +48,21 @@ int standing_feet(const Estimator& estimator) noexcept {
 }  // namespace
 
 Quadruped::Quadruped(const Model& model)
-    : model_(&model),
+    : Behavior(model),
+      model_(&model),
       body_(model),
       gait_(body_),
       share_(body_.mass * kGravity, 0.5 * (body_.length + body_.width), kFriction),
       dynamics_(model),
-      q_(Eigen::VectorXd::Zero(model.joint_count())),
-      qd_(q_),
-      qdd_(q_),
-      tau_(q_),
-      kp_(q_),
-      kd_(q_),
-      leg_kp_(q_),
-      leg_kd_(q_),
+      leg_kp_(kp_),
+      leg_kd_(kd_),
       stance_(body_.posture),
-      stance_torque_(q_),
-      leg_(model.joints.size(), false),
-      wrench_(4) {
+      stance_torque_(q_) {
+  wrench_.resize(4);
   forces_.fill(Eigen::Vector3d::Zero());
   for (std::size_t i = 0; i < 4; ++i) {
     wrench_[i].link = body_.legs[i].link;
-    for (const int j : body_.legs[i].joints) {
-      leg_[at(j)] = true;
-      leg_kp_[j] = model.joints[at(j)].kp;
-      leg_kd_[j] = model.joints[at(j)].kd;
-    }
+    for (const int j : body_.legs[i].joints) leg_[at(j)] = true;
   }
   Configuration c(model);
   c.q = stance_;
@@ -86,12 +75,11 @@ Quadruped::Quadruped(const Model& model)
   (void)dynamics_.solve(k, c, qdd_, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), wrench_, stance_torque_);
 }
 
-bool Quadruped::may_start(const Estimator& estimator) noexcept {
-  return standing_feet(estimator) >= kRestFeet &&
-         std::acos(std::clamp(estimator.configuration().base.linear()(2, 2), -1.0, 1.0)) < kMayTilt;
+bool Quadruped::may_start(const Estimator& estimator) const noexcept {
+  return standing_feet(estimator) >= kRestFeet && estimator.tilt() < kMayTilt;
 }
 
-bool Quadruped::stands(const Estimator& estimator) noexcept { return standing_feet(estimator) > 0; }
+bool Quadruped::stands(const Estimator& estimator) const noexcept { return standing_feet(estimator) > 0; }
 
 void Quadruped::start(const Estimator& estimator) noexcept {
   fresh_ = true;
@@ -157,10 +145,18 @@ void Quadruped::want(const Eigen::Vector3d& velocity) noexcept {
   wanted_ = gait_.possible(velocity);
 }
 
-void Quadruped::halt() noexcept {
+void Quadruped::leave_walk(bool at_once, bool, bool) noexcept {
+  walk(false);
+  if (!at_once) return;
   halts_ = true;
-  wanted_.setZero();
   motion_.stop(kSettle);
+}
+
+BehaviorReport Quadruped::report(const Estimator& estimator) const noexcept {
+  const Eigen::Isometry3d world_in_ground = estimator.ground_in_world().inverse();
+  const Eigen::Vector3d com = world_in_ground * com_, velocity = world_in_ground.linear() * velocity_;
+  return {com, velocity, world_in_ground * reference_, com.head<2>() + velocity.head<2>() / gait_.omega(),
+          (world_in_ground * estimator.zmp()).head<2>()};
 }
 
 bool Quadruped::resting() const noexcept {
@@ -370,7 +366,7 @@ void Quadruped::lead_legs(const Estimator& estimator, double dt) noexcept {
   }
 }
 
-void Quadruped::update(const Estimator& estimator, double dt) noexcept {
+void Quadruped::update(const Estimator& estimator, const Eigen::VectorXd&, double dt) noexcept {
   if (std::exchange(resumes_, false)) {
     const bool walks = walks_;
     start(estimator);
@@ -383,7 +379,7 @@ void Quadruped::update(const Estimator& estimator, double dt) noexcept {
   move_reference(dt);
   push(estimator);
   lead_legs(estimator, dt);
-  finite_ = q_.allFinite() && qd_.allFinite() && tau_.allFinite();
+  look_for_nan();
 }
 
 }  // namespace twinbus

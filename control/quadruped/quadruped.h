@@ -14,53 +14,42 @@
 #include <vector>
 
 #include "control/balance/com_motion.h"
+#include "control/legs/behavior.h"
 #include "control/quadruped/point_force_share.h"
 #include "control/quadruped/quadruped_body.h"
 #include "control/quadruped/trot_gait.h"
 #include "robot/description/model.h"
-#include "robot/dynamics/inverse_dynamics.h"
 #include "robot/estimation/estimator.h"
 
 namespace twinbus {
 
-class Quadruped {
+class Quadruped final : public Behavior {
  public:
   // Throws std::runtime_error with one sentence (why_no_quadruped).
   explicit Quadruped(const Model& model);
 
-  // Upright, and at least three feet stand; any foot stands.
-  static bool may_start(const Estimator& estimator) noexcept;
-  static bool stands(const Estimator& estimator) noexcept;
-
-  // Begins where the robot is, with its velocity, on all four feet.
-  void start(const Estimator& estimator) noexcept;
-  // Another source, or a start before: filters begin anew.
-  void rebase() noexcept { fresh_ = true; }
-
-  // The same at the next update, with what was asked of it: it was led by somebody else meanwhile.
-  void resume() noexcept { resumes_ = true; }
+  // At least three feet stand; any foot stands.
+  bool may_start(const Estimator& estimator) const noexcept override;
+  bool stands(const Estimator& estimator) const noexcept override;
+  // On all four feet.
+  void start(const Estimator& estimator) noexcept override;
+  void rebase() noexcept override { fresh_ = true; }
+  void resume() noexcept override { resumes_ = true; }
 
   // In a walk it steps as long as a velocity is asked; else it stands, and steps only so as not to fall.
-  void walk(bool on) noexcept;
-  // vx, vy, wz [m/s, m/s, rad/s]; cut to what the robot can.
-  void want(const Eigen::Vector3d& velocity) noexcept;
-  void halt() noexcept;
-  void request(Motion motion, double amplitude, double frequency) noexcept { motion_.request(motion, amplitude, frequency); }
-  void stop_motion(double duration) noexcept { motion_.stop(duration); }
-  void lean(const Eigen::Vector3d& offset) noexcept { motion_.lean(offset); }
+  void walk(bool on) noexcept override;
+  void leave_walk(bool at_once, bool tidy, bool again) noexcept override;
+  void want(const Eigen::Vector3d& velocity) noexcept override;
+  void request(Motion motion, double amplitude, double frequency) noexcept override {
+    motion_.request(motion, amplitude, frequency);
+  }
+  void stop_motion(double duration) noexcept override { motion_.stop(duration); }
+  void lean(const Eigen::Vector3d& offset) noexcept override { motion_.lean(offset); }
 
-  void update(const Estimator& estimator, double dt) noexcept;
+  void update(const Estimator& estimator, const Eigen::VectorXd& q_given, double dt) noexcept override;
 
-  // [joint_count]; q, qd, kp and kd count for leg joints alone.
-  const Eigen::VectorXd& q() const noexcept { return q_; }
-  const Eigen::VectorXd& qd() const noexcept { return qd_; }
-  const Eigen::VectorXd& tau() const noexcept { return tau_; }
-  const Eigen::VectorXd& kp() const noexcept { return kp_; }
-  const Eigen::VectorXd& kd() const noexcept { return kd_; }
-  bool is_leg(int joint) const noexcept { return leg_[static_cast<std::size_t>(joint)]; }
-  bool finite() const noexcept { return finite_; }
-  // On all four feet, and nothing moves.
-  bool resting() const noexcept;
+  // On all four feet.
+  bool resting() const noexcept override;
   bool stepping() const noexcept { return gait_.steps(); }
 
   // Joints and torques of the nominal stance, [joint_count].
@@ -69,10 +58,9 @@ class Quadruped {
 
   const QuadrupedBody& body() const noexcept { return body_; }
   const TrotGait& gait() const noexcept { return gait_; }
-  Motion motion() const noexcept { return motion_.motion(); }
-  const Eigen::Vector3d& com() const noexcept { return com_; }  // world
-  const Eigen::Vector3d& com_velocity() const noexcept { return velocity_; }
-  const Eigen::Vector3d& com_reference() const noexcept { return reference_; }
+  Motion motion() const noexcept override { return motion_.motion(); }
+  Eigen::Vector3d most_velocity() const noexcept override { return gait_.most_velocity(); }
+  BehaviorReport report(const Estimator& estimator) const noexcept override;
   const PointForces& forces() const noexcept { return forces_; }
   void limit(double fastest) noexcept { gait_.limit(fastest); }
 
@@ -112,11 +100,9 @@ class Quadruped {
   Eigen::Vector3d com_ = Eigen::Vector3d::Zero(), velocity_ = Eigen::Vector3d::Zero(), omega_ = Eigen::Vector3d::Zero();
   Eigen::Matrix3d base_ = Eigen::Matrix3d::Identity(), base_reference_ = Eigen::Matrix3d::Identity();
   PointForces forces_;
-  bool walks_ = false, halts_ = false, fresh_ = true, finite_ = true, resumes_ = false;
+  bool walks_ = false, halts_ = false, fresh_ = true, resumes_ = false;
   double quiet_ = 0.0;  // the asked velocity is zero for so long [s]
-  Eigen::VectorXd q_, qd_, qdd_, tau_, kp_, kd_, leg_kp_, leg_kd_, stance_, stance_torque_;
-  std::vector<bool> leg_;
-  std::vector<ExternalWrench> wrench_;
+  Eigen::VectorXd leg_kp_, leg_kd_, stance_, stance_torque_;
 };
 
 }  // namespace twinbus

@@ -22,10 +22,22 @@ constexpr double kFlatStep = 0.008;   // between such soles [m]
 constexpr double kTiltFilter = 0.03;  // [s]
 constexpr double kUnfeltShare = 0.4;  // of the fastest walk
 constexpr double kUnfelt = 0.1;       // no force at all for so long: the sensors are not there [s]
+
+// Whether the feet have force sensors; whether the soles that stand, do so on flat ground.
+bool feels(const Estimator& estimator) noexcept {
+  return estimator.sole_force(0).z() != 0.0 || estimator.sole_force(1).z() != 0.0;
+}
+
+bool stands_flat(const Estimator& estimator) noexcept {
+  const auto tilt = [&](int f) { return estimator.sole_in_world(f).linear().col(2).head<2>().norm(); };
+  const double step = (estimator.sole_in_world(0).translation() - estimator.sole_in_world(1).translation()).z();
+  return std::max(tilt(0), tilt(1)) < kFlatTilt && std::abs(step) < kFlatStep;
+}
 }  // namespace
 
 Walk::Walk(const Model& model, const WalkGains& gains)
-    : model_(&model),
+    : Behavior(model),
+      model_(&model),
       gains_(gains),
       pattern_(gait_of(model, walking_of(model), gains.stabilizer.margin), gains.swing),
       stabilizer_(gains.stabilizer),
@@ -33,13 +45,10 @@ Walk::Walk(const Model& model, const WalkGains& gains)
       ik_(model),
       dynamics_(model),
       mass_(model.total_mass()),
-      ground_(gains.ground),
-      q_(Eigen::VectorXd::Zero(model.joint_count())),
-      qd_(q_),
-      qdd_(q_),
-      tau_(q_),
-      wrench_(2) {
+      ground_(gains.ground) {
+  wrench_.resize(2);
   for (std::size_t f = 0; f < 2; ++f) wrench_[f].link = model.soles[f].link;
+  for (int j = 0; j < model.joint_count(); ++j) leg_[at(j)] = ik_.is_leg(j);
 }
 
 double Walk::omega() const noexcept {
@@ -123,14 +132,33 @@ void Walk::measure(const Estimator& estimator, double dt, bool fresh) noexcept {
   for (Foothold& foot : measured_feet_) foot.height += shift_;
 }
 
-bool Walk::feels(const Estimator& estimator) noexcept {
-  return estimator.sole_force(0).z() != 0.0 || estimator.sole_force(1).z() != 0.0;
+const char* Walk::why_no_walk(const Estimator& estimator) const noexcept {
+  if (feels(estimator) || stands_flat(estimator)) return nullptr;
+  return "without force sensors at its feet the robot walks on flat ground only, and here it is not; the mode stays as it is";
 }
 
-bool Walk::stands_flat(const Estimator& estimator) noexcept {
-  const auto tilt = [&](int f) { return estimator.sole_in_world(f).linear().col(2).head<2>().norm(); };
-  const double step = (estimator.sole_in_world(0).translation() - estimator.sole_in_world(1).translation()).z();
-  return std::max(tilt(0), tilt(1)) < kFlatTilt && std::abs(step) < kFlatStep;
+const char* Walk::caution(const Estimator& estimator) const noexcept {
+  if (feels(estimator)) return nullptr;
+  return "the feet have no force sensors: it walks at two fifths of its fastest at most, and stops where the ground is not flat";
+}
+
+const char* Walk::why_stopped() const noexcept {
+  return steep_ ? "the ground is not flat, and feet without force sensors do not turn with it: the robot stops" : nullptr;
+}
+
+void Walk::leave_walk(bool at_once, bool tidy, bool again) noexcept {
+  if (at_once && !(again && tidy)) halt();
+  want(Eigen::Vector3d::Zero());
+  if (tidy && !again) pattern_.square();  // before it rests, the feet come side by side
+}
+
+BehaviorReport Walk::report(const Estimator& estimator) const noexcept {
+  const Eigen::Isometry3d world_in_ground = estimator.ground_in_world().inverse();
+  const auto flat = [&](const Eigen::Vector2d& p) -> Eigen::Vector2d {
+    return (world_in_ground * Eigen::Vector3d(p.x(), p.y(), 0.0)).head<2>();
+  };
+  return {world_in_ground * com_, world_in_ground.linear() * com_velocity_, world_in_ground * com_reference(), flat(dcm_),
+          flat(stabilizer_.zmp_wanted())};
 }
 
 void Walk::want(const Eigen::Vector3d& velocity) noexcept {
@@ -264,7 +292,7 @@ void Walk::update(const Estimator& estimator, const Eigen::VectorXd& q_given, do
   ik_.solve(com_reference(), attitude(), feet_.target(), q_given, gains_.rounds);
   feed_forward(dt);
   fresh_ = false;
-  finite_ = q_.allFinite() && qd_.allFinite() && tau_.allFinite();
+  look_for_nan();
 }
 
 }  // namespace twinbus

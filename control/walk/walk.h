@@ -17,40 +17,36 @@
 #include "control/walk/walk_gains.h"
 #include "control/walk/walk_pattern.h"
 #include "control/walk/walk_stabilizer.h"
+#include "control/legs/behavior.h"
 #include "control/legs/whole_body_ik.h"
-#include "robot/dynamics/inverse_dynamics.h"
 #include "robot/estimation/estimator.h"
 #include "robot/description/model.h"
 #include "lcmtypes/msg/step_list.h"
 
 namespace twinbus {
 
-class Walk {
+class Walk final : public Behavior {
  public:
   // Throws std::runtime_error with one sentence when the robot cannot walk.
   Walk(const Model& model, const WalkGains& gains);
 
-  // Begins where the robot is, standing on both feet.
-  void start(const Estimator& estimator) noexcept;
-  // The same robot through another source.
-  void rebase() noexcept { stabilizer_.rebase(); }
+  const char* why_no_walk(const Estimator& estimator) const noexcept override;
+  const char* caution(const Estimator& estimator) const noexcept override;
+  // Standing on both feet.
+  void start(const Estimator& estimator) noexcept override;
+  void rebase() noexcept override { stabilizer_.rebase(); }
 
   // vx, vy, wz [m/s, m/s, rad/s]; cut to what the robot can.  One whose feet feel nothing walks at two fifths of its fastest at
   // most, and on flat ground only: where it is found not to be flat the robot stops for good.
-  void want(const Eigen::Vector3d& velocity) noexcept;
-  // Whether the feet have force sensors; whether the soles that stand, do so on flat ground.
-  static bool feels(const Estimator& estimator) noexcept;
-  static bool stands_flat(const Estimator& estimator) noexcept;
-  bool stopped_by_ground() const noexcept { return steep_; }
+  void want(const Eigen::Vector3d& velocity) noexcept override;
+  const char* why_stopped() const noexcept override;
   // Footsteps from where it stands.  Null, or a sentence that lives for ever: why not.
   const char* follow(const StepList& list) noexcept;
   // The shortest stop that catches the robot.
   void halt() noexcept { pattern_.halt(); }
-  // Before it rests, the feet come side by side.
-  void square() noexcept { pattern_.square(); }
+  void leave_walk(bool at_once, bool tidy, bool again) noexcept override;
 
-  // q_given [joint_count]: of the joints that are not of a leg.
-  void update(const Estimator& estimator, const Eigen::VectorXd& q_given, double dt) noexcept;
+  void update(const Estimator& estimator, const Eigen::VectorXd& q_given, double dt) noexcept override;
 
   // Ahead of the robot by dt [s], as the model says it will be; without its joints.
   void foresee(double dt) noexcept;
@@ -60,13 +56,11 @@ class Walk {
   // there as after a landing.
   void take_over(const Eigen::VectorXd& q, const Eigen::VectorXd& qd) noexcept;
 
-  const Eigen::VectorXd& q() const noexcept { return q_; }
-  const Eigen::VectorXd& qd() const noexcept { return qd_; }
-  const Eigen::VectorXd& tau() const noexcept { return tau_; }
-  bool is_leg(int joint) const noexcept { return ik_.is_leg(joint); }
-  bool finite() const noexcept { return finite_; }
-  // Stands on both feet, and nothing moves.
-  bool resting() const noexcept;
+  // On both feet.
+  bool resting() const noexcept override;
+  bool moves() const noexcept override { return true; }
+  bool stopped(const Estimator&) const noexcept override { return false; }  // it is left first
+  bool follows_measured() const noexcept override { return false; }
 
   const WalkPattern& pattern() const noexcept { return pattern_; }
   const WalkStabilizer& stabilizer() const noexcept { return stabilizer_; }
@@ -82,10 +76,9 @@ class Walk {
   const std::vector<ExternalWrench>& wrenches() const noexcept { return wrench_; }  // of the soles, as shared
   double omega() const noexcept;                                                   // of the pendulum [1/s]
   double carried_mass() const noexcept { return load_ * mass_; }                   // [kg]
-  // Normal force asked of each foot [N].
-  std::array<double, 2> foot_forces() const noexcept {
-    return {wanted_[0].force, wanted_[1].force};
-  }
+  std::array<double, 2> foot_forces() const noexcept override { return {wanted_[0].force, wanted_[1].force}; }
+  Eigen::Vector3d most_velocity() const noexcept override { return gait().most_velocity; }
+  BehaviorReport report(const Estimator& estimator) const noexcept override;
 
  private:
   void measure(const Estimator& estimator, double dt, bool fresh) noexcept;
@@ -119,12 +112,10 @@ class Walk {
   double shift_ = 0.0;  // of heights, from the estimator's to those of the footholds [m]
   Eigen::Vector3d first_turn_ = Eigen::Vector3d::Zero();
   double heading_ = 0.0;
-  bool fresh_ = true, finite_ = true, resumes_ = false;
+  bool fresh_ = true, resumes_ = false;
   bool feels_ = true, steep_ = false;
   double unfelt_ = 0.0;  // no force has been felt for so long [s]
   double tilt_ = 0.0;    // of the standing soles of feet that feel nothing, smoothed [rad]
-  Eigen::VectorXd q_, qd_, qdd_, tau_;
-  std::vector<ExternalWrench> wrench_;
 };
 
 }  // namespace twinbus

@@ -8,6 +8,8 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "robot/estimation/attitude_filter.h"
@@ -44,6 +46,8 @@ class Estimator {
     return configuration_;
   }  // base pose and velocity, joints
   const Kinematics& kinematics() const noexcept { return kinematics_; }  // updated for it
+  // Of the base's z axis from up [rad].
+  double tilt() const noexcept { return std::acos(std::clamp(configuration_.base.linear()(2, 2), -1.0, 1.0)); }
   // Sole frames, and the frame midway between them with z up: the ground frame of arm_goal_t.
   const Eigen::Isometry3d& sole_in_world(int foot) const noexcept {
     return sole_[static_cast<std::size_t>(foot)];
