@@ -72,10 +72,15 @@ void check_interface(const std::string& name) {
 }
 
 std::string configuration(const DdsOptions& options) {
-  // Loopback has no multicast flag; discovery by multicast works there all the same.
+  // Loopback has no multicast flag.  Discovery by multicast works there all the same, and so the vendor's Python finds us; its C++
+  // asks the flag, and then looks for others at the well-known ports of this machine alone.
+  const bool local = options.interface == "lo";
   return "<CycloneDDS><Domain Id=\"any\"><General><Interfaces><NetworkInterface name=\"" + options.interface + "\" multicast=\"" +
-         (options.interface == "lo" ? "true" : "default") +
-         "\"/></Interfaces></General><Internal><MaxSampleSize>65536 B</MaxSampleSize></Internal></Domain></CycloneDDS>";
+         (local ? "true" : "default") + "\"/></Interfaces></General>" +
+         (local ? "<Discovery><ParticipantIndex>auto</ParticipantIndex><MaxAutoParticipantIndex>32</MaxAutoParticipantIndex>"
+                  "<Peers><Peer Address=\"127.0.0.1\"/></Peers></Discovery>"
+                : "") +
+         "<Internal><MaxSampleSize>65536 B</MaxSampleSize></Internal></Domain></CycloneDDS>";
 }
 
 void wake(dds_entity_t, void* event) {

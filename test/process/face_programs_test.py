@@ -1,0 +1,232 @@
+#!/usr/bin/env python3
+"""Programs that others wrote for Unitree robots, unchanged, on the face; the source is switched under them.
+
+    face_programs_test.py [holosoma] [falcon] [go2_stand]     default: those whose files are there
+
+| program | what it is | needs |
+| holosoma | holosoma-inference, its own G1 policy, walks at 0.3 m/s | pip: holosoma-inference far-unitree-sdk |
+| falcon | sim2real/rl_policy/dec_loco of FALCON, its own G1 policy, walks at 0.3 m/s | pip: unitree-sdk2py-dimos loop-rate-limiters |
+| go2_stand | example/go2/low_level/go2_stand_example.py of unitree_sdk2_python: lies, stands, lies down | pip: unitree-sdk2py-dimos |
+
+$TWINBUS_UNITREE_PYTHON: a Python with those packages.  $TWINBUS_PROGRAMS: a folder with FALCON and unitree_sdk2_python, and for
+go2_stand a go2.urdf.  $TWINBUS_DATA: robots/g1.  TWINBUS_FULL=1: 60 s, 50 switches standing and 10 walking; else 15 s, 2 and 2.
+"""
+import fcntl
+import math
+import os
+import pathlib
+import pty
+import re
+import subprocess
+import sys
+import tempfile
+import termios
+import time
+
+import harness
+from harness import Bus, Checks, Stack, cli, text_of
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+DATA = pathlib.Path(os.environ.get("TWINBUS_DATA", "/nowhere"))
+PROGRAMS = pathlib.Path(os.environ.get("TWINBUS_PROGRAMS", "/nowhere"))
+PYTHON = os.environ.get("TWINBUS_UNITREE_PYTHON", sys.executable)
+SECONDS, STANDING, WALKING = (60.0, 50, 10) if harness.FULL else (15.0, 2, 2)
+FALLEN = math.radians(40.0)
+
+
+class Typed:
+    """A program in a terminal of its own, for which keys are typed."""
+
+    def __init__(self, *words, folder=None):
+        ours, theirs = pty.openpty()
+        self.terminal = ours
+        fcntl.fcntl(ours, fcntl.F_SETFL, fcntl.fcntl(ours, fcntl.F_GETFL) | os.O_NONBLOCK)
+        self.said = ""
+        attributes = termios.tcgetattr(theirs)
+        attributes[3] &= ~(termios.ECHO | termios.ICANON)
+        termios.tcsetattr(theirs, termios.TCSANOW, attributes)
+        self.process = subprocess.Popen([PYTHON, *map(str, words)], stdin=theirs, stdout=theirs, stderr=theirs, cwd=folder, start_new_session=True,
+                                        env=dict(os.environ, PYTHONPATH=str(folder.parent) if folder else ""))
+        os.close(theirs)
+
+    def read(self):
+        try:
+            while data := os.read(self.terminal, 65536):
+                self.said = (self.said + data.decode(errors="replace"))[-20000:]
+        except OSError:
+            pass
+        return self.said
+
+    def wait_for(self, words, timeout=60.0):
+        end = time.monotonic() + timeout
+        while words not in self.read():
+            assert self.process.poll() is None and time.monotonic() < end, f"'{words}' is not said: {self.said[-1500:]}"
+            time.sleep(0.05)
+
+    def type(self, keys, pause=0.15):
+        for key in keys:
+            os.write(self.terminal, key.encode())
+            time.sleep(pause)
+            self.read()
+
+    def end(self):
+        self.process.kill()
+        self.process.wait()
+        os.close(self.terminal)
+
+
+class Robot:
+    """What a robot does while a program drives it."""
+
+    def __init__(self, bus):
+        self.bus, self.most_tilt, self.looked_ns, self.stop = bus, 0.0, time.monotonic_ns(), 0
+
+    def look(self):
+        """At what has come since the last look; whether the robot is upright and obeys."""
+        since, self.looked_ns = self.looked_ns, time.monotonic_ns()
+        for count, (_, state) in enumerate(self.bus.messages("STATE", since)):
+            self.stop = state.stop_kind
+            if count % 10 == 0:
+                self.most_tilt = max(self.most_tilt, 2.0 * math.asin(min(1.0, math.hypot(state.attitude[1], state.attitude[2]))))
+        if len(self.bus.records) > 50000:
+            del self.bus.records[:-20000]
+        return self.stop == 0 and self.most_tilt < FALLEN
+
+    def watch(self, seconds):
+        end = time.monotonic() + seconds
+        while time.monotonic() < end and self.look():
+            time.sleep(0.25)
+        return self.look()
+
+    def in_words(self):
+        return f"tilt {math.degrees(self.most_tilt):.0f} degrees at most, stop {self.stop}"
+
+    def place(self):
+        truth = self.bus.newest("TRUTH")[1]
+        return truth.base_position[:2] if truth else (math.nan, math.nan)
+
+
+def told(running, bus):
+    """What the stack says of stops, of the face and of collisions."""
+    return "".join(line for line in running.lines if re.search("face:|stop|guard:", line))[:1500] + str(
+        [text_of(event) for _, event in bus.messages("EVENT") if text_of(event).startswith("face")][:6])
+
+
+def switches(robot, count, checks, what):
+    done = 0
+    for number in range(count):
+        status, out, err = cli("switch", "sim", "--policy", "now", timeout=60)
+        if not robot.watch(1.0) or status != 0:
+            print(f"{what}: switch {number}: exit status {status}, {(out + err).strip()}, {robot.in_words()}", flush=True)
+            break
+        done += 1
+    print(f"{what}: {done} of {count} switches", flush=True)
+    checks.that(done == count, f"{what}: every switch is passed upright")
+
+
+def proposed(description, folder):
+    status, out, err = cli("check", description, "--propose", folder, timeout=600)
+    assert folder.is_dir(), f"{status}: {out[-400:]}{err[-400:]}"
+    return folder
+
+
+def walks(name, words, folder, ready, start, faster, checks, work):
+    """A policy of theirs on a G1: stands while two simulators take each other's place, walks while two engines do."""
+    robot = proposed(DATA / "robots/g1/g1_29dof_rev_1_0.urdf", work / "g1")
+    engines = work / "engines.yaml"
+    text = (ROOT / "config/stacks/client_mujoco.yaml").read_text()
+    engines.write_text(text.replace('"--engine", "mujoco"', '"--engine", "ode"'))
+    for stack, count, motion in (("client_twosims", STANDING, "stands"), (engines, WALKING, "walks")):
+        bus, program = Bus(), None
+        try:
+            with Stack("stand_python", "--robot", robot, "--face", "unitree_hg", "--stack", stack, "--no-viewer", "--no-record") as running:
+                watched = Robot(bus)
+                program = Typed(*words, folder=folder)
+                program.wait_for(ready)
+                time.sleep(0.2)
+                program.type(start)  # until then it lets the robot sink
+                time.sleep(2.0)
+                if motion == "walks":
+                    program.type(faster, pause=1.2)  # the same key sooner counts as one that is held
+                    watched.watch(3.0)
+                    place = watched.place()
+                began = time.monotonic()
+                switches(watched, count, checks, f"{name} {motion}")
+                watched.watch(SECONDS - (time.monotonic() - began))
+                story = watched.in_words()
+                print(f"{name} {motion} {time.monotonic() - began:.0f} s: {story}", flush=True)
+                checks.that(watched.look(), f"{name} {motion}: {story}: {told(running, bus)} {program.read()[-600:]}")
+                if motion == "walks":
+                    speed = math.dist(watched.place(), place) / (time.monotonic() - began)
+                    print(f"{name} walks: {speed:.3f} m/s", flush=True)
+                    checks.at_least(speed, 0.1, f"{name}: speed [m/s]")
+        finally:
+            bus.close()
+            if program is not None:
+                program.end()
+
+
+def holosoma(checks, work):
+    words = ("-m", "holosoma_inference.run_policy", "inference:g1-29dof-loco", "--task.interface", "lo", "--secondary", "None")
+    walks("holosoma", words, None, "Press the appropriate", "]", "=www", checks, work)
+
+
+def falcon(checks, work):
+    words = ("rl_policy/dec_loco/dec_loco.py", "--config", "config/g1/g1_29dof.yaml", "--model_path", "models/dec_loco/g1_29dof.onnx")
+    walks("falcon", words, PROGRAMS / "FALCON/sim2real", "Keyboard Listener Initialized", "]", "=www", checks, work)
+
+
+def go2_stand(checks, work):
+    robot = proposed(PROGRAMS / "go2.urdf", work / "go2")
+    bus = Bus()
+    try:
+        with Stack("stand_python", "--robot", robot, "--face", "unitree_go", "--stack", "client_twosims", "--no-viewer", "--no-record"):
+            watched = Robot(bus)
+            program = Typed("go2_stand_example.py", "lo", folder=PROGRAMS / "unitree_sdk2_python/example/go2/low_level")
+            try:
+                program.wait_for("Press Enter")
+                program.type("\n")
+                time.sleep(3.0)
+                switches(watched, 4, checks, "go2_stand")
+                program.wait_for("Done!", 30.0)
+                checks.that(watched.most_tilt < FALLEN, f"go2_stand: {watched.in_words()}")
+            finally:
+                program.end()
+    finally:
+        bus.close()
+
+
+def why_not(name):
+    """What a program lacks here, or ''."""
+    modules = {"holosoma": ("holosoma_inference", "unitree_interface"), "falcon": ("unitree_sdk2py", "loop_rate_limiters"),
+               "go2_stand": ("unitree_sdk2py",)}[name]
+    files = {"holosoma": [DATA / "robots/g1"], "falcon": [DATA / "robots/g1", PROGRAMS / "FALCON/sim2real"],
+             "go2_stand": [PROGRAMS / "go2.urdf", PROGRAMS / "unitree_sdk2_python/example"]}[name]
+    missing = [str(path) for path in files if not path.exists()]
+    if missing:
+        return f"{', '.join(missing)}: not there"
+    for module in modules:
+        if subprocess.run([PYTHON, "-c", f"import {module}"], capture_output=True).returncode != 0:
+            return f"no {module} in {PYTHON}"
+    return ""
+
+
+def main():
+    harness.require("twinbus", "twinbus_simulator", "twinbus_bridge", "emulated_robot", "twinbus_face")
+    programs = {"holosoma": holosoma, "falcon": falcon, "go2_stand": go2_stand}
+    checks, ran = Checks(), 0
+    for name in sys.argv[1:] or programs:
+        why = why_not(name)
+        if why:
+            print(f"{name}: skipped: {why}", flush=True)
+            continue
+        ran += 1
+        with tempfile.TemporaryDirectory() as work:
+            programs[name](checks, pathlib.Path(work))
+    if ran == 0:
+        sys.exit(harness.SKIPPED)
+    checks.exit()
+
+
+if __name__ == "__main__":
+    main()
