@@ -90,6 +90,7 @@ constexpr BenchRow kBenches[] = {
     {"guard and planner", "planner", "arm paths beside VAMP and OMPL"},
     {"guard and planner", "reach", "a balancing robot reaches among obstacles"},
     {"simulation", "physics", "engines beside their peers, asked and reached"},
+    {"simulation", "sim2sim", "one controller in every engine: how far they part, and why"},
     {"simulation", "maps", "where each engine fails, how, and whether it said so"},
     {"simulation", "accuracy", "errors asked for and reached, against converged references"},
     {"simulation", "manifold", "contact of two sets of triangles beside FCL"},

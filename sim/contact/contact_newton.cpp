@@ -332,7 +332,7 @@ void ContactSolve::find_kinks(const Contacts& contacts, double h) noexcept {
     const Eigen::Vector3d change = -beta * (dv - dvn * c.normal);
     const double square = change.squaredNorm();
     if (square > 0.0) add(-trial.dot(change) / square);
-    if (dvn != 0.0) add((c.depth / h - vn) / dvn * (1.0 + 1e-6));
+    if (dvn != 0.0) add(((c.depth + c.lead) / h - vn) / dvn * (1.0 + 1e-6));
   }
 }
 

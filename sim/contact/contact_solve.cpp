@@ -20,7 +20,7 @@ void find_force(Contact& c, double h, bool with_tangent, double smooth) noexcept
     tie_force(c.params, c.tie == TieKind::kLength ? &c.normal : nullptr, c.stretch, c.v, h,
               with_tangent, c.now);
   } else {
-    contact_force(c.params, c.depth, c.normal, c.stretch, c.v, h, with_tangent, smooth, c.now);
+    contact_force(c.params, c.depth + c.lead, c.normal, c.stretch, c.v, h, with_tangent, smooth, c.now);
   }
 }
 

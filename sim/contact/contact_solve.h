@@ -46,6 +46,8 @@ struct Contact {
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();   // from B to A, world, unit
   double depth = 0.0;                                 // [m]; below zero: not yet touching
   double stored = 0.0;  // of the springs, beyond what the depth says [J]
+  double lead = 0.0;    // what the law adds to the depth [m]
+  bool soft = false;    // sim/contact/soft_contact.h
   Eigen::Vector3d stretch = Eigen::Vector3d::Zero();  // of the bristle, world [m]
   Eigen::Vector3d v0 = Eigen::Vector3d::Zero();       // of A against B at the start [m/s]
   Eigen::Vector3d guess = Eigen::Vector3d::Zero();    // of the force, if B moves [N]

@@ -68,6 +68,7 @@ class GroundContacts {
 
   void set_corner_offset(int sole, int corner, double offset) noexcept;
   double corner_offset(int sole, int corner) const noexcept;
+  int sole_link(int sole) const noexcept { return soles_[static_cast<std::size_t>(sole)].link; }
   const ContactParams& sole_params(int sole) const noexcept {
     return sole_params_[static_cast<std::size_t>(sole)];
   }

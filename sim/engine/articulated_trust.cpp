@@ -57,6 +57,10 @@ double ArticulatedWorld::elastic_energy() const noexcept {
     }
     const double end = c.depth - last_h_ * c.normal.dot(c.v);
     if (c.now.mode == ContactMode::kOpen || !(end > 0.0)) continue;
+    if (c.soft) {
+      energy += 0.5 * c.normal.dot(c.now.force) * c.depth;
+      continue;
+    }
     energy += c.stored;
     energy += 0.5 * (c.params.stiffness * end * end +
                      c.params.tangent_stiffness * bristle_after(c, last_h_).stretch.squaredNorm());

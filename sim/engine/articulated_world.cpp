@@ -47,6 +47,7 @@ ArticulatedWorld::ArticulatedWorld(const Model& model, const WorldConfig& config
   reported_.reserve(at(2 * (loose_.most_contacts() + ties_.count())));
   pushes_.reserve(kMostPushes);
   deep_.reserve(contacts_.capacity());
+  if (config.contact == ContactModel::kSoft) soft_.emplace(model, config);
   configuration_.q.setZero();
   configuration_.qd.setZero();
   body_.place(configuration_);
@@ -91,6 +92,7 @@ bool ArticulatedWorld::resume(const ArticulatedWorld& other) noexcept {
   if (loose_.count() > 0 || !loose_.robots().empty() || !config_.ties.empty()) return false;
   configuration_ = other.configuration_;
   ground_ = other.ground_;
+  if (soft_ && other.soft_) soft_->resume(*other.soft_);
   joints_ = other.joints_;
   flight_ = other.flight_;
   pushes_ = other.pushes_;
@@ -297,6 +299,9 @@ void ArticulatedWorld::find_contacts(double h) noexcept {
   ground_.find(body_, h, contacts_);
   ties_.find(loose_.systems(), h, contacts_);
   if (!loose_.empty()) loose_.find(h, contacts_);
+  if (!soft_) return;
+  soft_->weigh(joints_);
+  soft_->give(h > 0.0 ? h : config_.step, contacts_);
 }
 
 // What touches and how.
@@ -417,7 +422,7 @@ void ArticulatedWorld::estimate_contact_forces() noexcept {
       continue;
     }
     const double fn =
-        c.params.stiffness * c.depth -
+        c.params.stiffness * (c.depth + c.lead) -
         (damping_at(c.params, c.depth) + config_.step * c.params.stiffness) * c.normal.dot(c.v0);
     c.now.force = std::max(0.0, fn) * c.normal;
     c.now.mode = ContactMode::kStick;
@@ -455,11 +460,14 @@ Eigen::Vector3d ArticulatedWorld::com_velocity() const noexcept {
 }
 
 double ArticulatedWorld::corner_stiffness(int sole) const noexcept {
-  return ground_.sole_params(sole).stiffness;
+  const ContactParams& params = ground_.sole_params(sole);
+  if (!soft_) return params.stiffness;
+  return soft_->stiffness(ground_.sole_link(sole), params.friction, body_.mass() * kGravity / (2.0 * kSoleCorners));
 }
 
 double ArticulatedWorld::corner_damping(int sole, double force) const noexcept {
   const ContactParams& params = ground_.sole_params(sole);
+  if (soft_) return soft_->damping(ground_.sole_link(sole), params.friction, force);
   return damping_at(params, force / params.stiffness);
 }
 

@@ -22,12 +22,14 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "sim/articulated/aba.h"
 #include "sim/contact/contact_solve.h"
 #include "sim/articulated/free_flight.h"
 #include "sim/contact/ground_contacts.h"
+#include "sim/contact/soft_contact.h"
 #include "sim/articulated/joint_law.h"
 #include "sim/contact/rigid_objects.h"
 #include "sim/contact/ties.h"
@@ -121,6 +123,7 @@ class ArticulatedWorld final : public World {
   GroundContacts ground_;
   LooseBodies loose_;
   Ties ties_;
+  std::optional<SoftContact> soft_;  // of contact soft
   ContactSolve solve_;
   FlightMotion flight_;
   std::vector<JointLaw> joints_;

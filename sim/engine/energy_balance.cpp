@@ -19,7 +19,7 @@ constexpr double kLeast = 1e-3;  // [J]
 EnergyBalance::EnergyBalance(const Model& model, const WorldConfig& config)
     : model_(model),
       silent_(!config.robots.empty()),
-      estimated_(config.engine == Engine::kMujoco),
+      estimated_(config.engine == Engine::kMujoco || config.contact == ContactModel::kSoft),
       mass_scale_(config.mass_scale),
       velocity_(model.links.size() + config.loose.size()),
       own_velocity_(model.links.size()),

@@ -38,6 +38,8 @@ std::unique_ptr<World> make_world(const Model& model, const WorldConfig& config)
   if (config.engine == Engine::kOde && config.continuous) {
     throw std::runtime_error("contact.continuous is of engine articulated only; leave it out, or say --engine articulated");
   }
+  if (config.engine == Engine::kOde && config.contact == ContactModel::kSoft)
+    throw std::runtime_error("contact soft is not of engine ode; leave it out, or say --engine articulated or --engine mujoco");
   if (config.engine == Engine::kOde) return std::make_unique<OdeWorld>(model, config);
   if (config.contact == ContactModel::kRigid) {
     throw std::runtime_error("contact rigid is of engine ode only; say --engine ode, or engine: ode in the scene");

@@ -23,7 +23,7 @@ constexpr double kSoleCornersOfBoth = 2.0 * kSoleCorners;
 }
 
 void check_known(const Model& model, const WorldConfig& config) {
-  if (config.contact != ContactModel::kSpringDamper)
+  if (config.contact != ContactModel::kSpringDamper && config.contact != ContactModel::kSoft)
     refuse(std::string("has its own soft contact, and no contact ") + kContactNames[static_cast<std::size_t>(config.contact)]);
   if (config.continuous) refuse("knows no contact.continuous");
   if (config.order != 1) refuse("knows no solver.order " + std::to_string(config.order));

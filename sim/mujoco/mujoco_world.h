@@ -14,7 +14,7 @@
 // friction that creeps.  How deep a foot sinks in follows from how easily it is moved (0.4 mm under hrp1s), so stiffness and damping
 // of soles are not used.
 //
-// Not known here, and refused: contacts other than spring_damper (which stands for MuJoCo's own), contact.continuous, orders
+// Not known here, and refused: contacts other than spring_damper and soft (which stand for MuJoCo's own), contact.continuous, orders
 // above 1, explicit flight, scales of stiffness and damping, different ground under each sole, loops and grasps, loose meshes,
 // further robots.
 

@@ -180,7 +180,7 @@ std::string apply_setting(const std::string& key, const std::string& value, doub
   }
   if (key == "contact") {
     if (contact_of(value, settings.world.contact)) return "";
-    return "setting contact=" + value + ": must be spring_damper, hunt_crossley, rigid or patch";
+    return "setting contact=" + value + ": must be spring_damper, hunt_crossley, rigid, patch or soft";
   }
   const Entry* nearest = kEntries;
   for (const Entry& entry : kEntries) {
@@ -214,9 +214,9 @@ std::string settings_help() {
       "                              ode about a millisecond: for machines with a fast core for "
       "each simulated robot;\n"
       "                              mujoco: where MuJoCo is installed\n"
-      "  contact                     spring_damper | rigid    what touches: springs and dampers "
-      "(default), or the LCP of\n"
-      "                              engine ode, for comparison\n";
+      "  contact                     spring_damper | rigid | soft    what touches: springs and dampers "
+      "(default); the LCP of\n"
+      "                              engine ode, for comparison; MuJoCo's soft one, which creeps\n";
   for (const Entry& entry : kEntries) {
     char line[200];
     std::snprintf(line, sizeof line, "  %-27s %8g .. %-8g %s\n", entry.key, entry.low, entry.high,

@@ -24,8 +24,7 @@
 namespace twinbus {
 
 enum class Engine {
-  kArticulated,  // sim/engine/articulated_world.h
-  kOde, kMujoco  // sim/engine/ode_world.h, sim/mujoco/mujoco_world.h
+  kArticulated, kOde, kMujoco  // sim/engine/articulated_world.h, ode_world.h, sim/mujoco/mujoco_world.h
 };
 inline constexpr const char* kEngineNames[] = {"articulated", "ode", "mujoco"};
 
@@ -37,9 +36,10 @@ enum class ContactModel {
   kSpringDamper,  // a spring and damper at each point
   kHuntCrossley,  // a spring, and a damper that grows with the depth: section 3.3.2 of the paper
   kRigid,         // no way in: the LCP of engine ode, which alone has it, for comparison
-  kPatch,  // of the area that presses, with a damper as kHuntCrossley: section 3.3 of the paper
+  kPatch,         // of the area that presses, with a damper as kHuntCrossley: section 3.3 of the paper
+  kSoft,          // MuJoCo's, which creeps, of the robot on what is fixed: sim/contact/soft_contact.h
 };
-inline constexpr const char* kContactNames[] = {"spring_damper", "hunt_crossley", "rigid", "patch"};
+inline constexpr const char* kContactNames[] = {"spring_damper", "hunt_crossley", "rigid", "patch", "soft"};
 
 // False: there is no such contact.
 bool contact_of(const std::string& name, ContactModel& contact);

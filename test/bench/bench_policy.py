@@ -2,9 +2,11 @@
 """Policies that others trained, on robots as `./twinbus check --propose` writes them, unedited: starts, walks, and the estimate of the base.
 
     bench_policy.py starts [--count 30]                  real time, --wait 0: falls within 4 s of the start, per velocity
-    bench_policy.py walks [--seconds 60] [--seeds 3] [--engine mujoco]   lock-step, ESTIMATE and no TRUTH: falls, mean velocities, error of the estimate
+    bench_policy.py walks [--seconds 60] [--seeds 3] [--engine mujoco] [--set contact=soft]   lock-step, ESTIMATE and no TRUTH: falls, mean velocities, error of the estimate
     bench_policy.py switches [--count 20]                real time: from our engine to mujoco and back while it walks (stack client_mujoco)
     bench_policy.py estimate [--seconds 20] [--seeds 3]  the same, pushed and on tiles of 30 mm
+
+--mjcf: the robot comes from the MJCF model in which its policy was trained, which knows rotors, friction and soles, instead of the URDF.
 
 Needs $TWINBUS_DATA (policies/g1_policy.onnx, policies/go1_policy.onnx, robots/g1, robots/go1) and a Python with onnxruntime: this one, or
 $TWINBUS_POLICY_PYTHON.  Starts and stacks share the bus of the machine: under test/tools/private_bus.sh."""
@@ -12,6 +14,7 @@ import argparse
 import math
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -34,8 +37,10 @@ except ImportError as error:
 import harness  # noqa: E402
 
 DATA = pathlib.Path(os.environ.get('TWINBUS_DATA', ''))
-ROBOTS = {'g1': ('robots/g1/g1_29dof_rev_1_0.urdf', 'policies/g1_policy.onnx', 'g1_playground.spec.yaml'),
-          'go1': ('robots/go1/go1.urdf', 'policies/go1_policy.onnx', 'go1_playground.spec.yaml')}
+ROBOTS = {'g1': ('robots/g1/g1_29dof_rev_1_0.urdf', 'policies/g1_policy.onnx', 'g1_playground.spec.yaml',
+                'policies/xmls/g1/scene_mjx_feetonly_flat_terrain.xml'),
+          'go1': ('robots/go1/go1.urdf', 'policies/go1_policy.onnx', 'go1_playground.spec.yaml',
+                 'policies/xmls/go1/scene_mjx_feetonly_flat_terrain.xml')}
 COMMANDS = {'g1': [(0.0, 0.0, 0.0), (0.5, 0.0, 0.0), (1.0, 0.0, 0.0)],
             'go1': [(0.0, 0.0, 0.0), (0.5, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, 0.0, 1.0)]}
 PUSHED = 'duration: 600\npush_round: {at: 3, every: 2, count: 8, phase: 0.6, forward: 0.3, back: 0.3, sideways: 0.2}\n'
@@ -45,13 +50,16 @@ TILES = 'duration: 600\nterrain: {tile: 0.3, height: 0.03, slope_deg: 0, from: 0
 class Policy:
     """A policy with its proposed robot."""
 
-    def __init__(self, name, folder):
-        urdf, model, spec = ROBOTS[name]
+    def __init__(self, name, folder, mjcf):
+        urdf, model, spec, mjcf_file = ROBOTS[name]
         self.name, self.folder, self.model, self.spec_file = name, folder / name, DATA / model, ROOT / 'test/python/policies' / spec
-        status, out, err = harness.cli('check', DATA / urdf, '--propose', self.folder, timeout=600)
+        status, out, err = harness.cli('check', DATA / (mjcf_file if mjcf else urdf), '--propose', self.folder, timeout=600)
         assert self.folder.is_dir(), f'{status}: {out[-400:]}{err[-400:]}'
         self.robot = robot.from_folder(str(self.folder))
         self.network = network.Network(self.model)
+        if mjcf:  # in its model the damping of the joints is what the specification has as kd of the servos: it counts once
+            urdf = next(self.folder.glob('*.urdf'))
+            urdf.write_text(re.sub(r'<dynamics damping="[^"]*"', '<dynamics damping="0"', urdf.read_text()))
         self.spec = find.find(self.network, self.robot, str(self.spec_file))
 
 
@@ -80,9 +88,9 @@ class Error:
         return np.sqrt(self.squares / max(1, self.count))
 
 
-def walk(policy, command, seconds, seed, scene='stand_python', engine=''):
+def walk(policy, command, seconds, seed, scene='stand_python', engine='', settings=()):
     error = Error()
-    outcome = trial.run(policy.network, policy.spec, policy.robot, str(policy.folder), command, seconds, seed, engine, scene=scene, look=error.look)
+    outcome = trial.run(policy.network, policy.spec, policy.robot, str(policy.folder), command, seconds, seed, engine, tuple(settings), scene=scene, look=error.look)
     assert not error.from_truth, 'the velocity of the base was that of TRUTH'
     rms = error.rms()
     print(f'{policy.name:4} {trial.in_words(outcome)}; estimate off by {rms[0]:.3f} {rms[1]:.3f} {rms[2]:.3f} m/s rms, {error.largest:.2f} at most '
@@ -90,10 +98,10 @@ def walk(policy, command, seconds, seed, scene='stand_python', engine=''):
     return outcome, rms
 
 
-def table(policy, cases, seconds, seeds, scene='stand_python', about='', engine=''):
+def table(policy, cases, seconds, seeds, scene='stand_python', about='', engine='', settings=()):
     falls = 0
     for command in cases:
-        rows = [walk(policy, command, seconds, seed, scene, engine) for seed in range(1, seeds + 1)]
+        rows = [walk(policy, command, seconds, seed, scene, engine, settings) for seed in range(1, seeds + 1)]
         fell = sum(outcome.fell or bool(outcome.stopped) for outcome, _ in rows)
         mean = np.mean([outcome.velocity for outcome, _ in rows], axis=0)
         rms = np.sqrt(np.mean([error * error for _, error in rows], axis=0))
@@ -178,6 +186,8 @@ def main():
     parser.add_argument('--stack', default='client_mujoco', help='of switches: a name or a file')
     parser.add_argument('--engine', default='', help="of walks and estimate; default the scene's")
     parser.add_argument('--robots', nargs='+', choices=ROBOTS, default=list(ROBOTS))
+    parser.add_argument('--set', action='append', default=[], help='of walks and estimate: a setting of the simulator')
+    parser.add_argument('--mjcf', action='store_true')
     words = parser.parse_args()
     missing = [name for name in words.robots for path in ROBOTS[name][:2] if not (DATA / path).is_file()]
     if missing or not str(DATA):
@@ -189,16 +199,16 @@ def main():
         (folder / 'pushed.yaml').write_text('about: Pushed all round.\n' + PUSHED)
         (folder / 'tiles.yaml').write_text('about: Tiles.\n' + TILES)
         for name in words.robots:
-            policy = Policy(name, folder)
+            policy = Policy(name, folder, words.mjcf)
             if words.what == 'starts':
                 falls += starts(policy, words.count or 30)
             elif words.what == 'switches':
                 falls += switches(policy, words.count or 20, words.stack)
             elif words.what == 'walks':
-                falls += table(policy, COMMANDS[name], words.seconds or 60.0, words.seeds, about='flat', engine=words.engine)
+                falls += table(policy, COMMANDS[name], words.seconds or 60.0, words.seeds, about='flat', engine=words.engine, settings=words.set)
             else:
-                falls += table(policy, [(0.5, 0.0, 0.0)], words.seconds or 20.0, words.seeds, str(folder / 'pushed.yaml'), 'pushed', words.engine)
-                falls += table(policy, [(0.5, 0.0, 0.0)], min(words.seconds or 12.0, 12.0), words.seeds, str(folder / 'tiles.yaml'), 'tiles', words.engine)
+                falls += table(policy, [(0.5, 0.0, 0.0)], words.seconds or 20.0, words.seeds, str(folder / 'pushed.yaml'), 'pushed', words.engine, words.set)
+                falls += table(policy, [(0.5, 0.0, 0.0)], min(words.seconds or 12.0, 12.0), words.seeds, str(folder / 'tiles.yaml'), 'tiles', words.engine, words.set)
     sys.exit(1 if falls else 0)
 
 

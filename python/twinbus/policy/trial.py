@@ -9,6 +9,7 @@ import pathlib
 import random
 import subprocess
 import tempfile
+import time
 from dataclasses import dataclass, field, replace
 from typing import Callable
 
@@ -28,6 +29,7 @@ Array = NDArray[np.float64]
 SETTLED = 2.0     # of the beginning does not count [s]
 NEAR = 0.05       # of the policy's posture: a start in it needs no fade [rad]
 SILENCE = 60.0    # without STATE, after which the stack is given up [s]
+STILL = 10.0      # in which the policy did not get on, as after a stop by somebody else [s]
 
 
 @dataclass
@@ -103,13 +105,19 @@ def run(network: Network, spec: Spec, robot: Robot, folder: str, command: tuple[
             stack = subprocess.Popen(words, stdout=out, stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL,
                                      env=dict(os.environ, TWINBUS_RUNS=work))
         try:
-            quiet = 0.0
+            quiet, last, since = 0.0, -1.0, time.monotonic()
             while runner.elapsed < seconds and not watch.fell:
                 quiet = 0.0 if runner.receive(0.5) else quiet + 0.5
                 if quiet > SILENCE or stack.poll() is not None and quiet > 1.0:
                     if runner.ticks:
                         break
                     raise PolicyError('the trial does not run: ' + ' '.join(log.read_text().splitlines()[-3:])[:400])
+                if runner.elapsed > last:
+                    last, since = runner.elapsed, time.monotonic()
+                elif runner.ticks and time.monotonic() - since > STILL:
+                    outcome.stopped = next((line.removeprefix('up: ') for line in log.read_text().splitlines() if 'asks for a stop' in line),
+                                           f'nothing went on for {STILL:g} s')
+                    break
         except Stopped as stop:
             outcome.stopped = str(stop)
         finally:
