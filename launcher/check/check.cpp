@@ -321,12 +321,14 @@ int check_command(const std::vector<std::string>& words) {
          "the "
          "user's cache (seconds; makes the exact check of all pairs faster)"},
         {"--write", "FILE", "with --pairs: writes the SRDF with all proved pairs and reasons"},
+        {"--mend", "",
+         "of a URDF: inertias that no body has, limits and axes that are none, left and right exchanged are put right in the copy; each change is said"},
         {"--propose", "FOLDER",
          "writes the proposed robot.yaml and SRDF with a copy of the URDF, or the URDF made of an MJCF model, into FOLDER"}},
        1,
        1},
       words);
-  CheckSubject subject = load_subject(arguments.word(0));
+  CheckSubject subject = load_subject(arguments.word(0), arguments.has("--mend"));
   const Model& model = subject.model;
   if (arguments.has("--pairs")) return check_pairs(model, arguments.text("--write", ""));
   if (arguments.has("--cells")) return check_cells(model);
@@ -373,6 +375,7 @@ int check_command(const std::vector<std::string>& words) {
     json out = report(model, extent);
     out["suspicious"] = to_json(suspicions);
     out["missing"] = to_json(missing);
+    out["mended"] = subject.mended;
     out["trial"] = to_json(trial, walk);
     if (proposal) {
       out["proposed"] = {{"robot_yaml", proposal->yaml},
@@ -384,6 +387,10 @@ int check_command(const std::vector<std::string>& words) {
     return good ? 0 : 1;
   }
   print(model, extent);
+  if (arguments.has("--mend")) {
+    std::printf("\nmended%s: %s\n", folder.empty() ? " (--propose FOLDER writes it)" : "", subject.mended.empty() ? "nothing" : "");
+    for (const std::string& change : subject.mended) std::printf("  %s\n", change.c_str());
+  }
   print("suspicious", suspicions);
   print("missing", missing);
   if (proposal) {

@@ -10,6 +10,7 @@
 #include "robot/mjcf/mjcf_document.h"
 #include "robot/mjcf/mjcf_to_urdf.h"
 #include "robot/onboarding/base_turn.h"
+#include "robot/onboarding/mend.h"
 #include "robot/onboarding/mesh_axis.h"
 
 namespace twinbus {
@@ -63,7 +64,7 @@ std::string farthest_origin(const CheckSubject& subject) {
 
 }  // namespace
 
-CheckSubject load_subject(const std::string& name) {
+CheckSubject load_subject(const std::string& name, bool mends) {
   CheckSubject subject;
   std::error_code error;
   if (fs::is_regular_file(name, error)) {
@@ -72,6 +73,7 @@ CheckSubject load_subject(const std::string& name) {
   } else {
     const std::string folder = robot_folder(name);
     if (fs::exists(folder + "/robot.yaml", error)) {
+      if (mends) throw std::runtime_error(name + " has a robot.yaml: --mend is for a URDF file that nobody has described");
       subject.model = load_robot(name);
       return subject;
     }
@@ -81,8 +83,13 @@ CheckSubject load_subject(const std::string& name) {
   const std::string read = subject.mjcf ? urdf_of_mjcf(subject.urdf, source) : read_text_file(subject.urdf);
   if (!subject.mjcf) source.packages = find_packages(subject.urdf);
   subject.text = with_packages(read, subject.urdf, source.packages);
+  if (mends) subject.text = mend_urdf(subject.text, subject.urdf, subject.mended);
   subject.repaired =
       load_repaired_urdf(subject.text, subject.urdf, source.packages, source.repairs);
+  if (mends) {
+    subject.text = mend_sides(subject.text, subject.urdf, subject.repaired, subject.mended);
+    subject.repaired = load_repaired_urdf(subject.text, subject.urdf, source.packages, source.repairs);
+  }
   if (const std::vector<std::string> meshes = meshes_to_turn(subject.repaired); !meshes.empty()) {
     subject.text = with_turned_meshes(subject.text, meshes);
     subject.repaired = load_repaired_urdf(subject.text, subject.urdf, source.packages, source.repairs);
@@ -117,6 +124,10 @@ CheckSubject load_subject(const std::string& name) {
   source.srdf_file = find_srdf(subject.urdf);
   if (!source.srdf_file.empty()) source.srdf_text = read_text_file(source.srdf_file);
   // The robot as its file says it, if that is a robot without repairs.
+  if (!subject.mended.empty()) {
+    subject.model = subject.repaired;
+    return subject;
+  }
   try {
     subject.model = load_urdf(subject.urdf, source.packages);
   } catch (const std::runtime_error&) {

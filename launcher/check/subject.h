@@ -15,10 +15,12 @@ struct CheckSubject {
   bool mjcf = false;
   ProposalSource source;
   Model repaired;  // what the proposal is made of
+  std::vector<std::string> mended;  // what was put right in the text
 };
 
 // name: a robot of config/robots, a folder, a .urdf, or an .xml of MuJoCo.  Throws std::runtime_error, one line.
-CheckSubject load_subject(const std::string& name);
+// mends: what is wrong in a URDF and has one likely right answer is put right.
+CheckSubject load_subject(const std::string& name, bool mends = false);
 
 // The robot that the proposal makes, as `run` will load it.  What is wrong with it is said of the user's file.
 Model load_proposed(const Proposal& proposal, const CheckSubject& subject);

@@ -53,7 +53,7 @@ KnownElement make_urdf() {
           once({.name = "inertial",
                 .attributes = {},
                 .children = {origin(), once(leaf("mass", {"value"})),
-                             once(leaf("inertia", {"ixx", "ixy", "ixz", "iyy", "iyz", "izz"}))}}),
+                             once(leaf("inertia", {"ixx", "ixy", "ixz", "iyy", "iyz", "izz", "iyx", "izx", "izy"}))}}),
           urdf_shape("visual"), urdf_shape("collision"), foreign("contact"),
           foreign("self_collision_checking"), foreign("sensor"), foreign("gravity"),
           foreign("gazebo")}};
@@ -77,7 +77,8 @@ KnownElement make_urdf() {
       .children = {leaf("mechanicalReduction", {"value"}), leaf("drake:gear_ratio", {"value"}),
                    leaf("drake:rotor_inertia", {"value"}), foreign("hardwareInterface"),
                    foreign("motorTorqueConstant"), foreign("role"), foreign("offset"),
-                   foreign("encoderResolution"), foreign("pulsesPerRevolution")}};
+                   foreign("encoderResolution"), foreign("pulsesPerRevolution"), foreign("node"),
+                   foreign("api")}};
   KnownElement moved = actuated;
   moved.name = "joint";
   const KnownElement transmission = {

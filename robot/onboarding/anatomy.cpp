@@ -309,16 +309,7 @@ class Finder {
       return;
     }
     for (std::size_t side = 0; side < 2; ++side) {
-      std::vector<int> links = chain(pairs_[at(best)][side].root, true);
-      // A gripper in line with the arm is no joint of the arm.
-      while (links.size() > at(kLimbJoints) && model_.joints[at(links.back() - 1)].mimic >= 0)
-        links.pop_back();
-      const std::string& last = model_.joints[at(links.back() - 1)].name;
-      if (links.size() > at(kLimbJoints + 1) &&
-          mentions(last, {"hand", "grip", "finger", "thumb", "jaw"}) &&
-          !mentions(last, {"wrist"})) {
-        links.pop_back();
-      }
+      const std::vector<int> links = without_gripper(chain(pairs_[at(best)][side].root, true));
       Hand& hand = result_.hands[side];
       hand.link = links.back();
       hand.frame.translation() = kinematics_.link_in_world(hand.link).inverse() * middle(hand.link);
@@ -329,9 +320,19 @@ class Finder {
     }
   }
 
+  // A gripper in line with the arm is no joint of the arm.
+  std::vector<int> without_gripper(std::vector<int> links) const {
+    while (links.size() > at(kLimbJoints) && model_.joints[at(links.back() - 1)].mimic >= 0)
+      links.pop_back();
+    if (links.size() <= at(kLimbJoints + 1)) return links;
+    const std::string& last = model_.joints[at(links.back() - 1)].name;
+    if (mentions(last, {"hand", "grip", "finger", "thumb", "jaw"}) && !mentions(last, {"wrist"})) links.pop_back();
+    return links;
+  }
+
   // A manipulator: its one arm is called right.
   void find_single_arm() {
-    const std::vector<int> links = chain(0, true);
+    const std::vector<int> links = without_gripper(chain(0, true));
     Hand hand;
     for (const int link : links) {
       if (link > 0 && model_.joints[at(link - 1)].mimic < 0) hand.joints.push_back(link - 1);

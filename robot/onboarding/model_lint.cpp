@@ -11,6 +11,7 @@
 #include <tuple>
 
 #include "robot/estimation/point_legs.h"
+#include "robot/onboarding/mend.h"
 #include "robot/description/link_points.h"
 #include "geometry/mesh/mesh_file.h"
 
@@ -190,21 +191,8 @@ class Looker {
 
   // The joint of the other side that a left joint's name names; -1: none.
   int partner(const std::string& name) const {
-    static const std::pair<const char*, const char*> kNamesOfSides[] = {
-        {"left", "right"}, {"Left", "Right"}, {"LEFT", "RIGHT"}};
-    for (const auto& [left, right] : kNamesOfSides) {
-      const std::size_t i = name.find(left);
-      if (i == std::string::npos) continue;
-      std::string other = name;
-      other.replace(i, std::string(left).size(), right);
-      return model_.find_joint(other);
-    }
-    // A single letter: l_knee, arm_l, LKnee, LLEG_KNEE.
-    for (std::size_t i = 0; i < name.size(); ++i) {
-      if ((name[i] != 'l' && name[i] != 'L') || (i > 0 && name[i - 1] != '_')) continue;
-      std::string other = name;
-      other[i] = name[i] == 'l' ? 'r' : 'R';
-      if (const int found = model_.find_joint(other); found >= 0) return found;
+    for (const std::string& other : names_on_other_side(name)) {
+      if (const int found = model_.find_joint(other); found >= 0 && other > name) return found;
     }
     return -1;
   }

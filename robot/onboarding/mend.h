@@ -1,0 +1,26 @@
+// What is wrong in a URDF and has one likely right answer, put right on request: `./twinbus check ROBOT --mend`.
+
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "robot/description/model.h"
+
+namespace twinbus {
+
+// The text with these put right, each said in changes; the text as it is when nothing was.
+// Links of a file without any mass get one each; sizes of nothing a millimetre; macros of xacro that only colour are left out.
+// An inertia that no body has becomes the nearest that one has, a placeholder or a negative one that of a box around the
+// link's geometry; an axis gets length 1; a range whose ends are exchanged is turned, one in degrees goes to radians; effort and
+// speed limits that are none are those of the joint on the other side, else the middle ones of the robot's others of
+// that kind, else a guess.
+std::string mend_urdf(const std::string& text, const std::string& file, std::vector<std::string>& changes);
+
+// Left and right exchanged in the names of links and joints, where the feet point forward and the left one is on the right.
+std::string mend_sides(const std::string& text, const std::string& file, const Model& model, std::vector<std::string>& changes);
+
+// What the same part is called on the other side, as far as names tell; several guesses or none.
+std::vector<std::string> names_on_other_side(const std::string& name);
+
+}  // namespace twinbus
