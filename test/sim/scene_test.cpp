@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "robot/description/load.h"
+#include "test/collision/post_and_arm.h"
 #include "sim/scene/scene_ties.h"
 
 namespace twinbus {
@@ -223,6 +224,28 @@ TEST(Scene, PlacesAreFoundByWhatTheyAre) {
   resolve_poses(scene, model);
   EXPECT_EQ(scene.pushes[0].link, "CHEST");
   EXPECT_EQ(scene.bodies[0].link, model.links[static_cast<std::size_t>(model.hands[0].link)].name);
+}
+
+TEST(Scene, AnArmOnAFixedBaseKnowsTheFloorThatItBeginsAbove) {
+  Model arm = post_and_arm();  // its post ends 0.05 m below the ground
+  arm.floating_base = false;
+  arm.hands[1].link = 1;
+  arm.hands[1].joints = {0};
+  Scene scene;
+  resolve_poses(scene, arm);
+  resolve_poses(scene, arm);
+  ASSERT_EQ(scene.obstacles.size(), 1U);
+  const Obstacle& floor = scene.obstacles[0];
+  EXPECT_NEAR(floor.pose.translation().z() + 0.5 * floor.size.z(), -0.06, 1e-9);
+  Scene below;
+  arm.joints[0].placement.translation().z() = -0.2;
+  resolve_poses(below, arm);
+  EXPECT_TRUE(below.obstacles.empty());
+  Scene walks;
+  arm.joints[0].placement.translation().z() = 0.0;
+  arm.floating_base = true;
+  resolve_poses(walks, arm);
+  EXPECT_TRUE(walks.obstacles.empty());
 }
 
 TEST(Scene, ARobotWithOneHandUsesItForEitherAndAFixedOneHolds) {
