@@ -98,6 +98,7 @@ inline void certain(const BlockRobot& robot, const BlockScene& scene, BlockWork&
     if (!any((apart(w.around[a], w.around[b]) < sum * sum) & ~near)) continue;
     place_balls(robot, w, a);
     place_balls(robot, w, b);
+    Flags open = {}, touched = {};
     for (int i = ga.first; i < ga.first + ga.count; ++i) {
       const float ra = robot.balls[static_cast<std::size_t>(i)].radius;
       const Lanes reach = gap + w.turn[a] * all(ga.around.radius - ra) + all(ra);
@@ -107,10 +108,18 @@ inline void certain(const BlockRobot& robot, const BlockScene& scene, BlockWork&
         const float rb = robot.balls[static_cast<std::size_t>(k)].radius;
         const Lanes square = apart(w.ball[i], w.ball[k]);
         const Lanes both = reach + w.turn[b] * all(gb.around.radius - rb) + all(rb);
-        near |= square < both * both;
-        touching |= square < all((ra + rb) * (ra + rb));
+        open |= square < both * both;
+        touched |= square < all((ra + rb) * (ra + rb));
       }
     }
+    const Flags asked = (open & ~near) | touched;
+    if (!any(asked)) continue;
+    Flags far, clear;
+    separate_pair(robot, w, a, b,
+                  all(w.bend[a] + w.bend[b] + robot.grow) + w.turn[a] * all(ga.around.radius) + w.turn[b] * all(gb.around.radius),
+                  relative, asked, far, clear);
+    near |= open & ~far;
+    touching |= touched & ~clear & ~far;
   }
   certain_lanes = ~mask(near) & 0xFFU;
   touching_lanes = mask(touching);

@@ -80,18 +80,21 @@ inline bool pair_free(const BlockRobot& robot, BlockWork& w, int a, int b) {
   const float sum = ga.around.radius + gb.around.radius;
   if (!any(apart(w.around[a], w.around[b]) < all(sum * sum))) return true;
   place_balls(robot, w, a);
+  Flags touch = {};
   for (int i = ga.first; i < ga.first + ga.count; ++i) {
     const float reach = balls[i].radius + gb.around.radius;
     if (!any(apart(w.ball[i], w.around[b]) < all(reach * reach))) continue;
     place_balls(robot, w, b);
-    Flags touch = {};
     for (int j = gb.first; j < gb.first + gb.count; ++j) {
       const float both = balls[i].radius + balls[j].radius;
       touch |= apart(w.ball[i], w.ball[j]) < all(both * both);
     }
-    if (any(touch)) return false;
+    if (!w.pairs_by_hulls && any(touch)) return false;
   }
-  return true;
+  if (!any(touch)) return true;
+  Flags far, apart_at_all;
+  separate_pair(robot, w, a, b, all(kRounding + robot.grow), nullptr, touch, far, apart_at_all);
+  return !any(touch & ~far);
 }
 
 inline bool world_free(const BlockRobot& robot, const BlockScene& scene, BlockWork& w) {

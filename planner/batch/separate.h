@@ -1,4 +1,4 @@
-// Planes between groups and obstacles: what settles the matter where balls touch.  Included once per
+// Planes between groups and obstacles, and between two groups: what settles the matter where balls touch.  Included once per
 // instruction set, inside a namespace, by check.cpp: no #pragma once.
 
 // Of the corners of a piece the one that is lowest along d, a lane each; of several the first.
@@ -48,41 +48,67 @@ TWINBUS_INLINE void lowest_corner(const float* corners, const BlockPiece& piece,
   for (int i = 0; i < 3; ++i) to[i] = load(found[i]);
 }
 
-// Are some corners of group g and the shape on two sides of a plane?  far: by more than a margin of
+// Of the corners of a piece the one that is lowest along n, in the world.
+TWINBUS_INLINE void lowest_point(const BlockRobot& robot, const BlockWork& w, int body, const BlockPiece& piece, const Lanes* n,
+                                 Lanes* to) {
+  const Lanes* r = w.rotation[body];
+  Lanes d[3], at[3];
+  for (int i = 0; i < 3; ++i)
+    d[i] = body == 0 ? n[i] : r[i] * n[0] + r[3 + i] * n[1] + r[6 + i] * n[2];
+  lowest_corner(robot.corners.data() + piece.first, piece, d, at);
+  for (int i = 0; i < 3; ++i) {
+    to[i] = body == 0 ? at[i]
+                      : r[3 * i] * at[0] + r[3 * i + 1] * at[1] + r[3 * i + 2] * at[2] + w.origin[body][i];
+  }
+}
+
+// What a group is parted from: an obstacle, or the hull of another group.
+struct ObstacleSide {
+  const BlockShape& shape;
+  TWINBUS_INLINE void first(const Lanes* from, Lanes* n) const { first_normal(shape, from, n); }
+  TWINBUS_INLINE void highest(const Lanes* n, Lanes* to) const { highest_point(shape, n, to); }
+};
+struct GroupSide {
+  const BlockRobot& robot;
+  const BlockWork& w;
+  int group;
+  const BlockPiece& piece;
+  TWINBUS_INLINE void first(const Lanes* from, Lanes* n) const {
+    const Lanes* p = w.around[group];
+    const Lanes d[3] = {from[0] - p[0], from[1] - p[1], from[2] - p[2]};
+    const Lanes unit = all(1.0F) / most(root(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]), all(1e-6F));
+    for (int i = 0; i < 3; ++i) n[i] = d[i] * unit;
+  }
+  TWINBUS_INLINE void highest(const Lanes* n, Lanes* to) const {
+    const Lanes down[3] = {-n[0], -n[1], -n[2]};
+    lowest_point(robot, w, robot.groups[static_cast<std::size_t>(group)].body, piece, down, to);
+  }
+};
+
+// Are some corners of group g and the other side on two sides of a plane?  far: by more than a margin of
 // `fixed` and, along the plane's normal, of `moves`; separate: at all.  Looks for it as Gilbert,
 // Johnson and Keerthi (1988) do: across the way from zero to the nearest point of what is known of
 // the difference of the two.  Stops when the lanes that are asked are far or cannot be, and with
 // `one` as soon as one of them is seen to touch.
+template <class Side>
 inline void separate_piece(const BlockRobot& robot, const BlockWork& w, int g,
-                           const BlockPiece& piece, const Lanes* middle, const BlockShape& shape,
+                           const BlockPiece& piece, const Lanes* middle, const Side& side,
                            const Lanes& fixed, const Lanes* moves, const Flags& asked, bool one,
                            Flags& far, Flags& separate) {
   const BlockGroup& group = robot.groups[static_cast<std::size_t>(g)];
   far = separate = Flags{};
-  const Lanes* r = w.rotation[group.body];
-  const Lanes* origin = w.origin[group.body];
-  const float* corners = robot.corners.data() + piece.first;
   const Lanes least_gap = all(kRounding + robot.grow);
   Lanes3 n, known[3];
   Lanes length = all(1e30F);
   Flags meet = {}, open = asked;
-  first_normal(shape, middle, n);
+  side.first(middle, n);
   constexpr int kTurns = 20;  // fewer than one in a hundred needs more than ten
   for (int turn = 0; turn < kTurns; ++turn) {
-    // Of the group, the corner that is lowest along n; of the shape, the highest point.
-    Lanes d[3];
-    for (int i = 0; i < 3; ++i)
-      d[i] = group.body == 0 ? n[i] : r[i] * n[0] + r[3 + i] * n[1] + r[6 + i] * n[2];
-    Lanes at[3];
-    lowest_corner(corners, piece, d, at);
+    // Of the group, the corner that is lowest along n; of the other side, the highest point.
     Lanes3 e, b;
-    highest_point(shape, n, b);
-    for (int i = 0; i < 3; ++i) {
-      e[i] = (group.body == 0
-                  ? at[i]
-                  : r[3 * i] * at[0] + r[3 * i + 1] * at[1] + r[3 * i + 2] * at[2] + origin[i]) -
-             b[i];
-    }
+    lowest_point(robot, w, group.body, piece, n, e);
+    side.highest(n, b);
+    for (int i = 0; i < 3; ++i) e[i] -= b[i];
     const Lanes gap = dot(e, n);
     Lanes margin = fixed;
     if (moves != nullptr) margin += size_of(n[0] * moves[0] + n[1] * moves[1] + n[2] * moves[2]);
@@ -119,7 +145,8 @@ inline void separate(const BlockRobot& robot, const BlockWork& w, int g, const B
   if (group.piece_count == 0) return;
   const BlockPiece* pieces = robot.pieces.data() + group.first_piece;
   const bool whole = !w.by_pieces || group.piece_count == 1;
-  separate_piece(robot, w, g, pieces[0], w.around[g], shape, fixed, moves, asked, whole, far,
+  const ObstacleSide side{shape};
+  separate_piece(robot, w, g, pieces[0], w.around[g], side, fixed, moves, asked, whole, far,
                  separate);
   const Flags rest = asked & ~separate;
   if (whole || !any(rest)) return;
@@ -133,7 +160,7 @@ inline void separate(const BlockRobot& robot, const BlockWork& w, int g, const B
     const Flags near = meets(shape, middle, all(pieces[i].around.radius) + margin) & rest;
     if (!any(near)) continue;
     Flags piece_far, piece_separate;
-    separate_piece(robot, w, g, pieces[i], middle, shape, fixed, moves, near, true, piece_far,
+    separate_piece(robot, w, g, pieces[i], middle, side, fixed, moves, near, true, piece_far,
                    piece_separate);
     all_far &= piece_far | ~near;
     all_separate &= piece_separate | ~near;
@@ -148,4 +175,16 @@ TWINBUS_INLINE bool settled(const BlockRobot& robot, const BlockWork& w, int g,
   Flags far, apart_at_all;
   separate(robot, w, g, shape, all(kRounding + robot.grow), nullptr, touched, far, apart_at_all);
   return !any(touched & ~far);
+}
+
+// The hulls of two groups; without hulls nothing is.
+inline void separate_pair(const BlockRobot& robot, const BlockWork& w, int a, int b, const Lanes& fixed, const Lanes* moves,
+                          const Flags& asked, Flags& far, Flags& separate) {
+  const BlockGroup& ga = robot.groups[static_cast<std::size_t>(a)];
+  const BlockGroup& gb = robot.groups[static_cast<std::size_t>(b)];
+  far = separate = Flags{};
+  if (!w.pairs_by_hulls || ga.piece_count == 0 || gb.piece_count == 0) return;
+  const GroupSide side{robot, w, b, robot.pieces[static_cast<std::size_t>(gb.first_piece)]};
+  separate_piece(robot, w, a, robot.pieces[static_cast<std::size_t>(ga.first_piece)], w.around[a], side, fixed, moves, asked,
+                 true, far, separate);
 }

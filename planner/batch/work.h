@@ -25,6 +25,7 @@ struct BlockWork {
   float bend[kBlockGroups];
   bool placed[kBlockGroups];
   bool by_pieces = false;  // what hulls leave open is settled by their pieces
+  bool pairs_by_hulls = false;  // what balls of two groups leave open is settled by their hulls
   // What a line has near it, found by its first block: groups with an obstacle, and their balls.
   struct Near {
     int group, obstacle;

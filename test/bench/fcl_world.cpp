@@ -38,6 +38,8 @@ struct FclWorld::Impl {
   std::vector<std::size_t> first{};  // per group and one more, into pieces
   std::vector<Object> obstacles;
 
+  std::vector<int> planned;
+
   Impl(const Model& m, const RobotParts& p) : model(&m), parts(p), posture(m), kinematics(m) {}
 
   bool groups_touch(std::size_t i, std::size_t k) {
@@ -50,8 +52,9 @@ struct FclWorld::Impl {
   }
 };
 
-FclWorld::FclWorld(const Model& model, const RobotParts& parts)
+FclWorld::FclWorld(const Model& model, const RobotParts& parts, const std::vector<int>& planned)
     : impl_(std::make_unique<Impl>(model, parts)) {
+  impl_->planned = planned;
   for (std::size_t g = 0; g < parts.groups.size(); ++g) {
     impl_->first.push_back(impl_->pieces.size());
     for (const Ball& ball : parts.groups[g].balls)
@@ -91,7 +94,7 @@ void FclWorld::set_obstacles(const std::vector<Obstacle>& obstacles) {
 
 bool FclWorld::free(const float* q, std::string* touching) {
   Impl& in = *impl_;
-  for (int j = 0; j < in.posture.q.size(); ++j) in.posture.q[j] = static_cast<double>(q[j]);
+  for (std::size_t j = 0; j < in.planned.size(); ++j) in.posture.q[in.planned[j]] = static_cast<double>(q[j]);
   in.kinematics.update(in.posture);
   for (Impl::Piece& piece : in.pieces) {
     piece.object.setTransform(in.kinematics.link_in_world(in.parts.groups[piece.group].link) *

@@ -14,7 +14,7 @@ namespace twinbus {
 class FclWorld {
  public:
   // The balls of a group that has some, else its meshes; model must outlive this.
-  FclWorld(const Model& model, const RobotParts& parts);
+  FclWorld(const Model& model, const RobotParts& parts, const std::vector<int>& planned);
   ~FclWorld();
   void set_obstacles(const std::vector<Obstacle>& obstacles);
   // q: of all joints.  touching, when given: who.

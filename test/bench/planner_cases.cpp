@@ -1,4 +1,4 @@
-// Our planner on the Panda problems, one line per problem, in the form of peers/vamp_peer.cpp.
+// Our planner on a file of problems, one line per problem, in the form of peers/vamp_peer.cpp.
 //
 //   planner_cases as_vamp|certain ROBOTS PROBLEMS ROUNDS
 
@@ -10,7 +10,6 @@
 #include <string>
 
 #include "test/oracles/certain_path.h"
-#include "robot/description/load.h"
 #include "test/bench/planner_problems.h"
 
 namespace twinbus {
@@ -55,24 +54,20 @@ Answer certain(JointSearch& search, BlockCheck& check, const PlanningProblem& p)
 
 int run(const std::string& mode, const std::string& robots, const std::string& file, int rounds) {
   const bool proves = mode == "certain";
-  const std::string folder = robots + "/panda";
-  const std::string urdf = folder + (proves ? "/panda.urdf" : "/panda_spherized.urdf");
-  const Model model = load_urdf(urdf, {{"panda", folder}}, false);
-  RobotParts parts = robot_parts(model, urdf, folder + "/panda.srdf", folder);
+  const ProblemFile asked = read_problems(file);
+  auto [model, parts, planned] = robot_of(asked, robots, !proves);
   if (proves) cover_parts(parts, {});
-  std::vector<int> planned;
-  for (int j = 0; j < model.joint_count(); ++j) planned.push_back(j);
   BlockRobot robot = compile_robot(model, Configuration(model), planned, parts.groups, parts.pairs,
                                    proves ? 1e-5 : 0.0);
   sort_pairs(robot);
-  const std::vector<PlanningProblem> problems = read_problems(file);
   JointSearch search({.lower = robot.lower, .upper = robot.upper});
-  for (const PlanningProblem& p : problems) {
+  for (const PlanningProblem& p : asked.problems) {
     const BlockScene scene = proves ? BlockScene(p.obstacles) : p.as_vamp;
     BlockCheck check(robot, scene);
     check.settle_by_pieces(proves);
-    const bool possible =
-        check.world_free() && check.point_free(p.start.data()) && check.point_free(p.goal.data());
+    check.settle_pairs_by_hulls(proves);
+    // What stands still, as a base on its table, is no matter of a path.
+    const bool possible = check.point_free(p.start.data()) && check.point_free(p.goal.data());
     if (!possible && !proves) continue;
     std::vector<double> plan_us, shorten_us;
     Answer answer;
@@ -90,7 +85,7 @@ int run(const std::string& mode, const std::string& robots, const std::string& f
                 middle(shorten_us), static_cast<double>(length_of(answer.path, robot.joints)),
                 answer.path.size());
     for (const SearchPoint& q : answer.path) {
-      for (std::size_t j = 0; j < 7; ++j) std::printf(" %.7g", static_cast<double>(q[j]));
+      for (std::size_t j = 0; j < planned.size(); ++j) std::printf(" %.7g", static_cast<double>(q[j]));
     }
     std::printf("\n");
   }

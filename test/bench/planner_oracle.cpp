@@ -11,7 +11,6 @@
 #include <iostream>
 #include <sstream>
 
-#include "robot/description/load.h"
 #include "test/bench/fcl_world.h"
 
 namespace twinbus {
@@ -20,10 +19,11 @@ namespace {
 constexpr float kPerRadian = 1000.0F;
 
 int run(const std::string& robots, const std::string& file) {
-  const std::string folder = robots + "/panda", urdf = folder + "/panda.urdf";
-  const Model model = load_urdf(urdf, {{"panda", folder}}, false);
-  FclWorld world(model, robot_parts(model, urdf, folder + "/panda.srdf", folder));
-  const std::vector<PlanningProblem> problems = read_problems(file);
+  const ProblemFile asked = read_problems(file);
+  const std::vector<PlanningProblem>& problems = asked.problems;
+  const ProblemRobot robot = robot_of(asked, robots, false);
+  const std::size_t joints = robot.planned.size();
+  FclWorld world(robot.model, robot.parts, robot.planned);
   std::string line;
   int paths = 0, touching = 0;
   while (std::getline(std::cin, line)) {
@@ -35,7 +35,7 @@ int run(const std::string& robots, const std::string& file) {
     words >> set >> number >> skip >> skip >> skip >> points;
     SearchPath path(points);
     for (SearchPoint& q : path) {
-      for (std::size_t j = 0; j < 7; ++j) words >> q[j];
+      for (std::size_t j = 0; j < joints; ++j) words >> q[j];
     }
     const auto problem = std::find_if(problems.begin(), problems.end(), [&](const auto& p) {
       return p.set == set && p.number == number;
@@ -46,10 +46,10 @@ int run(const std::string& robots, const std::string& file) {
     bool free = true;
     for (std::size_t i = 0; free && i + 1 < points; ++i) {
       const int steps =
-          std::max(1, static_cast<int>(std::ceil(distance(path[i], path[i + 1], 7) * kPerRadian)));
+          std::max(1, static_cast<int>(std::ceil(distance(path[i], path[i + 1], static_cast<int>(joints)) * kPerRadian)));
       for (int n = 0; free && n <= steps; ++n) {
         SearchPoint q{};
-        for (std::size_t j = 0; j < 7; ++j)
+        for (std::size_t j = 0; j < joints; ++j)
           q[j] = path[i][j] +
                  static_cast<float>(n) / static_cast<float>(steps) * (path[i + 1][j] - path[i][j]);
         std::string who;

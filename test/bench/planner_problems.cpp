@@ -7,6 +7,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "common/math/index.h"
+#include "robot/description/load.h"
 #include "robot/description/srdf.h"
 #include "robot/description/urdf.h"
 
@@ -39,24 +41,31 @@ Obstacle obstacle_from(const std::string& word, std::istringstream& line) {
 
 }  // namespace
 
-std::vector<PlanningProblem> read_problems(const std::string& file) {
+ProblemFile read_problems(const std::string& file) {
   std::istringstream in(read_text(file));
-  std::vector<PlanningProblem> problems;
+  ProblemFile read;
+  std::vector<PlanningProblem>& problems = read.problems;
   std::string text, word;
   for (int number = 1; std::getline(in, text); ++number) {
     std::istringstream line(text);
-    if (!(line >> word) || word[0] == '#' || word == "robot" || word == "joints" ||
-        word == "problems" || word == "objects") {
-      continue;
-    }
-    if (word == "problem") {
+    if (!(line >> word) || word[0] == '#' || word == "problems" || word == "objects") continue;
+    if (word == "robot") {
+      line >> read.robot;
+    } else if (word == "joints") {
+      std::size_t count = 0;
+      line >> count;
+      if (count < 1 || count > at(kMostPlanned))
+        throw std::runtime_error(file + ":" + std::to_string(number) + ": 1 to " + std::to_string(kMostPlanned) + " joints");
+      read.joints.resize(count);
+      for (std::string& joint : read.joints) line >> joint;
+    } else if (word == "problem") {
       problems.emplace_back();
       line >> problems.back().set >> problems.back().number;
     } else if (problems.empty()) {
       throw std::runtime_error(file + ":" + std::to_string(number) + ": no problem before " + word);
     } else if (word == "start" || word == "goal") {
       SearchPoint& q = word == "start" ? problems.back().start : problems.back().goal;
-      for (std::size_t j = 0; j < 7; ++j) line >> q[j];
+      for (std::size_t j = 0; j < read.joints.size(); ++j) line >> q[j];
     } else if (word == "box" || word == "cylinder" || word == "sphere") {
       problems.back().obstacles.push_back(obstacle_from(word, line));
     } else {
@@ -80,19 +89,32 @@ std::vector<PlanningProblem> read_problems(const std::string& file) {
     }
     p.as_vamp.finish();
   }
-  return problems;
+  if (read.robot.empty() || read.joints.empty()) throw std::runtime_error(file + ": a line robot NAME and a line joints COUNT NAME... are missing");
+  return read;
+}
+
+ProblemRobot robot_of(const ProblemFile& file, const std::string& robots, bool balls) {
+  const std::string folder = robots + "/" + file.robot, start = folder + "/" + file.robot;
+  const std::string urdf = start + ".urdf";
+  ProblemRobot robot{.model = load_urdf(urdf, {{file.robot, folder}, {"meshes", folder + "/meshes"}}, false), .parts = {}, .planned = {}};
+  robot.parts = robot_parts(robot.model, balls ? start + "_spherized.urdf" : urdf, start + ".srdf", folder);
+  for (const std::string& joint : file.joints) {
+    robot.planned.push_back(robot.model.find_joint(joint));
+    if (robot.planned.back() < 0) throw std::runtime_error(urdf + ": no joint " + joint);
+  }
+  return robot;
 }
 
 RobotParts robot_parts(const Model& model, const std::string& urdf_file,
                        const std::string& srdf_file, const std::string& folder) {
   const std::string name = folder.substr(folder.rfind('/') + 1);
-  const AssetRoots roots{.folder = folder, .packages = {{name, folder}}};
+  const AssetRoots roots{.folder = folder, .packages = {{name, folder}, {"meshes", folder + "/meshes"}}};
   const UrdfTree tree = parse_urdf(read_text(urdf_file), urdf_file, roots);
   RobotParts parts;
   for (const Frame& frame : model.frames) {
     const auto link = std::find_if(tree.links.begin(), tree.links.end(),
                                    [&](const UrdfLink& l) { return l.name == frame.name; });
-    if (link->collision.empty()) continue;
+    if (link == tree.links.end() || link->collision.empty()) continue;
     BallGroup group;
     group.link = frame.link;
     std::vector<Shape> shapes = link->collision;

@@ -49,38 +49,37 @@ int main(int argc, char** argv) {
   ompl::RNG::setSeed(1);
   const double seconds = std::atof(argv[4]), range = std::atof(argv[6]);
   const int rounds = std::atoi(argv[5]);
-  const std::string folder = std::string(argv[2]) + "/panda";
-  const std::string urdf =
-      folder + (std::string(argv[1]) == "balls" ? "/panda_spherized.urdf" : "/panda.urdf");
-  const twinbus::Model model = twinbus::load_urdf(urdf, {{"panda", folder}}, false);
-  twinbus::FclWorld world(model, twinbus::robot_parts(model, urdf, folder + "/panda.srdf", folder));
+  const twinbus::ProblemFile asked = twinbus::read_problems(argv[3]);
+  const auto [model, parts, planned] = twinbus::robot_of(asked, argv[2], std::string(argv[1]) == "balls");
+  const auto joints = static_cast<unsigned>(planned.size());
+  twinbus::FclWorld world(model, parts, planned);
   const auto now = [] {
     return std::chrono::duration<double, std::micro>(
                std::chrono::steady_clock::now().time_since_epoch())
         .count();
   };
   int index = 0;
-  for (const PlanningProblem& p : twinbus::read_problems(argv[3])) {
+  for (const PlanningProblem& p : asked.problems) {
     if (index++ % 10 != 0) continue;
     world.set_obstacles(p.obstacles);
-    auto space = std::make_shared<ob::RealVectorStateSpace>(7);
-    ob::RealVectorBounds bounds(7);
-    for (unsigned j = 0; j < 7; ++j) {
-      bounds.setLow(j, model.joints[j].lower);
-      bounds.setHigh(j, model.joints[j].upper);
+    auto space = std::make_shared<ob::RealVectorStateSpace>(joints);
+    ob::RealVectorBounds bounds(joints);
+    for (unsigned j = 0; j < joints; ++j) {
+      bounds.setLow(j, model.joints[static_cast<std::size_t>(planned[j])].lower);
+      bounds.setHigh(j, model.joints[static_cast<std::size_t>(planned[j])].upper);
     }
     space->setBounds(bounds);
     og::SimpleSetup setup(space);
     setup.setStateValidityChecker([&](const ob::State* s) {
       twinbus::SearchPoint q{};
-      for (unsigned j = 0; j < 7; ++j)
+      for (unsigned j = 0; j < joints; ++j)
         q[j] = static_cast<float>(s->as<ob::RealVectorStateSpace::StateType>()->values[j]);
       return world.free(q.data());
     });
     setup.getSpaceInformation()->setStateValidityCheckingResolution(1.0 / 32.0 /
                                                                     space->getMaximumExtent());
     ob::ScopedState<> start(space), goal(space);
-    for (unsigned j = 0; j < 7; ++j) {
+    for (unsigned j = 0; j < joints; ++j) {
       start[j] = static_cast<double>(p.start[j]);
       goal[j] = static_cast<double>(p.goal[j]);
     }

@@ -17,10 +17,11 @@
 #include <vamp/planning/simplify.hh>
 #include <vamp/planning/validate.hh>
 #include <vamp/random/halton.hh>
-#include <vamp/robots/panda.hh>
+#include <vamp/vector.hh>
+#include TWINBUS_VAMP_HEADER
 #include <vector>
 
-using Robot = vamp::robots::Panda;
+using Robot = vamp::robots::TWINBUS_VAMP_ROBOT;
 constexpr std::size_t kRake = vamp::FloatVectorWidth;
 using Input = vamp::collision::Environment<float>;
 using Scene = vamp::collision::Environment<vamp::FloatVector<kRake>>;
