@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 """generate.py FOLDER FILE.lcm...: what C++ needs of each message beside lcm-gen's class, so that a field is written once.
 
+FOLDER/lcmtypes/msg/messages.h         structs, enumerations and sizes, without the bus
+FOLDER/lcmtypes/msg/labels.h           what the enumerations are called in sentences for people
 FOLDER/lcmtypes/bus/wire_table.h       size, sender and counter of each struct (Wire<T>)
 FOLDER/lcmtypes/bus/message_of.h       lcm-gen's class of each struct (MessageOf<T>), and the list of all
 FOLDER/lcmtypes/bus/message_fields.h   the fields of each with their rules, for convert.cpp
@@ -18,7 +20,11 @@ import lcm_types  # noqa: E402
 
 BYTES = {'int8_t': 1, 'byte': 1, 'boolean': 1, 'int16_t': 2, 'int32_t': 4, 'float': 4, 'int64_t': 8, 'double': 8}
 NUMBER = r'-?\d+(?:\.\d+)?'
-WORDS = ('id', 'id or -1', 'instant', 'counter', 'joints', 'per joint', 'rotation', 'text', 'piece', 'sender', 'sequence')
+WORDS = ('id', 'id or -1', 'instant', 'counter', 'joints', 'per joint', 'rotation', 'text', 'piece', 'sender', 'sequence', 'flag', 'letters', 'open')
+VALUES = rf'= {NUMBER}(?: {NUMBER})*'
+ENTRY = re.compile(r'(?P<value>\d+) (?P<name>[a-z][a-z ]*?)(?: "(?P<label>[^"]*)")?(?: \((?P<about>[^()]*)\))?(?:, |$)')
+CPP = {'int8_t': 'std::int8_t', 'byte': 'std::uint8_t', 'boolean': 'bool', 'int16_t': 'std::int16_t', 'int32_t': 'std::int32_t', 'int64_t': 'std::int64_t',
+       'float': 'float', 'double': 'double'}
 
 
 class Mistake(Exception):
@@ -37,8 +43,8 @@ class Rule:
         return next((found for word in self.words if (found := re.fullmatch(pattern, word))), None)
 
     @property
-    def only(self) -> str:
-        found = self.argument(r'only (\w+)')
+    def enumeration(self) -> str:
+        found = self.argument(r'(?:enum )?([A-Z]\w*)')
         return found[1] if found else ''
 
     @property
@@ -55,18 +61,50 @@ class Rule:
 def rule_of(file: str, field: lcm_types.Field) -> Rule:
     rule = Rule([word.strip() for word in field.rule.split(',')] if field.rule else [])
     for word in rule.words:
-        if word not in WORDS and not re.fullmatch(rf'only \w+|in \w+|count \d+|pieces \d+\.\.\d+|{NUMBER}\.\.({NUMBER})?', word):
-            raise Mistake(f'{file}: {field.name}: no rule {word!r}; there are {", ".join(WORDS)}, count N, pieces A..B, A..B, A.., '
-                          'only STRUCT, in MEMBER (lcmtypes/README.md)')
+        if word not in WORDS and not re.fullmatch(rf'in \w+|(?:enum )?[A-Z]\w*|{VALUES}|count \d+(?: k\w+)?|pieces \d+\.\.\d+|{NUMBER}\.\.({NUMBER})?', word):
+            raise Mistake(f'{file}: {field.name}: no rule {word!r}; there are {", ".join(WORDS)}, count N, count N kNAME, pieces A..B, A..B, A.., '
+                          'enum ENUMERATION, ENUMERATION, in MEMBER, = VALUE (lcmtypes/README.md)')
     return rule
 
 
 @dataclass
+class Enumeration:
+    """The values of a field, as its comment lists them: 1 standby track "track" (what it is), 2 ..."""
+    name: str
+    about: str
+    entries: list['re.Match[str]']
+    last: int  # that is let through
+
+    @property
+    def zero(self) -> bool:
+        """Whether 0 stands for none without being listed."""
+        return self.entries[0]['value'] != '0'
+
+    def labels(self) -> list[str]:
+        return ['none'] * self.zero + [entry['label'] or entry['name'] for entry in self.entries]
+
+
+def enumeration_of(file: str, field: lcm_types.Field, rule: Rule) -> Enumeration:
+    first = re.search(r'(?:^|: )(?=[01] )', field.about)
+    entries, at = [], first.end() if first else 0
+    while found := ENTRY.match(field.about, at):
+        entries.append(found)
+        at = found.end()
+    values = [int(entry['value']) for entry in entries]
+    if at < len(field.about) or not entries or values != list(range(values[0], values[0] + len(values))):
+        raise Mistake(f'{file}: {field.name}: the comment of an enumeration lists its values, as 0 none, 1 standby track "track" (what it is), '
+                      f'2 ...; it is not read from {field.about[at:]!r} on')
+    return Enumeration(rule.enumeration, f'{field.name} of {file}', entries, 127 if rule.has('open') else values[-1])
+
+
+@dataclass
 class Type:
-    """A message: its .lcm struct, the C++ structs that carry it, a rule per field."""
+    """A message: its .lcm struct, the C++ struct that carries it, the one in it that holds some of its fields, a rule per field."""
     said: lcm_types.Struct
-    structs: list[str]
+    struct: str
+    head: list[str]  # type and member
     rules: dict[str, Rule]
+    enumerations: list[Enumeration]
 
     def path(self, field: str) -> str:
         return self.rules[field].inside + field
@@ -84,7 +122,80 @@ def read(file: pathlib.Path) -> Type:
     said, = lcm_types.parse(file.read_text(encoding='utf-8'), file.name)
     if not said.rule:
         raise Mistake(f'{file.name}: the comment above {said.name} does not end with its C++ struct in braces, as {{RobotState}}')
-    return Type(said, [name.strip() for name in said.rule.split(',')], {field.name: rule_of(file.name, field) for field in said.fields})
+    struct, *head = said.rule.replace(',', ' ').split()
+    rules = {field.name: rule_of(file.name, field) for field in said.fields}
+    enumerations = [enumeration_of(file.name, field, rules[field.name]) for field in said.fields if rules[field.name].argument(r'enum \w+')]
+    return Type(said, struct, head, rules, enumerations)
+
+
+def check(types: list[Type]) -> None:
+    """What only all files together can tell."""
+    known = {enumeration.name for type_ in types for enumeration in type_.enumerations}
+    for type_ in types:
+        for name, rule in type_.rules.items():
+            if rule.enumeration and rule.enumeration not in known:
+                raise Mistake(f'{type_.said.name}.lcm: {name}: no field says enum {rule.enumeration}')
+
+
+def camel(words: str) -> str:
+    return 'k' + ''.join(word.capitalize() for word in words.split())
+
+
+def comment(text: str) -> str:
+    return f'  // {text}' if text else ''
+
+
+def member(type_: Type, field: lcm_types.Field) -> str:
+    """Its declaration in the C++ struct."""
+    rule = type_.rules[field.name]
+    kind = rule.enumeration or ('bool' if rule.has('flag') else 'char' if rule.has('text') or rule.has('letters') else CPP[field.kind])
+    array = kind
+    for size in reversed(field.shape):
+        array = f'std::array<{array}, {size}>'
+    if found := rule.argument(VALUES):
+        values = found[0].split()[1:]
+    else:
+        values = ['-1'] if rule.has('id or -1') else ['1', '0', '0', '0'] if rule.has('rotation') else []
+    if field.shape:
+        values = values * (field.count if len(values) == 1 else 1)
+        value = '{' + ', '.join(literal(number, field.kind) if kind == 'float' else number for number in values) + '}'
+    elif values:
+        value = ' = ' + literal(values[0], field.kind)
+    else:
+        value = '{}' if rule.enumeration else ' = false' if kind == 'bool' else ' = 0'
+    return f'  {array} {field.name}{value};{comment(field.about)}'
+
+
+def struct(type_: Type) -> list[str]:
+    inside = [field for field in type_.said.fields if type_.rules[field.name].inside]
+    lines = []
+    if inside:
+        lines += [f'// The same in every piece: {type_.said.name}.', f'struct {type_.head[0]} {{'] + [member(type_, field) for field in inside]
+        lines += [f'  bool operator==(const {type_.head[0]}&) const = default;', '};']
+    lines += [f'// {type_.said.name}.  {type_.said.about}', f'struct {type_.struct} {{'] + ([f'  {type_.head[0]} {type_.head[1]};'] if inside else [])
+    return lines + [member(type_, field) for field in type_.said.fields if field not in inside] + ['};', '']
+
+
+def messages(types: list[Type]) -> str:
+    lines = ['#pragma once', '#include <array>', '#include <cstdint>', '', 'namespace twinbus {']
+    for type_ in types:
+        for name, rule in type_.rules.items():
+            if found := rule.argument(r'count (\d+) (k\w+)'):
+                lines.append(f'inline constexpr int {found[2]} = {found[1]};  // {name} of {type_.said.name}, at most')
+    for enumeration in (one for type_ in types for one in type_.enumerations):
+        lines += ['', f'// {enumeration.about}', f'enum class {enumeration.name} : std::int8_t {{'] + ['  kNone = 0,'] * enumeration.zero
+        lines += [f'  {camel(entry["name"])} = {entry["value"]},{comment(entry["about"])}' for entry in enumeration.entries] + ['};']
+    return '\n'.join(lines + [''] + [line for type_ in types for line in struct(type_)] + ['}  // namespace twinbus']) + '\n'
+
+
+def labels(types: list[Type]) -> str:
+    lines = ['#pragma once', '#include "common/text/name_of.h"', '#include "lcmtypes/msg/messages.h"', '', 'namespace twinbus {',
+             '// label(x): x in sentences for people.  last_of(x): the largest value that a message may carry.']
+    for enumeration in (one for type_ in types for one in type_.enumerations):
+        names = ', '.join(f'"{name}"' for name in enumeration.labels())
+        lines += [f'constexpr const char* label({enumeration.name} x) noexcept {{', f'  constexpr const char* kNames[] = {{{names}}};',
+                  '  return name_of(x, kNames);', '}', f'constexpr int last_of({enumeration.name}) {{ return {enumeration.last}; }}', '']
+    return '\n'.join(lines + ['}  // namespace twinbus']) + '\n'
 
 
 def literal(number: str, kind: str) -> str:
@@ -118,7 +229,7 @@ def convert(type_: Type, field: lcm_types.Field) -> list[str]:
         lines.append(f'c.within({both}, std::int64_t{{-1}}, kIds - 1);')
     elif rule.has('rotation'):
         lines.append(f'c.rotation({both});')
-    elif found := rule.argument(r'count (\d+)'):
+    elif found := rule.argument(r'count (\d+).*'):
         lines.append(f'c.count({both}, {found[1]});')
     elif rule.has('joints'):
         lines.append(f'c.joint_count({both});')
@@ -132,19 +243,14 @@ def convert(type_: Type, field: lcm_types.Field) -> list[str]:
     return lines
 
 
-def fields(type_: Type, struct: str) -> list[str]:
-    lines = [f'template <class C, class M, Is<{struct}> S>', 'void fields(C& c, M& m, S& s) noexcept {']
-    for field in type_.said.fields:
-        only = type_.rules[field.name].only
-        lines += [f'  {line}' for line in (convert(type_, field) if only in ('', struct) else [f'c.leave_out(m.{field.name});'])]
-    return lines + ['  cross_rules(c, s);', '}', '']
+def fields(type_: Type) -> list[str]:
+    lines = [f'template <class C, class M, Is<{type_.struct}> S>', 'void fields(C& c, M& m, S& s) noexcept {']
+    return lines + [f'  {line}' for field in type_.said.fields for line in convert(type_, field)] + ['  cross_rules(c, s);', '}', '']
 
 
 def fields_file(types: list[Type]) -> str:
     lines = ['// Included by lcmtypes/bus/convert.cpp.', '#pragma once', '', 'namespace twinbus {', 'namespace {']
-    for type_ in types:
-        for struct in type_.structs:
-            lines += fields(type_, struct)
+    lines += [line for type_ in types for line in fields(type_)]
     return '\n'.join(lines + ['}  // namespace', '}  // namespace twinbus']) + '\n'
 
 
@@ -153,36 +259,30 @@ def wire_table(types: list[Type]) -> str:
              'struct Wire;']
     for type_ in types:
         sender, count = type_.find('sender'), type_.find('sequence')
-        first, *others = type_.structs
-        lines += ['template <>', f'struct Wire<{first}> {{', f'  static constexpr int kBytes = {type_.size};',
+        lines += ['template <>', f'struct Wire<{type_.struct}> {{', f'  static constexpr int kBytes = {type_.size};',
                   f'  static constexpr bool kCounted = {"true" if count else "false"};',
-                  f'  static std::int64_t sender(const {first}& x) noexcept {{ return x.{sender}; }}']
-        lines += [f'  static std::int64_t count(const {first}& x) noexcept {{ return x.{count}; }}'] if count else []
+                  f'  static std::int64_t sender(const {type_.struct}& x) noexcept {{ return x.{sender}; }}']
+        lines += [f'  static std::int64_t count(const {type_.struct}& x) noexcept {{ return x.{count}; }}'] if count else []
         lines += ['};']
-        for other in others:
-            lines += ['template <>', f'struct Wire<{other}> : Wire<{first}> {{}};']
     return '\n'.join(lines + ['}  // namespace twinbus']) + '\n'
 
 
 def message_of(types: list[Type]) -> str:
     lines = ['#pragma once', '#include "lcmtypes/msg/messages.h"'] + [f'#include "twinbus/{type_.said.name}.hpp"' for type_ in types]
     lines += ['', 'namespace twinbus {', 'template <class T>', 'struct MessageOf;']
-    every = [(struct, type_.said.name) for type_ in types for struct in type_.structs]
-    for struct, name in every:
-        lines += ['template <>', f'struct MessageOf<{struct}> {{', f'  using type = {name};', '};']
-    lines += ['}  // namespace twinbus', '', '// X(T) for every struct.', '#define TWINBUS_MESSAGES(X) ' + ' '.join(f'X({struct})' for struct, _ in every)]
+    for type_ in types:
+        lines += ['template <>', f'struct MessageOf<{type_.struct}> {{', f'  using type = {type_.said.name};', '};']
+    lines += ['}  // namespace twinbus', '', '// X(T) for every struct.', '#define TWINBUS_MESSAGES(X) ' + ' '.join(f'X({type_.struct})' for type_ in types)]
     return '\n'.join(lines) + '\n'
 
 
-def sample(type_: Type, struct: str, place: int) -> list[str]:
-    lines = ['template <>', f'inline {struct} sample<{struct}>() {{', f'  {struct} x;', f'  Filler fill({place});']
+def sample(type_: Type, place: int) -> list[str]:
+    lines = ['template <>', f'inline {type_.struct} sample<{type_.struct}>() {{', f'  {type_.struct} x;', f'  Filler fill({place});']
     for field in type_.said.fields:
         rule = type_.rules[field.name]
         x = f'x.{type_.path(field.name)}'
-        most = rule.argument(r'count (\d+)')
+        most = rule.argument(r'count (\d+).*')
         pieces = rule.argument(r'pieces (\d+)\.\.(\d+)')
-        if rule.only not in ('', struct):
-            continue
         if rule.has('joints'):
             lines.append(f'  {x} = kMaxJoints;')
         elif most:
@@ -205,11 +305,10 @@ def sample(type_: Type, struct: str, place: int) -> list[str]:
 
 def samples_file(types: list[Type]) -> str:
     lines = ['// Included by test/lcmtypes/samples.h.', '#pragma once', '', 'namespace twinbus {']
-    every = [(type_, struct) for type_ in types for struct in type_.structs]
-    for place, (type_, struct) in enumerate(every):
-        lines += sample(type_, struct, place)
+    for place, type_ in enumerate(types):
+        lines += sample(type_, place)
     lines += ['// Calls f.template operator()<T>() for every struct that goes over the bus.', 'template <class F>', 'void for_every_type(F&& f) {']
-    lines += [f'  f.template operator()<{struct}>();' for _, struct in every]
+    lines += [f'  f.template operator()<{type_.struct}>();' for type_ in types]
     return '\n'.join(lines + ['}', '}  // namespace twinbus']) + '\n'
 
 
@@ -225,10 +324,13 @@ def main() -> int:
     folder, files = pathlib.Path(sys.argv[1]), [pathlib.Path(name) for name in sys.argv[2:]]
     try:
         types = [read(file) for file in sorted(files)]
+        check(types)
     except (Mistake, ValueError) as error:
         print(f'generate.py: {error}', file=sys.stderr)
         return 1
-    bus = folder / 'lcmtypes' / 'bus'
+    bus, msg = folder / 'lcmtypes' / 'bus', folder / 'lcmtypes' / 'msg'
+    write(msg / 'messages.h', messages(types))
+    write(msg / 'labels.h', labels(types))
     write(bus / 'wire_table.h', wire_table(types))
     write(bus / 'message_of.h', message_of(types))
     write(bus / 'message_fields.h', fields_file(types))

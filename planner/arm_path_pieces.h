@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "lcmtypes/msg/messages.h"
 #include "planner/arm_planner.h"
-#include "lcmtypes/msg/pieces.h"
 
 namespace twinbus {
 

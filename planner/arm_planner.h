@@ -15,8 +15,7 @@
 #include "robot/collision/collision.h"
 #include "robot/kinematics/kinematics.h"
 #include "robot/description/model.h"
-#include "lcmtypes/msg/pieces.h"
-#include "lcmtypes/msg/requests.h"
+#include "lcmtypes/msg/messages.h"
 
 namespace twinbus {
 

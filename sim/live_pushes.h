@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <array>
 
-#include "lcmtypes/msg/reports.h"
+#include "lcmtypes/msg/messages.h"
 #include "lcmtypes/msg/status.h"
 #include "robot/description/model.h"
 #include "sim/world/world.h"

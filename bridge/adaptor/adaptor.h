@@ -8,8 +8,7 @@
 #include <Eigen/Geometry>
 
 #include "robot/description/model.h"
-#include "lcmtypes/msg/pieces.h"
-#include "lcmtypes/msg/reports.h"
+#include "lcmtypes/msg/messages.h"
 #include "lcmtypes/msg/robot_io.h"
 #include "lcmtypes/msg/status.h"
 

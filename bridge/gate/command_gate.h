@@ -16,8 +16,7 @@
 #include "bridge/gate/soft_servos.h"
 #include "bridge/handover/rules.h"
 #include "bridge/gate/stop_latch.h"
-#include "lcmtypes/msg/reports.h"
-#include "lcmtypes/msg/requests.h"
+#include "lcmtypes/msg/messages.h"
 #include "lcmtypes/msg/robot_io.h"
 
 namespace twinbus {

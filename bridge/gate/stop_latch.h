@@ -11,7 +11,7 @@
 #include <cstdint>
 
 #include "bridge/handover/rules.h"
-#include "lcmtypes/msg/requests.h"
+#include "lcmtypes/msg/messages.h"
 
 namespace twinbus {
 

@@ -32,7 +32,7 @@
 #include <cstdint>
 
 #include "bridge/handover/rules.h"
-#include "lcmtypes/msg/requests.h"
+#include "lcmtypes/msg/messages.h"
 #include "lcmtypes/msg/robot_io.h"
 
 namespace twinbus {

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <cstdio>
 
-#include "lcmtypes/msg/reports.h"
+#include "lcmtypes/msg/messages.h"
 #include "lcmtypes/msg/status.h"
 
 namespace twinbus {

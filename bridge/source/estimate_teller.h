@@ -8,7 +8,7 @@
 
 #include <cstdint>
 
-#include "lcmtypes/msg/estimate.h"
+#include "lcmtypes/msg/messages.h"
 #include "lcmtypes/msg/robot_io.h"
 #include "robot/description/model.h"
 #include "robot/estimation/inertial_leg_odometry.h"

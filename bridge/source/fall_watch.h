@@ -9,8 +9,7 @@
 #include <array>
 #include <cstdint>
 
-#include "lcmtypes/msg/reports.h"
-#include "lcmtypes/msg/requests.h"
+#include "lcmtypes/msg/messages.h"
 #include "lcmtypes/msg/robot_io.h"
 #include "robot/description/model.h"
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "lcmtypes/msg/messages.h"
 #include "robot/description/model.h"
-#include "lcmtypes/msg/pieces.h"
 
 namespace twinbus {
 

@@ -8,8 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "lcmtypes/msg/motion_piece.h"
-#include "lcmtypes/msg/requests.h"
+#include "lcmtypes/msg/messages.h"
 #include "lcmtypes/msg/step_list.h"
 
 namespace twinbus {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "bridge/adaptor/adaptor.h"
-#include "lcmtypes/msg/pieces.h"
+#include "lcmtypes/msg/messages.h"
 
 namespace twinbus {
 

@@ -6,7 +6,7 @@
 
 #include "bridge/adaptor/adaptor.h"
 #include "bridge/source/sim_pace.h"
-#include "lcmtypes/msg/sim_request.h"
+#include "lcmtypes/msg/messages.h"
 
 namespace twinbus {
 

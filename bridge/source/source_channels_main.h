@@ -3,8 +3,7 @@
 #pragma once
 
 #include "lcmtypes/bus/channels.h"
-#include "lcmtypes/msg/motion_piece.h"
-#include "lcmtypes/msg/requests.h"
+#include "lcmtypes/msg/messages.h"
 #include "lcmtypes/msg/robot_io.h"
 #include "lcmtypes/msg/step_list.h"
 

@@ -6,8 +6,8 @@
 
 #include "common/math/index.h"
 #include "lcmtypes/msg/labels.h"
-#include "lcmtypes/msg/reports.h"
-#include "lcmtypes/msg/requests.h"
+#include "lcmtypes/msg/messages.h"
+#include "lcmtypes/msg/refusal_text.h"
 #include "lcmtypes/msg/status.h"
 #include "robot/stop_plan/plan_assembler.h"
 

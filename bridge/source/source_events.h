@@ -5,7 +5,7 @@
 #include <array>
 
 #include "bridge/gate/command_gate.h"
-#include "lcmtypes/msg/reports.h"
+#include "lcmtypes/msg/messages.h"
 #include "robot/description/model.h"
 
 namespace twinbus {

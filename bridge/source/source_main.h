@@ -15,8 +15,7 @@
 #include "bridge/source/source.h"
 #include "robot/description/model.h"
 #include "common/process/options.h"
-#include "lcmtypes/msg/pieces.h"
-#include "lcmtypes/msg/reports.h"
+#include "lcmtypes/msg/messages.h"
 
 namespace twinbus {
 

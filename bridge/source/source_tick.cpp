@@ -6,8 +6,7 @@
 
 #include "bridge/handover/switch_check.h"
 #include "common/math/index.h"
-#include "lcmtypes/msg/reports.h"
-#include "lcmtypes/msg/requests.h"
+#include "lcmtypes/msg/messages.h"
 #include "robot/estimation/point_legs.h"
 
 namespace twinbus {

@@ -20,8 +20,7 @@
 #include "bridge/unitree/low_frames.h"
 #include "bridge/unitree/motor_table.h"
 #include "bridge/unitree/sample_age.h"
-#include "lcmtypes/msg/reports.h"
-#include "lcmtypes/msg/requests.h"
+#include "lcmtypes/msg/messages.h"
 #include "lcmtypes/msg/robot_io.h"
 #include "robot/description/model.h"
 

@@ -9,7 +9,7 @@
 #include <cstdint>
 
 #include "bridge/unitree/frames.h"
-#include "lcmtypes/msg/requests.h"
+#include "lcmtypes/msg/messages.h"
 
 namespace twinbus {
 

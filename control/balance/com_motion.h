@@ -14,7 +14,7 @@
 #include <array>
 
 #include "control/joint/min_jerk.h"
-#include "lcmtypes/msg/requests.h"
+#include "lcmtypes/msg/messages.h"
 
 namespace twinbus {
 

@@ -23,7 +23,7 @@
 #include "robot/kinematics/kinematics.h"
 #include "robot/description/model.h"
 #include "lcmtypes/msg/guard_defaults.h"
-#include "lcmtypes/msg/reports.h"
+#include "lcmtypes/msg/messages.h"
 #include "lcmtypes/msg/robot_io.h"
 
 namespace twinbus {

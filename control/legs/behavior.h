@@ -7,7 +7,7 @@
 #include <array>
 #include <vector>
 
-#include "lcmtypes/msg/requests.h"
+#include "lcmtypes/msg/messages.h"
 #include "robot/description/model.h"
 #include "robot/dynamics/inverse_dynamics.h"
 #include "robot/estimation/estimator.h"

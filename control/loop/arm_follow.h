@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "control/joint/posture.h"
+#include "lcmtypes/msg/messages.h"
 #include "lcmtypes/msg/obeyed_once.h"
-#include "lcmtypes/msg/pieces.h"
 #include "robot/description/model.h"
 
 namespace twinbus {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "control/loop/modes.h"
-#include "lcmtypes/msg/reports.h"
+#include "lcmtypes/msg/messages.h"
 
 namespace twinbus {
 

@@ -7,7 +7,7 @@
 #include <array>
 #include <cstdint>
 
-#include "lcmtypes/msg/requests.h"
+#include "lcmtypes/msg/messages.h"
 
 namespace twinbus {
 

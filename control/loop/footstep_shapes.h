@@ -6,7 +6,7 @@
 #include "control/walk/walk.h"
 #include "robot/estimation/estimator.h"
 #include "robot/description/model.h"
-#include "lcmtypes/msg/pieces.h"
+#include "lcmtypes/msg/messages.h"
 
 namespace twinbus {
 

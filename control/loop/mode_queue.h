@@ -8,8 +8,8 @@
 #include <array>
 #include <cstdint>
 
+#include "lcmtypes/msg/messages.h"
 #include "lcmtypes/msg/obeyed_once.h"
-#include "lcmtypes/msg/requests.h"
 
 namespace twinbus {
 

@@ -13,7 +13,7 @@
 
 #include "control/joint/min_jerk.h"
 #include "control/joint/posture.h"
-#include "lcmtypes/msg/motion_piece.h"
+#include "lcmtypes/msg/messages.h"
 #include "lcmtypes/msg/obeyed_once.h"
 #include "robot/description/model.h"
 

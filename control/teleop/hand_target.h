@@ -9,9 +9,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 
-#include "lcmtypes/msg/pieces.h"
-#include "lcmtypes/msg/reports.h"
-#include "lcmtypes/msg/requests.h"
+#include "lcmtypes/msg/messages.h"
 
 namespace twinbus {
 

@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <string>
 
-#include "lcmtypes/msg/requests.h"
+#include "lcmtypes/msg/messages.h"
 
 namespace twinbus {
 

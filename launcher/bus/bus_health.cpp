@@ -36,7 +36,7 @@ bool never_ends(const char* channel) {
          std::strcmp(channel, "GUARD") == 0;
 }
 
-std::string sentence(const FullHeartbeat& beat, std::size_t row, std::int64_t count,
+std::string sentence(const Heartbeat& beat, std::size_t row, std::int64_t count,
                      const char* what) {
   char text[160];
   std::snprintf(text, sizeof text, "%s (pid %d): %lld messages on %s %s in the last second",
@@ -47,7 +47,7 @@ std::string sentence(const FullHeartbeat& beat, std::size_t row, std::int64_t co
 
 }  // namespace
 
-const char* heard_channel(const FullHeartbeat& beat, std::size_t row) {
+const char* heard_channel(const Heartbeat& beat, std::size_t row) {
   const auto table = channel_table();
   const auto i = static_cast<std::size_t>(beat.channel[row] - 1);
   return i < table.size() ? table[i].channel : "?";
@@ -59,7 +59,7 @@ std::vector<std::string> BusHealth::look(const std::vector<const SeenProcess*>& 
   if (own_clock) own_clock_ns_ = now_ns;
   own_clock = own_clock_ns_ != 0 && now_ns - own_clock_ns_ < kAfterOwnClock;
   for (const SeenProcess* process : processes) {
-    const FullHeartbeat& beat = process->beat;
+    const Heartbeat& beat = process->beat;
     for (std::size_t i = 0; i < static_cast<std::size_t>(beat.channels); ++i) {
       Row& row = rows_[{beat.process_id, beat.channel[i]}];
       if (row.since_ns == 0) row.since_ns = now_ns;
@@ -102,7 +102,7 @@ std::vector<std::string> channel_lines(const std::vector<const SeenProcess*>& pr
   std::vector<std::string> lines = {
       "process    hears               received    age ms jitter us     lost repeated rejected"};
   for (const SeenProcess* process : processes) {
-    const FullHeartbeat& b = process->beat;
+    const Heartbeat& b = process->beat;
     for (std::size_t i = 0; i < static_cast<std::size_t>(b.channels); ++i) {
       if (b.channel_received[i] == 0 && b.channel_rejected[i] == 0) continue;
       char line[160];

@@ -34,6 +34,6 @@ class BusHealth {
 // One line per process and channel that it has heard: age, jitter, gaps, repetitions, refusals.
 std::vector<std::string> channel_lines(const std::vector<const SeenProcess*>& processes);
 // Of a row of a heartbeat; "?" for one that this program does not know.
-const char* heard_channel(const FullHeartbeat& beat, std::size_t row);
+const char* heard_channel(const Heartbeat& beat, std::size_t row);
 
 }  // namespace twinbus

@@ -34,7 +34,7 @@ struct Ear {
   void operator()(const SourceStatus& status) const {
     seen.on_source_status(status, monotonic_ns());
   }
-  void operator()(const FullHeartbeat& beat) const { seen.on_heartbeat(beat, monotonic_ns()); }
+  void operator()(const Heartbeat& beat) const { seen.on_heartbeat(beat, monotonic_ns()); }
   void operator()(const SimTruth& truth) const { seen.on_truth(truth, monotonic_ns()); }
   void operator()(const GuardReport& report) const { seen.on_guard(report, monotonic_ns()); }
   void operator()(const ControllerStatus& status) const {
@@ -54,7 +54,7 @@ struct BusLink::Impl {
     bus.listen_each<RobotState>(channel::kStateReplay, own_ear);
     bus.listen_each<JointCommand>(channel::kCommand, ear);
     bus.listen_each<SourceStatus>(channel::kSourceStatus, ear);
-    bus.listen_each<FullHeartbeat>(channel::kHeartbeat, ear);
+    bus.listen_each<Heartbeat>(channel::kHeartbeat, ear);
     bus.listen_each<SimTruth>(channel::kTruth, ear);
     bus.listen_each<GuardReport>(channel::kGuard, ear);
     bus.listen_each<ControllerStatus>(channel::kControllerStatus, ear);

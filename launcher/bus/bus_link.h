@@ -11,10 +11,7 @@
 
 #include "common/process/arguments.h"
 #include "launcher/bus/stack_monitor.h"
-#include "lcmtypes/msg/motion_piece.h"
-#include "lcmtypes/msg/reports.h"
-#include "lcmtypes/msg/requests.h"
-#include "lcmtypes/msg/sim_request.h"
+#include "lcmtypes/msg/messages.h"
 #include "lcmtypes/msg/step_list.h"
 
 namespace twinbus {

@@ -69,7 +69,7 @@ void Lookout::on_source_status(const SourceStatus& status, std::int64_t now_ns) 
   }
 }
 
-void Lookout::on_heartbeat(const FullHeartbeat& beat, std::int64_t now_ns) {
+void Lookout::on_heartbeat(const Heartbeat& beat, std::int64_t now_ns) {
   if (auto* process = slot(processes_, beat.process_id)) {
     process->beat = beat;
     process->heard_ns = now_ns;

@@ -10,9 +10,7 @@
 #include <vector>
 
 #include "launcher/bus/meter.h"
-#include "lcmtypes/msg/full_heartbeat.h"
-#include "lcmtypes/msg/reports.h"
-#include "lcmtypes/msg/requests.h"
+#include "lcmtypes/msg/messages.h"
 #include "lcmtypes/msg/robot_io.h"
 
 namespace twinbus {
@@ -27,7 +25,7 @@ struct SeenSource {
 };
 
 struct SeenProcess {
-  FullHeartbeat beat{};
+  Heartbeat beat{};
   std::int64_t heard_ns = 0;
 };
 
@@ -53,7 +51,7 @@ class Lookout {
   void on_state(const RobotState& state, bool own_channel, std::int64_t now_ns);
   void on_command(const JointCommand& command, std::int64_t now_ns);
   void on_source_status(const SourceStatus& status, std::int64_t now_ns);
-  void on_heartbeat(const FullHeartbeat& beat, std::int64_t now_ns);
+  void on_heartbeat(const Heartbeat& beat, std::int64_t now_ns);
   void on_truth(const SimTruth& truth, std::int64_t now_ns);
   void on_guard(const GuardReport& report, std::int64_t now_ns);
   void on_controller_status(const ControllerStatus& status, std::int64_t now_ns);

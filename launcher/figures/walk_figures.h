@@ -7,9 +7,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "lcmtypes/msg/messages.h"
 #include "robot/description/model.h"
-#include "lcmtypes/msg/reports.h"
-#include "lcmtypes/msg/requests.h"
 #include "sim/scene/scene.h"
 
 namespace twinbus {

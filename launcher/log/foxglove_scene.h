@@ -11,8 +11,7 @@
 #include <optional>
 #include <string>
 
-#include "lcmtypes/msg/pieces.h"
-#include "lcmtypes/msg/reports.h"
+#include "lcmtypes/msg/messages.h"
 #include "lcmtypes/msg/robot_io.h"
 #include "robot/description/model.h"
 #include "robot/kinematics/kinematics.h"

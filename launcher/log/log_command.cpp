@@ -12,7 +12,6 @@
 #include "common/process/command_word.h"
 #include "common/process/process.h"
 #include "common/text/closest_name.h"
-#include "common/text/name_of.h"
 #include "launcher/bus/stack_monitor.h"
 #include "launcher/log/log_channels.h"
 #include "launcher/log/log_output.h"
@@ -75,12 +74,6 @@ const char* what_is_asked(const ModeRequest& request) {
   if (request.motion == Motion::kSway) return "sway";
   if (request.motion == Motion::kSquat) return "squat";
   return label(request.mode);
-}
-
-const char* action_name(SourceAction action) {
-  static constexpr const char* kUnknown = "something unknown";
-  static constexpr const char* kNames[] = {kUnknown, "activation", "switch", "standby (track)", "standby (shadow)", "parking"};
-  return name_of(action, kNames, kUnknown);
 }
 
 int copy(const Arguments& arguments,
@@ -243,12 +236,12 @@ int log_events(const std::vector<std::string>& words) {
                SourceRequest m;
                if (decode(event.data, m) == Status::kOk && first_time_told(m)) {
                  line(event, last.tick,
-                      std::string(action_name(m.action)) + " asked for run " +
+                      std::string(label(m.action)) + " asked for run " +
                           std::to_string(m.target_run_id) + ", " + who(m.sender_id));
                  if (m.action == SourceAction::kSwitch && switched.size() < kMostSenders) switched[m.run_id] = who(m.sender_id);
                }
              } else if (name == channel::kHeartbeat) {
-               FullHeartbeat m;
+               Heartbeat m;
                if (decode(event.data, m) == Status::kOk && senders.size() < kMostSenders)
                  senders[m.process_id] = m.kind;
              }

@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-#include "lcmtypes/msg/reports.h"
+#include "lcmtypes/msg/messages.h"
 #include "lcmtypes/msg/robot_io.h"
 
 namespace twinbus {

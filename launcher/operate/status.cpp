@@ -37,7 +37,7 @@ Syntax status_syntax() {
       0};
 }
 
-nlohmann::ordered_json channels_json(const FullHeartbeat& b) {
+nlohmann::ordered_json channels_json(const Heartbeat& b) {
   nlohmann::ordered_json all = nlohmann::ordered_json::object();
   for (std::size_t i = 0; i < static_cast<std::size_t>(b.channels); ++i) {
     all[heard_channel(b, i)] = {
@@ -74,7 +74,7 @@ nlohmann::ordered_json as_json(const Lookout& seen, std::int64_t now_ns) {
                     {"GUARD", stream(seen.guard())}};
   all["processes"] = nlohmann::ordered_json::array();
   for (const SeenProcess* process : seen.processes(now_ns)) {
-    const FullHeartbeat& b = process->beat;
+    const Heartbeat& b = process->beat;
     all["processes"].push_back({{"process", process_name(b.kind)},
                                 {"pid", b.pid},
                                 {"id", b.process_id},

@@ -11,6 +11,7 @@
 #include "common/process/process.h"
 #include "launcher/bus/bus_arguments.h"
 #include "launcher/bus/bus_link.h"
+#include "lcmtypes/msg/refusal_text.h"
 
 namespace twinbus {
 

@@ -10,6 +10,7 @@
 
 #include "lcmtypes/bus/channels.h"
 #include "lcmtypes/bus/wire.h"
+#include "lcmtypes/msg/refusal_text.h"
 #include "planner/arm_path_pieces.h"
 #include "planner/plan_start.h"
 #include "lcmtypes/msg/status.h"

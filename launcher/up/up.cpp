@@ -28,6 +28,7 @@
 #include "launcher/up/shadow.h"
 #include "launcher/up/up_syntax.h"
 #include "launcher/up/who_is_there.h"
+#include "lcmtypes/msg/refusal_text.h"
 #include "robot/description/load.h"
 #include "sim/scene/scene.h"
 #include "sim/scene/scene_requests.h"

@@ -210,9 +210,7 @@ bool Bus::send_heartbeat(const Heartbeat& beat) noexcept {
   return send(channel::kHeartbeat, with_channels(beat));
 }
 
-FullHeartbeat Bus::with_channels(const Heartbeat& of) const noexcept {
-  FullHeartbeat beat;
-  static_cast<Heartbeat&>(beat) = of;
+Heartbeat Bus::with_channels(Heartbeat beat) const noexcept {
   const std::int64_t now = steady_ns();
   const auto number = [](std::int64_t x) {
     return static_cast<std::int32_t>(std::min<std::int64_t>(x, INT32_MAX));

@@ -110,7 +110,7 @@ class Bus {
   int fileno() const noexcept;
   const BusCounters& counters() const noexcept { return counters_; }
   // The heartbeat with how each channel does that is listened to by its name.
-  FullHeartbeat with_channels(const Heartbeat& beat) const noexcept;
+  Heartbeat with_channels(Heartbeat beat) const noexcept;
   [[nodiscard]] bool send_heartbeat(const Heartbeat& beat) noexcept;
   // Datagrams dropped by the kernel: foreign, split, of a channel nobody here listens to, or no room.
   // 0 where there is no socket.

@@ -10,6 +10,7 @@
 
 #include "lcmtypes/bus/message_of.h"  // made by lcmtypes/generate.py
 #include "lcmtypes/msg/messages.h"
+#include "lcmtypes/msg/status.h"
 
 namespace twinbus {
 

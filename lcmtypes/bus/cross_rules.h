@@ -7,7 +7,7 @@
 #include <cstddef>
 
 #include "lcmtypes/bus/field_copier.h"
-#include "lcmtypes/msg/messages.h"
+#include "lcmtypes/msg/robot_io.h"
 
 namespace twinbus {
 

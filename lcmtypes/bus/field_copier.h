@@ -11,7 +11,8 @@
 #include <type_traits>
 
 #include "common/text/printable.h"
-#include "lcmtypes/msg/messages.h"
+#include "lcmtypes/msg/labels.h"
+#include "lcmtypes/msg/status.h"
 
 namespace twinbus {
 
@@ -21,28 +22,6 @@ inline constexpr std::int64_t kInstants = std::int64_t{1}
                                           << 62;  // [ns, us] differences do not overflow
 inline constexpr std::int32_t kCounts =
     std::int32_t{1} << 30;  // terms and sequences: adding to them does not overflow
-
-constexpr int last_of(SourceKind) { return static_cast<int>(SourceKind::kReplay); }
-constexpr int last_of(Role) { return static_cast<int>(Role::kStopped); }
-constexpr int last_of(StopKind) { return static_cast<int>(StopKind::kOff); }
-constexpr int last_of(WrenchKind) { return static_cast<int>(WrenchKind::kEstimated); }
-constexpr int last_of(LoadFrom) { return static_cast<int>(LoadFrom::kHeights); }
-constexpr int last_of(VelocityFrom) { return static_cast<int>(VelocityFrom::kFixed); }
-constexpr int last_of(StopReason) { return static_cast<int>(StopReason::kFallen); }
-constexpr int last_of(SourceAction) { return static_cast<int>(SourceAction::kPark); }
-constexpr int last_of(SwitchPolicy) { return static_cast<int>(SwitchPolicy::kWhenSafe); }
-constexpr int last_of(Refusal) { return 127; }  // programs print the unknown ones as numbers
-constexpr int last_of(Mode) { return static_cast<int>(Mode::kStop); }
-constexpr int last_of(Motion) { return static_cast<int>(Motion::kPlayed); }
-constexpr int last_of(SimAction) { return static_cast<int>(SimAction::kPush); }
-constexpr int last_of(FootSide) { return static_cast<int>(FootSide::kRight); }
-constexpr int last_of(ArmSide) { return static_cast<int>(ArmSide::kRight); }
-constexpr int last_of(ArmGoalKind) { return static_cast<int>(ArmGoalKind::kPose); }
-constexpr int last_of(ArmPathStatus) { return static_cast<int>(ArmPathStatus::kBadGoal); }
-constexpr int last_of(GuardVerdict) { return static_cast<int>(GuardVerdict::kInCollision); }
-constexpr int last_of(ProcessKind) { return static_cast<int>(ProcessKind::kUser); }
-constexpr int last_of(JournalInput) { return static_cast<int>(JournalInput::kMotion); }
-constexpr int last_of(ObstacleShape) { return static_cast<int>(ObstacleShape::kCylinder); }
 
 // Copies fields one way and judges what it copied.  The first objection stays.
 template <bool to_message>
@@ -95,16 +74,6 @@ class Copier {
   template <class M, class S>
   void counter(M& m, S& s) noexcept {
     within(m, s, std::int32_t{0}, kCounts);
-  }
-  // What a struct does not have: zero in its message, and judged like the rest.
-  template <class M>
-  void leave_out(M& m) noexcept {
-    if constexpr (std::is_array_v<M>) {
-      for (auto& x : m) leave_out(x);
-    } else {
-      std::remove_const_t<M> nothing = 0;
-      (*this)(m, nothing);
-    }
   }
   // How many entries of an array are in use.
   template <class M, class S>

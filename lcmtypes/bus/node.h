@@ -11,8 +11,7 @@
 #include "common/process/process.h"
 #include "lcmtypes/bus/bus.h"
 #include "lcmtypes/bus/channels.h"
-#include "lcmtypes/msg/reports.h"
-#include "lcmtypes/msg/requests.h"
+#include "lcmtypes/msg/messages.h"
 #include "lcmtypes/node/pulse.h"
 
 namespace twinbus {

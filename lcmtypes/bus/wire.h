@@ -12,6 +12,7 @@
 
 #include "lcmtypes/bus/wire_table.h"  // made by lcmtypes/generate.py
 #include "lcmtypes/msg/messages.h"
+#include "lcmtypes/msg/status.h"
 
 namespace twinbus {
 

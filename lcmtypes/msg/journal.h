@@ -10,11 +10,7 @@
 #include <cstring>
 #include <span>
 
-#include "lcmtypes/msg/motion_piece.h"
-#include "lcmtypes/msg/pieces.h"
-#include "lcmtypes/msg/reports.h"
-#include "lcmtypes/msg/requests.h"
-#include "lcmtypes/msg/step_list.h"
+#include "lcmtypes/msg/messages.h"
 
 namespace twinbus {
 
@@ -52,22 +48,6 @@ inline std::int64_t content_hash(std::span<const std::uint8_t> bytes) noexcept {
   return static_cast<std::int64_t>(steps.hash());
 }
 
-enum class JournalInput : std::int8_t {
-  kNone = 0,
-  kMode = 1,
-  kWalk = 2,
-  kGamepad = 3,
-  kPath = 4,
-  kGoal = 5,
-  kStop = 6,
-  kGuard = 7,
-  kObstacles = 8,
-  kTakeObstacles = 9,  // no message: the collected obstacles become those of the guard
-  kCommand = 10,
-  kSteps = 11,
-  kMotion = 12
-};
-
 // As what the controller's journal counts a message that is for it.
 constexpr JournalInput journal_input(const ModeRequest&) { return JournalInput::kMode; }
 constexpr JournalInput journal_input(const WalkCommand&) { return JournalInput::kWalk; }
@@ -79,27 +59,6 @@ constexpr JournalInput journal_input(const ArmGoal&) { return JournalInput::kGoa
 constexpr JournalInput journal_input(const StopRequest&) { return JournalInput::kStop; }
 constexpr JournalInput journal_input(const GuardReport&) { return JournalInput::kGuard; }
 constexpr JournalInput journal_input(const ObstaclesPiece&) { return JournalInput::kObstacles; }
-
-inline constexpr std::size_t kJournalInputs = 24;
-
-struct JournalPage {  // journal_t
-  std::int64_t process_id = 0;
-  std::int64_t page = 0;
-  std::int64_t step = 0;
-  std::int64_t run_id = 0;
-  std::int64_t tick = 0;
-  std::int64_t now_ns = 0;
-  std::int64_t state_hash = 0;
-  std::int64_t answer_hash = 0;
-  std::int64_t report_hash = 0;
-  std::array<std::int64_t, kJournalInputs> input_hash{};
-  std::array<std::int64_t, kJournalInputs> input_ns{};
-  std::array<double, 4> setting{};
-  std::int16_t inputs = 0;
-  ProcessKind kind = ProcessKind::kNone;
-  bool whole = false;
-  std::array<JournalInput, kJournalInputs> input{};
-};
 
 // Collects one page after another.  send(const JournalPage&) is called when a page is full or its answer is there.
 template <class Send>

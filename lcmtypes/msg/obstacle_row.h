@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 #include <cstddef>
 
-#include "lcmtypes/msg/pieces.h"
+#include "lcmtypes/msg/messages.h"
 
 namespace twinbus {
 

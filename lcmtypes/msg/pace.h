@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "lcmtypes/msg/reports.h"
+#include "lcmtypes/msg/messages.h"
 
 namespace twinbus {
 

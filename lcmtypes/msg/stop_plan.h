@@ -11,7 +11,7 @@
 
 namespace twinbus {
 
-inline constexpr int kPlanKnotsPerPiece = 5;
+inline constexpr int kPlanKnotsPerPiece = std::tuple_size_v<decltype(StopPlanPiece::phase)>;
 inline constexpr int kMostPlanPieces = 8;
 inline constexpr int kMostPlanKnots = kPlanKnotsPerPiece * kMostPlanPieces;
 inline constexpr double kPlanPosition = 2e-4;  // [rad or m] per unit of q
@@ -32,35 +32,7 @@ enum PlanColumn : int {
 // Bits of a phase.
 inline constexpr std::int8_t kPlanSingle = 1, kPlanOnRight = 2;
 
-// The same in every piece of a plan.
-struct StopPlanHead {
-  std::int64_t run_id = 0;
-  std::int64_t model_hash = 0;
-  std::int64_t controller_id = 0;
-  std::int64_t tick = 0;    // of knot 0
-  std::int64_t joints = 0;  // bit per joint that the plan moves
-  std::int32_t term = 0;
-  std::int32_t number = 0;
-  std::int16_t pieces = 0;
-  std::int16_t knot_count = 0;
-  std::int16_t spacing = 0;  // ticks from knot to knot
-  std::int16_t joint_count = 0;
-  bool walks = false;                                            // the rest counts
-  float omega = 0.0F;                                            // [1/s]
-  float mass = 0.0F;                                             // [kg]
-  std::array<float, 2> sole_low{}, sole_high{}, sole_zmp{};      // [m]
-  bool operator==(const StopPlanHead&) const = default;
-};
-
 using PlanRow = std::array<std::int16_t, kMaxJoints>;
 using PlanBalanceRow = std::array<std::int16_t, kPlanColumns>;
-
-struct StopPlanPiece {
-  StopPlanHead head;
-  std::int16_t piece = 0;
-  std::array<std::int8_t, kPlanKnotsPerPiece> phase{};
-  std::array<PlanRow, kPlanKnotsPerPiece> q{}, tau{};
-  std::array<PlanBalanceRow, kPlanKnotsPerPiece> balance{};
-};
 
 }  // namespace twinbus

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <optional>
 
-#include "lcmtypes/msg/reports.h"
 #include "common/time/jitter_probe.h"
+#include "lcmtypes/msg/messages.h"
 
 namespace twinbus {
 

@@ -10,7 +10,7 @@
 
 #include "common/process/process.h"
 #include "common/time/latency_histogram.h"
-#include "lcmtypes/msg/reports.h"
+#include "lcmtypes/msg/messages.h"
 
 namespace twinbus {
 

@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "lcmtypes/msg/pieces.h"
+#include "lcmtypes/msg/messages.h"
 
 namespace twinbus {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "launcher/run/local_stack.h"
-#include "lcmtypes/msg/requests.h"
+#include "lcmtypes/msg/messages.h"
 #include "robot/description/model.h"
 #include "sim/scene/scene.h"
 

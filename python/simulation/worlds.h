@@ -13,7 +13,7 @@
 #include <thread>
 #include <vector>
 
-#include "lcmtypes/msg/reports.h"
+#include "lcmtypes/msg/messages.h"
 #include "lcmtypes/msg/robot_io.h"
 #include "python/simulation/simulation.h"
 #include "sim/sim_adaptor.h"

@@ -19,7 +19,7 @@ class arm_goal_t(Message):
     joint_mask: int = ...  # kind 1: bit per joint that q is for
     sequence: int = ...
     side: int = ...  # 1 left, 2 right
-    kind: int = ...  # 0 cancel, 1 joints, 2 hand position, 3 hand pose
+    kind: int = ...  # 0 cancel, 1 joints, 2 position (of the hand), 3 pose (of the hand)
     position: NDArray[np.float64] = ...  # [3] of the hand frame, in the ground frame [m]
     orientation: NDArray[np.float64] = ...  # [4] w x y z, in the ground frame
     q: NDArray[np.float64] = ...  # [48] kind 1 [rad]
@@ -39,7 +39,7 @@ class arm_path_t(Message):
     joint_count: int = ...  # columns in use
     knot_count: int = ...  # rows of this piece in use
     joint: NDArray[np.int16] = ...  # [12] model index of each column
-    status: int = ...  # 0 ok, 1 unreachable, 2 start in collision, 3 goal in collision, 4 time limit, 5 cancelled, 6 bad goal
+    status: int = ...  # 0 ok, 1 unreachable "the hand cannot get there", 2 start in collision "the arm touches something already", 3 goal in collision "the arm would touch something there", 4 time limit "no way found in time", 5 cancelled, 6 bad goal "not a goal for this robot"
     link_a: int = ...  # status 2, 3: the pair, as model link indices
     link_b: int = ...
     miss: float = ...  # status 1: by how much [m]
@@ -109,8 +109,8 @@ class estimate_t(Message):
     foot_joint: NDArray[np.int16] = ...  # [6] index in STATE.q of the last joint before the foot; -1 none
     foot_count: int = ...  # rows in use: left foot, right foot, then the others in the order of the model
     foot_stands: NDArray[np.int8] = ...  # [6] 1: carries load
-    load_from: int = ...  # 0 not known, 1 force sensors of the feet, 2 joint torques, 3 heights of the feet
-    velocity_from: int = ...  # 0 not known, 1 standing feet and accelerometer, 2 accelerometer alone, 3 standing feet alone, 4 the base is fixed
+    load_from: int = ...  # 0 unknown, 1 forces (sensors of the feet), 2 torques (of the joints), 3 heights (of the feet)
+    velocity_from: int = ...  # 0 unknown, 1 feet and accelerometer (feet that stand), 2 accelerometer (alone), 3 feet (that stand, alone), 4 fixed (the base is)
 
 
 @dataclass(eq=False)
@@ -204,7 +204,7 @@ class heartbeat_t(Message):
     tick_p99_us: float = ...
     tick_max_us: float = ...
     wake_p99_us: float = ...  # lateness of waking up
-    kind: int = ...  # 1 simulator, 2 bridge, 3 replay, 4 controller, 5 guard, 6 planner, 7 viewer, 8 gamepad, 9 log, 10 launcher, 11 user
+    kind: int = ...  # 0 none "unknown", 1 simulator, 2 bridge, 3 replay, 4 controller, 5 guard, 6 planner, 7 viewer, 8 gamepad, 9 log, 10 launcher, 11 user
     realtime: int = ...  # 0 none, 1 FIFO priority, 2 FIFO and locked memory
     state: int = ...  # 0 starting, 1 ready, 2 running, 3 degraded
     channels: int = ...  # rows in use of what follows, one per channel that this process listens to
@@ -252,7 +252,7 @@ class journal_t(Message):
     inputs: int = ...  # rows in use
     kind: int = ...  # 4 controller, 5 guard
     whole: int = ...  # 0: the inputs go on in the next page, which has the step
-    input: NDArray[np.int8] = ...  # [24] 1 mode, 2 walk, 3 gamepad, 4 path, 5 goal, 6 stop, 7 guard, 8 obstacles, 9 takes obstacles over, 10 command
+    input: NDArray[np.int8] = ...  # [24] 1 mode, 2 walk, 3 gamepad, 4 path, 5 goal, 6 stop, 7 guard, 8 obstacles, 9 take obstacles (no message: the collected ones become those of the guard), 10 command, 11 steps, 12 motion
 
 
 @dataclass(eq=False)
@@ -265,7 +265,7 @@ class mode_request_t(Message):
     joint_mask: int = ...  # pose: bit per joint that q is for
     sequence: int = ...
     mode: int = ...  # 1 idle, 2 hold, 3 pose, 4 balance, 5 walk, 6 stop
-    motion: int = ...  # balance: 0 none, 1 sway, 2 squat; 3 is only reported: a motion is played
+    motion: int = ...  # balance: 0 none, 1 sway, 2 squat, 3 played (only reported: a motion is played)
     duration: float = ...  # pose: time to get there [s]
     amplitude: float = ...  # sway, squat [m]
     frequency: float = ...  # sway, squat [Hz]
@@ -338,8 +338,8 @@ class robot_state_t(Message):
     plan_number: int = ...  # of that plan; 0 none is followed
     sensor_flags: int = ...  # bit per sensor: valid this tick (0 encoders, 1 IMU, 2-5 wrenches)
     joint_count: int = ...  # actuated, non-mimic joints in model order; at most 48
-    source: int = ...  # 1 simulator, 2 bridge, 3 replay
-    role: int = ...  # 1 parked, 2 active, 3 releasing, 4 standby track, 5 standby shadow, 6 stopped
+    source: int = ...  # 1 simulator, 2 bridge "robot", 3 replay
+    role: int = ...  # 1 parked, 2 active, 3 releasing, 4 standby track "track", 5 standby shadow "shadow", 6 stopped
     stop_kind: int = ...  # 0 none, 1 balanced, 2 hold, 3 off
     wrench_kind: NDArray[np.int8] = ...  # [4] 0 absent, 1 measured, 2 estimated
     q: NDArray[np.float64] = ...  # [48] [rad or m]
@@ -361,7 +361,7 @@ class sim_request_t(Message):
     sequence: int = ...
     ticks: int = ...  # step: so many, then it pauses
     link: int = ...  # push: model link index
-    action: int = ...  # 1 pause, 2 go on, 3 step, 4 pace, 5 push
+    action: int = ...  # 1 pause, 2 go (on), 3 step, 4 pace, 5 push
     pace: float = ...  # pace: times real time, 0.01 to 10
     duration: float = ...  # push [s]
     force: NDArray[np.float32] = ...  # [3] push: world [N]
@@ -404,7 +404,7 @@ class source_request_t(Message):
     run_id: int = ...  # the active source this is meant for (switch), or the run addressed itself (other actions)
     target_run_id: int = ...  # the run that is to become active, standby or parked
     sequence: int = ...  # counts up by one per message of this sender
-    action: int = ...  # 1 activate, 2 switch, 3 standby track, 4 standby shadow, 5 park
+    action: int = ...  # 0 none "something unknown", 1 activate "activation", 2 switch, 3 standby track "standby (track)", 4 standby shadow "standby (shadow)", 5 park "parking"
     policy: int = ...  # switch: 1 now, 2 when safe
     align: int = ...  # switch: 1 moves the target robot to the posture first
 
@@ -441,7 +441,7 @@ class source_status_t(Message):
     can_be_set: int = ...  # 1: a state can be imposed (simulators)
     hardware: int = ...  # 1: moves a real robot
     plan_refusal: int = ...  # why the last refused stop plan was; 0 none: robot/stop_plan/plan_assembler.h
-    refusal: int = ...  # last refusal, 0 none: lcmtypes/msg/requests.h
+    refusal: int = ...  # Last refusal: 0 none, 1 not addressed (run_id is not the active source), 2 unknown target (not heard on its own channel), 3 model hash, 4 period, 5 stale (either side is older than the state timeout), 6 stopped, 7 posture (a joint differs by more than 0.05 rad), 8 velocity (a joint differs by more than 0.5 rad/s), 9 attitude (roll or pitch differs by more than 0.05 rad), 10 gyro (angular velocity differs by more than 0.3 rad/s), 11 feet (not the same feet loaded), 12 load (total foot force differs by more than 20 %), 13 unstable (a real robot would be left while not statically stable), 14 busy (a switch is under way, or came too soon after the last), 15 already active, 16 another active (activation while a source is active), 17 pace (leaving lock-step towards hardware), 18 cannot be set (track asked of an adaptor without set_state), 19 not standby (the target is neither set-able nor in standby), 20 device (the adaptor of the target reports an error)
 
 
 @dataclass(eq=False)
@@ -493,7 +493,7 @@ class stop_t(Message):
     sequence: int = ...  # counts up by one per message of this sender
     stop_nonce: int = ...  # clear only: the nonce shown in STATE
     kind: int = ...  # 0 clear, 1 balanced, 2 hold, 3 off
-    reason: int = ...  # for people: 0 none, 1 operator, 2 gamepad, 3 viewer, 4 guard, 5 launcher, 6 controller, 7 command timeout, 8 device, 9 switch (the active source asks for rest), 10 fallen (drawn by the source: its robot lies)
+    reason: int = ...  # for people: 0 none, 1 operator "the operator", 2 gamepad "the gamepad", 3 viewer "the viewer", 4 guard "the guard", 5 launcher "the launcher", 6 controller "the controller", 7 command timeout "missing commands" (drawn by the gate itself), 8 device "a device error" (the adaptor failed), 9 switch "a switch" (the active source asks for rest; gates do not latch it), 10 fallen "a fall" (drawn by the source: its robot lies)
 
 
 @dataclass(eq=False)

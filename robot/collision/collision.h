@@ -18,7 +18,7 @@
 #include "robot/kinematics/joint_reach.h"
 #include "robot/kinematics/kinematics.h"
 #include "robot/description/model.h"
-#include "lcmtypes/msg/pieces.h"
+#include "lcmtypes/msg/messages.h"
 #include "robot/collision/continuous.h"
 
 namespace twinbus {

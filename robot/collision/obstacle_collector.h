@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "lcmtypes/msg/messages.h"
 #include "robot/collision/collision.h"
-#include "lcmtypes/msg/pieces.h"
 
 namespace twinbus {
 

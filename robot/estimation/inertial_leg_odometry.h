@@ -15,7 +15,7 @@
 #include <Eigen/Geometry>
 #include <vector>
 
-#include "lcmtypes/msg/estimate.h"
+#include "lcmtypes/msg/messages.h"
 #include "lcmtypes/msg/robot_io.h"
 #include "robot/description/model.h"
 #include "robot/estimation/standing_feet.h"

@@ -12,7 +12,7 @@
 #include <array>
 #include <vector>
 
-#include "lcmtypes/msg/estimate.h"
+#include "lcmtypes/msg/messages.h"
 #include "lcmtypes/msg/robot_io.h"
 #include "robot/description/model.h"
 #include "robot/kinematics/kinematics.h"

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "lcmtypes/msg/requests.h"
+#include "lcmtypes/msg/messages.h"
 #include "robot/description/model.h"
 
 namespace twinbus {

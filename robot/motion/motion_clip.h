@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "lcmtypes/msg/motion_piece.h"
+#include "lcmtypes/msg/messages.h"
 #include "robot/description/model.h"
 #include "robot/kinematics/kinematics.h"
 #include "robot/motion/motion_file.h"

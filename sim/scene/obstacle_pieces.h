@@ -6,7 +6,7 @@
 
 #include "robot/collision/collision.h"
 #include "lcmtypes/msg/obstacle_row.h"
-#include "lcmtypes/msg/pieces.h"
+#include "lcmtypes/msg/messages.h"
 
 namespace twinbus {
 

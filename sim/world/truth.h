@@ -2,8 +2,8 @@
 
 #pragma once
 
+#include "lcmtypes/msg/messages.h"
 #include "robot/description/model.h"
-#include "lcmtypes/msg/reports.h"
 #include "sim/world/world.h"
 
 namespace twinbus {

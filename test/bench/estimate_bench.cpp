@@ -18,7 +18,7 @@
 #include "common/process/process.h"
 #include "lcmtypes/bus/channels.h"
 #include "lcmtypes/bus/wire.h"
-#include "lcmtypes/msg/estimate.h"
+#include "lcmtypes/msg/messages.h"
 #include "robot/description/load.h"
 #include "robot/estimation/estimator.h"
 #include "robot/estimation/inertial_leg_odometry.h"

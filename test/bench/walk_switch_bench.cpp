@@ -17,6 +17,7 @@
 #include "control/walk/walk.h"
 #include "robot/description/load.h"
 #include "common/process/process.h"
+#include "lcmtypes/msg/refusal_text.h"
 #include "test/bench/tilt.h"
 #include "test/bench/two_sources.h"
 #include "test/bench/walk_switch_engines.h"

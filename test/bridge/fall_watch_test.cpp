@@ -8,7 +8,7 @@
 #include <string>
 
 #include "bridge/source/source.h"
-#include "lcmtypes/msg/requests.h"
+#include "lcmtypes/msg/messages.h"
 #include "test/bridge/small_robot.h"
 
 namespace twinbus {

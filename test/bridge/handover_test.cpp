@@ -7,6 +7,7 @@
 #include <set>
 #include <string>
 
+#include "lcmtypes/msg/refusal_text.h"
 #include "test/bridge/small_robot.h"
 
 namespace twinbus {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bridge/source/device_teller.h"
+#include "lcmtypes/msg/refusal_text.h"
 #include "robot/stop_plan/plan_assembler.h"
 #include "test/bridge/small_robot.h"
 

@@ -120,7 +120,7 @@ TEST(BusHealth, AQuietChannelMayBeSilent) {
 }
 
 TEST(BusHealth, ARowThatIsNotKnownIsAQuestionMark) {
-  FullHeartbeat beat;
+  Heartbeat beat;
   beat.channel[0] = 127;
   beat.channel[1] = -3;
   EXPECT_STREQ(heard_channel(beat, 0), "?");

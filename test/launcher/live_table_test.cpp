@@ -27,7 +27,7 @@ SourceStatus source_of(SourceKind kind, Role role, std::int64_t run) {
 Lookout healthy(const SourceStatus& status = source_of(SourceKind::kSimulator, Role::kActive, 7)) {
   Lookout seen;
   seen.on_source_status(status, kNow);
-  FullHeartbeat beat;
+  Heartbeat beat;
   beat.process_id = 8;
   beat.pid = -1;
   beat.kind = ProcessKind::kController;

@@ -15,7 +15,7 @@
 #include "launcher/log/log_gaps.h"
 #include "launcher/log/log_scan.h"
 #include "lcmtypes/bus/wire.h"
-#include "lcmtypes/msg/full_heartbeat.h"
+#include "lcmtypes/msg/messages.h"
 #include "viewer_log/log/log_writer.h"
 
 namespace twinbus {
@@ -136,7 +136,7 @@ TEST_F(LogTools, AChannelThatIsNotInTheLogIsNamedWithTheNearOneAndWhereAllAreLis
 // The source that is asked to hand over asks its controller for rest: not the scene, and no stop.
 TEST_F(LogTools, EventsOfASwitchNameWhoAskedForIt) {
   const auto beat = [&](std::int64_t id, ProcessKind kind) {
-    FullHeartbeat heartbeat;
+    Heartbeat heartbeat;
     heartbeat.process_id = id;
     heartbeat.kind = kind;
     write("HEARTBEAT", heartbeat);

@@ -30,7 +30,7 @@ struct FakeRun {
     status.role = Role::kActive;
     status.ticks_missed = 100 + missed;
     seen.on_source_status(status, end);
-    FullHeartbeat beat;
+    Heartbeat beat;
     beat.realtime = realtime;
     beat.kind = ProcessKind::kSimulator;
     beat.process_id = 7;

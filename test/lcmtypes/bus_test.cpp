@@ -67,7 +67,7 @@ TEST(Bus, TheHeartbeatTellsHowEachChannelDoes) {
     ASSERT_TRUE(bus.send_raw(name, rubbish));
   }
   bus.receive(0);
-  const FullHeartbeat beat = bus.with_channels(Heartbeat{});
+  const Heartbeat beat = bus.with_channels(Heartbeat{});
   ASSERT_EQ(beat.channels, 2);
   for (std::size_t i = 0; i < 2; ++i) {
     EXPECT_STREQ(channel_table()[static_cast<std::size_t>(beat.channel[i] - 1)].channel,

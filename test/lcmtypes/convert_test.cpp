@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 
+#include "lcmtypes/msg/robot_io.h"
 #include "test/lcmtypes/samples.h"
 
 namespace twinbus {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "lcmtypes/bus/field_copier.h"
+#include "lcmtypes/msg/refusal_text.h"
 
 namespace twinbus {
 namespace {

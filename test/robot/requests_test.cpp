@@ -1,4 +1,5 @@
-#include "lcmtypes/msg/requests.h"
+#include "lcmtypes/msg/messages.h"
+#include "lcmtypes/msg/refusal_text.h"
 
 #include <gtest/gtest.h>
 

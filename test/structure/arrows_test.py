@@ -42,7 +42,6 @@ DOORS = {
 # "About 200" and "about 450": a tenth more is still about.
 HEADER_CEILING = 220
 SOURCE_CEILING = 495
-LISTS = {"lcmtypes/msg/requests.h"}  # one struct per message: long because the bus has many messages, not many ideas
 FOLDER_CEILING = 30  # C++ files of a folder
 TEST_FOLDER_CEILING = 40
 
@@ -179,7 +178,7 @@ def check_sizes(files, code, problems):
     for file, text in code.items():
         lines = text.count("\n")
         ceiling = HEADER_CEILING if file.endswith((".h", ".hpp")) else SOURCE_CEILING
-        if lines > ceiling and not file.startswith("test/") and file not in LISTS:
+        if lines > ceiling and not file.startswith("test/"):
             problems.append(f"{file}: {lines} lines, the ceiling is {ceiling}: two ideas, find the seam")
 
 

@@ -15,7 +15,12 @@ struct ping_t {
   int32_t number;    // counts up {counter, sequence}
   int16_t count;     // {joints}
   float   gain[48];  // [N m/rad] {per joint, 0..}
-  float   load[2];   // {0..1}
+  float   load[2];   // {0..1, = 0.5}
+  int8_t  role;      // 0 none "nobody", 1 standby track (it follows, or not), 2 active {enum Role}
+  int8_t  before;    // {Role}
+  int8_t  rows;      // {count 3 kRows}
+  int8_t  on;        // {flag}
+  int8_t  text[4];   // {text}
 }
 """
 
@@ -38,13 +43,25 @@ class Generate(unittest.TestCase):
         for line in ("c.id(m.from, s.from);", "c.counter(m.number, s.number);", "c.joint_count(m.count, s.count);",
                      "c.per_joint(m.gain, s.gain, s.count);", "c.judge(s.gain, 0.0f,", "c.within(m.load, s.load, 0.0f, 1.0f);"):
             self.assertIn(line, fields)
-        self.assertIn("kBytes = 222;", made["wire_table.h"])  # 8 + 8 + 4 + 2 + 192 + 8
+        self.assertIn("kBytes = 230;", made["wire_table.h"])  # 8 + 8 + 4 + 2 + 192 + 8 + 4 + 4
         self.assertIn("return x.from;", made["wire_table.h"])
         self.assertIn("return x.number;", made["wire_table.h"])
 
+    def test_the_struct_and_its_enumerations_are_made(self):
+        code, errors, made = generate(GOOD)
+        self.assertEqual(code, 0, errors)
+        for line in ("struct Ping {", "std::array<float, 48> gain{};  // [N m/rad]", "std::array<float, 2> load{0.5f, 0.5f};", "kNone = 0,",
+                     "kStandbyTrack = 1,  // it follows, or not", "kActive = 2,", "Role before{};", "bool on = false;", "std::array<char, 4> text{};",
+                     "inline constexpr int kRows = 3;"):
+            self.assertIn(line, made["messages.h"])
+        self.assertIn('{"nobody", "standby track", "active"}', made["labels.h"])
+        self.assertIn("last_of(Role) { return 2; }", made["labels.h"])
+
     def test_a_mistake_is_named_with_its_place(self):
-        for wrong, right, said in (("{0..1}", "{0..l}", "ping_t.lcm: load: no rule '0..l'"), ("{id, sender}", "{ids, sender}", "from: no rule 'ids'"),
-                                   ("{Ping}", "", "does not end with its C++ struct in braces"), ("48]", "n]", "ping_t.lcm:7:")):
+        for wrong, right, said in (("0..1,", "0..l,", "ping_t.lcm: load: no rule '0..l'"), ("{id, sender}", "{ids, sender}", "from: no rule 'ids'"),
+                                   ("{Ping}", "", "does not end with its C++ struct in braces"), ("48]", "n]", "ping_t.lcm:7:"),
+                                   ("{Role}", "{Rolle}", "before: no field says enum Rolle"), ("2 active", "3 active", "role: the comment of an enumeration"),
+                                   ("(it follows, or not)", "it follows, or not", "it is not read from 'or not")):
             code, errors, made = generate(GOOD.replace(wrong, right))
             self.assertEqual(code, 1)
             self.assertIn(said, errors)

@@ -5,10 +5,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "lcmtypes/msg/messages.h"
 #include "robot/description/load.h"
-#include "lcmtypes/msg/pieces.h"
-#include "lcmtypes/msg/reports.h"
-#include "lcmtypes/msg/requests.h"
 #include "test/viewer/standing.h"
 #include "viewer_log/view/health.h"
 

@@ -19,8 +19,7 @@
 #include <utility>
 #include <vector>
 
-#include "lcmtypes/msg/requests.h"
-#include "lcmtypes/msg/sim_request.h"
+#include "lcmtypes/msg/messages.h"
 
 namespace twinbus {
 

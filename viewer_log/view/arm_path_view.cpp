@@ -1,6 +1,6 @@
 #include "viewer_log/view/arm_path_view.h"
 
-#include "common/text/name_of.h"
+#include "lcmtypes/msg/labels.h"
 
 namespace twinbus {
 
@@ -53,15 +53,6 @@ void ArmPathView::finish() {
   ++version_;
 }
 
-const char* ArmPathView::status_text() const {
-  static constexpr const char* kTexts[] = {"ok",
-                                           "the hand cannot get there",
-                                           "the arm touches something already",
-                                           "the arm would touch something there",
-                                           "no way found in time",
-                                           "cancelled",
-                                           "not a goal for this robot"};
-  return name_of(status_, kTexts);
-}
+const char* ArmPathView::status_text() const { return label(status_); }
 
 }  // namespace twinbus

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "lcmtypes/msg/pieces.h"
+#include "lcmtypes/msg/messages.h"
 
 namespace twinbus {
 

@@ -7,6 +7,7 @@
 #include "viewer_log/view/frame_number.h"
 #include "lcmtypes/msg/guard_defaults.h"
 #include "lcmtypes/msg/labels.h"
+#include "lcmtypes/msg/refusal_text.h"
 #include "viewer_log/view/health.h"
 #include "viewer_log/view/scene_frame.h"
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdint>
 
-#include "lcmtypes/msg/reports.h"
+#include "lcmtypes/msg/messages.h"
 #include "lcmtypes/msg/robot_io.h"
 
 namespace twinbus {

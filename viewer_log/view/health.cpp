@@ -5,9 +5,8 @@
 
 #include "common/text/name_of.h"
 #include "lcmtypes/msg/labels.h"
+#include "lcmtypes/msg/messages.h"
 #include "lcmtypes/msg/pace.h"
-#include "lcmtypes/msg/reports.h"
-#include "lcmtypes/msg/requests.h"
 
 namespace twinbus {
 

@@ -16,8 +16,7 @@
 
 #include "robot/estimation/estimator.h"
 #include "robot/description/model.h"
-#include "lcmtypes/msg/pieces.h"
-#include "lcmtypes/msg/reports.h"
+#include "lcmtypes/msg/messages.h"
 #include "viewer_log/view/arm_path_view.h"
 #include "viewer_log/view/camera_view.h"
 #include "viewer_log/view/shape_set.h"

@@ -7,7 +7,7 @@
 
 #include <cstdint>
 
-#include "lcmtypes/msg/requests.h"
+#include "lcmtypes/msg/messages.h"
 #include "viewer_log/view/stack_view.h"
 
 namespace twinbus {

@@ -1,6 +1,6 @@
-#include "lcmtypes/msg/requests.h"
+#include "lcmtypes/msg/refusal_text.h"
 
-#include "lcmtypes/msg/labels.h"
+#include "common/text/name_of.h"
 
 namespace twinbus {
 
