@@ -57,7 +57,7 @@ foreach(room common geometry lcmtypes robot bridge sim planner)
     FILES_MATCHING PATTERN "*.h")
 endforeach()
 install(DIRECTORY ${TWINBUS_MADE_MESSAGES}/lcmtypes DESTINATION ${header_dir} COMPONENT development
-  FILES_MATCHING PATTERN "message_samples.h" EXCLUDE PATTERN "message_fields.h" EXCLUDE PATTERN "*.h")
+  FILES_MATCHING PATTERN "message_samples.h" EXCLUDE PATTERN "message_fields.h" EXCLUDE PATTERN "older_messages.h" EXCLUDE PATTERN "*.h")
 install(DIRECTORY ${generated}/twinbus DESTINATION ${header_dir} COMPONENT development FILES_MATCHING PATTERN "*.hpp")
 
 # What runs: programs, adaptors, and what they read.

@@ -20,6 +20,7 @@ import time
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 PERIOD = 0.02  # [s]
 PARTS = ("q", "qd", "tau")
+FEET = ("left_foot", "right_foot", "foot_2", "foot_3", "foot_4", "foot_5")  # rows of wrench
 
 
 def type_name(robot):
@@ -42,7 +43,7 @@ def schema(robot, names):
              "  int8_t source, role, stop_kind;"]
     for part in PARTS:
         lines += [f"  {'double' if part == 'q' else 'float'} {name}_{part};" for name in names]
-    for foot in ("left_foot", "right_foot"):
+    for foot in FEET:
         lines += [f"  float {foot}_f{axis};" for axis in "xyz"]
     lines += ["  float roll, pitch;", "}", ""]
     return "\n".join(lines)
@@ -92,9 +93,9 @@ def run(folder, url, prefix):
             for i, name in enumerate(names):
                 for part in PARTS:
                     setattr(message, f"{name}_{part}", getattr(state, part)[i])
-            for side, foot in enumerate(("left_foot", "right_foot")):
+            for row, foot in enumerate(FEET):
                 for axis in range(3):
-                    setattr(message, f"{foot}_f{'xyz'[axis]}", state.wrench[side][axis])
+                    setattr(message, f"{foot}_f{'xyz'[axis]}", state.wrench[row][axis])
             w, x, y, z = state.attitude
             message.roll = math.atan2(2 * (w * x + y * z), 1 - 2 * (x * x + y * y))
             message.pitch = math.asin(max(-1.0, min(1.0, 2 * (w * y - z * x))))

@@ -7,6 +7,7 @@ FOLDER/lcmtypes/bus/wire_table.h       size, sender and counter of each struct (
 FOLDER/lcmtypes/bus/message_of.h       lcm-gen's class of each struct (MessageOf<T>), and the list of all
 FOLDER/lcmtypes/bus/message_fields.h   the fields of each with their rules, for convert.cpp
 FOLDER/lcmtypes/bus/message_samples.h  a valid value of each struct, for tests
+FOLDER/lcmtypes/bus/older_messages.h   of the files in a folder `older`: how a message of that version becomes one of now
 
 The C++ struct of a message is named in braces behind the comment of its struct, the rule of a field behind the comment of the field:
 lcmtypes/README.md, "Rules of fields".  A rule that says nothing is an error with its line."""
@@ -61,9 +62,9 @@ class Rule:
 def rule_of(file: str, field: lcm_types.Field) -> Rule:
     rule = Rule([word.strip() for word in field.rule.split(',')] if field.rule else [])
     for word in rule.words:
-        if word not in WORDS and not re.fullmatch(rf'in \w+|(?:enum )?[A-Z]\w*|{VALUES}|count \d+(?: k\w+)?|pieces \d+\.\.\d+|{NUMBER}\.\.({NUMBER})?', word):
+        if word not in WORDS and not re.fullmatch(rf'in \w+|(?:enum )?[A-Z]\w*|{VALUES}|older (?:{NUMBER}|rows(?: \d+)+)|count \d+(?: k\w+)?|pieces \d+\.\.\d+|{NUMBER}\.\.({NUMBER})?', word):
             raise Mistake(f'{file}: {field.name}: no rule {word!r}; there are {", ".join(WORDS)}, count N, count N kNAME, pieces A..B, A..B, A.., '
-                          'enum ENUMERATION, ENUMERATION, in MEMBER, = VALUE (lcmtypes/README.md)')
+                          'enum ENUMERATION, ENUMERATION, in MEMBER, = VALUE, older VALUE, older rows A B ... (lcmtypes/README.md)')
     return rule
 
 
@@ -312,6 +313,22 @@ def samples_file(types: list[Type]) -> str:
     return '\n'.join(lines + ['}', '}  // namespace twinbus']) + '\n'
 
 
+def older_messages(types: list[Type], files: list[pathlib.Path]) -> str:
+    lines = ['// Included by lcmtypes/bus/older.cpp.', '#pragma once', '', 'namespace twinbus {', 'namespace {']
+    rows = []
+    for file in files:
+        was, = lcm_types.parse(file.read_text(encoding='utf-8'), f'older/{file.name}')
+        now = next((type_.said for type_ in types if type_.said.name == was.name), None)
+        if now is None:
+            raise Mistake(f'older/{file.name}: there is no {was.name} now')
+        older, name = lcm_types.older_of(now, was), was.name.title().replace('_', '')
+        for kind, numbers in (('Older', was.fingerprint().to_bytes(8, 'big')), ('Blank', older.blank)):
+            lines.append(f'constexpr std::uint8_t k{kind}{name}[] = {{{", ".join(map(str, numbers))}}};')
+        lines.append(f'constexpr OlderPart kParts{name}[] = {{{", ".join(f"{{{a}, {b}, {c}}}" for a, b, c in older.parts)}}};')
+        rows.append(f'{{kOlder{name}, {older.size}, kBlank{name}, kParts{name}}}')
+    return '\n'.join(lines + [f'constexpr OlderMessage kOlderMessages[] = {{{", ".join(rows)}}};', '}  // namespace', '}  // namespace twinbus']) + '\n'
+
+
 def write(path: pathlib.Path, text: str) -> None:
     """Only where it differs, so that nothing is compiled anew for nothing."""
     path.parent.mkdir(parents=True, exist_ok=True)
@@ -321,10 +338,11 @@ def write(path: pathlib.Path, text: str) -> None:
 
 
 def main() -> int:
-    folder, files = pathlib.Path(sys.argv[1]), [pathlib.Path(name) for name in sys.argv[2:]]
+    folder, files = pathlib.Path(sys.argv[1]), sorted(pathlib.Path(name) for name in sys.argv[2:])
     try:
-        types = [read(file) for file in sorted(files)]
+        types = [read(file) for file in files if file.parent.name != 'older']
         check(types)
+        older = older_messages(types, [file for file in files if file.parent.name == 'older'])
     except (Mistake, ValueError) as error:
         print(f'generate.py: {error}', file=sys.stderr)
         return 1
@@ -335,6 +353,7 @@ def main() -> int:
     write(bus / 'message_of.h', message_of(types))
     write(bus / 'message_fields.h', fields_file(types))
     write(bus / 'message_samples.h', samples_file(types))
+    write(bus / 'older_messages.h', older)
     return 0
 
 

@@ -129,7 +129,7 @@ void add_state(Views& views, RobotState& s, std::size_t n) {
   views.add("attitude", s.attitude.data(), {4});
   views.add("gyro", s.gyro.data(), {3});
   views.add("accel", s.accel.data(), {3});
-  views.add("wrench", s.wrench[0].data(), {4, 6});
+  views.add("wrench", s.wrench[0].data(), {kLimbs, 6});
 }
 
 void add_command(Views& views, JointCommand& c, std::size_t n) {
@@ -149,8 +149,8 @@ void add_truth(Views& views, SimTruth& t) {
   views.add("com", t.com.data(), {3});
   views.add("com_velocity", t.com_velocity.data(), {3});
   views.add("zmp", t.zmp.data(), {2});
-  views.add("foot_position", t.foot_position[0].data(), {2, 3});
-  views.add("foot_force", t.foot_force[0].data(), {2, 3});
+  views.add("foot_position", t.foot_position[0].data(), {kMaxFeet, 3});
+  views.add("foot_force", t.foot_force[0].data(), {kMaxFeet, 3});
 }
 
 nb::dict describe(const Model& model) {

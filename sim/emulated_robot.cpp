@@ -130,7 +130,7 @@ void EmulatedRobot::cycle(std::int64_t now_ns, emulated::StatePacket& packet) no
   packet.gyro = state_.gyro;
   packet.accel = state_.accel;
   packet.wrench = state_.wrench;
-  for (std::size_t i = 0; i < 4; ++i)
+  for (std::size_t i = 0; i < packet.wrench_kind.size(); ++i)
     packet.wrench_kind[i] = static_cast<std::int8_t>(state_.wrench_kind[i]);
   emulated::seal(packet);
 }

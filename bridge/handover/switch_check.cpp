@@ -23,9 +23,9 @@ double force(const RobotState& state, int limb) noexcept {
                     static_cast<double>(w[2]));
 }
 
-bool has_foot(const RobotState& state, Limb limb) noexcept {
-  return state.wrench_kind[static_cast<std::size_t>(limb)] != WrenchKind::kAbsent &&
-         (state.sensor_flags & wrench_valid(limb)) != 0;
+bool has_foot(const RobotState& state, int limb) noexcept {
+  return state.wrench_kind[static_cast<std::size_t>(limb)] == WrenchKind::kMeasured &&
+         (state.sensor_flags & wrench_valid(static_cast<Limb>(limb))) != 0;
 }
 
 }  // namespace
@@ -56,7 +56,7 @@ Refusal compare_measured(const RobotState& active, const RobotState& target,
     }
   }
   double total = 0.0, target_total = 0.0;
-  for (const Limb foot : {kLeftFoot, kRightFoot}) {
+  for (int foot = 0; foot < kMaxFeet; ++foot) {
     if (!has_foot(active, foot) || !has_foot(target, foot)) continue;
     const double f = force(active, foot);
     const double g = force(target, foot);

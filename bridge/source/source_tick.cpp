@@ -49,7 +49,7 @@ bool finite(const RobotState& state, int joints) noexcept {
 // Upward force of a foot that says so.
 bool stands_on_one_foot(const RobotState& state) noexcept {
   for (const Limb foot : {kLeftFoot, kRightFoot}) {
-    if (state.wrench_kind[at(foot)] == WrenchKind::kAbsent) return false;
+    if (state.wrench_kind[at(foot)] != WrenchKind::kMeasured) return false;
   }
   return std::abs(state.wrench[kLeftFoot][2]) < kFootInAir ||
          std::abs(state.wrench[kRightFoot][2]) < kFootInAir;
@@ -206,8 +206,8 @@ void Source::impose_holder() noexcept {
     imposed.qd[at(j)] = static_cast<double>(holder_state_.qd[at(j)]);
     imposed.tau[at(j)] = holder_state_.tau[at(j)];
   }
-  imposed.forces_known = holder_state_.wrench_kind[kLeftFoot] != WrenchKind::kAbsent &&
-                         holder_state_.wrench_kind[kRightFoot] != WrenchKind::kAbsent;
+  imposed.forces_known = holder_state_.wrench_kind[kLeftFoot] == WrenchKind::kMeasured &&
+                         holder_state_.wrench_kind[kRightFoot] == WrenchKind::kMeasured;
   imposed.foot_wrench = {holder_state_.wrench[kLeftFoot], holder_state_.wrench[kRightFoot]};
   imposed_ = adaptor_->set_state(imposed) == Status::kOk;
 }

@@ -5,6 +5,7 @@
 
 #include "bridge/unitree/remote.h"
 #include "common/math/index.h"
+#include "robot/estimation/point_legs.h"
 
 namespace twinbus {
 
@@ -28,7 +29,11 @@ Face::Face(const Model& model, const FaceOptions& options)
       order_(motor_order(model, options.family)),
       mode_machine_(options.mode_machine >= 0 ? options.mode_machine : order_.mode_machine),
       every_(std::max<std::int64_t>(1, std::llround(kFramePeriod / model.period()))),
-      timeout_ticks_(std::max<std::int64_t>(1, std::llround(model.command_timeout / model.period()))) {}
+      timeout_ticks_(std::max<std::int64_t>(1, std::llround(model.command_timeout / model.period()))) {
+  if (!stands_on_points(model)) return;
+  if (const std::optional<FourLegs> legs = four_legs(model, StandingFeet(model)))
+    foot_ = {(*legs)[1].foot, (*legs)[0].foot, (*legs)[3].foot, (*legs)[2].foot};
+}
 
 double Face::rate() const noexcept { return 1.0 / (model_.period() * static_cast<double>(every_)); }
 
@@ -230,9 +235,11 @@ LowReading Face::reading(std::int64_t now_ns) const noexcept {
                         .celsius = options_.celsius,
                         .volts = options_.volts};
   }
-  // The feet that STATE measures are the front ones of a robot on four.
-  if (state_.wrench_kind[kLeftFoot] != WrenchKind::kAbsent) reading.foot_force[1] = state_.wrench[kLeftFoot][2];
-  if (state_.wrench_kind[kRightFoot] != WrenchKind::kAbsent) reading.foot_force[0] = state_.wrench[kRightFoot][2];
+  for (std::size_t foot = 0; foot < foot_.size(); ++foot) {
+    if (foot_[foot] < 0 || state_.wrench_kind[at(foot_[foot])] == WrenchKind::kAbsent) continue;
+    const auto& w = state_.wrench[at(foot_[foot])];
+    reading.foot_force[foot] = std::hypot(w[0], w[1], w[2]);
+  }
   if (pad_ns_ != 0 && now_ns - pad_ns_ < kPadFresh) reading.remote = remote_of(pad_);
   reading.volts = options_.volts;
   return reading;

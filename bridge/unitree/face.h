@@ -84,6 +84,7 @@ class Face {
   const Model& model_;
   FaceOptions options_;
   MotorOrder order_;
+  std::array<int, 4> foot_{1, 0, -1, -1};  // row of STATE of each foot of the frame: front right, front left, rear right, rear left
   int mode_machine_;
   std::int64_t every_;          // STATEs per LowState
   std::int64_t timeout_ticks_;  // of silence

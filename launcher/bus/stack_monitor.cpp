@@ -86,7 +86,7 @@ void Lookout::on_truth(const SimTruth& truth, std::int64_t now_ns) {
   f.max_tilt = std::max(f.max_tilt, tilt_of(truth.base_attitude));
   f.zmp_margin_min = std::min(f.zmp_margin_min, static_cast<double>(truth.zmp_margin));
   const double dt = last_truth_time_ < 0.0 ? 0.0 : truth.sim_time - last_truth_time_;
-  for (std::size_t foot = 0; foot < 2; ++foot) {
+  for (std::size_t foot = 0; foot < kMaxFeet; ++foot) {
     if (dt > 0.0 && dt < 0.1) f.slip[foot] += dt * static_cast<double>(truth.foot_slip[foot]);
     f.slip_max = std::max(f.slip_max, f.slip[foot]);
   }

@@ -4,6 +4,7 @@
 
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -36,7 +37,7 @@ struct RunFigures {
   double max_tilt = 0.0;        // of the base against its first attitude's vertical [rad]
   double zmp_margin_min = 1e9;  // [m]
   double slip_max = 0.0;        // distance a sole slid in all [m]
-  double slip[2] = {0.0, 0.0};
+  std::array<double, kMaxFeet> slip{};
   double penetration_max = 0.0;  // [m]
   double sim_time = 0.0;         // [s]
   double first_sim_time = -1.0;

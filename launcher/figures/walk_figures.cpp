@@ -46,8 +46,8 @@ void WalkFigures::add(const SimTruth& truth, Mode mode, const std::array<double,
   const double yaw = yaw_of(truth.base_attitude);
   if (last_time_ < 0.0) first_ = {x, y};
   const bool walking = mode == Mode::kWalk;
-  bool left_landed = false;
-  for (std::size_t foot = 0; foot < 2; ++foot) {
+  bool first_landed = false;
+  for (std::size_t foot = 0; foot < static_cast<std::size_t>(truth.foot_count); ++foot) {
     const auto force = static_cast<double>(truth.foot_force[foot][2]);
     const auto at_x = static_cast<double>(truth.foot_position[foot][0]);
     const auto at_y = static_cast<double>(truth.foot_position[foot][1]);
@@ -56,11 +56,11 @@ void WalkFigures::add(const SimTruth& truth, Mode mode, const std::array<double,
     if (force > kLoaded * weight_ && !stance.loaded) {
       stance = {true, at_x, at_y};
       if (walking) ++steps_;
-      left_landed = left_landed || foot == 0;
+      first_landed = first_landed || foot == 0;
     }
     if (stance.loaded)
       slip_max_ = std::max(slip_max_, std::hypot(at_x - stance.x, at_y - stance.y));
-    if (walking) force_square_ += std::pow((force - asked[foot]) / weight_, 2);
+    if (walking && foot < 2 && asked[0] + asked[1] > 0.0) force_square_ += std::pow((force - asked[foot]) / weight_, 2);
   }
   if (walking) {
     ++counted_;
@@ -77,7 +77,7 @@ void WalkFigures::add(const SimTruth& truth, Mode mode, const std::array<double,
       stretch.moved[1] += std::cos(heading) * dy - std::sin(heading) * dx;
       stretch.moved[2] += turned;
       stretch.time += time - last_time_;
-      if (!left_landed) continue;
+      if (!first_landed) continue;
       if (stretch.begun) {
         stretch.whole = stretch.moved;
         stretch.whole_time = stretch.time;

@@ -171,7 +171,8 @@ int log_compare(const std::vector<std::string>& words) {
   const auto time_of = [&](const RobotState& s) {
     return period * static_cast<double>(s.tick - first.tick);
   };
-  std::vector<Column> q(joints), tau(joints), foot(6), tilt(2);
+  std::vector<Column> q(joints), tau(joints), foot(3 * kMaxFeet), tilt(2);
+  std::array<bool, kMaxFeet> felt{true, true};
   std::int64_t count = 0;
   each_pair(a, b, offset, [&](const RobotState& one, const RobotState& other) {
     const Gap gap = gap_between(one, other);
@@ -180,8 +181,10 @@ int log_compare(const std::vector<std::string>& words) {
       q[k].add(static_cast<double>(gap.q[k]), time);
       tau[k].add(static_cast<double>(gap.tau[k]), time);
     }
-    for (std::size_t i = 0; i < 6; ++i)
+    for (std::size_t i = 0; i < foot.size(); ++i) {
       foot[i].add(static_cast<double>(gap.foot_force[i / 3][i % 3]), time);
+      felt[i / 3] = felt[i / 3] || one.wrench_kind[i / 3] != WrenchKind::kAbsent;
+    }
     for (std::size_t i = 0; i < 2; ++i) tilt[i].add(static_cast<double>(gap.tilt[i]), time);
     ++count;
   });
@@ -208,12 +211,12 @@ int log_compare(const std::vector<std::string>& words) {
                 kMilli * q[k].rms(count), kMilli * q[k].most, q[k].at, tau[k].rms(count),
                 tau[k].most);
   }
-  const char* feet[] = {"left foot x",  "left foot y",  "left foot z",
-                        "right foot x", "right foot y", "right foot z"};
   std::printf("%-24s %12s %12s %10s\n", "", "rms [N]", "most [N]", "at [s]");
-  for (std::size_t i = 0; i < 6; ++i)
-    std::printf("%-24s %12.4f %12.4f %10.3f\n", feet[i], foot[i].rms(count), foot[i].most,
-                foot[i].at);
+  for (std::size_t i = 0; i < foot.size(); ++i) {
+    if (!felt[i / 3]) continue;
+    const std::string name = (i < 3 ? "left foot " : i < 6 ? "right foot " : "foot " + std::to_string(i / 3) + " ") + "xyz"[i % 3];
+    std::printf("%-24s %12.4f %12.4f %10.3f\n", name.c_str(), foot[i].rms(count), foot[i].most, foot[i].at);
+  }
   std::printf("%-24s %12s %12s %10s\n", "", "rms [mrad]", "most [mrad]", "at [s]");
   for (std::size_t i = 0; i < 2; ++i)
     std::printf("%-24s %12.4f %12.4f %10.3f\n", i == 0 ? "roll" : "pitch",

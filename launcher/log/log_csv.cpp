@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <memory>
 #include <optional>
+#include <span>
 #include <stdexcept>
 
 #include "common/process/arguments.h"
@@ -13,6 +15,7 @@
 #include "launcher/log/log_robot.h"
 #include "launcher/log/log_scan.h"
 #include "lcmtypes/bus/channels.h"
+#include "lcmtypes/bus/older.h"
 #include "lcmtypes/bus/wire.h"
 #include "viewer_log/log/message_schema.h"
 
@@ -144,12 +147,14 @@ int log_csv(const std::vector<std::string>& words) {
   scan_log(file, arguments.number("--from", 0.0, 0.0, 1e9),
            arguments.number("--to", kWholeLog, 0.0, 1e13), [&](const LogEvent& event) {
              if (event.channel != channel) return true;
-             if (event.data.size() != schema->bytes) {
+             std::array<std::uint8_t, kLargestMessage> room;
+             const std::span<const std::uint8_t> data = renewed(event.data, room);
+             if (data.size() != schema->bytes) {
                ++strange;
                return true;
              }
              if (rows++ == 0) {
-               drop_unused(columns, *schema, event.data);
+               drop_unused(columns, *schema, data);
                text = "utime";
                for (const MessageField* field : columns)
                  text += "," + (named ? field_with_joint(field->name, *model) : field->name);
@@ -158,7 +163,7 @@ int log_csv(const std::vector<std::string>& words) {
              text += std::to_string(event.utime);
              for (const MessageField* field : columns) {
                text += ',';
-               append_field(text, *field, event.data);
+               append_field(text, *field, data);
              }
              text += '\n';
              if (text.size() >= kBuffer) output.put(text);

@@ -1,7 +1,10 @@
 #include "launcher/log/log_gaps.h"
 
 #include <algorithm>
+#include <array>
+#include <span>
 
+#include "lcmtypes/bus/older.h"
 #include "lcmtypes/bus/wire.h"
 
 namespace twinbus {
@@ -50,13 +53,15 @@ void LogGaps::add(const LogEvent& event) {
   auto found = columns_.find(event.channel);
   if (found == columns_.end()) found = columns_.emplace(event.channel, columns_of(event.channel)).first;
   const Columns& c = found->second;
-  if (c.schema == nullptr || event.data.size() != c.schema->bytes) return;
-  const std::int64_t count = field_integer(*c.count, event.data);
-  const std::int64_t sender = field_integer(*c.sender, event.data);
-  const std::int64_t run = c.run != nullptr ? field_integer(*c.run, event.data) : 0;
+  std::array<std::uint8_t, kLargestMessage> room;
+  const std::span<const std::uint8_t> data = renewed(event.data, room);
+  if (c.schema == nullptr || data.size() != c.schema->bytes) return;
+  const std::int64_t count = field_integer(*c.count, data);
+  const std::int64_t sender = field_integer(*c.sender, data);
+  const std::int64_t run = c.run != nullptr ? field_integer(*c.run, data) : 0;
   // So many nobody has sent: a forged or a damaged one says nothing of what is missing.
   if (count < 0 || count >= kMostCounted) return;
-  if (c.term != nullptr) see_holder(run, field_integer(*c.term, event.data));
+  if (c.term != nullptr) see_holder(run, field_integer(*c.term, data));
   const auto [last, is_new] = last_.try_emplace(std::tuple(std::string(event.channel), sender, run), count);
   if (!is_new && count > last->second + 1) missing_[std::string(event.channel)] += count - last->second - 1;
   last->second = std::max(last->second, count);

@@ -1,6 +1,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstdio>
 #include <deque>
@@ -20,6 +21,7 @@
 #include "launcher/log/log_robot.h"
 #include "launcher/log/log_scan.h"
 #include "lcmtypes/bus/channels.h"
+#include "lcmtypes/bus/older.h"
 #include "lcmtypes/bus/wire.h"
 #include "viewer_log/log/mcap_writer.h"
 #include "viewer_log/log/message_json.h"
@@ -229,11 +231,13 @@ int log_mcap(const std::vector<std::string>& words) {
         }
         Topic& topic = found->second;
         bytes += static_cast<std::int64_t>(event.bytes.size());
-        if (topic.schema == nullptr || event.data.size() != topic.schema->bytes) {
+        std::array<std::uint8_t, kLargestMessage> room;
+        const std::span<const std::uint8_t> data = renewed(event.data, room);
+        if (topic.schema == nullptr || data.size() != topic.schema->bytes) {
           ++unknown;
           return true;
         }
-        add_message(part, topic, event.utime, event.data);
+        add_message(part, topic, event.utime, data);
         if (scene) scene->take(event, prefix, part);
         if (part.bytes.size() >= kPart) {
           works.add(std::exchange(part, {}));

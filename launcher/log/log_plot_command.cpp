@@ -2,10 +2,12 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <span>
 #include <stdexcept>
 
 #include "common/process/arguments.h"
@@ -15,6 +17,7 @@
 #include "launcher/log/log_plot.h"
 #include "launcher/log/log_scan.h"
 #include "launcher/stack/run_folder.h"
+#include "lcmtypes/bus/older.h"
 #include "lcmtypes/bus/wire.h"
 #include "common/math/index.h"
 #include "robot/description/load.h"
@@ -73,12 +76,15 @@ class PlotReader {
 
   void take(const LogEvent& event, double seconds) {
     const auto found = wanted_.find(event.channel);
-    if (found == wanted_.end() || event.data.size() != found->second.schema->bytes) return;
+    if (found == wanted_.end()) return;
+    std::array<std::uint8_t, kLargestMessage> room;
+    const std::span<const std::uint8_t> data = renewed(event.data, room);
+    if (data.size() != found->second.schema->bytes) return;
     for (Plotted& plotted : found->second.curves) {
       if (plotted.seen++ % plotted.every != 0) continue;
       Curve& curve = panels_[plotted.panel].curves[plotted.curve];
       curve.x.push_back(seconds);
-      curve.y.push_back(field_number(*plotted.field, event.data));
+      curve.y.push_back(field_number(*plotted.field, data));
       if (curve.x.size() < kMostKept) continue;
       for (std::vector<double>* values : {&curve.x, &curve.y}) {
         for (std::size_t i = 0; 2 * i < values->size(); ++i) (*values)[i] = (*values)[2 * i];

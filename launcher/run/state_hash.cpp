@@ -3,7 +3,9 @@
 #include <array>
 #include <cstdio>
 
+#include "lcmtypes/bus/older.h"
 #include "lcmtypes/bus/wire.h"
+#include "lcmtypes/msg/robot_io.h"
 
 namespace twinbus {
 
@@ -30,7 +32,15 @@ void StateHash::add(std::span<const std::uint8_t> encoded) {
   state.stop_nonce = 0;
   std::array<std::uint8_t, kLargestMessage> bytes;
   const int size = encode(state, bytes);
-  hash_ = mix(hash_, std::span(bytes.data(), static_cast<std::size_t>(size)));
+  // As STATE was when it had two feet, so that a run keeps the hash that it had then; the others count where there are such.
+  const std::span<const std::uint8_t> now(bytes.data(), static_cast<std::size_t>(size));
+  std::array<std::uint8_t, kLargestMessage> room;
+  hash_ = mix(hash_, as_before(now, room));
+  for (std::size_t foot = kRightFoot + 1; foot < kMaxFeet; ++foot) {
+    if (state.wrench_kind[foot] == WrenchKind::kAbsent) continue;
+    hash_ = mix(hash_, now);
+    break;
+  }
 }
 
 std::string StateHash::text() const {

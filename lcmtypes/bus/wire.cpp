@@ -7,6 +7,7 @@
 
 #include "lcmtypes/bus/channels.h"
 #include "lcmtypes/bus/convert.h"
+#include "lcmtypes/bus/older.h"
 
 namespace twinbus {
 
@@ -19,41 +20,13 @@ int encode(const T& value, std::span<std::uint8_t> bytes) noexcept {
   return message.encode(bytes.data(), 0, size) == size ? size : 0;
 }
 
-namespace {
-
-// SOURCE_STATUS as logs have it that were written before it said how far a controller is faded in: then one was at once.
-constexpr std::size_t kOlderStatusBytes = 154, kFadedInAt = 144;
-constexpr std::uint64_t kOlderStatusFingerprint = 0xa10fffc4d8b72360;
-
-// Writes the bytes that the same status has now; false when they are no older one.
-bool renew(std::span<const std::uint8_t> older, std::span<std::uint8_t, Wire<SourceStatus>::kBytes> now) noexcept {
-  if (older.size() != kOlderStatusBytes) return false;
-  std::uint64_t fingerprint = 0;
-  for (std::size_t i = 0; i < 8; ++i) fingerprint = fingerprint << 8 | older[i];
-  if (fingerprint != kOlderStatusFingerprint) return false;
-  constexpr std::array<std::uint8_t, 4> kOne{0x3f, 0x80, 0x00, 0x00};  // 1.0f
-  const auto current = static_cast<std::uint64_t>(Message<SourceStatus>::getHash());
-  for (std::size_t i = 0; i < 8; ++i) now[i] = static_cast<std::uint8_t>(current >> (56 - 8 * i));
-  auto to = std::copy(older.begin() + 8, older.begin() + kFadedInAt, now.begin() + 8);
-  to = std::copy(kOne.begin(), kOne.end(), to);
-  std::copy(older.begin() + kFadedInAt, older.end(), to);
-  return true;
-}
-
-}  // namespace
-
 template <class T>
 Status decode(std::span<const std::uint8_t> bytes, T& value) noexcept {
   constexpr int size = Wire<T>::kBytes;
+  std::array<std::uint8_t, static_cast<std::size_t>(size)> room;
+  bytes = renewed(bytes, room);
   Message<T> message;
-  if constexpr (std::is_same_v<T, SourceStatus>) {
-    std::array<std::uint8_t, static_cast<std::size_t>(size)> now{};
-    if (renew(bytes, now)) return message.decode(now.data(), 0, size) == size ? from_message(message, value) : Status::kWrongSize;
-  }
-  if (bytes.size() != static_cast<std::size_t>(size) ||
-      message.decode(bytes.data(), 0, size) != size) {
-    return Status::kWrongSize;
-  }
+  if (bytes.size() != room.size() || message.decode(bytes.data(), 0, size) != size) return Status::kWrongSize;
   return from_message(message, value);
 }
 

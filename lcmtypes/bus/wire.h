@@ -1,7 +1,7 @@
 // The structs of robot/ as bytes on the bus.
 //
-// decode() accepts exactly one encoded size per type, with the right fingerprint, with every number
-// finite and in range (convert.h); anything else is refused whole.  encode() refuses the same, so
+// decode() accepts exactly one encoded size per type, with the right fingerprint, or a message of an older version (older.h), with
+// every number finite and in range (convert.h); anything else is refused whole.  encode() refuses the same, so
 // no process can send what no process would take.
 
 #pragma once

@@ -11,12 +11,15 @@
 
 namespace twinbus {
 
-enum Limb : int { kLeftFoot = 0, kRightFoot = 1, kLeftHand = 2, kRightHand = 3, kLimbs = 4 };
+// Rows of RobotState::wrench: the feet in the order of Estimate, then the hands.
+enum Limb : int { kLeftFoot = 0, kRightFoot = 1, kLeftHand = kMaxFeet, kRightHand, kLimbs };
 
 // Bits of RobotState::sensor_flags.
 inline constexpr std::int32_t kEncodersValid = 1 << 0;
 inline constexpr std::int32_t kImuValid = 1 << 1;
-inline constexpr std::int32_t wrench_valid(Limb limb) { return 1 << (2 + limb); }
+inline constexpr std::int32_t wrench_valid(Limb limb) {
+  return 1 << (limb <= kRightFoot ? 2 + limb : limb < kLeftHand ? 4 + limb : 4 + limb - kLeftHand);
+}
 
 template <class T>
 using PerJoint = std::array<T, kMaxJoints>;

@@ -78,6 +78,65 @@ class Struct:
         return ((value << 1) + (value >> 63)) & 0xFFFFFFFFFFFFFFFF
 
 
+@dataclasses.dataclass(frozen=True)
+class Older:
+    """How a message of an older version of its type becomes one of now: parts (from, to, bytes) are copied into blank, which holds the
+    rest."""
+    fingerprint: bytes
+    size: int
+    blank: bytes
+    parts: tuple[tuple[int, int, int], ...]
+
+    def renewed(self, data: bytes) -> bytes:
+        now = bytearray(self.blank)
+        for source, to, size in self.parts:
+            now[to:to + size] = data[source:source + size]
+        return bytes(now)
+
+
+OLDER: dict[bytes, Older] = {}  # by fingerprint
+
+
+def renewed(data: bytes) -> bytes:
+    """The bytes that a message of an older log has now; any other as it is."""
+    older = OLDER.get(data[:8])
+    return data if older is None or len(data) != older.size else older.renewed(data)
+
+
+def older_of(now: Struct, older: Struct) -> Older:
+    """Of two versions of a type.  Rules of a field of now: `older rows A B ...`, the places of the rows that there were (else the first
+    ones); `older X`, its value where there was none (else 0)."""
+    def places(said: Struct) -> tuple[dict[str, tuple[Field, int]], int]:
+        at, found = 8, {}
+        for field in said.fields:
+            found[field.name] = (field, at)
+            at += KINDS[field.kind][2] * field.count
+        return found, at
+
+    (was, size), (_, now_size) = places(older), places(now)
+    blank, parts, at = bytearray(now_size), [], 8
+    blank[:8] = struct.pack('>Q', now.fingerprint())
+    for field in now.fields:
+        letter, _, number, python = KINDS[field.kind]
+        rule = next((word.split()[1:] for word in re.split(r'\s*,\s*', field.rule) if word.startswith('older ')), [])
+        if field.name in was:
+            before, source = was[field.name]
+            if before.kind != field.kind or before.shape[1:] != field.shape[1:]:
+                raise ValueError(f'{now.name}: {field.name} was {before.kind}{list(before.shape)}')
+            row = number * math.prod(field.shape[1:])
+            count = before.shape[0] if before.shape else 1
+            for k, to in enumerate([int(word) for word in rule[1:]] or range(count)):
+                part = (source + k * row, at + to * row, row)
+                if parts and all(parts[-1][i] + parts[-1][2] == part[i] for i in (0, 1)):
+                    parts[-1] = (*parts[-1][:2], parts[-1][2] + row)
+                else:
+                    parts.append(part)
+        elif rule:
+            blank[at:at + number * field.count] = struct.pack(f'>{field.count}{letter}', *[(float if python == 'float' else int)(rule[0])] * field.count)
+        at += number * field.count
+    return Older(struct.pack('>Q', older.fingerprint()), size, bytes(blank), tuple(parts))
+
+
 class Message:
     """What every message type can do.  Subclasses are dataclasses; all fields are zero at first."""
     LCM: ClassVar[Struct]
@@ -106,7 +165,8 @@ class Message:
 
     @classmethod
     def decode(cls: type[M], data: bytes) -> M:
-        """The message of these bytes.  ValueError when they are of another type or of another length."""
+        """The message of these bytes, also of those of an older version.  ValueError when they are of another type or of another length."""
+        data = renewed(data)
         if len(data) != cls._layout.size or data[:8] != cls._fingerprint:
             raise ValueError(f'{cls.LCM.name}: {len(data)} bytes that are none: {cls._layout.size} with its fingerprint were expected; '
                              'sender and receiver are of different versions')

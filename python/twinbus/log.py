@@ -7,7 +7,7 @@ import struct
 from typing import TYPE_CHECKING, Any, Iterator
 
 from .channels import TYPES
-from .lcm_types import KINDS, Message
+from .lcm_types import KINDS, Message, renewed
 
 if TYPE_CHECKING:
     import numpy as np
@@ -15,8 +15,6 @@ if TYPE_CHECKING:
 
 MARK = 0xEDA1DA01
 MOST_NAME, MOST_BYTES = 63, 1 << 24
-# SOURCE_STATUS as logs have it that were written before it said how far a controller is faded in: then one was at once.
-OLDER_STATUS_BYTES, FADED_IN_AT, OLDER_STATUS = 154, 144, bytes.fromhex('a10fffc4d8b72360')
 
 
 def parts(path: str | os.PathLike[str]) -> list[pathlib.Path]:
@@ -61,7 +59,7 @@ class Log:
         self._bodies: dict[str, list[bytes]] = {}
         for utime, channel, body in read_log(path):
             self._utimes.setdefault(channel, []).append(utime)
-            self._bodies.setdefault(channel, []).append(_renewed(body))
+            self._bodies.setdefault(channel, []).append(renewed(body))
         self.start = min((utimes[0] for utimes in self._utimes.values()), default=0)
         """When the first message came [us since 1970]."""
 
@@ -107,13 +105,6 @@ class Log:
         if channel not in TYPES:
             raise KeyError(f'{channel}: no type is known for it; twinbus.TYPES[{channel!r}] = twinbus.message_type(...)')
         return TYPES[channel]
-
-
-def _renewed(body: bytes) -> bytes:
-    """A status of an older log as it is written now; anything else as it is."""
-    if len(body) != OLDER_STATUS_BYTES or body[:8] != OLDER_STATUS:
-        return body
-    return TYPES['SOURCE_STATUS']._fingerprint + body[8:FADED_IN_AT] + struct.pack('>f', 1.0) + body[FADED_IN_AT:]
 
 
 def _is(kind: type[Message], body: bytes) -> bool:

@@ -158,7 +158,7 @@ class gap_t(Message):
     joint_count: int = ...
     q: NDArray[np.float32] = ...  # [48] other minus active [rad]
     tau: NDArray[np.float32] = ...  # [48] [N m]
-    foot_force: NDArray[np.float32] = ...  # [2, 3] left, right [N]
+    foot_force: NDArray[np.float32] = ...  # [6, 3] of the feet in the order of estimate_t [N]
     tilt: NDArray[np.float32] = ...  # [2] roll, pitch [rad]
 
 
@@ -336,19 +336,19 @@ class robot_state_t(Message):
     period_ns: int = ...
     stop_nonce: int = ...  # what a clear must echo
     plan_number: int = ...  # of that plan; 0 none is followed
-    sensor_flags: int = ...  # bit per sensor: valid this tick (0 encoders, 1 IMU, 2-5 wrenches)
+    sensor_flags: int = ...  # bit per sensor: valid this tick (0 encoders, 1 IMU, wrenches: 2-3 of feet 0 and 1, 4-5 of the hands, 6-9 of feet 2 to 5)
     joint_count: int = ...  # actuated, non-mimic joints in model order; at most 48
     source: int = ...  # 1 simulator, 2 bridge "robot", 3 replay
     role: int = ...  # 1 parked, 2 active, 3 releasing, 4 standby track "track", 5 standby shadow "shadow", 6 stopped
     stop_kind: int = ...  # 0 none, 1 balanced, 2 hold, 3 off
-    wrench_kind: NDArray[np.int8] = ...  # [4] 0 absent, 1 measured, 2 estimated
+    wrench_kind: NDArray[np.int8] = ...  # [8] 0 absent, 1 measured, 2 estimated (no sensor of the robot says it: a switch does not compare it)
     q: NDArray[np.float64] = ...  # [48] [rad or m]
     qd: NDArray[np.float32] = ...  # [48] [rad/s or m/s]
     tau: NDArray[np.float32] = ...  # [48] [N m or N]
     attitude: NDArray[np.float32] = ...  # [4] w x y z, IMU link in world (heading arbitrary)
     gyro: NDArray[np.float32] = ...  # [3] in the IMU frame [rad/s]
     accel: NDArray[np.float32] = ...  # [3] specific force in the IMU frame [m/s^2]
-    wrench: NDArray[np.float32] = ...  # [4, 6] force [N] then torque [N m] on the robot, in the sensor frame: left foot, right foot, left hand, right hand
+    wrench: NDArray[np.float32] = ...  # [8, 6] force [N] then torque [N m] on the robot, in the sensor frame: six feet as in estimate_t (left, right, then the others), left hand, right hand
 
 
 @dataclass(eq=False)
@@ -382,10 +382,10 @@ class sim_truth_t(Message):
     com_velocity: NDArray[np.float32] = ...  # [3] world [m/s]
     zmp: NDArray[np.float32] = ...  # [2] world [m]
     zmp_margin: float = ...  # [m]
-    foot_position: NDArray[np.float32] = ...  # [2, 3] sole frames, left and right, world [m]
-    foot_attitude: NDArray[np.float32] = ...  # [2, 4] w x y z
-    foot_force: NDArray[np.float32] = ...  # [2, 3] world [N]
-    foot_slip: NDArray[np.float32] = ...  # [2] speed of the sole along the ground [m/s]
+    foot_position: NDArray[np.float32] = ...  # [6, 3] of the feet in the order of estimate_t: sole frames, or where a foot without a sole is lowest, world [m]
+    foot_attitude: NDArray[np.float32] = ...  # [6, 4] of the sole frame, or of its link: w x y z
+    foot_force: NDArray[np.float32] = ...  # [6, 3] world [N]
+    foot_slip: NDArray[np.float32] = ...  # [6] speed of that place along the ground [m/s]
     penetration: float = ...  # deepest contact [m]
     push_force: NDArray[np.float32] = ...  # [3] applied by the scene, world [N]
     push_point: NDArray[np.float32] = ...  # [3] world [m]
@@ -393,6 +393,7 @@ class sim_truth_t(Message):
     contact_force: NDArray[np.float32] = ...  # [8, 3] world [N]
     realtime_factor: float = ...
     contact_count: int = ...  # rows in use, at most 8
+    foot_count: int = ...  # feet in use
     fell: int = ...
 
 

@@ -105,9 +105,9 @@ class Truth:
     zmp: Singles
     """Zero-moment point on the ground [2], m."""
     foot_position: Singles
-    """Middle of the soles [2, 3], left and right, m."""
+    """Of the feet [6, 3]: left and right sole, then the others; what there is not is zero; m."""
     foot_force: Singles
-    """Of the ground on the soles [2, 3], N."""
+    """Of the ground on the feet [6, 3], N."""
     fallen: NDArray[np.bool_]
     """[1] or [worlds]: the base is below half of its height at the start, or tilted by 60 degrees."""
 

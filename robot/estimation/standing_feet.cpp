@@ -62,7 +62,9 @@ StandingFeet::StandingFeet(const Model& model) : model_(&model), weight_force_(k
   }
   double deepest = 0.0, of_soles = 0.0;
   for (std::size_t i = 0; i < feet_.size(); ++i) {
-    find_point(kinematics, Eigen::Matrix3d::Identity(), feet_[i]);
+    Foot& foot = feet_[i];
+    find_point(kinematics, Eigen::Matrix3d::Identity(), foot);
+    foot.centre = kinematics.link_in_world(foot.link).inverse() * (foot.point + foot.radius * Eigen::Vector3d::UnitZ());
     deepest = std::min(deepest, feet_[i].lowest);
     if (i < soles) of_soles = std::min(of_soles, feet_[i].lowest);
   }

@@ -41,6 +41,8 @@ class StandingFeet {
   const Eigen::Vector3d& point(int foot) const noexcept { return feet_[static_cast<std::size_t>(foot)].point; }
   // Of the ball that touches there, 0: a corner [m].  The ball rolls: its centre, as much above the point, stays in the link.
   double radius(int foot) const noexcept { return feet_[static_cast<std::size_t>(foot)].radius; }
+  // Of that ball in the posture nearest to zero, in its link.
+  const Eigen::Vector3d& centre(int foot) const noexcept { return feet_[static_cast<std::size_t>(foot)].centre; }
   // Joints between the base and the foot, the last first.
   const std::vector<int>& chain(int foot) const noexcept { return feet_[static_cast<std::size_t>(foot)].chain; }
   double load(int foot) const noexcept { return feet_[static_cast<std::size_t>(foot)].load; }  // share of the weight
@@ -63,6 +65,7 @@ class StandingFeet {
     std::vector<int> chain;   // joints before it, the last first
     Eigen::Vector3d point = Eigen::Vector3d::Zero();
     double radius = 0.0;  // of the lowest ball [m]
+    Eigen::Vector3d centre = Eigen::Vector3d::Zero();
     double lowest = 0.0;  // of it, in the frame with z up [m]
     double load = 0.0, certainty = 0.0;
     bool stands = false;

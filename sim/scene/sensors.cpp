@@ -54,7 +54,7 @@ bool Sensors::SampleClock::due(double dt, double rate) noexcept {
 }
 
 Sensors::Sensors(const Model& model, const SensorOptions& options)
-    : model_(&model), options_(options), random_(options.seed) {
+    : model_(&model), feet_(felt_feet(model)), options_(options), random_(options.seed) {
   options_.delay_ticks = std::clamp(options_.delay_ticks, 0, kMaxSensorDelay);
   history_.resize(static_cast<std::size_t>(options_.delay_ticks) + 1);
 }
@@ -146,19 +146,17 @@ void Sensors::measure_imu(const World& world, double dt) noexcept {
 void Sensors::measure_wrenches(const World& world) noexcept {
   for (int limb = 0; limb < kLimbs; ++limb) {
     const auto at = static_cast<std::size_t>(limb);
-    const bool is_foot = limb == kLeftFoot || limb == kRightFoot;
-    const std::size_t side = limb == kLeftFoot || limb == kLeftHand ? 0 : 1;
-    const bool missing = is_foot && !options_.foot_forces;
-    const int link = missing ? -1 : is_foot ? model_->soles[side].link : model_->hands[side].link;
+    const FeltFoot* foot = limb < kLeftHand ? &feet_.foot[at] : nullptr;
+    const Hand& hand = model_->hands[limb == kLeftHand ? 0 : 1];
+    const int link = foot == nullptr ? hand.link : options_.foot_forces ? foot->link : -1;
     sample_.wrench[at] = {};
-    sample_.wrench_kind[at] = link < 0 ? WrenchKind::kAbsent : WrenchKind::kMeasured;
+    sample_.wrench_kind[at] = link < 0                               ? WrenchKind::kAbsent
+                              : foot != nullptr && foot->side < 0 ? WrenchKind::kEstimated
+                                                                  : WrenchKind::kMeasured;
     if (link < 0) continue;
-    const Eigen::Isometry3d frame =
-        world.link_in_world(link) *
-        (is_foot ? model_->soles[side].sensor : model_->hands[side].sensor);
-    sample_.wrench[at] = contact_wrench(world, frame, [&](const ContactPoint& contact) {
-      return is_foot ? of_foot(*model_, contact, side) : contact.link == link;
-    });
+    const Eigen::Isometry3d frame = world.link_in_world(link) * (foot != nullptr ? foot->sensor : hand.sensor);
+    sample_.wrench[at] = contact_wrench(
+        world, frame, [&](const ContactPoint& contact) { return foot != nullptr ? foot->feels(contact) : contact.link == link; });
     for (std::size_t i = 0; i < 6; ++i) {
       const Imperfection& sensor = i < 3 ? options_.force : options_.moment;
       float& component = sample_.wrench[at][i];

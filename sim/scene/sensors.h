@@ -13,6 +13,7 @@
 #include "robot/description/model.h"
 #include "lcmtypes/msg/robot_io.h"
 #include "common/math/random.h"
+#include "sim/world/felt_feet.h"
 #include "sim/world/world.h"
 
 namespace twinbus {
@@ -64,6 +65,7 @@ class Sensors {
   // after a jump.
   void measure(const World& world, double dt, RobotState& state) noexcept;
   void forget() noexcept;
+  const FeltFeet& feet() const noexcept { return feet_; }
 
  private:
   // Tells when the next sample of a slow sensor is due.
@@ -77,6 +79,7 @@ class Sensors {
   void measure_wrenches(const World& world) noexcept;
 
   const Model* model_;
+  FeltFeet feet_;
   SensorOptions options_;
   Random random_;
   SampleClock encoders_, imu_, forces_;

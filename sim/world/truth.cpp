@@ -32,8 +32,7 @@ void copy(const Eigen::Matrix3d& rotation, std::array<Number, 4>& to) {
 
 }  // namespace
 
-void fill_truth(const Model& model, const World& world, double standing_height,
-                SimTruth& truth) noexcept {
+void fill_truth(const Model& model, const FeltFeet& feet, const World& world, double standing_height, SimTruth& truth) noexcept {
   const Configuration& now = world.configuration();
   copy(now.base.translation(), truth.base_position);
   copy(Eigen::Matrix3d(now.base.linear()), truth.base_attitude);
@@ -42,7 +41,10 @@ void fill_truth(const Model& model, const World& world, double standing_height,
   copy(world.com(), truth.com);
   copy(world.com_velocity(), truth.com_velocity);
 
-  std::array<Eigen::Vector3d, 2> foot_force{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
+  const auto count = static_cast<std::size_t>(feet.count);
+  truth.foot_count = static_cast<std::int16_t>(feet.count);
+  std::array<Eigen::Vector3d, kMaxFeet> foot_force;
+  foot_force.fill(Eigen::Vector3d::Zero());
   double pressure = 0.0, penetration = 0.0;
   Eigen::Vector2d moment = Eigen::Vector2d::Zero();
   truth.contact_count = 0;
@@ -53,8 +55,8 @@ void fill_truth(const Model& model, const World& world, double standing_height,
     penetration = std::max(penetration, contact.depth);
     pressure += contact.force.z();
     moment += contact.force.z() * contact.point.head<2>();
-    for (std::size_t side = 0; side < 2; ++side) {
-      if (of_foot(model, contact, side)) foot_force[side] += contact.force;
+    for (std::size_t foot = 0; foot < count; ++foot) {
+      if (feet.foot[foot].feels(contact)) foot_force[foot] += contact.force;
     }
     if (truth.contact_count < 8) {
       const auto row = static_cast<std::size_t>(truth.contact_count++);
@@ -65,19 +67,20 @@ void fill_truth(const Model& model, const World& world, double standing_height,
   truth.penetration = static_cast<float>(penetration);
 
   SupportPolygon support;
-  for (std::size_t side = 0; side < 2; ++side) {
-    const Sole& sole = model.soles[side];
-    truth.foot_slip[side] = 0.0F;
-    copy(foot_force[side], truth.foot_force[side]);
-    if (sole.link < 0) continue;
-    const Eigen::Isometry3d frame = world.link_in_world(sole.link) * sole.frame;
-    copy(frame.translation(), truth.foot_position[side]);
-    copy(Eigen::Matrix3d(frame.linear()), truth.foot_attitude[side]);
-    if (!(foot_force[side].z() > kLoaded)) continue;
-    truth.foot_slip[side] =
-        static_cast<float>(world.point_velocity(sole.link, frame.translation()).head<2>().norm());
-    for (int corner = 0; corner < kSoleCorners; ++corner) {
-      support.add((frame * sole_corner(sole, corner)).head<2>());
+  for (std::size_t k = 0; k < count; ++k) {
+    const FeltFoot& foot = feet.foot[k];
+    truth.foot_slip[k] = 0.0F;
+    copy(foot_force[k], truth.foot_force[k]);
+    if (foot.link < 0) continue;
+    Eigen::Isometry3d frame = world.link_in_world(foot.link) * foot.frame;
+    frame.translation().z() -= foot.radius;
+    copy(frame.translation(), truth.foot_position[k]);
+    copy(Eigen::Matrix3d(frame.linear()), truth.foot_attitude[k]);
+    if (!(foot_force[k].z() > kLoaded)) continue;
+    truth.foot_slip[k] = static_cast<float>(world.point_velocity(foot.link, frame.translation()).head<2>().norm());
+    if (foot.side < 0) support.add(frame.translation().head<2>());
+    for (int corner = 0; foot.side >= 0 && corner < kSoleCorners; ++corner) {
+      support.add((frame * sole_corner(model.soles[static_cast<std::size_t>(foot.side)], corner)).head<2>());
     }
   }
   support.finish();

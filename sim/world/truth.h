@@ -4,13 +4,13 @@
 
 #include "lcmtypes/msg/messages.h"
 #include "robot/description/model.h"
+#include "sim/world/felt_feet.h"
 #include "sim/world/world.h"
 
 namespace twinbus {
 
 // standing_height: of the base when the run began [m]; half of it, or a tilt of 60 degrees, counts
 // as fallen.
-void fill_truth(const Model& model, const World& world, double standing_height,
-                SimTruth& truth) noexcept;
+void fill_truth(const Model& model, const FeltFeet& feet, const World& world, double standing_height, SimTruth& truth) noexcept;
 
 }  // namespace twinbus

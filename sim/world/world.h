@@ -118,12 +118,6 @@ struct ContactPoint {
   bool tie = false;                                 // holds something: felt, but no touch
 };
 
-// Whether a contact is beyond the force sensor of that foot.
-inline bool of_foot(const Model& model, const ContactPoint& contact, std::size_t side) noexcept {
-  if (contact.sole >= 0) return contact.sole == static_cast<int>(side);
-  return contact.link == model.soles[side].link;
-}
-
 inline constexpr int kSoleCorners = 4;
 // Corner of a sole in its sole frame: front left, front right, back left, back right.
 Eigen::Vector3d sole_corner(const Sole& sole, int corner) noexcept;

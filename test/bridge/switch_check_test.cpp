@@ -56,6 +56,17 @@ TEST(SwitchCheck, EachDifferenceHasItsOwnRefusalAndItsOwnLimit) {
   s = standing();
   s.wrench[kLeftFoot][2] = 900.0F;
   EXPECT_EQ(compare_measured(standing(), s), Refusal::kLoad);
+  // A third foot, that one of the two does not stand on; where no sensor says so, it is not compared.
+  s = standing();
+  RobotState t = standing();
+  for (RobotState* each : {&s, &t}) {
+    each->wrench_kind[2] = WrenchKind::kMeasured;
+    each->sensor_flags |= wrench_valid(static_cast<Limb>(2));
+  }
+  s.wrench[2][2] = 640.0F;
+  EXPECT_EQ(compare_measured(t, s), Refusal::kFeet);
+  s.wrench_kind[2] = WrenchKind::kEstimated;
+  EXPECT_EQ(compare_measured(t, s), Refusal::kNone);
 }
 
 TEST(SwitchCheck, HeadingIsNobodysBusiness) {

@@ -102,6 +102,32 @@ TEST(Quadruped, StandsAndIsPushed) {
   }
 }
 
+// In STATE, TRUTH and ESTIMATE alike: each foot, what it carries, and where.
+TEST(Quadruped, ItsFeetSayWhatTheyCarry) {
+  const Model& model = test::four_legged(1.0);
+  SimRig rig(model, flat(), {}, {});
+  ASSERT_TRUE(rig.run(2.0));
+  const RobotState& state = rig.state();
+  const SimTruth& truth = rig.truth();
+  const float weight = static_cast<float>(kGravity * model.total_mass());
+  ASSERT_EQ(truth.foot_count, 4);
+  EXPECT_GT(truth.zmp_margin, 0.05F);
+  float sum = 0.0F;
+  for (std::size_t foot = 0; foot < 4; ++foot) {
+    const auto& w = state.wrench[foot];
+    EXPECT_EQ(state.wrench_kind[foot], WrenchKind::kEstimated) << "it has no sensors";
+    EXPECT_NE(state.sensor_flags & wrench_valid(static_cast<Limb>(foot)), 0);
+    EXPECT_NEAR(std::hypot(w[0], w[1], w[2]), std::hypot(truth.foot_force[foot][0], truth.foot_force[foot][1], truth.foot_force[foot][2]), 0.1F);
+    EXPECT_GT(truth.foot_force[foot][2], 0.15F * weight);
+    EXPECT_NEAR(truth.foot_position[foot][2], 0.0F, 0.005F);
+    EXPECT_LT(std::hypot(w[3], w[4], w[5]), 0.03F * weight) << "about the middle of its ball";
+    sum += truth.foot_force[foot][2];
+  }
+  EXPECT_NEAR(sum, weight, 0.03F * weight);
+  EXPECT_LT(truth.foot_position[0][0] * truth.foot_position[3][0], 0.0F) << "one before, one behind";
+  for (std::size_t row = 4; row < kLimbs; ++row) EXPECT_EQ(state.wrench_kind[row], WrenchKind::kAbsent) << row;
+}
+
 TEST(Quadruped, TrotsWhereItIsToldAndStandsAgain) {
   for (const double size : {1.0, 2.0}) {
     const Model& model = test::four_legged(size);

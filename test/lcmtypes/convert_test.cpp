@@ -37,7 +37,7 @@ TEST(Convert, FieldsGoWhereTheyBelong) {
   EXPECT_EQ(message.role, static_cast<int>(state.role));
   EXPECT_EQ(message.q[47], state.q[47]);
   EXPECT_EQ(message.qd[0], state.qd[0]);
-  EXPECT_EQ(message.wrench[3][5], state.wrench[3][5]);
+  EXPECT_EQ(message.wrench[kRightHand][5], state.wrench[kRightHand][5]);
   const joint_command_t command = message_of(sample<JointCommand>());
   EXPECT_EQ(command.flags, sample<JointCommand>().flags);
   EXPECT_EQ(command.kd[47], sample<JointCommand>().kd[47]);

@@ -62,7 +62,7 @@ class Filler {
 template <class T>
 void cross_sample(T&) {}
 inline void cross_sample(RobotState& x) {
-  x.sensor_flags = 0x3f;
+  x.sensor_flags = 0x3ff;
   x.attitude = {0.5F, 0.5F, -0.5F, 0.5F};
 }
 inline void cross_sample(ArmGoal& x) {

@@ -12,6 +12,8 @@
 #include <vector>
 
 #include "lcmtypes/bus/convert.h"
+#include "lcmtypes/bus/older.h"
+#include "lcmtypes/msg/robot_io.h"
 #include "test/lcmtypes/layout.h"
 #include "test/lcmtypes/samples.h"
 
@@ -120,6 +122,55 @@ TEST(Wire, SourceStatusOfOlderLogsIsReadAndItsControllerIsFadedIn) {
   --bytes[7];
   bytes.push_back(0);
   EXPECT_EQ(decode(bytes, read), Status::kWrongSize);
+}
+
+// STATE had two feet then: 1013 bytes, the rows of the hands behind theirs.
+TEST(Wire, StateOfOlderLogsIsReadWithItsHandsBehindTheFeet) {
+  RobotState state = sample<RobotState>();
+  for (std::size_t row = kRightFoot + 1; row < kLeftHand; ++row) {
+    state.wrench_kind[row] = WrenchKind::kAbsent;
+    state.wrench[row] = {};
+  }
+  const auto now = bytes_of(state);
+  std::array<std::uint8_t, kLargestMessage> room;
+  const std::span<const std::uint8_t> before = as_before(now, room);
+  ASSERT_EQ(before.size(), 1013U);
+  std::vector<std::uint8_t> older(now.begin(), now.end());  // by hand: where layout_of says the fields are
+  std::size_t kinds = 0, wrenches = 0;
+  for (const FieldElement& element : layout_of("robot_state_t")) {
+    if (element.field == "wrench_kind" && element.index == 2) kinds = element.offset;
+    if (element.field == "wrench" && element.index == 12) wrenches = element.offset;
+  }
+  older.erase(older.begin() + static_cast<std::ptrdiff_t>(wrenches), older.begin() + static_cast<std::ptrdiff_t>(wrenches) + 96);
+  older.erase(older.begin() + static_cast<std::ptrdiff_t>(kinds), older.begin() + static_cast<std::ptrdiff_t>(kinds) + 4);
+  put(older, 0, 0x2c552651dafa2de4U, 8);
+  EXPECT_TRUE(std::equal(before.begin(), before.end(), older.begin(), older.end()));
+  RobotState read;
+  ASSERT_EQ(decode(older, read), Status::kOk);
+  EXPECT_EQ(bytes_of(read), now);
+  ++older[7];
+  EXPECT_EQ(decode(older, read), Status::kWrongSize) << "another fingerprint";
+  --older[7];
+  older.pop_back();
+  EXPECT_EQ(decode(older, read), Status::kWrongSize);
+}
+
+TEST(Wire, TruthOfOlderLogsHasTwoFeet) {
+  SimTruth truth = sample<SimTruth>();
+  truth.foot_count = 2;
+  for (std::size_t foot = 2; foot < kMaxFeet; ++foot) {
+    truth.foot_position[foot] = truth.foot_force[foot] = {};
+    truth.foot_attitude[foot] = {};
+    truth.foot_slip[foot] = 0.0F;
+  }
+  const auto now = bytes_of(truth);
+  std::array<std::uint8_t, kLargestMessage> room;
+  const std::span<const std::uint8_t> before = as_before(now, room);
+  ASSERT_EQ(before.size(), 487U);
+  SimTruth read;
+  ASSERT_EQ(decode(before, read), Status::kOk);
+  EXPECT_EQ(bytes_of(read), now);
+  EXPECT_TRUE(as_before(bytes_of(sample<StopRequest>()), room).empty());
 }
 
 // What is said of a good message with another number in this place.

@@ -37,7 +37,7 @@ class Simulations(unittest.TestCase):
         simulation = twinbus.Simulation("stand", control=None)
         state, command, truth = simulation.state, simulation.command, simulation.truth
         q = state.q
-        self.assertEqual((q.shape, q.dtype, state.wrench.shape, truth.foot_force.shape), ((29,), np.float64, (4, 6), (2, 3)))
+        self.assertEqual((q.shape, q.dtype, state.wrench.shape, truth.foot_force.shape), ((29,), np.float64, (8, 6), (6, 3)))
         self.assertFalse(q.flags.owndata)
         knee = simulation.robot.joints.index("RLEG_KNEE")
         before = q[knee]

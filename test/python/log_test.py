@@ -57,6 +57,22 @@ class Logs(unittest.TestCase):
         found = twinbus.Log(self.log).messages("SOURCE_STATUS")
         self.assertEqual([(message.run_id, message.faded_in) for message in found], [(7, 1.0), (7, 0.25)])
 
+    def test_a_state_of_two_feet_is_read_with_its_hands_behind_the_feet(self):
+        state = twinbus.robot_state_t(tick=5, joint_count=29)
+        for row, force in ((0, 1.0), (1, 2.0), (6, 3.0), (7, 4.0)):
+            state.wrench[row][2], state.wrench_kind[row] = force, 1
+        now = state.encode()  # as it was: no rows 2 to 5, of one byte each in kinds, of 24 bytes in wrench
+        kinds, wrench = 8 + 9 * 8 + 5 * 4 + 2 + 3, len(now) - 8 * 24
+        older = bytes.fromhex("2c552651dafa2de4") + now[8:kinds + 2] + now[kinds + 6:wrench + 48] + now[wrench + 144:]
+        self.assertEqual(len(older), 1013)
+        self.assertEqual(twinbus.robot_state_t.decode(older), state)
+        self.log.write_bytes(event(0, 5, "STATE", older) + event(1, 6, "STATE", now) + event(2, 7, "STATE", older[:-1]))
+        self.log.with_name("run-0002.log").unlink()
+        log = twinbus.Log(self.log)
+        self.assertEqual([message == state for message in log.messages("STATE")], [True, True])
+        with self.assertRaisesRegex(ValueError, "robot_state_t: 1012 bytes"):
+            twinbus.robot_state_t.decode(older[:-1])
+
     @unittest.skipIf(numpy is None, "no numpy")
     def test_arrays(self):
         found = twinbus.Log(self.log).arrays("STATE")

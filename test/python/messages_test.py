@@ -100,9 +100,9 @@ class Messages(unittest.TestCase):
     def test_arrays_have_their_shape(self):
         state = twinbus.robot_state_t.decode(twinbus.robot_state_t().encode())
         for message in (state, twinbus.robot_state_t()):
-            self.assertEqual((len(message.q), len(message.wrench), len(message.wrench[0])), (48, 4, 6))
+            self.assertEqual((len(message.q), len(message.wrench), len(message.wrench[0])), (48, 8, 6))
             if numpy is not None:
-                self.assertEqual((message.q.dtype, message.qd.dtype, message.wrench.shape), (numpy.float64, numpy.float32, (4, 6)))
+                self.assertEqual((message.q.dtype, message.qd.dtype, message.wrench.shape), (numpy.float64, numpy.float32, (8, 6)))
                 self.assertTrue(message.q.dtype.isnative and message.q.flags.writeable)
 
     def test_hostile_bytes_are_refused(self):
@@ -118,7 +118,7 @@ class Messages(unittest.TestCase):
         for field, value, said in (("kind", 300, "stop_t: kind = 300"), ("sequence", 1.5, "stop_t: sequence = 1.5"), ("kind", None, "kind = None")):
             with self.assertRaisesRegex(ValueError, said):
                 twinbus.stop_t(**{field: value}).encode()
-        for field, value in (("q", [0.0] * 47), ("q", [0.0]), ("wrench", [[0.0] * 6] * 3), ("wrench", [[0.0] * 5] * 4), ("wrench_kind", [0, 0, 0, 200])):
+        for field, value in (("q", [0.0] * 47), ("q", [0.0]), ("wrench", [[0.0] * 6] * 3), ("wrench", [[0.0] * 5] * 8), ("wrench_kind", [0] * 7 + [200])):
             with self.assertRaisesRegex(ValueError, f"robot_state_t.{field}: "):
                 twinbus.robot_state_t(**{field: value}).encode()
         with self.assertRaisesRegex(ValueError, "event_t.text: 201 bytes"):

@@ -182,10 +182,11 @@ TEST_F(MujocoWorldTest, HrpStandsAndItsSolesCarryItsWeight) {
   const Eigen::VectorXd q = Eigen::Map<const Eigen::VectorXd>(pose.q.data(), model.joint_count());
   const Standing standing = stand(model, q, 1.0, {world->corner_stiffness(0), world->corner_stiffness(1)}, {0.0, 0.0}, false);
   ASSERT_EQ(world->set(standing.configuration, &standing.tau), Status::kOk);
+  const FeltFeet feet = felt_feet(model);
   const auto weight = [&] {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     for (const ContactPoint& each : world->contacts()) {
-      EXPECT_TRUE(of_foot(model, each, 0) || of_foot(model, each, 1));
+      EXPECT_TRUE(feet.foot[0].feels(each) || feet.foot[1].feels(each));
       sum += each.force;
     }
     return sum;

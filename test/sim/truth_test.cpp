@@ -20,7 +20,7 @@ TEST_P(TruthTest, SaysWhatCarriesTheBodyAndWhenItFell) {
   World& world = *world_owner;
   ASSERT_EQ(world.step(), Status::kOk);
   SimTruth truth;
-  fill_truth(model, world, 0.0, truth);
+  fill_truth(model, felt_feet(model), world, 0.0, truth);
   EXPECT_EQ(truth.contact_count, 8);
   EXPECT_NEAR(truth.foot_force[0][2] + truth.foot_force[1][2], world.mass() * kGravity, 1.0);
   EXPECT_NEAR(truth.zmp[0], 0.0, 1e-4);
@@ -30,14 +30,14 @@ TEST_P(TruthTest, SaysWhatCarriesTheBodyAndWhenItFell) {
   at.base.translation().z() = 3.0;
   at.base.linear() = Eigen::AngleAxisd(1.1, Eigen::Vector3d::UnitY()).toRotationMatrix();
   ASSERT_EQ(world.set(at), Status::kOk);
-  fill_truth(model, world, 0.5, truth);
+  fill_truth(model, felt_feet(model), world, 0.5, truth);
   EXPECT_TRUE(truth.fell);
   EXPECT_EQ(truth.contact_count, 0);
   at.base.linear() = Eigen::AngleAxisd(1.0, Eigen::Vector3d::UnitY()).toRotationMatrix();
   ASSERT_EQ(world.set(at), Status::kOk);
-  fill_truth(model, world, 0.5, truth);
+  fill_truth(model, felt_feet(model), world, 0.5, truth);
   EXPECT_FALSE(truth.fell);
-  fill_truth(model, world, 6.5, truth);
+  fill_truth(model, felt_feet(model), world, 6.5, truth);
   EXPECT_TRUE(truth.fell);
 }
 

@@ -16,7 +16,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 SKIPPED = 77
 NAME = re.compile(r"[\w./-]+\.(?:cpp|c|in|py|sh|java|lcm|cmake|yaml)")
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.MULTILINE)
-GENERATED = re.compile(r"twinbus/\w+_t\.hpp$|^message_schemas\.inc$|^lcmtypes/(bus/(wire_table|message_\w+)|msg/(messages|labels))\.h$")
+GENERATED = re.compile(r"twinbus/\w+_t\.hpp$|^message_schemas\.inc$|^lcmtypes/(bus/(wire_table|older_messages|message_\w+)|msg/(messages|labels))\.h$")
 
 
 def named_sources(folder, text):

@@ -25,12 +25,27 @@ struct ping_t {
 """
 
 
-def generate(text):
-    """(exit code, errors, {header: text}) of generate.py for one .lcm text."""
+OLDER = """package twinbus;
+struct ping_t {
+  int64_t from;
+  int32_t number;
+  float   gain[48];
+  int16_t count;
+}
+"""
+
+
+def generate(text, older=None):
+    """(exit code, errors, {header: text}) of generate.py for one .lcm text, and one of before."""
     with tempfile.TemporaryDirectory() as folder:
         file = pathlib.Path(folder) / "ping_t.lcm"
         file.write_text(text)
-        run = subprocess.run([sys.executable, ROOT / "lcmtypes/generate.py", folder, file], capture_output=True, text=True)
+        files = [file]
+        if older:
+            files.append(file.parent / "older/ping_t.lcm")
+            files[1].parent.mkdir()
+            files[1].write_text(older)
+        run = subprocess.run([sys.executable, ROOT / "lcmtypes/generate.py", folder, *files], capture_output=True, text=True)
         made = {path.name: path.read_text() for path in pathlib.Path(folder).rglob("*.h")}
     return run.returncode, run.stderr, made
 
@@ -56,6 +71,17 @@ class Generate(unittest.TestCase):
             self.assertIn(line, made["messages.h"])
         self.assertIn('{"nobody", "standby track", "active"}', made["labels.h"])
         self.assertIn("last_of(Role) { return 2; }", made["labels.h"])
+
+    def test_a_message_of_before_becomes_one_of_now(self):
+        code, errors, made = generate(GOOD.replace("{0..1, = 0.5}", "{0..1, older 1}"), OLDER)
+        self.assertEqual(code, 0, errors)
+        parts = "kPartsPingT[] = {{8, 8, 12}, {212, 20, 2}, {20, 22, 192}};"  # count stood behind gain
+        self.assertIn(parts, made["older_messages.h"])
+        self.assertIn("0, 63, 128, 0, 0, 63, 128, 0, 0, 0, 0", made["older_messages.h"])  # load, 1.0 twice
+        for older, said in ((OLDER.replace("ping", "pong"), "older/ping_t.lcm: there is no pong_t now"), (OLDER.replace("float", "double"), "ping_t: gain was double[48]")):
+            code, errors, made = generate(GOOD, older)
+            self.assertEqual((code, made), (1, {}))
+            self.assertIn(said, errors)
 
     def test_a_mistake_is_named_with_its_place(self):
         for wrong, right, said in (("0..1,", "0..l,", "ping_t.lcm: load: no rule '0..l'"), ("{id, sender}", "{ids, sender}", "from: no rule 'ids'"),

@@ -8,6 +8,7 @@
 
 #include "lcmtypes/msg/guard_defaults.h"
 #include "robot/description/load.h"
+#include "test/control/four_legged.h"
 #include "test/viewer/standing.h"
 #include "viewer_log/view/signals.h"
 
@@ -19,6 +20,37 @@ constexpr std::int64_t kNow = 1'000'000'000;
 
 using test::model;
 using test::standing;
+
+// Four feet without soles: named by their links, each with what it carries, and nobody speaks of a ZMP before there is one.
+TEST(LiveFrame, ShowsEveryFootOfAQuadruped) {
+  const Model& four = test::four_legged(1.0);
+  StackView view(four);
+  RobotState state = standing();
+  state.model_hash = four.hash;
+  state.joint_count = static_cast<std::int16_t>(four.bus_count());
+  state.wrench_kind = {};
+  for (std::size_t foot = 0; foot < 4; ++foot) {
+    state.wrench_kind[foot] = WrenchKind::kEstimated;
+    state.wrench[foot] = {};
+    state.wrench[foot][2] = 30.0F + static_cast<float>(foot);
+  }
+  for (int i = 0; i < 100; ++i) {
+    ++state.tick;
+    state.time_ns += 2'000'000;
+    view.on_state(state, kNow);
+  }
+  const Json frame = Json::parse(live_frame(view, kNow));
+  ASSERT_EQ(frame["feet"].size(), 4u);
+  EXPECT_EQ(frame["feet"][0], "fl_shank");
+  EXPECT_EQ(frame["soles"].size(), 4u);
+  EXPECT_EQ(frame["soles"][3].size(), 1u);
+  EXPECT_EQ(frame["loaded"], Json::parse("[true,true,true,true]"));
+  EXPECT_EQ(frame["polygon"].size(), 4u);
+  EXPECT_GT(frame["margin_mm"].get<double>(), 0.0);
+  EXPECT_GT(frame["foot_force"][3].get<double>(), frame["foot_force"][0].get<double>());
+  const Json signals = Json::parse(signals_frame(view, kNow));
+  EXPECT_DOUBLE_EQ(signals["STATE"]["wrench"]["fr_shank"][2], 31.0);
+}
 
 TEST(LiveFrame, NamesTheSourceAndCarriesThePosture) {
   StackView view(model());

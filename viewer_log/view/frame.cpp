@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "viewer_log/view/frame_number.h"
 #include "lcmtypes/msg/guard_defaults.h"
 #include "lcmtypes/msg/labels.h"
 #include "lcmtypes/msg/refusal_text.h"
+#include "robot/dynamics/inverse_dynamics.h"
 #include "viewer_log/view/health.h"
 #include "viewer_log/view/scene_frame.h"
+#include "viewer_log/view/signals.h"
 
 namespace twinbus {
 
@@ -54,26 +57,55 @@ std::vector<Vector3d> hull(std::vector<Vector3d> points) {
   return chain;
 }
 
+int point_feet(const StackView& view) {
+  const StandingFeet* feet = view.estimator().feet();
+  return feet == nullptr ? 0 : feet->count();
+}
+
+// Where it presses the ground, below the robot as it is drawn.
+Vector3d point_foot(const StackView& view, std::int64_t now_ns, int foot) {
+  const Estimator& estimator = view.estimator();
+  return view.drawn_from_estimated(now_ns) * (estimator.configuration().base * estimator.feet()->point(foot));
+}
+
+// Upward force on a foot without a sole: what its sensor says, in the axes of its link, else what the torques before it say [N].
+double load_on_point(const StackView& view, const RobotState& state, int foot) {
+  const StandingFeet& feet = *view.estimator().feet();
+  const auto row = static_cast<std::size_t>(foot);
+  if (state.wrench_kind[row] == WrenchKind::kAbsent) return feet.load(foot) * kGravity * view.model().total_mass();
+  const auto& w = state.wrench[row];
+  return view.estimator().kinematics().link_in_world(feet.link(foot)).linear().row(2).dot(vector(std::array{w[0], w[1], w[2]}));
+}
+
 // Below the robot as it is drawn: the estimate of where it walked drifts from the truth.
 void add_feet(const StackView& view, std::int64_t now_ns, Json& frame) {
   const Estimator& estimator = view.estimator();
   const Eigen::Isometry3d drawn = view.drawn_from_estimated(now_ns);
-  Json soles = Json::array(), loaded = Json::array(), force = Json::array();
+  Json names = Json::array(), soles = Json::array(), loaded = Json::array(), force = Json::array();
   std::vector<Vector3d> support;
+  const auto add = [&](int foot, std::span<const Vector3d> outline, bool stands, double load) {
+    Json shown = Json::array();
+    for (const Vector3d& corner : outline) {
+      shown.push_back(point(corner));
+      if (stands) support.push_back(corner);
+    }
+    names.push_back(limb_name(view, static_cast<std::size_t>(foot)));
+    soles.push_back(shown);
+    loaded.push_back(stands);
+    force.push_back(number(load, 1));
+  };
   for (int foot = 0; foot < 2; ++foot) {
     const Sole& sole = view.model().soles[static_cast<std::size_t>(foot)];
     if (sole.link < 0) continue;
-    Json outline = Json::array();
-    for (const Vector3d& corner : corners(sole, drawn * estimator.sole_in_world(foot))) {
-      outline.push_back(point(corner));
-      if (estimator.loaded(foot)) support.push_back(corner);
-    }
-    soles.push_back(outline);
-    loaded.push_back(estimator.loaded(foot));
-    force.push_back(number(estimator.sole_force(foot).z(), 1));
+    add(foot, corners(sole, drawn * estimator.sole_in_world(foot)), estimator.loaded(foot), estimator.sole_force(foot).z());
+  }
+  for (int foot = 0; foot < point_feet(view); ++foot) {
+    const Vector3d place = point_foot(view, now_ns, foot);
+    add(foot, std::span(&place, 1), estimator.feet()->stands(foot), load_on_point(view, view.shown(now_ns), foot));
   }
   Json polygon = Json::array();
   for (const Vector3d& corner : hull(support)) polygon.push_back(point(corner));
+  frame["feet"] = names;
   frame["soles"] = soles;
   frame["loaded"] = loaded;
   frame["foot_force"] = force;
@@ -108,9 +140,19 @@ void add_forces(const StackView& view, std::int64_t now_ns, Json& frame) {
     for (int foot = 0; foot < 2; ++foot) {
       add(view.estimator().sole_in_world(foot).translation(), view.estimator().sole_force(foot));
     }
+    for (int foot = 0; foot < point_feet(view); ++foot) {
+      add(point_foot(view, now_ns, foot), Vector3d(0.0, 0.0, load_on_point(view, view.shown(now_ns), foot)));
+    }
   }
   frame["forces"] = forces;
   frame["forces_from"] = truth_applies ? "simulated contacts" : "foot sensors";
+}
+
+// Nothing without feet, and where those that stand span no area.
+Json margin_mm(const StackView& view, double margin) {
+  const auto& soles = view.model().soles;
+  const bool has_feet = soles[0].link >= 0 || soles[1].link >= 0 || point_feet(view) > 0;
+  return has_feet && margin > -1.0 ? number(1e3 * margin, 1) : Json(nullptr);
 }
 
 void add_balance(const StackView& view, std::int64_t now_ns, Json& frame) {
@@ -120,12 +162,12 @@ void add_balance(const StackView& view, std::int64_t now_ns, Json& frame) {
     const Vector3d zmp(static_cast<double>(truth.zmp[0]), static_cast<double>(truth.zmp[1]), 0.0);
     frame["zmp"] = point(world * zmp);
     frame["com"] = point(world * vector(truth.com));
-    frame["margin_mm"] = number(1e3 * static_cast<double>(truth.zmp_margin), 1);
+    frame["margin_mm"] = margin_mm(view, static_cast<double>(truth.zmp_margin));
   } else {
     const Estimator& estimator = view.estimator();
     frame["zmp"] = point(estimator.zmp());
     frame["com"] = point(estimator.kinematics().com());
-    frame["margin_mm"] = number(1e3 * estimator.support_margin(estimator.zmp()), 1);
+    frame["margin_mm"] = margin_mm(view, estimator.support_margin(estimator.zmp()));
   }
   if (view.controller().fresh(now_ns, kSenderFresh)) {
     const ControllerStatus& status = view.controller().value;

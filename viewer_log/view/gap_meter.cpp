@@ -28,7 +28,7 @@ Gap gap_between(const RobotState& active, const RobotState& other) noexcept {
     gap.q[k] = static_cast<float>(other.q[k] - active.q[k]);
     gap.tau[k] = other.tau[k] - active.tau[k];
   }
-  for (std::size_t foot = 0; foot < 2; ++foot) {
+  for (std::size_t foot = 0; foot < kMaxFeet; ++foot) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       gap.foot_force[foot][axis] = other.wrench[foot][axis] - active.wrench[foot][axis];
     }

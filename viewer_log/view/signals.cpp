@@ -1,5 +1,6 @@
 #include "viewer_log/view/signals.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -10,8 +11,6 @@ namespace twinbus {
 namespace {
 
 constexpr double kFresh = 0.5;  // [s]
-constexpr std::array<const char*, kLimbs> kLimbName{"left_foot", "right_foot", "left_hand",
-                                                    "right_hand"};
 
 template <std::size_t N, class T>
 Json all(const std::array<T, N>& values, int decimals = 4) {
@@ -19,11 +18,11 @@ Json all(const std::array<T, N>& values, int decimals = 4) {
 }
 
 // In row order of the message; a limb without a sensor is left out.
-Json wrenches(const RobotState& state) {
+Json wrenches(const StackView& view, const RobotState& state) {
   Json json = Json::object();
   for (std::size_t limb = 0; limb < kLimbs; ++limb) {
     if (state.wrench_kind[limb] == WrenchKind::kAbsent) continue;
-    json[kLimbName[limb]] = all(state.wrench[limb], 2);
+    json[limb_name(view, limb)] = all(state.wrench[limb], 2);
   }
   return json;
 }
@@ -35,7 +34,7 @@ Json less(const PerJoint<double>& a, const PerJoint<double>& b, int count) {
 }
 
 // Force and torque on the limbs that both measure, b less a.
-Json wrench_residual(const RobotState& a, const RobotState& b) {
+Json wrench_residual(const StackView& view, const RobotState& a, const RobotState& b) {
   Json json = Json::object();
   for (std::size_t limb = 0; limb < kLimbs; ++limb) {
     if (a.wrench_kind[limb] == WrenchKind::kAbsent || b.wrench_kind[limb] == WrenchKind::kAbsent)
@@ -45,23 +44,31 @@ Json wrench_residual(const RobotState& a, const RobotState& b) {
       difference[i] =
           static_cast<double>(b.wrench[limb][i]) - static_cast<double>(a.wrench[limb][i]);
     }
-    json[kLimbName[limb]] = all(difference, 2);
+    json[limb_name(view, limb)] = all(difference, 2);
   }
   return json;
 }
 
-void add_other(const RobotState& state, const Recorded& recorded, int count, Json& frame) {
+void add_other(const StackView& view, const RobotState& state, const Recorded& recorded, int count, Json& frame) {
   frame["log_s"] = number(recorded.seconds, 4);
   if (recorded.other == nullptr) return;
   const RobotState& other = recorded.other->shown(recorded.other_now_ns);
   frame["OTHER"] = {{"q", numbers(other.q, count, 5)},
                     {"tau", numbers(other.tau, count, 2)},
-                    {"wrench", wrenches(other)}};
+                    {"wrench", wrenches(view, other)}};
   frame["RESIDUAL"] = {{"q", less(other.q, state.q, count)},
-                       {"wrench", wrench_residual(state, other)}};
+                       {"wrench", wrench_residual(view, state, other)}};
 }
 
 }  // namespace
+
+std::string limb_name(const StackView& view, std::size_t limb) {
+  if (limb == kLeftHand || limb == kRightHand) return limb == kLeftHand ? "left_hand" : "right_hand";
+  const StandingFeet* feet = view.estimator().feet();
+  if (feet != nullptr && static_cast<int>(limb) < feet->count())
+    return view.model().links[static_cast<std::size_t>(feet->link(static_cast<int>(limb)))].name;
+  return limb <= kRightFoot ? (limb == kLeftFoot ? "left_foot" : "right_foot") : "foot_" + std::to_string(limb);
+}
 
 std::string signals_frame(const StackView& view, std::int64_t now_ns, const Recorded* recorded) {
   const RobotState& state = view.shown(now_ns);
@@ -75,8 +82,8 @@ std::string signals_frame(const StackView& view, std::int64_t now_ns, const Reco
                   {"attitude", all(state.attitude, 5)},
                   {"gyro", all(state.gyro)},
                   {"accel", all(state.accel, 3)},
-                  {"wrench", wrenches(state)}}}};
-  if (recorded != nullptr) add_other(state, *recorded, count, frame);
+                  {"wrench", wrenches(view, state)}}}};
+  if (recorded != nullptr) add_other(view, state, *recorded, count, frame);
   if (view.command_applies(now_ns)) {
     const JointCommand& command = view.command().value;
     frame["COMMAND"] = {{"q", numbers(command.q, count, 5)},
@@ -87,7 +94,7 @@ std::string signals_frame(const StackView& view, std::int64_t now_ns, const Reco
   }
   if (view.standby_applies(now_ns)) {
     const RobotState& standby = view.standby().value;
-    frame["STANDBY"] = {{"q", numbers(standby.q, count, 5)}, {"wrench", wrenches(standby)}};
+    frame["STANDBY"] = {{"q", numbers(standby.q, count, 5)}, {"wrench", wrenches(view, standby)}};
     frame["DIFFERENCE"] = {{"q", less(standby.q, state.q, count)}};
   }
   if (view.controller().fresh(now_ns, kFresh)) {
@@ -112,10 +119,12 @@ std::string signals_frame(const StackView& view, std::int64_t now_ns, const Reco
                       {"com", all(t.com)},
                       {"zmp", all(t.zmp)},
                       {"zmp_margin", number(static_cast<double>(t.zmp_margin))},
-                      {"left_foot_force", all(t.foot_force[0], 1)},
-                      {"right_foot_force", all(t.foot_force[1], 1)},
-                      {"foot_slip", all(t.foot_slip, 5)},
                       {"penetration", number(static_cast<double>(t.penetration), 6)}};
+    for (std::size_t foot = 0; foot < static_cast<std::size_t>(std::clamp<int>(t.foot_count, 0, kMaxFeet)); ++foot) {
+      const std::string name = limb_name(view, foot);
+      frame["TRUTH"][name + "_force"] = all(t.foot_force[foot], 1);
+      frame["TRUTH"]["foot_slip"][name] = number(static_cast<double>(t.foot_slip[foot]), 5);
+    }
   }
   return dump(frame);
 }

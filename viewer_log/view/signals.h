@@ -16,6 +16,9 @@
 namespace twinbus {
 
 // Of a recording also OTHER, the other log, and RESIDUAL, the other less this one.
+// What a row of wrenches is called: left_foot, right_foot, left_hand, right_hand, a foot without a sole by its link.
+std::string limb_name(const StackView& view, std::size_t limb);
+
 std::string signals_frame(const StackView& view, std::int64_t now_ns,
                           const Recorded* recorded = nullptr);
 

@@ -120,7 +120,7 @@ class EmulatedRobot final : public RobotAdaptor {
     state.gyro = newest_.gyro;
     state.accel = newest_.accel;
     state.wrench = newest_.wrench;
-    for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t i = 0; i < state.wrench_kind.size(); ++i)
       state.wrench_kind[i] = static_cast<WrenchKind>(newest_.wrench_kind[i]);
     state.sensor_flags = newest_.sensor_flags;
     state.enabled = newest_.enabled;

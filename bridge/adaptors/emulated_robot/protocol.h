@@ -21,8 +21,8 @@ namespace twinbus::emulated {
 
 inline constexpr std::uint32_t kCommandMagic = 0x31435245;  // "ERC1"
 inline constexpr std::uint32_t kStateMagic = 0x31535245;    // "ERS1"
-inline constexpr std::uint16_t kVersion = 1;
-inline constexpr int kJoints = 48;
+inline constexpr std::uint16_t kVersion = 2;
+inline constexpr int kJoints = 48, kWrenches = 8;
 inline constexpr char kDefaultSocket[] = "twinbus/emulated_robot";
 
 enum class CommandKind : std::uint16_t {
@@ -72,8 +72,8 @@ struct StatePacket {
   std::array<float, kJoints> qd{}, tau{};
   std::array<float, 4> attitude{1, 0, 0, 0};
   std::array<float, 3> gyro{}, accel{};
-  std::array<std::array<float, 6>, 4> wrench{};
-  std::array<std::int8_t, 4> wrench_kind{};
+  std::array<std::array<float, 6>, kWrenches> wrench{};
+  std::array<std::int8_t, kWrenches> wrench_kind{};
   std::uint32_t pad = 0;
   std::uint32_t crc = 0;
 };

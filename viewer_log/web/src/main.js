@@ -141,7 +141,7 @@ function addRow(signals, picture) {
   const { type, time, log_s: logTime, ...groups } = signals;
   const live = picture ?? {};
   groups.SHOWN = { base: live.base?.slice(0, 3), com: live.com, zmp: live.zmp, zmp_reference: live.zmp_reference, dcm: live.dcm,
-    margin_mm: live.margin_mm, foot_force: { left: live.foot_force?.[0], right: live.foot_force?.[1] } };
+    margin_mm: live.margin_mm, foot_force: Object.fromEntries((live.feet ?? []).map((name, i) => [name, live.foot_force[i]])) };
   history.add(logTime ?? time, groups, picture);
 }
 

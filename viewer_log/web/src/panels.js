@@ -79,17 +79,31 @@ export class Panels {
       : live.age_ms === null ? 'waiting for STATE' : `last state ${age(live.age_ms)} ago`);
     text('rate-time', `${(live.time ?? 0).toFixed(1)} s`);
     text('rate-tick', String(live.tick));
-    text('margin', live.margin_mm === null ? '–' : `ZMP ${live.margin_mm.toFixed(0)} mm inside`);
-    ['left', 'right'].forEach((foot, i) => {
-      const force = live.foot_force[i] ?? 0;
-      text(`force-${foot}`, `${force.toFixed(0)} N`);
-      $(`bar-${foot}`).style.width = `${Math.max(0, Math.min(100, 100 * force / this.weight))}%`;
-    });
+    this.feet(live);
     this.map(live);
     this.pairs(live.pairs);
   }
 
-  // Seen from above, forward up, centred between the soles.
+  // Of 0 to 6 feet: what each carries; how far inside the support the ZMP is, or on how few feet it lies between.
+  feet(live) {
+    const stand = live.loaded.filter(Boolean).length;
+    text('margin', live.margin_mm !== null ? `ZMP ${live.margin_mm.toFixed(0)} mm inside` : live.feet.length === 0 ? 'no feet'
+      : stand === 0 ? 'no foot stands' : `stands on ${stand === 1 ? 'one foot' : `${stand} feet`}`);
+    const names = live.feet.join();
+    if (this.footNames !== names) {
+      this.footNames = names;
+      $('feet').replaceChildren(...live.feet.map((name, i) => element('div', {}, [
+        element('label', { textContent: `${name.replaceAll('_', ' ')} ` }, []), element('b', { id: `force-${i}` }),
+        element('div', { className: 'bar' }, [element('i', { id: `bar-${i}` })])])));
+    }
+    live.feet.forEach((_, i) => {
+      const force = live.foot_force[i] ?? 0;
+      text(`force-${i}`, `${force.toFixed(0)} N`);
+      $(`bar-${i}`).style.width = `${Math.max(0, Math.min(100, 100 * force / this.weight))}%`;
+    });
+  }
+
+  // Seen from above, forward up, centred between the feet.
   map(live) {
     const all = live.soles.flat();
     if (all.length === 0) return;
@@ -106,7 +120,8 @@ export class Panels {
     const dot = (p, radius, fill) => (known(p) ? `<circle cx="${at(p)[0]}" cy="${at(p)[1]}" r="${radius}" fill="${fill}"/>` : '');
     $('map').innerHTML =
       `<polygon points="${outline(live.polygon)}" fill="#3ecf8e2e" stroke="#3ecf8e" stroke-width=".8"/>` +
-      live.soles.map((sole, i) => `<polygon points="${outline(sole)}" fill="${live.loaded[i] ? '#58c4ff30' : 'none'}" stroke="#8fb3d9" stroke-width=".6"/>`).join('') +
+      live.soles.map((sole, i) => (sole.length > 1 ? `<polygon points="${outline(sole)}" fill="${live.loaded[i] ? '#58c4ff30' : 'none'}" stroke="#8fb3d9" stroke-width=".6"/>`
+        : `<circle cx="${at(sole[0])[0]}" cy="${at(sole[0])[1]}" r="4" fill="${live.loaded[i] ? '#58c4ff60' : 'none'}" stroke="#8fb3d9" stroke-width=".6"/>`)).join('') +
       (known(live.zmp_reference) ? `<circle cx="${at(live.zmp_reference)[0]}" cy="${at(live.zmp_reference)[1]}" r="3" fill="none" stroke="#ffffff99" stroke-width=".7"/>` : '') +
       dot(live.dcm, 1.7, '#7cf5d0') +
       dot(live.com, 2.4, '#ffd23f') + dot(live.zmp, 2.4, '#ff5ac8');

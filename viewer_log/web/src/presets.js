@@ -13,9 +13,11 @@ function largest(history, prefix, count) {
 export const kPresets = {
   'Legs': (history) => [['right leg [rad]', 'R', 'STATE.q.'], ['left leg [rad]', 'L', 'STATE.q.'], ['knees and ankles [N m]', '', 'STATE.tau.']]
     .map(([title, side, prefix]) => [title, history.joints.filter((name) => (side ? leg(side).test(name) : /knee|ankle_p/i.test(name))).map((name) => prefix + name)]),
-  'Feet forces': () => [['vertical force [N]', ['SHOWN.foot_force.left', 'SHOWN.foot_force.right']],
-    ['left sole [N, N m]', ['fx', 'fy', 'tx', 'ty'].map((axis) => `STATE.wrench.left_foot.${axis}`)],
-    ['right sole [N, N m]', ['fx', 'fy', 'tx', 'ty'].map((axis) => `STATE.wrench.right_foot.${axis}`)]],
+  'Feet forces': (history) => {
+    const vertical = history.names().filter((name) => name.startsWith('SHOWN.foot_force.'));
+    return [['vertical force [N]', vertical]].concat(vertical.map((name) => name.slice('SHOWN.foot_force.'.length)).map((foot) => [
+      `${foot.replaceAll('_', ' ')} [N, N m]`, ['fx', 'fy', 'tx', 'ty'].map((axis) => `STATE.wrench.${foot}.${axis}`)]));
+  },
   'ZMP': () => ['x', 'y'].map((axis) => [`${axis} [m]`, ['zmp_reference', 'zmp', 'dcm', 'com'].map((field) => `SHOWN.${field}.${axis}`)])
     .concat([['ZMP inside [mm]', ['SHOWN.margin_mm']]]),
   'Tracking error': (history) => [['commanded less measured [rad], the largest six', largest(history, 'TRACKING.q.', 6)]],

@@ -163,7 +163,7 @@ export class Stage {
     this.support.material.color.set(color);
     this.rim.material.color.set(color);
     const known = (p) => p.every((v) => v !== null);
-    this.zmp.visible = corners.length > 2 && known(live.zmp);
+    this.zmp.visible = corners.length > 0 && known(live.zmp);
     if (this.zmp.visible) this.zmp.position.set(live.zmp[0], live.zmp[1], 0.006);
     this.com.visible = this.plumb.visible = known(live.com);
     if (this.com.visible) {
