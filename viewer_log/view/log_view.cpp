@@ -17,7 +17,7 @@ constexpr double kSearchStep = 0.05;   // [s]
 constexpr double kSearchFirst = 30.0;  // a log whose first STATE comes later has none [s]
 constexpr double kSearchPlace = 0.2;   // [s]
 constexpr std::int64_t kTotalsEvery = 100'000'000;  // [ns]
-constexpr int kMostSteps = 200;                     // of half a period, for the next state
+constexpr int kMostHalves = 200;                    // of half a period, for the next state
 
 // Heading and place of a base on the ground.
 Eigen::Isometry3d on_ground(const Eigen::Isometry3d& base) {
@@ -140,7 +140,7 @@ void LogView::step(int by) {
   const std::int64_t tick = view_->state().value.tick;
   const double half = 0.5 * model_->period();
   const double start = player_.position();
-  for (int i = 1; i <= kMostSteps && view_->state().value.tick == tick && !player_.at_end(); ++i) {
+  for (int i = 1; i <= kMostHalves && view_->state().value.tick == tick && !player_.at_end(); ++i) {
     if (by > 0) {
       play(half);
     } else if (start - i * half > first_state_) {
