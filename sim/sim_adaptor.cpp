@@ -1,31 +1,22 @@
-#include "sim/sim_adaptor.h"
+#include "sim/sim_adaptor_impl.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <optional>
 
 #include "robot/dynamics/inverse_dynamics.h"
 #include "common/process/process.h"
 #include "sim/scene/fidelity.h"
-#include "sim/scene/rigid_object_pieces.h"
 #include "sim/scene/scene_robots.h"
 #include "sim/scene/scene_seed.h"
-#include "sim/scene/scene_ties.h"
-#include "sim/scene/sensors.h"
-#include "sim/scene/settings.h"
-#include "sim/world/static_equilibrium.h"
 #include "sim/world/truth.h"
 #include "sim/world/world_origin.h"
 #include "sim/engine/make_world.h"
-#include "sim/live_pushes.h"
-#include "sim/world/world.h"
 
 namespace twinbus {
 
 namespace {
 
-constexpr int kMaxDelay = 64;        // ticks of servo delay
 constexpr double kMimicKp = 2000.0;  // holds a joint that follows another
 constexpr double kOffsetDecay =
     1.0;  // corner offsets after set_state vanish with this time constant [s]
@@ -45,65 +36,6 @@ bool is_finite(const JointCommand& command, int count) noexcept {
 }
 
 }  // namespace
-
-struct SimAdaptor::Impl {
-  explicit Impl(const Scene& s) : scene(s) {}
-
-  Scene scene;
-  LoosePieces loose;
-  SceneTies ties;
-  const Model* model = nullptr;
-  std::optional<Model> changed;  // the robot that is simulated, where the scene changes its bodies
-  SimSettings settings;
-  std::unique_ptr<World> world;
-  std::optional<Sensors> sensors;
-  Standing standing;
-  std::array<double, 2> corner_stiffness{};
-  double standing_height = 0.0;
-  double standing_mass = 0.0;  // of the nominal robot [kg]
-  int substeps = 1;
-  double step = 0.0;
-
-  std::vector<ServoTarget> hold;  // in force before the first command and after set_state
-  bool commanded = false;
-  std::array<JointCommand, kMaxDelay> line;  // commands on their way to the servo
-  std::array<bool, kMaxDelay> line_used{};
-  int delay = 0;
-  std::int64_t writes = 0;
-  JointCommand command;  // in force
-  bool fall = false;
-
-  bool first_read = true;
-  bool ahead = false;  // write() has computed the period that the next read() measures
-  Status ahead_status = Status::kOk;
-  std::int64_t steps = 0;
-  std::optional<StepWatch> watch;
-  double scene_time = -1.0;  // [s] since the first command; pushes go by it
-  struct ScenePush {
-    int link;
-    Push push;
-  };
-  std::vector<ScenePush> pushes;
-  LivePushes live_pushes;
-  SimTruth truth;
-  Configuration imposed_to;  // scratch of set_state
-  Eigen::VectorXd imposed_tau;
-  std::optional<Kinematics> kinematics;
-  std::int64_t pace_since_ns = 0;  // of realtime_factor
-  std::int64_t pace_steps = 0;
-
-  void set_hold(const Configuration& at, const Eigen::VectorXd& tau) noexcept;
-  void continue_corner_forces(const std::array<std::array<double, 4>, 2>& force) noexcept;
-  bool imposed_corner_forces(const ImposedState& imposed,
-                             std::array<std::array<double, 4>, 2>& force) const noexcept;
-  void time_pace() noexcept;
-  Eigen::Vector3d origin() const { return {scene.origin.x(), scene.origin.y(), 0.0}; }
-  void start();
-  void drive_servos() noexcept;
-  void apply_pushes() noexcept;
-  void relax_corner_offsets() noexcept;
-  Status advance() noexcept;
-};
 
 // The posture the servos are to keep; where there is play it is the servo's side that counts.
 void SimAdaptor::Impl::set_hold(const Configuration& at, const Eigen::VectorXd& torque) noexcept {
@@ -144,20 +76,28 @@ void SimAdaptor::Impl::start() {
 Status SimAdaptor::Impl::advance() noexcept {
   drive_servos();
   for (int i = 0; i < substeps; ++i) {
-    apply_pushes();
-    live_pushes.apply(*world, step, truth,
-                      [this](int link, const Eigen::Vector3d& point, const Eigen::Vector3d& force) {
-                        watch->push(*world, link, point, force);
-                      });
-    // Half a step of slack, as for a push.
-    if (scene_time >= 0.0) ties.update(scene_time + 0.5 * step, *world);
+    begin_step();
     const Status status = watch->step(*world, step * static_cast<double>(steps + 1));
     if (status != Status::kOk) return status;
-    ++steps;
-    if (scene_time >= 0.0) scene_time += step;
+    end_step();
   }
   relax_corner_offsets();
   return Status::kOk;
+}
+
+void SimAdaptor::Impl::begin_step() noexcept {
+  apply_pushes();
+  live_pushes.apply(*world, step, truth,
+                    [this](int link, const Eigen::Vector3d& point, const Eigen::Vector3d& force) {
+                      watch->push(*world, link, point, force);
+                    });
+  // Half a step of slack, as for a push.
+  if (scene_time >= 0.0) ties.update(scene_time + 0.5 * step, *world);
+}
+
+void SimAdaptor::Impl::end_step() noexcept {
+  ++steps;
+  if (scene_time >= 0.0) scene_time += step;
 }
 
 void SimAdaptor::Impl::drive_servos() noexcept {
@@ -297,7 +237,9 @@ Status SimAdaptor::open(const Model& nominal, const AdaptorConfig& config) {
     s.ties = SceneTies(model, s.settings.world.robots, s.scene);
     s.settings.world.ties = s.ties.ties();
     move_everything(s.origin(), s.settings.world);
-    s.world = make_world(model, s.settings.world);
+    s.lanes.reset();
+    s.own_world = make_world(model, s.settings.world);
+    s.world = s.own_world.get();
     s.loose = LoosePieces(s.settings.world);
     s.sensors.emplace(model, s.settings.sensors);
     s.start();
@@ -315,7 +257,7 @@ Status SimAdaptor::open(const Model& nominal, const AdaptorConfig& config) {
     return placed;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "simulator: %s\n", error.what());
-    s.world.reset();
+    s.world = nullptr;
     return Status::kOutOfRange;
   }
 }
@@ -361,7 +303,7 @@ Status SimAdaptor::write(const JointCommand& command) {
   if (s.scene_time < 0.0) s.scene_time = 0.0;
   // The command of this period is known: what follows is computed now and not when the next tick is
   // due, so that a measurement is published the moment it is due.
-  if (!s.first_read && !s.ahead) {
+  if (!s.first_read && !s.ahead && !s.lanes) {
     s.ahead_status = s.advance();
     s.ahead = true;
   }
@@ -369,7 +311,9 @@ Status SimAdaptor::write(const JointCommand& command) {
 }
 
 void SimAdaptor::close() {
-  impl_->world.reset();
+  impl_->world = nullptr;
+  impl_->own_world.reset();
+  impl_->lanes.reset();
   impl_->sensors.reset();
 }
 
@@ -476,7 +420,7 @@ Status SimAdaptor::set_state(const ImposedState& imposed) {
 const StepWatch& SimAdaptor::watch() const { return *impl_->watch; }
 void SimAdaptor::time_steps() { impl_->watch->time_steps(); }
 const WorldConfig& SimAdaptor::world_config() const { return impl_->settings.world; }
-const World* SimAdaptor::world() const { return impl_->world.get(); }
+const World* SimAdaptor::world() const { return impl_->world; }
 
 int SimAdaptor::loose(int piece, ObstaclesPiece& out) const {
   return impl_->world ? impl_->loose.fill(*impl_->world, piece, out) : 0;

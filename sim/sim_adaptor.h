@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "bridge/adaptor/adaptor.h"
 #include "sim/scene/scene.h"
@@ -32,6 +33,13 @@ class SimAdaptor final : public RobotAdaptor {
   Status push(int link, const Eigen::Vector3d& force, const Eigen::Vector3d& point,
               double seconds) override;
   bool is_hardware() const override { return false; }
+
+  // Worlds of robots alike in the lanes of one vector (sim/lanes/lane_worlds.h), up to four.
+  // Their steps go together from now on: write() leaves the period that follows to advance_together(); read() without it takes it alone.
+  // Throws std::runtime_error with what forbids it.
+  static void share_lanes(const std::vector<SimAdaptor*>& sims);
+  static void advance_together(const std::vector<SimAdaptor*>& sims) noexcept;
+  static constexpr std::size_t kMostTogether = 4;
 
  private:
   struct Impl;

@@ -38,7 +38,11 @@ class StepWatch {
     const double begun = timed_ ? thread_cpu_seconds() : 0.0;
     const Status status = world.step();
     if (timed_) seconds_ += thread_cpu_seconds() - begun;
-    if (status != Status::kOk) return status;
+    if (status == Status::kOk) stepped(world, time);
+    return status;
+  }
+  // After a step of the world, whoever took it.
+  void stepped(const World& world, double time) noexcept {
     double work = 0.0;
     for (const Push& push : pushes_) work += push.force.dot(world.link_in_world(push.link) * push.local - push.from);
     pushes_.clear();
@@ -47,7 +51,6 @@ class StepWatch {
     if (balance_.looks() && error_.add(balance_.velocities(), balance_.own_velocities(), touched(world)))
       trust[Doubt::kCoarse] = true;
     counts_.add(trust, balance_.gain(), time);
-    return status;
   }
   const TrustCounts& counts() const noexcept { return counts_; }
 

@@ -185,6 +185,12 @@ void OneProcess::activate() {
                            refusal_text(source_.status().refusal));
 }
 
+std::vector<SimAdaptor*> OneProcess::sims_of(const std::vector<OneProcess*>& runs) {
+  std::vector<SimAdaptor*> sims;
+  for (OneProcess* run : runs) sims.push_back(&run->sim_);
+  return sims;
+}
+
 bool OneProcess::observe() {
   if (!failure_.empty()) return false;
   if (ticks_ > 0) {

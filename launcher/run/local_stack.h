@@ -55,6 +55,10 @@ class OneProcess {
   // STATE, COMMAND, physics: one period.  False when the simulation gave up; failure() says why.
   bool tick() { return observe() && act(); }
   const std::string& failure() const { return failure_; }
+  // Runs of one robot, up to four, whose physics goes in the lanes of one vector from now on (SimAdaptor): after a tick of each,
+  // advance_together().  Throws std::runtime_error with what forbids it.
+  static void share_lanes(const std::vector<OneProcess*>& runs) { SimAdaptor::share_lanes(sims_of(runs)); }
+  static void advance_together(const std::vector<OneProcess*>& runs) { SimAdaptor::advance_together(sims_of(runs)); }
   // The two halves of a tick: the next STATE, then what answers it and the physics that follows.
   bool observe();
   bool act();
@@ -117,6 +121,7 @@ class OneProcess {
   std::vector<std::string> take_sentences() { return std::exchange(sentences_, {}); }
 
  private:
+  static std::vector<SimAdaptor*> sims_of(const std::vector<OneProcess*>& runs);
   template <class T>
   bool over_the_bus(const char* channel, const T& sent, T& received, StateHash* hash = nullptr,
                     std::int64_t* content = nullptr);

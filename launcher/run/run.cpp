@@ -54,6 +54,7 @@ Syntax run_syntax() {
            {"--seed", "N", "of everything random; default 1"},
            {"--seeds", "A..B", "the scene once for each of these seeds, one at a time on each processor"},
            {"--jobs", "N", "with --seeds: so many at a time"},
+           {"--lanes", "", "with --seeds: the physics of four seeds in the lanes of one vector; hashes are those of seeds run so"},
            {"--set", "KEY=VALUE", "a setting of the simulator; wins over the scene's own"},
            {"--reference", "",
             "runs the scene again with eight physics steps in one: error of the foot forces "
@@ -286,7 +287,9 @@ std::string with_own_figures(const std::string& report, double force_error, cons
 // Nothing when one seed is run.
 std::optional<SeedsRequest> seeds_of(const Arguments& arguments) {
   if (!arguments.has("--seeds")) {
-    if (arguments.has("--jobs")) throw UsageError("run: --jobs goes with --seeds");
+    for (const char* option : {"--jobs", "--lanes"}) {
+      if (arguments.has(option)) throw UsageError(std::string("run: ") + option + " goes with --seeds");
+    }
     return std::nullopt;
   }
   for (const char* other : {"--seed", "--log", "--reference"}) {
@@ -297,6 +300,7 @@ std::optional<SeedsRequest> seeds_of(const Arguments& arguments) {
   if (!read_seeds(word, request.seeds))
     throw UsageError("run: --seeds wants FIRST..LAST, such as 1..256, at most a million, not '" + word + "'");
   request.jobs = static_cast<int>(arguments.number("--jobs", 0.0, 1.0, 1024.0));
+  request.lanes = arguments.has("--lanes");
   request.talk = true;
   return request;
 }

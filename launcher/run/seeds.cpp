@@ -29,22 +29,61 @@ bool number(const std::string& word, std::uint64_t& value) {
   return error == std::errc() && end == word.data() + word.size() && value <= 1'000'000'000;
 }
 
-SeedResult run_one(const Model& model, const SeedsRequest& request, std::uint64_t seed,
-                   const std::function<SeededRun(std::uint64_t)>& prepare) try {
-  SeedResult result;
-  result.seed = seed;
-  const SeededRun ready = prepare(seed);
-  OneProcess run(model, ready.scene, ready.config);
-  while (run.ticks() < request.ticks && !quit_requested() && run.tick()) run.take_sentences();
-  result.ticks = run.ticks();
-  result.verdict = judge_scene(run, ready.scene.criteria, request.ticks, request.part);
-  result.state_hash = run.state_hash();
-  return result;
-} catch (const std::exception& error) {
-  SeedResult result;
-  result.seed = seed;
-  result.error = error.what();
-  return result;
+// Those from `first` on: one, or as many as step together in lanes.
+std::vector<SeedResult> run_group(const Model& model, const SeedsRequest& request, std::uint64_t first, std::size_t count,
+                                  const std::function<SeededRun(std::uint64_t)>& prepare) {
+  std::vector<SeedResult> results(count);
+  std::vector<SeededRun> ready(count);
+  std::vector<std::unique_ptr<OneProcess>> runs(count);
+  const auto guarded = [&](std::size_t k, const auto& what) {
+    try {
+      return what();
+    } catch (const std::exception& error) {
+      results[k].error = error.what();
+      runs[k].reset();
+      return false;
+    }
+  };
+  std::vector<OneProcess*> going;
+  for (std::size_t k = 0; k < count; ++k) {
+    results[k].seed = first + k;
+    (void)guarded(k, [&] {
+      ready[k] = prepare(first + k);
+      runs[k] = std::make_unique<OneProcess>(model, ready[k].scene, ready[k].config);
+      going.push_back(runs[k].get());
+      return true;
+    });
+  }
+  std::string forbidden;
+  try {
+    if (request.lanes && !going.empty()) OneProcess::share_lanes(going);
+  } catch (const std::exception& error) {
+    forbidden = error.what();
+  }
+  while (!quit_requested() && forbidden.empty()) {
+    going.clear();
+    for (std::size_t k = 0; k < count; ++k) {
+      if (!runs[k] || runs[k]->ticks() >= request.ticks || !guarded(k, [&] { return runs[k]->tick(); })) continue;
+      runs[k]->take_sentences();
+      going.push_back(runs[k].get());
+    }
+    if (going.empty()) break;
+    if (request.lanes) OneProcess::advance_together(going);
+  }
+  for (std::size_t k = 0; k < count; ++k) {
+    if (!runs[k]) continue;
+    if (!forbidden.empty()) {
+      results[k].error = forbidden;
+      continue;
+    }
+    (void)guarded(k, [&] {
+      results[k].ticks = runs[k]->ticks();
+      results[k].verdict = judge_scene(*runs[k], ready[k].scene.criteria, request.ticks, request.part);
+      results[k].state_hash = runs[k]->state_hash();
+      return true;
+    });
+  }
+  return results;
 }
 
 std::string cause_of(const SeedResult& result) {
@@ -68,7 +107,9 @@ std::vector<SeedResult> run_seeds(const Model& model, const SeedsRequest& reques
                                   const std::function<SeededRun(std::uint64_t)>& prepare) {
   const std::uint64_t count = request.seeds.last - request.seeds.first + 1;
   const auto processors = std::max(1U, std::thread::hardware_concurrency());
-  const auto jobs = std::min<std::uint64_t>(count, request.jobs > 0 ? static_cast<std::uint64_t>(request.jobs) : processors);
+  const std::uint64_t group = request.lanes ? SimAdaptor::kMostTogether : 1;
+  const std::uint64_t most = request.jobs > 0 ? static_cast<std::uint64_t>(request.jobs) : processors;
+  const auto jobs = std::min<std::uint64_t>((count + group - 1) / group, most);
   std::vector<SeedResult> results(count);
   std::vector<char> done(count, 0);
   std::atomic<std::uint64_t> next{0}, finished{0};
@@ -76,14 +117,17 @@ std::vector<SeedResult> run_seeds(const Model& model, const SeedsRequest& reques
   std::int64_t shown_ns = monotonic_ns();
   const bool terminal = isatty(STDERR_FILENO) == 1;
   const auto work = [&] {
-    for (std::uint64_t i = next++; i < count && !quit_requested(); i = next++) {
-      results[i] = run_one(model, request, request.seeds.first + i, prepare);
-      done[i] = quit_requested() ? 0 : 1;
-      ++finished;
+    for (std::uint64_t from = next.fetch_add(group); from < count && !quit_requested(); from = next.fetch_add(group)) {
+      const std::uint64_t to = std::min(count, from + group);
+      std::vector<SeedResult> found = run_group(model, request, request.seeds.first + from, to - from, prepare);
+      std::move(found.begin(), found.end(), results.begin() + static_cast<std::ptrdiff_t>(from));
+      for (std::uint64_t i = from; i < to; ++i) done[i] = quit_requested() ? 0 : 1;
+      finished += to - from;
       if (!request.talk) continue;
       const std::scoped_lock lock(output);
-      const std::string cause = cause_of(results[i]);
-      if (!cause.empty() && done[i] != 0) {
+      for (std::uint64_t i = from; i < to; ++i) {
+        const std::string cause = cause_of(results[i]);
+        if (cause.empty() || done[i] == 0) continue;
         if (terminal) std::fprintf(stderr, "\r                    \r");
         std::printf("seed %llu: %s\n", static_cast<unsigned long long>(results[i].seed), cause.c_str());
         std::fflush(stdout);

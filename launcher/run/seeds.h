@@ -38,6 +38,7 @@ struct SeedsRequest {
   std::int64_t ticks = 0;  // of each
   int jobs = 0;            // at a time; 0: one for each processor
   bool part = false;       // of the scene
+  bool lanes = false;      // four together in the lanes of a vector: a seed's state_hash is then that of itself alone with lanes
   bool talk = false;       // progress on a terminal, and a line for each seed that fails
 };
 

@@ -122,6 +122,7 @@ class ArticulatedBody {
     now.velocity = links_.screw(i, TWINBUS_LANE_FIELD(velocity));
     return now;
   }
+  Screw velocity(int link) const noexcept { return links_.screw(link, TWINBUS_LANE_FIELD(velocity)); }  // world axes, about O
   // Of a link's origin, in world.
   double height(int link) const noexcept {
     return state_.origin.z() + *links_.of(link, TWINBUS_LANE_FIELD(origin) + 2);
@@ -146,6 +147,7 @@ class ArticulatedBody {
   }
 
  private:
+  friend class LaneWorlds;
   void add_wrench_to_bias(int link, const Eigen::Vector3d& torque,
                           const Eigen::Vector3d& force) noexcept;
   int deepest_ = 0;

@@ -153,6 +153,7 @@ struct RootFactors {
   // Of link 0's articulated inertia: L, D and 1 / D of its L D L'.
   N root[6][6] = {}, root_d[6] = {}, root_inverse[6] = {};
   N root_bias[6] = {};
+  N wrong = {};  // above 0: an inertia was not positive when it was last factored
 };
 
 // The same numbers, one link at a time.

@@ -22,7 +22,7 @@ inline bool factor_root(RootFactors<N>& state, const Inertia<L>& of_lanes) noexc
   static constexpr int kAt[6][6] = {
       {0}, {1, 3}, {2, 4, 5}, {6, 7, 8, 15}, {9, 10, 11, 16, 18}, {12, 13, 14, 17, 19, 20}};
   const N none = {}, one = broadcast<N>(1.0);
-  N wrong = {};
+  N& wrong = state.wrong = none;
 #pragma GCC unroll 6
   for (int c = 0; c < 6; ++c) {
     N scaled[6];  // of row c, times D

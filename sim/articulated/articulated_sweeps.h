@@ -80,7 +80,10 @@ inline bool fold_inward(BodyLanes<L>& d, RootFactors<N>& state, double h) noexce
   const Folded<L>& own = articulated(d, 0);
   const L* bias = reinterpret_cast<const L*>(&own.bias);
   for (int k = 0; k < 6; ++k) state.root_bias[k] = of_robots<N>(bias[k]);
-  return (!state.floating || factor_root(state, own.inertia)) && !(sum_of_lanes(wrong) > 0.0);
+  state.wrong = N{};
+  const bool sound = !state.floating || factor_root(state, own.inertia);
+  state.wrong += of_robots<N>(wrong);
+  return sound && !(sum_of_lanes(wrong) > 0.0);
 }
 
 template <class L, class N>

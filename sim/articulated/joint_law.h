@@ -86,6 +86,7 @@ class JointLaw {
   double play() const noexcept { return play_; }  // servo side minus link side [rad]
 
  private:
+  friend class LaneWorlds;
   struct Pieces {
     int servo = 0;     // -1, 1: at the limit
     int friction = 0;  // -1, 1: sliding that way

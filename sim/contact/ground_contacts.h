@@ -74,6 +74,7 @@ class GroundContacts {
   }
 
  private:
+  friend class LaneWorlds;
   struct LinkProbe {
     Eigen::Vector3d center;  // link frame
     double radius;

@@ -256,16 +256,34 @@ bool LooseContacts::near(const Piece& a, const Piece& b, double h) const noexcep
   return (a.center - b.center).squaredNorm() < apart * apart;
 }
 
+double LooseContacts::extent(int link) const noexcept {
+  double most = 0.0;
+  for (const Piece& piece : pieces_) {
+    if (piece.system == 0 && piece.link == link) most = std::max(most, piece.in_link.translation().norm() + piece.radius);
+  }
+  return most;
+}
+
+bool LooseContacts::away_from(const Eigen::AlignedBox3d& box, const std::vector<ArticulatedBody*>& systems, double h) noexcept {
+  for (std::size_t i = 0; i < loose_; ++i) {
+    Piece& piece = pieces_[i];
+    place(piece, systems);
+    if (!(box.exteriorDistance(piece.center) > piece.radius + reach_of(piece.speed, h))) return false;
+  }
+  return true;
+}
+
 void LooseContacts::find(const std::vector<ArticulatedBody*>& systems, double h,
-                         std::vector<Contact>& contacts) noexcept {
-  for (std::size_t i = 0; i < moving_; ++i) place(pieces_[i], systems);
+                         std::vector<Contact>& contacts, bool away) noexcept {
+  for (std::size_t i = 0; i < moving_ && !away; ++i) place(pieces_[i], systems);
   Search search{systems, h, contacts};
   if (continuous_) faces_.begin_search();
   for (std::size_t i = 0; i < loose_; ++i) {
     const Piece& own = pieces_[i];
     if (own.center.z() < own.radius + reach_of(own.speed, h)) meet_ground(own, search);
   }
-  find_alone(h);
+  if (away) alone_[0] = 1;
+  else find_alone(h);
   sort_spans(h);
   near_.clear();
   for (const Span& span : spans_) {
@@ -406,11 +424,11 @@ bool LooseContacts::consider(Contact& c, Search& search) noexcept {
   const ArticulatedBody& body = *search.systems[at(c.system)];
   if (c.link < 0) c.link = 0;
   c.r = c.point - body.origin();
-  c.v0 = at_point(body.link(c.link).velocity, c.r);
+  c.v0 = at_point(body.velocity(c.link), c.r);
   const ArticulatedBody* other = c.other_system >= 0 ? search.systems[at(c.other_system)] : nullptr;
   if (other != nullptr) {
     c.other_r = c.point - other->origin();
-    c.v0 -= at_point(other->link(c.other).velocity, c.other_r);
+    c.v0 -= at_point(other->velocity(c.other), c.other_r);
   }
   if (!(c.depth > -reach_of(c.v0.norm(), search.h)) ||
       search.contacts.size() >= search.contacts.capacity()) {

@@ -38,9 +38,11 @@ class LooseContacts {
   bool active() const noexcept { return loose_ > 0 || robots_meet_; }
   bool robots_meet() const noexcept { return robots_meet_; }  // one another or themselves
 
-  // Appends contacts as far as their capacity goes, always in the same order.
-  void find(const std::vector<ArticulatedBody*>& systems, double h,
-            std::vector<Contact>& contacts) noexcept;
+  // Appends contacts as far as their capacity goes, always in the same order.  away: after away_from(), of the loose bodies alone.
+  void find(const std::vector<ArticulatedBody*>& systems, double h, std::vector<Contact>& contacts, bool away = false) noexcept;
+  // Whether no loose body comes near that box in the next h [s].
+  bool away_from(const Eigen::AlignedBox3d& box, const std::vector<ArticulatedBody*>& systems, double h) noexcept;
+  double extent(int link) const noexcept;  // nothing of that link of the robot is further from its origin [m]
   // After the solve of a step h, the systems still as they were at its start.
   void remember(const std::vector<ArticulatedBody*>& systems, const std::vector<Contact>& contacts,
                 double h) noexcept;

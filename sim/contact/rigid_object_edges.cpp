@@ -81,10 +81,10 @@ void LooseContacts::meet_boxes(std::size_t own, std::size_t other, const Eigen::
       static_cast<int>(own) * (static_cast<int>(pieces_.size()) + 1) + static_cast<int>(other) + 1;
   for (int i = 0; i < overlap.count; ++i) {
     found.point = back * overlap.point[at(i)];
-    Eigen::Vector3d v = at_point(body.link(a.link).velocity, found.point - body.origin());
+    Eigen::Vector3d v = at_point(body.velocity(a.link), found.point - body.origin());
     if (b.system >= 0) {
       const ArticulatedBody& against = *search.systems[at(b.system)];
-      v -= at_point(against.link(b.link).velocity, found.point - against.origin());
+      v -= at_point(against.velocity(b.link), found.point - against.origin());
     }
     found.depth = overlap.deep[at(i)] + search.h * found.normal.dot(v);
     found.key = kFirstMeshKey + pair * kMeshKeysPerPair + BoxOverlap::kMost * overlap.axis + i;

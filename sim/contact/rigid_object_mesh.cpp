@@ -114,7 +114,7 @@ Eigen::Isometry3d LooseContacts::end_of(const Piece& piece, const Search& search
   const Eigen::Isometry3d pose = pose_of(piece.rotation, piece.center);
   if (piece.system < 0) return pose;
   const ArticulatedBody& body = *search.systems[at(piece.system)];
-  const Screw& velocity = body.link(piece.link).velocity;
+  const Screw& velocity = body.velocity(piece.link);
   return after(pose, at_point(velocity, piece.center - body.origin()), angular(velocity), search.h);
 }
 
@@ -142,10 +142,10 @@ void LooseContacts::meet_mesh(std::size_t own, int other, Search& search) noexce
     const ManifoldPoint& point = manifold_.point[at(i)];
     found.point = back * point.position;
     found.normal = point.normal;
-    Eigen::Vector3d v = at_point(body.link(a.link).velocity, found.point - body.origin());
+    Eigen::Vector3d v = at_point(body.velocity(a.link), found.point - body.origin());
     if (found.other_system >= 0) {
       const ArticulatedBody& against = *search.systems[at(found.other_system)];
-      v -= at_point(against.link(found.other).velocity, found.point - against.origin());
+      v -= at_point(against.velocity(found.other), found.point - against.origin());
     }
     found.depth = point.depth + search.h * found.normal.dot(v);
     found.material = (point.feature & 3) == CrossingPoint::kVertexA;

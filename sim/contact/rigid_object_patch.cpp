@@ -213,11 +213,11 @@ void LooseContacts::press(const Patch& patch, std::size_t own, int other, bool a
     found.point = back * point.position;
     if (a.ball)
       found.point =
-          point.position - h * at_point(body.link(a.link).velocity, a.center - body.origin());
-    Eigen::Vector3d v = at_point(body.link(a.link).velocity, found.point - body.origin());
+          point.position - h * at_point(body.velocity(a.link), a.center - body.origin());
+    Eigen::Vector3d v = at_point(body.velocity(a.link), found.point - body.origin());
     if (found.other_system >= 0) {
       const ArticulatedBody& against = *search.systems[at(found.other_system)];
-      v -= at_point(against.link(found.other).velocity, found.point - against.origin());
+      v -= at_point(against.velocity(found.other), found.point - against.origin());
     }
     found.depth = point.depth + h * found.normal.dot(v);
     found.key = kFirstMeshKey + pair * kMeshKeysPerPair + i;

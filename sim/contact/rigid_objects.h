@@ -41,6 +41,10 @@ class LooseBodies {
     robots_.find(count() + 1, h, contacts);
     contacts_.find(systems_, h, contacts);
   }
+  // Whether none of them comes near that box, in which the robot is, in the next h [s]; then the contacts they have without it.
+  bool away_from(const Eigen::AlignedBox3d& robot, double h) noexcept { return contacts_.away_from(robot, systems_, h); }
+  void find_alone(double h, std::vector<Contact>& contacts) noexcept { contacts_.find(systems_, h, contacts, true); }
+  double extent(int link) const noexcept { return contacts_.extent(link); }  // nothing of that link of the robot is further from its origin [m]
   // A contact so deep that its bodies may soon be pushed apart the other way.
   bool may_come_through(const Contact& contact, double depth) const noexcept {
     return contacts_.active() && contacts_.may_come_through(contact, depth);

@@ -214,6 +214,31 @@ bool ArticulatedWorld::fly() noexcept {
   return true;
 }
 
+bool ArticulatedWorld::step_loose(const Eigen::AlignedBox3d& robot) noexcept {
+  contacts_.clear();
+  trust_ = {};
+  if (loose_.count() == 0) return true;
+  const double h = config_.step;
+  if (!loose_.away_from(robot, h)) return false;
+  loose_.save();
+  loose_.find_alone(h, contacts_);
+  doubt_depths(h);
+  solve_.fold(contacts_, h);
+  const long unconverged = solve_.counters().unconverged;
+  bool sound = loose_.inward(h);
+  if (sound) {
+    loose_.outward();
+    solve_.solve(contacts_, h);
+    sound = solve_.counters().unconverged == unconverged && loose_.advance(contacts_, h, 1.0);
+  }
+  if (!sound) {
+    loose_.restore();
+    return false;
+  }
+  keep_depths(h);
+  return true;
+}
+
 // Where the contacts do not settle, in ever smaller parts, which grow again behind it.
 bool ArticulatedWorld::advance_settled() noexcept {
   int part = kSettleParts;
@@ -446,11 +471,11 @@ Eigen::Isometry3d ArticulatedWorld::link_in_world(int link) const noexcept {
 
 Eigen::Vector3d ArticulatedWorld::point_velocity(int link,
                                                  const Eigen::Vector3d& point) const noexcept {
-  return at_point(body_.link(link).velocity, point - body_.origin());
+  return at_point(body_.velocity(link), point - body_.origin());
 }
 
 Eigen::Vector3d ArticulatedWorld::angular_velocity(int link) const noexcept {
-  return angular(body_.link(link).velocity);
+  return angular(body_.velocity(link));
 }
 
 Eigen::Vector3d ArticulatedWorld::com() const noexcept { return body_.momentum().com; }

@@ -89,7 +89,12 @@ class ArticulatedWorld final : public World {
   // Steps that an explicit method took.
   long flown() const noexcept { return flown_; }
 
+  // For sim/lanes, which steps the robot: the loose bodies one step on, while all of the robot is in that box and none of them near it.
+  // False: one is, or their contacts do not settle; nothing has changed.
+  [[nodiscard]] bool step_loose(const Eigen::AlignedBox3d& robot) noexcept;
+
  private:
+  friend class LaneWorlds;
   struct Push {
     int link;
     Eigen::Vector3d point, force;

@@ -10,11 +10,11 @@
 #include <memory>
 #include <vector>
 
-#include "sim/world/world.h"
+#include "sim/world/forwarding_world.h"
 
 namespace twinbus {
 
-class TwinnedWorld final : public World {
+class TwinnedWorld final : public ForwardingWorld {
  public:
   static constexpr double kApart = 2.5e-3;  // beyond it a step is doubted [m]
 
@@ -25,32 +25,14 @@ class TwinnedWorld final : public World {
   Status set_servo(int joint, const ServoTarget& target) noexcept override;
   Status push(int link, const Eigen::Vector3d& point, const Eigen::Vector3d& force) noexcept override;
   void set_corner_offset(int sole, int corner, double offset) noexcept override;
-  double corner_offset(int sole, int corner) const noexcept override { return world_->corner_offset(sole, corner); }
   void estimate_contact_forces() noexcept override { world_->estimate_contact_forces(); }
   Status step() noexcept override;
 
-  const Configuration& configuration() const noexcept override { return world_->configuration(); }
-  double encoder(int joint) const noexcept override { return world_->encoder(joint); }
-  double tau(int joint) const noexcept override { return world_->tau(joint); }
-  Eigen::Isometry3d link_in_world(int link) const noexcept override { return world_->link_in_world(link); }
-  Eigen::Vector3d point_velocity(int link, const Eigen::Vector3d& point) const noexcept override {
-    return world_->point_velocity(link, point);
-  }
-  Eigen::Vector3d angular_velocity(int link) const noexcept override { return world_->angular_velocity(link); }
-  double mass() const noexcept override { return world_->mass(); }
-  Eigen::Vector3d com() const noexcept override { return world_->com(); }
-  Eigen::Vector3d com_velocity() const noexcept override { return world_->com_velocity(); }
-  const std::vector<ContactPoint>& contacts() const noexcept override { return world_->contacts(); }
-  int loose_count() const noexcept override { return world_->loose_count(); }
-  LooseState loose(int body) const noexcept override { return world_->loose(body); }
   Status set_loose(int body, const LooseState& state) noexcept override;
-  Eigen::Isometry3d robot_link(int robot, int link) const noexcept override { return world_->robot_link(robot, link); }
   Status hold(int tie, bool holds) noexcept override;
-  double corner_stiffness(int sole) const noexcept override { return world_->corner_stiffness(sole); }
-  double corner_damping(int sole, double force) const noexcept override { return world_->corner_damping(sole, force); }
-  double elastic_energy() const noexcept override { return world_->elastic_energy(); }
 
  private:
+  const World& shown() const noexcept override { return *world_; }
   struct Point {
     Eigen::Vector3d place, velocity;
   };

@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "sim/world/weld.h"
-#include "sim/world/world.h"
+#include "sim/world/forwarding_world.h"
 
 namespace twinbus {
 
-class WeldedWorld final : public World {
+class WeldedWorld final : public ForwardingWorld {
  public:
   // config.held: [joint_count] or empty, config.rigid_robots: [robots] or empty.  The model must outlive this.  Throws
   // std::runtime_error as make_world() does, and for a tie both of whose ends would be on one body.
@@ -34,20 +34,13 @@ class WeldedWorld final : public World {
   Eigen::Isometry3d link_in_world(int link) const noexcept override;
   Eigen::Vector3d point_velocity(int link, const Eigen::Vector3d& point) const noexcept override;
   Eigen::Vector3d angular_velocity(int link) const noexcept override;
-  double mass() const noexcept override { return world_->mass(); }
-  Eigen::Vector3d com() const noexcept override { return world_->com(); }
-  Eigen::Vector3d com_velocity() const noexcept override { return world_->com_velocity(); }
   const std::vector<ContactPoint>& contacts() const noexcept override { return contacts_; }
-  int loose_count() const noexcept override { return world_->loose_count(); }
-  LooseState loose(int body) const noexcept override { return world_->loose(body); }
   Status set_loose(int body, const LooseState& state) noexcept override { return world_->set_loose(body, state); }
   Eigen::Isometry3d robot_link(int robot, int link) const noexcept override;
   Status hold(int tie, bool holds) noexcept override { return world_->hold(tie, holds); }
-  double corner_stiffness(int sole) const noexcept override { return world_->corner_stiffness(sole); }
-  double corner_damping(int sole, double force) const noexcept override { return world_->corner_damping(sole, force); }
-  double elastic_energy() const noexcept override { return world_->elastic_energy(); }
 
  private:
+  const World& shown() const noexcept override { return *world_; }
   void build(const Eigen::VectorXd& q);
   void look() noexcept;  // what the engine's world is now
   TieEnd end_of(TieEnd end, const WeldedModel& welded) const;

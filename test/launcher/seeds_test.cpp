@@ -35,6 +35,7 @@ class SeedsOf : public ::testing::Test {
     request.ticks = ticks;
     request.jobs = jobs;
     request.part = true;
+    request.lanes = lanes_;
     return run_seeds(model_, request, [this](std::uint64_t seed) {
       if (seed == bad_) throw std::runtime_error("tile 12 of seed 13 cannot be laid");
       SeededRun ready{scene_, {}};
@@ -47,6 +48,7 @@ class SeedsOf : public ::testing::Test {
   Scene scene_;
   Model model_;
   std::uint64_t bad_ = 0;
+  bool lanes_ = false;
 };
 
 TEST_F(SeedsOf, ManyAtATimeEachEndAsTheyDoAlone) {
@@ -61,6 +63,23 @@ TEST_F(SeedsOf, ManyAtATimeEachEndAsTheyDoAlone) {
     EXPECT_EQ(together[seed - 1].ticks, 20);
   }
   EXPECT_NE(together[0].state_hash, together[1].state_hash);  // noise of their own
+}
+
+TEST_F(SeedsOf, InLanesEachEndsAsItDoesThereAlone) {
+  lanes_ = true;
+  bad_ = 2;  // its neighbours go on
+  const std::vector<SeedResult> together = run({1, 6}, 1);
+  ASSERT_EQ(together.size(), 6u);
+  EXPECT_FALSE(together[1].error.empty());
+  for (const std::uint64_t seed : {1, 3, 6}) {
+    const std::vector<SeedResult> alone = run({seed, seed}, 1);
+    EXPECT_EQ(together[seed - 1].error, "");
+    EXPECT_EQ(together[seed - 1].ticks, 20);
+    EXPECT_EQ(together[seed - 1].state_hash, alone[0].state_hash);
+  }
+  EXPECT_NE(together[0].state_hash, together[2].state_hash);
+  scene_.settings.emplace_back("solver.order", "2");
+  EXPECT_EQ(run({1, 1}, 1)[0].error, "lanes: solver.order is not 1");
 }
 
 TEST_F(SeedsOf, ASeedThatCannotBeRunIsNamedWithItsCauseAndTheOthersGoOn) {
