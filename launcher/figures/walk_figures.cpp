@@ -29,6 +29,7 @@ double yaw_of(const std::array<double, 4>& q) {
 
 WalkFigures::WalkFigures(const Model& model, const Scene& scene)
     : weight_(std::max(1e-9, kGravity * model.total_mass())),
+      soles_(model.soles[0].link >= 0 || model.soles[1].link >= 0 ? 2 : 0),
       margins_(static_cast<std::size_t>(kHighest - kLowest + 1), 0) {
   for (const TimedWalk& walk : scene.walks) {
     Stretch stretch;
@@ -46,8 +47,8 @@ void WalkFigures::add(const SimTruth& truth, Mode mode, const std::array<double,
   const double yaw = yaw_of(truth.base_attitude);
   if (last_time_ < 0.0) first_ = {x, y};
   const bool walking = mode == Mode::kWalk;
-  bool first_landed = false;
-  for (std::size_t foot = 0; foot < static_cast<std::size_t>(truth.foot_count); ++foot) {
+  bool left_landed = false;
+  for (std::size_t foot = 0; foot < soles_; ++foot) {
     const auto force = static_cast<double>(truth.foot_force[foot][2]);
     const auto at_x = static_cast<double>(truth.foot_position[foot][0]);
     const auto at_y = static_cast<double>(truth.foot_position[foot][1]);
@@ -56,11 +57,11 @@ void WalkFigures::add(const SimTruth& truth, Mode mode, const std::array<double,
     if (force > kLoaded * weight_ && !stance.loaded) {
       stance = {true, at_x, at_y};
       if (walking) ++steps_;
-      first_landed = first_landed || foot == 0;
+      left_landed = left_landed || foot == 0;
     }
     if (stance.loaded)
       slip_max_ = std::max(slip_max_, std::hypot(at_x - stance.x, at_y - stance.y));
-    if (walking && foot < 2 && asked[0] + asked[1] > 0.0) force_square_ += std::pow((force - asked[foot]) / weight_, 2);
+    if (walking) force_square_ += std::pow((force - asked[foot]) / weight_, 2);
   }
   if (walking) {
     ++counted_;
@@ -77,7 +78,7 @@ void WalkFigures::add(const SimTruth& truth, Mode mode, const std::array<double,
       stretch.moved[1] += std::cos(heading) * dy - std::sin(heading) * dx;
       stretch.moved[2] += turned;
       stretch.time += time - last_time_;
-      if (!first_landed) continue;
+      if (!left_landed) continue;
       if (stretch.begun) {
         stretch.whole = stretch.moved;
         stretch.whole_time = stretch.time;

@@ -17,7 +17,7 @@ class WalkFigures {
  public:
   WalkFigures(const Model& model, const Scene& scene);
 
-  // Every tick.  asked: normal forces asked of the soles, zero of a robot without [N]; time: of the scene [s].
+  // Every tick.  asked: normal forces asked of the soles [N]; time: of the scene [s].
   void add(const SimTruth& truth, Mode mode, const std::array<double, 2>& asked, double time);
 
   std::int64_t steps() const { return steps_; }       // feet that landed in mode walk
@@ -34,7 +34,7 @@ class WalkFigures {
     std::array<double, 3> asked{};
     std::array<double, 3> moved{};  // along, to the left [m], turned [rad]
     double time = 0.0;
-    // From one landing of the first foot to another: how the body sways in a step is no error of its velocity.
+    // From one landing of the left foot to another: how the body sways in a step is no error of its velocity.
     std::array<double, 3> whole{};
     double whole_time = 0.0;
     bool begun = false;
@@ -45,7 +45,8 @@ class WalkFigures {
   };
 
   double weight_ = 1.0;
-  std::array<Stance, kMaxFeet> stance_;
+  std::size_t soles_ = 0;  // rows of TRUTH that are soles
+  std::array<Stance, 2> stance_;
   std::vector<Stretch> stretches_;
   std::vector<std::int64_t> margins_;  // how often, by millimetre
   std::int64_t counted_ = 0, steps_ = 0;

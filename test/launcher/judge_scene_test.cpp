@@ -106,7 +106,6 @@ TEST(WalkFigures, AMarginThatNoMillimetresHoldIsTheFirstOrTheLast) {
     WalkFigures figures(model, scene);
     SimTruth truth;
     truth.zmp_margin = margin;
-    truth.foot_count = 2;
     figures.add(truth, Mode::kWalk, {0.0, 0.0}, 0.0);
     return figures.margin_percentile(0.0);
   };

@@ -44,7 +44,7 @@ void put_number(std::vector<std::uint8_t>& bytes, const FieldElement& at, double
 bool is_real(const FieldElement& e) { return e.type == "double" || e.type == "float"; }
 
 TEST(Wire, SizesAreThoseOfTheProtocol) {
-  EXPECT_EQ(Wire<RobotState>::kBytes, 1013);
+  EXPECT_EQ(Wire<RobotState>::kBytes, 1113);
   EXPECT_EQ(Wire<JointCommand>::kBytes, 1200);
   EXPECT_EQ(Wire<StopPlanPiece>::kBytes, 1224);
   EXPECT_EQ(Wire<StopRequest>::kBytes, 34);

@@ -15,6 +15,7 @@
 #include "sim/engine/make_world.h"
 #include "sim/mujoco/find_mujoco.h"
 #include "sim/mujoco/mujoco_library.h"
+#include "sim/world/felt_feet.h"
 #include "sim/world/static_equilibrium.h"
 #include "test_models.h"
 
