@@ -159,7 +159,7 @@ export class Stage {
     }
     setPoints(this.support, fan, 0.003);
     setPoints(this.rim, corners, 0.004);
-    const color = live.margin_mm > 20 ? 0x3ecf8e : live.margin_mm > 5 ? 0xffb020 : 0xff4d4d;
+    const color = live.margin_mm === null ? 0x58c4ff : live.margin_mm > 20 ? 0x3ecf8e : live.margin_mm > 5 ? 0xffb020 : 0xff4d4d;
     this.support.material.color.set(color);
     this.rim.material.color.set(color);
     const known = (p) => p.every((v) => v !== null);
