@@ -68,4 +68,29 @@ double ArticulatedWorld::elastic_energy() const noexcept {
   return energy;
 }
 
+bool ArticulatedWorld::step_loose(const Eigen::AlignedBox3d& robot) noexcept {
+  contacts_.clear();
+  trust_ = {};
+  if (loose_.count() == 0) return true;
+  const double h = config_.step;
+  if (!loose_.away_from(robot, h)) return false;
+  loose_.save();
+  loose_.find_alone(h, contacts_);
+  doubt_depths(h);
+  solve_.fold(contacts_, h);
+  const long unconverged = solve_.counters().unconverged;
+  bool sound = loose_.inward(h);
+  if (sound) {
+    loose_.outward();
+    solve_.solve(contacts_, h);
+    sound = solve_.counters().unconverged == unconverged && loose_.advance(contacts_, h, 1.0);
+  }
+  if (!sound) {
+    loose_.restore();
+    return false;
+  }
+  keep_depths(h);
+  return true;
+}
+
 }  // namespace twinbus

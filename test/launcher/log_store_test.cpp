@@ -40,7 +40,7 @@ TEST(MessageSchema, ReadsTheFieldsThatWereWritten) {
   EXPECT_EQ(number("q[28]"), 0.29);
   EXPECT_EQ(number("attitude[0]"), 1.0);
   EXPECT_EQ(schema->find("q[48]"), -1);
-  EXPECT_EQ(schema->fields.back().name, "wrench[3][5]");
+  EXPECT_EQ(schema->fields.back().name, "wrench[7][5]");
   EXPECT_THROW(parse_schemas("struct x_t { string y; }"), std::runtime_error);
 }
 

@@ -172,7 +172,7 @@ TEST(Scene, ALooseBodyThatATieNamesIsNotCalledLikeALink) {
 
 TEST(Scene, WrongValuesAreRefused) {
   for (const char* text :
-       {"duration: -1\n", "duration: x\n", "base: flying\n", "engine: magic\n", "contact: soft\n",
+       {"duration: -1\n", "duration: x\n", "base: flying\n", "engine: magic\n", "contact: jelly\n",
         "step: 0\n", "obstacles:\n  - {shape: box, size: [1, 1], position: [0, 0, 0]}\n",
         "obstacles:\n  - {shape: box, size: [1, 1, .nan], position: [0, 0, 0]}\n",
         "pushes:\n  - {link: A, impulse: [1, 0, .inf], at: 1}\n", "modes:\n  - {at: 1}\n",

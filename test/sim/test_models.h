@@ -60,7 +60,7 @@ inline Model pendulum(double effort = 1000.0) {
   model.links = {make_link("base", -1, 1.0, {0, 0, 0}, {0.1, 0.1, 0.1}),
                  make_link("arm", 0, 2.0, {0, 0, -0.5}, {0.02, 0.02, 0.01})};
   model.joints = {make_joint("hinge", 0, 1, {0, 0, 2}, {0, 1, 0}, effort)};
-  model.bus_joints = {0};
+  model.bus_joints = model.bus_index = {0};
   return model;
 }
 
@@ -98,6 +98,7 @@ inline Model chain(int n, bool floating) {
     model.joints.push_back(
         make_joint("joint" + std::to_string(i), i - 1, i, {0.3, 0, 0}, axis, 1000.0));
     model.bus_joints.push_back(i - 1);
+    model.bus_index.push_back(i - 1);
   }
   return model;
 }

@@ -23,7 +23,7 @@ STARTED = {"cmake": "cmake", "ctest": "cmake", "ninja": "ninja-build", "c++": "g
            "ccache": "ccache", "lcm-gen": "liblcm-bin", "javac": "default-jdk-headless", "jar": "default-jdk-headless",
            "python3": "python3", "ip": "iproute2"}
 FILES = {"/usr/share/java/lcm.jar": "liblcm-java"}
-CAMPAIGN = ("campaign/", "test/campaign/")  # what it needs is listed for `campaign:` only
+CAMPAIGN = ("campaign/", "test/campaign/", "test/bench/peers/")  # listed for `campaign:` only; peers say what they need
 PEERS = ("test/bench/peers",)  # optional: said when absent
 FACE = ("bridge/adaptors/unitree_dds/",)  # what it needs is listed for `face:` only; types of DDS are made while it is built
 NANOBIND = re.compile(r"nanobind/")  # pip brings it to a wheel (python/pyproject.toml); the module is left out without it
