@@ -31,7 +31,8 @@ Face::Face(const Model& model, const FaceOptions& options)
       every_(std::max<std::int64_t>(1, std::llround(kFramePeriod / model.period()))),
       timeout_ticks_(std::max<std::int64_t>(1, std::llround(model.command_timeout / model.period()))) {
   if (!stands_on_points(model)) return;
-  if (const std::optional<FourLegs> legs = four_legs(model, StandingFeet(model)))
+  const std::optional<PointLegs> legs = point_legs(model, StandingFeet(model));
+  if (legs && legs->size() == 4)
     foot_ = {(*legs)[1].foot, (*legs)[0].foot, (*legs)[3].foot, (*legs)[2].foot};
 }
 

@@ -1,5 +1,5 @@
-// What moves the legs of a robot on its feet and keeps it upright: standing on two feet (balance), walking on them (walk), four
-// point feet (quadruped).  The controller's modes have one that is active, or none.
+// What moves the legs of a robot on its feet and keeps it upright: standing on two feet (balance), walking on them (walk), two or four
+// point feet (point_feet).  The controller's modes have one that is active, or none.
 
 #pragma once
 

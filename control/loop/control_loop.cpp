@@ -259,7 +259,7 @@ bool ControlLoop::Impl::resume() noexcept {
   const auto silent = static_cast<double>(state.tick - state.plan_tick) * model.period();
   if (plan == nullptr || !(silent <= kResumesWithin) || state.stop_kind != StopKind::kNone) return false;
   if (!plan->head.walks) {
-    if (modes.quadruped() != nullptr) {  // its feet are not where it left them
+    if (modes.point_feet() != nullptr) {  // its feet are not where it left them
       have_output = false;
       blend.cancel();
       modes.resume();
@@ -329,7 +329,7 @@ void ControlLoop::Impl::compute(std::int64_t now_ns, double dt, bool same_source
 // A tick that the last source has published already, of another robot.  Steps go on as they are; legs that balance are
 // where they are measured: told to be where the other robot's are, they would pull this one over while its gate fades.
 void ControlLoop::Impl::look_again(std::int64_t now_ns) noexcept {
-  if (modes.walk() != nullptr || modes.quadruped() != nullptr || !have_output || !check.is_sane(state)) return;
+  if (modes.walk() != nullptr || modes.point_feet() != nullptr || !have_output || !check.is_sane(state)) return;
   next_state(std::exchange(looked_run, state.run_id) == state.run_id, true);
   modes.want(now(), mask, 0.0, want);
   blend.apply(want, 0.0);

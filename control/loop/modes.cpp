@@ -35,13 +35,13 @@ Modes::Modes(const Model& model, const BalanceGains& gains, const WalkGains& wal
   for (int j = 0; j < model.joint_count(); ++j) {
     if (model.joints[at(j)].mimic >= 0) followers_.push_back(j);
   }
-  no_walk_ = "this robot cannot walk: it needs a free base, and two six-joint legs with soles or four legs with point feet";
+  no_walk_ = "this robot cannot walk: it needs a free base, and two six-joint legs with soles, or two or four legs with point feet";
   if (Balance::why_not(model) == nullptr) {
     standing_ = (balance_ = std::make_unique<Balance>(model, gains)).get();
-  } else if (why_no_quadruped(model) == nullptr) {
-    quadruped_ = std::make_unique<Quadruped>(model);
-    quadruped_->limit(walking_of(model).fastest);
-    standing_ = walker_ = quadruped_.get();
+  } else if (why_no_point_feet(model) == nullptr) {
+    point_feet_ = std::make_unique<PointFeet>(model);
+    point_feet_->limit(walking_of(model).fastest);
+    standing_ = walker_ = point_feet_.get();
   }
   for (int k = 0; standing_ != nullptr && k < model.bus_count(); ++k) {
     if (standing_->is_leg(model.bus_joints[at(k)])) legs_ |= bit(k);
@@ -127,7 +127,7 @@ void Modes::enter_balance(const Moment& now) noexcept {
   if (!may_balance(now)) {
     sentence_ =
         standing_ == nullptr
-            ? "this robot cannot balance: it needs a free base, and two six-joint legs with soles or four legs with point feet"
+            ? "this robot cannot balance: it needs a free base, and two six-joint legs with soles, or two or four legs with point feet"
             : "balance needs an upright robot with its feet on the ground; holding instead";
     enter_hold(now, false);
     mode_ = Mode::kHold;
@@ -286,7 +286,7 @@ bool Modes::follow_stop(StopKind asked, bool for_switch, bool plan_runs, const M
 PlannedMotion Modes::motion(const JointCommand& command) const noexcept {
   const std::int64_t all = model_.bus_count() >= 63 ? ~std::int64_t{0} : bit(model_.bus_count()) - 1;
   const bool legs_move = active_ != nullptr && active_->moves();
-  const Quadruped* four = quadruped();
+  const PointFeet* points = point_feet();
   const bool moves = legs_move || posture_.moving() || arm_.moving() || motion_.active();
   return {.walk = walk(),
           .posture = motion_.stage() == MotionFollow::Stage::kPlays ? braked_ : posture_,
@@ -295,8 +295,8 @@ PlannedMotion Modes::motion(const JointCommand& command) const noexcept {
           .command = command,
           .joints = all,
           .follow = measured(),
-          .down = four != nullptr && four->stepping() ? &four->stance() : nullptr,
-          .down_torque = four != nullptr ? &four->stance_torque() : nullptr,
+          .down = points != nullptr && points->stepping() ? &points->stance() : nullptr,
+          .down_torque = points != nullptr ? &points->stance_torque() : nullptr,
           .rests = !moves,
           .steered = mode_ != Mode::kIdle && mode_ != Mode::kNone && !bracing_ && !held_by_gate_};
 }

@@ -27,8 +27,8 @@
 #include "control/motion/motion_follow.h"
 #include "control/loop/pose_way.h"
 #include "control/loop/stop_planner.h"
-#include "control/quadruped/quadruped.h"
-#include "control/quadruped/quadruped_body.h"
+#include "control/point_feet/point_feet.h"
+#include "control/point_feet/point_feet_body.h"
 #include "control/walk/walk.h"
 #include "lcmtypes/msg/messages.h"
 #include "lcmtypes/msg/robot_io.h"
@@ -94,7 +94,7 @@ class Modes {
   // What moves the legs, or null; the next two: where it is of that kind.
   const Behavior* behavior() const noexcept { return active_; }
   const Walk* walk() const noexcept { return active_ == walk_.get() ? walk_.get() : nullptr; }
-  const Quadruped* quadruped() const noexcept { return active_ == quadruped_.get() ? quadruped_.get() : nullptr; }
+  const PointFeet* point_feet() const noexcept { return active_ == point_feet_.get() ? point_feet_.get() : nullptr; }
   // What a walk that goes on may be asked for: vx, vy, wz; zero when there is none.
   Eigen::Vector3d most_velocity() const noexcept {
     return walks() ? active_->most_velocity() : Eigen::Vector3d(Eigen::Vector3d::Zero());
@@ -154,9 +154,9 @@ class Modes {
   const Model& model_;
   std::unique_ptr<Balance> balance_;      // null when the robot cannot, as those below
   std::unique_ptr<Walk> walk_;
-  std::unique_ptr<Quadruped> quadruped_;  // of a robot with four legs and point feet
-  Behavior* standing_ = nullptr;          // balance_ or quadruped_
-  Behavior* walker_ = nullptr;            // walk_ or quadruped_
+  std::unique_ptr<PointFeet> point_feet_;  // of a robot on point feet
+  Behavior* standing_ = nullptr;          // balance_ or point_feet_
+  Behavior* walker_ = nullptr;            // walk_ or point_feet_
   Behavior* active_ = nullptr;            // moves the legs; null: nothing does
   std::optional<ModeRequest> after_rest_; // it walks no more: obeyed once it rests
   std::unique_ptr<SquatCheck> squat_;     // as balance_

@@ -7,8 +7,8 @@
 namespace twinbus {
 
 void Modes::walk_steps(const StepList& list) noexcept {
-  if (quadruped_ != nullptr) {
-    sentence_ = "footsteps are for two legs; four are told a velocity";
+  if (point_feet_ != nullptr) {
+    sentence_ = "footsteps are for soles; point feet are told a velocity";
     return;
   }
   if (walk() == nullptr || after_rest_ || stopping_) {

@@ -21,6 +21,8 @@ constexpr double kCommandStride = 0.95;  // of the longest foothold that a comma
 constexpr double kBetween = 0.035;       // between two soles side by side [m]
 constexpr double kSidewaysEase =
     0.5;  // soles are narrow: a change to the side takes twice the time
+constexpr double kUsualWidth = 0.13;  // of a sole; a narrower one holds less of what steps to the side and turns throw about [m]
+constexpr double kMostTurn = 0.65;    // of a step that a command may ask for [rad]
 constexpr double kBent = 0.88, kLeastBent = 0.93;  // hip to ankle, share of the straight leg
 constexpr double kKneeShare = 0.85;  // of its torque that carrying the robot at rest may take
 constexpr double kTurn = 0.6;        // share of a hip's range that a command may use
@@ -157,6 +159,8 @@ Gait gait_of(const Model& model, const Walking& w, double margin) {
   g.most_velocity = {kCommandStride * g.max_forward / period,
                      kCommandStride * 0.5 * (g.max_width - g.width) / period,
                      kTurn * reach.turn / (kOpens * period) * 2.0};
+  g.most_velocity.z() = std::min(g.most_velocity.z(), kMostTurn / period);
+  g.most_velocity.tail<2>() *= std::min(1.0, (inner + outer) / kUsualWidth);
   g.acceleration = g.most_velocity / std::max(0.2, 2.0 * period);
   g.acceleration.y() *= kSidewaysEase;
   if (w.fastest > 0.0) g.most_velocity.x() = std::min(g.most_velocity.x(), w.fastest);

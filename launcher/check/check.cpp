@@ -231,7 +231,7 @@ void print(const Trial& trial) {
                   trial.stood ? "stands only" : "falls", trial.cannot_balance.c_str());
       return;
     }
-    std::printf("does not stand: %s.  Balance wants a free base, and two legs of six joints, each with a sole, or four legs of three%s\n",
+    std::printf("does not stand: %s.  Balance wants a free base, and two legs of six joints, each with a sole, or two or four on point feet%s\n",
                 trial.cannot_balance.c_str(), trial.arm ? ": this is an arm, and arm_hold and arm_reach are its scenes" : "");
     return;
   }

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "control/balance/balance.h"
-#include "control/quadruped/quadruped_body.h"
+#include "control/point_feet/point_feet_body.h"
 #include "launcher/run/judge_scene.h"
 #include "launcher/run/local_stack.h"
 #include "common/math/index.h"
@@ -51,8 +51,8 @@ std::vector<std::string> weak_joints(const Model& model) {
 
 Trial try_to_stand(const Model& model) {
   Trial trial;
-  if (const char* why = Balance::why_not(model); why != nullptr && why_no_quadruped(model) != nullptr)
-    trial.cannot_balance = stands_on_points(model) ? why_no_quadruped(model) : why;
+  if (const char* why = Balance::why_not(model); why != nullptr && why_no_point_feet(model) != nullptr)
+    trial.cannot_balance = stands_on_points(model) ? why_no_point_feet(model) : why;
   trial.free = model.floating_base;
   trial.arm = !model.floating_base &&
               std::any_of(model.hands.begin(), model.hands.end(), [](const Hand& hand) { return hand.link >= 0; });

@@ -10,7 +10,7 @@
 #include "common/math/index.h"
 #include "control/balance/balance.h"
 #include "control/legs/leg_reach.h"
-#include "control/quadruped/trot_gait.h"
+#include "control/point_feet/step_gait.h"
 #include "control/walk/footsteps.h"
 #include "launcher/run/judge_scene.h"
 #include "launcher/run/local_stack.h"
@@ -267,17 +267,17 @@ bool judged(const Search& search, const Found& found, double begin, double speed
   return false;
 }
 
-WalkTrial find_trot(const Model& model, double patience) {
+WalkTrial find_steps(const Model& model, double patience) {
   WalkTrial trial;
   const double begin = cpu_seconds();
-  const QuadrupedBody body(model);
-  const TrotGait gait(body);
+  const PointFeetBody body(model);
+  const StepGait gait(body);
   trial.leg = body.reach;
   Search search(model, patience);
   Found found = largest(search, {}, gait.most_velocity().x(), kShort);
   const double speed = found.speed > 0.0 ? verified(search, {}, found.speed) : 0.0;
-  if (!judged(search, found, begin, speed, "trot", trial)) return trial;
-  trial.trots = true;
+  if (!judged(search, found, begin, speed, body.two() ? "walk" : "trot", trial)) return trial;
+  trial.trots = !body.two();
   trial.fastest = std::floor(1e3 * kShare * speed) / 1e3;
   trial.step = 0.5 * trial.fastest * gait.period();
   GaitChoice choice;
@@ -290,7 +290,7 @@ WalkTrial find_trot(const Model& model, double patience) {
 
 WalkTrial find_walk(const Model& model, double patience) {
   WalkTrial trial;
-  if (why_no_quadruped(model) == nullptr) return find_trot(model, patience);
+  if (why_no_point_feet(model) == nullptr) return find_steps(model, patience);
   if (const char* why = Balance::why_not(model)) {
     trial.why_not = why;
     return trial;

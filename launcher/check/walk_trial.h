@@ -15,7 +15,7 @@ struct WalkTrial {
   double step = 0.0;      // length of a step then [m]
   std::string limit;      // what ends it above that, in words
   std::string walking;    // entries of the map `walking` of robot.yaml that the search found, and `fastest`
-  bool trots = false;     // on four point feet
+  bool trots = false;     // on four point feet; on two, it walks
   int runs = 0;
   double cpu_s = 0.0;     // that all walks took [s]
 };

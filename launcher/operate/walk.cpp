@@ -7,7 +7,7 @@
 #include "common/process/arguments.h"
 #include "common/process/command_word.h"
 #include "common/process/process.h"
-#include "control/quadruped/trot_gait.h"
+#include "control/point_feet/step_gait.h"
 #include "control/walk/listed_steps.h"
 #include "control/walk/walk_gains.h"
 #include "launcher/bus/bus_arguments.h"
@@ -85,8 +85,8 @@ std::string why_it_ended(BusLink& bus, const ModeRequest& request) {
 
 Eigen::Vector3d possible_of(const Model& model, const Eigen::Vector3d& asked) {
   const Walking walking = walking_of(model);
-  if (why_no_quadruped(model) != nullptr) return gait_of(model, walking, WalkGains{}.stabilizer.margin).possible(asked);
-  TrotGait trot{QuadrupedBody(model)};
+  if (why_no_point_feet(model) != nullptr) return gait_of(model, walking, WalkGains{}.stabilizer.margin).possible(asked);
+  StepGait trot{PointFeetBody(model)};
   trot.limit(walking.fastest);
   return trot.possible(asked);
 }

@@ -6,9 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "control/balance/balance.h"
-#include "control/motion/motion_check.h"
-#include "control/quadruped/quadruped_body.h"
+#include "control/point_feet/point_feet_body.h"
 #include "lcmtypes/msg/labels.h"
 
 namespace twinbus {
@@ -16,9 +14,6 @@ namespace twinbus {
 namespace {
 
 constexpr double kDegrees = 57.29577951308232;
-constexpr double kEdgeShare = 0.25;                      // of a sole's length, from its edge
-constexpr double kTrotTilt = 6.0;                        // on four legs, at least [degrees]
-constexpr double kSoleLength = 220.0, kSoleWidth = 130.0;  // on which a margin is asked as the scene says [mm]
 
 std::string sentence(const char* format, double reached, double asked) {
   if (!std::isfinite(reached)) {  // what stands before the number, and why there is none
@@ -138,12 +133,6 @@ std::string doubts_line(const TrustCounts& trust) {
   return line + text;
 }
 
-bool walks(const Scene& scene) {
-  return !scene.walks.empty() || !scene.pads.empty() || !scene.steps.empty() ||
-         std::any_of(scene.modes.begin(), scene.modes.end(),
-                     [](const TimedMode& timed) { return timed.request.mode == Mode::kWalk; });
-}
-
 }  // namespace
 
 RunRequest request_of(const std::string& command, const Arguments& arguments, const Scene& scene) {
@@ -156,80 +145,6 @@ RunRequest request_of(const std::string& command, const Arguments& arguments, co
   if (!engine_of(request.engine, engine))
     throw UsageError(command + ": there is no engine '" + request.engine + "'; use articulated, ode or mujoco");
   return request;
-}
-
-std::string why_not_for(const Scene& scene, const Model& model) {
-  if (walks(scene)) {
-    const char* why = Balance::why_not(model);
-    const bool four = why != nullptr && why_no_quadruped(model) == nullptr;
-    if (why != nullptr && !four)
-      return std::string("it walks, which needs a free base, and two legs of six joints with soles or four legs of three, and ") + why;
-    if (four && !scene.steps.empty()) return "it places the footsteps of two legs, and the robot has four";
-  }
-  for (const TimedGoal& timed : scene.goals) {
-    const bool left = timed.goal.side == ArmSide::kLeft;
-    if (model.hands[left ? 0 : 1].link < 0)
-      return std::string("it reaches with the ") + (left ? "left" : "right") +
-             " hand, and robot.yaml names none (hands)";
-  }
-  const auto unknown = [&](const std::string& joint) { return !joint.empty() && model.find_joint(joint) < 0; };
-  for (const auto& [joint, speed] : scene.start_velocity) {
-    if (unknown(joint)) return "it starts with joint " + joint + " in motion, which the robot does not have";
-  }
-  for (const JointEnd& end : scene.criteria.joints) {
-    if (unknown(end.name)) return "it asks where joint " + end.name + " ends, which the robot does not have";
-  }
-  if (unknown(scene.criteria.swing.joint))
-    return "it asks how joint " + scene.criteria.swing.joint + " swings, which the robot does not have";
-  return "";
-}
-
-void check_motions(const Scene& scene, const Model& model) {
-  for (const TimedMotion& timed : scene.motions) {
-    const MotionVerdict verdict = check_motion(model, clip_of(timed, scene, model), {});
-    if (verdict.passed()) continue;
-    const MotionFault& fault = verdict.faults.front();
-    char text[200];
-    std::snprintf(text, sizeof text, "%s of %.60s is %.4g, and the limit %.4g, at %.3f s", label(fault.kind), fault.what.c_str(),
-                  fault.value, fault.limit, static_cast<double>(std::max<std::int64_t>(0, fault.tick)) * model.period());
-    throw std::runtime_error("scene " + scene.name + ": the motion " + timed.file + " is refused: " + text + "; ./twinbus motion " +
-                             timed.file + " --check lists all");
-  }
-}
-
-void fit_scene(Scene& scene, const Model& model) {
-  resolve_poses(scene, model);
-  scene.criteria = for_robot(scene.criteria, model, walks(scene));
-  check_motions(scene, model);
-  const std::string why = why_not_for(scene, model);
-  if (why.empty()) return;
-  throw std::runtime_error("scene " + scene.name + " does not apply to the robot " + model.name + ": " + why +
-                           "; ./twinbus run --help says how to name another scene");
-}
-
-Criteria for_robot(Criteria criteria, const Model& model, bool walks) {
-  const double asked_min = criteria.zmp_margin_min_mm, asked_p5 = criteria.zmp_margin_p5_mm;
-  if (model.soles[0].link < 0 && model.soles[1].link < 0) {  // nothing stands, so nothing of standing is asked
-    for (double* asked :
-         {&criteria.zmp_margin_min_mm, &criteria.slip_max_mm, &criteria.sole_tilt_max_deg, &criteria.zmp_margin_p5_mm,
-          &criteria.step_slip_max_mm, &criteria.force_rms_percent})
-      *asked = std::nan("");
-    if (!model.floating_base) criteria.velocity_error_percent = std::nan("");
-    // The trunk of a trotting robot rolls about the line of the two feet that stand.
-    if (model.floating_base && walks && criteria.max_tilt_deg < kTrotTilt) criteria.max_tilt_deg = kTrotTilt;
-  }
-  for (const Sole& sole : model.soles) {
-    if (sole.link < 0) continue;
-    const double length = 1e3 * (sole.front + sole.back), width = 1e3 * (sole.left + sole.right);
-    // On one foot: soles that are narrower than those the scenes are written for are asked for as much less.
-    const double share = std::min({1.0, width / kSoleWidth, length / kSoleLength});
-    if (!std::isnan(criteria.zmp_margin_min_mm)) {
-      criteria.zmp_margin_min_mm = std::min(criteria.zmp_margin_min_mm, kEdgeShare * length);
-      if (walks) criteria.zmp_margin_min_mm = std::min(criteria.zmp_margin_min_mm, share * asked_min);
-    }
-    if (!std::isnan(criteria.zmp_margin_p5_mm)) criteria.zmp_margin_p5_mm = std::min(criteria.zmp_margin_p5_mm, share * asked_p5);
-  }
-  return criteria;
 }
 
 namespace {
@@ -374,7 +289,7 @@ std::string scene_figures(const OneProcess& run, const Criteria& asked) {
   const bool feet = run.model().soles[0].link >= 0 || run.model().soles[1].link >= 0;
   if (!feet)
     std::snprintf(text, sizeof text, "tilt %.2f degrees, %s\n", kDegrees * f.max_tilt,
-                  why_no_quadruped(run.model()) == nullptr ? "on four point feet: nothing is asked of soles" : "no feet");
+                  why_no_point_feet(run.model()) == nullptr ? "on point feet: nothing is asked of soles" : "no feet");
   else
     std::snprintf(text, sizeof text,
                 "tilt %.2f degrees, ZMP margin %.1f mm, slip %.2f mm, penetration %.2f mm, sole "

@@ -9,29 +9,32 @@ namespace twinbus {
 
 namespace {
 constexpr std::size_t kLeastJoints = 3;
+constexpr std::size_t kMostOfTwo = 4;  // of two legs: more joints turn a foot, which then is a sole
 }  // namespace
 
 bool stands_on_points(const Model& model) noexcept {
   return model.floating_base && model.soles[0].link < 0 && model.soles[1].link < 0;
 }
 
-std::optional<FourLegs> four_legs(const Model& model, const StandingFeet& feet, const char** why) {
+std::optional<PointLegs> point_legs(const Model& model, const StandingFeet& feet, const char** why) {
   const auto refuse = [&](const char* sentence) {
     if (why != nullptr) *why = sentence;
     return std::nullopt;
   };
   if (!model.floating_base) return refuse("its base is fixed");
-  if (feet.count() != 4) return refuse("it has neither two soles nor four feet");
-  std::vector<PointLeg> legs;
+  if (feet.count() != 2 && feet.count() != 4) return refuse("it has neither two soles nor two or four point feet");
+  PointLegs legs;
   std::vector<bool> used(model.joints.size(), false);
-  for (int foot = 0; foot < 4; ++foot) {
+  for (int foot = 0; foot < feet.count(); ++foot) {
     PointLeg leg{foot, feet.link(foot), {}};
     for (const int joint : feet.chain(foot)) {
-      if (used[at(joint)]) return refuse("its four feet do not each hang on the base by joints of their own");
+      if (used[at(joint)]) return refuse("its feet do not each hang on the base by joints of their own");
       used[at(joint)] = true;
       if (model.bus_index[at(joint)] >= 0) leg.joints.insert(leg.joints.begin(), joint);
     }
     if (leg.joints.size() < kLeastJoints) return refuse("a leg has fewer than three joints that are driven");
+    if (feet.count() == 2 && leg.joints.size() > kMostOfTwo)
+      return refuse("its two legs can turn their feet, and robot.yaml names no soles");
     legs.push_back(leg);
   }
   Configuration c(model);
@@ -40,14 +43,16 @@ std::optional<FourLegs> four_legs(const Model& model, const StandingFeet& feet, 
   k.update(c);
   const auto root = [&](const PointLeg& leg) { return k.link_in_world(leg.joints.front() + 1).translation(); };
   const auto side = [&](const PointLeg& leg) { return k.link_in_world(leg.link).translation().y(); };
-  std::sort(legs.begin(), legs.end(), [&](const PointLeg& a, const PointLeg& b) { return root(a).x() > root(b).x(); });
-  for (const std::size_t pair : {std::size_t{0}, std::size_t{2}}) {
+  const bool four = legs.size() == 4;
+  if (four) std::sort(legs.begin(), legs.end(), [&](const PointLeg& a, const PointLeg& b) { return root(a).x() > root(b).x(); });
+  for (std::size_t pair = 0; pair < legs.size(); pair += 2) {
     if (side(legs[pair]) < side(legs[pair + 1])) std::swap(legs[pair], legs[pair + 1]);
     if (!(side(legs[pair]) > side(legs[pair + 1]))) return refuse("its feet are not left and right of each other");
   }
-  if (!(root(legs[1]).x() > root(legs[2]).x() && root(legs[1]).x() > root(legs[3]).x() && root(legs[0]).x() > root(legs[2]).x()))
+  const auto before = [&](std::size_t a, std::size_t b) { return root(legs[a]).x() > root(legs[b]).x(); };
+  if (four && !(before(1, 2) && before(1, 3) && before(0, 2)))
     return refuse("its legs are not two before and two behind");
-  return FourLegs{legs[0], legs[1], legs[2], legs[3]};
+  return legs;
 }
 
 double leg_length(const Model& model, const PointLeg& leg, const StandingFeet& feet) {

@@ -231,7 +231,7 @@ std::vector<Suspicion> find_missing(const Model& model) {
     missing.push_back({about, what, remedy});
   };
   if (model.yaml_text.empty()) add("robot.yaml", "is not there", "take the proposal below");
-  const bool four = stands_on_points(model) && four_legs(model, StandingFeet(model)).has_value();
+  const bool four = stands_on_points(model) && point_legs(model, StandingFeet(model)).has_value();
   if (model.floating_base && !four && (model.soles[0].link < 0 || model.soles[1].link < 0)) {
     add("robot.yaml", "says no soles: the robot cannot balance, nor can its base be estimated",
         "add soles");

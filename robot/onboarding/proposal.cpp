@@ -8,7 +8,7 @@
 #include "robot/dynamics/inverse_dynamics.h"
 #include "common/math/index.h"
 #include "robot/kinematics/kinematics.h"
-#include "robot/onboarding/four_legged.h"
+#include "robot/onboarding/point_legged.h"
 #include "robot/onboarding/known_srdf.h"
 #include "robot/onboarding/rest_pairs.h"
 #include "common/math/pose_math.h"
@@ -25,8 +25,8 @@ constexpr double kLegStiffness = 15.6;    // [1/rad], times weight times height 
 // Of a leg joint [s], times its stiffness.  Without a rotor a foot is so light that noise of the velocity, times more than
 // the smaller one, shakes it.
 constexpr double kLegDamping = 0.02, kLightDamping = 0.007;
-// Of a leg of four, which holds a share of the weight on a point.
-constexpr double kFourLegStiffness = 3.0;
+// Of a leg on a point.
+constexpr double kPointLegStiffness = 3.0;
 constexpr double kLegsApart = 0.02;  // in half_sitting, at least [m]
 constexpr double kSoleStiffness = 1.0e6;  // [N/m]
 constexpr double kSoleDamping = 2.0e3;    // [N s/m]
@@ -83,8 +83,8 @@ std::string disabled(const Model& model, const RestPair& pair) {
 class Writer {
  public:
   Writer(const Model& model, const Anatomy& anatomy, const KnownSrdf& known, const ProposalSource& source,
-         const std::optional<FourLegs>& four)
-      : model_(model), anatomy_(anatomy), known_(known), source_(source), four_(four) {
+         const std::optional<PointLegs>& points)
+      : model_(model), anatomy_(anatomy), known_(known), source_(source), points_(points) {
     model_.soles = anatomy.soles;
     for (const auto& [a, b] : known.disabled) {
       const int link_a = link_of(a);
@@ -182,7 +182,7 @@ class Writer {
 
  private:
   bool has_soles() const { return model_.soles[0].link >= 0; }
-  bool floating() const { return source_.floating.value_or(has_soles() || four_.has_value()); }
+  bool floating() const { return source_.floating.value_or(has_soles() || points_.has_value()); }
 
   int link_of(const std::string& frame_name) const {
     for (const Frame& frame : model_.frames) {
@@ -204,9 +204,9 @@ class Writer {
 
   // half_sitting of the SRDF that was there, if the robot stands in it; else one that is computed.
   void choose_posture() {
-    if (four_) {
-      if (!find_four_legged_posture(model_, *four_, posture_))
-        doubts_.emplace_back("no posture with four feet below a level trunk was found: half_sitting is the zero posture; look at the limits of the leg joints");
+    if (points_) {
+      if (!find_point_legged_posture(model_, *points_, posture_))
+        doubts_.emplace_back("no posture with its feet below a level trunk was found: half_sitting is the zero posture; look at the limits of the leg joints");
       return;
     }
     for (const NamedPose& pose : known_.poses) {
@@ -341,8 +341,8 @@ class Writer {
                      anatomy_.leg_joints.end();
     double kp = std::max(kArmStiffness * moment, kLeastStiffness);
     double kd = 1.4 * std::sqrt(kp * inertia);
-    if (leg && four_) {
-      kp = kFourLegStiffness * model_.total_mass() * kGravity * four_legged_height();
+    if (leg && points_) {
+      kp = kPointLegStiffness * model_.total_mass() * kGravity * point_legged_height();
       kd = std::min(1.4 * std::sqrt(kp * inertia), kLegDamping * kp);
     } else if (leg || hands == 2) {
       kp = kLegStiffness * model_.total_mass() * kGravity * std::max(anatomy_.hip_height, 0.1);
@@ -363,7 +363,7 @@ class Writer {
   }
 
   // Of the joints that swing the legs, above the feet [m].
-  double four_legged_height() const {
+  double point_legged_height() const {
     Configuration c(model_);
     c.q = posture_;
     Kinematics k(model_);
@@ -371,8 +371,9 @@ class Writer {
     StandingFeet feet(model_);
     feet.place(k, Eigen::Matrix3d::Identity());
     double height = 0.0;
-    for (const PointLeg& leg : *four_) {
-      height += 0.25 * (k.link_in_world(leg.joints[1] + 1).translation() - feet.point(leg.foot)).z();
+    for (const PointLeg& leg : *points_) {
+      const double above = (k.link_in_world(leg.joints[1] + 1).translation() - feet.point(leg.foot)).z();
+      height += above / static_cast<double>(points_->size());
     }
     return std::max(height, 0.05);
   }
@@ -381,7 +382,7 @@ class Writer {
   const Anatomy& anatomy_;
   const KnownSrdf& known_;
   const ProposalSource& source_;
-  std::optional<FourLegs> four_;
+  std::optional<PointLegs> points_;
   std::vector<std::string> doubts_;
   Eigen::VectorXd posture_;
   std::vector<int> fingers_;  // joints behind the hands
@@ -393,8 +394,8 @@ class Writer {
 Proposal propose(const Model& model, const ProposalSource& source) {
   const KnownSrdf known = fit_srdf(model, source.srdf_text, source.srdf_file, source.srdf_origin);
   Anatomy anatomy = find_anatomy(model, known.feet);
-  const std::optional<FourLegs> four = find_four_legs(model, anatomy);
-  Writer writer(model, anatomy, known, source, four);
+  const std::optional<PointLegs> points = find_point_legs(model, anatomy);
+  Writer writer(model, anatomy, known, source, points);
   Proposal proposal;
   proposal.doubts = source.notes;
   proposal.doubts.insert(proposal.doubts.end(), anatomy.doubts.begin(), anatomy.doubts.end());

@@ -8,6 +8,7 @@
 #include "robot/onboarding/anatomy.h"
 #include "common/math/index.h"
 #include "robot/kinematics/inverse_kinematics.h"
+#include "robot/dynamics/inverse_dynamics.h"
 #include "robot/kinematics/kinematics.h"
 
 namespace twinbus {
@@ -17,14 +18,21 @@ namespace {
 // Of the length of the leg that the hips go down; less where the joints do not allow more.
 constexpr double kDrops[] = {0.06, 0.04, 0.025, 0.015, 0.008, 0.005, 0.003, 0.002, 0.001};
 constexpr int kPostureRounds = 60;
+constexpr double kKneeShare = 0.75;  // of its torque that carrying the robot on one leg may take
 constexpr double kBetweenSoles = 0.05;  // at least: feet that all but touch cannot be lifted past each other [m]
+
+// Those of a leg that turn about y, from the foot up.
+std::vector<int> pitch_joints(const Model& model, const Kinematics& k, int foot_link) {
+  std::vector<int> pitch;
+  for (int link = foot_link; link > 0; link = model.links[at(link)].parent) {
+    if (std::abs(k.axis_in_world(link - 1).y()) > 0.7) pitch.push_back(link - 1);
+  }
+  return pitch;
+}
 
 // Knees forward: the joints of a leg that turn about y are bent like hip, knee and ankle.
 void bend(const Model& model, const Kinematics& k, int foot, Eigen::VectorXd& q) {
-  std::vector<int> pitch;
-  for (int link = model.soles[at(foot)].link; link > 0; link = model.links[at(link)].parent) {
-    if (std::abs(k.axis_in_world(link - 1).y()) > 0.7) pitch.push_back(link - 1);
-  }
+  const std::vector<int> pitch = pitch_joints(model, k, model.soles[at(foot)].link);
   if (pitch.size() != 3) return;
   const double angle[3] = {-0.35, 0.7, -0.35};  // ankle, knee, hip
   for (std::size_t i = 0; i < 3; ++i) {
@@ -32,6 +40,17 @@ void bend(const Model& model, const Kinematics& k, int foot, Eigen::VectorXd& q)
     const double sign = k.axis_in_world(pitch[i]).y() > 0.0 ? 1.0 : -1.0;
     q[pitch[i]] = std::clamp(sign * angle[i], joint.lower, joint.upper);
   }
+}
+
+// Whether each knee, the middle one of three joints that turn about y, carries the robot when the weight is on its leg alone.
+bool knees_carry(const Model& model, const Kinematics& k) {
+  for (const Sole& sole : model.soles) {
+    const std::vector<int> pitch = pitch_joints(model, k, sole.link);
+    if (pitch.size() != 3) continue;
+    const double lever = (k.link_in_world(pitch[1] + 1).translation() - k.com()).x();
+    if (std::abs(lever) * model.total_mass() * kGravity > kKneeShare * model.joints[at(pitch[1])].effort) return false;
+  }
+  return true;
 }
 
 // Both soles flat at `target` (base's frame) and the centre of mass above their middle.
@@ -81,6 +100,7 @@ bool find_standing_posture(const Model& model, Eigen::VectorXd& q) {
   for (int foot = 0; foot < 2; ++foot) {
     legs.emplace_back(model, 0, model.soles[at(foot)].link, model.soles[at(foot)].frame);
   }
+  bool found = false;
   for (const double drop : kDrops) {
     for (Eigen::Isometry3d& sole : target) {
       sole.linear().setIdentity();
@@ -88,10 +108,13 @@ bool find_standing_posture(const Model& model, Eigen::VectorXd& q) {
     }
     c.q = bent;
     if (!put(model, legs, target, k, c)) continue;
+    if (!found) q = c.q;
+    found = true;
+    if (!knees_carry(model, k)) continue;
     q = c.q;
     return true;
   }
-  return false;
+  return found;
 }
 
 }  // namespace twinbus

@@ -1,6 +1,7 @@
 #include "sim/scene/scene_scale.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 
@@ -15,10 +16,44 @@ namespace twinbus {
 namespace {
 
 constexpr double kOfFastest = 0.9;
+constexpr double kNearHand = 0.1;      // before the centre of mass, in legs: nearer is as good as there
 constexpr double kBetweenSoles = 0.05;  // side by side, at least [m]
 
 double sole_length(const Model& model) {
   return std::min(model.soles[0].front + model.soles[0].back, model.soles[1].front + model.soles[1].back);
+}
+
+double sole_width(const Model& model) {
+  return std::min(model.soles[0].left + model.soles[0].right, model.soles[1].left + model.soles[1].right);
+}
+
+Kinematics half_sitting(const Model& model) {
+  Configuration c(model);
+  const int pose = model.find_pose("half_sitting");
+  for (int j = 0; pose >= 0 && j < model.joint_count(); ++j) c.q[j] = model.poses[at(pose)].q[at(j)];
+  Kinematics k(model);
+  k.update(c);
+  return k;
+}
+
+// How far a hand is held before the centre of mass, or behind, in legs.
+double held_out(const Model& model, const std::string& hand) {
+  const Kinematics k = half_sitting(model);
+  const Hand& held = model.hands[hand == "left_hand" ? 0 : 1];
+  if (held.link < 0) return kNearHand;
+  const Eigen::Vector3d from_com = k.link_in_world(held.link) * held.frame.translation() - k.com();
+  return std::max(kNearHand, std::abs(from_com.x()) / leg_length_of(model));
+}
+
+// From the middle between the soles to the outer edge of one, in half_sitting [m].
+double half_stance(const Model& model) {
+  const Kinematics k = half_sitting(model);
+  std::array<double, 2> edge{};
+  for (std::size_t f = 0; f < 2; ++f) {
+    const Sole& sole = model.soles[f];
+    edge[f] = (k.link_in_world(sole.link) * sole.frame * Eigen::Vector3d(0.0, f == 0 ? sole.left : -sole.right, 0.0)).y();
+  }
+  return 0.5 * (edge[0] - edge[1]);
 }
 
 void scale_steps(Scene& scene, const Model& model, double length) {
@@ -37,7 +72,7 @@ void scale_steps(Scene& scene, const Model& model, double length) {
 double leg_length_of(const Model& model) {
   if (stands_on_points(model)) {
     const StandingFeet feet(model);
-    const std::optional<FourLegs> legs = four_legs(model, feet);
+    const std::optional<PointLegs> legs = point_legs(model, feet);
     return legs ? leg_length(model, legs->front(), feet) : 0.0;
   }
   if (model.soles[0].link < 0 || model.soles[1].link < 0) return 0.0;
@@ -60,28 +95,35 @@ void scale_between(Scene& scene, const Model& own, const Model& model) {
   const double fastest = walking_of(model).fastest;
   if (fastest > 0.0 && most > 0.0) speed = std::min(speed, kOfFastest * fastest / most);
   const double mass = std::min(1.0, model.total_mass() / own.total_mass());
-  double support = std::min(1.0, std::sqrt(length));  // four feet stand farther apart than soles are long
-  if (!stands_on_points(model)) support = std::min(support, sole_length(model) / sole_length(own) / std::sqrt(length));
+  const double falls = std::min(1.0, std::sqrt(length));  // four feet stand farther apart than soles are long
+  Eigen::Vector3d support(falls, falls, falls);           // forward, sideways, up
+  if (!stands_on_points(model)) {
+    support.x() = std::min(falls, sole_length(model) / sole_length(own) * std::sqrt(l0 / l));
+    support.y() = std::min(support.x(), half_stance(model) / half_stance(own) * std::sqrt(l0 / l));
+  }
+  const double aside = stands_on_points(model) ? speed : speed * std::min(1.0, sole_width(model) / sole_width(own));
   for (TimedWalk& walk : scene.walks) {
     walk.command.vx *= static_cast<float>(speed);
-    walk.command.vy *= static_cast<float>(speed);
-    walk.command.wz *= static_cast<float>(speed);
+    walk.command.vy *= static_cast<float>(aside);
+    walk.command.wz *= static_cast<float>(aside);
   }
   scale_steps(scene, model, length);
   scene.criteria.travel_min_m *= scene.steps.empty() ? speed : length;
   scene.terrain.height *= length;
-  for (Push& push : scene.pushes) push.impulse *= mass * support;
-  for (double* velocity : {&scene.push_round.forward, &scene.push_round.back, &scene.push_round.sideways}) *velocity *= support;
+  for (Push& push : scene.pushes) push.impulse = mass * push.impulse.cwiseProduct(support);
+  for (double* velocity : {&scene.push_round.forward, &scene.push_round.back}) *velocity *= support.x();
+  scene.push_round.sideways *= support.y();
   for (BodyChange& body : scene.bodies) {
     body.mass *= mass;
+    if (body.link == "left_hand" || body.link == "right_hand") body.mass *= std::min(1.0, held_out(own, body.link) / held_out(model, body.link));
     body.at *= length;
   }
   const bool asked = !scene.walks.empty() || !scene.steps.empty() || !scene.pushes.empty() || !scene.bodies.empty() ||
                      scene.push_round.count > 0 || scene.terrain.length > 0.0;
   if (!asked) return;
-  char text[200];
-  std::snprintf(text, sizeof text, "for a leg of %.2f m, not %.2f, and %.0f kg, not %.0f: speeds x%.2f, lengths x%.2f, impulses x%.2f",
-                l, l0, model.total_mass(), own.total_mass(), speed, length, mass * support);
+  char text[240];
+  std::snprintf(text, sizeof text, "for a leg of %.2f m, not %.2f, and %.0f kg, not %.0f: speeds x%.2f (to the side and turning x%.2f), lengths x%.2f, impulses x%.2f, to the side x%.2f",
+                l, l0, model.total_mass(), own.total_mass(), speed, aside, length, mass * support.x(), mass * support.y());
   scene.scaled = text;
 }
 

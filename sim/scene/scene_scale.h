@@ -1,12 +1,15 @@
 // Scenes are written for a robot of a certain size; another one that was proposed by `check` gets them in its own measure.
 //
-//     speeds    sqrt(l / l0), and at most kOfFastest of what its robot.yaml says it walks (walking.fastest)
+//     speeds    sqrt(l / l0), and at most kOfFastest of what its robot.yaml says it walks (walking.fastest); those to the side and of
+//               turning times w / w0 too, for the edges of narrow soles are near
 //     steps     l / l0
 //     heights   l / l0
 //     impulses  m / m0 times the smaller of sqrt(l / l0) and a / a0 sqrt(l0 / l)
-//     masses    m / m0
+//               to the side that, or with b for a, if that is less
+//     masses    m / m0, in a hand that is held farther before the robot as much less as its moment is more
 //
-// l: hip to ground, m: mass, a: length of a sole, index 0: of the robot that the scene names.  Nothing grows.
+// l: hip to ground, m: mass, a: length of a sole, w: its width, b: from between the feet to an outer edge in half_sitting, index 0: of the robot
+// that the scene names.  Nothing grows.
 
 #pragma once
 

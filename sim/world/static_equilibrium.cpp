@@ -115,34 +115,53 @@ Eigen::VectorXd static_torques(const Model& model, const Kinematics& kinematics,
   return tau;
 }
 
+// Turns the base so that the points, columns, are on one level; two: the centre of mass above the line between them too.
+void level_points(const Eigen::Matrix3Xd& point, const Eigen::Vector3d& com, Eigen::Isometry3d& base) {
+  const Eigen::Vector3d middle = point.rowwise().mean();
+  Eigen::Vector3d up = com - middle;
+  if (point.cols() == 2) {
+    const Eigen::Vector3d along = (point.col(0) - point.col(1)).normalized();
+    up -= along * along.dot(up);
+  } else {
+    const Eigen::Matrix3d spread = (point.colwise() - middle) * (point.colwise() - middle).transpose();
+    up = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors().col(0);
+  }
+  if (up.z() < 0.0) up = -up;
+  base.prerotate(Eigen::Quaterniond::FromTwoVectors(up, Eigen::Vector3d::UnitZ()));
+}
+
 // Of a robot that stands on points: they come to lie on the ground, as deep as their share of the weight presses them in, their
-// middle at the origin.  Normal forces are the smallest that carry the weight; empty when it stands on fewer than three, or the
+// middle at the origin.  Normal forces are the smallest that carry the weight; empty when it stands on fewer than two, or the
 // centre of mass is not above them.
 std::vector<PointLoad> place_on_points(const Model& model, double weight, Kinematics& kinematics, Configuration& configuration) {
   StandingFeet feet(model);
   const auto count = static_cast<Eigen::Index>(feet.count());
-  if (count < 3) return {};
+  if (count < 2) return {};
   configuration.base = Eigen::Isometry3d::Identity();
-  Eigen::Matrix<double, 3, Eigen::Dynamic> point(3, count);
+  Eigen::Matrix3Xd point(3, count);
   for (int pass = 0; pass < 5; ++pass) {  // a ball that turns touches elsewhere
     kinematics.update(configuration);
     feet.place(kinematics, Eigen::Matrix3d::Identity());
     for (Eigen::Index i = 0; i < count; ++i) point.col(i) = feet.point(static_cast<int>(i));
-    const Eigen::Vector3d middle = point.rowwise().mean();
-    const Eigen::Matrix3d spread = (point.colwise() - middle) * (point.colwise() - middle).transpose();
-    Eigen::Vector3d up = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors().col(0);
-    if (up.z() < 0.0) up = -up;
-    configuration.base.prerotate(Eigen::Quaterniond::FromTwoVectors(up, Eigen::Vector3d::UnitZ()));
+    level_points(point, kinematics.com(), configuration.base);
   }
   kinematics.update(configuration);
   feet.place(kinematics, Eigen::Matrix3d::Identity());
   for (Eigen::Index i = 0; i < count; ++i) point.col(i) = feet.point(static_cast<int>(i));
   const Eigen::Vector3d middle = point.rowwise().mean();
-  Eigen::Matrix<double, 3, Eigen::Dynamic> arm(3, count);
+  Eigen::MatrixXd arm(count == 2 ? 2 : 3, count);
   const Eigen::Vector3d com = kinematics.com();
-  for (Eigen::Index i = 0; i < count; ++i) arm.col(i) << 1.0, point(0, i) - com.x(), point(1, i) - com.y();
-  const Eigen::Matrix3d square = arm * arm.transpose();
-  const Eigen::VectorXd normal = arm.transpose() * square.ldlt().solve(Eigen::Vector3d(weight, 0.0, 0.0));
+  const Eigen::Vector2d along = (point.col(0) - point.col(1)).head<2>();
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Eigen::Vector2d from_com = (point.col(i) - com).head<2>();
+    if (count == 2) {
+      arm.col(i) << 1.0, along.dot(from_com);
+    } else {
+      arm.col(i) << 1.0, from_com.x(), from_com.y();
+    }
+  }
+  const Eigen::MatrixXd square = arm * arm.transpose();
+  const Eigen::VectorXd normal = arm.transpose() * square.ldlt().solve(weight * Eigen::VectorXd::Unit(arm.rows(), 0));
   const double depth = weight / (static_cast<double>(count) * kLinkStiffness);
   configuration.base.pretranslate(Eigen::Vector3d(-middle.x(), -middle.y(), -middle.z() - depth));
   kinematics.update(configuration);

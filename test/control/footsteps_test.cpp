@@ -45,6 +45,15 @@ TEST(Footsteps, TheMiddleBetweenTheFeetMovesAtTheVelocity) {
   EXPECT_NEAR(gone({0.0, 0.0, 0.2}).z(), 0.2, 1e-9);
 }
 
+TEST(Footsteps, NarrowSolesAreAskedToStepAsideAndTurnSlower) {
+  Model narrow = test::hrp1s();
+  for (Sole& sole : narrow.soles) sole.left = sole.right = 0.035;
+  const Gait slow = gait_of(narrow, walking_of(narrow), 0.01), usual = gait();
+  EXPECT_NEAR(slow.most_velocity.z(), usual.most_velocity.z() * 0.07 / 0.13, 1e-9);
+  EXPECT_LT(slow.acceleration.y(), 0.8 * usual.acceleration.y());
+  EXPECT_GT(slow.most_velocity.x(), 0.9 * usual.most_velocity.x());
+}
+
 TEST(Footsteps, SolesNeverComeNearerThanTheyMay) {
   const Gait g = gait();
   for (const double vy : {-0.2, 0.0, 0.2}) {

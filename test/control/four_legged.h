@@ -1,4 +1,4 @@
-// A four-legged robot made of boxes and balls, in any size, proposed and loaded as a stranger's is.
+// A robot on four or two point feet made of boxes and balls, in any size, proposed and loaded as a stranger's is.
 
 #pragma once
 
@@ -16,7 +16,7 @@
 namespace twinbus::test {
 
 // size: 1 is 0.2 m of thigh and shank and 12 kg.
-inline std::string four_legged_urdf(double size) {
+inline std::string point_legged_urdf(double size, int legs) {
   const double mass = size * size * size;
   char text[1600];
   std::string urdf = "<robot name=\"four\">\n";
@@ -48,7 +48,9 @@ inline std::string four_legged_urdf(double size) {
     urdf += text;
   };
   link("trunk", 6.0, {0, 0, 0}, {0.4, 0.2, 0.1}, 0.0);
-  for (const auto& [name, x, y] : {std::tuple{"fl", 1.0, 1.0}, {"fr", 1.0, -1.0}, {"hl", -1.0, 1.0}, {"hr", -1.0, -1.0}}) {
+  const std::vector<std::tuple<const char*, double, double>> four{{"fl", 1.0, 1.0}, {"fr", 1.0, -1.0}, {"hl", -1.0, 1.0}, {"hr", -1.0, -1.0}};
+  const std::vector<std::tuple<const char*, double, double>> two{{"left", 0.0, 1.0}, {"right", 0.0, -1.0}};
+  for (const auto& [name, x, y] : legs == 4 ? four : two) {
     const std::string n = name;
     link(n + "_hip", 0.5, {0, 0.02 * y, 0}, {0.06, 0.05, 0.06}, 0.0);
     link(n + "_thigh", 0.8, {0, 0, -0.06}, {0.04, 0.03, 0.14}, 0.0);
@@ -61,13 +63,13 @@ inline std::string four_legged_urdf(double size) {
 }
 
 // The folder lives until the program ends.
-inline const Model& four_legged(double size) {
+inline const Model& point_legged(double size, int legs) {
   static TemporaryFolder folder;
-  static std::vector<std::pair<double, std::unique_ptr<Model>>> made;
+  static std::vector<std::pair<std::pair<double, int>, std::unique_ptr<Model>>> made;
   for (const auto& [of, model] : made) {
-    if (of == size) return *model;
+    if (of == std::pair{size, legs}) return *model;
   }
-  const std::string urdf = four_legged_urdf(size), name = "four" + std::to_string(made.size());
+  const std::string urdf = point_legged_urdf(size, legs);
   ProposalSource source;
   source.urdf_name = "four.urdf";
   folder.write("bare.urdf", urdf);
@@ -78,8 +80,10 @@ inline const Model& four_legged(double size) {
   folders.back()->write("robot.yaml", proposal.yaml);
   folders.back()->write("four.srdf", proposal.srdf);
   folders.back()->write("four.urdf", urdf);
-  made.emplace_back(size, std::make_unique<Model>(load_robot(folders.back()->path())));
+  made.emplace_back(std::pair{size, legs}, std::make_unique<Model>(load_robot(folders.back()->path())));
   return *made.back().second;
 }
+
+inline const Model& four_legged(double size) { return point_legged(size, 4); }
 
 }  // namespace twinbus::test

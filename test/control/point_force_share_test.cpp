@@ -1,4 +1,4 @@
-#include "control/quadruped/point_force_share.h"
+#include "control/point_feet/point_force_share.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-// Four-legged robots of two sizes, proposed and never tuned: stand, are pushed, trot, stop.
+// Robots on four and two point feet, of two sizes, proposed and never tuned: stand, are pushed, step, stop.
 
-#include "control/quadruped/quadruped.h"
+#include "control/point_feet/point_feet.h"
 
 #include <gtest/gtest.h>
 
@@ -44,11 +44,11 @@ bool trot(SimRig& rig, double seconds, double vx, double vy, double wz) {
   return true;
 }
 
-TEST(QuadrupedBody, StandsOnFourFeetBelowItsCentreOfMass) {
+TEST(PointFeetBody, StandsOnFourFeetBelowItsCentreOfMass) {
   for (const double size : {1.0, 2.0}) {
     const Model& model = test::four_legged(size);
-    EXPECT_EQ(why_no_quadruped(model), nullptr);
-    const QuadrupedBody body(model);
+    EXPECT_EQ(why_no_point_feet(model), nullptr);
+    const PointFeetBody body(model);
     EXPECT_NEAR(body.length, 0.19 * size, 0.01 * size);
     EXPECT_NEAR(body.width, 0.14 * size, 0.01 * size);
     EXPECT_NEAR(body.reach, 0.42 * size, 0.01 * size);
@@ -58,16 +58,16 @@ TEST(QuadrupedBody, StandsOnFourFeetBelowItsCentreOfMass) {
   }
 }
 
-TEST(QuadrupedBody, AHumanoidAndAnArmAreNone) {
-  EXPECT_NE(why_no_quadruped(load_robot("hrp1s")), nullptr);
+TEST(PointFeetBody, AHumanoidAndAnArmAreNone) {
+  EXPECT_NE(why_no_point_feet(load_robot("hrp1s")), nullptr);
   Model fixed = test::four_legged(1.0);
   fixed.floating_base = false;
-  EXPECT_NE(why_no_quadruped(fixed), nullptr);
+  EXPECT_NE(why_no_point_feet(fixed), nullptr);
 }
 
-TEST(TrotGait, DiagonalPairsStepInTurnAndBothStandBetween) {
-  const QuadrupedBody body(test::four_legged(1.0));
-  TrotGait gait(body);
+TEST(StepGait, DiagonalPairsStepInTurnAndBothStandBetween) {
+  const PointFeetBody body(test::four_legged(1.0));
+  StepGait gait(body);
   gait.begin();
   int both = 0, none = 0;
   for (int i = 0; i < 1000; ++i) {
@@ -222,6 +222,55 @@ TEST(Quadruped, GoesOnWhileAnotherSimulatorTakesOver) {
   EXPECT_EQ(rig.loop().status().mode, Mode::kWalk);
   EXPECT_LT(worst, 0.2) << "trotting";
   EXPECT_EQ(rig.unanswered(), 0);
+}
+
+TEST(TwoPointFeet, AreFoundAndAreNoSoles) {
+  const Model& model = test::point_legged(1.0, 2);
+  EXPECT_LT(model.soles[0].link, 0);
+  ASSERT_EQ(why_no_point_feet(model), nullptr);
+  const PointFeetBody body(model);
+  EXPECT_TRUE(body.two());
+  EXPECT_NEAR(body.width, 0.14, 0.01);
+  EXPECT_NEAR(body.stance[0].x(), 0.0, 0.005) << "the centre of mass is above the line between the feet";
+  EXPECT_EQ(StepGait(body).possible({0.1, 0.0, 0.5}), Eigen::Vector3d(0.1, 0.0, 0.0)) << "two points cannot turn it";
+}
+
+// Steps of the same length, T apart, repeat themselves: the capture point is left behind by what the next foothold needs.
+TEST(TwoPointFeet, ThePlaceOfAFootKeepsTheStride) {
+  const PointFeetBody body(test::point_legged(1.0, 2));
+  const StepGait gait(body);
+  const Eigen::Vector2d velocity(0.3, 0.1);
+  const double width = 2.0 * body.width, grown = std::exp(gait.omega() * gait.step_time());
+  Eigen::Vector2d foot(0.0, body.width), capture = foot - gait.from_capture_point(0, velocity, width), first = foot;
+  for (int step = 1; step <= 8; ++step) {
+    capture = foot + grown * (capture - foot);
+    foot = capture + gait.from_capture_point(step % 2, velocity, width);
+  }
+  EXPECT_NEAR((foot - first - 8.0 * gait.step_time() * velocity).norm(), 0.0, 1e-9);
+}
+
+TEST(TwoPointFeet, StepInPlaceAreCaughtFromAPushAndWalk) {
+  for (const double size : {1.0, 2.0}) {
+    const Model& model = test::point_legged(size, 2);
+    Scene scene = flat();
+    const double impulse = 0.15 * std::sqrt(size) * model.total_mass();
+    scene.pushes.push_back({.link = "trunk", .point = {0, 0, 0}, .impulse = {0.8 * impulse, 0.6 * impulse, 0}, .at = 2.0, .duration = 0.1});
+    SimRig rig(model, scene, kNoisy, {});
+    EXPECT_TRUE(rig.run(5.0));
+    EXPECT_EQ(rig.loop().status().mode, Mode::kBalance);
+    rig.ask(Mode::kWalk);
+    const double v = 0.2 * std::sqrt(size);
+    EXPECT_TRUE(trot(rig, 2.0, v, 0.0, 0.0));
+    const auto from = rig.truth().base_position;
+    EXPECT_TRUE(trot(rig, 5.0, v, 0.0, 0.0));
+    const auto& to = rig.truth().base_position;
+    EXPECT_NEAR(std::hypot(to[0] - from[0], to[1] - from[1]) / 5.0, v, 0.25 * v) << size;
+    rig.ask(Mode::kBalance);
+    EXPECT_TRUE(rig.run(3.0));
+    EXPECT_EQ(rig.loop().status().mode, Mode::kBalance) << "in place, it is left";
+    EXPECT_FALSE(rig.record().fell) << size;
+    EXPECT_LT(rig.record().base_tilt_max, 0.3) << size;
+  }
 }
 
 TEST(Quadruped, ATickAllocatesNothing) {

@@ -58,9 +58,29 @@ TEST(SceneFit, MarginsAreThoseOfTheSoles) {
   EXPECT_NEAR(for_robot(asked, model).zmp_margin_p5_mm, 30.0 * 68.0 / 130.0, 1e-9);
   EXPECT_EQ(for_robot(asked, model).zmp_margin_min_mm, 40.0);
   EXPECT_NEAR(for_robot(asked, model, true).zmp_margin_min_mm, 40.0 * 68.0 / 130.0, 1e-9);
+  asked.sole_tilt_max_deg = 0.5;
+  EXPECT_NEAR(for_robot(asked, model).sole_tilt_max_deg, 0.5 * 130.0 / 68.0, 1e-9) << "its edge yields as far";
   model.soles = {};
   const Criteria none = for_robot(asked, model);
   EXPECT_TRUE(std::isnan(none.zmp_margin_p5_mm) && std::isnan(none.zmp_margin_min_mm) && std::isnan(none.slip_max_mm));
+}
+
+// A robot that was proposed is asked for what its legs can, and it is said; our own are asked as ever.
+TEST(SceneFit, VelocitiesAreThoseThatTheRobotCan) {
+  Model model = load_robot("hrp1s");
+  Scene own = load_scene("walk_pivot"), other = own, pads = load_scene("walk_pad");
+  fit_scene(own, model);
+  EXPECT_EQ(own.walks[0].command.wz, 0.85F);
+  const std::string key = "fastest: 0.85";
+  ASSERT_NE(model.yaml_text.find(key), std::string::npos);
+  model.yaml_text.replace(model.yaml_text.find(key), key.size(), "fastest: 0.3");
+  ++model.hash;  // another robot
+  for (Sole& sole : model.soles) sole.left = sole.right = 0.035;
+  fit_scene(other, model);
+  EXPECT_LT(other.walks[0].command.wz, 0.6F);
+  const double travel = pads.criteria.travel_min_m;
+  fit_scene(pads, model);
+  EXPECT_LT(pads.criteria.travel_min_m, 0.8 * travel);
 }
 
 RunVerdict judged(const char* name, double seconds, bool part, double max_tilt_deg = std::nan("")) {

@@ -33,6 +33,13 @@ TEST(SceneScale, SpeedsLengthsAndImpulsesFitTheRobot) {
   scale_between(push, own, small);
   EXPECT_GT(push.pushes[0].impulse.x(), 0.0);
   EXPECT_LE(push.pushes[0].impulse.x(), 45.0 * 0.125 + 1e-9);
+  Model narrow = own;
+  for (Sole& sole : narrow.soles) sole.left = sole.right = 0.01;
+  Scene left = load_scene("push_left"), forward = load_scene("push_forward");
+  scale_between(left, own, narrow);
+  scale_between(forward, own, narrow);
+  EXPECT_LT(left.pushes[0].impulse.y(), 0.8 * 45.0) << "its outer edges are nearer";
+  EXPECT_EQ(forward.pushes[0].impulse.x(), 45.0);
   scale_between(steps, own, small);
   EXPECT_NEAR(steps.steps[0].list.x[0], 0.075, 1e-6);
 }

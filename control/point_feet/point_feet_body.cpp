@@ -1,9 +1,10 @@
-#include "control/quadruped/quadruped_body.h"
+#include "control/point_feet/point_feet_body.h"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "common/math/index.h"
 #include "common/math/pose_math.h"
@@ -26,13 +27,14 @@ Eigen::Matrix3d inertia_about_com(const Model& model, const Kinematics& k) {
 }
 }  // namespace
 
-QuadrupedBody::QuadrupedBody(const Model& model) {
+PointFeetBody::PointFeetBody(const Model& model) {
   if (!stands_on_points(model)) throw std::runtime_error("its base is fixed, or it has soles");
   StandingFeet feet(model);
   const char* why = nullptr;
-  const std::optional<FourLegs> found = four_legs(model, feet, &why);
+  std::optional<PointLegs> found = point_legs(model, feet, &why);
   if (!found) throw std::runtime_error(why);
-  legs = *found;
+  legs = std::move(*found);
+  const double each = 1.0 / static_cast<double>(legs.size());
   Configuration c(model);
   for (int j = 0; j < model.joint_count(); ++j) c.q[j] = std::clamp(0.0, model.joints[at(j)].lower, model.joints[at(j)].upper);
   const int pose = model.find_pose("half_sitting");
@@ -43,24 +45,27 @@ QuadrupedBody::QuadrupedBody(const Model& model) {
   k.update(c);
   feet.place(k, Eigen::Matrix3d::Identity());
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-  for (std::size_t i = 0; i < 4; ++i) {
+  for (std::size_t i = 0; i < legs.size(); ++i) {
     const Eigen::Vector3d point = feet.point(legs[i].foot);
     radius[i] = feet.radius(legs[i].foot);
     centre[i] = k.link_in_world(legs[i].link).inverse() * (point + radius[i] * Eigen::Vector3d::UnitZ());
     stance[i] = (point - k.com()).head<2>();
-    middle += 0.25 * point;
+    middle += each * point;
     reach = std::max(reach, leg_length(model, legs[i], feet));
   }
-  length = 0.25 * (stance[0] + stance[1] - stance[2] - stance[3]).x();
-  width = 0.25 * (stance[0] - stance[1] + stance[2] - stance[3]).y();
+  for (std::size_t i = 0; i < legs.size(); ++i) {
+    length += (i < 2 ? each : -each) * stance[i].x();
+    width += (i % 2 == 0 ? each : -each) * stance[i].y();
+  }
+  if (two()) length = width;
   posture = c.q;
   com_in_base = k.com();
   height = k.com().z() - middle.z();
   mass = model.total_mass();
   inertia = inertia_about_com(model, k);
   if (!(length > 0.0 && width > 0.0 && height > 0.0))
-    throw std::runtime_error("in half_sitting its feet are not below it, two before and two behind");
-  for (std::size_t i = 0; i < 4; ++i) {
+    throw std::runtime_error("in half_sitting its feet are not below it, left and right of each other, and of four two before and two behind");
+  for (std::size_t i = 0; i < legs.size(); ++i) {
     if (std::abs(feet.point(legs[i].foot).z() - middle.z()) > std::tan(kLevel) * length)
       throw std::runtime_error("in half_sitting its feet are not on one plane below a level trunk");
   }
@@ -68,9 +73,9 @@ QuadrupedBody::QuadrupedBody(const Model& model) {
     throw std::runtime_error("in half_sitting its centre of mass is not above its feet");
 }
 
-const char* why_no_quadruped(const Model& model) noexcept {
+const char* why_no_point_feet(const Model& model) noexcept {
   try {
-    const QuadrupedBody body(model);
+    const PointFeetBody body(model);
     return nullptr;
   } catch (const std::exception& error) {
     static thread_local std::string said;

@@ -1,4 +1,4 @@
-#include "control/quadruped/quadruped.h"
+#include "control/point_feet/point_feet.h"
 
 #include <Eigen/Cholesky>
 #include <algorithm>
@@ -33,6 +33,7 @@ constexpr double kBelow = 0.02;       // of the height: a foot is sent so far be
 constexpr double kNear = 0.12;        // of the height: feet that are so near to their stance may rest
 constexpr double kSlow = 0.12;        // of sqrt(g h): so slow it may rest
 constexpr int kLastPeriods = 8;       // after which it rests all the same
+constexpr double kTrim = 0.14, kMostTrim = 0.18;  // of what a walk on two feet misses, in frequencies of the pendulum; of sqrt(g h)
 constexpr int kRounds = 40;           // of the force share
 constexpr double kDampedLeg = 0.03;   // of the reach: legs that are stretched are moved no faster than this
 constexpr double kFarthestWay = 0.12; // of a foot from its set-point [m]
@@ -47,7 +48,7 @@ int standing_feet(const Estimator& estimator) noexcept {
 }
 }  // namespace
 
-Quadruped::Quadruped(const Model& model)
+PointFeet::PointFeet(const Model& model)
     : Behavior(model),
       model_(&model),
       body_(model),
@@ -58,9 +59,10 @@ Quadruped::Quadruped(const Model& model)
       leg_kd_(kd_),
       stance_(body_.posture),
       stance_torque_(q_) {
-  wrench_.resize(4);
+  wrench_.resize(body_.legs.size());
+  const double each = 1.0 / static_cast<double>(body_.legs.size());
   forces_.fill(Eigen::Vector3d::Zero());
-  for (std::size_t i = 0; i < 4; ++i) {
+  for (std::size_t i = 0; i < body_.legs.size(); ++i) {
     wrench_[i].link = body_.legs[i].link;
     for (const int j : body_.legs[i].joints) leg_[at(j)] = true;
   }
@@ -68,26 +70,29 @@ Quadruped::Quadruped(const Model& model)
   c.q = stance_;
   Kinematics k(model);
   k.update(c);
-  for (std::size_t i = 0; i < 4; ++i) {
+  for (std::size_t i = 0; i < body_.legs.size(); ++i) {
     wrench_[i].point = k.link_in_world(body_.legs[i].link) * body_.centre[i];
-    wrench_[i].force << 0.0, 0.0, 0.25 * body_.mass * kGravity;
+    wrench_[i].force << 0.0, 0.0, each * body_.mass * kGravity;
   }
   (void)dynamics_.solve(k, c, qdd_, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), wrench_, stance_torque_);
 }
 
-bool Quadruped::may_start(const Estimator& estimator) const noexcept {
-  return standing_feet(estimator) >= kRestFeet && estimator.tilt() < kMayTilt;
+bool PointFeet::may_start(const Estimator& estimator) const noexcept {
+  return standing_feet(estimator) >= (body_.two() ? 1 : kRestFeet) && estimator.tilt() < kMayTilt;
 }
 
-bool Quadruped::stands(const Estimator& estimator) const noexcept { return standing_feet(estimator) > 0; }
+bool PointFeet::stands(const Estimator& estimator) const noexcept { return standing_feet(estimator) > 0; }
 
-void Quadruped::start(const Estimator& estimator) noexcept {
+void PointFeet::start(const Estimator& estimator) noexcept {
   fresh_ = true;
   measure(estimator, 0.0);
   walks_ = halts_ = false;
   wanted_.setZero();
   velocity_wanted_.setZero();
   gait_.rest();
+  lifts_ = -1;
+  trim_.setZero();
+  pressed_ = com_.head<2>();
   share_.reset();
   for (Leg& leg : legs_) {
     leg.anchor = leg.target = leg.point;
@@ -106,15 +111,16 @@ void Quadruped::start(const Estimator& estimator) noexcept {
 }
 
 // Where the centre of mass belongs above feet as they stand, on the ground, and their heading.
-Eigen::Vector3d Quadruped::home(double& yaw) const noexcept {
+Eigen::Vector3d PointFeet::home(double& yaw) const noexcept {
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   Eigen::Vector2d stance = Eigen::Vector2d::Zero();
   double along = 0.0, across = 0.0;
-  for (std::size_t i = 0; i < 4; ++i) {
-    middle += 0.25 * legs_[i].anchor;
-    stance += 0.25 * body_.stance[i];
+  const double each = 1.0 / static_cast<double>(body_.legs.size());
+  for (std::size_t i = 0; i < body_.legs.size(); ++i) {
+    middle += each * legs_[i].anchor;
+    stance += each * body_.stance[i];
   }
-  for (std::size_t i = 0; i < 4; ++i) {
+  for (std::size_t i = 0; i < body_.legs.size(); ++i) {
     const Eigen::Vector2d a = body_.stance[i] - stance;
     const Eigen::Vector2d b = (legs_[i].anchor - middle).head<2>();
     along += a.dot(b);
@@ -126,7 +132,7 @@ Eigen::Vector3d Quadruped::home(double& yaw) const noexcept {
 }
 
 // Its feet stay where they are: from here the centre of mass goes home.
-void Quadruped::stand_still() noexcept {
+void PointFeet::stand_still() noexcept {
   double yaw = 0.0;
   const Eigen::Vector3d middle = home(yaw);
   const Eigen::Matrix3d to_feet = rotation_z(-yaw);
@@ -134,36 +140,37 @@ void Quadruped::stand_still() noexcept {
   height_.rest(com_.z() - middle.z());
 }
 
-void Quadruped::walk(bool on) noexcept {
+void PointFeet::walk(bool on) noexcept {
   walks_ = on;
   if (on) halts_ = false;
   if (!on) wanted_.setZero();
 }
 
-void Quadruped::want(const Eigen::Vector3d& velocity) noexcept {
+void PointFeet::want(const Eigen::Vector3d& velocity) noexcept {
   if (!walks_ || halts_ || !velocity.allFinite()) return;
   wanted_ = gait_.possible(velocity);
 }
 
-void Quadruped::leave_walk(bool at_once, bool, bool) noexcept {
+void PointFeet::leave_walk(bool at_once, bool, bool) noexcept {
   walk(false);
   if (!at_once) return;
   halts_ = true;
   motion_.stop(kSettle);
 }
 
-BehaviorReport Quadruped::report(const Estimator& estimator) const noexcept {
+BehaviorReport PointFeet::report(const Estimator& estimator) const noexcept {
   const Eigen::Isometry3d world_in_ground = estimator.ground_in_world().inverse();
   const Eigen::Vector3d com = world_in_ground * com_, velocity = world_in_ground.linear() * velocity_;
   return {com, velocity, world_in_ground * reference_, com.head<2>() + velocity.head<2>() / gait_.omega(),
           (world_in_ground * estimator.zmp()).head<2>()};
 }
 
-bool Quadruped::resting() const noexcept {
+bool PointFeet::resting() const noexcept {
+  if (body_.two()) return velocity_wanted_.norm() < 1e-3 && quiet_ > 2.0 * gait_.period();
   return !gait_.steps() && motion_.resting() && velocity_.head<2>().norm() < kRestSpeed;
 }
 
-void Quadruped::measure(const Estimator& estimator, double dt) noexcept {
+void PointFeet::measure(const Estimator& estimator, double dt) noexcept {
   const Configuration& now = estimator.configuration();
   com_ = estimator.kinematics().com();
   const double share = fresh_ ? 1.0 : dt / (dt + kOmegaFilter);
@@ -174,16 +181,17 @@ void Quadruped::measure(const Estimator& estimator, double dt) noexcept {
   yaw_ = yaw_of(base_);
   velocity_ = now.base_velocity + omega_.cross(com_ - now.base.translation());
   fresh_ = false;
-  for (std::size_t i = 0; i < 4; ++i) {
+  for (std::size_t i = 0; i < body_.legs.size(); ++i) {
     legs_[i].point = estimator.kinematics().link_in_world(body_.legs[i].link) * body_.centre[i];
     legs_[i].point.z() -= body_.radius[i];
   }
 }
 
 // Whether it steps.
-void Quadruped::decide(double dt) noexcept {
+void PointFeet::decide(double dt) noexcept {
   const bool asked = walks_ && !halts_ && (wanted_.head<2>().norm() > 0.0 || wanted_.z() != 0.0);
   quiet_ = asked ? 0.0 : quiet_ + dt;
+  if (body_.two()) return begin_steps(dt);
   double yaw = 0.0;
   const Eigen::Vector3d middle = home(yaw);
   const Eigen::Vector2d capture = (rotation_z(-yaw) * (com_ + velocity_ / gait_.omega() - middle)).head<2>();
@@ -199,7 +207,7 @@ void Quadruped::decide(double dt) noexcept {
   }
   if (asked) return gait_.go_on();
   double far = 0.0;
-  for (std::size_t i = 0; i < 4; ++i) {
+  for (std::size_t i = 0; i < body_.legs.size(); ++i) {
     const Eigen::Vector2d place = (rotation_z(-yaw_) * (legs_[i].anchor - com_)).head<2>();
     far = std::max(far, (place - body_.stance[i]).norm());
   }
@@ -212,8 +220,33 @@ void Quadruped::decide(double dt) noexcept {
   }
 }
 
+// On two feet it steps all the time.  Before the first step the foot that is to be lifted presses, until the capture point is as near
+// to the other one as when a step begins.
+void PointFeet::begin_steps(double dt) noexcept {
+  if (gait_.steps()) {
+    // Legs that swing and feet that share the load for a while make it slower than the pendulum that the footholds are for.
+    const Eigen::Vector2d seen = (rotation_z(-yaw_) * velocity_).head<2>();
+    trim_ += dt * kTrim * gait_.omega() * (velocity_wanted_.head<2>() - seen);
+    const double most = kMostTrim * body_.height * gait_.omega();
+    trim_ = trim_.cwiseMax(-most).cwiseMin(most);
+    return;
+  }
+  if (lifts_ < 0) {
+    double yaw = 0.0;
+    const Eigen::Vector3d middle = home(yaw);
+    lifts_ = (rotation_z(-yaw) * (com_ + velocity_ / gait_.omega() - middle)).y() > 0.0 ? 1 : 0;
+    height_.aim_from(motion_.position().z(), motion_.velocity().z(), 0.0, body_.height, kSettle);
+  }
+  const Eigen::Vector2d stands = legs_[at(1 - lifts_)].point.head<2>(), lifts = legs_[at(lifts_)].point.head<2>();
+  const Eigen::Vector2d capture = (com_ + velocity_ / gait_.omega()).head<2>();
+  const double inward = (capture - stands).dot(lifts - stands) / std::max(1e-6, (lifts - stands).squaredNorm());
+  if (inward > gait_.inward()) return;
+  gait_.begin(lifts_);
+  lifts_ = -1;
+}
+
 // Where the trunk is to be.
-void Quadruped::move_reference(double dt) noexcept {
+void PointFeet::move_reference(double dt) noexcept {
   const double most = dt * kGravity * (halts_ ? kBrake : kSpeedUp);
   const Eigen::Vector3d off = wanted_ - velocity_wanted_;
   const double level = off.head<2>().norm(), turn = std::abs(off.z()) * body_.height;
@@ -233,6 +266,7 @@ void Quadruped::move_reference(double dt) noexcept {
     reference_velocity_ = velocity + height_.velocity() * Eigen::Vector3d::UnitZ();
     reference_acceleration_ = height_.acceleration() * Eigen::Vector3d::UnitZ();
   } else {
+    if (body_.two()) height_.advance(dt);
     motion_.advance(dt);
     double yaw = 0.0;
     const Eigen::Vector3d middle = home(yaw);
@@ -242,17 +276,23 @@ void Quadruped::move_reference(double dt) noexcept {
     reference_acceleration_ = turned * motion_.acceleration();
     yaw_reference_ += std::min(1.0, dt / kSettle) * wrap_angle(yaw - yaw_reference_);
   }
+  if (body_.two()) {  // it goes where its feet let it fall
+    yaw_reference_ = yaw_;
+    reference_ << com_.head<2>(), ground_ + height_.position();
+    reference_velocity_ << velocity_.head<2>(), height_.velocity();
+    reference_acceleration_ << gait_.omega() * gait_.omega() * (com_.head<2>() - pressed_), height_.acceleration();
+  }
   base_reference_ = rotation_z(yaw_reference_) * rotation_of(first_.position() * first_turn_);
 }
 
-void Quadruped::place_feet(double dt) noexcept {
+void PointFeet::place_feet(double dt) noexcept {
   const bool stepped = gait_.steps();
   gait_.advance(dt);
   if (stepped && !gait_.steps()) stand_still();
   double ground = 0.0, feet = 0.0;
   const Eigen::Matrix3d heading = rotation_z(yaw_);
   const Eigen::Vector3d asked = heading * Eigen::Vector3d(velocity_wanted_.x(), velocity_wanted_.y(), 0.0);
-  for (std::size_t i = 0; i < 4; ++i) {
+  for (std::size_t i = 0; i < body_.legs.size(); ++i) {
     Leg& leg = legs_[i];
     const bool swings = gait_.swings(static_cast<int>(i));
     if (swings != leg.swings) leg.anchor = leg.point;  // it leaves from here, or stands here
@@ -263,22 +303,31 @@ void Quadruped::place_feet(double dt) noexcept {
       feet += 1.0;
       continue;
     }
-    const double left = (1.0 - gait_.swing_done(static_cast<int>(i))) * gait_.swing_time();
+    const int number = static_cast<int>(i);
+    const double left = body_.two() ? gait_.until_load(number) : (1.0 - gait_.swing_done(number)) * gait_.swing_time();
     const double turn = velocity_wanted_.z() * (left + 0.5 * gait_.stance_time());
     const Eigen::Vector3d hip = heading * rotation_z(turn) * Eigen::Vector3d(body_.stance[i].x(), body_.stance[i].y(), 0.0);
+    const Eigen::Vector2d below = (com_ + left * velocity_ + hip).head<2>();
     Eigen::Vector2d step = (0.5 * gait_.stance_time() * asked + (velocity_ - asked) / gait_.omega()).head<2>();
+    if (body_.two()) {
+      const Eigen::Vector2d other = legs_[1 - i].point.head<2>();
+      const Eigen::Vector2d now = (com_ + velocity_ / gait_.omega()).head<2>();
+      const Eigen::Vector2d capture = other + std::exp(gait_.omega() * left) * (now - other);
+      const Eigen::Vector2d away = gait_.from_capture_point(number, velocity_wanted_.head<2>() + trim_, 2.0 * body_.width);
+      step = capture + (heading * Eigen::Vector3d(away.x(), away.y(), 0.0)).head<2>() - below;
+    }
     if (step.norm() > gait_.farthest()) step *= gait_.farthest() / step.norm();
     // Towards the other side no farther than leaves room below the trunk.
     const Eigen::Vector2d aside = (heading * Eigen::Vector3d(0.0, body_.stance[i].y() > 0.0 ? 1.0 : -1.0, 0.0)).head<2>();
     step += std::max(0.0, -kInwards * body_.width - aside.dot(step)) * aside;
-    leg.target.head<2>() = (com_ + left * velocity_ + hip).head<2>() + step;
+    leg.target.head<2>() = below + step;
   }
   if (feet > 0.0) ground_ = ground / feet;
   for (Leg& leg : legs_) leg.target.z() = ground_ - kBelow * body_.height;
 }
 
 // Forces of the feet, and torques of all joints with them.
-void Quadruped::push(const Estimator& estimator) noexcept {
+void PointFeet::push(const Estimator& estimator) noexcept {
   const double w = gait_.omega();
   TrunkWrench wanted;
   const bool steps = gait_.steps();
@@ -292,16 +341,23 @@ void Quadruped::push(const Estimator& estimator) noexcept {
   const Eigen::Vector3d spin = velocity_wanted_.z() * Eigen::Vector3d::UnitZ() - omega_;
   const Eigen::Matrix3d inertia = base_ * body_.inertia * base_.transpose();
   wanted.moment = inertia * (kTurn * kTurn * w * w * turn + 2.0 * kTurnDamping * kTurn * w * spin);
+  if (body_.two()) wanted.moment.z() = 0.0;  // which no point gives
   std::array<PointFoot, kPointFeet> feet;
-  for (std::size_t i = 0; i < 4; ++i) {
+  pressed_.setZero();
+  double all = 0.0;
+  for (std::size_t i = 0; i < body_.legs.size(); ++i) {
     feet[i].arm = legs_[i].point - com_;
     const double done = gait_.stance_done(static_cast<int>(i));
     double share = legs_[i].swings ? 0.0 : 1.0;
     if (steps) share *= std::clamp(std::min(done, 1.0 - done) * gait_.stance_time() / kRamp, 0.0, 1.0);
+    if (lifts_ >= 0) share = static_cast<int>(i) == lifts_ ? 1.0 : 0.0;
     feet[i].most = share * kMostForce * body_.mass * kGravity;
+    pressed_ += share * legs_[i].point.head<2>();
+    all += share;
   }
+  pressed_ = all > 0.0 ? Eigen::Vector2d(pressed_ / all) : Eigen::Vector2d(com_.head<2>());
   forces_ = share_.solve(feet, wanted, kRounds);
-  for (std::size_t i = 0; i < 4; ++i) {
+  for (std::size_t i = 0; i < body_.legs.size(); ++i) {
     wrench_[i].point = legs_[i].point;
     wrench_[i].force = forces_[i];
   }
@@ -311,7 +367,7 @@ void Quadruped::push(const Estimator& estimator) noexcept {
 }
 
 // Set-points of a leg whose foot is to go a way, at a rate, both seen from the base, world axes.
-void Quadruped::lead(const Estimator& estimator, std::size_t i, const Eigen::Vector3d& way,
+void PointFeet::lead(const Estimator& estimator, std::size_t i, const Eigen::Vector3d& way,
                      const Eigen::Vector3d& rate) noexcept {
   const Kinematics& k = estimator.kinematics();
   const std::vector<int>& joints = body_.legs[i].joints;
@@ -332,11 +388,11 @@ void Quadruped::lead(const Estimator& estimator, std::size_t i, const Eigen::Vec
   }
 }
 
-void Quadruped::lead_legs(const Estimator& estimator, double dt) noexcept {
+void PointFeet::lead_legs(const Estimator& estimator, double dt) noexcept {
   const Configuration& now = estimator.configuration();
   q_ = now.q;
   qd_.setZero();
-  for (std::size_t i = 0; i < 4; ++i) {
+  for (std::size_t i = 0; i < body_.legs.size(); ++i) {
     Leg& leg = legs_[i];
     Eigen::Vector3d way, rate;
     if (leg.swings) {
@@ -366,7 +422,7 @@ void Quadruped::lead_legs(const Estimator& estimator, double dt) noexcept {
   }
 }
 
-void Quadruped::update(const Estimator& estimator, const Eigen::VectorXd&, double dt) noexcept {
+void PointFeet::update(const Estimator& estimator, const Eigen::VectorXd&, double dt) noexcept {
   if (std::exchange(resumes_, false)) {
     const bool walks = walks_;
     start(estimator);

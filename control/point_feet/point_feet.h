@@ -1,9 +1,9 @@
-// Standing and trotting on four point feet: one tick from the estimate to set-points and torques of all joints.
+// Standing and stepping on point feet, four or two: one tick from the estimate to set-points and torques of all joints.
 //
 // The trunk is pushed to where it is to be by a force and a moment about its centre of mass,
 //     F = m (g + kp (p_ref - p) + kd (v_ref - v)),     M = I (kp e + kd (w_ref - w)),
 // which the feet that stand share (point_force_share); torques are those of recursive Newton-Euler with these forces.  Servos
-// hold standing feet where they stand with a share of their gains, and lead a foot in the air to its foothold (trot_gait).
+// hold standing feet where they stand with a share of their gains, and lead a foot in the air to its foothold (step_gait).
 // All in the estimator's world, z up.  Standing, it sways and squats as others do (com_motion); pushed too hard it steps until
 // it stands again.
 
@@ -15,23 +15,23 @@
 
 #include "control/balance/com_motion.h"
 #include "control/legs/behavior.h"
-#include "control/quadruped/point_force_share.h"
-#include "control/quadruped/quadruped_body.h"
-#include "control/quadruped/trot_gait.h"
+#include "control/point_feet/point_force_share.h"
+#include "control/point_feet/point_feet_body.h"
+#include "control/point_feet/step_gait.h"
 #include "robot/description/model.h"
 #include "robot/estimation/estimator.h"
 
 namespace twinbus {
 
-class Quadruped final : public Behavior {
+class PointFeet final : public Behavior {
  public:
-  // Throws std::runtime_error with one sentence (why_no_quadruped).
-  explicit Quadruped(const Model& model);
+  // Throws std::runtime_error with one sentence (why_no_point_feet).
+  explicit PointFeet(const Model& model);
 
-  // At least three feet stand; any foot stands.
+  // At least three feet stand, one of two; any foot stands.
   bool may_start(const Estimator& estimator) const noexcept override;
   bool stands(const Estimator& estimator) const noexcept override;
-  // On all four feet.
+  // On all feet.
   void start(const Estimator& estimator) noexcept override;
   void rebase() noexcept override { fresh_ = true; }
   void resume() noexcept override { resumes_ = true; }
@@ -48,16 +48,17 @@ class Quadruped final : public Behavior {
 
   void update(const Estimator& estimator, const Eigen::VectorXd& q_given, double dt) noexcept override;
 
-  // On all four feet.
+  // On all four feet; of two, it steps in place.
   bool resting() const noexcept override;
+  bool moves() const noexcept override { return body_.two() || !resting(); }
   bool stepping() const noexcept { return gait_.steps(); }
 
   // Joints and torques of the nominal stance, [joint_count].
   const Eigen::VectorXd& stance() const noexcept { return stance_; }
   const Eigen::VectorXd& stance_torque() const noexcept { return stance_torque_; }
 
-  const QuadrupedBody& body() const noexcept { return body_; }
-  const TrotGait& gait() const noexcept { return gait_; }
+  const PointFeetBody& body() const noexcept { return body_; }
+  const StepGait& gait() const noexcept { return gait_; }
   Motion motion() const noexcept override { return motion_.motion(); }
   Eigen::Vector3d most_velocity() const noexcept override { return gait_.most_velocity(); }
   BehaviorReport report(const Estimator& estimator) const noexcept override;
@@ -76,6 +77,7 @@ class Quadruped final : public Behavior {
 
   void measure(const Estimator& estimator, double dt) noexcept;
   void decide(double dt) noexcept;
+  void begin_steps(double dt) noexcept;
   void move_reference(double dt) noexcept;
   void stand_still() noexcept;
   Eigen::Vector3d home(double& yaw) const noexcept;
@@ -85,8 +87,8 @@ class Quadruped final : public Behavior {
   void lead(const Estimator& estimator, std::size_t leg, const Eigen::Vector3d& way, const Eigen::Vector3d& rate) noexcept;
 
   const Model* model_;
-  QuadrupedBody body_;
-  TrotGait gait_;
+  PointFeetBody body_;
+  StepGait gait_;
   PointForceShare share_;
   InverseDynamics dynamics_;
   ComMotion motion_;  // of the centre of mass, from home, heading of the feet
@@ -100,6 +102,9 @@ class Quadruped final : public Behavior {
   Eigen::Vector3d com_ = Eigen::Vector3d::Zero(), velocity_ = Eigen::Vector3d::Zero(), omega_ = Eigen::Vector3d::Zero();
   Eigen::Matrix3d base_ = Eigen::Matrix3d::Identity(), base_reference_ = Eigen::Matrix3d::Identity();
   PointForces forces_;
+  int lifts_ = -1;  // of two feet the one that presses before it is lifted first
+  Eigen::Vector2d trim_ = Eigen::Vector2d::Zero();  // added to the velocity that footholds of two feet are for, heading [m/s]
+  Eigen::Vector2d pressed_ = Eigen::Vector2d::Zero();  // between the feet, by what each may carry
   bool walks_ = false, halts_ = false, fresh_ = true, resumes_ = false;
   double quiet_ = 0.0;  // the asked velocity is zero for so long [s]
   Eigen::VectorXd leg_kp_, leg_kd_, stance_, stance_torque_;

@@ -1,9 +1,10 @@
-#include "robot/onboarding/four_legged.h"
+#include "robot/onboarding/point_legged.h"
 
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "common/math/index.h"
 #include "robot/kinematics/kinematics.h"
@@ -13,6 +14,7 @@ namespace twinbus {
 namespace {
 
 constexpr double kBent = 0.72;      // of the length of a leg: from the joint that swings it down to the ground
+constexpr double kPoint = 0.1;      // of the height of the hips: a longer foot is a sole
 constexpr double kReached = 1e-4;   // [m]
 constexpr double kReserve = 0.05;   // to the end of a joint's range [rad]
 constexpr int kRounds = 60, kShifts = 12;
@@ -95,13 +97,19 @@ bool bend_to(const Model& model, const PointLeg& leg, const Eigen::Vector3d& tar
 
 }  // namespace
 
-std::optional<FourLegs> find_four_legs(const Model& model, Anatomy& anatomy) {
+std::optional<PointLegs> find_point_legs(const Model& model, Anatomy& anatomy) {
   Model bare = model;
   bare.soles = {};
   bare.floating_base = true;
   const StandingFeet feet(bare);
   const char* why = "";
-  std::optional<FourLegs> legs = four_legs(bare, feet, &why);
+  std::optional<PointLegs> legs = point_legs(bare, feet, &why);
+  if (legs && legs->size() == 2) {
+    for (const Sole& sole : anatomy.soles) {
+      const double size = std::max(sole.front + sole.back, sole.left + sole.right);
+      if (sole.link < 0 || size > kPoint * anatomy.hip_height) return std::nullopt;
+    }
+  }
   if (!legs) {
     if (feet.count() == 4 && anatomy.soles[0].link < 0)
       anatomy.doubts.push_back(std::string("four limbs reach the ground, but it is not taken for a quadruped that stands and trots: ") + why);
@@ -118,11 +126,11 @@ std::optional<FourLegs> find_four_legs(const Model& model, Anatomy& anatomy) {
   });
   std::string names;
   for (const PointLeg& leg : *legs) names += (names.empty() ? "" : ", ") + model.links[at(leg.link)].name;
-  anatomy.doubts.push_back("it is taken for a robot on four point feet: " + names);
+  anatomy.doubts.push_back(std::string("it is taken for a robot on ") + (legs->size() == 2 ? "two" : "four") + " point feet: " + names);
   return legs;
 }
 
-bool find_four_legged_posture(const Model& model, const FourLegs& legs, Eigen::VectorXd& q) {
+bool find_point_legged_posture(const Model& model, const PointLegs& legs, Eigen::VectorXd& q) {
   Configuration c(model);
   const Eigen::VectorXd neutral = neutral_posture(model);
   c.q = q.size() == model.joint_count() ? q : neutral;
@@ -130,23 +138,24 @@ bool find_four_legged_posture(const Model& model, const FourLegs& legs, Eigen::V
   k.update(c);
   StandingFeet feet(model);
   feet.place(k, Eigen::Matrix3d::Identity());
-  std::array<Eigen::Vector3d, 4> target;
+  const double each = 1.0 / static_cast<double>(legs.size());
+  std::vector<Eigen::Vector3d> target(legs.size());
   double shortest = 1e300, level = 0.0;
   for (const PointLeg& leg : legs) {
     shortest = std::min(shortest, leg_length(model, leg, feet));
-    level += 0.25 * k.link_in_world(leg.joints[1] + 1).translation().z();
+    level += each * k.link_in_world(leg.joints[1] + 1).translation().z();
   }
-  for (std::size_t i = 0; i < 4; ++i) {
+  for (std::size_t i = 0; i < legs.size(); ++i) {
     const double x = k.link_in_world(legs[i].joints[1] + 1).translation().x();
     target[i] << x, feet.point(legs[i].foot).y(), level - kBent * shortest;
   }
   for (int shift = 0; shift < kShifts; ++shift) {
     double middle = 0.0;
-    for (std::size_t i = 0; i < 4; ++i) {
+    for (std::size_t i = 0; i < legs.size(); ++i) {
       const bool bent = shift == 0 ? bend_to(model, legs[i], target[i], neutral, c)
                                    : LegSolver(model, legs[i]).solve(target[i], c) < kReached;
       if (!bent) return false;
-      middle += 0.25 * target[i].x();
+      middle += each * target[i].x();
     }
     k.update(c);
     const double off = k.com().x() - middle;
