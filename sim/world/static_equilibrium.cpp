@@ -149,19 +149,18 @@ std::vector<PointLoad> place_on_points(const Model& model, double weight, Kinema
   feet.place(kinematics, Eigen::Matrix3d::Identity());
   for (Eigen::Index i = 0; i < count; ++i) point.col(i) = feet.point(static_cast<int>(i));
   const Eigen::Vector3d middle = point.rowwise().mean();
-  Eigen::MatrixXd arm(count == 2 ? 2 : 3, count);
   const Eigen::Vector3d com = kinematics.com();
-  const Eigen::Vector2d along = (point.col(0) - point.col(1)).head<2>();
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const Eigen::Vector2d from_com = (point.col(i) - com).head<2>();
-    if (count == 2) {
-      arm.col(i) << 1.0, along.dot(from_com);
-    } else {
-      arm.col(i) << 1.0, from_com.x(), from_com.y();
-    }
+  Eigen::VectorXd normal;
+  if (count == 2) {
+    const Eigen::Vector2d along = (point.col(0) - point.col(1)).head<2>();
+    const double first = (com - point.col(1)).head<2>().dot(along) / std::max(1e-12, along.squaredNorm());
+    normal = weight * Eigen::Vector2d(first, 1.0 - first);
+  } else {
+    Eigen::Matrix<double, 3, Eigen::Dynamic> arm(3, count);
+    for (Eigen::Index i = 0; i < count; ++i) arm.col(i) << 1.0, point(0, i) - com.x(), point(1, i) - com.y();
+    const Eigen::Matrix3d square = arm * arm.transpose();
+    normal = arm.transpose() * square.ldlt().solve(Eigen::Vector3d(weight, 0.0, 0.0));
   }
-  const Eigen::MatrixXd square = arm * arm.transpose();
-  const Eigen::VectorXd normal = arm.transpose() * square.ldlt().solve(weight * Eigen::VectorXd::Unit(arm.rows(), 0));
   const double depth = weight / (static_cast<double>(count) * kLinkStiffness);
   configuration.base.pretranslate(Eigen::Vector3d(-middle.x(), -middle.y(), -middle.z() - depth));
   kinematics.update(configuration);
