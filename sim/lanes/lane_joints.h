@@ -20,8 +20,8 @@ TWINBUS_INLINE void begin_joint(JointLanes& j, const Vec4& q, const Vec4& qd, do
   j.servo = side(j.force - j.gain * qd, -j.limit, j.limit);
   j.slides = side(qd, -j.stick, j.stick);
   j.stop = side(qd, j.low_bound, j.high_bound);
-  j.stop = (j.upper - q <= kStopGuess) & (qd >= 0.0) ? all(1.0) : j.stop;
-  j.stop = (q - j.lower <= kStopGuess) & (qd <= 0.0) ? all(-1.0) : j.stop;
+  j.stop = ((j.upper - q <= kStopGuess) & (qd >= 0.0)) ? all(1.0) : j.stop;
+  j.stop = ((q - j.lower <= kStopGuess) & (qd <= 0.0)) ? all(-1.0) : j.stop;
 }
 
 TWINBUS_INLINE void write_row(const JointLanes& j, BodyLanes<Vec4>& d, std::size_t rank) {
