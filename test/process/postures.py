@@ -53,8 +53,8 @@ class Postures:
 
 def in_ground(truth, point):
     """A point of the world in the ground frame: midway between the soles, x forward, z up."""
-    (a, b), headings = truth.foot_position, []
-    for w, x, y, z in truth.foot_attitude:
+    (a, b), headings = truth.foot_position[:2], []
+    for w, x, y, z in truth.foot_attitude[:2]:
         headings.append(math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z)))
     heading = math.atan2(sum(map(math.sin, headings)), sum(map(math.cos, headings)))
     d = [point[k] - 0.5 * (a[k] + b[k]) for k in range(3)]
