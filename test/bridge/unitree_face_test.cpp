@@ -30,6 +30,8 @@ Model quadruped() {
       joint.kp = 50.0;
       joint.kd = 1.0;
       joint.child = static_cast<int>(model.joints.size()) + 1;
+      joint.parent = part == kLeg[0] ? 0 : joint.child - 1;
+      model.links[static_cast<std::size_t>(joint.child)].parent = joint.parent;
       model.bus_joints.push_back(static_cast<int>(model.joints.size()));
       model.bus_index.push_back(static_cast<int>(model.joints.size()));
       model.joints.push_back(joint);
