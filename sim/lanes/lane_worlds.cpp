@@ -114,7 +114,8 @@ std::string LaneWorlds::why_not(const WorldConfig& config) {
   if (config.engine != Engine::kArticulated) return "engine is not articulated";
   if (config.order != 1) return "solver.order is not 1";
   if (config.flight != Flight::kImplicit) return "flight is not implicit";
-  if (config.contact == ContactModel::kPatch) return "contact is patch";
+  if (config.contact != ContactModel::kSpringDamper && config.contact != ContactModel::kHuntCrossley)
+    return "contact is neither spring_damper nor hunt_crossley";
   if (config.twin) return "there is a twin";
   if (!config.ties.empty()) return "there are ties";
   if (!config.robots.empty() || config.self_contact) return "robots touch one another or themselves";

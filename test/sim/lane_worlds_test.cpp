@@ -154,6 +154,12 @@ TEST(LaneWorlds, WhatLanesDoNotKnowIsRefusedInASentence) {
   const Standing4 rig("biped12");
   WorldConfig config = rig.config(0);
   EXPECT_EQ(LaneWorlds::why_not(config), "");
+  for (const ContactModel other : {ContactModel::kSoft, ContactModel::kPatch, ContactModel::kRigid}) {
+    config.contact = other;
+    EXPECT_EQ(LaneWorlds::why_not(config), "contact is neither spring_damper nor hunt_crossley");
+  }
+  config.contact = ContactModel::kHuntCrossley;
+  EXPECT_EQ(LaneWorlds::why_not(config), "");
   config.order = 2;
   EXPECT_EQ(LaneWorlds::why_not(config), "solver.order is not 1");
   const auto made = [](const Model& model, const WorldConfig& as) {
