@@ -1,6 +1,7 @@
 #include "launcher/run/verdict.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
@@ -56,18 +57,17 @@ MissedCounts missed_so_far(const Lookout& seen, std::int64_t now_ns) {
 }
 
 int real_time_of(const Lookout& seen, std::int64_t now_ns) {
-  bool source = false;
-  bool controller = false;
-  int least = 2;
+  std::array<int, 3> least{-1, -1, -1};  // source, controller, programs of a user: -1, none is there
   for (const SeenProcess* process : seen.processes(now_ns, 2.0)) {
     const ProcessKind kind = process->beat.kind;
-    const bool is_controller = kind == ProcessKind::kController;
-    if (!is_source(kind) && !is_controller) continue;
-    source = source || is_source(kind);
-    controller = controller || is_controller;
-    least = std::min(least, static_cast<int>(process->beat.realtime));
+    const bool known = is_source(kind) || kind == ProcessKind::kController || kind == ProcessKind::kUser;
+    if (!known) continue;
+    int& of = least[is_source(kind) ? 0 : kind == ProcessKind::kController ? 1 : 2];
+    const int has = process->beat.realtime;
+    of = of < 0 ? has : std::min(of, has);
   }
-  return source && controller ? least : 0;
+  // Where no controller of ours is, a program of the user's is one.
+  return std::max(0, std::min(least[0], least[1] >= 0 ? least[1] : least[2]));
 }
 
 std::string real_time_text(int real_time, bool patient) {

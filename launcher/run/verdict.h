@@ -58,7 +58,7 @@ struct RunVerdict {
 };
 
 MissedCounts missed_so_far(const Lookout& seen, std::int64_t now_ns);
-// What source and controller both have: 0 nothing, 1 FIFO priority, 2 and locked memory.
+// What source and controller, ours or a user's, both have: 0 nothing, 1 FIFO priority, 2 and locked memory.
 int real_time_of(const Lookout& seen, std::int64_t now_ns);
 std::string real_time_text(int real_time, bool patient = false);
 

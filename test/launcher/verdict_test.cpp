@@ -61,6 +61,23 @@ TEST(Verdict, MissedTicksAreJudgedByWhetherFifoWasThere) {
   EXPECT_FALSE(FakeRun(1, 11, 0).verdict().fifo);
 }
 
+TEST(Verdict, AUsersProgramIsTheControllerWhereThereIsNoOther) {
+  const auto beat = [](Lookout& seen, ProcessKind kind, int id, std::int8_t realtime) {
+    Heartbeat heartbeat;
+    heartbeat.kind = kind;
+    heartbeat.process_id = id;
+    heartbeat.realtime = realtime;
+    seen.on_heartbeat(heartbeat, kPeriod);
+  };
+  Lookout seen;
+  beat(seen, ProcessKind::kSimulator, 7, 2);
+  EXPECT_EQ(real_time_of(seen, kPeriod), 0);
+  beat(seen, ProcessKind::kUser, 9, 1);
+  EXPECT_EQ(real_time_of(seen, kPeriod), 1);
+  beat(seen, ProcessKind::kController, 8, 2);
+  EXPECT_EQ(real_time_of(seen, kPeriod), 2);
+}
+
 TEST(Verdict, WhatTheMachineMissedIsToldAndNotJudged) {
   const FakeRun run(1, 90, 1, 85);
   const RunVerdict verdict = run.verdict();
