@@ -380,7 +380,14 @@ int run_command(const std::vector<std::string>& words) {
     config.listener = [&log](const char* name, std::span<const std::uint8_t> bytes,
                              std::int64_t now_ns) { log->add(now_ns / 1000, name, bytes); };
   }
-  OneProcess run(model, scene, config);
+  std::unique_ptr<OneProcess> made;
+  try {
+    made = std::make_unique<OneProcess>(model, scene, config);
+  } catch (...) {
+    if (log != nullptr) std::remove(log_file.c_str());  // there is nothing in it
+    throw;
+  }
+  OneProcess& run = *made;
   if (choice) run.time_physics();
   config.listener = nullptr;  // not of the reference
   const std::int64_t begin = monotonic_ns();
