@@ -90,8 +90,6 @@ def draw(lines, file):
 def main(words):
     known = {map_.name: map_ for map_ in MAPS}
     what = charts.asked("chart maps", __doc__, words, list(known))
-    if isinstance(what, int):
-        return what
     chosen = [known[name] for name in what.names or known]
     lines = charts.table(what, "maps.csv", lambda: bench_maps.measured("chart maps", chosen, list(ENGINES)), bench_maps.FIELDS)
     bench_maps.summary(lines)

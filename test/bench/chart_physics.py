@@ -162,8 +162,6 @@ NAMES = (*ABOUT, *MEASURE)
 
 def main(words):
     what = charts.asked("chart physics", __doc__, words, NAMES)
-    if isinstance(what, int):
-        return what
     lab = None if what.redraw else Lab("chart physics")
     for name in what.names or NAMES:
         rows = charts.table(what, f"{name}.csv", lambda n=name: MEASURE.get(n, lambda lab: measure(lab, n))(lab))

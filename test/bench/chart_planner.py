@@ -76,8 +76,6 @@ def draw_meshes(rows, folder):
 
 def main(words):
     what = charts.asked("chart planner", __doc__, words, CHARTS, ["--vamp"])
-    if isinstance(what, int):
-        return what
     rows = charts.table(what, "paths.csv", lambda: measure(what.options.get("--vamp", os.environ.get("TWINBUS_VAMP"))))
     for name in what.names or CHARTS:
         charts.drawn(what.folder / f"{name}.svg", globals()[f"draw_{name}"](rows, what.folder))

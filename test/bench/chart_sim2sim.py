@@ -53,8 +53,6 @@ def draw(rows, folder):
 
 def main(words):
     what = charts.asked("chart sim2sim", __doc__, words)
-    if isinstance(what, int):
-        return what
     draw(charts.table(what, "sim2sim.csv", measure), what.folder)
     return 0
 

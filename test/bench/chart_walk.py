@@ -234,8 +234,6 @@ def draw_map(rows, folder):
 
 def main(words):
     what = charts.asked("chart walk", __doc__, words, CHARTS)
-    if isinstance(what, int):
-        return what
     for name in what.names or CHARTS:
         rows = charts.table(what, f"{name}.csv", globals()[f"measure_{name}"])
         charts.drawn(what.folder / f"{name}.svg", globals()[f"draw_{name}"](rows, what.folder))

@@ -1,6 +1,6 @@
 """What all commands `./twinbus chart ...` share: the command line, tables kept as CSV, and the word on what was drawn.
 
-    what = charts.asked("chart walk", __doc__, words, names)          # an exit status, or an Asked
+    what = charts.asked("chart walk", __doc__, words, names)          # an Asked
     rows = charts.table(what, "speed.csv", measure)                   # measured and written, or read with --redraw
     charts.drawn(what.folder / "speed.svg", missing)
 """
@@ -27,10 +27,10 @@ class NoTable(Exception):
 
 
 def asked(command, about, words, names=(), options=()):
-    """Asked, or the exit status of --help and of a wrong word.  names: what may be asked for; options: further ones with a value."""
+    """--help and a wrong word end the program.  names: what may be asked for; options: further ones with a value."""
     if "--help" in words or "-h" in words:
         print(about.strip())
-        return 0
+        sys.exit(0)
     known, words = ["--out", *options], list(words)
     found = Asked(command, CHARTS / command.split()[-1], [], False, {})
     while words:
@@ -43,7 +43,7 @@ def asked(command, about, words, names=(), options=()):
             found.options[word] = words.pop(0)
         else:
             print(f"{command}: no chart or option '{word}'; there are {' '.join([*names, *known])} --redraw", file=sys.stderr)
-            return 2
+            sys.exit(2)
     found.folder = pathlib.Path(found.options.pop("--out", found.folder))
     found.folder.mkdir(parents=True, exist_ok=True)
     return found
