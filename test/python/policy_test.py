@@ -108,17 +108,17 @@ scene:
       legs: {joint_names_expr: [".*_hip_joint", ".*_thigh_joint", ".*_calf_joint"], effort_limit: 23.5, velocity_limit: 30.0,
              stiffness: {.*_hip_joint: 20.0, ".*_(thigh|calf)_joint": 25.0}, damping: 0.5, armature: 0.005, friction: null}
 actions:
-  joint_pos: {class_type: "isaaclab.envs.mdp.actions.joint_actions:JointPositionAction", clip: null, joint_names: [".*"],
+  joint_pos: {class_type: "@MDP.actions.joint_actions:JointPositionAction", clip: null, joint_names: [".*"],
               scale: {".*_hip_joint": 0.125, ".*_(thigh|calf)_joint": 0.25}, offset: 0.0, preserve_order: false, use_default_offset: true}
 observations:
   policy:
     concatenate_terms: true
     history_length: null
-    base_lin_vel: {func: "isaaclab.envs.mdp.observations:base_lin_vel", params: {}, noise: null, clip: null, scale: null, history_length: 0}
-    velocity: {func: "isaaclab.envs.mdp.observations:generated_commands", params: {command_name: base_velocity}, clip: null, scale: null}
-    joints: {func: "isaaclab.envs.mdp.observations:joint_pos_rel", params: {}, clip: !!python/tuple [-3.0, 3.0], scale: null}
+    base_lin_vel: {func: "@MDP.observations:base_lin_vel", params: {}, noise: null, clip: null, scale: null, history_length: 0}
+    velocity: {func: "@MDP.observations:generated_commands", params: {command_name: base_velocity}, clip: null, scale: null}
+    joints: {func: "@MDP.observations:joint_pos_rel", params: {}, clip: !!python/tuple [-3.0, 3.0], scale: null}
 commands: {base_velocity: {ranges: {lin_vel_x: !!python/tuple [-1.0, 2.0], lin_vel_y: [-0.5, 0.5], ang_vel_z: [-1.0, 1.0]}}}
-'''
+'''.replace('@MDP', '.'.join(('isaaclab', 'envs', 'mdp')))
 
 
 class Readers(unittest.TestCase):
