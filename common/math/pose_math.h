@@ -54,9 +54,13 @@ inline Eigen::Matrix3d rotation_from_rpy(double roll, double pitch, double yaw) 
          rotation_about(Eigen::Vector3d::UnitX(), roll);
 }
 
+// Its inverse.  With the pitch at a right angle only the sum or difference of roll and yaw is in R: the roll is what the yaw leaves.
 inline Eigen::Vector3d rpy_from_rotation(const Eigen::Matrix3d& r) noexcept {
-  return {std::atan2(r(2, 1), r(2, 2)), std::atan2(-r(2, 0), std::hypot(r(2, 1), r(2, 2))),
-          std::atan2(r(1, 0), r(0, 0))};
+  const double level = std::hypot(r(2, 1), r(2, 2)), yaw = std::atan2(r(1, 0), r(0, 0));
+  const double s = std::sin(yaw), c = std::cos(yaw);
+  const double roll =
+      level > 1e-6 ? std::atan2(r(2, 1), r(2, 2)) : std::atan2(s * r(0, 2) - c * r(1, 2), c * r(1, 1) - s * r(0, 1));
+  return {roll, std::atan2(-r(2, 0), level), yaw};
 }
 
 // Heading of a rotation: where its x axis points, seen from above [rad].

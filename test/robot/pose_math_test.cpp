@@ -20,6 +20,20 @@ TEST(PoseMath, ConversionsAreInverses) {
   }
 }
 
+TEST(PoseMath, APitchOfARightAngleKeepsTheRotation) {
+  for (const double near : {0.0, 1e-13, 1e-9, 1e-7, 1e-5}) {
+    for (int i = 0; i < 400; ++i) {
+      const double pitch = (i % 2 == 0 ? 1.0 : -1.0) * (0.5 * 3.14159265358979323846 - near);
+      const Eigen::Matrix3d r = rotation_from_rpy(0.1 * i, pitch, 7.0 - 0.37 * i);
+      const Eigen::Vector3d v = rpy_from_rotation(r);
+      EXPECT_LT((rotation_from_rpy(v.x(), v.y(), v.z()) - r).norm(), 1e-9) << near << ' ' << i;
+    }
+  }
+  const Eigen::Matrix3d r = Eigen::Quaterniond(0.5, -0.5, 0.5, 0.5).toRotationMatrix();  // exactly
+  const Eigen::Vector3d v = rpy_from_rotation(r);
+  EXPECT_LT((rotation_from_rpy(v.x(), v.y(), v.z()) - r).norm(), 1e-12);
+}
+
 TEST(PoseMath, SmallRotationsKeepTheirDigits) {
   const Eigen::Vector3d tiny(1e-10, -2e-10, 3e-10);
   EXPECT_LT((rotation_vector(rotation_of(tiny)) - tiny).norm(), 1e-19);
