@@ -3,9 +3,9 @@
 //     mjcf_swing ROBOT SECONDS STEP [limits] [friction] [ground]
 //
 // ROBOT: a folder with robot.yaml, or an MJCF file, read as `twinbus check` reads it.
-// The words switch on what is otherwise left out: joint limits, the joints' Coulomb friction, the ground (the base else begins
-// 100 m above it, with ground 1 m).  It begins in the zero posture, joint k at 0.4 sin(k + 1) rad/s (or m/s), each number within
-// the limits.  A line a link of the URDF: name, origin, and the point (0.1, 0.1, 0.1) of its frame [m].  A line a joint first:
+// The words switch on what is otherwise left out: joint limits, the joints' Coulomb friction, the ground (the base is else 100 m
+// above it, with ground a free one begins at 1 m).  It begins in the zero posture, joint k at 0.4 sin(k + 1) rad/s (or m/s),
+// each number within the limits.  A line a link of the URDF: name, origin, and the point (0.1, 0.1, 0.1) of its frame [m].  A line a joint first:
 // name, position and speed at the start.  mujoco_compare.py does the same in MuJoCo.
 
 #include <algorithm>
@@ -27,6 +27,8 @@
 using namespace twinbus;
 
 namespace {
+
+constexpr double kHigh = 100.0;  // [m]
 
 struct Wish {
   std::string robot;
@@ -58,7 +60,8 @@ void leave_out(const Wish& wish, Model& model) {
 
 Configuration start_of(const Model& model, const Wish& wish) {
   Configuration start(model);
-  if (model.floating_base) start.base.translation().z() = wish.ground ? 1.0 : 100.0;
+  if (!wish.ground) start.base.translation().z() = kHigh;
+  else if (model.floating_base) start.base.translation().z() = 1.0;
   for (int j = 0; j < model.joint_count(); ++j) {
     const Joint& joint = model.joints[at(j)];
     start.q[j] = std::clamp(0.0, joint.lower, joint.upper);
@@ -86,10 +89,12 @@ int swing(const Wish& wish) {
   for (long i = 0; i < steps; ++i) {
     if (world->step() != Status::kOk) throw std::runtime_error("the world diverged");
   }
+  Eigen::Vector3d below = Eigen::Vector3d::Zero();  // MuJoCo has a fixed base where its file puts it
+  if (config.fixed_base) below = start.base.translation();
   for (const Frame& frame : model.frames) {
     const Eigen::Isometry3d place = world->link_in_world(frame.link) * frame.in_link;
-    const Eigen::Vector3d origin = place.translation();
-    const Eigen::Vector3d point = place * Eigen::Vector3d(0.1, 0.1, 0.1);
+    const Eigen::Vector3d origin = place.translation() - below;
+    const Eigen::Vector3d point = place * Eigen::Vector3d(0.1, 0.1, 0.1) - below;
     std::printf("link %s %.12f %.12f %.12f %.12f %.12f %.12f\n", frame.name.c_str(), origin.x(), origin.y(), origin.z(),
                 point.x(), point.y(), point.z());
   }

@@ -28,6 +28,8 @@ except ImportError as missing:
     print(f"skipped: {missing}; pip install mujoco numpy")
     sys.exit(77)
 
+UNSTABLE = (int(mujoco.mjtWarning.mjWARN_BADQPOS), int(mujoco.mjtWarning.mjWARN_BADQVEL), int(mujoco.mjtWarning.mjWARN_BADQACC))
+
 
 def clean(name):
     """As mjcf_to_urdf.cpp makes names of links and joints."""
@@ -64,7 +66,8 @@ def ours(file, seconds, step, words):
     return joints, links
 
 
-def theirs(model, joints, seconds, step, words):
+def theirs(model, joints, seconds, step, words, explicit=True):
+    """Where MuJoCo has the links at the end; where its explicit steps do not hold, with implicit ones of a tenth."""
     m = model
     off = mujoco.mjtDisableBit
     m.opt.disableflags |= sum(int(b) for b in (off.mjDSBL_SPRING, off.mjDSBL_ACTUATION, off.mjDSBL_EQUALITY, off.mjDSBL_CONTACT))
@@ -73,6 +76,7 @@ def theirs(model, joints, seconds, step, words):
             m.opt.disableflags &= ~int(bit)
         else:
             m.opt.disableflags |= int(bit)
+    m.opt.disableflags &= ~int(off.mjDSBL_GRAVITY)
     m.opt.gravity[:] = (0, 0, -9.81)
     m.opt.density = m.opt.viscosity = 0.0
     m.opt.wind[:] = 0
@@ -84,7 +88,7 @@ def theirs(model, joints, seconds, step, words):
     m.tendon_frictionloss[:] = 0
     m.opt.timestep = step
     # RK4 has no implicit limits and friction; both are soft constraints, which Euler with a small step solves as well.
-    m.opt.integrator = mujoco.mjtIntegrator.mjINT_RK4 if not words else mujoco.mjtIntegrator.mjINT_IMPLICIT
+    m.opt.integrator = mujoco.mjtIntegrator.mjINT_RK4 if explicit and not words else mujoco.mjtIntegrator.mjINT_IMPLICIT
     d = mujoco.MjData(m)
     mujoco.mj_resetData(m, d)
     for j in range(m.njnt):
@@ -100,6 +104,8 @@ def theirs(model, joints, seconds, step, words):
             d.qvel[dof] = start[1]
     for _ in range(round(seconds / step)):
         mujoco.mj_step(m, d)
+        if explicit and any(d.warning[w].number for w in UNSTABLE):
+            return theirs(model, joints, seconds, 0.1 * step, words, explicit=False)
     mujoco.mj_kinematics(m, d)
     links = {}
     for b in range(1, m.nbody):
