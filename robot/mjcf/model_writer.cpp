@@ -4,14 +4,24 @@
 #include <cmath>
 #include <filesystem>
 #include <stdexcept>
+#include <utility>
 
 #include "common/math/index.h"
+#include "geometry/bounds/convex_hull.h"
 #include "geometry/mesh/mesh_file.h"
 #include "robot/mjcf/urdf_text.h"
 
 namespace twinbus {
 
 namespace {
+
+std::string obj_text(const TriangleMesh& mesh) {
+  std::string out = "# Written by twinbus export.\n";
+  for (const Eigen::Vector3d& p : mesh.points) out += "v " + exact_numbers(p) + "\n";
+  for (const auto& t : mesh.triangles)
+    out += "f " + std::to_string(t[0] + 1) + " " + std::to_string(t[1] + 1) + " " + std::to_string(t[2] + 1) + "\n";
+  return out;
+}
 
 constexpr double kSoleHalf = 0.004;  // half thickness of the box that a sole becomes [m]
 constexpr double kLeastMass = 1e-9;  // of a link without mass that cannot be joined with the next [kg]
@@ -274,15 +284,16 @@ std::string urdf_of_model(const Model& model, ExportedMeshes& meshes) {
 }
 
 std::string obj_of(const Shape& mesh) {
-  const TriangleMesh triangles = load_mesh(mesh.mesh, mesh.size);
-  std::string out = "# Written by twinbus export.\n";
-  for (const Eigen::Vector3d& p : triangles.points) out += "v " + exact_numbers(p) + "\n";
-  const bool mirrored = mesh.size.prod() < 0.0;
-  for (const auto& t : triangles.triangles) {
-    out += "f " + std::to_string(t[0] + 1) + " " + std::to_string(t[mirrored ? 2 : 1] + 1) + " " +
-           std::to_string(t[mirrored ? 1 : 2] + 1) + "\n";
+  TriangleMesh triangles = load_mesh(mesh.mesh, mesh.size);
+  if (mesh.size.prod() < 0.0) {
+    for (auto& t : triangles.triangles) std::swap(t[1], t[2]);
   }
-  return out;
+  return obj_text(triangles);
+}
+
+std::string obj_of_hull(const Shape& mesh) {
+  const TriangleMesh hull = convex_hull(load_mesh(mesh.mesh, mesh.size).points);
+  return hull.triangles.empty() ? obj_of(mesh) : obj_text(hull);
 }
 
 }  // namespace twinbus

@@ -70,5 +70,7 @@ std::string urdf_of_model(const Model& model, ExportedMeshes& meshes);
 
 // The triangles of one mesh as OBJ, scaled.
 std::string obj_of(const Shape& mesh);
+// The triangles of its convex hull; of the mesh where it has none.
+std::string obj_of_hull(const Shape& mesh);
 
 }  // namespace twinbus

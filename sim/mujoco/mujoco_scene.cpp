@@ -34,7 +34,7 @@ void MujocoWorld::Impl::load() {
   const std::string title = model.name.empty() ? "robot" : model.name;
   const MjcfWorld world = mjcf_of_world(title, model, config, configuration, MjcfUse::kEngine, meshes);
   std::vector<MujocoLibrary::File> files;
-  for (const auto& [name, shape] : meshes.all()) files.push_back({"meshes/" + name + ".obj", obj_of(shape)});
+  for (const auto& [name, shape] : meshes.all()) files.push_back({"meshes/" + name + ".obj", obj_of_hull(shape)});  // it touches with hulls alone, and takes seconds to find them in a fine mesh
   simulated = mujoco.load(world.xml, files.data(), files.size());
   data = mujoco.make_data(simulated);
   scratch = mujoco.make_data(simulated);
