@@ -47,13 +47,7 @@ void SimAdaptor::Impl::set_hold(const Configuration& at, const Eigen::VectorXd& 
 }
 
 void SimAdaptor::Impl::start() {
-  const int pose = model->find_pose(scene.start_pose);
-  Eigen::VectorXd q = Eigen::VectorXd::Zero(model->joint_count());
-  if (pose >= 0) {
-    const std::vector<double>& from = model->poses[static_cast<std::size_t>(pose)].q;
-    for (std::size_t j = 0; j < from.size() && j < model->joints.size(); ++j)
-      q[static_cast<Eigen::Index>(j)] = from[j];
-  }
+  const Eigen::VectorXd q = Configuration(*model, scene.start_pose).q;
   corner_stiffness = {world->corner_stiffness(0), world->corner_stiffness(1)};
   standing = stand(*model, q, settings.world.mass_scale, corner_stiffness,
                    settings.world.ground_height, settings.world.fixed_base);

@@ -35,12 +35,9 @@ PointFeetBody::PointFeetBody(const Model& model) {
   if (!found) throw std::runtime_error(why);
   legs = std::move(*found);
   const double each = 1.0 / static_cast<double>(legs.size());
-  Configuration c(model);
-  for (int j = 0; j < model.joint_count(); ++j) c.q[j] = std::clamp(0.0, model.joints[at(j)].lower, model.joints[at(j)].upper);
-  const int pose = model.find_pose("half_sitting");
-  if (pose >= 0) {
-    for (int j = 0; j < model.joint_count(); ++j) c.q[j] = model.poses[at(pose)].q[at(j)];
-  }
+  Configuration c(model, "half_sitting");
+  for (int j = 0; model.find_pose("half_sitting") < 0 && j < model.joint_count(); ++j)
+    c.q[j] = std::clamp(0.0, model.joints[at(j)].lower, model.joints[at(j)].upper);
   Kinematics k(model);
   k.update(c);
   feet.place(k, Eigen::Matrix3d::Identity());

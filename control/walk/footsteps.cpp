@@ -37,12 +37,8 @@ struct Stance {
   double com_above_hips, width;  // [m]
 };
 Stance stance_of(const Model& model, int hip_link) {
-  Configuration configuration(model);
-  const int pose = model.find_pose("half_sitting");
-  for (int j = 0; pose >= 0 && j < model.joint_count(); ++j)
-    configuration.q[j] = model.poses[at(pose)].q[at(j)];
   Kinematics kinematics(model);
-  kinematics.update(configuration);
+  kinematics.update(Configuration(model, "half_sitting"));
   const auto sole = [&](std::size_t f) -> Eigen::Vector3d {
     return kinematics.link_in_world(model.soles[f].link) * model.soles[f].frame.translation();
   };

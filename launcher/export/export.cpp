@@ -37,11 +37,7 @@ Exported load(const Arguments& arguments) {
   apply_seed(all.scene, model, static_cast<std::uint64_t>(arguments.number("--seed", 1.0, 0.0, 1e9)));
   all.model = changed_model(model, all.scene);
   if (all.scene.fixed_base) all.model.floating_base = false;
-  Eigen::VectorXd q = Eigen::VectorXd::Zero(model.joint_count());
-  if (const int pose = model.find_pose(all.scene.start_pose); pose >= 0) {
-    const std::vector<double>& from = model.poses[at(pose)].q;
-    q = Eigen::Map<const Eigen::VectorXd>(from.data(), static_cast<Eigen::Index>(from.size()));
-  }
+  const Eigen::VectorXd q = Configuration(model, all.scene.start_pose).q;
   const std::array<double, 2> stiffness = {0.25 * model.soles[0].stiffness, 0.25 * model.soles[1].stiffness};
   all.start = stand(all.model, q, 1.0, stiffness, {0.0, 0.0}, !all.model.floating_base).configuration;
   for (const auto& [name, speed] : all.scene.start_velocity) {

@@ -11,6 +11,11 @@ Configuration::Configuration(const Model& model)
     : q(Eigen::VectorXd::Zero(model.joint_count())),
       qd(Eigen::VectorXd::Zero(model.joint_count())) {}
 
+Configuration::Configuration(const Model& model, const std::string& pose) : Configuration(model) {
+  const int found = model.find_pose(pose);
+  for (int j = 0; found >= 0 && j < model.joint_count(); ++j) q[j] = model.poses[at(found)].q[at(j)];
+}
+
 void set_joints(const Model& model, const RobotState& state,
                 Configuration& configuration) noexcept {
   for (std::size_t k = 0; k < model.bus_joints.size(); ++k) {

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <string>
 #include <vector>
 
 #include "robot/description/model.h"
@@ -16,6 +17,8 @@ namespace twinbus {
 // Configuration of the whole robot, in model joint order (mimic joints included).
 struct Configuration {
   explicit Configuration(const Model& model);
+  // In one of the model's poses; all joints at zero where it has none of that name.
+  Configuration(const Model& model, const std::string& pose);
   Configuration() = default;
   Eigen::Isometry3d base = Eigen::Isometry3d::Identity();   // link 0 in world
   Eigen::Vector3d base_velocity = Eigen::Vector3d::Zero();  // of link 0's origin, in world [m/s]

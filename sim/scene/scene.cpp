@@ -470,6 +470,7 @@ void resolve_poses(Scene& scene, const Model& model) {
   }
   scale_to(scene, model);
   name_places(scene, model);
+  add_floor(scene, model);
   for (TimedMode& timed : scene.modes) {
     if (timed.pose.empty()) continue;
     const std::vector<double> q = pose_on_bus(scene, model, timed.pose);

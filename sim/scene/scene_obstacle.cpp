@@ -1,11 +1,16 @@
 #include "sim/scene/scene_obstacle.h"
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 
+#include "common/math/index.h"
+#include "robot/description/link_points.h"
+#include "robot/kinematics/kinematics.h"
 #include "sim/contact/rigid_object_mesh.h"
 #include "sim/scene/obstacle_cover.h"
 #include "sim/scene/scene_vectors.h"
@@ -53,6 +58,22 @@ std::vector<Obstacle> read_covered(const ConfigNode& node, int shape) {
   }
 }
 
+// The lowest point of what no joint moves, and of what joints do, as the scene starts [m]; 0 where there is nothing.
+std::array<double, 2> lowest(const Scene& scene, const Model& model) {
+  Kinematics k(model);
+  k.update(Configuration(model, scene.start_pose));
+  std::array<double, 2> low{0.0, 1e9};
+  for (int link = 0; link < model.link_count(); ++link) {
+    double& of = low[link == 0 ? 0 : 1];
+    for (const Shape& shape : model.links[at(link)].collision) {
+      std::vector<Eigen::Vector3d> points;
+      add_points(shape, points);
+      for (const Eigen::Vector3d& point : points) of = std::min(of, (k.link_in_world(link) * point).z());
+    }
+  }
+  return low;
+}
+
 }  // namespace
 
 TriangleMesh read_mesh(const ConfigNode& node) {
@@ -95,6 +116,20 @@ void read_obstacle(const ConfigNode& node, std::vector<Obstacle>& obstacles) {
   obstacle.pose = pose;
   node.finish();
   obstacles.push_back(obstacle);
+}
+
+void add_floor(Scene& scene, const Model& model) {
+  constexpr double kBelow = 0.01, kThick = 0.1, kWide = 10.0;  // [m]
+  if (model.floating_base || (model.hands[0].link < 0 && model.hands[1].link < 0)) return;
+  const std::array<double, 2> low = lowest(scene, model);
+  const double top = low[0] - kBelow;
+  if (!(low[1] > top + kBelow)) return;
+  Obstacle floor;
+  floor.shape = ObstacleShape::kBox;
+  floor.size = {kWide, kWide, kThick};
+  floor.pose.translation().z() = top - 0.5 * kThick;
+  const auto is_it = [&](const Obstacle& o) { return o.size == floor.size && o.pose.isApprox(floor.pose); };
+  if (std::none_of(scene.obstacles.begin(), scene.obstacles.end(), is_it)) scene.obstacles.push_back(floor);
 }
 
 }  // namespace twinbus

@@ -17,4 +17,8 @@ TriangleMesh read_mesh(const ConfigNode& node);
 // scale (of a mesh) or spacing (of a height map), cell, position, rpy_deg], which becomes boxes.
 void read_obstacle(const ConfigNode& node, std::vector<Obstacle>& obstacles);
 
+// The ground below an arm on a fixed base, which planner and guard know as an obstacle, once: a box whose top is below the base; none
+// where the arm begins lower, nor for a robot with a free base or no hand.
+void add_floor(Scene& scene, const Model& model);
+
 }  // namespace twinbus

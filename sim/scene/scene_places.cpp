@@ -1,13 +1,11 @@
 #include "sim/scene/scene_places.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cmath>
 #include <vector>
 
 #include "common/math/index.h"
-#include "robot/description/link_points.h"
 #include "robot/kinematics/kinematics.h"
 
 namespace twinbus {
@@ -58,11 +56,8 @@ std::vector<int> pitch_joints(const Model& model, int foot) {
 
 // Where a share of the stretched arm from its shoulder is, in the ground frame, while the robot is as the scene starts it.
 Eigen::Vector3d reached(const Scene& scene, const Model& model, const Hand& hand, const Eigen::Vector3d& share) {
-  Configuration c(model);
-  const int pose = model.find_pose(scene.start_pose);
-  for (int j = 0; pose >= 0 && j < model.joint_count(); ++j) c.q[j] = model.poses[at(pose)].q[at(j)];
   Kinematics k(model);
-  k.update(c);
+  k.update(Configuration(model, scene.start_pose));
   Eigen::Vector3d ground = Eigen::Vector3d::Zero();
   int soles = 0;
   for (const Sole& sole : model.soles) {
@@ -80,41 +75,6 @@ Eigen::Vector3d reached(const Scene& scene, const Model& model, const Hand& hand
     last = here;
   }
   return shoulder + length * share - ground;
-}
-
-// The lowest point of what no joint moves, and of what joints do, as the scene starts [m]; 0 where there is nothing.
-std::array<double, 2> lowest(const Scene& scene, const Model& model) {
-  Configuration c(model);
-  const int pose = model.find_pose(scene.start_pose);
-  for (int j = 0; pose >= 0 && j < model.joint_count(); ++j) c.q[j] = model.poses[at(pose)].q[at(j)];
-  Kinematics k(model);
-  k.update(c);
-  std::array<double, 2> low{0.0, 1e9};
-  for (int link = 0; link < model.link_count(); ++link) {
-    double& of = low[link == 0 ? 0 : 1];
-    for (const Shape& shape : model.links[at(link)].collision) {
-      std::vector<Eigen::Vector3d> points;
-      add_points(shape, points);
-      for (const Eigen::Vector3d& point : points) of = std::min(of, (k.link_in_world(link) * point).z());
-    }
-  }
-  return low;
-}
-
-// Planner and guard know the ground below an arm on a fixed base as an obstacle, unless the arm begins lower.
-void add_floor(Scene& scene, const Model& model) {
-  constexpr double kBelow = 0.01, kThick = 0.1, kWide = 10.0;  // [m]
-  if (model.floating_base || (model.hands[0].link < 0 && model.hands[1].link < 0)) return;
-  const auto is_floor = [](const Obstacle& o) { return o.size.x() == kWide && o.size.z() == kThick; };
-  if (std::any_of(scene.obstacles.begin(), scene.obstacles.end(), is_floor)) return;
-  const std::array<double, 2> low = lowest(scene, model);
-  const double top = low[0] - kBelow;
-  if (!(low[1] > top + kBelow)) return;
-  Obstacle floor;
-  floor.shape = ObstacleShape::kBox;
-  floor.size = {kWide, kWide, kThick};
-  floor.pose.translation().z() = top - 0.5 * kThick;
-  scene.obstacles.push_back(floor);
 }
 
 }  // namespace
@@ -147,7 +107,6 @@ int find_joint_place(const Model& model, const std::string& name) {
 }
 
 void name_places(Scene& scene, const Model& model) {
-  add_floor(scene, model);
   const auto link = [&](std::string& name) {
     const int found = name.empty() ? -1 : find_place(model, name);
     if (found >= 0) name = model.links[at(found)].name;

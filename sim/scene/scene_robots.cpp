@@ -12,16 +12,12 @@ std::vector<OtherRobot> robots_of(const Scene& scene) {
   std::vector<OtherRobot> robots;
   for (const SceneRobot& asked : scene.robots) {
     auto model = std::make_shared<const Model>(load_robot(asked.robot));
-    const int pose = model->find_pose(asked.pose);
-    if (pose < 0 && asked.pose != "zero") {
+    if (model->find_pose(asked.pose) < 0 && asked.pose != "zero") {
       throw std::runtime_error("scene " + scene.name + ": robot '" + asked.name + "', a " +
                                model->name + ", has no pose '" + asked.pose +
                                "'; name one of its SRDF group_states");
     }
-    Eigen::VectorXd q = Eigen::VectorXd::Zero(model->joint_count());
-    for (int j = 0; pose >= 0 && j < model->joint_count(); ++j) {
-      q[j] = model->poses[static_cast<std::size_t>(pose)].q[static_cast<std::size_t>(j)];
-    }
+    const Eigen::VectorXd q = Configuration(*model, asked.pose).q;
     robots.push_back(standing_robot(asked.name, std::move(model), q, asked.place));
   }
   return robots;

@@ -28,11 +28,8 @@ double sole_width(const Model& model) {
 }
 
 Kinematics half_sitting(const Model& model) {
-  Configuration c(model);
-  const int pose = model.find_pose("half_sitting");
-  for (int j = 0; pose >= 0 && j < model.joint_count(); ++j) c.q[j] = model.poses[at(pose)].q[at(j)];
   Kinematics k(model);
-  k.update(c);
+  k.update(Configuration(model, "half_sitting"));
   return k;
 }
 
