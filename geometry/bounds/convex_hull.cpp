@@ -72,11 +72,19 @@ class Builder {
     return result;
   }
 
+  // Points that follow one another are near one another in most meshes: a face looks at their boxes first.
   bool holds_all(double slack) const {
-    for (const Face& face : faces_) {
-      if (!face.alive) continue;
-      for (const Vector3d& p : points_) {
-        if (!(face.normal.dot(p) - face.offset <= slack)) return false;
+    constexpr std::size_t kInBox = 64;
+    for (std::size_t first = 0; first < points_.size(); first += kInBox) {
+      const std::size_t last = std::min(first + kInBox, points_.size());
+      Eigen::AlignedBox3d box;
+      for (std::size_t i = first; i < last; ++i) box.extend(points_[i]);
+      const Vector3d middle = box.center(), half = 0.5 * box.sizes();
+      for (const Face& face : faces_) {
+        if (!face.alive || face.normal.dot(middle) + face.normal.cwiseAbs().dot(half) - face.offset <= slack) continue;
+        for (std::size_t i = first; i < last; ++i) {
+          if (!(face.normal.dot(points_[i]) - face.offset <= slack)) return false;
+        }
       }
     }
     return true;

@@ -81,7 +81,7 @@ def flip(log, folder, name, checks, rng):
     data = bytearray(log.read_bytes())
     offset, body = rng.choice(list(events_of(bytes(data), "STATE"))[50:-50])
     joint = rng.randrange(29)
-    at = offset + 8 + 9 * 8 + 5 * 4 + 2 + 3 + 4 + 8 * joint + rng.randrange(1, 8)
+    at = offset + 8 + 9 * 8 + 5 * 4 + 2 + 3 + 8 + 8 * joint + rng.randrange(1, 8)
     data[at] ^= 1 << rng.randrange(8)
     damaged = folder / "flipped.log"
     damaged.write_bytes(data)
