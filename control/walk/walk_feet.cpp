@@ -24,7 +24,7 @@ Eigen::Vector3d tilt_of(const Eigen::Vector2d& gradient) noexcept {
 }  // namespace
 
 WalkFeet::WalkFeet(const Model& model, const WalkFeetGains& gains)
-    : gains_(gains), weight_(kGravity * model.total_mass()) {
+    : gains_(gains), weight_(kGravity * model.total_mass()), apart_({weight_, 1.0}, gains.rattle_force) {
   for (std::size_t f = 0; f < 2; ++f) {
     const Sole& sole = model.soles[f];
     const double half_width = 0.5 * (sole.left + sole.right);
@@ -32,6 +32,7 @@ WalkFeet::WalkFeet(const Model& model, const WalkFeetGains& gains)
     feet_[f].stiffness = std::max(1e3, sole.stiffness);
     feet_[f].turning =
         feet_[f].stiffness * Eigen::Vector2d(half_width * half_width, half_length * half_length);
+    feet_[f].filter = RattleFilter(weight_ * Eigen::Vector2d(half_width, half_length), gains.rattle_moment);
     feet_[f].centre << 0.5 * (sole.front - sole.back), 0.5 * (sole.left - sole.right);
   }
 }
@@ -50,9 +51,11 @@ void WalkFeet::give_way(Foot& foot, const FootLoad& load, double share) noexcept
 void WalkFeet::start(const WalkPattern& pattern, const std::array<Eigen::Isometry3d, 2>& soles,
                      const std::array<FootLoad, 2>& loads) noexcept {
   lift_ = 0.0;
+  apart_.start();
   for (std::size_t f = 0; f < 2; ++f) {
     Foot& foot = feet_[f];
     foot.admitted.setZero();
+    foot.filter.start();
     foot.tilt.setZero();
     foot.was_swinging = false;
     give_way(foot, loads[f], 1.0);
@@ -95,9 +98,8 @@ void WalkFeet::update(const WalkPattern& pattern, const std::array<FootLoad, 2>&
   const WalkFeetGains& g = gains_;
   double lift_rate = -lift_ / g.force_leak;
   if (!pattern.single()) {
-    const double missed =
-        (wanted[0].force - wanted[1].force) - (measured[0].force - measured[1].force);
-    lift_rate -= g.force / feet_[0].stiffness * missed;
+    const double between = apart_.update({measured[0].force - measured[1].force, 0.0}, true, dt).x();
+    lift_rate -= g.force / feet_[0].stiffness * (wanted[0].force - wanted[1].force - between);
   }
   lift_ = std::clamp(lift_ + dt * lift_rate, -g.most_lift, g.most_lift);
 
@@ -108,9 +110,9 @@ void WalkFeet::update(const WalkPattern& pattern, const std::array<FootLoad, 2>&
     give_way(foot, wanted[f], dt / (dt + g.filter));
     const bool loaded = measured[f].force > kLoaded * weight_ && share[f] > kWanted;
     const Eigen::Vector2d leak = dt / g.ankle_leak * foot.admitted;
+    const Eigen::Vector2d moment = foot.filter.update(measured[f].moment, loaded, dt);
     Eigen::Vector2d turned = -leak;
-    if (loaded)
-      turned += dt * g.ankle * (measured[f].moment - wanted[f].moment).cwiseQuotient(foot.turning);
+    if (loaded) turned += dt * g.ankle * (moment - wanted[f].moment).cwiseQuotient(foot.turning);
     foot.admitted = (foot.admitted + turned).cwiseMax(-g.most_turn).cwiseMin(g.most_turn);
 
     const Foothold& at = swings ? pattern.swing().place() : pattern.foot(static_cast<int>(f));

@@ -13,6 +13,7 @@
 #include <array>
 
 #include "control/legs/foot_compliance.h"
+#include "control/walk/rattle_filter.h"
 #include "control/walk/walk_gains.h"
 #include "control/walk/walk_pattern.h"
 #include "robot/description/model.h"
@@ -47,6 +48,7 @@ class WalkFeet {
     Eigen::Vector2d turning = Eigen::Vector2d::Ones();   // stiffness, roll and pitch [N m/rad]
     Eigen::Vector2d centre = Eigen::Vector2d::Zero();    // of the sole, in its frame [m]
     double stiffness = 1.0;                              // [N/m]
+    RattleFilter filter;                                 // of its moment
     Eigen::Vector2d bend = Eigen::Vector2d::Zero();      // feed-forward: roll, pitch [rad]
     double sink = 0.0;                                   // feed-forward [m]
     Eigen::Vector2d admitted = Eigen::Vector2d::Zero();  // [rad]
@@ -60,8 +62,9 @@ class WalkFeet {
   void compose(std::size_t f) noexcept;
 
   WalkFeetGains gains_;
-  double weight_;      // [N]
-  double lift_ = 0.0;  // of the left foot over the right one [m]
+  double weight_;       // [N]
+  RattleFilter apart_;  // of the difference of the feet's forces
+  double lift_ = 0.0;   // of the left foot over the right one [m]
   std::array<Foot, 2> feet_;
   std::array<Eigen::Isometry3d, 2> target_;
 };

@@ -26,6 +26,7 @@ struct WalkFeetGains {
   double force = 90.0;      // admittance to the difference of the feet's forces [1/s]
   double force_leak = 0.3;  // [s]
   double most_lift = 0.04;  // [m]
+  double rattle_moment = 0.010, rattle_force = 0.005;  // filters of what both admittances are given, where it rattles [s]
   double upright = 0.8;     // share of the base's error that is taken out of the foot in the air
   double upright_filter = 0.03;  // [s]
   double landing = 0.25;         // in which a foot that landed elsewhere is taken into the plan [s]

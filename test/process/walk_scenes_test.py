@@ -48,6 +48,20 @@ def run(checks, scene, seed, robot=None, engine=None, contact=None):
     checks.that(status == 0, f"run {scene} --seed {seed} {robot or ''} {engine or ''} passes: {failed} {err[-300:]}")
 
 
+def soft_ground(checks, robot):
+    """On ground that gives way and damps, as MuJoCo's contact does, a walk is no worse: without a filter its admittances rattle."""
+    with tempfile.TemporaryDirectory() as folder:
+        report = os.path.join(folder, "report.json")
+        cli("run", "walk_forward", "--for", 8, "--robot", robot, "--set", "contact=soft", "--report", report, timeout=600)
+        with open(report, encoding="utf-8") as file:
+            figures = json.load(file)
+    print(f"walk_forward {robot} on soft ground:  " + "  ".join(f"{name} {figures[name]:.1f}" for name in FIGURES), flush=True)
+    checks.at_most(figures["max_tilt_deg"], 2.0, f"{robot} on soft ground: tilt [degrees]")
+    checks.at_most(figures["force_rms_percent"], 7.0, f"{robot} on soft ground: force error [% of the weight]")
+    checks.at_most(figures["velocity_error_percent"], 10.0, f"{robot} on soft ground: velocity error [%]")
+    checks.at_least(figures["zmp_margin_p5_mm"], 30.0, f"{robot} on soft ground: 5 % of the ZMP margins [mm]")
+
+
 def everyday(checks, robot):
     """Forward, sideways, turn, 20 mm tiles and pushes of 0.25 m/s, with the guard on."""
     if not (BIN / "walk_case").exists() or importlib.util.find_spec("yaml") is None:
@@ -94,6 +108,8 @@ def main():
     run(checks, "walk_forward", 1, contact="hunt_crossley")
     for scene in ["stand", "walk_forward", "walk_rough", "walk_slope", "push_walk", "boxes_tumble", "plate_underfoot", "pile_bricks"]:
         run(checks, scene, 1, contact="patch")
+    for robot in ["hrp1s", "hrp2p", "biped12"]:
+        soft_ground(checks, robot)
     run(checks, "stand", 1, contact="patch", engine="ode")
     run(checks, "hook_on_step", 1, engine="ode")
     run(checks, "walk_slope", 1, engine="ode")
