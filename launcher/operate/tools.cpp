@@ -76,6 +76,7 @@ constexpr BenchRow kBenches[] = {
     {"walking", "walk", "stops, pushes, another robot, time of a tick"},
     {"walking", "pad_walk", "a long walk with the pad, page open, beside a build"},
     {"walking", "policy", "policies that others trained: starts, walks, estimate of the base"},
+    {"walking", "walkers", "our walker beside policies on one robot: the same courses, pushes and seeds in every engine"},
     {"walking", "walk_map", "pushes survived on the spot, by direction and phase"},
     {"walking", "walk_switch", "sources switched under a robot that walks"},
     {"walking", "walk_trace", "a walk tick by tick"},
