@@ -356,6 +356,7 @@ int run_command(const std::vector<std::string>& words) {
   config.control.guard_in_loop = !arguments.has("--no-guard");
   const std::int64_t ticks = std::llround(request.duration / model.period());
   AccuracyRequest accuracy = accuracy_of(arguments, scene);
+  scene.accuracy = accuracy.error;  // what is off by more is doubted
   std::optional<AccuracyChoice> choice;
   if (accuracy.error > 0.0 || accuracy.budget > 0.0) {
     accuracy.duration = request.duration;

@@ -1,13 +1,18 @@
 #include "sim/engine/local_error.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "common/math/index.h"
+#include "robot/dynamics/inverse_dynamics.h"
 
 namespace twinbus {
 
 namespace {
 
+constexpr double kHeals = 3.0;        // of a driven world of order 2 or 3 [s]
+constexpr double kRounding = 1e-9;    // of speeds [m/s]
 constexpr std::array<double, 3> kShare = {1.0 / 2.0, 1.0 / 6.0, 1.0 / 24.0};
 
 void keep(const Eigen::Vector3d& now, auto& past) noexcept {
@@ -19,20 +24,28 @@ void keep(const Eigen::Vector3d& now, auto& past) noexcept {
 
 LocalError::LocalError(std::size_t links, std::size_t others, const WorldConfig& config)
     : order_(config.engine == Engine::kArticulated ? std::clamp(config.order, 1, kMostOrder) : 1),
+      limit_(config.accuracy),
       scale_(config.flight == Flight::kImplicit ? kShare[at(order_ - 1)] * config.step : 0.0),
+      fall_(config.engine == Engine::kArticulated ? kGravity * config.step : std::numeric_limits<double>::quiet_NaN()),
+      keep_(std::exp(-config.step / kHeals)),
       world_(links + others),
       own_(links),
-      sum_(links + others, 0.0) {}
+      sum_(links + others, 0.0),
+      off_(links + others, Eigen::Vector3d::Zero()) {}
 
 void LocalError::begin(const std::vector<Eigen::Vector3d>& world, const std::vector<Eigen::Vector3d>& own) noexcept {
   for (std::size_t i = 0; i < world_.size(); ++i) world_[i].fill(world[i]);
   for (std::size_t i = 0; i < own_.size(); ++i) own_[i].fill(own[i]);
-  driven();
+  std::fill(sum_.begin(), sum_.end(), 0.0);
+  std::fill(off_.begin(), off_.end(), Eigen::Vector3d::Zero());
+  driven_ = false;
+  most_of_links_ = most_of_others_ = 0.0;
 }
 
 void LocalError::driven() noexcept {
-  std::fill(sum_.begin(), sum_.end(), 0.0);
-  most_of_links_ = most_of_others_ = 0.0;
+  if (driven_) return;
+  driven_ = true;
+  if (order_ == 1) std::fill(sum_.begin(), sum_.end(), 0.0);
 }
 
 double LocalError::change(const Past& past, const Eigen::Vector3d& now) const noexcept {
@@ -44,19 +57,29 @@ double LocalError::change(const Past& past, const Eigen::Vector3d& now) const no
 bool LocalError::add(const std::vector<Eigen::Vector3d>& world, const std::vector<Eigen::Vector3d>& own,
                      bool touched) noexcept {
   if (!(scale_ > 0.0)) return false;
+  if (driven_) most_of_links_ = most_of_others_ = 0.0;
   for (std::size_t i = 0; i < world_.size(); ++i) {
+    Eigen::Vector3d faster = world[i] - world_[i][0];
     double changed = change(world_[i], world[i]);
     keep(world[i], world_[i]);
     if (i < own_.size()) {
       changed = std::min(changed, change(own_[i], own[i]));
       keep(own[i], own_[i]);
+    } else if ((faster + fall_ * Eigen::Vector3d::UnitZ()).norm() < kRounding) {
+      faster.setZero();
+      changed = 0.0;
     }
-    sum_[i] += scale_ * changed;
+    if (driven_ && order_ == 1) {
+      off_[i] += scale_ * faster;
+      sum_[i] = off_[i].norm();
+    } else {
+      sum_[i] = (driven_ ? keep_ : 1.0) * sum_[i] + scale_ * changed;
+    }
     double& most = i < own_.size() ? most_of_links_ : most_of_others_;
     if (!(sum_[i] <= most)) most = sum_[i];
   }
-  const double free = kMostOff / static_cast<double>(std::max<std::size_t>(kLeastLinks, own_.size()));
-  return !(most() <= kMostOff) || (order_ > 1 && !touched && !(most_of_links_ <= free));
+  const double free = limit_ / static_cast<double>(std::max<std::size_t>(kLeastLinks, own_.size()));
+  return !(most() <= limit_) || (order_ > 1 && !touched && !(most_of_links_ <= free));
 }
 
 }  // namespace twinbus

@@ -1,6 +1,6 @@
 #include "sim/engine/twinned_world.h"
 
-#include <algorithm>
+#include <cmath>
 
 #include "common/math/index.h"
 #include "sim/engine/make_world.h"
@@ -15,6 +15,12 @@ WorldConfig without_twin(WorldConfig config, double times) {
   return config;
 }
 
+// Of the distance of a world from one of half its step: its error.
+double error_share(const WorldConfig& config) {
+  const int order = config.engine == Engine::kArticulated ? config.order : 1;
+  return 1.0 / (1.0 - std::pow(0.5, order));
+}
+
 bool same(const ServoTarget& a, const ServoTarget& b) noexcept {
   return a.q == b.q && a.qd == b.qd && a.tau == b.tau && a.kp == b.kp && a.kd == b.kd;
 }
@@ -23,40 +29,35 @@ bool same(const ServoTarget& a, const ServoTarget& b) noexcept {
 
 TwinnedWorld::TwinnedWorld(const Model& model, const WorldConfig& config)
     : world_(make_world(model, without_twin(config, 1.0))),
-      twin_(make_world(model, without_twin(config, 2.0))),
-      step_(config.step),
-      before_(model.links.size() + config.loose.size()),
-      after_(before_.size()),
-      points_(before_.size()),
-      targets_(model.joints.size()) {
+      twin_(make_world(model, without_twin(config, 0.5))),
+      allowed_(config.accuracy / error_share(config)),
+      targets_(model.joints.size()),
+      tau_(model.joint_count()) {
   for (const Link& link : model.links) coms_.push_back(link.com);
+  pushes_.reserve(kMostPushes);
 }
 
 Status TwinnedWorld::set(const Configuration& configuration, const Eigen::VectorXd* tau) noexcept {
   const Status status = world_->set(configuration, tau);
   if (status != Status::kOk) return status;
-  if (!watched_) {  // it stood still meanwhile
-    for (std::size_t j = 0; j < targets_.size(); ++j) (void)twin_->set_servo(static_cast<int>(j), targets_[j]);
-    for (int i = 0; i < world_->loose_count(); ++i) (void)twin_->set_loose(i, world_->loose(i));
-  }
   watched_ = twin_->set(configuration, tau) == Status::kOk;
-  halfway_ = stepped_ = false;
+  pushes_.clear();
+  stepped_ = driven_ = false;
   return status;
 }
 
 Status TwinnedWorld::set_servo(int joint, const ServoTarget& target) noexcept {
   const Status status = world_->set_servo(joint, target);
   if (status != Status::kOk) return status;
-  if (stepped_ && !same(target, targets_[at(joint)])) watched_ = false;
+  driven_ = driven_ || (stepped_ && !same(target, targets_[at(joint)]));
   targets_[at(joint)] = target;
-  if (watched_) (void)twin_->set_servo(joint, target);
+  (void)twin_->set_servo(joint, target);
   return status;
 }
 
-// Of one step of the world, which is half of one of the twin.
 Status TwinnedWorld::push(int link, const Eigen::Vector3d& point, const Eigen::Vector3d& force) noexcept {
   const Status status = world_->push(link, point, force);
-  if (status == Status::kOk && watched_) (void)twin_->push(link, point, 0.5 * force);
+  if (status == Status::kOk && pushes_.size() < kMostPushes) pushes_.push_back({link, point, force});
   return status;
 }
 
@@ -78,48 +79,39 @@ Status TwinnedWorld::hold(int tie, bool holds) noexcept {
 }
 
 Status TwinnedWorld::step() noexcept {
-  bool coarse = false;
-  if (watched_ && !halfway_) {
-    look(*twin_, before_);
-    coarse = twin_->step() != Status::kOk;
-    watched_ = !coarse;
-    look(*twin_, after_);
+  for (int half = 0; half < 2 && watched_; ++half) {
+    for (const Push& push : pushes_) (void)twin_->push(push.link, push.point, push.force);
+    watched_ = twin_->step() == Status::kOk;
   }
+  pushes_.clear();
   const Status status = world_->step();
   trust_ = world_->trust();
   stepped_ = true;
   if (status != Status::kOk) return status;
-  if (watched_) {
-    look(*world_, points_);
-    halfway_ = !halfway_;
-    coarse = !(apart() <= kApart);
-  }
-  trust_[Doubt::kCoarse] = coarse;
+  trust_[Doubt::kCoarse] = !watched_ || !(apart() <= allowed_);
+  if (driven_ && trust_[Doubt::kCoarse]) meet();
   return status;
 }
 
-void TwinnedWorld::look(const World& world, std::vector<Point>& points) const noexcept {
-  const int links = static_cast<int>(coms_.size());
-  for (int i = 0; i < links; ++i) {
-    const Eigen::Vector3d place = world.link_in_world(i) * coms_[at(i)];
-    points[at(i)] = {place, world.point_velocity(i, place)};
-  }
-  for (int i = 0; i < world.loose_count(); ++i) {
-    const LooseState body = world.loose(i);
-    points[at(links + i)] = {body.pose.translation(), body.velocity};
-  }
+// The twin goes on from where the world is.
+void TwinnedWorld::meet() noexcept {
+  for (Eigen::Index j = 0; j < tau_.size(); ++j) tau_[j] = world_->tau(static_cast<int>(j));
+  watched_ = twin_->set(world_->configuration(), &tau_) == Status::kOk;
+  for (int i = 0; i < world_->loose_count(); ++i) watched_ = twin_->set_loose(i, world_->loose(i)) == Status::kOk && watched_;
 }
 
-// The largest distance of the two; halfway through the twin's step, from the cubic with its ends' places and speeds.
+// The largest distance of a centre of mass of the two.
 double TwinnedWorld::apart() const noexcept {
   double most = 0.0;
-  for (std::size_t i = 0; i < points_.size(); ++i) {
-    Eigen::Vector3d twin = after_[i].place;
-    if (halfway_)
-      twin = 0.5 * (before_[i].place + after_[i].place) + 0.25 * step_ * (before_[i].velocity - after_[i].velocity);
-    const double distance = (points_[i].place - twin).norm();
+  const auto look = [&most](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    const double distance = (a - b).norm();
     if (!(distance <= most)) most = distance;
+  };
+  for (std::size_t i = 0; i < coms_.size(); ++i) {
+    const auto link = static_cast<int>(i);
+    look(world_->link_in_world(link) * coms_[i], twin_->link_in_world(link) * coms_[i]);
   }
+  for (int i = 0; i < world_->loose_count(); ++i) look(world_->loose(i).pose.translation(), twin_->loose(i).pose.translation());
   return most;
 }
 

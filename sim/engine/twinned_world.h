@@ -1,9 +1,9 @@
-// A world with a twin of twice its step beside it: what the two do not agree on is doubted (Doubt::kCoarse), in that step.
+// A world with a twin of half its step beside it: what the two do not agree on is doubted (Doubt::kCoarse), in that step.
 // Compared are the centres of mass of links and loose bodies: the origin of a link that hangs on the wall never moves.
 //
-// Of a method of order 1 the distance of the two is the error of the finer one, of order 2 three times that: dynamics that magnify
-// an error magnify it in the twin as well.  It costs half as much again.  A controller that looks at one of them would drive the
-// other where it should not go: once a servo is given another target, nothing more is said and the twin stands still.
+// The distance of the two is the error of the world, of order 1 half of it: dynamics that magnify an error magnify it in the twin as well.
+// The twin takes the same commands and pushes at the same moments, for twice the work of the world again.  A controller looks at the world
+// and would let the twin go its way: once a servo is given another target, a twin that has parted goes on from where the world is.
 
 #pragma once
 
@@ -16,8 +16,6 @@ namespace twinbus {
 
 class TwinnedWorld final : public ForwardingWorld {
  public:
-  static constexpr double kApart = 2.5e-3;  // beyond it a step is doubted [m]
-
   // The model must outlive this.  Throws std::runtime_error as make_world() does.
   TwinnedWorld(const Model& model, const WorldConfig& config);
 
@@ -33,19 +31,22 @@ class TwinnedWorld final : public ForwardingWorld {
 
  private:
   const World& shown() const noexcept override { return *world_; }
-  struct Point {
-    Eigen::Vector3d place, velocity;
+  static constexpr std::size_t kMostPushes = 16;
+  struct Push {
+    int link;
+    Eigen::Vector3d point, force;
   };
-  void look(const World& world, std::vector<Point>& points) const noexcept;
   double apart() const noexcept;
+  void meet() noexcept;
 
   std::unique_ptr<World> world_, twin_;
-  std::vector<Eigen::Vector3d> coms_;           // of links, in the link's axes
-  double step_;                                 // of the world [s]
-  std::vector<Point> before_, after_, points_;  // the twin's at both ends of its step, the world's
+  double allowed_;                     // distance of the two [m]
+  std::vector<Eigen::Vector3d> coms_;  // of links, in the link's axes
   std::vector<ServoTarget> targets_;
-  bool halfway_ = false;  // of the twin's step
+  std::vector<Push> pushes_;  // in the next step
+  Eigen::VectorXd tau_;
   bool stepped_ = false;  // since set()
+  bool driven_ = false;   // since then, another target has come
   bool watched_ = true;
 };
 

@@ -44,7 +44,7 @@ const Entry kEntries[] = {
      "0: whole",
      [](SimSettings& s, double v, double) { s.world.flight_error = v; }},
     {"solver.twin", 0.0, 1.0,
-     "1: a twin of twice the step runs beside it, half as much work again; where they part the step is doubted",
+     "1: a twin of half the step runs beside it, twice the work again; where they part by more than the accuracy, a step is doubted",
      [](SimSettings& s, double v, double) { s.world.twin = v != 0.0; }},
     {"model.mass_scale", 0.1, 10.0, "masses and inertias times this",
      [](SimSettings& s, double v, double) { s.world.mass_scale = v; }},

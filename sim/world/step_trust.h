@@ -17,7 +17,7 @@ enum class Doubt {
   kEnergy,       // there is more energy than servos, pushes and springs have given
   kDeep,         // a contact was first seen deeper than its speed explains
   kThrough,      // a contact is deeper than half of what it touches: it may come out behind it
-  kCoarse,       // its steps add up to an error: sim/engine/local_error.h; with twice the step it would be elsewhere: twinned_world.h
+  kCoarse,       // its steps add up to an error: sim/engine/local_error.h; with half the step it would be elsewhere: twinned_world.h
 };
 inline constexpr std::size_t kDoubts = 6;
 inline constexpr const char* kDoubtNames[kDoubts] = {"unconverged", "unsettled", "energy_gained",

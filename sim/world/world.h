@@ -93,8 +93,7 @@ struct WorldConfig {
   double joint_friction = 0.0, joint_friction_share = 1.0;  // added to every joint (coulomb_friction.h)
   double backlash = 0.0;                          // full play between servo and link [rad]
   double ground_friction = 0.8;                   // combined with the sole's as geometric mean
-  double stiffness_scale = 1.0;                   // of the soles' springs
-  double damping_scale = 1.0;                     // of the soles' dampers
+  double stiffness_scale = 1.0, damping_scale = 1.0;  // of the soles' springs and dampers
   double dissipation = 2.0;                       // of kHuntCrossley and kPatch, everywhere [s/m]
   std::array<double, 2> ground_height{0.0, 0.0};  // under left and right sole [m]
   double servo_kp_scale = 1.0, servo_kd_scale = 1.0;
@@ -104,6 +103,7 @@ struct WorldConfig {
   std::vector<OtherRobot> robots;           // further ones, beside the one commanded
   bool self_contact = false;                // links of a robot touch one another; the same
   bool continuous = false, twin = false;    // sim/contact/entry_faces.h; sim/engine/twinned_world.h
+  double accuracy = 2e-3;                   // steps that are off by more are doubted: sim/engine/local_error.h [m]
   double shell_stiffness = kLinkStiffness;  // of a point of a link that is no sole [N/m]
   std::vector<Tie> ties;
   std::vector<bool> held, rigid_robots;  // joints, further robots: sim/engine/welded_world.h

@@ -5,7 +5,7 @@ Scenes are made worse until they fail: step to 100 ms, gains x100, ground 1e4 to
 thin plates, edges, mass ratios to 1e6, stacks to 200, chains to 1000, loops in their singular posture, and a walk with late servos, a
 slow loop and noise.  Ours at orders 1 and 2, ODE, and MuJoCo where its Python package is (pip install mujoco).
 
-Engines run as they do by default; --twin: ours and ODE with a twin of twice the step beside them (setting solver.twin).
+Engines run as they do by default; --twin: ours and ODE with a twin of half the step beside them (setting solver.twin).
 MuJoCo has its own warnings.  Wrong: more than 5 mm from a converged run or a closed form (throw, plate and edge have none for places),
 5 % of energy gained (or lost where nothing takes any), through or below what should stop it, diverged.  Said: the engine doubted a step
 (report: doubted_steps) up to the moment at which it was wrong; in_step: one of the steps since the look before.

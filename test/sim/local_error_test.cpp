@@ -15,6 +15,8 @@
 namespace twinbus {
 namespace {
 
+const double kAllowed = WorldConfig{}.accuracy;
+
 class LocalErrorTest : public test::BothEngines {};
 TWINBUS_FOR_BOTH_ENGINES(LocalErrorTest);
 
@@ -111,27 +113,65 @@ TEST(LocalError, AMechanismThatNothingTouchesIsAllowedLessTheLongerItIs) {
         said = error.add(v, v, touched);
       }
       ASSERT_TRUE(said);
-      EXPECT_NEAR(error.most(), touched ? LocalError::kMostOff : LocalError::kMostOff / std::max(10, links), 1e-6);
+      EXPECT_NEAR(error.most(), touched ? kAllowed : kAllowed / std::max(10, links), 1e-6);
     }
   }
 }
 
-TEST(LocalError, ASumBeginsAnewWhenSomebodyDrives) {
+TEST(LocalError, ADrivenWorldIsWatchedFromCommandToCommandAndBackAtRestItIsRight) {
   WorldConfig config;
   config.step = 0.01;
+  config.accuracy = 5e-3;
+  LocalError error(1, 1, config);
+  std::vector<Eigen::Vector3d> v(2, Eigen::Vector3d::Zero()), own(1, Eigen::Vector3d::Zero());
+  error.begin(v, own);
+  const auto go = [&](double speed) {
+    v[0].x() = v[1].y() = speed;
+    own[0] = v[0];
+    error.driven();
+    return error.add(v, own, true);
+  };
+  for (int i = 1; i <= 9; ++i) EXPECT_FALSE(go(0.1 * i)) << i;
+  EXPECT_TRUE(go(1.01));
+  EXPECT_NEAR(error.most(), 0.5 * config.step * 1.01, 1e-12);
+  EXPECT_FALSE(go(0.0));  // as far ahead as it was behind
+  EXPECT_NEAR(error.most(), 0.0, 1e-12);
+}
+
+TEST(LocalError, OfAHigherOrderWhatADrivenWorldIsOffFades) {
+  WorldConfig config;
+  config.step = 0.01;
+  config.order = 2;
   LocalError error(0, 1, config);
-  double v = 0.0;
-  error.begin({{v, 0.0, 0.0}}, {});
-  for (int i = 0; i < 100; ++i) {
-    v += 0.1;  // half a millimetre a step
-    if (i % 3 == 0) error.driven();
-    EXPECT_FALSE(error.add({{v, 0.0, 0.0}}, {}, false));
+  std::vector<Eigen::Vector3d> v{Eigen::Vector3d::Zero()};
+  error.begin(v, {});
+  double most = 0.0;
+  for (int i = 1; i <= 2000; ++i) {
+    error.driven();
+    v[0].x() = i % 2 == 0 ? 1e-3 : 0.0;
+    EXPECT_FALSE(error.add(v, {}, true));
+    most = error.most();
   }
-  int steps = 0;
-  error.driven();
-  while (!error.add({{v += 0.1, 0.0, 0.0}}, {}, false)) ++steps;
-  EXPECT_NEAR(error.most(), LocalError::kMostOff, 6e-4);
-  EXPECT_NEAR(steps, 4, 1);
+  EXPECT_NEAR(most, 3.0 / config.step * config.step / 6.0 * 2e-3, 1e-5);  // as much fades as comes
+}
+
+TEST(LocalError, WhatFallsFreelyIsNotOff) {
+  WorldConfig config;
+  config.step = 0.02;
+  for (const Engine engine : {Engine::kArticulated, Engine::kOde}) {
+    config.engine = engine;
+    LocalError error(0, 1, config);
+    std::vector<Eigen::Vector3d> v{{1.0, 2.0, 0.0}};
+    error.begin(v, {});
+    bool said = false;
+    for (int i = 1; i <= 100; ++i) {
+      v[0].z() = -kGravity * config.step * i;
+      said = error.add(v, {}, false) || said;
+    }
+    EXPECT_EQ(said, engine == Engine::kOde);
+    v[0].z() = 0.0;  // it strikes the ground
+    EXPECT_TRUE(error.add(v, {}, false));
+  }
 }
 
 }  // namespace
