@@ -24,7 +24,7 @@ WORLDS = ("articulated", "articulated/soft", "ode", "mujoco")
 BEGIN = 3.0   # from here on the velocity counts, and pushes come [s]
 COURSES = {"flat": "",
            "pushed": "push_round: {at: 3, every: 2, count: 64, phase: 0.6, forward: 0.3, back: 0.3, sideways: 0.2}\n",
-           "tiles": "terrain: {tile: 0.3, height: 0.03, slope_deg: 0, from: 0.8, length: 12, width: 2.4}\n"}
+           "tiles": "terrain: {tile: 0.4, height: 0.03, slope_deg: 0, from: 0.8, length: 12, width: 2.4}\n"}
 FIELDS = ("course", "world", "walker", "runs", "falls", "completed", "vx", "vy", "wz", "error")
 
 

@@ -114,9 +114,9 @@ def run(network: Network, spec: Spec, robot: Robot, folder: str, command: tuple[
                     raise PolicyError('the trial does not run: ' + ' '.join(log.read_text().splitlines()[-3:])[:400])
                 if runner.elapsed > last:
                     last, since = runner.elapsed, time.monotonic()
-                elif runner.ticks and time.monotonic() - since > STILL:
+                elif runner.ticks and time.monotonic() - since > (allowed := STILL if last > 0.0 else SILENCE):  # a first one may wait for others
                     outcome.stopped = next((line.removeprefix('up: ') for line in log.read_text().splitlines() if 'asks for a stop' in line),
-                                           f'nothing went on for {STILL:g} s')
+                                           f'nothing went on for {allowed:g} s')
                     break
         except Stopped as stop:
             outcome.stopped = str(stop)
