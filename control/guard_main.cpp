@@ -165,7 +165,7 @@ class GuardProcess {
     event.severity = 1;
     const int used = std::snprintf(event.text.data(), event.text.size(), "%s: ",
                                    report.stop_asked ? "guard asks for a stop" : "guard holds joints");
-    describe(model_, cause, watch_.margin(), std::span(event.text).subspan(static_cast<std::size_t>(used)));
+    describe(model_, cause, std::span(event.text).subspan(static_cast<std::size_t>(used)));
     node_.tell(event);
   }
 

@@ -31,6 +31,7 @@ Guard::Impl::Impl(const Model& robot, const GuardConfig& wanted)
     : model(&robot),
       config(wanted),
       collision(robot),
+      margin_shares(robot),
       track(robot, wanted.delay_ticks, wanted.servo_lag),
       servos(robot, wanted.delay_ticks, wanted.servo_lag),
       own_kinematics(robot),
@@ -173,9 +174,8 @@ Guard::~Guard() = default;
 
 const GuardReport& Guard::report() const noexcept { return impl_->report; }
 const GuardCause& Guard::cause() const noexcept { return impl_->cause; }
-double Guard::margin() const noexcept { return impl_->config.margin; }
 
-void describe(const Model& model, const GuardCause& cause, double margin, std::span<char> text) noexcept {
+void describe(const Model& model, const GuardCause& cause, std::span<char> text) noexcept {
   const auto name = [&](int link) {
     return link < model.link_count() ? model.links[at(link)].name.c_str() : "an obstacle";
   };
@@ -191,7 +191,7 @@ void describe(const Model& model, const GuardCause& cause, double margin, std::s
                           cause.speed, joint.kind == JointKind::kPrismatic ? "m/s" : "rad/s");
   }
   if (used > 0 && used < static_cast<int>(text.size()))
-    std::snprintf(text.data() + used, text.size() - at(used), "; %.0f mm are kept", 1e3 * margin);
+    std::snprintf(text.data() + used, text.size() - at(used), "; %.3g mm are kept", 1e3 * cause.margin);
 }
 const PairDistance* Guard::pairs() const noexcept { return impl_->pairs.data(); }
 int Guard::pair_count() const noexcept { return impl_->pair_count; }

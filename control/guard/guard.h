@@ -30,7 +30,7 @@ namespace twinbus {
 
 struct GuardConfig {
   std::int64_t guard_id = 1;
-  double margin = GuardDefaults::kInController;  // distance that is left when everything has come to rest [m]
+  double margin = GuardDefaults::kInController;  // left when everything has come to rest, less of near_pairs of robot.yaml [m]
   double near = 0.050;       // pairs nearer than this are reported [m]
   int delay_ticks = 2;       // from the state that shows a danger to the brake that answers it
   double servo_lag = 0.005;  // by which a joint runs on behind a set-point that is braked [s]
@@ -43,6 +43,7 @@ struct GuardCause {
   double now = 0.0, then = 0.0;  // distance of the two at the tick, and where they come nearest [m]
   int joint = -1;                // that brings them together most
   double speed = 0.0;            // of it, as the look-ahead has it [rad/s or m/s]
+  double margin = 0.0;           // that is kept of the two [m]
 };
 
 class Guard {
@@ -85,8 +86,6 @@ class Guard {
   // Obstacles in the world of `base`; the first kMaxObstacles are kept.
   void set_obstacles(const std::vector<Obstacle>& obstacles);
 
-  double margin() const noexcept;  // [m]
-
  private:
   struct Impl;
   std::unique_ptr<Impl> impl_;
@@ -94,6 +93,6 @@ class Guard {
 
 // In words: "A and B, 12.1 mm apart, would come to 8.3 mm by JOINT at 0.52 rad/s; 10 mm are kept".  Cut off at the end of
 // the text.
-void describe(const Model& model, const GuardCause& cause, double margin, std::span<char> text) noexcept;
+void describe(const Model& model, const GuardCause& cause, std::span<char> text) noexcept;
 
 }  // namespace twinbus

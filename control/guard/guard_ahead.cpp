@@ -43,8 +43,9 @@ const PairDistance* Guard::Impl::near_now(int link_a, int link_b) const noexcept
 
 bool Guard::Impl::comes_too_near(const PairDistance& before,
                                  const PairDistance& after) const noexcept {
-  const double inside = std::clamp(before.distance / config.margin, 0.0, 1.0);
-  return after.distance < config.margin &&
+  const double margin = margin_of(after.link_a, after.link_b);
+  const double inside = std::clamp(before.distance / margin, 0.0, 1.0);
+  return after.distance < margin &&
          after.distance < before.distance - kNearer * inside * inside && before.distance > -kLost;
 }
 
@@ -132,8 +133,9 @@ bool Guard::Impl::hold_all() noexcept {
 bool Guard::Impl::judge(const CourseWay& way, const CourseWay::Shares& shares,
                         const Courses& courses, Collision::OnWay& pair) noexcept {
   const PairDistance* before = near_now(pair.link_a, pair.link_b);
-  const double distance = before != nullptr ? before->distance : config.margin;
-  pair.clear = kProved * std::min(distance, config.margin);
+  pair.margin = margin_of(pair.link_a, pair.link_b);
+  const double distance = before != nullptr ? before->distance : pair.margin;
+  pair.clear = kProved * std::min(distance, pair.margin);
   collision.begin(pair);
   if (distance < kBarely) pair.open = 0;
   if (!(distance > 0.0)) pair.asked = ~kDepths;
@@ -146,7 +148,8 @@ bool Guard::Impl::judge(const CourseWay& way, const CourseWay::Shares& shares,
     if (before == nullptr || !comes_too_near(*before, found)) continue;
     suspect = pair.pair;
     if (!cause.found || cause.link_a < 0)
-      cause = {.found = true, .link_a = pair.link_a, .link_b = pair.link_b, .now = before->distance, .then = found.distance};
+      cause = {.found = true, .link_a = pair.link_a, .link_b = pair.link_b, .now = before->distance, .then = found.distance,
+               .margin = pair.margin};
     blame(*before, found, way, shares[at(place)], courses);
     return true;
   }
@@ -218,7 +221,7 @@ void Guard::Impl::prove_mask() noexcept {
     }
     if (mask == 0) {  // commands may change at once, and then all is braked
       predict_masked(all_but_legs);
-      if (travel(masked, &obeyed) > (1.0 - kProved) * config.margin) look_along(masked);
+      if (travel(masked, &obeyed) > (1.0 - kProved) * margin_shares.least() * config.margin) look_along(masked);
     }
     if (mask != before) continue;
     // What soft servos do to those that are held is not theirs to answer for: all are.

@@ -12,6 +12,7 @@
 #include "control/guard/servo_predictor.h"
 #include "control/guard/set_point_predictor.h"
 #include "common/math/index.h"
+#include "robot/collision/near_pairs.h"
 
 namespace twinbus {
 
@@ -26,6 +27,7 @@ struct Guard::Impl {
   const Model* model;
   GuardConfig config;
   Collision collision;
+  MarginShares margin_shares;
   SetPointTrack track;
   ServoPredictor servos;  // of joints that are too soft to follow their set-points
   Kinematics own_kinematics, then_kinematics;
@@ -65,6 +67,7 @@ struct Guard::Impl {
 
   const Course& if_held(int k) const noexcept { return servos.is_soft(at(k)) ? servos.if_held(at(k)) : track.if_held(at(k)); }
   std::int64_t on_hold() const noexcept { return track.on_hold() | servos.on_hold(); }
+  double margin_of(int link_a, int link_b) const noexcept { return config.margin * margin_shares.of(link_a, link_b); }  // [m]
   void forget() noexcept;
   bool goes_on(const RobotState& state) const noexcept;
   // What is now is known.

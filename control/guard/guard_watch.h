@@ -41,7 +41,6 @@ class GuardWatch {
 
   // As Guard::cause.
   const GuardCause& cause() const noexcept { return guard_.cause(); }
-  double margin() const noexcept { return guard_.margin(); }
 
   void set_obstacles(const std::vector<Obstacle>& obstacles) { guard_.set_obstacles(obstacles); }
 

@@ -14,7 +14,7 @@ constexpr double kNoNearer = 0.001;  // two links that are near already [m]
 }  // namespace
 
 PoseWay::PoseWay(const Model& model)
-    : model_(&model), collision_(model), kinematics_(model), place_(model) {}
+    : model_(&model), collision_(model), shares_(model), kinematics_(model), place_(model) {}
 
 void PoseWay::start(const Configuration& base, const PerJoint<double>& from, const PerJoint<double>& to,
                     std::int64_t mask) noexcept {
@@ -42,6 +42,7 @@ PoseWay::Verdict PoseWay::look() noexcept {
       const auto before = std::find_if(at_start_.begin(), end, [&](const PairDistance& p) {
         return p.link_a == pair.link_a && p.link_b == pair.link_b;
       });
+      if (!(pair.distance < kMargin * shares_.of(pair.link_a, pair.link_b))) continue;
       if (before != end && pair.distance > before->distance - kNoNearer) continue;
       hit_ = pair;
       return Verdict::kTouches;

@@ -10,6 +10,7 @@
 
 #include "robot/collision/collision.h"
 #include "robot/description/model.h"
+#include "robot/collision/near_pairs.h"
 #include "robot/kinematics/kinematics.h"
 
 namespace twinbus {
@@ -34,6 +35,7 @@ class PoseWay {
 
   const Model* model_;
   Collision collision_;
+  MarginShares shares_;
   Kinematics kinematics_;
   Configuration place_;
   PerJoint<double> from_{}, to_{};

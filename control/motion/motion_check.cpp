@@ -10,6 +10,7 @@
 #include "control/legs/whole_body_ik.h"
 #include "control/legs/wrench_share.h"
 #include "robot/collision/collision.h"
+#include "robot/collision/near_pairs.h"
 #include "robot/dynamics/inverse_dynamics.h"
 #include "robot/estimation/support_polygon.h"
 #include "robot/kinematics/leg_chain.h"
@@ -78,6 +79,7 @@ class Check {
         faults_(std::max<std::int64_t>(1, std::llround(kTold / model.period()))),
         every_(std::max<std::int64_t>(1, std::llround(config.every / model.period()))),
         collision_(model),
+        shares_(model),
         kinematics_(model),
         dynamics_(model),
         tau_(Eigen::VectorXd::Zero(model.joint_count())),
@@ -202,9 +204,8 @@ class Check {
         verdict_.nearest = pair.distance;
         verdict_.nearest_pair = name;
       }
-      if (pair.distance < config_.link_margin)
-        faults_.add(FaultKind::kTouch, tick, name, pair.distance, config_.link_margin,
-                    -pair.distance);
+      const double margin = config_.link_margin * shares_.of(pair.link_a, pair.link_b);
+      if (pair.distance < margin) faults_.add(FaultKind::kTouch, tick, name, pair.distance, margin, -pair.distance);
     }
   }
 
@@ -333,6 +334,7 @@ class Check {
   Faults faults_;
   std::int64_t every_;
   Collision collision_;
+  MarginShares shares_;
   Kinematics kinematics_;
   InverseDynamics dynamics_;
   std::optional<WholeBodyIk> ik_;

@@ -7,6 +7,7 @@
 
 #include "robot/dynamics/inverse_dynamics.h"
 #include "common/math/index.h"
+#include "lcmtypes/msg/guard_defaults.h"
 #include "robot/kinematics/kinematics.h"
 #include "robot/onboarding/point_legged.h"
 #include "robot/onboarding/known_srdf.h"
@@ -94,6 +95,7 @@ class Writer {
     }
     posture_ = neutral_posture(model_);
     choose_posture();
+    pairs_ = pairs_at_rest(model_, {neutral_posture(model_), posture_});
     for (int j = 0; j < model_.joint_count(); ++j) {
       for (const Hand& hand : anatomy.hands) {
         if (hand.link > 0 && j + 1 != hand.link && above(hand.link, j + 1)) fingers_.push_back(j);
@@ -133,6 +135,7 @@ class Writer {
     hands(out);
     if (!anatomy_.leg_joints.empty())
       out += "\nleg_joints: " + list(names_of(anatomy_.leg_joints)) + "\n";
+    near_pairs(out);
     std::string servos;
     for (const int j : model_.bus_joints) {
       if (!is_finger(j)) servo(j, servos);
@@ -164,9 +167,8 @@ class Writer {
       out += "  <disable_collisions link1=\"" + escaped(a) + "\" link2=\"" + escaped(b) +
              "\" reason=\"said by " + escaped(source_.srdf_origin) + "\"/>\n";
     }
-    const std::vector<RestPair> pairs = pairs_at_rest(model_, {neutral_posture(model_), posture_});
-    disabled_ = pairs.size();
-    for (const RestPair& pair : pairs) out += disabled(model_, pair);
+    disabled_ = pairs_.size();
+    for (const RestPair& pair : pairs_) out += disabled(model_, pair);
     return out + "</robot>\n";
   }
 
@@ -255,6 +257,17 @@ class Writer {
              exact(value == 0.0 ? 0.0 : value) + "\"/>\n";
     }
     out += "  </group_state>\n";
+  }
+
+  void near_pairs(std::string& out) const {
+    const std::vector<NearByDesign> pairs = pairs_near_by_design(model_, {neutral_posture(model_), posture_}, pairs_);
+    if (pairs.empty()) return;
+    out += "\n# Near each other by design: what guards keep of them [m], where they keep " +
+           fixed(GuardDefaults::kInController) + " of others.\nnear_pairs:\n";
+    for (const NearByDesign& pair : pairs) {
+      out += "  - {links: [" + model_.links[at(pair.link_a)].name + ", " + model_.links[at(pair.link_b)].name +
+             "], margin: " + fixed(pair.margin) + "}  # " + pair.why + "\n";
+    }
   }
 
   void soles(std::string& out) const {
@@ -386,6 +399,7 @@ class Writer {
   std::vector<std::string> doubts_;
   Eigen::VectorXd posture_;
   std::vector<int> fingers_;  // joints behind the hands
+  std::vector<RestPair> pairs_;  // left out
   std::size_t disabled_ = 0;
 };
 

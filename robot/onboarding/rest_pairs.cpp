@@ -8,6 +8,8 @@
 
 #include "common/math/index.h"
 #include "robot/collision/collision.h"
+#include "lcmtypes/msg/guard_defaults.h"
+#include "robot/collision/collision_pairs.h"
 #include "robot/kinematics/kinematics.h"
 #include "robot/onboarding/anatomy.h"
 
@@ -16,8 +18,12 @@ namespace twinbus {
 namespace {
 
 constexpr double kTouch = 1e-3;   // nearer counts as touching [m]
-constexpr double kMargin = 0.01;  // the guard's [m]
-constexpr int kFewJoints = 3;     // between links that are near by their makers' intent
+constexpr double kMargin = GuardDefaults::kInController;  // [m]
+constexpr double kNear = 3.0 * kMargin;                   // at rest, of pairs that are so by design
+constexpr double kOff = 0.01;         // by which each joint may end off the place foretold [rad]
+constexpr double kOffSliding = 1e-3;  // [m]
+constexpr double kLeastMargin = 0.003;  // [m]
+constexpr int kFewJoints = 3;     // between links that are near by their makers' intent; on two limbs as many of each
 constexpr double kSamePlace = 0.01;  // of a mirror image [m]
 constexpr double kAlike = 0.05;      // of its mass
 constexpr int kMostPairs = 4096;
@@ -36,6 +42,20 @@ int joints_between(const Model& model, int a, int b) {
     ++count;
   }
   return count;
+}
+
+// By how much the pair comes together when all joints between are off by kOff towards it, to first order [m].
+double play(const Model& model, const Kinematics& k, const PairDistance& pair) {
+  double sum = 0.0;
+  for (int j = 0; j < model.joint_count(); ++j) {
+    if (!joint_moves_pair(model, j, pair.link_a, pair.link_b)) continue;
+    const Eigen::Vector3d& axis = k.axis_in_world(j);
+    const Eigen::Vector3d& point = joint_moves_pair(model, j, pair.link_a, -1) ? pair.point_a : pair.point_b;
+    sum += model.joints[at(j)].kind == JointKind::kPrismatic
+               ? kOffSliding * std::abs(pair.normal.dot(axis))
+               : kOff * std::abs(pair.normal.dot(axis.cross(point - k.link_in_world(j + 1).translation())));
+  }
+  return sum;
 }
 
 }  // namespace
@@ -102,6 +122,43 @@ std::vector<RestPair> pairs_at_rest(const Model& model, const std::vector<Eigen:
     if (a < 0 || b < 0 || !checked(a, b) || least.contains({std::min(a, b), std::max(a, b)})) continue;
     pairs.push_back({std::min(a, b), std::max(a, b),
                      "mirror image of " + model.links[at(pair.first)].name + ", " + model.links[at(pair.second)].name});
+  }
+  return pairs;
+}
+
+std::vector<NearByDesign> pairs_near_by_design(const Model& model, const std::vector<Eigen::VectorXd>& postures,
+                                               const std::vector<RestPair>& left_out) {
+  Collision collision(model);
+  Configuration c(model);
+  Kinematics k(model);
+  std::vector<PairDistance> near(at(kMostPairs));
+  struct Seen {
+    double distance = kNear, play = 0.0;
+  };
+  std::map<std::pair<int, int>, Seen> seen;
+  for (const Eigen::VectorXd& q : postures) {
+    c.q = q;
+    k.update(c);
+    const int count = collision.near_pairs(k, kNear, near.data(), kMostPairs);
+    for (int i = 0; i < count; ++i) {
+      const PairDistance& pair = near[at(i)];
+      Seen& s = seen[{pair.link_a, pair.link_b}];
+      s.distance = std::min(s.distance, pair.distance);
+      s.play = std::max(s.play, play(model, k, pair));
+    }
+  }
+  for (const RestPair& pair : left_out) seen.erase({pair.link_a, pair.link_b});
+  std::erase_if(seen, [&](const auto& of) {
+    return joints_between(model, of.first.first, of.first.second) > 2 * kFewJoints;
+  });
+  std::vector<NearByDesign> pairs;
+  for (const auto& [pair, s] : seen) {
+    const double margin = std::ceil(1e3 * std::max(s.play, kLeastMargin)) * 1e-3;
+    if (!(margin < kMargin)) continue;
+    char why[120];
+    std::snprintf(why, sizeof why, "%.1f mm apart at rest; joints that end %.2f rad off move them by %.1f mm", 1e3 * s.distance,
+                  kOff, 1e3 * s.play);
+    pairs.push_back({pair.first, pair.second, margin, why});
   }
   return pairs;
 }

@@ -19,6 +19,17 @@ struct RestPair {
 // between them, and the mirror images of all these.  Nothing that the SRDF leaves out already.
 std::vector<RestPair> pairs_at_rest(const Model& model, const std::vector<Eigen::VectorXd>& postures);
 
+struct NearByDesign {
+  int link_a = 0, link_b = 0;
+  double margin = 0.0;  // [m]
+  std::string why;
+};
+
+// Pairs of one limb, or of two beside each other, that are near in one of the postures, with the margin that is enough for
+// them: as far as joints that end off their foretold places bring them together.  What is in left_out has none.
+std::vector<NearByDesign> pairs_near_by_design(const Model& model, const std::vector<Eigen::VectorXd>& postures,
+                                               const std::vector<RestPair>& left_out);
+
 // The link on the other side, in the posture nearest to zero; -1: there is none [link_count].
 std::vector<int> mirror_images(const Model& model);
 

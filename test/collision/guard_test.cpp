@@ -7,6 +7,7 @@
 #include <random>
 #include <vector>
 
+#include "robot/collision/collision_pairs.h"
 #include "robot/collision/links/link_geometry.h"
 #include "test/collision/guard_rig.h"
 #include "test/collision/rated_drive.h"
@@ -37,6 +38,17 @@ std::int64_t arm_mask() {
     }
   }
   return mask;
+}
+
+// With a margin of their own for these pairs [m].
+Model with_margins(const std::vector<CollisionPair>& pairs, double margin) {
+  Model model = hrp1s();
+  model.yaml_text += "\nnear_pairs:\n";
+  for (const CollisionPair& p : pairs) {
+    model.yaml_text += "  - {links: [" + model.links[static_cast<std::size_t>(p.link_a)].name + ", " +
+                       model.links[static_cast<std::size_t>(p.link_b)].name + "], margin: " + std::to_string(margin) + "}\n";
+  }
+  return model;
 }
 
 struct Watch {  // what really happens, seen without the guard
@@ -251,16 +263,16 @@ TEST(Guard, LegsAreNeverMaskedButAskForAStop) {
     if (report.stop_asked && !asked) {  // it says of whom, how near, by which joint
       const GuardCause& cause = guard.cause();
       ASSERT_TRUE(cause.found && cause.link_b >= 0);
-      EXPECT_LT(cause.then, guard.margin());
+      EXPECT_LT(cause.then, cause.margin);
       EXPECT_GT(cause.now, cause.then);
       ASSERT_GE(cause.joint, 0);
       EXPECT_NE(model.joints[static_cast<std::size_t>(cause.joint)].name.find("LEG_HIP_R"), std::string::npos);
       std::array<char, 300> text{};
-      describe(model, cause, guard.margin(), text);
+      describe(model, cause, text);
       EXPECT_NE(std::string(text.data()).find(model.links[static_cast<std::size_t>(cause.link_a)].name), std::string::npos);
       EXPECT_NE(std::string(text.data()).find("LEG_HIP_R at "), std::string::npos) << text.data();
       std::array<char, 20> little{};
-      describe(model, cause, guard.margin(), little);  // cut off, not beyond
+      describe(model, cause, little);  // cut off, not beyond
       EXPECT_EQ(little.back(), '\0');
     }
     asked = asked || report.stop_asked;
@@ -268,9 +280,46 @@ TEST(Guard, LegsAreNeverMaskedButAskForAStop) {
   EXPECT_TRUE(asked);
 }
 
-// The claim that matters: whatever smooth motion is asked for, nothing ever touches.
-TEST(Guard, RandomMotionsNeverTouch) {
-  const Model& model = hrp1s();
+// Of two links that are near by design robot.yaml says how much is kept, and of them alone.
+TEST(Guard, KeepsLessOfPairsThatAreNearByDesign) {
+  const auto stopped_at = [](const Model& model, GuardCause& cause) {
+    Guard guard(model, {});
+    GuardRig rig(model, named_posture(model, "half_sitting"));
+    for (int i = 0; i < 6000; ++i) {
+      rig.command.q[bus("LLEG_HIP_R")] -= 0.0002;
+      rig.command.q[bus("RLEG_HIP_R")] += 0.0002;
+      if (!rig.tick(guard).stop_asked) continue;
+      cause = guard.cause();
+      return i;
+    }
+    return -1;
+  };
+  GuardCause usual, own, other;
+  const int first = stopped_at(hrp1s(), usual);
+  ASSERT_GE(first, 0);
+  EXPECT_EQ(usual.margin, 0.010);
+  const std::vector<CollisionPair> all = pairs_to_check(hrp1s());
+  std::vector<CollisionPair> rest;
+  for (const CollisionPair& p : all) {
+    if (p.link_a != usual.link_a || p.link_b != usual.link_b) rest.push_back(p);
+  }
+  ASSERT_EQ(rest.size() + 1, all.size());
+  EXPECT_EQ(stopped_at(with_margins(rest, 0.004), other), first) << "the margin of others says nothing";
+  const Model model = with_margins(all, 0.004);
+  EXPECT_GT(stopped_at(model, own), first);
+  EXPECT_DOUBLE_EQ(own.margin, 0.004);
+  EXPECT_LT(own.then, 0.004);
+  EXPECT_GT(own.then, 0.0);
+  std::array<char, 300> text{};
+  describe(model, own, text);
+  EXPECT_NE(std::string(text.data()).find("; 4 mm are kept"), std::string::npos) << text.data();
+}
+
+// The claim that matters: whatever smooth motion is asked for, nothing ever touches, with the least margin for all either.
+class AnyMargin : public ::testing::TestWithParam<bool> {};
+INSTANTIATE_TEST_SUITE_P(Guard, AnyMargin, ::testing::Bool());
+TEST_P(AnyMargin, RandomMotionsNeverTouch) {
+  const Model model = GetParam() ? with_margins(pairs_to_check(hrp1s()), 0.003) : hrp1s();
   Watch watch(model);
   std::mt19937_64 random(kSeed);
   std::normal_distribution<double> unit;

@@ -1,6 +1,7 @@
 #include "robot/description/load.h"
 
 #include "fixtures.h"
+#include "robot/collision/near_pairs.h"
 #include "robot/onboarding/anatomy.h"
 
 namespace twinbus::test {
@@ -228,6 +229,21 @@ TEST(Load, AServoNumberGivenTwiceIsRefused) {
   const std::string twice = load("  - {joints: [CHEST], kp: 5}\n");
   EXPECT_NE(twice.find("CHEST"), std::string::npos) << twice;
   EXPECT_NE(twice.find("a second time"), std::string::npos) << twice;
+}
+
+TEST(Load, PairsThatAreNearByDesignAreNamedWithAMarginBelowTheGuards) {
+  const auto load = [](const std::string& pair) {
+    Folder robot;
+    robot.yaml += "near_pairs:\n  - {" + pair + "}\n";
+    return error_of([&] { near_pairs_of(robot.load()); });
+  };
+  EXPECT_EQ(load("links: [a, c], margin: 0.004"), "");
+  EXPECT_NE(load("links: [a, d], margin: 0.004").find("'d' is no link"), std::string::npos);
+  EXPECT_NE(load("links: [a, plate], margin: 0.004").find("are one link"), std::string::npos);
+  EXPECT_NE(load("links: [a], margin: 0.004").find("two links"), std::string::npos);
+  for (const char* margin : {"0", "-0.004", "0.011", ".nan", "much"})
+    EXPECT_NE(load(std::string("links: [a, c], margin: ") + margin).find("margin"), std::string::npos) << margin;
+  EXPECT_NE(load("links: [a, c]").find("margin"), std::string::npos);
 }
 
 }  // namespace

@@ -334,6 +334,38 @@ TEST(RestPairs, ATouchAtRestIsExemptedWithItsMirrorImage) {
   EXPECT_TRUE(pairs_at_rest(model, {q}).empty());
 }
 
+// A knob above the ankle that a shank's own knob is 20 mm from moves by little when ankles err; a hand by much.
+TEST(RestPairs, PairsThatAreNearByDesignHaveMarginsOfTheirOwn) {
+  Model model = hrp1s();
+  model.disabled_pairs.clear();
+  const std::vector<double>& pose = model.poses[at(model.find_pose("half_sitting"))].q;
+  Configuration c(model);
+  c.q = Eigen::Map<const Eigen::VectorXd>(pose.data(), static_cast<Eigen::Index>(pose.size()));
+  Kinematics k(model);
+  k.update(c);
+  const int shank = model.joints[at(model.find_joint("LLEG_KNEE"))].child, foot = model.soles[0].link, hand = model.hands[0].link;
+  const auto knob = [&](int link, const Eigen::Vector3d& place) {
+    Shape ball;
+    ball.kind = ShapeKind::kSphere;
+    ball.size = {0.005, 0.0, 0.0};
+    ball.pose.translation() = k.link_in_world(link).inverse() * place;
+    model.links[at(link)].collision.push_back(ball);
+  };
+  for (Link& link : model.links) link.collision.clear();
+  const Eigen::Vector3d above = k.link_in_world(foot).translation() + Eigen::Vector3d(0.1, 0.0, 0.3);
+  knob(foot, above);
+  knob(shank, above + Eigen::Vector3d(0.0, 0.0, 0.03));
+  knob(hand, above + Eigen::Vector3d(0.0, 0.03, 0.0));
+  const std::vector<NearByDesign> pairs = pairs_near_by_design(model, {c.q}, {});
+  ASSERT_EQ(pairs.size(), 1U);
+  EXPECT_EQ(pairs[0].link_a, shank);
+  EXPECT_EQ(pairs[0].link_b, foot);
+  EXPECT_GE(pairs[0].margin, 0.003);
+  EXPECT_LT(pairs[0].margin, 0.010);
+  EXPECT_NE(pairs[0].why.find("20.0 mm apart at rest"), std::string::npos) << pairs[0].why;
+  EXPECT_TRUE(pairs_near_by_design(model, {c.q}, {{shank, foot, "touch"}}).empty()) << "what is left out has no margin";
+}
+
 TEST(Proposal, AnSrdfNearbyIsFound) {
   const TemporaryFolder folder;
   std::filesystem::create_directories(folder.path() + "/urdf");
