@@ -11,34 +11,12 @@
 #include "common/process/command_word.h"
 #include "common/text/closest_name.h"
 #include "common/text/printable.h"
-#include "launcher/check/check.h"
-#include "launcher/export/export.h"
-#include "launcher/log/log_command.h"
-#include "launcher/motion/motion_command.h"
-#include "launcher/operate/doctor.h"
-#include "launcher/operate/operate.h"
-#include "launcher/operate/reach.h"
-#include "launcher/operate/status.h"
-#include "launcher/operate/switch_source.h"
-#include "launcher/operate/tools.h"
-#include "launcher/operate/walk.h"
-#include "launcher/run/run.h"
-#include "launcher/run/scenes.h"
-#include "launcher/run/tune.h"
+#include "launcher/commands/commands.h"
 #include "launcher/stack/run_folder.h"
-#include "launcher/up/restart.h"
-#include "launcher/up/sim_command.h"
-#include "launcher/up/up.h"
 
 using namespace twinbus;
 
 namespace {
-
-struct Command {
-  const char* name;
-  const char* about;
-  int (*run)(const std::vector<std::string>& words);
-};
 
 constexpr Command kCommands[] = {
     {"up", "start and supervise simulator, controller, guard, planner and viewer", &up_command},

@@ -1,8 +1,11 @@
 #include "common/process/arguments.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <sstream>
+#include <utility>
 
 #include "common/process/command_word.h"
 #include "common/text/closest_name.h"
@@ -29,18 +32,42 @@ double number_of(const std::string& command, const std::string& name, const std:
   return value;
 }
 
+const OptionSpec& shared_option(const std::string& name) {
+  static const Syntax shared("", 0, 0, R"(
+  --robot NAME  of config/robots, or a folder
+  --prefix P  put before every channel, as in R1_ (second robot)
+  --url URL  of the bus; default $LCM_DEFAULT_URL, else the port of twinbus
+  --allow IP  another machine that may send to this bus; may be repeated
+  --from S  seconds from the first event
+  --to S  seconds from the first event
+  --force  writes over a file that is there, with its parts)");
+  for (const OptionSpec& option : shared.options) {
+    if (option.name == name) return option;
+  }
+  throw std::logic_error(name + ": no option that commands share; say what it is for");
+}
+
 }  // namespace
 
-OptionSpec prefix_option() {
-  return {"--prefix", "P", "put before every channel, as in R1_ (second robot)"};
+Syntax::Syntax(std::string name, std::size_t least, std::size_t most, std::string_view help)
+    : command(std::move(name)), least_words(least), most_words(most) {
+  std::istringstream stream{std::string(help)};
+  std::getline(stream, positional);
+  for (std::string line, next; std::getline(stream, line);) {
+    while (line.ends_with('\\') && std::getline(stream, next))
+      line.replace(line.size() - 1, 1, next, next.find_first_not_of(' '), std::string::npos);
+    if (!line.starts_with("  --")) {
+      about += (about.empty() ? "" : "\n") + line;
+    } else if (const std::size_t gap = line.find("  ", 2); gap != std::string::npos) {
+      const std::string left = line.substr(2, gap - 2);
+      const std::string option = left.substr(0, left.find(' '));
+      options.push_back({option, left.substr(std::min(option.size() + 1, left.size())), line.substr(gap + 2)});
+    } else {
+      std::istringstream names(line);
+      for (std::string shared; names >> shared;) options.push_back(shared_option(shared));
+    }
+  }
 }
-OptionSpec url_option() {
-  return {"--url", "URL", "of the bus; default $LCM_DEFAULT_URL, else the port of twinbus"};
-}
-OptionSpec allow_option() {
-  return {"--allow", "IP", "another machine that may send to this bus; may be repeated"};
-}
-OptionSpec robot_option() { return {"--robot", "NAME", "of config/robots, or a folder"}; }
 
 std::string help_text(const Syntax& syntax) {
   std::string text = "usage: ./twinbus " + syntax.command;

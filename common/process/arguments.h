@@ -7,6 +7,7 @@
 #include <map>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace twinbus {
@@ -22,20 +23,25 @@ struct OptionSpec {
   std::string about;
 };
 
+// What a command takes, written nearly as its --help prints it:
+//
+//   {"walk", 0, 3, R"(VX VY WZ | --steps FILE
+//   Walks at VX m/s forward ...
+//     --for S  seconds; default 2
+//     --robot --url)"}
+//
+// First the words as the usage line shows them (none: an empty line), then sentences, then an option a line: its name, what
+// its value is called (a flag has none), two blanks, what it is for.  Names alone are options that many commands have.  A \ at
+// the end of a line joins the next to it.
 struct Syntax {
+  Syntax(std::string command, std::size_t least_words, std::size_t most_words, std::string_view help);
+
   std::string command;
+  std::size_t least_words, most_words;
   std::string positional;  // as shown in the usage line
   std::string about;       // sentences
   std::vector<OptionSpec> options;
-  std::size_t least_words = 0;
-  std::size_t most_words = 0;
 };
-
-// Options that every command on the bus has.
-OptionSpec prefix_option();
-OptionSpec url_option();
-OptionSpec allow_option();
-OptionSpec robot_option();
 
 class Arguments {
  public:

@@ -23,4 +23,12 @@ std::string misspelt_name(const std::string& name, const std::vector<std::string
 // "; did you mean X?", or "; known: a, b, c" when nothing is near (at most 12 are listed).
 std::string suggestion(const std::string& name, const std::vector<std::string>& candidates);
 
+// The same among the names of what there is.
+template <class Named>
+std::string suggestion(const std::string& name, const std::vector<Named>& candidates) {
+  std::vector<std::string> names;
+  for (const Named& each : candidates) names.push_back(each.name);
+  return suggestion(name, names);
+}
+
 }  // namespace twinbus

@@ -6,7 +6,6 @@
 
 #include "lcmtypes/bus/bus.h"
 #include "lcmtypes/bus/channels.h"
-#include "common/process/process.h"
 #include "lcmtypes/msg/labels.h"
 
 namespace twinbus {
@@ -145,6 +144,12 @@ void BusLink::tell(const std::string& sentence, int severity) {
   send_stamped(channel::kEvent, event);
 }
 
+BusLink open_bus(const Arguments& arguments) {
+  catch_quit_signals();
+  return BusLink(arguments.text("--url", ""), arguments.text("--prefix", ""),
+                 arguments.all("--allow"));
+}
+
 const SeenSource* wait_for_active(BusLink& bus, double seconds) {
   // Everyone publishes SOURCE_STATUS at 10 Hz, so a quarter of a second hears all who are there.
   const std::int64_t start = monotonic_ns();
@@ -154,6 +159,12 @@ const SeenSource* wait_for_active(BusLink& bus, double seconds) {
     if (active != nullptr || quit_requested()) return active;
     if (1e-9 * static_cast<double>(monotonic_ns() - start) > seconds) return nullptr;
   }
+}
+
+const SeenSource& active_source(BusLink& bus) {
+  const SeenSource* active = wait_for_active(bus, 1.0);
+  if (active == nullptr) throw std::runtime_error("no source is active on " + bus.url() + "; start one with ./twinbus up");
+  return *active;
 }
 
 std::string describe(const SeenSource& source) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "common/process/arguments.h"
+#include "common/process/process.h"
 #include "launcher/bus/stack_monitor.h"
 #include "lcmtypes/msg/messages.h"
 #include "lcmtypes/msg/step_list.h"
@@ -47,6 +48,21 @@ class BusLink {
   void send(SimRequest& request);
   void send(ArmGoal& goal);
   void send(Gamepad& pad);
+  // Sends it every so many seconds until answered() holds.  False when it does not in time.
+  template <class Request, class Answered>
+  bool ask(Request& request, double every, double timeout, const Answered& answered) {
+    const std::int64_t begin = monotonic_ns();
+    std::int64_t asked = 0;
+    while (!quit_requested() && seconds_since(begin) < timeout) {
+      if (asked == 0 || seconds_since(asked) > every) {
+        asked = monotonic_ns();
+        send(request);
+      }
+      receive(0.01);
+      if (answered()) return true;
+    }
+    return false;
+  }
   // Plain text on EVENT; severity as in event_t, that of an alarm is 2.
   void tell(const std::string& sentence, int severity);
   void alarm(const std::string& sentence);
@@ -65,8 +81,13 @@ class BusLink {
   std::unique_ptr<Impl> impl_;
 };
 
+// As --url, --prefix and --allow say; Ctrl-C ends what waits on it.
+BusLink open_bus(const Arguments& arguments);
+
 // Waits up to so many seconds for a source that holds STATE; null if there is none.
 const SeenSource* wait_for_active(BusLink& bus, double seconds);
+// After a second of waiting.  Throws std::runtime_error if there is none.
+const SeenSource& active_source(BusLink& bus);
 
 // "simulator run 123 (term 4, active)"
 std::string describe(const SeenSource& source);

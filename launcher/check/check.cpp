@@ -1,4 +1,4 @@
-#include "launcher/check/check.h"
+#include "launcher/commands/commands.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -304,35 +304,21 @@ void write_file(const fs::path& path, const std::string& text) {
 }  // namespace
 
 int check_command(const std::vector<std::string>& words) {
-  const Arguments arguments(
-      {"check",
-       "ROBOT",
-       "Loads a robot (a name in config/robots, a folder, a URDF file, or an .xml of MuJoCo) with every check of its "
-       "files.\n"
-       "Prints mass, size, joints, sensors, what is suspicious and what robot.yaml lacks; for a "
-       "URDF without\n"
-       "robot.yaml, and for a MuJoCo model (MJCF), also proposes one, with a gait found by walking in the simulator.  The robot, or what is proposed, stands for two seconds "
-       "in the "
-       "simulator.\n"
-       "Exit status 1 if it is refused, with one line naming file and remedy, or does not stand "
-       "though it "
-       "has the legs.",
-       {{"--json", "", "everything as one JSON object"},
-        {"--pairs", "",
-         "instead: which pairs of links can touch, with proof, and which of those that the SRDF "
-         "leaves out do"},
-        {"--cells", "",
-         "instead: finds what links with few joints between them can touch with, and keeps it in "
-         "the "
-         "user's cache (seconds; makes the exact check of all pairs faster)"},
-        {"--write", "FILE", "with --pairs: writes the SRDF with all proved pairs and reasons"},
-        {"--mend", "",
-         "of a URDF: inertias that no body has, limits and axes that are none, left and right exchanged are put right in the copy; each change is said"},
-        {"--propose", "FOLDER",
-         "writes the proposed robot.yaml and SRDF with a copy of the URDF, or the URDF made of an MJCF model, into FOLDER"}},
-       1,
-       1},
-      words);
+  const Arguments arguments({"check", 1, 1, R"(ROBOT
+Loads a robot (a name in config/robots, a folder, a URDF file, or an .xml of MuJoCo) with every check of its files.
+Prints mass, size, joints, sensors, what is suspicious and what robot.yaml lacks; for a URDF without
+robot.yaml, and for a MuJoCo model (MJCF), also proposes one, with a gait found by walking in the simulator.  The robot, or what \
+is proposed, stands for two seconds in the simulator.
+Exit status 1 if it is refused, with one line naming file and remedy, or does not stand though it has the legs.
+  --json  everything as one JSON object
+  --pairs  instead: which pairs of links can touch, with proof, and which of those that the SRDF leaves out do
+  --cells  instead: finds what links with few joints between them can touch with, and keeps it in the user's cache (seconds; \
+      makes the exact check of all pairs faster)
+  --write FILE  with --pairs: writes the SRDF with all proved pairs and reasons
+  --mend  of a URDF: inertias that no body has, limits and axes that are none, left and right exchanged are put right in the \
+      copy; each change is said
+  --propose FOLDER  writes the proposed robot.yaml and SRDF with a copy of the URDF, or the URDF made of an MJCF model, into \
+      FOLDER)"}, words);
   CheckSubject subject = load_subject(arguments.word(0), arguments.has("--mend"));
   const Model& model = subject.model;
   if (arguments.has("--pairs")) return check_pairs(model, arguments.text("--write", ""));

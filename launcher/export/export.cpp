@@ -1,4 +1,4 @@
-#include "launcher/export/export.h"
+#include "launcher/commands/commands.h"
 
 #include <cstdio>
 #include <filesystem>
@@ -118,21 +118,16 @@ void tell_left_out(const Scene& scene) {
 }  // namespace
 
 int export_command(const std::vector<std::string>& words) {
-  const Arguments arguments(
-      {"export",
-       "SCENE",
-       "Writes the robot of a scene in its start posture, with ground, tiles, obstacles and loose bodies, for another simulator.\n"
-       "mjcf: FOLDER/scene.xml for MuJoCo, with servos by the gains of robot.yaml, an IMU and the keyframe `start`.\n"
-       "urdf: FOLDER/robot.urdf and FOLDER/world.urdf, for Drake and others: rotors as drake:rotor_inertia.\n"
-       "Contacts are another simulator's own: stiffness and damping of soles are not handed over.",
-       {robot_option(),
-        {"--to", "FORMAT", "mjcf or urdf"},
-        {"--out", "FOLDER", "where to write; default SCENE_mjcf or SCENE_urdf"},
-        {"--start-pose", "POSE", "of the robot's SRDF; default the scene's"},
-        {"--seed", "N", "of what the scene draws (tiles); default 1"}},
-       1,
-       1},
-      words);
+  const Arguments arguments({"export", 1, 1, R"(SCENE
+Writes the robot of a scene in its start posture, with ground, tiles, obstacles and loose bodies, for another simulator.
+mjcf: FOLDER/scene.xml for MuJoCo, with servos by the gains of robot.yaml, an IMU and the keyframe `start`.
+urdf: FOLDER/robot.urdf and FOLDER/world.urdf, for Drake and others: rotors as drake:rotor_inertia.
+Contacts are another simulator's own: stiffness and damping of soles are not handed over.
+  --robot
+  --to FORMAT  mjcf or urdf
+  --out FOLDER  where to write; default SCENE_mjcf or SCENE_urdf
+  --start-pose POSE  of the robot's SRDF; default the scene's
+  --seed N  of what the scene draws (tiles); default 1)"}, words);
   const std::string format = arguments.text("--to", "mjcf");
   if (format != "mjcf" && format != "urdf") throw UsageError("export: --to is '" + format + "'; use mjcf or urdf");
   const Exported all = load(arguments);

@@ -1,4 +1,4 @@
-#include "launcher/log/log_command.h"
+#include "launcher/commands/commands.h"
 
 #include <regex.h>
 #include <unistd.h>
@@ -25,13 +25,7 @@ namespace twinbus {
 
 namespace {
 
-struct Tool {
-  const char* name;
-  const char* about;
-  int (*run)(const std::vector<std::string>& words);
-};
-
-constexpr Tool kTools[] = {
+constexpr Command kTools[] = {
     {"info", "channels, rates, duration; --check reads every byte", &log_info},
     {"cut", "part of a log by time", &log_cut},
     {"filter", "only some channels", &log_filter},
@@ -103,29 +97,18 @@ int copy(const Arguments& arguments,
 }  // namespace
 
 int log_cut(const std::vector<std::string>& words) {
-  const Arguments arguments({"log cut",
-                             "IN OUT",
-                             "Copies the part of a log between two times.",
-                             {from_option(), to_option(), force_option()},
-                             2,
-                             2},
-                            words);
+  const Arguments arguments({"log cut", 2, 2, R"(IN OUT
+Copies the part of a log between two times.
+  --from --to --force)"}, words);
   return copy(arguments, [](std::string_view name) { return name; });
 }
 
 int log_filter(const std::vector<std::string>& words) {
-  const Arguments arguments(
-      {"log filter",
-       "IN OUT",
-       "Copies some channels of a log.",
-       {{"--channels", "RE", "those that match this regular expression; default all"},
-        {"--not", "RE", "without those that match this one"},
-        from_option(),
-        to_option(),
-        force_option()},
-       2,
-       2},
-      words);
+  const Arguments arguments({"log filter", 2, 2, R"(IN OUT
+Copies some channels of a log.
+  --channels RE  those that match this regular expression; default all
+  --not RE  without those that match this one
+  --from --to --force)"}, words);
   NamePattern wanted(arguments.text("--channels", ".*")), unwanted(arguments.text("--not", ""));
   return copy(arguments, [&](std::string_view name) {
     return wanted.matches(name) && !unwanted.matches(name) ? name : std::string_view();
@@ -133,14 +116,9 @@ int log_filter(const std::vector<std::string>& words) {
 }
 
 int log_rename(const std::vector<std::string>& words) {
-  const Arguments arguments(
-      {"log rename",
-       "IN OUT OLD=NEW...",
-       "Copies a log with channels under other names, as in STATE=STATE_YESTERDAY.",
-       {force_option()},
-       3,
-       64},
-      words);
+  const Arguments arguments({"log rename", 3, 64, R"(IN OUT OLD=NEW...
+Copies a log with channels under other names, as in STATE=STATE_YESTERDAY.
+  --force)"}, words);
   std::map<std::string, std::string, std::less<>> names;
   for (std::size_t i = 2; i < arguments.words().size(); ++i) {
     const std::string& word = arguments.words()[i];
@@ -160,13 +138,9 @@ int log_rename(const std::vector<std::string>& words) {
 }
 
 int log_events(const std::vector<std::string>& words) {
-  const Arguments arguments({"log events",
-                             "FILE",
-                             "What was said, asked, stopped and switched, with time and tick.",
-                             {from_option(), to_option(), prefix_option()},
-                             1,
-                             1},
-                            words);
+  const Arguments arguments({"log events", 1, 1, R"(FILE
+What was said, asked, stopped and switched, with time and tick.
+  --from --to --prefix)"}, words);
   catch_quit_signals();
   const std::string file = arguments.word(0), prefix = arguments.text("--prefix", "");
   require_prefix("log events", prefix, file);
@@ -253,7 +227,7 @@ int log_events(const std::vector<std::string>& words) {
 int log_command(const std::vector<std::string>& words) {
   std::string help = "usage: ./twinbus log TOOL FILE...\n\n";
   std::vector<std::string> names;
-  for (const Tool& tool : kTools) {
+  for (const Command& tool : kTools) {
     char row[120];
     std::snprintf(row, sizeof row, "  %-8s %s\n", tool.name, tool.about);
     help += row;
@@ -264,7 +238,7 @@ int log_command(const std::vector<std::string>& words) {
     print_typed(stdout, "%s\n./twinbus log TOOL --help says more.\n", help.c_str());
     return 0;
   }
-  for (const Tool& tool : kTools) {
+  for (const Command& tool : kTools) {
     if (words[0] == tool.name) return tool.run({words.begin() + 1, words.end()});
   }
   throw UsageError("log: no tool '" + words[0] + "'" + suggestion(words[0], names));

@@ -12,7 +12,7 @@
 #include "common/process/arguments.h"
 #include "common/process/process.h"
 #include "launcher/log/log_channels.h"
-#include "launcher/log/log_command.h"
+#include "launcher/commands/commands.h"
 #include "launcher/log/log_output.h"
 #include "launcher/log/log_plot.h"
 #include "launcher/log/log_robot.h"
@@ -134,21 +134,15 @@ std::string joint_name(const std::optional<Model>& model, std::size_t k) {
 }  // namespace
 
 int log_compare(const std::vector<std::string>& words) {
-  const Arguments arguments(
-      {"log compare",
-       "A [B]",
-       "Residuals between two logs, tick by tick from the first of each, or between two sources in "
-       "one log,\n"
-       "at the same ticks: joint angles, torques, foot forces, tilt.",
-       {{"--channels", "A,B", "default STATE,STATE; for one log, as in STATE,STATE_BRIDGE"},
-        {"--shift", "TICKS", "B is this many ticks later"},
-        {"--plot", "F.svg", "foot forces, the joint that differs most, and its residual"},
-        from_option(), to_option(),
-        {"--most-mrad", "X", "exit status 1 if a joint differs by more (root mean square)"},
-        robot_option()},
-       1,
-       2},
-      words);
+  const Arguments arguments({"log compare", 1, 2, R"(A [B]
+Residuals between two logs, tick by tick from the first of each, or between two sources in one log,
+at the same ticks: joint angles, torques, foot forces, tilt.
+  --channels A,B  default STATE,STATE; for one log, as in STATE,STATE_BRIDGE
+  --shift TICKS  B is this many ticks later
+  --plot F.svg  foot forces, the joint that differs most, and its residual
+  --from --to
+  --most-mrad X  exit status 1 if a joint differs by more (root mean square)
+  --robot)"}, words);
   catch_quit_signals();
   const bool one_log = arguments.words().size() == 1;
   const std::string channels = arguments.text("--channels", "STATE,STATE");

@@ -10,7 +10,7 @@
 #include "common/process/process.h"
 #include "common/text/closest_name.h"
 #include "launcher/log/log_channels.h"
-#include "launcher/log/log_command.h"
+#include "launcher/commands/commands.h"
 #include "launcher/log/log_output.h"
 #include "launcher/log/log_robot.h"
 #include "launcher/log/log_scan.h"
@@ -102,20 +102,13 @@ class Output {
 }  // namespace
 
 int log_csv(const std::vector<std::string>& words) {
-  const Arguments arguments(
-      {"log csv",
-       "FILE CHANNEL [OUT.csv]",
-       "A channel as a table with one row per message; without OUT.csv on the standard output.  "
-       "Columns of joints\n"
-       "have their names, as in q.LLEG_KNEE.",
-       {{"--fields", "A,B", "fields, or arrays by their name, or q.LLEG_KNEE; default all"},
-        {"--numbers", "", "columns by number, as in q[3], instead of the names of joints"},
-        robot_option(),
-        from_option(), to_option(),
-        {"--type", "T", "of a channel that is not ours, as in robot_state_t"}},
-       2,
-       3},
-      words);
+  const Arguments arguments({"log csv", 2, 3, R"(FILE CHANNEL [OUT.csv]
+A channel as a table with one row per message; without OUT.csv on the standard output.  Columns of joints
+have their names, as in q.LLEG_KNEE.
+  --fields A,B  fields, or arrays by their name, or q.LLEG_KNEE; default all
+  --numbers  columns by number, as in q[3], instead of the names of joints
+  --robot --from --to
+  --type T  of a channel that is not ours, as in robot_state_t)"}, words);
   catch_quit_signals();
   const std::string file = arguments.word(0), channel = arguments.word(1);
   refuse_same_file(file, arguments.word(2));

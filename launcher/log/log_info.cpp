@@ -5,7 +5,7 @@
 #include "common/process/arguments.h"
 #include "common/process/process.h"
 #include "launcher/log/log_channels.h"
-#include "launcher/log/log_command.h"
+#include "launcher/commands/commands.h"
 #include "launcher/log/log_gaps.h"
 #include "launcher/log/log_scan.h"
 #include "lcmtypes/bus/wire.h"
@@ -43,16 +43,9 @@ void print(const LogSummary& summary, const LogGaps* gaps, const LogReader& log,
 }  // namespace
 
 int log_info(const std::vector<std::string>& words) {
-  const Arguments arguments(
-      {"log info",
-       "FILE",
-       "Channels, counts, rates and duration; of our own logs from their index, however long they "
-       "are.",
-       {{"--check", "",
-         "reads all: damage, checksums, missing ticks; exit status 1 if anything is wrong"}},
-       1,
-       1},
-      words);
+  const Arguments arguments({"log info", 1, 1, R"(FILE
+Channels, counts, rates and duration; of our own logs from their index, however long they are.
+  --check  reads all: damage, checksums, missing ticks; exit status 1 if anything is wrong)"}, words);
   catch_quit_signals();
   const std::string file = arguments.word(0);
   if (!arguments.has("--check")) {

@@ -16,7 +16,7 @@
 #include "common/process/arguments.h"
 #include "common/process/process.h"
 #include "launcher/log/log_channels.h"
-#include "launcher/log/log_command.h"
+#include "launcher/commands/commands.h"
 #include "launcher/log/log_output.h"
 #include "launcher/log/log_robot.h"
 #include "launcher/log/log_scan.h"
@@ -170,25 +170,15 @@ class SceneTopics {
 }  // namespace
 
 int log_mcap(const std::vector<std::string>& words) {
-  const Arguments arguments(
-      {"log mcap",
-       "IN OUT.mcap",
-       "Writes a log as MCAP (zstd) with JSON messages and their schemas, for Foxglove and "
-       "PlotJuggler, "
-       "and what\n"
-       "Foxglove draws in 3D: frames of the links on /tf, their shapes, obstacles and contact "
-       "forces on "
-       "/scene.\n"
-       "Channels whose type is not the project's are left out and counted.",
-       {{"--channels", "A,B", "only these; default all"},
-        from_option(), to_option(),
-        {"--robot", "NAME", "of config/robots, or a folder; default the one whose log it is"},
-        {"--no-scene", "", "without /tf and /scene"},
-        force_option(),
-        prefix_option()},
-       2,
-       2},
-      words);
+  const Arguments arguments({"log mcap", 2, 2, R"(IN OUT.mcap
+Writes a log as MCAP (zstd) with JSON messages and their schemas, for Foxglove and PlotJuggler, and what
+Foxglove draws in 3D: frames of the links on /tf, their shapes, obstacles and contact forces on /scene.
+Channels whose type is not the project's are left out and counted.
+  --channels A,B  only these; default all
+  --from --to
+  --robot NAME  of config/robots, or a folder; default the one whose log it is
+  --no-scene  without /tf and /scene
+  --force --prefix)"}, words);
   catch_quit_signals();
   const std::string in = arguments.word(0), out = log_output(arguments, in), prefix = arguments.text("--prefix", "");
   const std::string only = between_commas(arguments.text("--channels", ""));

@@ -12,7 +12,7 @@
 
 #include "common/process/arguments.h"
 #include "launcher/log/log_channels.h"
-#include "launcher/log/log_command.h"
+#include "launcher/commands/commands.h"
 #include "launcher/log/log_output.h"
 #include "launcher/log/log_plot.h"
 #include "launcher/log/log_scan.h"
@@ -192,19 +192,11 @@ void write_png(const std::string& svg_text, std::size_t panels, const std::strin
 }  // namespace
 
 int log_plot(const std::vector<std::string>& words) {
-  const Arguments arguments(
-      {"log plot",
-       "FILE FIELD...",
-       "Draws fields over time, one panel per FIELD: STATE.q[3], STATE.q.LLEG_KNEE, or several "
-       "with commas,\n"
-       "as in STATE.q.LLEG_KNEE,COMMAND.q.LLEG_KNEE; an array by its name draws its first eight.",
-       {{"--out", "F.svg|F.png", "default plot.svg"},
-        from_option(), to_option(),
-        robot_option(),
-        prefix_option()},
-       2,
-       12},
-      words);
+  const Arguments arguments({"log plot", 2, 12, R"(FILE FIELD...
+Draws fields over time, one panel per FIELD: STATE.q[3], STATE.q.LLEG_KNEE, or several with commas,
+as in STATE.q.LLEG_KNEE,COMMAND.q.LLEG_KNEE; an array by its name draws its first eight.
+  --out F.svg|F.png  default plot.svg
+  --from --to --robot --prefix)"}, words);
   catch_quit_signals();
   const std::string file = arguments.word(0), out = arguments.text("--out", "plot.svg");
   const bool png = out.ends_with(".png");

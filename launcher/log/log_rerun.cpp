@@ -3,7 +3,7 @@
 
 #include "common/process/arguments.h"
 #include "launcher/log/log_channels.h"
-#include "launcher/log/log_command.h"
+#include "launcher/commands/commands.h"
 #include "launcher/log/log_scan.h"
 #include "launcher/bus/stack_monitor.h"
 #include "launcher/log/rerun.h"
@@ -47,16 +47,10 @@ LoggedRobot robot_of(const std::string& file, const std::string& prefix) {
 }  // namespace
 
 int log_rerun(const std::vector<std::string>& words) {
-  const Arguments arguments(
-      {"log rerun",
-       "FILE",
-       "Computes every command, guard report and estimate of a log again from the messages and the "
-       "journal in it,\n"
-       "and compares bit for bit.  Exit status 0 only if all are the same and nothing is missing.",
-       {robot_option(), prefix_option()},
-       1,
-       1},
-      words);
+  const Arguments arguments({"log rerun", 1, 1, R"(FILE
+Computes every command, guard report and estimate of a log again from the messages and the journal in it,
+and compares bit for bit.  Exit status 0 only if all are the same and nothing is missing.
+  --robot --prefix)"}, words);
   catch_quit_signals();
   const std::string file = arguments.word(0), prefix = arguments.text("--prefix", "");
   require_prefix("log rerun", prefix, file);

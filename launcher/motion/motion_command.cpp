@@ -1,4 +1,4 @@
-#include "launcher/motion/motion_command.h"
+#include "launcher/commands/commands.h"
 
 #include <algorithm>
 #include <cinttypes>
@@ -9,7 +9,6 @@
 #include "common/process/arguments.h"
 #include "common/process/command_word.h"
 #include "control/motion/motion_check.h"
-#include "launcher/bus/bus_arguments.h"
 #include "launcher/bus/bus_link.h"
 #include "launcher/motion/motion_play.h"
 #include "launcher/operate/operate.h"
@@ -128,35 +127,25 @@ void print_summary(const MotionClip& clip, const MotionFile& file, const MotionV
 }  // namespace
 
 int motion_file_command(const std::vector<std::string>& words) {
-  const Arguments arguments(
-      {"motion", "FILE",
-       "Checks a motion before it plays: positions, speeds and efforts of the joints, links that "
-       "touch, balance.\n"
-       "FILE is CSV with a row of names (time, root_x root_y root_z root_qw root_qx root_qy "
-       "root_qz, joints), CSV\n"
-       "without one and --columns, or NPZ (joint_pos or dof_pos, joint_names, fps, root_pos and "
-       "root_rot).\n"
-       "A standing robot plays the joints of its trunk and arms as they are; its legs keep the "
-       "soles where they stand\n"
-       "and move the centre of mass as far as balance allows.  Exit status 1 if anything is wrong: "
-       "then it is not played.",
-       on_bus({robot_option(),
-               {"--check", "", "only check, which is what it does without --play"},
-               {"--play", "",
-                "and then play it on the robot that runs (./twinbus up); a walk is brought to rest "
-                "first"},
-               {"--as-recorded", "",
-                "every joint as the file has it, legs too: for a policy that tracks it"},
-               {"--columns", "lafan1|FILE", "names of the columns of a CSV without a row of names"},
-               {"--rate", "HZ", "frames a second of a file that does not say"},
-               {"--from", "S", "the part that is taken [s]"},
-               {"--until", "S", "its end [s]"},
-               {"--speed", "SHARE", "how fast it is played, 0.05 to 1; default 1"},
-               {"--upper", "", "nothing of what the legs do"},
-               {"--wxyz", "", "root_rot of an NPZ has w first"},
-               {"--csv", "FILE", "every fault"}}),
-       1, 1},
-      words);
+  const Arguments arguments({"motion", 1, 1, R"(FILE
+Checks a motion before it plays: positions, speeds and efforts of the joints, links that touch, balance.
+FILE is CSV with a row of names (time, root_x root_y root_z root_qw root_qx root_qy root_qz, joints), CSV
+without one and --columns, or NPZ (joint_pos or dof_pos, joint_names, fps, root_pos and root_rot).
+A standing robot plays the joints of its trunk and arms as they are; its legs keep the soles where they stand
+and move the centre of mass as far as balance allows.  Exit status 1 if anything is wrong: then it is not played.
+  --robot
+  --check  only check, which is what it does without --play
+  --play  and then play it on the robot that runs (./twinbus up); a walk is brought to rest first
+  --as-recorded  every joint as the file has it, legs too: for a policy that tracks it
+  --columns lafan1|FILE  names of the columns of a CSV without a row of names
+  --rate HZ  frames a second of a file that does not say
+  --from S  the part that is taken [s]
+  --until S  its end [s]
+  --speed SHARE  how fast it is played, 0.05 to 1; default 1
+  --upper  nothing of what the legs do
+  --wxyz  root_rot of an NPZ has w first
+  --csv FILE  every fault
+  --prefix --url --allow)"}, words);
   if (arguments.has("--play") && (arguments.has("--check") || arguments.has("--as-recorded")))
     throw UsageError(
         "motion: --play stands without --check and --as-recorded; legs as recorded are for a "

@@ -1,4 +1,4 @@
-#include "launcher/operate/doctor.h"
+#include "launcher/commands/commands.h"
 
 #include <sched.h>
 #include <sys/mman.h>
@@ -245,17 +245,11 @@ void check_space(Report& report) {
 }  // namespace
 
 int doctor_command(const std::vector<std::string>& words) {
-  const Arguments arguments(
-      {"doctor",
-       "",
-       "Looks at this machine: packages, multicast, buffers, the bus, Java for lcm-spy, real-time "
-       "rights; names\n"
-       "what is missing and the command that mends it.  Exit status 1 if something needed is "
-       "missing.",
-       {{"--rt", "", "real-time rights, kernel and CPU in detail"}, url_option()},
-       0,
-       0},
-      words);
+  const Arguments arguments({"doctor", 0, 0, R"(
+Looks at this machine: packages, multicast, buffers, the bus, Java for lcm-spy, real-time rights; names
+what is missing and the command that mends it.  Exit status 1 if something needed is missing.
+  --rt  real-time rights, kernel and CPU in detail
+  --url)"}, words);
   catch_quit_signals();
   const std::string url = arguments.text("--url", default_url());
   Report report;

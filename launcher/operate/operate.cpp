@@ -11,8 +11,8 @@
 #include "common/process/process.h"
 #include "common/text/closest_name.h"
 #include "common/text/xml.h"
-#include "launcher/bus/bus_arguments.h"
 #include "launcher/bus/bus_link.h"
+#include "launcher/commands/commands.h"
 #include "lcmtypes/msg/labels.h"
 #include "lcmtypes/msg/motion_defaults.h"
 #include "robot/description/load.h"
@@ -30,14 +30,6 @@ constexpr double kPoseRest = 1.0;       // after the time of a pose, until the j
 constexpr double kPoseNear = 0.03;      // [rad or m]
 constexpr int kStopRepeats = 5;         // sent at once, before anything is heard
 
-std::int64_t active_run(BusLink& bus) {
-  const SeenSource* active = wait_for_active(bus, 1.0);
-  if (active == nullptr)
-    throw std::runtime_error("no source is active on " + bus.url() +
-                             "; start one with ./twinbus up");
-  return active->status.run_id;
-}
-
 // While a balanced stop was asked: the stop that came of it.
 const char* kind_text(StopKind asked, StopKind now) {
   return asked == StopKind::kBalanced && now == StopKind::kHold ? "balanced, and then held" : label(now);
@@ -45,26 +37,11 @@ const char* kind_text(StopKind asked, StopKind now) {
 
 }  // namespace
 
-BusLink open_bus(const Arguments& arguments) {
-  catch_quit_signals();
-  return BusLink(arguments.text("--url", ""), arguments.text("--prefix", ""),
-                 arguments.all("--allow"));
-}
-
 bool ask_controller(BusLink& bus, ModeRequest& request) {
-  request.run_id = active_run(bus);
+  request.run_id = active_source(bus).status.run_id;
   refuse_while_paused(bus.seen(), monotonic_ns());
-  const std::int64_t begin = monotonic_ns();
-  std::int64_t asked = 0;
-  while (!quit_requested() && seconds_since(begin) < kAnswerTimeout) {
-    if (asked == 0 || seconds_since(asked) > kAskAgain) {
-      asked = monotonic_ns();
-      bus.send(request);
-    }
-    bus.receive(0.01);
-    if (asked != 0 && bus.seen().controller().mode_sequence == request.sequence) return true;
-  }
-  return false;
+  return bus.ask(request, kAskAgain, kAnswerTimeout,
+                 [&] { return bus.seen().controller().mode_sequence == request.sequence; });
 }
 
 std::string why_it_stays(BusLink& bus, const ModeRequest& request) {
@@ -160,12 +137,13 @@ int ask_and_report(const Arguments& arguments, ModeRequest& request, const char*
 int motion_command(const std::vector<std::string>& words, Motion motion, const char* name,
                    const char* about) {
   const auto [amplitude, frequency] = defaults_of(motion);
-  char far[60], often[60];
-  std::snprintf(far, sizeof far, "metres; default %.2f", static_cast<double>(amplitude));
-  std::snprintf(often, sizeof often, "per second; default %.1f", static_cast<double>(frequency));
-  const Arguments arguments(
-      {name, "", about, on_bus({{"--amplitude", "M", far}, {"--frequency", "HZ", often}}), 0, 0},
-      words);
+  char options[160];
+  std::snprintf(options, sizeof options, R"(
+  --amplitude M  metres; default %.2f
+  --frequency HZ  per second; default %.1f
+  --prefix --url --allow)",
+                static_cast<double>(amplitude), static_cast<double>(frequency));
+  const Arguments arguments({name, 0, 0, std::string("\n") + about + options}, words);
   ModeRequest request;
   request.mode = Mode::kBalance;
   request.motion = motion;
@@ -179,13 +157,10 @@ int motion_command(const std::vector<std::string>& words, Motion motion, const c
 }  // namespace
 
 int stop_command(const std::vector<std::string>& words) {
-  const Arguments arguments(
-      {"stop", "[balanced|hold|off]",
-       "Stops the robot: balanced (default) lets the controller make its shortest safe stop, hold "
-       "freezes the\n"
-       "posture, off lets go.  Works with the controller dead.  Stays until ./twinbus clear.",
-       on_bus(), 0, 1},
-      words);
+  const Arguments arguments({"stop", 0, 1, R"([balanced|hold|off]
+Stops the robot: balanced (default) lets the controller make its shortest safe stop, hold freezes the
+posture, off lets go.  Works with the controller dead.  Stays until ./twinbus clear.
+  --prefix --url --allow)"}, words);
   const std::string word = arguments.word(0, "balanced");
   const std::vector<std::string> kinds = {"balanced", "hold", "off"};
   const auto found = std::find(kinds.begin(), kinds.end(), word);
@@ -270,14 +245,12 @@ std::size_t clear_all(BusLink& bus) {
 }  // namespace
 
 int clear_command(const std::vector<std::string>& words) {
-  const Arguments arguments({"clear", "",
-                             "Ends a stop: the source goes on from where it stands.  A controller "
-                             "that was started again since is\n"
-                             "taken on.",
-                             on_bus(), 0, 0},
-                            words);
+  const Arguments arguments({"clear", 0, 0, R"(
+Ends a stop: the source goes on from where it stands.  A controller that was started again since is
+taken on.
+  --prefix --url --allow)"}, words);
   BusLink bus = open_bus(arguments);
-  const std::int64_t run = active_run(bus);
+  const std::int64_t run = active_source(bus).status.run_id;
   refuse_while_paused(bus.seen(), monotonic_ns());
   const bool was_stopped = bus.seen().source(run)->status.stop_kind != StopKind::kNone;
   if (was_stopped) bind_to_new_controller(bus, run);
@@ -314,13 +287,12 @@ void take_angles(const std::string& text, const Model& model, ModeRequest& reque
 }  // namespace
 
 int pose_command(const std::vector<std::string>& words) {
-  const Arguments arguments(
-      {"pose", "NAME|JOINT=ANGLE[,JOINT=ANGLE...]",
-       "Moves to a named pose of the robot's SRDF (group_state), or these "
-       "joints to these angles [rad or m].\n"
-       "A pose on whose way a standing robot would fall is refused.",
-       on_bus({robot_option(), {"--duration", "S", "seconds; default 2"}}), 1, 1},
-      words);
+  const Arguments arguments({"pose", 1, 1, R"(NAME|JOINT=ANGLE[,JOINT=ANGLE...]
+Moves to a named pose of the robot's SRDF (group_state), or these joints to these angles [rad or m].
+A pose on whose way a standing robot would fall is refused.
+  --robot
+  --duration S  seconds; default 2
+  --prefix --url --allow)"}, words);
   const Model model = load_robot(arguments.text("--robot", "hrp1s"));
   ModeRequest request;
   request.mode = Mode::kPose;
@@ -330,12 +302,8 @@ int pose_command(const std::vector<std::string>& words) {
     return ask_and_report(arguments, request, "pose");
   }
   const int pose = model.find_pose(arguments.word(0));
-  if (pose < 0) {
-    std::vector<std::string> names;
-    for (const NamedPose& named : model.poses) names.push_back(named.name);
-    throw UsageError("pose: " + model.name + " has no pose '" + arguments.word(0) + "'" +
-                     suggestion(arguments.word(0), names));
-  }
+  if (pose < 0)
+    throw UsageError("pose: " + model.name + " has no pose '" + arguments.word(0) + "'" + suggestion(arguments.word(0), model.poses));
   const std::vector<double>& q = model.poses[static_cast<std::size_t>(pose)].q;
   for (int k = 0; k < model.bus_count(); ++k) {
     const auto index = static_cast<std::size_t>(k);
@@ -349,12 +317,11 @@ int mode_command(const std::vector<std::string>& words) {
   const std::vector<std::string> names = {"idle", "hold", "balance", "walk", "stop"};
   const std::vector<Mode> modes = {Mode::kIdle, Mode::kHold, Mode::kBalance, Mode::kWalk,
                                    Mode::kStop};
-  const Arguments arguments(
-      {"mode", "idle|hold|balance|walk|stop",
-       "Asks the controller for a mode; it changes without a jump.  ./twinbus pose, sway and squat ask for what the robot\n"
-       "does in modes pose and balance.",
-       on_bus({{"--let-go", "", "with idle: also of a standing robot, which falls"}}), 1, 1},
-      words);
+  const Arguments arguments({"mode", 1, 1, R"(idle|hold|balance|walk|stop
+Asks the controller for a mode; it changes without a jump.  ./twinbus pose, sway and squat ask for what the robot
+does in modes pose and balance.
+  --let-go  with idle: also of a standing robot, which falls
+  --prefix --url --allow)"}, words);
   if (arguments.has("--let-go")) {
     if (arguments.word(0) != "idle") throw UsageError("mode: --let-go is for idle");
     std::vector<std::string> off;  // the same options

@@ -1,4 +1,4 @@
-#include "launcher/operate/reach.h"
+#include "launcher/commands/commands.h"
 
 #include <unistd.h>
 
@@ -11,7 +11,6 @@
 #include "common/process/arguments.h"
 #include "common/process/command_word.h"
 #include "common/process/process.h"
-#include "launcher/bus/bus_arguments.h"
 #include "launcher/operate/reach_progress.h"
 #include "lcmtypes/bus/bus.h"
 #include "lcmtypes/bus/channels.h"
@@ -252,15 +251,11 @@ bool go(Watcher& watcher, const Model& model, ArmGoal& goal, bool say) {
 }  // namespace
 
 int reach_command(const std::vector<std::string>& words) {
-  const Arguments arguments(
-      {"reach", "left|right X Y Z [R P Y]",
-       "Plans a motion of one arm around obstacles and the robot's own body and follows it.  X Y Z "
-       "[m], "
-       "R P Y [rad] of the hand in the ground frame: midway between the feet, x forward, z up.",
-       on_bus({{"--speed", "SHARE", "of the joints' velocity limits, 0.01 to 1 (0.4)"},
-               robot_option()}),
-       1, 7},
-      words);
+  const Arguments arguments({"reach", 1, 7, R"(left|right X Y Z [R P Y]
+Plans a motion of one arm around obstacles and the robot's own body and follows it.  X Y Z [m], R P Y [rad] of the hand in the \
+ground frame: midway between the feet, x forward, z up.
+  --speed SHARE  of the joints' velocity limits, 0.01 to 1 (0.4)
+  --robot --prefix --url --allow)"}, words);
   catch_quit_signals();
   const Model model = load_robot(arguments.text("--robot", "hrp1s"));
   ArmGoal goal = goal_from(arguments, model);

@@ -1,4 +1,4 @@
-#include "launcher/operate/status.h"
+#include "launcher/commands/commands.h"
 
 #include <unistd.h>
 
@@ -8,7 +8,6 @@
 #include "common/process/arguments.h"
 #include "common/process/command_word.h"
 #include "common/process/process.h"
-#include "launcher/bus/bus_arguments.h"
 #include "launcher/bus/bus_health.h"
 #include "launcher/bus/bus_link.h"
 #include "launcher/bus/live_table.h"
@@ -20,22 +19,6 @@ namespace {
 
 constexpr double kFirstLook = 0.2;  // who is there [s]
 constexpr double kLookFor = 1.2;    // two rate windows [s]
-
-Syntax status_syntax() {
-  return {
-      "status",
-      "",
-      "Shows what somebody has to act on, what the robot does, sources with role, term and rate, and the timing of each "
-      "process's loop.\n"
-      "Exit status 1 if no source is heard.",
-      on_bus({{"--all", "",
-               "also streams with rate and age, and how every channel that a process hears does: age, jitter, gaps, "
-               "repetitions, refusals"},
-              {"--watch", "", "again and again, until Ctrl-C"},
-              {"--json", "", "for programs"}}),
-      0,
-      0};
-}
 
 nlohmann::ordered_json channels_json(const Heartbeat& b) {
   nlohmann::ordered_json all = nlohmann::ordered_json::object();
@@ -103,10 +86,14 @@ void print_lines(const std::vector<std::string>& lines) {
 }  // namespace
 
 int status_command(const std::vector<std::string>& words) {
-  const Arguments arguments(status_syntax(), words);
-  catch_quit_signals();
-  BusLink bus(arguments.text("--url", ""), arguments.text("--prefix", ""),
-              arguments.all("--allow"));
+  const Arguments arguments({"status", 0, 0, R"(
+Shows what somebody has to act on, what the robot does, sources with role, term and rate, and the timing of each process's loop.
+Exit status 1 if no source is heard.
+  --all  also streams with rate and age, and how every channel that a process hears does: age, jitter, gaps, repetitions, refusals
+  --watch  again and again, until Ctrl-C
+  --json  for programs
+  --prefix --url --allow)"}, words);
+  BusLink bus = open_bus(arguments);
   Redraw redraw;
   CpuShare shares;
   bus.listen(kFirstLook);

@@ -1,4 +1,4 @@
-#include "launcher/operate/switch_source.h"
+#include "launcher/commands/commands.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,6 @@
 #include "common/process/arguments.h"
 #include "common/process/command_word.h"
 #include "common/process/process.h"
-#include "launcher/bus/bus_arguments.h"
 #include "launcher/bus/bus_link.h"
 #include "lcmtypes/msg/refusal_text.h"
 
@@ -28,26 +27,6 @@ constexpr double kSwitchTimeout = 15.0;  // with when-safe: a stop and 2 s of re
 constexpr double kBusyTimeout =
     3.0;  // for the switch before this one to end and its pause to pass [s]
 constexpr double kAlignTimeout = 90.0;  // slow on purpose [s]
-
-Syntax switch_syntax() {
-  return {
-      "switch",
-      "sim|bridge|replay",
-      "Asks the active source to hand over to the simulator, the hardware bridge or the replay.  "
-      "The target is put\n"
-      "into standby first.  Prints why when it is refused; nothing has moved then.",
-      on_bus(
-          {{"--policy", "P",
-            "now, or when-safe (default): after the controller's shortest safe stop"},
-           {"--align", "", "moves the target robot to the posture slowly first"},
-           {"--standby", "S",
-            "of the target until then: shadow or track; default track where a state can be "
-            "imposed"},
-           {"--run", "ID",
-            "of the target, where there are several of its kind (see ./twinbus status --json)"}}),
-      1,
-      1};
-}
 
 SourceKind kind_of(const std::string& word) {
   if (word == "sim" || word == "simulator") return SourceKind::kSimulator;
@@ -191,18 +170,7 @@ class Switch {
   template <class Done>
   bool ask_until(SourceRequest& request, std::int64_t answering_run, double timeout,
                  const Done& done) {
-    const std::int64_t begin = monotonic_ns();
-    std::int64_t asked = 0;
-    while (!quit_requested() && seconds_since(begin) < timeout) {
-      if (asked == 0 || seconds_since(asked) > kAskSwitchAgain) {
-        asked = monotonic_ns();
-        bus_.send(request);
-      }
-      bus_.receive(0.01);
-      if (done()) return true;
-      if (refused(request, answering_run)) return false;
-    }
-    return false;
+    return bus_.ask(request, kAskSwitchAgain, timeout, [&] { return done() || refused(request, answering_run); }) && done();
   }
 
   std::string reason(const SourceRequest& request, std::int64_t answering_run) const {
@@ -253,7 +221,14 @@ int activate(BusLink& bus, SourceKind kind, std::int64_t wanted_run) {
 }  // namespace
 
 int switch_command(const std::vector<std::string>& words) {
-  const Arguments arguments(switch_syntax(), words);
+  const Arguments arguments({"switch", 1, 1, R"(sim|bridge|replay
+Asks the active source to hand over to the simulator, the hardware bridge or the replay.  The target is put
+into standby first.  Prints why when it is refused; nothing has moved then.
+  --policy P  now, or when-safe (default): after the controller's shortest safe stop
+  --align  moves the target robot to the posture slowly first
+  --standby S  of the target until then: shadow or track; default track where a state can be imposed
+  --run ID  of the target, where there are several of its kind (see ./twinbus status --json)
+  --prefix --url --allow)"}, words);
   const SourceKind kind = kind_of(arguments.word(0));
   const std::string policy = arguments.text("--policy", "when-safe");
   if (policy != "now" && policy != "when-safe")
@@ -264,10 +239,7 @@ int switch_command(const std::vector<std::string>& words) {
   }
   const auto wanted_run =
       static_cast<std::int64_t>(arguments.number("--run", 0.0, 1.0, 9007199254740991.0));
-  catch_quit_signals();
-
-  BusLink bus(arguments.text("--url", ""), arguments.text("--prefix", ""),
-              arguments.all("--allow"));
+  BusLink bus = open_bus(arguments);
   const SeenSource* active = wait_for_active(bus, 1.0);
   if (active == nullptr) return activate(bus, kind, wanted_run);
   const SeenSource from = *active;

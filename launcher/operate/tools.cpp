@@ -1,4 +1,4 @@
-#include "launcher/operate/tools.h"
+#include "launcher/commands/commands.h"
 
 #include <sys/wait.h>
 #include <unistd.h>

@@ -1,4 +1,4 @@
-#include "launcher/operate/walk.h"
+#include "launcher/commands/commands.h"
 
 #include <cmath>
 #include <cstdio>
@@ -10,7 +10,6 @@
 #include "control/point_feet/step_gait.h"
 #include "control/walk/listed_steps.h"
 #include "control/walk/walk_gains.h"
-#include "launcher/bus/bus_arguments.h"
 #include "launcher/bus/bus_link.h"
 #include "launcher/operate/operate.h"
 #include "lcmtypes/msg/labels.h"
@@ -135,22 +134,17 @@ int walk_steps(const Arguments& arguments) {
 }  // namespace
 
 int walk_command(const std::vector<std::string>& words) {
-  const Arguments arguments(
-      {"walk", "VX VY WZ | --steps FILE",
-       "Walks at VX m/s forward, VY m/s to the left, turning WZ rad/s to the left, for some "
-       "seconds;\n"
-       "or the footsteps of a YAML file, at most 32 that take turns, each in the frame of the foot "
-       "that\n"
-       "stands then (x forward, y left [m], yaw [rad]):\n"
-       "    steps:\n"
-       "      - {foot: left, x: 0.2, y: 0.2, yaw: 0.1}\n"
-       "      - {foot: right, x: 0.2, y: -0.2}\n"
-       "What the legs do not reach, and a sole on the other, is refused before anything moves.",
-       on_bus({{"--for", "S", "seconds; default 2"},
-               {"--steps", "FILE", "footsteps instead of a velocity"},
-               robot_option()}),
-       0, 3},
-      words);
+  const Arguments arguments({"walk", 0, 3, R"(VX VY WZ | --steps FILE
+Walks at VX m/s forward, VY m/s to the left, turning WZ rad/s to the left, for some seconds;
+or the footsteps of a YAML file, at most 32 that take turns, each in the frame of the foot that
+stands then (x forward, y left [m], yaw [rad]):
+    steps:
+      - {foot: left, x: 0.2, y: 0.2, yaw: 0.1}
+      - {foot: right, x: 0.2, y: -0.2}
+What the legs do not reach, and a sole on the other, is refused before anything moves.
+  --for S  seconds; default 2
+  --steps FILE  footsteps instead of a velocity
+  --robot --prefix --url --allow)"}, words);
   if (arguments.has("--steps")) {
     if (!arguments.words().empty() || arguments.has("--for"))
       throw UsageError("walk: --steps FILE stands alone, without a velocity or a time");

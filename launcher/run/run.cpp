@@ -1,4 +1,4 @@
-#include "launcher/run/run.h"
+#include "launcher/commands/commands.h"
 
 #include <unistd.h>
 
@@ -35,44 +35,6 @@ namespace {
 constexpr double kDegrees = 57.29577951308232;
 constexpr int kFinerSteps = 8;                        // of the reference, per step of the run
 constexpr std::int64_t kProgressEvery = 500'000'000;  // [ns]
-
-Syntax run_syntax() {
-  return {"run",
-          "SCENE",
-          "Runs a scene in one process, without a bus, as fast as it goes, and judges it by the "
-          "scene's own criteria;\n"
-          "shorter than the scene (--for) by what can be judged by then, and what is left out is said.\n"
-          "SCENE is a name in config/scenes or a file.  Exit status 0 only if all of them hold.  "
-          "The same line gives the\n"
-          "same state_hash, which is also that of ./twinbus up SCENE --lockstep.  Settings of "
-          "--set:\n" +
-              settings_help(),
-          {robot_option(),
-           {"--for", "S", "simulated seconds; default: the scene's duration"},
-           {"--engine", "E", "articulated, ode or mujoco; default the scene's"},
-           {"--start-pose", "POSE", "of the robot's SRDF, in which it begins; default the scene's"},
-           {"--seed", "N", "of everything random; default 1"},
-           {"--seeds", "A..B", "the scene once for each of these seeds, one at a time on each processor"},
-           {"--jobs", "N", "with --seeds: so many at a time"},
-           {"--lanes", "", "with --seeds: the physics of four seeds in the lanes of one vector; hashes are those of seeds run so"},
-           {"--set", "KEY=VALUE", "a setting of the simulator; wins over the scene's own"},
-           {"--reference", "",
-            "runs the scene again with eight physics steps in one: error of the foot forces "
-            "against that"},
-           {"--accuracy", "LENGTH",
-            "order and step are chosen so that no link or body is farther from the converged answer, "
-            "0.001 or 1mm"},
-           {"--fidelity", "WORD",
-            "full, auto (no more is modelled than the accuracy needs; default 1mm), legs or rigid; default the scene's"},
-           {"--budget", "MS",
-            "CPU time of the physics in a control period: the best accuracy that fits"},
-           {"--no-guard", "", "leaves the guard in the controller out"},
-           {"--log", "F.log", "records every message, for ./twinbus log; times are simulated"},
-           {"--force", "", "writes over a log that is there, with its parts"},
-           {"--report", "F.json", "writes the figures"}},
-          1,
-          1};
-}
 
 std::vector<std::pair<std::string, std::string>> settings_of(const Arguments& arguments,
                                                              double period) {
@@ -327,7 +289,29 @@ int run_many(SeedsRequest seeds, const Model& model, const Scene& undrawn, const
 }  // namespace
 
 int run_command(const std::vector<std::string>& words) {
-  const Arguments arguments(run_syntax(), words);
+  const Arguments arguments({"run", 1, 1, R"(SCENE
+Runs a scene in one process, without a bus, as fast as it goes, and judges it by the scene's own criteria;
+shorter than the scene (--for) by what can be judged by then, and what is left out is said.
+SCENE is a name in config/scenes or a file.  Exit status 0 only if all of them hold.  The same line gives the
+same state_hash, which is also that of ./twinbus up SCENE --lockstep.  Settings of --set:
+)" + settings_help() + R"(
+  --robot
+  --for S  simulated seconds; default: the scene's duration
+  --engine E  articulated, ode or mujoco; default the scene's
+  --start-pose POSE  of the robot's SRDF, in which it begins; default the scene's
+  --seed N  of everything random; default 1
+  --seeds A..B  the scene once for each of these seeds, one at a time on each processor
+  --jobs N  with --seeds: so many at a time
+  --lanes  with --seeds: the physics of four seeds in the lanes of one vector; hashes are those of seeds run so
+  --set KEY=VALUE  a setting of the simulator; wins over the scene's own
+  --reference  runs the scene again with eight physics steps in one: error of the foot forces against that
+  --accuracy LENGTH  order and step are chosen so that no link or body is farther from the converged answer, 0.001 or 1mm
+  --fidelity WORD  full, auto (no more is modelled than the accuracy needs; default 1mm), legs or rigid; default the scene's
+  --budget MS  CPU time of the physics in a control period: the best accuracy that fits
+  --no-guard  leaves the guard in the controller out
+  --log F.log  records every message, for ./twinbus log; times are simulated
+  --force  writes over a log that is there, with its parts
+  --report F.json  writes the figures)"}, words);
   check_simd_word();
   catch_quit_signals();
   const std::string log_file = arguments.text("--log", "");

@@ -1,4 +1,4 @@
-#include "launcher/run/scenes.h"
+#include "launcher/commands/commands.h"
 
 #include <algorithm>
 #include <cctype>
@@ -16,24 +16,12 @@ namespace {
 
 constexpr const char* kGroups[] = {"standing", "walking", "arms and hands", "bodies and mechanisms"};
 
-Syntax scenes_syntax() {
-  return {"scenes",
-          "[WORD...]",
-          "Lists the scenes of config/scenes and what happens in each; with words only those that "
-          "have all of them in name or\ntext, small letters or capitals.  ./twinbus run SCENE judges "
-          "one, ./twinbus up SCENE shows it.",
-          {},
-          0,
-          20};
-}
-
 std::string small(std::string text) {
   for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return text;
 }
 
-}  // namespace
-
+// What a scene is about.
 const char* scene_group(const Scene& scene) {
   const bool walks = !scene.walks.empty() || !scene.pads.empty() || !scene.steps.empty() ||
                      std::any_of(scene.modes.begin(), scene.modes.end(),
@@ -49,8 +37,12 @@ const char* scene_group(const Scene& scene) {
   return kGroups[0];
 }
 
+}  // namespace
+
 int scenes_command(const std::vector<std::string>& words) {
-  const Arguments arguments(scenes_syntax(), words);
+  const Arguments arguments({"scenes", 0, 20, R"([WORD...]
+Lists the scenes of config/scenes and what happens in each; with words only those that have all of them in name or
+text, small letters or capitals.  ./twinbus run SCENE judges one, ./twinbus up SCENE shows it.)"}, words);
   const std::vector<std::string> names = scene_names();
   std::size_t width = 0;
   for (const std::string& name : names) width = std::max(width, name.size());

@@ -1,9 +1,8 @@
-#include "launcher/run/tune.h"
+#include "launcher/commands/commands.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <sstream>
 #include <stdexcept>
 
 #include "common/math/index.h"
@@ -11,6 +10,7 @@
 #include "common/process/process.h"
 #include "launcher/run/accuracy.h"
 #include "launcher/run/judge_scene.h"
+#include "launcher/run/tuned_text.h"
 #include "launcher/stack/run_folder.h"
 #include "robot/description/load.h"
 #include "sim/scene/scene_seed.h"
@@ -21,38 +21,6 @@ namespace {
 
 constexpr double kDegrees = 57.29577951308232;
 constexpr double kLook = 1.0;  // of a scene, to see where its time goes [s]
-
-Syntax tune_syntax() {
-  return {"tune",
-          "SCENE",
-          "Runs a scene at every order and step of the ladder, prints error against cost and the "
-          "cheapest that holds the error\ntogether with all finer ones.  Exit status 0 only if one "
-          "does.",
-          {robot_option(),
-           {"--error", "LENGTH", "0.001 or 1mm; default the scene's accuracy, else 1mm"},
-           {"--budget", "MS", "CPU time of the physics in a control period: the best that fits"},
-           {"--for", "S", "simulated seconds; default: the scene's duration"},
-           {"--seed", "N", "of everything random; default 1"},
-           {"--fidelity", "WORD", "full, auto, legs or rigid, as ./twinbus run; default the scene's"},
-           {"--csv", "F.csv", "writes order, step, cost and error of every run"},
-           {"--write", "F.yaml", "writes the scene with the settings found, and why"}},
-          1,
-          1};
-}
-
-Syntax explain_syntax() {
-  return {"explain",
-          "SCENE",
-          "Says what of a scene is modelled and how, where the time of its run goes, and with an "
-          "accuracy which orders and\nsteps were tried for it and what each is off.",
-          {robot_option(),
-           {"--accuracy", "LENGTH", "0.001 or 1mm; default the scene's"},
-           {"--for", "S", "simulated seconds of the ladder; default: the scene's duration"},
-           {"--fidelity", "WORD", "full, auto, legs or rigid, as ./twinbus run; default the scene's"},
-           {"--seed", "N", "of everything random; default 1"}},
-          1,
-          1};
-}
 
 struct Opened {
   Scene scene;
@@ -207,65 +175,20 @@ Rung with_own(Rung rung, const Scene& scene) {
   return rung;
 }
 
-void write_names(std::ostream& out, const char* key, const std::vector<std::string>& names) {
-  if (names.empty()) return;
-  out << key << ": [";
-  for (std::size_t i = 0; i < names.size(); ++i) out << (i > 0 ? ", " : "") << names[i];
-  out << "]\n";
-}
-
 }  // namespace
 
-std::string tuned_text(const std::string& scene, const Rung& rung, const std::string& why) {
-  std::istringstream in(scene);
-  std::ostringstream out;
-  out << "# " << why << "\n";
-  char number[40];
-  std::snprintf(number, sizeof number, "%.9g", rung.step);
-  const std::string asked = "solver.order: " + std::to_string(rung.order);
-  bool in_settings = false, has_order = false, dropped = false;
-  std::string body;
-  for (std::string line; std::getline(in, line);) {
-    const bool top = !line.empty() && line[0] != ' ' && line[0] != '#' && line[0] != '-';
-    if (top) in_settings = line.rfind("settings:", 0) == 0;
-    if (top && line.rfind("step:", 0) == 0) continue;
-    if (top) {
-      dropped = (line.rfind("held:", 0) == 0 && !rung.less.held.empty()) ||
-                (line.rfind("rigid:", 0) == 0 && !rung.less.rigid.empty()) ||
-                (line.rfind("fidelity:", 0) == 0 && !rung.less.none());
-    }
-    if (dropped) continue;
-    const std::size_t at = line.find("solver.order:");
-    if (in_settings && at != std::string::npos) {
-      const std::size_t end = line.find_first_of(",}#", at);
-      line.replace(at, (end == std::string::npos ? line.size() : end) - at, asked);
-      has_order = true;
-    } else if (top && in_settings && !has_order) {
-      if (const std::size_t brace = line.find('{'); brace != std::string::npos) {
-        if (scene.find("solver.order:") == std::string::npos) {
-          line.insert(brace + 1, asked + ", ");
-          has_order = true;
-        }
-      }
-    }
-    body += line + "\n";
-  }
-  out << "step: " << number << "\n";
-  write_names(out, "held", rung.less.held);
-  write_names(out, "rigid", rung.less.rigid);
-  if (!has_order && scene.rfind("settings:", 0) != 0 &&
-      scene.find("\nsettings:") == std::string::npos) {
-    out << "settings: {" << asked << "}\n";
-  } else if (!has_order) {  // a block of lines
-    const std::size_t from = body.rfind("settings:", 0) == 0 ? 0 : body.find("\nsettings:") + 1;
-    body.insert(body.find('\n', from) + 1, "  " + asked + "\n");
-  }
-  out << body;
-  return out.str();
-}
-
 int tune_command(const std::vector<std::string>& words) {
-  const Arguments arguments(tune_syntax(), words);
+  const Arguments arguments({"tune", 1, 1, R"(SCENE
+Runs a scene at every order and step of the ladder, prints error against cost and the cheapest that holds the error
+together with all finer ones.  Exit status 0 only if one does.
+  --robot
+  --error LENGTH  0.001 or 1mm; default the scene's accuracy, else 1mm
+  --budget MS  CPU time of the physics in a control period: the best that fits
+  --for S  simulated seconds; default: the scene's duration
+  --seed N  of everything random; default 1
+  --fidelity WORD  full, auto, legs or rigid, as ./twinbus run; default the scene's
+  --csv F.csv  writes order, step, cost and error of every run
+  --write F.yaml  writes the scene with the settings found, and why)"}, words);
   catch_quit_signals();
   Opened opened = open(arguments);
   opened.request.all = true;
@@ -289,7 +212,14 @@ int tune_command(const std::vector<std::string>& words) {
 }
 
 int explain_command(const std::vector<std::string>& words) {
-  const Arguments arguments(explain_syntax(), words);
+  const Arguments arguments({"explain", 1, 1, R"(SCENE
+Says what of a scene is modelled and how, where the time of its run goes, and with an accuracy which orders and
+steps were tried for it and what each is off.
+  --robot
+  --accuracy LENGTH  0.001 or 1mm; default the scene's
+  --for S  simulated seconds of the ladder; default: the scene's duration
+  --fidelity WORD  full, auto, legs or rigid, as ./twinbus run; default the scene's
+  --seed N  of everything random; default 1)"}, words);
   catch_quit_signals();
   Opened opened = open(arguments);
   print_model(opened);

@@ -12,6 +12,7 @@
 #include "common/process/arguments.h"
 #include "common/process/command_word.h"
 #include "common/process/process.h"
+#include "launcher/commands/commands.h"
 #include "launcher/stack/run_folder.h"
 
 namespace twinbus {
@@ -101,16 +102,9 @@ std::string running_folder() {
 }
 
 int restart_command(const std::vector<std::string>& words) {
-  const Arguments arguments(
-      {"restart",
-       "NAME",
-       "Ends one process of the running stack and starts it anew: controller, guard, simulator, "
-       "...\n"
-       "A source that is started anew is parked; it moves nothing until it is asked.",
-       {},
-       1,
-       1},
-      words);
+  const Arguments arguments({"restart", 1, 1, R"(NAME
+Ends one process of the running stack and starts it anew: controller, guard, simulator, ...
+A source that is started anew is parked; it moves nothing until it is asked.)"}, words);
   const std::string folder = running_folder();
   const std::string answer = folder + "/restarted";
   ::unlink(answer.c_str());

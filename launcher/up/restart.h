@@ -6,7 +6,6 @@
 
 #include <cstdint>
 #include <string>
-#include <vector>
 
 #include "launcher/stack/supervisor.h"
 
@@ -33,7 +32,5 @@ void keep_viewer_addresses();
 
 // The folder of the one stack that runs.  Throws std::runtime_error when there is none, or several.
 std::string running_folder();
-
-int restart_command(const std::vector<std::string>& words);
 
 }  // namespace twinbus

@@ -1,4 +1,4 @@
-#include "launcher/up/sim_command.h"
+#include "launcher/commands/commands.h"
 
 #include <unistd.h>
 
@@ -12,7 +12,6 @@
 #include "common/process/command_word.h"
 #include "common/process/process.h"
 #include "common/text/closest_name.h"
-#include "launcher/bus/bus_arguments.h"
 #include "launcher/bus/bus_link.h"
 #include "launcher/stack/run_folder.h"
 #include "launcher/up/restart.h"
@@ -28,20 +27,15 @@ constexpr double kReset = 30.0;  // a stack begins anew within [s]
 
 // Sends it to the active simulator and prints what that says.
 int ask_simulator(const Arguments& arguments, SimRequest& request) {
-  catch_quit_signals();
-  BusLink bus(arguments.text("--url", ""), arguments.text("--prefix", ""),
-              arguments.all("--allow"));
-  const SeenSource* active = wait_for_active(bus, 1.0);
-  if (active == nullptr)
-    throw std::runtime_error("no source is active on " + bus.url() +
-                             "; start one with ./twinbus up");
-  if (active->status.source != SourceKind::kSimulator)
+  BusLink bus = open_bus(arguments);
+  const SeenSource& active = active_source(bus);
+  if (active.status.source != SourceKind::kSimulator)
     throw std::runtime_error("the active source is a " +
-                             std::string(source_name(active->status.source)) +
+                             std::string(source_name(active.status.source)) +
                              ", not a simulator; ./twinbus switch sim makes one active");
   if (request.action == SimAction::kPush) refuse_while_paused(bus.seen(), monotonic_ns());
-  request.run_id = active->status.run_id;
-  if (request.action == SimAction::kPush && active->status.model_hash != request.model_hash)
+  request.run_id = active.status.run_id;
+  if (request.action == SimAction::kPush && active.status.model_hash != request.model_hash)
     throw std::runtime_error("the robot that runs is another one: say --robot");
   (void)bus.seen().take_events();
   const std::int64_t begin = monotonic_ns();
@@ -82,25 +76,16 @@ int reset_world() {
 }  // namespace
 
 int push_command(const std::vector<std::string>& words) {
-  const Arguments arguments(
-      {"push", "LINK FX FY FZ",
-       "Pushes a link of the simulated robot with a force [N] along the axes of the world (x "
-       "forward "
-       "at the start,\n"
-       "y left, z up), as in: ./twinbus push CHEST 60 0 0 --for 0.2",
-       on_bus({{"--for", "S", "seconds; default 0.1"},
-               {"--at", "X,Y,Z", "where on the link, in its frame [m]; default its centre of mass"},
-               robot_option()}),
-       4, 4},
-      words);
+  const Arguments arguments({"push", 4, 4, R"(LINK FX FY FZ
+Pushes a link of the simulated robot with a force [N] along the axes of the world (x forward at the start,
+y left, z up), as in: ./twinbus push CHEST 60 0 0 --for 0.2
+  --for S  seconds; default 0.1
+  --at X,Y,Z  where on the link, in its frame [m]; default its centre of mass
+  --robot --prefix --url --allow)"}, words);
   const Model model = load_robot(arguments.text("--robot", "hrp1s"));
   const int link = model.find_link(arguments.word(0));
-  if (link < 0) {
-    std::vector<std::string> names;
-    for (const Link& one : model.links) names.push_back(one.name);
-    throw UsageError("push: " + model.name + " has no link '" + arguments.word(0) + "'" +
-                     suggestion(arguments.word(0), names));
-  }
+  if (link < 0)
+    throw UsageError("push: " + model.name + " has no link '" + arguments.word(0) + "'" + suggestion(arguments.word(0), model.links));
   SimRequest request;
   request.action = SimAction::kPush;
   request.model_hash = model.hash;
@@ -121,16 +106,11 @@ int push_command(const std::vector<std::string>& words) {
 
 int sim_command(const std::vector<std::string>& words) {
   const std::vector<std::string> known = {"pause", "go", "step", "pace", "reset"};
-  const Arguments arguments(
-      {"sim", "pause | go | step [TICKS] | pace X | reset",
-       "The simulated world of the running stack: stands still, goes on, does some ticks (default "
-       "1) and stands\n"
-       "still, runs X times as fast as real time (0.01 to 10), or begins anew with its controller. "
-       " "
-       "A robot behind\n"
-       "the bridge does none of it.",
-       on_bus(), 1, 2},
-      words);
+  const Arguments arguments({"sim", 1, 2, R"(pause | go | step [TICKS] | pace X | reset
+The simulated world of the running stack: stands still, goes on, does some ticks (default 1) and stands
+still, runs X times as fast as real time (0.01 to 10), or begins anew with its controller.  A robot behind
+the bridge does none of it.
+  --prefix --url --allow)"}, words);
   const std::string what = arguments.word(0);
   const bool takes_number = what == "step" || what == "pace";
   if (arguments.words().size() > 1 && !takes_number)

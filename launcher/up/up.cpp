@@ -1,4 +1,4 @@
-#include "launcher/up/up.h"
+#include "launcher/commands/commands.h"
 
 #include <unistd.h>
 

@@ -9,51 +9,34 @@ namespace twinbus {
 Syntax up_syntax() {
   std::string stacks;
   for (const std::string& name : stack_names()) stacks += (stacks.empty() ? "" : ", ") + name;
-  return {
-      "up",
-      "[SCENE]",
-      "Starts the processes of a stack, activates its source, shows what runs and stops "
-      "everything on Ctrl-C.\n"
-      "SCENE is a name in config/scenes or a file; default: stand.  With --for the run is "
-      "judged: exit status 0 only\n"
-      "if STATE and COMMAND kept their rate, at most 0.1 % of the ticks were missed (1 % "
-      "without FIFO) and nobody fell.\n"
-      "A tick that was missed only because the machine itself stood still is told, but not "
-      "held against the stack.",
-      {robot_option(),
-       {"--stack", "NAME", "of config/stacks (" + stacks + "), or a file; default sim"},
-       {"--engine", "E", "articulated, ode or mujoco; default the scene's"},
-       {"--lockstep", "",
-        "each tick waits for its command: slower or faster than real time, repeatable"},
-       {"--rate", "X", "times real time; default 1"},
-       {"--for", "S", "seconds; then stops, judges and exits"},
-       {"--start-pose", "POSE", "of the robot's SRDF, in which it begins; default the scene's"},
-       {"--seed", "N", "of noise and perturbations"},
-       {"--set", "KEY=VALUE",
-        "setting of the simulator, as in model.mass_scale=1.03; may be repeated"},
-       {"--face", "KIND",
-        "answers on DDS as a Unitree robot (unitree_hg, unitree_go), so that programs written for it drive; stack default client"},
-       {"--interface", "NAME", "network interface of --face; default lo"},
-       {"--no-viewer", "", "without the page in the browser"},
-       {"--listen", "ADDR",
-        "an address of this machine on which a phone may watch and stop, with the token that is "
-        "printed; 0.0.0.0: all"},
-       {"--no-record", "", "without a log of the run in its folder"},
-       {"--split", "SIZE",
-        "of the parts of run.log, as in 500MB (default) or 10min; 0: one file.  Tools take run.log "
-        "for all"},
-       {"--quota", "GB", "of run.log with its parts; default 10, but always the last 30 minutes"},
-       {"--log", "FILE", "of --stack replay: the log that is played"},
-       {"--strict", "",
-        "keeps the clock of a simulated world hard; else, on a machine without real-time rights, it stands still "
-        "while a command is late, up to 200 ms"},
-       {"--no-fifo", "", "ordinary priority for every process"},
-       {"--report", "F", "writes the figures as JSON"},
-       prefix_option(),
-       url_option(),
-       allow_option()},
-      0,
-      1};
+  return {"up", 0, 1, R"([SCENE]
+Starts the processes of a stack, activates its source, shows what runs and stops everything on Ctrl-C.
+SCENE is a name in config/scenes or a file; default: stand.  With --for the run is judged: exit status 0 only
+if STATE and COMMAND kept their rate, at most 0.1 % of the ticks were missed (1 % without FIFO) and nobody fell.
+A tick that was missed only because the machine itself stood still is told, but not held against the stack.
+  --robot
+  --stack NAME  of config/stacks ()" + stacks + R"(), or a file; default sim
+  --engine E  articulated, ode or mujoco; default the scene's
+  --lockstep  each tick waits for its command: slower or faster than real time, repeatable
+  --rate X  times real time; default 1
+  --for S  seconds; then stops, judges and exits
+  --start-pose POSE  of the robot's SRDF, in which it begins; default the scene's
+  --seed N  of noise and perturbations
+  --set KEY=VALUE  setting of the simulator, as in model.mass_scale=1.03; may be repeated
+  --face KIND  answers on DDS as a Unitree robot (unitree_hg, unitree_go), so that programs written for it drive; stack default \
+      client
+  --interface NAME  network interface of --face; default lo
+  --no-viewer  without the page in the browser
+  --listen ADDR  an address of this machine on which a phone may watch and stop, with the token that is printed; 0.0.0.0: all
+  --no-record  without a log of the run in its folder
+  --split SIZE  of the parts of run.log, as in 500MB (default) or 10min; 0: one file.  Tools take run.log for all
+  --quota GB  of run.log with its parts; default 10, but always the last 30 minutes
+  --log FILE  of --stack replay: the log that is played
+  --strict  keeps the clock of a simulated world hard; else, on a machine without real-time rights, it stands still while a \
+      command is late, up to 200 ms
+  --no-fifo  ordinary priority for every process
+  --report F  writes the figures as JSON
+  --prefix --url --allow)"};
 }
 
 bool records(const Arguments& arguments) {

@@ -38,12 +38,10 @@ void RobotQuery::place(const std::vector<double>& q) {
 }
 
 const Frame& RobotQuery::frame(const std::string& link) const {
-  std::vector<std::string> known;
   for (const Frame& each : model_->frames) {
     if (each.name == link) return each;
-    known.push_back(each.name);
   }
-  throw std::invalid_argument("the robot has no link '" + link + "'" + suggestion(link, known));
+  throw std::invalid_argument("the robot has no link '" + link + "'" + suggestion(link, model_->frames));
 }
 
 RobotQuery::Rows RobotQuery::link_pose(const std::vector<double>& q, const std::string& link) {

@@ -25,9 +25,7 @@ namespace fs = std::filesystem;
 int need_joint(const Model& model, const std::string& name, const std::string& where) {
   const int index = model.find_joint(name);
   if (index >= 0) return index;
-  std::vector<std::string> known;
-  for (const Joint& joint : model.joints) known.push_back(joint.name);
-  throw std::runtime_error(where + ": there is no moving joint " + name + suggestion(name, known));
+  throw std::runtime_error(where + ": there is no moving joint " + name + suggestion(name, model.joints));
 }
 
 void apply_servos(const RobotYaml& yaml, Model& model) {

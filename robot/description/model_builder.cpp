@@ -108,13 +108,10 @@ void ModelBuilder::build(Model& model, bool for_bus) {
 }
 
 Frame ModelBuilder::frame(const std::string& name, const std::string& where) const {
-  std::vector<std::string> known;
   for (const Frame& frame : frames_) {
     if (frame.name == name) return frame;
-    known.push_back(frame.name);
   }
-  throw std::runtime_error(where + ": there is no link " + name + " in the URDF" +
-                           suggestion(name, known));
+  throw std::runtime_error(where + ": there is no link " + name + " in the URDF" + suggestion(name, frames_));
 }
 
 int ModelBuilder::urdf_joint(const std::string& name, const std::string& where) const {

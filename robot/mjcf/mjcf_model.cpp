@@ -186,9 +186,7 @@ class Reader {
   void need_body(const MjcfElement& element, const std::string& key) const {
     const std::string name = element.text(key);
     if (model_.find_body(name) >= 0) return;
-    std::vector<std::string> known;
-    for (const MjcfBody& body : model_.bodies) known.push_back(body.name);
-    element.fail(key, "names " + name.substr(0, 60) + ", which is no body" + suggestion(name, known));
+    element.fail(key, "names " + name.substr(0, 60) + ", which is no body" + suggestion(name, model_.bodies));
   }
 
   void read_contact(const MjcfElement& element) {

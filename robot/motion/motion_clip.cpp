@@ -119,10 +119,7 @@ void MotionClip::find_stand(const Model& model, const std::string& pose) {
     const std::vector<double>& q = model.poses[at(found)].q;
     standing_.q = Eigen::Map<const Eigen::VectorXd>(q.data(), static_cast<Eigen::Index>(q.size()));
   } else if (pose != "half_sitting") {
-    std::vector<std::string> names;
-    for (const NamedPose& named : model.poses) names.push_back(named.name);
-    throw std::runtime_error(model.name + " has no pose '" + printable(pose, 60) + "'" +
-                             suggestion(printable(pose, 60), names));
+    throw std::runtime_error(model.name + " has no pose '" + printable(pose, 60) + "'" + suggestion(printable(pose, 60), model.poses));
   }
   for (int k = 0; k < model.bus_count(); ++k) stand_[at(k)] = standing_.q[model.bus_joints[at(k)]];
   if (model.soles[0].link < 0 || model.soles[1].link < 0) return;

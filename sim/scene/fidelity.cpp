@@ -11,8 +11,9 @@ namespace twinbus {
 
 namespace {
 
+template <class Named>
 [[noreturn]] void not_there(const Scene& scene, const char* key, const std::string& what, const std::string& name,
-                            const std::vector<std::string>& names) {
+                            const std::vector<Named>& names) {
   throw std::runtime_error("scene " + scene.name + ": " + key + ": there is no " + what + " '" + name + "'" + suggestion(name, names));
 }
 
@@ -31,11 +32,7 @@ void apply_fidelity(const Scene& scene, const Model& model, WorldConfig& config)
   }
   for (const std::string& name : scene.held) {
     const int joint = model.find_joint(name);
-    if (joint < 0) {
-      std::vector<std::string> names;
-      for (const Joint& each : model.joints) names.push_back(each.name);
-      not_there(scene, "held", "joint", name, names);
-    }
+    if (joint < 0) not_there(scene, "held", "joint", name, model.joints);
     config.held.resize(model.joints.size(), false);
     config.held[at(joint)] = true;
   }
@@ -44,11 +41,7 @@ void apply_fidelity(const Scene& scene, const Model& model, WorldConfig& config)
     config.rigid_robots.resize(config.robots.size(), false);
     const auto named = [&](const OtherRobot& robot) { return robot.name == name; };
     const auto found = std::find_if(config.robots.begin(), config.robots.end(), named);
-    if (found == config.robots.end()) {
-      std::vector<std::string> names;
-      for (const OtherRobot& each : config.robots) names.push_back(each.name);
-      not_there(scene, "rigid", "further robot", name, names);
-    }
+    if (found == config.robots.end()) not_there(scene, "rigid", "further robot", name, config.robots);
     config.rigid_robots[static_cast<std::size_t>(found - config.robots.begin())] = true;
   }
 }

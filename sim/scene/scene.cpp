@@ -444,11 +444,8 @@ Scene load_scene(const std::string& name_or_file) {
 }
 
 void start_in(const std::string& pose, const Model& model, Scene& scene) {
-  if (pose != scene.start_pose && model.find_pose(pose) < 0) {
-    std::vector<std::string> names;
-    for (const NamedPose& named : model.poses) names.push_back(named.name);
-    throw std::runtime_error(model.name + " has no pose '" + pose + "'" + suggestion(pose, names) + ", to begin in");
-  }
+  if (pose != scene.start_pose && model.find_pose(pose) < 0)
+    throw std::runtime_error(model.name + " has no pose '" + pose + "'" + suggestion(pose, model.poses) + ", to begin in");
   scene.start_pose = pose;
 }
 

@@ -163,15 +163,11 @@ class Case {
 };
 
 int accuracy(int argc, char** argv) {
-  const Arguments arguments(
-      {"bench accuracy",
-       "SCENE:SECONDS...",
-       "Holds the choices of run --accuracy against converged references; exit status 0 only if "
-       "95 % hold and none is over three times.",
-       {{"--errors", "LIST", "[mm]; default 10,1,0.1"}, {"--fidelity", "", "leaves out what hardly moves"}, {"--csv", "F.csv", "one line a choice"}},
-       1,
-       100},
-      std::vector<std::string>(argv + 1, argv + argc));
+  const Arguments arguments({"bench accuracy", 1, 100, R"(SCENE:SECONDS...
+Holds the choices of run --accuracy against converged references; exit status 0 only if 95 % hold and none is over three times.
+  --errors LIST  [mm]; default 10,1,0.1
+  --fidelity  leaves out what hardly moves
+  --csv F.csv  one line a choice)"}, std::vector<std::string>(argv + 1, argv + argc));
   const std::vector<double> errors = errors_of(arguments.text("--errors", "10,1,0.1"));
   std::FILE* csv = nullptr;
   if (const std::string file = arguments.text("--csv", ""); !file.empty()) {

@@ -122,16 +122,12 @@ int run(const std::string& robot, const std::string& file, bool forces, double f
 }
 
 int estimate(int argc, char** argv) {
-  const Arguments arguments({"bench estimate",
-                             "ROBOT LOG",
-                             "Holds the velocity of the base that ESTIMATE says against TRUTH of a log: root of the mean square and largest\n"
-                             "error [m/s], forward, left, up, beside the controller's own estimator.",
-                             {{"--no-forces", "", "the robot has no force sensors at its feet"},
-                              {"--from", "S", "of the log; default 1"},
-                              {"--to", "S", "of the log; default its end"}},
-                             2,
-                             2},
-                            std::vector<std::string>(argv + 1, argv + argc));
+  const Arguments arguments({"bench estimate", 2, 2, R"(ROBOT LOG
+Holds the velocity of the base that ESTIMATE says against TRUTH of a log: root of the mean square and largest
+error [m/s], forward, left, up, beside the controller's own estimator.
+  --no-forces  the robot has no force sensors at its feet
+  --from S  of the log; default 1
+  --to S  of the log; default its end)"}, std::vector<std::string>(argv + 1, argv + argc));
   return run(arguments.word(0), arguments.word(1), !arguments.has("--no-forces"), arguments.number("--from", 1.0, 0.0, 1e9),
              arguments.number("--to", 1e9, 0.0, 1e9));
 }

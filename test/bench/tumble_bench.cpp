@@ -60,20 +60,15 @@ double apart(const World& world, const World& near, double away) {
 }
 
 int tumble(int argc, char** argv) {
-  const Arguments arguments(
-      {"bench tumble",
-       "",
-       "Runs the loose bodies of a scene with a disturbance from many seeds; exit status 0 only if nothing is flung and nothing diverges.",
-       {{"--scene", "S", "default boxes_tumble"},
-        {"--seeds", "N", "default 100"},
-        {"--seconds", "T", "of each; default 2"},
-        {"--step", "H", "[s]; default 0.001"},
-        {"--order", "O", "default 1"},
-        {"--engine", "E", "articulated (default) or ode"},
-        {"--away", "D", "begun so far from the origin [m]; default 0"}},
-       0,
-       0},
-      {argv + 1, argv + argc});
+  const Arguments arguments({"bench tumble", 0, 0, R"(
+Runs the loose bodies of a scene with a disturbance from many seeds; exit status 0 only if nothing is flung and nothing diverges.
+  --scene S  default boxes_tumble
+  --seeds N  default 100
+  --seconds T  of each; default 2
+  --step H  [s]; default 0.001
+  --order O  default 1
+  --engine E  articulated (default) or ode
+  --away D  begun so far from the origin [m]; default 0)"}, {argv + 1, argv + argc});
   const Scene scene = load_scene(arguments.text("--scene", "boxes_tumble"));
   const int seeds = static_cast<int>(arguments.number("--seeds", 100, 1, 1e6));
   const double seconds = arguments.number("--seconds", 2.0, 0.01, 1e4);

@@ -11,10 +11,29 @@ namespace twinbus {
 namespace {
 
 Syntax syntax() {
-  return {
-      "up",    "[SCENE]",
-      "about", {{"--for", "S", "seconds"}, {"--lockstep", "", "flag"}, {"--set", "K=V", "pairs"}},
-      0,       2};
+  return {"up", 0, 2, R"([SCENE]
+about it,
+    indented too
+  --for S  seconds
+  --lockstep  a flag, \
+      told long
+  --set K=V  pairs
+  --robot --force)"};
+}
+
+TEST(Arguments, HelpIsPrintedAsItIsWritten) {
+  const std::string wanted = R"(usage: ./twinbus up [SCENE] [OPTION...]
+about it,
+    indented too
+  --for S               seconds
+  --lockstep            a flag, told long
+  --set K=V             pairs
+  --robot NAME          of config/robots, or a folder
+  --force               writes over a file that is there, with its parts
+Exit status: 0 done, 1 failed, 2 wrong arguments.
+)";
+  EXPECT_EQ(help_text(syntax()), as_typed(wanted));
+  EXPECT_THROW(Syntax("up", 0, 0, "\nabout\n  --unknown"), std::logic_error);
 }
 
 TEST(Arguments, TakesOptionsInBothFormsAndWords) {

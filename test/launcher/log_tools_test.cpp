@@ -11,7 +11,7 @@
 
 #include "common/process/arguments.h"
 #include "launcher/log/log_channels.h"
-#include "launcher/log/log_command.h"
+#include "launcher/commands/commands.h"
 #include "launcher/log/log_gaps.h"
 #include "launcher/log/log_scan.h"
 #include "lcmtypes/bus/wire.h"

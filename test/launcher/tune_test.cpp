@@ -1,6 +1,6 @@
 // The scene that `tune` writes is the scene with another step and order.
 
-#include "launcher/run/tune.h"
+#include "launcher/run/tuned_text.h"
 
 #include <gtest/gtest.h>
 

@@ -123,17 +123,13 @@ InLanes lanes(const Model& model, const std::vector<Start>& starts, long steps, 
 }
 
 int bench(int argc, char** argv) {
-  const Arguments arguments({"bench lanes",
-                             "",
-                             "Steps disturbed worlds of a scene four at a time in the lanes of a vector, one by one, and in MuJoCo, all on one core.",
-                             {{"--scene", "S", "default stand"},
-                              {"--robot", "R", "default: the scene's"},
-                              {"--worlds", "N", "default 256"},
-                              {"--seconds", "T", "of each; default 2"},
-                              {"--rounds", "N", "default 5"}},
-                             0,
-                             0},
-                            {argv + 1, argv + argc});
+  const Arguments arguments({"bench lanes", 0, 0, R"(
+Steps disturbed worlds of a scene four at a time in the lanes of a vector, one by one, and in MuJoCo, all on one core.
+  --scene S  default stand
+  --robot R  default: the scene's
+  --worlds N  default 256
+  --seconds T  of each; default 2
+  --rounds N  default 5)"}, {argv + 1, argv + argc});
   Scene scene = load_scene(arguments.text("--scene", "stand"));
   const Model model = load_robot(arguments.text("--robot", scene.robot));
   const auto count = static_cast<std::size_t>(arguments.number("--worlds", 256, 1, 1e5));

@@ -1,0 +1,68 @@
+#include "launcher/run/tuned_text.h"
+
+#include <cstdio>
+#include <sstream>
+#include <vector>
+
+namespace twinbus {
+
+namespace {
+
+void write_names(std::ostream& out, const char* key, const std::vector<std::string>& names) {
+  if (names.empty()) return;
+  out << key << ": [";
+  for (std::size_t i = 0; i < names.size(); ++i) out << (i > 0 ? ", " : "") << names[i];
+  out << "]\n";
+}
+
+}  // namespace
+
+std::string tuned_text(const std::string& scene, const Rung& rung, const std::string& why) {
+  std::istringstream in(scene);
+  std::ostringstream out;
+  out << "# " << why << "\n";
+  char number[40];
+  std::snprintf(number, sizeof number, "%.9g", rung.step);
+  const std::string asked = "solver.order: " + std::to_string(rung.order);
+  bool in_settings = false, has_order = false, dropped = false;
+  std::string body;
+  for (std::string line; std::getline(in, line);) {
+    const bool top = !line.empty() && line[0] != ' ' && line[0] != '#' && line[0] != '-';
+    if (top) in_settings = line.rfind("settings:", 0) == 0;
+    if (top && line.rfind("step:", 0) == 0) continue;
+    if (top) {
+      dropped = (line.rfind("held:", 0) == 0 && !rung.less.held.empty()) ||
+                (line.rfind("rigid:", 0) == 0 && !rung.less.rigid.empty()) ||
+                (line.rfind("fidelity:", 0) == 0 && !rung.less.none());
+    }
+    if (dropped) continue;
+    const std::size_t at = line.find("solver.order:");
+    if (in_settings && at != std::string::npos) {
+      const std::size_t end = line.find_first_of(",}#", at);
+      line.replace(at, (end == std::string::npos ? line.size() : end) - at, asked);
+      has_order = true;
+    } else if (top && in_settings && !has_order) {
+      if (const std::size_t brace = line.find('{'); brace != std::string::npos) {
+        if (scene.find("solver.order:") == std::string::npos) {
+          line.insert(brace + 1, asked + ", ");
+          has_order = true;
+        }
+      }
+    }
+    body += line + "\n";
+  }
+  out << "step: " << number << "\n";
+  write_names(out, "held", rung.less.held);
+  write_names(out, "rigid", rung.less.rigid);
+  if (!has_order && scene.rfind("settings:", 0) != 0 &&
+      scene.find("\nsettings:") == std::string::npos) {
+    out << "settings: {" << asked << "}\n";
+  } else if (!has_order) {  // a block of lines
+    const std::size_t from = body.rfind("settings:", 0) == 0 ? 0 : body.find("\nsettings:") + 1;
+    body.insert(body.find('\n', from) + 1, "  " + asked + "\n");
+  }
+  out << body;
+  return out.str();
+}
+
+}  // namespace twinbus
