@@ -6,7 +6,6 @@
 
 #include "common/math/index.h"
 #include "robot/dynamics/inverse_dynamics.h"
-#include "sim/mujoco/mujoco_impl.h"
 
 namespace twinbus {
 
@@ -22,7 +21,7 @@ constexpr double kSoleCornersOfBoth = 2.0 * kSoleCorners;
   throw std::runtime_error("engine mujoco " + what + "; say --engine articulated or --engine ode");
 }
 
-void check_known(const Model& model, const WorldConfig& config) {
+const WorldConfig& known(const Model& model, const WorldConfig& config) {
   if (config.contact != ContactModel::kSpringDamper && config.contact != ContactModel::kSoft)
     refuse(std::string("has its own soft contact, and no contact ") + kContactNames[static_cast<std::size_t>(config.contact)]);
   if (config.continuous) refuse("knows no contact.continuous");
@@ -40,6 +39,8 @@ void check_known(const Model& model, const WorldConfig& config) {
     if (!(joint.effort >= 0.0))
       throw std::runtime_error("joint '" + joint.name + "' cannot be simulated: its effort limit must be a number");
   }
+  check_links(model, config.fixed_base);
+  return config;
 }
 
 constexpr double kReweigh = 1.25;  // once an armature has changed by this factor
@@ -47,48 +48,48 @@ constexpr double kReweigh = 1.25;  // once an armature has changed by this facto
 }  // namespace
 
 // Contacts are as hard as the bodies that they move are heavy, at the joints' present stiffness.
-void MujocoWorld::Impl::weigh() noexcept {
-  const double h = config.step;
+void MujocoWorld::weigh() noexcept {
+  const double h = config_.step;
   const auto changed = [h](const MujocoServo& servo) {
     const double now = servo.armature(h);
     return servo.weighed < 0.0 || now > kReweigh * servo.weighed || kReweigh * now < servo.weighed;
   };
-  if (std::none_of(servos.begin(), servos.end(), changed)) return;
-  for (std::size_t j = 0; j < servos.size(); ++j) {
-    servos[j].weighed = servos[j].armature(h);
-    armatures.set(joints[j].v, servos[j].weighed);
+  if (std::none_of(servos_.begin(), servos_.end(), changed)) return;
+  for (std::size_t j = 0; j < servos_.size(); ++j) {
+    servos_[j].weighed = servos_[j].armature(h);
+    armatures_.set(joints_[j].v, servos_[j].weighed);
   }
-  (void)mujoco.guarded([this] { mujoco.set_const(simulated, scratch); });
+  (void)mujoco_.guarded([this] { mujoco_.set_const(simulated_, scratch_); });
 }
 
 // What multiplies the velocity of the end of the step is inertia, the rest a force.
-void MujocoWorld::Impl::drive() noexcept {
-  const double h = config.step;
-  for (std::size_t j = 0; j < servos.size(); ++j) {
-    const MujocoServo& servo = servos[j];
+void MujocoWorld::drive() noexcept {
+  const double h = config_.step;
+  for (std::size_t j = 0; j < servos_.size(); ++j) {
+    const MujocoServo& servo = servos_[j];
     const ServoTarget& t = servo.target;
-    const double q = start_qpos[joints[j].q], qd = start_qvel[joints[j].v];
+    const double q = start_qpos_[joints_[j].q], qd = start_qvel_[joints_[j].v];
     double force = -servo.damping * qd;
     if (servo.bounded) {
       force += servo.tau;
     } else if (!servo.follows) {
       force += t.kp * (t.q - q - servo.play) + t.kd * t.qd + t.tau - servo.gain(h) * qd;
     }
-    armatures.set(joints[j].v, servo.bounded ? servo.rotor + h * servo.damping : servo.armature(h));
-    forces[joints[j].v] = force;
+    armatures_.set(joints_[j].v, servo.bounded ? servo.rotor + h * servo.damping : servo.armature(h));
+    forces_[joints_[j].v] = force;
   }
-  mujoco.set_state(simulated, data, forces.data(), mujoco.bits().qfrc_applied);
+  mujoco_.set_state(simulated_, data_, forces_.data(), mujoco_.bits().qfrc_applied);
 }
 
 // The law itself at the end of the step.  True: a servo went beyond its limit, which from now on is its torque.
-bool MujocoWorld::Impl::read_torques() noexcept {
+bool MujocoWorld::read_torques() noexcept {
   bool beyond = false;
-  for (std::size_t j = 0; j < servos.size(); ++j) {
-    MujocoServo& servo = servos[j];
+  for (std::size_t j = 0; j < servos_.size(); ++j) {
+    MujocoServo& servo = servos_[j];
     if (servo.follows || servo.bounded) continue;
     const ServoTarget& t = servo.target;
-    const double qd = qvel[joints[j].v];
-    const double asked = t.kp * (t.q - start_qpos[joints[j].q] - servo.play) + t.kd * t.qd + t.tau - servo.gain(config.step) * qd;
+    const double q = start_qpos_[joints_[j].q], qd = qvel_[joints_[j].v];
+    const double asked = t.kp * (t.q - q - servo.play) + t.kd * t.qd + t.tau - servo.gain(config_.step) * qd;
     servo.bounded = !(std::abs(asked) <= servo.limit);
     beyond = beyond || servo.bounded;
     servo.tau = std::clamp(asked, -servo.limit, servo.limit);
@@ -96,99 +97,102 @@ bool MujocoWorld::Impl::read_torques() noexcept {
   return beyond;
 }
 
-void MujocoWorld::Impl::apply_pushes() noexcept {
-  if (pushes.empty() && !pushed) return;
-  std::fill(xfrc.begin(), xfrc.end(), 0.0);
-  for (const Push& push : pushes) {
-    double* to = &xfrc[6 * at(bodies[at(push.link)])];
-    const Eigen::Vector3d torque = (push.point - kinematics.com_of_link(push.link)).cross(push.force);
+void MujocoWorld::apply_pushes() noexcept {
+  if (pushes_.empty() && !pushed_) return;
+  std::fill(xfrc_.begin(), xfrc_.end(), 0.0);
+  for (const Push& push : pushes_) {
+    double* to = &xfrc_[6 * at(bodies_[at(push.link)])];
+    const Eigen::Vector3d torque = (push.point - kinematics_.com_of_link(push.link)).cross(push.force);
     for (int i = 0; i < 3; ++i) {
       to[i] += push.force[i];
       to[i + 3] += torque[i];
     }
   }
-  pushed = !pushes.empty();
-  pushes.clear();
-  mujoco.set_state(simulated, data, xfrc.data(), mujoco.bits().xfrc_applied);
+  pushed_ = !pushes_.empty();
+  pushes_.clear();
+  mujoco_.set_state(simulated_, data_, xfrc_.data(), mujoco_.bits().xfrc_applied);
 }
 
-MujocoWorld::MujocoWorld(const Model& model, const WorldConfig& config) {
-  check_known(model, config);
-  check_links(model, config.fixed_base);
-  impl_ = std::make_unique<Impl>(model, config);
-  impl_->load();
+MujocoWorld::MujocoWorld(const Model& model, const WorldConfig& config, Unloaded)
+    : config_(known(model, config)),
+      model_(changed_by(model, config)),
+      kinematics_(model_),
+      configuration_(model_),
+      mujoco_(MujocoLibrary::get()) {}
+
+MujocoWorld::MujocoWorld(const Model& model, const WorldConfig& config) : MujocoWorld(model, config, Unloaded{}) {
+  load();
   for (std::size_t i = 0; i < config.loose.size(); ++i) (void)set_loose(static_cast<int>(i), config.loose[i].start);
-  impl_->kinematics.update(impl_->configuration);
+  kinematics_.update(configuration_);
 }
-MujocoWorld::~MujocoWorld() = default;
+
+MujocoWorld::~MujocoWorld() {
+  if (data_ != nullptr) mujoco_.delete_data(data_);
+  if (scratch_ != nullptr) mujoco_.delete_data(scratch_);
+  if (simulated_ != nullptr) mujoco_.delete_model(simulated_);
+}
 
 Status MujocoWorld::set(const Configuration& to, const Eigen::VectorXd* tau) noexcept {
-  Impl& w = *impl_;
-  const Status status = check_configuration(w.joints.size(), to);
+  const Status status = check_configuration(joints_.size(), to);
   if (status != Status::kOk) return status;
-  w.configuration = to;
-  w.write_state();
-  w.kinematics.update(w.configuration);
+  configuration_ = to;
+  write_state();
+  kinematics_.update(configuration_);
   const bool known = tau != nullptr && tau->size() == to.q.size();
-  for (std::size_t j = 0; j < w.servos.size(); ++j) {
-    MujocoServo& servo = w.servos[j];
+  for (std::size_t j = 0; j < servos_.size(); ++j) {
+    MujocoServo& servo = servos_[j];
     const double torque = known ? (*tau)[static_cast<Eigen::Index>(j)] : 0.0;
     servo.tau = std::isfinite(torque) ? std::clamp(torque, -servo.limit, servo.limit) : 0.0;
-    servo.play = w.flank(servo);
+    servo.play = flank(servo);
     servo.bounded = false;
   }
-  w.pushes.clear();
-  w.frozen = false;
+  pushes_.clear();
+  frozen_ = false;
   estimate_contact_forces();
   return Status::kOk;
 }
 
 Status MujocoWorld::set_servo(int joint, const ServoTarget& target) noexcept {
-  Impl& w = *impl_;
-  if (joint < 0 || joint >= w.model.joint_count()) return Status::kWrongSize;
+  if (joint < 0 || joint >= model_.joint_count()) return Status::kWrongSize;
   const Status status = check_target(target);
   if (status != Status::kOk) return status;
-  ServoTarget& own = w.servos[at(joint)].target;
+  ServoTarget& own = servos_[at(joint)].target;
   own = target;
-  own.kp *= w.config.servo_kp_scale;
-  own.kd *= w.config.servo_kd_scale;
+  own.kp *= config_.servo_kp_scale;
+  own.kd *= config_.servo_kd_scale;
   return Status::kOk;
 }
 
 Status MujocoWorld::push(int link, const Eigen::Vector3d& point, const Eigen::Vector3d& force) noexcept {
-  Impl& w = *impl_;
-  if (link < 0 || link >= w.model.link_count()) return Status::kWrongSize;
+  if (link < 0 || link >= model_.link_count()) return Status::kWrongSize;
   if (!point.allFinite() || !force.allFinite()) return Status::kNotFinite;
   if (point.cwiseAbs().maxCoeff() > kMaxDistance || force.cwiseAbs().maxCoeff() > kMaxPush ||
-      w.pushes.size() == w.pushes.capacity()) {
+      pushes_.size() == pushes_.capacity()) {
     return Status::kOutOfRange;
   }
-  w.pushes.push_back({link, point, force});
+  pushes_.push_back({link, point, force});
   return Status::kOk;
 }
 
-void MujocoWorld::set_corner_offset(int, int, double) noexcept {}
-double MujocoWorld::corner_offset(int, int) const noexcept { return 0.0; }
 
 // With the torques that act, not the servos' next ones, but as stiff as the servos are.
 void MujocoWorld::estimate_contact_forces() noexcept {
-  Impl& w = *impl_;
-  w.weigh();
-  for (std::size_t j = 0; j < w.servos.size(); ++j) {
-    const MujocoServo& servo = w.servos[j];
-    w.armatures.set(w.joints[j].v, servo.armature(w.config.step));
-    w.forces[w.joints[j].v] = servo.follows ? 0.0 : servo.tau;
+  weigh();
+  for (std::size_t j = 0; j < servos_.size(); ++j) {
+    const MujocoServo& servo = servos_[j];
+    armatures_.set(joints_[j].v, servo.armature(config_.step));
+    forces_[joints_[j].v] = servo.follows ? 0.0 : servo.tau;
   }
-  w.mujoco.set_state(w.simulated, w.data, w.forces.data(), w.mujoco.bits().qfrc_applied);
-  w.contacts.clear();
-  if (w.mujoco.guarded([&w] { w.mujoco.forward(w.simulated, w.data); })) w.read_contacts();
+  mujoco_.set_state(simulated_, data_, forces_.data(), mujoco_.bits().qfrc_applied);
+  contacts_.clear();
+  if (mujoco_.guarded([this] { mujoco_.forward(simulated_, data_); })) read_contacts();
 }
 
-bool MujocoWorld::Impl::advance() noexcept {
-  for (MujocoServo& servo : servos) servo.bounded = false;
+bool MujocoWorld::advance() noexcept {
+  for (MujocoServo& servo : servos_) servo.bounded = false;
   for (;;) {  // joints only gain limits, so this ends
     drive();
-    if (!mujoco.guarded([this] { mujoco.step(simulated, data); })) return false;
+    if (!mujoco_.guarded([this] { mujoco_.step(simulated_, data_); })) return false;
     read_state();
     if (!sane()) return false;
     if (!read_torques()) return true;
@@ -196,80 +200,61 @@ bool MujocoWorld::Impl::advance() noexcept {
   }
 }
 
-void MujocoWorld::Impl::go_back() noexcept {
-  mujoco.set_state(simulated, data, start_qpos.data(), mujoco.bits().qpos);
-  mujoco.set_state(simulated, data, start_qvel.data(), mujoco.bits().qvel);
-  mujoco.set_state(simulated, data, start_warmstart.data(), mujoco.bits().warmstart);
+void MujocoWorld::go_back() noexcept {
+  mujoco_.set_state(simulated_, data_, start_qpos_.data(), mujoco_.bits().qpos);
+  mujoco_.set_state(simulated_, data_, start_qvel_.data(), mujoco_.bits().qvel);
+  mujoco_.set_state(simulated_, data_, start_warmstart_.data(), mujoco_.bits().warmstart);
 }
 
 Status MujocoWorld::step() noexcept {
-  Impl& w = *impl_;
   trust_ = {};
-  if (w.frozen) return Status::kDiverged;
-  w.start_qpos = w.qpos;  // of the same size: nothing is allocated
-  w.start_qvel = w.qvel;
-  w.mujoco.get_state(w.simulated, w.data, w.start_warmstart.data(), w.mujoco.bits().warmstart);
-  w.apply_pushes();
-  w.weigh();
-  if (!w.advance()) {
-    w.go_back();
-    w.read_state();
-    w.contacts.clear();
-    w.frozen = true;
+  if (frozen_) return Status::kDiverged;
+  start_qpos_ = qpos_;  // of the same size: nothing is allocated
+  start_qvel_ = qvel_;
+  mujoco_.get_state(simulated_, data_, start_warmstart_.data(), mujoco_.bits().warmstart);
+  apply_pushes();
+  weigh();
+  if (!advance()) {
+    go_back();
+    read_state();
+    contacts_.clear();
+    frozen_ = true;
     return Status::kDiverged;
   }
-  w.read_contacts();
-  w.kinematics.update(w.configuration);
-  for (MujocoServo& servo : w.servos) servo.play += kPlayRate * (w.flank(servo) - servo.play);
+  read_contacts();
+  kinematics_.update(configuration_);
+  for (MujocoServo& servo : servos_) servo.play += kPlayRate * (flank(servo) - servo.play);
   return Status::kOk;
 }
 
-const Configuration& MujocoWorld::configuration() const noexcept { return impl_->configuration; }
-double MujocoWorld::encoder(int joint) const noexcept { return impl_->configuration.q[joint] + impl_->servos[at(joint)].play; }
-double MujocoWorld::tau(int joint) const noexcept { return impl_->servos[at(joint)].tau; }
-Eigen::Isometry3d MujocoWorld::link_in_world(int link) const noexcept { return impl_->kinematics.link_in_world(link); }
-Eigen::Vector3d MujocoWorld::point_velocity(int link, const Eigen::Vector3d& point) const noexcept {
-  return impl_->kinematics.point_velocity(link, point);
-}
-Eigen::Vector3d MujocoWorld::angular_velocity(int link) const noexcept { return impl_->kinematics.angular_velocity(link); }
-double MujocoWorld::mass() const noexcept { return impl_->kinematics.mass(); }
-Eigen::Vector3d MujocoWorld::com() const noexcept { return impl_->kinematics.com(); }
-Eigen::Vector3d MujocoWorld::com_velocity() const noexcept { return impl_->kinematics.com_velocity(); }
-const std::vector<ContactPoint>& MujocoWorld::contacts() const noexcept { return impl_->contacts; }
-int MujocoWorld::loose_count() const noexcept { return static_cast<int>(impl_->loose.size()); }
 
 LooseState MujocoWorld::loose(int body) const noexcept {
-  const Impl& w = *impl_;
-  const Impl::Place& place = w.loose[at(body)];
+  const Place& place = loose_[at(body)];
   LooseState state;
-  state.pose = read_mujoco_pose(&w.qpos[place.q]);
-  const double* v = &w.qvel[place.v];
+  state.pose = read_mujoco_pose(&qpos_[place.q]);
+  const double* v = &qvel_[place.v];
   state.velocity = Eigen::Vector3d(v[0], v[1], v[2]);
   state.angular_velocity = state.pose.linear() * Eigen::Vector3d(v[3], v[4], v[5]);
   return state;
 }
 
 Status MujocoWorld::set_loose(int body, const LooseState& state) noexcept {
-  Impl& w = *impl_;
-  if (body < 0 || at(body) >= w.loose.size()) return Status::kWrongSize;
+  if (body < 0 || at(body) >= loose_.size()) return Status::kWrongSize;
   const Status status = check_loose(state);
   if (status != Status::kOk) return status;
-  const Impl::Place& place = w.loose[at(body)];
-  write_mujoco_pose(state.pose, &w.qpos[place.q]);
-  write_mujoco_velocity(state.pose.linear(), state.velocity, state.angular_velocity, &w.qvel[place.v]);
-  w.mujoco.set_state(w.simulated, w.data, w.qpos.data(), w.mujoco.bits().qpos);
-  w.mujoco.set_state(w.simulated, w.data, w.qvel.data(), w.mujoco.bits().qvel);
+  const Place& place = loose_[at(body)];
+  write_mujoco_pose(state.pose, &qpos_[place.q]);
+  write_mujoco_velocity(state.pose.linear(), state.velocity, state.angular_velocity, &qvel_[place.v]);
+  mujoco_.set_state(simulated_, data_, qpos_.data(), mujoco_.bits().qpos);
+  mujoco_.set_state(simulated_, data_, qvel_.data(), mujoco_.bits().qvel);
   return Status::kOk;
 }
 
-Eigen::Isometry3d MujocoWorld::robot_link(int, int) const noexcept { return Eigen::Isometry3d::Identity(); }
-Status MujocoWorld::hold(int, bool) noexcept { return Status::kWrongSize; }
 
 double MujocoWorld::corner_stiffness(int) const noexcept { return mass() * kGravity / (kSoleCornersOfBoth * kRestDepth); }
 // Critically damped, as the contact is: 2 / timeconst times the mass that it carries.
 double MujocoWorld::corner_damping(int, double force) const noexcept {
   return 2.0 / kTimeConstant * std::max(0.0, force) / kGravity;
 }
-double MujocoWorld::elastic_energy() const noexcept { return impl_->elastic; }
 
 }  // namespace twinbus
