@@ -146,7 +146,6 @@ class FaceProcess {
     FaceLine line;
     while (face_.take_line(line)) {
       std::fprintf(line.severity > 0 ? stderr : stdout, "face: %s\n", line.text.data());
-      std::fflush(stdout);
       Event event;
       event.run_id = admission_.run_id();
       event.severity = static_cast<std::int8_t>(line.severity);
@@ -186,13 +185,11 @@ int run(int argc, char** argv) {
   const Arguments a = parse(argc, argv);
   catch_quit_signals();
   const Model model = load_robot(a.common.robot);
-  const RealTime real_time = enter_real_time(kPriority, "face");
-  FaceProcess process(a, model, real_time);
+  FaceProcess process(a, model, enter_real_time(kPriority, "face"));
   const MotorOrder& order = process.face().order();
   std::printf("face ready: %s answers as %s (%s) on %s, domain %d: rt/lowstate %.0f times a second, rt/lowcmd%s\n", model.name.c_str(),
               a.robot_kind.c_str(), order.robot.c_str(), a.dds.interface.c_str(), a.dds.domain, process.face().rate(),
               absent_motors(order).c_str());
-  std::fflush(stdout);
   process.run();
   return 0;
 }

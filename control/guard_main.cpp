@@ -56,7 +56,7 @@ class GuardProcess {
       : model_(model),
         node_(a.common, ProcessKind::kGuard, real_time),
         watch_(model, {.guard_id = node_.id(), .margin = 1e-3 * a.margin_mm}),
-        journal_(ProcessKind::kGuard, node_.id(), {1e-3 * a.margin_mm}, SendPage{this}) {
+        journal_(ProcessKind::kGuard, node_.id(), {1e-3 * a.margin_mm}, SendPage{&node_}) {
     Bus& bus = node_.bus();
     bus.listen_each<&GuardProcess::hear_state>(channel::kState, *this);
     bus.listen_each<&GuardProcess::hear_command>(channel::kCommand, *this);
@@ -178,11 +178,6 @@ class GuardProcess {
     node_.send_heartbeat(beat);
   }
 
-  struct SendPage {
-    GuardProcess* p;
-    void operator()(const JournalPage& page) const noexcept { p->node_.send(channel::kJournal, page); }
-  };
-
   const Model& model_;
   Node node_;
   Pulse& pulse_ = node_.pulse();
@@ -208,7 +203,6 @@ int run(int argc, char** argv) {
   print_loops(model, "guard");
   std::printf("guard ready: %s, margin %.0f mm, %s\n", model.name.c_str(), a.margin_mm,
               to_text(real_time));
-  std::fflush(stdout);
   guard.run();
   return 0;
 }

@@ -59,7 +59,7 @@ class Controller {
         loop_(model, config(a)),
         journal_(ProcessKind::kController, node_.id(),
                  {static_cast<double>(config(a).first_mode), a.no_guard ? 0.0 : 1.0},
-                 SendPage{this}) {
+                 SendPage{&node_}) {
     missed_.watch(model.period_ns);
     listen();
   }
@@ -116,11 +116,7 @@ class Controller {
   void hear(const MessageOf<kOn>& message, Bytes bytes) {
     const std::int64_t now = monotonic_ns();
     journal_.consumed(journal_input(message), bytes, now);
-    if constexpr (std::is_invocable_v<decltype(kOn), ControlLoop&, const MessageOf<kOn>&, std::int64_t>) {
-      (loop_.*kOn)(message, now);
-    } else {
-      (loop_.*kOn)(message);
-    }
+    hand_over<kOn>(message, loop_, now);
   }
 
   void hear_obstacles(const ObstaclesPiece& piece, Bytes bytes) {
@@ -236,11 +232,6 @@ class Controller {
     node_.send_heartbeat(beat);
   }
 
-  struct SendPage {
-    Controller* c;
-    void operator()(const JournalPage& page) const noexcept { c->node_.send(channel::kJournal, page); }
-  };
-
   const Model& model_;
   Node node_;
   Pulse& pulse_ = node_.pulse();
@@ -270,7 +261,6 @@ int run(int argc, char** argv) {
   print_loops(model, "controller");
   std::printf("controller ready: %s, %d joints, %s\n", model.name.c_str(), model.bus_count(),
               to_text(real_time));
-  std::fflush(stdout);
   controller.run();
   return 0;
 }
@@ -278,6 +268,4 @@ int run(int argc, char** argv) {
 }  // namespace
 }  // namespace twinbus
 
-int main(int argc, char** argv) {
-  return twinbus::run_process("controller", twinbus::run, argc, argv);
-}
+int main(int argc, char** argv) { return twinbus::run_process("controller", twinbus::run, argc, argv); }

@@ -189,7 +189,6 @@ int run(int argc, char** argv) {
   PlannerProcess planner(common, model);
   print_loops(model, "planner");
   std::printf("planner ready: %s\n", model.name.c_str());
-  std::fflush(stdout);
   planner.run();
   return 0;
 }
@@ -197,6 +196,4 @@ int run(int argc, char** argv) {
 }  // namespace
 }  // namespace twinbus
 
-int main(int argc, char** argv) {
-  return twinbus::run_process("planner", twinbus::run, argc, argv);
-}
+int main(int argc, char** argv) { return twinbus::run_process("planner", twinbus::run, argc, argv); }

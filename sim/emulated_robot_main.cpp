@@ -115,7 +115,6 @@ int run(int argc, char** argv) {
   std::printf("emulated_robot: %s in %s on socket '@%s', %s\n", model.name.c_str(),
               scene.name.c_str(), name.c_str(),
               real_time == RealTime::kNone ? why.c_str() : "real time");
-  std::fflush(stdout);
 
   // Its own clock: another phase and a slightly different rate than anybody else's.
   const auto period_ns = static_cast<std::int64_t>(model.period_ns * (1.0 + 1e-6 * clock_ppm));
@@ -139,6 +138,4 @@ int run(int argc, char** argv) {
 }  // namespace
 }  // namespace twinbus
 
-int main(int argc, char** argv) {
-  return twinbus::run_process("emulated_robot", twinbus::run, argc, argv);
-}
+int main(int argc, char** argv) { return twinbus::run_process("emulated_robot", twinbus::run, argc, argv); }

@@ -165,11 +165,7 @@ class Viewer {
   }
   template <auto kTake>
   void show(const MessageOf<kTake>& message) {
-    if constexpr (std::is_invocable_v<decltype(kTake), StackView&, const MessageOf<kTake>&, std::int64_t>) {
-      (view_.*kTake)(message, monotonic_ns());
-    } else {
-      (view_.*kTake)(message);
-    }
+    hand_over<kTake>(message, view_, monotonic_ns());
   }
 
   // Empty when it is not given: a random one is drawn.

@@ -244,7 +244,6 @@ int run(int argc, char** argv) {
   if (!a.force && a.folder.empty()) refuse_if_there(config.file);
   RecorderProcess process(a, config);
   std::printf("recorder ready: %s (%s)\n", process.file().c_str(), limits_text(config).c_str());
-  std::fflush(stdout);
   process.run();
   return 0;
 }
@@ -252,6 +251,4 @@ int run(int argc, char** argv) {
 }  // namespace
 }  // namespace twinbus
 
-int main(int argc, char** argv) {
-  return twinbus::run_process("recorder", twinbus::run, argc, argv);
-}
+int main(int argc, char** argv) { return twinbus::run_process("recorder", twinbus::run, argc, argv); }

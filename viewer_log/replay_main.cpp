@@ -168,7 +168,6 @@ class RecordedRobot : public RobotAdaptor {
                 player_.paused()   ? ", paused"
                 : player_.at_end() ? ", at the end"
                                    : "");
-    std::fflush(stdout);
   }
 
   const Model& model_;

@@ -456,7 +456,6 @@ int run_source_main(const SourceMainOptions& options, const Model& model, RobotA
               : options.patient ? "real time, but waits for late commands"
                                 : "real time",
               to_text(real_time));
-  std::fflush(stdout);
   return shell.run();
 }
 

@@ -27,14 +27,7 @@ Options::Options(std::string program, std::string summary)
 
 Options::Entry& Options::add(Kind kind, const std::string& name, const std::string& value_name,
                              void* variable, const std::string& help) {
-  Entry entry;
-  entry.kind = kind;
-  entry.name = name;
-  entry.value_name = value_name;
-  entry.help = help;
-  entry.variable = variable;
-  options_.push_back(std::move(entry));
-  return options_.back();
+  return options_.emplace_back(kind, name, value_name, help, variable);
 }
 
 void Options::text(const std::string& name, const std::string& value_name, std::string& variable,
@@ -81,12 +74,7 @@ void Options::choice(const std::string& name, const std::vector<std::string>& ch
 void Options::alias(const std::string& name) { options_.back().aliases.push_back(name); }
 
 Options::Entry& Options::add_positional(Kind kind, const std::string& value_name, void* variable, const std::string& help) {
-  Entry& entry = positionals_.emplace_back();
-  entry.kind = kind;
-  entry.value_name = value_name;
-  entry.help = help;
-  entry.variable = variable;
-  return entry;
+  return positionals_.emplace_back(kind, "", value_name, help, variable);
 }
 
 void Options::positional(const std::string& value_name, std::string& variable, bool required,

@@ -56,9 +56,11 @@ class Options {
  private:
   enum class Kind { kText, kNumber, kInteger, kFlag, kSettings, kChoice, kRest };
   struct Entry {
+    Entry(Kind what, const std::string& option, const std::string& value, const std::string& about, void* target)
+        : kind(what), name(option), value_name(value), help(about), variable(target) {}
     Kind kind;
     std::string name, value_name, help, fallback;
-    void* variable = nullptr;
+    void* variable;
     double low = 0.0, high = 0.0;
     std::int64_t integer_low = 0, integer_high = 0;
     std::vector<std::string> choices, aliases;

@@ -95,6 +95,7 @@ void sleep_until_ns(std::int64_t due_ns) noexcept {
 }
 
 int run_process(const char* name, int (*run)(int, char**), int argc, char** argv) noexcept {
+  std::setvbuf(stdout, nullptr, _IOLBF, 0);  // whoever waits for a line, in a file or pipe, has it when it is said
   try {
     use_user_cache();
     return run(argc, argv);

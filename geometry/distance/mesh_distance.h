@@ -21,8 +21,6 @@ class ClusteredMesh {
   // triangles not empty.
   explicit ClusteredMesh(const TriangleMesh& mesh);
   ~ClusteredMesh();
-  ClusteredMesh(const ClusteredMesh&) = delete;
-  ClusteredMesh& operator=(const ClusteredMesh&) = delete;
 
   int clusters() const noexcept;
 

@@ -10,6 +10,7 @@
 #include "common/math/index.h"
 #include "launcher/bus/stack_monitor.h"
 #include "lcmtypes/bus/channels.h"
+#include "lcmtypes/bus/handler.h"
 #include "lcmtypes/bus/wire.h"
 #include "viewer_log/log/log_event.h"
 
@@ -158,6 +159,16 @@ std::vector<std::uint8_t> Rerun::input(Process& process, const std::string& name
   return same_tick != nullptr ? same_tick->bytes : std::vector<std::uint8_t>();
 }
 
+namespace {
+
+template <auto kMethod, class Owner>
+void give(const std::vector<std::uint8_t>& bytes, Owner& owner, std::int64_t now_ns) {
+  MessageOf<kMethod> message;
+  if (decode(bytes, message) == Status::kOk) hand_over<kMethod>(message, owner, now_ns);
+}
+
+}  // namespace
+
 void Rerun::consume(Process& process, const JournalPage& page, std::size_t i) {
   const JournalInput kind = page.input[i];
   if (kind == JournalInput::kTakeObstacles) {
@@ -169,37 +180,33 @@ void Rerun::consume(Process& process, const JournalPage& page, std::size_t i) {
       input(process, kChannels[static_cast<std::size_t>(kind)], page.input_hash[i], page);
   if (bytes.empty()) return;
   const std::int64_t now = page.input_ns[i];
-  const auto give = [&bytes](auto message, auto&& take) {
-    if (decode(bytes, message) == Status::kOk) take(message);
-  };
   if (kind == JournalInput::kObstacles) {
-    give(ObstaclesPiece{}, [&](const auto& m) { (void)process.obstacles.add(m); });
+    ObstaclesPiece piece;
+    if (decode(bytes, piece) == Status::kOk) (void)process.obstacles.add(piece);
   }
   if (process.watch != nullptr) {
-    if (kind == JournalInput::kCommand)
-      give(JointCommand{}, [&](const auto& m) { process.watch->on_command(m); });
+    if (kind == JournalInput::kCommand) give<&GuardWatch::on_command>(bytes, *process.watch, now);
     return;
   }
-  ControlLoop& loop = *process.loop;
   switch (kind) {
     case JournalInput::kMode:
-      return give(ModeRequest{}, [&](const auto& m) { loop.on_mode_request(m); });
+      return give<&ControlLoop::on_mode_request>(bytes, *process.loop, now);
     case JournalInput::kWalk:
-      return give(WalkCommand{}, [&](const auto& m) { loop.on_walk_command(m, now); });
+      return give<&ControlLoop::on_walk_command>(bytes, *process.loop, now);
     case JournalInput::kSteps:
-      return give(StepList{}, [&](const auto& m) { loop.on_step_list(m); });
+      return give<&ControlLoop::on_step_list>(bytes, *process.loop, now);
     case JournalInput::kMotion:
-      return give(MotionPiece{}, [&](const auto& m) { loop.on_motion(m); });
+      return give<&ControlLoop::on_motion>(bytes, *process.loop, now);
     case JournalInput::kGamepad:
-      return give(Gamepad{}, [&](const auto& m) { loop.on_gamepad(m, now); });
+      return give<&ControlLoop::on_gamepad>(bytes, *process.loop, now);
     case JournalInput::kPath:
-      return give(ArmPathPiece{}, [&](const auto& m) { loop.on_arm_path(m); });
+      return give<&ControlLoop::on_arm_path>(bytes, *process.loop, now);
     case JournalInput::kGoal:
-      return give(ArmGoal{}, [&](const auto& m) { loop.on_arm_goal(m); });
+      return give<&ControlLoop::on_arm_goal>(bytes, *process.loop, now);
     case JournalInput::kStop:
-      return give(StopRequest{}, [&](const auto& m) { loop.on_stop(m); });
+      return give<&ControlLoop::on_stop>(bytes, *process.loop, now);
     case JournalInput::kGuard:
-      return give(GuardReport{}, [&](const auto& m) { loop.on_guard(m, now); });
+      return give<&ControlLoop::on_guard>(bytes, *process.loop, now);
     default:
       return;
   }

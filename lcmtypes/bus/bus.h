@@ -55,8 +55,6 @@ class Bus {
   // option.
   explicit Bus(const BusOptions& options);
   ~Bus();
-  Bus(const Bus&) = delete;
-  Bus& operator=(const Bus&) = delete;
 
   // Before the loop: these allocate, and throw std::runtime_error if the channel cannot be opened.
   // What is passed by reference must outlive the bus.

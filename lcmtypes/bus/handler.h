@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <cstdint>
 #include <type_traits>
 
 namespace twinbus {
@@ -19,6 +20,16 @@ struct HeardBy<void (Owner::*)(const T&, More...) noexcept> {
 };
 template <auto kMethod>
 using MessageOf = typename HeardBy<decltype(kMethod)>::Message;
+
+// Hands the message to that method, with the time where it takes one.
+template <auto kMethod, class Owner>
+void hand_over(const MessageOf<kMethod>& message, Owner& owner, std::int64_t now_ns) {
+  if constexpr (std::is_invocable_v<decltype(kMethod), Owner&, const MessageOf<kMethod>&, std::int64_t>) {
+    (owner.*kMethod)(message, now_ns);
+  } else {
+    (owner.*kMethod)(message);
+  }
+}
 
 // An object that is called itself.
 struct CallItself {

@@ -93,4 +93,10 @@ class Node {
   std::int32_t stop_sequence_ = 0, event_sequence_ = 0;
 };
 
+// The send of a JournalWriter.
+struct SendPage {
+  Node* node;
+  void operator()(const JournalPage& page) const noexcept { node->send(channel::kJournal, page); }
+};
+
 }  // namespace twinbus

@@ -44,8 +44,6 @@ class Recorder {
   explicit Recorder(const RecorderConfig& config);
   // Writes what there is and ends.
   ~Recorder();
-  Recorder(const Recorder&) = delete;
-  Recorder& operator=(const Recorder&) = delete;
 
   // Takes a copy.  utime must not decrease.  Called by one thread; never waits for the disk.
   void add(std::int64_t utime, std::string_view channel, std::span<const std::uint8_t> data);

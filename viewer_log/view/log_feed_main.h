@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "lcmtypes/bus/channels.h"
+#include "lcmtypes/bus/handler.h"
 #include "lcmtypes/bus/wire.h"
 #include "robot/description/model.h"
 #include "viewer_log/log/log_marks.h"
@@ -41,31 +42,30 @@ class MessageFeed : public LogFeed {
       return Kind::kGuard;
     }
     if (name == channel::kTruth) {
-      pass<SimTruth>(event, [&](const SimTruth& m) { view.on_truth(m, now); });
+      pass<&StackView::on_truth>(event, view, now);
     } else if (name == channel::kControllerStatus) {
-      pass<ControllerStatus>(event,
-                             [&](const ControllerStatus& m) { view.on_controller_status(m, now); });
+      pass<&StackView::on_controller_status>(event, view, now);
     } else if (name == channel::kStateSim || name == channel::kStateBridge ||
                name == channel::kStateReplay) {
-      pass<RobotState>(event, [&](const RobotState& m) { view.on_standby_state(m, now); });
+      pass<&StackView::on_standby_state>(event, view, now);
     } else if (name == channel::kSourceStatus) {
-      pass<SourceStatus>(event, [&](const SourceStatus& m) { view.on_source_status(m, now); });
+      pass<&StackView::on_source_status>(event, view, now);
     } else if (name == channel::kHeartbeat) {
-      pass<Heartbeat>(event, [&](const Heartbeat& m) { view.on_heartbeat(m, now); });
+      pass<&StackView::on_heartbeat>(event, view, now);
     } else if (name == channel::kEvent) {
-      pass<Event>(event, [&](const Event& m) { view.on_event(m); });
+      pass<&StackView::on_event>(event, view, now);
     } else if (name == channel::kObstacles) {
-      pass<ObstaclesPiece>(event, [&](const ObstaclesPiece& m) { view.on_obstacles(m); });
+      pass<&StackView::on_obstacles>(event, view, now);
     } else if (name == channel::kTerrain) {
-      pass<ObstaclesPiece>(event, [&](const ObstaclesPiece& m) { view.on_terrain(m); });
+      pass<&StackView::on_terrain>(event, view, now);
     } else if (name == channel::kLoose) {
-      pass<ObstaclesPiece>(event, [&](const ObstaclesPiece& m) { view.on_loose(m, now); });
+      pass<&StackView::on_loose>(event, view, now);
     } else if (name == channel::kFootsteps) {
-      pass<ObstaclesPiece>(event, [&](const ObstaclesPiece& m) { view.on_footsteps(m, now); });
+      pass<&StackView::on_footsteps>(event, view, now);
     } else if (name == channel::kCamera) {
-      pass<ModelTextPiece>(event, [&](const ModelTextPiece& m) { view.on_camera(m, now); });
+      pass<&StackView::on_camera>(event, view, now);
     } else if (name == channel::kArmPath) {
-      pass<ArmPathPiece>(event, [&](const ArmPathPiece& m) { view.on_arm_path(m); });
+      pass<&StackView::on_arm_path>(event, view, now);
     }
     return Kind::kOther;
   }
@@ -74,14 +74,13 @@ class MessageFeed : public LogFeed {
     if (!event.channel.starts_with(prefix_)) return;
     const std::string_view name = event.channel.substr(prefix_.size());
     if (name == channel::kState) {
-      pass<RobotState>(event, [&](const RobotState& m) { finder.on_state(m, event.utime); });
+      pass<&MarkFinder::on_state>(event, finder, event.utime);
     } else if (name == channel::kGuard) {
-      pass<GuardReport>(event, [&](const GuardReport& m) { finder.on_guard(m, event.utime); });
+      pass<&MarkFinder::on_guard>(event, finder, event.utime);
     } else if (name == channel::kSourceStatus) {
-      pass<SourceStatus>(event,
-                         [&](const SourceStatus& m) { finder.on_source_status(m, event.utime); });
+      pass<&MarkFinder::on_source_status>(event, finder, event.utime);
     } else if (name == channel::kEvent) {
-      pass<Event>(event, [&](const Event& m) { finder.on_event(m, event.utime); });
+      pass<&MarkFinder::on_event>(event, finder, event.utime);
     }
   }
 
@@ -102,10 +101,10 @@ class MessageFeed : public LogFeed {
   static bool read(const LogEvent& event, T& message) {
     return decode(event.data, message) == Status::kOk;
   }
-  template <class T, class Use>
-  static void pass(const LogEvent& event, Use use) {
-    T message;
-    if (read(event, message)) use(message);
+  template <auto kMethod, class Owner>
+  static void pass(const LogEvent& event, Owner& owner, std::int64_t now) {
+    MessageOf<kMethod> message;
+    if (read(event, message)) hand_over<kMethod>(message, owner, now);
   }
 
   const Model* model_;
