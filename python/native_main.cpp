@@ -155,17 +155,11 @@ void add_truth(Views& views, SimTruth& t) {
 
 nb::dict describe(const Model& model) {
   nb::dict found;
-  nb::list names, kp, kd, lower, upper, velocity, effort;
-  for (const int j : model.bus_joints) {
-    const Joint& joint = model.joints[static_cast<std::size_t>(j)];
-    names.append(joint.name);
-    lower.append(joint.lower);
-    upper.append(joint.upper);
-    velocity.append(joint.velocity);
-    effort.append(joint.effort);
-    kp.append(joint.kp);
-    kd.append(joint.kd);
-  }
+  const auto of_joints = [&](auto Joint::* value) {
+    nb::list list;
+    for (const int j : model.bus_joints) list.append(model.joints[static_cast<std::size_t>(j)].*value);
+    return list;
+  };
   nb::list links;
   for (const Link& link : model.links) links.append(link.name);
   nb::dict poses;
@@ -176,14 +170,14 @@ nb::dict describe(const Model& model) {
   }
   found["name"] = model.name;
   found["folder"] = model.folder;
-  found["joints"] = names;
+  found["joints"] = of_joints(&Joint::name);
   found["links"] = links;
-  found["lower"] = lower;
-  found["upper"] = upper;
-  found["velocity"] = velocity;
-  found["effort"] = effort;
-  found["kp"] = kp;
-  found["kd"] = kd;
+  found["lower"] = of_joints(&Joint::lower);
+  found["upper"] = of_joints(&Joint::upper);
+  found["velocity"] = of_joints(&Joint::velocity);
+  found["effort"] = of_joints(&Joint::effort);
+  found["kp"] = of_joints(&Joint::kp);
+  found["kd"] = of_joints(&Joint::kd);
   found["poses"] = poses;
   found["period"] = model.period();
   found["mass"] = model.total_mass();
@@ -215,6 +209,12 @@ void say(Shared<Simulation>& simulation, const std::string& channel, const nb::b
   }
 }
 
+template <class Ticking>
+void step(Ticking& self, int ticks) {
+  const Turn turn(self.busy);
+  self.is->step(ticks);
+}
+
 void bind_simulation(nb::module_& m) {
   using Sim = Shared<Simulation>;
   nb::class_<Sim>(m, "Simulation")
@@ -233,12 +233,7 @@ void bind_simulation(nb::module_& m) {
              self.is->reset(seed);
            },
            nb::call_guard<nb::gil_scoped_release>())
-      .def("step",
-           [](Sim& self, int ticks) {
-             const Turn turn(self.busy);
-             self.is->step(ticks);
-           },
-           nb::call_guard<nb::gil_scoped_release>())
+      .def("step", &step<Sim>, nb::call_guard<nb::gil_scoped_release>())
       .def("time", [](Sim& self) { return self.is->time(); })
       .def("seed", [](Sim& self) { return self.is->seed(); })
       .def("state_hash", [](Sim& self) { return self.is->state_hash(); })
@@ -282,12 +277,7 @@ void bind_worlds(nb::module_& m) {
              self.is->reset(which, seeds);
            },
            nb::call_guard<nb::gil_scoped_release>())
-      .def("step",
-           [](Many& self, int ticks) {
-             const Turn turn(self.busy);
-             self.is->step(ticks);
-           },
-           nb::call_guard<nb::gil_scoped_release>())
+      .def("step", &step<Many>, nb::call_guard<nb::gil_scoped_release>())
       .def("push",
            [](Many& self, int world, const std::string& link, const std::array<double, 3>& force,
               const std::array<double, 3>& point, double seconds) {

@@ -176,24 +176,32 @@ FrameVerdict open_and_take(std::span<const std::byte> bytes, Result& result) noe
   return verdict;
 }
 
+// put: what the motors of that frame have besides.
+template <class Frame, class Put>
+void put_reading(const LowReading& reading, Frame& frame, const Put& put) noexcept {
+  frame.tick = reading.tick;
+  put_imu(reading, frame.imu_state);
+  for (std::size_t m = 0; m < frame.motor_state.size(); ++m) {
+    const MotorReading& one = reading.motor[m];
+    auto& motor = frame.motor_state[m];
+    motor.mode = one.on ? kOn : std::uint8_t{0};
+    motor.q = one.q;
+    motor.dq = one.dq;
+    motor.tau_est = one.tau;
+    put(one, motor);
+  }
+  frame.wireless_remote = reading.remote;
+}
+
 void seal_hg(const LowReading& reading, std::span<std::byte> out) noexcept {
   HgLowState frame;
   clear(frame);
   frame.mode_pr = reading.mode_pr;
   frame.mode_machine = reading.mode_machine;
-  frame.tick = reading.tick;
-  put_imu(reading, frame.imu_state);
-  for (std::size_t m = 0; m < frame.motor_state.size(); ++m) {
-    const MotorReading& one = reading.motor[m];
-    HgMotorState& motor = frame.motor_state[m];
-    motor.mode = one.on ? kOn : std::uint8_t{0};
-    motor.q = one.q;
-    motor.dq = one.dq;
-    motor.tau_est = one.tau;
+  put_reading(reading, frame, [](const MotorReading& one, HgMotorState& motor) {
     motor.temperature.fill(whole<std::int16_t>(one.celsius));
     motor.vol = one.volts;
-  }
-  frame.wireless_remote = reading.remote;
+  });
   seal(frame, out);
 }
 
@@ -202,19 +210,12 @@ void seal_go(const LowReading& reading, std::span<std::byte> out) noexcept {
   clear(frame);
   frame.head = kGoHead;
   frame.level_flag = kLowLevel;
-  frame.tick = reading.tick;
-  put_imu(reading, frame.imu_state);
-  for (std::size_t m = 0; m < frame.motor_state.size(); ++m) {
-    const MotorReading& one = reading.motor[m];
-    GoMotorState& motor = frame.motor_state[m];
-    motor.mode = one.on ? kOn : std::uint8_t{0};
-    motor.q = motor.q_raw = one.q;
-    motor.dq = motor.dq_raw = one.dq;
-    motor.tau_est = one.tau;
+  put_reading(reading, frame, [](const MotorReading& one, GoMotorState& motor) {
+    motor.q_raw = one.q;
+    motor.dq_raw = one.dq;
     motor.temperature = whole<std::uint8_t>(one.celsius);
-  }
+  });
   for (std::size_t f = 0; f < 4; ++f) frame.foot_force[f] = frame.foot_force_est[f] = whole<std::int16_t>(reading.foot_force[f]);
-  frame.wireless_remote = reading.remote;
   frame.power_v = reading.volts;
   frame.power_a = reading.amperes;
   seal(frame, out);

@@ -60,14 +60,10 @@ class Meter {
   static constexpr std::int64_t kWindow_ns = 500'000'000;
   static constexpr double kNever = 1e9;
 
-  std::int64_t received_ = 0;
-  std::int64_t lost_ = 0;
-  std::int64_t repeated_ = 0;
+  std::int64_t received_ = 0, lost_ = 0, repeated_ = 0;
   std::int64_t last_tick_ = 0;
-  std::int64_t first_ns_ = 0;
-  std::int64_t last_ns_ = 0;
-  std::int64_t window_ns_ = 0;
-  std::int64_t in_window_ = 0;
+  std::int64_t first_ns_ = 0, last_ns_ = 0;
+  std::int64_t window_ns_ = 0, in_window_ = 0;
   EvenSteps steps_;
   double rate_ = 0.0;
 };

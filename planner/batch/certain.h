@@ -58,13 +58,7 @@ inline void certain(const BlockRobot& robot, const BlockScene& scene, BlockWork&
       high[i] = all(highest(p[i] + w.reach[g]));
     }
     for (int first = 0; first < count; first += 8) {
-      Flags close = (load(&scene.low[0][static_cast<std::size_t>(first)]) < high[0]) &
-                    (load(&scene.high[0][static_cast<std::size_t>(first)]) > low[0]);
-      for (int i = 1; i < 3; ++i) {
-        close &= (load(&scene.low[i][static_cast<std::size_t>(first)]) < high[i]) &
-                 (load(&scene.high[i][static_cast<std::size_t>(first)]) > low[i]);
-      }
-      for (unsigned m = mask(close); m != 0; m &= m - 1) {
+      for (unsigned m = boxes_that_meet(scene, first, low, high); m != 0; m &= m - 1) {
         const BlockShape& shape = scene.shapes[static_cast<std::size_t>(first + __builtin_ctz(m))];
         if (!any(meets(shape, p, w.reach[g]) & ~near)) continue;
         place_balls(robot, w, g);

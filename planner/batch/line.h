@@ -29,13 +29,7 @@ inline bool group_free(const BlockRobot& robot, const BlockScene& scene, BlockWo
   }
   const int count = static_cast<int>(scene.shapes.size());
   for (int first = 0; first < count; first += 8) {
-    Flags near = (load(&scene.low[0][static_cast<std::size_t>(first)]) < high[0]) &
-                 (load(&scene.high[0][static_cast<std::size_t>(first)]) > low[0]);
-    for (int i = 1; i < 3; ++i) {
-      near &= (load(&scene.low[i][static_cast<std::size_t>(first)]) < high[i]) &
-              (load(&scene.high[i][static_cast<std::size_t>(first)]) > low[i]);
-    }
-    for (unsigned m = mask(near); m != 0; m &= m - 1) {
+    for (unsigned m = boxes_that_meet(scene, first, low, high); m != 0; m &= m - 1) {
       const int o = first + __builtin_ctz(m);
       const BlockShape& shape = scene.shapes[static_cast<std::size_t>(o)];
       if (!any(meets(shape, p, reach))) continue;

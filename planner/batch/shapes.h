@@ -108,3 +108,14 @@ TWINBUS_INLINE Lanes apart(const Lanes* a, const Lanes* b) {  // squared
   const Lanes x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
   return x * x + y * y + z * z;
 }
+
+// Of eight shapes from number first on, a bit for each whose box meets that from low to high.
+TWINBUS_INLINE unsigned boxes_that_meet(const BlockScene& scene, int first, const Lanes* low, const Lanes* high) {
+  Flags meet = (load(&scene.low[0][static_cast<std::size_t>(first)]) < high[0]) &
+               (load(&scene.high[0][static_cast<std::size_t>(first)]) > low[0]);
+  for (int i = 1; i < 3; ++i) {
+    meet &= (load(&scene.low[i][static_cast<std::size_t>(first)]) < high[i]) &
+            (load(&scene.high[i][static_cast<std::size_t>(first)]) > low[i]);
+  }
+  return mask(meet);
+}

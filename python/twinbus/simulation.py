@@ -159,7 +159,16 @@ def _settings(settings: Mapping[str, object] | None) -> list[tuple[str, str]]:
     return [(key, str(value)) for key, value in (settings or {}).items()]
 
 
-class Simulation:
+class _OfOneRobot:
+    _native: Any
+
+    @functools.cached_property
+    def robot(self) -> RobotInfo:
+        """The robot's description."""
+        return RobotInfo.of(self._native.robot())
+
+
+class Simulation(_OfOneRobot):
     """A scene with its robot, beginning at once.
 
     scene: a name in config/scenes or a file.  robot: a name in config/robots or a folder; None: the scene's.  seed: of everything
@@ -181,11 +190,6 @@ class Simulation:
             _settings(settings))
         state, command, truth = self._native.views()
         self.state, self.command, self.truth = State(state), Command(command), Truth(truth)
-
-    @functools.cached_property
-    def robot(self) -> RobotInfo:
-        """The robot's description."""
-        return RobotInfo.of(self._native.robot())
 
     @property
     def time(self) -> float:
@@ -231,7 +235,7 @@ class Simulation:
         return self._native.sentences()
 
 
-class Worlds:
+class Worlds(_OfOneRobot):
     """Many worlds of one scene and robot side by side, stepped by `threads` threads (0: one per processor): for learning.  There is no
     gate, controller, guard or bus between command and robot; torques are within the joints' limits all the same.
 
@@ -251,11 +255,6 @@ class Worlds:
         """Origins of the hand frames [worlds, 2, 3], left and right, world, m."""
         self.failed: NDArray[np.bool_] = truth['failed']
         """[worlds]: the simulation of this world gave up; it stands still until reset()."""
-
-    @functools.cached_property
-    def robot(self) -> RobotInfo:
-        """The robot's description."""
-        return RobotInfo.of(self._native.robot())
 
     @property
     def threads(self) -> int:

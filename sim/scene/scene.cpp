@@ -26,6 +26,8 @@ namespace twinbus {
 
 namespace {
 
+const Eigen::Vector3d kNone = Eigen::Vector3d::Zero();  // where nothing is said
+
 constexpr double kDay = 86400.0;
 constexpr double kLeastAccuracy = 1e-9, kMostAccuracy = 0.1;  // [m]
 constexpr std::size_t kMaxObstacles = 200;
@@ -35,7 +37,6 @@ constexpr std::size_t kMaxLoose = 100;
 constexpr std::size_t kMaxRobots = 15;
 
 LooseBody read_loose(const ConfigNode& node) {
-  const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
   LooseBody body;
   body.name = node.text("name");
   constexpr int kMesh = 4;
@@ -60,8 +61,8 @@ LooseBody read_loose(const ConfigNode& node) {
       node.fail("file", error.what());
     }
   }
-  body.start.velocity = bounded(node, "velocity", kMaxSpeed, &zero);
-  body.start.angular_velocity = bounded(node, "angular_velocity", 100.0, &zero);
+  body.start.velocity = bounded(node, "velocity", kMaxSpeed, &kNone);
+  body.start.angular_velocity = bounded(node, "angular_velocity", 100.0, &kNone);
   body.friction = node.number("friction", 0.0, 10.0, body.friction);
   body.stiffness = node.number("stiffness", 1e2, 1e9, body.stiffness);
   // Half critical for a body on four points.
@@ -87,10 +88,9 @@ SceneRobot read_robot(const ConfigNode& node, const std::string& own) {
 }
 
 Grasp read_grasp(const ConfigNode& node) {
-  const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
   Grasp grasp;
   grasp.link = node.text("link");
-  grasp.point = bounded(node, "point", 10.0, &zero);
+  grasp.point = bounded(node, "point", 10.0, &kNone);
   grasp.to = node.text("to");
   grasp.at = node.number("at", 0.0, kDay);
   grasp.until = node.number("until", grasp.at, 1e9, grasp.until);
@@ -102,10 +102,9 @@ Grasp read_grasp(const ConfigNode& node) {
 }
 
 Push read_push(const ConfigNode& node) {
-  const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
   Push push;
   push.link = node.text("link");
-  push.point = bounded(node, "point", 10.0, &zero);
+  push.point = bounded(node, "point", 10.0, &kNone);
   // force and for: as ./twinbus push has them.
   const bool by_force = node.has("force");
   if (by_force && node.has("impulse")) node.fail("force", "stands beside impulse: give one of them");
@@ -148,10 +147,9 @@ TimedGoal read_goal(const ConfigNode& node) {
   } else if (!timed.pose.empty()) {
     timed.goal.kind = ArmGoalKind::kJoints;
   } else {
-    const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
     timed.of_reach = node.has("reach");
     if (timed.of_reach) timed.reach = bounded(node, "reach", 1.0, nullptr);
-    const Eigen::Vector3d position = bounded(node, "position", 10.0, timed.of_reach ? &zero : nullptr);
+    const Eigen::Vector3d position = bounded(node, "position", 10.0, timed.of_reach ? &kNone : nullptr);
     timed.goal.kind = node.has("rpy_deg") ? ArmGoalKind::kPose : ArmGoalKind::kPosition;
     const Eigen::Quaterniond q = rpy(node);
     for (int i = 0; i < 3; ++i) timed.goal.position[static_cast<std::size_t>(i)] = position[i];
@@ -259,12 +257,11 @@ Disturbance read_disturbance(const ConfigNode& node) {
 }
 
 BodyChange read_body(const ConfigNode& node) {
-  const Eigen::Vector3d zero = Eigen::Vector3d::Zero();
   BodyChange change;
   change.link = node.text("link");
   change.mass = node.number("mass", 0.0, 1000.0, 0.0);
-  change.at = bounded(node, "at", 10.0, &zero);
-  change.shift = bounded(node, "shift", 1.0, &zero);
+  change.at = bounded(node, "at", 10.0, &kNone);
+  change.shift = bounded(node, "shift", 1.0, &kNone);
   node.finish();
   return change;
 }

@@ -35,14 +35,18 @@ NOISE = {"encoder": 1e-5, "velocity": 0.01, "attitude": 0.002, "gyro": 0.01, "fo
 HUMANOIDS = ("talos_data", "g1", "jvrc1", "simple_humanoid", "bolt", "romeo_description", "icub_description", "human_description",
              "alexander_description", "alex_description")
 ARMS = ("panda", "ur_description", "kinova_description", "xarm_description", "z1_description", "so_arm_description")
-WALK = """duration: 13.5
+
+
+def walk_scene(duration, seconds, vx, tilt, error):
+    """Walks at vx for so long; tilt [deg] and error [%] of the velocity are the most."""
+    return f"""duration: {duration}
 modes:
   - {{at: 0, mode: balance}}
   - {{at: 0.5, mode: walk}}
-  - {{at: 11.5, mode: balance}}
+  - {{at: {seconds + 1.5}, mode: balance}}
 walks:
-  - {{at: 1, for: 10, vx: {:.4f}}}
-criteria: {{max_tilt_deg: 5, velocity_error_percent: 20}}
+  - {{at: 1, for: {seconds}, vx: {vx:.4f}}}
+criteria: {{max_tilt_deg: {tilt}, velocity_error_percent: {error}}}
 """
 
 
@@ -128,7 +132,7 @@ class Robot:
         if not self.speed > 0.0:
             return
         scene = folder / (self.name + "_walk.yaml")
-        scene.write_text(WALK.format(0.5 * self.speed))
+        scene.write_text(walk_scene(13.5, 10, 0.5 * self.speed, 5, 20))
         self.tilt = 0.0
         for seed in range(1, seeds + 1):
             failed = self.run(scene, seed)

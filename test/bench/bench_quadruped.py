@@ -16,7 +16,7 @@ import sys
 import tempfile
 
 import programs
-from bench_any_robot import Robot, asked, descriptions, proposed, write_rows
+from bench_any_robot import Robot, asked, descriptions, proposed, walk_scene, write_rows
 
 QUADRUPEDS = ("go1", "go2", "a1", "b1", "laikago", "anymal_b_simple", "anymal_c_simple", "hyq", "solo")
 SPEED, PUSH = 0.5, 0.5  # [m/s]
@@ -24,15 +24,6 @@ STAND = """duration: 10
 modes:
   - {{at: 0, mode: balance}}
 {}criteria: {{max_tilt_deg: 6}}
-"""
-TROT = """duration: 64
-modes:
-  - {{at: 0, mode: balance}}
-  - {{at: 0.5, mode: walk}}
-  - {{at: 61.5, mode: balance}}
-walks:
-  - {{at: 1, for: 60, vx: {:.4f}}}
-criteria: {{max_tilt_deg: 6, velocity_error_percent: 10}}
 """
 
 
@@ -58,7 +49,7 @@ class Quadruped(Robot):
                 push = PUSH * self.mass
                 x, y = push * math.cos(2.1 * seed), push * math.sin(2.1 * seed)
                 pushes = f"pushes:\n  - {{at: 2, for: 0.1, link: base, impulse: [{x:.3f}, {y:.3f}, 0]}}\n" if what == "push" else ""
-                text = TROT.format(min(SPEED, self.speed)) if what == "trot" else STAND.format(pushes)
+                text = walk_scene(64, 60, min(SPEED, self.speed), 6, 10) if what == "trot" else STAND.format(pushes)
                 failed = self.run(self.scene(what, text, scratch), seed)
                 passed += not failed
                 self.causes += [f"{what}: {cause}" for cause in failed]

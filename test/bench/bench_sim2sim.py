@@ -23,7 +23,7 @@ import tempfile
 from dataclasses import dataclass
 
 import programs
-from bench_any_robot import WALK
+from bench_any_robot import walk_scene
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 WORLDS = ("articulated", "articulated/hunt_crossley", "articulated/patch", "articulated/soft", "ode", "mujoco")
@@ -226,7 +226,7 @@ def controllers(twinbus, words, scratch):
             if not speed > 0.0:
                 sys.exit(f"bench sim2sim: check says of no speed at which {robot} walks; name a --scene")
             scene = scratch / f"walk{number}.yaml"
-            scene.write_text(WALK.format(speed))
+            scene.write_text(walk_scene(13.5, 10, speed, 5, 20))
         yield Ours(twinbus, f"{name} {pathlib.Path(str(scene)).stem if words.scene else 'walks'}", folder, scene, words.seconds, mass * G)
 
 

@@ -43,11 +43,5 @@ def draw(rows, folder):
     charts.drawn(folder / "fcl.svg", plot.write(folder / "fcl.svg", plot.lines("The same guard with FCL's distances", words, "time [s]", "time of a tick [us]", curves[:2])))
 
 
-def main(words):
-    what = charts.asked("chart guard", __doc__, words)
-    draw(charts.table(what, "guard.csv", measure), what.folder)
-    return 0
-
-
 if __name__ == "__main__":
-    sys.exit(charts.run(main))
+    sys.exit(charts.one("chart guard", __doc__, "guard.csv", measure, draw))

@@ -51,11 +51,5 @@ def draw(rows, folder):
         "One controller in every engine", "engines articulated (contact spring_damper; hunt_crossley, patch, soft), ode and mujoco", "time [s]", [world.split("/")[-1] for world in worlds], panels, high=84)))
 
 
-def main(words):
-    what = charts.asked("chart sim2sim", __doc__, words)
-    draw(charts.table(what, "sim2sim.csv", measure), what.folder)
-    return 0
-
-
 if __name__ == "__main__":
-    sys.exit(charts.run(main))
+    sys.exit(charts.one("chart sim2sim", __doc__, "sim2sim.csv", measure, draw))

@@ -85,3 +85,12 @@ def run(main):
     except NoTable as error:
         print(error, file=sys.stderr)
         return 1
+
+
+def one(command, about, name, measure, draw):
+    """The same of a program with one table and what draw(rows, folder) makes of it."""
+    def main(words):
+        what = asked(command, about, words)
+        draw(table(what, name, measure), what.folder)
+        return 0
+    return run(main)

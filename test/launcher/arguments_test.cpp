@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "common/process/command_word.h"
+#include "test/error_of.h"
 
 namespace twinbus {
 namespace {
@@ -65,12 +66,7 @@ TEST(Arguments, MistakesAreUsageErrorsThatNameTheNearestOption) {
 std::string problem_of(const std::vector<std::string>& words) {
   Syntax one = syntax();
   one.least_words = 1;
-  try {
-    Arguments arguments(one, words);
-  } catch (const UsageError& error) {
-    return error.what();
-  }
-  return "";
+  return test::error_of<UsageError>([&] { Arguments(one, words); });
 }
 
 // check --propose robot.urdf: the robot became the folder.

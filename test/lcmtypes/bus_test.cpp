@@ -12,6 +12,7 @@
 
 #include "lcmtypes/bus/channels.h"
 #include "test/lcmtypes/samples.h"
+#include "test/error_of.h"
 #include "test/no_alloc.h"
 
 namespace twinbus {
@@ -215,14 +216,11 @@ std::string complaint(std::vector<std::string> arguments) {
   std::vector<char*> argv;
   for (std::string& argument : arguments) argv.push_back(argument.data());
   BusOptions options;
-  try {
+  return test::error_of([&] {
     int i = 0;
     take_bus_option(static_cast<int>(argv.size()), argv.data(), i, options);
     Bus bus(options);
-  } catch (const std::exception& error) {
-    return error.what();
-  }
-  return "";
+  });
 }
 
 TEST(BusOptions, BadValuesAreRefusedWithTheirName) {

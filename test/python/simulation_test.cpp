@@ -13,6 +13,7 @@
 #include "python/simulation/worlds.h"
 #include "robot/description/load.h"
 #include "sim/scene/scene_seed.h"
+#include "test/error_of.h"
 
 namespace twinbus {
 namespace {
@@ -22,16 +23,6 @@ SimulationConfig scene(const std::string& name, bool controller = true) {
   config.scene = name;
   config.controller = controller;
   return config;
-}
-
-template <class Call>
-std::string said(Call call) {
-  try {
-    call();
-  } catch (const std::exception& error) {
-    return error.what();
-  }
-  return "nothing was thrown";
 }
 
 TEST(Simulation, HasTheStatesOfRun) {
@@ -95,26 +86,26 @@ TEST(Simulation, FallsWithoutServosAndSaysSo) {
 TEST(Simulation, RefusesACommandThatIsNone) {
   Simulation simulation(scene("stand", false));
   simulation.command().q[3] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(said([&] { simulation.step(1); }), "command of joint RLEG_KNEE: a number that is not finite");
+  EXPECT_EQ(test::error_of([&] { simulation.step(1); }), "command of joint RLEG_KNEE: a number that is not finite");
   simulation.command().q[3] = simulation.state().q[3];
   simulation.command().kd[0] = -1.0F;
-  EXPECT_NE(said([&] { simulation.step(1); }).find("a gain below zero"), std::string::npos);
+  EXPECT_NE(test::error_of([&] { simulation.step(1); }).find("a gain below zero"), std::string::npos);
   simulation.command().kd[0] = 1.0F;
-  EXPECT_NE(said([&] { simulation.step(0); }).find("at least one tick"), std::string::npos);
+  EXPECT_NE(test::error_of([&] { simulation.step(0); }).find("at least one tick"), std::string::npos);
   simulation.step(1);
 }
 
 TEST(Simulation, SaysWhatCannotBeLoaded) {
-  EXPECT_NE(said([] { Simulation(scene("stnd")); }).find("stand"), std::string::npos);
+  EXPECT_NE(test::error_of([] { Simulation(scene("stnd")); }).find("stand"), std::string::npos);
   SimulationConfig config = scene("stand");
   config.engine = "bullet";
-  EXPECT_NE(said([&] { Simulation{config}; }).find("use articulated, ode or mujoco"), std::string::npos);
+  EXPECT_NE(test::error_of([&] { Simulation{config}; }).find("use articulated, ode or mujoco"), std::string::npos);
   config = scene("stand");
   config.settings = {{"sensor.nois", "1"}};
-  EXPECT_NE(said([&] { Simulation{config}; }).find("sensor.nois"), std::string::npos);
+  EXPECT_NE(test::error_of([&] { Simulation{config}; }).find("sensor.nois"), std::string::npos);
   config = scene("stand");
   config.start_pose = "half_siting";
-  EXPECT_NE(said([&] { Simulation{config}; }).find("half_sitting"), std::string::npos);
+  EXPECT_NE(test::error_of([&] { Simulation{config}; }).find("half_sitting"), std::string::npos);
 }
 
 bool equal(const WorldRow& a, const WorldRow& b) {
@@ -164,7 +155,7 @@ TEST(Worlds, RefuseWhatIsNotThere) {
   EXPECT_THROW(worlds.reset({1, 1}, {1, 2}), std::invalid_argument);
   EXPECT_THROW(worlds.reset({1}, {}), std::invalid_argument);
   worlds.rows()[1].command.tau[0] = std::numeric_limits<float>::infinity();
-  EXPECT_NE(said([&] { worlds.step(1); }).find("world 1: command of joint "), std::string::npos);
+  EXPECT_NE(test::error_of([&] { worlds.step(1); }).find("world 1: command of joint "), std::string::npos);
   EXPECT_THROW((void)worlds.push(2, 0, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), 0.1), std::invalid_argument);
 }
 
@@ -229,11 +220,11 @@ TEST(RobotQuery, PlansAndMeasures) {
 TEST(RobotQuery, NamesWhatIsWrong) {
   RobotQuery robot("hrp1s");
   std::vector<double> q(robot.model().bus_joints.size());
-  EXPECT_EQ(said([&] { (void)robot.com({0.0}); }), "q: 1 numbers, the robot has 29 joints");
-  EXPECT_NE(said([&] { (void)robot.link_pose(q, "CHES"); }).find("CHEST"), std::string::npos);
-  EXPECT_NE(said([&] { (void)robot.plan(q, "third", Eigen::Vector3d::Zero(), 0.4, 1); }).find("left or right"), std::string::npos);
+  EXPECT_EQ(test::error_of([&] { (void)robot.com({0.0}); }), "q: 1 numbers, the robot has 29 joints");
+  EXPECT_NE(test::error_of([&] { (void)robot.link_pose(q, "CHES"); }).find("CHEST"), std::string::npos);
+  EXPECT_NE(test::error_of([&] { (void)robot.plan(q, "third", Eigen::Vector3d::Zero(), 0.4, 1); }).find("left or right"), std::string::npos);
   q[3] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(said([&] { (void)robot.com(q); }), "q of joint RLEG_KNEE is not finite");
+  EXPECT_EQ(test::error_of([&] { (void)robot.com(q); }), "q of joint RLEG_KNEE is not finite");
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "robot/kinematics/kinematics.h"
 #include "robot/description/load.h"
 #include "common/math/pose_math.h"
+#include "test/error_of.h"
 #include "test/temporary_folder.h"
 
 namespace twinbus::test {
@@ -102,16 +103,6 @@ inline std::string data_folder() {
   const char* named = std::getenv("TWINBUS_DATA");
   const std::string folder = named != nullptr ? named : TWINBUS_DATA_FOLDER;
   return std::filesystem::is_directory(folder) ? folder : "";
-}
-
-template <class Function>
-std::string error_of(Function function) {
-  try {
-    function();
-  } catch (const std::exception& error) {
-    return error.what();
-  }
-  return "";
 }
 
 }  // namespace twinbus::test

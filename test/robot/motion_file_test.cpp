@@ -5,24 +5,15 @@
 
 #include <cmath>
 #include <cstring>
-#include <functional>
 #include <stdexcept>
 
 #include "robot/motion/motion_spline.h"
 #include "robot/motion/npz.h"
+#include "test/error_of.h"
 #include "test/temporary_folder.h"
 
 namespace twinbus {
 namespace {
-
-std::string error_of(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const std::runtime_error& error) {
-    return error.what();
-  }
-  return "";
-}
 
 MotionFile csv(const std::string& text, const MotionFormat& format = {}) {
   return parse_motion_csv("m.csv", text, format);
@@ -61,7 +52,7 @@ TEST(MotionCsv, Lafan1HasItsOwnOrderAndThirtyFramesASecond) {
 
 TEST(MotionCsv, WhatIsWrongIsOneErrorWithItsLine) {
   const auto error = [](const std::string& text, MotionFormat format = {}) {
-    return error_of([&] { (void)csv(text, format); });
+    return test::error_of<std::runtime_error>([&] { (void)csv(text, format); });
   };
   EXPECT_NE(error("time,a\n0,1\n1,nan\n").find("m.csv:3: column 2: 'nan' is no finite number"),
             std::string::npos);
@@ -184,7 +175,7 @@ TEST(MotionNpz, StoredAndCompressedArraysAreRead) {
 
 TEST(MotionNpz, WhatIsWrongIsOneErrorThatNamesTheArray) {
   const auto error = [](const Archive& archive, MotionFormat format = {}) {
-    return error_of([&] { (void)parse_motion_npz("m.npz", archive.bytes(), format); });
+    return test::error_of<std::runtime_error>([&] { (void)parse_motion_npz("m.npz", archive.bytes(), format); });
   };
   const auto joints = [](const std::string& shape, std::vector<float> q) {
     return Archive()
@@ -212,7 +203,7 @@ TEST(MotionNpz, WhatIsWrongIsOneErrorThatNamesTheArray) {
   std::string damaged = good(false).bytes();
   damaged[damaged.find("joint_pos.npy") + 13 + 128 + 3] ^= 1;
   EXPECT_NE(
-      error_of([&] { (void)parse_motion_npz("m.npz", damaged, {}); }).find("its checksum is wrong"),
+      test::error_of<std::runtime_error>([&] { (void)parse_motion_npz("m.npz", damaged, {}); }).find("its checksum is wrong"),
       std::string::npos);
 }
 
@@ -220,12 +211,12 @@ TEST(MotionNpz, NoByteAndNoLengthOfAnArchiveDoesMoreThanAnError) {
   for (const bool deflate : {false, true}) {
     const std::string whole = good(deflate).bytes();
     for (std::size_t size = 0; size < whole.size(); size += 7)
-      (void)error_of([&] { (void)read_npz("m.npz", whole.substr(0, size)); });
+      (void)test::error_of<std::runtime_error>([&] { (void)read_npz("m.npz", whole.substr(0, size)); });
     for (std::size_t i = 0; i < whole.size(); ++i) {
       for (const int bits : {0xff, 0x80, 0x01}) {
         std::string bytes = whole;
         bytes[i] = static_cast<char>(bytes[i] ^ bits);
-        (void)error_of([&] { (void)parse_motion_npz("m.npz", bytes, {}); });
+        (void)test::error_of<std::runtime_error>([&] { (void)parse_motion_npz("m.npz", bytes, {}); });
       }
     }
   }
@@ -234,13 +225,13 @@ TEST(MotionNpz, NoByteAndNoLengthOfAnArchiveDoesMoreThanAnError) {
 TEST(MotionFile, AFileThatIsNoMotionIsRefused) {
   const test::TemporaryFolder folder;
   EXPECT_NE(
-      error_of([&] { (void)read_motion(folder.path() + "/none.csv", {}); }).find("cannot be read"),
+      test::error_of<std::runtime_error>([&] { (void)read_motion(folder.path() + "/none.csv", {}); }).find("cannot be read"),
       std::string::npos);
-  EXPECT_NE(error_of([&] {
+  EXPECT_NE(test::error_of<std::runtime_error>([&] {
               (void)read_motion(folder.write("m.pkl", std::string("\x80\x04\x00\x01", 4)), {});
             }).find("numpy.savez"),
             std::string::npos);
-  EXPECT_NE(error_of([] { (void)motion_columns("nonsense"); }).find("lafan1"), std::string::npos);
+  EXPECT_NE(test::error_of<std::runtime_error>([] { (void)motion_columns("nonsense"); }).find("lafan1"), std::string::npos);
 }
 
 TEST(MotionSpline, PassesThroughItsValuesAndItsRatesAreItsSlopes) {

@@ -17,6 +17,7 @@
 #include "sim/mujoco/mujoco_library.h"
 #include "sim/world/felt_feet.h"
 #include "sim/world/static_equilibrium.h"
+#include "test/error_of.h"
 #include "test_models.h"
 
 namespace twinbus {
@@ -37,20 +38,11 @@ class MujocoWorldTest : public ::testing::Test {
   }
 };
 
-std::string said(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const std::exception& error) {
-    return error.what();
-  }
-  return "";
-}
-
 TEST(FindMujoco, AWrongVariableIsSaidWithItsRemedy) {
   const char* before = std::getenv("TWINBUS_MUJOCO");
   const std::string kept = before != nullptr ? before : "";
   ::setenv("TWINBUS_MUJOCO", "/nowhere/libmujoco.so", 1);
-  const std::string text = said([] { (void)mujoco_files(); });
+  const std::string text = test::error_of([] { (void)mujoco_files(); });
   if (before != nullptr) {
     ::setenv("TWINBUS_MUJOCO", kept.c_str(), 1);
   } else {
@@ -67,7 +59,7 @@ TEST(MujocoWorld, WhatItDoesNotKnowIsRefusedByName) {
     WorldConfig config;
     config.engine = Engine::kMujoco;
     change(config);
-    return said([&] { (void)make_world(model, config); });
+    return test::error_of([&] { (void)make_world(model, config); });
   };
   EXPECT_NE(refusal([](WorldConfig& c) { c.contact = ContactModel::kPatch; }).find("contact patch"), std::string::npos);
   EXPECT_NE(refusal([](WorldConfig& c) { c.contact = ContactModel::kRigid; }).find("contact rigid"), std::string::npos);

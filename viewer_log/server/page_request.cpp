@@ -51,19 +51,27 @@ bool read_walk(const Json& json, PageRequest& request) {
   return true;
 }
 
-bool read_reach(const Json& json, PageRequest& request) {
-  const std::string side = text_member(json, "side");
-  if (side != "left" && side != "right") return false;
-  request.side = side == "left" ? ArmSide::kLeft : ArmSide::kRight;
-  const auto at = json.find("at");
+template <class T>
+bool read_three(const Json& json, const char* key, double largest, std::array<T, 3>& values) {
+  const auto at = json.find(key);
   if (at == json.end() || !at->is_array() || at->size() != 3) return false;
   for (std::size_t i = 0; i < 3; ++i) {
-    if (!read_number((*at)[i], kFarthestHand, request.at[i])) return false;
+    double value = 0.0;
+    if (!read_number((*at)[i], largest, value)) return false;
+    values[i] = static_cast<T>(value);
   }
   return true;
 }
 
-bool read_sim(const Json& json, SimRequest& sim) {
+bool read_reach(const Json& json, PageRequest& request) {
+  const std::string side = text_member(json, "side");
+  if (side != "left" && side != "right") return false;
+  request.side = side == "left" ? ArmSide::kLeft : ArmSide::kRight;
+  return read_three(json, "at", kFarthestHand, request.at);
+}
+
+bool read_sim(const Json& json, PageRequest& request) {
+  SimRequest& sim = request.sim;
   const std::string action = text_member(json, "action");
   double pace = 1.0;
   sim.action = action == "pause"  ? SimAction::kPause
@@ -77,17 +85,6 @@ bool read_sim(const Json& json, SimRequest& sim) {
     return false;
   sim.pace = static_cast<float>(pace);
   return sim.action != SimAction::kNone && sim.ticks >= 0;
-}
-
-bool read_three(const Json& json, const char* key, double largest, std::array<float, 3>& values) {
-  const auto at = json.find(key);
-  if (at == json.end() || !at->is_array() || at->size() != 3) return false;
-  for (std::size_t i = 0; i < 3; ++i) {
-    double value = 0.0;
-    if (!read_number((*at)[i], largest, value)) return false;
-    values[i] = static_cast<float>(value);
-  }
-  return true;
 }
 
 bool read_push(const Json& json, PageRequest& request) {
@@ -112,7 +109,8 @@ bool read_pose(const Json& json, PageRequest& request) {
   return true;
 }
 
-bool read_mode(const std::string& name, PageRequest& request) {
+bool read_mode(const Json& json, PageRequest& request) {
+  const std::string name = text_member(json, "mode");
   struct Row {
     const char* name;
     Mode mode;
@@ -132,6 +130,48 @@ bool read_mode(const std::string& name, PageRequest& request) {
   }
   return false;
 }
+
+bool read_switch(const Json& json, PageRequest& request) {
+  request.run_id = integer_member(json, "run", kLargestId);
+  return request.run_id > 0;
+}
+
+bool read_setup(const Json& json, PageRequest& request) {
+  const auto setup = json.find("setup");
+  if (setup == json.end() || !setup->is_object() || text_member(*setup, "scene").empty()) return false;
+  request.setup = setup->dump(-1, ' ', true, Json::error_handler_t::replace);
+  return true;
+}
+
+bool read_record(const Json& json, PageRequest& request) {
+  const auto on = json.find("on");
+  if (on == json.end() || !on->is_boolean()) return false;
+  request.on = on->get<bool>();
+  return true;
+}
+
+// What only a trusted page may ask; read: what more is said of it, problem: when that is not understood.
+struct Kind {
+  const char* name;
+  PageRequest::What what;
+  bool (*read)(const Json& json, PageRequest& request);
+  const char* problem;
+};
+using What = PageRequest::What;
+constexpr Kind kKinds[] = {
+    {"clear", What::kClear, nullptr, nullptr},
+    {"switch", What::kSwitch, &read_switch, "switch: run must be the number of a source"},
+    {"mode", What::kMode, &read_mode, "mode: one of balance, walk, sway, squat, hold, idle"},
+    {"pose", What::kPose, &read_pose, "pose: joints must be an object of joint names and numbers, rad or m"},
+    {"walk", What::kWalk, &read_walk, "walk: vx, vy and wz must be numbers of at most 2 m/s, 1 m/s and 2 rad/s"},
+    {"reach", What::kReach, &read_reach, "reach: side must be left or right, at three numbers in metres"},
+    {"reset", What::kReset, nullptr, nullptr},
+    {"sim", What::kSim, &read_sim, "sim: action is pause, go, step with ticks, or pace with pace"},
+    {"push", What::kSim, &read_push, "push: link, force and point of three numbers each, and seconds"},
+    {"cancel", What::kCancel, nullptr, nullptr},
+    {"setup", What::kSetup, &read_setup, "setup: a JSON object with the name of a scene"},
+    {"record", What::kRecord, &read_record, "record: on must be true or false"},
+};
 
 }  // namespace
 
@@ -159,70 +199,12 @@ bool read_page_request(const std::string& text, bool trusted, PageRequest& reque
     problem = "watching only: open the address that the viewer printed to get the buttons";
     return false;
   }
-  if (what == "clear") {
-    request.what = PageRequest::What::kClear;
-    return true;
-  }
-  if (what == "switch") {
-    request.run_id = integer_member(json, "run", kLargestId);
-    request.what = PageRequest::What::kSwitch;
-    problem = "switch: run must be the number of a source";
-    return request.run_id > 0;
-  }
-  if (what == "mode") {
-    request.what = PageRequest::What::kMode;
-    problem = "mode: one of balance, walk, sway, squat, hold, idle";
-    return read_mode(text_member(json, "mode"), request);
-  }
-  if (what == "pose") {
-    request.what = PageRequest::What::kPose;
-    problem = "pose: joints must be an object of joint names and numbers, rad or m";
-    return read_pose(json, request);
-  }
-  if (what == "walk") {
-    request.what = PageRequest::What::kWalk;
-    problem = "walk: vx, vy and wz must be numbers of at most 2 m/s, 1 m/s and 2 rad/s";
-    return read_walk(json, request);
-  }
-  if (what == "reach") {
-    request.what = PageRequest::What::kReach;
-    problem = "reach: side must be left or right, at three numbers in metres";
-    return read_reach(json, request);
-  }
-  if (what == "reset") {
-    request.what = PageRequest::What::kReset;
-    return true;
-  }
-  if (what == "sim") {
-    request.what = PageRequest::What::kSim;
-    problem = "sim: action is pause, go, step with ticks, or pace with pace";
-    return read_sim(json, request.sim);
-  }
-  if (what == "push") {
-    request.what = PageRequest::What::kSim;
-    problem = "push: link, force and point of three numbers each, and seconds";
-    return read_push(json, request);
-  }
-  if (what == "cancel") {
-    request.what = PageRequest::What::kCancel;
-    return true;
-  }
-  if (what == "setup") {
-    request.what = PageRequest::What::kSetup;
-    const auto setup = json.find("setup");
-    problem = "setup: a JSON object with the name of a scene";
-    if (setup == json.end() || !setup->is_object() || text_member(*setup, "scene").empty())
-      return false;
-    request.setup = setup->dump(-1, ' ', true, Json::error_handler_t::replace);
-    return true;
-  }
-  if (what == "record") {
-    const auto on = json.find("on");
-    problem = "record: on must be true or false";
-    if (on == json.end() || !on->is_boolean()) return false;
-    request.what = PageRequest::What::kRecord;
-    request.on = on->get<bool>();
-    return true;
+  for (const Kind& kind : kKinds) {
+    if (what != kind.name) continue;
+    request.what = kind.what;
+    if (kind.read == nullptr || kind.read(json, request)) return true;
+    problem = kind.problem;
+    return false;
   }
   problem =
       "not understood: do must be stop, clear, switch, mode, pose, walk, reach, cancel, setup, reset, sim, push or record";
