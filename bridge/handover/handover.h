@@ -143,12 +143,9 @@ struct Handover {
   bool pending_activation = false;
 
   // Another run claims STATE.
-  std::int64_t rival = 0;
-  std::int64_t rival_tick = 0;
-  std::int64_t rival_ns = 0;
-  std::int64_t rival_since_ns = 0;
-  std::int32_t rival_term = 0;
-  std::int32_t rival_count = 0;
+  std::int64_t rival = 0, rival_tick = 0;
+  std::int64_t rival_ns = 0, rival_since_ns = 0;
+  std::int32_t rival_term = 0, rival_count = 0;
   bool rival_stopped = false;
   std::int64_t terms_ignored = 0;
 

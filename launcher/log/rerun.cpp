@@ -167,6 +167,12 @@ void give(const std::vector<std::uint8_t>& bytes, Owner& owner, std::int64_t now
   if (decode(bytes, message) == Status::kOk) hand_over<kMethod>(message, owner, now_ns);
 }
 
+// To that of the methods which hears what is so called.
+template <auto... kMethods, class Owner>
+void give_one(JournalInput kind, const std::vector<std::uint8_t>& bytes, Owner& owner, std::int64_t now_ns) {
+  ((journal_input(MessageOf<kMethods>{}) == kind ? give<kMethods>(bytes, owner, now_ns) : void()), ...);
+}
+
 }  // namespace
 
 void Rerun::consume(Process& process, const JournalPage& page, std::size_t i) {
@@ -188,28 +194,9 @@ void Rerun::consume(Process& process, const JournalPage& page, std::size_t i) {
     if (kind == JournalInput::kCommand) give<&GuardWatch::on_command>(bytes, *process.watch, now);
     return;
   }
-  switch (kind) {
-    case JournalInput::kMode:
-      return give<&ControlLoop::on_mode_request>(bytes, *process.loop, now);
-    case JournalInput::kWalk:
-      return give<&ControlLoop::on_walk_command>(bytes, *process.loop, now);
-    case JournalInput::kSteps:
-      return give<&ControlLoop::on_step_list>(bytes, *process.loop, now);
-    case JournalInput::kMotion:
-      return give<&ControlLoop::on_motion>(bytes, *process.loop, now);
-    case JournalInput::kGamepad:
-      return give<&ControlLoop::on_gamepad>(bytes, *process.loop, now);
-    case JournalInput::kPath:
-      return give<&ControlLoop::on_arm_path>(bytes, *process.loop, now);
-    case JournalInput::kGoal:
-      return give<&ControlLoop::on_arm_goal>(bytes, *process.loop, now);
-    case JournalInput::kStop:
-      return give<&ControlLoop::on_stop>(bytes, *process.loop, now);
-    case JournalInput::kGuard:
-      return give<&ControlLoop::on_guard>(bytes, *process.loop, now);
-    default:
-      return;
-  }
+  give_one<&ControlLoop::on_mode_request, &ControlLoop::on_walk_command, &ControlLoop::on_step_list, &ControlLoop::on_motion,
+           &ControlLoop::on_gamepad, &ControlLoop::on_arm_path, &ControlLoop::on_arm_goal, &ControlLoop::on_stop,
+           &ControlLoop::on_guard>(kind, bytes, *process.loop, now);
 }
 
 void Rerun::step(Process& process, const JournalPage& page) {

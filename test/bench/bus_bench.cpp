@@ -24,6 +24,7 @@
 
 #include "lcmtypes/bus/bus.h"
 #include "lcmtypes/bus/channels.h"
+#include "common/process/options.h"
 #include "common/process/process.h"
 #include "test/lcmtypes/samples.h"
 #include "twinbus/joint_command_t.hpp"
@@ -228,27 +229,14 @@ std::pair<Figures, Figures> in_memory(int samples) {
 
 int main(int argc, char** argv) try {
   std::string csv;
-  int samples = 5000;
+  std::int64_t asked = 5000;
   double rate = 500;
-  for (int i = 1; i < argc; ++i) {
-    const std::string name = argv[i];
-    if (name == "--help" || name == "-h") {
-      std::printf("usage: bus_bench [--csv F] [--samples N] [--rate HZ]\n");
-      return 0;
-    }
-    if (i + 1 >= argc)
-      throw std::invalid_argument(name + ": unknown, or needs a value; see --help");
-    if (name == "--csv")
-      csv = argv[++i];
-    else if (name == "--samples")
-      samples = std::atoi(argv[++i]);
-    else if (name == "--rate")
-      rate = std::atof(argv[++i]);
-    else
-      throw std::invalid_argument(name + ": unknown; see --help");
-  }
-  if (!(samples > 0 && rate > 0))
-    throw std::invalid_argument("--samples and --rate must be positive");
+  Options options("bus_bench", "STATE to COMMAND through another process.");
+  options.text("--csv", "F", csv, "also as rows");
+  options.integer("--samples", "N", asked, 1, 100'000'000, "of each");
+  options.number("--rate", "HZ", rate, 1e-3, 1e6, "of those that are paced");
+  options.parse(argc, argv);
+  const int samples = static_cast<int>(asked);
 
   const pid_t echoes[] = {start(our_echo), start(peer_echo)};
   Table table(csv);
@@ -286,9 +274,6 @@ int main(int argc, char** argv) try {
     waitpid(pid, nullptr, 0);
   }
   return 0;
-} catch (const std::invalid_argument& error) {
-  std::fprintf(stderr, "bus_bench: %s\n", error.what());
-  return 2;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "bus_bench: %s\n", error.what());
   return 1;

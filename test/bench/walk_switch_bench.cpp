@@ -16,6 +16,7 @@
 
 #include "control/walk/walk.h"
 #include "robot/description/load.h"
+#include "common/process/options.h"
 #include "common/process/process.h"
 #include "lcmtypes/msg/refusal_text.h"
 #include "test/bench/tilt.h"
@@ -207,34 +208,22 @@ class Round {
 int run(int argc, char** argv) {
   Bench bench;
   std::string robot = "hrp1s";
-  for (int i = 1; i < argc; ++i) {
-    const std::string word = argv[i];
-    const bool has_value = i + 1 < argc;
-    if (word == "--robot" && has_value) {
-      robot = argv[++i];
-    } else if (word == "--count" && has_value) {
-      bench.count = std::max(1, std::atoi(argv[++i]));
-    } else if (word == "--speed" && has_value) {
-      bench.speed = std::atof(argv[++i]);
-    } else if (word == "--seed" && has_value) {
-      bench.seed = static_cast<unsigned>(std::atoi(argv[++i]));
-    } else if ((word == "--stall" || word == "--late") && has_value) {
-      bench.late = word == "--late";
-      bench.stall = std::max(0, std::atoi(argv[++i]));
-    } else if (word == "--engines") {
-      bench.engines = true;
-    } else if (word == "--guard") {
-      bench.guard = true;
-    } else if (word == "--trace") {
-      bench.trace = true;
-    } else {
-      std::fprintf(
-          stderr,
-          "walk_switch_bench [--engines] [--count N] [--speed V] [--robot R] [--seed N] [--guard] "
-          "[--stall TICKS | --late TICKS] [--trace]\n");
-      return word == "--help" ? 0 : 2;
-    }
-  }
+  std::int64_t count = 50, seed = 1, stall = 0, new_only = 0;
+  Options options("walk_switch_bench", "Switches of the source under a robot that walks.");
+  options.flag("--engines", bench.engines, "between engines");
+  options.integer("--count", "N", count, 1, 1'000'000, "switches");
+  options.number("--speed", "V", bench.speed, -2.0, 2.0, "[m/s]");
+  options.text("--robot", "R", robot, "name or folder");
+  options.integer("--seed", "N", seed, 0, 1'000'000'000, "of when");
+  options.flag("--guard", bench.guard, "with the guard in the loop");
+  options.integer("--stall", "TICKS", stall, 0, 1000, "so long the machine stands still");
+  options.integer("--late", "TICKS", new_only, 0, 1000, "so long only the new source does");
+  options.flag("--trace", bench.trace, "prints each tick about a switch");
+  options.parse(argc, argv);
+  bench.count = static_cast<int>(count);
+  bench.seed = static_cast<unsigned>(seed);
+  bench.late = new_only > 0;
+  bench.stall = static_cast<int>(std::max(stall, new_only));
   bench.model = load_robot(robot);
   if (bench.engines) return switch_engines(bench.model, {bench.count, bench.speed, bench.trace});
   std::mt19937 random(bench.seed);

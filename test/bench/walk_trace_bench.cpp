@@ -5,7 +5,6 @@
 // Prints CSV: time [s], force and asked of the left and right foot [N], base x, y [m], roll, pitch [rad], guard [us of CPU].
 
 #include <cstdio>
-#include <cstdlib>
 #include <ctime>
 #include <string>
 
@@ -13,6 +12,7 @@
 #include "robot/estimation/estimator.h"
 #include "robot/description/load.h"
 #include "common/math/pose_math.h"
+#include "common/process/options.h"
 #include "common/process/process.h"
 #include "test/control/sim_rig.h"
 
@@ -37,31 +37,14 @@ int run(int argc, char** argv) {
   ControlConfig control;
   control.guard_in_loop = false;
   bool guarded = false;
-  for (int i = 1; i < argc; ++i) {
-    const std::string word = argv[i];
-    const bool has_value = i + 1 < argc;
-    if (word == "--robot" && has_value) {
-      robot = argv[++i];
-    } else if (word == "--speed" && has_value) {
-      speed = std::atof(argv[++i]);
-    } else if (word == "--for" && has_value) {
-      seconds = std::atof(argv[++i]);
-    } else if (word == "--engine" && has_value) {
-      scene.engine = argv[++i];
-    } else if (word == "--set" && has_value) {
-      const std::string setting = argv[++i];
-      const std::size_t equals = setting.find('=');
-      if (equals == std::string::npos) return 2;
-      settings.emplace_back(setting.substr(0, equals), setting.substr(equals + 1));
-    } else if (word == "--guard") {
-      guarded = true;
-    } else {
-      std::fprintf(stderr,
-                   "walk_trace_bench [--robot R] [--speed V] [--engine E] [--set KEY=VALUE]... "
-                   "[--guard] [--for S]\n");
-      return word == "--help" ? 0 : 2;
-    }
-  }
+  Options options("walk_trace_bench", "A walk tick by tick.");
+  options.text("--robot", "R", robot, "name or folder");
+  options.number("--speed", "V", speed, -2.0, 2.0, "[m/s]");
+  options.text("--engine", "E", scene.engine, "articulated, ode or mujoco");
+  options.settings("--set", settings, "of the simulator");
+  options.flag("--guard", guarded, "times the guard too");
+  options.number("--for", "S", seconds, 0.0, 3600.0, "of walking");
+  options.parse(argc, argv);
   const Model model = load_robot(robot);
   SimRig rig(model, scene, settings, control);
   if (!rig.run(kStands)) return 1;

@@ -40,18 +40,31 @@ TEST(JointCells, AreFreeWhereTheArmIsClearOfThePostAndListedWhereItIsNot) {
   EXPECT_GE(free, clear - 4);  // the bound leaves hardly more than the cells at the edges
 }
 
+// A model of one joint and its only pair, checked with cells.
+struct OneJoint {
+  explicit OneJoint(const Model& model)
+      : geometry(build_geometry(model, {.balls = false})),
+        check(model, geometry, {{0, 1}}),
+        cells(find_joint_cells(model, geometry, check.pairs(), {.per_joint = 16})) {
+    check.use(cells);
+  }
+  auto free() const { return std::count(cells[0].cell.begin(), cells[0].cell.end(), JointCells::kFree); }
+  int touching_at(double q) {
+    check.place(Eigen::VectorXd::Constant(1, q));
+    return check.touching();
+  }
+  const RobotGeometry geometry;
+  SelfCollision check;
+  const std::vector<JointCells> cells;
+};
+
 TEST(JointCells, SayNothingOfPosturesBeyondTheLimits) {
   Model model = post_and_arm();
   model.joints[0].lower = 1.0;  // the arm never touches within them
-  const RobotGeometry geometry = build_geometry(model, {.balls = false});
-  SelfCollision check(model, geometry, {{0, 1}});
-  const auto cells = find_joint_cells(model, geometry, check.pairs(), {.per_joint = 16});
-  EXPECT_EQ(std::count(cells[0].cell.begin(), cells[0].cell.end(), JointCells::kFree), 16);
-  check.use(cells);
-  check.place(Eigen::VectorXd::Constant(1, 1.5));
-  EXPECT_EQ(check.touching(), 0);
-  check.place(Eigen::VectorXd::Constant(1, 0.0));
-  EXPECT_EQ(check.touching(), 1);
+  OneJoint joint(model);
+  EXPECT_EQ(joint.free(), 16);
+  EXPECT_EQ(joint.touching_at(1.5), 0);
+  EXPECT_EQ(joint.touching_at(0.0), 1);
 }
 
 TEST(JointCells, ALinkInsideAnotherIsNotFree) {
@@ -60,13 +73,9 @@ TEST(JointCells, ALinkInsideAnotherIsNotFree) {
   model.links[1].collision[0].pose.translation() = Eigen::Vector3d(0.3, 0.0, 0.0);
   model.joints[0].lower = -0.05;  // so little that it stays inside
   model.joints[0].upper = 0.05;
-  const RobotGeometry geometry = build_geometry(model, {.balls = false});
-  SelfCollision check(model, geometry, {{0, 1}});
-  const auto cells = find_joint_cells(model, geometry, check.pairs(), {.per_joint = 16});
-  EXPECT_EQ(std::count(cells[0].cell.begin(), cells[0].cell.end(), JointCells::kFree), 0);
-  check.use(cells);
-  check.place(Eigen::VectorXd::Constant(1, 0.01));
-  EXPECT_EQ(check.touching(), 1);
+  OneJoint joint(model);
+  EXPECT_EQ(joint.free(), 0);
+  EXPECT_EQ(joint.touching_at(0.01), 1);
 }
 
 TEST(JointCells, ChangeNoVerdictOnAnyInstructionSetAndAllocateNothing) {

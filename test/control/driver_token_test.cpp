@@ -7,43 +7,42 @@ namespace {
 
 constexpr std::int64_t kTick = 10'000'000;  // [ns]
 
-Gamepad pad(std::int64_t sender, bool deadman) {
-  return {.sender_id = sender, .connected = true, .deadman = deadman};
-}
-
-TEST(DriverToken, TheFirstWhoHoldsTheButtonDrivesUntilItLetsGo) {
+class DriverTokenTest : public ::testing::Test {
+ protected:
+  // The next message of a pad, so much later.
+  bool admits(std::int64_t sender, bool deadman, std::int64_t later = kTick) {
+    return token.admits({.sender_id = sender, .connected = true, .deadman = deadman}, now += later);
+  }
   DriverToken token;
-  std::int64_t now = kTick;
-  EXPECT_TRUE(token.admits(pad(1, true), now));
-  EXPECT_FALSE(token.admits(pad(2, false), now += kTick));
-  EXPECT_FALSE(token.admits(pad(2, true), now += kTick));
-  EXPECT_TRUE(token.admits(pad(1, true), now += kTick));
+  std::int64_t now = 0;
+};
+
+TEST_F(DriverTokenTest, TheFirstWhoHoldsTheButtonDrivesUntilItLetsGo) {
+  EXPECT_TRUE(admits(1, true));
+  EXPECT_FALSE(admits(2, false));
+  EXPECT_FALSE(admits(2, true));
+  EXPECT_TRUE(admits(1, true));
   EXPECT_EQ(token.driver(), 1);
-  EXPECT_TRUE(token.admits(pad(1, false), now += kTick));
+  EXPECT_TRUE(admits(1, false));
   EXPECT_EQ(token.driver(), 0);
 }
 
-TEST(DriverToken, WhoPressedWhileAnotherDroveMustPressAnew) {
-  DriverToken token;
-  std::int64_t now = kTick;
-  EXPECT_TRUE(token.admits(pad(1, true), now));
-  EXPECT_FALSE(token.admits(pad(2, true), now += kTick));
-  EXPECT_TRUE(token.admits(pad(1, false), now += kTick));
-  for (int i = 0; i < 100; ++i) EXPECT_FALSE(token.admits(pad(2, true), now += kTick));
-  EXPECT_TRUE(token.admits(pad(2, false), now += kTick));
-  EXPECT_TRUE(token.admits(pad(2, true), now += kTick));
+TEST_F(DriverTokenTest, WhoPressedWhileAnotherDroveMustPressAnew) {
+  EXPECT_TRUE(admits(1, true));
+  EXPECT_FALSE(admits(2, true));
+  EXPECT_TRUE(admits(1, false));
+  for (int i = 0; i < 100; ++i) EXPECT_FALSE(admits(2, true));
+  EXPECT_TRUE(admits(2, false));
+  EXPECT_TRUE(admits(2, true));
   EXPECT_EQ(token.driver(), 2);
 }
 
-TEST(DriverToken, ADriverThatFallsSilentHasLetGo) {
-  DriverToken token;
-  std::int64_t now = kTick;
-  EXPECT_TRUE(token.admits(pad(1, true), now));
-  now += 300'000'000;
-  EXPECT_TRUE(token.admits(pad(2, true), now));
+TEST_F(DriverTokenTest, ADriverThatFallsSilentHasLetGo) {
+  EXPECT_TRUE(admits(1, true));
+  EXPECT_TRUE(admits(2, true, 300'000'000));
   EXPECT_EQ(token.driver(), 2);
   // The first one comes back: it is not the driver any more.
-  EXPECT_FALSE(token.admits(pad(1, true), now += kTick));
+  EXPECT_FALSE(admits(1, true));
 }
 
 }  // namespace

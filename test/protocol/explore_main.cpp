@@ -6,9 +6,9 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <string>
 
+#include "common/process/options.h"
 #include "test/protocol/explorer.h"
 
 using namespace twinbus;
@@ -42,48 +42,31 @@ bool report(Start start, int sources, const Bounds& bounds, const Outcome& outco
 }  // namespace
 
 int main(int argc, char** argv) {
-  int sources = 2;
-  double minutes = 0.0;
   Bounds bounds;
-  int depth = 0;  // not said
+  std::int64_t asked = 2, depth = 0, rule = -1;  // depth 0, rule -1: not said
+  std::int64_t faults = bounds.faults, happenings = bounds.happenings;
+  double minutes = 0.0;
   std::string only;
-  RuleSet off = 0;
-  for (int i = 1; i < argc; ++i) {
-    const std::string word = argv[i];
-    if (word == "--help" || i + 1 >= argc) {
-      std::puts(
-          "explorer_bench [--sources 2|3] [--depth D] [--faults F] [--happenings H] [--minutes "
-          "M] [--start NAME] [--without RULE]");
-      return word == "--help" ? 0 : 2;
-    }
-    const char* value = argv[++i];
-    if (word == "--sources")
-      sources = std::atoi(value);
-    else if (word == "--depth")
-      depth = std::atoi(value);
-    else if (word == "--faults")
-      bounds.faults = std::atoi(value);
-    else if (word == "--happenings")
-      bounds.happenings = std::atoi(value);
-    else if (word == "--minutes")
-      minutes = std::atof(value);
-    else if (word == "--start")
-      only = value;
-    else if (word == "--without")
-      off |= without(static_cast<Rule>(std::atoi(value)));
-    else {
-      std::fprintf(stderr, "explorer_bench: no option %s\n", word.c_str());
-      return 2;
-    }
-  }
-  if (sources < 2 || sources > kMaxSources || bounds.depth < 1 || bounds.depth > 60) return 2;
+  Options options("explorer_bench", "Explores the states of the protocol.");
+  options.integer("--sources", "N", asked, 2, kMaxSources, "sources");
+  options.integer("--depth", "D", depth, 0, 60, "of the search");
+  options.integer("--faults", "F", faults, 0, 1000, "of the network, on a way");
+  options.integer("--happenings", "H", happenings, 0, 1000, "of operators and devices, on a way");
+  options.number("--minutes", "M", minutes, 0.0, 1e6, "deeper and deeper for so long");
+  options.text("--start", "NAME", only, "only this one");
+  options.integer("--without", "RULE", rule, 0, 100, "leaves a rule out, to see that it is missed");
+  options.parse(argc, argv);
+  const int sources = static_cast<int>(asked);
+  bounds.faults = static_cast<int>(faults);
+  bounds.happenings = static_cast<int>(happenings);
+  const RuleSet off = rule >= 0 ? without(static_cast<Rule>(rule)) : RuleSet{0};
   const auto now = [] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch())
         .count();
   };
   const double begin = now();
   if (depth > 0) {
-    bounds.depth = depth;
+    bounds.depth = static_cast<int>(depth);
   } else if (minutes > 0.0) {
     bounds.depth = kFirstDepth;  // all starts first, then deeper
   }

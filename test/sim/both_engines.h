@@ -40,4 +40,9 @@ class BothEngines : public ::testing::TestWithParam<Engine> {
   INSTANTIATE_TEST_SUITE_P(Engines, suite, ::testing::Values(Engine::kArticulated, Engine::kOde), \
                            [](const auto& each) { return test::engine_name(each.param); })
 
+// A suite of its own, without more than that.
+#define TWINBUS_BOTH_ENGINES(suite)          \
+  class suite : public test::BothEngines {}; \
+  TWINBUS_FOR_BOTH_ENGINES(suite)
+
 }  // namespace twinbus::test

@@ -80,8 +80,7 @@ TEST(BoxOverlap, ItsPointsAreOfTheFaceThatIsCutOrWhereTheEdgesCross) {
   EXPECT_NEAR((overlap.point[0] - Eigen::Vector3d(0.0, 0.0, 0.7)).norm(), 0.0, 1e-12);
 }
 
-class BoxEdges : public test::BothEngines {};
-TWINBUS_FOR_BOTH_ENGINES(BoxEdges);
+TWINBUS_BOTH_ENGINES(BoxEdges);
 
 // No corner of either is in the other.
 TEST_P(BoxEdges, ABeamLiesAcrossABeam) {
@@ -207,8 +206,7 @@ TEST(BoxEdges, PlatesThatFallOnOneAnotherAreNotFlung) {
   }
 }
 
-class FixedBase : public test::BothEngines {};
-TWINBUS_FOR_BOTH_ENGINES(FixedBase);
+TWINBUS_BOTH_ENGINES(FixedBase);
 
 // Wherever the base is, its pendulum swings as at the origin.
 TEST_P(FixedBase, APendulumSwingsTheSameWhereverItsBaseIs) {

@@ -61,8 +61,7 @@ double rest(const Model& model, Engine engine) {
   return world->configuration().base.translation().z();
 }
 
-class LinkHullTest : public test::BothEngines {};
-TWINBUS_FOR_BOTH_ENGINES(LinkHullTest);
+TWINBUS_BOTH_ENGINES(LinkHullTest);
 
 TEST_P(LinkHullTest, ALinkOfTrianglesLiesAsItsBoxDoes) {
   const double box = rest(test::block(), GetParam());

@@ -17,8 +17,7 @@ namespace {
 
 const double kAllowed = WorldConfig{}.accuracy;
 
-class LocalErrorTest : public test::BothEngines {};
-TWINBUS_FOR_BOTH_ENGINES(LocalErrorTest);
+TWINBUS_BOTH_ENGINES(LocalErrorTest);
 
 // A box slides at 2 m/s until friction stops it: of a step h it comes to rest h / 2 times its speed off.
 WorldConfig sliding(double step, double friction) {

@@ -27,8 +27,7 @@ LooseBody box(const std::string& name, double mass, const Eigen::Vector3d& size,
   return test::loose_box(name, mass, size, pose, stiffness, std::sqrt(15.0 * stiffness));
 }
 
-class LooseTest : public test::BothEngines {};
-TWINBUS_FOR_BOTH_ENGINES(LooseTest);
+TWINBUS_BOTH_ENGINES(LooseTest);
 
 TEST_P(LooseTest, EveryShapeComesToRestOnTheGround) {
   const Model model = test::bystander();

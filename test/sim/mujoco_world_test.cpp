@@ -36,6 +36,13 @@ class MujocoWorldTest : public ::testing::Test {
     config.engine = Engine::kMujoco;
     return make_world(model, config);
   }
+  // Far from the ground.
+  static std::unique_ptr<World> make_high(const Model& model, Configuration& start) {
+    auto world = make(model);
+    start.base.translation().z() = 50.0;
+    EXPECT_EQ(world->set(start), Status::kOk);
+    return world;
+  }
 };
 
 TEST(FindMujoco, AWrongVariableIsSaidWithItsRemedy) {
@@ -151,10 +158,8 @@ TEST_F(MujocoWorldTest, AServoGivesNoMoreThanItsLimit) {
 
 TEST_F(MujocoWorldTest, APushIsAChangeOfMomentum) {
   const Model model = test::chain(4, true);
-  const auto world = make(model);
   Configuration start(model);
-  start.base.translation().z() = 50.0;
-  ASSERT_EQ(world->set(start), Status::kOk);
+  const auto world = make_high(model, start);
   const Eigen::Vector3d before = world->com_velocity();
   for (int i = 0; i < 50; ++i) {
     ASSERT_EQ(world->push(2, world->link_in_world(2).translation(), {4.0, -2.0, 0.0}), Status::kOk);
@@ -225,10 +230,8 @@ TEST_F(MujocoWorldTest, ALooseBoxComesToRestAsDeepWhateverItsMass) {
 
 TEST_F(MujocoWorldTest, WhatDivergesIsFrozenWhereItWas) {
   const Model model = test::chain(4, true);
-  const auto world = make(model);
   Configuration start(model);
-  start.base.translation().z() = 50.0;
-  ASSERT_EQ(world->set(start), Status::kOk);
+  const auto world = make_high(model, start);
   const Eigen::Vector3d far = world->link_in_world(1).translation() + Eigen::Vector3d(900.0, 0.0, 0.0);
   ASSERT_EQ(world->push(1, far, {0.0, 0.0, 1e6}), Status::kOk);
   EXPECT_EQ(world->step(), Status::kDiverged);

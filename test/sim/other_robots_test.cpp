@@ -37,8 +37,7 @@ OtherRobot a_block(const std::string& name, double x, double y) {
   return robot;
 }
 
-class SeveralRobots : public test::BothEngines {};
-TWINBUS_FOR_BOTH_ENGINES(SeveralRobots);
+TWINBUS_BOTH_ENGINES(SeveralRobots);
 
 // Both slide, turn and stop in the same way, 10 m apart.
 TEST_P(SeveralRobots, OneMovesAsTheCommandedRobotDoes) {

@@ -12,8 +12,7 @@
 namespace twinbus {
 namespace {
 
-class SensorsTest : public test::BothEngines {};
-TWINBUS_FOR_BOTH_ENGINES(SensorsTest);
+TWINBUS_BOTH_ENGINES(SensorsTest);
 
 TEST_P(SensorsTest, AtRestTheAccelerometerFeelsGravityUpwards) {
   const Model model = test::pendulum();

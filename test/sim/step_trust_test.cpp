@@ -32,8 +32,7 @@ WorldConfig shot(double speed, double stiffness, double step) {
   return config;
 }
 
-class StepTrustTest : public test::BothEngines {};
-TWINBUS_FOR_BOTH_ENGINES(StepTrustTest);
+TWINBUS_BOTH_ENGINES(StepTrustTest);
 
 TEST_P(StepTrustTest, WhatComesThroughAPlateIsSaidInThatStep) {
   const Model model = test::bystander();

@@ -72,8 +72,7 @@ double energy(const Model& model, const Configuration& now) {
   return sum;
 }
 
-class TieTest : public test::BothEngines {};
-TWINBUS_FOR_BOTH_ENGINES(TieTest);
+TWINBUS_BOTH_ENGINES(TieTest);
 
 TEST_P(TieTest, AFourBarKeepsItsShape) {
   const Model model = open_four_bar();

@@ -10,8 +10,7 @@
 namespace twinbus {
 namespace {
 
-class TruthTest : public test::BothEngines {};
-TWINBUS_FOR_BOTH_ENGINES(TruthTest);
+TWINBUS_BOTH_ENGINES(TruthTest);
 
 TEST_P(TruthTest, SaysWhatCarriesTheBodyAndWhenItFell) {
   const Model model = test::block();

@@ -112,8 +112,7 @@ TEST(Weld, TwoLinksTouchIfAnyOfTheirPartsMay) {
   EXPECT_FALSE(apart(weld(model, {true, false, false, false}, Eigen::VectorXd::Zero(4)), 0, 2));
 }
 
-class Welded : public test::BothEngines {};
-TWINBUS_FOR_BOTH_ENGINES(Welded);
+TWINBUS_BOTH_ENGINES(Welded);
 
 // A chain that swings, one joint held by its servo or for good.
 TEST_P(Welded, AHeldJointIsOneWithAServoThatIsStiff) {

@@ -21,8 +21,7 @@ double vertical_force(const World& world) {
   return sum;
 }
 
-class ContactTest : public test::BothEngines {};
-TWINBUS_FOR_BOTH_ENGINES(ContactTest);
+TWINBUS_BOTH_ENGINES(ContactTest);
 
 TEST_P(ContactTest, SolesSinkByWeightOverStiffness) {
   const Model model = test::block();

@@ -40,8 +40,7 @@ WorldConfig falling() {
   return config;
 }
 
-class WorldOriginTest : public test::BothEngines {};
-TWINBUS_FOR_BOTH_ENGINES(WorldOriginTest);
+TWINBUS_BOTH_ENGINES(WorldOriginTest);
 
 TEST_P(WorldOriginTest, FarAwayItIsAsAtTheOrigin) {
   const Model model = test::bystander();

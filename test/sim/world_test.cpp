@@ -16,8 +16,7 @@ namespace {
 
 constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 
-class WorldTest : public test::BothEngines {};
-TWINBUS_FOR_BOTH_ENGINES(WorldTest);
+TWINBUS_BOTH_ENGINES(WorldTest);
 
 Configuration high_up(const Model& model) {
   Configuration start(model);

@@ -41,31 +41,8 @@ class MessageFeed : public LogFeed {
       view.on_guard(report, now);
       return Kind::kGuard;
     }
-    if (name == channel::kTruth) {
-      pass<&StackView::on_truth>(event, view, now);
-    } else if (name == channel::kControllerStatus) {
-      pass<&StackView::on_controller_status>(event, view, now);
-    } else if (name == channel::kStateSim || name == channel::kStateBridge ||
-               name == channel::kStateReplay) {
-      pass<&StackView::on_standby_state>(event, view, now);
-    } else if (name == channel::kSourceStatus) {
-      pass<&StackView::on_source_status>(event, view, now);
-    } else if (name == channel::kHeartbeat) {
-      pass<&StackView::on_heartbeat>(event, view, now);
-    } else if (name == channel::kEvent) {
-      pass<&StackView::on_event>(event, view, now);
-    } else if (name == channel::kObstacles) {
-      pass<&StackView::on_obstacles>(event, view, now);
-    } else if (name == channel::kTerrain) {
-      pass<&StackView::on_terrain>(event, view, now);
-    } else if (name == channel::kLoose) {
-      pass<&StackView::on_loose>(event, view, now);
-    } else if (name == channel::kFootsteps) {
-      pass<&StackView::on_footsteps>(event, view, now);
-    } else if (name == channel::kCamera) {
-      pass<&StackView::on_camera>(event, view, now);
-    } else if (name == channel::kArmPath) {
-      pass<&StackView::on_arm_path>(event, view, now);
+    for (const Row& row : kRows) {
+      if (name == row.channel) row.pass(event, view, now);
     }
     return Kind::kOther;
   }
@@ -106,6 +83,27 @@ class MessageFeed : public LogFeed {
     MessageOf<kMethod> message;
     if (read(event, message)) hand_over<kMethod>(message, owner, now);
   }
+
+  // What the view is told of besides STATE, COMMAND and GUARD.
+  struct Row {
+    std::string_view channel;
+    void (*pass)(const LogEvent& event, StackView& view, std::int64_t now);
+  };
+  static constexpr Row kRows[] = {
+      {channel::kTruth, &pass<&StackView::on_truth>},
+      {channel::kControllerStatus, &pass<&StackView::on_controller_status>},
+      {channel::kStateSim, &pass<&StackView::on_standby_state>},
+      {channel::kStateBridge, &pass<&StackView::on_standby_state>},
+      {channel::kStateReplay, &pass<&StackView::on_standby_state>},
+      {channel::kSourceStatus, &pass<&StackView::on_source_status>},
+      {channel::kHeartbeat, &pass<&StackView::on_heartbeat>},
+      {channel::kEvent, &pass<&StackView::on_event>},
+      {channel::kObstacles, &pass<&StackView::on_obstacles>},
+      {channel::kTerrain, &pass<&StackView::on_terrain>},
+      {channel::kLoose, &pass<&StackView::on_loose>},
+      {channel::kFootsteps, &pass<&StackView::on_footsteps>},
+      {channel::kCamera, &pass<&StackView::on_camera>},
+      {channel::kArmPath, &pass<&StackView::on_arm_path>}};
 
   const Model* model_;
   std::string prefix_;
