@@ -14,14 +14,11 @@
 #include "common/process/options.h"
 #include "common/process/priority.h"
 #include "control/guard/guard_watch.h"
-#include "lcmtypes/bus/node.h"
+#include "control/robot_process_main.h"
 #include "lcmtypes/msg/guard_defaults.h"
 #include "lcmtypes/msg/journal.h"
-#include "lcmtypes/msg/state_admission.h"
 #include "robot/collision/loop_joints.h"
-#include "robot/collision/obstacle_collector.h"
 #include "robot/description/load.h"
-#include "test/no_alloc.h"
 
 namespace twinbus {
 namespace {
@@ -50,11 +47,10 @@ Arguments parse(int argc, char** argv) {
   return a;
 }
 
-class GuardProcess {
+class GuardProcess : RobotProcess {
  public:
   GuardProcess(const Arguments& a, const Model& model, RealTime real_time)
-      : model_(model),
-        node_(a.common, ProcessKind::kGuard, real_time),
+      : RobotProcess(a.common, ProcessKind::kGuard, model, real_time),
         watch_(model, {.guard_id = node_.id(), .margin = 1e-3 * a.margin_mm}),
         journal_(ProcessKind::kGuard, node_.id(), {1e-3 * a.margin_mm}, SendPage{&node_}) {
     Bus& bus = node_.bus();
@@ -83,19 +79,14 @@ class GuardProcess {
   using Bytes = std::span<const std::uint8_t>;
 
   void hear_state(const RobotState& state, Bytes bytes) noexcept {
-    if (state.joint_count != model_.bus_count() || state.model_hash != model_.hash) {
-      ++rejected_;
-      return;
-    }
+    if (!is_ours(state)) return;
     const std::int64_t now = monotonic_ns();
     const std::int64_t last = admission_.run_id();
     if (!admission_.admit(state, now)) return;
     if (pulse_.ticks() > 0 && last == state.run_id && state.tick > state_.tick + 1)
       missed_ += state.tick - state_.tick - 1;
-    state_ = state;
+    take(state, now);
     state_hash_ = content_hash(bytes);
-    heard_ns_ = now;
-    fresh_ = true;
   }
 
   void hear_obstacles(const ObstaclesPiece& piece, Bytes bytes) noexcept {
@@ -170,28 +161,18 @@ class GuardProcess {
   }
 
   void send_heartbeat() {
-    Heartbeat& beat = node_.beat();
-    beat.messages_rejected += rejected_ + admission_.ignored();
-    beat.messages_lost = missed_;
-    beat.ticks_missed = missed_;
-    beat.allocations = allocations_counted() ? allocations_ : -1;
-    node_.send_heartbeat(beat);
+    Heartbeat& now = beat();
+    now.messages_lost = now.ticks_missed = missed_;
+    node_.send_heartbeat(now);
   }
 
-  const Model& model_;
-  Node node_;
-  Pulse& pulse_ = node_.pulse();
   GuardWatch watch_;
   std::int64_t controller_ = 0;  // that the source obeys; 0 not known
-  StateAdmission admission_;
-  ObstacleCollector obstacles_;
-  RobotState state_;
-  bool fresh_ = false, new_obstacles_ = false;
   JournalWriter<SendPage> journal_;
-  std::int64_t heard_ns_ = 0, told_ns_ = 0, held_ns_ = 0, stop_tick_ = 0, state_hash_ = 0;
+  std::int64_t told_ns_ = 0, held_ns_ = 0, stop_tick_ = 0, state_hash_ = 0;
   std::array<int, 2> told_pair_{-1, -1};
   bool told_stop_ = false;
-  std::int64_t missed_ = 0, rejected_ = 0, allocations_ = 0;
+  std::int64_t missed_ = 0;
 };
 
 int run(int argc, char** argv) {

@@ -14,14 +14,11 @@
 #include "common/process/options.h"
 #include "common/process/priority.h"
 #include "control/loop/control_loop.h"
-#include "lcmtypes/bus/node.h"
+#include "control/robot_process_main.h"
 #include "lcmtypes/msg/journal.h"
-#include "lcmtypes/msg/state_admission.h"
 #include "lcmtypes/node/missed_ticks.h"
 #include "robot/collision/loop_joints.h"
-#include "robot/collision/obstacle_collector.h"
 #include "robot/description/load.h"
-#include "test/no_alloc.h"
 
 namespace twinbus {
 namespace {
@@ -51,11 +48,10 @@ Arguments parse(int argc, char** argv) {
   return a;
 }
 
-class Controller {
+class Controller : RobotProcess {
  public:
   Controller(const Arguments& a, const Model& model, RealTime real_time)
-      : model_(model),
-        node_(a.common, ProcessKind::kController, real_time),
+      : RobotProcess(a.common, ProcessKind::kController, model, real_time),
         loop_(model, config(a)),
         journal_(ProcessKind::kController, node_.id(),
                  {static_cast<double>(config(a).first_mode), a.no_guard ? 0.0 : 1.0},
@@ -125,8 +121,8 @@ class Controller {
   }
 
   void hear_state(const RobotState& state, Bytes bytes) {
-    if (state.joint_count != model_.bus_count() || state.model_hash != model_.hash) {
-      if (rejected_++ == 0) {
+    if (!is_ours(state)) {
+      if (rejected_ == 1) {
         std::fprintf(stderr,
                      "controller: STATE of another robot (model hash %lld, %d joints; %s has %lld, "
                      "%d): start the "
@@ -152,10 +148,8 @@ class Controller {
         missed_.add(unanswered, model_.period_ns / 2, heard_ns_ - model_.period_ns, now);
       }
     }
-    state_ = state;
+    take(state, now);
     state_hash_ = content_hash(bytes);
-    heard_ns_ = now;
-    fresh_ = true;
   }
 
   void answer() {
@@ -224,31 +218,21 @@ class Controller {
   }
 
   void send_heartbeat() {
-    Heartbeat& beat = node_.beat();
-    beat.messages_rejected += rejected_ + admission_.ignored();
-    beat.messages_lost = missed_.count();
-    missed_.tell(beat);
-    beat.allocations = allocations_counted() ? allocations_ : -1;
-    node_.send_heartbeat(beat);
+    Heartbeat& now = beat();
+    now.messages_lost = missed_.count();
+    missed_.tell(now);
+    node_.send_heartbeat(now);
   }
 
-  const Model& model_;
-  Node node_;
-  Pulse& pulse_ = node_.pulse();
   ControlLoop loop_;
-  StateAdmission admission_;
-  ObstacleCollector obstacles_;
-  bool new_obstacles_ = false, fresh_ = false;
   int caught_up_ = 0;  // states answered late since the last wait
-  RobotState state_;
   JointCommand command_;
   StopPlanPiece plan_;
   ObstaclesPiece footsteps_;
   std::int64_t footsteps_tick_ = 0;
   MissedTicks missed_;
   JournalWriter<SendPage> journal_;
-  std::int64_t heard_ns_ = 0, told_ns_ = 0, state_hash_ = 0;
-  std::int64_t rejected_ = 0, allocations_ = 0, next_stop_tick_ = 0;
+  std::int64_t told_ns_ = 0, state_hash_ = 0, next_stop_tick_ = 0;
   const char* last_sentence_ = nullptr;
 };
 

@@ -13,17 +13,14 @@
 #include "common/process/options.h"
 #include "common/process/priority.h"
 #include "common/process/process.h"
-#include "lcmtypes/bus/node.h"
+#include "control/robot_process_main.h"
 #include "lcmtypes/msg/obeyed_once.h"
-#include "lcmtypes/msg/state_admission.h"
 #include "planner/arm_path_pieces.h"
 #include "planner/plan_start.h"
 #include "planner/plan_worker.h"
 #include "robot/collision/loop_joints.h"
-#include "robot/collision/obstacle_collector.h"
 #include "robot/description/load.h"
 #include "robot/estimation/estimator.h"
-#include "test/no_alloc.h"
 
 namespace twinbus {
 namespace {
@@ -34,11 +31,10 @@ constexpr std::int64_t kFreshNs = 200'000'000;  // a plan needs a state not olde
 constexpr std::int64_t kResendNs = 40'000'000;
 constexpr int kSends = 4;  // of every path
 
-class PlannerProcess {
+class PlannerProcess : RobotProcess {
  public:
   PlannerProcess(const CommonOptions& common, const Model& model)
-      : model_(model),
-        node_(common, ProcessKind::kPlanner),
+      : RobotProcess(common, ProcessKind::kPlanner, model),
         estimator_(model),
         worker_(model) {
     Bus& bus = node_.bus();
@@ -60,7 +56,7 @@ class PlannerProcess {
         const std::int64_t end = monotonic_ns();
         pulse_.tick(end, end - begin);
       }
-      if (pulse_.due(monotonic_ns())) send_heartbeat();
+      if (pulse_.due(monotonic_ns())) node_.send_heartbeat(beat());
       if (pulse_.ticks() > kWarmUp) allocations_ += no_alloc.count();
       // A goal, an answer and a resend are events, not part of the loop.
       if (new_goal_) start_plan();
@@ -71,15 +67,8 @@ class PlannerProcess {
 
  private:
   void hear_state(const RobotState& state) noexcept {
-    if (state.joint_count != model_.bus_count() || state.model_hash != model_.hash) {
-      ++rejected_;
-      return;
-    }
     const std::int64_t now = monotonic_ns();
-    if (!admission_.admit(state, now)) return;
-    state_ = state;
-    heard_ns_ = now;
-    fresh_ = true;
+    if (is_ours(state) && admission_.admit(state, now)) take(state, now);
   }
 
   void hear_command(const JointCommand& command) noexcept {
@@ -151,29 +140,15 @@ class PlannerProcess {
 
   void tell(const char* sentence, int severity) { node_.tell(severity, sentence, state_.run_id, state_.tick); }
 
-  void send_heartbeat() {
-    Heartbeat& beat = node_.beat();
-    beat.messages_rejected += rejected_ + admission_.ignored();
-    beat.allocations = allocations_counted() ? allocations_ : -1;
-    node_.send_heartbeat(beat);
-  }
-
-  const Model& model_;
-  Node node_;
-  Pulse& pulse_ = node_.pulse();
   Estimator estimator_;
-  StateAdmission admission_;
-  ObstacleCollector obstacles_;
-  RobotState state_;
   JointCommand command_;
   Mode mode_ = Mode::kNone;  // of the controller
   ArmGoal goal_;
   SpentNumbers<256> planned_, cancelled_;  // goals that were obeyed
-  bool fresh_ = false, new_goal_ = false;
+  bool new_goal_ = false;
   std::vector<ArmPathPiece> pieces_;
   int sends_left_ = 0;
-  std::int64_t heard_ns_ = 0, sent_ns_ = 0;
-  std::int64_t rejected_ = 0, allocations_ = 0;
+  std::int64_t sent_ns_ = 0;
   PlanWorker worker_;  // last: its thread ends before anything else does
 };
 

@@ -13,6 +13,7 @@
 #include "robot/description/load.h"
 #include "common/process/options.h"
 #include "common/process/process.h"
+#include "common/process/ticker.h"
 #include "sim/emulated_robot.h"
 #include "sim/scene/settings.h"
 
@@ -118,15 +119,12 @@ int run(int argc, char** argv) {
 
   // Its own clock: another phase and a slightly different rate than anybody else's.
   const auto period_ns = static_cast<std::int64_t>(model.period_ns * (1.0 + 1e-6 * clock_ppm));
-  const std::int64_t start_ns = monotonic_ns();
-  std::int64_t due_ns = start_ns;
+  Ticker ticker(period_ns, kGiveUpAfter);
   std::int64_t clock_ns = 0;
   emulated::StatePacket packet;
   while (!quit_requested() &&
          !(duration > 0.0 && 1e-9 * static_cast<double>(clock_ns) > duration)) {
-    due_ns += period_ns;
-    if (monotonic_ns() - due_ns > kGiveUpAfter * period_ns) due_ns = monotonic_ns();
-    sleep_until_ns(due_ns);
+    ticker.wait();
     clock_ns += model.period_ns;
     socket.receive(robot, clock_ns);
     robot.cycle(clock_ns, packet);

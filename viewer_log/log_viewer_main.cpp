@@ -19,6 +19,7 @@
 #include "common/process/options.h"
 #include "common/process/priority.h"
 #include "common/process/process.h"
+#include "common/process/ticker.h"
 #include "viewer_log/view/frame.h"
 #include "viewer_log/view/log_feed_main.h"
 #include "viewer_log/log/log_library.h"
@@ -115,12 +116,9 @@ class LogViewer {
 
   void run() {
     announce();
-    std::int64_t due = monotonic_ns();
+    Ticker ticker(kFramePeriod);
     for (std::int64_t frame = 0; !quit_requested(); ++frame) {
-      due += kFramePeriod;
-      const std::int64_t now = monotonic_ns();
-      if (now > due + 10 * kFramePeriod) due = now;
-      sleep_until_ns(due);
+      ticker.wait();
       obey_pages();
       play(1e-9 * static_cast<double>(kFramePeriod));
       follow();

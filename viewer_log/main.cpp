@@ -22,6 +22,7 @@
 #include "common/process/options.h"
 #include "common/process/priority.h"
 #include "common/process/process.h"
+#include "common/process/ticker.h"
 #include "lcmtypes/msg/state_admission.h"
 #include "viewer_log/view/frame.h"
 #include "viewer_log/view/log_button.h"
@@ -139,12 +140,9 @@ class Viewer {
 
   void run() {
     announce();
-    std::int64_t due = monotonic_ns();
+    Ticker ticker(kFramePeriod);
     for (std::int64_t frame = 0; !quit_requested(); ++frame) {
-      due += kFramePeriod;
-      const std::int64_t now_early = monotonic_ns();
-      if (now_early > due + 10 * kFramePeriod) due = now_early;  // was suspended
-      sleep_until_ns(due);
+      ticker.wait();
       if (bus_.receive(0.0) < 0 && frame % 60 == 0) {
         std::fprintf(stderr, "twinbus_viewer: the bus is gone\n");
       }

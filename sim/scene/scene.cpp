@@ -87,10 +87,16 @@ SceneRobot read_robot(const ConfigNode& node, const std::string& own) {
   return robot;
 }
 
+// The point of a link that is held or pushed.
+template <class At>
+void read_place(const ConfigNode& node, At& at) {
+  at.link = node.text("link");
+  at.point = bounded(node, "point", 10.0, &kNone);
+}
+
 Grasp read_grasp(const ConfigNode& node) {
   Grasp grasp;
-  grasp.link = node.text("link");
-  grasp.point = bounded(node, "point", 10.0, &kNone);
+  read_place(node, grasp);
   grasp.to = node.text("to");
   grasp.at = node.number("at", 0.0, kDay);
   grasp.until = node.number("until", grasp.at, 1e9, grasp.until);
@@ -103,8 +109,7 @@ Grasp read_grasp(const ConfigNode& node) {
 
 Push read_push(const ConfigNode& node) {
   Push push;
-  push.link = node.text("link");
-  push.point = bounded(node, "point", 10.0, &kNone);
+  read_place(node, push);
   // force and for: as ./twinbus push has them.
   const bool by_force = node.has("force");
   if (by_force && node.has("impulse")) node.fail("force", "stands beside impulse: give one of them");

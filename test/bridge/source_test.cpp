@@ -33,13 +33,15 @@ class Loop : public ::testing::Test {
     fed = now + after;
   }
   void end() { source.end_tick(now + 3 * kPeriodNs / 5); }
+  // One that is answered so much later.
+  void tick(std::int64_t after = 0) {
+    begin();
+    answer(after);
+    end();
+  }
   // Ticks that are answered at once.
   void run(int ticks) {
-    for (int i = 0; i < ticks; ++i) {
-      begin();
-      answer(0);
-      end();
-    }
+    for (int i = 0; i < ticks; ++i) tick();
   }
   void activate() {
     for (int i = 0; i < 600; ++i) {
@@ -52,9 +54,7 @@ class Loop : public ::testing::Test {
     r.action = SourceAction::kActivate;
     r.target_run_id = 1;
     source.on_source_request(r, now);
-    begin();
-    answer(0);
-    end();
+    tick();
     ASSERT_EQ(source.state().role, Role::kActive);
   }
 
@@ -68,11 +68,7 @@ class Loop : public ::testing::Test {
 TEST_F(Loop, StopsBetween40And46MillisecondsAfterTheLastAcceptedCommand) {
   activate();
   for (const std::int64_t when : {0, 100'000, 900'000, 1'900'000}) {
-    for (int i = 0; i < 10; ++i) {
-      begin();
-      answer(when);
-      end();
-    }
+    for (int i = 0; i < 10; ++i) tick(when);
     const float kp_before = robot.written.kp[0];
     while (source.state().role != Role::kStopped) {
       begin();
@@ -87,9 +83,7 @@ TEST_F(Loop, StopsBetween40And46MillisecondsAfterTheLastAcceptedCommand) {
     StopRequest clear;
     clear.stop_nonce = source.state().stop_nonce;
     source.on_stop(clear, now);
-    begin();
-    answer(0);
-    end();
+    tick();
     ASSERT_EQ(source.state().role, Role::kActive);
   }
 }
@@ -126,9 +120,7 @@ TEST_F(Loop, AStopWorksWithTheControllerDeadAndStaysThroughEverythingButItsClear
   clear.stop_nonce = old_nonce;
   for (int i = 0; i < 100; ++i) {
     source.on_stop(clear, now);
-    begin();
-    answer(0);
-    end();
+    tick();
     ASSERT_EQ(source.state().role, Role::kStopped);
   }
 }
@@ -157,9 +149,7 @@ TEST_F(Loop, ADeviceThatMeasuresNonsenseIsNotPublished) {
 TEST_F(Loop, ADeviceThatRefusesACommandStops) {
   activate();
   robot.write_status = Status::kDeviceError;
-  begin();
-  answer(0);
-  end();
+  tick();
   begin();
   end();
   EXPECT_EQ(source.state().role, Role::kStopped);
@@ -171,9 +161,7 @@ TEST_F(Loop, FrozenSensorsUnderAMovingCommandStop) {
   robot.has_imu = true;
   activate();
   const auto step = [&] {
-    begin();
-    answer(0);
-    end();
+    tick();
   };
   for (int i = 0; i < 500; ++i) step();
   EXPECT_EQ(source.status().stop_kind, StopKind::kNone);
@@ -190,11 +178,7 @@ TEST_F(Loop, FrozenSensorsUnderAMovingCommandStop) {
 TEST_F(Loop, NothingIsAllocated) {
   activate();
   NoAlloc no_alloc;
-  for (int i = 0; i < 100; ++i) {
-    begin();
-    answer(0);
-    end();
-  }
+  for (int i = 0; i < 100; ++i) tick();
   EXPECT_EQ(no_alloc.count(), 0);
 }
 

@@ -43,6 +43,12 @@ struct Walker : SimRig {
   std::int32_t sequence = 0;
 };
 
+void expect_stopped(Walker& robot, double within) {
+  ASSERT_TRUE(robot.run(within));
+  EXPECT_EQ(robot.command().flags & kCommandStopping, 0) << "at rest";
+  EXPECT_FALSE(robot.record().fell);
+}
+
 TEST(Walk, WalksForwardSidewaysAndTurnsAtTheVelocityAskedAndComesToStand) {
   struct Case {
     double vx, vy, wz;
@@ -81,9 +87,7 @@ TEST(Walk, WithAReferenceOfPreviewControlItWalksTurnsAndComesToStandToo) {
   }
   EXPECT_NE(robot.truth().base_position, closed.truth().base_position) << "it is another reference";
   robot.state().stop_kind = StopKind::kBalanced;
-  ASSERT_TRUE(robot.run(4.1));
-  EXPECT_EQ(robot.command().flags & kCommandStopping, 0) << "at rest";
-  EXPECT_FALSE(robot.record().fell);
+  expect_stopped(robot, 4.1);
 }
 
 // Each where the foot that stood then said; the robot stands where the last two led.
@@ -167,9 +171,7 @@ TEST(Walk, ABalancedStopInAnyPhaseEndsStanding) {
     robot.state().stop_kind = StopKind::kBalanced;
     ASSERT_TRUE(robot.run(0.1));
     EXPECT_NE(robot.command().flags & kCommandStopping, 0);
-    ASSERT_TRUE(robot.run(4.0));
-    EXPECT_EQ(robot.command().flags & kCommandStopping, 0) << "at rest";
-    EXPECT_FALSE(robot.record().fell);
+    expect_stopped(robot, 4.0);
   }
 }
 

@@ -30,13 +30,7 @@ class SeedsOf : public ::testing::Test {
   SeedsOf() : scene_(load_scene("walk_noisy")), model_(load_robot(scene_.robot)) { fit_scene(scene_, model_); }
 
   std::vector<SeedResult> run(SeedRange seeds, int jobs, std::int64_t ticks = 20) {
-    SeedsRequest request;
-    request.seeds = seeds;
-    request.ticks = ticks;
-    request.jobs = jobs;
-    request.part = true;
-    request.lanes = lanes_;
-    return run_seeds(model_, request, [this](std::uint64_t seed) {
+    return run_seeds(model_, {.seeds = seeds, .ticks = ticks, .jobs = jobs, .part = true, .lanes = lanes_}, [this](std::uint64_t seed) {
       if (seed == bad_) throw std::runtime_error("tile 12 of seed 13 cannot be laid");
       SeededRun ready{scene_, {}};
       ready.config.seed = seed;

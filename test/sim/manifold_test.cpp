@@ -109,6 +109,20 @@ void expect_same(const Manifold& a, const Manifold& b, const Isometry3d& b_to_a,
   }
 }
 
+// The four corners of a square of 0.1 m in these axes, pushed straight up.
+void expect_square(const Manifold& m, const Isometry3d& axes, double depth, double tolerance) {
+  expect_sound(m);
+  ASSERT_EQ(m.count, 4);
+  EXPECT_LT(worst_degrees(m, Vector3d::UnitZ()), 1e-6);
+  for (int i = 0; i < 4; ++i) {
+    const ManifoldPoint& p = m.point[at(i)];
+    EXPECT_NEAR(p.depth, depth, 1e-12);
+    const Vector3d local = axes.inverse() * p.position;
+    EXPECT_NEAR(std::abs(local.x()), 0.05, tolerance);
+    EXPECT_NEAR(std::abs(local.y()), 0.05, tolerance);
+  }
+}
+
 // The four cases whose answer other libraries miss: 5 mm deep, straight up.
 TEST(Manifold, CubeOnSlabStandsOnItsFourCorners) {
   for (const double yaw : {0.0, 0.3}) {
@@ -116,16 +130,7 @@ TEST(Manifold, CubeOnSlabStandsOnItsFourCorners) {
       SCOPED_TRACE(std::to_string(yaw) + " " + std::to_string(splits));
       const Isometry3d pose = turned(yaw, Vector3d::UnitZ(), {0.0, 0.0, 0.095});
       const Manifold m = on_slab(fine(kCube, splits), pose, splits);
-      expect_sound(m);
-      ASSERT_EQ(m.count, 4);
-      EXPECT_LT(worst_degrees(m, Vector3d::UnitZ()), 1e-6);
-      for (int i = 0; i < 4; ++i) {
-        const ManifoldPoint& p = m.point[at(i)];
-        EXPECT_NEAR(p.depth, 0.005, 1e-12);
-        const Vector3d local = pose.inverse() * p.position;
-        EXPECT_NEAR(std::abs(local.x()), 0.05, 1e-12);
-        EXPECT_NEAR(std::abs(local.y()), 0.05, 1e-12);
-      }
+      expect_square(m, pose, 0.005, 1e-12);
     }
   }
 }
@@ -184,15 +189,7 @@ TEST(Manifold, CrossedBeamsTouchWhereTheyCross) {
   const TriangleMesh beam = test::box_triangles(Vector3d(1.0, 0.1, 0.1));
   const Manifold m = manifold_of(beam, moved(0.0, 0.0, 0.097), beam,
                                  turned(std::numbers::pi / 2, Vector3d::UnitZ(), Vector3d::Zero()));
-  expect_sound(m);
-  ASSERT_EQ(m.count, 4);
-  EXPECT_LT(worst_degrees(m, Vector3d::UnitZ()), 1e-6);
-  for (int i = 0; i < 4; ++i) {
-    const ManifoldPoint& p = m.point[at(i)];
-    EXPECT_NEAR(p.depth, 0.003, 1e-12);
-    EXPECT_NEAR(std::abs(p.position.x()), 0.05, 1e-9);
-    EXPECT_NEAR(std::abs(p.position.y()), 0.05, 1e-9);
-  }
+  expect_square(m, Isometry3d::Identity(), 0.003, 1e-9);
 }
 
 TEST(Manifold, CrossedEdgesArePushedApartSquareToBoth) {

@@ -1,0 +1,51 @@
+// A process that hears the STATE of one robot: what controller, guard and planner have in common.  For mains only.
+
+#pragma once
+
+#include <cstdint>
+
+#include "lcmtypes/bus/node.h"
+#include "lcmtypes/msg/state_admission.h"
+#include "robot/collision/obstacle_collector.h"
+#include "robot/description/model.h"
+#include "test/no_alloc.h"
+
+namespace twinbus {
+
+class RobotProcess {
+ protected:
+  RobotProcess(const CommonOptions& common, ProcessKind kind, const Model& model, RealTime real_time = RealTime::kNone)
+      : model_(model), node_(common, kind, real_time) {}
+
+  // Counted when it is of another robot.
+  bool is_ours(const RobotState& state) noexcept {
+    const bool ours = state.joint_count == model_.bus_count() && state.model_hash == model_.hash;
+    rejected_ += ours ? 0 : 1;
+    return ours;
+  }
+  void take(const RobotState& state, std::int64_t now_ns) noexcept {
+    state_ = state;
+    heard_ns_ = now_ns;
+    fresh_ = true;
+  }
+
+  // The heartbeat of now; what only one of them counts is still to be filled in.
+  Heartbeat& beat() noexcept {
+    Heartbeat& beat = node_.beat();
+    beat.messages_rejected += rejected_ + admission_.ignored();
+    beat.allocations = allocations_counted() ? allocations_ : -1;
+    return beat;
+  }
+
+  const Model& model_;
+  Node node_;
+  Pulse& pulse_ = node_.pulse();
+  StateAdmission admission_;
+  ObstacleCollector obstacles_;
+  RobotState state_;
+  bool fresh_ = false, new_obstacles_ = false;  // not yet looked at
+  std::int64_t heard_ns_ = 0;                   // the state
+  std::int64_t rejected_ = 0, allocations_ = 0;
+};
+
+}  // namespace twinbus
