@@ -10,7 +10,7 @@
 #include "sim/contact/contact_law.h"
 #include "sim/contact/ground_contacts.h"
 #include "sim/contact/rigid_object_contacts.h"
-#include "sim/engine/ode_impl.h"
+#include "sim/engine/ode_world.h"
 
 namespace twinbus {
 
@@ -20,13 +20,13 @@ constexpr double kSlipSpeed = 1e-3;  // below it the friction axes follow the fo
 
 }  // namespace
 
-void OdeWorld::Impl::add_geoms() {
-  plane = dCreatePlane(nullptr, 0.0, 0.0, 1.0, 0.0);
-  for (const Obstacle& obstacle : config.obstacles) add_solid(obstacle, obstacle_geoms);
-  for (const Obstacle& tile : config.tiles) add_solid(tile, tile_geoms);
+void OdeWorld::add_geoms() {
+  plane_ = dCreatePlane(nullptr, 0.0, 0.0, 1.0, 0.0);
+  for (const Obstacle& obstacle : config_.obstacles) add_solid(obstacle, obstacle_geoms_);
+  for (const Obstacle& tile : config_.tiles) add_solid(tile, tile_geoms_);
 }
 
-void OdeWorld::Impl::add_solid(const Obstacle& obstacle, std::vector<dGeomID>& geoms) {
+void OdeWorld::add_solid(const Obstacle& obstacle, std::vector<dGeomID>& geoms) {
   if (obstacle.shape == ObstacleShape::kNone) return;
   const dGeomID geom = geom_of(solid_of(obstacle));
   const Eigen::Vector3d p = obstacle.pose.translation();
@@ -37,10 +37,10 @@ void OdeWorld::Impl::add_solid(const Obstacle& obstacle, std::vector<dGeomID>& g
   geoms.push_back(geom);
 }
 
-void OdeWorld::Impl::find_contacts() noexcept {
-  contacts.clear();
-  rows.clear();
-  for (std::size_t robot = 0; robot < robots.size(); ++robot) {
+void OdeWorld::find_contacts() noexcept {
+  contacts_.clear();
+  rows_.clear();
+  for (std::size_t robot = 0; robot < robots_.size(); ++robot) {
     find_sole_contacts(robot);
     find_link_contacts(robot);
   }
@@ -48,8 +48,8 @@ void OdeWorld::Impl::find_contacts() noexcept {
   find_loose_contacts();
 }
 
-void OdeWorld::Impl::find_sole_contacts(std::size_t index) noexcept {
-  const OdeRobot& robot = robots[index];
+void OdeWorld::find_sole_contacts(std::size_t index) noexcept {
+  const OdeRobot& robot = robots_[index];
   for (int side = 0; side < 2; ++side) {
     const auto foot = static_cast<std::size_t>(side);
     const Sole& sole = robot.model.soles[foot];
@@ -64,7 +64,7 @@ void OdeWorld::Impl::find_sole_contacts(std::size_t index) noexcept {
       const double raised = robot.offset[foot][static_cast<std::size_t>(corner)];
       double depth = robot.config.ground_height[foot] - raised - point.z();
       Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
-      for (const Obstacle& tile : config.tiles) {
+      for (const Obstacle& tile : config_.tiles) {
         const Distance d = under_tile(tile, point);
         if (!(-d.value - raised > depth)) continue;
         depth = -d.value - raised;
@@ -72,7 +72,7 @@ void OdeWorld::Impl::find_sole_contacts(std::size_t index) noexcept {
       }
       // What comes down within the step touches in it, as in the other engine.
       const Eigen::Vector3d velocity = robot.kinematics.point_velocity(sole.link, point);
-      if (!(depth > 0.0 || depth - h * normal.dot(velocity) > 0.0)) continue;
+      if (!(depth > 0.0 || depth - h_ * normal.dot(velocity) > 0.0)) continue;
       dContactGeom geom{};
       for (int i = 0; i < 3; ++i) {
         geom.pos[i] = point[i];
@@ -85,17 +85,17 @@ void OdeWorld::Impl::find_sole_contacts(std::size_t index) noexcept {
 }
 
 // With all of its area, as in the other engine.
-void OdeWorld::Impl::press_sole(std::size_t index, int side) noexcept {
-  const OdeRobot& robot = robots[index];
+void OdeWorld::press_sole(std::size_t index, int side) noexcept {
+  const OdeRobot& robot = robots_[index];
   const auto foot = static_cast<std::size_t>(side);
   const Sole& sole = robot.model.soles[foot];
   const Eigen::Isometry3d frame = robot.kinematics.link_in_world(sole.link) * sole.frame;
   SolePatches::Points points;
   const int count = robot.patches->find(
       foot, frame, robot.kinematics.point_velocity(sole.link, frame.translation()),
-      robot.kinematics.angular_velocity(sole.link), h, robot.config.ground_height[foot],
+      robot.kinematics.angular_velocity(sole.link), h_, robot.config.ground_height[foot],
       robot.offset[foot], points);
-  const ContactParams whole = together(robot.surface(side), ground);
+  const ContactParams whole = together(robot.surface(side), ground_);
   for (int i = 0; i < count && has_room(); ++i) {
     const SolePoint& point = points[static_cast<std::size_t>(i)];
     dContactGeom geom{};
@@ -110,9 +110,9 @@ void OdeWorld::Impl::press_sole(std::size_t index, int side) noexcept {
   }
 }
 
-void OdeWorld::Impl::find_link_contacts(std::size_t index) noexcept {
+void OdeWorld::find_link_contacts(std::size_t index) noexcept {
   dContactGeom found[kPointsPerPair];
-  const OdeRobot& robot = robots[index];
+  const OdeRobot& robot = robots_[index];
   for (const OdeGeom& part : robot.geoms) {
     if (robot.body(part.link) == nullptr) continue;
     dReal box[6];
@@ -121,7 +121,7 @@ void OdeWorld::Impl::find_link_contacts(std::size_t index) noexcept {
       const int count = dCollide(part.geom, other, kPointsPerPair, found, sizeof(dContactGeom));
       for (int i = 0; i < count; ++i) {
         const bool by_corners =
-            other == plane && robot.sole_at(part.link, vector(found[i].pos)) >= 0;
+            other == plane_ && robot.sole_at(part.link, vector(found[i].pos)) >= 0;
         if (!by_corners) add_contact(found[i], index, part.link, -1);
       }
     };
@@ -132,52 +132,52 @@ void OdeWorld::Impl::find_link_contacts(std::size_t index) noexcept {
         if (bounds_meet(box, other)) meet_one(geom);
       }
     };
-    if (box[4] <= 0.0) meet_one(plane);
-    meet_near(obstacle_geoms);
+    if (box[4] <= 0.0) meet_one(plane_);
+    meet_near(obstacle_geoms_);
     // As in the other engine tiles meet no more of a foot than its sole's corners.
-    if (!robot.has_sole(part.link)) meet_near(tile_geoms);
+    if (!robot.has_sole(part.link)) meet_near(tile_geoms_);
   }
 }
 
-void OdeWorld::Impl::add_contact(const dContactGeom& geom, std::size_t robot, int link,
-                                 int sole) noexcept {
+void OdeWorld::add_contact(const dContactGeom& geom, std::size_t robot, int link,
+                           int sole) noexcept {
   if (!has_room()) return;
   const int felt = feel(robot, link, sole, geom);
   if (robot == 0 && felt < 0) return;
-  add_row(geom, robots[robot].body(link), nullptr, together(robots[robot].surface(sole), ground),
+  add_row(geom, robots_[robot].body(link), nullptr, together(robots_[robot].surface(sole), ground_),
           felt, -1);
 }
 
-int OdeWorld::Impl::feel(std::size_t robot, int link, int sole, const dContactGeom& geom) noexcept {
-  if (robot != 0 || contacts.size() >= static_cast<std::size_t>(kMaxContacts)) return -1;
-  contacts.push_back({.link = link,
+int OdeWorld::feel(std::size_t robot, int link, int sole, const dContactGeom& geom) noexcept {
+  if (robot != 0 || contacts_.size() >= static_cast<std::size_t>(kMaxContacts)) return -1;
+  contacts_.push_back({.link = link,
                       .sole = sole,
                       .point = vector(geom.pos),
                       .force = Eigen::Vector3d::Zero(),
                       .depth = std::max(0.0, geom.depth)});
-  return static_cast<int>(contacts.size()) - 1;
+  return static_cast<int>(contacts_.size()) - 1;
 }
 
-Eigen::Vector3d OdeWorld::Impl::velocity_between(const dContactGeom& geom, dBodyID first,
-                                                 dBodyID second) const noexcept {
+Eigen::Vector3d OdeWorld::velocity_between(const dContactGeom& geom, dBodyID first,
+                                           dBodyID second) const noexcept {
   dVector3 v, other{0.0, 0.0, 0.0, 0.0};
   dBodyGetPointVel(first, geom.pos[0], geom.pos[1], geom.pos[2], v);
   if (second != nullptr) dBodyGetPointVel(second, geom.pos[0], geom.pos[1], geom.pos[2], other);
   return vector(v) - vector(other);
 }
 
-void OdeWorld::Impl::add_row(const dContactGeom& geom, dBodyID first, dBodyID second,
-                             const ContactParams& params, int felt, int felt_by_other) noexcept {
+void OdeWorld::add_row(const dContactGeom& geom, dBodyID first, dBodyID second,
+                       const ContactParams& params, int felt, int felt_by_other) noexcept {
   const Eigen::Vector3d velocity = velocity_between(geom, first, second);
-  const double end = geom.depth - h * vector(geom.normal).dot(velocity);
-  const double c = damping_at(as_asked(config, params), end);
-  rows.push_back({soft_row(geom, velocity, first, params.stiffness, c, params.friction), first,
+  const double end = geom.depth - h_ * vector(geom.normal).dot(velocity);
+  const double c = damping_at(as_asked(config_, params), end);
+  rows_.push_back({soft_row(geom, velocity, first, params.stiffness, c, params.friction), first,
                   second, felt, felt_by_other});
 }
 
 // So that the friction pyramid does not favour the world's axes.
-dContact OdeWorld::Impl::soft_row(const dContactGeom& geom, const Eigen::Vector3d& velocity,
-                                  dBodyID body, double k, double c, double mu) const noexcept {
+dContact OdeWorld::soft_row(const dContactGeom& geom, const Eigen::Vector3d& velocity,
+                            dBodyID body, double k, double c, double mu) const noexcept {
   const Eigen::Matrix3d turn = matrix(dBodyGetRotation(body));
   const Eigen::Vector3d normal(geom.normal[0], geom.normal[1], geom.normal[2]);
   Eigen::Vector3d along = velocity - normal.dot(velocity) * normal;
@@ -189,58 +189,58 @@ dContact OdeWorld::Impl::soft_row(const dContactGeom& geom, const Eigen::Vector3
   row.geom = geom;
   row.geom.g1 = row.geom.g2 = nullptr;
   row.surface.mode = dContactApprox1 | dContactFDir1;
-  const bool soft = config.contact != ContactModel::kRigid;
+  const bool soft = config_.contact != ContactModel::kRigid;
   if (soft) row.surface.mode |= dContactSoftERP | dContactSoftCFM;
   row.surface.mu = mu;
-  row.surface.soft_erp = h * k / (h * k + c);
-  row.surface.soft_cfm = 1.0 / (h * k + c);
+  row.surface.soft_erp = h_ * k / (h_ * k + c);
+  row.surface.soft_cfm = 1.0 / (h_ * k + c);
   // ODE takes a negative depth for none: the way that is left is a speed.
   if (geom.depth < 0.0) {
     row.surface.mode |= dContactMotionN;
-    row.surface.motionN = (soft ? row.surface.soft_erp : 1.0) / h * geom.depth;
+    row.surface.motionN = (soft ? row.surface.soft_erp : 1.0) / h_ * geom.depth;
   }
   for (int i = 0; i < 3; ++i) row.fdir1[i] = along[i];
   return row;
 }
 
-void OdeWorld::Impl::create_contact_joints() noexcept {
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const dJointID joint = dJointCreateContact(world, contact_group, &rows[i].contact);
-    dJointAttach(joint, rows[i].own, rows[i].other);
-    dJointSetFeedback(joint, &feedback[i]);
+void OdeWorld::create_contact_joints() noexcept {
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const dJointID joint = dJointCreateContact(world_, contact_group_, &rows_[i].contact);
+    dJointAttach(joint, rows_[i].own, rows_[i].other);
+    dJointSetFeedback(joint, &feedback_[i]);
   }
 }
 
-void OdeWorld::Impl::read_contact_forces() noexcept {
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const Eigen::Vector3d force = vector(feedback[i].f1);
+void OdeWorld::read_contact_forces() noexcept {
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const Eigen::Vector3d force = vector(feedback_[i].f1);
     const auto felt_as = [&](int index, const Eigen::Vector3d& f) {
-      if (index >= 0) contacts[static_cast<std::size_t>(index)].force = f;
+      if (index >= 0) contacts_[static_cast<std::size_t>(index)].force = f;
     };
-    felt_as(rows[i].felt, force);
-    felt_as(rows[i].felt_by_other, -force);
+    felt_as(rows_[i].felt, force);
+    felt_as(rows_[i].felt_by_other, -force);
   }
   read_tie_forces();
   forget_open();
 }
 
 // Points that were about to touch and did not.
-void OdeWorld::Impl::forget_open() noexcept {
-  std::erase_if(contacts,
+void OdeWorld::forget_open() noexcept {
+  std::erase_if(contacts_,
                 [](const ContactPoint& c) { return !(c.depth > 0.0) && c.force.isZero(0.0); });
 }
 
 // Of what is fixed alone: that is what carries a robot.
-void OdeWorld::Impl::estimate_contact_forces() noexcept {
+void OdeWorld::estimate_contact_forces() noexcept {
   find_contacts();
-  for (const Row& row : rows) {
+  for (const Row& row : rows_) {
     if (row.felt < 0 || row.other != nullptr) continue;
     const dContact& contact = row.contact;
     const Eigen::Vector3d normal = vector(contact.geom.normal);
     const double speed = normal.dot(velocity_between(contact.geom, row.own, nullptr));
     const double force =
-        (contact.surface.soft_erp / h * contact.geom.depth - speed) / contact.surface.soft_cfm;
-    contacts[static_cast<std::size_t>(row.felt)].force = std::max(0.0, force) * normal;
+        (contact.surface.soft_erp / h_ * contact.geom.depth - speed) / contact.surface.soft_cfm;
+    contacts_[static_cast<std::size_t>(row.felt)].force = std::max(0.0, force) * normal;
   }
   forget_open();
 }

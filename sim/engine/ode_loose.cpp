@@ -8,7 +8,7 @@
 #include "sim/contact/ground_contacts.h"
 #include "sim/contact/rigid_object_contacts.h"
 #include "sim/contact/rigid_object_mesh.h"
-#include "sim/engine/ode_impl.h"
+#include "sim/engine/ode_world.h"
 
 namespace twinbus {
 
@@ -18,32 +18,32 @@ constexpr int kPointsPerLoosePair = 8;
 
 }  // namespace
 
-dGeomID OdeWorld::Impl::add_mesh(const ContactMesh& mesh) {
-  OdeMesh& added = meshes.emplace_back();
+dGeomID OdeWorld::add_mesh(const ContactMesh& mesh) {
+  OdeMesh& added = meshes_.emplace_back();
   for (const Eigen::Vector3d& point : mesh.vertices()) added.add_point(point);
   for (const ContactFace& face : mesh.faces())
     added.add_triangle(face.vertex[0], face.vertex[1], face.vertex[2]);
   return added.create_geom();
 }
 
-void OdeWorld::Impl::add_loose() {
-  for (const LooseBody& body : config.loose) {
+void OdeWorld::add_loose() {
+  for (const LooseBody& body : config_.loose) {
     const Eigen::Matrix3d inertia = inertia_of(body);
     dMass mass;
     dMassSetParameters(&mass, body.mass, 0, 0, 0, inertia(0, 0), inertia(1, 1), inertia(2, 2), 0, 0,
                        0);
-    const dBodyID id = dBodyCreate(world);
+    const dBodyID id = dBodyCreate(world_);
     dBodySetMass(id, &mass);
     dBodySetGyroscopicMode(id, 1);
     const dGeomID geom = body.mesh != nullptr ? add_mesh(*body.mesh) : geom_of(body.solid);
     dGeomSetBody(geom, id);
-    loose.push_back({id, geom});
-    set_loose(loose.size() - 1, body.start);
+    loose_.push_back({id, geom});
+    place_loose(loose_.size() - 1, body.start);
   }
 }
 
-void OdeWorld::Impl::set_loose(std::size_t index, const LooseState& to) noexcept {
-  const dBodyID id = loose[index].body;
+void OdeWorld::place_loose(std::size_t index, const LooseState& to) noexcept {
+  const dBodyID id = loose_[index].body;
   const Eigen::Quaterniond q = Eigen::Quaterniond(to.pose.linear()).normalized();
   const dQuaternion attitude = {q.w(), q.x(), q.y(), q.z()};
   const Eigen::Vector3d& p = to.pose.translation();
@@ -56,8 +56,8 @@ void OdeWorld::Impl::set_loose(std::size_t index, const LooseState& to) noexcept
   dBodySetTorque(id, 0.0, 0.0, 0.0);
 }
 
-LooseState OdeWorld::Impl::loose_state(std::size_t index) const noexcept {
-  const dBodyID id = loose[index].body;
+LooseState OdeWorld::loose(int body) const noexcept {
+  const dBodyID id = loose_[static_cast<std::size_t>(body)].body;
   const dReal* q = dBodyGetQuaternion(id);
   LooseState state;
   state.pose.linear() = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).toRotationMatrix();
@@ -67,90 +67,84 @@ LooseState OdeWorld::Impl::loose_state(std::size_t index) const noexcept {
   return state;
 }
 
-ContactParams OdeWorld::Impl::surface(const LooseBody& body) const noexcept {
+ContactParams OdeWorld::surface(const LooseBody& body) const noexcept {
   return {body.stiffness, body.damping, body.stiffness, body.damping, body.friction};
 }
 
-void OdeWorld::Impl::find_loose_contacts() noexcept {
-  for (std::size_t i = 0; i < loose.size(); ++i) {
+void OdeWorld::find_loose_contacts() noexcept {
+  for (std::size_t i = 0; i < loose_.size(); ++i) {
     dReal own_box[6];
-    dGeomGetAABB(loose[i].geom, own_box);
+    dGeomGetAABB(loose_[i].geom, own_box);
     const auto near = [&](dGeomID geom) {
       dReal box[6];
       dGeomGetAABB(geom, box);
       return bounds_meet(own_box, box);
     };
-    if (near(plane)) meet_fixed(i, plane);
-    for (const dGeomID obstacle : obstacle_geoms) {
+    if (near(plane_)) meet_fixed(i, plane_);
+    for (const dGeomID obstacle : obstacle_geoms_) {
       if (near(obstacle)) meet_fixed(i, obstacle);
     }
-    for (const dGeomID tile : tile_geoms) {
+    for (const dGeomID tile : tile_geoms_) {
       if (near(tile)) meet_fixed(i, tile);
     }
-    for (std::size_t j = i + 1; j < loose.size(); ++j) {
-      if (near(loose[j].geom)) meet_loose(i, j);
+    for (std::size_t j = i + 1; j < loose_.size(); ++j) {
+      if (near(loose_[j].geom)) meet_loose(i, j);
     }
-    for (std::size_t robot = 0; robot < robots.size(); ++robot) {
-      for (const OdeGeom& geom : robots[robot].geoms) {
+    for (std::size_t robot = 0; robot < robots_.size(); ++robot) {
+      for (const OdeGeom& geom : robots_[robot].geoms) {
         if (near(geom.geom)) meet_link(i, robot, geom);
       }
     }
   }
 }
 
-void OdeWorld::Impl::meet_fixed(std::size_t index, dGeomID geom) noexcept {
+void OdeWorld::meet_fixed(std::size_t index, dGeomID geom) noexcept {
   dContactGeom found[kPointsPerLoosePair];
   const int count =
-      dCollide(loose[index].geom, geom, kPointsPerLoosePair, found, sizeof(dContactGeom));
-  const ContactParams params = together(surface(config.loose[index]), ground);
-  for (int i = 0; i < count; ++i) add_loose_row(found[i], loose[index].body, nullptr, params, -1);
+      dCollide(loose_[index].geom, geom, kPointsPerLoosePair, found, sizeof(dContactGeom));
+  const ContactParams params = together(surface(config_.loose[index]), ground_);
+  for (int i = 0; i < count; ++i) add_loose_row(found[i], loose_[index].body, nullptr, params, -1);
 }
 
-void OdeWorld::Impl::meet_loose(std::size_t index, std::size_t other) noexcept {
+void OdeWorld::meet_loose(std::size_t index, std::size_t other) noexcept {
   dContactGeom found[kPointsPerLoosePair];
-  const int count = dCollide(loose[index].geom, loose[other].geom, kPointsPerLoosePair, found,
+  const int count = dCollide(loose_[index].geom, loose_[other].geom, kPointsPerLoosePair, found,
                              sizeof(dContactGeom));
-  const ContactParams params = together(surface(config.loose[index]), surface(config.loose[other]));
+  const ContactParams params = together(surface(config_.loose[index]), surface(config_.loose[other]));
   for (int i = 0; i < count; ++i) {
-    add_loose_row(found[i], loose[index].body, loose[other].body, params, -1);
+    add_loose_row(found[i], loose_[index].body, loose_[other].body, params, -1);
   }
 }
 
-void OdeWorld::Impl::meet_link(std::size_t index, std::size_t robot, const OdeGeom& geom) noexcept {
+void OdeWorld::meet_link(std::size_t index, std::size_t robot, const OdeGeom& geom) noexcept {
   dContactGeom found[kPointsPerLoosePair];
   const int count =
-      dCollide(loose[index].geom, geom.geom, kPointsPerLoosePair, found, sizeof(dContactGeom));
+      dCollide(loose_[index].geom, geom.geom, kPointsPerLoosePair, found, sizeof(dContactGeom));
   for (int i = 0; i < count && has_room(); ++i) {
-    const int sole = robots[robot].sole_at(geom.link, vector(found[i].pos));
+    const int sole = robots_[robot].sole_at(geom.link, vector(found[i].pos));
     const int felt = feel(robot, geom.link, sole, found[i]);
-    add_loose_row(found[i], loose[index].body, robots[robot].body(geom.link),
-                  together(surface(config.loose[index]), robots[robot].surface(sole)), felt);
+    add_loose_row(found[i], loose_[index].body, robots_[robot].body(geom.link),
+                  together(surface(config_.loose[index]), robots_[robot].surface(sole)), felt);
   }
 }
 
-void OdeWorld::Impl::add_loose_row(const dContactGeom& geom, dBodyID first, dBodyID second,
-                                   const ContactParams& params, int felt_by_other) noexcept {
+void OdeWorld::add_loose_row(const dContactGeom& geom, dBodyID first, dBodyID second,
+                             const ContactParams& params, int felt_by_other) noexcept {
   if (!has_room()) return;
-  const double c = damps_by_depth(config.contact) ? damping_at(as_asked(config, params), geom.depth)
+  const double c = damps_by_depth(config_.contact) ? damping_at(as_asked(config_, params), geom.depth)
                                                   : params.damping;
-  rows.push_back({soft_row(geom, velocity_between(geom, first, second), first, params.stiffness, c,
+  rows_.push_back({soft_row(geom, velocity_between(geom, first, second), first, params.stiffness, c,
                            params.friction),
                   first, second, -1, felt_by_other});
-}
-
-int OdeWorld::loose_count() const noexcept { return static_cast<int>(impl_->loose.size()); }
-
-LooseState OdeWorld::loose(int body) const noexcept {
-  return impl_->loose_state(static_cast<std::size_t>(body));
 }
 
 Status OdeWorld::set_loose(int body, const LooseState& state) noexcept {
   if (body < 0 || body >= loose_count()) return Status::kWrongSize;
   const Status status = check_loose(state);
   if (status != Status::kOk) return status;
-  impl_->set_loose(static_cast<std::size_t>(body), state);
-  impl_->placed = true;
-  impl_->frozen = false;
+  place_loose(static_cast<std::size_t>(body), state);
+  placed_ = true;
+  frozen_ = false;
   return Status::kOk;
 }
 

@@ -2,28 +2,28 @@
 // shapes as ODE collides them, springs and dampers of both sides in series.
 
 #include "sim/contact/rigid_object_contacts.h"
-#include "sim/engine/ode_impl.h"
+#include "sim/engine/ode_world.h"
 
 namespace twinbus {
 
-void OdeWorld::Impl::find_meetings() noexcept {
-  for (std::size_t robot = 0; robot < robots.size(); ++robot) {
-    if (config.self_contact) find_meetings(robot, robot);
-    for (std::size_t other = robot + 1; other < robots.size(); ++other) {
+void OdeWorld::find_meetings() noexcept {
+  for (std::size_t robot = 0; robot < robots_.size(); ++robot) {
+    if (config_.self_contact) find_meetings(robot, robot);
+    for (std::size_t other = robot + 1; other < robots_.size(); ++other) {
       find_meetings(robot, other);
     }
   }
 }
 
-void OdeWorld::Impl::find_meetings(std::size_t robot, std::size_t other) noexcept {
-  const std::vector<OdeGeom>& geoms = robots[robot].geoms;
-  const std::vector<OdeGeom>& others = robots[other].geoms;
+void OdeWorld::find_meetings(std::size_t robot, std::size_t other) noexcept {
+  const std::vector<OdeGeom>& geoms = robots_[robot].geoms;
+  const std::vector<OdeGeom>& others = robots_[other].geoms;
   const bool self = robot == other;
   for (std::size_t i = 0; i < geoms.size(); ++i) {
     dReal box[6];
     dGeomGetAABB(geoms[i].geom, box);
     for (std::size_t j = self ? i + 1 : 0; j < others.size(); ++j) {
-      if (self && robots[robot].never.never_touch(geoms[i].link, others[j].link)) continue;
+      if (self && robots_[robot].never.never_touch(geoms[i].link, others[j].link)) continue;
       dReal other_box[6];
       dGeomGetAABB(others[j].geom, other_box);
       if (bounds_meet(box, other_box)) meet(robot, geoms[i], other, others[j]);
@@ -31,10 +31,10 @@ void OdeWorld::Impl::find_meetings(std::size_t robot, std::size_t other) noexcep
   }
 }
 
-void OdeWorld::Impl::meet(std::size_t robot, const OdeGeom& geom, std::size_t other,
-                          const OdeGeom& other_geom) noexcept {
-  const OdeRobot& one = robots[robot];
-  const OdeRobot& two = robots[other];
+void OdeWorld::meet(std::size_t robot, const OdeGeom& geom, std::size_t other,
+                    const OdeGeom& other_geom) noexcept {
+  const OdeRobot& one = robots_[robot];
+  const OdeRobot& two = robots_[other];
   const dBodyID body = one.body(geom.link), other_body = two.body(other_geom.link);
   if (body == nullptr && other_body == nullptr) return;
   if (body == nullptr) {  // the first of a row is to move

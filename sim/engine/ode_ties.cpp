@@ -2,37 +2,37 @@
 // as the tie says.  A row with ERP = h k / (h k + c) and CFM = 1 / (h k + c) is a spring and damper
 // by backward Euler.
 
-#include "sim/engine/ode_impl.h"
+#include "sim/engine/ode_world.h"
 #include "sim/contact/ties.h"
 
 namespace twinbus {
 
-void OdeWorld::Impl::add_ties(const std::vector<Tie>& tied) {
+void OdeWorld::add_ties(const std::vector<Tie>& tied) {
   for (const Tie& tie : tied) {
-    const double gain = h * tie.stiffness + tie.damping;
+    const double gain = h_ * tie.stiffness + tie.damping;
     const bool point = tie.length < 0.0;
     const dJointID joint =
-        point ? dJointCreateBall(world, nullptr) : dJointCreateDBall(world, nullptr);
+        point ? dJointCreateBall(world_, nullptr) : dJointCreateDBall(world_, nullptr);
     dJointAttach(joint, body_of(tie.a), body_of(tie.b));
     if (point) {
-      dJointSetBallParam(joint, dParamERP, h * tie.stiffness / gain);
+      dJointSetBallParam(joint, dParamERP, h_ * tie.stiffness / gain);
       dJointSetBallParam(joint, dParamCFM, 1.0 / gain);
     } else {
-      dJointSetDBallParam(joint, dParamERP, h * tie.stiffness / gain);
+      dJointSetDBallParam(joint, dParamERP, h_ * tie.stiffness / gain);
       dJointSetDBallParam(joint, dParamCFM, 1.0 / gain);
     }
-    ties.push_back({tie, joint});
-    join(ties.size() - 1);
+    ties_.push_back({tie, joint});
+    join(ties_.size() - 1);
     if (!tie.holds) dJointDisable(joint);
   }
-  tie_feedback.resize(ties.size());
-  for (std::size_t i = 0; i < ties.size(); ++i) {
-    dJointSetFeedback(ties[i].joint, &tie_feedback[i]);
+  tie_feedback_.resize(ties_.size());
+  for (std::size_t i = 0; i < ties_.size(); ++i) {
+    dJointSetFeedback(ties_[i].joint, &tie_feedback_[i]);
   }
 }
 
 // By where the bodies are: the kinematics may be of another time.
-Eigen::Vector3d OdeWorld::Impl::place_of(const TieEnd& end) const noexcept {
+Eigen::Vector3d OdeWorld::place_of(const TieEnd& end) const noexcept {
   const dBodyID id = body_of(end);
   if (id == nullptr) {
     return end.link >= 0 ? Eigen::Vector3d(robot_of(end).configuration.base * end.point)
@@ -45,8 +45,8 @@ Eigen::Vector3d OdeWorld::Impl::place_of(const TieEnd& end) const noexcept {
   return vector(point);
 }
 
-void OdeWorld::Impl::join(std::size_t index) noexcept {
-  const TieJoint& own = ties[index];
+void OdeWorld::join(std::size_t index) noexcept {
+  const TieJoint& own = ties_[index];
   const Eigen::Vector3d a = place_of(own.tie.a), b = place_of(own.tie.b);
   if (own.tie.length < 0.0) {
     dJointSetBallAnchor(own.joint, a.x(), a.y(), a.z());
@@ -63,9 +63,9 @@ void OdeWorld::Impl::join(std::size_t index) noexcept {
   }
 }
 
-Status OdeWorld::Impl::hold(int tie, bool holds) noexcept {
-  if (tie < 0 || tie >= static_cast<int>(ties.size())) return Status::kWrongSize;
-  TieJoint& own = ties[static_cast<std::size_t>(tie)];
+Status OdeWorld::hold(int tie, bool holds) noexcept {
+  if (tie < 0 || tie >= static_cast<int>(ties_.size())) return Status::kWrongSize;
+  TieJoint& own = ties_[static_cast<std::size_t>(tie)];
   own.tie.holds = holds;
   if (!holds) {
     dJointDisable(own.joint);
@@ -88,27 +88,25 @@ Status OdeWorld::Impl::hold(int tie, bool holds) noexcept {
   return Status::kOk;
 }
 
-void OdeWorld::Impl::read_tie_forces() noexcept {
-  for (std::size_t i = 0; i < ties.size(); ++i) {
-    const Tie& tie = ties[i].tie;
+void OdeWorld::read_tie_forces() noexcept {
+  for (std::size_t i = 0; i < ties_.size(); ++i) {
+    const Tie& tie = ties_[i].tie;
     if (!tie.holds) continue;
     const Eigen::Vector3d point = place_of(tie.a);
     const auto feel = [&](const TieEnd& end, const dReal* force) {
       if (end.link < 0 || end.robot >= 0 ||
-          contacts.size() >= static_cast<std::size_t>(kMaxContacts))
+          contacts_.size() >= static_cast<std::size_t>(kMaxContacts))
         return;
-      contacts.push_back({.link = end.link,
+      contacts_.push_back({.link = end.link,
                           .sole = -1,
                           .point = point,
                           .force = vector(force),
                           .depth = 0.0,
                           .tie = true});
     };
-    feel(tie.a, tie_feedback[i].f1);
-    feel(tie.b, tie_feedback[i].f2);
+    feel(tie.a, tie_feedback_[i].f1);
+    feel(tie.b, tie_feedback_[i].f2);
   }
 }
-
-Status OdeWorld::hold(int tie, bool holds) noexcept { return impl_->hold(tie, holds); }
 
 }  // namespace twinbus

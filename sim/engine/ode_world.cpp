@@ -12,7 +12,6 @@
 
 #include "robot/dynamics/inverse_dynamics.h"
 #include "sim/contact/ground_contacts.h"
-#include "sim/engine/ode_impl.h"
 #include "sim/contact/ties.h"
 
 namespace twinbus {
@@ -68,48 +67,48 @@ ContactParams fixed(double friction) {
 
 }  // namespace
 
-OdeWorld::Impl::Impl(const Model& m, const WorldConfig& c)
-    : config(c),
-      h(c.step),
-      robots(robots_of(m, config)),
-      commanded(robots.front()),
-      ground(fixed(c.ground_friction)) {
-  const std::vector<Tie> tied = checked_ties(m, config);
+OdeWorld::OdeWorld(const Model& model, const WorldConfig& config)
+    : config_(config),
+      h_(config.step),
+      robots_(robots_of(model, config_)),
+      commanded_(robots_.front()),
+      ground_(fixed(config.ground_friction)) {
+  const std::vector<Tie> tied = checked_ties(model, config_);
   open_engine();
-  world = dWorldCreate();
-  dWorldSetGravity(world, 0.0, 0.0, -kGravity);
-  dWorldSetERP(world, 0.2);
-  dWorldSetCFM(world, 1e-9);
-  const bool rigid = config.contact == ContactModel::kRigid;
-  dWorldSetContactSurfaceLayer(world, rigid ? kRigidLayer : 0.0);
-  dWorldSetContactMaxCorrectingVel(world, rigid ? kRigidReturn : dInfinity);
-  dWorldSetAutoDisableFlag(world, 0);
-  contact_group = dJointGroupCreate(0);
-  pushes.reserve(16);
+  world_ = dWorldCreate();
+  dWorldSetGravity(world_, 0.0, 0.0, -kGravity);
+  dWorldSetERP(world_, 0.2);
+  dWorldSetCFM(world_, 1e-9);
+  const bool rigid = config_.contact == ContactModel::kRigid;
+  dWorldSetContactSurfaceLayer(world_, rigid ? kRigidLayer : 0.0);
+  dWorldSetContactMaxCorrectingVel(world_, rigid ? kRigidReturn : dInfinity);
+  dWorldSetAutoDisableFlag(world_, 0);
+  contact_group_ = dJointGroupCreate(0);
+  pushes_.reserve(16);
   create_robots();
   add_geoms();
   add_loose();
   add_ties(tied);
-  for (const OdeRobot& robot : robots) {
+  for (const OdeRobot& robot : robots_) {
     for (const dBodyID each : robot.bodies) {
-      if (each != nullptr) moving.push_back(each);
+      if (each != nullptr) moving_.push_back(each);
     }
   }
-  for (const Loose& each : loose) moving.push_back(each.body);
-  saved.resize(moving.size());
-  const bool meet = config.self_contact || robots.size() > 1;
-  const std::size_t of_robots = robots.size() * (meet ? 2 : 1) * kMaxContacts;
-  contacts.reserve(kMaxContacts);
-  feedback.resize(of_robots + loose.size() * static_cast<std::size_t>(kMostLooseContacts));
-  rows.reserve(feedback.size());
-  deep.reserve(feedback.size());
+  for (const Loose& each : loose_) moving_.push_back(each.body);
+  saved_.resize(moving_.size());
+  const bool meet = config_.self_contact || robots_.size() > 1;
+  const std::size_t of_robots = robots_.size() * (meet ? 2 : 1) * kMaxContacts;
+  contacts_.reserve(kMaxContacts);
+  feedback_.resize(of_robots + loose_.size() * static_cast<std::size_t>(kMostLooseContacts));
+  rows_.reserve(feedback_.size());
+  deep_.reserve(feedback_.size());
 }
 
-void OdeWorld::Impl::create_robots() {
-  for (OdeRobot& robot : robots) robot.create(world);
-  for (std::size_t i = 0; i < config.robots.size(); ++i) {
-    const OtherRobot& asked = config.robots[i];
-    OdeRobot& robot = robots[i + 1];
+void OdeWorld::create_robots() {
+  for (OdeRobot& robot : robots_) robot.create(world_);
+  for (std::size_t i = 0; i < config_.robots.size(); ++i) {
+    const OtherRobot& asked = config_.robots[i];
+    OdeRobot& robot = robots_[i + 1];
     robot.place(asked.start);
     for (int j = 0; j < robot.model.joint_count(); ++j) {
       const ServoTarget& servo = asked.servos[static_cast<std::size_t>(j)];
@@ -119,41 +118,41 @@ void OdeWorld::Impl::create_robots() {
   }
 }
 
-OdeWorld::Impl::~Impl() {
-  for (const dGeomID geom : obstacle_geoms) dGeomDestroy(geom);
-  for (const dGeomID geom : tile_geoms) dGeomDestroy(geom);
-  for (const Loose& each : loose) dGeomDestroy(each.geom);
-  if (plane != nullptr) dGeomDestroy(plane);
-  robots.clear();  // geoms before the bodies that carry them
-  dJointGroupDestroy(contact_group);
-  dWorldDestroy(world);
+OdeWorld::~OdeWorld() {
+  for (const dGeomID geom : obstacle_geoms_) dGeomDestroy(geom);
+  for (const dGeomID geom : tile_geoms_) dGeomDestroy(geom);
+  for (const Loose& each : loose_) dGeomDestroy(each.geom);
+  if (plane_ != nullptr) dGeomDestroy(plane_);
+  robots_.clear();  // geoms before the bodies that carry them
+  dJointGroupDestroy(contact_group_);
+  dWorldDestroy(world_);
 }
 
-void OdeWorld::Impl::save() noexcept {
-  for (std::size_t i = 0; i < moving.size(); ++i) {
-    dCopyVector3(saved[i].position, dBodyGetPosition(moving[i]));
-    dCopyVector4(saved[i].attitude, dBodyGetQuaternion(moving[i]));
-    dCopyVector3(saved[i].linear, dBodyGetLinearVel(moving[i]));
-    dCopyVector3(saved[i].angular, dBodyGetAngularVel(moving[i]));
+void OdeWorld::save() noexcept {
+  for (std::size_t i = 0; i < moving_.size(); ++i) {
+    dCopyVector3(saved_[i].position, dBodyGetPosition(moving_[i]));
+    dCopyVector4(saved_[i].attitude, dBodyGetQuaternion(moving_[i]));
+    dCopyVector3(saved_[i].linear, dBodyGetLinearVel(moving_[i]));
+    dCopyVector3(saved_[i].angular, dBodyGetAngularVel(moving_[i]));
   }
-  for (OdeRobot& robot : robots) robot.start_of_step = robot.configuration;
+  for (OdeRobot& robot : robots_) robot.start_of_step = robot.configuration;
 }
 
-void OdeWorld::Impl::restore() noexcept {
-  for (std::size_t i = 0; i < moving.size(); ++i) {
-    const SavedBody& s = saved[i];
-    dBodySetPosition(moving[i], s.position[0], s.position[1], s.position[2]);
-    dBodySetQuaternion(moving[i], s.attitude);
-    dBodySetLinearVel(moving[i], s.linear[0], s.linear[1], s.linear[2]);
-    dBodySetAngularVel(moving[i], s.angular[0], s.angular[1], s.angular[2]);
-    dBodySetForce(moving[i], 0.0, 0.0, 0.0);
-    dBodySetTorque(moving[i], 0.0, 0.0, 0.0);
+void OdeWorld::restore() noexcept {
+  for (std::size_t i = 0; i < moving_.size(); ++i) {
+    const SavedBody& s = saved_[i];
+    dBodySetPosition(moving_[i], s.position[0], s.position[1], s.position[2]);
+    dBodySetQuaternion(moving_[i], s.attitude);
+    dBodySetLinearVel(moving_[i], s.linear[0], s.linear[1], s.linear[2]);
+    dBodySetAngularVel(moving_[i], s.angular[0], s.angular[1], s.angular[2]);
+    dBodySetForce(moving_[i], 0.0, 0.0, 0.0);
+    dBodySetTorque(moving_[i], 0.0, 0.0, 0.0);
   }
-  for (OdeRobot& robot : robots) robot.configuration = robot.start_of_step;
+  for (OdeRobot& robot : robots_) robot.configuration = robot.start_of_step;
 }
 
-bool OdeWorld::Impl::state_is_sane() const noexcept {
-  for (const dBodyID body : moving) {
+bool OdeWorld::state_is_sane() const noexcept {
+  for (const dBodyID body : moving_) {
     if (!sane(vector(dBodyGetPosition(body)), kMaxDistance) ||
         !sane(vector(dBodyGetLinearVel(body)), kMaxSpeed) ||
         !sane(vector(dBodyGetAngularVel(body)), kMaxSpeed)) {
@@ -162,154 +161,116 @@ bool OdeWorld::Impl::state_is_sane() const noexcept {
     const dReal* q = dBodyGetQuaternion(body);
     if (!(std::abs(q[0]) + std::abs(q[1]) + std::abs(q[2]) + std::abs(q[3]) < 3.0)) return false;
   }
-  return std::all_of(robots.begin(), robots.end(), [](const OdeRobot& robot) {
+  return std::all_of(robots_.begin(), robots_.end(), [](const OdeRobot& robot) {
     return robot.configuration.q.allFinite() && robot.configuration.qd.allFinite();
   });
 }
 
-void OdeWorld::Impl::prepare_step() noexcept {
-  for (OdeRobot& robot : robots) robot.prepare_rows();
+void OdeWorld::prepare_step() noexcept {
+  for (OdeRobot& robot : robots_) robot.prepare_rows();
   create_contact_joints();
-  for (const Push& push : pushes) {
-    if (commanded.body(push.link) == nullptr) continue;
-    dBodyAddForceAtPos(commanded.body(push.link), push.force.x(), push.force.y(), push.force.z(),
+  for (const Push& push : pushes_) {
+    if (commanded_.body(push.link) == nullptr) continue;
+    dBodyAddForceAtPos(commanded_.body(push.link), push.force.x(), push.force.y(), push.force.z(),
                        push.point.x(), push.point.y(), push.point.z());
   }
 }
 
-bool OdeWorld::Impl::read_step() noexcept {
-  dJointGroupEmpty(contact_group);
-  for (OdeRobot& robot : robots) robot.read_state();
+bool OdeWorld::read_step() noexcept {
+  dJointGroupEmpty(contact_group_);
+  for (OdeRobot& robot : robots_) robot.read_state();
   return state_is_sane();
 }
 
-OdeWorld::OdeWorld(const Model& model, const WorldConfig& config)
-    : impl_(std::make_unique<Impl>(model, config)) {}
-OdeWorld::~OdeWorld() = default;
-
 Status OdeWorld::set(const Configuration& to, const Eigen::VectorXd* tau) noexcept {
-  Impl& w = *impl_;
-  const Status status = check_configuration(w.commanded.joints.size(), to);
+  const Status status = check_configuration(commanded_.joints.size(), to);
   if (status != Status::kOk) return status;
-  w.commanded.place(to);
-  w.estimate_contact_forces();
+  commanded_.place(to);
+  estimate_contact_forces();
   const bool known = tau != nullptr && tau->size() == to.q.size();
-  for (int j = 0; j < w.commanded.model.joint_count(); ++j)
-    w.commanded.set_tau(j, known ? (*tau)[j] : 0.0);
-  w.pushes.clear();
-  w.frozen = false;
-  w.placed = true;
+  for (int j = 0; j < commanded_.model.joint_count(); ++j)
+    commanded_.set_tau(j, known ? (*tau)[j] : 0.0);
+  pushes_.clear();
+  frozen_ = false;
+  placed_ = true;
   return Status::kOk;
 }
 
 Status OdeWorld::set_servo(int joint, const ServoTarget& t) noexcept {
-  Impl& w = *impl_;
-  if (joint < 0 || joint >= w.commanded.model.joint_count()) return Status::kWrongSize;
+  if (joint < 0 || joint >= commanded_.model.joint_count()) return Status::kWrongSize;
   const Status status = check_target(t);
-  if (status == Status::kOk) w.commanded.set_servo(joint, t);
+  if (status == Status::kOk) commanded_.set_servo(joint, t);
   return status;
 }
 
 Status OdeWorld::push(int link, const Eigen::Vector3d& point,
                       const Eigen::Vector3d& force) noexcept {
-  Impl& w = *impl_;
-  if (link < 0 || link >= w.commanded.model.link_count()) return Status::kWrongSize;
+  if (link < 0 || link >= commanded_.model.link_count()) return Status::kWrongSize;
   if (!point.allFinite() || !force.allFinite()) return Status::kNotFinite;
   if (!sane(point, kMaxDistance) || !sane(force, kMaxPush) ||
-      w.pushes.size() == w.pushes.capacity()) {
+      pushes_.size() == pushes_.capacity()) {
     return Status::kOutOfRange;
   }
-  w.pushes.push_back({link, point, force});
+  pushes_.push_back({link, point, force});
   return Status::kOk;
 }
 
 void OdeWorld::set_corner_offset(int sole, int corner, double offset) noexcept {
   if (!std::isfinite(offset)) return;
-  impl_->commanded.offset[static_cast<std::size_t>(sole)][static_cast<std::size_t>(corner)] =
-      offset;
-}
-
-double OdeWorld::corner_offset(int sole, int corner) const noexcept {
-  return impl_->commanded.offset[static_cast<std::size_t>(sole)][static_cast<std::size_t>(corner)];
+  commanded_.offset[static_cast<std::size_t>(sole)][static_cast<std::size_t>(corner)] = offset;
 }
 
 Status OdeWorld::step() noexcept {
-  Impl& w = *impl_;
-  trust_ = w.trust = {};
-  if (w.frozen) return Status::kDiverged;
+  trust_ = {};
+  if (frozen_) return Status::kDiverged;
   const long messages = engine_messages();
   try {
-    w.save();
-    w.find_contacts();
-    w.doubt_rows();
-    w.placed = false;
+    save();
+    find_contacts();
+    doubt_rows();
+    placed_ = false;
     // Every pass solves the exact problem of the rows that have limits; a pass that finds another
     // joint beyond its limit gives it a limited row and is taken back.  Joints only gain limits
     // within a step, so this ends.
     for (;;) {
-      w.prepare_step();
-      if (dWorldStep(w.world, w.h) == 0 || !w.read_step()) throw EngineFailure{};
+      prepare_step();
+      if (dWorldStep(world_, h_) == 0 || !read_step()) throw EngineFailure{};
       bool beyond = false;
-      for (OdeRobot& robot : w.robots) beyond = robot.read_torques() || beyond;
+      for (OdeRobot& robot : robots_) beyond = robot.read_torques() || beyond;
       if (!beyond) break;
-      w.restore();
+      restore();
     }
-    w.read_contact_forces();
-    for (OdeRobot& robot : w.robots) {
+    read_contact_forces();
+    for (OdeRobot& robot : robots_) {
       robot.update_play();
       robot.kinematics.update(robot.configuration);
     }
-    w.pushes.clear();
-    w.trust.doubt[static_cast<std::size_t>(Doubt::kUnconverged)] = engine_messages() > messages;
-    trust_ = w.trust;
+    pushes_.clear();
+    trust_.doubt[static_cast<std::size_t>(Doubt::kUnconverged)] = engine_messages() > messages;
     return Status::kOk;
   } catch (const EngineFailure&) {
-    dJointGroupEmpty(w.contact_group);
-    w.restore();
-    w.frozen = true;
+    dJointGroupEmpty(contact_group_);
+    restore();
+    trust_ = {};
+    frozen_ = true;
     return Status::kDiverged;
   }
 }
 
-void OdeWorld::estimate_contact_forces() noexcept { impl_->estimate_contact_forces(); }
-
-const Configuration& OdeWorld::configuration() const noexcept {
-  return impl_->commanded.configuration;
-}
-
-double OdeWorld::encoder(int joint) const noexcept {
-  const OdeRobot& robot = impl_->commanded;
-  return robot.configuration.q[joint] + robot.joints[static_cast<std::size_t>(joint)].play;
-}
-
-double OdeWorld::tau(int joint) const noexcept {
-  return impl_->commanded.joints[static_cast<std::size_t>(joint)].tau;
-}
-
-Eigen::Isometry3d OdeWorld::link_in_world(int link) const noexcept {
-  return impl_->commanded.link_in_world(link);
-}
-
-Eigen::Isometry3d OdeWorld::robot_link(int robot, int link) const noexcept {
-  return impl_->robots[static_cast<std::size_t>(robot + 1)].link_in_world(link);
-}
-
 Eigen::Vector3d OdeWorld::point_velocity(int link, const Eigen::Vector3d& point) const noexcept {
-  const dBodyID body = impl_->commanded.body(link);
+  const dBodyID body = commanded_.body(link);
   if (body == nullptr) return Eigen::Vector3d::Zero();
   const Eigen::Vector3d arm = point - vector(dBodyGetPosition(body));
   return vector(dBodyGetLinearVel(body)) + vector(dBodyGetAngularVel(body)).cross(arm);
 }
 
 Eigen::Vector3d OdeWorld::angular_velocity(int link) const noexcept {
-  const dBodyID body = impl_->commanded.body(link);
+  const dBodyID body = commanded_.body(link);
   return body == nullptr ? Eigen::Vector3d::Zero() : vector(dBodyGetAngularVel(body));
 }
 
-double OdeWorld::mass() const noexcept { return impl_->commanded.total_mass; }
-
 Eigen::Vector3d OdeWorld::com() const noexcept {
-  const OdeRobot& robot = impl_->commanded;
+  const OdeRobot& robot = commanded_;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (std::size_t i = 0; i < robot.bodies.size(); ++i) {
     const Eigen::Vector3d at =
@@ -322,7 +283,7 @@ Eigen::Vector3d OdeWorld::com() const noexcept {
 }
 
 Eigen::Vector3d OdeWorld::com_velocity() const noexcept {
-  const OdeRobot& robot = impl_->commanded;
+  const OdeRobot& robot = commanded_;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (std::size_t i = 0; i < robot.bodies.size(); ++i) {
     if (robot.bodies[i] == nullptr) continue;
@@ -331,22 +292,16 @@ Eigen::Vector3d OdeWorld::com_velocity() const noexcept {
   return sum / robot.total_mass;
 }
 
-const std::vector<ContactPoint>& OdeWorld::contacts() const noexcept { return impl_->contacts; }
-
 double OdeWorld::corner_stiffness(int sole) const noexcept {
-  const Impl& w = *impl_;
-  return w.config.contact == ContactModel::kRigid ? kRigidStiffness
-                                                  : w.commanded.surface(sole).stiffness;
+  return config_.contact == ContactModel::kRigid ? kRigidStiffness
+                                                  : commanded_.surface(sole).stiffness;
 }
 
 double OdeWorld::corner_damping(int sole, double force) const noexcept {
-  const Impl& w = *impl_;
-  if (w.config.contact == ContactModel::kRigid) return 0.0;
-  const ContactParams params = as_asked(w.config, w.commanded.surface(sole));
+  if (config_.contact == ContactModel::kRigid) return 0.0;
+  const ContactParams params = as_asked(config_, commanded_.surface(sole));
   return damping_at(params, force / params.stiffness);
 }
-
-double OdeWorld::elastic_energy() const noexcept { return impl_->elastic_energy(); }
 
 long OdeWorld::engine_messages() noexcept {
   return engine_message_count.load(std::memory_order_relaxed);
