@@ -12,13 +12,10 @@
 #include <string>
 
 #include "common/process/options.h"
-#include "common/process/priority.h"
 #include "control/guard/guard_watch.h"
 #include "control/robot_process_main.h"
 #include "lcmtypes/msg/guard_defaults.h"
 #include "lcmtypes/msg/journal.h"
-#include "robot/collision/loop_joints.h"
-#include "robot/description/load.h"
 
 namespace twinbus {
 namespace {
@@ -58,6 +55,12 @@ class GuardProcess : RobotProcess {
     bus.listen_each<&GuardProcess::hear_command>(channel::kCommand, *this);
     bus.listen_each<&GuardProcess::hear_obstacles>(channel::kObstacles, *this);
     bus.listen_each<&GuardProcess::hear_source>(channel::kSourceStatus, *this);
+  }
+
+  std::string about() const {
+    char text[40];
+    std::snprintf(text, sizeof text, "margin %.0f mm", 1e3 * watch_.margin());
+    return text;
   }
 
   void run() {
@@ -175,18 +178,7 @@ class GuardProcess : RobotProcess {
   std::int64_t missed_ = 0;
 };
 
-int run(int argc, char** argv) {
-  const Arguments a = parse(argc, argv);
-  catch_quit_signals();
-  const Model model = load_robot(a.common.robot);
-  const RealTime real_time = enter_real_time(kPriority, "guard");
-  GuardProcess guard(a, model, real_time);
-  print_loops(model, "guard");
-  std::printf("guard ready: %s, margin %.0f mm, %s\n", model.name.c_str(), a.margin_mm,
-              to_text(real_time));
-  guard.run();
-  return 0;
-}
+int run(int argc, char** argv) { return run_ready<GuardProcess>("guard", parse(argc, argv), kPriority); }
 
 }  // namespace
 }  // namespace twinbus

@@ -12,13 +12,10 @@
 #include <type_traits>
 
 #include "common/process/options.h"
-#include "common/process/priority.h"
 #include "control/loop/control_loop.h"
 #include "control/robot_process_main.h"
 #include "lcmtypes/msg/journal.h"
 #include "lcmtypes/node/missed_ticks.h"
-#include "robot/collision/loop_joints.h"
-#include "robot/description/load.h"
 
 namespace twinbus {
 namespace {
@@ -59,6 +56,8 @@ class Controller : RobotProcess {
     missed_.watch(model.period_ns);
     listen();
   }
+
+  std::string about() const { return std::to_string(model_.bus_count()) + " joints"; }
 
   void run() {
     while (!quit_requested()) {
@@ -236,18 +235,7 @@ class Controller : RobotProcess {
   const char* last_sentence_ = nullptr;
 };
 
-int run(int argc, char** argv) {
-  const Arguments a = parse(argc, argv);
-  catch_quit_signals();
-  const Model model = load_robot(a.common.robot);
-  const RealTime real_time = enter_real_time(kPriority, "controller");
-  Controller controller(a, model, real_time);
-  print_loops(model, "controller");
-  std::printf("controller ready: %s, %d joints, %s\n", model.name.c_str(), model.bus_count(),
-              to_text(real_time));
-  controller.run();
-  return 0;
-}
+int run(int argc, char** argv) { return run_ready<Controller>("controller", parse(argc, argv), kPriority); }
 
 }  // namespace
 }  // namespace twinbus

@@ -3,11 +3,14 @@
 #pragma once
 
 #include <cstdint>
+#include <cstdio>
 
+#include "common/process/priority.h"
 #include "lcmtypes/bus/node.h"
 #include "lcmtypes/msg/state_admission.h"
+#include "robot/collision/loop_joints.h"
 #include "robot/collision/obstacle_collector.h"
-#include "robot/description/model.h"
+#include "robot/description/load.h"
 #include "test/no_alloc.h"
 
 namespace twinbus {
@@ -47,5 +50,18 @@ class RobotProcess {
   std::int64_t heard_ns_ = 0;                   // the state
   std::int64_t rejected_ = 0, allocations_ = 0;
 };
+
+// The process called so, from its options to its end; about(): what it says of itself once it is ready.
+template <class Process, class Arguments>
+int run_ready(const char* name, const Arguments& arguments, int priority) {
+  catch_quit_signals();
+  const Model model = load_robot(arguments.common.robot);
+  const RealTime real_time = enter_real_time(priority, name);
+  Process process(arguments, model, real_time);
+  print_loops(model, name);
+  std::printf("%s ready: %s, %s, %s\n", name, model.name.c_str(), process.about().c_str(), to_text(real_time));
+  process.run();
+  return 0;
+}
 
 }  // namespace twinbus

@@ -14,10 +14,16 @@ namespace {
 
 TWINBUS_BOTH_ENGINES(SensorsTest);
 
-TEST_P(SensorsTest, AtRestTheAccelerometerFeelsGravityUpwards) {
+// At a pendulum that hangs still.
+class HungSensorsTest : public test::BothEngines {
+ protected:
   const Model model = test::pendulum();
-  const auto world_owner = make_hung(model);
-  World& world = *world_owner;
+  const std::unique_ptr<World> hung = make_hung(model);
+  World& world = *hung;
+};
+TWINBUS_FOR_BOTH_ENGINES(HungSensorsTest);
+
+TEST_P(HungSensorsTest, AtRestTheAccelerometerFeelsGravityUpwards) {
   Sensors sensors(model, {});
   RobotState state;
   for (int i = 0; i < 3; ++i) {
@@ -83,10 +89,7 @@ TEST_P(SensorsTest, FootWrenchIsThatOfTheContactsInTheSensorFrame) {
   EXPECT_NE(state.sensor_flags & wrench_valid(kLeftFoot), 0);
 }
 
-TEST_P(SensorsTest, NoiseBiasAndCountsAreAsAsked) {
-  const Model model = test::pendulum();
-  const auto world_owner = make_hung(model);
-  World& world = *world_owner;
+TEST_P(HungSensorsTest, NoiseBiasAndCountsAreAsAsked) {
   SensorOptions options;
   options.encoder.noise = 1e-3;
   options.gyro.noise = 0.02;
@@ -183,10 +186,7 @@ TEST_P(SensorsTest, AnInclinationSensorReadsNoFurtherThanItsRange) {
   EXPECT_NEAR(std::atan2(read(1, 0), read(0, 0)), 1.0, 1e-6) << "the heading is left alone";
 }
 
-TEST_P(SensorsTest, SameSeedSameNoise) {
-  const Model model = test::pendulum();
-  const auto world_owner = make_hung(model);
-  World& world = *world_owner;
+TEST_P(HungSensorsTest, SameSeedSameNoise) {
   SensorOptions options;
   options.encoder.noise = 1e-3;
   Sensors one(model, options), two(model, options);
@@ -202,10 +202,7 @@ TEST_P(SensorsTest, SameSeedSameNoise) {
   }
 }
 
-TEST_P(SensorsTest, DelayHandsOutThePast) {
-  const Model model = test::pendulum();
-  const auto world_owner = make_hung(model);
-  World& world = *world_owner;
+TEST_P(HungSensorsTest, DelayHandsOutThePast) {
   SensorOptions options;
   options.delay_ticks = 3;
   Sensors sensors(model, options);
