@@ -58,21 +58,12 @@ nlohmann::ordered_json as_json(const Lookout& seen, std::int64_t now_ns) {
   all["processes"] = nlohmann::ordered_json::array();
   for (const SeenProcess* process : seen.processes(now_ns)) {
     const Heartbeat& b = process->beat;
-    all["processes"].push_back({{"process", process_name(b.kind)},
-                                {"pid", b.pid},
-                                {"id", b.process_id},
-                                {"rate", b.rate},
-                                {"tick_median_us", b.tick_median_us},
-                                {"tick_p99_us", b.tick_p99_us},
-                                {"tick_max_us", b.tick_max_us},
-                                {"wake_p99_us", b.wake_p99_us},
-                                {"ticks_missed", b.ticks_missed},
-                                {"ticks_stalled", b.ticks_stalled},
-                                {"age_us", b.age_us},
-                                {"age_p99_us", b.age_p99_us},
-                                {"allocations", b.allocations},
-                                {"realtime", realtime_name(b.realtime)},
-                                {"hears", channels_json(b)}});
+    all["processes"].push_back(
+        {{"process", process_name(b.kind)}, {"pid", b.pid}, {"id", b.process_id}, {"rate", b.rate},
+         {"tick_median_us", b.tick_median_us}, {"tick_p99_us", b.tick_p99_us}, {"tick_max_us", b.tick_max_us},
+         {"wake_p99_us", b.wake_p99_us}, {"ticks_missed", b.ticks_missed}, {"ticks_stalled", b.ticks_stalled},
+         {"age_us", b.age_us}, {"age_p99_us", b.age_p99_us}, {"allocations", b.allocations},
+         {"realtime", realtime_name(b.realtime)}, {"hears", channels_json(b)}});
   }
   all["mode"] =
       seen.controller_statuses().received() > 0 ? label(seen.controller().mode) : "none";

@@ -9,6 +9,7 @@ import subprocess
 import tempfile
 import time
 
+from process_tools import until
 from web_socket import WebSocket
 
 
@@ -66,12 +67,7 @@ class Browser:
 
     def wait_for(self, script, seconds=40.0):
         """Until the script gives something true: as long as a busy machine may need for what an idle one does at once."""
-        end = time.monotonic() + seconds
-        while time.monotonic() < end:
-            if self.value(script):
-                return True
-            time.sleep(0.2)
-        return False
+        return until(lambda: self.value(script), seconds)
 
     def settle(self, seconds=0.0):
         """That long, and until what was said before is in the picture, however slowly the machine draws."""

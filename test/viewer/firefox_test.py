@@ -14,7 +14,7 @@ import sys
 import tempfile
 import time
 
-from process_tools import Checks, Process, binary
+from process_tools import Checks, Process, binary, until
 from web_socket import WebSocket
 
 firefox = shutil.which("firefox-esr") or shutil.which("firefox")
@@ -62,12 +62,7 @@ class Firefox:
         return json.loads(text) if text else None
 
     def wait_for(self, script, seconds):
-        end = time.monotonic() + seconds
-        while time.monotonic() < end:
-            if self.value(script):
-                return True
-            time.sleep(0.3)
-        return False
+        return until(lambda: self.value(script), seconds)
 
     def key(self, key):
         self.call("input.performActions", context=self.context, actions=[

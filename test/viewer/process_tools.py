@@ -53,6 +53,16 @@ class Process:
             return None
 
 
+def until(holds, seconds, pause=0.2):
+    """Whether holds() gives something true within that time."""
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        if holds():
+            return True
+        time.sleep(pause)
+    return False
+
+
 class Checks:
     def __init__(self):
         self.passed = self.failed = 0
