@@ -48,6 +48,7 @@ class GuardProcess : RobotProcess {
  public:
   GuardProcess(const Arguments& a, const Model& model, RealTime real_time)
       : RobotProcess(a.common, ProcessKind::kGuard, model, real_time),
+        margin_mm_(a.margin_mm),
         watch_(model, {.guard_id = node_.id(), .margin = 1e-3 * a.margin_mm}),
         journal_(ProcessKind::kGuard, node_.id(), {1e-3 * a.margin_mm}, SendPage{&node_}) {
     Bus& bus = node_.bus();
@@ -59,7 +60,7 @@ class GuardProcess : RobotProcess {
 
   std::string about() const {
     char text[40];
-    std::snprintf(text, sizeof text, "margin %.0f mm", 1e3 * watch_.margin());
+    std::snprintf(text, sizeof text, "margin %.0f mm", margin_mm_);
     return text;
   }
 
@@ -169,6 +170,7 @@ class GuardProcess : RobotProcess {
     node_.send_heartbeat(now);
   }
 
+  double margin_mm_;
   GuardWatch watch_;
   std::int64_t controller_ = 0;  // that the source obeys; 0 not known
   JournalWriter<SendPage> journal_;
