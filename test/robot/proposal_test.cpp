@@ -353,6 +353,7 @@ TEST(RestPairs, PairsThatAreNearByDesignHaveMarginsOfTheirOwn) {
   };
   for (Link& link : model.links) link.collision.clear();
   const Eigen::Vector3d above = k.link_in_world(foot).translation() + Eigen::Vector3d(0.1, 0.0, 0.3);
+  knob(model.links[at(foot)].parent, k.link_in_world(foot).translation());  // or shank and foot were neighbours
   knob(foot, above);
   knob(shank, above + Eigen::Vector3d(0.0, 0.0, 0.03));
   knob(hand, above + Eigen::Vector3d(0.0, 0.03, 0.0));
