@@ -55,6 +55,7 @@ class GuardProcess : RobotProcess {
     bus.listen_each<&GuardProcess::hear_state>(channel::kState, *this);
     bus.listen_each<&GuardProcess::hear_command>(channel::kCommand, *this);
     bus.listen_each<&GuardProcess::hear_obstacles>(channel::kObstacles, *this);
+    bus.listen_each<&GuardProcess::hear_held>(channel::kHeld, *this);
     bus.listen_each<&GuardProcess::hear_source>(channel::kSourceStatus, *this);
   }
 
@@ -96,6 +97,11 @@ class GuardProcess : RobotProcess {
   void hear_obstacles(const ObstaclesPiece& piece, Bytes bytes) noexcept {
     journal_.consumed(JournalInput::kObstacles, bytes, monotonic_ns());
     new_obstacles_ = obstacles_.add(piece) || new_obstacles_;
+  }
+
+  void hear_held(const ObstaclesPiece& piece, Bytes bytes) noexcept {
+    journal_.consumed(JournalInput::kHeld, bytes, monotonic_ns());
+    new_obstacles_ = obstacles_.hold(piece) || new_obstacles_;
   }
 
   // Whom the source obeys.

@@ -100,6 +100,7 @@ class Controller : RobotProcess {
     pass_on<&ControlLoop::on_stop>(channel::kStop);
     pass_on<&ControlLoop::on_guard>(channel::kGuard);
     node_.bus().listen_each<&Controller::hear_obstacles>(channel::kObstacles, *this);
+    node_.bus().listen_each<&Controller::hear_held>(channel::kHeld, *this);
   }
 
   // What comes on the channel goes into the journal, then into the loop.
@@ -117,6 +118,11 @@ class Controller : RobotProcess {
   void hear_obstacles(const ObstaclesPiece& piece, Bytes bytes) {
     journal_.consumed(JournalInput::kObstacles, bytes, monotonic_ns());
     new_obstacles_ = obstacles_.add(piece) || new_obstacles_;
+  }
+
+  void hear_held(const ObstaclesPiece& piece, Bytes bytes) {
+    journal_.consumed(JournalInput::kHeld, bytes, monotonic_ns());
+    new_obstacles_ = obstacles_.hold(piece) || new_obstacles_;
   }
 
   void hear_state(const RobotState& state, Bytes bytes) {

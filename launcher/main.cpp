@@ -37,6 +37,8 @@ constexpr Command kCommands[] = {
     {"walk", "walk at a velocity, or footsteps of a file", &walk_command},
     {"motion", "check a recorded motion before it plays, and play it", &motion_file_command},
     {"reach", "bring a hand to a point around obstacles", &reach_command},
+    {"attach", "tell planner and guard what a hand holds", &attach_command},
+    {"release", "tell them that a hand is empty", &release_command},
     {"gamepad", "drive with a gamepad or the keyboard", &gamepad_command},
     {"policy", "run a learned policy (ONNX) as the controller, check it, map it", &policy_command},
     {"face", "answer as a Unitree robot on DDS, for programs written for it", &face_command},

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdio>
 
+#include "planner/lift.h"
 #include "planner/search/arm_lines.h"
 #include "planner/search/edge_check.h"
 #include "planner/timing/motion_effort.h"
@@ -13,6 +14,7 @@
 #include "common/math/index.h"
 #include "robot/kinematics/inverse_kinematics.h"
 #include "robot/collision/loop_joints.h"
+#include "robot/description/hand_of.h"
 
 namespace twinbus {
 
@@ -47,8 +49,9 @@ bool is_arm_joint(const Model& model, int joint) {
   return false;
 }
 
-// What is not a shape stays none.
+// What is not a shape stays none, and what is held as it is.
 void pad(Obstacle& obstacle, double by) {
+  if (obstacle.hand >= 0) return;
   if (!(obstacle.size.head(obstacle.shape == ObstacleShape::kBox ? 3 : 1).minCoeff() > 0.0)) return;
   if (obstacle.shape == ObstacleShape::kBox) obstacle.size.array() += 2.0 * by;
   if (obstacle.shape == ObstacleShape::kSphere) obstacle.size.x() += by;
@@ -81,6 +84,7 @@ ArmPlanner::ArmPlanner(const Model& model, const ArmPlannerConfig& config)
       config_(config),
       collision_(model),
       balls_(balls_along_links(model)),
+      link_balls_(balls_.size()),
       looped_(joints_in_loops(model)) {}
 
 // Fills the question; false, with the reason in plan, if it makes no sense for this robot.
@@ -109,10 +113,8 @@ bool ArmPlanner::understand(const ArmGoal& goal, const Configuration& start,
   } else if (goal.kind == ArmGoalKind::kPosition || goal.kind == ArmGoalKind::kPose) {
     if (goal.side != ArmSide::kLeft && goal.side != ArmSide::kRight)
       return refuse("side must be left or right");
-    const std::size_t side = goal.side == ArmSide::kLeft ? 0 : 1;
-    question.hand = &model_->hands[side];
-    if (question.hand->link < 0) question.hand = &model_->hands[1 - side];  // the only one is either
-    if (question.hand->link < 0 || question.hand->joints.empty())
+    question.hand = hand_of(*model_, goal.side == ArmSide::kLeft ? 0 : 1);
+    if (question.hand == nullptr || question.hand->joints.empty())
       return refuse("the robot has no such hand");
     if (question.hand->joints.size() > at(kArmJoints))
       return refuse("the arm has more than 12 joints");
@@ -145,6 +147,11 @@ bool ArmPlanner::understand(const ArmGoal& goal, const Configuration& start,
     return false;
   }
 
+  const auto parts = std::count_if(balls_.begin(), balls_.end(), [](const BallGroup& group) { return !group.balls.empty(); });
+  if (parts > kBlockGroups) return refuse("the robot and what it holds have more parts than planning takes");
+  for (const Hand& hand : model_->hands) {  // that joint goals move
+    if (question.hand == nullptr && hand.link >= 0 && hand.joints == plan.joints) question.hand = &hand;
+  }
   question.start = pick(start.q, plan.joints);
   question.lower = question.upper = question.start;
   for (int k = 0; k < question.start.size(); ++k) {
@@ -279,12 +286,12 @@ bool ArmPlanner::find_goals(EdgeCheck& space, Question& question, SplitMix64& ra
 }
 
 TimedPath ArmPlanner::timed(EdgeCheck& space, const JointPath& corners,
-                            const TimingLimits& limits) const {
+                            const TimingLimits& limits, int most_knots) const {
   const double clearance = space.clearance();
   // What is interpolated between knots may stray a little from the rounded path.
   for (const double widest : {kWidestCorner, 0.1, 0.0}) {
     const std::vector<RoundedPath> parts = RoundedPath::parts(space, corners, widest);
-    TimedPath path = time_path(parts, limits, config_.knot_spacing, kMostKnots);
+    TimedPath path = time_path(parts, limits, config_.knot_spacing, most_knots);
     space.set_clearance(kProved * clearance);
     bool free = true;
     for (std::size_t i = 0; free && i + 1 < path.size(); ++i)
@@ -309,6 +316,8 @@ void ArmPlanner::within_efforts(const Configuration& start, ArmPlan& plan) const
 
 void ArmPlanner::set_obstacles(const std::vector<Obstacle>& obstacles) {
   obstacles_ = obstacles;
+  balls_.resize(link_balls_);
+  for (BallGroup& held : balls_along_held(*model_, obstacles)) balls_.push_back(std::move(held));
   collision_.set_obstacles(obstacles_);
 }
 
@@ -343,7 +352,13 @@ ArmPlan ArmPlanner::attempt(const ArmGoal& goal, const Configuration& start,
   SplitMix64 random(seed);
   EdgeCheck space(*model_, collision_, start, plan.joints, config_.clearance);
 
-  const double room_at_start = space.nearest(question.start, config_.clearance);
+  double room_at_start = space.nearest(question.start, config_.clearance);
+  Lift lift(*model_, collision_, space);
+  JointPath off;  // what the hand holds is taken off what it stands on
+  if (question.hand != nullptr && !(room_at_start > kTouching) && lift.find(*question.hand, question.start, off)) {
+    room_at_start = space.nearest(off.back(), config_.clearance);
+    question.start = off.back();
+  }
   if (!(room_at_start > kTouching)) {
     space.who_is_near(question.start, kTouching, plan.pair);
     plan.status = ArmPathStatus::kStartInCollision;
@@ -388,13 +403,22 @@ ArmPlan ArmPlanner::attempt(const ArmGoal& goal, const Configuration& start,
     timing.acceleration[k] = timing.velocity[k] / config_.full_speed_time;
     timing.jerk[k] = timing.acceleration[k] / config_.full_push_time;
   }
-  plan.path = timed(space, corners, timing);
+  TimedPath first;
+  if (!off.empty()) first = lift.timed(off, timing, config_.knot_spacing);
+  plan.path = timed(space, corners, timing, kMostKnots - static_cast<int>(first.size()));
   plan.checks = space.checks();
   plan.clearance = kProved * space.clearance();
   // A goal that is where the arm is already: a motion all the same, of one instant.
   if (plan.path.empty() && length_of(found, joints) < 1e-6F) {
     const JointPoint rest = JointPoint::Zero(question.start.size());
     plan.path = {{0.0, question.start, rest}, {0.1, corners.back(), rest}};
+  }
+  if (!off.empty()) {
+    plan.clearance = 0.0;
+    if (first.empty()) plan.path.clear();
+    const double begins = first.empty() ? 0.0 : first.back().time;
+    for (Knot& knot : plan.path) knot.time += begins;
+    if (!plan.path.empty()) plan.path.insert(plan.path.begin(), first.begin(), first.end() - 1);
   }
   plan.status = plan.path.empty() ? ArmPathStatus::kTimeLimit : ArmPathStatus::kOk;
   if (!plan.path.empty()) within_efforts(start, plan);
@@ -417,6 +441,11 @@ std::string describe(const Model& model, const ArmPlan& plan) {
   char text[192] = "";
   switch (plan.status) {
     case ArmPathStatus::kOk:
+      if (!(plan.clearance > 0.0)) {
+        std::snprintf(text, sizeof text, "arm path of %.2f s, %zu knots, that begins by taking what is held off what it stands on",
+                      plan.duration(), plan.path.size());
+        return text;
+      }
       std::snprintf(
           text, sizeof text,
           "arm path of %.2f s, %zu knots, %.0f mm clear of itself, %.0f mm of obstacles%s",

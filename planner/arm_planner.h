@@ -41,7 +41,9 @@ struct ArmPlan {
   bool oriented = false;    // kUnreachable: the goal has an orientation, too
   std::vector<int> joints;  // model indices of the columns
   TimedPath path;           // kOk
-  double clearance = 0.0;   // proved: every posture of the path, between knots too, keeps it [m]
+  // Proved: every posture of the path, between knots too, keeps it [m]; 0 where the path begins by taking something off what it
+  // stands on.
+  double clearance = 0.0;
   double padding = 0.0;     // that it keeps to obstacles besides [m]
   int rounds = 0;           // of the search; 0: the straight way was free
   std::int64_t checks = 0;  // postures whose exact distances were asked for
@@ -53,7 +55,7 @@ class ArmPlanner {
   // The model must outlive the planner.  Throws std::runtime_error if a mesh cannot be read.
   explicit ArmPlanner(const Model& model, const ArmPlannerConfig& config = {});
 
-  // In the world of `start`'s base.
+  // In the world of `start`'s base, or held by a hand: what is held is planned with as a part of it.
   void set_obstacles(const std::vector<Obstacle>& obstacles);
   // Does the body give way to the arm, so that the centre of mass stays where it is?  Goals then
   // mean the hand when the body has done so.
@@ -80,15 +82,16 @@ class ArmPlanner {
   Eigen::Isometry3d leaned(const Question& question, const Eigen::VectorXd& q) const;
   bool find_goals(class EdgeCheck& space, Question& question, class SplitMix64& random,
                   ArmPlan& plan) const;
-  TimedPath timed(class EdgeCheck& space, const JointPath& corners,
-                  const TimingLimits& limits) const;
+  TimedPath timed(class EdgeCheck& space, const JointPath& corners, const TimingLimits& limits,
+                  int most_knots) const;
   void within_efforts(const Configuration& start, ArmPlan& plan) const;
 
   const Model* model_;
   ArmPlannerConfig config_;
   bool balancing_ = false;
   Collision collision_;
-  std::vector<BallGroup> balls_;     // of all links
+  std::vector<BallGroup> balls_;     // of all links, then of what is held
+  std::size_t link_balls_;           // of them those of links
   std::vector<int> looped_;          // joints that closed loops tie, refused
   std::vector<Obstacle> obstacles_;  // as they are
   std::vector<Obstacle> padded_;     // as a plan takes them

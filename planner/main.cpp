@@ -43,6 +43,7 @@ class PlannerProcess : RobotProcess {
     bus.listen_each<&PlannerProcess::hear_controller>(channel::kControllerStatus, *this);
     bus.listen_each<&PlannerProcess::hear_goal>(channel::kArmGoal, *this);
     bus.listen_each<&PlannerProcess::hear_obstacles>(channel::kObstacles, *this);
+    bus.listen_each<&PlannerProcess::hear_held>(channel::kHeld, *this);
   }
 
   void run() {
@@ -80,6 +81,7 @@ class PlannerProcess : RobotProcess {
 
   void hear_controller(const ControllerStatus& status) noexcept { mode_ = status.mode; }
   void hear_obstacles(const ObstaclesPiece& piece) noexcept { obstacles_.add(piece); }
+  void hear_held(const ObstaclesPiece& piece) noexcept { obstacles_.hold(piece); }
 
   void hear_goal(const ArmGoal& goal) noexcept {
     if (goal.run_id != admission_.run_id() || heard_ns_ == 0) {

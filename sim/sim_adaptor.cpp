@@ -421,6 +421,10 @@ int SimAdaptor::loose(int piece, ObstaclesPiece& out) const {
   return impl_->world ? impl_->loose.fill(*impl_->world, piece, out) : 0;
 }
 
+bool SimAdaptor::held(int hand, ObstaclesPiece& out) const {
+  return impl_->world && impl_->ties.held(hand, impl_->loose, out);
+}
+
 const SimTruth* SimAdaptor::truth() const { return impl_->world ? &impl_->truth : nullptr; }
 
 }  // namespace twinbus

@@ -26,6 +26,7 @@ class SimAdaptor final : public RobotAdaptor {
   Status set_state(const ImposedState&) override;
   const SimTruth* truth() const override;
   int loose(int piece, ObstaclesPiece&) const override;
+  bool held(int hand, ObstaclesPiece&) const override;
   const World* world() const;  // null: not open
   const WorldConfig& world_config() const;
   const StepWatch& watch() const;  // of the steps since open()

@@ -53,14 +53,34 @@ class SceneTeller {
     on.loose(loose_);
   }
 
+  // on.held() of each hand, at once when it grips or lets go, else each second.
+  template <class On>
+  void tell_held(std::int64_t now_ns, const RobotAdaptor& adaptor, On& on) noexcept {
+    ObstaclesPiece piece;
+    for (int hand = 0; hand < 2; ++hand) {
+      if (!adaptor.held(hand, piece)) continue;
+      Held& told = held_[static_cast<std::size_t>(hand)];
+      const bool same = piece.scene_id == told.scene_id;
+      if (same && now_ns < told.next_ns) continue;
+      told = {piece.scene_id, now_ns + (same ? kSecond_ns : kSoon_ns)};
+      piece.scene_id += run_id_ % kMostRuns * kMostChanges;
+      on.held(piece);
+    }
+  }
+
  private:
-  static constexpr std::int64_t kSecond_ns = 1'000'000'000, kLooseEvery_ns = 20'000'000;
+  static constexpr std::int64_t kSecond_ns = 1'000'000'000, kLooseEvery_ns = 20'000'000, kSoon_ns = 100'000'000;
+  static constexpr std::int64_t kMostChanges = 1000, kMostRuns = std::int64_t{1} << 42;  // an id of each change of each run
 
   std::vector<ModelTextPiece> texts_;
   std::vector<ObstaclesPiece> obstacles_, terrain_;
   std::int64_t run_id_;
   std::int64_t next_ns_ = 0, next_loose_ns_ = 0;
   std::size_t next_ = 0, told_ = 0;
+  struct Held {
+    std::int64_t scene_id = 0, next_ns = 0;
+  };
+  std::array<Held, 2> held_{};
   ObstaclesPiece loose_;
   int loose_piece_ = 0, loose_pieces_ = 0;
 };

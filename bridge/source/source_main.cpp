@@ -198,6 +198,7 @@ class Shell {
     if (has_truth) {
       send(channel::kTruth, truth_);
       scene_.tell_loose(answered, adaptor_, tell_scene_);
+      scene_.tell_held(answered, adaptor_, tell_scene_);
     }
     report();
     const std::int64_t end = clock_.now();
@@ -396,6 +397,7 @@ class Shell {
     void obstacles(ObstaclesPiece& piece) const noexcept { stamped(channel::kObstacles, piece); }
     void terrain(ObstaclesPiece& piece) const noexcept { stamped(channel::kTerrain, piece); }
     void loose(ObstaclesPiece& piece) const noexcept { stamped(channel::kLoose, piece); }
+    void held(ObstaclesPiece& piece) const noexcept { stamped(channel::kHeld, piece); }
     template <class T>
     void stamped(const char* name, T& piece) const noexcept {
       piece.utime = wall_us();

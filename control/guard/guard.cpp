@@ -24,6 +24,7 @@ constexpr std::int64_t kHandoverTicks = 5;  // between the states of two sources
 constexpr double kHandoverStep = 0.1;       // of a joint between them, at most [rad or m]
 constexpr int kKeepTicks = 5;     // a mask outlives its cause by this, against flicker
 constexpr double kNever = 1e3;    // time to contact of a pair that parts [s]
+constexpr double kRestsBy = 0.002;  // that what a hand holds sinks into what it stands on [m]
 
 }  // namespace
 
@@ -56,8 +57,7 @@ Guard::Impl::Impl(const Model& robot, const GuardConfig& wanted)
   obeyed = masked = braked;
   ahead_of_now.q = now.q;
   rests = ahead_of_now.moves = reaches = changes = Eigen::VectorXd::Zero(robot.joint_count());
-  for (int joint = 0; joint < robot.joint_count(); ++joint)
-    reaches[joint] = collision.reach().farthest(joint);
+  set_obstacles({});
   places.q.resize(joints);
   places.bend.resize(joints);
   places.asked.assign(joints, 1);
@@ -137,8 +137,8 @@ void Guard::Impl::bound_moves() noexcept {
 // How fast the pair comes together now, at one point: what moves both does not count [m/s].
 double Guard::Impl::approach_speed(const PairDistance& pair) const noexcept {
   const auto velocity = [&](int link) {
-    return link < model->link_count() ? now_kinematics->point_velocity(link, pair.point_a)
-                                      : Vector3d(Vector3d::Zero());
+    const int by = collision.carrier(link);
+    return by >= 0 ? now_kinematics->point_velocity(by, pair.point_a) : Vector3d(Vector3d::Zero());
   };
   return pair.normal.dot(velocity(pair.link_a) - velocity(pair.link_b));
 }
@@ -197,7 +197,14 @@ const PairDistance* Guard::pairs() const noexcept { return impl_->pairs.data(); 
 int Guard::pair_count() const noexcept { return impl_->pair_count; }
 std::int64_t Guard::unproved() const noexcept { return impl_->unproved; }
 void Guard::set_obstacles(const std::vector<Obstacle>& obstacles) {
-  impl_->collision.set_obstacles(obstacles);
+  impl_->set_obstacles(obstacles);
+}
+
+// What a hand holds reaches farther than it.
+void Guard::Impl::set_obstacles(const std::vector<Obstacle>& obstacles) {
+  collision.set_obstacles(obstacles);
+  for (int joint = 0; joint < model->joint_count(); ++joint)
+    reaches[joint] = collision.reach().farthest(joint);
 }
 
 void Guard::Impl::forget() noexcept {
@@ -206,6 +213,13 @@ void Guard::Impl::forget() noexcept {
   keep.fill(0);
   report = GuardReport{};
   cause = GuardCause{};
+}
+
+// What a hand holds may stand on something when it is gripped and let go.
+bool Guard::Impl::stands_on(const PairDistance& pair) const noexcept {
+  const auto held = [&](int link) { return link >= model->link_count() && collision.carrier(link) >= 0; };
+  const bool stands = collision.carrier(pair.link_a) < 0 || collision.carrier(pair.link_b) < 0;
+  return stands && (held(pair.link_a) || held(pair.link_b)) && pair.distance > -kRestsBy;
 }
 
 // Of another source: whether it took over in mid-motion, from where the last one was, and with its set-points.
@@ -278,7 +292,9 @@ const GuardReport& Guard::Impl::check(const RobotState& state,
   report.pairs_checked = static_cast<std::int16_t>(std::min<std::size_t>(
       static_cast<std::size_t>(collision.pair_count()), std::numeric_limits<std::int16_t>::max()));
   fill_rows();
-  const bool touching = pair_count > 0 && !(pairs[0].distance > 0.0);
+  const bool touching = std::any_of(pairs.begin(), pairs.begin() + pair_count, [&](const PairDistance& pair) {
+    return !(pair.distance > 0.0) && !stands_on(pair);
+  });
   report.verdict = touching                ? GuardVerdict::kInCollision
                    : danger                ? GuardVerdict::kWillCollide
                    : report.pairs_near > 0 ? GuardVerdict::kNear

@@ -62,13 +62,16 @@ struct Guard::Impl {
 
   Impl(const Model& robot, const GuardConfig& wanted);
   bool moves_link(int joint, int link) const noexcept {
-    return link < model->link_count() && moves[at(link * model->joint_count() + joint)] != 0;
+    const int by = collision.carrier(link);
+    return by >= 0 && moves[at(by * model->joint_count() + joint)] != 0;
   }
 
   const Course& if_held(int k) const noexcept { return servos.is_soft(at(k)) ? servos.if_held(at(k)) : track.if_held(at(k)); }
   std::int64_t on_hold() const noexcept { return track.on_hold() | servos.on_hold(); }
   double margin_of(int link_a, int link_b) const noexcept { return config.margin * margin_shares.of(link_a, link_b); }  // [m]
   void forget() noexcept;
+  void set_obstacles(const std::vector<Obstacle>& obstacles);
+  bool stands_on(const PairDistance& pair) const noexcept;
   bool goes_on(const RobotState& state) const noexcept;
   // What is now is known.
   const GuardReport& check(const RobotState& state, const JointCommand* command) noexcept;

@@ -27,7 +27,7 @@ constexpr int kMostMends = 40;         // of messages that the log does not have
 constexpr int kMostCandidates = 1000;  // messages that are tried for a flipped bit
 
 // Channels of inputs, by JournalInput.
-constexpr std::array<const char*, 13> kChannels = {"",
+constexpr std::array<const char*, 14> kChannels = {"",
                                                    channel::kModeRequest,
                                                    channel::kWalk,
                                                    channel::kGamepad,
@@ -39,7 +39,8 @@ constexpr std::array<const char*, 13> kChannels = {"",
                                                    "",
                                                    channel::kCommand,
                                                    channel::kSteps,
-                                                   channel::kMotion};
+                                                   channel::kMotion,
+                                                   channel::kHeld};
 
 bool is_needed(std::string_view name) {
   for (const char* channel : kChannels) {
@@ -190,6 +191,7 @@ void Rerun::consume(Process& process, const JournalPage& page, std::size_t i) {
     ObstaclesPiece piece;
     if (decode(bytes, piece) == Status::kOk) (void)process.obstacles.add(piece);
   }
+  if (kind == JournalInput::kHeld) give(ObstaclesPiece{}, [&](const auto& m) { (void)process.obstacles.hold(m); });
   if (process.watch != nullptr) {
     if (kind == JournalInput::kCommand) give<&GuardWatch::on_command>(bytes, *process.watch, now);
     return;

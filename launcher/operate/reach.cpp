@@ -18,6 +18,7 @@
 #include "lcmtypes/msg/pace.h"
 #include "lcmtypes/msg/state_admission.h"
 #include "planner/arm_planner.h"
+#include "robot/description/hand_of.h"
 #include "robot/description/load.h"
 #include "robot/estimation/estimator.h"
 
@@ -127,12 +128,9 @@ ArmGoal goal_from(const Arguments& arguments, const Model& model) {
   const std::string side = arguments.word(0);
   if (side != "left" && side != "right")
     throw UsageError("reach: which hand? say left or right, not " + side);
-  const std::size_t asked = side == "left" ? 0 : 1;
-  const std::size_t hand = model.hands[asked].link >= 0 ? asked : 1 - asked;  // the only one is either
-  goal.side = hand == 0 ? ArmSide::kLeft : ArmSide::kRight;
-  if (model.hands[hand].link < 0) {
-    throw std::runtime_error(model.name + " has no " + side + " hand (robot.yaml, hands)");
-  }
+  const Hand* hand = hand_of(model, side == "left" ? 0 : 1);
+  if (hand == nullptr) throw std::runtime_error(model.name + " has no " + side + " hand (robot.yaml, hands)");
+  goal.side = hand == &model.hands[0] ? ArmSide::kLeft : ArmSide::kRight;
   const std::size_t count = arguments.words().size();
   if (count != 4 && count != 7) throw UsageError("reach: X Y Z, or X Y Z and R P Y");
   static constexpr std::array<const char*, 3> kAxis{"X", "Y", "Z"};

@@ -156,6 +156,8 @@ Criteria without_the_end(Criteria criteria, std::vector<std::string>& left_out) 
   };
   leave_out(!std::isnan(criteria.travel_min_m) || !std::isnan(criteria.drift_max_m), "how far the robot ends from its start");
   criteria.travel_min_m = criteria.drift_max_m = std::nan("");
+  leave_out(!std::isnan(criteria.goals_reached_min), "how many arm goals are reached");
+  criteria.goals_reached_min = std::nan("");
   for (const LooseEnd& end : criteria.loose) leave_out(true, "where loose body '" + end.name + "' ends");
   for (const RobotEnd& end : criteria.robots) leave_out(true, "where robot '" + end.name + "' ends");
   for (const JointEnd& end : criteria.joints) leave_out(true, "where joint " + end.name + " ends");
@@ -218,6 +220,7 @@ RunVerdict judge_scene(const OneProcess& run, const Criteria& whole, std::int64_
            "the robot ended %.2f m from its start, at least %.2f m were asked");
   at_most(w.travel(), asked.drift_max_m,
           "the robot ended %.2f m from its start, at most %.2f m were asked");
+  at_least(run.goals().reached(), asked.goals_reached_min, "%.0f of the arm goals were reached, at least %.0f were asked");
   for (const LooseEnd& end : asked.loose) {
     const int body = run.find_loose(end.name);
     if (body < 0) continue;
@@ -357,6 +360,8 @@ std::string scene_figures(const OneProcess& run, const Criteria& asked) {
                   seen->period, seen->decay, expected.period, expected.decay);
     lines += text;
   }
+  if (run.goals().asked() > 0)
+    lines += "arm goals: " + std::to_string(run.goals().asked()) + " asked, " + std::to_string(run.goals().reached()) + " reached\n";
   if (w.steps() == 0 && std::isfinite(w.velocity_error())) {  // on points: no sole lands
     std::snprintf(text, sizeof text, "velocity error %.1f %%, ended %.2f m from its start\n", 1e2 * w.velocity_error(), w.travel());
     lines += text;

@@ -13,6 +13,7 @@
 #include "lcmtypes/msg/refusal_text.h"
 #include "planner/arm_path_pieces.h"
 #include "planner/plan_start.h"
+#include "robot/description/hand_of.h"
 #include "lcmtypes/msg/status.h"
 #include "sim/scene/obstacle_pieces.h"
 #include "sim/scene/scene_requests.h"
@@ -71,7 +72,8 @@ bool OneProcess::over_the_bus(const char* channel, const T& sent, T& received, S
   if (listener_) {
     listener_(channel, encoded, now_ns_);
     if (content != nullptr) *content = content_hash(encoded);
-    if constexpr (requires { journal_input(sent); }) journal_.consumed(journal_input(sent), encoded, now_or_one(now_ns_));
+    if constexpr (requires { journal_input(sent); })
+      journal_.consumed(channel == channel::kHeld ? JournalInput::kHeld : journal_input(sent), encoded, now_or_one(now_ns_));
   }
   return decode(encoded, received) == Status::kOk;
 }
@@ -124,8 +126,28 @@ void OneProcess::tell_obstacles() {
     ObstaclesPiece received;
     if (over_the_bus(channel::kObstacles, piece, received)) (void)obstacles_.add(received);
   }
+  take_obstacles();
+}
+
+void OneProcess::take_obstacles() {
   journal_.consumed(JournalInput::kTakeObstacles, {}, now_or_one(now_ns_));
   loop_->set_obstacles(obstacles_.obstacles());
+  if (planner_ != nullptr) planner_->set_obstacles(obstacles_.obstacles());
+}
+
+// What the simulated hands grip and let go.
+void OneProcess::tell_held() {
+  ObstaclesPiece piece;
+  for (const int hand : {0, 1}) {
+    if (!sim_.held(hand, piece) || piece.scene_id == told_held_[static_cast<std::size_t>(hand)]) continue;
+    told_held_[static_cast<std::size_t>(hand)] = piece.scene_id;
+    say_held(piece);
+  }
+}
+
+void OneProcess::say_held(const ObstaclesPiece& piece) {
+  ObstaclesPiece received;
+  if (over_the_bus(channel::kHeld, piece, received) && obstacles_.hold(received)) take_obstacles();
 }
 
 // Into the log, for whoever looks at it; nobody here obeys it.
@@ -206,6 +228,7 @@ bool OneProcess::observe() {
 }
 
 bool OneProcess::act() {
+  tell_held();
   if (controller_) {
     control();
   } else {
@@ -359,6 +382,8 @@ void OneProcess::plan(const ArmGoal& goal) {
   const ArmPlan plan = planner_->plan(goal, start, planner_view_.ground_in_world(),
                                       static_cast<std::uint64_t>(goal.goal_id));
   sentences_.push_back("planner: " + describe(model_, plan));
+  const bool planned = !plan.path.empty();
+  goals_.ask(goal, planned ? plan.joints : std::vector<int>{}, planned ? Eigen::VectorXd(plan.path.back().q) : Eigen::VectorXd());
   arm_answer_ = to_pieces(plan, {kPlannerId, goal.run_id, goal.goal_id, goal.goal_id});
   for (const ArmPathPiece& piece : arm_answer_) {
     ArmPathPiece received;
@@ -405,6 +430,12 @@ void OneProcess::watch() {
   energy_.add(pushed, heard_, world());
   loose_.add(world());
   touch_.add(static_cast<double>(heard_.tick - first_tick_) * model_.period(), world());
+  const Estimator& view = planner_view_;
+  goals_.add(static_cast<double>(heard_.tick - first_tick_) * model_.period(), loop_->status(), view.configuration(),
+             [&](ArmSide side) -> Eigen::Vector3d {
+               const Hand* hand = hand_of(model_, side == ArmSide::kLeft ? 0 : 1);
+               return view.ground_in_world().inverse() * view.kinematics().link_in_world(hand->link) * hand->frame.translation();
+             });
   for (std::size_t foot = 0; foot < 2; ++foot) {
     if (model_.soles[foot].link < 0) continue;
     const auto x = static_cast<double>(truth.foot_attitude[foot][1]);

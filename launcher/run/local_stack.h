@@ -21,6 +21,7 @@
 #include "launcher/bus/stack_monitor.h"
 #include "launcher/run/state_hash.h"
 #include "launcher/figures/energy_watch.h"
+#include "launcher/figures/goal_watch.h"
 #include "launcher/figures/loose_watch.h"
 #include "launcher/figures/swing_watch.h"
 #include "launcher/figures/touch_watch.h"
@@ -70,6 +71,7 @@ class OneProcess {
   void say(ModeRequest request);
   void say(StopRequest stop);
   void say(WalkCommand command);
+  void say_held(const ObstaclesPiece& piece);  // on HELD, at once
   // A force on a link for a while from now on; force: world [N], point: in the frame of the link [m].
   Status push(int link, const Eigen::Vector3d& force, const Eigen::Vector3d& point, double seconds) {
     return sim_.push(link, force, point, seconds);
@@ -110,6 +112,7 @@ class OneProcess {
   const EnergyWatch& energy() const { return energy_; }
   const LooseWatch& loose() const { return loose_; }
   const TouchWatch& touch() const { return touch_; }
+  const GoalWatch& goals() const { return goals_; }
   const Model& model() const { return model_; }
   // Why the source was stopped, in words; empty when it was not, or nobody said.
   const std::string& stop_cause() const { return stop_cause_; }
@@ -131,6 +134,8 @@ class OneProcess {
   };
   void activate();
   void tell_obstacles();
+  void take_obstacles();
+  void tell_held();
   template <class T>
   void show(const char* channel, T message);
   void show_scene();
@@ -152,6 +157,7 @@ class OneProcess {
   std::unique_ptr<ControlLoop> loop_;
   Estimator planner_view_;
   ObstacleCollector obstacles_;
+  std::array<std::int64_t, 2> told_held_{};  // scene_id of each hand
   std::unique_ptr<ArmPlanner> planner_;  // with the first goal
   SceneScript script_;
   StateHash hash_;
@@ -161,6 +167,7 @@ class OneProcess {
   EnergyWatch energy_;
   LooseWatch loose_;
   TouchWatch touch_;
+  GoalWatch goals_;
   BusListener listener_;
   std::vector<ObstaclesPiece> shown_obstacles_, shown_terrain_;
   JournalWriter<SendPage> journal_;

@@ -28,6 +28,7 @@ inline constexpr char kArmPath[] = "ARM_PATH";
 inline constexpr char kControllerStatus[] = "CONTROLLER_STATUS";
 inline constexpr char kGap[] = "GAP";
 inline constexpr char kObstacles[] = "OBSTACLES";
+inline constexpr char kHeld[] = "HELD";
 inline constexpr char kHeartbeat[] = "HEARTBEAT";
 inline constexpr char kModelText[] = "MODEL_TEXT";
 inline constexpr char kEvent[] = "EVENT";

@@ -85,6 +85,7 @@ std::span<const ChannelInfo> channel_table() {
       row<StopPlanPiece>(channel::kStopPlan),
       row<Estimate>(channel::kEstimate),
       row<MotionPiece>(channel::kMotion),
+      row<ObstaclesPiece>(channel::kHeld),
   };
   return table;
 }

@@ -31,6 +31,7 @@ struct BallGroup {
   // Corners of convex bodies that settle what the balls leave open: the first holds everything, the
   // others everything together, more tightly.  Empty: the balls have the last word.
   std::vector<std::vector<Eigen::Vector3d>> pieces = {};
+  bool held = false;  // of an obstacle that the link holds; without balls: of one that it does not
 };
 
 struct BlockBody {

@@ -40,7 +40,9 @@ void bounds(const BlockShape& s, int i, float& low, float& high) {
 }  // namespace
 
 BlockScene::BlockScene(const std::vector<Obstacle>& obstacles) {
-  for (const Obstacle& obstacle : obstacles) add(obstacle);
+  for (const Obstacle& obstacle : obstacles) {
+    if (obstacle.hand < 0) add(obstacle);
+  }
   finish();
 }
 

@@ -22,7 +22,7 @@ struct BlockShape {
 class BlockScene {
  public:
   BlockScene() { finish(); }
-  // In the world of the robot's posture; what is not a shape of positive size is left out.
+  // In the world of the robot's posture; what is not a shape of positive size, or is held, is left out.
   explicit BlockScene(const std::vector<Obstacle>& obstacles);
   // A cylinder with round ends, as some planners take cylinders.
   void add_capsule(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "common/math/index.h"
+#include "robot/description/hand_of.h"
 
 namespace twinbus {
 
@@ -11,17 +12,39 @@ namespace {
 
 constexpr int kMostBalls = 8;  // along a link
 
-std::vector<std::pair<int, int>> pairs_of(const Collision& collision,
+std::vector<std::pair<int, int>> pairs_of(const Model& model, const Collision& collision,
                                           const std::vector<BallGroup>& groups) {
-  std::vector<std::pair<int, int>> pairs;
-  const auto group_of = [&](int link) {
-    const auto found = std::find_if(groups.begin(), groups.end(),
-                                    [&](const BallGroup& g) { return g.link == link; });
-    return static_cast<int>(found - groups.begin());
+  std::vector<int> group_of(at(model.link_count()), -1);
+  int links = 0;
+  for (; links < static_cast<int>(groups.size()) && !groups[at(links)].held; ++links)
+    group_of[at(groups[at(links)].link)] = links;
+  const auto group = [&](int index) {
+    return index < model.link_count() ? group_of[at(index)] : links + index - model.link_count();
   };
-  for (const CollisionPair& pair : collision.pairs())
-    pairs.emplace_back(group_of(pair.link_a), group_of(pair.link_b));
+  std::vector<std::pair<int, int>> pairs;
+  for (const auto* listed : {&collision.pairs(), &collision.held_pairs()}) {
+    for (const CollisionPair& pair : *listed) pairs.emplace_back(group(pair.link_a), group(pair.link_b));
+  }
   return pairs;
+}
+
+BallGroup balls_along(const LinkGeometry& link) {
+  const Capsule& capsule = link.capsule;
+  const Eigen::Vector3d along = capsule.b - capsule.a;
+  const int count = std::clamp(static_cast<int>(std::ceil(along.norm() / (0.7 * capsule.radius))),
+                               1, kMostBalls);
+  // A ball holds its share of the capsule: half a share along, the radius across.
+  const double half = 0.5 * along.norm() / count;
+  BallGroup group = group_from(link);
+  group.pieces.resize(1);  // the hull
+  for (int i = 0; i < count; ++i) {
+    group.balls.push_back(
+        {capsule.a + (i + 0.5) / count * along, std::hypot(capsule.radius, half)});
+  }
+  // The round ends stick out of the last balls.
+  group.balls.push_back({capsule.a, capsule.radius});
+  group.balls.push_back({capsule.b, capsule.radius});
+  return group;
 }
 
 }  // namespace
@@ -44,7 +67,7 @@ ArmLines::ArmLines(const Model& model, EdgeCheck& exact, const Collision& collis
     : exact_(&exact),
       scene_(obstacles),
       robot_(compile_robot(model, exact.posture(), exact.joints(), groups,
-                           pairs_of(collision, groups), exact.clearance())),
+                           pairs_of(model, collision, groups), exact.clearance())),
       check_(robot_, scene_) {}
 
 bool ArmLines::free(const SearchPoint& from, const SearchPoint& step, float) {
@@ -60,22 +83,22 @@ bool ArmLines::free(const SearchPoint& from, const SearchPoint& step, float) {
 
 std::vector<BallGroup> balls_along_links(const Model& model) {
   std::vector<BallGroup> groups;
-  for (const LinkGeometry& link : build_geometry(model, {.balls = false}).links) {
-    const Capsule& capsule = link.capsule;
-    const Eigen::Vector3d along = capsule.b - capsule.a;
-    const int count = std::clamp(static_cast<int>(std::ceil(along.norm() / (0.7 * capsule.radius))),
-                                 1, kMostBalls);
-    // A ball holds its share of the capsule: half a share along, the radius across.
-    const double half = 0.5 * along.norm() / count;
-    BallGroup group = group_from(link);
-    group.pieces.resize(1);  // the hull
-    for (int i = 0; i < count; ++i) {
-      group.balls.push_back(
-          {capsule.a + (i + 0.5) / count * along, std::hypot(capsule.radius, half)});
+  for (const LinkGeometry& link : build_geometry(model, {.balls = false}).links)
+    groups.push_back(balls_along(link));
+  return groups;
+}
+
+std::vector<BallGroup> balls_along_held(const Model& model, const std::vector<Obstacle>& obstacles) {
+  std::vector<BallGroup> groups;
+  for (const Obstacle& obstacle : obstacles) {
+    if (!takes_part(obstacle, model)) continue;
+    BallGroup group;
+    if (obstacle.hand >= 0) {
+      LinkGeometry geometry = link_geometry({shape_of(obstacle, model)}, {.balls = false});
+      geometry.link = hand_of(model, obstacle.hand)->link;
+      group = balls_along(geometry);
     }
-    // The round ends stick out of the last balls.
-    group.balls.push_back({capsule.a, capsule.radius});
-    group.balls.push_back({capsule.b, capsule.radius});
+    group.held = true;
     groups.push_back(std::move(group));
   }
   return groups;

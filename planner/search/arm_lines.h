@@ -16,7 +16,7 @@ JointPoint from_search(const SearchPoint& q, int joints);
 
 class ArmLines : public LineTest {
  public:
-  // exact: with its clearance set; must outlive this.  groups: balls of all links of the model.
+  // exact: with its clearance set; must outlive this.  groups: balls of all links of the model, then of the obstacles.
   ArmLines(const Model& model, EdgeCheck& exact, const Collision& collision,
            const std::vector<BallGroup>& groups, const std::vector<Obstacle>& obstacles);
 
@@ -37,5 +37,7 @@ class ArmLines : public LineTest {
 // Balls of all links: along each link's capsule, which holds its triangles.  Throws as
 // build_geometry.
 std::vector<BallGroup> balls_along_links(const Model& model);
+// The same of what hands hold, in the order of the obstacles that take part; the others get no balls.
+std::vector<BallGroup> balls_along_held(const Model& model, const std::vector<Obstacle>& obstacles);
 
 }  // namespace twinbus

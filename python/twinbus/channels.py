@@ -10,7 +10,7 @@ _NAMES = {'STATE': 'robot_state_t', 'STATE_SIM': 'robot_state_t', 'STATE_BRIDGE'
           'TRUTH': 'sim_truth_t', 'GUARD': 'guard_report_t', 'GAMEPAD': 'gamepad_t', 'WALK': 'walk_command_t', 'STEPS': 'step_list_t',
           'MOTION': 'motion_t',
           'SIM_REQUEST': 'sim_request_t', 'ARM_GOAL': 'arm_goal_t', 'ARM_PATH': 'arm_path_t', 'CONTROLLER_STATUS': 'controller_status_t',
-          'GAP': 'gap_t', 'OBSTACLES': 'obstacles_t', 'HEARTBEAT': 'heartbeat_t', 'MODEL_TEXT': 'model_text_t', 'EVENT': 'event_t',
+          'GAP': 'gap_t', 'OBSTACLES': 'obstacles_t', 'HELD': 'obstacles_t', 'HEARTBEAT': 'heartbeat_t', 'MODEL_TEXT': 'model_text_t', 'EVENT': 'event_t',
           'JOURNAL': 'journal_t', 'TERRAIN': 'obstacles_t', 'LOOSE': 'obstacles_t', 'FOOTSTEPS': 'obstacles_t', 'CAMERA': 'model_text_t',
           'LOG_TEXT': 'model_text_t'}
 

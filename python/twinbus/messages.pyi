@@ -252,7 +252,7 @@ class journal_t(Message):
     inputs: int = ...  # rows in use
     kind: int = ...  # 4 controller, 5 guard
     whole: int = ...  # 0: the inputs go on in the next page, which has the step
-    input: NDArray[np.int8] = ...  # [24] 1 mode, 2 walk, 3 gamepad, 4 path, 5 goal, 6 stop, 7 guard, 8 obstacles, 9 take obstacles (no message: the collected ones become those of the guard), 10 command, 11 steps, 12 motion
+    input: NDArray[np.int8] = ...  # [24] 1 mode, 2 walk, 3 gamepad, 4 path, 5 goal, 6 stop, 7 guard, 8 obstacles, 9 take obstacles (no message: the collected ones become those of the guard), 10 command, 11 steps, 12 motion, 13 held
 
 
 @dataclass(eq=False)

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <utility>
 
 #include "robot/collision/collision_fcl.h"
+#include "robot/description/hand_of.h"
 #include "robot/collision/collision_pairs.h"
 #include "robot/collision/collision_impl.h"
 #include "common/text/strict_yaml.h"
@@ -36,13 +38,12 @@ bool by_fcl(const Model& model) {
 Collision::Impl::Impl(const Model& robot)
     : self_pairs(pairs_to_check(robot)), model(&robot), link_count(robot.link_count()) {
   owner_of.assign(static_cast<std::size_t>(link_count + kMaxObstacles), -1);
-  std::vector<double> link_radius(static_cast<std::size_t>(link_count),
-                                  0.0);  // about its origin [m]
+  link_radius.assign(static_cast<std::size_t>(link_count), 0.0);
   for (int link = 0; link < link_count; ++link) {
     const auto index = static_cast<std::size_t>(link);
     if (robot.links[index].collision.empty()) continue;
     Owner owner;
-    owner.link = link;
+    owner.link = owner.index = link;
     for (const Shape& shape : robot.links[index].collision) {
       owner.shapes.push_back(collision_shape(shape));
       if (owner.shapes.back().mesh) gap.meshes.reserve(*owner.shapes.back().mesh);
@@ -52,13 +53,24 @@ Collision::Impl::Impl(const Model& robot)
     link_radius[index] = owner.center.norm() + owner.radius;
     owners.push_back(std::move(owner));
   }
-  link_owners = static_cast<int>(owners.size());
+  link_owners = moved_owners = static_cast<int>(owners.size());
   gap.asks_fcl = by_fcl(robot);
-  reach.emplace(robot, link_radius);
-  swept.emplace(robot, *reach);
+  measure_reach();
   travel_to.assign(robot.links.size(), 0.0);
   walked_to = step = Eigen::VectorXd::Zero(robot.joint_count());
   build_pairs();
+}
+
+// Of links with what they hold.
+void Collision::Impl::measure_reach() {
+  std::vector<double> radius = link_radius;
+  for (int o = link_owners; o < moved_owners; ++o) {
+    const Owner& held = owner(o);
+    radius[at(held.link)] = std::max(radius[at(held.link)], held.center.norm() + held.radius);
+  }
+  swept.reset();
+  reach.emplace(*model, radius);
+  swept.emplace(*model, *reach);
 }
 
 OwnerPair Collision::Impl::make_pair(int a, int b) {
@@ -75,12 +87,19 @@ void Collision::Impl::build_pairs() {
   memory.clear();
   memory_of.assign(owners.size() * owners.size(), -1);
   last_hit = 0;
-  for (const CollisionPair& pair : self_pairs) {
-    pairs.push_back(make_pair(owner_of[static_cast<std::size_t>(pair.link_a)],
-                              owner_of[static_cast<std::size_t>(pair.link_b)]));
+  held_pairs.clear();
+  for (int b = link_owners; b < moved_owners; ++b) {
+    for (int a = 0; a < b; ++a) {
+      if (!hangs_on(*model, owner(a).link, owner(b).link))
+        held_pairs.push_back({owner(a).index, owner(b).index});
+    }
   }
-  for (int b = link_owners; b < static_cast<int>(owners.size()); ++b) {
-    for (int a = 0; a < link_owners; ++a) pairs.push_back(make_pair(a, b));
+  for (const auto* listed : {&self_pairs, &held_pairs}) {
+    for (const CollisionPair& pair : *listed)
+      pairs.push_back(make_pair(owner_of[at(pair.link_a)], owner_of[at(pair.link_b)]));
+  }
+  for (int b = moved_owners; b < static_cast<int>(owners.size()); ++b) {
+    for (int a = 0; a < moved_owners; ++a) pairs.push_back(make_pair(a, b));
   }
   build_shapes();
 }
@@ -192,8 +211,8 @@ ShapePair Collision::Impl::shape_pair(const NearShapes::Candidate& candidate) no
 bool Collision::Impl::nearer(const NearShapes::Candidate& candidate, double near,
                              PairDistance& result) noexcept {
   const ShapePair pair = shape_pair(candidate);
-  result.link_a = index_of(*pair.a);
-  result.link_b = index_of(*pair.b);
+  result.link_a = pair.a->index;
+  result.link_b = pair.b->index;
   placed(*pair.a, *pair.body_a);
   placed(*pair.b, *pair.body_b);
   return gap.nearer(*pair.body_a, *pair.body_b, *pair.memory, pair.towards, near, result);
@@ -206,35 +225,59 @@ const std::vector<CollisionPair>& Collision::pairs() const noexcept { return imp
 
 int Collision::pair_count() const noexcept { return static_cast<int>(impl_->pairs.size()); }
 
+const std::vector<CollisionPair>& Collision::held_pairs() const noexcept { return impl_->held_pairs; }
+
+int Collision::carrier(int link) const noexcept {
+  if (link < impl_->link_count) return link;
+  const int owner = impl_->owner_of[at(link)];
+  return owner < 0 ? -1 : impl_->owner(owner).link;
+}
+
 const JointReach& Collision::reach() const noexcept { return *impl_->reach; }
+
+bool takes_part(const Obstacle& obstacle, const Model& model) {
+  const int sizes = obstacle.shape == ObstacleShape::kBox        ? 3
+                    : obstacle.shape == ObstacleShape::kCylinder ? 2
+                                                                 : 1;
+  return obstacle.shape != ObstacleShape::kNone && obstacle.size.head(sizes).minCoeff() > 0.0 &&
+         obstacle.size.allFinite() && obstacle.pose.matrix().allFinite() &&
+         (obstacle.hand < 0 || hand_of(model, obstacle.hand) != nullptr);
+}
+
+Shape shape_of(const Obstacle& obstacle, const Model& model) {
+  Shape shape;
+  shape.kind = obstacle.shape == ObstacleShape::kBox      ? ShapeKind::kBox
+               : obstacle.shape == ObstacleShape::kSphere ? ShapeKind::kSphere
+                                                          : ShapeKind::kCylinder;
+  shape.size = obstacle.size;
+  const Hand* hand = obstacle.hand < 0 ? nullptr : hand_of(model, obstacle.hand);
+  shape.pose = hand != nullptr ? hand->frame * obstacle.pose : obstacle.pose;
+  return shape;
+}
 
 void Collision::set_obstacles(const std::vector<Obstacle>& obstacles) {
   Impl& i = *impl_;
+  const bool held_before = i.moved_owners > i.link_owners;
   i.owners.resize(static_cast<std::size_t>(i.link_owners));
   std::fill(i.owner_of.begin() + i.link_count, i.owner_of.end(), -1);
   int kept = 0;
+  std::vector<Owner> still;
   for (const Obstacle& obstacle : obstacles) {
     if (kept == kMaxObstacles) break;
-    const int needed = obstacle.shape == ObstacleShape::kBox
-                           ? 3
-                           : (obstacle.shape == ObstacleShape::kCylinder ? 2 : 1);
-    if (obstacle.shape == ObstacleShape::kNone || !(obstacle.size.head(needed).minCoeff() > 0.0) ||
-        !obstacle.size.allFinite() || !obstacle.pose.matrix().allFinite()) {
-      continue;
-    }
-    const ShapeKind kind = obstacle.shape == ObstacleShape::kBox      ? ShapeKind::kBox
-                           : obstacle.shape == ObstacleShape::kSphere ? ShapeKind::kSphere
-                                                                      : ShapeKind::kCylinder;
+    if (!takes_part(obstacle, *i.model)) continue;
+    const Hand* hand = obstacle.hand < 0 ? nullptr : hand_of(*i.model, obstacle.hand);
     Owner owner;
-    Shape shape;
-    shape.kind = kind;
-    shape.size = obstacle.size;
-    shape.pose = obstacle.pose;
-    owner.shapes.push_back(collision_shape(shape));
+    owner.link = hand != nullptr ? hand->link : -1;
+    owner.index = i.link_count + kept++;
+    owner.shapes.push_back(collision_shape(shape_of(obstacle, *i.model)));
     enclose(owner);
-    i.owner_of[static_cast<std::size_t>(i.link_count + kept++)] = static_cast<int>(i.owners.size());
-    i.owners.push_back(std::move(owner));
+    (hand != nullptr ? i.owners : still).push_back(std::move(owner));
   }
+  i.moved_owners = static_cast<int>(i.owners.size());
+  std::move(still.begin(), still.end(), std::back_inserter(i.owners));
+  for (int o = i.link_owners; o < static_cast<int>(i.owners.size()); ++o)
+    i.owner_of[at(i.owner(o).index)] = o;
+  if (held_before || i.moved_owners > i.link_owners) i.measure_reach();
   i.build_pairs();
 }
 
@@ -302,7 +345,7 @@ int Collision::Impl::nearest(std::span<NearShapes::Candidate> candidates, double
     if (static_cast<double>(candidate.bound) > wanted) continue;
     int index = 0;
     const OwnerPair& links = pair_of_shapes(candidate, index);
-    const int link_a = index_of(owner(links.a)), link_b = index_of(owner(links.b));
+    const int link_a = owner(links.a).index, link_b = owner(links.b).index;
     // Of two links only what is nearer than the nearest so far matters.
     int place = 0;
     while (place < kept &&

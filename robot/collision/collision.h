@@ -42,7 +42,13 @@ struct Obstacle {
   ObstacleShape shape = ObstacleShape::kNone;
   Eigen::Vector3d size = Eigen::Vector3d::Zero();  // as in obstacles_t
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  int hand = -1;  // 0 left, 1 right: that hand holds it, and pose is in the hand's frame
 };
+
+// Of positive size, finite, and in the world or in a hand that the robot has; what is not, is left out.
+bool takes_part(const Obstacle& obstacle, const Model& model);
+// As a shape in the world, or in the frame of the link that holds it.
+Shape shape_of(const Obstacle& obstacle, const Model& model);
 
 class Collision {
  public:
@@ -53,10 +59,15 @@ class Collision {
   explicit Collision(const Model& model);
   ~Collision();
 
-  const std::vector<CollisionPair>& pairs() const noexcept;  // self pairs that are checked
+  const std::vector<CollisionPair>& pairs() const noexcept;  // of links, that are checked
   int pair_count() const noexcept;                           // self pairs and link-obstacle pairs
-  // World; the first kMaxObstacles that are shapes of positive size.  May allocate.
+  // The first kMaxObstacles that take part.  What a hand holds moves with it, is
+  // looked at like one of its links, and may touch that hand and what hangs on it.  May allocate.
   void set_obstacles(const std::vector<Obstacle>& obstacles);
+  // Those of what hands hold: with a link, or with what the other hand holds.
+  const std::vector<CollisionPair>& held_pairs() const noexcept;
+  // The link that moves an obstacle (or link) of a pair; -1: it stands still in the world.
+  int carrier(int link) const noexcept;
   // From now on only pairs whose distance some of these joints can change; an empty list means all
   // pairs again.
   void check_only_moved_by(const std::vector<int>& joints);

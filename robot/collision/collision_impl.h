@@ -38,9 +38,10 @@ struct OwnerPair {
 
 struct Collision::Impl {
   std::vector<CollisionPair> self_pairs;
-  std::vector<CollisionOwner> owners;  // links that bear geometry, then obstacles
+  std::vector<CollisionOwner> owners;  // links that bear geometry, what hands hold, other obstacles
   std::vector<int> owner_of;           // [link_count + kMaxObstacles] -> owner, -1
-  std::vector<OwnerPair> pairs;        // self pairs, then link x obstacle
+  std::vector<CollisionPair> held_pairs;
+  std::vector<OwnerPair> pairs;        // self pairs, held pairs, then what moves x obstacle
   std::vector<ShapeMemory> memory;
   std::vector<int> memory_of;  // [owners x owners]: first_memory, -1 when they are no pair
   ShapeGap gap;
@@ -64,7 +65,7 @@ struct Collision::Impl {
   std::span<const NearShapes::Candidate> looked_at;  // what it left last
   std::vector<int> open_pairs;                       // room
   std::vector<NearShapes::Candidate*> by_bound;      // room
-  std::size_t link_shapes = 0;                       // shapes of links: before those of obstacles
+  std::size_t link_shapes = 0;                       // shapes that links move: before the others
   std::vector<int> link_of_shape;                    // [link_shapes]
   std::vector<double> travel_to, travel_of;          // of links, of shapes, seen from link 0 [m]
   std::vector<int> only_joints;
@@ -73,18 +74,16 @@ struct Collision::Impl {
   const Model* model = nullptr;
   const Kinematics* kinematics = nullptr;  // of this query
   int link_count = 0;
-  int link_owners = 0;
+  int link_owners = 0, moved_owners = 0;  // links; with what they hold
+  std::vector<double> link_radius;        // of a link's own shapes about its origin [m]
   int last_hit = 0;
   std::int64_t query = 0;
 
   explicit Impl(const Model& robot);
+  void measure_reach();
   void build_pairs();
   void build_shapes();
   OwnerPair make_pair(int a, int b);
-  int index_of(const CollisionOwner& owner) const {  // link, or obstacle + link_count
-    return owner.link >= 0 ? owner.link
-                           : link_count + static_cast<int>(&owner - owners.data()) - link_owners;
-  }
   CollisionOwner& owner(int i) { return owners[static_cast<std::size_t>(i)]; }
 
   void look_at(const Kinematics& posture) noexcept;

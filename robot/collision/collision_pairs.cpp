@@ -31,14 +31,14 @@ bool disabled(const Model& model, int a, int b) {
   return false;
 }
 
-bool joint_moves_link(const Model& model, int joint, int link) {
-  for (; link > 0; link = link_of(model, link).parent) {
-    if (link == joint + 1) return true;
-  }
-  return false;
-}
+bool joint_moves_link(const Model& model, int joint, int link) { return hangs_on(model, link, joint + 1); }
 
 }  // namespace
+
+bool hangs_on(const Model& model, int link, int on) {
+  while (link >= 0 && link != on) link = link_of(model, link).parent;
+  return link == on;
+}
 
 std::vector<CollisionPair> pairs_to_check(const Model& model) {
   const std::vector<PinnedLinks> pins = pinned_links(model);

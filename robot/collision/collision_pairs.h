@@ -18,4 +18,7 @@ std::vector<CollisionPair> pairs_to_check(const Model& model);
 // stand still with)?
 bool joint_moves_pair(const Model& model, int joint, int link_a, int link_b);
 
+// Is the link that one, or does it hang on it, as fingers do on a hand?
+bool hangs_on(const Model& model, int link, int on);
+
 }  // namespace twinbus

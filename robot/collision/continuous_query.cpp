@@ -157,8 +157,8 @@ int Collision::open_on_way(double margin, double clear, OnWay* pairs, int capaci
     pair.pair = i.open_pairs[at(p)];
     const auto [a, b] = i.swept->shapes(pair.pair);
     const OwnerPair& links = i.pairs[at(i.pair_of[at(a) * i.shapes.size() + at(b)])];
-    pair.link_a = i.index_of(i.owner(links.a));
-    pair.link_b = i.index_of(i.owner(links.b));
+    pair.link_a = i.owner(links.a).index;
+    pair.link_b = i.owner(links.b).index;
     pair.margin = margin;
     pair.clear = clear;
   }

@@ -1,7 +1,8 @@
-// Puts the numbered pieces of OBSTACLES together until the scene is whole.
+// Puts the numbered pieces of OBSTACLES together until the scene is whole, and adds what hands hold, of HELD.
 
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -13,7 +14,10 @@ namespace twinbus {
 
 class ObstacleCollector {
  public:
-  ObstacleCollector() { obstacles_.reserve(kMostPieces * kObstaclesPerPiece); }
+  ObstacleCollector() {
+    coming_.reserve(kMostPieces * kObstaclesPerPiece);
+    obstacles_.reserve((kMostPieces + 2) * kObstaclesPerPiece);
+  }
 
   // True when a scene other than the last became complete.  Allocates nothing.
   bool add(const ObstaclesPiece& piece) noexcept {
@@ -26,17 +30,34 @@ class ObstacleCollector {
       pieces_ = piece.pieces;
       have_ = 0;
       complete_ = false;
-      obstacles_.clear();
+      coming_.clear();
     }
     const std::uint64_t bit = std::uint64_t{1} << piece.piece;
     if ((have_ & bit) != 0) return false;
     have_ |= bit;
     for (std::size_t i = 0; i < static_cast<std::size_t>(piece.count); ++i)
-      obstacles_.push_back(obstacle(piece, i));
+      coming_.push_back(obstacle(piece, i));
     complete_ = have_ == (~std::uint64_t{0} >> (64 - pieces_));
+    if (complete_) {
+      obstacles_ = coming_;
+      standing_ = obstacles_.size();
+      add_held();
+    }
     return complete_;
   }
 
+  // Piece 0 is all that the left hand holds, piece 1 the right one; nothing, when it has no rows.  True when that is other
+  // than the last.  Allocates nothing.
+  bool hold(const ObstaclesPiece& piece) noexcept {
+    if (piece.pieces != 2 || piece.piece < 0 || piece.piece > 1) return false;
+    ObstaclesPiece& held = held_[static_cast<std::size_t>(piece.piece)];
+    if (held.scene_id == piece.scene_id) return false;
+    held = piece;
+    add_held();
+    return true;
+  }
+
+  // Of the last whole scene, then what hands hold.
   const std::vector<Obstacle>& obstacles() const noexcept { return obstacles_; }
 
  private:
@@ -53,7 +74,20 @@ class ObstacleCollector {
     return o;
   }
 
-  std::vector<Obstacle> obstacles_;
+  void add_held() noexcept {
+    obstacles_.resize(standing_);
+    for (int hand = 0; hand < 2; ++hand) {
+      const ObstaclesPiece& held = held_[static_cast<std::size_t>(hand)];
+      for (std::size_t i = 0; i < static_cast<std::size_t>(held.count); ++i) {
+        obstacles_.push_back(obstacle(held, i));
+        obstacles_.back().hand = hand;
+      }
+    }
+  }
+
+  std::vector<Obstacle> coming_, obstacles_;
+  std::array<ObstaclesPiece, 2> held_{};
+  std::size_t standing_ = 0;
   std::int64_t scene_ = -1;
   std::uint64_t have_ = 0;
   int pieces_ = 0;

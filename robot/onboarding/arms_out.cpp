@@ -7,6 +7,7 @@
 
 #include "common/math/index.h"
 #include "robot/collision/collision.h"
+#include "robot/collision/collision_pairs.h"
 #include "robot/kinematics/kinematics.h"
 #include "robot/onboarding/anatomy.h"
 
@@ -19,11 +20,6 @@ constexpr double kMostOut = 0.5;     // [rad]
 constexpr double kTurnStep = 0.05;   // [rad]
 constexpr double kAbout = 0.7;       // cosine: an axis so nearly forward turns an arm outwards
 constexpr int kMostPairs = 1024;
-
-bool hangs_on(const Model& model, int link, int root) {
-  while (link > root) link = model.links[at(link)].parent;
-  return link == root;
-}
 
 // The joint that turns an arm to its side, and which way: the first of it about the forward axis.
 struct Shoulder {

@@ -228,7 +228,11 @@ class Writer {
       }
       doubts_.push_back("half_sitting of " + source_.srdf_origin + " is not used: " + why);
     }
-    if (!has_soles()) return;
+    if (!has_soles()) {
+      if (const std::string turned = lift_arms(model_, anatomy_, posture_); !turned.empty())
+        doubts_.push_back("at zero the arm lies in the ground: half_sitting has " + turned);
+      return;
+    }
     if (find_standing_posture(model_, posture_)) {
       const double turned = hold_arms_out(model_, anatomy_, posture_);
       if (!(turned > 0.0)) return;

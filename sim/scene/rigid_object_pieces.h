@@ -71,6 +71,19 @@ class LoosePieces {
     return count;
   }
 
+  // The shapes of a loose body in a frame, as many as a piece has rows for.
+  void body(int body, const Eigen::Isometry3d& body_in_frame, ObstaclesPiece& out) const noexcept {
+    constexpr auto kRows = static_cast<std::size_t>(kObstaclesPerPiece);
+    for (std::size_t i = 0; i < rows_.size() && out.count < kObstaclesPerPiece; ++i) {
+      if (rows_[i].link >= 0 || rows_[i].body != body) continue;
+      const ObstaclesPiece& from = pieces_[i / kRows];
+      const auto row = static_cast<std::size_t>(out.count++);
+      out.shape[row] = from.shape[i % kRows];
+      out.size[row] = from.size[i % kRows];
+      place_row(body_in_frame * rows_[i].in_body, row, out);
+    }
+  }
+
  private:
   struct Row {
     int body = 0;   // loose body, or further robot

@@ -377,6 +377,7 @@ Scene load_scene(const std::string& name_or_file) {
       scene.origin[static_cast<Eigen::Index>(i)] = origin[i];
     }
   }
+  scene.in_arm_lengths = top.choice("lengths", {"metres", "arm"}, 0) == 1;
   scene.fixed_base = top.choice("base", {"floating", "fixed"}, 0) == 1;
   if (top.has("ground")) {
     const ConfigNode ground = top.map("ground");

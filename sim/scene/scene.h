@@ -143,6 +143,7 @@ struct Scene {
   std::vector<std::pair<std::string, double>> start_velocity;  // of joints [rad/s or m/s]
   Eigen::Vector2d origin = Eigen::Vector2d::Zero();  // where in the simulated world all of it begins [m]
   bool fixed_base = false;
+  bool in_arm_lengths = false;  // obstacles, loose bodies and where these end count from the shoulder, in lengths of the arm
   double ground_friction = 0.8;
   std::vector<Obstacle> obstacles;  // in the ground frame, for planner, guard and the world
   std::vector<Push> pushes;
@@ -181,7 +182,7 @@ void start_in(const std::string& pose, const Model& model, Scene& scene);
 // line and the nearest valid key.
 //
 // Keys: about, robot, engine (articulated, ode or mujoco), contact (spring_damper, hunt_crossley, patch or rigid), duration, step, accuracy (0.001 or 1 mm), fidelity, held and rigid as in
-// sim/scene/fidelity.h, start_pose, start_velocity: {JOINT: speed, ...}, origin, base (floating or fixed), ground:
+// sim/scene/fidelity.h, start_pose, start_velocity: {JOINT: speed, ...}, origin, base (floating or fixed), lengths (metres or arm), ground:
 // {friction}, obstacles: see scene_obstacle.h, pushes: [link, point, impulse, at,
 // duration], modes: [at, mode, motion, pose, duration, amplitude, frequency], goals: [at, hand,
 // position, reach (from the shoulder, in lengths of the arm), rpy_deg, pose, speed, cancel], walks: [at, for, vx, vy, wz], pads: [at, for, left_x, left_y, right_x],

@@ -89,6 +89,7 @@ Criteria::Criteria()
       energy_drift_j(kNan),
       loose_energy_drift_j(kNan),
       loose_energy_gain_j(kNan),
+      goals_reached_min(kNan),
       max_doubted_steps(kNan) {}
 
 Criteria read_criteria(const ConfigNode& node, const std::vector<std::string>& loose,
@@ -107,6 +108,7 @@ Criteria read_criteria(const ConfigNode& node, const std::vector<std::string>& l
   criteria.energy_drift_j = node.number("energy_drift_j", 0.0, 1e9, kNan);
   criteria.loose_energy_drift_j = node.number("loose_energy_drift_j", 0.0, 1e9, kNan);
   criteria.loose_energy_gain_j = node.number("loose_energy_gain_j", 0.0, 1e9, kNan);
+  criteria.goals_reached_min = node.number("goals_reached_min", 0.0, 1e4, kNan);
   criteria.max_doubted_steps = node.number("max_doubted_steps", 0.0, 1e12, kNan);
   criteria.no_fall = node.flag("no_fall", true);
   criteria.no_self_collision = node.flag("no_self_collision", true);

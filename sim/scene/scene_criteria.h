@@ -73,6 +73,7 @@ struct Criteria {
   double energy_drift_j;          // of the robot while no servo works on it
   double loose_energy_drift_j;    // of all loose bodies together, without what springs store
   double loose_energy_gain_j;     // the same, upward only
+  double goals_reached_min;       // of the arm goals, at least
   double max_doubted_steps;       // physics steps that the engine itself does not trust
   bool no_fall = true;
   bool no_self_collision = true;
@@ -88,7 +89,7 @@ struct Criteria {
 // The map `criteria` of a scene with loose bodies and further robots of these names.  Keys:
 // {max_tilt_deg, zmp_margin_min_mm, slip_max_mm, sole_tilt_max_deg, zmp_margin_p5_mm,
 // step_slip_max_mm, force_rms_percent, velocity_error_percent, travel_min_m, drift_max_m,
-// energy_drift_j, loose_energy_drift_j, loose_energy_gain_j, max_doubted_steps, no_fall, no_self_collision, loose:
+// energy_drift_j, loose_energy_drift_j, loose_energy_gain_j, goals_reached_min, max_doubted_steps, no_fall, no_self_collision, loose:
 // [name, position, within_m, speed_m_s], robots: [name, within_m, max_tilt_deg], joints: [name,
 // position, within, speed, speed_within], spins: [name, energy_drift, momentum_drift, flips], touch:
 // {points, force_n, within, from}, swing: {joint, period_percent, decay_percent}}

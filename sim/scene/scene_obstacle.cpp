@@ -1,7 +1,8 @@
 #include "sim/scene/scene_obstacle.h"
 
 #include <algorithm>
-#include <array>
+#include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -9,6 +10,7 @@
 #include <string>
 
 #include "common/math/index.h"
+#include "robot/collision/collision_pairs.h"
 #include "robot/description/link_points.h"
 #include "robot/kinematics/kinematics.h"
 #include "sim/contact/rigid_object_mesh.h"
@@ -58,20 +60,48 @@ std::vector<Obstacle> read_covered(const ConfigNode& node, int shape) {
   }
 }
 
-// The lowest point of what no joint moves, and of what joints do, as the scene starts [m]; 0 where there is nothing.
-std::array<double, 2> lowest(const Scene& scene, const Model& model) {
+constexpr double kUpright = 0.999;  // cosine
+constexpr double kTouches = 0.001;  // that an arm may begin in the ground [m]
+
+// An arm on a fixed base and the ground, while it is as the scene starts it.
+struct ArmOverGround {
+  int link = -1;         // of the arms, that begins lowest
+  double low = 1e9;      // its lowest point above the ground [m]
+  double around = 0.0;   // how far what stands on the ground or just above it is from the base's middle [m]
+};
+
+ArmOverGround over_ground(const Scene& scene, const Model& model) {
+  constexpr double kStands = 0.03;  // [m]
+  ArmOverGround found;
   Kinematics k(model);
   k.update(Configuration(model, scene.start_pose));
-  std::array<double, 2> low{0.0, 1e9};
+  // The first link turns in place where its joint is upright.
+  const auto of_arm = [&](int link) {
+    return std::any_of(model.hands.begin(), model.hands.end(), [&](const Hand& hand) {
+      if (hand.joints.empty() || !hangs_on(model, link, hand.joints.front() + 1)) return false;
+      return link != hand.joints.front() + 1 || std::abs(k.axis_in_world(hand.joints.front()).z()) < kUpright;
+    });
+  };
   for (int link = 0; link < model.link_count(); ++link) {
-    double& of = low[link == 0 ? 0 : 1];
+    const bool moves = of_arm(link);
     for (const Shape& shape : model.links[at(link)].collision) {
       std::vector<Eigen::Vector3d> points;
       add_points(shape, points);
-      for (const Eigen::Vector3d& point : points) of = std::min(of, (k.link_in_world(link) * point).z());
+      for (const Eigen::Vector3d& point : points) {
+        const Eigen::Vector3d p = k.link_in_world(link) * point;
+        if (!moves && p.z() < kStands) found.around = std::max(found.around, p.head<2>().norm());
+        if (!moves || !(p.z() < found.low)) continue;
+        found.low = p.z();
+        found.link = link;
+      }
     }
   }
-  return low;
+  return found;
+}
+
+bool is_arm(const Model& model) {
+  const bool feet = model.soles[0].link >= 0 || model.soles[1].link >= 0;
+  return !model.floating_base && !feet && (model.hands[0].link >= 0 || model.hands[1].link >= 0);
 }
 
 }  // namespace
@@ -119,17 +149,34 @@ void read_obstacle(const ConfigNode& node, std::vector<Obstacle>& obstacles) {
 }
 
 void add_floor(Scene& scene, const Model& model) {
-  constexpr double kBelow = 0.01, kThick = 0.1, kWide = 10.0;  // [m]
-  if (model.floating_base || (model.hands[0].link < 0 && model.hands[1].link < 0)) return;
-  const std::array<double, 2> low = lowest(scene, model);
-  const double top = low[0] - kBelow;
-  if (!(low[1] > top + kBelow)) return;
-  Obstacle floor;
-  floor.shape = ObstacleShape::kBox;
-  floor.size = {kWide, kWide, kThick};
-  floor.pose.translation().z() = top - 0.5 * kThick;
-  const auto is_it = [&](const Obstacle& o) { return o.size == floor.size && o.pose.isApprox(floor.pose); };
-  if (std::none_of(scene.obstacles.begin(), scene.obstacles.end(), is_it)) scene.obstacles.push_back(floor);
+  constexpr double kGap = 0.03, kThick = 0.1, kWide = 10.0;  // [m]
+  if (!is_arm(model)) return;
+  const ArmOverGround arm = over_ground(scene, model);
+  if (!(arm.low > 0.0)) return;
+  const double hole = arm.around > 0.0 ? arm.around + kGap : 0.0, side = 0.5 * kWide - hole;
+  const auto add = [&](double x, double y, double lx, double ly) {
+    Obstacle floor;
+    floor.shape = ObstacleShape::kBox;
+    floor.size = {lx, ly, kThick};
+    floor.pose.translation() = Eigen::Vector3d(x, y, -0.5 * kThick);
+    const auto is_it = [&](const Obstacle& o) { return o.size == floor.size && o.pose.isApprox(floor.pose); };
+    if (std::none_of(scene.obstacles.begin(), scene.obstacles.end(), is_it)) scene.obstacles.push_back(floor);
+  };
+  if (!(hole > 0.0)) return add(0.0, 0.0, kWide, kWide);
+  for (const double sign : {1.0, -1.0}) {
+    add(sign * (hole + 0.5 * side), 0.0, side, kWide);
+    add(0.0, sign * (hole + 0.5 * side), 2.0 * hole, side);
+  }
+}
+
+std::string begins_in_ground(const Scene& scene, const Model& model) {
+  if (!is_arm(model)) return "";
+  const ArmOverGround arm = over_ground(scene, model);
+  if (arm.low > -kTouches) return "";
+  char depth[40];
+  std::snprintf(depth, sizeof depth, "%.0f", -1e3 * arm.low);
+  return model.links[at(arm.link)].name + " of its arm begins " + depth +
+         " mm in the ground: begin in another pose (--start-pose, start_pose:), or write a half_sitting into its SRDF that is above it";
 }
 
 }  // namespace twinbus

@@ -17,8 +17,10 @@ TriangleMesh read_mesh(const ConfigNode& node);
 // scale (of a mesh) or spacing (of a height map), cell, position, rpy_deg], which becomes boxes.
 void read_obstacle(const ConfigNode& node, std::vector<Obstacle>& obstacles);
 
-// The ground below an arm on a fixed base, which planner and guard know as an obstacle, once: a box whose top is below the base; none
-// where the arm begins lower, nor for a robot with a free base or no hand.
+// The ground below an arm on a fixed base, which planner and guard know as obstacles, once: boxes around what stands on it; none where
+// the arm begins lower, nor for a robot with a free base, feet, or no hand.
 void add_floor(Scene& scene, const Model& model);
+// Which link of such an arm begins in the ground, how deep, and what helps; empty when none does.
+std::string begins_in_ground(const Scene& scene, const Model& model);
 
 }  // namespace twinbus

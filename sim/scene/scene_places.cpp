@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <stdexcept>
 #include <vector>
 
 #include "common/math/index.h"
@@ -54,8 +55,12 @@ std::vector<int> pitch_joints(const Model& model, int foot) {
   return joints;
 }
 
-// Where a share of the stretched arm from its shoulder is, in the ground frame, while the robot is as the scene starts it.
-Eigen::Vector3d reached(const Scene& scene, const Model& model, const Hand& hand, const Eigen::Vector3d& share) {
+// The stretched arm, while the robot is as the scene starts it.
+struct Arm {
+  Eigen::Vector3d shoulder;  // in the ground frame [m]
+  double length = 0.0;
+};
+Arm arm_of(const Scene& scene, const Model& model, const Hand& hand) {
   Kinematics k(model);
   k.update(Configuration(model, scene.start_pose));
   Eigen::Vector3d ground = Eigen::Vector3d::Zero();
@@ -66,15 +71,35 @@ Eigen::Vector3d reached(const Scene& scene, const Model& model, const Hand& hand
     ++soles;
   }
   if (soles > 0) ground /= soles;
-  const Eigen::Vector3d shoulder = k.link_in_world(hand.joints.front() + 1).translation();
+  Arm arm;
+  arm.shoulder = k.link_in_world(hand.joints.front() + 1).translation() - ground;
   Eigen::Vector3d last = k.link_in_world(hand.link) * hand.frame.translation();
-  double length = 0.0;
   for (auto joint = hand.joints.rbegin(); joint != hand.joints.rend(); ++joint) {
     const Eigen::Vector3d here = k.link_in_world(*joint + 1).translation();
-    length += (last - here).norm();
+    arm.length += (last - here).norm();
     last = here;
   }
-  return shoulder + length * share - ground;
+  return arm;
+}
+
+// What is given in lengths of the right arm, or the only one, in metres from then on.
+void measure_by_arm(Scene& scene, const Model& model) {
+  if (!scene.in_arm_lengths) return;
+  const Hand& hand = model.hands[model.hands[1].link >= 0 ? 1 : 0];
+  if (hand.link < 0 || hand.joints.empty())
+    throw std::runtime_error("scene " + scene.name + ": its lengths are those of an arm, and the robot " + model.name + " has none");
+  const Arm arm = arm_of(scene, model, hand);
+  const auto place = [&](Eigen::Vector3d position) { return Eigen::Vector3d(arm.shoulder + arm.length * position); };
+  for (Obstacle& obstacle : scene.obstacles) {
+    obstacle.pose.translation() = place(obstacle.pose.translation());
+    obstacle.size *= arm.length;
+  }
+  for (LooseBody& body : scene.loose) {
+    body.start.pose.translation() = place(body.start.pose.translation());
+    body.solid.size *= arm.length;
+  }
+  for (LooseEnd& end : scene.criteria.loose) end.position = place(end.position);
+  scene.in_arm_lengths = false;
 }
 
 }  // namespace
@@ -107,6 +132,7 @@ int find_joint_place(const Model& model, const std::string& name) {
 }
 
 void name_places(Scene& scene, const Model& model) {
+  measure_by_arm(scene, model);
   const auto link = [&](std::string& name) {
     const int found = name.empty() ? -1 : find_place(model, name);
     if (found >= 0) name = model.links[at(found)].name;
@@ -133,7 +159,8 @@ void name_places(Scene& scene, const Model& model) {
       timed.goal.side = side == 0 ? ArmSide::kRight : ArmSide::kLeft;
     const Hand& hand = model.hands[timed.goal.side == ArmSide::kLeft ? 0 : 1];
     if (!timed.of_reach || hand.link < 0 || hand.joints.empty()) continue;
-    const Eigen::Vector3d position = reached(scene, model, hand, timed.reach);
+    const Arm arm = arm_of(scene, model, hand);
+    const Eigen::Vector3d position = arm.shoulder + arm.length * timed.reach;
     for (int i = 0; i < 3; ++i) timed.goal.position[at(i)] = position[i];
   }
   if (model.floating_base) return;

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "common/math/index.h"
 #include "robot/description/loops.h"
 
 namespace twinbus {
@@ -50,7 +51,8 @@ TieEnd end_of(const Model& model, const std::vector<OtherRobot>& robots, const S
 }  // namespace
 
 SceneTies::SceneTies(const Model& model, const std::vector<OtherRobot>& robots,
-                     const Scene& scene) {
+                     const Scene& scene)
+    : hands_(model.hands) {
   const auto end = [&](const std::string& name, const Eigen::Vector3d& point) {
     return end_of(model, robots, scene, name, point);
   };
@@ -67,7 +69,14 @@ SceneTies::SceneTies(const Model& model, const std::vector<OtherRobot>& robots,
     }
   }
   for (const Grasp& grasp : scene.grasps) {
-    grasps_.push_back({static_cast<int>(ties_.size()), grasp.at, grasp.until});
+    Timed timed{.first = static_cast<int>(ties_.size()), .at = grasp.at, .until = grasp.until};
+    const TieEnd by = end(grasp.link, grasp.point), gripped = end(grasp.to, Eigen::Vector3d::Zero());
+    for (int hand = 0; hand < 2; ++hand) {
+      if (gripped.loose < 0 || by.robot >= 0 || by.link < 0 || by.link != model.hands[at(hand)].link) continue;
+      timed.hand = hand;
+      timed.body = gripped.loose;
+    }
+    grasps_.push_back(timed);
     for (int axis = 0; axis < kTiesOfAGrasp; ++axis) {
       Tie tie;
       tie.a = end(grasp.link, grasp.point + grasp.reach * Eigen::Vector3d::Unit(axis));
@@ -86,7 +95,26 @@ void SceneTies::update(double time, World& world) noexcept {
     if (wanted == grasp.holds) continue;
     grasp.holds = wanted;
     for (int i = 0; i < kTiesOfAGrasp; ++i) (void)world.hold(grasp.first + i, wanted);
+    if (grasp.hand < 0) continue;
+    ++changes_;
+    const Hand& hand = hands_[at(grasp.hand)];
+    grasp.body_in_hand = (world.link_in_world(hand.link) * hand.frame).inverse() * world.loose(grasp.body).pose;
   }
+}
+
+bool SceneTies::held(int hand, const LoosePieces& loose, ObstaclesPiece& out) const noexcept {
+  out = ObstaclesPiece{};
+  out.scene_id = changes_ + 1;
+  out.piece = static_cast<std::int16_t>(hand);
+  out.pieces = 2;
+  out.attitude.fill({1.0F, 0.0F, 0.0F, 0.0F});
+  bool any = false;
+  for (const Timed& grasp : grasps_) {
+    if (grasp.hand != hand) continue;
+    any = true;
+    if (grasp.holds) loose.body(grasp.body, grasp.body_in_hand, out);
+  }
+  return any;
 }
 
 }  // namespace twinbus

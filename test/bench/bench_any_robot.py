@@ -9,9 +9,9 @@ not stopped, touches nothing, tilts at most 5 degrees and keeps its velocity wit
 0.08 sqrt(g leg).  A robot that `check` refuses or says not to stand is listed with that reason.  --keep DIR leaves the proposals
 there.  Exit status 1 if fewer than 90 % of those that `check` takes stand, or fewer than 80 % of those walk that it does not refuse to walk.
 
-./twinbus bench any_robot --arms N [FILE.urdf ...]: robots on a fixed base with an arm run `arm_hold` and `arm_reach`, and N goals each, drawn about the shoulder, among six
-boxes around it; printed is how many were reached, how many refused and for what, and how often something touched.  Exit status 1
-if a scene fails or anything touches.
+./twinbus bench any_robot --arms N [FILE.urdf ...]: robots on a fixed base with an arm run the arm_* scenes, and N reaches each among obstacles
+around the shoulder (test/bench/reach_world.cpp): reached or truly refused, and contacts by the exact meshes.  --held N: every second
+goal of a hand picks a thing, the next one places it.  Exit status 1 if a scene fails, a goal is refused untruly or missed, or anything touches.
 """
 
 import csv
@@ -24,8 +24,6 @@ import sys
 import tempfile
 import time
 import zipfile
-from random import Random
-
 import programs
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -143,41 +141,24 @@ class Robot:
         return 0.5 * self.speed / math.sqrt(G * self.leg) if self.speed > 0.0 else 0.0
 
 
-def obstacles(random):
-    """Boxes on a ring around the shoulder's axis, where an arm has room in the middle."""
-    text = ""
-    for k in range(6):
-        angle, out, height = (k + random.random()) * math.pi / 3, random.uniform(0.55, 0.9), random.uniform(0.2, 0.9)
-        text += f"  - {{shape: box, size: [0.08, 0.08, 0.25], position: [{out * math.cos(angle):.3f}, {out * math.sin(angle):.3f}, {height:.3f}]}}\n"
-    return text
-
-
-def reaches(robot, count, seed, scratch):
-    """A scene of goals four seconds apart; {outcome: times}."""
-    random = Random(seed)
-    text = f"duration: {4 * count + 4}\nobstacles:\n{obstacles(random)}modes:\n  - {{at: 0, mode: hold}}\ngoals:\n"
-    for k in range(count):
-        while True:
-            place = [random.uniform(-0.8, 0.8) for _ in range(3)]
-            if 0.25 < math.dist(place, (0, 0, 0)) < 0.85:
-                break
-        text += f"  - {{at: {1 + 4 * k}, hand: right, reach: [{place[0]:.3f}, {place[1]:.3f}, {place[2]:.3f}], speed: 0.7}}\n"
-    scene = scratch / f"{robot.name}_{seed}.yaml"
-    scene.write_text(text)
-    done = robot.twinbus("run", scene, "--robot", robot.folder)
+def reaches(robot, count, held):
+    """Of reach_world, ten goals a world: {figure: sum, or the worst}."""
     found = {}
-    for line in done.stdout.splitlines():
-        for word, name in (("arm path of", "reached"), ("would touch", "goal in the way"), ("out of reach", "out of reach"), ("no way found", "no way found"),
-                           ("already", "start touches"), ("makes no sense", "no sense"), ("FAILED", line[8:])):
-            if word in line:
-                found[name] = found.get(name, 0) + 1
-                break
-    if done.returncode and not found:
-        found[(done.stderr.strip().splitlines() or ["?"])[-1]] = 1
+    for seed in range(1, (count + 9) // 10 + 1):
+        done = subprocess.run([pathlib.Path(robot.binary).parent / "reach_world", "--robot", robot.folder, "--seed", str(seed), "--goals", "10", "--speed", "0.7",
+                               *(["--held"] if held else [])], capture_output=True, text=True, env=robot.env)
+        try:
+            world = json.loads(done.stdout.splitlines()[-1])
+        except (IndexError, ValueError):
+            world = {"failures": [f"1 times: {(done.stderr.strip().splitlines() or ['?'])[-1]}"], "broken": 1}
+        for key in ("asked", "reached", "refused_truly", "missed", "given_up", "contacts", "broken"):
+            found[key] = found.get(key, 0) + world.get(key, 0)
+        found["plan_ms"] = found.get("plan_ms", []) + [world.get("plan_ms", 0.0)]
+        found["failures"] = found.get("failures", []) + [f"world {seed}: {cause}" for cause in world["failures"] if "no way found" not in cause]
     return found
 
 
-def arms(files, count, keep, scratch, binary):
+def arms(files, count, held, keep, binary):
     failed = looked = 0
     for number, file in enumerate(files):
         robot = Robot(file, keep / f"{number:02d}_{file.stem}", binary, dict(os.environ))
@@ -191,19 +172,19 @@ def arms(files, count, keep, scratch, binary):
             continue
         looked += 1
         said = []
-        for scene in ("arm_hold", "arm_reach"):
+        for scene in ("arm_hold", "arm_reach", "arm_scan"):
             done = robot.twinbus("run", scene, "--robot", robot.folder)
             causes = [line[8:] for line in done.stdout.splitlines() if line.startswith("FAILED: ")] or done.stderr.strip().splitlines()[-1:]
-            paths = done.stdout.count("arm path of")
-            said.append(f"{scene} {'passed' if done.returncode == 0 else 'FAILED (' + '; '.join(causes) + ')'}"
-                        + (f", {paths} of 4 goals" if scene == "arm_reach" else ""))
+            paths, goals = done.stdout.count("arm path of"), done.stdout.count("planner: ")
+            said.append(f"{scene} {'passed' if done.returncode == 0 else 'FAILED (' + '; '.join(causes) + ')'}" + (f", {paths} of {goals} goals" if goals else ""))
             failed += done.returncode != 0
-        found = {}
-        for seed in range((count + 9) // 10):
-            for name, times in reaches(robot, min(10, count - 10 * seed), seed, scratch).items():
-                found[name] = found.get(name, 0) + times
-        failed += sum(times for name, times in found.items() if "touched" in name)
-        print(f"{robot.name:28} {'; '.join(said)}; {count} reaches: " + ", ".join(f"{n} {name}" for name, n in sorted(found.items(), key=lambda i: -i[1])), flush=True)
+        found = reaches(robot, count, held)
+        failed += found["missed"] + found["given_up"] + found["contacts"] + found["broken"]
+        print(f"{robot.name:28} {'; '.join(said)}; {found['asked']} {'picks and places' if held else 'reaches'}: {found['reached']} reached, "
+              f"{found['refused_truly']} refused truly, {found['missed']} untruly or missed, {found['given_up']} given up, {found['contacts']} with a contact; "
+              f"planned in {sorted(found['plan_ms'])[len(found['plan_ms']) // 2]:.1f} ms", flush=True)
+        for cause in found["failures"]:
+            print(f"{'':28}   {cause}", flush=True)
     return 1 if failed or not looked else 0
 
 
@@ -240,18 +221,18 @@ def write_rows(file, columns, rows):
 
 
 def main(words):
-    command = asked(words, __doc__, {"--wheel": "", "--arms": "", "--seeds": "3", "--only": "", "--keep": "", "--csv": ""})
+    command = asked(words, __doc__, {"--wheel": "", "--arms": "", "--held": "", "--seeds": "3", "--only": "", "--keep": "", "--csv": ""})
     if command is None:
         return 0
     options, files = command
     seeds = int(options["--seeds"])
     binary = str(programs.folder_of("twinbus", "bench any_robot") / "twinbus")
-    files = [f for f in files or descriptions(options["--wheel"], ARMS if options["--arms"] else HUMANOIDS) if options["--only"] in str(f)]
-    if options["--arms"]:
+    files = [f for f in files or descriptions(options["--wheel"], ARMS if options["--arms"] or options["--held"] else HUMANOIDS) if options["--only"] in str(f)]
+    if options["--arms"] or options["--held"]:
         with tempfile.TemporaryDirectory() as scratch:
             keep = pathlib.Path(options["--keep"] or scratch)
             keep.mkdir(parents=True, exist_ok=True)
-            return arms(files, int(options["--arms"]), keep, pathlib.Path(scratch), binary)
+            return arms(files, int(options["--arms"] or options["--held"]), bool(options["--held"]), keep, binary)
     stand = walk = legs = walkers = 0
     rows = []
     with tempfile.TemporaryDirectory() as scratch:

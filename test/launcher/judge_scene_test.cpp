@@ -65,6 +65,39 @@ TEST(SceneFit, MarginsAreThoseOfTheSoles) {
   EXPECT_TRUE(std::isnan(none.zmp_margin_p5_mm) && std::isnan(none.zmp_margin_min_mm) && std::isnan(none.slip_max_mm));
 }
 
+// An arm that begins in the ground, and one that reaches only some of its goals.
+TEST(SceneFit, AnArmBeginsAboveTheGround) {
+  Model model = load_robot("hrp1s");
+  model.floating_base = false;
+  model.soles = {};
+  Scene scene = load_scene("arm_hold");
+  EXPECT_NE(why_not_for(scene, model).find("mm in the ground"), std::string::npos);  // the hands hang below the waist
+}
+
+TEST(JudgeScene, GoalsThatAreNotReachedAreCounted) {
+  const Model model = load_robot("hrp1s");
+  Scene scene = load_scene("arm_reach");
+  scene.duration = 6.0;
+  fit_scene(scene, model);
+  scene.goals.resize(2);
+  scene.goals[1].at = 4.0;
+  for (const double away : {0.0, 3.0}) {
+    scene.goals[1].goal.position[0] += away;
+    OneProcess process(model, scene, {});
+    const auto ticks = static_cast<std::int64_t>(scene.duration / model.period());
+    while (process.ticks() < ticks && process.tick()) {
+    }
+    EXPECT_EQ(process.goals().asked(), 2);
+    Criteria asked;
+    asked.goals_reached_min = 2.0;
+    const RunVerdict verdict = judge_scene(process, asked, ticks);
+    EXPECT_EQ(verdict.passed, away == 0.0);
+    if (away > 0.0) {
+      EXPECT_NE(verdict.failures.front().find("1 of the arm goals"), std::string::npos);
+    }
+  }
+}
+
 // A robot that was proposed is asked for what its legs can, and it is said; our own are asked as ever.
 TEST(SceneFit, VelocitiesAreThoseThatTheRobotCan) {
   Model model = load_robot("hrp1s");

@@ -109,6 +109,43 @@ TEST(ArmPlanner, ObstaclesArePassedAtADistanceWhereThereIsRoom) {
   ASSERT_EQ(near_plan.status, ArmPathStatus::kOk) << describe(hrp1s(), near_plan);
 }
 
+// A long rod in the hand is brought around posts that the hand alone would pass.
+TEST(ArmPlanner, WhatIsHeldTouchesNothingOnTheWay) {
+  const Configuration start = standing();
+  Obstacle rod;
+  rod.shape = ObstacleShape::kCylinder;
+  rod.size = Eigen::Vector3d(0.015, 0.3, 0.0);
+  rod.pose.translation() = Eigen::Vector3d(0.03, 0.0, -0.12);  // clear of the wrist
+  SplitMix64 random(20261122);
+  int found = 0, other = 0;
+  for (int round = 0; round < 16; ++round) {
+    const ArmSide side = round % 2 == 0 ? ArmSide::kLeft : ArmSide::kRight;
+    const double way = side == ArmSide::kLeft ? 1.0 : -1.0;
+    rod.hand = side == ArmSide::kLeft ? 0 : 1;
+    const std::vector<Obstacle> posts{post(random.uniform(0.32, 0.5), way * random.uniform(0.1, 0.4))};
+    std::vector<Obstacle> all = posts;
+    all.push_back(rod);
+    const ArmGoal goal = hand_to(side, random.uniform(0.3, 0.42), way * random.uniform(0.05, 0.45), random.uniform(0.8, 1.0));
+    const ArmPlan plan = plan_with(all, goal, start, 1), empty = plan_with(posts, goal, start, 1);
+    if (plan.status != ArmPathStatus::kOk) continue;
+    ++found;
+    other += empty.status != plan.status || empty.duration() != plan.duration() ? 1 : 0;
+    Collision watch(hrp1s());
+    watch.set_obstacles(all);
+    Kinematics kinematics(hrp1s());
+    for (double t = 0.0; t <= plan.duration(); t += 0.004) {
+      kinematics.update(posture_at(plan, start, t));
+      PairDistance pair;
+      const int held = hrp1s().link_count() + 1;
+      const bool known = watch.pair_nearer_than(kinematics, held - 1, held, 1.0, pair);
+      ASSERT_TRUE(!known || pair.distance >= plan.clearance - 1e-5);
+      for (const CollisionPair& each : watch.held_pairs()) ASSERT_FALSE(watch.touches_by_fcl(kinematics, each));
+    }
+  }
+  EXPECT_GE(found, 6);
+  EXPECT_GE(other, 3);
+}
+
 TEST(ArmPlanner, TheSameSeedGivesTheSameMotionBitForBit) {
   const std::vector<Obstacle> obstacles = {post(0.30, 0.27)};
   const Configuration start = standing();

@@ -210,7 +210,7 @@ def logs(attack, rng, count):
     attack.interrupted("long", ["view", good, "--no-open", "--port", "0"], 1.0)
 
 
-TYPES = dict(harness.CHANNEL_TYPES, WALK="walk_command_t", STEPS="step_list_t", MOTION="motion_t", GAMEPAD="gamepad_t", OBSTACLES="obstacles_t", JOURNAL="journal_t",
+TYPES = dict(harness.CHANNEL_TYPES, WALK="walk_command_t", STEPS="step_list_t", MOTION="motion_t", GAMEPAD="gamepad_t", OBSTACLES="obstacles_t", HELD="obstacles_t", JOURNAL="journal_t",
              STOP_PLAN="stop_plan_t", SIM_REQUEST="sim_request_t", MODEL_TEXT="model_text_t", TERRAIN="obstacles_t", LOOSE="obstacles_t", FOOTSTEPS="obstacles_t")
 
 

@@ -10,6 +10,7 @@
 
 #include "robot/description/load.h"
 #include "test/collision/post_and_arm.h"
+#include "sim/scene/scene_obstacle.h"
 #include "sim/scene/scene_ties.h"
 
 namespace twinbus {
@@ -231,16 +232,22 @@ TEST(Scene, AnArmOnAFixedBaseKnowsTheFloorThatItBeginsAbove) {
   arm.floating_base = false;
   arm.hands[1].link = 1;
   arm.hands[1].joints = {0};
+  arm.joints[0].axis = Eigen::Vector3d::UnitY();
+  arm.joints[0].placement.translation().z() = 0.2;
   Scene scene;
   resolve_poses(scene, arm);
   resolve_poses(scene, arm);
-  ASSERT_EQ(scene.obstacles.size(), 1U);
-  const Obstacle& floor = scene.obstacles[0];
-  EXPECT_NEAR(floor.pose.translation().z() + 0.5 * floor.size.z(), -0.06, 1e-9);
+  ASSERT_EQ(scene.obstacles.size(), 4U);  // around the post
+  for (const Obstacle& floor : scene.obstacles) {
+    EXPECT_NEAR(floor.pose.translation().z() + 0.5 * floor.size.z(), 0.0, 1e-9);
+    EXPECT_GT(floor.pose.translation().head<2>().cwiseAbs().maxCoeff(), 0.5);
+  }
+  EXPECT_EQ(begins_in_ground(scene, arm), "");
   Scene below;
   arm.joints[0].placement.translation().z() = -0.2;
   resolve_poses(below, arm);
   EXPECT_TRUE(below.obstacles.empty());
+  EXPECT_NE(begins_in_ground(below, arm).find("in the ground"), std::string::npos);
   Scene walks;
   arm.joints[0].placement.translation().z() = 0.0;
   arm.floating_base = true;

@@ -65,7 +65,7 @@ MEANING = {
         "accuracy": "error that `run` holds by its choice of order and step, such as 1 mm", "start_pose": "named pose of the SRDF",
         "fidelity": "how much is modelled; auto: no more than the accuracy needs (`run`), legs: all other joints are held, rigid: all are", "held": "joints that stand still for good, by name",
         "rigid": "further robots that are one rigid body, by name",
-        "start_velocity": "of joints at the start, by name [rad/s or m/s]", "origin": "where in the simulated world all of the scene begins, x and y [m]", "base": "whether the base is free", "self_contact": "links of one robot touch one another",
+        "start_velocity": "of joints at the start, by name [rad/s or m/s]", "origin": "where in the simulated world all of the scene begins, x and y [m]", "base": "whether the base is free", "lengths": "in which obstacles, loose bodies and their ends are given: metres, or lengths of the right arm (or the only one) from its shoulder", "self_contact": "links of one robot touch one another",
         "settings": "see Settings; --set wins over them", **{name.split("[")[0]: f"see {name}" for name in (
             "ground", "obstacles[]", "pushes[]", "modes[]", "goals[]", "walks[]", "pads[]", "footsteps[]", "motions[]", "terrain", "push_round", "disturbance",
             "bodies[]", "loose[]", "robots[]", "loops[]", "grasps[]", "criteria")}},
@@ -102,6 +102,7 @@ MEANING = {
                  "force_rms_percent": "normal force of a foot against what was wanted, of the weight, at most", "velocity_error_percent": "of what was commanded, over each walk, at most",
                  "travel_min_m": "of the base, at least [m]", "drift_max_m": "of the base, at most [m]", "energy_drift_j": "of the robot while no servo works on it, at most [J]",
                  "loose_energy_drift_j": "of all loose bodies together, at most [J]", "loose_energy_gain_j": "the same, upward only [J]",
+                 "goals_reached_min": "of the arm goals: the path done, then the hand within 30 mm or the joints within 0.05 of it, at least",
                  "max_doubted_steps": "physics steps that the engine does not trust, at most", "no_fall": "a fall fails the run", "no_self_collision": "links that touch fail the run",
                  "loose": "see criteria.loose[]", "robots": "see criteria.robots[]", "joints": "see criteria.joints[]", "spins": "see criteria.spins[]", "touch": "see criteria.touch", "swing": "see criteria.swing"},
     "criteria.loose[]": {"name": "of the body", "position": "of its middle, from the scene's origin [m]", "within_m": "of that [m]", "speed_m_s": "at most [m/s]"},

@@ -1,0 +1,69 @@
+// How many of a scene's arm goals the arm came to: its path done and, half a second later, the hand within 30 mm of its goal, or
+// the joints within 0.05 rad (or m) of theirs: servos give way under the weight, and a scene corrects nothing as `reach` does.
+
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "lcmtypes/msg/messages.h"
+#include "robot/kinematics/kinematics.h"
+
+namespace twinbus {
+
+class GoalWatch {
+ public:
+  // Another goal, and where its path ends these joints; no joints: it was refused.
+  void ask(const ArmGoal& goal, std::vector<int> joints, Eigen::VectorXd end) {
+    ++asked_;
+    goal_ = goal;
+    joints_ = std::move(joints);
+    end_ = std::move(end);
+    moves_ = false;
+    done_ = std::nan("");
+  }
+
+  // Each tick; hand_in_ground(side): where that hand is.
+  template <class HandInGround>
+  void add(double time, const ControllerStatus& status, const Configuration& now, HandInGround hand_in_ground) {
+    if (joints_.empty()) return;
+    moves_ = moves_ || (status.arm_path_id == goal_.goal_id && status.arm_state == kFollowing);
+    if (moves_ && status.arm_state == kDone && std::isnan(done_)) done_ = time;
+    if (!(time >= done_ + kSettled)) return;
+    reached_ += off(now, hand_in_ground) <= 1.0 ? 1 : 0;
+    joints_.clear();
+  }
+
+  int asked() const { return asked_; }
+  int reached() const { return reached_; }
+
+ private:
+  static constexpr int kFollowing = 1, kDone = 2;  // arm_state
+  static constexpr double kSettled = 0.5;          // [s]
+  static constexpr double kFar = 0.03;             // [m]
+  static constexpr double kFarJoint = 0.05;        // [rad] or [m]
+
+  // Of what is allowed.
+  template <class HandInGround>
+  double off(const Configuration& now, HandInGround hand_in_ground) const {
+    if (goal_.kind != ArmGoalKind::kJoints) {
+      const Eigen::Vector3d asked(goal_.position[0], goal_.position[1], goal_.position[2]);
+      return (hand_in_ground(goal_.side) - asked).norm() / kFar;
+    }
+    double most = 0.0;
+    for (std::size_t k = 0; k < joints_.size(); ++k)
+      most = std::max(most, std::abs(now.q[joints_[k]] - end_[static_cast<Eigen::Index>(k)]));
+    return most / kFarJoint;
+  }
+
+  ArmGoal goal_;
+  std::vector<int> joints_;
+  Eigen::VectorXd end_;
+  bool moves_ = false;
+  double done_ = std::nan("");  // when [s]
+  int asked_ = 0, reached_ = 0;
+};
+
+}  // namespace twinbus

@@ -1,0 +1,95 @@
+// A posture for arms on a fixed base that lie in the ground when their joints are at zero.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "common/math/index.h"
+#include "robot/collision/collision_pairs.h"
+#include "robot/description/link_points.h"
+#include "robot/kinematics/kinematics.h"
+#include "robot/onboarding/anatomy.h"
+
+namespace twinbus {
+
+namespace {
+
+constexpr double kAbove = 0.02;      // the ground [m]
+constexpr double kTurnStep = 0.1;    // [rad]
+constexpr double kMostTurned = 1.6;  // [rad]
+
+// How high the links of one arm are.
+class ArmHeight {
+ public:
+  ArmHeight(const Model& model, const Hand& hand) : c_(model), k_(model) {
+    // The first link turns in place where its joint is upright.
+    const int first = hand.joints.front() + 1;
+    k_.update(c_);
+    const bool in_place = std::abs(k_.axis_in_world(first - 1).z()) > 0.999;
+    for (int link = first + (in_place ? 1 : 0); link < model.link_count(); ++link) {
+      if (hangs_on(model, link, first)) links_.emplace_back(link, link_points(model.links[at(link)]));
+    }
+  }
+  // The lowest point [m].
+  double of(const Eigen::VectorXd& q) {
+    c_.q = q;
+    k_.update(c_);
+    double low = 1e9;
+    for (const auto& [link, points] : links_) {
+      for (const Eigen::Vector3d& point : points) low = std::min(low, (k_.link_in_world(link) * point).z());
+    }
+    return low;
+  }
+
+ private:
+  Configuration c_;
+  Kinematics k_;
+  std::vector<std::pair<int, std::vector<Eigen::Vector3d>>> links_;
+};
+
+// False when a limit is in the way.
+bool turn(const Model& model, int joint, double angle, Eigen::VectorXd& q) {
+  q[joint] += angle;
+  return q[joint] >= model.joints[at(joint)].lower && q[joint] <= model.joints[at(joint)].upper;
+}
+
+}  // namespace
+
+std::string lift_arms(const Model& model, const Anatomy& anatomy, Eigen::VectorXd& q) {
+  std::string said;
+  for (const Hand& hand : anatomy.hands) {
+    if (hand.link < 0 || hand.joints.empty()) continue;
+    ArmHeight height(model, hand);
+    if (height.of(q) >= kAbove) continue;
+    const auto lifts = [&](double angle, int joint, int other, double sign) {
+      Eigen::VectorXd tried = q;
+      if (!turn(model, joint, angle, tried) || (other >= 0 && !turn(model, other, sign * angle, tried))) return false;
+      if (height.of(tried) < kAbove) return false;
+      q = tried;
+      char text[80];
+      std::snprintf(text, sizeof text, "%.1f rad", std::abs(angle));
+      said += (said.empty() ? "" : ", ") + model.joints[at(joint)].name + (other >= 0 ? " and " + model.joints[at(other)].name : "") + " by " + text;
+      return true;
+    };
+    bool done = false;
+    for (const bool two : {false, true}) {
+      for (int step = 1; !done && step * kTurnStep <= kMostTurned; ++step) {
+        for (const int joint : hand.joints) {
+          for (const double sign : {1.0, -1.0}) {
+            if (!two) done = done || lifts(sign * step * kTurnStep, joint, -1, 0.0);
+            for (const int other : hand.joints) {
+              if (!two || other <= joint) continue;
+              for (const double same : {1.0, -1.0}) done = done || lifts(sign * step * kTurnStep, joint, other, same);
+            }
+          }
+        }
+      }
+    }
+  }
+  return said;
+}
+
+}  // namespace twinbus

@@ -1,0 +1,142 @@
+// What hands hold: as far from everything as the same thing standing where the hand has it, kept clear by the guard, and put
+// together from HELD.
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "common/math/index.h"
+#include "control/guard/guard.h"
+#include "robot/collision/collision.h"
+#include "robot/collision/collision_pairs.h"
+#include "robot/collision/obstacle_collector.h"
+#include "test/collision/guard_rig.h"
+#include "test/collision/postures.h"
+#include "test/obstacles.h"
+
+namespace twinbus {
+namespace {
+
+Obstacle rod(int hand) {
+  Obstacle held;
+  held.shape = ObstacleShape::kCylinder;
+  held.size = {0.02, 0.4, 0.0};
+  held.pose.translation() = Eigen::Vector3d(0.05, 0.0, -0.1);
+  held.hand = hand;
+  return held;
+}
+
+TEST(Held, IsAsFarFromEverythingAsTheSameThingThere) {
+  const Model& model = hrp1s();
+  Collision carrying(model), standing(model);
+  const Obstacle table = test::box_at({0.3, 0.0, 0.2}, {0.3, 1.2, 0.1});
+  carrying.set_obstacles({table, rod(0)});
+  Kinematics kinematics(model);
+  std::mt19937_64 random(7);
+  const int held = model.link_count() + 1;
+  EXPECT_EQ(carrying.carrier(held), model.hands[0].link);
+  EXPECT_EQ(carrying.carrier(model.link_count()), -1);
+  int with_links = 0, with_table = 0;
+  for (int i = 0; i < 300; ++i) {
+    kinematics.update(random_posture(model, named_posture(model, "half_sitting"), 0.8, random));
+    Obstacle there = rod(0);
+    there.hand = -1;
+    there.pose = kinematics.link_in_world(model.hands[0].link) * model.hands[0].frame * there.pose;
+    standing.set_obstacles({table, there});
+    for (int link = 0; link < model.link_count(); ++link) {
+      PairDistance a, b;
+      const bool near = standing.pair_nearer_than(kinematics, link, held, 0.1, a);
+      ASSERT_EQ(carrying.pair_nearer_than(kinematics, link, held, 0.1, b), near);
+      if (near) {
+        EXPECT_NEAR(a.distance, b.distance, 1e-5);
+      }
+    }
+    std::array<PairDistance, 256> pairs;
+    const int count = carrying.near_pairs(kinematics, 0.1, pairs.data(), 256);
+    for (int p = 0; p < count; ++p) {
+      const PairDistance& pair = pairs[at(p)];
+      if (pair.link_a != held && pair.link_b != held) continue;
+      EXPECT_FALSE(hangs_on(model, pair.link_a, model.hands[0].link) || hangs_on(model, pair.link_b, model.hands[0].link));
+      const bool table_too = pair.link_a == model.link_count() || pair.link_b == model.link_count();
+      ++(table_too ? with_table : with_links);
+      if (!table_too) continue;
+      // FCL's word on the rod and the table.
+      EXPECT_EQ(carrying.touches_by_fcl(kinematics, {pair.link_a, pair.link_b}), pair.distance <= 0.0);
+    }
+  }
+  EXPECT_GT(with_links, 50);
+  EXPECT_GT(with_table, 20);
+  carrying.set_obstacles({table});
+  EXPECT_TRUE(carrying.held_pairs().empty());
+}
+
+TEST(Held, TwoHandsKeepWhatTheyHoldApart) {
+  const Model& model = hrp1s();
+  Collision collision(model);
+  collision.set_obstacles({rod(0), rod(1)});
+  const int first = model.link_count();
+  EXPECT_TRUE(std::any_of(collision.held_pairs().begin(), collision.held_pairs().end(),
+                          [&](const CollisionPair& pair) { return pair.link_a == first && pair.link_b == first + 1; }));
+}
+
+// An arm goes down towards a shelf that only what it holds would meet.
+TEST(Held, TheGuardBrakesTheArmForIt) {
+  const Model& model = hrp1s();
+  const std::size_t pitch = at(static_cast<int>(std::find(model.bus_joints.begin(), model.bus_joints.end(), model.find_joint("LARM_SHOULDER_P")) - model.bus_joints.begin()));
+  double nearest[2] = {1.0, 1.0};
+  for (const bool told : {false, true}) {
+    Guard guard(model, {});
+    Collision watch(model);
+    Obstacle stick = rod(0);
+    stick.size.y() = 0.6;
+    const Obstacle shelf = test::box_at({0.75, 0.0, 0.35}, {0.2, 1.0, 0.04});
+    watch.set_obstacles({shelf, stick});
+    guard.set_obstacles(told ? std::vector<Obstacle>{shelf, stick} : std::vector<Obstacle>{shelf});
+    GuardRig rig(model, named_posture(model, "half_sitting"));
+    Kinematics kinematics(model);
+    Configuration posture = named_posture(model, "half_sitting");
+    for (int i = 0; i < 1000; ++i) {
+      rig.command.q[pitch] = std::max(-2.5, rig.command.q[pitch] - 0.004);
+      rig.tick(guard);
+      for (std::size_t k = 0; k < model.bus_joints.size(); ++k) posture.q[model.bus_joints[k]] = rig.state.q[k];
+      kinematics.update(posture);
+      PairDistance pair;
+      if (watch.pair_nearer_than(kinematics, model.link_count(), model.link_count() + 1, 1.0, pair))
+        nearest[told ? 1 : 0] = std::min(nearest[told ? 1 : 0], pair.distance);
+    }
+  }
+  EXPECT_LT(nearest[0], 0.0);  // it would have hit it
+  EXPECT_GT(nearest[1], 0.0);
+}
+
+TEST(Held, MessagesOfEachHandReplaceTheLastOfThatHand) {
+  ObstacleCollector collector;
+  ObstaclesPiece scene;
+  scene.scene_id = 5;
+  scene.pieces = 1;
+  scene.count = 1;
+  scene.shape[0] = ObstacleShape::kBox;
+  scene.attitude.fill({1.0F, 0.0F, 0.0F, 0.0F});
+  ObstaclesPiece held = scene;
+  held.scene_id = 8;
+  held.pieces = 2;
+  held.piece = 1;
+  EXPECT_TRUE(collector.hold(held));
+  EXPECT_FALSE(collector.hold(held));  // said again
+  EXPECT_TRUE(collector.add(scene));
+  ASSERT_EQ(collector.obstacles().size(), 2U);
+  EXPECT_EQ(collector.obstacles()[0].hand, -1);
+  EXPECT_EQ(collector.obstacles()[1].hand, 1);
+  held.piece = 0;
+  EXPECT_TRUE(collector.hold(held));
+  EXPECT_EQ(collector.obstacles().size(), 3U);
+  held.scene_id = 9;
+  held.count = 0;
+  EXPECT_TRUE(collector.hold(held));
+  EXPECT_EQ(collector.obstacles().size(), 2U);
+  held.piece = 2;
+  EXPECT_FALSE(collector.hold(held));  // no third hand
+}
+
+}  // namespace
+}  // namespace twinbus
