@@ -13,6 +13,8 @@ namespace twinbus {
 namespace {
 
 constexpr double kFollows = 20.0;      // natural frequency of a servo that follows its set-point, at least [rad/s]
+constexpr double kLags = 0.025;         // a servo that follows is this late, at most [s]
+constexpr double kStrays = 0.2;        // a set-point that was far from its joint may be so again [s]
 constexpr int kPartsOfTick = 2;         // steps until the brake comes
 constexpr double kBrakeStep = 0.005;   // of the look along a brake [s]
 constexpr int kMostBrakeSteps = 60;
@@ -73,8 +75,9 @@ ServoPredictor::ServoPredictor(const Model& model, int delay_ticks, double lag)
 
 void ServoPredictor::reset() noexcept {
   started_ = false;
-  soft_ = held_now_ = 0;
+  soft_ = weak_ = held_now_ = 0;
   masks_.fill(0);
+  for (Servo& s : servos_) s.strays = 0.0;
 }
 
 std::int64_t ServoPredictor::on_hold() const noexcept {
@@ -174,15 +177,24 @@ void ServoPredictor::move_set_points(const RobotState& state, const JointCommand
   }
 }
 
-// Which joints are soft: by the gate's rule, and servos that move their joints slowly, as robot.yaml itself may say.
-void ServoPredictor::gather() noexcept {
-  std::int64_t soft = held_now_ & soft_, legs = 0;
+// Which joints are soft: by the gate's rules, and servos that move their joints slowly, as robot.yaml itself may say.
+void ServoPredictor::gather(const RobotState& state, const JointCommand& command) noexcept {
+  std::int64_t legs = 0, stray = 0;
+  weak_ &= held_now_;
   for (int k = 0; k < count_; ++k) {
     const auto i = at(k);
-    const Servo& s = servos_[i];
+    Servo& s = servos_[i];
+    const double speed = std::max(std::abs(static_cast<double>(state.qd[i])), std::abs(s.speed));
+    const bool held = (held_now_ & bit_of(i)) != 0;  // which keeps the joint from it
+    const double off = std::min(std::abs(s.asked - state.q[i]), std::abs(command.q[i] - state.q[i]));  // a fade may be over, or not
+    const bool far = !held && off > kFarSetPoint + kLags * speed;
+    s.strays = far ? kStrays : std::max(0.0, s.strays - period_);
     if (s.leg) legs |= bit_of(i);
-    if (twinbus::is_soft(s.kp, *s.of) || s.kp < s.follows_kp) soft |= bit_of(i);
+    if (s.strays > 0.0) stray |= bit_of(i);
+    if (twinbus::is_soft(s.kp, *s.of) || s.kp < s.follows_kp) weak_ |= bit_of(i);
   }
+  std::int64_t soft = weak_ | stray;
+  if ((stray & legs) != 0) soft |= legs;  // who means torque with one joint of a leg does with all
   soft_ = soft & legs;
   if ((soft & ~legs) != 0) soft_ |= (bit(count_) - 1) & ~legs;
   moving_ = 0;
@@ -323,7 +335,7 @@ void ServoPredictor::follow(const RobotState& state, const JointCommand& command
   masks_[0] = mask;
   hold(state, command);
   move_set_points(state, command);
-  gather();
+  gather(state, command);
   if (soft_ == 0) return;
   look(state, kinematics, configuration);
 }

@@ -1,5 +1,5 @@
-// Where joints go when servos are too soft to follow their set-points, as the guard sees it: a learned policy puts
-// set-points far from the joints on purpose, and the torque is what it means.
+// Where joints go when servos do not follow their set-points, as the guard sees it: a learned policy puts set-points far from
+// the joints on purpose, whatever its gains, and the torque is what it means.
 //
 // The motion follows from the measured joint, the gains and the set-point of the command, the effort limit and the robot's
 // inertia (robot/dynamics/joint_inertia), the base and all other joints standing still:
@@ -7,8 +7,9 @@
 //     H qdd + bias = clamp(kp (q_ref - q) + kd (qd_ref - qd) + tau, +-effort)
 //
 // the set-point as the gate lets it move, implicit in q and qd over steps of a tick, until a brake comes.  The brake of the
-// gate (bridge/gate/masked_brake.h) is the same equation with the gains of a hold.  Where one joint is soft all but the legs
-// are foretold so, since they move one another.  Legs bear on the ground, which is not in the equation: soft ones go on as they
+// gate (bridge/gate/masked_brake.h) is the same equation with the gains of a hold.  Soft is what is too weak to follow, and what
+// had its set-point far away within the last moments.  Where one joint is soft all but the legs are foretold so, since they
+// move one another.  Legs bear on the ground, which is not in the equation: soft ones go on as they
 // are measured.
 
 #pragma once
@@ -59,6 +60,7 @@ class ServoPredictor {
     double asked = 0.0, speed = 0.0, step = 0.0;     // what it is asked to be, how that moves, and moved last
     // A fade's, minus the client's, and since when [s].
     double from_q = 0.0, from_v = 0.0, from_kp = 0.0, from_kd = 0.0, faded = 0.0;
+    double strays = 0.0;  // its set-point was far away, and counts so for as long [s]
   };
   struct Motion {  // of a joint, from where it is measured
     bool braked = false, anew = false;  // anew: the brake begins where the joint is, not at its set-point
@@ -71,7 +73,7 @@ class ServoPredictor {
   void hold(const RobotState& state, const JointCommand& command) noexcept;
   static bool brakes_anew(const Servo& servo, double off) noexcept;
   void move_set_points(const RobotState& state, const JointCommand& command) noexcept;
-  void gather() noexcept;
+  void gather(const RobotState& state, const JointCommand& command) noexcept;
   void look(const RobotState& state, const Kinematics& kinematics, const Configuration& configuration) noexcept;
   void run(std::int64_t mask, PerJoint<Course>& courses) noexcept;
   void step(double h) noexcept;
@@ -82,7 +84,7 @@ class ServoPredictor {
   int count_, delay_ticks_;
   bool started_ = false;
   std::int64_t controller_ = 0, heard_tick_ = 0, looked_tick_ = 0;
-  std::int64_t soft_ = 0, held_now_ = 0;
+  std::int64_t soft_ = 0, weak_ = 0, held_now_ = 0;  // weak: soft by their gains
   std::array<std::int64_t, SetPointTrack::kMostDelay> masks_{};  // on their way, the newest first
   PerJoint<Servo> servos_{};
   std::array<int, kMaxJoints> order_{};  // joints of the bus, parents first

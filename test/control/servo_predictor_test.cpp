@@ -177,6 +177,29 @@ TEST(ServoPredictor, AFarSetPointOfASoftJointIsNotTheWayOfTheJoint) {
   EXPECT_LT(std::abs(f.servos.if_obeyed(elbow).rest()), 0.05);
 }
 
+// Nor does a stiff servo of its own robot follow at once: its effort and the inertia bound what it does, for joints beside it too.
+TEST(ServoPredictor, AFarSetPointOfAStiffServoIsNotTheWayOfTheJoint) {
+  Fixture f;
+  const std::size_t elbow = bus("LARM_ELBOW");
+  const double start = f.state.q[elbow];
+  f.command.q[elbow] = start - 0.5;
+  f.look();
+  EXPECT_TRUE(f.servos.is_soft(elbow));
+  EXPECT_TRUE(f.servos.is_soft(bus("RARM_SHOULDER_P")));
+  EXPECT_FALSE(f.servos.is_soft(bus("LLEG_KNEE")));
+  EXPECT_LT(f.servos.if_obeyed(elbow).rest(), -1e-3);
+  EXPECT_GT(f.servos.if_obeyed(elbow).rest(), -0.25);
+  f.command.q[elbow] = start;
+  for (int i = 0; i < 20; ++i) f.look();
+  EXPECT_TRUE(f.servos.is_soft(elbow)) << "set-points of a policy pass their joints on the way";
+  for (int i = 0; i < 200; ++i) f.look();
+  EXPECT_EQ(f.servos.soft(), 0);
+  f.command.q[bus("LLEG_KNEE")] += 0.1;
+  f.look();
+  EXPECT_TRUE(f.servos.is_soft(bus("RLEG_HIP_Y")));
+  EXPECT_FALSE(f.servos.is_soft(elbow));
+}
+
 // The set-point moves as the gate lets it: a command that turns round does not turn the torque at once.
 TEST(ServoPredictor, ASetPointTakesItsTime) {
   Fixture f;
