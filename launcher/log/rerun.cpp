@@ -187,11 +187,12 @@ void Rerun::consume(Process& process, const JournalPage& page, std::size_t i) {
       input(process, kChannels[static_cast<std::size_t>(kind)], page.input_hash[i], page);
   if (bytes.empty()) return;
   const std::int64_t now = page.input_ns[i];
-  if (kind == JournalInput::kObstacles) {
+  if (kind == JournalInput::kObstacles || kind == JournalInput::kHeld) {
     ObstaclesPiece piece;
-    if (decode(bytes, piece) == Status::kOk) (void)process.obstacles.add(piece);
+    if (decode(bytes, piece) != Status::kOk) return;
+    (void)(kind == JournalInput::kHeld ? process.obstacles.hold(piece) : process.obstacles.add(piece));
+    return;
   }
-  if (kind == JournalInput::kHeld) give(ObstaclesPiece{}, [&](const auto& m) { (void)process.obstacles.hold(m); });
   if (process.watch != nullptr) {
     if (kind == JournalInput::kCommand) give<&GuardWatch::on_command>(bytes, *process.watch, now);
     return;

@@ -26,7 +26,7 @@ READERS = {
     ("load_scene", "top"): ["scene"], ("load_scene", "ground"): ["ground"], ("read_loose", None): ["loose[]"],
     ("read_mesh", None): ["loose[]"], ("read_covered", None): ["obstacles[]"], ("beside_scene", None): ["obstacles[]", "loose[]"],
     ("read_obstacle", None): ["obstacles[]"], ("read_robot", None): ["robots[]"], ("read_grasp", None): ["grasps[]"],
-    ("read_push", None): ["pushes[]"], ("read_mode", None): ["modes[]"], ("read_goal", None): ["goals[]"],
+    ("read_push", None): ["pushes[]"], ("read_place", None): ["grasps[]", "pushes[]"], ("read_mode", None): ["modes[]"], ("read_goal", None): ["goals[]"],
     ("read_walk", None): ["walks[]"], ("read_pad", None): ["pads[]"], ("read_timed_steps", None): ["footsteps[]"],
     ("read_timed_motion", None): ["motions[]"], ("read_steps", "node"): ["footsteps[]"], ("read_steps", "step"): ["footsteps[].steps[]"], ("read_terrain", None): ["terrain"],
     ("read_push_round", None): ["push_round"], ("read_disturbance", None): ["disturbance"], ("read_body", None): ["bodies[]"],
