@@ -7,10 +7,6 @@
 
 namespace twinbus {
 
-OptionSpec from_option() { return {"--from", "S", "seconds from the first event"}; }
-OptionSpec to_option() { return {"--to", "S", "seconds from the first event"}; }
-OptionSpec force_option() { return {"--force", "", "writes over a file that is there, with its parts"}; }
-
 void refuse_same_file(const std::string& in, const std::string& out) {
   std::error_code ignored;
   if (std::filesystem::equivalent(in, out, ignored))

@@ -8,10 +8,6 @@
 
 namespace twinbus {
 
-OptionSpec from_option();
-OptionSpec to_option();
-OptionSpec force_option();
-
 // The second word of the command, where in is what it reads.  Throws UsageError when both are one file, std::runtime_error
 // when a file of that name, or a part of a log of that name, is there and --force was not given.
 std::string log_output(const Arguments& arguments, const std::string& in);
