@@ -25,8 +25,7 @@ NearPair read_near_pair(const ConfigNode& node, const Model& model) {
     if (frame == model.frames.end()) node.fail("links", "'" + links[i] + "' is no link of the robot");
     *index[i] = frame->link;
   }
-  if (pair.link_a == pair.link_b)
-    node.fail("links", links[0] + " and " + links[1] + " are one link: no joint moves between them");
+  if (links[0] == links[1]) node.fail("links", "names " + links[0] + " twice; name two links");
   return pair;
 }
 
@@ -36,7 +35,10 @@ std::vector<NearPair> near_pairs_of(const Model& model) {
   std::vector<NearPair> pairs;
   if (model.yaml_text.empty()) return pairs;
   const ConfigNode top = ConfigNode::parse(model.yaml_text, "robot.yaml of " + model.name);
-  for (const ConfigNode& node : top.list("near_pairs")) pairs.push_back(read_near_pair(node, model));
+  for (const ConfigNode& node : top.list("near_pairs")) {
+    const NearPair pair = read_near_pair(node, model);
+    if (pair.link_a != pair.link_b) pairs.push_back(pair);
+  }
   return pairs;
 }
 
@@ -45,7 +47,8 @@ MarginShares::MarginShares(const Model& model) : links_(model.link_count()) {
   for (const NearPair& pair : near_pairs_of(model)) {
     if (share_.empty()) share_.assign(n * n, 1.0);
     const double share = pair.margin / GuardDefaults::kInController;
-    share_[at(pair.link_a) * n + at(pair.link_b)] = share_[at(pair.link_b) * n + at(pair.link_a)] = share;
+    for (double* of : {&share_[at(pair.link_a) * n + at(pair.link_b)], &share_[at(pair.link_b) * n + at(pair.link_a)]})
+      *of = std::min(*of, share);
     least_ = std::min(least_, share);
   }
 }
