@@ -5,7 +5,12 @@ namespace twinbus {
 namespace {
 
 enum Api : std::int64_t {
-  kVersion = 1, kCheckMode = 1001, kSelectMode = 1002, kReleaseMode = 1003, kSetSilent = 1004, kGetSilent = 1005
+  kVersion = 1,
+  kCheckMode = 1001,
+  kSelectMode = 1002,
+  kReleaseMode = 1003,
+  kSetSilent = 1004,
+  kGetSilent = 1005,
 };
 constexpr std::int32_t kNotImplemented = 3203;  // of the vendor's server: it has no such call
 constexpr std::int32_t kRefused = 7004;         // of the motion service: it cannot change to that mode

@@ -57,7 +57,7 @@ Guard::Impl::Impl(const Model& robot, const GuardConfig& wanted)
   obeyed = masked = braked;
   ahead_of_now.q = now.q;
   rests = ahead_of_now.moves = reaches = changes = Eigen::VectorXd::Zero(robot.joint_count());
-  set_obstacles({});
+  find_reaches();
   places.q.resize(joints);
   places.bend.resize(joints);
   places.asked.assign(joints, 1);
@@ -203,6 +203,10 @@ void Guard::set_obstacles(const std::vector<Obstacle>& obstacles) {
 // What a hand holds reaches farther than it.
 void Guard::Impl::set_obstacles(const std::vector<Obstacle>& obstacles) {
   collision.set_obstacles(obstacles);
+  find_reaches();
+}
+
+void Guard::Impl::find_reaches() noexcept {
   for (int joint = 0; joint < model->joint_count(); ++joint)
     reaches[joint] = collision.reach().farthest(joint);
 }

@@ -71,6 +71,7 @@ struct Guard::Impl {
   double margin_of(int link_a, int link_b) const noexcept { return config.margin * margin_shares.of(link_a, link_b); }  // [m]
   void forget() noexcept;
   void set_obstacles(const std::vector<Obstacle>& obstacles);
+  void find_reaches() noexcept;
   bool stands_on(const PairDistance& pair) const noexcept;
   bool goes_on(const RobotState& state) const noexcept;
   // What is now is known.

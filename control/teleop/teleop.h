@@ -17,9 +17,18 @@ namespace twinbus {
 
 // Bits of Gamepad::buttons; SDL's controller buttons in SDL's order.
 enum PadButton : std::int32_t {
-  kPadA = 1 << 0, kPadB = 1 << 1, kPadX = 1 << 2, kPadY = 1 << 3, kPadBack = 1 << 4, kPadStart = 1 << 6,
-  kPadLeftShoulder = 1 << 9, kPadRightShoulder = 1 << 10, kPadUp = 1 << 11, kPadDown = 1 << 12,
-  kPadLeft = 1 << 13, kPadRight = 1 << 14
+  kPadA = 1 << 0,
+  kPadB = 1 << 1,
+  kPadX = 1 << 2,
+  kPadY = 1 << 3,
+  kPadBack = 1 << 4,
+  kPadStart = 1 << 6,
+  kPadLeftShoulder = 1 << 9,
+  kPadRightShoulder = 1 << 10,
+  kPadUp = 1 << 11,
+  kPadDown = 1 << 12,
+  kPadLeft = 1 << 13,
+  kPadRight = 1 << 14,
 };
 
 // A pad as the driver sees it: left x, left y, right x, right y, left and right trigger; right and

@@ -144,6 +144,10 @@ void BusLink::tell(const std::string& sentence, int severity) {
   send_stamped(channel::kEvent, event);
 }
 
+BusOptions bus_options(const Arguments& arguments) {
+  return options_of(arguments.text("--url", ""), arguments.text("--prefix", ""), arguments.all("--allow"));
+}
+
 BusLink open_bus(const Arguments& arguments) {
   catch_quit_signals();
   return BusLink(arguments.text("--url", ""), arguments.text("--prefix", ""),

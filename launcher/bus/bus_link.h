@@ -17,6 +17,8 @@
 
 namespace twinbus {
 
+struct BusOptions;
+
 class BusLink {
  public:
   // url empty: $LCM_DEFAULT_URL, else the project's own.  Throws std::runtime_error if the bus cannot be opened.
@@ -81,7 +83,9 @@ class BusLink {
   std::unique_ptr<Impl> impl_;
 };
 
-// As --url, --prefix and --allow say; Ctrl-C ends what waits on it.
+// As --url, --prefix and --allow say.
+BusOptions bus_options(const Arguments& arguments);
+// On that bus; Ctrl-C ends what waits on it.
 BusLink open_bus(const Arguments& arguments);
 
 // Waits up to so many seconds for a source that holds STATE; null if there is none.

@@ -1,5 +1,5 @@
-// How many of a scene's arm goals the arm came to: its path done and, half a second later, the hand within 30 mm of its goal, or
-// the joints within 0.05 rad (or m) of theirs: servos give way under the weight, and a scene corrects nothing as `reach` does.
+// How many of a scene's arm goals the arm came to: its path done and, half a second later, the hand within 5 mm of its goal, or
+// the joints within 0.01 rad (or m) of theirs.
 
 #pragma once
 
@@ -32,30 +32,36 @@ class GoalWatch {
     moves_ = moves_ || (status.arm_path_id == goal_.goal_id && status.arm_state == kFollowing);
     if (moves_ && status.arm_state == kDone && std::isnan(done_)) done_ = time;
     if (!(time >= done_ + kSettled)) return;
-    reached_ += off(now, hand_in_ground) <= 1.0 ? 1 : 0;
+    const double far = off(now, hand_in_ground);
+    const bool of_hand = goal_.kind != ArmGoalKind::kJoints;
+    double& most = of_hand ? hand_off_ : joint_off_;
+    most = std::max(most, far);
+    reached_ += far <= (of_hand ? kFar : kFarJoint) ? 1 : 0;
     joints_.clear();
   }
 
   int asked() const { return asked_; }
   int reached() const { return reached_; }
+  double hand_off() const { return hand_off_; }    // at most, of goals to which a path was done [m]
+  double joint_off() const { return joint_off_; }  // [rad] or [m]
 
  private:
   static constexpr int kFollowing = 1, kDone = 2;  // arm_state
   static constexpr double kSettled = 0.5;          // [s]
-  static constexpr double kFar = 0.03;             // [m]
-  static constexpr double kFarJoint = 0.05;        // [rad] or [m]
+  static constexpr double kFar = 0.005;            // [m]
+  static constexpr double kFarJoint = 0.01;        // [rad] or [m]
 
-  // Of what is allowed.
+  // [m] of a hand, [rad] or [m] of a joint.
   template <class HandInGround>
   double off(const Configuration& now, HandInGround hand_in_ground) const {
     if (goal_.kind != ArmGoalKind::kJoints) {
       const Eigen::Vector3d asked(goal_.position[0], goal_.position[1], goal_.position[2]);
-      return (hand_in_ground(goal_.side) - asked).norm() / kFar;
+      return (hand_in_ground(goal_.side) - asked).norm();
     }
     double most = 0.0;
     for (std::size_t k = 0; k < joints_.size(); ++k)
       most = std::max(most, std::abs(now.q[joints_[k]] - end_[static_cast<Eigen::Index>(k)]));
-    return most / kFarJoint;
+    return most;
   }
 
   ArmGoal goal_;
@@ -64,6 +70,7 @@ class GoalWatch {
   bool moves_ = false;
   double done_ = std::nan("");  // when [s]
   int asked_ = 0, reached_ = 0;
+  double hand_off_ = 0.0, joint_off_ = 0.0;
 };
 
 }  // namespace twinbus

@@ -9,6 +9,7 @@
 #include "common/process/arguments.h"
 #include "common/process/command_word.h"
 #include "common/process/process.h"
+#include "launcher/bus/bus_link.h"
 #include "lcmtypes/bus/bus.h"
 #include "lcmtypes/bus/channels.h"
 #include "lcmtypes/msg/messages.h"
@@ -124,14 +125,6 @@ class Teller {
   bool robot_ = false, other_robot_ = false, others_ = false, holds_ = false;
 };
 
-BusOptions bus_from(const Arguments& arguments) {
-  BusOptions options;
-  options.url = arguments.text("--url", options.url);
-  options.prefix = arguments.text("--prefix", "");
-  options.allow = arguments.all("--allow");
-  return options;
-}
-
 }  // namespace
 
 int attach_command(const std::vector<std::string>& words) {
@@ -147,7 +140,7 @@ of that hand. Sizes [m]; X Y Z: its middle in the hand's frame. Until Ctrl-C or 
   ObstaclesPiece piece = nothing(hand);
   put_shape(arguments, piece);
   const double seconds = arguments.number("--for", 1e9, 0.1, 1e9);
-  Teller teller(model, bus_from(arguments), hand);
+  Teller teller(model, bus_options(arguments), hand);
   teller.find_robot();
   teller.listen(1.2 * kAgain);
   if (teller.holds()) {
@@ -181,7 +174,7 @@ Tells planner and guard that the hand is empty, whoever told them what it holds.
   catch_quit_signals();
   const Model model = load_robot(arguments.text("--robot", "hrp1s"));
   const std::int16_t hand = hand_from(arguments, "release", model);
-  Teller teller(model, bus_from(arguments), hand);
+  Teller teller(model, bus_options(arguments), hand);
   teller.find_robot();
   ObstaclesPiece empty = nothing(hand);
   teller.say_often(empty);

@@ -12,6 +12,7 @@
 #include "common/process/command_word.h"
 #include "common/process/process.h"
 #include "launcher/operate/reach_progress.h"
+#include "launcher/bus/bus_link.h"
 #include "lcmtypes/bus/bus.h"
 #include "lcmtypes/bus/channels.h"
 #include "lcmtypes/msg/labels.h"
@@ -257,10 +258,7 @@ ground frame: midway between the feet, x forward, z up.
   catch_quit_signals();
   const Model model = load_robot(arguments.text("--robot", "hrp1s"));
   ArmGoal goal = goal_from(arguments, model);
-  BusOptions options;
-  options.url = arguments.text("--url", options.url);
-  options.prefix = arguments.text("--prefix", "");
-  options.allow = arguments.all("--allow");
+  const BusOptions options = bus_options(arguments);
   Watcher watcher(model, options);
 
   const std::int64_t begin = monotonic_ns();

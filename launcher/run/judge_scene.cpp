@@ -13,6 +13,13 @@ namespace twinbus {
 
 namespace {
 
+std::string goals_text(const GoalWatch& goals) {
+  char text[160];
+  std::snprintf(text, sizeof text, "arm goals: %d asked, %d reached; the hand at most %.1f mm off, joints %.3f rad\n", goals.asked(),
+                goals.reached(), 1e3 * goals.hand_off(), goals.joint_off());
+  return text;
+}
+
 constexpr double kDegrees = 57.29577951308232;
 
 std::string sentence(const char* format, double reached, double asked) {
@@ -361,7 +368,7 @@ std::string scene_figures(const OneProcess& run, const Criteria& asked) {
     lines += text;
   }
   if (run.goals().asked() > 0)
-    lines += "arm goals: " + std::to_string(run.goals().asked()) + " asked, " + std::to_string(run.goals().reached()) + " reached\n";
+    lines += goals_text(run.goals());
   if (w.steps() == 0 && std::isfinite(w.velocity_error())) {  // on points: no sole lands
     std::snprintf(text, sizeof text, "velocity error %.1f %%, ended %.2f m from its start\n", 1e2 * w.velocity_error(), w.travel());
     lines += text;

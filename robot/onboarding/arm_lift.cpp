@@ -10,6 +10,7 @@
 #include "common/math/index.h"
 #include "robot/collision/collision_pairs.h"
 #include "robot/description/link_points.h"
+#include "robot/kinematics/arm_span.h"
 #include "robot/kinematics/kinematics.h"
 #include "robot/onboarding/anatomy.h"
 
@@ -25,11 +26,9 @@ constexpr double kMostTurned = 1.6;  // [rad]
 class ArmHeight {
  public:
   ArmHeight(const Model& model, const Hand& hand) : c_(model), k_(model) {
-    // The first link turns in place where its joint is upright.
     const int first = hand.joints.front() + 1;
     k_.update(c_);
-    const bool in_place = std::abs(k_.axis_in_world(first - 1).z()) > 0.999;
-    for (int link = first + (in_place ? 1 : 0); link < model.link_count(); ++link) {
+    for (int link = first + (turns_in_place(k_, hand) ? 1 : 0); link < model.link_count(); ++link) {
       if (hangs_on(model, link, first)) links_.emplace_back(link, link_points(model.links[at(link)]));
     }
   }

@@ -264,7 +264,10 @@ class Writer {
   }
 
   void near_pairs(std::string& out) const {
-    const std::vector<NearByDesign> pairs = pairs_near_by_design(model_, {neutral_posture(model_), posture_}, pairs_);
+    std::vector<NearByDesign> pairs = pairs_near_by_design(model_, {neutral_posture(model_), posture_}, pairs_);
+    std::erase_if(pairs, [&](const NearByDesign& pair) {  // fingers are fixed to their hands
+      return is_finger(pair.link_a - 1) || is_finger(pair.link_b - 1);
+    });
     if (pairs.empty()) return;
     out += "\n# Near each other by design: what guards keep of them [m], where they keep " +
            fixed(GuardDefaults::kInController) + " of others.\nnear_pairs:\n";

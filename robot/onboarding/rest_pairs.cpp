@@ -58,6 +58,20 @@ double play(const Model& model, const Kinematics& k, const PairDistance& pair) {
   return sum;
 }
 
+// Calls use(kinematics, pair) for all pairs nearer than that, in each posture.
+template <class Use>
+void each_near(const Model& model, Collision& collision, const std::vector<Eigen::VectorXd>& postures, double nearer, Use use) {
+  Configuration c(model);
+  Kinematics k(model);
+  std::vector<PairDistance> near(at(kMostPairs));
+  for (const Eigen::VectorXd& q : postures) {
+    c.q = q;
+    k.update(c);
+    const int count = collision.near_pairs(k, nearer, near.data(), kMostPairs);
+    for (int i = 0; i < count; ++i) use(k, near[at(i)]);
+  }
+}
+
 }  // namespace
 
 std::vector<int> mirror_images(const Model& model) {
@@ -84,22 +98,13 @@ std::vector<int> mirror_images(const Model& model) {
 
 std::vector<RestPair> pairs_at_rest(const Model& model, const std::vector<Eigen::VectorXd>& postures) {
   Collision collision(model);
-  Configuration c(model);
-  Kinematics k(model);
-  std::vector<PairDistance> near(at(kMostPairs));
   std::map<std::pair<int, int>, double> least;
-  for (const Eigen::VectorXd& q : postures) {
-    c.q = q;
-    k.update(c);
-    const int count = collision.near_pairs(k, kMargin, near.data(), kMostPairs);
-    for (int i = 0; i < count; ++i) {
-      const std::pair<int, int> pair{near[at(i)].link_a, near[at(i)].link_b};
-      if (near[at(i)].distance < kTouch || joints_between(model, pair.first, pair.second) <= kFewJoints) {
-        const auto [known, fresh] = least.emplace(pair, near[at(i)].distance);
-        if (!fresh) known->second = std::min(known->second, near[at(i)].distance);
-      }
-    }
-  }
+  each_near(model, collision, postures, kMargin, [&](const Kinematics&, const PairDistance& near) {
+    const std::pair<int, int> pair{near.link_a, near.link_b};
+    if (!(near.distance < kTouch) && joints_between(model, pair.first, pair.second) > kFewJoints) return;
+    const auto [known, fresh] = least.emplace(pair, near.distance);
+    if (!fresh) known->second = std::min(known->second, near.distance);
+  });
   std::vector<RestPair> pairs;
   for (const auto& [pair, distance] : least) {
     char why[100];
@@ -129,24 +134,15 @@ std::vector<RestPair> pairs_at_rest(const Model& model, const std::vector<Eigen:
 std::vector<NearByDesign> pairs_near_by_design(const Model& model, const std::vector<Eigen::VectorXd>& postures,
                                                const std::vector<RestPair>& left_out) {
   Collision collision(model);
-  Configuration c(model);
-  Kinematics k(model);
-  std::vector<PairDistance> near(at(kMostPairs));
   struct Seen {
     double distance = kNear, play = 0.0;
   };
   std::map<std::pair<int, int>, Seen> seen;
-  for (const Eigen::VectorXd& q : postures) {
-    c.q = q;
-    k.update(c);
-    const int count = collision.near_pairs(k, kNear, near.data(), kMostPairs);
-    for (int i = 0; i < count; ++i) {
-      const PairDistance& pair = near[at(i)];
-      Seen& s = seen[{pair.link_a, pair.link_b}];
-      s.distance = std::min(s.distance, pair.distance);
-      s.play = std::max(s.play, play(model, k, pair));
-    }
-  }
+  each_near(model, collision, postures, kNear, [&](const Kinematics& k, const PairDistance& pair) {
+    Seen& s = seen[{pair.link_a, pair.link_b}];
+    s.distance = std::min(s.distance, pair.distance);
+    s.play = std::max(s.play, play(model, k, pair));
+  });
   for (const RestPair& pair : left_out) seen.erase({pair.link_a, pair.link_b});
   std::erase_if(seen, [&](const auto& of) {
     return joints_between(model, of.first.first, of.first.second) > 2 * kFewJoints;

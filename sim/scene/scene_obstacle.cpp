@@ -12,6 +12,7 @@
 #include "common/math/index.h"
 #include "robot/collision/collision_pairs.h"
 #include "robot/description/link_points.h"
+#include "robot/kinematics/arm_span.h"
 #include "robot/kinematics/kinematics.h"
 #include "sim/contact/rigid_object_mesh.h"
 #include "sim/scene/obstacle_cover.h"
@@ -60,7 +61,6 @@ std::vector<Obstacle> read_covered(const ConfigNode& node, int shape) {
   }
 }
 
-constexpr double kUpright = 0.999;  // cosine
 constexpr double kTouches = 0.001;  // that an arm may begin in the ground [m]
 
 // An arm on a fixed base and the ground, while it is as the scene starts it.
@@ -75,11 +75,10 @@ ArmOverGround over_ground(const Scene& scene, const Model& model) {
   ArmOverGround found;
   Kinematics k(model);
   k.update(Configuration(model, scene.start_pose));
-  // The first link turns in place where its joint is upright.
   const auto of_arm = [&](int link) {
     return std::any_of(model.hands.begin(), model.hands.end(), [&](const Hand& hand) {
       if (hand.joints.empty() || !hangs_on(model, link, hand.joints.front() + 1)) return false;
-      return link != hand.joints.front() + 1 || std::abs(k.axis_in_world(hand.joints.front()).z()) < kUpright;
+      return link != hand.joints.front() + 1 || !turns_in_place(k, hand);
     });
   };
   for (int link = 0; link < model.link_count(); ++link) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "common/math/index.h"
+#include "robot/kinematics/arm_span.h"
 #include "robot/kinematics/kinematics.h"
 
 namespace twinbus {
@@ -55,12 +56,8 @@ std::vector<int> pitch_joints(const Model& model, int foot) {
   return joints;
 }
 
-// The stretched arm, while the robot is as the scene starts it.
-struct Arm {
-  Eigen::Vector3d shoulder;  // in the ground frame [m]
-  double length = 0.0;
-};
-Arm arm_of(const Scene& scene, const Model& model, const Hand& hand) {
+// While the robot is as the scene starts it, in the ground frame.
+ArmSpan arm_of(const Scene& scene, const Model& model, const Hand& hand) {
   Kinematics k(model);
   k.update(Configuration(model, scene.start_pose));
   Eigen::Vector3d ground = Eigen::Vector3d::Zero();
@@ -71,14 +68,8 @@ Arm arm_of(const Scene& scene, const Model& model, const Hand& hand) {
     ++soles;
   }
   if (soles > 0) ground /= soles;
-  Arm arm;
-  arm.shoulder = k.link_in_world(hand.joints.front() + 1).translation() - ground;
-  Eigen::Vector3d last = k.link_in_world(hand.link) * hand.frame.translation();
-  for (auto joint = hand.joints.rbegin(); joint != hand.joints.rend(); ++joint) {
-    const Eigen::Vector3d here = k.link_in_world(*joint + 1).translation();
-    arm.length += (last - here).norm();
-    last = here;
-  }
+  ArmSpan arm = arm_span(k, hand);
+  arm.shoulder -= ground;
   return arm;
 }
 
@@ -88,7 +79,7 @@ void measure_by_arm(Scene& scene, const Model& model) {
   const Hand& hand = model.hands[model.hands[1].link >= 0 ? 1 : 0];
   if (hand.link < 0 || hand.joints.empty())
     throw std::runtime_error("scene " + scene.name + ": its lengths are those of an arm, and the robot " + model.name + " has none");
-  const Arm arm = arm_of(scene, model, hand);
+  const ArmSpan arm = arm_of(scene, model, hand);
   const auto place = [&](Eigen::Vector3d position) { return Eigen::Vector3d(arm.shoulder + arm.length * position); };
   for (Obstacle& obstacle : scene.obstacles) {
     obstacle.pose.translation() = place(obstacle.pose.translation());
@@ -159,7 +150,7 @@ void name_places(Scene& scene, const Model& model) {
       timed.goal.side = side == 0 ? ArmSide::kRight : ArmSide::kLeft;
     const Hand& hand = model.hands[timed.goal.side == ArmSide::kLeft ? 0 : 1];
     if (!timed.of_reach || hand.link < 0 || hand.joints.empty()) continue;
-    const Arm arm = arm_of(scene, model, hand);
+    const ArmSpan arm = arm_of(scene, model, hand);
     const Eigen::Vector3d position = arm.shoulder + arm.length * timed.reach;
     for (int i = 0; i < 3; ++i) timed.goal.position[at(i)] = position[i];
   }

@@ -30,6 +30,7 @@
 #include "launcher/operate/reach_progress.h"
 #include "common/math/splitmix64.h"
 #include "common/process/process.h"
+#include "robot/kinematics/arm_span.h"
 #include "robot/collision/links/link_geometry.h"
 #include "robot/description/link_points.h"
 #include "robot/description/load.h"
@@ -291,14 +292,8 @@ class World {
     Surroundings about;
     if (model_.soles[0].link >= 0) return about;
     const Hand& hand = model_.hands[model_.hands[1].link >= 0 ? 1 : 0];
-    about.middle = kinematics.link_in_world(hand.joints.front() + 1).translation();
-    Eigen::Vector3d last = kinematics.link_in_world(hand.link) * hand.frame.translation();
-    for (auto joint = hand.joints.rbegin(); joint != hand.joints.rend(); ++joint) {
-      const Eigen::Vector3d here = kinematics.link_in_world(*joint + 1).translation();
-      about.reach += (last - here).norm();
-      last = here;
-    }
-    return about;
+    const ArmSpan arm = arm_span(kinematics, hand);
+    return {arm.shoulder, arm.length};
   }
 
   std::vector<Obstacle> obstacles() {

@@ -102,7 +102,7 @@ MEANING = {
                  "force_rms_percent": "normal force of a foot against what was wanted, of the weight, at most", "velocity_error_percent": "of what was commanded, over each walk, at most",
                  "travel_min_m": "of the base, at least [m]", "drift_max_m": "of the base, at most [m]", "energy_drift_j": "of the robot while no servo works on it, at most [J]",
                  "loose_energy_drift_j": "of all loose bodies together, at most [J]", "loose_energy_gain_j": "the same, upward only [J]",
-                 "goals_reached_min": "of the arm goals: the path done, then the hand within 30 mm or the joints within 0.05 of it, at least",
+                 "goals_reached_min": "of the arm goals: the path done, then the hand within 5 mm or the joints within 0.01 rad of it, at least",
                  "max_doubted_steps": "physics steps that the engine does not trust, at most", "no_fall": "a fall fails the run", "no_self_collision": "links that touch fail the run",
                  "loose": "see criteria.loose[]", "robots": "see criteria.robots[]", "joints": "see criteria.joints[]", "spins": "see criteria.spins[]", "touch": "see criteria.touch", "swing": "see criteria.swing"},
     "criteria.loose[]": {"name": "of the body", "position": "of its middle, from the scene's origin [m]", "within_m": "of that [m]", "speed_m_s": "at most [m/s]"},

@@ -20,8 +20,16 @@ constexpr char kCompression[] = "zstd";
 constexpr int kLevel = 1;  // of zstd: a tenth of the bytes, faster than a disk
 
 enum Opcode : char {
-  kHeader = 0x01, kFooter = 0x02, kSchema = 0x03, kChannel = 0x04, kMessage = 0x05, kChunkRecord = 0x06,
-  kMessageIndex = 0x07, kChunkIndex = 0x08, kStatistics = 0x0B, kDataEnd = 0x0F
+  kHeader = 0x01,
+  kFooter = 0x02,
+  kSchema = 0x03,
+  kChannel = 0x04,
+  kMessage = 0x05,
+  kChunkRecord = 0x06,
+  kMessageIndex = 0x07,
+  kChunkIndex = 0x08,
+  kStatistics = 0x0B,
+  kDataEnd = 0x0F
 };
 
 // Little endian, as MCAP wants it.

@@ -1,0 +1,22 @@
+// An arm from its shoulder to its hand.
+
+#pragma once
+
+#include <Eigen/Core>
+
+#include "robot/kinematics/kinematics.h"
+
+namespace twinbus {
+
+struct ArmSpan {
+  Eigen::Vector3d shoulder;  // where the first joint is, world [m]
+  double length = 0.0;       // of the stretched arm [m]
+};
+
+// In the posture of k.  The hand must have joints.
+ArmSpan arm_span(const Kinematics& k, const Hand& hand) noexcept;
+
+// Is the arm's first joint upright?  Its first link then turns in place, as a turntable on the ground does.
+bool turns_in_place(const Kinematics& k, const Hand& hand) noexcept;
+
+}  // namespace twinbus
