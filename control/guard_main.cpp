@@ -51,11 +51,9 @@ class GuardProcess : RobotProcess {
         margin_mm_(a.margin_mm),
         watch_(model, {.guard_id = node_.id(), .margin = 1e-3 * a.margin_mm}),
         journal_(ProcessKind::kGuard, node_.id(), {1e-3 * a.margin_mm}, SendPage{&node_}) {
+    listen_to_robot(*this);
     Bus& bus = node_.bus();
-    bus.listen_each<&GuardProcess::hear_state>(channel::kState, *this);
     bus.listen_each<&GuardProcess::hear_command>(channel::kCommand, *this);
-    bus.listen_each<&GuardProcess::hear_obstacles>(channel::kObstacles, *this);
-    bus.listen_each<&GuardProcess::hear_held>(channel::kHeld, *this);
     bus.listen_each<&GuardProcess::hear_source>(channel::kSourceStatus, *this);
   }
 
@@ -72,15 +70,12 @@ class GuardProcess : RobotProcess {
       if (fresh_) judge();
       if (pulse_.due(monotonic_ns())) send_heartbeat();
       if (pulse_.ticks() > kWarmUp) allocations_ += no_alloc.count();
-      if (new_obstacles_) {  // once per scene: not part of the loop
-        new_obstacles_ = false;
-        journal_.consumed(JournalInput::kTakeObstacles, {}, monotonic_ns());
-        watch_.set_obstacles(obstacles_.obstacles());
-      }
+      hand_on_obstacles(journal_, watch_);
     }
   }
 
  private:
+  friend class RobotProcess;
   using Bytes = std::span<const std::uint8_t>;
 
   void hear_state(const RobotState& state, Bytes bytes) noexcept {

@@ -67,15 +67,12 @@ class Controller : RobotProcess {
       if (fresh_) answer();
       if (pulse_.due(monotonic_ns())) send_heartbeat();
       allocations_ += no_alloc.count();
-      if (new_obstacles_) {
-        new_obstacles_ = false;
-        journal_.consumed(JournalInput::kTakeObstacles, {}, monotonic_ns());
-        loop_.set_obstacles(obstacles_.obstacles());
-      }
+      hand_on_obstacles(journal_, loop_);
     }
   }
 
  private:
+  friend class RobotProcess;
   using Bytes = std::span<const std::uint8_t>;
 
   ControlConfig config(const Arguments& a) const {
@@ -89,7 +86,7 @@ class Controller : RobotProcess {
   }
 
   void listen() {
-    node_.bus().listen_each<&Controller::hear_state>(channel::kState, *this);
+    listen_to_robot(*this);
     pass_on<&ControlLoop::on_mode_request>(channel::kModeRequest);
     pass_on<&ControlLoop::on_walk_command>(channel::kWalk);
     pass_on<&ControlLoop::on_step_list>(channel::kSteps);
@@ -99,8 +96,6 @@ class Controller : RobotProcess {
     pass_on<&ControlLoop::on_arm_goal>(channel::kArmGoal);
     pass_on<&ControlLoop::on_stop>(channel::kStop);
     pass_on<&ControlLoop::on_guard>(channel::kGuard);
-    node_.bus().listen_each<&Controller::hear_obstacles>(channel::kObstacles, *this);
-    node_.bus().listen_each<&Controller::hear_held>(channel::kHeld, *this);
   }
 
   // What comes on the channel goes into the journal, then into the loop.

@@ -32,6 +32,24 @@ class RobotProcess {
     fresh_ = true;
   }
 
+  // What each of them hears by hear_state, hear_obstacles and hear_held of its own.
+  template <class Process>
+  void listen_to_robot(Process& process) {
+    Bus& bus = node_.bus();
+    bus.listen_each<&Process::hear_state>(channel::kState, process);
+    bus.listen_each<&Process::hear_obstacles>(channel::kObstacles, process);
+    bus.listen_each<&Process::hear_held>(channel::kHeld, process);
+  }
+
+  // Once per scene: not part of the loop.
+  template <class Journal, class Taker>
+  void hand_on_obstacles(Journal& journal, Taker& taker) {
+    if (!new_obstacles_) return;
+    new_obstacles_ = false;
+    journal.consumed(JournalInput::kTakeObstacles, {}, monotonic_ns());
+    taker.set_obstacles(obstacles_.obstacles());
+  }
+
   // The heartbeat of now; what only one of them counts is still to be filled in.
   Heartbeat& beat() noexcept {
     Heartbeat& beat = node_.beat();

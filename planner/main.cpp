@@ -37,13 +37,11 @@ class PlannerProcess : RobotProcess {
       : RobotProcess(common, ProcessKind::kPlanner, model),
         estimator_(model),
         worker_(model) {
+    listen_to_robot(*this);
     Bus& bus = node_.bus();
-    bus.listen_each<&PlannerProcess::hear_state>(channel::kState, *this);
     bus.listen_each<&PlannerProcess::hear_command>(channel::kCommand, *this);
     bus.listen_each<&PlannerProcess::hear_controller>(channel::kControllerStatus, *this);
     bus.listen_each<&PlannerProcess::hear_goal>(channel::kArmGoal, *this);
-    bus.listen_each<&PlannerProcess::hear_obstacles>(channel::kObstacles, *this);
-    bus.listen_each<&PlannerProcess::hear_held>(channel::kHeld, *this);
   }
 
   void run() {
@@ -67,6 +65,7 @@ class PlannerProcess : RobotProcess {
   }
 
  private:
+  friend class RobotProcess;
   void hear_state(const RobotState& state) noexcept {
     const std::int64_t now = monotonic_ns();
     if (is_ours(state) && admission_.admit(state, now)) take(state, now);

@@ -44,9 +44,8 @@ class Socket {
     emulated::CommandPacket packet;
     for (int i = 0; i < 100; ++i) {
       sockaddr_un from{};
-      socklen_t from_size = sizeof from;
-      const ssize_t size = ::recvfrom(socket_, data, sizeof data, MSG_DONTWAIT,
-                                      reinterpret_cast<sockaddr*>(&from), &from_size);
+      socklen_t from_size = 0;
+      const ssize_t size = emulated::receive_waiting(socket_, data, from, from_size);
       if (size < 0) return;
       if (!emulated::unseal(data, static_cast<std::size_t>(size), packet) ||
           !robot.accept(packet, now_ns))

@@ -13,9 +13,8 @@
 #include <array>
 #include <vector>
 
-#include "robot/kinematics/leg_chain.h"
 #include "robot/kinematics/kinematics.h"
-#include "robot/description/model.h"
+#include "robot/kinematics/leg_chain.h"
 
 namespace twinbus {
 

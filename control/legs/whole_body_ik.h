@@ -9,10 +9,9 @@
 #include <Eigen/Geometry>
 #include <array>
 
+#include "robot/kinematics/kinematics.h"
 #include "robot/kinematics/leg_chain.h"
 #include "control/legs/leg_reach.h"
-#include "robot/kinematics/kinematics.h"
-#include "robot/description/model.h"
 
 namespace twinbus {
 

@@ -8,6 +8,7 @@
 #include "robot/dynamics/inverse_dynamics.h"
 #include "common/math/index.h"
 #include "common/math/pose_math.h"
+#include "robot/estimation/base_frame.h"
 #include "robot/estimation/point_legs.h"
 #include "robot/estimation/sole_contact.h"
 
@@ -132,10 +133,7 @@ void Estimator::look_at_imu(const RobotState& state, bool anew) noexcept {
 // Everything relative to the base's origin, in a frame with z up and the heading the IMU believes
 // in.
 void Estimator::look(const RobotState& state) noexcept {
-  set_joints(*model_, state, configuration_);
-  configuration_.base.setIdentity();
-  configuration_.base_velocity.setZero();
-  configuration_.base_angular_velocity.setZero();
+  set_in_base_frame(*model_, state, configuration_);
   kinematics_.update(configuration_, seen_joints_);
 
   // attitude = base * link of the IMU * IMU.  The IMU measures its own rates: those of the joints

@@ -7,6 +7,7 @@
 #include "common/math/index.h"
 #include "common/math/pose_math.h"
 #include "robot/dynamics/inverse_dynamics.h"
+#include "robot/estimation/base_frame.h"
 
 namespace twinbus {
 
@@ -106,10 +107,7 @@ void InertialLegOdometry::update(const RobotState& state) noexcept {
 }
 
 void InertialLegOdometry::look(const RobotState& state) noexcept {
-  set_joints(*model_, state, configuration_);
-  configuration_.base.setIdentity();
-  configuration_.base_velocity.setZero();
-  configuration_.base_angular_velocity.setZero();
+  set_in_base_frame(*model_, state, configuration_);
   kinematics_.update(configuration_, joints_);
   imu_valid_ = (state.sensor_flags & kImuValid) != 0;
   const Eigen::Isometry3d frame = kinematics_.link_in_world(model_->imu_link) * model_->imu;

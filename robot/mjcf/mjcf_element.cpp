@@ -1,5 +1,6 @@
 #include "robot/mjcf/mjcf_element.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -33,10 +34,8 @@ std::vector<std::string> words_of(const std::string& text) {
 }  // namespace
 
 const MjcfAttribute* MjcfElement::attribute(const std::string& key) const {
-  for (const MjcfAttribute& each : attributes) {
-    if (each.name == key) return &each;
-  }
-  return nullptr;
+  const auto found = std::ranges::find(attributes, key, &MjcfAttribute::name);
+  return found == attributes.end() ? nullptr : &*found;
 }
 
 std::string MjcfElement::text(const std::string& key, const std::string& otherwise) const {

@@ -98,12 +98,7 @@ TWINBUS_INLINE void add(const Six<L>& what, Six<L>& to) {
 }
 template <class L>
 TWINBUS_INLINE void add(const Symmetric3<L>& what, Symmetric3<L>& to) {
-  to.xx += what.xx;
-  to.xy += what.xy;
-  to.xz += what.xz;
-  to.yy += what.yy;
-  to.yz += what.yz;
-  to.zz += what.zz;
+  to = to + what;
 }
 template <class L>
 TWINBUS_INLINE void add(const Inertia<L>& what, Inertia<L>& to) {

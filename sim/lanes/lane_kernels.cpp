@@ -8,23 +8,8 @@
 
 namespace twinbus {
 
-// clang-format off
-namespace baseline {
-#include "sim/lanes/lane_step.h"
-}  // namespace baseline
-#if defined(__x86_64__) && !defined(__clang__)
-#pragma GCC push_options
-#pragma GCC target("avx2,fma")
-namespace avx2 {
-#include "sim/lanes/lane_step.h"
-}  // namespace avx2
-#pragma GCC target("avx512f,avx512vl,avx512dq,fma")
-namespace avx512 {
-#include "sim/lanes/lane_step.h"
-}  // namespace avx512
-#pragma GCC pop_options
-#endif
-// clang-format on
+#define TWINBUS_KERNEL_FILE "sim/lanes/lane_step.h"
+#include "common/simd/fused_kernels.h"
 
 void place_lanes(LaneBlock& block) noexcept { TWINBUS_KERNEL(place_worlds(block)); }
 

@@ -4,16 +4,14 @@
 #include <gtest/gtest.h>
 
 #include "robot/description/load.h"
+#include "test/control/sensor_noise.h"
 #include "test/control/sim_rig.h"
 
 namespace twinbus {
 namespace {
 
-const Settings kHeavyAndNoisy = {
-    {"model.mass_scale", "1.03"},       {"sensor.noise.encoder", "1e-5"},
-    {"sensor.noise.velocity", "0.002"}, {"sensor.noise.attitude", "1e-4"},
-    {"sensor.noise.gyro", "0.001"},     {"sensor.noise.force", "1"},
-    {"sensor.noise.moment", "0.05"}};
+const Settings kHeavyAndNoisy =
+    test::noisy({"1e-5", "0.002", "1e-4", "0.001", "1", "0.05"}, {{"model.mass_scale", "1.03"}});
 
 RigRecord push(double ix, double iy, const Settings& settings) {
   static const Model model = load_robot("hrp1s");

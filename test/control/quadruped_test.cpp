@@ -6,16 +6,14 @@
 
 #include "test/bench/two_sources.h"
 #include "test/control/four_legged.h"
+#include "test/control/sensor_noise.h"
 #include "test/control/sim_rig.h"
 #include "test/no_alloc.h"
 
 namespace twinbus {
 namespace {
 
-const Settings kNoisy = {{"sensor.noise.encoder", "1e-5"},
-                         {"sensor.noise.velocity", "0.002"},
-                         {"sensor.noise.attitude", "1e-4"},
-                         {"sensor.noise.gyro", "0.001"}};
+const Settings kNoisy = test::noisy({"1e-5", "0.002", "1e-4", "0.001"});
 
 Scene flat() {
   Scene scene;

@@ -14,9 +14,9 @@ namespace {
 constexpr double kDt = 0.002;
 
 struct Fixture {
+  RobotState state;
   const Model& model = test::hrp1s();
   SetPointLimits limits{model};
-  RobotState state;
   SetPoint last, point;
   const Joint& joint(std::size_t k) const {
     return model.joints[static_cast<std::size_t>(model.bus_joints[k])];

@@ -6,16 +6,14 @@
 #include "robot/estimation/estimator.h"
 #include "robot/description/load.h"
 #include "common/math/pose_math.h"
+#include "test/control/sensor_noise.h"
 #include "test/control/sim_rig.h"
 
 namespace twinbus {
 namespace {
 
-const Settings kNoisyAndLate = {
-    {"sensor.noise.encoder", "5e-5"},  {"sensor.noise.velocity", "0.005"},
-    {"sensor.noise.attitude", "5e-4"}, {"sensor.noise.gyro", "0.003"},
-    {"sensor.noise.force", "3"},       {"sensor.noise.moment", "0.2"},
-    {"sensor.delay_ms", "2"},          {"sensor.imu_yaw_drift", "0.01"}};
+const Settings kNoisyAndLate = test::noisy({"5e-5", "0.005", "5e-4", "0.003", "3", "0.2"},
+                                           {{"sensor.delay_ms", "2"}, {"sensor.imu_yaw_drift", "0.01"}});
 
 struct Errors {
   double position = 0.0;  // root of the mean square [m]

@@ -92,18 +92,15 @@ void ForwardDynamics::inward(const double* tau) noexcept {
     const Spatial scaled = column * part.d_inverse;
     const double* ca = part.column.angular.value.data();
     const double* cl = part.column.linear.value.data();
-    store(parent.aa[0], load(parent.aa[0]) + (aa.x - scaled.angular * ca[0]));
-    store(parent.aa[1], load(parent.aa[1]) + (aa.y - scaled.angular * ca[1]));
-    store(parent.aa[2], load(parent.aa[2]) + (aa.z - scaled.angular * ca[2]));
-    store(parent.la[0], load(parent.la[0]) + (la.x - scaled.linear * ca[0]));
-    store(parent.la[1], load(parent.la[1]) + (la.y - scaled.linear * ca[1]));
-    store(parent.la[2], load(parent.la[2]) + (la.z - scaled.linear * ca[2]));
-    store(parent.al[0], load(parent.al[0]) + (al.x - scaled.angular * cl[0]));
-    store(parent.al[1], load(parent.al[1]) + (al.y - scaled.angular * cl[1]));
-    store(parent.al[2], load(parent.al[2]) + (al.z - scaled.angular * cl[2]));
-    store(parent.ll[0], load(parent.ll[0]) + (ll.x - scaled.linear * cl[0]));
-    store(parent.ll[1], load(parent.ll[1]) + (ll.y - scaled.linear * cl[1]));
-    store(parent.ll[2], load(parent.ll[2]) + (ll.z - scaled.linear * cl[2]));
+    const auto fold = [](auto& to, const Columns& block, const Vec4& less, const double* by) {
+      store(to[0], load(to[0]) + (block.x - less * by[0]));
+      store(to[1], load(to[1]) + (block.y - less * by[1]));
+      store(to[2], load(to[2]) + (block.z - less * by[2]));
+    };
+    fold(parent.aa, aa, scaled.angular, ca);
+    fold(parent.la, la, scaled.linear, ca);
+    fold(parent.al, al, scaled.angular, cl);
+    fold(parent.ll, ll, scaled.linear, cl);
     store(parent.bias, load(parent.bias) + bias + scaled * part.u);
   }
 }

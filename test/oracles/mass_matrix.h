@@ -10,8 +10,6 @@
 
 #include <vector>
 
-#include "robot/kinematics/kinematics.h"
-#include "robot/description/model.h"
 #include "robot/dynamics/spatial_force.h"
 
 namespace twinbus {

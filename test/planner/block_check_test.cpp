@@ -150,49 +150,50 @@ TEST(BlockCheck, HullsSettleWhatTheBallsOfTwoLinksLeaveOpen) {
   }
 }
 
-TEST(BlockCheck, APostureIsFreeWhenTheBallsAreClearInDoublePrecision) {
+// How many of so many random trials on six joints say that they are free; trial(six, random).
+template <class Trial>
+int free_of(int trials, std::uint64_t seed, Trial trial) {
   SixJoints six;
-  auto& [chain, robot, scene, check] = six;
-  SplitMix64 random(1);
+  SplitMix64 random(seed);
   int free = 0;
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < trials; ++i) free += trial(six, random) ? 1 : 0;
+  return free;
+}
+
+TEST(BlockCheck, APostureIsFreeWhenTheBallsAreClearInDoublePrecision) {
+  const int free = free_of(3000, 1, [](SixJoints& six, SplitMix64& random) {
     const std::vector<float> q = random_point(random, 6);
-    const double least = clearance(chain, q);
-    if (std::abs(least) < 1e-5) continue;
-    const bool said = check.point_free(q.data());
+    const double least = clearance(six.chain, q);
+    if (std::abs(least) < 1e-5) return false;
+    const bool said = six.check.point_free(q.data());
     EXPECT_EQ(said, least > 0.0) << least;
-    free += said ? 1 : 0;
-  }
+    return said;
+  });
   EXPECT_GT(free, 200);
   EXPECT_LT(free, 2800);
 }
 
 TEST(BlockCheck, WhatIsLeftOutAlongALineIsFarAway) {
-  SixJoints six;
-  auto& [chain, robot, scene, check] = six;
-  SplitMix64 random(2);
-  int free = 0;
-  for (int i = 0; i < 2000; ++i) {
+  const int free = free_of(2000, 2, [](SixJoints& six, SplitMix64& random) {
     const std::vector<float> from = random_point(random, 6);
     const std::vector<float> to = random_point(random, 6);
     std::vector<float> step(at(kMostPlanned));
     for (std::size_t j = 0; j < 6; ++j) step[j] = 0.3F * (to[j] - from[j]);
     constexpr int kBlocks = 5;
-    const bool said = check.line_free(from.data(), step.data(), kBlocks);
+    const bool said = six.check.line_free(from.data(), step.data(), kBlocks);
     bool all = true;  // each posture of the rake by itself
     for (int n = 1; all && n <= 8 * kBlocks; ++n) {
       std::vector<float> q(at(kMostPlanned));
-      for (std::size_t j = 0; j < 6; ++j)
-        q[j] = from[j] + static_cast<float>(n) / (8.0F * kBlocks) * step[j];
-      if (std::abs(clearance(chain, q)) < 1e-5) {
+      for (std::size_t j = 0; j < 6; ++j) q[j] = from[j] + static_cast<float>(n) / (8.0F * kBlocks) * step[j];
+      if (std::abs(clearance(six.chain, q)) < 1e-5) {
         all = said;
         break;
       }
-      all = check.point_free(q.data());
+      all = six.check.point_free(q.data());
     }
     EXPECT_EQ(said, all);
-    free += said ? 1 : 0;
-  }
+    return said;
+  });
   EXPECT_GT(free, 50);
 }
 

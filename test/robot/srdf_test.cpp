@@ -34,14 +34,13 @@ TEST(Srdf, ErrorsNameTheLine) {
 
 // The free base is a joint of seven numbers to others; where the robot is, the scene says.
 TEST(Srdf, AFreeBaseInAPoseIsLeftOut) {
-  const Srdf srdf = parse_srdf(
-      "<robot name='r'><group_state name='home' group='a'>"
-      "<joint name='root_joint' value='0 0 0.6 0 0 0 1'/><joint name='j' value='1'/>"
-      "</group_state></robot>",
-      "r.srdf");
-  ASSERT_EQ(srdf.poses.size(), 1u);
-  ASSERT_EQ(srdf.poses[0].joints.size(), 1u);
-  EXPECT_EQ(srdf.poses[0].joints[0].first, "j");
+  const char* const with_base =
+      "<robot name='r'><group_state name='home' group='a'><joint name='root_joint' value='0 0 0.6 0 0 0 1'/>"
+      "<joint name='j' value='1'/></group_state></robot>";
+  const std::vector<SrdfPose> poses = parse_srdf(with_base, "r.srdf").poses;
+  ASSERT_EQ(poses.size(), 1u);
+  ASSERT_EQ(poses.front().joints.size(), 1u);
+  EXPECT_EQ(poses.front().joints.front().first, "j");
 }
 
 TEST(Srdf, SizesOfFeetAreReadIfTheyCanBe) {

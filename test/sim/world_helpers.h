@@ -9,6 +9,7 @@
 #include "robot/dynamics/inverse_dynamics.h"
 #include "robot/kinematics/kinematics.h"
 #include "sim/world/world.h"
+#include "test/no_alloc.h"
 
 namespace twinbus::test {
 
@@ -30,6 +31,13 @@ inline Configuration standing_block(const Model& block) {
 inline void settle_block(World& world) {
   ASSERT_EQ(world.set_servo(0, {.q = 0, .qd = 0, .tau = 0, .kp = 100, .kd = 10}), Status::kOk);
   for (int i = 0; i < 2000; ++i) ASSERT_EQ(world.step(), Status::kOk);
+}
+
+// So many steps, none of which allocates.
+inline void step_without_allocation(World& world, int steps) {
+  const NoAlloc guard;
+  for (int i = 0; i < steps; ++i) ASSERT_EQ(world.step(), Status::kOk);
+  EXPECT_EQ(guard.count(), 0);
 }
 
 inline LooseBody loose_box(const std::string& name, double mass, const Eigen::Vector3d& size, const Eigen::Isometry3d& pose,

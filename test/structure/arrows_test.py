@@ -49,7 +49,8 @@ TEST_FOLDER_CEILING = 40
 SHARED_TEST_HEADERS = {"test/no_alloc.h"}
 
 MACHINE = re.compile(r"/(home|work|Users|root|tmp/[a-z]+_clone)/[A-Za-z0-9_.-]+")
-INCLUDE = re.compile(r'^\s*#\s*include\s+([<"])([^>"]+)[>"]', re.MULTILINE)
+# TWINBUS_KERNEL_FILE names what common/simd/fused_kernels.h includes for each instruction set.
+INCLUDE = re.compile(r'^\s*#\s*(?:include|define TWINBUS_KERNEL_FILE)\s+([<"])([^>"]+)[>"]', re.MULTILINE)
 CODE = {".h", ".cpp", ".c", ".cc", ".hpp", ".inl"}
 TEXT = CODE | {".py", ".sh", ".yaml", ".yml", ".txt", ".md", ".cmake", ".json", ".lcm", ".java", ".urdf", ".srdf", ".nft", ""}
 TYPE = re.compile(r"^(?:class|struct|enum class)\s+(?:alignas\([^)]*\)\s+)?([A-Z]\w*)(?:\s+final)?\s*(?::[^:][^{;]*)?\{", re.MULTILINE)

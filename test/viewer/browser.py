@@ -2,7 +2,6 @@
 import atexit
 import base64
 import json
-import os
 import re
 import shutil
 import subprocess

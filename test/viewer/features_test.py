@@ -4,7 +4,6 @@ drag and drop to plots, exports, video, a log, a link, a pad; and that the whole
 
     features_test.py BIN_FOLDER        in a private network namespace
 """
-import json
 import os
 import pathlib
 import re
@@ -16,7 +15,7 @@ import time
 
 from browser import Browser, find_browser
 from pictures import compare
-from process_tools import Checks, Process, binary
+from process_tools import Checks, Process, binary, console_is_clean
 
 if not find_browser():
     print("no chromium: skipped")
@@ -180,8 +179,7 @@ page.value("pad.buttons[4].pressed = false")
 check(fake.wait_for("walk 0.00 ") is not None, "let go it stands")
 page.value("pad.buttons[1].pressed = true")
 check(fake.wait_for("stop 1") is not None, "B stops")
-errors = [line for line in page.console if "GPU stall" not in line]
-check(not errors, f"no errors in the console {errors[:3]}")
+console_is_clean(check, page, "GPU stall")
 page.end()
 check(viewer.end(10) == 0, "the viewer ends cleanly")
 fake.end()

@@ -9,12 +9,11 @@ import json
 import os
 import re
 import shutil
-import subprocess
 import sys
 import tempfile
 import time
 
-from process_tools import Checks, Process, binary, until
+from process_tools import Checks, Process, binary, until, console_is_clean
 from web_socket import WebSocket
 
 firefox = shutil.which("firefox-esr") or shutil.which("firefox")
@@ -105,8 +104,7 @@ check(fake.wait_for("stop 1", 10) is not None, "space stops")
 check(page.wait_for("document.body.classList.contains('stopped')", 20), "and it is seen")
 page.value("(document.getElementById('clear').click(), true)")
 check(fake.wait_for("clear 77", 10) is not None, "Clear clears")
-errors = [line for line in page.console if has_3d or "WebGL" not in line]
-check(not errors, f"no errors in the console {errors[:3]}")
+console_is_clean(check, page, *([] if has_3d else ["WebGL"]))
 page.socket.close()
 page.process.end(10)
 viewer.end()

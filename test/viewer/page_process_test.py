@@ -8,7 +8,7 @@ import sys
 import time
 
 from browser import Browser, find_browser
-from process_tools import Checks, Process, binary
+from process_tools import Checks, Process, binary, console_is_clean
 
 if not find_browser():
     print("no chromium: skipped")
@@ -139,7 +139,6 @@ check(page.wait_for(text % "badge-name" + " === 'NO SOURCE'"), "a silent source 
 picture("silent")
 viewer.end()
 check(page.wait_for("document.body.classList.contains('offline')"), "and a dead viewer is said")
-errors = [line for line in page.console if "WebSocket" not in line and "GPU stall" not in line]
-check(not errors, f"no errors in the console {errors[:3]}")
+console_is_clean(check, page, "WebSocket", "GPU stall")
 page.end()
 check.finish()

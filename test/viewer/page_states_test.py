@@ -7,7 +7,6 @@ nothing serious where it is installed.
 Without --all: two widths, and no pictures. A real stack of simulator and robot: standing, walking, stopped, loaded, fallen, no source; then a log.
 """
 import argparse
-import json
 import os
 import pathlib
 import re
@@ -135,7 +134,6 @@ def live_states():
     everywhere(page, "stopped", ["#clear"])
     cli("clear")
     simulator = child_of(up, "twinbus_simulator")
-    stop_pulses = time.monotonic() + (60 if arguments.all else 20)
     pulses = subprocess.Popen([sys.executable, "-c", "import os, signal, sys, time\nend = time.monotonic() + float(sys.argv[2])\nwhile time.monotonic() < end:\n"
                                "    os.kill(int(sys.argv[1]), signal.SIGSTOP); time.sleep(0.02); os.kill(int(sys.argv[1]), signal.SIGCONT); time.sleep(0.03)\n",
                                str(simulator), "60" if arguments.all else "20"])

@@ -12,7 +12,7 @@ import time
 
 from browser import Browser, find_browser
 from pictures import compare
-from process_tools import FAR, Checks, Process, binary, fake_robot_seen_from_afar
+from process_tools import FAR, Checks, Process, binary, fake_robot_seen_from_afar, console_is_clean
 from web_socket import WebSocket
 
 ACTS = ("clear", "source", "mode", "walk", "goal")
@@ -144,8 +144,7 @@ check(fake.wait_for("stop 1") is not None, "STOP stops at the touch")
 check(page.wait_for("document.body.classList.contains('stopped')"), "and it is seen")
 if len(sys.argv) > 2:
     page.screenshot(sys.argv[2].replace(".png", "_stopped.png"))
-errors = [line for line in page.console if "GPU stall" not in line]
-check(not errors, f"no errors in the console {errors[:3]}")
+console_is_clean(check, page, "GPU stall")
 page.end()
 viewer.end()
 fake.end()

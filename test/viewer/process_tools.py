@@ -63,6 +63,12 @@ def until(holds, seconds, pause=0.2):
     return False
 
 
+def console_is_clean(check, page, *known):
+    """No errors in the page's console, lines that name one of the known things left out."""
+    errors = [line for line in page.console if not any(word in line for word in known)]
+    check(not errors, f"no errors in the console {errors[:3]}")
+
+
 class Checks:
     def __init__(self):
         self.passed = self.failed = 0

@@ -13,7 +13,7 @@ import sys
 import tempfile
 import time
 
-from process_tools import Checks, Process, binary
+from process_tools import Checks, Process, binary, console_is_clean
 from web_socket import WebSocket
 
 check = Checks()
@@ -214,8 +214,7 @@ if "--all" in sys.argv:
     check(browser.wait_for("twinbus.plots.plots.length === 3 && twinbus.plots.plots.every((p) => p.chart)"), "with the same plots")
     check(browser.wait_for("twinbus.history.count > 100", 30), "and curves in them")
     picture("link")
-errors = [line for line in browser.console if "WebSocket" not in line and "GPU stall" not in line]
-check(not errors, f"no errors in the console {errors[:3]}")
+console_is_clean(check, browser, "WebSocket", "GPU stall")
 browser.end()
 check(viewer.end() == 0, "it ends cleanly")
 for words in (["--port", "x"], ["--what"]):

@@ -4,7 +4,6 @@
     web_safety_test.py BIN_FOLDER [REQUESTS]        in a private network namespace; default 100000 requests of junk
 """
 import json
-import os
 import random
 import re
 import socket

@@ -33,7 +33,7 @@ async function makeInto(folder) {
     logLevel: 'warning',
   });
   const page = readFileSync(join(here, 'src/index.html'), 'utf8');
-  writeFileSync(join(folder, 'index.html'), page.split('\n').map((line) => line.trim()).filter(Boolean).join('\n') + '\n');
+  writeFileSync(join(folder, 'index.html'), page.split('\n').map((line) => line.trim()).filter(Boolean).join(' ') + '\n');
   writeFileSync(join(folder, 'LICENSES.txt'), licences());
 }
 

@@ -200,9 +200,8 @@ class EmulatedRobot final : public RobotAdaptor {
     alignas(StatePacket) unsigned char data[sizeof(StatePacket) + 1];
     for (int i = 0; i < 1000; ++i) {
       sockaddr_un from{};
-      socklen_t from_size = sizeof from;
-      const ssize_t size = ::recvfrom(socket_, data, sizeof data, MSG_DONTWAIT,
-                                      reinterpret_cast<sockaddr*>(&from), &from_size);
+      socklen_t from_size = 0;
+      const ssize_t size = receive_waiting(socket_, data, from, from_size);
       if (size < 0) return;
       if (!from_device(from, from_size)) continue;
       if (!unseal(data, static_cast<std::size_t>(size), packet) || packet.joint_count > kJoints)
