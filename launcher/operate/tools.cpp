@@ -91,6 +91,7 @@ constexpr BenchRow kBenches[] = {
     {"guard and planner", "planner", "arm paths beside VAMP and OMPL"},
     {"guard and planner", "reach", "a balancing robot reaches among obstacles"},
     {"simulation", "physics", "engines beside their peers, asked and reached"},
+    {"simulation", "published", "the tests of SimBenchmark, beside MuJoCo and what RaiSim reached"},
     {"simulation", "sim2sim", "one controller in every engine: how far they part, and why"},
     {"simulation", "maps", "where each engine fails, how, and whether it said so"},
     {"simulation", "accuracy", "errors asked for and reached, against converged references"},

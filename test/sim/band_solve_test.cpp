@@ -33,6 +33,28 @@ TEST(BandSolve, AgreesWithAFullSolve) {
   }
 }
 
+// Bodies that all touch the last one: far entries in every row, and nothing between.
+TEST(BandSolve, AgreesWithAFullSolveWhereAllTouchOne) {
+  constexpr int n = 600;  // more than one word of columns
+  BandSolve band(n, 3 * n * n);
+  band.reset(n, n);
+  Random random(7);
+  Eigen::MatrixXd full = Eigen::MatrixXd::Zero(n, n);
+  Eigen::VectorXd right(n);
+  const auto put = [&](int r, int c) {
+    full(r, c) = random.normal();
+    band.add(r, c, full(r, c));
+  };
+  for (int r = 0; r < n; ++r) {
+    right[r] = random.normal();
+    for (int c = r / 6 * 6; c < r / 6 * 6 + 6; ++c) put(r, c);
+    for (int c = n - 6; r < n - 6 && c < n; ++c) put(r, c), put(c, r);
+  }
+  const Eigen::VectorXd x = full.fullPivLu().solve(right);
+  band.solve(right.data());
+  EXPECT_LT((right - x).norm(), 1e-7 * (1.0 + x.norm()));
+}
+
 TEST(BandSolve, LeavesOutWhatItHasNoRoomFor) {
   BandSolve band(10, 40);  // a band of four columns: a reach of one
   band.reset(10, 9);

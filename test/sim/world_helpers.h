@@ -10,6 +10,7 @@
 #include "robot/kinematics/kinematics.h"
 #include "sim/world/world.h"
 #include "test/no_alloc.h"
+#include "test/sim/body_energy.h"
 
 namespace twinbus::test {
 
@@ -50,21 +51,6 @@ inline LooseBody loose_box(const std::string& name, double mass, const Eigen::Ve
   body.stiffness = stiffness;
   body.damping = damping;
   return body;
-}
-
-// Kinetic and potential [J].
-inline double energy(const Model& model, const World& world, Kinematics& kinematics) {
-  kinematics.update(world.configuration());
-  double e = 0.0;
-  for (int i = 0; i < model.link_count(); ++i) {
-    const Link& link = model.links[static_cast<std::size_t>(i)];
-    const Eigen::Vector3d at = kinematics.link_in_world(i) * link.com;
-    const Eigen::Matrix3d& r = kinematics.link_in_world(i).linear();
-    const Eigen::Vector3d w = r.transpose() * kinematics.angular_velocity(i);
-    e += link.mass * (0.5 * kinematics.point_velocity(i, at).squaredNorm() + kGravity * at.z());
-    e += 0.5 * w.dot(link.inertia * w);
-  }
-  return e;
 }
 
 }  // namespace twinbus::test
