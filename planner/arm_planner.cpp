@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdio>
 
+#include "planner/joint_turns.h"
 #include "planner/lift.h"
 #include "planner/search/arm_lines.h"
 #include "planner/search/edge_check.h"
@@ -74,7 +75,8 @@ struct ArmPlanner::Question {
   int base_link = 0;                                            // that the arm hangs on
   Eigen::Isometry3d target;                                     // of the hand frame, in base_link
   Eigen::Matrix3d base_in_world = Eigen::Matrix3d::Identity();  // how base_link is turned
-  JointPoint start, lower, upper;
+  JointPoint start;
+  JointTurns range;  // of the joints
   JointPath goals;   // free postures that answer the goal
   JointPath nearly;  // and some that barely miss it
 };
@@ -153,13 +155,7 @@ bool ArmPlanner::understand(const ArmGoal& goal, const Configuration& start,
     if (question.hand == nullptr && hand.link >= 0 && hand.joints == plan.joints) question.hand = &hand;
   }
   question.start = pick(start.q, plan.joints);
-  question.lower = question.upper = question.start;
-  for (int k = 0; k < question.start.size(); ++k) {
-    const Joint& joint = model_->joints[at(plan.joints[at(k)])];
-    const bool endless = joint.kind == JointKind::kContinuous;
-    question.lower[k] = endless ? question.start[k] - M_PI : joint.lower;
-    question.upper[k] = endless ? question.start[k] + M_PI : joint.upper;
-  }
+  question.range = JointTurns(*model_, plan.joints, question.start);
   return true;
 }
 
@@ -210,7 +206,10 @@ bool ArmPlanner::find_goals(EdgeCheck& space, Question& question, SplitMix64& ra
       const auto& bus = model_->bus_joints;
       const auto index = std::find(bus.begin(), bus.end(), plan.joints[at(k)]) - bus.begin();
       q[k] = goal.q[static_cast<std::size_t>(index)];
-      if (!(q[k] >= question.lower[k] && q[k] <= question.upper[k])) {
+      const Joint& joint = model_->joints[at(plan.joints[at(k)])];
+      if (joint.kind == JointKind::kContinuous) q[k] = question.start[k] + std::remainder(q[k] - question.start[k], 2.0 * M_PI);
+      question.range.take_in(k, q[k]);
+      if (!(q[k] >= joint.lower && q[k] <= joint.upper)) {
         plan.status = ArmPathStatus::kBadGoal;
         plan.complaint = "a joint goal is beyond the joint's limits";
         return false;
@@ -238,7 +237,7 @@ bool ArmPlanner::find_goals(EdgeCheck& space, Question& question, SplitMix64& ra
         // Then also around the one that is least in the way.
         const bool climb = i > config_.ik_restarts && i % 2 == 0 && widest > -1e9;
         for (int k = 0; k < question.start.size(); ++k) {
-          const double dice = random.uniform(question.lower[k], question.upper[k]);
+          const double dice = random.uniform(question.range.lower[k], question.range.upper[k]);
           const double there = climb ? widest_q[k] + kNearby * (dice - widest_q[k]) : dice;
           q[plan.joints[at(k)]] = there;
         }
@@ -268,7 +267,7 @@ bool ArmPlanner::find_goals(EdgeCheck& space, Question& question, SplitMix64& ra
           result.position_error < kBarelyOut &&
           (goal.kind == ArmGoalKind::kPosition || result.rotation_error < kBarelyTurned);
       if (result.reached || barely)
-        consider(pick(q, plan.joints), there, result.reached ? question.goals : question.nearly);
+        consider(question.range.within(pick(q, plan.joints)), there, result.reached ? question.goals : question.nearly);
     }
     if (question.goals.empty()) question.goals = std::move(question.nearly);
   }
@@ -371,7 +370,7 @@ ArmPlan ArmPlanner::attempt(const ArmGoal& goal, const Configuration& start,
   space.set_clearance(kShare * room);
 
   ArmLines lines(*model_, space, collision_, balls_, padded_);
-  SearchLimits limits = lines.limits();
+  SearchLimits limits = question.range.limits();
   limits.most_rounds = config_.rrt_rounds;
   limits.seed = seed;
   JointSearch search(limits);

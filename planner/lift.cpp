@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kNear = 0.002;     // other pairs stay farther apart [m]
 constexpr double kLets = 0.0005;    // what rests may come nearer by this: it gives way under the weight [m]
-constexpr double kHigh = 0.04;      // taken off [m]
+constexpr double kHigh = 0.04;      // taken off, or a half or a quarter of it where the arm cannot [m]
 constexpr int kSteps = 8;
 constexpr double kTolerance = 2e-4;  // [m], [rad]
 constexpr double kEvery = 0.004;     // of a motion [s]
@@ -59,19 +59,24 @@ bool Lift::find(const Hand& hand, const JointPoint& start, JointPath& way) {
   const int base = model_.joints[at(space_.joints().front())].parent;
   const Eigen::Vector3d in_base = kinematics.link_in_world(base).linear().transpose() * away.normalized();
   InverseKinematics arm(model_, base, hand.link, hand.frame);
-  Eigen::VectorXd q = space_.posture().q;
-  Eigen::Isometry3d target = arm.pose(q);
   IkOptions options;
   options.position_tolerance = options.rotation_tolerance = kTolerance;
-  way.push_back(start);
-  for (int step = 1; step <= kSteps; ++step) {
-    target.pretranslate(kHigh / kSteps * in_base);
-    if (!arm.solve(target, options, q).reached) return false;
-    JointPoint next = start;
-    for (int k = 0; k < next.size(); ++k) next[k] = q[space_.joints()[at(k)]];
-    way.push_back(next);
-  }
-  return true;
+  const auto taken_off = [&](double high) {
+    Eigen::VectorXd q = space_.posture().q;
+    Eigen::Isometry3d target = arm.pose(q);
+    way.assign(1, start);
+    for (int step = 1; step <= kSteps; ++step) {
+      target.pretranslate(high / kSteps * in_base);
+      if (!arm.solve(target, options, q).reached) return false;
+      JointPoint next = start;
+      for (int k = 0; k < next.size(); ++k) next[k] = q[space_.joints()[at(k)]];
+      way.push_back(next);
+    }
+    return true;
+  };
+  if (taken_off(kHigh) || taken_off(0.5 * kHigh) || taken_off(0.25 * kHigh)) return true;
+  way.clear();
+  return false;
 }
 
 TimedPath Lift::timed(const JointPath& way, const TimingLimits& limits, double knot_spacing) {

@@ -203,6 +203,7 @@ void Guard::set_obstacles(const std::vector<Obstacle>& obstacles) {
 // What a hand holds reaches farther than it.
 void Guard::Impl::set_obstacles(const std::vector<Obstacle>& obstacles) {
   collision.set_obstacles(obstacles);
+  parting.fill({});
   find_reaches();
 }
 
@@ -267,6 +268,8 @@ const GuardReport& Guard::Impl::check(const RobotState& state,
   ahead_of_now.q = now.q;
   pair_count = collision.near_pairs(*now_kinematics, std::max(config.near, config.margin),
                                     pairs.data(), kMaxPairs, &ahead_of_now);
+
+  look_what_parts();
 
   mask = 0, leg_hit = danger = false;
   const GuardCause last = std::exchange(cause, GuardCause{});

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "control/guard/guard_parts.h"
 #include "common/math/index.h"
@@ -129,12 +130,29 @@ bool Guard::Impl::hold_all() noexcept {
   return true;
 }
 
+// What a hand holds leaves what it stands on: until they were as far apart as others must be, they only must not touch again.
+void Guard::Impl::look_what_parts() noexcept {
+  for (auto& pair : parting) {
+    const PairDistance* is = near_now(pair.first, pair.second);
+    if (is == nullptr || !(is->distance < margin_of(pair.first, pair.second))) pair = {};
+  }
+  for (int p = 0; p < pair_count; ++p) {
+    const std::pair pair(pairs[at(p)].link_a, pairs[at(p)].link_b);
+    if (!(pairs[at(p)].distance < kBarely) || !stands_on(pairs[at(p)])) continue;
+    if (std::find(parting.begin(), parting.end(), pair) != parting.end()) continue;
+    const auto free = std::find(parting.begin(), parting.end(), std::pair(0, 0));
+    if (free != parting.end()) *free = pair;
+  }
+}
+
 // Does the pair come too near at one of these places?  If not, pair.open says what is not proved.
 bool Guard::Impl::judge(const CourseWay& way, const CourseWay::Shares& shares,
                         const Courses& courses, Collision::OnWay& pair) noexcept {
   const PairDistance* before = near_now(pair.link_a, pair.link_b);
-  pair.margin = margin_of(pair.link_a, pair.link_b);
+  const bool parts = std::find(parting.begin(), parting.end(), std::pair(pair.link_a, pair.link_b)) != parting.end();
+  pair.margin = parts ? 0.0 : margin_of(pair.link_a, pair.link_b);
   const double distance = before != nullptr ? before->distance : pair.margin;
+  if (parts && distance < kBarely) return false;
   pair.clear = kProved * std::min(distance, pair.margin);
   collision.begin(pair);
   if (distance < kBarely) pair.open = 0;

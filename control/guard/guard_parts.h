@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "control/guard/braking_path.h"
@@ -46,6 +47,7 @@ struct Guard::Impl {
   SweptShapes::Way places;
   std::array<PairDistance, kMaxPairs> pairs{};
   int pair_count = 0;
+  std::array<std::pair<int, int>, 16> parting{};  // what a hand holds and what it stood on; (0, 0) is none
   std::array<std::array<Collision::OnWay, kMostOpen>, kMostParts> open;
   int suspect = -1;  // shapes that came too near when a way was looked along last
   int stretches_left = 0, looks_left = 0;
@@ -73,6 +75,7 @@ struct Guard::Impl {
   void set_obstacles(const std::vector<Obstacle>& obstacles);
   void find_reaches() noexcept;
   bool stands_on(const PairDistance& pair) const noexcept;
+  void look_what_parts() noexcept;
   bool goes_on(const RobotState& state) const noexcept;
   // What is now is known.
   const GuardReport& check(const RobotState& state, const JointCommand* command) noexcept;

@@ -25,6 +25,7 @@ namespace {
 constexpr std::int64_t kRunId = 1;
 constexpr std::int64_t kOperatorId = 4;
 constexpr std::int64_t kPlannerId = 3;
+constexpr int kArmHeld = 3;  // arm_state: by the guard
 constexpr std::int64_t kStopEvery = 10;  // a stop the guard asks for is said that often [ticks]
 constexpr std::size_t kMostCaughtUp = 8;  // states answered late in a row
 constexpr int kActivationTicks = 100'000;
@@ -423,6 +424,9 @@ void OneProcess::watch() {
   seen_.on_truth(truth, now_ns_);
   seen_.on_guard(loop_->guard_report(), now_ns_);
   note_touch(loop_->guard_report());
+  const bool held = loop_->status().arm_state == kArmHeld;
+  if (held && !arm_held_) sentences_.push_back("the guard holds the arm: " + loop_->guard_cause());
+  arm_held_ = held;
   walked_.add(truth, loop_->status().mode, loop_->foot_forces(),
               static_cast<double>(heard_.tick - first_tick_) * model_.period());
   const bool pushed = truth.push_force != decltype(truth.push_force){};

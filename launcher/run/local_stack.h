@@ -187,6 +187,7 @@ class OneProcess {
   std::vector<ArmPathPiece> arm_answer_;
   std::string failure_, stop_cause_;
   int touch_a_ = -1, touch_b_ = -1;  // links >= link_count are obstacles
+  bool arm_held_ = false;  // by the guard
   double touch_depth_ = 0.0, touch_time_ = 0.0;  // deepest of these two [m]; since the start of the scene [s]
 };
 

@@ -321,11 +321,11 @@ same state_hash, which is also that of ./twinbus up SCENE --lockstep.  Settings 
   scene.engine = request.engine;
   choose_fidelity(arguments, scene);
   request.lockstep = true;
-  request.duration = arguments.number("--for", scene.duration, 0.002, 1e6);
   const std::optional<SeedsRequest> many = seeds_of(arguments);
   if (many) request.seed = many->seeds.first;
   const Model model = load_robot(request.robot);
   fit_scene(scene, model);
+  request.duration = arguments.number("--for", scene.duration, 0.002, 1e6);
   start_in(arguments.text("--start-pose", scene.start_pose), model, scene);
   if (!scene.scaled.empty()) std::printf("%s\n", scene.scaled.c_str());
   Scene undrawn = scene;

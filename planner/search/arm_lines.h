@@ -24,7 +24,6 @@ class ArmLines : public LineTest {
 
   std::int64_t proved() const { return proved_; }    // lines that balls were enough for
   std::int64_t settled() const { return settled_; }  // lines that took exact distances
-  SearchLimits limits() const { return {.lower = robot_.lower, .upper = robot_.upper}; }
 
  private:
   EdgeCheck* exact_;

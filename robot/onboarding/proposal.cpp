@@ -36,6 +36,7 @@ constexpr double kLeastStiffness = 1.0;   // [N m/rad]
 // Turning stiffness of one sole against the weight times the height of the hips.
 constexpr double kTipping = 6.0;
 constexpr double kArmStiffness = 150.0;  // [1/rad], times the moment of what hangs on the joint
+constexpr double kStuck = 0.005;         // what friction may leave such a joint off [rad]
 
 // Two digits are all a guess deserves; plain decimals, which YAML reads as numbers.
 std::string rough(double value) {
@@ -359,7 +360,7 @@ class Writer {
     }
     const bool leg = std::find(anatomy_.leg_joints.begin(), anatomy_.leg_joints.end(), j) !=
                      anatomy_.leg_joints.end();
-    double kp = std::max(kArmStiffness * moment, kLeastStiffness);
+    double kp = std::max({kArmStiffness * moment, joint.friction / kStuck, kLeastStiffness});
     double kd = 1.4 * std::sqrt(kp * inertia);
     if (leg && points_) {
       kp = kPointLegStiffness * model_.total_mass() * kGravity * point_legged_height();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <vector>
 
@@ -14,6 +15,8 @@ namespace twinbus {
 
 namespace {
 
+constexpr double kSpare = 1.0;     // of a goal, beside the way there [s]
+constexpr double kLatest = 20.0;   // times as late
 constexpr double kPitch = 0.7;  // cosine: an axis so nearly to the left bends a leg forward or back
 
 std::vector<int> way_up(const Model& model, int link) {  // from the link to the base
@@ -73,6 +76,26 @@ ArmSpan arm_of(const Scene& scene, const Model& model, const Hand& hand) {
   return arm;
 }
 
+// Each goal has time for once around the slowest joint and kSpare: what comes too soon for that comes later, all alike.
+void give_time(Scene& scene, const Model& model, const Hand& hand) {
+  double slowest = std::numeric_limits<double>::infinity();
+  for (const int joint : hand.joints) slowest = std::min(slowest, model.joints[at(joint)].velocity);
+  double later = 1.0;
+  for (std::size_t i = 0; i < scene.goals.size(); ++i) {
+    const double until = i + 1 < scene.goals.size() ? scene.goals[i + 1].at : scene.duration;
+    const double needed = kSpare + 2.0 * M_PI / (static_cast<double>(scene.goals[i].goal.speed) * slowest);
+    if (until > scene.goals[i].at) later = std::max(later, needed / (until - scene.goals[i].at));
+  }
+  if (!(later > 1.0) || !(later < kLatest)) return;
+  scene.duration *= later;
+  for (TimedGoal& timed : scene.goals) timed.at *= later;
+  for (TimedMode& timed : scene.modes) timed.at *= later;
+  for (Grasp& grasp : scene.grasps) {
+    grasp.at *= later;
+    grasp.until *= later;
+  }
+}
+
 // What is given in lengths of the right arm, or the only one, in metres from then on.
 void measure_by_arm(Scene& scene, const Model& model) {
   if (!scene.in_arm_lengths) return;
@@ -90,6 +113,7 @@ void measure_by_arm(Scene& scene, const Model& model) {
     body.solid.size *= arm.length;
   }
   for (LooseEnd& end : scene.criteria.loose) end.position = place(end.position);
+  give_time(scene, model, hand);
   scene.in_arm_lengths = false;
 }
 

@@ -172,7 +172,7 @@ def arms(files, count, held, keep, binary):
             continue
         looked += 1
         said = []
-        for scene in ("arm_hold", "arm_reach", "arm_scan"):
+        for scene in ("arm_hold", "arm_reach", "arm_scan", "arm_pick"):
             done = robot.twinbus("run", scene, "--robot", robot.folder)
             causes = [line[8:] for line in done.stdout.splitlines() if line.startswith("FAILED: ")] or done.stderr.strip().splitlines()[-1:]
             paths, goals = done.stdout.count("arm path of"), done.stdout.count("planner: ")

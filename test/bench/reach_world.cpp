@@ -48,7 +48,7 @@ constexpr double kInside = 0.02;     // goal postures inside the joint limits [r
 constexpr double kAngle = 0.035;     // a pose is reached within [rad]
 constexpr double kSpare = 0.003;     // kept beyond the planner's least clearance [m]
 constexpr double kLook = 0.02;       // pairs nearer than this are measured [m]
-constexpr int kTries = 2000;
+constexpr int kTries = 20000;
 
 struct Tally {
   int reached = 0, true_refusals = 0, untrue = 0, held = 0, falls = 0, contacts = 0;
@@ -302,6 +302,9 @@ class World {
     standing.base = ground_of(model_, kinematics_).inverse() * standing.base;
     kinematics_.update(standing);
     std::vector<Obstacle> all;
+    // Links that are nearer by design keep what the planner does.
+    const double least = ArmPlannerConfig{}.least_clearance;
+    clear_ = std::max(least, std::min(least + kSpare, nearest_of(collision_, kinematics_, 0.05)));
     const Surroundings about = around_arm(kinematics_);
     const std::size_t wanted = (about.reach > 0.0 ? 4 : 2) + random_.next() % 4;
     while (all.size() < wanted) {
@@ -367,8 +370,7 @@ class World {
       kinematics.update(there);
       if (balances) there.base.pretranslate(kinematics_.com() - kinematics.com());  // balance keeps it
       kinematics.update(there);
-      if (nearest_of(collision_, kinematics, 0.05) < ArmPlannerConfig{}.least_clearance + kSpare)
-        continue;
+      if (nearest_of(collision_, kinematics, 0.05) < clear_) continue;
       const Eigen::Isometry3d place = to_ground * kinematics.link_in_world(hand.link) * hand.frame;
       const Eigen::Quaterniond turn(place.linear());
       for (std::size_t k = 0; k < 3; ++k)
@@ -464,6 +466,7 @@ class World {
   std::unique_ptr<OneProcess> run_;
   std::int64_t path_id_ = 0;
   bool touched_ = false;
+  double clear_ = 0.0;  // of the postures that goals are drawn from [m]
   double nearest_ = 1.0;
 };
 

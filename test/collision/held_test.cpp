@@ -110,6 +110,49 @@ TEST(Held, TheGuardBrakesTheArmForIt) {
   EXPECT_GT(nearest[1], 0.0);
 }
 
+// What is gripped stands on something: it may leave it, though it is nearer than anything else may be, and not come back.
+TEST(Held, WhatStoodOnAShelfMayLeaveItAndNotReturn) {
+  const Model& model = hrp1s();
+  const Configuration start = named_posture(model, "half_sitting");
+  Obstacle stick = rod(0);
+  Obstacle shelf = test::box_at({0.0, 0.0, 0.0}, {0.3, 0.3, 0.04});
+  Collision watch(model);
+  Kinematics kinematics(model);
+  Configuration posture = start;
+  const auto apart = [&] {
+    watch.set_obstacles({shelf, stick});
+    kinematics.update(posture);
+    PairDistance pair;
+    return watch.pair_nearer_than(kinematics, model.link_count(), model.link_count() + 1, 3.0, pair) ? pair.distance : 3.0;
+  };
+  kinematics.update(start);
+  const Hand& hand = model.hands[0];
+  shelf.pose.translation() = (kinematics.link_in_world(hand.link) * hand.frame * stick.pose).translation();
+  shelf.pose.translation().z() -= 0.8;
+  shelf.pose.translation().z() += apart() - 0.0005;
+  ASSERT_NEAR(apart(), 0.0005, 2e-4);
+  const auto elbow = static_cast<std::size_t>(std::find(model.bus_joints.begin(), model.bus_joints.end(), model.find_joint("LARM_ELBOW")) - model.bus_joints.begin());
+  posture.q[model.bus_joints[elbow]] -= 0.1;
+  const double up = apart() > 0.001 ? -1.0 : 1.0;
+  Guard guard(model, {});
+  guard.set_obstacles({shelf, stick});
+  GuardRig rig(model, start);
+  double highest = 0.0, nearest = 1.0;
+  for (int i = 0; i < 1200; ++i) {
+    rig.command.q[elbow] = rig.state.q[elbow] + (i < 10 ? -0.0005 : i < 500 ? 0.02 : -0.02) * up;  // it sags first
+    rig.tick(guard);
+    if (i < 400) {
+      EXPECT_EQ(guard.report().hold_mask, 0) << i;
+    }
+    for (std::size_t k = 0; k < model.bus_joints.size(); ++k) posture.q[model.bus_joints[k]] = rig.state.q[k];
+    highest = std::max(highest, apart());
+    if (i >= 500) nearest = std::min(nearest, apart());
+  }
+  EXPECT_GT(highest, 0.05);
+  EXPECT_GT(nearest, 0.001);
+  EXPECT_LT(nearest, 0.02);
+}
+
 TEST(Held, MessagesOfEachHandReplaceTheLastOfThatHand) {
   ObstacleCollector collector;
   ObstaclesPiece scene;

@@ -255,6 +255,21 @@ TEST(Scene, AnArmOnAFixedBaseKnowsTheFloorThatItBeginsAbove) {
   EXPECT_TRUE(walks.obstacles.empty());
 }
 
+// From one goal to the next the slowest joint can turn once around; a fast arm goes by the times of the file.
+TEST(Scene, ASlowArmIsGivenTime) {
+  Model model = load_robot("hrp1s");
+  for (const bool slow : {false, true}) {
+    for (const int joint : model.hands[1].joints) model.joints[static_cast<std::size_t>(joint)].velocity = slow ? 0.6 : 6.0;
+    Scene scene = load_scene("arm_pick");
+    resolve_poses(scene, model);
+    resolve_poses(scene, model);
+    const double later = slow ? (1.0 + 2.0 * M_PI / (0.5 * 0.6)) / 12.0 : 1.0;
+    EXPECT_NEAR(scene.goals[1].at, 13.0 * later, 1e-6);
+    EXPECT_NEAR(scene.grasps[0].until, 26.0 * later, 1e-6);
+    EXPECT_NEAR(scene.duration, 44.0 * later, 1e-6);
+  }
+}
+
 TEST(Scene, ARobotWithOneHandUsesItForEitherAndAFixedOneHolds) {
   Model model = load_robot("hrp1s");
   model.hands[0] = Hand{};
