@@ -32,7 +32,9 @@ WalkFeet::WalkFeet(const Model& model, const WalkFeetGains& gains)
     feet_[f].stiffness = std::max(1e3, sole.stiffness);
     feet_[f].turning =
         feet_[f].stiffness * Eigen::Vector2d(half_width * half_width, half_length * half_length);
-    feet_[f].filter = RattleFilter(weight_ * Eigen::Vector2d(half_width, half_length), gains.rattle_moment);
+    const Eigen::Vector2d at_edge = weight_ * Eigen::Vector2d(half_width, half_length);
+    feet_[f].admits = feet_[f].turning.cwiseMin(at_edge / gains.least_bend);
+    feet_[f].filter = RattleFilter(at_edge, gains.rattle_moment);
     feet_[f].centre << 0.5 * (sole.front - sole.back), 0.5 * (sole.left - sole.right);
   }
 }
@@ -99,7 +101,7 @@ void WalkFeet::update(const WalkPattern& pattern, const std::array<FootLoad, 2>&
   double lift_rate = -lift_ / g.force_leak;
   if (!pattern.single()) {
     const double between = apart_.update({measured[0].force - measured[1].force, 0.0}, true, dt).x();
-    lift_rate -= g.force / feet_[0].stiffness * (wanted[0].force - wanted[1].force - between);
+    lift_rate -= g.force / std::min(feet_[0].stiffness, weight_ / g.least_sink) * (wanted[0].force - wanted[1].force - between);
   }
   lift_ = std::clamp(lift_ + dt * lift_rate, -g.most_lift, g.most_lift);
 
@@ -112,7 +114,7 @@ void WalkFeet::update(const WalkPattern& pattern, const std::array<FootLoad, 2>&
     const Eigen::Vector2d leak = dt / g.ankle_leak * foot.admitted;
     const Eigen::Vector2d moment = foot.filter.update(measured[f].moment, loaded, dt);
     Eigen::Vector2d turned = -leak;
-    if (loaded) turned += dt * g.ankle * (moment - wanted[f].moment).cwiseQuotient(foot.turning);
+    if (loaded) turned += dt * g.ankle * (moment - wanted[f].moment).cwiseQuotient(foot.admits);
     foot.admitted = (foot.admitted + turned).cwiseMax(-g.most_turn).cwiseMin(g.most_turn);
 
     const Foothold& at = swings ? pattern.swing().place() : pattern.foot(static_cast<int>(f));

@@ -46,6 +46,7 @@ class WalkFeet {
  private:
   struct Foot {
     Eigen::Vector2d turning = Eigen::Vector2d::Ones();   // stiffness, roll and pitch [N m/rad]
+    Eigen::Vector2d admits = Eigen::Vector2d::Ones();    // the same, as the admittance takes it [N m/rad]
     Eigen::Vector2d centre = Eigen::Vector2d::Zero();    // of the sole, in its frame [m]
     double stiffness = 1.0;                              // [N/m]
     RattleFilter filter;                                 // of its moment

@@ -22,6 +22,9 @@ struct WalkFeetGains {
   double ankle = 50.0;      // admittance to the moment that is missed [1/s]
   double ankle_leak = 0.5;  // in which it becomes the slope that the ground is taken to have [s]
   double flat = 20.0;       // in which a standing sole forgets that slope [s]
+  // What the admittances take a sole to give way at least, bearing the robot at its edge and in its middle [rad], [m]: on
+  // stiffer soles they would turn too slowly to the ground, and the legs behind them give way so far.
+  double least_bend = 0.014, least_sink = 0.0014;
   double most_turn = 0.2;   // of the admittance [rad]
   double force = 90.0;      // admittance to the difference of the feet's forces [1/s]
   double force_leak = 0.3;  // [s]

@@ -33,8 +33,8 @@ constexpr double kSoleStiffness = 1.0e6;  // [N/m]
 constexpr double kSoleDamping = 2.0e3;    // [N s/m]
 constexpr double kSoleFriction = 0.8;
 constexpr double kLeastStiffness = 1.0;   // [N m/rad]
-// Turning stiffness of one sole against the weight times the height of the hips.
-constexpr double kTipping = 6.0;
+// Turning stiffness of one sole, in pitch and in roll, against the weight times the height of the hips.
+constexpr double kTipping = 6.0, kTippingAside = 4.0;
 constexpr double kArmStiffness = 150.0;  // [1/rad], times the moment of what hangs on the joint
 constexpr double kStuck = 0.005;         // what friction may leave such a joint off [rad]
 
@@ -287,12 +287,11 @@ class Writer {
     for (std::size_t side = 0; side < 2; ++side) {
       const Sole& sole = model_.soles[side];
       const std::string& sensor = anatomy_.sole_sensor[side];
-      // Short soles must be stiffer, or the robot tips over on their springs.
-      const double half = 0.5 * (sole.front + sole.back);
-      const double stiffness =
-          std::max(kSoleStiffness * share, kTipping * model_.total_mass() * kGravity *
-                                               std::max(anatomy_.hip_height, 0.1) /
-                                               std::max(half * half, 1e-4));
+      // Short and narrow soles must be stiffer, or the robot tips over on their springs.
+      const double tips = model_.total_mass() * kGravity * std::max(anatomy_.hip_height, 0.1);
+      const auto against = [&](double edges) { return tips / std::max(0.25 * edges * edges, 1e-4); };
+      const double stiffness = std::max({kSoleStiffness * share, kTipping * against(sole.front + sole.back),
+                                         kTippingAside * against(sole.left + sole.right)});
       out += std::string(side == 0 ? "  left:" : "  right:") +
              "\n    {frame: " + model_.links[at(sole.link)].name +
              ", at: " + list(sole.frame.translation()) +

@@ -52,6 +52,11 @@ TEST(Proposal, IsAFolderThatLoadsAndStands) {
     const Model model = load_robot(folder.path());
     ASSERT_GE(model.soles[0].link, 0);
     ASSERT_GE(model.hands[0].link, 0);
+    // It does not tip over on the springs of its soles, to no side.
+    const double tips = 9.8 * model.total_mass() * find_anatomy(bare).hip_height;
+    const Sole& sole = model.soles[0];
+    EXPECT_GT(sole.stiffness * 0.25 * std::pow(sole.left + sole.right, 2), 3.8 * tips) << name;
+    EXPECT_GT(sole.stiffness * 0.25 * std::pow(sole.front + sole.back, 2), 5.7 * tips) << name;
     for (const int j : model.bus_joints)
       EXPECT_GT(model.joints[static_cast<std::size_t>(j)].kp, 0.0);
     const int pose = model.find_pose("half_sitting");
