@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "control/walk/swing_foot.h"
+
 namespace twinbus {
 
 namespace {
@@ -10,6 +12,10 @@ constexpr int kLonger = 1, kShorter = 13;  // durations tried beside the present
 constexpr double kApart = 0.02;            // between them [s]
 constexpr double kMissed = 100.0;          // cost of what is beyond reach [1/m^2]
 constexpr double kHaste = 0.02;            // of another duration [1/s^2]
+constexpr double kInward = 8.0;            // acceleration with which a foot comes nearer to the one that stands [m/s^2]
+constexpr double kEarly = SwingGains{}.early;  // before touchdown, when it is over its place [s]
+constexpr double kRestToRest = 5.77;       // of a minimum-jerk way: its largest acceleration times the time squared
+constexpr double kRunsOn = 0.4;            // of its speed times the time a foot still moves when it comes to rest
 }  // namespace
 
 StepAdjusted adjust_step(const Gait& gait, const StepNow& now, double omega) noexcept {
@@ -18,8 +24,8 @@ StepAdjusted adjust_step(const Gait& gait, const StepNow& now, double omega) noe
   const Eigen::Vector2d offset = support.unturn(now.offset);
   const Eigen::Vector2d planned = support.unturn(now.planned.position - support.position);
   const double side = side_of(1 - now.foot);
-  const Eigen::Vector2d reach_low(-gait.max_back, side > 0.0 ? gait.min_width : -gait.max_width);
-  const Eigen::Vector2d reach_high(gait.max_forward, side > 0.0 ? gait.max_width : -gait.min_width);
+  Eigen::Vector2d reach_low(-gait.max_back, side > 0.0 ? gait.min_width : -gait.max_width);
+  Eigen::Vector2d reach_high(gait.max_forward, side > 0.0 ? gait.max_width : -gait.min_width);
   const Eigen::Vector2d middle = 0.5 * (gait.sole_low + gait.sole_high);
   const Eigen::Vector2d low = middle + gait.ankle_share * (gait.sole_low - middle);
   const Eigen::Vector2d high = middle + gait.ankle_share * (gait.sole_high - middle);
@@ -29,6 +35,10 @@ StepAdjusted adjust_step(const Gait& gait, const StepNow& now, double omega) noe
   for (int k = -kLonger; k <= kShorter; ++k) {
     const double left = std::min(now.left_planned, now.left_now - kApart * k);
     if (k != 0 && left < now.shortest) continue;
+    // A foot that is thrown inward cannot be braked before it meets the other one.
+    const double moves = std::max(0.0, left - kEarly);
+    const double inner = now.apart + kRunsOn * std::min(0.0, now.apart_rate) * left - kInward / kRestToRest * moves * moves;
+    (side > 0.0 ? reach_low : reach_high).y() = side * std::clamp(inner, gait.min_width, gait.max_width);
     const double grown = std::exp(omega * left);
     Eigen::Vector2d place, missed;
     for (Eigen::Index d = 0; d < 2; ++d) {

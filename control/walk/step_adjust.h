@@ -22,6 +22,7 @@ struct StepNow {
   Eigen::Vector2d dcm = Eigen::Vector2d::Zero();  // measured, world [m]
   Eigen::Vector2d offset =
       Eigen::Vector2d::Zero();  // planned DCM less foothold at touchdown, world [m]
+  double apart = 0.0, apart_rate = 0.0;  // of the other foot from the support, to its side [m], [m/s]
   double left_planned = 0.0;    // until touchdown as planned [s]
   double left_now = 0.0;        // as adjusted before [s]
   double shortest = 0.1;        // [s]

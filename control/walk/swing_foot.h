@@ -26,6 +26,7 @@ class SwingFoot {
   void advance(const Foothold& target, double left, double lift, double dt) noexcept;
 
   const Foothold& place() const noexcept { return place_; }
+  const Eigen::Vector2d& velocity() const noexcept { return velocity_; }
   double height() const noexcept { return place_.height; }  // of the sole [m]
   double progress() const noexcept { return progress_; }    // 0..1; 1: it is time for the ground
   bool lost() const noexcept { return place_.height < aim_ - gains_.deepest; }

@@ -295,6 +295,19 @@ TEST(StepAdjust, AnUndisturbedStepIsLeftAlone) {
   EXPECT_NEAR(step.left, 0.3, 1e-9);
 }
 
+TEST(StepAdjust, AFootIsNotThrownInwardShortlyBeforeItLands) {
+  const Gait g = gait();
+  StepNow now;
+  now.foot = 1;
+  now.planned.position << 0.0, g.width + 0.1;
+  now.left_planned = now.left_now = now.shortest = 0.14;
+  now.dcm << 0.0, -0.3;  // pushed over the foot that stands
+  now.apart = g.width + 0.1;
+  EXPECT_GT(adjust_step(g, now, kOmega).foothold.position.y(), g.min_width + 0.05);
+  now.left_planned = now.left_now = now.shortest = 0.4;
+  EXPECT_NEAR(adjust_step(g, now, kOmega).foothold.position.y(), g.min_width, 1e-9);
+}
+
 TEST(StepAdjust, APushMovesTheFootholdThatWayAndTheDcmCanBeCaught) {
   const Gait g = gait();
   StepNow now;
