@@ -33,8 +33,9 @@ class BlockCheck {
   void set_scene(const BlockScene& scene) noexcept { scene_ = &scene; }
 
   // Shall pieces settle what hulls leave open?  Slower; needed where an end lies in a hull.
-  // pairs: shall hulls settle what the balls of two links leave open, too?
-  void settle_by_pieces(bool yes, bool pairs = false) noexcept;
+  void settle_by_pieces(bool yes) noexcept;
+  // Shall hulls settle what the balls of two links leave open, too?
+  void settle_pairs(bool yes) noexcept;
 
   // from + t step for t in 0..1, but not t = 0 itself: 8 blocks postures.  from, step: [joints].
   bool line_free(const float* from, const float* step, int blocks) noexcept;
