@@ -78,8 +78,10 @@ bool BlockCheck::line_free(const float* from, const float* step, int blocks) noe
   return looked > 0;
 }
 
-void BlockCheck::settle_by_pieces(bool yes) noexcept { work_->by_pieces = yes; }
-void BlockCheck::settle_pairs(bool yes) noexcept { work_->pairs_by_hulls = yes; }
+void BlockCheck::settle_by_pieces(bool yes, std::optional<bool> pairs) noexcept {
+  work_->by_pieces = yes;
+  work_->pairs_by_hulls = pairs.value_or(work_->pairs_by_hulls);
+}
 
 bool BlockCheck::point_free(const float* q) noexcept {
   static constexpr float kNowhere[kMostPlanned] = {};

@@ -11,6 +11,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 #include "planner/batch/robot.h"
 #include "planner/batch/scene.h"
@@ -33,9 +34,8 @@ class BlockCheck {
   void set_scene(const BlockScene& scene) noexcept { scene_ = &scene; }
 
   // Shall pieces settle what hulls leave open?  Slower; needed where an end lies in a hull.
-  void settle_by_pieces(bool yes) noexcept;
-  // Shall hulls settle what the balls of two links leave open, too?
-  void settle_pairs(bool yes) noexcept;
+  // pairs: shall hulls settle what the balls of two links leave open, too?  Not said: as before; at first they do not.
+  void settle_by_pieces(bool yes, std::optional<bool> pairs = std::nullopt) noexcept;
 
   // from + t step for t in 0..1, but not t = 0 itself: 8 blocks postures.  from, step: [joints].
   bool line_free(const float* from, const float* step, int blocks) noexcept;

@@ -64,8 +64,7 @@ int run(const std::string& mode, const std::string& robots, const std::string& f
   for (const PlanningProblem& p : asked.problems) {
     const BlockScene scene = proves ? BlockScene(p.obstacles) : p.as_vamp;
     BlockCheck check(robot, scene);
-    check.settle_by_pieces(proves);
-    check.settle_pairs(proves);
+    check.settle_by_pieces(proves, proves);
     // What stands still, as a base on its table, is no matter of a path.
     const bool possible = check.point_free(p.start.data()) && check.point_free(p.goal.data());
     if (!possible && !proves) continue;
