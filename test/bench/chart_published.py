@@ -14,11 +14,12 @@ import bench_published as bench
 import charts
 import plot
 
-ABOUT = {"stand": "ANYmal stands on its servos for 2 s: places of its links, against each engine's finest step",
-         "drop": "ANYmal thrown: mean of the squared error of its energy", "momentum": "A ball flies into ANYmal: mean of the squared error of momentum",
-         "atlas": "Atlas dropped by 5 cm, 2 s: places of its links, against each engine's finest step",
-         "balls": "216 balls fall into a heap: sum of their squared depths", "rolling": "A box pulled from under 25 balls: squared error of velocities",
-         "bouncing": "49 balls bounce for ever: mean of the squared error of energy"}
+FINEST = "places of links after 2 s, against each engine's finest step"
+ABOUT = {"stand": ("ANYmal stands on its servos", FINEST), "drop": ("ANYmal thrown up and let fall", "mean of the squared error of energy"),
+         "momentum": ("A ball flies into ANYmal", "mean of the squared error of momentum"), "atlas": ("Atlas dropped by 5 cm", FINEST),
+         "balls": ("216 balls fall into a heap", "mean over the run of the sum of squared depths"),
+         "rolling": ("A box pulled from under 25 balls", "mean of the squared error of velocities"),
+         "bouncing": ("49 balls that bounce for ever", "mean of the squared error of energy")}
 LEAST = 1e-16  # what is better is drawn there
 
 
@@ -33,7 +34,7 @@ def draw(test, rows, folder):
     names = list(dict.fromkeys(row["engine"] for row in rows))
     curves = [(name, [(float(r["cpu_s"]), max(LEAST, float(r["error"]))) for r in rows if r["engine"] == name], name.startswith("MuJoCo"))
               for name in names]
-    return plot.write(folder / f"{test}.svg", plot.loglog(ABOUT[test], "lower left is better; points are steps", f"CPU time of {bench.SECONDS[test]:g} s simulated [s]",
+    return plot.write(folder / f"{test}.svg", plot.loglog(ABOUT[test][0], f"{ABOUT[test][1]}; lower left is better; points are steps", f"CPU time of {bench.SECONDS[test]:g} s simulated [s]",
                                                           f"error [{bench.UNIT[test]}]", curves))
 
 
