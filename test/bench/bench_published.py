@@ -321,10 +321,12 @@ def main(words):
     wrong = [test for test in asked.tests if test not in TESTS]
     if wrong:
         parser.error(f"no test '{wrong[0]}'; there are {' '.join(TESTS)}")
+    asked.data = asked.data.resolve()
     there = (asked.data / "res/benchmark").is_dir()
     if not there:
         print(f"{asked.data}: no checkout of SimBenchmark, so without ANYmal, Atlas and RaiSim; git clone https://github.com/leggedrobotics/SimBenchmark, then --data")
-    program = programs.folder_of("published_cases", "bench published") / "published_cases"
+    program = programs.folder_of("published_cases", "bench published").resolve() / "published_cases"
+    table = asked.csv.resolve() if asked.csv else None
     twinbus = program.parent / "twinbus"
     try:
         import mujoco
@@ -333,7 +335,9 @@ def main(words):
         mujoco = None
         print("MuJoCo: not installed for this Python, left out (pip install mujoco)")
     good, rows = True, []
+    here = os.getcwd()
     with tempfile.TemporaryDirectory() as work:
+        os.chdir(work)  # where MuJoCo leaves its log
         folders = {}
         for test in asked.tests or TESTS:
             if test in ROBOT and there and ROBOT[test] not in folders.values():
@@ -354,8 +358,9 @@ def main(words):
             fronts = {engine.label: front(engine, test, rows) for engine in engines}
             if there:
                 good = compare(test, fronts, published(asked.data, test)) and good
-    if asked.csv and rows:
-        with open(asked.csv, "w", newline="") as out:
+        os.chdir(here)
+    if table and rows:
+        with open(table, "w", newline="") as out:
             writer = csv.DictWriter(out, rows[0].keys())
             writer.writeheader()
             writer.writerows(rows)
