@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "planner/batch/nearest_point.h"
+#include "test/planner/plates.h"
 #include "common/math/splitmix64.h"
 #include "geometry/distance/gjk.h"
 #include "common/math/index.h"
@@ -113,32 +114,12 @@ struct SixJoints {
   BlockCheck check{robot, scene};
 };
 
-// Two plates, one turning `height` above the other [m]: each in one ball that the other plate is inside of.
-BlockRobot plates(double height) {
-  Model model;
-  model.links.resize(2);
-  Joint joint;
-  joint.child = 1;
-  joint.placement.translation() = Eigen::Vector3d(0.0, 0.0, height);
-  joint.axis = Eigen::Vector3d::UnitZ();
-  joint.lower = -2.0;
-  joint.upper = 2.0;
-  model.joints.push_back(joint);
-  model.links[1].parent = 0;
-  std::vector<Eigen::Vector3d> corners;
-  for (int k = 0; k < 8; ++k)
-    corners.emplace_back((k & 1) != 0 ? 0.2 : -0.2, (k & 2) != 0 ? 0.2 : -0.2, (k & 4) != 0 ? 0.01 : -0.01);
-  std::vector<BallGroup> groups;
-  for (const int link : {0, 1}) groups.push_back({.link = link, .balls = {{Eigen::Vector3d::Zero(), 0.29}}, .pieces = {corners}});
-  return compile_robot(model, Configuration(model), {0}, groups, {{0, 1}}, 1e-5);
-}
-
 TEST(BlockCheck, HullsSettleWhatTheBallsOfTwoLinksLeaveOpen) {
   const BlockScene nothing;
   const float from = -1.0F, step = 2.0F;
   for (const InstructionSet set : {InstructionSet::kBaseline, best_instruction_set()}) {
     for (const double height : {0.05, 0.015}) {
-      const BlockRobot robot = plates(height);
+      const BlockRobot robot = test::plates(height);
       BlockCheck check(robot, nothing, set);
       EXPECT_FALSE(check.point_free(&from));
       check.settle_by_pieces(false, true);

@@ -128,11 +128,18 @@ Case quadruped(const std::string& test, const std::string& folder) {
   return c;
 }
 
-Case balls() {
+// Balls without friction, and a robot that is far from them.
+Case balls_alone() {
   Case c;
   c.model = test::bystander();
   c.config.fixed_base = true;
+  c.config.ground_friction = 0.0;
   c.start = Configuration(c.model);
+  return c;
+}
+
+Case balls() {
+  Case c = balls_alone();
   Random random(42);
   constexpr int kRow = 6;
   for (int i = 0; i < kRow * kRow * kRow; ++i) {
@@ -141,7 +148,6 @@ Case balls() {
     for (int k = 0; k < 3; ++k) at[k] += 1e-3 * random.uniform();
     c.config.loose.push_back(ball(i, 0.1, 10.0, at, 2e6, 9e3, 0.0));
   }
-  c.config.ground_friction = 0.0;
   c.error = [](const World& world, double) {
     double sum = 0.0;
     for (int i = 0; i < world.loose_count(); ++i) {
@@ -183,12 +189,8 @@ Case rolling() {
 }
 
 Case bouncing() {
-  Case c;
-  c.model = test::bystander();
-  c.config.fixed_base = true;
-  c.start = Configuration(c.model);
+  Case c = balls_alone();
   for (int i = 0; i < 49; ++i) c.config.loose.push_back(ball(i, 0.1, 10.0, {2.0 * (i / 7), 2.0 * (i % 7), 5.0}, 1e7, 0.0, 0.0));
-  c.config.ground_friction = 0.0;
   c.seconds = 20.0;
   c.error = [bodies = c.config.loose](const World& world, double) {
     double e = world.elastic_energy();
