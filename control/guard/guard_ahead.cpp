@@ -133,6 +133,7 @@ bool Guard::Impl::hold_all() noexcept {
 // What a hand holds leaves what it stands on: until they were as far apart as others must be, they only must not touch again.
 void Guard::Impl::look_what_parts() noexcept {
   for (auto& pair : parting) {
+    if (pair == std::pair(0, 0)) continue;
     const PairDistance* is = near_now(pair.first, pair.second);
     if (is == nullptr || !(is->distance < margin_of(pair.first, pair.second))) pair = {};
   }

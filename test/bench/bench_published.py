@@ -167,10 +167,10 @@ def spheres(test):
     return text + "</worldbody></mujoco>"
 
 
-def exported(twinbus, robot, test, work):
+def exported(program, robot, test, work):
     """The robot as `export` writes it, begun and driven as the test says."""
     folder = pathlib.Path(work) / test
-    subprocess.run([twinbus, "export", "stand", "--robot", robot, "--to", "mjcf", "--out", folder], check=True, capture_output=True)
+    subprocess.run([program.parent / "twinbus", "export", "stand", "--robot", robot, "--to", "mjcf", "--out", folder], check=True, capture_output=True)
     root = ElementTree.parse(folder / "scene.xml").getroot()
     root.find("compiler").set("meshdir", str(folder / "meshes"))
     for tag in ("sensor", "keyframe"):
@@ -180,20 +180,16 @@ def exported(twinbus, robot, test, work):
     for joint in root.iter("joint"):
         for key in ("range", "actuatorfrcrange", "frictionloss", "damping", "armature"):
             joint.attrib.pop(key, None)
+    height = {"stand": 0.54, "atlas": 1.0}.get(test, 2.0)
+    lines = subprocess.run([program, test, "gains", "0", robot], check=True, capture_output=True, text=True).stdout.splitlines()
+    of = {name: tuple(map(float, numbers)) for name, *numbers in map(str.split, lines)}
     joints = [joint.get("name") for joint in root.iter("joint")]
-    q, gains = [0.0] * len(joints), {}
-    height, drive = (2.0, None)
-    if test == "stand":
-        height, drive = 0.54, (40.0, 1.0)
-    if test == "atlas":
-        height, gains = 1.0, atlas_gains(joints)
-    else:
-        q = [0.03, 0.4, -0.8, -0.03, 0.4, -0.8, 0.03, -0.4, 0.8, -0.03, -0.4, 0.8]
+    q = [of[name][0] for name in joints]
     actuators = root.find("actuator")
     for servo in list(actuators):
         actuators.remove(servo)
-    for name, angle in zip(joints, q):
-        kp, kd = gains.get(name, drive or (0.0, 0.0))
+    for name in joints:
+        _, kp, kd = of[name]
         if kp:
             ElementTree.SubElement(actuators, "position", name=name, joint=name, kp=repr(kp), kv=repr(kd))
     base = root.find("worldbody/body")
@@ -216,25 +212,12 @@ def exported(twinbus, robot, test, work):
         for other in names[k + 1:]:
             ElementTree.SubElement(contact, "exclude", body1=one, body2=other)
     key = ElementTree.SubElement(ElementTree.SubElement(root, "keyframe"), "key", qpos=qpos, ctrl=" ".join(
-        repr(angle) for name, angle in zip(joints, q) if gains.get(name, drive or (0.0, 0.0))[0]))
+        repr(of[name][0]) for name in joints if of[name][1]))
     if qvel:
         key.set("qvel", qvel)
     if test == "momentum":
         root.find("option").set("gravity", "0 0 0")
     return ElementTree.tostring(root, encoding="unicode")
-
-
-def atlas_gains(joints):
-    back = ((10000, 50),) * 3
-    arm = ((20000, 30), (10000, 10), (1000, 10), (1000, 5), (1000, 3), (100, 0.5), (0.2, 0.01))
-    leg = ((20000, 40), (50000, 40), (50000, 40), (30000, 5), (10000, 2), (20000, 10))
-    used, gains = {}, {}
-    for name in joints:
-        row, key = (leg, name[:2] + "leg") if "_leg_" in name else (arm, name[:2] + "arm") if "_arm_" in name else (back, "back")
-        number = min(used.get(key, 0), len(row) - 1)
-        used[key] = number + 1
-        gains[name] = tuple(map(float, row[number]))
-    return gains
 
 
 def published(data, test):
@@ -351,7 +334,7 @@ def main(words):
         for test in asked.tests or TESTS:
             if test in ROBOT and not there:
                 continue
-            models = {test: exported(twinbus, folders[test], test, work) if test in ROBOT else spheres(test)} if mujoco else {}
+            models = {test: exported(program, folders[test], test, work) if test in ROBOT else spheres(test)} if mujoco else {}
             engines = [Ours(program, method, folders) for method in (CHEAP if test == "balls" else METHODS)]
             if mujoco:
                 engines += [Mujoco(mujoco, numpy, name, models) for name in (("euler", "rk4") if test in ("drop", "momentum", "bouncing") else ("euler", "implicitfast"))]

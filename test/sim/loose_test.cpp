@@ -304,6 +304,25 @@ TEST(LooseStack, ItStandsTheSameInWhateverOrderItsBoxesAreNamed) {
 }
 
 // Thrown boxes of 0.03 to 30 kg: every step settles inside the cone.
+// A body that many others touch is eliminated last.
+TEST(LooseStack, APlateCarriesManyBoxesAndAllocatesNothing) {
+  const Model model = test::bystander();
+  WorldConfig config = test::stepped(1e-3, 1);
+  const auto at = [](double x, double y, double z) {
+    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+    pose.translation() = Eigen::Vector3d(x, y, z);
+    return pose;
+  };
+  config.loose.push_back(test::loose_box("plate", 4.0, {1.0, 1.0, 0.05}, at(0, 0, 0.025), 1e6, 1e3));
+  for (int i = 0; i < 12; ++i)
+    config.loose.push_back(test::loose_box("box" + std::to_string(i), 1.0, {0.1, 0.1, 0.1}, at(0.2 * (i % 4) - 0.3, 0.2 * (i / 4) - 0.2, 0.1), 1e6, 1e3));
+  ArticulatedWorld world(model, config);
+  ASSERT_EQ(world.set(Configuration(model)), Status::kOk);
+  test::step_without_allocation(world, 500);
+  EXPECT_EQ(world.unconverged(), 0);
+  for (int i = 1; i <= 12; ++i) EXPECT_NEAR(world.loose(i).pose.translation().z(), 0.1, 2e-4);
+}
+
 TEST(LooseStress, ATumblingBoxAlwaysSettlesInsideTheCone) {
   const Model model = test::bystander();
   Random random(3);

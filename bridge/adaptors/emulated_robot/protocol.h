@@ -115,7 +115,6 @@ bool unseal(const void* data, std::size_t size, Packet& packet) noexcept {
   return true;
 }
 
-// Address in the abstract namespace; no file is left behind.  Returns its length.
 // The next datagram that waits in the socket, and who sent it; its size, negative: there is none.  data may hold a byte more than
 // the packet, so that a longer one is not taken for it.
 template <std::size_t n>
@@ -124,6 +123,7 @@ ssize_t receive_waiting(int socket, unsigned char (&data)[n], sockaddr_un& from,
   return ::recvfrom(socket, data, n, MSG_DONTWAIT, reinterpret_cast<sockaddr*>(&from), &from_size);
 }
 
+// Address in the abstract namespace; no file is left behind.  Returns its length.
 inline socklen_t abstract_address(const std::string& name, sockaddr_un& address) noexcept {
   address = {};
   address.sun_family = AF_UNIX;

@@ -3,7 +3,7 @@
 //     us_per_step C error E contacts N at X Y Z ...
 //
 // TEST: stand, drop, momentum (of a quadruped), atlas, balls, rolling, bouncing; METHOD: articulated, articulated2, articulated3 (orders),
-// ode.  error, mean over the steps of its run: drop: of the energy, squared [J^2]; momentum: of the total momentum, squared
+// ode; gains instead prints of every joint its name, where it begins, kp and kd.  error, mean over the steps of its run: drop: of the energy, squared [J^2]; momentum: of the total momentum, squared
 // [(kg m/s)^2]; balls: sum of squared depths [m^2]; rolling: of the velocities of box and first ball, squared [(m/s)^2]; bouncing: of the
 // energy, squared [J^2]; stand and atlas: none, the places of all links after 2 s are printed.  C: median CPU time of equal runs in
 // which nothing is measured.
@@ -270,6 +270,12 @@ int cases(int argc, char** argv) {
   if (argc < 4) throw std::runtime_error("too few words; see the head of published_cases.cpp");
   const std::string method = argv[2];
   Case c = case_of(argv[1], argc > 4 ? argv[4] : "");
+  if (method == "gains") {
+    for (std::size_t j = 0; j < c.model.joints.size(); ++j)
+      std::printf("%s %g %g %g\n", c.model.joints[j].name.c_str(), c.start.q[static_cast<Eigen::Index>(j)], c.gains.empty() ? c.kp : c.gains[j],
+                  c.gains.empty() ? c.kd : c.dampings[j]);
+    return 0;
+  }
   c.config.step = std::atof(argv[3]);
   if (method == "ode") c.config.engine = Engine::kOde;
   else if (method == "articulated2") c.config.order = 2;
