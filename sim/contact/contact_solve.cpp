@@ -296,10 +296,11 @@ void ContactSolve::find_sequence() noexcept {
   if (count > 0) (void)walk(walk(0));
   // What half of all others touch comes last: eliminated first it would couple each of them with each.
   constexpr int kMany = 8;
-  for (std::size_t i = 0, left = count; left > 0; --left) {
-    const int slot = sequence_[i], touched = first_[at(slot) + 1] - first_[at(slot)];
-    if (touched < kMany || 2 * touched < static_cast<int>(count)) ++i;
-    else std::rotate(sequence_.begin() + static_cast<std::ptrdiff_t>(i), sequence_.begin() + static_cast<std::ptrdiff_t>(i) + 1, sequence_.end());
+  auto next = sequence_.begin();
+  for (std::size_t left = count; left > 0; --left) {
+    const int touched = first_[at(*next) + 1] - first_[at(*next)];
+    if (touched < kMany || 2 * touched < static_cast<int>(count)) ++next;
+    else std::rotate(next, next + 1, sequence_.end());
   }
 }
 
