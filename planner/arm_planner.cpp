@@ -284,7 +284,7 @@ bool ArmPlanner::find_goals(EdgeCheck& space, Question& question, SplitMix64& ra
   return true;
 }
 
-TimedPath ArmPlanner::timed(EdgeCheck& space, const JointPath& corners,
+TimedPath ArmPlanner::timed(EdgeCheck& space, ArmLines& lines, const JointPath& corners,
                             const TimingLimits& limits, int most_knots) const {
   const double clearance = space.clearance();
   // What is interpolated between knots may stray a little from the rounded path.
@@ -294,7 +294,7 @@ TimedPath ArmPlanner::timed(EdgeCheck& space, const JointPath& corners,
     space.set_clearance(kProved * clearance);
     bool free = true;
     for (std::size_t i = 0; free && i + 1 < path.size(); ++i)
-      free = space.curve_free(bezier_between(path[i], path[i + 1]));
+      free = lines.curve_free(bezier_between(path[i], path[i + 1]));
     space.set_clearance(clearance);
     if (free) return path;
   }
@@ -404,7 +404,7 @@ ArmPlan ArmPlanner::attempt(const ArmGoal& goal, const Configuration& start,
   }
   TimedPath first;
   if (!off.empty()) first = lift.timed(off, timing, config_.knot_spacing);
-  plan.path = timed(space, corners, timing, kMostKnots - static_cast<int>(first.size()));
+  plan.path = timed(space, lines, corners, timing, kMostKnots - static_cast<int>(first.size()));
   plan.checks = space.checks();
   plan.clearance = kProved * space.clearance();
   // A goal that is where the arm is already: a motion all the same, of one instant.

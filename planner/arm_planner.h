@@ -82,7 +82,7 @@ class ArmPlanner {
   Eigen::Isometry3d leaned(const Question& question, const Eigen::VectorXd& q) const;
   bool find_goals(class EdgeCheck& space, Question& question, class SplitMix64& random,
                   ArmPlan& plan) const;
-  TimedPath timed(class EdgeCheck& space, const JointPath& corners, const TimingLimits& limits,
+  TimedPath timed(class EdgeCheck& space, class ArmLines& lines, const JointPath& corners, const TimingLimits& limits,
                   int most_knots) const;
   void within_efforts(const Configuration& start, ArmPlan& plan) const;
 

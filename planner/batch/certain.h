@@ -1,12 +1,45 @@
 // Certificates: free over an interval, not only at a posture.  Included once per instruction set, inside a namespace,
 // by check.cpp: no #pragma once.
 
+// The way of a body over half the interval as another sees it, and where that brings a point p [m].
+TWINBUS_INLINE void motion_seen(const BlockWork& w, int body, int from, const Lanes& h, Lanes3& drift, Lanes3& spin) {
+  for (int i = 0; i < 3; ++i) {
+    drift[i] = h * (w.rate[body][i] - w.rate[from][i]);
+    spin[i] = h * (w.rate[body][3 + i] - w.rate[from][3 + i]);
+  }
+}
+TWINBUS_INLINE void moved_by(const Lanes3& drift, const Lanes3& spin, const Lanes* p, Lanes* to) {
+  for (int i = 0; i < 3; ++i) {
+    const int k = (i + 1) % 3, l = (i + 2) % 3;
+    to[i] = drift[i] + spin[k] * p[l] - spin[l] * p[k];
+  }
+}
+
+inline void sweep_of_pair(const BlockRobot& robot, const BlockWork& w, const BlockGroup& a, const BlockGroup& b,
+                          const float* step, float half, Sweep& sweep) {
+  int body[2] = {a.body, b.body};
+  float steps[2] = {}, swing[2] = {};
+  while (body[0] != body[1]) {
+    const int k = body[0] > body[1] ? 0 : 1;
+    const BlockBody& of = robot.bodies[static_cast<std::size_t>(body[k])];
+    const float size = __builtin_fabsf(step[of.joint]);
+    steps[k] += size * __builtin_fabsf(of.scale);
+    swing[k] += size * (k == 0 ? a : b).travel[of.joint];
+    body[k] = of.parent;
+  }
+  motion_seen(w, a.body, body[0], all(half), sweep.drift, sweep.spin);
+  motion_seen(w, b.body, body[0], all(half), sweep.side_drift, sweep.side_spin);
+  sweep.bend = all(0.5F * half * half * (steps[0] * swing[0] + steps[1] * swing[1]) + 2.0F * kRounding);
+  sweep.side_moves = b.body != body[0];
+}
+
 // Is everything free not only at t (a lane each) but from t - half to t + half?  certain: yes, by
 // how fast the parts move and turn; touches: not even at t.
 //
 // A point x of a group with middle c moves from x(t) by at most
 //     half (|c'| + |omega| |x - c|) + half^2 / 2 max |x''|,
-// and along a direction n by half |n . c'| in place of the first term.
+// and along a direction n by half |n . c'| in place of the first term.  Two groups move as seen from the last body that
+// carries both: what moves them together does not bring them nearer.
 inline void certain(const BlockRobot& robot, const BlockScene& scene, BlockWork& w,
                     const float* from, const float* step, const Lanes& t, float half,
                     unsigned& certain_lanes, unsigned& touching_lanes) {
@@ -72,46 +105,58 @@ inline void certain(const BlockRobot& robot, const BlockScene& scene, BlockWork&
         }
         if (!any(open)) continue;
         Flags far = {}, clear = {};
+        Sweep sweep{};
+        motion_seen(w, group.body, 0, h, sweep.drift, sweep.spin);
+        sweep.bend = all(w.bend[g]);
         separate(robot, w, g, shape,
-                 all(w.bend[g] + robot.grow) + w.turn[g] * all(group.around.radius), w.moves[g],
+                 all(w.bend[g] + robot.grow) + w.turn[g] * all(group.around.radius), w.moves[g], &sweep,
                  open & ~near, far, clear);
         near |= open & ~far;
         touching |= touched & ~clear & ~far;
       }
     }
   }
-  for (const auto& [a, b] : robot.pairs) {
+  const int pairs = static_cast<int>(robot.pairs.size());
+  for (int pair = 0; pair < pairs; ++pair) {
+    const auto [a, b] = robot.pairs[static_cast<std::size_t>(pair)];
     const BlockGroup& ga = robot.groups[static_cast<std::size_t>(a)];
     const BlockGroup& gb = robot.groups[static_cast<std::size_t>(b)];
-    const Lanes relative[3] = {w.moves[a][0] - w.moves[b][0], w.moves[a][1] - w.moves[b][1],
-                               w.moves[a][2] - w.moves[b][2]};
+    const Lanes rough = w.reach[a] + w.reach[b], square = apart(w.around[a], w.around[b]);
+    if (!any((square < rough * rough) & ~near)) continue;
+    if (clear_on_line(robot, pair, from, step)) continue;
+    Sweep sweep;
+    sweep_of_pair(robot, w, ga, gb, step, half, sweep);
+    Lanes relative[3], of_b[3];
+    moved_by(sweep.drift, sweep.spin, w.around[a], relative);
+    moved_by(sweep.side_drift, sweep.side_spin, w.around[b], of_b);
+    for (int i = 0; i < 3; ++i) relative[i] -= of_b[i];
+    const Lanes turn_a = root(dot(sweep.spin, sweep.spin)), turn_b = root(dot(sweep.side_spin, sweep.side_spin));
     const Lanes gap =
-        root(relative[0] * relative[0] + relative[1] * relative[1] + relative[2] * relative[2]) +
-        all(w.bend[a] + w.bend[b]);
+        root(relative[0] * relative[0] + relative[1] * relative[1] + relative[2] * relative[2]) + sweep.bend;
     const Lanes sum = gap + all(ga.around.radius + gb.around.radius);
-    if (!any((apart(w.around[a], w.around[b]) < sum * sum) & ~near)) continue;
+    if (!any((square < sum * sum) & ~near)) continue;
     place_balls(robot, w, a);
     place_balls(robot, w, b);
     Flags open = {}, touched = {};
     for (int i = ga.first; i < ga.first + ga.count; ++i) {
       const float ra = robot.balls[static_cast<std::size_t>(i)].radius;
-      const Lanes reach = gap + w.turn[a] * all(ga.around.radius - ra) + all(ra);
+      const Lanes reach = gap + turn_a * all(ga.around.radius - ra) + all(ra);
       const Lanes whole = reach + all(gb.around.radius);
       if (!any((apart(w.ball[i], w.around[b]) < whole * whole) & ~near)) continue;
       for (int k = gb.first; k < gb.first + gb.count; ++k) {
         const float rb = robot.balls[static_cast<std::size_t>(k)].radius;
-        const Lanes square = apart(w.ball[i], w.ball[k]);
-        const Lanes both = reach + w.turn[b] * all(gb.around.radius - rb) + all(rb);
-        open |= square < both * both;
-        touched |= square < all((ra + rb) * (ra + rb));
+        const Lanes apart_now = apart(w.ball[i], w.ball[k]);
+        const Lanes both = reach + turn_b * all(gb.around.radius - rb) + all(rb);
+        open |= apart_now < both * both;
+        touched |= apart_now < all((ra + rb) * (ra + rb));
       }
     }
     const Flags asked = (open & ~near) | touched;
     if (!any(asked)) continue;
     Flags far, clear;
-    separate_pair(robot, w, a, b,
-                  all(w.bend[a] + w.bend[b] + robot.grow) + w.turn[a] * all(ga.around.radius) + w.turn[b] * all(gb.around.radius),
-                  relative, asked, far, clear);
+    separate_pair(robot, w, pair,
+                  sweep.bend + all(robot.grow) + turn_a * all(ga.around.radius) + turn_b * all(gb.around.radius),
+                  relative, &sweep, asked, far, clear);
     near |= open & ~far;
     touching |= touched & ~clear & ~far;
   }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <iterator>
 #include <numeric>
 #include <vector>
 
@@ -68,6 +69,9 @@ namespace block_avx512 {
 BlockCheck::BlockCheck(const BlockRobot& robot, const BlockScene& scene, InstructionSet set)
     : robot_(&robot), scene_(&scene), work_(new BlockWork), set_(set) {
   TWINBUS_BLOCK(set_, prepare(robot, *work_));
+  settle_all();
+  std::fill(std::begin(work_->fine), std::end(work_->fine), true);
+  std::fill(std::begin(work_->fine_pair), std::end(work_->fine_pair), true);
 }
 
 BlockCheck::~BlockCheck() = default;
@@ -78,10 +82,21 @@ bool BlockCheck::line_free(const float* from, const float* step, int blocks) noe
   return looked > 0;
 }
 
-void BlockCheck::settle_by_pieces(bool yes, std::optional<bool> pairs) noexcept {
-  work_->by_pieces = yes;
-  work_->pairs_by_hulls = pairs.value_or(work_->pairs_by_hulls);
+void BlockCheck::settle_all() noexcept {
+  std::fill(std::begin(work_->settles), std::end(work_->settles), true);
+  std::fill(std::begin(work_->settles_pair), std::end(work_->settles_pair), true);
 }
+
+void BlockCheck::settle_touching(const std::vector<const float*>& postures) noexcept {
+  for (bool* flags : {work_->settles, work_->fine}) std::fill_n(flags, kBlockGroups, false);
+  for (bool* flags : {work_->settles_pair, work_->fine_pair}) std::fill_n(flags, std::size(work_->fine_pair), false);
+  work_->notes = true;
+  for (const float* q : postures) point_free(q);
+  work_->notes = false;
+}
+
+void BlockCheck::settle_by_pieces(bool yes) noexcept { work_->by_pieces = yes; }
+void BlockCheck::settle_pairs(bool yes) noexcept { work_->pairs_by_hulls = yes; }
 
 bool BlockCheck::point_free(const float* q) noexcept {
   static constexpr float kNowhere[kMostPlanned] = {};
@@ -150,7 +165,12 @@ void sort_pairs(BlockRobot& robot) {
   }
   std::sort(hits.begin(), hits.end());
   robot.pairs.clear();
-  for (const auto& [count, i] : hits) robot.pairs.push_back(pairs[i]);
+  for (const auto& [count, i] : hits) {
+    const auto bare = [&](int g) { return robot.groups[at(g)].piece_count == 0; };
+    // Balls alone that touch in every posture do so by design: nothing would be free.
+    if (-count == kPostures && bare(pairs[i].first) && bare(pairs[i].second)) continue;
+    robot.pairs.push_back(pairs[i]);
+  }
 }
 
 }  // namespace twinbus

@@ -11,7 +11,7 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
+#include <vector>
 
 #include "planner/batch/robot.h"
 #include "planner/batch/scene.h"
@@ -34,8 +34,13 @@ class BlockCheck {
   void set_scene(const BlockScene& scene) noexcept { scene_ = &scene; }
 
   // Shall pieces settle what hulls leave open?  Slower; needed where an end lies in a hull.
-  // pairs: shall hulls settle what the balls of two links leave open, too?  Not said: as before; at first they do not.
-  void settle_by_pieces(bool yes, std::optional<bool> pairs = std::nullopt) noexcept;
+  void settle_by_pieces(bool yes) noexcept;
+  // On the rake: everything, as it is at first, or only groups and pairs that balls see touching at one of these postures; from
+  // then on pieces settle those alone that hulls see touching there.
+  void settle_all() noexcept;
+  void settle_touching(const std::vector<const float*>& postures) noexcept;
+  // Shall hulls, and pieces then, settle what the balls of two links leave open, too?
+  void settle_pairs(bool yes) noexcept;
 
   // from + t step for t in 0..1, but not t = 0 itself: 8 blocks postures.  from, step: [joints].
   bool line_free(const float* from, const float* step, int blocks) noexcept;
@@ -58,7 +63,8 @@ class BlockCheck {
   std::int64_t blocks_ = 0;
 };
 
-// Brings the pairs that touch most often to the front, by random postures.
+// Brings the pairs that touch most often to the front, by random postures.  Drops pairs that have balls alone when these touch
+// in all of them.
 void sort_pairs(BlockRobot& robot);
 
 }  // namespace twinbus

@@ -16,6 +16,28 @@ TWINBUS_INLINE Lanes gap_of(const BlockWork& w, int g, float steps, Lanes& turn)
   return most(half, behind(half)) + all(bend * 0.125F + 1e-5F);
 }
 
+// Is a ball inside of the group seen to touch, in a lane that is asked?  touch(p, radius): where a ball at p does.
+template <class Touch>
+TWINBUS_INLINE bool touches_inside(const BlockRobot& robot, const BlockWork& w, const BlockGroup& group, const Flags& asked,
+                                   const Touch& touch) {
+  for (int i = group.first_inner; i < group.first_inner + group.inner_count; ++i) {
+    const BlockBall& ball = robot.inner[static_cast<std::size_t>(i)];
+    Lanes p[3];
+    place(w, group.body, ball, p);
+    if (any(touch(p, ball.radius) & asked)) return true;
+  }
+  return false;
+}
+
+// Is the convex body of group g clear of the shape in all lanes where balls touch?
+TWINBUS_INLINE bool settled(const BlockRobot& robot, const BlockWork& w, int g, const BlockShape& shape, const Flags& touched) {
+  const auto touch = [&](const Lanes* p, float radius) { return meets(shape, p, all(radius)); };
+  if (touches_inside(robot, w, robot.groups[static_cast<std::size_t>(g)], touched, touch)) return false;
+  Flags far, apart_at_all;
+  separate(robot, w, g, shape, all(kRounding + robot.grow), nullptr, nullptr, touched, far, apart_at_all);
+  return !any(touched & ~far);
+}
+
 // The obstacles near group g; false when one is touched.  Fills the list when the line goes on.
 inline bool group_free(const BlockRobot& robot, const BlockScene& scene, BlockWork& w, int g,
                        bool goes_on) {
@@ -48,12 +70,17 @@ inline bool group_free(const BlockRobot& robot, const BlockScene& scene, BlockWo
         }
         if (!any(square < far * far)) continue;
         touched |= square < all(sum * sum);
-        if (group.piece_count == 0 && any(touched)) return false;
+        if ((group.piece_count == 0 || !w.settles[g]) && !w.notes && any(touched)) return false;
         if (!goes_on) continue;
         w.near_ball[w.near_ball_count++] = k;
         ++found.count;
       }
-      if (any(touched) && !settled(robot, w, g, shape, touched)) return false;
+      if (w.notes) {
+        w.settles[g] = w.settles[g] || any(touched);
+        w.fine[g] = w.fine[g] || (any(touched) && !settled(robot, w, g, shape, touched));
+      } else if (any(touched) && !settled(robot, w, g, shape, touched)) {
+        return false;
+      }
       if (found.count == 0) continue;
       w.near[w.near_count++] = found;
       if (w.last_body < group.body) w.last_body = group.body;
@@ -67,7 +94,25 @@ inline bool group_free(const BlockRobot& robot, const BlockScene& scene, BlockWo
   return true;
 }
 
-inline bool pair_free(const BlockRobot& robot, BlockWork& w, int a, int b) {
+// Are the joints between the two of a pair in clear cells all along the line, ends included?
+inline bool clear_on_line(const BlockRobot& robot, int pair, const float* from, const float* step) {
+  if (robot.clear.empty()) return false;
+  const ClearCells& cells = robot.clear[static_cast<std::size_t>(pair)];
+  if (cells.joints == 0) return false;
+  int first[2] = {}, end[2] = {1, 1};
+  for (int k = 0; k < cells.joints; ++k) {
+    const float a = (from[cells.joint[k]] - cells.low[k]) * cells.per_unit[k], b = a + step[cells.joint[k]] * cells.per_unit[k];
+    const float low = a < b ? a : b, high = a < b ? b : a;
+    if (!(low >= 0.0F && high < static_cast<float>(cells.count[k]))) return false;
+    first[k] = static_cast<int>(low);
+    end[k] = static_cast<int>(high) + 1;
+  }
+  const auto before = [&](int i, int k) { return cells.open[static_cast<std::size_t>(i * (cells.count[1] + 1) + k)]; };
+  return before(end[0], end[1]) - before(first[0], end[1]) - before(end[0], first[1]) + before(first[0], first[1]) == 0;
+}
+
+inline bool pair_free(const BlockRobot& robot, BlockWork& w, int pair) {
+  const auto [a, b] = robot.pairs[static_cast<std::size_t>(pair)];
   const BlockGroup& ga = robot.groups[static_cast<std::size_t>(a)];
   const BlockGroup& gb = robot.groups[static_cast<std::size_t>(b)];
   const BlockBall* balls = robot.balls.data();
@@ -83,12 +128,20 @@ inline bool pair_free(const BlockRobot& robot, BlockWork& w, int a, int b) {
       const float both = balls[i].radius + balls[j].radius;
       touch |= apart(w.ball[i], w.ball[j]) < all(both * both);
     }
-    if (!w.pairs_by_hulls && any(touch)) return false;
+    if (!(w.pairs_by_hulls && w.settles_pair[pair]) && !w.notes && any(touch)) return false;
   }
   if (!any(touch)) return true;
+  const auto touches = [&](const Lanes* p, float radius) {
+    return Flags{} - touches_inside(robot, w, gb, touch, [&](const Lanes* q, float other) {
+      return apart(p, q) < all((radius + other) * (radius + other));
+    });
+  };
+  if (!w.notes && touches_inside(robot, w, ga, touch, touches)) return false;
   Flags far, apart_at_all;
-  separate_pair(robot, w, a, b, all(kRounding + robot.grow), nullptr, touch, far, apart_at_all);
-  return !any(touch & ~far);
+  separate_pair(robot, w, pair, all(kRounding + robot.grow), nullptr, nullptr, touch, far, apart_at_all);
+  if (!w.notes) return !any(touch & ~far);
+  w.fine_pair[pair] = w.fine_pair[pair] || any(touch & ~far);
+  return w.settles_pair[pair] = true;
 }
 
 inline bool world_free(const BlockRobot& robot, const BlockScene& scene, BlockWork& w) {
@@ -108,7 +161,7 @@ inline int stride_of(int blocks) {
 
 // The first look, at postures over the whole line; what is near is listed when the line goes on.
 inline bool first_block_free(const BlockRobot& robot, const BlockScene& scene, BlockWork& w,
-                             const float* step, bool goes_on) {
+                             const float* from, const float* step, bool goes_on) {
   w.near_count = w.near_ball_count = w.near_pair_count = w.near_group_count = w.last_body = 0;
   float steps = 0.0F;
   if (goes_on) {
@@ -127,7 +180,8 @@ inline bool first_block_free(const BlockRobot& robot, const BlockScene& scene, B
     const auto [a, b] = robot.pairs[static_cast<std::size_t>(i)];
     const Lanes sum = w.reach[a] + w.reach[b];
     if (!any(apart(w.around[a], w.around[b]) < sum * sum)) continue;
-    if (!pair_free(robot, w, a, b)) return false;
+    if (clear_on_line(robot, i, from, step)) continue;
+    if (!pair_free(robot, w, i)) return false;
     if (!goes_on) continue;
     w.near_pair[w.near_pair_count++] = i;
     for (const int g : {a, b}) {
@@ -155,14 +209,13 @@ inline bool next_block_free(const BlockRobot& robot, const BlockScene& scene, Bl
       Lanes p[3];
       place(w, group.body, ball, p);
       touched |= meets(shape, p, all(ball.radius));
-      if (group.piece_count == 0 && any(touched)) return false;
+      if ((group.piece_count == 0 || !w.settles[near.group]) && any(touched)) return false;
     }
     if (any(touched) && !settled(robot, w, near.group, shape, touched)) return false;
   }
   for (int i = 0; i < w.near_group_count; ++i) place_group(robot, w, w.near_group[i]);
   for (int i = 0; i < w.near_pair_count; ++i) {
-    const auto [a, b] = robot.pairs[static_cast<std::size_t>(w.near_pair[i])];
-    if (!pair_free(robot, w, a, b)) return false;
+    if (!pair_free(robot, w, w.near_pair[i])) return false;
   }
   return true;
 }
@@ -173,7 +226,7 @@ inline int line_free(const BlockRobot& robot, const BlockScene& scene, BlockWork
   const Lanes spread = {0.125F, 0.25F, 0.375F, 0.5F, 0.625F, 0.75F, 0.875F, 1.0F};
   const int last = static_cast<int>(robot.bodies.size()) - 1;
   place_bodies(robot, w, from, step, spread, last);
-  if (!first_block_free(robot, scene, w, step, blocks > 1)) return -1;
+  if (!first_block_free(robot, scene, w, from, step, blocks > 1)) return -1;
   if (blocks == 1 || (w.near_count == 0 && w.near_pair_count == 0)) return 1;
   const float fine = 0.125F / static_cast<float>(blocks);
   const int stride = stride_of(blocks);

@@ -6,6 +6,7 @@
 
 #include "common/math/index.h"
 #include "common/math/pose_math.h"
+#include "geometry/bounds/coarse_mesh.h"
 
 namespace twinbus {
 
@@ -141,7 +142,9 @@ BallGroup group_from(const LinkGeometry& geometry) {
   BallGroup group;
   group.link = geometry.link;
   group.balls = geometry.balls;
-  group.pieces.push_back(geometry.hull.points);
+  // A hull of very many corners is asked too often: one of few that is hardly larger, and the pieces settle the rest.
+  const auto coarse = geometry.hull.points.size() > at(kMostCorners) ? coarse_hull(geometry.hull) : std::nullopt;
+  group.pieces.push_back(coarse ? coarse->points : geometry.hull.points);
   // Pieces are clusters of triangles, or parts of them: together they are the mesh, nearly.
   for (const TriangleCluster& cluster : geometry.clusters) {
     std::vector<CornersOfOne> triangles;
@@ -229,6 +232,11 @@ BlockRobot compile_robot(const Model& model, const Configuration& posture,
     for (const Ball& ball : from.balls) robot.balls.push_back(to_block(ball, place.in_body, grow));
     group.first_piece = static_cast<int>(robot.pieces.size());
     group.piece_count = static_cast<int>(from.pieces.size());
+    group.first_inner = static_cast<int>(robot.inner.size());
+    group.inner_count = static_cast<int>(from.inner.size());
+    for (const Ball& ball : from.inner) robot.inner.push_back(to_block(ball, place.in_body, 0.0));
+    group.first_bunch = static_cast<int>(robot.bunches.size());
+    std::vector<Ball> bunch;
     for (const std::vector<Eigen::Vector3d>& corners : from.pieces) {
       BlockPiece piece;
       piece.first = static_cast<int>(robot.corners.size());
@@ -240,6 +248,11 @@ BlockRobot compile_robot(const Model& model, const Configuration& posture,
       for (const Eigen::Vector3d& c : corners)
         ball.radius = std::max(ball.radius, rounded_up((c - ball.center).norm()) + kRounding);
       piece.around = to_block(ball, place.in_body, grow);
+      if (&corners != &from.pieces.front()) bunch.push_back(ball);
+      if (!bunch.empty() && (bunch.size() == at(kBunch) || &corners == &from.pieces.back())) {
+        robot.bunches.push_back(to_block(around(bunch), place.in_body, grow));
+        bunch.clear();
+      }
       robot.pieces.push_back(piece);
       for (int axis = 0; axis < 3; ++axis) {
         for (int k = 0; k < piece.room; ++k) {

@@ -23,6 +23,7 @@ inline constexpr int kMostPlanned = 24;   // joints planned together
 inline constexpr int kBlockBodies = 48;   // bodies
 inline constexpr int kBlockGroups = 96;   // groups of balls
 inline constexpr int kBlockBalls = 2048;  // balls
+inline constexpr int kBunch = 16;         // pieces that have one ball around them
 
 // Balls of one link, or of one part of it: with one ball around them.
 struct BallGroup {
@@ -31,6 +32,7 @@ struct BallGroup {
   // Corners of convex bodies that settle what the balls leave open: the first holds everything, the
   // others everything together, more tightly.  Empty: the balls have the last word.
   std::vector<std::vector<Eigen::Vector3d>> pieces = {};
+  std::vector<Ball> inner = {};  // inside of the link: what touches them touches it
   bool held = false;  // of an obstacle that the link holds; without balls: of one that it does not
 };
 
@@ -60,9 +62,19 @@ struct BlockGroup {
   int first = 0, count = 0;  // in balls
   int link = 0;              // model index
   int first_piece = 0, piece_count = 0;
+  int first_bunch = 0;
+  int first_inner = 0, inner_count = 0;
   BlockBall around{};
   float travel[kMostPlanned] = {};  // most that a point of it moves per unit of each joint [m]
   float turn[kMostPlanned] = {};    // and that it turns [rad]
+};
+
+// Of two groups with one or two joints between: cells of these joints in which the hulls are proved apart.
+struct ClearCells {
+  int joints = 0;  // 0: nothing is known
+  int joint[2] = {}, count[2] = {};
+  float low[2] = {}, per_unit[2] = {};  // [rad or m], cells
+  std::vector<int> open;  // [count + 1 x count + 1]: how many cells before both are not clear
 };
 
 struct BlockRobot {
@@ -73,8 +85,11 @@ struct BlockRobot {
   std::vector<BlockGroup> groups;   // those of the world first
   int fixed_groups = 0;             // that many are of the world
   std::vector<BlockBall> balls;
+  std::vector<BlockBall> inner;
   std::vector<BlockPiece> pieces;
+  std::vector<BlockBall> bunches;  // of pieces but the first of a group, in their order
   std::vector<float> corners;              // of the pieces, in the body [m]
+  std::vector<ClearCells> clear;           // of the pairs, or empty
   std::vector<std::pair<int, int>> pairs;  // groups that may touch; those that touch often first
 };
 

@@ -71,31 +71,66 @@ struct ObstacleSide {
 struct GroupSide {
   const BlockRobot& robot;
   const BlockWork& w;
-  int group;
+  int body;
   const BlockPiece& piece;
+  const Lanes* middle;  // of the piece, in the world
   TWINBUS_INLINE void first(const Lanes* from, Lanes* n) const {
-    const Lanes* p = w.around[group];
-    const Lanes d[3] = {from[0] - p[0], from[1] - p[1], from[2] - p[2]};
+    const Lanes d[3] = {from[0] - middle[0], from[1] - middle[1], from[2] - middle[2]};
     const Lanes unit = all(1.0F) / most(root(d[0] * d[0] + d[1] * d[1] + d[2] * d[2]), all(1e-6F));
     for (int i = 0; i < 3; ++i) n[i] = d[i] * unit;
   }
   TWINBUS_INLINE void highest(const Lanes* n, Lanes* to) const {
     const Lanes down[3] = {-n[0], -n[1], -n[2]};
-    lowest_point(robot, w, robot.groups[static_cast<std::size_t>(group)].body, piece, down, to);
+    lowest_point(robot, w, body, piece, down, to);
   }
 };
 
-// Are some corners of group g and the other side on two sides of a plane?  far: by more than a margin of
-// `fixed` and, along the plane's normal, of `moves`; separate: at all.  Looks for it as Gilbert,
+// How a group and the other side move over an interval, from its middle to either end: a point x by drift + spin x x, to
+// first order and in the frame of the last body that moves both, and by no more than `bend` beside that.
+struct Sweep {
+  Lanes bend;
+  Lanes3 drift, spin, side_drift, side_spin;
+  bool side_moves;
+};
+
+TWINBUS_INLINE void turned(const Lanes* n, const Lanes3& spin, float end, Lanes3& d) {
+  for (int i = 0; i < 3; ++i) {
+    const int k = (i + 1) % 3, l = (i + 2) % 3;
+    d[i] = n[i] + all(end) * (n[k] * spin[l] - n[l] * spin[k]);
+  }
+}
+
+// From the highest point of the other side along n, `high` when it does not move, up to the lowest of the piece, where the
+// two are nearest on their ways.  Between the ends they are no nearer: it is least of what is linear there.
+template <class Side>
+inline Lanes gap_on_way(const BlockRobot& robot, const BlockWork& w, int body, const BlockPiece& piece, const Side& side,
+                        const Lanes& high, const Sweep& sweep, const Lanes3& n) {
+  Lanes worst = all(1e30F);
+  for (const float end : {1.0F, -1.0F}) {
+    Lanes3 d, point;
+    turned(n, sweep.spin, end, d);
+    lowest_point(robot, w, body, piece, d, point);
+    Lanes gap = dot(d, point) + all(end) * dot(n, sweep.drift) - high;
+    if (sweep.side_moves) {
+      turned(n, sweep.side_spin, end, d);
+      side.highest(d, point);
+      gap += high - dot(d, point) - all(end) * dot(n, sweep.side_drift);
+    }
+    worst = least(worst, gap);
+  }
+  return worst;
+}
+
+// Are a piece of a body and the other side on two sides of a plane?  far: by more than a margin of `fixed` and, along the
+// plane's normal, of `moves`, or on all of the sweep; separate: at all.  Looks for it as Gilbert,
 // Johnson and Keerthi (1988) do: across the way from zero to the nearest point of what is known of
 // the difference of the two.  Stops when the lanes that are asked are far or cannot be, and with
 // `one` as soon as one of them is seen to touch.
 template <class Side>
-inline void separate_piece(const BlockRobot& robot, const BlockWork& w, int g,
+inline void separate_piece(const BlockRobot& robot, const BlockWork& w, int body,
                            const BlockPiece& piece, const Lanes* middle, const Side& side,
-                           const Lanes& fixed, const Lanes* moves, const Flags& asked, bool one,
+                           const Lanes& fixed, const Lanes* moves, const Sweep* sweep, const Flags& asked, bool one,
                            Flags& far, Flags& separate) {
-  const BlockGroup& group = robot.groups[static_cast<std::size_t>(g)];
   far = separate = Flags{};
   const Lanes least_gap = all(kRounding + robot.grow);
   Lanes3 n, known[3];
@@ -106,15 +141,19 @@ inline void separate_piece(const BlockRobot& robot, const BlockWork& w, int g,
   for (int turn = 0; turn < kTurns; ++turn) {
     // Of the group, the corner that is lowest along n; of the other side, the highest point.
     Lanes3 e, b;
-    lowest_point(robot, w, group.body, piece, n, e);
+    lowest_point(robot, w, body, piece, n, e);
     side.highest(n, b);
     for (int i = 0; i < 3; ++i) e[i] -= b[i];
-    const Lanes gap = dot(e, n);
+    const Lanes gap = dot(e, n), high = dot(b, n);
     Lanes margin = fixed;
     if (moves != nullptr) margin += size_of(n[0] * moves[0] + n[1] * moves[1] + n[2] * moves[2]);
     far |= gap > margin;
     separate |= gap > least_gap;
     open &= ~far;
+    if (sweep != nullptr && any(open & (gap > sweep->bend + least_gap))) {
+      far |= gap_on_way(robot, w, body, piece, side, high, *sweep, n) > sweep->bend + least_gap;
+      open &= ~far;
+    }
     if (!any(open)) return;
     if (turn == 0) {
       for (int k = 0; k < 3; ++k)
@@ -136,17 +175,28 @@ inline void separate_piece(const BlockRobot& robot, const BlockWork& w, int g,
   }
 }
 
+// Calls use(piece) for every piece of the group beside its hull; bunches of them are asked first: meets_ball(ball).
+template <class Meets, class Use>
+TWINBUS_INLINE void each_piece(const BlockRobot& robot, const BlockGroup& group, const Meets& meets_ball, const Use& use) {
+  const BlockPiece* pieces = robot.pieces.data() + group.first_piece;
+  const BlockBall* bunches = robot.bunches.data() + group.first_bunch;
+  for (int first = 1; first < group.piece_count; first += kBunch, ++bunches) {
+    if (!meets_ball(*bunches)) continue;
+    for (int i = first; i < first + kBunch && i < group.piece_count; ++i) use(pieces[i]);
+  }
+}
+
 // The same of the whole group: its hull, or, where that touches, each of its pieces.
 inline void separate(const BlockRobot& robot, const BlockWork& w, int g, const BlockShape& shape,
-                     const Lanes& fixed, const Lanes* moves, const Flags& asked, Flags& far,
+                     const Lanes& fixed, const Lanes* moves, const Sweep* sweep, const Flags& asked, Flags& far,
                      Flags& separate) {
   const BlockGroup& group = robot.groups[static_cast<std::size_t>(g)];
   far = separate = Flags{};
   if (group.piece_count == 0) return;
-  const BlockPiece* pieces = robot.pieces.data() + group.first_piece;
-  const bool whole = !w.by_pieces || group.piece_count == 1;
+  const BlockPiece& hull = robot.pieces[static_cast<std::size_t>(group.first_piece)];
+  const bool whole = !w.by_pieces || !w.fine[g] || group.piece_count == 1;
   const ObstacleSide side{shape};
-  separate_piece(robot, w, g, pieces[0], w.around[g], side, fixed, moves, asked, whole, far,
+  separate_piece(robot, w, group.body, hull, w.around[g], side, fixed, moves, sweep, asked, whole, far,
                  separate);
   const Flags rest = asked & ~separate;
   if (whole || !any(rest)) return;
@@ -154,37 +204,86 @@ inline void separate(const BlockRobot& robot, const BlockWork& w, int g, const B
   if (moves != nullptr)
     margin += root(moves[0] * moves[0] + moves[1] * moves[1] + moves[2] * moves[2]);
   Flags all_far = ~Flags{}, all_separate = ~Flags{};
-  for (int i = 1; i < group.piece_count; ++i) {
-    Lanes middle[3];
-    place(w, group.body, pieces[i].around, middle);
-    const Flags near = meets(shape, middle, all(pieces[i].around.radius) + margin) & rest;
-    if (!any(near)) continue;
+  Lanes middle[3];
+  const auto meets_ball = [&](const BlockBall& ball) {
+    place(w, group.body, ball, middle);
+    return any(meets(shape, middle, all(ball.radius) + margin) & rest);
+  };
+  each_piece(robot, group, meets_ball, [&](const BlockPiece& piece) {
+    place(w, group.body, piece.around, middle);
+    const Flags near = meets(shape, middle, all(piece.around.radius) + margin) & rest;
+    if (!any(near)) return;
     Flags piece_far, piece_separate;
-    separate_piece(robot, w, g, pieces[i], middle, side, fixed, moves, near, true, piece_far,
+    separate_piece(robot, w, group.body, piece, middle, side, fixed, moves, sweep, near, true, piece_far,
                    piece_separate);
     all_far &= piece_far | ~near;
     all_separate &= piece_separate | ~near;
-  }
+  });
   far |= rest & all_far;
   separate |= rest & all_separate;
 }
 
-// Is the convex body of group g clear of the shape in all lanes where balls touch?
-TWINBUS_INLINE bool settled(const BlockRobot& robot, const BlockWork& w, int g,
-                            const BlockShape& shape, Flags touched) {
-  Flags far, apart_at_all;
-  separate(robot, w, g, shape, all(kRounding + robot.grow), nullptr, touched, far, apart_at_all);
-  return !any(touched & ~far);
-}
-
-// The hulls of two groups; without hulls nothing is.
-inline void separate_pair(const BlockRobot& robot, const BlockWork& w, int a, int b, const Lanes& fixed, const Lanes* moves,
-                          const Flags& asked, Flags& far, Flags& separate) {
+// The hulls of two groups, or, where they touch, their pieces; without hulls nothing is.
+inline void separate_pair(const BlockRobot& robot, const BlockWork& w, int pair, const Lanes& fixed, const Lanes* moves,
+                          const Sweep* sweep, const Flags& asked, Flags& far, Flags& separate) {
+  const auto [a, b] = robot.pairs[static_cast<std::size_t>(pair)];
   const BlockGroup& ga = robot.groups[static_cast<std::size_t>(a)];
   const BlockGroup& gb = robot.groups[static_cast<std::size_t>(b)];
   far = separate = Flags{};
   if (!w.pairs_by_hulls || ga.piece_count == 0 || gb.piece_count == 0) return;
-  const GroupSide side{robot, w, b, robot.pieces[static_cast<std::size_t>(gb.first_piece)]};
-  separate_piece(robot, w, a, robot.pieces[static_cast<std::size_t>(ga.first_piece)], w.around[a], side, fixed, moves, asked,
-                 true, far, separate);
+  const BlockPiece &hull_a = robot.pieces[static_cast<std::size_t>(ga.first_piece)],
+                   &hull_b = robot.pieces[static_cast<std::size_t>(gb.first_piece)];
+  const bool whole = !w.by_pieces || !w.fine_pair[pair] || (ga.piece_count == 1 && gb.piece_count == 1);
+  const GroupSide side_b{robot, w, gb.body, hull_b, w.around[b]};
+  separate_piece(robot, w, ga.body, hull_a, w.around[a], side_b, fixed, moves, sweep, asked, whole, far, separate);
+  Flags rest = asked & ~separate;
+  if (whole || !any(rest)) return;
+  Lanes margin = fixed;
+  if (moves != nullptr) margin += root(moves[0] * moves[0] + moves[1] * moves[1] + moves[2] * moves[2]);
+  Flags all_far = ~Flags{}, all_separate = ~Flags{};
+  Lanes middle_a[3], middle_b[3];
+  const auto near_of = [&](const Lanes* p, float rp, const Lanes* q, float rq) {
+    const Lanes sum = margin + all(rp + rq);
+    return (apart(p, q) < sum * sum) & rest;
+  };
+  const auto asked_of_a = [&](const BlockBall& ball) {
+    place(w, ga.body, ball, middle_a);
+    return any(near_of(middle_a, ball.radius, w.around[b], gb.around.radius));
+  };
+  const auto each_of_b = [&](const BlockPiece& piece_a, const Flags& left) {
+    const auto asked_of_b = [&](const BlockBall& ball) {
+      place(w, gb.body, ball, middle_b);
+      return any(near_of(middle_a, piece_a.around.radius, middle_b, ball.radius) & left);
+    };
+    each_piece(robot, gb, asked_of_b, [&](const BlockPiece& piece_b) {
+      place(w, gb.body, piece_b.around, middle_b);
+      const Flags near = near_of(middle_a, piece_a.around.radius, middle_b, piece_b.around.radius) & left;
+      if (!any(near)) return;
+      Flags piece_far, piece_separate;
+      const GroupSide side{robot, w, gb.body, piece_b, middle_b};
+      separate_piece(robot, w, ga.body, piece_a, middle_a, side, fixed, moves, sweep, near, true, piece_far, piece_separate);
+      all_far &= piece_far | ~near;
+      all_separate &= piece_separate | ~near;
+      rest &= all_far | all_separate;
+    });
+  };
+  const Flags wanted = rest;
+  const auto use_of_a = [&](const BlockPiece& piece_a) {
+    place(w, ga.body, piece_a.around, middle_a);
+    const Flags near = near_of(middle_a, piece_a.around.radius, w.around[b], gb.around.radius);
+    if (!any(near)) return;
+    Flags piece_far, piece_separate;
+    separate_piece(robot, w, ga.body, piece_a, middle_a, side_b, fixed, moves, sweep, near, false, piece_far, piece_separate);
+    const Flags deep = near & ~piece_separate;
+    all_far &= piece_far | ~near | deep;
+    all_separate &= piece_separate | ~near | deep;
+    if (any(deep)) each_of_b(piece_a, deep);
+  };
+  if (ga.piece_count == 1) {
+    use_of_a(hull_a);
+  } else {
+    each_piece(robot, ga, asked_of_a, use_of_a);
+  }
+  far |= wanted & all_far;
+  separate |= wanted & all_separate;
 }

@@ -26,6 +26,10 @@ struct BlockWork {
   bool placed[kBlockGroups];
   bool by_pieces = false;  // what hulls leave open is settled by their pieces
   bool pairs_by_hulls = false;  // what balls of two groups leave open is settled by their hulls
+  // On the rake, groups and pairs of them that hulls and pieces settle; balls have the last word on the others.
+  bool settles[kBlockGroups], settles_pair[kBlockGroups * kBlockGroups / 2];
+  bool fine[kBlockGroups], fine_pair[kBlockGroups * kBlockGroups / 2];  // those that pieces do
+  bool notes = false;  // what is touched is noted there, and in nobody's way
   // What a line has near it, found by its first block: groups with an obstacle, and their balls.
   struct Near {
     int group, obstacle;

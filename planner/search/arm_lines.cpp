@@ -68,7 +68,9 @@ ArmLines::ArmLines(const Model& model, EdgeCheck& exact, const Collision& collis
       scene_(obstacles),
       robot_(compile_robot(model, exact.posture(), exact.joints(), groups,
                            pairs_of(model, collision, groups), exact.clearance())),
-      check_(robot_, scene_) {}
+      check_(robot_, scene_) {
+  check_.settle_pairs(true);
+}
 
 bool ArmLines::free(const SearchPoint& from, const SearchPoint& step, float) {
   if (check_.line_certain(from.data(), step.data())) {
@@ -79,6 +81,25 @@ bool ArmLines::free(const SearchPoint& from, const SearchPoint& step, float) {
   SearchPoint to = from;
   for (std::size_t j = 0; j < to.size(); ++j) to[j] += step[j];
   return exact_->line_free(from_search(from, robot_.joints), from_search(to, robot_.joints));
+}
+
+bool ArmLines::proves(const std::array<JointPoint, 4>& curve, int halvings) {
+  const auto& [a, b, c, d] = curve;
+  // At most 3 t (1 - t) <= 3/4 of how far the middle points are from thirds of the chord.
+  const JointPoint strays = 0.75 * (b - a - (d - a) / 3.0).cwiseAbs().cwiseMax((c - d - (a - d) / 3.0).cwiseAbs());
+  const double room = static_cast<double>(robot_.grow) - exact_->clearance();
+  if (exact_->motion_bound(JointPoint::Zero(a.size()), strays) < room) {
+    const SearchPoint from = to_search(a), step = to_search(d - a);
+    return check_.line_certain(from.data(), step.data());
+  }
+  if (halvings == 0) return false;
+  const auto [first, second] = halves(curve);
+  return proves(first, halvings - 1) && proves(second, halvings - 1);
+}
+
+bool ArmLines::curve_free(const std::array<JointPoint, 4>& curve) {
+  constexpr int kHalvings = 6;
+  return proves(curve, kHalvings) || exact_->curve_free(curve);
 }
 
 std::vector<BallGroup> balls_along_links(const Model& model) {

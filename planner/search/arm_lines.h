@@ -21,11 +21,16 @@ class ArmLines : public LineTest {
            const std::vector<BallGroup>& groups, const std::vector<Obstacle>& obstacles);
 
   bool free(const SearchPoint& from, const SearchPoint& step, float length) override;
+  // Does a cubic, given by its Bezier points, keep the clearance that `exact` has now?  Where that is less than the lines keep, the
+  // difference is room to stray from a chord that balls prove; what they cannot prove takes exact distances.
+  bool curve_free(const std::array<JointPoint, 4>& curve);
 
   std::int64_t proved() const { return proved_; }    // lines that balls were enough for
   std::int64_t settled() const { return settled_; }  // lines that took exact distances
 
  private:
+  bool proves(const std::array<JointPoint, 4>& curve, int halvings);
+
   EdgeCheck* exact_;
   BlockScene scene_;
   BlockRobot robot_;

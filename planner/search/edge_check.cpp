@@ -67,18 +67,23 @@ bool EdgeCheck::line_free(const JointPoint& from, const JointPoint& to) {
   return true;
 }
 
-bool EdgeCheck::curve_free(const std::array<JointPoint, 4>& curve, int halvings) {
+std::array<std::array<JointPoint, 4>, 2> halves(const std::array<JointPoint, 4>& curve) {
   const auto& [a, b, c, d] = curve;
   const JointPoint ab = 0.5 * (a + b), bc = 0.5 * (b + c), cd = 0.5 * (c + d);
   const JointPoint abc = 0.5 * (ab + bc), bcd = 0.5 * (bc + cd), middle = 0.5 * (abc + bcd);
-  JointPoint farthest = (a - middle).cwiseAbs();
-  for (const JointPoint* p : {&b, &c, &d}) farthest = farthest.cwiseMax((*p - middle).cwiseAbs());
+  return {{{a, ab, abc, middle}, {middle, bcd, cd, d}}};
+}
+
+bool EdgeCheck::curve_free(const std::array<JointPoint, 4>& curve, int halvings) {
+  const auto [first, second] = halves(curve);
+  const JointPoint& middle = second[0];
+  JointPoint farthest = JointPoint::Zero(middle.size());
+  for (const JointPoint& p : curve) farthest = farthest.cwiseMax((p - middle).cwiseAbs());
   ++checks_;
   const double moves = farthest.dot(reach_);
   if (!collision_->nearer_than(kinematics_at(middle), clearance_ + moves)) return true;
   if (halvings == 0 || !point_free(middle)) return false;
-  return curve_free({a, ab, abc, middle}, halvings - 1) &&
-         curve_free({middle, bcd, cd, d}, halvings - 1);
+  return curve_free(first, halvings - 1) && curve_free(second, halvings - 1);
 }
 
 }  // namespace twinbus

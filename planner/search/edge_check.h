@@ -22,6 +22,9 @@
 
 namespace twinbus {
 
+// The halves of a cubic that is given by its Bezier points.
+std::array<std::array<JointPoint, 4>, 2> halves(const std::array<JointPoint, 4>& curve);
+
 class EdgeCheck : public FreeSpace {
  public:
   // Everything but `joints` (model indices) stays as in posture.  clearance [m], positive.  model

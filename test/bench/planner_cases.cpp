@@ -10,6 +10,7 @@
 #include <string>
 
 #include "test/oracles/certain_path.h"
+#include "test/oracles/clear_cells.h"
 #include "test/bench/planner_problems.h"
 
 namespace twinbus {
@@ -60,11 +61,13 @@ int run(const std::string& mode, const std::string& robots, const std::string& f
   BlockRobot robot = compile_robot(model, Configuration(model), planned, parts.groups, parts.pairs,
                                    proves ? 1e-5 : 0.0);
   sort_pairs(robot);
+  if (proves) find_clear_cells(robot);
   JointSearch search({.lower = robot.lower, .upper = robot.upper});
   for (const PlanningProblem& p : asked.problems) {
     const BlockScene scene = proves ? BlockScene(p.obstacles) : p.as_vamp;
     BlockCheck check(robot, scene);
-    check.settle_by_pieces(proves, proves);
+    check.settle_by_pieces(proves);
+    check.settle_pairs(proves);
     // What stands still, as a base on its table, is no matter of a path.
     const bool possible = check.point_free(p.start.data()) && check.point_free(p.goal.data());
     if (!possible && !proves) continue;

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "common/math/index.h"
+#include "robot/collision/links/inscribed_spheres.h"
 #include "robot/description/load.h"
 #include "robot/description/srdf.h"
 #include "robot/description/urdf.h"
@@ -146,6 +147,7 @@ void cover_parts(RobotParts& parts, const GeometryOptions& options) {
     LinkGeometry geometry = link_geometry(parts.shapes[i], options);
     geometry.link = parts.groups[i].link;
     parts.groups[i] = group_from(geometry);
+    parts.groups[i].inner = inner_balls(geometry, 12, 0);
   }
 }
 

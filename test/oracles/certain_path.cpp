@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <vector>
 
 #include "common/math/index.h"
 
@@ -21,6 +22,19 @@ class CertainLineTest : public LineTest {
  private:
   BlockCheck* check_;
   BlockLineTest quick_;
+};
+
+// How long balls alone are tried.
+struct Patience {
+  int asked = 0;
+  bool (*keep_on)(void*) = nullptr;
+  void* user = nullptr;
+
+  static bool go_on(void* of) {
+    auto& p = *static_cast<Patience*>(of);
+    return ++p.asked < kMost && (p.keep_on == nullptr || p.keep_on(p.user));
+  }
+  static constexpr int kMost = 20;
 };
 
 bool proved(BlockCheck& check, const SearchPath& path, int joints) {
@@ -46,18 +60,26 @@ CertainPath find_certain(JointSearch& search, BlockCheck& check, float density,
   BlockLineTest quick(check, density);
   CertainLineTest slow(check, density);
   CertainPath result;
-  check.settle_by_pieces(false);
-  bool tight = !check.point_free(start.data());
-  for (const SearchPoint& goal : goals) tight = tight || !check.point_free(goal.data());
-  check.settle_by_pieces(tight);
+  // Balls are quick and leave room: at first hulls, and pieces of what they do not part, settle only what touches at the ends.
+  std::vector<const float*> postures{start.data()};
+  for (const SearchPoint& goal : goals) postures.push_back(goal.data());
+  check.settle_by_pieces(true);
+  check.settle_touching(postures);
   // No proved line ends where the posture alone cannot be proved.
   SearchPath ends;
   if (certain_at(check, start))
     std::copy_if(goals.begin(), goals.end(), std::back_inserter(ends),
                  [&](const SearchPoint& goal) { return certain_at(check, goal); });
   if (ends.empty()) return result;
-  const SearchPath found = search.find(quick, start, ends, keep_on, user);
+  Patience patience{.keep_on = keep_on, .user = user};
+  result.path = search.find(quick, start, ends, &Patience::go_on, &patience);
   result.rounds = search.rounds();
+  shorten(quick, result.path, joints);
+  result.certain = !result.path.empty() && proved(check, result.path, joints);
+  check.settle_all();
+  if (result.certain) return result;
+  const SearchPath found = search.find(quick, start, ends, keep_on, user);
+  result.rounds += search.rounds();
   if (found.empty()) return result;
   result.path = found;
   shorten(quick, result.path, joints);

@@ -58,7 +58,7 @@ TEST(CertainPath, APairThatHullsSettleIsSettledByThemInTheSearchToo) {
   SearchPoint start{}, goal{};
   goal[0] = 1.0F;
   EXPECT_FALSE(find_certain(search, check, 32.0F, start, {goal}).certain);
-  check.settle_by_pieces(false, true);
+  check.settle_pairs(true);
   EXPECT_TRUE(find_certain(search, check, 32.0F, start, {goal}).certain);
 }
 

@@ -122,7 +122,7 @@ TEST(BlockCheck, HullsSettleWhatTheBallsOfTwoLinksLeaveOpen) {
       const BlockRobot robot = test::plates(height);
       BlockCheck check(robot, nothing, set);
       EXPECT_FALSE(check.point_free(&from));
-      check.settle_by_pieces(false, true);
+      check.settle_pairs(true);
       const bool apart = height > 0.02;
       EXPECT_EQ(check.point_free(&from), apart);
       EXPECT_EQ(check.line_free(&from, &step, 8), apart);

@@ -5,6 +5,7 @@
 #include <array>
 #include <random>
 
+#include "planner/search/arm_lines.h"
 #include "test/planner/reach_rig.h"
 
 namespace twinbus {
@@ -30,13 +31,14 @@ JointPoint random_arm(std::mt19937_64& random) {
 
 // The left arm before a post and a shelf.
 struct Shelf {
+  std::vector<Obstacle> things{post(0.30, 0.30), box(0.4, 0.2, 0.7, 0.3, 0.6, 0.01)};
   Configuration start = standing();
   Collision collision{hrp1s()};
-  EdgeCheck space{hrp1s(), with_obstacles(collision), start, left_arm(), 0.005};
+  EdgeCheck space{hrp1s(), with_things(), start, left_arm(), 0.005};
 
  private:
-  static Collision& with_obstacles(Collision& collision) {
-    collision.set_obstacles({post(0.30, 0.30), box(0.4, 0.2, 0.7, 0.3, 0.6, 0.01)});
+  Collision& with_things() {
+    collision.set_obstacles(things);
     return collision;
   }
 };
@@ -44,7 +46,7 @@ struct Shelf {
 // The claim of the file: a line that is called free touches nowhere, also between the samples.
 TEST(EdgeCheck, AFreeLineIsFreeEverywhere) {
   Shelf shelf;
-  auto& [start, collision, space] = shelf;
+  auto& [things, start, collision, space] = shelf;
   std::mt19937_64 random(11);
   int free = 0;
   for (int i = 0; i < 400; ++i) {
@@ -60,17 +62,23 @@ TEST(EdgeCheck, AFreeLineIsFreeEverywhere) {
   EXPECT_GT(free, 20);
 }
 
-// And so does a cubic, which keeps the clearance at every instant.
+// And so does a cubic, which keeps the clearance at every instant, by balls around the links or by exact distances.
 TEST(EdgeCheck, AFreeCurveKeepsItsClearanceEverywhere) {
   Shelf shelf;
-  auto& [start, collision, space] = shelf;
+  auto& [things, start, collision, space] = shelf;
   std::mt19937_64 random(12);
-  int free = 0, blocked = 0;
+  space.set_clearance(0.02);
+  ArmLines lines(hrp1s(), space, collision, balls_along_links(hrp1s()), things);
+  space.set_clearance(0.005);
+  int free = 0, blocked = 0, by_balls = 0;
   for (int i = 0; i < 200; ++i) {
     const JointPoint a = random_arm(random);
     std::array<JointPoint, 4> curve{a, a, a, a};
     for (std::size_t k = 1; k < 4; ++k) curve[k] = a + 0.4 * (random_arm(random) - a);
     const bool proved = space.curve_free(curve);
+    const std::int64_t checks = space.checks();
+    EXPECT_EQ(lines.curve_free(curve), proved) << "curve " << i;
+    by_balls += proved && space.checks() == checks ? 1 : 0;
     bool is_free = true;
     for (int s = 0; s <= 200; ++s) {
       const double t = s / 200.0, u = 1.0 - t;
@@ -83,6 +91,7 @@ TEST(EdgeCheck, AFreeCurveKeepsItsClearanceEverywhere) {
     blocked += is_free && !proved ? 1 : 0;  // what only just keeps it cannot be proved
   }
   EXPECT_GT(free, 20);
+  EXPECT_GT(by_balls, 10);
   EXPECT_LT(blocked, 3);
 }
 
