@@ -15,6 +15,10 @@ namespace {
 
 constexpr double kSettled = 1e-10;  // of 10 N + all forces
 constexpr double kForceFloor = 10.0;
+constexpr int kPile = 6 * 12;      // rows from which on the order of elimination is worth looking for
+constexpr std::size_t kManyKinks = 12;
+constexpr double kLeastHalf = 1e-2;
+constexpr double kSolved = 1e-9;   // of the right side
 
 Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& r) {
   Eigen::Matrix3d hat;
@@ -178,55 +182,80 @@ void ContactSolve::add_row(int s, int t, const Matrix6& h) noexcept {
   do {
     const Matrix6 product = h * block(t, u);
     const int j = slots_[at(u)].row;
-    if (j >= 0) {
+    if (j < 0) {
+      const Vector6 known = product * dz_.segment<6>(6 * u);
+      for (int r = 0; r < 6; ++r) right_[at(i + r)] -= known[r];
+    } else if (in_pile_) {
+      pile_.add(i / 6, j / 6, product.data());
+    } else {
       for (int r = 0; r < 6; ++r) {
         for (int k = 0; k < 6; ++k) band_.add(i + r, j + k, product(r, k));
       }
-    } else {
-      const Vector6 known = product * dz_.segment<6>(6 * u);
-      for (int r = 0; r < 6; ++r) right_[at(i + r)] -= known[r];
     }
     u = slots_[at(u)].peer;
   } while (u != t);
 }
 
-// How far from the diagonal add_row() comes.
-int ContactSolve::reach_of_matrix() const noexcept {
-  int most = 0;
-  const auto touch = [&](int s, int t) {
+// The pairs of rows in which add_row() puts blocks.
+template <class Touch>
+void ContactSolve::each_touched(const Touch& touch) const noexcept {
+  const auto row = [&](int s, int t) {
     int u = t;
     do {
-      if (slots_[at(u)].row >= 0) {
-        most = std::max(most, std::abs(slots_[at(s)].row - slots_[at(u)].row));
-      }
+      if (slots_[at(u)].row >= 0) touch(slots_[at(s)].row, slots_[at(u)].row);
       u = slots_[at(u)].peer;
     } while (u != t);
   };
   for (int s = 0; s < static_cast<int>(slots_.size()); ++s) {
-    if (slots_[at(s)].curved && slots_[at(s)].peer != s) touch(s, s);
+    if (slots_[at(s)].curved && slots_[at(s)].peer != s) row(s, s);
   }
   for (const Coupling& c : couplings_) {
     if (!c.curved) continue;
-    touch(c.a, c.b);
-    touch(c.b, c.a);
+    row(c.a, c.b);
+    row(c.b, c.a);
   }
+}
+
+// How far from the diagonal add_row() comes.
+int ContactSolve::reach_of_matrix() const noexcept {
+  int most = 0;
+  each_touched([&most](int i, int j) { most = std::max(most, std::abs(i - j)); });
   return most + 5;
+}
+
+bool ContactSolve::begin_pile(int rows) noexcept {
+  if (rows < kPile) return false;
+  pile_.clear();
+  each_touched([this](int i, int j) { pile_.touch(i / 6, j / 6); });
+  return pile_.begin(rows / 6);
 }
 
 // Links whose tangent is that of stage 1 have dz = -rho; only the others are coupled.
 void ContactSolve::direction(const Contacts& contacts, double h) noexcept {
   add_tangents(contacts, h);
-  dz_.head(n_) = -rho_.head(n_);
   int m = 0;
   for (const int s : sequence_) {
     slots_[at(s)].row = slots_[at(s)].curved ? m : -1;
-    if (!slots_[at(s)].curved) continue;
-    for (int r = 0; r < 6; ++r) right_[at(m + r)] = dz_[6 * s + r];
-    m += 6;
+    if (slots_[at(s)].curved) m += 6;
   }
-  if (m == 0) return;
-  band_.reset(m, reach_of_matrix());
-  for (int i = 0; i < m; ++i) band_.add(i, i, 1.0);
+  in_pile_ = begin_pile(m);
+  if (!in_pile_ || !solve_rows(m)) {
+    in_pile_ = false;
+    (void)solve_rows(m);
+  }
+}
+
+// Of the curved links.  False: of a pile, where elimination went without exchanges of rows, it is not the solution.
+bool ContactSolve::solve_rows(int m) noexcept {
+  dz_.head(n_) = -rho_.head(n_);
+  if (m == 0) return true;
+  for (const int s : sequence_) {
+    if (slots_[at(s)].curved) std::copy_n(dz_.data() + 6 * s, 6, right_.data() + slots_[at(s)].row);
+  }
+  if (!in_pile_) {
+    band_.reset(m, reach_of_matrix());
+    for (int i = 0; i < m; ++i) band_.add(i, i, 1.0);
+  }
   for (const int s : sequence_) {
     if (slots_[at(s)].curved) add_row(s, s, h_[at(s)]);
   }
@@ -235,11 +264,27 @@ void ContactSolve::direction(const Contacts& contacts, double h) noexcept {
     add_row(c.a, c.b, c.ab);
     add_row(c.b, c.a, c.ba);
   }
-  band_.solve(right_.data());
+  if (!in_pile_) band_.solve(right_.data());
+  else if (!pile_.solve(right_.data())) return false;
   for (const int s : sequence_) {
-    if (!slots_[at(s)].curved) continue;
-    for (int r = 0; r < 6; ++r) dz_[6 * s + r] = right_[at(slots_[at(s)].row + r)];
+    if (slots_[at(s)].curved) std::copy_n(right_.data() + slots_[at(s)].row, 6, dz_.data() + 6 * s);
   }
+  return !in_pile_ || misfit() <= kSolved * rho_.head(n_).norm();
+}
+
+// Of (1 + H B) dz = -rho.
+double ContactSolve::misfit() noexcept {
+  respond(dz_, da_);
+  trial_.head(n_) = rho_.head(n_) + dz_.head(n_);
+  for (int s = 0; s < static_cast<int>(slots_.size()); ++s) {
+    if (slots_[at(s)].curved) trial_.segment<6>(6 * s).noalias() += h_[at(s)] * da_.segment<6>(6 * s);
+  }
+  for (const Coupling& c : couplings_) {
+    if (!c.curved) continue;
+    trial_.segment<6>(6 * c.a).noalias() += c.ab * da_.segment<6>(6 * c.b);
+    trial_.segment<6>(6 * c.b).noalias() += c.ba * da_.segment<6>(6 * c.a);
+  }
+  return trial_.head(n_).norm();
 }
 
 bool ContactSolve::newton(Contacts& contacts, double h, int limit, double loose,
@@ -301,8 +346,13 @@ double ContactSolve::line_search(Contacts& contacts, double h, double merit,
     }
   };
   find_kinks(contacts, h);
+  const auto lowered = [&] { return best < merit * (1.0 - 1e-4 * best_t); };
+  // A heap has so many that they are worth looking at only where halving alone does not help.
+  const bool many = kinks_.size() > kManyKinks;
+  for (double t = 0.5; many && !lowered() && t > kLeastHalf; t *= 0.5) consider(t);
+  if (many && lowered()) return best_t;
   for (const double t : kinks_) consider(t);
-  for (double t = 0.5; !(best < merit * (1.0 - 1e-4 * best_t)) && t > 1e-5; t *= 0.5) consider(t);
+  for (double t = 0.5; !many && !lowered() && t > 1e-5; t *= 0.5) consider(t);
   return best < merit ? best_t : 0.0;
 }
 

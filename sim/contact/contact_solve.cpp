@@ -10,6 +10,8 @@ namespace {
 
 constexpr int kMostNewton = 20;
 constexpr double kStageOne = 1e-9;  // of 1 N + all forces: stage 1 agrees with the law
+// Blocks that elimination may fill, for each touched link.
+constexpr std::size_t kMostFill = 64;
 // Bodies across a pile of which all couplings find room in the matrix, three times.
 constexpr std::size_t kMostReach = 192;
 
@@ -25,7 +27,7 @@ void find_force(Contact& c, double h, bool with_tangent, double smooth) noexcept
 }
 
 ContactSolve::ContactSolve(std::vector<ArticulatedBody*> systems, int most_contacts)
-    : systems_(std::move(systems)), band_(0, 0) {
+    : systems_(std::move(systems)), band_(0, 0), pile_(0, 0, 0) {
   int links = 0, blocks = 0;
   for (const ArticulatedBody* body : systems_) {
     first_link_.push_back(links);
@@ -55,6 +57,7 @@ ContactSolve::ContactSolve(std::vector<ArticulatedBody*> systems, int most_conta
     v->setZero(size);
   }
   band_ = BandSolve(6 * slots, 36 * slots * std::min(3 * slots, kMostReach));
+  pile_ = BlockSolve(slots, 4 * at(most_contacts), slots * std::min(slots, kMostFill));
   right_.resize(6 * slots);
   kinks_.reserve(2 * at(most_contacts));
 }

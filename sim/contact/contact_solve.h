@@ -19,6 +19,7 @@
 
 #include <vector>
 
+#include "common/simd/block_solve.h"
 #include "sim/articulated/aba.h"
 #include "sim/contact/band_solve.h"
 #include "sim/contact/contact_law.h"
@@ -125,7 +126,12 @@ class ContactSolve {
                   bool with_tangent) noexcept;
   void add_tangents(const Contacts& contacts, double h) noexcept;
   void add_row(int s, int t, const Matrix6& h) noexcept;
+  template <class Touch>
+  void each_touched(const Touch& touch) const noexcept;
   int reach_of_matrix() const noexcept;
+  bool begin_pile(int rows) noexcept;
+  bool solve_rows(int m) noexcept;
+  double misfit() noexcept;
   void direction(const Contacts& contacts, double h) noexcept;
   bool newton(Contacts& contacts, double h, int limit, double loose, double& merit) noexcept;
   double line_search(Contacts& contacts, double h, double merit, double whole) noexcept;
@@ -158,6 +164,8 @@ class ContactSolve {
   std::vector<char> seen_;
   Eigen::VectorXd a1_, a_, da_, z_, best_z_, rho_, dz_, trial_, b_rho_;
   BandSolve band_;
+  BlockSolve pile_;
+  bool in_pile_ = false;  // which of the two has the matrix
   std::vector<double> right_;  // of direction()
   std::vector<double> kinks_;
   double smooth_ = 0.0;
