@@ -187,7 +187,8 @@ bool BlockSolve::solve(double* right) noexcept {
   }
   for (int k = nodes_ - 1; k >= 0; --k) {
     Part later{}, result{};
-    for (int e = first_[at(k)]; e < first_[at(k + 1)]; ++e) add_product(upper_[at(e)].row, right_[at(after_[at(e)])].row, later.row);
+    for (int e = first_[at(k)]; e < first_[at(k + 1)]; ++e)
+      add_product(upper_[at(e)].row, right_[at(after_[at(e)])].row, later.row);
     for (int r = 0; r < kSize; ++r) later.row[r] = right_[at(k)].row[r] - later.row[r];
     add_product(diagonal_[at(k)].row, later.row, result.row);
     right_[at(k)] = result;

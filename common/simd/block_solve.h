@@ -1,5 +1,6 @@
-// Linear equations in blocks of 6 by 6, most of which are zero: elimination without exchanges between blocks, in an order that
-// keeps few of them filled (minimum degree; Tinney and Walker 1967).  Order and places are kept while what touches stays the same.
+// Linear equations in blocks of 6 by 6, most of which are zero: elimination without exchanges between blocks, in an order
+// that keeps few of them filled (minimum degree; Tinney and Walker 1967).  Order and places are kept while what touches
+// stays the same.
 
 #pragma once
 
