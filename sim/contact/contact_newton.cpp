@@ -18,6 +18,8 @@ constexpr double kForceFloor = 10.0;
 constexpr int kPile = 6 * 12;      // rows from which on the order of elimination is worth looking for
 constexpr std::size_t kManyKinks = 12;
 constexpr double kLeastHalf = 1e-2;
+constexpr int kMostSections = 8;
+constexpr double kFlat = 0.1;  // of the slope at the beginning
 constexpr double kSolved = 1e-9;   // of the right side
 
 Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& r) {
@@ -298,6 +300,7 @@ bool ContactSolve::newton(Contacts& contacts, double h, int limit, double loose,
     if (rho_.head(n_).norm() <= tolerance * scale_) return true;
     ++counters_.newton;
     direction(contacts, h);
+    const double downhill = by_slope_ && in_pile_ ? dz_.head(n_).dot(b_rho_.head(n_)) : 0.0;
     const double whole = merit_at(contacts, h, 1.0, true);
     if (whole < 0.25 * merit) {
       z_.head(n_) = trial_.head(n_);
@@ -310,7 +313,7 @@ bool ContactSolve::newton(Contacts& contacts, double h, int limit, double loose,
       merit = whole;
       return true;
     }
-    double t = line_search(contacts, h, merit, whole);
+    double t = downhill < 0.0 ? slope_search(contacts, h, downhill) : line_search(contacts, h, merit, whole);
     if (!(t > 0.0)) {
       if (best > merit) {
         best = merit;
@@ -348,12 +351,29 @@ double ContactSolve::line_search(Contacts& contacts, double h, double merit,
   find_kinks(contacts, h);
   const auto lowered = [&] { return best < merit * (1.0 - 1e-4 * best_t); };
   // A heap has so many that they are worth looking at only where halving alone does not help.
-  const bool many = kinks_.size() > kManyKinks;
+  const bool many = in_pile_ && kinks_.size() > kManyKinks;
   for (double t = 0.5; many && !lowered() && t > kLeastHalf; t *= 0.5) consider(t);
   if (many && lowered()) return best_t;
   for (const double t : kinks_) consider(t);
   for (double t = 0.5; !many && !lowered() && t > 1e-5; t *= 0.5) consider(t);
   return best < merit ? best_t : 0.0;
+}
+
+// As far along dz as the contacts' potential falls: without sliding the solution is its minimum, and rho its slope.  What is
+// evaluated last is the whole of dz; downhill: the slope at its beginning.
+double ContactSolve::slope_search(Contacts& contacts, double h, double downhill) noexcept {
+  respond(dz_, da_);
+  const auto slope = [this] { return rho_.head(n_).dot(da_.head(n_)); };
+  double low = 0.0, low_slope = downhill, high = 1.0, high_slope = slope();
+  for (int i = 0; i < kMostSections && high_slope > kFlat * -downhill; ++i) {
+    const double t = low + (high - low) * std::clamp(low_slope / (low_slope - high_slope), 0.1, 0.9);
+    (void)merit_at(contacts, h, t, false);
+    const double here = slope();
+    (here < 0.0 ? low : high) = t;
+    (here < 0.0 ? low_slope : high_slope) = here;
+    if (std::abs(here) <= kFlat * -downhill) return t;
+  }
+  return high;
 }
 
 double ContactSolve::merit_at(Contacts& contacts, double h, double t, bool with_tangent) noexcept {

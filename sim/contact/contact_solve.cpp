@@ -180,7 +180,11 @@ void ContactSolve::solve_island(Contacts& contacts, double h) noexcept {
   guess(contacts);
   double merit = evaluate(contacts, h, z_, true);
   const auto almost = [this] { return rho_.head(n_).norm() <= kAlmost * scale_; };
-  bool settled = newton(contacts, h, kMostNewton, 0.0, merit) || almost();
+  by_slope_ = true;
+  bool settled = newton(contacts, h, kMostNewton, 0.0, merit);
+  by_slope_ = false;
+  if (!settled && in_pile_) settled = newton(contacts, h, kMostNewton, 0.0, merit);
+  settled = settled || almost();
   if (!settled) ++counters_.rounded;
   // The rounded law made sharp by tens; if that fails, in smaller stages.
   for (int attempt = 0; attempt < 2 && !settled; ++attempt) {

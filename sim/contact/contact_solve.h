@@ -135,6 +135,7 @@ class ContactSolve {
   void direction(const Contacts& contacts, double h) noexcept;
   bool newton(Contacts& contacts, double h, int limit, double loose, double& merit) noexcept;
   double line_search(Contacts& contacts, double h, double merit, double whole) noexcept;
+  double slope_search(Contacts& contacts, double h, double downhill) noexcept;
   double merit_at(Contacts& contacts, double h, double t, bool with_tangent) noexcept;
   void find_kinks(const Contacts& contacts, double h) noexcept;
   Eigen::Vector3d velocity_of(const Contact& contact, const Eigen::VectorXd& acceleration,
@@ -165,6 +166,7 @@ class ContactSolve {
   Eigen::VectorXd a1_, a_, da_, z_, best_z_, rho_, dz_, trial_, b_rho_;
   BandSolve band_;
   BlockSolve pile_;
+  bool by_slope_ = false;
   bool in_pile_ = false;  // which of the two has the matrix
   std::vector<double> right_;  // of direction()
   std::vector<double> kinks_;
