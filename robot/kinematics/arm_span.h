@@ -16,6 +16,10 @@ struct ArmSpan {
 // In the posture of k.  The hand must have joints.
 ArmSpan arm_span(const Kinematics& k, const Hand& hand) noexcept;
 
+// Axes of the hand, in its frame, by what it looks like: z points away from the wrist, along the last joint's axis; a description's
+// own axes may lie otherwise.
+Eigen::Matrix3d pointing(const Kinematics& k, const Hand& hand) noexcept;
+
 // Is the arm's first joint upright?  Its first link then turns in place, as a turntable on the ground does.
 bool turns_in_place(const Kinematics& k, const Hand& hand) noexcept;
 

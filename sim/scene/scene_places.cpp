@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "common/math/index.h"
+#include "robot/collision/collision.h"
 #include "robot/kinematics/arm_span.h"
 #include "robot/kinematics/kinematics.h"
 
@@ -96,6 +97,47 @@ void give_time(Scene& scene, const Model& model, const Hand& hand) {
   }
 }
 
+// A turn about the upright through `middle`.
+Eigen::Isometry3d turned_about(const Eigen::Vector3d& middle, double angle) {
+  return Eigen::Translation3d(middle) * Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()) * Eigen::Translation3d(-middle);
+}
+
+// How far what stands around an arm is turned about its shoulder, that the robot begins clear of it: as little as can be [rad].
+double turn_to_clear(const Scene& scene, const Model& model, const Hand& hand, const ArmSpan& arm) {
+  constexpr double kClear = 0.05;  // lengths of the arm
+  constexpr int kSteps = 12;       // to half a turn
+  std::vector<Obstacle> things = scene.obstacles;
+  for (const LooseBody& body : scene.loose) {
+    Obstacle& thing = things.emplace_back();
+    thing.shape = ObstacleShape::kSphere;
+    thing.size.setConstant(0.5 * body.solid.size.norm());
+    thing.pose = body.start.pose;
+  }
+  if (things.empty()) return 0.0;
+  Collision collision(model);
+  Kinematics k(model);
+  k.update(Configuration(model, scene.start_pose));
+  const Eigen::Vector3d ground = arm_span(k, hand).shoulder - arm.shoulder;
+  const auto clear = [&](double angle) {
+    std::vector<Obstacle> turned = things;
+    for (Obstacle& thing : turned) thing.pose = Eigen::Translation3d(ground) * turned_about(arm.shoulder, angle) * thing.pose;
+    collision.set_obstacles(turned);
+    PairDistance near;
+    for (int link = 0; link < model.link_count(); ++link) {
+      for (int thing = 0; thing < std::min(static_cast<int>(turned.size()), Collision::kMaxObstacles); ++thing) {
+        if (collision.pair_nearer_than(k, link, model.link_count() + thing, kClear * arm.length, near)) return false;
+      }
+    }
+    return true;
+  };
+  for (int step = 0; step <= kSteps; ++step) {
+    for (const double angle : {step * M_PI / kSteps, -step * M_PI / kSteps}) {
+      if (clear(angle)) return angle;
+    }
+  }
+  return 0.0;
+}
+
 // What is given in lengths of the right arm, or the only one, in metres from then on.
 void measure_by_arm(Scene& scene, const Model& model) {
   if (!scene.in_arm_lengths) return;
@@ -103,6 +145,9 @@ void measure_by_arm(Scene& scene, const Model& model) {
   if (hand.link < 0 || hand.joints.empty())
     throw std::runtime_error("scene " + scene.name + ": its lengths are those of an arm, and the robot " + model.name + " has none");
   const ArmSpan arm = arm_of(scene, model, hand);
+  Kinematics k(model);
+  k.update(Configuration(model, scene.start_pose));
+  const Eigen::Matrix3d axes = pointing(k, hand);
   const auto place = [&](Eigen::Vector3d position) { return Eigen::Vector3d(arm.shoulder + arm.length * position); };
   for (Obstacle& obstacle : scene.obstacles) {
     obstacle.pose.translation() = place(obstacle.pose.translation());
@@ -113,6 +158,17 @@ void measure_by_arm(Scene& scene, const Model& model) {
     body.solid.size *= arm.length;
   }
   for (LooseEnd& end : scene.criteria.loose) end.position = place(end.position);
+  const Eigen::Isometry3d turn = turned_about(arm.shoulder, turn_to_clear(scene, model, hand, arm));
+  for (Obstacle& obstacle : scene.obstacles) obstacle.pose = turn * obstacle.pose;
+  for (LooseBody& body : scene.loose) body.start.pose = turn * body.start.pose;
+  for (LooseEnd& end : scene.criteria.loose) end.position = turn * end.position;
+  for (TimedGoal& timed : scene.goals) {
+    if (!timed.of_reach) continue;
+    timed.reach = turn.linear() * timed.reach;
+    const auto& [w, x, y, z] = timed.goal.orientation;
+    const Eigen::Quaterniond turned(turn.linear() * Eigen::Quaterniond(w, x, y, z).toRotationMatrix() * axes.transpose());
+    timed.goal.orientation = {turned.w(), turned.x(), turned.y(), turned.z()};
+  }
   give_time(scene, model, hand);
   scene.in_arm_lengths = false;
 }

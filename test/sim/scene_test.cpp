@@ -255,6 +255,34 @@ TEST(Scene, AnArmOnAFixedBaseKnowsTheFloorThatItBeginsAbove) {
   EXPECT_TRUE(walks.obstacles.empty());
 }
 
+// What the arm would begin in is turned about its shoulder, with all that belongs to it; a hand points by its looks, not by its axes.
+TEST(Scene, WhatStandsAroundAnArmIsTurnedWhereItBeginsClear) {
+  Model arm = post_and_arm();
+  arm.floating_base = false;
+  arm.hands[1].link = 1;
+  arm.hands[1].joints = {0};
+  arm.hands[1].frame.translation().x() = 0.3;
+  arm.hands[1].frame.linear() = Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitX()).toRotationMatrix();
+  const Eigen::Vector3d shoulder(-0.3, 0.0, 0.0);
+  for (const double beside : {0.0, 0.6}) {  // in the arm, and far from it
+    Scene scene = from_text("lengths: arm\nobstacles: [{shape: box, size: [0.1, 0.1, 0.1], position: [0.5, " + std::to_string(beside) +
+                            ", 0]}]\ngoals: [{at: 1, hand: right, reach: [0.5, 0.2, 0.1], rpy_deg: [180, 0, 0]}]\n");
+    resolve_poses(scene, arm);
+    resolve_poses(scene, arm);
+    const Eigen::Vector3d thing = (scene.obstacles[0].pose.translation() - shoulder) / 0.3;
+    const auto& [x, y, z] = scene.goals[0].goal.position;
+    const Eigen::Vector3d goal = (Eigen::Vector3d(x, y, z) - shoulder) / 0.3;
+    EXPECT_NEAR(thing.norm(), std::hypot(0.5, beside), 1e-6);
+    EXPECT_NEAR((goal - thing).norm(), std::hypot(0.2 - beside, 0.1), 1e-6);
+    const double turned = std::abs(std::atan2(thing.y(), thing.x()) - std::atan2(beside, 0.5));
+    if (beside > 0.0) EXPECT_NEAR(turned, 0.0, 1e-9);
+    else EXPECT_NEAR(turned, M_PI / 6.0, 1e-9);  // 0.129 of the arm to the side is not enough, 0.25 is
+    const auto& [w, i, j, k] = scene.goals[0].goal.orientation;
+    const Eigen::Vector3d points = Eigen::Quaterniond(w, i, j, k) * -Eigen::Vector3d::UnitZ();
+    EXPECT_NEAR(points.z(), -1.0, 1e-6);
+  }
+}
+
 // From one goal to the next the slowest joint can turn once around; a fast arm goes by the times of the file.
 TEST(Scene, ASlowArmIsGivenTime) {
   Model model = load_robot("hrp1s");

@@ -65,7 +65,7 @@ MEANING = {
         "accuracy": "error that `run` holds by its choice of order and step, such as 1 mm", "start_pose": "named pose of the SRDF",
         "fidelity": "how much is modelled; auto: no more than the accuracy needs (`run`), legs: all other joints are held, rigid: all are", "held": "joints that stand still for good, by name",
         "rigid": "further robots that are one rigid body, by name",
-        "start_velocity": "of joints at the start, by name [rad/s or m/s]", "origin": "where in the simulated world all of the scene begins, x and y [m]", "base": "whether the base is free", "lengths": "in which obstacles, loose bodies and their ends are given: metres, or lengths of the right arm (or the only one) from its shoulder", "self_contact": "links of one robot touch one another",
+        "start_velocity": "of joints at the start, by name [rad/s or m/s]", "origin": "where in the simulated world all of the scene begins, x and y [m]", "base": "whether the base is free", "lengths": "in which obstacles, loose bodies and their ends are given: metres, or lengths of the right arm (or the only one) from its shoulder, and then all is turned about the shoulder, no more than it needs, where the robot would begin in it", "self_contact": "links of one robot touch one another",
         "settings": "see Settings; --set wins over them", **{name.split("[")[0]: f"see {name}" for name in (
             "ground", "obstacles[]", "pushes[]", "modes[]", "goals[]", "walks[]", "pads[]", "footsteps[]", "motions[]", "terrain", "push_round", "disturbance",
             "bodies[]", "loose[]", "robots[]", "loops[]", "grasps[]", "criteria")}},
@@ -76,7 +76,7 @@ MEANING = {
     "pushes[]": {"link": "name", "point": "in the link's frame [m]", "impulse": "in world [N s]", "force": "the same as impulse over duration, in world [N]", "at": AT, "duration": FOR, "for": "another word for duration"},
     "modes[]": {"at": AT, "mode": "as in mode_request_t", "motion": "in mode balance", "duration": "of a pose [s]", "amplitude": "of a motion [m]", "frequency": "of a motion [Hz]", "pose": "named pose, for mode pose"},
     "goals[]": {"at": AT, "hand": "which", "speed": "share of the joint velocity limits", "pose": "named pose: the arm's joints of it", "cancel": "ends the motion under way",
-                "position": "of the hand, ground frame [m]", "reach": "the same from the shoulder, in lengths of the stretched arm, for an arm of any size", "rpy_deg": "its turn too [degrees]"},
+                "position": "of the hand, ground frame [m]", "reach": "the same from the shoulder, in lengths of the stretched arm, for an arm of any size", "rpy_deg": "its turn too [degrees]; of a `reach` in lengths of an arm for axes whose z points away from the wrist"},
     "walks[]": {"at": AT, "for": FOR, "vx": "forward [m/s]", "vy": "left [m/s]", "wz": "turn left [rad/s]"},
     "pads[]": {"at": AT, "for": FOR, "left_x": "left stick, left positive", "left_y": "left stick, forward positive", "right_x": "right stick, left positive"},
     "footsteps[]": {"at": AT, "steps": "see footsteps[].steps[]"},
