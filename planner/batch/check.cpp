@@ -26,7 +26,9 @@ namespace block_baseline {
 #include "planner/batch/placing.h"
 #include "planner/batch/shapes.h"
 #include "geometry/distance/simplex_lanes.h"
+#include "planner/batch/sides.h"
 #include "planner/batch/separate.h"
+#include "planner/batch/look.h"
 #include "planner/batch/line.h"
 #include "planner/batch/certain.h"
 }  // namespace block_baseline
@@ -39,7 +41,9 @@ namespace block_avx2 {
 #include "planner/batch/placing.h"
 #include "planner/batch/shapes.h"
 #include "geometry/distance/simplex_lanes.h"
+#include "planner/batch/sides.h"
 #include "planner/batch/separate.h"
+#include "planner/batch/look.h"
 #include "planner/batch/line.h"
 #include "planner/batch/certain.h"
 }  // namespace block_avx2
@@ -51,7 +55,9 @@ namespace block_avx512 {
 #include "planner/batch/placing.h"
 #include "planner/batch/shapes.h"
 #include "geometry/distance/simplex_lanes.h"
+#include "planner/batch/sides.h"
 #include "planner/batch/separate.h"
+#include "planner/batch/look.h"
 #include "planner/batch/line.h"
 #include "planner/batch/certain.h"
 }  // namespace block_avx512
