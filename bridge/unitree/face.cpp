@@ -29,7 +29,8 @@ Face::Face(const Model& model, const FaceOptions& options)
       order_(motor_order(model, options.family)),
       mode_machine_(options.mode_machine >= 0 ? options.mode_machine : order_.mode_machine),
       every_(std::max<std::int64_t>(1, std::llround(kFramePeriod / model.period()))),
-      timeout_ticks_(std::max<std::int64_t>(1, std::llround(model.command_timeout / model.period()))) {
+      repeat_ticks_(std::max<std::int64_t>(1, std::llround(0.5 * model.command_timeout / model.period()))),
+      silence_ticks_(std::max<std::int64_t>(1, std::llround(std::max(options.patience, model.command_timeout) / model.period()))) {
   if (!stands_on_points(model)) return;
   const std::optional<PointLegs> legs = point_legs(model, StandingFeet(model));
   if (legs && legs->size() == 4)
@@ -72,14 +73,14 @@ void Face::on_state(const RobotState& state, std::int64_t now_ns) noexcept {
   if (before == StopKind::kNone && state.stop_kind != StopKind::kNone && phase_ != Phase::kHolding) {
     notes_.add(FaceNote::kStopped, 1, now_ns, "the robot is stopped: LowCmd is not obeyed until ./twinbus clear");
   }
-  const bool silent = phase_ != Phase::kHolding && state.tick - accepted_tick_ > timeout_ticks_;
+  const bool silent = phase_ != Phase::kHolding && state.tick - accepted_tick_ > silence_ticks_;
   if (before != StopKind::kNone && state.stop_kind == StopKind::kNone && silent) start_holding();
   if (phase_ == Phase::kObeying && silent) {
     phase_ = Phase::kSilent;
     pending_ = false;
     notes_.add(FaceNote::kSilent, 1, now_ns,
                "no good LowCmd for %.0f ms: the robot is held by its own stop; start the program again, then ./twinbus clear",
-               1e3 * model_.command_timeout);
+               1e3 * model_.period() * static_cast<double>(silence_ticks_));
   }
 }
 
@@ -287,7 +288,8 @@ bool Face::take_command(JointCommand& command, std::int64_t now_ns) noexcept {
     return true;
   }
   if (!heard_ || answered_ || other_drives(now_ns)) return false;
-  if (phase_ == Phase::kHolding ? states_ <= kListenFirst : !pending_) return false;
+  const bool again = phase_ == Phase::kObeying && state_.tick - sent_tick_ >= repeat_ticks_;
+  if (phase_ == Phase::kHolding ? states_ <= kListenFirst : !pending_ && !again) return false;
   command = {};
   command.tick = state_.tick;
   command.run_id = state_.run_id;
@@ -300,6 +302,7 @@ bool Face::take_command(JointCommand& command, std::int64_t now_ns) noexcept {
   } else {
     obey(command);
     pending_ = false;
+    sent_tick_ = state_.tick;
   }
   answered_ = true;
   answer_ = command;

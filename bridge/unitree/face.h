@@ -2,8 +2,8 @@
 //
 // To programs it is the robot: STATE becomes LowState, LowCmd becomes COMMAND.  To the source below it is a controller like any
 // other: gate, limits, stops and switches are the source's.  Until a program commands, the face holds the posture that it found;
-// each program is a controller_id of its own, so the gate fades it in.  A program that falls silent is not helped: no COMMAND goes
-// out, and the source does what it does when any controller falls silent.
+// each program is a controller_id of its own, so the gate fades it in.  As a motor does, the face obeys a LowCmd until the next; after
+// FaceOptions::patience no COMMAND goes out, and the source does what it does when any controller falls silent.
 //
 //   face.on_state(state, now);                 // whenever STATE comes
 //   if (face.reading_due()) publish(face.reading(now));
@@ -30,6 +30,7 @@ struct FaceOptions {
   UnitreeFamily family = UnitreeFamily::kHg;
   int mode_machine = -1;   // -1: that of the table
   bool fade = true;        // a program's first commands are faded in
+  double patience = 0.1;   // a LowCmd goes on as long when the next is late; the command timeout at least [s]
   bool ab_as_series = false;  // mode_pr 1 is obeyed: motor A moves roll, motor B pitch, as if there were no linkage
   float volts = 0.0F;      // that are reported, since STATE has none; 0: not known
   float celsius = 0.0F;    // the same
@@ -87,7 +88,8 @@ class Face {
   std::array<int, 4> foot_{1, 0, -1, -1};  // row of STATE of each foot of the frame: front right, front left, rear right, rear left
   int mode_machine_;
   std::int64_t every_;          // STATEs per LowState
-  std::int64_t timeout_ticks_;  // of silence
+  std::int64_t repeat_ticks_;   // after which a LowCmd goes out again
+  std::int64_t silence_ticks_;  // after which it does not
 
   Phase phase_ = Phase::kHolding;
   RobotState state_;
@@ -99,7 +101,7 @@ class Face {
   bool pending_ = false;        // wish_ has not gone out
   std::uint64_t writer_ = 0;    // that is obeyed; 0 none
   SampleAge age_;
-  std::int64_t accepted_ns_ = 0, accepted_tick_ = 0, programs_ = 0;
+  std::int64_t accepted_ns_ = 0, accepted_tick_ = 0, sent_tick_ = 0, programs_ = 0;
   std::int64_t window_ns_ = 0, in_window_ = 0, taken_ = 0, refused_ = 0;
 
   std::int64_t bound_ = 0;      // the controller that the source obeys; 0 none or not known

@@ -24,7 +24,7 @@ import termios
 import time
 
 import harness
-from harness import Bus, Checks, Stack, cli, text_of
+from harness import Bus, Checks, Stack, cli, text_of, type_of
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 DATA = pathlib.Path(os.environ.get("TWINBUS_DATA", "/nowhere"))
@@ -46,7 +46,7 @@ class Typed:
         attributes[3] &= ~(termios.ECHO | termios.ICANON)
         termios.tcsetattr(theirs, termios.TCSANOW, attributes)
         self.process = subprocess.Popen([PYTHON, *map(str, words)], stdin=theirs, stdout=theirs, stderr=theirs, cwd=folder, start_new_session=True,
-                                        env=dict(os.environ, PYTHONPATH=str(folder.parent) if folder else ""))
+                                        preexec_fn=harness.go_ahead, env=dict(os.environ, PYTHONPATH=str(folder.parent) if folder else ""))
         os.close(theirs)
 
     def read(self):
@@ -84,10 +84,11 @@ class Robot:
     def look(self):
         """At what has come since the last look; whether the robot is upright and obeys."""
         since, self.looked_ns = self.looked_ns, time.monotonic_ns()
-        for count, (_, state) in enumerate(self.bus.messages("STATE", since)):
-            self.stop = state.stop_kind
-            if count % 10 == 0:
-                self.most_tilt = max(self.most_tilt, 2.0 * math.asin(min(1.0, math.hypot(state.attitude[1], state.attitude[2]))))
+        heard = [body for at, channel, body in self.bus.records if channel == "STATE" and at >= since]
+        for body in heard[::-10]:  # all of them would take the program's time
+            state = type_of("STATE").decode(body)
+            self.stop = max(self.stop, state.stop_kind)
+            self.most_tilt = max(self.most_tilt, 2.0 * math.asin(min(1.0, math.hypot(state.attitude[1], state.attitude[2]))))
         if len(self.bus.records) > 50000:
             del self.bus.records[:-20000]
         return self.stop == 0 and self.most_tilt < FALLEN

@@ -31,18 +31,9 @@ def skip(why):
     sys.exit(harness.SKIPPED)
 
 
-def go_ahead():
-    """Before ordinary processes, where that is allowed; not FIFO: Python would use up the share of a CPU that FIFO may have, and the
-    kernel then stops the robot's own loops too, for 50 ms."""
-    try:
-        os.nice(-10)
-    except OSError:
-        pass
-
-
 def peer(*words, **options):
     return subprocess.Popen([PYTHON, str(PEER), *map(str, words)], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
-                            preexec_fn=go_ahead, **options)
+                            preexec_fn=harness.go_ahead, **options)
 
 
 def output_of(process, timeout):
