@@ -21,6 +21,10 @@ constexpr std::int64_t kRateWindow = 500 * kMs;
 constexpr std::int64_t kListenFirst = 3;  // STATEs, whether somebody answers them
 constexpr double kTooFast = 1.5;  // of the robot's own rate
 
+std::int64_t ticks_of(double seconds, const Model& model) {
+  return std::max<std::int64_t>(1, std::llround(seconds / model.period()));
+}
+
 }  // namespace
 
 Face::Face(const Model& model, const FaceOptions& options)
@@ -28,9 +32,9 @@ Face::Face(const Model& model, const FaceOptions& options)
       options_(options),
       order_(motor_order(model, options.family)),
       mode_machine_(options.mode_machine >= 0 ? options.mode_machine : order_.mode_machine),
-      every_(std::max<std::int64_t>(1, std::llround(kFramePeriod / model.period()))),
-      repeat_ticks_(std::max<std::int64_t>(1, std::llround(0.5 * model.command_timeout / model.period()))),
-      silence_ticks_(std::max<std::int64_t>(1, std::llround(std::max(options.patience, model.command_timeout) / model.period()))) {
+      every_(ticks_of(kFramePeriod, model)),
+      repeat_ticks_(ticks_of(0.5 * model.command_timeout, model)),
+      silence_ticks_(ticks_of(std::max(options.patience, model.command_timeout), model)) {
   if (!stands_on_points(model)) return;
   const std::optional<PointLegs> legs = point_legs(model, StandingFeet(model));
   if (legs && legs->size() == 4)
