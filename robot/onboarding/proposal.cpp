@@ -37,6 +37,8 @@ constexpr double kLeastStiffness = 1.0;   // [N m/rad]
 constexpr double kTipping = 6.0, kTippingAside = 4.0;
 constexpr double kArmStiffness = 150.0;  // [1/rad], times the moment of what hangs on the joint
 constexpr double kStuck = 0.005;         // what friction may leave such a joint off [rad]
+constexpr double kGears = 0.01;          // of its effort a joint rubs where the file does not say more
+constexpr double kFastest = 500.0;       // of a light joint that is stiff for that [rad/s]
 
 // Two digits are all a guess deserves; plain decimals, which YAML reads as numbers.
 std::string rough(double value) {
@@ -359,7 +361,8 @@ class Writer {
     }
     const bool leg = std::find(anatomy_.leg_joints.begin(), anatomy_.leg_joints.end(), j) !=
                      anatomy_.leg_joints.end();
-    double kp = std::max({kArmStiffness * moment, joint.friction / kStuck, kLeastStiffness});
+    const double against_gears = std::min(kGears * joint.effort / kStuck, kFastest * kFastest * inertia);
+    double kp = std::max({kArmStiffness * moment, joint.friction / kStuck, against_gears, kLeastStiffness});
     double kd = 1.4 * std::sqrt(kp * inertia);
     if (leg && points_) {
       kp = kPointLegStiffness * model_.total_mass() * kGravity * point_legged_height();

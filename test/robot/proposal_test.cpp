@@ -77,23 +77,27 @@ TEST(Proposal, IsAFolderThatLoadsAndStands) {
   }
 }
 
-// Friction leaves a servo off by friction / kp: a light wrist with it gets more than its weight asks for.
-TEST(Proposal, ServosOfArmsOvercomeTheFrictionOfTheFile) {
+// Friction leaves a servo off by friction / kp: a light wrist with it, or with strong gears, gets more than its weight asks for;
+// an effort that no joint has makes no servo that a tick cannot follow.
+TEST(Proposal, ServosOfArmsOvercomeFriction) {
   Model bare = load_urdf(hrp1s().folder + "/hrp1s.urdf", find_packages(hrp1s().folder + "/hrp1s.urdf"));
   const int wrist = hrp1s().hands[0].joints.back();
   ProposalSource source;
   source.urdf_name = "hrp1s.urdf";
   TemporaryFolder folder;
   folder.write("hrp1s.urdf", bare.urdf_text);
-  const auto stiffness = [&](double friction) {
+  const auto stiffness = [&](double friction, double effort) {
+    bare.joints[static_cast<std::size_t>(wrist)].effort = effort;
     bare.joints[static_cast<std::size_t>(wrist)].friction = friction;
     const Proposal proposal = propose(bare, source);
     folder.write("robot.yaml", proposal.yaml);
     folder.write("hrp1s.srdf", proposal.srdf);
     return load_robot(folder.path()).joints[static_cast<std::size_t>(wrist)].kp;
   };
-  EXPECT_LT(stiffness(0.0), 150.0);
-  EXPECT_GE(stiffness(1.0), 200.0);
+  EXPECT_LT(stiffness(0.0, 1.0), 150.0);
+  EXPECT_GE(stiffness(1.0, 1.0), 200.0);
+  EXPECT_GE(stiffness(0.0, 200.0), 400.0);
+  EXPECT_LT(stiffness(0.0, 1e9), 1e5);
 }
 
 // Nothing to see or touch on feet, as on simple_humanoid: the ankle still says where they are.
