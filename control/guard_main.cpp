@@ -161,7 +161,7 @@ class GuardProcess : RobotProcess {
     event.severity = 1;
     const int used = std::snprintf(event.text.data(), event.text.size(), "%s: ",
                                    report.stop_asked ? "guard asks for a stop" : "guard holds joints");
-    describe(model_, cause, std::span(event.text).subspan(static_cast<std::size_t>(used)));
+    describe(model_, watch_.obstacles(), cause, std::span(event.text).subspan(static_cast<std::size_t>(used)));
     node_.tell(event);
   }
 

@@ -22,6 +22,7 @@ namespace twinbus {
 namespace {
 
 constexpr double kTouching = 0.001;  // a start nearer than this counts as touching [m]
+constexpr int kNearPairs = 64;       // looked at; more are too many
 constexpr double kShare = 0.9;       // of the room at start and goal that the way must keep
 constexpr double kProved =
     0.7;  // share of the clearance of the search that the motion is proved to keep
@@ -84,6 +85,7 @@ struct ArmPlanner::Question {
 ArmPlanner::ArmPlanner(const Model& model, const ArmPlannerConfig& config)
     : model_(&model),
       config_(config),
+      shares_(model),
       collision_(model),
       balls_(balls_along_links(model)),
       link_balls_(balls_.size()),
@@ -172,9 +174,23 @@ Eigen::Isometry3d ArmPlanner::leaned(const Question& question, const Eigen::Vect
   return there.base;
 }
 
+// For the guard: it keeps less of links that are near each other by design, and so does a goal.
+bool ArmPlanner::too_near(EdgeCheck& space, const JointPoint& q, CollisionPair& pair) {
+  if (!space.who_is_near(q, config_.least_clearance, pair)) return false;
+  if (shares_.least() >= 1.0) return true;
+  std::array<PairDistance, kNearPairs> near;
+  const int count = collision_.near_pairs(space.kinematics_at(q), config_.least_clearance, near.data(), kNearPairs);
+  for (int i = 0; i < count; ++i) {
+    const PairDistance& found = near[at(i)];
+    pair = {found.link_a, found.link_b};
+    if (found.distance <= config_.least_clearance * shares_.of(pair.link_a, pair.link_b)) return true;
+  }
+  return count == kNearPairs;
+}
+
 // Postures that answer the goal and keep the clearance, nearest to the start first.
 bool ArmPlanner::find_goals(EdgeCheck& space, Question& question, SplitMix64& random,
-                            ArmPlan& plan) const {
+                            ArmPlan& plan) {
   const ArmGoal& goal = *question.goal;
   bool reached_any = false;
   double best_miss = 1e9, miss_there = 0.0;
@@ -185,10 +201,10 @@ bool ArmPlanner::find_goals(EdgeCheck& space, Question& question, SplitMix64& ra
                             JointPath& goals) {
     reached_any = true;
     CollisionPair pair;
-    bool near = space.who_is_near(q, config_.least_clearance, pair);
+    bool near = too_near(space, q, pair);
     if (!near && balancing_) {
       space.set_base(base_there);
-      near = space.who_is_near(q, config_.least_clearance, pair);
+      near = too_near(space, q, pair);
       space.set_base(base);
     }
     if (!near) {
@@ -339,6 +355,8 @@ ArmPlan ArmPlanner::plan(const ArmGoal& goal, const Configuration& start,
     if (!in_the_way) break;
   }
   collision_.set_obstacles(obstacles_);
+  if (plan.status == ArmPathStatus::kStartInCollision || plan.status == ArmPathStatus::kGoalInCollision)
+    plan.touching = {thing_name(*model_, obstacles_, plan.pair.link_a), thing_name(*model_, obstacles_, plan.pair.link_b)};
   return plan;
 }
 
@@ -432,11 +450,8 @@ bool ArmPlanner::path_free(const ArmPlan& plan, const Configuration& start, doub
   return !plan.path.empty();
 }
 
-std::string describe(const Model& model, const ArmPlan& plan) {
-  const auto name = [&](int index) {
-    return index < model.link_count() ? model.links[at(index)].name
-                                      : "obstacle " + std::to_string(index - model.link_count());
-  };
+std::string describe(const ArmPlan& plan) {
+  const auto name = [&](std::size_t i) { return std::string(plan.touching[i].data()); };
   char text[192] = "";
   switch (plan.status) {
     case ArmPathStatus::kOk:
@@ -458,10 +473,10 @@ std::string describe(const Model& model, const ArmPlan& plan) {
                     plan.oriented ? " or give up its orientation" : "");
       return text;
     case ArmPathStatus::kStartInCollision:
-      return name(plan.pair.link_a) + " touches " + name(plan.pair.link_b) +
+      return name(0) + " touches " + name(1) +
              " already: move the arm away with `pose` first";
     case ArmPathStatus::kGoalInCollision:
-      return "at the goal " + name(plan.pair.link_a) + " would touch " + name(plan.pair.link_b) +
+      return "at the goal " + name(0) + " would touch " + name(1) +
              ": move the goal";
     case ArmPathStatus::kTimeLimit:
       return "no way found to the goal: try a goal on the near side of the obstacle, or two goals "

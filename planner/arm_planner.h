@@ -7,12 +7,15 @@
 #pragma once
 
 #include <cstdint>
+#include <array>
 #include <string>
 #include <vector>
 
 #include "planner/batch/robot.h"
 #include "planner/timing/path_timing.h"
 #include "robot/collision/collision.h"
+#include "robot/collision/near_pairs.h"
+#include "robot/collision/thing_name.h"
 #include "robot/kinematics/kinematics.h"
 #include "robot/description/model.h"
 #include "lcmtypes/msg/messages.h"
@@ -37,6 +40,7 @@ struct ArmPlan {
   ArmPathStatus status = ArmPathStatus::kBadGoal;
   std::string complaint;    // kBadGoal: what is wrong with it
   CollisionPair pair;       // kStartInCollision, kGoalInCollision
+  std::array<ThingName, 2> touching{};  // the same by name
   double miss = 0.0;        // kUnreachable: by how much [m]
   bool oriented = false;    // kUnreachable: the goal has an orientation, too
   std::vector<int> joints;  // model indices of the columns
@@ -81,13 +85,15 @@ class ArmPlanner {
                   Question& question, ArmPlan& plan) const;
   Eigen::Isometry3d leaned(const Question& question, const Eigen::VectorXd& q) const;
   bool find_goals(class EdgeCheck& space, Question& question, class SplitMix64& random,
-                  ArmPlan& plan) const;
+                  ArmPlan& plan);
+  bool too_near(class EdgeCheck& space, const JointPoint& q, CollisionPair& pair);
   TimedPath timed(class EdgeCheck& space, class ArmLines& lines, const JointPath& corners, const TimingLimits& limits,
                   int most_knots) const;
   void within_efforts(const Configuration& start, ArmPlan& plan) const;
 
   const Model* model_;
   ArmPlannerConfig config_;
+  MarginShares shares_;  // of what is kept of links that are near by design
   bool balancing_ = false;
   Collision collision_;
   std::vector<BallGroup> balls_;     // of all links, then of what is held
@@ -98,6 +104,6 @@ class ArmPlanner {
 };
 
 // One sentence for people: what was planned, or why not and what to do.
-std::string describe(const Model& model, const ArmPlan& plan);
+std::string describe(const ArmPlan& plan);
 
 }  // namespace twinbus

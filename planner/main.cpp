@@ -126,7 +126,7 @@ class PlannerProcess : RobotProcess {
     const char* side = answer.goal.side == ArmSide::kRight ? "right hand" : "left hand";
     std::snprintf(sentence, sizeof sentence, "%s: %s (planned in %.0f ms)",
                   answer.goal.kind == ArmGoalKind::kJoints ? "arm joints" : side,
-                  describe(model_, answer.plan).c_str(), 1e3 * answer.seconds);
+                  describe(answer.plan).c_str(), 1e3 * answer.seconds);
     tell(sentence, answer.plan.status == ArmPathStatus::kOk ? 0 : 1);
   }
 

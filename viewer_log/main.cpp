@@ -131,6 +131,7 @@ class Viewer {
     to_view<&StackView::on_heartbeat>(channel::kHeartbeat);
     to_view<&StackView::on_event>(channel::kEvent);
     to_view<&StackView::on_obstacles>(channel::kObstacles);
+    to_view<&StackView::on_held>(channel::kHeld);
     to_view<&StackView::on_terrain>(channel::kTerrain);
     to_view<&StackView::on_loose>(channel::kLoose);
     to_view<&StackView::on_footsteps>(channel::kFootsteps);

@@ -10,6 +10,7 @@
 
 #include "control/guard/guard_parts.h"
 #include "robot/collision/collision_pairs.h"
+#include "robot/collision/thing_name.h"
 #include "common/math/index.h"
 
 namespace twinbus {
@@ -175,16 +176,15 @@ Guard::~Guard() = default;
 const GuardReport& Guard::report() const noexcept { return impl_->report; }
 const GuardCause& Guard::cause() const noexcept { return impl_->cause; }
 
-void describe(const Model& model, const GuardCause& cause, std::span<char> text) noexcept {
-  const auto name = [&](int link) {
-    return link < model.link_count() ? model.links[at(link)].name.c_str() : "an obstacle";
-  };
+void describe(const Model& model, const std::vector<Obstacle>& obstacles, const GuardCause& cause,
+              std::span<char> text) noexcept {
   if (cause.link_a < 0) {
     std::snprintf(text.data(), text.size(), "a way to rest could not be proved free in time: all was braked");
     return;
   }
   int used = std::snprintf(text.data(), text.size(), "%s and %s, %.1f mm apart, would come to %.1f mm",
-                           name(cause.link_a), name(cause.link_b), 1e3 * cause.now, 1e3 * cause.then);
+                           thing_name(model, obstacles, cause.link_a).data(),
+                           thing_name(model, obstacles, cause.link_b).data(), 1e3 * cause.now, 1e3 * cause.then);
   if (cause.joint >= 0 && used > 0 && used < static_cast<int>(text.size())) {
     const Joint& joint = model.joints[at(cause.joint)];
     used += std::snprintf(text.data() + used, text.size() - at(used), " by %s at %.2f %s", joint.name.c_str(),
@@ -199,10 +199,12 @@ std::int64_t Guard::unproved() const noexcept { return impl_->unproved; }
 void Guard::set_obstacles(const std::vector<Obstacle>& obstacles) {
   impl_->set_obstacles(obstacles);
 }
+const std::vector<Obstacle>& Guard::obstacles() const noexcept { return impl_->obstacles; }
 
 // What a hand holds reaches farther than it.
-void Guard::Impl::set_obstacles(const std::vector<Obstacle>& obstacles) {
-  collision.set_obstacles(obstacles);
+void Guard::Impl::set_obstacles(const std::vector<Obstacle>& given) {
+  obstacles = given;
+  collision.set_obstacles(given);
   parting.fill({});
   find_reaches();
 }

@@ -85,6 +85,7 @@ class Guard {
 
   // Obstacles in the world of `base`; the first kMaxObstacles are kept.
   void set_obstacles(const std::vector<Obstacle>& obstacles);
+  const std::vector<Obstacle>& obstacles() const noexcept;
 
  private:
   struct Impl;
@@ -92,7 +93,7 @@ class Guard {
 };
 
 // In words: "A and B, 12.1 mm apart, would come to 8.3 mm by JOINT at 0.52 rad/s; 10 mm are kept".  Cut off at the end of
-// the text.
-void describe(const Model& model, const GuardCause& cause, std::span<char> text) noexcept;
+// the text.  obstacles: those that the guard was given.
+void describe(const Model& model, const std::vector<Obstacle>& obstacles, const GuardCause& cause, std::span<char> text) noexcept;
 
 }  // namespace twinbus

@@ -61,6 +61,7 @@ struct Guard::Impl {
   PerJoint<double> seen_q{};
   GuardReport report;
   GuardCause cause;
+  std::vector<Obstacle> obstacles;
 
   Impl(const Model& robot, const GuardConfig& wanted);
   bool moves_link(int joint, int link) const noexcept {
@@ -72,7 +73,7 @@ struct Guard::Impl {
   std::int64_t on_hold() const noexcept { return track.on_hold() | servos.on_hold(); }
   double margin_of(int link_a, int link_b) const noexcept { return config.margin * margin_shares.of(link_a, link_b); }  // [m]
   void forget() noexcept;
-  void set_obstacles(const std::vector<Obstacle>& obstacles);
+  void set_obstacles(const std::vector<Obstacle>& given);
   void find_reaches() noexcept;
   bool stands_on(const PairDistance& pair) const noexcept;
   void look_what_parts() noexcept;

@@ -43,6 +43,7 @@ class GuardWatch {
   const GuardCause& cause() const noexcept { return guard_.cause(); }
 
   void set_obstacles(const std::vector<Obstacle>& obstacles) { guard_.set_obstacles(obstacles); }
+  const std::vector<Obstacle>& obstacles() const noexcept { return guard_.obstacles(); }
 
  private:
   // An answer to a state further back says nothing any more [ticks].

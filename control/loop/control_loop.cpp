@@ -483,7 +483,7 @@ std::string ControlLoop::guard_cause() const {
   const Guard* guard = impl_->guard.get();
   if (guard == nullptr || !guard->cause().found) return "";
   std::array<char, 320> text{};
-  describe(impl_->model, guard->cause(), text);
+  describe(impl_->model, guard->obstacles(), guard->cause(), text);
   return text.data();
 }
 

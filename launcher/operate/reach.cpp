@@ -223,10 +223,10 @@ bool go(Watcher& watcher, const Model& model, ArmGoal& goal, bool say) {
   plan.status = watcher.first.status;
   plan.oriented = goal.kind == ArmGoalKind::kPose;
   if (plan.status != ArmPathStatus::kOk) {
-    plan.pair = {watcher.first.link_a, watcher.first.link_b};
+    plan.touching = {thing_name(model, {}, watcher.first.link_a), thing_name(model, {}, watcher.first.link_b)};
     plan.miss = static_cast<double>(watcher.first.miss);
     plan.complaint = "the planner's event says why";
-    print_typed(stderr, "reach: %s\n", describe(model, plan).c_str());
+    print_typed(stderr, "reach: %s\n", describe(plan).c_str());
     return false;
   }
   const std::uint64_t all = ~std::uint64_t{0} >> (64 - watcher.first.pieces);

@@ -13,6 +13,7 @@
 #include "lcmtypes/msg/refusal_text.h"
 #include "planner/arm_path_pieces.h"
 #include "planner/plan_start.h"
+#include "robot/collision/thing_name.h"
 #include "robot/description/hand_of.h"
 #include "lcmtypes/msg/status.h"
 #include "sim/scene/obstacle_pieces.h"
@@ -382,7 +383,7 @@ void OneProcess::plan(const ArmGoal& goal) {
   planner_->set_balancing(loop_->status().mode == Mode::kBalance);
   const ArmPlan plan = planner_->plan(goal, start, planner_view_.ground_in_world(),
                                       static_cast<std::uint64_t>(goal.goal_id));
-  sentences_.push_back("planner: " + describe(model_, plan));
+  sentences_.push_back("planner: " + describe(plan));
   const bool planned = !plan.path.empty();
   goals_.ask(goal, planned ? plan.joints : std::vector<int>{}, planned ? Eigen::VectorXd(plan.path.back().q) : Eigen::VectorXd());
   arm_answer_ = to_pieces(plan, {kPlannerId, goal.run_id, goal.goal_id, goal.goal_id});
@@ -405,9 +406,7 @@ void OneProcess::note_touch(const GuardReport& report) {
 
 std::string OneProcess::first_touch() const {
   if (touch_a_ < 0) return "";
-  const auto name = [&](int link) {
-    return link < model_.link_count() ? model_.links[static_cast<std::size_t>(link)].name : std::string("an obstacle");
-  };
+  const auto name = [&](int link) { return std::string(thing_name(model_, obstacles_.obstacles(), link).data()); };
   char text[80];
   std::snprintf(text, sizeof text, " by %.1f mm, first at %.3f s", -1e3 * touch_depth_, touch_time_);
   return ": " + name(touch_a_) + " and " + name(touch_b_) + text;

@@ -108,7 +108,7 @@ RobotQuery::Path RobotQuery::plan(const std::vector<double>& q, const std::strin
   goal.speed = static_cast<float>(speed);
   const ArmPlan plan = planner_->plan(goal, configuration_, Eigen::Isometry3d::Identity(), seed);
   Path path;
-  path.text = describe(*model_, plan);
+  path.text = describe(plan);
   for (const int j : plan.joints) path.joints.push_back(model_->joints[static_cast<std::size_t>(j)].name);
   for (const auto& knot : plan.path) {
     path.time.push_back(knot.time);

@@ -107,7 +107,7 @@ std::vector<ArmPathPiece> arm_path(const Model& model, const Scene& scene,
   const ArmPlan plan =
       planner.plan(goal, estimator.configuration(), estimator.ground_in_world(), 1);
   if (plan.status != ArmPathStatus::kOk)
-    throw std::runtime_error("no arm path: " + describe(model, plan));
+    throw std::runtime_error("no arm path: " + describe(plan));
   return to_pieces(plan, {2, kRunId, 1, 1});
 }
 

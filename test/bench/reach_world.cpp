@@ -180,7 +180,7 @@ class World {
       goal.goal_id = number * 16 + plans + 1;
       const ArmPlan plan = ask(goal);
       if (plan.status != ArmPathStatus::kOk) {
-        refusal = describe(model_, plan);
+        refusal = describe(plan);
         const bool no_way = plan.status == ArmPathStatus::kTimeLimit;
         if (!moved && !(no_way && truly_refused(goal))) refusal += " (UNTRUE)";
         break;

@@ -27,7 +27,7 @@ void story(std::int64_t tick, const RobotState& state, const JointCommand& comma
               report.stop_asked ? ", asks for a stop" : "");
   if (report.hold_mask != 0 && cause.link_a >= 0) {
     std::array<char, 200> text{};
-    describe(*told, cause, text);
+    describe(*told, {}, cause, text);
     std::printf("  %s\n", text.data());
   }
   for (int k = 0; k < told->bus_count(); ++k) {

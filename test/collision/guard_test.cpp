@@ -268,11 +268,11 @@ TEST(Guard, LegsAreNeverMaskedButAskForAStop) {
       ASSERT_GE(cause.joint, 0);
       EXPECT_NE(model.joints[static_cast<std::size_t>(cause.joint)].name.find("LEG_HIP_R"), std::string::npos);
       std::array<char, 300> text{};
-      describe(model, cause, text);
+      describe(model, {}, cause, text);
       EXPECT_NE(std::string(text.data()).find(model.links[static_cast<std::size_t>(cause.link_a)].name), std::string::npos);
       EXPECT_NE(std::string(text.data()).find("LEG_HIP_R at "), std::string::npos) << text.data();
       std::array<char, 20> little{};
-      describe(model, cause, little);  // cut off, not beyond
+      describe(model, {}, cause, little);  // cut off, not beyond
       EXPECT_EQ(little.back(), '\0');
     }
     asked = asked || report.stop_asked;
@@ -311,7 +311,7 @@ TEST(Guard, KeepsLessOfPairsThatAreNearByDesign) {
   EXPECT_LT(own.then, 0.004);
   EXPECT_GT(own.then, 0.0);
   std::array<char, 300> text{};
-  describe(model, own, text);
+  describe(model, {}, own, text);
   EXPECT_NE(std::string(text.data()).find("; 4 mm are kept"), std::string::npos) << text.data();
 }
 

@@ -10,6 +10,7 @@
 #include "robot/collision/collision.h"
 #include "robot/collision/collision_pairs.h"
 #include "robot/collision/obstacle_collector.h"
+#include "robot/collision/thing_name.h"
 #include "test/collision/guard_rig.h"
 #include "test/collision/postures.h"
 #include "test/obstacles.h"
@@ -24,6 +25,33 @@ Obstacle rod(int hand) {
   held.pose.translation() = Eigen::Vector3d(0.05, 0.0, -0.1);
   held.hand = hand;
   return held;
+}
+
+// A user finds his own again: they are counted from 1, whatever stands before them; the guard says what it is about.
+TEST(Held, EverythingAroundHasAName) {
+  const Model& model = hrp1s();
+  Obstacle floor = test::box_at({3.0, 0.0, -0.05}, {4.0, 10.0, 0.1}), flat;
+  const Obstacle wall = test::box_at({0.3, 0.0, 0.5}, {0.02, 1.2, 1.0});
+  flat.shape = ObstacleShape::kSphere;  // of no size: it takes no part and has no number
+  const std::vector<Obstacle> around = {floor, flat, wall, wall, rod(0), rod(1)};
+  const int links = model.link_count();
+  const auto name = [&](int index) { return std::string(thing_name(model, around, index).data()); };
+  EXPECT_EQ(name(3), model.links[3].name);
+  EXPECT_EQ(name(links), "the floor");
+  EXPECT_EQ(name(links + 1), "obstacle 1");
+  EXPECT_EQ(name(links + 2), "obstacle 2");
+  EXPECT_EQ(name(links + 3), "what the left hand holds");
+  EXPECT_EQ(name(links + 4), "what the right hand holds");
+  EXPECT_EQ(name(links + 5), "an obstacle");
+  EXPECT_EQ(name(-1), "?");
+  floor.pose.translation().z() += 0.01;  // a platform is no floor
+  EXPECT_FALSE(is_floor(floor));
+  std::array<char, 200> text{};
+  GuardCause cause;
+  cause.link_a = 3;
+  cause.link_b = links + 4;
+  describe(model, around, cause, text);
+  EXPECT_NE(std::string(text.data()).find(" and what the right hand holds, "), std::string::npos) << text.data();
 }
 
 TEST(Held, IsAsFarFromEverythingAsTheSameThingThere) {

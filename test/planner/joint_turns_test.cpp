@@ -76,7 +76,7 @@ TEST(ArmPlanner, JointsWithoutAnEndTakeTheShorterWayToAPosture) {
   goal.joint_mask = std::int64_t{1} << bus;
   goal.q[static_cast<std::size_t>(bus)] = home;
   const ArmPlan plan = planner.plan(goal, start, Eigen::Isometry3d::Identity(), 1);
-  ASSERT_EQ(plan.status, ArmPathStatus::kOk) << describe(model, plan);
+  ASSERT_EQ(plan.status, ArmPathStatus::kOk) << describe(plan);
   EXPECT_NEAR(plan.path.back().q[0], home + kTurn, 1e-9);
 }
 

@@ -92,6 +92,24 @@ TEST(LiveFrame, SupportPolygonIsTheHullOfTheLoadedSoles) {
 }
 
 // Alarm colours belong to what the guard acts on, not to links that are always near.
+// As the guard does: of links that are near by design less is kept.
+TEST(LiveFrame, APairThatIsNearByDesignIsNoAlarm) {
+  Model close = model();
+  close.yaml_text += "\nnear_pairs:\n  - {links: [" + close.links[1].name + ", " + close.links[7].name + "], margin: 0.003}\n";
+  StackView view(close);
+  view.on_state(standing(), kNow);
+  GuardReport report;
+  report.run_id = 11;
+  report.pairs_near = 2;
+  report.link_a = {1, 2};
+  report.link_b = {7, 7};
+  report.distance = {0.004F, 0.004F};
+  view.on_guard(report, kNow);
+  const Json frame = Json::parse(live_frame(view, kNow));
+  EXPECT_EQ(frame["pairs"][0]["level"], "");
+  EXPECT_EQ(frame["pairs"][1]["level"], "touch");
+}
+
 TEST(LiveFrame, APairIsAnAlarmWhenTheGuardActsOrLessIsLeftThanItKeeps) {
   StackView view(model());
   view.on_state(standing(), kNow);
@@ -212,7 +230,7 @@ TEST(Frames, GuardPairsWithStrangeLinksAreNamedSo) {
   const Json frame = Json::parse(live_frame(view, kNow));
   ASSERT_EQ(frame["pairs"].size(), 2u);
   EXPECT_EQ(frame["pairs"][0]["b"], "?");
-  EXPECT_EQ(frame["pairs"][1]["a"], "?");
+  EXPECT_EQ(frame["pairs"][1]["a"], "an obstacle");  // an index beyond those heard
 }
 
 TEST(HelloFrame, ListsJointsInBusOrder) {

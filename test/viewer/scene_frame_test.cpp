@@ -50,6 +50,32 @@ TEST(SceneFrame, WhatIsOfAnotherRunIsNotDrawn) {
   EXPECT_FALSE(view.footsteps_apply(kNow));
 }
 
+// The ground is drawn anyway; what a hand holds is drawn with the link that carries it.
+TEST(SceneFrame, TheFloorIsNoObstacleAndWhatIsHeldIsDrawn) {
+  StackView view = running();
+  ObstaclesPiece around = ball(kRun, 1);
+  around.count = 2;
+  around.shape[1] = ObstacleShape::kBox;
+  around.size[1] = {0.3F, 5, 0.1F};
+  around.position[1] = {0, 0, -0.05F};
+  view.on_obstacles(around);
+  ASSERT_EQ(scene(view)["obstacles"].size(), 1U);
+  EXPECT_EQ(scene(view)["obstacles"][0]["shape"], 2);
+  EXPECT_TRUE(scene(view)["held"].empty());
+  const std::int64_t version = view.scene_version();
+  ObstaclesPiece held = ball(5, 0);
+  held.pieces = 2;
+  held.piece = 1;  // the right hand
+  view.on_held(held);
+  EXPECT_NE(view.scene_version(), version);
+  ASSERT_EQ(scene(view)["held"].size(), 1U);
+  EXPECT_EQ(scene(view)["held"][0]["link"], robot().links[static_cast<std::size_t>(robot().hands[1].link)].name);
+  held.scene_id = 6;
+  held.count = 0;
+  view.on_held(held);
+  EXPECT_TRUE(scene(view)["held"].empty());
+}
+
 TEST(SceneFrame, ABodyThatMovesIsNoNewScene) {
   StackView view = running();
   view.on_loose(ball(kRun, 1), kNow);

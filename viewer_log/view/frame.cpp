@@ -7,6 +7,7 @@
 
 #include "viewer_log/view/frame_number.h"
 #include "lcmtypes/msg/guard_defaults.h"
+#include "robot/collision/thing_name.h"
 #include "lcmtypes/msg/labels.h"
 #include "lcmtypes/msg/refusal_text.h"
 #include "robot/dynamics/inverse_dynamics.h"
@@ -182,10 +183,10 @@ void add_balance(const StackView& view, std::int64_t now_ns, Json& frame) {
 }
 
 // "" for a pair that is only near, as many are in every posture of a robot; "close" when the guard acts on it or its gap is
-// less than the guard keeps; "touch" when half of that is gone, below which the guard lets nothing come.
-const char* pair_level(double distance, bool guard_acts) {
-  if (!(distance >= 0.5 * kGuardKeeps)) return "touch";
-  return distance < kGuardKeeps || (guard_acts && distance < kActedOn) ? "close" : "";
+// less than the guard keeps of the two; "touch" when half of that is gone, below which the guard lets nothing come.
+const char* pair_level(double distance, double keeps, bool guard_acts) {
+  if (!(distance >= 0.5 * keeps)) return "touch";
+  return distance < keeps || (guard_acts && distance < kActedOn) ? "close" : "";
 }
 
 void add_pairs(const StackView& view, std::int64_t now_ns, Json& frame) {
@@ -194,15 +195,12 @@ void add_pairs(const StackView& view, std::int64_t now_ns, Json& frame) {
     const GuardReport& report = view.guard().value;
     const Eigen::Isometry3d base = view.base(now_ns);
     const auto rows = static_cast<std::size_t>(std::clamp<int>(report.pairs_near, 0, kGuardPairs));
-    const auto name = [&](int link) -> std::string {
-      return link >= 0 && link < view.model().link_count()
-                 ? view.model().links[static_cast<std::size_t>(link)].name
-                 : "?";
-    };
+    const auto name = [&](int link) { return std::string(thing_name(view.model(), view.things(), link).data()); };
     const bool acts = report.hold_mask != 0 || report.stop_asked || report.verdict >= GuardVerdict::kWillCollide;
     for (std::size_t i = 0; i < rows; ++i) {
+      const double keeps = kGuardKeeps * view.margin_share(report.link_a[i], report.link_b[i]);
       pairs.push_back({{"a", name(report.link_a[i])},
-                       {"level", pair_level(static_cast<double>(report.distance[i]), acts)},
+                       {"level", pair_level(static_cast<double>(report.distance[i]), keeps, acts)},
                        {"b", name(report.link_b[i])},
                        {"mm", number(1e3 * static_cast<double>(report.distance[i]), 1)},
                        {"s", number(static_cast<double>(report.time_to_contact[i]), 2)},
@@ -424,6 +422,7 @@ std::string hello_frame(const Model& model, bool trusted) {
   return dump({{"type", "hello"},
                {"trusted", trusted},
                {"robot", model.name},
+               {"fixed", !model.floating_base},
                {"joints", joints},
                {"hands", hands},
                {"mass", number(model.total_mass(), 1)},

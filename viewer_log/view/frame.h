@@ -4,7 +4,7 @@
 //   live    60 Hz   posture, base pose, forces, ZMP, centre of mass, support polygon, guard pairs,
 //                   postures of the ghosts
 //   status  5 Hz    health, sources, processes, rates, mode, events
-//   scene   on change  obstacles, terrain, loose bodies: scene_frame.h
+//   scene   on change  obstacles, terrain, loose bodies, what hands hold: scene_frame.h
 //   path    on change  the planned motion of an arm, as joint angles
 //
 // Numbers are rounded to what a screen can show; a number that is not finite becomes null.

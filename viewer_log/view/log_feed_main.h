@@ -99,6 +99,7 @@ class MessageFeed : public LogFeed {
       {channel::kHeartbeat, &pass<&StackView::on_heartbeat>},
       {channel::kEvent, &pass<&StackView::on_event>},
       {channel::kObstacles, &pass<&StackView::on_obstacles>},
+      {channel::kHeld, &pass<&StackView::on_held>},
       {channel::kTerrain, &pass<&StackView::on_terrain>},
       {channel::kLoose, &pass<&StackView::on_loose>},
       {channel::kFootsteps, &pass<&StackView::on_footsteps>},

@@ -1,5 +1,8 @@
 #include "viewer_log/view/scene_frame.h"
 
+#include "robot/collision/thing_name.h"
+#include "robot/description/hand_of.h"
+
 namespace twinbus {
 
 namespace {
@@ -20,13 +23,37 @@ void each_row(const std::vector<ObstaclesPiece>& pieces, Use use) {
   }
 }
 
+Json shape_frame(ObstacleShape shape, const Eigen::Vector3d& size, const Eigen::Isometry3d& at) {
+  return {{"shape", static_cast<int>(shape)}, {"size", point(size)}, {"pose", pose(at)}};
+}
+
 Json shapes(const std::vector<ObstaclesPiece>& pieces, const Eigen::Isometry3d& place) {
   Json list = Json::array();
   each_row(pieces, [&](const ObstaclesPiece& piece, std::size_t row) {
-    list.push_back({{"shape", static_cast<int>(piece.shape[row])},
-                    {"size", point(vector(piece.size[row]))},
-                    {"pose", pose(place * pose_of(piece, row))}});
+    list.push_back(shape_frame(piece.shape[row], vector(piece.size[row]), place * pose_of(piece, row)));
   });
+  return list;
+}
+
+// Without the ground, which is drawn anyway.
+Json standing(const std::vector<ObstaclesPiece>& pieces) {
+  Json list = Json::array();
+  each_row(pieces, [&](const ObstaclesPiece& piece, std::size_t row) {
+    const Obstacle obstacle{piece.shape[row], vector(piece.size[row]), pose_of(piece, row)};
+    if (!is_floor(obstacle)) list.push_back(shape_frame(obstacle.shape, obstacle.size, obstacle.pose));
+  });
+  return list;
+}
+
+// By the link that carries it.
+Json held(const StackView& view) {
+  Json list = Json::array();
+  for (const Obstacle& thing : view.things()) {
+    if (thing.hand < 0 || !takes_part(thing, view.model())) continue;
+    const Hand* hand = hand_of(view.model(), thing.hand);
+    list.push_back(shape_frame(thing.shape, thing.size, hand->frame * thing.pose));
+    list.back()["link"] = view.model().links[static_cast<std::size_t>(hand->link)].name;
+  }
   return list;
 }
 
@@ -40,7 +67,8 @@ std::string scene_frame(const StackView& view, const Eigen::Isometry3d& place) {
   const Eigen::Isometry3d sim = place * view.world_from_sim();
   const std::int64_t run = view.state().value.run_id;
   Json frame = {{"type", "scene"},
-                {"obstacles", shapes(view.obstacles(), Eigen::Isometry3d::Identity())}};
+                {"obstacles", standing(view.obstacles())},
+                {"held", held(view)}};
   frame["terrain"] = is_of(view.terrain(), run) ? shapes(view.terrain(), sim) : Json::array();
   frame["loose"] = is_of(view.loose(), run) ? shapes(view.loose(), sim) : Json::array();
   return dump(frame);

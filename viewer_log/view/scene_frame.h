@@ -11,7 +11,7 @@
 
 namespace twinbus {
 
-// Obstacles, terrain and the shapes of loose bodies.  place: from the world of the view to the one that is drawn.
+// Obstacles, terrain and the shapes of loose bodies and of what hands hold.  place: from the world of the view to the one that is drawn.
 std::string scene_frame(const StackView& view,
                         const Eigen::Isometry3d& place = Eigen::Isometry3d::Identity());
 

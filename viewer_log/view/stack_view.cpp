@@ -64,7 +64,7 @@ void RateMeter::update(std::int64_t total, std::int64_t now_ns) {
   since_ns_ = now_ns;
 }
 
-StackView::StackView(const Model& model) : model_(&model), estimator_(model) {}
+StackView::StackView(const Model& model) : model_(&model), estimator_(model), margins_(model) {}
 
 void StackView::on_state(const RobotState& state, std::int64_t now_ns) {
   if (state.joint_count != model_->bus_count()) return;

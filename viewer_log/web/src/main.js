@@ -80,6 +80,7 @@ const link = new Link({
     if (String(history.joints) !== String(message.joints)) history.clear();
     history.joints = message.joints;
     panels.hello(message);
+    stage.fixed = message.fixed;
     joystick.enabled = message.trusted && !timeline.active;
     parts.allow(joystick.enabled);
     robot.load(message.joints, (model) => {
@@ -345,6 +346,7 @@ function draw() {
     drawnAt = now;
     const shown = past?.live ?? newest;
     robot.pose(shown.q, shown.base);
+    stage.shapes.carry(robot.model);
     robot.dim(!panels.online || shown.age_ms === null || shown.age_ms > 500 || shown.role === 'parked');
     const limits = robot.warn(shown.q, shown.pairs);
     if (plan && robot.whole) {

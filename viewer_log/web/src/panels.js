@@ -22,6 +22,7 @@ function element(tag, properties = {}, children = []) {
 const kWrongToken = typed('The token of this address is wrong or of an earlier run: open the address that ./twinbus up prints now.');
 const hertz = (value) => (value > 0 ? `${value.toFixed(0)} Hz` : '–');
 const age = (ms) => (ms === null ? 'never' : ms < 1000 ? `${Math.round(ms)} ms` : `${(ms / 1000).toFixed(1)} s`);
+const kStanding = ['balance', 'walk', 'sway', 'squat']; // modes
 const clock = (utime) => new Date(utime / 1000).toTimeString().slice(0, 8);
 
 export class Panels {
@@ -42,6 +43,10 @@ export class Panels {
     this.trusted = message.trusted && !this.recording;
     this.weight = message.mass * 9.81;
     this.robot = message.robot;
+    // A robot on a fixed base neither stands nor walks, and one with a single arm has one hand.
+    for (const button of document.querySelectorAll('#modes button')) button.hidden = message.fixed && kStanding.includes(button.dataset.mode);
+    $('drive').hidden = message.fixed;
+    document.querySelectorAll('#reach button').forEach((button, i) => { button.hidden = !message.hands[i]; });
     document.title = `twinbus: ${message.robot}`;
     $('watching').hidden = message.trusted;
     for (const button of document.querySelectorAll('#modes button, #reach button, #sim-box button')) button.disabled = !message.trusted;
@@ -87,6 +92,7 @@ export class Panels {
   // Of 0 to 6 feet: what each carries; how far inside the support the ZMP is, or on how few feet it lies between.
   feet(live) {
     const stand = live.loaded.filter(Boolean).length;
+    $('balance-box').hidden = live.feet.length === 0;
     text('margin', live.margin_mm !== null ? `ZMP ${live.margin_mm.toFixed(0)} mm inside` : live.feet.length === 0 ? 'no feet'
       : stand === 0 ? 'no foot stands' : `stands on ${stand === 1 ? 'one foot' : `${stand} feet`}`);
     const names = live.feet.join();

@@ -1,9 +1,10 @@
-// What stands, lies and moves around the robot: obstacles, terrain, loose bodies, and the footsteps to come.
+// What stands, lies and moves around the robot: obstacles, terrain, loose bodies, what hands hold, and the footsteps to come.
 
 import * as THREE from 'three';
 import { plain, surface } from './surface.js';
 
 const kRound = plain ? 16 : 32; // corners of what is round
+const kHeld = 0xff8a5c;
 const kSole = 0x58c4ff, kWay = 0xffffff;
 const kTiles = [0x6f8195, 0x62748a, 0x7b8ca0];
 
@@ -36,8 +37,10 @@ export class Shapes {
     this.obstacles = new THREE.Group();
     this.terrain = new THREE.Group();
     this.loose = new THREE.Group();
+    this.held = new THREE.Group();
     this.steps = new THREE.Group();
-    scene.add(this.obstacles, this.terrain, this.loose, this.steps);
+    scene.add(this.obstacles, this.terrain, this.loose, this.held, this.steps);
+    this.grip = new THREE.LineBasicMaterial({ color: kHeld, depthTest: false });
     this.wood = surface({ color: 0xc98a3c, roughness: 0.7, transparent: true, opacity: 0.88 });
     this.ground = surface({ color: 0xffffff, roughness: 0.95 });
     this.bodies = [0xd9a441, 0x5fa777, 0xb9695d, 0x8d7fc2].map((color) => surface({ color, roughness: 0.6 }));
@@ -49,10 +52,35 @@ export class Shapes {
   }
 
   // A scene message.
-  show({ obstacles, terrain = [], loose = [] }) {
+  show({ obstacles, terrain = [], loose = [], held = [] }) {
     fill(this.obstacles, obstacles, () => this.wood);
     this.lay(terrain);
     fill(this.loose, loose, (i) => this.bodies[i % this.bodies.length]);
+    for (const old of this.held.children) old.geometry.dispose();
+    this.held.clear();
+    for (const item of held) {
+      const geometry = geometryOf(item);
+      if (!geometry) continue;
+      const edges = new THREE.LineSegments(new THREE.EdgesGeometry(geometry), this.grip); // the body itself may be drawn, too
+      geometry.dispose();
+      edges.renderOrder = 11;
+      place(edges, item.pose);
+      edges.updateMatrix();
+      edges.userData = { link: item.link, inLink: edges.matrix.clone() };
+      edges.matrixAutoUpdate = false;
+      this.held.add(edges);
+    }
+  }
+
+  // What is held goes with the robot as it is drawn.
+  carry(model) {
+    for (const edges of this.held.children) {
+      const link = model?.links[edges.userData.link];
+      edges.visible = link !== undefined;
+      if (!link) continue;
+      link.updateWorldMatrix(true, false);
+      edges.matrix.multiplyMatrices(link.matrixWorld, edges.userData.inLink);
+    }
   }
 
   // Tiles are many, and boxes: drawn in one go.

@@ -165,7 +165,7 @@ export class Stage {
     const known = (p) => p.every((v) => v !== null);
     this.zmp.visible = corners.length > 0 && known(live.zmp);
     if (this.zmp.visible) this.zmp.position.set(live.zmp[0], live.zmp[1], 0.006);
-    this.com.visible = this.plumb.visible = known(live.com);
+    this.com.visible = this.plumb.visible = known(live.com) && !this.fixed;
     if (this.com.visible) {
       this.com.position.set(...live.com);
       setPoints(this.plumb, [live.com, [live.com[0], live.com[1], 0.005]]);
