@@ -246,7 +246,7 @@ def main(arguments):
     other = os.environ.get("TWINBUS_POLICY_PYTHON")
     if words.policy and other and not os.environ.get("TWINBUS_POLICY_RUNS"):
         os.execve(other, [other, __file__, *arguments], dict(os.environ, TWINBUS_POLICY_RUNS="1"))
-    twinbus = str(programs.folder_of("twinbus", "bench sim2sim") / "twinbus")
+    twinbus = str(programs.folder_of("twinbus", "bench sim2sim", *(programs.POLICY_RUNS if words.policy else ())) / "twinbus")
     rows, fell = [], 0
     with tempfile.TemporaryDirectory() as scratch:
         for controller in controllers(twinbus, words, pathlib.Path(scratch)):

@@ -97,7 +97,7 @@ def main(arguments):
     if not words.robot and not pathlib.Path(robot).is_file():
         print("skipped: $TWINBUS_DATA has no robots/g1; name a --robot")
         return 77
-    twinbus, rows, fallen = str(programs.folder_of("twinbus", "bench walkers") / "twinbus"), [], {}
+    twinbus, rows, fallen = str(programs.folder_of("twinbus", "bench walkers", *(programs.POLICY_RUNS if policies else ())) / "twinbus"), [], {}
     with tempfile.TemporaryDirectory() as scratch:
         folder, mass, _ = proposed(twinbus, robot, f"{scratch}/robot")
         for course in words.courses.split(","):

@@ -7,10 +7,19 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
-def folder_of(program, who):
-    """who: says it when there is no build."""
-    if "TWINBUS_BIN" in os.environ:
-        return pathlib.Path(os.environ["TWINBUS_BIN"])
+POLICY_RUNS = ("twinbus_simulator", "twinbus_guard")  # what a policy in lock-step starts
+
+
+def folder_of(program, who, *others):
+    """who: says it when there is no build, or when it lacks one of the others."""
+    folder = pathlib.Path(os.environ["TWINBUS_BIN"]) if "TWINBUS_BIN" in os.environ else newest_with(program, who)
+    missing = [name for name in others if not (folder / name).exists()]
+    if missing:
+        sys.exit(f"{who}: {', '.join(missing)} not in {folder}; run: cmake --build --preset release --target {' '.join(missing)}")
+    return folder
+
+
+def newest_with(program, who):
     builds = sorted(ROOT.glob(f"build/*/bin/{program}"), key=lambda path: path.stat().st_mtime)
     if not builds:
         how = "./twinbus up" if program == "twinbus" else "./twinbus bench"
