@@ -121,6 +121,7 @@ LooseContacts::LooseContacts(const Model& model, const WorldConfig& config)
   const std::size_t most = active() ? robots * kMostContacts + loose_ * kMostLooseContacts : 0;
   memory_.reserve(most);
   saved_.reserve(most);
+  remembered_.reserve(most);
   if (continuous_) faces_.reserve(most);
 }
 
@@ -247,12 +248,14 @@ void LooseContacts::place(Piece& piece, const std::vector<ArticulatedBody*>& sys
   const Eigen::Vector3d middle = link.origin + link.rotation * piece.in_link.translation();
   piece.rotation = link.rotation * piece.in_link.linear();
   piece.center = body.origin() + middle;
-  piece.speed =
-      at_point(link.velocity, middle).norm() + angular(link.velocity).norm() * piece.radius;
+  piece.velocity = at_point(link.velocity, middle);
+  piece.turning = angular(link.velocity).norm() * piece.radius;
+  piece.speed = piece.velocity.norm() + piece.turning;
 }
 
 bool LooseContacts::near(const Piece& a, const Piece& b, double h) const noexcept {
-  const double apart = a.radius + b.radius + reach_of(a.speed + b.speed, h);
+  const double speed = (a.velocity - b.velocity).norm() + a.turning + b.turning;
+  const double apart = a.radius + b.radius + reach_of(speed, h);
   return (a.center - b.center).squaredNorm() < apart * apart;
 }
 
@@ -304,8 +307,13 @@ void LooseContacts::find(const std::vector<ArticulatedBody*>& systems, double h,
   }
 }
 
+// Seen from the first robot: what flies along with it does not come nearer.
 void LooseContacts::find_alone(double h) noexcept {
-  const auto reach = [&](const Piece& piece) { return piece.radius + reach_of(piece.speed, h); };
+  Eigen::Vector3d along = Eigen::Vector3d::Zero();
+  if (!robots_.empty() && robots_.front().first < robots_.front().end) along = pieces_[robots_.front().first].velocity;
+  const auto reach = [&](const Piece& piece) {
+    return piece.radius + reach_of((piece.velocity - along).norm() + piece.turning, h);
+  };
   for (Outline& robot : robots_) {
     robot.box.setEmpty();
     for (std::size_t i = robot.first; i < robot.end; ++i) {
@@ -436,13 +444,10 @@ bool LooseContacts::consider(Contact& c, Search& search) noexcept {
   }
   search.contacts.push_back(c);
   Contact& added = search.contacts.back();
-  // Contacts are found in the same order at each step: the one sought is seldom far.
-  std::size_t seen = 0;
-  while (seen < memory_.size() && memory_[search.cursor % memory_.size()].key != c.key) {
-    ++search.cursor;
-    ++seen;
-  }
-  if (seen == memory_.size()) {
+  // Contacts are found in the same order at each step: the one sought is mostly the next.
+  const auto known = [&] { return !memory_.empty() && memory_[search.cursor % memory_.size()].key == c.key; };
+  if (const int place = known() ? -1 : remembered_.find(c.key); place >= 0) search.cursor = at(place);
+  if (!known()) {
     added.guess.setZero();
     added.stretch = planted(added, search.h);
     return true;
@@ -476,6 +481,12 @@ void LooseContacts::remember(const std::vector<ArticulatedBody*>& systems,
     }
     memory_.push_back({c.key, kept, c.now.force});
   }
+  index_memory();
+}
+
+void LooseContacts::index_memory() noexcept {
+  remembered_.clear();
+  for (std::size_t i = 0; i < memory_.size(); ++i) remembered_.add(memory_[i].key, static_cast<int>(i));
 }
 
 }  // namespace twinbus

@@ -16,6 +16,7 @@
 #include <memory>
 #include <vector>
 
+#include "common/math/key_index.h"
 #include "geometry/mesh_contact/manifold.h"
 #include "geometry/mesh_contact/patch.h"
 #include "sim/contact/box_overlap.h"
@@ -48,6 +49,7 @@ class LooseContacts {
                 double h) noexcept;
   void forget() noexcept {
     memory_.clear();
+    remembered_.clear();
     faces_.forget();
   }
   // So deep that the middle of one has nearly passed that of the other, which turns the normal round.
@@ -59,6 +61,7 @@ class LooseContacts {
   }
   void restore() noexcept {
     memory_ = saved_;
+    index_memory();
     faces_.restore();
   }
 
@@ -93,6 +96,8 @@ class LooseContacts {
     // As placed.
     Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
     Eigen::Vector3d center = Eigen::Vector3d::Zero();  // world
+    Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  // of its middle [m/s]
+    double turning = 0.0;                              // nothing of it moves faster about its middle [m/s]
     double speed = 0.0;                                // nothing of it is faster [m/s]
   };
   struct Memory {
@@ -161,6 +166,7 @@ class LooseContacts {
   Eigen::Isometry3d end_of(const Piece& piece, const Search& search) const noexcept;
   // Of a box, the face that bare points are nearest to being out of; -1: ask point by point.
   int face_between(const Piece& points, const Piece& box) const noexcept;
+  void index_memory() noexcept;
   bool consider(Contact& found, Search& search) noexcept;  // true: it was added
 
   std::vector<Piece> pieces_;  // the loose bodies, the robot's, the fixed ones
@@ -181,6 +187,7 @@ class LooseContacts {
   int next_key_ = 0;
   double thinnest_ = std::numeric_limits<double>::infinity();  // of two pieces together [m]
   std::vector<Memory> memory_, saved_;  // in the order of find()
+  KeyIndex remembered_;                 // of memory_, by key
 };
 
 }  // namespace twinbus

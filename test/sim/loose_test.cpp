@@ -12,6 +12,7 @@
 #include "robot/description/load.h"
 #include "sim/engine/articulated_world.h"
 #include "sim/articulated/torque_free_rotation.h"
+#include "common/math/key_index.h"
 #include "common/math/random.h"
 #include "sim/world/static_equilibrium.h"
 #include "test/no_alloc.h"
@@ -321,6 +322,45 @@ TEST(LooseStack, APlateCarriesManyBoxesAndAllocatesNothing) {
   test::step_without_allocation(world, 500);
   EXPECT_EQ(world.unconverged(), 0);
   for (int i = 1; i <= 12; ++i) EXPECT_NEAR(world.loose(i).pose.translation().z(), 0.1, 2e-4);
+}
+
+// Two balls that meet while both fly as fast to the side part as they do without that.
+TEST(LooseStress, WhatFliesTogetherMeetsAsAtRest) {
+  const auto parted = [](double along) {
+    WorldConfig config;
+    config.step = 1e-2;
+    for (const double side : {-1.0, 1.0}) {
+      LooseBody ball;
+      ball.name = side < 0.0 ? "left" : "right";
+      ball.mass = 1.0;
+      ball.solid = {SolidShape::kSphere, {0.1, 0, 0}};
+      ball.stiffness = 1e4;
+      ball.start.pose.translation() = Eigen::Vector3d(0.23 * side, 0, 100.0);
+      ball.start.velocity = Eigen::Vector3d(-2.0 * side, along, 0);
+      config.loose.push_back(ball);
+    }
+    ArticulatedWorld world(test::bystander(), config);
+    EXPECT_EQ(world.set(Configuration(test::bystander())), Status::kOk);
+    for (int i = 0; i < 30; ++i) EXPECT_EQ(world.step(), Status::kOk);
+    return Eigen::Vector2d(world.loose(0).velocity.x(), world.loose(1).velocity.x());
+  };
+  const Eigen::Vector2d at_rest = parted(0.0);
+  EXPECT_LT(at_rest[0], 0.0);  // they went back, not through
+  EXPECT_GT(at_rest[1], 0.0);
+  EXPECT_LT((parted(80.0) - at_rest).norm(), 1e-8);
+}
+
+TEST(KeyIndex, FindsWhatWasPutInFirst) {
+  KeyIndex index;
+  EXPECT_EQ(index.find(3), -1);
+  index.reserve(100);
+  for (int time = 0; time < 2; ++time) {
+    for (int i = 0; i < 200; ++i) index.add(1000003 * (i % 100), i);  // what there is no room for is left out
+    for (int i = 0; i < 100; ++i) EXPECT_EQ(index.find(1000003 * i), i);
+    EXPECT_EQ(index.find(7), -1);
+    index.clear();
+    EXPECT_EQ(index.find(1000003), -1);
+  }
 }
 
 TEST(LooseStress, ATumblingBoxAlwaysSettlesInsideTheCone) {
