@@ -311,7 +311,7 @@ void Modes::watch_for_a_fall(const Moment& now) noexcept {
     if (brace_.over()) end_brace(now);
     return;
   }
-  if (active_ == nullptr) return;
+  if (active_ == nullptr || held_by_gate_) return;  // a gate that obeys nobody lets it bend nothing
   if (now.estimator.tilt() >= kFallenTilt) {
     looks_ahead_ = false;
     sentence_ = kHasFallen;

@@ -451,6 +451,28 @@ TEST(ControlLoop, ARobotThatHasFallenIsDamped) {
   ASSERT_NE(rig.loop().take_sentence(), nullptr);
 }
 
+// A gate that obeys nobody lets it do nothing about a fall: it is not said with every tick.
+TEST(ControlLoop, AFallBehindAStoppedGateIsNotSaidEveryTick) {
+  Rig rig;
+  ASSERT_TRUE(rig.run(0.05));
+  RobotState state = rig.state();
+  state.attitude = {static_cast<float>(std::cos(0.1)), static_cast<float>(std::sin(0.1)), 0.0F, 0.0F};
+  state.gyro = {2.0F, 0.0F, 0.0F};
+  state.role = Role::kStopped;
+  state.stop_kind = StopKind::kHold;
+  int said = 0;
+  for (int i = 0; i < 20; ++i) {
+    ++state.tick;
+    state.time_ns += 2'000'000;
+    rig.loop().on_state(state, state.time_ns);
+    JointCommand command;
+    (void)rig.loop().step(state.time_ns, command);
+    const char* sentence = rig.loop().take_sentence();
+    if (sentence != nullptr && std::string(sentence).find("falls") != std::string::npos) ++said;
+  }
+  EXPECT_LE(said, 1);
+}
+
 // A push that no step catches: said early, knees bent and gains down before the robot lies.
 TEST(ControlLoop, AFallIsSeenEarlyAndTheRobotBracesItself) {
   const Model& model = test::hrp1s();
