@@ -31,7 +31,7 @@ DATA = pathlib.Path(os.environ.get("TWINBUS_DATA", "/nowhere"))
 PROGRAMS = pathlib.Path(os.environ.get("TWINBUS_PROGRAMS", "/nowhere"))
 PYTHON = os.environ.get("TWINBUS_UNITREE_PYTHON", sys.executable)
 SECONDS, STANDING, WALKING = (60.0, 50, 10) if harness.FULL else (15.0, 2, 2)
-FALLEN = math.radians(40.0)
+FALLEN, TOTTERS = math.radians(40.0), math.radians(15.0)
 
 
 class Typed:
@@ -132,39 +132,55 @@ def proposed(description, folder):
 
 
 def walks(name, words, folder, ready, start, faster, checks, work):
-    """A policy of theirs on a G1: stands while two simulators take each other's place, walks while two engines do."""
+    """A policy of theirs on a G1: stands while two simulators take each other's place, walks while two engines do.  An engine in
+    which it falls or totters without a switch is left out."""
     robot = proposed(DATA / "robots/g1/g1_29dof_rev_1_0.urdf", work / "g1")
     engines = work / "engines.yaml"
     text = (ROOT / "config/stacks/client_mujoco.yaml").read_text()
     engines.write_text(text.replace('"--engine", "mujoco"', '"--engine", "ode"'))
-    for stack, count, motion in (("client_twosims", STANDING, "stands"), (engines, WALKING, "walks")):
-        bus, program = Bus(), None
-        try:
-            with Stack("stand_python", "--robot", robot, "--face", "unitree_hg", "--stack", stack, "--no-viewer", "--no-record") as running:
-                watched = Robot(bus)
-                program = Typed(*words, folder=folder)
-                program.wait_for(ready)
-                time.sleep(0.2)
-                program.type(start)  # until then it lets the robot sink
-                time.sleep(2.0)
-                if motion == "walks":
-                    program.type(faster, pause=1.2)  # the same key sooner counts as one that is held
-                    watched.watch(3.0)
-                    place = watched.place()
-                began = time.monotonic()
-                switches(watched, count, checks, f"{name} {motion}")
-                watched.watch(SECONDS - (time.monotonic() - began))
-                story = watched.in_words()
-                print(f"{name} {motion} {time.monotonic() - began:.0f} s: {story}", flush=True)
-                checks.that(watched.look(), f"{name} {motion}: {story}: {told(running, bus)} {program.read()[-600:]}")
-                if motion == "walks":
-                    speed = math.dist(watched.place(), place) / (time.monotonic() - began)
-                    print(f"{name} walks: {speed:.3f} m/s", flush=True)
-                    checks.at_least(speed, 0.1, f"{name}: speed [m/s]")
-        finally:
-            bus.close()
-            if program is not None:
-                program.end()
+    pairs = {"ode": engines, "mujoco": "client_mujoco"} if os.environ.get("TWINBUS_MUJOCO") else {"ode": engines}
+    walking = "client_twosims"
+    for engine, stack in pairs.items():
+        alone = ["--stack", "client_twosims", "--engine", engine]
+        tilt = drive(f"{name} in {engine} alone", robot, alone, words, folder, ready, start, faster, 0, SECONDS, checks.tentative())
+        if tilt < TOTTERS:
+            walking = stack
+            break
+    drive(f"{name} stands", robot, ["--stack", "client_twosims"], words, folder, ready, start, "", STANDING, SECONDS, checks)
+    print(f"{name} walks in {walking}", flush=True)
+    drive(f"{name} walks", robot, ["--stack", walking], words, folder, ready, start, faster, WALKING, SECONDS, checks)
+
+
+def drive(name, robot, options, words, folder, ready, start, faster, count, seconds, checks):
+    """The most tilt while the program drives the robot for these seconds [rad], switches among them; walking, if keys for that are given."""
+    bus, program = Bus(), None
+    try:
+        with Stack("stand_python", "--robot", robot, "--face", "unitree_hg", *options, "--no-viewer", "--no-record") as running:
+            watched = Robot(bus)
+            program = Typed(*words, folder=folder)
+            program.wait_for(ready)
+            time.sleep(0.2)
+            program.type(start)  # until then it lets the robot sink
+            time.sleep(2.0)
+            if faster:
+                program.type(faster, pause=1.2)  # the same key sooner counts as one that is held
+                watched.watch(3.0)
+                place = watched.place()
+            began = time.monotonic()
+            switches(watched, count, checks, name)
+            watched.watch(seconds - (time.monotonic() - began))
+            story = watched.in_words()
+            print(f"{name} {time.monotonic() - began:.0f} s: {story}", flush=True)
+            checks.that(watched.look(), f"{name}: {story}: {told(running, bus)} {program.read()[-600:]}")
+            if faster:
+                speed = math.dist(watched.place(), place) / (time.monotonic() - began)
+                print(f"{name}: {speed:.3f} m/s", flush=True)
+                checks.at_least(speed, 0.1, f"{name}: speed [m/s]")
+            return watched.most_tilt
+    finally:
+        bus.close()
+        if program is not None:
+            program.end()
 
 
 def holosoma(checks, work):
