@@ -19,6 +19,7 @@ constexpr std::int64_t kAskAgain = 20 * kMs;            // to be obeyed
 constexpr std::int64_t kPadFresh = 250 * kMs;
 constexpr std::int64_t kRateWindow = 500 * kMs;
 constexpr std::int64_t kListenFirst = 3;  // STATEs, whether somebody answers them
+constexpr double kRepeat = 0.75;  // of the command timeout, after which a LowCmd goes out again
 constexpr double kTooFast = 1.5;  // of the robot's own rate
 
 std::int64_t ticks_of(double seconds, const Model& model) {
@@ -33,7 +34,7 @@ Face::Face(const Model& model, const FaceOptions& options)
       order_(motor_order(model, options.family)),
       mode_machine_(options.mode_machine >= 0 ? options.mode_machine : order_.mode_machine),
       every_(ticks_of(kFramePeriod, model)),
-      repeat_ticks_(ticks_of(0.5 * model.command_timeout, model)),
+      repeat_ticks_(ticks_of(kRepeat * model.command_timeout, model)),
       silence_ticks_(ticks_of(std::max(options.patience, model.command_timeout), model)) {
   if (!stands_on_points(model)) return;
   const std::optional<PointLegs> legs = point_legs(model, StandingFeet(model));

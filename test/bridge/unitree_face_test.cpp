@@ -244,7 +244,7 @@ TEST(UnitreeFace, ALateCommandIsRepeatedAndSilenceIsToldOnce) {
     EXPECT_EQ(command.q[first_motor], 0.5);
     EXPECT_EQ(command.tick, bench.state.tick);
   }
-  EXPECT_EQ(sent, (std::vector<int>{10, 20, 30, 40}));
+  EXPECT_EQ(sent, (std::vector<int>{15, 30, 45}));
   EXPECT_EQ(bench.lines_with("no good LowCmd for 100 ms"), 1);
   // Stopped by the source, cleared without a program: held where it is then.
   bench.state.stop_kind = StopKind::kHold;

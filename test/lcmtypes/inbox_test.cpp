@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 #include "test/lcmtypes/samples.h"
 
 namespace twinbus {
@@ -40,9 +42,26 @@ TEST(Latest, CountsGapsRepetitionsAndMessagesThatComeLate) {
 TEST(Latest, WhoAnswersEveryTenthTickEvenlyHasLostNothing) {
   Latest<RobotState> latest;
   for (int k = 0; k < 100; ++k) latest.offer(state_of(1, 10 * k), k + 1);
-  EXPECT_EQ(latest.lost, 27);  // until it is known that it is even
+  EXPECT_EQ(latest.lost, 18);  // until its rate is known
   latest.offer(state_of(1, 1000 + 10), 200);
-  EXPECT_EQ(latest.lost, 27 + 19);
+  EXPECT_EQ(latest.lost, 18 + 1);
+}
+
+TEST(Latest, ASlowSenderWhoseTurnsAreEarlyOrLateHasLostNothing) {
+  Latest<RobotState> latest;
+  std::int64_t tick = 0;
+  for (int k = 0; k < 200; ++k) latest.offer(state_of(1, tick += 7 + k % 7 * k % 5 + (k % 3 == 0 ? 3 : 0)), k + 1);
+  EXPECT_LE(latest.lost, 25);  // of 1,800 ticks not answered
+}
+
+TEST(Latest, WhatAFastSenderLosesIsCounted) {
+  Latest<RobotState> latest;
+  int kept = 0;
+  for (int k = 0; k < 1000; ++k) {
+    if (k % 4 == 3 || k % 11 == 5) continue;
+    latest.offer(state_of(1, k), ++kept);
+  }
+  EXPECT_LE(std::abs(latest.lost - (1000 - kept)), 10);
 }
 
 TEST(Latest, AnotherSenderStartsItsOwnCount) {

@@ -141,7 +141,7 @@ def walks(name, words, folder, ready, start, faster, checks, work):
     pairs = {"ode": engines, "mujoco": "client_mujoco"} if os.environ.get("TWINBUS_MUJOCO") else {"ode": engines}
     walking = "client_twosims"
     for engine, stack in pairs.items():
-        alone = ["--stack", "client_twosims", "--engine", engine]
+        alone = ["--stack", stack, "--engine", engine]
         tilt = drive(f"{name} in {engine} alone", robot, alone, words, folder, ready, start, faster, 0, SECONDS, checks.tentative())
         if tilt < TOTTERS:
             walking = stack
