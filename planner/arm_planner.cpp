@@ -197,18 +197,20 @@ bool ArmPlanner::find_goals(EdgeCheck& space, Question& question, SplitMix64& ra
   double widest = -1e9;  // of the postures that are too near to something [m]
   JointPoint widest_q;
   const Eigen::Isometry3d base = question.start_posture->base;
+  JointPath close_goals;  // nearer than others keep, where the guard lets links be: when there are no others
   const auto consider = [&](const JointPoint& q, const Eigen::Isometry3d& base_there,
                             JointPath& goals) {
     reached_any = true;
     CollisionPair pair;
-    bool near = too_near(space, q, pair);
+    bool close = space.who_is_near(q, config_.least_clearance, pair), near = close && too_near(space, q, pair);
     if (!near && balancing_) {
       space.set_base(base_there);
-      near = too_near(space, q, pair);
+      close = space.who_is_near(q, config_.least_clearance, pair) || close;
+      near = close && too_near(space, q, pair);
       space.set_base(base);
     }
     if (!near) {
-      goals.push_back(q);
+      (close ? close_goals : goals).push_back(q);
     } else if (const double room = space.nearest(q, config_.clearance); room > widest) {
       widest = room;
       widest_q = q;
@@ -287,6 +289,7 @@ bool ArmPlanner::find_goals(EdgeCheck& space, Question& question, SplitMix64& ra
     }
     if (question.goals.empty()) question.goals = std::move(question.nearly);
   }
+  if (question.goals.empty()) question.goals = std::move(close_goals);
   if (question.goals.empty()) {
     plan.status = reached_any ? ArmPathStatus::kGoalInCollision : ArmPathStatus::kUnreachable;
     plan.oriented = goal.kind == ArmGoalKind::kPose;
