@@ -176,7 +176,6 @@ Eigen::Isometry3d ArmPlanner::leaned(const Question& question, const Eigen::Vect
 
 // For the guard: it keeps less of links that are near each other by design, and so does a goal.
 bool ArmPlanner::too_near(EdgeCheck& space, const JointPoint& q, CollisionPair& pair) {
-  if (!space.who_is_near(q, config_.least_clearance, pair)) return false;
   if (shares_.least() >= 1.0) return true;
   std::array<PairDistance, kNearPairs> near;
   const int count = collision_.near_pairs(space.kinematics_at(q), config_.least_clearance, near.data(), kNearPairs);

@@ -22,7 +22,7 @@ class ObstacleCollector {
   // True when a scene other than the last became complete.  Allocates nothing.
   bool add(const ObstaclesPiece& piece) noexcept {
     if (piece.pieces < 1 || piece.pieces > static_cast<int>(kMostPieces) || piece.piece < 0 ||
-        piece.piece >= piece.pieces || (complete_ && piece.scene_id == scene_)) {
+        piece.piece >= piece.pieces || !counted(piece) || (complete_ && piece.scene_id == scene_)) {
       return false;
     }
     if (piece.scene_id != scene_ || piece.pieces != pieces_) {
@@ -49,7 +49,7 @@ class ObstacleCollector {
   // Piece 0 is all that the left hand holds, piece 1 the right one; nothing, when it has no rows.  True when that is other
   // than the last.  Allocates nothing.
   bool hold(const ObstaclesPiece& piece) noexcept {
-    if (piece.pieces != 2 || piece.piece < 0 || piece.piece > 1) return false;
+    if (piece.pieces != 2 || piece.piece < 0 || piece.piece > 1 || !counted(piece)) return false;
     ObstaclesPiece& held = held_[static_cast<std::size_t>(piece.piece)];
     if (held.scene_id == piece.scene_id) return false;
     held = piece;
@@ -63,6 +63,9 @@ class ObstacleCollector {
  private:
   static constexpr std::size_t kMostPieces = 64;
 
+  static bool counted(const ObstaclesPiece& piece) noexcept {
+    return piece.count >= 0 && piece.count <= static_cast<int>(kObstaclesPerPiece);
+  }
   static Obstacle obstacle(const ObstaclesPiece& piece, std::size_t i) noexcept {
     Obstacle o;
     o.shape = piece.shape[i];

@@ -9,16 +9,7 @@ namespace {
 
 // A ball of 0.1 m at the end of an arm of 0.5 m that turns about z, and a ball in the world 10 um ahead of it.
 TEST(CertainPath, AnEndThatIsNearerThanRoundingErrorsIsRefusedWithoutASearch) {
-  Model model;
-  model.links.resize(2);
-  Joint joint;
-  joint.parent = 0;
-  joint.child = 1;
-  joint.axis = Eigen::Vector3d::UnitZ();
-  joint.lower = -2.5;
-  joint.upper = 2.5;
-  model.joints.push_back(joint);
-  model.links[1].parent = 0;
+  const Model model = test::turning_link(Eigen::Vector3d::Zero(), 2.5);
   const BlockRobot robot = compile_robot(
       model, Configuration(model), {0},
       {{.link = 1, .balls = {{Eigen::Vector3d(0.5, 0.0, 0.0), 0.1}}, .pieces = {}}}, {}, 0.0);

@@ -2,30 +2,17 @@
 
 #include "planner/batch/check.h"
 #include "test/oracles/clear_cells.h"
+#include "test/planner/plates.h"
 
 namespace twinbus {
 namespace {
 
 using Corners = std::vector<Eigen::Vector3d>;
-
-Corners corners_of_box(const Eigen::Vector3d& middle, const Eigen::Vector3d& half) {
-  Corners corners;
-  for (int k = 0; k < 8; ++k)
-    corners.push_back(middle + half.cwiseProduct(Eigen::Vector3d((k & 1) != 0 ? 1 : -1, (k & 2) != 0 ? 1 : -1, (k & 4) != 0 ? 1 : -1)));
-  return corners;
-}
+using test::corners_of_box;
 
 // A post in the world, and a link that turns about z past it.
 BlockRobot past_a_post(const std::vector<Corners>& link, double ball = 0.5) {
-  Model model;
-  model.links.resize(2);
-  Joint joint;
-  joint.child = 1;
-  joint.axis = Eigen::Vector3d::UnitZ();
-  joint.lower = -2.0;
-  joint.upper = 2.0;
-  model.joints.push_back(joint);
-  model.links[1].parent = 0;
+  const Model model = test::turning_link();
   const Eigen::Vector3d at_post(0.3, 0.0, 0.0);
   std::vector<BallGroup> groups{{.link = 0, .balls = {{at_post, 0.1}}, .pieces = {corners_of_box(at_post, {0.02, 0.02, 0.05})}},
                                 {.link = 1, .balls = {{Eigen::Vector3d::Zero(), ball}}, .pieces = link}};

@@ -89,7 +89,7 @@ TEST(StackView, BadObstaclePiecesAreIgnored) {
     piece.pieces = static_cast<std::int16_t>(of);
     piece.count = static_cast<std::int16_t>(count);
     view.on_obstacles(piece);
-    EXPECT_TRUE(view.obstacles().empty());
+    EXPECT_TRUE(view.things().empty());
   }
 }
 
@@ -103,7 +103,7 @@ TEST(StackView, RepeatedObstaclesAreNoChange) {
   const std::int64_t version = view.scene_version();
   view.on_obstacles(piece);
   EXPECT_EQ(view.scene_version(), version);
-  piece.size[0] = {1, 1, 1};
+  piece.scene_id = 1;
   view.on_obstacles(piece);
   EXPECT_GT(view.scene_version(), version);
 }

@@ -36,12 +36,11 @@ Json shapes(const std::vector<ObstaclesPiece>& pieces, const Eigen::Isometry3d& 
 }
 
 // Without the ground, which is drawn anyway.
-Json standing(const std::vector<ObstaclesPiece>& pieces) {
+Json standing(const std::vector<Obstacle>& things) {
   Json list = Json::array();
-  each_row(pieces, [&](const ObstaclesPiece& piece, std::size_t row) {
-    const Obstacle obstacle{piece.shape[row], vector(piece.size[row]), pose_of(piece, row)};
-    if (!is_floor(obstacle)) list.push_back(shape_frame(obstacle.shape, obstacle.size, obstacle.pose));
-  });
+  for (const Obstacle& thing : things) {
+    if (thing.hand < 0 && !is_floor(thing)) list.push_back(shape_frame(thing.shape, thing.size, thing.pose));
+  }
   return list;
 }
 
@@ -67,7 +66,7 @@ std::string scene_frame(const StackView& view, const Eigen::Isometry3d& place) {
   const Eigen::Isometry3d sim = place * view.world_from_sim();
   const std::int64_t run = view.state().value.run_id;
   Json frame = {{"type", "scene"},
-                {"obstacles", standing(view.obstacles())},
+                {"obstacles", standing(view.things())},
                 {"held", held(view)}};
   frame["terrain"] = is_of(view.terrain(), run) ? shapes(view.terrain(), sim) : Json::array();
   frame["loose"] = is_of(view.loose(), run) ? shapes(view.loose(), sim) : Json::array();

@@ -67,11 +67,8 @@ class StackView {
   void on_source_status(const SourceStatus& status, std::int64_t now_ns);
   void on_heartbeat(const Heartbeat& heartbeat, std::int64_t now_ns);
   void on_event(const Event& event);
-  void on_obstacles(const ObstaclesPiece& piece) {
-    obstacles_.add(piece);
-    (void)things_.add(piece);
-  }
-  void on_held(const ObstaclesPiece& piece) { held_changes_ += things_.hold(piece) ? 1 : 0; }
+  void on_obstacles(const ObstaclesPiece& piece) { things_changes_ += things_.add(piece) ? 1 : 0; }
+  void on_held(const ObstaclesPiece& piece) { things_changes_ += things_.hold(piece) ? 1 : 0; }
   // Of the active run only, as TRUTH.
   void on_terrain(const ObstaclesPiece& piece);
   void on_loose(const ObstaclesPiece& piece, std::int64_t now_ns);
@@ -113,7 +110,6 @@ class StackView {
   const std::vector<Heard<SourceStatus>>& sources() const { return sources_; }
   const std::vector<Heard<Heartbeat>>& processes() const { return processes_; }
   const std::deque<ShownEvent>& events() const { return events_; }
-  const std::vector<ObstaclesPiece>& obstacles() const { return obstacles_.pieces(); }
   // What the guard keeps of two links, as a share of what it keeps of others.
   double margin_share(int link_a, int link_b) const { return link_a < 0 || link_b < 0 ? 1.0 : margins_.of(link_a, link_b); }
   // As guard and planner number them, with what hands hold.
@@ -126,7 +122,7 @@ class StackView {
   bool footsteps_apply(std::int64_t now_ns) const;
   // Changes with what stands around and is held: obstacles, terrain and where it is drawn, which loose bodies there are.
   std::int64_t scene_version() const {
-    return obstacles_.version() + terrain_.version() + loose_.version() + anchors_ + held_changes_;
+    return things_changes_ + terrain_.version() + loose_.version() + anchors_;
   }
   double state_rate() const { return state_rate_.rate(); }
   double command_rate() const { return command_rate_.rate(); }
@@ -155,10 +151,10 @@ class StackView {
   std::deque<ShownEvent> events_;
   std::vector<std::pair<std::int64_t, std::int32_t>> event_sequences_;  // newest per sender
   std::int64_t events_seen_ = 0;
-  ShapeSet obstacles_{ShapeSet::Matters::kAll}, terrain_{ShapeSet::Matters::kAll};
+  ShapeSet terrain_{ShapeSet::Matters::kAll};
   MarginShares margins_;
   ObstacleCollector things_;
-  std::int64_t held_changes_ = 0;
+  std::int64_t things_changes_ = 0;
   ShapeSet loose_{ShapeSet::Matters::kShapes};
   std::int64_t loose_ns_ = 0, anchors_ = 0;
   Heard<ObstaclesPiece> footsteps_;
