@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <optional>
 #include <set>
 
 #include "common/math/index.h"
@@ -197,14 +198,32 @@ class Reader {
       model_.excludes.emplace_back(element.text("body1"), element.text("body2"));
     }
     if (element.name != "pair") return;
-    paired_.insert(element.text("geom1"));
-    paired_.insert(element.text("geom2"));
+    const std::vector<double> friction = defaults_.resolved(element, "").numbers("friction", 1, 5, 1e3);
+    if (!friction.empty() && !(friction[0] >= 0.0)) element.fail("friction", "must not be negative");
+    const std::string first = element.text("geom1"), second = element.text("geom2");
+    for (const auto& [name, other] : {std::pair{first, second}, std::pair{second, first}}) {
+      std::optional<double>& on_ground = paired_[name];  // may have been set by another pair
+      if (!friction.empty() && is_ground(other)) on_ground = std::max(on_ground.value_or(0.0), friction[0]);
+    }
   }
 
-  // A <pair> touches whatever contype and conaffinity say.
+  // A geom of the world, or of the file that includes this one.
+  bool is_ground(const std::string& name) const {
+    const auto has = [&](const MjcfBody& body) {
+      return std::any_of(body.geoms.begin(), body.geoms.end(), [&](const MjcfGeom& geom) { return geom.name == name; });
+    };
+    return std::none_of(std::next(model_.bodies.begin()), model_.bodies.end(), has);
+  }
+
+  // A <pair> touches whatever contype and conaffinity say, with its own friction.
   void apply_pairs() {
     for (MjcfBody& body : model_.bodies) {
-      for (MjcfGeom& geom : body.geoms) geom.touches = geom.touches || (!geom.name.empty() && paired_.count(geom.name) != 0);
+      for (MjcfGeom& geom : body.geoms) {
+        const auto found = geom.name.empty() ? paired_.end() : paired_.find(geom.name);
+        if (found == paired_.end()) continue;
+        geom.touches = true;
+        if (found->second) geom.friction = *found->second;
+      }
     }
   }
 
@@ -266,7 +285,7 @@ class Reader {
   MjcfDefaults defaults_;
   MjcfModel model_;
   std::map<std::string, const MjcfJoint*> joints_;
-  std::set<std::string> paired_;  // names of geoms in a <pair>
+  std::map<std::string, std::optional<double>> paired_;  // geoms in a <pair>, and the largest friction of those with the ground
   std::size_t parts_ = 0, joint_count_ = 0;
   int tendons_ = 0;
 };

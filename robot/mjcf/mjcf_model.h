@@ -41,7 +41,7 @@ struct MjcfGeom {
   int mesh = -1;        // index in MjcfModel::meshes; a kind other than kMesh is fitted to it
   bool touches = true;  // by contype, conaffinity or a <pair>
   int group = 0;
-  double friction = 1.0;                                  // sliding
+  double friction = 1.0;  // sliding; of a <pair> with the ground, where there is one
   double mass = std::numeric_limits<double>::quiet_NaN();  // NaN: by density
   double density = 1000.0;                                // [kg/m^3]
   MjcfElement element;

@@ -20,6 +20,9 @@ import sys
 import tempfile
 import time
 
+import programs
+
+programs.help_is(__doc__)
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 other = os.environ.get('TWINBUS_POLICY_PYTHON')
 if other and not os.environ.get('TWINBUS_POLICY_RUNS'):

@@ -16,7 +16,7 @@ NAMES = ("forward", "forward left", "left", "back left", "back", "back right", "
 
 
 def main():
-    parser = argparse.ArgumentParser(usage=__doc__.strip())
+    parser = argparse.ArgumentParser(usage=__doc__.strip().replace("%", "%%"))
     parser.add_argument("--robot", default="hrp1s")
     parser.add_argument("--set", action="append", default=[], metavar="KEY=VALUE")
     parser.add_argument("--guard", action="store_true")

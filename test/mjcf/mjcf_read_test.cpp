@@ -188,6 +188,23 @@ TEST(MjcfRead, GeomsThatTouchNothingAreOnlySeen) {
   EXPECT_EQ(model.links[1].collision.size(), 1u + 1u + 3u);  // ball, pad of a pair, capsule
 }
 
+TEST(MjcfRead, APairWithTheGroundHasItsOwnFriction) {
+  const auto friction = [](const std::string& pairs) {
+    const MjcfRobot made = robot(
+        "<default><pair friction='0.5 0.5 0 0 0'/></default><worldbody><geom name='floor' type='plane' size='1 1 1'/>"
+        "<body name='a'><joint name='j'/><geom name='foot' size='0.1' friction='0.9'/></body>"
+        "<body name='b'><joint name='k'/><geom name='hand' size='0.1' friction='0.8'/></body></worldbody><contact>" +
+        pairs + "</contact>");
+    return std::pair{made.friction.at(0).second, made.friction.at(1).second};
+  };
+  EXPECT_EQ(friction(""), (std::pair{0.9, 0.8}));
+  EXPECT_EQ(friction("<pair geom1='foot' geom2='floor' friction='0.6'/>"), (std::pair{0.6, 0.8}));
+  EXPECT_EQ(friction("<pair geom1='floor' geom2='foot'/>"), (std::pair{0.5, 0.8}));  // by its default
+  EXPECT_EQ(friction("<pair geom1='foot' geom2='other_file' friction='0.6'/><pair geom1='foot' geom2='floor' friction='0.7'/>"),
+            (std::pair{0.7, 0.8}));
+  EXPECT_EQ(friction("<pair geom1='foot' geom2='hand' friction='0.1'/>"), (std::pair{0.9, 0.8}));
+}
+
 TEST(MjcfRead, ALinearEqualityIsAMimic) {
   const Model model = loaded(robot(
       "<worldbody><body name='a'><joint name='one'/><geom size='0.1'/></body><body name='b'><joint name='two'/>"

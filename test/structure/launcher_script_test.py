@@ -214,6 +214,15 @@ printf '#!/bin/sh\\necho program "$@"\\n' >"$build/bin/twinbus"; chmod +x "$buil
                 self.assertIn(line, done.stdout)
         self.assertEqual(self.said(), "")
 
+    def test_help_of_every_bench_and_chart_builds_nothing(self):
+        (self.root / "test").symlink_to(ROOT / "test")
+        for script in sorted((ROOT / "test/bench").glob("bench_*.py")) + sorted((ROOT / "test/bench").glob("chart_*.py")):
+            command, name = script.stem.split("_", 1)
+            done = self.run_script(command, name, "--help")
+            self.assertEqual(done.returncode, 0, script.name + done.stderr)
+            self.assertIn(name, done.stdout, script.name)
+        self.assertEqual(self.said(), "")
+
     def test_run_builds_no_more_than_it_needs(self):
         self.run_script("run", "stand")
         self.assertIn("--target twinbus_cli", self.said())
