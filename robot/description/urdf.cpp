@@ -13,6 +13,9 @@ namespace twinbus {
 
 namespace {
 
+// Spheres without a radius mark contact points: balls that small.  [m]
+constexpr double kPointRadius = 1e-4;
+
 Eigen::Isometry3d to_isometry(const urdf::Pose& pose) {
   Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
   result.translation() << pose.position.x, pose.position.y, pose.position.z;
@@ -31,7 +34,7 @@ Shape to_shape(const urdf::Pose& origin, const urdf::Geometry& geometry, const A
     shape.size << box.dim.x, box.dim.y, box.dim.z;
   } else if (geometry.type == urdf::Geometry::SPHERE) {
     shape.kind = ShapeKind::kSphere;
-    shape.size[0] = dynamic_cast<const urdf::Sphere&>(geometry).radius;
+    shape.size[0] = std::max(dynamic_cast<const urdf::Sphere&>(geometry).radius, kPointRadius);
   } else if (geometry.type == urdf::Geometry::CYLINDER) {
     const auto& cylinder = dynamic_cast<const urdf::Cylinder&>(geometry);
     shape.kind = ShapeKind::kCylinder;

@@ -200,6 +200,7 @@ class Checker {
       if (shape.attribute(key) == nullptr) {
         add(faults, shape.name + " has no " + key);
       } else if (read(shape, key, v, count, faults)) {
+        if (shape.name == "sphere" && v[0] == 0.0) return;  // a contact point
         for (int i = 0; i < count; ++i) {
           if (!(v[i] > 0.0 && v[i] <= 1e4)) {
             add(faults, shape.name + " " + key + " must be positive and at most 1e4");

@@ -54,7 +54,8 @@ std::string find_srdf(const std::string& urdf_file);
 
 // Mesh names relative to the URDF's folder as package://FOLDER/..., so that a copy elsewhere finds
 // them; adds that package if there was one.  FOLDER is the URDF's, or one of the three above it if meshes lie
-// there (urdf/ beside meshes/).
+// there (urdf/ beside meshes/).  A file that is not where its package://, file:// or absolute name says is looked for there
+// by the end of that name: folders are renamed, and workspaces of other machines are written into files.
 std::string with_packages(const std::string& urdf_text, const std::string& urdf_file,
                           std::vector<std::pair<std::string, std::string>>& packages);
 

@@ -64,13 +64,15 @@ namespace {
 
 constexpr int kMostUp = 3;  // folders above the URDF's in which its meshes may lie
 
+using Packages = std::vector<std::pair<std::string, std::string>>;
+
 struct MeshName {
   std::size_t start, end;  // in the text
-  fs::path file;           // relative to the URDF's folder, without needless dots
+  fs::path file;           // without needless dots; relative to the URDF's folder, or what follows the scheme
+  bool has_scheme;         // package://, file://, or a path from the root
 };
 
-// Meshes by names relative to the URDF's folder.
-std::vector<MeshName> relative_meshes(const std::string& text) {
+std::vector<MeshName> mesh_names(const std::string& text) {
   const std::string key = "filename=";
   std::vector<MeshName> found;
   for (std::size_t i = text.find(key); i != std::string::npos; i = text.find(key, i + 1)) {
@@ -78,12 +80,13 @@ std::vector<MeshName> relative_meshes(const std::string& text) {
     if (start >= text.size()) break;
     const std::size_t end = text.find(text[start - 1], start);
     if (end == std::string::npos) break;
-    const std::string file = text.substr(start, end - start);
-    const bool mesh = file.find("://") == std::string::npos && !file.empty() && file[0] != '/' &&
-                      fs::path(file).has_extension();
-    if (!mesh || text.rfind("<mesh", i) == std::string::npos) continue;
+    std::string file = text.substr(start, end - start);
+    const std::size_t scheme = file.find("://");
+    const bool has_scheme = scheme != std::string::npos || file.rfind('/', 0) == 0;
+    if (scheme != std::string::npos) file.erase(0, scheme + 3);
+    if (!fs::path(file).has_extension() || text.rfind("<mesh", i) == std::string::npos) continue;
     if (text.find('>', text.rfind("<mesh", i)) < i) continue;  // of another element
-    found.push_back({start, end, fs::path(file).lexically_normal()});
+    found.push_back({start, end, fs::path(file).lexically_normal(), has_scheme});
   }
   return found;
 }
@@ -92,35 +95,71 @@ int folders_up(const fs::path& file) {
   return static_cast<int>(std::count(file.begin(), file.end(), fs::path("..")));
 }
 
-}  // namespace
-
-std::string with_packages(const std::string& urdf_text, const std::string& urdf_file,
-                          std::vector<std::pair<std::string, std::string>>& packages) {
-  const std::vector<MeshName> meshes = relative_meshes(urdf_text);
-  if (meshes.empty()) return urdf_text;
-  // The folder that holds them all: that of the URDF, or one above it (urdf/ beside meshes/).
-  int up = 0;
-  for (const MeshName& mesh : meshes) up = std::max(up, folders_up(mesh.file));
-  fs::path folder = folder_of(urdf_file), below;
-  for (int i = 0; i < std::min(up, kMostUp) && folder.parent_path().has_relative_path(); ++i) {
-    below = folder.filename() / below;
-    folder = folder.parent_path();
+// A name for this folder that is no other package's.
+std::string package_of(const fs::path& folder, Packages& packages) {
+  for (const auto& [name, known] : packages) {
+    if (known == folder.string()) return name;
   }
   std::string name = folder.filename().string();
   const auto bad = [](unsigned char c) { return std::isalnum(c) == 0 && c != '_' && c != '-'; };
   std::replace_if(name.begin(), name.end(), bad, '_');
   if (name.empty()) name = "robot";
-  while (std::any_of(packages.begin(), packages.end(),
-                     [&](const auto& known) { return known.first == name; }))
-    name += "_";
+  while (std::any_of(packages.begin(), packages.end(), [&](const auto& known) { return known.first == name; })) name += "_";
+  packages.emplace_back(name, folder.string());
+  return name;
+}
+
+// Whether the file of this name is where its scheme says.
+bool is_there(const std::string& name, const fs::path& file, const Packages& packages) {
+  std::error_code error;
+  if (name.rfind("package://", 0) != 0) return false;  // of another machine, and none that may be read
+  for (const auto& [known, folder] : packages) {
+    if (known == file.begin()->string() && fs::is_regular_file(folder / file.lexically_relative(known), error)) return true;
+  }
+  return false;
+}
+
+// The file that ends as this name does, in the URDF's folder or one above it; the longest such end, then the nearest
+// folder.  Empty when there is none.
+std::pair<fs::path, fs::path> found_by_end(const fs::path& file, const fs::path& own) {
+  std::error_code error;
+  for (fs::path end = file.relative_path(); !end.empty(); end = end.lexically_relative(*end.begin())) {
+    if (*end.begin() == "..") continue;
+    fs::path folder = own;
+    for (int up = 0; up <= kMostUp && folder.has_relative_path(); ++up, folder = folder.parent_path()) {
+      if (fs::is_regular_file(folder / end, error)) return {folder, end};
+    }
+    if (end == end.filename()) break;
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string with_packages(const std::string& urdf_text, const std::string& urdf_file, Packages& packages) {
+  const std::vector<MeshName> meshes = mesh_names(urdf_text);
+  const fs::path own = folder_of(urdf_file);
+  // The folder that holds all with relative names: that of the URDF, or one above it (urdf/ beside meshes/).
+  int up = 0;
+  for (const MeshName& mesh : meshes) up = std::max(up, mesh.has_scheme ? 0 : folders_up(mesh.file));
+  fs::path folder = own, below;
+  for (int i = 0; i < std::min(up, kMostUp) && folder.parent_path().has_relative_path(); ++i) {
+    below = folder.filename() / below;
+    folder = folder.parent_path();
+  }
   std::string out;
   std::size_t from = 0;
   for (const MeshName& mesh : meshes) {
-    const std::string file = (below / mesh.file).lexically_normal().generic_string();
-    out += urdf_text.substr(from, mesh.start - from) + "package://" + name + "/" + file;
+    const std::string name = urdf_text.substr(mesh.start, mesh.end - mesh.start);
+    std::pair<fs::path, fs::path> file{folder, (below / mesh.file).lexically_normal()};
+    if (mesh.has_scheme) {
+      file = is_there(name, mesh.file, packages) ? std::pair<fs::path, fs::path>() : found_by_end(mesh.file, own);
+      if (file.second.empty()) continue;
+    }
+    out += urdf_text.substr(from, mesh.start - from) + "package://" + package_of(file.first, packages) + "/" +
+           file.second.generic_string();
     from = mesh.end;
   }
-  packages.emplace_back(name, folder.string());
   return out + urdf_text.substr(from);
 }
 

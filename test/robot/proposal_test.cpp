@@ -298,6 +298,29 @@ TEST(Proposal, MeshesMayLieBesideTheFolderOfTheUrdf) {
   EXPECT_THROW(resolve_asset(far.substr(16, far.size() - 19), {"/a/b/c", packages}, "here"), std::runtime_error);
 }
 
+TEST(Proposal, MeshesAreFoundByTheEndOfTheirNameInARenamedFolder) {
+  const TemporaryFolder folder;
+  const std::filesystem::path root = std::filesystem::weakly_canonical(folder.path()) / "renamed";
+  for (const char* file : {"urdf/meshes/a.stl", "meshes/a.stl", "meshes/b.stl"}) {
+    std::filesystem::create_directories((root / file).parent_path());
+    std::ofstream(root / file) << "solid";
+  }
+  const auto made = [&](const std::string& name) {
+    std::vector<std::pair<std::string, std::string>> packages{{"here", root.string()}};
+    const std::string out = with_packages("<mesh filename='" + name + "'/>", (root / "urdf/r.urdf").string(), packages);
+    return packages.back().second + " " + out.substr(16, out.size() - 19);
+  };
+  const std::string top = root.string() + " package://here/", own = (root / "urdf").string() + " package://urdf/";
+  EXPECT_EQ(made("package://here/meshes/b.stl"), top + "meshes/b.stl");                   // it is there
+  EXPECT_EQ(made("package://my_robot/meshes/b.stl"), top + "meshes/b.stl");               // no such package
+  EXPECT_EQ(made("package://here/old/place/meshes/b.stl"), top + "meshes/b.stl");         // no such file in it
+  EXPECT_EQ(made("package://my_robot/meshes/a.stl"), own + "meshes/a.stl");               // the nearest
+  EXPECT_EQ(made("package://x/renamed/meshes/a.stl"), folder.path() + " package://" + folder.path().substr(folder.path().rfind('/') + 1) + "/renamed/meshes/a.stl");
+  EXPECT_EQ(made("file:///home/somebody/src/my_robot/meshes/b.stl"), top + "meshes/b.stl");
+  EXPECT_EQ(made("/home/somebody/src/my_robot/meshes/b.stl"), top + "meshes/b.stl");
+  EXPECT_EQ(made("package://my_robot/meshes/gone.stl"), top.substr(0, top.find(' ')) + " package://my_robot/meshes/gone.stl");
+}
+
 Model with_anatomy(const Anatomy& anatomy) {
   Model model = bare_hrp1s();
   model.soles = anatomy.soles;

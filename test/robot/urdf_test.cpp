@@ -208,6 +208,18 @@ TEST(Urdf, NumbersThatNoRobotHasAreRefused) {
       std::string::npos);
 }
 
+// A sphere without a radius marks a contact point: Atlas and Valkyrie have them under their feet.
+TEST(Urdf, ContactPointsAreSmallBalls) {
+  const auto read = [](const std::string& radius) {
+    return parse_urdf("<robot name='r'><link name='a'><collision><geometry><sphere radius='" + radius +
+                          "'/></geometry></collision></link></robot>",
+                      "f.urdf", {});
+  };
+  EXPECT_EQ(read("0.0").links.at(0).collision.at(0).size.x(), 1e-4);
+  EXPECT_EQ(read("0.02").links.at(0).collision.at(0).size.x(), 0.02);
+  EXPECT_THROW(read("-0.1"), std::runtime_error);
+}
+
 TEST(Urdf, FilesOutsideTheRobotsFolderAreRefused) {
   const auto error = [](const std::string& mesh) {
     const std::string text =
