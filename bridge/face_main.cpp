@@ -52,6 +52,8 @@ Arguments parse(int argc, char** argv) {
                "obeys mode_pr 1 as simulators do: motors A and B move roll and pitch; without it such commands are refused, since the "
                "model has no linkage");
   options.flag("--no-fade", no_fade, "a program's first command is obeyed at once, for policies that cannot wait 0.3 s");
+  options.number("--rate", "HZ", a.face.rate, 10.0, 500.0,
+                 "rt/lowstate per second; fewer than the robot's 500 for programs in Python that cannot read so many on this machine");
   options.number("--patience", "S", a.face.patience, 0.0, 1.0, "how long a LowCmd goes on when the next is late; the command timeout at least");
   options.number("--volts", "V", volts, 0.0, 1000.0, "voltage that is reported, since no source measures one; 0: not known");
   options.number("--celsius", "T", celsius, -100.0, 200.0, "temperature of motors that is reported; 0: not known");

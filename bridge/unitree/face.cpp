@@ -33,7 +33,7 @@ Face::Face(const Model& model, const FaceOptions& options)
       options_(options),
       order_(motor_order(model, options.family)),
       mode_machine_(options.mode_machine >= 0 ? options.mode_machine : order_.mode_machine),
-      every_(ticks_of(kFramePeriod, model)),
+      every_(ticks_of(std::max(kFramePeriod, 1.0 / options.rate), model)),
       repeat_ticks_(ticks_of(kRepeat * model.command_timeout, model)),
       silence_ticks_(ticks_of(std::max(options.patience, model.command_timeout), model)) {
   if (!stands_on_points(model)) return;
@@ -176,10 +176,11 @@ void Face::count_rate(std::int64_t now_ns) noexcept {
   if (window_ns_ == 0 || now_ns - window_ns_ >= kRateWindow) {
     const auto elapsed = static_cast<double>(std::max<std::int64_t>(1, now_ns - window_ns_));
     const double rate = 1e9 * static_cast<double>(in_window_) / elapsed;
-    if (window_ns_ != 0 && rate > kTooFast * this->rate()) {
+    const double taken = 1.0 / (model_.period() * static_cast<double>(ticks_of(kFramePeriod, model_)));
+    if (window_ns_ != 0 && rate > kTooFast * taken) {
       notes_.add(FaceNote::kTooFast, 1, now_ns,
                  "LowCmd comes %.0f times a second, the robot takes %.0f: the newest of each period is obeyed; write once per LowState", rate,
-                 this->rate());
+                 taken);
     }
     window_ns_ = now_ns;
     in_window_ = 0;

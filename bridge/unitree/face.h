@@ -30,6 +30,7 @@ struct FaceOptions {
   UnitreeFamily family = UnitreeFamily::kHg;
   int mode_machine = -1;   // -1: that of the table
   bool fade = true;        // a program's first commands are faded in
+  double rate = 500.0;     // LowStates per second, of a robot 500; a multiple of the period apart
   double patience = 0.1;   // a LowCmd goes on as long when the next is late; the command timeout at least [s]
   bool ab_as_series = false;  // mode_pr 1 is obeyed: motor A moves roll, motor B pitch, as if there were no linkage
   float volts = 0.0F;      // that are reported, since STATE has none; 0: not known

@@ -17,7 +17,7 @@ std::string face_program() {
   return program;
 }
 
-void add_face(Stack& stack, const std::string& kind, const std::string& interface) {
+void add_face(Stack& stack, const std::string& kind, const std::vector<std::string>& options) {
   if (kind != "unitree_hg" && kind != "unitree_go")
     throw std::runtime_error("--face " + kind + ": no such face; write unitree_hg or unitree_go");
   if (stack.find("controller") != nullptr) {
@@ -28,7 +28,8 @@ void add_face(Stack& stack, const std::string& kind, const std::string& interfac
   StackProcess face;
   face.name = "face";
   face.program = "twinbus_face";
-  face.arguments = {kind, "{robot}", "{bus}", "--interface", interface};
+  face.arguments = {kind, "{robot}", "{bus}"};
+  face.arguments.insert(face.arguments.end(), options.begin(), options.end());
   face.ready_when = ReadyWhen::kLine;
   face.required = false;
   face.restart = true;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "launcher/stack/stack.h"
 
@@ -11,8 +12,8 @@ namespace twinbus {
 // Its path.  Throws std::runtime_error naming the packages when it was not built.
 std::string face_program();
 
-// Puts it into the stack: kind is unitree_hg or unitree_go, interface that of DDS.  Throws as face_program(), and for a stack
+// Puts it into the stack: kind is unitree_hg or unitree_go, options those of twinbus_face.  Throws as face_program(), and for a stack
 // that has a controller of its own, which would be obeyed instead.
-void add_face(Stack& stack, const std::string& kind, const std::string& interface);
+void add_face(Stack& stack, const std::string& kind, const std::vector<std::string>& options);
 
 }  // namespace twinbus

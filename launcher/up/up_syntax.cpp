@@ -26,6 +26,8 @@ A tick that was missed only because the machine itself stood still is told, but 
   --face KIND  answers on DDS as a Unitree robot (unitree_hg, unitree_go), so that programs written for it drive; stack default \
       client
   --interface NAME  network interface of --face; default lo
+  --face-rate HZ  rt/lowstate per second of --face, 10 to 500; default 500, as the robot: too many for some programs in Python
+  --face-patience S  how long --face goes on with a program's last LowCmd when the next is late; default 0.1
   --no-viewer  without the page in the browser
   --listen ADDR  an address of this machine on which a phone may watch and stop, with the token that is printed; 0.0.0.0: all
   --no-record  without a log of the run in its folder

@@ -230,6 +230,20 @@ TEST(UnitreeFace, WhatIsWrongMovesNothingAndIsToldOnceWithItsRemedy) {
   EXPECT_EQ(bench.face.frames_refused(), 1000);
 }
 
+TEST(UnitreeFace, FewerStatesForAProgramThatCannotReadThemAll) {
+  const auto states = [](double rate) {
+    Bench bench({.family = UnitreeFamily::kGo, .rate = rate, .first_id = kFirstId});
+    int count = 0;
+    for (int n = 0; n < 500; ++n) {
+      bench.tick();
+      count += bench.face.reading_due() ? 1 : 0;
+    }
+    return count;
+  };
+  EXPECT_EQ(states(500.0), 500);
+  EXPECT_EQ(states(100.0), 100);
+}
+
 TEST(UnitreeFace, ALateCommandIsRepeatedAndSilenceIsToldOnce) {
   Bench bench;
   for (int n = 0; n < 5; ++n) bench.tick();

@@ -1,15 +1,16 @@
 #!/usr/bin/env python3
 """Programs that others wrote for Unitree robots, unchanged, on the face; the source is switched under them.
 
-    face_programs_test.py [holosoma] [falcon] [go2_stand]     default: those whose files are there
+    face_programs_test.py [holosoma] [falcon] [deploy_real] [go2_stand]     default: those whose files are there
 
 | program | what it is | needs |
 | holosoma | holosoma-inference, its own G1 policy, walks at 0.3 m/s | pip: holosoma-inference far-unitree-sdk |
 | falcon | sim2real/rl_policy/dec_loco of FALCON, its own G1 policy, walks at 0.3 m/s | pip: unitree-sdk2py-dimos loop-rate-limiters |
+| deploy_real | deploy/deploy_real of unitree_rl_gym, its own G1 policy, walks at 0.4 m/s by the wireless remote | pip: unitree-sdk2py-dimos torch |
 | go2_stand | example/go2/low_level/go2_stand_example.py of unitree_sdk2_python: lies, stands, lies down | pip: unitree-sdk2py-dimos |
 
-$TWINBUS_UNITREE_PYTHON: a Python with those packages.  $TWINBUS_PROGRAMS: a folder with FALCON and unitree_sdk2_python, and for
-go2_stand a go2.urdf.  $TWINBUS_DATA: robots/g1.  TWINBUS_FULL=1: 60 s, 50 switches standing and 10 walking; else 15 s, 2 and 2.
+$TWINBUS_UNITREE_PYTHON: a Python with those packages.  $TWINBUS_PROGRAMS: a folder with FALCON, unitree_rl_gym and unitree_sdk2_python,
+and for go2_stand a go2.urdf.  $TWINBUS_DATA: robots/g1.  TWINBUS_FULL=1: 60 s, 50 switches standing and 10 walking; else 15 s, 2 and 2.
 """
 import fcntl
 import math
@@ -21,23 +22,29 @@ import subprocess
 import sys
 import tempfile
 import termios
+import threading
 import time
 
 import harness
 from harness import Bus, Checks, Stack, cli, text_of, type_of
+
+harness.CHANNEL_TYPES.setdefault("GAMEPAD", "gamepad_t")
+
+harness.CHANNEL_TYPES.setdefault("GAMEPAD", "gamepad_t")
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 DATA = pathlib.Path(os.environ.get("TWINBUS_DATA", "/nowhere"))
 PROGRAMS = pathlib.Path(os.environ.get("TWINBUS_PROGRAMS", "/nowhere"))
 PYTHON = os.environ.get("TWINBUS_UNITREE_PYTHON", sys.executable)
 SECONDS, STANDING, WALKING = (60.0, 50, 10) if harness.FULL else (15.0, 2, 2)
+FEWER_STATES = ("--face-rate", "100", "--face-patience", "0.3")  # for Python: 500 readings a second leave it no time, a first inference takes 0.1 s
 FALLEN, TOTTERS = math.radians(40.0), math.radians(15.0)
 
 
 class Typed:
-    """A program in a terminal of its own, for which keys are typed."""
+    """A program in a terminal of its own, for which keys are typed.  path: where it finds its modules."""
 
-    def __init__(self, *words, folder=None):
+    def __init__(self, *words, folder=None, path=""):
         ours, theirs = pty.openpty()
         self.terminal = ours
         fcntl.fcntl(ours, fcntl.F_SETFL, fcntl.fcntl(ours, fcntl.F_GETFL) | os.O_NONBLOCK)
@@ -46,7 +53,7 @@ class Typed:
         attributes[3] &= ~(termios.ECHO | termios.ICANON)
         termios.tcsetattr(theirs, termios.TCSANOW, attributes)
         self.process = subprocess.Popen([PYTHON, *map(str, words)], stdin=theirs, stdout=theirs, stderr=theirs, cwd=folder, start_new_session=True,
-                                        preexec_fn=harness.go_ahead, env=dict(os.environ, PYTHONPATH=str(folder.parent) if folder else ""))
+                                        preexec_fn=harness.go_ahead, env=dict(os.environ, PYTHONPATH=str(path)))
         os.close(theirs)
 
     def read(self):
@@ -131,7 +138,41 @@ def proposed(description, folder):
     return folder
 
 
-def walks(name, words, folder, ready, start, faster, checks, work):
+def keys(words, pause=0.15):
+    return lambda program: program.type(words, pause)
+
+
+# The same key sooner counts as one that is held.
+def slow_keys(words):
+    return keys(words, pause=1.2)
+
+
+class Remote:
+    """The wireless remote: a gamepad on the bus, 50 messages a second."""
+
+    BUTTONS = {"A": 0, "start": 6}  # bits of GAMEPAD
+
+    def __init__(self):
+        self.bus, self.message, self.ended = Bus(), type_of("GAMEPAD")(), threading.Event()
+        self.message.sender_id, self.message.connected = os.getpid(), 1
+        self.thread = threading.Thread(target=self._send)
+        self.thread.start()
+
+    def _send(self):
+        while not self.ended.wait(0.02):
+            self.message.utime, self.message.sequence = time.time_ns() // 1000, self.message.sequence + 1
+            self.bus.send("GAMEPAD", self.message)
+
+    def press(self, *names):
+        self.message.buttons = sum(1 << self.BUTTONS[name] for name in names)
+
+    def end(self):
+        self.ended.set()
+        self.thread.join()
+        self.bus.close()
+
+
+def walks(name, words, folder, path, ready, start, faster, checks, work, face=()):
     """A policy of theirs on a G1: stands while two simulators take each other's place, walks while two engines do.  An engine in
     which it falls or totters without a switch is left out."""
     robot = proposed(DATA / "robots/g1/g1_29dof_rev_1_0.urdf", work / "g1")
@@ -141,29 +182,30 @@ def walks(name, words, folder, ready, start, faster, checks, work):
     pairs = {"ode": engines, "mujoco": "client_mujoco"} if os.environ.get("TWINBUS_MUJOCO") else {"ode": engines}
     walking = "client_twosims"
     for engine, stack in pairs.items():
-        alone = ["--stack", stack, "--engine", engine]
-        tilt = drive(f"{name} in {engine} alone", robot, alone, words, folder, ready, start, faster, 0, SECONDS, checks.tentative())
+        alone = ["--stack", stack, "--engine", engine, *face]
+        tilt = drive(f"{name} in {engine} alone", robot, alone, words, folder, path, ready, start, faster, 0, SECONDS, checks.tentative())
         if tilt < TOTTERS:
             walking = stack
             break
-    drive(f"{name} stands", robot, ["--stack", "client_twosims"], words, folder, ready, start, "", STANDING, SECONDS, checks)
+    drive(f"{name} stands", robot, ["--stack", "client_twosims", *face], words, folder, path, ready, start, None, STANDING, SECONDS, checks)
     print(f"{name} walks in {walking}", flush=True)
-    drive(f"{name} walks", robot, ["--stack", walking], words, folder, ready, start, faster, WALKING, SECONDS, checks)
+    drive(f"{name} walks", robot, ["--stack", walking, *face], words, folder, path, ready, start, faster, WALKING, SECONDS, checks)
 
 
-def drive(name, robot, options, words, folder, ready, start, faster, count, seconds, checks):
-    """The most tilt while the program drives the robot for these seconds [rad], switches among them; walking, if keys for that are given."""
+def drive(name, robot, options, words, folder, path, ready, start, faster, count, seconds, checks):
+    """The most tilt while the program drives the robot for these seconds [rad], switches among them; start and faster, which makes it
+    walk, are given the program."""
     bus, program = Bus(), None
     try:
         with Stack("stand_python", "--robot", robot, "--face", "unitree_hg", *options, "--no-viewer", "--no-record") as running:
             watched = Robot(bus)
-            program = Typed(*words, folder=folder)
+            program = Typed(*words, folder=folder, path=path)
             program.wait_for(ready)
             time.sleep(0.2)
-            program.type(start)  # until then it lets the robot sink
+            start(program)  # until then it lets the robot sink
             time.sleep(2.0)
             if faster:
-                program.type(faster, pause=1.2)  # the same key sooner counts as one that is held
+                faster(program)
                 watched.watch(3.0)
                 place = watched.place()
             began = time.monotonic()
@@ -185,12 +227,38 @@ def drive(name, robot, options, words, folder, ready, start, faster, count, seco
 
 def holosoma(checks, work):
     words = ("-m", "holosoma_inference.run_policy", "inference:g1-29dof-loco", "--task.interface", "lo", "--secondary", "None")
-    walks("holosoma", words, None, "Press the appropriate", "]", "=www", checks, work)
+    walks("holosoma", words, None, "", "Press the appropriate", keys("]"), slow_keys("=www"), checks, work)
 
 
 def falcon(checks, work):
     words = ("rl_policy/dec_loco/dec_loco.py", "--config", "config/g1/g1_29dof.yaml", "--model_path", "models/dec_loco/g1_29dof.onnx")
-    walks("falcon", words, PROGRAMS / "FALCON/sim2real", "Keyboard Listener Initialized", "]", "=www", checks, work)
+    walks("falcon", words, PROGRAMS / "FALCON/sim2real", PROGRAMS / "FALCON", "Keyboard Listener Initialized", keys("]"), slow_keys("=www"), checks, work,
+          FEWER_STATES)
+
+
+def deploy_real(checks, work):
+    remote = Remote()
+
+    def start(program):  # the start button was held until now; A begins.  A real robot hangs from a gantry meanwhile
+        cli("sim", "pause")
+        remote.message.left_y = 0.0
+        remote.press()
+        program.wait_for("Waiting for the Button A")
+        time.sleep(0.2)
+        remote.press("A")
+        time.sleep(0.3)
+        cli("sim", "go")
+        remote.press("start")
+
+    def faster(_program):
+        remote.message.left_y = 0.5
+
+    try:
+        remote.press("start")
+        walks("deploy_real", ("deploy_real.py", "lo", "g1.yaml"), PROGRAMS / "unitree_rl_gym/deploy/deploy_real", PROGRAMS / "unitree_rl_gym",
+              "Moving to default pos", start, faster, checks, work, FEWER_STATES)
+    finally:
+        remote.end()
 
 
 def go2_stand(checks, work):
@@ -216,9 +284,9 @@ def go2_stand(checks, work):
 def why_not(name):
     """What a program lacks here, or ''."""
     modules = {"holosoma": ("holosoma_inference", "unitree_interface"), "falcon": ("unitree_sdk2py", "loop_rate_limiters"),
-               "go2_stand": ("unitree_sdk2py",)}[name]
+               "deploy_real": ("unitree_sdk2py", "torch"), "go2_stand": ("unitree_sdk2py",)}[name]
     files = {"holosoma": [DATA / "robots/g1"], "falcon": [DATA / "robots/g1", PROGRAMS / "FALCON/sim2real"],
-             "go2_stand": [PROGRAMS / "go2.urdf", PROGRAMS / "unitree_sdk2_python/example"]}[name]
+             "deploy_real": [DATA / "robots/g1", PROGRAMS / "unitree_rl_gym"], "go2_stand": [PROGRAMS / "go2.urdf", PROGRAMS / "unitree_sdk2_python/example"]}[name]
     missing = [str(path) for path in files if not path.exists()]
     if missing:
         return f"{', '.join(missing)}: not there"
@@ -230,7 +298,7 @@ def why_not(name):
 
 def main():
     harness.require("twinbus", "twinbus_simulator", "twinbus_bridge", "emulated_robot", "twinbus_face")
-    programs = {"holosoma": holosoma, "falcon": falcon, "go2_stand": go2_stand}
+    programs = {"holosoma": holosoma, "falcon": falcon, "deploy_real": deploy_real, "go2_stand": go2_stand}
     checks, ran = Checks(), 0
     for name in sys.argv[1:] or programs:
         why = why_not(name)
