@@ -24,8 +24,8 @@ namespace {
 constexpr double kTouching = 0.001;  // a start nearer than this counts as touching [m]
 constexpr int kNearPairs = 64;       // looked at; more are too many
 constexpr double kShare = 0.9;       // of the room at start and goal that the way must keep
-constexpr double kProved =
-    0.7;  // share of the clearance of the search that the motion is proved to keep
+constexpr double kProved = 0.7;  // share of the clearance of the search that the motion is proved to keep
+constexpr double kGuarded = 0.0105;  // which is no less than this where a slower motion keeps it: the guard holds the arm at 10 mm [m]
 constexpr double kUnit = 0.01;         // what the length of a quaternion may be off by
 constexpr double kInside = 0.01;       // goal postures stay this far inside the joint limits [rad]
 constexpr double kWidestCorner = 0.4;  // [rad]
@@ -306,13 +306,13 @@ TimedPath ArmPlanner::timed(EdgeCheck& space, ArmLines& lines, const JointPath& 
                             const TimingLimits& limits, int most_knots) const {
   const double clearance = space.clearance();
   // What is interpolated between knots may stray a little from the rounded path.
-  for (const double widest : {kWidestCorner, 0.1, 0.0}) {
-    const std::vector<RoundedPath> parts = RoundedPath::parts(space, corners, widest);
+  const double least = kProved * clearance, kept = std::max(least, std::min(clearance, kGuarded));
+  for (int i = kept > least ? 0 : 3; i < 6; ++i) {
+    const std::vector<RoundedPath> parts = RoundedPath::parts(space, corners, std::array{kWidestCorner, 0.1, 0.0}[at(i % 3)]);
     TimedPath path = time_path(parts, limits, config_.knot_spacing, most_knots);
-    space.set_clearance(kProved * clearance);
+    space.set_clearance(i < 3 ? kept : least);
     bool free = true;
-    for (std::size_t i = 0; free && i + 1 < path.size(); ++i)
-      free = lines.curve_free(bezier_between(path[i], path[i + 1]));
+    for (std::size_t n = 0; free && n + 1 < path.size(); ++n) free = lines.curve_free(bezier_between(path[n], path[n + 1]));
     space.set_clearance(clearance);
     if (free) return path;
   }

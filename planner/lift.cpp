@@ -14,7 +14,8 @@ namespace {
 
 constexpr double kNear = 0.002;     // other pairs stay farther apart [m]
 constexpr double kLets = 0.0005;    // what rests may come nearer by this: it gives way under the weight [m]
-constexpr double kHigh = 0.04;      // taken off, or a half or a quarter of it where the arm cannot [m]
+constexpr double kHigh = 0.04;      // taken off, or a share of it where the arm cannot, or comes near itself [m]
+constexpr double kRoom = 0.012;     // of all, where it was taken off, if there is such a place [m]
 constexpr int kSteps = 8;
 constexpr double kTolerance = 2e-4;  // [m], [rad]
 constexpr double kEvery = 0.004;     // of a motion [s]
@@ -74,9 +75,14 @@ bool Lift::find(const Hand& hand, const JointPoint& start, JointPath& way) {
     }
     return true;
   };
-  if (taken_off(kHigh) || taken_off(0.5 * kHigh) || taken_off(0.25 * kHigh)) return true;
-  way.clear();
-  return false;
+  JointPath first;
+  for (const double high : {kHigh, 0.75 * kHigh, 0.5 * kHigh, 0.25 * kHigh}) {
+    if (!taken_off(high)) continue;
+    if (first.empty()) first = way;
+    if (space_.nearest(way.back(), kRoom) >= kRoom) return true;
+  }
+  way = first;
+  return !way.empty();
 }
 
 TimedPath Lift::timed(const JointPath& way, const TimingLimits& limits, double knot_spacing) {

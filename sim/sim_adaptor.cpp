@@ -7,7 +7,7 @@
 #include "robot/dynamics/inverse_dynamics.h"
 #include "common/process/process.h"
 #include "sim/scene/fidelity.h"
-#include "sim/scene/scene_robots.h"
+#include "sim/scene_robots.h"
 #include "sim/scene/scene_seed.h"
 #include "sim/world/truth.h"
 #include "sim/world/world_origin.h"

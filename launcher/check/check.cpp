@@ -236,8 +236,12 @@ void print(const Trial& trial) {
                   trial.stood ? "stands only" : "falls", trial.cannot_balance.c_str());
       return;
     }
-    std::printf("does not stand: %s.  Balance wants a free base, and two legs of six joints, each with a sole, or two or four on point feet%s\n",
-                trial.cannot_balance.c_str(), trial.arm ? ": this is an arm, and arm_hold and arm_reach are its scenes" : "");
+    if (trial.arm) {
+      std::printf("an arm on a fixed base: arm_hold, arm_reach, arm_scan and arm_pick are its scenes\n");
+      return;
+    }
+    std::printf("does not stand: %s.  Balance wants a free base, and two legs of six joints, each with a sole, or two or four on point feet\n",
+                trial.cannot_balance.c_str());
     return;
   }
   if (trial.stood) {

@@ -13,6 +13,7 @@
 #include "lcmtypes/msg/labels.h"
 #include "robot/description/load.h"
 #include "robot/description/walking_config.h"
+#include "sim/scene/arm_places.h"
 #include "sim/scene/scene_obstacle.h"
 
 namespace twinbus {
@@ -90,7 +91,9 @@ std::string why_not_for(const Scene& scene, const Model& model) {
                                    [](const TimedMode& timed) { return timed.request.motion != Motion::kNone; });
     if (moves) return "it sways or squats, and a robot on two point feet only steps";
   }
-  if (const std::string why = begins_in_ground(scene, model); !why.empty()) return why;
+  for (const auto why_not : {begins_in_ground, begins_too_heavy}) {
+    if (const std::string why = why_not(scene, model); !why.empty()) return why;
+  }
   for (const TimedGoal& timed : scene.goals) {
     const bool left = timed.goal.side == ArmSide::kLeft;
     if (model.hands[left ? 0 : 1].link < 0)

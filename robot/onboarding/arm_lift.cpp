@@ -1,4 +1,4 @@
-// A posture for arms on a fixed base that lie in the ground when their joints are at zero.
+// A posture for arms on a fixed base that lie in the ground when their joints are at zero, or are too heavy for them.
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +10,7 @@
 #include "common/math/index.h"
 #include "robot/collision/collision_pairs.h"
 #include "robot/description/link_points.h"
+#include "robot/dynamics/gravity_load.h"
 #include "robot/kinematics/arm_span.h"
 #include "robot/kinematics/kinematics.h"
 #include "robot/onboarding/anatomy.h"
@@ -19,6 +20,7 @@ namespace twinbus {
 namespace {
 
 constexpr double kAbove = 0.02;      // the ground [m]
+constexpr double kHolds = 0.8;       // of its effort limit that a joint may need to hold the arm
 constexpr double kTurnStep = 0.1;    // [rad]
 constexpr double kMostTurned = 1.6;  // [rad]
 
@@ -62,11 +64,17 @@ std::string lift_arms(const Model& model, const Anatomy& anatomy, Eigen::VectorX
   for (const Hand& hand : anatomy.hands) {
     if (hand.link < 0 || hand.joints.empty()) continue;
     ArmHeight height(model, hand);
-    if (height.of(q) >= kAbove) continue;
+    GravityLoad load(model);
+    Configuration c(model);
+    const auto good = [&](const Eigen::VectorXd& posture) {
+      c.q = posture;
+      return height.of(posture) >= kAbove && load.of(c, hand.joints).share <= kHolds;
+    };
+    if (good(q)) continue;
     const auto lifts = [&](double angle, int joint, int other, double sign) {
       Eigen::VectorXd tried = q;
       if (!turn(model, joint, angle, tried) || (other >= 0 && !turn(model, other, sign * angle, tried))) return false;
-      if (height.of(tried) < kAbove) return false;
+      if (!good(tried)) return false;
       q = tried;
       char text[80];
       std::snprintf(text, sizeof text, "%.1f rad", std::abs(angle));

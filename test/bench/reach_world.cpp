@@ -148,7 +148,6 @@ class World {
     obstacles_ = scene.obstacles;
     look_with(0, {});
     OneProcessConfig config;
-    if (model.soles[0].link < 0) config.control.first_mode = Mode::kHold;
     config.seed = seed;
     run_ = std::make_unique<OneProcess>(model, scene, config);
     wait(1.0);

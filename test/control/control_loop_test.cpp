@@ -474,6 +474,25 @@ TEST(ControlLoop, AFallBehindAStoppedGateIsNotSaidEveryTick) {
 }
 
 // A push that no step catches: said early, knees bent and gains down before the robot lies.
+// Nothing falls where the base is fixed: the first mode is then to hold, without a word, and whoever asks it to balance is told why not.
+TEST(ControlLoop, ARobotOnAFixedBaseHoldsAndIsNotToldThatItCannotBalance) {
+  Model arm = test::hrp1s();
+  arm.floating_base = false;
+  Scene scene = flat_scene();
+  scene.fixed_base = true;
+  SimRig rig(arm, scene, {}, {});
+  ASSERT_TRUE(rig.run(0.02));
+  EXPECT_EQ(rig.loop().take_sentence(), nullptr);
+  EXPECT_EQ(rig.loop().status().mode, Mode::kHold);
+  ModeRequest balance{.sender_id = 99, .run_id = rig.state().run_id, .sequence = 1, .mode = Mode::kBalance};
+  rig.loop().on_mode_request(balance);
+  ASSERT_TRUE(rig.run(0.02));
+  const char* sentence = rig.loop().take_sentence();
+  ASSERT_NE(sentence, nullptr);
+  EXPECT_NE(std::string(sentence).find("the base is fixed"), std::string::npos) << sentence;
+  EXPECT_EQ(rig.loop().status().mode, Mode::kHold);
+}
+
 TEST(ControlLoop, AFallIsSeenEarlyAndTheRobotBracesItself) {
   const Model& model = test::hrp1s();
   for (const Eigen::Vector3d& impulse :

@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
 #include "robot/description/load.h"
+#include "sim/scene/arm_places.h"
 
 namespace twinbus {
 namespace {
@@ -53,6 +56,154 @@ TEST(SceneScale, NothingGrowsAndOwnScenesStay) {
   scale_to(same, own);
   EXPECT_EQ(same.walks[0].command.vx, 0.55F);
   EXPECT_TRUE(same.scaled.empty());
+}
+
+// An arm of 0.7 m on a column: pan, shoulder, elbow, wrist, and a roll along the hand.  Its links weigh 0.5 kg each.
+Model arm_on_column(double pan, double effort) {
+  Model model;
+  model.name = "arm";
+  model.floating_base = false;
+  model.links.resize(1);
+  model.links[0].name = "column";
+  const auto add = [&](const char* name, const Eigen::Vector3d& from, const Eigen::Vector3d& axis, double limit) {
+    Joint joint;
+    joint.name = name;
+    joint.parent = model.link_count() - 1;
+    joint.child = model.link_count();
+    joint.placement.translation() = from;
+    joint.axis = axis;
+    joint.lower = -limit;
+    joint.upper = limit;
+    joint.velocity = 3.0;
+    joint.effort = effort;
+    Link& link = model.links.emplace_back();
+    link.name = std::string(name) + "_link";
+    link.parent = joint.parent;
+    link.mass = 0.5;
+    link.com = {0.1, 0.0, 0.0};
+    model.hands[1].joints.push_back(static_cast<int>(model.joints.size()));
+    model.joints.push_back(joint);
+  };
+  add("pan", {0.0, 0.0, 0.5}, Eigen::Vector3d::UnitZ(), pan);
+  add("shoulder", {0.0, 0.0, 0.0}, Eigen::Vector3d::UnitY(), 1.3);
+  add("elbow", {0.3, 0.0, 0.0}, Eigen::Vector3d::UnitY(), 2.5);
+  add("wrist", {0.3, 0.0, 0.0}, Eigen::Vector3d::UnitY(), 2.5);
+  add("roll", {0.0, 0.0, 0.0}, Eigen::Vector3d::UnitX(), 3.0);
+  model.hands[1].link = model.link_count() - 1;
+  model.hands[1].frame.translation().x() = 0.1;
+  return model;
+}
+
+Scene with_goals(std::initializer_list<Eigen::Vector3d> places) {
+  Scene scene;
+  scene.name = "places";
+  scene.start_pose.clear();
+  scene.in_arm_lengths = true;
+  for (const Eigen::Vector3d& place : places) {
+    TimedGoal& timed = scene.goals.emplace_back();
+    timed.goal.kind = ArmGoalKind::kPosition;
+    timed.goal.side = ArmSide::kRight;
+    timed.goal.speed = 0.5F;
+    timed.of_reach = true;
+    timed.reach = place;
+  }
+  return scene;
+}
+
+std::string refusal(Scene scene, const Model& model) {
+  try {
+    measure_by_arm(scene, model);
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(ArmPlaces, PlacesBehindAnArmThatCannotTurnThereAreTurned) {
+  const Eigen::Vector3d place(-0.3, 0.4, 0.1);
+  Scene free = with_goals({place});
+  measure_by_arm(free, arm_on_column(3.0, 100.0));
+  EXPECT_TRUE(free.goals[0].reach.isApprox(place, 1e-9)) << "where it can, nothing is";
+  EXPECT_EQ(free.scaled, "");
+  Scene narrow = with_goals({place});
+  measure_by_arm(narrow, arm_on_column(1.0, 100.0));
+  const Eigen::Vector3d& reach = narrow.goals[0].reach;
+  EXPECT_NEAR(reach.norm(), place.norm(), 1e-9);
+  EXPECT_NE(narrow.scaled.find("turned"), std::string::npos) << narrow.scaled;
+  EXPECT_LT(std::abs(std::atan2(reach.y(), reach.x())), 1.0);
+}
+
+TEST(ArmPlaces, AHandPointsAsItsJointsAllow) {
+  Scene down = with_goals({{0.5, 0.2, 0.0}});
+  down.goals[0].goal.kind = ArmGoalKind::kPose;
+  down.goals[0].goal.orientation = {0.0, 1.0, 0.0, 0.0};
+  Scene stiff = down;
+  Model arm = arm_on_column(3.0, 100.0);
+  measure_by_arm(down, arm);
+  EXPECT_EQ(down.scaled, "");
+  arm.joints[4].lower = -0.02;  // without the roll it points down, turned as the pan joint says
+  arm.joints[4].upper = 0.02;
+  measure_by_arm(stiff, arm);
+  EXPECT_NE(stiff.scaled.find("turned about where it points"), std::string::npos) << stiff.scaled;
+  const auto& [w, x, y, z] = stiff.goals[0].goal.orientation;
+  const Eigen::Vector3d along = Eigen::Quaterniond(w, x, y, z) * Eigen::Vector3d::UnitX();
+  EXPECT_LT(along.z(), -0.999) << along.transpose();
+}
+
+TEST(ArmPlaces, WhatNoPlaceHelpsIsRefusedWithItsCause) {
+  EXPECT_NE(refusal(with_goals({{1.0, 1.0, 1.0}}), arm_on_column(3.0, 100.0)).find("misses goal 1 by"), std::string::npos);
+  EXPECT_NE(refusal(with_goals({{0.9, 0.0, 0.0}}), arm_on_column(3.0, 1.0)).find("goal 1"), std::string::npos);
+  Scene ahead = with_goals({{0.5, 0.0, 0.0}});
+  EXPECT_EQ(begins_too_heavy(ahead, arm_on_column(3.0, 100.0)), "");
+  EXPECT_NE(begins_too_heavy(ahead, arm_on_column(3.0, 2.0)).find("joint shoulder needs"), std::string::npos);
+}
+
+TEST(ArmPlaces, WhatAHandHoldsIsPartOfIt) {
+  Scene scene = with_goals({{0.4, 0.3, 0.2}, {0.4, -0.3, 0.2}});
+  for (TimedGoal& timed : scene.goals) {
+    timed.goal.kind = ArmGoalKind::kPose;
+    timed.goal.orientation = {0.0, 1.0, 0.0, 0.0};
+  }
+  scene.goals[0].at = 1.0;
+  scene.goals[1].at = 5.0;
+  LooseBody& body = scene.loose.emplace_back();
+  body.name = "box";
+  body.solid.size.setConstant(0.1);
+  body.start.pose.translation() = Eigen::Vector3d(0.4, 0.3, 0.0);
+  Obstacle& table = scene.obstacles.emplace_back();  // below the second goal, where only what is held would touch it
+  table.shape = ObstacleShape::kBox;
+  table.size = {0.2, 0.2, 0.02};
+  table.pose.translation() = Eigen::Vector3d(0.4, -0.3, -0.05);
+  const Model arm = arm_on_column(3.0, 100.0);
+  EXPECT_EQ(refusal(scene, arm), "");
+  Grasp& grasp = scene.grasps.emplace_back();
+  grasp.link = "right_hand";
+  grasp.to = "box";
+  grasp.at = 3.0;
+  grasp.until = 9.0;
+  Scene held = scene;
+  EXPECT_NE(refusal(held, arm).find("touches something at goal 2"), std::string::npos) << refusal(held, arm);
+}
+
+TEST(ArmPlaces, ALiftIsNoPartOfTheArmAndHasItsOwnTime) {
+  Model model = arm_on_column(3.0, 100.0);
+  const auto span_of = [](const Model& arm) { return arm_in_scene(with_goals({}), arm, arm.hands[1]); };
+  const ArmSpan before = span_of(model);
+  model.hands[1].joints.erase(model.hands[1].joints.begin());
+  EXPECT_NEAR(span_of(model).length, before.length, 1e-9);
+  Model lifted = arm_on_column(3.0, 100.0);
+  lifted.joints[0].kind = JointKind::kPrismatic;
+  lifted.joints[0].upper = 0.4;
+  lifted.joints[0].lower = 0.0;
+  lifted.joints[0].velocity = 0.1;
+  lifted.joints[1].placement.translation() = Eigen::Vector3d(0.2, 0.0, 0.3);
+  EXPECT_NEAR(span_of(lifted).length, before.length, 1e-9);
+  EXPECT_TRUE(span_of(lifted).shoulder.isApprox(Eigen::Vector3d(0.2, 0.0, 0.8), 1e-9));
+  Scene scene = with_goals({{0.5, 0.0, 0.1}});
+  scene.goals[0].at = 1.0;
+  scene.duration = 6.0;
+  measure_by_arm(scene, lifted);
+  EXPECT_NEAR(scene.duration, 6.0 * (1.0 + 0.4 / (0.1 * 0.5)) / 5.0, 1e-6);
 }
 
 }  // namespace

@@ -257,12 +257,11 @@ TEST(Scene, AnArmOnAFixedBaseKnowsTheFloorThatItBeginsAbove) {
 
 // What the arm would begin in is turned about its shoulder, with all that belongs to it; a hand points by its looks, not by its axes.
 TEST(Scene, WhatStandsAroundAnArmIsTurnedWhereItBeginsClear) {
-  Model arm = post_and_arm();
-  arm.floating_base = false;
+  Model arm = post_and_arm();  // with a free base: a body may lean to goals that its arm does not reach
   arm.hands[1].link = 1;
   arm.hands[1].joints = {0};
   arm.hands[1].frame.translation().x() = 0.3;
-  arm.hands[1].frame.linear() = Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitX()).toRotationMatrix();
+  arm.hands[1].frame.linear() = Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitY()).toRotationMatrix();
   const Eigen::Vector3d shoulder(-0.3, 0.0, 0.0);
   for (const double beside : {0.0, 0.6}) {  // in the arm, and far from it
     Scene scene = from_text("lengths: arm\nobstacles: [{shape: box, size: [0.1, 0.1, 0.1], position: [0.5, " + std::to_string(beside) +
@@ -278,7 +277,7 @@ TEST(Scene, WhatStandsAroundAnArmIsTurnedWhereItBeginsClear) {
     if (beside > 0.0) EXPECT_NEAR(turned, 0.0, 1e-9);
     else EXPECT_NEAR(turned, M_PI / 6.0, 1e-9);  // 0.129 of the arm to the side is not enough, 0.25 is
     const auto& [w, i, j, k] = scene.goals[0].goal.orientation;
-    const Eigen::Vector3d points = Eigen::Quaterniond(w, i, j, k) * -Eigen::Vector3d::UnitZ();
+    const Eigen::Vector3d points = Eigen::Quaterniond(w, i, j, k) * -Eigen::Vector3d::UnitX();  // from the joint to the hand
     EXPECT_NEAR(points.z(), -1.0, 1e-6);
   }
 }

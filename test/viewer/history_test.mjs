@@ -41,4 +41,6 @@ assert.equal(history.rows(1000).length, 1, 'another run begins anew');
 
 const joint = (lower, upper) => ({ name: 'a', limit: { lower, upper } });
 assert.deepEqual(nearLimits([joint(-1, 1), joint(-1, 1), joint(0, 0), null], [0.99, 0, 0, 0]).map((limit) => limit.left.toFixed(2)), ['0.01'], 'limits');
+const lift = { name: 'lift', jointType: 'prismatic', limit: { lower: 0, upper: 0.4 } };
+assert.deepEqual(nearLimits([lift, joint(-1, 1), lift], [0.0019, 0.97, 0.02]).map((limit) => `${limit.name} ${limit.words}`), ['lift 1.9 mm', 'a 1.7°'], 'a lift has millimetres');
 console.log('history: ok');

@@ -142,7 +142,7 @@ export class Panels {
   }
 
   limits(near) {
-    const all = near.slice(0, 4).map(({ name, left }) => `${name} ${(left * 180 / Math.PI).toFixed(1)}°`).join(', ');
+    const all = near.slice(0, 4).map(({ name, words }) => `${name} ${words}`).join(', ');
     text('limits', all);
     $('limits-row').hidden = near.length === 0;
     $('tint-row').hidden = near.length === 0 && !this.close;

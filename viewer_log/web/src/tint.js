@@ -1,18 +1,20 @@
 // Colours on the robot that say where it is in trouble: links about to touch each other, joints near the end of their range.
 
-const kNearLimit = 3 * Math.PI / 180;
+const kNearLimit = 3 * Math.PI / 180, kNearEnd = 0.01; // of a joint that turns [rad], of one that slides [m]
 const kRed = 0xff2d2d, kOrange = 0xff9d1f, kViolet = 0xa855f7;
 
-// Joints within 3 degrees of a limit, the nearest first: { name, link, left }, left in radians (negative: beyond).
+// Joints within 3 degrees or 10 mm of a limit, the nearest first: { name, link, left, share, words }, left in radians or metres (negative: beyond).
 export function nearLimits(joints, q) {
   const found = [];
   joints.forEach((joint, i) => {
     const { lower, upper } = joint?.limit ?? {};
     if (!(upper > lower) || q[i] == null) return;
-    const left = Math.min(q[i] - lower, upper - q[i]);
-    if (left < kNearLimit) found.push({ name: joint.name, link: joint, left });
+    const left = Math.min(q[i] - lower, upper - q[i]), slides = joint.jointType === 'prismatic';
+    const share = left / (slides ? kNearEnd : kNearLimit);
+    const words = slides ? `${(1000 * left).toFixed(1)} mm` : `${(left * 180 / Math.PI).toFixed(1)}°`;
+    if (share < 1) found.push({ name: joint.name, link: joint, left, share, words });
   });
-  return found.sort((a, b) => a.left - b.left);
+  return found.sort((a, b) => a.share - b.share);
 }
 
 export class Tint {

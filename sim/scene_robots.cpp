@@ -1,4 +1,4 @@
-#include "sim/scene/scene_robots.h"
+#include "sim/scene_robots.h"
 
 #include <memory>
 #include <stdexcept>
