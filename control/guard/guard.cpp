@@ -179,7 +179,7 @@ const GuardCause& Guard::cause() const noexcept { return impl_->cause; }
 void describe(const Model& model, const std::vector<Obstacle>& obstacles, const GuardCause& cause,
               std::span<char> text) noexcept {
   if (cause.link_a < 0) {
-    std::snprintf(text.data(), text.size(), "a way to rest could not be proved free in time: all was braked");
+    std::snprintf(text.data(), text.size(), "a way to rest took more looks than a tick has: all was braked");
     return;
   }
   int used = std::snprintf(text.data(), text.size(), "%s and %s, %.1f mm apart, would come to %.1f mm",
@@ -195,6 +195,7 @@ void describe(const Model& model, const std::vector<Obstacle>& obstacles, const 
 }
 const PairDistance* Guard::pairs() const noexcept { return impl_->pairs.data(); }
 int Guard::pair_count() const noexcept { return impl_->pair_count; }
+const GuardWork& Guard::work() const noexcept { return impl_->work; }
 std::int64_t Guard::unproved() const noexcept { return impl_->unproved; }
 void Guard::set_obstacles(const std::vector<Obstacle>& obstacles) {
   impl_->set_obstacles(obstacles);
@@ -280,9 +281,12 @@ const GuardReport& Guard::Impl::check(const RobotState& state,
   suspect = -1;
   stretches_left = kMostStretches;
   looks_left = kMostLooks;
+  work = {};
   look_along(obeyed);
   if (other_way) look_along(braked);
   if (command != nullptr) prove_mask();
+  work.looks = kMostLooks - looks_left;
+  work.stretches = kMostStretches - stretches_left;
   for (std::size_t k = 0; k < at(kMaxJoints); ++k) {
     // Soft servos are let go together, once none of them leads into anything: what is let go while others are held moves them.
     const bool stays = danger && keep[k] > 0 && servos.is_soft(k);

@@ -36,10 +36,18 @@ struct GuardConfig {
   double servo_lag = 0.005;  // by which a joint runs on behind a set-point that is braked [s]
 };
 
+// What a tick looked at.
+struct GuardWork {
+  int ways = 0;       // to rest
+  int open = 0;       // pairs that no direction at hand proved to stay apart all along a way, of all ways
+  int looks = 0;      // distances measured on the ways
+  int stretches = 0;  // parts of ways that were looked at by themselves
+};
+
 // What a tick held or stopped the robot for.
 struct GuardCause {
   bool found = false;
-  int link_a = -1, link_b = -1;  // links >= link_count are obstacles; -1: a way that could not be proved free
+  int link_a = -1, link_b = -1;  // links >= link_count are obstacles; -1: a way that took more looks than a tick has
   double now = 0.0, then = 0.0;  // distance of the two at the tick, and where they come nearest [m]
   int joint = -1;                // that brings them together most
   double speed = 0.0;            // of it, as the look-ahead has it [rad/s or m/s]
@@ -75,6 +83,8 @@ class Guard {
   // obstacles.
   const PairDistance* pairs() const noexcept;
   int pair_count() const noexcept;
+
+  const GuardWork& work() const noexcept;  // of the last tick
 
   // Stretches of a way to rest, since the start, that were too long or too near something to be proved
   // free within the looks that a tick has.

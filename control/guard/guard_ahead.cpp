@@ -198,6 +198,9 @@ bool Guard::Impl::look(const CourseWay& way, const CourseWay::Shares& shares,
     const bool again =
         found != nullptr && found->link_a == pair.link_a && found->link_b == pair.link_b;
     if (!again && judge(way, shares, courses, pair)) found = &pair;
+    if (looks_left == 0 && found == nullptr && pair.open != 0) return hold_all();
+    // Without looks no more is found, and nothing changes the answer once all is held and a stop is asked for.
+    if (found != nullptr && (looks_left == 0 || (all_held() && leg_hit))) break;
   }
   if (found != nullptr) return true;
   for (int stretch = SweptShapes::kPlaces - 2; stretch >= 0; --stretch) {
@@ -253,14 +256,17 @@ void Guard::Impl::prove_mask() noexcept {
 // Looks along the way from here to rest; true when something comes too near.
 bool Guard::Impl::look_along(const Courses& courses) noexcept {
   if (!(travel(courses, nullptr) > kNearer)) return false;
-  if (!collision.narrow(rests, config.margin, places.asked)) return false;
+  if (all_held() && leg_hit) return true;
+  if (!collision.narrow(rests, config.margin, places.asked, all_held())) return false;
   const CourseWay way(courses, track.delay());
   const CourseWay::Shares shares = way.shares();
   way.go(now.q, shares, places);
   collision.go(now.base, places);
-  const int count =
-      collision.open_on_way(config.margin, kProved * config.margin, open[0].data(), kMostOpen);
-  const bool found = count > kMostOpen ? hold_all() : look(way, shares, courses, 0, count);
+  const int most = std::min(kMostOpen, looks_left);  // each of them takes a look at least
+  const int count = collision.open_on_way(config.margin, kProved * config.margin, open[0].data(), most);
+  ++work.ways;
+  work.open += count;
+  const bool found = count > most ? hold_all() : look(way, shares, courses, 0, count);
   danger = danger || found;
   return found;
 }

@@ -21,7 +21,7 @@ struct Guard::Impl {
   static constexpr int kMostOpen = 128;  // pairs that are looked at one by one at once
   // A stretch that is not proved is looked at in parts, and so are these.
   static constexpr int kMostParts = 3;
-  static constexpr int kMostStretches = 24, kMostLooks = 150;  // of a tick
+  static constexpr int kMostStretches = 24, kMostLooks = 48;  // of a tick
   // Of the approach: joints that do less of it are not masked.
   static constexpr double kShare = 0.02;
 
@@ -51,6 +51,7 @@ struct Guard::Impl {
   std::array<std::array<Collision::OnWay, kMostOpen>, kMostParts> open;
   int suspect = -1;  // shapes that came too near when a way was looked along last
   int stretches_left = 0, looks_left = 0;
+  GuardWork work;
   std::int64_t unproved = 0;
   std::int64_t mask = 0;  // the answer of this tick, like the next two
   bool leg_hit = false, danger = false;
@@ -94,6 +95,8 @@ struct Guard::Impl {
             int count) noexcept;
   void ask_joints(const Collision::OnWay* asked, int count) noexcept;
   bool hold_all() noexcept;
+  // Then only what legs do can still change the answer.
+  bool all_held() const noexcept { return (mask & all_but_legs) == all_but_legs; }
   void prove_mask() noexcept;
   bool comes_too_near(const PairDistance& before, const PairDistance& after) const noexcept;
   double approach(const Kinematics& kinematics, const PairDistance& pair, int joint,

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <random>
 
+#include "common/math/index.h"
+
 namespace twinbus {
 
 namespace {
@@ -13,6 +15,7 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr int kClimb = 500;  // steps from each principal axis
+constexpr int kInward = 100;  // steps away from the nearest face
 
 Vector3d mean_of(const std::vector<Vector3d>& points) {
   Vector3d sum = Vector3d::Zero();
@@ -121,6 +124,31 @@ Capsule capsule_around(const std::vector<Vector3d>& points) {
       least = size;
       best = current;
     }
+  }
+  return best;
+}
+
+// From the middle of the corners away from the nearest face, by ever smaller steps.
+Ball ball_inside(const TriangleMesh& hull) {
+  Ball best{mean_of(hull.points), 0.0};
+  std::vector<Eigen::Vector4d> faces;  // normal, distance from the origin
+  double step = 0.0;
+  for (const Vector3d& p : hull.points) step = std::max(step, (p - best.center).norm());
+  for (const auto& [a, b, c] : hull.triangles) {
+    const Vector3d& p = hull.points[at(a)];
+    const Vector3d n = (hull.points[at(b)] - p).cross(hull.points[at(c)] - p).stableNormalized();
+    faces.emplace_back(n.x(), n.y(), n.z(), n.dot(p));
+  }
+  Vector3d center = best.center;
+  for (int i = 0; i < kInward && !faces.empty(); ++i, step *= 0.93) {
+    const Eigen::Vector4d* nearest = nullptr;
+    double inside = 1e300;
+    for (const Eigen::Vector4d& face : faces) {
+      const double depth = face.w() - face.head<3>().dot(center);
+      if (depth < inside) inside = depth, nearest = &face;
+    }
+    if (inside > best.radius) best = {center, inside};
+    center -= step * nearest->head<3>();
   }
   return best;
 }

@@ -122,7 +122,7 @@ void Collision::Impl::build_shapes() {
       capsule.b = body.local * capsule.b;
       capsules.push_back(capsule);
       parts.push_back({owner(o).link, &body.convex,
-                       body.convex.kind == ShapeKind::kMesh ? &body.core : nullptr, body.local});
+                       body.convex.kind == ShapeKind::kMesh ? &body.core : nullptr, body.inside, body.local});
     }
   }
   link_shapes = link_of_shape.size();
@@ -133,13 +133,12 @@ void Collision::Impl::build_shapes() {
   looked_at = {};
   many_left = 0;
   pair_of.assign(shapes.size() * shapes.size(), -1);
+  by_legs.clear();
   for (std::size_t p = 0; p < pairs.size(); ++p) {
     const OwnerPair& pair = pairs[p];
-    if (!only_joints.empty() &&
-        std::none_of(only_joints.begin(), only_joints.end(), [&](int joint) {
-          return joint_moves_pair(*model, joint, owner(pair.a).link, owner(pair.b).link);
-        }))
-      continue;
+    const auto moves = [&](int joint) { return joint_moves_pair(*model, joint, owner(pair.a).link, owner(pair.b).link); };
+    by_legs.push_back(std::any_of(model->leg_joints.begin(), model->leg_joints.end(), moves) ? 1 : 0);
+    if (!only_joints.empty() && std::none_of(only_joints.begin(), only_joints.end(), moves)) continue;
     for (std::size_t i = 0; i < owner(pair.a).shapes.size(); ++i) {
       for (std::size_t k = 0; k < owner(pair.b).shapes.size(); ++k) {
         const auto a = static_cast<std::size_t>(first[static_cast<std::size_t>(pair.a)]) + i;

@@ -106,13 +106,14 @@ class Collision {
   // From now on only those shapes are looked at that may come nearer than `margin` [m] when no joint
   // moves farther than `moves` from the posture of the last near_pairs that had `ahead`, which is still
   // as it was; moves: no more than that said.  joints: 1 for those that it depends on where these
-  // shapes are, as SweptShapes::Way wants it [joint_count].  False when no shapes are left.
+  // shapes are, as SweptShapes::Way wants it [joint_count].  legs_alone: only shapes that a leg moves
+  // against each other.  False when no shapes are left.
   bool narrow(const Eigen::VectorXd& moves, double margin,
-              std::vector<std::uint8_t>& joints) noexcept;
+              std::vector<std::uint8_t>& joints, bool legs_alone = false) noexcept;
   // Goes to the places of a way.  Its joints move no farther than narrow was told.
   void go(const Eigen::Isometry3d& base, const SweptShapes::Way& way) noexcept;
   // Of the shapes left, those that no direction at hand proves to stay `margin` apart at the places and
-  // `clear` between [m]; at most capacity; how many there are.
+  // `clear` between [m]; at most capacity; how many there are, or that there are more.
   int open_on_way(double margin, double clear, OnWay* pairs, int capacity) noexcept;
   // Begins to look at two shapes on the way, margin and clear as they say.
   void begin(OnWay& pair) noexcept;

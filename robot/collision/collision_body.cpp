@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "robot/collision/collision_fcl.h"
+#include "geometry/bounds/bounds.h"
 #include "geometry/bounds/convex_hull.h"
 #include "robot/collision/links/geometry_cache.h"
 #include "geometry/mesh/mesh_file.h"
@@ -73,8 +74,10 @@ CollisionShape of_mesh(const Shape& shape) {
   result.local = shape.pose * Eigen::Translation3d(middle);
   for (Vector3d& point : mesh.points) point -= middle;
   result.fcl = hull ? fcl_hull(mesh) : fcl_mesh(mesh);
-  const std::vector<Vector3d> corners = hull ? mesh.points : convex_hull(mesh.points).points;
+  const TriangleMesh around_all = hull ? mesh : convex_hull(mesh.points);
+  const std::vector<Vector3d>& corners = around_all.points;
   result.core = gjk_hull(corners);
+  result.inside = ball_inside(around_all);
   result.capsule = kept_capsule(corners);
   if (!hull) {
     result.mesh = std::make_shared<ClusteredMesh>(mesh);

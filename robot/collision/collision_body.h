@@ -22,6 +22,7 @@ struct CollisionShape {  // one shape, of a link or an obstacle
   double radius = 0.0;  // of the sphere around it [m]
   Capsule capsule;      // around it, in its frame
   GjkShape core;        // the same, or the hull of a mesh
+  Ball inside;          // of the hull of a mesh, in its frame
   Eigen::Isometry3d local =
       Eigen::Isometry3d::Identity();  // of the convex shape, in the link frame (obstacle: world)
   Eigen::Isometry3d world = Eigen::Isometry3d::Identity();

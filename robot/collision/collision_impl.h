@@ -48,6 +48,7 @@ struct Collision::Impl {
   NearShapes near_shapes;
   std::vector<FlatShape> shapes;
   std::vector<int> pair_of;                // [shapes x shapes], a < b
+  std::vector<std::uint8_t> by_legs;       // of pairs: a leg moves the two against each other
   std::span<NearShapes::Candidate> ahead;  // that can come near from a posture
   const Kinematics* ahead_from = nullptr;  // that posture
   struct Apart {                           // a direction that parts a candidate there
@@ -103,6 +104,7 @@ struct Collision::Impl {
               PairDistance* pairs, int capacity) noexcept;
   void know(NearShapes::Candidate& candidate, double at_least) noexcept;
   void note(OnWay& pair, const SweptShapes::AtPlaces& gaps) const noexcept;
+  void note_hopeless(OnWay& pair) const noexcept;
   bool nearer(const NearShapes::Candidate& candidate, double near, PairDistance& result) noexcept;
 };
 

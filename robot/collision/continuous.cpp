@@ -13,6 +13,8 @@ namespace twinbus {
 
 namespace {
 
+constexpr float kInsideSlack = 2e-5F;  // of a ball in a hull, whose faces rounding moves [m]
+
 struct SweptHinge {  // rotation: still + cosine with_cosine + sine with_sine, by columns
   float still[3][3], with_cosine[3][3], with_sine[3][3], offset[3], slide[3];
   int parent = 0;
@@ -27,6 +29,7 @@ struct SweptPart {
   bool turned = true;             // against the link
   const float* corner = nullptr;  // x of all, y of all, z of all
   int corners = 0;
+  float inside[3] = {}, inside_radius = 0.0F;  // a ball inside of it, as far as rounding can say
 };
 
 struct SweptPair {
@@ -61,6 +64,7 @@ struct SweptTables {
 namespace baseline_swept {
 #include "common/simd/float8.h"
 #include "robot/collision/continuous_lanes.h"
+#include "robot/collision/continuous_open.h"
 }  // namespace baseline_swept
 #undef TWINBUS_WIDE
 #if defined(__x86_64__) && !defined(__clang__)
@@ -70,12 +74,14 @@ namespace baseline_swept {
 namespace avx2_swept {
 #include "common/simd/float8.h"
 #include "robot/collision/continuous_lanes.h"
+#include "robot/collision/continuous_open.h"
 }  // namespace avx2_swept
 // No wider: of more registers, and of bits that say which lanes.
 #pragma GCC target("avx512f,avx512vl,avx512dq")
 namespace avx512_swept {
 #include "common/simd/float8.h"
 #include "robot/collision/continuous_lanes.h"
+#include "robot/collision/continuous_open.h"
 }  // namespace avx512_swept
 #pragma GCC pop_options
 #undef TWINBUS_WIDE
@@ -256,8 +262,17 @@ void SweptShapes::set(const std::vector<Part>& parts) {
     part.turned = from.local.linear() != Eigen::Matrix3d::Identity();
     take(Eigen::Vector3d(from.local.translation()), part.origin);
     if (from.hull != nullptr) {
-      part.corners = static_cast<int>(from.hull->points.size() / 3);
-      for (const double x : from.hull->points) i.corners.push_back(static_cast<float>(x));
+      const std::size_t n = from.hull->points.size() / 3;
+      part.corners = static_cast<int>((n + 7) / 8 * 8);  // the last one again and again
+      for (std::size_t k = 0; k < 3 * at(part.corners); ++k) {
+        const std::size_t row = k / at(part.corners), corner = std::min(k % at(part.corners), n - 1);
+        i.corners.push_back(static_cast<float>(from.hull->points[row * n + corner]));
+      }
+      take(from.inside.center, part.inside);
+      part.inside_radius = static_cast<float>(from.inside.radius) - kInsideSlack;
+    } else {
+      const auto sizes = from.shape->kind == ShapeKind::kBox ? 3 : from.shape->kind == ShapeKind::kCylinder ? 2 : 1;
+      part.inside_radius = static_cast<float>(from.shape->half.head(sizes).minCoeff()) - kInsideSlack;
     }
     i.parts.push_back(part);
     i.still.push_back(from.local);
@@ -381,6 +396,13 @@ SweptShapes::AtPlaces SweptShapes::left_out(int pair) const noexcept {
   const InstructionSet set = impl_->set;
   AtPlaces result;
   TWINBUS_SWEPT(pair_bounds(impl_->tables, impl_->pairs[at(pair)], result.data(), nullptr));
+  return result;
+}
+
+SweptShapes::AtPlaces SweptShapes::most_apart(int pair) const noexcept {
+  const InstructionSet set = impl_->set;
+  AtPlaces result;
+  TWINBUS_SWEPT(pair_most_apart(impl_->tables, impl_->pairs[at(pair)], result.data()));
   return result;
 }
 

@@ -50,6 +50,7 @@ class SweptShapes {
     int link = -1;  // below zero: stands still in the world
     const ConvexShape* shape = nullptr;
     const GjkShape* hull = nullptr;  // of a mesh, else null
+    Ball inside;                     // of a hull, in its frame
     Eigen::Isometry3d local = Eigen::Isometry3d::Identity();
   };
 
@@ -63,7 +64,8 @@ class SweptShapes {
   void go(const Eigen::Isometry3d& base, const Way& way) noexcept;
 
   // Of these shapes, which are wanted, the pairs that no direction at hand proves to stay `margin` [m]
-  // apart at every place and `clear` between: their numbers, at most capacity; how many there are.
+  // apart at every place and `clear` between: their numbers, at most capacity; how many there are, or
+  // that there are more.
   int open(std::span<const NearShapes::Candidate> shapes, double margin, double clear, int* pairs,
            int capacity) noexcept;
 
@@ -80,6 +82,7 @@ class SweptShapes {
   void remember(int pair, const Eigen::Vector3d& direction, int place) noexcept;
   AtPlaces gaps(int pair, const Eigen::Vector3d& direction, int place) const noexcept;
   AtPlaces left_out(int pair) const noexcept;
+  AtPlaces most_apart(int pair) const noexcept;  // the shapes are no farther apart at the places
   AtPlaces travel(int pair) const noexcept;
 
  private:

@@ -119,94 +119,64 @@ TWINBUS_INLINE F8 pair_travel(const SweptTables& t, const SweptPair& pair) noexc
   return sum * 1.0001F;
 }
 
-// How far a shape reaches along n from its middle; sign: of n, which only hulls ask for.
-TWINBUS_INLINE F8 extent8(const SweptPart& part, const Pose8& p, const F8 (&n)[3], float sign,
-                          bool hulls) noexcept {
-  if (part.kind == SweptPart::kBall) return all(part.half[0]);
-  F8 in[3];
-  for (int k = 0; k < 3; ++k)
-    in[k] = p.column[k][0] * n[0] + p.column[k][1] * n[1] + p.column[k][2] * n[2];
-  if (part.kind == SweptPart::kCylinder)
-    return root(in[0] * in[0] + in[1] * in[1]) * part.half[0] + size(in[2]) * part.half[1];
-  if (!hulls || part.corners == 0)
-    return size(in[0]) * part.half[0] + size(in[1]) * part.half[1] + size(in[2]) * part.half[2];
-  F8 far = all(-1e9F);
-  const float *x = part.corner, *y = x + part.corners, *z = y + part.corners;
-  for (int k = 0; k < part.corners; ++k)
-    far = most(far, (in[0] * x[k] + in[1] * y[k] + in[2] * z[k]) * sign);
-  return far;
-}
-
-// n: in the axes of the link that both hang on.
-TWINBUS_INLINE F8 gaps8(const SweptTables& t, const SweptPair& pair, const float* n0,
-                        bool hulls) noexcept {
+// A direction, n, in the axes of both shapes, and how far their middles are apart along it, less what may be lost.
+struct Along8 {
+  F8 in_a[3], in_b[3], apart;
+};
+// n0: in the axes of the link that both hang on.
+TWINBUS_INLINE Along8 along8(const SweptTables& t, const SweptPair& pair, const float* n0) noexcept {
   const Pose8 a = pose8(t.part_pose + 96 * pair.a), b = pose8(t.part_pose + 96 * pair.b);
   const float* frame = t.link_pose + 96 * pair.common;
   F8 n[3];
   for (int d = 0; d < 3; ++d)
     n[d] = load8(frame + 8 * d) * n0[0] + load8(frame + 8 * (3 + d)) * n0[1] +
            load8(frame + 8 * (6 + d)) * n0[2];
-  F8 gap = all(-kSweptSlack);
-  for (int d = 0; d < 3; ++d) gap += n[d] * (b.origin[d] - a.origin[d]);
-  return gap - extent8(t.part[pair.a], a, n, 1.0F, hulls) -
-         extent8(t.part[pair.b], b, n, -1.0F, hulls);
-}
-
-TWINBUS_INLINE F8 with_next(F8 gap) noexcept {
-  return least(gap, __builtin_shufflevector(gap, gap, 1, 2, 3, 4, 5, 6, 7, 7));
-}
-
-TWINBUS_INLINE bool parts_all_along(const SweptTables& t, const SweptPair& pair, const float* n0,
-                                    float margin, float clear) noexcept {
-  const bool meshes = t.part[pair.a].corners + t.part[pair.b].corners > 0;
-  for (int hulls = 0; hulls <= (meshes ? 1 : 0); ++hulls) {
-    const F8 gap = gaps8(t, pair, n0, hulls != 0);
-    if (bits(gap >= margin) != kAllLanes) continue;
-    const F8 between = with_next(gap) - clear;
-    const F8 from_base =
-        load8(t.link_left_out + 8 * pair.link_a) + load8(t.link_left_out + 8 * pair.link_b);
-    if (bits(between >= from_base) == kAllLanes) return true;
-    if (pair.common != 0 && bits(between >= pair_left_out(t, pair)) == kAllLanes) return true;
+  Along8 along{{}, {}, all(-kSweptSlack)};
+  for (int d = 0; d < 3; ++d) {
+    along.apart += n[d] * (b.origin[d] - a.origin[d]);
+    along.in_a[d] = a.column[d][0] * n[0] + a.column[d][1] * n[1] + a.column[d][2] * n[2];
+    along.in_b[d] = b.column[d][0] * n[0] + b.column[d][1] * n[1] + b.column[d][2] * n[2];
   }
-  return false;
+  return along;
 }
 
-static int open_pairs(const SweptTables& t, const NearShapes::Candidate* shapes, int count,
-                      float margin, float clear, int* open, int capacity) noexcept {
-  int found = 0;
-  for (int i = 0; i < count; ++i) {
-    const int number = t.pair_of[shapes[i].a * t.parts + shapes[i].b];
-    SweptPair& pair = t.pair[number];
-    const float *a = t.part_pose + 96 * pair.a + 72, *b = t.part_pose + 96 * pair.b + 72;
-    const float sum = t.part[pair.a].radius + t.part[pair.b].radius + margin +
-                      t.half_travel[pair.link_a] + t.half_travel[pair.link_b] + kSweptSlack;
-    F8 far2 = all(0.0F);
-    for (int d = 0; d < 3; ++d) {
-      const F8 far = load8(b + 8 * d) - load8(a + 8 * d);
-      far2 += far * far;
-    }
-    if (bits(far2 >= all(1.0001F * sum * sum)) == kAllLanes) continue;
-    if (parts_all_along(t, pair, pair.n, margin, clear)) continue;
-    const float* frame = t.link_pose + 96 * pair.common;  // at the first place
-    float seen[3], length2 = 0.0F;
-    for (int k = 0; k < 3; ++k) {
-      seen[k] = frame[8 * 3 * k] * shapes[i].towards[0] +
-                frame[8 * (3 * k + 1)] * shapes[i].towards[1] +
-                frame[8 * (3 * k + 2)] * shapes[i].towards[2];
-      length2 += seen[k] * seen[k];
-    }
-    if (length2 > 1e-8F) {
-      const float length = __builtin_sqrtf(length2);
-      for (float& x : seen) x /= length;
-      if (parts_all_along(t, pair, seen, margin, clear)) {
-        for (int k = 0; k < 3; ++k) pair.n[k] = seen[k];
-        continue;
-      }
-    }
-    if (found < capacity) open[found] = number;
-    ++found;
+// What stands for a hull: the ball inside of it, which reaches nowhere farther; the box around it; its corners.
+enum class HullBy { kInside, kBox, kCorners };
+
+// How far a shape reaches along a direction from its middle; sign: of the direction, which only hulls ask for.
+TWINBUS_INLINE F8 extent8(const SweptPart& part, const F8 (&in)[3], float sign, HullBy hulls) noexcept {
+  if (part.kind == SweptPart::kBall) return all(part.half[0]);
+  if (part.kind == SweptPart::kCylinder)
+    return root(in[0] * in[0] + in[1] * in[1]) * part.half[0] + size(in[2]) * part.half[1];
+  if (hulls == HullBy::kBox || part.corners == 0)
+    return size(in[0]) * part.half[0] + size(in[1]) * part.half[1] + size(in[2]) * part.half[2];
+  if (hulls == HullBy::kInside) {
+    const float* c = part.inside;
+    return (in[0] * c[0] + in[1] * c[1] + in[2] * c[2]) * sign + part.inside_radius;
   }
-  return found;
+  F8 far = all(-1e9F);
+  const float *x = part.corner, *y = x + part.corners, *z = y + part.corners;
+  for (int k = 0; k < part.corners; ++k)
+    far = most(far, (in[0] * x[k] + in[1] * y[k] + in[2] * z[k]) * sign);
+  return far;
+}
+TWINBUS_INLINE F8 gaps8(const SweptTables& t, const SweptPair& pair, const Along8& along, HullBy hulls) noexcept {
+  return along.apart - extent8(t.part[pair.a], along.in_a, 1.0F, hulls) -
+         extent8(t.part[pair.b], along.in_b, -1.0F, hulls);
+}
+
+// The same by corners at one place, to the bit.
+TWINBUS_INLINE float extent_at(const SweptPart& part, const F8 (&in)[3], float sign, int place) noexcept {
+  if (part.corners == 0) return extent8(part, in, sign, HullBy::kBox)[place];
+  F8 far = all(-1e9F);
+  const float *x = part.corner, *y = x + part.corners, *z = y + part.corners;
+  for (int k = 0; k < part.corners; k += 8)
+    far = most(far, (in[0][place] * load8(x + k) + in[1][place] * load8(y + k) + in[2][place] * load8(z + k)) * sign);
+  return largest(far);
+}
+TWINBUS_INLINE float gap_at(const SweptTables& t, const SweptPair& pair, const Along8& along, int place) noexcept {
+  return along.apart[place] - extent_at(t.part[pair.a], along.in_a, 1.0F, place) -
+         extent_at(t.part[pair.b], along.in_b, -1.0F, place);
 }
 
 static void pair_bounds(const SweptTables& t, const SweptPair& pair, float* left_out,
@@ -216,5 +186,17 @@ static void pair_bounds(const SweptTables& t, const SweptPair& pair, float* left
 }
 static void pair_gaps(const SweptTables& t, const SweptPair& pair, const float* n0,
                       float* gaps) noexcept {
-  store8(gaps, gaps8(t, pair, n0, true));
+  store8(gaps, gaps8(t, pair, along8(t, pair, n0), HullBy::kCorners));
+}
+// Farther apart than the balls inside of them shapes are not.
+static void pair_most_apart(const SweptTables& t, const SweptPair& pair, float* most_apart) noexcept {
+  F8 way[3] = {}, far2 = all(0.0F);
+  for (const int part : {pair.a, pair.b}) {
+    const Pose8 p = pose8(t.part_pose + 96 * part);
+    const float *c = t.part[part].inside, sign = part == pair.a ? -1.0F : 1.0F;
+    for (int d = 0; d < 3; ++d)
+      way[d] += (p.origin[d] + turned8(p, d, all(c[0]), all(c[1]), all(c[2]))) * sign;
+  }
+  for (const F8& w : way) far2 += w * w;
+  store8(most_apart, root(far2) * 1.0001F - t.part[pair.a].inside_radius - t.part[pair.b].inside_radius + kSweptSlack);
 }

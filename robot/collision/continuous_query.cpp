@@ -110,7 +110,7 @@ bool Collision::Impl::stays_parted(std::size_t candidate, const Eigen::VectorXd&
 // What a direction did not part is not asked for one again at once, nor are directions looked for when
 // so much is left that the way is looked along anyway, nor on the next ways.
 bool Collision::narrow(const Eigen::VectorXd& moves, double margin,
-                       std::vector<std::uint8_t>& joints) noexcept {
+                       std::vector<std::uint8_t>& joints, bool legs_alone) noexcept {
   Impl& i = *impl_;
   const bool many = i.many_left > 0;
   if (many) --i.many_left;
@@ -122,6 +122,7 @@ bool Collision::narrow(const Eigen::VectorXd& moves, double margin,
     const double travel = i.travel_of[at(candidate.a)] + i.travel_of[at(candidate.b)];
     if (number(candidate.bound) - travel >= margin) continue;
     const std::size_t pair = at(candidate.a) * i.shapes.size() + at(candidate.b);
+    if (legs_alone && i.by_legs[at(i.pair_of[pair])] == 0) continue;
     std::uint8_t& wait = i.not_parted[pair];
     if (wait > 0) {
       --wait;
@@ -151,7 +152,7 @@ void Collision::go(const Eigen::Isometry3d& base, const SweptShapes::Way& way) n
 int Collision::open_on_way(double margin, double clear, OnWay* pairs, int capacity) noexcept {
   Impl& i = *impl_;
   const int count = i.swept->open(i.looked_at, margin, clear, i.open_pairs.data(),
-                                  static_cast<int>(i.open_pairs.size()));
+                                  std::min(capacity, static_cast<int>(i.open_pairs.size())));
   for (int p = 0; p < std::min(count, capacity); ++p) {
     OnWay& pair = pairs[p];
     pair.pair = i.open_pairs[at(p)];
@@ -177,6 +178,17 @@ void Collision::Impl::note(OnWay& pair, const SweptShapes::AtPlaces& gaps) const
   }
 }
 
+// Ways so long, or shapes so near together, that no distance at their ends can prove them.
+void Collision::Impl::note_hopeless(OnWay& pair) const noexcept {
+  const SweptShapes::AtPlaces most = swept->most_apart(pair.pair), travel = swept->travel(pair.pair);
+  for (int k = 0; k + 1 < kPlaces; ++k) {
+    const float here = most[at(k)], next = most[at(k + 1)];
+    if (number(std::min(here, next) - pair.left_out[at(k)]) < pair.clear &&
+        number(0.5F * (here + next - travel[at(k)])) < pair.clear)
+      pair.hopeless |= only(k);
+  }
+}
+
 void Collision::begin(OnWay& pair) noexcept {
   SweptShapes& swept = *impl_->swept;
   pair.open = kAllWays;
@@ -185,6 +197,7 @@ void Collision::begin(OnWay& pair) noexcept {
   pair.least = swept.gaps(pair.pair, swept.remembered(pair.pair, 0), 0);
   pair.best = number(*std::min_element(pair.least.begin(), pair.least.end()));
   impl_->note(pair, pair.least);
+  if (pair.open != 0) impl_->note_hopeless(pair);
 }
 
 int Collision::nearer_on_way(OnWay& pair, bool depths, int& looks, PairDistance& result) noexcept {

@@ -1,6 +1,8 @@
 // `twinbus bench guard`: what one tick of the guard costs on hrp1s, and one look at all pairs, beside
 // FCL's own ways to ask the same: its dynamic AABB tree manager, and every pair in turn.  A robot with meshes has no FCL beside
 // it here (bench collision has).
+//
+// Ticks of the guard are timed by the processor time of their thread: what others take of the machine does not count.
 
 #include <fcl/broadphase/broadphase_dynamic_AABB_tree.h>
 #include <fcl/narrowphase/collision.h>
@@ -12,6 +14,7 @@
 #include <memory>
 #include <random>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "control/guard/guard.h"
@@ -20,7 +23,9 @@
 #include "robot/description/load.h"
 #include "common/process/options.h"
 #include "common/process/process.h"
+#include "common/time/cpu_time.h"
 #include "common/time/latency_histogram.h"
+#include "test/collision/guard_rig.h"
 #include "test/no_alloc.h"
 
 using namespace twinbus;
@@ -29,11 +34,16 @@ namespace {
 
 constexpr double kNear = 0.05;  // [m]
 
+struct Tick {
+  double us;
+  GuardWork work;
+};
 struct Row {
   std::string name;
   std::string metric = "cost";
   RateStats stats;
   const Row* peer = nullptr;
+  std::vector<Tick> ticks;  // of the guard
 };
 
 
@@ -163,7 +173,7 @@ class FclPeer {
 template <class Call>
 Row measure(const std::string& name, const Model& model, const std::vector<Configuration>& set,
             std::int64_t calls, Call call) {
-  Row row{name, "cost", {}, nullptr};
+  Row row{name, "cost", {}, nullptr, {}};
   Kinematics kinematics(model);
   for (std::int64_t i = -50; i < calls; ++i) {
     const std::int64_t begin = monotonic_ns();
@@ -174,10 +184,22 @@ Row measure(const std::string& name, const Model& model, const std::vector<Confi
   return row;
 }
 
+template <class Call>
+void timed_tick(Row& row, const Guard& guard, std::int64_t tick, long& allocations, Call call) {
+  const NoAlloc no_alloc;
+  const double begin = thread_cpu_seconds();
+  call();
+  const double took = thread_cpu_seconds() - begin;
+  if (tick > 1) allocations += no_alloc.count();
+  row.stats.add(static_cast<std::int64_t>(1e9 * took));
+  row.ticks.push_back({1e6 * took, guard.work()});
+}
+
 // The guard as a controller sees it.  drive(t, k, q, qd): where joint k of the bus is, and how fast.
 template <class Drive>
 Row measure_guard(const std::string& name, const Model& model, std::int64_t calls, long& allocations, Drive drive) {
-  Row row{name, "cost", {}, nullptr};
+  Row row{name, "cost", {}, nullptr, {}};
+  row.ticks.reserve(static_cast<std::size_t>(calls));
   Guard guard(model, {});
   Configuration base = pose(model, "half_sitting");
   RobotState state;
@@ -199,11 +221,7 @@ Row measure_guard(const std::string& name, const Model& model, std::int64_t call
       command.q[at(k)] = state.q[at(k)] + 0.004 * static_cast<double>(state.qd[at(k)]);
       command.qd[at(k)] = state.qd[at(k)];
     }
-    const NoAlloc no_alloc;
-    const std::int64_t begin = monotonic_ns();
-    guard.check(state, &command, base);
-    row.stats.add(monotonic_ns() - begin);
-    if (tick > 1) allocations += no_alloc.count();
+    timed_tick(row, guard, tick, allocations, [&] { guard.check(state, &command, base); });
   }
   return row;
 }
@@ -220,24 +238,65 @@ Row measure_swings(const Model& model, std::int64_t calls, long& allocations) {
 }
 
 // Every joint at its speed limit from one random place to the next: postures that were never met.
-Row measure_drives(const Model& model, std::int64_t calls, long& allocations) {
-  std::mt19937_64 random(1);
-  Eigen::VectorXd now = pose(model, "half_sitting").q, towards = now;
-  const double period = model.period();
-  Row row = measure_guard("guard tick, random motion at speed limits", model, calls, allocations, [&](double, int k, double& q, double& qd) {
-    const int j = model.bus_joints[at(k)];
-    const Joint& joint = model.joints[at(j)];
-    const double most = joint.velocity * period, left = towards[j] - now[j];
+class RandomDrive {
+ public:
+  explicit RandomDrive(const Model& model) : model_(model), now_(pose(model, "half_sitting").q), towards_(now_) {}
+  void next(int k, double& q, double& qd) {
+    const int j = model_.bus_joints[at(k)];
+    const Joint& joint = model_.joints[at(j)];
+    const double most = joint.velocity * model_.period(), left = towards_[j] - now_[j];
     if (std::abs(left) <= most) {
-      now[j] = towards[j];
-      towards[j] = std::uniform_real_distribution<double>(std::max(joint.lower, -M_PI), std::min(joint.upper, M_PI))(random);
+      now_[j] = towards_[j];
+      towards_[j] = std::uniform_real_distribution<double>(std::max(joint.lower, -M_PI), std::min(joint.upper, M_PI))(random_);
     } else {
-      now[j] += std::copysign(most, left);
+      now_[j] += std::copysign(most, left);
     }
-    q = now[j];
-    qd = std::copysign(joint.velocity, towards[j] - now[j]);
-  });
+    q = now_[j];
+    qd = std::copysign(joint.velocity, towards_[j] - now_[j]);
+  }
+
+ private:
+  const Model& model_;
+  std::mt19937_64 random_{1};
+  Eigen::VectorXd now_, towards_;
+};
+// Nobody heeds what the guard says, and links go through one another.
+Row measure_drives(const Model& model, std::int64_t calls, long& allocations) {
+  RandomDrive drive(model);
+  return measure_guard("guard tick, random motion at speed limits", model, calls, allocations,
+                       [&](double, int k, double& q, double& qd) { drive.next(k, q, qd); });
+}
+// Its masks are heeded.
+Row measure_guarded_drives(const Model& model, std::int64_t calls, long& allocations) {
+  Row row{"  the same, masks heeded", "cost", {}, nullptr, {}};
+  row.ticks.reserve(static_cast<std::size_t>(calls));
+  RandomDrive drive(model);
+  Guard guard(model, {});
+  GuardRig rig(model, pose(model, "half_sitting"));
+  for (std::int64_t tick = 1; tick <= calls; ++tick) {
+    double qd = 0.0;
+    for (int k = 0; k < model.bus_count(); ++k) drive.next(k, rig.command.q[at(k)], qd);
+    timed_tick(row, guard, tick, allocations, [&] { rig.look(guard); });
+    rig.go_on(guard.report());
+  }
   return row;
+}
+
+// What the slowest ticks did that others did not.
+void print_work(const Row& row) {
+  std::vector<Tick> ticks = row.ticks;
+  std::sort(ticks.begin(), ticks.end(), [](const Tick& a, const Tick& b) { return a.us < b.us; });
+  std::printf("%s: %.2f times the median at 99 %%\n", row.name.c_str(), row.stats.p99_ns() / row.stats.median_ns());
+  for (const auto& [name, from, to] : {std::tuple("around the median", 0.45, 0.55), std::tuple("around 99 %", 0.985, 0.995)}) {
+    double ways = 0.0, open = 0.0, looks = 0.0, stretches = 0.0, count = 0.0;
+    for (std::size_t i = static_cast<std::size_t>(from * static_cast<double>(ticks.size()));
+         i < static_cast<std::size_t>(to * static_cast<double>(ticks.size())); ++i) {
+      const GuardWork& work = ticks[i].work;
+      ways += work.ways, open += work.open, looks += work.looks, stretches += work.stretches, count += 1.0;
+    }
+    std::printf("  %s: %.1f ways, %.1f pairs open on them, %.1f looks, %.1f stretches\n", name, ways / count, open / count,
+                looks / count, stretches / count);
+  }
 }
 
 }  // namespace
@@ -259,6 +318,7 @@ int main(int argc, char** argv) try {
   long allocations = 0;
   rows.push_back(measure_swings(model, calls, allocations));
   rows.push_back(measure_drives(model, calls, allocations));
+  rows.push_back(measure_guarded_drives(model, calls, allocations));
   const bool compares = std::none_of(model.links.begin(), model.links.end(), [](const Link& link) {
     return std::any_of(link.collision.begin(), link.collision.end(), [](const Shape& s) { return s.kind == ShapeKind::kMesh; });
   });
@@ -310,6 +370,9 @@ int main(int argc, char** argv) try {
     if (row.peer != nullptr)
       std::printf(" %8.1f", row.peer->stats.median_ns() / row.stats.median_ns());
     std::printf("\n");
+  }
+  for (const Row& row : rows) {
+    if (!row.ticks.empty()) print_work(row);
   }
   if (csv.empty()) return 0;
   std::FILE* file = std::fopen(csv.c_str(), "a");

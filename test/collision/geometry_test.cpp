@@ -5,6 +5,7 @@
 #include <map>
 #include <random>
 
+#include "geometry/bounds/bounds.h"
 #include "geometry/bounds/convex_hull.h"
 #include "common/math/index.h"
 #include "robot/description/load.h"
@@ -69,6 +70,28 @@ TEST(ConvexHull, HoldsEveryPointAndKeepsOnlyCorners) {
   const TriangleMesh corners = convex_hull(box.points);
   EXPECT_NEAR(volume(corners), 0.006, 1e-9);
   EXPECT_LE(corners.points.size(), 12U);
+}
+
+TEST(BallInside, IsInsideAndLarge) {
+  double outside = 0.0;
+  const Ball of_box = ball_inside(shape_mesh(shape(ShapeKind::kBox, 0.1, 0.2, 0.3), outside));
+  EXPECT_NEAR(of_box.radius, 0.05, 1e-6);
+  std::mt19937_64 random(5);
+  std::normal_distribution<double> normal;
+  const auto any = [&] { return Vector3d(normal(random), normal(random), normal(random)); };
+  for (int i = 0; i < 20; ++i) {
+    std::vector<Vector3d> points;
+    for (int k = 0; k < 4 + 10 * i; ++k) points.push_back(any() + Vector3d(3.0, 0.0, 0.0));
+    const Ball ball = ball_inside(convex_hull(points));
+    EXPECT_GT(ball.radius, 0.0);
+    for (int k = 0; k < 300; ++k) {
+      const Vector3d n = any().normalized();
+      double reach = -1e300;
+      for (const Vector3d& p : points) reach = std::max(reach, n.dot(p));
+      ASSERT_GE(reach, n.dot(ball.center) + ball.radius - 1e-6);
+    }
+  }
+  EXPECT_EQ(ball_inside(convex_hull({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}})).radius, 0.0);
 }
 
 TEST(ConvexHull, OfFlatOrFewPointsIsThePoints) {

@@ -42,14 +42,19 @@ class GuardRig {
 
   // One tick with command.q as it stands: the guard looks, the gate obeys an older look.
   const GuardReport& tick(Guard& guard) {
-    ++state.tick;
-    say_speeds();
     const std::int64_t begin = monotonic_ns();
-    const GuardReport& report = guard.check(state, &command, base);
+    const GuardReport& report = look(guard);
     check_ns = monotonic_ns() - begin;
-    move(report);
+    go_on(report);
     return report;
   }
+  // Both parts of it by themselves.
+  const GuardReport& look(Guard& guard) {
+    ++state.tick;
+    say_speeds();
+    return guard.check(state, &command, base);
+  }
+  void go_on(const GuardReport& report) { move(report); }
 
   // The same when the guard looks no more: this is what it said.
   void tick(GuardReport report) {

@@ -432,6 +432,41 @@ TEST(Guard, AllocatesNothing) {
   EXPECT_EQ(allocations, 0);
 }
 
+// All joints beyond their limits of speed, through one another: what a tick has no looks for is held whole.
+TEST(Guard, WhatTakesTooManyLooksIsHeldAndSaidToBe) {
+  const Model& model = hrp1s();
+  Guard guard(model, {});
+  GuardRig rig(model, named_posture(model, "half_sitting"));
+  std::int64_t all = 0, legs = 0;
+  for (int k = 0; k < model.bus_count(); ++k) {
+    const int joint = model.bus_joints[at(k)];
+    const bool of_leg = std::find(model.leg_joints.begin(), model.leg_joints.end(), joint) != model.leg_joints.end();
+    (of_leg ? legs : all) |= bit(k);
+  }
+  std::mt19937_64 random(2);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  int gave_up = 0;
+  for (int i = 0; i < 400; ++i) {
+    for (int k = 0; k < model.bus_count(); ++k) {
+      const Joint& joint = model.joints[at(model.bus_joints[at(k)])];
+      rig.state.q[at(k)] = rig.command.q[at(k)] = std::lerp(joint.lower, joint.upper, unit(random));
+      rig.state.qd[at(k)] = static_cast<float>(unit(random) < 0.5 ? -3.0 * joint.velocity : 3.0 * joint.velocity);
+    }
+    ++rig.state.tick;
+    const std::int64_t before = guard.unproved();
+    const GuardReport& report = guard.check(rig.state, nullptr, rig.base);
+    EXPECT_EQ(report.hold_mask & legs, 0);
+    if (guard.unproved() == before) continue;
+    ++gave_up;
+    EXPECT_EQ(report.hold_mask & all, all);
+    EXPECT_EQ(report.verdict == GuardVerdict::kNear || report.verdict == GuardVerdict::kClear, false);
+  }
+  EXPECT_GT(gave_up, 20);
+  std::array<char, 100> text{};
+  describe(model, {}, {.found = true}, text);
+  EXPECT_NE(std::string(text.data()).find("looks"), std::string::npos) << text.data();
+}
+
 TEST(Guard, WorksWithoutACommand) {
   const Model& model = hrp1s();
   Guard guard(model, {});

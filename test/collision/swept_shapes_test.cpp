@@ -1,4 +1,6 @@
 #include "robot/collision/continuous.h"
+#include "geometry/bounds/bounds.h"
+#include "geometry/bounds/convex_hull.h"
 
 #include <gtest/gtest.h>
 
@@ -23,6 +25,7 @@ struct Fixture {
   const Model& model = hrp1s();
   std::vector<ConvexShape> shapes;
   std::vector<GjkShape> hulls;
+  std::vector<Ball> inside;
   std::vector<SweptShapes::Part> parts;
   JointReach reach;
   SweptShapes swept;
@@ -48,12 +51,14 @@ struct Fixture {
         points.push_back(point);
       }
       hulls.push_back(gjk_hull(points));
+      inside.push_back(ball_inside(convex_hull(points)));
     }
     for (std::size_t i = 0; i < shapes.size(); ++i) {
       SweptShapes::Part part;
       part.link = links[i / 4];
       part.shape = &shapes[i];
       part.hull = shapes[i].kind == ShapeKind::kMesh ? &hulls[i] : nullptr;
+      part.inside = inside[i];
       part.local.translation() = 0.05 * Vector3d(unit(random), unit(random), unit(random));
       if (i % 5 != 0) {
         part.local.linear() =
@@ -224,6 +229,19 @@ TEST(SweptShapes, AWaySaysTheSameWhateverCameBefore) {
     ASSERT_EQ(open, open_anew) << i;
     left += count;
     parted += f.pairs() - count;
+    // What the corners prove along the direction that is remembered was not given up before they were asked.
+    for (int k = 0; k < count; ++k) {
+      const int p = open[at(k)];
+      const SweptShapes::AtPlaces gaps = f.swept.gaps(p, f.swept.remembered(p, 0), 0), out = f.swept.left_out(p);
+      bool proved = true;
+      for (std::size_t place = 0; place < at(kPlaces); ++place) {
+        const float next = place + 1 < at(kPlaces) ? gaps[place + 1] : gaps[place];
+        proved = proved && gaps[place] >= 0.0201F && std::min(gaps[place], next) - out[place] >= 0.0101F;
+      }
+      ASSERT_FALSE(proved) << i << " " << p;
+    }
+    // Of more than there is room for only that is said.
+    ASSERT_GT(f.swept.open(all, 0.02, 0.01, open.data(), count / 2), count / 2);
   }
   EXPECT_GT(left, 100);
   EXPECT_GT(parted, 100);
@@ -246,6 +264,7 @@ TEST(SweptShapes, AGapIsNoMoreThanItIs) {
                                seen.link_in_world(common).linear().transpose() * n;
         const double is = f.gap(kinematics, pair, there);
         ASSERT_LE(static_cast<double>(gaps[at(place)]), is);
+        ASSERT_GE(static_cast<double>(f.swept.most_apart(pair)[at(place)]), is);
         ASSERT_GT(static_cast<double>(gaps[at(place)]), is - kLost);
       }
       f.swept.remember(pair, n, from);

@@ -1,0 +1,80 @@
+// The kernel of SweptShapes::open, a lane for every place; included after continuous_lanes.h.
+
+TWINBUS_INLINE F8 with_next(F8 gap) noexcept {
+  return least(gap, __builtin_shufflevector(gap, gap, 1, 2, 3, 4, 5, 6, 7, 7));
+}
+
+// What the ways leave out, seen from link 0, or the less of that and of what the link that both hang on sees.
+struct LeftOut8 {
+  F8 from_base, either;
+  bool found = false;
+};
+TWINBUS_INLINE F8 less_left_out(const SweptTables& t, const SweptPair& pair, LeftOut8& left) noexcept {
+  if (!left.found) {
+    left.found = true;
+    left.either = pair.common != 0 ? least(left.from_base, pair_left_out(t, pair)) : left.from_base;
+  }
+  return left.either;
+}
+
+// Balls inside of hulls first: what they rule out no corner can mend; then boxes; then corners where boxes leave least.
+TWINBUS_INLINE bool parts_all_along(const SweptTables& t, const SweptPair& pair, const float* n0,
+                                    float margin, float clear, LeftOut8& left) noexcept {
+  const Along8 along = along8(t, pair, n0);
+  const bool hulls = t.part[pair.a].corners + t.part[pair.b].corners > 0;
+  const auto parts = [&](F8 gap) {
+    if (bits(gap >= margin) != kAllLanes) return false;
+    const F8 between = with_next(gap) - clear;
+    return bits(between >= left.from_base) == kAllLanes || bits(between >= less_left_out(t, pair, left)) == kAllLanes;
+  };
+  if (hulls && !parts(gaps8(t, pair, along, HullBy::kInside))) return false;
+  const F8 box = gaps8(t, pair, along, HullBy::kBox);
+  if (parts(box)) return true;
+  if (!hulls) return false;
+  const F8 needed = less_left_out(t, pair, left) + clear, room = least(box - margin, with_next(box) - needed);
+  int place = 0;
+  for (int k = 1; k < 8; ++k) place = room[k] < room[place] ? k : place;
+  if (place < 7 && box[place + 1] < box[place]) ++place;
+  const float gap = gap_at(t, pair, along, place), before = place > 0 ? left.either[place - 1] : 0.0F;
+  if (!(gap >= margin && gap - clear >= left.either[place] && gap - clear >= before)) return false;
+  return parts(gaps8(t, pair, along, HullBy::kCorners));
+}
+
+static int open_pairs(const SweptTables& t, const NearShapes::Candidate* shapes, int count,
+                      float margin, float clear, int* open, int capacity) noexcept {
+  int found = 0;
+  for (int i = 0; i < count && found <= capacity; ++i) {
+    const int number = t.pair_of[shapes[i].a * t.parts + shapes[i].b];
+    SweptPair& pair = t.pair[number];
+    const float *a = t.part_pose + 96 * pair.a + 72, *b = t.part_pose + 96 * pair.b + 72;
+    const float sum = t.part[pair.a].radius + t.part[pair.b].radius + margin +
+                      t.half_travel[pair.link_a] + t.half_travel[pair.link_b] + kSweptSlack;
+    F8 far2 = all(0.0F);
+    for (int d = 0; d < 3; ++d) {
+      const F8 far = load8(b + 8 * d) - load8(a + 8 * d);
+      far2 += far * far;
+    }
+    if (bits(far2 >= all(1.0001F * sum * sum)) == kAllLanes) continue;
+    LeftOut8 left{load8(t.link_left_out + 8 * pair.link_a) + load8(t.link_left_out + 8 * pair.link_b), {}};
+    if (parts_all_along(t, pair, pair.n, margin, clear, left)) continue;
+    const float* frame = t.link_pose + 96 * pair.common;  // at the first place
+    float seen[3], length2 = 0.0F;
+    for (int k = 0; k < 3; ++k) {
+      seen[k] = frame[8 * 3 * k] * shapes[i].towards[0] +
+                frame[8 * (3 * k + 1)] * shapes[i].towards[1] +
+                frame[8 * (3 * k + 2)] * shapes[i].towards[2];
+      length2 += seen[k] * seen[k];
+    }
+    if (length2 > 1e-8F) {
+      const float length = __builtin_sqrtf(length2);
+      for (float& x : seen) x /= length;
+      if (parts_all_along(t, pair, seen, margin, clear, left)) {
+        for (int k = 0; k < 3; ++k) pair.n[k] = seen[k];
+        continue;
+      }
+    }
+    if (found < capacity) open[found] = number;
+    ++found;
+  }
+  return found;
+}
