@@ -30,6 +30,7 @@ struct SweptPart {
   const float* corner = nullptr;  // x of all, y of all, z of all
   int corners = 0;
   float inside[3] = {}, inside_radius = 0.0F;  // a ball inside of it, as far as rounding can say
+  float beyond_middle = 0.0F;  // no surface is farther from a point outside than its middle and this [m]
 };
 
 struct SweptPair {
@@ -274,6 +275,7 @@ void SweptShapes::set(const std::vector<Part>& parts) {
       const auto sizes = from.shape->kind == ShapeKind::kBox ? 3 : from.shape->kind == ShapeKind::kCylinder ? 2 : 1;
       part.inside_radius = static_cast<float>(from.shape->half.head(sizes).minCoeff()) - kInsideSlack;
     }
+    part.beyond_middle = static_cast<float>(from.inside.center.norm()) * 1.0001F - part.inside_radius;
     i.parts.push_back(part);
     i.still.push_back(from.local);
   }
