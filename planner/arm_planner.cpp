@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 
 #include "planner/joint_turns.h"
 #include "planner/lift.h"
@@ -25,7 +24,7 @@ constexpr double kTouching = 0.001;  // a start nearer than this counts as touch
 constexpr int kNearPairs = 64;       // looked at; more are too many
 constexpr double kShare = 0.9;       // of the room at start and goal that the way must keep
 constexpr double kProved = 0.7;  // share of the clearance of the search that the motion is proved to keep
-constexpr double kGuarded = 0.0105;  // which is no less than this where a slower motion keeps it: the guard holds the arm at 10 mm [m]
+constexpr double kGuarded = 0.0105;  // which is no less than this where a slower motion keeps it: the guard holds at 10 mm [m]
 constexpr double kUnit = 0.01;         // what the length of a quaternion may be off by
 constexpr double kInside = 0.01;       // goal postures stay this far inside the joint limits [rad]
 constexpr double kWidestCorner = 0.4;  // [rad]
@@ -65,6 +64,11 @@ JointPoint pick(const Eigen::VectorXd& q, const std::vector<int>& joints) {
   JointPoint point(static_cast<int>(joints.size()));
   for (int k = 0; k < point.size(); ++k) point[k] = q[joints[at(k)]];
   return point;
+}
+
+std::string too_heavy(const Model& model, const MotionEffort& effort, const char* where) {
+  return std::string(where) + " joint " + model.joints[at(effort.weak_joint())].name +
+         " would need more than its effort limit to hold the arm";
 }
 
 }  // namespace
@@ -197,8 +201,10 @@ bool ArmPlanner::find_goals(EdgeCheck& space, Question& question, SplitMix64& ra
   JointPoint widest_q;
   const Eigen::Isometry3d base = question.start_posture->base;
   JointPath close_goals;  // nearer than others keep, where the guard lets links be: when there are no others
+  MotionEffort effort(*model_, *question.start_posture, plan.joints);
   const auto consider = [&](const JointPoint& q, const Eigen::Isometry3d& base_there,
                             JointPath& goals) {
+    if (!effort.holds(q)) return;
     reached_any = true;
     CollisionPair pair;
     bool close = space.who_is_near(q, config_.least_clearance, pair), near = close && too_near(space, q, pair);
@@ -289,6 +295,10 @@ bool ArmPlanner::find_goals(EdgeCheck& space, Question& question, SplitMix64& ra
     if (question.goals.empty()) question.goals = std::move(question.nearly);
   }
   if (question.goals.empty()) question.goals = std::move(close_goals);
+  if (question.goals.empty() && !reached_any && effort.weak_joint() >= 0) {
+    plan.complaint = too_heavy(*model_, effort, "there");
+    return false;
+  }
   if (question.goals.empty()) {
     plan.status = reached_any ? ArmPathStatus::kGoalInCollision : ArmPathStatus::kUnreachable;
     plan.oriented = goal.kind == ArmGoalKind::kPose;
@@ -327,8 +337,7 @@ void ArmPlanner::within_efforts(const Configuration& start, ArmPlan& plan) const
   if (slower > 0.0) return;
   plan.path.clear();
   plan.status = ArmPathStatus::kBadGoal;
-  plan.complaint = "on the way joint " + model_->joints[at(effort.weak_joint())].name +
-                   " would need more than its effort limit to hold the arm";
+  plan.complaint = too_heavy(*model_, effort, "on the way");
 }
 
 void ArmPlanner::set_obstacles(const std::vector<Obstacle>& obstacles) {
@@ -384,64 +393,67 @@ ArmPlan ArmPlanner::attempt(const ArmGoal& goal, const Configuration& start,
     return plan;
   }
   if (!find_goals(space, question, random, plan)) return plan;
-  double room = std::min(config_.clearance, room_at_start);
-  for (const JointPoint& q : question.goals)
-    room = std::min(room, space.nearest(q, config_.clearance));
-  space.set_clearance(kShare * room);
+  for (;;) {
+    double room = std::min(config_.clearance, room_at_start);
+    for (const JointPoint& q : question.goals)
+      room = std::min(room, space.nearest(q, config_.clearance));
+    space.set_clearance(kShare * room);
 
-  ArmLines lines(*model_, space, collision_, balls_, padded_);
-  SearchLimits limits = question.range.limits();
-  limits.most_rounds = config_.rrt_rounds;
-  limits.seed = seed;
-  JointSearch search(limits);
-  SearchPath goals;
-  for (const JointPoint& q : question.goals) goals.push_back(to_search(q));
-  const int joints = static_cast<int>(question.start.size());
-  SearchPath found = search.find(lines, to_search(question.start), goals, keep_on, user);
-  plan.rounds = search.rounds();
-  plan.checks = space.checks();
-  if (found.empty()) {
-    const bool cancelled = keep_on != nullptr && !keep_on(user);
-    plan.status = cancelled ? ArmPathStatus::kCancelled : ArmPathStatus::kTimeLimit;
-    return plan;
-  }
-  shorten(lines, found, joints);
-  // The ends are what was asked for, to the last bit.
-  const std::size_t goal_index =
-      at(static_cast<int>(std::find(goals.begin(), goals.end(), found.back()) - goals.begin()));
-  JointPath corners;
-  for (const SearchPoint& q : found) corners.push_back(from_search(q, joints));
-  corners.front() = question.start;
-  corners.back() = question.goals[goal_index];
+    ArmLines lines(*model_, space, collision_, balls_, padded_);
+    SearchLimits limits = question.range.limits();
+    limits.most_rounds = config_.rrt_rounds;
+    limits.seed = seed;
+    JointSearch search(limits);
+    SearchPath goals;
+    for (const JointPoint& q : question.goals) goals.push_back(to_search(q));
+    const int joints = static_cast<int>(question.start.size());
+    SearchPath found = search.find(lines, to_search(question.start), goals, keep_on, user);
+    plan.rounds = search.rounds();
+    plan.checks = space.checks();
+    if (found.empty()) {
+      const bool cancelled = keep_on != nullptr && !keep_on(user);
+      plan.status = cancelled ? ArmPathStatus::kCancelled : ArmPathStatus::kTimeLimit;
+      return plan;
+    }
+    shorten(lines, found, joints);
+    // The ends are what was asked for, to the last bit.
+    const std::size_t goal_index =
+        at(static_cast<int>(std::find(goals.begin(), goals.end(), found.back()) - goals.begin()));
+    JointPath corners;
+    for (const SearchPoint& q : found) corners.push_back(from_search(q, joints));
+    corners.front() = question.start;
+    corners.back() = question.goals[goal_index];
 
-  TimingLimits timing;
-  timing.velocity = timing.acceleration = timing.jerk = question.start;
-  for (int k = 0; k < question.start.size(); ++k) {
-    timing.velocity[k] =
-        static_cast<double>(goal.speed) * model_->joints[at(plan.joints[at(k)])].velocity;
-    timing.acceleration[k] = timing.velocity[k] / config_.full_speed_time;
-    timing.jerk[k] = timing.acceleration[k] / config_.full_push_time;
+    TimingLimits timing;
+    timing.velocity = timing.acceleration = timing.jerk = question.start;
+    for (int k = 0; k < question.start.size(); ++k) {
+      timing.velocity[k] =
+          static_cast<double>(goal.speed) * model_->joints[at(plan.joints[at(k)])].velocity;
+      timing.acceleration[k] = timing.velocity[k] / config_.full_speed_time;
+      timing.jerk[k] = timing.acceleration[k] / config_.full_push_time;
+    }
+    TimedPath first;
+    if (!off.empty()) first = lift.timed(off, timing, config_.knot_spacing);
+    plan.path = timed(space, lines, corners, timing, kMostKnots - static_cast<int>(first.size()));
+    plan.checks = space.checks();
+    plan.clearance = kProved * space.clearance();
+    // A goal that is where the arm is already: a motion all the same, of one instant.
+    if (plan.path.empty() && length_of(found, joints) < 1e-6F) {
+      const JointPoint rest = JointPoint::Zero(question.start.size());
+      plan.path = {{0.0, question.start, rest}, {0.1, corners.back(), rest}};
+    }
+    if (!off.empty()) {
+      plan.clearance = 0.0;
+      if (first.empty()) plan.path.clear();
+      const double begins = first.empty() ? 0.0 : first.back().time;
+      for (Knot& knot : plan.path) knot.time += begins;
+      if (!plan.path.empty()) plan.path.insert(plan.path.begin(), first.begin(), first.end() - 1);
+    }
+    plan.status = plan.path.empty() ? ArmPathStatus::kTimeLimit : ArmPathStatus::kOk;
+    if (!plan.path.empty()) within_efforts(start, plan);
+    if (plan.status != ArmPathStatus::kBadGoal || question.goals.size() < 2) return plan;
+    question.goals.erase(question.goals.begin() + static_cast<std::ptrdiff_t>(goal_index));  // the way there is too heavy
   }
-  TimedPath first;
-  if (!off.empty()) first = lift.timed(off, timing, config_.knot_spacing);
-  plan.path = timed(space, lines, corners, timing, kMostKnots - static_cast<int>(first.size()));
-  plan.checks = space.checks();
-  plan.clearance = kProved * space.clearance();
-  // A goal that is where the arm is already: a motion all the same, of one instant.
-  if (plan.path.empty() && length_of(found, joints) < 1e-6F) {
-    const JointPoint rest = JointPoint::Zero(question.start.size());
-    plan.path = {{0.0, question.start, rest}, {0.1, corners.back(), rest}};
-  }
-  if (!off.empty()) {
-    plan.clearance = 0.0;
-    if (first.empty()) plan.path.clear();
-    const double begins = first.empty() ? 0.0 : first.back().time;
-    for (Knot& knot : plan.path) knot.time += begins;
-    if (!plan.path.empty()) plan.path.insert(plan.path.begin(), first.begin(), first.end() - 1);
-  }
-  plan.status = plan.path.empty() ? ArmPathStatus::kTimeLimit : ArmPathStatus::kOk;
-  if (!plan.path.empty()) within_efforts(start, plan);
-  return plan;
 }
 
 bool ArmPlanner::path_free(const ArmPlan& plan, const Configuration& start, double clearance) {
@@ -450,45 +462,6 @@ bool ArmPlanner::path_free(const ArmPlan& plan, const Configuration& start, doub
     if (!space.curve_free(bezier_between(plan.path[i], plan.path[i + 1]))) return false;
   }
   return !plan.path.empty();
-}
-
-std::string describe(const ArmPlan& plan) {
-  const auto name = [&](std::size_t i) { return std::string(plan.touching[i].data()); };
-  char text[192] = "";
-  switch (plan.status) {
-    case ArmPathStatus::kOk:
-      if (!(plan.clearance > 0.0)) {
-        std::snprintf(text, sizeof text, "arm path of %.2f s, %zu knots, that begins by taking what is held off what it stands on",
-                      plan.duration(), plan.path.size());
-        return text;
-      }
-      std::snprintf(
-          text, sizeof text,
-          "arm path of %.2f s, %zu knots, %.0f mm clear of itself, %.0f mm of obstacles%s",
-          plan.duration(), plan.path.size(), 1e3 * plan.clearance,
-          1e3 * (plan.clearance + plan.padding),
-          plan.rounds == 0 ? ", straight" : ", around an obstacle");
-      return text;
-    case ArmPathStatus::kUnreachable:
-      std::snprintf(text, sizeof text,
-                    "out of reach by %.3f m: move the goal nearer%s", plan.miss,
-                    plan.oriented ? " or give up its orientation" : "");
-      return text;
-    case ArmPathStatus::kStartInCollision:
-      return name(0) + " touches " + name(1) +
-             " already: move the arm away with `pose` first";
-    case ArmPathStatus::kGoalInCollision:
-      return "at the goal " + name(0) + " would touch " + name(1) +
-             ": move the goal";
-    case ArmPathStatus::kTimeLimit:
-      return "no way found to the goal: try a goal on the near side of the obstacle, or two goals "
-             "one after the other";
-    case ArmPathStatus::kCancelled:
-      return "cancelled";
-    case ArmPathStatus::kBadGoal:
-      break;
-  }
-  return "the goal makes no sense: " + plan.complaint;
 }
 
 }  // namespace twinbus

@@ -40,6 +40,18 @@ void MotionEffort::efforts(const JointPoint& q, const JointPoint& qd, const Join
                   tau);
 }
 
+bool MotionEffort::holds(const JointPoint& q) {
+  const JointPoint rest = JointPoint::Zero(static_cast<int>(joints_.size()));
+  efforts(q, rest, rest, still_);
+  for (const int joint : joints_) {
+    const double limit = model_->joints[at(joint)].effort;
+    if (!(limit > 0.0) || std::abs(still_[joint]) < kShareOfEffort * limit) continue;
+    weak_joint_ = joint;
+    return false;
+  }
+  return true;
+}
+
 double MotionEffort::slower(const TimedPath& path) {
   double most = 1.0;  // f^2
   largest_ = 0.0;

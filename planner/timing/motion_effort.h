@@ -24,6 +24,9 @@ class MotionEffort {
   // cannot even do that; see weak_joint.
   double slower(const TimedPath& path);
 
+  // Can every joint hold the arm there?  If not, weak_joint says which cannot.
+  bool holds(const JointPoint& q);
+
   int weak_joint() const { return weak_joint_; }  // model index
   double largest() const { return largest_; }     // |effort| / limit of the path last given
 

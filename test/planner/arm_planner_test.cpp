@@ -6,6 +6,7 @@
 #include <array>
 #include <limits>
 
+#include "common/math/index.h"
 #include "common/math/splitmix64.h"
 #include "test/planner/reach_rig.h"
 
@@ -196,6 +197,16 @@ TEST(ArmPlanner, EveryRefusalHasItsReason) {
                    hand_to(ArmSide::kLeft, 0.42, 0.26, 0.86), start, 1);
   EXPECT_EQ(plan.status, ArmPathStatus::kStartInCollision);
   EXPECT_NE(describe(plan).find("already"), std::string::npos);
+}
+
+// A posture that its joints cannot hold is no answer, however free it is.
+TEST(ArmPlanner, AGoalWhereTheArmIsTooHeavyIsRefusedWithTheJoint) {
+  Model weak = hrp1s();
+  const int elbow = weak.hands[0].joints[3];
+  weak.joints[at(elbow)].effort = 0.1;
+  const ArmPlan plan = ArmPlanner(weak).plan(hand_to(ArmSide::kLeft, 0.42, 0.26, 0.86), standing(), kGround, 1);
+  EXPECT_EQ(plan.status, ArmPathStatus::kBadGoal);
+  EXPECT_EQ(plan.complaint, "there joint " + weak.joints[at(elbow)].name + " would need more than its effort limit to hold the arm");
 }
 
 // A goal may be as near as the guard lets links be that are near by design; of others it is refused.

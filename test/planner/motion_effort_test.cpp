@@ -65,6 +65,12 @@ TEST(MotionEffort, AJointThatCannotHoldTheArmIsNamed) {
   MotionEffort effort(model, start, joints);
   EXPECT_EQ(effort.slower(swing(start, joints)), 0.0);
   EXPECT_EQ(effort.weak_joint(), elbow);
+  MotionEffort still(model, start, joints);
+  JointPoint there(static_cast<int>(joints.size()));
+  for (int k = 0; k < there.size(); ++k) there[k] = start.q[joints[at(k)]] + 0.5;
+  EXPECT_FALSE(still.holds(there));
+  EXPECT_EQ(still.weak_joint(), elbow);
+  EXPECT_TRUE(MotionEffort(hrp1s(), start, joints).holds(there));
 }
 
 }  // namespace
