@@ -13,6 +13,7 @@
 #include "common/math/splitmix64.h"
 #include "robot/collision/collision.h"
 #include "robot/collision/near_pairs.h"
+#include "robot/collision/thing_name.h"
 #include "robot/dynamics/gravity_load.h"
 #include "robot/kinematics/inverse_kinematics.h"
 #include "robot/kinematics/kinematics.h"
@@ -104,7 +105,7 @@ class ArmPlaces {
   // The first that does it; false, with the one that does most, when none does.
   bool find(Placement& found) {
     Placement best;
-    int most = -1;
+    int most = -2;
     for (const double tilt : {0.0, 0.5, 1.0, -0.5, 1.5}) {
       if (tilt != 0.0 && !points()) break;
       for (const double share : {1.0, 0.85, 0.7}) {
@@ -115,12 +116,12 @@ class ArmPlaces {
               for (const double sign : {1.0, -1.0}) {
                 if (step == 0 && sign < 0.0) continue;
                 const Placement tried{sign * step * M_PI / kSteps, share, up, tilt, spins};
-                const int done = goals_done(tried);
+                const int reached = goals_done(tried), done = 2 * reached + (blocked_ ? 1 : 0);
                 if (done > most) {
                   most = done;
                   best = tried;
                 }
-                if (done == asked()) {
+                if (reached == asked()) {
                   found = tried;
                   return true;
                 }
@@ -167,6 +168,7 @@ class ArmPlaces {
       around.push_back(thing);
     }
     collision_.set_obstacles(around);
+    around_ = around;
   }
 
   std::vector<Obstacle> things(const Placement& p) const {
@@ -225,6 +227,7 @@ class ArmPlaces {
 
   // -1: it begins in what stands around; else the goals that it reaches one after the other.
   int goals_done(const Placement& p) {
+    blocked_ = false;
     orientation_.clear();
     for (const TimedGoal& timed : scene_.goals)
       orientation_.push_back(as_frame(about_z(p.turn) * matrix(timed.goal.orientation)));
@@ -282,7 +285,7 @@ class ArmPlaces {
     if (!pose) options.rotation_weight = 0.0;
     SplitMix64 dice(1);
     double miss = 1e9;
-    const char* other = "";
+    std::string other;
     Configuration c = start_;
     for (int i = 0; i < kTries && !(i > 2 && miss > kFar * arm_.length); ++i) {
       for (const int j : hand_.joints) {
@@ -295,12 +298,12 @@ class ArmPlaces {
       miss = std::min(miss, result.position_error + (pose ? 0.1 * result.rotation_error : 0.0));
       if (!result.reached) continue;
       other = why_not(c);
-      for (int part = 1; *other == '\0' && part < kWayParts; ++part) {
+      for (int part = 1; other.empty() && part < kWayParts; ++part) {
         Configuration there = c;
         there.q = last_.q + static_cast<double>(part) / kWayParts * (c.q - last_.q);
         if (too_heavy(there)) other = "is too heavy for its joints on the way to, or";
       }
-      if (*other != '\0') continue;
+      if (!other.empty()) continue;
       if (pose) {
         orientation_[goal] = as_frame(look);
         if (!pointed_) tilted_ = look;
@@ -310,8 +313,9 @@ class ArmPlaces {
       last_ = c;
       return true;
     }
-    char text[120];
-    if (*other != '\0') std::snprintf(text, sizeof text, "%s at goal %zu", other, goal + 1);
+    char text[240];
+    blocked_ = !other.empty();
+    if (blocked_) std::snprintf(text, sizeof text, "%s at goal %zu", other.c_str(), goal + 1);
     else std::snprintf(text, sizeof text, "misses goal %zu by %.0f mm%s", goal + 1, 1e3 * miss, pose ? " as it is to be turned" : "");
     why_ = text;
     return false;
@@ -339,15 +343,20 @@ class ArmPlaces {
     return result;
   }
 
-  const char* why_not(const Configuration& c) {
+  std::string why_not(const Configuration& c) {
     k_.update(c);
     std::array<PairDistance, kNearPairs> near;
     const int count = collision_.near_pairs(k_, kNear, near.data(), kNearPairs);
     for (int i = 0; i < count; ++i) {
       const PairDistance& pair = near[at(i)];
-      if (pair.distance <= kNear * shares_.of(pair.link_a, pair.link_b)) return "touches something";
+      if (pair.distance <= kNear * shares_.of(pair.link_a, pair.link_b)) return near_words(pair);
     }
     return too_heavy(c) ? "is too heavy for its joints" : "";
+  }
+
+  std::string near_words(const PairDistance& pair) const {
+    const std::string a = thing_name(model_, around_, pair.link_a).data(), b = thing_name(model_, around_, pair.link_b).data();
+    return "brings " + a + " and " + b + " within 12 mm";
   }
 
   bool too_heavy(const Configuration& c) { return load_.of(c, hand_.joints).share > kHolds; }
@@ -368,6 +377,8 @@ class ArmPlaces {
   std::vector<Obstacle> floor_;
   std::vector<std::array<double, 4>> orientation_;
   std::string why_;
+  std::vector<Obstacle> around_;  // as collision_ has them
+  bool blocked_ = false;      // the goal that was not done is reached, but not clear or not held
   bool first_ = true;         // no goal was reached yet
   bool pointed_ = false;      // one with a turn of the hand was
   double azimuth_ = 0.0;     // of the first [rad]

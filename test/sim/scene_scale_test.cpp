@@ -182,7 +182,7 @@ TEST(ArmPlaces, WhatAHandHoldsIsPartOfIt) {
   grasp.at = 3.0;
   grasp.until = 9.0;
   Scene held = scene;
-  EXPECT_NE(refusal(held, arm).find("touches something at goal 2"), std::string::npos) << refusal(held, arm);
+  EXPECT_NE(refusal(held, arm).find("within 12 mm at goal 2"), std::string::npos) << refusal(held, arm);
 }
 
 TEST(ArmPlaces, ALiftIsNoPartOfTheArmAndHasItsOwnTime) {
