@@ -111,13 +111,7 @@ Up::Up(const Arguments& arguments) {
   // Lock-step goes as fast as it can: with real-time priority it would leave those who watch no time.
   if (request_.lockstep) setenv("TWINBUS_FIFO", "0", 1);
   stack_ = load_stack(arguments.text("--stack", arguments.has("--face") ? "client" : "sim"));
-  if (arguments.has("--face")) {
-    std::vector<std::string> options{"--interface", arguments.text("--interface", "lo")};
-    if (arguments.has("--face-rate")) options.insert(options.end(), {"--rate", std::to_string(arguments.number("--face-rate", 500.0, 10.0, 500.0))});
-    if (arguments.has("--face-patience"))
-      options.insert(options.end(), {"--patience", std::to_string(arguments.number("--face-patience", 0.1, 0.0, 1.0))});
-    add_face(stack_, arguments.text("--face", ""), options);
-  }
+  if (arguments.has("--face")) add_face(stack_, arguments.text("--face", ""), face_options(arguments));
   request_.patient = waits_for_late_commands(arguments, stack_);
   refuse_without_log(arguments, stack_);
   if (arguments.has("--no-viewer")) {

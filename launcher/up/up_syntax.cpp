@@ -41,6 +41,17 @@ A tick that was missed only because the machine itself stood still is told, but 
   --prefix --url --allow)"};
 }
 
+std::vector<std::string> face_options(const Arguments& arguments) {
+  std::vector<std::string> words{"--interface", arguments.text("--interface", "lo")};
+  const auto add = [&](const std::string& name, double usual, double least, double most) {
+    const std::string own = "--face-" + name;
+    if (arguments.has(own)) words.insert(words.end(), {"--" + name, std::to_string(arguments.number(own, usual, least, most))});
+  };
+  add("rate", 500.0, 10.0, 500.0);
+  add("patience", 0.1, 0.0, 1.0);
+  return words;
+}
+
 bool records(const Arguments& arguments) {
   const char* record = std::getenv("TWINBUS_RECORD");
   return !arguments.has("--no-record") && (record == nullptr || std::string(record) != "0");

@@ -20,6 +20,8 @@ std::vector<std::string> recorder_words(const Arguments& arguments);
 bool waits_for_late_commands(const Arguments& arguments, const Stack& stack);
 // What is said to the simulator of its clock.
 std::vector<std::string> pace_words(const Arguments& arguments, bool patient);
+// What is said to the robot's face.
+std::vector<std::string> face_options(const Arguments& arguments);
 // Throws UsageError for a stack that plays a log when none is named.
 void refuse_without_log(const Arguments& arguments, const Stack& stack);
 
