@@ -88,7 +88,7 @@ struct SelfCollision::Impl {
   std::vector<JointCells> joint_cells;
   std::vector<CollisionCells> cells;
   AlignedNumbers bound, kept;
-  std::vector<unsigned char> open;
+  std::vector<int> open;
   Work counters;
   long work[4] = {};
   CollisionTables tables;

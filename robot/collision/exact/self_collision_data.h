@@ -44,7 +44,7 @@ struct CollisionTables {
   int* hit = nullptr;                                                            // [pairs]
   float* bound = nullptr;             // [pairs + 8], of the candidates
   float* kept = nullptr;              // [14 x most clusters]
-  unsigned char* open = nullptr;      // [most clusters / 8]
+  int* open = nullptr;      // [most clusters / 8]
   CollisionMemory* memory = nullptr;  // [pairs]
   long* work = nullptr;               // spheres, capsules, clusters, rows
   int most_clusters = 0;              // padded to 8

@@ -20,7 +20,7 @@ static bool surfaces_cross(const CollisionTables& t, const CollisionBody& a, con
   int blocks = 0;
   for (int block = 0; 8 * block < b.clusters; ++block) {
     if (meet_box(b, 8 * block, low8, high8) == 0) continue;
-    t.open[blocks] = static_cast<unsigned char>(block);
+    t.open[blocks] = block;
     place_boxes(b, 8 * block, b_to_a, placed + 48 * blocks++);
   }
   MovedCluster moved_a;
