@@ -19,7 +19,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 KEPT = {
     "tests and benches ask the product with them what the programs ask in other ways": """
         ArmPlanner::path_free ArticulatedWorld::resume BlockCheck::settle_by_pieces BlockCheck::settle_touching BlockCheck::world_free BlockScene::add_capsule
-        Collision::in_collision Collision::touches_by_fcl Guard::check Guard::pair_count Guard::pairs Guard::unproved
+        Collision::in_collision Collision::touches_by_fcl Guard::check Guard::pair_count Guard::pairs Guard::unproved Guard::work
         InverseDynamics::point_acceleration InverseKinematics::hold InverseKinematics::pose JointReach::between
         LogReader::look_for_more SupportPolygon::centre excess_over_hull fastest_time field_at sort_pairs take_bus_option""",
     "stall tests and benches play operator and machine with them": """
