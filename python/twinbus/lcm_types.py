@@ -114,7 +114,8 @@ def older_of(now: Struct, older: Struct) -> Older:
         return found, at
 
     (was, size), (_, now_size) = places(older), places(now)
-    blank, parts, at = bytearray(now_size), [], 8
+    blank, at = bytearray(now_size), 8
+    parts: list[tuple[int, int, int]] = []  # from, to, bytes
     blank[:8] = struct.pack('>Q', now.fingerprint())
     for field in now.fields:
         letter, _, number, python = KINDS[field.kind]
