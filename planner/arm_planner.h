@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "lcmtypes/msg/guard_defaults.h"
 #include "planner/batch/robot.h"
 #include "planner/timing/path_timing.h"
 #include "robot/collision/collision.h"
@@ -24,7 +25,7 @@ namespace twinbus {
 
 struct ArmPlannerConfig {
   double clearance = 0.020;        // kept to everything where start and goal allow it [m]
-  double least_clearance = 0.012;  // a goal must keep this: the guard holds the arm at less [m]
+  double least_clearance = GuardDefaults::kAtGoal;  // a goal must keep this: the guard holds the arm at less [m]
   // Obstacles are taken for thicker by this where start and goal allow it: a balancing body moves
   // while its arm does, and the guard holds the arm before it is too near [m].
   double padding = 0.030;

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "common/math/index.h"
+#include "lcmtypes/msg/guard_defaults.h"
 #include "planner/search/edge_check.h"
 #include "planner/timing/rounded_path.h"
 #include "robot/kinematics/inverse_kinematics.h"
@@ -15,7 +16,7 @@ namespace {
 constexpr double kNear = 0.002;     // other pairs stay farther apart [m]
 constexpr double kLets = 0.0005;    // what rests may come nearer by this: it gives way under the weight [m]
 constexpr double kHigh = 0.04;      // taken off, or a share of it where the arm cannot, or comes near itself [m]
-constexpr double kRoom = 0.012;     // of all, where it was taken off, if there is such a place [m]
+constexpr double kRoom = GuardDefaults::kAtGoal;  // of all, where it was taken off, if there is such a place [m]
 constexpr int kSteps = 8;
 constexpr double kTolerance = 2e-4;  // [m], [rad]
 constexpr double kEvery = 0.004;     // of a motion [s]

@@ -35,7 +35,6 @@ Modes::Modes(const Model& model, const BalanceGains& gains, const WalkGains& wal
   for (int j = 0; j < model.joint_count(); ++j) {
     if (model.joints[at(j)].mimic >= 0) followers_.push_back(j);
   }
-  fixed_ = !model.floating_base;
   no_walk_ = "this robot cannot walk: it needs a free base, and two six-joint legs with soles, or two or four legs with point feet";
   if (Balance::why_not(model) == nullptr) {
     standing_ = (balance_ = std::make_unique<Balance>(model, gains)).get();
@@ -107,7 +106,7 @@ void Modes::start(Mode first, const Moment& now) noexcept {
   bracing_ = false;
   let_legs_go();
   if (standing_ != nullptr) standing_->forget();
-  enter(fixed_ && first == Mode::kBalance ? Mode::kHold : first, now);
+  enter(!model_.floating_base && first == Mode::kBalance ? Mode::kHold : first, now);
 }
 
 void Modes::rebase() noexcept {
@@ -127,7 +126,7 @@ void Modes::enter_hold(const Moment& now, bool at_measured) noexcept {
 void Modes::enter_balance(const Moment& now) noexcept {
   if (!may_balance(now)) {
     sentence_ =
-        fixed_ ? "the base is fixed, so nothing has to balance; holding instead"
+        !model_.floating_base ? "the base is fixed, so nothing has to balance; holding instead"
         : standing_ == nullptr
             ? "this robot cannot balance: it needs a free base, and two six-joint legs with soles, or two or four legs with point feet"
             : "balance needs an upright robot with its feet on the ground; holding instead";

@@ -156,7 +156,6 @@ class Modes {
   std::unique_ptr<Walk> walk_;
   std::unique_ptr<PointFeet> point_feet_;  // of a robot on point feet
   Behavior* standing_ = nullptr;          // balance_ or point_feet_
-  bool fixed_ = false;                    // the base: there is nothing to balance
   Behavior* walker_ = nullptr;            // walk_ or point_feet_
   Behavior* active_ = nullptr;            // moves the legs; null: nothing does
   std::optional<ModeRequest> after_rest_; // it walks no more: obeyed once it rests

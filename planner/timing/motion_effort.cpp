@@ -19,6 +19,7 @@ MotionEffort::MotionEffort(const Model& model, const Configuration& posture,
       there_(posture),
       kinematics_(model),
       dynamics_(model),
+      load_(model),
       qdd_(Eigen::VectorXd::Zero(model.joint_count())),
       moving_(qdd_),
       still_(qdd_) {
@@ -41,15 +42,11 @@ void MotionEffort::efforts(const JointPoint& q, const JointPoint& qd, const Join
 }
 
 bool MotionEffort::holds(const JointPoint& q) {
-  const JointPoint rest = JointPoint::Zero(static_cast<int>(joints_.size()));
-  efforts(q, rest, rest, still_);
-  for (const int joint : joints_) {
-    const double limit = model_->joints[at(joint)].effort;
-    if (!(limit > 0.0) || std::abs(still_[joint]) < kShareOfEffort * limit) continue;
-    weak_joint_ = joint;
-    return false;
-  }
-  return true;
+  for (int k = 0; k < q.size(); ++k) there_.q[joints_[at(k)]] = q[k];
+  const GravityLoad::Worst worst = load_.of(there_, joints_);
+  if (worst.joint < 0 || worst.share < kShareOfEffort) return true;
+  weak_joint_ = worst.joint;
+  return false;
 }
 
 double MotionEffort::slower(const TimedPath& path) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "planner/timing/path_timing.h"
+#include "robot/dynamics/gravity_load.h"
 #include "robot/dynamics/inverse_dynamics.h"
 #include "robot/kinematics/kinematics.h"
 #include "robot/description/model.h"
@@ -24,7 +25,7 @@ class MotionEffort {
   // cannot even do that; see weak_joint.
   double slower(const TimedPath& path);
 
-  // Can every joint hold the arm there?  If not, weak_joint says which cannot.
+  // Can every joint hold the arm there?  If not, weak_joint is the one that needs most of its limit.
   bool holds(const JointPoint& q);
 
   int weak_joint() const { return weak_joint_; }  // model index
@@ -39,6 +40,7 @@ class MotionEffort {
   Configuration there_;
   Kinematics kinematics_;
   InverseDynamics dynamics_;
+  GravityLoad load_;
   Eigen::VectorXd qdd_, moving_, still_;
   int weak_joint_ = -1;
   double largest_ = 0.0;

@@ -119,10 +119,15 @@ bool is_there(const std::string& name, const fs::path& file, const Packages& pac
   return false;
 }
 
-// The file that ends as this name does, in the URDF's folder or one above it; the longest such end, then the nearest
-// folder.  Empty when there is none.
+// The file of an absolute name, or that ends as this name does, in the URDF's folder or one above it; the longest such end, then
+// the nearest folder.  Empty when there is none.
 std::pair<fs::path, fs::path> found_by_end(const fs::path& file, const fs::path& own) {
   std::error_code error;
+  fs::path near = own;
+  for (int up = 0; up <= kMostUp && near.has_relative_path(); ++up, near = near.parent_path()) {
+    const fs::path end = file.lexically_relative(near);
+    if (!end.empty() && *end.begin() != ".." && fs::is_regular_file(file, error)) return {near, end};
+  }
   for (fs::path end = file.relative_path(); !end.empty(); end = end.lexically_relative(*end.begin())) {
     if (*end.begin() == "..") continue;
     fs::path folder = own;

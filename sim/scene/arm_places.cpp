@@ -11,6 +11,7 @@
 
 #include "common/math/index.h"
 #include "common/math/splitmix64.h"
+#include "lcmtypes/msg/guard_defaults.h"
 #include "robot/collision/collision.h"
 #include "robot/collision/near_pairs.h"
 #include "robot/collision/thing_name.h"
@@ -26,7 +27,7 @@ namespace {
 constexpr double kSpare = 1.0;   // of a goal, beside the way there [s]
 constexpr double kLatest = 20.0;  // times as late
 constexpr double kClear = 0.05;  // of the robot where it begins from what stands around [lengths of the arm]
-constexpr double kNear = 0.012;  // of the robot at a goal from what stands around and from itself: planners keep it [m]
+constexpr double kNear = GuardDefaults::kAtGoal;  // of the robot at a goal from what stands around and from itself
 constexpr double kHolds = 0.9;   // of its effort limit that a joint may need to hold the arm at a goal
 constexpr int kNearPairs = 32;
 constexpr int kWayParts = 8;  // at whose ends the weight is looked at
@@ -356,7 +357,9 @@ class ArmPlaces {
 
   std::string near_words(const PairDistance& pair) const {
     const std::string a = thing_name(model_, around_, pair.link_a).data(), b = thing_name(model_, around_, pair.link_b).data();
-    return "brings " + a + " and " + b + " within 12 mm";
+    char text[40];
+    std::snprintf(text, sizeof text, " within %.0f mm", 1e3 * kNear);
+    return "brings " + a + " and " + b + text;
   }
 
   bool too_heavy(const Configuration& c) { return load_.of(c, hand_.joints).share > kHolds; }

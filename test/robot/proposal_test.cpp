@@ -316,6 +316,8 @@ TEST(Proposal, MeshesAreFoundByTheEndOfTheirNameInARenamedFolder) {
   EXPECT_EQ(made("package://here/old/place/meshes/b.stl"), top + "meshes/b.stl");         // no such file in it
   EXPECT_EQ(made("package://my_robot/meshes/a.stl"), own + "meshes/a.stl");               // the nearest
   EXPECT_EQ(made("package://x/renamed/meshes/a.stl"), folder.path() + " package://" + folder.path().substr(folder.path().rfind('/') + 1) + "/renamed/meshes/a.stl");
+  EXPECT_EQ(made((root / "meshes/a.stl").string()), top + "meshes/a.stl");  // there, though another one is nearer
+  EXPECT_EQ(made("file://" + (root / "meshes/a.stl").string()), top + "meshes/a.stl");
   EXPECT_EQ(made("file:///ws/src/my_robot/meshes/b.stl"), top + "meshes/b.stl");
   EXPECT_EQ(made("/ws/src/my_robot/meshes/b.stl"), top + "meshes/b.stl");
   EXPECT_EQ(made("package://my_robot/meshes/gone.stl"), top.substr(0, top.find(' ')) + " package://my_robot/meshes/gone.stl");
