@@ -135,7 +135,8 @@ def attacks(checks):
         for what, words in RUBBISH.items():
             begin = time.monotonic_ns()
             output_of(peer(what, kind, "lo", 2.0), 40)
-            lines, commands = robot.lines(begin), robot.commands(begin)
+            # A good program that this machine held up may write too fast while it catches up: that is said too.
+            lines, commands = [line for line in robot.lines(begin) if "times a second" not in line], robot.commands(begin)
             checks.that(len(lines) == 1 and words in lines[0], f"{what}: one line that says so: {lines}")
             checks.that(bool(commands) and LEAST <= min(commands) and max(commands) <= MOST,
                         f"{what}: motor 3 was never commanded elsewhere: {min(commands):.3f} to {max(commands):.3f} of {len(commands)}")

@@ -80,7 +80,7 @@ def main():
         if (DATA / "jvrc1/jvrc1.urdf").is_file():
             stands(checks, DATA / "jvrc1/jvrc1.urdf", scratch, walks=True)
         refusals(checks, scratch)
-        for name, file, words in (("panda", "panda.urdf", ("arm_reach are its scenes", "next: ./twinbus run arm_reach")),
+        for name, file, words in (("panda", "panda.urdf", ("arm_hold, arm_reach, arm_scan and arm_pick are its scenes", "next: ./twinbus run arm_reach")),
                                   ("go1", "go1.urdf", ("point feet: ", "stands: ", "trots: ", "next: ./twinbus run stand"))):
             if (DATA / name / file).is_file():
                 _, out, err = cli("check", str(DATA / name / file), "--propose", os.path.join(scratch, name), timeout=120)
