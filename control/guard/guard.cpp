@@ -20,6 +20,7 @@ namespace {
 using Eigen::Vector3d;
 
 // A joint that runs on this much farther than its set-point says is looked at as it is measured.
+constexpr double kPastRange = 0.05;  // that a stop gives way [rad or m]
 constexpr double kRunsOn = 0.01;  // [rad or m]
 constexpr std::int64_t kHandoverTicks = 5;  // between the states of two sources, at most
 constexpr double kHandoverStep = 0.1;       // of a joint between them, at most [rad or m]
@@ -83,8 +84,19 @@ void Guard::Impl::predict(const RobotState& state, const JointCommand* command) 
     obeyed[joint] = command != nullptr ? track.if_obeyed(at(k)) : braked[joint];
     if (command != nullptr && servos.is_soft(at(k))) obeyed[joint] = braked[joint] = servos.if_obeyed(at(k));
   }
+  keep_in_ranges(braked);
+  keep_in_ranges(obeyed);
   spread_to_mimics(*model, braked);
   spread_to_mimics(*model, obeyed);
+}
+
+// A joint goes no farther than its stops.
+void Guard::Impl::keep_in_ranges(Courses& courses) const noexcept {
+  for (int k = 0; k < std::min(model->bus_count(), kMaxJoints); ++k) {
+    const int j = model->bus_joints[at(k)];
+    const Joint& joint = model->joints[at(j)];
+    courses[at(j)].keep_between(joint.lower - kPastRange - now.q[j], joint.upper + kPastRange - now.q[j]);
+  }
 }
 
 // What is held braked, the others obeyed: what will happen with this mask.
@@ -99,6 +111,7 @@ void Guard::Impl::predict_masked(std::int64_t held) noexcept {
       course = track.if_held(at(k));
     }
   }
+  keep_in_ranges(masked);
   spread_to_mimics(*model, masked);
 }
 

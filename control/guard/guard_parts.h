@@ -83,6 +83,7 @@ struct Guard::Impl {
   const GuardReport& check(const RobotState& state, const JointCommand* command) noexcept;
   void predict(const RobotState& state, const JointCommand* command) noexcept;
   void predict_masked(std::int64_t held) noexcept;
+  void keep_in_ranges(Courses& courses) const noexcept;
   bool runs_on() noexcept;
   void bound_moves() noexcept;
   const PairDistance* near_now(int link_a, int link_b) const noexcept;

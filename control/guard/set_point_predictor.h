@@ -33,6 +33,20 @@ struct Course {
     return first * share + speed * s - std::copysign(0.5 * brake * s * s, speed);
   }
   double rest() const noexcept { return first + 0.5 * speed * std::abs(speed) / brake; }
+  static constexpr double kLeastWay = 1e-4;  // [rad or m]
+  // Ends at a stop that it would pass, braked so much harder; one that is beyond already is none.  low, high: to the stops [rad or m].
+  void keep_between(double low, double high) noexcept {
+    if (low < 0.0 && first <= low) {
+      first = low;
+      speed = std::max(speed, 0.0);
+    } else if (high > 0.0 && first >= high) {
+      first = high;
+      speed = std::min(speed, 0.0);
+    }
+    const double end = rest();
+    if (low < 0.0 && end < low) brake = 0.5 * speed * speed / std::max(first - low, kLeastWay);
+    if (high > 0.0 && end > high) brake = 0.5 * speed * speed / std::max(high - first, kLeastWay);
+  }
 };
 
 class SetPointTrack {

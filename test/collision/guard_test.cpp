@@ -468,9 +468,8 @@ TEST(Guard, WhatTakesTooManyLooksIsHeldAndSaidToBe) {
 }
 
 TEST(Guard, WorksWithoutACommand) {
-  const Model& model = hrp1s();
-  Guard guard(model, {});
-  GuardRig rig(model, named_posture(model, "half_sitting"));
+  Guard guard(hrp1s(), {});
+  GuardRig rig(hrp1s(), named_posture(hrp1s(), "half_sitting"));
   EXPECT_EQ(guard.check(rig.state, nullptr, rig.base).hold_mask, 0);
   // Moving fast towards the body is enough.
   rig.state.q[bus("LARM_SHOULDER_Y")] = -1.0;
@@ -479,6 +478,17 @@ TEST(Guard, WorksWithoutACommand) {
   rig.state.qd[bus("LARM_SHOULDER_R")] = -5.0F;
   rig.state.tick++;
   EXPECT_NE(guard.check(rig.state, nullptr, rig.base).hold_mask, 0);
+}
+TEST(Guard, AJointGoesNoFartherThanItsStop) {
+  for (const bool stop : {false, true}) {
+    Model model = hrp1s();
+    GuardRig rig(hrp1s(), named_posture(hrp1s(), "half_sitting"));
+    const std::size_t k = bus("LLEG_HIP_R");
+    if (stop) model.joints[static_cast<std::size_t>(model.bus_joints[k])].lower = rig.state.q[k];
+    Guard guard(model, {});
+    rig.state.qd[k] = -12.0F;
+    EXPECT_NE(guard.check(rig.state, nullptr, rig.base).stop_asked, stop);
+  }
 }
 
 }  // namespace

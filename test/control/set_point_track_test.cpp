@@ -170,5 +170,22 @@ TEST(SetPointTrack, ACourseEndsAtRest) {
   EXPECT_LT(course.at(1.0, 0.05), course.at(1.0, 0.02));
 }
 
+TEST(Course, EndsAtAStopThatItWouldPass) {
+  Course passes{0.1, 4.0, 8.0}, short_of_it = passes, beyond{0.3, 4.0, 8.0}, away{-0.1, 2.0, 8.0};
+  passes.keep_between(-1.0, 0.5);
+  EXPECT_NEAR(passes.rest(), 0.5, 1e-12);
+  EXPECT_EQ(passes.first, 0.1);
+  short_of_it.keep_between(-1.0, 1.2);
+  EXPECT_EQ(short_of_it.brake, 8.0);
+  beyond.keep_between(-1.0, 0.2);
+  EXPECT_EQ(beyond.rest(), 0.2);
+  away.keep_between(-0.05, 0.5);  // it is there, and comes back
+  EXPECT_NEAR(away.rest(), -0.05 + 0.25, 1e-12);
+  // Where a joint is beyond its stop the stop is not believed.
+  Course lost{-0.1, -4.0, 8.0};
+  lost.keep_between(0.01, 0.5);
+  EXPECT_EQ(lost.rest(), -1.1);
+}
+
 }  // namespace
 }  // namespace twinbus
