@@ -1,17 +1,20 @@
 #include "control/legs/leg_reach.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
 #include "robot/kinematics/leg_chain.h"
 #include "common/math/index.h"
+#include "robot/dynamics/joint_inertia.h"
 #include "robot/kinematics/kinematics.h"
 
 namespace twinbus {
 
 namespace {
 constexpr int kAngles = 400;
+constexpr double kAlong = 0.7;  // cosine: an axis so nearly along another
 
 double leg_length(const Kinematics& k, const LegChain& leg) {
   return (k.link_in_world(leg.joint[5] + 1).translation() -
@@ -70,6 +73,16 @@ LegReach leg_reach(const Model& model, int foot) {
     if (std::abs(kinematics.axis_in_world(leg.joint[k]).z()) < 0.9) continue;
     const Joint& j = model.joints[at(leg.joint[k])];
     reach.turn = std::min({-j.lower, j.upper, 1.5});
+  }
+  JointInertia inertia(model);
+  std::array<int, 3> hips{leg.joint[0], leg.joint[1], leg.joint[2]};
+  inertia.update(kinematics, hips);
+  for (int k = 0; k < 3; ++k) {
+    const Eigen::Vector3d axis = kinematics.axis_in_world(hips[at(k)]);
+    const Eigen::Vector3d way = axis.cross(ground - kinematics.link_in_world(hips[at(k)] + 1).translation());  // [m/rad]
+    const double thrown = model.joints[at(hips[at(k)])].effort / inertia(k, k);                                  // [rad/s^2]
+    if (std::abs(axis.y()) > kAlong) reach.swing.x() = std::abs(way.x()) * thrown;
+    if (std::abs(axis.x()) > kAlong) reach.swing.y() = std::abs(way.y()) * thrown;
   }
   return reach;
 }

@@ -1,6 +1,9 @@
-// What one leg can reach, found from its joints: which one is the knee, and how long the leg is when it is straight.
+// What one leg can reach, found from its joints: which one is the knee, how long the leg is when it is straight, and how
+// hard its hip throws it.
 
 #pragma once
+
+#include <Eigen/Core>
 
 #include "robot/description/model.h"
 
@@ -13,6 +16,7 @@ struct LegReach {
   double longest = 0.0;       // hip to ankle [m]
   double ankle_height = 0.0;  // of the ankle above the sole [m]
   double hip_width = 0.0;     // between the hips [m]
+  Eigen::Vector2d swing{1e3, 1e3};  // of the sole of a straight leg at the efforts of its hip: forward, to the side [m/s^2]
   double turn = 0.5;          // range of the hip about the vertical, the smaller side [rad]
 };
 

@@ -53,6 +53,7 @@ struct Gait {
   double inner = 0.07;             // of a sole from its frame towards the other foot [m]
   double toe = 0.18, heel = 0.07;  // of a sole before and behind its frame [m]
   bool preview = false;            // the reference is that of preview control
+  Eigen::Vector2d swing_acceleration{1e3, 1e3};   // of a foot, forward and to the side: what the hips are asked for [m/s^2]
   double ankle_share = 0.9;        // share of the sole on which step adjustment counts
   Eigen::Vector2d sole_low{-0.1, -0.07}, sole_high{0.1, 0.07};  // of the ZMP in the sole frame [m]
   Eigen::Vector3d most_velocity{0.5, 0.2, 0.8};  // vx, vy, wz, each alone [m/s, m/s, rad/s]

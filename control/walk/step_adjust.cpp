@@ -24,6 +24,7 @@ StepAdjusted adjust_step(const Gait& gait, const StepNow& now, double omega) noe
   const Eigen::Vector2d offset = support.unturn(now.offset);
   const Eigen::Vector2d planned = support.unturn(now.planned.position - support.position);
   const double side = side_of(1 - now.foot);
+  const Eigen::Vector2d at = support.unturn(now.moves.position - support.position), rate = support.unturn(now.velocity);
   Eigen::Vector2d reach_low(-gait.max_back, side > 0.0 ? gait.min_width : -gait.max_width);
   Eigen::Vector2d reach_high(gait.max_forward, side > 0.0 ? gait.max_width : -gait.min_width);
   const Eigen::Vector2d middle = 0.5 * (gait.sole_low + gait.sole_high);
@@ -37,15 +38,22 @@ StepAdjusted adjust_step(const Gait& gait, const StepNow& now, double omega) noe
     if (k != 0 && left < now.shortest) continue;
     // A foot that is thrown inward cannot be braked before it meets the other one.
     const double moves = std::max(0.0, left - kEarly);
-    const double inner = now.apart + kRunsOn * std::min(0.0, now.apart_rate) * left - kInward / kRestToRest * moves * moves;
+    const double inner = side * at.y() + kRunsOn * std::min(0.0, side * rate.y()) * left - kInward / kRestToRest * moves * moves;
     (side > 0.0 ? reach_low : reach_high).y() = side * std::clamp(inner, gait.min_width, gait.max_width);
     const double grown = std::exp(omega * left);
+    // Farther than the hips throw a foot in that time it does not come; the step as it is now remains.
+    const Eigen::Vector2d rests = at + kRunsOn * left * rate, room = gait.swing_acceleration * (moves * moves / kRestToRest);
+    Eigen::Vector2d thrown_low = rests - room, thrown_high = rests + room;
+    if (k <= 0) {
+      thrown_low = thrown_low.cwiseMin(planned);
+      thrown_high = thrown_high.cwiseMax(planned);
+    }
     Eigen::Vector2d place, missed;
     for (Eigen::Index d = 0; d < 2; ++d) {
       const double from = high[d] + (xi[d] - high[d]) * grown - offset[d];
       const double to = low[d] + (xi[d] - low[d]) * grown - offset[d];
       const double wanted = std::min(std::max(planned[d], from), to);
-      place[d] = std::min(std::max(wanted, reach_low[d]), reach_high[d]);
+      place[d] = std::min(std::max(wanted, std::max(reach_low[d], thrown_low[d])), std::min(reach_high[d], thrown_high[d]));
       missed[d] = wanted - place[d];
     }
     const double late = left - now.left_planned;

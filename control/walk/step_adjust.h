@@ -18,11 +18,12 @@ namespace twinbus {
 struct StepNow {
   Foothold support;                               // the foot that stands
   int foot = 0;                                   // which one
-  Foothold planned;                               // where the other goes when all goes as planned
+  Foothold moves;                                 // the other one, where it is
+  Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  // of it, world [m/s]
+  Foothold planned;                               // where it goes when all goes as planned
   Eigen::Vector2d dcm = Eigen::Vector2d::Zero();  // measured, world [m]
   Eigen::Vector2d offset =
       Eigen::Vector2d::Zero();  // planned DCM less foothold at touchdown, world [m]
-  double apart = 0.0, apart_rate = 0.0;  // of the other foot from the support, to its side [m], [m/s]
   double left_planned = 0.0;    // until touchdown as planned [s]
   double left_now = 0.0;        // as adjusted before [s]
   double shortest = 0.1;        // [s]

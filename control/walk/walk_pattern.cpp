@@ -301,15 +301,13 @@ void WalkPattern::advance(const std::array<bool, 2>& touching,
 
 StepAdjusted WalkPattern::adjusted_step(const Eigen::Vector2d& measured_dcm, double omega) const noexcept {
   const Foothold& stands = foot(support_);
-  const Foothold& moves = single() ? swing_.place() : foot(1 - support_);
-  const double side = side_of(1 - support_);
   const StepNow now{.support = stands,
                     .foot = support_,
+                    .moves = single() ? swing_.place() : foot(1 - support_),
+                    .velocity = single() ? swing_.velocity() : Eigen::Vector2d::Zero(),
                     .planned = planned_,
                     .dcm = measured_dcm,
                     .offset = dcm_landing_ - target_.position,
-                    .apart = side * stands.unturn(moves.position - stands.position).y(),
-                    .apart_rate = single() ? side * stands.unturn(swing_.velocity()).y() : 0.0,
                     .left_planned = double_ + gait_.single_support - time_,
                     .left_now = double_ + single_time_ - time_,
                     .shortest = std::max(kShortest, double_ + gait_.shortest_single - time_)};

@@ -206,6 +206,10 @@ TEST(LegReach, FindsTheKneeAndTheLengthOfTheStraightLeg) {
     EXPECT_EQ(reach.bends, 1.0);
     EXPECT_NEAR(reach.hip_width, 0.18, 1e-9);
     EXPECT_NEAR(reach.ankle_height, 0.07, 1e-3);
+    Model weak = model;
+    weak.joints[static_cast<std::size_t>(weak.find_joint(foot == 0 ? "LLEG_HIP_P" : "RLEG_HIP_P"))].effort *= 0.5;
+    EXPECT_NEAR(leg_reach(weak, foot).swing.x(), 0.5 * reach.swing.x(), 1e-9);
+    EXPECT_EQ(leg_reach(weak, foot).swing.y(), reach.swing.y());
   }
 }
 

@@ -302,7 +302,7 @@ TEST(StepAdjust, AFootIsNotThrownInwardShortlyBeforeItLands) {
   now.planned.position << 0.0, g.width + 0.1;
   now.left_planned = now.left_now = now.shortest = 0.14;
   now.dcm << 0.0, -0.3;  // pushed over the foot that stands
-  now.apart = g.width + 0.1;
+  now.moves = now.planned;
   EXPECT_GT(adjust_step(g, now, kOmega).foothold.position.y(), g.min_width + 0.05);
   now.left_planned = now.left_now = now.shortest = 0.4;
   EXPECT_NEAR(adjust_step(g, now, kOmega).foothold.position.y(), g.min_width, 1e-9);
@@ -324,6 +324,27 @@ TEST(StepAdjust, APushMovesTheFootholdThatWayAndTheDcmCanBeCaught) {
   const double grown = std::exp(kOmega * step.left);
   const double reached = g.sole_high.x() + (now.dcm.x() - g.sole_high.x()) * grown;
   EXPECT_LT(reached - step.foothold.position.x(), 0.03);
+}
+
+TEST(StepAdjust, AStepIsNotHurriedMoreThanTheHipsCanThrowTheFoot) {
+  Gait strong = gait(), weak = strong;
+  weak.swing_acceleration.x() = 20.0;
+  StepNow now;
+  now.foot = 1;
+  now.moves.position << -0.2, strong.width;
+  now.planned.position << 0.2, strong.width;
+  now.offset << 0.1, -0.5 * strong.width;
+  now.left_planned = now.left_now = 0.5;
+  now.dcm << 0.2, 0.03;
+  const double hurried = adjust_step(strong, now, kOmega).left;
+  EXPECT_LT(hurried, 0.4);
+  const StepAdjusted step = adjust_step(weak, now, kOmega);
+  EXPECT_GT(step.left, hurried + 0.03);
+  const double moves = step.left - SwingGains{}.early;
+  EXPECT_LE(step.foothold.position.x(), -0.2 + 20.0 / 5.77 * moves * moves + 1e-9);
+  // One that cannot be reached in time as planned either goes as planned.
+  weak.swing_acceleration.x() = 3.0;
+  EXPECT_EQ(adjust_step(weak, now, kOmega).left, 0.5);
 }
 
 }  // namespace
