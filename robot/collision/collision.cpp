@@ -99,7 +99,9 @@ void Collision::Impl::build_pairs() {
       pairs.push_back(make_pair(owner_of[at(pair.link_a)], owner_of[at(pair.link_b)]));
   }
   for (int b = moved_owners; b < static_cast<int>(owners.size()); ++b) {
-    for (int a = 0; a < moved_owners; ++a) pairs.push_back(make_pair(a, b));
+    for (int a = 0; a < moved_owners; ++a) {  // nothing moves a fixed base on what stands
+      if (model->floating_base || owner(a).link > 0) pairs.push_back(make_pair(a, b));
+    }
   }
   build_shapes();
 }

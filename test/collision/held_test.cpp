@@ -12,6 +12,7 @@
 #include "robot/collision/obstacle_collector.h"
 #include "robot/collision/thing_name.h"
 #include "test/collision/guard_rig.h"
+#include "test/collision/post_and_arm.h"
 #include "test/collision/postures.h"
 #include "test/obstacles.h"
 
@@ -52,6 +53,24 @@ TEST(Held, EverythingAroundHasAName) {
   cause.link_b = links + 4;
   describe(model, around, cause, text);
   EXPECT_NE(std::string(text.data()).find(" and what the right hand holds, "), std::string::npos) << text.data();
+}
+
+// A fixed base beside the floor or a wall: no joint can mend or worsen that, and nothing is said of it.
+TEST(Held, WhatStandsIsNoPairOfABaseThatNothingMoves) {
+  Model model = post_and_arm();
+  const std::vector<Obstacle> around = {test::box_at({0.06, 0.0, 0.0}, {0.01, 0.1, 0.1})};
+  for (const bool floating : {true, false}) {
+    model.floating_base = floating;
+    Collision collision(model);
+    const int alone = collision.pair_count();
+    collision.set_obstacles(around);
+    EXPECT_EQ(collision.pair_count(), alone + (floating ? 2 : 1));
+    Kinematics k(model);
+    k.update(Configuration(model));
+    std::array<PairDistance, 4> near;
+    const int count = collision.near_pairs(k, 0.02, near.data(), 4);
+    EXPECT_EQ(count, floating ? 1 : 0);
+  }
 }
 
 TEST(Held, IsAsFarFromEverythingAsTheSameThingThere) {
