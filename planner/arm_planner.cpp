@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "planner/held_lines.h"
 #include "planner/joint_turns.h"
 #include "planner/lift.h"
 #include "planner/search/arm_lines.h"
@@ -393,11 +394,16 @@ ArmPlan ArmPlanner::attempt(const ArmGoal& goal, const Configuration& start,
     return plan;
   }
   if (!find_goals(space, question, random, plan)) return plan;
+  const JointPath all_goals = question.goals;
+  MotionEffort effort(*model_, start, plan.joints);
+  bool held = false;  // only where the joints can hold the arm
   for (;;) {
-    double room = std::min(config_.clearance, room_at_start);
+    std::vector<EndPair> ends;  // nearer than a guard lets others be
+    double room = std::min(config_.clearance, space.nearest_beside(question.start, config_.clearance, config_.least_clearance, ends));
     for (const JointPoint& q : question.goals)
-      room = std::min(room, space.nearest(q, config_.clearance));
+      room = std::min(room, space.nearest_beside(q, config_.clearance, config_.least_clearance, ends));
     space.set_clearance(kShare * room);
+    space.keep_at_ends(ends, kShare);
 
     ArmLines lines(*model_, space, collision_, balls_, padded_);
     SearchLimits limits = question.range.limits();
@@ -407,15 +413,17 @@ ArmPlan ArmPlanner::attempt(const ArmGoal& goal, const Configuration& start,
     SearchPath goals;
     for (const JointPoint& q : question.goals) goals.push_back(to_search(q));
     const int joints = static_cast<int>(question.start.size());
-    SearchPath found = search.find(lines, to_search(question.start), goals, keep_on, user);
+    HeldLines light(lines, effort, joints);
+    LineTest& test = held ? static_cast<LineTest&>(light) : lines;
+    SearchPath found = search.find(test, to_search(question.start), goals, keep_on, user);
     plan.rounds = search.rounds();
     plan.checks = space.checks();
     if (found.empty()) {
       const bool cancelled = keep_on != nullptr && !keep_on(user);
-      plan.status = cancelled ? ArmPathStatus::kCancelled : ArmPathStatus::kTimeLimit;
+      if (cancelled || !held) plan.status = cancelled ? ArmPathStatus::kCancelled : ArmPathStatus::kTimeLimit;
       return plan;
     }
-    shorten(lines, found, joints);
+    shorten(test, found, joints);
     // The ends are what was asked for, to the last bit.
     const std::size_t goal_index =
         at(static_cast<int>(std::find(goals.begin(), goals.end(), found.back()) - goals.begin()));
@@ -436,7 +444,7 @@ ArmPlan ArmPlanner::attempt(const ArmGoal& goal, const Configuration& start,
     if (!off.empty()) first = lift.timed(off, timing, config_.knot_spacing);
     plan.path = timed(space, lines, corners, timing, kMostKnots - static_cast<int>(first.size()));
     plan.checks = space.checks();
-    plan.clearance = kProved * space.clearance();
+    plan.clearance = kProved * space.kept();
     // A goal that is where the arm is already: a motion all the same, of one instant.
     if (plan.path.empty() && length_of(found, joints) < 1e-6F) {
       const JointPoint rest = JointPoint::Zero(question.start.size());
@@ -451,8 +459,11 @@ ArmPlan ArmPlanner::attempt(const ArmGoal& goal, const Configuration& start,
     }
     plan.status = plan.path.empty() ? ArmPathStatus::kTimeLimit : ArmPathStatus::kOk;
     if (!plan.path.empty()) within_efforts(start, plan);
-    if (plan.status != ArmPathStatus::kBadGoal || question.goals.size() < 2) return plan;
+    if (plan.status != ArmPathStatus::kBadGoal || (held && question.goals.size() < 2)) return plan;
     question.goals.erase(question.goals.begin() + static_cast<std::ptrdiff_t>(goal_index));  // the way there is too heavy
+    if (!question.goals.empty()) continue;
+    held = true;
+    question.goals = all_goals;
   }
 }
 

@@ -1,6 +1,7 @@
 #include "planner/search/edge_check.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -8,6 +9,11 @@
 #include "robot/kinematics/joint_reach.h"
 
 namespace twinbus {
+
+namespace {
+constexpr int kNearPairs = 64;   // looked at; more are too many
+constexpr int kHalvings = 16;    // of a line at whose ends something is near
+}  // namespace
 
 EdgeCheck::EdgeCheck(const Model& model, Collision& collision, const Configuration& posture,
                      const std::vector<int>& joints, double clearance)
@@ -32,6 +38,7 @@ const Kinematics& EdgeCheck::kinematics_at(const JointPoint& q) {
 }
 
 bool EdgeCheck::point_free(const JointPoint& q) {
+  if (!ends_.empty()) return room(q, clearance_) >= 0.0;
   ++checks_;
   return !collision_->nearer_than(kinematics_at(q), clearance_);
 }
@@ -45,11 +52,84 @@ double EdgeCheck::nearest(const JointPoint& q, double far) {
   return collision_->near_pairs(kinematics_at(q), far, &pair, 1) > 0 ? pair.distance : far;
 }
 
+double EdgeCheck::nearest_beside(const JointPoint& q, double far, double close, std::vector<EndPair>& ends) {
+  std::array<PairDistance, kNearPairs> near;
+  const int count = collision_->near_pairs(kinematics_at(q), far, near.data(), kNearPairs);
+  double least = far;
+  for (int i = 0; i < count; ++i) {
+    const PairDistance& pair = near[at(i)];
+    if (!(pair.distance < close) || count == kNearPairs) {
+      least = std::min(least, pair.distance);
+      continue;
+    }
+    const auto known = std::find_if(ends.begin(), ends.end(), [&](const EndPair& end) {
+      return end.link_a == pair.link_a && end.link_b == pair.link_b;
+    });
+    if (known == ends.end()) ends.push_back({pair.link_a, pair.link_b, pair.distance});
+    else known->room = std::min(known->room, pair.distance);
+  }
+  return least;
+}
+
+void EdgeCheck::keep_at_ends(const std::vector<EndPair>& ends, double share) {
+  ends_ = ends;
+  for (EndPair& end : ends_) end.room *= share;
+  full_ = clearance_;
+}
+
+double EdgeCheck::margin(int link_a, int link_b) const {
+  for (const EndPair& end : ends_) {
+    if (end.link_a == link_a && end.link_b == link_b) return end.room * std::min(1.0, clearance_ / full_);
+  }
+  return clearance_;
+}
+
+double EdgeCheck::kept() const {
+  double least = clearance_;
+  for (const EndPair& end : ends_) least = std::min(least, margin(end.link_a, end.link_b));
+  return least;
+}
+
+// Of the nearest pair, at most `far`, no less than the clearance; below zero when one keeps less than it must there.
+double EdgeCheck::room(const JointPoint& q, double far) {
+  ++checks_;
+  std::array<PairDistance, kNearPairs> near;
+  const int count = collision_->near_pairs(kinematics_at(q), far, near.data(), kNearPairs);
+  double least = count == kNearPairs ? -1.0 : far;
+  for (int i = 0; i < count; ++i) {
+    const PairDistance& pair = near[at(i)];
+    least = std::min(least, pair.distance > margin(pair.link_a, pair.link_b) ? pair.distance : -1.0);
+  }
+  return least;
+}
+
+// Does every pair keep what it must when nothing moves farther than `moves` from q?
+bool EdgeCheck::clear_by(const JointPoint& q, double moves) {
+  std::array<PairDistance, kNearPairs> near;
+  const int count = collision_->near_pairs(kinematics_at(q), clearance_ + moves, near.data(), kNearPairs);
+  return count < kNearPairs && std::all_of(near.begin(), near.begin() + count, [&](const PairDistance& pair) {
+    return pair.distance > margin(pair.link_a, pair.link_b) + moves;
+  });
+}
+
+// Of a line at whose ends every pair has at least that room.
+bool EdgeCheck::between(const JointPoint& from, double room_from, const JointPoint& to, double room_to, int halvings) {
+  if (motion_bound(from, to) <= room_from + room_to) return true;
+  if (halvings == 0) return false;
+  const JointPoint middle = 0.5 * (from + to);
+  const double here = room(middle, clearance_);
+  return here >= 0.0 && between(from, room_from, middle, here, halvings - 1) && between(middle, here, to, room_to, halvings - 1);
+}
+
 double EdgeCheck::motion_bound(const JointPoint& from, const JointPoint& to) const {
   return (to - from).cwiseAbs().dot(reach_);
 }
 
 bool EdgeCheck::line_free(const JointPoint& from, const JointPoint& to) {
+  if (!ends_.empty()) {
+    const double room_from = room(from, clearance_), room_to = room(to, clearance_);
+    return room_from >= 0.0 && room_to >= 0.0 && between(from, room_from, to, room_to, kHalvings);
+  }
   if (!point_free(from) || !point_free(to)) return false;
   // Two samples are at most 2 clearances of motion apart, so each point is within one of a sample.
   const int pieces =
@@ -82,6 +162,7 @@ bool EdgeCheck::curve_free(const std::array<JointPoint, 4>& curve, int halvings)
   ++checks_;
   const double moves = farthest.dot(reach_);
   if (!collision_->nearer_than(kinematics_at(middle), clearance_ + moves)) return true;
+  if (!ends_.empty() && clear_by(middle, moves)) return true;
   if (halvings == 0 || !point_free(middle)) return false;
   return curve_free(first, halvings - 1) && curve_free(second, halvings - 1);
 }

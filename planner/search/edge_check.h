@@ -7,7 +7,8 @@
 //
 // where reach_j is the largest distance of any link point from joint j's axis in any posture.  A
 // line is sampled so finely that this bound is at most twice the clearance between two samples;
-// every sample keeps the clearance, so no posture between them touches.
+// every sample keeps the clearance, so no posture between them touches.  Where some pairs keep less, samples are as close as the
+// nearest pair at them asks for.
 
 #pragma once
 
@@ -24,6 +25,12 @@ namespace twinbus {
 
 // The halves of a cubic that is given by its Bezier points.
 std::array<std::array<JointPoint, 4>, 2> halves(const std::array<JointPoint, 4>& curve);
+
+// Two links, or a link and an obstacle, that are near each other where a motion begins or ends: it keeps less of them than of others.
+struct EndPair {
+  int link_a = 0, link_b = 0;
+  double room = 0.0;  // there [m]
+};
 
 class EdgeCheck : public FreeSpace {
  public:
@@ -48,6 +55,13 @@ class EdgeCheck : public FreeSpace {
   // The most any point of the robot moves between two postures [m].
   double motion_bound(const JointPoint& from, const JointPoint& to) const;
 
+  // Distance of the nearest pair at q, at most `far`, but for pairs nearer than `close` [m], which are added to ends.
+  double nearest_beside(const JointPoint& q, double far, double close, std::vector<EndPair>& ends);
+  // From now on `share` of their room is kept of these pairs, and less where the clearance is set smaller afterwards.
+  void keep_at_ends(const std::vector<EndPair>& ends, double share);
+  // The least that is kept of any pair [m].
+  double kept() const;
+
   void set_clearance(double clearance) { clearance_ = clearance; }
   void set_base(const Eigen::Isometry3d& base) { posture_.base = base; }  // in the world
   double clearance() const { return clearance_; }
@@ -57,7 +71,14 @@ class EdgeCheck : public FreeSpace {
   const Configuration& posture() const { return posture_; }
 
  private:
+  double margin(int link_a, int link_b) const;
+  double room(const JointPoint& q, double far);
+  bool clear_by(const JointPoint& q, double moves);
+  bool between(const JointPoint& from, double room_from, const JointPoint& to, double room_to, int halvings);
+
   Collision* collision_;
+  std::vector<EndPair> ends_;  // with what is kept of them while the clearance is full_
+  double full_ = 0.0;
   Configuration posture_;
   Kinematics kinematics_;
   std::vector<int> joints_;

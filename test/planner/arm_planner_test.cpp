@@ -8,6 +8,8 @@
 
 #include "common/math/index.h"
 #include "common/math/splitmix64.h"
+#include "planner/timing/motion_effort.h"
+#include "robot/dynamics/gravity_load.h"
 #include "test/planner/reach_rig.h"
 
 namespace twinbus {
@@ -207,6 +209,38 @@ TEST(ArmPlanner, AGoalWhereTheArmIsTooHeavyIsRefusedWithTheJoint) {
   const ArmPlan plan = ArmPlanner(weak).plan(hand_to(ArmSide::kLeft, 0.42, 0.26, 0.86), standing(), kGround, 1);
   EXPECT_EQ(plan.status, ArmPathStatus::kBadGoal);
   EXPECT_EQ(plan.complaint, "there joint " + weak.joints[at(elbow)].name + " would need more than its effort limit to hold the arm");
+}
+
+// Where the straight way is too heavy in its middle another one is taken.
+TEST(ArmPlanner, AWayThatIsTooHeavyIsGoneAround) {
+  Model weak = hrp1s();
+  const int shoulder = weak.hands[0].joints[0], elbow = weak.hands[0].joints[3];
+  Configuration there = standing();
+  there.q[elbow] = -0.1;
+  there.q[shoulder] = -1.57;
+  GravityLoad load(weak);
+  weak.joints[at(shoulder)].effort = 0.8 * load.of(there, {shoulder}).effort;
+  there.q[shoulder] = 0.0;
+  ArmGoal goal;
+  goal.kind = ArmGoalKind::kJoints;
+  goal.speed = 0.2F;
+  for (const int joint : weak.hands[0].joints) {
+    const auto k = static_cast<std::size_t>(weak.bus_index[at(joint)]);
+    goal.joint_mask |= std::int64_t{1} << k;
+    goal.q[k] = there.q[joint];
+  }
+  const auto k = static_cast<std::size_t>(weak.bus_index[at(shoulder)]);
+  goal.q[k] = -2.6;
+  const ArmPlan plan = ArmPlanner(weak).plan(goal, there, kGround, 1);
+  ASSERT_EQ(plan.status, ArmPathStatus::kOk) << describe(plan);
+  MotionEffort effort(weak, there, plan.joints);
+  JointPoint q, qd, qdd;
+  for (double t = 0.0; t <= plan.duration(); t += 0.01) {
+    sample(plan.path, t, q, qd, qdd);
+    EXPECT_TRUE(effort.holds(q)) << t;
+  }
+  EXPECT_FALSE(effort.holds(0.5 * (plan.path.front().q + plan.path.back().q)));
+  EXPECT_NEAR(q[0], -2.6, 0.01);
 }
 
 // A goal may be as near as the guard lets links be that are near by design; of others it is refused.

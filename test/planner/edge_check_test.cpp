@@ -95,6 +95,47 @@ TEST(EdgeCheck, AFreeCurveKeepsItsClearanceEverywhere) {
   EXPECT_LT(blocked, 3);
 }
 
+// From where the arm is nearer to something than the clearance: that pair keeps its own margin, all others the clearance.
+TEST(EdgeCheck, WhatIsNearAtAnEndKeepsAMarginOfItsOwn) {
+  constexpr double kClear = 0.01;
+  Shelf shelf;
+  auto& [things, start, collision, space] = shelf;
+  std::mt19937_64 random(13);
+  int lines = 0, curves = 0;
+  for (int i = 0; i < 4000 && (lines < 20 || curves < 20); ++i) {
+    const JointPoint a = random_arm(random);
+    space.set_clearance(kClear);
+    space.keep_at_ends({}, 0.9);
+    std::vector<EndPair> ends;
+    if (!(space.nearest_beside(a, kClear, kClear, ends) >= kClear) || ends.size() != 1 || !(ends[0].room > 0.002)) continue;
+    EXPECT_FALSE(space.point_free(a));
+    space.keep_at_ends(ends, 0.9);
+    EXPECT_TRUE(space.point_free(a));
+    EXPECT_NEAR(space.kept(), 0.9 * ends[0].room, 1e-12);
+    const JointPoint b = a + 0.2 * (random_arm(random) - a);
+    const bool line = space.line_free(a, b);
+    space.set_clearance(0.7 * kClear);
+    EXPECT_NEAR(space.kept(), 0.63 * ends[0].room, 1e-12);
+    const bool curve = space.curve_free({a, a + (b - a) / 3.0, a + 2.0 / 3.0 * (b - a), b});
+    lines += line ? 1 : 0;
+    curves += curve ? 1 : 0;
+    for (int s = 0; (line || curve) && s <= 100; ++s) {
+      std::array<PairDistance, 64> near;
+      const int count = collision.near_pairs(space.kinematics_at(a + s / 100.0 * (b - a)), kClear, near.data(), 64);
+      for (int n = 0; n < count; ++n) {
+        const PairDistance& pair = near[static_cast<std::size_t>(n)];
+        ASSERT_GT(pair.distance, 0.0) << i;
+        const bool end = pair.link_a == ends[0].link_a && pair.link_b == ends[0].link_b;
+        if (curve) {
+          ASSERT_GT(pair.distance, end ? 0.63 * ends[0].room : 0.7 * kClear) << i;
+        }
+      }
+    }
+  }
+  EXPECT_GE(lines, 20);
+  EXPECT_GE(curves, 20);
+}
+
 // A plate of half a millimetre cannot be tunnelled through, however long the line.
 TEST(EdgeCheck, AThinPlateIsNotTunnelledThrough) {
   const Configuration start = standing();

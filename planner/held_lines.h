@@ -1,0 +1,36 @@
+// Lines along which every joint can hold the arm, for a search whose ways were too heavy.
+
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/math/index.h"
+#include "planner/search/arm_lines.h"
+#include "planner/timing/motion_effort.h"
+
+namespace twinbus {
+
+class HeldLines : public LineTest {
+ public:
+  // All must outlive this.
+  HeldLines(ArmLines& lines, MotionEffort& effort, int joints) : lines_(&lines), effort_(&effort), joints_(joints) {}
+
+  bool free(const SearchPoint& from, const SearchPoint& step, float length) override {
+    constexpr float kApart = 0.1F;  // [rad or m]
+    const int parts = std::max(1, static_cast<int>(std::ceil(length / kApart)));
+    SearchPoint there = from;
+    for (int i = 0; i <= parts; ++i) {
+      for (std::size_t j = 0; j < there.size(); ++j) there[j] = from[j] + static_cast<float>(i) / static_cast<float>(parts) * step[j];
+      if (!effort_->holds(from_search(there, joints_))) return false;
+    }
+    return lines_->free(from, step, length);
+  }
+
+ private:
+  ArmLines* lines_;
+  MotionEffort* effort_;
+  int joints_;
+};
+
+}  // namespace twinbus
