@@ -58,12 +58,13 @@ void SimAdaptor::Impl::start() {
                                model->name + " has no joint '" + name + "'");
     standing.configuration.qd[joint] = speed;
   }
-  standing_height = standing.configuration.base.translation().z();
+  kinematics.emplace(*model);
+  kinematics->update(standing.configuration);
+  standing_height = kinematics->com().z();
   standing.configuration.base.translation() += origin();
   hold.resize(model->joints.size());
   imposed_to = standing.configuration;
   imposed_tau = standing.tau;
-  kinematics.emplace(*model);
   standing_mass = model->total_mass();
 }
 

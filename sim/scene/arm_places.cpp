@@ -302,7 +302,8 @@ class ArmPlaces {
       for (int part = 1; other.empty() && part < kWayParts; ++part) {
         Configuration there = c;
         there.q = last_.q + static_cast<double>(part) / kWayParts * (c.q - last_.q);
-        if (too_heavy(there)) other = "is too heavy for its joints on the way to, or";
+        other = too_heavy(there);
+        if (!other.empty()) other += " on the way to, or";
       }
       if (!other.empty()) continue;
       if (pose) {
@@ -352,7 +353,7 @@ class ArmPlaces {
       const PairDistance& pair = near[at(i)];
       if (pair.distance <= kNear * shares_.of(pair.link_a, pair.link_b)) return near_words(pair);
     }
-    return too_heavy(c) ? "is too heavy for its joints" : "";
+    return too_heavy(c);
   }
 
   std::string near_words(const PairDistance& pair) const {
@@ -362,7 +363,13 @@ class ArmPlaces {
     return "brings " + a + " and " + b + text;
   }
 
-  bool too_heavy(const Configuration& c) { return load_.of(c, hand_.joints).share > kHolds; }
+  std::string too_heavy(const Configuration& c) {
+    const GravityLoad::Worst worst = load_.of(c, hand_.joints);
+    if (!(worst.share > kHolds)) return "";
+    char text[60];
+    std::snprintf(text, sizeof text, " (%.3g of its %.3g)", worst.effort, worst.effort / worst.share);
+    return "is too heavy for " + model_.joints[at(worst.joint)].name + text;
+  }
 
   const Scene& scene_;
   const Model& model_;

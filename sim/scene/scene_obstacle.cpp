@@ -175,7 +175,8 @@ std::string begins_in_ground(const Scene& scene, const Model& model) {
   char depth[40];
   std::snprintf(depth, sizeof depth, "%.0f", -1e3 * arm.low);
   return model.links[at(arm.link)].name + " of its arm begins " + depth +
-         " mm in the ground: begin in another pose (--start-pose, start_pose:), or write a half_sitting into its SRDF that is above it";
+         " mm in the ground: begin in another pose (--start-pose, start_pose:), write a half_sitting into its SRDF that is above it, or "
+         "put its base on a stand (`check --propose` of its URDF does)";
 }
 
 }  // namespace twinbus

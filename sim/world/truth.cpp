@@ -88,7 +88,7 @@ void fill_truth(const Model& model, const FeltFeet& feet, const World& world, do
       pressure > kLoaded ? Eigen::Vector2d(moment / pressure) : world.com().head<2>();
   truth.zmp = {static_cast<float>(zmp.x()), static_cast<float>(zmp.y())};
   truth.zmp_margin = support.count() > 0 ? static_cast<float>(support.margin(zmp)) : 0.0F;
-  truth.fell = model.floating_base && (!(now.base.translation().z() > 0.5 * standing_height) ||
+  truth.fell = model.floating_base && (!(world.com().z() > 0.5 * standing_height) ||
                                        !(now.base.linear()(2, 2) > kFallenTilt));
 }
 

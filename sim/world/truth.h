@@ -9,8 +9,7 @@
 
 namespace twinbus {
 
-// standing_height: of the base when the run began [m]; half of it, or a tilt of 60 degrees, counts
-// as fallen.
+// standing_height: of the centre of mass when the run began [m]; half of it, or a tilt of 60 degrees, counts as fallen.
 void fill_truth(const Model& model, const FeltFeet& feet, const World& world, double standing_height, SimTruth& truth) noexcept;
 
 }  // namespace twinbus

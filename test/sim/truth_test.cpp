@@ -25,6 +25,11 @@ TEST_P(TruthTest, SaysWhatCarriesTheBodyAndWhenItFell) {
   EXPECT_NEAR(truth.zmp[0], 0.0, 1e-4);
   EXPECT_NEAR(truth.zmp_margin, 0.1, 1e-3);
   EXPECT_GT(truth.penetration, 0.0F);
+  // Wherever its base has its origin, here in the ground: it stands as long as its mass is up.
+  fill_truth(model, felt_feet(model), world, world.com().z(), truth);
+  EXPECT_FALSE(truth.fell);
+  fill_truth(model, felt_feet(model), world, 2.1 * world.com().z(), truth);
+  EXPECT_TRUE(truth.fell);
 
   at.base.translation().z() = 3.0;
   at.base.linear() = Eigen::AngleAxisd(1.1, Eigen::Vector3d::UnitY()).toRotationMatrix();
