@@ -161,7 +161,7 @@ void print_limbs(const Model& model) {
                   model.links[at(hand.link)].name.c_str(), hand.joints.size());
     }
   }
-  if (stands_on_points(model)) {
+  if (!model.yaml_text.empty() && stands_on_points(model)) {
     const StandingFeet feet(model);
     std::string names;
     for (int foot = 0; foot < feet.count(); ++foot) names += (foot == 0 ? "" : ", ") + model.links[at(feet.link(foot))].name;
@@ -240,6 +240,11 @@ void print(const Trial& trial) {
       std::printf("an arm on a fixed base: arm_hold, arm_reach, arm_scan and arm_pick are its scenes\n");
       return;
     }
+    if (trial.stood) {
+      print_typed(stdout, "no arm that reaches, on a fixed base: its joints hold half_sitting in scene stand; ./twinbus up stand holds it, "
+                  "./twinbus pose NAME moves it, as does any program that sends COMMAND (examples/)\n");
+      return;
+    }
     std::printf("does not stand: %s.  Balance wants a free base, and two legs of six joints, each with a sole, or two or four on point feet\n",
                 trial.cannot_balance.c_str());
     return;
@@ -297,6 +302,19 @@ bool own_gains_stand(CheckSubject& subject, const Trial& trial, Proposal& propos
   return true;
 }
 
+// What refuses a file is often what --mend puts right.
+CheckSubject subject_asked_for(const std::string& name, bool mends) try {
+  return load_subject(name, mends);
+} catch (const std::runtime_error& error) {
+  if (mends) throw;
+  try {
+    (void)load_subject(name, true);
+  } catch (const std::runtime_error&) {
+    throw error;
+  }
+  throw std::runtime_error(std::string(error.what()) + "; or let --mend put it right in a copy");
+}
+
 void write_file(const fs::path& path, const std::string& text) {
   if (fs::exists(path)) throw std::runtime_error(path.string() + ": exists; name a new folder");
   std::ofstream stream(path, std::ios::binary);
@@ -319,11 +337,11 @@ Exit status 1 if it is refused, with one line naming file and remedy, or does no
   --cells  instead: finds what links with few joints between them can touch with, and keeps it in the user's cache (seconds; \
       makes the exact check of all pairs faster)
   --write FILE  with --pairs: writes the SRDF with all proved pairs and reasons
-  --mend  of a URDF: inertias that no body has, limits and axes that are none, left and right exchanged are put right in the \
+  --mend  of a URDF: inertias that no body has, limits and axes that are none, meshes far from where they are drawn, left and right exchanged are put right in the \
       copy; each change is said
   --propose FOLDER  writes the proposed robot.yaml and SRDF with a copy of the URDF, or the URDF made of an MJCF model, into \
       FOLDER)"}, words);
-  CheckSubject subject = load_subject(arguments.word(0), arguments.has("--mend"));
+  CheckSubject subject = subject_asked_for(arguments.word(0), arguments.has("--mend"));
   const Model& model = subject.model;
   if (arguments.has("--pairs")) return check_pairs(model, arguments.text("--write", ""));
   if (arguments.has("--cells")) return check_cells(model);

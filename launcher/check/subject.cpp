@@ -45,7 +45,7 @@ std::string urdf_of_mjcf(const std::string& file, ProposalSource& source) {
 
 // Of the user's file, what is most likely wrong when nothing can be made of its numbers.
 std::string farthest_origin(const CheckSubject& subject) {
-  const UrdfTree tree = parse_urdf(subject.mjcf ? subject.text : read_text_file(subject.urdf), subject.urdf,
+  const UrdfTree tree = parse_urdf(subject.text, subject.urdf,
                                    {.folder = fs::path(subject.urdf).parent_path().string(),
                                     .packages = subject.source.packages});
   const UrdfJoint* farthest = nullptr;
@@ -57,9 +57,28 @@ std::string farthest_origin(const CheckSubject& subject) {
   if (farthest == nullptr) return "";
   char metres[40];
   std::snprintf(metres, sizeof metres, "%.3g m", farthest->origin.translation().norm());
-  const std::string line = subject.mjcf ? "" : ":" + std::to_string(farthest->line);
+  const std::string line = subject.mjcf || !subject.mended.empty() ? "" : ":" + std::to_string(farthest->line);
   return "; look at " + subject.urdf + line + ": joint " + farthest->name + " is the farthest from its parent, " +
          metres;
+}
+
+// A robot on a fixed base that reaches below it: the ground of a scene would be in its trunk or its arms.
+void raise_base(CheckSubject& subject) {
+  ProposalSource& source = subject.source;
+  if (floats(subject.repaired, source)) return;
+  const double height = height_of_stand(subject.repaired);
+  if (!(height > 0.0)) return;
+  Eigen::Isometry3d raised = Eigen::Isometry3d::Identity();
+  raised.translation().z() = height;
+  std::string name = "stand";
+  while (subject.text.find("\"" + name + "\"") != std::string::npos) name = "lower_" + name;
+  subject.text =
+      with_root_above(subject.text, subject.repaired.links.front().name, name, raised, "the ground is at z = 0");
+  subject.repaired = load_repaired_urdf(subject.text, subject.urdf, source.packages, source.repairs);
+  char millimetres[40];
+  std::snprintf(millimetres, sizeof millimetres, "%.0f", 1e3 * height);
+  source.notes.push_back("it reaches below its fixed base, and the ground of a scene is at z = 0: the copy of the URDF has a link `" +
+                         name + "` " + millimetres + " mm below it; give the joint " + name + "_joint the height of the true one");
 }
 
 }  // namespace
@@ -99,7 +118,10 @@ CheckSubject load_subject(const std::string& name, bool mends) {
   const Eigen::Matrix3d turn =
       source.floating.value_or(true) ? find_base_turn(subject.repaired) : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
   if (!turn.isIdentity(1e-9)) {
-    subject.text = with_upright_base(subject.text, subject.repaired.links.front().name, turn);
+    Eigen::Isometry3d upright = Eigen::Isometry3d::Identity();
+    upright.linear() = turn;
+    subject.text =
+        with_root_above(subject.text, subject.repaired.links.front().name, "upright_base", upright, "z up, x forward");
     subject.repaired =
         load_repaired_urdf(subject.text, subject.urdf, source.packages, source.repairs);
     source.notes.push_back(
@@ -115,6 +137,7 @@ CheckSubject load_subject(const std::string& name, bool mends) {
     source.notes.push_back(names + (waist.size() > 1 ? " lie" : " lies") + " between the base and the legs, and our controller balances legs that " +
                            "hang on the base: fixed in the proposal (fixed_joints), for another controller take it out there");
   }
+  raise_base(subject);
   if (subject.mjcf) {
     source.urdf_name = fs::path(subject.urdf).stem().string() + ".urdf";
     subject.model = subject.repaired;

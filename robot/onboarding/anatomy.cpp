@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "common/math/index.h"
+#include "robot/collision/collision_pairs.h"
 #include "robot/kinematics/kinematics.h"
 #include "robot/description/link_points.h"
 
@@ -19,6 +20,9 @@ constexpr double kFlat = 0.015;  // links that reach so near to the lowest point
 constexpr double kTurned = 1.5;  // no foot is wider than long by this
 constexpr int kLimbJoints = 3;   // in a row, at least
 constexpr int kLegJoints = 6;    // the foot hangs on the sixth; what follows are toes
+constexpr int kFingers = 3, kFingerJoints = 2;  // of a hand, of each, at least
+constexpr double kFinger = 0.35, kAlikeFingers = 2.0;  // the longest [m], against the shortest
+const std::vector<const char*> kLegNames{"leg", "hip", "knee", "ankle", "foot", "thigh", "toe", "calf", "coxa", "femur", "tibia"};
 // Of a foot without geometry, of the way from hip to ankle.
 constexpr double kFootLength = 0.32, kFootWidth = 0.16, kAnkleHeight = 0.12;
 
@@ -59,6 +63,10 @@ class Finder {
 
   Anatomy find() {
     measure();
+    if (find_fingers()) {
+      find_imu();
+      return std::move(result_);
+    }
     find_limbs();
     const int legs = lowest_pair();
     if (legs < 0) {
@@ -149,6 +157,35 @@ class Finder {
     }
   }
 
+  // A hand that no arm carries: three limbs or more of one palm, short, and about as long as each other.  Nothing is called a leg.
+  bool find_fingers() {
+    int palm = 0;
+    for (int above = 1; children_[at(palm)].size() == 1; ++above) {
+      if (above == kLimbJoints) return false;
+      palm = children_[at(palm)].front();
+    }
+    int fingers = 0;
+    double shortest = 1e300, longest = 0.0;
+    for (const int root : children_[at(palm)]) {
+      if (depth_[at(root)] < kFingerJoints) continue;
+      double length = 0.0;
+      for (int link = root; link < model_.link_count(); ++link) {
+        if (!hangs_on(model_, link, root)) continue;
+        if (mentions(model_.links[at(link)].name, kLegNames) || mentions(model_.joints[at(link - 1)].name, kLegNames)) return false;
+        for (const Eigen::Vector3d& point : points_[at(link)])
+          length = std::max(length, (point - kinematics_.link_in_world(root).translation()).norm());
+      }
+      shortest = std::min(shortest, length);
+      longest = std::max(longest, length);
+      ++fingers;
+    }
+    if (fingers < kFingers || longest > kFinger || longest > kAlikeFingers * shortest) return false;
+    result_.doubts.push_back("a hand without an arm: " + std::to_string(fingers) + " fingers on " +
+                             (palm == 0 ? "its base" : model_.links[at(palm)].name) +
+                             "; nothing of it is an arm that reaches, its joints hold, take poses and commands");
+    return true;
+  }
+
   // Hanging arms reach lowest when there are no legs.
   bool is_named_like_an_arm(int root) const {
     bool arm = false;
@@ -158,8 +195,8 @@ class Finder {
       if (up != root) continue;
       for (const std::string& name :
            {model_.links[at(link)].name, model_.joints[at(link - 1)].name}) {
-        if (mentions(name, {"leg", "hip", "knee", "ankle", "foot", "thigh", "toe"})) return false;
-        arm = arm || mentions(name, {"shoulder", "elbow", "wrist", "hand", "grip", "finger"});
+        if (mentions(name, kLegNames)) return false;
+        arm = arm || mentions(name, {"shoulder", "elbow", "wrist", "hand", "grip", "finger", "arm"});
       }
     }
     return arm;

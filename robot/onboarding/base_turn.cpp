@@ -2,20 +2,28 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <cstdio>
 #include <initializer_list>
 #include <numbers>
 #include <utility>
 
-#include "robot/onboarding/anatomy.h"
 #include "common/math/index.h"
 #include "common/math/pose_math.h"
+#include "robot/collision/collision_pairs.h"
+#include "robot/description/link_points.h"
+#include "robot/kinematics/arm_span.h"
+#include "robot/kinematics/kinematics.h"
+#include "robot/onboarding/anatomy.h"
 
 namespace twinbus {
 
 namespace {
 
 constexpr std::size_t kJointsOfLegs = 12;  // of both
+constexpr double kBelow = 0.03;      // its base that the flange of a trunk may reach [m]
+constexpr double kTouches = 0.001;   // that an arm may begin in the ground [m]
+constexpr double kArmsAbove = 0.05;  // the ground, of a robot on a stand [m]
 
 }  // namespace
 
@@ -59,19 +67,40 @@ Eigen::Matrix3d find_base_turn(const Model& model) {
   return none;
 }
 
-std::string with_upright_base(const std::string& urdf_text, const std::string& root_link,
-                              const Eigen::Matrix3d& turn) {
+double height_of_stand(const Model& model) {
+  const Anatomy found = find_anatomy(model);
+  Configuration c(model);
+  c.q = neutral_posture(model);
+  if (found.hands[0].link < 0) lift_arms(model, found, c.q);
+  Kinematics k(model);
+  k.update(c);
+  double trunk = 0.0, arms = 0.0;
+  for (int link = 0; link < model.link_count(); ++link) {
+    const bool of_arm = std::any_of(found.hands.begin(), found.hands.end(), [&](const Hand& hand) {
+      if (hand.link < 0 || !hangs_on(model, link, hand.joints.front() + 1)) return false;
+      return link != hand.joints.front() + 1 || !turns_in_place(k, hand);
+    });
+    double& low = of_arm ? arms : trunk;
+    for (const Eigen::Vector3d& point : link_points(model.links[at(link)])) low = std::min(low, (k.link_in_world(link) * point).z());
+  }
+  const double needed = std::max(trunk < -kBelow ? -trunk : 0.0, arms < -kTouches ? kArmsAbove - arms : 0.0);
+  return 1e-3 * std::ceil(1e3 * needed);
+}
+
+std::string with_root_above(const std::string& urdf_text, const std::string& root_link, const std::string& new_root,
+                            const Eigen::Isometry3d& pose, const std::string& why) {
   const std::size_t end = urdf_text.rfind("</robot>");
   if (end == std::string::npos) return urdf_text;
-  const Eigen::Vector3d rpy = rpy_from_rotation(turn);
-  char origin[120];
-  std::snprintf(origin, sizeof(origin), "%.9f %.9f %.9f", rpy.x(), rpy.y(), rpy.z());
+  const Eigen::Vector3d xyz = pose.translation(), rpy = rpy_from_rotation(pose.linear());
+  char origin[200];
+  std::snprintf(origin, sizeof(origin), "xyz=\"%.9g %.9g %.9g\" rpy=\"%.9f %.9f %.9f\"", xyz.x(), xyz.y(), xyz.z(), rpy.x(),
+                rpy.y(), rpy.z());
   std::string text = urdf_text.substr(0, end);
-  text += "  <!-- Added by `twinbus check`: z up, x forward. -->\n";
-  text += "  <link name=\"upright_base\"/>\n";
-  text += "  <joint name=\"upright_base_turn\" type=\"fixed\">\n";
-  text += std::string("    <origin xyz=\"0 0 0\" rpy=\"") + origin + "\"/>\n";
-  text += "    <parent link=\"upright_base\"/>\n    <child link=\"" + root_link + "\"/>\n";
+  text += "  <!-- Added by `twinbus check`: " + why + ". -->\n";
+  text += "  <link name=\"" + new_root + "\"/>\n";
+  text += "  <joint name=\"" + new_root + "_joint\" type=\"fixed\">\n";
+  text += std::string("    <origin ") + origin + "/>\n";
+  text += "    <parent link=\"" + new_root + "\"/>\n    <child link=\"" + root_link + "\"/>\n";
   text += "  </joint>\n";
   return text + urdf_text.substr(end);
 }

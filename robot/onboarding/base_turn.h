@@ -1,8 +1,9 @@
-// Robots whose base does not have z up and x forward: found by their legs and what these are called.
+// Robots whose base does not have z up and x forward, found by their legs and what these are called; and robots on a fixed base
+// that reach below it.
 
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <string>
 
 #include "robot/description/model.h"
@@ -16,8 +17,12 @@ Eigen::Matrix3d find_base_turn(const Model& model);
 // 1: left, -1: right, 0: the name says neither.
 int side_of_name(const std::string& name);
 
-// The URDF with a link `upright_base` above its root, which it turns by a fixed joint.
-std::string with_upright_base(const std::string& urdf_text, const std::string& root_link,
-                              const Eigen::Matrix3d& turn);
+// How far a robot on a fixed base is to stand above the ground, which lies at the origin of its file [m]: as far as its trunk reaches
+// below it, or, a little above the ground, two arms that hang, or one that no lift of its joints raises.  0: it is not.
+double height_of_stand(const Model& model);
+
+// The URDF with a new link above its root, which a fixed joint puts at `pose` in it; `why` is a comment.
+std::string with_root_above(const std::string& urdf_text, const std::string& root_link, const std::string& new_root,
+                            const Eigen::Isometry3d& pose, const std::string& why);
 
 }  // namespace twinbus

@@ -64,9 +64,11 @@ class Mender {
   Mender(XmlElement& robot, std::vector<std::string>& changes) : robot_(robot), changes_(changes) {}
 
   void mend() {
+    mend_commas(robot_, "");
     give_masses();
     for (XmlElement& element : robot_.children) {
       if (element.name == "link") mend_shapes(element);
+      if (element.name == "link") mend_places(element);
       if (element.name == "link") mend_inertia(element);
       if (element.name != "joint") continue;
       mend_axis(element);
@@ -82,6 +84,21 @@ class Mender {
 
  private:
   void say(const std::string& about, const std::string& what) { changes_.push_back(about + ": " + what); }
+
+  // Three numbers between commas.
+  void mend_commas(XmlElement& element, const std::string& within) {
+    const std::string about = element.attribute("name") == nullptr ? within : element.name + " " + name_of(element);
+    for (auto& [key, text] : element.attributes) {
+      double v[3];
+      if ((key != "xyz" && key != "rpy") || text.find(',') == std::string::npos || parse_numbers(text, v, 3)) continue;
+      std::string spaced = text;
+      std::replace(spaced.begin(), spaced.end(), ',', ' ');
+      if (!parse_numbers(spaced, v, 3)) continue;
+      say(about, element.name + " " + key + "=\"" + text + "\" has commas between its numbers: spaces");
+      text = spaced;
+    }
+    for (XmlElement& child : element.children) mend_commas(child, about);
+  }
 
   // A file for drawing and kinematics alone.
   void give_masses() {
@@ -131,6 +148,37 @@ class Mender {
         say("link " + name_of(link) + ", " + part.name, shape.name + " " + key + " " + text + " is nothing: " + mended + " m");
         text = mended;
       }
+    }
+  }
+
+  // An angle written as a place: the mesh that is touched is far from where it is drawn and weighs.
+  void mend_places(XmlElement& link) {
+    const auto place = [](const XmlElement* part) {
+      double v[3] = {};
+      const XmlElement* origin = part == nullptr ? nullptr : part->child("origin");
+      const std::string* text = origin == nullptr ? nullptr : origin->attribute("xyz");
+      if (text == nullptr || !parse_numbers(*text, v, 3)) return Eigen::Vector3d(0.0, 0.0, 0.0);
+      return Eigen::Vector3d(v[0], v[1], v[2]);
+    };
+    const auto mesh = [](const XmlElement& part) {
+      const XmlElement* geometry = part.child("geometry");
+      const XmlElement* shape = geometry == nullptr ? nullptr : geometry->child("mesh");
+      const std::string* name = shape == nullptr ? nullptr : shape->attribute("filename");
+      return name == nullptr ? std::string() : *name;
+    };
+    const Eigen::Vector3d mass = place(link.child("inertial"));
+    for (XmlElement& touched : link.children) {
+      if (touched.name != "collision" || mesh(touched).empty()) continue;
+      const XmlElement* drawn = nullptr;
+      const auto off = [&](const XmlElement& other) { return (place(&other) - place(&touched)).norm(); };
+      for (const XmlElement& part : link.children) {
+        if (part.name == "visual" && mesh(part) == mesh(touched) && (drawn == nullptr || off(part) < off(*drawn))) drawn = &part;
+      }
+      if (drawn == nullptr || !(off(*drawn) > kFarFromDrawn) || !((place(drawn) - mass).norm() < (place(&touched) - mass).norm()))
+        continue;
+      say("link " + name_of(link) + ", collision", "its mesh lies " + number(off(*drawn)) + " m from where the same mesh is drawn: it is put there");
+      std::erase_if(touched.children, [](const XmlElement& e) { return e.name == "origin"; });
+      if (const XmlElement* origin = drawn->child("origin")) touched.children.push_back(*origin);
     }
   }
 

@@ -9,8 +9,13 @@
 
 namespace twinbus {
 
+// A mesh that is touched so far from where it is drawn is one in a wrong place [m].
+inline constexpr double kFarFromDrawn = 0.3;
+
 // The text with these put right, each said in changes; the text as it is when nothing was.
 // Links of a file without any mass get one each; sizes of nothing a millimetre; macros of xacro that only colour are left out.
+// Commas between three numbers become spaces.
+// A mesh that is touched far from where the same mesh is drawn and the link weighs is put there.
 // An inertia that no body has becomes the nearest that one has, a placeholder or a negative one that of a box around the
 // link's geometry; an axis gets length 1; a range whose ends are exchanged is turned, one in degrees goes to radians; effort and
 // speed limits that are none are those of the joint on the other side, else the middle ones of the robot's others of

@@ -118,7 +118,19 @@ class Looker {
           "the guard does not see it; give it one");
     }
     for (const Shape& shape : link.collision) look_at_mesh(about + ", collision", shape);
+    for (const Shape& shape : link.collision) look_at_place(about, link, shape);
     for (const Shape& shape : link.visual) look_at_mesh("", shape);
+  }
+
+  void look_at_place(const std::string& about, const Link& link, const Shape& shape) {
+    double off = 1e300;
+    for (const Shape& drawn : link.visual) {
+      if (shape.kind == ShapeKind::kMesh && drawn.kind == ShapeKind::kMesh && drawn.mesh == shape.mesh)
+        off = std::min(off, (drawn.pose.translation() - shape.pose.translation()).norm());
+    }
+    if (off < 1e300 && off > kFarFromDrawn)
+      add(about, "mesh " + shape.mesh.substr(shape.mesh.rfind('/') + 1) + " is touched " + number(off) + " m from where it is drawn",
+          "correct the <origin> of <collision>; --mend takes that of <visual>");
   }
 
   // about empty: only whether it can be read.

@@ -122,7 +122,8 @@ std::optional<PointLegs> find_point_legs(const Model& model, Anatomy& anatomy) {
     anatomy.leg_joints.insert(anatomy.leg_joints.end(), leg.joints.begin(), leg.joints.end());
   }
   std::erase_if(anatomy.doubts, [](const std::string& doubt) {
-    return doubt.find("imb") != std::string::npos || doubt.find("sole") != std::string::npos || doubt.find("arms") != std::string::npos;
+    return doubt.find("imb") != std::string::npos || doubt.find("sole") != std::string::npos || doubt.find("arms") != std::string::npos ||
+           doubt.find("hand without") != std::string::npos;
   });
   std::string names;
   for (const PointLeg& leg : *legs) names += (names.empty() ? "" : ", ") + model.links[at(leg.link)].name;

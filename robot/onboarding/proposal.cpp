@@ -367,7 +367,7 @@ class Writer {
     if (leg && points_) {
       kp = kPointLegStiffness * model_.total_mass() * kGravity * point_legged_height();
       kd = std::min(1.4 * std::sqrt(kp * inertia), kLegDamping * kp);
-    } else if (leg || hands == 2) {
+    } else if (leg || (hands == 2 && has_soles())) {
       kp = kLegStiffness * model_.total_mass() * kGravity * std::max(anatomy_.hip_height, 0.1);
       kd = (joint.rotor_inertia > 0.0 ? kLegDamping : kLightDamping) * kp;
     }
@@ -414,6 +414,12 @@ class Writer {
 };
 
 }  // namespace
+
+bool floats(const Model& model, const ProposalSource& source) {
+  if (source.floating) return *source.floating;
+  Anatomy anatomy = find_anatomy(model);
+  return find_point_legs(model, anatomy) || anatomy.soles[0].link >= 0;
+}
 
 Proposal propose(const Model& model, const ProposalSource& source) {
   const KnownSrdf known = fit_srdf(model, source.srdf_text, source.srdf_file, source.srdf_origin);

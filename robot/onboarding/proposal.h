@@ -40,6 +40,9 @@ struct ProposalSource {
   std::vector<std::pair<std::string, double>> friction;   // frame and coefficient
 };
 
+// Whether a robot is proposed with a free base: as the source says, else if it has legs.
+bool floats(const Model& model, const ProposalSource& source);
+
 // model: as load_repaired_urdf made it.  Of an SRDF that is there, poses, disabled pairs and rotors
 // are kept, as far as they fit the URDF.
 Proposal propose(const Model& model, const ProposalSource& source);
@@ -55,7 +58,7 @@ std::string find_srdf(const std::string& urdf_file);
 // Mesh names relative to the URDF's folder as package://FOLDER/..., so that a copy elsewhere finds
 // them; adds that package if there was one.  FOLDER is the URDF's, or one of the three above it if meshes lie
 // there (urdf/ beside meshes/).  A file that is not where its package://, file:// or absolute name says is looked for there
-// by the end of that name: folders are renamed, and workspaces of other machines are written into files.
+// by the end of that name, in small letters or capitals: folders are renamed, and workspaces of other machines are written into files.
 std::string with_packages(const std::string& urdf_text, const std::string& urdf_file,
                           std::vector<std::pair<std::string, std::string>>& packages);
 

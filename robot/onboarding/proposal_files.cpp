@@ -119,6 +119,21 @@ bool is_there(const std::string& name, const fs::path& file, const Packages& pac
   return false;
 }
 
+// The file beside this one whose name differs in capitals alone; this one when there is none.
+fs::path in_capitals(const fs::path& file) {
+  const auto small = [](const fs::path& path) {
+    std::string name = path.filename().string();
+    std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return name;
+  };
+  std::error_code error;
+  if (fs::exists(file, error)) return file;
+  for (fs::directory_iterator next(file.parent_path(), error), end; !error && next != end; next.increment(error)) {
+    if (small(next->path()) == small(file)) return next->path();
+  }
+  return file;
+}
+
 // The file of an absolute name, or that ends as this name does, in the URDF's folder or one above it; the longest such end, then
 // the nearest folder.  Empty when there is none.
 std::pair<fs::path, fs::path> found_by_end(const fs::path& file, const fs::path& own) {
@@ -132,7 +147,8 @@ std::pair<fs::path, fs::path> found_by_end(const fs::path& file, const fs::path&
     if (*end.begin() == "..") continue;
     fs::path folder = own;
     for (int up = 0; up <= kMostUp && folder.has_relative_path(); ++up, folder = folder.parent_path()) {
-      if (fs::is_regular_file(folder / end, error)) return {folder, end};
+      const fs::path found = in_capitals(folder / end);
+      if (fs::is_regular_file(found, error)) return {folder, end.parent_path() / found.filename()};
     }
     if (end == end.filename()) break;
   }
@@ -157,7 +173,9 @@ std::string with_packages(const std::string& urdf_text, const std::string& urdf_
   for (const MeshName& mesh : meshes) {
     const std::string name = urdf_text.substr(mesh.start, mesh.end - mesh.start);
     std::pair<fs::path, fs::path> file{folder, (below / mesh.file).lexically_normal()};
-    if (mesh.has_scheme) {
+    if (!mesh.has_scheme) {
+      file.second.replace_filename(in_capitals(file.first / file.second).filename());
+    } else {
       file = is_there(name, mesh.file, packages) ? std::pair<fs::path, fs::path>() : found_by_end(mesh.file, own);
       if (file.second.empty()) continue;
     }

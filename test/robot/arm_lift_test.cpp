@@ -2,8 +2,14 @@
 
 #include <cmath>
 
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "robot/description/load.h"
 #include "robot/dynamics/gravity_load.h"
 #include "robot/onboarding/anatomy.h"
+#include "robot/onboarding/base_turn.h"
 
 namespace twinbus {
 namespace {
@@ -62,6 +68,74 @@ TEST(ArmLift, AnArmThatItsJointsCannotHoldBeginsWhereTheyCan) {
       EXPECT_GT(kWeight * std::cos(std::abs(q[0]) - 0.1) / effort, 0.8) << "no farther than it must";
     }
   }
+}
+
+// A box of 2 kg whose middle is at xyz of its link.
+std::string box(const std::string& name, const std::string& size, const std::string& xyz) {
+  const std::string at = "<origin xyz='" + xyz + "'/>";
+  return "<link name='" + name + "'><inertial>" + at +
+         "<mass value='2'/><inertia ixx='0.02' iyy='0.02' izz='0.02' ixy='0' ixz='0' iyz='0'/></inertial><collision>" + at +
+         "<geometry><box size='" + size + "'/></geometry></collision></link>";
+}
+
+std::string hinge(const std::string& name, const std::string& parent, const std::string& child, const std::string& xyz,
+                  const std::string& axis) {
+  return "<joint name='" + name + "' type='revolute'><origin xyz='" + xyz + "'/><parent link='" + parent + "'/><child link='" + child +
+         "'/><axis xyz='" + axis + "'/><limit lower='-1.5' upper='1.5' effort='90' velocity='2'/></joint>";
+}
+
+// Three boxes in a row below a shoulder, or ahead of a knuckle.
+std::string limb(const std::string& name, const std::string& on, const std::string& xyz, const std::string& size, const std::string& step) {
+  const std::string a = name + "_upper", b = name + "_middle", c = name + "_end";
+  return box(a, size, "0 0 0") + box(b, size, "0 0 0") + box(c, size, "0 0 0") + hinge(name + "_1", on, a, xyz, "1 0 0") +
+         hinge(name + "_2", a, b, step, "0 1 0") + hinge(name + "_3", b, c, step, "0 1 0");
+}
+
+Model loaded(const std::string& text) {
+  UrdfRepairs repairs;
+  return load_repaired_urdf(text, "/tmp/robot.urdf", {}, repairs);
+}
+
+std::string torso(const std::string& trunk, const std::string& shoulders) {
+  std::string text = "<robot name='torso'>" + trunk;
+  for (const auto& [side, y] : {std::pair("left", " 0.3 "), std::pair("right", " -0.3 ")})
+    text += limb(std::string(side) + "_arm", "trunk", "0" + std::string(y) + shoulders, "0.1 0.1 0.2", "0 0 -0.25");
+  return text + "</robot>";
+}
+
+// The ground of scenes is at z = 0.
+TEST(Stand, WhatReachesBelowItsBaseIsRaised) {
+  const std::string above = box("trunk", "0.3 0.3 0.6", "0 0 0.3"), below = box("trunk", "0.3 0.3 1.0", "0 0 -0.4");
+  EXPECT_EQ(height_of_stand(loaded(torso(above, "0.8"))), 0.0);
+  EXPECT_NEAR(height_of_stand(loaded(torso(below, "0.1"))), 0.9, 1e-9);  // to its foot
+  const std::string hangs = torso(above, "0.4");
+  const double height = height_of_stand(loaded(hangs));
+  EXPECT_NEAR(height, 0.25, 1e-9);  // hands 0.2 m below the base, 0.05 m above the ground
+  Eigen::Isometry3d raised = Eigen::Isometry3d::Identity();
+  raised.translation().z() = height;
+  const Model model = loaded(with_root_above(hangs, "trunk", "stand", raised, "the ground is at z = 0"));
+  EXPECT_EQ(model.links.front().name, "stand");
+  EXPECT_EQ(height_of_stand(model), 0.0);
+}
+
+TEST(Anatomy, FingersOfAPalmAreNoArms) {
+  const auto hand = [](const std::string& finger, const std::string& step) {
+    std::string text = "<robot name='hand'>" + box("palm", "0.1 0.1 0.02", "0 0 0");
+    for (const auto& [name, xyz] : {std::pair("1", "0.04 0.04 0"), std::pair("2", "0.04 0 0"), std::pair("3", "0.04 -0.04 0")})
+      text += limb(finger + name, "palm", xyz, "0.02 0.02 0.02", step);
+    return text + "</robot>";
+  };
+  const Anatomy found = find_anatomy(loaded(hand("finger", "0.04 0 0")));
+  EXPECT_LT(std::max(found.hands[0].link, found.hands[1].link), 0);
+  ASSERT_FALSE(found.doubts.empty());
+  EXPECT_EQ(found.doubts.front().find("a hand without an arm: 3 fingers on its base"), 0U) << found.doubts.front();
+  // Arms as long as people's are arms.
+  const auto says_hand = [](const Anatomy& anatomy) {
+    return std::any_of(anatomy.doubts.begin(), anatomy.doubts.end(), [](const std::string& d) { return d.find("hand without") != std::string::npos; });
+  };
+  EXPECT_FALSE(says_hand(find_anatomy(loaded(hand("finger", "0.3 0 0")))));
+  EXPECT_FALSE(says_hand(find_anatomy(loaded(hand("leg", "0.04 0 0")))));
+  EXPECT_FALSE(says_hand(find_anatomy(loaded(torso(box("trunk", "0.3 0.3 0.6", "0 0 0.3"), "0.8")))));
 }
 
 }  // namespace

@@ -121,5 +121,30 @@ TEST(Mend, LeftAndRightExchangedAreExchangedBack) {
   }
 }
 
+// An angle that was written as a place.
+TEST(Mend, AMeshThatIsTouchedFarFromWhereItIsDrawnIsPutThere) {
+  const std::string mesh = "<geometry><mesh filename='nub.stl'/></geometry>";
+  const auto nub = [&](const std::string& touched) {
+    return "<robot name='r'><link name='nub'><inertial><origin xyz='0 0 -0.02'/><mass value='1'/><inertia " + kGood +
+           "/></inertial><visual><origin rpy='0 1.57 0' xyz='0 0 0'/>" + mesh + "</visual><collision><origin xyz='" + touched + "'/>" + mesh +
+           "</collision></link></robot>";
+  };
+  std::vector<std::string> changes;
+  const std::string mended = mend_urdf(nub("0 1.57 0"), "mend.urdf", changes);
+  ASSERT_EQ(changes.size(), 1U);
+  EXPECT_EQ(changes.front(), "link nub, collision: its mesh lies 1.57 m from where the same mesh is drawn: it is put there");
+  EXPECT_NE(mended.find("<origin rpy=\"0 1.57 0\" xyz=\"0 0 0\">", mended.find("<collision>")), std::string::npos) << mended;
+  EXPECT_EQ(mend_urdf(nub("0 0.1 0"), "mend.urdf", changes), nub("0 0.1 0"));
+}
+
+TEST(Mend, CommasBetweenThreeNumbersBecomeSpaces) {
+  std::vector<std::string> changes;
+  const std::string mended =
+      mend_urdf("<robot name='r'><joint name='j' type='fixed'><origin rpy='1.57, 0 0.5' xyz='0,5 0 0'/></joint></robot>", "m.urdf", changes);
+  ASSERT_EQ(changes.size(), 1U);  // 0,5 0 0 would be four
+  EXPECT_EQ(changes.front(), "joint j: origin rpy=\"1.57, 0 0.5\" has commas between its numbers: spaces");
+  EXPECT_NE(mended.find("rpy=\"1.57  0 0.5\" xyz=\"0,5 0 0\""), std::string::npos) << mended;
+}
+
 }  // namespace
 }  // namespace twinbus

@@ -156,17 +156,19 @@ TEST(BaseTurn, ABaseThatLiesOrLooksBackIsSetUpright) {
   const double pi = 3.14159265358979323846;
   for (const Eigen::Matrix3d& turn :
        {rotation_z(pi), Eigen::Matrix3d(rotation_about(Eigen::Vector3d::UnitX(), -0.5 * pi))}) {
-    const std::string text =
-        with_upright_base(straight.urdf_text, straight.links.front().name, turn);
+    const auto upright = [](const Model& model, const Eigen::Matrix3d& by) {
+      Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+      pose.linear() = by;
+      return with_root_above(model.urdf_text, model.links.front().name, "upright_base", pose, "z up");
+    };
+    const std::string text = upright(straight, turn);
     UrdfRepairs repairs;
     const std::string file = straight.folder + "/hrp1s.urdf";
     const Model turned = load_repaired_urdf(text, file, {}, repairs);
     const Eigen::Matrix3d back = find_base_turn(turned);
     EXPECT_TRUE((back * turn).isIdentity(1e-9)) << back;
     // Once more on top, and it is as it was.
-    const Model again = load_repaired_urdf(
-        with_upright_base(straight.urdf_text, straight.links.front().name, back * turn), file, {},
-        repairs);
+    const Model again = load_repaired_urdf(upright(straight, back * turn), file, {}, repairs);
     EXPECT_TRUE(find_base_turn(again).isIdentity(1e-9));
     EXPECT_TRUE(repairs.fixed_joints.empty());
   }
@@ -314,6 +316,8 @@ TEST(Proposal, MeshesAreFoundByTheEndOfTheirNameInARenamedFolder) {
   EXPECT_EQ(made("package://here/meshes/b.stl"), top + "meshes/b.stl");                   // it is there
   EXPECT_EQ(made("package://my_robot/meshes/b.stl"), top + "meshes/b.stl");               // no such package
   EXPECT_EQ(made("package://here/old/place/meshes/b.stl"), top + "meshes/b.stl");         // no such file in it
+  EXPECT_EQ(made("package://my_robot/meshes/B.STL"), top + "meshes/b.stl");               // written on a system that takes both
+  EXPECT_EQ(made("../meshes/B.stl"), top + "meshes/b.stl");
   EXPECT_EQ(made("package://my_robot/meshes/a.stl"), own + "meshes/a.stl");               // the nearest
   EXPECT_EQ(made("package://x/renamed/meshes/a.stl"), folder.path() + " package://" + folder.path().substr(folder.path().rfind('/') + 1) + "/renamed/meshes/a.stl");
   EXPECT_EQ(made((root / "meshes/a.stl").string()), top + "meshes/a.stl");  // there, though another one is nearer
