@@ -37,7 +37,7 @@ class StepWatch {
   Status step(World& world, double time) noexcept {
     const double begun = timed_ ? thread_cpu_seconds() : 0.0;
     const Status status = world.step();
-    if (timed_) seconds_ += thread_cpu_seconds() - begun;
+    if (timed_) seconds_ += std::max(0.0, thread_cpu_seconds() - begun - clock_);
     if (status == Status::kOk) stepped(world, time);
     return status;
   }
@@ -54,7 +54,10 @@ class StepWatch {
   }
   const TrustCounts& counts() const noexcept { return counts_; }
 
-  void time_steps() noexcept { timed_ = true; }
+  void time_steps() noexcept {
+    timed_ = true;
+    clock_ = cost_of_thread_clock();
+  }
   double seconds() const noexcept { return seconds_; }  // CPU of the steps since then [s]
 
  private:
@@ -71,7 +74,7 @@ class StepWatch {
   TrustCounts counts_;
   std::vector<Push> pushes_;
   bool timed_ = false;
-  double seconds_ = 0.0;
+  double seconds_ = 0.0, clock_ = 0.0;
 };
 
 }  // namespace twinbus

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
@@ -20,8 +21,11 @@ constexpr double kTwin = 1e-12;        // relative, and [m]
 constexpr double kParted = 1e-6;       // [m]: what converges parts by less than 1e-8
 constexpr double kMargin = 1.3;        // of the error asked for
 constexpr double kAgreement = 2.0;     // of it the finest two runs agree to so small a part
+constexpr double kSecond = 3.0;        // times it order 2 may be off where they do
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kParts[] = {1, 2, 4, 10, 20};  // of the control period
+
+constexpr double kFinest = 1.0 / kParts[std::size(kParts) - 1];
 
 using Sample = std::vector<Eigen::Vector3d>;
 
@@ -96,19 +100,25 @@ Track follow(const Model& model, const Scene& scene, const OneProcessConfig& con
   Eigen::VectorXd moved = Eigen::VectorXd::Zero(start.size());
   for (const auto& robot : run.further_robots()) track.moved.robots.push_back(robot.name);
   track.moved.robot_ways.assign(track.moved.robots.size(), 0.0);
+  const Sample begin = places(run);
+  double links = 0.0;
   const std::int64_t ticks = std::llround(duration / model.period());
   const std::int64_t every = std::max<std::int64_t>(1, std::llround(kEvery / model.period()));
   while (run.ticks() < ticks && !quit_requested() && run.tick()) {
     if (run.ticks() % every != 0) continue;
     track.at.push_back(places(run));
     moved = moved.cwiseMax((run.world().configuration().q - start).cwiseAbs());
+    for (std::size_t i = 0; i < at(run.model().link_count()); ++i)
+      links = std::max(links, (track.at.back()[i] - begin[i]).norm());
     for (std::size_t i = 0; i < track.moved.robots.size(); ++i) {
       const Eigen::Vector3d now = run.world().robot_link(static_cast<int>(i), 0).translation();
       track.moved.robot_ways[i] = std::max(track.moved.robot_ways[i], (now - run.further_robots()[i].start).norm());
     }
   }
   track.moved.joints.assign(moved.begin(), moved.end());
+  track.moved.links = links;
   track.whole = run.ticks() >= ticks;
+  track.stopped = run.state().role == Role::kStopped;
   track.cost = run.physics_seconds();
   track.all = thread_cpu_seconds() - begun;
   return track;
@@ -134,8 +144,15 @@ namespace {
 bool same_method(const Rung& a, const Rung& b) { return a.order == b.order && a.less == b.less; }
 }  // namespace
 
+bool Ladder::proven(double error) const {
+  if (!parted.empty() || !(agreement <= error / kAgreement)) return false;
+  const auto second = [](const Rung& rung) { return rung.order == 2 && rung.less.none(); };
+  const auto last = std::find_if(rungs.rbegin(), rungs.rend(), second);
+  return last == rungs.rend() || last->apart <= kSecond * error;
+}
+
 int Ladder::choose(double error) const {
-  if (!parted.empty() || !(agreement <= error / kAgreement)) return -1;
+  if (!proven(error)) return -1;
   int best = -1;
   const auto holds = [&](const Rung& rung) {
     return std::all_of(rungs.begin(), rungs.end(), [&](const Rung& finer) {
@@ -198,21 +215,26 @@ void leave_out(const Model& model, const LadderRequest& request, const Run& run,
   const int chosen = ladder.choose(request.error);
   if (chosen < 0) return;
   const Rung whole = ladder.rungs[at(chosen)];
-  for (const Less& less : proposals(model, yardstick.moved, request.error)) {
-    if (quit_requested()) return;
+  const auto try_at = [&](const Less& less, double step) {
     Rung wanted = whole;
+    wanted.step = step;
     wanted.less = less;
-    Rung rung;
+    const Track track = run(at_rung(scene, wanted));
+    Rung rung = rung_of(whole.order, step, track, yardstick, request.duration);
+    rung.less = less;
+    if (track.stopped != yardstick.stopped) rung.apart = kInfinity;
+    ladder.rungs.insert(ladder.rungs.end() - 1, rung);
+    if (request.progress) request.progress(ladder);
+    return ladder.choose(request.error) != chosen;
+  };
+  const double finer = whole.step / 2.0;
+  for (const Less& less : proposals(model, yardstick.moved, request.error, scene.self_contact)) {
+    if (quit_requested()) return;
     try {
-      const Track track = run(at_rung(scene, wanted));
-      rung = rung_of(whole.order, whole.step, track, yardstick, request.duration);
+      if (try_at(less, whole.step) && (finer < 0.9 * kFinest * model.period() || try_at(less, finer))) return;
     } catch (const std::runtime_error&) {
       continue;  // a loop or grasp needs what would be left out
     }
-    rung.less = less;
-    ladder.rungs.insert(ladder.rungs.end() - 1, rung);
-    if (request.progress) request.progress(ladder);
-    if (ladder.choose(request.error) != chosen) return;
   }
 }
 
@@ -289,7 +311,7 @@ Ladder climb(const Model& model, const Scene& scene, const OneProcessConfig& con
       if (quit_requested()) return ladder;
     }
     last_top = tracks.size() - 1;
-    const bool agreed = have_top && ladder.agreement <= request.error / kAgreement;
+    const bool agreed = have_top && ladder.proven(request.error);
     have_top = true;
     if (agreed && !request.all) {
       add_cheaper(request, run, model.period(), scene, tracks, ladder);
@@ -303,13 +325,14 @@ Ladder climb(const Model& model, const Scene& scene, const OneProcessConfig& con
 std::string ladder_text(const Ladder& ladder) {
   std::ostringstream text;
   text.precision(17);
-  text << "ladder 2 " << ladder.rungs.size() << ' ' << ladder.parted.size() << ' '
+  text << "ladder 3 " << ladder.rungs.size() << ' ' << ladder.parted.size() << ' '
        << (std::isfinite(ladder.agreement) ? ladder.agreement : -1.0) << ' ' << ladder.cost << '\n';
   for (const Rung& r : ladder.rungs) {
     text << r.order << ' ' << r.step << ' ' << r.cost << ' '
          << (std::isfinite(r.apart) ? r.apart : -1.0) << ' ' << r.at << ' ' << r.whole << ' '
-         << r.less.held.size() << ' ' << r.less.rigid.size() << ' ' << r.body << '\n';
-    for (const auto* names : {&r.less.held, &r.less.rigid}) {
+         << r.less.held.size() << ' ' << r.less.rigid.size() << ' ' << r.less.still.size() << ' '
+         << r.less.apart << ' ' << r.body << '\n';
+    for (const auto* names : {&r.less.held, &r.less.rigid, &r.less.still}) {
       for (const std::string& name : *names) text << name << '\n';
     }
   }
@@ -325,22 +348,25 @@ bool read_ladder(const std::string& text, Ladder& ladder) {
   std::size_t rungs = 0, parted = 0;
   Ladder read;
   if (!(in >> word >> version >> rungs >> parted >> read.agreement >> read.cost) ||
-      word != "ladder" || version != 2 || rungs > 1000 || parted > 10000) {
+      word != "ladder" || version != 3 || rungs > 1000 || parted > 10000) {
     return false;
   }
   const auto endless = [](double value) { return value < 0.0 ? kInfinity : value; };
   read.agreement = endless(read.agreement);
   for (std::size_t i = 0; i < rungs; ++i) {
     Rung r;
-    std::size_t held = 0, rigid = 0;
-    if (!(in >> r.order >> r.step >> r.cost >> r.apart >> r.at >> r.whole >> held >> rigid)) return false;
-    if (r.order < 1 || r.order > 3 || !(r.step > 0.0) || held > 1000 || rigid > 1000) return false;
+    std::size_t held = 0, rigid = 0, still = 0;
+    if (!(in >> r.order >> r.step >> r.cost >> r.apart >> r.at >> r.whole >> held >> rigid >> still >>
+          r.less.apart))
+      return false;
+    if (r.order < 1 || r.order > 3 || !(r.step > 0.0) || std::max({held, rigid, still}) > 1000) return false;
     r.apart = endless(r.apart);
     std::getline(in, r.body);
     if (!r.body.empty()) r.body.erase(0, 1);
     r.less.held.resize(held);
     r.less.rigid.resize(rigid);
-    for (auto* names : {&r.less.held, &r.less.rigid}) {
+    r.less.still.resize(still);
+    for (auto* names : {&r.less.held, &r.less.rigid, &r.less.still}) {
       for (std::string& name : *names) {
         if (!std::getline(in, name)) return false;
       }

@@ -2,13 +2,13 @@
 //
 // Two runs whose start differs by 1e-12 come first: what parts there has no converged answer, body
 // by body.  Then a ladder of orders 1, 2, 3 at ever finer steps until the finest two of order 3 agree
-// to half the error asked for.  The last is the yardstick; then come finer steps of lower orders while one may be
+// to half the error asked for and that of order 2 lies within three times it (after impacts two runs may agree by luck).  The last is the yardstick; then come finer steps of lower orders while one may be
 // cheaper than what is chosen so far.  Delivered is the cheapest run that lies
 // within the error / 1.3 of the yardstick, together with all finer ones of its order.  Richardson's rule is not
 // used: where there are events it is wrong.
 //
 // With `fidelity: auto` what hardly moved in the yardstick is then left out of the run that was chosen (less.h), the most
-// that still holds the error.
+// that still holds the error, at that step and at the next finer one.
 //
 // The error is the largest distance of any link origin or loose body from the yardstick, every 20 ms.
 
@@ -31,6 +31,7 @@ struct Track {
   double cost = 0.0;                             // CPU of the physics [s]
   double all = 0.0;                              // CPU of everything [s]
   bool whole = true;                             // the run did not end early
+  bool stopped = false;                          // and not with its source stopped
 };
 
 // Throws std::runtime_error as OneProcess does.
@@ -70,6 +71,8 @@ struct Ladder {
 
   // True error of a rung is about this [m]: its distance, of the yardstick the agreement.
   double estimate(std::size_t rung) const;
+  // Whether the yardstick is known well enough for that error.
+  bool proven(double error) const;
   // The cheapest that holds the error together with all finer ones of its order; -1: none does.
   int choose(double error) const;
   // The nearest to the yardstick that costs no more [ms per simulated s]; -1: none.

@@ -10,6 +10,7 @@ namespace twinbus {
 namespace {
 
 constexpr double kShares[] = {0.7, 0.2, 0.06};  // of the error that a way may be
+constexpr double kLean = 4.0;                   // so much more a robot may move that is one rigid body and not still
 constexpr double kLinkSize = 0.1;               // of a link beyond its origin [m]
 
 }  // namespace
@@ -33,16 +34,23 @@ std::vector<double> ways(const Model& model, const Moved& moved) {
   return way;
 }
 
-std::vector<Less> proposals(const Model& model, const Moved& moved, double error) {
+std::vector<Less> proposals(const Model& model, const Moved& moved, double error, bool apart) {
   const std::vector<double> way = ways(model, moved);
   std::vector<Less> sets;
   for (const double share : kShares) {
     Less less;
+    less.apart = apart;
     for (std::size_t j = 0; j < way.size(); ++j) {
       if (way[j] <= share * error) less.held.push_back(model.joints[j].name);
     }
     for (std::size_t i = 0; i < moved.robots.size(); ++i) {
-      if (moved.robot_ways[i] <= share * error) less.rigid.push_back(moved.robots[i]);
+      if (moved.robot_ways[i] <= kLean * share * error)
+        (moved.robot_ways[i] <= share * error ? less.still : less.rigid).push_back(moved.robots[i]);
+    }
+    if (moved.links <= share * error) {
+      less.still.insert(less.still.begin(), "base");
+      less.held.clear();
+      for (const Joint& joint : model.joints) less.held.push_back(joint.name);
     }
     if (!less.none() && (sets.empty() || !(sets.back() == less))) sets.push_back(less);
   }
@@ -52,15 +60,20 @@ std::vector<Less> proposals(const Model& model, const Moved& moved, double error
 Scene without(const Scene& scene, const Less& less) {
   Scene changed = scene;
   changed.held.insert(changed.held.end(), less.held.begin(), less.held.end());
+  changed.held.insert(changed.held.end(), less.still.begin(), less.still.end());
+  changed.self_contact = changed.self_contact && !less.apart;
   changed.rigid.insert(changed.rigid.end(), less.rigid.begin(), less.rigid.end());
   return changed;
 }
 
 std::string words_of(const Less& less) {
   std::string words;
-  if (!less.held.empty())
-    words = std::to_string(less.held.size()) + (less.held.size() == 1 ? " joint held" : " joints held");
-  for (const std::string& robot : less.rigid) words += (words.empty() ? "robot " : ", robot ") + robot + " rigid";
+  const auto add = [&](const std::string& more) { words += (words.empty() ? "" : ", ") + more; };
+  for (const std::string& name : less.still) add((name == "base" ? "the robot" : "robot " + name) + std::string(" still"));
+  if (!less.held.empty() && (less.still.empty() || less.still[0] != "base"))
+    add(std::to_string(less.held.size()) + (less.held.size() == 1 ? " joint held" : " joints held"));
+  for (const std::string& robot : less.rigid) add("robot " + robot + " rigid");
+  if (less.apart) add("no contact within a robot");
   return words;
 }
 

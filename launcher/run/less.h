@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,9 @@ namespace twinbus {
 struct Less {
   std::vector<std::string> held;   // joints
   std::vector<std::string> rigid;  // further robots
-  bool none() const { return held.empty() && rigid.empty(); }
+  std::vector<std::string> still;  // further robots, or `base`: all of the robot
+  bool apart = false;              // links of one robot do not touch one another, though the scene lets them
+  bool none() const { return held.empty() && rigid.empty() && still.empty() && !apart; }
   bool operator==(const Less&) const = default;
 };
 
@@ -26,10 +29,12 @@ struct Moved {
   std::vector<double> joints;              // [joint_count] [rad or m]
   std::vector<std::string> robots;         // further ones
   std::vector<double> robot_ways;          // of their bases [m]
+  double links = std::numeric_limits<double>::infinity();  // of the robot's link that came farthest [m]
 };
 
 // Sets that may hold the error [m], the largest first; none is empty and no two are equal.
-std::vector<Less> proposals(const Model& model, const Moved& moved, double error);
+// apart: the scene lets links of a robot touch one another.
+std::vector<Less> proposals(const Model& model, const Moved& moved, double error, bool apart = false);
 
 // The way of the farthest link behind each joint for what the joint moved, all others at 0 [m].
 std::vector<double> ways(const Model& model, const Moved& moved);

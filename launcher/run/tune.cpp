@@ -56,12 +56,13 @@ Opened open(const Arguments& arguments) {
 std::string csv_of(const Opened& opened, const AccuracyChoice& choice) {
   std::ostringstream csv;
   csv.precision(9);
-  csv << "scene,seed,duration_s,order,step_s,physics_ms_per_s,error_m,where,at_s,held_joints,rigid_robots,chosen\n";
+  csv << "scene,seed,duration_s,order,step_s,physics_ms_per_s,error_m,where,at_s,held_joints,rigid_robots,still,no_self_contact,chosen\n";
   for (std::size_t i = 0; i < choice.ladder.rungs.size(); ++i) {
     const Rung& rung = choice.ladder.rungs[i];
     csv << opened.scene.name << ',' << opened.request.seed << ',' << opened.request.duration << ','
         << rung.order << ',' << rung.step << ',' << rung.cost << ',' << choice.ladder.estimate(i)
-        << ',' << rung.body << ',' << rung.at << ',' << rung.less.held.size() << ',' << rung.less.rigid.size() << ',' << (static_cast<int>(i) == choice.rung)
+        << ',' << rung.body << ',' << rung.at << ',' << rung.less.held.size() << ',' << rung.less.rigid.size()
+        << ',' << rung.less.still.size() << ',' << rung.less.apart << ',' << (static_cast<int>(i) == choice.rung)
         << '\n';
   }
   return csv.str();
@@ -153,9 +154,14 @@ void print_less(const Opened& opened, const AccuracyChoice& choice) {
   for (std::size_t i = 0; i < track.moved.robots.size(); ++i) {
     const std::string& name = track.moved.robots[i];
     const bool rigid = std::find(less.rigid.begin(), less.rigid.end(), name) != less.rigid.end();
+    const bool still = std::find(less.still.begin(), less.still.end(), name) != less.still.end();
     std::printf("robot %-18s %10.4g mm of its base                  %s\n", name.c_str(),
-                1e3 * track.moved.robot_ways[i], rigid ? "one rigid body" : "yes");
+                1e3 * track.moved.robot_ways[i], still ? "still" : rigid ? "one rigid body" : "yes");
   }
+  std::printf("robot itself             %10.4g mm the farthest link               %s\n", 1e3 * track.moved.links,
+              !less.still.empty() && less.still[0] == "base" ? "still" : "yes");
+  if (opened.scene.self_contact)
+    std::printf("links of a robot touch one another                       %s\n", less.apart ? "no: they did not" : "yes");
   if (chosen == nullptr) return;
   double whole = 0.0;
   for (const Rung& rung : ladder.rungs) {
@@ -171,7 +177,7 @@ void print_less(const Opened& opened, const AccuracyChoice& choice) {
 Rung with_own(Rung rung, const Scene& scene) {
   if (rung.less.none()) return rung;
   const Scene all = without(scene, rung.less);
-  rung.less = {all.held, all.rigid};
+  rung.less = {all.held, all.rigid, {}, rung.less.apart};
   return rung;
 }
 

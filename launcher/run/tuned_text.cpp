@@ -33,6 +33,7 @@ std::string tuned_text(const std::string& scene, const Rung& rung, const std::st
     if (top) {
       dropped = (line.rfind("held:", 0) == 0 && !rung.less.held.empty()) ||
                 (line.rfind("rigid:", 0) == 0 && !rung.less.rigid.empty()) ||
+                (line.rfind("self_contact:", 0) == 0 && rung.less.apart) ||
                 (line.rfind("fidelity:", 0) == 0 && !rung.less.none());
     }
     if (dropped) continue;

@@ -13,10 +13,12 @@ namespace {
 // Held joints that stand this near to where they were welded are left there [rad or m].
 constexpr double kSamePlace = 1e-12;
 
-OtherRobot rigid_robot(const OtherRobot& robot, const WeldedModel& welded) {
+OtherRobot rigid_robot(const OtherRobot& robot, const WeldedModel& welded, bool still) {
   OtherRobot rigid;
   rigid.name = robot.name;
-  rigid.model = std::make_shared<const Model>(welded.model);
+  auto model = std::make_shared<Model>(welded.model);
+  model->floating_base = model->floating_base && !still;
+  rigid.model = std::move(model);
   rigid.start = Configuration(welded.model);
   rigid.start.base = robot.start.base;
   return rigid;
@@ -27,17 +29,20 @@ OtherRobot rigid_robot(const OtherRobot& robot, const WeldedModel& welded) {
 WeldedWorld::WeldedWorld(const Model& model, const WorldConfig& config) : model_(model), config_(config), now_(model) {
   const Eigen::Index joints = model.joint_count();
   held_ = config.held;
-  held_.resize(model.joints.size(), false);
+  held_.resize(model.joints.size() + 1 + config.robots.size(), false);
+  const std::vector<bool> still(held_.begin() + joints, held_.end());
+  held_.resize(model.joints.size());
+  still_ = still[0] && !config.fixed_base;
   hold_followers(model, held_);
   config_.held.clear();
   config_.rigid_robots.clear();
   robots_.resize(config.robots.size());
   for (std::size_t i = 0; i < config.robots.size(); ++i) {
-    if (i >= config.rigid_robots.size() || !config.rigid_robots[i]) continue;
+    if (!still[i + 1] && (i >= config.rigid_robots.size() || !config.rigid_robots[i])) continue;
     const OtherRobot& robot = config.robots[i];
     robots_[i] = std::make_unique<WeldedModel>(
         weld(*robot.model, std::vector<bool>(robot.model->joints.size(), true), robot.start.q));
-    config_.robots[i] = rigid_robot(robot, *robots_[i]);
+    config_.robots[i] = rigid_robot(robot, *robots_[i], still[i + 1]);
   }
   held_tau_ = Eigen::VectorXd::Zero(joints);
   build(Eigen::VectorXd::Zero(joints));
@@ -56,6 +61,7 @@ TieEnd WeldedWorld::end_of(TieEnd end, const WeldedModel& welded) const {
 void WeldedWorld::build(const Eigen::VectorXd& q) {
   auto welded = std::make_unique<WeldedModel>(weld(model_, held_, q));
   WorldConfig config = config_;
+  config.fixed_base = config.fixed_base || still_;
   for (Tie& tie : config.ties) {
     tie.a = end_of(tie.a, *welded);
     tie.b = end_of(tie.b, *welded);
@@ -68,6 +74,17 @@ void WeldedWorld::build(const Eigen::VectorXd& q) {
   welded_ = std::move(welded);  // the former one's world has ended
   inner_ = Configuration(welded_->model);
   inner_tau_ = Eigen::VectorXd::Zero(welded_->model.joint_count());
+}
+
+void WeldedWorld::stand() {
+  WorldConfig alone = config_;
+  alone.robots.clear();
+  alone.loose.clear();
+  alone.ties.clear();
+  alone.self_contact = false;
+  const auto world = make_world(welded_->model, alone);
+  if (world->set(inner_, &inner_tau_) != Status::kOk) throw std::runtime_error("it cannot stand there");
+  standing_ = world->contacts();
 }
 
 Status WeldedWorld::set(const Configuration& configuration, const Eigen::VectorXd* tau) noexcept {
@@ -96,6 +113,11 @@ Status WeldedWorld::set(const Configuration& configuration, const Eigen::VectorX
     }
     inner_.q[to] = configuration.q[j];
     inner_.qd[to] = configuration.qd[j];
+  }
+  try {
+    if (still_) stand();
+  } catch (const std::exception&) {
+    return Status::kOutOfRange;
   }
   const Status placed = world_->set(inner_, tau != nullptr ? &inner_tau_ : nullptr);
   look();
@@ -142,6 +164,7 @@ void WeldedWorld::look() noexcept {
     now_.qd[static_cast<Eigen::Index>(j)] = inner.qd[from];
   }
   contacts_ = world_->contacts();
+  contacts_.insert(contacts_.end(), standing_.begin(), standing_.end());
   for (ContactPoint& contact : contacts_) {
     if (contact.link >= 0) contact.link = welded_->former_link[at(contact.link)];
   }

@@ -1,7 +1,8 @@
 // A world of which less is modelled: joints of the robot that are held for good, further robots as one rigid body each.
 // Seen from outside it is the whole world: all links, joints and robots are there.
 //
-// A held joint stands where set() put it, at rest, whatever its servo is asked; tau() of it is what carried it then.
+// A held joint stands where set() put it, at rest, whatever its servo is asked; tau() of it is what carried it then.  So does a
+// held base, its soles pressed as they were then; pushes do nothing to it.
 
 #pragma once
 
@@ -15,7 +16,7 @@ namespace twinbus {
 
 class WeldedWorld final : public ForwardingWorld {
  public:
-  // config.held: [joint_count] or empty, config.rigid_robots: [robots] or empty.  The model must outlive this.  Throws
+  // config.held: up to [joint_count + 1 + robots], joints, base, further robots; config.rigid_robots: [robots] or empty.  The model must outlive this.  Throws
   // std::runtime_error as make_world() does, and for a tie both of whose ends would be on one body.
   WeldedWorld(const Model& model, const WorldConfig& config);
 
@@ -42,6 +43,7 @@ class WeldedWorld final : public ForwardingWorld {
  private:
   const World& shown() const noexcept override { return *world_; }
   void build(const Eigen::VectorXd& q);
+  void stand();        // finds what touches a held base
   void look() noexcept;  // what the engine's world is now
   TieEnd end_of(TieEnd end, const WeldedModel& welded) const;
   bool is_joint(int joint) const noexcept { return joint >= 0 && joint < static_cast<int>(welded_->joint.size()); }
@@ -50,13 +52,14 @@ class WeldedWorld final : public ForwardingWorld {
   const Model& model_;
   WorldConfig config_;
   std::vector<bool> held_;
+  bool still_ = false;  // the base is held, too
   // Owned by pointer: the engine's world keeps references to the model.
   std::unique_ptr<WeldedModel> welded_;
   std::vector<std::unique_ptr<WeldedModel>> robots_;  // null: as it is
   std::unique_ptr<World> world_;
   Configuration now_, inner_;
   Eigen::VectorXd held_tau_, inner_tau_;
-  std::vector<ContactPoint> contacts_;
+  std::vector<ContactPoint> contacts_, standing_;  // as this is seen; of the inner world, of a held base
 };
 
 }  // namespace twinbus

@@ -17,6 +17,11 @@ template <class Named>
   throw std::runtime_error("scene " + scene.name + ": " + key + ": there is no " + what + " '" + name + "'" + suggestion(name, names));
 }
 
+std::size_t find_robot(const WorldConfig& config, const std::string& name) {
+  const auto named = [&](const OtherRobot& robot) { return robot.name == name; };
+  return static_cast<std::size_t>(std::find_if(config.robots.begin(), config.robots.end(), named) - config.robots.begin());
+}
+
 }  // namespace
 
 void apply_fidelity(const Scene& scene, const Model& model, WorldConfig& config) {
@@ -32,17 +37,18 @@ void apply_fidelity(const Scene& scene, const Model& model, WorldConfig& config)
   }
   for (const std::string& name : scene.held) {
     const int joint = model.find_joint(name);
-    if (joint < 0) not_there(scene, "held", "joint", name, model.joints);
-    config.held.resize(model.joints.size(), false);
-    config.held[at(joint)] = true;
+    const std::size_t robot = find_robot(config, name);
+    if (joint < 0 && name != "base" && robot == config.robots.size()) not_there(scene, "held", "joint", name, model.joints);
+    const std::size_t index = joint >= 0 ? at(joint) : model.joints.size() + (name == "base" ? 0 : 1 + robot);
+    config.held.resize(std::max({config.held.size(), model.joints.size(), index + 1}), false);
+    config.held[index] = true;
   }
   if (!config.held.empty()) hold_followers(model, config.held);
   for (const std::string& name : scene.rigid) {
     config.rigid_robots.resize(config.robots.size(), false);
-    const auto named = [&](const OtherRobot& robot) { return robot.name == name; };
-    const auto found = std::find_if(config.robots.begin(), config.robots.end(), named);
-    if (found == config.robots.end()) not_there(scene, "rigid", "further robot", name, config.robots);
-    config.rigid_robots[static_cast<std::size_t>(found - config.robots.begin())] = true;
+    const std::size_t robot = find_robot(config, name);
+    if (robot == config.robots.size()) not_there(scene, "rigid", "further robot", name, config.robots);
+    config.rigid_robots[robot] = true;
   }
 }
 

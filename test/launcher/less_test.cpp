@@ -25,8 +25,33 @@ TEST(Less, WhatDoesNotMoveIsProposedAsOneSet) {
   const std::vector<Less> sets = proposals(model, moved, 1e-3);
   ASSERT_EQ(sets.size(), 1U);
   EXPECT_EQ(sets[0].held.size(), model.joints.size());
+  EXPECT_EQ(sets[0].still, std::vector<std::string>{"second"});
+  EXPECT_EQ(words_of(sets[0]), "robot second still, " + std::to_string(model.joints.size()) + " joints held");
+}
+
+// A robot of which no link moves stands still with all that it has; one that leans a little is one body.
+TEST(Less, ARobotThatDoesNotMoveStandsStill) {
+  const Model model = load_robot("hrp1s");
+  Moved moved = all_at_rest(model);
+  moved.joints[3] = 1e-2;
+  moved.links = 5e-4;
+  moved.robots = {"second"};
+  moved.robot_ways = {2e-3};
+  const std::vector<Less> sets = proposals(model, moved, 1e-3, true);
+  ASSERT_EQ(sets.size(), 2U);
+  EXPECT_EQ(sets[0].held.size(), model.joints.size());
+  EXPECT_EQ(sets[0].still, std::vector<std::string>{"base"});
   EXPECT_EQ(sets[0].rigid, std::vector<std::string>{"second"});
-  EXPECT_EQ(words_of(sets[0]), std::to_string(model.joints.size()) + " joints held, robot second rigid");
+  EXPECT_TRUE(sets[0].apart);
+  EXPECT_EQ(words_of(sets[0]), "the robot still, robot second rigid, no contact within a robot");
+  EXPECT_TRUE(sets[1].still.empty());
+  EXPECT_TRUE(sets[1].rigid.empty());
+  EXPECT_EQ(sets[1].held.size(), model.joints.size() - 1);
+  Scene scene;
+  scene.self_contact = true;
+  const Scene changed = without(scene, sets[0]);
+  EXPECT_EQ(changed.held.back(), "base");
+  EXPECT_FALSE(changed.self_contact);
 }
 
 // A joint of the hip moves the foot by its angle times the length of the leg.
@@ -50,7 +75,7 @@ TEST(Less, AJointIsHeldByTheWayOfWhatIsBehindIt) {
 TEST(Less, WhatASceneLeavesOutItselfStaysOut) {
   Scene scene;
   scene.held = {"A"};
-  const Scene changed = without(scene, {{"B"}, {"second"}});
+  const Scene changed = without(scene, {{"B"}, {"second"}, {}});
   EXPECT_EQ(changed.held, (std::vector<std::string>{"A", "B"}));
   EXPECT_EQ(changed.rigid, std::vector<std::string>{"second"});
 }

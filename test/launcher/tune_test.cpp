@@ -55,14 +55,15 @@ TEST(Tune, StepAndOrderReplaceThoseOfTheSceneAndNothingElseIsLost) {
 TEST(Tune, WhatWasLeftOutIsListedInPlaceOfTheWordAndOfTheOldList) {
   const std::string rest = "about: A test.\nmodes:\n  - {at: 0, mode: balance}\n";
   const std::string texts[] = {rest + "fidelity: auto\n", "held: [A]\n" + rest + "fidelity: auto\n",
-                               "held:\n  - A\nrigid:\n- other\n" + rest};
+                               "held:\n  - A\nrigid:\n- other\nself_contact: true\n" + rest};
   Rung rung = rung_of(2, 0.0005);
-  rung.less = {{"A", "B"}, {"other"}};
+  rung.less = {{"A", "B"}, {"other"}, {}, true};
   for (const std::string& text : texts) {
     const Scene scene = written(tuned_text(text, rung, "because"));
     EXPECT_EQ(scene.fidelity, "full") << text;
     EXPECT_EQ(scene.held, rung.less.held) << text;
     EXPECT_EQ(scene.rigid, rung.less.rigid) << text;
+    EXPECT_FALSE(scene.self_contact) << text;
     EXPECT_EQ(scene.modes.size(), 1U) << text;
   }
 }

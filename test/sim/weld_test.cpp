@@ -166,6 +166,53 @@ TEST_P(Welded, AFurtherRobotThatIsRigidStandsAsOneBody) {
   EXPECT_NEAR(Eigen::AngleAxisd(arm.linear()).angle(), 0.4, 1e-9);
 }
 
+// A block on the ground: held, base and all, it stays where it was put, whatever pushes it, and its soles feel its weight.
+TEST_P(Welded, AHeldBaseStaysAndItsSolesFeelWhatTheyFelt) {
+  const Model model = test::block();
+  WorldConfig config;
+  config.step = 1e-3;
+  Configuration start(model);
+  start.base.translation().z() = -model.total_mass() * kGravity / (2.0 * model.soles[0].stiffness);
+  const auto feel = [](const World& world) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const ContactPoint& contact : world.contacts()) sum += contact.force;
+    return sum;
+  };
+  const auto whole = make(model, config);
+  ASSERT_EQ(whole->set(start), Status::kOk);
+  config.held.assign(model.joints.size() + 1, true);
+  const auto still = make(model, config);
+  ASSERT_EQ(still->set(start), Status::kOk);
+  EXPECT_NEAR((feel(*still) - feel(*whole)).norm(), 0.0, 1e-6);
+  EXPECT_NEAR(still->mass(), whole->mass(), 1e-12);
+  for (int i = 0; i < 100; ++i) {
+    ASSERT_EQ(still->push(0, Eigen::Vector3d(0, 0, 1), Eigen::Vector3d(300, 0, 0)), Status::kOk);
+    ASSERT_EQ(still->step(), Status::kOk);
+  }
+  EXPECT_EQ(still->configuration().base.translation(), start.base.translation());
+  EXPECT_NEAR(feel(*still).z(), model.total_mass() * kGravity, 1e-3 * model.total_mass() * kGravity);
+}
+
+TEST_P(Welded, AFurtherRobotThatIsHeldStaysWhereItWasPut) {
+  const Model model = test::bystander();
+  WorldConfig config;
+  OtherRobot robot;
+  robot.name = "second";
+  robot.model = std::make_shared<const Model>(test::block());
+  robot.start = Configuration(*robot.model);
+  robot.start.base.translation().z() = 0.5;  // it would fall
+  robot.servos.resize(1);
+  config.robots = {robot};
+  Scene scene;
+  scene.held = {"second"};
+  apply_fidelity(scene, model, config);
+  ASSERT_EQ(config.held.size(), model.joints.size() + 2);
+  const auto world = make(model, config);
+  ASSERT_EQ(world->set(Configuration(model)), Status::kOk);
+  for (int i = 0; i < 100; ++i) ASSERT_EQ(world->step(), Status::kOk);
+  EXPECT_EQ(world->robot_link(0, 0).translation(), robot.start.base.translation());
+}
+
 TEST_P(Welded, ALoopWithinOneBodyIsRefused) {
   const Model model = test::chain(3, false);
   WorldConfig config;
@@ -190,6 +237,10 @@ TEST(Fidelity, WordsAndListsSayWhichJointsAreHeld) {
   scene.held = {model.joints[3].name};
   apply_fidelity(scene, model, config);
   EXPECT_EQ(std::count(config.held.begin(), config.held.end(), true), 1);
+  scene.held = {"base"};
+  apply_fidelity(scene, model, config);
+  EXPECT_EQ(config.held.size(), model.joints.size() + 1);
+  EXPECT_TRUE(config.held.back());
   scene.held = {"no such joint"};
   EXPECT_THROW(apply_fidelity(scene, model, config), std::runtime_error);
   scene.held = {};
