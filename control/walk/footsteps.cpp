@@ -25,7 +25,7 @@ constexpr double kUsualWidth = 0.13;  // of a sole; a narrower one holds less of
 constexpr double kMostTurn = 0.65;    // of a step that a command may ask for [rad]
 constexpr double kBent = 0.88, kLeastBent = 0.93;  // hip to ankle, share of the straight leg
 constexpr double kKneeShare = 0.85;  // of its torque that carrying the robot at rest may take
-constexpr double kSwingShare = 0.6;  // of their efforts that a step in a hurry asks of the hips
+constexpr double kSwingShare = 0.5;  // of their efforts that a step in a hurry asks of the hips
 constexpr double kTurn = 0.6;        // share of a hip's range that a command may use
 constexpr double kZmpForward = 0.03;  // before a sole frame, if the ankles are strong enough [m]
 constexpr double kAnkleShare = 0.35;  // of an ankle's torque that holds it there
