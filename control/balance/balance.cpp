@@ -43,7 +43,7 @@ const char* Balance::why_not(const Model& model) noexcept {
   if (!model.floating_base) return "its base is fixed";
   for (int foot = 0; foot < 2; ++foot) {
     if (model.soles[static_cast<std::size_t>(foot)].link < 0) return "it has no two soles";
-    if (leg_chain(model, foot).count != 6) return "a sole does not hang on the base by six joints";
+    if (!leg_chain(model, foot).balances()) return kNoLegs;
   }
   return nullptr;
 }
@@ -67,8 +67,7 @@ Balance::Balance(const Model& model, const BalanceGains& gains)
     throw std::runtime_error("robot " + model.name + " cannot balance: " + why);
   for (int foot = 0; foot < 2; ++foot) {
     const LegChain leg = leg_chain(model, foot);
-    for (int k = 0; k < leg.count; ++k) {
-      const int j = leg.joint[static_cast<std::size_t>(k)];
+    for (const int j : leg) {
       leg_[static_cast<std::size_t>(j)] = true;
       kp_[j] *= gains.leg_kp;
       kd_[j] *= gains.leg_kd;
@@ -84,6 +83,7 @@ Balance::Balance(const Model& model, const BalanceGains& gains)
     const Eigen::Vector2d soft = sole_turning_stiffness(model);
     soles_[s].most_moment =
         gains.sole_tilt / (mass_ * kGravity) * Eigen::Vector2d(soft.y(), soft.x());
+    if (const int free = free_axis(model, static_cast<int>(s)); free == 0 || free == 1) soles_[s].most_moment[1 - free] = 0.0;
     wrench_[s].link = sole.link;
   }
 }
@@ -315,6 +315,7 @@ void Balance::feed_forward(const Estimator& estimator) noexcept {
   if (standing_.update(estimator.kinematics())) {
     turning = ground.linear() * angular_acceleration_;
     base_acceleration = standing_.solve(ground.linear() * acceleration_, turning, qdd_);
+    standing_.keep_posture(now, qdd_);
   }
   (void)dynamics_.solve(estimator.kinematics(), now, qdd_, base_acceleration, turning, wrench_,
                         tau_);

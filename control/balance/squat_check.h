@@ -15,7 +15,7 @@ namespace twinbus {
 
 class SquatCheck {
  public:
-  // Throws std::runtime_error unless both legs have six joints and a knee.
+  // Throws std::runtime_error unless both legs have five to seven joints and a knee.
   explicit SquatCheck(const Model& model);
 
   // depth: of the centre of mass below where it is [m].  Null, or a sentence that lives for ever: why not.

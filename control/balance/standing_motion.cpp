@@ -2,25 +2,25 @@
 
 #include <Eigen/LU>
 #include <cmath>
-#include <stdexcept>
+
+#include "common/math/index.h"
 
 namespace twinbus {
 
 namespace {
+constexpr double kPosture = 8.0;  // rate at which what a seventh joint leaves free comes back [1/s]
 constexpr double kLeastDeterminant =
     1e-5;  // of a leg's Jacobian, [m^3]: below, it is as good as straight
 }
 
 StandingMotion::StandingMotion(const Model& model)
-    : model_(&model), mass_(model.total_mass()), leg_mask_(model.joints.size(), false) {
-  for (int foot = 0; foot < 2; ++foot) {
-    const auto f = static_cast<std::size_t>(foot);
-    leg_[f] = leg_chain(model, foot);
-    if (leg_[f].count != 6) {
-      throw std::runtime_error("robot " + model.name + ": the " + (foot == 0 ? "left" : "right") +
-                               " sole does not hang on the base by six joints; balance needs that");
-    }
-    for (int joint : leg_[f].joint) leg_mask_[static_cast<std::size_t>(joint)] = true;
+    : model_(&model),
+      mass_(model.total_mass()),
+      leg_{LegMotion(model, 0), LegMotion(model, 1)},
+      home_(model, "half_sitting"),
+      leg_mask_(model.joints.size(), false) {
+  for (const LegMotion& leg : leg_) {
+    for (const int joint : leg.chain()) leg_mask_[at(joint)] = true;
   }
 }
 
@@ -30,27 +30,28 @@ bool StandingMotion::update(const Kinematics& kinematics) noexcept {
   const Eigen::Vector3d& base = kinematics.link_in_world(0).translation();
   for (std::size_t f = 0; f < 2; ++f) {
     const Sole& sole = model_->soles[f];
-    const Eigen::Vector3d point = kinematics.link_in_world(sole.link) * sole.frame.translation();
-    Matrix6 jacobian;
-    Matrix36 com_columns;
+    const Eigen::Isometry3d pose = kinematics.link_in_world(sole.link) * sole.frame;
+    LegMotion& leg = leg_[f];
+    leg.update(kinematics, pose);
+    LegMotion::Matrix37 com_columns = LegMotion::Matrix37::Zero();
     double mass = 0.0;  // of the leg from this joint on
     Eigen::Vector3d moment = Eigen::Vector3d::Zero();
-    for (int k = 5; k >= 0; --k) {
-      const int joint = leg_[f].joint[static_cast<std::size_t>(k)];
+    for (int k = leg.chain().count - 1; k >= 0; --k) {
+      const int joint = leg.chain().joint[at(k)];
       const int link = joint + 1;
       const double m = model_->links[static_cast<std::size_t>(link)].mass;
       mass += m;
       moment += m * kinematics.com_of_link(link);
       const Eigen::Vector3d& axis = kinematics.axis_in_world(joint);
       const Eigen::Vector3d& origin = kinematics.link_in_world(link).translation();
-      jacobian.col(k) << axis.cross(point - origin), axis;
       com_columns.col(k) = axis.cross(moment - mass * origin) / mass_;
     }
-    const Eigen::PartialPivLU<Matrix6> lu(jacobian);
-    if (!(std::abs(lu.determinant()) > kLeastDeterminant)) return false;
+    const Eigen::PartialPivLU<Matrix6> lu(leg.jacobian());
+    const double least = leg.chain().count == 7 ? kLeastDeterminant * kLeastDeterminant : kLeastDeterminant;
+    if (!(std::abs(lu.determinant()) > least)) return false;
     inverse[f] = lu.inverse();
-    by_sole[f].noalias() = com_columns * inverse[f];
-    sole_[f] = point - base;
+    by_sole[f].noalias() = leg.by_coordinates(com_columns) * inverse[f];
+    sole_[f] = pose.translation() - base;
   }
   inverse_ = inverse;
   com_by_sole_ = by_sole;
@@ -73,10 +74,23 @@ Eigen::Vector3d StandingMotion::solve(const Eigen::Vector3d& com_acceleration,
   const Eigen::Vector3d base = com_by_base_ * rest;
   for (std::size_t f = 0; f < 2; ++f) {
     twist[f].head<3>() += base;
-    const Eigen::Matrix<double, 6, 1> legs = -(inverse_[f] * twist[f]);
-    for (std::size_t k = 0; k < 6; ++k) qdd[leg_[f].joint[k]] = legs[static_cast<Eigen::Index>(k)];
+    const LegMotion::Vector6 x = -(inverse_[f] * twist[f]);
+    for (int k = 0; k < leg_[f].chain().count; ++k) qdd[leg_[f].chain().joint[at(k)]] = leg_[f].rate(at(k), x);
   }
   return base;
+}
+
+void StandingMotion::keep_posture(const Configuration& now, Eigen::VectorXd& qdd) const noexcept {
+  for (const LegMotion& leg : leg_) {
+    if (leg.chain().count != 7) continue;
+    LegMotion::Vector7 wanted;
+    for (int k = 0; k < 7; ++k) {
+      const int joint = leg.chain().joint[at(k)];
+      wanted[k] = kPosture * kPosture * (home_.q[joint] - now.q[joint]) - 2.0 * kPosture * now.qd[joint];
+    }
+    wanted = leg.unseen(wanted);
+    for (int k = 0; k < 7; ++k) qdd[leg.chain().joint[at(k)]] += wanted[k];
+  }
 }
 
 }  // namespace twinbus

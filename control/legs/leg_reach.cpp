@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "robot/kinematics/leg_chain.h"
+#include "robot/kinematics/leg_motion.h"
 #include "common/math/index.h"
 #include "robot/dynamics/joint_inertia.h"
 #include "robot/kinematics/kinematics.h"
@@ -17,7 +17,7 @@ constexpr int kAngles = 400;
 constexpr double kAlong = 0.7;  // cosine: an axis so nearly along another
 
 double leg_length(const Kinematics& k, const LegChain& leg) {
-  return (k.link_in_world(leg.joint[5] + 1).translation() -
+  return (k.link_in_world(leg.ankle() + 1).translation() -
           k.link_in_world(leg.joint[0] + 1).translation())
       .norm();
 }
@@ -29,7 +29,7 @@ LegReach leg_reach(const Model& model, int foot) {
   Kinematics kinematics(model);
   LegReach reach;
   double most = 0.0;
-  for (const int joint : leg.joint) {
+  for (const int joint : leg) {
     const Joint& j = model.joints[at(joint)];
     const double low = std::max(j.lower, -3.0), high = std::min(j.upper, 3.0);
     double shortest = 1e9, longest = 0.0, best = 0.0, bent = 0.0;
@@ -62,7 +62,7 @@ LegReach leg_reach(const Model& model, int foot) {
   configuration.q[reach.knee] = reach.straight;
   kinematics.update(configuration);
   const Sole& sole = model.soles[at(foot)];
-  const Eigen::Vector3d ankle = kinematics.link_in_world(leg.joint[5] + 1).translation();
+  const Eigen::Vector3d ankle = kinematics.link_in_world(leg.ankle() + 1).translation();
   const Eigen::Vector3d hip = kinematics.link_in_world(leg.joint[0] + 1).translation();
   const Eigen::Vector3d ground = (kinematics.link_in_world(sole.link) * sole.frame).translation();
   reach.ankle_height = std::abs(ankle.z() - ground.z());
@@ -74,6 +74,7 @@ LegReach leg_reach(const Model& model, int foot) {
     const Joint& j = model.joints[at(leg.joint[k])];
     reach.turn = std::min({-j.lower, j.upper, 1.5});
   }
+  if (free_axis(model, foot) == 2) reach.turn = 0.0;
   JointInertia inertia(model);
   std::array<int, 3> hips{leg.joint[0], leg.joint[1], leg.joint[2]};
   inertia.update(kinematics, hips);

@@ -20,7 +20,7 @@ struct LegReach {
   double turn = 0.5;          // range of the hip about the vertical, the smaller side [rad]
 };
 
-// Throws std::runtime_error when the leg has no knee.  The leg must have six joints.
+// Throws std::runtime_error when the leg has no knee.  The leg must have five to seven joints.
 LegReach leg_reach(const Model& model, int foot);
 
 }  // namespace twinbus

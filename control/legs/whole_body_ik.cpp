@@ -1,10 +1,8 @@
 #include "control/legs/whole_body_ik.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "common/math/index.h"
 #include "common/math/pose_math.h"
@@ -17,6 +15,7 @@ constexpr double kOvershoot =
 constexpr double kNearlyStraight = 0.35, kLeastBend = 0.12;  // of a knee [rad]
 constexpr double kDamping = 0.03;
 constexpr double kLargestStep = 0.2;  // of a joint in a round [rad]
+constexpr double kHomewards = 0.01;   // of what a seventh joint leaves free, in a round
 
 // Axis times the sine of the angle of a rotation: all that Newton's method needs.
 Eigen::Vector3d sine_vector(const Eigen::Matrix3d& r) noexcept {
@@ -26,16 +25,14 @@ Eigen::Vector3d sine_vector(const Eigen::Matrix3d& r) noexcept {
 
 WholeBodyIk::WholeBodyIk(const Model& model)
     : model_(&model),
+      leg_{LegMotion(model, 0), LegMotion(model, 1)},
       leg_mask_(model.joints.size(), false),
+      home_(model, "half_sitting"),
       configuration_(model),
       kinematics_(model) {
   for (int foot = 0; foot < 2; ++foot) {
-    leg_[at(foot)] = leg_chain(model, foot);
-    if (leg_[at(foot)].count != 6)
-      throw std::runtime_error("robot " + model.name +
-                               ": a sole does not hang on the base by six joints");
     reach_[at(foot)] = leg_reach(model, foot);
-    for (const int joint : leg_[at(foot)].joint) leg_mask_[at(joint)] = true;
+    for (const int joint : leg_[at(foot)].chain()) leg_mask_[at(joint)] = true;
   }
 }
 
@@ -55,37 +52,34 @@ void WholeBodyIk::update() noexcept {
 
 void WholeBodyIk::step_leg(std::size_t foot, const Eigen::Isometry3d& sole,
                            const Eigen::Vector3d& shift) noexcept {
-  using Matrix6 = Eigen::Matrix<double, 6, 6>;
-  using Vector6 = Eigen::Matrix<double, 6, 1>;
+  LegMotion& leg = leg_[foot];
   const Sole& s = model_->soles[foot];
   const Eigen::Isometry3d now = kinematics_.link_in_world(s.link) * s.frame;
-  Matrix6 jacobian;
-  for (Eigen::Index k = 0; k < 6; ++k) {
-    const int joint = leg_[foot].joint[static_cast<std::size_t>(k)];
-    const Eigen::Vector3d& axis = kinematics_.axis_in_world(joint);
-    jacobian.col(k) << axis.cross(now.translation() -
-                                  kinematics_.link_in_world(joint + 1).translation()),
-        axis;
-  }
-  Vector6 e;
+  leg.update(kinematics_, now);
+  LegMotion::Vector6 e;
   e << sole.translation() - now.translation() - shift,
-      sine_vector(sole.linear() * now.linear().transpose());
+      leg.held(sine_vector(sole.linear() * now.linear().transpose()));
   error_ = std::max(error_, e.norm());
   const LegReach& reach = reach_[foot];
   const double bend = reach.bends * (configuration_.q[reach.knee] - reach.straight);
-  Vector6 dq;
+  LegMotion::Vector6 dx;
   if (bend < kNearlyStraight) {
     const double damping = kDamping * std::min(1.0, (kNearlyStraight - bend) / kNearlyStraight);
-    Matrix6 a = jacobian * jacobian.transpose();
-    a.diagonal().array() += damping * damping;
-    dq.noalias() = jacobian.transpose() * a.ldlt().solve(e);
+    dx = leg.damped(e, damping);
   } else {
-    dq = jacobian.partialPivLu().solve(e);
+    dx = leg.jacobian().partialPivLu().solve(e);
   }
-  for (Eigen::Index k = 0; k < 6; ++k) {
-    const int joint = leg_[foot].joint[static_cast<std::size_t>(k)];
+  LegMotion::Vector7 homewards = LegMotion::Vector7::Zero();
+  for (int k = 0; k < leg.chain().count; ++k) {
+    const int joint = leg.chain().joint[at(k)];
+    homewards[k] = kHomewards * (home_.q[joint] - configuration_.q[joint]);
+  }
+  homewards = leg.unseen(homewards);
+  for (int k = 0; k < leg.chain().count; ++k) {
+    const int joint = leg.chain().joint[at(k)];
     const Joint& limits = model_->joints[at(joint)];
-    const double step = std::isfinite(dq[k]) ? std::clamp(dq[k], -kLargestStep, kLargestStep) : 0.0;
+    const double dq = leg.rate(at(k), dx) + homewards[k];
+    const double step = std::isfinite(dq) ? std::clamp(dq, -kLargestStep, kLargestStep) : 0.0;
     double& q = configuration_.q[joint];
     q += step;
     if (joint == reach.knee) {

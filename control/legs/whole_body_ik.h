@@ -1,6 +1,7 @@
 // Joint angles for a place of the centre of mass, an attitude of the base and two poses of the soles.
 //
-// Exactly determined: base position and twelve leg angles.  A round moves the base by what the centre of mass misses and
+// Exactly determined: base position and six coordinates a leg (robot/kinematics/leg_motion.h): a leg of five joints lets one
+// axis of its sole follow, one of seven stays near half_sitting.  A round moves the base by what the centre of mass misses and
 // takes one Newton step per leg; a knee that is nearly straight gives up exactness instead of its speed (damped least
 // squares), and no joint leaves its limits.
 
@@ -10,14 +11,14 @@
 #include <array>
 
 #include "robot/kinematics/kinematics.h"
-#include "robot/kinematics/leg_chain.h"
+#include "robot/kinematics/leg_motion.h"
 #include "control/legs/leg_reach.h"
 
 namespace twinbus {
 
 class WholeBodyIk {
  public:
-  // Throws std::runtime_error unless both legs have six joints and a knee.
+  // Throws std::runtime_error unless both legs have five to seven joints and a knee.
   explicit WholeBodyIk(const Model& model);
 
   // Begins at a posture.
@@ -41,9 +42,10 @@ class WholeBodyIk {
                 const Eigen::Vector3d& shift) noexcept;
 
   const Model* model_;
-  std::array<LegChain, 2> leg_;
+  std::array<LegMotion, 2> leg_;
   std::array<LegReach, 2> reach_;
   std::vector<bool> leg_mask_;
+  Configuration home_;
   Configuration configuration_;
   Kinematics kinematics_;
   bool current_ = false;  // the kinematics are those of the configuration

@@ -26,7 +26,7 @@ Brace::Brace(const Model& model) : model_(&model) {
     mask_ |= bit(k);
   }
   for (int foot = 0; foot < 2 && pose < 0; ++foot) {
-    if (model.soles[at(foot)].link < 0 || leg_chain(model, foot).count != 6) continue;
+    if (model.soles[at(foot)].link < 0 || !leg_chain(model, foot).balances()) continue;
     const LegReach reach = leg_reach(model, foot);
     for (int k = 0; k < model.bus_count(); ++k) {
       if (model.bus_joints[at(k)] != reach.knee) continue;

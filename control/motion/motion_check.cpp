@@ -85,7 +85,7 @@ class Check {
         tau_(Eigen::VectorXd::Zero(model.joint_count())),
         qdd_(tau_) {
     stands_ = model.floating_base && model.soles[0].link >= 0 && model.soles[1].link >= 0;
-    const bool legs = stands_ && leg_chain(model, 0).count == 6 && leg_chain(model, 1).count == 6;
+    const bool legs = stands_ && leg_chain(model, 0).balances() && leg_chain(model, 1).balances();
     if (legs && !config.as_recorded) ik_.emplace(model);
     kinematics_.update(motion.standing());
     home_ = kinematics_.com();

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "robot/kinematics/leg_chain.h"
+#include "robot/kinematics/leg_motion.h"
 #include "control/legs/leg_reach.h"
 #include "robot/dynamics/inverse_dynamics.h"
 #include "common/math/index.h"
@@ -61,8 +61,8 @@ double held_by_ankle(const Model& model, const LegChain& leg) {
   Kinematics kinematics(model);
   kinematics.update(configuration);
   double lever = kZmpForward;
-  for (const std::size_t k : {std::size_t{4}, std::size_t{5}}) {
-    const int joint = leg.joint[k];
+  for (const int k : {leg.count - 2, leg.count - 1}) {
+    const int joint = leg.joint[at(k)];
     if (std::abs(kinematics.axis_in_world(joint).y()) < kPitch) continue;  // it rolls the foot
     lever = std::min(lever, kAnkleShare * model.joints[at(joint)].effort / (model.total_mass() * kGravity));
   }
@@ -121,7 +121,7 @@ Gait gait_of(const Model& model, const Walking& w, double margin) {
   const Sole& right = model.soles[1];
   const double inner = std::max(left.right, right.left), outer = std::max(left.left, right.right);
   const LegChain leg = leg_chain(model, 0);
-  if (leg.count != 6) fail("a sole does not hang on the base by six joints");
+  if (!leg.balances()) fail(kNoLegs);
   const LegReach reach = leg_reach(model, 0);
   const double ankle = reach.ankle_height;
   const Stance stance = stance_of(model, leg.joint[0] + 1);
@@ -153,6 +153,12 @@ Gait gait_of(const Model& model, const Walking& w, double margin) {
   g.zmp_inward = w.zmp_inward;
   g.sole_low = {-left.back + margin, -std::min(inner, outer) + margin};
   g.sole_high = {left.front - margin, std::min(inner, outer) - margin};
+  // A leg that cannot turn its sole about an axis holds no zero-moment point off it.
+  if (const int free = free_axis(model, 0); free == 0) {
+    g.sole_low.y() = g.sole_high.y() = 0.0;
+  } else if (free == 1) {
+    g.sole_low.x() = g.sole_high.x() = g.zmp_forward = 0.0;
+  }
   const double period = g.period();
   g.most_velocity = {kCommandStride * g.max_forward / period,
                      kCommandStride * 0.5 * (g.max_width - g.width) / period,

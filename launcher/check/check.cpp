@@ -245,7 +245,7 @@ void print(const Trial& trial) {
                   "./twinbus pose NAME moves it, as does any program that sends COMMAND (examples/)\n");
       return;
     }
-    std::printf("does not stand: %s.  Balance wants a free base, and two legs of six joints, each with a sole, or two or four on point feet\n",
+    std::printf("does not stand: %s.  Balance wants a free base, and two legs of five to seven joints, each with a sole, or two or four on point feet\n",
                 trial.cannot_balance.c_str());
     return;
   }

@@ -82,7 +82,7 @@ std::string why_not_for(const Scene& scene, const Model& model) {
     const char* why = Balance::why_not(model);
     const bool points = why != nullptr && why_no_point_feet(model) == nullptr;
     if (why != nullptr && !points)
-      return std::string("it walks, which needs a free base, and two legs of six joints with soles, or two or four on point feet, and ") + why;
+      return std::string("it walks, which needs a free base, and two legs of five to seven joints with soles, or two or four on point feet, and ") + why;
     if (points && !scene.steps.empty()) return "it places the footsteps of two soles, and the robot has point feet";
   }
   if (why_no_point_feet(model) == nullptr && PointFeetBody(model).two()) {

@@ -19,7 +19,9 @@ constexpr double kSole = 0.008;  // what is so near to the lowest point belongs 
 constexpr double kFlat = 0.015;  // links that reach so near to the lowest point may be the foot [m]
 constexpr double kTurned = 1.5;  // no foot is wider than long by this
 constexpr int kLimbJoints = 3;   // in a row, at least
-constexpr int kLegJoints = 6;    // the foot hangs on the sixth; what follows are toes
+constexpr int kFewestLegJoints = 5, kMostLegJoints = 7;
+constexpr int kLegJoints = 6;    // the foot hangs on the sixth; what follows are toes, or an ankle's last joint
+constexpr double kAnkle = 0.03;  // between the axes of an ankle [m]
 constexpr int kFingers = 3, kFingerJoints = 2;  // of a hand, of each, at least
 constexpr double kFinger = 0.35, kAlikeFingers = 2.0;  // the longest [m], against the shortest
 const std::vector<const char*> kLegNames{"leg", "hip", "knee", "ankle", "foot", "thigh", "toe", "calf", "coxa", "femur", "tibia"};
@@ -236,6 +238,10 @@ class Finder {
     return "";
   }
 
+  double apart(int a, int b) const {
+    return (kinematics_.link_in_world(a).translation() - kinematics_.link_in_world(b).translation()).norm();
+  }
+
   void find_sole(std::size_t side, const Branch& limb) {
     const char* name = side == 0 ? "left" : "right";
     const std::vector<int> links = chain(limb.root, false);
@@ -247,7 +253,9 @@ class Finder {
       }
     }
     // The foot itself may have no geometry: then it is what hangs on the ankle.
-    const std::size_t sixth = std::min(links.size(), at(kLegJoints)) - 1;
+    std::size_t sixth = std::min(links.size(), at(kLegJoints)) - 1;
+    const bool more = links.size() > at(kLegJoints) && points_[at(links[sixth])].empty();
+    if (more && apart(links[sixth], links[at(kLegJoints)]) < kAnkle) ++sixth;
     // What is above the ankle's last joint may reach as low as the sole.
     const bool above = std::find(links.begin(), links.end(), foot) - links.begin() < static_cast<std::ptrdiff_t>(sixth);
     if (points_[at(links[sixth])].empty() || (above && lowest(links[sixth]) <= limb.lowest + kFlat)) foot = links[sixth];
@@ -442,7 +450,9 @@ std::vector<std::string> joints_above_legs(const Model& model) {
   std::size_t shared = 0;
   while (shared < chains[0].size() && shared < chains[1].size() && chains[0][shared] == chains[1][shared]) ++shared;
   std::vector<std::string> names;
-  if (chains[0].size() != shared + at(kLegJoints) || chains[1].size() != shared + at(kLegJoints)) return names;
+  for (const std::vector<int>& chain : chains) {
+    if (chain.size() < shared + at(kFewestLegJoints) || chain.size() > shared + at(kMostLegJoints)) return names;
+  }
   for (std::size_t i = 0; i < shared; ++i) names.push_back(model.joints[at(chains[0][i] - 1)].name);
   return names;
 }

@@ -34,7 +34,7 @@ struct Anatomy {
 Anatomy find_anatomy(const Model& model, const std::array<SrdfFoot, 2>& feet = {},
                      const Eigen::Matrix3d& turn = Eigen::Matrix3d::Identity());
 
-// Joints between the base and legs of six joints, from the base on: of a robot whose base is above its waist.  Our controller
+// Joints between the base and legs of five to seven joints, from the base on: of a robot whose base is above its waist.  Our controller
 // balances legs that hang on the base.
 std::vector<std::string> joints_above_legs(const Model& model);
 

@@ -21,13 +21,19 @@ constexpr int kPostureRounds = 60;
 constexpr double kKneeShare = 0.75;  // of its torque that carrying the robot on one leg may take
 constexpr double kBetweenSoles = 0.05;  // at least: feet that all but touch cannot be lifted past each other [m]
 
-// Those of a leg that turn about y, from the foot up.
+// Those of a leg that turn about y, from the foot up: ankle, knee and hip.  Of more the knee is nearest to halfway.
 std::vector<int> pitch_joints(const Model& model, const Kinematics& k, int foot_link) {
   std::vector<int> pitch;
   for (int link = foot_link; link > 0; link = model.links[at(link)].parent) {
     if (std::abs(k.axis_in_world(link - 1).y()) > 0.7) pitch.push_back(link - 1);
   }
-  return pitch;
+  if (pitch.size() <= 3) return pitch;
+  const auto place = [&](int joint) -> Eigen::Vector3d { return k.link_in_world(joint + 1).translation(); };
+  const auto to_ends = [&](int joint) {
+    return std::min((place(joint) - place(pitch.front())).norm(), (place(joint) - place(pitch.back())).norm());
+  };
+  const int knee = *std::max_element(pitch.begin() + 1, pitch.end() - 1, [&](int a, int b) { return to_ends(a) < to_ends(b); });
+  return {pitch.front(), knee, pitch.back()};
 }
 
 // Knees forward: the joints of a leg that turn about y are bent like hip, knee and ankle.

@@ -1,12 +1,10 @@
 #include "robot/stop_plan/plan_follower.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
 #include "common/math/index.h"
 #include "common/math/pose_math.h"
-#include "robot/kinematics/leg_chain.h"
 #include "robot/dynamics/inverse_dynamics.h"
 
 namespace twinbus {
@@ -28,23 +26,21 @@ constexpr double kLoaded = 0.05;     // of the weight: a sole admits
 constexpr double kWanted = 0.02;     // share of the load from which on it has something to admit
 constexpr double kFriction = 0.8;    // of the sole's, that a horizontal force may use
 constexpr double kMostMove = 0.3;    // of a leg joint [rad]
-constexpr double kDamping = 1e-6;    // of the 6 x 6 solve
+constexpr double kDamping = 1e-3;    // of the 6 x 6 solve
 
 double filtered(double from, double to, double share) noexcept { return from + share * (to - from); }
 }  // namespace
 
 PlanFollower::PlanFollower(const Model& model) noexcept : model_(&model), weight_(kGravity * model.total_mass()) {
-  has_legs_ = model.floating_base;
+  const std::array<LegChain, 2> chain{leg_chain(model, 0), leg_chain(model, 1)};
+  for (const LegChain& leg : chain) {
+    const bool driven = std::all_of(leg.begin(), leg.end(), [&](int joint) { return model.bus_index[at(joint)] >= 0; });
+    if (!model.floating_base || !leg.balances() || !driven) return;
+  }
+  legs_ = {LegMotion(model, 0), LegMotion(model, 1)};
   for (int f = 0; f < 2; ++f) {
-    const LegChain chain = leg_chain(model, f);
-    has_legs_ = has_legs_ && chain.count == 6;
-    if (!has_legs_) return;
     Foot& foot = feet_[at(f)];
-    for (std::size_t j = 0; j < 6; ++j) {
-      foot.joint[j] = chain.joint[j];
-      foot.bus_joint[j] = model.bus_index[at(chain.joint[j])];
-      has_legs_ = has_legs_ && foot.bus_joint[j] >= 0;
-    }
+    for (int j = 0; j < chain[at(f)].count; ++j) foot.bus_joint[at(j)] = model.bus_index[at(chain[at(f)].joint[at(j)])];
     const Sole& sole = model.soles[at(f)];
     const double half_width = 0.5 * (sole.left + sole.right), half_length = 0.5 * (sole.front + sole.back);
     foot.stiffness = std::max(1e3, sole.stiffness);
@@ -66,7 +62,7 @@ void PlanFollower::start(const StopPlan& plan, std::int64_t tick, const Estimato
   }
   since_ = lift_ = error_ = 0.0;
   integral_.setZero();
-  if (!plan.head.walks || !has_legs_) return;
+  if (!plan.head.walks || !legs_) return;
   const PlanBalance p = balance_at(plan, tick);
   const int stands = p.single ? p.support : p.left >= 0.5 ? 0 : 1;
   const double turn = yaw_of(robot.sole_in_world(stands).linear()) - p.sole[at(stands)].yaw;
@@ -118,8 +114,8 @@ void PlanFollower::admit(std::size_t f, const PlanBalance& p, const Load& wanted
 
 // The leg's joints for how the sole is to move, and its torques for the force beyond the plan.
 void PlanFollower::move_leg(std::size_t f, const SolePlace& sole, const Estimator& robot, PlanJoints& set_points) noexcept {
-  using Vector6 = Eigen::Matrix<double, 6, 1>;
-  using Matrix6 = Eigen::Matrix<double, 6, 6>;
+  using Vector6 = LegMotion::Vector6;
+  LegMotion& leg = (*legs_)[f];
   Foot& foot = feet_[f];
   const double dt = model_->period();
   const SolePlace frame{.cosine = cosine_, .sine = sine_};
@@ -130,21 +126,14 @@ void PlanFollower::move_leg(std::size_t f, const SolePlace& sole, const Estimato
   move << 0.0, 0.0, (f == 0 ? 0.5 : -0.5) * lift_ - foot.sink, turn, 0.0;
   wrench << push, foot.force.z(), moment, 0.0;
 
-  const Kinematics& k = robot.kinematics();
-  const Eigen::Vector3d origin = robot.sole_in_world(static_cast<int>(f)).translation();
-  Matrix6 jacobian;
-  for (int j = 0; j < 6; ++j) {
-    const int joint = foot.joint[at(j)];
-    const Eigen::Vector3d& axis = k.axis_in_world(joint);
-    jacobian.col(j) << axis.cross(origin - k.link_in_world(joint + 1).translation()), axis;
-  }
-  Matrix6 square = kDamping * Matrix6::Identity();
-  square.noalias() += jacobian * jacobian.transpose();
-  const Vector6 q = jacobian.transpose() * square.ldlt().solve(move);
-  const Vector6 tau = -jacobian.transpose() * wrench;
-  for (int j = 0; j < 6; ++j) {
+  leg.update(robot.kinematics(), robot.sole_in_world(static_cast<int>(f)));
+  move.tail<3>() = leg.held(move.tail<3>());
+  const Vector6 x = leg.damped(move, kDamping);
+  const LegMotion::Vector7 tau = leg.torques(wrench);
+  for (int j = 0; j < leg.chain().count; ++j) {
     const std::size_t b = at(foot.bus_joint[at(j)]);
-    const double moved = std::isfinite(q[j]) ? std::clamp(q[j], -kMostMove, kMostMove) : 0.0;
+    const double q = leg.rate(at(j), x);
+    const double moved = std::isfinite(q) ? std::clamp(q, -kMostMove, kMostMove) : 0.0;
     set_points.q[b] += moved;
     set_points.qd[b] += (moved - foot.moved[at(j)]) / dt;
     if (std::isfinite(tau[j])) set_points.tau[b] += tau[j];
@@ -153,7 +142,7 @@ void PlanFollower::move_leg(std::size_t f, const SolePlace& sole, const Estimato
 }
 
 void PlanFollower::balance(const StopPlan& plan, std::int64_t tick, const Estimator& robot, PlanJoints& set_points) noexcept {
-  if (!plan.head.walks || !has_legs_) return;
+  if (!plan.head.walks || !legs_) return;
   const double dt = model_->period(), omega = static_cast<double>(plan.head.omega);
   const PlanBalance p = balance_at(plan, tick);
   since_ += dt;

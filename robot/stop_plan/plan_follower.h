@@ -5,15 +5,18 @@
 //
 // What p asks of each sole beyond the plan, force and moment, becomes a pose of the sole (it gives way as a spring), and what
 // the sensors say is still missed moves the ankles and the difference of the legs' lengths (admittance).  Each leg follows by
-// one damped 6 x 6 solve and carries the force difference by -J^T.  The gains are those of the controller's own stabilizer.
+// one damped 6 x 6 solve of its coordinates (robot/kinematics/leg_motion.h) and carries the force difference by -J^T.  The
+// gains are those of the controller's own stabilizer.
 
 #pragma once
 
 #include <Eigen/Core>
 #include <array>
+#include <optional>
 
 #include "robot/description/model.h"
 #include "robot/estimation/estimator.h"
+#include "robot/kinematics/leg_motion.h"
 #include "robot/stop_plan/sole_share.h"
 #include "robot/stop_plan/stop_plan.h"
 
@@ -33,7 +36,7 @@ class PlanFollower {
 
  private:
   struct Foot {
-    std::array<int, 6> joint{}, bus_joint{};
+    std::array<int, 7> bus_joint{};
     Eigen::Vector2d turning = Eigen::Vector2d::Ones();  // stiffness, roll and pitch [N m/rad]
     Eigen::Vector2d centre = Eigen::Vector2d::Zero();   // of the sole, in its frame [m]
     double stiffness = 1.0;                             // [N/m]
@@ -45,7 +48,7 @@ class PlanFollower {
     Eigen::Vector2d slope = Eigen::Vector2d::Zero();        // that the ground is taken to have [rad]
     Eigen::Vector3d force = Eigen::Vector3d::Zero();        // beyond the plan [N]
     Eigen::Vector2d moment = Eigen::Vector2d::Zero();       // in sole axes [N m]
-    std::array<double, 6> moved{};                          // of the joints [rad]
+    std::array<double, 7> moved{};                          // of the joints [rad]
   };
   struct Load {
     Eigen::Vector3d force;   // plan's frame [N]
@@ -58,8 +61,8 @@ class PlanFollower {
 
   const Model* model_;
   double weight_ = 0.0;      // of the robot [N]
-  bool has_legs_ = false;
   std::array<Foot, 2> feet_;
+  std::optional<std::array<LegMotion, 2>> legs_;
   double cosine_ = 1.0, sine_ = 0.0;  // heading of the plan's frame in the estimator's world
   double since_ = 0.0;                // [s] of following
   double lift_ = 0.0;                 // of the left foot over the right one [m]

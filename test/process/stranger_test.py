@@ -5,14 +5,20 @@ hrp1s and hrp2p without their robot.yaml, and JVRC-1 where the test data is, mus
 not; what the simulator refuses, check refuses.
 """
 
+import json
+import math
 import os
 import pathlib
+import re
+import sys
 import tempfile
 
 import harness
 from harness import Checks, cli
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "test/bench"))
+from bench_any_robot import walk_scene  # noqa: E402
 DATA = pathlib.Path(os.environ.get("TWINBUS_DATA", ROOT.parent / "shared/data")) / "robots"
 
 
@@ -30,6 +36,41 @@ def stands(checks, urdf, scratch, walks=False):
     checks.that(status == 0 and "passed" in out, f"{urdf.name} stands: {out}{err}")
     status, out, err = cli("check", folder, timeout=120)
     checks.that(status == 0 and "missing: nothing" in out, f"nothing is missing in the folder of {urdf.name}: {out[-600:]}{err}")
+
+
+def legs_of(joints):
+    """biped12 with legs of five joints, whose soles are as narrow as they must be without an ankle that rolls, or of seven."""
+    text = (ROOT / "config/robots/biped12/biped12.urdf").read_text()
+    if joints == 5:
+        text = re.sub(r'(<joint name="[RL]LEG_ANKLE_R" type=")revolute', r"\1fixed", text)
+        assert '<box size="0.24 0.138 0.02"/>' in text
+        return text.replace('<box size="0.24 0.138 0.02"/>', '<box size="0.24 0.04 0.02"/>')
+    for side in "RL":
+        knee = f'<joint name="{side}LEG_KNEE" type="revolute"><parent link="{side}LEG_'
+        assert knee + "HIP_P" in text
+        text = text.replace(knee + "HIP_P", knee + "THIGH")
+        text = re.sub(rf'(<joint name="{side}LEG_KNEE"[^\n]*\n\s*<origin xyz="0 0 )-0.3', r"\g<1>-0.15", text)
+        text = text.replace("</robot>", f"""<link name="{side}LEG_THIGH"><inertial><mass value="0.5"/>
+<inertia ixx="0.001" iyy="0.001" izz="0.001" ixy="0" ixz="0" iyz="0"/></inertial></link>
+<joint name="{side}LEG_THIGH" type="revolute"><parent link="{side}LEG_HIP_P"/><child link="{side}LEG_THIGH"/><origin xyz="0 0 -0.15"/>
+<axis xyz="0 0 1"/><limit lower="-0.8" upper="0.8" effort="120" velocity="6"/></joint></robot>""")
+    return text
+
+
+def other_legs(checks, scratch):
+    """Half of the speed that is reported is walked, and is at least 0.08 sqrt(g leg)."""
+    for joints in (5, 7):
+        urdf = pathlib.Path(scratch) / f"legs{joints}.urdf"
+        urdf.write_text(legs_of(joints))
+        folder = os.path.join(scratch, urdf.stem)
+        status, out, err = cli("check", str(urdf), "--propose", folder, "--json", timeout=240)
+        walk = json.loads(out)["trial"]["walk"] if status == 0 else {}
+        half = 0.5 * walk.get("fastest_m_s", 0.0)
+        checks.that(half > 0 and half >= 0.08 * math.sqrt(9.81 * walk["leg_m"]), f"legs of {joints} joints walk: {walk} {err}")
+        scene = pathlib.Path(scratch) / f"walk{joints}.yaml"
+        scene.write_text(walk_scene(13.5, 10, half, 5, 20))
+        status, out, err = cli("run", str(scene), "--robot", folder, timeout=120)
+        checks.that(status == 0 and "passed" in out, f"legs of {joints} joints walk for 10 s: {out}{err}")
 
 
 def refusals(checks, scratch):
@@ -79,6 +120,7 @@ def main():
             stands(checks, ROOT / f"config/robots/{name}/{name}.urdf", scratch)
         if (DATA / "jvrc1/jvrc1.urdf").is_file():
             stands(checks, DATA / "jvrc1/jvrc1.urdf", scratch, walks=True)
+        other_legs(checks, scratch)
         refusals(checks, scratch)
         for name, file, words in (("panda", "panda.urdf", ("arm_hold, arm_reach, arm_scan and arm_pick are its scenes", "next: ./twinbus run arm_reach")),
                                   ("go1", "go1.urdf", ("point feet: ", "stands: ", "trots: ", "next: ./twinbus run stand"))):
