@@ -29,6 +29,7 @@ constexpr double kSwingShare = 0.5;  // of their efforts that a step in a hurry 
 constexpr double kTurn = 0.6;        // share of a hip's range that a command may use
 constexpr double kZmpForward = 0.03;  // before a sole frame, if the ankles are strong enough [m]
 constexpr double kAnkleShare = 0.35;  // of an ankle's torque that holds it there
+constexpr double kLeanShare = 0.9;   // of half of a sole that leans: where it carries
 constexpr double kPitch = 0.7;        // cosine: an axis so nearly to the left pitches the foot
 // Of the turn of a step: how far the foot on the inside opens, and how far the other one closes.
 constexpr double kOpens = 1.5, kCloses = 0.5;
@@ -155,7 +156,10 @@ Gait gait_of(const Model& model, const Walking& w, double margin) {
   g.sole_high = {left.front - margin, std::min(inner, outer) - margin};
   // A leg that cannot turn its sole about an axis holds no zero-moment point off it.
   if (const int free = free_axis(model, 0); free == 0) {
-    g.sole_low.y() = g.sole_high.y() = 0.0;
+    g.leans = true;
+    g.zmp_inward = -kLeanShare * std::min(inner, outer);
+    g.sole_low.y() = g.zmp_inward;
+    g.sole_high.y() = -g.zmp_inward;
   } else if (free == 1) {
     g.sole_low.x() = g.sole_high.x() = g.zmp_forward = 0.0;
   }

@@ -52,6 +52,7 @@ struct Gait {
   double max_turn = 0.5;                          // of a foothold from the other foot [rad]
   double inner = 0.07;             // of a sole from its frame towards the other foot [m]
   double toe = 0.18, heel = 0.07;  // of a sole before and behind its frame [m]
+  bool leans = false;              // soles that no ankle rolls: they carry on the edge to which the leg leans
   bool preview = false;            // the reference is that of preview control
   Eigen::Vector2d swing_acceleration{1e3, 1e3};   // of a foot, forward and to the side: what the hips are asked for [m/s^2]
   double ankle_share = 0.9;        // share of the sole on which step adjustment counts

@@ -28,8 +28,9 @@ StepAdjusted adjust_step(const Gait& gait, const StepNow& now, double omega) noe
   Eigen::Vector2d reach_low(-gait.max_back, side > 0.0 ? gait.min_width : -gait.max_width);
   Eigen::Vector2d reach_high(gait.max_forward, side > 0.0 ? gait.max_width : -gait.min_width);
   const Eigen::Vector2d middle = 0.5 * (gait.sole_low + gait.sole_high);
-  const Eigen::Vector2d low = middle + gait.ankle_share * (gait.sole_low - middle);
-  const Eigen::Vector2d high = middle + gait.ankle_share * (gait.sole_high - middle);
+  Eigen::Vector2d low = middle + gait.ankle_share * (gait.sole_low - middle);
+  Eigen::Vector2d high = middle + gait.ankle_share * (gait.sole_high - middle);
+  if (gait.leans) low.y() = high.y() = -side_of(now.foot) * gait.zmp_inward;
 
   double best = 1e300, best_left = now.left_now;
   Eigen::Vector2d best_place = planned;
@@ -49,16 +50,18 @@ StepAdjusted adjust_step(const Gait& gait, const StepNow& now, double omega) noe
       thrown_high = thrown_high.cwiseMax(planned);
     }
     Eigen::Vector2d place, missed;
+    Eigen::Vector2d regular = planned;
+    if (gait.leans) regular.x() *= std::min(1.0, (now.elapsed + left) / gait.period());  // other times, the same speed
     for (Eigen::Index d = 0; d < 2; ++d) {
       const double from = high[d] + (xi[d] - high[d]) * grown - offset[d];
       const double to = low[d] + (xi[d] - low[d]) * grown - offset[d];
-      const double wanted = std::min(std::max(planned[d], from), to);
+      const double wanted = std::min(std::max(regular[d], from), to);
       place[d] = std::min(std::max(wanted, std::max(reach_low[d], thrown_low[d])), std::min(reach_high[d], thrown_high[d]));
       missed[d] = wanted - place[d];
     }
     const double late = left - now.left_planned;
     const double cost =
-        kMissed * missed.squaredNorm() + (place - planned).squaredNorm() + kHaste * late * late;
+        kMissed * missed.squaredNorm() + (place - regular).squaredNorm() + kHaste * late * late;
     if (cost < best) {
       best = cost;
       best_place = place;

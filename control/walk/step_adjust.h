@@ -27,6 +27,7 @@ struct StepNow {
   double left_planned = 0.0;    // until touchdown as planned [s]
   double left_now = 0.0;        // as adjusted before [s]
   double shortest = 0.1;        // [s]
+  double elapsed = 0.0;         // of the step, its double support included [s]
 };
 
 struct StepAdjusted {

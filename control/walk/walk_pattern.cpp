@@ -310,7 +310,8 @@ StepAdjusted WalkPattern::adjusted_step(const Eigen::Vector2d& measured_dcm, dou
                     .offset = dcm_landing_ - target_.position,
                     .left_planned = double_ + gait_.single_support - time_,
                     .left_now = double_ + single_time_ - time_,
-                    .shortest = std::max(kShortest, double_ + gait_.shortest_single - time_)};
+                    .shortest = std::max(kShortest, double_ + gait_.shortest_single - time_),
+                    .elapsed = time_};
   return adjust_step(gait_, now, omega);
 }
 

@@ -14,7 +14,6 @@
 #include "control/walk/footsteps.h"
 #include "launcher/run/judge_scene.h"
 #include "launcher/run/local_stack.h"
-#include "robot/kinematics/leg_motion.h"
 #include "robot/description/walking_config.h"
 #include "sim/scene/scene.h"
 
@@ -31,14 +30,12 @@ constexpr double kFroude = 0.45;       // of sqrt(g l), at most tried
 constexpr double kSlower = 0.65;       // the next speed after one that failed
 constexpr int kSlowerTimes = 5, kBisections = 3;
 constexpr double kGain = 1.08;         // a gait that does not walk so much faster is not worth a setting
-constexpr double kQuickSingle = 0.25, kQuickDouble = 0.05;  // of a step whose sole nothing holds level [s]
-constexpr double kSlow = 0.2;          // of sqrt(g l)
 constexpr double kPinned = 0.98;       // of a limit: the joint is at it
 constexpr double kNearEnd = 0.01;      // of a range: the joint is at its end [rad]
 
 // Entries of the map `walking` that the search may give.
 struct GaitChoice {
-  double single_support = std::nan(""), double_support = std::nan(""), zmp_forward = std::nan(""), com_height = std::nan("");
+  double single_support = std::nan(""), zmp_forward = std::nan(""), com_height = std::nan("");
   double fastest = std::nan("");
 
   std::string text() const {
@@ -50,7 +47,6 @@ struct GaitChoice {
       out += entry;
     };
     add("single_support", single_support);
-    add("double_support", double_support);
     add("zmp_forward", zmp_forward);
     add("com_height", com_height);
     add("fastest", fastest);
@@ -231,8 +227,9 @@ double verified(Search& search, const GaitChoice& gait, double speed) {
   return 0.0;
 }
 
-// One after the other each way that a gait may differ from `best`; what walks faster is kept.
-GaitChoice tuned(Search& search, GaitChoice best, const Gait& usual, double leg, double start, double& speed) {
+// One after the other each way that a gait may differ; what walks faster is kept.
+GaitChoice tuned(Search& search, const Gait& usual, double leg, double start, double& speed) {
+  GaitChoice best;
   double target = std::max(start, 0.08 * std::sqrt(kGravity * leg));
   const auto try_one = [&](GaitChoice gait) {
     for (int k = 0; k < 3 && search.time_left(); ++k) {
@@ -313,21 +310,11 @@ WalkTrial find_walk(const Model& model, double patience) {
   const double most = std::min(usual.most_velocity.x(), kFroude * scale);
   Found found = largest(search, {}, most, kShort);
   GaitChoice choice;
-  if (free_axis(model, 0) == 0 && found.speed < kSlow * scale) {  // such a sole leans with the leg: less in quick steps
-    GaitChoice quick;
-    quick.single_support = kQuickSingle;
-    quick.double_support = kQuickDouble;
-    const Found other = largest(search, quick, std::min(search.fastest_of_legs(quick), kFroude * scale), kShort);
-    if (other.speed > found.speed) {
-      found = other;
-      choice = quick;
-    }
-  }
   double start = found.speed > 0.0 ? verified(search, choice, found.speed) : 0.0;
   if (search.time_left()) {
     double speed = start;
-    const GaitChoice other = tuned(search, choice, usual, trial.leg, 0.5 * start, speed);
-    if (other.text() != choice.text() && speed > start) {
+    const GaitChoice other = tuned(search, usual, trial.leg, 0.5 * start, speed);
+    if (!other.text().empty() && speed > start) {
       const double reached = verified(search, other, speed);
       if (reached > kGain * start) {
         choice = other;
@@ -339,8 +326,7 @@ WalkTrial find_walk(const Model& model, double patience) {
   trial.fastest = kShare * start;
   const Walking walking = walking_of(model);
   const double single = std::isnan(choice.single_support) ? walking.single_support : choice.single_support;
-  const double twice = std::isnan(choice.double_support) ? walking.double_support : choice.double_support;
-  trial.step = trial.fastest * (single + twice);
+  trial.step = trial.fastest * (single + walking.double_support);
   choice.fastest = std::floor(1e3 * trial.fastest) / 1e3;
   trial.fastest = choice.fastest;
   trial.walking = choice.text();

@@ -308,6 +308,25 @@ TEST(StepAdjust, AFootIsNotThrownInwardShortlyBeforeItLands) {
   EXPECT_NEAR(adjust_step(g, now, kOmega).foothold.position.y(), g.min_width, 1e-9);
 }
 
+TEST(StepAdjust, AStepOfASoleThatLeansIsAsLongAsItsTimeAsks) {
+  Gait g = gait();
+  g.leans = true;
+  g.sole_low.x() = -1.0;  // forward the sole catches it
+  g.sole_high.x() = 1.0;
+  StepNow now;
+  now.foot = 1;
+  now.planned.position << 0.3, g.width;
+  now.offset << 0.05, -0.5 * g.width;
+  now.elapsed = 0.2;
+  now.left_planned = now.left_now = g.period() - now.elapsed;
+  now.dcm << 0.05, 0.5 * g.width;  // far enough to the side: the step lands early
+  const StepAdjusted step = adjust_step(g, now, kOmega);
+  ASSERT_LT(step.left, now.left_planned - 0.03);
+  EXPECT_NEAR(step.foothold.position.x(), 0.3 * (now.elapsed + step.left) / g.period(), 0.01);
+  g.leans = false;
+  EXPECT_GT(adjust_step(g, now, kOmega).foothold.position.x(), step.foothold.position.x() + 0.02);
+}
+
 TEST(StepAdjust, APushMovesTheFootholdThatWayAndTheDcmCanBeCaught) {
   const Gait g = gait();
   StepNow now;
