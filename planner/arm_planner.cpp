@@ -24,6 +24,7 @@ namespace {
 constexpr double kTouching = 0.001;  // a start nearer than this counts as touching [m]
 constexpr int kNearPairs = 64;       // looked at; more are too many
 constexpr double kShare = 0.9;       // of the room at start and goal that the way must keep
+constexpr double kLeaving = 0.98;    // of the room of what a guard would hold on its way nearer
 constexpr double kProved = 0.7;  // share of the clearance of the search that the motion is proved to keep
 constexpr double kGuarded = GuardDefaults::kInController + 5e-4;  // which is no less than this where a slower motion keeps it [m]
 constexpr double kUnit = 0.01;         // what the length of a quaternion may be off by
@@ -322,9 +323,11 @@ TimedPath ArmPlanner::timed(EdgeCheck& space, ArmLines& lines, const JointPath& 
     const std::vector<RoundedPath> parts = RoundedPath::parts(space, corners, std::array{kWidestCorner, 0.1, 0.0}[at(i % 3)]);
     TimedPath path = time_path(parts, limits, config_.knot_spacing, most_knots);
     space.set_clearance(i < 3 ? kept : least);
+    space.set_share_at_ends(i < 3 ? 1.0 : kProved);
     bool free = true;
     for (std::size_t n = 0; free && n + 1 < path.size(); ++n) free = lines.curve_free(bezier_between(path[n], path[n + 1]));
     space.set_clearance(clearance);
+    space.set_share_at_ends(1.0);
     if (free) return path;
   }
   return {};
@@ -398,12 +401,14 @@ ArmPlan ArmPlanner::attempt(const ArmGoal& goal, const Configuration& start,
   MotionEffort effort(*model_, start, plan.joints);
   bool held = false;  // only where the joints can hold the arm
   for (;;) {
-    std::vector<EndPair> ends;  // nearer than a guard lets others be
-    double room = std::min(config_.clearance, space.nearest_beside(question.start, config_.clearance, config_.least_clearance, ends));
+    std::vector<EndPair> ends;  // so near that a share of their room may be less than what a guard keeps
+    double room = std::min(config_.clearance, space.nearest_beside(question.start, config_.clearance, kGuarded / kShare, ends));
     for (const JointPoint& q : question.goals)
-      room = std::min(room, space.nearest_beside(q, config_.clearance, config_.least_clearance, ends));
+      room = std::min(room, space.nearest_beside(q, config_.clearance, kGuarded / kShare, ends));
+    for (EndPair& end : ends)
+      end.margin = std::max(kShare * end.room, std::min(kGuarded * shares_.of(end.link_a, end.link_b), kLeaving * end.room));
     space.set_clearance(kShare * room);
-    space.keep_at_ends(ends, kShare);
+    space.keep_at_ends(ends);
 
     ArmLines lines(*model_, space, collision_, balls_, padded_);
     SearchLimits limits = question.range.limits();

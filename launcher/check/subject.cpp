@@ -1,5 +1,6 @@
 #include "launcher/check/subject.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <stdexcept>
@@ -44,10 +45,19 @@ std::string urdf_of_mjcf(const std::string& file, ProposalSource& source) {
 }
 
 // Of the user's file, what is most likely wrong when nothing can be made of its numbers.
-std::string farthest_origin(const CheckSubject& subject) {
+std::string likely_cause(const CheckSubject& subject) {
+  constexpr double kHeavy = 1000.0;  // [kg]
+  const bool as_given = !subject.mjcf && subject.mended.empty();  // lines are those of the file
+  char text[60];
   const UrdfTree tree = parse_urdf(subject.text, subject.urdf,
                                    {.folder = fs::path(subject.urdf).parent_path().string(),
                                     .packages = subject.source.packages});
+  const auto heaviest =
+      std::max_element(tree.links.begin(), tree.links.end(), [](const UrdfLink& a, const UrdfLink& b) { return a.mass < b.mass; });
+  if (heaviest != tree.links.end() && heaviest->mass > kHeavy) {
+    std::snprintf(text, sizeof text, "%.3g kg", heaviest->mass);
+    return "; look at " + subject.urdf + (as_given ? ":" + std::to_string(heaviest->line) : "") + ": link " + heaviest->name + " weighs " + text;
+  }
   const UrdfJoint* farthest = nullptr;
   for (const UrdfJoint& joint : tree.joints) {
     if (farthest == nullptr ||
@@ -55,11 +65,10 @@ std::string farthest_origin(const CheckSubject& subject) {
       farthest = &joint;
   }
   if (farthest == nullptr) return "";
-  char metres[40];
-  std::snprintf(metres, sizeof metres, "%.3g m", farthest->origin.translation().norm());
-  const std::string line = subject.mjcf || !subject.mended.empty() ? "" : ":" + std::to_string(farthest->line);
+  std::snprintf(text, sizeof text, "%.3g m", farthest->origin.translation().norm());
+  const std::string line = as_given ? ":" + std::to_string(farthest->line) : "";
   return "; look at " + subject.urdf + line + ": joint " + farthest->name + " is the farthest from its parent, " +
-         metres;
+         text;
 }
 
 // A robot on a fixed base that reaches below it: the ground of a scene would be in its trunk or its arms.
@@ -166,7 +175,7 @@ Model load_proposed(const Proposal& proposal, const CheckSubject& subject) try {
                            .srdf = proposal.srdf});
 } catch (const std::runtime_error& error) {
   throw std::runtime_error(subject.urdf + ": no robot can be proposed: " + error.what() +
-                           farthest_origin(subject));
+                           likely_cause(subject));
 }
 
 }  // namespace twinbus

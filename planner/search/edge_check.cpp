@@ -71,15 +71,9 @@ double EdgeCheck::nearest_beside(const JointPoint& q, double far, double close, 
   return least;
 }
 
-void EdgeCheck::keep_at_ends(const std::vector<EndPair>& ends, double share) {
-  ends_ = ends;
-  for (EndPair& end : ends_) end.room *= share;
-  full_ = clearance_;
-}
-
 double EdgeCheck::margin(int link_a, int link_b) const {
   for (const EndPair& end : ends_) {
-    if (end.link_a == link_a && end.link_b == link_b) return end.room * std::min(1.0, clearance_ / full_);
+    if (end.link_a == link_a && end.link_b == link_b) return std::min(clearance_, share_ * end.margin);
   }
   return clearance_;
 }

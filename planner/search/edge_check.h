@@ -29,7 +29,8 @@ std::array<std::array<JointPoint, 4>, 2> halves(const std::array<JointPoint, 4>&
 // Two links, or a link and an obstacle, that are near each other where a motion begins or ends: it keeps less of them than of others.
 struct EndPair {
   int link_a = 0, link_b = 0;
-  double room = 0.0;  // there [m]
+  double room = 0.0;    // there [m]
+  double margin = 0.0;  // that is kept [m]
 };
 
 class EdgeCheck : public FreeSpace {
@@ -57,8 +58,9 @@ class EdgeCheck : public FreeSpace {
 
   // Distance of the nearest pair at q, at most `far`, but for pairs nearer than `close` [m], which are added to ends.
   double nearest_beside(const JointPoint& q, double far, double close, std::vector<EndPair>& ends);
-  // From now on `share` of their room is kept of these pairs, and less where the clearance is set smaller afterwards.
-  void keep_at_ends(const std::vector<EndPair>& ends, double share);
+  // From now on these pairs keep their margins, times `share`, instead of the clearance.
+  void keep_at_ends(const std::vector<EndPair>& ends) { ends_ = ends; }
+  void set_share_at_ends(double share) { share_ = share; }
   // The least that is kept of any pair [m].
   double kept() const;
 
@@ -77,8 +79,8 @@ class EdgeCheck : public FreeSpace {
   bool between(const JointPoint& from, double room_from, const JointPoint& to, double room_to, int halvings);
 
   Collision* collision_;
-  std::vector<EndPair> ends_;  // with what is kept of them while the clearance is full_
-  double full_ = 0.0;
+  std::vector<EndPair> ends_;
+  double share_ = 1.0;
   Configuration posture_;
   Kinematics kinematics_;
   std::vector<int> joints_;

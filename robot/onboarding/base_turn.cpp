@@ -20,7 +20,7 @@ namespace twinbus {
 
 namespace {
 
-constexpr std::size_t kJointsOfLegs = 12;  // of both
+constexpr std::size_t kJointsOfLegs = 10;  // of both
 constexpr double kBelow = 0.03;      // its base that the flange of a trunk may reach [m]
 constexpr double kTouches = 0.001;   // that an arm may begin in the ground [m]
 constexpr double kArmsAbove = 0.05;  // the ground, of a robot on a stand [m]

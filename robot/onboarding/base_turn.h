@@ -10,8 +10,8 @@
 
 namespace twinbus {
 
-// From the base of the file to one that is upright and looks along x.  The identity unless six-joint
-// legs are found, named left and right as they lie, only with the base turned.
+// From the base of the file to one that is upright and looks along x.  The identity unless legs of five
+// joints or more are found, named left and right as they lie, only with the base turned.
 Eigen::Matrix3d find_base_turn(const Model& model);
 
 // 1: left, -1: right, 0: the name says neither.

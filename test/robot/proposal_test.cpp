@@ -171,6 +171,14 @@ TEST(BaseTurn, ABaseThatLiesOrLooksBackIsSetUpright) {
     const Model again = load_repaired_urdf(upright(straight, back * turn), file, {}, repairs);
     EXPECT_TRUE(find_base_turn(again).isIdentity(1e-9));
     EXPECT_TRUE(repairs.fixed_joints.empty());
+    // Legs of five joints are legs.
+    std::string five = text;
+    for (const char* ankle : {"\"LLEG_ANKLE_R\" type=\"revolute\"", "\"RLEG_ANKLE_R\" type=\"revolute\""}) {
+      const std::size_t found = five.find(ankle);
+      ASSERT_NE(found, std::string::npos);
+      five.replace(five.find("revolute", found), 8, "fixed");
+    }
+    EXPECT_TRUE((find_base_turn(load_repaired_urdf(five, file, {}, repairs)) * turn).isIdentity(1e-9));
   }
 }
 
