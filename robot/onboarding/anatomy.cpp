@@ -17,6 +17,7 @@ namespace {
 constexpr double kSide = 0.01;   // nearer to the middle plane is in the middle [m]
 constexpr double kSole = 0.008;  // what is so near to the lowest point belongs to the sole [m]
 constexpr double kFlat = 0.015;  // links that reach so near to the lowest point may be the foot [m]
+constexpr double kBeside = 0.25;  // of its width: an ankle nearer to the edge of its sole is not its middle
 constexpr double kTurned = 1.5;  // no foot is wider than long by this
 constexpr int kLimbJoints = 3;   // in a row, at least
 constexpr int kFewestLegJoints = 5, kMostLegJoints = 7;
@@ -286,6 +287,9 @@ class Finder {
         low.x() < high.x()) {  // the ankle is not above the sole
       frame.translation().head<2>() = 0.5 * (low + high).head<2>();
     }
+    // An ankle's last axis may pass beside the foot that the others stand over: both sides of a sole carry.
+    const double left = high.y() - frame.translation().y(), right = frame.translation().y() - low.y();
+    if (std::min(left, right) < kBeside * (left + right)) frame.translation().y() = 0.5 * (low.y() + high.y());
     sole.frame = pose.inverse() * frame;
     sole.front = std::max(high.x() - frame.translation().x(), 0.005);
     sole.back = std::max(frame.translation().x() - low.x(), 0.005);

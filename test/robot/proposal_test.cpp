@@ -101,6 +101,25 @@ TEST(Proposal, ServosOfArmsOvercomeFriction) {
 }
 
 // Nothing to see or touch on feet, as on simple_humanoid: the ankle still says where they are.
+TEST(Anatomy, ASoleThatLiesBesideItsAnkleCarriesOnBothSidesOfItsFrame) {
+  Model model = bare_hrp1s();
+  const Anatomy before = find_anatomy(model);
+  const auto move = [&](double by) {
+    for (std::size_t side = 0; side < 2; ++side) {
+      for (Shape& shape : model.links[at(before.soles[side].link)].collision) shape.pose.translation().y() += side == 0 ? by : -by;
+    }
+    return find_anatomy(model).soles[0];
+  };
+  const double width = before.soles[0].left + before.soles[0].right;
+  const Sole near = move(0.02);  // still well above it: the frame stays below the ankle
+  EXPECT_NEAR(near.frame.translation().y(), before.soles[0].frame.translation().y(), 1e-9);
+  EXPECT_NEAR(near.left - near.right, 0.04, 1e-9);
+  const Sole beside = move(0.4 * width - 0.02);
+  EXPECT_NEAR(beside.left, 0.5 * width, 1e-9);
+  EXPECT_NEAR(beside.right, 0.5 * width, 1e-9);
+  EXPECT_NEAR(beside.frame.translation().y() - before.soles[0].frame.translation().y(), 0.4 * width, 1e-9);
+}
+
 TEST(Anatomy, FeetWithoutGeometryHangOnTheAnkles) {
   Model model = bare_hrp1s();
   for (const Sole& sole : hrp1s().soles) {
