@@ -13,6 +13,7 @@
 #include "lcmtypes/msg/labels.h"
 #include "robot/description/load.h"
 #include "robot/description/walking_config.h"
+#include "robot/kinematics/leg_motion.h"
 #include "sim/scene/arm_places.h"
 #include "sim/scene/scene_obstacle.h"
 
@@ -39,6 +40,9 @@ bool turns(const Scene& scene) {
 Eigen::Vector3d fastest_of(const Model& model) {
   return gait_of(model, walking_of(model), WalkGains{}.stabilizer.margin).most_velocity;
 }
+
+// Whether nothing turns the soles about the axis forward: the legs lean with them.
+bool leans(const Model& model) { return free_axis(model, 0) == 0; }
 
 // How far the sticks of a scene lead a robot that goes at most so fast [m].
 double way_of(const std::vector<TimedPad>& pads, const Eigen::Vector3d& most) {
@@ -128,7 +132,12 @@ void check_motions(const Scene& scene, const Model& model) {
 void fit_scene(Scene& scene, const Model& model) {
   resolve_poses(scene, model);
   ask_what_it_can(scene, model);
+  const bool margins = !std::isnan(scene.criteria.zmp_margin_min_mm) || !std::isnan(scene.criteria.zmp_margin_p5_mm);
   scene.criteria = for_robot(scene.criteria, model, walks(scene));
+  if (margins && walks(scene) && leans(model)) {
+    scene.scaled += scene.scaled.empty() ? "" : "; ";
+    scene.scaled += "soles that no ankle rolls carry at their edges: no ZMP margin is asked";
+  }
   check_motions(scene, model);
   const std::string why = why_not_for(scene, model);
   if (why.empty()) return;
@@ -162,6 +171,7 @@ Criteria for_robot(Criteria criteria, const Model& model, bool walks) {
     }
     if (!std::isnan(criteria.zmp_margin_p5_mm)) criteria.zmp_margin_p5_mm = std::min(criteria.zmp_margin_p5_mm, share * asked_p5);
   }
+  if (walks && leans(model)) criteria.zmp_margin_min_mm = criteria.zmp_margin_p5_mm = std::nan("");
   return criteria;
 }
 

@@ -71,6 +71,9 @@ def other_legs(checks, scratch):
         scene.write_text(walk_scene(13.5, 10, half, 5, 20))
         status, out, err = cli("run", str(scene), "--robot", folder, timeout=120)
         checks.that(status == 0 and "passed" in out, f"legs of {joints} joints walk for 10 s: {out}{err}")
+        status, out, err = cli("run", "walk_forward", "--robot", folder, timeout=120)
+        checks.that("no ZMP margin is asked" in out if joints == 5 else "no ZMP margin" not in out, f"a margin is asked of soles that hold one: {out}{err}")
+        checks.that("ZMP came as near" not in out or joints == 7, f"and not of others: {out}")
 
 
 def refusals(checks, scratch):
