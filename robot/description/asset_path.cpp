@@ -47,7 +47,7 @@ std::string resolve_asset(const std::string& name, const AssetRoots& roots,
       file = package_file(rest_after("package://"), own, roots, package);
       if (file.empty()) {
         fail("is in package " + package +
-             ", which is not known; name its folder in robot.yaml, packages");
+             ", which is not known; name its folder in robot.yaml, packages, or lay a folder of that name beside or above the file");
       }
     } else if (name.rfind("file://", 0) == 0) {
       file = fs::weakly_canonical(fs::path("/") / rest_after("file://"));

@@ -53,8 +53,8 @@ double leg_to_leg(const Model& model, const Anatomy& anatomy, const Eigen::Vecto
 // Turns arms that hang beside the legs outwards until they are 0.08 m from them, or as far as 0.5 rad do it; how far
 // they were turned [rad].
 double hold_arms_out(const Model& model, const Anatomy& anatomy, Eigen::VectorXd& q);
-// Lifts the arms of a robot on a fixed base whose lowest point is less than 0.02 m above the ground, or that need more than 0.8 of a
-// joint's effort to be held, by the smallest turn of one of its joints, or of two by the same angle, that mends both.  What was turned, in words; empty when nothing was.
+// Lifts the arms of a robot on a fixed base whose lowest point is less than 0.02 m above the ground, that need more than 0.8 of a
+// joint's effort to be held, or that are boxed in by the robot itself, by the smallest turn of one of its joints, or of two by the same angle, that mends it.  What was turned, in words; empty when nothing was.
 std::string lift_arms(const Model& model, const Anatomy& anatomy, Eigen::VectorXd& q);
 
 }  // namespace twinbus

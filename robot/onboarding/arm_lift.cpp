@@ -1,6 +1,8 @@
-// A posture for arms on a fixed base that lie in the ground when their joints are at zero, or are too heavy for them.
+// A posture for arms on a fixed base that lie in the ground when their joints are at zero, are too heavy for them, or boxed in by the
+// robot itself.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <string>
@@ -8,6 +10,8 @@
 #include <vector>
 
 #include "common/math/index.h"
+#include "lcmtypes/msg/guard_defaults.h"
+#include "robot/collision/collision.h"
 #include "robot/collision/collision_pairs.h"
 #include "robot/description/link_points.h"
 #include "robot/dynamics/gravity_load.h"
@@ -21,6 +25,9 @@ namespace {
 
 constexpr double kAbove = 0.02;      // the ground [m]
 constexpr double kHolds = 0.8;       // of its effort limit that a joint may need to hold the arm
+constexpr double kClear = GuardDefaults::kAtGoal;  // of itself [m]
+constexpr int kFarApart = 4;         // joints between links that no design keeps near each other
+constexpr int kNearPairs = 64;
 constexpr double kTurnStep = 0.1;    // [rad]
 constexpr double kMostTurned = 1.6;  // [rad]
 
@@ -51,6 +58,31 @@ class ArmHeight {
   std::vector<std::pair<int, std::vector<Eigen::Vector3d>>> links_;
 };
 
+// Whether links of the arm and of the robot that many joints lie between are near each other.
+class BoxedIn {
+ public:
+  BoxedIn(const Model& model, const Hand& hand) : model_(model), collision_(model), c_(model), k_(model) {
+    collision_.check_only_moved_by(hand.joints);
+  }
+  bool at_posture(const Eigen::VectorXd& q) {
+    c_.q = q;
+    k_.update(c_);
+    std::array<PairDistance, kNearPairs> near;
+    const int count = collision_.near_pairs(k_, kClear, near.data(), kNearPairs);
+    return std::any_of(near.begin(), near.begin() + count, [&](const PairDistance& pair) {
+      int between = 0;
+      for (int joint = 0; joint < model_.joint_count(); ++joint) between += joint_moves_pair(model_, joint, pair.link_a, pair.link_b) ? 1 : 0;
+      return between >= kFarApart;
+    });
+  }
+
+ private:
+  const Model& model_;
+  Collision collision_;
+  Configuration c_;
+  Kinematics k_;
+};
+
 // False when a limit is in the way.
 bool turn(const Model& model, int joint, double angle, Eigen::VectorXd& q) {
   q[joint] += angle;
@@ -66,9 +98,10 @@ std::string lift_arms(const Model& model, const Anatomy& anatomy, Eigen::VectorX
     ArmHeight height(model, hand);
     GravityLoad load(model);
     Configuration c(model);
+    BoxedIn boxed(model, hand);
     const auto good = [&](const Eigen::VectorXd& posture) {
       c.q = posture;
-      return height.of(posture) >= kAbove && load.of(c, hand.joints).share <= kHolds;
+      return height.of(posture) >= kAbove && load.of(c, hand.joints).share <= kHolds && !boxed.at_posture(posture);
     };
     if (good(q)) continue;
     const auto lifts = [&](double angle, int joint, int other, double sign) {

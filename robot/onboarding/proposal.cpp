@@ -233,7 +233,7 @@ class Writer {
     }
     if (!has_soles()) {
       if (const std::string turned = lift_arms(model_, anatomy_, posture_); !turned.empty())
-        doubts_.push_back("at zero the arm lies in the ground, or is too heavy for its joints: half_sitting has " + turned);
+        doubts_.push_back("at zero the arm lies in the ground, is too heavy for its joints, or is boxed in by the robot: half_sitting has " + turned);
       return;
     }
     if (find_standing_posture(model_, posture_)) {

@@ -103,6 +103,25 @@ std::string torso(const std::string& trunk, const std::string& shoulders) {
   return text + "</robot>";
 }
 
+// Its hand 5 mm beside the trunk, four joints away.
+TEST(ArmLift, AnArmThatTheRobotBoxesInBeginsClearOfIt) {
+  const auto folded = [](const std::string& back) {
+    return loaded("<robot name='arm'>" + box("trunk", "0.2 0.2 0.2", "0 0 0.1") + box("upper", "0.02 0.02 0.02", "0 0 0") +
+                  box("fore", "0.02 0.02 0.02", "0 0 0") + box("wrist", "0.02 0.02 0.02", "0 0 0") + box("hand", "0.1 0.1 0.1", "0 0 0") +
+                  hinge("j1", "trunk", "upper", "0 0 0.4", "0 1 0") + hinge("j2", "upper", "fore", "0.3 0 0", "0 1 0") +
+                  hinge("j3", "fore", "wrist", "0 0 -0.3", "0 1 0") + hinge("j4", "wrist", "hand", back + " 0 0", "0 1 0") + "</robot>");
+  };
+  const auto lifted = [](const Model& model) {
+    Anatomy anatomy;
+    anatomy.hands[1].link = 4;
+    anatomy.hands[1].joints = {0, 1, 2, 3};
+    Eigen::VectorXd q = neutral_posture(model);
+    return lift_arms(model, anatomy, q);
+  };
+  EXPECT_EQ(lifted(folded("-0.1")), "");
+  EXPECT_NE(lifted(folded("-0.145")).find("rad"), std::string::npos);
+}
+
 // The ground of scenes is at z = 0.
 TEST(Stand, WhatReachesBelowItsBaseIsRaised) {
   const std::string above = box("trunk", "0.3 0.3 0.6", "0 0 0.3"), below = box("trunk", "0.3 0.3 1.0", "0 0 -0.4");
