@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/math/index.h"
 #include "planner/search/arm_lines.h"
 #include "planner/timing/motion_effort.h"
 
@@ -21,7 +20,8 @@ class HeldLines : public LineTest {
     const int parts = std::max(1, static_cast<int>(std::ceil(length / kApart)));
     SearchPoint there = from;
     for (int i = 0; i <= parts; ++i) {
-      for (std::size_t j = 0; j < there.size(); ++j) there[j] = from[j] + static_cast<float>(i) / static_cast<float>(parts) * step[j];
+      const float share = static_cast<float>(i) / static_cast<float>(parts);
+      for (std::size_t j = 0; j < there.size(); ++j) there[j] = from[j] + share * step[j];
       if (!effort_->holds(from_search(there, joints_))) return false;
     }
     return lines_->free(from, step, length);

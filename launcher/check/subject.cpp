@@ -52,8 +52,8 @@ std::string likely_cause(const CheckSubject& subject) {
   const UrdfTree tree = parse_urdf(subject.text, subject.urdf,
                                    {.folder = fs::path(subject.urdf).parent_path().string(),
                                     .packages = subject.source.packages});
-  const auto heaviest =
-      std::max_element(tree.links.begin(), tree.links.end(), [](const UrdfLink& a, const UrdfLink& b) { return a.mass < b.mass; });
+  const auto lighter = [](const UrdfLink& a, const UrdfLink& b) { return a.mass < b.mass; };
+  const auto heaviest = std::max_element(tree.links.begin(), tree.links.end(), lighter);
   if (heaviest != tree.links.end() && heaviest->mass > kHeavy) {
     std::snprintf(text, sizeof text, "%.3g kg", heaviest->mass);
     return "; look at " + subject.urdf + (as_given ? ":" + std::to_string(heaviest->line) : "") + ": link " + heaviest->name + " weighs " + text;

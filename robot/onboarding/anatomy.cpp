@@ -174,7 +174,9 @@ class Finder {
       double length = 0.0;
       for (int link = root; link < model_.link_count(); ++link) {
         if (!hangs_on(model_, link, root)) continue;
-        if (mentions(model_.links[at(link)].name, kLegNames) || mentions(model_.joints[at(link - 1)].name, kLegNames)) return false;
+        for (const std::string& name : {model_.links[at(link)].name, model_.joints[at(link - 1)].name}) {
+          if (mentions(name, kLegNames)) return false;
+        }
         for (const Eigen::Vector3d& point : points_[at(link)])
           length = std::max(length, (point - kinematics_.link_in_world(root).translation()).norm());
       }

@@ -71,7 +71,8 @@ class BoxedIn {
     const int count = collision_.near_pairs(k_, kClear, near.data(), kNearPairs);
     return std::any_of(near.begin(), near.begin() + count, [&](const PairDistance& pair) {
       int between = 0;
-      for (int joint = 0; joint < model_.joint_count(); ++joint) between += joint_moves_pair(model_, joint, pair.link_a, pair.link_b) ? 1 : 0;
+      for (int joint = 0; joint < model_.joint_count(); ++joint)
+        between += joint_moves_pair(model_, joint, pair.link_a, pair.link_b) ? 1 : 0;
       return between >= kFarApart;
     });
   }

@@ -81,7 +81,8 @@ double height_of_stand(const Model& model) {
       return link != hand.joints.front() + 1 || !turns_in_place(k, hand);
     });
     double& low = of_arm ? arms : trunk;
-    for (const Eigen::Vector3d& point : link_points(model.links[at(link)])) low = std::min(low, (k.link_in_world(link) * point).z());
+    for (const Eigen::Vector3d& point : link_points(model.links[at(link)]))
+      low = std::min(low, (k.link_in_world(link) * point).z());
   }
   const double needed = std::max(trunk < -kBelow ? -trunk : 0.0, arms < -kTouches ? kArmsAbove - arms : 0.0);
   return 1e-3 * std::ceil(1e3 * needed);
