@@ -185,19 +185,20 @@ Rung with_own(Rung rung, const Scene& scene) {
 
 int tune_command(const std::vector<std::string>& words) {
   const Arguments arguments({"tune", 1, 1, R"(SCENE
-Runs a scene at every order and step of the ladder, prints error against cost and the cheapest that holds the error
-together with all finer ones.  Exit status 0 only if one does.
+Runs a scene at orders and steps of the ladder, prints error against cost and the cheapest that holds the error
+together with all finer ones.  It climbs until the error is proven: no rung above is cheaper.  Exit status 0 only if one holds.
   --robot
   --error LENGTH  0.001 or 1mm; default the scene's accuracy, else 1mm
   --budget MS  CPU time of the physics in a control period: the best that fits
   --for S  simulated seconds; default: the scene's duration
+  --all  every rung, also those that cannot win
   --seed N  of everything random; default 1
   --fidelity WORD  full, auto, legs or rigid, as ./twinbus run; default the scene's
   --csv F.csv  writes order, step, cost and error of every run
   --write F.yaml  writes the scene with the settings found, and why)"}, words);
   catch_quit_signals();
   Opened opened = open(arguments);
-  opened.request.all = true;
+  opened.request.all = arguments.has("--all");
   opened.request.budget = 1e-3 * arguments.number("--budget", 0.0, 1e-4, 1e4);
   opened.request.error = length_of(
       arguments, "--error",

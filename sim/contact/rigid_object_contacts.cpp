@@ -17,7 +17,6 @@ namespace twinbus {
 namespace {
 
 constexpr double kAlong = 0.999;  // of a face's normal along the way out
-constexpr double kFacing = 0.5;  // of a face's normal along a sole's
 constexpr double kRigid = std::numeric_limits<double>::infinity();
 
 double thickness_of(bool solid, bool tile, const Solid& shape) {
@@ -94,8 +93,8 @@ LooseContacts::LooseContacts(const Model& model, const WorldConfig& config)
     add(std::move(piece));
   }
   loose_ = pieces_.size();
-  if (active()) add_robot(model, config, 0);
-  for (const OtherRobot& robot : config.robots) add_robot(*robot.model, config, ++system);
+  if (active()) add_robot(model, config, 0, config.fixed_base);
+  for (const OtherRobot& robot : config.robots) add_robot(*robot.model, config, ++system, !robot.model->floating_base);
   alone_.assign(apart_.size(), 0);
   moving_ = pieces_.size();
   const auto add_fixed = [&](const Obstacle& obstacle, bool tile) {
@@ -125,10 +124,12 @@ LooseContacts::LooseContacts(const Model& model, const WorldConfig& config)
   if (continuous_) faces_.reserve(most);
 }
 
-void LooseContacts::add_robot(const Model& model, const WorldConfig& config, int system) {
+void LooseContacts::add_robot(const Model& model, const WorldConfig& config, int system, bool fixed_base) {
   const double scale = system == 0 ? config.stiffness_scale : 1.0;
   const double damping_scale = system == 0 ? config.damping_scale : 1.0;
-  Outline outline{.system = system, .first = pieces_.size(), .end = 0, .box = {}};
+  Outline outline;
+  outline.system = system;
+  outline.first = pieces_.size();
   for (std::size_t side = 0; side < 2; ++side) {
     const Sole& sole = model.soles[side];
     if (sole.link < 0) continue;
@@ -138,9 +139,8 @@ void LooseContacts::add_robot(const Model& model, const WorldConfig& config, int
     piece.sole = static_cast<int>(side);
     piece.solid_too = false;
     piece.in_link = sole.frame;
-    piece.params =
-        as_asked(config, rubber(sole.stiffness / kSoleCorners * scale,
-                                sole.damping / kSoleCorners * damping_scale, sole.friction));
+    piece.params = as_asked(config, rubber(sole.stiffness / kSoleCorners * scale,
+                                           sole.damping / kSoleCorners * damping_scale, sole.friction));
     for (int corner = 0; corner < kSoleCorners; ++corner) {
       piece.probes.push_back({sole_corner(sole, corner), 0.0});
     }
@@ -178,6 +178,8 @@ void LooseContacts::add_robot(const Model& model, const WorldConfig& config, int
   }
   if (self_contact_) apart_[at(system)] = LinkPairs(model);
   outline.end = pieces_.size();
+  outline.fixed = fixed_base && std::all_of(pieces_.begin() + static_cast<std::ptrdiff_t>(outline.first), pieces_.end(),
+                                            [](const Piece& piece) { return piece.link == 0; });
   robots_.push_back(outline);
 }
 
@@ -259,6 +261,33 @@ bool LooseContacts::near(const Piece& a, const Piece& b, double h) const noexcep
   return (a.center - b.center).squaredNorm() < apart * apart;
 }
 
+// reach: how far each of its pieces comes from its middle.
+template <class Reach>
+Eigen::AlignedBox3d LooseContacts::box_of(const Outline& robot, const Reach& reach) const noexcept {
+  Eigen::AlignedBox3d box;
+  for (std::size_t i = robot.first; i < robot.end; ++i) {
+    const Eigen::Vector3d half = Eigen::Vector3d::Constant(reach(pieces_[i]));
+    box.extend(pieces_[i].center - half);
+    box.extend(pieces_[i].center + half);
+  }
+  return box;
+}
+
+void LooseContacts::place_all(const std::vector<ArticulatedBody*>& systems) noexcept {
+  for (std::size_t i = 0; i < loose_; ++i) place(pieces_[i], systems);
+  for (Outline& robot : robots_) {
+    if (robot.first == robot.end) continue;
+    Piece& base = pieces_[robot.first];
+    const Eigen::Vector3d center = base.center;
+    const Eigen::Matrix3d rotation = base.rotation;
+    place(base, systems);
+    if (robot.placed && base.center == center && base.rotation == rotation) continue;
+    for (std::size_t i = robot.first + 1; i < robot.end; ++i) place(pieces_[i], systems);
+    robot.placed = robot.fixed;
+    if (robot.fixed) robot.bare = box_of(robot, [](const Piece& piece) { return piece.radius; });
+  }
+}
+
 double LooseContacts::extent(int link) const noexcept {
   double most = 0.0;
   for (const Piece& piece : pieces_) {
@@ -269,16 +298,43 @@ double LooseContacts::extent(int link) const noexcept {
 
 bool LooseContacts::away_from(const Eigen::AlignedBox3d& box, const std::vector<ArticulatedBody*>& systems, double h) noexcept {
   for (std::size_t i = 0; i < loose_; ++i) {
-    Piece& piece = pieces_[i];
-    place(piece, systems);
+    const Piece& piece = pieces_[i];
+    place(pieces_[i], systems);
     if (!(box.exteriorDistance(piece.center) > piece.radius + reach_of(piece.speed, h))) return false;
   }
   return true;
 }
 
+// Seen from the first robot: what flies along with it does not come nearer.
+void LooseContacts::find_alone(double h) noexcept {
+  Eigen::Vector3d along = Eigen::Vector3d::Zero();
+  if (!robots_.empty() && robots_.front().first < robots_.front().end) along = pieces_[robots_.front().first].velocity;
+  const auto reach = [&](const Piece& piece) {
+    return piece.radius + reach_of((piece.velocity - along).norm() + piece.turning, h);
+  };
+  for (Outline& robot : robots_) {
+    if (robot.placed) {
+      const Eigen::Vector3d half = Eigen::Vector3d::Constant(reach_of(along.norm(), h));
+      robot.box = Eigen::AlignedBox3d(robot.bare.min() - half, robot.bare.max() + half);
+      continue;
+    }
+    robot.box = box_of(robot, reach);
+  }
+  for (const Outline& robot : robots_) {
+    bool alone = !self_contact_;
+    for (const Outline& other : robots_) {
+      if (&other != &robot && other.box.intersects(robot.box)) alone = false;
+    }
+    for (std::size_t i = 0; alone && i < loose_; ++i) {
+      alone = robot.box.exteriorDistance(pieces_[i].center) > reach(pieces_[i]);
+    }
+    alone_[at(robot.system)] = alone ? 1 : 0;
+  }
+}
+
 void LooseContacts::find(const std::vector<ArticulatedBody*>& systems, double h,
                          std::vector<Contact>& contacts, bool away) noexcept {
-  for (std::size_t i = 0; i < moving_ && !away; ++i) place(pieces_[i], systems);
+  if (!away) place_all(systems);
   Search search{systems, h, contacts};
   if (continuous_) faces_.begin_search();
   for (std::size_t i = 0; i < loose_; ++i) {
@@ -307,33 +363,6 @@ void LooseContacts::find(const std::vector<ArticulatedBody*>& systems, double h,
   }
 }
 
-// Seen from the first robot: what flies along with it does not come nearer.
-void LooseContacts::find_alone(double h) noexcept {
-  Eigen::Vector3d along = Eigen::Vector3d::Zero();
-  if (!robots_.empty() && robots_.front().first < robots_.front().end) along = pieces_[robots_.front().first].velocity;
-  const auto reach = [&](const Piece& piece) {
-    return piece.radius + reach_of((piece.velocity - along).norm() + piece.turning, h);
-  };
-  for (Outline& robot : robots_) {
-    robot.box.setEmpty();
-    for (std::size_t i = robot.first; i < robot.end; ++i) {
-      const Eigen::Vector3d half = Eigen::Vector3d::Constant(reach(pieces_[i]));
-      robot.box.extend(pieces_[i].center - half);
-      robot.box.extend(pieces_[i].center + half);
-    }
-  }
-  for (const Outline& robot : robots_) {
-    bool alone = !self_contact_;
-    for (const Outline& other : robots_) {
-      if (&other != &robot && other.box.intersects(robot.box)) alone = false;
-    }
-    for (std::size_t i = 0; alone && i < loose_; ++i) {
-      alone = robot.box.exteriorDistance(pieces_[i].center) > reach(pieces_[i]);
-    }
-    alone_[at(robot.system)] = alone ? 1 : 0;
-  }
-}
-
 // By insertion: little changes from step to step.  What begins at the same place is in the order of
 // the pieces, so that the order depends on nothing but where they are.
 void LooseContacts::sort_spans(double h) noexcept {
@@ -355,33 +384,7 @@ void LooseContacts::sort_spans(double h) noexcept {
   }
 }
 
-// Point by point a corner on the edge of a box could be pushed out sideways.
-int LooseContacts::face_between(const Piece& points, const Piece& box) const noexcept {
-  if (box.solid.shape != SolidShape::kBox || box.tile || points.probes.size() < 4) return -1;
-  const Eigen::Matrix3d turn = box.rotation.transpose() * points.rotation;
-  const Eigen::Vector3d middle = box.rotation.transpose() * (points.center - box.center);
-  int best = -1;
-  double most = -std::numeric_limits<double>::infinity();
-  for (int face = 0; face < 6; ++face) {
-    const int axis = face / 2;
-    const double sign = face % 2 == 0 ? 1.0 : -1.0;
-    // A sole is pushed up, however deep it has sunk into something thin.
-    if (points.sole >= 0 && sign * turn(axis, 2) < -kFacing) continue;
-    double least = std::numeric_limits<double>::infinity();
-    for (const Probe& probe : points.probes) {
-      if (probe.radius > 0.0) return -1;
-      least = std::min(least, sign * (middle[axis] + turn.row(axis).dot(probe.center)));
-    }
-    const double apart = least - 0.5 * box.solid.size[axis];
-    if (!(apart > most)) continue;
-    most = apart;
-    best = face;
-  }
-  return best;
-}
-
-void LooseContacts::meet(const Piece& from, std::size_t into, bool turned,
-                         Search& search) noexcept {
+void LooseContacts::meet(const Piece& from, std::size_t into, bool turned, Search& search) noexcept {
   const Piece& solid = pieces_[into];
   const auto targets = static_cast<int>(pieces_.size()) + 1;
   Contact found;

@@ -115,6 +115,9 @@ class LooseContacts {
     int system = 0;
     std::size_t first = 0, end = 0;
     Eigen::AlignedBox3d box;
+    bool fixed = false;        // nothing of it ever moves
+    bool placed = false;       // then: where it is now
+    Eigen::AlignedBox3d bare;  // and a box about it there
   };
   struct Search {
     const std::vector<ArticulatedBody*>& systems;
@@ -123,7 +126,7 @@ class LooseContacts {
     std::size_t cursor = 0;
   };
 
-  void add_robot(const Model& model, const WorldConfig& config, int system);
+  void add_robot(const Model& model, const WorldConfig& config, int system, bool fixed_base);
   // Of a link of triangles.
   void add_hull(const Shape& shape, const Model& model, const ContactParams& params, Piece piece);
   bool may_meet(std::size_t a, std::size_t b) const noexcept;
@@ -131,6 +134,9 @@ class LooseContacts {
   void sort_spans(double h) noexcept;
   // Which robots have nothing near them.
   void find_alone(double h) noexcept;
+  template <class Reach>
+  Eigen::AlignedBox3d box_of(const Outline& robot, const Reach& reach) const noexcept;
+  void place_all(const std::vector<ArticulatedBody*>& systems) noexcept;
   void place(Piece& piece, const std::vector<ArticulatedBody*>& systems) noexcept;
   bool near(const Piece& a, const Piece& b, double h) const noexcept;
   void meet_ground(const Piece& piece, Search& search) noexcept;

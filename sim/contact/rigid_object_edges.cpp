@@ -1,6 +1,7 @@
 // Boxes that corners alone do not hold apart, and contacts so deep that they may come out behind.
 
 #include <algorithm>
+#include <limits>
 
 #include "common/math/index.h"
 #include "sim/contact/box_overlap.h"
@@ -12,8 +13,34 @@ namespace {
 constexpr double kOverlap = 1e-6;  // of boxes, from which their corners are compared with it [m]
 constexpr double kCorner = 2.0;    // a corner's depth and the overlap differ by less, or edges cross
 constexpr double kFalse = 1e-4;  // so deep and deeper than the boxes overlap, a corner is pushed out the wrong way [m]
+constexpr double kFacing = 0.5;   // of a face's normal along a sole's
 constexpr double kPassed = 0.8;  // of the way to the middle: it may come through
 }  // namespace
+
+// Point by point a corner on the edge of a box could be pushed out sideways.
+int LooseContacts::face_between(const Piece& points, const Piece& box) const noexcept {
+  if (box.solid.shape != SolidShape::kBox || box.tile || points.probes.size() < 4) return -1;
+  const Eigen::Matrix3d turn = box.rotation.transpose() * points.rotation;
+  const Eigen::Vector3d middle = box.rotation.transpose() * (points.center - box.center);
+  int best = -1;
+  double most = -std::numeric_limits<double>::infinity();
+  for (int face = 0; face < 6; ++face) {
+    const int axis = face / 2;
+    const double sign = face % 2 == 0 ? 1.0 : -1.0;
+    // A sole is pushed up, however deep it has sunk into something thin.
+    if (points.sole >= 0 && sign * turn(axis, 2) < -kFacing) continue;
+    double least = std::numeric_limits<double>::infinity();
+    for (const Probe& probe : points.probes) {
+      if (probe.radius > 0.0) return -1;
+      least = std::min(least, sign * (middle[axis] + turn.row(axis).dot(probe.center)));
+    }
+    const double apart = least - 0.5 * box.solid.size[axis];
+    if (!(apart > most)) continue;
+    most = apart;
+    best = face;
+  }
+  return best;
+}
 
 // A face chosen by all corners of a box at once may be a wrong one for those that are in the other box: a corner that has slid into
 // the rim of a thin plate would be pushed out along the plate, through half of it.

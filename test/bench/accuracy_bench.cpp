@@ -1,12 +1,13 @@
 // Whether `run --accuracy` holds what is asked: scenes, each with its own duration, against references converged by two methods.
 //
-//     accuracy_bench SCENE:SECONDS... [--errors 10,1,0.1] [--fidelity] [--csv F.csv]
+//     accuracy_bench SCENE:SECONDS... [--errors 10,1,0.1] [--fidelity] [--tune] [--csv F.csv]
 //
 // Each scene is run at every order and step of the ladder, once, and at orders 2 and 3 with a step of a fortieth of the
 // control period: the references.  For every error the ladder is climbed as `run` climbs it, and its choice is held
 // against the reference of order 3.  The best fixed setting is the cheapest that truly holds the error together with all finer
 // ones of its order.  With --fidelity what hardly moves is left out, as `fidelity: auto` does; the references model everything, and
-// the gain is the cost of the same order and step with everything over that of the run delivered.  Where the references differ by more than a quarter of the error, nothing can be said.
+// the gain is the cost of the same order and step with everything over that of the run delivered.  With --tune no reference is run: what
+// `tune` chooses, which stops climbing where the error is proven, is held against the choice from every rung.  Where the references differ by more than a quarter of the error, nothing can be said.
 
 #include <algorithm>
 #include <cmath>
@@ -29,10 +30,15 @@ namespace twinbus {
 namespace {
 
 constexpr int kReferenceParts = 40;  // of the control period
+constexpr double kNear = 1.2;           // times the exhaustive optimum may cost what `tune` chooses
+constexpr double kPatience = 120.0;     // it may take, CPU [s]
+constexpr int kRounds = 5;
 constexpr double kKnown = 0.25;      // of the error the references may differ by
 
 struct Counts {
   int cells = 0, answered = 0, held = 0, thrice = 0, estimated = 0, cheap = 0, unknown = 0;
+  int tuned = 0, near = 0;    // choices of `tune`; those within kNear of the exhaustive one
+  double longest = 0.0;       // choosing, CPU [s]
   std::vector<double> gains;  // of cells in which something was left out
 };
 
@@ -100,7 +106,7 @@ class Case {
           "s\n",
           rung.order, 1e3 * rung.step, 1e3 * truth, 1e3 * estimate, cost_of(rung), best,
           ladder.cost);
-      const double gain = cost_of(whole_of(rung)) / cost_of(rung);
+      const double gain = less_ && !rung.less.none() ? gain_of(rung) : 1.0;
       if (less_) {
         if (!rung.less.none()) counts.gains.push_back(gain);
         std::printf("%26s%s: %.2f times as fast\n", "", rung.less.none() ? "everything" : words_of(rung.less).c_str(), gain);
@@ -110,6 +116,28 @@ class Case {
                      rung.order, rung.step, truth, estimate, known, cost_of(rung), best,
                      ladder.cost, rung.less.held.size(), rung.less.rigid.size(), gain);
       }
+    }
+    std::fflush(stdout);
+  }
+
+  void tune(const std::vector<double>& errors, Counts& counts) {
+    for (const double error : errors) {
+      const Ladder quick = climb_to(error, false), whole = climb_to(error, true);
+      const int chosen = quick.choose(error), best = whole.choose(error);
+      ++counts.tuned;
+      counts.longest = std::max(counts.longest, quick.cost);
+      std::printf("%-16s %6.3g mm  ", name_.c_str(), 1e3 * error);
+      if (chosen < 0 || best < 0) {
+        counts.near += chosen == best ? 1 : 0;
+        std::printf("%s, of all rungs %s", chosen < 0 ? "none" : "one", best < 0 ? "none" : "one");
+      } else {
+        const Rung &a = quick.rungs[at(chosen)], &b = whole.rungs[at(best)];
+        const double times = cost_of(a) / cost_of(b);
+        counts.near += times <= kNear ? 1 : 0;
+        std::printf("order %d at %.3g ms %.2f ms/s, of all rungs order %d at %.3g ms %.2f ms/s: %.2f times", a.order, 1e3 * a.step, cost_of(a),
+                    b.order, 1e3 * b.step, cost_of(b), times);
+      }
+      std::printf("; %zu rungs %.1f s, all %zu %.1f s\n", quick.rungs.size(), quick.cost, whole.rungs.size(), whole.cost);
     }
     std::fflush(stdout);
   }
@@ -133,6 +161,15 @@ class Case {
   // Of the one run of it: the ladders share it.
   double cost_of(const Rung& rung) {
     return 1e3 * track_of(at_rung(scene_, rung)).cost / duration_;
+  }
+  // How much dearer everything is at the same order and step: the least of kRounds runs of each, in turn.
+  double gain_of(const Rung& rung) {
+    double less = cost_of(rung), whole = cost_of(whole_of(rung));
+    for (int round = 1; round < kRounds; ++round) {
+      less = std::min(less, 1e3 * follow(model_, at_rung(scene_, rung), {}, duration_).cost / duration_);
+      whole = std::min(whole, 1e3 * follow(model_, at_rung(scene_, whole_of(rung)), {}, duration_).cost / duration_);
+    }
+    return whole / less;
   }
   static Rung whole_of(Rung rung) {
     rung.less = {};
@@ -167,6 +204,7 @@ int accuracy(int argc, char** argv) {
 Holds the choices of run --accuracy against converged references; exit status 0 only if 95 % hold and none is over three times.
   --errors LIST  [mm]; default 10,1,0.1
   --fidelity  leaves out what hardly moves
+  --tune  compares what tune chooses with the best of all rungs instead; 0 only if 90 % cost at most 1.2 times that, 2 minutes of CPU each
   --csv F.csv  one line a choice)"}, std::vector<std::string>(argv + 1, argv + argc));
   const std::vector<double> errors = errors_of(arguments.text("--errors", "10,1,0.1"));
   std::FILE* csv = nullptr;
@@ -183,9 +221,16 @@ Holds the choices of run --accuracy against converged references; exit status 0 
     const std::string word = arguments.word(i);
     const std::size_t colon = word.find(':');
     const double seconds = colon == std::string::npos ? 0.0 : std::stod(word.substr(colon + 1));
-    Case(word.substr(0, colon), seconds, arguments.has("--fidelity")).judge(errors, counts, csv);
+    Case scene(word.substr(0, colon), seconds, arguments.has("--fidelity"));
+    if (arguments.has("--tune")) scene.tune(errors, counts);
+    else scene.judge(errors, counts, csv);
   }
   if (csv != nullptr) std::fclose(csv);
+  if (counts.tuned > 0) {
+    std::printf("%d choices of tune, %d cost at most %.1f times the best of all rungs; the longest search %.1f s of CPU\n", counts.tuned, counts.near,
+                kNear, counts.longest);
+    return counts.near >= 0.9 * counts.tuned && counts.longest <= kPatience ? 0 : 1;
+  }
   const int judged = counts.answered - counts.unknown;
   std::printf(
       "%d cells, %d answered, %d of them unknown; of %d: held %d, over three times %d, estimate "

@@ -193,6 +193,32 @@ TEST_P(Welded, AHeldBaseStaysAndItsSolesFeelWhatTheyFelt) {
   EXPECT_NEAR(feel(*still).z(), model.total_mass() * kGravity, 1e-3 * model.total_mass() * kGravity);
 }
 
+// What touches a robot that stands still finds it, also where it is put anew.
+TEST_P(Welded, ABallLiesOnAStillRobotUntilThatIsTakenAway) {
+  const Model model = test::block();
+  WorldConfig config;
+  config.step = 1e-3;
+  config.held.assign(model.joints.size() + 1, true);
+  LooseBody ball;
+  ball.name = "ball";
+  ball.mass = 1.0;
+  ball.solid = {SolidShape::kSphere, {0.05, 0, 0}};
+  ball.stiffness = 1e5;
+  ball.damping = 200.0;
+  ball.start.pose.translation() = Eigen::Vector3d(0, 0, 3);
+  config.loose = {ball};
+  const auto world = make(model, config);
+  Configuration start(model);
+  ASSERT_EQ(world->set(start), Status::kOk);
+  for (int i = 0; i < 2000; ++i) ASSERT_EQ(world->step(), Status::kOk);
+  const double on_it = world->loose(0).pose.translation().z();
+  EXPECT_GT(on_it, 0.1);
+  start.base.translation().x() = 5.0;
+  ASSERT_EQ(world->set(start), Status::kOk);
+  for (int i = 0; i < 2000; ++i) ASSERT_EQ(world->step(), Status::kOk);
+  EXPECT_NEAR(world->loose(0).pose.translation().z(), 0.05, 0.01);
+}
+
 TEST_P(Welded, AFurtherRobotThatIsHeldStaysWhereItWasPut) {
   const Model model = test::bystander();
   WorldConfig config;
