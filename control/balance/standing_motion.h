@@ -24,7 +24,8 @@ class StandingMotion {
   // Throws std::runtime_error unless both legs have five to seven joints.
   explicit StandingMotion(const Model& model);
 
-  // For the posture of kinematics, world.  False, and everything as it was, when a leg is too straight to say.
+  // For the posture of kinematics, world.  False when a leg is too straight to say: then nothing else is
+  // asked before an update that is true.
   bool update(const Kinematics& kinematics) noexcept;
   // Velocity products are left out.  Fills the legs' entries of qdd [joint_count] and returns a, of link 0's origin.
   Eigen::Vector3d solve(const Eigen::Vector3d& com_acceleration, const Eigen::Vector3d& turning,

@@ -20,8 +20,8 @@ namespace {
 using Eigen::Vector3d;
 
 // A joint that runs on this much farther than its set-point says is looked at as it is measured.
+constexpr double kRunsOn = 0.01;     // [rad or m]
 constexpr double kPastRange = 0.05;  // that a stop gives way [rad or m]
-constexpr double kRunsOn = 0.01;  // [rad or m]
 constexpr std::int64_t kHandoverTicks = 5;  // between the states of two sources, at most
 constexpr double kHandoverStep = 0.1;       // of a joint between them, at most [rad or m]
 constexpr int kKeepTicks = 5;     // a mask outlives its cause by this, against flicker

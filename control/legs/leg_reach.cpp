@@ -1,8 +1,8 @@
 #include "control/legs/leg_reach.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <span>
 #include <stdexcept>
 
 #include "robot/kinematics/leg_motion.h"
@@ -76,12 +76,13 @@ LegReach leg_reach(const Model& model, int foot) {
   }
   if (free_axis(model, foot) == 2) reach.turn = 0.0;
   JointInertia inertia(model);
-  std::array<int, 3> hips{leg.joint[0], leg.joint[1], leg.joint[2]};
+  const auto hips = std::span(leg.begin(), std::find(leg.begin(), leg.end(), reach.knee));
   inertia.update(kinematics, hips);
-  for (int k = 0; k < 3; ++k) {
-    const Eigen::Vector3d axis = kinematics.axis_in_world(hips[at(k)]);
-    const Eigen::Vector3d way = axis.cross(ground - kinematics.link_in_world(hips[at(k)] + 1).translation());  // [m/rad]
-    const double thrown = model.joints[at(hips[at(k)])].effort / inertia(k, k);                                  // [rad/s^2]
+  for (int k = 0; k < inertia.size(); ++k) {
+    const int hip_joint = hips[at(k)];
+    const Eigen::Vector3d axis = kinematics.axis_in_world(hip_joint);
+    const Eigen::Vector3d way = axis.cross(ground - kinematics.link_in_world(hip_joint + 1).translation());  // [m/rad]
+    const double thrown = model.joints[at(hip_joint)].effort / inertia(k, k);                                  // [rad/s^2]
     if (std::abs(axis.y()) > kAlong) reach.swing.x() = std::abs(way.x()) * thrown;
     if (std::abs(axis.x()) > kAlong) reach.swing.y() = std::abs(way.y()) * thrown;
   }

@@ -35,7 +35,7 @@ Modes::Modes(const Model& model, const BalanceGains& gains, const WalkGains& wal
   for (int j = 0; j < model.joint_count(); ++j) {
     if (model.joints[at(j)].mimic >= 0) followers_.push_back(j);
   }
-  no_walk_ = "this robot cannot walk: it needs a free base, and two six-joint legs with soles, or two or four legs with point feet";
+  no_walk_ = "this robot cannot walk: it needs a free base, and two legs of five to seven joints with soles, or two or four with point feet";
   if (Balance::why_not(model) == nullptr) {
     standing_ = (balance_ = std::make_unique<Balance>(model, gains)).get();
   } else if (why_no_point_feet(model) == nullptr) {
@@ -128,7 +128,8 @@ void Modes::enter_balance(const Moment& now) noexcept {
     sentence_ =
         !model_.floating_base ? "the base is fixed, so nothing has to balance; holding instead"
         : standing_ == nullptr
-            ? "this robot cannot balance: it needs a free base, and two six-joint legs with soles, or two or four legs with point feet"
+            ? "this robot cannot balance: it needs a free base, and two legs of five to seven joints with soles, or two or four with "
+              "point feet"
             : "balance needs an upright robot with its feet on the ground; holding instead";
     enter_hold(now, false);
     mode_ = Mode::kHold;

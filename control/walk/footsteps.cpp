@@ -57,13 +57,14 @@ double standing_length(const Model& model, const LegReach& reach) {
 }
 // The torque that holds the zero-moment point before the ankle is its lever times the weight: an ankle takes kAnkleShare
 // of its own for that, and the rest is left to the stabilizer.
-double held_by_ankle(const Model& model, const LegChain& leg) {
+double held_by_ankle(const Model& model, int foot) {
+  const int knee = leg_reach(model, foot).knee;
   Configuration configuration(model);
   Kinematics kinematics(model);
   kinematics.update(configuration);
   double lever = kZmpForward;
-  for (const int k : {leg.count - 2, leg.count - 1}) {
-    const int joint = leg.joint[at(k)];
+  for (const int joint : leg_chain(model, foot)) {
+    if (joint <= knee) continue;
     if (std::abs(kinematics.axis_in_world(joint).y()) < kPitch) continue;  // it rolls the foot
     lever = std::min(lever, kAnkleShare * model.joints[at(joint)].effort / (model.total_mass() * kGravity));
   }
@@ -86,10 +87,21 @@ Eigen::Matrix3d Foothold::rotation() const noexcept {
 
 Eigen::Vector3d Gait::possible(const Eigen::Vector3d& velocity) const noexcept {
   if (!velocity.allFinite()) return Eigen::Vector3d::Zero();
-  Eigen::Vector3d most = most_velocity;
+  Eigen::Vector3d most = most_velocity, can = velocity;
   if (velocity.x() < 0.0) most.x() *= max_back / max_forward;
-  const double share = velocity.cwiseQuotient(most).norm();
-  return share > 1.0 ? Eigen::Vector3d(velocity / share) : velocity;
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    if (!(most[k] > 0.0)) can[k] = 0.0;
+  }
+  const double share = share_of(can, most);
+  return share > 1.0 ? Eigen::Vector3d(can / share) : can;
+}
+
+double Gait::share_of(const Eigen::Vector3d& velocity, const Eigen::Vector3d& most) noexcept {
+  Eigen::Vector3d shares = velocity.cwiseQuotient(most);
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    if (velocity[k] == 0.0) shares[k] = 0.0;  // of none too
+  }
+  return shares.norm();
 }
 
 bool Gait::reaches(const Foothold& from, int foot, const Foothold& next) const noexcept {
@@ -147,9 +159,7 @@ Gait gait_of(const Model& model, const Walking& w, double margin) {
   g.toe = left.front;
   g.heel = left.back;
   const double length = left.front + left.back;
-  const double forward = std::isnan(w.zmp_forward)
-                             ? std::min(held_by_ankle(model, leg), held_by_ankle(model, leg_chain(model, 1)))
-                             : w.zmp_forward;
+  const double forward = std::isnan(w.zmp_forward) ? std::min(held_by_ankle(model, 0), held_by_ankle(model, 1)) : w.zmp_forward;
   g.zmp_forward = std::clamp(forward, -left.back + 0.25 * length, left.front - 0.25 * length);
   g.zmp_inward = w.zmp_inward;
   g.sole_low = {-left.back + margin, -std::min(inner, outer) + margin};

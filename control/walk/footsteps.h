@@ -68,6 +68,8 @@ struct Gait {
   bool reaches(const Foothold& from, int foot, const Foothold& next) const noexcept;
   // What can be done of a command: all shares of what can be done alone together at most one.
   Eigen::Vector3d possible(const Eigen::Vector3d& velocity) const noexcept;
+  // The shares of `most` that a velocity asks for, together; what cannot be done is not asked for.
+  static double share_of(const Eigen::Vector3d& velocity, const Eigen::Vector3d& most) noexcept;
 };
 
 // margin: kept from the sole edges [m].  Throws std::runtime_error with one sentence when robot.yaml asks for

@@ -33,7 +33,7 @@ StepAdjusted adjust_step(const Gait& gait, const StepNow& now, double omega) noe
   if (gait.leans) low.y() = high.y() = -side_of(now.foot) * gait.zmp_inward;
 
   double best = 1e300, best_left = now.left_now;
-  Eigen::Vector2d best_place = planned;
+  Eigen::Vector2d best_place = planned, best_regular = planned;
   for (int k = -kLonger; k <= kShorter; ++k) {
     const double left = std::min(now.left_planned, now.left_now - kApart * k);
     if (k != 0 && left < now.shortest) continue;
@@ -65,6 +65,7 @@ StepAdjusted adjust_step(const Gait& gait, const StepNow& now, double omega) noe
     if (cost < best) {
       best = cost;
       best_place = place;
+      best_regular = regular;
       best_left = left;
     }
   }
@@ -73,7 +74,7 @@ StepAdjusted adjust_step(const Gait& gait, const StepNow& now, double omega) noe
   result.foothold.position = support.position + support.turn(best_place);
   if (best_place != planned) result.foothold = kept_apart(gait, support, now.foot, result.foothold);
   result.left = best_left;
-  result.moved = (best_place - planned).norm();
+  result.moved = (best_place - best_regular).norm();
   result.cost = best;
   return result;
 }

@@ -5,7 +5,9 @@
 //     [h + (xi - h) E, l + (xi - l) E],     E = e^(omega T)
 //
 // Less the offset that it has from the foothold when all goes as planned, that is an interval of footholds: the one
-// nearest to the planned is taken, within reach.  Of some durations the cheapest is kept.  Undisturbed, nothing moves.
+// nearest to the planned is taken, within reach, and no farther than the hips throw a foot in that time.  Of some durations the
+// cheapest is kept.  Undisturbed, nothing moves.  Soles that no ankle rolls (Gait::leans) hold the ZMP at one edge: there an early
+// step is as much shorter, so that the speed stays.
 
 #pragma once
 
@@ -33,7 +35,7 @@ struct StepNow {
 struct StepAdjusted {
   Foothold foothold;
   double left = 0.0;   // until touchdown [s]
-  double moved = 0.0;  // from the planned foothold [m]
+  double moved = 0.0;  // from the foothold of an undisturbed step of this duration [m]
   double cost = 0.0;   // of this step; mostly what is beyond reach
 };
 

@@ -165,7 +165,7 @@ void Walk::want(const Eigen::Vector3d& velocity) noexcept {
   if (steep_) return;
   Eigen::Vector3d possible = gait().possible(velocity);
   if (!feels_) {
-    const double share = possible.cwiseQuotient(gait().most_velocity).norm();
+    const double share = Gait::share_of(possible, gait().most_velocity);
     if (share > kUnfeltShare) possible *= kUnfeltShare / share;
   }
   pattern_.want(possible);

@@ -87,6 +87,8 @@ std::string why_not_for(const Scene& scene, const Model& model) {
     const bool points = why != nullptr && why_no_point_feet(model) == nullptr;
     if (why != nullptr && !points)
       return std::string("it walks, which needs a free base, and two legs of five to seven joints with soles, or two or four on point feet, and ") + why;
+    if (why == nullptr && turns(scene) && free_axis(model, 0) == 2)
+      return "it turns, and legs without a joint about the vertical cannot turn a robot";
     if (points && !scene.steps.empty()) return "it places the footsteps of two soles, and the robot has point feet";
   }
   if (why_no_point_feet(model) == nullptr && PointFeetBody(model).two()) {
@@ -131,6 +133,10 @@ void check_motions(const Scene& scene, const Model& model) {
 
 void fit_scene(Scene& scene, const Model& model) {
   resolve_poses(scene, model);
+  if (const std::string why = why_not_for(scene, model); !why.empty()) {
+    throw std::runtime_error("scene " + scene.name + " does not apply to the robot " + model.name + ": " + why +
+                             "; ./twinbus run --help says how to name another scene");
+  }
   ask_what_it_can(scene, model);
   const bool margins = !std::isnan(scene.criteria.zmp_margin_min_mm) || !std::isnan(scene.criteria.zmp_margin_p5_mm);
   scene.criteria = for_robot(scene.criteria, model, walks(scene));
@@ -139,10 +145,6 @@ void fit_scene(Scene& scene, const Model& model) {
     scene.scaled += "soles that no ankle rolls carry at their edges: no ZMP margin is asked";
   }
   check_motions(scene, model);
-  const std::string why = why_not_for(scene, model);
-  if (why.empty()) return;
-  throw std::runtime_error("scene " + scene.name + " does not apply to the robot " + model.name + ": " + why +
-                           "; ./twinbus run --help says how to name another scene");
 }
 
 Criteria for_robot(Criteria criteria, const Model& model, bool walks) {

@@ -29,7 +29,6 @@ class LegMotion {
   LegMotion(const Model& model, int foot);
 
   const LegChain& chain() const noexcept { return chain_; }
-  int free() const noexcept { return free_; }
 
   // sole: pose of the sole, world.
   void update(const Kinematics& kinematics, const Eigen::Isometry3d& sole) noexcept;

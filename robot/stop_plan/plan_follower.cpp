@@ -31,7 +31,7 @@ constexpr double kDamping = 1e-3;    // of the 6 x 6 solve
 double filtered(double from, double to, double share) noexcept { return from + share * (to - from); }
 }  // namespace
 
-PlanFollower::PlanFollower(const Model& model) noexcept : model_(&model), weight_(kGravity * model.total_mass()) {
+PlanFollower::PlanFollower(const Model& model) : model_(&model), weight_(kGravity * model.total_mass()) {
   const std::array<LegChain, 2> chain{leg_chain(model, 0), leg_chain(model, 1)};
   for (const LegChain& leg : chain) {
     const bool driven = std::all_of(leg.begin(), leg.end(), [&](int joint) { return model.bus_index[at(joint)] >= 0; });

@@ -25,7 +25,7 @@ namespace twinbus {
 class PlanFollower {
  public:
   // model must outlive this.
-  explicit PlanFollower(const Model& model) noexcept;
+  explicit PlanFollower(const Model& model);
 
   // Begins to follow; robot: has taken the state of the present tick.
   void start(const StopPlan& plan, std::int64_t tick, const Estimator& robot) noexcept;

@@ -10,7 +10,9 @@
 
 #include "common/math/index.h"
 #include "common/math/pose_math.h"
+#include "control/legs/leg_reach.h"
 #include "control/legs/whole_body_ik.h"
+#include "control/walk/footsteps.h"
 #include "robot/description/load.h"
 
 namespace twinbus {
@@ -129,6 +131,19 @@ TEST(LegMotion, SevenJointsFollowBothSolesAndComeBackToTheirPosture) {
   EXPECT_LT(worst, 1e-3);
   EXPECT_LT(fastest, 6.0);
   EXPECT_LT((last - robot.start.q).cwiseAbs().maxCoeff(), 1e-3);
+}
+
+TEST(LegMotion, LegsThatCannotTurnWalkStraightAsFastAsTheyCan) {
+  const Model model = welded("HIP_Y");
+  const Gait gait = gait_of(model, walking_of(model), 0.01);
+  EXPECT_EQ(gait.most_velocity.z(), 0.0);
+  const Eigen::Vector3d fast = gait.possible({9.0, 0.0, 0.5});
+  EXPECT_NEAR(fast.x(), gait.most_velocity.x(), 1e-12);
+  EXPECT_EQ(fast.z(), 0.0);
+  EXPECT_EQ(gait.possible({0.1, 0.0, 0.2}), Eigen::Vector3d(0.1, 0.0, 0.0));
+  EXPECT_EQ(Gait::share_of({0.1, 0.0, 0.0}, {0.2, 0.1, 0.0}), 0.5);
+  // The hip throws the foot, not the knee.
+  EXPECT_NEAR(leg_reach(model, 0).swing.x() / leg_reach(load_robot("biped12"), 0).swing.x(), 1.0, 0.1);
 }
 
 TEST(LegMotion, AJointOfBothLegsMakesNoLegs) {
