@@ -319,7 +319,8 @@ TimedPath ArmPlanner::timed(EdgeCheck& space, ArmLines& lines, const JointPath& 
   const double clearance = space.clearance();
   // What is interpolated between knots may stray a little from the rounded path.
   const double least = kProved * clearance, kept = std::max(least, std::min(clearance, kGuarded));
-  for (int i = kept > least ? 0 : 3; i < 6; ++i) {
+  const bool guarded = kept > least || space.kept() < clearance;  // or what is near at an end would lose what a guard keeps
+  for (int i = guarded ? 0 : 3; i < 6; ++i) {
     const std::vector<RoundedPath> parts = RoundedPath::parts(space, corners, std::array{kWidestCorner, 0.1, 0.0}[at(i % 3)]);
     TimedPath path = time_path(parts, limits, config_.knot_spacing, most_knots);
     space.set_clearance(i < 3 ? kept : least);
@@ -399,7 +400,8 @@ ArmPlan ArmPlanner::attempt(const ArmGoal& goal, const Configuration& start,
   if (!find_goals(space, question, random, plan)) return plan;
   const JointPath all_goals = question.goals;
   MotionEffort effort(*model_, start, plan.joints);
-  bool held = false;  // only where the joints can hold the arm
+  bool held = false;     // only where the joints can hold the arm
+  bool unfound = false;  // no way was found to some of the goals, too heavy ones to the others
   for (;;) {
     std::vector<EndPair> ends;  // so near that a share of their room may be less than what a guard keeps
     double room = std::min(config_.clearance, space.nearest_beside(question.start, config_.clearance, kGuarded / kShare, ends));
@@ -425,7 +427,15 @@ ArmPlan ArmPlanner::attempt(const ArmGoal& goal, const Configuration& start,
     plan.checks = space.checks();
     if (found.empty()) {
       const bool cancelled = keep_on != nullptr && !keep_on(user);
-      if (cancelled || !held) plan.status = cancelled ? ArmPathStatus::kCancelled : ArmPathStatus::kTimeLimit;
+      if (!cancelled && !held && question.goals.size() < all_goals.size()) {
+        held = unfound = true;
+        question.goals = all_goals;
+        continue;
+      }
+      if (cancelled || !held || unfound) {
+        plan.status = cancelled ? ArmPathStatus::kCancelled : ArmPathStatus::kTimeLimit;
+        plan.complaint.clear();
+      }
       return plan;
     }
     shorten(test, found, joints);
@@ -464,6 +474,7 @@ ArmPlan ArmPlanner::attempt(const ArmGoal& goal, const Configuration& start,
     }
     plan.status = plan.path.empty() ? ArmPathStatus::kTimeLimit : ArmPathStatus::kOk;
     if (!plan.path.empty()) within_efforts(start, plan);
+    if (plan.status != ArmPathStatus::kBadGoal) plan.complaint.clear();  // of another way
     if (plan.status != ArmPathStatus::kBadGoal || (held && question.goals.size() < 2)) return plan;
     question.goals.erase(question.goals.begin() + static_cast<std::ptrdiff_t>(goal_index));  // the way there is too heavy
     if (!question.goals.empty()) continue;

@@ -79,8 +79,7 @@ void raise_base(CheckSubject& subject) {
   if (!(height > 0.0)) return;
   Eigen::Isometry3d raised = Eigen::Isometry3d::Identity();
   raised.translation().z() = height;
-  std::string name = "stand";
-  while (subject.text.find("\"" + name + "\"") != std::string::npos) name = "lower_" + name;
+  const std::string name = free_root_name(subject.text, subject.urdf, "stand");
   subject.text =
       with_root_above(subject.text, subject.repaired.links.front().name, name, raised, "the ground is at z = 0");
   subject.repaired = load_repaired_urdf(subject.text, subject.urdf, source.packages, source.repairs);
@@ -129,13 +128,12 @@ CheckSubject load_subject(const std::string& name, bool mends) {
   if (!turn.isIdentity(1e-9)) {
     Eigen::Isometry3d upright = Eigen::Isometry3d::Identity();
     upright.linear() = turn;
-    subject.text =
-        with_root_above(subject.text, subject.repaired.links.front().name, "upright_base", upright, "z up, x forward");
+    const std::string root = free_root_name(subject.text, subject.urdf, "upright_base");
+    subject.text = with_root_above(subject.text, subject.repaired.links.front().name, root, upright, "z up, x forward");
     subject.repaired =
         load_repaired_urdf(subject.text, subject.urdf, source.packages, source.repairs);
     source.notes.push_back(
-        "the base of the file does not have z up and x forward: the copy of the URDF has a link "
-        "upright_base above it that has");
+        "the base of the file does not have z up and x forward: the copy of the URDF has a link " + root + " above it that has");
   }
   const std::vector<std::string> waist = joints_above_legs(subject.repaired);
   if (!waist.empty() && source.floating.value_or(true)) {

@@ -38,7 +38,7 @@ const Kinematics& EdgeCheck::kinematics_at(const JointPoint& q) {
 }
 
 bool EdgeCheck::point_free(const JointPoint& q) {
-  if (!ends_.empty()) return room(q, clearance_) >= 0.0;
+  if (!ends_.empty()) return room(q) >= 0.0;
   ++checks_;
   return !collision_->nearer_than(kinematics_at(q), clearance_);
 }
@@ -84,12 +84,12 @@ double EdgeCheck::kept() const {
   return least;
 }
 
-// Of the nearest pair, at most `far`, no less than the clearance; below zero when one keeps less than it must there.
-double EdgeCheck::room(const JointPoint& q, double far) {
+// Of the nearest pair, at most the clearance; below zero when one keeps less than it must there.
+double EdgeCheck::room(const JointPoint& q) {
   ++checks_;
   std::array<PairDistance, kNearPairs> near;
-  const int count = collision_->near_pairs(kinematics_at(q), far, near.data(), kNearPairs);
-  double least = count == kNearPairs ? -1.0 : far;
+  const int count = collision_->near_pairs(kinematics_at(q), clearance_, near.data(), kNearPairs);
+  double least = count == kNearPairs ? -1.0 : clearance_;
   for (int i = 0; i < count; ++i) {
     const PairDistance& pair = near[at(i)];
     least = std::min(least, pair.distance > margin(pair.link_a, pair.link_b) ? pair.distance : -1.0);
@@ -111,7 +111,7 @@ bool EdgeCheck::between(const JointPoint& from, double room_from, const JointPoi
   if (motion_bound(from, to) <= room_from + room_to) return true;
   if (halvings == 0) return false;
   const JointPoint middle = 0.5 * (from + to);
-  const double here = room(middle, clearance_);
+  const double here = room(middle);
   return here >= 0.0 && between(from, room_from, middle, here, halvings - 1) && between(middle, here, to, room_to, halvings - 1);
 }
 
@@ -121,7 +121,7 @@ double EdgeCheck::motion_bound(const JointPoint& from, const JointPoint& to) con
 
 bool EdgeCheck::line_free(const JointPoint& from, const JointPoint& to) {
   if (!ends_.empty()) {
-    const double room_from = room(from, clearance_), room_to = room(to, clearance_);
+    const double room_from = room(from), room_to = room(to);
     return room_from >= 0.0 && room_to >= 0.0 && between(from, room_from, to, room_to, kHalvings);
   }
   if (!point_free(from) || !point_free(to)) return false;

@@ -74,7 +74,7 @@ class EdgeCheck : public FreeSpace {
 
  private:
   double margin(int link_a, int link_b) const;
-  double room(const JointPoint& q, double far);
+  double room(const JointPoint& q);
   bool clear_by(const JointPoint& q, double moves);
   bool between(const JointPoint& from, double room_from, const JointPoint& to, double room_to, int halvings);
 

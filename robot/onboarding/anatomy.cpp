@@ -26,6 +26,7 @@ constexpr double kAnkle = 0.03;  // between the axes of an ankle [m]
 constexpr int kFingers = 3, kFingerJoints = 2;  // of a hand, of each, at least
 constexpr double kFinger = 0.35, kAlikeFingers = 2.0;  // the longest [m], against the shortest
 const std::vector<const char*> kLegNames{"leg", "hip", "knee", "ankle", "foot", "thigh", "toe", "calf", "coxa", "femur", "tibia"};
+const std::vector<const char*> kUpperBodyNames{"shoulder", "elbow", "upper_arm", "upperarm", "forearm", "neck", "head"};
 // Of a foot without geometry, of the way from hip to ankle.
 constexpr double kFootLength = 0.32, kFootWidth = 0.16, kAnkleHeight = 0.12;
 
@@ -160,7 +161,8 @@ class Finder {
     }
   }
 
-  // A hand that no arm carries: three limbs or more of one palm, short, and about as long as each other.  Nothing is called a leg.
+  // A hand that no arm carries: three limbs or more of one palm, short, and about as long as each other.  Nothing is called a
+  // leg, an arm or a head.
   bool find_fingers() {
     int palm = 0;
     for (int above = 1; children_[at(palm)].size() == 1; ++above) {
@@ -175,7 +177,7 @@ class Finder {
       for (int link = root; link < model_.link_count(); ++link) {
         if (!hangs_on(model_, link, root)) continue;
         for (const std::string& name : {model_.links[at(link)].name, model_.joints[at(link - 1)].name}) {
-          if (mentions(name, kLegNames)) return false;
+          if (mentions(name, kLegNames) || mentions(name, kUpperBodyNames)) return false;
         }
         for (const Eigen::Vector3d& point : points_[at(link)])
           length = std::max(length, (point - kinematics_.link_in_world(root).translation()).norm());
@@ -362,11 +364,16 @@ class Finder {
     for (std::size_t side = 0; side < 2; ++side) {
       const std::vector<int> links = without_gripper(chain(pairs_[at(best)][side].root, true));
       Hand& hand = result_.hands[side];
-      hand.link = links.back();
-      hand.frame.translation() = kinematics_.link_in_world(hand.link).inverse() * middle(hand.link);
       for (const int link : links) {
         if (model_.joints[at(link - 1)].mimic < 0) hand.joints.push_back(link - 1);
       }
+      if (hand.joints.empty()) {
+        result_.doubts.push_back(std::string("all joints of the ") + (side == 0 ? "left" : "right") +
+                                 " arm follow others (<mimic>): no hand there");
+        continue;
+      }
+      hand.link = links.back();
+      hand.frame.translation() = kinematics_.link_in_world(hand.link).inverse() * middle(hand.link);
       result_.hand_sensor[side] = sensor_on(hand.link);
     }
   }

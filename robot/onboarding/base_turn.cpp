@@ -10,6 +10,7 @@
 
 #include "common/math/index.h"
 #include "common/math/pose_math.h"
+#include "common/text/xml.h"
 #include "robot/collision/collision_pairs.h"
 #include "robot/description/link_points.h"
 #include "robot/kinematics/arm_span.h"
@@ -77,7 +78,7 @@ double height_of_stand(const Model& model) {
   double trunk = 0.0, arms = 0.0;
   for (int link = 0; link < model.link_count(); ++link) {
     const bool of_arm = std::any_of(found.hands.begin(), found.hands.end(), [&](const Hand& hand) {
-      if (hand.link < 0 || !hangs_on(model, link, hand.joints.front() + 1)) return false;
+      if (hand.joints.empty() || !hangs_on(model, link, hand.joints.front() + 1)) return false;
       return link != hand.joints.front() + 1 || !turns_in_place(k, hand);
     });
     double& low = of_arm ? arms : trunk;
@@ -86,6 +87,19 @@ double height_of_stand(const Model& model) {
   }
   const double needed = std::max(trunk < -kBelow ? -trunk : 0.0, arms < -kTouches ? kArmsAbove - arms : 0.0);
   return 1e-3 * std::ceil(1e3 * needed);
+}
+
+std::string free_root_name(const std::string& urdf_text, const std::string& file, const std::string& wanted) {
+  const XmlElement robot = parse_xml(urdf_text, file);
+  const auto taken = [&](const std::string& name) {
+    return std::any_of(robot.children.begin(), robot.children.end(), [&](const XmlElement& part) {
+      const std::string* its = part.attribute("name");
+      return its != nullptr && (*its == name || *its == name + "_joint");
+    });
+  };
+  std::string name = wanted;
+  for (int i = 2; taken(name); ++i) name = wanted + "_" + std::to_string(i);
+  return name;
 }
 
 std::string with_root_above(const std::string& urdf_text, const std::string& root_link, const std::string& new_root,

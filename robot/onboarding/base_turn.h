@@ -21,7 +21,10 @@ int side_of_name(const std::string& name);
 // below it, or, a little above the ground, two arms that hang, or one that no lift of its joints raises.  0: it is not.
 double height_of_stand(const Model& model);
 
-// The URDF with a new link above its root, which a fixed joint puts at `pose` in it; `why` is a comment.
+// `wanted`, or it with a number, for with_root_above: no link or joint of the URDF has that name or that of its joint.
+std::string free_root_name(const std::string& urdf_text, const std::string& file, const std::string& wanted);
+
+// The URDF with a new link above its root, which a fixed joint NEW_ROOT_joint puts at `pose` in it; `why` is a comment.
 std::string with_root_above(const std::string& urdf_text, const std::string& root_link, const std::string& new_root,
                             const Eigen::Isometry3d& pose, const std::string& why);
 

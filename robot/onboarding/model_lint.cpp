@@ -130,7 +130,7 @@ class Looker {
     }
     if (off < 1e300 && off > kFarFromDrawn)
       add(about, "mesh " + shape.mesh.substr(shape.mesh.rfind('/') + 1) + " is touched " + number(off) + " m from where it is drawn",
-          "correct the <origin> of <collision>; --mend takes that of <visual>");
+          "correct one of the two <origin>; --mend takes that of <visual> where it is nearer to the centre of mass");
   }
 
   // about empty: only whether it can be read.

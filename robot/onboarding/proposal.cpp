@@ -84,6 +84,11 @@ std::string disabled(const Model& model, const RestPair& pair) {
          escaped(model.links[at(pair.link_b)].name) + "\" reason=\"" + escaped(pair.why) + "\"/>\n";
 }
 
+// points: whether it has legs that end in points.
+bool base_floats(const ProposalSource& source, const Anatomy& anatomy, bool points) {
+  return source.floating.value_or(points || anatomy.soles[0].link >= 0);
+}
+
 class Writer {
  public:
   Writer(const Model& model, const Anatomy& anatomy, const KnownSrdf& known, const ProposalSource& source,
@@ -187,7 +192,7 @@ class Writer {
 
  private:
   bool has_soles() const { return model_.soles[0].link >= 0; }
-  bool floating() const { return source_.floating.value_or(has_soles() || points_.has_value()); }
+  bool floating() const { return base_floats(source_, anatomy_, points_.has_value()); }
 
   int link_of(const std::string& frame_name) const {
     for (const Frame& frame : model_.frames) {
@@ -416,9 +421,9 @@ class Writer {
 }  // namespace
 
 bool floats(const Model& model, const ProposalSource& source) {
-  if (source.floating) return *source.floating;
   Anatomy anatomy = find_anatomy(model);
-  return find_point_legs(model, anatomy) || anatomy.soles[0].link >= 0;
+  const bool points = find_point_legs(model, anatomy).has_value();
+  return base_floats(source, anatomy, points);
 }
 
 Proposal propose(const Model& model, const ProposalSource& source) {

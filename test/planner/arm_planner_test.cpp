@@ -233,6 +233,7 @@ TEST(ArmPlanner, AWayThatIsTooHeavyIsGoneAround) {
   goal.q[k] = -2.6;
   const ArmPlan plan = ArmPlanner(weak).plan(goal, there, kGround, 1);
   ASSERT_EQ(plan.status, ArmPathStatus::kOk) << describe(plan);
+  EXPECT_EQ(plan.complaint, "") << "of the way that was too heavy";
   MotionEffort effort(weak, there, plan.joints);
   JointPoint q, qd, qdd;
   for (double t = 0.0; t <= plan.duration(); t += 0.01) {

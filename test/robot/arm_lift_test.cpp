@@ -137,6 +137,52 @@ TEST(Stand, WhatReachesBelowItsBaseIsRaised) {
   EXPECT_EQ(height_of_stand(model), 0.0);
 }
 
+// Joints that follow others are not the arm's own.
+TEST(Stand, AnArmThatOnlyFollowsTheOtherIsNoHandAndStillRaisesTheBase) {
+  std::string text = torso(box("trunk", "0.3 0.3 0.6", "0 0 0.3"), "0.4");
+  for (const std::string number : {"1", "2", "3"}) {
+    const std::size_t joint = text.find("<joint name='right_arm_" + number + "'");
+    ASSERT_NE(joint, std::string::npos);
+    text.insert(text.find("</joint>", joint), "<mimic joint='left_arm_" + number + "'/>");
+  }
+  const Model model = loaded(text);
+  const Anatomy found = find_anatomy(model);
+  EXPECT_EQ(found.hands[0].joints.size(), 3U);
+  EXPECT_LT(found.hands[1].link, 0);
+  EXPECT_TRUE(found.hands[1].joints.empty());
+  EXPECT_NEAR(height_of_stand(model), 0.25, 1e-9);
+}
+
+TEST(Stand, TheNewLinkAndItsJointHaveNamesThatNobodyHas) {
+  const auto name_beside = [](const std::string& parts) {
+    return free_root_name("<robot name='stand'><link name='trunk'/>" + parts + "</robot>", "robot.urdf", "stand");
+  };
+  EXPECT_EQ(name_beside("<link name='stand_of_it'/>"), "stand");
+  EXPECT_EQ(name_beside("<link name='stand'/>"), "stand_2");
+  EXPECT_EQ(name_beside("<link name = \"stand\"/>"), "stand_2");
+  EXPECT_EQ(name_beside("<joint name='stand_joint'/>"), "stand_2");
+  EXPECT_EQ(name_beside("<link name='stand'/><joint name='stand_2_joint'/>"), "stand_3");
+}
+
+// As large as a hand, but for what its parts are called.
+TEST(Anatomy, ASmallUpperBodyIsNoHand) {
+  const auto body = [](const std::string& arm, const std::string& top) {
+    const std::string size = "0.05 0.05 0.05";
+    std::string text = "<robot name='body'>" + box("trunk", "0.2 0.2 0.3", "0 0 0.15");
+    for (const auto& [side, xyz] : {std::pair("left_", "0 0.15 0.3"), std::pair("right_", "0 -0.15 0.3")})
+      text += limb(side + arm, "trunk", xyz, size, "0 0 -0.1");
+    text += box(top + "_low", size, "0 0 0") + box(top + "_high", size, "0 0 0");
+    text += hinge(top + "_1", "trunk", top + "_low", "0 0 0.33", "0 0 1") +
+            hinge(top + "_2", top + "_low", top + "_high", "0 0 0.1", "0 1 0");
+    return find_anatomy(loaded(text + "</robot>"));
+  };
+  EXPECT_LT(body("digit", "post").hands[0].link, 0);  // without names of arms or a head
+  for (const auto& [arm, top] : {std::pair("arm", "neck"), std::pair("arm", "Head"), std::pair("shoulder", "post")}) {
+    const Anatomy found = body(arm, top);
+    for (const Hand& hand : found.hands) EXPECT_EQ(hand.joints.size(), 3U) << arm << " " << top;
+  }
+}
+
 TEST(Anatomy, FingersOfAPalmAreNoArms) {
   const auto hand = [](const std::string& finger, const std::string& step) {
     std::string text = "<robot name='hand'>" + box("palm", "0.1 0.1 0.02", "0 0 0");
