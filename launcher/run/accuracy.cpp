@@ -76,14 +76,7 @@ void decide(const Model& model, const AccuracyRequest& request, AccuracyChoice& 
     return;
   }
   choice.rung = ladder.choose(request.error);
-  if (choice.rung < 0) {
-    choice.reason = text_of("no order and step holds %.3g mm: the finest two runs differ by %.3g mm",
-                            1e3 * request.error, 1e3 * ladder.agreement);
-    for (const Rung& rung : ladder.rungs) {
-      if (rung.apart == ladder.agreement && !rung.body.empty())
-        choice.reason += ", " + rung.body + text_of(" at %.2f s", rung.at);
-    }
-  }
+  if (choice.rung < 0) choice.reason = ladder.why_none_holds(request.error);
 }
 
 }  // namespace

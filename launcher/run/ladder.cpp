@@ -142,13 +142,42 @@ double Ladder::estimate(std::size_t rung) const {
 
 namespace {
 bool same_method(const Rung& a, const Rung& b) { return a.order == b.order && a.less == b.less; }
+
+// The last run of order 2 that models everything; null: there is none.
+const Rung* finest_second(const std::vector<Rung>& rungs) {
+  const auto second = [](const Rung& rung) { return rung.order == 2 && rung.less.none(); };
+  const auto last = std::find_if(rungs.rbegin(), rungs.rend(), second);
+  return last == rungs.rend() ? nullptr : &*last;
+}
 }  // namespace
 
 bool Ladder::proven(double error) const {
   if (!parted.empty() || !(agreement <= error / kAgreement)) return false;
-  const auto second = [](const Rung& rung) { return rung.order == 2 && rung.less.none(); };
-  const auto last = std::find_if(rungs.rbegin(), rungs.rend(), second);
-  return last == rungs.rend() || last->apart <= kSecond * error;
+  const Rung* second = finest_second(rungs);
+  return second == nullptr || second->apart <= kSecond * error;
+}
+
+std::string Ladder::why_none_holds(double error) const {
+  const Rung* off = nullptr;
+  char text[300];
+  if (const Rung* second = finest_second(rungs); agreement <= error / kAgreement && second != nullptr && !proven(error)) {
+    off = second;
+    std::snprintf(text, sizeof text,
+                  "no order and step holds %.3g mm: order 2 at %.3g ms is off by %.3g mm while the finest two runs agree "
+                  "to %.3g mm",
+                  1e3 * error, 1e3 * off->step, 1e3 * off->apart, 1e3 * agreement);
+  } else {
+    const auto other = std::find_if(rungs.begin(), rungs.end(), [&](const Rung& rung) { return rung.apart == agreement; });
+    if (other != rungs.end()) off = &*other;
+    std::snprintf(text, sizeof text, "no order and step holds %.3g mm: the finest two runs differ by %.3g mm", 1e3 * error,
+                  1e3 * agreement);
+  }
+  std::string why = text;
+  if (off != nullptr && !off->body.empty()) {
+    std::snprintf(text, sizeof text, " at %.2f s", off->at);
+    why += ", " + off->body + text;
+  }
+  return why;
 }
 
 int Ladder::choose(double error) const {

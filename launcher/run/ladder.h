@@ -73,6 +73,8 @@ struct Ladder {
   double estimate(std::size_t rung) const;
   // Whether the yardstick is known well enough for that error.
   bool proven(double error) const;
+  // For people: why choose() finds none, nothing parted.
+  std::string why_none_holds(double error) const;
   // The cheapest that holds the error together with all finer ones of its order; -1: none does.
   int choose(double error) const;
   // The nearest to the yardstick that costs no more [ms per simulated s]; -1: none.

@@ -13,6 +13,24 @@ constexpr double kShares[] = {0.7, 0.2, 0.06};  // of the error that a way may b
 constexpr double kLean = 4.0;                   // so much more a robot may move that is one rigid body and not still
 constexpr double kLinkSize = 0.1;               // of a link beyond its origin [m]
 
+// What moved no farther than `most` [m].  still: what may stands still, else joints are held and robots rigid.
+Less set_of(const Model& model, const Moved& moved, const std::vector<double>& way, double most, bool still) {
+  Less less;
+  for (std::size_t j = 0; j < way.size(); ++j) {
+    if (way[j] <= most) less.held.push_back(model.joints[j].name);
+  }
+  for (std::size_t i = 0; i < moved.robots.size(); ++i) {
+    if (moved.robot_ways[i] <= kLean * most)
+      (still && moved.robot_ways[i] <= most ? less.still : less.rigid).push_back(moved.robots[i]);
+  }
+  if (still && moved.links <= most) {
+    less.still.insert(less.still.begin(), "base");
+    less.held.clear();
+    for (const Joint& joint : model.joints) less.held.push_back(joint.name);
+  }
+  return less;
+}
+
 }  // namespace
 
 std::vector<double> ways(const Model& model, const Moved& moved) {
@@ -38,21 +56,14 @@ std::vector<Less> proposals(const Model& model, const Moved& moved, double error
   const std::vector<double> way = ways(model, moved);
   std::vector<Less> sets;
   for (const double share : kShares) {
-    Less less;
-    less.apart = apart;
-    for (std::size_t j = 0; j < way.size(); ++j) {
-      if (way[j] <= share * error) less.held.push_back(model.joints[j].name);
+    // Where links touch, or what hardly moves has to give way, the same with that modelled may hold the error.
+    for (const bool still : {true, false}) {
+      Less less = set_of(model, moved, way, share * error, still);
+      for (const bool drop : {true, false}) {
+        less.apart = drop && apart;
+        if (!less.none() && std::find(sets.begin(), sets.end(), less) == sets.end()) sets.push_back(less);
+      }
     }
-    for (std::size_t i = 0; i < moved.robots.size(); ++i) {
-      if (moved.robot_ways[i] <= kLean * share * error)
-        (moved.robot_ways[i] <= share * error ? less.still : less.rigid).push_back(moved.robots[i]);
-    }
-    if (moved.links <= share * error) {
-      less.still.insert(less.still.begin(), "base");
-      less.held.clear();
-      for (const Joint& joint : model.joints) less.held.push_back(joint.name);
-    }
-    if (!less.none() && (sets.empty() || !(sets.back() == less))) sets.push_back(less);
   }
   return sets;
 }

@@ -32,7 +32,8 @@ struct Moved {
   double links = std::numeric_limits<double>::infinity();  // of the robot's link that came farthest [m]
 };
 
-// Sets that may hold the error [m], the largest first; none is empty and no two are equal.
+// Sets that may hold the error [m], the largest first; none is empty and no two are equal.  Each is followed by what it would
+// be with contact within robots, and with joints held and robots rigid where it has them still.
 // apart: the scene lets links of a robot touch one another.
 std::vector<Less> proposals(const Model& model, const Moved& moved, double error, bool apart = false);
 

@@ -198,6 +198,8 @@ nlohmann::ordered_json choice_json(const AccuracyChoice& choice, const OneProces
     json["step_s"] = choice.ladder.rungs[index].step;
     json["held_joints"] = choice.ladder.rungs[index].less.held;
     json["rigid_robots"] = choice.ladder.rungs[index].less.rigid;
+    json["still"] = choice.ladder.rungs[index].less.still;
+    json["no_self_contact"] = choice.ladder.rungs[index].less.apart;
   } else {
     json["error_estimate_m"] = nullptr;
   }

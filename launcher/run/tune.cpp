@@ -161,7 +161,8 @@ void print_less(const Opened& opened, const AccuracyChoice& choice) {
   std::printf("robot itself             %10.4g mm the farthest link               %s\n", 1e3 * track.moved.links,
               !less.still.empty() && less.still[0] == "base" ? "still" : "yes");
   if (opened.scene.self_contact)
-    std::printf("links of a robot touch one another                       %s\n", less.apart ? "no: they did not" : "yes");
+    std::printf("links of a robot touch one another                       %s\n",
+                less.apart ? "no: without it the error is kept" : "yes");
   if (chosen == nullptr) return;
   double whole = 0.0;
   for (const Rung& rung : ladder.rungs) {
@@ -186,10 +187,10 @@ Rung with_own(Rung rung, const Scene& scene) {
 int tune_command(const std::vector<std::string>& words) {
   const Arguments arguments({"tune", 1, 1, R"(SCENE
 Runs a scene at orders and steps of the ladder, prints error against cost and the cheapest that holds the error
-together with all finer ones.  It climbs until the error is proven: no rung above is cheaper.  Exit status 0 only if one holds.
+together with all finer ones.  It climbs until the error is proven.  Exit status 0 only if one holds.
   --robot
   --error LENGTH  0.001 or 1mm; default the scene's accuracy, else 1mm
-  --budget MS  CPU time of the physics in a control period: the best that fits
+  --budget MS  CPU time of the physics in a control period: the best that fits of all rungs
   --for S  simulated seconds; default: the scene's duration
   --all  every rung, also those that cannot win
   --seed N  of everything random; default 1
@@ -198,8 +199,8 @@ together with all finer ones.  It climbs until the error is proven: no rung abov
   --write F.yaml  writes the scene with the settings found, and why)"}, words);
   catch_quit_signals();
   Opened opened = open(arguments);
-  opened.request.all = arguments.has("--all");
   opened.request.budget = 1e-3 * arguments.number("--budget", 0.0, 1e-4, 1e4);
+  opened.request.all = arguments.has("--all") || opened.request.budget > 0.0;
   opened.request.error = length_of(
       arguments, "--error",
       opened.scene.accuracy > 0.0 ? opened.scene.accuracy : opened.request.budget > 0.0 ? 0.0 : 1e-3);

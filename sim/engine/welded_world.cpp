@@ -85,6 +85,7 @@ void WeldedWorld::stand() {
   const auto world = make_world(welded_->model, alone);
   if (world->set(inner_, &inner_tau_) != Status::kOk) throw std::runtime_error("it cannot stand there");
   standing_ = world->contacts();
+  std::erase_if(standing_, [](const ContactPoint& contact) { return contact.link != 0; });  // those the engine finds itself
 }
 
 Status WeldedWorld::set(const Configuration& configuration, const Eigen::VectorXd* tau) noexcept {

@@ -2,7 +2,7 @@
 // Seen from outside it is the whole world: all links, joints and robots are there.
 //
 // A held joint stands where set() put it, at rest, whatever its servo is asked; tau() of it is what carried it then.  So does a
-// held base, its soles pressed as they were then; pushes do nothing to it.
+// held base, what is held to it pressed as it was then; pushes do nothing to it.
 
 #pragma once
 
@@ -43,7 +43,7 @@ class WeldedWorld final : public ForwardingWorld {
  private:
   const World& shown() const noexcept override { return *world_; }
   void build(const Eigen::VectorXd& q);
-  void stand();        // finds what touches a held base
+  void stand();        // finds what a held base stands on
   void look() noexcept;  // what the engine's world is now
   TieEnd end_of(TieEnd end, const WeldedModel& welded) const;
   bool is_joint(int joint) const noexcept { return joint >= 0 && joint < static_cast<int>(welded_->joint.size()); }

@@ -22,6 +22,21 @@ std::size_t find_robot(const WorldConfig& config, const std::string& name) {
   return static_cast<std::size_t>(std::find_if(config.robots.begin(), config.robots.end(), named) - config.robots.begin());
 }
 
+// A name that fits nothing, or two things.
+[[noreturn]] void refuse_held(const Scene& scene, const Model& model, const WorldConfig& config, const std::string& name) {
+  std::vector<std::string> fits, known{"base"};
+  if (name == "base") fits.push_back("the base");
+  if (model.find_joint(name) >= 0) fits.push_back("a joint");
+  if (find_robot(config, name) < config.robots.size()) fits.push_back("a further robot");
+  if (fits.size() > 1)
+    throw std::runtime_error("scene " + scene.name + ": held: '" + name + "' is " + fits[0] + " and " + fits[1] +
+                             "; give one of them another name");
+  for (const OtherRobot& robot : config.robots) known.push_back(robot.name);
+  for (const Joint& joint : model.joints) known.push_back(joint.name);
+  throw std::runtime_error("scene " + scene.name + ": held: there is no joint or further robot '" + name + "'" +
+                           suggestion(name, known));
+}
+
 }  // namespace
 
 void apply_fidelity(const Scene& scene, const Model& model, WorldConfig& config) {
@@ -38,7 +53,7 @@ void apply_fidelity(const Scene& scene, const Model& model, WorldConfig& config)
   for (const std::string& name : scene.held) {
     const int joint = model.find_joint(name);
     const std::size_t robot = find_robot(config, name);
-    if (joint < 0 && name != "base" && robot == config.robots.size()) not_there(scene, "held", "joint", name, model.joints);
+    if ((joint >= 0) + (name == "base") + (robot < config.robots.size()) != 1) refuse_held(scene, model, config, name);
     const std::size_t index = joint >= 0 ? at(joint) : model.joints.size() + (name == "base" ? 0 : 1 + robot);
     config.held.resize(std::max({config.held.size(), model.joints.size(), index + 1}), false);
     config.held[index] = true;

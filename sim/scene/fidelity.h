@@ -22,8 +22,9 @@ namespace twinbus {
 
 inline constexpr const char* kFidelityNames[] = {"full", "auto", "legs", "rigid"};
 
-// Fills config.held, the joints or joints, base and further robots, and config.rigid_robots; config.robots are those of the scene.  Throws std::runtime_error for a joint
-// or robot that is not there, naming the nearest, and for `legs` of a robot that has none.
+// Fills config.held, the joints or joints, base and further robots, and config.rigid_robots; config.robots are those of the
+// scene.  Throws std::runtime_error for a joint or robot that is not there, naming the nearest, for a name in `held` that
+// fits two things, and for `legs` of a robot that has none.
 void apply_fidelity(const Scene& scene, const Model& model, WorldConfig& config);
 
 }  // namespace twinbus

@@ -57,6 +57,11 @@ TEST(Ladder, TwoRunsThatAgreeProveNothingWhileOrderTwoIsFarOff) {
   EXPECT_TRUE(l.proven(3e-2));
   EXPECT_FALSE(l.proven(1e-2));
   EXPECT_EQ(l.choose(1e-2), -1);
+  EXPECT_EQ(l.why_none_holds(1e-2),
+            "no order and step holds 10 mm: order 2 at 1 ms is off by 83 mm while the finest two runs agree to 0.1 mm, "
+            "link foot at 0.00 s");
+  EXPECT_EQ(l.why_none_holds(1e-5),
+            "no order and step holds 0.01 mm: the finest two runs differ by 0.1 mm, link foot at 0.00 s");
 }
 
 // A run that leaves something out is judged alone: it is no finer or coarser one of those that model everything.

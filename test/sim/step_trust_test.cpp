@@ -6,10 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include "both_engines.h"
-#include "common/time/cpu_time.h"
 #include "robot/dynamics/inverse_dynamics.h"
 #include "sim/engine/energy_balance.h"
 #include "test/obstacles.h"
@@ -225,19 +223,6 @@ TEST(StepTrust, CountsSayHowOftenAndWhatCameFirst) {
   EXPECT_EQ(counts.first, Doubt::kDeep);
   EXPECT_EQ(counts.first_at, 2.0);
   EXPECT_EQ(counts.energy_gain, 0.2);
-}
-
-// What a step costs is told without the clock, which is a call of the system and may cost as much as a small step.
-TEST(ThreadClock, WhatALookCostsIsKnown) {
-  const double clock = cost_of_thread_clock();
-  std::vector<double> left(201);
-  for (double& each : left) {
-    const double begun = thread_cpu_seconds();
-    each = thread_cpu_seconds() - begun - clock;
-  }
-  std::nth_element(left.begin(), left.begin() + 100, left.end());
-  EXPECT_GT(clock, 0.0);
-  EXPECT_LT(std::abs(left[100]), 0.5 * clock);
 }
 
 }  // namespace

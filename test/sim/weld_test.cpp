@@ -193,6 +193,31 @@ TEST_P(Welded, AHeldBaseStaysAndItsSolesFeelWhatTheyFelt) {
   EXPECT_NEAR(feel(*still).z(), model.total_mass() * kGravity, 1e-3 * model.total_mass() * kGravity);
 }
 
+// With joints that move the soles of what moves are found as ever, and once.
+TEST_P(Welded, AHeldBaseWithJointsThatMoveFeelsEachSoleOnce) {
+  Model model = test::block();
+  model.links[0].collision.clear();
+  for (Sole& sole : model.soles) {
+    sole.link = 1;
+    sole.frame.translation().z() = -0.2;  // the joint is so high
+    sole.sensor = sole.frame;
+  }
+  WorldConfig config;
+  config.step = 1e-3;
+  Configuration start(model);
+  start.base.translation().z() = -model.total_mass() * kGravity / (2.0 * model.soles[0].stiffness);
+  const auto whole = make_at(start, model, config);
+  config.held = {false, true};
+  const auto still = make(model, config);
+  ASSERT_EQ(still->set(start), Status::kOk);
+  ASSERT_FALSE(whole->contacts().empty());
+  ASSERT_EQ(still->contacts().size(), whole->contacts().size());
+  for (std::size_t i = 0; i < whole->contacts().size(); ++i) {
+    EXPECT_EQ(still->contacts()[i].link, 1);
+    EXPECT_NEAR((still->contacts()[i].force - whole->contacts()[i].force).norm(), 0.0, 1e-3);
+  }
+}
+
 // What touches a robot that stands still finds it, also where it is put anew.
 TEST_P(Welded, ABallLiesOnAStillRobotUntilThatIsTakenAway) {
   const Model model = test::block();
@@ -275,6 +300,31 @@ TEST(Fidelity, WordsAndListsSayWhichJointsAreHeld) {
   scene.rigid = {};
   scene.fidelity = "legs";
   EXPECT_THROW(apply_fidelity(scene, test::pendulum(), config), std::runtime_error);
+}
+
+TEST(Fidelity, AHeldNameIsOfOneJointOrRobot) {
+  const Model model = test::chain(3, true);
+  WorldConfig config;
+  config.robots.resize(2);
+  config.robots[0].name = "second";
+  config.robots[1].name = "joint2";
+  Scene scene;
+  scene.name = "test";
+  const auto complaint = [&](const std::string& name) -> std::string {
+    scene.held = {name};
+    try {
+      apply_fidelity(scene, model, config);
+    } catch (const std::runtime_error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(complaint("second"), "");
+  EXPECT_EQ(complaint("base"), "");
+  EXPECT_EQ(complaint("joint1"), "");
+  EXPECT_EQ(complaint("secnd"), "scene test: held: there is no joint or further robot 'secnd'; did you mean second?");
+  EXPECT_EQ(complaint("bse"), "scene test: held: there is no joint or further robot 'bse'; did you mean base?");
+  EXPECT_EQ(complaint("joint2"), "scene test: held: 'joint2' is a joint and a further robot; give one of them another name");
 }
 
 }  // namespace
