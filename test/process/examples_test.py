@@ -43,10 +43,10 @@ def without_a_stack(checks):
     example(checks, [BIN / "twinbus", "run", "examples/11_scene.yaml"], r"\npassed")
     example(checks, [BIN / "twinbus", "check", "examples/12_robot"], r"suspicious: nothing")
     example(checks, [BIN / "twinbus", "run", "examples/12_robot/raise.yaml"], r"\npassed")
-    if subprocess.run([sys.executable, "-c", "import twinbus; twinbus.home.native()"], cwd=EXAMPLES, env=ENVIRONMENT, capture_output=True).returncode == 0:
+    if subprocess.run([sys.executable, "-c", "import numpy, twinbus; twinbus.home.native()"], cwd=EXAMPLES, env=ENVIRONMENT, capture_output=True).returncode == 0:
         example(checks, python("17_simulation.py"), r"hrp1s: 10.0 seconds without a fall")
     else:
-        print("17_simulation.py: not run, no compiled part of the Python package here (test/python/wheel_test.py runs it)", flush=True)
+        print("17_simulation.py: not run, no numpy or no compiled part of the Python package for this Python (test/python/wheel_test.py runs it)", flush=True)
     example(checks, ["sh", EXAMPLES / "14_engine_settings.sh", BIN / "twinbus"], r"(passed[^§]*){4}")
 
 
