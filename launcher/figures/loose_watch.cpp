@@ -5,7 +5,7 @@
 
 #include "robot/dynamics/inverse_dynamics.h"
 #include "common/math/index.h"
-#include "sim/contact/rigid_object_mesh.h"
+#include "sim/objects/rigid_object_mesh.h"
 
 namespace twinbus {
 

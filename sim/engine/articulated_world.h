@@ -31,7 +31,7 @@
 #include "sim/contact/ground_contacts.h"
 #include "sim/contact/soft_contact.h"
 #include "sim/articulated/joint_law.h"
-#include "sim/contact/rigid_objects.h"
+#include "sim/objects/rigid_objects.h"
 #include "sim/contact/ties.h"
 #include "sim/world/world.h"
 

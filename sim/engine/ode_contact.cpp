@@ -9,7 +9,7 @@
 
 #include "sim/contact/contact_law.h"
 #include "sim/contact/ground_contacts.h"
-#include "sim/contact/rigid_object_contacts.h"
+#include "sim/objects/rigid_object_contacts.h"
 #include "sim/engine/ode_world.h"
 
 namespace twinbus {

@@ -6,8 +6,8 @@
 
 #include "geometry/mesh_contact/contact_mesh.h"
 #include "sim/contact/ground_contacts.h"
-#include "sim/contact/rigid_object_contacts.h"
-#include "sim/contact/rigid_object_mesh.h"
+#include "sim/objects/rigid_object_contacts.h"
+#include "sim/objects/rigid_object_mesh.h"
 #include "sim/engine/ode_world.h"
 
 namespace twinbus {

@@ -1,7 +1,7 @@
 // Robots that touch one another in the ODE world, and links of one robot that do: each pair of
 // shapes as ODE collides them, springs and dampers of both sides in series.
 
-#include "sim/contact/rigid_object_contacts.h"
+#include "sim/objects/rigid_object_contacts.h"
 #include "sim/engine/ode_world.h"
 
 namespace twinbus {

@@ -13,7 +13,7 @@
 #include "common/text/strict_yaml.h"
 #include "robot/description/load.h"
 #include "robot/motion/motion_file.h"
-#include "sim/contact/rigid_object_mesh.h"
+#include "sim/objects/rigid_object_mesh.h"
 #include "sim/scene/fidelity.h"
 #include "sim/scene/scene_obstacle.h"
 #include "sim/scene/scene_places.h"

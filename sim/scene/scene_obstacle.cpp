@@ -14,7 +14,7 @@
 #include "robot/description/link_points.h"
 #include "robot/kinematics/arm_span.h"
 #include "robot/kinematics/kinematics.h"
-#include "sim/contact/rigid_object_mesh.h"
+#include "sim/objects/rigid_object_mesh.h"
 #include "sim/scene/obstacle_cover.h"
 #include "sim/scene/scene_vectors.h"
 

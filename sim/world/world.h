@@ -102,7 +102,7 @@ struct WorldConfig {
   std::vector<LooseBody> loose;
   std::vector<OtherRobot> robots;           // further ones, beside the one commanded
   bool self_contact = false;                // links of a robot touch one another; the same
-  bool continuous = false, twin = false;    // sim/contact/entry_faces.h; sim/engine/twinned_world.h
+  bool continuous = false, twin = false;    // sim/objects/entry_faces.h; sim/engine/twinned_world.h
   double accuracy = 2e-3;                   // steps that are off by more are doubted: sim/engine/local_error.h [m]
   double shell_stiffness = kLinkStiffness;  // of a point of a link that is no sole [N/m]
   std::vector<Tie> ties;

@@ -8,7 +8,7 @@
 #include "both_engines.h"
 #include "common/math/random.h"
 #include "robot/dynamics/inverse_dynamics.h"
-#include "sim/contact/box_overlap.h"
+#include "sim/objects/box_overlap.h"
 #include "sim/engine/articulated_world.h"
 #include "sim/engine/energy_balance.h"
 #include "sim/scene/scene.h"

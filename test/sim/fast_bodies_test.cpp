@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 #include "common/math/random.h"
-#include "sim/contact/entry_faces.h"
+#include "sim/objects/entry_faces.h"
 #include "sim/engine/articulated_world.h"
 #include "sim/engine/make_world.h"
 #include "test/obstacles.h"

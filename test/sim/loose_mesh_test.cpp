@@ -1,7 +1,7 @@
 // Loose bodies of triangles: they rest where their shape rests, carried by their weight.
 
 #include "sim/engine/make_world.h"
-#include "sim/contact/rigid_object_mesh.h"
+#include "sim/objects/rigid_object_mesh.h"
 
 #include <gtest/gtest.h>
 

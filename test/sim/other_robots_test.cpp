@@ -1,6 +1,6 @@
 // Further robots in the one solve, and links of a robot that touch one another.
 
-#include "sim/contact/other_robots.h"
+#include "sim/objects/other_robots.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "sim/contact/other_robots.h"
+#include "sim/objects/other_robots.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "sim/contact/rigid_object_contacts.h"
+#include "sim/objects/rigid_object_contacts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include "geometry/bounds/convex_hull.h"
 #include "sim/contact/bristle.h"
 #include "sim/contact/ground_contacts.h"
-#include "sim/contact/rigid_object_mesh.h"
+#include "sim/objects/rigid_object_mesh.h"
 #include "sim/world/link_hull.h"
 
 namespace twinbus {

@@ -5,8 +5,8 @@
 // Every shape is a piece: probes (sim/world/solid.h) that enter the other pieces, and a solid that their
 // probes enter.  A sole has its corners for probes and no solid.  Springs and dampers of two pieces
 // act in series, friction is the geometric mean.  Two boxes that overlap while no corner is about as deep
-// in the other, as where edges cross, meet where they overlap (sim/contact/box_overlap.h).  A body of triangles meets
-// the triangles of all else (sim/contact/rigid_object_mesh.h).  With contact patch boxes, balls and soles press one another
+// in the other, as where edges cross, meet where they overlap (sim/objects/box_overlap.h).  A body of triangles meets
+// the triangles of all else (sim/objects/rigid_object_mesh.h).  With contact patch boxes, balls and soles press one another
 // with an area (geometry/mesh_contact/patch.h), everything loose so presses ground and tiles; other pairs keep the manifold's points.
 
 #pragma once
@@ -19,9 +19,9 @@
 #include "common/math/key_index.h"
 #include "geometry/mesh_contact/manifold.h"
 #include "geometry/mesh_contact/patch.h"
-#include "sim/contact/box_overlap.h"
+#include "sim/objects/box_overlap.h"
 #include "sim/contact/contact_solve.h"
-#include "sim/contact/entry_faces.h"
+#include "sim/objects/entry_faces.h"
 #include "sim/world/link_pairs.h"
 #include "sim/world/solid.h"
 #include "sim/world/world.h"
@@ -143,11 +143,11 @@ class LooseContacts {
   void meet_cylinder(const Piece& piece, Search& search) noexcept;
   // Probes of one in the solid of the other; turned: the probes are those of something fixed.
   void meet(const Piece& probes, std::size_t solid, bool turned, Search& search) noexcept;
-  // In sim/contact/rigid_object_mesh.cpp.
+  // In sim/objects/rigid_object_mesh.cpp.
   void give_meshes();
   // other: -1: the ground.
   void meet_mesh(std::size_t own, int other, Search& search) noexcept;
-  // In sim/contact/rigid_object_patch.cpp.
+  // In sim/objects/rigid_object_patch.cpp.
   void give_sole_mesh(const Sole& sole, Piece& piece) const;
   void give_foot_mesh(const Model& model, Piece& piece) const;
   // False: of such a pair the points of the manifold are taken.

@@ -1,5 +1,5 @@
 // What moves in a world beside the commanded robot, in its one solve: loose bodies, of a single
-// link each, and further robots (sim/contact/other_robots.h).
+// link each, and further robots (sim/objects/other_robots.h).
 //
 // A step of a body that touches something is backward Euler in the acceleration of the solve, with
 // linear and angular momentum kept exactly: what it gains is the impulse.  A body that touches
@@ -13,8 +13,8 @@
 #include "robot/kinematics/kinematics.h"
 #include "sim/articulated/aba.h"
 #include "sim/contact/contact_solve.h"
-#include "sim/contact/rigid_object_contacts.h"
-#include "sim/contact/other_robots.h"
+#include "sim/objects/rigid_object_contacts.h"
+#include "sim/objects/other_robots.h"
 #include "sim/world/world.h"
 
 namespace twinbus {

@@ -1,4 +1,4 @@
-#include "sim/contact/rigid_objects.h"
+#include "sim/objects/rigid_objects.h"
 
 #include <cmath>
 
@@ -7,7 +7,7 @@
 #include "sim/articulated/richardson.h"
 #include "sim/articulated/torque_free_rotation.h"
 #include "sim/contact/ground_contacts.h"
-#include "sim/contact/rigid_object_mesh.h"
+#include "sim/objects/rigid_object_mesh.h"
 
 namespace twinbus {
 

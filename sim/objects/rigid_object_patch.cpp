@@ -9,8 +9,8 @@
 #include "common/math/index.h"
 #include "geometry/bounds/convex_hull.h"
 #include "sim/contact/ground_contacts.h"
-#include "sim/contact/rigid_object_contacts.h"
-#include "sim/contact/rigid_object_mesh.h"
+#include "sim/objects/rigid_object_contacts.h"
+#include "sim/objects/rigid_object_mesh.h"
 
 namespace twinbus {
 

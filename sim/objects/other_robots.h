@@ -2,7 +2,7 @@
 //
 // Each has what that one has: an articulated body, a law in each joint, contacts with the ground
 // and the obstacles.  Contacts of robots with one another and with loose bodies are found by
-// sim/contact/rigid_object_contacts.h.
+// sim/objects/rigid_object_contacts.h.
 
 #pragma once
 

@@ -1,7 +1,7 @@
 // What is loose on the ground.
 
 #include "common/math/index.h"
-#include "sim/contact/rigid_object_contacts.h"
+#include "sim/objects/rigid_object_contacts.h"
 
 namespace twinbus {
 

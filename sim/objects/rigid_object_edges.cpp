@@ -4,8 +4,8 @@
 #include <limits>
 
 #include "common/math/index.h"
-#include "sim/contact/box_overlap.h"
-#include "sim/contact/rigid_object_contacts.h"
+#include "sim/objects/box_overlap.h"
+#include "sim/objects/rigid_object_contacts.h"
 
 namespace twinbus {
 

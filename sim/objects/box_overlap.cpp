@@ -1,4 +1,4 @@
-#include "sim/contact/box_overlap.h"
+#include "sim/objects/box_overlap.h"
 
 #include <cmath>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "sim/contact/rigid_object_mesh.h"
+#include "sim/objects/rigid_object_mesh.h"
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
@@ -10,7 +10,7 @@
 #include "common/math/index.h"
 #include "geometry/bounds/shape_mesh.h"
 #include "sim/contact/bristle.h"
-#include "sim/contact/rigid_object_contacts.h"
+#include "sim/objects/rigid_object_contacts.h"
 
 namespace twinbus {
 
