@@ -11,12 +11,14 @@
 #include "common/math/index.h"
 #include "common/process/process.h"
 #include "common/time/cpu_time.h"
+#include "launcher/run/clearance.h"
 
 namespace twinbus {
 
 namespace {
 
 constexpr double kEvery = 0.02;        // between two looks at a run [s]
+constexpr double kLies = 1e-5;         // of kEvery a loose body that lies still moves no farther [m]
 constexpr double kTwin = 1e-12;        // relative, and [m]
 constexpr double kParted = 1e-6;       // [m]: what converges parts by less than 1e-8
 constexpr double kMargin = 1.3;        // of the error asked for
@@ -100,8 +102,11 @@ Track follow(const Model& model, const Scene& scene, const OneProcessConfig& con
   Eigen::VectorXd moved = Eigen::VectorXd::Zero(start.size());
   for (const auto& robot : run.further_robots()) track.moved.robots.push_back(robot.name);
   track.moved.robot_ways.assign(track.moved.robots.size(), 0.0);
+  Clearance clearance(run.model(), run.world_config());
   const Sample begin = places(run);
+  Sample before = begin;
   double links = 0.0;
+  std::size_t lay = 0;
   const std::int64_t ticks = std::llround(duration / model.period());
   const std::int64_t every = std::max<std::int64_t>(1, std::llround(kEvery / model.period()));
   while (run.ticks() < ticks && !quit_requested() && run.tick()) {
@@ -110,6 +115,12 @@ Track follow(const Model& model, const Scene& scene, const OneProcessConfig& con
     moved = moved.cwiseMax((run.world().configuration().q - start).cwiseAbs());
     for (std::size_t i = 0; i < at(run.model().link_count()); ++i)
       links = std::max(links, (track.at.back()[i] - begin[i]).norm());
+    for (std::size_t i = 0; i < at(run.world().loose_count()); ++i) {
+      const std::size_t body = at(run.model().link_count()) + i;
+      lay += (track.at.back()[body] - before[body]).norm() < kLies ? 1 : 0;
+    }
+    before = track.at.back();
+    clearance.look(run.world());
     for (std::size_t i = 0; i < track.moved.robots.size(); ++i) {
       const Eigen::Vector3d now = run.world().robot_link(static_cast<int>(i), 0).translation();
       track.moved.robot_ways[i] = std::max(track.moved.robot_ways[i], (now - run.further_robots()[i].start).norm());
@@ -117,6 +128,9 @@ Track follow(const Model& model, const Scene& scene, const OneProcessConfig& con
   }
   track.moved.joints.assign(moved.begin(), moved.end());
   track.moved.links = links;
+  track.moved.clear = clearance.nearest();
+  if (run.world().loose_count() > 0 && !track.at.empty())
+    track.moved.lay = static_cast<double>(lay) / static_cast<double>(track.at.size() * at(run.world().loose_count()));
   track.whole = run.ticks() >= ticks;
   track.stopped = run.state().role == Role::kStopped;
   track.cost = run.physics_seconds();
@@ -354,14 +368,15 @@ Ladder climb(const Model& model, const Scene& scene, const OneProcessConfig& con
 std::string ladder_text(const Ladder& ladder) {
   std::ostringstream text;
   text.precision(17);
-  text << "ladder 3 " << ladder.rungs.size() << ' ' << ladder.parted.size() << ' '
+  text << "ladder 5 " << ladder.rungs.size() << ' ' << ladder.parted.size() << ' '
        << (std::isfinite(ladder.agreement) ? ladder.agreement : -1.0) << ' ' << ladder.cost << '\n';
   for (const Rung& r : ladder.rungs) {
     text << r.order << ' ' << r.step << ' ' << r.cost << ' '
          << (std::isfinite(r.apart) ? r.apart : -1.0) << ' ' << r.at << ' ' << r.whole << ' '
          << r.less.held.size() << ' ' << r.less.rigid.size() << ' ' << r.less.still.size() << ' '
-         << r.less.apart << ' ' << r.body << '\n';
-    for (const auto* names : {&r.less.held, &r.less.rigid, &r.less.still}) {
+         << r.less.untouched.size() << ' '
+         << r.less.apart << ' ' << r.less.asleep << ' ' << r.body << '\n';
+    for (const auto* names : {&r.less.held, &r.less.rigid, &r.less.still, &r.less.untouched}) {
       for (const std::string& name : *names) text << name << '\n';
     }
   }
@@ -377,25 +392,26 @@ bool read_ladder(const std::string& text, Ladder& ladder) {
   std::size_t rungs = 0, parted = 0;
   Ladder read;
   if (!(in >> word >> version >> rungs >> parted >> read.agreement >> read.cost) ||
-      word != "ladder" || version != 3 || rungs > 1000 || parted > 10000) {
+      word != "ladder" || version != 5 || rungs > 1000 || parted > 10000) {
     return false;
   }
   const auto endless = [](double value) { return value < 0.0 ? kInfinity : value; };
   read.agreement = endless(read.agreement);
   for (std::size_t i = 0; i < rungs; ++i) {
     Rung r;
-    std::size_t held = 0, rigid = 0, still = 0;
-    if (!(in >> r.order >> r.step >> r.cost >> r.apart >> r.at >> r.whole >> held >> rigid >> still >>
-          r.less.apart))
+    std::size_t held = 0, rigid = 0, still = 0, untouched = 0;
+    if (!(in >> r.order >> r.step >> r.cost >> r.apart >> r.at >> r.whole >> held >> rigid >> still >> untouched >>
+          r.less.apart >> r.less.asleep))
       return false;
-    if (r.order < 1 || r.order > 3 || !(r.step > 0.0) || std::max({held, rigid, still}) > 1000) return false;
+    if (r.order < 1 || r.order > 3 || !(r.step > 0.0) || std::max({held, rigid, still, untouched}) > 1000) return false;
     r.apart = endless(r.apart);
     std::getline(in, r.body);
     if (!r.body.empty()) r.body.erase(0, 1);
     r.less.held.resize(held);
     r.less.rigid.resize(rigid);
     r.less.still.resize(still);
-    for (auto* names : {&r.less.held, &r.less.rigid, &r.less.still}) {
+    r.less.untouched.resize(untouched);
+    for (auto* names : {&r.less.held, &r.less.rigid, &r.less.still, &r.less.untouched}) {
       for (std::string& name : *names) {
         if (!std::getline(in, name)) return false;
       }

@@ -11,6 +11,9 @@ namespace {
 
 constexpr double kShares[] = {0.7, 0.2, 0.06};  // of the error that a way may be
 constexpr double kLean = 4.0;                   // so much more a robot may move that is one rigid body and not still
+constexpr double kLay = 0.1;                    // of their time loose bodies lie still where it may pay to let them sleep
+constexpr double kClear = 0.05;                  // of what never comes nearer, beside 10 errors, a link is not asked whether it touches [m]
+constexpr double kErrorsClear = 10.0;
 constexpr double kLinkSize = 0.1;               // of a link beyond its origin [m]
 
 // What moved no farther than `most` [m].  still: what may stands still, else joints are held and robots rigid.
@@ -55,15 +58,31 @@ std::vector<double> ways(const Model& model, const Moved& moved) {
 std::vector<Less> proposals(const Model& model, const Moved& moved, double error, bool apart) {
   const std::vector<double> way = ways(model, moved);
   std::vector<Less> sets;
-  for (const double share : kShares) {
-    // Where links touch, or what hardly moves has to give way, the same with that modelled may hold the error.
-    for (const bool still : {true, false}) {
-      Less less = set_of(model, moved, way, share * error, still);
-      for (const bool drop : {true, false}) {
-        less.apart = drop && apart;
-        if (!less.none() && std::find(sets.begin(), sets.end(), less) == sets.end()) sets.push_back(less);
+  const auto add = [&](const Less& less) {
+    if (!less.none() && std::find(sets.begin(), sets.end(), less) == sets.end()) sets.push_back(less);
+  };
+  std::vector<std::string> far;
+  for (std::size_t i = 0; i < moved.clear.size(); ++i) {
+    if (moved.clear[i] > kClear + kErrorsClear * error) far.push_back(model.links[i].name);
+  }
+  for (const bool asleep : {true, false}) {
+    if (asleep && moved.lay < kLay) continue;
+    for (const double share : kShares) {
+      // Where links touch, or what hardly moves has to give way, the same with that modelled may hold the error.
+      for (const bool still : {true, false}) {
+        Less less = set_of(model, moved, way, share * error, still);
+        less.asleep = asleep;
+        for (const bool drop : {true, false}) {
+          less.apart = drop && apart;
+          less.untouched = !apart || less.apart ? far : std::vector<std::string>{};
+          add(less);
+        }
       }
     }
+    Less alone;
+    alone.asleep = asleep;
+    alone.untouched = apart ? std::vector<std::string>{} : far;
+    add(alone);
   }
   return sets;
 }
@@ -73,6 +92,8 @@ Scene without(const Scene& scene, const Less& less) {
   changed.held.insert(changed.held.end(), less.held.begin(), less.held.end());
   changed.held.insert(changed.held.end(), less.still.begin(), less.still.end());
   changed.self_contact = changed.self_contact && !less.apart;
+  changed.asleep = changed.asleep || less.asleep;
+  changed.untouched.insert(changed.untouched.end(), less.untouched.begin(), less.untouched.end());
   changed.rigid.insert(changed.rigid.end(), less.rigid.begin(), less.rigid.end());
   return changed;
 }
@@ -85,6 +106,9 @@ std::string words_of(const Less& less) {
     add(std::to_string(less.held.size()) + (less.held.size() == 1 ? " joint held" : " joints held"));
   for (const std::string& robot : less.rigid) add("robot " + robot + " rigid");
   if (less.apart) add("no contact within a robot");
+  if (!less.untouched.empty())
+    add(std::to_string(less.untouched.size()) + (less.untouched.size() == 1 ? " link" : " links") + " that nothing comes near");
+  if (less.asleep) add("loose bodies asleep where they lie still");
   return words;
 }
 

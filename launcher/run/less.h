@@ -19,8 +19,10 @@ struct Less {
   std::vector<std::string> held;   // joints
   std::vector<std::string> rigid;  // further robots
   std::vector<std::string> still;  // further robots, or `base`: all of the robot
+  std::vector<std::string> untouched;  // links of the robot
   bool apart = false;              // links of one robot do not touch one another, though the scene lets them
-  bool none() const { return held.empty() && rigid.empty() && still.empty() && !apart; }
+  bool asleep = false;             // loose bodies where they lie still
+  bool none() const { return held.empty() && rigid.empty() && still.empty() && untouched.empty() && !apart && !asleep; }
   bool operator==(const Less&) const = default;
 };
 
@@ -30,10 +32,12 @@ struct Moved {
   std::vector<std::string> robots;         // further ones
   std::vector<double> robot_ways;          // of their bases [m]
   double links = std::numeric_limits<double>::infinity();  // of the robot's link that came farthest [m]
+  std::vector<double> clear;               // by link: nothing loose and no further robot came nearer [m]; empty: not known
+  double lay = 0.0;                        // share of the time of all loose bodies in which they lay still
 };
 
 // Sets that may hold the error [m], the largest first; none is empty and no two are equal.  Each is followed by what it would
-// be with contact within robots, and with joints held and robots rigid where it has them still.
+// be with contact within robots, and with loose bodies awake, and with joints held and robots rigid where it has them still.
 // apart: the scene lets links of a robot touch one another.
 std::vector<Less> proposals(const Model& model, const Moved& moved, double error, bool apart = false);
 

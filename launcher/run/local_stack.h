@@ -91,6 +91,7 @@ class OneProcess {
   const RobotState& state() const { return heard_; }  // as decoded
   const SimTruth& truth() const { return *sim_.truth(); }
   const World& world() const { return *sim_.world(); }
+  const WorldConfig& world_config() const { return sim_.world_config(); }
   const TrustCounts& trust() const { return sim_.watch().counts(); }
   void time_physics() { sim_.time_steps(); }  // from now on
   double physics_seconds() const { return sim_.watch().seconds(); }  // CPU [s]

@@ -199,7 +199,9 @@ nlohmann::ordered_json choice_json(const AccuracyChoice& choice, const OneProces
     json["held_joints"] = choice.ladder.rungs[index].less.held;
     json["rigid_robots"] = choice.ladder.rungs[index].less.rigid;
     json["still"] = choice.ladder.rungs[index].less.still;
+    json["untouched"] = choice.ladder.rungs[index].less.untouched;
     json["no_self_contact"] = choice.ladder.rungs[index].less.apart;
+    json["asleep"] = choice.ladder.rungs[index].less.asleep;
   } else {
     json["error_estimate_m"] = nullptr;
   }

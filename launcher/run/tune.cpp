@@ -10,6 +10,7 @@
 #include "common/process/process.h"
 #include "launcher/run/accuracy.h"
 #include "launcher/run/judge_scene.h"
+#include "launcher/run/ladder_plot.h"
 #include "launcher/run/tuned_text.h"
 #include "launcher/stack/run_folder.h"
 #include "robot/description/load.h"
@@ -56,13 +57,14 @@ Opened open(const Arguments& arguments) {
 std::string csv_of(const Opened& opened, const AccuracyChoice& choice) {
   std::ostringstream csv;
   csv.precision(9);
-  csv << "scene,seed,duration_s,order,step_s,physics_ms_per_s,error_m,where,at_s,held_joints,rigid_robots,still,no_self_contact,chosen\n";
+  csv << "scene,seed,duration_s,order,step_s,physics_ms_per_s,error_m,where,at_s,held_joints,rigid_robots,still,untouched,no_self_contact,asleep,chosen\n";
   for (std::size_t i = 0; i < choice.ladder.rungs.size(); ++i) {
     const Rung& rung = choice.ladder.rungs[i];
     csv << opened.scene.name << ',' << opened.request.seed << ',' << opened.request.duration << ','
         << rung.order << ',' << rung.step << ',' << rung.cost << ',' << choice.ladder.estimate(i)
         << ',' << rung.body << ',' << rung.at << ',' << rung.less.held.size() << ',' << rung.less.rigid.size()
-        << ',' << rung.less.still.size() << ',' << rung.less.apart << ',' << (static_cast<int>(i) == choice.rung)
+        << ',' << rung.less.still.size() << ',' << rung.less.untouched.size() << ',' << rung.less.apart << ',' << rung.less.asleep
+        << ',' << (static_cast<int>(i) == choice.rung)
         << '\n';
   }
   return csv.str();
@@ -133,52 +135,89 @@ void print_model(const Opened& opened) {
               scene.grasps.size());
 }
 
-// Line by line: what is modelled, what was left out and why, and what each part of the physics costs.
-void print_less(const Opened& opened, const AccuracyChoice& choice) {
+// Line by line: what moves how far and how it is modelled.
+std::vector<ModelledPart> parts_of(const Opened& opened, const Track& track, const Less& less) {
+  const auto in = [](const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  std::vector<ModelledPart> parts;
+  char text[80];
+  const std::vector<double> way = ways(opened.model, track.moved);
+  for (std::size_t j = 0; j < way.size(); ++j) {
+    const Joint& joint = opened.model.joints[j];
+    const bool slides = joint.kind == JointKind::kPrismatic, held = in(less.held, joint.name);
+    std::snprintf(text, sizeof text, "moves %.4g %s", track.moved.joints[j] * (slides ? 1e3 : kDegrees), slides ? "mm" : "degrees");
+    parts.push_back({joint.name, text, way[j],
+                     held ? "held" : way[j] <= opened.request.error ? "yes: with it held the error was not kept" : "yes", held});
+  }
+  for (std::size_t i = 0; i < track.moved.robots.size(); ++i) {
+    const std::string& name = track.moved.robots[i];
+    const bool rigid = in(less.rigid, name), still = in(less.still, name);
+    parts.push_back({"robot " + name, "", track.moved.robot_ways[i], still ? "still" : rigid ? "one rigid body" : "yes", still || rigid});
+  }
+  const bool still = in(less.still, "base");
+  parts.push_back({"robot itself", "", track.moved.links, still ? "still" : "yes", still});
+  if (opened.scene.self_contact)
+    parts.push_back({"links touch links", "", -1.0, less.apart ? "no: without it the error is kept" : "yes", less.apart});
+  if (!track.moved.clear.empty()) {
+    const std::string far = less.untouched.empty() ? "all" : "all but " + std::to_string(less.untouched.size());
+    parts.push_back({"links meet loose bodies", "", -1.0, far + (less.untouched.empty() ? "" : ", which nothing comes near"),
+                     !less.untouched.empty()});
+  }
+  if (!opened.scene.loose.empty()) {
+    std::snprintf(text, sizeof text, "lie still for %.0f %% of the time", 1e2 * track.moved.lay);
+    parts.push_back({"loose bodies", text, -1.0, less.asleep ? "asleep where they lie still" : "yes", less.asleep});
+  }
+  return parts;
+}
+
+// What is modelled, what was left out and why, and what each costs, as a table and, where a file is named, a picture.
+void explain_less(const Opened& opened, const AccuracyChoice& choice, const std::string& file) {
   const Ladder& ladder = choice.ladder;
   const Rung* chosen = choice.rung >= 0 ? &ladder.rungs[at(choice.rung)] : nullptr;
   const Less less = chosen != nullptr ? chosen->less : Less{};
   std::printf("\nfidelity     auto: what moves less than the error of %.3g mm in this scene may be left out\n",
               1e3 * opened.request.error);
   const Track track = follow(opened.model, opened.scene, opened.config, opened.request.duration);
-  const std::vector<double> way = ways(opened.model, track.moved);
-  std::printf("joint                        moves         the links behind it by   modelled\n");
-  for (std::size_t j = 0; j < way.size(); ++j) {
-    const Joint& joint = opened.model.joints[j];
-    const bool slides = joint.kind == JointKind::kPrismatic;
-    const bool held = std::find(less.held.begin(), less.held.end(), joint.name) != less.held.end();
-    std::printf("%-24s %10.4g %s %14.4g mm   %s\n", joint.name.c_str(),
-                track.moved.joints[j] * (slides ? 1e3 : kDegrees), slides ? "mm     " : "degrees", 1e3 * way[j],
-                held ? "held" : way[j] <= opened.request.error ? "yes: with it held the error was not kept" : "yes");
+  const std::vector<ModelledPart> parts = parts_of(opened, track, less);
+  std::printf("%-28s %-30s %-28s modelled\n", "part", "", "what is behind it moves [mm]");
+  for (const ModelledPart& part : parts) {
+    char way[32] = "";
+    if (part.way >= 0.0) std::snprintf(way, sizeof way, "%.4g", 1e3 * part.way);
+    std::printf("%-28s %-30s %-28s %s\n", part.name.c_str(), part.moves.c_str(), way, part.modelled.c_str());
   }
-  for (std::size_t i = 0; i < track.moved.robots.size(); ++i) {
-    const std::string& name = track.moved.robots[i];
-    const bool rigid = std::find(less.rigid.begin(), less.rigid.end(), name) != less.rigid.end();
-    const bool still = std::find(less.still.begin(), less.still.end(), name) != less.still.end();
-    std::printf("robot %-18s %10.4g mm of its base                  %s\n", name.c_str(),
-                1e3 * track.moved.robot_ways[i], still ? "still" : rigid ? "one rigid body" : "yes");
+  std::vector<std::pair<std::string, double>> costs;
+  if (chosen != nullptr) {
+    double whole = chosen->cost;
+    for (const Rung& rung : ladder.rungs) {
+      if (rung.order == chosen->order && rung.step == chosen->step && rung.less.none()) whole = rung.cost;
+    }
+    costs = {{"what is modelled", chosen->cost}, {"what was left out", whole - chosen->cost}};
+    std::printf("part                         physics [ms/s]    share\n");
+    for (const auto& [name, cost] : costs) std::printf("%-28s %14.2f   %5.1f %%\n", name.c_str(), cost, 1e2 * cost / whole);
+    std::printf("left out: %s\n", less.none() ? "nothing" : words_of(less).c_str());
   }
-  std::printf("robot itself             %10.4g mm the farthest link               %s\n", 1e3 * track.moved.links,
-              !less.still.empty() && less.still[0] == "base" ? "still" : "yes");
-  if (opened.scene.self_contact)
-    std::printf("links of a robot touch one another                       %s\n",
-                less.apart ? "no: without it the error is kept" : "yes");
-  if (chosen == nullptr) return;
-  double whole = 0.0;
-  for (const Rung& rung : ladder.rungs) {
-    if (rung.order == chosen->order && rung.step == chosen->step && rung.less.none()) whole = rung.cost;
-  }
-  std::printf("part                         physics [ms/s]    share\n");
-  std::printf("what is modelled             %14.2f   %5.1f %%\n", chosen->cost, 1e2 * chosen->cost / whole);
-  std::printf("what was left out            %14.2f   %5.1f %%   %s\n", whole - chosen->cost,
-              1e2 * (whole - chosen->cost) / whole, less.none() ? "nothing" : words_of(less).c_str());
+  if (file.empty()) return;
+  char title[200];
+  std::snprintf(title, sizeof title, "%s on %s: what is modelled to be within %.4g mm over %.4g s", opened.scene.name.c_str(),
+                opened.model.name.c_str(), 1e3 * opened.request.error, opened.request.duration);
+  write_file(file, parts_svg(title, parts, opened.request.error, costs));
+}
+
+// Error against cost of what was run, where a file is named.
+void plot_front(const Opened& opened, const AccuracyChoice& choice, const std::string& file) {
+  if (file.empty()) return;
+  char title[200];
+  std::snprintf(title, sizeof title, "%s on %s, %.4g s, seed %llu: error against cost", opened.scene.name.c_str(), opened.model.name.c_str(),
+                opened.request.duration, static_cast<unsigned long long>(opened.request.seed));
+  write_file(file, front_svg(title, choice.ladder, choice.rung, opened.request.error));
 }
 
 // What the scene leaves out itself is left out too.
 Rung with_own(Rung rung, const Scene& scene) {
   if (rung.less.none()) return rung;
   const Scene all = without(scene, rung.less);
-  rung.less = {all.held, all.rigid, {}, rung.less.apart};
+  rung.less = {all.held, all.rigid, {}, all.untouched, rung.less.apart, all.asleep};
   return rung;
 }
 
@@ -196,6 +235,7 @@ together with all finer ones.  It climbs until the error is proven.  Exit status
   --seed N  of everything random; default 1
   --fidelity WORD  full, auto, legs or rigid, as ./twinbus run; default the scene's
   --csv F.csv  writes order, step, cost and error of every run
+  --plot F.svg  draws them
   --write F.yaml  writes the scene with the settings found, and why)"}, words);
   catch_quit_signals();
   Opened opened = open(arguments);
@@ -210,6 +250,7 @@ together with all finer ones.  It climbs until the error is proven.  Exit status
   if (!choice.reason.empty()) std::printf("%s\n", choice.reason.c_str());
   if (const std::string file = arguments.text("--csv", ""); !file.empty())
     write_file(file, csv_of(opened, choice));
+  plot_front(opened, choice, arguments.text("--plot", ""));
   if (choice.rung < 0) return 1;
   const Rung& rung = choice.ladder.rungs[at(choice.rung)];
   const std::string why = why_of(opened, choice);
@@ -227,9 +268,11 @@ steps were tried for it and what each is off.
   --accuracy LENGTH  0.001 or 1mm; default the scene's
   --for S  simulated seconds of the ladder; default: the scene's duration
   --fidelity WORD  full, auto, legs or rigid, as ./twinbus run; default the scene's
+  --plot F.svg  draws what is modelled (fidelity auto), else error against cost of what was tried
   --seed N  of everything random; default 1)"}, words);
   catch_quit_signals();
   Opened opened = open(arguments);
+  const std::string file = arguments.text("--plot", "");
   print_model(opened);
   print_shares(opened);
   opened.request.error = length_of(arguments, "--accuracy", opened.scene.accuracy > 0.0    ? opened.scene.accuracy
@@ -238,13 +281,15 @@ steps were tried for it and what each is off.
   if (!(opened.request.error > 0.0)) {
     std::printf("accuracy     not asked for: the scene's own order and step; --accuracy 1mm finds which are "
                 "needed\n");
+    if (!file.empty()) throw UsageError("--plot draws what holds an error: say --accuracy 1mm too");
     return 0;
   }
   const AccuracyChoice choice =
       choose_accuracy(opened.model, opened.scene, opened.config, opened.request);
   std::printf("%s", ladder_table(choice.ladder, choice.rung).c_str());
   if (!choice.reason.empty()) std::printf("%s\n", choice.reason.c_str());
-  if (opened.scene.fidelity == "auto") print_less(opened, choice);
+  if (opened.scene.fidelity == "auto") explain_less(opened, choice, file);
+  else plot_front(opened, choice, file);
   return 0;
 }
 

@@ -43,4 +43,14 @@ inline Bristle bristle_after(const Contact& c, double h) noexcept {
   return {c.point + moved - stretch, stretch};
 }
 
+// What its springs hold after a step h [J].
+inline double stored_energy(const Contact& c, double h) noexcept {
+  if (c.tie != TieKind::kNone) return 0.5 * c.params.stiffness * (c.stretch + h * c.v).squaredNorm();
+  const double end = c.depth - h * c.normal.dot(c.v);
+  if (c.now.mode == ContactMode::kOpen || !(end > 0.0)) return 0.0;
+  if (c.soft) return 0.5 * c.normal.dot(c.now.force) * c.depth;
+  return c.stored + 0.5 * (c.params.stiffness * end * end +
+                           c.params.tangent_stiffness * bristle_after(c, h).stretch.squaredNorm());
+}
+
 }  // namespace twinbus

@@ -49,22 +49,8 @@ void ArticulatedWorld::keep_depths(double h) noexcept {
 }
 
 double ArticulatedWorld::elastic_energy() const noexcept {
-  double energy = 0.0;
-  for (const Contact& c : contacts_) {
-    if (c.tie != TieKind::kNone) {
-      energy += 0.5 * c.params.stiffness * (c.stretch + last_h_ * c.v).squaredNorm();
-      continue;
-    }
-    const double end = c.depth - last_h_ * c.normal.dot(c.v);
-    if (c.now.mode == ContactMode::kOpen || !(end > 0.0)) continue;
-    if (c.soft) {
-      energy += 0.5 * c.normal.dot(c.now.force) * c.depth;
-      continue;
-    }
-    energy += c.stored;
-    energy += 0.5 * (c.params.stiffness * end * end +
-                     c.params.tangent_stiffness * bristle_after(c, last_h_).stretch.squaredNorm());
-  }
+  double energy = loose_.asleep_energy();
+  for (const Contact& c : contacts_) energy += loose_.asleep(c) ? 0.0 : stored_energy(c, last_h_);
   return energy;
 }
 
@@ -90,6 +76,7 @@ bool ArticulatedWorld::step_loose(const Eigen::AlignedBox3d& robot) noexcept {
     return false;
   }
   keep_depths(h);
+  if (config_.asleep) loose_.rest(contacts_, h, last_h_);
   return true;
 }
 

@@ -6,11 +6,9 @@
 #include <utility>
 
 #include "common/math/index.h"
-#include "geometry/bounds/convex_hull.h"
 #include "sim/contact/bristle.h"
 #include "sim/contact/ground_contacts.h"
 #include "sim/objects/rigid_object_mesh.h"
-#include "sim/world/link_hull.h"
 
 namespace twinbus {
 
@@ -96,6 +94,7 @@ LooseContacts::LooseContacts(const Model& model, const WorldConfig& config)
   if (active()) add_robot(model, config, 0, config.fixed_base);
   for (const OtherRobot& robot : config.robots) add_robot(*robot.model, config, ++system, !robot.model->floating_base);
   alone_.assign(apart_.size(), 0);
+  heap_.assign(apart_.size(), 0);
   moving_ = pieces_.size();
   const auto add_fixed = [&](const Obstacle& obstacle, bool tile) {
     if (obstacle.shape == ObstacleShape::kNone || loose_ == 0) return;
@@ -120,6 +119,7 @@ LooseContacts::LooseContacts(const Model& model, const WorldConfig& config)
   const std::size_t most = active() ? robots * kMostContacts + loose_ * kMostLooseContacts : 0;
   memory_.reserve(most);
   saved_.reserve(most);
+  if (config.asleep) slept_.reserve(most);
   remembered_.reserve(most);
   if (continuous_) faces_.reserve(most);
 }
@@ -127,12 +127,16 @@ LooseContacts::LooseContacts(const Model& model, const WorldConfig& config)
 void LooseContacts::add_robot(const Model& model, const WorldConfig& config, int system, bool fixed_base) {
   const double scale = system == 0 ? config.stiffness_scale : 1.0;
   const double damping_scale = system == 0 ? config.damping_scale : 1.0;
+  const auto untouched = [&](int link, int shape) {
+    const std::array<int, 2> which{link, shape};
+    return system == 0 && std::find(config.untouched.begin(), config.untouched.end(), which) != config.untouched.end();
+  };
   Outline outline;
   outline.system = system;
   outline.first = pieces_.size();
   for (std::size_t side = 0; side < 2; ++side) {
     const Sole& sole = model.soles[side];
-    if (sole.link < 0) continue;
+    if (sole.link < 0 || untouched(static_cast<int>(side), -1)) continue;
     Piece piece;
     piece.system = system;
     piece.link = sole.link;
@@ -149,6 +153,7 @@ void LooseContacts::add_robot(const Model& model, const WorldConfig& config, int
   }
   for (std::size_t i = 0; i < model.links.size(); ++i) {
     for (const Shape& shape : model.links[i].collision) {
+      if (untouched(static_cast<int>(i), static_cast<int>(&shape - model.links[i].collision.data()))) continue;
       Piece piece;
       piece.system = system;
       piece.link = static_cast<int>(i);
@@ -183,36 +188,9 @@ void LooseContacts::add_robot(const Model& model, const WorldConfig& config, int
   robots_.push_back(outline);
 }
 
-// Of a foot only what is above its sole: near it, it touches with the sole's corners.
-void LooseContacts::add_hull(const Shape& shape, const Model& model, const ContactParams& params,
-                             Piece piece) {
-  TriangleMesh hull = link_hull(shape);
-  for (const Sole& sole : model.soles) {
-    if (sole.link != piece.link) continue;
-    const Eigen::Isometry3d in_sole = sole.frame.inverse();
-    for (Eigen::Vector3d& point : hull.points) {
-      Eigen::Vector3d p = in_sole * point;
-      p.z() = std::max(p.z(), kSoleSkin);
-      point = sole.frame * p;
-    }
-    hull = convex_hull(hull.points);
-  }
-  if (hull.triangles.empty()) return;
-  // About its middle, where a piece has its bounding sphere.
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& point : hull.points) box.extend(point);
-  for (Eigen::Vector3d& point : hull.points) point -= box.center();
-  piece.in_link.translation() = box.center();
-  piece.mesh = std::make_shared<const ContactMesh>(hull);
-  piece.only_mesh = true;
-  piece.solid_too = false;
-  piece.params = params;
-  add(std::move(piece));
-}
-
 // a comes before b.  What robots do with fixed things is sim/contact/ground_contacts.h's business.
 bool LooseContacts::may_meet(std::size_t a, std::size_t b) const noexcept {
-  if (a < loose_) return true;
+  if (a < loose_) return !lies(pieces_[a]) || !lies(pieces_[b]);
   if (b >= moving_) return false;
   const Piece& one = pieces_[a];
   const Piece& other = pieces_[b];
@@ -274,7 +252,9 @@ Eigen::AlignedBox3d LooseContacts::box_of(const Outline& robot, const Reach& rea
 }
 
 void LooseContacts::place_all(const std::vector<ArticulatedBody*>& systems) noexcept {
-  for (std::size_t i = 0; i < loose_; ++i) place(pieces_[i], systems);
+  for (std::size_t i = 0; i < loose_; ++i) {
+    if (!asleep(pieces_[i].system)) place(pieces_[i], systems);
+  }
   for (Outline& robot : robots_) {
     if (robot.first == robot.end) continue;
     Piece& base = pieces_[robot.first];
@@ -332,14 +312,12 @@ void LooseContacts::find_alone(double h) noexcept {
   }
 }
 
-void LooseContacts::find(const std::vector<ArticulatedBody*>& systems, double h,
-                         std::vector<Contact>& contacts, bool away) noexcept {
-  if (!away) place_all(systems);
-  Search search{systems, h, contacts};
+void LooseContacts::find_once(Search& search, bool away) noexcept {
+  const double h = search.h;
   if (continuous_) faces_.begin_search();
   for (std::size_t i = 0; i < loose_; ++i) {
     const Piece& own = pieces_[i];
-    if (own.center.z() < own.radius + reach_of(own.speed, h)) meet_ground(own, search);
+    if (own.center.z() < own.radius + reach_of(own.speed, h) && !asleep(own.system)) meet_ground(own, search);
   }
   if (away) alone_[0] = 1;
   else find_alone(h);
@@ -485,11 +463,6 @@ void LooseContacts::remember(const std::vector<ArticulatedBody*>& systems,
     memory_.push_back({c.key, kept, c.now.force});
   }
   index_memory();
-}
-
-void LooseContacts::index_memory() noexcept {
-  remembered_.clear();
-  for (std::size_t i = 0; i < memory_.size(); ++i) remembered_.add(memory_[i].key, static_cast<int>(i));
 }
 
 }  // namespace twinbus

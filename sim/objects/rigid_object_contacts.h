@@ -40,6 +40,7 @@ class LooseContacts {
   bool robots_meet() const noexcept { return robots_meet_; }  // one another or themselves
 
   // Appends contacts as far as their capacity goes, always in the same order.  away: after away_from(), of the loose bodies alone.
+  // Wakes what is asleep and touched.
   void find(const std::vector<ArticulatedBody*>& systems, double h, std::vector<Contact>& contacts, bool away = false) noexcept;
   // Whether no loose body comes near that box in the next h [s].
   bool away_from(const Eigen::AlignedBox3d& box, const std::vector<ArticulatedBody*>& systems, double h) noexcept;
@@ -47,11 +48,7 @@ class LooseContacts {
   // After the solve of a step h, the systems still as they were at its start.
   void remember(const std::vector<ArticulatedBody*>& systems, const std::vector<Contact>& contacts,
                 double h) noexcept;
-  void forget() noexcept {
-    memory_.clear();
-    remembered_.clear();
-    faces_.forget();
-  }
+  void forget() noexcept;  // wakes everything too
   // So deep that the middle of one has nearly passed that of the other, which turns the normal round.
   bool may_come_through(const Contact& contact, double depth) const noexcept;
   // The bristles as they are, for a step that is taken again.
@@ -64,6 +61,12 @@ class LooseContacts {
     index_memory();
     faces_.restore();
   }
+
+  bool asleep(int system) const noexcept { return sleepers_ && system >= 0 && heap_[at(system)] > 0; }
+  // heap: by system, 0 for what stays awake.  Those with one number wake together.  After remember(), the bodies placed and at rest.
+  void fall_asleep(const std::vector<int>& heap, const std::vector<ArticulatedBody*>& systems,
+                   const std::vector<Contact>& contacts, double h) noexcept;
+  double asleep_energy() const noexcept;  // of the springs that hold what is asleep [J]
 
   // Loose contacts have keys from here on.
   static constexpr int kFirstKey = 1 << 24;
@@ -105,6 +108,12 @@ class LooseContacts {
     Eigen::Vector3d bristle;  // in B's axes: anchor, or stretch of a point that rolls
     Eigen::Vector3d force;    // world
   };
+  // Of a contact of what is asleep.
+  struct Slept {
+    Memory memory;
+    int system;
+    double energy;  // [J]
+  };
   // Along x, with what it may move in a step.
   struct Span {
     double from, to;
@@ -130,6 +139,11 @@ class LooseContacts {
   // Of a link of triangles.
   void add_hull(const Shape& shape, const Model& model, const ContactParams& params, Piece piece);
   bool may_meet(std::size_t a, std::size_t b) const noexcept;
+  void find_once(Search& search, bool away) noexcept;
+  bool lies(const Piece& piece) const noexcept { return piece.system < 0 || asleep(piece.system); }
+  // Of the contacts from `first` on; false: nothing woke, and those with what is asleep are gone.
+  bool wake_touched(std::size_t first, Search& search) noexcept;
+  void wake(int heap) noexcept;
   void add(Piece piece);
   void sort_spans(double h) noexcept;
   // Which robots have nothing near them.
@@ -192,6 +206,9 @@ class LooseContacts {
   PatchFinder patch_finder_;
   int next_key_ = 0;
   double thinnest_ = std::numeric_limits<double>::infinity();  // of two pieces together [m]
+  std::vector<int> heap_;               // by system: what it sleeps with, 0: awake
+  std::vector<Slept> slept_;
+  bool sleepers_ = false;
   std::vector<Memory> memory_, saved_;  // in the order of find()
   KeyIndex remembered_;                 // of memory_, by key
 };

@@ -1,9 +1,12 @@
 #include "sim/objects/rigid_object_mesh.h"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "geometry/bounds/convex_hull.h"
@@ -11,6 +14,7 @@
 #include "geometry/bounds/shape_mesh.h"
 #include "sim/contact/bristle.h"
 #include "sim/objects/rigid_object_contacts.h"
+#include "sim/world/link_hull.h"
 
 namespace twinbus {
 
@@ -152,6 +156,33 @@ void LooseContacts::meet_mesh(std::size_t own, int other, Search& search) noexce
     found.key = kFirstMeshKey + pair * kMeshKeysPerPair + short_name(point.feature);
     consider(found, search);
   }
+}
+
+// Of a foot only what is above its sole: near it, it touches with the sole's corners.
+void LooseContacts::add_hull(const Shape& shape, const Model& model, const ContactParams& params,
+                             Piece piece) {
+  TriangleMesh hull = link_hull(shape);
+  for (const Sole& sole : model.soles) {
+    if (sole.link != piece.link) continue;
+    const Eigen::Isometry3d in_sole = sole.frame.inverse();
+    for (Eigen::Vector3d& point : hull.points) {
+      Eigen::Vector3d p = in_sole * point;
+      p.z() = std::max(p.z(), kSoleSkin);
+      point = sole.frame * p;
+    }
+    hull = convex_hull(hull.points);
+  }
+  if (hull.triangles.empty()) return;
+  // About its middle, where a piece has its bounding sphere.
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& point : hull.points) box.extend(point);
+  for (Eigen::Vector3d& point : hull.points) point -= box.center();
+  piece.in_link.translation() = box.center();
+  piece.mesh = std::make_shared<const ContactMesh>(hull);
+  piece.only_mesh = true;
+  piece.solid_too = false;
+  piece.params = params;
+  add(std::move(piece));
 }
 
 }  // namespace twinbus

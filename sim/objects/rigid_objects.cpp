@@ -1,6 +1,9 @@
 #include "sim/objects/rigid_objects.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 #include "robot/dynamics/inverse_dynamics.h"
 #include "common/math/index.h"
@@ -14,6 +17,8 @@ namespace twinbus {
 namespace {
 
 constexpr double kStill = 0.01;  // [m/s] and [rad/s]
+constexpr double kRest = 0.2;        // [s]
+constexpr double kSlowShare = 0.05;  // of the accuracy a second
 constexpr int kLies = 64;        // smooth steps so slow, from which a body lies
 
 Model model_of(const LooseBody& body) {
@@ -40,9 +45,19 @@ LooseBodies::LooseBodies(const Model& model, const WorldConfig& config, Articula
     added.now = added.start = Configuration(own);
     added.coarse = {added.now, added.now};
     added.inertia = own.links[0].inertia.diagonal();
+    added.radius = bounding_radius(body.solid);
     set(count() - 1, body.start);
   }
   for (int i = 0; i < robots_.count(); ++i) systems_.push_back(&robots_.body(i));
+  for (const Tie& tie : config.ties) {
+    for (const int body : {tie.a.loose, tie.b.loose}) {
+      if (body >= 0 && body < count()) bodies_[at(body)].tied = true;
+    }
+  }
+  slow_ = kSlowShare * config.accuracy;
+  parent_.resize(systems_.size());
+  restless_.resize(systems_.size());
+  heap_.resize(systems_.size());
 }
 
 int LooseBodies::most_contacts() const noexcept {
@@ -63,6 +78,7 @@ void LooseBodies::set(int body, const LooseState& state) noexcept {
   now.base_velocity = state.velocity;
   now.base_angular_velocity = state.angular_velocity;
   bodies_[at(body)].still = 0;
+  bodies_[at(body)].quiet = 0.0;
   place(at(body));
   contacts_.forget();
 }
@@ -83,13 +99,16 @@ void LooseBodies::place_all() noexcept {
 
 bool LooseBodies::inward(double h) noexcept {
   bool sound = robots_.inward(h);
-  for (ArticulatedBody& body : articulated_) sound = body.inward(no_rows_, h) && sound;
+  for (std::size_t i = 0; i < articulated_.size(); ++i)
+    sound = (asleep(i) || articulated_[i].inward(no_rows_, h)) && sound;
   return sound;
 }
 
 void LooseBodies::outward() noexcept {
   robots_.outward();
-  for (ArticulatedBody& body : articulated_) body.outward();
+  for (std::size_t i = 0; i < articulated_.size(); ++i) {
+    if (!asleep(i)) articulated_[i].outward();
+  }
 }
 
 bool LooseBodies::advance(const std::vector<Contact>& contacts, double h,
@@ -105,6 +124,7 @@ bool LooseBodies::advance(const std::vector<Contact>& contacts, double h,
     }
   }
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (asleep(i)) continue;
     if (bodies_[i].touched) {
       bodies_[i].ever = true;
       land(i, h);
@@ -115,6 +135,47 @@ bool LooseBodies::advance(const std::vector<Contact>& contacts, double h,
     place(i);
   }
   return true;
+}
+
+int LooseBodies::heap_of(int system) noexcept {
+  while (parent_[at(system)] != system) system = parent_[at(system)];
+  return system;
+}
+
+void LooseBodies::rest(const std::vector<Contact>& contacts, double step, double h) noexcept {
+  bool any = false;
+  std::fill(restless_.begin(), restless_.end(), 0);
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    Body& body = bodies_[i];
+    if (std::exchange(body.slept, asleep(i)) && !body.slept) body.quiet = 0.0;
+    if (body.slept) continue;
+    const bool slow = body.now.base_velocity.norm() + body.radius * body.now.base_angular_velocity.norm() < slow_;
+    body.quiet = slow && body.touched && !body.tied ? body.quiet + step : 0.0;
+    restless_[i + 1] = body.quiet < kRest ? 1 : 0;
+    any = any || restless_[i + 1] == 0;
+  }
+  if (!any) return;
+  const auto is_body = [this](int system) { return system > 0 && system <= count(); };
+  std::iota(parent_.begin(), parent_.end(), 0);
+  for (const Contact& c : contacts) {
+    if (c.now.mode == ContactMode::kOpen || c.other_system < 0) continue;
+    if (is_body(c.system) && is_body(c.other_system)) parent_[at(heap_of(c.other_system))] = heap_of(c.system);
+    else restless_[at(c.system)] = restless_[at(c.other_system)] = 1;
+  }
+  for (int s = 1; s <= count(); ++s) restless_[at(heap_of(s))] |= restless_[at(s)];
+  any = false;
+  for (int s = 1; s <= count(); ++s) {
+    const bool sleeps = !contacts_.asleep(s) && restless_[at(heap_of(s))] == 0;
+    heap_[at(s)] = sleeps ? heap_of(s) : 0;
+    any = any || sleeps;
+    if (!sleeps) continue;
+    Body& body = bodies_[at(s - 1)];
+    body.now.base_velocity.setZero();
+    body.now.base_angular_velocity.setZero();
+    body.slept = true;
+    place(at(s - 1));
+  }
+  if (any) contacts_.fall_asleep(heap_, systems_, contacts, h);
 }
 
 void LooseBodies::land(std::size_t index, double h) noexcept {

@@ -4,6 +4,9 @@
 // A step of a body that touches something is backward Euler in the acceleration of the solve, with
 // linear and angular momentum kept exactly: what it gains is the impulse.  A body that touches
 // nothing falls exactly and turns by sim/articulated/torque_free_rotation.h.
+//
+// With config.asleep a heap that has lain for kRest falls asleep (sim/objects/rigid_object_sleep.cpp): each body of it touches
+// something, is slower than a twentieth of config.accuracy a second, hangs on nothing that is tied and touches no robot.
 
 #pragma once
 
@@ -37,6 +40,10 @@ class LooseBodies {
   void set(int body, const LooseState& state) noexcept;
 
   // Appends their contacts.
+  // After a whole step, in the smallest part h of it last: heaps that lie still fall asleep.
+  void rest(const std::vector<Contact>& contacts, double step, double h) noexcept;
+  double asleep_energy() const noexcept { return contacts_.asleep_energy(); }
+  bool asleep(const Contact& c) const noexcept { return contacts_.asleep(c.system) || contacts_.asleep(c.other_system); }
   void find(double h, std::vector<Contact>& contacts) noexcept {
     robots_.find(count() + 1, h, contacts);
     contacts_.find(systems_, h, contacts);
@@ -73,8 +80,14 @@ class LooseBodies {
     bool touched = false;     // in the last step
     bool ever = false;        // since save()
     int still = 0;            // smooth steps in which it touched and hardly moved, one after the other
+    double radius = 0.0;      // [m]
+    double quiet = 0.0;       // it has touched and stood so long [s]
+    bool tied = false;        // never asleep
+    bool slept = false;       // after the last step
   };
 
+  bool asleep(std::size_t body) const noexcept { return contacts_.asleep(static_cast<int>(body) + 1); }
+  int heap_of(int system) noexcept;
   void place(std::size_t body) noexcept;
   void land(std::size_t body, double h) noexcept;
   void fly(std::size_t body, double h) noexcept;
@@ -85,6 +98,10 @@ class LooseBodies {
   std::vector<ArticulatedBody*> systems_;
   std::vector<JointRow> no_rows_;
   LooseContacts contacts_;
+  double slow_ = 0.0;         // what is slower lies [m/s]
+  std::vector<int> parent_;   // by system: of the union of those that touch
+  std::vector<char> restless_;
+  std::vector<int> heap_;
 };
 
 }  // namespace twinbus

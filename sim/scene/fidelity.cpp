@@ -42,6 +42,7 @@ std::size_t find_robot(const WorldConfig& config, const std::string& name) {
 void apply_fidelity(const Scene& scene, const Model& model, WorldConfig& config) {
   config.held.clear();
   config.rigid_robots.clear();
+  config.untouched.clear();
   if (scene.fidelity == "rigid") config.held.assign(model.joints.size(), true);
   if (scene.fidelity == "legs") {
     if (model.leg_joints.empty())
@@ -59,6 +60,19 @@ void apply_fidelity(const Scene& scene, const Model& model, WorldConfig& config)
     config.held[index] = true;
   }
   if (!config.held.empty()) hold_followers(model, config.held);
+  for (const std::string& name : scene.untouched) {
+    const int link = model.find_link(name);
+    if (link < 0) {
+      std::vector<std::string> links;
+      for (const Link& each : model.links) links.push_back(each.name);
+      throw std::runtime_error("scene " + scene.name + ": untouched: there is no link '" + name + "'" + suggestion(name, links));
+    }
+    const int shapes = static_cast<int>(model.links[at(link)].collision.size());
+    for (int shape = 0; shape < shapes; ++shape) config.untouched.push_back({link, shape});
+    for (std::size_t side = 0; side < 2; ++side) {
+      if (model.soles[side].link == link) config.untouched.push_back({static_cast<int>(side), -1});
+    }
+  }
   for (const std::string& name : scene.rigid) {
     config.rigid_robots.resize(config.robots.size(), false);
     const std::size_t robot = find_robot(config, name);

@@ -352,8 +352,7 @@ Scene load_scene(const std::string& name_or_file) {
   scene.robot = top.text("robot", scene.robot);
   const int engine = top.choice("engine", {std::begin(kEngineNames), std::end(kEngineNames)}, 0);
   scene.engine = kEngineNames[engine];
-  scene.contact =
-      kContactNames[top.choice("contact", {std::begin(kContactNames), std::end(kContactNames)}, 0)];
+  scene.contact = kContactNames[top.choice("contact", {std::begin(kContactNames), std::end(kContactNames)}, 0)];
   scene.duration = top.number("duration", 0.01, kDay, scene.duration);
   scene.step = top.number("step", 1e-5, 0.1, scene.step);
   if (top.has("accuracy")) {
@@ -363,6 +362,7 @@ Scene load_scene(const std::string& name_or_file) {
   scene.fidelity = kFidelityNames[top.choice("fidelity", {std::begin(kFidelityNames), std::end(kFidelityNames)}, 0)];
   scene.held = top.texts("held");
   scene.rigid = top.texts("rigid");
+  scene.untouched = top.texts("untouched");
   scene.start_pose = top.text("start_pose", scene.start_pose);
   if (top.has("start_velocity")) {
     const ConfigNode speeds = top.map("start_velocity");
@@ -417,6 +417,7 @@ Scene load_scene(const std::string& name_or_file) {
   }
   if (scene.robots.size() > kMaxRobots) top.fail("robots", "at most 15");
   scene.self_contact = top.flag("self_contact", false);
+  scene.asleep = top.flag("asleep", false);
   for (const ConfigNode& node : top.list("loops")) scene.loops.push_back(read_loop(node));
   for (const ConfigNode& node : top.list("grasps")) scene.grasps.push_back(read_grasp(node));
   if (scene.loops.size() + scene.grasps.size() > kMaxLoose) {

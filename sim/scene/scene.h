@@ -138,6 +138,7 @@ struct Scene {
   double accuracy = 0.0;  // error asked for: `run` finds order and step that hold it [m]; 0: not asked
   std::string fidelity = "full";           // or auto, legs, rigid: sim/scene/fidelity.h
   std::vector<std::string> held, rigid;    // joints, further robots: the same
+  std::vector<std::string> untouched;      // links of the robot: the same
   double step = 0.0;  // physics step [s], a whole part of the robot's period; 0: the period
   std::string start_pose = "half_sitting";
   std::vector<std::pair<std::string, double>> start_velocity;  // of joints [rad/s or m/s]
@@ -162,6 +163,7 @@ struct Scene {
   std::vector<std::string> loose_at;  // where each has its name: "file:line: name"
   std::vector<SceneRobot> robots;  // nor these
   bool self_contact = false;       // links of one robot touch one another
+  bool asleep = false;             // loose bodies that lie still, until something touches them
   std::vector<Loop> loops;         // beside those of the robot
   std::vector<Grasp> grasps;
   Criteria criteria;
@@ -181,7 +183,7 @@ void start_in(const std::string& pose, const Model& model, Scene& scene);
 // name_or_file: a YAML file, or a name under config/scenes.  Throws std::runtime_error naming file,
 // line and the nearest valid key.
 //
-// Keys: about, robot, engine (articulated, ode or mujoco), contact (spring_damper, hunt_crossley, patch or rigid), duration, step, accuracy (0.001 or 1 mm), fidelity, held and rigid as in
+// Keys: about, robot, engine (articulated, ode or mujoco), contact (spring_damper, hunt_crossley, patch or rigid), duration, step, accuracy (0.001 or 1 mm), fidelity, held, untouched and rigid as in
 // sim/scene/fidelity.h, start_pose, start_velocity: {JOINT: speed, ...}, origin, base (floating or fixed), lengths (metres or arm), ground:
 // {friction}, obstacles: see scene_obstacle.h, pushes: [link, point, impulse, at,
 // duration], modes: [at, mode, motion, pose, duration, amplitude, frequency], goals: [at, hand,
@@ -191,7 +193,7 @@ void start_in(const std::string& pose, const Model& model, Scene& scene);
 // sideways, duration}, disturbance: {position, angle_deg, velocity, spin, mass, friction, joints}, bodies: [link, mass, at, shift], loose: [name, shape (box, sphere, cylinder,
 // capsule, mesh), size (of a mesh: file beside the scene, scale), mass, position, rpy_deg, velocity,
 // angular_velocity, friction, stiffness, damping], robots: [name, robot, pose, position, yaw_deg],
-// self_contact, loops: as in robot/description/loops.h, grasps:
+// self_contact, asleep, loops: as in robot/description/loops.h, grasps:
 // [link, point, to, at, until, reach, stiffness, damping], criteria: as in sim/scene/scene_criteria.h, settings: {model.mass_scale: 1.03, ...} as in
 // sim/scene/settings.h.  Scene time starts with the first command.
 Scene load_scene(const std::string& name_or_file);

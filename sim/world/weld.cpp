@@ -135,6 +135,7 @@ WeldedModel weld(const Model& model, const std::vector<bool>& held, const Eigen:
   welded.link.assign(joints + 1, 0);
   welded.in_link.assign(joints + 1, Eigen::Isometry3d::Identity());
   welded.former_link.push_back(0);
+  welded.first_shape.assign(joints + 1, 0);
   for (std::size_t j = 0; j < joints; ++j) {
     Joint joint = model.joints[j];
     const std::size_t parent = at(joint.parent), child = j + 1;
@@ -142,6 +143,7 @@ WeldedModel weld(const Model& model, const std::vector<bool>& held, const Eigen:
     if (held[j]) {
       welded.link[child] = body;
       welded.in_link[child] = welded.in_link[parent] * child_in_parent(joint, q[static_cast<Eigen::Index>(j)]);
+      welded.first_shape[child] = static_cast<int>(to.links[at(body)].collision.size());
       add_part(model.links[child], welded.in_link[child], to.links[at(body)]);
       continue;
     }

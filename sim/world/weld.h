@@ -15,6 +15,7 @@ struct WeldedModel {
   std::vector<int> link;   // of each former link: the one that it is part of
   std::vector<Eigen::Isometry3d> in_link;  // its frame in that one
   std::vector<int> former_link;            // of each link: the former one whose frame it keeps
+  std::vector<int> first_shape;            // of each former link, among the collision shapes of the one that it is part of
 };
 
 // Adds to `held` [joint_count] what cannot move alone: a joint that follows a held one, and one that a held one follows.

@@ -102,11 +102,13 @@ struct WorldConfig {
   std::vector<LooseBody> loose;
   std::vector<OtherRobot> robots;           // further ones, beside the one commanded
   bool self_contact = false;                // links of a robot touch one another; the same
+  bool asleep = false;                      // loose bodies that lie still: sim/objects/rigid_object_sleep.cpp
   bool continuous = false, twin = false;    // sim/objects/entry_faces.h; sim/engine/twinned_world.h
   double accuracy = 2e-3;                   // steps that are off by more are doubted: sim/engine/local_error.h [m]
   double shell_stiffness = kLinkStiffness;  // of a point of a link that is no sole [N/m]
   std::vector<Tie> ties;
   std::vector<bool> held, rigid_robots;  // joints, further robots: sim/engine/welded_world.h
+  std::vector<std::array<int, 2>> untouched;  // by anything loose or a further robot: link and collision shape; a side and -1: that sole
 };
 
 struct ContactPoint {

@@ -54,7 +54,10 @@ std::string key_of(const Scene& scene) {
   std::string key = std::to_string(scene.step);
   for (const auto& [name, value] : scene.settings) key += ' ' + name + '=' + value;
   for (const std::string& name : scene.held) key += " held " + name;
+  for (const std::string& name : scene.untouched) key += " untouched " + name;
   for (const std::string& name : scene.rigid) key += " rigid " + name;
+  key += scene.asleep ? " asleep" : "";
+  key += scene.self_contact ? " touch" : "";
   return key;
 }
 

@@ -91,7 +91,7 @@ TEST(Ladder, TheCacheGivesBackWhatItWasGiven) {
   Ladder l = ladder();
   l.rungs[0].apart = std::numeric_limits<double>::infinity();
   l.rungs[0].whole = false;
-  l.rungs[1].less = {{"HEAD", "L WRIST"}, {"second"}, {"base"}, true};
+  l.rungs[1].less = {{"HEAD", "L WRIST"}, {"second"}, {"base"}, {"L FOOT", "TORSO"}, true, true};
   l.parted = {{"robot left one", 0.25}};
   Ladder back;
   ASSERT_TRUE(read_ladder(ladder_text(l), back));

@@ -125,12 +125,50 @@ TEST(Less, WhereStandingStillIsTooMuchJointsAreHeld) {
   EXPECT_FALSE(less.held.empty());
 }
 
+// Links that nothing loose came near in the yardstick are not asked; where links of a robot touch one another, they are.
+TEST(Less, LinksThatNothingComesNearAreNotAsked) {
+  const Model model = load_robot("hrp1s");
+  Moved moved = all_at_rest(model);
+  moved.links = 0.3;
+  moved.clear.assign(model.links.size(), 1.0);
+  moved.clear[3] = 0.01;
+  const std::vector<Less> sets = proposals(model, moved, 1e-3);
+  ASSERT_FALSE(sets.empty());
+  EXPECT_EQ(sets.front().untouched.size(), model.links.size() - 1);
+  for (const Less& less : proposals(model, moved, 1e-3, true)) EXPECT_EQ(less.untouched.empty(), !less.apart);
+}
+
+// Where loose bodies lie still for a while, each set lets them sleep, and then come the same sets with them awake.
+TEST(Less, LooseBodiesThatLieStillMaySleep) {
+  const Model model = load_robot("hrp1s");
+  Moved moved = all_at_rest(model);
+  for (double& joint : moved.joints) joint = 0.3;
+  moved.links = 0.3;
+  EXPECT_TRUE(proposals(model, moved, 1e-3).empty());
+  moved.lay = 0.5;
+  const std::vector<Less> sets = proposals(model, moved, 1e-3);
+  ASSERT_EQ(sets.size(), 1U);
+  EXPECT_EQ(words_of(sets[0]), "loose bodies asleep where they lie still");
+  EXPECT_TRUE(without(Scene{}, sets[0]).asleep);
+  moved.joints.back() = 0.0;
+  const std::vector<Less> more = proposals(model, moved, 1e-3);
+  ASSERT_EQ(more.size(), 3U);
+  EXPECT_TRUE(more[0].asleep && more[0].held.size() == 1);
+  EXPECT_TRUE(more[1].asleep && more[1].held.empty());
+  EXPECT_FALSE(more[2].asleep);
+}
+
 TEST(Less, WhatASceneLeavesOutItselfStaysOut) {
   Scene scene;
   scene.held = {"A"};
-  const Scene changed = without(scene, {{"B"}, {"second"}, {}});
+  Less less;
+  less.held = {"B"};
+  less.rigid = {"second"};
+  less.untouched = {"HEAD"};
+  const Scene changed = without(scene, less);
   EXPECT_EQ(changed.held, (std::vector<std::string>{"A", "B"}));
   EXPECT_EQ(changed.rigid, std::vector<std::string>{"second"});
+  EXPECT_EQ(changed.untouched, std::vector<std::string>{"HEAD"});
 }
 
 }  // namespace

@@ -57,13 +57,15 @@ TEST(Tune, WhatWasLeftOutIsListedInPlaceOfTheWordAndOfTheOldList) {
   const std::string texts[] = {rest + "fidelity: auto\n", "held: [A]\n" + rest + "fidelity: auto\n",
                                "held:\n  - A\nrigid:\n- other\nself_contact: true\n" + rest};
   Rung rung = rung_of(2, 0.0005);
-  rung.less = {{"A", "B"}, {"other"}, {}, true};
+  rung.less = {{"A", "B"}, {"other"}, {}, {"HEAD"}, true, true};
   for (const std::string& text : texts) {
     const Scene scene = written(tuned_text(text, rung, "because"));
     EXPECT_EQ(scene.fidelity, "full") << text;
     EXPECT_EQ(scene.held, rung.less.held) << text;
     EXPECT_EQ(scene.rigid, rung.less.rigid) << text;
     EXPECT_FALSE(scene.self_contact) << text;
+    EXPECT_TRUE(scene.asleep) << text;
+    EXPECT_EQ(scene.untouched, rung.less.untouched) << text;
     EXPECT_EQ(scene.modes.size(), 1U) << text;
   }
 }

@@ -15,6 +15,7 @@
 #include "sim/engine/welded_world.h"
 #include "sim/scene/fidelity.h"
 #include "test_models.h"
+#include "world_helpers.h"
 
 namespace twinbus {
 namespace {
@@ -325,6 +326,49 @@ TEST(Fidelity, AHeldNameIsOfOneJointOrRobot) {
   EXPECT_EQ(complaint("secnd"), "scene test: held: there is no joint or further robot 'secnd'; did you mean second?");
   EXPECT_EQ(complaint("bse"), "scene test: held: there is no joint or further robot 'bse'; did you mean base?");
   EXPECT_EQ(complaint("joint2"), "scene test: held: 'joint2' is a joint and a further robot; give one of them another name");
+}
+
+// A shape keeps being that of its former link; what is said of it goes with it.
+TEST(Weld, UntouchedShapesAreThoseOfTheirFormerLinks) {
+  const Model model = load_robot("hrp1s");
+  const WeldedModel welded = weld(model, all_but_the_legs(model), Configuration(model).q);
+  for (std::size_t i = 0; i < model.links.size(); ++i) {
+    const Link& now = welded.model.links[static_cast<std::size_t>(welded.link[i])];
+    for (std::size_t s = 0; s < model.links[i].collision.size(); ++s) {
+      const std::size_t to = static_cast<std::size_t>(welded.first_shape[i]) + s;
+      ASSERT_LT(to, now.collision.size());
+      EXPECT_TRUE(now.collision[to].pose.isApprox(welded.in_link[i] * model.links[i].collision[s].pose)) << i;
+    }
+  }
+}
+
+// A ball falls through the hand that it does not meet and lies on the other.
+TEST(Weld, WhatIsUntouchedMeetsNothingLoose) {
+  const Model model = load_robot("hrp1s");
+  const Eigen::VectorXd q = Configuration(model).q;
+  for (const bool untouched : {false, true}) {
+    Scene scene;
+    scene.fidelity = "rigid";
+    if (untouched) {
+      for (const Link& link : model.links) scene.untouched.push_back(link.name);
+    }
+    WorldConfig config;
+    config.fixed_base = true;
+    apply_fidelity(scene, model, config);
+    Configuration start(model);
+    start.base.translation().z() = 2.0;
+    LooseBody ball = test::loose_box("ball", 0.5, {0.05, 0.0, 0.0}, Eigen::Isometry3d(Eigen::Translation3d(0.0, 0.0, 4.0)), 1e5, 150.0);
+    ball.solid.shape = SolidShape::kSphere;
+    config.loose.push_back(ball);
+    WeldedWorld world(model, config);
+    ASSERT_EQ(world.set(start), Status::kOk);
+    bool touched = false;
+    for (int i = 0; i < 600; ++i) {
+      ASSERT_EQ(world.step(), Status::kOk);
+      touched = touched || !world.contacts().empty();
+    }
+    EXPECT_EQ(touched, !untouched);
+  }
 }
 
 }  // namespace

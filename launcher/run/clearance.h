@@ -1,0 +1,34 @@
+// How near what is loose, or a further robot, comes to each link of the robot in a run.
+
+#pragma once
+
+#include <vector>
+
+#include "geometry/shapes.h"
+#include "robot/description/model.h"
+#include "sim/world/world.h"
+
+namespace twinbus {
+
+class Clearance {
+ public:
+  // Of the shapes of links balls are taken, of loose bodies too: what is found is never too far.
+  // Throws std::runtime_error where a mesh cannot be read.
+  Clearance(const Model& model, const WorldConfig& config);
+  void look(const World& world);
+  // By link [m]; empty where nothing is loose and no further robot is there.
+  const std::vector<double>& nearest() const { return nearest_; }
+
+ private:
+  struct RobotBalls {
+    std::vector<Ball> links;  // in the link frame; radius < 0: it has no shape
+  };
+  static RobotBalls balls_of(const Model& model);
+
+  RobotBalls own_;
+  std::vector<RobotBalls> robots_;
+  std::vector<double> loose_;  // radii [m]
+  std::vector<double> nearest_;
+};
+
+}  // namespace twinbus
