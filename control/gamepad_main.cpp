@@ -15,11 +15,13 @@
 #include "common/process/command_word.h"
 #include "common/process/options.h"
 #include "common/process/process.h"
+#include "common/text/formatted.h"
 #include "control/teleop/hand_target.h"
 #include "control/teleop/raw_terminal.h"
 #include "control/teleop/sdl_pad.h"
 #include "control/teleop/teleop.h"
 #include "lcmtypes/bus/node.h"
+#include "lcmtypes/bus/outgoing.h"
 #include "lcmtypes/msg/state_admission.h"
 #include "robot/description/load.h"
 #include "robot/estimation/estimator.h"
@@ -31,7 +33,6 @@ namespace {
 constexpr double kPatience = 10.0;            // with a control that a pad does not have [s]
 constexpr double kRumble = 0.5;               // when the robot has been stopped [s]
 constexpr std::int64_t kPeriod = 10'000'000;  // 100 Hz [ns]
-constexpr int kRepeats = 5;                   // of what must not be lost with one datagram
 constexpr int kLastZeros = 10;                // on leaving
 constexpr double kStateFresh = 0.5;           // [s]
 constexpr int kHeartbeatEvery = 10;           // cycles
@@ -107,47 +108,28 @@ class PadScript {
 // been missed.
 class Requests {
  public:
-  explicit Requests(std::int64_t sender_id) {
-    stop_.sender_id = sender_id;
-    mode_.sender_id = sender_id;
-  }
+  explicit Requests(std::int64_t sender_id) { stop_.message.sender_id = mode_.message.sender_id = sender_id; }
 
   void start(TeleopAction action, const RobotState& state) {
     ModeRequest mode;
-    if (action == TeleopAction::kStop || action == TeleopAction::kClear) {
-      ++stop_.sequence;
-      stop_.kind = action == TeleopAction::kStop ? StopKind::kBalanced : StopKind::kNone;
-      stop_.reason = StopReason::kGamepad;
-      stop_.stop_nonce = action == TeleopAction::kClear ? state.stop_nonce : 0;
-      stop_left_ = kRepeats;
+    if (action == TeleopAction::kStop) {
+      stop_.start({.kind = StopKind::kBalanced, .reason = StopReason::kGamepad});
+    } else if (action == TeleopAction::kClear) {
+      stop_.start({.stop_nonce = state.stop_nonce, .reason = StopReason::kGamepad});
     } else if (to_mode_request(action, mode)) {
-      mode.sender_id = mode_.sender_id;
-      mode.sequence = mode_.sequence + 1;
       mode.run_id = state.run_id;
-      mode_ = mode;
-      mode_left_ = kRepeats;
+      mode_.start(mode);
     }
   }
 
-  void send(Bus& bus, std::int64_t utime) {
-    bool sent = true;
-    if (stop_left_ > 0) {
-      --stop_left_;
-      stop_.utime = utime;
-      sent = bus.send(channel::kStop, stop_);
-    }
-    if (mode_left_ > 0) {
-      --mode_left_;
-      mode_.utime = utime;
-      sent = bus.send(channel::kModeRequest, mode_) && sent;
-    }
-    static_cast<void>(sent);  // counted by the bus, shown in the heartbeat
+  void send(Bus& bus) {
+    stop_.send(bus, channel::kStop);
+    mode_.send(bus, channel::kModeRequest);
   }
 
  private:
-  StopRequest stop_;
-  ModeRequest mode_;
-  int stop_left_ = 0, mode_left_ = 0;
+  Outgoing<StopRequest> stop_;
+  Outgoing<ModeRequest> mode_;
 };
 
 // The hand that is moved: where it is, whether another operator drives, and its goals on the bus.
@@ -191,14 +173,12 @@ class Arm {
     static_cast<void>(bus.send(channel::kArmGoal, goal));  // counted by the bus
   }
   std::string words() const {
-    char text[100];
     const char* side = target_.side() == ArmSide::kLeft ? "left" : "right";
     const Eigen::Vector3d& at = target_.wanted();
     switch (target_.phase()) {
       case HandTarget::Phase::kAsked:
       case HandTarget::Phase::kGoing:
-        std::snprintf(text, sizeof text, "%s hand to %.2f %.2f %.2f", side, at.x(), at.y(), at.z());
-        return text;
+        return formatted("%s hand to %.2f %.2f %.2f", side, at.x(), at.y(), at.z());
       case HandTarget::Phase::kRefused:
         return std::string(side) + (target_.refusal() == ArmPathStatus::kTimeLimit
                                         ? " hand: no planner answers"
@@ -395,7 +375,7 @@ void run(const Arguments& options) {
     const std::int64_t utime = wall_us();
     const Gamepad message = teleop.message(utime, now);
     node.send(channel::kGamepad, message);
-    requests.send(bus, utime);
+    requests.send(bus);
     arm.update(state, fresh, teleop);
     arm.send(bus, state, utime, monotonic_ns());
     if (cycle % kHeartbeatEvery == 0) {

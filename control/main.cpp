@@ -9,7 +9,6 @@
 #include <cstdio>
 #include <span>
 #include <string>
-#include <type_traits>
 
 #include "common/process/options.h"
 #include "control/loop/control_loop.h"

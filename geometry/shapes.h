@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <string>
+#include <vector>
 
 namespace twinbus {
 
@@ -28,5 +29,12 @@ struct Capsule {
   Eigen::Vector3d b = Eigen::Vector3d::Zero();
   double radius = 0.0;
 };
+
+// Along the axes; empty without points.
+inline Eigen::AlignedBox3d box_around(const std::vector<Eigen::Vector3d>& points) {
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& point : points) box.extend(point);
+  return box;
+}
 
 }  // namespace twinbus

@@ -1,35 +1,26 @@
 // What a plan says to people.
 
-#include <cstdio>
 #include <string>
 
+#include "common/text/formatted.h"
 #include "planner/arm_planner.h"
 
 namespace twinbus {
 
 std::string describe(const ArmPlan& plan) {
   const auto name = [&](std::size_t i) { return std::string(plan.touching[i].data()); };
-  char text[192] = "";
   switch (plan.status) {
     case ArmPathStatus::kOk:
       if (!(plan.clearance > 0.0)) {
-        std::snprintf(text, sizeof text,
-                      "arm path of %.2f s, %zu knots, that begins by taking what is held off what it stands on",
-                      plan.duration(), plan.path.size());
-        return text;
+        return formatted("arm path of %.2f s, %zu knots, that begins by taking what is held off what it stands on",
+                         plan.duration(), plan.path.size());
       }
-      std::snprintf(
-          text, sizeof text,
-          "arm path of %.2f s, %zu knots, %.0f mm clear of itself, %.0f mm of obstacles%s",
-          plan.duration(), plan.path.size(), 1e3 * plan.clearance,
-          1e3 * (plan.clearance + plan.padding),
-          plan.rounds == 0 ? ", straight" : ", around an obstacle");
-      return text;
+      return formatted("arm path of %.2f s, %zu knots, %.0f mm clear of itself, %.0f mm of obstacles%s", plan.duration(),
+                       plan.path.size(), 1e3 * plan.clearance, 1e3 * (plan.clearance + plan.padding),
+                       plan.rounds == 0 ? ", straight" : ", around an obstacle");
     case ArmPathStatus::kUnreachable:
-      std::snprintf(text, sizeof text,
-                    "out of reach by %.3f m: move the goal nearer%s", plan.miss,
-                    plan.oriented ? " or give up its orientation" : "");
-      return text;
+      return formatted("out of reach by %.3f m: move the goal nearer%s", plan.miss,
+                       plan.oriented ? " or give up its orientation" : "");
     case ArmPathStatus::kStartInCollision:
       return name(0) + " touches " + name(1) +
              " already: move the arm away with `pose` first";

@@ -4,10 +4,7 @@
 // planning is done by a worker.  Pieces of a path are sent a few times, because any datagram may be
 // lost.
 
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
-#include <string>
 #include <vector>
 
 #include "common/process/options.h"

@@ -21,7 +21,6 @@
 #include "python/simulation/robot_query.h"
 #include "python/simulation/simulation.h"
 #include "python/simulation/worlds.h"
-#include "robot/description/load.h"
 
 namespace nb = nanobind;
 using namespace twinbus;

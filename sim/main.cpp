@@ -1,7 +1,6 @@
 // The simulator process: a scene behind the adaptor interface, as a source of STATE.
 
 #include <cstdio>
-#include <stdexcept>
 
 #include "bridge/source/source_main.h"
 #include "robot/description/load.h"

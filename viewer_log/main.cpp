@@ -12,10 +12,10 @@
 #include <filesystem>
 #include <stdexcept>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 #include "lcmtypes/bus/node.h"
+#include "lcmtypes/bus/outgoing.h"
 #include "robot/description/load.h"
 #include "common/file/beside_program.h"
 #include "common/process/oom_priority.h"
@@ -26,7 +26,6 @@
 #include "lcmtypes/msg/state_admission.h"
 #include "viewer_log/view/frame.h"
 #include "viewer_log/view/log_button.h"
-#include "viewer_log/view/outgoing_main.h"
 #include "viewer_log/server/open_browser.h"
 #include "viewer_log/server/page_document.h"
 #include "viewer_log/server/page_inbox.h"

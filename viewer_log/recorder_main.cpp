@@ -14,6 +14,7 @@
 #include "common/process/options.h"
 #include "common/process/priority.h"
 #include "common/process/process.h"
+#include "common/text/formatted.h"
 #include "common/time/time_name.h"
 #include "lcmtypes/bus/node.h"
 #include "viewer_log/log/log_writer.h"
@@ -106,14 +107,10 @@ RecorderConfig config_of(const Arguments& a) {
 
 // "at most 10 GB, and at least the last 30 minutes"
 std::string limits_text(const RecorderConfig& config) {
-  char text[100];
   if (config.quota_bytes == 0) return "no limit";
-  std::snprintf(text, sizeof text, "at most %g GB", 1e-9 * static_cast<double>(config.quota_bytes));
-  std::string limits = text;
+  std::string limits = formatted("at most %g GB", 1e-9 * static_cast<double>(config.quota_bytes));
   if (config.keep_seconds > 0.0) {
-    std::snprintf(text, sizeof text, ", but always the last %g minutes",
-                  config.keep_seconds / 60.0);
-    limits += text;
+    limits += formatted(", but always the last %g minutes", config.keep_seconds / 60.0);
   }
   return limits;
 }

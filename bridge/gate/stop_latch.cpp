@@ -4,16 +4,11 @@ namespace twinbus {
 
 StopLatch::StopLatch(std::uint64_t seed) noexcept : random_(seed) { draw_nonce(); }
 
-// splitmix64, cut to a positive int32 that differs from the last.
+// A positive int32 that differs from the last.
 void StopLatch::draw_nonce() noexcept {
   const std::int32_t last = nonce;
-  do {
-    random_ += 0x9e3779b97f4a7c15ULL;
-    std::uint64_t x = random_;
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ULL;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111ebULL;
-    nonce = static_cast<std::int32_t>((x ^ (x >> 31)) & 0x7fffffffU);
-  } while (nonce == 0 || nonce == last);
+  do nonce = static_cast<std::int32_t>(random_.next() & 0x7fffffffU);
+  while (nonce == 0 || nonce == last);
 }
 
 bool StopLatch::stop(const StopRequest& request, RuleSet off) noexcept {

@@ -11,6 +11,7 @@
 #include <cstdint>
 
 #include "bridge/handover/rules.h"
+#include "common/math/splitmix64.h"
 #include "lcmtypes/msg/messages.h"
 
 namespace twinbus {
@@ -45,7 +46,7 @@ struct StopLatch {
     std::int32_t sequence = 0;
   };
   void draw_nonce() noexcept;
-  std::uint64_t random_;
+  SplitMix64 random_;
   std::array<Heard, 8> heard_{};
   unsigned next_ = 0;
 };

@@ -7,7 +7,6 @@
 
 #include <Eigen/Core>
 #include <array>
-#include <cstdint>
 
 #include "lcmtypes/msg/messages.h"
 #include "lcmtypes/msg/robot_io.h"

@@ -6,12 +6,14 @@
 #pragma once
 
 #include <cstdint>
-#include <cstdio>
 #include <cstring>
 #include <string>
 #include <string_view>
 #include <type_traits>
 #include <vector>
+
+#include "common/math/splitmix64.h"
+#include "common/text/formatted.h"
 
 namespace twinbus {
 
@@ -19,10 +21,7 @@ struct Fingerprint {
   std::uint64_t high = 0, low = 0;
   bool operator==(const Fingerprint&) const = default;
   std::string text() const {
-    char digits[33];
-    std::snprintf(digits, sizeof digits, "%016llx%016llx", static_cast<unsigned long long>(high),
-                  static_cast<unsigned long long>(low));
-    return digits;
+    return formatted("%016llx%016llx", static_cast<unsigned long long>(high), static_cast<unsigned long long>(low));
   }
 };
 
@@ -55,7 +54,7 @@ class FingerprintMaker {
     return add(
         std::string_view(reinterpret_cast<const char*>(items.data()), items.size() * sizeof(Item)));
   }
-  Fingerprint value() const { return {finish(high_ ^ low_ << 1), finish(low_ + high_)}; }
+  Fingerprint value() const { return {SplitMix64::mixed(high_ ^ low_ << 1), SplitMix64::mixed(low_ + high_)}; }
 
  private:
   void word(std::uint64_t w) {
@@ -63,11 +62,6 @@ class FingerprintMaker {
     high_ ^= high_ >> 32;
     low_ = (low_ + w) * 0xd6e8feb86659fd93U;
     low_ ^= low_ >> 29;
-  }
-  static std::uint64_t finish(std::uint64_t x) {
-    x = (x ^ x >> 30) * 0xbf58476d1ce4e5b9U;
-    x = (x ^ x >> 27) * 0x94d049bb133111ebU;
-    return x ^ x >> 31;
   }
 
   std::uint64_t high_ = 0x243f6a8885a308d3U, low_ = 0x13198a2e03707344U;

@@ -65,6 +65,10 @@ inline Eigen::Vector3d rpy_from_rotation(const Eigen::Matrix3d& r) noexcept {
 
 // Heading of a rotation: where its x axis points, seen from above [rad].
 inline double yaw_of(const Eigen::Matrix3d& r) noexcept { return std::atan2(r(1, 0), r(0, 0)); }
+// The same of a quaternion as messages have it.
+inline double yaw_of(const std::array<double, 4>& q) noexcept {
+  return std::atan2(2.0 * (q[0] * q[3] + q[1] * q[2]), 1.0 - 2.0 * (q[2] * q[2] + q[3] * q[3]));
+}
 
 // The same angle in (-pi, pi] [rad].
 inline double wrap_angle(double angle) noexcept {

@@ -7,19 +7,16 @@
 #include <cstdint>
 #include <numbers>
 
+#include "common/math/splitmix64.h"
+
 namespace twinbus {
 
 // xoshiro256** (Blackman and Vigna 2018), seeded by splitmix64.
 class Random {
  public:
   explicit Random(std::uint64_t seed) noexcept {
-    for (std::uint64_t& word : state_) {
-      seed += 0x9e3779b97f4a7c15ULL;
-      std::uint64_t z = seed;
-      z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
-      z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
-      word = z ^ (z >> 31);
-    }
+    SplitMix64 seeds(seed);
+    for (std::uint64_t& word : state_) word = seeds.next();
   }
 
   std::uint64_t next() noexcept {

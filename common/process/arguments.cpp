@@ -9,6 +9,7 @@
 
 #include "common/process/command_word.h"
 #include "common/text/closest_name.h"
+#include "common/text/formatted.h"
 
 namespace twinbus {
 
@@ -25,8 +26,7 @@ double number_of(const std::string& command, const std::string& name, const std:
   const double value = std::strtod(text.c_str(), &end);
   const bool whole = !text.empty() && *end == '\0' && std::isfinite(value);
   if (!(whole && value >= least && value <= most)) {
-    char range[96];
-    std::snprintf(range, sizeof range, "a number from %g to %g", least, most);
+    const std::string range = formatted("a number from %g to %g", least, most);
     throw UsageError(command + ": " + name + " must be " + range + ", got '" + text + "'");
   }
   return value;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "common/file/beside_program.h"
+#include "common/text/formatted.h"
 
 namespace twinbus {
 
@@ -28,15 +29,10 @@ std::string as_typed(std::string text) {
 }
 
 void print_typed(std::FILE* to, const char* format, ...) {
-  std::va_list arguments, again;
+  std::va_list arguments;
   va_start(arguments, format);
-  va_copy(again, arguments);
-  const int size = std::vsnprintf(nullptr, 0, format, arguments);
+  std::fputs(as_typed(formatted_list(format, arguments)).c_str(), to);
   va_end(arguments);
-  std::string text(size > 0 ? static_cast<std::size_t>(size) : 0, '\0');
-  std::vsnprintf(text.data(), text.size() + 1, format, again);
-  va_end(again);
-  std::fputs(as_typed(std::move(text)).c_str(), to);
 }
 
 }  // namespace twinbus

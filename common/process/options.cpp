@@ -4,89 +4,101 @@
 #include <charconv>
 #include <cstdio>
 #include <cstdlib>
-#include <sstream>
+#include <utility>
 
 #include "common/process/command_word.h"
 #include "common/text/closest_name.h"
+#include "common/text/formatted.h"
 #include "common/text/xml.h"
 
 namespace twinbus {
 
-namespace {
-
-std::string to_text(double value) {
-  std::ostringstream stream;
-  stream << value;
-  return stream.str();
-}
-
-}  // namespace
-
 Options::Options(std::string program, std::string summary)
     : program_(std::move(program)), summary_(std::move(summary)) {}
 
-Options::Entry& Options::add(Kind kind, const std::string& name, const std::string& value_name,
-                             void* variable, const std::string& help) {
-  return options_.emplace_back(kind, name, value_name, help, variable);
-}
-
 void Options::text(const std::string& name, const std::string& value_name, std::string& variable,
                    const std::string& help) {
-  add(Kind::kText, name, value_name, &variable, help).fallback = variable;
+  options_.push_back({name, value_name, help, variable, [&variable](const std::string& value) {
+                        variable = value;
+                        return std::string();
+                      }});
 }
 
 void Options::number(const std::string& name, const std::string& value_name, double& variable,
                      double low, double high, const std::string& help) {
-  Entry& entry = add(Kind::kNumber, name, value_name, &variable, help);
-  entry.low = low;
-  entry.high = high;
-  entry.fallback = to_text(variable);
+  options_.push_back({name, value_name, help, formatted("%g", variable), [&variable, low, high](const std::string& value) {
+                        double number = 0.0;
+                        if (!parse_numbers(value, &number, 1)) return value + " is not a finite number";
+                        if (!(number >= low && number <= high))
+                          return value + formatted(" is out of range, %g to %g", low, high);
+                        variable = number;
+                        return std::string();
+                      }});
 }
 
 void Options::integer(const std::string& name, const std::string& value_name,
                       std::int64_t& variable, std::int64_t low, std::int64_t high,
                       const std::string& help) {
-  Entry& entry = add(Kind::kInteger, name, value_name, &variable, help);
-  entry.integer_low = low;
-  entry.integer_high = high;
-  entry.fallback = std::to_string(variable);
+  options_.push_back({name, value_name, help, std::to_string(variable), [&variable, low, high](const std::string& value) {
+                        std::int64_t number = 0;
+                        const char* end = value.data() + value.size();
+                        const auto [at, fault] = std::from_chars(value.data(), end, number);
+                        if (fault != std::errc() || at != end) return value + " is not a whole number";
+                        if (number < low || number > high)
+                          return value + " is out of range, " + std::to_string(low) + " to " + std::to_string(high);
+                        variable = number;
+                        return std::string();
+                      }});
 }
 
 void Options::flag(const std::string& name, bool& variable, const std::string& help) {
-  add(Kind::kFlag, name, "", &variable, help);
+  options_.push_back({name, "", help, "", [&variable](const std::string&) {
+                        variable = true;
+                        return std::string();
+                      }});
 }
 
 void Options::settings(const std::string& name,
                        std::vector<std::pair<std::string, std::string>>& variable,
                        const std::string& help) {
-  add(Kind::kSettings, name, "KEY=VALUE", &variable, help);
+  options_.push_back({name, "KEY=VALUE", help, "", [&variable](const std::string& value) {
+                        const std::size_t equals = value.find('=');
+                        if (equals == std::string::npos || equals == 0) return value + " must be KEY=VALUE";
+                        variable.emplace_back(value.substr(0, equals), value.substr(equals + 1));
+                        return std::string();
+                      }});
 }
 
 void Options::choice(const std::string& name, const std::vector<std::string>& choices,
                      std::string& variable, const std::string& help) {
   std::string list;
   for (const std::string& known : choices) list += (list.empty() ? "" : "|") + known;
-  Entry& entry = add(Kind::kChoice, name, list, &variable, help);
-  entry.choices = choices;
-  entry.fallback = variable;
+  options_.push_back({name, list, help, variable, [&variable, choices](const std::string& value) {
+                        if (std::find(choices.begin(), choices.end(), value) == choices.end())
+                          return value + " is not known" + suggestion(value, choices);
+                        variable = value;
+                        return std::string();
+                      }});
 }
 
 void Options::alias(const std::string& name) { options_.back().aliases.push_back(name); }
 
-Options::Entry& Options::add_positional(Kind kind, const std::string& value_name, void* variable, const std::string& help) {
-  return positionals_.emplace_back(kind, "", value_name, help, variable);
-}
-
 void Options::positional(const std::string& value_name, std::string& variable, bool required,
                          const std::string& help) {
-  Entry& entry = add_positional(Kind::kText, value_name, &variable, help);
-  entry.fallback = variable;
-  entry.required = required;
+  positionals_.push_back({"", value_name, help, variable, [&variable](const std::string& value) {
+                            variable = value;
+                            return std::string();
+                          }});
+  positionals_.back().required = required;
 }
 
 void Options::rest(const std::string& value_name, std::vector<std::string>& variable,
                    const std::string& help) {
-  add_positional(Kind::kRest, value_name, &variable, help);
+  positionals_.push_back({"", value_name, help, "", [&variable](const std::string& value) {
+                            variable.push_back(value);
+                            return std::string();
+                          }});
+  positionals_.back().many = true;
 }
 
 Options::Entry* Options::find(const std::string& name) {
@@ -106,74 +118,17 @@ bool Options::given(const std::string& name) const {
   return false;
 }
 
-bool Options::assign(Entry& entry, const std::string& value, std::string& error) {
-  const std::string who = entry.name.empty() ? entry.value_name : entry.name;
-  entry.given = true;
-  switch (entry.kind) {
-    case Kind::kText:
-      *static_cast<std::string*>(entry.variable) = value;
-      return true;
-    case Kind::kRest:
-      static_cast<std::vector<std::string>*>(entry.variable)->push_back(value);
-      return true;
-    case Kind::kFlag:
-      *static_cast<bool*>(entry.variable) = true;
-      return true;
-    case Kind::kNumber: {
-      double number = 0.0;
-      if (!parse_numbers(value, &number, 1)) {
-        error = who + " " + value + " is not a finite number";
-        return false;
-      }
-      if (!(number >= entry.low && number <= entry.high)) {
-        error = who + " " + value + " is out of range, " + to_text(entry.low) + " to " +
-                to_text(entry.high);
-        return false;
-      }
-      *static_cast<double*>(entry.variable) = number;
-      return true;
-    }
-    case Kind::kInteger: {
-      std::int64_t number = 0;
-      const char* end = value.data() + value.size();
-      const auto [at, fault] = std::from_chars(value.data(), end, number);
-      if (fault != std::errc() || at != end) {
-        error = who + " " + value + " is not a whole number";
-        return false;
-      }
-      if (number < entry.integer_low || number > entry.integer_high) {
-        error = who + " " + value + " is out of range, " + std::to_string(entry.integer_low) +
-                " to " + std::to_string(entry.integer_high);
-        return false;
-      }
-      *static_cast<std::int64_t*>(entry.variable) = number;
-      return true;
-    }
-    case Kind::kSettings: {
-      const std::size_t equals = value.find('=');
-      if (equals == std::string::npos || equals == 0) {
-        error = who + " " + value + " must be KEY=VALUE";
-        return false;
-      }
-      static_cast<std::vector<std::pair<std::string, std::string>>*>(entry.variable)
-          ->emplace_back(value.substr(0, equals), value.substr(equals + 1));
-      return true;
-    }
-    case Kind::kChoice:
-      if (std::find(entry.choices.begin(), entry.choices.end(), value) == entry.choices.end()) {
-        error = who + " " + value + " is not known" + suggestion(value, entry.choices);
-        return false;
-      }
-      *static_cast<std::string*>(entry.variable) = value;
-      return true;
-  }
-  return false;
+std::string Options::Entry::assign(const std::string& value) {
+  given = true;
+  const std::string why = take(value);
+  return why.empty() ? why : (name.empty() ? value_name : name) + " " + why;
 }
 
 bool Options::try_parse(const std::vector<std::string>& arguments, std::string& error) {
+  error.clear();
   std::size_t next_positional = 0;
   bool only_positionals = false;
-  for (std::size_t i = 0; i < arguments.size(); ++i) {
+  for (std::size_t i = 0; i < arguments.size() && error.empty(); ++i) {
     const std::string& argument = arguments[i];
     if (!only_positionals && argument == "--") {
       only_positionals = true;
@@ -189,8 +144,8 @@ bool Options::try_parse(const std::vector<std::string>& arguments, std::string& 
         return false;
       }
       Entry& entry = positionals_[next_positional];
-      if (entry.kind != Kind::kRest) ++next_positional;
-      if (!assign(entry, argument, error)) return false;
+      if (!entry.many) ++next_positional;
+      error = entry.assign(argument);
       continue;
     }
     const std::size_t equals = argument.find('=');
@@ -202,30 +157,28 @@ bool Options::try_parse(const std::vector<std::string>& arguments, std::string& 
       error = "option " + name + " is not known" + suggestion(name, known);
       return false;
     }
+    const bool flag = entry->value_name.empty();
     std::string value;
     if (equals != std::string::npos) {
-      if (entry->kind == Kind::kFlag) {
+      if (flag) {
         error = "option " + name + " takes no value";
         return false;
       }
       value = argument.substr(equals + 1);
-    } else if (entry->kind != Kind::kFlag) {
+    } else if (!flag) {
       if (i + 1 >= arguments.size() || arguments[i + 1].starts_with("--")) {  // another option is no value
         error = "option " + name + " needs a value, " + entry->value_name;
         return false;
       }
       value = arguments[++i];
     }
-    if (!assign(*entry, value, error)) return false;
+    error = entry->assign(value);
   }
-  for (; next_positional < positionals_.size(); ++next_positional) {
+  for (; error.empty() && next_positional < positionals_.size(); ++next_positional) {
     const Entry& entry = positionals_[next_positional];
-    if (entry.required) {
-      error = entry.value_name + " is missing: " + entry.help;
-      return false;
-    }
+    if (entry.required) error = entry.value_name + " is missing: " + entry.help;
   }
-  return true;
+  return error.empty();
 }
 
 void Options::parse(int argc, char** argv) {
@@ -245,7 +198,7 @@ std::string Options::help() const {
   const char* command = std::getenv("TWINBUS_COMMAND");
   std::string text = "usage: " + (command != nullptr ? std::string(command) : program_);
   for (const Entry& entry : positionals_) {
-    const std::string name = entry.value_name + (entry.kind == Kind::kRest ? "..." : "");
+    const std::string name = entry.value_name + (entry.many ? "..." : "");
     text += entry.required ? " " + name : " [" + name + "]";
   }
   text += " [OPTION...]\n" + summary_ + "\n";
@@ -263,12 +216,9 @@ std::string Options::help() const {
   return as_typed(text + "Exit status: 0 done, 1 failed, 2 wrong arguments.\n");
 }
 
-namespace {
-const char* project_url() { return "udpm://239.255.76.67:17667?ttl=0&recv_buf_size=4194304"; }
-}  // namespace
-
-CommonOptions::CommonOptions() : url(project_url()) {
-  if (const char* set = std::getenv("LCM_DEFAULT_URL"); set != nullptr && *set != '\0') url = set;
+std::string default_url() {
+  const char* url = std::getenv("LCM_DEFAULT_URL");
+  return url != nullptr && *url != '\0' ? url : "udpm://239.255.76.67:17667?ttl=0&recv_buf_size=4194304";
 }
 
 void add_common(Options& options, CommonOptions& common) {

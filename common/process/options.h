@@ -10,6 +10,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -54,37 +55,32 @@ class Options {
   std::string help() const;
 
  private:
-  enum class Kind { kText, kNumber, kInteger, kFlag, kSettings, kChoice, kRest };
+  // Takes a value into a variable; answers with what is wrong with it, or nothing.
+  using Take = std::function<std::string(const std::string& value)>;
   struct Entry {
-    Entry(Kind what, const std::string& option, const std::string& value, const std::string& about, void* target)
-        : kind(what), name(option), value_name(value), help(about), variable(target) {}
-    Kind kind;
     std::string name, value_name, help, fallback;
-    void* variable;
-    double low = 0.0, high = 0.0;
-    std::int64_t integer_low = 0, integer_high = 0;
-    std::vector<std::string> choices, aliases;
-    bool required = false, given = false;
+    Take take;
+    std::vector<std::string> aliases = {};
+    bool required = false, many = false, given = false;
+    std::string assign(const std::string& value);  // what is wrong, or nothing
   };
   Entry* find(const std::string& name);
-  static bool assign(Entry& entry, const std::string& value, std::string& error);
-  Entry& add(Kind kind, const std::string& name, const std::string& value_name, void* variable,
-             const std::string& help);
-  Entry& add_positional(Kind kind, const std::string& value_name, void* variable, const std::string& help);
 
   std::string program_, summary_;
   std::vector<Entry> options_, positionals_;
   bool help_asked_ = false;
 };
 
+// Of the bus: $LCM_DEFAULT_URL, or this project's own port, this machine only.
+std::string default_url();
+
 // What every process of the stack takes.
 struct CommonOptions {
   std::string robot = "hrp1s";  // name or folder
   std::string prefix;           // before every channel
-  std::string url;              // $LCM_DEFAULT_URL, else the project's own port, this machine only
+  std::string url = default_url();
   std::string allow;            // IPv4 addresses of other machines that may send to us, by commas
   std::int64_t id = 0;          // 0: draw a random one
-  CommonOptions();
 };
 
 void add_common(Options& options, CommonOptions& common);

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <set>
 #include <sstream>
-#include <stdexcept>
 
 #include "common/text/closest_name.h"
 #include "common/text/printable.h"

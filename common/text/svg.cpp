@@ -1,36 +1,18 @@
 #include "common/text/svg.h"
 
 #include <cmath>
-#include <cstdio>
+
+#include "common/text/formatted.h"
+#include "common/text/xml.h"
 
 namespace twinbus {
 
-namespace {
-
-std::string safe(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '<') {
-      out += "&lt;";
-    } else if (c == '&') {
-      out += "&amp;";
-    } else {
-      out += c;
-    }
-  }
-  return out;
-}
-
-}  // namespace
-
 std::string svg_number(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", x);
-  return text;
+  return formatted("%.6g", x);
 }
 
 std::string svg_text(double x, double y, const std::string& text, const std::string& more) {
-  return "<text x=\"" + svg_number(x) + "\" y=\"" + svg_number(y) + "\" " + more + ">" + safe(text) + "</text>\n";
+  return "<text x=\"" + svg_number(x) + "\" y=\"" + svg_number(y) + "\" " + more + ">" + xml_escaped(text) + "</text>\n";
 }
 
 std::string svg_line(double x1, double y1, double x2, double y2, const std::string& more) {

@@ -8,7 +8,9 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <new>
+#include <utility>
 
 #include "common/text/printable.h"
 
@@ -174,36 +176,6 @@ class TreeBuilder {
   bool started_ = false;
 };
 
-void append_quoted(const std::string& value, std::string& text) {
-  for (const char c : value) {
-    switch (c) {
-      case '&':
-        text += "&amp;";
-        break;
-      case '<':
-        text += "&lt;";
-        break;
-      case '>':
-        text += "&gt;";
-        break;
-      case '"':
-        text += "&quot;";
-        break;
-      case '\t':
-        text += "&#9;";
-        break;
-      case '\n':
-        text += "&#10;";
-        break;
-      case '\r':
-        text += "&#13;";
-        break;
-      default:
-        text += c;
-    }
-  }
-}
-
 }  // namespace
 
 XmlElement parse_xml(const std::string& text, const std::string& file) {
@@ -213,15 +185,24 @@ XmlElement parse_xml(const std::string& text, const std::string& file) {
   return TreeBuilder(file).parse(text);
 }
 
+std::string xml_escaped(const std::string& text) {
+  static constexpr std::pair<char, const char*> kNames[] = {{'&', "&amp;"},  {'<', "&lt;"},   {'>', "&gt;"},  {'"', "&quot;"},
+                                                            {'\t', "&#9;"}, {'\n', "&#10;"}, {'\r', "&#13;"}};
+  std::string out;
+  for (const char c : text) {
+    const auto* name = std::find_if(std::begin(kNames), std::end(kNames), [&](const auto& one) { return one.first == c; });
+    if (name == std::end(kNames)) out += c;
+    else out += name->second;
+  }
+  return out;
+}
+
 void append_xml(const XmlElement& element, std::string& text) {
   text += '<' + element.name;
   for (const auto& [name, value] : element.attributes) {
-    text += ' ' + name + "=\"";
-    append_quoted(value, text);
-    text += '"';
+    text += ' ' + name + "=\"" + xml_escaped(value) + '"';
   }
-  text += '>';
-  append_quoted(element.text, text);
+  text += '>' + xml_escaped(element.text);
   for (const XmlElement& child : element.children) append_xml(child, text);
   text += "</" + element.name + '>';
 }

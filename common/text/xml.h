@@ -4,7 +4,6 @@
 
 #pragma once
 
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
@@ -38,6 +37,9 @@ std::string read_file(const std::string& path);
 // The root element.  Throws, naming file and line, unless the text is well-formed XML without a document type that declares
 // anything and without tags nested deeper than kMaxXmlDepth.
 XmlElement parse_xml(const std::string& text, const std::string& file);
+
+// As it stands in an attribute, or between tags.
+std::string xml_escaped(const std::string& text);
 
 // Appends the element as XML: what parse_xml reads from it is equal but for the lines.
 void append_xml(const XmlElement& element, std::string& text);

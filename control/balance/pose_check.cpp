@@ -1,7 +1,6 @@
 #include "control/balance/pose_check.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "control/balance/straight_way.h"

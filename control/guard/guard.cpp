@@ -1,7 +1,6 @@
 #include "control/guard/guard.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdio>

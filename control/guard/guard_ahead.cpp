@@ -2,7 +2,6 @@
 // joints bring it there, and what is free once these are held.
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "control/guard/guard_parts.h"

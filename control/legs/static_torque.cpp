@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "common/math/pose_math.h"
+
 namespace twinbus {
 
 StaticTorque::StaticTorque(const Model& model)
@@ -29,7 +31,7 @@ void StaticTorque::solve(const Estimator& estimator, const Eigen::VectorXd& q,
       frame[s] = kinematics_.link_in_world(sole.link) * sole.frame;
       const Eigen::Isometry3d in_ground = world_in_ground * frame[s];
       soles[s] = {.position = in_ground.translation().head<2>(),
-                  .yaw = std::atan2(in_ground.linear()(1, 0), in_ground.linear()(0, 0)),
+                  .yaw = yaw_of(in_ground.linear()),
                   .front = sole.front,
                   .back = sole.back,
                   .left = sole.left,

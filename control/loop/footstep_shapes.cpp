@@ -1,7 +1,6 @@
 #include "control/loop/footstep_shapes.h"
 
 #include <array>
-#include <cmath>
 
 #include "lcmtypes/msg/obstacle_row.h"
 

@@ -1,8 +1,5 @@
 #include "control/loop/mask_brake.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "robot/kinematics/brake.h"
 
 namespace twinbus {

@@ -1,7 +1,5 @@
 #include "control/loop/mode_queue.h"
 
-#include <algorithm>
-
 namespace twinbus {
 
 bool ModeQueue::add(const ModeRequest& request, std::int64_t run_id) noexcept {

@@ -2,7 +2,6 @@
 
 #include "control/loop/modes.h"
 
-#include <cmath>
 #include <utility>
 
 #include "common/math/index.h"

@@ -6,7 +6,6 @@
 
 #include <array>
 #include <cstdint>
-#include <memory>
 
 #include "robot/collision/collision.h"
 #include "robot/description/model.h"

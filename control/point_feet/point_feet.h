@@ -11,7 +11,6 @@
 
 #include <Eigen/Geometry>
 #include <array>
-#include <vector>
 
 #include "control/balance/com_motion.h"
 #include "control/legs/behavior.h"

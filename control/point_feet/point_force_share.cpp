@@ -1,7 +1,6 @@
 #include "control/point_feet/point_force_share.h"
 
 #include <Eigen/Cholesky>
-#include <algorithm>
 
 #include "common/math/pose_math.h"
 

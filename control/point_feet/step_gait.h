@@ -14,7 +14,6 @@
 
 #pragma once
 
-#include <array>
 #include <cmath>
 
 #include "control/point_feet/point_feet_body.h"

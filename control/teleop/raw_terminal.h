@@ -7,7 +7,6 @@
 #include <termios.h>
 
 #include <array>
-#include <cstddef>
 
 namespace twinbus {
 

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "common/text/formatted.h"
 #include "lcmtypes/msg/motion_defaults.h"
 
 namespace twinbus {
@@ -134,9 +135,7 @@ void zero_axes(Gamepad& gamepad) {
 }
 
 void append_row(std::string& text, const char* control, const char* effect) {
-  char line[160];
-  std::snprintf(line, sizeof line, "  %-28s %s\n", control, effect);
-  text += line;
+  text += formatted("  %-28s %s\n", control, effect);
 }
 
 }  // namespace
@@ -345,10 +344,8 @@ std::string cheat_sheet(bool keyboard) {
     append_row(text, "W S A D, with shift",
                "hand 20 mm forward, back, left, right, around everything");
     append_row(text, "I K, with shift", "hand 20 mm up, down; x stops it");
-    char line[120];
-    std::snprintf(line, sizeof line, "  %-28s %s\n", "no key for 30 s",
-                  "counts as letting go, as does closing the terminal");
-    return text + line;
+    append_row(text, "no key for 30 s", "counts as letting go, as does closing the terminal");
+    return text;
   }
   text += "gamepad (names as on an Xbox pad)\n";
   for (const ButtonRow& row : kButtons) append_row(text, row.control, row.effect);

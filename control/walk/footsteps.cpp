@@ -165,12 +165,12 @@ Gait gait_of(const Model& model, const Walking& w, double margin) {
   g.sole_low = {-left.back + margin, -std::min(inner, outer) + margin};
   g.sole_high = {left.front - margin, std::min(inner, outer) - margin};
   // A leg that cannot turn its sole about an axis holds no zero-moment point off it.
-  if (const int free = free_axis(model, 0); free == 0) {
-    g.leans = true;
+  g.leans = leans(model);
+  if (g.leans) {
     g.zmp_inward = -kLeanShare * std::min(inner, outer);
     g.sole_low.y() = g.zmp_inward;
     g.sole_high.y() = -g.zmp_inward;
-  } else if (free == 1) {
+  } else if (free_axis(model, 0) == 1) {
     g.sole_low.x() = g.sole_high.x() = g.zmp_forward = 0.0;
   }
   const double period = g.period();

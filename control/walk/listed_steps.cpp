@@ -1,6 +1,5 @@
 #include "control/walk/listed_steps.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "common/math/pose_math.h"

@@ -1,7 +1,6 @@
 #include "control/walk/walk_stabilizer.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "common/math/index.h"
 #include "robot/stop_plan/sole_share.h"

@@ -9,7 +9,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
 
 #include "control/walk/walk_gains.h"
 #include "control/walk/walk_pattern.h"

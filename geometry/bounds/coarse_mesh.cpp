@@ -9,6 +9,7 @@
 
 #include "geometry/bounds/convex_hull.h"
 #include "common/math/index.h"
+#include "geometry/shapes.h"
 #include "common/simd/vec4.h"
 
 namespace twinbus {
@@ -233,13 +234,8 @@ TriangleMesh widened(const TriangleMesh& hull, const std::vector<double>& above,
 std::optional<TriangleMesh> coarse_hull(const TriangleMesh& mesh) {
   if (mesh.triangles.size() <= at(kFineTriangles)) return std::nullopt;
   const Cloud points(mesh.points);
-  Vector3d low = mesh.points.front(), high = low;
-  for (const Vector3d& point : mesh.points) {
-    low = low.cwiseMin(point);
-    high = high.cwiseMax(point);
-  }
   // As seen in a box of equal edges, so that long things get as many corners at their ends.
-  const Vector3d edge = (high - low).cwiseMax(1e-3 * (high - low).maxCoeff());
+  const Vector3d size = box_around(mesh.points).sizes(), edge = size.cwiseMax(1e-3 * size.maxCoeff());
   if (!(edge.minCoeff() > 0.0)) return std::nullopt;
   std::vector<Vector3d> chosen;
   for (int i = 0; i < kHullDirections; ++i) {

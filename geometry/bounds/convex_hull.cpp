@@ -6,6 +6,7 @@
 #include <map>
 
 #include "common/math/index.h"
+#include "geometry/shapes.h"
 
 namespace twinbus {
 
@@ -252,18 +253,14 @@ TriangleMesh convex_hull(const std::vector<Vector3d>& points) {
   TriangleMesh all;
   all.points = points;
   if (points.empty()) return all;
-  Vector3d low = points.front(), high = low;
-  for (const Vector3d& p : points) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  const double extent = (high - low).norm();
+  const Eigen::AlignedBox3d box = box_around(points);
+  const double extent = box.sizes().norm();
   // What rounding leaves undecided at one tolerance, a coarser one decides.
   for (const double tolerance : {1e-9, 1e-8, 1e-7, 1e-6}) {
     Builder builder(points, tolerance * extent);
     if (builder.build() && builder.holds_all(3.0 * tolerance * extent)) return builder.mesh();
   }
-  Builder exact(points, low, extent);
+  Builder exact(points, box.min(), extent);
   if (extent > 0.0 && exact.build()) return exact.mesh();
   return all;
 }

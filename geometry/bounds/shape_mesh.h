@@ -2,8 +2,6 @@
 
 #pragma once
 
-#include <vector>
-
 #include "geometry/mesh/mesh_file.h"
 #include "geometry/shapes.h"
 

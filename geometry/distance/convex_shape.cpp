@@ -1,6 +1,5 @@
 #include "geometry/distance/convex_shape.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace twinbus {

@@ -10,7 +10,6 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <span>
 #include <vector>
 
 #include "common/simd/instruction_set.h"

@@ -9,7 +9,6 @@
 
 #include <Eigen/Geometry>
 #include <memory>
-#include <vector>
 
 #include "geometry/distance/gjk.h"
 #include "geometry/mesh/mesh_file.h"

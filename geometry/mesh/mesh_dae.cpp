@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <charconv>
 #include <map>
-#include <stdexcept>
 
 #include "geometry/mesh/mesh_file.h"
 #include "common/text/xml.h"

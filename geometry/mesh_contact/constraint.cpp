@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "common/math/index.h"
 
 namespace twinbus {
 

@@ -1,10 +1,10 @@
 #include "launcher/bus/bus_health.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <cstring>
 
 #include "common/process/command_word.h"
+#include "common/text/formatted.h"
 #include "lcmtypes/bus/wire.h"
 
 namespace twinbus {
@@ -38,11 +38,8 @@ bool never_ends(const char* channel) {
 
 std::string sentence(const Heartbeat& beat, std::size_t row, std::int64_t count,
                      const char* what) {
-  char text[160];
-  std::snprintf(text, sizeof text, "%s (pid %d): %lld messages on %s %s in the last second",
-                process_name(beat.kind), beat.pid, static_cast<long long>(count),
-                heard_channel(beat, row), what);
-  return text;
+  return formatted("%s (pid %d): %lld messages on %s %s in the last second", process_name(beat.kind), beat.pid,
+                   static_cast<long long>(count), heard_channel(beat, row), what);
 }
 
 }  // namespace
@@ -69,10 +66,8 @@ std::vector<std::string> BusHealth::look(const std::vector<const SeenProcess*>& 
       const bool silent =
           !own_clock && row.busy && beat.channel_age_ms[i] > kSilence_ms && never_ends(heard_channel(beat, i));
       if (silent && !row.silent && may_tell) {
-        char text[160];
-        std::snprintf(text, sizeof text, "%s (pid %d) hears nothing on %s any more",
-                      process_name(beat.kind), beat.pid, heard_channel(beat, i));
-        alarms.emplace_back(text);
+        alarms.push_back(formatted("%s (pid %d) hears nothing on %s any more", process_name(beat.kind), beat.pid,
+                                   heard_channel(beat, i)));
       }
       row.silent = silent;
       if (row.looked_ns == 0 || now_ns - row.looked_ns >= kEvery) {
@@ -105,13 +100,10 @@ std::vector<std::string> channel_lines(const std::vector<const SeenProcess*>& pr
     const Heartbeat& b = process->beat;
     for (std::size_t i = 0; i < static_cast<std::size_t>(b.channels); ++i) {
       if (b.channel_received[i] == 0 && b.channel_rejected[i] == 0) continue;
-      char line[160];
-      std::snprintf(line, sizeof line, "%-10s %-18s %9d %9.1f %9.0f %8d %8d %8d",
-                    process_name(b.kind), heard_channel(b, i), b.channel_received[i],
-                    static_cast<double>(b.channel_age_ms[i]),
-                    static_cast<double>(b.channel_jitter_us[i]), b.channel_lost[i],
-                    b.channel_repeated[i], b.channel_rejected[i]);
-      lines.emplace_back(line);
+      lines.push_back(formatted("%-10s %-18s %9d %9.1f %9.0f %8d %8d %8d", process_name(b.kind), heard_channel(b, i),
+                                b.channel_received[i], static_cast<double>(b.channel_age_ms[i]),
+                                static_cast<double>(b.channel_jitter_us[i]), b.channel_lost[i], b.channel_repeated[i],
+                                b.channel_rejected[i]));
     }
   }
   for (const char* line : {"since each process began; lost: numbers that never came, repeated: sent again on purpose,",

@@ -1,10 +1,10 @@
 #include "launcher/bus/live_table.h"
 
-#include <cstdarg>
 #include <cstdio>
 #include <utility>
 
 #include "common/process/command_word.h"
+#include "common/text/formatted.h"
 #include "lcmtypes/msg/labels.h"
 #include "lcmtypes/msg/pace.h"
 #include "lcmtypes/msg/status.h"
@@ -13,28 +13,19 @@ namespace twinbus {
 
 namespace {
 
-__attribute__((format(printf, 1, 2))) std::string line_of(const char* format, ...) {
-  char text[160];
-  std::va_list arguments;
-  va_start(arguments, format);
-  std::vsnprintf(text, sizeof text, format, arguments);
-  va_end(arguments);
-  return text;
-}
-
 std::string age_text(double seconds) {
   if (seconds > 1e6) return "never";
-  return seconds < 1.0 ? line_of("%.1f ms", 1e3 * seconds) : line_of("%.1f s", seconds);
+  return seconds < 1.0 ? formatted("%.1f ms", 1e3 * seconds) : formatted("%.1f s", seconds);
 }
 
 std::string stream_line(const char* name, const Meter& meter, std::int64_t now_ns) {
-  return line_of("  %-10s %7.1f %9s %7lld", name, meter.rate(now_ns),
-                 age_text(meter.age(now_ns)).c_str(), static_cast<long long>(meter.lost()));
+  return formatted("  %-10s %7.1f %9s %7lld", name, meter.rate(now_ns),
+                   age_text(meter.age(now_ns)).c_str(), static_cast<long long>(meter.lost()));
 }
 
 std::string source_line(const SeenSource& source, std::int64_t now_ns) {
   const SourceStatus& s = source.status;
-  std::string line = line_of(
+  std::string line = formatted(
       "  %-10s %7.1f %9s %5d %8lld %6lld %9lld", source_name(s.source), source.states.rate(now_ns),
       label(s.role), s.term, static_cast<long long>(s.ticks_missed),
       static_cast<long long>(s.commands_late), static_cast<long long>(s.commands_rejected));
@@ -53,14 +44,14 @@ bool has_ticks(ProcessKind kind) {
 
 std::string process_line(const SeenProcess& process, double cpu) {
   const Heartbeat& b = process.beat;
-  std::string line = line_of("  %-10s %7.1f %9d %5.0f", process_name(b.kind),
-                             static_cast<double>(b.rate), b.pid, 1e2 * cpu);
+  std::string line = formatted("  %-10s %7.1f %9d %5.0f", process_name(b.kind),
+                               static_cast<double>(b.rate), b.pid, 1e2 * cpu);
   if (!has_ticks(b.kind)) return line;
-  return line + line_of(" %8lld %6.0f %6.0f %6.0f %6lld  %s",
-                        static_cast<long long>(b.ticks_missed),
-                        static_cast<double>(b.tick_median_us), static_cast<double>(b.tick_p99_us),
-                        static_cast<double>(b.tick_max_us), static_cast<long long>(b.allocations),
-                        realtime_name(b.realtime));
+  return line + formatted(" %8lld %6.0f %6.0f %6.0f %6lld  %s",
+                          static_cast<long long>(b.ticks_missed),
+                          static_cast<double>(b.tick_median_us), static_cast<double>(b.tick_p99_us),
+                          static_cast<double>(b.tick_max_us), static_cast<long long>(b.allocations),
+                          realtime_name(b.realtime));
 }
 
 const char* guard_word(const Lookout& seen, std::int64_t now_ns) {
@@ -72,7 +63,7 @@ const char* guard_word(const Lookout& seen, std::int64_t now_ns) {
 std::string pace_text(const Lookout& seen, std::int64_t now_ns) {
   const SeenSource* active = seen.active(now_ns);
   if (active == nullptr || !has_pace(active->status, Pace::kPatient) || !(seen.figures().realtime_factor > 0.0)) return "";
-  return line_of(", %.2f times real time", seen.figures().realtime_factor);
+  return formatted(", %.2f times real time", seen.figures().realtime_factor);
 }
 
 using Lines = std::vector<std::string>;
@@ -99,9 +90,9 @@ void add_robot(const Lookout& seen, std::int64_t now_ns, Lines& lines) {
   if (!(seen.controller_statuses().age(now_ns) < 1.0)) return;
   const ControllerStatus& c = seen.controller();
   const std::string motion = motion_text(c);
-  lines.push_back(line_of("robot: mode %s%s%s, ZMP margin %.1f mm, guard %s", label(c.mode),
-                          motion.empty() ? "" : ", ", motion.c_str(),
-                          1e3 * static_cast<double>(c.zmp_margin), guard_word(seen, now_ns)) +
+  lines.push_back(formatted("robot: mode %s%s%s, ZMP margin %.1f mm, guard %s", label(c.mode),
+                            motion.empty() ? "" : ", ", motion.c_str(),
+                            1e3 * static_cast<double>(c.zmp_margin), guard_word(seen, now_ns)) +
                   pace_text(seen, now_ns));
 }
 
@@ -111,10 +102,10 @@ void add_timing(const Lookout& seen, std::int64_t now_ns, Lines& lines) {
     const Heartbeat& b = process->beat;
     if (active == nullptr || active->status.run_id != b.process_id || !(b.age_us > 0.0F)) continue;
     lines.push_back(
-        line_of("STATE to COMMAND: median %.0f us, 99 %% within %.0f us; machine stood still for "
-                "%lld of the missed",
-                static_cast<double>(b.age_us), static_cast<double>(b.age_p99_us),
-                static_cast<long long>(b.ticks_stalled)));
+        formatted("STATE to COMMAND: median %.0f us, 99 %% within %.0f us; machine stood still for "
+                  "%lld of the missed",
+                  static_cast<double>(b.age_us), static_cast<double>(b.age_p99_us),
+                  static_cast<long long>(b.ticks_stalled)));
   }
 }
 
@@ -138,12 +129,12 @@ std::vector<std::string> acting_lines(const Lookout& seen, std::int64_t now_ns) 
   for (const SeenSource* source : sources) {
     const SourceStatus& s = source->status;
     if (s.stop_kind != StopKind::kNone && !fell)
-      lines.push_back(line_of("%s is stopped (%s) by %s: ./twinbus clear ends that",
-                              source == active ? "the robot" : source_name(s.source), label(s.stop_kind),
-                              label(s.stop_reason)));
+      lines.push_back(formatted("%s is stopped (%s) by %s: ./twinbus clear ends that",
+                                source == active ? "the robot" : source_name(s.source), label(s.stop_kind),
+                                label(s.stop_reason)));
     if (s.adaptor_status != 0)
-      lines.push_back(line_of("the device of the %s fails: %s", source_name(s.source),
-                              to_text(static_cast<Status>(s.adaptor_status))));
+      lines.push_back(formatted("the device of the %s fails: %s", source_name(s.source),
+                                to_text(static_cast<Status>(s.adaptor_status))));
   }
   if (active != nullptr && !has_own_clock(seen, now_ns) && seen.command().age(now_ns) > 1.0)
     lines.push_back("nobody commands the robot: ./twinbus restart controller, or start one of your own");
@@ -176,14 +167,14 @@ std::vector<std::string> short_lines(const Lookout& seen, CpuShare& shares, std:
 
 std::string summary_line(const Lookout& seen, std::int64_t now_ns) {
   const SeenSource* active = seen.active(now_ns);
-  return line_of("STATE %.1f Hz (%s, term %d, %s), COMMAND %.1f Hz, missed %lld, mode %s%s",
-                 seen.state().rate(now_ns),
-                 active == nullptr ? "no source" : source_name(active->status.source),
-                 active == nullptr ? 0 : active->status.term,
-                 active == nullptr ? "-" : label(active->status.role),
-                 seen.command().rate(now_ns),
-                 active == nullptr ? 0LL : static_cast<long long>(active->status.ticks_missed),
-                 label(seen.controller().mode), seen.figures().fell ? ", FELL" : "") +
+  return formatted("STATE %.1f Hz (%s, term %d, %s), COMMAND %.1f Hz, missed %lld, mode %s%s",
+                   seen.state().rate(now_ns),
+                   active == nullptr ? "no source" : source_name(active->status.source),
+                   active == nullptr ? 0 : active->status.term,
+                   active == nullptr ? "-" : label(active->status.role),
+                   seen.command().rate(now_ns),
+                   active == nullptr ? 0LL : static_cast<long long>(active->status.ticks_missed),
+                   label(seen.controller().mode), seen.figures().fell ? ", FELL" : "") +
          pace_text(seen, now_ns);
 }
 

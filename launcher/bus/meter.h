@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "lcmtypes/bus/even_steps.h"
+#include "lcmtypes/bus/missing_messages.h"
 
 namespace twinbus {
 
@@ -20,7 +20,7 @@ class Meter {
     if (received_ == 0) {
       first_ns_ = window_ns_ = now_ns;
     } else {
-      lost_ += steps_.missing(tick - last_tick_);
+      lost_ += missing_.after(tick - last_tick_);
     }
     ++received_;
     ++in_window_;
@@ -64,7 +64,7 @@ class Meter {
   std::int64_t last_tick_ = 0;
   std::int64_t first_ns_ = 0, last_ns_ = 0;
   std::int64_t window_ns_ = 0, in_window_ = 0;
-  EvenSteps steps_;
+  MissingMessages missing_;
   double rate_ = 0.0;
 };
 

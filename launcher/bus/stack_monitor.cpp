@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "common/math/pose_math.h"
 #include "common/text/printable.h"
 #include "lcmtypes/msg/pace.h"
 
@@ -25,10 +26,6 @@ double age(std::int64_t heard_ns, std::int64_t now_ns) {
 double tilt_of(const std::array<double, 4>& q) {
   const double up = 1.0 - 2.0 * (q[1] * q[1] + q[2] * q[2]);
   return std::acos(std::clamp(up, -1.0, 1.0));
-}
-
-double yaw_of(const std::array<double, 4>& q) {
-  return std::atan2(2.0 * (q[0] * q[3] + q[1] * q[2]), 1.0 - 2.0 * (q[2] * q[2] + q[3] * q[3]));
 }
 
 const char* word(int index, std::initializer_list<const char*> words) {

@@ -11,7 +11,7 @@
 namespace twinbus {
 
 int check_cells(const Model& model) {
-  const RobotGeometry geometry = build_geometry(model, {.balls = false});
+  const RobotGeometry geometry = build_geometry(model);
   SelfCollision check(model, geometry);
   const auto pairs = static_cast<int>(check.pairs().size());
   const std::int64_t begin = monotonic_ns();

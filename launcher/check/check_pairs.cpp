@@ -32,7 +32,7 @@ void print_posture(const Model& model, const PairVerdict& v) {
 }  // namespace
 
 int check_pairs(const Model& model, const std::string& file) {
-  const RobotGeometry geometry = build_geometry(model, {.balls = false});
+  const RobotGeometry geometry = build_geometry(model);
   const std::vector<PairVerdict> verdicts = judge_pairs(model, geometry);
   int count[5] = {};
   int unsound = 0;

@@ -1,10 +1,10 @@
 #include "launcher/check/subject.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <stdexcept>
 
+#include "common/text/formatted.h"
 #include "common/text/xml.h"
 #include "robot/description/load.h"
 #include "robot/description/urdf.h"
@@ -48,15 +48,14 @@ std::string urdf_of_mjcf(const std::string& file, ProposalSource& source) {
 std::string likely_cause(const CheckSubject& subject) {
   constexpr double kHeavy = 1000.0;  // [kg]
   const bool as_given = !subject.mjcf && subject.mended.empty();  // lines are those of the file
-  char text[60];
   const UrdfTree tree = parse_urdf(subject.text, subject.urdf,
                                    {.folder = fs::path(subject.urdf).parent_path().string(),
                                     .packages = subject.source.packages});
   const auto lighter = [](const UrdfLink& a, const UrdfLink& b) { return a.mass < b.mass; };
   const auto heaviest = std::max_element(tree.links.begin(), tree.links.end(), lighter);
   if (heaviest != tree.links.end() && heaviest->mass > kHeavy) {
-    std::snprintf(text, sizeof text, "%.3g kg", heaviest->mass);
-    return "; look at " + subject.urdf + (as_given ? ":" + std::to_string(heaviest->line) : "") + ": link " + heaviest->name + " weighs " + text;
+    return "; look at " + subject.urdf + (as_given ? ":" + std::to_string(heaviest->line) : "") + ": link " + heaviest->name +
+           formatted(" weighs %.3g kg", heaviest->mass);
   }
   const UrdfJoint* farthest = nullptr;
   for (const UrdfJoint& joint : tree.joints) {
@@ -65,10 +64,9 @@ std::string likely_cause(const CheckSubject& subject) {
       farthest = &joint;
   }
   if (farthest == nullptr) return "";
-  std::snprintf(text, sizeof text, "%.3g m", farthest->origin.translation().norm());
   const std::string line = as_given ? ":" + std::to_string(farthest->line) : "";
-  return "; look at " + subject.urdf + line + ": joint " + farthest->name + " is the farthest from its parent, " +
-         text;
+  return "; look at " + subject.urdf + line + ": joint " + farthest->name + " is the farthest from its parent" +
+         formatted(", %.3g m", farthest->origin.translation().norm());
 }
 
 // A robot on a fixed base that reaches below it: the ground of a scene would be in its trunk or its arms.
@@ -83,8 +81,7 @@ void raise_base(CheckSubject& subject) {
   subject.text =
       with_root_above(subject.text, subject.repaired.links.front().name, name, raised, "the ground is at z = 0");
   subject.repaired = load_repaired_urdf(subject.text, subject.urdf, source.packages, source.repairs);
-  char millimetres[40];
-  std::snprintf(millimetres, sizeof millimetres, "%.0f", 1e3 * height);
+  const std::string millimetres = formatted("%.0f", 1e3 * height);
   source.notes.push_back("it reaches below its fixed base, and the ground of a scene is at z = 0: the copy of the URDF has a link `" +
                          name + "` " + millimetres + " mm below it; give the joint " + name + "_joint the height of the true one");
 }

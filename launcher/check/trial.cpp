@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <stdexcept>
 
+#include "common/text/formatted.h"
 #include "control/balance/balance.h"
 #include "control/point_feet/point_feet_body.h"
 #include "launcher/run/judge_scene.h"
@@ -38,11 +37,8 @@ std::vector<std::string> weak_joints(const Model& model) {
     const Joint& joint = model.joints[at(j)];
     const double needed = std::abs(standing.needed[j]);
     if (needed <= kReserve * joint.effort) continue;
-    char text[120];
-    std::snprintf(text, sizeof text,
-                  " needs %.1f N m to hold half_sitting; its effort limit is %.1f", needed,
-                  joint.effort);
-    weak.push_back("joint " + joint.name + text);
+    weak.push_back(formatted("joint %s needs %.1f N m to hold half_sitting; its effort limit is %.1f", joint.name.c_str(),
+                             needed, joint.effort));
   }
   return weak;
 }

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <ctime>
 #include <stdexcept>
 #include <vector>
 
 #include "common/math/index.h"
+#include "common/text/formatted.h"
 #include "control/balance/balance.h"
 #include "control/legs/leg_reach.h"
 #include "control/point_feet/step_gait.h"
@@ -42,9 +42,7 @@ struct GaitChoice {
     std::string out;
     const auto add = [&](const char* key, double value) {
       if (std::isnan(value)) return;
-      char entry[60];
-      std::snprintf(entry, sizeof entry, "%s%s: %.4g", out.empty() ? "" : ", ", key, value);
-      out += entry;
+      out += formatted("%s%s: %.4g", out.empty() ? "" : ", ", key, value);
     };
     add("single_support", single_support);
     add("zmp_forward", zmp_forward);
@@ -68,20 +66,18 @@ class LimitWatch {
       const Joint& joint = model_.joints[at(model_.bus_joints[k])];
       const double q = state.q[k], v = std::abs(static_cast<double>(state.qd[k]));
       const double t = std::abs(static_cast<double>(state.tau[k]));
-      char text[160];
       if (t > kPinned * joint.effort) {
-        std::snprintf(text, sizeof text, "%s is the first at a limit: %.3g N m of torque, %.2f s after the start",
-                      joint.name.c_str(), joint.effort, time);
+        text_ = formatted("%s is the first at a limit: %.3g N m of torque, %.2f s after the start", joint.name.c_str(),
+                          joint.effort, time);
       } else if (v > kPinned * joint.velocity) {
-        std::snprintf(text, sizeof text, "%s is the first at a limit: %.3g rad/s, %.2f s after the start", joint.name.c_str(),
-                      joint.velocity, time);
+        text_ = formatted("%s is the first at a limit: %.3g rad/s, %.2f s after the start", joint.name.c_str(),
+                          joint.velocity, time);
       } else if (const int end = end_of_range(k, q); end != 0 && end != stood_at_[k]) {
-        std::snprintf(text, sizeof text, "%s is the first at a limit: %.3g rad, the %s end of its range, %.2f s after the start",
-                      joint.name.c_str(), end < 0 ? joint.lower : joint.upper, end < 0 ? "lower" : "upper", time);
+        text_ = formatted("%s is the first at a limit: %.3g rad, the %s end of its range, %.2f s after the start",
+                          joint.name.c_str(), end < 0 ? joint.lower : joint.upper, end < 0 ? "lower" : "upper", time);
       } else {
         continue;
       }
-      text_ = text;
       return;
     }
   }

@@ -5,9 +5,8 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "common/math/index.h"
 #include "common/process/arguments.h"
-#include "launcher/run/judge_scene.h"
+#include "launcher/run/fit_scene.h"
 #include "robot/description/load.h"
 #include "robot/mjcf/model_writer.h"
 #include "robot/mjcf/urdf_text.h"

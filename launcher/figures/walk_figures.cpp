@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "common/math/pose_math.h"
 #include "robot/dynamics/inverse_dynamics.h"
 
 namespace twinbus {
@@ -19,10 +20,6 @@ constexpr double kOnTheSpot = 0.01;  // [m/s], [rad/s]
 
 bool walks_on_the_spot(const std::array<double, 3>& asked) {
   return std::hypot(asked[0], asked[1], asked[2]) < kOnTheSpot;
-}
-
-double yaw_of(const std::array<double, 4>& q) {
-  return std::atan2(2.0 * (q[0] * q[3] + q[1] * q[2]), 1.0 - 2.0 * (q[2] * q[2] + q[3] * q[3]));
 }
 
 }  // namespace

@@ -40,8 +40,8 @@ Json pose_of(const Eigen::Isometry3d& pose) {
           {"orientation", rotation(Eigen::Quaterniond(pose.linear()))}};
 }
 
-Json colour(double r, double g, double b, double a = 1.0) {
-  return {{"r", r}, {"g", g}, {"b", b}, {"a", a}};
+Json colour(double r, double g, double b) {
+  return {{"r", r}, {"g", g}, {"b", b}, {"a", 1.0}};
 }
 
 Json entity(const std::string& id, const std::string& frame, std::int64_t utime, bool fixed) {

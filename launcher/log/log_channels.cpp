@@ -1,6 +1,7 @@
 #include "launcher/log/log_channels.h"
 
 #include <algorithm>
+#include <sstream>
 
 #include "common/process/arguments.h"
 #include "common/text/closest_name.h"
@@ -47,6 +48,15 @@ bool add_part_from_index(LogReader& reader, int part, LogSummary& summary) {
 std::string where_they_are_listed(const std::string& file) { return " (./twinbus log info " + file + " lists them)"; }
 
 }  // namespace
+
+std::vector<std::string> parts_of(const std::string& text, char sign) {
+  std::vector<std::string> parts;
+  std::istringstream stream(text);
+  for (std::string part; std::getline(stream, part, sign);) {
+    if (!part.empty()) parts.push_back(part);
+  }
+  return parts;
+}
 
 void count_event(const LogEvent& event, ChannelCounts& channels) {
   auto found = channels.find(event.channel);

@@ -20,6 +20,9 @@ struct LogSummary {
 // Throws std::runtime_error when there is no event in it.
 std::optional<LogSummary> summary_of_index(const std::string& file);
 
+// What is there between the signs, as in "STATE,COMMAND"; nothing between two of them is left out.
+std::vector<std::string> parts_of(const std::string& text, char sign);
+
 void count_event(const LogEvent& event, ChannelCounts& channels);
 
 // From the index, else all of it is read.  Throws std::runtime_error when there is no event in it.

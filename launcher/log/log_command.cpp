@@ -5,13 +5,13 @@
 
 #include <cstdio>
 #include <map>
-#include <stdexcept>
 #include <utility>
 
 #include "common/process/arguments.h"
 #include "common/process/command_word.h"
 #include "common/process/process.h"
 #include "common/text/closest_name.h"
+#include "common/text/formatted.h"
 #include "launcher/bus/stack_monitor.h"
 #include "launcher/log/log_channels.h"
 #include "launcher/log/log_output.h"
@@ -228,9 +228,7 @@ int log_command(const std::vector<std::string>& words) {
   std::string help = "usage: ./twinbus log TOOL FILE...\n\n";
   std::vector<std::string> names;
   for (const Command& tool : kTools) {
-    char row[120];
-    std::snprintf(row, sizeof row, "  %-8s %s\n", tool.name, tool.about);
-    help += row;
+    help += formatted("  %-8s %s\n", tool.name, tool.about);
     names.emplace_back(tool.name);
   }
   if (words.empty()) throw UsageError("log: which tool? ./twinbus log --help lists them");

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -13,7 +12,6 @@
 #include "common/process/process.h"
 #include "launcher/log/log_channels.h"
 #include "launcher/commands/commands.h"
-#include "launcher/log/log_output.h"
 #include "launcher/log/log_plot.h"
 #include "launcher/log/log_robot.h"
 #include "launcher/log/log_scan.h"
@@ -25,8 +23,6 @@ namespace twinbus {
 
 namespace {
 
-constexpr std::size_t kMostDrawn =
-    200'000;  // points of a curve; of longer runs every second, fourth ...
 constexpr double kMilli = 1e3;
 
 struct Column {
@@ -109,21 +105,10 @@ void each_pair(Stream& a, Stream& b, std::int64_t offset,
   }
 }
 
-// A curve that keeps every n-th point, so that a long run fits.
 struct LongCurve {
   Curve curve;
-  std::size_t every = 1, seen = 0;
-  void add(double x, double y) {
-    if (seen++ % every != 0) return;
-    curve.x.push_back(x);
-    curve.y.push_back(y);
-    if (curve.x.size() < kMostDrawn) return;
-    for (std::vector<double>* values : {&curve.x, &curve.y}) {
-      for (std::size_t i = 0; 2 * i < values->size(); ++i) (*values)[i] = (*values)[2 * i];
-      values->resize((values->size() + 1) / 2);
-    }
-    every *= 2;
-  }
+  CurveFiller filler;
+  void add(double x, double y) { filler.add(curve, x, y); }
 };
 
 std::string joint_name(const std::optional<Model>& model, std::size_t k) {

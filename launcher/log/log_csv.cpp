@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <memory>
 #include <optional>
 #include <span>
 #include <stdexcept>
@@ -25,16 +24,6 @@ namespace {
 
 constexpr std::size_t kBuffer = 1 << 20;  // [bytes]
 
-std::vector<std::string> split(const std::string& text) {
-  std::vector<std::string> parts;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    if (end > begin) parts.push_back(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return parts;
-}
-
 // The columns asked for: a field, or an array by its name.
 std::vector<const MessageField*> columns_of(const MessageSchema& schema, const std::string& asked,
                                             const std::optional<Model>& model) {
@@ -43,7 +32,7 @@ std::vector<const MessageField*> columns_of(const MessageSchema& schema, const s
     for (const MessageField& field : schema.fields) columns.push_back(&field);
     return columns;
   }
-  for (const std::string& name : split(asked)) {
+  for (const std::string& name : parts_of(asked, ',')) {
     const std::size_t before = columns.size();
     for (const MessageField& field : schema.fields) {
       if (field.name == name || field.name.starts_with(name + "[") ||

@@ -104,16 +104,6 @@ std::string between_commas(const std::string& text) {
   return out;
 }
 
-std::vector<std::string> parts_between_commas(const std::string& text) {
-  std::vector<std::string> parts;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    if (end > begin) parts.push_back(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return parts;
-}
-
 void add_message(Part& part, Topic& topic, std::int64_t utime, std::span<const std::uint8_t> data) {
   part.messages.push_back({&topic, topic.sequence++, 1000 * utime, part.bytes.size(), data.size()});
   part.bytes.insert(part.bytes.end(), data.begin(), data.end());
@@ -182,7 +172,7 @@ Channels whose type is not the project's are left out and counted.
   catch_quit_signals();
   const std::string in = arguments.word(0), out = log_output(arguments, in), prefix = arguments.text("--prefix", "");
   const std::string only = between_commas(arguments.text("--channels", ""));
-  require_channels("log mcap", parts_between_commas(only), in);
+  require_channels("log mcap", parts_of(only, ','), in);
   require_prefix("log mcap", prefix, in);
   McapWriter writer(out);
   std::map<std::string, Topic, std::less<>> topics;  // longer there than the works

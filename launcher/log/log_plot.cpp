@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kWidth = 900.0, kHeight = 200.0, kLeft = 70.0, kTop = 40.0, kGap = 46.0;
 constexpr std::size_t kMostPoints = 1500;
+constexpr std::size_t kMostKept = 200'000;  // points of a curve
 constexpr int kTicksUp = 5, kTicksAcross = 10;
 constexpr std::size_t kTitle = 110;  // letters of a line
 constexpr double kLine = 18.0;
@@ -66,6 +67,18 @@ void draw(const Panel& panel, double top, std::string& svg) {
 }
 
 }  // namespace
+
+void CurveFiller::add(Curve& curve, double x, double y) {
+  if (seen_++ % every_ != 0) return;
+  curve.x.push_back(x);
+  curve.y.push_back(y);
+  if (curve.x.size() < kMostKept) return;
+  for (std::vector<double>* values : {&curve.x, &curve.y}) {
+    for (std::size_t i = 0; 2 * i < values->size(); ++i) (*values)[i] = (*values)[2 * i];
+    values->resize((values->size() + 1) / 2);
+  }
+  every_ *= 2;
+}
 
 std::string svg_of(const std::string& title, const std::vector<Panel>& panels) {
   std::vector<std::string> lines;

@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,15 @@ namespace twinbus {
 struct Curve {
   std::string name;
   std::vector<double> x, y;  // of equal length
+};
+
+// Adds points to a curve; of a long run every second, fourth ... of them.
+class CurveFiller {
+ public:
+  void add(Curve& curve, double x, double y);
+
+ private:
+  std::size_t every_ = 1, seen_ = 0;
 };
 
 struct Panel {

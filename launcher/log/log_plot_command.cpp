@@ -13,7 +13,6 @@
 #include "common/process/arguments.h"
 #include "launcher/log/log_channels.h"
 #include "launcher/commands/commands.h"
-#include "launcher/log/log_output.h"
 #include "launcher/log/log_plot.h"
 #include "launcher/log/log_scan.h"
 #include "launcher/stack/run_folder.h"
@@ -30,24 +29,13 @@ namespace twinbus {
 namespace {
 
 constexpr std::size_t kCurvesOfPanel = 8;
-constexpr std::size_t kMostKept = 200'000;  // of a curve; then every second one is dropped
 
 // A curve: a field of a channel, filled while the log is read.
 struct Plotted {
   const MessageField* field = nullptr;
   std::size_t panel = 0, curve = 0;
-  std::int64_t every = 1, seen = 0;  // points are thinned out as there are more
+  CurveFiller filler;
 };
-
-std::vector<std::string> parts_of(const std::string& text, char sign) {
-  std::vector<std::string> parts;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(sign, begin), text.size());
-    if (end > begin) parts.push_back(text.substr(begin, end - begin));
-    begin = end + 1;
-  }
-  return parts;
-}
 
 // "LLEG_KNEE" -> 3, of the bus; -1 when the robot has no such joint.
 int joint_index(const std::optional<Model>& model, const std::string& name) {
@@ -81,16 +69,7 @@ class PlotReader {
     const std::span<const std::uint8_t> data = renewed(event.data, room);
     if (data.size() != found->second.schema->bytes) return;
     for (Plotted& plotted : found->second.curves) {
-      if (plotted.seen++ % plotted.every != 0) continue;
-      Curve& curve = panels_[plotted.panel].curves[plotted.curve];
-      curve.x.push_back(seconds);
-      curve.y.push_back(field_number(*plotted.field, data));
-      if (curve.x.size() < kMostKept) continue;
-      for (std::vector<double>* values : {&curve.x, &curve.y}) {
-        for (std::size_t i = 0; 2 * i < values->size(); ++i) (*values)[i] = (*values)[2 * i];
-        values->resize((values->size() + 1) / 2);
-      }
-      plotted.every *= 2;
+      plotted.filler.add(panels_[plotted.panel].curves[plotted.curve], seconds, field_number(*plotted.field, data));
     }
   }
 
@@ -133,7 +112,7 @@ class PlotReader {
     for (const MessageField& field : schema->fields) {
       if (field.name != name && !field.name.starts_with(name + "[")) continue;
       if (panels_.back().curves.size() >= kCurvesOfPanel) break;
-      wanted.curves.push_back({&field, panels_.size() - 1, panels_.back().curves.size(), 1, 0});
+      wanted.curves.push_back({&field, panels_.size() - 1, panels_.back().curves.size(), {}});
       std::string shown = channel;
       shown += '.';
       shown += field.name;

@@ -128,15 +128,6 @@ std::vector<std::uint8_t> with_one_bit_mended(std::vector<std::uint8_t> bytes, s
   return {};
 }
 
-std::string field_at(const std::string& channel, std::size_t byte) {
-  const MessageSchema* schema = schema_of(channel);
-  if (schema == nullptr || byte < 8) return "type hash";
-  for (const MessageField& field : schema->fields) {
-    if (byte >= field.offset && byte < field.offset + size_of(field.type)) return field.name;
-  }
-  return std::string("byte ").append(std::to_string(byte));
-}
-
 std::string first_difference(const std::string& channel, const std::vector<std::uint8_t>& logged,
                              const std::vector<std::uint8_t>& now, const char* word_for_now) {
   const MessageSchema* schema = schema_of(channel);

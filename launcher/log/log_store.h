@@ -55,9 +55,6 @@ class LogStore {
 std::vector<std::uint8_t> with_one_bit_mended(std::vector<std::uint8_t> bytes, std::int64_t hash,
                                               std::size_t& byte);
 
-// "q[3]", of the field of the channel's type that this byte is in.
-std::string field_at(const std::string& channel, std::size_t byte);
-
 // The first field in which two messages differ, with both numbers: "q[3]: 0.1 in the log, 0.2 now"; empty if none does.
 std::string first_difference(const std::string& channel, const std::vector<std::uint8_t>& logged,
                              const std::vector<std::uint8_t>& now, const char* word_for_now);

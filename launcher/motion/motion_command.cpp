@@ -8,10 +8,10 @@
 
 #include "common/process/arguments.h"
 #include "common/process/command_word.h"
+#include "common/text/formatted.h"
 #include "control/motion/motion_check.h"
 #include "launcher/bus/bus_link.h"
 #include "launcher/motion/motion_play.h"
-#include "launcher/operate/operate.h"
 #include "robot/description/load.h"
 #include "robot/motion/motion_clip.h"
 #include "robot/motion/motion_file.h"
@@ -96,26 +96,17 @@ void print_summary(const MotionClip& clip, const MotionFile& file, const MotionV
         "%.0f mm asked\n",
         100.0 * clip.com_share(), 1e3 * clip.depth(), 1e3 * clip.asked_depth());
   std::string line;
-  char text[160];
   if (!v.speed_joint.empty()) {
-    std::snprintf(text, sizeof text, "fastest %s, %.0f %% of its limit", v.speed_joint.c_str(),
-                  100.0 * v.speed_share);
-    line += text;
+    line += formatted("fastest %s, %.0f %% of its limit", v.speed_joint.c_str(), 100.0 * v.speed_share);
   }
   if (!v.effort_joint.empty()) {
-    std::snprintf(text, sizeof text, "; strongest %s, %.0f %%", v.effort_joint.c_str(),
-                  100.0 * v.effort_share);
-    line += text;
+    line += formatted("; strongest %s, %.0f %%", v.effort_joint.c_str(), 100.0 * v.effort_share);
   }
   if (!v.nearest_pair.empty()) {
-    std::snprintf(text, sizeof text, "; nearest %s, %.1f mm", v.nearest_pair.c_str(),
-                  1e3 * v.nearest);
-    line += text;
+    line += formatted("; nearest %s, %.1f mm", v.nearest_pair.c_str(), 1e3 * v.nearest);
   }
   if (v.balance_known) {
-    std::snprintf(text, sizeof text, "; zero-moment point %.1f mm inside the soles",
-                  1e3 * v.least_margin);
-    line += text;
+    line += formatted("; zero-moment point %.1f mm inside the soles", 1e3 * v.least_margin);
   }
   if (!line.empty())
     std::printf("motion: %s\n", line.starts_with("; ") ? line.c_str() + 2 : line.c_str());

@@ -1,6 +1,5 @@
 #include "launcher/commands/commands.h"
 
-#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <map>

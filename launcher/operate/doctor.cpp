@@ -19,6 +19,7 @@
 #include "common/process/command_word.h"
 #include "common/process/priority.h"
 #include "common/process/process.h"
+#include "common/text/formatted.h"
 #include "launcher/bus/bus_link.h"
 #include "launcher/stack/run_folder.h"
 #include "lcmtypes/bus/bus.h"
@@ -51,13 +52,6 @@ class Report {
   int bad_ = 0;
 };
 
-std::string first_line(const std::string& file) {
-  std::ifstream stream(file);
-  std::string line;
-  std::getline(stream, line);
-  return line;
-}
-
 std::string in_path(const std::string& program) {
   const char* path = std::getenv("PATH");
   std::istringstream folders(path == nullptr ? "" : path);
@@ -86,7 +80,7 @@ void check_network(Report& report, const std::string& url) {
                "no route for multicast to " + group + " (" + why + "): LCM cannot start",
                "sudo ip link set lo up && sudo ip route add 224.0.0.0/4 dev lo");
   }
-  const long buffer = std::atol(first_line("/proc/sys/net/core/rmem_max").c_str());
+  const long buffer = std::atol(first_line_of("/proc/sys/net/core/rmem_max").c_str());
   report.add(buffer >= kWantedBuffer ? Health::kGood : Health::kCould,
              "largest socket buffer (net.core.rmem_max) " + std::to_string(buffer) + " bytes" +
                  (buffer >= kWantedBuffer ? "" : ", 4194304 keep bursts of messages whole"),
@@ -176,7 +170,7 @@ void check_real_time(Report& report, bool in_detail) {
               "their power instead)"
             : "/dev/cpu_dma_latency cannot be written: CPUs may sleep between ticks and wake late",
       "sudo chmod o+w /dev/cpu_dma_latency");
-  const std::string runtime = first_line("/proc/sys/kernel/sched_rt_runtime_us");
+  const std::string runtime = first_line_of("/proc/sys/kernel/sched_rt_runtime_us");
   report.add(Health::kGood, "share of a CPU for real-time tasks: " +
                                 (runtime.empty() ? "unknown" : runtime) + " us per 1000000");
   report.add(fs::exists("/sys/kernel/realtime") ? Health::kGood : Health::kCould,
@@ -184,7 +178,7 @@ void check_real_time(Report& report, bool in_detail) {
                  ? "PREEMPT_RT kernel"
                  : "no PREEMPT_RT kernel: enough for 500 Hz, not for 2 kHz",
              "sudo apt-get install linux-image-rt-amd64");
-  const std::string governor = first_line("/sys/devices/system/cpu/cpu0/cpufreq/scaling_governor");
+  const std::string governor = first_line_of("/sys/devices/system/cpu/cpu0/cpufreq/scaling_governor");
   if (!governor.empty()) {
     report.add(governor == "performance" ? Health::kGood : Health::kCould,
                "CPU governor " + governor,
@@ -237,9 +231,7 @@ void check_space(Report& report) {
   const fs::space_info space = fs::space(install_folder(), error);
   if (error) return;
   const double free_gb = 1e-9 * static_cast<double>(space.available);
-  char text[64];
-  std::snprintf(text, sizeof text, "%.1f GB free for runs and builds", free_gb);
-  report.add(free_gb > 2.0 ? Health::kGood : Health::kCould, text, "rm -r runs");
+  report.add(free_gb > 2.0 ? Health::kGood : Health::kCould, formatted("%.1f GB free for runs and builds", free_gb), "rm -r runs");
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "common/process/command_word.h"
 #include "common/process/process.h"
 #include "common/text/closest_name.h"
+#include "common/text/formatted.h"
 #include "common/text/xml.h"
 #include "launcher/bus/bus_link.h"
 #include "launcher/commands/commands.h"
@@ -137,12 +138,11 @@ int ask_and_report(const Arguments& arguments, ModeRequest& request, const char*
 int motion_command(const std::vector<std::string>& words, Motion motion, const char* name,
                    const char* about) {
   const auto [amplitude, frequency] = defaults_of(motion);
-  char options[160];
-  std::snprintf(options, sizeof options, R"(
+  const std::string options = formatted(R"(
   --amplitude M  metres; default %.2f
   --frequency HZ  per second; default %.1f
   --prefix --url --allow)",
-                static_cast<double>(amplitude), static_cast<double>(frequency));
+                                        static_cast<double>(amplitude), static_cast<double>(frequency));
   const Arguments arguments({name, 0, 0, std::string("\n") + about + options}, words);
   ModeRequest request;
   request.mode = Mode::kBalance;

@@ -9,6 +9,7 @@
 #include "common/process/arguments.h"
 #include "common/process/command_word.h"
 #include "common/process/process.h"
+#include "common/text/formatted.h"
 #include "launcher/bus/bus_link.h"
 #include "lcmtypes/msg/refusal_text.h"
 
@@ -151,9 +152,7 @@ class Switch {
     for (std::size_t k = 1; k < static_cast<std::size_t>(active->state.joint_count); ++k) {
       if (gap(k) > gap(worst)) worst = k;
     }
-    char text[100];
-    std::snprintf(text, sizeof text, ": joint %zu by %.2f rad now; --align moves the target there first", worst, gap(worst));
-    return text;
+    return formatted(": joint %zu by %.2f rad now; --align moves the target there first", worst, gap(worst));
   }
 
   bool refused(const SourceRequest& request, std::int64_t answering_run) const {

@@ -15,6 +15,7 @@
 #include "common/process/arguments.h"
 #include "common/process/command_word.h"
 #include "common/text/closest_name.h"
+#include "common/text/formatted.h"
 #include "launcher/stack/face_program.h"
 #include "launcher/stack/run_folder.h"
 
@@ -116,9 +117,7 @@ std::string bench_list(const std::vector<std::string>& names) {
     if (found == left.end()) continue;
     left.erase(found);
     if (group != row.group) text += (group = row.group) + "\n";
-    char line[160];
-    std::snprintf(line, sizeof line, "  %-14s %s\n", row.name, row.about);
-    text += line;
+    text += formatted("  %-14s %s\n", row.name, row.about);
   }
   if (!left.empty()) text += "others\n";
   for (const std::string& name : left) text += "  " + name + "\n";

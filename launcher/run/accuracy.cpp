@@ -11,6 +11,7 @@
 #include "common/math/index.h"
 #include "common/process/process.h"
 #include "common/text/closest_name.h"
+#include "common/text/formatted.h"
 #include "sim/scene/fidelity.h"
 
 namespace twinbus {
@@ -46,32 +47,26 @@ Fingerprint key_of(const Model& model, const Scene& scene, const OneProcessConfi
   return maker.value();
 }
 
-std::string text_of(const char* format, double a, double b = 0.0) {
-  char text[200];
-  std::snprintf(text, sizeof text, format, a, b);
-  return text;
-}
-
 void decide(const Model& model, const AccuracyRequest& request, AccuracyChoice& choice) {
   const Ladder& ladder = choice.ladder;
   if (!ladder.parted.empty()) {
     const Parted& worst = ladder.parted.front();
     choice.reason = worst.body + " has no converged answer: two runs that differ by 1e-12 part by " +
-                    text_of("%.3g mm", 1e3 * worst.apart) +
+                    formatted("%.3g mm", 1e3 * worst.apart) +
                     "; no error can be held, leave the accuracy out";
     return;
   }
   if (request.budget > 0.0) {
     choice.rung = ladder.choose_within(1e3 * request.budget / model.period());
     if (choice.rung < 0) {
-      choice.reason = text_of("no order and step fits into %.3g ms of a control period",
-                              1e3 * request.budget);
+      choice.reason = formatted("no order and step fits into %.3g ms of a control period",
+                                1e3 * request.budget);
       return;
     }
     const double reached = ladder.estimate(at(choice.rung));
     if (request.error > 0.0 && !(reached <= request.error)) {
-      choice.reason = text_of("within the budget the error is %.3g mm, %.3g mm were asked",
-                              1e3 * reached, 1e3 * request.error);
+      choice.reason = formatted("within the budget the error is %.3g mm, %.3g mm were asked",
+                                1e3 * reached, 1e3 * request.error);
     }
     return;
   }
@@ -114,7 +109,7 @@ AccuracyChoice choose_accuracy(const Model& model, const Scene& scene,
         std::fprintf(stderr, "accuracy: order %d at %.3g ms, %.2f ms of physics per second%s\n",
                      rung.order, 1e3 * rung.step, rung.cost,
                      std::isfinite(so_far.agreement) && rung.order == 3
-                         ? text_of("; the finest two agree to %.3g mm", 1e3 * so_far.agreement).c_str()
+                         ? formatted("; the finest two agree to %.3g mm", 1e3 * so_far.agreement).c_str()
                          : "");
       };
     }

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <stdexcept>
 
+#include "common/text/formatted.h"
 #include "control/balance/balance.h"
 #include "control/motion/motion_check.h"
 #include "control/point_feet/point_feet_body.h"
@@ -41,9 +41,6 @@ Eigen::Vector3d fastest_of(const Model& model) {
   return gait_of(model, walking_of(model), WalkGains{}.stabilizer.margin).most_velocity;
 }
 
-// Whether nothing turns the soles about the axis forward: the legs lean with them.
-bool leans(const Model& model) { return free_axis(model, 0) == 0; }
-
 // How far the sticks of a scene lead a robot that goes at most so fast [m].
 double way_of(const std::vector<TimedPad>& pads, const Eigen::Vector3d& most) {
   double way = 0.0;
@@ -68,10 +65,9 @@ void ask_what_it_can(Scene& scene, const Model& model) {
     walk.command.vx = static_cast<float>(possible.x());
     walk.command.vy = static_cast<float>(possible.y());
     walk.command.wz = static_cast<float>(possible.z());
-    char text[160];
-    std::snprintf(text, sizeof text, "%sof %.2f %.2f %.2f (m/s, m/s, rad/s) its legs and soles can %.2f %.2f %.2f",
-                  scene.scaled.empty() ? "" : "; ", asked.x(), asked.y(), asked.z(), possible.x(), possible.y(), possible.z());
-    scene.scaled += text;
+    scene.scaled += formatted("%sof %.2f %.2f %.2f (m/s, m/s, rad/s) its legs and soles can %.2f %.2f %.2f",
+                              scene.scaled.empty() ? "" : "; ", asked.x(), asked.y(), asked.z(), possible.x(), possible.y(),
+                              possible.z());
     if (asked.x() != 0.0) scene.criteria.travel_min_m *= possible.x() / asked.x();
   }
   if (scene.pads.empty() || std::isnan(scene.criteria.travel_min_m)) return;
@@ -123,9 +119,9 @@ void check_motions(const Scene& scene, const Model& model) {
     const MotionVerdict verdict = check_motion(model, clip_of(timed, scene, model), {});
     if (verdict.passed()) continue;
     const MotionFault& fault = verdict.faults.front();
-    char text[200];
-    std::snprintf(text, sizeof text, "%s of %.60s is %.4g, and the limit %.4g, at %.3f s", label(fault.kind), fault.what.c_str(),
-                  fault.value, fault.limit, static_cast<double>(std::max<std::int64_t>(0, fault.tick)) * model.period());
+    const std::string text = formatted("%s of %.60s is %.4g, and the limit %.4g, at %.3f s", label(fault.kind),
+                                       fault.what.c_str(), fault.value, fault.limit,
+                                       static_cast<double>(std::max<std::int64_t>(0, fault.tick)) * model.period());
     throw std::runtime_error("scene " + scene.name + ": the motion " + timed.file + " is refused: " + text + "; ./twinbus motion " +
                              timed.file + " --check lists all");
   }

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <stdexcept>
 #include <vector>
 
+#include "common/text/formatted.h"
 #include "control/point_feet/point_feet_body.h"
 #include "lcmtypes/msg/labels.h"
 
@@ -14,10 +13,8 @@ namespace twinbus {
 namespace {
 
 std::string goals_text(const GoalWatch& goals) {
-  char text[160];
-  std::snprintf(text, sizeof text, "arm goals: %d asked, %d reached; the hand at most %.1f mm off, joints %.3f rad\n", goals.asked(),
-                goals.reached(), 1e3 * goals.hand_off(), goals.joint_off());
-  return text;
+  return formatted("arm goals: %d asked, %d reached; the hand at most %.1f mm off, joints %.3f rad\n", goals.asked(),
+                   goals.reached(), 1e3 * goals.hand_off(), goals.joint_off());
 }
 
 constexpr double kDegrees = 57.29577951308232;
@@ -29,9 +26,7 @@ std::string sentence(const char* format, double reached, double asked) {
     while (at != std::string::npos && whole[at + 1] == '%') at = whole.find('%', at + 2);
     return whole.substr(0, at) + "(not measured: the run ended before)";
   }
-  char text[200];
-  std::snprintf(text, sizeof text, format, reached, asked);
-  return text;
+  return formatted(format, reached, asked);
 }
 
 // Of a further robot's base.
@@ -134,10 +129,7 @@ std::string doubts_line(const TrustCounts& trust) {
         (first ? "" : ", ") + std::string(kDoubtNames[i]) + " " + std::to_string(trust.steps[i]);
     first = false;
   }
-  char text[80];
-  std::snprintf(text, sizeof text, "), the first at %.3f s: %s\n", trust.first_at,
-                kDoubtNames[static_cast<std::size_t>(trust.first)]);
-  return line + text;
+  return line + formatted("), the first at %.3f s: %s\n", trust.first_at, kDoubtNames[static_cast<std::size_t>(trust.first)]);
 }
 
 }  // namespace
@@ -295,102 +287,72 @@ RunVerdict judge_scene(const OneProcess& run, const Criteria& whole, std::int64_
 std::string scene_figures(const OneProcess& run, const Criteria& asked) {
   const RunFigures& f = run.seen().figures();
   const WalkFigures& w = run.walked();
-  char text[400];
+  std::string lines;
   const bool feet = run.model().soles[0].link >= 0 || run.model().soles[1].link >= 0;
   if (!feet)
-    std::snprintf(text, sizeof text, "tilt %.2f degrees, %s\n", kDegrees * f.max_tilt,
-                  why_no_point_feet(run.model()) == nullptr ? "on point feet: nothing is asked of soles" : "no feet");
+    lines = formatted("tilt %.2f degrees, %s\n", kDegrees * f.max_tilt,
+                      why_no_point_feet(run.model()) == nullptr ? "on point feet: nothing is asked of soles" : "no feet");
   else
-    std::snprintf(text, sizeof text,
-                "tilt %.2f degrees, ZMP margin %.1f mm, slip %.2f mm, penetration %.2f mm, sole "
-                "tilt %.2f degrees\n",
-                kDegrees * f.max_tilt, 1e3 * f.zmp_margin_min, 1e3 * f.slip_max,
-                1e3 * f.penetration_max, kDegrees * run.sole_tilt_max());
-  std::string lines = text;
+    lines = formatted("tilt %.2f degrees, ZMP margin %.1f mm, slip %.2f mm, penetration %.2f mm, sole tilt %.2f degrees\n",
+                      kDegrees * f.max_tilt, 1e3 * f.zmp_margin_min, 1e3 * f.slip_max, 1e3 * f.penetration_max,
+                      kDegrees * run.sole_tilt_max());
   if (const auto far = static_cast<float>(run.origin().lpNorm<Eigen::Infinity>()); far > 0.0F) {
-    std::snprintf(text, sizeof text,
-                  "begun %g m from the origin: TRUTH rounds where feet are to %.1g mm, and slip in a step with it\n",
-                  static_cast<double>(far), 1e3 * static_cast<double>(std::nextafter(far, 2.0F * far) - far));
-    lines += text;
+    lines += formatted("begun %g m from the origin: TRUTH rounds where feet are to %.1g mm, and slip in a step with it\n",
+                       static_cast<double>(far), 1e3 * static_cast<double>(std::nextafter(far, 2.0F * far) - far));
   }
   for (int i = 0; i < run.world().loose_count(); ++i) {
     const LooseState now = run.world().loose(i);
     const Eigen::Vector3d p = now.pose.translation() - run.origin();
-    std::snprintf(text, sizeof text, "loose body %s ended at %.4f %.4f %.4f m, %.1f mm/s\n",
-                  run.loose_name(i).c_str(), p.x(), p.y(), p.z(), 1e3 * now.velocity.norm());
-    lines += text;
+    lines += formatted("loose body %s ended at %.4f %.4f %.4f m, %.1f mm/s\n", run.loose_name(i).c_str(), p.x(), p.y(),
+                       p.z(), 1e3 * now.velocity.norm());
   }
   for (std::size_t i = 0; i < run.further_robots().size(); ++i) {
     const RobotNow now = robot_now(run, static_cast<int>(i));
-    std::snprintf(text, sizeof text,
-                  "robot %s ended %.1f mm from where it began, tilt %.2f degrees\n",
-                  run.further_robots()[i].name.c_str(), 1e3 * now.moved, now.tilt_deg);
-    lines += text;
+    lines += formatted("robot %s ended %.1f mm from where it began, tilt %.2f degrees\n",
+                       run.further_robots()[i].name.c_str(), 1e3 * now.moved, now.tilt_deg);
   }
   if (run.trust().doubted > 0) lines += doubts_line(run.trust());
   if (run.energy().begun()) {
-    std::snprintf(text, sizeof text, "energy %.4f J, at most %.2e J off\n", run.energy().first(),
-                  run.energy().drift());
-    lines += text;
+    lines += formatted("energy %.4f J, at most %.2e J off\n", run.energy().first(), run.energy().drift());
   }
   for (const JointEnd& end : asked.joints) {
     const int joint = run.model().find_joint(end.name);
     if (joint < 0) continue;
     const Configuration& now = run.world().configuration();
-    std::snprintf(text, sizeof text, "joint %s ended at %.9f, %.9f /s\n", end.name.c_str(),
-                  now.q[joint], now.qd[joint]);
-    lines += text;
+    lines += formatted("joint %s ended at %.9f, %.9f /s\n", end.name.c_str(), now.q[joint], now.qd[joint]);
   }
   if (run.world().loose_count() > 0) {
-    std::snprintf(text, sizeof text,
-                  "energy of the loose bodies %.4f J, %.2e J off, %.2e J above\n",
-                  run.loose().first(), run.loose().drift(), run.loose().gain());
-    lines += text;
+    lines += formatted("energy of the loose bodies %.4f J, %.2e J off, %.2e J above\n", run.loose().first(),
+                       run.loose().drift(), run.loose().gain());
   }
   for (const LooseWatch::Spin& spin : run.loose().spins()) {
-    std::snprintf(
-        text, sizeof text,
-        "loose body %s flipped %d times, energy of turning off by %.1e, momentum by %.1e\n",
-        run.loose_name(spin.body).c_str(), spin.flips, spin.energy_drift, spin.momentum_drift);
-    lines += text;
+    lines += formatted("loose body %s flipped %d times, energy of turning off by %.1e, momentum by %.1e\n",
+                       run.loose_name(spin.body).c_str(), spin.flips, spin.energy_drift, spin.momentum_drift);
   }
   if (run.touch().begun()) {
-    std::snprintf(text, sizeof text, "touched at every point by the same force within %.1e\n",
-                  run.touch().off());
-    lines += text;
+    lines += formatted("touched at every point by the same force within %.1e\n", run.touch().off());
   }
   if (const auto seen = run.swing().seen()) {
     const Swing& expected = run.swing().expected();
-    std::snprintf(text, sizeof text,
-                  "swings with a period of %.4f s and a decay of %.3f /s; the linear model says "
-                  "%.4f s and %.3f /s\n",
-                  seen->period, seen->decay, expected.period, expected.decay);
-    lines += text;
+    lines += formatted("swings with a period of %.4f s and a decay of %.3f /s; the linear model says %.4f s and %.3f /s\n",
+                       seen->period, seen->decay, expected.period, expected.decay);
   }
   if (run.goals().asked() > 0)
     lines += goals_text(run.goals());
   if (w.steps() == 0 && std::isfinite(w.velocity_error())) {  // on points: no sole lands
-    std::snprintf(text, sizeof text, "velocity error %.1f %%, ended %.2f m from its start\n", 1e2 * w.velocity_error(), w.travel());
-    lines += text;
+    lines += formatted("velocity error %.1f %%, ended %.2f m from its start\n", 1e2 * w.velocity_error(), w.travel());
   }
   if (w.steps() == 0) return lines;
-  std::snprintf(text, sizeof text, "%lld steps: slip in a step %.2f mm, ",
-                static_cast<long long>(w.steps()), 1e3 * w.step_slip_max());
-  lines += text;
+  lines += formatted("%lld steps: slip in a step %.2f mm, ", static_cast<long long>(w.steps()), 1e3 * w.step_slip_max());
   if (std::isfinite(w.margin_percentile(0.05)) && std::isfinite(w.force_error())) {
-    std::snprintf(
-        text, sizeof text,
-        "5 %% of the ZMP margins below %.0f mm, normal force error %.1f %% of the weight, ",
-        1e3 * w.margin_percentile(0.05), 1e2 * w.force_error());
-    lines += text;
+    lines += formatted("5 %% of the ZMP margins below %.0f mm, normal force error %.1f %% of the weight, ",
+                       1e3 * w.margin_percentile(0.05), 1e2 * w.force_error());
   }
   if (std::isfinite(w.velocity_error()))
-    std::snprintf(text, sizeof text, "velocity error %.1f %%, ", 1e2 * w.velocity_error());
+    lines += formatted("velocity error %.1f %%, ", 1e2 * w.velocity_error());
   else
-    std::snprintf(text, sizeof text, "no stretch of steady walking, ");
-  lines += text;
-  std::snprintf(text, sizeof text, "ended %.2f m from its start\n", w.travel());
-  return lines + text;
+    lines += "no stretch of steady walking, ";
+  return lines + formatted("ended %.2f m from its start\n", w.travel());
 }
 
 }  // namespace twinbus

@@ -10,6 +10,7 @@
 
 #include "common/math/index.h"
 #include "common/process/process.h"
+#include "common/text/formatted.h"
 #include "common/time/cpu_time.h"
 #include "launcher/run/clearance.h"
 
@@ -68,9 +69,7 @@ Scene twin_of(const Scene& scene) {
   for (const auto& [key, value] : twin.settings) {
     if (key == "model.mass_scale") mass = std::stod(value);
   }
-  char text[40];
-  std::snprintf(text, sizeof text, "%.17g", mass * (1.0 + kTwin));
-  twin.settings.emplace_back("model.mass_scale", text);
+  twin.settings.emplace_back("model.mass_scale", formatted("%.17g", mass * (1.0 + kTwin)));
   return twin;
 }
 
@@ -173,24 +172,18 @@ bool Ladder::proven(double error) const {
 
 std::string Ladder::why_none_holds(double error) const {
   const Rung* off = nullptr;
-  char text[300];
+  std::string why;
   if (const Rung* second = finest_second(rungs); agreement <= error / kAgreement && second != nullptr && !proven(error)) {
     off = second;
-    std::snprintf(text, sizeof text,
-                  "no order and step holds %.3g mm: order 2 at %.3g ms is off by %.3g mm while the finest two runs agree "
-                  "to %.3g mm",
-                  1e3 * error, 1e3 * off->step, 1e3 * off->apart, 1e3 * agreement);
+    why = formatted(
+        "no order and step holds %.3g mm: order 2 at %.3g ms is off by %.3g mm while the finest two runs agree to %.3g mm",
+        1e3 * error, 1e3 * off->step, 1e3 * off->apart, 1e3 * agreement);
   } else {
     const auto other = std::find_if(rungs.begin(), rungs.end(), [&](const Rung& rung) { return rung.apart == agreement; });
     if (other != rungs.end()) off = &*other;
-    std::snprintf(text, sizeof text, "no order and step holds %.3g mm: the finest two runs differ by %.3g mm", 1e3 * error,
-                  1e3 * agreement);
+    why = formatted("no order and step holds %.3g mm: the finest two runs differ by %.3g mm", 1e3 * error, 1e3 * agreement);
   }
-  std::string why = text;
-  if (off != nullptr && !off->body.empty()) {
-    std::snprintf(text, sizeof text, " at %.2f s", off->at);
-    why += ", " + off->body + text;
-  }
+  if (off != nullptr && !off->body.empty()) why += ", " + off->body + formatted(" at %.2f s", off->at);
   return why;
 }
 
@@ -432,29 +425,24 @@ bool read_ladder(const std::string& text, Ladder& ladder) {
 
 std::string ladder_table(const Ladder& ladder, int chosen) {
   std::string table = "order   step [ms]   physics [ms/s]   error [mm]   where it is largest\n";
-  char line[200];
   for (std::size_t i = 0; i < ladder.rungs.size(); ++i) {
     const Rung& r = ladder.rungs[i];
     const double error = 1e3 * ladder.estimate(i);
-    std::snprintf(line, sizeof line, "%c %d   %9.3f   %14.2f   %10.4g   ",
-                  static_cast<int>(i) == chosen ? '*' : ' ', r.order, 1e3 * r.step, r.cost, error);
-    table += line;
+    table += formatted("%c %d   %9.3f   %14.2f   %10.4g   ", static_cast<int>(i) == chosen ? '*' : ' ', r.order,
+                       1e3 * r.step, r.cost, error);
     if (i + 1 == ladder.rungs.size()) {
       table += "the yardstick";
     } else if (!r.whole) {
       table += "ended early";
     } else {
-      std::snprintf(line, sizeof line, "%s at %.2f s", r.body.c_str(), r.at);
-      table += line;
+      table += formatted("%s at %.2f s", r.body.c_str(), r.at);
     }
     if (!r.less.none()) table += "; " + words_of(r.less);
     table += '\n';
   }
   for (const Parted& p : ladder.parted) {
-    std::snprintf(line, sizeof line,
-                  "%s: two runs that differ by 1e-12 part by %.3g mm: no error can be held\n",
-                  p.body.c_str(), 1e3 * p.apart);
-    table += line;
+    table += formatted("%s: two runs that differ by 1e-12 part by %.3g mm: no error can be held\n", p.body.c_str(),
+                       1e3 * p.apart);
   }
   return table;
 }

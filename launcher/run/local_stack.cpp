@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <span>
 #include <stdexcept>
 #include <type_traits>
 
+#include "common/text/formatted.h"
 #include "lcmtypes/bus/channels.h"
 #include "lcmtypes/bus/wire.h"
 #include "lcmtypes/msg/refusal_text.h"
@@ -407,8 +407,7 @@ void OneProcess::note_touch(const GuardReport& report) {
 std::string OneProcess::first_touch() const {
   if (touch_a_ < 0) return "";
   const auto name = [&](int link) { return std::string(thing_name(model_, obstacles_.obstacles(), link).data()); };
-  char text[80];
-  std::snprintf(text, sizeof text, " by %.1f mm, first at %.3f s", -1e3 * touch_depth_, touch_time_);
+  const std::string text = formatted(" by %.1f mm, first at %.3f s", -1e3 * touch_depth_, touch_time_);
   return ": " + name(touch_a_) + " and " + name(touch_b_) + text;
 }
 

@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "common/process/process.h"
+#include "common/text/formatted.h"
 #include "launcher/bus/event_groups.h"
 #include "launcher/run/judge_scene.h"
 
@@ -170,10 +171,8 @@ std::string seeds_text(const std::vector<SeedResult>& results, const SeedsReques
     text += seeds.size() > kMostListed ? " ...)\n" : ")\n";
   }
   const std::uint64_t asked = request.seeds.last - request.seeds.first + 1;
-  char line[200];
-  std::snprintf(line, sizeof line, "%zu of %zu seeds passed; %.1f s simulated in %.2f s, %.0f ticks a second\n", passed, results.size(),
-                period * static_cast<double>(ticks), wall_s, static_cast<double>(ticks) / std::max(wall_s, 1e-9));
-  text += line;
+  text += formatted("%zu of %zu seeds passed; %.1f s simulated in %.2f s, %.0f ticks a second\n", passed, results.size(),
+                    period * static_cast<double>(ticks), wall_s, static_cast<double>(ticks) / std::max(wall_s, 1e-9));
   if (results.size() < asked) text += "stopped: " + std::to_string(asked - results.size()) + " seeds were not run\n";
   return text;
 }

@@ -1,8 +1,8 @@
 #include "launcher/run/state_hash.h"
 
 #include <array>
-#include <cstdio>
 
+#include "common/text/formatted.h"
 #include "lcmtypes/bus/older.h"
 #include "lcmtypes/bus/wire.h"
 #include "lcmtypes/msg/robot_io.h"
@@ -45,9 +45,7 @@ void StateHash::add(std::span<const std::uint8_t> encoded) {
 
 std::string StateHash::text() const {
   if (!whole_ || last_tick_ < 0) return "";
-  char digits[17];
-  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(hash_));
-  return digits;
+  return formatted("%016llx", static_cast<unsigned long long>(hash_));
 }
 
 }  // namespace twinbus

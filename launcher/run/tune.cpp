@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <stdexcept>
 
 #include "common/math/index.h"
 #include "common/process/arguments.h"
 #include "common/process/process.h"
+#include "common/text/formatted.h"
 #include "launcher/run/accuracy.h"
 #include "launcher/run/judge_scene.h"
 #include "launcher/run/ladder_plot.h"
@@ -73,14 +73,10 @@ std::string csv_of(const Opened& opened, const AccuracyChoice& choice) {
 std::string why_of(const Opened& opened, const AccuracyChoice& choice) {
   const auto index = static_cast<std::size_t>(choice.rung);
   const Rung& rung = choice.ladder.rungs[index];
-  char text[300];
-  std::snprintf(text, sizeof text,
-                "tuned: error %.3g mm over %.3g s (seed %llu), physics %.3g ms per second; the "
-                "finest two runs agree to %.3g mm",
-                1e3 * choice.ladder.estimate(index), opened.request.duration,
-                static_cast<unsigned long long>(opened.request.seed), rung.cost,
-                1e3 * choice.ladder.agreement);
-  return text;
+  return formatted(
+      "tuned: error %.3g mm over %.3g s (seed %llu), physics %.3g ms per second; the finest two runs agree to %.3g mm",
+      1e3 * choice.ladder.estimate(index), opened.request.duration, static_cast<unsigned long long>(opened.request.seed),
+      rung.cost, 1e3 * choice.ladder.agreement);
 }
 
 // Where the time of a short run goes.

@@ -1,8 +1,9 @@
 #include "launcher/run/tuned_text.h"
 
-#include <cstdio>
 #include <sstream>
 #include <vector>
+
+#include "common/text/formatted.h"
 
 namespace twinbus {
 
@@ -21,8 +22,6 @@ std::string tuned_text(const std::string& scene, const Rung& rung, const std::st
   std::istringstream in(scene);
   std::ostringstream out;
   out << "# " << why << "\n";
-  char number[40];
-  std::snprintf(number, sizeof number, "%.9g", rung.step);
   const std::string asked = "solver.order: " + std::to_string(rung.order);
   bool in_settings = false, has_order = false, dropped = false;
   std::string body;
@@ -54,7 +53,7 @@ std::string tuned_text(const std::string& scene, const Rung& rung, const std::st
     }
     body += line + "\n";
   }
-  out << "step: " << number << "\n";
+  out << "step: " << formatted("%.9g", rung.step) << "\n";
   write_names(out, "held", rung.less.held);
   write_names(out, "rigid", rung.less.rigid);
   write_names(out, "untouched", rung.less.untouched);

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "common/text/formatted.h"
 #include "lcmtypes/msg/labels.h"
 
 namespace twinbus {
@@ -17,12 +17,6 @@ constexpr double kMissedWithoutFifo = 0.01;
 constexpr double kMachineTooBad = 0.01;  // share of ticks that a bare timer missed
 constexpr double kRateTolerance = 0.01;  // share of the rate asked for
 constexpr double kDegrees = 57.29577951308232;
-
-std::string text(const char* format, double a, double b = 0.0) {
-  char line[320];
-  std::snprintf(line, sizeof line, format, a, b);
-  return line;
-}
 
 bool is_source(ProcessKind kind) {
   return kind == ProcessKind::kSimulator || kind == ProcessKind::kBridge;
@@ -124,14 +118,14 @@ RunVerdict judge(const Lookout& seen, const RunRequest& request, const MissedCou
     for (const auto& [name, rate] :
          {std::pair("STATE", verdict.state_rate), std::pair("COMMAND", verdict.command_rate)}) {
       if (!(std::abs(rate - wanted) <= tolerance * wanted) || !(rate > 0.0)) {
-        verdict.failures.push_back(std::string(name) + text(" came at %.1f Hz, %.1f Hz were asked", rate, wanted));
+        verdict.failures.push_back(std::string(name) + formatted(" came at %.1f Hz, %.1f Hz were asked", rate, wanted));
       }
     }
     const double share =
         verdict.ticks > 0 ? share_of(verdict.missed - verdict.stalled, verdict.ticks) : 1.0;
     if (!(share <= verdict.missed_allowed)) {
-      verdict.failures.push_back(text("%.3f %% of ticks missed, %.1f %% allowed", 1e2 * share,
-                                      1e2 * verdict.missed_allowed));
+      verdict.failures.push_back(formatted("%.3f %% of ticks missed, %.1f %% allowed", 1e2 * share,
+                                           1e2 * verdict.missed_allowed));
     }
   }
   if (verdict.fell) verdict.failures.push_back("the robot fell");
@@ -142,43 +136,38 @@ RunVerdict judge(const Lookout& seen, const RunRequest& request, const MissedCou
 std::vector<std::string> verdict_lines(const RunVerdict& verdict, const RunRequest& request) {
   std::vector<std::string> lines;
   lines.push_back(
-      text("STATE %.1f Hz, COMMAND %.1f Hz", verdict.state_rate, verdict.command_rate) +
-      (request.lockstep ? " (lock-step)" : text(", asked %.1f Hz", verdict.rate_wanted)));
-  char line[320];
-  std::snprintf(
-      line, sizeof line, "missed %lld of %lld ticks (%.3f %%; source %lld, controller %lld)",
-      static_cast<long long>(verdict.missed), static_cast<long long>(verdict.ticks),
-      1e2 * share_of(verdict.missed, verdict.ticks), static_cast<long long>(verdict.source_missed),
-      static_cast<long long>(verdict.controller_missed));
-  std::string missed = line;
+      formatted("STATE %.1f Hz, COMMAND %.1f Hz", verdict.state_rate, verdict.command_rate) +
+      (request.lockstep ? " (lock-step)" : formatted(", asked %.1f Hz", verdict.rate_wanted)));
+  std::string missed = formatted("missed %lld of %lld ticks (%.3f %%; source %lld, controller %lld)",
+                                 static_cast<long long>(verdict.missed), static_cast<long long>(verdict.ticks),
+                                 1e2 * share_of(verdict.missed, verdict.ticks),
+                                 static_cast<long long>(verdict.source_missed),
+                                 static_cast<long long>(verdict.controller_missed));
   if (verdict.timer_missed >= 0) {
-    std::snprintf(line, sizeof line,
-                  ", of which %lld while the machine itself stood still (a bare timer of higher "
-                  "priority stood still too)",
-                  static_cast<long long>(verdict.stalled));
-    missed += line;
+    missed += formatted(
+        ", of which %lld while the machine itself stood still (a bare timer of higher priority stood still too)",
+        static_cast<long long>(verdict.stalled));
   }
   lines.push_back(missed);
   if (request.patient) {
-    lines.push_back(text("the simulated world waited for late commands: %.3f times real time", verdict.realtime_factor));
+    lines.push_back(formatted("the simulated world waited for late commands: %.3f times real time", verdict.realtime_factor));
   }
   if (!request.lockstep) {
-    std::snprintf(line, sizeof line, "our own: %lld ticks (%.3f %%, at most %.1f %% %s FIFO)",
-                  static_cast<long long>(verdict.missed - verdict.stalled),
-                  1e2 * share_of(verdict.missed - verdict.stalled, verdict.ticks),
-                  1e2 * verdict.missed_allowed, verdict.fifo ? "with" : "WITHOUT");
-    lines.push_back(line);
+    lines.push_back(formatted("our own: %lld ticks (%.3f %%, at most %.1f %% %s FIFO)",
+                              static_cast<long long>(verdict.missed - verdict.stalled),
+                              1e2 * share_of(verdict.missed - verdict.stalled, verdict.ticks), 1e2 * verdict.missed_allowed,
+                              verdict.fifo ? "with" : "WITHOUT"));
   }
   if (verdict.timer_missed > 0 && share_of(verdict.timer_missed, verdict.ticks) > kMachineTooBad) {
     lines.push_back(
-        text("this machine is too restless for real time: a bare timer misses %.1f %% of the ticks "
-             "by itself; "
-             "end other programs, or use a machine that is not shared (./twinbus doctor --rt)",
-             1e2 * share_of(verdict.timer_missed, verdict.ticks)));
+        formatted("this machine is too restless for real time: a bare timer misses %.1f %% of the ticks "
+                  "by itself; "
+                  "end other programs, or use a machine that is not shared (./twinbus doctor --rt)",
+                  1e2 * share_of(verdict.timer_missed, verdict.ticks)));
   }
   if (verdict.answer_median_us > 0.0) {
-    lines.push_back(text("STATE sent to COMMAND obeyed: median %.0f us, 99 %% within %.0f us",
-                         verdict.answer_median_us, verdict.answer_p99_us));
+    lines.push_back(formatted("STATE sent to COMMAND obeyed: median %.0f us, 99 %% within %.0f us",
+                              verdict.answer_median_us, verdict.answer_p99_us));
   }
   lines.push_back(verdict.fell ? "the robot fell" : "no fall");
   for (const std::string& failure : verdict.failures) lines.push_back("FAILED: " + failure);

@@ -55,14 +55,14 @@ void write_file(const std::string& file, const std::string& text) {
   if (!stream) throw std::runtime_error("cannot write " + file);
 }
 
-namespace {
-
-std::string first_line_of(const fs::path& file) {
+std::string first_line_of(const std::string& file) {
   std::ifstream stream(file);
   std::string line;
   std::getline(stream, line);
   return line;
 }
+
+namespace {
 
 // What a branch points at: a file of its own, or a line of packed-refs.
 std::string commit_of_branch(const fs::path& git, const std::string& name) {
@@ -93,7 +93,7 @@ std::string commit_of_tree(const std::string& tree) {
 }
 
 std::string commit_of_program() {
-  const std::string installed = first_line_of(fs::path(install_folder()) / "commit");
+  const std::string installed = first_line_of(install_folder() + "/commit");
   return program_is_installed() && !installed.empty() ? installed : commit_of_tree(install_folder());
 }
 

@@ -3,8 +3,6 @@
 #pragma once
 
 #include <string>
-#include <utility>
-#include <vector>
 
 namespace twinbus {
 
@@ -15,6 +13,9 @@ std::string make_run_folder();
 // Where run folders are made: $TWINBUS_RUNS, else runs/ of the source tree; of an installed program
 // $XDG_DATA_HOME/twinbus/runs or ~/.local/share/twinbus/runs.
 std::string runs_folder();
+
+// Empty where it cannot be read.
+std::string first_line_of(const std::string& file);
 
 // Throws std::runtime_error naming the file.
 void write_file(const std::string& file, const std::string& text);

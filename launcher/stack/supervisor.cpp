@@ -5,7 +5,6 @@
 #include <stdexcept>
 
 #include "launcher/stack/run_folder.h"
-#include "common/process/process.h"
 
 namespace twinbus {
 

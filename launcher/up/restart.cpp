@@ -12,6 +12,7 @@
 #include "common/process/arguments.h"
 #include "common/process/command_word.h"
 #include "common/process/process.h"
+#include "common/text/formatted.h"
 #include "launcher/commands/commands.h"
 #include "launcher/stack/run_folder.h"
 
@@ -25,13 +26,6 @@ constexpr std::int64_t kLookForWish = 100'000'000;  // [ns]
 constexpr double kMostWait = 10.0;                  // [s]
 constexpr double kAnswerPause = 0.05;               // [s]
 
-std::string line_of(const std::string& file) {
-  std::ifstream stream(file);
-  std::string line;
-  std::getline(stream, line);
-  return line;
-}
-
 // Whole at once, so that nobody reads half a wish.
 void put(const std::string& file, const std::string& text) {
   write_file(file + ".new", text);
@@ -39,7 +33,7 @@ void put(const std::string& file, const std::string& text) {
 }
 
 bool is_running(const std::string& folder) {
-  const std::string text = line_of(folder + "/pid");
+  const std::string text = first_line_of(folder + "/pid");
   if (text.empty()) return false;
   const long pid = std::strtol(text.c_str(), nullptr, 10);
   return pid > 1 && ::kill(static_cast<pid_t>(pid), 0) == 0;
@@ -68,7 +62,7 @@ void RestartRequests::look(Supervisor& supervisor, std::int64_t now_ns) {
   looked_ns_ = now_ns;
   const std::string file = folder_ + "/restart";
   if (::access(file.c_str(), F_OK) != 0) return;
-  const std::string name = line_of(file);
+  const std::string name = first_line_of(file);
   ::unlink(file.c_str());
   const std::string refusal = supervisor.restart(name, now_ns);
   std::string answer = refusal.empty() ? "ok" : refusal;
@@ -84,11 +78,9 @@ void RestartRequests::look(Supervisor& supervisor, std::int64_t now_ns) {
 
 void keep_viewer_addresses() {
   for (const char* name : {"TWINBUS_VIEWER_TOKEN", "TWINBUS_VIEWER_WATCH_TOKEN"}) {
-    char token[40];
-    std::snprintf(token, sizeof token, "%016llx%016llx",
-                  static_cast<unsigned long long>(random_id()),
-                  static_cast<unsigned long long>(random_id()));
-    setenv(name, token, 0);
+    const std::string token = formatted("%016llx%016llx", static_cast<unsigned long long>(random_id()),
+                                        static_cast<unsigned long long>(random_id()));
+    setenv(name, token.c_str(), 0);
   }
 }
 
@@ -112,7 +104,7 @@ A source that is started anew is parked; it moves nothing until it is asked.)"},
   const std::int64_t begin = monotonic_ns();
   while (seconds_since(begin) < kMostWait) {
     ::usleep(static_cast<useconds_t>(1e6 * kAnswerPause));
-    const std::string said = line_of(answer);
+    const std::string said = first_line_of(answer);
     if (said.empty()) continue;
     ::unlink(answer.c_str());
     if (said != "ok" && !said.starts_with("ok ")) throw std::runtime_error(said);

@@ -2,13 +2,13 @@
 
 #include <yaml-cpp/yaml.h>
 
-#include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "common/text/formatted.h"
+#include "common/text/xml.h"
 #include "launcher/run/judge_scene.h"
 #include "launcher/stack/run_folder.h"
 #include "robot/description/load.h"
@@ -30,12 +30,6 @@ constexpr std::size_t kMostPairs = 5000;
 constexpr double kLargestImpulse = 1000.0;  // [N s]
 
 [[noreturn]] void refuse(const std::string& why) { throw std::runtime_error(why); }
-
-std::string whole_text(const fs::path& file) {
-  std::ifstream stream(file);
-  if (!stream) refuse("cannot read " + file.string());
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
 
 std::string text_member(const Json& json, const char* key) {
   const auto found = json.find(key);
@@ -129,9 +123,9 @@ void copy_robot(const std::string& from, const fs::path& to, const Model& model,
                 const std::vector<std::pair<std::string, double>>& joints) {
   fs::remove_all(to);
   fs::copy(from, to, fs::copy_options::recursive);
-  YAML::Node yaml = YAML::Load(whole_text(to / "robot.yaml"));
+  YAML::Node yaml = YAML::Load(read_text_file(to / "robot.yaml"));
   const std::string name = yaml["srdf"] ? yaml["srdf"].as<std::string>() : "set_up.srdf";
-  const std::string old = yaml["srdf"] ? whole_text(to / name) : std::string();
+  const std::string old = yaml["srdf"] ? read_text_file(to / name) : std::string();
   if (!yaml["srdf"]) {
     yaml["srdf"] = name;
     YAML::Emitter emitter;
@@ -166,9 +160,7 @@ std::string edited_srdf(const std::string& srdf, const std::string& robot, const
   if (!joints.empty()) {
     more += "  <group_state name=\"" + pose + "\" group=\"all\">\n";
     for (const auto& [name, value] : joints) {
-      char number[40];
-      std::snprintf(number, sizeof number, "%.12g", value);
-      more += "    <joint name=\"" + name + "\" value=\"" + number + "\"/>\n";
+      more += "    <joint name=\"" + name + formatted("\" value=\"%.12g\"/>\n", value);
     }
     more += "  </group_state>\n";
   }

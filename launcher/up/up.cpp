@@ -11,6 +11,7 @@
 
 #include "common/process/command_word.h"
 #include "common/process/process.h"
+#include "common/text/formatted.h"
 #include "launcher/bus/bus_health.h"
 #include "launcher/bus/bus_link.h"
 #include "launcher/bus/event_groups.h"
@@ -226,10 +227,8 @@ void Up::start_all() {
     }
     if (supervisor_->all_ready()) break;
   }
-  char text[32];
-  std::snprintf(text, sizeof text, "ready after %.2f s:", seconds(begin, monotonic_ns()));
   say(std::accumulate(
-      told.begin(), told.end(), std::string(text),
+      told.begin(), told.end(), formatted("ready after %.2f s:", seconds(begin, monotonic_ns())),
       [](const std::string& all, const std::string& one) { return all + " " + one; }));
 }
 
@@ -370,18 +369,14 @@ void Up::show(std::int64_t now_ns) {
   if (last != 0 && seconds(last, now_ns) < (terminal_ ? kTableEvery : kLineEvery)) return;
   shown_ns_ = now_ns;
   if (!terminal_) {
-    char time[32];
-    std::snprintf(time, sizeof time, "%6.1f s  ", seconds(start_ns_, now_ns));
-    say(time + summary_line(bus_->seen(), now_ns));
+    say(formatted("%6.1f s  ", seconds(start_ns_, now_ns)) + summary_line(bus_->seen(), now_ns));
     return;
   }
   std::vector<std::string> lines = table_lines(bus_->seen(), shares_, now_ns);
-  char title[200];
-  std::snprintf(title, sizeof title,
-                "twinbus up %s: %s, %s, stack %s, %.1f s%s%s   (Ctrl-C stops everything)",
-                request_.scene.c_str(), request_.robot.c_str(), request_.engine.c_str(),
-                stack_.name.c_str(), seconds(start_ns_, now_ns),
-                viewer_address_.empty() ? "" : ", ", viewer_address_.c_str());
+  const std::string title = formatted("twinbus up %s: %s, %s, stack %s, %.1f s%s%s   (Ctrl-C stops everything)",
+                                      request_.scene.c_str(), request_.robot.c_str(), request_.engine.c_str(),
+                                      stack_.name.c_str(), seconds(start_ns_, now_ns), viewer_address_.empty() ? "" : ", ",
+                                      viewer_address_.c_str());
   lines.insert(lines.begin(), title);
   redraw_.draw(lines);
 }
@@ -420,16 +415,12 @@ bool Up::work() {
 std::string Up::cpu_line(std::int64_t now_ns) {
   std::string line = "CPU:";
   double all = 0.0;
-  char part[64];
   for (const SeenProcess* process : bus_->seen().processes(now_ns)) {
     const double share = shares_.of(process->beat.pid, now_ns);
     all += share;
-    std::snprintf(part, sizeof part, " %s %.0f %%,", process_name(process->beat.kind), 1e2 * share);
-    line += part;
+    line += formatted(" %s %.0f %%,", process_name(process->beat.kind), 1e2 * share);
   }
-  std::snprintf(part, sizeof part, " together %.2f of %ld CPUs", all,
-                sysconf(_SC_NPROCESSORS_ONLN));
-  return line + part;
+  return line + formatted(" together %.2f of %ld CPUs", all, sysconf(_SC_NPROCESSORS_ONLN));
 }
 
 bool Up::judge_and_report(bool whole, double wall_s) {

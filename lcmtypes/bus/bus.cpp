@@ -3,7 +3,6 @@
 #include <lcm/lcm.h>
 #include <poll.h>
 #include <regex.h>
-#include <time.h>
 
 #include <algorithm>
 #include <cctype>
@@ -13,6 +12,7 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "common/process/process.h"
 #include "lcmtypes/bus/channels.h"
 #include "lcmtypes/bus/socket_filter.h"
 #include "lcmtypes/bus/udpm_receiver.h"
@@ -21,15 +21,8 @@ namespace twinbus {
 
 namespace {
 
-constexpr char kOwnUrl[] = "udpm://239.255.76.67:17667?ttl=0&recv_buf_size=4194304";
 constexpr std::size_t kLongestPrefix = 20;
 constexpr std::size_t kLongestChannel = LCM_MAX_CHANNEL_NAME_LENGTH;
-
-std::int64_t steady_ns() noexcept {
-  timespec t;
-  clock_gettime(CLOCK_MONOTONIC, &t);
-  return std::int64_t{1'000'000'000} * t.tv_sec + t.tv_nsec;
-}
 
 bool starts_with(const std::string& text, const char* start) { return text.rfind(start, 0) == 0; }
 
@@ -89,34 +82,6 @@ void check_provider(const std::string& url) {
 }
 
 }  // namespace
-
-std::string default_url() {
-  const char* url = std::getenv("LCM_DEFAULT_URL");
-  return url != nullptr && *url != '\0' ? url : kOwnUrl;
-}
-
-const char kBusOptionsHelp[] =
-    "  --url URL      LCM network (default: $LCM_DEFAULT_URL, else this project's own port)\n"
-    "  --prefix P     put before every channel name, as in R1_\n"
-    "  --allow A,B    IPv4 addresses of other machines that may send to this process\n";
-
-bool take_bus_option(int argc, char** argv, int& i, BusOptions& options) {
-  const std::string name = argv[i];
-  if (name != "--url" && name != "--prefix" && name != "--allow") return false;
-  if (i + 1 >= argc) throw std::invalid_argument(name + ": needs a value");
-  const std::string value = argv[++i];
-  if (name == "--url") {
-    check_provider(value);
-    options.url = value;
-  } else if (name == "--prefix") {
-    check_prefix(value);
-    options.prefix = value;
-  } else {
-    (void)addresses_of({value});
-    options.allow.push_back(value);
-  }
-  return true;
-}
 
 struct Bus::Subscription {
   Bus* bus;
@@ -190,7 +155,7 @@ void Bus::on_message(const lcm_recv_buf_t* buffer, const char* channel, void* us
       .channel = channel + std::min(bus.options_.prefix.size(), std::strlen(channel)),
       .bytes = {static_cast<const std::uint8_t*>(buffer->data), whole ? buffer->data_size : 0},
       .wall_time_us = buffer->recv_utime,
-      .now_ns = steady_ns(),
+      .now_ns = monotonic_ns(),
       .whole = whole};
   bus.give(subscription, in);
 }
@@ -211,7 +176,7 @@ bool Bus::send_heartbeat(const Heartbeat& beat) noexcept {
 }
 
 Heartbeat Bus::with_channels(Heartbeat beat) const noexcept {
-  const std::int64_t now = steady_ns();
+  const std::int64_t now = monotonic_ns();
   const auto number = [](std::int64_t x) {
     return static_cast<std::int32_t>(std::min<std::int64_t>(x, INT32_MAX));
   };
@@ -257,7 +222,7 @@ int Bus::take_datagrams() noexcept {
     const Incoming in{.channel = datagram.channel + prefix,
                       .bytes = datagram.bytes,
                       .wall_time_us = datagram.wall_time_us,
-                      .now_ns = steady_ns(),
+                      .now_ns = monotonic_ns(),
                       .whole = true};
     for (const auto& subscription : subscriptions_) {
       if (!subscription->takes(datagram.channel)) continue;

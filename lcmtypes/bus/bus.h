@@ -21,6 +21,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "common/process/options.h"
 #include "lcmtypes/bus/channel_health.h"
 #include "lcmtypes/bus/handler.h"
 #include "lcmtypes/bus/inbox.h"
@@ -33,21 +34,12 @@ namespace twinbus {
 
 class UdpmReceiver;
 
-// $LCM_DEFAULT_URL, or this project's own port.
-std::string default_url();
-
 struct BusOptions {
   std::string url = default_url();  // udpm:// memq:// file://
   std::string prefix;               // before every channel: letters, digits and _, at most 20
   std::vector<std::string>
       allow;  // IPv4 addresses of other machines that may send to us, or several by commas
 };
-
-// Takes --url, --prefix or --allow at argv[i] and moves i past its value.  False if argv[i] is
-// something else. Throws std::invalid_argument when the value is missing or bad.
-bool take_bus_option(int argc, char** argv, int& i, BusOptions& options);
-// Lines for --help.
-extern const char kBusOptionsHelp[];
 
 class Bus {
  public:

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "lcmtypes/bus/even_steps.h"
+#include "lcmtypes/bus/missing_messages.h"
 
 namespace twinbus {
 
@@ -38,7 +38,7 @@ class ChannelHealth {
     const std::int64_t step = count - count_;
     if (known_ && sender == sender_) {
       if (step == 0) ++counters.repeated;
-      counters.lost += steps_.missing(step);
+      counters.lost += missing_.after(step);
     }
     if (!known_ || sender != sender_ || step > 0) count_ = count;
     sender_ = sender;
@@ -55,7 +55,7 @@ class ChannelHealth {
   static constexpr double kShare = 1.0 / 64.0;  // of the newest interval in the mean
 
   std::int64_t last_ns_ = 0, sender_ = 0, count_ = 0;
-  EvenSteps steps_;
+  MissingMessages missing_;
   double mean_ns_ = 0.0, jitter_ns_ = 0.0;
   bool known_ = false;
 };

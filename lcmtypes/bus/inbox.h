@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <type_traits>
 
-#include "lcmtypes/bus/even_steps.h"
+#include "lcmtypes/bus/missing_messages.h"
 #include "lcmtypes/bus/wire.h"
 
 namespace twinbus {
@@ -64,7 +64,7 @@ struct Latest {
       }
     }
     if (rule_ != nullptr && !rule_(rule_object_, candidate, message)) return reject();
-    lost += steps_.missing(step_on);  // 0: another sender
+    lost += missing_.after(step_on);  // 0: another sender
     message = candidate;
     received_ns = now_ns;
     fresh = true;
@@ -78,7 +78,7 @@ struct Latest {
     return Verdict::kRejected;
   }
 
-  EvenSteps steps_;
+  MissingMessages missing_;
   bool (*rule_)(void*, const T&, const T&) noexcept = nullptr;
   void* rule_object_ = nullptr;
 };

@@ -1,9 +1,7 @@
 #include "lcmtypes/bus/wire.h"
 
-#include <algorithm>
 #include <array>
 #include <cstring>
-#include <type_traits>
 
 #include "lcmtypes/bus/channels.h"
 #include "lcmtypes/bus/convert.h"

@@ -48,8 +48,6 @@ class BlockCheck {
   // Is every posture of the line free, ends included?  No is also said when that cannot be proved in
   // about a thousand pieces.
   bool line_certain(const float* from, const float* step) noexcept;
-  // Does what no joint moves touch an obstacle?
-  bool world_free() noexcept;
 
   std::int64_t blocks() const noexcept { return blocks_; }  // looked at so far
   const BlockRobot& robot() const noexcept { return *robot_; }
@@ -62,9 +60,5 @@ class BlockCheck {
   InstructionSet set_;
   std::int64_t blocks_ = 0;
 };
-
-// Brings the pairs that touch most often to the front, by random postures.  Drops pairs that have balls alone when these touch
-// in all of them.
-void sort_pairs(BlockRobot& robot);
 
 }  // namespace twinbus

@@ -1,13 +1,6 @@
 // The rake along a line.  Included once per instruction set, inside a namespace,
 // by check.cpp: no #pragma once.
 
-inline bool world_free(const BlockRobot& robot, const BlockScene& scene, BlockWork& w) {
-  for (int g = 0; g < robot.fixed_groups; ++g) {
-    if (!group_free(robot, scene, w, g, false)) return false;
-  }
-  return true;
-}
-
 // Stride 5/8 of the blocks or a little more, that has no factor in common with them: it visits every
 // offset once and far ones early.
 inline int stride_of(int blocks) {

@@ -141,7 +141,6 @@ void add_pieces(std::vector<CornersOfOne> triangles,
 BallGroup group_from(const LinkGeometry& geometry) {
   BallGroup group;
   group.link = geometry.link;
-  group.balls = geometry.balls;
   // A hull of very many corners is asked too often: one of few that is hardly larger, and the pieces settle the rest.
   const auto coarse = geometry.hull.points.size() > at(kMostCorners) ? coarse_hull(geometry.hull) : std::nullopt;
   group.pieces.push_back(coarse ? coarse->points : geometry.hull.points);

@@ -7,9 +7,6 @@
 
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <string>
 #include <utility>
 #include <vector>
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/math/index.h"
 
 namespace twinbus {
 

@@ -104,7 +104,7 @@ bool ArmLines::curve_free(const std::array<JointPoint, 4>& curve) {
 
 std::vector<BallGroup> balls_along_links(const Model& model) {
   std::vector<BallGroup> groups;
-  for (const LinkGeometry& link : build_geometry(model, {.balls = false}).links)
+  for (const LinkGeometry& link : build_geometry(model).links)
     groups.push_back(balls_along(link));
   return groups;
 }
@@ -115,7 +115,7 @@ std::vector<BallGroup> balls_along_held(const Model& model, const std::vector<Ob
     if (!takes_part(obstacle, model)) continue;
     BallGroup group;
     if (obstacle.hand >= 0) {
-      LinkGeometry geometry = link_geometry({shape_of(obstacle, model)}, {.balls = false});
+      LinkGeometry geometry = link_geometry({shape_of(obstacle, model)});
       geometry.link = hand_of(model, obstacle.hand)->link;
       group = balls_along(geometry);
     }

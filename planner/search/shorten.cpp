@@ -10,6 +10,9 @@ namespace twinbus {
 
 namespace {
 
+constexpr int kRounds = 5;
+constexpr float kLeastGain = 0.02F;  // a corner whose cut gains less is left [rad]
+
 SearchPoint mixed(const SearchPoint& a, const SearchPoint& b, float share, int joints) {
   SearchPoint q{};
   for (std::size_t j = 0; j < at(joints); ++j) q[j] = a[j] + share * (b[j] - a[j]);
@@ -45,7 +48,7 @@ class Shortener {
 
   // A corner is cut from the middle of its lines, or from a quarter of the way, where that is free
   // and gains enough.
-  bool cut_corners(float least_gain) {
+  bool cut_corners() {
     bool changed = false;
     for (std::size_t i = 1; i + 1 < path_.size(); ++i) {
       for (const float share : {0.5F, 0.25F}) {
@@ -53,7 +56,7 @@ class Shortener {
         const SearchPoint b = mixed(path_[i], path_[i + 1], share, joints_);
         const float gain = distance(a, path_[i], joints_) + distance(path_[i], b, joints_) -
                            distance(a, b, joints_);
-        if (!(gain > least_gain)) break;
+        if (!(gain > kLeastGain)) break;
         if (!test_.between(a, b, joints_)) continue;
         path_[i] = a;
         numbers_[i] = next_++;
@@ -86,16 +89,16 @@ class Shortener {
 
 }  // namespace
 
-void shorten(LineTest& test, SearchPath& path, int joints, const ShortenOptions& options) {
+void shorten(LineTest& test, SearchPath& path, int joints) {
   if (path.size() <= 2) return;
   if (test.between(path.front(), path.back(), joints)) {
     path = {path.front(), path.back()};
     return;
   }
   Shortener shortener(test, path, joints);
-  for (int round = 0; round < options.rounds; ++round) {
+  for (int round = 0; round < kRounds; ++round) {
     const bool shorter = shortener.shortcut();
-    const bool smoother = shortener.cut_corners(options.least_gain);
+    const bool smoother = shortener.cut_corners();
     if (!shorter && !smoother) break;
   }
 }

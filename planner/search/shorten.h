@@ -6,12 +6,7 @@
 
 namespace twinbus {
 
-struct ShortenOptions {
-  int rounds = 5;
-  float least_gain = 0.02F;  // a corner whose cut gains less is left [rad]
-};
-
 // The ends stay; every line stays free.
-void shorten(LineTest& test, SearchPath& path, int joints, const ShortenOptions& options = {});
+void shorten(LineTest& test, SearchPath& path, int joints);
 
 }  // namespace twinbus

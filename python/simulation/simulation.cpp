@@ -3,7 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "launcher/run/judge_scene.h"
+#include "launcher/run/fit_scene.h"
 #include "robot/description/load.h"
 #include "sim/scene/scene_seed.h"
 #include "sim/scene/settings.h"

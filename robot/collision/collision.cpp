@@ -1,8 +1,6 @@
 #include "robot/collision/collision.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdint>
 #include <iterator>
 #include <utility>
 

@@ -62,15 +62,10 @@ CollisionShape of_mesh(const Shape& shape) {
   TriangleMesh mesh = load_mesh(shape.mesh, shape.size);
   const std::optional<TriangleMesh> hull = kept_coarse_hull(mesh);
   if (hull) mesh = *hull;
-  Vector3d low = mesh.points.front();
-  Vector3d high = low;
-  for (const Vector3d& point : mesh.points) {
-    low = low.cwiseMin(point);
-    high = high.cwiseMax(point);
-  }
-  const Vector3d middle = 0.5 * (low + high);
+  const Eigen::AlignedBox3d box = box_around(mesh.points);
+  const Vector3d middle = box.center();
   CollisionShape result;
-  result.convex = {ShapeKind::kMesh, 0.5 * (high - low)};
+  result.convex = {ShapeKind::kMesh, 0.5 * box.sizes()};
   result.local = shape.pose * Eigen::Translation3d(middle);
   for (Vector3d& point : mesh.points) point -= middle;
   result.fcl = hull ? fcl_hull(mesh) : fcl_mesh(mesh);

@@ -2,7 +2,6 @@
 // is proved to stay apart.
 
 #include <algorithm>
-#include <cmath>
 
 #include "robot/collision/collision_impl.h"
 #include "geometry/distance/convex_shape.h"

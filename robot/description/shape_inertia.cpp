@@ -36,14 +36,9 @@ void take_inertia_from_shape(Link& link) {
     edge.setConstant(std::sqrt(2.4) *
                      std::cbrt(3.0 * link.mass / (4.0 * std::numbers::pi * kWater)));
   } else {
-    Eigen::Vector3d low = points.front();
-    Eigen::Vector3d high = low;
-    for (const Eigen::Vector3d& point : points) {
-      low = low.cwiseMin(point);
-      high = high.cwiseMax(point);
-    }
-    edge = high - low;
-    middle = 0.5 * (low + high);
+    const Eigen::AlignedBox3d box = box_around(points);
+    edge = box.sizes();
+    middle = box.center();
   }
   if (weightless) link.com = middle;
   const Eigen::Vector3d square = edge.cwiseMax(kLeastEdge).cwiseAbs2();

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "common/text/closest_name.h"
+#include "common/text/formatted.h"
 #include "robot/description/known_names.h"
 #include "robot/description/urdf.h"
 
@@ -107,10 +108,7 @@ class Checker {
     if (!read(element, key, values, count, faults)) return false;
     for (int i = 0; i < count; ++i) {
       if (std::abs(values[i]) <= most) continue;
-      char text[120];
-      std::snprintf(text, sizeof text, "%s %s has %.3g; at most %.0e %s are read",
-                    element.name.c_str(), key, values[i], most, unit);
-      add(faults, text);
+      add(faults, formatted("%s %s has %.3g; at most %.0e %s are read", element.name.c_str(), key, values[i], most, unit));
       return false;
     }
     return true;

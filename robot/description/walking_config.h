@@ -20,7 +20,7 @@ struct Walking {
   double com_height = 0.0;    // of the centre of mass above the ground, 0: as the legs say [m]
   // Of the reference zero-moment point before a sole frame [m]; NaN: 0.03, or as much as the ankles can hold.
   double zmp_forward = std::numeric_limits<double>::quiet_NaN();
-  double zmp_inward = 0.005;  // and towards the other foot [m]
+  double zmp_inward = 0.005;  // and towards the other foot [m]; soles that no ankle rolls carry at their edges, whatever is said
   double fastest = 0.0;       // forward that commands may ask for, 0: as the legs say [m/s]
   bool preview = false;  // reference by preview control, not in closed form: `pattern: preview`
   bool own_attitude = false;  // from gyro and accelerometer, not the IMU's: `attitude: estimated`

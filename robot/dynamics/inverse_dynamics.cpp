@@ -88,13 +88,4 @@ Eigen::Matrix<double, 6, 1> InverseDynamics::solve(
   return base;
 }
 
-Eigen::Vector3d InverseDynamics::point_acceleration(const Kinematics& kinematics, int link,
-                                                    const Eigen::Vector3d& point) const noexcept {
-  const Eigen::Vector3d arm = point - kinematics.link_in_world(link).translation();
-  const Eigen::Vector3d& omega = kinematics.angular_velocity(link);
-  const Part& part = parts_[at(link)];
-  return part.acceleration.value - kGravity * Eigen::Vector3d::UnitZ() +
-         part.spin.value.cross(arm) + omega.cross(omega.cross(arm));
-}
-
 }  // namespace twinbus

@@ -36,14 +36,6 @@ class InverseDynamics {
                                     const std::vector<ExternalWrench>& external,
                                     Eigen::VectorXd& tau) noexcept;
 
-  // Of the last solve, without gravity: acceleration [m/s^2] of the material point of a link that is
-  // at `point` (world).  With zero accelerations given to solve, what velocities alone cause: J' v.
-  Eigen::Vector3d point_acceleration(const Kinematics& kinematics, int link,
-                                     const Eigen::Vector3d& point) const noexcept;
-  const Eigen::Vector3d& angular_acceleration(int link) const noexcept {
-    return parts_[static_cast<std::size_t>(link)].spin.value;
-  }
-
  private:
   struct alignas(64) Part {           // a link and the joint that moves it, world axes
     PaddedVector acceleration, spin;  // of the origin, gravity as one upwards; of the link

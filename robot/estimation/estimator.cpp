@@ -1,7 +1,6 @@
 #include "robot/estimation/estimator.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 

@@ -9,7 +9,6 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <array>
 #include <vector>
 
 #include "lcmtypes/msg/messages.h"

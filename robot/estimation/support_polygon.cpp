@@ -17,13 +17,13 @@ void SupportPolygon::add(const Eigen::Vector2d& point) noexcept {
   if (count_ < kCapacity) points_[static_cast<std::size_t>(count_++)] = point;
 }
 
-// Andrew's monotone chain.
 void SupportPolygon::add(const Sole& sole, const Eigen::Isometry3d& frame) noexcept {
   for (const double x : {sole.front, -sole.back}) {
     for (const double y : {sole.left, -sole.right}) add((frame * Eigen::Vector3d(x, y, 0.0)).head<2>());
   }
 }
 
+// Andrew's monotone chain.
 void SupportPolygon::finish() noexcept {
   if (count_ < 3) return;
   std::array<Eigen::Vector2d, kCapacity> sorted;

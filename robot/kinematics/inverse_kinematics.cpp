@@ -16,7 +16,6 @@ namespace {
 constexpr double kFirstDamping = 1e-3;
 constexpr double kLeastDamping = 1e-8;
 constexpr double kMostDamping = 1e4;
-constexpr double kNear = 0.05;    // the pull towards the rest posture fades below this error [m]
 constexpr int kMostSlow = 4;      // steps that hardly help, before another posture is tried
 constexpr int kSamples = 150;     // of joints that the closed form leaves over
 constexpr int kTriesInVain = 4;   // for the nearest posture, once it is known that none reaches
@@ -64,7 +63,6 @@ InverseKinematics::InverseKinematics(const Model& model, int base_link, int link
                              " joints between links " + model.links[at(base_link)].name + " and " +
                              model.links[at(link)].name);
   }
-  held_.assign(joints_.size(), 0);
   // Steps of powers of 1 / g, g^(n+1) = g + 1, fill the box of all postures most evenly.
   double g = 1.5;
   for (int round = 0; round < 50; ++round) {
@@ -74,12 +72,6 @@ InverseKinematics::InverseKinematics(const Model& model, int base_link, int link
     seed_step_[i] = std::pow(1.0 / g, static_cast<double>(i + 1));
   }
   jacobian_.setZero(6, static_cast<Eigen::Index>(joints_.size()));
-}
-
-void InverseKinematics::hold(int joint, bool held) noexcept {
-  for (std::size_t i = 0; i < joints_.size(); ++i) {
-    if (joints_[i] == joint) held_[i] = held ? 1 : 0;
-  }
 }
 
 double InverseKinematics::low(std::size_t i, const IkOptions& options) const noexcept {
@@ -112,21 +104,18 @@ Eigen::Isometry3d InverseKinematics::pose_and_axes(const Eigen::VectorXd& q) noe
   return pose * frame_;
 }
 
-// (J^T J + damping I) dq = J^T error over the joints that are free: neither held nor pushing
-// against a limit.
+// (J^T J + damping I) dq = J^T error over the joints that are free: not pushing against a limit.
 InverseKinematics::Step InverseKinematics::step(const Eigen::Matrix<double, 6, 1>& error,
-                                                const Step& rest, double pull, double damping,
-                                                const IkOptions& options,
+                                                double damping, const IkOptions& options,
                                                 const Eigen::VectorXd& q) noexcept {
   const auto n = static_cast<Eigen::Index>(joints_.size());
   std::array<bool, kMaxChain> fixed{};
-  for (std::size_t i = 0; i < joints_.size(); ++i) fixed[i] = held_[i] != 0;
   Step dq = Step::Zero(n);
   for (int round = 0; round <= kMaxChain; ++round) {
     Normal normal = jacobian_.transpose() * jacobian_;
-    Step right = jacobian_.transpose() * error + pull * rest;
+    Step right = jacobian_.transpose() * error;
     for (Eigen::Index i = 0; i < n; ++i) {
-      normal(i, i) += damping + pull;
+      normal(i, i) += damping;
       if (!fixed[static_cast<std::size_t>(i)]) continue;
       normal.row(i).setZero();
       normal.col(i).setZero();
@@ -152,7 +141,7 @@ InverseKinematics::Step InverseKinematics::step(const Eigen::Matrix<double, 6, 1
 
 // From now_ downhill; the result is in now_.
 IkResult InverseKinematics::descend(const Eigen::Isometry3d& target, const IkOptions& options,
-                                    const Eigen::VectorXd& rest, bool may_give_up) noexcept {
+                                    bool may_give_up) noexcept {
   const auto n = static_cast<Eigen::Index>(joints_.size());
   trial_ = now_;
   const auto error_of = [&](const Eigen::Isometry3d& pose) {
@@ -177,7 +166,6 @@ IkResult InverseKinematics::descend(const Eigen::Isometry3d& target, const IkOpt
 
   while (!good() && result.iterations < options.iterations && damping < kMostDamping) {
     if (may_give_up && slow >= kMostSlow) break;
-    Step rest_pull = Step::Zero(n);
     for (Eigen::Index i = 0; i < n; ++i) {
       const auto k = static_cast<std::size_t>(i);
       const Joint& joint = model_->joints[at(joints_[k])];
@@ -188,17 +176,13 @@ IkResult InverseKinematics::descend(const Eigen::Isometry3d& target, const IkOpt
         jacobian_.block<3, 1>(0, i) = axis_[k].cross(pose.translation() - origin_[k]);
         jacobian_.block<3, 1>(3, i) = options.rotation_weight * axis_[k];
       }
-      rest_pull[i] = rest[joints_[k]] - now_[joints_[k]];
     }
-    const double pull =
-        1e-3 * options.rest_weight * std::min(1.0, error.squaredNorm() / (kNear * kNear));
     // Levenberg and Marquardt: damp more until the step makes the error smaller.
     bool better = false;
     for (; !better && result.iterations < options.iterations && damping < kMostDamping;
          ++result.iterations) {
-      const Step dq = step(error, rest_pull, pull, damping, options, now_);
+      const Step dq = step(error, damping, options, now_);
       for (std::size_t i = 0; i < joints_.size(); ++i) {
-        if (held_[i] != 0) continue;
         trial_[joints_[i]] = std::clamp(now_[joints_[i]] + dq[static_cast<Eigen::Index>(i)],
                                         low(i, options), high(i, options));
       }
@@ -222,12 +206,9 @@ IkResult InverseKinematics::descend(const Eigen::Isometry3d& target, const IkOpt
 
 bool InverseKinematics::closed_form(const Eigen::Isometry3d& target, const IkOptions& options,
                                     bool& sure) noexcept {
-  if (!closed_.usable() || !(options.rotation_weight > 0.0) || options.rest_weight > 0.0) {
-    return false;
-  }
+  if (!closed_.usable() || !(options.rotation_weight > 0.0)) return false;
   ClosedForm::Angles start{}, from{}, lows{}, highs{};
   for (std::size_t i = 0; i < joints_.size(); ++i) {
-    if (held_[i] != 0) return false;
     lows[i] = low(i, options);
     highs[i] = high(i, options);
     start[i] = std::clamp(now_[joints_[i]], lows[i], highs[i]);
@@ -268,13 +249,13 @@ IkResult InverseKinematics::solve(const Eigen::Isometry3d& target, const IkOptio
     if (attempt >= 0) now_ = q;
     for (std::size_t i = 0; i < joints_.size(); ++i) {
       double& value = now_[joints_[i]];
-      if (attempt > 0 && held_[i] == 0 && std::isfinite(high(i, options) - low(i, options))) {
+      if (attempt > 0 && std::isfinite(high(i, options) - low(i, options))) {
         const double place = std::fmod(0.5 + attempt * seed_step_[i], 1.0);
         value = low(i, options) + place * (high(i, options) - low(i, options));
       }
-      if (held_[i] == 0) value = std::clamp(value, low(i, options), high(i, options));
+      value = std::clamp(value, low(i, options), high(i, options));
     }
-    IkResult next = descend(target, options, q, attempt < last);
+    IkResult next = descend(target, options, attempt < last);
     next.iterations += result.iterations;
     const double error = next.position_error + options.rotation_weight * next.rotation_error;
     if (error < least) {

@@ -22,10 +22,8 @@ struct IkOptions {
   double position_tolerance = 1e-6;  // [m]
   double rotation_tolerance = 1e-6;  // [rad]
   double rotation_weight = 0.3;      // [m/rad]; 0: only the position counts
-  double rest_weight =
-      0.0;  // pull of a redundant chain towards the starting posture, 0..1, fading out on arrival
-  // Further tries from other postures when the target is missed.  With restarts, and neither
-  // rest_weight nor a held joint, the first try is the closed form nearest to the start.
+  // Further tries from other postures when the target is missed.  With restarts the
+  // first try is the closed form nearest to the start.
   int restarts = 0;
   double limit_margin = 0.0;  // stays this far inside the limits [rad or m]
 };
@@ -47,8 +45,6 @@ class InverseKinematics {
 
   // Model joint indices of the chain, base first.  Mimic joints on the way stay as they are in q.
   const std::vector<int>& joints() const noexcept { return joints_; }
-  // A joint that must not move (masked): left out of the solution until set free again.
-  void hold(int joint, bool held) noexcept;
 
   // q [joint_count]: the starting posture, then the solution; only joints of the chain change, and
   // they stay within their limits.  When the target cannot be reached the nearest posture found is
@@ -66,19 +62,18 @@ class InverseKinematics {
       Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, kMaxChain, kMaxChain>;
 
   IkResult descend(const Eigen::Isometry3d& target, const IkOptions& options,
-                   const Eigen::VectorXd& rest, bool may_give_up) noexcept;
+                   bool may_give_up) noexcept;
   // From now_, a try like any other; the result is in now_.  sure: the target is out of reach.
   bool closed_form(const Eigen::Isometry3d& target, const IkOptions& options, bool& sure) noexcept;
   Eigen::Isometry3d pose_and_axes(const Eigen::VectorXd& q) noexcept;
-  Step step(const Eigen::Matrix<double, 6, 1>& error, const Step& rest, double pull, double damping,
-            const IkOptions& options, const Eigen::VectorXd& q) noexcept;
+  Step step(const Eigen::Matrix<double, 6, 1>& error, double damping, const IkOptions& options,
+            const Eigen::VectorXd& q) noexcept;
   double low(std::size_t i, const IkOptions& options) const noexcept;
   double high(std::size_t i, const IkOptions& options) const noexcept;
 
   const Model* model_;
   std::vector<int> path_;    // all joints on the way, base first
   std::vector<int> joints_;  // those that may move
-  std::vector<char> held_;
   Eigen::Isometry3d frame_;
   std::array<Eigen::Vector3d, kMaxChain> axis_, origin_;  // of joints_, base link's frame
   Jacobian jacobian_;

@@ -46,6 +46,8 @@ int free_axis(const Model& model, int foot) {
   return best;
 }
 
+bool leans(const Model& model) { return free_axis(model, 0) == 0; }
+
 LegMotion::LegMotion(const Model& model, int foot) : chain_(leg_chain(model, foot)), free_(free_axis(model, foot)) {
   if (!chain_.balances()) throw std::runtime_error("robot " + model.name + ": " + kNoLegs);
 }

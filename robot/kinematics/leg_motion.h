@@ -17,6 +17,8 @@ namespace twinbus {
 
 // The axis of its frame, 0 forward, 1 left, 2 up, about which a leg of five joints turns its sole least; -1 of other legs.
 int free_axis(const Model& model, int foot);
+// Whether no ankle rolls the soles: they carry at the edges that they lean to.
+bool leans(const Model& model);
 
 class LegMotion {
  public:

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstdio>
 #include <vector>
 
 #include "common/text/closest_name.h"
+#include "common/text/formatted.h"
 
 namespace twinbus {
 
@@ -17,11 +17,8 @@ std::string add_joint(const Model& model, const std::string& name, double q, Mod
   if (found == names.end()) return model.name + " moves no joint '" + name + "'" + suggestion(name, names);
   const auto k = static_cast<std::size_t>(found - names.begin());
   const Joint& joint = model.joints[static_cast<std::size_t>(model.bus_joints[k])];
-  if (!(q >= joint.lower && q <= joint.upper)) {
-    char limits[120];
-    std::snprintf(limits, sizeof limits, "=%.6g is outside the limits of the joint, %.3f to %.3f", q, joint.lower, joint.upper);
-    return name + limits;
-  }
+  if (!(q >= joint.lower && q <= joint.upper))
+    return name + formatted("=%.6g is outside the limits of the joint, %.3f to %.3f", q, joint.lower, joint.upper);
   pose.q[k] = q;
   pose.joint_mask |= std::int64_t{1} << k;
   return {};

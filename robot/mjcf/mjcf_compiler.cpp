@@ -1,6 +1,5 @@
 #include "robot/mjcf/mjcf_compiler.h"
 
-#include <cmath>
 #include <numbers>
 
 #include "common/math/pose_math.h"

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "common/text/closest_name.h"
+#include "common/text/formatted.h"
 #include "common/text/xml.h"
 
 namespace twinbus {
@@ -14,9 +14,7 @@ namespace {
 constexpr std::size_t kShown = 60;
 
 std::string brief(double value) {
-  char text[40];
-  std::snprintf(text, sizeof(text), "%.3g", value);
-  return text;
+  return formatted("%.3g", value);
 }
 
 // Words between blanks.

@@ -1,7 +1,6 @@
 #include "robot/mjcf/mjcf_model.h"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <map>
 #include <optional>

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <map>
 #include <set>
 
 #include "common/math/index.h"
+#include "common/text/formatted.h"
+#include "common/text/xml.h"
 #include "robot/mjcf/geom_inertia.h"
 #include "robot/mjcf/mjcf_selection.h"
 #include "robot/mjcf/urdf_shapes.h"
@@ -304,15 +305,11 @@ class Converter {
 
   void tell() {
     std::vector<std::string>& notes = robot_.notes;
-    char text[200];
-    std::snprintf(text, sizeof(text),
-                  "MJCF limits no speeds: %g rad/s and %g m/s are written; correct them, the gate cuts by them",
-                  kMjcfVelocity, kMjcfSlideVelocity);
-    notes.emplace_back(text);
+    notes.push_back(formatted("MJCF limits no speeds: %g rad/s and %g m/s are written; correct them, the gate cuts by them",
+                              kMjcfVelocity, kMjcfSlideVelocity));
     if (unlimited_ > 0) {
-      std::snprintf(text, sizeof(text), "%d joints have no limit of effort in the MJCF: %g N m or N is written", unlimited_,
-                    kMjcfEffort);
-      notes.emplace_back(text);
+      notes.push_back(formatted("%d joints have no limit of effort in the MJCF: %g N m or N is written", unlimited_,
+                                kMjcfEffort));
     }
     if (passive_ > 0)
       notes.push_back(std::to_string(passive_) + " joints have no actuator: their effort is 0, nothing holds them");

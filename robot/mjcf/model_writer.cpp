@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <stdexcept>
 #include <utility>
 
 #include "common/math/index.h"
+#include "common/text/xml.h"
 #include "geometry/bounds/convex_hull.h"
 #include "geometry/mesh/mesh_file.h"
 #include "robot/mjcf/urdf_text.h"

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "common/math/index.h"
+#include "common/text/xml.h"
 #include "geometry/mesh/mesh_file.h"
 #include "robot/mjcf/urdf_text.h"
 

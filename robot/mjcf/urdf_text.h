@@ -10,8 +10,6 @@ namespace twinbus {
 // All digits, so that reading gives the same number.
 std::string exact_number(double value);
 std::string exact_numbers(const Eigen::Vector3d& v);
-// Of text in an attribute.
-std::string xml_escaped(const std::string& text);
 // <origin xyz= rpy=/>
 std::string urdf_origin(const Eigen::Isometry3d& place);
 

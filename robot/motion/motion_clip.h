@@ -7,7 +7,6 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>

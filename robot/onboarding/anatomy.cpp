@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <cstdio>
 
 #include "common/math/index.h"
+#include "common/text/formatted.h"
 #include "robot/collision/collision_pairs.h"
 #include "robot/kinematics/kinematics.h"
 #include "robot/description/link_points.h"
@@ -100,13 +100,7 @@ class Finder {
   Eigen::Vector3d middle(int link) const {
     const std::vector<Eigen::Vector3d>& points = points_[at(link)];
     if (points.empty()) return kinematics_.link_in_world(link).translation();
-    Eigen::Vector3d low = points.front();
-    Eigen::Vector3d high = low;
-    for (const Eigen::Vector3d& point : points) {
-      low = low.cwiseMin(point);
-      high = high.cwiseMax(point);
-    }
-    return 0.5 * (low + high);
+    return box_around(points).center();
   }
 
   double lowest(int link) const {
@@ -336,13 +330,11 @@ class Finder {
     sole.right = 0.5 * foot.width + foot.ankle_left;
     result_.hip_height =
         kinematics_.link_in_world(root).translation().z() - frame.translation().z();
-    char text[200];
-    std::snprintf(text, sizeof(text),
-                  " has no geometry: its sole is %s, %.0f x %.0f mm, %.0f mm below the ankle; "
-                  "measure at, front, back, left, right under soles in robot.yaml",
-                  foot.present ? "as the SRDF's <specificities> say" : "guessed from the leg",
-                  1e3 * foot.length, 1e3 * foot.width, 1e3 * foot.ankle_height);
-    result_.doubts.push_back("foot " + model_.links[at(sole.link)].name + text);
+    result_.doubts.push_back(formatted("foot %s has no geometry: its sole is %s, %.0f x %.0f mm, %.0f mm below the ankle; "
+                                       "measure at, front, back, left, right under soles in robot.yaml",
+                                       model_.links[at(sole.link)].name.c_str(),
+                                       foot.present ? "as the SRDF's <specificities> say" : "guessed from the leg",
+                                       1e3 * foot.length, 1e3 * foot.width, 1e3 * foot.ankle_height));
   }
 
   void find_arms(int legs) {

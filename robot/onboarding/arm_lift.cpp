@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "common/math/index.h"
+#include "common/text/formatted.h"
 #include "lcmtypes/msg/guard_defaults.h"
 #include "robot/collision/collision.h"
 #include "robot/collision/collision_pairs.h"
@@ -110,9 +110,8 @@ std::string lift_arms(const Model& model, const Anatomy& anatomy, Eigen::VectorX
       if (!turn(model, joint, angle, tried) || (other >= 0 && !turn(model, other, sign * angle, tried))) return false;
       if (!good(tried)) return false;
       q = tried;
-      char text[80];
-      std::snprintf(text, sizeof text, "%.1f rad", std::abs(angle));
-      said += (said.empty() ? "" : ", ") + model.joints[at(joint)].name + (other >= 0 ? " and " + model.joints[at(other)].name : "") + " by " + text;
+      said += (said.empty() ? "" : ", ") + model.joints[at(joint)].name +
+              (other >= 0 ? " and " + model.joints[at(other)].name : "") + formatted(" by %.1f rad", std::abs(angle));
       return true;
     };
     bool done = false;

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <cstdio>
 #include <initializer_list>
 #include <numbers>
 #include <utility>
 
 #include "common/math/index.h"
 #include "common/math/pose_math.h"
+#include "common/text/formatted.h"
 #include "common/text/xml.h"
 #include "robot/collision/collision_pairs.h"
 #include "robot/description/link_points.h"
@@ -107,9 +107,8 @@ std::string with_root_above(const std::string& urdf_text, const std::string& roo
   const std::size_t end = urdf_text.rfind("</robot>");
   if (end == std::string::npos) return urdf_text;
   const Eigen::Vector3d xyz = pose.translation(), rpy = rpy_from_rotation(pose.linear());
-  char origin[200];
-  std::snprintf(origin, sizeof(origin), "xyz=\"%.9g %.9g %.9g\" rpy=\"%.9f %.9f %.9f\"", xyz.x(), xyz.y(), xyz.z(), rpy.x(),
-                rpy.y(), rpy.z());
+  const std::string origin = formatted("xyz=\"%.9g %.9g %.9g\" rpy=\"%.9f %.9f %.9f\"", xyz.x(), xyz.y(), xyz.z(), rpy.x(),
+                                       rpy.y(), rpy.z());
   std::string text = urdf_text.substr(0, end);
   text += "  <!-- Added by `twinbus check`: " + why + ". -->\n";
   text += "  <link name=\"" + new_root + "\"/>\n";

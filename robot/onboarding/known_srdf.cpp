@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <stdexcept>
 
+#include "common/text/formatted.h"
 #include "robot/onboarding/anatomy.h"
 #include "common/math/index.h"
 #include "robot/kinematics/kinematics.h"
@@ -39,11 +39,8 @@ void take_pose(const Model& model, const SrdfPose& from, const std::string& orig
     }
     const Joint& joint = model.joints[at(j)];
     if (!(value >= joint.lower - kOutside && value <= joint.upper + kOutside)) {
-      char text[120];
-      std::snprintf(text, sizeof(text), " at %.4g; its limits are %.4g to %.4g", value, joint.lower,
-                    joint.upper);
-      known.doubts.push_back("pose " + from.name +
-                             " of " + origin + " is not used: joint " + name + text);
+      known.doubts.push_back("pose " + from.name + " of " + origin + " is not used: joint " + name +
+                             formatted(" at %.4g; its limits are %.4g to %.4g", value, joint.lower, joint.upper));
       return;
     }
     pose.q[at(j)] = std::clamp(value, joint.lower, joint.upper);

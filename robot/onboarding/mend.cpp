@@ -9,6 +9,7 @@
 #include <numbers>
 #include <utility>
 
+#include "common/text/formatted.h"
 #include "common/text/xml.h"
 #include "robot/onboarding/anatomy.h"
 #include "robot/onboarding/base_turn.h"
@@ -28,9 +29,7 @@ constexpr double kLeastSize = 0.001;    // [m]
 constexpr std::array<const char*, 6> kMoments{"ixx", "ixy", "ixz", "iyy", "iyz", "izz"};
 
 std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
+  return formatted("%.6g", value);
 }
 
 XmlElement* child_of(XmlElement& element, const char* name) {
@@ -210,11 +209,7 @@ class Mender {
     moments *= 1.0 + 1e-6;
     const Eigen::Matrix3d mended = solver.eigenvectors() * moments.asDiagonal() * solver.eigenvectors().transpose();
     const double values[6] = {mended(0, 0), mended(0, 1), mended(0, 2), mended(1, 1), mended(1, 2), mended(2, 2)};
-    for (std::size_t i = 0; i < 6; ++i) {
-      char text[40];
-      std::snprintf(text, sizeof text, "%.9g", values[i]);
-      write(*inertia, kMoments[i], text);
-    }
+    for (std::size_t i = 0; i < 6; ++i) write(*inertia, kMoments[i], formatted("%.9g", values[i]));
     say(about, "its largest moment exceeded the sum of the others by " + number(lacks) +
                    " kg m^2, which no body's does: the two smaller ones are raised by half of that");
   }
@@ -226,10 +221,8 @@ class Mender {
     if (text == nullptr || !parse_numbers(*text, v, 3)) return;
     const double length = std::hypot(v[0], v[1], v[2]);
     if (std::abs(length - 1.0) <= 1e-3 || !(length > 1e-6)) return;
-    char unit[100];
-    std::snprintf(unit, sizeof unit, "%.9f %.9f %.9f", v[0] / length, v[1] / length, v[2] / length);
     say("joint " + name_of(joint), "axis " + *text + " gets length 1");
-    write(*axis, "xyz", unit);
+    write(*axis, "xyz", formatted("%.9f %.9f %.9f", v[0] / length, v[1] / length, v[2] / length));
   }
 
   void mend_range(XmlElement& joint) {

@@ -1,13 +1,13 @@
 #include "robot/onboarding/mesh_axis.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <numbers>
 
 #include "common/math/pose_math.h"
+#include "common/text/formatted.h"
 #include "common/text/xml.h"
 #include "robot/description/link_points.h"
 
@@ -70,9 +70,7 @@ std::string turned_rpy(const std::string& rpy) {
   if (!rpy.empty() && !parse_numbers(rpy, angles, 3)) return rpy;  // the loader refuses it
   Eigen::Vector3d turned = rpy_from_rotation(rotation_from_rpy(angles[0], angles[1], angles[2]) * z_up());
   turned = (turned.array().abs() < 5e-10).select(0.0, turned);
-  char text[100];
-  std::snprintf(text, sizeof text, "%.9f %.9f %.9f", turned.x(), turned.y(), turned.z());
-  return text;
+  return formatted("%.9f %.9f %.9f", turned.x(), turned.y(), turned.z());
 }
 
 // One <visual> or <collision> without its end tag.

@@ -3,13 +3,13 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <numbers>
 #include <set>
 #include <stdexcept>
 #include <tuple>
 
+#include "common/text/formatted.h"
 #include "robot/estimation/point_legs.h"
 #include "robot/onboarding/mend.h"
 #include "robot/description/link_points.h"
@@ -23,9 +23,7 @@ constexpr double kAlike = 0.01;           // limits of left and right [rad or m]
 constexpr std::size_t kSaidOneByOne = 3;  // links or joints of which the same is said
 
 std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.4g", value);
-  return text;
+  return formatted("%.4g", value);
 }
 
 class Looker {
@@ -98,13 +96,7 @@ class Looker {
       add(about, "has its centre of mass " + number(outside) + " m outside its geometry",
           "check <inertial><origin>");
     }
-    Eigen::Vector3d low = points.front();
-    Eigen::Vector3d high = low;
-    for (const Eigen::Vector3d& point : points) {
-      low = low.cwiseMin(point);
-      high = high.cwiseMax(point);
-    }
-    const double density = link.mass / std::max((high - low).prod(), 1e-9);  // of the box around it
+    const double density = link.mass / std::max(box_around(points).volume(), 1e-9);
     if (density > 12000.0 || density < 5.0) {
       add(about, "weighs " + number(density) + " kg per m^3 of the box around it",
           "check mass and the scale of the geometry");

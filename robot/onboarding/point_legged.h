@@ -4,7 +4,6 @@
 
 #include <Eigen/Core>
 #include <optional>
-#include <string>
 
 #include "robot/estimation/point_legs.h"
 #include "robot/onboarding/anatomy.h"

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 
+#include "common/text/formatted.h"
+#include "common/text/xml.h"
 #include "robot/dynamics/inverse_dynamics.h"
 #include "common/math/index.h"
 #include "lcmtypes/msg/guard_defaults.h"
@@ -44,29 +45,15 @@ constexpr double kFastest = 500.0;       // of a light joint that is stiff for t
 std::string rough(double value) {
   if (!(value > 0.0)) return "0";
   const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1.0);
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.10g", std::round(value / unit) * unit);
-  return text;
+  return formatted("%.10g", std::round(value / unit) * unit);
 }
 
 std::string fixed(double value) {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.4f", std::abs(value) < 5e-5 ? 0.0 : value);
-  return text;
+  return formatted("%.4f", std::abs(value) < 5e-5 ? 0.0 : value);
 }
 
 std::string exact(double value) {
-  char text[64];
-  std::snprintf(text, sizeof(text), "%.17g", value);
-  return text;
-}
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    out += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '"' ? "&quot;" : std::string(1, c);
-  }
-  return out;
+  return formatted("%.17g", value);
 }
 
 std::string list(const std::vector<std::string>& names) {
@@ -80,8 +67,8 @@ std::string list(const Eigen::Vector3d& v) {
 }
 
 std::string disabled(const Model& model, const RestPair& pair) {
-  return "  <disable_collisions link1=\"" + escaped(model.links[at(pair.link_a)].name) + "\" link2=\"" +
-         escaped(model.links[at(pair.link_b)].name) + "\" reason=\"" + escaped(pair.why) + "\"/>\n";
+  return "  <disable_collisions link1=\"" + xml_escaped(model.links[at(pair.link_a)].name) + "\" link2=\"" +
+         xml_escaped(model.links[at(pair.link_b)].name) + "\" reason=\"" + xml_escaped(pair.why) + "\"/>\n";
 }
 
 // points: whether it has legs that end in points.
@@ -158,7 +145,7 @@ class Writer {
   std::string srdf() {
     std::string out =
         "<?xml version=\"1.0\"?>\n<!-- Proposed by `twinbus check`. -->\n<robot name=\"" +
-        escaped(model_.name) + "\">\n";
+        xml_escaped(model_.name) + "\">\n";
     write_pose("zero", neutral_posture(model_), out);
     write_pose("half_sitting", posture_, out);
     for (const NamedPose& pose : known_.poses) {
@@ -167,13 +154,13 @@ class Writer {
     }
     if (!known_.rotors.empty()) out += "  <rotor_params>\n";
     for (const SrdfRotor& rotor : known_.rotors) {
-      out += "    <joint name=\"" + escaped(rotor.joint) + "\" mass=\"" +
+      out += "    <joint name=\"" + xml_escaped(rotor.joint) + "\" mass=\"" +
              exact(rotor.reflected_inertia) + "\" gear_ratio=\"1\"/>\n";
     }
     if (!known_.rotors.empty()) out += "  </rotor_params>\n";
     for (const auto& [a, b] : known_.disabled) {
-      out += "  <disable_collisions link1=\"" + escaped(a) + "\" link2=\"" + escaped(b) +
-             "\" reason=\"said by " + escaped(source_.srdf_origin) + "\"/>\n";
+      out += "  <disable_collisions link1=\"" + xml_escaped(a) + "\" link2=\"" + xml_escaped(b) +
+             "\" reason=\"said by " + xml_escaped(source_.srdf_origin) + "\"/>\n";
     }
     disabled_ = pairs_.size();
     for (const RestPair& pair : pairs_) out += disabled(model_, pair);
@@ -225,10 +212,7 @@ class Writer {
       if (!has_soles()) return;
       std::string why = why_it_falls(model_, to_vector(pose));
       if (const double apart = leg_to_leg(model_, anatomy_, to_vector(pose)); why.empty() && apart < kLegsApart) {
-        char text[100];
-        std::snprintf(text, sizeof(text), "its legs are %.0f mm apart, and %.0f mm let them pass each other", 1e3 * apart,
-                      1e3 * kLegsApart);
-        why = text;
+        why = formatted("its legs are %.0f mm apart, and %.0f mm let them pass each other", 1e3 * apart, 1e3 * kLegsApart);
       }
       if (why.empty()) {
         posture_ = to_vector(pose);
@@ -244,11 +228,8 @@ class Writer {
     if (find_standing_posture(model_, posture_)) {
       const double turned = hold_arms_out(model_, anatomy_, posture_);
       if (!(turned > 0.0)) return;
-      char text[160];
-      std::snprintf(text, sizeof(text),
-                    "in half_sitting the arms are turned %.2f rad outwards: they hang %s the legs", turned,
-                    "within 80 mm of");
-      doubts_.emplace_back(text);
+      doubts_.push_back(formatted("in half_sitting the arms are turned %.2f rad outwards: they hang %s the legs", turned,
+                                  "within 80 mm of"));
       if (find_standing_posture(model_, posture_)) return;
     }
     const std::string why = why_it_falls(model_, posture_);
@@ -259,13 +240,13 @@ class Writer {
   }
 
   void write_pose(const std::string& name, const Eigen::VectorXd& q, std::string& out) const {
-    out += "  <group_state name=\"" + escaped(name) + "\" group=\"all\">\n";
+    out += "  <group_state name=\"" + xml_escaped(name) + "\" group=\"all\">\n";
     for (const int j : model_.bus_joints) {
       const Joint& joint = model_.joints[at(j)];
       if (is_finger(j)) continue;
       // Rounding must not leave the limits.
       const double value = std::clamp(std::round(q[j] * 1e6) / 1e6, joint.lower, joint.upper);
-      out += "    <joint name=\"" + escaped(joint.name) + "\" value=\"" +
+      out += "    <joint name=\"" + xml_escaped(joint.name) + "\" value=\"" +
              exact(value == 0.0 ? 0.0 : value) + "\"/>\n";
     }
     out += "  </group_state>\n";

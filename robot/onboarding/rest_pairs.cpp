@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <utility>
 
 #include "common/math/index.h"
+#include "common/text/formatted.h"
 #include "robot/collision/collision.h"
 #include "lcmtypes/msg/guard_defaults.h"
 #include "robot/collision/collision_pairs.h"
@@ -107,12 +107,12 @@ std::vector<RestPair> pairs_at_rest(const Model& model, const std::vector<Eigen:
   });
   std::vector<RestPair> pairs;
   for (const auto& [pair, distance] : least) {
-    char why[100];
+    std::string why;
     if (distance < kTouch) {
-      std::snprintf(why, sizeof why, "touch in a proposed posture");
+      why = "touch in a proposed posture";
     } else {
-      std::snprintf(why, sizeof why, "%.1f mm apart at rest, %d joints between them", 1e3 * distance,
-                    joints_between(model, pair.first, pair.second));
+      why = formatted("%.1f mm apart at rest, %d joints between them", 1e3 * distance,
+                      joints_between(model, pair.first, pair.second));
     }
     pairs.push_back({pair.first, pair.second, why});
   }
@@ -151,9 +151,8 @@ std::vector<NearByDesign> pairs_near_by_design(const Model& model, const std::ve
   for (const auto& [pair, s] : seen) {
     const double margin = std::ceil(1e3 * std::max(s.play, kLeastMargin)) * 1e-3;
     if (!(margin < kMargin)) continue;
-    char why[120];
-    std::snprintf(why, sizeof why, "%.1f mm apart at rest; joints that end %.2f rad off move them by %.1f mm", 1e3 * s.distance,
-                  kOff, 1e3 * s.play);
+    const std::string why = formatted("%.1f mm apart at rest; joints that end %.2f rad off move them by %.1f mm",
+                                      1e3 * s.distance, kOff, 1e3 * s.play);
     pairs.push_back({pair.first, pair.second, margin, why});
   }
   return pairs;

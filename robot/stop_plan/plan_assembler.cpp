@@ -1,6 +1,5 @@
 #include "robot/stop_plan/plan_assembler.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "common/math/index.h"

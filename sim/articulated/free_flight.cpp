@@ -1,7 +1,6 @@
 #include "sim/articulated/free_flight.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "common/math/index.h"
 

@@ -1,7 +1,6 @@
 #include "sim/articulated/torque_free_rotation.h"
 
 #include <Eigen/Geometry>
-#include <cmath>
 
 namespace twinbus {
 

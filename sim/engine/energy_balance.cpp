@@ -1,7 +1,6 @@
 #include "sim/engine/energy_balance.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "common/math/index.h"
 #include "robot/dynamics/inverse_dynamics.h"

@@ -1,9 +1,5 @@
 // Loose bodies in the ODE world: bodies and geoms of ODE's own, soft contact rows like the robot's.
 
-#include <algorithm>
-#include <cmath>
-#include <stdexcept>
-
 #include "geometry/mesh_contact/contact_mesh.h"
 #include "sim/contact/ground_contacts.h"
 #include "sim/objects/rigid_object_contacts.h"

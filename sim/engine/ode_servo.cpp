@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "sim/engine/ode_robot.h"
 #include "sim/world/coulomb_friction.h"

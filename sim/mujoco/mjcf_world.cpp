@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "common/math/index.h"
+#include "common/text/xml.h"
 #include "robot/mjcf/urdf_text.h"
 
 namespace twinbus {

@@ -4,13 +4,13 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "common/math/index.h"
 #include "common/math/splitmix64.h"
+#include "common/text/formatted.h"
 #include "lcmtypes/msg/guard_defaults.h"
 #include "robot/collision/collision.h"
 #include "robot/collision/near_pairs.h"
@@ -315,11 +315,9 @@ class ArmPlaces {
       last_ = c;
       return true;
     }
-    char text[240];
     blocked_ = !other.empty();
-    if (blocked_) std::snprintf(text, sizeof text, "%s at goal %zu", other.c_str(), goal + 1);
-    else std::snprintf(text, sizeof text, "misses goal %zu by %.0f mm%s", goal + 1, 1e3 * miss, pose ? " as it is to be turned" : "");
-    why_ = text;
+    why_ = blocked_ ? formatted("%s at goal %zu", other.c_str(), goal + 1)
+                    : formatted("misses goal %zu by %.0f mm%s", goal + 1, 1e3 * miss, pose ? " as it is to be turned" : "");
     return false;
   }
 
@@ -358,17 +356,14 @@ class ArmPlaces {
 
   std::string near_words(const PairDistance& pair) const {
     const std::string a = thing_name(model_, around_, pair.link_a).data(), b = thing_name(model_, around_, pair.link_b).data();
-    char text[40];
-    std::snprintf(text, sizeof text, " within %.0f mm", 1e3 * kNear);
-    return "brings " + a + " and " + b + text;
+    return "brings " + a + " and " + b + formatted(" within %.0f mm", 1e3 * kNear);
   }
 
   std::string too_heavy(const Configuration& c) {
     const GravityLoad::Worst worst = load_.of(c, hand_.joints);
     if (!(worst.share > kHolds)) return "";
-    char text[60];
-    std::snprintf(text, sizeof text, " (%.3g of its %.3g)", worst.effort, worst.effort / worst.share);
-    return "is too heavy for " + model_.joints[at(worst.joint)].name + text;
+    return "is too heavy for " + model_.joints[at(worst.joint)].name +
+           formatted(" (%.3g of its %.3g)", worst.effort, worst.effort / worst.share);
   }
 
   const Scene& scene_;
@@ -398,9 +393,7 @@ class ArmPlaces {
 std::string words(const Placement& p) {
   std::string text;
   const auto add = [&](const char* format, double value) {
-    char part[80];
-    std::snprintf(part, sizeof part, format, value);
-    text += (text.empty() ? "for this arm " : ", ") + std::string(part);
+    text += (text.empty() ? "for this arm " : ", ") + formatted(format, value);
   };
   if (p.turn != 0.0) add("the places are turned by %.0f degrees", p.turn * kDegrees);
   if (p.share != 1.0) add("lengths are x%.2f", p.share);
@@ -436,8 +429,8 @@ std::string begins_too_heavy(const Scene& scene, const Model& model) {
     const GravityLoad::Worst worst = load.of(start, hand.joints);
     if (worst.joint < 0 || !(worst.share > 1.0)) continue;
     const Joint& joint = model.joints[at(worst.joint)];
-    char text[120];
-    std::snprintf(text, sizeof text, " needs %.4g of its effort limit of %.4g to hold the arm where it begins", worst.effort, joint.effort);
+    const std::string text = formatted(" needs %.4g of its effort limit of %.4g to hold the arm where it begins",
+                                       worst.effort, joint.effort);
     return "joint " + joint.name + text + ": begin in another pose (--start-pose, start_pose:), or correct the limit in the URDF";
   }
   return "";

@@ -14,9 +14,6 @@
 
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "robot/description/model.h"
 #include "sim/scene/scene.h"
 

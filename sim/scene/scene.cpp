@@ -2,15 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <sstream>
 #include <stdexcept>
 
 #include "common/text/closest_name.h"
+#include "common/text/formatted.h"
 #include "common/text/strict_yaml.h"
+#include "common/text/xml.h"
 #include "robot/description/load.h"
 #include "robot/motion/motion_file.h"
 #include "sim/objects/rigid_object_mesh.h"
@@ -320,10 +320,8 @@ std::string read_accuracy(const std::string& text, double& metres) {
   metres = metres_of(text);
   if (!(metres > 0.0)) return "must be a length such as 0.001 or 1mm, not '" + text + "'";
   if (metres >= kLeastAccuracy && metres <= kMostAccuracy) return "";
-  char problem[160];
-  std::snprintf(problem, sizeof problem, "is %g m, and must be from 1e-9 to 0.1 m; millimetres are written %gmm", metres,
-                std::strtod(text.c_str(), nullptr));
-  return problem;
+  return formatted("is %g m, and must be from 1e-9 to 0.1 m; millimetres are written %gmm", metres,
+                   std::strtod(text.c_str(), nullptr));
 }
 
 std::vector<std::string> scene_names() {
@@ -340,14 +338,10 @@ std::vector<std::string> scene_names() {
 
 Scene load_scene(const std::string& name_or_file) {
   const std::string file = find_scene(name_or_file);
-  std::ifstream stream(file);
-  std::stringstream text;
-  text << stream.rdbuf();
-  const ConfigNode top = ConfigNode::load(file);
-
   Scene scene;
   scene.name = std::filesystem::path(file).stem().string();
-  scene.text = text.str();
+  scene.text = read_text_file(file);
+  const ConfigNode top = ConfigNode::parse(scene.text, file);
   scene.about = top.text("about", "");
   scene.robot = top.text("robot", scene.robot);
   const int engine = top.choice("engine", {std::begin(kEngineNames), std::end(kEngineNames)}, 0);

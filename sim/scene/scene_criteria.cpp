@@ -1,7 +1,6 @@
 #include "sim/scene/scene_criteria.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "sim/scene/scene_vectors.h"
 #include "sim/world/world.h"
@@ -9,8 +8,6 @@
 namespace twinbus {
 
 namespace {
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 std::string loose_name(const ConfigNode& node, const std::vector<std::string>& bodies) {
   const std::string name = node.text("name");
@@ -47,7 +44,7 @@ JointEnd read_joint_end(const ConfigNode& node) {
   end.name = node.text("name");
   end.position = node.number("position", -1e4, 1e4);
   end.within = node.number("within", 0.0, 1e4);
-  end.speed = node.number("speed", -kMaxSpeed, kMaxSpeed, kNan);
+  end.speed = node.number("speed", -kMaxSpeed, kMaxSpeed, kNotAsked);
   end.speed_within = node.number("speed_within", 0.0, kMaxSpeed, end.within);
   node.finish();
   return end;
@@ -75,41 +72,24 @@ TouchAsked read_touch(const ConfigNode& node) {
 
 }  // namespace
 
-Criteria::Criteria()
-    : max_tilt_deg(kNan),
-      zmp_margin_min_mm(kNan),
-      slip_max_mm(kNan),
-      sole_tilt_max_deg(kNan),
-      zmp_margin_p5_mm(kNan),
-      step_slip_max_mm(kNan),
-      force_rms_percent(kNan),
-      velocity_error_percent(kNan),
-      travel_min_m(kNan),
-      drift_max_m(kNan),
-      energy_drift_j(kNan),
-      loose_energy_drift_j(kNan),
-      loose_energy_gain_j(kNan),
-      goals_reached_min(kNan),
-      max_doubted_steps(kNan) {}
-
 Criteria read_criteria(const ConfigNode& node, const std::vector<std::string>& loose,
                        const std::vector<std::string>& robots) {
   Criteria criteria;
-  criteria.max_tilt_deg = node.number("max_tilt_deg", 0.0, 180.0, kNan);
-  criteria.zmp_margin_min_mm = node.number("zmp_margin_min_mm", -1000.0, 1000.0, kNan);
-  criteria.slip_max_mm = node.number("slip_max_mm", 0.0, 1e4, kNan);
-  criteria.sole_tilt_max_deg = node.number("sole_tilt_max_deg", 0.0, 180.0, kNan);
-  criteria.zmp_margin_p5_mm = node.number("zmp_margin_p5_mm", -1000.0, 1000.0, kNan);
-  criteria.step_slip_max_mm = node.number("step_slip_max_mm", 0.0, 1e4, kNan);
-  criteria.force_rms_percent = node.number("force_rms_percent", 0.0, 1e4, kNan);
-  criteria.velocity_error_percent = node.number("velocity_error_percent", 0.0, 1e4, kNan);
-  criteria.travel_min_m = node.number("travel_min_m", 0.0, 1e4, kNan);
-  criteria.drift_max_m = node.number("drift_max_m", 0.0, 1e4, kNan);
-  criteria.energy_drift_j = node.number("energy_drift_j", 0.0, 1e9, kNan);
-  criteria.loose_energy_drift_j = node.number("loose_energy_drift_j", 0.0, 1e9, kNan);
-  criteria.loose_energy_gain_j = node.number("loose_energy_gain_j", 0.0, 1e9, kNan);
-  criteria.goals_reached_min = node.number("goals_reached_min", 0.0, 1e4, kNan);
-  criteria.max_doubted_steps = node.number("max_doubted_steps", 0.0, 1e12, kNan);
+  criteria.max_tilt_deg = node.number("max_tilt_deg", 0.0, 180.0, kNotAsked);
+  criteria.zmp_margin_min_mm = node.number("zmp_margin_min_mm", -1000.0, 1000.0, kNotAsked);
+  criteria.slip_max_mm = node.number("slip_max_mm", 0.0, 1e4, kNotAsked);
+  criteria.sole_tilt_max_deg = node.number("sole_tilt_max_deg", 0.0, 180.0, kNotAsked);
+  criteria.zmp_margin_p5_mm = node.number("zmp_margin_p5_mm", -1000.0, 1000.0, kNotAsked);
+  criteria.step_slip_max_mm = node.number("step_slip_max_mm", 0.0, 1e4, kNotAsked);
+  criteria.force_rms_percent = node.number("force_rms_percent", 0.0, 1e4, kNotAsked);
+  criteria.velocity_error_percent = node.number("velocity_error_percent", 0.0, 1e4, kNotAsked);
+  criteria.travel_min_m = node.number("travel_min_m", 0.0, 1e4, kNotAsked);
+  criteria.drift_max_m = node.number("drift_max_m", 0.0, 1e4, kNotAsked);
+  criteria.energy_drift_j = node.number("energy_drift_j", 0.0, 1e9, kNotAsked);
+  criteria.loose_energy_drift_j = node.number("loose_energy_drift_j", 0.0, 1e9, kNotAsked);
+  criteria.loose_energy_gain_j = node.number("loose_energy_gain_j", 0.0, 1e9, kNotAsked);
+  criteria.goals_reached_min = node.number("goals_reached_min", 0.0, 1e4, kNotAsked);
+  criteria.max_doubted_steps = node.number("max_doubted_steps", 0.0, 1e12, kNotAsked);
   criteria.no_fall = node.flag("no_fall", true);
   criteria.no_self_collision = node.flag("no_self_collision", true);
   for (const ConfigNode& end : node.list("loose")) {

@@ -3,12 +3,15 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <string>
 #include <vector>
 
 #include "common/text/strict_yaml.h"
 
 namespace twinbus {
+
+inline constexpr double kNotAsked = std::numeric_limits<double>::quiet_NaN();
 
 // Where a loose body is to be at the end of a run, at rest.
 struct LooseEnd {
@@ -38,7 +41,7 @@ struct JointEnd {
   std::string name;
   double position = 0.0;      // [rad or m]
   double within = 0.0;        // [rad or m]
-  double speed;               // NaN: not asked [rad/s or m/s]
+  double speed = kNotAsked;   // [rad/s or m/s]
   double speed_within = 0.0;  // [rad/s or m/s]
 };
 
@@ -58,32 +61,31 @@ struct TouchAsked {
   double from = 0.0;    // in every tick from here on [s]
 };
 
-// Pass criteria; NaN means not asked.
+// Pass criteria.
 struct Criteria {
-  double max_tilt_deg;
-  double zmp_margin_min_mm;
-  double slip_max_mm;
-  double sole_tilt_max_deg;
-  double zmp_margin_p5_mm;        // 5th percentile
-  double step_slip_max_mm;        // of a sole while it stands, in any step
-  double force_rms_percent;       // normal force of a foot against what was wanted, of the weight
-  double velocity_error_percent;  // of what was commanded, over each walk
-  double travel_min_m;            // of the base from where it was at the start, at the end
-  double drift_max_m;             // the same, at most
-  double energy_drift_j;          // of the robot while no servo works on it
-  double loose_energy_drift_j;    // of all loose bodies together, without what springs store
-  double loose_energy_gain_j;     // the same, upward only
-  double goals_reached_min;       // of the arm goals, at least
-  double max_doubted_steps;       // physics steps that the engine itself does not trust
+  double max_tilt_deg = kNotAsked;
+  double zmp_margin_min_mm = kNotAsked;
+  double slip_max_mm = kNotAsked;
+  double sole_tilt_max_deg = kNotAsked;
+  double zmp_margin_p5_mm = kNotAsked;        // 5th percentile
+  double step_slip_max_mm = kNotAsked;        // of a sole while it stands, in any step
+  double force_rms_percent = kNotAsked;       // normal force of a foot against what was wanted, of the weight
+  double velocity_error_percent = kNotAsked;  // of what was commanded, over each walk
+  double travel_min_m = kNotAsked;            // of the base from where it was at the start, at the end
+  double drift_max_m = kNotAsked;             // the same, at most
+  double energy_drift_j = kNotAsked;          // of the robot while no servo works on it
+  double loose_energy_drift_j = kNotAsked;    // of all loose bodies together, without what springs store
+  double loose_energy_gain_j = kNotAsked;     // the same, upward only
+  double goals_reached_min = kNotAsked;       // of the arm goals, at least
+  double max_doubted_steps = kNotAsked;       // physics steps that the engine itself does not trust
   bool no_fall = true;
   bool no_self_collision = true;
+  TouchAsked touch;
   std::vector<LooseEnd> loose;
   std::vector<RobotEnd> robots;
   std::vector<JointEnd> joints;
+  SwingAsked swing;  // of one of them
   std::vector<SpinAsked> spins;
-  TouchAsked touch;
-  SwingAsked swing;
-  Criteria();
 };
 
 // The map `criteria` of a scene with loose bodies and further robots of these names.  Keys:

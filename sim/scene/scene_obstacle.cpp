@@ -1,8 +1,6 @@
 #include "sim/scene/scene_obstacle.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -10,6 +8,7 @@
 #include <string>
 
 #include "common/math/index.h"
+#include "common/text/formatted.h"
 #include "robot/collision/collision_pairs.h"
 #include "robot/description/link_points.h"
 #include "robot/kinematics/arm_span.h"
@@ -172,10 +171,8 @@ std::string begins_in_ground(const Scene& scene, const Model& model) {
   if (!is_arm(model)) return "";
   const ArmOverGround arm = over_ground(scene, model);
   if (arm.low > -kTouches) return "";
-  char depth[40];
-  std::snprintf(depth, sizeof depth, "%.0f", -1e3 * arm.low);
-  return model.links[at(arm.link)].name + " of its arm begins " + depth +
-         " mm in the ground: begin in another pose (--start-pose, start_pose:), write a half_sitting into its SRDF that is above it, or "
+  return model.links[at(arm.link)].name + formatted(" of its arm begins %.0f mm", -1e3 * arm.low) +
+         " in the ground: begin in another pose (--start-pose, start_pose:), write a half_sitting into its SRDF that is above it, or "
          "put its base on a stand (`check --propose` of its URDF does)";
 }
 

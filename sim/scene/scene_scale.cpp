@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "common/math/index.h"
+#include "common/text/formatted.h"
 #include "robot/description/load.h"
 #include "robot/description/walking_config.h"
 #include "robot/estimation/point_legs.h"
@@ -118,10 +118,10 @@ void scale_between(Scene& scene, const Model& own, const Model& model) {
   const bool asked = !scene.walks.empty() || !scene.steps.empty() || !scene.pushes.empty() || !scene.bodies.empty() ||
                      scene.push_round.count > 0 || scene.terrain.length > 0.0;
   if (!asked) return;
-  char text[240];
-  std::snprintf(text, sizeof text, "for a leg of %.2f m, not %.2f, and %.0f kg, not %.0f: speeds x%.2f (to the side and turning x%.2f), lengths x%.2f, impulses x%.2f, to the side x%.2f",
-                l, l0, model.total_mass(), own.total_mass(), speed, aside, length, mass * support.x(), mass * support.y());
-  scene.scaled = text;
+  scene.scaled = formatted("for a leg of %.2f m, not %.2f, and %.0f kg, not %.0f: speeds x%.2f (to the side and turning x%.2f), "
+                           "lengths x%.2f, impulses x%.2f, to the side x%.2f",
+                           l, l0, model.total_mass(), own.total_mass(), speed, aside, length, mass * support.x(),
+                           mass * support.y());
 }
 
 void scale_to(Scene& scene, const Model& model) {

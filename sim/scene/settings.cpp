@@ -1,12 +1,11 @@
 #include "sim/scene/settings.h"
 
-#include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <stdexcept>
 
 #include "common/text/closest_name.h"
+#include "common/text/formatted.h"
 
 namespace twinbus {
 
@@ -147,12 +146,6 @@ const Entry kEntries[] = {
      [](SimSettings& s, double v, double) { s.sensors.seed = static_cast<std::uint64_t>(v); }},
 };
 
-std::string number_text(double number) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%g", number);
-  return text;
-}
-
 }  // namespace
 
 std::string apply_setting(const std::string& key, const std::string& value, double period,
@@ -172,8 +165,8 @@ std::string apply_setting(const std::string& key, const std::string& value, doub
     char* end = nullptr;
     const double number = std::strtod(value.c_str(), &end);
     if (value.empty() || *end != '\0' || !(number >= entry.low && number <= entry.high)) {
-      return "setting " + key + "=" + value + ": must be a number from " + number_text(entry.low) +
-             " to " + number_text(entry.high) + " (" + entry.meaning + ")";
+      return "setting " + key + "=" + value + ": must be a number" +
+             formatted(" from %g to %g (%s)", entry.low, entry.high, entry.meaning);
     }
     entry.set(settings, number, period);
     return "";
@@ -201,10 +194,7 @@ std::string settings_help() {
       "(default); the LCP of\n"
       "                              engine ode, for comparison; MuJoCo's soft one, which creeps\n";
   for (const Entry& entry : kEntries) {
-    char line[200];
-    std::snprintf(line, sizeof line, "  %-27s %8g .. %-8g %s\n", entry.key, entry.low, entry.high,
-                  entry.meaning);
-    help += line;
+    help += formatted("  %-27s %8g .. %-8g %s\n", entry.key, entry.low, entry.high, entry.meaning);
   }
   return help;
 }

@@ -5,7 +5,6 @@
 
 #include <Eigen/Core>
 #include <array>
-#include <vector>
 
 #include "robot/kinematics/kinematics.h"
 #include "robot/description/model.h"

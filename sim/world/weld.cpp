@@ -1,6 +1,5 @@
 #include "sim/world/weld.h"
 
-#include <algorithm>
 #include <stdexcept>
 
 #include "common/math/index.h"

@@ -377,7 +377,7 @@ int main(int argc, char** argv) try {
 
   const Model model = load_case(robot, package, drop);
   const std::int64_t begin = monotonic_ns();
-  const RobotGeometry geometry = build_geometry(model, {.balls = false});
+  const RobotGeometry geometry = build_geometry(model);
   const double load_ms = 1e-6 * static_cast<double>(monotonic_ns() - begin);
   SelfCollision check(model, geometry);
   FclPeer fcl(geometry, check.pairs());

@@ -69,7 +69,7 @@ int main(int argc, char** argv) try {
   MeshDistance distance;
   std::vector<BothMeshes> links;
   std::vector<int> of_link(model.links.size(), -1);
-  for (const LinkGeometry& g : build_geometry(model, {.balls = false}).links) {
+  for (const LinkGeometry& g : build_geometry(model).links) {
     BothMeshes link;
     link.ours = std::make_unique<ClusteredMesh>(g.mesh);
     link.theirs = std::make_shared<MeshModel>();

@@ -61,7 +61,7 @@ FclWorld::FclWorld(const Model& model, const RobotParts& parts, const std::vecto
       impl_->pieces.push_back(
           {g, ball.center, Object(std::make_shared<fcl::Sphered>(ball.radius))});
     if (!parts.groups[g].balls.empty()) continue;
-    const TriangleMesh mesh = link_geometry(parts.shapes[g], {.balls = false}).mesh;
+    const TriangleMesh mesh = link_geometry(parts.shapes[g]).mesh;
     std::vector<fcl::Triangle> triangles;
     for (const auto& t : mesh.triangles)
       triangles.emplace_back(static_cast<std::size_t>(t[0]), static_cast<std::size_t>(t[1]),

@@ -40,7 +40,7 @@ class Driver {
  public:
   Driver(const Model& model, std::int64_t seed, int ticks)
       : model_(model),
-        exact_(model, build_geometry(model, {.balls = false})),
+        exact_(model, build_geometry(model)),
         distances_(model),
         kinematics_(model),
         drive_(model),

@@ -118,7 +118,7 @@ int main(int argc, char** argv) try {
     within.joints[at(j)].lower = low;
     within.joints[at(j)].upper = high;
   }
-  const RobotGeometry geometry = build_geometry(model, {.balls = false});
+  const RobotGeometry geometry = build_geometry(model);
   SelfCollision all(model, geometry);
   std::vector<CollisionPair> left;
   const std::vector<PairVerdict> verdicts =

@@ -12,6 +12,7 @@
 #include "test/oracles/certain_path.h"
 #include "test/oracles/clear_cells.h"
 #include "test/bench/planner_problems.h"
+#include "test/oracles/sort_pairs.h"
 
 namespace twinbus {
 namespace {
@@ -57,7 +58,7 @@ int run(const std::string& mode, const std::string& robots, const std::string& f
   const bool proves = mode == "certain";
   const ProblemFile asked = read_problems(file);
   auto [model, parts, planned] = robot_of(asked, robots, !proves);
-  if (proves) cover_parts(parts, {});
+  if (proves) cover_parts(parts);
   BlockRobot robot = compile_robot(model, Configuration(model), planned, parts.groups, parts.pairs,
                                    proves ? 1e-5 : 0.0);
   sort_pairs(robot);

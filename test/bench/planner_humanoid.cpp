@@ -15,10 +15,12 @@
 #include <string>
 
 #include "test/oracles/certain_path.h"
+#include "test/oracles/sphere_cover.h"
 #include "common/math/splitmix64.h"
 #include "robot/collision/collision_pairs.h"
 #include "common/math/index.h"
 #include "robot/description/load.h"
+#include "test/oracles/sort_pairs.h"
 
 namespace twinbus {
 namespace {
@@ -61,6 +63,7 @@ void measure(const Model& model, const char* name, const std::vector<std::string
   for (const LinkGeometry& link : build_geometry(model).links) {
     group_of[at(link.link)] = static_cast<int>(groups.size());
     groups.push_back(group_from(link));
+    groups.back().balls = cover_with_balls(link.mesh, link.hull);
   }
   std::vector<std::pair<int, int>> pairs;
   int left_out = 0;

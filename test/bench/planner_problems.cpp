@@ -9,6 +9,7 @@
 
 #include "common/math/index.h"
 #include "robot/collision/links/inscribed_spheres.h"
+#include "test/oracles/sphere_cover.h"
 #include "robot/description/load.h"
 #include "robot/description/srdf.h"
 #include "robot/description/urdf.h"
@@ -142,11 +143,12 @@ RobotParts robot_parts(const Model& model, const std::string& urdf_file,
   return parts;
 }
 
-void cover_parts(RobotParts& parts, const GeometryOptions& options) {
+void cover_parts(RobotParts& parts) {
   for (std::size_t i = 0; i < parts.groups.size(); ++i) {
-    LinkGeometry geometry = link_geometry(parts.shapes[i], options);
+    LinkGeometry geometry = link_geometry(parts.shapes[i]);
     geometry.link = parts.groups[i].link;
     parts.groups[i] = group_from(geometry);
+    parts.groups[i].balls = cover_with_balls(geometry.mesh, geometry.hull);
     parts.groups[i].inner = inner_balls(geometry, 12, 0);
   }
 }

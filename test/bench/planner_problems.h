@@ -48,6 +48,6 @@ struct ProblemRobot {
 ProblemRobot robot_of(const ProblemFile& file, const std::string& robots, bool balls);
 
 // Fills the balls of the groups from the shapes: no triangle sticks out.
-void cover_parts(RobotParts& parts, const GeometryOptions& options);
+void cover_parts(RobotParts& parts);
 
 }  // namespace twinbus

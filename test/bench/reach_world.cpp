@@ -138,7 +138,7 @@ class World {
         speed_(speed),
         holds_(holds),
         trace_(trace),
-        exact_(model, build_geometry(model, {.balls = false})),
+        exact_(model, build_geometry(model)),
         collision_(model),
         kinematics_(model),
         posture_(model) {

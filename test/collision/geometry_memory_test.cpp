@@ -61,7 +61,6 @@ void expect_same(const LinkGeometry& a, const LinkGeometry& b) {
   EXPECT_TRUE(same_bytes(a.hull.points, b.hull.points));
   EXPECT_TRUE(same_bytes(a.hull.triangles, b.hull.triangles));
   EXPECT_TRUE(same_bytes(a.clusters, b.clusters));
-  EXPECT_TRUE(same_bytes(a.balls, b.balls));
   EXPECT_EQ(a.sphere.center, b.sphere.center);
   EXPECT_EQ(a.sphere.radius, b.sphere.radius);
   EXPECT_EQ(a.capsule.a, b.capsule.a);
@@ -125,24 +124,23 @@ TEST_F(GeometryMemory, GivesBackWhatWasFoundBitByBit) {
   EXPECT_TRUE(said.empty());
 }
 
-TEST_F(GeometryMemory, IsOfTheMeshAndOfTheOptions) {
+TEST_F(GeometryMemory, IsOfTheMesh) {
   (void)link_geometry(some_shapes());
-  (void)link_geometry(some_shapes(), {.balls = false});
-  (void)link_geometry(some_shapes(), {.most_balls = 5});
+  (void)link_geometry(some_shapes());
   std::vector<Shape> others = some_shapes();
   others[0].size.x() += 1e-9;
   (void)link_geometry(others);
-  EXPECT_EQ(files("bounds").size(), 4U);
+  EXPECT_EQ(files("bounds").size(), 2U);
 }
 
 TEST_F(GeometryMemory, RecallsInsteadOfFinding) {
   LinkGeometry link = link_geometry(some_shapes());
   link.hull = {};
   link.clusters.clear();
-  EXPECT_TRUE(recall_bounds({}, link));
+  EXPECT_TRUE(recall_bounds(link));
   EXPECT_FALSE(link.clusters.empty());
   link.mesh.points[0].x() += 1e-9;
-  EXPECT_FALSE(recall_bounds({}, link));
+  EXPECT_FALSE(recall_bounds(link));
 }
 
 TEST_F(GeometryMemory, WhatDoesNotHoldTheMeshIsRefusedThoughItsFileIsWhole) {
@@ -152,7 +150,7 @@ TEST_F(GeometryMemory, WhatDoesNotHoldTheMeshIsRefusedThoughItsFileIsWhole) {
   std::string why;
   const auto accepted = [&](const LinkGeometry& changed, const std::vector<int>& by) {
     LinkGeometry link = good;
-    const bool taken = unpack_bounds(packed_bounds(changed, by), true, link, why);
+    const bool taken = unpack_bounds(packed_bounds(changed, by), link, why);
     if (!taken) expect_same(link, good);  // as it was
     return taken;
   };
@@ -180,8 +178,6 @@ TEST_F(GeometryMemory, WhatDoesNotHoldTheMeshIsRefusedThoughItsFileIsWhole) {
   EXPECT_TRUE(refused([](LinkGeometry&, Order& o) { o[0] = -1; }));
   EXPECT_TRUE(refused([](LinkGeometry&, Order& o) { o[0] = 1 << 30; }));
   EXPECT_TRUE(refused([](LinkGeometry&, Order& o) { o.pop_back(); }));
-  EXPECT_TRUE(refused([](LinkGeometry& g, Order&) { g.balls[0].radius *= 0.9; }));
-  EXPECT_TRUE(refused([](LinkGeometry& g, Order&) { g.balls.clear(); }));
   EXPECT_TRUE(refused([](LinkGeometry& g, Order&) { g.hull.triangles.pop_back(); }));
   EXPECT_TRUE(refused([](LinkGeometry& g, Order&) { g.hull.triangles[0][0] = 1 << 20; }));
   EXPECT_TRUE(refused(
@@ -207,7 +203,7 @@ TEST_F(GeometryMemory, ARandomlyDamagedContentNeverGivesBoundsThatDoNotHold) {
     if (i % 10 == 0) damaged.resize(random() % damaged.size());
     LinkGeometry link = good;
     std::string why;
-    if (!unpack_bounds(damaged, true, link, why)) continue;
+    if (!unpack_bounds(damaged, link, why)) continue;
     ++taken;
     EXPECT_NO_THROW(verify(link));
   }
@@ -250,7 +246,7 @@ TEST_F(GeometryMemory, ACapsuleThatLeavesAPointOutIsFoundAnew) {
 
 struct CellsMemory : GeometryMemory {
   Model model = post_and_arm();
-  RobotGeometry geometry = build_geometry(model, {.balls = false});
+  RobotGeometry geometry = build_geometry(model);
   std::vector<CollisionPair> pairs{{0, 1}};
   std::vector<JointCells> cells = find_joint_cells(model, geometry, pairs);
 
@@ -285,7 +281,7 @@ TEST_F(CellsMemory, AreThoseOfTheLimitsAndTheGeometry) {
   EXPECT_FALSE(use_kept_cells(other, geometry, check));
   other = model;
   other.links[1].collision[0].size.x() = 0.31;
-  EXPECT_FALSE(use_kept_cells(other, build_geometry(other, {.balls = false}), check));
+  EXPECT_FALSE(use_kept_cells(other, build_geometry(other), check));
   EXPECT_TRUE(use_kept_cells(model, geometry, check));
 }
 

@@ -10,7 +10,6 @@
 #include "common/math/index.h"
 #include "robot/description/load.h"
 #include "geometry/bounds/shape_mesh.h"
-#include "robot/collision/links/sphere_cover.h"
 
 namespace twinbus {
 namespace {
@@ -101,21 +100,6 @@ TEST(ConvexHull, OfFlatOrFewPointsIsThePoints) {
   EXPECT_TRUE(convex_hull({}).points.empty());
 }
 
-TEST(SphereCover, AHoleIsFound) {
-  double outside = 0.0;
-  const TriangleMesh box = shape_mesh(shape(ShapeKind::kBox, 0.1, 0.2, 0.3), outside);
-  std::vector<Ball> balls = cover_with_balls(box, convex_hull(box.points), 0.01, 24);
-  EXPECT_TRUE(covers(balls, box));
-  for (std::size_t i = 0; i < balls.size(); ++i) {
-    std::vector<Ball> fewer = balls;
-    fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
-    std::vector<Ball> smaller = balls;
-    smaller[i].radius *= 0.5;
-    EXPECT_FALSE(covers(fewer, box)) << i;
-    EXPECT_FALSE(covers(smaller, box)) << i;
-  }
-}
-
 TEST(Geometry, EveryBoundOfARobotHoldsEveryTriangle) {
   const Model model = load_robot("hrp1s");
   const RobotGeometry robot = build_geometry(model);
@@ -123,9 +107,7 @@ TEST(Geometry, EveryBoundOfARobotHoldsEveryTriangle) {
   for (const LinkGeometry& g : robot.links) {
     EXPECT_NO_THROW(verify(g));
     EXPECT_EQ(robot.of_link[at(g.link)], &g - robot.links.data());
-    EXPECT_FALSE(g.balls.empty());
     EXPECT_FALSE(g.parts.empty());
-    EXPECT_LT(excess_over_hull(g.balls, g.hull), 0.035) << model.links[at(g.link)].name;
   }
 }
 
@@ -133,9 +115,6 @@ TEST(Geometry, AWrongBoundIsNamed) {
   const LinkGeometry good = link_geometry({shape(ShapeKind::kCylinder, 0.05, 0.3, 0.0)});
   LinkGeometry bad = good;
   bad.capsule.radius *= 0.99;
-  EXPECT_THROW(verify(bad), std::runtime_error);
-  bad = good;
-  bad.balls.pop_back();
   EXPECT_THROW(verify(bad), std::runtime_error);
   bad = good;
   bad.clusters.pop_back();

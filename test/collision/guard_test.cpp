@@ -65,7 +65,7 @@ struct Watch {  // what really happens, seen without the guard
 struct RatedMotions {
   const Model& model = hrp1s();
   Configuration home = named_posture(model, "half_sitting");
-  SelfCollision exact{model, build_geometry(model, {.balls = false})};
+  SelfCollision exact{model, build_geometry(model)};
   Watch watch{model};
   RatedDrive drive{model};
 };

@@ -11,7 +11,7 @@ namespace {
 LinkGeometry box(const Eigen::Vector3d& size) {
   Shape shape;
   shape.size = size;
-  return link_geometry({shape}, {.balls = false});
+  return link_geometry({shape});
 }
 
 TEST(InnerBalls, OfABoxStayInsideAndItsCornersComeAlong) {
@@ -34,7 +34,7 @@ TEST(InnerBalls, OfABoxStayInsideAndItsCornersComeAlong) {
 }
 
 TEST(InnerBalls, NoTriangleOfARobotsLinkIsInsideOne) {
-  const RobotGeometry robot = build_geometry(hrp1s(), {.balls = false});
+  const RobotGeometry robot = build_geometry(hrp1s());
   int balls = 0;
   for (const LinkGeometry& link : robot.links) {
     for (const Ball& ball : inner_balls(link, 24, 0)) {

@@ -19,7 +19,7 @@ constexpr JointCellOptions kCoarse{.per_joint = 6, .looks = 400};
 
 TEST(JointCells, AreFreeWhereTheArmIsClearOfThePostAndListedWhereItIsNot) {
   const Model model = post_and_arm();
-  const RobotGeometry geometry = build_geometry(model, {.balls = false});
+  const RobotGeometry geometry = build_geometry(model);
   const auto cells = find_joint_cells(model, geometry, {{0, 1}}, {.per_joint = 400})[0];
   ASSERT_EQ(cells.joints, 1);
   SelfCollision check(model, geometry, {{0, 1}});
@@ -43,7 +43,7 @@ TEST(JointCells, AreFreeWhereTheArmIsClearOfThePostAndListedWhereItIsNot) {
 // A model of one joint and its only pair, checked with cells.
 struct OneJoint {
   explicit OneJoint(const Model& model)
-      : geometry(build_geometry(model, {.balls = false})),
+      : geometry(build_geometry(model)),
         check(model, geometry, {{0, 1}}),
         cells(find_joint_cells(model, geometry, check.pairs(), {.per_joint = 16})) {
     check.use(cells);
@@ -80,7 +80,7 @@ TEST(JointCells, ALinkInsideAnotherIsNotFree) {
 
 TEST(JointCells, ChangeNoVerdictOnAnyInstructionSetAndAllocateNothing) {
   const Model& model = hrp1s();
-  const RobotGeometry geometry = build_geometry(model, {.balls = false});
+  const RobotGeometry geometry = build_geometry(model);
   SelfCollision plain(model, geometry), quick(model, geometry);
   const std::vector<JointCells> cells = find_joint_cells(model, geometry, plain.pairs(), kCoarse);
   std::size_t free = 0, listed = 0;
@@ -121,7 +121,7 @@ TEST(JointCells, ChangeNoVerdictOnAnyInstructionSetAndAllocateNothing) {
 
 TEST(JointCells, OfOtherPairsAreRefused) {
   const Model model = post_and_arm();
-  SelfCollision check(model, build_geometry(model, {.balls = false}), {{0, 1}});
+  SelfCollision check(model, build_geometry(model), {{0, 1}});
   EXPECT_THROW(check.use(std::vector<JointCells>(2)), std::invalid_argument);
 }
 

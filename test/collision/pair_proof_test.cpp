@@ -42,7 +42,7 @@ Model crane(double swing) {
 }
 
 PairVerdict of(const Model& model, int a, int b) {
-  for (const PairVerdict& v : judge_pairs(model, build_geometry(model, {.balls = false}))) {
+  for (const PairVerdict& v : judge_pairs(model, build_geometry(model))) {
     if (v.pair.link_a == a && v.pair.link_b == b) return v;
   }
   return {};
@@ -66,7 +66,7 @@ TEST(PairProof, TheSrdfNamesProvedPairsWithTheirReason) {
   folded.joints[0].lower = 1.2;
   folded.joints[0].upper = 1.9;
   folded.srdf_text = "<robot name=\"crane\">\n</robot>\n";
-  const RobotGeometry geometry = build_geometry(folded, {.balls = false});
+  const RobotGeometry geometry = build_geometry(folded);
   const std::string text = srdf_with_pairs(folded, judge_pairs(folded, geometry));
   EXPECT_NE(text.find("link1=\"post\" link2=\"lower\" reason=\"Never, proved\""),
             std::string::npos);

@@ -17,7 +17,7 @@ namespace {
 constexpr std::uint64_t kSeed = 20261122;
 
 const RobotGeometry& shapes() {
-  static const RobotGeometry geometry = build_geometry(hrp1s(), {.balls = false});
+  static const RobotGeometry geometry = build_geometry(hrp1s());
   return geometry;
 }
 
@@ -48,7 +48,7 @@ struct TwoBoxes {
     }
   }
   bool touch(double x, double y, double z, bool surfaces_alone = false) {
-    SelfCollision check(model, build_geometry(model, {.balls = false}), {{0, 3}});
+    SelfCollision check(model, build_geometry(model), {{0, 3}});
     check.place(Eigen::Vector3d(x, y, z));
     return surfaces_alone ? check.surfaces_cross(0) : check.touching() > 0;
   }

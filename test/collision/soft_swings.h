@@ -57,7 +57,7 @@ class SoftSwings {
 
   SoftSwings(const Model& model, std::int64_t seed)
       : model_(model),
-        exact_(model, build_geometry(model, {.balls = false})),
+        exact_(model, build_geometry(model)),
         limits_(model),
         home_(named_posture(model, "half_sitting")),
         seed_(seed) {

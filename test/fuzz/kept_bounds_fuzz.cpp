@@ -44,7 +44,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     damaged[(data[i] * 256U + data[i + 1]) % damaged.size()] = static_cast<char>(data[i + 2]);
   for (const std::string& content : {bytes, damaged}) {
     LinkGeometry link = a_link();
-    if (unpack_bounds(content, true, link, why)) {
+    if (unpack_bounds(content, link, why)) {
       verify(link);  // throws, which ends the fuzzer
     } else if (why.empty()) {
       std::abort();

@@ -14,6 +14,7 @@
 #include "test/lcmtypes/samples.h"
 #include "test/error_of.h"
 #include "test/no_alloc.h"
+#include "test/tools/bus_options.h"
 
 namespace twinbus {
 namespace {

@@ -3,6 +3,7 @@
 #include "planner/batch/check.h"
 #include "test/oracles/clear_cells.h"
 #include "test/planner/plates.h"
+#include "test/oracles/sort_pairs.h"
 
 namespace twinbus {
 namespace {

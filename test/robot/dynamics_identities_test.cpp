@@ -179,30 +179,6 @@ TEST(Dynamics, IdentitiesHoldOnAThousandRandomTrees) {
   }
 }
 
-TEST(Dynamics, PointAccelerationIsTheChangeOfPointVelocity) {
-  const Model model = robot_with_every_joint();
-  const Motion motion(model, 3);
-  constexpr double h = 1e-5;
-  const double t = 0.4;
-  const int link = model.hands[0].link;
-  const Eigen::Vector3d local(0.1, -0.05, 0.2);
-  Kinematics k(model);
-  const auto velocity = [&](double when) {
-    k.update(motion.configuration(when));
-    return k.point_velocity(link, k.link_in_world(link) * local);
-  };
-  const Eigen::Vector3d change = (velocity(t + h) - velocity(t - h)) / (2 * h);
-  const Configuration c = motion.configuration(t);
-  k.update(c);
-  InverseDynamics dynamics(model);
-  Eigen::VectorXd tau(model.joint_count());
-  dynamics.solve(k, c, motion.qdd(t), motion.base_acceleration(t),
-                 motion.base_angular_acceleration(t), {}, tau);
-  const Eigen::Vector3d point = k.link_in_world(link) * local;
-  EXPECT_LT((dynamics.point_acceleration(k, link, point) - change).norm(),
-            1e-6 * (1.0 + change.norm()));
-}
-
 // Nobody pushes and no torque acts: energy stays, to the order of the integrator.
 TEST(Dynamics, FreeFlightKeepsEnergyAndMomentum) {
   const Model model = hrp1s();

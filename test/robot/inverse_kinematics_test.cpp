@@ -98,33 +98,6 @@ TEST(InverseKinematics, OutOfReachEndsAtTheNearestPosture) {
   EXPECT_NEAR(result.position_error, distance - 0.600, 2e-3);
 }
 
-TEST(InverseKinematics, HeldJointsStay) {
-  const Model& model = hrp1s();
-  InverseKinematics ik(model, 0, model.hands[1].link, model.hands[1].frame);
-  for (const char* name : {"WAIST_P", "WAIST_R", "CHEST"}) ik.hold(model.find_joint(name), true);
-  Eigen::VectorXd q = half_sitting(model);
-  q[model.find_joint("CHEST")] = 0.1;
-  Eigen::Isometry3d target = ik.pose(q);
-  target.translation().x() += 0.05;
-  const IkResult result = ik.solve(target, {}, q);
-  EXPECT_TRUE(result.reached);
-  EXPECT_EQ(q[model.find_joint("CHEST")], 0.1);
-  EXPECT_EQ(q[model.find_joint("WAIST_P")], 0.0);
-}
-
-TEST(InverseKinematics, RestWeightKeepsARedundantArmNearItsPosture) {
-  const Model& model = hrp1s();
-  InverseKinematics ik(model, 0, model.hands[0].link, model.hands[0].frame);
-  const auto distance = [&](double rest_weight) {
-    Eigen::VectorXd q = half_sitting(model);
-    Eigen::Isometry3d target = ik.pose(q);
-    target.translation() += Eigen::Vector3d(0.15, 0.05, 0.20);
-    EXPECT_TRUE(ik.solve(target, {.rest_weight = rest_weight}, q).reached);
-    return (q - half_sitting(model)).norm();
-  };
-  EXPECT_LE(distance(1.0), distance(0.0) + 1e-6);
-}
-
 TEST(InverseKinematics, NonsenseChangesNothing) {
   const Model& model = hrp1s();
   InverseKinematics ik(model, 0, model.soles[0].link, model.soles[0].frame);

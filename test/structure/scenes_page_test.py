@@ -162,7 +162,7 @@ def default_of(expression, variables, known):
         value = members.get((variables.get(found[1]), found[2]), "")
     value = numbers.get(value, value)
     value = value.strip('"')
-    if value in ("kNan", "-1", "-1.0", "1e9") or value.startswith("&") or re.search(r"[*:(]", value):
+    if value in ("kNan", "kNotAsked", "-1", "-1.0", "1e9") or value.startswith("&") or re.search(r"[*:(]", value):
         return "" if "*" not in value and "(" not in value else "from the others"
     try:
         return f"{float(value):g}"

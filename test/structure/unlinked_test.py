@@ -18,10 +18,9 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 # Called by nothing of the product, and kept: functions (without twinbus::) by what uses them.
 KEPT = {
     "tests and benches ask the product with them what the programs ask in other ways": """
-        ArmPlanner::path_free ArticulatedWorld::resume BlockCheck::settle_by_pieces BlockCheck::settle_touching BlockCheck::world_free BlockScene::add_capsule
+        ArmPlanner::path_free ArticulatedWorld::resume BlockCheck::settle_by_pieces BlockCheck::settle_touching BlockScene::add_capsule
         Collision::in_collision Collision::touches_by_fcl Guard::check Guard::pair_count Guard::pairs Guard::unproved Guard::work
-        InverseDynamics::point_acceleration InverseKinematics::hold InverseKinematics::pose JointReach::between
-        LogReader::look_for_more SupportPolygon::centre excess_over_hull fastest_time field_at sort_pairs take_bus_option""",
+        InverseKinematics::pose JointReach::between fastest_time""",
     "stall tests and benches play operator and machine with them": """
         OneProcess::restart_controller OneProcess::say OneProcess::stall_controller Source::effective_command""",
     "the exact check of all pairs is for tools of one's own; tests and bench collision hold it": """

@@ -18,6 +18,7 @@
 #include "lcmtypes/msg/state_admission.h"
 #include "test/lcmtypes/samples.h"
 #include "test/no_alloc.h"
+#include "test/tools/bus_options.h"
 
 using namespace twinbus;
 

@@ -15,6 +15,7 @@
 #include "lcmtypes/bus/bus.h"
 #include "common/process/process.h"
 #include "viewer_log/log/log_event.h"
+#include "test/tools/bus_options.h"
 
 using namespace twinbus;
 

@@ -18,6 +18,7 @@
 #include "lcmtypes/bus/channels.h"
 #include "robot/description/load.h"
 #include "common/process/process.h"
+#include "test/tools/bus_options.h"
 
 using namespace twinbus;
 

@@ -292,15 +292,5 @@ TEST_F(LogParts, PartsOfAnOlderRecordingAreNotOfThisOne) {
   EXPECT_EQ(times(reader).size(), 100U);
 }
 
-TEST_F(LogParts, ANewPartIsFoundWhileTheLogGrows) {
-  write("run.log", 0, 100);
-  LogReader reader(file("run.log"));
-  EXPECT_EQ(times(reader).size(), 100U);
-  write("run-0002.log", 100, 50);
-  reader.look_for_more();
-  EXPECT_EQ(reader.parts(), 2);
-  EXPECT_EQ(times(reader).size(), 50U);
-}
-
 }  // namespace
 }  // namespace twinbus

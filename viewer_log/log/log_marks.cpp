@@ -1,11 +1,10 @@
 #include "viewer_log/log/log_marks.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
 #include <cstring>
 #include <utility>
 
+#include "common/text/formatted.h"
 #include "lcmtypes/msg/labels.h"
 
 namespace twinbus {
@@ -44,8 +43,7 @@ void MarkFinder::on_state(const RobotState& state, std::int64_t utime) {
     // Nothing is missing of a world that stood still because it was asked to, or is another one now.
     const bool paused = paused_run_ == state.run_id && state.tick == last_.tick + 1;
     const char* const what = anew ? "the world ended; it was begun anew after" : paused ? "paused for" : "no STATE for";
-    char text[80];
-    std::snprintf(text, sizeof text, "%s %.0f ms", what, 1e-3 * static_cast<double>(utime - last_state_utime_));
+    const std::string text = formatted("%s %.0f ms", what, 1e-3 * static_cast<double>(utime - last_state_utime_));
     add(last_state_utime_, anew || paused ? MarkKind::kMessage : MarkKind::kMissed, text);
   }
   paused_run_ = 0;

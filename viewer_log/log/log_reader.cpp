@@ -6,13 +6,14 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <limits>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
+
+#include "common/text/formatted.h"
 
 namespace twinbus {
 
@@ -30,10 +31,7 @@ namespace fs = std::filesystem;
 std::string log_part_name(const std::string& file, int part) {
   if (part <= 1) return file;
   const fs::path path(file);
-  char number[16];
-  std::snprintf(number, sizeof number, "-%04d", part);
-  return (path.parent_path() / (path.stem().string() + number + path.extension().string()))
-      .string();
+  return (path.parent_path() / (path.stem().string() + formatted("-%04d", part) + path.extension().string())).string();
 }
 
 std::vector<std::string> log_parts(const std::string& file) {
@@ -140,25 +138,6 @@ void LogReader::add_part(const std::string& file) {
   size_ += about.st_size;
   // Files that are open outlive their removal by a quota; very many cannot all be open.
   if (parts_.size() > kMostOpen) ::close(std::exchange(parts_.back().fd, -1));
-}
-
-void LogReader::look_for_more() {
-  if (parts_.empty()) return;
-  Part& last = parts_.back();
-  struct stat about {};
-  const bool known =
-      last.fd >= 0 ? fstat(last.fd, &about) == 0 : ::stat(last.file.c_str(), &about) == 0;
-  if (known && about.st_size > last.size) {
-    size_ += about.st_size - last.size;
-    last.size = about.st_size;
-  }
-  const std::vector<std::string> files = log_parts(parts_.front().file);
-  for (std::size_t i = 1; i < files.size(); ++i) {
-    const std::string& newest = parts_.back().file;
-    const bool is_new =
-        files[i].size() != newest.size() ? files[i].size() > newest.size() : files[i] > newest;
-    if (parts_.size() == 1 || is_new) add_part(files[i]);
-  }
 }
 
 std::int64_t LogReader::part_begin(int part) const {

@@ -54,8 +54,6 @@ class LogReader {
   // Where a part begins and ends.
   std::int64_t part_begin(int part) const;
   std::int64_t part_end(int part) const;
-  // What follows the end is taken in, also new parts: a log that is still being written.
-  void look_for_more();
 
  private:
   struct Head {

@@ -1,6 +1,5 @@
 #include "viewer_log/server/web_server.h"
 
-#include <algorithm>
 #include <array>
 #include <atomic>
 #include <chrono>

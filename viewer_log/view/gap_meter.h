@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 
 #include "lcmtypes/msg/messages.h"
 #include "lcmtypes/msg/robot_io.h"

@@ -1,8 +1,6 @@
 #include "viewer_log/view/health.h"
 
-#include <cmath>
-#include <cstdio>
-
+#include "common/text/formatted.h"
 #include "common/text/name_of.h"
 #include "lcmtypes/msg/labels.h"
 #include "lcmtypes/msg/messages.h"
@@ -17,18 +15,6 @@ constexpr double kSenderSilent = 0.5;  // [s]
 constexpr double kSourceSilent = 1.0;  // [s]
 constexpr double kThinMargin = 0.010;  // ZMP to the edge of the soles [m]
 constexpr double kSlow = 0.95;         // real-time factor
-
-std::string one_decimal(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f", value);
-  return text;
-}
-
-std::string two_decimals(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2f", value);
-  return text;
-}
 
 bool any_source(const StackView& view, std::int64_t now_ns) {
   for (const auto& source : view.sources()) {
@@ -56,9 +42,8 @@ Health without_state(const StackView& view, std::int64_t now_ns) {
   if (view.state().at_ns == 0) {
     return {HealthLevel::kWaiting, "Nothing on the bus yet: start the stack with ./twinbus up."};
   }
-  return {HealthLevel::kBad, "The source has been silent for " +
-                                 one_decimal(view.state().age(now_ns)) +
-                                 " s: its process has ended or hangs."};
+  return {HealthLevel::kBad,
+          formatted("The source has been silent for %.1f s: its process has ended or hangs.", view.state().age(now_ns))};
 }
 
 // The real-time factor says something only where time is meant to be real.
@@ -116,12 +101,11 @@ Health assess(const StackView& view, std::int64_t now_ns) {
   }
   if (paced(view, now_ns) && view.realtime_factor() > 0.0 && view.realtime_factor() < kSlow) {
     return {HealthLevel::kWarning,
-            "Slower than real time: factor " + two_decimals(view.realtime_factor()) +
+            formatted("Slower than real time: factor %.2f", view.realtime_factor()) +
                 (pace_of(view, now_ns) == Pace::kPatient ? ": the simulated world waits for late commands." : ".")};
   }
   if (pace_of(view, now_ns) == Pace::kSlowed) {
-    return {HealthLevel::kGood, "Slowed down on purpose: " + two_decimals(view.realtime_factor()) +
-                                    " times real time."};
+    return {HealthLevel::kGood, formatted("Slowed down on purpose: %.2f times real time.", view.realtime_factor())};
   }
   const ControllerStatus& controller = view.controller().value;
   const char* doing = controller.motion != Motion::kNone ? label(controller.motion) : label(mode);

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "common/math/pose_math.h"
+
 namespace twinbus {
 
 namespace {
@@ -22,9 +24,7 @@ constexpr int kMostHalves = 200;                    // of half a period, for the
 // Heading and place of a base on the ground.
 Eigen::Isometry3d on_ground(const Eigen::Isometry3d& base) {
   Eigen::Isometry3d plane = Eigen::Isometry3d::Identity();
-  plane.linear() = Eigen::AngleAxisd(std::atan2(base.linear()(1, 0), base.linear()(0, 0)),
-                                     Eigen::Vector3d::UnitZ())
-                       .toRotationMatrix();
+  plane.linear() = Eigen::AngleAxisd(yaw_of(base.linear()), Eigen::Vector3d::UnitZ()).toRotationMatrix();
   plane.translation() = Eigen::Vector3d(base.translation().x(), base.translation().y(), 0.0);
   return plane;
 }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "common/math/pose_math.h"
+
 namespace twinbus {
 
 namespace {
@@ -16,11 +18,6 @@ constexpr double kSilent = 10.0;      // [s]
 constexpr double kRateWindow = 2.0;   // [s]; shorter, a page sees the jitter of the viewer
 constexpr double kTruthFresh = 0.25;  // [s]
 constexpr double kStateFresh = 0.25;  // [s]
-
-// Yaw of a rotation: where its x axis points on the ground [rad].
-double yaw(const Eigen::Isometry3d& pose) {
-  return std::atan2(pose.linear()(1, 0), pose.linear()(0, 0));
-}
 
 Eigen::Isometry3d truth_base(const SimTruth& truth) {
   const auto& w = truth.base_attitude;
@@ -108,7 +105,7 @@ void StackView::on_truth(const SimTruth& truth, std::int64_t now_ns) {
 void StackView::anchor_truth() {
   const Eigen::Isometry3d sim = truth_base(truth_.value);
   const Eigen::Isometry3d& estimate = estimator_.configuration().base;
-  const Eigen::AngleAxisd turn(yaw(estimate) - yaw(sim), Eigen::Vector3d::UnitZ());
+  const Eigen::AngleAxisd turn(yaw_of(estimate.linear()) - yaw_of(sim.linear()), Eigen::Vector3d::UnitZ());
   world_from_sim_ = Eigen::Isometry3d::Identity();
   world_from_sim_.linear() = turn.toRotationMatrix();
   Eigen::Vector3d shift = estimate.translation() - world_from_sim_.linear() * sim.translation();

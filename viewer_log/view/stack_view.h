@@ -8,7 +8,6 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <array>
 #include <cstdint>
 #include <deque>
 #include <string>

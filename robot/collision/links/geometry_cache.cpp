@@ -1,7 +1,6 @@
 #include "robot/collision/links/geometry_cache.h"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 #include <stdexcept>
 #include <utility>
@@ -44,14 +43,6 @@ std::vector<Ball> balls_of(const std::vector<PlainBall>& plain_ones) {
   return all;
 }
 
-Fingerprint bounds_key(const GeometryOptions& options, const TriangleMesh& mesh) {
-  return fingerprint_of(mesh)
-      .add(options.balls)
-      .add(options.balls ? options.ball_excess : 0.0)
-      .add(options.balls ? options.most_balls : 0)
-      .value();
-}
-
 // As nearly as capsule_around makes sure of it.
 bool holds(const Capsule& capsule, const std::vector<Vector3d>& points) {
   constexpr double kRounding = 1e-12;
@@ -86,12 +77,7 @@ TriangleMesh hull_of(const TriangleMesh& mesh, const std::vector<int>& corners,
     hull.points.push_back(mesh.points[at(c)]);
   }
   if (triangles.size() < 4) wrong("its hull has no volume");
-  Vector3d low = mesh.points.front(), high = low;
-  for (const Vector3d& p : mesh.points) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  const double slack = kHullSlack * (high - low).norm();
+  const double slack = kHullSlack * box_around(mesh.points).sizes().norm();
   std::set<std::pair<int, int>> edges;
   std::vector<char> used(corners.size(), 0);
   for (const auto& t : triangles) {
@@ -166,11 +152,11 @@ std::string packed_bounds(const LinkGeometry& g, const std::vector<int>& order) 
   out.put_all(corners_in(g.mesh, g.hull)).put_all(g.hull.triangles);
   out.put(plain(g.sphere)).put(plain(Ball{g.capsule.a, g.capsule.radius}));
   out.put(plain(Ball{g.capsule.b, g.capsule.radius}));
-  out.put_all(order).put_all(sizes).put_all(spheres).put_all(plain(g.balls));
+  out.put_all(order).put_all(sizes).put_all(spheres);
   return out.bytes();
 }
 
-bool unpack_bounds(const std::string& bytes, bool balls, LinkGeometry& link, std::string& why) {
+bool unpack_bounds(const std::string& bytes, LinkGeometry& link, std::string& why) {
   Unpacker in(bytes);
   const auto corners = in.get_all<int>();
   const auto faces = in.get_all<std::array<int, 3>>();
@@ -178,7 +164,6 @@ bool unpack_bounds(const std::string& bytes, bool balls, LinkGeometry& link, std
   const auto order = in.get_all<int>();
   const auto sizes = in.get_all<std::uint8_t>();
   const auto spheres = in.get_all<PlainBall>();
-  const auto cover = in.get_all<PlainBall>();
   if (!in.whole()) {
     why = "it has too little or too much in it";
     return false;
@@ -189,8 +174,6 @@ bool unpack_bounds(const std::string& bytes, bool balls, LinkGeometry& link, std
     g.sphere = ball_of(sphere);
     g.capsule = {ball_of(from).center, ball_of(to).center, from.radius};
     g.clusters = clusters_of(g.mesh, order, sizes, spheres);
-    g.balls = balls_of(cover);
-    if (g.balls.empty() == balls) wrong("it has balls where none are asked, or none");
     verify(g);
     link = std::move(g);
     return true;
@@ -200,26 +183,24 @@ bool unpack_bounds(const std::string& bytes, bool balls, LinkGeometry& link, std
   }
 }
 
-bool recall_bounds(const GeometryOptions& options, LinkGeometry& link) {
+bool recall_bounds(LinkGeometry& link) {
   if (disk_cache().folder().empty()) return false;
-  const Fingerprint key = bounds_key(options, link.mesh);
+  const Fingerprint key = fingerprint_of(link.mesh).value();
   const std::optional<std::string> bytes = disk_cache().find("bounds", key);
   if (!bytes) return false;
   std::string why;
-  if (unpack_bounds(*bytes, options.balls, link, why)) return true;
+  if (unpack_bounds(*bytes, link, why)) return true;
   disk_cache().refuse("bounds", key, why);
   return false;
 }
 
-void keep_bounds(const GeometryOptions& options, const LinkGeometry& link,
-                 const std::vector<int>& order) {
+void keep_bounds(const LinkGeometry& link, const std::vector<int>& order) {
   if (disk_cache().folder().empty()) return;
   const std::string bytes = packed_bounds(link, order);
   // What would be refused (a hull without volume, or with slivers for faces) is found every time.
   LinkGeometry again = link;
   std::string why;
-  if (unpack_bounds(bytes, options.balls, again, why))
-    disk_cache().keep("bounds", bounds_key(options, link.mesh), bytes);
+  if (unpack_bounds(bytes, again, why)) disk_cache().keep("bounds", fingerprint_of(link.mesh).value(), bytes);
 }
 
 bool recall_inner_balls(const LinkGeometry& link, int balls, int points, std::vector<Ball>& found) {

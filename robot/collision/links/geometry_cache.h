@@ -14,12 +14,11 @@
 
 namespace twinbus {
 
-// Fills in hull, sphere, capsule, clusters and balls of a link whose mesh and box are there; false,
+// Fills in hull, sphere, capsule and clusters of a link whose mesh and box are there; false,
 // with nothing changed, when they are not known or do not hold.
-bool recall_bounds(const GeometryOptions& options, LinkGeometry& link);
+bool recall_bounds(LinkGeometry& link);
 // order: the triangles, cluster by cluster.
-void keep_bounds(const GeometryOptions& options, const LinkGeometry& link,
-                 const std::vector<int>& order);
+void keep_bounds(const LinkGeometry& link, const std::vector<int>& order);
 
 // The same of inner_balls(link, balls, points).
 bool recall_inner_balls(const LinkGeometry& link, int balls, int points, std::vector<Ball>& found);
@@ -38,6 +37,6 @@ FingerprintMaker fingerprint_of_code();
 
 // The bytes that are kept, and back; what does not hold is a sentence in `why` and leaves link as it was.
 std::string packed_bounds(const LinkGeometry& link, const std::vector<int>& order);
-bool unpack_bounds(const std::string& bytes, bool balls, LinkGeometry& link, std::string& why);
+bool unpack_bounds(const std::string& bytes, LinkGeometry& link, std::string& why);
 
 }  // namespace twinbus

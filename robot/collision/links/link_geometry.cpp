@@ -10,7 +10,6 @@
 #include "robot/collision/links/geometry_cache.h"
 #include "common/math/index.h"
 #include "geometry/bounds/shape_mesh.h"
-#include "robot/collision/links/sphere_cover.h"
 #include "geometry/bounds/triangle_clusters.h"
 
 namespace twinbus {
@@ -26,7 +25,7 @@ constexpr double kRounding = 1e-14;                    // share, of a radius in 
 double grown_link(double radius) { return radius * (1.0 + kGrowShare) + kGrowLink; }
 
 // All but the box; the order of the triangles in the clusters, too.
-void find_bounds(const GeometryOptions& options, LinkGeometry& g, std::vector<int>& order) {
+void find_bounds(LinkGeometry& g, std::vector<int>& order) {
   g.hull = convex_hull(g.mesh.points);
   const auto grown = [&](double radius, auto distance) {
     for (const Vector3d& p : g.mesh.points) radius = std::max(radius, distance(p));
@@ -43,8 +42,6 @@ void find_bounds(const GeometryOptions& options, LinkGeometry& g, std::vector<in
     return (p - g.capsule.a - t * along).norm();
   });
   g.clusters = triangle_clusters(g.mesh, order);
-  if (options.balls)
-    g.balls = cover_with_balls(g.mesh, g.hull, options.ball_excess, options.most_balls);
 }
 
 [[noreturn]] void unsound(const char* what) {
@@ -54,7 +51,7 @@ void find_bounds(const GeometryOptions& options, LinkGeometry& g, std::vector<in
 
 }  // namespace
 
-LinkGeometry link_geometry(const std::vector<Shape>& shapes, const GeometryOptions& options) {
+LinkGeometry link_geometry(const std::vector<Shape>& shapes) {
   LinkGeometry g;
   g.low = g.high = Vector3d::Zero();
   bool primitive = true;
@@ -68,18 +65,14 @@ LinkGeometry link_geometry(const std::vector<Shape>& shapes, const GeometryOptio
   g.mesh = welded(all);
   if (g.mesh.triangles.empty()) return g;
   if (primitive) g.parts = shapes;
-  g.low = g.high = g.mesh.points.front();
-  for (const Vector3d& p : g.mesh.points) {
-    g.low = g.low.cwiseMin(p);
-    g.high = g.high.cwiseMax(p);
-  }
-  g.low.array() -= kGrowLink;
-  g.high.array() += kGrowLink;
-  if (recall_bounds(options, g)) return g;
+  const Eigen::AlignedBox3d box = box_around(g.mesh.points);
+  g.low = box.min().array() - kGrowLink;
+  g.high = box.max().array() + kGrowLink;
+  if (recall_bounds(g)) return g;
   std::vector<int> order;
-  find_bounds(options, g, order);
+  find_bounds(g, order);
   verify(g);
-  keep_bounds(options, g, order);
+  keep_bounds(g, order);
   return g;
 }
 
@@ -113,16 +106,15 @@ void verify(const LinkGeometry& g) {
   const double most = 1.0 + (g.high - g.low).norm();  // no bound need be larger
   if (!(std::max(g.sphere.radius, g.capsule.radius) <= most)) unsound("sphere or capsule");
   if (triangles != static_cast<int>(g.mesh.triangles.size())) unsound("list of clusters");
-  if (!g.balls.empty() && !covers(g.balls, g.mesh)) unsound("set of balls");
 }
 
-RobotGeometry build_geometry(const Model& model, const GeometryOptions& options) {
+RobotGeometry build_geometry(const Model& model) {
   RobotGeometry robot;
   robot.of_link.assign(model.links.size(), -1);
   for (int link = 0; link < model.link_count(); ++link) {
     const std::vector<Shape>& shapes = model.links[at(link)].collision;
     if (shapes.empty()) continue;
-    LinkGeometry g = link_geometry(shapes, options);
+    LinkGeometry g = link_geometry(shapes);
     if (g.mesh.triangles.empty()) continue;
     g.link = link;
     robot.of_link[at(link)] = static_cast<int>(robot.links.size());

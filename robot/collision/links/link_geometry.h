@@ -1,8 +1,7 @@
 // The shapes of a robot as collision checks want them, built and verified when the robot is loaded.
 //
 // Per link that bears collision shapes: one welded triangle mesh, and what lies around it: sphere,
-// capsule, convex hull, clusters of triangles, and a few spheres whose union holds every triangle
-// (proved triangle by triangle: sphere_cover.h).  All in the link frame, [m].
+// capsule, convex hull, clusters of triangles.  All in the link frame, [m].
 //
 // Boxes and mesh files become exactly their triangles.  Round shapes become triangles that lie
 // outside of them, by at most `outside`: what is said to be clear of the triangles is clear of the
@@ -30,16 +29,9 @@ struct LinkGeometry {
   Capsule capsule;
   Eigen::Vector3d low, high;  // box along the link's axes
   std::vector<TriangleCluster> clusters;
-  std::vector<Ball> balls;   // every triangle is inside their union
   std::vector<Shape> parts;  // the link's shapes when none of them is a mesh, else empty
   // A point of the surface of every shape: inside tests start there.
   std::vector<Eigen::Vector3d> witnesses;
-};
-
-struct GeometryOptions {
-  bool balls = true;
-  double ball_excess = 0.012;  // wanted: how far balls stick out of the hull [m]
-  int most_balls = 24;         // per link
 };
 
 struct RobotGeometry {
@@ -48,10 +40,10 @@ struct RobotGeometry {
 };
 
 // Throws std::runtime_error when a mesh cannot be read or a bound cannot be verified.
-RobotGeometry build_geometry(const Model& model, const GeometryOptions& options = {});
+RobotGeometry build_geometry(const Model& model);
 
 // One link from its shapes; link_geometry of nothing has no triangles.
-LinkGeometry link_geometry(const std::vector<Shape>& shapes, const GeometryOptions& options = {});
+LinkGeometry link_geometry(const std::vector<Shape>& shapes);
 
 // Throws std::runtime_error naming the first bound that does not hold all triangles.
 void verify(const LinkGeometry& geometry);

@@ -80,7 +80,7 @@ int main(int argc, char** argv) try {
   options.parse(argc, argv);
 
   const Model model = load_case(robot, package, drop);
-  const RobotGeometry geometry = build_geometry(model, {.balls = false});
+  const RobotGeometry geometry = build_geometry(model);
   SelfCollision check(model, geometry);
   check.use(find_joint_cells(model, geometry, check.pairs()));
   CoalPeer coal(geometry, check.pairs());

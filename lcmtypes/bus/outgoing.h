@@ -1,11 +1,11 @@
-// Requests of the viewer, which are sent several times.  For mains only.
+// Requests of an operator, which are sent several times: what must not be lost with one datagram.
 
 #pragma once
 
 #include <cstdint>
 
-#include "lcmtypes/bus/bus.h"
 #include "common/process/process.h"
+#include "lcmtypes/bus/bus.h"
 
 namespace twinbus {
 
@@ -22,12 +22,13 @@ struct Outgoing {
     message.sequence = sequence;
     left = kRepeats;
   }
-  static constexpr int kRepeats = 5;  // one per frame, same sequence
+  static constexpr int kRepeats = 5;  // same sequence
+  // Once per cycle of who sends.
   void send(Bus& bus, const char* channel) {
     if (left == 0) return;
     --left;
     message.utime = wall_us();
-    if (!bus.send(channel, message)) ++left;  // no room now: once more with the next frame
+    if (!bus.send(channel, message)) ++left;  // no room now: once more with the next cycle
   }
 };
 

@@ -11,10 +11,10 @@
 
 namespace twinbus {
 
-class EvenSteps {
+class MissingMessages {
  public:
   // step: from the last number of this sender to this one; 0 or less: repeated or late, nothing is missing.
-  std::int64_t missing(std::int64_t step) noexcept {
+  std::int64_t after(std::int64_t step) noexcept {
     if (step <= 0) return 0;
     steps_[next_] = step;
     next_ = (next_ + 1) % steps_.size();

@@ -1,4 +1,4 @@
-#include "robot/collision/links/sphere_cover.h"
+#include "test/oracles/sphere_cover.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
-// A few balls whose union holds every triangle of a mesh: what planners check instead of the mesh,
-// with nothing sticking out.
+// A few balls whose union holds every triangle of a mesh: what other planners, and `bench planner`, check instead of
+// the mesh, with nothing sticking out.
 //
 // A triangle is inside a ball when its three corners are.  Triangles that no ball holds alone are
 // cut at the middle of their longest edge, as often as it takes; the pieces tile the triangle, so
@@ -16,7 +16,7 @@ namespace twinbus {
 // At most `most` balls that stick out of the hull of the mesh by no more than `excess` [m] if that
 // can be done with so many.  points of hull: its corners.
 std::vector<Ball> cover_with_balls(const TriangleMesh& mesh, const TriangleMesh& hull,
-                                   double excess, int most);
+                                   double excess = 0.012, int most = 24);
 
 // Proved: every point of every triangle is inside some ball.
 bool covers(const std::vector<Ball>& balls, const TriangleMesh& mesh);
