@@ -74,9 +74,9 @@ std::string why_of(const Opened& opened, const AccuracyChoice& choice) {
   const auto index = static_cast<std::size_t>(choice.rung);
   const Rung& rung = choice.ladder.rungs[index];
   return formatted(
-      "tuned: error %.3g mm over %.3g s (seed %llu), physics %.3g ms per second; the finest two runs agree to %.3g mm",
+      "tuned: error %.3g mm over %.3g s (seed %llu), physics %.3g ms per second; the finest two runs agree to %.3g mm; commit %.12s",
       1e3 * choice.ladder.estimate(index), opened.request.duration, static_cast<unsigned long long>(opened.request.seed),
-      rung.cost, 1e3 * choice.ladder.agreement);
+      rung.cost, 1e3 * choice.ladder.agreement, commit_of_program().c_str());
 }
 
 // Where the time of a short run goes.
@@ -123,6 +123,9 @@ void print_model(const Opened& opened) {
               scene.self_contact
                   ? "touch one another, the ground and obstacles"
                   : "touch the ground and obstacles, not one another (self_contact)");
+  std::printf("settings     ");
+  for (const auto& [key, value] : scene.settings) std::printf("%s%s=%s", &key == &scene.settings.front().first ? "" : ", ", key.c_str(), value.c_str());
+  std::printf("%s\n", scene.settings.empty() ? "none: ideal sensors, servos without delay or play" : "");
   std::printf("loose        %zu bodies", scene.loose.size());
   for (const LooseBody& body : scene.loose)
     std::printf(", %s%s", body.name.c_str(), body.mesh != nullptr ? " (triangles)" : "");
