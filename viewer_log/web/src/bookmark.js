@@ -31,7 +31,7 @@ export function restoreView(stage, plots) {
   if (cam.length === 6 && cam.every(Number.isFinite)) {
     stage.camera.position.set(...cam.slice(0, 3));
     stage.controls.target.set(...cam.slice(3));
-    stage.tookIn = true;
+    stage.tookIn = stage.turned = true;
   }
   let wanted = null;
   try { wanted = JSON.parse(parts.get('plots')); } catch { /* not one of ours */ }

@@ -86,6 +86,10 @@ const link = new Link({
     robot.load(message.joints, (model) => {
       const pattern = model.clone();
       for (const ghost of [commanded, standby, other]) ghost.adopt(pattern, message.joints);
+      if (newest) {
+        robot.pose(newest.q, newest.base);
+        stage.fitTo(model);
+      }
     }).then(beginDrawing).catch((error) => panels.toast(`The robot cannot be shown: ${error.message}`));
   },
   live: (message) => {

@@ -13,6 +13,7 @@ const kShownPair = 120;    // [mm]
 const kSlowFrame = 70;     // a machine without graphics hardware: fewer pixels, no shadows [ms]
 const kSlowFrames = 12;    // so many in a row
 const kFollow = 200;       // the camera lags behind the robot [ms]
+const kUsualSize = 0.85;   // half the diagonal of a robot that the first view fits [m]
 const kPlainPixels = 0.75; // of each direction, where the processor draws
 
 const kDark = { sky: 0x141b26, floor: '#1c2634', thin: '#2b394c', thick: '#4d6685', ambient: 1.5 };
@@ -54,7 +55,8 @@ export class Stage {
     this.controls.minDistance = 0.5;
     this.controls.maxDistance = 14;
     this.tookIn = false;
-    this.controls.addEventListener('start', () => { this.tookIn = true; });
+    this.turned = false; // by the user, or a bookmark
+    this.controls.addEventListener('start', () => { this.tookIn = this.turned = true; });
     this.follow = true;
     this.arrowScale = 1;
     this.leastForce = 5; // [N], smaller ones are not drawn
@@ -181,6 +183,20 @@ export class Stage {
     if (this.tookIn || !scene.loose?.some(near)) return;
     this.tookIn = true;
     this.camera.position.sub(this.controls.target).multiplyScalar(1.7).add(this.controls.target);
+  }
+
+  // A robot that is much larger or smaller than usual fills the view as others do.
+  fitTo(model) {
+    model.updateMatrixWorld(true);
+    const box = new THREE.Box3().setFromObject(model);
+    if (this.turned || box.isEmpty()) return;
+    const scale = Math.min(4, Math.max(0.3, 0.5 * box.getSize(new THREE.Vector3()).length() / kUsualSize));
+    if (Math.abs(scale - 1) < 0.12) return;
+    const raised = 0.5 * (Math.max(0, box.min.z) + box.max.z) - this.controls.target.z;
+    const from = this.camera.position.clone().sub(this.controls.target).multiplyScalar(scale);
+    this.controls.target.z += raised;
+    this.camera.position.copy(this.controls.target).add(from);
+    this.controls.minDistance = Math.min(0.5, 0.5 * scale);
   }
 
   // Camera and light go along; what the user turned stays turned.
