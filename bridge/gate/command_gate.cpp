@@ -71,11 +71,13 @@ void CommandGate::hold_measured(const RobotState& state) noexcept {
   start_hold(false);
 }
 
-void CommandGate::adopt(const JointCommand& command) noexcept {
+void CommandGate::adopt(const JointCommand& in_force, const JointCommand& client) noexcept {
   blend_.clear();
-  effective_ = command;
+  effective_ = in_force;
   effective_.joint_count = static_cast<std::int16_t>(limits_->joint_count);
   start_hold(false);
+  client_ = client;
+  client_.flags = 0;
 }
 
 void CommandGate::open(std::int64_t run_id, std::int32_t term, bool watched, double blend_s,

@@ -59,9 +59,9 @@ class CommandGate {
 
   // The set-point becomes the measured posture with the model's gains, at rest.
   void hold_measured(const RobotState& state) noexcept;
-  // The set-point becomes a command that was in force on another source (a state was imposed with
-  // it).
-  void adopt(const JointCommand& command) noexcept;
+  // The set-point becomes a command that was in force on another source (a state was imposed with it), and moves on to
+  // the client's.
+  void adopt(const JointCommand& in_force, const JointCommand& client) noexcept;
 
   // Obeys commands that name this run and term, from the first controller that speaks; its first
   // command is faded in over blend_s.  watched: silence for the command timeout, counted from

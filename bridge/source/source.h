@@ -119,7 +119,7 @@ class Source {
 
   RobotState state_;
   RobotState holder_state_;
-  JointCommand holder_command_;
+  JointCommand holder_command_, holder_before_;  // the newest, and the one before it
   SourceStatus status_;
   Transition transition_ = Transition::kNone;
   GateVerdict verdict_ = GateVerdict::kClosed;

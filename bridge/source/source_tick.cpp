@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "bridge/gate/command_in_force.h"
 #include "bridge/handover/switch_check.h"
 #include "common/math/index.h"
 #include "lcmtypes/msg/messages.h"
@@ -27,7 +28,6 @@ constexpr std::int64_t kControllerFresh_ns = 50'000'000;
 constexpr std::int64_t kFollowAfter_ns = 500'000'000;  // a holder has walked
 constexpr float kFootInAir = 30.0F;                    // [N]
 constexpr double kLately = 2.0;        // what happened so long before a fall may have led to it [s]
-constexpr float kTorqueJump = 0.02F;                   // of the limit; a larger one is faded out
 
 // Infinity and NaN give NaN here, every other number zero.
 bool finite(const RobotState& state, int joints) noexcept {
@@ -133,6 +133,7 @@ void Source::on_command(const JointCommand& command, std::int64_t now_ns) noexce
     if (command.joint_count != limits_->joint_count || command.model_hash != limits_->model_hash)
       return;
     if (have_holder_command_ && command.tick <= holder_command_.tick) return;
+    holder_before_ = have_holder_command_ ? holder_command_ : command;
     holder_command_ = command;
     have_holder_command_ = true;
     return;
@@ -212,25 +213,15 @@ void Source::impose_holder() noexcept {
   imposed_ = adaptor_->set_state(imposed) == Status::kOk;
 }
 
-// The set-point that goes with an imposed state: the client's, with the torque that makes the sum
-// what was measured.
+// The set-point that goes with an imposed state: the client's, with the torque that makes the sum what was measured.
 void Source::adopt_imposed() noexcept {
   if (!have_holder_command_ || holder_command_.run_id != holder_state_.run_id) {
     gate_.hold_measured(holder_state_);
     return;
   }
-  JointCommand own = holder_command_;
-  bool jump = false;
-  for (int j = 0; j < limits_->joint_count; ++j) {
-    const std::size_t i = at(j);
-    const float law = own.kp[i] * static_cast<float>(own.q[i] - holder_state_.q[i]) +
-                      own.kd[i] * (own.qd[i] - holder_state_.qd[i]);
-    const float tau = holder_state_.tau[i] - law;
-    jump =
-        jump || std::abs(tau - own.tau[i]) > kTorqueJump * static_cast<float>(limits_->effort[i]);
-    own.tau[i] = tau;
-  }
-  gate_.adopt(jump ? own : holder_command_);
+  JointCommand in_force;
+  const bool jump = !find_command_in_force(holder_state_, holder_before_, holder_command_, *limits_, in_force);
+  gate_.adopt(in_force, jump ? in_force : holder_command_);
   gate_.blend_again(jump ? limits_->blend_s : 0.0);
 }
 

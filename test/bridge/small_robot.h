@@ -55,6 +55,9 @@ class PointRobot : public RobotAdaptor {
   Status read(RobotState& state, double) override {
     if (read_status != Status::kOk) return read_status;
     state.q[0] = q;
+    if (has_torque) {
+      state.tau[0] = written.kp[0] * static_cast<float>(written.q[0] - q) - written.kd[0] * state.qd[0] + written.tau[0] + friction;
+    }
     state.sensor_flags = kEncodersValid | (has_imu ? kImuValid : 0);
     return Status::kOk;
   }
@@ -73,7 +76,8 @@ class PointRobot : public RobotAdaptor {
   bool is_hardware() const override { return !simulator_; }
 
   double q = 0.0;
-  bool has_imu = false;
+  bool has_imu = false, has_torque = false;
+  float friction = 0.0F;  // on top of what the servo gives [N m]
   Status read_status = Status::kOk, write_status = Status::kOk;
   JointCommand written;
   int writes = 0;

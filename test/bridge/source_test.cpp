@@ -185,11 +185,12 @@ TEST_F(Loop, NothingIsAllocated) {
 // Two real sources that hear each other; the controller answers whoever is on STATE.
 class Pair : public ::testing::Test {
  protected:
-  Pair() : model(small_model()), a(model, sim, config(1)), b(model, hardware, config(2)) {
+  explicit Pair(bool simulators = false)
+      : model(small_model()), hardware(simulators), a(model, sim, config(1)), b(model, hardware, config(2)) {
     for (int i = 0; i < 600; ++i) tick();
     request(SourceAction::kActivate, 1, 0);
     for (int i = 0; i < 10; ++i) tick();
-    request(SourceAction::kStandbyShadow, 2, 2);
+    request(simulators ? SourceAction::kStandbyTrack : SourceAction::kStandbyShadow, 2, 2);
     for (int i = 0; i < 10; ++i) tick();
   }
   static SourceConfig config(std::int64_t run) {
@@ -247,7 +248,7 @@ class Pair : public ::testing::Test {
   }
 
   Model model;
-  PointRobot sim{true}, hardware{false};
+  PointRobot sim{true}, hardware;
   Source a, b;
   std::int64_t now = 10'000 * kMs;
   std::int32_t sequence = 0;
@@ -287,6 +288,38 @@ TEST_F(Pair, TheSetPointOfTheRobotThatTakesOverDoesNotJump) {
   }
   EXPECT_TRUE(b.publishes_on_state());
   EXPECT_NEAR(q, 0.03, 1e-9);
+}
+
+// Two simulators of which one is set to the other's state.
+class Twins : public Pair {
+ protected:
+  Twins() : Pair(true) { sim.has_torque = hardware.has_torque = true; }
+  void let_the_second_take_over(double q) {
+    request(SourceAction::kSwitch, 2, 1);
+    for (int i = 0; i < 20 && !b.publishes_on_state(); ++i) tick(i % 2 == 0 ? 0.0 : q);
+    ASSERT_TRUE(b.publishes_on_state());
+  }
+};
+
+// What the holder measured comes of the command before the newest one: its client's steps are no jump of the switch.
+TEST_F(Twins, AClientWhoseSetPointStepsIsObeyedAtOnceAfterASwitch) {
+  for (int i = 0; i < 100; ++i) tick(i % 2 == 0 ? 0.0 : 0.004);
+  let_the_second_take_over(0.004);
+  for (int i = 0; i < 10; ++i) {
+    const double asked = i % 2 == 0 ? 0.004 : 0.0;
+    tick(asked);
+    EXPECT_EQ(hardware.written.q[0], asked) << i;
+    EXPECT_EQ(hardware.written.tau[0], 0.0F) << i;
+  }
+}
+
+TEST_F(Twins, ATorqueThatNoCommandExplainsFadesAfterASwitch) {
+  sim.friction = 10.0F;
+  for (int i = 0; i < 100; ++i) tick(0.004);
+  let_the_second_take_over(0.004);
+  EXPECT_NEAR(hardware.written.tau[0], 10.0F, 5.0F);
+  for (int i = 0; i < 300; ++i) tick(0.004);
+  EXPECT_EQ(hardware.written.tau[0], 0.0F);
 }
 
 TEST_F(Pair, ARobotHoldsItsPostureWhileTheOneItShadowsWalks) {

@@ -1,0 +1,50 @@
+#include "bridge/gate/command_in_force.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/math/index.h"
+
+namespace twinbus {
+
+namespace {
+
+constexpr float kTorqueJump = 0.02F;  // of the limit; a larger one is of the switch
+
+float servo(const JointCommand& command, const RobotState& measured, std::size_t i) noexcept {
+  return command.kp[i] * static_cast<float>(command.q[i] - measured.q[i]) + command.kd[i] * (command.qd[i] - measured.qd[i]);
+}
+
+template <class T>
+T between(T before, T newest, float share) noexcept {
+  return before + static_cast<T>(share) * (newest - before);
+}
+
+}  // namespace
+
+bool find_command_in_force(const RobotState& measured, const JointCommand& before, const JointCommand& newest,
+                           const GateLimits& limits, JointCommand& in_force) noexcept {
+  in_force = newest;
+  bool explained = true;
+  for (int j = 0; j < limits.joint_count && explained; ++j) {
+    const std::size_t i = at(j);
+    const auto effort = static_cast<float>(limits.effort[i]), near = kTorqueJump * effort;
+    const float tau = measured.tau[i];
+    const float first = std::clamp(servo(before, measured, i) + before.tau[i], -effort, effort);
+    const float last = std::clamp(servo(newest, measured, i) + newest.tau[i], -effort, effort);
+    if (std::abs(tau - last) <= near) continue;  // it acts
+    explained = tau >= std::min(first, last) - near && tau <= std::max(first, last) + near;
+    const float share = std::clamp((tau - first) / (last - first), 0.0F, 1.0F);
+    in_force.q[i] = between(before.q[i], newest.q[i], share);
+    in_force.qd[i] = between(before.qd[i], newest.qd[i], share);
+    in_force.tau[i] = between(before.tau[i], newest.tau[i], share);
+    in_force.kp[i] = between(before.kp[i], newest.kp[i], share);
+    in_force.kd[i] = between(before.kd[i], newest.kd[i], share);
+  }
+  if (explained) return true;
+  in_force = newest;
+  for (int j = 0; j < limits.joint_count; ++j) in_force.tau[at(j)] = measured.tau[at(j)] - servo(newest, measured, at(j));
+  return false;
+}
+
+}  // namespace twinbus
