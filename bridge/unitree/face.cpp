@@ -69,7 +69,10 @@ void Face::on_state(const RobotState& state, std::int64_t now_ns) noexcept {
   }
   const StopKind before = state_.stop_kind;
   const bool first = !heard_;
-  if (state.run_id != state_.run_id || state.term != state_.term) bound_ = 0;
+  if (state.run_id != state_.run_id || state.term != state_.term) {
+    bound_ = 0;
+    pending_ = phase_ == Phase::kObeying;  // what was last sent named the robot before
+  }
   state_ = state;
   heard_ = true;
   answered_ = again_ = false;
