@@ -27,16 +27,26 @@ constexpr const char* kGo1[] = {"FR_hip_joint",   "FR_thigh_joint", "FR_calf_joi
                                 "FL_thigh_joint", "FL_calf_joint",  "RR_hip_joint",  "RR_thigh_joint",
                                 "RR_calf_joint",  "RL_hip_joint",   "RL_thigh_joint", "RL_calf_joint"};
 
+// A build of the robot that lacks motors and is called by another mode_machine.
+struct Build {
+  std::span<const int> absent;
+  int mode_machine;
+};
+constexpr int kWaistLocked[] = {13, 14};
+constexpr int kTwentyThree[] = {13, 14, 20, 21, 27, 28};  // waist locked, wrists that roll only
+constexpr Build kG1Builds[] = {{kWaistLocked, 6}, {kTwentyThree, 4}};
+
 struct MotorTable {
   const char* robot;
   UnitreeFamily family;
   int mode_machine;
   std::span<const char* const> joints;
+  std::span<const Build> builds;
 };
 // Go1 speaks another wire format than Go2 itself; its motors have the same order, so programs for Go2 drive its model.
-constexpr MotorTable kTables[] = {{"G1", UnitreeFamily::kHg, 5, kG1},
-                                  {"Go2", UnitreeFamily::kGo, 0, kGo2},
-                                  {"Go1", UnitreeFamily::kGo, 0, kGo1}};
+constexpr MotorTable kTables[] = {{"G1", UnitreeFamily::kHg, 5, kG1, kG1Builds},
+                                  {"Go2", UnitreeFamily::kGo, 0, kGo2, {}},
+                                  {"Go1", UnitreeFamily::kGo, 0, kGo1, {}}};
 constexpr std::size_t kNamed = 6;  // joints in an error
 
 std::string lower(std::string text) {
@@ -91,6 +101,9 @@ MotorOrder motor_order(const Model& model, UnitreeFamily family) {
     const int joint = model.find_joint(best->joints[m]);
     order.bus_index[m] = joint < 0 ? -1 : model.bus_index[at(joint)];
     if (order.bus_index[m] < 0) order.absent.push_back(static_cast<int>(m));
+  }
+  for (const Build& build : best->builds) {
+    if (std::ranges::equal(build.absent, order.absent)) order.mode_machine = build.mode_machine;
   }
   if (order.absent.size() == best->joints.size()) {
     throw std::runtime_error("robot " + model.name + " has no joint of a " + family_name(family) + " robot");

@@ -14,7 +14,7 @@ namespace twinbus {
 struct MotorOrder {
   std::string robot;                      // G1, Go2, Go1
   std::array<int, kHgMotors> bus_index{};  // of each motor; -1: the model has no such joint
-  int mode_machine = 0;                   // hg: what the robot calls its build; 0 go
+  int mode_machine = 0;                   // hg: what the robot calls its build, by the motors that the model lacks; 0 go
   std::vector<int> absent;                // motors of the table that the model lacks
 };
 

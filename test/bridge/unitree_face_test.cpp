@@ -131,6 +131,31 @@ TEST(UnitreeMotorOrder, JointsOfNoMotorAreNamed) {
   EXPECT_EQ(motor_order(model, UnitreeFamily::kGo).robot, "Go1");
 }
 
+// A G1 with its waist locked, or with 23 joints, calls itself otherwise, and its programs ask for that.
+TEST(UnitreeMotorOrder, ModeMachineOfAG1FollowsFromTheMotorsItLacks) {
+  const std::vector<std::string> legs = {"hip_pitch", "hip_roll", "hip_yaw", "knee", "ankle_pitch", "ankle_roll"};
+  const std::vector<std::string> arms = {"shoulder_pitch", "shoulder_roll", "shoulder_yaw", "elbow", "wrist_roll"};
+  const auto g1 = [&](std::vector<std::string> waist, const std::vector<std::string>& wrists) {
+    std::vector<std::string> names = std::move(waist);
+    for (const char* side : {"left_", "right_"}) {
+      for (const auto& list : {legs, arms, wrists}) {
+        for (const std::string& joint : list) names.push_back(side + joint);
+      }
+    }
+    Model model;
+    for (const std::string& name : names) {
+      model.bus_joints.push_back(static_cast<int>(model.joints.size()));
+      model.bus_index.push_back(static_cast<int>(model.joints.size()));
+      model.joints.emplace_back().name = name + "_joint";
+    }
+    return motor_order(model, UnitreeFamily::kHg).mode_machine;
+  };
+  EXPECT_EQ(g1({"waist_yaw", "waist_roll", "waist_pitch"}, {"wrist_pitch", "wrist_yaw"}), 5);
+  EXPECT_EQ(g1({"waist_yaw"}, {"wrist_pitch", "wrist_yaw"}), 6);
+  EXPECT_EQ(g1({"waist_yaw"}, {}), 4);
+  EXPECT_EQ(g1({}, {}), 5);  // no build of the vendor
+}
+
 TEST(UnitreeFace, HoldsThePostureThatItFindsUntilAProgramCommands) {
   Bench bench;
   JointCommand command;
@@ -167,6 +192,24 @@ TEST(UnitreeFace, ACommandReachesTheJointOfItsNameOncePerTick) {
   bench.write(stand(0.7F));
   ASSERT_TRUE(bench.answer(&command));
   EXPECT_EQ(command.q[static_cast<std::size_t>(bench.face.order().bus_index[0])], static_cast<double>(0.7F));
+}
+
+// A program of 50 Hz would else leave the robot that takes over without a command for up to 20 ms.
+TEST(UnitreeFace, TheLastCommandIsSentAgainToTheRobotThatTakesOver) {
+  Bench bench;
+  for (int n = 0; n < 5; ++n) bench.tick();
+  JointCommand before, after;
+  bench.write(stand());
+  ASSERT_TRUE(bench.tick(&before));
+  ASSERT_FALSE(bench.tick());
+  bench.state.run_id = 6;
+  bench.state.term = 2;
+  ASSERT_TRUE(bench.tick(&after));
+  EXPECT_EQ(after.run_id, 6);
+  EXPECT_EQ(after.term, 2);
+  EXPECT_EQ(after.controller_id, before.controller_id);
+  EXPECT_EQ(after.q, before.q);
+  EXPECT_FALSE(bench.tick()) << "once";
 }
 
 TEST(UnitreeFace, AProgramIsAControllerOfItsOwnAndTheSourceIsAskedForIt) {

@@ -30,14 +30,16 @@ from harness import Bus, Checks, Stack, cli, text_of, type_of
 
 harness.CHANNEL_TYPES.setdefault("GAMEPAD", "gamepad_t")
 
-harness.CHANNEL_TYPES.setdefault("GAMEPAD", "gamepad_t")
-
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 DATA = pathlib.Path(os.environ.get("TWINBUS_DATA", "/nowhere"))
 PROGRAMS = pathlib.Path(os.environ.get("TWINBUS_PROGRAMS", "/nowhere"))
 PYTHON = os.environ.get("TWINBUS_UNITREE_PYTHON", sys.executable)
 SECONDS, STANDING, WALKING = (60.0, 50, 10) if harness.FULL else (15.0, 2, 2)
 FEWER_STATES = ("--face-rate", "100", "--face-patience", "0.3")  # for Python: 500 readings a second leave it no time, a first inference takes 0.1 s
+G1 = DATA / "robots/g1/g1_29dof_rev_1_0.urdf"
+# deploy_real holds a waist with 300 N m/rad and 3 N m s/rad, a tenth of critical damping: a waist that bends lets the torso rock, and its
+# policy, which was trained without one, falls for it in MuJoCo alone too.  Its G1 is the one whose waist is locked.
+G1_LOCKED = PROGRAMS / "unitree_rl_gym/resources/robots/g1_description/g1_29dof_lock_waist_rev_1_0.urdf"
 FALLEN, TOTTERS = math.radians(40.0), math.radians(15.0)
 
 
@@ -172,10 +174,10 @@ class Remote:
         self.bus.close()
 
 
-def walks(name, words, folder, path, ready, start, faster, checks, work, face=()):
+def walks(name, words, folder, path, ready, start, faster, checks, work, face=(), description=G1):
     """A policy of theirs on a G1: stands while two simulators take each other's place, walks while two engines do.  An engine in
     which it falls or totters without a switch is left out."""
-    robot = proposed(DATA / "robots/g1/g1_29dof_rev_1_0.urdf", work / "g1")
+    robot = proposed(description, work / "g1")
     engines = work / "engines.yaml"
     text = (ROOT / "config/stacks/client_mujoco.yaml").read_text()
     engines.write_text(text.replace('"--engine", "mujoco"', '"--engine", "ode"'))
@@ -256,7 +258,7 @@ def deploy_real(checks, work):
     try:
         remote.press("start")
         walks("deploy_real", ("deploy_real.py", "lo", "g1.yaml"), PROGRAMS / "unitree_rl_gym/deploy/deploy_real", PROGRAMS / "unitree_rl_gym",
-              "Moving to default pos", start, faster, checks, work, FEWER_STATES)
+              "Moving to default pos", start, faster, checks, work, FEWER_STATES, G1_LOCKED)
     finally:
         remote.end()
 
@@ -285,8 +287,8 @@ def why_not(name):
     """What a program lacks here, or ''."""
     modules = {"holosoma": ("holosoma_inference", "unitree_interface"), "falcon": ("unitree_sdk2py", "loop_rate_limiters"),
                "deploy_real": ("unitree_sdk2py", "torch"), "go2_stand": ("unitree_sdk2py",)}[name]
-    files = {"holosoma": [DATA / "robots/g1"], "falcon": [DATA / "robots/g1", PROGRAMS / "FALCON/sim2real"],
-             "deploy_real": [DATA / "robots/g1", PROGRAMS / "unitree_rl_gym"], "go2_stand": [PROGRAMS / "go2.urdf", PROGRAMS / "unitree_sdk2_python/example"]}[name]
+    files = {"holosoma": [G1], "falcon": [G1, PROGRAMS / "FALCON/sim2real"],
+             "deploy_real": [G1_LOCKED], "go2_stand": [PROGRAMS / "go2.urdf", PROGRAMS / "unitree_sdk2_python/example"]}[name]
     missing = [str(path) for path in files if not path.exists()]
     if missing:
         return f"{', '.join(missing)}: not there"
