@@ -61,8 +61,15 @@ plots.seek = (time) => {
   timeline.seek(time);
   return true;
 };
+function see(live) {
+  robot.pose(live.q, live.base);
+  stage.fitTo(unseen);
+  unseen = null;
+}
+
 let hello = { joints: [], hands: [] };
 let newest = null;
+let unseen = null; // a robot that the view has not been fitted to
 let newestAt = 0;
 let drawnAt = -Infinity;
 let toldAt = -Infinity;
@@ -86,10 +93,8 @@ const link = new Link({
     robot.load(message.joints, (model) => {
       const pattern = model.clone();
       for (const ghost of [commanded, standby, other]) ghost.adopt(pattern, message.joints);
-      if (newest) {
-        robot.pose(newest.q, newest.base);
-        stage.fitTo(model);
-      }
+      unseen = model;
+      if (newest) see(newest);
     }).then(beginDrawing).catch((error) => panels.toast(`The robot cannot be shown: ${error.message}`));
   },
   live: (message) => {
@@ -350,6 +355,7 @@ function draw() {
     drawnAt = now;
     const shown = past?.live ?? newest;
     robot.pose(shown.q, shown.base);
+    if (unseen && robot.whole) see(shown);
     stage.shapes.carry(robot.model);
     robot.dim(!panels.online || shown.age_ms === null || shown.age_ms > 500 || shown.role === 'parked');
     const limits = robot.warn(shown.q, shown.pairs);

@@ -51,6 +51,7 @@ export class Stage {
     this.camera.position.set(2.55, 1.55, 1.3);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.target.set(0, 0, 0.74);
+    this.first = { z: 0.74, from: this.camera.position.clone().sub(this.controls.target), scale: 1 };
     this.controls.enableDamping = true;
     this.controls.minDistance = 0.5;
     this.controls.maxDistance = 14;
@@ -182,7 +183,8 @@ export class Stage {
     const near = ({ pose }) => Math.hypot(pose[0] - this.controls.target.x, pose[1] - this.controls.target.y) < 4;
     if (this.tookIn || !scene.loose?.some(near)) return;
     this.tookIn = true;
-    this.camera.position.sub(this.controls.target).multiplyScalar(1.7).add(this.controls.target);
+    this.first.from.multiplyScalar(1.7);
+    this.lookFrom(this.first.scale);
   }
 
   // A robot that is much larger or smaller than usual fills the view as others do.
@@ -191,12 +193,16 @@ export class Stage {
     const box = new THREE.Box3().setFromObject(model);
     if (this.turned || box.isEmpty()) return;
     const scale = Math.min(4, Math.max(0.3, 0.5 * box.getSize(new THREE.Vector3()).length() / kUsualSize));
-    if (Math.abs(scale - 1) < 0.12) return;
-    const raised = 0.5 * (Math.max(0, box.min.z) + box.max.z) - this.controls.target.z;
-    const from = this.camera.position.clone().sub(this.controls.target).multiplyScalar(scale);
-    this.controls.target.z += raised;
-    this.camera.position.copy(this.controls.target).add(from);
+    const usual = Math.abs(scale - 1) < 0.12;
+    this.controls.target.z = usual ? this.first.z : 0.5 * (Math.max(0, box.min.z) + box.max.z);
+    this.lookFrom(usual ? 1 : scale);
+  }
+
+  lookFrom(scale) {
+    this.first.scale = scale;
+    this.camera.position.copy(this.first.from).multiplyScalar(scale).add(this.controls.target);
     this.controls.minDistance = Math.min(0.5, 0.5 * scale);
+    if (this.scene.fog) Object.assign(this.scene.fog, { near: 7 * Math.max(1, scale), far: 19 * Math.max(1, scale) });
   }
 
   // Camera and light go along; what the user turned stays turned.
