@@ -12,7 +12,7 @@ namespace twinbus {
 
 class Clearance {
  public:
-  // Of the shapes of links balls are taken, of loose bodies too: what is found is never too far.
+  // Of the shapes of links balls are taken, of loose bodies too: at a look what is found is never too far.
   // Throws std::runtime_error where a mesh cannot be read.
   Clearance(const Model& model, const WorldConfig& config);
   void look(const World& world);

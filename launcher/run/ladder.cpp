@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <iterator>
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -101,7 +102,8 @@ Track follow(const Model& model, const Scene& scene, const OneProcessConfig& con
   Eigen::VectorXd moved = Eigen::VectorXd::Zero(start.size());
   for (const auto& robot : run.further_robots()) track.moved.robots.push_back(robot.name);
   track.moved.robot_ways.assign(track.moved.robots.size(), 0.0);
-  Clearance clearance(run.model(), run.world_config());
+  std::optional<Clearance> clearance;
+  if (scene.fidelity == "auto") clearance.emplace(run.model(), run.world_config());
   const Sample begin = places(run);
   Sample before = begin;
   double links = 0.0;
@@ -119,7 +121,7 @@ Track follow(const Model& model, const Scene& scene, const OneProcessConfig& con
       lay += (track.at.back()[body] - before[body]).norm() < kLies ? 1 : 0;
     }
     before = track.at.back();
-    clearance.look(run.world());
+    if (clearance) clearance->look(run.world());
     for (std::size_t i = 0; i < track.moved.robots.size(); ++i) {
       const Eigen::Vector3d now = run.world().robot_link(static_cast<int>(i), 0).translation();
       track.moved.robot_ways[i] = std::max(track.moved.robot_ways[i], (now - run.further_robots()[i].start).norm());
@@ -127,7 +129,7 @@ Track follow(const Model& model, const Scene& scene, const OneProcessConfig& con
   }
   track.moved.joints.assign(moved.begin(), moved.end());
   track.moved.links = links;
-  track.moved.clear = clearance.nearest();
+  if (clearance) track.moved.clear = clearance->nearest();
   if (run.world().loose_count() > 0 && !track.at.empty())
     track.moved.lay = static_cast<double>(lay) / static_cast<double>(track.at.size() * at(run.world().loose_count()));
   track.whole = run.ticks() >= ticks;
@@ -263,8 +265,11 @@ void leave_out(const Model& model, const LadderRequest& request, const Run& run,
     if (request.progress) request.progress(ladder);
     return ladder.choose(request.error) != chosen;
   };
+  Moved moved = yardstick.moved;
+  if (scene.engine != "articulated" || scene.asleep) moved.lay = 0.0;
+  if (scene.engine != "articulated" || !scene.untouched.empty()) moved.clear.clear();
   const double finer = whole.step / 2.0;
-  for (const Less& less : proposals(model, yardstick.moved, request.error, scene.self_contact)) {
+  for (const Less& less : proposals(model, moved, request.error, scene.self_contact)) {
     if (quit_requested()) return;
     try {
       if (try_at(less, whole.step) && (finer < 0.9 * kFinest * model.period() || try_at(less, finer))) return;

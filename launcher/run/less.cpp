@@ -1,6 +1,7 @@
 #include "launcher/run/less.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "common/math/index.h"
 #include "robot/kinematics/kinematics.h"
@@ -63,7 +64,7 @@ std::vector<Less> proposals(const Model& model, const Moved& moved, double error
   };
   std::vector<std::string> far;
   for (std::size_t i = 0; i < moved.clear.size(); ++i) {
-    if (moved.clear[i] > kClear + kErrorsClear * error) far.push_back(model.links[i].name);
+    if (std::isfinite(moved.clear[i]) && moved.clear[i] > kClear + kErrorsClear * error) far.push_back(model.links[i].name);
   }
   for (const bool asleep : {true, false}) {
     if (asleep && moved.lay < kLay) continue;

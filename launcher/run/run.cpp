@@ -343,15 +343,17 @@ same state_hash, which is also that of ./twinbus up SCENE --lockstep.  Settings 
   config.control.guard_in_loop = !arguments.has("--no-guard");
   const std::int64_t ticks = std::llround(request.duration / model.period());
   AccuracyRequest accuracy = accuracy_of(arguments, scene);
-  scene.accuracy = accuracy.error;  // what is off by more is doubted
+  scene.accuracy = undrawn.accuracy = accuracy.error;  // what is off by more is doubted
   std::optional<AccuracyChoice> choice;
   if (accuracy.error > 0.0 || accuracy.budget > 0.0) {
     accuracy.duration = request.duration;
     accuracy.seed = request.seed;
     choice = choose_accuracy(model, scene, config, accuracy);
     if (choice->rung >= 0) {
-      const Rung& rung = choice->ladder.rungs[static_cast<std::size_t>(choice->rung)];
+      Rung rung = choice->ladder.rungs[static_cast<std::size_t>(choice->rung)];
       scene = at_rung(scene, rung);
+      rung.less.untouched.clear();  // another seed may come to touch what this one does not
+      rung.less.apart = false;
       undrawn = at_rung(undrawn, rung);
       std::erase_if(config.settings,
                     [](const auto& each) { return each.first == "solver.order"; });

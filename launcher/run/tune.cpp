@@ -160,7 +160,7 @@ std::vector<ModelledPart> parts_of(const Opened& opened, const Track& track, con
     parts.push_back({"links touch links", "", -1.0, less.apart ? "no: without it the error is kept" : "yes", less.apart});
   if (!track.moved.clear.empty()) {
     const std::string far = less.untouched.empty() ? "all" : "all but " + std::to_string(less.untouched.size());
-    parts.push_back({"links meet loose bodies", "", -1.0, far + (less.untouched.empty() ? "" : ", which nothing comes near"),
+    parts.push_back({"links meet what is loose", "", -1.0, far + (less.untouched.empty() ? "" : ", which nothing comes near"),
                      !less.untouched.empty()});
   }
   if (!opened.scene.loose.empty()) {
@@ -174,7 +174,9 @@ std::vector<ModelledPart> parts_of(const Opened& opened, const Track& track, con
 void explain_less(const Opened& opened, const AccuracyChoice& choice, const std::string& file) {
   const Ladder& ladder = choice.ladder;
   const Rung* chosen = choice.rung >= 0 ? &ladder.rungs[at(choice.rung)] : nullptr;
-  const Less less = chosen != nullptr ? chosen->less : Less{};
+  Less less = chosen != nullptr ? chosen->less : Less{};
+  less.asleep = less.asleep || opened.scene.asleep;
+  less.untouched.insert(less.untouched.end(), opened.scene.untouched.begin(), opened.scene.untouched.end());
   std::printf("\nfidelity     auto: what moves less than the error of %.3g mm in this scene may be left out\n",
               1e3 * opened.request.error);
   const Track track = follow(opened.model, opened.scene, opened.config, opened.request.duration);
@@ -197,8 +199,7 @@ void explain_less(const Opened& opened, const AccuracyChoice& choice, const std:
     std::printf("left out: %s\n", less.none() ? "nothing" : words_of(less).c_str());
   }
   if (file.empty()) return;
-  char title[200];
-  std::snprintf(title, sizeof title, "%s on %s: what is modelled to be within %.4g mm over %.4g s", opened.scene.name.c_str(),
+  const std::string title = formatted("%s on %s: what is modelled to be within %.4g mm over %.4g s", opened.scene.name.c_str(),
                 opened.model.name.c_str(), 1e3 * opened.request.error, opened.request.duration);
   write_file(file, parts_svg(title, parts, opened.request.error, costs));
 }
@@ -206,8 +207,7 @@ void explain_less(const Opened& opened, const AccuracyChoice& choice, const std:
 // Error against cost of what was run, where a file is named.
 void plot_front(const Opened& opened, const AccuracyChoice& choice, const std::string& file) {
   if (file.empty()) return;
-  char title[200];
-  std::snprintf(title, sizeof title, "%s on %s, %.4g s, seed %llu: error against cost", opened.scene.name.c_str(), opened.model.name.c_str(),
+  const std::string title = formatted("%s on %s, %.4g s, seed %llu: error against cost", opened.scene.name.c_str(), opened.model.name.c_str(),
                 opened.request.duration, static_cast<unsigned long long>(opened.request.seed));
   write_file(file, front_svg(title, choice.ladder, choice.rung, opened.request.error));
 }
@@ -272,17 +272,19 @@ steps were tried for it and what each is off.
   catch_quit_signals();
   Opened opened = open(arguments);
   const std::string file = arguments.text("--plot", "");
-  print_model(opened);
-  print_shares(opened);
   opened.request.error = length_of(arguments, "--accuracy", opened.scene.accuracy > 0.0    ? opened.scene.accuracy
                                                             : opened.scene.fidelity == "auto" ? kAutoError
                                                                                               : 0.0);
   if (!(opened.request.error > 0.0)) {
+    if (!file.empty()) throw UsageError("--plot draws what holds an error: say --accuracy 1mm too");
+    print_model(opened);
+    print_shares(opened);
     std::printf("accuracy     not asked for: the scene's own order and step; --accuracy 1mm finds which are "
                 "needed\n");
-    if (!file.empty()) throw UsageError("--plot draws what holds an error: say --accuracy 1mm too");
     return 0;
   }
+  print_model(opened);
+  print_shares(opened);
   const AccuracyChoice choice =
       choose_accuracy(opened.model, opened.scene, opened.config, opened.request);
   std::printf("%s", ladder_table(choice.ladder, choice.rung).c_str());

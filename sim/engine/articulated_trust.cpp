@@ -18,7 +18,7 @@ std::array<int, 4> pair_of(const Contact& c) {
 void ArticulatedWorld::doubt_depths(double h) noexcept {
   if (placed_) return;
   for (const Contact& c : contacts_) {
-    if (!(c.depth > kFirstDepth) || c.tie != TieKind::kNone) continue;
+    if (!(c.depth > kFirstDepth) || c.tie != TieKind::kNone || loose_.woke(c)) continue;
     double expected = kFirstDepth + 2.0 * h * std::abs(c.normal.dot(c.v0));
     for (const DeepPair& pair : deep_) {
       if (pair.who == pair_of(c)) expected += 2.0 * pair.depth;
@@ -76,7 +76,6 @@ bool ArticulatedWorld::step_loose(const Eigen::AlignedBox3d& robot) noexcept {
     return false;
   }
   keep_depths(h);
-  if (config_.asleep) loose_.rest(contacts_, h, last_h_);
   return true;
 }
 

@@ -179,7 +179,7 @@ Status ArticulatedWorld::take_step() noexcept {
     frozen_ = true;
     return Status::kDiverged;
   }
-  if (config_.asleep) loose_.rest(contacts_, config_.step, last_h_);
+  rest();
   report_contacts();
   pushes_.clear();
   return Status::kOk;

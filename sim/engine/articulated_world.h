@@ -120,6 +120,10 @@ class ArticulatedWorld final : public World {
   double end_speed(std::size_t joint, double h) const noexcept;
   void report_contacts() noexcept;
   Status take_step() noexcept;
+  // After a step that is taken.  Faces by which fast bodies came would be forgotten in sleep.
+  void rest() noexcept {
+    if (config_.asleep && !config_.continuous) loose_.rest(contacts_, config_.step, last_h_);
+  }
   void doubt_depths(double h) noexcept;
   void keep_depths(double h) noexcept;
 

@@ -34,8 +34,10 @@ std::unique_ptr<World> make_world(const Model& model, const WorldConfig& config)
   check_bodies(config.loose);
   if (config.twin) return std::make_unique<TwinnedWorld>(model, config);
   if (less_is_modelled(config)) return std::make_unique<WeldedWorld>(model, config);
-  if (config.engine == Engine::kMujoco && config.asleep)
-    throw std::runtime_error("asleep is not of engine mujoco; leave it out, or say --engine articulated or --engine ode");
+  if (config.engine != Engine::kArticulated && (config.asleep || !config.untouched.empty())) {
+    throw std::runtime_error(std::string(config.asleep ? "asleep" : "untouched") +
+                             " is of engine articulated only; leave it out, or say --engine articulated");
+  }
   if (config.engine == Engine::kMujoco) return std::make_unique<MujocoWorld>(model, config);
   if (config.engine == Engine::kOde && config.continuous) {
     throw std::runtime_error("contact.continuous is of engine articulated only; leave it out, or say --engine articulated");

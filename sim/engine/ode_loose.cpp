@@ -11,9 +11,6 @@ namespace twinbus {
 namespace {
 
 constexpr int kPointsPerLoosePair = 8;
-// As sim/objects/rigid_objects.cpp lets bodies sleep.
-constexpr double kRest = 0.2;        // [s]
-constexpr double kSlowShare = 0.05;  // of the accuracy a second
 
 }  // namespace
 
@@ -36,13 +33,6 @@ void OdeWorld::add_loose() {
     dBodySetGyroscopicMode(id, 1);
     const dGeomID geom = body.mesh != nullptr ? add_mesh(*body.mesh) : geom_of(body.solid);
     dGeomSetBody(geom, id);
-    if (config_.asleep) {
-      dBodySetAutoDisableFlag(id, 1);
-      dBodySetAutoDisableLinearThreshold(id, kSlowShare * config_.accuracy);
-      dBodySetAutoDisableAngularThreshold(id, kSlowShare * config_.accuracy / bounding_radius(body.solid));
-      dBodySetAutoDisableTime(id, kRest);
-      dBodySetAutoDisableSteps(id, 0);
-    }
     loose_.push_back({id, geom});
     place_loose(loose_.size() - 1, body.start);
   }
@@ -53,7 +43,6 @@ void OdeWorld::place_loose(std::size_t index, const LooseState& to) noexcept {
   const Eigen::Quaterniond q = Eigen::Quaterniond(to.pose.linear()).normalized();
   const dQuaternion attitude = {q.w(), q.x(), q.y(), q.z()};
   const Eigen::Vector3d& p = to.pose.translation();
-  dBodyEnable(id);
   dBodySetPosition(id, p.x(), p.y(), p.z());
   dBodySetQuaternion(id, attitude);
   dBodySetLinearVel(id, to.velocity.x(), to.velocity.y(), to.velocity.z());

@@ -78,6 +78,7 @@ class LaneWorlds::Lane final : public ForwardingWorld {
     trust_.first_depth = std::max(trust_.first_depth, doubted_depth);
     shown_ = world_.placed_ = false;
     world_.pushes_.clear();
+    world_.rest();
   }
 
  private:

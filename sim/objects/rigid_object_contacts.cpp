@@ -95,6 +95,7 @@ LooseContacts::LooseContacts(const Model& model, const WorldConfig& config)
   for (const OtherRobot& robot : config.robots) add_robot(*robot.model, config, ++system, !robot.model->floating_base);
   alone_.assign(apart_.size(), 0);
   heap_.assign(apart_.size(), 0);
+  woke_.assign(apart_.size(), 0);
   moving_ = pieces_.size();
   const auto add_fixed = [&](const Obstacle& obstacle, bool tile) {
     if (obstacle.shape == ObstacleShape::kNone || loose_ == 0) return;

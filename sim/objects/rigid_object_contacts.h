@@ -12,6 +12,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -54,6 +55,7 @@ class LooseContacts {
   // The bristles as they are, for a step that is taken again.
   void save() noexcept {
     saved_ = memory_;
+    std::fill(woke_.begin(), woke_.end(), 0);
     faces_.save();
   }
   void restore() noexcept {
@@ -63,6 +65,7 @@ class LooseContacts {
   }
 
   bool asleep(int system) const noexcept { return sleepers_ && system >= 0 && heap_[at(system)] > 0; }
+  bool woke(int system) const noexcept { return system >= 0 && woke_[at(system)] != 0; }  // in the last step
   // heap: by system, 0 for what stays awake.  Those with one number wake together.  After remember(), the bodies placed and at rest.
   void fall_asleep(const std::vector<int>& heap, const std::vector<ArticulatedBody*>& systems,
                    const std::vector<Contact>& contacts, double h) noexcept;
@@ -209,6 +212,7 @@ class LooseContacts {
   std::vector<int> heap_;               // by system: what it sleeps with, 0: awake
   std::vector<Slept> slept_;
   bool sleepers_ = false;
+  std::vector<char> woke_;  // by system
   std::vector<Memory> memory_, saved_;  // in the order of find()
   KeyIndex remembered_;                 // of memory_, by key
 };

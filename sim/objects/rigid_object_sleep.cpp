@@ -43,7 +43,11 @@ void LooseContacts::wake(int heap) noexcept {
     if (saved_.size() < saved_.capacity()) saved_.push_back(slept.memory);
   }
   slept_.erase(std::remove_if(slept_.begin(), slept_.end(), of_heap), slept_.end());
-  std::replace(heap_.begin(), heap_.end(), heap, 0);
+  for (std::size_t s = 0; s < heap_.size(); ++s) {
+    if (heap_[s] != heap) continue;
+    heap_[s] = 0;
+    woke_[s] = 1;
+  }
   sleepers_ = std::any_of(heap_.begin(), heap_.end(), [](int each) { return each > 0; });
   index_memory();
 }

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kStill = 0.01;  // [m/s] and [rad/s]
 constexpr double kRest = 0.2;        // [s]
-constexpr double kSlowShare = 0.05;  // of the accuracy a second
+constexpr double kSlow = 1e-4;       // what is slower lies [m/s]
 constexpr int kLies = 64;        // smooth steps so slow, from which a body lies
 
 Model model_of(const LooseBody& body) {
@@ -54,7 +54,6 @@ LooseBodies::LooseBodies(const Model& model, const WorldConfig& config, Articula
       if (body >= 0 && body < count()) bodies_[at(body)].tied = true;
     }
   }
-  slow_ = kSlowShare * config.accuracy;
   parent_.resize(systems_.size());
   restless_.resize(systems_.size());
   heap_.resize(systems_.size());
@@ -149,7 +148,7 @@ void LooseBodies::rest(const std::vector<Contact>& contacts, double step, double
     Body& body = bodies_[i];
     if (std::exchange(body.slept, asleep(i)) && !body.slept) body.quiet = 0.0;
     if (body.slept) continue;
-    const bool slow = body.now.base_velocity.norm() + body.radius * body.now.base_angular_velocity.norm() < slow_;
+    const bool slow = body.now.base_velocity.norm() + body.radius * body.now.base_angular_velocity.norm() < kSlow;
     body.quiet = slow && body.touched && !body.tied ? body.quiet + step : 0.0;
     restless_[i + 1] = body.quiet < kRest ? 1 : 0;
     any = any || restless_[i + 1] == 0;

@@ -6,7 +6,7 @@
 // nothing falls exactly and turns by sim/articulated/torque_free_rotation.h.
 //
 // With config.asleep a heap that has lain for kRest falls asleep (sim/objects/rigid_object_sleep.cpp): each body of it touches
-// something, is slower than a twentieth of config.accuracy a second, hangs on nothing that is tied and touches no robot.
+// something, is slower than 0.1 mm/s, is not tied and touches no robot.  What creeps or begins to tip more slowly stays as it is.
 
 #pragma once
 
@@ -39,11 +39,12 @@ class LooseBodies {
   LooseState state(int body) const noexcept;
   void set(int body, const LooseState& state) noexcept;
 
-  // Appends their contacts.
   // After a whole step, in the smallest part h of it last: heaps that lie still fall asleep.
   void rest(const std::vector<Contact>& contacts, double step, double h) noexcept;
   double asleep_energy() const noexcept { return contacts_.asleep_energy(); }
+  bool woke(const Contact& c) const noexcept { return contacts_.woke(c.system) || contacts_.woke(c.other_system); }
   bool asleep(const Contact& c) const noexcept { return contacts_.asleep(c.system) || contacts_.asleep(c.other_system); }
+  // Appends their contacts.
   void find(double h, std::vector<Contact>& contacts) noexcept {
     robots_.find(count() + 1, h, contacts);
     contacts_.find(systems_, h, contacts);
@@ -98,7 +99,6 @@ class LooseBodies {
   std::vector<ArticulatedBody*> systems_;
   std::vector<JointRow> no_rows_;
   LooseContacts contacts_;
-  double slow_ = 0.0;         // what is slower lies [m/s]
   std::vector<int> parent_;   // by system: of the union of those that touch
   std::vector<char> restless_;
   std::vector<int> heap_;

@@ -60,6 +60,8 @@ void apply_fidelity(const Scene& scene, const Model& model, WorldConfig& config)
     config.held[index] = true;
   }
   if (!config.held.empty()) hold_followers(model, config.held);
+  if (!scene.untouched.empty() && scene.self_contact)
+    throw std::runtime_error("scene " + scene.name + ": untouched: with self_contact links meet one another; leave out one of the two keys");
   for (const std::string& name : scene.untouched) {
     const int link = model.find_link(name);
     if (link < 0) {

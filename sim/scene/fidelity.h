@@ -9,6 +9,7 @@
 //   untouched: [LINK, ...]  these links of the robot meet nothing loose and no further robot
 //   rigid: [ROBOT, ...]  these further robots are one rigid body each
 //
+// `asleep` and `untouched` are of engine articulated.
 // A held joint is at rest where it began, whatever is commanded; what follows it or leads it is held with it.  A held base stays
 // where it began, the soles feeling what they felt then: with all joints held nothing can move the robot, and what touches it meets something fixed.
 

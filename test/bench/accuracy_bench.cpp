@@ -65,6 +65,7 @@ class Case {
  public:
   Case(const std::string& name, double seconds, bool less)
       : name_(name), less_(less), scene_(load_scene(name)), model_(load_robot(scene_.robot)) {
+    if (less) scene_.fidelity = "auto";
     fit_scene(scene_, model_);
     apply_seed(scene_, model_, 1);
     duration_ = seconds > 0.0 ? seconds : scene_.duration;
