@@ -29,6 +29,7 @@ import harness
 from harness import Bus, Checks, Stack, cli, text_of, type_of
 
 harness.CHANNEL_TYPES.setdefault("GAMEPAD", "gamepad_t")
+harness.CHANNEL_TYPES.setdefault("SIM_REQUEST", "sim_request_t")
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 DATA = pathlib.Path(os.environ.get("TWINBUS_DATA", "/nowhere"))
@@ -70,7 +71,7 @@ class Typed:
         end = time.monotonic() + timeout
         while words not in self.read():
             assert self.process.poll() is None and time.monotonic() < end, f"'{words}' is not said: {self.said[-1500:]}"
-            time.sleep(0.05)
+            time.sleep(0.01)
 
     def type(self, keys, pause=0.15):
         for key in keys:
@@ -140,8 +141,22 @@ def proposed(description, folder):
     return folder
 
 
+def in_posture(robot, angles):
+    """The pose "theirs" of this robot, for up: zero but for these joints of the legs."""
+    srdf = next(robot.glob("*.srdf"))
+    text = srdf.read_text()
+    zero = re.search(r'<group_state name="zero".*?</group_state>', text, re.S).group(0).replace('"zero"', '"theirs"')
+    for joint, angle in angles.items():
+        zero = re.sub(rf'(name="(?:left|right)_{joint}_joint" value=)"[^"]*"', rf'\1"{angle}"', zero)
+    srdf.write_text(text.replace("</robot>", f"  {zero}\n</robot>"))
+    return ["--start-pose", "theirs"]
+
+
 def keys(words, pause=0.15):
-    return lambda program: program.type(words, pause)
+    def typed(program):
+        time.sleep(0.2)
+        program.type(words, pause)
+    return typed
 
 
 # The same key sooner counts as one that is held.
@@ -165,6 +180,13 @@ class Remote:
             self.message.utime, self.message.sequence = time.time_ns() // 1000, self.message.sequence + 1
             self.bus.send("GAMEPAD", self.message)
 
+    def world(self, action):
+        """Asks the simulator that is active; at once, where a command takes half a second to start."""
+        request = type_of("SIM_REQUEST")()
+        request.utime, request.sender_id, request.sequence = time.time_ns() // 1000, os.getpid(), self.message.sequence + 1
+        request.run_id, request.action, request.pace = self.bus.newest("STATE")[1].run_id, {"pause": 1, "go": 2}[action], 1.0
+        self.bus.send("SIM_REQUEST", request)
+
     def press(self, *names):
         self.message.buttons = sum(1 << self.BUTTONS[name] for name in names)
 
@@ -174,10 +196,11 @@ class Remote:
         self.bus.close()
 
 
-def walks(name, words, folder, path, ready, start, faster, checks, work, face=(), description=G1):
+def walks(name, words, folder, path, ready, start, faster, checks, work, face=(), description=G1, posture=None):
     """A policy of theirs on a G1: stands while two simulators take each other's place, walks while two engines do.  An engine in
     which it falls or totters without a switch is left out."""
     robot = proposed(description, work / "g1")
+    face = [*face, *(in_posture(robot, posture) if posture else [])]
     engines = work / "engines.yaml"
     text = (ROOT / "config/stacks/client_mujoco.yaml").read_text()
     engines.write_text(text.replace('"--engine", "mujoco"', '"--engine", "ode"'))
@@ -203,7 +226,6 @@ def drive(name, robot, options, words, folder, path, ready, start, faster, count
             watched = Robot(bus)
             program = Typed(*words, folder=folder, path=path)
             program.wait_for(ready)
-            time.sleep(0.2)
             start(program)  # until then it lets the robot sink
             time.sleep(2.0)
             if faster:
@@ -240,16 +262,18 @@ def falcon(checks, work):
 
 def deploy_real(checks, work):
     remote = Remote()
+    posture = {"hip_pitch": -0.1, "knee": 0.3, "ankle_pitch": -0.2}  # of its g1.yaml
 
-    def start(program):  # the start button was held until now; A begins.  A real robot hangs from a gantry meanwhile
-        cli("sim", "pause")
+    def start(program):  # the start button was held until now; A begins.  A real robot hangs from a gantry meanwhile, in the program's posture
+        time.sleep(0.3)  # the fade of its first command: until then our gains hold the robot
+        remote.world("pause")
         remote.message.left_y = 0.0
         remote.press()
         program.wait_for("Waiting for the Button A")
         time.sleep(0.2)
         remote.press("A")
-        time.sleep(0.3)
-        cli("sim", "go")
+        remote.world("go")
+        time.sleep(0.3)  # nothing is read of the remote while the world is paused
         remote.press("start")
 
     def faster(_program):
@@ -258,7 +282,7 @@ def deploy_real(checks, work):
     try:
         remote.press("start")
         walks("deploy_real", ("deploy_real.py", "lo", "g1.yaml"), PROGRAMS / "unitree_rl_gym/deploy/deploy_real", PROGRAMS / "unitree_rl_gym",
-              "Moving to default pos", start, faster, checks, work, FEWER_STATES, G1_LOCKED)
+              "Moving to default pos", start, faster, checks, work, FEWER_STATES, G1_LOCKED, posture)
     finally:
         remote.end()
 
