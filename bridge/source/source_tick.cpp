@@ -263,7 +263,9 @@ void Source::apply(Transition transition, std::int64_t now_ns) noexcept {
     case Transition::kStandby:
     case Transition::kParked:
       anchored_ns_ = now_ns;
-      have_holder_command_ = false;
+      // Who was parked has heard it too: a client of 50 Hz may not speak again before the switch.
+      have_holder_command_ =
+          have_holder_command_ && holder_command_.run_id == handover_.holder && holder_command_.term == handover_.term;
       follow_role(now_ns);
       return;
   }

@@ -217,8 +217,8 @@ class Pair : public ::testing::Test {
       to.on_standby_state(from.state(), now);
     }
   }
-  // q: what the client asks for.
-  void tick(double q = 0.0) {
+  // q: what the client asks for.  speaks: it does.
+  void tick(double q = 0.0, bool speaks = true) {
     now += kPeriodNs;
     for (Source* source : {&a, &b}) {
       source->begin_tick(now);
@@ -226,7 +226,7 @@ class Pair : public ::testing::Test {
     }
     int obeying = 0;
     for (Source* source : {&a, &b}) {
-      if (!source->publishes_on_state()) continue;
+      if (!source->publishes_on_state() || !speaks) continue;
       JointCommand c;
       c.tick = source->state().tick;
       c.run_id = source->state().run_id;
@@ -311,6 +311,21 @@ TEST_F(Twins, AClientWhoseSetPointStepsIsObeyedAtOnceAfterASwitch) {
     EXPECT_EQ(hardware.written.q[0], asked) << i;
     EXPECT_EQ(hardware.written.tau[0], 0.0F) << i;
   }
+}
+
+// A simulator that was parked takes over within five ticks; a client of 50 Hz speaks every tenth.
+TEST_F(Twins, TheClientsCommandIsKnownToASimulatorThatWasParkedWhenItCame) {
+  request(SourceAction::kPark, 2, 2);
+  for (int i = 0; i < 10; ++i) tick(0.004);
+  ASSERT_EQ(b.state().role, Role::kParked);
+  request(SourceAction::kStandbyTrack, 2, 2);
+  for (int i = 0; i < 3; ++i) tick(0.004, false);
+  request(SourceAction::kSwitch, 2, 1);
+  for (int i = 0; i < 12 && !b.publishes_on_state(); ++i) tick(0.004, false);
+  ASSERT_TRUE(b.publishes_on_state());
+  EXPECT_EQ(hardware.written.q[0], 0.004);
+  tick(0.004);
+  EXPECT_EQ(hardware.written.q[0], 0.004);
 }
 
 TEST_F(Twins, ATorqueThatNoCommandExplainsFadesAfterASwitch) {
