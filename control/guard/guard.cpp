@@ -98,10 +98,10 @@ void Guard::Impl::keep_in_ranges(Courses& courses) const noexcept {
   }
 }
 
-// What is held braked, the others obeyed: what will happen with this mask.
-void Guard::Impl::predict_masked(std::int64_t held) noexcept {
+// What is held braked, the others obeyed: what will happen with this mask.  next: the one that is asked for next, if any is.
+void Guard::Impl::predict_masked(std::int64_t held, std::int64_t next) noexcept {
   masked = obeyed;
-  if (servos.soft() != 0) servos.look_masked(held);
+  if (servos.soft() != 0) servos.look_masked(held, next);
   for (int k = 0; k < std::min(model->bus_count(), kMaxJoints); ++k) {
     Course& course = masked[at(model->bus_joints[at(k)])];
     if (servos.is_soft(at(k))) {

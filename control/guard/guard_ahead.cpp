@@ -233,15 +233,15 @@ void Guard::Impl::prove_mask() noexcept {
     bool near = false;
     if (mask != 0) least_share = 0.0;
     if (held != 0) {
-      predict_masked(held);
+      predict_masked(held, stay);
       near = look_along(masked);
     }
     if (stay != held && mask == before) {
-      predict_masked(stay);
+      predict_masked(stay, stay);
       near = look_along(masked) || near;
     }
     if (mask == 0) {  // commands may change at once, and then all is braked
-      predict_masked(all_but_legs);
+      predict_masked(all_but_legs, all_but_legs);
       if (travel(masked, &obeyed) > (1.0 - kProved) * margin_shares.least() * config.margin) look_along(masked);
     }
     if (mask != before) continue;

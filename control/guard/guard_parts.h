@@ -82,7 +82,7 @@ struct Guard::Impl {
   // What is now is known.
   const GuardReport& check(const RobotState& state, const JointCommand* command) noexcept;
   void predict(const RobotState& state, const JointCommand* command) noexcept;
-  void predict_masked(std::int64_t held) noexcept;
+  void predict_masked(std::int64_t held, std::int64_t next) noexcept;
   void keep_in_ranges(Courses& courses) const noexcept;
   bool runs_on() noexcept;
   void bound_moves() noexcept;

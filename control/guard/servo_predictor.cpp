@@ -42,6 +42,7 @@ ServoPredictor::ServoPredictor(const Model& model, int delay_ticks, double lag)
       fade_s_(model.blend_s),
       count_(std::min(model.bus_count(), kMaxJoints)),
       delay_ticks_(std::clamp(delay_ticks, 0, SetPointTrack::kMostDelay)),
+      factor_(at(JointInertia::kFactor)),
       inertia_(model),
       dynamics_(model),
       no_acceleration_(Eigen::VectorXd::Zero(model.joint_count())),
@@ -207,106 +208,136 @@ void ServoPredictor::gather(const RobotState& state, const JointCommand& command
   }
 }
 
-// One implicit step: the torque of the end of the step, or the limit where that of its beginning is beyond it.
+// One implicit step: the torque of the end of the step, or the limit where that of its beginning is beyond it.  With what is
+// added to the diagonal, A, the change of speed dv follows from (H + A) dv = h (tau - bias) - A v.
 void ServoPredictor::step(double h) noexcept {
   bool same = has_factor_;
-  for (int i = 0; i < moving_; ++i) velocity_[at(i)] = motion_[at(i)].v;
-  inertia_.times(velocity_.data(), right_.data());
   for (int n = 0; n < moving_; ++n) {
     const auto i = at(n);
     const Servo& s = servos_[at(of_bus_[i])];
     Motion& m = motion_[i];
-    if (m.braked) {
-      brake_step(s.brake, h, m.set, m.set_v);
-    } else {
-      m.asked += s.speed * h;
-      m.set = std::clamp(m.asked, m.set - s.rate * h, m.set + s.rate * h);
-    }
-    m.set = std::clamp(m.set, m.lower, m.upper);
-    const bool hold = m.braked && m.anew;
-    const double kp = hold ? std::max(s.kp, s.hold_kp) : s.kp, kd = hold ? std::max(s.kd, s.hold_kd) : s.kd;
-    const double qd = m.braked ? m.set_v : s.qd, tau = hold ? 0.0 : s.tau;
-    const double asked = kp * (m.set - m.q) + kd * qd + tau;
-    const double now = asked - (h * kp + kd) * m.v;
-    const bool limited = s.effort > 0.0 && std::abs(now) > s.effort;
-    const double added = h * s.damping + (limited ? 0.0 : h * kd + h * h * kp);
-    same = same && added == added_[i];
+    const Lanes zero{};
+    const Lanes fast = m.set_v < 0.0 ? -m.set_v : m.set_v, left = fast - s.brake * h, slowed = left > 0.0 ? left : zero;
+    const Lanes slower = m.set_v < 0.0 ? -slowed : slowed;
+    const Lanes on = m.asked + s.speed * h, far = lanes(s.rate * h);
+    m.set = m.braked ? m.set + 0.5 * (m.set_v + slower) * h : clamped(on, m.set - far, m.set + far);
+    m.asked = m.braked ? m.asked : on;
+    m.set_v = m.braked ? slower : m.set_v;
+    m.set = clamped(m.set, lanes(m.lower), lanes(m.upper));
+    const Lanes qd = m.braked ? m.set_v : lanes(s.qd);
+    const Lanes asked = m.kp * (m.set - m.q) + m.kd * qd + m.tau;
+    const Lanes now = asked - (h * m.kp + m.kd) * m.v, most = lanes(s.effort > 0.0 ? s.effort : 1e300);
+    const Flags limited = (now > most) | (now < -most);
+    const Lanes added = h * s.damping + (limited ? zero : h * m.kd + h * h * m.kp);
+    same = same && added[0] == added_[i][0] && added[1] == added_[i][1];
     added_[i] = added;
-    right_[i] += h * ((limited ? std::copysign(s.effort, now) : asked) - bias_[i]);
+    change_[i] = h * ((limited ? (now < 0.0 ? -most : most) : asked) - bias_[i]) - added * m.v;
   }
-  if (!same) inertia_.factor(added_.data());
+  if (!same) inertia_.factor(added_.data(), factor_.data());
   has_factor_ = true;
-  inertia_.solve(right_.data());
+  inertia_.solve(factor_.data(), change_.data());
   for (int n = 0; n < moving_; ++n) {
     Motion& m = motion_[at(n)];
-    const double q = m.q + h * right_[at(n)];
-    m.q = std::clamp(q, m.lower, m.upper);
-    m.v = m.q == q ? right_[at(n)] : 0.0;  // at a stop
+    const Lanes v = m.v + change_[at(n)], q = m.q + h * v;
+    m.q = clamped(q, lanes(m.lower), lanes(m.upper));
+    m.v = m.q == q ? v : Lanes{};  // at a stop
   }
 }
 
-void ServoPredictor::brake(Motion& m, const Servo& s) const noexcept {
-  m.braked = true;
-  m.anew = brakes_anew(s, m.set - m.q);
-  if (m.anew) m.set = m.q;
-  m.set_v = std::clamp(m.anew ? m.v : s.qd, -s.most_speed, s.most_speed);
+void ServoPredictor::set_gains(Motion& m, const Servo& s) noexcept {
+  const Flags hold = m.braked & m.anew;
+  m.kp = hold ? lanes(std::max(s.kp, s.hold_kp)) : lanes(s.kp);
+  m.kd = hold ? lanes(std::max(s.kd, s.hold_kd)) : lanes(s.kd);
+  m.tau = hold ? Lanes{} : lanes(s.tau);
 }
 
-// mask: what is held of these stays so, of others the brake comes a tick sooner.
-void ServoPredictor::run(std::int64_t mask, PerJoint<Course>& courses) noexcept {
+void ServoPredictor::brake_those(const Masks& masks) noexcept {
+  has_factor_ = false;
+  for (int n = 0; n < moving_; ++n) {
+    const int k = of_bus_[at(n)];
+    const Servo& s = servos_[at(k)];
+    Motion& m = motion_[at(n)];
+    for (int lane = 0; lane < kLanes; ++lane) {
+      if ((masks[at(lane)] & bit(k)) == 0 || m.braked[lane] != 0) continue;
+      m.braked[lane] = -1;
+      const bool anew = brakes_anew(s, m.set[lane] - m.q[lane]);
+      m.anew[lane] = anew ? -1 : 0;
+      if (anew) m.set[lane] = m.q[lane];
+      m.set_v[lane] = std::clamp(anew ? m.v[lane] : s.qd, -s.most_speed, s.most_speed);
+    }
+    set_gains(m, s);
+  }
+}
+
+// A mask a lane, to courses_ from `first` on: what is held of these stays so, of others the brake comes a tick sooner.
+void ServoPredictor::run(const Masks& masks, std::size_t first) noexcept {
   for (int n = 0; n < moving_; ++n) {
     const auto k = at(of_bus_[at(n)]);
     const Servo& s = servos_[k];
     Motion& m = motion_[at(n)];
     m = {};
-    m.v = v_[k];
-    m.set = s.q - q_[k];
-    m.asked = s.asked - q_[k];
+    m.v = lanes(v_[k]);
+    m.set = lanes(s.q - q_[k]);
+    m.asked = lanes(s.asked - q_[k]);
     m.lower = std::min(s.lower - q_[k], 0.0);
     m.upper = std::max(s.upper - q_[k], 0.0);
-    m.braked = m.anew = (mask & held_now_ & bit_of(k)) != 0;
-    if (m.braked) m.set_v = s.held_v;
-  }
-  const auto brake_those = [&](std::int64_t joints) {
-    for (int n = 0; n < moving_; ++n) {
-      const int k = of_bus_[at(n)];
-      if ((joints & bit(k)) != 0 && !motion_[at(n)].braked) brake(motion_[at(n)], servos_[at(k)]);
+    for (int lane = 0; lane < kLanes; ++lane) {
+      if ((masks[at(lane)] & held_now_ & bit_of(k)) == 0) continue;
+      m.braked[lane] = m.anew[lane] = -1;
+      m.set_v[lane] = s.held_v;
     }
-    has_factor_ = false;
-  };
+    set_gains(m, s);
+  }
   has_factor_ = false;
   for (int tick = 0; tick <= delay_ticks_; ++tick) {
-    if (tick == delay_ticks_) brake_those(mask);
+    if (tick == delay_ticks_) brake_those(masks);
     for (int part = 0; part < kPartsOfTick; ++part) step(period_ / kPartsOfTick);
   }
-  brake_those(~std::int64_t{0});
-  for (int part = 0; part < 2 && lag_ > 0.0; ++part) {
-    if (part == 0) has_factor_ = false;
-    step(0.5 * lag_);
-  }
+  brake_those({~std::int64_t{0}, ~std::int64_t{0}});
+  for (int part = 0; part < 2 && lag_ > 0.0; ++part) step(0.5 * lag_);
   for (int n = 0; n < moving_; ++n) {
     Motion& m = motion_[at(n)];
     m.first = m.least = m.most = m.q;
     m.speed = m.v;
   }
   has_factor_ = false;
-  bool moves = true;
-  for (int part = 0; part < kMostBrakeSteps && moves; ++part) {
+  Flags moves = ~Flags{};  // a lane that rests does so whatever the other one does
+  for (int part = 0; part < kMostBrakeSteps && (moves[0] | moves[1]) != 0; ++part) {
     step(kBrakeStep);
-    moves = false;
+    Flags still{};
     for (int n = 0; n < moving_; ++n) {
       Motion& m = motion_[at(n)];
-      m.least = std::min(m.least, m.q);
-      m.most = std::max(m.most, m.q);
-      moves = moves || (m.v * m.speed > 0.0 && std::abs(m.v) > kRests);
+      m.least = moves & (m.q < m.least) ? m.q : m.least;
+      m.most = moves & (m.q > m.most) ? m.q : m.most;
+      still |= (m.v * m.speed > 0.0) & ((m.v > kRests) | (m.v < -kRests));
     }
+    moves &= still;
   }
   for (int n = 0; n < moving_; ++n) {
     const auto k = at(of_bus_[at(n)]);
     const Motion& m = motion_[at(n)];
-    const double rest = m.most - m.first > m.first - m.least ? m.most - m.first : m.least - m.first;
-    courses[k] = ends_at(m.first, m.speed, rest, servos_[k].brake);
+    for (int lane = 0; lane < kLanes; ++lane) {
+      const double up = m.most[lane] - m.first[lane], down = m.least[lane] - m.first[lane];
+      courses_[first + at(lane)][k] = ends_at(m.first[lane], m.speed[lane], up > -down ? up : down, servos_[k].brake);
+    }
   }
+}
+
+// What was looked at before is not again: nothing held, all of them, and the last two.
+void ServoPredictor::look_masked(std::int64_t mask, std::int64_t next) noexcept {
+  const Masks asked{mask & all_moving_, next & all_moving_};
+  if (asked[0] == 0 || asked[0] == all_moving_) {
+    shown_ = asked[0] == 0 ? kObeyed : kHeld;
+    return;
+  }
+  auto known = std::find(masked_of_.begin(), masked_of_.end(), asked[0]);
+  if (!has_masked_ || known == masked_of_.end()) {
+    run(asked, kMasked);
+    masked_of_ = asked;
+    has_masked_ = true;
+    known = masked_of_.begin();
+  }
+  shown_ = kMasked + static_cast<std::size_t>(known - masked_of_.begin());
 }
 
 void ServoPredictor::look(const RobotState& state, const Kinematics& kinematics, const Configuration& configuration) noexcept {
@@ -314,8 +345,11 @@ void ServoPredictor::look(const RobotState& state, const Kinematics& kinematics,
     const Servo& s = servos_[at(k)];
     if (!is_soft(at(k)) || !s.leg) continue;
     const double speed = static_cast<double>(state.qd[at(k)]);
-    obeyed_[at(k)] = held_[at(k)] = masked_[at(k)] = {speed * delay_, speed, s.brake};
+    for (PerJoint<Course>& courses : courses_) courses[at(k)] = {speed * delay_, speed, s.brake};
   }
+  has_masked_ = false;
+  all_moving_ = 0;
+  for (int n = 0; n < moving_; ++n) all_moving_ |= bit(of_bus_[at(n)]);
   if (moving_ == 0) return;
   q_ = state.q;
   for (int k = 0; k < count_; ++k) v_[at(k)] = static_cast<double>(state.qd[at(k)]);
@@ -323,8 +357,7 @@ void ServoPredictor::look(const RobotState& state, const Kinematics& kinematics,
   dynamics_.solve(kinematics, configuration, no_acceleration_, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(), nothing_,
                   torque_);
   for (int n = 0; n < moving_; ++n) bias_[at(n)] = torque_[joints_[at(n)]];
-  run(0, obeyed_);
-  run(~std::int64_t{0}, held_);
+  run({0, all_moving_}, kObeyed);
 }
 
 void ServoPredictor::follow(const RobotState& state, const JointCommand& command, std::int64_t mask,

@@ -7,7 +7,8 @@
 //     H qdd + bias = clamp(kp (q_ref - q) + kd (qd_ref - qd) + tau, +-effort)
 //
 // the set-point as the gate lets it move, implicit in q and qd over steps of a tick, until a brake comes.  The brake of the
-// gate (bridge/gate/masked_brake.h) is the same equation with the gains of a hold.  Soft is what is too weak to follow, and what
+// gate (bridge/gate/masked_brake.h) is the same equation with the gains of a hold.  Two masks are foretold at once, a lane each:
+// the steps wait for one another, not for the arithmetic.  Soft is what is too weak to follow, and what
 // had its set-point far away within the last moments.  Where one joint is soft all but the legs are foretold so, since they
 // move one another.  Legs bear on the ground, which is not in the equation: soft ones go on as they
 // are measured.
@@ -16,6 +17,7 @@
 
 #include <array>
 #include <cstdint>
+#include <vector>
 
 #include "control/guard/set_point_predictor.h"
 #include "robot/dynamics/inverse_dynamics.h"
@@ -39,11 +41,12 @@ class ServoPredictor {
   bool is_soft(std::size_t k) const noexcept { return (soft_ & bit_of(k)) != 0; }
   // As those of SetPointTrack, of soft joints.
   std::int64_t on_hold() const noexcept;
-  const Course& if_obeyed(std::size_t k) const noexcept { return obeyed_[k]; }
-  const Course& if_held(std::size_t k) const noexcept { return held_[k]; }
+  const Course& if_obeyed(std::size_t k) const noexcept { return courses_[kObeyed][k]; }
+  const Course& if_held(std::size_t k) const noexcept { return courses_[kHeld][k]; }
   // Looks what becomes of all when these are held from this look on and the others obey until the brake of the next one.
-  void look_masked(std::int64_t mask) noexcept { run(mask, masked_); }
-  const Course& if_masked(std::size_t k) const noexcept { return masked_[k]; }
+  // next: the mask that may be asked for after this one.
+  void look_masked(std::int64_t mask, std::int64_t next) noexcept;
+  const Course& if_masked(std::size_t k) const noexcept { return courses_[shown_][k]; }
 
  private:
   static constexpr std::int64_t bit_of(std::size_t k) noexcept { return std::int64_t{1} << k; }
@@ -62,22 +65,33 @@ class ServoPredictor {
     double from_q = 0.0, from_v = 0.0, from_kp = 0.0, from_kd = 0.0, faded = 0.0;
     double strays = 0.0;  // its set-point was far away, and counts so for as long [s]
   };
+  static constexpr int kLanes = 2;  // masks that are foretold at once
+  typedef double Lanes __attribute__((vector_size(16)));
+  typedef std::int64_t Flags __attribute__((vector_size(16)));  // of lanes: 0 or -1
+  using Masks = std::array<std::int64_t, kLanes>;
   struct Motion {  // of a joint, from where it is measured
-    bool braked = false, anew = false;  // anew: the brake begins where the joint is, not at its set-point
-    double q = 0.0, v = 0.0, set = 0.0, set_v = 0.0, asked = 0.0;
-    double lower = 0.0, upper = 0.0;        // stops
-    double first = 0.0, speed = 0.0;        // when it has come
-    double least = 0.0, most = 0.0;         // since then
+    Flags braked{}, anew{};  // anew: the brake begins where the joint is, not at its set-point
+    Lanes q{}, v{}, set{}, set_v{}, asked{};
+    Lanes kp{}, kd{}, tau{};             // as they are while it obeys, or is held
+    double lower = 0.0, upper = 0.0;     // stops
+    Lanes first{}, speed{};              // when the brake has come
+    Lanes least{}, most{};               // since then
   };
+  static Lanes clamped(Lanes x, Lanes low, Lanes high) noexcept {
+    x = x < low ? low : x;
+    return high < x ? high : x;
+  }
+  static Lanes lanes(double x) noexcept { return Lanes{} + x; }
   void hear(const RobotState& state, const JointCommand& command) noexcept;
   void hold(const RobotState& state, const JointCommand& command) noexcept;
   static bool brakes_anew(const Servo& servo, double off) noexcept;
   void move_set_points(const RobotState& state, const JointCommand& command) noexcept;
   void gather(const RobotState& state, const JointCommand& command) noexcept;
   void look(const RobotState& state, const Kinematics& kinematics, const Configuration& configuration) noexcept;
-  void run(std::int64_t mask, PerJoint<Course>& courses) noexcept;
+  void run(const Masks& masks, std::size_t first) noexcept;
   void step(double h) noexcept;
-  void brake(Motion& motion, const Servo& servo) const noexcept;
+  static void set_gains(Motion& motion, const Servo& servo) noexcept;
+  void brake_those(const Masks& masks) noexcept;
 
   const Model* model_;
   double period_, lag_, delay_, fade_s_;  // [s]
@@ -92,14 +106,21 @@ class ServoPredictor {
   int moving_ = 0;
   std::array<int, kMaxJoints> of_bus_{}, joints_{};
   PerJoint<Motion> motion_{};
-  PerJoint<double> bias_{}, right_{}, added_{}, velocity_{};
+  PerJoint<double> bias_{};
+  PerJoint<Lanes> change_{}, added_{};
+  std::vector<Lanes> factor_;  // [JointInertia::kFactor]
   bool has_factor_ = false;
   JointInertia inertia_;
   InverseDynamics dynamics_;
   Eigen::VectorXd no_acceleration_, torque_;
   const std::vector<ExternalWrench> nothing_;
   PerJoint<double> q_{}, v_{};  // measured
-  PerJoint<Course> obeyed_{}, held_{}, masked_{};
+  static constexpr std::size_t kObeyed = 0, kHeld = 1, kMasked = 2;
+  std::array<PerJoint<Course>, 2 + kLanes> courses_{};  // obeyed, held, and with the last two masks
+  Masks masked_of_{};                                   // joints that move, of those masks
+  bool has_masked_ = false;
+  std::size_t shown_ = kObeyed;
+  std::int64_t all_moving_ = 0;  // bit per joint of the bus
 };
 
 }  // namespace twinbus

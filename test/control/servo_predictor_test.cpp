@@ -70,7 +70,8 @@ struct Fixture {
     const std::size_t n = joints.size();
     std::vector<double> moved(n, 0.0), v(n), nothing(n, 0.0), a(n);
     for (std::size_t i = 0; i < n; ++i) v[i] = static_cast<double>(state.qd[joints[i]]);
-    inertia.factor(nothing.data());
+    std::vector<double> factor(static_cast<std::size_t>(JointInertia::kFactor));
+    inertia.factor(nothing.data(), factor.data());
     for (double t = 0.0; t < time - 0.5 * h; t += h) {
       for (std::size_t i = 0; i < n; ++i) {
         const std::size_t k = joints[i];
@@ -79,7 +80,7 @@ struct Fixture {
                            static_cast<double>(command.tau[k]);
         a[i] = std::clamp(tau, -joint(k).effort, joint(k).effort) - joint(k).damping * v[i] - bias[of_model[i]];
       }
-      inertia.solve(a.data());
+      inertia.solve(factor.data(), a.data());
       for (std::size_t i = 0; i < n; ++i) {
         v[i] += h * a[i];
         moved[i] += h * v[i];
@@ -233,12 +234,49 @@ TEST(ServoPredictor, AHeldJointRestsSoonerAndStaysSoftWhileItIsHeld) {
   const double rest = f.servos.if_held(elbow).rest();
   EXPECT_LT(rest, 0.0);
   EXPECT_GT(rest, f.servos.if_obeyed(elbow).rest());
-  f.servos.look_masked(mask);
+  f.servos.look_masked(mask, mask);
   EXPECT_NEAR(f.servos.if_masked(elbow).rest(), rest, 0.1 * std::abs(rest));
   f.state.qd[elbow] = 0.0F;
   for (int i = 0; i < 20; ++i) f.look(mask);
   EXPECT_LT(std::abs(f.servos.if_held(elbow).rest()), 0.05);
   EXPECT_TRUE(f.servos.is_soft(elbow));
+}
+
+TEST(ServoPredictor, TwoMasksLookedAtTogetherAreWhatEachIsAlone) {
+  Fixture f, alone;
+  const std::size_t elbow = bus("LARM_ELBOW"), shoulder = bus("RARM_SHOULDER_P");
+  const std::int64_t one = std::int64_t{1} << elbow, other = std::int64_t{1} << shoulder;
+  for (Fixture* each : {&f, &alone}) {
+    each->soften(elbow, 60.0F, 1.0F);
+    each->soften(shoulder, 20.0F, 0.2F);
+    each->command.q[elbow] -= 0.7;
+    each->command.q[shoulder] += 0.5;
+    for (int i = 0; i < 3; ++i) each->look();
+    each->state.qd[elbow] = -2.0F;
+    each->state.qd[shoulder] = 1.5F;
+    each->look(one);  // held on its way: one brake has come, the other begins
+    for (int i = 0; i < 3; ++i) each->look(one);
+  }
+  const auto is_as = [&](std::int64_t mask, std::int64_t next) {
+    alone.look(one);  // forgets what was looked at
+    f.look(one);
+    f.servos.look_masked(one, other);
+    f.servos.look_masked(mask, next);
+    alone.servos.look_masked(mask, mask);
+    for (std::size_t k = 0; k < f.count(); ++k) {
+      const Course &a = f.servos.if_masked(k), &b = alone.servos.if_masked(k);
+      EXPECT_EQ(a.first, b.first) << k;
+      EXPECT_EQ(a.speed, b.speed) << k;
+      EXPECT_EQ(a.rest(), b.rest()) << k;
+    }
+  };
+  is_as(one, other);
+  is_as(other, one);
+  is_as(one | other, one);
+  f.servos.look_masked(~std::int64_t{0}, 0);
+  EXPECT_EQ(f.servos.if_masked(elbow).rest(), f.servos.if_held(elbow).rest());
+  f.servos.look_masked(0, 0);
+  EXPECT_EQ(f.servos.if_masked(elbow).rest(), f.servos.if_obeyed(elbow).rest());
 }
 
 TEST(ServoPredictor, LegsGoOnAsTheyAreMeasured) {
