@@ -154,11 +154,14 @@ TWINBUS_INLINE F8 extent8(const SweptPart& part, const F8 (&in)[3], float sign, 
     const float* c = part.inside;
     return (in[0] * c[0] + in[1] * c[1] + in[2] * c[2]) * sign + part.inside_radius;
   }
-  F8 far = all(-1e9F);
+  // Corners are eight or more; four maxima at a time, as each waits for the one before.
+  const F8 d[3] = {in[0] * sign, in[1] * sign, in[2] * sign};
+  F8 far[4] = {all(-1e9F), all(-1e9F), all(-1e9F), all(-1e9F)};
   const float *x = part.corner, *y = x + part.corners, *z = y + part.corners;
-  for (int k = 0; k < part.corners; ++k)
-    far = most(far, (in[0] * x[k] + in[1] * y[k] + in[2] * z[k]) * sign);
-  return far;
+  for (int k = 0; k < part.corners; k += 4) {
+    for (int i = 0; i < 4; ++i) far[i] = most(far[i], d[0] * x[k + i] + d[1] * y[k + i] + d[2] * z[k + i]);
+  }
+  return most(most(far[0], far[1]), most(far[2], far[3]));
 }
 TWINBUS_INLINE F8 gaps8(const SweptTables& t, const SweptPair& pair, const Along8& along, HullBy hulls) noexcept {
   return along.apart - extent8(t.part[pair.a], along.in_a, 1.0F, hulls) -
