@@ -22,7 +22,6 @@ namespace twinbus {
 namespace {
 
 constexpr double kTouching = 0.001;  // a start nearer than this counts as touching [m]
-constexpr int kNearPairs = 64;       // looked at; more are too many
 constexpr double kShare = 0.9;       // of the room at start and goal that the way must keep
 constexpr double kLeaving = 0.98;    // of the room of what a guard would hold on its way nearer
 constexpr double kProved = 0.7;  // share of the clearance of the search that the motion is proved to keep

@@ -11,8 +11,7 @@
 namespace twinbus {
 
 namespace {
-constexpr int kNearPairs = 64;   // looked at; more are too many
-constexpr int kHalvings = 16;    // of a line at whose ends something is near
+constexpr int kHalvings = 16;  // of a line at whose ends something is near
 }  // namespace
 
 EdgeCheck::EdgeCheck(const Model& model, Collision& collision, const Configuration& posture,

@@ -23,6 +23,8 @@
 
 namespace twinbus {
 
+inline constexpr int kNearPairs = 64;  // looked at in one posture; more are too many
+
 // The halves of a cubic that is given by its Bezier points.
 std::array<std::array<JointPoint, 4>, 2> halves(const std::array<JointPoint, 4>& curve);
 
