@@ -97,10 +97,23 @@ class Finder {
     }
   }
 
-  Eigen::Vector3d middle(int link) const {
-    const std::vector<Eigen::Vector3d>& points = points_[at(link)];
+  Eigen::Vector3d middle(int link) const { return middle(points_[at(link)], link); }
+  Eigen::Vector3d middle(const std::vector<Eigen::Vector3d>& points, int link) const {
     if (points.empty()) return kinematics_.link_in_world(link).translation();
     return box_around(points).center();
+  }
+
+  // Of a hand with its fingers, whose joints the proposal fixes, in its frame: as of a hand that is one piece in its file.
+  Eigen::Vector3d middle_of_hand(int link) const {
+    std::vector<Eigen::Vector3d> points;
+    std::vector<int> left{link};
+    while (!left.empty()) {
+      const int next = left.back();
+      left.pop_back();
+      points.insert(points.end(), points_[at(next)].begin(), points_[at(next)].end());
+      left.insert(left.end(), children_[at(next)].begin(), children_[at(next)].end());
+    }
+    return kinematics_.link_in_world(link).inverse() * middle(points, link);
   }
 
   double lowest(int link) const {
@@ -365,7 +378,7 @@ class Finder {
         continue;
       }
       hand.link = links.back();
-      hand.frame.translation() = kinematics_.link_in_world(hand.link).inverse() * middle(hand.link);
+      hand.frame.translation() = middle_of_hand(hand.link);
       result_.hand_sensor[side] = sensor_on(hand.link);
     }
   }
@@ -389,7 +402,7 @@ class Finder {
     }
     if (hand.joints.size() < at(kLimbJoints)) return;
     hand.link = links.back();
-    hand.frame.translation() = kinematics_.link_in_world(hand.link).inverse() * middle(hand.link);
+    hand.frame.translation() = middle_of_hand(hand.link);
     result_.hands[1] = hand;
     result_.hand_sensor[1] = sensor_on(hand.link);
   }

@@ -1,5 +1,6 @@
 #include "robot/onboarding/proposal.h"
 
+#include <array>
 #include <functional>
 
 #include "fixtures.h"
@@ -146,6 +147,33 @@ TEST(Anatomy, FeetWithoutGeometryHangOnTheAnkles) {
   model.soles = guessed.soles;
   EXPECT_TRUE(find_standing_posture(model, q));
   EXPECT_EQ(why_it_falls(model, q), "");
+}
+
+// Fingers are of the hand, whether its file has joints for them or not.
+TEST(Anatomy, AHandIsAsLargeWithFingersThatMoveAsWithOthers) {
+  const Model bare = bare_hrp1s();
+  const std::array<Hand, 2> alone = find_anatomy(bare).hands;
+  Eigen::Vector3d middle[2];
+  for (const std::string kind : {"prismatic", "fixed"}) {
+    std::string text = bare.urdf_text;
+    for (const Hand& hand : alone) {
+      const std::string& palm = bare.links[at(hand.link)].name;
+      const std::string finger = &hand == alone.data() ? "left_finger" : "right_finger";
+      text.insert(text.rfind("</robot>"),
+                  "<link name='" + finger + "'><inertial><mass value='0.1'/>"
+                  "<inertia ixx='1e-4' iyy='1e-4' izz='1e-4' ixy='0' ixz='0' iyz='0'/></inertial>"
+                  "<collision><geometry><box size='0.02 0.02 0.12'/></geometry></collision></link>"
+                  "<joint name='" + finger + "_slide' type='" + kind + "'><origin xyz='0 0 -0.1'/>"
+                  "<parent link='" + palm + "'/><child link='" + finger + "'/><axis xyz='0 1 0'/>"
+                  "<limit lower='0' upper='0.04' effort='20' velocity='0.1'/></joint>");
+    }
+    UrdfRepairs repairs;
+    const Hand hand = find_anatomy(load_repaired_urdf(text, bare.folder + "/hrp1s.urdf", {}, repairs)).hands[1];
+    EXPECT_EQ(hand.link < 0 ? "" : "a hand", std::string("a hand")) << kind;
+    middle[kind == "fixed"] = hand.frame.translation();
+  }
+  EXPECT_LT((middle[0] - middle[1]).norm(), 1e-9);
+  EXPECT_GT((middle[0] - alone[1].frame.translation()).norm(), 0.01);
 }
 
 // A trunk with arms only: what hangs lowest is not a leg when it is called a wrist.
