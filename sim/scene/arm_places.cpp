@@ -243,7 +243,16 @@ class ArmPlaces {
     pointed_ = false;
     int done = 0;
     for (std::size_t i = 0; i < scene_.goals.size(); ++i) {
-      if (!scene_.goals[i].of_reach || model_.floating_base) continue;
+      if (model_.floating_base || (!scene_.goals[i].of_reach && (scene_.goals[i].pose.empty() || first_))) continue;
+      if (!scene_.goals[i].of_reach) {  // back to a posture: the way there is what may be too heavy
+        const Configuration back(model_, scene_.goals[i].pose);
+        const std::string heavy = too_heavy_on_way(back);
+        last_ = back;
+        if (heavy.empty()) continue;
+        blocked_ = true;
+        why_ = heavy + " at goal " + std::to_string(i + 1);
+        return std::min(done, asked() - 1);
+      }
       std::vector<Obstacle> there = around;
       for (const Obstacle& thing : held_at(p, i)) there.push_back(thing);
       surround(there);
@@ -299,12 +308,7 @@ class ArmPlaces {
       miss = std::min(miss, result.position_error + (pose ? 0.1 * result.rotation_error : 0.0));
       if (!result.reached) continue;
       other = why_not(c);
-      for (int part = 1; other.empty() && part < kWayParts; ++part) {
-        Configuration there = c;
-        there.q = last_.q + static_cast<double>(part) / kWayParts * (c.q - last_.q);
-        other = too_heavy(there);
-        if (!other.empty()) other += " on the way to, or";
-      }
+      if (other.empty()) other = too_heavy_on_way(c);
       if (!other.empty()) continue;
       if (pose) {
         orientation_[goal] = as_frame(look);
@@ -364,6 +368,16 @@ class ArmPlaces {
     if (!(worst.share > kHolds)) return "";
     return "is too heavy for " + model_.joints[at(worst.joint)].name +
            formatted(" (%.3g of its %.3g)", worst.effort, worst.effort / worst.share);
+  }
+
+  // From the last goal.
+  std::string too_heavy_on_way(const Configuration& to) {
+    Configuration there = to;
+    for (int part = 1; part < kWayParts; ++part) {
+      there.q = last_.q + static_cast<double>(part) / kWayParts * (to.q - last_.q);
+      if (const std::string heavy = too_heavy(there); !heavy.empty()) return heavy + " on the way to, or";
+    }
+    return "";
   }
 
   const Scene& scene_;

@@ -158,6 +158,21 @@ TEST(ArmPlaces, WhatNoPlaceHelpsIsRefusedWithItsCause) {
   EXPECT_NE(begins_too_heavy(ahead, arm_on_column(3.0, 2.0)).find("joint shoulder needs"), std::string::npos);
 }
 
+// Stretched out it is too heavy: from above it comes back to where it began, but not down.
+TEST(ArmPlaces, AWayBackThatIsTooHeavyIsNone) {
+  Model arm = arm_on_column(3.0, 8.0);
+  arm.poses = {{"up", {0.0, -1.3, 0.0, 0.0, 0.0}}, {"down", {0.0, 1.3, 0.0, 0.0, 0.0}}};
+  Scene scene = with_goals({{0.15, 0.0, 0.85}});
+  scene.start_pose = "up";
+  TimedGoal& back = scene.goals.emplace_back(scene.goals[0]);
+  back.goal.kind = ArmGoalKind::kJoints;
+  back.of_reach = false;
+  back.pose = "up";
+  EXPECT_EQ(refusal(scene, arm), "");
+  back.pose = "down";
+  EXPECT_NE(refusal(scene, arm).find("is too heavy for shoulder"), std::string::npos) << refusal(scene, arm);
+}
+
 TEST(ArmPlaces, WhatAHandHoldsIsPartOfIt) {
   Scene scene = with_goals({{0.4, 0.3, 0.2}, {0.4, -0.3, 0.2}});
   for (TimedGoal& timed : scene.goals) {
