@@ -320,9 +320,7 @@ TEST(Fidelity, AHeldNameIsOfOneJointOrRobot) {
     }
     return "";
   };
-  EXPECT_EQ(complaint("second"), "");
-  EXPECT_EQ(complaint("base"), "");
-  EXPECT_EQ(complaint("joint1"), "");
+  for (const char* name : {"second", "base", "joint1"}) EXPECT_EQ(complaint(name), "") << name;
   EXPECT_EQ(complaint("secnd"), "scene test: held: there is no joint or further robot 'secnd'; did you mean second?");
   EXPECT_EQ(complaint("bse"), "scene test: held: there is no joint or further robot 'bse'; did you mean base?");
   EXPECT_EQ(complaint("joint2"), "scene test: held: 'joint2' is a joint and a further robot; give one of them another name");
