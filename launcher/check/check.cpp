@@ -54,15 +54,10 @@ Extent measure(const Model& model) {
   Kinematics k(model);
   k.update(c);
   Extent extent;
-  Eigen::Vector3d low = Eigen::Vector3d::Constant(1e300);
-  Eigen::Vector3d high = -low;
+  Eigen::AlignedBox3d box;
   for (int i = 0; i < model.link_count(); ++i) {
     const Link& link = model.links[at(i)];
-    for (const Eigen::Vector3d& point : link_points(link)) {
-      const Eigen::Vector3d p = k.link_in_world(i) * point;
-      low = low.cwiseMin(p);
-      high = high.cwiseMax(p);
-    }
+    for (const Eigen::Vector3d& point : link_points(link)) box.extend(k.link_in_world(i) * point);
     extent.links += link.collision.empty() ? 0 : 1;
     extent.shapes += static_cast<int>(link.collision.size());
     for (const Shape& shape : link.collision) {
@@ -72,9 +67,9 @@ Extent measure(const Model& model) {
           load_mesh(shape.mesh, shape.size).triangles.size() > at(kFineTriangles) ? 1 : 0;
     }
   }
-  if (!(low.x() <= high.x())) return extent;
-  extent.size = high - low;
-  extent.com = k.com() - Eigen::Vector3d(0.5 * (low + high).x(), 0.5 * (low + high).y(), low.z());
+  if (box.isEmpty()) return extent;
+  extent.size = box.sizes();
+  extent.com = k.com() - Eigen::Vector3d(box.center().x(), box.center().y(), box.min().z());
   return extent;
 }
 

@@ -69,6 +69,12 @@ std::string likely_cause(const CheckSubject& subject) {
          formatted(", %.3g m", farthest->origin.translation().norm());
 }
 
+// Reads the text anew, and what is wrong in it is put right as `repairs` says.
+void repair(CheckSubject& subject) {
+  ProposalSource& source = subject.source;
+  subject.repaired = load_repaired_urdf(subject.text, subject.urdf, source.packages, source.repairs);
+}
+
 // A robot on a fixed base that reaches below it: the ground of a scene would be in its trunk or its arms.
 void raise_base(CheckSubject& subject) {
   ProposalSource& source = subject.source;
@@ -80,7 +86,7 @@ void raise_base(CheckSubject& subject) {
   const std::string name = free_root_name(subject.text, subject.urdf, "stand");
   subject.text =
       with_root_above(subject.text, subject.repaired.links.front().name, name, raised, "the ground is at z = 0");
-  subject.repaired = load_repaired_urdf(subject.text, subject.urdf, source.packages, source.repairs);
+  repair(subject);
   const std::string millimetres = formatted("%.0f", 1e3 * height);
   source.notes.push_back("it reaches below its fixed base, and the ground of a scene is at z = 0: the copy of the URDF has a link `" +
                          name + "` " + millimetres + " mm below it; give the joint " + name + "_joint the height of the true one");
@@ -108,15 +114,14 @@ CheckSubject load_subject(const std::string& name, bool mends) {
   if (!subject.mjcf) source.packages = find_packages(subject.urdf);
   subject.text = with_packages(read, subject.urdf, source.packages);
   if (mends) subject.text = mend_urdf(subject.text, subject.urdf, subject.mended);
-  subject.repaired =
-      load_repaired_urdf(subject.text, subject.urdf, source.packages, source.repairs);
+  repair(subject);
   if (mends) {
     subject.text = mend_sides(subject.text, subject.urdf, subject.repaired, subject.mended);
-    subject.repaired = load_repaired_urdf(subject.text, subject.urdf, source.packages, source.repairs);
+    repair(subject);
   }
   if (const std::vector<std::string> meshes = meshes_to_turn(subject.repaired); !meshes.empty()) {
     subject.text = with_turned_meshes(subject.text, meshes);
-    subject.repaired = load_repaired_urdf(subject.text, subject.urdf, source.packages, source.repairs);
+    repair(subject);
     source.notes.push_back("the centres of mass lie in the geometry only if its COLLADA meshes, which say Y_UP, are turned to Z up: the copy "
                            "of the URDF has that turn in the <origin> of " + std::to_string(meshes.size()) + " meshes");
   }
@@ -127,8 +132,7 @@ CheckSubject load_subject(const std::string& name, bool mends) {
     upright.linear() = turn;
     const std::string root = free_root_name(subject.text, subject.urdf, "upright_base");
     subject.text = with_root_above(subject.text, subject.repaired.links.front().name, root, upright, "z up, x forward");
-    subject.repaired =
-        load_repaired_urdf(subject.text, subject.urdf, source.packages, source.repairs);
+    repair(subject);
     source.notes.push_back(
         "the base of the file does not have z up and x forward: the copy of the URDF has a link " + root + " above it that has");
   }
@@ -137,7 +141,7 @@ CheckSubject load_subject(const std::string& name, bool mends) {
     std::string names;
     for (const std::string& joint : waist) names += (names.empty() ? "" : ", ") + joint;
     source.repairs.fixed_joints.insert(source.repairs.fixed_joints.end(), waist.begin(), waist.end());
-    subject.repaired = load_repaired_urdf(subject.text, subject.urdf, source.packages, source.repairs);
+    repair(subject);
     source.notes.push_back(names + (waist.size() > 1 ? " lie" : " lies") + " between the base and the legs, and our controller balances legs that " +
                            "hang on the base: fixed in the proposal (fixed_joints), for another controller take it out there");
   }

@@ -141,12 +141,6 @@ Status WeldedWorld::push(int link, const Eigen::Vector3d& point, const Eigen::Ve
   return world_->push(welded_->link[at(link)], point, force);
 }
 
-void WeldedWorld::set_corner_offset(int sole, int corner, double offset) noexcept {
-  world_->set_corner_offset(sole, corner, offset);
-}
-
-double WeldedWorld::corner_offset(int sole, int corner) const noexcept { return world_->corner_offset(sole, corner); }
-
 void WeldedWorld::estimate_contact_forces() noexcept {
   world_->estimate_contact_forces();
   look();

@@ -24,8 +24,9 @@ class WeldedWorld final : public ForwardingWorld {
   Status set(const Configuration& configuration, const Eigen::VectorXd* tau = nullptr) noexcept override;
   Status set_servo(int joint, const ServoTarget& target) noexcept override;
   Status push(int link, const Eigen::Vector3d& point, const Eigen::Vector3d& force) noexcept override;
-  void set_corner_offset(int sole, int corner, double offset) noexcept override;
-  double corner_offset(int sole, int corner) const noexcept override;
+  void set_corner_offset(int sole, int corner, double offset) noexcept override {
+    world_->set_corner_offset(sole, corner, offset);
+  }
   void estimate_contact_forces() noexcept override;
   Status step() noexcept override;
 
