@@ -220,7 +220,7 @@ class Pair : public ::testing::Test {
   // q: what the client asks for.  speaks: it does.
   void tick(double q = 0.0, bool speaks = true) {
     now += kPeriodNs;
-    for (Source* source : {&a, &b}) {
+    for (Source* source : {second_ticks_first ? &b : &a, second_ticks_first ? &a : &b}) {
       source->begin_tick(now);
       hear(*source, source == &a ? b : a);
     }
@@ -252,6 +252,7 @@ class Pair : public ::testing::Test {
   Source a, b;
   std::int64_t now = 10'000 * kMs;
   std::int32_t sequence = 0;
+  bool second_ticks_first = false;  // before it hears this tick's STATE of the first, as a standby in time does
 };
 
 TEST_F(Pair, SwitchAndSwitchBack) {
@@ -295,6 +296,7 @@ class Twins : public Pair {
  protected:
   Twins() : Pair(true) { sim.has_torque = hardware.has_torque = true; }
   void let_the_second_take_over(double q) {
+    second_ticks_first = true;
     request(SourceAction::kSwitch, 2, 1);
     for (int i = 0; i < 20 && !b.publishes_on_state(); ++i) tick(i % 2 == 0 ? 0.0 : q);
     ASSERT_TRUE(b.publishes_on_state());
