@@ -64,6 +64,7 @@ class Mender {
 
   void mend() {
     mend_commas(robot_, "");
+    give_shapes();
     give_masses();
     for (XmlElement& element : robot_.children) {
       if (element.name == "link") mend_shapes(element);
@@ -97,6 +98,29 @@ class Mender {
       text = spaced;
     }
     for (XmlElement& child : element.children) mend_commas(child, about);
+  }
+
+  // A file for drawing alone.
+  void give_shapes() {
+    int given = 0;
+    for (XmlElement& link : robot_.children) {
+      if (link.name == "link" && child_of(link, "collision") != nullptr) return;
+    }
+    for (XmlElement& link : robot_.children) {
+      if (link.name != "link") continue;
+      std::vector<XmlElement> shapes;
+      for (const XmlElement& drawn : link.children) {
+        if (drawn.name == "visual") shapes.push_back(drawn);
+      }
+      for (XmlElement& shape : shapes) {
+        shape.name = "collision";
+        std::erase_if(shape.children, [](const XmlElement& e) { return e.name == "material"; });
+        link.children.push_back(shape);
+      }
+      given += shapes.empty() ? 0 : 1;
+    }
+    if (given > 0)
+      say("robot", "no link can be touched: the " + std::to_string(given) + " that are drawn are touched where they are drawn");
   }
 
   // A file for drawing and kinematics alone.

@@ -13,7 +13,7 @@ namespace twinbus {
 inline constexpr double kFarFromDrawn = 0.3;
 
 // The text with these put right, each said in changes; the text as it is when nothing was.
-// Links of a file without any mass get one each; sizes of nothing a millimetre; macros of xacro that only colour are left out.
+// Links of a file without any <collision> are touched where they are drawn, of one without any mass get one each; sizes of nothing a millimetre; macros of xacro that only colour are left out.
 // Commas between three numbers become spaces.
 // A mesh that is touched far from where the same mesh is drawn and the link weighs is put there.
 // An inertia that no body has becomes the nearest that one has, a placeholder or a negative one that of a box around the

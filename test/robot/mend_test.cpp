@@ -83,6 +83,28 @@ TEST(Mend, GivesMassesAndSizesWhereThereAreNone) {
   EXPECT_EQ(model.links[1].collision.front().size.x(), 0.001);
 }
 
+// What is only drawn is touched where it is drawn; a file that has one shape to touch knows what it leaves out.
+TEST(Mend, WhatCannotBeTouchedIsTouchedWhereItIsDrawn) {
+  const std::string drawn = "<visual><origin xyz='0 0 0.1'/><geometry><box size='0.3 0.2 0.1'/></geometry><material name='red'/></visual>";
+  const std::string body = "<inertial><mass value='2'/><inertia " + kGood + "/></inertial>";
+  const auto file = [&](const std::string& more) {
+    return "<robot name='r'><link name='base'>" + body + drawn + "</link><link name='arm'>" + body + drawn + more + "</link>" +
+           joint("j", "base", "arm", "lower='-1' upper='1' effort='20' velocity='2'") + "</robot>";
+  };
+  std::vector<std::string> changes;
+  const Model model = loaded(mend_urdf(file(""), "mend.urdf", changes));
+  ASSERT_EQ(changes.size(), 1U);
+  EXPECT_NE(changes[0].find("the 2 that are drawn are touched"), std::string::npos) << changes[0];
+  for (const Link& link : model.links) {
+    ASSERT_EQ(link.collision.size(), 1U);
+    EXPECT_EQ(link.collision[0].pose.translation().z(), 0.1);
+  }
+  changes.clear();
+  const std::string one = file("<collision><geometry><sphere radius='0.1'/></geometry></collision>");
+  EXPECT_EQ(mend_urdf(one, "mend.urdf", changes), one);
+  EXPECT_TRUE(changes.empty());
+}
+
 TEST(Mend, LeavesWhatIsRightAsItIsToTheLetter) {
   const std::string text = "<robot name='r'><!-- kept -->" + link("base", kGood) + link("a", kGood) +
                            joint("j", "base", "a", "lower='-3' upper='3' effort='20' velocity='2'") + "</robot>";
