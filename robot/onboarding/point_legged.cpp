@@ -13,6 +13,8 @@ namespace twinbus {
 
 namespace {
 
+constexpr double kLevelFeet = 0.005;  // the highest above the lowest, at most [m]
+constexpr double kMiddle = 0.3;       // of the way to the edge the centre of mass may be off
 constexpr double kBent = 0.72;      // of the length of a leg: from the joint that swings it down to the ground
 constexpr double kPoint = 0.1;      // of the height of the hips: a longer foot is a sole
 constexpr double kReached = 1e-4;   // [m]
@@ -165,6 +167,30 @@ bool find_point_legged_posture(const Model& model, const PointLegs& legs, Eigen:
   }
   q = c.q;
   return true;
+}
+
+bool stands_on_point_legs(const Model& model, const PointLegs& legs, const Eigen::VectorXd& q) {
+  if (q.size() != model.joint_count()) return false;
+  Configuration c(model);
+  c.q = q;
+  Kinematics k(model);
+  k.update(c);
+  StandingFeet feet(model);
+  feet.place(k, Eigen::Matrix3d::Identity());
+  Eigen::AlignedBox3d box;
+  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
+  for (const PointLeg& leg : legs) {
+    const Eigen::Vector3d point = feet.point(leg.foot);
+    box.extend(point);
+    middle += point / static_cast<double>(legs.size());
+    if (!(k.link_in_world(leg.joints[1] + 1).translation().z() > point.z())) return false;
+  }
+  const Eigen::Vector2d off = (k.com() - middle).head<2>().cwiseAbs(), half = 0.5 * box.sizes().head<2>();
+  return box.sizes().z() < kLevelFeet && off.x() < kMiddle * half.x() && off.y() < kMiddle * half.y();
+}
+
+bool bends_in_many_ways(const PointLegs& legs) noexcept {
+  return std::any_of(legs.begin(), legs.end(), [](const PointLeg& leg) { return leg.joints.size() > 3; });
 }
 
 }  // namespace twinbus

@@ -19,4 +19,10 @@ std::optional<PointLegs> find_point_legs(const Model& model, Anatomy& anatomy);
 // where limits allow both [joint_count]; other joints as they are in q.  False when the legs cannot do it.
 bool find_point_legged_posture(const Model& model, const PointLegs& legs, Eigen::VectorXd& q);
 
+// Whether all feet are on one level plane in it, the trunk level above them and the centre of mass above their middle.
+bool stands_on_point_legs(const Model& model, const PointLegs& legs, const Eigen::VectorXd& q);
+
+// Legs of more than three joints may bend in many ways, few of which are meant.
+bool bends_in_many_ways(const PointLegs& legs) noexcept;
+
 }  // namespace twinbus

@@ -202,6 +202,12 @@ class Writer {
   // half_sitting of the SRDF that was there, if the robot stands in it; else one that is computed.
   void choose_posture() {
     if (points_) {
+      for (const NamedPose& pose : known_.poses) {
+        if (pose.name == "zero" || !bends_in_many_ways(*points_) || !stands_on_point_legs(model_, *points_, to_vector(pose))) continue;
+        posture_ = to_vector(pose);
+        doubts_.push_back("half_sitting is the pose " + pose.name + " of " + source_.srdf_origin + ": legs of more than three joints bend in many ways");
+        return;
+      }
       if (!find_point_legged_posture(model_, *points_, posture_))
         doubts_.emplace_back("no posture with its feet below a level trunk was found: half_sitting is the zero posture; look at the limits of the leg joints");
       return;

@@ -63,6 +63,38 @@ TEST(PointFeetBody, AHumanoidAndAnArmAreNone) {
   EXPECT_NE(why_no_point_feet(fixed), nullptr);
 }
 
+// An ankle more, and each leg can bend in many ways: that of a pose of the file in which it stands is taken, and no other.
+TEST(PointFeetBody, LegsOfFourJointsStandAsTheirFileSays) {
+  std::string urdf = test::point_legged_urdf(1.0, 4), ankles, crouch, leaning;
+  for (const std::string leg : {"fl", "fr", "hl", "hr"}) {
+    const std::string ball = "<collision><origin xyz=\"0 0 -0.2\"/>";
+    urdf.replace(urdf.find(ball), urdf.find("</collision>", urdf.find(ball)) + 12 - urdf.find(ball), "");
+    ankles += "<link name=\"" + leg + "_toe\"><inertial><mass value=\"0.1\"/><inertia ixx=\"1e-4\" iyy=\"1e-4\" izz=\"1e-4\" ixy=\"0\" "
+              "ixz=\"0\" iyz=\"0\"/></inertial><collision><origin xyz=\"0 0 -0.05\"/><geometry><sphere radius=\"0.02\"/></geometry>"
+              "</collision></link><joint name=\"" + leg + "_ankle\" type=\"revolute\"><parent link=\"" + leg + "_shank\"/><child link=\"" +
+              leg + "_toe\"/><origin xyz=\"0 0 -0.18\"/><axis xyz=\"0 1 0\"/><limit lower=\"-1\" upper=\"1\" effort=\"30\" "
+              "velocity=\"25\"/></joint>\n";
+    const auto pose = [&](double swing) {
+      return "<joint name=\"" + leg + "_swing\" value=\"" + std::to_string(swing) + "\"/><joint name=\"" + leg + "_knee\" value=\"-1.4\"/>"
+             "<joint name=\"" + leg + "_ankle\" value=\"0.6\"/>";
+    };
+    crouch += pose(0.68);
+    leaning += pose(leg[0] == 'f' ? 0.68 : 1.2);
+  }
+  urdf.insert(urdf.find("</robot>"), ankles);
+  test::TemporaryFolder folder;
+  folder.write("bare.urdf", urdf);
+  const Model bare = load_urdf(folder.path() + "/bare.urdf", {});
+  ProposalSource source;
+  source.urdf_name = "four.urdf";
+  source.srdf_text = "<robot name=\"four\"><group_state name=\"leaning\" group=\"all\">" + leaning +
+                "</group_state><group_state name=\"crouch\" group=\"all\">" + crouch + "</group_state></robot>";
+  const Proposal proposal = propose(bare, source);
+  const std::string half = proposal.srdf.substr(proposal.srdf.find("\"half_sitting\""));
+  EXPECT_NE(half.substr(0, half.find("</group_state>")).find("name=\"hl_ankle\" value=\"0.59"), std::string::npos) << half;
+  EXPECT_NE(half.substr(0, half.find("</group_state>")).find("name=\"hl_swing\" value=\"0.68"), std::string::npos) << half;
+}
+
 TEST(StepGait, DiagonalPairsStepInTurnAndBothStandBetween) {
   const PointFeetBody body(test::four_legged(1.0));
   StepGait gait(body);
