@@ -33,13 +33,17 @@ bool find_command_in_force(const RobotState& measured, const JointCommand& befor
     const float first = std::clamp(servo(before, measured, i) + before.tau[i], -effort, effort);
     const float last = std::clamp(servo(newest, measured, i) + newest.tau[i], -effort, effort);
     if (std::abs(tau - last) <= near) continue;  // it acts
-    explained = tau >= std::min(first, last) - near && tau <= std::max(first, last) + near;
+    const bool one_servo = before.kp[i] == newest.kp[i] && before.kd[i] == newest.kd[i];
+    if (!one_servo && std::abs(tau - first) <= near) {
+      in_force.q[i] = before.q[i], in_force.qd[i] = before.qd[i], in_force.tau[i] = before.tau[i];
+      in_force.kp[i] = before.kp[i], in_force.kd[i] = before.kd[i];
+      continue;
+    }
+    explained = one_servo && tau >= std::min(first, last) - near && tau <= std::max(first, last) + near;
     const float share = std::clamp((tau - first) / (last - first), 0.0F, 1.0F);
     in_force.q[i] = between(before.q[i], newest.q[i], share);
     in_force.qd[i] = between(before.qd[i], newest.qd[i], share);
     in_force.tau[i] = between(before.tau[i], newest.tau[i], share);
-    in_force.kp[i] = between(before.kp[i], newest.kp[i], share);
-    in_force.kd[i] = between(before.kd[i], newest.kd[i], share);
   }
   if (explained) return true;
   in_force = newest;

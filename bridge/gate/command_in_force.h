@@ -5,7 +5,7 @@
 //
 //     tau = kp (q_ref - q) + kd (qd_ref - qd) + tau_ref, within the effort limit
 //
-// and no jump of the switch.  Any other is, and what is missing is added to the newest command.
+// (of the same gains; else only that of the one before) and no jump of the switch.  Any other is, and what is missing is added to the newest command.
 
 #pragma once
 

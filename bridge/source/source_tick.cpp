@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "bridge/gate/command_in_force.h"
 #include "bridge/handover/switch_check.h"
 #include "common/math/index.h"
 #include "lcmtypes/msg/messages.h"
@@ -14,6 +13,7 @@ namespace twinbus {
 
 namespace {
 
+constexpr std::int64_t kAhead = 5;  // of the holder's newest state a command may be [ticks]
 constexpr double kLead = 0.15;  // a standby ticks this much before STATE is due [periods]
 constexpr double kPhaseGain = 0.1;
 constexpr double kPhaseStep = 0.02;                     // largest correction per tick [periods]
@@ -132,8 +132,9 @@ void Source::on_command(const JointCommand& command, std::int64_t now_ns) noexce
     if (command.run_id != handover_.holder || command.term != handover_.term) return;
     if (command.joint_count != limits_->joint_count || command.model_hash != limits_->model_hash)
       return;
-    if (have_holder_command_ && command.tick <= holder_command_.tick) return;
-    holder_before_ = have_holder_command_ ? holder_command_ : command;
+    const bool follows = have_holder_command_ && holder_command_.run_id == command.run_id && holder_command_.term == command.term;
+    if (command.tick > handover_.holder_tick + kAhead || (follows && command.tick <= holder_command_.tick)) return;
+    holder_before_ = follows && holder_command_.controller_id == command.controller_id ? holder_command_ : command;
     holder_command_ = command;
     have_holder_command_ = true;
     return;
@@ -213,18 +214,6 @@ void Source::impose_holder() noexcept {
   imposed_ = adaptor_->set_state(imposed) == Status::kOk;
 }
 
-// The set-point that goes with an imposed state: the client's, with the torque that makes the sum what was measured.
-void Source::adopt_imposed() noexcept {
-  if (!have_holder_command_ || holder_command_.run_id != holder_state_.run_id) {
-    gate_.hold_measured(holder_state_);
-    return;
-  }
-  JointCommand in_force;
-  const bool jump = !find_command_in_force(holder_state_, holder_before_, holder_command_, *limits_, in_force);
-  gate_.adopt(in_force, jump ? in_force : holder_command_);
-  gate_.blend_again(jump ? limits_->blend_s : 0.0);
-}
-
 // What the gate obeys in the role the source has now.
 void Source::follow_role(std::int64_t now_ns) noexcept {
   if (handover_.role == Role::kStandbyShadow && handover_.holder != 0 && !aside_) {
@@ -264,8 +253,8 @@ void Source::apply(Transition transition, std::int64_t now_ns) noexcept {
     case Transition::kParked:
       anchored_ns_ = now_ns;
       // Who was parked has heard it too: a client of 50 Hz may not speak again before the switch.
-      have_holder_command_ =
-          have_holder_command_ && holder_command_.run_id == handover_.holder && holder_command_.term == handover_.term;
+      have_holder_command_ = have_holder_command_ && handover_.role != Role::kStandbyShadow &&
+                             holder_command_.run_id == handover_.holder && holder_command_.term == handover_.term;
       follow_role(now_ns);
       return;
   }

@@ -68,10 +68,13 @@ void Face::on_state(const RobotState& state, std::int64_t now_ns) noexcept {
     return;
   }
   const StopKind before = state_.stop_kind;
-  const bool first = !heard_;
+  bool first = !heard_;
   if (state.run_id != state_.run_id || state.term != state_.term) {
     bound_ = 0;
-    pending_ = phase_ == Phase::kObeying;  // what was last sent named the robot before
+    // A robot that takes over goes on counting, and what was last sent named the one before.  One that begins anew is met as the first is.
+    const bool goes_on = state.tick >= accepted_tick_ && state.tick - accepted_tick_ <= silence_ticks_;
+    pending_ = phase_ == Phase::kObeying && goes_on;
+    first = first || (phase_ != Phase::kHolding && state.tick < accepted_tick_);
   }
   state_ = state;
   heard_ = true;

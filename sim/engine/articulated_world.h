@@ -122,7 +122,9 @@ class ArticulatedWorld final : public World {
   Status take_step() noexcept;
   // After a step that is taken.  Faces by which fast bodies came would be forgotten in sleep.
   void rest() noexcept {
-    if (config_.asleep && !config_.continuous) loose_.rest(contacts_, config_.step, last_h_);
+    if (!config_.asleep || config_.continuous) return;
+    loose_.rest(contacts_, config_.step, last_h_);
+    loose_.sleep_on();
   }
   void doubt_depths(double h) noexcept;
   void keep_depths(double h) noexcept;

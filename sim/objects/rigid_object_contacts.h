@@ -55,7 +55,6 @@ class LooseContacts {
   // The bristles as they are, for a step that is taken again.
   void save() noexcept {
     saved_ = memory_;
-    std::fill(woke_.begin(), woke_.end(), 0);
     faces_.save();
   }
   void restore() noexcept {
@@ -65,6 +64,7 @@ class LooseContacts {
   }
 
   bool asleep(int system) const noexcept { return sleepers_ && system >= 0 && heap_[at(system)] > 0; }
+  void sleep_on() noexcept { std::fill(woke_.begin(), woke_.end(), 0); }  // what woke in a step is awake like others
   bool woke(int system) const noexcept { return system >= 0 && woke_[at(system)] != 0; }  // in the last step
   // heap: by system, 0 for what stays awake.  Those with one number wake together.  After remember(), the bodies placed and at rest.
   void fall_asleep(const std::vector<int>& heap, const std::vector<ArticulatedBody*>& systems,

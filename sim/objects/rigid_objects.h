@@ -42,7 +42,10 @@ class LooseBodies {
   // After a whole step, in the smallest part h of it last: heaps that lie still fall asleep.
   void rest(const std::vector<Contact>& contacts, double step, double h) noexcept;
   double asleep_energy() const noexcept { return contacts_.asleep_energy(); }
-  bool woke(const Contact& c) const noexcept { return contacts_.woke(c.system) || contacts_.woke(c.other_system); }
+  bool woke(const Contact& c) const noexcept {  // all of it that moves
+    return contacts_.woke(c.system) && (c.other_system < 0 || contacts_.woke(c.other_system));
+  }
+  void sleep_on() noexcept { contacts_.sleep_on(); }  // a step has ended
   bool asleep(const Contact& c) const noexcept { return contacts_.asleep(c.system) || contacts_.asleep(c.other_system); }
   // Appends their contacts.
   void find(double h, std::vector<Contact>& contacts) noexcept {

@@ -243,7 +243,11 @@ class ArmPlaces {
     pointed_ = false;
     int done = 0;
     for (std::size_t i = 0; i < scene_.goals.size(); ++i) {
-      if (model_.floating_base || (!scene_.goals[i].of_reach && (scene_.goals[i].pose.empty() || first_))) continue;
+      if (model_.floating_base || (!scene_.goals[i].of_reach && scene_.goals[i].pose.empty())) continue;
+      if (!scene_.goals[i].of_reach && first_) {
+        last_ = Configuration(model_, scene_.goals[i].pose);
+        continue;
+      }
       if (!scene_.goals[i].of_reach) {  // back to a posture: the way there is what may be too heavy
         const Configuration back(model_, scene_.goals[i].pose);
         const std::string heavy = too_heavy_on_way(back);

@@ -61,5 +61,17 @@ TEST_F(InForce, ATorqueThatComesOfNeitherIsAddedToTheNewest) {
   EXPECT_NEAR(found.tau[1], 1.0F, 1e-6);
 }
 
+// Torques are not between those of two commands of different gains in the way that their set-points are.
+TEST_F(InForce, GainsThatChangeAreNotMixed) {
+  newest.kp[0] = 2000.0F;  // 80 N m
+  measured.tau[0] = 40.0F;
+  EXPECT_FALSE(find());
+  EXPECT_EQ(found.kp[0], 2000.0F);
+  measured.tau[0] = 10.0F;
+  EXPECT_TRUE(find());
+  EXPECT_EQ(found.kp[0], 1000.0F);
+  EXPECT_EQ(found.q[0], before.q[0]);
+}
+
 }  // namespace
 }  // namespace twinbus

@@ -330,6 +330,20 @@ TEST_F(Twins, TheClientsCommandIsKnownToASimulatorThatWasParkedWhenItCame) {
   EXPECT_EQ(hardware.written.q[0], 0.004);
 }
 
+// What the client wanted long ago, before this one shadowed, is nothing that it takes over.
+TEST_F(Twins, AnOldCommandIsNotTakenOverByWhoShadowedSince) {
+  request(SourceAction::kPark, 2, 2);
+  for (int i = 0; i < 10; ++i) tick(0.3);
+  request(SourceAction::kStandbyShadow, 2, 2);
+  for (int i = 0; i < 600; ++i) tick(0.0);
+  request(SourceAction::kSwitch, 2, 1);
+  for (int i = 0; i < 30; ++i) {
+    tick(0.0);
+    EXPECT_LT(std::abs(hardware.written.q[0]), 0.05) << i;
+  }
+  EXPECT_TRUE(b.publishes_on_state());
+}
+
 TEST_F(Twins, ATorqueThatNoCommandExplainsFadesAfterASwitch) {
   sim.friction = 10.0F;
   for (int i = 0; i < 100; ++i) tick(0.004);

@@ -212,6 +212,26 @@ TEST(UnitreeFace, TheLastCommandIsSentAgainToTheRobotThatTakesOver) {
   EXPECT_FALSE(bench.tick()) << "once";
 }
 
+// What a program wanted before the source was started anew moves nothing: the face holds the posture that it finds.
+TEST(UnitreeFace, ASourceThatBeginsAnewIsNotDrivenByAProgramThatHasEnded) {
+  Bench bench;
+  for (int n = 0; n < 500; ++n) bench.tick();
+  JointCommand command;
+  bench.write(stand());
+  ASSERT_TRUE(bench.tick(&command));
+  bench.state.run_id = 6;
+  bench.state.term = 1;
+  bench.state.tick = 0;
+  int answers = 0;
+  for (int n = 0; n < 400; ++n) {
+    if (!bench.tick(&command)) continue;
+    ++answers;
+    EXPECT_EQ(command.controller_id, kFirstId) << n;
+    for (std::size_t j = 0; j < 12; ++j) ASSERT_EQ(command.q[j], bench.state.q[j]) << n;
+  }
+  EXPECT_GT(answers, 0);
+}
+
 TEST(UnitreeFace, AProgramIsAControllerOfItsOwnAndTheSourceIsAskedForIt) {
   Bench bench;
   for (int n = 0; n < 5; ++n) bench.tick();

@@ -91,6 +91,7 @@ const link = new Link({
     joystick.enabled = message.trusted && !timeline.active;
     parts.allow(joystick.enabled);
     robot.load(message.joints, (model) => {
+      if (robot.model !== model) return; // a newer one is on its way
       const pattern = model.clone();
       for (const ghost of [commanded, standby, other]) ghost.adopt(pattern, message.joints);
       unseen = model;

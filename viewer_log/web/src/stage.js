@@ -202,6 +202,7 @@ export class Stage {
     this.first.scale = scale;
     this.camera.position.copy(this.first.from).multiplyScalar(scale).add(this.controls.target);
     this.controls.minDistance = Math.min(0.5, 0.5 * scale);
+    this.controls.maxDistance = 14 * Math.max(1, 2 * scale);
     if (this.scene.fog) Object.assign(this.scene.fog, { near: 7 * Math.max(1, scale), far: 19 * Math.max(1, scale) });
   }
 
