@@ -36,8 +36,9 @@ class Walk final : public Behavior {
   void start(const Estimator& estimator) noexcept override;
   void rebase() noexcept override { stabilizer_.rebase(); }
 
-  // vx, vy, wz [m/s, m/s, rad/s]; cut to what the robot can.  One whose feet feel nothing walks at two fifths of its fastest at
-  // most, and on flat ground only: where it is found not to be flat the robot stops for good.
+  // vx, vy, wz [m/s, m/s, rad/s]; cut to what the robot can, and where landings find the ground rough to a share of its fastest.
+  // One whose feet feel nothing walks at two fifths of its fastest at most, and on flat ground only: where it is found not to be
+  // flat the robot stops for good.
   void want(const Eigen::Vector3d& velocity) noexcept override;
   const char* why_stopped() const noexcept override;
   // Footsteps from where it stands.  Null, or a sentence that lives for ever: why not.

@@ -31,6 +31,9 @@ constexpr double kShorterBy = 0.85;  // each by this share of the last
 constexpr double kBeside = 0.015, kParallel = 0.03;  // so nearly feet stand side by side [m], [rad]
 constexpr double kForget = 0.8;     // share of an unevenness that the next landing leaves
 constexpr double kMostMore = 0.03;  // a foot is lifted more on uneven ground [m]
+constexpr double kRemember = 0.9;   // share of a roughness that the next landing leaves
+constexpr double kSmooth = 0.1, kRough = 0.3;  // of the lift: ground on which a robot dares all of its speed, and on which least
+constexpr double kDared = 0.45;     // of the fastest walk, there
 
 double way(double from, double to, double most) noexcept {
   return from + std::clamp(to - from, -most, most);
@@ -74,7 +77,7 @@ void WalkPattern::start(const std::array<Foothold, 2>& feet) noexcept {
   time_ = single_time_ = 0.0;
   double_ = kLeast;
   period_ = gait_.period();
-  since_landing_ = adjusted_ = uneven_ = 0.0;
+  since_landing_ = adjusted_ = uneven_ = rough_ = 0.0;
   squares_ = tidy_ = false;
   halting_ = unforeseen_ = false;
   rest_ = zmp_from_ = zmp_ = dcm_ = middle();
@@ -197,8 +200,12 @@ void WalkPattern::land(const Foothold& where, const Foothold& stood) noexcept {
   braking_ = true;
   slope_.stood_on(stood.gradient);
   const int landed = 1 - support_;
-  uneven_ =
-      std::max(kForget * uneven_, std::abs(where.height - on_ground(where, foot(support_)).height));
+  const double step = std::abs(where.height - on_ground(where, foot(support_)).height);
+  uneven_ = std::max(kForget * uneven_, step);
+  // A sole that its ankle cannot turn about both axes does not tell how the ground is.
+  const bool tells = !gait_.leans && gait_.sole_low.x() < gait_.sole_high.x();
+  const double rose = tells ? (gait_.toe + gait_.heel) * (stood.gradient - slope_.gradient()).norm() : 0.0;
+  rough_ = std::max({kRemember * rough_, step, rose});
   feet_[static_cast<std::size_t>(landed)] = where;
   ++steps_;
   if (listed_ < list_count_) ++listed_;
@@ -260,6 +267,13 @@ bool WalkPattern::try_to_stand(const Eigen::Vector2d& measured_dcm, double omega
   return true;
 }
 
+Eigen::Vector3d WalkPattern::dared() const noexcept {
+  const double rough = std::clamp((rough_ / gait_.lift - kSmooth) / (kRough - kSmooth), 0.0, 1.0);
+  const double most = 1.0 - (1.0 - kDared) * rough;
+  const double share = Gait::share_of(wanted_, gait_.most_velocity);
+  return share > most ? Eigen::Vector3d(wanted_ * (most / share)) : wanted_;
+}
+
 void WalkPattern::advance(const std::array<bool, 2>& touching,
                           const std::array<Foothold, 2>& measured, double dt) noexcept {
   time_ += dt;
@@ -268,7 +282,8 @@ void WalkPattern::advance(const std::array<bool, 2>& touching,
   if (!halting_ || braking_) {
     const Eigen::Vector3d rate =
         halting_ ? Eigen::Vector3d(gait_.most_velocity / kHaltTime) : gait_.acceleration;
-    for (Eigen::Index k = 0; k < 3; ++k) velocity_[k] = way(velocity_[k], wanted_[k], rate[k] * dt);
+    const Eigen::Vector3d wanted = dared();
+    for (Eigen::Index k = 0; k < 3; ++k) velocity_[k] = way(velocity_[k], wanted[k], rate[k] * dt);
   }
   if (!walking_) {
     const Eigen::Vector2d to_middle = middle() - rest_;

@@ -86,6 +86,9 @@ class WalkPattern {
   const Gait& gait() const noexcept { return gait_; }
 
  private:
+  // What is wanted, as fast as the ground lets it: where landings find steps or soles stand on edges, at most a share of the
+  // fastest walk, which leaves steps that still catch the robot when a sole bears on its rim only.
+  Eigen::Vector3d dared() const noexcept;
   std::size_t plan_pieces(double omega) noexcept;  // how many
   StepAdjusted adjusted_step(const Eigen::Vector2d& measured_dcm, double omega) const noexcept;
   bool try_to_stand(const Eigen::Vector2d& measured_dcm, double omega) noexcept;
@@ -119,6 +122,7 @@ class WalkPattern {
   bool squares_ = false;  // the feet are still to be put side by side
   bool tidy_ = false;     // and as far apart as the robot stands
   double uneven_ = 0.0;   // the steps up and down that the last landings met [m]
+  double rough_ = 0.0;    // the same, remembered for longer, and what the ground rose under soles that stood [m]
   double time_ = 0.0, double_ = 0.0, single_time_ = 0.0;  // in the step; its two parts [s]
   double since_landing_ = 0.0, period_;                   // measured, of a step [s]
   Foothold planned_, target_;  // of the foot that moves; the latter adjusted to catch the robot

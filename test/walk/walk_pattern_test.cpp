@@ -33,6 +33,7 @@ struct Puppet {
       const auto moves = static_cast<std::size_t>(1 - pattern.support());
       measured[moves] = pattern.swing().place();
       touching[moves] = pattern.swing().height() <= ground;
+      measured[1 - moves].gradient.y() = gradient;
     }
     pattern.advance(touching, measured, kDt);
     pattern.plan(dcm, kOmega);
@@ -48,6 +49,7 @@ struct Puppet {
   WalkPattern pattern;
   Eigen::Vector2d dcm, com;
   double ground = 0.0, jump = 0.0, most_height = 0.0;
+  double gradient = 0.0;  // to the left, under the sole that stands
 };
 
 TEST(DcmPlan, APieceRunsForwardsAsItWasComputedBackwards) {
@@ -194,6 +196,29 @@ TEST(WalkPattern, AFootholdIsAsHighAsTheGroundThatWasMetThere) {
   puppet.run(3.0);
   for (int f = 0; f < 2; ++f) EXPECT_NEAR(puppet.pattern.foot(f).height, 0.02, 0.003) << f;
   EXPECT_NEAR(puppet.pattern.ground(), 0.02, 0.003);
+}
+
+TEST(WalkPattern, DaresLessSpeedWhileLandingsFindStepsOrSolesStandOnEdges) {
+  const double most = gait().most_velocity.x();
+  for (const bool edges : {false, true}) {
+    Puppet puppet;
+    puppet.pattern.want({most, 0.0, 0.0});
+    puppet.run(6.0);
+    EXPECT_NEAR(puppet.pattern.velocity().x(), most, 1e-9);
+    for (int i = 0; i < 2500; ++i) {
+      const double side = puppet.pattern.steps() % 2 == 0 ? 1.0 : -1.0;
+      (edges ? puppet.gradient : puppet.ground) = edges ? 0.12 * side : 0.01 + 0.01 * side;
+      puppet.tick();
+    }
+    EXPECT_LT(puppet.pattern.velocity().x(), 0.5 * most) << edges;
+    puppet.pattern.want({0.3 * most, 0.0, 0.0});  // what is slow enough is done as asked
+    puppet.run(3.0);
+    EXPECT_NEAR(puppet.pattern.velocity().x(), 0.3 * most, 1e-9) << edges;
+    puppet.pattern.want({most, 0.0, 0.0});
+    puppet.gradient = 0.0;
+    puppet.run(15.0);
+    EXPECT_NEAR(puppet.pattern.velocity().x(), most, 1e-9) << edges;
+  }
 }
 
 TEST(WalkPattern, FeetThatStandNearEachOtherComeApartBeforeTheyTurn) {
