@@ -72,9 +72,9 @@ void Face::on_state(const RobotState& state, std::int64_t now_ns) noexcept {
   if (state.run_id != state_.run_id || state.term != state_.term) {
     bound_ = 0;
     // A robot that takes over goes on counting, and what was last sent named the one before.  One that begins anew is met as the first is.
-    const bool goes_on = state.tick >= accepted_tick_ && state.tick - accepted_tick_ <= silence_ticks_;
+    const bool goes_on = std::abs(state.tick - accepted_tick_) <= silence_ticks_;
     pending_ = phase_ == Phase::kObeying && goes_on;
-    first = first || (phase_ != Phase::kHolding && state.tick < accepted_tick_);
+    first = first || (phase_ != Phase::kHolding && !goes_on && state.tick < accepted_tick_);
   }
   state_ = state;
   heard_ = true;
