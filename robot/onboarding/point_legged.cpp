@@ -169,23 +169,42 @@ bool find_point_legged_posture(const Model& model, const PointLegs& legs, Eigen:
   return true;
 }
 
+namespace {
+// Where legs and feet are in a posture, the base upright.
+struct PlacedFeet {
+  PlacedFeet(const Model& model, const Eigen::VectorXd& q) : kinematics(model), feet(model) {
+    Configuration c(model);
+    c.q = q;
+    kinematics.update(c);
+    feet.place(kinematics, Eigen::Matrix3d::Identity());
+  }
+  double swings_above(const PointLeg& leg) const {
+    return (kinematics.link_in_world(leg.joints[1] + 1).translation() - feet.point(leg.foot)).z();
+  }
+  Kinematics kinematics;
+  StandingFeet feet;
+};
+}  // namespace
+
+double point_legged_height(const Model& model, const PointLegs& legs, const Eigen::VectorXd& q) {
+  const PlacedFeet placed(model, q);
+  double height = 0.0;
+  for (const PointLeg& leg : legs) height += placed.swings_above(leg) / static_cast<double>(legs.size());
+  return std::max(height, 0.05);
+}
+
 bool stands_on_point_legs(const Model& model, const PointLegs& legs, const Eigen::VectorXd& q) {
   if (q.size() != model.joint_count()) return false;
-  Configuration c(model);
-  c.q = q;
-  Kinematics k(model);
-  k.update(c);
-  StandingFeet feet(model);
-  feet.place(k, Eigen::Matrix3d::Identity());
+  const PlacedFeet placed(model, q);
   Eigen::AlignedBox3d box;
   Eigen::Vector3d middle = Eigen::Vector3d::Zero();
   for (const PointLeg& leg : legs) {
-    const Eigen::Vector3d point = feet.point(leg.foot);
+    const Eigen::Vector3d point = placed.feet.point(leg.foot);
     box.extend(point);
     middle += point / static_cast<double>(legs.size());
-    if (!(k.link_in_world(leg.joints[1] + 1).translation().z() > point.z())) return false;
+    if (!(placed.swings_above(leg) > 0.0)) return false;
   }
-  const Eigen::Vector2d off = (k.com() - middle).head<2>().cwiseAbs(), half = 0.5 * box.sizes().head<2>();
+  const Eigen::Vector2d off = (placed.kinematics.com() - middle).head<2>().cwiseAbs(), half = 0.5 * box.sizes().head<2>();
   return box.sizes().z() < kLevelFeet && off.x() < kMiddle * half.x() && off.y() < kMiddle * half.y();
 }
 

@@ -19,6 +19,9 @@ std::optional<PointLegs> find_point_legs(const Model& model, Anatomy& anatomy);
 // where limits allow both [joint_count]; other joints as they are in q.  False when the legs cannot do it.
 bool find_point_legged_posture(const Model& model, const PointLegs& legs, Eigen::VectorXd& q);
 
+// Of the joints that swing the legs, above the feet, at least 0.05 [m].
+double point_legged_height(const Model& model, const PointLegs& legs, const Eigen::VectorXd& q);
+
 // Whether all feet are on one level plane in it, the trunk level above them and the centre of mass above their middle.
 bool stands_on_point_legs(const Model& model, const PointLegs& legs, const Eigen::VectorXd& q);
 

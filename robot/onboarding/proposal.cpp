@@ -357,7 +357,7 @@ class Writer {
     double kp = std::max({kArmStiffness * moment, joint.friction / kStuck, against_gears, kLeastStiffness});
     double kd = 1.4 * std::sqrt(kp * inertia);
     if (leg && points_) {
-      kp = kPointLegStiffness * model_.total_mass() * kGravity * point_legged_height();
+      kp = kPointLegStiffness * model_.total_mass() * kGravity * point_legged_height(model_, *points_, posture_);
       kd = std::min(1.4 * std::sqrt(kp * inertia), kLegDamping * kp);
     } else if (leg || (hands == 2 && has_soles())) {
       kp = kLegStiffness * model_.total_mass() * kGravity * std::max(anatomy_.hip_height, 0.1);
@@ -375,22 +375,6 @@ class Writer {
       }
     }
     out += "  - {joints: [" + joint.name + "], kp: " + rough(kp) + ", kd: " + rough(kd) + "}" + remark + "\n";
-  }
-
-  // Of the joints that swing the legs, above the feet [m].
-  double point_legged_height() const {
-    Configuration c(model_);
-    c.q = posture_;
-    Kinematics k(model_);
-    k.update(c);
-    StandingFeet feet(model_);
-    feet.place(k, Eigen::Matrix3d::Identity());
-    double height = 0.0;
-    for (const PointLeg& leg : *points_) {
-      const double above = (k.link_in_world(leg.joints[1] + 1).translation() - feet.point(leg.foot)).z();
-      height += above / static_cast<double>(points_->size());
-    }
-    return std::max(height, 0.05);
   }
 
   Model model_;
