@@ -28,6 +28,7 @@ BLOCK = 20.0 if FULL else 4.0  # of undisturbed and disturbed time in turn [s]
 MOST_CHANGE = 0.05  # of p99.9
 # Two short blocks have four ticks above p99.9, which differ from run to run by this much with nothing disturbed [us].
 RESOLVED = 0.0 if FULL else 100.0
+MORE_ROUNDS = 4  # at most, before a short run has failed
 OTHER_BUS = "udpm://239.255.76.67:17698?ttl=0"
 
 
@@ -59,18 +60,20 @@ class Turns:
         self.on.setdefault(name, []).append((begin, time.monotonic_ns()))
         self.calm()
 
-    def judge(self, checks, machine):
-        """machine: name -> name of the turns that do the same to the machine, but nothing to the bus."""
+    def changes(self, machine, say=False):
+        """name -> (change of p99.9, allowed) [us], of all turns so far.
+
+        machine: name -> name of the turns that do the same to the machine, but nothing to the bus."""
         settle()
-        self.loop.close()
-        self.stalls.close()
-        seen = self.stalls.seen
+        seen = list(self.stalls.seen)
         calm = Figures(self.loop.ticks, self.off, seen)
         each = [Figures(self.loop.ticks, [span], seen).p999 for span in self.off]
-        print(calm.line("undisturbed"), "blocks:", " ".join(f"{x:.0f}" for x in each), flush=True)
         found = {name: Figures(self.loop.ticks, spans, seen) for name, spans in self.on.items()}
-        for name, figures in found.items():
-            print(figures.line(name), flush=True)
+        if say:
+            print(calm.line("undisturbed"), "blocks:", " ".join(f"{x:.0f}" for x in each), flush=True)
+            for name, figures in found.items():
+                print(figures.line(name), flush=True)
+        changes = {}
         for name, figures in found.items():
             if name in machine.values():
                 continue
@@ -78,8 +81,22 @@ class Turns:
             # any program of that size causes which starts and ends.
             base = max(calm.p999, found[machine[name]].p999) if machine.get(name) in found else calm.p999
             alike = each + [Figures(self.loop.ticks, [span], seen).p999 for span in self.on.get(machine.get(name), [])]
-            allowed = max(MOST_CHANGE * base, max(alike) - base, RESOLVED)
-            checks.at_most(figures.p999 - base, allowed, f"{name}: change of p99.9 of the loop [us]")
+            changes[name] = figures.p999 - base, max(MOST_CHANGE * base, max(alike) - base, RESOLVED)
+        return changes
+
+    def measure(self, checks, machine, rounds, one_round):
+        """Takes rounds of turns, and judges.  Two ticks are above p99.9 in one short block: where these differ, more rounds
+        tell whether it was chance, and all of them count."""
+        for _ in range(rounds):
+            one_round()
+        for _ in range(0 if FULL else MORE_ROUNDS):
+            if all(change <= allowed for change, allowed in self.changes(machine).values()):
+                break
+            one_round()
+        for name, (change, allowed) in self.changes(machine, say=True).items():
+            checks.at_most(change, allowed, f"{name}: change of p99.9 of the loop [us]")
+        self.loop.close()
+        self.stalls.close()
 
 
 def kill_watchers(folder, checks, url=None):
@@ -121,7 +138,7 @@ def kill_watchers(folder, checks, url=None):
 def good_disk(folder):
     """What the same recorder costs where nothing is wrong."""
     def work(until):
-        recorder = subprocess.Popen([BIN / "twinbus_recorder", folder / "good.log"], stdout=subprocess.PIPE, text=True)
+        recorder = subprocess.Popen([BIN / "twinbus_recorder", folder / "good.log", "--force"], stdout=subprocess.PIPE, text=True)
         recorder.stdout.readline()
         time.sleep(max(0.0, until - time.monotonic()))
         recorder.terminate()
@@ -134,7 +151,7 @@ def slow_disk(folder, checks, bus):
     def work(until):
         since = time.monotonic_ns()
         log = folder / "slow.log"
-        recorder = subprocess.Popen([BIN / "twinbus_recorder", log], stdout=subprocess.PIPE, text=True,
+        recorder = subprocess.Popen([BIN / "twinbus_recorder", log, "--force"], stdout=subprocess.PIPE, text=True,
                                     env=dict(os.environ, LD_PRELOAD=str(BIN / "slow_disk.so")))
         recorder.stdout.readline()
         time.sleep(max(0.0, until - time.monotonic()))
@@ -188,12 +205,16 @@ def p6(checks):
         work, count = kill_watchers(folder, checks)
         other, _ = kill_watchers(folder, checks, OTHER_BUS)
         killed, elsewhere = "P6 viewer and recorder killed", "the same on another bus"
-        while count() < (100 if FULL else 3):
-            turns.disturbed(killed, work)
-            turns.disturbed(elsewhere, other)
+
+        def one_round():
+            before = count()
+            while count() - before < (100 if FULL else 3):
+                turns.disturbed(killed, work)
+                turns.disturbed(elsewhere, other)
             bus.forget()
+
+        turns.measure(checks, {killed: elsewhere}, 1, one_round)
         print(f"P6: {count()} times killed and started", flush=True)
-        turns.judge(checks, {killed: elsewhere})
         bus.close()
 
 
@@ -204,12 +225,14 @@ def t6(checks):
         bus = Bus()
         turns = Turns()
         good, slow, full = "T6 a disk that is well", "T6 100 ms per write", "T6 disk full"
-        for _ in range(4 if FULL else 1):
+
+        def one_round():
             turns.disturbed(slow, slow_disk(folder, checks, bus))
             turns.disturbed(good, good_disk(folder))
             turns.disturbed(full, full_disk(folder, checks, bus))
             bus.forget()
-        turns.judge(checks, {slow: good, full: good})
+
+        turns.measure(checks, {slow: good, full: good}, 4 if FULL else 1, one_round)
         bus.close()
 
 
@@ -543,6 +566,9 @@ def main():
     random.seed(seed)
     print(f"RELIABILITY_SEED={seed}")
     checks = Checks()
+    unknown = [word for word in sys.argv[1:] if word not in CASES]
+    if unknown:
+        sys.exit(f"unknown case {' '.join(unknown)}; there are {' '.join(CASES)}")
     for name, case in CASES.items():
         if sys.argv[1:] and name not in sys.argv[1:]:
             continue
