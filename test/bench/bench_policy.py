@@ -2,7 +2,7 @@
 """Policies that others trained, on robots as `./twinbus check --propose` writes them, unedited: starts, walks, and the estimate of the base.
 
     bench_policy.py starts [--count 30]                  real time, --wait 0: falls within 4 s of the start, per velocity
-    bench_policy.py walks [--seconds 60] [--seeds 3] [--engine mujoco] [--set contact=soft]   lock-step, ESTIMATE and no TRUTH: falls, mean velocities, error of the estimate
+    bench_policy.py walks [--seconds 60] [--seeds 3] [--engine mujoco] [--set contact=soft]   lock-step, noise, ESTIMATE and no TRUTH: falls, mean velocities, error of the estimate
     bench_policy.py switches [--count 20]                real time: from our engine to mujoco and back while it walks (stack client_mujoco)
     bench_policy.py estimate [--seconds 20] [--seeds 3]  the same, pushed and on tiles of 30 mm
 
@@ -50,6 +50,10 @@ PUSHED = 'duration: 600\npush_round: {at: 3, every: 2, count: 8, phase: 0.6, for
 TILES = 'duration: 600\nterrain: {tile: 0.3, height: 0.03, slope_deg: 0, from: 0.6, length: 6, width: 2.4}\n'
 
 
+# As scene walk_noisy has it; each seed draws anew.
+NOISE = {'encoder': 1e-5, 'velocity': 0.01, 'attitude': 0.002, 'gyro': 0.01}
+
+
 class Policy:
     """A policy with its proposed robot."""
 
@@ -93,7 +97,8 @@ class Error:
 
 def walk(policy, command, seconds, seed, scene='stand_python', engine='', settings=()):
     error = Error()
-    outcome = trial.run(policy.network, policy.spec, policy.robot, str(policy.folder), command, seconds, seed, engine, tuple(settings), scene=scene, look=error.look)
+    settings = (*settings, f'sensor.seed={seed}', *(f'sensor.noise.{key}={value:g}' for key, value in NOISE.items()))
+    outcome = trial.run(policy.network, policy.spec, policy.robot, str(policy.folder), command, seconds, seed, engine, settings, scene=scene, look=error.look)
     assert not error.from_truth, 'the velocity of the base was that of TRUTH'
     rms = error.rms()
     print(f'{policy.name:4} {trial.in_words(outcome)}; estimate off by {rms[0]:.3f} {rms[1]:.3f} {rms[2]:.3f} m/s rms, {error.largest:.2f} at most '

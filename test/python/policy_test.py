@@ -510,6 +510,13 @@ class Running(unittest.TestCase):
         self.start(wait=0.0, fade=False)
         self.assertEqual({command.flags for command in self.go(10)}, {runner.NOT_FADED})
 
+    def test_faded_in_only_where_a_joint_is_far_from_its_posture(self):
+        default = np.array([joint.default for joint in trot().joints])
+        for off, fade, flags in ((0.9, None, runner.NOT_FADED), (1.1, None, 0), (0.9, True, 0), (1.1, False, runner.NOT_FADED)):
+            self.start(wait=0.3, fade=fade)
+            found = default + [off, *[0.0] * 11]
+            self.assertEqual({command.flags for command in self.go(10, q=[*found, *[0.0] * (len(messages.robot_state_t().q) - 12)])}, {flags}, off)
+
     def test_walk_is_obeyed(self):
         self.start(wait=0.0)
         self.go(1)

@@ -40,6 +40,7 @@ def parser() -> argparse.ArgumentParser:
     run.add_argument('--command', nargs=3, type=float, default=(0.0, 0.0, 0.0), metavar=('VX', 'VY', 'WZ'),
                      help='[m/s, rad/s], while neither WALK nor GAMEPAD says one')
     run.add_argument('--wait', type=float, metavar='S', help='hold its default posture for so long at first; default 0.3, with --no-fade 0; 0: begin at once, not faded in')
+    run.add_argument('--fade', action='store_true', help='fade its first commands in, which is done where a joint is over 1 rad from its posture')
     run.add_argument('--no-fade', action='store_true', help='its commands are not faded in (flag 2): for a start in its own posture')
     run.add_argument('--for', dest='duration', type=float, default=float('inf'), metavar='S', help='seconds of the robot, then it ends')
     run.add_argument('--no-fifo', action='store_true', help='ordinary priority, also where FIFO is allowed')

@@ -49,7 +49,7 @@ def run(words: argparse.Namespace) -> int:
     wait = words.wait if words.wait is not None else 0.0 if words.no_fade else 0.3
     with Bus(words.url, words.prefix) as bus:
         # A policy that moves at once is not faded in: half obeyed it falls.
-        fade = not words.no_fade and wait > 0.0
+        fade = False if words.no_fade or wait == 0.0 else True if words.fade else None
         runner = Runner(bus, bind, Options(tuple(words.command), wait, fade, words.duration, fifo), known)
         signal.signal(signal.SIGTERM, signal.default_int_handler)  # as Ctrl-C: an orderly end
         print('policy: ready', flush=True)
@@ -108,7 +108,7 @@ def check_it(words: argparse.Namespace) -> int:
     faults = check.in_words(check.check(found, known, network), lambda line: print(line, flush=True))
     pose = trial.posture_of(found, known)
     if pose is None:
-        print('note  start: no pose of the SRDF is its default posture, so it begins there for 0.3 s while it is faded in; with this pose it '
+        print('note  start: no pose of the SRDF is its default posture, so it goes there for 0.3 s; with this pose it '
               'can begin at once (--start-pose policy):')
         print('      <group_state name="policy" group="all">' + ''.join(f'<joint name="{joint.name}" value="{joint.default:g}"/>'
                                                                          for joint in found.joints) + '</group_state>')

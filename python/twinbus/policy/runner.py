@@ -36,6 +36,7 @@ STOP_TIME = 1.9                  # longest time in which a balanced stop is answ
 AT_REST = 0.05                   # slower the base rests [m/s]
 RECENT = 50                      # ticks after which a velocity is nobody's
 FADE = 0.3                       # from a posture that was held before the policy was known to the policy's own [s]
+FAR = 1.0                        # of the policy's posture: a robot that is found so is brought there gently [rad, m]
 FIRST_ESTIMATE = 0.1             # in which the velocity of the base must have come for the first time [s]
 TOO_LATE = 0.1                   # an inference that balances nothing any more [s]
 ASKS_EVERY = 0.02                # a stop, until STATE shows it [s]
@@ -56,7 +57,7 @@ class Options:
     """Of a run."""
     command: tuple[float, float, float] = (0.0, 0.0, 0.0)  # vx, vy [m/s], wz [rad/s], while nobody says another
     wait: float = 0.3            # in which the default posture is held at the beginning [s]
-    fade: bool = True            # False: flag 2, the first command is not faded in
+    fade: bool | None = None     # False: flag 2, the first command is not faded in; None: faded in where a joint is FAR away
     duration: float = float('inf')  # of the robot's time [s]
     fifo: bool = False           # has FIFO priority; HEARTBEAT tells
     say: Callable[[str], None] = field(default=lambda sentence: print(f'policy: {sentence}', flush=True))
@@ -76,6 +77,7 @@ class Runner:
         self.inference_times: list[float] = []   # of the last second [s]
         self._binding, self._inference = Binding(bind), Inference()
         self._held: tuple[Array, Array, Array] | None = None  # posture, kp, kd, held before the policy was known
+        self._fades = True
         self._fade_ns: int | None = None         # since when it goes from there to its own
         self._told_stopped = False
         self._failing = ''                       # why a balanced stop was asked here
@@ -239,10 +241,11 @@ class Runner:
         self._plan = StopPlan(self.controller)
         q = np.array(state.q[:state.joint_count], dtype=np.float64)
         self._target = self.controller.posture(q)
-        self._fade_ns = state.time_ns if self._held is not None else None
         most = self.controller.limited(np.full(3, 1e3))
         self._operator.least, self._operator.most = self.controller.limited(np.full(3, -1e3)), most
         off = np.abs(self._target - q)
+        self._fades = self.options.fade if self.options.fade is not None else float(off.max()) > FAR
+        self._held, self._fade_ns = (self._held, state.time_ns) if self._held is not None and self._fades else (None, None)
         if float(off.max()) > 0.1 and self.options.wait == 0.0:
             self.options.say(f'{self.controller.robot.names()[int(off.argmax())]} is {float(off.max()):.2f} rad away from the posture of the '
                              'policy, which begins at once: ./twinbus up --start-pose, or --wait 0.3')
@@ -366,7 +369,7 @@ class Runner:
         command = messages.joint_command_t()
         command.tick, command.run_id, command.term = state.tick, state.run_id, state.term
         command.model_hash, command.joint_count, command.controller_id = state.model_hash, count, self.id
-        command.flags = (STOPPING if stopping else 0) | (0 if self.options.fade else NOT_FADED)
+        command.flags = (STOPPING if stopping else 0) | (0 if self._fades else NOT_FADED)
         command.q[:count], command.kp[:count], command.kd[:count] = q, kp, kd
         self.bus.send('COMMAND', command)
         if self._plan is not None and self._plan.due(state.time_ns, q):

@@ -86,7 +86,7 @@ def run(network: Network, spec: Spec, robot: Robot, folder: str, command: tuple[
     outcome, watch = Outcome(command, seed), _Watch()
     url = f'udpm://239.255.76.67:{random.SystemRandom().randrange(20000, 60000)}?ttl=0'
     with tempfile.TemporaryDirectory() as work, Bus(url) as bus:
-        runner = Runner(bus, lambda found: Controller(spec, found, network), Options(command, wait, wait > 0.0, seconds, say=lambda _: None),
+        runner = Runner(bus, lambda found: Controller(spec, found, network), Options(command, wait, None if wait > 0.0 else False, seconds, say=lambda _: None),
                         replace(robot))
 
         def see(truth: messages.sim_truth_t) -> None:
