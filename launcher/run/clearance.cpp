@@ -26,7 +26,8 @@ Clearance::RobotBalls Clearance::balls_of(const Model& model) {
   return balls;
 }
 
-Clearance::Clearance(const Model& model, const WorldConfig& config) {
+Clearance::Clearance(const Model& model, const WorldConfig& config)
+    : above_(model.links.size(), std::numeric_limits<double>::infinity()), ground_(model, config) {
   if (config.loose.empty() && config.robots.empty()) return;
   own_ = balls_of(model);
   for (const OtherRobot& robot : config.robots) robots_.push_back(balls_of(*robot.model));
@@ -35,6 +36,7 @@ Clearance::Clearance(const Model& model, const WorldConfig& config) {
 }
 
 void Clearance::look(const World& world) {
+  ground_.clearance(world, above_);
   for (std::size_t i = 0; i < nearest_.size(); ++i) {
     const Ball& ball = own_.links[i];
     if (ball.radius < 0.0) continue;

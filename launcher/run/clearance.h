@@ -1,4 +1,4 @@
-// How near what is loose, or a further robot, comes to each link of the robot in a run.
+// How near what is loose, or a further robot, comes to each link of the robot in a run, and how near a link comes to what is fixed.
 
 #pragma once
 
@@ -6,6 +6,7 @@
 
 #include "geometry/shapes.h"
 #include "robot/description/model.h"
+#include "sim/contact/ground_contacts.h"
 #include "sim/world/world.h"
 
 namespace twinbus {
@@ -18,6 +19,8 @@ class Clearance {
   void look(const World& world);
   // By link [m]; empty where nothing is loose and no further robot is there.
   const std::vector<double>& nearest() const { return nearest_; }
+  // Of what is no sole to the ground and obstacles, by link [m]; infinite: it has no shape that could touch.
+  const std::vector<double>& above() const { return above_; }
 
  private:
   struct RobotBalls {
@@ -28,7 +31,8 @@ class Clearance {
   RobotBalls own_;
   std::vector<RobotBalls> robots_;
   std::vector<double> loose_;  // radii [m]
-  std::vector<double> nearest_;
+  std::vector<double> nearest_, above_;
+  GroundContacts ground_;
 };
 
 }  // namespace twinbus

@@ -6,7 +6,6 @@
 #include <iterator>
 #include <limits>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 
 #include "common/math/index.h"
@@ -117,6 +116,7 @@ Track follow(const Model& model, const Scene& scene, const OneProcessConfig& con
     for (std::size_t i = 0; i < at(run.model().link_count()); ++i)
       links = std::max(links, (track.at.back()[i] - begin[i]).norm());
     for (std::size_t i = 0; i < at(run.world().loose_count()); ++i) {
+      track.slept = track.slept || run.world().asleep(static_cast<int>(i));
       const std::size_t body = at(run.model().link_count()) + i;
       lay += (track.at.back()[body] - before[body]).norm() < kLies ? 1 : 0;
     }
@@ -129,7 +129,10 @@ Track follow(const Model& model, const Scene& scene, const OneProcessConfig& con
   }
   track.moved.joints.assign(moved.begin(), moved.end());
   track.moved.links = links;
-  if (clearance) track.moved.clear = clearance->nearest();
+  if (clearance) {
+    track.moved.clear = clearance->nearest();
+    track.moved.above = clearance->above();
+  }
   if (run.world().loose_count() > 0 && !track.at.empty())
     track.moved.lay = static_cast<double>(lay) / static_cast<double>(track.at.size() * at(run.world().loose_count()));
   track.whole = run.ticks() >= ticks;
@@ -260,6 +263,7 @@ void leave_out(const Model& model, const LadderRequest& request, const Run& run,
     const Track track = run(at_rung(scene, wanted));
     Rung rung = rung_of(whole.order, step, track, yardstick, request.duration);
     rung.less = less;
+    rung.less.asleep = less.asleep && track.slept;  // else the run is the same without
     if (track.stopped != yardstick.stopped) rung.apart = kInfinity;
     ladder.rungs.insert(ladder.rungs.end() - 1, rung);
     if (request.progress) request.progress(ladder);
@@ -268,6 +272,7 @@ void leave_out(const Model& model, const LadderRequest& request, const Run& run,
   Moved moved = yardstick.moved;
   if (scene.engine != "articulated" || scene.asleep) moved.lay = 0.0;
   if (scene.engine != "articulated" || !scene.untouched.empty()) moved.clear.clear();
+  if (scene.engine != "articulated" || !scene.aloft.empty()) moved.above.clear();
   const double finer = whole.step / 2.0;
   for (const Less& less : proposals(model, moved, request.error, scene.self_contact)) {
     if (quit_requested()) return;
@@ -341,6 +346,7 @@ Ladder climb(const Model& model, const Scene& scene, const OneProcessConfig& con
         if (!ladder.parted.empty() && !request.all) {
           look_again();
           ladder.agreement = kInfinity;
+          ladder.moved = tracks.back().moved;
           return ladder;
         }
       }
@@ -359,73 +365,9 @@ Ladder climb(const Model& model, const Scene& scene, const OneProcessConfig& con
       break;
     }
   }
-  if (request.less && !tracks.empty()) leave_out(model, request, run, scene, tracks.back(), ladder);
+  ladder.moved = tracks.back().moved;
+  if (request.less) leave_out(model, request, run, scene, tracks.back(), ladder);
   return ladder;
-}
-
-std::string ladder_text(const Ladder& ladder) {
-  std::ostringstream text;
-  text.precision(17);
-  text << "ladder 5 " << ladder.rungs.size() << ' ' << ladder.parted.size() << ' '
-       << (std::isfinite(ladder.agreement) ? ladder.agreement : -1.0) << ' ' << ladder.cost << '\n';
-  for (const Rung& r : ladder.rungs) {
-    text << r.order << ' ' << r.step << ' ' << r.cost << ' '
-         << (std::isfinite(r.apart) ? r.apart : -1.0) << ' ' << r.at << ' ' << r.whole << ' '
-         << r.less.held.size() << ' ' << r.less.rigid.size() << ' ' << r.less.still.size() << ' '
-         << r.less.untouched.size() << ' '
-         << r.less.apart << ' ' << r.less.asleep << ' ' << r.body << '\n';
-    for (const auto* names : {&r.less.held, &r.less.rigid, &r.less.still, &r.less.untouched}) {
-      for (const std::string& name : *names) text << name << '\n';
-    }
-  }
-  for (const Parted& p : ladder.parted)
-    text << (std::isfinite(p.apart) ? p.apart : -1.0) << ' ' << p.body << '\n';
-  return text.str();
-}
-
-bool read_ladder(const std::string& text, Ladder& ladder) {
-  std::istringstream in(text);
-  std::string word;
-  int version = 0;
-  std::size_t rungs = 0, parted = 0;
-  Ladder read;
-  if (!(in >> word >> version >> rungs >> parted >> read.agreement >> read.cost) ||
-      word != "ladder" || version != 5 || rungs > 1000 || parted > 10000) {
-    return false;
-  }
-  const auto endless = [](double value) { return value < 0.0 ? kInfinity : value; };
-  read.agreement = endless(read.agreement);
-  for (std::size_t i = 0; i < rungs; ++i) {
-    Rung r;
-    std::size_t held = 0, rigid = 0, still = 0, untouched = 0;
-    if (!(in >> r.order >> r.step >> r.cost >> r.apart >> r.at >> r.whole >> held >> rigid >> still >> untouched >>
-          r.less.apart >> r.less.asleep))
-      return false;
-    if (r.order < 1 || r.order > 3 || !(r.step > 0.0) || std::max({held, rigid, still, untouched}) > 1000) return false;
-    r.apart = endless(r.apart);
-    std::getline(in, r.body);
-    if (!r.body.empty()) r.body.erase(0, 1);
-    r.less.held.resize(held);
-    r.less.rigid.resize(rigid);
-    r.less.still.resize(still);
-    r.less.untouched.resize(untouched);
-    for (auto* names : {&r.less.held, &r.less.rigid, &r.less.still, &r.less.untouched}) {
-      for (std::string& name : *names) {
-        if (!std::getline(in, name)) return false;
-      }
-    }
-    read.rungs.push_back(r);
-  }
-  for (std::size_t i = 0; i < parted; ++i) {
-    Parted p;
-    if (!(in >> p.apart)) return false;
-    p.apart = endless(p.apart);
-    std::getline(in, p.body);
-    if (!p.body.empty()) p.body.erase(0, 1);
-    read.parted.push_back(p);
-  }
-  ladder = read;
-  return true;
 }
 
 std::string ladder_table(const Ladder& ladder, int chosen) {

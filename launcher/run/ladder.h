@@ -32,6 +32,7 @@ struct Track {
   double all = 0.0;                              // CPU of everything [s]
   bool whole = true;                             // the run did not end early
   bool stopped = false;                          // and not with its source stopped
+  bool slept = false;                            // a loose body was asleep
 };
 
 // Throws std::runtime_error as OneProcess does.
@@ -66,6 +67,7 @@ struct Parted {
 struct Ladder {
   std::vector<Rung> rungs;  // in the order in which they were run; the yardstick is the last
   std::vector<Parted> parted;
+  Moved moved;              // in the yardstick
   double agreement = 0.0;   // of the finest two of order 3 [m]
   double cost = 0.0;        // CPU of all runs, controller too [s]
 

@@ -15,6 +15,7 @@ constexpr double kLean = 4.0;                   // so much more a robot may move
 constexpr double kLay = 0.1;                    // of their time loose bodies lie still where it may pay to let them sleep
 constexpr double kClear = 0.05;                  // of what never comes nearer, beside 10 errors, a link is not asked whether it touches [m]
 constexpr double kErrorsClear = 10.0;
+constexpr double kAloft = 5e-3;                  // of the ground, a link without its soles is not asked either [m]
 constexpr double kLinkSize = 0.1;               // of a link beyond its origin [m]
 
 // What moved no farther than `most` [m].  still: what may stands still, else joints are held and robots rigid.
@@ -62,10 +63,14 @@ std::vector<Less> proposals(const Model& model, const Moved& moved, double error
   const auto add = [&](const Less& less) {
     if (!less.none() && std::find(sets.begin(), sets.end(), less) == sets.end()) sets.push_back(less);
   };
-  std::vector<std::string> far;
-  for (std::size_t i = 0; i < moved.clear.size(); ++i) {
-    if (std::isfinite(moved.clear[i]) && moved.clear[i] > kClear + kErrorsClear * error) far.push_back(model.links[i].name);
-  }
+  const auto beyond = [&](const std::vector<double>& nearest, double least) {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < nearest.size(); ++i) {
+      if (std::isfinite(nearest[i]) && nearest[i] > least) names.push_back(model.links[i].name);
+    }
+    return names;
+  };
+  const std::vector<std::string> far = beyond(moved.clear, kClear + kErrorsClear * error), aloft = beyond(moved.above, kAloft);
   for (const bool asleep : {true, false}) {
     if (asleep && moved.lay < kLay) continue;
     for (const double share : kShares) {
@@ -73,6 +78,7 @@ std::vector<Less> proposals(const Model& model, const Moved& moved, double error
       for (const bool still : {true, false}) {
         Less less = set_of(model, moved, way, share * error, still);
         less.asleep = asleep;
+        less.aloft = aloft;
         for (const bool drop : {true, false}) {
           less.apart = drop && apart;
           less.untouched = !apart || less.apart ? far : std::vector<std::string>{};
@@ -82,6 +88,7 @@ std::vector<Less> proposals(const Model& model, const Moved& moved, double error
     }
     Less alone;
     alone.asleep = asleep;
+    alone.aloft = aloft;
     alone.untouched = apart ? std::vector<std::string>{} : far;
     add(alone);
   }
@@ -95,6 +102,7 @@ Scene without(const Scene& scene, const Less& less) {
   changed.self_contact = changed.self_contact && !less.apart;
   changed.asleep = changed.asleep || less.asleep;
   changed.untouched.insert(changed.untouched.end(), less.untouched.begin(), less.untouched.end());
+  changed.aloft.insert(changed.aloft.end(), less.aloft.begin(), less.aloft.end());
   changed.rigid.insert(changed.rigid.end(), less.rigid.begin(), less.rigid.end());
   return changed;
 }
@@ -109,6 +117,8 @@ std::string words_of(const Less& less) {
   if (less.apart) add("no contact within a robot");
   if (!less.untouched.empty())
     add(std::to_string(less.untouched.size()) + (less.untouched.size() == 1 ? " link" : " links") + " that nothing comes near");
+  if (!less.aloft.empty())
+    add(std::to_string(less.aloft.size()) + (less.aloft.size() == 1 ? " link" : " links") + " that nothing fixed comes near");
   if (less.asleep) add("loose bodies asleep where they lie still");
   return words;
 }

@@ -19,20 +19,23 @@ struct Less {
   std::vector<std::string> held;   // joints
   std::vector<std::string> rigid;  // further robots
   std::vector<std::string> still;  // further robots, or `base`: all of the robot
-  std::vector<std::string> untouched;  // links of the robot
+  std::vector<std::string> untouched;  // links of the robot: by anything loose and further robots
+  std::vector<std::string> aloft;      // the same: but for their soles by ground and obstacles
   bool apart = false;              // links of one robot do not touch one another, though the scene lets them
   bool asleep = false;             // loose bodies where they lie still
-  bool none() const { return held.empty() && rigid.empty() && still.empty() && untouched.empty() && !apart && !asleep; }
   bool operator==(const Less&) const = default;
+  bool none() const { return *this == Less{}; }
 };
 
 // How far everything came from its start in a run.
 struct Moved {
+  bool operator==(const Moved&) const = default;
   std::vector<double> joints;              // [joint_count] [rad or m]
   std::vector<std::string> robots;         // further ones
   std::vector<double> robot_ways;          // of their bases [m]
   double links = std::numeric_limits<double>::infinity();  // of the robot's link that came farthest [m]
   std::vector<double> clear;               // by link: nothing loose and no further robot came nearer [m]; empty: not known
+  std::vector<double> above;               // by link: nothing but its soles came nearer to ground and obstacles [m]; empty: not known
   double lay = 0.0;                        // share of the time of all loose bodies in which they lay still
 };
 

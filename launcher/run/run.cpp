@@ -198,6 +198,7 @@ nlohmann::ordered_json choice_json(const AccuracyChoice& choice, const OneProces
     json["held_joints"] = choice.ladder.rungs[index].less.held;
     json["rigid_robots"] = choice.ladder.rungs[index].less.rigid;
     json["still"] = choice.ladder.rungs[index].less.still;
+    json["aloft"] = choice.ladder.rungs[index].less.aloft;
     json["untouched"] = choice.ladder.rungs[index].less.untouched;
     json["no_self_contact"] = choice.ladder.rungs[index].less.apart;
     json["asleep"] = choice.ladder.rungs[index].less.asleep;
@@ -352,6 +353,7 @@ same state_hash, which is also that of ./twinbus up SCENE --lockstep.  Settings 
     if (choice->rung >= 0) {
       Rung rung = choice->ladder.rungs[static_cast<std::size_t>(choice->rung)];
       scene = at_rung(scene, rung);
+      rung.less.aloft.clear();
       rung.less.untouched.clear();  // another seed may come to touch what this one does not
       rung.less.apart = false;
       undrawn = at_rung(undrawn, rung);

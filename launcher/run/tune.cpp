@@ -57,13 +57,13 @@ Opened open(const Arguments& arguments) {
 std::string csv_of(const Opened& opened, const AccuracyChoice& choice) {
   std::ostringstream csv;
   csv.precision(9);
-  csv << "scene,seed,duration_s,order,step_s,physics_ms_per_s,error_m,where,at_s,held_joints,rigid_robots,still,untouched,no_self_contact,asleep,chosen\n";
+  csv << "scene,seed,duration_s,order,step_s,physics_ms_per_s,error_m,where,at_s,held_joints,rigid_robots,still,untouched,aloft,no_self_contact,asleep,chosen\n";
   for (std::size_t i = 0; i < choice.ladder.rungs.size(); ++i) {
     const Rung& rung = choice.ladder.rungs[i];
     csv << opened.scene.name << ',' << opened.request.seed << ',' << opened.request.duration << ','
         << rung.order << ',' << rung.step << ',' << rung.cost << ',' << choice.ladder.estimate(i)
         << ',' << rung.body << ',' << rung.at << ',' << rung.less.held.size() << ',' << rung.less.rigid.size()
-        << ',' << rung.less.still.size() << ',' << rung.less.untouched.size() << ',' << rung.less.apart << ',' << rung.less.asleep
+        << ',' << rung.less.still.size() << ',' << rung.less.untouched.size() << ',' << rung.less.aloft.size() << ',' << rung.less.apart << ',' << rung.less.asleep
         << ',' << (static_cast<int>(i) == choice.rung)
         << '\n';
   }
@@ -135,36 +135,38 @@ void print_model(const Opened& opened) {
 }
 
 // Line by line: what moves how far and how it is modelled.
-std::vector<ModelledPart> parts_of(const Opened& opened, const Track& track, const Less& less) {
+std::vector<ModelledPart> parts_of(const Opened& opened, const Moved& moved, const Less& less) {
   const auto in = [](const std::vector<std::string>& names, const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
   };
   std::vector<ModelledPart> parts;
   char text[80];
-  const std::vector<double> way = ways(opened.model, track.moved);
+  const std::vector<double> way = ways(opened.model, moved);
   for (std::size_t j = 0; j < way.size(); ++j) {
     const Joint& joint = opened.model.joints[j];
     const bool slides = joint.kind == JointKind::kPrismatic, held = in(less.held, joint.name);
-    std::snprintf(text, sizeof text, "moves %.4g %s", track.moved.joints[j] * (slides ? 1e3 : kDegrees), slides ? "mm" : "degrees");
+    std::snprintf(text, sizeof text, "moves %.4g %s", moved.joints[j] * (slides ? 1e3 : kDegrees), slides ? "mm" : "degrees");
     parts.push_back({joint.name, text, way[j],
                      held ? "held" : way[j] <= opened.request.error ? "yes: with it held the error was not kept" : "yes", held});
   }
-  for (std::size_t i = 0; i < track.moved.robots.size(); ++i) {
-    const std::string& name = track.moved.robots[i];
+  for (std::size_t i = 0; i < moved.robots.size(); ++i) {
+    const std::string& name = moved.robots[i];
     const bool rigid = in(less.rigid, name), still = in(less.still, name);
-    parts.push_back({"robot " + name, "", track.moved.robot_ways[i], still ? "still" : rigid ? "one rigid body" : "yes", still || rigid});
+    parts.push_back({"robot " + name, "", moved.robot_ways[i], still ? "still" : rigid ? "one rigid body" : "yes", still || rigid});
   }
   const bool still = in(less.still, "base");
-  parts.push_back({"robot itself", "", track.moved.links, still ? "still" : "yes", still});
+  parts.push_back({"robot itself", "", moved.links, still ? "still" : "yes", still});
   if (opened.scene.self_contact)
     parts.push_back({"links touch links", "", -1.0, less.apart ? "no: without it the error is kept" : "yes", less.apart});
-  if (!track.moved.clear.empty()) {
+  if (!moved.clear.empty()) {
     const std::string far = less.untouched.empty() ? "all" : "all but " + std::to_string(less.untouched.size());
     parts.push_back({"links meet what is loose", "", -1.0, far + (less.untouched.empty() ? "" : ", which nothing comes near"),
                      !less.untouched.empty()});
   }
+  const std::string fixed = less.aloft.empty() ? "all" : "all but " + std::to_string(less.aloft.size()) + ", which it never comes near";
+  parts.push_back({"links meet what is fixed", "", -1.0, fixed, !less.aloft.empty()});
   if (!opened.scene.loose.empty()) {
-    std::snprintf(text, sizeof text, "lie still for %.0f %% of the time", 1e2 * track.moved.lay);
+    std::snprintf(text, sizeof text, "lie still for %.0f %% of the time", 1e2 * moved.lay);
     parts.push_back({"loose bodies", text, -1.0, less.asleep ? "asleep where they lie still" : "yes", less.asleep});
   }
   return parts;
@@ -176,11 +178,11 @@ void explain_less(const Opened& opened, const AccuracyChoice& choice, const std:
   const Rung* chosen = choice.rung >= 0 ? &ladder.rungs[at(choice.rung)] : nullptr;
   Less less = chosen != nullptr ? chosen->less : Less{};
   less.asleep = less.asleep || opened.scene.asleep;
+  less.aloft.insert(less.aloft.end(), opened.scene.aloft.begin(), opened.scene.aloft.end());
   less.untouched.insert(less.untouched.end(), opened.scene.untouched.begin(), opened.scene.untouched.end());
   std::printf("\nfidelity     auto: what moves less than the error of %.3g mm in this scene may be left out\n",
               1e3 * opened.request.error);
-  const Track track = follow(opened.model, opened.scene, opened.config, opened.request.duration);
-  const std::vector<ModelledPart> parts = parts_of(opened, track, less);
+  const std::vector<ModelledPart> parts = parts_of(opened, ladder.moved, less);
   std::printf("%-28s %-30s %-28s modelled\n", "part", "", "what is behind it moves [mm]");
   for (const ModelledPart& part : parts) {
     char way[32] = "";
@@ -216,7 +218,7 @@ void plot_front(const Opened& opened, const AccuracyChoice& choice, const std::s
 Rung with_own(Rung rung, const Scene& scene) {
   if (rung.less.none()) return rung;
   const Scene all = without(scene, rung.less);
-  rung.less = {all.held, all.rigid, {}, all.untouched, rung.less.apart, all.asleep};
+  rung.less = {all.held, all.rigid, {}, all.untouched, all.aloft, rung.less.apart, all.asleep};
   return rung;
 }
 

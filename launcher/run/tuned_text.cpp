@@ -33,6 +33,7 @@ std::string tuned_text(const std::string& scene, const Rung& rung, const std::st
       dropped = (line.rfind("held:", 0) == 0 && !rung.less.held.empty()) ||
                 (line.rfind("rigid:", 0) == 0 && !rung.less.rigid.empty()) ||
                 (line.rfind("self_contact:", 0) == 0 && rung.less.apart) ||
+                (line.rfind("aloft:", 0) == 0 && !rung.less.aloft.empty()) ||
                 (line.rfind("untouched:", 0) == 0 && !rung.less.untouched.empty()) ||
                 (line.rfind("asleep:", 0) == 0 && rung.less.asleep) ||
                 (line.rfind("fidelity:", 0) == 0 && !rung.less.none());
@@ -56,6 +57,7 @@ std::string tuned_text(const std::string& scene, const Rung& rung, const std::st
   out << "step: " << formatted("%.9g", rung.step) << "\n";
   write_names(out, "held", rung.less.held);
   write_names(out, "rigid", rung.less.rigid);
+  write_names(out, "aloft", rung.less.aloft);
   write_names(out, "untouched", rung.less.untouched);
   if (rung.less.asleep) out << "asleep: true\n";
   if (!has_order && scene.rfind("settings:", 0) != 0 &&

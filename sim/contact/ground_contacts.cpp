@@ -88,8 +88,10 @@ GroundContacts::GroundContacts(const Model& model, const WorldConfig& config)
     sole_keys_ += patches_->keys();
   }
   for (std::size_t i = 0; i < model.links.size(); ++i) {
-    for (const Shape& shape : model.links[i].collision) {
-      add_probes(static_cast<int>(i), shape, model);
+    for (std::size_t s = 0; s < model.links[i].collision.size(); ++s) {
+      const std::array<int, 2> which{static_cast<int>(i), static_cast<int>(s)};
+      if (std::find(config.aloft.begin(), config.aloft.end(), which) != config.aloft.end()) continue;
+      add_probes(static_cast<int>(i), model.links[i].collision[s], model);
     }
   }
   // The longest way from link 0's origin to anything that can touch.
@@ -312,6 +314,18 @@ void GroundContacts::find_probes(const ArticulatedBody& body, double h,
         found.r = center - probe.radius * d.normal;
         add(body, link.velocity, found, h, cursor, contacts);
       }
+    }
+  }
+}
+
+void GroundContacts::clearance(const World& world, std::vector<double>& nearest) const {
+  for (const ShapeProbes& shape : shapes_) {
+    double& near = nearest[at(shape.link)];
+    const Eigen::Isometry3d link = world.link_in_world(shape.link);
+    for (std::size_t i = shape.first; i < shape.first + shape.count; ++i) {
+      const Eigen::Vector3d center = link * probes_[i].center;
+      for (std::size_t surface = i < shape.first + shape.bare ? 0 : 1; surface <= solid_; ++surface)
+        near = std::min(near, distance(surface, center).value - probes_[i].radius);
     }
   }
 }

@@ -66,6 +66,9 @@ class GroundContacts {
   void save() noexcept { saved_ = memory_; }
   void restore() noexcept { memory_ = saved_; }
 
+  // By link, what is nearer to the ground or an obstacle than what is there already: of what is no sole [m].
+  void clearance(const World& world, std::vector<double>& nearest) const;
+
   void set_corner_offset(int sole, int corner, double offset) noexcept;
   double corner_offset(int sole, int corner) const noexcept;
   int sole_link(int sole) const noexcept { return soles_[static_cast<std::size_t>(sole)].link; }

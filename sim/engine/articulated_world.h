@@ -68,6 +68,7 @@ class ArticulatedWorld final : public World {
   const std::vector<ContactPoint>& contacts() const noexcept override { return reported_; }
   int loose_count() const noexcept override { return loose_.count(); }
   LooseState loose(int body) const noexcept override { return loose_.state(body); }
+  bool asleep(int body) const noexcept override { return loose_.asleep(at(body)); }
   Status set_loose(int body, const LooseState& state) noexcept override;
   Eigen::Isometry3d robot_link(int robot, int link) const noexcept override {
     return loose_.robots().link_in_world(robot, link);

@@ -34,8 +34,8 @@ std::unique_ptr<World> make_world(const Model& model, const WorldConfig& config)
   check_bodies(config.loose);
   if (config.twin) return std::make_unique<TwinnedWorld>(model, config);
   if (less_is_modelled(config)) return std::make_unique<WeldedWorld>(model, config);
-  if (config.engine != Engine::kArticulated && (config.asleep || !config.untouched.empty())) {
-    throw std::runtime_error(std::string(config.asleep ? "asleep" : "untouched") +
+  if (config.engine != Engine::kArticulated && (config.asleep || !config.untouched.empty() || !config.aloft.empty())) {
+    throw std::runtime_error(std::string(config.asleep ? "asleep" : config.aloft.empty() ? "untouched" : "aloft") +
                              " is of engine articulated only; leave it out, or say --engine articulated");
   }
   if (config.engine == Engine::kMujoco) return std::make_unique<MujocoWorld>(model, config);

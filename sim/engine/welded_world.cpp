@@ -62,10 +62,12 @@ void WeldedWorld::build(const Eigen::VectorXd& q) {
   auto welded = std::make_unique<WeldedModel>(weld(model_, held_, q));
   WorldConfig config = config_;
   config.fixed_base = config.fixed_base || still_;
-  for (auto& [link, shape] : config.untouched) {
-    if (shape < 0) continue;
-    shape += welded->first_shape[at(link)];
-    link = welded->link[at(link)];
+  for (auto* list : {&config.aloft, &config.untouched}) {
+    for (auto& [link, shape] : *list) {
+      if (shape < 0) continue;
+      shape += welded->first_shape[at(link)];
+      link = welded->link[at(link)];
+    }
   }
   for (Tie& tie : config.ties) {
     tie.a = end_of(tie.a, *welded);

@@ -46,6 +46,7 @@ class LooseBodies {
     return contacts_.woke(c.system) && (c.other_system < 0 || contacts_.woke(c.other_system));
   }
   void sleep_on() noexcept { contacts_.sleep_on(); }  // a step has ended
+  bool asleep(std::size_t body) const noexcept { return contacts_.asleep(static_cast<int>(body) + 1); }
   bool asleep(const Contact& c) const noexcept { return contacts_.asleep(c.system) || contacts_.asleep(c.other_system); }
   // Appends their contacts.
   void find(double h, std::vector<Contact>& contacts) noexcept {
@@ -90,7 +91,6 @@ class LooseBodies {
     bool slept = false;       // after the last step
   };
 
-  bool asleep(std::size_t body) const noexcept { return contacts_.asleep(static_cast<int>(body) + 1); }
   int heap_of(int system) noexcept;
   void place(std::size_t body) noexcept;
   void land(std::size_t body, double h) noexcept;

@@ -37,11 +37,25 @@ std::size_t find_robot(const WorldConfig& config, const std::string& name) {
                            suggestion(name, known));
 }
 
+int link_of(const Scene& scene, const Model& model, const char* key, const std::string& name) {
+  const int link = model.find_link(name);
+  if (link >= 0) return link;
+  std::vector<std::string> links;
+  for (const Link& each : model.links) links.push_back(each.name);
+  throw std::runtime_error("scene " + scene.name + ": " + key + ": there is no link '" + name + "'" + suggestion(name, links));
+}
+
+void add_shapes(const Model& model, int link, std::vector<std::array<int, 2>>& to) {
+  const int shapes = static_cast<int>(model.links[at(link)].collision.size());
+  for (int shape = 0; shape < shapes; ++shape) to.push_back({link, shape});
+}
+
 }  // namespace
 
 void apply_fidelity(const Scene& scene, const Model& model, WorldConfig& config) {
   config.held.clear();
   config.rigid_robots.clear();
+  config.aloft.clear();
   config.untouched.clear();
   if (scene.fidelity == "rigid") config.held.assign(model.joints.size(), true);
   if (scene.fidelity == "legs") {
@@ -63,18 +77,13 @@ void apply_fidelity(const Scene& scene, const Model& model, WorldConfig& config)
   if (!scene.untouched.empty() && scene.self_contact)
     throw std::runtime_error("scene " + scene.name + ": untouched: with self_contact links meet one another; leave out one of the two keys");
   for (const std::string& name : scene.untouched) {
-    const int link = model.find_link(name);
-    if (link < 0) {
-      std::vector<std::string> links;
-      for (const Link& each : model.links) links.push_back(each.name);
-      throw std::runtime_error("scene " + scene.name + ": untouched: there is no link '" + name + "'" + suggestion(name, links));
-    }
-    const int shapes = static_cast<int>(model.links[at(link)].collision.size());
-    for (int shape = 0; shape < shapes; ++shape) config.untouched.push_back({link, shape});
+    const int link = link_of(scene, model, "untouched", name);
+    add_shapes(model, link, config.untouched);
     for (std::size_t side = 0; side < 2; ++side) {
       if (model.soles[side].link == link) config.untouched.push_back({static_cast<int>(side), -1});
     }
   }
+  for (const std::string& name : scene.aloft) add_shapes(model, link_of(scene, model, "aloft", name), config.aloft);
   for (const std::string& name : scene.rigid) {
     config.rigid_robots.resize(config.robots.size(), false);
     const std::size_t robot = find_robot(config, name);

@@ -356,6 +356,7 @@ Scene load_scene(const std::string& name_or_file) {
   scene.fidelity = kFidelityNames[top.choice("fidelity", {std::begin(kFidelityNames), std::end(kFidelityNames)}, 0)];
   scene.held = top.texts("held");
   scene.rigid = top.texts("rigid");
+  scene.aloft = top.texts("aloft");
   scene.untouched = top.texts("untouched");
   scene.start_pose = top.text("start_pose", scene.start_pose);
   if (top.has("start_velocity")) {

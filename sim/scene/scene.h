@@ -137,7 +137,7 @@ struct Scene {
   double accuracy = 0.0;  // error asked for: `run` finds order and step that hold it [m]; 0: not asked
   std::string fidelity = "full";           // or auto, legs, rigid: sim/scene/fidelity.h
   std::vector<std::string> held, rigid;    // joints, further robots: the same
-  std::vector<std::string> untouched;      // links of the robot: the same
+  std::vector<std::string> aloft, untouched;  // links of the robot: the same
   double step = 0.0;  // physics step [s], a whole part of the robot's period; 0: the period
   std::string start_pose = "half_sitting";
   std::vector<std::pair<std::string, double>> start_velocity;  // of joints [rad/s or m/s]
@@ -182,7 +182,7 @@ void start_in(const std::string& pose, const Model& model, Scene& scene);
 // name_or_file: a YAML file, or a name under config/scenes.  Throws std::runtime_error naming file,
 // line and the nearest valid key.
 //
-// Keys: about, robot, engine (articulated, ode or mujoco), contact (spring_damper, hunt_crossley, patch or rigid), duration, step, accuracy (0.001 or 1 mm), fidelity, held, untouched and rigid as in
+// Keys: about, robot, engine (articulated, ode or mujoco), contact (spring_damper, hunt_crossley, patch or rigid), duration, step, accuracy (0.001 or 1 mm), fidelity, held, aloft, untouched and rigid as in
 // sim/scene/fidelity.h, start_pose, start_velocity: {JOINT: speed, ...}, origin, base (floating or fixed), lengths (metres or arm), ground:
 // {friction}, obstacles: see scene_obstacle.h, pushes: [link, point, impulse, at,
 // duration], modes: [at, mode, motion, pose, duration, amplitude, frequency], goals: [at, hand,

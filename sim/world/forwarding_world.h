@@ -25,6 +25,7 @@ class ForwardingWorld : public World {
   const std::vector<ContactPoint>& contacts() const noexcept override { return shown().contacts(); }
   int loose_count() const noexcept override { return shown().loose_count(); }
   LooseState loose(int body) const noexcept override { return shown().loose(body); }
+  bool asleep(int body) const noexcept override { return shown().asleep(body); }
   Eigen::Isometry3d robot_link(int robot, int link) const noexcept override { return shown().robot_link(robot, link); }
   double corner_stiffness(int sole) const noexcept override { return shown().corner_stiffness(sole); }
   double corner_damping(int sole, double force) const noexcept override { return shown().corner_damping(sole, force); }

@@ -108,6 +108,7 @@ struct WorldConfig {
   double shell_stiffness = kLinkStiffness;  // of a point of a link that is no sole [N/m]
   std::vector<Tie> ties;
   std::vector<bool> held, rigid_robots;  // joints, further robots: sim/engine/welded_world.h
+  std::vector<std::array<int, 2>> aloft;      // by ground and obstacles: link and collision shape
   std::vector<std::array<int, 2>> untouched;  // by anything loose or a further robot: link and collision shape; a side and -1: that sole
 };
 
@@ -194,6 +195,7 @@ class World {
   // Loose bodies, as of the last step.  set() leaves them where they are.
   virtual int loose_count() const noexcept = 0;
   virtual LooseState loose(int body) const noexcept = 0;
+  virtual bool asleep(int) const noexcept { return false; }  // whether that loose body is not modelled now
   // kWrongSize, kNotFinite, kOutOfRange: changes nothing.
   virtual Status set_loose(int body, const LooseState& state) noexcept = 0;
   // Of a further robot, as of the last step.

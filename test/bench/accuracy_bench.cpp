@@ -55,6 +55,7 @@ std::string key_of(const Scene& scene) {
   for (const auto& [name, value] : scene.settings) key += ' ' + name + '=' + value;
   for (const std::string& name : scene.held) key += " held " + name;
   for (const std::string& name : scene.untouched) key += " untouched " + name;
+  for (const std::string& name : scene.aloft) key += " aloft " + name;
   for (const std::string& name : scene.rigid) key += " rigid " + name;
   key += scene.asleep ? " asleep" : "";
   key += scene.self_contact ? " touch" : "";

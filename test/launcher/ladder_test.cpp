@@ -91,15 +91,23 @@ TEST(Ladder, TheCacheGivesBackWhatItWasGiven) {
   Ladder l = ladder();
   l.rungs[0].apart = std::numeric_limits<double>::infinity();
   l.rungs[0].whole = false;
-  l.rungs[1].less = {{"HEAD", "L WRIST"}, {"second"}, {"base"}, {"L FOOT", "TORSO"}, true, true};
+  l.rungs[1].less = {{"HEAD", "L WRIST"}, {"second"}, {"base"}, {"L FOOT", "TORSO"}, {"HEAD"}, true, true};
+  l.moved.joints = {0.1, 0.2};
+  l.moved.robots = {"left one"};
+  l.moved.robot_ways = {0.3};
+  l.moved.clear = {-0.1, std::numeric_limits<double>::infinity()};
+  l.moved.above = {0.02};
+  l.moved.lay = 0.5;
   l.parted = {{"robot left one", 0.25}};
   Ladder back;
   ASSERT_TRUE(read_ladder(ladder_text(l), back));
   EXPECT_EQ(back.rungs, l.rungs);
   EXPECT_EQ(back.parted, l.parted);
+  EXPECT_EQ(back.moved, l.moved);
   EXPECT_EQ(back.agreement, l.agreement);
   EXPECT_FALSE(read_ladder("", back));
   EXPECT_FALSE(read_ladder(ladder_text(l).substr(0, 60), back));
+  EXPECT_FALSE(read_ladder(ladder_text(l).substr(0, ladder_text(l).size() - 12), back));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 
 #include "launcher/run/ladder.h"
 #include "robot/description/load.h"
@@ -138,6 +139,47 @@ TEST(Less, LinksThatNothingComesNearAreNotAsked) {
   for (const Less& less : proposals(model, moved, 1e-3, true)) EXPECT_EQ(less.untouched.empty(), !less.apart);
 }
 
+TEST(Less, LinksThatNothingFixedComesNearAreNotAsked) {
+  const Model model = load_robot("hrp1s");
+  Moved moved = all_at_rest(model);
+  for (double& joint : moved.joints) joint = 0.3;
+  moved.above.assign(model.links.size(), 0.3);
+  moved.above[3] = 1e-3;
+  moved.above[4] = std::numeric_limits<double>::infinity();  // it has no shape
+  const std::vector<Less> sets = proposals(model, moved, 1e-3, true);
+  ASSERT_EQ(sets.size(), 2U);  // without contact within the robot and with it
+  for (const Less& less : sets) EXPECT_EQ(less.aloft.size(), model.links.size() - 2);
+  EXPECT_EQ(std::count(sets[0].aloft.begin(), sets[0].aloft.end(), model.links[3].name), 0);
+  EXPECT_EQ(without(Scene{}, sets[0]).aloft, sets[0].aloft);
+}
+
+// What slept in no run is not said to be asleep.
+TEST(Less, WhereNoBodySleepsNothingIsSaidToBeAsleep) {
+  const Model model = load_robot("hrp1s");
+  for (const bool sleeps : {false, true}) {
+    LadderRequest request;
+    request.duration = 0.1;
+    request.error = 1e-3;
+    request.less = true;
+    request.follow = [&](const Scene& asked) {
+      Track track;
+      track.names = {"link foot"};
+      track.at = {{Eigen::Vector3d::Zero()}};
+      track.moved = all_at_rest(model);
+      track.moved.lay = 0.5;
+      track.slept = sleeps && asked.asleep;
+      track.cost = asked.held.empty() ? 1.0 : 0.5;
+      return track;
+    };
+    const Ladder ladder = climb(model, Scene{}, {}, request);
+    const int chosen = ladder.choose(request.error);
+    ASSERT_GE(chosen, 0);
+    EXPECT_FALSE(ladder.rungs[static_cast<std::size_t>(chosen)].less.held.empty());
+    EXPECT_EQ(ladder.rungs[static_cast<std::size_t>(chosen)].less.asleep, sleeps);
+    EXPECT_EQ(ladder.moved.lay, 0.5);
+  }
+}
+
 // Where loose bodies lie still for a while, each set lets them sleep, and then come the same sets with them awake.
 TEST(Less, LooseBodiesThatLieStillMaySleep) {
   const Model model = load_robot("hrp1s");
@@ -164,11 +206,12 @@ TEST(Less, WhatASceneLeavesOutItselfStaysOut) {
   Less less;
   less.held = {"B"};
   less.rigid = {"second"};
-  less.untouched = {"HEAD"};
+  less.untouched = less.aloft = {"HEAD"};
   const Scene changed = without(scene, less);
   EXPECT_EQ(changed.held, (std::vector<std::string>{"A", "B"}));
   EXPECT_EQ(changed.rigid, std::vector<std::string>{"second"});
   EXPECT_EQ(changed.untouched, std::vector<std::string>{"HEAD"});
+  EXPECT_EQ(changed.aloft, std::vector<std::string>{"HEAD"});
 }
 
 }  // namespace

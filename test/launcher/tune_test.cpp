@@ -57,7 +57,7 @@ TEST(Tune, WhatWasLeftOutIsListedInPlaceOfTheWordAndOfTheOldList) {
   const std::string texts[] = {rest + "fidelity: auto\n", "held: [A]\n" + rest + "fidelity: auto\n",
                                "held:\n  - A\nrigid:\n- other\nself_contact: true\n" + rest};
   Rung rung = rung_of(2, 0.0005);
-  rung.less = {{"A", "B"}, {"other"}, {}, {"HEAD"}, true, true};
+  rung.less = {{"A", "B"}, {"other"}, {}, {"HEAD"}, {"WAIST"}, true, true};
   for (const std::string& text : texts) {
     const Scene scene = written(tuned_text(text, rung, "because"));
     EXPECT_EQ(scene.fidelity, "full") << text;
@@ -66,6 +66,7 @@ TEST(Tune, WhatWasLeftOutIsListedInPlaceOfTheWordAndOfTheOldList) {
     EXPECT_FALSE(scene.self_contact) << text;
     EXPECT_TRUE(scene.asleep) << text;
     EXPECT_EQ(scene.untouched, rung.less.untouched) << text;
+    EXPECT_EQ(scene.aloft, rung.less.aloft) << text;
     EXPECT_EQ(scene.modes.size(), 1U) << text;
   }
 }

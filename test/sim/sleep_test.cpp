@@ -154,11 +154,12 @@ TEST(Sleep, WhatWakesDeepInItsSpringsIsNotDoubted) {
 
 TEST(Sleep, OtherEnginesHaveNone) {
   for (const Engine engine : {Engine::kOde, Engine::kMujoco}) {
-    for (const bool asleep : {true, false}) {
-      WorldConfig config = tower(asleep, false);
-      if (!asleep) config.untouched = {{0, 0}};
+    for (const std::string key : {"asleep", "untouched", "aloft"}) {
+      WorldConfig config = tower(key == "asleep", false);
+      if (key == "untouched") config.untouched = {{0, 0}};
+      if (key == "aloft") config.aloft = {{0, 0}};
       config.engine = engine;
-      const std::string said = std::string(asleep ? "asleep" : "untouched") + " is of engine articulated only";
+      const std::string said = key + " is of engine articulated only";
       try {
         (void)make_world(test::bystander(), config);
         FAIL();

@@ -5,13 +5,20 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <memory>
 #include <random>
 #include <stdexcept>
 
 #include "both_engines.h"
+#include "test/obstacles.h"
 #include "robot/description/load.h"
 #include "robot/dynamics/inverse_dynamics.h"
+#include "robot/kinematics/kinematics.h"
+#include "sim/contact/ground_contacts.h"
+#include "sim/engine/articulated_world.h"
+#include "sim/engine/make_world.h"
 #include "sim/engine/welded_world.h"
 #include "sim/scene/fidelity.h"
 #include "test_models.h"
@@ -367,6 +374,65 @@ TEST(Weld, WhatIsUntouchedMeetsNothingLoose) {
     }
     EXPECT_EQ(touched, !untouched);
   }
+}
+
+// A hand within an obstacle is pushed out of it, unless it is said never to come near one.
+TEST(Weld, WhatIsAloftMeetsNothingFixed) {
+  const Model model = load_robot("hrp1s");
+  const int hand = model.find_link("RARM_WRIST_R");
+  ASSERT_GE(hand, 0);
+  Configuration start(model);
+  start.base.translation().z() = 2.0;
+  Kinematics kinematics(model);
+  kinematics.update(start);
+  for (const bool held : {false, true}) {
+    std::size_t touches[2] = {};
+    for (const bool aloft : {false, true}) {
+      Scene scene;
+      if (held) scene.held = {model.joints[static_cast<std::size_t>(hand) - 1].name};
+      if (aloft) scene.aloft = {model.links[static_cast<std::size_t>(hand)].name};
+      WorldConfig config;
+      config.fixed_base = true;
+      apply_fidelity(scene, model, config);
+      config.obstacles = {test::box_at(kinematics.link_in_world(hand).translation(), {0.2, 0.2, 0.2})};
+      const std::unique_ptr<World> world = make_world(model, config);
+      ASSERT_EQ(world->set(start), Status::kOk);
+      touches[aloft ? 1 : 0] = world->contacts().size();
+    }
+    EXPECT_GT(touches[0], touches[1]) << held;
+  }
+  Scene scene;
+  scene.aloft = {"RARM_WRIST"};
+  WorldConfig config;
+  EXPECT_THROW(apply_fidelity(scene, model, config), std::runtime_error);
+}
+
+// How far links are from the ground grows with their height; an obstacle comes nearer than it.
+TEST(Weld, LinksAreAsFarFromWhatIsFixedAsTheirShapes) {
+  const Model model = load_robot("hrp1s");
+  WorldConfig config;
+  config.fixed_base = true;
+  const auto nearest = [&](double height) {
+    ArticulatedWorld world(model, config);
+    Configuration start(model);
+    start.base.translation().z() = height;
+    EXPECT_EQ(world.set(start), Status::kOk);
+    std::vector<double> above(model.links.size(), std::numeric_limits<double>::infinity());
+    GroundContacts(model, config).clearance(world, above);
+    return above;
+  };
+  const std::vector<double> low = nearest(1.0), high = nearest(1.1);
+  const auto hand = static_cast<std::size_t>(model.find_link("RARM_WRIST_R"));
+  int shapes = 0;
+  for (std::size_t i = 0; i < low.size(); ++i) {
+    if (!std::isfinite(low[i])) continue;
+    ++shapes;
+    EXPECT_NEAR(high[i] - low[i], 0.1, 1e-12) << i;
+  }
+  EXPECT_GT(shapes, 10);
+  ASSERT_TRUE(std::isfinite(low[hand]));
+  config.obstacles = {test::box_at({0.0, 0.0, 0.3}, {4.0, 4.0, 0.2})};
+  EXPECT_NEAR(nearest(1.0)[hand], low[hand] - 0.4, 1e-9);
 }
 
 }  // namespace
