@@ -94,6 +94,8 @@ def theirs(model, joints, seconds, step, words, explicit=True):
     for j in range(m.njnt):
         qpos, dof = m.jnt_qposadr[j], m.jnt_dofadr[j]
         if m.jnt_type[j] == mujoco.mjtJoint.mjJNT_FREE:
+            for values in (m.dof_armature, m.dof_damping, m.dof_frictionloss):  # of a free base: `check` says that they are not modelled
+                values[dof:dof + 6] = 0.0
             d.qpos[qpos:qpos + 7] = (0, 0, 100, 1, 0, 0, 0)
             continue
         body = m.jnt_bodyid[j]
