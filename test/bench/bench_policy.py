@@ -33,7 +33,7 @@ try:
     import numpy as np
     import onnxruntime  # noqa: F401
     from twinbus.policy import find, network, robot, trial
-    from twinbus.policy.observation import rotation_of
+    from twinbus.policy.rotation import rotation_of
 except ImportError as error:
     print(f'skipped: {error.name} is missing; set TWINBUS_POLICY_PYTHON')
     sys.exit(SKIPPED)

@@ -144,9 +144,13 @@ class Readers(unittest.TestCase):
             with self.assertRaisesRegex(PolicyError, said):
                 deploy_yaml.read(self.field(DEPLOY.replace(old, new)), quadruped())
 
-    def test_deploy_yaml_of_a_motion_is_refused(self):
-        with self.assertRaisesRegex(Refused, 'a motion to follow'):
+    def test_deploy_yaml_of_a_motion_without_an_anchor(self):
+        with self.assertRaisesRegex(PolicyError, 'which link is its anchor'):
             deploy_yaml.read(self.field(DEPLOY.replace('velocity_commands', 'motion_command')), quadruped())
+
+    def test_deploy_yaml_that_reads_where_its_robot_is_beside_a_motion_is_refused(self):
+        with self.assertRaisesRegex(Refused, 'no robot measures'):
+            deploy_yaml.read(self.field(DEPLOY.replace('velocity_commands', 'motion_anchor_pos_b')), quadruped())
 
     def test_env_yaml(self):
         found = env_yaml.read(self.field(ENV), quadruped())
@@ -313,6 +317,15 @@ class Checks(unittest.TestCase):
     def test_a_clean_contract_has_no_fault(self):
         self.assertEqual([str(fault) for fault in faults_of(trot())], [])
 
+    def test_the_servos_of_the_robot_itself_are_no_fault(self):
+        one = trot()
+        for joint in one.joints:
+            joint.kp, joint.scale = 100.0, 0.4  # 167 % of the effort limit for an action of 1
+        self.assertEqual(faults_of(one), [])
+        for joint in one.joints:
+            joint.kp = 80.0
+        self.assertEqual([finding.about for finding in check.check(one, quadruped(), sizes()) if finding.fault], ['gains or scale'])
+
     def test_mirror_images(self):
         found = {pair.left: (pair.right, pair.sign) for pair in mirror.pairs(quadruped())}
         self.assertEqual(found['FL_hip_joint'], ('FR_hip_joint', -1.0))
@@ -412,9 +425,9 @@ class Operators(unittest.TestCase):
 
     def test_modes(self):
         one = self.operator()
-        one.hear('MODE_REQUEST', SimpleNamespace(run_id=7, sender_id=3, sequence=5, mode=4), 7)
+        one.hear('MODE_REQUEST', SimpleNamespace(run_id=7, sender_id=3, sequence=5, mode=4, motion=0), 7)
         self.assertEqual((one.mode_sequence, list(one.command())), (5, [0.0, 0.0, 0.0]))
-        one.hear('MODE_REQUEST', SimpleNamespace(run_id=7, sender_id=3, sequence=6, mode=3), 7)
+        one.hear('MODE_REQUEST', SimpleNamespace(run_id=7, sender_id=3, sequence=6, mode=3, motion=0), 7)
         self.assertEqual((one.mode, one.mode_sequence), (4, 6))
         self.assertIn('walk and balance', one.complaint)
 

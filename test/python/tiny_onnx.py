@@ -2,6 +2,7 @@
 
     linear(path, reads, moves, bias)    action = 0 * observation + bias
     slow=N                              N products of matrices of 500 x 500 before the action
+    tables={name: rows}                 row time_step of each is an output too; from the last one on it stays
 """
 import struct
 
@@ -31,8 +32,9 @@ def _tensor(name, shape, numbers):
         _bytes(9, struct.pack(f'<{len(numbers)}f', *numbers))
 
 
-def _node(kind, inputs, outputs):
-    return b''.join(_bytes(1, name) for name in inputs) + b''.join(_bytes(2, name) for name in outputs) + _bytes(4, kind)
+def _node(kind, inputs, outputs, **whole):
+    return b''.join(_bytes(1, name) for name in inputs) + b''.join(_bytes(2, name) for name in outputs) + _bytes(4, kind) + \
+        b''.join(_bytes(5, _bytes(1, name) + _number(3, value) + _number(20, 2)) for name, value in whole.items())
 
 
 def _value(name, shape):
@@ -40,7 +42,7 @@ def _value(name, shape):
     return _bytes(1, name) + _bytes(2, _bytes(1, _number(1, FLOAT) + _bytes(2, dims)))
 
 
-def linear(path, reads, moves, bias=0.0, slow=0, metadata=(), inputs=(), output='actions'):
+def linear(path, reads, moves, bias=0.0, slow=0, metadata=(), inputs=(), output='actions', tables=None):
     """inputs: further ones, as (name, shape)."""
     graph = [_bytes(1, _node('MatMul', ['obs', 'weight'], ['product']))]
     tensors = [_bytes(5, _tensor('weight', [reads, moves], [0.0] * (reads * moves))), _bytes(5, _tensor('bias', [moves], [bias] * moves))]
@@ -53,8 +55,18 @@ def linear(path, reads, moves, bias=0.0, slow=0, metadata=(), inputs=(), output=
                   _bytes(1, _node('Add', ['product', 'zero'], ['late']))]
         last = 'late'
     graph += [_bytes(1, _node('Add', [last, 'bias'], [output]))]
+    outputs = []
+    if tables:
+        inputs = [*inputs, ('time_step', [1, 1])]
+        count = len(next(iter(tables.values())))
+        tensors.append(_bytes(5, _tensor('last', [1], [float(count - 1)])))
+        graph += [_bytes(1, _node('Min', ['time_step', 'last'], ['bounded'])), _bytes(1, _node('Cast', ['bounded'], ['row'], to=INT64))]
+        for name, rows in tables.items():
+            tensors.append(_bytes(5, _tensor(f'{name}_table', [count, len(rows[0])], [number for row in rows for number in row])))
+            graph.append(_bytes(1, _node('Gather', [f'{name}_table', 'row'], [name])))
+            outputs.append(_bytes(12, _value(name, [1, 1, len(rows[0])])))
     ends = [_bytes(11, _value('obs', [1, reads]))] + [_bytes(11, _value(name, shape)) for name, shape in inputs] + \
-           [_bytes(12, _value(output, [1, moves]))]
+           [_bytes(12, _value(output, [1, moves]))] + outputs
     body = b''.join(graph) + _bytes(2, 'tiny') + b''.join(tensors) + b''.join(ends)
     model = _number(1, 8) + _bytes(7, body) + _bytes(8, _bytes(1, '') + _number(2, 11)) + \
         b''.join(_bytes(14, _bytes(1, key) + _bytes(2, value)) for key, value in metadata)

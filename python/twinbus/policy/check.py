@@ -135,7 +135,8 @@ def _check_gains(joints: list[Joint], robot: Robot, found: list[Finding]) -> Non
                 cut.append(f'{joint.name}: {what} {gain:g} is cut by the gate to {most:g}, ten times that of robot.yaml')
         if joint.kp > 0.0 and joint.kd > 0.0:
             times.append(joint.kd / joint.kp)
-        if math.isfinite(there.effort) and there.effort > 0.0 and joint.kp > 0.0:
+        own = there.kp > 0.0 and abs(joint.kp / there.kp - 1.0) < 0.05  # the robot's own servo: as stiff as it is
+        if math.isfinite(there.effort) and there.effort > 0.0 and joint.kp > 0.0 and not own:
             shares.append(abs(joint.kp * joint.scale) / there.effort)
     for sentence in cut:
         found.append(Finding('gains', sentence, len(cut) > 0.25 * len(joints)))

@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import argparse
 import gc
+import math
 import os
 import pathlib
 import signal
@@ -14,9 +15,12 @@ from . import answer_map, check, find, robot, spec, suspects, trial
 from . import propose as begin
 from .controller import Controller
 from .errors import PolicyError, Refused
+from .follower import STANDS
 from .network import Network
+from .repertoire import Repertoire
 from .runner import Options, Runner, Stopped
 
+COMMANDED = ('velocity_command', 'command_linear_velocity', 'command_angular_velocity')
 PRIORITY = 45  # FIFO: below that of the source and of the guard
 
 def go_ahead() -> bool:
@@ -34,16 +38,24 @@ def go_ahead() -> bool:
 
 def run(words: argparse.Namespace) -> int:
     network = Network(words.model)
+    beside = Network(pathlib.Path(words.play)) if words.play else None
 
-    def bind(found: robot.Robot) -> Controller:
-        specification = find.find(network, found, words.spec)
-        controller = Controller(specification, found, network if network_fits(specification, network)
-                                else Network(words.model, specification.input, specification.output))
+    def bind_one(one: Network, named: str, found: robot.Robot) -> Controller:
+        specification = specified(one, found, named, words.motion)
+        controller = Controller(specification, found, one if network_fits(specification, one)
+                                else Network(one.path, specification.input, specification.output))
         print(f'policy: {specification.source}: {len(specification.joints)} of {len(found.names())} joints of {found.name}, '
               f'{len(specification.observations)} observations, {1.0 / specification.period:.0f} actions a second', flush=True)
         for sentence in specification.assumed:
             print(f'policy: assumed: {sentence}', flush=True)
+        if controller.follower is not None:
+            motion = controller.follower.motion
+            print(f'policy: follows {motion.source}: {len(motion)} frames, {len(motion) * specification.period:.1f} s', flush=True)
         return controller
+
+    def bind(found: robot.Robot) -> Controller:
+        first = bind_one(network, words.spec, found)
+        return first if beside is None else Repertoire(first, bind_one(beside, words.play_spec, found))
     known = robot.from_folder(words.robot) if words.robot else None
     fifo = not words.no_fifo and go_ahead()
     wait = words.wait if words.wait is not None else 0.0 if words.no_fade else 0.3
@@ -62,6 +74,14 @@ def run(words: argparse.Namespace) -> int:
     return 0
 
 
+def specified(network: Network, known: robot.Robot, named: str, motion: str) -> spec.Spec:
+    """The specification of a network; a tracking policy gets the motion that the command line names."""
+    found = find.find(network, known, named)
+    if motion and found.follows:
+        found.motion = motion
+    return found
+
+
 def network_fits(specification: spec.Spec, network: Network) -> bool:
     """Whether the network was opened with the input and output that the specification names."""
     return specification.input in ('', network.input) and specification.output in ('', network.output)
@@ -71,7 +91,7 @@ def propose(words: argparse.Namespace) -> int:
     """Writes what was found as SPEC.yaml, or begins one."""
     network, known = Network(words.model), robot_of(words)
     try:
-        found = find.find(network, known, words.spec)
+        found = specified(network, known, words.spec, words.motion)
     except Refused:
         raise
     except PolicyError as error:
@@ -94,7 +114,7 @@ def propose(words: argparse.Namespace) -> int:
 def policy_of(words: argparse.Namespace) -> tuple[Network, robot.Robot, spec.Spec]:
     """The network, the robot that runs it, and the contract between them."""
     network, known = Network(words.model), robot_of(words)
-    found = find.find(network, known, words.spec)
+    found = specified(network, known, words.spec, words.motion)
     if not network_fits(found, network):
         network = Network(words.model, found.input, found.output)
     return network, known, found
@@ -115,20 +135,27 @@ def check_it(words: argparse.Namespace) -> int:
     if faults or words.no_trial:
         print(f'policy: {faults} faults' + ('; no trial before they are mended' if faults and not words.no_trial else ''))
         return 1 if faults else 0
+    if found.follows:
+        return check_motion(words, network, known, found)
     fast = tuple(words.command) if any(words.command) else (min(0.5, found.commands.get('vx', (0.0, 0.5))[1]), 0.0, 0.0)
 
+    obeys = any(term.term in COMMANDED for term in found.observations)
+    asked = ((0.0, 0.0, 0.0), fast) if obeys else ((0.0, 0.0, 0.0),)
+    if not obeys:
+        print('note  commands: it reads no velocity, so it is not asked to walk')
+
     def walks(candidate: spec.Spec) -> list[trial.Outcome]:
-        return trial.run_all([trial.Case(network, candidate, known, words.robot, command, words.seconds, words.seed)
-                              for command in ((0.0, 0.0, 0.0), fast)], words.jobs)
+        return trial.run_all([trial.Case(network, candidate, known, words.robot, command, seconds_of(words), words.seed)
+                              for command in asked], words.jobs)
     outcomes = walks(found)
     for outcome in outcomes:
         print(f'trial {trial.in_words(outcome)}', flush=True)
     if all(trial.is_good(outcome) for outcome in outcomes):
-        print('policy: no faults; it stands and walks in the simulator')
+        print(f'policy: no faults; it stands{" and walks" if obeys else ""} in the simulator')
         return 0
     print('policy: it does not walk in the simulator; which single change lets it?', flush=True)
     cases = list(suspects.suspects(found, known))
-    results = trial.run_all([trial.Case(network, changed, known, words.robot, fast, words.seconds, words.seed)
+    results = trial.run_all([trial.Case(network, changed, known, words.robot, asked[-1], seconds_of(words), words.seed)
                              for _, _, changed in cases], words.jobs)
     good = sorted((trial.error_of(outcome), number) for number, outcome in enumerate(results) if trial.is_good(outcome))
     for _, number in good[:3]:
@@ -139,18 +166,39 @@ def check_it(words: argparse.Namespace) -> int:
     return 1
 
 
+def seconds_of(words: argparse.Namespace) -> float:
+    return 4.0 if words.seconds is None else float(words.seconds)
+
+
+def check_motion(words: argparse.Namespace, network: Network, known: robot.Robot, found: spec.Spec) -> int:
+    """A tracking policy plays its motion in the simulator."""
+    follower = Controller(found, known, network).follower
+    assert follower is not None
+    length = len(follower.motion) * found.period
+    seconds = length + STANDS + 0.5 if words.seconds is None else float(words.seconds)
+    outcome = trial.run(network, found, known, words.robot, (0.0, 0.0, 0.0), seconds, words.seed, words.engine)
+    end = f'fell after {outcome.seconds:.1f} s' if outcome.fell else f'stopped: {outcome.stopped}' if outcome.stopped else 'did not fall'
+    print(f'trial motion of {length:.1f} s, {outcome.seconds:.1f} s with its start: {end}, joints {outcome.apart:.3f} rad rms from the motion, tilt '
+          f'{math.degrees(outcome.largest_tilt):.0f} degrees')
+    good = not outcome.fell and not outcome.stopped
+    print('policy: no faults; it plays its motion in the simulator' if good else 'FAULT trial: it does not come to the end of its motion')
+    return 0 if good else 1
+
+
 def map_it(words: argparse.Namespace) -> int:
     """The answer to velocities, over seeds."""
     network, known, found = policy_of(words)
+    if found.follows:
+        raise Refused(f'{found.source}: a policy that follows a motion obeys no velocity, so there is nothing to map; --check plays it')
     axes = [answer_map.AXES.index(axis) for axis in words.axes]
     asked = [tuple(words.command)] if any(words.command) else answer_map.commands(found, axes, words.steps)
-    cases = [trial.Case(network, found, known, words.robot, command, words.seconds, words.seed + number, words.engine)
+    cases = [trial.Case(network, found, known, words.robot, command, seconds_of(words), words.seed + number, words.engine)
              for command in asked for number in range(words.seeds)]
     outcomes = trial.run_all(cases, words.jobs)
     answer_map.in_words(outcomes, axes, lambda line: print(line, flush=True))
     if words.output:
         pathlib.Path(words.output).write_text(answer_map.svg(outcomes, axes, f'{found.name} on {known.name}: {words.seeds} seeds, '
-                                                             f'{words.seconds:g} s each'))
+                                                             f'{seconds_of(words):g} s each'))
         print(f'policy: written: {words.output}')
     return 1 if any(outcome.fell or outcome.stopped for outcome in outcomes) else 0
 

@@ -4,7 +4,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from . import followed
 from .errors import PolicyError
+from .follower import Follower
 from .network import Network
 from .observation import Measured, Observation
 from .robot import Robot
@@ -19,6 +21,8 @@ class Controller:
     def __init__(self, spec: Spec, robot: Robot, network: Network) -> None:
         self.spec, self.robot, self.network = spec, robot, network
         self.observation = Observation(spec, robot)
+        self.follower = Follower(followed.load(spec, robot, network), spec.period) if spec.follows else None
+        self.observation.follower = self.follower
         if network.observation_size != spec.observation_size():
             parts = ', '.join(f'{term.term} {spec.term_size(term)}{" x %d" % term.history if term.history > 1 else ""}'
                               for term in spec.observations)
@@ -39,6 +43,29 @@ class Controller:
         self.kp[index], self.kd[index] = [joint.kp for joint in joints], [joint.kd for joint in joints]
         ranges = [spec.commands.get(key, (-2.0, 2.0)) for key in ('vx', 'vy', 'wz')]
         self._least, self._most = np.array([r[0] for r in ranges]), np.array([r[1] for r in ranges])
+
+    @property
+    def needs_velocity(self) -> bool:
+        """Whether it reads the velocity of the base."""
+        return self.observation.needs_velocity
+
+    @property
+    def playing(self) -> bool:
+        """Whether it follows a motion now."""
+        return self.follower is not None
+
+    @property
+    def ended(self) -> bool:
+        """Whether that has come to its last frame, which is held."""
+        return self.follower is not None and self.follower.ended
+
+    @property
+    def has_motion_beside(self) -> bool:
+        """Whether play() changes anything (repertoire.py)."""
+        return False
+
+    def play(self, asked: bool) -> None:
+        """A motion is wanted, or none; of one policy alone nothing changes."""
 
     def reset(self) -> None:
         """As at the first tick."""
@@ -61,6 +88,7 @@ class Controller:
         PolicyError when numbers are missing or are none."""
         if not np.all(np.isfinite(observation)):
             raise PolicyError(f'number {int(np.argmin(np.isfinite(observation)))} of the observation is not finite')
+        self.network.time_step = 0 if self.follower is None else self.follower.frame
         action = self.network.run(observation)
         if action.shape != (len(self.spec.joints),):
             raise PolicyError(f'the network gave {action.size} numbers, {len(self.spec.joints)} joints are moved')

@@ -3,7 +3,7 @@
 stiffness and damping are numbered as motors, default_joint_pos, scale and offset as the network; joint_ids_map ties them together."""
 from __future__ import annotations
 
-from .names import motors_of, term_of
+from .names import anchor_of, motors_of, term_of
 from .robot import Robot
 from .spec import Joint, Spec
 from .yaml_file import Field
@@ -75,6 +75,8 @@ def read(root: Field, robot: Robot) -> Spec:
         if name == 'joint_pos':
             term.relative = False
         if params is not None and params.value:
+            if name == 'generated_commands' and (command := params.get('command_name')) is not None and command.value == 'motion':
+                term.term = 'motion_joints'
             if (period := params.get('period')) is not None:
                 term.period = period.number(1e-3, 1e3)
             asset = params.get('asset_cfg')
@@ -85,5 +87,8 @@ def read(root: Field, robot: Robot) -> Spec:
         if len(set(term.scale)) == 1:
             term.scale = term.scale[:1]
         spec.observations.append(term)
+    if spec.follows:
+        spec.anchor = anchor_of(robot, root.file)
+        spec.assumed.append(f'the anchor of its motion is {spec.anchor}: deploy.yaml does not say it')
     spec.validate()
     return spec

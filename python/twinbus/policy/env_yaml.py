@@ -4,7 +4,7 @@ from __future__ import annotations
 import re
 
 from .deploy_yaml import ranges_of
-from .names import term_of
+from .names import anchor_of, term_of
 from .robot import Robot
 from .spec import Joint, Spec
 from .yaml_file import Field
@@ -103,6 +103,13 @@ def read(root: Field, robot: Robot) -> Spec:
         params = entry.get('params')
         if params is not None and params.value and (clock := params.get('period')) is not None:
             term.period = clock.number(1e-3, 1e3)
+        if params is not None and params.value and term.term == 'velocity_command' and (command := params.get('command_name')) is not None \
+                and command.value == 'motion':
+            term.term = 'motion_joints'
         spec.observations.append(term)
+    if spec.follows:
+        motion = root.need('commands').get('motion')
+        said = None if motion is None else motion.get('anchor_body_name') or motion.get('anchor_body')
+        spec.anchor = anchor_of(robot, root.file) if said is None else said.word()
     spec.validate()
     return spec

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import json
 import math
+import xml.etree.ElementTree as xml
 from typing import Any, Mapping
 
 from .errors import PolicyError
@@ -19,6 +20,8 @@ HOLOSOMA = {
                               'right_shoulder_roll': -0.2, 'elbow': 0.6}, {'base_ang_vel': 0.25, 'dof_vel': 0.05}),
     'Left_Hip_Pitch': ({'Hip_Pitch': -0.2, 'Knee_Pitch': 0.4, 'Ankle_Pitch': -0.25, 'Shoulder_Pitch': 0.2, 'Left_Shoulder_Roll': -1.35,
                         'Right_Shoulder_Roll': 1.35, 'Left_Elbow_Yaw': -0.5, 'Right_Elbow_Yaw': 0.5}, {'dof_vel': 0.1})}
+HOLOSOMA_ANCHOR = 'torso_link'  # of its tracking policies
+HOLOSOMA_TRACKING = ('actions', 'base_ang_vel', 'dof_pos', 'dof_vel', 'motion_command', 'motion_ref_ori_b')
 # of one age, sorted by name as holosoma sorts them
 HOLOSOMA_TERMS = ('actions', 'base_ang_vel', 'command_ang_vel', 'command_lin_vel', 'cos_phase', 'dof_pos', 'dof_vel', 'projected_gravity',
                   'sin_phase')
@@ -56,8 +59,10 @@ def _mjlab(metadata: Mapping[str, str], where: str) -> Spec:
     kp, kd = _numbers(metadata, 'joint_stiffness', len(names), where), _numbers(metadata, 'joint_damping', len(names), where)
     defaults, scales = _numbers(metadata, 'default_joint_pos', len(names), where), _numbers(metadata, 'action_scale', len(names), where)
     joints = [Joint(name, defaults[k], scales[k], kp[k], kd[k]) for k, name in enumerate(names)]
-    terms = [term_of(name) for name in _list(metadata, 'observation_names', where)]
-    spec = Spec(where, 0.02, joints, terms, source=f'{where} (metadata of mjlab)')
+    # `command` of a tracking policy, which says its anchor, is the motion.
+    anchor = metadata.get('anchor_body_name', '').strip()
+    terms = [Term('motion_joints') if anchor and name == 'command' else term_of(name) for name in _list(metadata, 'observation_names', where)]
+    spec = Spec(where, 0.02, joints, terms, source=f'{where} (metadata of mjlab)', anchor=anchor)
     spec.assumed = ['a new action every 0.02 s: mjlab does not write its period', 'observations are not scaled: mjlab does not write scales']
     spec.validate()
     return spec
@@ -84,8 +89,8 @@ def _holosoma(metadata: Mapping[str, str], where: str, observations: int) -> Spe
     spec.assumed = ['default angles, scales (action 0.25), order of observations, gait of 1 Hz and 50 actions a second are those of '
                     'holosoma\'s locomotion policies: the metadata does not have them']
     if observations != spec.observation_size():
-        if observations == 5 * len(names) + 9:  # tracking: twice the joints of the motion, its orientation, angular velocity, q, qd, action
-            spec.observations = [Term('motion:motion_command'), Term('motion:motion_ref_ori_b')]
+        if observations == 5 * len(names) + 9:  # tracking
+            _tracks(metadata, spec, where)
         else:
             raise PolicyError(f'{where}: a locomotion policy of holosoma with {len(names)} joints reads {spec.observation_size()} numbers, '
                               f'this one {observations}: what they are is not in its metadata; write a SPEC.yaml (doc/policy.md)')
@@ -97,3 +102,21 @@ def _holosoma(metadata: Mapping[str, str], where: str, observations: int) -> Spe
                 spec.commands[ours] = entry.range()
     spec.validate()
     return spec
+
+
+def _tracks(metadata: Mapping[str, str], spec: Spec, where: str) -> None:
+    """A tracking policy of holosoma: an action of 1 is a quarter of the effort limit over kp, of the URDF in the metadata."""
+    spec.observations, spec.phase, spec.anchor = [term_of(name) for name in HOLOSOMA_TRACKING], None, HOLOSOMA_ANCHOR
+    scales = [] if 'action_scale' not in metadata else _numbers(metadata, 'action_scale', len(spec.joints), where)
+    try:
+        urdf = xml.fromstring(json.loads(metadata.get('robot_urdf', '""')) or '<none/>')
+        efforts = {joint.get('name', ''): float(limit.get('effort', 'nan')) for joint in urdf.iter('joint') for limit in joint.findall('limit')}
+    except (ValueError, xml.ParseError):
+        raise PolicyError(f'{where}: metadata robot_urdf is no URDF') from None
+    for number, joint in enumerate(spec.joints):
+        joint.effort = efforts.get(joint.name)
+        if not scales and (joint.effort is None or not joint.effort > 0.0 or joint.kp == 0.0):
+            raise PolicyError(f'{where}: its metadata has neither action_scale nor an effort limit of {joint.name}')
+        joint.scale = scales[number] if scales else 0.25 * (joint.effort or 0.0) / joint.kp
+    spec.assumed = ['default angles, order of observations, anchor torso_link and 50 actions a second are those of holosoma\'s tracking policies: '
+                    'the metadata does not have them']

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from .errors import PolicyError
 from .robot import Robot
-from .spec import UNAVAILABLE, Term
+from .spec import TERMS, UNAVAILABLE, Term
 
 ALIASES = {
     'base_lin_vel': 'base_linear_velocity', 'base_ang_vel': 'base_angular_velocity', 'projected_gravity': 'projected_gravity',
@@ -13,8 +13,10 @@ ALIASES = {
     'joint_pos': 'joint_position', 'joint_pos_rel': 'joint_position', 'dof_pos': 'joint_position', 'joint_vel': 'joint_velocity',
     'joint_vel_rel': 'joint_velocity', 'dof_vel': 'joint_velocity', 'last_action': 'last_action', 'actions': 'last_action',
     'action': 'last_action', 'gait_phase': 'gait_phase', 'sin_phase': 'phase_sin', 'cos_phase': 'phase_cos',
+    'motion_command': 'motion_joints', 'motion_anchor_ori_b': 'motion_orientation', 'motion_ref_ori_b': 'motion_orientation',
     'command_lin_vel': 'command_linear_velocity', 'command_ang_vel': 'command_angular_velocity'}
 MOTION_WORDS = ('motion', 'ref_', 'robot_body', 'anchor')
+ANCHORS = ('torso_link', 'torso', 'Trunk', 'trunk')  # of tracking policies whose specification does not say theirs
 
 _LEG = ('hip_pitch', 'hip_roll', 'hip_yaw', 'knee', 'ankle_pitch', 'ankle_roll')
 _ARM = ('shoulder_pitch', 'shoulder_roll', 'shoulder_yaw', 'elbow', 'wrist_roll', 'wrist_pitch', 'wrist_yaw')
@@ -35,11 +37,21 @@ def term_of(name: str, function: str = '') -> Term:
         if word in ALIASES:
             return Term(ALIASES[word], relative=word != 'joint_pos' or not function)
     for word in (known, name):
-        if word.startswith(MOTION_WORDS):
+        if word.startswith(MOTION_WORDS) and word not in TERMS:
             return Term('motion:' + word)
         if word.startswith(('height_scan', *UNAVAILABLE)):
             return Term(word)
     return Term(known)
+
+
+def anchor_of(robot: Robot, where: str) -> str:
+    """The link that tracking policies compare, where nothing says it."""
+    links = {joint.child for joint in robot.joints}
+    found = next((name for name in ANCHORS if name in links), '')
+    if not found:
+        raise PolicyError(f'{where}: a policy that follows a motion, and nothing says which link is its anchor; write a SPEC.yaml with '
+                          '`motion: {anchor: LINK}` (doc/policy.md)')
+    return found
 
 
 def motors_of(robot: Robot, numbers: list[int], where: str) -> list[str]:

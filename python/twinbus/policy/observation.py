@@ -9,7 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .errors import PolicyError
+from .follower import Follower
 from .robot import Robot
+from .rotation import rotation_of
 from .spec import Spec, Term
 
 Array = NDArray[np.float64]
@@ -24,17 +26,6 @@ class Measured:
     attitude: Array            # w x y z, IMU in world
     gyro: Array                # [rad/s], axes of the IMU
     base_velocity: Array | None = None  # of the origin of the base link, axes of the base link [m/s]; None: nobody says it
-
-
-def rotation_of(quaternion: Array) -> Array:
-    """[3 x 3] of w x y z.  PolicyError when it is none."""
-    norm = float(np.linalg.norm(quaternion))
-    if not 0.5 < norm < 2.0:
-        raise PolicyError('the attitude of the IMU is no rotation')
-    w, x, y, z = quaternion / norm
-    return np.array([[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
-                     [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
-                     [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]])
 
 
 class Observation:
@@ -56,6 +47,9 @@ class Observation:
             if term.frame not in ('base', 'imu'):
                 robot.chain(term.frame)
         self.needs_velocity = any(term.term == 'base_linear_velocity' for term in spec.observations)
+        if spec.follows:
+            robot.chain(spec.anchor)
+        self.follower: Follower | None = None
         self.reset()
 
     def reset(self) -> None:
@@ -67,6 +61,8 @@ class Observation:
         self._resting = False
         self._clock = 0.0  # of gait_phase, in turns
         self._past: list[deque[Array]] = [deque(maxlen=term.history) for term in self.spec.observations]
+        if self.follower is not None:
+            self.follower.reset()
 
     def _turn_phase(self, command: Array) -> None:
         phase = self.spec.phase
@@ -108,6 +104,8 @@ class Observation:
         self.last_action = action
         if self.spec.phase is not None and self.spec.phase.advance == 'after':
             self._turn_phase(command)
+        if self.follower is not None:
+            self.follower.advance()
 
     def _value(self, term: Term, chosen: NDArray[np.intp], measured: Measured, command: Array) -> Array:
         name = term.term
@@ -133,7 +131,18 @@ class Observation:
             return np.array([math.sin(2.0 * math.pi * self._clock), math.cos(2.0 * math.pi * self._clock)])
         if name == 'constant':
             return np.array(term.values)
+        if name.startswith('motion_'):
+            return self._of_motion(name, measured)
         return self._framed(term, measured)
+
+    def _of_motion(self, name: str, measured: Measured) -> Array:
+        if self.follower is None:
+            raise PolicyError(f'{self.spec.source or self.spec.name}: the policy follows a motion, and none was given to it')
+        if name == 'motion_joints':
+            return self.follower.joints()
+        imu = self.robot.motion(self.robot.imu, measured.q, measured.qd).rotation
+        there = self.robot.motion(self.spec.anchor, measured.q, measured.qd).rotation
+        return self.follower.orientation(rotation_of(measured.attitude) @ imu.T @ there)
 
     def _framed(self, term: Term, measured: Measured) -> Array:
         """Of the base link or another: seen from where the IMU is, through the joints between."""

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 BALANCE, WALK = 4, 5     # modes of mode_request_t
+PLAYED = 3               # its motion
 PAD_SILENCE = 0.25       # [s] after which a pad counts as let go
 
 
@@ -19,6 +20,7 @@ class Operator:
     def __init__(self, command: Array, least: Array, most: Array) -> None:
         self.fixed, self.least, self.most = command, least, most
         self.mode, self.mode_sequence, self.walk_sequence = WALK, 0, 0
+        self.plays = False     # a motion is wanted
         self.complaint = ''    # a sentence about the last request, until it is taken
         self._walk, self._walk_until = np.zeros(3), -math.inf
         self._pad, self._pad_until = np.zeros(3), -math.inf
@@ -35,7 +37,7 @@ class Operator:
         elif self._newer(message):
             self.mode_sequence = message.sequence
             if message.mode in (BALANCE, WALK):
-                self.mode = message.mode
+                self.mode, self.plays = message.mode, message.mode == BALANCE and message.motion == PLAYED
             else:
                 self.complaint = f'controller: a policy knows the modes walk and balance, not mode {message.mode}'
 

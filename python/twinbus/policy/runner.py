@@ -22,7 +22,7 @@ from .controller import Controller
 from .errors import PolicyError
 from .inference import Inference
 from .observation import Measured
-from .operator import Operator
+from .operator import PLAYED, Operator
 from .robot import Robot
 from .stop_plan import StopPlan
 
@@ -75,6 +75,7 @@ class Runner:
         self.on_state: Callable[[messages.robot_state_t], None] | None = None
         self.ticks, self.actions, self.elapsed = 0, 0, 0.0
         self.inference_times: list[float] = []   # of the last second [s]
+        self._ended = False                      # the motion that it follows
         self._binding, self._inference = Binding(bind), Inference()
         self._held: tuple[Array, Array, Array] | None = None  # posture, kp, kd, held before the policy was known
         self._fades = True
@@ -163,6 +164,9 @@ class Runner:
                     self._tell_of_stop(message)
         elif self._state is not None:
             self._operator.hear(channel, message, self._state.run_id)
+            if self._operator.plays and (self.controller is None or not self.controller.has_motion_beside):
+                self._operator.plays = False
+                self._operator.complaint = 'controller: this policy has no motion to play: ./twinbus policy WALK.onnx --play TRACK.onnx'
             if self._operator.complaint:
                 self.event(self._operator.complaint, NOTE)
                 self._operator.complaint = ''
@@ -201,7 +205,7 @@ class Runner:
         if self._rested:
             return
         since = 1e-9 * (state.time_ns - self._begin_ns) - self.options.wait
-        blind = self.controller.observation.needs_velocity and self._velocity(state) is None and since < FIRST_ESTIMATE
+        blind = self.controller.needs_velocity and self._velocity(state) is None and since < FIRST_ESTIMATE
         if since >= 0.0 and not blind:
             self._think(state, stopping)
         self._send(state, stopping, *self._faded(state))
@@ -278,6 +282,7 @@ class Runner:
             self._due_ns += period_ns * (1 + late // period_ns)
             measured = self._measured(state)
             command = np.zeros(3) if stopping else self._operator.command()
+            controller.play(self._operator.plays and not stopping)
             self._submitted_ns, self._submitted_at = state.time_ns, time.monotonic()
             self._inference.submit(lambda: self._step(controller, measured, command))
         if not self._inference.running:
@@ -299,6 +304,11 @@ class Runner:
             self._late(f'the inference took {1e3 * spent:.0f} ms; the policy wants a new action every {1e3 * controller.spec.period:.0f} ms', False)
         self._target[controller.observation.index] = targets
         self.actions += 1
+        if controller.ended != self._ended:
+            self._ended = controller.ended
+            if self._ended:
+                self._operator.plays = False
+                self.event('policy: the motion has come to its end', NOTE)
 
     def _late(self, reason: str, lost: bool) -> None:
         """lost: so late that it balances nothing any more."""
@@ -320,7 +330,7 @@ class Runner:
         count = state.joint_count
         measured = Measured(np.array(state.q[:count], dtype=np.float64), np.array(state.qd[:count], dtype=np.float64),
                             np.array(state.attitude, dtype=np.float64), np.array(state.gyro, dtype=np.float64))
-        if self.controller.observation.needs_velocity:
+        if self.controller.needs_velocity:
             self._await_estimate(state)
             measured.base_velocity = self._velocity(state)
         return measured
@@ -347,7 +357,7 @@ class Runner:
             self._said_truth = True
             self.options.say('ESTIMATE does not come; the velocity of the base is that of TRUTH, which only a simulator has')
             self.event('policy: the velocity of the base is TRUTH, for there is no ESTIMATE; no robot has that', NOTE)
-        from .observation import rotation_of
+        from .rotation import rotation_of
         return rotation_of(np.array(truth.base_attitude)).T @ np.array(truth.base_velocity)
 
     # -- what goes out -------------------------------------------------------------------------------------------------
@@ -383,6 +393,7 @@ class Runner:
         status = messages.controller_status_t()
         status.tick, status.run_id, status.term, status.controller_id = state.tick, state.run_id, state.term, self.id
         status.mode, status.mode_sequence, status.walk_sequence = self._operator.mode, self._operator.mode_sequence, self._operator.walk_sequence
+        status.motion = PLAYED if self.controller is not None and self.controller.playing and not self._ended else 0
         status.stopping = 1 if stopping else 0
         status.compute_ns = int(1e9 * self.inference_times[-1]) if self.inference_times else 0
         status.base_attitude[0] = 1.0

@@ -19,13 +19,14 @@ from .errors import PolicyError, Refused
 from .yaml_file import Field, load_map, parse
 
 VERSION = 1
-# name: size; -1 as many as the policy has joints, -2 as many as phases, 0 said by `size`
+# name: size; -1 as many as the policy has joints, -2 as many as phases, -3 twice the joints, 0 said by `size`
 TERMS = {'base_linear_velocity': 3, 'base_angular_velocity': 3, 'projected_gravity': 3, 'velocity_command': 3, 'command_linear_velocity': 2,
          'command_angular_velocity': 1, 'joint_position': -1, 'joint_velocity': -1, 'last_action': -1, 'phase_sin': -2, 'phase_cos': -2,
-         'gait_phase': 2, 'constant': 0}
+         'gait_phase': 2, 'motion_joints': -3, 'motion_orientation': 6, 'constant': 0}
 FRAMED = ('base_linear_velocity', 'base_angular_velocity', 'projected_gravity')
 # terms that need what no channel has
-UNAVAILABLE = {'motion': 'a motion to follow (its joints and its anchor in every tick)', 'height_scan': 'heights of the ground around it',
+UNAVAILABLE = {'motion:': 'more of a motion than its joints and the orientation of its anchor: where the robot is beside it no robot measures',
+               'height_scan': 'heights of the ground around it',
                'image': 'a picture of a camera'}
 TERM_KEYS = ('term', 'frame', 'scale', 'clip', 'history', 'size', 'values', 'relative', 'period', 'joints')
 JOINT_KEYS = ('name', 'default', 'scale', 'kp', 'kd', 'offset', 'clip', 'lower', 'upper', 'effort', 'velocity', 'armature')
@@ -86,17 +87,26 @@ class Spec:
     history_begin: str = 'repeat'           # before there is a past: the first observation again, or zero
     phase: Phase | None = None
     commands: dict[str, tuple[float, float]] = field(default_factory=dict)  # vx, vy [m/s], wz [rad/s]
+    anchor: str = ''                        # link whose orientation a tracking policy compares with its motion's
+    motion: str = ''                        # file of that motion; empty: inside of the network
     source: str = ''                        # where it was read
     assumed: list[str] = field(default_factory=list)  # sentences: what the source does not say
 
     def names(self) -> list[str]:
         return [joint.name for joint in self.joints]
 
+    @property
+    def follows(self) -> bool:
+        """Whether it is a tracking policy."""
+        return any(term.term.startswith('motion_') for term in self.observations)
+
     def term_size(self, term: Term) -> int:
         """Of one age of a term."""
         size = TERMS.get(term.term, 0)
         if size == -1:
             return len(term.joints) if term.joints else len(self.joints)
+        if size == -3:
+            return 2 * len(self.joints)
         if size == -2:
             return len(self.phase.start) if self.phase is not None else 0
         return size or term.size or len(term.values)
@@ -122,6 +132,8 @@ class Spec:
                 raise PolicyError(f'{where}: no observation {term.term!r} is known; there are: {", ".join(TERMS)}')
             if term.term.startswith('phase_') and self.phase is None:
                 raise PolicyError(f'{where}: {term.term} needs `phase`')
+            if term.term.startswith('motion_') and not self.anchor:
+                raise PolicyError(f'{where}: {term.term} needs `motion: {{anchor: LINK}}`')
             if term.term == 'gait_phase' and not term.period > 0.0:
                 raise PolicyError(f'{where}: gait_phase needs its period [s]')
             for name in term.joints:
@@ -172,8 +184,8 @@ def _term(entry: Field) -> Term:
 
 def from_map(root: Field) -> Spec:
     """Of SPEC.yaml.  PolicyError names the field."""
-    root.only(('spec', 'name', 'period', 'input', 'output', 'joints', 'observations', 'action_clip', 'history', 'phase', 'commands', 'source',
-               'assumed'))
+    root.only(('spec', 'name', 'period', 'input', 'output', 'joints', 'observations', 'action_clip', 'history', 'phase', 'commands', 'motion',
+               'source', 'assumed'))
     if root.need('spec').whole(0, 1000) != VERSION:
         raise root.error(f'spec {root.need("spec").value} is not read, {VERSION} is')
     spec = Spec(root.need('name').word(), root.need('period').number(5e-4, 1.0), [_joint(entry) for entry in root.need('joints').entries()],
@@ -197,6 +209,11 @@ def from_map(root: Field) -> Spec:
     if (commands := root.get('commands')) is not None:
         commands.only(('vx', 'vy', 'wz'))
         spec.commands = {key: entry.range() for key, entry in commands.items()}
+    if (motion := root.get('motion')) is not None:
+        motion.only(('anchor', 'file'))
+        spec.anchor = motion.need('anchor').word()
+        if (named := motion.get('file')) is not None:
+            spec.motion = str(pathlib.Path(root.file).parent / named.word())
     if (assumed := root.get('assumed')) is not None:
         spec.assumed = [entry.word() for entry in assumed.entries()]
     spec.validate()
@@ -239,6 +256,9 @@ def to_text(spec: Spec) -> str:
         rest = '' if spec.phase.rest is None else f', rest: {_number(spec.phase.rest)}'
         lines.append(f'phase: {{frequency: {_number(spec.phase.frequency)}, start: {_list(spec.phase.start)}, '
                      f'advance: {spec.phase.advance}{rest}}}')
+    if spec.anchor:
+        named = f', file: {_word(str(pathlib.Path(spec.motion).resolve()))}' if spec.motion else ''
+        lines.append(f'motion: {{anchor: {_word(spec.anchor)}{named}}}')
     if spec.commands:
         lines.append('commands:  # that it was trained for: vx, vy [m/s], wz [rad/s]')
         lines += [f'  {key}: {_list(ends)}' for key, ends in spec.commands.items()]

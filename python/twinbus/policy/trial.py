@@ -42,6 +42,7 @@ class Outcome:
     largest_tilt: float = 0.0     # [rad]
     fell: bool = False
     stopped: str = ''             # why, when the robot was stopped
+    apart: float = 0.0            # of a tracking policy: rms of its joints from the motion [rad]
 
 
 class _Watch:
@@ -94,6 +95,14 @@ def run(network: Network, spec: Spec, robot: Robot, folder: str, command: tuple[
             if look is not None:
                 look(runner, truth)
         runner.on_truth = see
+        squares: list[float] = []
+
+        def compare(state: messages.robot_state_t) -> None:
+            controller = runner.controller
+            if controller is not None and controller.follower is not None and runner.actions:
+                q = np.array(state.q[:state.joint_count])[controller.observation.index]
+                squares.append(float(np.mean((q - controller.follower.joints()[:len(q)])**2)))
+        runner.on_state = compare if spec.follows else None
         words = [str(home.program()), 'up', scene, '--stack', 'client', '--robot', folder, '--lockstep', '--no-viewer', '--no-record',
                  '--for', f'{seconds + 0.1:g}', '--seed', str(seed), '--url', url]
         words += ['--start-pose', pose] if pose is not None else []
@@ -115,8 +124,7 @@ def run(network: Network, spec: Spec, robot: Robot, folder: str, command: tuple[
                 if runner.elapsed > last:
                     last, since = runner.elapsed, time.monotonic()
                 elif runner.ticks and time.monotonic() - since > (allowed := STILL if last > 0.0 else SILENCE):  # a first one may wait for others
-                    outcome.stopped = next((line.removeprefix('up: ') for line in log.read_text().splitlines() if 'asks for a stop' in line),
-                                           f'nothing went on for {allowed:g} s')
+                    outcome.stopped = _who_stopped(log.read_text().splitlines()) or f'nothing went on for {allowed:g} s'
                     break
         except Stopped as stop:
             outcome.stopped = str(stop)
@@ -127,8 +135,18 @@ def run(network: Network, spec: Spec, robot: Robot, folder: str, command: tuple[
             except subprocess.TimeoutExpired:
                 stack.kill()
     outcome.seconds, outcome.fell, outcome.largest_tilt = min(runner.elapsed, watch.fell_at), watch.fell, watch.tilt
+    outcome.apart = math.sqrt(sum(squares) / max(1, len(squares)))
     outcome.velocity = watch.sum / max(1, watch.count)
     return outcome
+
+
+def _who_stopped(lines: list[str]) -> str:
+    """What the stack said of a stop, and what the guard saw before it; empty: there was none."""
+    stop = next((number for number, line in enumerate(lines) if ": stop '" in line), None)
+    if stop is None:
+        return ''
+    seen = [line.removeprefix('up: guard: ') for line in lines[:stop] if 'guard holds joints' in line] if 'guard' in lines[stop] else []
+    return lines[stop].removeprefix('up: ') + (f' ({seen[-1]})' if seen else '')
 
 
 @dataclass

@@ -1,0 +1,243 @@
+#!/usr/bin/env python3
+"""Policies that follow a motion: what is read of their specification, where the motion comes from, how it is followed, and how a robot that
+walks plays one and walks again.  No bus, no simulator.  Needs what policy_test.py needs, whose quadruped moves here."""
+import json
+import math
+import pathlib
+import tempfile
+import unittest
+
+from policy_test import DEPLOY, RUNS, FakeNetwork, Running, quadruped, still, trot  # skips, and takes the Python that has numpy
+
+import numpy as np
+import tiny_onnx
+from twinbus import messages
+from twinbus.policy import controller, deploy_yaml, followed, metadata, repertoire, runner, spec
+from twinbus.policy.errors import PolicyError, Refused
+from twinbus.policy.follower import Followed, Follower, about_z
+from twinbus.policy.observation import Observation
+from twinbus.policy.rotation import rotation_of
+from twinbus.policy.yaml_file import Field, parse
+
+NAMES = trot().names()
+FRAMES, STANDS = 30, 50  # of the motion; ticks of the policy in which its first frame is held
+
+
+def tracker(motion=''):
+    """A policy of the quadruped that reads its motion."""
+    one = trot()
+    one.observations = [spec.Term('motion_joints'), spec.Term('motion_orientation'), spec.Term('joint_position')]
+    one.anchor, one.motion, one.name = 'FR_hip', motion, 'dance'
+    return one
+
+
+def motion(turned=0.0):
+    q = np.outer(np.linspace(0.0, 0.29, FRAMES), np.ones(12)) + np.array([joint.default for joint in trot().joints])
+    return Followed(q, np.gradient(q, 0.02, axis=0), np.array([about_z(turned + 0.01 * k) for k in range(FRAMES)]), 'here')
+
+
+class Readers(unittest.TestCase):
+    def test_own_specification_round_trip(self):
+        with tempfile.TemporaryDirectory() as folder:
+            one = tracker(str(pathlib.Path(folder) / 'dance.csv'))
+            again = spec.from_text(spec.to_text(one))
+            self.assertEqual((again.anchor, again.motion, again.follows), (one.anchor, one.motion, True))
+            self.assertEqual(again.observation_size(), 24 + 6 + 12)
+        with self.assertRaisesRegex(PolicyError, 'needs `motion'):
+            one = tracker()
+            one.anchor = ''
+            one.validate()
+
+    def test_deploy_yaml(self):
+        text = DEPLOY.replace('velocity_commands', 'motion_command').replace('gait_phase', 'motion_anchor_ori_b')
+        body = robot_with_torso()
+        one = deploy_yaml.read(Field(parse(text, 'f.yaml'), 'f.yaml', ''), body)
+        self.assertEqual((one.anchor, [term.term for term in one.observations][2]), ('torso_link', 'motion_joints'))
+        text = DEPLOY.replace('velocity_commands: {params: {command_name: base_velocity}', 'generated_commands: {params: {command_name: motion}')
+        one = deploy_yaml.read(Field(parse(text, 'f.yaml'), 'f.yaml', ''), body)
+        self.assertEqual(one.observations[2].term, 'motion_joints')
+
+    def test_metadata_of_mjlab(self):
+        words = {'joint_names': ','.join(NAMES), 'anchor_body_name': 'trunk', 'observation_names': 'command,motion_anchor_ori_b,joint_pos'}
+        words.update({key: ','.join(['1'] * 12) for key in ('joint_stiffness', 'joint_damping', 'default_joint_pos', 'action_scale')})
+        one = metadata.read(words, 'm.onnx', 42)
+        self.assertEqual((one.anchor, [term.term for term in one.observations]), ('trunk', ['motion_joints', 'motion_orientation', 'joint_position']))
+
+    def test_metadata_of_holosoma(self):
+        names = ['left_hip_pitch_joint', 'left_knee_joint', 'waist_yaw_joint']
+        urdf = '<robot name="g1">' + ''.join(f'<joint name="{name}"><limit effort="{80 + 10 * k}"/></joint>' for k, name in enumerate(names)) + '</robot>'
+        words = {'dof_names': json.dumps(names), 'kp': '[40, 90, 50]', 'kd': '[2, 6, 3]', 'command_ranges': 'null', 'robot_urdf': json.dumps(urdf)}
+        one = metadata.read(words, 'm.onnx', 5 * 3 + 9)
+        self.assertEqual([joint.scale for joint in one.joints], [0.5, 0.25, 0.5])
+        self.assertEqual((one.follows, one.observation_size(), one.observations[0].term), (True, 24, 'last_action'))
+        with self.assertRaisesRegex(PolicyError, 'neither action_scale nor an effort limit of left_hip_pitch_joint'):
+            metadata.read({**words, 'robot_urdf': '""'}, 'm.onnx', 24)
+
+
+def robot_with_torso():
+    dog = quadruped()
+    fixed = next(joint for joint in dog.joints if joint.child == 'imu')
+    fixed.child = 'torso_link'
+    return dog
+
+
+class Followers(unittest.TestCase):
+    def test_first_frame_is_held_and_the_last_one_too(self):
+        one = Follower(motion(), 0.02)
+        seen = []
+        for _ in range(STANDS + FRAMES + 20):
+            seen.append(one.frame)
+            self.assertEqual(one.ended, len(seen) > STANDS + FRAMES)
+            one.advance()
+        self.assertEqual(seen, [0] * STANDS + list(range(FRAMES)) + [FRAMES - 1] * 20)
+        one.reset()
+        self.assertEqual((one.frame, one.ended), (0, False))
+
+    def test_heading_is_that_of_the_robot_at_the_start(self):
+        one = Follower(motion(turned=2.0), 0.02)
+        robot = about_z(-1.0)
+        self.assertTrue(np.allclose(one.orientation(robot), [1, 0, 0, 1, 0, 0]))
+        for _ in range(STANDS + 10):
+            one.advance()
+        expected = about_z(0.1)[:, :2].reshape(-1)  # the motion has turned by 0.1 rad, the robot not
+        self.assertTrue(np.allclose(one.orientation(robot), expected))
+
+    def test_observation_sees_the_anchor_through_joints(self):
+        dog, one = quadruped(), tracker()
+        seen = Observation(one, dog)
+        with self.assertRaisesRegex(PolicyError, 'none was given'):
+            seen.build(still(), np.zeros(3))
+        seen.follower = Follower(motion(), 0.02)
+        q = np.zeros(12)
+        q[dog.names().index('FR_hip_joint')] = 0.3  # the anchor is behind this joint, about x
+        value = seen.build(still(q=q, attitude=np.array([math.cos(math.pi / 4), 0, 0, math.sin(math.pi / 4)])), np.zeros(3))
+        self.assertTrue(np.allclose(value[:12], motion().q[0]))
+        down = np.array([[1, 0, 0], [0, math.cos(0.3), -math.sin(0.3)], [0, math.sin(0.3), math.cos(0.3)]])
+        self.assertTrue(np.allclose(value[24:30], down.T[:, :2].reshape(-1), atol=1e-7), value[24:30])
+
+
+class Files(unittest.TestCase):
+    def load(self, file):
+        return followed.load(tracker(str(file)), quadruped(), None)
+
+    def test_npz_and_csv(self):
+        count, rate = 11, 25.0
+        q = np.outer(np.arange(count) / rate, np.ones(12))
+        root = np.array([[math.cos(0.5 * t), 0, 0, math.sin(0.5 * t)] for t in np.arange(count) / rate])
+        with tempfile.TemporaryDirectory() as folder:
+            here = pathlib.Path(folder)
+            np.savez(here / 'a.npz', joint_pos=q, body_quat_w=np.repeat(root[:, None], 3, axis=1), fps=np.array([rate]))
+            np.savez(here / 'b.npz', dof_pos=q[:, ::-1], dof_names=np.array(NAMES[::-1]), root_rot=root[:, [1, 2, 3, 0]], rate=rate)
+            head = ','.join(['time', 'root_qw', 'root_qx', 'root_qy', 'root_qz', *NAMES])
+            np.savetxt(here / 'c.csv', np.column_stack([np.arange(count) / rate, root, q]), delimiter=',', header=head, comments='')
+            for name in ('a.npz', 'b.npz', 'c.csv'):
+                found = self.load(here / name)
+                self.assertEqual(len(found), 21, name)  # 0.4 s, 50 a second
+                self.assertTrue(np.allclose(found.q[1], 0.02) and np.allclose(found.qd, 1.0), name)
+                angle = found.q[20][0]
+                there = about_z(0.4) @ rotation_of(np.array([math.cos(angle / 2), math.sin(angle / 2), 0, 0]))
+                self.assertTrue(np.allclose(found.anchor[20], there, atol=1e-6), name)
+            np.savez(here / 'd.npz', joint_pos=q[:, :5], body_quat_w=root, fps=rate)
+            np.savez(here / 'e.npz', joint_pos=q)
+            np.savez(here / 'f.npz', joint_pos=np.where(q > 0.1, math.nan, q), body_quat_w=root, fps=rate)
+            (here / 'g.npz').write_bytes(b'junk')
+            (here / 'h.csv').write_text('time,a\n0,x\n')
+            (here / 'i.csv').write_text('1,2,3\n4,5,6\n')
+            for name, said in (('d.npz', '5 joints without names'), ('e.npz', 'has joint_pos'), ('f.npz', 'not finite'), ('g.npz', 'no NPZ'),
+                               ('h.csv', 'no table'), ('i.csv', '3 columns without names'), ('none.csv', 'no such file')):
+                with self.assertRaisesRegex(PolicyError, said):
+                    self.load(here / name)
+
+    @unittest.skipUnless(RUNS, 'onnxruntime is missing')
+    def test_inside_of_the_network(self):
+        from twinbus.policy.network import Network
+        there = motion()
+        turned = [[0.0, 0.0, math.sin(0.005 * k), math.cos(0.005 * k)] for k in range(FRAMES)]
+        with tempfile.TemporaryDirectory() as folder:
+            here = pathlib.Path(folder)
+            tables = {'joint_pos': there.q.tolist(), 'joint_vel': there.qd.tolist(), 'ref_quat_xyzw': turned}
+            network = Network(tiny_onnx.linear(here / 'm.onnx', 42, 12, 0.5, tables=tables))
+            found = followed.load(tracker(), quadruped(), network)
+            self.assertEqual(len(found), FRAMES)
+            self.assertTrue(np.allclose(found.q, there.q, atol=1e-6) and np.allclose(found.anchor, there.anchor, atol=1e-6))
+            made = controller.Controller(tracker(), quadruped(), network)
+            made.step(still(), np.zeros(3))
+            self.assertEqual((made.playing, network.time_step), (True, 0))
+            bodies = [[*([1.0, 0, 0, 0]), row[3], *row[:3]] for row in turned]
+            tables = {'joint_pos': there.q.tolist(), 'joint_vel': there.qd.tolist(), 'body_quat_w': bodies}
+            network = Network(tiny_onnx.linear(here / 'n.onnx', 42, 12, tables=tables, metadata=[('body_names', 'trunk,FR_hip'), ('anchor_body_name', 'FR_hip')]))
+            self.assertTrue(np.allclose(followed.load(tracker(), quadruped(), network).anchor, there.anchor, atol=1e-6))
+            with self.assertRaisesRegex(Refused, '--motion'):
+                followed.load(tracker(), quadruped(), Network(tiny_onnx.linear(here / 'o.onnx', 42, 12)))
+
+
+class Plays(unittest.TestCase):
+    """Walks, is asked for its motion, stands, plays, walks again."""
+    start, state, go = Running.start, Running.state, Running.go
+
+    def both(self):
+        self.start()
+        walk, play = FakeNetwork(0.0), FakeNetwork(1.0)
+        play.observation_size, play.carries_motion = 42, False
+        walks = controller.Controller(trot(), quadruped(), walk)
+        load, followed.load = followed.load, lambda *_: motion()
+        try:
+            plays = controller.Controller(tracker(), quadruped(), play)
+        finally:
+            followed.load = load
+        self.made = runner.Runner(self.bus, lambda _: repertoire.Repertoire(walks, plays), runner.Options(say=self.said.append, wait=0.0), quadruped())
+        return walks, plays
+
+    def ask(self, mode, motion_kind):
+        request = messages.mode_request_t()
+        request.run_id, request.sender_id, request.sequence, request.mode, request.motion = 7, 5, self.tick, mode, motion_kind
+        self.bus.say('MODE_REQUEST', request)
+
+    def moving(self, speed):
+        estimate = messages.estimate_t()
+        estimate.run_id, estimate.tick, estimate.velocity_from, estimate.velocity_in_base = 7, self.tick, 1, [speed, 0.0, 0.0]
+        self.bus.say('ESTIMATE', estimate)
+
+    def action(self, commands):
+        """Of the last command: 0 where it walks, 1 where it plays."""
+        return (commands[-1].q[0] - trot().joints[0].default) / 0.25
+
+    def test_from_walking_to_the_motion_and_back(self):
+        self.both()
+        self.moving(0.5)
+        self.assertAlmostEqual(self.action(self.go(20)), 0.0)
+        self.ask(4, 3)
+        self.moving(0.5)
+        self.assertAlmostEqual(self.action(self.go(150)), 0.0)     # 0.3 s: it still moves
+        self.moving(0.05)
+        commands = self.go(30)
+        self.assertAlmostEqual(self.action(commands), 1.0)
+        self.assertEqual(self.bus.of('CONTROLLER_STATUS')[-1].motion, 3)
+        self.go(10 * STANDS + 10 * FRAMES)
+        commands = self.go(60)
+        self.assertAlmostEqual(self.action(commands), 0.0)         # the motion is over
+        self.assertEqual((self.bus.of('CONTROLLER_STATUS')[-1].motion, self.bus.of('CONTROLLER_STATUS')[-1].mode), (0, 4))
+
+    def test_walk_ends_a_motion(self):
+        self.both()
+        self.go(5)
+        self.ask(4, 3)
+        self.go(120)
+        self.moving(0.0)
+        self.assertAlmostEqual(self.action(self.go(30)), 1.0)
+        self.ask(5, 0)
+        self.assertAlmostEqual(self.action(self.go(25)), 0.0)
+
+    def test_a_policy_without_a_motion_says_so(self):
+        self.start(wait=0.0)
+        self.go(3)
+        self.ask(4, 3)
+        self.go(3)
+        said = [bytes(np.array(event.text, dtype=np.int8).tobytes()).split(b'\0')[0].decode() for event in self.bus.of('EVENT')]
+        self.assertTrue(any('no motion to play' in line for line in said), said)
+
+
+del Running  # its own tests run in policy_test.py
+
+if __name__ == '__main__':
+    unittest.main()
