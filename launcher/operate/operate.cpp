@@ -72,7 +72,8 @@ std::string what_it_does(const ControllerStatus& status, const ModeRequest& requ
 
 bool does(const ControllerStatus& status, const ModeRequest& request) {
   // A motion that was ended dies away for a while.
-  return status.mode == request.mode && status.motion != Motion::kPlayed &&
+  const bool wanted = request.motion == Motion::kPlayed;
+  return status.mode == request.mode && (status.motion == Motion::kPlayed) == wanted &&
          (request.motion == Motion::kNone || status.motion == request.motion);
 }
 
@@ -102,7 +103,7 @@ int report_mode(BusLink& bus, const ModeRequest& request, const char* asked) {
   const std::int64_t begin = monotonic_ns();
   const auto busy = [&] {
     const ControllerStatus& now = bus.seen().controller();
-    return now.mode == Mode::kWalk || now.motion == Motion::kPlayed;
+    return now.mode == Mode::kWalk || now.motion == Motion::kPlayed || request.motion == Motion::kPlayed;
   };
   while (!quit_requested() && busy() &&
          !does(bus.seen().controller(), request) && seconds_since(begin) < kWalkEnds) {
@@ -314,12 +315,12 @@ A pose on whose way a standing robot would fall is refused.
 }
 
 int mode_command(const std::vector<std::string>& words) {
-  const std::vector<std::string> names = {"idle", "hold", "balance", "walk", "stop"};
+  const std::vector<std::string> names = {"idle", "hold", "balance", "walk", "stop", "play"};
   const std::vector<Mode> modes = {Mode::kIdle, Mode::kHold, Mode::kBalance, Mode::kWalk,
-                                   Mode::kStop};
-  const Arguments arguments({"mode", 1, 1, R"(idle|hold|balance|walk|stop
+                                   Mode::kStop, Mode::kBalance};
+  const Arguments arguments({"mode", 1, 1, R"(idle|hold|balance|walk|stop|play
 Asks the controller for a mode; it changes without a jump.  ./twinbus pose, sway and squat ask for what the robot
-does in modes pose and balance.
+does in modes pose and balance.  play is for a policy that has a motion (./twinbus policy WALK.onnx --play TRACK.onnx).
   --let-go  with idle: also of a standing robot, which falls
   --prefix --url --allow)"}, words);
   if (arguments.has("--let-go")) {
@@ -336,6 +337,7 @@ does in modes pose and balance.
                      suggestion(arguments.word(0), names));
   ModeRequest request;
   request.mode = modes[static_cast<std::size_t>(found - names.begin())];
+  if (*found == "play") request.motion = Motion::kPlayed;
   return ask_and_report(arguments, request, "mode");
 }
 
