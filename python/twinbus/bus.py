@@ -93,8 +93,8 @@ class Bus:
         header = struct.pack('>4sI', b'LC02', self.sequence) + (self.prefix + channel).encode() + b'\0'
         self.sender.sendto(header + message.encode(), (self.group, self.port))
 
-    def ask(self, channel: str, message: Any, state: messages.robot_state_t) -> None:
-        """Sends an operator's message to the run that this STATE is of, with the time, our id and the next sequence."""
+    def ask(self, channel: str, message: Any, state: messages.robot_state_t | messages.source_status_t) -> None:
+        """Sends an operator's message to the run that this STATE or SOURCE_STATUS is of, with the time, our id and the next sequence."""
         self.asked += 1
         message.utime, message.sender_id, message.sequence = time.time_ns() // 1000, self.sender_id, self.asked
         if hasattr(message, 'run_id'):

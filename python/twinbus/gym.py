@@ -1,6 +1,6 @@
 """Gymnasium environments of any scene and robot, alone or many side by side (Worlds).
 
-    import gymnasium, twinbus                       # installed: the names are known by themselves; else twinbus.gym.register()
+    import gymnasium, twinbus.gym                   # makes the names known
     env = gymnasium.make('twinbus/Stand-v0')
     envs = gymnasium.make_vec('twinbus/Walk-v0', num_envs=64, robot='hrp2p')
     env = gymnasium.make('twinbus/Scene-v0', scene='walk_rough')
@@ -230,9 +230,12 @@ class VectorEnv(gymnasium.vector.VectorEnv[Array, Array, NDArray[Any]]):
 
 
 def register() -> None:
-    """Makes the names known to gymnasium; an installed package does so by itself."""
+    """Makes the names known to gymnasium, as an import of this module does (and up to Gymnasium 1.3 the installed package by itself)."""
     for task in TASKS:
         name = f'twinbus/{task}-v0'
         if name not in gymnasium.registry:
             gymnasium.register(name, entry_point='twinbus.gym:Env', vector_entry_point='twinbus.gym:VectorEnv', max_episode_steps=EPISODE,
                                kwargs={'task': task})
+
+
+register()

@@ -50,6 +50,26 @@ def without_a_stack(checks):
     example(checks, ["sh", EXAMPLES / "14_engine_settings.sh", BIN / "twinbus"], r"(passed[^§]*){4}")
 
 
+def learn(checks):
+    """A round of learning, and what it writes holds the robot on a real stack."""
+    python_of_it = os.environ.get("TWINBUS_LEARNING_PYTHON", sys.executable)
+    there = subprocess.run([python_of_it, "-c", "import gymnasium, torch, onnx, onnxruntime, yaml, twinbus; twinbus.home.native()"], cwd=EXAMPLES,
+                           env=ENVIRONMENT, capture_output=True, text=True)
+    if there.returncode != 0:
+        print(f"19_environment.py: not run: {(there.stderr.strip().splitlines() or ['?'])[-1]} (TWINBUS_LEARNING_PYTHON names a Python that has all)", flush=True)
+        return
+    with tempfile.TemporaryDirectory() as folder:
+        done = subprocess.run([python_of_it, EXAMPLES / "19_environment.py", "--rounds", "1"], cwd=folder, env=ENVIRONMENT, capture_output=True, text=True)
+        checks.that(done.returncode == 0 and "learned: " in done.stdout, f"19_environment.py: {done.stdout[-300:]}{done.stderr[-600:]}")
+        print(f"19_environment.py: {(done.stdout.strip().splitlines() or [''])[-1]}", flush=True)
+        policy = subprocess.Popen([BIN / "twinbus", "policy", "balance.onnx", "--for", "3"], cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                                  text=True, env=dict(ENVIRONMENT, TWINBUS_POLICY_PYTHON=python_of_it))
+        policy.stdout.readline()
+        with Stack("stand_python", "--stack", "client", "--no-viewer", "--no-record"):
+            said = policy.communicate(timeout=60)[0]
+        checks.that(policy.returncode == 0 and "actions in 3.0 s" in said, f"what 19_environment.py wrote on the stack: {said}")
+
+
 def operate(checks):
     with Stack("stand", "--stack", "both", "--no-viewer"):
         time.sleep(1.0)
@@ -134,6 +154,7 @@ def main():
     checks = Checks()
     lines(checks)
     without_a_stack(checks)
+    learn(checks)
     look_into(checks, operate(checks))
     beside_another_controller(checks)
     for stack in ("client", str(EXAMPLES / "10_adaptor/stack.yaml")):

@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
 """A robot's face on DDS: frames beside another implementation, a program that drives, programs that send rubbish.
 
-    face_test.py [frames] [drive] [attack]      default all
+    face_test.py [frames] [drive] [attack] [example]      default all
 
 The other implementation is the vendor's Python SDK: a Python with the package unitree-sdk2py-dimos, this one or the one that
 $TWINBUS_UNITREE_PYTHON names.  TWINBUS_FULL=1: 10,000 frames each way and family, and longer drives; otherwise 1,000.
 """
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -172,6 +173,19 @@ def attacks(checks):
                 checks.that(sum("times a second" in line for line in lines) == 1, f"fast: one line: {lines}")
 
 
+def example(checks):
+    """examples/20_face.py bends an elbow."""
+    with Driven("unitree_hg") as robot:
+        done = subprocess.run([PYTHON, str(harness.ROOT / "examples/20_face.py"), "--for", "4"], capture_output=True, text=True, timeout=60)
+        said = re.search(r"the elbow bent by ([.\d]+) rad and is ([-+.\d]+) rad", done.stdout)
+        checks.that(done.returncode == 0 and said is not None, f"20_face.py: {done.returncode}, {done.stdout[-300:]}{done.stderr[-600:]}")
+        if said:
+            checks.at_least(float(said[1]), 0.2, "20_face.py: the elbow bends [rad]")
+            checks.at_most(abs(float(said[2])), 0.05, "20_face.py: and comes back [rad]")
+            print(f"20_face.py: {said[0]}", flush=True)
+        checks.that(len(robot.commands(0)) > 100, "20_face.py: its commands are COMMAND")
+
+
 def main():
     harness.require("twinbus", "twinbus_simulator", "twinbus_bridge", "emulated_robot")
     if not (BIN / "twinbus_face").exists():
@@ -183,7 +197,7 @@ def main():
     if subprocess.run([PYTHON, "-c", "import unitree_sdk2py"], capture_output=True).returncode != 0:
         skip("no Python with unitree_sdk2py (pip install unitree-sdk2py-dimos into a venv; TWINBUS_UNITREE_PYTHON names its python)")
     checks = Checks()
-    parts = {"frames": frames, "drive": drives, "attack": attacks}
+    parts = {"frames": frames, "drive": drives, "attack": attacks, "example": example}
     for part in sys.argv[1:] or parts:
         parts[part](checks)
     checks.exit()

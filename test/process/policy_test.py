@@ -211,6 +211,34 @@ def example(folder, checks):
         process.kill()
 
 
+def plays(folder, checks):
+    """A tracking policy beside the one that walks: ./twinbus mode play changes to it, and anything else back."""
+    text = specification()
+    (folder / 'track.spec.yaml').write_text(text[:text.index('observations:')] + 'observations:\n  - {term: motion_joints}\n'
+                                            '  - {term: motion_orientation}\nmotion: {anchor: CHEST}\n')
+    tables = {'joint_pos': [[0.001 * k] * JOINTS for k in range(100)], 'joint_vel': [[0.05] * JOINTS] * 100, 'ref_quat_xyzw': [[0.0, 0.0, 0.0, 1.0]] * 100}
+    track = tiny_onnx.linear(folder / 'track.onnx', 2 * JOINTS + 6, JOINTS, bias=0.5, tables=tables)
+    policy = Policy(tiny_onnx.linear(folder / 'stand.onnx', 9 + JOINTS, JOINTS), '--play', str(track))
+    try:
+        with Stack('stand_python', '--stack', 'client', '--no-viewer', '--no-record'):
+            bus = Bus()
+            checks.that(bus.wait_for('CONTROLLER_STATUS', lambda s: s.mode == 5, timeout=20)[1] is not None, 'plays: it walks first')
+            status, out, err = cli('mode', 'play')
+            checks.that(status == 0 and 'plays a motion' in out, f'plays: {status} {out}{err}')
+            ended = bus.wait_for('CONTROLLER_STATUS', lambda s: s.mode == 4 and s.motion == 0, timeout=10)[1]  # 1 s and 2 s of the motion
+            checks.that(ended is not None, 'plays: the motion ends by itself')
+            cli('mode', 'play')
+            status, out, err = cli('walk', '0.1', '0', '0', '--for', '0.5')
+            checks.that(status == 0, f'plays: walk ends it: {out}{err}')
+            states = [s for _, s in bus.messages('STATE')]
+            checks.that(bool(states) and states[-1].stop_kind == 0, 'plays: not stopped')
+            moved = {round(c.q[0], 4) for _, c in bus.messages('COMMAND')}
+            checks.that(len(moved) >= 2, f'plays: both policies command: {sorted(moved)[:5]}')
+    finally:
+        said = policy.end()
+    checks.that('follows' in ''.join(policy.before) + said, f'plays: says what it follows: {said}')
+
+
 def main():
     harness.require('twinbus', 'twinbus_simulator', 'twinbus_guard')
     there = subprocess.run([PYTHON, '-c', 'import numpy, yaml, onnxruntime'], capture_output=True, text=True)
@@ -227,6 +255,7 @@ def main():
         stands(folder, checks)
         ends_in_order(folder, checks)
         example(folder, checks)
+        plays(folder, checks)
         reads = 9 + JOINTS
         stops(folder, 'nan', tiny_onnx.linear(folder / 'nan.onnx', reads, JOINTS, math.nan), 'is not a finite number', BY_CONTROLLER, checks)
         stops(folder, 'late', tiny_onnx.linear(folder / 'late.onnx', reads, JOINTS, slow=200), 'a new action every 20 ms', BY_CONTROLLER, checks)

@@ -130,10 +130,6 @@ class Simulations(unittest.TestCase):
 
 @unittest.skipIf(gymnasium is None, "no gymnasium")
 class Environments(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        twinbus.gym.register()
-
     def test_pass_the_checker(self):
         for name in ("Stand", "Walk", "Reach", "Scene"):
             env = gymnasium.make(f"twinbus/{name}-v0")
