@@ -13,7 +13,7 @@ import twinbus
 SOURCES = {1: 'simulator', 2: 'bridge', 3: 'replay'}
 
 
-def main():
+def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument('--for', dest='duration', type=float, default=math.inf, help='seconds to run')
     arguments = parser.parse_args()

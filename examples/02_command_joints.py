@@ -15,7 +15,7 @@ GAINS = [(0, 5, 15000, 300), (6, 9, 3000, 60), (10, 12, 600, 6), (13, 18, 15000,
          (23, 25, 600, 6), (26, 28, 15000, 300)]
 
 
-def main():
+def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument('--joint', type=int, help='joint index, in the order of the URDF')
     parser.add_argument('--by', type=float, default=0.2, help='[rad], with --joint')
@@ -29,7 +29,7 @@ def main():
     bus, me = twinbus.Bus(), twinbus.new_id()
     bus.listen('STATE', 'SOURCE_STATUS')
     obedience = twinbus.Obedience(me)
-    posture = torque = begin_ns = None
+    found = None
     end = time.monotonic() + arguments.duration
     print('command_joints: ready', flush=True)
     while time.monotonic() < end:
@@ -39,14 +39,14 @@ def main():
         state = twinbus.newest_state(messages)
         if state is None:
             continue
-        if posture is None:
-            posture, torque, begin_ns = state.q, state.tau, state.time_ns
+        if found is None:
+            found = state
             print(f'command_joints: holding {state.joint_count} joints', flush=True)
-        q = list(posture)
+        q = list(found.q)
         if arguments.joint is not None:  # up and down every 4 s, by the robot's own time
-            t = 1e-9 * (state.time_ns - begin_ns)
+            t = 1e-9 * (state.time_ns - found.time_ns)
             q[arguments.joint] += arguments.by * 0.5 * (1.0 - math.cos(0.5 * math.pi * t))
-        bus.send('COMMAND', twinbus.command_for(state, me, q, tau=torque, kp=kp, kd=kd))
+        bus.send('COMMAND', twinbus.command_for(state, me, q, tau=found.tau, kp=kp, kd=kd))
 
 
 if __name__ == '__main__':

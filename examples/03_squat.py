@@ -6,13 +6,14 @@
 """
 import argparse
 import time
+from typing import Any
 
 import twinbus
 
 BALANCE, NONE, SWAY, SQUAT = 4, 0, 1, 2  # mode and motions of mode_request_t
 
 
-def ask(bus, state, motion):
+def ask(bus: twinbus.Bus, state: twinbus.robot_state_t, motion: int) -> Any:
     """Asks until the controller says that this request is in force: any datagram may be lost."""
     request = twinbus.mode_request_t()
     request.mode, request.motion, request.amplitude, request.frequency = BALANCE, motion, 0.03, 0.25  # [m, Hz]
@@ -25,7 +26,7 @@ def ask(bus, state, motion):
     raise TimeoutError('the controller does not answer (./twinbus status)')
 
 
-def main():
+def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument('--sway', action='store_true', help='from side to side instead')
     parser.add_argument('--for', dest='duration', type=float, default=8.0, help='seconds to move')

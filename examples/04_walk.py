@@ -6,13 +6,14 @@
 """
 import argparse
 import time
+from typing import Any
 
 import twinbus
 
 WALK, BALANCE = 5, 4
 
 
-def enter(bus, mode):
+def enter(bus: twinbus.Bus, mode: int) -> Any:
     request = twinbus.mode_request_t()
     request.mode = mode
     for _ in range(5):
@@ -24,7 +25,7 @@ def enter(bus, mode):
     raise TimeoutError(f'the controller does not enter mode {mode}: see EVENT (./twinbus status)')
 
 
-def main():
+def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument('velocity', nargs=3, type=float, metavar='V', help='VX VY WZ: forward, left [m/s], turn left [rad/s]')
     parser.add_argument('--for', dest='duration', type=float, default=4.0, help='seconds to walk')

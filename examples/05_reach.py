@@ -12,7 +12,7 @@ POSITION, DONE, STOPPED = 2, 2, 3
 STATUS = {1: 'unreachable', 2: 'the start is in collision', 3: 'the goal is in collision', 4: 'no way found in time', 6: 'bad goal'}
 
 
-def main():
+def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument('hand', choices=['left', 'right'])
     parser.add_argument('position', nargs=3, type=float, metavar='X',
@@ -23,8 +23,8 @@ def main():
     goal = twinbus.arm_goal_t()
     goal.goal_id = twinbus.new_id()  # the path that answers it names it
     goal.side = 1 if arguments.hand == 'left' else 2
-    goal.kind, goal.position, goal.speed = POSITION, arguments.position, 0.4
-    goal.orientation = [1.0, 0.0, 0.0, 0.0]
+    goal.kind, goal.position[:], goal.speed = POSITION, arguments.position, 0.4
+    goal.orientation[:] = [1.0, 0.0, 0.0, 0.0]
     path = None
     for _ in range(20):  # any datagram may be lost; the same goal_id is planned once
         bus.ask('ARM_GOAL', goal, bus.wait('STATE'))

@@ -15,7 +15,7 @@ import twinbus
 CLEAR, BALANCED, HOLD, OFF = 0, 1, 2, 3
 
 
-def main():
+def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument('--for', dest='duration', type=float, default=1.0, help='seconds to stay stopped')
     arguments = parser.parse_args()

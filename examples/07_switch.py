@@ -14,13 +14,13 @@ SWITCH, TRACK, SHADOW, NOW, WHEN_SAFE = 2, 3, 4, 1, 2
 STANDBY = (4, 5)  # roles
 
 
-def ask(bus, action, target, meant_for):
+def ask(bus: twinbus.Bus, action: int, target: twinbus.source_status_t, meant_for: twinbus.robot_state_t | twinbus.source_status_t) -> None:
     request = twinbus.source_request_t()
     request.action, request.policy, request.target_run_id = action, WHEN_SAFE, target.run_id
     bus.ask('SOURCE_REQUEST', request, meant_for)
 
 
-def main():
+def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument('to', choices=SOURCES)
     arguments = parser.parse_args()

@@ -11,13 +11,13 @@ import collections
 import twinbus
 
 
-def main():
+def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument('log')
     parser.add_argument('--joint', type=int, default=3, help='joint index, in the order of the URDF')
     arguments = parser.parse_args()
-    counts, sources = collections.Counter(), set()
-    commanded, errors = {}, []
+    counts: collections.Counter[str] = collections.Counter()
+    sources, commanded, errors = set(), {}, []
     for _, channel, body in twinbus.read_log(arguments.log):
         counts[channel] += 1
         if channel == 'COMMAND':

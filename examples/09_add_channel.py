@@ -11,17 +11,18 @@ import argparse
 import math
 import pathlib
 import time
+from typing import Any
 
 import twinbus
 
 PERIOD = 0.02  # [s]
 
 
-def main():
+def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument('--for', dest='duration', type=float, default=math.inf, help='seconds to run')
     arguments = parser.parse_args()
-    power_t = twinbus.message_type(pathlib.Path(__file__).with_name('power_t.lcm').read_text())
+    power_t: Any = twinbus.message_type(pathlib.Path(__file__).with_name('power_t.lcm').read_text())
     bus = twinbus.Bus()
     bus.listen('STATE')
     print('add_channel: ready', flush=True)

@@ -9,35 +9,36 @@ import random
 import struct
 import time
 import zlib
+from collections.abc import Iterator
 
 import twinbus
 
 PIECE = 1300  # bytes of a picture in a message
 
 
-def test_picture(number, width=160, height=120):
+def test_picture(number: int, width: int = 160, height: int = 120) -> bytes:
     """A PNG with a bar that wanders."""
     bar = number * 4 % width
     row = b''.join(b'\xff\xb0\x20' if abs(x - bar) < 6 else bytes((x, 90, 160 - x // 2)) for x in range(width))
 
-    def part(kind, body):
+    def part(kind: bytes, body: bytes) -> bytes:
         return struct.pack('>I', len(body)) + kind + body + struct.pack('>I', zlib.crc32(kind + body))
     return (b'\x89PNG\r\n\x1a\n' + part(b'IHDR', struct.pack('>IIBBBBB', width, height, 8, 2, 0, 0, 0))
             + part(b'IDAT', zlib.compress((b'\0' + row) * height)) + part(b'IEND', b''))
 
 
-def pieces_of(picture, sender):
+def pieces_of(picture: bytes, sender: int) -> Iterator[twinbus.model_text_t]:
     message = twinbus.model_text_t()
     message.utime, message.run_id, message.kind = time.time_ns() // 1000, sender, 8
     message.size, message.pieces = len(picture), -(-len(picture) // PIECE)
     for message.piece in range(message.pieces):
         part = picture[message.piece * PIECE:(message.piece + 1) * PIECE]
         message.count = len(part)
-        message.text = part
+        message.text = part  # type: ignore[assignment]  # bytes are taken too
         yield message
 
 
-def main():
+def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument('--rate', type=float, default=10.0)
     parser.add_argument('--for', type=float, default=float('inf'), dest='duration')

@@ -11,10 +11,11 @@ import twinbus
 from twinbus.policy.controller import Controller
 from twinbus.policy.find import find
 from twinbus.policy.network import Network
+from twinbus.policy.robot import Robot
 from twinbus.policy.runner import Options, Runner, Stopped
 
 
-def main():
+def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument('model', type=pathlib.Path, help='ONNX file')
     parser.add_argument('--spec', default='', help='SPEC.yaml, deploy.yaml or env.yaml; default: what lies beside the model, or its metadata')
@@ -23,7 +24,7 @@ def main():
     arguments = parser.parse_args()
     network = Network(arguments.model)
 
-    def bind(robot):  # called once, in a thread, when the source has told of its robot
+    def bind(robot: Robot) -> Controller:  # called once, in a thread, when the source has told of its robot
         spec = find(network, robot, arguments.spec)
         print(f'policy: {spec.source} moves {len(spec.joints)} of {len(robot.names())} joints, first {spec.names()[0]}', flush=True)
         return Controller(spec, robot, network)

@@ -14,7 +14,7 @@ import twinbus
 BOW = {'RLEG_HIP_P': -0.15, 'LLEG_HIP_P': -0.15, 'RLEG_KNEE': 0.3, 'LLEG_KNEE': 0.3, 'RLEG_ANKLE_P': -0.15, 'LLEG_ANKLE_P': -0.15}  # [rad]
 
 
-def main():
+def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument('--for', dest='duration', type=float, default=10.0, help='simulated seconds')
     parser.add_argument('--scene', default='stand')

@@ -19,13 +19,13 @@ STAND = {'RARM_SHOULDER_P': 0.3113, 'RARM_SHOULDER_R': -0.1595, 'RARM_ELBOW': -0
          'RLEG_HIP_P': -0.571, 'RLEG_KNEE': 1.2644, 'RLEG_ANKLE_P': -0.6925}  # half_sitting of hrp1s [rad]
 
 
-def ease(x):
+def ease(x: float) -> float:
     """0 to 1 without a corner."""
     x = min(1.0, max(0.0, x))
     return x * x * (3.0 - 2.0 * x)
 
 
-def posture(time, seconds):
+def posture(time: float, seconds: float) -> dict[str, float]:
     """Angles of the joints at a time [rad]."""
     raised = ease(time / 1.5) * ease((seconds - time) / 1.5)
     bend = 0.3 * raised
@@ -39,7 +39,7 @@ def posture(time, seconds):
     return q
 
 
-def main():
+def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument('--for', dest='seconds', type=float, default=6.0, help='seconds')
     parser.add_argument('--twinbus', default='./twinbus', help='the program')
