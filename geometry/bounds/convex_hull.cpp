@@ -26,6 +26,7 @@ struct Face {
 // Products of three differences of 39 bits.
 __extension__ typedef __int128 Wide;
 constexpr double kGrid = 274877906944.0;  // 2^38
+constexpr double kOutside = 5e-7;         // of the extent: a point may lie so far outside of a face
 
 // The builder decides what is above what in floating point with a tolerance, which is fast and leaves
 // out what is all but flat; or, on a grid, in whole numbers without any error, which always ends well.
@@ -258,7 +259,7 @@ TriangleMesh convex_hull(const std::vector<Vector3d>& points) {
   // What rounding leaves undecided at one tolerance, a coarser one decides.
   for (const double tolerance : {1e-9, 1e-8, 1e-7, 1e-6}) {
     Builder builder(points, tolerance * extent);
-    if (builder.build() && builder.holds_all(3.0 * tolerance * extent)) return builder.mesh();
+    if (builder.build() && builder.holds_all(std::min(3.0 * tolerance, kOutside) * extent)) return builder.mesh();
   }
   Builder exact(points, box.min(), extent);
   if (extent > 0.0 && exact.build()) return exact.mesh();

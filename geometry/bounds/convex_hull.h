@@ -9,8 +9,8 @@
 
 namespace twinbus {
 
-// Corners are some of `points`; triangles face outwards and every point is at most about 1e-6 of
-// their extent outside of each.  Points in a plane or on a line, and points that rounding makes
+// Corners are some of `points`; triangles face outwards and every point is at most 5e-7 of the
+// diagonal of their box outside of each.  Points in a plane or on a line, and points that rounding makes
 // undecidable, come back as they are with no triangle.
 TriangleMesh convex_hull(const std::vector<Eigen::Vector3d>& points);
 

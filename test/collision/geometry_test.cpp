@@ -129,12 +129,13 @@ TEST(ConvexHull, OfNearlyFlatMeshesIsClosed) {
   std::mt19937_64 random(7);
   std::uniform_real_distribution<double> unit(-1.0, 1.0);
   for (const double bump : {0.0, 1e-10, 1e-9, 1e-8, 3e-8, 1e-7, 1e-6, 1e-5}) {
-    const Eigen::Quaterniond turn =
-        Eigen::Quaterniond(unit(random), unit(random), unit(random), unit(random)).normalized();
+    // One after the other, so that every compiler turns it alike.
+    const double w = unit(random), x = unit(random), y = unit(random), z = unit(random);
+    const Eigen::Quaterniond turn = Eigen::Quaterniond(w, x, y, z).normalized();
     std::vector<Eigen::Vector3d> points;
     for (int i = 0; i < 4000; ++i) {
-      const Eigen::Vector3d p(0.1 * std::round(8.0 * unit(random)), 0.1 * unit(random),
-                              (i % 2 == 0 ? 0.01 : -0.01) + bump * unit(random));
+      const double along = unit(random), across = unit(random), up = unit(random);
+      const Eigen::Vector3d p(0.1 * std::round(8.0 * along), 0.1 * across, (i % 2 == 0 ? 0.01 : -0.01) + bump * up);
       points.push_back((turn * p).cast<float>().cast<double>());
     }
     const TriangleMesh hull = convex_hull(points);
