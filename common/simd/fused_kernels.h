@@ -5,17 +5,17 @@
 namespace baseline {
 #include TWINBUS_KERNEL_FILE
 }  // namespace baseline
-#if defined(__x86_64__) && !defined(__clang__)
-#pragma GCC push_options
-#pragma GCC target("avx2,fma")
+#ifdef __x86_64__
+#include "common/simd/begin_avx2.h"
 namespace avx2 {
 #include TWINBUS_KERNEL_FILE
 }  // namespace avx2
-#pragma GCC target("avx512f,avx512vl,avx512dq,fma")
+#include "common/simd/end_target.h"
+#include "common/simd/begin_avx512.h"
 namespace avx512 {
 #include TWINBUS_KERNEL_FILE
 }  // namespace avx512
-#pragma GCC pop_options
+#include "common/simd/end_target.h"
 #endif
 #undef TWINBUS_KERNEL_FILE
 // clang-format on

@@ -16,7 +16,7 @@ InstructionSet most_instruction_set() noexcept {
 }
 
 InstructionSet best_instruction_set() noexcept {
-#if defined(__x86_64__) && !defined(__clang__)
+#ifdef __x86_64__
   static const InstructionSet best =
       __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
               __builtin_cpu_supports("avx512dq")

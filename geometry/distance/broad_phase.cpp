@@ -42,16 +42,15 @@ namespace baseline_shapes {
 #include "geometry/distance/broad_phase_lanes.h"
 }  // namespace baseline_shapes
 #undef TWINBUS_WIDE
-#if defined(__x86_64__) && !defined(__clang__)
+#ifdef __x86_64__
 #define TWINBUS_WIDE 1
-#pragma GCC push_options
-#pragma GCC target("avx2")
+#include "common/simd/begin_avx2.h"
 namespace avx2_shapes {
 #include "common/simd/float8.h"
 #include "geometry/distance/capsule_lanes.h"
 #include "geometry/distance/broad_phase_lanes.h"
 }  // namespace avx2_shapes
-#pragma GCC pop_options
+#include "common/simd/end_target.h"
 #undef TWINBUS_WIDE
 #endif
 // clang-format on
@@ -185,7 +184,7 @@ std::span<NearShapes::Candidate> NearShapes::nearer_than(double reach, double ah
   i.tables.found = i.found.data();
   i.tables.until = i.until.data();
   const auto far = static_cast<float>(reach), then = static_cast<float>(ahead);
-#if defined(__x86_64__) && !defined(__clang__)
+#ifdef __x86_64__
   auto* const look =
       by_kept ? (i.wide ? avx2_shapes::near_kept_shapes : baseline_shapes::near_kept_shapes)
               : (i.wide ? avx2_shapes::near_shapes : baseline_shapes::near_shapes);

@@ -23,17 +23,16 @@ namespace baseline_mesh {
 #include "geometry/distance/mesh_distance_lanes.h"
 }  // namespace baseline_mesh
 #undef TWINBUS_WIDE
-#if defined(__x86_64__) && !defined(__clang__)
+#ifdef __x86_64__
 #define TWINBUS_WIDE 1
-#pragma GCC push_options
-#pragma GCC target("avx2")
+#include "common/simd/begin_avx2.h"
 namespace avx2_mesh {
 #include "common/simd/float8.h"
 #include "geometry/distance/triangle_sat.h"
 #include "geometry/distance/mesh_distance_triangles.h"
 #include "geometry/distance/mesh_distance_lanes.h"
 }  // namespace avx2_mesh
-#pragma GCC pop_options
+#include "common/simd/end_target.h"
 #undef TWINBUS_WIDE
 #endif
 // clang-format on
@@ -197,7 +196,7 @@ bool MeshDistance::between(const ClusteredMesh& a, const Isometry3d& pose_a, con
   nearest.below = static_cast<float>(below + kSingle);
   nearest.cluster_a = memory.cluster_a;
   nearest.cluster_b = memory.cluster_b;
-#if defined(__x86_64__) && !defined(__clang__)
+#ifdef __x86_64__
   if (i.wide) {
     avx2_mesh::search(t, nearest);
   } else {

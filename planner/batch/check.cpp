@@ -31,9 +31,8 @@ namespace block_baseline {
 #include "planner/batch/line.h"
 #include "planner/batch/certain.h"
 }  // namespace block_baseline
-#if defined(__x86_64__) && !defined(__clang__)
-#pragma GCC push_options
-#pragma GCC target("avx2")
+#ifdef __x86_64__
+#include "common/simd/begin_avx2.h"
 #define TWINBUS_BLOCK_AVX2
 namespace block_avx2 {
 #include "common/simd/block_lanes.h"
@@ -46,8 +45,9 @@ namespace block_avx2 {
 #include "planner/batch/line.h"
 #include "planner/batch/certain.h"
 }  // namespace block_avx2
+#include "common/simd/end_target.h"
 // Of many corners two at once; else no wider.
-#pragma GCC target("avx512f,avx512vl,avx512dq")
+#include "common/simd/begin_avx512.h"
 #define TWINBUS_BLOCK_AVX512
 namespace block_avx512 {
 #include "common/simd/block_lanes.h"
@@ -62,7 +62,7 @@ namespace block_avx512 {
 }  // namespace block_avx512
 #undef TWINBUS_BLOCK_AVX512
 #undef TWINBUS_BLOCK_AVX2
-#pragma GCC pop_options
+#include "common/simd/end_target.h"
 #define TWINBUS_BLOCK(set, call)                           \
   ((set) == InstructionSet::kAvx512 ? block_avx512::call   \
    : (set) == InstructionSet::kAvx2 ? block_avx2::call : block_baseline::call)

@@ -68,23 +68,23 @@ namespace baseline_swept {
 #include "robot/collision/continuous_open.h"
 }  // namespace baseline_swept
 #undef TWINBUS_WIDE
-#if defined(__x86_64__) && !defined(__clang__)
+#ifdef __x86_64__
 #define TWINBUS_WIDE 1
-#pragma GCC push_options
-#pragma GCC target("avx2")
+#include "common/simd/begin_avx2.h"
 namespace avx2_swept {
 #include "common/simd/float8.h"
 #include "robot/collision/continuous_lanes.h"
 #include "robot/collision/continuous_open.h"
 }  // namespace avx2_swept
+#include "common/simd/end_target.h"
 // No wider: of more registers, and of bits that say which lanes.
-#pragma GCC target("avx512f,avx512vl,avx512dq")
+#include "common/simd/begin_avx512.h"
 namespace avx512_swept {
 #include "common/simd/float8.h"
 #include "robot/collision/continuous_lanes.h"
 #include "robot/collision/continuous_open.h"
 }  // namespace avx512_swept
-#pragma GCC pop_options
+#include "common/simd/end_target.h"
 #undef TWINBUS_WIDE
 #define TWINBUS_SWEPT(call)                                \
   (set == InstructionSet::kAvx512 ? avx512_swept::call     \

@@ -18,7 +18,7 @@ namespace twinbus {
 #define TWINBUS_KERNEL_FILE "sim/articulated/articulated_parts.h"
 #include "common/simd/fused_kernels.h"
 
-#if defined(__x86_64__) && !defined(__clang__)
+#ifdef __x86_64__
 #define TWINBUS_KERNEL(call) \
   (simd() == Simd::kAvx512 ? avx512::call : simd() == Simd::kAvx2 ? avx2::call : baseline::call)
 #else

@@ -29,10 +29,9 @@ namespace baseline_lanes {
 #include "robot/collision/exact/self_collision_near.h"
 }  // namespace baseline_lanes
 #undef TWINBUS_WIDE
-#if defined(__x86_64__) && !defined(__clang__)
+#ifdef __x86_64__
 #define TWINBUS_WIDE 1
-#pragma GCC push_options
-#pragma GCC target("avx2")
+#include "common/simd/begin_avx2.h"
 namespace avx2_lanes {
 #include "common/simd/float8.h"
 #include "geometry/distance/capsule_lanes.h"
@@ -45,7 +44,8 @@ namespace avx2_lanes {
 #include "robot/collision/exact/self_collision_cells.h"
 #include "robot/collision/exact/self_collision_near.h"
 }  // namespace avx2_lanes
-#pragma GCC target("avx512f,avx512vl,avx512dq")
+#include "common/simd/end_target.h"
+#include "common/simd/begin_avx512.h"
 namespace avx512_lanes {
 #include "common/simd/float8.h"
 #include "geometry/distance/capsule_lanes.h"
@@ -58,7 +58,7 @@ namespace avx512_lanes {
 #include "robot/collision/exact/self_collision_cells.h"
 #include "robot/collision/exact/self_collision_near.h"
 }  // namespace avx512_lanes
-#pragma GCC pop_options
+#include "common/simd/end_target.h"
 #undef TWINBUS_WIDE
 #define TWINBUS_LANES(call)                                        \
   (i.set == InstructionSet::kAvx512 ? avx512_lanes::call           \
