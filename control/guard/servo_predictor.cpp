@@ -35,8 +35,7 @@ Course ends_at(double first, double speed, double rest, double brake) noexcept {
 }  // namespace
 
 ServoPredictor::ServoPredictor(const Model& model, int delay_ticks, double lag)
-    : model_(&model),
-      period_(model.period()),
+    : period_(model.period()),
       lag_(lag),
       delay_((std::clamp(delay_ticks, 0, SetPointTrack::kMostDelay) + 1) * model.period() + lag),
       fade_s_(model.blend_s),
@@ -307,8 +306,8 @@ void ServoPredictor::run(const Masks& masks, std::size_t first) noexcept {
     Flags still{};
     for (int n = 0; n < moving_; ++n) {
       Motion& m = motion_[at(n)];
-      m.least = moves & (m.q < m.least) ? m.q : m.least;
-      m.most = moves & (m.q > m.most) ? m.q : m.most;
+      m.least = (moves & (m.q < m.least)) ? m.q : m.least;
+      m.most = (moves & (m.q > m.most)) ? m.q : m.most;
       still |= (m.v * m.speed > 0.0) & ((m.v > kRests) | (m.v < -kRests));
     }
     moves &= still;

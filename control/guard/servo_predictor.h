@@ -93,7 +93,6 @@ class ServoPredictor {
   static void set_gains(Motion& motion, const Servo& servo) noexcept;
   void brake_those(const Masks& masks) noexcept;
 
-  const Model* model_;
   double period_, lag_, delay_, fade_s_;  // [s]
   int count_, delay_ticks_;
   bool started_ = false;

@@ -114,7 +114,8 @@ inline void separate_pair(const BlockRobot& robot, const BlockWork& w, int pair,
   const BlockPiece &hull_a = robot.pieces[static_cast<std::size_t>(ga.first_piece)],
                    &hull_b = robot.pieces[static_cast<std::size_t>(gb.first_piece)];
   const bool whole = !w.by_pieces || !w.fine_pair[pair] || (ga.piece_count == 1 && gb.piece_count == 1);
-  const GroupSide side_b{robot, w, gb.body, hull_b, w.around[b]};
+  const auto& around_b = w.around[b];
+  const GroupSide side_b{robot, w, gb.body, hull_b, around_b};
   separate_piece(robot, w, ga.body, hull_a, w.around[a], side_b, fixed, moves, sweep, asked, whole, far, separate);
   Flags rest = asked & ~separate;
   if (whole || !any(rest)) return;
@@ -128,7 +129,7 @@ inline void separate_pair(const BlockRobot& robot, const BlockWork& w, int pair,
   };
   const auto asked_of_a = [&](const BlockBall& ball) {
     place(w, ga.body, ball, middle_a);
-    return any(near_of(middle_a, ball.radius, w.around[b], gb.around.radius));
+    return any(near_of(middle_a, ball.radius, around_b, gb.around.radius));
   };
   const auto each_of_b = [&](const BlockPiece& piece_a, const Flags& left) {
     const auto asked_of_b = [&](const BlockBall& ball) {
@@ -150,7 +151,7 @@ inline void separate_pair(const BlockRobot& robot, const BlockWork& w, int pair,
   const Flags wanted = rest;
   const auto use_of_a = [&](const BlockPiece& piece_a) {
     place(w, ga.body, piece_a.around, middle_a);
-    const Flags near = near_of(middle_a, piece_a.around.radius, w.around[b], gb.around.radius);
+    const Flags near = near_of(middle_a, piece_a.around.radius, around_b, gb.around.radius);
     if (!any(near)) return;
     Flags piece_far, piece_separate;
     separate_piece(robot, w, ga.body, piece_a, middle_a, side_b, fixed, moves, sweep, near, false, piece_far, piece_separate);

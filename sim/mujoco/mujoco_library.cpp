@@ -215,7 +215,7 @@ std::string MujocoLibrary::complaint_of(const Layout& layout) {
     if (joints.own[12] != 0.25 || joints.own[13] != 0.25 || !near(joints.whole[12], 2.25) || !near(joints.whole[13], kArm + 0.25))
       return "other armatures there";
     std::vector<double> qvel(14), force(14);
-    for (const std::size_t joint : {12, 13}) {
+    for (const std::size_t joint : {12U, 13U}) {
       joints.set(joint, 3.0);
       force[joint] = 8.0;
     }

@@ -16,7 +16,7 @@ namespace {
 // A pad whose sticks go anywhere every 1 to 4 s: fast forward, to the side and turning at once.
 TEST(Curves, APadThatTurnsAsFastAsItCanIsNeverStoppedByTheGuard) {
   std::int64_t turned = 0;
-  for (const std::uint64_t seed : {1, 2, 3}) {
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
     Scene scene = load_scene("walk_pad");
     ASSERT_FALSE(scene.pads.empty());
     const TimedPad held = scene.pads.front();

@@ -65,7 +65,7 @@ TEST_F(SeedsOf, InLanesEachEndsAsItDoesThereAlone) {
   const std::vector<SeedResult> together = run({1, 6}, 1);
   ASSERT_EQ(together.size(), 6u);
   EXPECT_FALSE(together[1].error.empty());
-  for (const std::uint64_t seed : {1, 3, 6}) {
+  for (const std::uint64_t seed : {1U, 3U, 6U}) {
     const std::vector<SeedResult> alone = run({seed, seed}, 1);
     EXPECT_EQ(together[seed - 1].error, "");
     EXPECT_EQ(together[seed - 1].ticks, 20);

@@ -277,8 +277,8 @@ TEST(FourPostures, FromAGuessComeToTheSame) {
 // lopsided as can be.
 Model lopsided() {
   Model model = test::chain(8, true);
-  for (const std::size_t j : {1, 2, 3}) model.joints[j].placement.translation().setZero();
-  for (const std::size_t j : {4, 5, 6}) {
+  for (const std::size_t j : {1U, 2U, 3U}) model.joints[j].placement.translation().setZero();
+  for (const std::size_t j : {4U, 5U, 6U}) {
     model.joints[j].placement.translation() = Eigen::Vector3d(0.1, -0.2, 0.3);
   }
   model.joints[7].axis = Eigen::Vector3d(2, -1, 2) / 3.0;

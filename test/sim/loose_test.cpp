@@ -109,7 +109,7 @@ TEST_P(LooseTest, ABoxIsPutWhereItIsTold) {
   to.velocity = {1, 0, 0};
   ASSERT_EQ(world->set_loose(0, to), Status::kOk);
   EXPECT_NE(world->set_loose(1, to), Status::kOk);
-  to.velocity.x() = NAN;
+  to.velocity.x() = std::nan("");
   EXPECT_EQ(world->set_loose(0, to), Status::kNotFinite);
   for (int i = 0; i < 100; ++i) ASSERT_EQ(world->step(), Status::kOk);
   EXPECT_NEAR(world->loose(0).pose.translation().x(), 0.2, 1e-9);

@@ -182,7 +182,7 @@ TEST_P(SeveralRobots, WhatCannotBeIsRefused) {
   config.robots[0].servos[0].kp = -1.0;
   EXPECT_THROW((void)make(model, config), std::runtime_error);
   config.robots[0].servos[0].kp = 0.0;
-  config.robots[0].start.base.translation().x() = NAN;
+  config.robots[0].start.base.translation().x() = std::nan("");
   EXPECT_THROW((void)make(model, config), std::runtime_error);
 }
 

@@ -29,8 +29,8 @@ Model open_four_bar() {
   for (int i = 0; i < 3; ++i) {
     Joint& joint = model.joints[static_cast<std::size_t>(i)];
     joint.kind = JointKind::kContinuous;
-    joint.lower = -INFINITY;
-    joint.upper = INFINITY;
+    joint.lower = -HUGE_VAL;
+    joint.upper = HUGE_VAL;
     joint.axis = Eigen::Vector3d::UnitY();
     joint.placement.translation() = places[i];
     joint.parent = i == 1 ? 1 : 0;
