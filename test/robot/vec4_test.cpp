@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <limits>
 #include <random>
+
+#include "common/simd/instruction_set.h"
 
 namespace twinbus::test {
 namespace {
@@ -24,6 +27,16 @@ TEST(Vec4, SineAndCosineAreThoseOfTheLibrary) {
     }
   }
 }
+
+#ifdef __x86_64__
+// Whatever compiler built it.
+TEST(InstructionSet, WhatTheMachineHasAndTheEnvironmentAllowsIsUsed) {
+  InstructionSet has = InstructionSet::kBaseline;
+  if (__builtin_cpu_supports("avx2")) has = InstructionSet::kAvx2;
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq")) has = InstructionSet::kAvx512;
+  EXPECT_EQ(best_instruction_set(), std::min(has, most_instruction_set()));
+}
+#endif
 
 TEST(Vec4, NotANumberStaysOne) {
   Vec4 s, c;
