@@ -14,6 +14,8 @@ namespace twinbus {
 namespace {
 
 constexpr float kFirstRadius = 4.0F, kLeastRadius = 1.0F, kRadiusChange = 1e-4F;
+constexpr float kLongest = 1.0F;  // step of one arm [rad]
+constexpr float kOneArm = 7.0F;   // joints
 constexpr float kFarAway = 1e6F;
 constexpr int kAskEvery = 64;  // rounds between questions whether to go on
 constexpr float kInfinite = std::numeric_limits<float>::infinity();
@@ -92,7 +94,12 @@ void JointSearch::Tree::branch(int node, SearchPath& path) const {
 }
 
 JointSearch::JointSearch(SearchLimits limits)
-    : limits_(std::move(limits)), joints_(static_cast<int>(limits_.lower.size())) {}
+    : limits_(std::move(limits)), joints_(static_cast<int>(limits_.lower.size())) {
+  const float arms = std::max(1.0F, static_cast<float>(joints_) / kOneArm);
+  first_radius_ = kFirstRadius * std::sqrt(arms);
+  least_radius_ = kLeastRadius * std::sqrt(arms);
+  if (!(limits_.range > 0.0F)) limits_.range = kLongest / arms;
+}
 
 const SearchPoint& JointSearch::sample() {
   if (next_ == table_.size()) {
@@ -121,8 +128,7 @@ int JointSearch::extend(LineTest& test, Tree& tree, const SearchPoint& to) {
     tip[j] = from[j] + step[j];
   }
   if (!test.free(from, step, gap * share)) {
-    radius =
-        std::isinf(radius) ? kFirstRadius : std::max(radius * (1.0F - kRadiusChange), kLeastRadius);
+    radius = std::isinf(radius) ? first_radius_ : std::max(radius * (1.0F - kRadiusChange), least_radius_);
     return -1;
   }
   if (!std::isinf(radius)) radius *= 1.0F + kRadiusChange;

@@ -3,6 +3,9 @@
 //
 // A node from which a step failed gets a radius outside of which samples are dropped unseen: most
 // samples pull nodes at the rim of free space into what blocks them.
+//
+// More joints than an arm has: random postures are farther apart, as the root of their number, and so is that radius; a step
+// of a given length has as many more things to touch as there are more joints, and is that much shorter.
 
 #pragma once
 
@@ -33,7 +36,7 @@ class LineTest {
 
 struct SearchLimits {
   std::vector<float> lower, upper;  // samples are drawn between them
-  float range = 1.0F;               // longest step [rad]
+  float range = 0.0F;               // longest step [rad]; 0: as long as suits so many joints
   int most_rounds = 100000;         // each draws one sample
   std::uint64_t seed = 0;           // where the sequence starts; 0: at its beginning
 };
@@ -72,6 +75,7 @@ class JointSearch {
   std::vector<SearchPoint> table_;  // of samples, grows as they are asked for
   std::size_t next_ = 0;
   int rounds_ = 0;
+  float first_radius_ = 0.0F, least_radius_ = 0.0F;  // of nodes from which a step failed [rad]
 };
 
 }  // namespace twinbus

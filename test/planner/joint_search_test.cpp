@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "planner/search/shorten.h"
 
 namespace twinbus {
@@ -82,6 +84,35 @@ TEST(JointSearch, EndsWhenTold) {
   const auto keep_on = [](void* user) { return --*static_cast<int*>(user) > 0; };
   EXPECT_TRUE(search.find(wall, point(-1.0F, 0.0F), {point(1.0F, 0.0F)}, keep_on, &left).empty());
   EXPECT_LT(search.rounds(), 1000);
+}
+
+// Nothing is free, and somebody counts.
+class Nowhere : public LineTest {
+ public:
+  bool free(const SearchPoint&, const SearchPoint&, float length) override {
+    if (++asked > 1) longest = std::max(longest, length);  // after the way straight to the goal
+    return false;
+  }
+  int asked = 0;
+  float longest = 0.0F;
+};
+
+// Samples of twice as many joints are farther away; nodes at what blocks them still hear of them, and steps do not grow.
+TEST(JointSearch, ManyJointsAreSearchedAsFewAre) {
+  constexpr int kRounds = 1000;
+  for (const int joints : {7, 14}) {
+    SearchLimits limits;
+    limits.lower.assign(static_cast<std::size_t>(joints), -2.0F);
+    limits.upper.assign(static_cast<std::size_t>(joints), 2.0F);
+    limits.most_rounds = kRounds;
+    JointSearch search(limits);
+    Nowhere nowhere;
+    SearchPoint goal{};
+    goal[0] = 0.1F;
+    EXPECT_TRUE(search.find(nowhere, SearchPoint{}, {goal}).empty());
+    EXPECT_GT(nowhere.asked, kRounds * 8 / 10) << joints;
+    EXPECT_NEAR(nowhere.longest, joints == 7 ? 1.0F : 0.5F, 1e-5F);
+  }
 }
 
 }  // namespace
