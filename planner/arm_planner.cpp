@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include "planner/held_lines.h"
 #include "planner/joint_turns.h"
@@ -35,6 +36,7 @@ constexpr double kTurnTolerance = 2e-3;  // [rad]
 constexpr double kStubborn = 0.05;       // a miss that more tries may mend [m]
 constexpr double kNearby = 0.15;         // share of the way to a random posture
 constexpr int kPatience = 8;             // times as many
+constexpr int kLongPatience = 5;         // times as many rounds when no way was found
 constexpr int kIkTries = 4;              // of one start, the closed form among them
 constexpr int kLeans = 8;                // steps until goal posture and lean agree
 constexpr double kLeanTolerance = 5e-5;  // [m]
@@ -105,35 +107,29 @@ bool ArmPlanner::understand(const ArmGoal& goal, const Configuration& start,
     plan.complaint = complaint;
     return false;
   };
-  if (!(goal.speed > 0.0F && goal.speed <= 1.0F))
-    return refuse("speed must be above 0 and at most 1");
+  if (!(goal.speed > 0.0F && goal.speed <= 1.0F)) return refuse("speed must be above 0 and at most 1");
   question.goal = &goal;
   question.start_posture = &start;
   if (goal.kind == ArmGoalKind::kJoints) {
     for (int k = 0; k < std::min(model_->bus_count(), kMaxJoints); ++k) {
       if (((goal.joint_mask >> k) & 1) == 0) continue;
       const int joint = model_->bus_joints[at(k)];
-      if (!is_arm_joint(*model_, joint))
-        return refuse("joint_mask names a joint that is not of an arm");
+      if (!is_arm_joint(*model_, joint)) return refuse("joint_mask names a joint that is not of an arm");
       plan.joints.push_back(joint);
     }
     if (plan.joints.empty()) return refuse("joint_mask names no joint");
     if (plan.joints.size() > at(kArmJoints)) return refuse("more than 12 joints at once");
   } else if (goal.kind == ArmGoalKind::kPosition || goal.kind == ArmGoalKind::kPose) {
-    if (goal.side != ArmSide::kLeft && goal.side != ArmSide::kRight)
-      return refuse("side must be left or right");
+    if (goal.side != ArmSide::kLeft && goal.side != ArmSide::kRight) return refuse("side must be left or right");
     question.hand = hand_of(*model_, goal.side == ArmSide::kLeft ? 0 : 1);
-    if (question.hand == nullptr || question.hand->joints.empty())
-      return refuse("the robot has no such hand");
-    if (question.hand->joints.size() > at(kArmJoints))
-      return refuse("the arm has more than 12 joints");
+    if (question.hand == nullptr || question.hand->joints.empty()) return refuse("the robot has no such hand");
+    if (question.hand->joints.size() > at(kArmJoints)) return refuse("the arm has more than 12 joints");
     plan.joints = question.hand->joints;
     question.base_link = model_->joints[at(plan.joints.front())].parent;
     Eigen::Isometry3d in_ground = Eigen::Isometry3d::Identity();
     in_ground.translation() = Eigen::Vector3d(goal.position[0], goal.position[1], goal.position[2]);
     if (goal.kind == ArmGoalKind::kPose) {
-      const Eigen::Quaterniond w(goal.orientation[0], goal.orientation[1], goal.orientation[2],
-                                 goal.orientation[3]);
+      const Eigen::Quaterniond w(goal.orientation[0], goal.orientation[1], goal.orientation[2], goal.orientation[3]);
       if (!(std::abs(w.norm() - 1.0) < kUnit)) return refuse("orientation must have length 1");
       in_ground.linear() = w.normalized().toRotationMatrix();
     }
@@ -151,8 +147,7 @@ bool ArmPlanner::understand(const ArmGoal& goal, const Configuration& start,
     if (std::find(looped_.begin(), looped_.end(), joint) == looped_.end()) continue;
     plan.status = ArmPathStatus::kBadGoal;
     plan.complaint = "joint " + model_->joints[at(joint)].name +
-                     " is in a closed loop (loops: of robot.yaml), and the planner moves every "
-                     "joint by itself";
+                     " is in a closed loop (loops: of robot.yaml), and the planner moves every joint by itself";
     return false;
   }
 
@@ -287,8 +282,7 @@ bool ArmPlanner::find_goals(EdgeCheck& space, Question& question, SplitMix64& ra
         best_miss = miss;
         miss_there = result.position_error;
       }
-      const bool barely =
-          result.position_error < kBarelyOut &&
+      const bool barely = result.position_error < kBarelyOut &&
           (goal.kind == ArmGoalKind::kPosition || result.rotation_error < kBarelyTurned);
       if (result.reached || barely)
         consider(question.range.within(pick(q, plan.joints)), there, result.reached ? question.goals : question.nearly);
@@ -364,10 +358,18 @@ ArmPlan ArmPlanner::plan(const ArmGoal& goal, const Configuration& start,
     plan = attempt(goal, start, ground_in_world, seed, keep_on, user);
     plan.padding = padding;
     plan.checks = checks += plan.checks;
-    const bool in_the_way = plan.status == ArmPathStatus::kStartInCollision ||
-                            plan.status == ArmPathStatus::kGoalInCollision ||
+    const bool in_the_way = plan.status == ArmPathStatus::kStartInCollision || plan.status == ArmPathStatus::kGoalInCollision ||
                             plan.status == ArmPathStatus::kTimeLimit;
     if (!in_the_way) break;
+  }
+  if (plan.status == ArmPathStatus::kTimeLimit) {  // then with patience, and as near as a goal may be
+    const ArmPlannerConfig usual = config_;
+    config_.clearance = std::min(config_.clearance, config_.least_clearance);
+    config_.rrt_rounds *= kLongPatience;
+    ArmPlan other = attempt(goal, start, ground_in_world, seed, keep_on, user);
+    config_ = usual;
+    other.checks += checks;
+    plan = std::move(other);
   }
   collision_.set_obstacles(obstacles_);
   if (plan.status == ArmPathStatus::kStartInCollision || plan.status == ArmPathStatus::kGoalInCollision)
@@ -439,8 +441,7 @@ ArmPlan ArmPlanner::attempt(const ArmGoal& goal, const Configuration& start,
     }
     shorten(test, found, joints);
     // The ends are what was asked for, to the last bit.
-    const std::size_t goal_index =
-        at(static_cast<int>(std::find(goals.begin(), goals.end(), found.back()) - goals.begin()));
+    const std::size_t goal_index = at(static_cast<int>(std::find(goals.begin(), goals.end(), found.back()) - goals.begin()));
     JointPath corners;
     for (const SearchPoint& q : found) corners.push_back(from_search(q, joints));
     corners.front() = question.start;

@@ -33,7 +33,7 @@ struct ArmPlannerConfig {
   double full_push_time = 0.1;   // from rest to the acceleration that takes [s]
   int ik_restarts = 80;          // random postures to look for a goal posture from
   int goal_postures = 6;         // enough of them
-  int rrt_rounds = 8000;
+  int rrt_rounds = 8000;         // of a search; when no way was found, five times as many, keeping least_clearance
   double knot_spacing = 0.025;  // [s]
 };
 

@@ -293,14 +293,23 @@ TEST(ArmPlanner, ABoxedInHandIsToldThatThereIsNoWay) {
                                       box(hand.x() - r, hand.y(), hand.z(), 0.01, 2 * r, 0.5),
                                       box(hand.x(), hand.y() + r, hand.z(), 2 * r, 0.01, 0.5),
                                       box(hand.x(), hand.y() - r, hand.z(), 2 * r, 0.01, 0.5)};
-  ArmPlannerConfig config;
-  config.rrt_rounds = 150;
-  ArmPlanner planner(hrp1s(), config);
-  planner.set_obstacles(cage);
-  const ArmPlan plan = planner.plan(hand_to(ArmSide::kLeft, 0.42, 0.26, 0.86), start, kGround, 1);
-  EXPECT_NE(plan.status, ArmPathStatus::kOk);
+  const auto plan_by = [&](int rounds) {
+    ArmPlannerConfig config;
+    config.rrt_rounds = rounds;
+    ArmPlanner planner(hrp1s(), config);
+    planner.set_obstacles(cage);
+    return planner.plan(hand_to(ArmSide::kLeft, 0.42, 0.26, 0.86), start, kGround, 1);
+  };
+  const ArmPlan plan = plan_by(60);
+  EXPECT_EQ(plan.status, ArmPathStatus::kTimeLimit);
+  EXPECT_EQ(plan.rounds, 5 * 60);  // not before it was looked for with patience
   EXPECT_TRUE(plan.path.empty());
   EXPECT_GT(describe(plan).size(), 20U);
+  const ArmPlan patient = plan_by(150);  // over the walls
+  ASSERT_EQ(patient.status, ArmPathStatus::kOk) << describe(patient);
+  EXPECT_GT(patient.rounds, 150);
+  SecondOpinion opinion(cage);
+  EXPECT_EQ(opinion.touching(patient, start, 0.005), 0);
 }
 
 TEST(ArmPlanner, NonsenseIsRefusedWithOneSentence) {
