@@ -35,7 +35,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 PEERS = ROOT / "test/bench/peers"
 VALID = {"panda": 559}  # problems with a free start and goal by VAMP's balls
 ALL = {"panda": 560}  # by the meshes
-VAMPS = {"panda": "Panda", "ur5": "UR5", "fetch": "Fetch", "baxter": "Baxter"}
+# With the longest steps of its own table [rad].
+VAMPS = {"panda": ("Panda", 1.0), "ur5": ("UR5", 1.5), "fetch": ("Fetch", 1.0), "baxter": ("Baxter", 0.5)}
 FLAGS = ("-std=c++17 -O3 -march=native -mavx2 -fno-math-errno -fno-signed-zeros -fno-trapping-math -fno-rounding-math "
          "-ffp-contract=fast -fassociative-math -Wno-ignored-attributes").split()
 rows, short_of = [], []
@@ -56,7 +57,8 @@ def build_vamp(folder, out, robot):
     clang = next((c for c in ("clang++", "clang++-14") if shutil.which(c)), None)
     flags = FLAGS + (["-fno-honor-infinities", "-fno-honor-nans", "-fapprox-func"] if clang else [])
     includes = ["-I" + str(folder / p) for p in ("vamp/src/impl", "nigh/src", "pdqsort", "SIMDxorshift/include")]
-    of_robot = [f"-DTWINBUS_VAMP_ROBOT={VAMPS[robot]}", f"-DTWINBUS_VAMP_HEADER=<vamp/robots/{robot}.hh>"]
+    name, step = VAMPS[robot]
+    of_robot = [f"-DTWINBUS_VAMP_ROBOT={name}", f"-DTWINBUS_VAMP_RANGE={step}", f"-DTWINBUS_VAMP_HEADER=<vamp/robots/{robot}.hh>"]
     done = subprocess.run([clang or "g++", *flags, *of_robot, *includes, "-I/usr/include/eigen3", str(sources[0]), "-x", "c++",
                            "-fpermissive" if not clang else "-Wno-everything", str(sources[1]), "-o", str(program)],
                           capture_output=True, text=True)

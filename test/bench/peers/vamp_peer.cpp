@@ -3,7 +3,8 @@
 //   vamp_peer PROBLEMS ROUNDS    prints: set number plan_us simplify_us cost points, then the path
 //
 // Built by bench_planner.py against a checkout of VAMP (its headers, nigh, pdqsort and SIMDxorshift),
-// outside of this tree, with VAMP's own compiler flags.  Settings are those of VAMP's own evaluation.
+// outside of this tree, with VAMP's own compiler flags.  Settings are those of VAMP's own evaluation, the longest step of
+// a robot as in its table of ranges (TWINBUS_VAMP_RANGE).
 
 #include <algorithm>
 #include <cstdio>
@@ -78,7 +79,7 @@ int main(int argc, char** argv) {
   const int rounds = std::atoi(argv[2]);
   auto random = std::make_shared<vamp::rng::Halton<Robot>>();
   vamp::planning::RRTCSettings plan;
-  plan.range = 1.0;
+  plan.range = TWINBUS_VAMP_RANGE;
   vamp::planning::SimplifySettings smooth;
   for (const Problem& p : problems) {
     const Scene scene(p.scene);
