@@ -154,6 +154,7 @@ class Writer {
     }
     if (!known_.rotors.empty()) out += "  <rotor_params>\n";
     for (const SrdfRotor& rotor : known_.rotors) {
+      if (is_finger(model_.find_joint(rotor.joint))) continue;  // fixed to its hand
       out += "    <joint name=\"" + xml_escaped(rotor.joint) + "\" mass=\"" +
              exact(rotor.reflected_inertia) + "\" gear_ratio=\"1\"/>\n";
     }

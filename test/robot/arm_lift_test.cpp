@@ -6,10 +6,12 @@
 #include <string>
 #include <utility>
 
+#include "fixtures.h"
 #include "robot/description/load.h"
 #include "robot/dynamics/gravity_load.h"
 #include "robot/onboarding/anatomy.h"
 #include "robot/onboarding/base_turn.h"
+#include "robot/onboarding/proposal.h"
 
 namespace twinbus {
 namespace {
@@ -201,6 +203,32 @@ TEST(Anatomy, FingersOfAPalmAreNoArms) {
   EXPECT_FALSE(says_hand(find_anatomy(loaded(hand("finger", "0.3 0 0")))));
   EXPECT_FALSE(says_hand(find_anatomy(loaded(hand("leg", "0.04 0 0")))));
   EXPECT_FALSE(says_hand(find_anatomy(loaded(torso(box("trunk", "0.3 0.3 0.6", "0 0 0.3"), "0.8")))));
+}
+
+// Fingers are fixed to their hand in a proposal, so nothing else is said of their joints.
+TEST(Proposal, RotorsOfFingersAreLeftOut) {
+  const Model bare = load_urdf(test::hrp1s().folder + "/hrp1s.urdf", {});
+  std::string text = bare.urdf_text;
+  for (const Hand& hand : find_anatomy(bare).hands) {
+    const std::string& palm = bare.links[static_cast<std::size_t>(hand.link)].name;
+    for (const std::string& y : {std::string("0.03"), std::string("-0.03")}) {
+      const std::string finger = palm + "_finger_" + y;
+      text.insert(text.rfind("</robot>"),
+                  "<link name='" + finger + "'><inertial><mass value='0.1'/><inertia ixx='1e-4' iyy='1e-4' izz='1e-4' ixy='0' ixz='0' "
+                  "iyz='0'/></inertial><collision><geometry><box size='0.02 0.02 0.12'/></geometry></collision></link>"
+                  "<joint name='" + finger + "_slide' type='prismatic'><origin xyz='0 " + y + " -0.1'/><parent link='" + palm +
+                  "'/><child link='" + finger + "'/><axis xyz='0 1 0'/><limit lower='0' upper='0.04' effort='20' velocity='0.1'/></joint>");
+    }
+  }
+  const std::string slide = bare.links[static_cast<std::size_t>(find_anatomy(bare).hands[0].link)].name + "_finger_0.03_slide";
+  ProposalSource source;
+  source.urdf_name = "hrp1s.urdf";
+  source.srdf_text = "<robot name='r'><rotor_params><joint name='" + slide + "' mass='0.01' gear_ratio='1'/>"
+                     "<joint name='RLEG_KNEE' mass='0.02' gear_ratio='1'/></rotor_params></robot>";
+  const Proposal found = propose(load_repaired_urdf(text, bare.folder + "/hrp1s.urdf", {}, source.repairs), source);
+  EXPECT_NE(found.yaml.find(slide), std::string::npos) << found.yaml;  // under fixed_joints
+  EXPECT_EQ(found.srdf.find("\"" + slide + "\" mass"), std::string::npos) << found.srdf;
+  EXPECT_NE(found.srdf.find("\"RLEG_KNEE\" mass"), std::string::npos) << found.srdf;
 }
 
 }  // namespace
