@@ -23,10 +23,6 @@ constexpr double kNearer = 1e-4;
 // Deeper than this a model says nothing about which way is out, and nothing is held [m].
 constexpr double kLost = 0.03;
 constexpr double kAnywhere = 100.0;  // [m]
-constexpr int kLooks = 5, kOfPairs = 4;  // that pairs take in the mean
-
-// So many pairs may be settled by so many looks; with more of them a tick would spend its looks and be no wiser.
-int pairs_for(int looks) { return (kOfPairs * looks + kLooks - 1) / kLooks; }
 
 }  // namespace
 
@@ -202,7 +198,6 @@ bool Guard::Impl::look(const CourseWay& way, const CourseWay::Shares& shares,
         found != nullptr && found->link_a == pair.link_a && found->link_b == pair.link_b;
     if (!again && judge(way, shares, courses, pair)) found = &pair;
     if (looks_left == 0 && found == nullptr && pair.open != 0) return hold_all();
-    if (part == 0 && found == nullptr && count - 1 - p > pairs_for(looks_left)) return hold_all();
     // Without looks no more is found, and nothing changes the answer once all is held and a stop is asked for.
     if (found != nullptr && (looks_left == 0 || (all_held() && leg_hit))) break;
   }
@@ -266,7 +261,7 @@ bool Guard::Impl::look_along(const Courses& courses) noexcept {
   const CourseWay::Shares shares = way.shares();
   way.go(now.q, shares, places);
   collision.go(now.base, places);
-  const int most = std::min(kMostOpen, pairs_for(looks_left));
+  const int most = std::min(kMostOpen, looks_left);  // each of them takes a look at least
   const int count = collision.open_on_way(config.margin, kProved * config.margin, open[0].data(), most);
   ++work.ways;
   work.open += count;
