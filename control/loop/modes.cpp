@@ -184,6 +184,10 @@ void Modes::obey(const ModeRequest& request, const Moment& now) noexcept {
     }
     return;
   }
+  if (request.mode == Mode::kBalance && request.motion == Motion::kPlayed) {
+    sentence_ = "a motion is played by ./twinbus motion FILE --play; the mode stays as it is";
+    return;
+  }
   if (put_off(request)) return;
   if (request.mode == Mode::kPose && !walks()) {
     if (const char* why = why_no_pose(request, now)) {

@@ -54,10 +54,6 @@ void Modes::enter_pose(const ModeRequest& request, const Moment& now) noexcept {
 void Modes::request_motion(const ModeRequest& request, const Moment& now) noexcept {
   const auto amplitude = static_cast<double>(request.amplitude);
   const auto frequency = static_cast<double>(request.frequency);
-  if (request.motion == Motion::kPlayed) {
-    sentence_ = "a motion is played by ./twinbus motion FILE --play; the mode stays as it is";
-    return;
-  }
   // One that squats already was asked before, from where it stood.
   const bool from_standing = squat_ != nullptr && active_->motion() == Motion::kNone;
   if (request.motion == Motion::kSquat && from_standing) {

@@ -165,6 +165,16 @@ TEST(MotionPlay, AWalkIsBroughtToRestFirstAndAskedInTheMotionItGoesOnAfterIt) {
   EXPECT_LT(robot.jump, 2e-3);
 }
 
+// `mode play` is for a policy that has its motion.
+TEST(MotionPlay, ARequestToPlayChangesNothing) {
+  Player robot;
+  robot.walk(0.2, 1.0);
+  robot.ask(Mode::kBalance, Motion::kPlayed);
+  ASSERT_TRUE(robot.run(2.5));  // longer than a walk needs to rest
+  EXPECT_EQ(robot.loop().status().mode, Mode::kWalk);
+  EXPECT_NE(robot.sentence().find("the mode stays as it is"), std::string::npos);
+}
+
 TEST(MotionPlay, ABalancedStopEndsItAndTheRobotStands) {
   Player robot;
   robot.say(arms_and_squat(6.0), 5);

@@ -47,6 +47,7 @@ class Turns:
     def __init__(self):
         self.loop, self.stalls = Loop(), Stalls()
         self.off, self.on = [], {}
+        self.first = None  # blocks of the first rounds
         self.calm()
 
     def calm(self):
@@ -61,13 +62,13 @@ class Turns:
         self.calm()
 
     def changes(self, machine, say=False):
-        """name -> (change of p99.9, allowed) [us], of all turns so far.
+        """name -> (change of p99.9, allowed) [us]: of all turns so far, against how blocks of the first rounds differ.
 
         machine: name -> name of the turns that do the same to the machine, but nothing to the bus."""
         settle()
         seen = list(self.stalls.seen)
         calm = Figures(self.loop.ticks, self.off, seen)
-        each = [Figures(self.loop.ticks, [span], seen).p999 for span in self.off]
+        each = [Figures(self.loop.ticks, [span], seen).p999 for span in self.off[:self.first]]
         found = {name: Figures(self.loop.ticks, spans, seen) for name, spans in self.on.items()}
         if say:
             print(calm.line("undisturbed"), "blocks:", " ".join(f"{x:.0f}" for x in each), flush=True)
@@ -80,7 +81,7 @@ class Turns:
             # A change that is smaller than what undisturbed blocks differ by among themselves is none, nor is one that
             # any program of that size causes which starts and ends.
             base = max(calm.p999, found[machine[name]].p999) if machine.get(name) in found else calm.p999
-            alike = each + [Figures(self.loop.ticks, [span], seen).p999 for span in self.on.get(machine.get(name), [])]
+            alike = each + [Figures(self.loop.ticks, [span], seen).p999 for span in self.on.get(machine.get(name), [])[:self.first]]
             changes[name] = figures.p999 - base, max(MOST_CHANGE * base, max(alike) - base, RESOLVED)
         return changes
 
@@ -89,6 +90,7 @@ class Turns:
         tell whether it was chance, and all of them count."""
         for _ in range(rounds):
             one_round()
+        self.first = len(self.off)
         for _ in range(0 if FULL else MORE_ROUNDS):
             if all(change <= allowed for change, allowed in self.changes(machine).values()):
                 break

@@ -467,7 +467,7 @@ class FakeNetwork:
 
     def run(self, observation):
         self.seen.append(np.array(observation))
-        return self.answer() if callable(self.answer) else np.full(12, self.answer)
+        return self.answer() if callable(self.answer) else np.full(self.action_size, self.answer)
 
 
 class Running(unittest.TestCase):
@@ -529,6 +529,19 @@ class Running(unittest.TestCase):
             self.start(wait=0.3, fade=fade)
             found = default + [off, *[0.0] * 11]
             self.assertEqual({command.flags for command in self.go(10, q=[*found, *[0.0] * (len(messages.robot_state_t().q) - 12)])}, {flags}, off)
+
+    def test_what_comes_after_the_start_fades_as_with_every_client(self):
+        def flags(count, **values):
+            return {command.flags for command in self.go(count, q=[*default, *[0.0] * (len(messages.robot_state_t().q) - 12)], **values)}
+        default = [joint.default for joint in trot().joints]
+        self.start(wait=0.1)
+        self.assertEqual(flags(20), {runner.NOT_FADED})
+        self.assertEqual(flags(5, term=4), {0})            # another source
+        self.assertEqual(flags(5), {runner.NOT_FADED})
+        flags(200)
+        self.assertEqual(flags(20), {0})                   # it began long ago
+        self.assertEqual(flags(5, stop_kind=2), set())
+        self.assertEqual(flags(20), {0})                   # cleared
 
     def test_walk_is_obeyed(self):
         self.start(wait=0.0)

@@ -5,6 +5,7 @@ import json
 import math
 import pathlib
 import tempfile
+import time
 import unittest
 
 from policy_test import DEPLOY, RUNS, FakeNetwork, Running, quadruped, still, trot  # skips, and takes the Python that has numpy
@@ -175,11 +176,14 @@ class Plays(unittest.TestCase):
     """Walks, is asked for its motion, stands, plays, walks again."""
     start, state, go = Running.start, Running.state, Running.go
 
-    def both(self):
+    def both(self, walked=12):
+        """walked: joints that walking moves, the first."""
         self.start()
-        walk, play = FakeNetwork(0.0), FakeNetwork(1.0)
+        walk, play, one = FakeNetwork(0.0), FakeNetwork(1.0), trot()
+        one.joints = one.joints[:walked]
+        walk.observation_size, walk.action_size = one.observation_size(), walked
         play.observation_size, play.carries_motion = 42, False
-        walks = controller.Controller(trot(), quadruped(), walk)
+        walks = controller.Controller(one, quadruped(), walk)
         load, followed.load = followed.load, lambda *_: motion()
         try:
             plays = controller.Controller(tracker(), quadruped(), play)
@@ -227,6 +231,49 @@ class Plays(unittest.TestCase):
         self.assertAlmostEqual(self.action(self.go(30)), 1.0)
         self.ask(5, 0)
         self.assertAlmostEqual(self.action(self.go(25)), 0.0)
+
+    def plays(self):
+        self.ask(4, 3)
+        self.go(120)
+        self.moving(0.0)
+        self.assertAlmostEqual(self.action(self.go(30)), 1.0)
+
+    def test_a_stop_ends_a_motion_for_good(self):
+        for kind in (1, 2):
+            self.both()
+            self.go(5)
+            self.plays()
+            self.go(60, stop_kind=kind)
+            for _ in range(6):
+                self.moving(0.0)
+                self.assertAlmostEqual(self.action(self.go(30)), 0.0, msg=f'stop {kind}, cleared')
+
+    def test_gains_change_with_the_targets_that_they_are_of(self):
+        walks, plays = self.both()
+        plays.kp = 5.0 * plays.kp
+        self.pace = 1
+        step = plays.step
+        plays.step = lambda *measured: (time.sleep(0.012), step(*measured))[1]
+        self.go(5)
+        self.ask(4, 3)
+        seen = []
+        for _ in range(400):
+            self.moving(0.0)
+            seen += self.go(1, sleep=0.001)
+        stiff = [command for command in seen if command.kp[0] > 2.0 * walks.kp[0]]
+        self.assertGreater(len(stiff), 5)
+        self.assertTrue(all(abs(self.action([command]) - 1.0) < 1e-6 for command in stiff))
+
+    def test_a_joint_that_only_the_motion_moves_goes_back(self):
+        self.both(11)
+        rest = self.go(5)[-1].q[11]
+        self.plays()
+        self.ask(5, 0)
+        self.period_ns = 10_000_000
+        q = [command.q[11] for command in self.go(320)]
+        self.assertGreater(max(abs(x - rest) for x in q), 0.2)
+        self.assertAlmostEqual(q[-1], rest)
+        self.assertLess(max(abs(b - a) for a, b in zip(q, q[1:])), 0.0051)  # 0.5 rad/s
 
     def test_a_policy_without_a_motion_says_so(self):
         self.start(wait=0.0)

@@ -6,6 +6,7 @@ that is no number, the wrong number of them, an inference that fails: the robot 
 late still balances: the stop is a balanced one, until it takes too long for that.  Beside commands goes a stop plan (stop_plan.py)."""
 from __future__ import annotations
 
+import math
 import os
 import time
 from dataclasses import dataclass, field
@@ -36,6 +37,7 @@ STOP_TIME = 1.9                  # longest time in which a balanced stop is answ
 AT_REST = 0.05                   # slower the base rests [m/s]
 RECENT = 50                      # ticks after which a velocity is nobody's
 FADE = 0.3                       # from a posture that was held before the policy was known to the policy's own [s]
+BACK = 0.5                       # how fast joints go back that only a motion moves [rad/s, m/s]
 FAR = 1.0                        # of the policy's posture: a robot that is found so is brought there gently [rad, m]
 FIRST_ESTIMATE = 0.1             # in which the velocity of the base must have come for the first time [s]
 TOO_LATE = 0.1                   # an inference that balances nothing any more [s]
@@ -78,7 +80,10 @@ class Runner:
         self._ended = False                      # the motion that it follows
         self._binding, self._inference = Binding(bind), Inference()
         self._held: tuple[Array, Array, Array] | None = None  # posture, kp, kd, held before the policy was known
-        self._fades = True
+        self._fresh = True                       # nothing was cleared since the world began
+        self._unfaded: tuple[int, int, float] | None = None  # run, term and until when [ns] its commands are not faded in
+        self._kp, self._kd = np.zeros(0), np.zeros(0)         # that belong to the target
+        self._rest = np.zeros(0)                 # where joints are that the policy does not move
         self._fade_ns: int | None = None         # since when it goes from there to its own
         self._told_stopped = False
         self._failing = ''                       # why a balanced stop was asked here
@@ -185,7 +190,7 @@ class Runner:
             self.stop(f'STATE has {state.joint_count} joints, {self.controller.robot.name} has {len(self.controller.robot.names())}: '
                       'another robot runs; --robot says which')
         if state.stop_kind >= HOLD:  # obeys nobody until it is cleared; then everything begins anew
-            self._begin_ns = None
+            self._begin_ns, self._fresh, self._operator.plays = None, False, False
             if self._ending:
                 raise Ended
             if self._failing:
@@ -194,7 +199,7 @@ class Runner:
         if self._failing and state.stop_kind == 0:
             self._ask_for_stop(BALANCED)
         if previous is not None and previous.run_id == state.run_id and state.tick < previous.tick:
-            self._begin_ns = None    # the world was reset
+            self._begin_ns, self._fresh, self._operator.plays = None, True, False    # the world was reset
         if self._begin_ns is None:
             self._begin(state)
         assert self._begin_ns is not None and self._first_ns is not None
@@ -208,6 +213,8 @@ class Runner:
         blind = self.controller.needs_velocity and self._velocity(state) is None and since < FIRST_ESTIMATE
         if since >= 0.0 and not blind:
             self._think(state, stopping)
+        if not self._inference.running:
+            self._lead_back(state)
         self._send(state, stopping, *self._faded(state))
 
     def _bind_from_bus(self, state: messages.robot_state_t) -> bool:
@@ -247,9 +254,14 @@ class Runner:
         self._target = self.controller.posture(q)
         most = self.controller.limited(np.full(3, 1e3))
         self._operator.least, self._operator.most = self.controller.limited(np.full(3, -1e3)), most
+        self._rest, self._kp, self._kd = self._target.copy(), self.controller.kp, self.controller.kd
         off = np.abs(self._target - q)
-        self._fades = self.options.fade if self.options.fade is not None else float(off.max()) > FAR
-        self._held, self._fade_ns = (self._held, state.time_ns) if self._held is not None and self._fades else (None, None)
+        # What was cleared, and a source that takes over later, fade as with every client.
+        near = self._fresh and bool(off.max() <= FAR)
+        fades = self.options.fade if self.options.fade is not None else not near
+        until = math.inf if self.options.fade is not None else state.time_ns + 1e9 * (self.options.wait + FADE)
+        self._unfaded, self._fresh = None if fades else (state.run_id, state.term, until), False
+        self._held, self._fade_ns = (self._held, state.time_ns) if self._held is not None and fades else (None, None)
         if float(off.max()) > 0.1 and self.options.wait == 0.0:
             self.options.say(f'{self.controller.robot.names()[int(off.argmax())]} is {float(off.max()):.2f} rad away from the posture of the '
                              'policy, which begins at once: ./twinbus up --start-pose, or --wait 0.3')
@@ -258,6 +270,7 @@ class Runner:
         if state.stop_kind != 1:
             self._balanced_ns, self._rested = None, False
             return False
+        self._operator.plays = False  # who wants it after the stop asks again
         if self._balanced_ns is None:
             self._balanced_ns = state.time_ns
         since, velocity = 1e-9 * (state.time_ns - self._balanced_ns), self._velocity(state)
@@ -303,6 +316,7 @@ class Runner:
         if not world_waits and spent > controller.spec.period:
             self._late(f'the inference took {1e3 * spent:.0f} ms; the policy wants a new action every {1e3 * controller.spec.period:.0f} ms', False)
         self._target[controller.observation.index] = targets
+        self._kp, self._kd = controller.kp, controller.kd
         self.actions += 1
         if controller.ended != self._ended:
             self._ended = controller.ended
@@ -363,23 +377,37 @@ class Runner:
     # -- what goes out -------------------------------------------------------------------------------------------------
 
     def _faded(self, state: messages.robot_state_t) -> tuple[Array, Array, Array]:
-        """Posture and gains of this tick.  The source fades in what it obeys first; where that was a posture held, the policy fades in here."""
+        """Posture and gains of this tick.  Where a posture was held before and the policy is to be faded in, it is here."""
         controller = self.controller
         assert controller is not None
         share = 1.0 if self._fade_ns is None else 1e-9 * (state.time_ns - self._fade_ns) / FADE
         if self._held is None or share >= 1.0:
             self._held = self._fade_ns = None
-            return self._target, controller.kp, controller.kd
+            return self._target, self._kp, self._kd
         share = share * share * (3.0 - 2.0 * share)
-        q, kp, kd = ((1.0 - share) * held + share * own for held, own in zip(self._held, (self._target, controller.kp, controller.kd)))
+        q, kp, kd = ((1.0 - share) * held + share * own for held, own in zip(self._held, (self._target, self._kp, self._kd)))
         return q, kp, kd
+
+    def _is_unfaded(self, state: messages.robot_state_t) -> bool:
+        if self._unfaded is None:
+            return False
+        run_id, term, until = self._unfaded
+        return until == math.inf or (run_id, term) == (state.run_id, state.term) and state.time_ns < until
+
+    def _lead_back(self, state: messages.robot_state_t) -> None:
+        """Joints that a motion has moved and the policy that walks does not."""
+        assert self.controller is not None
+        others = np.ones(len(self._target), dtype=bool)
+        others[self.controller.observation.index] = False
+        most = BACK * 1e-9 * state.period_ns
+        self._target[others] += np.clip(self._rest[others] - self._target[others], -most, most)
 
     def _send(self, state: messages.robot_state_t, stopping: bool, q: Array, kp: Array, kd: Array) -> None:
         count = state.joint_count
         command = messages.joint_command_t()
         command.tick, command.run_id, command.term = state.tick, state.run_id, state.term
         command.model_hash, command.joint_count, command.controller_id = state.model_hash, count, self.id
-        command.flags = (STOPPING if stopping else 0) | (0 if self._fades else NOT_FADED)
+        command.flags = (STOPPING if stopping else 0) | (NOT_FADED if self._is_unfaded(state) else 0)
         command.q[:count], command.kp[:count], command.kd[:count] = q, kp, kd
         self.bus.send('COMMAND', command)
         if self._plan is not None and self._plan.due(state.time_ns, q):
