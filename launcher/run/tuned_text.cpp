@@ -9,6 +9,8 @@ namespace twinbus {
 
 namespace {
 
+constexpr char kOfThisRun[] = "# What this run touches";
+
 void write_names(std::ostream& out, const char* key, const std::vector<std::string>& names) {
   if (names.empty()) return;
   out << key << ": [";
@@ -26,6 +28,7 @@ std::string tuned_text(const std::string& scene, const Rung& rung, const std::st
   bool in_settings = false, has_order = false, dropped = false;
   std::string body;
   for (std::string line; std::getline(in, line);) {
+    if (line.rfind(kOfThisRun, 0) == 0) continue;
     const bool top = !line.empty() && line[0] != ' ' && line[0] != '#' && line[0] != '-';
     if (top) in_settings = line.rfind("settings:", 0) == 0;
     if (top && line.rfind("step:", 0) == 0) continue;
@@ -57,6 +60,8 @@ std::string tuned_text(const std::string& scene, const Rung& rung, const std::st
   out << "step: " << formatted("%.9g", rung.step) << "\n";
   write_names(out, "held", rung.less.held);
   write_names(out, "rigid", rung.less.rigid);
+  if (!rung.less.aloft.empty() || !rung.less.untouched.empty())
+    out << kOfThisRun << "; not so with another seed, push, length or a fall: leave aloft and untouched out there.\n";
   write_names(out, "aloft", rung.less.aloft);
   write_names(out, "untouched", rung.less.untouched);
   if (rung.less.asleep) out << "asleep: true\n";

@@ -68,6 +68,10 @@ TEST(Tune, WhatWasLeftOutIsListedInPlaceOfTheWordAndOfTheOldList) {
     EXPECT_EQ(scene.untouched, rung.less.untouched) << text;
     EXPECT_EQ(scene.aloft, rung.less.aloft) << text;
     EXPECT_EQ(scene.modes.size(), 1U) << text;
+    const std::string again = tuned_text(tuned_text(text, rung, "because"), rung, "anew");
+    const std::size_t said = again.find("# What this run touches");
+    ASSERT_NE(said, std::string::npos) << again;
+    EXPECT_EQ(again.find("# What this run touches", said + 1), std::string::npos) << again;
   }
 }
 
