@@ -264,6 +264,16 @@ class Plays(unittest.TestCase):
         self.assertGreater(len(stiff), 5)
         self.assertTrue(all(abs(self.action([command]) - 1.0) < 1e-6 for command in stiff))
 
+    def test_no_stop_plan_leads_away_from_a_stiff_motion(self):
+        for stiffer, plans in ((1.0, True), (5.0, False)):
+            _, plays = self.both()
+            plays.kp = stiffer * plays.kp
+            self.go(5)
+            self.plays()
+            before = len(self.bus.of('STOP_PLAN'))
+            self.go(60)
+            self.assertEqual(len(self.bus.of('STOP_PLAN')) > before, plans)
+
     def test_a_joint_that_only_the_motion_moves_goes_back(self):
         self.both(11)
         rest = self.go(5)[-1].q[11]

@@ -410,7 +410,7 @@ class Runner:
         command.flags = (STOPPING if stopping else 0) | (NOT_FADED if self._is_unfaded(state) else 0)
         command.q[:count], command.kp[:count], command.kd[:count] = q, kp, kd
         self.bus.send('COMMAND', command)
-        if self._plan is not None and self._plan.due(state.time_ns, q):
+        if self._plan is not None and self._plan.due(state.time_ns, q, kp):
             self.bus.send('STOP_PLAN', self._plan.message(command))
         if self.ticks % 5 == 0:
             self._tell_status(state, stopping)

@@ -29,16 +29,16 @@ class StopPlan:
                                 [joint.upper for joint in robot.bus])
         self._index, self._period = index, robot.period
         self._mask = sum(1 << int(joint) for joint in index)
-        own = np.array([joint.kp for joint in robot.bus])[index]
-        self._soft = bool(np.any(controller.kp[index] < SOFT * own))
+        self._own = np.array([joint.kp for joint in robot.bus])[index]
         self._next_ns, self._number = 0, 0
 
-    def due(self, time_ns: int, target: Array) -> bool:
-        """Whether one is to be sent now; target: set-points of this tick [joints on the bus]."""
+    def due(self, time_ns: int, target: Array, kp: Array) -> bool:
+        """Whether one is to be sent now; target, kp: of this tick [joints on the bus]."""
         if 0 <= self._next_ns - time_ns <= 1e9 * EVERY:
             return False
         self._next_ns = time_ns + round(1e9 * EVERY)
-        return self._soft or float(np.abs(target - self._posture)[self._index].max()) < NEAR
+        soft = bool(np.any(kp[self._index] < SOFT * self._own))
+        return soft or float(np.abs(target - self._posture)[self._index].max()) < NEAR
 
     def message(self, command: messages.joint_command_t) -> messages.stop_plan_t:
         """Behind this command."""
