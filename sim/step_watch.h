@@ -53,6 +53,7 @@ class StepWatch {
     counts_.add(trust, balance_.gain(), time);
   }
   const TrustCounts& counts() const noexcept { return counts_; }
+  double band() const noexcept { return error_.band(); }  // sim/engine/local_error.h [m]
 
   void time_steps() noexcept {
     timed_ = true;

@@ -53,11 +53,12 @@ bool read(std::istream& in, Moved& moved) {
 std::string ladder_text(const Ladder& ladder) {
   std::ostringstream text;
   text.precision(17);
-  text << "ladder 6 " << ladder.rungs.size() << ' ' << ladder.parted.size() << ' '
+  text << "ladder 7 " << ladder.rungs.size() << ' ' << ladder.parted.size() << ' '
        << (std::isfinite(ladder.agreement) ? ladder.agreement : -1.0) << ' ' << ladder.cost << '\n';
   for (const Rung& r : ladder.rungs) {
     text << r.order << ' ' << r.step << ' ' << r.cost << ' '
          << (std::isfinite(r.apart) ? r.apart : -1.0) << ' ' << r.at << ' ' << r.whole << ' '
+         << (std::isfinite(r.band) ? r.band : -1.0) << ' '
          << r.less.held.size() << ' ' << r.less.rigid.size() << ' ' << r.less.still.size() << ' '
          << r.less.untouched.size() << ' ' << r.less.aloft.size() << ' '
          << r.less.apart << ' ' << r.less.asleep << ' ' << r.body << '\n';
@@ -78,7 +79,7 @@ bool read_ladder(const std::string& text, Ladder& ladder) {
   std::size_t rungs = 0, parted = 0;
   Ladder found;
   if (!(in >> word >> version >> rungs >> parted >> found.agreement >> found.cost) ||
-      word != "ladder" || version != 6 || rungs > 1000 || parted > 10000) {
+      word != "ladder" || version != 7 || rungs > 1000 || parted > 10000) {
     return false;
   }
   const auto endless = [](double value) { return value < 0.0 ? kInfinity : value; };
@@ -86,11 +87,12 @@ bool read_ladder(const std::string& text, Ladder& ladder) {
   for (std::size_t i = 0; i < rungs; ++i) {
     Rung r;
     std::size_t held = 0, rigid = 0, still = 0, untouched = 0, aloft = 0;
-    if (!(in >> r.order >> r.step >> r.cost >> r.apart >> r.at >> r.whole >> held >> rigid >> still >> untouched >> aloft >>
+    if (!(in >> r.order >> r.step >> r.cost >> r.apart >> r.at >> r.whole >> r.band >> held >> rigid >> still >> untouched >> aloft >>
           r.less.apart >> r.less.asleep))
       return false;
     if (r.order < 1 || r.order > 3 || !(r.step > 0.0) || std::max({held, rigid, still, untouched, aloft}) > 1000) return false;
     r.apart = endless(r.apart);
+    r.band = endless(r.band);
     std::getline(in, r.body);
     if (!r.body.empty()) r.body.erase(0, 1);
     r.less.held.resize(held);

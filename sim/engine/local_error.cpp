@@ -24,7 +24,7 @@ void keep(const Eigen::Vector3d& now, auto& past) noexcept {
 
 LocalError::LocalError(std::size_t links, std::size_t others, const WorldConfig& config)
     : order_(config.engine == Engine::kArticulated ? std::clamp(config.order, 1, kMostOrder) : 1),
-      limit_(config.accuracy),
+      limit_(std::max(config.accuracy, config.band)),
       scale_(config.flight == Flight::kImplicit ? kShare[at(order_ - 1)] * config.step : 0.0),
       fall_(config.engine == Engine::kArticulated ? kGravity * config.step : std::numeric_limits<double>::quiet_NaN()),
       keep_(std::exp(-config.step / kHeals)),
@@ -78,8 +78,11 @@ bool LocalError::add(const std::vector<Eigen::Vector3d>& world, const std::vecto
     double& most = i < own_.size() ? most_of_links_ : most_of_others_;
     if (!(sum_[i] <= most)) most = sum_[i];
   }
-  const double free = limit_ / static_cast<double>(std::max<std::size_t>(kLeastLinks, own_.size()));
-  return !(most() <= limit_) || (order_ > 1 && !touched && !(most_of_links_ <= free));
+  double needed = most();
+  if (order_ > 1 && !touched)
+    needed = std::max(needed, most_of_links_ * static_cast<double>(std::max<std::size_t>(kLeastLinks, own_.size())));
+  if (!(needed <= band_)) band_ = needed;
+  return !(needed <= limit_);
 }
 
 }  // namespace twinbus

@@ -105,6 +105,7 @@ struct WorldConfig {
   bool asleep = false;                      // loose bodies that lie still: sim/objects/rigid_object_sleep.cpp
   bool continuous = false, twin = false;    // sim/objects/entry_faces.h; sim/engine/twinned_world.h
   double accuracy = 2e-3;                   // steps that are off by more are doubted: sim/engine/local_error.h [m]
+  double band = 0.0;                        // of a run whose error was measured: what its steps add up to, doubted beyond it [m]
   double shell_stiffness = kLinkStiffness;  // of a point of a link that is no sole [N/m]
   std::vector<Tie> ties;
   std::vector<bool> held, rigid_robots;  // joints, further robots: sim/engine/welded_world.h

@@ -18,6 +18,7 @@ Ladder ladder() {
     r.step = step;
     r.cost = cost;
     r.apart = apart;
+    r.band = 2.0 * apart;
     r.body = "link foot";
     return r;
   };

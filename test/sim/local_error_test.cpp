@@ -117,6 +117,35 @@ TEST(LocalError, AMechanismThatNothingTouchesIsAllowedLessTheLongerItIs) {
   }
 }
 
+// A run whose error was measured is doubted beyond what its own steps added up to.
+TEST(LocalError, TheBandIsTheLeastLimitThatDoubtsNoStep) {
+  double band = 0.0;
+  const auto doubted = [&](double asked, double allowed, bool touched) {
+    WorldConfig config;
+    config.order = 2;
+    config.step = 0.006;
+    config.accuracy = asked;
+    config.band = allowed;
+    LocalError error(3, 1, config);
+    std::vector<Eigen::Vector3d> v(4, Eigen::Vector3d::Zero()), own(3, Eigen::Vector3d::Zero());
+    error.begin(v, own);
+    int count = 0;
+    for (int i = 1; i < 2000; ++i) {
+      own[0].x() = v[0].x() = i % 2 == 0 ? 1e-3 : 0.0;
+      count += error.add(v, own, touched) ? 1 : 0;
+    }
+    band = error.band();
+    return count;
+  };
+  for (const bool touched : {true, false}) {
+    EXPECT_GT(doubted(1e-4, 0.0, touched), 0);
+    const double measured = band;
+    EXPECT_EQ(doubted(1e-4, measured, touched), 0);
+    EXPECT_GT(doubted(1e-4, 0.99 * measured, touched), 0);
+    EXPECT_EQ(doubted(measured, 0.0, touched), 0);
+  }
+}
+
 TEST(LocalError, ADrivenWorldIsWatchedFromCommandToCommandAndBackAtRestItIsRight) {
   WorldConfig config;
   config.step = 0.01;
