@@ -220,6 +220,15 @@ class Readers(unittest.TestCase):
             with self.assertRaisesRegex(PolicyError, said):
                 spec.from_text(text.replace(old, new, 1))
 
+    def test_numbers_that_are_none_are_no_specification(self):
+        for key, value, said in (('default', math.nan, 'default of FR_thigh_joint is not'), ('scale', math.inf, 'scale of FR_thigh_joint is not'),
+                                 ('kp', math.nan, 'kp of FR_thigh_joint is not'), ('kd', math.inf, 'kd of FR_thigh_joint is not'),
+                                 ('offset', -math.inf, 'offset of FR_thigh_joint is not'), ('kd', -0.5, 'kd of FR_thigh_joint is below zero')):
+            one = trot()
+            setattr(one.joints[1], key, value)
+            with self.assertRaisesRegex(PolicyError, said):
+                one.validate()
+
     def test_hostile_yaml(self):
         for text, said in (('a: &x [1]\nb: *x', 'references'), ('[1, 2]', 'not a map'), ('a: [', 'no YAML'), ('a: ' + '[' * 3000, 'no YAML'),
                            ('', 'not a map')):
@@ -579,8 +588,8 @@ class Running(unittest.TestCase):
         commands = self.go(40, stop_kind=1)
         self.assertTrue(14 <= len(commands) <= 18, len(commands))  # 0.3 s
 
-    def fails(self, said, network, pace=runner.LOCK_STEP, ticks=30, sleep=0.0, kinds=(2,)):
-        self.start(network, pace, wait=0.0)
+    def fails(self, said, network, pace=runner.LOCK_STEP, ticks=30, sleep=0.0, kinds=(2,), one=None):
+        self.start(network, pace, one, wait=0.0)
         with self.assertRaisesRegex(runner.Stopped, said):
             self.go(ticks, sleep)
         stops, events = self.bus.of('STOP'), self.bus.of('EVENT')
@@ -590,6 +599,11 @@ class Running(unittest.TestCase):
 
     def test_an_action_that_is_no_number_stops_the_robot(self):
         self.fails('the action of FR_hip_joint is not a finite number', FakeNetwork(math.nan))
+
+    def test_a_target_that_is_no_number_stops_the_robot(self):
+        one = trot()
+        one.joints[3].scale = 1e308  # the action is a number, and so is the scale
+        self.fails('the target of FL_hip_joint is not a finite number', FakeNetwork(100.0), one=one)
 
     def test_a_wrong_number_of_actions_stops_the_robot(self):
         self.fails('gave 11 numbers, 12 joints', FakeNetwork(lambda: np.zeros(11)))

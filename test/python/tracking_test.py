@@ -73,6 +73,11 @@ class Readers(unittest.TestCase):
         self.assertEqual((one.follows, one.observation_size(), one.observations[0].term), (True, 24, 'last_action'))
         with self.assertRaisesRegex(PolicyError, 'neither action_scale nor an effort limit of left_hip_pitch_joint'):
             metadata.read({**words, 'robot_urdf': '""'}, 'm.onnx', 24)
+        for effort in ('1e999', 'nan', '-5'):
+            with self.assertRaisesRegex(PolicyError, 'neither action_scale nor an effort limit of left_hip_pitch_joint'):
+                metadata.read({**words, 'robot_urdf': json.dumps(urdf.replace('"80"', f'"{effort}"'))}, 'm.onnx', 24)
+        one = metadata.read({**words, 'robot_urdf': json.dumps(urdf.replace('"80"', '"inf"')), 'action_scale': '0.5'}, 'm.onnx', 24)
+        self.assertEqual([joint.effort for joint in one.joints], [None, 90.0, 100.0])
 
 
 def robot_with_torso():

@@ -97,7 +97,12 @@ class Controller:
             raise PolicyError(f'the action of {joint} is not a finite number')
         if self.spec.action_clip is not None:
             action = np.clip(action, self.spec.action_clip[0], self.spec.action_clip[1])
-        return action, np.clip(self._offset + self._scale * action, self._low, self._high)
+        with np.errstate(over='ignore'):
+            target = np.clip(self._offset + self._scale * action, self._low, self._high)
+        if not np.all(np.isfinite(target)):
+            joint = self.spec.joints[int(np.argmin(np.isfinite(target)))].name
+            raise PolicyError(f'the target of {joint} is not a finite number')
+        return action, target
 
     def step(self, measured: Measured, command: Array) -> Array:
         """Observation, action, memory of one tick: the target per joint of the policy [rad]."""

@@ -109,12 +109,14 @@ def _tracks(metadata: Mapping[str, str], spec: Spec, where: str) -> None:
     spec.observations, spec.phase, spec.anchor = [term_of(name) for name in HOLOSOMA_TRACKING], None, HOLOSOMA_ANCHOR
     scales = [] if 'action_scale' not in metadata else _numbers(metadata, 'action_scale', len(spec.joints), where)
     try:
-        urdf = xml.fromstring(json.loads(metadata.get('robot_urdf', '""')) or '<none/>')
+        text = json.loads(metadata.get('robot_urdf', '""'))
+        urdf = xml.fromstring((text or '<none/>') if isinstance(text, str) else '')
         efforts = {joint.get('name', ''): float(limit.get('effort', 'nan')) for joint in urdf.iter('joint') for limit in joint.findall('limit')}
-    except (ValueError, xml.ParseError):
-        raise PolicyError(f'{where}: metadata robot_urdf is no URDF') from None
+    except (ValueError, RecursionError, xml.ParseError):
+        raise PolicyError(f'{where}: metadata robot_urdf is no URDF; write a SPEC.yaml (doc/policy.md)') from None
     for number, joint in enumerate(spec.joints):
-        joint.effort = efforts.get(joint.name)
+        effort = efforts.get(joint.name, math.nan)
+        joint.effort = effort if math.isfinite(effort) else None
         if not scales and (joint.effort is None or not joint.effort > 0.0 or joint.kp == 0.0):
             raise PolicyError(f'{where}: its metadata has neither action_scale nor an effort limit of {joint.name}')
         joint.scale = scales[number] if scales else 0.25 * (joint.effort or 0.0) / joint.kp

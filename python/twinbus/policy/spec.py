@@ -124,6 +124,13 @@ class Spec:
             if joint.name in seen:
                 raise PolicyError(f'{where}: joint {joint.name} stands there twice')
             seen.add(joint.name)
+            for what in ('default', 'scale', 'kp', 'kd', 'offset'):
+                value = getattr(joint, what)
+                if value is not None and not math.isfinite(value):
+                    raise PolicyError(f'{where}: {what} of {joint.name} is not a finite number')
+            for what in ('kp', 'kd'):
+                if getattr(joint, what) < 0.0:
+                    raise PolicyError(f'{where}: {what} of {joint.name} is below zero')
         for term in self.observations:
             for word, needs in UNAVAILABLE.items():
                 if term.term.startswith(word):
