@@ -7,6 +7,7 @@ import pathlib
 import tempfile
 import time
 import unittest
+import zipfile
 
 from policy_test import DEPLOY, RUNS, FakeNetwork, Running, quadruped, still, trot  # skips, and takes the Python that has numpy
 
@@ -73,6 +74,13 @@ class Readers(unittest.TestCase):
         self.assertEqual((one.follows, one.observation_size(), one.observations[0].term), (True, 24, 'last_action'))
         with self.assertRaisesRegex(PolicyError, 'neither action_scale nor an effort limit of left_hip_pitch_joint'):
             metadata.read({**words, 'robot_urdf': '""'}, 'm.onnx', 24)
+        for text in ('5', '{"a": 1}', '["x"]', 'true', '"<robot>"', '"' + '<', '[' * 100000):
+            with self.subTest(text[:9]), self.assertRaisesRegex(PolicyError, 'robot_urdf is no URDF'):
+                metadata.read({**words, 'robot_urdf': text}, 'm.onnx', 24)
+        for key, value, said in (('command_ranges', '{', 'command_ranges is no JSON'), ('kp', '[]', 'kp is empty'), ('kd', '[1e999]', 'kd'),
+                                 ('kp', '[-4, 90, 50]', 'kp of left_hip_pitch_joint is below zero')):
+            with self.subTest(key), self.assertRaisesRegex(PolicyError, said):
+                metadata.read({**words, key: value, 'action_scale': '0.5'}, 'm.onnx', 24)
         for effort in ('1e999', 'nan', '-5'):
             with self.assertRaisesRegex(PolicyError, 'neither action_scale nor an effort limit of left_hip_pitch_joint'):
                 metadata.read({**words, 'robot_urdf': json.dumps(urdf.replace('"80"', f'"{effort}"'))}, 'm.onnx', 24)
@@ -153,6 +161,82 @@ class Files(unittest.TestCase):
                                ('h.csv', 'no table'), ('i.csv', '3 columns without names'), ('none.csv', 'no such file')):
                 with self.assertRaisesRegex(PolicyError, said):
                     self.load(here / name)
+
+    def test_hostile_files_are_refused_with_their_name(self):
+        q, root = np.zeros((11, 12)), np.tile([1.0, 0.0, 0.0, 0.0], (11, 1))
+        head = ','.join(['time', 'root_qw', 'root_qx', 'root_qy', 'root_qz', *NAMES])
+
+        def npz(**changed):
+            return lambda file: np.savez(file, **{'joint_pos': q, 'body_quat_w': root, 'fps': 50.0, **changed})
+
+        def data(content):
+            return lambda file: file.write_bytes(content)
+
+        def cut(file):
+            npz()(file)
+            file.write_bytes(file.read_bytes()[:-200])
+
+        def bare(file):
+            with file.open('wb') as out:
+                np.save(out, q)
+
+        def large(file):  # 1 GB of zeros, packed
+            with zipfile.ZipFile(file, 'w', zipfile.ZIP_DEFLATED) as packed, packed.open('joint_pos.npy', 'w') as out:
+                for _ in range(1024):
+                    out.write(bytes(1 << 20))
+
+        def rows(times):
+            return data('\n'.join([head, *(f'{time},1,0,0,0' + ',0' * 12 for time in times)]).encode())
+        table = [
+            ('cut.npz', cut, 'no NPZ'), ('empty.npz', data(b''), 'no NPZ'), ('bare.npz', bare, 'no NPZ'), ('junk.npz', data(b'PK' * 99), 'no NPZ'),
+            ('large.npz', large, '1024 MB'), ('pickled.npz', npz(joint_pos=np.array([{}], dtype=object)), 'no NPZ'),
+            ('words.npz', npz(joint_pos=np.array([['a'] * 12] * 11)), 'no NPZ'), ('rate_words.npz', npz(fps='fast'), 'no NPZ'),
+            ('short.npz', npz(joint_pos=q[:2], body_quat_w=root[:2], fps=200.0), '2 frames at 200 a second are 1 of the policy'),
+            ('slow.npz', npz(fps=1e-12), '1e-12 frames a second'), ('fast.npz', npz(fps=1e12), '1e.12 frames a second'),
+            ('inf.npz', npz(fps=math.inf), 'inf frames a second'), ('nan.npz', npz(fps=math.nan), 'and fps'),
+            ('no_rate.npz', npz(fps=np.array([])), 'and fps'), ('one.npz', npz(joint_pos=q[:1], body_quat_w=root[:1]), '1 frames'),
+            ('none.npz', npz(joint_pos=q[:0], body_quat_w=root[:0]), '0 frames'), ('flat.npz', npz(joint_pos=np.zeros(12)), 'a row for each frame'),
+            ('long.npz', npz(joint_pos=np.zeros((100001, 12)), body_quat_w=np.tile(root[0], (100001, 1))), '100001 frames'),
+            ('hours.npz', npz(joint_pos=np.zeros((9999, 12)), body_quat_w=np.tile(root[0], (9999, 1)), fps=1.0), 'a motion has 2 to 100000'),
+            ('no_bodies.npz', npz(body_quat_w=np.zeros((11, 0, 4))), 'no NPZ'), ('lies.npz', npz(body_quat_w=0.0 * root), 'no rotation'),
+            ('names.npz', npz(joint_names=np.array([*NAMES, 'tail'])), '13 names for 12 joints'),
+            ('names.csv', data(head.encode()), 'no table'), ('empty.csv', data(b''), 'no table'), ('latin.csv', data(b'time,\xff\n0,1\n'), 'no table'),
+            ('ragged.csv', data(b'time,a\n0,1\n0,1,2\n'), 'no table'), ('zero.csv', data(b'time,a\n0,1\0\n1,1\n'), 'no table'),
+            ('still.csv', rows([0, 0, 0]), 'go on evenly'), ('endless.csv', rows([0, math.inf]), 'go on evenly'),
+            ('slow.csv', rows([0, 1e12]), 'frames a second')]
+        with tempfile.TemporaryDirectory() as folder:
+            for name, write, said in table:
+                file = pathlib.Path(folder) / name
+                write(file)
+                with self.subTest(name), self.assertRaisesRegex(PolicyError, f'{name}: .*{said}'):
+                    self.load(file)
+
+    @unittest.skipUnless(RUNS, 'onnxruntime is missing')
+    def test_a_motion_inside_that_comes_back_to_its_last_frame_is_whole(self):
+        from twinbus.policy.network import Network
+        wave = [0.3 * math.sin(math.pi * k / 80) for k in range(1, 80)]
+        with tempfile.TemporaryDirectory() as folder:
+            for held, moving, last in ((110, wave, 20), (2900, wave, 20), (3, wave[:7], 2), (110, [], 20)):
+                angles = [0.0] * held + moving + [0.0] * last
+                count = len(angles)
+                tables = {'joint_pos': [[angle] * 12 for angle in angles], 'joint_vel': [[0.0] * 12] * count, 'ref_quat_xyzw': [[0, 0, 0, 1]] * count}
+                found = followed.load(tracker(), quadruped(), Network(tiny_onnx.linear(pathlib.Path(folder) / 'm.onnx', 42, 12, tables=tables)))
+                self.assertEqual(len(found), held + len(moving) + 1 if moving else 1)  # with the first of the last ones
+                self.assertTrue(np.allclose(found.q[:, 0], angles[:len(found)]))
+
+    @unittest.skipUnless(RUNS, 'onnxruntime is missing')
+    def test_a_motion_inside_that_does_not_fit_is_refused(self):
+        from twinbus.policy.network import Network
+        joints, turned = [[0.0] * 12] * 3, [[0.0, 0.0, 0.0, 1.0]] * 3
+        with tempfile.TemporaryDirectory() as folder:
+            for tables, said in (({'joint_pos': joints, 'joint_vel': [[0.0] * 11] * 3, 'ref_quat_xyzw': turned}, 'joint_vel of its motion has 11'),
+                                 ({'joint_pos': [[0.0] * 13] * 3, 'joint_vel': joints, 'ref_quat_xyzw': turned}, 'joint_pos of its motion has 13'),
+                                 ({'joint_pos': joints, 'joint_vel': joints, 'ref_quat_xyzw': [[0.0] * 3] * 3}, 'cannot be read'),
+                                 ({'joint_pos': joints, 'joint_vel': joints, 'ref_quat_xyzw': [[0.0] * 4] * 3}, 'no rotation'),
+                                 ({'joint_pos': [[math.nan] * 12] * 3, 'joint_vel': joints, 'ref_quat_xyzw': turned}, 'not finite')):
+                network = Network(tiny_onnx.linear(pathlib.Path(folder) / 'm.onnx', 42, 12, tables=tables))
+                with self.subTest(said), self.assertRaisesRegex(PolicyError, f'm.onnx: .*{said}'):
+                    followed.load(tracker(), quadruped(), network)
 
     @unittest.skipUnless(RUNS, 'onnxruntime is missing')
     def test_inside_of_the_network(self):

@@ -42,6 +42,8 @@ def _list(metadata: Mapping[str, str], key: str, where: str) -> list[str]:
 
 def _numbers(metadata: Mapping[str, str], key: str, count: int, where: str) -> list[float]:
     words: list[Any] = _list(metadata, key, where)
+    if not words:
+        raise PolicyError(f'{where}: metadata {key} is empty')
     return Field(words if len(words) > 1 else words[0], where, f'metadata {key}').numbers(count)
 
 
@@ -94,7 +96,10 @@ def _holosoma(metadata: Mapping[str, str], where: str, observations: int) -> Spe
         else:
             raise PolicyError(f'{where}: a locomotion policy of holosoma with {len(names)} joints reads {spec.observation_size()} numbers, '
                               f'this one {observations}: what they are is not in its metadata; write a SPEC.yaml (doc/policy.md)')
-    ranges = json.loads(metadata.get('command_ranges', 'null') or 'null')
+    try:
+        ranges = json.loads(metadata.get('command_ranges', 'null') or 'null')
+    except (ValueError, RecursionError):
+        raise PolicyError(f'{where}: metadata command_ranges is no JSON; write a SPEC.yaml (doc/policy.md)') from None
     if isinstance(ranges, dict):
         field = Field(ranges, where, 'metadata command_ranges')
         for ours, theirs in (('vx', 'lin_vel_x'), ('vy', 'lin_vel_y'), ('wz', 'ang_vel_yaw')):

@@ -91,7 +91,16 @@ class Network:
         return {self.clock: np.full(self._clock_shape, number, dtype=np.float32)} if self.clock else {}
 
     def motion_frame(self, number: int) -> tuple[Array, Array, Array]:
-        """Of the motion inside: joints [rad], their speeds [rad/s], attitude of the anchor, w x y z."""
+        """Of the motion inside: joints [rad], their speeds [rad/s], attitude of the anchor, w x y z.  PolicyError when there is none."""
+        try:
+            return self._motion_frame(number)
+        except PolicyError:
+            raise
+        except Exception as error:
+            raise PolicyError(f'{self.path}: frame {number} of the motion inside cannot be read: {(str(error).splitlines() or [""])[0][:200]}; '
+                              '--motion FILE names another') from None
+
+    def _motion_frame(self, number: int) -> tuple[Array, Array, Array]:
         feed = {self.input: np.zeros(self.input_shape, dtype=np.float32), **self._zero, **self._time(number)}
         q, qd, turned = (np.asarray(part, dtype=np.float64) for part in self._session.run([*JOINT_OUTPUTS, self._anchor_output], feed))
         turned = turned.reshape(-1, 4)
@@ -114,7 +123,7 @@ class Network:
         try:
             results = self._session.run(wanted, feed)
         except Exception as error:
-            raise PolicyError(f'the inference failed: {str(error).splitlines()[0][:200]}') from None
+            raise PolicyError(f'the inference failed: {(str(error).splitlines() or [""])[0][:200]}') from None
         self._now = dict(zip(self.memory, results[1:]))
         action = np.asarray(results[0], dtype=np.float64).reshape(-1)
         return action
