@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 """Policies that follow a motion: what is read of their specification, where the motion comes from, how it is followed, and how a robot that
 walks plays one and walks again.  No bus, no simulator.  Needs what policy_test.py needs, whose quadruped moves here."""
+import contextlib
+import io
 import json
 import math
 import pathlib
@@ -14,7 +16,7 @@ from policy_test import DEPLOY, RUNS, FakeNetwork, Running, quadruped, still, tr
 import numpy as np
 import tiny_onnx
 from twinbus import messages
-from twinbus.policy import controller, deploy_yaml, followed, metadata, repertoire, runner, spec
+from twinbus.policy import arguments, command_line, controller, deploy_yaml, followed, metadata, repertoire, runner, spec
 from twinbus.policy.errors import PolicyError, Refused
 from twinbus.policy.follower import Followed, Follower, about_z
 from twinbus.policy.observation import Observation
@@ -311,6 +313,14 @@ class Plays(unittest.TestCase):
         self.assertAlmostEqual(self.action(commands), 0.0)         # the motion is over
         self.assertEqual((self.bus.of('CONTROLLER_STATUS')[-1].motion, self.bus.of('CONTROLLER_STATUS')[-1].mode), (0, 4))
 
+    def test_only_a_tracking_policy_of_the_same_period_is_played(self):
+        walks, plays = self.both()
+        with self.assertRaisesRegex(PolicyError, 'trot: it follows no motion, so it cannot be played'):
+            repertoire.Repertoire(walks, walks)
+        plays.spec.period = 0.01
+        with self.assertRaisesRegex(PolicyError, 'dance: an action every 10 ms, the policy that walks has one every 20 ms'):
+            repertoire.Repertoire(walks, plays)
+
     def test_walk_ends_a_motion(self):
         self.both()
         self.go(5)
@@ -381,6 +391,44 @@ class Plays(unittest.TestCase):
         self.go(3)
         said = [bytes(np.array(event.text, dtype=np.int8).tobytes()).split(b'\0')[0].decode() for event in self.bus.of('EVENT')]
         self.assertTrue(any('no motion to play' in line for line in said), said)
+
+
+class Words(unittest.TestCase):
+    """What is said before anything runs."""
+
+    def test_words_that_do_not_go_together(self):
+        for words, said in ((['--play-spec', 'a.yaml'], '--play-spec is of'), (['--play', 't.onnx', '--check'], '--check looks at one policy'),
+                            (['--play', 't.onnx', '--map'], '--map looks at one policy'), (['--fade', '--wait', '0'], '--wait 0 begins at once'),
+                            (['--fade', '--no-fade'], 'contradict')):
+            told = io.StringIO()
+            with self.subTest(words), self.assertRaises(SystemExit) as end, contextlib.redirect_stderr(told):
+                arguments.parse(['m.onnx', *words])
+            self.assertEqual(end.exception.code, 2)
+            self.assertIn(said, told.getvalue())
+        for words in (['--play', 't.onnx', '--play-spec', 'a.yaml'], ['--fade'], ['--no-fade', '--wait', '0'], ['--check', '--motion', 'a.csv']):
+            self.assertEqual(arguments.parse(['m.onnx', *words]).model.name, 'm.onnx')
+
+    @unittest.skipUnless(RUNS, 'onnxruntime is missing')
+    def test_what_cannot_play_is_refused_before_it_is_ready(self):
+        def running(*words):
+            told, said = io.StringIO(), io.StringIO()
+            with contextlib.redirect_stderr(told), contextlib.redirect_stdout(said):
+                status = command_line.main(arguments.parse(['--no-fifo', *map(str, words)]))
+            self.assertNotIn('ready', said.getvalue())
+            return status, told.getvalue()
+        with tempfile.TemporaryDirectory() as folder:
+            here = pathlib.Path(folder)
+            walks, plays = tiny_onnx.linear(here / 'walk.onnx', 45, 12), tiny_onnx.linear(here / 'track.onnx', 42, 12)
+            (here / 'walk.spec.yaml').write_text(spec.to_text(trot()))
+            slow = tracker()
+            slow.period = 0.04
+            (here / 'track.spec.yaml').write_text(spec.to_text(slow))
+            for words, said in (((walks, '--play', walks), 'it follows no motion, so it cannot be played'), ((walks, '--motion', 'a.csv'), 'follows no motion'),
+                                ((walks, '--play', walks, '--motion', 'a.csv'), 'follows no motion'), ((walks, '--play', plays), 'the same period'),
+                                ((walks, '--play', here / 'none.onnx'), 'no such file')):
+                status, told = running(*words)
+                self.assertEqual(status, 1)
+                self.assertIn(said, told)
 
 
 del Running  # its own tests run in policy_test.py

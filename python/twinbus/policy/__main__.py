@@ -1,8 +1,8 @@
 import sys
 
-from .arguments import REMEDY, parser
+from .arguments import REMEDY, parse
 
-words = parser().parse_args()
+words = parse()
 try:
     import numpy  # noqa: F401
     import onnxruntime  # type: ignore[import-untyped,import-not-found,unused-ignore]  # noqa: F401

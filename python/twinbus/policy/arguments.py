@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import argparse
 import pathlib
+from typing import Sequence
 
 from ..home import as_typed
 
@@ -15,6 +16,29 @@ ABOUT = '''Runs a learned policy (ONNX) as the controller: STATE in, COMMAND out
 What it reads and moves is said by, in this order: --spec FILE, MODEL.spec.yaml or SPEC.yaml beside it, the metadata of the ONNX file
 (mjlab, holosoma), deploy.yaml (Unitree), env.yaml (Isaac Lab) beside it or in params/.  doc/policy.md has every key.
 ./twinbus walk and the gamepad say how fast; a balanced stop brings it to rest; NaN, wrong shapes and late inference stop the robot.'''
+
+
+def parse(words: Sequence[str] | None = None) -> argparse.Namespace:
+    """Exit status 2 for words that do not go together."""
+    made = parser()
+    found = made.parse_args(words)
+    if sentence := contradiction(found):
+        made.error(sentence)
+    return found
+
+
+def contradiction(words: argparse.Namespace) -> str:
+    """Of words that would be left out without a word; empty: none."""
+    if words.play_spec and not words.play:
+        return '--play-spec is of the policy that --play names, and there is no --play'
+    instead = next((word for word in ('propose', 'check', 'map') if getattr(words, word)), '')
+    if words.play and instead:
+        return f'--{instead} looks at one policy: leave --play out, and look at {words.play} by itself'
+    if words.fade and words.no_fade:
+        return '--fade and --no-fade contradict each other'
+    if words.fade and words.wait == 0.0:
+        return '--wait 0 begins at once, not faded in: --fade wants a longer one'
+    return ''
 
 
 def parser() -> argparse.ArgumentParser:

@@ -17,7 +17,7 @@ from .controller import Controller
 from .errors import PolicyError, Refused
 from .follower import STANDS
 from .network import Network
-from .repertoire import Repertoire
+from .repertoire import Repertoire, pair_up
 from .runner import Options, Runner, Stopped
 
 COMMANDED = ('velocity_command', 'command_linear_velocity', 'command_angular_velocity')
@@ -55,7 +55,15 @@ def run(words: argparse.Namespace) -> int:
 
     def bind(found: robot.Robot) -> Controller:
         first = bind_one(network, words.spec, found)
-        return first if beside is None else Repertoire(first, bind_one(beside, words.play_spec, found))
+        second = None if beside is None else bind_one(beside, words.play_spec, found)
+        look_at_motion(words.motion, first.spec, first.spec if second is None else second.spec)
+        return first if second is None else Repertoire(first, second)
+    early, late = find.without_robot(network, words.spec), find.without_robot(beside, words.play_spec) if beside is not None else None
+    if early is not None and beside is None:
+        look_at_motion(words.motion, early)
+    elif early is not None and late is not None:
+        look_at_motion(words.motion, early, late)
+        pair_up(early, late)
     known = robot.from_folder(words.robot) if words.robot else None
     fifo = not words.no_fifo and go_ahead()
     wait = words.wait if words.wait is not None else 0.0 if words.no_fade else 0.3
@@ -82,6 +90,12 @@ def specified(network: Network, known: robot.Robot, named: str, motion: str) -> 
     return found
 
 
+def look_at_motion(motion: str, *specifications: spec.Spec) -> None:
+    """Refuses a motion that none of them follows."""
+    if motion and not any(one.follows for one in specifications):
+        raise PolicyError(f'--motion {motion}: {specifications[-1].source} follows no motion')
+
+
 def network_fits(specification: spec.Spec, network: Network) -> bool:
     """Whether the network was opened with the input and output that the specification names."""
     return specification.input in ('', network.input) and specification.output in ('', network.output)
@@ -98,6 +112,7 @@ def propose(words: argparse.Namespace) -> int:
         print(as_typed(f'policy: {error}'), file=sys.stderr)
         print('policy: so this is a guess; look at everything under `assumed`', file=sys.stderr)
         found = begin.propose(network, known)
+    look_at_motion(words.motion, found)
     text = spec.to_text(found)
     if words.output == '-':
         print(text, end='')
@@ -115,6 +130,7 @@ def policy_of(words: argparse.Namespace) -> tuple[Network, robot.Robot, spec.Spe
     """The network, the robot that runs it, and the contract between them."""
     network, known = Network(words.model), robot_of(words)
     found = specified(network, known, words.spec, words.motion)
+    look_at_motion(words.motion, found)
     if not network_fits(found, network):
         network = Network(words.model, found.input, found.output)
     return network, known, found

@@ -29,8 +29,22 @@ def read_file(path: pathlib.Path, robot: Robot) -> spec.Spec:
 
 def find(network: Network, robot: Robot, named: str = '') -> spec.Spec:
     """named: a file, empty: look for it.  PolicyError says where was looked."""
+    found = _look(network, named)
+    return read_file(found, robot) if isinstance(found, pathlib.Path) else found
+
+
+def without_robot(network: Network, named: str = '') -> spec.Spec | None:
+    """As find(), where it can be read before a robot is known: metadata and SPEC.yaml."""
+    found = _look(network, named)
+    if not isinstance(found, pathlib.Path):
+        return found
+    root = Field(load_map(found), str(found), '')
+    return spec.from_map(root) if 'spec' in root.mapping() else None
+
+
+def _look(network: Network, named: str) -> spec.Spec | pathlib.Path:
     if named:
-        return read_file(pathlib.Path(named), robot)
+        return pathlib.Path(named)
     folder = network.path.parent
     places = [folder / place.format(stem=network.path.stem) for place in BESIDE]
     own = [place for place in places[:2] if place.is_file()]
@@ -38,7 +52,7 @@ def find(network: Network, robot: Robot, named: str = '') -> spec.Spec:
         return found
     for place in own or places:
         if place.is_file():
-            return read_file(place, robot)
+            return place
     keys = ', '.join(sorted(network.metadata)) or 'none'
     raise PolicyError(f'{network.path}: nothing says what it reads and moves: no {network.path.stem}.spec.yaml, SPEC.yaml, deploy.yaml or '
                       f'env.yaml beside it (or in params/), and its metadata has none (keys: {keys}); name one with --spec, or begin one with '

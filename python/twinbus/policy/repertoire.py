@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .controller import Controller
+from .errors import PolicyError
 from .observation import Measured, Observation
 from .robot import Robot
 from .spec import Spec
@@ -17,12 +18,21 @@ SLOW = 0.15          # of the base, before a motion begins [m/s]
 PATIENCE = 2.0       # for that [s]
 
 
+def pair_up(walks: Spec, plays: Spec) -> None:
+    """PolicyError when plays cannot be played beside walks."""
+    if not plays.follows:
+        raise PolicyError(f'{plays.source or plays.name}: it follows no motion, so it cannot be played; --play wants a tracking policy '
+                          '(doc/policy.md)')
+    if abs(plays.period - walks.period) > 1e-6:
+        raise PolicyError(f'{plays.source or plays.name}: an action every {1e3 * plays.period:g} ms, the policy that walks has one every '
+                          f'{1e3 * walks.period:g} ms; --play wants the same period')
+
+
 class Repertoire(Controller):
-    """walks, plays: of one robot and of one period."""
+    """walks, plays: of one robot.  PolicyError when they are no pair."""
 
     def __init__(self, walks: Controller, plays: Controller) -> None:
-        if plays.follower is None:
-            raise ValueError('the second policy follows no motion')
+        pair_up(walks.spec, plays.spec)
         self._walks, self._plays, self._now = walks, plays, walks
         self._asked, self._waited = False, 0.0
 
