@@ -331,8 +331,14 @@ class Checks(unittest.TestCase):
         for joint in one.joints:
             joint.kp, joint.scale = 100.0, 0.4  # 167 % of the effort limit for an action of 1
         self.assertEqual(faults_of(one), [])
+        for scale, share in ((math.degrees(0.4), '9.55e.03'), (0.4 / 57.3, '2.91')):
+            for joint in one.joints:
+                joint.scale = scale
+            found = faults_of(one)
+            self.assertEqual([finding.about for finding in found], ['gains or scale'])
+            self.assertRegex(found[0].sentence, f'{share} % of .* with the kp of robot.yaml.*4 to 400 %')
         for joint in one.joints:
-            joint.kp = 80.0
+            joint.kp, joint.scale = 80.0, 0.4
         self.assertEqual([finding.about for finding in check.check(one, quadruped(), sizes()) if finding.fault], ['gains or scale'])
 
     def test_mirror_images(self):

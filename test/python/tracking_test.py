@@ -16,7 +16,7 @@ from policy_test import DEPLOY, RUNS, FakeNetwork, Running, quadruped, still, tr
 import numpy as np
 import tiny_onnx
 from twinbus import messages
-from twinbus.policy import arguments, command_line, controller, deploy_yaml, followed, metadata, repertoire, runner, spec
+from twinbus.policy import arguments, command_line, controller, deploy_yaml, followed, metadata, repertoire, runner, spec, trial
 from twinbus.policy.errors import PolicyError, Refused
 from twinbus.policy.follower import Followed, Follower, about_z
 from twinbus.policy.observation import Observation
@@ -261,6 +261,44 @@ class Files(unittest.TestCase):
             self.assertTrue(np.allclose(followed.load(tracker(), quadruped(), network).anchor, there.anchor, atol=1e-6))
             with self.assertRaisesRegex(Refused, '--motion'):
                 followed.load(tracker(), quadruped(), Network(tiny_onnx.linear(here / 'o.onnx', 42, 12)))
+
+
+class Trials(unittest.TestCase):
+    """What --check says of a motion that was played."""
+
+    def outcome(self, **values):
+        return trial.Outcome((0.0, 0.0, 0.0), 1, **values)
+
+    def test_only_what_follows_its_motion_to_the_end_is_good(self):
+        spread = motion().spread
+        self.assertAlmostEqual(spread, 0.29 * math.sqrt((FRAMES + 1) / (12 * (FRAMES - 1))))
+        for values, whole, good, said in (({'apart': 0.14, 'ended': True}, True, True, 'plays its motion in the simulator$'),
+                                          ({'apart': 0.14}, True, False, 'not come to the end'), ({'apart': 0.14}, False, True, 'not to its end'),
+                                          ({'apart': 0.4, 'ended': True}, True, False, '0.400 rad rms from the motion, over 0.280'),
+                                          ({'apart': 0.3}, False, False, 'does not follow'), ({'apart': math.nan}, False, False, 'did not begin'),
+                                          ({'fell': True, 'ended': True}, True, False, 'end'), ({'stopped': 'by x', 'ended': True}, True, False, 'end')):
+            found, sentence = trial.tracks(self.outcome(**values), 0.4, whole)
+            self.assertEqual(found, good, values)
+            self.assertRegex(sentence, said)
+        self.assertTrue(trial.tracks(self.outcome(apart=0.09, ended=True), 0.0, True)[0])  # a motion that only stands
+        self.assertFalse(trial.tracks(self.outcome(apart=0.11, ended=True), 0.0, True)[0])
+
+    def test_the_standing_second_does_not_count(self):
+        network = FakeNetwork(0.0)
+        network.observation_size, network.carries_motion = 42, False
+        load, followed.load = followed.load, lambda *_: motion()
+        try:
+            made = controller.Controller(tracker(), quadruped(), network)
+        finally:
+            followed.load = load
+        beside = trial.Beside()
+        self.assertTrue(math.isnan(beside.apart))
+        for tick in range(STANDS + FRAMES + 5):
+            q = made.follower.joints()[:12] + (0.2 if tick >= STANDS else 0.0)
+            beside.see(made, q)
+            self.assertEqual((beside.count, beside.ended), (max(0, tick - STANDS + 1), tick >= STANDS + FRAMES))
+            made.step(still(), np.zeros(3))
+        self.assertAlmostEqual(beside.apart, 0.2)
 
 
 class Plays(unittest.TestCase):

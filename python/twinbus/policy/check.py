@@ -17,6 +17,7 @@ from .robot import Robot
 from .spec import FRAMED, Joint, Spec
 
 KP_SPREAD = (0.08, 1.2)      # kp * scale / effort limit, median over joints: torque of an action of 1 as a share of the limit
+KP_OWN = (0.04, 4.0)         # the same where kp is the robot's own, which is stiffer than what policies are trained with
 KD_TIME = (0.003, 0.6)       # kd / kp [s]
 PERIODS = (0.004, 0.05)      # between two actions [s]
 SCALES = {'joint_velocity': (0.005, 1.0), 'base_angular_velocity': (0.05, 4.0), 'base_linear_velocity': (0.2, 5.0),
@@ -123,7 +124,7 @@ def _check_joint(joint: Joint, robot: Robot, found: list[Finding]) -> None:
 
 
 def _check_gains(joints: list[Joint], robot: Robot, found: list[Finding]) -> None:
-    shares, times, cut = [], [], list[str]()
+    shares, servos, times, cut = list[float](), list[float](), list[float](), list[str]()
     for joint in joints:
         there = robot.by_name[joint.name]
         if joint.kp == 0.0 and joint.scale != 0.0:
@@ -136,16 +137,17 @@ def _check_gains(joints: list[Joint], robot: Robot, found: list[Finding]) -> Non
         if joint.kp > 0.0 and joint.kd > 0.0:
             times.append(joint.kd / joint.kp)
         own = there.kp > 0.0 and abs(joint.kp / there.kp - 1.0) < 0.05  # the robot's own servo: as stiff as it is
-        if math.isfinite(there.effort) and there.effort > 0.0 and joint.kp > 0.0 and not own:
-            shares.append(abs(joint.kp * joint.scale) / there.effort)
+        if math.isfinite(there.effort) and there.effort > 0.0 and joint.kp > 0.0:
+            (servos if own else shares).append(abs(joint.kp * joint.scale) / there.effort)
     for sentence in cut:
         found.append(Finding('gains', sentence, len(cut) > 0.25 * len(joints)))
     if times and not KD_TIME[0] <= float(np.median(times)) <= KD_TIME[1]:
         found.append(Finding('gains', f'kd / kp is {float(np.median(times)):.3g} s (median); servos of robots have {KD_TIME[0]} to {KD_TIME[1]} s: '
                              'kp and kd exchanged, or a wrong unit?'))
-    if shares and not KP_SPREAD[0] <= float(np.median(shares)) <= KP_SPREAD[1]:
-        found.append(Finding('gains or scale', f'an action of 1 asks for {100.0 * float(np.median(shares)):.3g} % of a joint\'s effort limit '
-                             f'(kp * scale, median); policies have {100 * KP_SPREAD[0]:.0f} to {100 * KP_SPREAD[1]:.0f} %'))
+    for there_are, (low, high), which in ((shares, KP_SPREAD, ''), (servos, KP_OWN, ' of joints with the kp of robot.yaml')):
+        if there_are and not low <= float(np.median(there_are)) <= high:
+            found.append(Finding('gains or scale', f'an action of 1 asks for {100.0 * float(np.median(there_are)):.3g} % of a joint\'s effort limit '
+                                 f'(kp * scale, median{which}); policies have {100 * low:.0f} to {100 * high:.0f} %'))
 
 
 def _check_mirror(joints: list[Joint], robot: Robot, found: list[Finding]) -> None:

@@ -194,10 +194,11 @@ def check_motion(words: argparse.Namespace, network: Network, known: robot.Robot
     seconds = length + STANDS + 0.5 if words.seconds is None else float(words.seconds)
     outcome = trial.run(network, found, known, words.robot, (0.0, 0.0, 0.0), seconds, words.seed, words.engine)
     end = f'fell after {outcome.seconds:.1f} s' if outcome.fell else f'stopped: {outcome.stopped}' if outcome.stopped else 'did not fall'
+    end += '' if outcome.ended else ', not to its end'
     print(f'trial motion of {length:.1f} s, {outcome.seconds:.1f} s with its start: {end}, joints {outcome.apart:.3f} rad rms from the motion, tilt '
           f'{math.degrees(outcome.largest_tilt):.0f} degrees')
-    good = not outcome.fell and not outcome.stopped
-    print('policy: no faults; it plays its motion in the simulator' if good else 'FAULT trial: it does not come to the end of its motion')
+    good, sentence = trial.tracks(outcome, follower.motion.spread, words.seconds is None or words.seconds > length + STANDS + 0.5)
+    print(f'policy: no faults; {sentence}' if good else f'FAULT trial: {sentence}')
     return 0 if good else 1
 
 

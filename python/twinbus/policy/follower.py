@@ -22,6 +22,11 @@ class Followed:
     def __len__(self) -> int:
         return len(self.q)
 
+    @property
+    def spread(self) -> float:
+        """Rms of its joints from their means: so far from it is a robot that only stands there [rad]."""
+        return float(np.sqrt(np.mean((self.q - self.q.mean(axis=0))**2)))
+
 
 def yaw_of(rotation: Array) -> float:
     """Heading of the x axis [rad]."""
@@ -49,6 +54,11 @@ class Follower:
     @property
     def frame(self) -> int:
         return min(max(0, self._ticks - self._stands), len(self.motion) - 1)
+
+    @property
+    def begun(self) -> bool:
+        """Whether it goes on from the first frame."""
+        return self._ticks >= self._stands
 
     @property
     def ended(self) -> bool:

@@ -29,6 +29,8 @@ Array = NDArray[np.float64]
 SETTLED = 2.0     # of the beginning does not count [s]
 NEAR = 0.05       # of the policy's posture: a start in it needs no fade [rad]
 SILENCE = 60.0    # without STATE, after which the stack is given up [s]
+TRACKED = 0.7     # of what a robot that only stands in the mean of a motion is from it: one that follows is nearer
+STEADY = 0.1      # rms from a motion that is always near enough [rad]
 STILL = 10.0      # in which the policy did not get on, as after a stop by somebody else [s]
 
 
@@ -42,7 +44,8 @@ class Outcome:
     largest_tilt: float = 0.0     # [rad]
     fell: bool = False
     stopped: str = ''             # why, when the robot was stopped
-    apart: float = 0.0            # of a tracking policy: rms of its joints from the motion [rad]
+    apart: float = 0.0            # of a tracking policy: rms of its joints from the motion, once that has begun [rad]
+    ended: bool = False           # and whether that came to its last frame
 
 
 class _Watch:
@@ -67,6 +70,28 @@ class _Watch:
         self.count += 1
 
 
+class Beside:
+    """Sums up how far the joints are from the motion that a controller follows, from its second frame on."""
+
+    def __init__(self) -> None:
+        self.sum, self.count, self.ended = 0.0, 0, False
+
+    def see(self, controller: Controller, q: Array) -> None:
+        """q: [joints on the bus], after each action."""
+        follower = controller.follower
+        if follower is None or not follower.begun:
+            return
+        own = q[controller.observation.index]
+        self.sum += float(np.mean((own - follower.joints()[:len(own)])**2))
+        self.count += 1
+        self.ended = self.ended or follower.ended
+
+    @property
+    def apart(self) -> float:
+        """Rms [rad]; no number before the motion has begun."""
+        return math.sqrt(self.sum / self.count) if self.count else math.nan
+
+
 def posture_of(spec: Spec, robot: Robot) -> str | None:
     """A pose of the SRDF in which the policy begins, or None."""
     for name, angles in robot.poses.items():
@@ -84,7 +109,7 @@ def run(network: Network, spec: Spec, robot: Robot, folder: str, command: tuple[
     PolicyError when the stack does not run."""
     pose = posture_of(spec, robot)
     wait = (0.3 if pose is None else 0.0) if wait is None else wait
-    outcome, watch = Outcome(command, seed), _Watch()
+    outcome, watch, beside = Outcome(command, seed), _Watch(), Beside()
     url = f'udpm://239.255.76.67:{random.SystemRandom().randrange(20000, 60000)}?ttl=0'
     with tempfile.TemporaryDirectory() as work, Bus(url) as bus:
         runner = Runner(bus, lambda found: Controller(spec, found, network), Options(command, wait, None if wait > 0.0 else False, seconds, say=lambda _: None),
@@ -95,13 +120,9 @@ def run(network: Network, spec: Spec, robot: Robot, folder: str, command: tuple[
             if look is not None:
                 look(runner, truth)
         runner.on_truth = see
-        squares: list[float] = []
-
         def compare(state: messages.robot_state_t) -> None:
-            controller = runner.controller
-            if controller is not None and controller.follower is not None and runner.actions:
-                q = np.array(state.q[:state.joint_count])[controller.observation.index]
-                squares.append(float(np.mean((q - controller.follower.joints()[:len(q)])**2)))
+            if runner.controller is not None and runner.actions:
+                beside.see(runner.controller, np.array(state.q[:state.joint_count]))
         runner.on_state = compare if spec.follows else None
         words = [str(home.program()), 'up', scene, '--stack', 'client', '--robot', folder, '--lockstep', '--no-viewer', '--no-record',
                  '--for', f'{seconds + 0.1:g}', '--seed', str(seed), '--url', url]
@@ -135,7 +156,7 @@ def run(network: Network, spec: Spec, robot: Robot, folder: str, command: tuple[
             except subprocess.TimeoutExpired:
                 stack.kill()
     outcome.seconds, outcome.fell, outcome.largest_tilt = min(runner.elapsed, watch.fell_at), watch.fell, watch.tilt
-    outcome.apart = math.sqrt(sum(squares) / max(1, len(squares)))
+    outcome.apart, outcome.ended = beside.apart, beside.ended
     outcome.velocity = watch.sum / max(1, watch.count)
     return outcome
 
@@ -179,6 +200,19 @@ def error_of(outcome: Outcome) -> float:
 def is_good(outcome: Outcome) -> bool:
     """It neither fell nor was stopped, and walks roughly as it was asked."""
     return not outcome.fell and not outcome.stopped and error_of(outcome) < max(0.35, 0.6 * float(np.linalg.norm(outcome.command)))
+
+
+def tracks(outcome: Outcome, spread: float, whole: bool) -> tuple[bool, str]:
+    """Whether it played its motion, and the sentence.  spread: of the motion; whole: it had the time for all of it."""
+    most = max(STEADY, TRACKED * spread)
+    if outcome.fell or outcome.stopped or whole and not outcome.ended:
+        return False, 'it does not come to the end of its motion'
+    if math.isnan(outcome.apart):
+        return False, 'the motion did not begin: its first frame is held for a second, --seconds wants more'
+    if outcome.apart > most:
+        return False, (f'its joints are {outcome.apart:.3f} rad rms from the motion, over {most:.3f}: a robot that only stands there is {spread:.3f} '
+                       'from it, so this does not follow')
+    return True, f'it plays its motion in the simulator{"" if outcome.ended else ", not to its end (--seconds)"}'
 
 
 def in_words(outcome: Outcome) -> str:
