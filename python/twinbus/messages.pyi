@@ -265,7 +265,7 @@ class mode_request_t(Message):
     joint_mask: int = ...  # pose: bit per joint that q is for
     sequence: int = ...
     mode: int = ...  # 1 idle, 2 hold, 3 pose, 4 balance, 5 walk, 6 stop
-    motion: int = ...  # balance: 0 none, 1 sway, 2 squat, 3 played (only reported: a motion is played)
+    motion: int = ...  # balance: 0 none, 1 sway, 2 squat, 3 played (by a policy that has a motion; our controller plays those of MOTION)
     duration: float = ...  # pose: time to get there [s]
     amplitude: float = ...  # sway, squat [m]
     frequency: float = ...  # sway, squat [Hz]
