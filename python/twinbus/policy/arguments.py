@@ -46,7 +46,7 @@ def parser() -> argparse.ArgumentParser:
     made.add_argument('model', metavar='MODEL.onnx', type=pathlib.Path)
     made.add_argument('--spec', default='', metavar='FILE', help='SPEC.yaml, deploy.yaml or env.yaml')
     made.add_argument('--motion', default='', metavar='FILE', help='of a tracking policy: NPZ or CSV (doc/motion.md); default: the one inside of its network')
-    made.add_argument('--play', default='', metavar='TRACK.onnx', help='a tracking policy beside this one, which walks: ./twinbus mode play changes to it')
+    made.add_argument('--play', default='', metavar='TRACK.onnx', help=as_typed('a tracking policy beside this one, which walks: ./twinbus mode play changes to it'))
     made.add_argument('--play-spec', default='', metavar='FILE', help='its specification; default: found as that of MODEL.onnx')
     made.add_argument('--robot', default='', metavar='ROBOT', help='a name under config/robots or a folder; default: the robot on the bus')
     what = made.add_argument_group('instead of running it')

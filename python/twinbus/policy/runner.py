@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 from .. import messages
 from ..bus import Bus, decode, new_id
 from ..channels import TYPES
+from ..home import as_typed
 from .binding import Binding
 from .controller import Controller
 from .errors import PolicyError
@@ -171,7 +172,7 @@ class Runner:
             self._operator.hear(channel, message, self._state.run_id)
             if self._operator.plays and (self.controller is None or not self.controller.has_motion_beside):
                 self._operator.plays = False
-                self._operator.complaint = 'controller: this policy has no motion to play: ./twinbus policy WALK.onnx --play TRACK.onnx'
+                self._operator.complaint = as_typed('controller: this policy has no motion to play: ./twinbus policy WALK.onnx --play TRACK.onnx')
             if self._operator.complaint:
                 self.event(self._operator.complaint, NOTE)
                 self._operator.complaint = ''
