@@ -87,7 +87,8 @@ bool read_ladder(const std::string& text, Ladder& ladder) {
   for (std::size_t i = 0; i < rungs; ++i) {
     Rung r;
     std::size_t held = 0, rigid = 0, still = 0, untouched = 0, aloft = 0;
-    if (!(in >> r.order >> r.step >> r.cost >> r.apart >> r.at >> r.whole >> r.band >> held >> rigid >> still >> untouched >> aloft >>
+    if (!(in >> r.order >> r.step >> r.cost >> r.apart >> r.at >> r.whole >> r.band >>
+          held >> rigid >> still >> untouched >> aloft >>
           r.less.apart >> r.less.asleep))
       return false;
     if (r.order < 1 || r.order > 3 || !(r.step > 0.0) || std::max({held, rigid, still, untouched, aloft}) > 1000) return false;
