@@ -82,6 +82,15 @@ TEST(Less, AJointIsHeldByTheWayOfWhatIsBehindIt) {
   EXPECT_TRUE(proposals(model, moved, 1e-6).empty());
 }
 
+// A run in which nothing moved, off by so much [m].
+Track at_rest(const Model& model, double off) {
+  Track track;
+  track.names = {"link foot"};
+  track.at = {{Eigen::Vector3d(off, 0.0, 0.0)}};
+  track.moved = all_at_rest(model);
+  return track;
+}
+
 // What is chosen where nothing moves, order and step make no difference, and scenes that `fails` names miss the error.
 int chosen_where(const std::function<bool(const Scene&)>& fails, Ladder& ladder) {
   const Model model = load_robot("hrp1s");
@@ -92,10 +101,7 @@ int chosen_where(const std::function<bool(const Scene&)>& fails, Ladder& ladder)
   request.error = 1e-3;
   request.less = true;
   request.follow = [&](const Scene& asked) {
-    Track track;
-    track.names = {"link foot"};
-    track.at = {{Eigen::Vector3d(fails(asked) ? 0.1 : 0.0, 0.0, 0.0)}};
-    track.moved = all_at_rest(model);
+    Track track = at_rest(model, fails(asked) ? 0.1 : 0.0);
     track.moved.links = 0.0;
     track.cost = asked.held.empty() ? 1.0 : 0.5;
     return track;
@@ -162,10 +168,7 @@ TEST(Less, WhereNoBodySleepsNothingIsSaidToBeAsleep) {
     request.error = 1e-3;
     request.less = true;
     request.follow = [&](const Scene& asked) {
-      Track track;
-      track.names = {"link foot"};
-      track.at = {{Eigen::Vector3d::Zero()}};
-      track.moved = all_at_rest(model);
+      Track track = at_rest(model, 0.0);
       track.moved.lay = 0.5;
       track.slept = sleeps && asked.asleep;
       track.cost = asked.held.empty() ? 1.0 : 0.5;
