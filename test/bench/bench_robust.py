@@ -30,14 +30,15 @@ def robot_that_estimates(folder):
 
 
 def main():
-    campaign = on_campaign.read("robust")
     parser = argparse.ArgumentParser(usage=__doc__.strip())
-    parser.add_argument("--rows", default=",".join(campaign["cases"]))
-    parser.add_argument("--scenes", default=",".join(campaign["scenes"]))
+    parser.add_argument("--rows", help="cases of the campaign; all where none is given")
+    parser.add_argument("--scenes", help="scenes; those of the campaign where none is given")
     parser.add_argument("--seeds", type=int, default=1)
     parser.add_argument("--csv")
     given = parser.parse_args()
-    names, campaign["scenes"] = given.rows.split(","), given.scenes.split(",")
+    campaign = on_campaign.read("robust")
+    names = given.rows.split(",") if given.rows else list(campaign["cases"])
+    campaign["scenes"] = given.scenes.split(",") if given.scenes else campaign["scenes"]
     if unknown := [name for name in names if name not in campaign["cases"]]:
         sys.exit(f"bench robust: no row {unknown[0]!r}; there are: {', '.join(campaign['cases'])}")
     campaign["cases"] = {name: campaign["cases"][name] for name in names}

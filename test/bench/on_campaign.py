@@ -10,17 +10,21 @@ import sys
 
 import programs
 
-try:
-    import yaml
-except ImportError:
-    sys.exit("bench: campaigns need python3-yaml; run: apt-get install python3-yaml")
-
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+
+
+def yaml_or_exit():
+    """PyYAML, imported by what runs: --help of a bench answers where it is not installed."""
+    try:
+        import yaml
+    except ImportError:
+        sys.exit("bench: campaigns need python3-yaml; run: apt-get install python3-yaml")
+    return yaml
 
 
 def read(name):
     """The campaign NAME.yaml as a dict, for a bench that is given other seeds or rows."""
-    return yaml.safe_load((ROOT / "test/bench/campaigns" / f"{name}.yaml").read_text(encoding="utf-8"))
+    return yaml_or_exit().safe_load((ROOT / "test/bench/campaigns" / f"{name}.yaml").read_text(encoding="utf-8"))
 
 
 def environment(who):
@@ -36,7 +40,7 @@ def start(what, name, campaign, folder, who, *options):
     """The folder with what came out; ends with a sentence where nothing did."""
     file, out = pathlib.Path(folder) / f"{name}.yaml", pathlib.Path(folder) / name
     shutil.rmtree(out, ignore_errors=True)
-    file.write_text(yaml.safe_dump(campaign, sort_keys=False), encoding="utf-8")
+    file.write_text(yaml_or_exit().safe_dump(campaign, sort_keys=False), encoding="utf-8")
     done = subprocess.run([sys.executable, ROOT / "campaign/campaign.py", *what, file, "--out", out, *options], env=environment(who),
                           stdout=subprocess.PIPE, text=True)
     if not (out / "results.csv").exists() or done.returncode not in (0, 1):
