@@ -45,6 +45,18 @@ bool ask_controller(BusLink& bus, ModeRequest& request) {
                  [&] { return bus.seen().controller().mode_sequence == request.sequence; });
 }
 
+namespace {
+
+// What the controller has said since this was last asked; "" when nothing.
+std::string said_by_controller(BusLink& bus) {
+  for (const std::string& event : bus.seen().take_events()) {
+    if (event.starts_with("controller: ")) return event.substr(event.find(' ') + 1);
+  }
+  return "";
+}
+
+}  // namespace
+
 std::string why_it_stays(BusLink& bus, const ModeRequest& request) {
   const SeenSource* active = bus.seen().active(monotonic_ns());
   if (active != nullptr && active->status.stop_kind != StopKind::kNone) {
@@ -53,10 +65,7 @@ std::string why_it_stays(BusLink& bus, const ModeRequest& request) {
   }
   if (bus.seen().controller().mode_sequence != request.sequence)
     return "the controller does not answer (./twinbus status)";
-  // What the controller said about it.
-  for (const std::string& event : bus.seen().take_events()) {
-    if (event.starts_with("controller: ")) return event.substr(event.find(' ') + 1);
-  }
+  if (std::string said = said_by_controller(bus); !said.empty()) return said;
   return std::string("the controller stays in mode ") + label(bus.seen().controller().mode);
 }
 
@@ -105,13 +114,16 @@ int report_mode(BusLink& bus, const ModeRequest& request, const char* asked) {
     const ControllerStatus& now = bus.seen().controller();
     return now.mode == Mode::kWalk || now.motion == Motion::kPlayed || request.motion == Motion::kPlayed;
   };
-  while (!quit_requested() && busy() &&
+  std::string refusal;
+  while (!quit_requested() && busy() && refusal.empty() &&
          !does(bus.seen().controller(), request) && seconds_since(begin) < kWalkEnds) {
     bus.listen(0.05);
+    // Who has no motion says so at once; who has one says nothing until it has played.
+    if (request.motion == Motion::kPlayed) refusal = said_by_controller(bus);
   }
   bus.listen(0.05);
   if (!does(bus.seen().controller(), request)) {
-    print_typed(stderr, "%s: %s\n", asked, why_it_stays(bus, request).c_str());
+    print_typed(stderr, "%s: %s\n", asked, (refusal.empty() ? why_it_stays(bus, request) : refusal).c_str());
     return 1;
   }
   if (request.mode != Mode::kPose) {
