@@ -46,7 +46,7 @@ bool set_fifo(int priority) {
 
 }  // namespace
 
-struct Witness::Shared {
+struct JitterProbe::Shared {
   std::int64_t period_ns = 0;
   int priority = 0;
   std::atomic<bool> quit{false};
@@ -94,7 +94,7 @@ struct Witness::Shared {
   }
 };
 
-Witness::Witness(std::int64_t period_ns, int priority) : shared_(std::make_unique<Shared>()) {
+JitterProbe::JitterProbe(std::int64_t period_ns, int priority) : shared_(std::make_unique<Shared>()) {
   shared_->period_ns = std::max<std::int64_t>(period_ns, 1);
   shared_->priority = priority;
   cpu_set_t allowed;
@@ -114,12 +114,12 @@ Witness::Witness(std::int64_t period_ns, int priority) : shared_(std::make_uniqu
   started.wait();
 }
 
-Witness::~Witness() {
+JitterProbe::~JitterProbe() {
   shared_->quit.store(true);
   for (const auto& watch : shared_->watches) watch->thread.join();
 }
 
-bool Witness::running() const noexcept {
+bool JitterProbe::running() const noexcept {
   return !shared_->watches.empty() && shared_->refused.load() == 0;
 }
 
@@ -138,7 +138,7 @@ std::int64_t covered_ns(std::span<Interval> intervals, std::int64_t from_ns,
   return covered;
 }
 
-std::int64_t Witness::stood_still_ns(std::int64_t from_ns, std::int64_t to_ns) const noexcept {
+std::int64_t JitterProbe::stood_still_ns(std::int64_t from_ns, std::int64_t to_ns) const noexcept {
   std::array<Interval, kMostCpus*(kRemembered + 1)> known;
   std::size_t count = 0;
   const std::int64_t now = monotonic_ns();
@@ -152,6 +152,6 @@ std::int64_t Witness::stood_still_ns(std::int64_t from_ns, std::int64_t to_ns) c
   return covered_ns({known.data(), count}, from_ns, to_ns);
 }
 
-std::int64_t Witness::missed() const noexcept { return shared_->missed.load(); }
+std::int64_t JitterProbe::missed() const noexcept { return shared_->missed.load(); }
 
 }  // namespace twinbus

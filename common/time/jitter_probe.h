@@ -4,7 +4,7 @@
 // One thread per CPU, because a virtual machine may stand still on one of them only; each wakes
 // four times per tick, because a CPU may stand still in the middle of one.  It takes FIFO priority for
 // itself even where the loop has none, so that a loop run without FIFO is judged by the same measure.
-// Where the system allows no FIFO priority there is no witness: an ordinary timer proves nothing.
+// Where the system allows no FIFO priority there is no probe: an ordinary timer proves nothing.
 
 #pragma once
 
@@ -22,14 +22,14 @@ struct Interval {
 std::int64_t covered_ns(std::span<Interval> intervals, std::int64_t from_ns,
                         std::int64_t to_ns) noexcept;
 
-class Witness {
+class JitterProbe {
  public:
   // Ticks lie on multiples of period_ns of the steady clock.  Starts its threads at this FIFO
   // priority, where the system allows that.
-  Witness(std::int64_t period_ns, int priority);
-  ~Witness();
-  Witness(const Witness&) = delete;
-  Witness& operator=(const Witness&) = delete;
+  JitterProbe(std::int64_t period_ns, int priority);
+  ~JitterProbe();
+  JitterProbe(const JitterProbe&) = delete;
+  JitterProbe& operator=(const JitterProbe&) = delete;
 
   bool running() const noexcept;
 

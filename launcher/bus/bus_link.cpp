@@ -23,7 +23,7 @@ BusOptions options_of(const std::string& url, const std::string& prefix,
 
 // Takes in whatever type it is called with.
 struct Ear {
-  Lookout& seen;
+  StackMonitor& seen;
   bool own_channel = false;
 
   void operator()(const RobotState& state) const {
@@ -45,7 +45,7 @@ struct Ear {
 }  // namespace
 
 struct BusLink::Impl {
-  Impl(const BusOptions& options, Lookout& seen)
+  Impl(const BusOptions& options, StackMonitor& seen)
       : ear{seen, false}, own_ear{seen, true}, bus(options) {
     bus.listen_each<RobotState>(channel::kState, ear);
     bus.listen_each<RobotState>(channel::kStateSim, own_ear);

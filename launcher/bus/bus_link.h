@@ -1,4 +1,4 @@
-// The launcher's end of the bus: everything heard goes into a Lookout, operator messages go out.
+// The launcher's end of the bus: everything heard goes into a StackMonitor, operator messages go out.
 
 #pragma once
 
@@ -34,7 +34,7 @@ class BusLink {
   // Also gives every encoded STATE to handler, as it came.
   void on_raw_state(std::function<void(std::span<const std::uint8_t>)> handler);
 
-  Lookout& seen() { return seen_; }
+  StackMonitor& seen() { return seen_; }
   const std::string& url() const { return url_; }
   std::int64_t sender_id() const { return sender_id_; }
 
@@ -76,7 +76,7 @@ class BusLink {
   template <class T>
   void send_stamped(const char* channel, T& message);
 
-  Lookout seen_;
+  StackMonitor seen_;
   std::string url_;
   std::int64_t sender_id_;
   std::int32_t sequence_ = 0;

@@ -54,13 +54,13 @@ std::string process_line(const SeenProcess& process, double cpu) {
                           realtime_name(b.realtime));
 }
 
-const char* guard_word(const Lookout& seen, std::int64_t now_ns) {
+const char* guard_word(const StackMonitor& seen, std::int64_t now_ns) {
   if (seen.guard().age(now_ns) > 1.0) return "silent";
   return seen.newest_guard().verdict >= GuardVerdict::kWillCollide ? "holds joints" : "clear";
 }
 
 // What a world that waits costs; empty for every other.
-std::string pace_text(const Lookout& seen, std::int64_t now_ns) {
+std::string pace_text(const StackMonitor& seen, std::int64_t now_ns) {
   const SeenSource* active = seen.active(now_ns);
   if (active == nullptr || !has_pace(active->status, Pace::kPatient) || !(seen.figures().realtime_factor > 0.0)) return "";
   return formatted(", %.2f times real time", seen.figures().realtime_factor);
@@ -68,25 +68,25 @@ std::string pace_text(const Lookout& seen, std::int64_t now_ns) {
 
 using Lines = std::vector<std::string>;
 
-void add_sources(const Lookout& seen, std::int64_t now_ns, Lines& lines) {
+void add_sources(const StackMonitor& seen, std::int64_t now_ns, Lines& lines) {
   lines.push_back("source            Hz      role  term   missed   late  rejected");
   for (const SeenSource* source : seen.sources(now_ns)) lines.push_back(source_line(*source, now_ns));
 }
 
-void add_streams(const Lookout& seen, std::int64_t now_ns, Lines& lines) {
+void add_streams(const StackMonitor& seen, std::int64_t now_ns, Lines& lines) {
   lines.push_back("stream            Hz       age    lost");
   lines.push_back(stream_line("STATE", seen.state(), now_ns));
   lines.push_back(stream_line("COMMAND", seen.command(), now_ns));
   if (seen.guard().received() > 0) lines.push_back(stream_line("GUARD", seen.guard(), now_ns));
 }
 
-void add_processes(const Lookout& seen, CpuShare& shares, std::int64_t now_ns, Lines& lines) {
+void add_processes(const StackMonitor& seen, CpuShare& shares, std::int64_t now_ns, Lines& lines) {
   lines.push_back("process           Hz       pid cpu %   missed    p50    p99 max us alloc");
   for (const SeenProcess* process : seen.processes(now_ns))
     lines.push_back(process_line(*process, shares.recent(process->beat.pid, now_ns)));
 }
 
-void add_robot(const Lookout& seen, std::int64_t now_ns, Lines& lines) {
+void add_robot(const StackMonitor& seen, std::int64_t now_ns, Lines& lines) {
   if (!(seen.controller_statuses().age(now_ns) < 1.0)) return;
   const ControllerStatus& c = seen.controller();
   const std::string motion = motion_text(c);
@@ -96,7 +96,7 @@ void add_robot(const Lookout& seen, std::int64_t now_ns, Lines& lines) {
                   pace_text(seen, now_ns));
 }
 
-void add_timing(const Lookout& seen, std::int64_t now_ns, Lines& lines) {
+void add_timing(const StackMonitor& seen, std::int64_t now_ns, Lines& lines) {
   const SeenSource* active = seen.active(now_ns);
   for (const SeenProcess* process : seen.processes(now_ns)) {
     const Heartbeat& b = process->beat;
@@ -111,7 +111,7 @@ void add_timing(const Lookout& seen, std::int64_t now_ns, Lines& lines) {
 
 }  // namespace
 
-std::vector<std::string> acting_lines(const Lookout& seen, std::int64_t now_ns) {
+std::vector<std::string> acting_lines(const StackMonitor& seen, std::int64_t now_ns) {
   Lines lines;
   const std::vector<const SeenSource*> sources = seen.sources(now_ns);
   const SeenSource* active = seen.active(now_ns);
@@ -144,7 +144,7 @@ std::vector<std::string> acting_lines(const Lookout& seen, std::int64_t now_ns) 
   return lines;
 }
 
-std::vector<std::string> table_lines(const Lookout& seen, CpuShare& shares, std::int64_t now_ns) {
+std::vector<std::string> table_lines(const StackMonitor& seen, CpuShare& shares, std::int64_t now_ns) {
   Lines lines;
   add_sources(seen, now_ns, lines);
   add_streams(seen, now_ns, lines);
@@ -155,7 +155,7 @@ std::vector<std::string> table_lines(const Lookout& seen, CpuShare& shares, std:
   return lines;
 }
 
-std::vector<std::string> short_lines(const Lookout& seen, CpuShare& shares, std::int64_t now_ns) {
+std::vector<std::string> short_lines(const StackMonitor& seen, CpuShare& shares, std::int64_t now_ns) {
   Lines lines = acting_lines(seen, now_ns);
   for (std::string& line : lines) line = "ACT: " + line;
   if (lines.empty() && !seen.sources(now_ns).empty()) lines.push_back("nothing needs acting on");
@@ -165,7 +165,7 @@ std::vector<std::string> short_lines(const Lookout& seen, CpuShare& shares, std:
   return lines;
 }
 
-std::string summary_line(const Lookout& seen, std::int64_t now_ns) {
+std::string summary_line(const StackMonitor& seen, std::int64_t now_ns) {
   const SeenSource* active = seen.active(now_ns);
   return formatted("STATE %.1f Hz (%s, term %d, %s), COMMAND %.1f Hz, missed %lld, mode %s%s",
                    seen.state().rate(now_ns),

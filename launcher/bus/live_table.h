@@ -12,14 +12,14 @@
 namespace twinbus {
 
 // What somebody has to act on, each with its remedy; nothing while all is well.
-std::vector<std::string> acting_lines(const Lookout& seen, std::int64_t now_ns);
+std::vector<std::string> acting_lines(const StackMonitor& seen, std::int64_t now_ns);
 // At most about 20 lines, each shorter than 100 characters.
 // shares: of the processes of this machine.
-std::vector<std::string> table_lines(const Lookout& seen, CpuShare& shares, std::int64_t now_ns);
+std::vector<std::string> table_lines(const StackMonitor& seen, CpuShare& shares, std::int64_t now_ns);
 // What has to be acted on, the robot, a line for each source and process.
-std::vector<std::string> short_lines(const Lookout& seen, CpuShare& shares, std::int64_t now_ns);
+std::vector<std::string> short_lines(const StackMonitor& seen, CpuShare& shares, std::int64_t now_ns);
 // All of it in one line, for a log.
-std::string summary_line(const Lookout& seen, std::int64_t now_ns);
+std::string summary_line(const StackMonitor& seen, std::int64_t now_ns);
 
 // Writes lines over the ones written before; only for a terminal.
 class Redraw {

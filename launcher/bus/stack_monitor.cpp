@@ -44,7 +44,7 @@ auto* slot(Map& map, std::int64_t id) {
 
 }  // namespace
 
-void Lookout::on_state(const RobotState& state, bool own_channel, std::int64_t now_ns) {
+void StackMonitor::on_state(const RobotState& state, bool own_channel, std::int64_t now_ns) {
   if (auto* source = slot(sources_, state.run_id)) {
     source->states.add(state.tick, now_ns);
     source->on_state = !own_channel;
@@ -55,25 +55,25 @@ void Lookout::on_state(const RobotState& state, bool own_channel, std::int64_t n
   newest_state_ = state;
 }
 
-void Lookout::on_command(const JointCommand& command, std::int64_t now_ns) {
+void StackMonitor::on_command(const JointCommand& command, std::int64_t now_ns) {
   command_.add(command.tick, now_ns);
 }
 
-void Lookout::on_source_status(const SourceStatus& status, std::int64_t now_ns) {
+void StackMonitor::on_source_status(const SourceStatus& status, std::int64_t now_ns) {
   if (auto* source = slot(sources_, status.run_id)) {
     source->status = status;
     source->heard_ns = now_ns;
   }
 }
 
-void Lookout::on_heartbeat(const Heartbeat& beat, std::int64_t now_ns) {
+void StackMonitor::on_heartbeat(const Heartbeat& beat, std::int64_t now_ns) {
   if (auto* process = slot(processes_, beat.process_id)) {
     process->beat = beat;
     process->heard_ns = now_ns;
   }
 }
 
-void Lookout::on_truth(const SimTruth& truth, std::int64_t now_ns) {
+void StackMonitor::on_truth(const SimTruth& truth, std::int64_t now_ns) {
   if (state_.received() > 0 && truth.run_id != newest_state_.run_id)
     return;  // of a standby simulator
   truth_.add(truth.tick, now_ns);
@@ -97,18 +97,18 @@ void Lookout::on_truth(const SimTruth& truth, std::int64_t now_ns) {
   f.realtime_factor = static_cast<double>(truth.realtime_factor);
 }
 
-void Lookout::on_guard(const GuardReport& report, std::int64_t now_ns) {
+void StackMonitor::on_guard(const GuardReport& report, std::int64_t now_ns) {
   guard_.add(report.tick, now_ns);
   newest_guard_ = report;
   if (report.verdict == GuardVerdict::kInCollision) ++figures_.self_collision_ticks;
 }
 
-void Lookout::on_controller_status(const ControllerStatus& status, std::int64_t now_ns) {
+void StackMonitor::on_controller_status(const ControllerStatus& status, std::int64_t now_ns) {
   controller_meter_.add(status.tick, now_ns);
   controller_ = status;
 }
 
-void Lookout::on_event(const Event& event) {
+void StackMonitor::on_event(const Event& event) {
   if (events_.size() >= kMostEvents) return;
   if (event.text[0] == '\0') return;  // nothing to tell
   // A terminal obeys control characters; a stranger's datagram must not reach it.
@@ -116,7 +116,7 @@ void Lookout::on_event(const Event& event) {
   events_.push_back(std::string(process_name(event.kind)) + ": " + printable(text));
 }
 
-std::vector<const SeenSource*> Lookout::sources(std::int64_t now_ns, double seconds) const {
+std::vector<const SeenSource*> StackMonitor::sources(std::int64_t now_ns, double seconds) const {
   std::vector<const SeenSource*> found;
   for (const auto& [id, source] : sources_) {
     if (source.heard_ns > 0 && age(source.heard_ns, now_ns) < seconds) found.push_back(&source);
@@ -124,7 +124,7 @@ std::vector<const SeenSource*> Lookout::sources(std::int64_t now_ns, double seco
   return found;
 }
 
-std::vector<const SeenProcess*> Lookout::processes(std::int64_t now_ns, double seconds) const {
+std::vector<const SeenProcess*> StackMonitor::processes(std::int64_t now_ns, double seconds) const {
   std::vector<const SeenProcess*> found;
   for (const auto& [id, process] : processes_) {
     if (age(process.heard_ns, now_ns) < seconds) found.push_back(&process);
@@ -135,7 +135,7 @@ std::vector<const SeenProcess*> Lookout::processes(std::int64_t now_ns, double s
   return found;
 }
 
-const SeenSource* Lookout::active(std::int64_t now_ns) const {
+const SeenSource* StackMonitor::active(std::int64_t now_ns) const {
   const SeenSource* best = nullptr;
   for (const SeenSource* source : sources(now_ns)) {
     const Role role = source->status.role;
@@ -145,37 +145,37 @@ const SeenSource* Lookout::active(std::int64_t now_ns) const {
   return best;
 }
 
-const SeenSource* Lookout::source(std::int64_t run_id) const {
+const SeenSource* StackMonitor::source(std::int64_t run_id) const {
   const auto found = sources_.find(run_id);
   return found == sources_.end() ? nullptr : &found->second;
 }
 
-const SeenProcess* Lookout::process_of_pid(std::int32_t pid) const {
+const SeenProcess* StackMonitor::process_of_pid(std::int32_t pid) const {
   for (const auto& [id, process] : processes_) {
     if (process.beat.pid == pid) return &process;
   }
   return nullptr;
 }
 
-std::vector<std::string> Lookout::take_events() { return std::exchange(events_, {}); }
+std::vector<std::string> StackMonitor::take_events() { return std::exchange(events_, {}); }
 
-void Lookout::restart_counts() {
+void StackMonitor::restart_counts() {
   for (Meter* meter : {&state_, &command_, &guard_, &truth_, &controller_meter_}) meter->restart();
   figures_ = RunFigures();
   last_truth_time_ = -1.0;
 }
 
-bool is_paused(const Lookout& seen, std::int64_t now_ns) {
+bool is_paused(const StackMonitor& seen, std::int64_t now_ns) {
   const SeenSource* active = seen.active(now_ns);
   return active != nullptr && has_pace(active->status, Pace::kPaused);
 }
 
-bool has_own_clock(const Lookout& seen, std::int64_t now_ns) {
+bool has_own_clock(const StackMonitor& seen, std::int64_t now_ns) {
   const SeenSource* active = seen.active(now_ns);
   return active != nullptr && (has_pace(active->status, Pace::kPaused) || has_pace(active->status, Pace::kSlowed));
 }
 
-void refuse_while_paused(const Lookout& seen, std::int64_t now_ns) {
+void refuse_while_paused(const StackMonitor& seen, std::int64_t now_ns) {
   if (is_paused(seen, now_ns)) throw std::runtime_error("the simulated world is paused: ./twinbus sim go, then ask again");
 }
 

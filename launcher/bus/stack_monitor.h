@@ -46,7 +46,7 @@ struct RunFigures {
   std::int64_t self_collision_ticks = 0;
 };
 
-class Lookout {
+class StackMonitor {
  public:
   // own_channel: it came on STATE_SIM, STATE_BRIDGE or STATE_REPLAY, not on STATE.
   void on_state(const RobotState& state, bool own_channel, std::int64_t now_ns);
@@ -95,12 +95,12 @@ class Lookout {
 
 // Words for what messages carry as numbers.
 // Does the active source stand still because somebody asked it to?
-bool is_paused(const Lookout& seen, std::int64_t now_ns);
+bool is_paused(const StackMonitor& seen, std::int64_t now_ns);
 // Does its clock run otherwise than time does: paused, slowed or hurried?
-bool has_own_clock(const Lookout& seen, std::int64_t now_ns);
+bool has_own_clock(const StackMonitor& seen, std::int64_t now_ns);
 // Throws std::runtime_error with the remedy: what is sent to a world that stands still is obeyed when nobody thinks of it any
 // more.
-void refuse_while_paused(const Lookout& seen, std::int64_t now_ns);
+void refuse_while_paused(const StackMonitor& seen, std::int64_t now_ns);
 // "sways"; empty when it does nothing that has a name.
 std::string motion_text(const ControllerStatus& status);
 const char* source_name(SourceKind source);

@@ -31,7 +31,7 @@ nlohmann::ordered_json channels_json(const Heartbeat& b) {
   return all;
 }
 
-nlohmann::ordered_json as_json(const Lookout& seen, std::int64_t now_ns) {
+nlohmann::ordered_json as_json(const StackMonitor& seen, std::int64_t now_ns) {
   nlohmann::ordered_json all;
   all["sources"] = nlohmann::ordered_json::array();
   for (const SeenSource* source : seen.sources(now_ns)) {

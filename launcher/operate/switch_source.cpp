@@ -37,7 +37,7 @@ SourceKind kind_of(const std::string& word) {
 }
 
 // The source of that kind that is not active itself.  Throws std::runtime_error if there is none or more than one.
-SeenSource find_target(const Lookout& seen, SourceKind kind, std::int64_t wanted_run,
+SeenSource find_target(const StackMonitor& seen, SourceKind kind, std::int64_t wanted_run,
                        std::int64_t active_run) {
   std::optional<SeenSource> found;
   bool active_is_of_kind = false;

@@ -108,7 +108,7 @@ class OneProcess {
   const std::vector<FurtherRobot>& further_robots() const { return further_robots_; }
   const ControlLoop& loop() const { return *loop_; }
   const Source& source() const { return source_; }
-  const Lookout& seen() const { return seen_; }
+  const StackMonitor& seen() const { return seen_; }
   const WalkFigures& walked() const { return walked_; }
   const SwingWatch& swing() const { return swing_; }
   const EnergyWatch& energy() const { return energy_; }
@@ -163,7 +163,7 @@ class OneProcess {
   std::unique_ptr<ArmPlanner> planner_;  // with the first goal
   SceneScript script_;
   StateHash hash_;
-  Lookout seen_;
+  StackMonitor seen_;
   WalkFigures walked_;
   SwingWatch swing_;
   EnergyWatch energy_;

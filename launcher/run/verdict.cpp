@@ -34,7 +34,7 @@ nlohmann::json number(double value) {
 
 }  // namespace
 
-MissedCounts missed_so_far(const Lookout& seen, std::int64_t now_ns) {
+MissedCounts missed_so_far(const StackMonitor& seen, std::int64_t now_ns) {
   MissedCounts counts;
   for (const SeenProcess* process : seen.processes(now_ns, 2.0)) {
     const Heartbeat& beat = process->beat;
@@ -50,7 +50,7 @@ MissedCounts missed_so_far(const Lookout& seen, std::int64_t now_ns) {
   return counts;
 }
 
-int real_time_of(const Lookout& seen, std::int64_t now_ns) {
+int real_time_of(const StackMonitor& seen, std::int64_t now_ns) {
   std::array<int, 3> least{-1, -1, -1};  // source, controller, programs of a user: -1, none is there
   for (const SeenProcess* process : seen.processes(now_ns, 2.0)) {
     const ProcessKind kind = process->beat.kind;
@@ -72,7 +72,7 @@ std::string real_time_text(int real_time, bool patient) {
                          : ", but their memory is NOT LOCKED (./twinbus doctor --rt says why)");
 }
 
-RunVerdict judge(const Lookout& seen, const RunRequest& request, const MissedCounts& start,
+RunVerdict judge(const StackMonitor& seen, const RunRequest& request, const MissedCounts& start,
                  std::int64_t now_ns) {
   RunVerdict verdict;
   verdict.ticks = seen.state().received();
@@ -175,7 +175,7 @@ std::vector<std::string> verdict_lines(const RunVerdict& verdict, const RunReque
   return lines;
 }
 
-std::string report_json(const RunVerdict& verdict, const RunRequest& request, const Lookout& seen,
+std::string report_json(const RunVerdict& verdict, const RunRequest& request, const StackMonitor& seen,
                         double wall_s, const std::string& state_hash) {
   const RunFigures& f = seen.figures();
   const double sim_time = f.truths > 0 ? f.sim_time - f.first_sim_time

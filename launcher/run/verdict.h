@@ -57,19 +57,19 @@ struct RunVerdict {
   std::vector<std::string> left_out;  // what was asked and could not be judged: the run is only a part of its scene
 };
 
-MissedCounts missed_so_far(const Lookout& seen, std::int64_t now_ns);
+MissedCounts missed_so_far(const StackMonitor& seen, std::int64_t now_ns);
 // What source and controller, ours or a user's, both have: 0 nothing, 1 FIFO priority, 2 and locked memory.
-int real_time_of(const Lookout& seen, std::int64_t now_ns);
+int real_time_of(const StackMonitor& seen, std::int64_t now_ns);
 std::string real_time_text(int real_time, bool patient = false);
 
-RunVerdict judge(const Lookout& seen, const RunRequest& request, const MissedCounts& start,
+RunVerdict judge(const StackMonitor& seen, const RunRequest& request, const MissedCounts& start,
                  std::int64_t now_ns);
 
 // Lines for people.
 std::vector<std::string> verdict_lines(const RunVerdict& verdict, const RunRequest& request);
 
 // JSON with the keys that `twinbus run --report` writes, as far as the bus shows them, and the rates.
-std::string report_json(const RunVerdict& verdict, const RunRequest& request, const Lookout& seen,
+std::string report_json(const RunVerdict& verdict, const RunRequest& request, const StackMonitor& seen,
                         double wall_s, const std::string& state_hash);
 
 }  // namespace twinbus

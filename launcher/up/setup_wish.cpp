@@ -53,7 +53,7 @@ std::string SetupWishes::take(std::int64_t now_ns) {
 }
 
 Setup SetupWishes::prepare(const std::string& wish, const std::string& robot, const Stack& stack,
-                           const Lookout& seen) {
+                           const StackMonitor& seen) {
   for (const StackProcess& process : stack.processes) {
     if (process.hardware) throw std::runtime_error("this stack moves a real robot");
   }

@@ -26,7 +26,7 @@ class SetupWishes {
 
   // Throws std::runtime_error with the sentence to answer.
   Setup prepare(const std::string& wish, const std::string& robot, const Stack& stack,
-                const Lookout& seen);
+                const StackMonitor& seen);
 
   // The sentence that answers, also in the file answer.  What holds now is kept in now.json, where the page finds it.
   std::string answer(const std::string& wish, const std::string& problem) const;

@@ -191,7 +191,7 @@ void Up::refuse_if_someone_publishes() {
 
 // Messages say which processes are there: a heartbeat has the process id, a state the run id of a heartbeat.
 void Up::note_ready() {
-  const Lookout& seen = bus_->seen();
+  const StackMonitor& seen = bus_->seen();
   for (const Supervised& one : supervisor_->processes()) {
     if (one.ready || one.child.empty() || one.process.ready_when != ReadyWhen::kMessage) continue;
     const SeenProcess* process = seen.process_of_pid(one.child.front().pid());

@@ -6,7 +6,7 @@
 
 namespace twinbus {
 
-std::string who_is_in_the_way(const Lookout& seen, const Stack& stack, std::int64_t now_ns) {
+std::string who_is_in_the_way(const StackMonitor& seen, const Stack& stack, std::int64_t now_ns) {
   std::string who;
   if (const auto sources = seen.sources(now_ns); !sources.empty()) who = describe(*sources.front());
   const auto starts = [&stack](const std::string& program) {

@@ -13,16 +13,16 @@ namespace twinbus {
 
 class MissedTicks {
  public:
-  // Starts the witness beside a loop that follows the clock, at a FIFO priority above everything of
+  // Starts the probe beside a loop that follows the clock, at a FIFO priority above everything of
   // the stack.
-  void watch(std::int64_t period_ns, int priority = 80) { witness_.emplace(period_ns, priority); }
+  void watch(std::int64_t period_ns, int priority = 80) { probe_.emplace(period_ns, priority); }
 
   // Ticks were missed between two instants of the steady clock, by being late_ns too late: is it the
   // machine that stood still for so long?
   void add(std::int64_t ticks, std::int64_t late_ns, std::int64_t from_ns,
            std::int64_t to_ns) noexcept {
     missed_ += ticks;
-    if (witness_.has_value() && witness_->stood_still_ns(from_ns, to_ns) >= late_ns) {
+    if (probe_.has_value() && probe_->stood_still_ns(from_ns, to_ns) >= late_ns) {
       stalled_ += ticks;
     }
   }
@@ -32,11 +32,11 @@ class MissedTicks {
   void tell(Heartbeat& beat) const noexcept {
     beat.ticks_missed = missed_;
     beat.ticks_stalled = stalled_;
-    beat.timer_missed = witness_.has_value() && witness_->running() ? witness_->missed() : -1;
+    beat.timer_missed = probe_.has_value() && probe_->running() ? probe_->missed() : -1;
   }
 
  private:
-  std::optional<Witness> witness_;
+  std::optional<JitterProbe> probe_;
   std::int64_t missed_ = 0;
   std::int64_t stalled_ = 0;
 };

@@ -24,8 +24,8 @@ SourceStatus source_of(SourceKind kind, Role role, std::int64_t run) {
 }
 
 // A simulator that stands by nothing, and a controller, both heard a moment ago.
-Lookout healthy(const SourceStatus& status = source_of(SourceKind::kSimulator, Role::kActive, 7)) {
-  Lookout seen;
+StackMonitor healthy(const SourceStatus& status = source_of(SourceKind::kSimulator, Role::kActive, 7)) {
+  StackMonitor seen;
   seen.on_source_status(status, kNow);
   Heartbeat beat;
   beat.process_id = 8;
@@ -52,7 +52,7 @@ TEST(ActingLines, NameWhatIsWrongWithItsRemedy) {
   stopped.stop_reason = StopReason::kOperator;
   EXPECT_TRUE(has(acting_lines(healthy(stopped), kNow), "the robot is stopped (hold) by the operator: ./twinbus clear"));
 
-  Lookout standby = healthy();
+  StackMonitor standby = healthy();
   SourceStatus bridge = source_of(SourceKind::kBridge, Role::kParked, 9);
   bridge.stop_kind = StopKind::kOff;
   standby.on_source_status(bridge, kNow);
@@ -60,21 +60,21 @@ TEST(ActingLines, NameWhatIsWrongWithItsRemedy) {
 
   SourceStatus paused = source_of(SourceKind::kSimulator, Role::kActive, 7);
   paused.pace = static_cast<std::int8_t>(Pace::kPaused);
-  Lookout still = healthy(paused);
+  StackMonitor still = healthy(paused);
   EXPECT_TRUE(has(acting_lines(still, kNow), "./twinbus sim go"));
 
-  const Lookout parked = healthy(source_of(SourceKind::kBridge, Role::kParked, 7));
+  const StackMonitor parked = healthy(source_of(SourceKind::kBridge, Role::kParked, 7));
   EXPECT_TRUE(has(acting_lines(parked, kNow), "no source is active (bridge): ./twinbus switch"));
 
-  Lookout alone;
+  StackMonitor alone;
   alone.on_source_status(source_of(SourceKind::kSimulator, Role::kActive, 7), kNow);
   EXPECT_TRUE(has(acting_lines(alone, kNow), "nobody commands the robot"));
 
-  Lookout unguarded = healthy();
+  StackMonitor unguarded = healthy();
   unguarded.on_guard({}, kNow - 3'000'000'000);
   EXPECT_TRUE(has(acting_lines(unguarded, kNow), "the guard is silent: ./twinbus restart guard"));
 
-  Lookout fallen = healthy(stopped);
+  StackMonitor fallen = healthy(stopped);
   SimTruth truth;
   truth.fell = true;
   fallen.on_truth(truth, kNow);
@@ -89,9 +89,9 @@ TEST(ShortLines, BeginWithWhatHasToBeDoneAndLeaveStreamsOut) {
   EXPECT_FALSE(has(well, "stream"));
   EXPECT_TRUE(has(well, "robot: mode") && has(well, "controller") && has(well, "simulator"));
   EXPECT_TRUE(has(table_lines(healthy(), shares, kNow), "stream"));
-  const Lookout parked = healthy(source_of(SourceKind::kBridge, Role::kParked, 7));
+  const StackMonitor parked = healthy(source_of(SourceKind::kBridge, Role::kParked, 7));
   EXPECT_EQ(short_lines(parked, shares, kNow).front().find("ACT: no source is active"), 0u);
-  EXPECT_TRUE(short_lines(Lookout(), shares, kNow).front() != "nothing needs acting on");
+  EXPECT_TRUE(short_lines(StackMonitor(), shares, kNow).front() != "nothing needs acting on");
 }
 
 }  // namespace

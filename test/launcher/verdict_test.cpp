@@ -11,7 +11,7 @@ constexpr std::int64_t kPeriod = 2'000'000;
 constexpr int kTicks = 10000;
 
 struct FakeRun {
-  Lookout seen;
+  StackMonitor seen;
   RunRequest request;
   std::int64_t end = kTicks * kPeriod;
 
@@ -62,14 +62,14 @@ TEST(Verdict, MissedTicksAreJudgedByWhetherFifoWasThere) {
 }
 
 TEST(Verdict, AUsersProgramIsTheControllerWhereThereIsNoOther) {
-  const auto beat = [](Lookout& seen, ProcessKind kind, int id, std::int8_t realtime) {
+  const auto beat = [](StackMonitor& seen, ProcessKind kind, int id, std::int8_t realtime) {
     Heartbeat heartbeat;
     heartbeat.kind = kind;
     heartbeat.process_id = id;
     heartbeat.realtime = realtime;
     seen.on_heartbeat(heartbeat, kPeriod);
   };
-  Lookout seen;
+  StackMonitor seen;
   beat(seen, ProcessKind::kSimulator, 7, 2);
   EXPECT_EQ(real_time_of(seen, kPeriod), 0);
   beat(seen, ProcessKind::kUser, 9, 1);
@@ -138,7 +138,7 @@ TEST(Verdict, AFallFails) {
 }
 
 TEST(Verdict, NothingHeardFails) {
-  const Lookout nothing;
+  const StackMonitor nothing;
   EXPECT_FALSE(judge(nothing, {}, {}, 0).passed);
 }
 

@@ -91,6 +91,10 @@ def main():
         checks.that(bus.newest("STATE")[1].stop_kind != 0, "and stops")
         refused(checks, bus, "is stopped (", "clear ends that")
         checks.that(cli("clear")[0] == 0 and cli("mode", "balance")[0] == 0, "it is cleared")
+        begin = time.monotonic()
+        status, _, problem = cli("mode", "play")
+        checks.that(status == 1 and "./twinbus motion FILE --play" in problem, f"mode play of a controller without a motion: {problem}")
+        checks.at_most(time.monotonic() - begin, 2.0, "seconds until it says so")
 
         checks.that(cli("push", "CHEST", "900", "0", "0", "--for", "0.4")[0] == 0, "a push that nobody survives")
         checks.that(bus.wait_for("TRUTH", lambda t: t.fell, 6.0, start=0)[1] is not None, "it falls")

@@ -20,14 +20,14 @@ TEST(CoveredTime, CountsWhatOverlapsOnce) {
 }
 
 // The system refuses priority 0, as it refuses any to a user without the right: an ordinary timer
-// proves nothing, so there is no witness, and every missed tick is the loop's own.
+// proves nothing, so there is no probe, and every missed tick is the loop's own.
 constexpr int kRefused = 0;
 
-TEST(Witness, IsNotThereWhereFifoPriorityIsRefused) {
-  const Witness witness(kPeriod, kRefused);
-  EXPECT_FALSE(witness.running());
-  EXPECT_EQ(witness.missed(), 0);
-  EXPECT_EQ(witness.stood_still_ns(0, INT64_MAX), 0);
+TEST(JitterProbe, IsNotThereWhereFifoPriorityIsRefused) {
+  const JitterProbe probe(kPeriod, kRefused);
+  EXPECT_FALSE(probe.running());
+  EXPECT_EQ(probe.missed(), 0);
+  EXPECT_EQ(probe.stood_still_ns(0, INT64_MAX), 0);
 }
 
 TEST(MissedTicks, AreTheLoopsOwnWhereThereIsNoWitness) {

@@ -12,8 +12,8 @@ SourceStatus status_of(std::int64_t run, Role role, int term) {
   return {.run_id = run, .term = term, .role = role};
 }
 
-TEST(Lookout, TheActiveSourceIsTheHolderOfTheHighestTerm) {
-  Lookout seen;
+TEST(StackMonitor, TheActiveSourceIsTheHolderOfTheHighestTerm) {
+  StackMonitor seen;
   EXPECT_EQ(seen.active(0), nullptr);
   seen.on_source_status(status_of(1, Role::kStandbyTrack, 9), 1);
   EXPECT_EQ(seen.active(1), nullptr);
@@ -24,14 +24,14 @@ TEST(Lookout, TheActiveSourceIsTheHolderOfTheHighestTerm) {
   EXPECT_EQ(seen.active(5'000'000'000), nullptr);  // silent for too long
 }
 
-TEST(Lookout, AFloodOfInventedSendersDoesNotGrowIt) {
-  Lookout seen;
+TEST(StackMonitor, AFloodOfInventedSendersDoesNotGrowIt) {
+  StackMonitor seen;
   for (int i = 1; i < 10000; ++i) seen.on_source_status(status_of(i, Role::kParked, 0), i);
   EXPECT_LE(seen.sources(10000, 100.0).size(), 64U);
 }
 
-TEST(Lookout, EventsCannotSendControlCharactersToATerminal) {
-  Lookout seen;
+TEST(StackMonitor, EventsCannotSendControlCharactersToATerminal) {
+  StackMonitor seen;
   Event event;
   event.text[0] = 'a';
   event.text[1] = '\x1b';
@@ -43,8 +43,8 @@ TEST(Lookout, EventsCannotSendControlCharactersToATerminal) {
   EXPECT_TRUE(seen.take_events().empty());
 }
 
-TEST(Lookout, FiguresAreTheWorstOfTheRun) {
-  Lookout seen;
+TEST(StackMonitor, FiguresAreTheWorstOfTheRun) {
+  StackMonitor seen;
   SimTruth truth;
   truth.zmp_margin = 0.05F;
   for (int i = 0; i < 100; ++i) {
@@ -65,7 +65,7 @@ TEST(Lookout, FiguresAreTheWorstOfTheRun) {
   EXPECT_FALSE(seen.figures().fell);
 }
 
-TEST(Lookout, WordsForNumbersOutsideTheListAreUnknown) {
+TEST(StackMonitor, WordsForNumbersOutsideTheListAreUnknown) {
   EXPECT_STREQ(label(static_cast<Role>(99)), "unknown");
   EXPECT_STREQ(source_name(static_cast<SourceKind>(-1)), "unknown");
   EXPECT_STREQ(label(Role::kStandbyTrack), "track");
