@@ -2,7 +2,9 @@
 """Policies: the readers of their specifications, their observations, what checks find, and who commands them; no bus, no simulator.
 
 Needs numpy and PyYAML, and onnxruntime for the parts that run a network ($TWINBUS_POLICY_PYTHON names a Python that has them)."""
+import contextlib
 import copy
+import io
 import math
 import os
 import pathlib
@@ -12,6 +14,7 @@ import threading
 import time
 import unittest
 from types import SimpleNamespace
+from unittest import mock
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parents[1] / 'python'), str(HERE)]
@@ -33,7 +36,7 @@ except ImportError:
 import tiny_onnx  # noqa: E402
 import twinbus  # noqa: E402
 from twinbus import messages  # noqa: E402
-from twinbus.policy import (answer_map, check, controller, deploy_yaml, env_yaml, find, metadata, mirror, model_text, robot,  # noqa: E402
+from twinbus.policy import (answer_map, check, command_line, controller, deploy_yaml, env_yaml, find, metadata, mirror, model_text, robot,  # noqa: E402
                             runner, spec, suspects, trial)
 from twinbus.policy.errors import PolicyError, Refused  # noqa: E402
 from twinbus.policy.observation import Measured, Observation  # noqa: E402
@@ -410,6 +413,22 @@ class Checks(unittest.TestCase):
             self.assertNotEqual(spec.to_text(changed), text, sentence)
 
 
+class Trials(unittest.TestCase):
+    def test_every_trial_of_check_runs_in_the_engine_that_is_asked_for(self):
+        words = SimpleNamespace(no_trial=False, command=(0.0, 0.0, 0.0), seconds=1.0, seed=4, engine='mujoco', jobs=1, robot='dog')
+        ran = []
+
+        def run_all(cases, jobs):
+            ran.extend(cases)
+            return [trial.Outcome(case.command, case.seed, fell=True) for case in cases]
+        with mock.patch.object(command_line, 'policy_of', return_value=(None, quadruped(), trot())), \
+                mock.patch.object(trial, 'run_all', run_all), mock.patch.object(command_line.check, 'in_words', return_value=0), \
+                mock.patch.object(command_line.check, 'check', return_value=[]), contextlib.redirect_stdout(io.StringIO()):
+            self.assertEqual(command_line.check_it(words), 1)
+        self.assertGreater(len(ran), 2)  # two trials, and those with single changes
+        self.assertEqual({(case.engine, case.seed) for case in ran}, {('mujoco', 4)})
+
+
 class Operators(unittest.TestCase):
     def walk(self, sequence, **values):
         return SimpleNamespace(**{**dict(run_id=7, sender_id=1, sequence=sequence, vx=0.3, vy=0.0, wz=0.1, timeout=0.3), **values})
@@ -544,6 +563,16 @@ class Running(unittest.TestCase):
             self.start(wait=0.3, fade=fade)
             found = default + [off, *[0.0] * 11]
             self.assertEqual({command.flags for command in self.go(10, q=[*found, *[0.0] * (len(messages.robot_state_t().q) - 12)])}, {flags}, off)
+
+    def test_a_joint_that_slides_is_far_in_metres(self):
+        default = np.array([joint.default for joint in trot().joints])
+        for off, flags in ((0.2, runner.NOT_FADED), (0.4, 0)):
+            self.start(wait=0.3)
+            self.go(1)
+            self.made.controller.robot.bus[0].kind = 'prismatic'
+            self.made._fresh = True
+            self.made._begin(self.state(q=[*(default + [off, *[0.0] * 11]), *[0.0] * (len(messages.robot_state_t().q) - 12)]))
+            self.assertEqual(self.made._unfaded is not None, flags == runner.NOT_FADED, off)
 
     def test_what_comes_after_the_start_fades_as_with_every_client(self):
         def flags(count, **values):

@@ -161,7 +161,7 @@ def check_it(words: argparse.Namespace) -> int:
         print('note  commands: it reads no velocity, so it is not asked to walk')
 
     def walks(candidate: spec.Spec) -> list[trial.Outcome]:
-        return trial.run_all([trial.Case(network, candidate, known, words.robot, command, seconds_of(words), words.seed)
+        return trial.run_all([trial.Case(network, candidate, known, words.robot, command, seconds_of(words), words.seed, words.engine)
                               for command in asked], words.jobs)
     outcomes = walks(found)
     for outcome in outcomes:
@@ -171,7 +171,7 @@ def check_it(words: argparse.Namespace) -> int:
         return 0
     print('policy: it does not walk in the simulator; which single change lets it?', flush=True)
     cases = list(suspects.suspects(found, known))
-    results = trial.run_all([trial.Case(network, changed, known, words.robot, asked[-1], seconds_of(words), words.seed)
+    results = trial.run_all([trial.Case(network, changed, known, words.robot, asked[-1], seconds_of(words), words.seed, words.engine)
                              for _, _, changed in cases], words.jobs)
     good = sorted((trial.error_of(outcome), number) for number, outcome in enumerate(results) if trial.is_good(outcome))
     for _, number in good[:3]:

@@ -39,7 +39,8 @@ AT_REST = 0.05                   # slower the base rests [m/s]
 RECENT = 50                      # ticks after which a velocity is nobody's
 FADE = 0.3                       # from a posture that was held before the policy was known to the policy's own [s]
 BACK = 0.5                       # how fast joints go back that only a motion moves [rad/s, m/s]
-FAR = 1.0                        # of the policy's posture: a robot that is found so is brought there gently [rad, m]
+FAR = 1.0                        # of the policy's posture: a robot that is found so is brought there gently [rad]
+FAR_SLIDE = 0.3                  # the same of a joint that slides [m]
 FIRST_ESTIMATE = 0.1             # in which the velocity of the base must have come for the first time [s]
 TOO_LATE = 0.1                   # an inference that balances nothing any more [s]
 ASKS_EVERY = 0.02                # a stop, until STATE shows it [s]
@@ -258,7 +259,8 @@ class Runner:
         self._rest, self._kp, self._kd = self._target.copy(), self.controller.kp, self.controller.kd
         off = np.abs(self._target - q)
         # What was cleared, and a source that takes over later, fade as with every client.
-        near = self._fresh and bool(off.max() <= FAR)
+        far = np.array([FAR_SLIDE if joint.kind == 'prismatic' else FAR for joint in self.controller.robot.bus])
+        near = self._fresh and bool(np.all(off <= far))
         fades = self.options.fade if self.options.fade is not None else not near
         until = math.inf if self.options.fade is not None else state.time_ns + 1e9 * (self.options.wait + FADE)
         self._unfaded, self._fresh = None if fades else (state.run_id, state.term, until), False
